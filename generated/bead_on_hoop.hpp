@@ -505,7 +505,7 @@ struct Mechanism {
 
   static constexpr const char* name = "bead_on_hoop";
   /// 64 bits (FNV-1a) of this file from "#pragma once" on, with zeros in their own place: another mechanism, other bits.
-  static constexpr unsigned long long fingerprint = 0x90389a383a0f03f0ULL;
+  static constexpr unsigned long long fingerprint = 0x08b3aeed343dc33eULL;
   static constexpr int coordinate_count = 1;
   static constexpr int velocity_count = 1;
   static constexpr int input_count = 0;
@@ -702,39 +702,39 @@ struct Mechanism {
     const Scalar t = state.time;
     const Scalar q_theta = state.q.theta;
     const Scalar v_theta = state.v.theta;
-    const Scalar z2 = p_omega * t;
-    const Scalar angles_[] = {z2, q_theta};
+    const Scalar z0 = p_omega * t;
+    const Scalar angles_[] = {z0, q_theta};
     Scalar sines_[2], cosines_[2];
     torsor::sines_and_cosines(angles_, sines_, cosines_);
-    const Scalar z3 = sines_[0], z4 = cosines_[0];
+    const Scalar z1 = sines_[0], z2 = cosines_[0];
     const Scalar s_theta = sines_[1], c_theta = cosines_[1];
-    const Scalar z14 = p_omega * s_theta;
-    const Scalar z10 = z4 * c_theta;
-    const Scalar z12 = z3 * c_theta;
-    const Scalar z11 = z4 * s_theta;
-    const Scalar z13 = z3 * s_theta;
-    const Scalar z16 = z3 * v_theta;  // angular velocity of bead, x
-    const Scalar z17 = z4 * v_theta;  // angular velocity of bead, y
-    const Scalar z20 = v_theta * s_theta;
-    const Scalar z18 = z3 * z14 - v_theta * z10;
-    const Scalar z19 = z4 * z14 + v_theta * z12;
-    result.bead_position[0] = -z11;
-    result.bead_position[1] = -z13;
+    const Scalar z3 = p_omega * s_theta;
+    const Scalar z4 = z2 * c_theta;
+    const Scalar z5 = z1 * c_theta;
+    const Scalar z6 = z2 * s_theta;
+    const Scalar z7 = z1 * s_theta;
+    const Scalar z8 = z1 * v_theta;  // angular velocity of bead, x
+    const Scalar z9 = z2 * v_theta;  // angular velocity of bead, y
+    const Scalar z10 = v_theta * s_theta;
+    const Scalar z11 = z1 * z3 - v_theta * z4;
+    const Scalar z12 = z2 * z3 + v_theta * z5;
+    result.bead_position[0] = -z6;
+    result.bead_position[1] = -z7;
     result.bead_position[2] = -c_theta;
-    result.bead_rotation[0] = z10;
-    result.bead_rotation[1] = z12;
+    result.bead_rotation[0] = z4;
+    result.bead_rotation[1] = z5;
     result.bead_rotation[2] = -s_theta;
-    result.bead_rotation[3] = -z3;
-    result.bead_rotation[4] = z4;
+    result.bead_rotation[3] = -z1;
+    result.bead_rotation[4] = z2;
     result.bead_rotation[5] = n0;
-    result.bead_rotation[6] = z11;
-    result.bead_rotation[7] = z13;
+    result.bead_rotation[6] = z6;
+    result.bead_rotation[7] = z7;
     result.bead_rotation[8] = c_theta;
-    result.bead_velocity[0] = z18;
-    result.bead_velocity[1] = -z19;
-    result.bead_velocity[2] = z20;
-    result.bead_angular_velocity[0] = -z16;
-    result.bead_angular_velocity[1] = z17;
+    result.bead_velocity[0] = z11;
+    result.bead_velocity[1] = -z12;
+    result.bead_velocity[2] = z10;
+    result.bead_angular_velocity[0] = -z8;
+    result.bead_angular_velocity[1] = z9;
     result.bead_angular_velocity[2] = p_omega;
   }
 
@@ -753,12 +753,12 @@ struct Mechanism {
     const Scalar q_theta = state.q.theta;
     Scalar s_theta, c_theta;
     traits::sincos(q_theta, s_theta, c_theta);
-    const Scalar z14 = p_omega * s_theta;
-    const Scalar z15 = p_omega * c_theta;
-    const Scalar z34 = n9_81 * s_theta;
-    const Scalar z38 = z14 * z15;
-    const Scalar z43 = z34 - z38;  // moment on bead, y
-    forces.theta = z43;
+    const Scalar z0 = p_omega * s_theta;
+    const Scalar z1 = p_omega * c_theta;
+    const Scalar z2 = n9_81 * s_theta;
+    const Scalar z3 = z0 * z1;
+    const Scalar z4 = z2 - z3;  // moment on bead, y
+    forces.theta = z4;
   }
 
   /// Inverse dynamics: the generalised forces M a + h - A' lambda that motors must supply for the accelerations a.
@@ -770,12 +770,12 @@ struct Mechanism {
     const Scalar a_theta = accelerations.theta;
     Scalar s_theta, c_theta;
     traits::sincos(q_theta, s_theta, c_theta);
-    const Scalar z14 = p_omega * s_theta;
-    const Scalar z15 = p_omega * c_theta;
-    const Scalar z34 = n9_81 * s_theta;
-    const Scalar z38 = z14 * z15;
-    const Scalar z53 = a_theta + z34 - z38;  // moment on bead, y
-    forces.theta = z53;
+    const Scalar z0 = p_omega * s_theta;
+    const Scalar z1 = p_omega * c_theta;
+    const Scalar z2 = n9_81 * s_theta;
+    const Scalar z3 = z0 * z1;
+    const Scalar z4 = a_theta + z2 - z3;  // moment on bead, y
+    forces.theta = z4;
   }
 
   /// Forward dynamics: accelerations a and multipliers lambda from M a + h = E u + A' lambda, A a + gamma = 0, by
@@ -790,12 +790,12 @@ struct Mechanism {
     const Scalar q_theta = state.q.theta;
     Scalar s_theta, c_theta;
     traits::sincos(q_theta, s_theta, c_theta);
-    const Scalar z14 = p_omega * s_theta;
-    const Scalar z15 = p_omega * c_theta;
-    const Scalar z34 = n9_81 * s_theta;
-    const Scalar z38 = z14 * z15;
-    const Scalar z43 = z34 - z38;  // moment on bead, y
-    accelerations.theta = -z43;
+    const Scalar z0 = p_omega * s_theta;
+    const Scalar z1 = p_omega * c_theta;
+    const Scalar z2 = n9_81 * s_theta;
+    const Scalar z3 = z0 * z1;
+    const Scalar z4 = z2 - z3;  // moment on bead, y
+    accelerations.theta = -z4;
     // 0 x is 0 for every finite x and not a number for any other.
     const Scalar zero = n0 * accelerations.theta;
     if (!traits::regular(n1, zero)) return torsor::Status::not_finite;
@@ -813,8 +813,8 @@ struct Mechanism {
     const Scalar v_theta = state.v.theta;
     Scalar s_theta, c_theta;
     traits::sincos(q_theta, s_theta, c_theta);
-    const Scalar z14 = p_omega * s_theta;
-    result.kinetic = n0_5 * (v_theta * v_theta + z14 * z14);
+    const Scalar z0 = p_omega * s_theta;
+    result.kinetic = n0_5 * (v_theta * v_theta + z0 * z0);
     result.force_function = n9_81 * c_theta;
     result.power = n0;
   }
@@ -829,8 +829,8 @@ struct Mechanism {
     const Scalar v_theta = state.v.theta;
     Scalar s_theta, c_theta;
     traits::sincos(q_theta, s_theta, c_theta);
-    const Scalar z14 = p_omega * s_theta;
-    result.painleve = n0_5 * (v_theta * v_theta - z14 * z14) - n9_81 * c_theta;
+    const Scalar z0 = p_omega * s_theta;
+    result.painleve = n0_5 * (v_theta * v_theta - z0 * z0) - n9_81 * c_theta;
   }
 
   /// Reactions against the released coordinates, each P_q - Q_q at q = 0: what the joint exerts along the released
@@ -843,11 +843,11 @@ struct Mechanism {
     const Scalar v_theta = state.v.theta;
     Scalar s_theta, c_theta;
     traits::sincos(q_theta, s_theta, c_theta);
-    const Scalar z15 = p_omega * c_theta;
-    const Scalar z36 = v_theta * z15;  // angular acceleration of bead, x
-    const Scalar z39 = n2 * z36;
-    const Scalar z47 = s_theta * z39;
-    result.motor = z47;
+    const Scalar z0 = p_omega * c_theta;
+    const Scalar z1 = v_theta * z0;  // angular acceleration of bead, x
+    const Scalar z2 = n2 * z1;
+    const Scalar z3 = s_theta * z2;
+    result.motor = z3;
   }
 
   /// Linearisation about the state: M e'' + C e' + K e = F + E du, with e and du deviations from the state and the
@@ -862,20 +862,20 @@ struct Mechanism {
     const Scalar a_theta = accelerations.theta;
     Scalar s_theta, c_theta;
     traits::sincos(q_theta, s_theta, c_theta);
-    const Scalar z14 = p_omega * s_theta;
-    const Scalar z15 = p_omega * c_theta;
-    const Scalar z34 = n9_81 * s_theta;
-    const Scalar z35 = n9_81 * c_theta;
-    const Scalar z38 = z14 * z15;
-    const Scalar z64 = z14 * z14 - z15 * z15;
-    const Scalar z53 = a_theta + z34 - z38;  // moment on bead, y
-    const Scalar z65 = z35 + z64;
+    const Scalar z0 = p_omega * s_theta;
+    const Scalar z1 = p_omega * c_theta;
+    const Scalar z2 = n9_81 * s_theta;
+    const Scalar z3 = n9_81 * c_theta;
+    const Scalar z4 = z0 * z1;
+    const Scalar z5 = z0 * z0 - z1 * z1;
+    const Scalar z6 = a_theta + z2 - z4;  // moment on bead, y
+    const Scalar z7 = z3 + z5;
     result.M[0] = n1;
     result.C[0] = n0;
-    result.K[0] = z65;
-    result.F[0] = -z53;
+    result.K[0] = z7;
+    result.F[0] = -z6;
     result.A[0] = n0;
-    result.A[1] = -z65;
+    result.A[1] = -z7;
     result.A[2] = n1;
     result.A[3] = n0;
     // 0 x is 0 for every finite x and not a number for any other.

@@ -508,7 +508,7 @@ struct Mechanism {
 
   static constexpr const char* name = "chaplygin_sleigh";
   /// 64 bits (FNV-1a) of this file from "#pragma once" on, with zeros in their own place: another mechanism, other bits.
-  static constexpr unsigned long long fingerprint = 0xc8592a28315969e7ULL;
+  static constexpr unsigned long long fingerprint = 0xc321f3736980d6e0ULL;
   static constexpr int coordinate_count = 3;
   static constexpr int velocity_count = 3;
   static constexpr int input_count = 0;
@@ -728,15 +728,15 @@ struct Mechanism {
     const Scalar v_phi = state.v.phi;
     Scalar s_phi, c_phi;
     traits::sincos(q_phi, s_phi, c_phi);
-    const Scalar z15 = n0_5 * v_phi;
-    const Scalar z11 = n0_5 * c_phi;
-    const Scalar z12 = n0_5 * s_phi;
-    const Scalar z16 = v_x - s_phi * z15;
-    const Scalar z17 = v_y + c_phi * z15;
-    const Scalar z13 = q_x + z11;
-    const Scalar z14 = q_y + z12;
-    result.sleigh_position[0] = z13;
-    result.sleigh_position[1] = z14;
+    const Scalar z0 = n0_5 * v_phi;
+    const Scalar z1 = n0_5 * c_phi;
+    const Scalar z2 = n0_5 * s_phi;
+    const Scalar z3 = v_x - s_phi * z0;
+    const Scalar z4 = v_y + c_phi * z0;
+    const Scalar z5 = q_x + z1;
+    const Scalar z6 = q_y + z2;
+    result.sleigh_position[0] = z5;
+    result.sleigh_position[1] = z6;
     result.sleigh_position[2] = n0;
     result.sleigh_rotation[0] = c_phi;
     result.sleigh_rotation[1] = s_phi;
@@ -747,8 +747,8 @@ struct Mechanism {
     result.sleigh_rotation[6] = n0;
     result.sleigh_rotation[7] = n0;
     result.sleigh_rotation[8] = n1;
-    result.sleigh_velocity[0] = z16;
-    result.sleigh_velocity[1] = z17;
+    result.sleigh_velocity[0] = z3;
+    result.sleigh_velocity[1] = z4;
     result.sleigh_velocity[2] = n0;
     result.sleigh_angular_velocity[0] = n0;
     result.sleigh_angular_velocity[1] = n0;
@@ -779,16 +779,16 @@ struct Mechanism {
     const Scalar q_phi = state.q.phi;
     Scalar s_phi, c_phi;
     traits::sincos(q_phi, s_phi, c_phi);
-    const Scalar z11 = n0_5 * c_phi;
-    const Scalar z12 = n0_5 * s_phi;
+    const Scalar z0 = n0_5 * c_phi;
+    const Scalar z1 = n0_5 * s_phi;
     mass[0] = n1;
     mass[1] = n0;
-    mass[2] = -z12;
+    mass[2] = -z1;
     mass[3] = n0;
     mass[4] = n1;
-    mass[5] = z11;
-    mass[6] = -z12;
-    mass[7] = z11;
+    mass[5] = z0;
+    mass[6] = -z1;
+    mass[7] = z0;
     mass[8] = n0_75;
   }
 
@@ -801,12 +801,12 @@ struct Mechanism {
     const Scalar v_phi = state.v.phi;
     Scalar s_phi, c_phi;
     traits::sincos(q_phi, s_phi, c_phi);
-    const Scalar z27 = v_phi * v_phi;
-    const Scalar z28 = n0_5 * z27;  // force on sleigh, x
-    const Scalar z29 = c_phi * z28;
-    const Scalar z30 = s_phi * z28;
-    forces.x = -z29;
-    forces.y = -z30;
+    const Scalar z0 = v_phi * v_phi;
+    const Scalar z1 = n0_5 * z0;  // force on sleigh, x
+    const Scalar z2 = c_phi * z1;
+    const Scalar z3 = s_phi * z1;
+    forces.x = -z2;
+    forces.y = -z3;
     forces.phi = n0;
   }
 
@@ -823,18 +823,18 @@ struct Mechanism {
     const Scalar l_N = multipliers.N;
     Scalar s_phi, c_phi;
     traits::sincos(q_phi, s_phi, c_phi);
-    const Scalar z27 = v_phi * v_phi;
-    const Scalar z34 = n0_5 * a_phi;  // force on sleigh, y
-    const Scalar z33 = a_x * s_phi - a_y * c_phi;
-    const Scalar z28 = n0_5 * z27;  // force on sleigh, x
-    const Scalar z36 = s_phi * z34 + c_phi * z28;
-    const Scalar z37 = s_phi * z28 - c_phi * z34;
-    const Scalar z35 = n0_75 * a_phi - n0_5 * z33;  // moment on sleigh, z
-    const Scalar z38 = a_x - z36;  // force on along_y, x
-    const Scalar z39 = a_y - z37;  // force on along_y, y
-    forces.x = s_phi * l_N + z38;
-    forces.y = -c_phi * l_N + z39;
-    forces.phi = z35;
+    const Scalar z0 = v_phi * v_phi;
+    const Scalar z1 = n0_5 * a_phi;  // force on sleigh, y
+    const Scalar z2 = a_x * s_phi - a_y * c_phi;
+    const Scalar z3 = n0_5 * z0;  // force on sleigh, x
+    const Scalar z4 = s_phi * z1 + c_phi * z3;
+    const Scalar z5 = s_phi * z3 - c_phi * z1;
+    const Scalar z6 = n0_75 * a_phi - n0_5 * z2;  // moment on sleigh, z
+    const Scalar z7 = a_x - z4;  // force on along_y, x
+    const Scalar z8 = a_y - z5;  // force on along_y, y
+    forces.x = s_phi * l_N + z7;
+    forces.y = -c_phi * l_N + z8;
+    forces.phi = z6;
   }
 
   /// Forward dynamics: accelerations a and multipliers lambda from M a + h = E u + A' lambda, A a + gamma = 0, by
@@ -853,45 +853,45 @@ struct Mechanism {
     const Scalar v_phi = state.v.phi;
     Scalar s_phi, c_phi;
     traits::sincos(q_phi, s_phi, c_phi);
-    const Scalar z11 = n0_5 * c_phi;
-    const Scalar z12 = n0_5 * s_phi;
-    const Scalar z27 = v_phi * v_phi;
-    const Scalar z45 = v_phi * c_phi;
-    const Scalar z46 = v_phi * s_phi;
-    const Scalar z28 = n0_5 * z27;  // force on sleigh, x
-    const Scalar z29 = c_phi * z28;
-    const Scalar z30 = s_phi * z28;
-    const Scalar z47 = v_x * z45 + v_y * z46;
-    const Scalar z49 = n4_over_3 * z12;
-    const Scalar z50 = n4_over_3 * z11;
-    const Scalar z51 = n1 - z12 * z49;
-    const Scalar z52 = z12 * z50;
-    const Scalar z53 = n1 - z11 * z50;
-    const Scalar z54 = n1 / z53;
-    const Scalar z55 = z52 * z54;
-    const Scalar z56 = z51 - z52 * z55;
-    const Scalar z58 = s_phi + c_phi * z55;
-    const Scalar z64 = z29 - z30 * z55;
-    const Scalar z57 = n1 / z56;
-    const Scalar z59 = z57 * z58;
-    const Scalar z65 = z57 * z64;
-    const Scalar z60 = c_phi * z54 + z55 * z59;
-    const Scalar z66 = z30 * z54 - z55 * z65;
-    const Scalar z61 = z49 * z59 + z50 * z60;
-    const Scalar z62 = s_phi * z59 + c_phi * z60;
-    const Scalar z67 = z49 * z65 - z50 * z66;
-    const Scalar z68 = z47 + s_phi * z65 - c_phi * z66;
-    const Scalar z63 = n1 / z62;
-    const Scalar z69 = z63 * z68;
-    const Scalar z70 = z59 * z69 - z65;
-    const Scalar z71 = z60 * z69 + z66;
-    const Scalar z72 = z61 * z69 - z67;
-    accelerations.x = -z70;
-    accelerations.y = z71;
-    accelerations.phi = -z72;
-    multipliers.N = z69;
-    if (!(traits::regular(z56, n1) && traits::regular(z53, n1) && traits::regular(z62,
-        z62))) return torsor::Status::singular;
+    const Scalar z0 = n0_5 * c_phi;
+    const Scalar z1 = n0_5 * s_phi;
+    const Scalar z2 = v_phi * v_phi;
+    const Scalar z3 = v_phi * c_phi;
+    const Scalar z4 = v_phi * s_phi;
+    const Scalar z5 = n0_5 * z2;  // force on sleigh, x
+    const Scalar z6 = c_phi * z5;
+    const Scalar z7 = s_phi * z5;
+    const Scalar z8 = v_x * z3 + v_y * z4;
+    const Scalar z9 = n4_over_3 * z1;
+    const Scalar z10 = n4_over_3 * z0;
+    const Scalar z11 = n1 - z1 * z9;
+    const Scalar z12 = z1 * z10;
+    const Scalar z13 = n1 - z0 * z10;
+    const Scalar z14 = n1 / z13;
+    const Scalar z15 = z12 * z14;
+    const Scalar z16 = z11 - z12 * z15;
+    const Scalar z17 = s_phi + c_phi * z15;
+    const Scalar z18 = z6 - z7 * z15;
+    const Scalar z19 = n1 / z16;
+    const Scalar z20 = z19 * z17;
+    const Scalar z21 = z19 * z18;
+    const Scalar z22 = c_phi * z14 + z15 * z20;
+    const Scalar z23 = z7 * z14 - z15 * z21;
+    const Scalar z24 = z9 * z20 + z10 * z22;
+    const Scalar z25 = s_phi * z20 + c_phi * z22;
+    const Scalar z26 = z9 * z21 - z10 * z23;
+    const Scalar z27 = z8 + s_phi * z21 - c_phi * z23;
+    const Scalar z28 = n1 / z25;
+    const Scalar z29 = z28 * z27;
+    const Scalar z30 = z20 * z29 - z21;
+    const Scalar z31 = z22 * z29 + z23;
+    const Scalar z32 = z24 * z29 - z26;
+    accelerations.x = -z30;
+    accelerations.y = z31;
+    accelerations.phi = -z32;
+    multipliers.N = z29;
+    if (!(traits::regular(z16, n1) && traits::regular(z13, n1) && traits::regular(z25,
+        z25))) return torsor::Status::singular;
     // 0 x is 0 for every finite x and not a number for any other.
     const Scalar zero = n0 * accelerations.x * accelerations.y * accelerations.phi * multipliers.N;
     if (!traits::regular(n1, zero)) return torsor::Status::not_finite;
@@ -909,11 +909,11 @@ struct Mechanism {
     const Scalar v_phi = state.v.phi;
     Scalar s_phi, c_phi;
     traits::sincos(q_phi, s_phi, c_phi);
-    const Scalar z44 = v_x * s_phi - v_y * c_phi;
-    const Scalar z73 = v_x * c_phi + v_y * s_phi;
-    const Scalar z74 = n0_5 * v_phi - z44;
-    const Scalar z75 = n0_75 * v_phi - n0_5 * z44;
-    result.kinetic = n0_5 * (z73 * z73 + v_phi * z75 - z44 * z74);
+    const Scalar z0 = v_x * s_phi - v_y * c_phi;
+    const Scalar z1 = v_x * c_phi + v_y * s_phi;
+    const Scalar z2 = n0_5 * v_phi - z0;
+    const Scalar z3 = n0_75 * v_phi - n0_5 * z0;
+    result.kinetic = n0_5 * (z1 * z1 + v_phi * z3 - z0 * z2);
     result.force_function = n0;
     result.power = n0;
   }
@@ -928,11 +928,11 @@ struct Mechanism {
     const Scalar v_phi = state.v.phi;
     Scalar s_phi, c_phi;
     traits::sincos(q_phi, s_phi, c_phi);
-    const Scalar z44 = v_x * s_phi - v_y * c_phi;
-    const Scalar z73 = v_x * c_phi + v_y * s_phi;
-    const Scalar z74 = n0_5 * v_phi - z44;
-    const Scalar z75 = n0_75 * v_phi - n0_5 * z44;
-    result.energy = n0_5 * (z73 * z73 + v_phi * z75 - z44 * z74);
+    const Scalar z0 = v_x * s_phi - v_y * c_phi;
+    const Scalar z1 = v_x * c_phi + v_y * s_phi;
+    const Scalar z2 = n0_5 * v_phi - z0;
+    const Scalar z3 = n0_75 * v_phi - n0_5 * z0;
+    result.energy = n0_5 * (z1 * z1 + v_phi * z3 - z0 * z2);
   }
 
   /// Constraints A(q, t) v - b(q, t) = 0, in the order of the multipliers.
@@ -944,13 +944,13 @@ struct Mechanism {
     const Scalar v_phi = state.v.phi;
     Scalar s_phi, c_phi;
     traits::sincos(q_phi, s_phi, c_phi);
-    const Scalar z45 = v_phi * c_phi;
-    const Scalar z46 = v_phi * s_phi;
-    const Scalar z44 = v_x * s_phi - v_y * c_phi;
-    const Scalar z47 = v_x * z45 + v_y * z46;
+    const Scalar z0 = v_phi * c_phi;
+    const Scalar z1 = v_phi * s_phi;
+    const Scalar z2 = v_x * s_phi - v_y * c_phi;
+    const Scalar z3 = v_x * z0 + v_y * z1;
     result.value[0] = n0;
-    result.rate[0] = -z44;
-    result.gamma[0] = -z47;
+    result.rate[0] = -z2;
+    result.gamma[0] = -z3;
     result.jacobian[0] = -s_phi;
     result.jacobian[1] = c_phi;
     result.jacobian[2] = n0;
@@ -981,75 +981,75 @@ struct Mechanism {
     const Scalar l_N = multipliers.N;
     Scalar s_phi, c_phi;
     traits::sincos(q_phi, s_phi, c_phi);
-    const Scalar z154 = v_phi * v_phi;
-    const Scalar z160 = n0_5 * a_phi;  // force on sleigh, y
-    const Scalar z167 = v_phi * s_phi;
-    const Scalar z156 = a_x * c_phi;
-    const Scalar z166 = v_phi * c_phi;
-    const Scalar z169 = v_x * c_phi + v_y * s_phi;
-    const Scalar z155 = n0_5 * z154;  // force on sleigh, x
-    const Scalar z180 = n1 / c_phi;
-    const Scalar z158 = a_x * s_phi;
-    const Scalar z190 = n1 / (c_phi * c_phi);
-    const Scalar z163 = s_phi * z155 - c_phi * z160;
-    const Scalar z162 = s_phi * z160 + c_phi * z155;
-    const Scalar z152 = n0_5 * c_phi;
-    const Scalar z184 = v_phi / c_phi;
-    const Scalar z170 = n2 * v_phi;
-    const Scalar z171 = n0_5 * z170;
-    const Scalar z153 = n0_5 * s_phi;
-    const Scalar z181 = c_phi * c_phi;
-    const Scalar z172 = c_phi * z171;
-    const Scalar z174 = s_phi * z171;
-    const Scalar z157 = a_y * s_phi + z156;
-    const Scalar z159 = a_y * c_phi - z158;
-    const Scalar z168 = v_x * z166 + v_y * z167;
-    const Scalar z178 = v_x * z167 - v_y * z166;
-    const Scalar z161 = n0_75 * a_phi + n0_5 * z159;  // moment on sleigh, z
-    const Scalar z164 = a_x - z162;  // force on along_y, x
-    const Scalar z165 = a_y - z163;  // force on along_y, y
-    const Scalar z173 = c_phi * l_N + z163;
-    const Scalar z175 = s_phi * l_N - z162;
-    const Scalar z176 = n0_5 * z157;
-    const Scalar z177 = a_y * c_phi - z158 - z168;
-    const Scalar z179 = a_y * s_phi + z156 - z178;
-    const Scalar z201 = a_x - z162 + s_phi * z165 / c_phi;
-    const Scalar z182 = s_phi * z180;
-    const Scalar z183 = z169 * z180;
-    const Scalar z185 = z180 * z184;
-    const Scalar z189 = z177 * z180;
-    const Scalar z186 = z167 * z183;
-    const Scalar z191 = z182 * z185;
-    const Scalar z192 = z182 * z183;
-    const Scalar z193 = z152 * z185;
-    const Scalar z194 = z152 * z183;
-    const Scalar z198 = z173 + z175 * z182;
-    const Scalar z202 = z182 * z189;
-    const Scalar z203 = z152 * z189;
-    const Scalar z206 = n1 / z190;
-    const Scalar z187 = z179 + z186;
-    const Scalar z195 = z184 - z192;
-    const Scalar z205 = z161 - z203;
-    const Scalar z208 = n4_over_3 * z193;
-    const Scalar z210 = n4_over_3 * z194;
-    const Scalar z188 = z180 * z187;
-    const Scalar z196 = z182 * z188;
-    const Scalar z197 = z152 * z188;
-    const Scalar z199 = z196 + z198;
-    const Scalar z200 = z176 - z197;
-    const Scalar z204 = z201 - z202;
-    const Scalar z207 = z191 * z206;
-    const Scalar z209 = z195 * z206;
-    const Scalar z211 = z199 * z206;
-    const Scalar z212 = n4_over_3 * z200;
+    const Scalar z0 = v_phi * v_phi;
+    const Scalar z1 = n0_5 * a_phi;  // force on sleigh, y
+    const Scalar z2 = v_phi * s_phi;
+    const Scalar z3 = a_x * c_phi;
+    const Scalar z4 = v_phi * c_phi;
+    const Scalar z5 = v_x * c_phi + v_y * s_phi;
+    const Scalar z6 = n0_5 * z0;  // force on sleigh, x
+    const Scalar z7 = n1 / c_phi;
+    const Scalar z8 = a_x * s_phi;
+    const Scalar z9 = n1 / (c_phi * c_phi);
+    const Scalar z10 = s_phi * z6 - c_phi * z1;
+    const Scalar z11 = s_phi * z1 + c_phi * z6;
+    const Scalar z12 = n0_5 * c_phi;
+    const Scalar z13 = v_phi / c_phi;
+    const Scalar z14 = n2 * v_phi;
+    const Scalar z15 = n0_5 * z14;
+    const Scalar z16 = n0_5 * s_phi;
+    const Scalar z17 = c_phi * c_phi;
+    const Scalar z18 = c_phi * z15;
+    const Scalar z19 = s_phi * z15;
+    const Scalar z20 = a_y * s_phi + z3;
+    const Scalar z21 = a_y * c_phi - z8;
+    const Scalar z22 = v_x * z4 + v_y * z2;
+    const Scalar z23 = v_x * z2 - v_y * z4;
+    const Scalar z24 = n0_75 * a_phi + n0_5 * z21;  // moment on sleigh, z
+    const Scalar z25 = a_x - z11;  // force on along_y, x
+    const Scalar z26 = a_y - z10;  // force on along_y, y
+    const Scalar z27 = c_phi * l_N + z10;
+    const Scalar z28 = s_phi * l_N - z11;
+    const Scalar z29 = n0_5 * z20;
+    const Scalar z30 = a_y * c_phi - z8 - z22;
+    const Scalar z31 = a_y * s_phi + z3 - z23;
+    const Scalar z32 = a_x - z11 + s_phi * z26 / c_phi;
+    const Scalar z33 = s_phi * z7;
+    const Scalar z34 = z5 * z7;
+    const Scalar z35 = z7 * z13;
+    const Scalar z36 = z30 * z7;
+    const Scalar z37 = z2 * z34;
+    const Scalar z38 = z33 * z35;
+    const Scalar z39 = z33 * z34;
+    const Scalar z40 = z12 * z35;
+    const Scalar z41 = z12 * z34;
+    const Scalar z42 = z27 + z28 * z33;
+    const Scalar z43 = z33 * z36;
+    const Scalar z44 = z12 * z36;
+    const Scalar z45 = n1 / z9;
+    const Scalar z46 = z31 + z37;
+    const Scalar z47 = z13 - z39;
+    const Scalar z48 = z24 - z44;
+    const Scalar z49 = n4_over_3 * z40;
+    const Scalar z50 = n4_over_3 * z41;
+    const Scalar z51 = z7 * z46;
+    const Scalar z52 = z33 * z51;
+    const Scalar z53 = z12 * z51;
+    const Scalar z54 = z52 + z42;
+    const Scalar z55 = z29 - z53;
+    const Scalar z56 = z32 - z43;
+    const Scalar z57 = z38 * z45;
+    const Scalar z58 = z47 * z45;
+    const Scalar z59 = z54 * z45;
+    const Scalar z60 = n4_over_3 * z55;
     result.M[0] = n1;
     result.M[1] = n0;
-    result.M[2] = -z153;
+    result.M[2] = -z16;
     result.M[3] = n0;
     result.M[4] = n1;
-    result.M[5] = z152;
-    result.M[6] = -z153;
-    result.M[7] = z152;
+    result.M[5] = z12;
+    result.M[6] = -z16;
+    result.M[7] = z12;
     result.M[8] = n0_75;
     result.C[0] = n0;
     result.C[1] = n0;
@@ -1057,8 +1057,8 @@ struct Mechanism {
     result.C[3] = n0;
     result.C[4] = n0;
     result.C[5] = n0;
-    result.C[6] = -z172;
-    result.C[7] = -z174;
+    result.C[6] = -z18;
+    result.C[7] = -z19;
     result.C[8] = n0;
     result.K[0] = n0;
     result.K[1] = n0;
@@ -1066,28 +1066,28 @@ struct Mechanism {
     result.K[3] = n0;
     result.K[4] = n0;
     result.K[5] = n0;
-    result.K[6] = z173;
-    result.K[7] = z175;
-    result.K[8] = -z176;
-    result.F[0] = -s_phi * l_N - z164;
-    result.F[1] = c_phi * l_N - z165;
-    result.F[2] = -z161;
-    result.M_r[0] = z190;
+    result.K[6] = z27;
+    result.K[7] = z28;
+    result.K[8] = -z29;
+    result.F[0] = -s_phi * l_N - z25;
+    result.F[1] = c_phi * l_N - z26;
+    result.F[2] = -z24;
+    result.M_r[0] = z9;
     result.M_r[1] = n0;
     result.M_r[2] = n0;
     result.M_r[3] = n0_75;
-    result.C_r[0] = z191;
-    result.C_r[1] = z193;
-    result.C_r[2] = -z195;
-    result.C_r[3] = z194;
+    result.C_r[0] = z38;
+    result.C_r[1] = z40;
+    result.C_r[2] = -z47;
+    result.C_r[3] = z41;
     result.K_r[0] = n0;
     result.K_r[1] = n0;
     result.K_r[2] = n0;
     result.K_r[3] = n0;
-    result.K_r[4] = z199;
-    result.K_r[5] = -z200;
-    result.F_r[0] = -z204;
-    result.F_r[1] = -z205;
+    result.K_r[4] = z54;
+    result.K_r[5] = -z55;
+    result.F_r[0] = -z56;
+    result.F_r[1] = -z48;
     result.A[0] = n0;
     result.A[1] = n0;
     result.A[2] = n0;
@@ -1099,21 +1099,21 @@ struct Mechanism {
     result.A[8] = n0;
     result.A[9] = n0;
     result.A[10] = n0;
-    result.A[11] = z183;
+    result.A[11] = z34;
     result.A[12] = n0;
-    result.A[13] = -z211;
-    result.A[14] = z212;
+    result.A[13] = -z59;
+    result.A[14] = z60;
     result.A[15] = n1;
-    result.A[16] = z182;
+    result.A[16] = z33;
     result.A[17] = n0;
-    result.A[18] = -z207;
-    result.A[19] = -z208;
+    result.A[18] = -z57;
+    result.A[19] = -z49;
     result.A[20] = n0;
     result.A[21] = n0;
     result.A[22] = n1;
-    result.A[23] = z209;
-    result.A[24] = -z210;
-    if (!(traits::regular(z181, n1) && traits::regular(z190, z190))) return torsor::Status::singular;
+    result.A[23] = z58;
+    result.A[24] = -z50;
+    if (!(traits::regular(z17, n1) && traits::regular(z9, z9))) return torsor::Status::singular;
     // 0 x is 0 for every finite x and not a number for any other.
     const Scalar zero = (n0 * result.M[2] * result.M[5] * result.M[6] * result.M[7] * result.C[6] * result.C[7]
         * result.K[6] * result.K[7] * result.K[8] * result.F[0] * result.F[1] * result.F[2] * result.M_r[0]

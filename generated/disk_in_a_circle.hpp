@@ -505,7 +505,7 @@ struct Mechanism {
 
   static constexpr const char* name = "disk_in_a_circle";
   /// 64 bits (FNV-1a) of this file from "#pragma once" on, with zeros in their own place: another mechanism, other bits.
-  static constexpr unsigned long long fingerprint = 0x4c3b82372e365effULL;
+  static constexpr unsigned long long fingerprint = 0x72da09d0d6e9bd82ULL;
   static constexpr int coordinate_count = 6;
   static constexpr int velocity_count = 6;
   static constexpr int input_count = 0;
@@ -638,11 +638,11 @@ struct Mechanism {
   /// Parameters and what depends on them only: built once for each set of parameters.
   struct Precomputed {
     Parameters parameters;
-    Scalar z25;
-    Scalar z26;
-    Scalar z67;
-    Scalar z156;
-    Scalar z159;
+    Scalar m0;
+    Scalar m1;
+    Scalar m2;
+    Scalar m3;
+    Scalar m4;
   };
 
   /// Values of the scene.
@@ -661,16 +661,16 @@ struct Mechanism {
     const Scalar n0_5 = traits::constant(0.5, 0.5f, "1/2");
     const Scalar n1 = traits::constant(1.0, 1.0f, "1/1");
     const Scalar p_rho = parameters.rho;
-    const Scalar z25 = n0_25 * p_rho * p_rho;
-    const Scalar z26 = n0_5 * p_rho * p_rho;
-    const Scalar z67 = z25 - z26;
-    const Scalar z156 = n1 / z26;
-    const Scalar z159 = n1 / z25;
-    precomputed.z25 = z25;
-    precomputed.z26 = z26;
-    precomputed.z67 = z67;
-    precomputed.z156 = z156;
-    precomputed.z159 = z159;
+    const Scalar z0 = n0_25 * p_rho * p_rho;
+    const Scalar z1 = n0_5 * p_rho * p_rho;
+    const Scalar z2 = z0 - z1;
+    const Scalar z3 = n1 / z1;
+    const Scalar z4 = n1 / z0;
+    precomputed.m0 = z0;
+    precomputed.m1 = z1;
+    precomputed.m2 = z2;
+    precomputed.m3 = z3;
+    precomputed.m4 = z4;
     return precomputed;
   }
 
@@ -686,10 +686,10 @@ struct Mechanism {
     const Scalar n1_over_6 = traits::constant(0.16666666666666666, 0.16666667f, "1/6");
     const Scalar p_rho = parameters.rho;
     const Scalar pi = traits::pi();
-    const Scalar z2 = n60 + k1 * p_rho;
-    const Scalar z3 = k2 / z2;
-    const Scalar z4 = traits::sqrt(z3);
-    const Scalar z5 = n10 + k1 * p_rho;
+    const Scalar z0 = n60 + k1 * p_rho;
+    const Scalar z1 = k2 / z0;
+    const Scalar z2 = traits::sqrt(z1);
+    const Scalar z3 = n10 + k1 * p_rho;
     state.time = n0;
     state.q.x = n0;
     state.q.y = -n10;
@@ -697,12 +697,12 @@ struct Mechanism {
     state.q.psi = n0;
     state.q.theta = n1_over_6 * pi;
     state.q.phi = n0;
-    state.v.x = n10 * z4;
+    state.v.x = n10 * z2;
     state.v.y = n0;
     state.v.z = n0;
-    state.v.psi = z4;
+    state.v.psi = z2;
     state.v.theta = n0;
-    state.v.phi = -z4 * z5 / p_rho;
+    state.v.phi = -z2 * z3 / p_rho;
     return state;
   }
   TORSOR_DEVICE static State initial_state() noexcept { return initial_state(default_parameters()); }
@@ -767,77 +767,77 @@ struct Mechanism {
     const Scalar s_psi = sines_[0], c_psi = cosines_[0];
     const Scalar s_theta = sines_[1], c_theta = cosines_[1];
     const Scalar s_phi = sines_[2], c_phi = cosines_[2];
-    const Scalar z27 = s_psi * c_theta;
-    const Scalar z28 = s_psi * s_theta;
-    const Scalar z30 = c_psi * s_theta;
-    const Scalar z51 = v_theta * p_rho;
-    const Scalar z29 = c_psi * c_theta;
-    const Scalar z32 = v_psi * c_theta;
-    const Scalar z33 = c_psi * v_theta;  // angular velocity of disk.2, x
-    const Scalar z34 = s_psi * v_theta;  // angular velocity of disk.2, y
-    const Scalar z49 = s_theta * p_rho;
-    const Scalar z39 = s_theta * s_phi;
-    const Scalar z40 = s_theta * c_phi;
-    const Scalar z46 = v_psi + c_theta * v_phi;  // angular velocity of disk, z
-    const Scalar z54 = v_z - c_theta * z51;
-    const Scalar z35 = c_psi * c_phi - s_phi * z27;
-    const Scalar z36 = c_psi * s_phi + c_phi * z27;
-    const Scalar z37 = s_psi * c_phi + s_phi * z29;
-    const Scalar z38 = s_psi * s_phi - c_phi * z29;
-    const Scalar z44 = v_phi * z28 + z33;  // angular velocity of disk, x
-    const Scalar z45 = v_phi * z30 - z34;  // angular velocity of disk, y
-    const Scalar z47 = p_rho * z27;
-    const Scalar z48 = p_rho * z29;
-    const Scalar z50 = p_rho * z32;
-    const Scalar z57 = q_z - z49;
-    const Scalar z58 = s_psi * z49;
-    const Scalar z59 = c_psi * z49;
-    const Scalar z52 = v_x - z28 * z51 + c_psi * z50;
-    const Scalar z53 = v_y + z30 * z51 + s_psi * z50;
-    const Scalar z55 = q_x + z47;
-    const Scalar z56 = q_y - z48;
-    const Scalar z60 = s_psi * z47 + c_psi * z48;
+    const Scalar z0 = s_psi * c_theta;
+    const Scalar z1 = s_psi * s_theta;
+    const Scalar z2 = c_psi * s_theta;
+    const Scalar z3 = v_theta * p_rho;
+    const Scalar z4 = c_psi * c_theta;
+    const Scalar z5 = v_psi * c_theta;
+    const Scalar z6 = c_psi * v_theta;  // angular velocity of disk.2, x
+    const Scalar z7 = s_psi * v_theta;  // angular velocity of disk.2, y
+    const Scalar z8 = s_theta * p_rho;
+    const Scalar z9 = s_theta * s_phi;
+    const Scalar z10 = s_theta * c_phi;
+    const Scalar z11 = v_psi + c_theta * v_phi;  // angular velocity of disk, z
+    const Scalar z12 = v_z - c_theta * z3;
+    const Scalar z13 = c_psi * c_phi - s_phi * z0;
+    const Scalar z14 = c_psi * s_phi + c_phi * z0;
+    const Scalar z15 = s_psi * c_phi + s_phi * z4;
+    const Scalar z16 = s_psi * s_phi - c_phi * z4;
+    const Scalar z17 = v_phi * z1 + z6;  // angular velocity of disk, x
+    const Scalar z18 = v_phi * z2 - z7;  // angular velocity of disk, y
+    const Scalar z19 = p_rho * z0;
+    const Scalar z20 = p_rho * z4;
+    const Scalar z21 = p_rho * z5;
+    const Scalar z22 = q_z - z8;
+    const Scalar z23 = s_psi * z8;
+    const Scalar z24 = c_psi * z8;
+    const Scalar z25 = v_x - z1 * z3 + c_psi * z21;
+    const Scalar z26 = v_y + z2 * z3 + s_psi * z21;
+    const Scalar z27 = q_x + z19;
+    const Scalar z28 = q_y - z20;
+    const Scalar z29 = s_psi * z19 + c_psi * z20;
     result.disk_position[0] = q_x;
     result.disk_position[1] = q_y;
     result.disk_position[2] = q_z;
-    result.disk_rotation[0] = z35;
-    result.disk_rotation[1] = z37;
-    result.disk_rotation[2] = z39;
-    result.disk_rotation[3] = -z36;
-    result.disk_rotation[4] = -z38;
-    result.disk_rotation[5] = z40;
-    result.disk_rotation[6] = z28;
-    result.disk_rotation[7] = -z30;
+    result.disk_rotation[0] = z13;
+    result.disk_rotation[1] = z15;
+    result.disk_rotation[2] = z9;
+    result.disk_rotation[3] = -z14;
+    result.disk_rotation[4] = -z16;
+    result.disk_rotation[5] = z10;
+    result.disk_rotation[6] = z1;
+    result.disk_rotation[7] = -z2;
     result.disk_rotation[8] = c_theta;
     result.disk_velocity[0] = v_x;
     result.disk_velocity[1] = v_y;
     result.disk_velocity[2] = v_z;
-    result.disk_angular_velocity[0] = z44;
-    result.disk_angular_velocity[1] = -z45;
-    result.disk_angular_velocity[2] = z46;
-    result.I_position[0] = z55;
-    result.I_position[1] = z56;
-    result.I_position[2] = z57;
-    result.I_velocity[0] = z52;
-    result.I_velocity[1] = z53;
-    result.I_velocity[2] = z54;
+    result.disk_angular_velocity[0] = z17;
+    result.disk_angular_velocity[1] = -z18;
+    result.disk_angular_velocity[2] = z11;
+    result.I_position[0] = z27;
+    result.I_position[1] = z28;
+    result.I_position[2] = z22;
+    result.I_velocity[0] = z25;
+    result.I_velocity[1] = z26;
+    result.I_velocity[2] = z12;
     result.I_jacobian[0] = n1;
     result.I_jacobian[3] = n0;
     result.I_jacobian[6] = n0;
-    result.I_jacobian[9] = z48;
-    result.I_jacobian[12] = -z58;
+    result.I_jacobian[9] = z20;
+    result.I_jacobian[12] = -z23;
     result.I_jacobian[15] = n0;
     result.I_jacobian[1] = n0;
     result.I_jacobian[4] = n1;
     result.I_jacobian[7] = n0;
-    result.I_jacobian[10] = z47;
-    result.I_jacobian[13] = z59;
+    result.I_jacobian[10] = z19;
+    result.I_jacobian[13] = z24;
     result.I_jacobian[16] = n0;
     result.I_jacobian[2] = n0;
     result.I_jacobian[5] = n0;
     result.I_jacobian[8] = n1;
     result.I_jacobian[11] = n0;
-    result.I_jacobian[14] = -z60;
+    result.I_jacobian[14] = -z29;
     result.I_jacobian[17] = n0;
   }
 
@@ -847,14 +847,14 @@ struct Mechanism {
     const Scalar n1 = traits::constant(1.0, 1.0f, "1/1");
     const Scalar n0 = traits::constant(0.0, 0.0f, "0/1");
     const Scalar q_theta = state.q.theta;
-    const Scalar z25 = precomputed.z25;
-    const Scalar z26 = precomputed.z26;
-    const Scalar z67 = precomputed.z67;
+    const Scalar m0 = precomputed.m0;
+    const Scalar m1 = precomputed.m1;
+    const Scalar m2 = precomputed.m2;
     Scalar s_theta, c_theta;
     traits::sincos(q_theta, s_theta, c_theta);
-    const Scalar z69 = c_theta * z67;
-    const Scalar z62 = c_theta * z26;
-    const Scalar z70 = c_theta * z69 - z25;
+    const Scalar z0 = c_theta * m2;
+    const Scalar z1 = c_theta * m1;
+    const Scalar z2 = c_theta * z0 - m0;
     mass[0] = n1;
     mass[1] = n0;
     mass[2] = n0;
@@ -876,21 +876,21 @@ struct Mechanism {
     mass[18] = n0;
     mass[19] = n0;
     mass[20] = n0;
-    mass[21] = -z70;
+    mass[21] = -z2;
     mass[22] = n0;
-    mass[23] = z62;
+    mass[23] = z1;
     mass[24] = n0;
     mass[25] = n0;
     mass[26] = n0;
     mass[27] = n0;
-    mass[28] = z25;
+    mass[28] = m0;
     mass[29] = n0;
     mass[30] = n0;
     mass[31] = n0;
     mass[32] = n0;
-    mass[33] = z62;
+    mass[33] = z1;
     mass[34] = n0;
-    mass[35] = z26;
+    mass[35] = m1;
   }
 
   /// Bias h(q, v, t): inverse dynamics at zero acceleration without inputs and multipliers; gravity and passive
@@ -904,31 +904,31 @@ struct Mechanism {
     const Scalar q_theta = state.q.theta;
     const Scalar v_theta = state.v.theta;
     const Scalar v_phi = state.v.phi;
-    const Scalar z25 = precomputed.z25;
-    const Scalar z26 = precomputed.z26;
+    const Scalar m0 = precomputed.m0;
+    const Scalar m1 = precomputed.m1;
     Scalar s_theta, c_theta;
     traits::sincos(q_theta, s_theta, c_theta);
-    const Scalar z32 = v_psi * c_theta;
-    const Scalar z31 = v_psi * s_theta;
-    const Scalar z43 = v_phi + z32;
-    const Scalar z88 = v_theta * z32;  // angular acceleration of disk.2, y
-    const Scalar z89 = v_theta * z31;  // angular acceleration of disk.2, z
-    const Scalar z97 = z31 * z32;
-    const Scalar z92 = z31 * z43;
-    const Scalar z93 = v_theta * z43;
-    const Scalar z96 = z26 * z89;  // moment on disk, z
-    const Scalar z98 = n2 * z88;
-    const Scalar z94 = z26 * z92;  // moment on disk, x
-    const Scalar z95 = z26 * z93;  // moment on disk, y
-    const Scalar z99 = z25 * z97 - z94;  // moment on disk.2, x
-    const Scalar z100 = z25 * z98 - z95;  // moment on disk.2, y
-    const Scalar z102 = s_theta * z100 - c_theta * z96;
+    const Scalar z0 = v_psi * c_theta;
+    const Scalar z1 = v_psi * s_theta;
+    const Scalar z2 = v_phi + z0;
+    const Scalar z3 = v_theta * z0;  // angular acceleration of disk.2, y
+    const Scalar z4 = v_theta * z1;  // angular acceleration of disk.2, z
+    const Scalar z5 = z1 * z0;
+    const Scalar z6 = z1 * z2;
+    const Scalar z7 = v_theta * z2;
+    const Scalar z8 = m1 * z4;  // moment on disk, z
+    const Scalar z9 = n2 * z3;
+    const Scalar z10 = m1 * z6;  // moment on disk, x
+    const Scalar z11 = m1 * z7;  // moment on disk, y
+    const Scalar z12 = m0 * z5 - z10;  // moment on disk.2, x
+    const Scalar z13 = m0 * z9 - z11;  // moment on disk.2, y
+    const Scalar z14 = s_theta * z13 - c_theta * z8;
     forces.x = n0;
     forces.y = n0;
     forces.z = n9_81;
-    forces.psi = z102;
-    forces.theta = -z99;
-    forces.phi = -z96;
+    forces.psi = z14;
+    forces.theta = -z12;
+    forces.phi = -z8;
   }
 
   /// Inverse dynamics: the generalised forces M a + h - A' lambda that motors must supply for the accelerations a.
@@ -950,42 +950,42 @@ struct Mechanism {
     const Scalar l_N = multipliers.N;
     const Scalar l_X = multipliers.X;
     const Scalar l_Y = multipliers.Y;
-    const Scalar z25 = precomputed.z25;
-    const Scalar z26 = precomputed.z26;
+    const Scalar m0 = precomputed.m0;
+    const Scalar m1 = precomputed.m1;
     const Scalar angles_[] = {q_psi, q_theta};
     Scalar sines_[2], cosines_[2];
     torsor::sines_and_cosines(angles_, sines_, cosines_);
     const Scalar s_psi = sines_[0], c_psi = cosines_[0];
     const Scalar s_theta = sines_[1], c_theta = cosines_[1];
-    const Scalar z31 = v_psi * s_theta;
-    const Scalar z32 = v_psi * c_theta;
-    const Scalar z110 = a_psi * c_theta;
-    const Scalar z109 = a_psi * s_theta;
-    const Scalar z49 = s_theta * p_rho;
-    const Scalar z133 = c_theta * p_rho;
-    const Scalar z106 = n9_81 + a_z;
-    const Scalar z43 = v_phi + z32;
-    const Scalar z88 = v_theta * z32;  // angular acceleration of disk.2, y
-    const Scalar z97 = z31 * z32;
-    const Scalar z113 = v_theta * z32 + z109;  // angular acceleration of disk.2, y
-    const Scalar z114 = v_theta * z31 - z110;  // angular acceleration of disk.2, z
-    const Scalar z144 = s_theta * z49 + c_theta * z133;
-    const Scalar z92 = z31 * z43;
-    const Scalar z93 = v_theta * z43;
-    const Scalar z117 = a_phi - z114;  // angular acceleration of disk, z
-    const Scalar z119 = z88 + z113;
-    const Scalar z94 = z26 * z92;  // moment on disk, x
-    const Scalar z95 = z26 * z93;  // moment on disk, y
-    const Scalar z118 = z26 * z117;  // moment on disk, z
-    const Scalar z120 = z25 * (a_theta - z97) + z94;  // moment on disk.2, x
-    const Scalar z121 = z25 * z119 - z95;  // moment on disk.2, y
-    const Scalar z123 = c_theta * z118 + s_theta * z121;
+    const Scalar z0 = v_psi * s_theta;
+    const Scalar z1 = v_psi * c_theta;
+    const Scalar z2 = a_psi * c_theta;
+    const Scalar z3 = a_psi * s_theta;
+    const Scalar z4 = s_theta * p_rho;
+    const Scalar z5 = c_theta * p_rho;
+    const Scalar z6 = n9_81 + a_z;
+    const Scalar z7 = v_phi + z1;
+    const Scalar z8 = v_theta * z1;  // angular acceleration of disk.2, y
+    const Scalar z9 = z0 * z1;
+    const Scalar z10 = v_theta * z1 + z3;  // angular acceleration of disk.2, y
+    const Scalar z11 = v_theta * z0 - z2;  // angular acceleration of disk.2, z
+    const Scalar z12 = s_theta * z4 + c_theta * z5;
+    const Scalar z13 = z0 * z7;
+    const Scalar z14 = v_theta * z7;
+    const Scalar z15 = a_phi - z11;  // angular acceleration of disk, z
+    const Scalar z16 = z8 + z10;
+    const Scalar z17 = m1 * z13;  // moment on disk, x
+    const Scalar z18 = m1 * z14;  // moment on disk, y
+    const Scalar z19 = m1 * z15;  // moment on disk, z
+    const Scalar z20 = m0 * (a_theta - z9) + z17;  // moment on disk.2, x
+    const Scalar z21 = m0 * z16 - z18;  // moment on disk.2, y
+    const Scalar z22 = c_theta * z19 + s_theta * z21;
     forces.x = a_x + s_psi * l_Y - c_psi * l_X;
     forces.y = a_y - s_psi * l_X - c_psi * l_Y;
-    forces.z = z106 - l_N;
-    forces.psi = z123 - z133 * l_X;
-    forces.theta = -z49 * l_Y + z120 + z133 * l_N;
-    forces.phi = z118 - z144 * l_X;
+    forces.z = z6 - l_N;
+    forces.psi = z22 - z5 * l_X;
+    forces.theta = -z4 * l_Y + z20 + z5 * l_N;
+    forces.phi = z19 - z12 * l_X;
   }
 
   /// Forward dynamics: accelerations a and multipliers lambda from M a + h = E u + A' lambda, A a + gamma = 0, by
@@ -1009,86 +1009,86 @@ struct Mechanism {
     const Scalar v_theta = state.v.theta;
     const Scalar v_phi = state.v.phi;
     const Scalar p_rho = precomputed.parameters.rho;
-    const Scalar z25 = precomputed.z25;
-    const Scalar z26 = precomputed.z26;
-    const Scalar z67 = precomputed.z67;
-    const Scalar z156 = precomputed.z156;
-    const Scalar z159 = precomputed.z159;
+    const Scalar m0 = precomputed.m0;
+    const Scalar m1 = precomputed.m1;
+    const Scalar m2 = precomputed.m2;
+    const Scalar m3 = precomputed.m3;
+    const Scalar m4 = precomputed.m4;
     const Scalar angles_[] = {q_psi, q_theta};
     Scalar sines_[2], cosines_[2];
     torsor::sines_and_cosines(angles_, sines_, cosines_);
     const Scalar s_psi = sines_[0], c_psi = cosines_[0];
     const Scalar s_theta = sines_[1], c_theta = cosines_[1];
-    const Scalar z49 = s_theta * p_rho;
-    const Scalar z133 = c_theta * p_rho;
-    const Scalar z32 = v_psi * c_theta;
-    const Scalar z31 = v_psi * s_theta;
-    const Scalar z147 = v_psi * c_psi;
-    const Scalar z141 = v_theta * s_theta;
-    const Scalar z146 = v_psi * s_psi;
-    const Scalar z138 = v_theta * c_theta;
-    const Scalar z158 = s_theta * s_theta * z25;
-    const Scalar z62 = c_theta * z26;
-    const Scalar z176 = v_psi * (v_x * s_psi - v_y * c_psi);
-    const Scalar z69 = c_theta * z67;
-    const Scalar z43 = v_phi + z32;
-    const Scalar z70 = c_theta * z69 - z25;
-    const Scalar z88 = v_theta * z32;  // angular acceleration of disk.2, y
-    const Scalar z89 = v_theta * z31;  // angular acceleration of disk.2, z
-    const Scalar z97 = z31 * z32;
-    const Scalar z139 = p_rho * z138;
-    const Scalar z142 = v_theta * z141;
-    const Scalar z144 = s_theta * z49 + c_theta * z133;
-    const Scalar z157 = z62 * z156;
-    const Scalar z161 = z133 * z159;
-    const Scalar z163 = z49 * z159;
-    const Scalar z92 = z31 * z43;
-    const Scalar z93 = v_theta * z43;
-    const Scalar z96 = z26 * z89;  // moment on disk, z
-    const Scalar z98 = n2 * z88;
-    const Scalar z143 = p_rho * z142;
-    const Scalar z152 = v_x * z147 + v_y * z146 - v_theta * z139;
-    const Scalar z160 = n1 / z158;
-    const Scalar z164 = n1 + z133 * z161;
-    const Scalar z165 = z49 * z161;
-    const Scalar z166 = n1 + z49 * z163;
-    const Scalar z94 = z26 * z92;  // moment on disk, x
-    const Scalar z95 = z26 * z93;  // moment on disk, y
-    const Scalar z162 = z144 * z156;
-    const Scalar z167 = n1 / z166;
-    const Scalar z180 = n1_over_3 * z176;
-    const Scalar z182 = n3 + z164 + z166;
-    const Scalar z99 = z25 * z97 - z94;  // moment on disk.2, x
-    const Scalar z100 = z25 * z98 - z95;  // moment on disk.2, y
-    const Scalar z171 = s_theta * z100;
-    const Scalar z173 = z99 * z159;
-    const Scalar z183 = n4096 * z182;
-    const Scalar z172 = z160 * z171;
-    const Scalar z175 = n9_81 - z143 + z133 * z173;
-    const Scalar z177 = z49 * z173 - z152;
-    const Scalar z174 = z96 * z156 + z157 * z172;
-    const Scalar z168 = z165 * z167;
-    const Scalar z169 = z164 - z165 * z168;
-    const Scalar z178 = z168 * z177 - z175;
-    const Scalar z188 = z162 * z180 + z174;
-    const Scalar z170 = n1 / z169;
-    const Scalar z179 = z170 * z178;
-    const Scalar z181 = z167 * z177 + z168 * z179;
-    const Scalar z186 = n9_81 + z179;
-    const Scalar z184 = c_psi * z180 + s_psi * z181;
-    const Scalar z185 = s_psi * z180 - c_psi * z181;
-    const Scalar z187 = z173 + z161 * z179 - z163 * z181;
-    accelerations.x = z184;
-    accelerations.y = z185;
-    accelerations.z = -z186;
-    accelerations.psi = -z172;
-    accelerations.theta = z187;
-    accelerations.phi = z188;
-    multipliers.N = -z179;
-    multipliers.X = z180;
-    multipliers.Y = -z181;
-    if (!(traits::regular(z158, -z70) && traits::regular(z25, z25) && traits::regular(z26, z26) && traits::regular(z169,
-        z183) && traits::regular(z166, z183))) return torsor::Status::singular;
+    const Scalar z0 = s_theta * p_rho;
+    const Scalar z1 = c_theta * p_rho;
+    const Scalar z2 = v_psi * c_theta;
+    const Scalar z3 = v_psi * s_theta;
+    const Scalar z4 = v_psi * c_psi;
+    const Scalar z5 = v_theta * s_theta;
+    const Scalar z6 = v_psi * s_psi;
+    const Scalar z7 = v_theta * c_theta;
+    const Scalar z8 = s_theta * s_theta * m0;
+    const Scalar z9 = c_theta * m1;
+    const Scalar z10 = v_psi * (v_x * s_psi - v_y * c_psi);
+    const Scalar z11 = c_theta * m2;
+    const Scalar z12 = v_phi + z2;
+    const Scalar z13 = c_theta * z11 - m0;
+    const Scalar z14 = v_theta * z2;  // angular acceleration of disk.2, y
+    const Scalar z15 = v_theta * z3;  // angular acceleration of disk.2, z
+    const Scalar z16 = z3 * z2;
+    const Scalar z17 = p_rho * z7;
+    const Scalar z18 = v_theta * z5;
+    const Scalar z19 = s_theta * z0 + c_theta * z1;
+    const Scalar z20 = z9 * m3;
+    const Scalar z21 = z1 * m4;
+    const Scalar z22 = z0 * m4;
+    const Scalar z23 = z3 * z12;
+    const Scalar z24 = v_theta * z12;
+    const Scalar z25 = m1 * z15;  // moment on disk, z
+    const Scalar z26 = n2 * z14;
+    const Scalar z27 = p_rho * z18;
+    const Scalar z28 = v_x * z4 + v_y * z6 - v_theta * z17;
+    const Scalar z29 = n1 / z8;
+    const Scalar z30 = n1 + z1 * z21;
+    const Scalar z31 = z0 * z21;
+    const Scalar z32 = n1 + z0 * z22;
+    const Scalar z33 = m1 * z23;  // moment on disk, x
+    const Scalar z34 = m1 * z24;  // moment on disk, y
+    const Scalar z35 = z19 * m3;
+    const Scalar z36 = n1 / z32;
+    const Scalar z37 = n1_over_3 * z10;
+    const Scalar z38 = n3 + z30 + z32;
+    const Scalar z39 = m0 * z16 - z33;  // moment on disk.2, x
+    const Scalar z40 = m0 * z26 - z34;  // moment on disk.2, y
+    const Scalar z41 = s_theta * z40;
+    const Scalar z42 = z39 * m4;
+    const Scalar z43 = n4096 * z38;
+    const Scalar z44 = z29 * z41;
+    const Scalar z45 = n9_81 - z27 + z1 * z42;
+    const Scalar z46 = z0 * z42 - z28;
+    const Scalar z47 = z25 * m3 + z20 * z44;
+    const Scalar z48 = z31 * z36;
+    const Scalar z49 = z30 - z31 * z48;
+    const Scalar z50 = z48 * z46 - z45;
+    const Scalar z51 = z35 * z37 + z47;
+    const Scalar z52 = n1 / z49;
+    const Scalar z53 = z52 * z50;
+    const Scalar z54 = z36 * z46 + z48 * z53;
+    const Scalar z55 = n9_81 + z53;
+    const Scalar z56 = c_psi * z37 + s_psi * z54;
+    const Scalar z57 = s_psi * z37 - c_psi * z54;
+    const Scalar z58 = z42 + z21 * z53 - z22 * z54;
+    accelerations.x = z56;
+    accelerations.y = z57;
+    accelerations.z = -z55;
+    accelerations.psi = -z44;
+    accelerations.theta = z58;
+    accelerations.phi = z51;
+    multipliers.N = -z53;
+    multipliers.X = z37;
+    multipliers.Y = -z54;
+    if (!(traits::regular(z8, -z13) && traits::regular(m0, m0) && traits::regular(m1, m1) && traits::regular(z49, z43)
+        && traits::regular(z32, z43))) return torsor::Status::singular;
     // 0 x is 0 for every finite x and not a number for any other.
     const Scalar zero = n0 * accelerations.x * accelerations.y * accelerations.z * accelerations.psi
         * accelerations.theta * accelerations.phi * multipliers.N * multipliers.X * multipliers.Y;
@@ -1112,26 +1112,26 @@ struct Mechanism {
     const Scalar v_theta = state.v.theta;
     const Scalar q_phi = state.q.phi;
     const Scalar v_phi = state.v.phi;
-    const Scalar z25 = precomputed.z25;
-    const Scalar z26 = precomputed.z26;
+    const Scalar m0 = precomputed.m0;
+    const Scalar m1 = precomputed.m1;
     const Scalar angles_[] = {q_psi, q_theta, q_phi};
     Scalar sines_[3], cosines_[3];
     torsor::sines_and_cosines(angles_, sines_, cosines_);
     const Scalar s_psi = sines_[0], c_psi = cosines_[0];
     const Scalar s_theta = sines_[1], c_theta = cosines_[1];
     const Scalar s_phi = sines_[2], c_phi = cosines_[2];
-    const Scalar z190 = v_x * s_psi - v_y * c_psi;
-    const Scalar z189 = v_x * c_psi + v_y * s_psi;
-    const Scalar z31 = v_psi * s_theta;
-    const Scalar z32 = v_psi * c_theta;
-    const Scalar z41 = v_theta * c_phi + s_phi * z31;
-    const Scalar z42 = v_theta * s_phi - c_phi * z31;
-    const Scalar z43 = v_phi + z32;
-    const Scalar z191 = v_z * s_theta - c_theta * z190;
-    const Scalar z192 = v_z * c_theta + s_theta * z190;
-    const Scalar z193 = c_phi * z189 + s_phi * z191;
-    const Scalar z194 = s_phi * z189 - c_phi * z191;
-    result.kinetic = n0_5 * (z26 * z43 * z43 + z192 * z192 + z25 * (z41 * z41 + z42 * z42) + z193 * z193 + z194 * z194);
+    const Scalar z0 = v_x * s_psi - v_y * c_psi;
+    const Scalar z1 = v_x * c_psi + v_y * s_psi;
+    const Scalar z2 = v_psi * s_theta;
+    const Scalar z3 = v_psi * c_theta;
+    const Scalar z4 = v_theta * c_phi + s_phi * z2;
+    const Scalar z5 = v_theta * s_phi - c_phi * z2;
+    const Scalar z6 = v_phi + z3;
+    const Scalar z7 = v_z * s_theta - c_theta * z0;
+    const Scalar z8 = v_z * c_theta + s_theta * z0;
+    const Scalar z9 = c_phi * z1 + s_phi * z7;
+    const Scalar z10 = s_phi * z1 - c_phi * z7;
+    result.kinetic = n0_5 * (m1 * z6 * z6 + z8 * z8 + m0 * (z4 * z4 + z5 * z5) + z9 * z9 + z10 * z10);
     result.force_function = -n9_81 * q_z;
     result.power = n0;
   }
@@ -1156,33 +1156,33 @@ struct Mechanism {
     torsor::sines_and_cosines(angles_, sines_, cosines_);
     const Scalar s_psi = sines_[0], c_psi = cosines_[0];
     const Scalar s_theta = sines_[1], c_theta = cosines_[1];
-    const Scalar z49 = s_theta * p_rho;
-    const Scalar z138 = v_theta * c_theta;
-    const Scalar z133 = c_theta * p_rho;
-    const Scalar z141 = v_theta * s_theta;
-    const Scalar z146 = v_psi * s_psi;
-    const Scalar z147 = v_psi * c_psi;
-    const Scalar z57 = q_z - z49;
-    const Scalar z139 = p_rho * z138;
-    const Scalar z142 = v_theta * z141;
-    const Scalar z144 = s_theta * z49 + c_theta * z133;
-    const Scalar z148 = p_rho * z141;
-    const Scalar z151 = v_x * s_psi - v_y * c_psi - v_theta * z49;
-    const Scalar z140 = v_z - z139;
-    const Scalar z143 = p_rho * z142;
-    const Scalar z149 = z49 * z138 - z133 * z141 + s_theta * z139 - c_theta * z148;
-    const Scalar z152 = v_x * z147 + v_y * z146 - v_theta * z139;
-    const Scalar z145 = v_x * c_psi + v_y * s_psi + v_psi * z133 + v_phi * z144;
-    const Scalar z150 = v_x * z146 - v_y * z147 + v_psi * z148 - v_phi * z149;
-    result.value[0] = z57;
-    result.rate[0] = z140;
-    result.gamma[0] = z143;
+    const Scalar z0 = s_theta * p_rho;
+    const Scalar z1 = v_theta * c_theta;
+    const Scalar z2 = c_theta * p_rho;
+    const Scalar z3 = v_theta * s_theta;
+    const Scalar z4 = v_psi * s_psi;
+    const Scalar z5 = v_psi * c_psi;
+    const Scalar z6 = q_z - z0;
+    const Scalar z7 = p_rho * z1;
+    const Scalar z8 = v_theta * z3;
+    const Scalar z9 = s_theta * z0 + c_theta * z2;
+    const Scalar z10 = p_rho * z3;
+    const Scalar z11 = v_x * s_psi - v_y * c_psi - v_theta * z0;
+    const Scalar z12 = v_z - z7;
+    const Scalar z13 = p_rho * z8;
+    const Scalar z14 = z0 * z1 - z2 * z3 + s_theta * z7 - c_theta * z10;
+    const Scalar z15 = v_x * z5 + v_y * z4 - v_theta * z7;
+    const Scalar z16 = v_x * c_psi + v_y * s_psi + v_psi * z2 + v_phi * z9;
+    const Scalar z17 = v_x * z4 - v_y * z5 + v_psi * z10 - v_phi * z14;
+    result.value[0] = z6;
+    result.rate[0] = z12;
+    result.gamma[0] = z13;
     result.value[1] = n0;
-    result.rate[1] = z145;
-    result.gamma[1] = -z150;
+    result.rate[1] = z16;
+    result.gamma[1] = -z17;
     result.value[2] = n0;
-    result.rate[2] = -z151;
-    result.gamma[2] = -z152;
+    result.rate[2] = -z11;
+    result.gamma[2] = -z15;
     result.jacobian[0] = n0;
     result.jacobian[1] = c_psi;
     result.jacobian[2] = -s_psi;
@@ -1193,13 +1193,13 @@ struct Mechanism {
     result.jacobian[7] = n0;
     result.jacobian[8] = n0;
     result.jacobian[9] = n0;
-    result.jacobian[10] = z133;
+    result.jacobian[10] = z2;
     result.jacobian[11] = n0;
-    result.jacobian[12] = -z133;
+    result.jacobian[12] = -z2;
     result.jacobian[13] = n0;
-    result.jacobian[14] = z49;
+    result.jacobian[14] = z0;
     result.jacobian[15] = n0;
-    result.jacobian[16] = z144;
+    result.jacobian[16] = z9;
     result.jacobian[17] = n0;
   }
 };

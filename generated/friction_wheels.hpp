@@ -512,7 +512,7 @@ struct Mechanism {
 
   static constexpr const char* name = "friction_wheels";
   /// 64 bits (FNV-1a) of this file from "#pragma once" on, with zeros in their own place: another mechanism, other bits.
-  static constexpr unsigned long long fingerprint = 0x1251bb42c4681f6eULL;
+  static constexpr unsigned long long fingerprint = 0x21ee4da93c389537ULL;
   static constexpr int coordinate_count = 2;
   static constexpr int velocity_count = 2;
   static constexpr int input_count = 1;
@@ -743,19 +743,19 @@ struct Mechanism {
     torsor::sines_and_cosines(angles_, sines_, cosines_);
     const Scalar s_theta_1 = sines_[0], c_theta_1 = cosines_[0];
     const Scalar s_theta_2 = sines_[1], c_theta_2 = cosines_[1];
-    const Scalar z10 = n0_1 * s_theta_1;
-    const Scalar z26 = n0_3 * s_theta_2;
-    const Scalar z11 = n0_1 * c_theta_1;
-    const Scalar z27 = n0_3 * c_theta_2;
-    const Scalar z13 = s_theta_1 * z10 + c_theta_1 * z11;
-    const Scalar z14 = v_theta_1 * z11;
-    const Scalar z15 = v_theta_1 * z10;
-    const Scalar z29 = s_theta_2 * z26 + c_theta_2 * z27;
-    const Scalar z30 = v_theta_2 * z27;
-    const Scalar z31 = v_theta_2 * z26;
-    const Scalar z16 = s_theta_1 * z15 + c_theta_1 * z14;
-    const Scalar z32 = s_theta_2 * z31 + c_theta_2 * z30;
-    const Scalar z34 = n0_4 - z29;
+    const Scalar z0 = n0_1 * s_theta_1;
+    const Scalar z1 = n0_3 * s_theta_2;
+    const Scalar z2 = n0_1 * c_theta_1;
+    const Scalar z3 = n0_3 * c_theta_2;
+    const Scalar z4 = s_theta_1 * z0 + c_theta_1 * z2;
+    const Scalar z5 = v_theta_1 * z2;
+    const Scalar z6 = v_theta_1 * z0;
+    const Scalar z7 = s_theta_2 * z1 + c_theta_2 * z3;
+    const Scalar z8 = v_theta_2 * z3;
+    const Scalar z9 = v_theta_2 * z1;
+    const Scalar z10 = s_theta_1 * z6 + c_theta_1 * z5;
+    const Scalar z11 = s_theta_2 * z9 + c_theta_2 * z8;
+    const Scalar z12 = n0_4 - z7;
     result.S1_position[0] = n0;
     result.S1_position[1] = n0;
     result.S1_position[2] = n0;
@@ -805,31 +805,31 @@ struct Mechanism {
     result.I_jacobian[2] = n0;
     result.I_jacobian[5] = n0;
     result.I1_position[0] = n0;
-    result.I1_position[1] = z13;
+    result.I1_position[1] = z4;
     result.I1_position[2] = n0;
-    result.I1_velocity[0] = -z16;
+    result.I1_velocity[0] = -z10;
     result.I1_velocity[1] = n0;
     result.I1_velocity[2] = n0;
     result.I1_geometric_velocity[0] = n0;
     result.I1_geometric_velocity[1] = n0;
     result.I1_geometric_velocity[2] = n0;
-    result.I1_jacobian[0] = -z13;
+    result.I1_jacobian[0] = -z4;
     result.I1_jacobian[3] = n0;
     result.I1_jacobian[1] = n0;
     result.I1_jacobian[4] = n0;
     result.I1_jacobian[2] = n0;
     result.I1_jacobian[5] = n0;
     result.I2_position[0] = n0;
-    result.I2_position[1] = z34;
+    result.I2_position[1] = z12;
     result.I2_position[2] = n0;
-    result.I2_velocity[0] = z32;
+    result.I2_velocity[0] = z11;
     result.I2_velocity[1] = n0;
     result.I2_velocity[2] = n0;
     result.I2_geometric_velocity[0] = n0;
     result.I2_geometric_velocity[1] = n0;
     result.I2_geometric_velocity[2] = n0;
     result.I2_jacobian[0] = n0;
-    result.I2_jacobian[3] = z29;
+    result.I2_jacobian[3] = z7;
     result.I2_jacobian[1] = n0;
     result.I2_jacobian[4] = n0;
     result.I2_jacobian[2] = n0;
@@ -853,9 +853,9 @@ struct Mechanism {
     const Scalar n0_9 = traits::constant(0.9, 0.9f, "9/10");
     const Scalar n0 = traits::constant(0.0, 0.0f, "0/1");
     const Scalar v_theta_2 = state.v.theta_2;
-    const Scalar z44 = n0_9 * v_theta_2;
+    const Scalar z0 = n0_9 * v_theta_2;
     forces.theta_1 = n0;
-    forces.theta_2 = z44;
+    forces.theta_2 = z0;
   }
 
   /// Inverse dynamics: the generalised forces M a + h - A' lambda that motors must supply for the accelerations a.
@@ -870,11 +870,11 @@ struct Mechanism {
     const Scalar v_theta_2 = state.v.theta_2;
     const Scalar a_theta_2 = accelerations.theta_2;
     const Scalar l_T = multipliers.T;
-    const Scalar z44 = n0_9 * v_theta_2;
-    const Scalar z46 = n0_01 * a_theta_1;  // moment on S1, z
-    const Scalar z45 = n0_81 * a_theta_2 + z44;  // moment on S2, z
-    forces.theta_1 = z46 + n0_1 * l_T;
-    forces.theta_2 = z45 + n0_3 * l_T;
+    const Scalar z0 = n0_9 * v_theta_2;
+    const Scalar z1 = n0_01 * a_theta_1;  // moment on S1, z
+    const Scalar z2 = n0_81 * a_theta_2 + z0;  // moment on S2, z
+    forces.theta_1 = z1 + n0_1 * l_T;
+    forces.theta_2 = z2 + n0_3 * l_T;
   }
 
   /// Forward dynamics: accelerations a and multipliers lambda from M a + h = E u + A' lambda, A a + gamma = 0, by
@@ -893,16 +893,16 @@ struct Mechanism {
     const Scalar n1 = traits::constant(1.0, 1.0f, "1/1");
     const Scalar v_theta_2 = state.v.theta_2;
     const Scalar u_C1 = inputs.C1;
-    const Scalar z44 = n0_9 * v_theta_2;
-    const Scalar z52 = n1_over_3 * v_theta_2 - n10 * u_C1;
-    const Scalar z50 = n100 * u_C1;
-    const Scalar z51 = n100_over_81 * z44;
-    const Scalar z53 = n0_9 * z52;
-    const Scalar z54 = z50 + n10 * z53;
-    const Scalar z55 = z51 - n10_over_27 * z53;
-    accelerations.theta_1 = z54;
-    accelerations.theta_2 = -z55;
-    multipliers.T = -z53;
+    const Scalar z0 = n0_9 * v_theta_2;
+    const Scalar z1 = n1_over_3 * v_theta_2 - n10 * u_C1;
+    const Scalar z2 = n100 * u_C1;
+    const Scalar z3 = n100_over_81 * z0;
+    const Scalar z4 = n0_9 * z1;
+    const Scalar z5 = z2 + n10 * z4;
+    const Scalar z6 = z3 - n10_over_27 * z4;
+    accelerations.theta_1 = z5;
+    accelerations.theta_2 = -z6;
+    multipliers.T = -z4;
     multipliers.lambda_rolling_y = n0;
     // 0 x is 0 for every finite x and not a number for any other.
     const Scalar zero = n0 * accelerations.theta_1 * accelerations.theta_2 * multipliers.T;
@@ -920,10 +920,10 @@ struct Mechanism {
     const Scalar v_theta_1 = state.v.theta_1;
     const Scalar v_theta_2 = state.v.theta_2;
     const Scalar u_C1 = inputs.C1;
-    const Scalar z44 = n0_9 * v_theta_2;
+    const Scalar z0 = n0_9 * v_theta_2;
     result.kinetic = n0_005 * v_theta_1 * v_theta_1 + n0_405 * v_theta_2 * v_theta_2;
     result.force_function = n0;
-    result.power = v_theta_1 * u_C1 - v_theta_2 * z44;
+    result.power = v_theta_1 * u_C1 - v_theta_2 * z0;
   }
 
   /// Constraints A(q, t) v - b(q, t) = 0, in the order of the multipliers.
@@ -933,9 +933,9 @@ struct Mechanism {
     const Scalar n0 = traits::constant(0.0, 0.0f, "0/1");
     const Scalar v_theta_1 = state.v.theta_1;
     const Scalar v_theta_2 = state.v.theta_2;
-    const Scalar z47 = n0_1 * v_theta_1 + n0_3 * v_theta_2;
+    const Scalar z0 = n0_1 * v_theta_1 + n0_3 * v_theta_2;
     result.value[0] = n0;
-    result.rate[0] = -z47;
+    result.rate[0] = -z0;
     result.gamma[0] = n0;
     result.value[1] = n0;
     result.rate[1] = n0;
@@ -971,14 +971,14 @@ struct Mechanism {
     const Scalar a_theta_2 = accelerations.theta_2;
     const Scalar u_C1 = inputs.C1;
     const Scalar l_T = multipliers.T;
-    const Scalar z44 = n0_9 * v_theta_2;
-    const Scalar z46 = n0_01 * a_theta_1;  // moment on S1, z
-    const Scalar z58 = n0_1 * a_theta_1 + n0_3 * a_theta_2;
-    const Scalar z45 = n0_81 * a_theta_2 + z44;  // moment on S2, z
-    const Scalar z59 = n10 * z58;
-    const Scalar z60 = n3 * (u_C1 - z46) + z45;
-    const Scalar z61 = n0_03 * z59;
-    const Scalar z62 = z60 + z61;
+    const Scalar z0 = n0_9 * v_theta_2;
+    const Scalar z1 = n0_01 * a_theta_1;  // moment on S1, z
+    const Scalar z2 = n0_1 * a_theta_1 + n0_3 * a_theta_2;
+    const Scalar z3 = n0_81 * a_theta_2 + z0;  // moment on S2, z
+    const Scalar z4 = n10 * z2;
+    const Scalar z5 = n3 * (u_C1 - z1) + z3;
+    const Scalar z6 = n0_03 * z4;
+    const Scalar z7 = z5 + z6;
     result.M[0] = n0_01;
     result.M[1] = n0;
     result.M[2] = n0;
@@ -991,15 +991,15 @@ struct Mechanism {
     result.K[1] = n0;
     result.K[2] = n0;
     result.K[3] = n0;
-    result.F[0] = u_C1 - n0_1 * l_T - z46;
-    result.F[1] = -z45 - n0_3 * l_T;
+    result.F[0] = u_C1 - n0_1 * l_T - z1;
+    result.F[1] = -z3 - n0_3 * l_T;
     result.E[0] = n1;
     result.E[1] = n0;
     result.M_r[0] = n0_9;
     result.C_r[0] = n0_9;
     result.K_r[0] = n0;
     result.K_r[1] = n0;
-    result.F_r[0] = -z62;
+    result.F_r[0] = -z7;
     result.E_r[0] = -n3;
     result.A[0] = n0;
     result.A[1] = n0;

@@ -621,7 +621,7 @@ struct Mechanism {
 
   static constexpr const char* name = "heavy_top";
   /// 64 bits (FNV-1a) of this file from "#pragma once" on, with zeros in their own place: another mechanism, other bits.
-  static constexpr unsigned long long fingerprint = 0x93332c6ac271deb4ULL;
+  static constexpr unsigned long long fingerprint = 0xeca2b887b4e5c17fULL;
   static constexpr int coordinate_count = 3;
   static constexpr int velocity_count = 3;
   static constexpr int input_count = 0;
@@ -820,54 +820,54 @@ struct Mechanism {
     const Scalar s_alpha = sines_[0], c_alpha = cosines_[0];
     const Scalar s_beta = sines_[1], c_beta = cosines_[1];
     const Scalar s_gamma = sines_[2], c_gamma = cosines_[2];
-    const Scalar z17 = k0 * s_alpha;
-    const Scalar z15 = n0_5 * s_alpha;
-    const Scalar z16 = n0_5 * c_alpha;
-    const Scalar z18 = k0 * c_alpha;
-    const Scalar z23 = c_alpha * s_beta;
-    const Scalar z27 = v_alpha * c_beta;
-    const Scalar z19 = k0 * v_alpha;  // angular velocity of first, x
-    const Scalar z20 = n0_5 * v_alpha;  // angular velocity of first, z
-    const Scalar z24 = c_alpha * c_beta;
-    const Scalar z30 = s_alpha * v_beta;  // angular velocity of second, y
-    const Scalar z21 = k0 * c_beta + s_beta * z15;
-    const Scalar z22 = k0 * s_beta - c_beta * z15;
-    const Scalar z25 = s_beta * z17 - n0_5 * c_beta;
-    const Scalar z26 = n0_5 * s_beta + c_beta * z17;
-    const Scalar z29 = v_beta * z16 + z19;  // angular velocity of second, x
-    const Scalar z31 = v_beta * z18 - z20;  // angular velocity of second, z
-    const Scalar z34 = s_alpha * s_gamma + c_gamma * z23;
-    const Scalar z35 = s_alpha * c_gamma - s_gamma * z23;
-    const Scalar z38 = v_beta * s_gamma - c_gamma * z27;
-    const Scalar z39 = v_beta * c_gamma + s_gamma * z27;
-    const Scalar z42 = v_gamma * z24 - z30;  // angular velocity of top, y
-    const Scalar z32 = s_gamma * z16 - c_gamma * z21;
-    const Scalar z33 = c_gamma * z16 + s_gamma * z21;
-    const Scalar z41 = v_gamma * z22 - z29;  // angular velocity of top, x
-    const Scalar z43 = v_gamma * z26 + z31;  // angular velocity of top, z
-    const Scalar z45 = z34 * z39 - z35 * z38;
-    const Scalar z36 = s_gamma * z18 - c_gamma * z25;
-    const Scalar z37 = c_gamma * z18 + s_gamma * z25;
-    const Scalar z44 = z32 * z39 - z33 * z38;
-    const Scalar z46 = z36 * z39 - z37 * z38;
-    result.top_position[0] = -z22;
-    result.top_position[1] = z24;
-    result.top_position[2] = z26;
-    result.top_rotation[0] = -z32;
-    result.top_rotation[1] = z34;
-    result.top_rotation[2] = -z36;
-    result.top_rotation[3] = -z22;
-    result.top_rotation[4] = z24;
-    result.top_rotation[5] = z26;
-    result.top_rotation[6] = z33;
-    result.top_rotation[7] = -z35;
-    result.top_rotation[8] = z37;
-    result.top_velocity[0] = z44;
-    result.top_velocity[1] = -z45;
-    result.top_velocity[2] = z46;
-    result.top_angular_velocity[0] = -z41;
-    result.top_angular_velocity[1] = z42;
-    result.top_angular_velocity[2] = z43;
+    const Scalar z0 = k0 * s_alpha;
+    const Scalar z1 = n0_5 * s_alpha;
+    const Scalar z2 = n0_5 * c_alpha;
+    const Scalar z3 = k0 * c_alpha;
+    const Scalar z4 = c_alpha * s_beta;
+    const Scalar z5 = v_alpha * c_beta;
+    const Scalar z6 = k0 * v_alpha;  // angular velocity of first, x
+    const Scalar z7 = n0_5 * v_alpha;  // angular velocity of first, z
+    const Scalar z8 = c_alpha * c_beta;
+    const Scalar z9 = s_alpha * v_beta;  // angular velocity of second, y
+    const Scalar z10 = k0 * c_beta + s_beta * z1;
+    const Scalar z11 = k0 * s_beta - c_beta * z1;
+    const Scalar z12 = s_beta * z0 - n0_5 * c_beta;
+    const Scalar z13 = n0_5 * s_beta + c_beta * z0;
+    const Scalar z14 = v_beta * z2 + z6;  // angular velocity of second, x
+    const Scalar z15 = v_beta * z3 - z7;  // angular velocity of second, z
+    const Scalar z16 = s_alpha * s_gamma + c_gamma * z4;
+    const Scalar z17 = s_alpha * c_gamma - s_gamma * z4;
+    const Scalar z18 = v_beta * s_gamma - c_gamma * z5;
+    const Scalar z19 = v_beta * c_gamma + s_gamma * z5;
+    const Scalar z20 = v_gamma * z8 - z9;  // angular velocity of top, y
+    const Scalar z21 = s_gamma * z2 - c_gamma * z10;
+    const Scalar z22 = c_gamma * z2 + s_gamma * z10;
+    const Scalar z23 = v_gamma * z11 - z14;  // angular velocity of top, x
+    const Scalar z24 = v_gamma * z13 + z15;  // angular velocity of top, z
+    const Scalar z25 = z16 * z19 - z17 * z18;
+    const Scalar z26 = s_gamma * z3 - c_gamma * z12;
+    const Scalar z27 = c_gamma * z3 + s_gamma * z12;
+    const Scalar z28 = z21 * z19 - z22 * z18;
+    const Scalar z29 = z26 * z19 - z27 * z18;
+    result.top_position[0] = -z11;
+    result.top_position[1] = z8;
+    result.top_position[2] = z13;
+    result.top_rotation[0] = -z21;
+    result.top_rotation[1] = z16;
+    result.top_rotation[2] = -z26;
+    result.top_rotation[3] = -z11;
+    result.top_rotation[4] = z8;
+    result.top_rotation[5] = z13;
+    result.top_rotation[6] = z22;
+    result.top_rotation[7] = -z17;
+    result.top_rotation[8] = z27;
+    result.top_velocity[0] = z28;
+    result.top_velocity[1] = -z25;
+    result.top_velocity[2] = z29;
+    result.top_angular_velocity[0] = -z23;
+    result.top_angular_velocity[1] = z20;
+    result.top_angular_velocity[2] = z24;
   }
 
   /// Mass matrix M(q), symmetric, stored column by column: T2 = 1/2 v' M v.
@@ -879,16 +879,16 @@ struct Mechanism {
     const Scalar q_beta = state.q.beta;
     Scalar s_beta, c_beta;
     traits::sincos(q_beta, s_beta, c_beta);
-    const Scalar z52 = n945_over_64 * c_beta;
-    const Scalar z47 = n15_over_32 * s_beta;
-    const Scalar z53 = n15_over_32 + c_beta * z52;
-    mass[0] = z53;
+    const Scalar z0 = n945_over_64 * c_beta;
+    const Scalar z1 = n15_over_32 * s_beta;
+    const Scalar z2 = n15_over_32 + c_beta * z0;
+    mass[0] = z2;
     mass[1] = n0;
-    mass[2] = -z47;
+    mass[2] = -z1;
     mass[3] = n0;
     mass[4] = n975_over_64;
     mass[5] = n0;
-    mass[6] = -z47;
+    mass[6] = -z1;
     mass[7] = n0;
     mass[8] = n15_over_32;
   }
@@ -912,27 +912,27 @@ struct Mechanism {
     torsor::sines_and_cosines(angles_, sines_, cosines_);
     const Scalar s_alpha = sines_[0], c_alpha = cosines_[0];
     const Scalar s_beta = sines_[1], c_beta = cosines_[1];
-    const Scalar z28 = v_alpha * s_beta;
-    const Scalar z56 = k0 * s_alpha;
-    const Scalar z27 = v_alpha * c_beta;
-    const Scalar z57 = k0 * c_alpha;
-    const Scalar z40 = v_gamma - z28;
-    const Scalar z58 = s_beta * z56 - n4_905 * c_beta;
-    const Scalar z60 = v_beta * z28;  // angular acceleration of second, x
-    const Scalar z61 = v_beta * z27;  // angular acceleration of second, y
-    const Scalar z69 = z27 * z28;
-    const Scalar z64 = v_beta * z40;
-    const Scalar z65 = z27 * z40;
-    const Scalar z67 = n15_over_32 * z61;  // moment on top, y
-    const Scalar z73 = n2 * z60;
-    const Scalar z66 = n15_over_32 * z64;  // moment on top, x
-    const Scalar z68 = n15_over_32 * z65;  // moment on top, z
-    const Scalar z77 = n15 * z57 - z66 - n975_over_64 * z73;  // moment on second, x
-    const Scalar z78 = n15 * z58 - z68 - n975_over_64 * z69;  // moment on second, z
-    const Scalar z81 = s_beta * z67 + c_beta * z77;
-    forces.alpha = z81;
-    forces.beta = -z78;
-    forces.gamma = -z67;
+    const Scalar z0 = v_alpha * s_beta;
+    const Scalar z1 = k0 * s_alpha;
+    const Scalar z2 = v_alpha * c_beta;
+    const Scalar z3 = k0 * c_alpha;
+    const Scalar z4 = v_gamma - z0;
+    const Scalar z5 = s_beta * z1 - n4_905 * c_beta;
+    const Scalar z6 = v_beta * z0;  // angular acceleration of second, x
+    const Scalar z7 = v_beta * z2;  // angular acceleration of second, y
+    const Scalar z8 = z2 * z0;
+    const Scalar z9 = v_beta * z4;
+    const Scalar z10 = z2 * z4;
+    const Scalar z11 = n15_over_32 * z7;  // moment on top, y
+    const Scalar z12 = n2 * z6;
+    const Scalar z13 = n15_over_32 * z9;  // moment on top, x
+    const Scalar z14 = n15_over_32 * z10;  // moment on top, z
+    const Scalar z15 = n15 * z3 - z13 - n975_over_64 * z12;  // moment on second, x
+    const Scalar z16 = n15 * z5 - z14 - n975_over_64 * z8;  // moment on second, z
+    const Scalar z17 = s_beta * z11 + c_beta * z15;
+    forces.alpha = z17;
+    forces.beta = -z16;
+    forces.gamma = -z11;
   }
 
   /// Inverse dynamics: the generalised forces M a + h - A' lambda that motors must supply for the accelerations a.
@@ -956,31 +956,31 @@ struct Mechanism {
     torsor::sines_and_cosines(angles_, sines_, cosines_);
     const Scalar s_alpha = sines_[0], c_alpha = cosines_[0];
     const Scalar s_beta = sines_[1], c_beta = cosines_[1];
-    const Scalar z28 = v_alpha * s_beta;
-    const Scalar z27 = v_alpha * c_beta;
-    const Scalar z84 = a_alpha * s_beta;
-    const Scalar z83 = a_alpha * c_beta;
-    const Scalar z57 = k0 * c_alpha;
-    const Scalar z56 = k0 * s_alpha;
-    const Scalar z40 = v_gamma - z28;
-    const Scalar z58 = s_beta * z56 - n4_905 * c_beta;
-    const Scalar z60 = v_beta * z28;  // angular acceleration of second, x
-    const Scalar z69 = z27 * z28;
-    const Scalar z85 = v_beta * z28 - z83;  // angular acceleration of second, x
-    const Scalar z86 = v_beta * z27 + z84;  // angular acceleration of second, y
-    const Scalar z64 = v_beta * z40;
-    const Scalar z65 = z27 * z40;
-    const Scalar z88 = a_gamma - z86;  // angular acceleration of top, y
-    const Scalar z92 = z60 + z85;
-    const Scalar z66 = n15_over_32 * z64;  // moment on top, x
-    const Scalar z68 = n15_over_32 * z65;  // moment on top, z
-    const Scalar z90 = n15_over_32 * z88;  // moment on top, y
-    const Scalar z95 = n15 * z57 - z66 - n975_over_64 * z92;  // moment on second, x
-    const Scalar z96 = z68 + n975_over_64 * (a_beta + z69) - n15 * z58;  // moment on second, z
-    const Scalar z99 = s_beta * z90 - c_beta * z95;
-    forces.alpha = -z99;
-    forces.beta = z96;
-    forces.gamma = z90;
+    const Scalar z0 = v_alpha * s_beta;
+    const Scalar z1 = v_alpha * c_beta;
+    const Scalar z2 = a_alpha * s_beta;
+    const Scalar z3 = a_alpha * c_beta;
+    const Scalar z4 = k0 * c_alpha;
+    const Scalar z5 = k0 * s_alpha;
+    const Scalar z6 = v_gamma - z0;
+    const Scalar z7 = s_beta * z5 - n4_905 * c_beta;
+    const Scalar z8 = v_beta * z0;  // angular acceleration of second, x
+    const Scalar z9 = z1 * z0;
+    const Scalar z10 = v_beta * z0 - z3;  // angular acceleration of second, x
+    const Scalar z11 = v_beta * z1 + z2;  // angular acceleration of second, y
+    const Scalar z12 = v_beta * z6;
+    const Scalar z13 = z1 * z6;
+    const Scalar z14 = a_gamma - z11;  // angular acceleration of top, y
+    const Scalar z15 = z8 + z10;
+    const Scalar z16 = n15_over_32 * z12;  // moment on top, x
+    const Scalar z17 = n15_over_32 * z13;  // moment on top, z
+    const Scalar z18 = n15_over_32 * z14;  // moment on top, y
+    const Scalar z19 = n15 * z4 - z16 - n975_over_64 * z15;  // moment on second, x
+    const Scalar z20 = z17 + n975_over_64 * (a_beta + z9) - n15 * z7;  // moment on second, z
+    const Scalar z21 = s_beta * z18 - c_beta * z19;
+    forces.alpha = -z21;
+    forces.beta = z20;
+    forces.gamma = z18;
   }
 
   /// Forward dynamics: accelerations a and multipliers lambda from M a + h = E u + A' lambda, A a + gamma = 0, by
@@ -1009,37 +1009,37 @@ struct Mechanism {
     torsor::sines_and_cosines(angles_, sines_, cosines_);
     const Scalar s_alpha = sines_[0], c_alpha = cosines_[0];
     const Scalar s_beta = sines_[1], c_beta = cosines_[1];
-    const Scalar z28 = v_alpha * s_beta;
-    const Scalar z146 = n975_over_64 * c_beta * c_beta;
-    const Scalar z57 = k1 * c_alpha;
-    const Scalar z56 = k1 * s_alpha;
-    const Scalar z27 = v_alpha * c_beta;
-    const Scalar z47 = n15_over_32 * s_beta;
-    const Scalar z52 = n945_over_64 * c_beta;
-    const Scalar z40 = v_gamma - z28;
-    const Scalar z53 = n15_over_32 + c_beta * z52;
-    const Scalar z58 = s_beta * z56 - n4_905 * c_beta;
-    const Scalar z60 = v_beta * z28;  // angular acceleration of second, x
-    const Scalar z61 = v_beta * z27;  // angular acceleration of second, y
-    const Scalar z69 = z27 * z28;
-    const Scalar z145 = n32_over_15 * z47;
-    const Scalar z64 = v_beta * z40;
-    const Scalar z65 = z27 * z40;
-    const Scalar z73 = n2 * z60;
-    const Scalar z147 = n1 / z146;
-    const Scalar z66 = n15_over_32 * z64;  // moment on top, x
-    const Scalar z68 = n15_over_32 * z65;  // moment on top, z
-    const Scalar z77 = n15 * z57 - z66 - n975_over_64 * z73;  // moment on second, x
-    const Scalar z78 = n15 * z58 - z68 - n975_over_64 * z69;  // moment on second, z
-    const Scalar z148 = c_beta * z77;
-    const Scalar z150 = n64_over_975 * z78;
-    const Scalar z149 = z147 * z148;
-    const Scalar z153 = z145 * z149;
-    const Scalar z154 = z61 - z153;
-    accelerations.alpha = -z149;
-    accelerations.beta = z150;
-    accelerations.gamma = z154;
-    if (!(traits::regular(z146, z53))) return torsor::Status::singular;
+    const Scalar z0 = v_alpha * s_beta;
+    const Scalar z1 = n975_over_64 * c_beta * c_beta;
+    const Scalar z2 = k1 * c_alpha;
+    const Scalar z3 = k1 * s_alpha;
+    const Scalar z4 = v_alpha * c_beta;
+    const Scalar z5 = n15_over_32 * s_beta;
+    const Scalar z6 = n945_over_64 * c_beta;
+    const Scalar z7 = v_gamma - z0;
+    const Scalar z8 = n15_over_32 + c_beta * z6;
+    const Scalar z9 = s_beta * z3 - n4_905 * c_beta;
+    const Scalar z10 = v_beta * z0;  // angular acceleration of second, x
+    const Scalar z11 = v_beta * z4;  // angular acceleration of second, y
+    const Scalar z12 = z4 * z0;
+    const Scalar z13 = n32_over_15 * z5;
+    const Scalar z14 = v_beta * z7;
+    const Scalar z15 = z4 * z7;
+    const Scalar z16 = n2 * z10;
+    const Scalar z17 = n1 / z1;
+    const Scalar z18 = n15_over_32 * z14;  // moment on top, x
+    const Scalar z19 = n15_over_32 * z15;  // moment on top, z
+    const Scalar z20 = n15 * z2 - z18 - n975_over_64 * z16;  // moment on second, x
+    const Scalar z21 = n15 * z9 - z19 - n975_over_64 * z12;  // moment on second, z
+    const Scalar z22 = c_beta * z20;
+    const Scalar z23 = n64_over_975 * z21;
+    const Scalar z24 = z17 * z22;
+    const Scalar z25 = z13 * z24;
+    const Scalar z26 = z11 - z25;
+    accelerations.alpha = -z24;
+    accelerations.beta = z23;
+    accelerations.gamma = z26;
+    if (!(traits::regular(z1, z8))) return torsor::Status::singular;
     // 0 x is 0 for every finite x and not a number for any other.
     const Scalar zero = n0 * accelerations.alpha * accelerations.beta * accelerations.gamma;
     if (!traits::regular(n1, zero)) return torsor::Status::not_finite;
@@ -1066,16 +1066,16 @@ struct Mechanism {
     const Scalar s_alpha = sines_[0];
     const Scalar s_beta = sines_[1], c_beta = cosines_[1];
     const Scalar s_gamma = sines_[2], c_gamma = cosines_[2];
-    const Scalar z27 = v_alpha * c_beta;
-    const Scalar z28 = v_alpha * s_beta;
-    const Scalar z49 = n15 * c_beta;
-    const Scalar z50 = n15 * s_beta;
-    const Scalar z38 = v_beta * s_gamma - c_gamma * z27;
-    const Scalar z39 = v_beta * c_gamma + s_gamma * z27;
-    const Scalar z40 = v_gamma - z28;
-    const Scalar z156 = s_alpha * z49;
-    result.kinetic = n15_over_64 * z40 * z40 + n975_over_128 * (z38 * z38 + z39 * z39);
-    result.force_function = -n4_905 * z50 - k4 * z156;
+    const Scalar z0 = v_alpha * c_beta;
+    const Scalar z1 = v_alpha * s_beta;
+    const Scalar z2 = n15 * c_beta;
+    const Scalar z3 = n15 * s_beta;
+    const Scalar z4 = v_beta * s_gamma - c_gamma * z0;
+    const Scalar z5 = v_beta * c_gamma + s_gamma * z0;
+    const Scalar z6 = v_gamma - z1;
+    const Scalar z7 = s_alpha * z2;
+    result.kinetic = n15_over_64 * z6 * z6 + n975_over_128 * (z4 * z4 + z5 * z5);
+    result.force_function = -n4_905 * z3 - k4 * z7;
     result.power = n0;
   }
 
@@ -1099,17 +1099,17 @@ struct Mechanism {
     const Scalar s_alpha = sines_[0];
     const Scalar s_beta = sines_[1], c_beta = cosines_[1];
     const Scalar s_gamma = sines_[2], c_gamma = cosines_[2];
-    const Scalar z27 = v_alpha * c_beta;
-    const Scalar z28 = v_alpha * s_beta;
-    const Scalar z49 = n15 * c_beta;
-    const Scalar z47 = n15_over_32 * s_beta;
-    const Scalar z50 = n15 * s_beta;
-    const Scalar z38 = v_beta * s_gamma - c_gamma * z27;
-    const Scalar z39 = v_beta * c_gamma + s_gamma * z27;
-    const Scalar z40 = v_gamma - z28;
-    const Scalar z156 = s_alpha * z49;
-    result.energy = n4_905 * z50 + k3 * z156 + n15_over_64 * z40 * z40 + n975_over_128 * (z38 * z38 + z39 * z39);
-    result.momentum_gamma = -v_alpha * z47 + n15_over_32 * v_gamma;
+    const Scalar z0 = v_alpha * c_beta;
+    const Scalar z1 = v_alpha * s_beta;
+    const Scalar z2 = n15 * c_beta;
+    const Scalar z3 = n15_over_32 * s_beta;
+    const Scalar z4 = n15 * s_beta;
+    const Scalar z5 = v_beta * s_gamma - c_gamma * z0;
+    const Scalar z6 = v_beta * c_gamma + s_gamma * z0;
+    const Scalar z7 = v_gamma - z1;
+    const Scalar z8 = s_alpha * z2;
+    result.energy = n4_905 * z4 + k3 * z8 + n15_over_64 * z7 * z7 + n975_over_128 * (z5 * z5 + z6 * z6);
+    result.momentum_gamma = -v_alpha * z3 + n15_over_32 * v_gamma;
   }
 
   /// Linearisation about the state: M e'' + C e' + K e = F + E du, with e and du deviations from the state and the
@@ -1140,128 +1140,128 @@ struct Mechanism {
     torsor::sines_and_cosines(angles_, sines_, cosines_);
     const Scalar s_alpha = sines_[0], c_alpha = cosines_[0];
     const Scalar s_beta = sines_[1], c_beta = cosines_[1];
-    const Scalar z288 = v_alpha * s_beta;
-    const Scalar z287 = v_alpha * c_beta;
-    const Scalar z306 = a_alpha * s_beta;
-    const Scalar z305 = a_alpha * c_beta;
-    const Scalar z294 = k0 * c_alpha;
-    const Scalar z316 = n975_over_64 * c_beta * c_beta;
-    const Scalar z321 = v_beta * s_beta;
-    const Scalar z293 = k0 * s_alpha;
-    const Scalar z290 = n15_over_32 * s_beta;
-    const Scalar z319 = v_beta * c_beta;
-    const Scalar z348 = n15_over_32 * v_beta;
-    const Scalar z291 = n945_over_64 * c_beta;
-    const Scalar z289 = v_gamma - z288;
-    const Scalar z349 = c_beta * z348;
-    const Scalar z292 = n15_over_32 + c_beta * z291;
-    const Scalar z295 = s_beta * z293 - n4_905 * c_beta;
-    const Scalar z296 = n4_905 * s_beta + c_beta * z293;
-    const Scalar z297 = v_beta * z288;  // angular acceleration of second, x
-    const Scalar z298 = v_beta * z287;  // angular acceleration of second, y
-    const Scalar z304 = z287 * z288;
-    const Scalar z307 = v_beta * z288 - z305;  // angular acceleration of second, x
-    const Scalar z308 = v_beta * z287 + z306;  // angular acceleration of second, y
-    const Scalar z315 = n32_over_15 * z290;
-    const Scalar z320 = n15_over_32 * z319;
-    const Scalar z322 = n15_over_32 * z321;
-    const Scalar z323 = n2 * z321;
-    const Scalar z326 = n15 * z293;
-    const Scalar z328 = s_beta * z287;
-    const Scalar z333 = s_beta * z294;
-    const Scalar z335 = n15_over_32 * z287;
-    const Scalar z336 = n2 * z288;
-    const Scalar z343 = z287 * z287;
-    const Scalar z299 = v_beta * z289;
-    const Scalar z300 = z287 * z289;
-    const Scalar z302 = n15_over_32 * z298;  // moment on top, y
-    const Scalar z317 = n1 / z316;
-    const Scalar z318 = n15_over_32 * z289;
-    const Scalar z324 = z322 - n975_over_64 * z323;
-    const Scalar z327 = c_beta * z326;
-    const Scalar z329 = c_beta * z289 - z328;
-    const Scalar z331 = c_beta * z288 + z328;
-    const Scalar z334 = n15 * z333;
-    const Scalar z344 = z288 * z289 + z343;
-    const Scalar z346 = z288 * z288 - z343;
-    const Scalar z309 = a_gamma - z308;  // angular acceleration of top, y
-    const Scalar z311 = z297 + z307;
-    const Scalar z339 = n15_over_32 * z307;
-    const Scalar z340 = z298 + z308;
-    const Scalar z301 = n15_over_32 * z299;  // moment on top, x
-    const Scalar z303 = n15_over_32 * z300;  // moment on top, z
-    const Scalar z365 = n64_over_975 * z335;
-    const Scalar z337 = z318 + n975_over_64 * z336;
-    const Scalar z351 = n64_over_975 * z334;
-    const Scalar z310 = n15_over_32 * z309;  // moment on top, y
-    const Scalar z325 = s_beta * z320 + c_beta * z324;
-    const Scalar z330 = n15_over_32 * z329;
-    const Scalar z341 = z302 - n975_over_64 * z340;
-    const Scalar z345 = n15_over_32 * z344;
-    const Scalar z353 = c_beta * z324;
-    const Scalar z312 = n15 * z294 - z301 - n975_over_64 * z311;  // moment on second, x
-    const Scalar z313 = z303 + n975_over_64 * (a_beta + z304) - n15 * z295;  // moment on second, z
-    const Scalar z332 = z330 + n975_over_64 * z331;
-    const Scalar z338 = s_beta * z335 - c_beta * z337;
-    const Scalar z347 = n15 * z296 + z345 + n975_over_64 * z346;
-    const Scalar z361 = c_beta * z337;
-    const Scalar z355 = n64_over_975 * z332;
-    const Scalar z350 = z317 * z327;
-    const Scalar z354 = z317 * z353;
-    const Scalar z362 = z317 * z361;
-    const Scalar z364 = z317 * z349;
-    const Scalar z314 = s_beta * z310 - c_beta * z312;
-    const Scalar z342 = c_beta * (z310 - z341) + s_beta * (z312 + z339);
-    const Scalar z359 = n64_over_975 * z347;
-    const Scalar z352 = z315 * z350;
-    const Scalar z356 = z315 * z354 - n32_over_15 * z320;
-    const Scalar z363 = n32_over_15 * z335 + z315 * z362;
-    const Scalar z366 = z315 * z364;
-    const Scalar z357 = z315 * z339 - z342;
-    const Scalar z358 = z317 * z357;
-    const Scalar z360 = n32_over_15 * z339 + z315 * z358;
-    result.M[0] = z292;
+    const Scalar z0 = v_alpha * s_beta;
+    const Scalar z1 = v_alpha * c_beta;
+    const Scalar z2 = a_alpha * s_beta;
+    const Scalar z3 = a_alpha * c_beta;
+    const Scalar z4 = k0 * c_alpha;
+    const Scalar z5 = n975_over_64 * c_beta * c_beta;
+    const Scalar z6 = v_beta * s_beta;
+    const Scalar z7 = k0 * s_alpha;
+    const Scalar z8 = n15_over_32 * s_beta;
+    const Scalar z9 = v_beta * c_beta;
+    const Scalar z10 = n15_over_32 * v_beta;
+    const Scalar z11 = n945_over_64 * c_beta;
+    const Scalar z12 = v_gamma - z0;
+    const Scalar z13 = c_beta * z10;
+    const Scalar z14 = n15_over_32 + c_beta * z11;
+    const Scalar z15 = s_beta * z7 - n4_905 * c_beta;
+    const Scalar z16 = n4_905 * s_beta + c_beta * z7;
+    const Scalar z17 = v_beta * z0;  // angular acceleration of second, x
+    const Scalar z18 = v_beta * z1;  // angular acceleration of second, y
+    const Scalar z19 = z1 * z0;
+    const Scalar z20 = v_beta * z0 - z3;  // angular acceleration of second, x
+    const Scalar z21 = v_beta * z1 + z2;  // angular acceleration of second, y
+    const Scalar z22 = n32_over_15 * z8;
+    const Scalar z23 = n15_over_32 * z9;
+    const Scalar z24 = n15_over_32 * z6;
+    const Scalar z25 = n2 * z6;
+    const Scalar z26 = n15 * z7;
+    const Scalar z27 = s_beta * z1;
+    const Scalar z28 = s_beta * z4;
+    const Scalar z29 = n15_over_32 * z1;
+    const Scalar z30 = n2 * z0;
+    const Scalar z31 = z1 * z1;
+    const Scalar z32 = v_beta * z12;
+    const Scalar z33 = z1 * z12;
+    const Scalar z34 = n15_over_32 * z18;  // moment on top, y
+    const Scalar z35 = n1 / z5;
+    const Scalar z36 = n15_over_32 * z12;
+    const Scalar z37 = z24 - n975_over_64 * z25;
+    const Scalar z38 = c_beta * z26;
+    const Scalar z39 = c_beta * z12 - z27;
+    const Scalar z40 = c_beta * z0 + z27;
+    const Scalar z41 = n15 * z28;
+    const Scalar z42 = z0 * z12 + z31;
+    const Scalar z43 = z0 * z0 - z31;
+    const Scalar z44 = a_gamma - z21;  // angular acceleration of top, y
+    const Scalar z45 = z17 + z20;
+    const Scalar z46 = n15_over_32 * z20;
+    const Scalar z47 = z18 + z21;
+    const Scalar z48 = n15_over_32 * z32;  // moment on top, x
+    const Scalar z49 = n15_over_32 * z33;  // moment on top, z
+    const Scalar z50 = n64_over_975 * z29;
+    const Scalar z51 = z36 + n975_over_64 * z30;
+    const Scalar z52 = n64_over_975 * z41;
+    const Scalar z53 = n15_over_32 * z44;  // moment on top, y
+    const Scalar z54 = s_beta * z23 + c_beta * z37;
+    const Scalar z55 = n15_over_32 * z39;
+    const Scalar z56 = z34 - n975_over_64 * z47;
+    const Scalar z57 = n15_over_32 * z42;
+    const Scalar z58 = c_beta * z37;
+    const Scalar z59 = n15 * z4 - z48 - n975_over_64 * z45;  // moment on second, x
+    const Scalar z60 = z49 + n975_over_64 * (a_beta + z19) - n15 * z15;  // moment on second, z
+    const Scalar z61 = z55 + n975_over_64 * z40;
+    const Scalar z62 = s_beta * z29 - c_beta * z51;
+    const Scalar z63 = n15 * z16 + z57 + n975_over_64 * z43;
+    const Scalar z64 = c_beta * z51;
+    const Scalar z65 = n64_over_975 * z61;
+    const Scalar z66 = z35 * z38;
+    const Scalar z67 = z35 * z58;
+    const Scalar z68 = z35 * z64;
+    const Scalar z69 = z35 * z13;
+    const Scalar z70 = s_beta * z53 - c_beta * z59;
+    const Scalar z71 = c_beta * (z53 - z56) + s_beta * (z59 + z46);
+    const Scalar z72 = n64_over_975 * z63;
+    const Scalar z73 = z22 * z66;
+    const Scalar z74 = z22 * z67 - n32_over_15 * z23;
+    const Scalar z75 = n32_over_15 * z29 + z22 * z68;
+    const Scalar z76 = z22 * z69;
+    const Scalar z77 = z22 * z46 - z71;
+    const Scalar z78 = z35 * z77;
+    const Scalar z79 = n32_over_15 * z46 + z22 * z78;
+    result.M[0] = z14;
     result.M[1] = n0;
-    result.M[2] = -z290;
+    result.M[2] = -z8;
     result.M[3] = n0;
     result.M[4] = n975_over_64;
     result.M[5] = n0;
-    result.M[6] = -z290;
+    result.M[6] = -z8;
     result.M[7] = n0;
     result.M[8] = n15_over_32;
-    result.C[0] = z325;
-    result.C[1] = z332;
-    result.C[2] = -z320;
-    result.C[3] = z338;
+    result.C[0] = z54;
+    result.C[1] = z61;
+    result.C[2] = -z23;
+    result.C[3] = z62;
     result.C[4] = n0;
-    result.C[5] = -z335;
-    result.C[6] = -z349;
-    result.C[7] = z335;
+    result.C[5] = -z29;
+    result.C[6] = -z13;
+    result.C[7] = z29;
     result.C[8] = n0;
-    result.K[0] = -z327;
-    result.K[1] = -z334;
+    result.K[0] = -z38;
+    result.K[1] = -z41;
     result.K[2] = n0;
-    result.K[3] = -z342;
-    result.K[4] = -z347;
-    result.K[5] = z339;
+    result.K[3] = -z71;
+    result.K[4] = -z63;
+    result.K[5] = z46;
     result.K[6] = n0;
     result.K[7] = n0;
     result.K[8] = n0;
-    result.F[0] = z314;
-    result.F[1] = -z313;
-    result.F[2] = -z310;
+    result.F[0] = z70;
+    result.F[1] = -z60;
+    result.F[2] = -z53;
     result.A[0] = n0;
     result.A[1] = n0;
     result.A[2] = n0;
-    result.A[3] = z350;
-    result.A[4] = z351;
-    result.A[5] = z352;
+    result.A[3] = z66;
+    result.A[4] = z52;
+    result.A[5] = z73;
     result.A[6] = n0;
     result.A[7] = n0;
     result.A[8] = n0;
-    result.A[9] = -z358;
-    result.A[10] = z359;
-    result.A[11] = -z360;
+    result.A[9] = -z78;
+    result.A[10] = z72;
+    result.A[11] = -z79;
     result.A[12] = n0;
     result.A[13] = n0;
     result.A[14] = n0;
@@ -1271,22 +1271,22 @@ struct Mechanism {
     result.A[18] = n1;
     result.A[19] = n0;
     result.A[20] = n0;
-    result.A[21] = -z354;
-    result.A[22] = -z355;
-    result.A[23] = -z356;
+    result.A[21] = -z67;
+    result.A[22] = -z65;
+    result.A[23] = -z74;
     result.A[24] = n0;
     result.A[25] = n1;
     result.A[26] = n0;
-    result.A[27] = z362;
+    result.A[27] = z68;
     result.A[28] = n0;
-    result.A[29] = z363;
+    result.A[29] = z75;
     result.A[30] = n0;
     result.A[31] = n0;
     result.A[32] = n1;
-    result.A[33] = z364;
-    result.A[34] = -z365;
-    result.A[35] = z366;
-    if (!(traits::regular(z316, z292))) return torsor::Status::singular;
+    result.A[33] = z69;
+    result.A[34] = -z50;
+    result.A[35] = z76;
+    if (!(traits::regular(z5, z14))) return torsor::Status::singular;
     // 0 x is 0 for every finite x and not a number for any other.
     const Scalar zero = (n0 * result.M[0] * result.M[2] * result.M[6] * result.C[0] * result.C[1] * result.C[2]
         * result.C[3] * result.C[5] * result.C[6] * result.C[7] * result.K[0] * result.K[1] * result.K[3] * result.K[4]
@@ -1319,9 +1319,9 @@ struct Mechanism {
     torsor::sines_and_cosines(angles_, sines_, cosines_);
     const Scalar s_alpha = sines_[0], c_alpha = cosines_[0];
     const Scalar s_beta = sines_[1], c_beta = cosines_[1];
-    const Scalar z52 = n945_over_64 * c_beta;
-    const Scalar z146 = n975_over_64 * c_beta * c_beta;
-    const Scalar z53 = n15_over_32 + c_beta * z52;
+    const Scalar z0 = n945_over_64 * c_beta;
+    const Scalar z1 = n975_over_64 * c_beta * c_beta;
+    const Scalar z2 = n15_over_32 + c_beta * z0;
     const Scalar b1 = state.v.alpha;
     const Scalar b8 = state.v.gamma;
     const Scalar b10 = b1 * s_beta;
@@ -1390,7 +1390,7 @@ struct Mechanism {
       inverse_ = next_;
     }
     static_cast<void>(inverse_);
-    if (!(traits::regular(z146, z53))) return torsor::Status::singular;
+    if (!(traits::regular(z1, z2))) return torsor::Status::singular;
     // 0 x is 0 for every finite x and not a number for any other.
     const Scalar zero = n0 * coefficients[order][0] * coefficients[order][1] * coefficients[order][2]
         * coefficients[order][3] * coefficients[order][4] * coefficients[order][5];

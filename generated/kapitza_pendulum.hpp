@@ -505,7 +505,7 @@ struct Mechanism {
 
   static constexpr const char* name = "kapitza_pendulum";
   /// 64 bits (FNV-1a) of this file from "#pragma once" on, with zeros in their own place: another mechanism, other bits.
-  static constexpr unsigned long long fingerprint = 0x447322d017755dd9ULL;
+  static constexpr unsigned long long fingerprint = 0x44100d30f10c3255ULL;
   static constexpr int coordinate_count = 1;
   static constexpr int velocity_count = 1;
   static constexpr int input_count = 0;
@@ -693,21 +693,21 @@ struct Mechanism {
     const Scalar t = state.time;
     const Scalar q_theta = state.q.theta;
     const Scalar v_theta = state.v.theta;
-    const Scalar z3 = p_omega * t;
-    const Scalar angles_[] = {z3, q_theta};
+    const Scalar z0 = p_omega * t;
+    const Scalar angles_[] = {z0, q_theta};
     Scalar sines_[2], cosines_[2];
     torsor::sines_and_cosines(angles_, sines_, cosines_);
-    const Scalar z5 = sines_[0], z4 = cosines_[0];
+    const Scalar z1 = sines_[0], z2 = cosines_[0];
     const Scalar s_theta = sines_[1], c_theta = cosines_[1];
-    const Scalar z6 = p_omega * z5;
-    const Scalar z14 = p_a * z4;
-    const Scalar z17 = v_theta * c_theta;
-    const Scalar z15 = p_a * z6;  // velocity of pivot, z
-    const Scalar z16 = c_theta + z14;
-    const Scalar z18 = v_theta * s_theta + z15;
+    const Scalar z3 = p_omega * z1;
+    const Scalar z4 = p_a * z2;
+    const Scalar z5 = v_theta * c_theta;
+    const Scalar z6 = p_a * z3;  // velocity of pivot, z
+    const Scalar z7 = c_theta + z4;
+    const Scalar z8 = v_theta * s_theta + z6;
     result.pendulum_position[0] = s_theta;
     result.pendulum_position[1] = n0;
-    result.pendulum_position[2] = z16;
+    result.pendulum_position[2] = z7;
     result.pendulum_rotation[0] = c_theta;
     result.pendulum_rotation[1] = n0;
     result.pendulum_rotation[2] = -s_theta;
@@ -717,9 +717,9 @@ struct Mechanism {
     result.pendulum_rotation[6] = s_theta;
     result.pendulum_rotation[7] = n0;
     result.pendulum_rotation[8] = c_theta;
-    result.pendulum_velocity[0] = z17;
+    result.pendulum_velocity[0] = z5;
     result.pendulum_velocity[1] = n0;
-    result.pendulum_velocity[2] = -z18;
+    result.pendulum_velocity[2] = -z8;
     result.pendulum_angular_velocity[0] = n0;
     result.pendulum_angular_velocity[1] = v_theta;
     result.pendulum_angular_velocity[2] = n0;
@@ -740,17 +740,17 @@ struct Mechanism {
     const Scalar p_omega = precomputed.parameters.omega;
     const Scalar t = state.time;
     const Scalar q_theta = state.q.theta;
-    const Scalar z3 = p_omega * t;
-    const Scalar angles_[] = {z3, q_theta};
+    const Scalar z0 = p_omega * t;
+    const Scalar angles_[] = {z0, q_theta};
     Scalar sines_[2], cosines_[2];
     torsor::sines_and_cosines(angles_, sines_, cosines_);
-    const Scalar z4 = cosines_[0];
+    const Scalar z1 = cosines_[0];
     const Scalar s_theta = sines_[1];
-    const Scalar z7 = p_omega * z4;
-    const Scalar z8 = p_omega * z7;
-    const Scalar z26 = n9_81 - p_a * z8;
-    const Scalar z27 = s_theta * z26;
-    forces.theta = -z27;
+    const Scalar z2 = p_omega * z1;
+    const Scalar z3 = p_omega * z2;
+    const Scalar z4 = n9_81 - p_a * z3;
+    const Scalar z5 = s_theta * z4;
+    forces.theta = -z5;
   }
 
   /// Inverse dynamics: the generalised forces M a + h - A' lambda that motors must supply for the accelerations a.
@@ -762,18 +762,18 @@ struct Mechanism {
     const Scalar t = state.time;
     const Scalar q_theta = state.q.theta;
     const Scalar a_theta = accelerations.theta;
-    const Scalar z3 = p_omega * t;
-    const Scalar angles_[] = {z3, q_theta};
+    const Scalar z0 = p_omega * t;
+    const Scalar angles_[] = {z0, q_theta};
     Scalar sines_[2], cosines_[2];
     torsor::sines_and_cosines(angles_, sines_, cosines_);
-    const Scalar z4 = cosines_[0];
+    const Scalar z1 = cosines_[0];
     const Scalar s_theta = sines_[1];
-    const Scalar z7 = p_omega * z4;
-    const Scalar z8 = p_omega * z7;
-    const Scalar z26 = n9_81 - p_a * z8;
-    const Scalar z27 = s_theta * z26;
-    const Scalar z34 = a_theta - z27;  // moment on pendulum, y
-    forces.theta = z34;
+    const Scalar z2 = p_omega * z1;
+    const Scalar z3 = p_omega * z2;
+    const Scalar z4 = n9_81 - p_a * z3;
+    const Scalar z5 = s_theta * z4;
+    const Scalar z6 = a_theta - z5;  // moment on pendulum, y
+    forces.theta = z6;
   }
 
   /// Forward dynamics: accelerations a and multipliers lambda from M a + h = E u + A' lambda, A a + gamma = 0, by
@@ -788,17 +788,17 @@ struct Mechanism {
     const Scalar p_omega = precomputed.parameters.omega;
     const Scalar t = state.time;
     const Scalar q_theta = state.q.theta;
-    const Scalar z3 = p_omega * t;
-    const Scalar angles_[] = {z3, q_theta};
+    const Scalar z0 = p_omega * t;
+    const Scalar angles_[] = {z0, q_theta};
     Scalar sines_[2], cosines_[2];
     torsor::sines_and_cosines(angles_, sines_, cosines_);
-    const Scalar z4 = cosines_[0];
+    const Scalar z1 = cosines_[0];
     const Scalar s_theta = sines_[1];
-    const Scalar z7 = p_omega * z4;
-    const Scalar z8 = p_omega * z7;
-    const Scalar z26 = n9_81 - p_a * z8;
-    const Scalar z27 = s_theta * z26;
-    accelerations.theta = z27;
+    const Scalar z2 = p_omega * z1;
+    const Scalar z3 = p_omega * z2;
+    const Scalar z4 = n9_81 - p_a * z3;
+    const Scalar z5 = s_theta * z4;
+    accelerations.theta = z5;
     // 0 x is 0 for every finite x and not a number for any other.
     const Scalar zero = n0 * accelerations.theta;
     if (!traits::regular(n1, zero)) return torsor::Status::not_finite;
@@ -816,20 +816,20 @@ struct Mechanism {
     const Scalar t = state.time;
     const Scalar q_theta = state.q.theta;
     const Scalar v_theta = state.v.theta;
-    const Scalar z3 = p_omega * t;
-    const Scalar angles_[] = {z3, q_theta};
+    const Scalar z0 = p_omega * t;
+    const Scalar angles_[] = {z0, q_theta};
     Scalar sines_[2], cosines_[2];
     torsor::sines_and_cosines(angles_, sines_, cosines_);
-    const Scalar z5 = sines_[0], z4 = cosines_[0];
+    const Scalar z1 = sines_[0], z2 = cosines_[0];
     const Scalar s_theta = sines_[1], c_theta = cosines_[1];
-    const Scalar z6 = p_omega * z5;
-    const Scalar z14 = p_a * z4;
-    const Scalar z15 = p_a * z6;  // velocity of pivot, z
-    const Scalar z39 = s_theta * z15;
-    const Scalar z40 = c_theta * z15;
-    const Scalar z41 = v_theta + z39;
-    result.kinetic = n0_5 * (z40 * z40 + z41 * (v_theta + z39));
-    result.force_function = -n9_81 * (c_theta + z14);
+    const Scalar z3 = p_omega * z1;
+    const Scalar z4 = p_a * z2;
+    const Scalar z5 = p_a * z3;  // velocity of pivot, z
+    const Scalar z6 = s_theta * z5;
+    const Scalar z7 = c_theta * z5;
+    const Scalar z8 = v_theta + z6;
+    result.kinetic = n0_5 * (z7 * z7 + z8 * (v_theta + z6));
+    result.force_function = -n9_81 * (c_theta + z4);
     result.power = n0;
   }
 
@@ -844,19 +844,19 @@ struct Mechanism {
     const Scalar q_theta = state.q.theta;
     const Scalar v_theta = state.v.theta;
     const Scalar a_theta = accelerations.theta;
-    const Scalar z3 = p_omega * t;
-    const Scalar angles_[] = {z3, q_theta};
+    const Scalar z0 = p_omega * t;
+    const Scalar angles_[] = {z0, q_theta};
     Scalar sines_[2], cosines_[2];
     torsor::sines_and_cosines(angles_, sines_, cosines_);
-    const Scalar z4 = cosines_[0];
+    const Scalar z1 = cosines_[0];
     const Scalar s_theta = sines_[1], c_theta = cosines_[1];
-    const Scalar z7 = p_omega * z4;
-    const Scalar z29 = v_theta * v_theta;
-    const Scalar z36 = a_theta * s_theta + c_theta * z29;
-    const Scalar z8 = p_omega * z7;
-    const Scalar z26 = n9_81 - p_a * z8;
-    const Scalar z37 = z26 - z36;  // force on pivot, z
-    result.shaker = z37;
+    const Scalar z2 = p_omega * z1;
+    const Scalar z3 = v_theta * v_theta;
+    const Scalar z4 = a_theta * s_theta + c_theta * z3;
+    const Scalar z5 = p_omega * z2;
+    const Scalar z6 = n9_81 - p_a * z5;
+    const Scalar z7 = z6 - z4;  // force on pivot, z
+    result.shaker = z7;
   }
 
   /// Linearisation about the state: M e'' + C e' + K e = F + E du, with e and du deviations from the state and the
@@ -871,24 +871,24 @@ struct Mechanism {
     const Scalar t = state.time;
     const Scalar q_theta = state.q.theta;
     const Scalar a_theta = accelerations.theta;
-    const Scalar z3 = p_omega * t;
-    const Scalar angles_[] = {z3, q_theta};
+    const Scalar z0 = p_omega * t;
+    const Scalar angles_[] = {z0, q_theta};
     Scalar sines_[2], cosines_[2];
     torsor::sines_and_cosines(angles_, sines_, cosines_);
-    const Scalar z4 = cosines_[0];
+    const Scalar z1 = cosines_[0];
     const Scalar s_theta = sines_[1], c_theta = cosines_[1];
-    const Scalar z7 = p_omega * z4;
-    const Scalar z8 = p_omega * z7;
-    const Scalar z26 = n9_81 - p_a * z8;
-    const Scalar z27 = s_theta * z26;
-    const Scalar z28 = c_theta * z26;
-    const Scalar z34 = a_theta - z27;  // moment on pendulum, y
+    const Scalar z2 = p_omega * z1;
+    const Scalar z3 = p_omega * z2;
+    const Scalar z4 = n9_81 - p_a * z3;
+    const Scalar z5 = s_theta * z4;
+    const Scalar z6 = c_theta * z4;
+    const Scalar z7 = a_theta - z5;  // moment on pendulum, y
     result.M[0] = n1;
     result.C[0] = n0;
-    result.K[0] = -z28;
-    result.F[0] = -z34;
+    result.K[0] = -z6;
+    result.F[0] = -z7;
     result.A[0] = n0;
-    result.A[1] = z28;
+    result.A[1] = z6;
     result.A[2] = n1;
     result.A[3] = n0;
     // 0 x is 0 for every finite x and not a number for any other.

@@ -506,7 +506,7 @@ struct Mechanism {
 
   static constexpr const char* name = "model_making_press_reduced";
   /// 64 bits (FNV-1a) of this file from "#pragma once" on, with zeros in their own place: another mechanism, other bits.
-  static constexpr unsigned long long fingerprint = 0x21f96dd982c780b3ULL;
+  static constexpr unsigned long long fingerprint = 0x26b020bdd192c257ULL;
   static constexpr int coordinate_count = 2;
   static constexpr int velocity_count = 2;
   static constexpr int input_count = 1;
@@ -716,8 +716,8 @@ struct Mechanism {
     Scalar s_omega_z, c_omega_z;
     traits::sincos(q_omega_z, s_omega_z, c_omega_z);
     const Scalar pi = traits::pi();
-    const Scalar z10 = n0_002 * q_omega_z / pi;
-    const Scalar z11 = n0_002 * v_omega_z / pi;  // velocity of screw.1, z
+    const Scalar z0 = n0_002 * q_omega_z / pi;
+    const Scalar z1 = n0_002 * v_omega_z / pi;  // velocity of screw.1, z
     result.traverse_position[0] = n0;
     result.traverse_position[1] = n0;
     result.traverse_position[2] = q_a_z;
@@ -738,7 +738,7 @@ struct Mechanism {
     result.traverse_angular_velocity[2] = n0;
     result.screw_position[0] = n0;
     result.screw_position[1] = n0;
-    result.screw_position[2] = z10;
+    result.screw_position[2] = z0;
     result.screw_rotation[0] = c_omega_z;
     result.screw_rotation[1] = s_omega_z;
     result.screw_rotation[2] = n0;
@@ -750,7 +750,7 @@ struct Mechanism {
     result.screw_rotation[8] = n1;
     result.screw_velocity[0] = n0;
     result.screw_velocity[1] = n0;
-    result.screw_velocity[2] = z11;
+    result.screw_velocity[2] = z1;
     result.screw_angular_velocity[0] = n0;
     result.screw_angular_velocity[1] = n0;
     result.screw_angular_velocity[2] = v_omega_z;
@@ -764,19 +764,19 @@ struct Mechanism {
     const Scalar n0_84 = traits::constant(0.84, 0.84f, "21/25");
     const Scalar n0 = traits::constant(0.0, 0.0f, "0/1");
     const Scalar pi = traits::pi();
-    const Scalar z7 = traits::formula(0.0006366197723675813, 0.00063661975f, [&]() -> Scalar {
+    const Scalar z0 = traits::formula(0.0006366197723675813, 0.00063661975f, [&]() -> Scalar {
       return n0_002 / pi;
     });
-    const Scalar z12 = traits::formula(0.0001909859317102744, 0.00019098593f, [&]() -> Scalar {
-      return n0_3 * z7;
+    const Scalar z1 = traits::formula(0.0001909859317102744, 0.00019098593f, [&]() -> Scalar {
+      return n0_3 * z0;
     });
-    const Scalar z13 = traits::formula(0.0001001215854203708, 0.000100121586f, [&]() -> Scalar {
-      return n0_0001 + z7 * z12;
+    const Scalar z2 = traits::formula(0.0001001215854203708, 0.000100121586f, [&]() -> Scalar {
+      return n0_0001 + z0 * z1;
     });
     mass[0] = n0_84;
     mass[1] = n0;
     mass[2] = n0;
-    mass[3] = z13;
+    mass[3] = z2;
   }
 
   /// Bias h(q, v, t): inverse dynamics at zero acceleration without inputs and multipliers; gravity and passive
@@ -790,18 +790,18 @@ struct Mechanism {
     const Scalar q_a_z = state.q.a_z;
     const Scalar v_omega_z = state.v.omega_z;
     const Scalar pi = traits::pi();
-    const Scalar z7 = traits::formula(0.0006366197723675813, 0.00063661975f, [&]() -> Scalar {
+    const Scalar z0 = traits::formula(0.0006366197723675813, 0.00063661975f, [&]() -> Scalar {
       return n0_002 / pi;
     });
-    const Scalar z19 = traits::formula(0.001873571990077792, 0.001873572f, [&]() -> Scalar {
-      return n2_943 * z7;
+    const Scalar z1 = traits::formula(0.001873571990077792, 0.001873572f, [&]() -> Scalar {
+      return n2_943 * z0;
     });
-    const Scalar z20 = n20000 * q_a_z;
-    const Scalar z21 = n0_0005 * v_omega_z;
-    const Scalar z22 = n8_2404 + z20;
-    const Scalar z23 = z19 + z21;
-    forces.a_z = z22;
-    forces.omega_z = z23;
+    const Scalar z2 = n20000 * q_a_z;
+    const Scalar z3 = n0_0005 * v_omega_z;
+    const Scalar z4 = n8_2404 + z2;
+    const Scalar z5 = z1 + z3;
+    forces.a_z = z4;
+    forces.omega_z = z5;
   }
 
   /// Inverse dynamics: the generalised forces M a + h - A' lambda that motors must supply for the accelerations a.
@@ -821,26 +821,26 @@ struct Mechanism {
     const Scalar a_omega_z = accelerations.omega_z;
     const Scalar l_lambda_LB_z = multipliers.lambda_LB_z;
     const Scalar pi = traits::pi();
-    const Scalar z7 = traits::formula(0.0006366197723675813, 0.00063661975f, [&]() -> Scalar {
+    const Scalar z0 = traits::formula(0.0006366197723675813, 0.00063661975f, [&]() -> Scalar {
       return n0_002 / pi;
     });
-    const Scalar z12 = traits::formula(0.0001909859317102744, 0.00019098593f, [&]() -> Scalar {
-      return n0_3 * z7;
+    const Scalar z1 = traits::formula(0.0001909859317102744, 0.00019098593f, [&]() -> Scalar {
+      return n0_3 * z0;
     });
-    const Scalar z13 = traits::formula(0.0001001215854203708, 0.000100121586f, [&]() -> Scalar {
-      return n0_0001 + z7 * z12;
+    const Scalar z2 = traits::formula(0.0001001215854203708, 0.000100121586f, [&]() -> Scalar {
+      return n0_0001 + z0 * z1;
     });
-    const Scalar z19 = traits::formula(0.001873571990077792, 0.001873572f, [&]() -> Scalar {
-      return n2_943 * z7;
+    const Scalar z3 = traits::formula(0.001873571990077792, 0.001873572f, [&]() -> Scalar {
+      return n2_943 * z0;
     });
-    const Scalar z36 = n20000 * q_a_z;
-    const Scalar z37 = n0_0005 * v_omega_z;
-    const Scalar z38 = n8_2404 + z36;
-    const Scalar z39 = z19 + z37;
-    const Scalar z40 = n0_84 * a_a_z + z38;
-    const Scalar z41 = a_omega_z * z13 + z39;
-    forces.a_z = l_lambda_LB_z + z40;
-    forces.omega_z = -z7 * l_lambda_LB_z + z41;
+    const Scalar z4 = n20000 * q_a_z;
+    const Scalar z5 = n0_0005 * v_omega_z;
+    const Scalar z6 = n8_2404 + z4;
+    const Scalar z7 = z3 + z5;
+    const Scalar z8 = n0_84 * a_a_z + z6;
+    const Scalar z9 = a_omega_z * z2 + z7;
+    forces.a_z = l_lambda_LB_z + z8;
+    forces.omega_z = -z0 * l_lambda_LB_z + z9;
   }
 
   /// Forward dynamics: accelerations a and multipliers lambda from M a + h = E u + A' lambda, A a + gamma = 0, by
@@ -863,45 +863,45 @@ struct Mechanism {
     const Scalar v_omega_z = state.v.omega_z;
     const Scalar u_C = inputs.C;
     const Scalar pi = traits::pi();
-    const Scalar z7 = traits::formula(0.0006366197723675813, 0.00063661975f, [&]() -> Scalar {
+    const Scalar z0 = traits::formula(0.0006366197723675813, 0.00063661975f, [&]() -> Scalar {
       return n0_002 / pi;
     });
-    const Scalar z12 = traits::formula(0.0001909859317102744, 0.00019098593f, [&]() -> Scalar {
-      return n0_3 * z7;
+    const Scalar z1 = traits::formula(0.0001909859317102744, 0.00019098593f, [&]() -> Scalar {
+      return n0_3 * z0;
     });
-    const Scalar z13 = traits::formula(0.0001001215854203708, 0.000100121586f, [&]() -> Scalar {
-      return n0_0001 + z7 * z12;
+    const Scalar z2 = traits::formula(0.0001001215854203708, 0.000100121586f, [&]() -> Scalar {
+      return n0_0001 + z0 * z1;
     });
-    const Scalar z19 = traits::formula(0.001873571990077792, 0.001873572f, [&]() -> Scalar {
-      return n2_943 * z7;
+    const Scalar z3 = traits::formula(0.001873571990077792, 0.001873572f, [&]() -> Scalar {
+      return n2_943 * z0;
     });
-    const Scalar z43 = traits::formula(9987.856223025203, 9987.856f, [&]() -> Scalar {
-      return n1 / z13;
+    const Scalar z4 = traits::formula(9987.856223025203, 9987.856f, [&]() -> Scalar {
+      return n1 / z2;
     });
-    const Scalar z44 = traits::formula(6.358466755142436, 6.3584666f, [&]() -> Scalar {
-      return z7 * z43;
+    const Scalar z5 = traits::formula(6.358466755142436, 6.3584666f, [&]() -> Scalar {
+      return z0 * z4;
     });
-    const Scalar z45 = traits::formula(1.1945241161344562, 1.1945242f, [&]() -> Scalar {
-      return n25_over_21 + z7 * z44;
+    const Scalar z6 = traits::formula(1.1945241161344562, 1.1945242f, [&]() -> Scalar {
+      return n25_over_21 + z0 * z5;
     });
-    const Scalar z46 = traits::formula(0.8371534626157683, 0.83715343f, [&]() -> Scalar {
-      return n1 / z45;
+    const Scalar z7 = traits::formula(0.8371534626157683, 0.83715343f, [&]() -> Scalar {
+      return n1 / z6;
     });
-    const Scalar z54 = n0_0005 * v_omega_z;
-    const Scalar z53 = n20000 * q_a_z;
-    const Scalar z55 = n8_2404 + z53;
-    const Scalar z56 = z19 + z54;
-    const Scalar z57 = u_C - z56;
-    const Scalar z58 = n25_over_21 * z55;
-    const Scalar z59 = z43 * z57;
-    const Scalar z60 = z7 * z59 + z58;
-    const Scalar z61 = z46 * z60;
-    const Scalar z62 = z58 - n25_over_21 * z61;
-    const Scalar z63 = z44 * z61 - z59;
-    accelerations.a_z = -z62;
-    accelerations.omega_z = -z63;
-    multipliers.lambda_LB_z = -z61;
-    if (!(traits::regular(z13, z13) && traits::regular(z45, z45))) return torsor::Status::singular;
+    const Scalar z8 = n0_0005 * v_omega_z;
+    const Scalar z9 = n20000 * q_a_z;
+    const Scalar z10 = n8_2404 + z9;
+    const Scalar z11 = z3 + z8;
+    const Scalar z12 = u_C - z11;
+    const Scalar z13 = n25_over_21 * z10;
+    const Scalar z14 = z4 * z12;
+    const Scalar z15 = z0 * z14 + z13;
+    const Scalar z16 = z7 * z15;
+    const Scalar z17 = z13 - n25_over_21 * z16;
+    const Scalar z18 = z5 * z16 - z14;
+    accelerations.a_z = -z17;
+    accelerations.omega_z = -z18;
+    multipliers.lambda_LB_z = -z16;
+    if (!(traits::regular(z2, z2) && traits::regular(z6, z6))) return torsor::Status::singular;
     // 0 x is 0 for every finite x and not a number for any other.
     const Scalar zero = n0 * accelerations.a_z * accelerations.omega_z * multipliers.lambda_LB_z;
     if (!traits::regular(n1, zero)) return torsor::Status::not_finite;
@@ -925,12 +925,12 @@ struct Mechanism {
     const Scalar v_omega_z = state.v.omega_z;
     const Scalar u_C = inputs.C;
     const Scalar pi = traits::pi();
-    const Scalar z10 = n0_002 * q_omega_z / pi;
-    const Scalar z11 = n0_002 * v_omega_z / pi;  // velocity of screw.1, z
-    const Scalar z15 = n0_0005 * v_omega_z;
-    result.kinetic = n0_42 * v_a_z * v_a_z + k3 * v_omega_z * v_omega_z + n0_15 * z11 * z11;
-    result.force_function = -q_a_z * (n8_2404 + n10000 * q_a_z) - n2_943 * z10;
-    result.power = -v_omega_z * (z15 - u_C);
+    const Scalar z0 = n0_002 * q_omega_z / pi;
+    const Scalar z1 = n0_002 * v_omega_z / pi;  // velocity of screw.1, z
+    const Scalar z2 = n0_0005 * v_omega_z;
+    result.kinetic = n0_42 * v_a_z * v_a_z + k3 * v_omega_z * v_omega_z + n0_15 * z1 * z1;
+    result.force_function = -q_a_z * (n8_2404 + n10000 * q_a_z) - n2_943 * z0;
+    result.power = -v_omega_z * (z2 - u_C);
   }
 
   /// Constraints A(q, t) v - b(q, t) = 0, in the order of the multipliers.
@@ -943,18 +943,18 @@ struct Mechanism {
     const Scalar q_omega_z = state.q.omega_z;
     const Scalar v_omega_z = state.v.omega_z;
     const Scalar pi = traits::pi();
-    const Scalar z7 = traits::formula(0.0006366197723675813, 0.00063661975f, [&]() -> Scalar {
+    const Scalar z0 = traits::formula(0.0006366197723675813, 0.00063661975f, [&]() -> Scalar {
       return n0_002 / pi;
     });
-    const Scalar z10 = n0_002 * q_omega_z / pi;
-    const Scalar z11 = n0_002 * v_omega_z / pi;  // velocity of screw.1, z
-    const Scalar z33 = q_a_z - z10;
-    const Scalar z34 = v_a_z - z11;
-    result.value[0] = -z33;
-    result.rate[0] = -z34;
+    const Scalar z1 = n0_002 * q_omega_z / pi;
+    const Scalar z2 = n0_002 * v_omega_z / pi;  // velocity of screw.1, z
+    const Scalar z3 = q_a_z - z1;
+    const Scalar z4 = v_a_z - z2;
+    result.value[0] = -z3;
+    result.rate[0] = -z4;
     result.gamma[0] = n0;
     result.jacobian[0] = -n1;
-    result.jacobian[1] = z7;
+    result.jacobian[1] = z0;
   }
 
   /// Linearisation about a state that satisfies the constraints. M d'' + C d' + K d = F + E du in all freedoms d, at
@@ -985,54 +985,54 @@ struct Mechanism {
     const Scalar u_C = inputs.C;
     const Scalar l_lambda_LB_z = multipliers.lambda_LB_z;
     const Scalar pi = traits::pi();
-    const Scalar z7 = traits::formula(0.0006366197723675813, 0.00063661975f, [&]() -> Scalar {
+    const Scalar z0 = traits::formula(0.0006366197723675813, 0.00063661975f, [&]() -> Scalar {
       return n0_002 / pi;
     });
-    const Scalar z12 = traits::formula(0.0001909859317102744, 0.00019098593f, [&]() -> Scalar {
-      return n0_3 * z7;
+    const Scalar z1 = traits::formula(0.0001909859317102744, 0.00019098593f, [&]() -> Scalar {
+      return n0_3 * z0;
     });
-    const Scalar z13 = traits::formula(0.0001001215854203708, 0.000100121586f, [&]() -> Scalar {
-      return n0_0001 + z7 * z12;
+    const Scalar z2 = traits::formula(0.0001001215854203708, 0.000100121586f, [&]() -> Scalar {
+      return n0_0001 + z0 * z1;
     });
-    const Scalar z19 = traits::formula(0.001873571990077792, 0.001873572f, [&]() -> Scalar {
-      return n2_943 * z7;
+    const Scalar z3 = traits::formula(0.001873571990077792, 0.001873572f, [&]() -> Scalar {
+      return n2_943 * z0;
     });
-    const Scalar z69 = traits::formula(0.0005347606087887683, 0.0005347606f, [&]() -> Scalar {
+    const Scalar z4 = traits::formula(0.0005347606087887683, 0.0005347606f, [&]() -> Scalar {
       return k4 / pi;
     });
-    const Scalar z70 = traits::formula(0.00010046202459740906, 0.00010046203f, [&]() -> Scalar {
-      return z7 * z69 + z13;
+    const Scalar z5 = traits::formula(0.00010046202459740906, 0.00010046203f, [&]() -> Scalar {
+      return z0 * z4 + z2;
     });
-    const Scalar z71 = traits::formula(12.732395447351626, 12.732395f, [&]() -> Scalar {
+    const Scalar z6 = traits::formula(12.732395447351626, 12.732395f, [&]() -> Scalar {
       return n40 / pi;
     });
-    const Scalar z72 = traits::formula(0.008105694691387022, 0.008105694f, [&]() -> Scalar {
-      return z7 * z71;
+    const Scalar z7 = traits::formula(0.008105694691387022, 0.008105694f, [&]() -> Scalar {
+      return z0 * z6;
     });
-    const Scalar z77 = traits::formula(9954.01002525476, 9954.01f, [&]() -> Scalar {
-      return n1 / z70;
+    const Scalar z8 = traits::formula(9954.01002525476, 9954.01f, [&]() -> Scalar {
+      return n1 / z5;
     });
-    const Scalar z78 = traits::formula(80.6841662197207, 80.684166f, [&]() -> Scalar {
-      return z72 * z77;
+    const Scalar z9 = traits::formula(80.6841662197207, 80.684166f, [&]() -> Scalar {
+      return z7 * z8;
     });
-    const Scalar z79 = traits::formula(4.977005012627379, 4.977005f, [&]() -> Scalar {
-      return n0_0005 * z77;
+    const Scalar z10 = traits::formula(4.977005012627379, 4.977005f, [&]() -> Scalar {
+      return n0_0005 * z8;
     });
-    const Scalar z80 = n20000 * q_a_z;
-    const Scalar z81 = n0_0005 * v_omega_z;
-    const Scalar z86 = a_a_z - a_omega_z * z7;
-    const Scalar z82 = n8_2404 + z80;
-    const Scalar z83 = z19 + z81;
-    const Scalar z89 = z69 * z86;
-    const Scalar z84 = n0_84 * a_a_z + z82;
-    const Scalar z85 = a_omega_z * z13 + z83;
-    const Scalar z87 = l_lambda_LB_z + z84;
-    const Scalar z88 = u_C - z85 + z7 * (l_lambda_LB_z - z87);
-    const Scalar z90 = z88 + z89;
+    const Scalar z11 = n20000 * q_a_z;
+    const Scalar z12 = n0_0005 * v_omega_z;
+    const Scalar z13 = a_a_z - a_omega_z * z0;
+    const Scalar z14 = n8_2404 + z11;
+    const Scalar z15 = z3 + z12;
+    const Scalar z16 = z4 * z13;
+    const Scalar z17 = n0_84 * a_a_z + z14;
+    const Scalar z18 = a_omega_z * z2 + z15;
+    const Scalar z19 = l_lambda_LB_z + z17;
+    const Scalar z20 = u_C - z18 + z0 * (l_lambda_LB_z - z19);
+    const Scalar z21 = z20 + z16;
     result.M[0] = n0_84;
     result.M[1] = n0;
     result.M[2] = n0;
-    result.M[3] = z13;
+    result.M[3] = z2;
     result.C[0] = n0;
     result.C[1] = n0;
     result.C[2] = n0;
@@ -1041,22 +1041,22 @@ struct Mechanism {
     result.K[1] = n0;
     result.K[2] = n0;
     result.K[3] = n0;
-    result.F[0] = -l_lambda_LB_z - z84;
-    result.F[1] = z7 * l_lambda_LB_z + u_C - z85;
+    result.F[0] = -l_lambda_LB_z - z17;
+    result.F[1] = z0 * l_lambda_LB_z + u_C - z18;
     result.E[0] = n0;
     result.E[1] = n1;
-    result.M_r[0] = z70;
+    result.M_r[0] = z5;
     result.C_r[0] = n0_0005;
-    result.K_r[0] = z72;
-    result.F_r[0] = z90;
+    result.K_r[0] = z7;
+    result.F_r[0] = z21;
     result.E_r[0] = n1;
     result.A[0] = n0;
-    result.A[1] = -z78;
+    result.A[1] = -z9;
     result.A[2] = n1;
-    result.A[3] = -z79;
+    result.A[3] = -z10;
     result.B[0] = n0;
-    result.B[1] = z77;
-    if (!(traits::regular(z70, z70))) return torsor::Status::singular;
+    result.B[1] = z8;
+    if (!(traits::regular(z5, z5))) return torsor::Status::singular;
     // 0 x is 0 for every finite x and not a number for any other.
     const Scalar zero = n0 * result.M[3] * result.F[0] * result.F[1] * result.M_r[0] * result.K_r[0] * result.F_r[0]
         * result.A[1] * result.A[3] * result.B[1];

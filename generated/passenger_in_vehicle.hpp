@@ -505,7 +505,7 @@ struct Mechanism {
 
   static constexpr const char* name = "passenger_in_vehicle";
   /// 64 bits (FNV-1a) of this file from "#pragma once" on, with zeros in their own place: another mechanism, other bits.
-  static constexpr unsigned long long fingerprint = 0x599bdbe344d9c56dULL;
+  static constexpr unsigned long long fingerprint = 0xfc5f90c3c6c93e3aULL;
   static constexpr int coordinate_count = 2;
   static constexpr int velocity_count = 2;
   static constexpr int input_count = 0;
@@ -699,38 +699,38 @@ struct Mechanism {
     const Scalar v_theta_1 = state.v.theta_1;
     const Scalar q_theta_2 = state.q.theta_2;
     const Scalar v_theta_2 = state.v.theta_2;
-    const Scalar z14 = q_theta_1 + q_theta_2;
-    const Scalar angles_[] = {q_theta_1, z14};
+    const Scalar z0 = q_theta_1 + q_theta_2;
+    const Scalar angles_[] = {q_theta_1, z0};
     Scalar sines_[2], cosines_[2];
     torsor::sines_and_cosines(angles_, sines_, cosines_);
     const Scalar s_theta_1 = sines_[0], c_theta_1 = cosines_[0];
-    const Scalar z15 = sines_[1], z16 = cosines_[1];
-    const Scalar z12 = p_V * t;
-    const Scalar z21 = n0_6 * v_theta_1;
-    const Scalar z22 = v_theta_1 + v_theta_2;
-    const Scalar z17 = n0_6 * s_theta_1;
-    const Scalar z18 = n0_6 * c_theta_1;
-    const Scalar z29 = n0_35 * v_theta_1;
-    const Scalar z13 = n0_8 + z12;  // place of S1, x
-    const Scalar z23 = p_V - c_theta_1 * z21;  // velocity of S2, x
-    const Scalar z24 = s_theta_1 * z21;  // velocity of S2, y
-    const Scalar z36 = n0_15 * z22;
-    const Scalar z25 = n0_35 * s_theta_1;
-    const Scalar z26 = n0_35 * c_theta_1;
-    const Scalar z32 = n0_15 * z15;
-    const Scalar z33 = n0_15 * z16;
-    const Scalar z30 = p_V - c_theta_1 * z29;
-    const Scalar z31 = s_theta_1 * z29;
-    const Scalar z19 = z13 - z17;  // place of S2, x
-    const Scalar z20 = n0_5 + z18;  // place of S2, y
-    const Scalar z27 = z13 - z25;
-    const Scalar z28 = n0_5 + z26;
-    const Scalar z38 = z15 * z36 + z24;
-    const Scalar z37 = z16 * z36 - z23;
-    const Scalar z34 = z19 - z32;
-    const Scalar z35 = z20 + z33;
-    result.trunk_position[0] = z27;
-    result.trunk_position[1] = z28;
+    const Scalar z1 = sines_[1], z2 = cosines_[1];
+    const Scalar z3 = p_V * t;
+    const Scalar z4 = n0_6 * v_theta_1;
+    const Scalar z5 = v_theta_1 + v_theta_2;
+    const Scalar z6 = n0_6 * s_theta_1;
+    const Scalar z7 = n0_6 * c_theta_1;
+    const Scalar z8 = n0_35 * v_theta_1;
+    const Scalar z9 = n0_8 + z3;  // place of S1, x
+    const Scalar z10 = p_V - c_theta_1 * z4;  // velocity of S2, x
+    const Scalar z11 = s_theta_1 * z4;  // velocity of S2, y
+    const Scalar z12 = n0_15 * z5;
+    const Scalar z13 = n0_35 * s_theta_1;
+    const Scalar z14 = n0_35 * c_theta_1;
+    const Scalar z15 = n0_15 * z1;
+    const Scalar z16 = n0_15 * z2;
+    const Scalar z17 = p_V - c_theta_1 * z8;
+    const Scalar z18 = s_theta_1 * z8;
+    const Scalar z19 = z9 - z6;  // place of S2, x
+    const Scalar z20 = n0_5 + z7;  // place of S2, y
+    const Scalar z21 = z9 - z13;
+    const Scalar z22 = n0_5 + z14;
+    const Scalar z23 = z1 * z12 + z11;
+    const Scalar z24 = z2 * z12 - z10;
+    const Scalar z25 = z19 - z15;
+    const Scalar z26 = z20 + z16;
+    result.trunk_position[0] = z21;
+    result.trunk_position[1] = z22;
     result.trunk_position[2] = n0;
     result.trunk_rotation[0] = c_theta_1;
     result.trunk_rotation[1] = s_theta_1;
@@ -741,31 +741,31 @@ struct Mechanism {
     result.trunk_rotation[6] = n0;
     result.trunk_rotation[7] = n0;
     result.trunk_rotation[8] = n1;
-    result.trunk_velocity[0] = z30;
-    result.trunk_velocity[1] = -z31;
+    result.trunk_velocity[0] = z17;
+    result.trunk_velocity[1] = -z18;
     result.trunk_velocity[2] = n0;
     result.trunk_angular_velocity[0] = n0;
     result.trunk_angular_velocity[1] = n0;
     result.trunk_angular_velocity[2] = v_theta_1;
-    result.head_position[0] = z34;
-    result.head_position[1] = z35;
+    result.head_position[0] = z25;
+    result.head_position[1] = z26;
     result.head_position[2] = n0;
-    result.head_rotation[0] = z16;
-    result.head_rotation[1] = z15;
+    result.head_rotation[0] = z2;
+    result.head_rotation[1] = z1;
     result.head_rotation[2] = n0;
-    result.head_rotation[3] = -z15;
-    result.head_rotation[4] = z16;
+    result.head_rotation[3] = -z1;
+    result.head_rotation[4] = z2;
     result.head_rotation[5] = n0;
     result.head_rotation[6] = n0;
     result.head_rotation[7] = n0;
     result.head_rotation[8] = n1;
-    result.head_velocity[0] = -z37;
-    result.head_velocity[1] = -z38;
+    result.head_velocity[0] = -z24;
+    result.head_velocity[1] = -z23;
     result.head_velocity[2] = n0;
     result.head_angular_velocity[0] = n0;
     result.head_angular_velocity[1] = n0;
-    result.head_angular_velocity[2] = z22;
-    result.I_position[0] = z13;
+    result.head_angular_velocity[2] = z5;
+    result.I_position[0] = z9;
     result.I_position[1] = n0_5;
     result.I_position[2] = n0;
     result.I_velocity[0] = p_V;
@@ -780,12 +780,12 @@ struct Mechanism {
     result.K_position[0] = z19;
     result.K_position[1] = z20;
     result.K_position[2] = n0;
-    result.K_velocity[0] = z23;
-    result.K_velocity[1] = -z24;
+    result.K_velocity[0] = z10;
+    result.K_velocity[1] = -z11;
     result.K_velocity[2] = n0;
-    result.K_jacobian[0] = -z18;
+    result.K_jacobian[0] = -z7;
     result.K_jacobian[3] = n0;
-    result.K_jacobian[1] = -z17;
+    result.K_jacobian[1] = -z6;
     result.K_jacobian[4] = n0;
     result.K_jacobian[2] = n0;
     result.K_jacobian[5] = n0;
@@ -801,13 +801,13 @@ struct Mechanism {
     const Scalar q_theta_2 = state.q.theta_2;
     Scalar s_theta_2, c_theta_2;
     traits::sincos(q_theta_2, s_theta_2, c_theta_2);
-    const Scalar z41 = n0_75 * c_theta_2;
-    const Scalar z43 = n0_1425 + n0_6 * z41;
-    const Scalar z54 = n0_1425 + n1_2 * z41;
-    const Scalar z57 = n8_2 + z54;
-    mass[0] = z57;
-    mass[1] = z43;
-    mass[2] = z43;
+    const Scalar z0 = n0_75 * c_theta_2;
+    const Scalar z1 = n0_1425 + n0_6 * z0;
+    const Scalar z2 = n0_1425 + n1_2 * z0;
+    const Scalar z3 = n8_2 + z2;
+    mass[0] = z3;
+    mass[1] = z1;
+    mass[2] = z1;
     mass[3] = n0_1425;
   }
 
@@ -830,25 +830,25 @@ struct Mechanism {
     torsor::sines_and_cosines(angles_, sines_, cosines_);
     const Scalar s_theta_1 = sines_[0], c_theta_1 = cosines_[0];
     const Scalar s_theta_2 = sines_[1], c_theta_2 = cosines_[1];
-    const Scalar z79 = n9_81 * c_theta_1;
-    const Scalar z80 = v_theta_1 * v_theta_1;
-    const Scalar z78 = n9_81 * s_theta_1;
-    const Scalar z22 = v_theta_1 + v_theta_2;
-    const Scalar z74 = n600 * q_theta_1;
-    const Scalar z75 = n25 * v_theta_1;
-    const Scalar z84 = z22 * z22;
-    const Scalar z76 = n40 * q_theta_2;
-    const Scalar z77 = n0_6 * v_theta_2;
-    const Scalar z85 = n0_75 * z84;  // force on S2, y
-    const Scalar z87 = s_theta_2 * z85;
-    const Scalar z81 = z79 - n0_6 * z80;
-    const Scalar z82 = c_theta_2 * z78 + s_theta_2 * z81;
-    const Scalar z86 = n0_75 * z82;  // moment on S2, z
-    const Scalar z90 = n17 * z78 + z86 + n0_6 * z87;  // moment on S1, z
-    const Scalar z96 = z76 + z77 - z86;
-    const Scalar z95 = z74 + z75 - z90;
-    forces.theta_1 = z95;
-    forces.theta_2 = z96;
+    const Scalar z0 = n9_81 * c_theta_1;
+    const Scalar z1 = v_theta_1 * v_theta_1;
+    const Scalar z2 = n9_81 * s_theta_1;
+    const Scalar z3 = v_theta_1 + v_theta_2;
+    const Scalar z4 = n600 * q_theta_1;
+    const Scalar z5 = n25 * v_theta_1;
+    const Scalar z6 = z3 * z3;
+    const Scalar z7 = n40 * q_theta_2;
+    const Scalar z8 = n0_6 * v_theta_2;
+    const Scalar z9 = n0_75 * z6;  // force on S2, y
+    const Scalar z10 = s_theta_2 * z9;
+    const Scalar z11 = z0 - n0_6 * z1;
+    const Scalar z12 = c_theta_2 * z2 + s_theta_2 * z11;
+    const Scalar z13 = n0_75 * z12;  // moment on S2, z
+    const Scalar z14 = n17 * z2 + z13 + n0_6 * z10;  // moment on S1, z
+    const Scalar z15 = z7 + z8 - z13;
+    const Scalar z16 = z4 + z5 - z14;
+    forces.theta_1 = z16;
+    forces.theta_2 = z15;
   }
 
   /// Inverse dynamics: the generalised forces M a + h - A' lambda that motors must supply for the accelerations a.
@@ -874,28 +874,28 @@ struct Mechanism {
     torsor::sines_and_cosines(angles_, sines_, cosines_);
     const Scalar s_theta_1 = sines_[0], c_theta_1 = cosines_[0];
     const Scalar s_theta_2 = sines_[1], c_theta_2 = cosines_[1];
-    const Scalar z79 = n9_81 * c_theta_1;
-    const Scalar z80 = v_theta_1 * v_theta_1;
-    const Scalar z22 = v_theta_1 + v_theta_2;
-    const Scalar z78 = n9_81 * s_theta_1;
-    const Scalar z100 = a_theta_1 + a_theta_2;  // angular acceleration of S2, z
-    const Scalar z74 = n600 * q_theta_1;
-    const Scalar z84 = z22 * z22;
-    const Scalar z101 = n0_75 * z100;  // force on S2, x
-    const Scalar z75 = n25 * v_theta_1;
-    const Scalar z76 = n40 * q_theta_2;
-    const Scalar z77 = n0_6 * v_theta_2;
-    const Scalar z85 = n0_75 * z84;  // force on S2, y
-    const Scalar z103 = s_theta_2 * z85 - c_theta_2 * z101;
-    const Scalar z81 = z79 - n0_6 * z80;
-    const Scalar z97 = n0_6 * a_theta_1 - z78;
-    const Scalar z98 = s_theta_2 * z81 - c_theta_2 * z97;
-    const Scalar z102 = n0_75 * z98 - n0_1425 * z100;  // moment on S2, z
-    const Scalar z107 = n8_2 * a_theta_1 - n17 * z78 - n0_6 * z103 - z102;  // moment on S1, z
-    const Scalar z113 = z76 + z77 - z102;
-    const Scalar z112 = z74 + z75 + z107;
-    forces.theta_1 = z112;
-    forces.theta_2 = z113;
+    const Scalar z0 = n9_81 * c_theta_1;
+    const Scalar z1 = v_theta_1 * v_theta_1;
+    const Scalar z2 = v_theta_1 + v_theta_2;
+    const Scalar z3 = n9_81 * s_theta_1;
+    const Scalar z4 = a_theta_1 + a_theta_2;  // angular acceleration of S2, z
+    const Scalar z5 = n600 * q_theta_1;
+    const Scalar z6 = z2 * z2;
+    const Scalar z7 = n0_75 * z4;  // force on S2, x
+    const Scalar z8 = n25 * v_theta_1;
+    const Scalar z9 = n40 * q_theta_2;
+    const Scalar z10 = n0_6 * v_theta_2;
+    const Scalar z11 = n0_75 * z6;  // force on S2, y
+    const Scalar z12 = s_theta_2 * z11 - c_theta_2 * z7;
+    const Scalar z13 = z0 - n0_6 * z1;
+    const Scalar z14 = n0_6 * a_theta_1 - z3;
+    const Scalar z15 = s_theta_2 * z13 - c_theta_2 * z14;
+    const Scalar z16 = n0_75 * z15 - n0_1425 * z4;  // moment on S2, z
+    const Scalar z17 = n8_2 * a_theta_1 - n17 * z3 - n0_6 * z12 - z16;  // moment on S1, z
+    const Scalar z18 = z9 + z10 - z16;
+    const Scalar z19 = z5 + z8 + z17;
+    forces.theta_1 = z19;
+    forces.theta_2 = z18;
   }
 
   /// Forward dynamics: accelerations a and multipliers lambda from M a + h = E u + A' lambda, A a + gamma = 0, by
@@ -925,36 +925,36 @@ struct Mechanism {
     torsor::sines_and_cosines(angles_, sines_, cosines_);
     const Scalar s_theta_1 = sines_[0], c_theta_1 = cosines_[0];
     const Scalar s_theta_2 = sines_[1], c_theta_2 = cosines_[1];
-    const Scalar z79 = n9_81 * c_theta_1;
-    const Scalar z80 = v_theta_1 * v_theta_1;
-    const Scalar z78 = n9_81 * s_theta_1;
-    const Scalar z41 = n0_75 * c_theta_2;
-    const Scalar z22 = v_theta_1 + v_theta_2;
-    const Scalar z74 = n600 * q_theta_1;
-    const Scalar z84 = z22 * z22;
-    const Scalar z75 = n25 * v_theta_1;
-    const Scalar z76 = n40 * q_theta_2;
-    const Scalar z77 = n0_6 * v_theta_2;
-    const Scalar z85 = n0_75 * z84;  // force on S2, y
-    const Scalar z87 = s_theta_2 * z85;
-    const Scalar z43 = n0_1425 + n0_6 * z41;
-    const Scalar z54 = n0_1425 + n1_2 * z41;
-    const Scalar z81 = z79 - n0_6 * z80;
-    const Scalar z57 = n8_2 + z54;
-    const Scalar z82 = c_theta_2 * z78 + s_theta_2 * z81;
-    const Scalar z168 = n400_over_57 * z43;
-    const Scalar z169 = z43 * z168 - z57;
-    const Scalar z86 = n0_75 * z82;  // moment on S2, z
-    const Scalar z90 = n17 * z78 + z86 + n0_6 * z87;  // moment on S1, z
-    const Scalar z96 = z76 + z77 - z86;
-    const Scalar z170 = n1 / z169;
-    const Scalar z95 = z74 + z75 - z90;
-    const Scalar z171 = z95 - z96 * z168;
-    const Scalar z172 = z170 * z171;
-    const Scalar z173 = n400_over_57 * z96 + z168 * z172;
-    accelerations.theta_1 = z172;
-    accelerations.theta_2 = -z173;
-    if (!(traits::regular(-z169, z57))) return torsor::Status::singular;
+    const Scalar z0 = n9_81 * c_theta_1;
+    const Scalar z1 = v_theta_1 * v_theta_1;
+    const Scalar z2 = n9_81 * s_theta_1;
+    const Scalar z3 = n0_75 * c_theta_2;
+    const Scalar z4 = v_theta_1 + v_theta_2;
+    const Scalar z5 = n600 * q_theta_1;
+    const Scalar z6 = z4 * z4;
+    const Scalar z7 = n25 * v_theta_1;
+    const Scalar z8 = n40 * q_theta_2;
+    const Scalar z9 = n0_6 * v_theta_2;
+    const Scalar z10 = n0_75 * z6;  // force on S2, y
+    const Scalar z11 = s_theta_2 * z10;
+    const Scalar z12 = n0_1425 + n0_6 * z3;
+    const Scalar z13 = n0_1425 + n1_2 * z3;
+    const Scalar z14 = z0 - n0_6 * z1;
+    const Scalar z15 = n8_2 + z13;
+    const Scalar z16 = c_theta_2 * z2 + s_theta_2 * z14;
+    const Scalar z17 = n400_over_57 * z12;
+    const Scalar z18 = z12 * z17 - z15;
+    const Scalar z19 = n0_75 * z16;  // moment on S2, z
+    const Scalar z20 = n17 * z2 + z19 + n0_6 * z11;  // moment on S1, z
+    const Scalar z21 = z8 + z9 - z19;
+    const Scalar z22 = n1 / z18;
+    const Scalar z23 = z5 + z7 - z20;
+    const Scalar z24 = z23 - z21 * z17;
+    const Scalar z25 = z22 * z24;
+    const Scalar z26 = n400_over_57 * z21 + z17 * z25;
+    accelerations.theta_1 = z25;
+    accelerations.theta_2 = -z26;
+    if (!(traits::regular(-z18, z15))) return torsor::Status::singular;
     // 0 x is 0 for every finite x and not a number for any other.
     const Scalar zero = n0 * accelerations.theta_1 * accelerations.theta_2;
     if (!traits::regular(n1, zero)) return torsor::Status::not_finite;
@@ -984,34 +984,33 @@ struct Mechanism {
     const Scalar v_theta_1 = state.v.theta_1;
     const Scalar q_theta_2 = state.q.theta_2;
     const Scalar v_theta_2 = state.v.theta_2;
-    const Scalar z14 = q_theta_1 + q_theta_2;
-    const Scalar angles_[] = {q_theta_1, q_theta_2, z14};
+    const Scalar z0 = q_theta_1 + q_theta_2;
+    const Scalar angles_[] = {q_theta_1, q_theta_2, z0};
     Scalar sines_[3], cosines_[3];
     torsor::sines_and_cosines(angles_, sines_, cosines_);
     const Scalar s_theta_1 = sines_[0], c_theta_1 = cosines_[0];
     const Scalar s_theta_2 = sines_[1], c_theta_2 = cosines_[1];
-    const Scalar z16 = cosines_[2];
-    const Scalar z178 = p_V * c_theta_1;
-    const Scalar z179 = p_V * s_theta_1;
-    const Scalar z22 = v_theta_1 + v_theta_2;
-    const Scalar z18 = n0_6 * c_theta_1;
-    const Scalar z75 = n25 * v_theta_1;
-    const Scalar z77 = n0_6 * v_theta_2;
-    const Scalar z189 = n14 * c_theta_1;
-    const Scalar z192 = n0_75 * z16;
-    const Scalar z20 = n0_5 + z18;  // place of S2, y
-    const Scalar z180 = n0_6 * v_theta_1 - z178;
-    const Scalar z183 = n14 * v_theta_1 - n40 * z178;
-    const Scalar z184 = n6_4 * v_theta_1 - n14 * z178;
-    const Scalar z181 = s_theta_2 * z179 + c_theta_2 * z180;
-    const Scalar z182 = s_theta_2 * z180 - c_theta_2 * z179;
-    const Scalar z185 = n0_75 * z22 + n5 * z181;
-    const Scalar z186 = n0_1425 * z22 + n0_75 * z181;
-    result.kinetic = n20 * z179 * z179 + n2_5 * z182 * z182 + n0_5 * (v_theta_1 * z184 - z178 * z183 + z22 * z186 + z181
-        * z185);
-    result.force_function = -n196_2 - n300 * q_theta_1 * q_theta_1 - n20 * q_theta_2 * q_theta_2 - n49_05 * z20 - n9_81
-        * (z189 + z192);
-    result.power = -v_theta_1 * z75 - v_theta_2 * z77;
+    const Scalar z1 = cosines_[2];
+    const Scalar z2 = p_V * c_theta_1;
+    const Scalar z3 = p_V * s_theta_1;
+    const Scalar z4 = v_theta_1 + v_theta_2;
+    const Scalar z5 = n0_6 * c_theta_1;
+    const Scalar z6 = n25 * v_theta_1;
+    const Scalar z7 = n0_6 * v_theta_2;
+    const Scalar z8 = n14 * c_theta_1;
+    const Scalar z9 = n0_75 * z1;
+    const Scalar z10 = n0_5 + z5;  // place of S2, y
+    const Scalar z11 = n0_6 * v_theta_1 - z2;
+    const Scalar z12 = n14 * v_theta_1 - n40 * z2;
+    const Scalar z13 = n6_4 * v_theta_1 - n14 * z2;
+    const Scalar z14 = s_theta_2 * z3 + c_theta_2 * z11;
+    const Scalar z15 = s_theta_2 * z11 - c_theta_2 * z3;
+    const Scalar z16 = n0_75 * z4 + n5 * z14;
+    const Scalar z17 = n0_1425 * z4 + n0_75 * z14;
+    result.kinetic = n20 * z3 * z3 + n2_5 * z15 * z15 + n0_5 * (v_theta_1 * z13 - z2 * z12 + z4 * z17 + z14 * z16);
+    result.force_function = -n196_2 - n300 * q_theta_1 * q_theta_1 - n20 * q_theta_2 * q_theta_2 - n49_05 * z10 - n9_81
+        * (z8 + z9);
+    result.power = -v_theta_1 * z6 - v_theta_2 * z7;
   }
 
   /// Linearisation about the state: M e'' + C e' + K e = F + E du, with e and du deviations from the state and the
@@ -1044,95 +1043,95 @@ struct Mechanism {
     torsor::sines_and_cosines(angles_, sines_, cosines_);
     const Scalar s_theta_1 = sines_[0], c_theta_1 = cosines_[0];
     const Scalar s_theta_2 = sines_[1], c_theta_2 = cosines_[1];
-    const Scalar z283 = n0_75 * c_theta_2;
-    const Scalar z282 = v_theta_1 + v_theta_2;
-    const Scalar z291 = n9_81 * s_theta_1;
-    const Scalar z292 = n9_81 * c_theta_1;
-    const Scalar z293 = v_theta_1 * v_theta_1;
-    const Scalar z311 = n2 * v_theta_1;
-    const Scalar z315 = n2 * z282;
-    const Scalar z300 = a_theta_1 + a_theta_2;  // angular acceleration of S2, z
-    const Scalar z312 = n0_6 * z311;
-    const Scalar z295 = z282 * z282;
-    const Scalar z301 = n0_75 * z300;  // force on S2, x
-    const Scalar z287 = n600 * q_theta_1;
-    const Scalar z316 = n0_75 * z315;
-    const Scalar z313 = s_theta_2 * z312;
-    const Scalar z296 = n0_75 * z295;  // force on S2, y
-    const Scalar z288 = n25 * v_theta_1;
-    const Scalar z289 = n40 * q_theta_2;
-    const Scalar z290 = n0_6 * v_theta_2;
-    const Scalar z317 = s_theta_2 * z316;
-    const Scalar z304 = s_theta_2 * z301 + c_theta_2 * z296;
-    const Scalar z303 = s_theta_2 * z296 - c_theta_2 * z301;
-    const Scalar z284 = n0_1425 + n0_6 * z283;
-    const Scalar z285 = n0_1425 + n1_2 * z283;
-    const Scalar z294 = z292 - n0_6 * z293;
-    const Scalar z297 = n0_6 * a_theta_1 - z291;
-    const Scalar z314 = n0_75 * z313;
-    const Scalar z318 = n0_6 * z317;
-    const Scalar z321 = s_theta_2 * z291 - c_theta_2 * z292;
-    const Scalar z319 = z314 - z318;
-    const Scalar z286 = n8_2 + z285;
-    const Scalar z298 = s_theta_2 * z294 - c_theta_2 * z297;
-    const Scalar z299 = s_theta_2 * z297 + c_theta_2 * z294;
-    const Scalar z308 = n400_over_57 * z284;
-    const Scalar z320 = n25 + z319;
-    const Scalar z309 = z284 * z308 - z286;
-    const Scalar z322 = n0_75 * z321;
-    const Scalar z337 = n0_6 * z308 + z318;
-    const Scalar z331 = z308 * z314 - z320;
-    const Scalar z323 = n17 * z292 - z322;
-    const Scalar z302 = n0_75 * z298 - n0_1425 * z300;  // moment on S2, z
-    const Scalar z310 = n1 / z309;
-    const Scalar z325 = n0_75 * z299;
-    const Scalar z324 = n600 - z323;
-    const Scalar z326 = n0_6 * z304 + z325;
-    const Scalar z327 = n40 - z325;
-    const Scalar z328 = z308 * z322 - z324;
-    const Scalar z305 = n8_2 * a_theta_1 - n17 * z291 - n0_6 * z303 - z302;  // moment on S1, z
-    const Scalar z307 = z289 + z290 - z302;
-    const Scalar z334 = z308 * z327 + z326;
-    const Scalar z306 = z287 + z288 + z305;
-    const Scalar z329 = z310 * z328;
-    const Scalar z332 = z310 * z331;
-    const Scalar z335 = z310 * z334;
-    const Scalar z338 = z310 * z337;
-    const Scalar z330 = z308 * z329 - n400_over_57 * z322;
-    const Scalar z333 = z308 * z332 - n400_over_57 * z314;
-    const Scalar z336 = z308 * z335 - n400_over_57 * z327;
-    const Scalar z339 = n80_over_19 - z308 * z338;
-    result.M[0] = z286;
-    result.M[1] = z284;
-    result.M[2] = z284;
+    const Scalar z0 = n0_75 * c_theta_2;
+    const Scalar z1 = v_theta_1 + v_theta_2;
+    const Scalar z2 = n9_81 * s_theta_1;
+    const Scalar z3 = n9_81 * c_theta_1;
+    const Scalar z4 = v_theta_1 * v_theta_1;
+    const Scalar z5 = n2 * v_theta_1;
+    const Scalar z6 = n2 * z1;
+    const Scalar z7 = a_theta_1 + a_theta_2;  // angular acceleration of S2, z
+    const Scalar z8 = n0_6 * z5;
+    const Scalar z9 = z1 * z1;
+    const Scalar z10 = n0_75 * z7;  // force on S2, x
+    const Scalar z11 = n600 * q_theta_1;
+    const Scalar z12 = n0_75 * z6;
+    const Scalar z13 = s_theta_2 * z8;
+    const Scalar z14 = n0_75 * z9;  // force on S2, y
+    const Scalar z15 = n25 * v_theta_1;
+    const Scalar z16 = n40 * q_theta_2;
+    const Scalar z17 = n0_6 * v_theta_2;
+    const Scalar z18 = s_theta_2 * z12;
+    const Scalar z19 = s_theta_2 * z10 + c_theta_2 * z14;
+    const Scalar z20 = s_theta_2 * z14 - c_theta_2 * z10;
+    const Scalar z21 = n0_1425 + n0_6 * z0;
+    const Scalar z22 = n0_1425 + n1_2 * z0;
+    const Scalar z23 = z3 - n0_6 * z4;
+    const Scalar z24 = n0_6 * a_theta_1 - z2;
+    const Scalar z25 = n0_75 * z13;
+    const Scalar z26 = n0_6 * z18;
+    const Scalar z27 = s_theta_2 * z2 - c_theta_2 * z3;
+    const Scalar z28 = z25 - z26;
+    const Scalar z29 = n8_2 + z22;
+    const Scalar z30 = s_theta_2 * z23 - c_theta_2 * z24;
+    const Scalar z31 = s_theta_2 * z24 + c_theta_2 * z23;
+    const Scalar z32 = n400_over_57 * z21;
+    const Scalar z33 = n25 + z28;
+    const Scalar z34 = z21 * z32 - z29;
+    const Scalar z35 = n0_75 * z27;
+    const Scalar z36 = n0_6 * z32 + z26;
+    const Scalar z37 = z32 * z25 - z33;
+    const Scalar z38 = n17 * z3 - z35;
+    const Scalar z39 = n0_75 * z30 - n0_1425 * z7;  // moment on S2, z
+    const Scalar z40 = n1 / z34;
+    const Scalar z41 = n0_75 * z31;
+    const Scalar z42 = n600 - z38;
+    const Scalar z43 = n0_6 * z19 + z41;
+    const Scalar z44 = n40 - z41;
+    const Scalar z45 = z32 * z35 - z42;
+    const Scalar z46 = n8_2 * a_theta_1 - n17 * z2 - n0_6 * z20 - z39;  // moment on S1, z
+    const Scalar z47 = z16 + z17 - z39;
+    const Scalar z48 = z32 * z44 + z43;
+    const Scalar z49 = z11 + z15 + z46;
+    const Scalar z50 = z40 * z45;
+    const Scalar z51 = z40 * z37;
+    const Scalar z52 = z40 * z48;
+    const Scalar z53 = z40 * z36;
+    const Scalar z54 = z32 * z50 - n400_over_57 * z35;
+    const Scalar z55 = z32 * z51 - n400_over_57 * z25;
+    const Scalar z56 = z32 * z52 - n400_over_57 * z44;
+    const Scalar z57 = n80_over_19 - z32 * z53;
+    result.M[0] = z29;
+    result.M[1] = z21;
+    result.M[2] = z21;
     result.M[3] = n0_1425;
-    result.C[0] = z320;
-    result.C[1] = z314;
-    result.C[2] = -z318;
+    result.C[0] = z33;
+    result.C[1] = z25;
+    result.C[2] = -z26;
     result.C[3] = n0_6;
-    result.K[0] = z324;
-    result.K[1] = z322;
-    result.K[2] = -z326;
-    result.K[3] = z327;
-    result.F[0] = -z306;
-    result.F[1] = -z307;
+    result.K[0] = z42;
+    result.K[1] = z35;
+    result.K[2] = -z43;
+    result.K[3] = z44;
+    result.F[0] = -z49;
+    result.F[1] = -z47;
     result.A[0] = n0;
     result.A[1] = n0;
-    result.A[2] = -z329;
-    result.A[3] = z330;
+    result.A[2] = -z50;
+    result.A[3] = z54;
     result.A[4] = n0;
     result.A[5] = n0;
-    result.A[6] = -z335;
-    result.A[7] = z336;
+    result.A[6] = -z52;
+    result.A[7] = z56;
     result.A[8] = n1;
     result.A[9] = n0;
-    result.A[10] = -z332;
-    result.A[11] = z333;
+    result.A[10] = -z51;
+    result.A[11] = z55;
     result.A[12] = n0;
     result.A[13] = n1;
-    result.A[14] = -z338;
-    result.A[15] = -z339;
-    if (!(traits::regular(-z309, z286))) return torsor::Status::singular;
+    result.A[14] = -z53;
+    result.A[15] = -z57;
+    if (!(traits::regular(-z34, z29))) return torsor::Status::singular;
     // 0 x is 0 for every finite x and not a number for any other.
     const Scalar zero = (n0 * result.M[0] * result.M[1] * result.M[2] * result.C[0] * result.C[1] * result.C[2]
         * result.K[0] * result.K[1] * result.K[2] * result.K[3]) * (n0 * result.F[0] * result.F[1] * result.A[2]

@@ -507,7 +507,7 @@ struct Mechanism {
 
   static constexpr const char* name = "plumb_line";
   /// 64 bits (FNV-1a) of this file from "#pragma once" on, with zeros in their own place: another mechanism, other bits.
-  static constexpr unsigned long long fingerprint = 0xa293723d5d273497ULL;
+  static constexpr unsigned long long fingerprint = 0xd85a90c7a88f4315ULL;
   static constexpr int coordinate_count = 2;
   static constexpr int velocity_count = 2;
   static constexpr int input_count = 0;
@@ -612,13 +612,13 @@ struct Mechanism {
     Parameters parameters;
     Scalar s_latitude;
     Scalar c_latitude;
-    Scalar z19;
-    Scalar z25;
-    Scalar z26;
-    Scalar z36;
-    Scalar z37;
-    Scalar z177;
-    Scalar z178;
+    Scalar m2;
+    Scalar m3;
+    Scalar m4;
+    Scalar m5;
+    Scalar m6;
+    Scalar m7;
+    Scalar m8;
   };
 
   /// Values of the scene.
@@ -643,27 +643,27 @@ struct Mechanism {
     Scalar s_latitude, c_latitude;
     traits::sincos(p_latitude, s_latitude, c_latitude);
     const Scalar pi = traits::pi();
-    const Scalar z19 = n1 + p_r;
-    const Scalar z20 = traits::formula(7.27220521664304e-05, 7.2722054e-05f, [&]() -> Scalar {
+    const Scalar z0 = n1 + p_r;
+    const Scalar z1 = traits::formula(7.27220521664304e-05, 7.2722054e-05f, [&]() -> Scalar {
       return k1 * pi;
     });
-    const Scalar z25 = s_latitude * z20;
-    const Scalar z26 = c_latitude * z20;
-    const Scalar z36 = s_latitude * z19;
-    const Scalar z37 = z19 * z26;
-    const Scalar z175 = z26 * z26;
-    const Scalar z176 = z25 * z26;
-    const Scalar z177 = z19 * z175;
-    const Scalar z178 = z19 * z176;
+    const Scalar z2 = s_latitude * z1;
+    const Scalar z3 = c_latitude * z1;
+    const Scalar z4 = s_latitude * z0;
+    const Scalar z5 = z0 * z3;
+    const Scalar z6 = z3 * z3;
+    const Scalar z7 = z2 * z3;
+    const Scalar z8 = z0 * z6;
+    const Scalar z9 = z0 * z7;
     precomputed.s_latitude = s_latitude;
     precomputed.c_latitude = c_latitude;
-    precomputed.z19 = z19;
-    precomputed.z25 = z25;
-    precomputed.z26 = z26;
-    precomputed.z36 = z36;
-    precomputed.z37 = z37;
-    precomputed.z177 = z177;
-    precomputed.z178 = z178;
+    precomputed.m2 = z0;
+    precomputed.m3 = z2;
+    precomputed.m4 = z3;
+    precomputed.m5 = z4;
+    precomputed.m6 = z5;
+    precomputed.m7 = z8;
+    precomputed.m8 = z9;
     return precomputed;
   }
 
@@ -761,79 +761,79 @@ struct Mechanism {
     const Scalar q_epsilon = state.q.epsilon;
     const Scalar v_epsilon = state.v.epsilon;
     const Scalar c_latitude = precomputed.c_latitude;
-    const Scalar z19 = precomputed.z19;
-    const Scalar z25 = precomputed.z25;
-    const Scalar z26 = precomputed.z26;
-    const Scalar z36 = precomputed.z36;
-    const Scalar z37 = precomputed.z37;
+    const Scalar m2 = precomputed.m2;
+    const Scalar m3 = precomputed.m3;
+    const Scalar m4 = precomputed.m4;
+    const Scalar m5 = precomputed.m5;
+    const Scalar m6 = precomputed.m6;
     const Scalar pi = traits::pi();
-    const Scalar z20 = traits::formula(7.27220521664304e-05, 7.2722054e-05f, [&]() -> Scalar {
+    const Scalar z0 = traits::formula(7.27220521664304e-05, 7.2722054e-05f, [&]() -> Scalar {
       return k0 * pi;
     });
-    const Scalar z68 = t * z20;
-    const Scalar z73 = p_latitude - q_delta;
-    const Scalar angles_[] = {q_delta, q_epsilon, z68, z73};
+    const Scalar z1 = t * z0;
+    const Scalar z2 = p_latitude - q_delta;
+    const Scalar angles_[] = {q_delta, q_epsilon, z1, z2};
     Scalar sines_[4], cosines_[4];
     torsor::sines_and_cosines(angles_, sines_, cosines_);
     const Scalar s_delta = sines_[0], c_delta = cosines_[0];
     const Scalar s_epsilon = sines_[1], c_epsilon = cosines_[1];
-    const Scalar z69 = sines_[2], z70 = cosines_[2];
-    const Scalar z74 = sines_[3], z75 = cosines_[3];
-    const Scalar z76 = z70 * z75;
-    const Scalar z82 = s_delta * z26 - c_delta * z25;
-    const Scalar z78 = z69 * z75;
-    const Scalar z83 = s_delta * z25 + c_delta * z26;
-    const Scalar z79 = z69 * z74;
-    const Scalar z86 = z37 * z69;  // velocity of meridian, x
-    const Scalar z87 = z37 * z70;  // velocity of meridian, y
-    const Scalar z77 = z70 * z74;
-    const Scalar z92 = c_epsilon * z74;
-    const Scalar z93 = s_epsilon * z74;
-    const Scalar z71 = c_latitude * z70;
-    const Scalar z72 = c_latitude * z69;
-    const Scalar z84 = v_delta * z69;  // angular velocity of meridian, x
-    const Scalar z85 = v_delta * z70;  // angular velocity of meridian, y
-    const Scalar z98 = v_epsilon * z75 + z20;  // angular velocity of thread, z
-    const Scalar z80 = z19 * z71;
-    const Scalar z81 = z19 * z72;
-    const Scalar z88 = s_epsilon * z69 - c_epsilon * z76;
-    const Scalar z89 = c_epsilon * z69 + s_epsilon * z76;
-    const Scalar z90 = s_epsilon * z70 + c_epsilon * z78;
-    const Scalar z91 = s_epsilon * z78 - c_epsilon * z70;
-    const Scalar z96 = v_epsilon * z77 + z84;  // angular velocity of thread, x
-    const Scalar z97 = v_epsilon * z79 - z85;  // angular velocity of thread, y
-    const Scalar z101 = z36 - z92;
-    const Scalar z108 = z70 * z92;
-    const Scalar z109 = z69 * z92;
-    const Scalar z94 = v_delta * c_epsilon + s_epsilon * z82;
-    const Scalar z95 = v_epsilon + z83;
-    const Scalar z99 = z80 + z88;
-    const Scalar z100 = z81 - z90;
-    const Scalar z105 = z79 * z92 + z75 * z90;
-    const Scalar z106 = z75 * z88 - z77 * z92;
-    const Scalar z107 = z77 * z90 + z79 * z88;
-    const Scalar z110 = z69 * z90 - z70 * z88;
-    const Scalar z102 = z86 - z89 * z95 + z77 * z94;
-    const Scalar z104 = z93 * z95 + z75 * z94;
-    const Scalar z103 = z79 * z94 - z87 - z91 * z95;
-    result.bob_position[0] = z99;
-    result.bob_position[1] = z100;
-    result.bob_position[2] = z101;
-    result.bob_rotation[0] = -z88;
-    result.bob_rotation[1] = z90;
-    result.bob_rotation[2] = z92;
-    result.bob_rotation[3] = -z89;
-    result.bob_rotation[4] = -z91;
-    result.bob_rotation[5] = -z93;
-    result.bob_rotation[6] = -z77;
-    result.bob_rotation[7] = -z79;
-    result.bob_rotation[8] = z75;
-    result.bob_velocity[0] = -z102;
-    result.bob_velocity[1] = -z103;
-    result.bob_velocity[2] = z104;
-    result.bob_angular_velocity[0] = -z96;
-    result.bob_angular_velocity[1] = -z97;
-    result.bob_angular_velocity[2] = z98;
+    const Scalar z3 = sines_[2], z4 = cosines_[2];
+    const Scalar z5 = sines_[3], z6 = cosines_[3];
+    const Scalar z7 = z4 * z6;
+    const Scalar z8 = s_delta * m4 - c_delta * m3;
+    const Scalar z9 = z3 * z6;
+    const Scalar z10 = s_delta * m3 + c_delta * m4;
+    const Scalar z11 = z3 * z5;
+    const Scalar z12 = m6 * z3;  // velocity of meridian, x
+    const Scalar z13 = m6 * z4;  // velocity of meridian, y
+    const Scalar z14 = z4 * z5;
+    const Scalar z15 = c_epsilon * z5;
+    const Scalar z16 = s_epsilon * z5;
+    const Scalar z17 = c_latitude * z4;
+    const Scalar z18 = c_latitude * z3;
+    const Scalar z19 = v_delta * z3;  // angular velocity of meridian, x
+    const Scalar z20 = v_delta * z4;  // angular velocity of meridian, y
+    const Scalar z21 = v_epsilon * z6 + z0;  // angular velocity of thread, z
+    const Scalar z22 = m2 * z17;
+    const Scalar z23 = m2 * z18;
+    const Scalar z24 = s_epsilon * z3 - c_epsilon * z7;
+    const Scalar z25 = c_epsilon * z3 + s_epsilon * z7;
+    const Scalar z26 = s_epsilon * z4 + c_epsilon * z9;
+    const Scalar z27 = s_epsilon * z9 - c_epsilon * z4;
+    const Scalar z28 = v_epsilon * z14 + z19;  // angular velocity of thread, x
+    const Scalar z29 = v_epsilon * z11 - z20;  // angular velocity of thread, y
+    const Scalar z30 = m5 - z15;
+    const Scalar z31 = z4 * z15;
+    const Scalar z32 = z3 * z15;
+    const Scalar z33 = v_delta * c_epsilon + s_epsilon * z8;
+    const Scalar z34 = v_epsilon + z10;
+    const Scalar z35 = z22 + z24;
+    const Scalar z36 = z23 - z26;
+    const Scalar z37 = z11 * z15 + z6 * z26;
+    const Scalar z38 = z6 * z24 - z14 * z15;
+    const Scalar z39 = z14 * z26 + z11 * z24;
+    const Scalar z40 = z3 * z26 - z4 * z24;
+    const Scalar z41 = z12 - z25 * z34 + z14 * z33;
+    const Scalar z42 = z16 * z34 + z6 * z33;
+    const Scalar z43 = z11 * z33 - z13 - z27 * z34;
+    result.bob_position[0] = z35;
+    result.bob_position[1] = z36;
+    result.bob_position[2] = z30;
+    result.bob_rotation[0] = -z24;
+    result.bob_rotation[1] = z26;
+    result.bob_rotation[2] = z15;
+    result.bob_rotation[3] = -z25;
+    result.bob_rotation[4] = -z27;
+    result.bob_rotation[5] = -z16;
+    result.bob_rotation[6] = -z14;
+    result.bob_rotation[7] = -z11;
+    result.bob_rotation[8] = z6;
+    result.bob_velocity[0] = -z41;
+    result.bob_velocity[1] = -z43;
+    result.bob_velocity[2] = z42;
+    result.bob_angular_velocity[0] = -z28;
+    result.bob_angular_velocity[1] = -z29;
+    result.bob_angular_velocity[2] = z21;
     result.O_position[0] = n0;
     result.O_position[1] = n0;
     result.O_position[2] = n0;
@@ -846,18 +846,18 @@ struct Mechanism {
     result.O_jacobian[4] = n0;
     result.O_jacobian[2] = n0;
     result.O_jacobian[5] = n0;
-    result.G_position[0] = z99;
-    result.G_position[1] = z100;
-    result.G_position[2] = z101;
-    result.G_velocity[0] = -z102;
-    result.G_velocity[1] = -z103;
-    result.G_velocity[2] = z104;
-    result.G_jacobian[0] = -z108;
-    result.G_jacobian[3] = z105;
-    result.G_jacobian[1] = -z109;
-    result.G_jacobian[4] = z106;
-    result.G_jacobian[2] = z110;
-    result.G_jacobian[5] = z107;
+    result.G_position[0] = z35;
+    result.G_position[1] = z36;
+    result.G_position[2] = z30;
+    result.G_velocity[0] = -z41;
+    result.G_velocity[1] = -z43;
+    result.G_velocity[2] = z42;
+    result.G_jacobian[0] = -z31;
+    result.G_jacobian[3] = z37;
+    result.G_jacobian[1] = -z32;
+    result.G_jacobian[4] = z38;
+    result.G_jacobian[2] = z40;
+    result.G_jacobian[5] = z39;
   }
 
   /// Mass matrix M(q), symmetric, stored column by column: T2 = 1/2 v' M v.
@@ -867,9 +867,9 @@ struct Mechanism {
     const Scalar q_epsilon = state.q.epsilon;
     Scalar s_epsilon, c_epsilon;
     traits::sincos(q_epsilon, s_epsilon, c_epsilon);
-    const Scalar z128 = s_epsilon * s_epsilon;
-    const Scalar z130 = n1 - z128;
-    mass[0] = z130;
+    const Scalar z0 = s_epsilon * s_epsilon;
+    const Scalar z1 = n1 - z0;
+    mass[0] = z1;
     mass[1] = n0;
     mass[2] = n0;
     mass[3] = n1;
@@ -890,60 +890,60 @@ struct Mechanism {
     const Scalar v_epsilon = state.v.epsilon;
     const Scalar s_latitude = precomputed.s_latitude;
     const Scalar c_latitude = precomputed.c_latitude;
-    const Scalar z19 = precomputed.z19;
-    const Scalar z25 = precomputed.z25;
-    const Scalar z26 = precomputed.z26;
-    const Scalar z177 = precomputed.z177;
-    const Scalar z178 = precomputed.z178;
+    const Scalar m2 = precomputed.m2;
+    const Scalar m3 = precomputed.m3;
+    const Scalar m4 = precomputed.m4;
+    const Scalar m7 = precomputed.m7;
+    const Scalar m8 = precomputed.m8;
     const Scalar pi = traits::pi();
-    const Scalar z20 = traits::formula(7.27220521664304e-05, 7.2722054e-05f, [&]() -> Scalar {
+    const Scalar z0 = traits::formula(7.27220521664304e-05, 7.2722054e-05f, [&]() -> Scalar {
       return k0 * pi;
     });
-    const Scalar z217 = t * z20;
-    const Scalar angles_[] = {q_delta, q_epsilon, z217};
+    const Scalar z1 = t * z0;
+    const Scalar angles_[] = {q_delta, q_epsilon, z1};
     Scalar sines_[3], cosines_[3];
     torsor::sines_and_cosines(angles_, sines_, cosines_);
     const Scalar s_delta = sines_[0], c_delta = cosines_[0];
     const Scalar s_epsilon = sines_[1], c_epsilon = cosines_[1];
-    const Scalar z218 = sines_[2], z219 = cosines_[2];
-    const Scalar z225 = c_delta * c_epsilon;
-    const Scalar z226 = s_delta * c_epsilon;
-    const Scalar z221 = s_delta * z25 + c_delta * z26;
-    const Scalar z220 = s_delta * z26 - c_delta * z25;
-    const Scalar z232 = c_delta * z19;
-    const Scalar z233 = s_delta * z19;
-    const Scalar z241 = s_delta * z178 + c_delta * z177;
-    const Scalar z242 = s_delta * z177 - c_delta * z178;
-    const Scalar z227 = n1 + p_r - z225;
-    const Scalar z234 = s_epsilon * z232;
-    const Scalar z228 = s_latitude * z226 - c_latitude * z227;
-    const Scalar z229 = c_latitude * z226 + s_latitude * z227;
-    const Scalar z222 = v_delta * s_epsilon - c_epsilon * z220;
-    const Scalar z223 = v_delta * c_epsilon + s_epsilon * z220;
-    const Scalar z224 = v_epsilon + z221;
-    const Scalar z243 = v_delta * z221;  // angular acceleration of meridian, x
-    const Scalar z244 = v_delta * z220;  // angular acceleration of meridian, z
-    const Scalar z246 = s_epsilon * z241;
-    const Scalar z230 = s_epsilon * z218 - z219 * z228;
-    const Scalar z231 = s_epsilon * z219 + z218 * z228;
-    const Scalar z245 = s_epsilon * z243;
-    const Scalar z248 = z222 * z223;
-    const Scalar z249 = z222 * z224;
-    const Scalar z247 = v_epsilon * z222 - z245;  // angular acceleration of thread, y
-    const Scalar z235 = z229 * z229 + z230 * z230 + z231 * z231;
-    const Scalar z250 = z247 + z249;
-    const Scalar z236 = traits::sqrt(z235);
-    const Scalar z237 = n1 / z236;
-    const Scalar z238 = k2 * z237 * z237 * z237;
-    const Scalar z239 = z234 * z238;
-    const Scalar z240 = z233 * z238;
-    const Scalar z251 = z240 - z242;  // moment on bob, y
-    const Scalar z252 = z239 - z246;  // moment on bob, z
-    const Scalar z253 = z250 - z251;  // moment on thread, y
-    const Scalar z254 = z244 - z248 - z252;  // moment on thread, z
-    const Scalar z255 = c_epsilon * z253;
-    forces.delta = -z255;
-    forces.epsilon = -z254;
+    const Scalar z2 = sines_[2], z3 = cosines_[2];
+    const Scalar z4 = c_delta * c_epsilon;
+    const Scalar z5 = s_delta * c_epsilon;
+    const Scalar z6 = s_delta * m3 + c_delta * m4;
+    const Scalar z7 = s_delta * m4 - c_delta * m3;
+    const Scalar z8 = c_delta * m2;
+    const Scalar z9 = s_delta * m2;
+    const Scalar z10 = s_delta * m8 + c_delta * m7;
+    const Scalar z11 = s_delta * m7 - c_delta * m8;
+    const Scalar z12 = n1 + p_r - z4;
+    const Scalar z13 = s_epsilon * z8;
+    const Scalar z14 = s_latitude * z5 - c_latitude * z12;
+    const Scalar z15 = c_latitude * z5 + s_latitude * z12;
+    const Scalar z16 = v_delta * s_epsilon - c_epsilon * z7;
+    const Scalar z17 = v_delta * c_epsilon + s_epsilon * z7;
+    const Scalar z18 = v_epsilon + z6;
+    const Scalar z19 = v_delta * z6;  // angular acceleration of meridian, x
+    const Scalar z20 = v_delta * z7;  // angular acceleration of meridian, z
+    const Scalar z21 = s_epsilon * z10;
+    const Scalar z22 = s_epsilon * z2 - z3 * z14;
+    const Scalar z23 = s_epsilon * z3 + z2 * z14;
+    const Scalar z24 = s_epsilon * z19;
+    const Scalar z25 = z16 * z17;
+    const Scalar z26 = z16 * z18;
+    const Scalar z27 = v_epsilon * z16 - z24;  // angular acceleration of thread, y
+    const Scalar z28 = z15 * z15 + z22 * z22 + z23 * z23;
+    const Scalar z29 = z27 + z26;
+    const Scalar z30 = traits::sqrt(z28);
+    const Scalar z31 = n1 / z30;
+    const Scalar z32 = k2 * z31 * z31 * z31;
+    const Scalar z33 = z13 * z32;
+    const Scalar z34 = z9 * z32;
+    const Scalar z35 = z34 - z11;  // moment on bob, y
+    const Scalar z36 = z33 - z21;  // moment on bob, z
+    const Scalar z37 = z29 - z35;  // moment on thread, y
+    const Scalar z38 = z20 - z25 - z36;  // moment on thread, z
+    const Scalar z39 = c_epsilon * z37;
+    forces.delta = -z39;
+    forces.epsilon = -z38;
   }
 
   /// Inverse dynamics: the generalised forces M a + h - A' lambda that motors must supply for the accelerations a.
@@ -962,61 +962,61 @@ struct Mechanism {
     const Scalar a_epsilon = accelerations.epsilon;
     const Scalar s_latitude = precomputed.s_latitude;
     const Scalar c_latitude = precomputed.c_latitude;
-    const Scalar z19 = precomputed.z19;
-    const Scalar z25 = precomputed.z25;
-    const Scalar z26 = precomputed.z26;
-    const Scalar z177 = precomputed.z177;
-    const Scalar z178 = precomputed.z178;
+    const Scalar m2 = precomputed.m2;
+    const Scalar m3 = precomputed.m3;
+    const Scalar m4 = precomputed.m4;
+    const Scalar m7 = precomputed.m7;
+    const Scalar m8 = precomputed.m8;
     const Scalar pi = traits::pi();
-    const Scalar z20 = traits::formula(7.27220521664304e-05, 7.2722054e-05f, [&]() -> Scalar {
+    const Scalar z0 = traits::formula(7.27220521664304e-05, 7.2722054e-05f, [&]() -> Scalar {
       return k0 * pi;
     });
-    const Scalar z283 = t * z20;
-    const Scalar angles_[] = {q_delta, q_epsilon, z283};
+    const Scalar z1 = t * z0;
+    const Scalar angles_[] = {q_delta, q_epsilon, z1};
     Scalar sines_[3], cosines_[3];
     torsor::sines_and_cosines(angles_, sines_, cosines_);
     const Scalar s_delta = sines_[0], c_delta = cosines_[0];
     const Scalar s_epsilon = sines_[1], c_epsilon = cosines_[1];
-    const Scalar z284 = sines_[2], z285 = cosines_[2];
-    const Scalar z291 = c_delta * c_epsilon;
-    const Scalar z292 = s_delta * c_epsilon;
-    const Scalar z287 = s_delta * z25 + c_delta * z26;
-    const Scalar z286 = s_delta * z26 - c_delta * z25;
-    const Scalar z298 = c_delta * z19;
-    const Scalar z299 = s_delta * z19;
-    const Scalar z307 = s_delta * z178 + c_delta * z177;
-    const Scalar z308 = s_delta * z177 - c_delta * z178;
-    const Scalar z293 = n1 + p_r - z291;
-    const Scalar z300 = s_epsilon * z298;
-    const Scalar z294 = s_latitude * z292 - c_latitude * z293;
-    const Scalar z295 = c_latitude * z292 + s_latitude * z293;
-    const Scalar z288 = v_delta * s_epsilon - c_epsilon * z286;
-    const Scalar z289 = v_delta * c_epsilon + s_epsilon * z286;
-    const Scalar z290 = v_epsilon + z287;
-    const Scalar z309 = v_delta * z287;  // angular acceleration of meridian, x
-    const Scalar z310 = v_delta * z286;  // angular acceleration of meridian, z
-    const Scalar z311 = s_epsilon * z307;
-    const Scalar z296 = s_epsilon * z284 - z285 * z294;
-    const Scalar z297 = s_epsilon * z285 + z284 * z294;
-    const Scalar z316 = a_delta * c_epsilon + s_epsilon * z309;
-    const Scalar z318 = a_epsilon - z310;  // angular acceleration of thread, z
-    const Scalar z312 = z288 * z289;
-    const Scalar z313 = z288 * z290;
-    const Scalar z301 = z295 * z295 + z296 * z296 + z297 * z297;
-    const Scalar z317 = v_epsilon * z288 - z316;  // angular acceleration of thread, y
-    const Scalar z319 = z313 + z317;
-    const Scalar z302 = traits::sqrt(z301);
-    const Scalar z303 = n1 / z302;
-    const Scalar z304 = k2 * z303 * z303 * z303;
-    const Scalar z305 = z300 * z304;
-    const Scalar z306 = z299 * z304;
-    const Scalar z314 = z306 - z308;  // moment on bob, y
-    const Scalar z315 = z305 - z311;  // moment on bob, z
-    const Scalar z320 = z314 - z319;  // moment on thread, y
-    const Scalar z321 = z318 + z312 + z315;  // moment on thread, z
-    const Scalar z322 = c_epsilon * z320;
-    forces.delta = z322;
-    forces.epsilon = z321;
+    const Scalar z2 = sines_[2], z3 = cosines_[2];
+    const Scalar z4 = c_delta * c_epsilon;
+    const Scalar z5 = s_delta * c_epsilon;
+    const Scalar z6 = s_delta * m3 + c_delta * m4;
+    const Scalar z7 = s_delta * m4 - c_delta * m3;
+    const Scalar z8 = c_delta * m2;
+    const Scalar z9 = s_delta * m2;
+    const Scalar z10 = s_delta * m8 + c_delta * m7;
+    const Scalar z11 = s_delta * m7 - c_delta * m8;
+    const Scalar z12 = n1 + p_r - z4;
+    const Scalar z13 = s_epsilon * z8;
+    const Scalar z14 = s_latitude * z5 - c_latitude * z12;
+    const Scalar z15 = c_latitude * z5 + s_latitude * z12;
+    const Scalar z16 = v_delta * s_epsilon - c_epsilon * z7;
+    const Scalar z17 = v_delta * c_epsilon + s_epsilon * z7;
+    const Scalar z18 = v_epsilon + z6;
+    const Scalar z19 = v_delta * z6;  // angular acceleration of meridian, x
+    const Scalar z20 = v_delta * z7;  // angular acceleration of meridian, z
+    const Scalar z21 = s_epsilon * z10;
+    const Scalar z22 = s_epsilon * z2 - z3 * z14;
+    const Scalar z23 = s_epsilon * z3 + z2 * z14;
+    const Scalar z24 = a_delta * c_epsilon + s_epsilon * z19;
+    const Scalar z25 = a_epsilon - z20;  // angular acceleration of thread, z
+    const Scalar z26 = z16 * z17;
+    const Scalar z27 = z16 * z18;
+    const Scalar z28 = z15 * z15 + z22 * z22 + z23 * z23;
+    const Scalar z29 = v_epsilon * z16 - z24;  // angular acceleration of thread, y
+    const Scalar z30 = z27 + z29;
+    const Scalar z31 = traits::sqrt(z28);
+    const Scalar z32 = n1 / z31;
+    const Scalar z33 = k2 * z32 * z32 * z32;
+    const Scalar z34 = z13 * z33;
+    const Scalar z35 = z9 * z33;
+    const Scalar z36 = z35 - z11;  // moment on bob, y
+    const Scalar z37 = z34 - z21;  // moment on bob, z
+    const Scalar z38 = z36 - z30;  // moment on thread, y
+    const Scalar z39 = z25 + z26 + z37;  // moment on thread, z
+    const Scalar z40 = c_epsilon * z38;
+    forces.delta = z40;
+    forces.epsilon = z39;
   }
 
   /// Forward dynamics: accelerations a and multipliers lambda from M a + h = E u + A' lambda, A a + gamma = 0, by
@@ -1036,65 +1036,65 @@ struct Mechanism {
     const Scalar v_epsilon = state.v.epsilon;
     const Scalar s_latitude = precomputed.s_latitude;
     const Scalar c_latitude = precomputed.c_latitude;
-    const Scalar z19 = precomputed.z19;
-    const Scalar z25 = precomputed.z25;
-    const Scalar z26 = precomputed.z26;
-    const Scalar z177 = precomputed.z177;
-    const Scalar z178 = precomputed.z178;
+    const Scalar m2 = precomputed.m2;
+    const Scalar m3 = precomputed.m3;
+    const Scalar m4 = precomputed.m4;
+    const Scalar m7 = precomputed.m7;
+    const Scalar m8 = precomputed.m8;
     const Scalar pi = traits::pi();
-    const Scalar z20 = traits::formula(7.27220521664304e-05, 7.2722054e-05f, [&]() -> Scalar {
+    const Scalar z0 = traits::formula(7.27220521664304e-05, 7.2722054e-05f, [&]() -> Scalar {
       return k0 * pi;
     });
-    const Scalar z325 = t * z20;
-    const Scalar angles_[] = {q_delta, q_epsilon, z325};
+    const Scalar z1 = t * z0;
+    const Scalar angles_[] = {q_delta, q_epsilon, z1};
     Scalar sines_[3], cosines_[3];
     torsor::sines_and_cosines(angles_, sines_, cosines_);
     const Scalar s_delta = sines_[0], c_delta = cosines_[0];
     const Scalar s_epsilon = sines_[1], c_epsilon = cosines_[1];
-    const Scalar z326 = sines_[2], z327 = cosines_[2];
-    const Scalar z333 = c_delta * c_epsilon;
-    const Scalar z334 = s_delta * c_epsilon;
-    const Scalar z329 = s_delta * z25 + c_delta * z26;
-    const Scalar z328 = s_delta * z26 - c_delta * z25;
-    const Scalar z335 = s_epsilon * s_epsilon;
-    const Scalar z343 = s_delta * z19;
-    const Scalar z342 = c_delta * z19;
-    const Scalar z352 = s_delta * z177 - c_delta * z178;
-    const Scalar z351 = s_delta * z178 + c_delta * z177;
-    const Scalar z336 = n1 - z335;
-    const Scalar z337 = n1 + p_r - z333;
-    const Scalar z344 = s_epsilon * z342;
-    const Scalar z338 = s_latitude * z334 - c_latitude * z337;
-    const Scalar z339 = c_latitude * z334 + s_latitude * z337;
-    const Scalar z366 = n1 / z336;
-    const Scalar z330 = v_delta * s_epsilon - c_epsilon * z328;
-    const Scalar z331 = v_delta * c_epsilon + s_epsilon * z328;
-    const Scalar z332 = v_epsilon + z329;
-    const Scalar z353 = v_delta * z329;  // angular acceleration of meridian, x
-    const Scalar z354 = v_delta * z328;  // angular acceleration of meridian, z
-    const Scalar z356 = s_epsilon * z351;
-    const Scalar z340 = s_epsilon * z326 - z327 * z338;
-    const Scalar z341 = s_epsilon * z327 + z326 * z338;
-    const Scalar z355 = s_epsilon * z353;
-    const Scalar z358 = z330 * z331;
-    const Scalar z359 = z330 * z332;
-    const Scalar z357 = v_epsilon * z330 - z355;  // angular acceleration of thread, y
-    const Scalar z345 = z339 * z339 + z340 * z340 + z341 * z341;
-    const Scalar z360 = z357 + z359;
-    const Scalar z346 = traits::sqrt(z345);
-    const Scalar z347 = n1 / z346;
-    const Scalar z348 = k2 * z347 * z347 * z347;
-    const Scalar z349 = z344 * z348;
-    const Scalar z350 = z343 * z348;
-    const Scalar z361 = z350 - z352;  // moment on bob, y
-    const Scalar z362 = z349 - z356;  // moment on bob, z
-    const Scalar z363 = z360 - z361;  // moment on thread, y
-    const Scalar z364 = z354 - z358 - z362;  // moment on thread, z
-    const Scalar z365 = c_epsilon * z363;
-    const Scalar z367 = z365 * z366;
-    accelerations.delta = z367;
-    accelerations.epsilon = z364;
-    if (!(traits::regular(z336, z336))) return torsor::Status::singular;
+    const Scalar z2 = sines_[2], z3 = cosines_[2];
+    const Scalar z4 = c_delta * c_epsilon;
+    const Scalar z5 = s_delta * c_epsilon;
+    const Scalar z6 = s_delta * m3 + c_delta * m4;
+    const Scalar z7 = s_delta * m4 - c_delta * m3;
+    const Scalar z8 = s_epsilon * s_epsilon;
+    const Scalar z9 = s_delta * m2;
+    const Scalar z10 = c_delta * m2;
+    const Scalar z11 = s_delta * m7 - c_delta * m8;
+    const Scalar z12 = s_delta * m8 + c_delta * m7;
+    const Scalar z13 = n1 - z8;
+    const Scalar z14 = n1 + p_r - z4;
+    const Scalar z15 = s_epsilon * z10;
+    const Scalar z16 = s_latitude * z5 - c_latitude * z14;
+    const Scalar z17 = c_latitude * z5 + s_latitude * z14;
+    const Scalar z18 = n1 / z13;
+    const Scalar z19 = v_delta * s_epsilon - c_epsilon * z7;
+    const Scalar z20 = v_delta * c_epsilon + s_epsilon * z7;
+    const Scalar z21 = v_epsilon + z6;
+    const Scalar z22 = v_delta * z6;  // angular acceleration of meridian, x
+    const Scalar z23 = v_delta * z7;  // angular acceleration of meridian, z
+    const Scalar z24 = s_epsilon * z12;
+    const Scalar z25 = s_epsilon * z2 - z3 * z16;
+    const Scalar z26 = s_epsilon * z3 + z2 * z16;
+    const Scalar z27 = s_epsilon * z22;
+    const Scalar z28 = z19 * z20;
+    const Scalar z29 = z19 * z21;
+    const Scalar z30 = v_epsilon * z19 - z27;  // angular acceleration of thread, y
+    const Scalar z31 = z17 * z17 + z25 * z25 + z26 * z26;
+    const Scalar z32 = z30 + z29;
+    const Scalar z33 = traits::sqrt(z31);
+    const Scalar z34 = n1 / z33;
+    const Scalar z35 = k2 * z34 * z34 * z34;
+    const Scalar z36 = z15 * z35;
+    const Scalar z37 = z9 * z35;
+    const Scalar z38 = z37 - z11;  // moment on bob, y
+    const Scalar z39 = z36 - z24;  // moment on bob, z
+    const Scalar z40 = z32 - z38;  // moment on thread, y
+    const Scalar z41 = z23 - z28 - z39;  // moment on thread, z
+    const Scalar z42 = c_epsilon * z40;
+    const Scalar z43 = z42 * z18;
+    accelerations.delta = z43;
+    accelerations.epsilon = z41;
+    if (!(traits::regular(z13, z13))) return torsor::Status::singular;
     // 0 x is 0 for every finite x and not a number for any other.
     const Scalar zero = n0 * accelerations.delta * accelerations.epsilon;
     if (!traits::regular(n1, zero)) return torsor::Status::not_finite;
@@ -1117,39 +1117,39 @@ struct Mechanism {
     const Scalar v_epsilon = state.v.epsilon;
     const Scalar s_latitude = precomputed.s_latitude;
     const Scalar c_latitude = precomputed.c_latitude;
-    const Scalar z25 = precomputed.z25;
-    const Scalar z26 = precomputed.z26;
-    const Scalar z37 = precomputed.z37;
+    const Scalar m3 = precomputed.m3;
+    const Scalar m4 = precomputed.m4;
+    const Scalar m6 = precomputed.m6;
     const Scalar pi = traits::pi();
-    const Scalar z20 = traits::formula(7.27220521664304e-05, 7.2722054e-05f, [&]() -> Scalar {
+    const Scalar z0 = traits::formula(7.27220521664304e-05, 7.2722054e-05f, [&]() -> Scalar {
       return k0 * pi;
     });
-    const Scalar z377 = t * z20;
-    const Scalar angles_[] = {q_delta, q_epsilon, z377};
+    const Scalar z1 = t * z0;
+    const Scalar angles_[] = {q_delta, q_epsilon, z1};
     Scalar sines_[3], cosines_[3];
     torsor::sines_and_cosines(angles_, sines_, cosines_);
     const Scalar s_delta = sines_[0], c_delta = cosines_[0];
     const Scalar s_epsilon = sines_[1], c_epsilon = cosines_[1];
-    const Scalar z378 = sines_[2], z379 = cosines_[2];
-    const Scalar z384 = c_delta * c_epsilon;
-    const Scalar z385 = s_delta * c_epsilon;
-    const Scalar z381 = s_delta * z25 + c_delta * z26;
-    const Scalar z380 = s_delta * z26 - c_delta * z25;
-    const Scalar z395 = c_epsilon * z37;
-    const Scalar z394 = s_epsilon * z37;
-    const Scalar z386 = n1 + p_r - z384;
-    const Scalar z387 = s_latitude * z385 - c_latitude * z386;
-    const Scalar z388 = c_latitude * z385 + s_latitude * z386;
-    const Scalar z382 = v_delta * c_epsilon + s_epsilon * z380;
-    const Scalar z383 = v_epsilon + z381;
-    const Scalar z389 = s_epsilon * z378 - z379 * z387;
-    const Scalar z390 = s_epsilon * z379 + z378 * z387;
-    const Scalar z396 = z383 - z395;
-    const Scalar z391 = z388 * z388 + z389 * z389 + z390 * z390;
-    const Scalar z392 = traits::sqrt(z391);
-    const Scalar z393 = n1 / z392;
-    result.kinetic = n0_5 * (z394 * z394 + z382 * z382 + z396 * (z383 - z395));
-    result.force_function = k3 * z393;
+    const Scalar z2 = sines_[2], z3 = cosines_[2];
+    const Scalar z4 = c_delta * c_epsilon;
+    const Scalar z5 = s_delta * c_epsilon;
+    const Scalar z6 = s_delta * m3 + c_delta * m4;
+    const Scalar z7 = s_delta * m4 - c_delta * m3;
+    const Scalar z8 = c_epsilon * m6;
+    const Scalar z9 = s_epsilon * m6;
+    const Scalar z10 = n1 + p_r - z4;
+    const Scalar z11 = s_latitude * z5 - c_latitude * z10;
+    const Scalar z12 = c_latitude * z5 + s_latitude * z10;
+    const Scalar z13 = v_delta * c_epsilon + s_epsilon * z7;
+    const Scalar z14 = v_epsilon + z6;
+    const Scalar z15 = s_epsilon * z2 - z3 * z11;
+    const Scalar z16 = s_epsilon * z3 + z2 * z11;
+    const Scalar z17 = z14 - z8;
+    const Scalar z18 = z12 * z12 + z15 * z15 + z16 * z16;
+    const Scalar z19 = traits::sqrt(z18);
+    const Scalar z20 = n1 / z19;
+    result.kinetic = n0_5 * (z9 * z9 + z13 * z13 + z17 * (z14 - z8));
+    result.force_function = k3 * z20;
     result.power = n0;
   }
 
@@ -1168,42 +1168,41 @@ struct Mechanism {
     const Scalar v_epsilon = state.v.epsilon;
     const Scalar s_latitude = precomputed.s_latitude;
     const Scalar c_latitude = precomputed.c_latitude;
-    const Scalar z25 = precomputed.z25;
-    const Scalar z26 = precomputed.z26;
-    const Scalar z37 = precomputed.z37;
+    const Scalar m3 = precomputed.m3;
+    const Scalar m4 = precomputed.m4;
+    const Scalar m6 = precomputed.m6;
     const Scalar pi = traits::pi();
-    const Scalar z20 = traits::formula(7.27220521664304e-05, 7.2722054e-05f, [&]() -> Scalar {
+    const Scalar z0 = traits::formula(7.27220521664304e-05, 7.2722054e-05f, [&]() -> Scalar {
       return k0 * pi;
     });
-    const Scalar z422 = t * z20;
-    const Scalar angles_[] = {q_delta, q_epsilon, z422};
+    const Scalar z1 = t * z0;
+    const Scalar angles_[] = {q_delta, q_epsilon, z1};
     Scalar sines_[3], cosines_[3];
     torsor::sines_and_cosines(angles_, sines_, cosines_);
     const Scalar s_delta = sines_[0], c_delta = cosines_[0];
     const Scalar s_epsilon = sines_[1], c_epsilon = cosines_[1];
-    const Scalar z423 = sines_[2], z424 = cosines_[2];
-    const Scalar z429 = c_delta * c_epsilon;
-    const Scalar z430 = s_delta * c_epsilon;
-    const Scalar z426 = s_delta * z25 + c_delta * z26;
-    const Scalar z440 = c_epsilon * z37;
-    const Scalar z425 = s_delta * z26 - c_delta * z25;
-    const Scalar z439 = s_epsilon * z37;
-    const Scalar z431 = n1 + p_r - z429;
-    const Scalar z432 = s_latitude * z430 - c_latitude * z431;
-    const Scalar z433 = c_latitude * z430 + s_latitude * z431;
-    const Scalar z427 = v_delta * c_epsilon + s_epsilon * z425;
-    const Scalar z428 = v_epsilon + z426;
-    const Scalar z434 = s_epsilon * z423 - z424 * z432;
-    const Scalar z435 = s_epsilon * z424 + z423 * z432;
-    const Scalar z441 = z428 - z440;
-    const Scalar z442 = n0_5 * (z428 - z440);
-    const Scalar z444 = c_epsilon * z427;
-    const Scalar z436 = z433 * z433 + z434 * z434 + z435 * z435;
-    const Scalar z443 = n0_5 * z441 + z442;
-    const Scalar z437 = traits::sqrt(z436);
-    const Scalar z438 = n1 / z437;
-    result.painleve = v_delta * z444 - n0_5 * (z439 * z439 + z427 * z427 + z441 * (z428 - z440)) + v_epsilon * z443 - k3
-        * z438;
+    const Scalar z2 = sines_[2], z3 = cosines_[2];
+    const Scalar z4 = c_delta * c_epsilon;
+    const Scalar z5 = s_delta * c_epsilon;
+    const Scalar z6 = s_delta * m3 + c_delta * m4;
+    const Scalar z7 = c_epsilon * m6;
+    const Scalar z8 = s_delta * m4 - c_delta * m3;
+    const Scalar z9 = s_epsilon * m6;
+    const Scalar z10 = n1 + p_r - z4;
+    const Scalar z11 = s_latitude * z5 - c_latitude * z10;
+    const Scalar z12 = c_latitude * z5 + s_latitude * z10;
+    const Scalar z13 = v_delta * c_epsilon + s_epsilon * z8;
+    const Scalar z14 = v_epsilon + z6;
+    const Scalar z15 = s_epsilon * z2 - z3 * z11;
+    const Scalar z16 = s_epsilon * z3 + z2 * z11;
+    const Scalar z17 = z14 - z7;
+    const Scalar z18 = n0_5 * (z14 - z7);
+    const Scalar z19 = c_epsilon * z13;
+    const Scalar z20 = z12 * z12 + z15 * z15 + z16 * z16;
+    const Scalar z21 = n0_5 * z17 + z18;
+    const Scalar z22 = traits::sqrt(z20);
+    const Scalar z23 = n1 / z22;
+    result.painleve = v_delta * z19 - n0_5 * (z9 * z9 + z13 * z13 + z17 * (z14 - z7)) + v_epsilon * z21 - k3 * z23;
   }
 
   /// Reactions against the released coordinates, each P_q - Q_q at q = 0: what the joint exerts along the released
@@ -1221,48 +1220,48 @@ struct Mechanism {
     const Scalar v_epsilon = state.v.epsilon;
     const Scalar s_latitude = precomputed.s_latitude;
     const Scalar c_latitude = precomputed.c_latitude;
-    const Scalar z19 = precomputed.z19;
-    const Scalar z25 = precomputed.z25;
-    const Scalar z26 = precomputed.z26;
-    const Scalar z177 = precomputed.z177;
-    const Scalar z178 = precomputed.z178;
+    const Scalar m2 = precomputed.m2;
+    const Scalar m3 = precomputed.m3;
+    const Scalar m4 = precomputed.m4;
+    const Scalar m7 = precomputed.m7;
+    const Scalar m8 = precomputed.m8;
     const Scalar pi = traits::pi();
-    const Scalar z20 = traits::formula(7.27220521664304e-05, 7.2722054e-05f, [&]() -> Scalar {
+    const Scalar z0 = traits::formula(7.27220521664304e-05, 7.2722054e-05f, [&]() -> Scalar {
       return k0 * pi;
     });
-    const Scalar z445 = t * z20;
-    const Scalar angles_[] = {q_delta, q_epsilon, z445};
+    const Scalar z1 = t * z0;
+    const Scalar angles_[] = {q_delta, q_epsilon, z1};
     Scalar sines_[3], cosines_[3];
     torsor::sines_and_cosines(angles_, sines_, cosines_);
     const Scalar s_delta = sines_[0], c_delta = cosines_[0];
     const Scalar s_epsilon = sines_[1], c_epsilon = cosines_[1];
-    const Scalar z446 = sines_[2], z447 = cosines_[2];
-    const Scalar z452 = c_delta * c_epsilon;
-    const Scalar z453 = s_delta * c_epsilon;
-    const Scalar z448 = s_delta * z26 - c_delta * z25;
-    const Scalar z449 = s_delta * z25 + c_delta * z26;
-    const Scalar z459 = c_delta * z19;
-    const Scalar z467 = s_delta * z178 + c_delta * z177;
-    const Scalar z454 = n1 + p_r - z452;
-    const Scalar z460 = c_epsilon * z459;
-    const Scalar z455 = s_latitude * z453 - c_latitude * z454;
-    const Scalar z456 = c_latitude * z453 + s_latitude * z454;
-    const Scalar z461 = n1 - z460;
-    const Scalar z450 = v_delta * c_epsilon + s_epsilon * z448;
-    const Scalar z451 = v_epsilon + z449;
-    const Scalar z468 = c_epsilon * z467;
-    const Scalar z457 = s_epsilon * z446 - z447 * z455;
-    const Scalar z458 = s_epsilon * z447 + z446 * z455;
-    const Scalar z470 = z451 * z451;
-    const Scalar z469 = z450 * z450;
-    const Scalar z462 = z456 * z456 + z457 * z457 + z458 * z458;
-    const Scalar z471 = z469 + z470;
-    const Scalar z463 = traits::sqrt(z462);
-    const Scalar z464 = n1 / z463;
-    const Scalar z465 = k2 * z464 * z464 * z464;
-    const Scalar z466 = z461 * z465;
-    const Scalar z472 = z468 - z471 + z466;  // force on bob, x
-    result.tension = -z472;
+    const Scalar z2 = sines_[2], z3 = cosines_[2];
+    const Scalar z4 = c_delta * c_epsilon;
+    const Scalar z5 = s_delta * c_epsilon;
+    const Scalar z6 = s_delta * m4 - c_delta * m3;
+    const Scalar z7 = s_delta * m3 + c_delta * m4;
+    const Scalar z8 = c_delta * m2;
+    const Scalar z9 = s_delta * m8 + c_delta * m7;
+    const Scalar z10 = n1 + p_r - z4;
+    const Scalar z11 = c_epsilon * z8;
+    const Scalar z12 = s_latitude * z5 - c_latitude * z10;
+    const Scalar z13 = c_latitude * z5 + s_latitude * z10;
+    const Scalar z14 = n1 - z11;
+    const Scalar z15 = v_delta * c_epsilon + s_epsilon * z6;
+    const Scalar z16 = v_epsilon + z7;
+    const Scalar z17 = c_epsilon * z9;
+    const Scalar z18 = s_epsilon * z2 - z3 * z12;
+    const Scalar z19 = s_epsilon * z3 + z2 * z12;
+    const Scalar z20 = z16 * z16;
+    const Scalar z21 = z15 * z15;
+    const Scalar z22 = z13 * z13 + z18 * z18 + z19 * z19;
+    const Scalar z23 = z21 + z20;
+    const Scalar z24 = traits::sqrt(z22);
+    const Scalar z25 = n1 / z24;
+    const Scalar z26 = k2 * z25 * z25 * z25;
+    const Scalar z27 = z14 * z26;
+    const Scalar z28 = z17 - z23 + z27;  // force on bob, x
+    result.tension = -z28;
   }
 
   /// Linearisation about the state: M e'' + C e' + K e = F + E du, with e and du deviations from the state and the
@@ -1286,154 +1285,154 @@ struct Mechanism {
     const Scalar a_epsilon = accelerations.epsilon;
     const Scalar s_latitude = precomputed.s_latitude;
     const Scalar c_latitude = precomputed.c_latitude;
-    const Scalar z19 = precomputed.z19;
-    const Scalar z25 = precomputed.z25;
-    const Scalar z26 = precomputed.z26;
-    const Scalar z177 = precomputed.z177;
-    const Scalar z178 = precomputed.z178;
+    const Scalar m2 = precomputed.m2;
+    const Scalar m3 = precomputed.m3;
+    const Scalar m4 = precomputed.m4;
+    const Scalar m7 = precomputed.m7;
+    const Scalar m8 = precomputed.m8;
     const Scalar pi = traits::pi();
-    const Scalar z20 = traits::formula(7.27220521664304e-05, 7.2722054e-05f, [&]() -> Scalar {
+    const Scalar z0 = traits::formula(7.27220521664304e-05, 7.2722054e-05f, [&]() -> Scalar {
       return k0 * pi;
     });
-    const Scalar z527 = t * z20;
-    const Scalar angles_[] = {q_delta, q_epsilon, z527};
+    const Scalar z1 = t * z0;
+    const Scalar angles_[] = {q_delta, q_epsilon, z1};
     Scalar sines_[3], cosines_[3];
     torsor::sines_and_cosines(angles_, sines_, cosines_);
     const Scalar s_delta = sines_[0], c_delta = cosines_[0];
     const Scalar s_epsilon = sines_[1], c_epsilon = cosines_[1];
-    const Scalar z528 = sines_[2], z529 = cosines_[2];
-    const Scalar z535 = c_delta * c_epsilon;
-    const Scalar z536 = s_delta * c_epsilon;
-    const Scalar z542 = s_delta * s_epsilon;
-    const Scalar z541 = c_delta * s_epsilon;
-    const Scalar z531 = s_delta * z25 + c_delta * z26;
-    const Scalar z530 = s_delta * z26 - c_delta * z25;
-    const Scalar z545 = s_epsilon * s_epsilon;
-    const Scalar z552 = c_delta * z19;
-    const Scalar z553 = s_delta * z19;
-    const Scalar z563 = s_delta * z177 - c_delta * z178;
-    const Scalar z562 = s_delta * z178 + c_delta * z177;
-    const Scalar z537 = s_latitude * z536;
-    const Scalar z539 = c_latitude * z536;
-    const Scalar z543 = s_latitude * z542 + c_latitude * z541;
-    const Scalar z544 = s_latitude * z541 - c_latitude * z542;
-    const Scalar z546 = n1 - z545;
-    const Scalar z547 = n1 + p_r - z535;
-    const Scalar z554 = c_epsilon * z552;
-    const Scalar z555 = s_epsilon * z552;
-    const Scalar z538 = c_latitude * z535 + z537;
-    const Scalar z540 = s_latitude * z535 - z539;
-    const Scalar z548 = c_latitude * z547 - z537;
-    const Scalar z549 = s_latitude * z547 + z539;
-    const Scalar z581 = n1 / z546;
-    const Scalar z532 = v_delta * s_epsilon - c_epsilon * z530;
-    const Scalar z533 = v_delta * c_epsilon + s_epsilon * z530;
-    const Scalar z534 = v_epsilon + z531;
-    const Scalar z605 = s_epsilon * z553;
-    const Scalar z564 = v_delta * z531;  // angular acceleration of meridian, x
-    const Scalar z565 = v_delta * z530;  // angular acceleration of meridian, z
-    const Scalar z566 = c_epsilon * z562;
-    const Scalar z567 = s_epsilon * z562;
-    const Scalar z583 = s_epsilon * z531;
-    const Scalar z595 = c_epsilon * z531;
-    const Scalar z607 = s_epsilon * z563;
-    const Scalar z550 = s_epsilon * z528 + z529 * z548;
-    const Scalar z551 = s_epsilon * z529 - z528 * z548;
-    const Scalar z572 = a_delta * s_epsilon - c_epsilon * z564;
-    const Scalar z573 = a_delta * c_epsilon + s_epsilon * z564;
-    const Scalar z576 = a_epsilon - z565;  // angular acceleration of thread, z
-    const Scalar z582 = s_epsilon * z534;
-    const Scalar z584 = v_epsilon * s_epsilon - z583;
-    const Scalar z587 = z529 * z540;
-    const Scalar z588 = z528 * z540;
-    const Scalar z597 = s_epsilon * z565;
-    const Scalar z612 = c_epsilon * z528 + z529 * z543;
-    const Scalar z613 = c_epsilon * z529 - z528 * z543;
-    const Scalar z568 = z532 * z533;
-    const Scalar z569 = z532 * z534;
-    const Scalar z596 = z534 * z595 + z530 * z532;
-    const Scalar z602 = s_epsilon * z533 + c_epsilon * z532;
-    const Scalar z604 = z532 * z583 - z533 * z595;
-    const Scalar z610 = n2 * z532;
-    const Scalar z598 = v_epsilon * z595 - z597;
-    const Scalar z556 = z549 * z549 + z550 * z550 + z551 * z551;
-    const Scalar z574 = v_epsilon * z533 + z572;  // angular acceleration of thread, x
-    const Scalar z589 = n2 * (z538 * z549 - z550 * z587 + z551 * z588);
-    const Scalar z614 = n2 * (z544 * z549 + z550 * z612 + z551 * z613);
-    const Scalar z603 = z530 - z602;
-    const Scalar z599 = z596 + z598;
-    const Scalar z585 = z582 + z584;
-    const Scalar z557 = traits::sqrt(z556);
-    const Scalar z575 = v_epsilon * z532 - z573;  // angular acceleration of thread, y
-    const Scalar z577 = z569 + z575;
-    const Scalar z586 = c_epsilon * z585;
-    const Scalar z611 = c_epsilon * z610;
-    const Scalar z558 = n1 / z557;
-    const Scalar z590 = n0_5 * z589 / z557;
-    const Scalar z615 = n0_5 * z614 / z557;
-    const Scalar z559 = k4 * z558 * z558 * z558;
-    const Scalar z619 = z533 * z534;
-    const Scalar z591 = z590 / (z557 * z557);
-    const Scalar z616 = z615 / (z557 * z557);
-    const Scalar z560 = z555 * z559;
-    const Scalar z620 = z574 + z619;
-    const Scalar z561 = z553 * z559;
-    const Scalar z623 = z532 * z532 - z533 * z533;
-    const Scalar z628 = z581 * z586;
-    const Scalar z570 = z561 - z563;  // moment on bob, y
-    const Scalar z630 = z581 * z611;
-    const Scalar z571 = z560 - z567;  // moment on bob, z
-    const Scalar z592 = k5 * z558 * z558 * z591;
-    const Scalar z617 = k5 * z558 * z558 * z616;
-    const Scalar z578 = z570 - z577;  // moment on thread, y
-    const Scalar z579 = z576 + z568 + z571;  // moment on thread, z
-    const Scalar z593 = z552 * z559 - z553 * z592;
-    const Scalar z606 = z559 * z605 + z555 * z592;
-    const Scalar z618 = z553 * z617;
-    const Scalar z624 = z554 * z559 - z555 * z617;
-    const Scalar z580 = c_epsilon * z578;
-    const Scalar z621 = z618 + z620;
-    const Scalar z594 = z562 - z593;
-    const Scalar z608 = z606 - z607;
-    const Scalar z625 = z566 - z624;
-    const Scalar z622 = s_epsilon * z578 + c_epsilon * z621;
-    const Scalar z600 = z594 - z599;
-    const Scalar z609 = z564 - z604 + z608;
-    const Scalar z626 = z623 + z625;
-    const Scalar z601 = c_epsilon * z600;
-    const Scalar z629 = z581 * z622;
-    const Scalar z627 = z581 * z601;
-    result.M[0] = z546;
+    const Scalar z2 = sines_[2], z3 = cosines_[2];
+    const Scalar z4 = c_delta * c_epsilon;
+    const Scalar z5 = s_delta * c_epsilon;
+    const Scalar z6 = s_delta * s_epsilon;
+    const Scalar z7 = c_delta * s_epsilon;
+    const Scalar z8 = s_delta * m3 + c_delta * m4;
+    const Scalar z9 = s_delta * m4 - c_delta * m3;
+    const Scalar z10 = s_epsilon * s_epsilon;
+    const Scalar z11 = c_delta * m2;
+    const Scalar z12 = s_delta * m2;
+    const Scalar z13 = s_delta * m7 - c_delta * m8;
+    const Scalar z14 = s_delta * m8 + c_delta * m7;
+    const Scalar z15 = s_latitude * z5;
+    const Scalar z16 = c_latitude * z5;
+    const Scalar z17 = s_latitude * z6 + c_latitude * z7;
+    const Scalar z18 = s_latitude * z7 - c_latitude * z6;
+    const Scalar z19 = n1 - z10;
+    const Scalar z20 = n1 + p_r - z4;
+    const Scalar z21 = c_epsilon * z11;
+    const Scalar z22 = s_epsilon * z11;
+    const Scalar z23 = c_latitude * z4 + z15;
+    const Scalar z24 = s_latitude * z4 - z16;
+    const Scalar z25 = c_latitude * z20 - z15;
+    const Scalar z26 = s_latitude * z20 + z16;
+    const Scalar z27 = n1 / z19;
+    const Scalar z28 = v_delta * s_epsilon - c_epsilon * z9;
+    const Scalar z29 = v_delta * c_epsilon + s_epsilon * z9;
+    const Scalar z30 = v_epsilon + z8;
+    const Scalar z31 = s_epsilon * z12;
+    const Scalar z32 = v_delta * z8;  // angular acceleration of meridian, x
+    const Scalar z33 = v_delta * z9;  // angular acceleration of meridian, z
+    const Scalar z34 = c_epsilon * z14;
+    const Scalar z35 = s_epsilon * z14;
+    const Scalar z36 = s_epsilon * z8;
+    const Scalar z37 = c_epsilon * z8;
+    const Scalar z38 = s_epsilon * z13;
+    const Scalar z39 = s_epsilon * z2 + z3 * z25;
+    const Scalar z40 = s_epsilon * z3 - z2 * z25;
+    const Scalar z41 = a_delta * s_epsilon - c_epsilon * z32;
+    const Scalar z42 = a_delta * c_epsilon + s_epsilon * z32;
+    const Scalar z43 = a_epsilon - z33;  // angular acceleration of thread, z
+    const Scalar z44 = s_epsilon * z30;
+    const Scalar z45 = v_epsilon * s_epsilon - z36;
+    const Scalar z46 = z3 * z24;
+    const Scalar z47 = z2 * z24;
+    const Scalar z48 = s_epsilon * z33;
+    const Scalar z49 = c_epsilon * z2 + z3 * z17;
+    const Scalar z50 = c_epsilon * z3 - z2 * z17;
+    const Scalar z51 = z28 * z29;
+    const Scalar z52 = z28 * z30;
+    const Scalar z53 = z30 * z37 + z9 * z28;
+    const Scalar z54 = s_epsilon * z29 + c_epsilon * z28;
+    const Scalar z55 = z28 * z36 - z29 * z37;
+    const Scalar z56 = n2 * z28;
+    const Scalar z57 = v_epsilon * z37 - z48;
+    const Scalar z58 = z26 * z26 + z39 * z39 + z40 * z40;
+    const Scalar z59 = v_epsilon * z29 + z41;  // angular acceleration of thread, x
+    const Scalar z60 = n2 * (z23 * z26 - z39 * z46 + z40 * z47);
+    const Scalar z61 = n2 * (z18 * z26 + z39 * z49 + z40 * z50);
+    const Scalar z62 = z9 - z54;
+    const Scalar z63 = z53 + z57;
+    const Scalar z64 = z44 + z45;
+    const Scalar z65 = traits::sqrt(z58);
+    const Scalar z66 = v_epsilon * z28 - z42;  // angular acceleration of thread, y
+    const Scalar z67 = z52 + z66;
+    const Scalar z68 = c_epsilon * z64;
+    const Scalar z69 = c_epsilon * z56;
+    const Scalar z70 = n1 / z65;
+    const Scalar z71 = n0_5 * z60 / z65;
+    const Scalar z72 = n0_5 * z61 / z65;
+    const Scalar z73 = k4 * z70 * z70 * z70;
+    const Scalar z74 = z29 * z30;
+    const Scalar z75 = z71 / (z65 * z65);
+    const Scalar z76 = z72 / (z65 * z65);
+    const Scalar z77 = z22 * z73;
+    const Scalar z78 = z59 + z74;
+    const Scalar z79 = z12 * z73;
+    const Scalar z80 = z28 * z28 - z29 * z29;
+    const Scalar z81 = z27 * z68;
+    const Scalar z82 = z79 - z13;  // moment on bob, y
+    const Scalar z83 = z27 * z69;
+    const Scalar z84 = z77 - z35;  // moment on bob, z
+    const Scalar z85 = k5 * z70 * z70 * z75;
+    const Scalar z86 = k5 * z70 * z70 * z76;
+    const Scalar z87 = z82 - z67;  // moment on thread, y
+    const Scalar z88 = z43 + z51 + z84;  // moment on thread, z
+    const Scalar z89 = z11 * z73 - z12 * z85;
+    const Scalar z90 = z73 * z31 + z22 * z85;
+    const Scalar z91 = z12 * z86;
+    const Scalar z92 = z21 * z73 - z22 * z86;
+    const Scalar z93 = c_epsilon * z87;
+    const Scalar z94 = z91 + z78;
+    const Scalar z95 = z14 - z89;
+    const Scalar z96 = z90 - z38;
+    const Scalar z97 = z34 - z92;
+    const Scalar z98 = s_epsilon * z87 + c_epsilon * z94;
+    const Scalar z99 = z95 - z63;
+    const Scalar z100 = z32 - z55 + z96;
+    const Scalar z101 = z80 + z97;
+    const Scalar z102 = c_epsilon * z99;
+    const Scalar z103 = z27 * z98;
+    const Scalar z104 = z27 * z102;
+    result.M[0] = z19;
     result.M[1] = n0;
     result.M[2] = n0;
     result.M[3] = n1;
-    result.C[0] = -z586;
-    result.C[1] = -z603;
-    result.C[2] = -z611;
+    result.C[0] = -z68;
+    result.C[1] = -z62;
+    result.C[2] = -z69;
     result.C[3] = n0;
-    result.K[0] = -z601;
-    result.K[1] = -z609;
-    result.K[2] = -z622;
-    result.K[3] = -z626;
-    result.F[0] = -z580;
-    result.F[1] = -z579;
+    result.K[0] = -z102;
+    result.K[1] = -z100;
+    result.K[2] = -z98;
+    result.K[3] = -z101;
+    result.F[0] = -z93;
+    result.F[1] = -z88;
     result.A[0] = n0;
     result.A[1] = n0;
-    result.A[2] = z627;
-    result.A[3] = z609;
+    result.A[2] = z104;
+    result.A[3] = z100;
     result.A[4] = n0;
     result.A[5] = n0;
-    result.A[6] = z629;
-    result.A[7] = z626;
+    result.A[6] = z103;
+    result.A[7] = z101;
     result.A[8] = n1;
     result.A[9] = n0;
-    result.A[10] = z628;
-    result.A[11] = z603;
+    result.A[10] = z81;
+    result.A[11] = z62;
     result.A[12] = n0;
     result.A[13] = n1;
-    result.A[14] = z630;
+    result.A[14] = z83;
     result.A[15] = n0;
-    if (!(traits::regular(z546, z546))) return torsor::Status::singular;
+    if (!(traits::regular(z19, z19))) return torsor::Status::singular;
     // 0 x is 0 for every finite x and not a number for any other.
     const Scalar zero = (n0 * result.M[0] * result.C[0] * result.C[1] * result.C[2] * result.K[0] * result.K[1]
         * result.K[2] * result.K[3]) * (n0 * result.F[0] * result.F[1] * result.A[2] * result.A[3] * result.A[6]

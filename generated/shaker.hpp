@@ -505,7 +505,7 @@ struct Mechanism {
 
   static constexpr const char* name = "shaker";
   /// 64 bits (FNV-1a) of this file from "#pragma once" on, with zeros in their own place: another mechanism, other bits.
-  static constexpr unsigned long long fingerprint = 0x7cbcebfaf52e399eULL;
+  static constexpr unsigned long long fingerprint = 0x6b3b2eca25f6724cULL;
   static constexpr int coordinate_count = 1;
   static constexpr int velocity_count = 1;
   static constexpr int input_count = 0;
@@ -692,16 +692,16 @@ struct Mechanism {
     const Scalar t = state.time;
     const Scalar q_x = state.q.x;
     const Scalar v_x = state.v.x;
-    const Scalar z2 = p_omega * t;
-    Scalar z3, z4;
-    traits::sincos(z2, z3, z4);
-    const Scalar z5 = p_omega * z4;
-    const Scalar z11 = n0_01 * z3;
-    const Scalar z12 = n0_01 * z5;  // velocity of support, y
-    const Scalar z13 = q_x + z11;  // place of mass, y
-    const Scalar z14 = v_x + z12;  // velocity of mass, y
+    const Scalar z0 = p_omega * t;
+    Scalar z1, z2;
+    traits::sincos(z0, z1, z2);
+    const Scalar z3 = p_omega * z2;
+    const Scalar z4 = n0_01 * z1;
+    const Scalar z5 = n0_01 * z3;  // velocity of support, y
+    const Scalar z6 = q_x + z4;  // place of mass, y
+    const Scalar z7 = v_x + z5;  // velocity of mass, y
     result.mass_position[0] = n0;
-    result.mass_position[1] = z13;
+    result.mass_position[1] = z6;
     result.mass_position[2] = n0;
     result.mass_rotation[0] = n1;
     result.mass_rotation[1] = n0;
@@ -713,7 +713,7 @@ struct Mechanism {
     result.mass_rotation[7] = n0;
     result.mass_rotation[8] = n1;
     result.mass_velocity[0] = n0;
-    result.mass_velocity[1] = z14;
+    result.mass_velocity[1] = z7;
     result.mass_velocity[2] = n0;
     result.mass_angular_velocity[0] = n0;
     result.mass_angular_velocity[1] = n0;
@@ -737,16 +737,16 @@ struct Mechanism {
     const Scalar p_omega = precomputed.parameters.omega;
     const Scalar t = state.time;
     const Scalar q_x = state.q.x;
-    const Scalar z2 = p_omega * t;
-    Scalar z3, z4;
-    traits::sincos(z2, z3, z4);
+    const Scalar z0 = p_omega * t;
+    Scalar z1, z2;
+    traits::sincos(z0, z1, z2);
+    const Scalar z3 = p_omega * z1;
+    const Scalar z4 = n0_2 - q_x;
+    const Scalar z5 = n400 * z4;
     const Scalar z6 = p_omega * z3;
-    const Scalar z17 = n0_2 - q_x;
-    const Scalar z18 = n400 * z17;
-    const Scalar z7 = p_omega * z6;
-    const Scalar z19 = n9_81 - n0_01 * z7;
-    const Scalar z20 = z18 - z19;
-    forces.x = -z20;
+    const Scalar z7 = n9_81 - n0_01 * z6;
+    const Scalar z8 = z5 - z7;
+    forces.x = -z8;
   }
 
   /// Inverse dynamics: the generalised forces M a + h - A' lambda that motors must supply for the accelerations a.
@@ -760,17 +760,17 @@ struct Mechanism {
     const Scalar t = state.time;
     const Scalar q_x = state.q.x;
     const Scalar a_x = accelerations.x;
-    const Scalar z2 = p_omega * t;
-    Scalar z3, z4;
-    traits::sincos(z2, z3, z4);
+    const Scalar z0 = p_omega * t;
+    Scalar z1, z2;
+    traits::sincos(z0, z1, z2);
+    const Scalar z3 = p_omega * z1;
+    const Scalar z4 = n0_2 - q_x;
+    const Scalar z5 = n400 * z4;
     const Scalar z6 = p_omega * z3;
-    const Scalar z17 = n0_2 - q_x;
-    const Scalar z18 = n400 * z17;
-    const Scalar z7 = p_omega * z6;
-    const Scalar z19 = n9_81 - n0_01 * z7;
-    const Scalar z21 = a_x + z19;
-    const Scalar z22 = z18 - z21;
-    forces.x = -z22;
+    const Scalar z7 = n9_81 - n0_01 * z6;
+    const Scalar z8 = a_x + z7;
+    const Scalar z9 = z5 - z8;
+    forces.x = -z9;
   }
 
   /// Forward dynamics: accelerations a and multipliers lambda from M a + h = E u + A' lambda, A a + gamma = 0, by
@@ -787,16 +787,16 @@ struct Mechanism {
     const Scalar p_omega = precomputed.parameters.omega;
     const Scalar t = state.time;
     const Scalar q_x = state.q.x;
-    const Scalar z2 = p_omega * t;
-    Scalar z3, z4;
-    traits::sincos(z2, z3, z4);
+    const Scalar z0 = p_omega * t;
+    Scalar z1, z2;
+    traits::sincos(z0, z1, z2);
+    const Scalar z3 = p_omega * z1;
+    const Scalar z4 = n0_2 - q_x;
+    const Scalar z5 = n400 * z4;
     const Scalar z6 = p_omega * z3;
-    const Scalar z17 = n0_2 - q_x;
-    const Scalar z18 = n400 * z17;
-    const Scalar z7 = p_omega * z6;
-    const Scalar z19 = n9_81 - n0_01 * z7;
-    const Scalar z20 = z18 - z19;
-    accelerations.x = z20;
+    const Scalar z7 = n9_81 - n0_01 * z6;
+    const Scalar z8 = z5 - z7;
+    accelerations.x = z8;
     // 0 x is 0 for every finite x and not a number for any other.
     const Scalar zero = n0 * accelerations.x;
     if (!traits::regular(n1, zero)) return torsor::Status::not_finite;
@@ -816,16 +816,16 @@ struct Mechanism {
     const Scalar t = state.time;
     const Scalar q_x = state.q.x;
     const Scalar v_x = state.v.x;
-    const Scalar z2 = p_omega * t;
-    Scalar z3, z4;
-    traits::sincos(z2, z3, z4);
-    const Scalar z5 = p_omega * z4;
-    const Scalar z17 = n0_2 - q_x;
-    const Scalar z24 = n0_01 * z3 + q_x;
-    const Scalar z12 = n0_01 * z5;  // velocity of support, y
-    const Scalar z14 = v_x + z12;  // velocity of mass, y
-    result.kinetic = n0_5 * z14 * z14;
-    result.force_function = -n200 * z17 * z17 - n9_81 * z24;
+    const Scalar z0 = p_omega * t;
+    Scalar z1, z2;
+    traits::sincos(z0, z1, z2);
+    const Scalar z3 = p_omega * z2;
+    const Scalar z4 = n0_2 - q_x;
+    const Scalar z5 = n0_01 * z1 + q_x;
+    const Scalar z6 = n0_01 * z3;  // velocity of support, y
+    const Scalar z7 = v_x + z6;  // velocity of mass, y
+    result.kinetic = n0_5 * z7 * z7;
+    result.force_function = -n200 * z4 * z4 - n9_81 * z5;
     result.power = n0;
   }
 
@@ -838,14 +838,14 @@ struct Mechanism {
     const Scalar p_omega = precomputed.parameters.omega;
     const Scalar t = state.time;
     const Scalar a_x = accelerations.x;
-    const Scalar z2 = p_omega * t;
-    Scalar z3, z4;
-    traits::sincos(z2, z3, z4);
-    const Scalar z6 = p_omega * z3;
-    const Scalar z7 = p_omega * z6;
-    const Scalar z19 = n9_81 - n0_01 * z7;
-    const Scalar z21 = a_x + z19;
-    result.drive = z21;
+    const Scalar z0 = p_omega * t;
+    Scalar z1, z2;
+    traits::sincos(z0, z1, z2);
+    const Scalar z3 = p_omega * z1;
+    const Scalar z4 = p_omega * z3;
+    const Scalar z5 = n9_81 - n0_01 * z4;
+    const Scalar z6 = a_x + z5;
+    result.drive = z6;
   }
 
   /// Linearisation about the state: M e'' + C e' + K e = F + E du, with e and du deviations from the state and the
@@ -862,20 +862,20 @@ struct Mechanism {
     const Scalar t = state.time;
     const Scalar q_x = state.q.x;
     const Scalar a_x = accelerations.x;
-    const Scalar z2 = p_omega * t;
-    Scalar z3, z4;
-    traits::sincos(z2, z3, z4);
+    const Scalar z0 = p_omega * t;
+    Scalar z1, z2;
+    traits::sincos(z0, z1, z2);
+    const Scalar z3 = p_omega * z1;
+    const Scalar z4 = n0_2 - q_x;
+    const Scalar z5 = n400 * z4;
     const Scalar z6 = p_omega * z3;
-    const Scalar z17 = n0_2 - q_x;
-    const Scalar z18 = n400 * z17;
-    const Scalar z7 = p_omega * z6;
-    const Scalar z19 = n9_81 - n0_01 * z7;
-    const Scalar z21 = a_x + z19;
-    const Scalar z22 = z18 - z21;
+    const Scalar z7 = n9_81 - n0_01 * z6;
+    const Scalar z8 = a_x + z7;
+    const Scalar z9 = z5 - z8;
     result.M[0] = n1;
     result.C[0] = n0;
     result.K[0] = n400;
-    result.F[0] = z22;
+    result.F[0] = z9;
     result.A[0] = n0;
     result.A[1] = -n400;
     result.A[2] = n1;

@@ -504,7 +504,7 @@ struct Mechanism {
 
   static constexpr const char* name = "shaker_damped";
   /// 64 bits (FNV-1a) of this file from "#pragma once" on, with zeros in their own place: another mechanism, other bits.
-  static constexpr unsigned long long fingerprint = 0xf8771337f54ba647ULL;
+  static constexpr unsigned long long fingerprint = 0x426302e57475361eULL;
   static constexpr int coordinate_count = 1;
   static constexpr int velocity_count = 1;
   static constexpr int input_count = 0;
@@ -713,16 +713,16 @@ struct Mechanism {
     const Scalar p_omega = precomputed.parameters.omega;
     const Scalar t = state.time;
     const Scalar p_c = precomputed.parameters.c;
-    const Scalar z5 = p_omega * t;
-    Scalar z6, z7;
-    traits::sincos(z5, z6, z7);
-    const Scalar z10 = p_omega * z7;
-    const Scalar z8 = n0_2 - q_y + n0_01 * z6;
-    const Scalar z11 = v_y - n0_01 * z10;
-    const Scalar z9 = n400 * z8;
-    const Scalar z13 = z11 * p_c;
-    const Scalar z14 = n9_81 - z9 + z13;
-    forces.y = z14;
+    const Scalar z0 = p_omega * t;
+    Scalar z1, z2;
+    traits::sincos(z0, z1, z2);
+    const Scalar z3 = p_omega * z2;
+    const Scalar z4 = n0_2 - q_y + n0_01 * z1;
+    const Scalar z5 = v_y - n0_01 * z3;
+    const Scalar z6 = n400 * z4;
+    const Scalar z7 = z5 * p_c;
+    const Scalar z8 = n9_81 - z6 + z7;
+    forces.y = z8;
   }
 
   /// Inverse dynamics: the generalised forces M a + h - A' lambda that motors must supply for the accelerations a.
@@ -738,17 +738,17 @@ struct Mechanism {
     const Scalar p_omega = precomputed.parameters.omega;
     const Scalar t = state.time;
     const Scalar p_c = precomputed.parameters.c;
-    const Scalar z5 = p_omega * t;
-    Scalar z6, z7;
-    traits::sincos(z5, z6, z7);
-    const Scalar z10 = p_omega * z7;
-    const Scalar z8 = n0_2 - q_y + n0_01 * z6;
-    const Scalar z15 = n9_81 + a_y;
-    const Scalar z11 = v_y - n0_01 * z10;
-    const Scalar z9 = n400 * z8;
-    const Scalar z13 = z11 * p_c;
-    const Scalar z16 = z9 - z15 - z13;
-    forces.y = -z16;
+    const Scalar z0 = p_omega * t;
+    Scalar z1, z2;
+    traits::sincos(z0, z1, z2);
+    const Scalar z3 = p_omega * z2;
+    const Scalar z4 = n0_2 - q_y + n0_01 * z1;
+    const Scalar z5 = n9_81 + a_y;
+    const Scalar z6 = v_y - n0_01 * z3;
+    const Scalar z7 = n400 * z4;
+    const Scalar z8 = z6 * p_c;
+    const Scalar z9 = z7 - z5 - z8;
+    forces.y = -z9;
   }
 
   /// Forward dynamics: accelerations a and multipliers lambda from M a + h = E u + A' lambda, A a + gamma = 0, by
@@ -767,16 +767,16 @@ struct Mechanism {
     const Scalar p_omega = precomputed.parameters.omega;
     const Scalar t = state.time;
     const Scalar p_c = precomputed.parameters.c;
-    const Scalar z5 = p_omega * t;
-    Scalar z6, z7;
-    traits::sincos(z5, z6, z7);
-    const Scalar z10 = p_omega * z7;
-    const Scalar z8 = n0_2 - q_y + n0_01 * z6;
-    const Scalar z11 = v_y - n0_01 * z10;
-    const Scalar z9 = n400 * z8;
-    const Scalar z13 = z11 * p_c;
-    const Scalar z14 = n9_81 - z9 + z13;
-    accelerations.y = -z14;
+    const Scalar z0 = p_omega * t;
+    Scalar z1, z2;
+    traits::sincos(z0, z1, z2);
+    const Scalar z3 = p_omega * z2;
+    const Scalar z4 = n0_2 - q_y + n0_01 * z1;
+    const Scalar z5 = v_y - n0_01 * z3;
+    const Scalar z6 = n400 * z4;
+    const Scalar z7 = z5 * p_c;
+    const Scalar z8 = n9_81 - z6 + z7;
+    accelerations.y = -z8;
     // 0 x is 0 for every finite x and not a number for any other.
     const Scalar zero = n0 * accelerations.y;
     if (!traits::regular(n1, zero)) return torsor::Status::not_finite;
@@ -796,16 +796,16 @@ struct Mechanism {
     const Scalar p_omega = precomputed.parameters.omega;
     const Scalar t = state.time;
     const Scalar p_c = precomputed.parameters.c;
-    const Scalar z5 = p_omega * t;
-    Scalar z6, z7;
-    traits::sincos(z5, z6, z7);
-    const Scalar z10 = p_omega * z7;
-    const Scalar z8 = n0_2 - q_y + n0_01 * z6;
-    const Scalar z11 = v_y - n0_01 * z10;
-    const Scalar z13 = z11 * p_c;
+    const Scalar z0 = p_omega * t;
+    Scalar z1, z2;
+    traits::sincos(z0, z1, z2);
+    const Scalar z3 = p_omega * z2;
+    const Scalar z4 = n0_2 - q_y + n0_01 * z1;
+    const Scalar z5 = v_y - n0_01 * z3;
+    const Scalar z6 = z5 * p_c;
     result.kinetic = n0_5 * v_y * v_y;
-    result.force_function = -n9_81 * q_y - n200 * z8 * z8;
-    result.power = -z11 * z13;
+    result.force_function = -n9_81 * q_y - n200 * z4 * z4;
+    result.power = -z5 * z6;
   }
 
   /// Linearisation about the state: M e'' + C e' + K e = F + E du, with e and du deviations from the state and the
@@ -824,20 +824,20 @@ struct Mechanism {
     const Scalar p_omega = precomputed.parameters.omega;
     const Scalar t = state.time;
     const Scalar p_c = precomputed.parameters.c;
-    const Scalar z5 = p_omega * t;
-    Scalar z6, z7;
-    traits::sincos(z5, z6, z7);
-    const Scalar z10 = p_omega * z7;
-    const Scalar z8 = n0_2 - q_y + n0_01 * z6;
-    const Scalar z15 = n9_81 + a_y;
-    const Scalar z11 = v_y - n0_01 * z10;
-    const Scalar z9 = n400 * z8;
-    const Scalar z13 = z11 * p_c;
-    const Scalar z16 = z9 - z15 - z13;
+    const Scalar z0 = p_omega * t;
+    Scalar z1, z2;
+    traits::sincos(z0, z1, z2);
+    const Scalar z3 = p_omega * z2;
+    const Scalar z4 = n0_2 - q_y + n0_01 * z1;
+    const Scalar z5 = n9_81 + a_y;
+    const Scalar z6 = v_y - n0_01 * z3;
+    const Scalar z7 = n400 * z4;
+    const Scalar z8 = z6 * p_c;
+    const Scalar z9 = z7 - z5 - z8;
     result.M[0] = n1;
     result.C[0] = p_c;
     result.K[0] = n400;
-    result.F[0] = z16;
+    result.F[0] = z9;
     result.A[0] = n0;
     result.A[1] = -n400;
     result.A[2] = n1;

@@ -505,7 +505,7 @@ struct Mechanism {
 
   static constexpr const char* name = "shaker_free_support";
   /// 64 bits (FNV-1a) of this file from "#pragma once" on, with zeros in their own place: another mechanism, other bits.
-  static constexpr unsigned long long fingerprint = 0x9e4b9ca966cc94e6ULL;
+  static constexpr unsigned long long fingerprint = 0xeb2021c0c761c705ULL;
   static constexpr int coordinate_count = 2;
   static constexpr int velocity_count = 2;
   static constexpr int input_count = 0;
@@ -694,8 +694,8 @@ struct Mechanism {
     const Scalar v_lambda = state.v.lambda;
     const Scalar q_l = state.q.l;
     const Scalar v_l = state.v.l;
-    const Scalar z6 = q_lambda + q_l;  // place of mass, y
-    const Scalar z7 = v_lambda + v_l;  // velocity of mass, y
+    const Scalar z0 = q_lambda + q_l;  // place of mass, y
+    const Scalar z1 = v_lambda + v_l;  // velocity of mass, y
     result.support_position[0] = n0;
     result.support_position[1] = q_lambda;
     result.support_position[2] = n0;
@@ -715,7 +715,7 @@ struct Mechanism {
     result.support_angular_velocity[1] = n0;
     result.support_angular_velocity[2] = n0;
     result.mass_position[0] = n0;
-    result.mass_position[1] = z6;
+    result.mass_position[1] = z0;
     result.mass_position[2] = n0;
     result.mass_rotation[0] = n1;
     result.mass_rotation[1] = n0;
@@ -727,7 +727,7 @@ struct Mechanism {
     result.mass_rotation[7] = n0;
     result.mass_rotation[8] = n1;
     result.mass_velocity[0] = n0;
-    result.mass_velocity[1] = z7;
+    result.mass_velocity[1] = z1;
     result.mass_velocity[2] = n0;
     result.mass_angular_velocity[0] = n0;
     result.mass_angular_velocity[1] = n0;
@@ -745,10 +745,10 @@ struct Mechanism {
     result.H_jacobian[2] = n0;
     result.H_jacobian[5] = n0;
     result.P_position[0] = n0;
-    result.P_position[1] = z6;
+    result.P_position[1] = z0;
     result.P_position[2] = n0;
     result.P_velocity[0] = n0;
-    result.P_velocity[1] = z7;
+    result.P_velocity[1] = z1;
     result.P_velocity[2] = n0;
     result.P_jacobian[0] = n0;
     result.P_jacobian[3] = n0;
@@ -777,15 +777,15 @@ struct Mechanism {
     const Scalar n9_81 = traits::constant(9.81, 9.81f, "981/100");
     const Scalar n29_43 = traits::constant(29.43, 29.43f, "2943/100");
     const Scalar q_l = state.q.l;
-    const Scalar z8 = q_l * q_l;
-    const Scalar z9 = traits::sqrt(z8);
-    const Scalar z10 = n1 / z9;
-    const Scalar z11 = n400 - n80 * z10;
-    const Scalar z13 = q_l * z11;
-    const Scalar z14 = n9_81 + z13;  // force on mass, y
-    const Scalar z15 = n29_43 - z13 + z14;  // force on support, y
-    forces.lambda = z15;
-    forces.l = z14;
+    const Scalar z0 = q_l * q_l;
+    const Scalar z1 = traits::sqrt(z0);
+    const Scalar z2 = n1 / z1;
+    const Scalar z3 = n400 - n80 * z2;
+    const Scalar z4 = q_l * z3;
+    const Scalar z5 = n9_81 + z4;  // force on mass, y
+    const Scalar z6 = n29_43 - z4 + z5;  // force on support, y
+    forces.lambda = z6;
+    forces.l = z5;
   }
 
   /// Inverse dynamics: the generalised forces M a + h - A' lambda that motors must supply for the accelerations a.
@@ -799,17 +799,17 @@ struct Mechanism {
     const Scalar a_lambda = accelerations.lambda;
     const Scalar q_l = state.q.l;
     const Scalar a_l = accelerations.l;
-    const Scalar z8 = q_l * q_l;
-    const Scalar z16 = n9_81 + a_lambda;
-    const Scalar z9 = traits::sqrt(z8);
-    const Scalar z17 = a_l + z16;
-    const Scalar z10 = n1 / z9;
-    const Scalar z11 = n400 - n80 * z10;
-    const Scalar z13 = q_l * z11;
-    const Scalar z18 = z13 + z17;  // force on mass, y
-    const Scalar z19 = z13 - n3 * z16 - z18;  // force on support, y
-    forces.lambda = -z19;
-    forces.l = z18;
+    const Scalar z0 = q_l * q_l;
+    const Scalar z1 = n9_81 + a_lambda;
+    const Scalar z2 = traits::sqrt(z0);
+    const Scalar z3 = a_l + z1;
+    const Scalar z4 = n1 / z2;
+    const Scalar z5 = n400 - n80 * z4;
+    const Scalar z6 = q_l * z5;
+    const Scalar z7 = z6 + z3;  // force on mass, y
+    const Scalar z8 = z6 - n3 * z1 - z7;  // force on support, y
+    forces.lambda = -z8;
+    forces.l = z7;
   }
 
   /// Forward dynamics: accelerations a and multipliers lambda from M a + h = E u + A' lambda, A a + gamma = 0, by
@@ -825,17 +825,17 @@ struct Mechanism {
     const Scalar n1_over_3 = traits::constant(0.3333333333333333, 0.33333334f, "1/3");
     const Scalar n0 = traits::constant(0.0, 0.0f, "0/1");
     const Scalar q_l = state.q.l;
-    const Scalar z8 = q_l * q_l;
-    const Scalar z9 = traits::sqrt(z8);
-    const Scalar z10 = n1 / z9;
-    const Scalar z11 = n400 - n80 * z10;
-    const Scalar z13 = q_l * z11;
-    const Scalar z14 = n9_81 + z13;  // force on mass, y
-    const Scalar z22 = n29_43 - z13;
-    const Scalar z23 = n1_over_3 * z22;
-    const Scalar z24 = z14 - z23;
-    accelerations.lambda = -z23;
-    accelerations.l = -z24;
+    const Scalar z0 = q_l * q_l;
+    const Scalar z1 = traits::sqrt(z0);
+    const Scalar z2 = n1 / z1;
+    const Scalar z3 = n400 - n80 * z2;
+    const Scalar z4 = q_l * z3;
+    const Scalar z5 = n9_81 + z4;  // force on mass, y
+    const Scalar z6 = n29_43 - z4;
+    const Scalar z7 = n1_over_3 * z6;
+    const Scalar z8 = z5 - z7;
+    accelerations.lambda = -z7;
+    accelerations.l = -z8;
     // 0 x is 0 for every finite x and not a number for any other.
     const Scalar zero = n0 * accelerations.lambda * accelerations.l;
     if (!traits::regular(n1, zero)) return torsor::Status::not_finite;
@@ -855,13 +855,13 @@ struct Mechanism {
     const Scalar v_lambda = state.v.lambda;
     const Scalar q_l = state.q.l;
     const Scalar v_l = state.v.l;
-    const Scalar z8 = q_l * q_l;
-    const Scalar z6 = q_lambda + q_l;  // place of mass, y
-    const Scalar z7 = v_lambda + v_l;  // velocity of mass, y
-    const Scalar z9 = traits::sqrt(z8);
-    const Scalar z12 = n0_2 - z9;
-    result.kinetic = n1_5 * v_lambda * v_lambda + n0_5 * z7 * z7;
-    result.force_function = -n29_43 * q_lambda - n9_81 * z6 - n200 * z12 * z12;
+    const Scalar z0 = q_l * q_l;
+    const Scalar z1 = q_lambda + q_l;  // place of mass, y
+    const Scalar z2 = v_lambda + v_l;  // velocity of mass, y
+    const Scalar z3 = traits::sqrt(z0);
+    const Scalar z4 = n0_2 - z3;
+    result.kinetic = n1_5 * v_lambda * v_lambda + n0_5 * z2 * z2;
+    result.force_function = -n29_43 * q_lambda - n9_81 * z1 - n200 * z4 * z4;
     result.power = n0;
   }
 
@@ -877,12 +877,12 @@ struct Mechanism {
     const Scalar v_lambda = state.v.lambda;
     const Scalar q_l = state.q.l;
     const Scalar v_l = state.v.l;
-    const Scalar z8 = q_l * q_l;
-    const Scalar z6 = q_lambda + q_l;  // place of mass, y
-    const Scalar z7 = v_lambda + v_l;  // velocity of mass, y
-    const Scalar z9 = traits::sqrt(z8);
-    const Scalar z12 = n0_2 - z9;
-    result.energy = n29_43 * q_lambda + n1_5 * v_lambda * v_lambda + n9_81 * z6 + n0_5 * z7 * z7 + n200 * z12 * z12;
+    const Scalar z0 = q_l * q_l;
+    const Scalar z1 = q_lambda + q_l;  // place of mass, y
+    const Scalar z2 = v_lambda + v_l;  // velocity of mass, y
+    const Scalar z3 = traits::sqrt(z0);
+    const Scalar z4 = n0_2 - z3;
+    result.energy = n29_43 * q_lambda + n1_5 * v_lambda * v_lambda + n9_81 * z1 + n0_5 * z2 * z2 + n200 * z4 * z4;
   }
 
   /// Linearisation about the state: M e'' + C e' + K e = F + E du, with e and du deviations from the state and the
@@ -902,22 +902,22 @@ struct Mechanism {
     const Scalar a_lambda = accelerations.lambda;
     const Scalar q_l = state.q.l;
     const Scalar a_l = accelerations.l;
-    const Scalar z8 = q_l * q_l;
-    const Scalar z29 = n2 * q_l;
-    const Scalar z16 = n9_81 + a_lambda;
-    const Scalar z9 = traits::sqrt(z8);
-    const Scalar z17 = a_l + z16;
-    const Scalar z10 = n1 / z9;
-    const Scalar z30 = n0_5 * z29 / z9;
-    const Scalar z11 = n400 - n80 * z10;
-    const Scalar z31 = z30 / (z9 * z9);
-    const Scalar z13 = q_l * z11;
-    const Scalar z18 = z13 + z17;  // force on mass, y
-    const Scalar z19 = z13 - n3 * z16 - z18;  // force on support, y
-    const Scalar z32 = n80 * z31;
-    const Scalar z33 = q_l * z32 + z11;
-    const Scalar z34 = n1_over_3 * z33;
-    const Scalar z35 = z33 + z34;
+    const Scalar z0 = q_l * q_l;
+    const Scalar z1 = n2 * q_l;
+    const Scalar z2 = n9_81 + a_lambda;
+    const Scalar z3 = traits::sqrt(z0);
+    const Scalar z4 = a_l + z2;
+    const Scalar z5 = n1 / z3;
+    const Scalar z6 = n0_5 * z1 / z3;
+    const Scalar z7 = n400 - n80 * z5;
+    const Scalar z8 = z6 / (z3 * z3);
+    const Scalar z9 = q_l * z7;
+    const Scalar z10 = z9 + z4;  // force on mass, y
+    const Scalar z11 = z9 - n3 * z2 - z10;  // force on support, y
+    const Scalar z12 = n80 * z8;
+    const Scalar z13 = q_l * z12 + z7;
+    const Scalar z14 = n1_over_3 * z13;
+    const Scalar z15 = z13 + z14;
     result.M[0] = n4;
     result.M[1] = n1;
     result.M[2] = n1;
@@ -929,17 +929,17 @@ struct Mechanism {
     result.K[0] = n0;
     result.K[1] = n0;
     result.K[2] = n0;
-    result.K[3] = z33;
-    result.F[0] = z19;
-    result.F[1] = -z18;
+    result.K[3] = z13;
+    result.F[0] = z11;
+    result.F[1] = -z10;
     result.A[0] = n0;
     result.A[1] = n0;
     result.A[2] = n0;
     result.A[3] = n0;
     result.A[4] = n0;
     result.A[5] = n0;
-    result.A[6] = z34;
-    result.A[7] = -z35;
+    result.A[6] = z14;
+    result.A[7] = -z15;
     result.A[8] = n1;
     result.A[9] = n0;
     result.A[10] = n0;

@@ -505,7 +505,7 @@ struct Mechanism {
 
   static constexpr const char* name = "shaker_from_mass";
   /// 64 bits (FNV-1a) of this file from "#pragma once" on, with zeros in their own place: another mechanism, other bits.
-  static constexpr unsigned long long fingerprint = 0x8357c30bd103b0f2ULL;
+  static constexpr unsigned long long fingerprint = 0x7b5c0fe681e2e9d6ULL;
   static constexpr int coordinate_count = 1;
   static constexpr int velocity_count = 1;
   static constexpr int input_count = 0;
@@ -709,13 +709,13 @@ struct Mechanism {
     const Scalar q_y = state.q.y;
     const Scalar p_omega = precomputed.parameters.omega;
     const Scalar t = state.time;
-    const Scalar z5 = p_omega * t;
-    Scalar z6, z7;
-    traits::sincos(z5, z6, z7);
-    const Scalar z8 = n0_2 - q_y + n0_01 * z6;
-    const Scalar z9 = n400 * z8;
-    const Scalar z14 = n9_81 - z9;
-    forces.y = z14;
+    const Scalar z0 = p_omega * t;
+    Scalar z1, z2;
+    traits::sincos(z0, z1, z2);
+    const Scalar z3 = n0_2 - q_y + n0_01 * z1;
+    const Scalar z4 = n400 * z3;
+    const Scalar z5 = n9_81 - z4;
+    forces.y = z5;
   }
 
   /// Inverse dynamics: the generalised forces M a + h - A' lambda that motors must supply for the accelerations a.
@@ -729,14 +729,14 @@ struct Mechanism {
     const Scalar a_y = accelerations.y;
     const Scalar p_omega = precomputed.parameters.omega;
     const Scalar t = state.time;
-    const Scalar z5 = p_omega * t;
-    Scalar z6, z7;
-    traits::sincos(z5, z6, z7);
-    const Scalar z8 = n0_2 - q_y + n0_01 * z6;
-    const Scalar z15 = n9_81 + a_y;
-    const Scalar z9 = n400 * z8;
-    const Scalar z16 = z9 - z15;
-    forces.y = -z16;
+    const Scalar z0 = p_omega * t;
+    Scalar z1, z2;
+    traits::sincos(z0, z1, z2);
+    const Scalar z3 = n0_2 - q_y + n0_01 * z1;
+    const Scalar z4 = n9_81 + a_y;
+    const Scalar z5 = n400 * z3;
+    const Scalar z6 = z5 - z4;
+    forces.y = -z6;
   }
 
   /// Forward dynamics: accelerations a and multipliers lambda from M a + h = E u + A' lambda, A a + gamma = 0, by
@@ -753,13 +753,13 @@ struct Mechanism {
     const Scalar q_y = state.q.y;
     const Scalar p_omega = precomputed.parameters.omega;
     const Scalar t = state.time;
-    const Scalar z5 = p_omega * t;
-    Scalar z6, z7;
-    traits::sincos(z5, z6, z7);
-    const Scalar z8 = n0_2 - q_y + n0_01 * z6;
-    const Scalar z9 = n400 * z8;
-    const Scalar z14 = n9_81 - z9;
-    accelerations.y = -z14;
+    const Scalar z0 = p_omega * t;
+    Scalar z1, z2;
+    traits::sincos(z0, z1, z2);
+    const Scalar z3 = n0_2 - q_y + n0_01 * z1;
+    const Scalar z4 = n400 * z3;
+    const Scalar z5 = n9_81 - z4;
+    accelerations.y = -z5;
     // 0 x is 0 for every finite x and not a number for any other.
     const Scalar zero = n0 * accelerations.y;
     if (!traits::regular(n1, zero)) return torsor::Status::not_finite;
@@ -779,12 +779,12 @@ struct Mechanism {
     const Scalar v_y = state.v.y;
     const Scalar p_omega = precomputed.parameters.omega;
     const Scalar t = state.time;
-    const Scalar z5 = p_omega * t;
-    Scalar z6, z7;
-    traits::sincos(z5, z6, z7);
-    const Scalar z8 = n0_2 - q_y + n0_01 * z6;
+    const Scalar z0 = p_omega * t;
+    Scalar z1, z2;
+    traits::sincos(z0, z1, z2);
+    const Scalar z3 = n0_2 - q_y + n0_01 * z1;
     result.kinetic = n0_5 * v_y * v_y;
-    result.force_function = -n9_81 * q_y - n200 * z8 * z8;
+    result.force_function = -n9_81 * q_y - n200 * z3 * z3;
     result.power = n0;
   }
 
@@ -802,17 +802,17 @@ struct Mechanism {
     const Scalar a_y = accelerations.y;
     const Scalar p_omega = precomputed.parameters.omega;
     const Scalar t = state.time;
-    const Scalar z5 = p_omega * t;
-    Scalar z6, z7;
-    traits::sincos(z5, z6, z7);
-    const Scalar z8 = n0_2 - q_y + n0_01 * z6;
-    const Scalar z15 = n9_81 + a_y;
-    const Scalar z9 = n400 * z8;
-    const Scalar z16 = z9 - z15;
+    const Scalar z0 = p_omega * t;
+    Scalar z1, z2;
+    traits::sincos(z0, z1, z2);
+    const Scalar z3 = n0_2 - q_y + n0_01 * z1;
+    const Scalar z4 = n9_81 + a_y;
+    const Scalar z5 = n400 * z3;
+    const Scalar z6 = z5 - z4;
     result.M[0] = n1;
     result.C[0] = n0;
     result.K[0] = n400;
-    result.F[0] = z16;
+    result.F[0] = z6;
     result.A[0] = n0;
     result.A[1] = -n400;
     result.A[2] = n1;

@@ -506,7 +506,7 @@ struct Mechanism {
 
   static constexpr const char* name = "sprung_absorber";
   /// 64 bits (FNV-1a) of this file from "#pragma once" on, with zeros in their own place: another mechanism, other bits.
-  static constexpr unsigned long long fingerprint = 0xf874f9fed0249699ULL;
+  static constexpr unsigned long long fingerprint = 0xe27459ce13c34b3fULL;
   static constexpr int coordinate_count = 2;
   static constexpr int velocity_count = 2;
   static constexpr int input_count = 0;
@@ -611,10 +611,10 @@ struct Mechanism {
   /// Parameters and what depends on them only: built once for each set of parameters.
   struct Precomputed {
     Parameters parameters;
-    Scalar z31;
-    Scalar z40;
-    Scalar z41;
-    Scalar z42;
+    Scalar m0;
+    Scalar m1;
+    Scalar m2;
+    Scalar m3;
   };
 
   /// Values of the scene.
@@ -639,14 +639,14 @@ struct Mechanism {
     const Scalar n10 = traits::constant(10.0, 10.0f, "10/1");
     const Scalar p_k2 = parameters.k2;
     const Scalar p_c2 = parameters.c2;
-    const Scalar z31 = n0_5 * p_k2;
-    const Scalar z40 = n100 + p_k2;
-    const Scalar z41 = n10 * p_k2;
-    const Scalar z42 = n10 * p_c2;
-    precomputed.z31 = z31;
-    precomputed.z40 = z40;
-    precomputed.z41 = z41;
-    precomputed.z42 = z42;
+    const Scalar z0 = n0_5 * p_k2;
+    const Scalar z1 = n100 + p_k2;
+    const Scalar z2 = n10 * p_k2;
+    const Scalar z3 = n10 * p_c2;
+    precomputed.m0 = z0;
+    precomputed.m1 = z1;
+    precomputed.m2 = z2;
+    precomputed.m3 = z3;
     return precomputed;
   }
 
@@ -789,19 +789,19 @@ struct Mechanism {
     const Scalar p_f = precomputed.parameters.f;
     const Scalar p_omega = precomputed.parameters.omega;
     const Scalar t = state.time;
-    const Scalar z16 = p_omega * t;
-    Scalar z18, z17;
-    traits::sincos(z16, z18, z17);
-    const Scalar z8 = q_x1 - q_x2;
-    const Scalar z6 = n100 * q_x1;
-    const Scalar z10 = v_x1 - v_x2;
-    const Scalar z19 = p_f * z17;
-    const Scalar z9 = p_k2 * z8;
-    const Scalar z12 = z10 * p_c2;
-    const Scalar z21 = z9 + z12;
-    const Scalar z20 = z6 + z9 + z12 - z19;
-    forces.x1 = z20;
-    forces.x2 = -z21;
+    const Scalar z0 = p_omega * t;
+    Scalar z1, z2;
+    traits::sincos(z0, z1, z2);
+    const Scalar z3 = q_x1 - q_x2;
+    const Scalar z4 = n100 * q_x1;
+    const Scalar z5 = v_x1 - v_x2;
+    const Scalar z6 = p_f * z2;
+    const Scalar z7 = p_k2 * z3;
+    const Scalar z8 = z5 * p_c2;
+    const Scalar z9 = z7 + z8;
+    const Scalar z10 = z4 + z7 + z8 - z6;
+    forces.x1 = z10;
+    forces.x2 = -z9;
   }
 
   /// Inverse dynamics: the generalised forces M a + h - A' lambda that motors must supply for the accelerations a.
@@ -820,21 +820,21 @@ struct Mechanism {
     const Scalar p_f = precomputed.parameters.f;
     const Scalar p_omega = precomputed.parameters.omega;
     const Scalar t = state.time;
-    const Scalar z16 = p_omega * t;
-    Scalar z18, z17;
-    traits::sincos(z16, z18, z17);
-    const Scalar z8 = q_x1 - q_x2;
-    const Scalar z6 = n100 * q_x1;
-    const Scalar z10 = v_x1 - v_x2;
-    const Scalar z19 = p_f * z17;
-    const Scalar z22 = n0_1 * a_x2;  // force on absorber, x
-    const Scalar z9 = p_k2 * z8;
-    const Scalar z12 = z10 * p_c2;
-    const Scalar z25 = z9 + z12 - z22;
-    const Scalar z23 = a_x1 - z19;  // force on machine, x
-    const Scalar z24 = z6 + z9 + z12 + z23;
-    forces.x1 = z24;
-    forces.x2 = -z25;
+    const Scalar z0 = p_omega * t;
+    Scalar z1, z2;
+    traits::sincos(z0, z1, z2);
+    const Scalar z3 = q_x1 - q_x2;
+    const Scalar z4 = n100 * q_x1;
+    const Scalar z5 = v_x1 - v_x2;
+    const Scalar z6 = p_f * z2;
+    const Scalar z7 = n0_1 * a_x2;  // force on absorber, x
+    const Scalar z8 = p_k2 * z3;
+    const Scalar z9 = z5 * p_c2;
+    const Scalar z10 = z8 + z9 - z7;
+    const Scalar z11 = a_x1 - z6;  // force on machine, x
+    const Scalar z12 = z4 + z8 + z9 + z11;
+    forces.x1 = z12;
+    forces.x2 = -z10;
   }
 
   /// Forward dynamics: accelerations a and multipliers lambda from M a + h = E u + A' lambda, A a + gamma = 0, by
@@ -855,20 +855,20 @@ struct Mechanism {
     const Scalar p_f = precomputed.parameters.f;
     const Scalar p_omega = precomputed.parameters.omega;
     const Scalar t = state.time;
-    const Scalar z16 = p_omega * t;
-    Scalar z18, z17;
-    traits::sincos(z16, z18, z17);
-    const Scalar z8 = q_x1 - q_x2;
-    const Scalar z6 = n100 * q_x1;
-    const Scalar z10 = v_x1 - v_x2;
-    const Scalar z19 = p_f * z17;
-    const Scalar z9 = p_k2 * z8;
-    const Scalar z12 = z10 * p_c2;
-    const Scalar z21 = z9 + z12;
-    const Scalar z29 = n10 * z21;
-    const Scalar z20 = z6 + z9 + z12 - z19;
-    accelerations.x1 = -z20;
-    accelerations.x2 = z29;
+    const Scalar z0 = p_omega * t;
+    Scalar z1, z2;
+    traits::sincos(z0, z1, z2);
+    const Scalar z3 = q_x1 - q_x2;
+    const Scalar z4 = n100 * q_x1;
+    const Scalar z5 = v_x1 - v_x2;
+    const Scalar z6 = p_f * z2;
+    const Scalar z7 = p_k2 * z3;
+    const Scalar z8 = z5 * p_c2;
+    const Scalar z9 = z7 + z8;
+    const Scalar z10 = n10 * z9;
+    const Scalar z11 = z4 + z7 + z8 - z6;
+    accelerations.x1 = -z11;
+    accelerations.x2 = z10;
     // 0 x is 0 for every finite x and not a number for any other.
     const Scalar zero = n0 * accelerations.x1 * accelerations.x2;
     if (!traits::regular(n1, zero)) return torsor::Status::not_finite;
@@ -889,17 +889,17 @@ struct Mechanism {
     const Scalar p_f = precomputed.parameters.f;
     const Scalar p_omega = precomputed.parameters.omega;
     const Scalar t = state.time;
-    const Scalar z31 = precomputed.z31;
-    const Scalar z35 = p_omega * t;
-    Scalar z37, z36;
-    traits::sincos(z35, z37, z36);
-    const Scalar z33 = v_x1 - v_x2;
-    const Scalar z32 = q_x1 - q_x2;
-    const Scalar z38 = p_f * z36;
-    const Scalar z34 = p_c2 * z33;
+    const Scalar m0 = precomputed.m0;
+    const Scalar z0 = p_omega * t;
+    Scalar z1, z2;
+    traits::sincos(z0, z1, z2);
+    const Scalar z3 = v_x1 - v_x2;
+    const Scalar z4 = q_x1 - q_x2;
+    const Scalar z5 = p_f * z2;
+    const Scalar z6 = p_c2 * z3;
     result.kinetic = n0_5 * v_x1 * v_x1 + n0_05 * v_x2 * v_x2;
-    result.force_function = -n50 * q_x1 * q_x1 - z31 * z32 * z32;
-    result.power = v_x1 * z38 - z33 * z34;
+    result.force_function = -n50 * q_x1 * q_x1 - m0 * z4 * z4;
+    result.power = v_x1 * z5 - z3 * z6;
   }
 
   /// Linearisation about the state: M e'' + C e' + K e = F + E du, with e and du deviations from the state and the
@@ -921,22 +921,22 @@ struct Mechanism {
     const Scalar p_f = precomputed.parameters.f;
     const Scalar p_omega = precomputed.parameters.omega;
     const Scalar t = state.time;
-    const Scalar z40 = precomputed.z40;
-    const Scalar z41 = precomputed.z41;
-    const Scalar z42 = precomputed.z42;
-    const Scalar z16 = p_omega * t;
-    Scalar z18, z17;
-    traits::sincos(z16, z18, z17);
-    const Scalar z8 = q_x1 - q_x2;
-    const Scalar z6 = n100 * q_x1;
-    const Scalar z10 = v_x1 - v_x2;
-    const Scalar z19 = p_f * z17;
-    const Scalar z22 = n0_1 * a_x2;  // force on absorber, x
-    const Scalar z9 = p_k2 * z8;
-    const Scalar z12 = z10 * p_c2;
-    const Scalar z25 = z9 + z12 - z22;
-    const Scalar z23 = a_x1 - z19;  // force on machine, x
-    const Scalar z24 = z6 + z9 + z12 + z23;
+    const Scalar m1 = precomputed.m1;
+    const Scalar m2 = precomputed.m2;
+    const Scalar m3 = precomputed.m3;
+    const Scalar z0 = p_omega * t;
+    Scalar z1, z2;
+    traits::sincos(z0, z1, z2);
+    const Scalar z3 = q_x1 - q_x2;
+    const Scalar z4 = n100 * q_x1;
+    const Scalar z5 = v_x1 - v_x2;
+    const Scalar z6 = p_f * z2;
+    const Scalar z7 = n0_1 * a_x2;  // force on absorber, x
+    const Scalar z8 = p_k2 * z3;
+    const Scalar z9 = z5 * p_c2;
+    const Scalar z10 = z8 + z9 - z7;
+    const Scalar z11 = a_x1 - z6;  // force on machine, x
+    const Scalar z12 = z4 + z8 + z9 + z11;
     result.M[0] = n1;
     result.M[1] = n0;
     result.M[2] = n0;
@@ -945,28 +945,28 @@ struct Mechanism {
     result.C[1] = -p_c2;
     result.C[2] = -p_c2;
     result.C[3] = p_c2;
-    result.K[0] = z40;
+    result.K[0] = m1;
     result.K[1] = -p_k2;
     result.K[2] = -p_k2;
     result.K[3] = p_k2;
-    result.F[0] = -z24;
-    result.F[1] = z25;
+    result.F[0] = -z12;
+    result.F[1] = z10;
     result.A[0] = n0;
     result.A[1] = n0;
-    result.A[2] = -z40;
-    result.A[3] = z41;
+    result.A[2] = -m1;
+    result.A[3] = m2;
     result.A[4] = n0;
     result.A[5] = n0;
     result.A[6] = p_k2;
-    result.A[7] = -z41;
+    result.A[7] = -m2;
     result.A[8] = n1;
     result.A[9] = n0;
     result.A[10] = -p_c2;
-    result.A[11] = z42;
+    result.A[11] = m3;
     result.A[12] = n0;
     result.A[13] = n1;
     result.A[14] = p_c2;
-    result.A[15] = -z42;
+    result.A[15] = -m3;
     // 0 x is 0 for every finite x and not a number for any other.
     const Scalar zero = (n0 * result.C[0] * result.C[1] * result.C[2] * result.C[3] * result.K[0] * result.K[1]
         * result.K[2] * result.K[3] * result.F[0]) * (n0 * result.F[1] * result.A[2] * result.A[3] * result.A[6]

@@ -622,7 +622,7 @@ struct Mechanism {
 
   static constexpr const char* name = "torque_free_body";
   /// 64 bits (FNV-1a) of this file from "#pragma once" on, with zeros in their own place: another mechanism, other bits.
-  static constexpr unsigned long long fingerprint = 0x127d58d0cfcbc15cULL;
+  static constexpr unsigned long long fingerprint = 0x991e15bdb62e67edULL;
   static constexpr int coordinate_count = 4;
   static constexpr int velocity_count = 3;
   static constexpr int input_count = 0;
@@ -738,12 +738,12 @@ struct Mechanism {
   /// Parameters and what depends on them only: built once for each set of parameters.
   struct Precomputed {
     Parameters parameters;
-    Scalar z74;
-    Scalar z76;
-    Scalar z78;
-    Scalar z89;
-    Scalar z90;
-    Scalar z91;
+    Scalar m0;
+    Scalar m1;
+    Scalar m2;
+    Scalar m3;
+    Scalar m4;
+    Scalar m5;
     Scalar y0;
     Scalar y1;
     Scalar y2;
@@ -769,21 +769,21 @@ struct Mechanism {
     const Scalar p_I1 = parameters.I1;
     const Scalar p_I2 = parameters.I2;
     const Scalar p_I3 = parameters.I3;
-    const Scalar z74 = p_I2 - p_I3;
-    const Scalar z76 = p_I1 - p_I3;
-    const Scalar z78 = p_I1 - p_I2;
-    const Scalar z89 = n1 / p_I3;
-    const Scalar z90 = n1 / p_I2;
-    const Scalar z91 = n1 / p_I1;
-    precomputed.z74 = z74;
-    precomputed.z76 = z76;
-    precomputed.z78 = z78;
-    precomputed.z89 = z89;
-    precomputed.z90 = z90;
-    precomputed.z91 = z91;
-    precomputed.y0 = z74 * z91;
-    precomputed.y1 = z76 * z90;
-    precomputed.y2 = z78 * z89;
+    const Scalar z0 = p_I2 - p_I3;
+    const Scalar z1 = p_I1 - p_I3;
+    const Scalar z2 = p_I1 - p_I2;
+    const Scalar z3 = n1 / p_I3;
+    const Scalar z4 = n1 / p_I2;
+    const Scalar z5 = n1 / p_I1;
+    precomputed.m0 = z0;
+    precomputed.m1 = z1;
+    precomputed.m2 = z2;
+    precomputed.m3 = z3;
+    precomputed.m4 = z4;
+    precomputed.m5 = z5;
+    precomputed.y0 = z0 * z5;
+    precomputed.y1 = z1 * z4;
+    precomputed.y2 = z2 * z3;
     return precomputed;
   }
 
@@ -863,14 +863,14 @@ struct Mechanism {
     const Scalar v_e_omega_x = state.v.e_omega_x;
     const Scalar v_e_omega_y = state.v.e_omega_y;
     const Scalar v_e_omega_z = state.v.e_omega_z;
-    const Scalar z131 = n0_5 * (q_e_y * v_e_omega_y + q_e_z * v_e_omega_z + q_e_x * v_e_omega_x);
-    const Scalar z132 = n0_5 * (q_e_y * v_e_omega_z - q_e_z * v_e_omega_y + q_e_w * v_e_omega_x);
-    const Scalar z133 = n0_5 * (q_e_z * v_e_omega_x - q_e_x * v_e_omega_z + q_e_w * v_e_omega_y);
-    const Scalar z134 = n0_5 * (q_e_y * v_e_omega_x - q_e_x * v_e_omega_y - q_e_w * v_e_omega_z);
-    rates[0] = -z131;
-    rates[1] = z132;
-    rates[2] = z133;
-    rates[3] = -z134;
+    const Scalar z0 = n0_5 * (q_e_y * v_e_omega_y + q_e_z * v_e_omega_z + q_e_x * v_e_omega_x);
+    const Scalar z1 = n0_5 * (q_e_y * v_e_omega_z - q_e_z * v_e_omega_y + q_e_w * v_e_omega_x);
+    const Scalar z2 = n0_5 * (q_e_z * v_e_omega_x - q_e_x * v_e_omega_z + q_e_w * v_e_omega_y);
+    const Scalar z3 = n0_5 * (q_e_y * v_e_omega_x - q_e_x * v_e_omega_y - q_e_w * v_e_omega_z);
+    rates[0] = -z0;
+    rates[1] = z1;
+    rates[2] = z2;
+    rates[3] = -z3;
   }
 
   /// Poses and twists of all bodies, positions, velocities and Jacobians of named points, in ground axes;
@@ -886,54 +886,54 @@ struct Mechanism {
     const Scalar v_e_omega_x = state.v.e_omega_x;
     const Scalar v_e_omega_y = state.v.e_omega_y;
     const Scalar v_e_omega_z = state.v.e_omega_z;
-    const Scalar z44 = n2 * q_e_y;
-    const Scalar z46 = n2 * q_e_z;
-    const Scalar z53 = n2 * q_e_x;
-    const Scalar z45 = q_e_y * z44;
-    const Scalar z47 = q_e_z * z46;
-    const Scalar z48 = q_e_x * z44;
-    const Scalar z49 = q_e_w * z46;
-    const Scalar z60 = q_e_x * z46;
-    const Scalar z61 = q_e_w * z44;
-    const Scalar z54 = q_e_x * z53;
-    const Scalar z55 = q_e_z * z44;
-    const Scalar z56 = q_e_w * z53;
-    const Scalar z50 = n1 - z45 - z47;
-    const Scalar z52 = z48 + z49;
-    const Scalar z63 = z60 - z61;
-    const Scalar z51 = z48 - z49;
-    const Scalar z57 = n1 - z47 - z54;
-    const Scalar z59 = z55 + z56;
-    const Scalar z66 = v_e_omega_x * z52;  // angular velocity of e_omega_x, y
-    const Scalar z67 = v_e_omega_x * z63;  // angular velocity of e_omega_x, z
-    const Scalar z58 = z55 - z56;
-    const Scalar z62 = n1 - z45 - z54;
-    const Scalar z65 = v_e_omega_x * z50;  // angular velocity of e_omega_x, x
-    const Scalar z64 = z60 + z61;
-    const Scalar z69 = v_e_omega_y * z57 + z66;  // angular velocity of e_omega_y, y
-    const Scalar z70 = v_e_omega_y * z59 + z67;  // angular velocity of e_omega_y, z
-    const Scalar z68 = v_e_omega_y * z51 + z65;  // angular velocity of e_omega_y, x
-    const Scalar z72 = v_e_omega_z * z58 + z69;  // angular velocity of body, y
-    const Scalar z73 = v_e_omega_z * z62 + z70;  // angular velocity of body, z
-    const Scalar z71 = v_e_omega_z * z64 + z68;  // angular velocity of body, x
+    const Scalar z0 = n2 * q_e_y;
+    const Scalar z1 = n2 * q_e_z;
+    const Scalar z2 = n2 * q_e_x;
+    const Scalar z3 = q_e_y * z0;
+    const Scalar z4 = q_e_z * z1;
+    const Scalar z5 = q_e_x * z0;
+    const Scalar z6 = q_e_w * z1;
+    const Scalar z7 = q_e_x * z1;
+    const Scalar z8 = q_e_w * z0;
+    const Scalar z9 = q_e_x * z2;
+    const Scalar z10 = q_e_z * z0;
+    const Scalar z11 = q_e_w * z2;
+    const Scalar z12 = n1 - z3 - z4;
+    const Scalar z13 = z5 + z6;
+    const Scalar z14 = z7 - z8;
+    const Scalar z15 = z5 - z6;
+    const Scalar z16 = n1 - z4 - z9;
+    const Scalar z17 = z10 + z11;
+    const Scalar z18 = v_e_omega_x * z13;  // angular velocity of e_omega_x, y
+    const Scalar z19 = v_e_omega_x * z14;  // angular velocity of e_omega_x, z
+    const Scalar z20 = z10 - z11;
+    const Scalar z21 = n1 - z3 - z9;
+    const Scalar z22 = v_e_omega_x * z12;  // angular velocity of e_omega_x, x
+    const Scalar z23 = z7 + z8;
+    const Scalar z24 = v_e_omega_y * z16 + z18;  // angular velocity of e_omega_y, y
+    const Scalar z25 = v_e_omega_y * z17 + z19;  // angular velocity of e_omega_y, z
+    const Scalar z26 = v_e_omega_y * z15 + z22;  // angular velocity of e_omega_y, x
+    const Scalar z27 = v_e_omega_z * z20 + z24;  // angular velocity of body, y
+    const Scalar z28 = v_e_omega_z * z21 + z25;  // angular velocity of body, z
+    const Scalar z29 = v_e_omega_z * z23 + z26;  // angular velocity of body, x
     result.body_position[0] = n0;
     result.body_position[1] = n0;
     result.body_position[2] = n0;
-    result.body_rotation[0] = z50;
-    result.body_rotation[1] = z52;
-    result.body_rotation[2] = z63;
-    result.body_rotation[3] = z51;
-    result.body_rotation[4] = z57;
-    result.body_rotation[5] = z59;
-    result.body_rotation[6] = z64;
-    result.body_rotation[7] = z58;
-    result.body_rotation[8] = z62;
+    result.body_rotation[0] = z12;
+    result.body_rotation[1] = z13;
+    result.body_rotation[2] = z14;
+    result.body_rotation[3] = z15;
+    result.body_rotation[4] = z16;
+    result.body_rotation[5] = z17;
+    result.body_rotation[6] = z23;
+    result.body_rotation[7] = z20;
+    result.body_rotation[8] = z21;
     result.body_velocity[0] = n0;
     result.body_velocity[1] = n0;
     result.body_velocity[2] = n0;
-    result.body_angular_velocity[0] = z71;
-    result.body_angular_velocity[1] = z72;
-    result.body_angular_velocity[2] = z73;
+    result.body_angular_velocity[0] = z29;
+    result.body_angular_velocity[1] = z27;
+    result.body_angular_velocity[2] = z28;
   }
 
   /// Mass matrix M(q), symmetric, stored column by column: T2 = 1/2 v' M v.
@@ -961,18 +961,18 @@ struct Mechanism {
     const Scalar v_e_omega_x = state.v.e_omega_x;
     const Scalar v_e_omega_y = state.v.e_omega_y;
     const Scalar v_e_omega_z = state.v.e_omega_z;
-    const Scalar z74 = precomputed.z74;
-    const Scalar z76 = precomputed.z76;
-    const Scalar z78 = precomputed.z78;
-    const Scalar z75 = v_e_omega_y * v_e_omega_z;
-    const Scalar z77 = v_e_omega_x * v_e_omega_z;
-    const Scalar z79 = v_e_omega_x * v_e_omega_y;
-    const Scalar z80 = z74 * z75;  // moment on body, x
-    const Scalar z81 = z76 * z77;  // moment on body, y
-    const Scalar z82 = z78 * z79;  // moment on body, z
-    forces.e_omega_x = -z80;
-    forces.e_omega_y = z81;
-    forces.e_omega_z = -z82;
+    const Scalar m0 = precomputed.m0;
+    const Scalar m1 = precomputed.m1;
+    const Scalar m2 = precomputed.m2;
+    const Scalar z0 = v_e_omega_y * v_e_omega_z;
+    const Scalar z1 = v_e_omega_x * v_e_omega_z;
+    const Scalar z2 = v_e_omega_x * v_e_omega_y;
+    const Scalar z3 = m0 * z0;  // moment on body, x
+    const Scalar z4 = m1 * z1;  // moment on body, y
+    const Scalar z5 = m2 * z2;  // moment on body, z
+    forces.e_omega_x = -z3;
+    forces.e_omega_y = z4;
+    forces.e_omega_z = -z5;
   }
 
   /// Inverse dynamics: the generalised forces M a + h - A' lambda that motors must supply for the accelerations a.
@@ -987,18 +987,18 @@ struct Mechanism {
     const Scalar p_I1 = precomputed.parameters.I1;
     const Scalar p_I2 = precomputed.parameters.I2;
     const Scalar p_I3 = precomputed.parameters.I3;
-    const Scalar z74 = precomputed.z74;
-    const Scalar z76 = precomputed.z76;
-    const Scalar z78 = precomputed.z78;
-    const Scalar z75 = v_e_omega_y * v_e_omega_z;
-    const Scalar z77 = v_e_omega_x * v_e_omega_z;
-    const Scalar z79 = v_e_omega_x * v_e_omega_y;
-    const Scalar z83 = a_e_omega_x * p_I1 - z74 * z75;  // moment on body, x
-    const Scalar z84 = a_e_omega_y * p_I2 + z76 * z77;  // moment on body, y
-    const Scalar z85 = a_e_omega_z * p_I3 - z78 * z79;  // moment on body, z
-    forces.e_omega_x = z83;
-    forces.e_omega_y = z84;
-    forces.e_omega_z = z85;
+    const Scalar m0 = precomputed.m0;
+    const Scalar m1 = precomputed.m1;
+    const Scalar m2 = precomputed.m2;
+    const Scalar z0 = v_e_omega_y * v_e_omega_z;
+    const Scalar z1 = v_e_omega_x * v_e_omega_z;
+    const Scalar z2 = v_e_omega_x * v_e_omega_y;
+    const Scalar z3 = a_e_omega_x * p_I1 - m0 * z0;  // moment on body, x
+    const Scalar z4 = a_e_omega_y * p_I2 + m1 * z1;  // moment on body, y
+    const Scalar z5 = a_e_omega_z * p_I3 - m2 * z2;  // moment on body, z
+    forces.e_omega_x = z3;
+    forces.e_omega_y = z4;
+    forces.e_omega_z = z5;
   }
 
   /// Forward dynamics: accelerations a and multipliers lambda from M a + h = E u + A' lambda, A a + gamma = 0, by
@@ -1014,24 +1014,24 @@ struct Mechanism {
     const Scalar p_I1 = precomputed.parameters.I1;
     const Scalar p_I2 = precomputed.parameters.I2;
     const Scalar p_I3 = precomputed.parameters.I3;
-    const Scalar z74 = precomputed.z74;
-    const Scalar z76 = precomputed.z76;
-    const Scalar z78 = precomputed.z78;
-    const Scalar z89 = precomputed.z89;
-    const Scalar z90 = precomputed.z90;
-    const Scalar z91 = precomputed.z91;
-    const Scalar z75 = v_e_omega_y * v_e_omega_z;
-    const Scalar z77 = v_e_omega_x * v_e_omega_z;
-    const Scalar z79 = v_e_omega_x * v_e_omega_y;
-    const Scalar z80 = z74 * z75;  // moment on body, x
-    const Scalar z81 = z76 * z77;  // moment on body, y
-    const Scalar z82 = z78 * z79;  // moment on body, z
-    const Scalar z92 = z82 * z89;
-    const Scalar z93 = z81 * z90;
-    const Scalar z94 = z80 * z91;
-    accelerations.e_omega_x = z94;
-    accelerations.e_omega_y = -z93;
-    accelerations.e_omega_z = z92;
+    const Scalar m0 = precomputed.m0;
+    const Scalar m1 = precomputed.m1;
+    const Scalar m2 = precomputed.m2;
+    const Scalar m3 = precomputed.m3;
+    const Scalar m4 = precomputed.m4;
+    const Scalar m5 = precomputed.m5;
+    const Scalar z0 = v_e_omega_y * v_e_omega_z;
+    const Scalar z1 = v_e_omega_x * v_e_omega_z;
+    const Scalar z2 = v_e_omega_x * v_e_omega_y;
+    const Scalar z3 = m0 * z0;  // moment on body, x
+    const Scalar z4 = m1 * z1;  // moment on body, y
+    const Scalar z5 = m2 * z2;  // moment on body, z
+    const Scalar z6 = z5 * m3;
+    const Scalar z7 = z4 * m4;
+    const Scalar z8 = z3 * m5;
+    accelerations.e_omega_x = z8;
+    accelerations.e_omega_y = -z7;
+    accelerations.e_omega_z = z6;
     if (!(traits::regular(p_I1, p_I1) && traits::regular(p_I2, p_I2) && traits::regular(p_I3,
         p_I3))) return torsor::Status::singular;
     // 0 x is 0 for every finite x and not a number for any other.
@@ -1088,30 +1088,30 @@ struct Mechanism {
     const Scalar p_I1 = precomputed.parameters.I1;
     const Scalar p_I2 = precomputed.parameters.I2;
     const Scalar p_I3 = precomputed.parameters.I3;
-    const Scalar z74 = precomputed.z74;
-    const Scalar z76 = precomputed.z76;
-    const Scalar z78 = precomputed.z78;
-    const Scalar z89 = precomputed.z89;
-    const Scalar z90 = precomputed.z90;
-    const Scalar z91 = precomputed.z91;
-    const Scalar z75 = v_e_omega_y * v_e_omega_z;
-    const Scalar z77 = v_e_omega_x * v_e_omega_z;
-    const Scalar z79 = v_e_omega_x * v_e_omega_y;
-    const Scalar z101 = v_e_omega_z * z76;
-    const Scalar z102 = v_e_omega_y * z78;
-    const Scalar z103 = v_e_omega_z * z74;
-    const Scalar z104 = v_e_omega_x * z78;
-    const Scalar z105 = v_e_omega_y * z74;
-    const Scalar z106 = v_e_omega_x * z76;
-    const Scalar z83 = a_e_omega_x * p_I1 - z74 * z75;  // moment on body, x
-    const Scalar z84 = a_e_omega_y * p_I2 + z76 * z77;  // moment on body, y
-    const Scalar z85 = a_e_omega_z * p_I3 - z78 * z79;  // moment on body, z
-    const Scalar z125 = z90 * z101;
-    const Scalar z126 = z89 * z102;
-    const Scalar z127 = z91 * z103;
-    const Scalar z128 = z89 * z104;
-    const Scalar z129 = z91 * z105;
-    const Scalar z130 = z90 * z106;
+    const Scalar m0 = precomputed.m0;
+    const Scalar m1 = precomputed.m1;
+    const Scalar m2 = precomputed.m2;
+    const Scalar m3 = precomputed.m3;
+    const Scalar m4 = precomputed.m4;
+    const Scalar m5 = precomputed.m5;
+    const Scalar z0 = v_e_omega_y * v_e_omega_z;
+    const Scalar z1 = v_e_omega_x * v_e_omega_z;
+    const Scalar z2 = v_e_omega_x * v_e_omega_y;
+    const Scalar z3 = v_e_omega_z * m1;
+    const Scalar z4 = v_e_omega_y * m2;
+    const Scalar z5 = v_e_omega_z * m0;
+    const Scalar z6 = v_e_omega_x * m2;
+    const Scalar z7 = v_e_omega_y * m0;
+    const Scalar z8 = v_e_omega_x * m1;
+    const Scalar z9 = a_e_omega_x * p_I1 - m0 * z0;  // moment on body, x
+    const Scalar z10 = a_e_omega_y * p_I2 + m1 * z1;  // moment on body, y
+    const Scalar z11 = a_e_omega_z * p_I3 - m2 * z2;  // moment on body, z
+    const Scalar z12 = m4 * z3;
+    const Scalar z13 = m3 * z4;
+    const Scalar z14 = m5 * z5;
+    const Scalar z15 = m3 * z6;
+    const Scalar z16 = m5 * z7;
+    const Scalar z17 = m4 * z8;
     result.M[0] = p_I1;
     result.M[1] = n0;
     result.M[2] = n0;
@@ -1122,13 +1122,13 @@ struct Mechanism {
     result.M[7] = n0;
     result.M[8] = p_I3;
     result.C[0] = n0;
-    result.C[1] = z101;
-    result.C[2] = -z102;
-    result.C[3] = -z103;
+    result.C[1] = z3;
+    result.C[2] = -z4;
+    result.C[3] = -z5;
     result.C[4] = n0;
-    result.C[5] = -z104;
-    result.C[6] = -z105;
-    result.C[7] = z106;
+    result.C[5] = -z6;
+    result.C[6] = -z7;
+    result.C[7] = z8;
     result.C[8] = n0;
     result.K[0] = n0;
     result.K[1] = n0;
@@ -1139,9 +1139,9 @@ struct Mechanism {
     result.K[6] = n0;
     result.K[7] = n0;
     result.K[8] = n0;
-    result.F[0] = -z83;
-    result.F[1] = -z84;
-    result.F[2] = -z85;
+    result.F[0] = -z9;
+    result.F[1] = -z10;
+    result.F[2] = -z11;
     result.A[0] = n0;
     result.A[1] = -v_e_omega_z;
     result.A[2] = v_e_omega_y;
@@ -1164,19 +1164,19 @@ struct Mechanism {
     result.A[19] = n0;
     result.A[20] = n0;
     result.A[21] = n0;
-    result.A[22] = -z125;
-    result.A[23] = z126;
+    result.A[22] = -z12;
+    result.A[23] = z13;
     result.A[24] = n0;
     result.A[25] = n1;
     result.A[26] = n0;
-    result.A[27] = z127;
+    result.A[27] = z14;
     result.A[28] = n0;
-    result.A[29] = z128;
+    result.A[29] = z15;
     result.A[30] = n0;
     result.A[31] = n0;
     result.A[32] = n1;
-    result.A[33] = z129;
-    result.A[34] = -z130;
+    result.A[33] = z16;
+    result.A[34] = -z17;
     result.A[35] = n0;
     if (!(traits::regular(p_I1, p_I1) && traits::regular(p_I2, p_I2) && traits::regular(p_I3,
         p_I3))) return torsor::Status::singular;

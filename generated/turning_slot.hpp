@@ -508,7 +508,7 @@ struct Mechanism {
 
   static constexpr const char* name = "turning_slot";
   /// 64 bits (FNV-1a) of this file from "#pragma once" on, with zeros in their own place: another mechanism, other bits.
-  static constexpr unsigned long long fingerprint = 0x2f8df0992533e739ULL;
+  static constexpr unsigned long long fingerprint = 0xc8396f0d809dbc92ULL;
   static constexpr int coordinate_count = 2;
   static constexpr int velocity_count = 2;
   static constexpr int input_count = 0;
@@ -619,7 +619,7 @@ struct Mechanism {
   /// Parameters and what depends on them only: built once for each set of parameters.
   struct Precomputed {
     Parameters parameters;
-    Scalar z63;
+    Scalar m0;
   };
 
   /// Values of the scene.
@@ -636,8 +636,8 @@ struct Mechanism {
     precomputed.parameters = parameters;
     const Scalar n2 = traits::constant(2.0, 2.0f, "2/1");
     const Scalar p_omega = parameters.omega;
-    const Scalar z63 = n2 * p_omega;
-    precomputed.z63 = z63;
+    const Scalar z0 = n2 * p_omega;
+    precomputed.m0 = z0;
     return precomputed;
   }
 
@@ -780,14 +780,14 @@ struct Mechanism {
     const Scalar p_omega = precomputed.parameters.omega;
     const Scalar t = state.time;
     const Scalar l_N = multipliers.N;
-    const Scalar z15 = p_omega * t;
-    Scalar z17, z16;
-    traits::sincos(z15, z17, z16);
-    const Scalar z8 = n9_81 + a_y;
-    const Scalar z9 = n2 * a_x;  // force on bead, x
-    const Scalar z10 = n2 * z8;  // force on bead, y
-    forces.x = z9 + z17 * l_N;
-    forces.y = z10 - z16 * l_N;
+    const Scalar z0 = p_omega * t;
+    Scalar z1, z2;
+    traits::sincos(z0, z1, z2);
+    const Scalar z3 = n9_81 + a_y;
+    const Scalar z4 = n2 * a_x;  // force on bead, x
+    const Scalar z5 = n2 * z3;  // force on bead, y
+    forces.x = z4 + z1 * l_N;
+    forces.y = z5 - z2 * l_N;
   }
 
   /// Forward dynamics: accelerations a and multipliers lambda from M a + h = E u + A' lambda, A a + gamma = 0, by
@@ -807,23 +807,23 @@ struct Mechanism {
     const Scalar v_y = state.v.y;
     const Scalar p_omega = precomputed.parameters.omega;
     const Scalar t = state.time;
-    const Scalar z15 = p_omega * t;
-    Scalar z17, z16;
-    traits::sincos(z15, z17, z16);
-    const Scalar z20 = p_omega * z17;
-    const Scalar z19 = p_omega * z16;
-    const Scalar z27 = n0_5 * z16;
-    const Scalar z26 = n0_5 * z17;
-    const Scalar z22 = p_omega * z20;
-    const Scalar z23 = p_omega * z19;
-    const Scalar z24 = q_x * z22 - q_y * z23 - n2 * (v_x * z19 + v_y * z20);
-    const Scalar z28 = n9_81 * z16 - z24;
-    const Scalar z29 = n2 * z28;
-    const Scalar z30 = z26 * z29;
-    const Scalar z31 = n9_81 - z27 * z29;
-    accelerations.x = -z30;
-    accelerations.y = -z31;
-    multipliers.N = z29;
+    const Scalar z0 = p_omega * t;
+    Scalar z1, z2;
+    traits::sincos(z0, z1, z2);
+    const Scalar z3 = p_omega * z1;
+    const Scalar z4 = p_omega * z2;
+    const Scalar z5 = n0_5 * z2;
+    const Scalar z6 = n0_5 * z1;
+    const Scalar z7 = p_omega * z3;
+    const Scalar z8 = p_omega * z4;
+    const Scalar z9 = q_x * z7 - q_y * z8 - n2 * (v_x * z4 + v_y * z3);
+    const Scalar z10 = n9_81 * z2 - z9;
+    const Scalar z11 = n2 * z10;
+    const Scalar z12 = z6 * z11;
+    const Scalar z13 = n9_81 - z5 * z11;
+    accelerations.x = -z12;
+    accelerations.y = -z13;
+    multipliers.N = z11;
     // 0 x is 0 for every finite x and not a number for any other.
     const Scalar zero = n0 * accelerations.x * accelerations.y * multipliers.N;
     if (!traits::regular(n1, zero)) return torsor::Status::not_finite;
@@ -852,21 +852,21 @@ struct Mechanism {
     const Scalar v_y = state.v.y;
     const Scalar p_omega = precomputed.parameters.omega;
     const Scalar t = state.time;
-    const Scalar z15 = p_omega * t;
-    Scalar z17, z16;
-    traits::sincos(z15, z17, z16);
-    const Scalar z20 = p_omega * z17;
-    const Scalar z19 = p_omega * z16;
-    const Scalar z18 = q_x * z17 - q_y * z16;
-    const Scalar z21 = v_x * z17 - v_y * z16 + q_x * z19 + q_y * z20;
-    const Scalar z22 = p_omega * z20;
-    const Scalar z23 = p_omega * z19;
-    const Scalar z24 = q_x * z22 - q_y * z23 - n2 * (v_x * z19 + v_y * z20);
-    result.value[0] = -z18;
-    result.rate[0] = -z21;
-    result.gamma[0] = z24;
-    result.jacobian[0] = -z17;
-    result.jacobian[1] = z16;
+    const Scalar z0 = p_omega * t;
+    Scalar z1, z2;
+    traits::sincos(z0, z1, z2);
+    const Scalar z3 = p_omega * z1;
+    const Scalar z4 = p_omega * z2;
+    const Scalar z5 = q_x * z1 - q_y * z2;
+    const Scalar z6 = v_x * z1 - v_y * z2 + q_x * z4 + q_y * z3;
+    const Scalar z7 = p_omega * z3;
+    const Scalar z8 = p_omega * z4;
+    const Scalar z9 = q_x * z7 - q_y * z8 - n2 * (v_x * z4 + v_y * z3);
+    result.value[0] = -z5;
+    result.rate[0] = -z6;
+    result.gamma[0] = z9;
+    result.jacobian[0] = -z1;
+    result.jacobian[1] = z2;
   }
 
   /// Linearisation about a state that satisfies the constraints. M d'' + C d' + K d = F + E du in all freedoms d, at
@@ -891,40 +891,40 @@ struct Mechanism {
     const Scalar p_omega = precomputed.parameters.omega;
     const Scalar t = state.time;
     const Scalar l_N = multipliers.N;
-    const Scalar z63 = precomputed.z63;
-    const Scalar z67 = p_omega * t;
-    Scalar z69, z68;
-    traits::sincos(z67, z69, z68);
-    const Scalar z71 = p_omega * z69;
-    const Scalar z70 = p_omega * z68;
-    const Scalar z64 = n9_81 + a_y;
-    const Scalar z88 = n2 / (z68 * z68);
-    const Scalar z77 = n1 / z68;
-    const Scalar z80 = p_omega / z68;
-    const Scalar z82 = z63 / z68;
-    const Scalar z91 = n2 * (a_x + z64 * z69 / z68);
-    const Scalar z65 = n2 * a_x;  // force on bead, x
-    const Scalar z66 = n2 * z64;  // force on bead, y
-    const Scalar z78 = z68 * z68;
-    const Scalar z72 = p_omega * z71;
-    const Scalar z73 = p_omega * z70;
-    const Scalar z76 = n2 * z71;
-    const Scalar z74 = q_x * z72 - q_y * z73 - n2 * (v_x * z70 + v_y * z71);
-    const Scalar z79 = z69 * z77;
-    const Scalar z81 = z77 * z80;
-    const Scalar z83 = z77 * z82;
-    const Scalar z84 = z76 * z81;
-    const Scalar z87 = n2 * z79;
-    const Scalar z94 = n1 / z88;
-    const Scalar z75 = a_x * z69 - z74 - a_y * z68;
-    const Scalar z85 = z77 * z84;
-    const Scalar z89 = z83 * z87;
-    const Scalar z90 = z85 * z87;
-    const Scalar z86 = z75 * z77;
-    const Scalar z92 = z86 * z87;
-    const Scalar z95 = z90 * z94;
-    const Scalar z96 = z89 * z94;
-    const Scalar z93 = z91 + z92;
+    const Scalar m0 = precomputed.m0;
+    const Scalar z0 = p_omega * t;
+    Scalar z1, z2;
+    traits::sincos(z0, z1, z2);
+    const Scalar z3 = p_omega * z1;
+    const Scalar z4 = p_omega * z2;
+    const Scalar z5 = n9_81 + a_y;
+    const Scalar z6 = n2 / (z2 * z2);
+    const Scalar z7 = n1 / z2;
+    const Scalar z8 = p_omega / z2;
+    const Scalar z9 = m0 / z2;
+    const Scalar z10 = n2 * (a_x + z5 * z1 / z2);
+    const Scalar z11 = n2 * a_x;  // force on bead, x
+    const Scalar z12 = n2 * z5;  // force on bead, y
+    const Scalar z13 = z2 * z2;
+    const Scalar z14 = p_omega * z3;
+    const Scalar z15 = p_omega * z4;
+    const Scalar z16 = n2 * z3;
+    const Scalar z17 = q_x * z14 - q_y * z15 - n2 * (v_x * z4 + v_y * z3);
+    const Scalar z18 = z1 * z7;
+    const Scalar z19 = z7 * z8;
+    const Scalar z20 = z7 * z9;
+    const Scalar z21 = z16 * z19;
+    const Scalar z22 = n2 * z18;
+    const Scalar z23 = n1 / z6;
+    const Scalar z24 = a_x * z1 - z17 - a_y * z2;
+    const Scalar z25 = z7 * z21;
+    const Scalar z26 = z20 * z22;
+    const Scalar z27 = z25 * z22;
+    const Scalar z28 = z24 * z7;
+    const Scalar z29 = z28 * z22;
+    const Scalar z30 = z27 * z23;
+    const Scalar z31 = z26 * z23;
+    const Scalar z32 = z10 + z29;
     result.M[0] = n2;
     result.M[1] = n0;
     result.M[2] = n0;
@@ -937,17 +937,17 @@ struct Mechanism {
     result.K[1] = n0;
     result.K[2] = n0;
     result.K[3] = n0;
-    result.F[0] = -l_N * z69 - z65;
-    result.F[1] = l_N * z68 - z66;
-    result.M_r[0] = z88;
-    result.C_r[0] = z89;
-    result.K_r[0] = z90;
-    result.F_r[0] = -z93;
+    result.F[0] = -l_N * z1 - z11;
+    result.F[1] = l_N * z2 - z12;
+    result.M_r[0] = z6;
+    result.C_r[0] = z26;
+    result.K_r[0] = z27;
+    result.F_r[0] = -z32;
     result.A[0] = n0;
-    result.A[1] = -z95;
+    result.A[1] = -z30;
     result.A[2] = n1;
-    result.A[3] = -z96;
-    if (!(traits::regular(z78, n1) && traits::regular(z88, z88))) return torsor::Status::singular;
+    result.A[3] = -z31;
+    if (!(traits::regular(z13, n1) && traits::regular(z6, z6))) return torsor::Status::singular;
     // 0 x is 0 for every finite x and not a number for any other.
     const Scalar zero = n0 * result.F[0] * result.F[1] * result.M_r[0] * result.C_r[0] * result.K_r[0] * result.F_r[0]
         * result.A[1] * result.A[3];

@@ -507,7 +507,7 @@ struct Mechanism {
 
   static constexpr const char* name = "vibration_absorber";
   /// 64 bits (FNV-1a) of this file from "#pragma once" on, with zeros in their own place: another mechanism, other bits.
-  static constexpr unsigned long long fingerprint = 0xec1a241b844372c2ULL;
+  static constexpr unsigned long long fingerprint = 0xcab23fdb4030ff0eULL;
   static constexpr int coordinate_count = 2;
   static constexpr int velocity_count = 2;
   static constexpr int input_count = 0;
@@ -610,12 +610,12 @@ struct Mechanism {
   /// Parameters and what depends on them only: built once for each set of parameters.
   struct Precomputed {
     Parameters parameters;
-    Scalar z14;
-    Scalar z25;
-    Scalar z52;  ///< force on rotor, z
-    Scalar z80;
-    Scalar z122;
-    Scalar z123;
+    Scalar m0;
+    Scalar m1;
+    Scalar m2;  ///< force on rotor, z
+    Scalar m3;
+    Scalar m4;
+    Scalar m5;
   };
 
   /// Values of the scene.
@@ -638,19 +638,19 @@ struct Mechanism {
     const Scalar k3 = traits::constant(4e-05, 4e-05f, "1/25000");
     const Scalar p_omega = parameters.omega;
     const Scalar p_d = parameters.d;
-    const Scalar z14 = p_d * p_d;
-    const Scalar z25 = n0_02 * p_omega;
-    const Scalar z51 = p_omega * p_omega;
-    const Scalar z52 = n0_002 * z51;  // force on rotor, z
-    const Scalar z80 = n1 / z14;
-    const Scalar z122 = k3 * p_omega;
-    const Scalar z123 = n0_002 * p_omega;
-    precomputed.z14 = z14;
-    precomputed.z25 = z25;
-    precomputed.z52 = z52;
-    precomputed.z80 = z80;
-    precomputed.z122 = z122;
-    precomputed.z123 = z123;
+    const Scalar z0 = p_d * p_d;
+    const Scalar z1 = n0_02 * p_omega;
+    const Scalar z2 = p_omega * p_omega;
+    const Scalar z3 = n0_002 * z2;  // force on rotor, z
+    const Scalar z4 = n1 / z0;
+    const Scalar z5 = k3 * p_omega;
+    const Scalar z6 = n0_002 * p_omega;
+    precomputed.m0 = z0;
+    precomputed.m1 = z1;
+    precomputed.m2 = z3;
+    precomputed.m3 = z4;
+    precomputed.m4 = z5;
+    precomputed.m5 = z6;
     return precomputed;
   }
 
@@ -727,24 +727,24 @@ struct Mechanism {
     const Scalar p_omega = precomputed.parameters.omega;
     const Scalar t = state.time;
     const Scalar p_d = precomputed.parameters.d;
-    const Scalar z25 = precomputed.z25;
-    const Scalar z10 = p_omega * t;
-    const Scalar angles_[] = {q_theta, z10};
+    const Scalar m1 = precomputed.m1;
+    const Scalar z0 = p_omega * t;
+    const Scalar angles_[] = {q_theta, z0};
     Scalar sines_[2], cosines_[2];
     torsor::sines_and_cosines(angles_, sines_, cosines_);
     const Scalar s_theta = sines_[0], c_theta = cosines_[0];
-    const Scalar z11 = sines_[1], z12 = cosines_[1];
-    const Scalar z19 = v_theta * p_d;
-    const Scalar z16 = s_theta * p_d;
-    const Scalar z22 = n0_02 * z11;
-    const Scalar z17 = c_theta * p_d;
-    const Scalar z23 = n0_02 * z12;
-    const Scalar z26 = v_X + z12 * z25;
-    const Scalar z20 = v_X + c_theta * z19;
-    const Scalar z21 = s_theta * z19;
-    const Scalar z27 = z11 * z25;
-    const Scalar z18 = q_X + z16;
-    const Scalar z24 = q_X + z22;
+    const Scalar z1 = sines_[1], z2 = cosines_[1];
+    const Scalar z3 = v_theta * p_d;
+    const Scalar z4 = s_theta * p_d;
+    const Scalar z5 = n0_02 * z1;
+    const Scalar z6 = c_theta * p_d;
+    const Scalar z7 = n0_02 * z2;
+    const Scalar z8 = v_X + z2 * m1;
+    const Scalar z9 = v_X + c_theta * z3;
+    const Scalar z10 = s_theta * z3;
+    const Scalar z11 = z1 * m1;
+    const Scalar z12 = q_X + z4;
+    const Scalar z13 = q_X + z5;
     result.support_position[0] = q_X;
     result.support_position[1] = n0;
     result.support_position[2] = n0;
@@ -763,9 +763,9 @@ struct Mechanism {
     result.support_angular_velocity[0] = n0;
     result.support_angular_velocity[1] = n0;
     result.support_angular_velocity[2] = n0;
-    result.pendulum_position[0] = z18;
+    result.pendulum_position[0] = z12;
     result.pendulum_position[1] = n0;
-    result.pendulum_position[2] = z17;
+    result.pendulum_position[2] = z6;
     result.pendulum_rotation[0] = c_theta;
     result.pendulum_rotation[1] = n0;
     result.pendulum_rotation[2] = -s_theta;
@@ -775,27 +775,27 @@ struct Mechanism {
     result.pendulum_rotation[6] = s_theta;
     result.pendulum_rotation[7] = n0;
     result.pendulum_rotation[8] = c_theta;
-    result.pendulum_velocity[0] = z20;
+    result.pendulum_velocity[0] = z9;
     result.pendulum_velocity[1] = n0;
-    result.pendulum_velocity[2] = -z21;
+    result.pendulum_velocity[2] = -z10;
     result.pendulum_angular_velocity[0] = n0;
     result.pendulum_angular_velocity[1] = v_theta;
     result.pendulum_angular_velocity[2] = n0;
-    result.unbalance_position[0] = z24;
+    result.unbalance_position[0] = z13;
     result.unbalance_position[1] = n0;
-    result.unbalance_position[2] = z23;
-    result.unbalance_rotation[0] = z12;
+    result.unbalance_position[2] = z7;
+    result.unbalance_rotation[0] = z2;
     result.unbalance_rotation[1] = n0;
-    result.unbalance_rotation[2] = -z11;
+    result.unbalance_rotation[2] = -z1;
     result.unbalance_rotation[3] = n0;
     result.unbalance_rotation[4] = n1;
     result.unbalance_rotation[5] = n0;
-    result.unbalance_rotation[6] = z11;
+    result.unbalance_rotation[6] = z1;
     result.unbalance_rotation[7] = n0;
-    result.unbalance_rotation[8] = z12;
-    result.unbalance_velocity[0] = z26;
+    result.unbalance_rotation[8] = z2;
+    result.unbalance_velocity[0] = z8;
     result.unbalance_velocity[1] = n0;
-    result.unbalance_velocity[2] = -z27;
+    result.unbalance_velocity[2] = -z11;
     result.unbalance_angular_velocity[0] = n0;
     result.unbalance_angular_velocity[1] = p_omega;
     result.unbalance_angular_velocity[2] = n0;
@@ -819,14 +819,14 @@ struct Mechanism {
     const Scalar n11_1 = traits::constant(11.1, 11.1f, "111/10");
     const Scalar q_theta = state.q.theta;
     const Scalar p_d = precomputed.parameters.d;
-    const Scalar z14 = precomputed.z14;
+    const Scalar m0 = precomputed.m0;
     Scalar s_theta, c_theta;
     traits::sincos(q_theta, s_theta, c_theta);
-    const Scalar z17 = c_theta * p_d;
+    const Scalar z0 = c_theta * p_d;
     mass[0] = n11_1;
-    mass[1] = z17;
-    mass[2] = z17;
-    mass[3] = z14;
+    mass[1] = z0;
+    mass[2] = z0;
+    mass[3] = m0;
   }
 
   /// Bias h(q, v, t): inverse dynamics at zero acceleration without inputs and multipliers; gravity and passive
@@ -842,25 +842,25 @@ struct Mechanism {
     const Scalar p_omega = precomputed.parameters.omega;
     const Scalar t = state.time;
     const Scalar p_d = precomputed.parameters.d;
-    const Scalar z52 = precomputed.z52;
-    const Scalar z10 = p_omega * t;
-    const Scalar angles_[] = {q_theta, z10};
+    const Scalar m2 = precomputed.m2;
+    const Scalar z0 = p_omega * t;
+    const Scalar angles_[] = {q_theta, z0};
     Scalar sines_[2], cosines_[2];
     torsor::sines_and_cosines(angles_, sines_, cosines_);
     const Scalar s_theta = sines_[0];
-    const Scalar z11 = sines_[1];
-    const Scalar z56 = v_theta * v_theta;
-    const Scalar z45 = n0_1 - q_X;
-    const Scalar z54 = z11 * z52;
-    const Scalar z47 = n9_81 * s_theta;
-    const Scalar z46 = n1000 * z45;
-    const Scalar z57 = p_d * z56;  // force on pendulum, z
-    const Scalar z59 = s_theta * z57;
-    const Scalar z58 = p_d * z47;  // moment on pendulum, y
-    const Scalar z61 = z54 + z59;  // force on support, x
-    const Scalar z64 = z46 + z61;
-    forces.X = -z64;
-    forces.theta = z58;
+    const Scalar z1 = sines_[1];
+    const Scalar z2 = v_theta * v_theta;
+    const Scalar z3 = n0_1 - q_X;
+    const Scalar z4 = z1 * m2;
+    const Scalar z5 = n9_81 * s_theta;
+    const Scalar z6 = n1000 * z3;
+    const Scalar z7 = p_d * z2;  // force on pendulum, z
+    const Scalar z8 = s_theta * z7;
+    const Scalar z9 = p_d * z5;  // moment on pendulum, y
+    const Scalar z10 = z4 + z8;  // force on support, x
+    const Scalar z11 = z6 + z10;
+    forces.X = -z11;
+    forces.theta = z9;
   }
 
   /// Inverse dynamics: the generalised forces M a + h - A' lambda that motors must supply for the accelerations a.
@@ -878,27 +878,27 @@ struct Mechanism {
     const Scalar p_omega = precomputed.parameters.omega;
     const Scalar t = state.time;
     const Scalar p_d = precomputed.parameters.d;
-    const Scalar z14 = precomputed.z14;
-    const Scalar z52 = precomputed.z52;
-    const Scalar z10 = p_omega * t;
-    const Scalar angles_[] = {q_theta, z10};
+    const Scalar m0 = precomputed.m0;
+    const Scalar m2 = precomputed.m2;
+    const Scalar z0 = p_omega * t;
+    const Scalar angles_[] = {q_theta, z0};
     Scalar sines_[2], cosines_[2];
     torsor::sines_and_cosines(angles_, sines_, cosines_);
     const Scalar s_theta = sines_[0], c_theta = cosines_[0];
-    const Scalar z11 = sines_[1];
-    const Scalar z56 = v_theta * v_theta;
-    const Scalar z54 = z11 * z52;
-    const Scalar z70 = a_theta * p_d;  // force on pendulum, x
-    const Scalar z45 = n0_1 - q_X;
-    const Scalar z65 = a_X * c_theta + n9_81 * s_theta;
-    const Scalar z57 = p_d * z56;  // force on pendulum, z
-    const Scalar z46 = n1000 * z45;
-    const Scalar z72 = s_theta * z57 - c_theta * z70;
-    const Scalar z71 = a_theta * z14 + p_d * z65;  // moment on pendulum, y
-    const Scalar z74 = n11_1 * a_X - z54 - z72;  // force on support, x
-    const Scalar z77 = z46 - z74;
-    forces.X = -z77;
-    forces.theta = z71;
+    const Scalar z1 = sines_[1];
+    const Scalar z2 = v_theta * v_theta;
+    const Scalar z3 = z1 * m2;
+    const Scalar z4 = a_theta * p_d;  // force on pendulum, x
+    const Scalar z5 = n0_1 - q_X;
+    const Scalar z6 = a_X * c_theta + n9_81 * s_theta;
+    const Scalar z7 = p_d * z2;  // force on pendulum, z
+    const Scalar z8 = n1000 * z5;
+    const Scalar z9 = s_theta * z7 - c_theta * z4;
+    const Scalar z10 = a_theta * m0 + p_d * z6;  // moment on pendulum, y
+    const Scalar z11 = n11_1 * a_X - z3 - z9;  // force on support, x
+    const Scalar z12 = z8 - z11;
+    forces.X = -z12;
+    forces.theta = z10;
   }
 
   /// Forward dynamics: accelerations a and multipliers lambda from M a + h = E u + A' lambda, A a + gamma = 0, by
@@ -918,35 +918,35 @@ struct Mechanism {
     const Scalar p_omega = precomputed.parameters.omega;
     const Scalar t = state.time;
     const Scalar p_d = precomputed.parameters.d;
-    const Scalar z14 = precomputed.z14;
-    const Scalar z52 = precomputed.z52;
-    const Scalar z80 = precomputed.z80;
-    const Scalar z10 = p_omega * t;
-    const Scalar angles_[] = {q_theta, z10};
+    const Scalar m0 = precomputed.m0;
+    const Scalar m2 = precomputed.m2;
+    const Scalar m3 = precomputed.m3;
+    const Scalar z0 = p_omega * t;
+    const Scalar angles_[] = {q_theta, z0};
     Scalar sines_[2], cosines_[2];
     torsor::sines_and_cosines(angles_, sines_, cosines_);
     const Scalar s_theta = sines_[0], c_theta = cosines_[0];
-    const Scalar z11 = sines_[1];
-    const Scalar z17 = c_theta * p_d;
-    const Scalar z56 = v_theta * v_theta;
-    const Scalar z45 = n0_1 - q_X;
-    const Scalar z54 = z11 * z52;
-    const Scalar z47 = n9_81 * s_theta;
-    const Scalar z46 = n1000 * z45;
-    const Scalar z57 = p_d * z56;  // force on pendulum, z
-    const Scalar z59 = s_theta * z57;
-    const Scalar z58 = p_d * z47;  // moment on pendulum, y
-    const Scalar z108 = z17 * z80;
-    const Scalar z61 = z54 + z59;  // force on support, x
-    const Scalar z109 = n11_1 - z17 * z108;
-    const Scalar z64 = z46 + z61;
-    const Scalar z110 = n1 / z109;
-    const Scalar z111 = z58 * z108 + z64;
-    const Scalar z112 = z110 * z111;
-    const Scalar z113 = z58 * z80 + z108 * z112;
-    accelerations.X = z112;
-    accelerations.theta = -z113;
-    if (!(traits::regular(z109, n11_1) && traits::regular(z14, z14))) return torsor::Status::singular;
+    const Scalar z1 = sines_[1];
+    const Scalar z2 = c_theta * p_d;
+    const Scalar z3 = v_theta * v_theta;
+    const Scalar z4 = n0_1 - q_X;
+    const Scalar z5 = z1 * m2;
+    const Scalar z6 = n9_81 * s_theta;
+    const Scalar z7 = n1000 * z4;
+    const Scalar z8 = p_d * z3;  // force on pendulum, z
+    const Scalar z9 = s_theta * z8;
+    const Scalar z10 = p_d * z6;  // moment on pendulum, y
+    const Scalar z11 = z2 * m3;
+    const Scalar z12 = z5 + z9;  // force on support, x
+    const Scalar z13 = n11_1 - z2 * z11;
+    const Scalar z14 = z7 + z12;
+    const Scalar z15 = n1 / z13;
+    const Scalar z16 = z10 * z11 + z14;
+    const Scalar z17 = z15 * z16;
+    const Scalar z18 = z10 * m3 + z11 * z17;
+    accelerations.X = z17;
+    accelerations.theta = -z18;
+    if (!(traits::regular(z13, n11_1) && traits::regular(m0, m0))) return torsor::Status::singular;
     // 0 x is 0 for every finite x and not a number for any other.
     const Scalar zero = n0 * accelerations.X * accelerations.theta;
     if (!traits::regular(n1, zero)) return torsor::Status::not_finite;
@@ -971,29 +971,29 @@ struct Mechanism {
     const Scalar p_omega = precomputed.parameters.omega;
     const Scalar t = state.time;
     const Scalar p_d = precomputed.parameters.d;
-    const Scalar z14 = precomputed.z14;
-    const Scalar z122 = precomputed.z122;
-    const Scalar z123 = precomputed.z123;
-    const Scalar z124 = p_omega * t;
-    const Scalar angles_[] = {q_theta, z124};
+    const Scalar m0 = precomputed.m0;
+    const Scalar m4 = precomputed.m4;
+    const Scalar m5 = precomputed.m5;
+    const Scalar z0 = p_omega * t;
+    const Scalar angles_[] = {q_theta, z0};
     Scalar sines_[2], cosines_[2];
     torsor::sines_and_cosines(angles_, sines_, cosines_);
     const Scalar s_theta = sines_[0], c_theta = cosines_[0];
-    const Scalar z125 = sines_[1], z126 = cosines_[1];
-    const Scalar z130 = v_X * c_theta;
-    const Scalar z132 = v_X * z126;
-    const Scalar z127 = c_theta * p_d;
-    const Scalar z128 = n0_002 * z126;
-    const Scalar z129 = n0_1 - q_X;
-    const Scalar z131 = v_X * s_theta;
-    const Scalar z133 = v_X * z125;
-    const Scalar z134 = v_theta * p_d + z130;
-    const Scalar z135 = v_theta * z14 + p_d * z130;
-    const Scalar z136 = z123 + n0_1 * z132;
-    const Scalar z137 = z122 + n0_002 * z132;
-    result.kinetic = n5 * v_X * v_X + n0_05 * z133 * z133 + n0_5 * (z131 * z131 + v_theta * z135 + z130 * z134 + p_omega
-        * z137 + z132 * z136);
-    result.force_function = n9_81 * (z127 + z128) - n500 * z129 * z129;
+    const Scalar z1 = sines_[1], z2 = cosines_[1];
+    const Scalar z3 = v_X * c_theta;
+    const Scalar z4 = v_X * z2;
+    const Scalar z5 = c_theta * p_d;
+    const Scalar z6 = n0_002 * z2;
+    const Scalar z7 = n0_1 - q_X;
+    const Scalar z8 = v_X * s_theta;
+    const Scalar z9 = v_X * z1;
+    const Scalar z10 = v_theta * p_d + z3;
+    const Scalar z11 = v_theta * m0 + p_d * z3;
+    const Scalar z12 = m5 + n0_1 * z4;
+    const Scalar z13 = m4 + n0_002 * z4;
+    result.kinetic = n5 * v_X * v_X + n0_05 * z9 * z9 + n0_5 * (z8 * z8 + v_theta * z11 + z3 * z10 + p_omega * z13 + z4
+        * z12);
+    result.force_function = n9_81 * (z5 + z6) - n500 * z7 * z7;
     result.power = n0;
   }
 
@@ -1016,74 +1016,74 @@ struct Mechanism {
     const Scalar p_omega = precomputed.parameters.omega;
     const Scalar t = state.time;
     const Scalar p_d = precomputed.parameters.d;
-    const Scalar z14 = precomputed.z14;
-    const Scalar z52 = precomputed.z52;
-    const Scalar z80 = precomputed.z80;
-    const Scalar z10 = p_omega * t;
-    const Scalar angles_[] = {q_theta, z10};
+    const Scalar m0 = precomputed.m0;
+    const Scalar m2 = precomputed.m2;
+    const Scalar m3 = precomputed.m3;
+    const Scalar z0 = p_omega * t;
+    const Scalar angles_[] = {q_theta, z0};
     Scalar sines_[2], cosines_[2];
     torsor::sines_and_cosines(angles_, sines_, cosines_);
     const Scalar s_theta = sines_[0], c_theta = cosines_[0];
-    const Scalar z11 = sines_[1];
-    const Scalar z17 = c_theta * p_d;
-    const Scalar z56 = v_theta * v_theta;
-    const Scalar z70 = a_theta * p_d;  // force on pendulum, x
-    const Scalar z66 = a_X * s_theta - n9_81 * c_theta;
-    const Scalar z57 = p_d * z56;  // force on pendulum, z
-    const Scalar z164 = n2 * v_theta;
-    const Scalar z54 = z11 * z52;
-    const Scalar z165 = p_d * z164;
-    const Scalar z45 = n0_1 - q_X;
-    const Scalar z65 = a_X * c_theta + n9_81 * s_theta;
-    const Scalar z73 = s_theta * z70 + c_theta * z57;
-    const Scalar z72 = s_theta * z57 - c_theta * z70;
-    const Scalar z166 = s_theta * z165;
-    const Scalar z46 = n1000 * z45;
-    const Scalar z108 = z17 * z80;
-    const Scalar z109 = n11_1 - z17 * z108;
-    const Scalar z71 = a_theta * z14 + p_d * z65;  // moment on pendulum, y
-    const Scalar z74 = n11_1 * a_X - z54 - z72;  // force on support, x
-    const Scalar z167 = p_d * z66;
-    const Scalar z110 = n1 / z109;
-    const Scalar z191 = z73 - z108 * z167;
-    const Scalar z77 = z46 - z74;
-    const Scalar z189 = n1000 * z110;
-    const Scalar z192 = z110 * z191;
-    const Scalar z194 = z110 * z166;
-    const Scalar z190 = z108 * z189;
-    const Scalar z193 = z80 * z167 - z108 * z192;
-    const Scalar z195 = z108 * z194;
+    const Scalar z1 = sines_[1];
+    const Scalar z2 = c_theta * p_d;
+    const Scalar z3 = v_theta * v_theta;
+    const Scalar z4 = a_theta * p_d;  // force on pendulum, x
+    const Scalar z5 = a_X * s_theta - n9_81 * c_theta;
+    const Scalar z6 = p_d * z3;  // force on pendulum, z
+    const Scalar z7 = n2 * v_theta;
+    const Scalar z8 = z1 * m2;
+    const Scalar z9 = p_d * z7;
+    const Scalar z10 = n0_1 - q_X;
+    const Scalar z11 = a_X * c_theta + n9_81 * s_theta;
+    const Scalar z12 = s_theta * z4 + c_theta * z6;
+    const Scalar z13 = s_theta * z6 - c_theta * z4;
+    const Scalar z14 = s_theta * z9;
+    const Scalar z15 = n1000 * z10;
+    const Scalar z16 = z2 * m3;
+    const Scalar z17 = n11_1 - z2 * z16;
+    const Scalar z18 = a_theta * m0 + p_d * z11;  // moment on pendulum, y
+    const Scalar z19 = n11_1 * a_X - z8 - z13;  // force on support, x
+    const Scalar z20 = p_d * z5;
+    const Scalar z21 = n1 / z17;
+    const Scalar z22 = z12 - z16 * z20;
+    const Scalar z23 = z15 - z19;
+    const Scalar z24 = n1000 * z21;
+    const Scalar z25 = z21 * z22;
+    const Scalar z26 = z21 * z14;
+    const Scalar z27 = z16 * z24;
+    const Scalar z28 = m3 * z20 - z16 * z25;
+    const Scalar z29 = z16 * z26;
     result.M[0] = n11_1;
-    result.M[1] = z17;
-    result.M[2] = z17;
-    result.M[3] = z14;
+    result.M[1] = z2;
+    result.M[2] = z2;
+    result.M[3] = m0;
     result.C[0] = n0;
     result.C[1] = n0;
-    result.C[2] = -z166;
+    result.C[2] = -z14;
     result.C[3] = n0;
     result.K[0] = n1000;
     result.K[1] = n0;
-    result.K[2] = -z73;
-    result.K[3] = -z167;
-    result.F[0] = z77;
-    result.F[1] = -z71;
+    result.K[2] = -z12;
+    result.K[3] = -z20;
+    result.F[0] = z23;
+    result.F[1] = -z18;
     result.A[0] = n0;
     result.A[1] = n0;
-    result.A[2] = -z189;
-    result.A[3] = z190;
+    result.A[2] = -z24;
+    result.A[3] = z27;
     result.A[4] = n0;
     result.A[5] = n0;
-    result.A[6] = z192;
-    result.A[7] = z193;
+    result.A[6] = z25;
+    result.A[7] = z28;
     result.A[8] = n1;
     result.A[9] = n0;
     result.A[10] = n0;
     result.A[11] = n0;
     result.A[12] = n0;
     result.A[13] = n1;
-    result.A[14] = z194;
-    result.A[15] = -z195;
-    if (!(traits::regular(z109, n11_1) && traits::regular(z14, z14))) return torsor::Status::singular;
+    result.A[14] = z26;
+    result.A[15] = -z29;
+    if (!(traits::regular(z17, n11_1) && traits::regular(m0, m0))) return torsor::Status::singular;
     // 0 x is 0 for every finite x and not a number for any other.
     const Scalar zero = n0 * result.M[1] * result.M[2] * result.M[3] * result.C[2] * result.K[2] * result.K[3]
         * result.F[0] * result.F[1] * result.A[2] * result.A[3] * result.A[6] * result.A[7] * result.A[14]

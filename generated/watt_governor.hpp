@@ -506,7 +506,7 @@ struct Mechanism {
 
   static constexpr const char* name = "watt_governor";
   /// 64 bits (FNV-1a) of this file from "#pragma once" on, with zeros in their own place: another mechanism, other bits.
-  static constexpr unsigned long long fingerprint = 0xd66b6a25fd226f01ULL;
+  static constexpr unsigned long long fingerprint = 0x3b0a0ad5ddbdb938ULL;
   static constexpr int coordinate_count = 1;
   static constexpr int velocity_count = 1;
   static constexpr int input_count = 0;
@@ -607,12 +607,12 @@ struct Mechanism {
   /// Parameters and what depends on them only: built once for each set of parameters.
   struct Precomputed {
     Parameters parameters;
-    Scalar z16;
-    Scalar z17;
-    Scalar z19;
-    Scalar z39;
-    Scalar z169;
-    Scalar z170;
+    Scalar m0;
+    Scalar m1;
+    Scalar m2;
+    Scalar m3;
+    Scalar m4;
+    Scalar m5;
   };
 
   /// Values of the scene.
@@ -639,18 +639,18 @@ struct Mechanism {
     const Scalar p_L = parameters.L;
     const Scalar p_m = parameters.m;
     const Scalar p_M = parameters.M;
-    const Scalar z16 = p_L * p_L * p_m;
-    const Scalar z17 = p_L * p_m;
-    const Scalar z19 = n2 * z16;
-    const Scalar z39 = n2 * p_L;
-    const Scalar z169 = n0_5 * p_M;
-    const Scalar z170 = n9_81 * p_M;
-    precomputed.z16 = z16;
-    precomputed.z17 = z17;
-    precomputed.z19 = z19;
-    precomputed.z39 = z39;
-    precomputed.z169 = z169;
-    precomputed.z170 = z170;
+    const Scalar z0 = p_L * p_L * p_m;
+    const Scalar z1 = p_L * p_m;
+    const Scalar z2 = n2 * z0;
+    const Scalar z3 = n2 * p_L;
+    const Scalar z4 = n0_5 * p_M;
+    const Scalar z5 = n9_81 * p_M;
+    precomputed.m0 = z0;
+    precomputed.m1 = z1;
+    precomputed.m2 = z2;
+    precomputed.m3 = z3;
+    precomputed.m4 = z4;
+    precomputed.m5 = z5;
     return precomputed;
   }
 
@@ -747,82 +747,82 @@ struct Mechanism {
     const Scalar q_theta = state.q.theta;
     const Scalar v_theta = state.v.theta;
     const Scalar p_L = precomputed.parameters.L;
-    const Scalar z39 = precomputed.z39;
-    const Scalar z40 = p_omega * t;
-    const Scalar angles_[] = {q_theta, z40};
+    const Scalar m3 = precomputed.m3;
+    const Scalar z0 = p_omega * t;
+    const Scalar angles_[] = {q_theta, z0};
     Scalar sines_[2], cosines_[2];
     torsor::sines_and_cosines(angles_, sines_, cosines_);
     const Scalar s_theta = sines_[0], c_theta = cosines_[0];
-    const Scalar z41 = sines_[1], z42 = cosines_[1];
-    const Scalar z48 = p_omega * s_theta;
-    const Scalar z44 = c_theta * z42;
-    const Scalar z46 = c_theta * z41;
-    const Scalar z56 = v_theta * p_L;
-    const Scalar z43 = v_theta * s_theta;
-    const Scalar z45 = s_theta * z42;
-    const Scalar z47 = s_theta * z41;
-    const Scalar z51 = c_theta * p_L;
-    const Scalar z49 = v_theta * z41;  // angular velocity of arm_1, x
-    const Scalar z50 = v_theta * z42;  // angular velocity of arm_1, y
-    const Scalar z60 = s_theta * z56;
-    const Scalar z52 = n2 * z51;
-    const Scalar z53 = z39 * z43;  // velocity of sleeve, z
-    const Scalar z57 = p_L * z48;
-    const Scalar z54 = p_L * z45;
-    const Scalar z55 = p_L * z47;
-    const Scalar z58 = z41 * z57 - z44 * z56;
-    const Scalar z59 = z42 * z57 + z46 * z56;
-    result.ball_1_position[0] = -z54;
-    result.ball_1_position[1] = -z55;
-    result.ball_1_position[2] = -z51;
-    result.ball_1_rotation[0] = z44;
-    result.ball_1_rotation[1] = z46;
+    const Scalar z1 = sines_[1], z2 = cosines_[1];
+    const Scalar z3 = p_omega * s_theta;
+    const Scalar z4 = c_theta * z2;
+    const Scalar z5 = c_theta * z1;
+    const Scalar z6 = v_theta * p_L;
+    const Scalar z7 = v_theta * s_theta;
+    const Scalar z8 = s_theta * z2;
+    const Scalar z9 = s_theta * z1;
+    const Scalar z10 = c_theta * p_L;
+    const Scalar z11 = v_theta * z1;  // angular velocity of arm_1, x
+    const Scalar z12 = v_theta * z2;  // angular velocity of arm_1, y
+    const Scalar z13 = s_theta * z6;
+    const Scalar z14 = n2 * z10;
+    const Scalar z15 = m3 * z7;  // velocity of sleeve, z
+    const Scalar z16 = p_L * z3;
+    const Scalar z17 = p_L * z8;
+    const Scalar z18 = p_L * z9;
+    const Scalar z19 = z1 * z16 - z4 * z6;
+    const Scalar z20 = z2 * z16 + z5 * z6;
+    result.ball_1_position[0] = -z17;
+    result.ball_1_position[1] = -z18;
+    result.ball_1_position[2] = -z10;
+    result.ball_1_rotation[0] = z4;
+    result.ball_1_rotation[1] = z5;
     result.ball_1_rotation[2] = -s_theta;
-    result.ball_1_rotation[3] = -z41;
-    result.ball_1_rotation[4] = z42;
+    result.ball_1_rotation[3] = -z1;
+    result.ball_1_rotation[4] = z2;
     result.ball_1_rotation[5] = n0;
-    result.ball_1_rotation[6] = z45;
-    result.ball_1_rotation[7] = z47;
+    result.ball_1_rotation[6] = z8;
+    result.ball_1_rotation[7] = z9;
     result.ball_1_rotation[8] = c_theta;
-    result.ball_1_velocity[0] = z58;
-    result.ball_1_velocity[1] = -z59;
-    result.ball_1_velocity[2] = z60;
-    result.ball_1_angular_velocity[0] = -z49;
-    result.ball_1_angular_velocity[1] = z50;
+    result.ball_1_velocity[0] = z19;
+    result.ball_1_velocity[1] = -z20;
+    result.ball_1_velocity[2] = z13;
+    result.ball_1_angular_velocity[0] = -z11;
+    result.ball_1_angular_velocity[1] = z12;
     result.ball_1_angular_velocity[2] = p_omega;
-    result.ball_2_position[0] = z54;
-    result.ball_2_position[1] = z55;
-    result.ball_2_position[2] = -z51;
-    result.ball_2_rotation[0] = z44;
-    result.ball_2_rotation[1] = z46;
+    result.ball_2_position[0] = z17;
+    result.ball_2_position[1] = z18;
+    result.ball_2_position[2] = -z10;
+    result.ball_2_rotation[0] = z4;
+    result.ball_2_rotation[1] = z5;
     result.ball_2_rotation[2] = s_theta;
-    result.ball_2_rotation[3] = -z41;
-    result.ball_2_rotation[4] = z42;
+    result.ball_2_rotation[3] = -z1;
+    result.ball_2_rotation[4] = z2;
     result.ball_2_rotation[5] = n0;
-    result.ball_2_rotation[6] = -z45;
-    result.ball_2_rotation[7] = -z47;
+    result.ball_2_rotation[6] = -z8;
+    result.ball_2_rotation[7] = -z9;
     result.ball_2_rotation[8] = c_theta;
-    result.ball_2_velocity[0] = -z58;
-    result.ball_2_velocity[1] = z59;
-    result.ball_2_velocity[2] = z60;
-    result.ball_2_angular_velocity[0] = z49;
-    result.ball_2_angular_velocity[1] = -z50;
+    result.ball_2_velocity[0] = -z19;
+    result.ball_2_velocity[1] = z20;
+    result.ball_2_velocity[2] = z13;
+    result.ball_2_angular_velocity[0] = z11;
+    result.ball_2_angular_velocity[1] = -z12;
     result.ball_2_angular_velocity[2] = p_omega;
     result.sleeve_position[0] = n0;
     result.sleeve_position[1] = n0;
-    result.sleeve_position[2] = -z52;
-    result.sleeve_rotation[0] = z42;
-    result.sleeve_rotation[1] = z41;
+    result.sleeve_position[2] = -z14;
+    result.sleeve_rotation[0] = z2;
+    result.sleeve_rotation[1] = z1;
     result.sleeve_rotation[2] = n0;
-    result.sleeve_rotation[3] = -z41;
-    result.sleeve_rotation[4] = z42;
+    result.sleeve_rotation[3] = -z1;
+    result.sleeve_rotation[4] = z2;
     result.sleeve_rotation[5] = n0;
     result.sleeve_rotation[6] = n0;
     result.sleeve_rotation[7] = n0;
     result.sleeve_rotation[8] = n1;
     result.sleeve_velocity[0] = n0;
     result.sleeve_velocity[1] = n0;
-    result.sleeve_velocity[2] = z53;
+    result.sleeve_velocity[2] = z15;
     result.sleeve_angular_velocity[0] = n0;
     result.sleeve_angular_velocity[1] = n0;
     result.sleeve_angular_velocity[2] = p_omega;
@@ -833,14 +833,14 @@ struct Mechanism {
       std::array<Scalar, 1>& mass) noexcept {
     const Scalar q_theta = state.q.theta;
     const Scalar p_M = precomputed.parameters.M;
-    const Scalar z19 = precomputed.z19;
-    const Scalar z39 = precomputed.z39;
+    const Scalar m2 = precomputed.m2;
+    const Scalar m3 = precomputed.m3;
     Scalar s_theta, c_theta;
     traits::sincos(q_theta, s_theta, c_theta);
-    const Scalar z91 = s_theta * z39;
-    const Scalar z92 = p_M * z91;
-    const Scalar z93 = z19 + z91 * z92;
-    mass[0] = z93;
+    const Scalar z0 = s_theta * m3;
+    const Scalar z1 = p_M * z0;
+    const Scalar z2 = m2 + z0 * z1;
+    mass[0] = z2;
   }
 
   /// Bias h(q, v, t): inverse dynamics at zero acceleration without inputs and multipliers; gravity and passive
@@ -853,23 +853,23 @@ struct Mechanism {
     const Scalar q_theta = state.q.theta;
     const Scalar v_theta = state.v.theta;
     const Scalar p_M = precomputed.parameters.M;
-    const Scalar z16 = precomputed.z16;
-    const Scalar z17 = precomputed.z17;
-    const Scalar z39 = precomputed.z39;
+    const Scalar m0 = precomputed.m0;
+    const Scalar m1 = precomputed.m1;
+    const Scalar m3 = precomputed.m3;
     Scalar s_theta, c_theta;
     traits::sincos(q_theta, s_theta, c_theta);
-    const Scalar z118 = v_theta * c_theta;
-    const Scalar z120 = p_omega * s_theta;
-    const Scalar z121 = p_omega * c_theta;
-    const Scalar z122 = n9_81 * s_theta;
-    const Scalar z119 = s_theta * z39;
-    const Scalar z123 = v_theta * z118;
-    const Scalar z126 = z120 * z121;
-    const Scalar z124 = n9_81 + z39 * z123;
-    const Scalar z127 = z16 * z126 - z17 * z122;  // moment on arm_2, y
-    const Scalar z125 = p_M * z124;  // force on sleeve, z
-    const Scalar z128 = z119 * z125 - n2 * z127;
-    forces.theta = z128;
+    const Scalar z0 = v_theta * c_theta;
+    const Scalar z1 = p_omega * s_theta;
+    const Scalar z2 = p_omega * c_theta;
+    const Scalar z3 = n9_81 * s_theta;
+    const Scalar z4 = s_theta * m3;
+    const Scalar z5 = v_theta * z0;
+    const Scalar z6 = z1 * z2;
+    const Scalar z7 = n9_81 + m3 * z5;
+    const Scalar z8 = m0 * z6 - m1 * z3;  // moment on arm_2, y
+    const Scalar z9 = p_M * z7;  // force on sleeve, z
+    const Scalar z10 = z4 * z9 - n2 * z8;
+    forces.theta = z10;
   }
 
   /// Inverse dynamics: the generalised forces M a + h - A' lambda that motors must supply for the accelerations a.
@@ -882,23 +882,23 @@ struct Mechanism {
     const Scalar v_theta = state.v.theta;
     const Scalar a_theta = accelerations.theta;
     const Scalar p_M = precomputed.parameters.M;
-    const Scalar z16 = precomputed.z16;
-    const Scalar z17 = precomputed.z17;
-    const Scalar z39 = precomputed.z39;
+    const Scalar m0 = precomputed.m0;
+    const Scalar m1 = precomputed.m1;
+    const Scalar m3 = precomputed.m3;
     Scalar s_theta, c_theta;
     traits::sincos(q_theta, s_theta, c_theta);
-    const Scalar z142 = p_omega * s_theta;
-    const Scalar z143 = p_omega * c_theta;
-    const Scalar z139 = v_theta * c_theta;
-    const Scalar z144 = n9_81 * s_theta;
-    const Scalar z141 = s_theta * z39;
-    const Scalar z140 = a_theta * s_theta + v_theta * z139;
-    const Scalar z145 = z142 * z143;
-    const Scalar z148 = z17 * z144 + z16 * (a_theta - z145);  // moment on arm_2, y
-    const Scalar z146 = n9_81 + z39 * z140;
-    const Scalar z147 = p_M * z146;  // force on sleeve, z
-    const Scalar z149 = n2 * z148 + z141 * z147;
-    forces.theta = z149;
+    const Scalar z0 = p_omega * s_theta;
+    const Scalar z1 = p_omega * c_theta;
+    const Scalar z2 = v_theta * c_theta;
+    const Scalar z3 = n9_81 * s_theta;
+    const Scalar z4 = s_theta * m3;
+    const Scalar z5 = a_theta * s_theta + v_theta * z2;
+    const Scalar z6 = z0 * z1;
+    const Scalar z7 = m1 * z3 + m0 * (a_theta - z6);  // moment on arm_2, y
+    const Scalar z8 = n9_81 + m3 * z5;
+    const Scalar z9 = p_M * z8;  // force on sleeve, z
+    const Scalar z10 = n2 * z7 + z4 * z9;
+    forces.theta = z10;
   }
 
   /// Forward dynamics: accelerations a and multipliers lambda from M a + h = E u + A' lambda, A a + gamma = 0, by
@@ -914,29 +914,29 @@ struct Mechanism {
     const Scalar q_theta = state.q.theta;
     const Scalar v_theta = state.v.theta;
     const Scalar p_M = precomputed.parameters.M;
-    const Scalar z16 = precomputed.z16;
-    const Scalar z17 = precomputed.z17;
-    const Scalar z19 = precomputed.z19;
-    const Scalar z39 = precomputed.z39;
+    const Scalar m0 = precomputed.m0;
+    const Scalar m1 = precomputed.m1;
+    const Scalar m2 = precomputed.m2;
+    const Scalar m3 = precomputed.m3;
     Scalar s_theta, c_theta;
     traits::sincos(q_theta, s_theta, c_theta);
-    const Scalar z153 = s_theta * z39;
-    const Scalar z152 = v_theta * c_theta;
-    const Scalar z154 = p_omega * s_theta;
-    const Scalar z155 = p_omega * c_theta;
-    const Scalar z158 = n9_81 * s_theta;
-    const Scalar z156 = p_M * z153;
-    const Scalar z159 = v_theta * z152;
-    const Scalar z162 = z154 * z155;
-    const Scalar z157 = z19 + z153 * z156;
-    const Scalar z160 = n9_81 + z39 * z159;
-    const Scalar z163 = z16 * z162 - z17 * z158;  // moment on arm_2, y
-    const Scalar z161 = p_M * z160;  // force on sleeve, z
-    const Scalar z165 = n1 / z157;
-    const Scalar z164 = z153 * z161 - n2 * z163;
-    const Scalar z166 = z164 * z165;
-    accelerations.theta = -z166;
-    if (!(traits::regular(z157, z157))) return torsor::Status::singular;
+    const Scalar z0 = s_theta * m3;
+    const Scalar z1 = v_theta * c_theta;
+    const Scalar z2 = p_omega * s_theta;
+    const Scalar z3 = p_omega * c_theta;
+    const Scalar z4 = n9_81 * s_theta;
+    const Scalar z5 = p_M * z0;
+    const Scalar z6 = v_theta * z1;
+    const Scalar z7 = z2 * z3;
+    const Scalar z8 = m2 + z0 * z5;
+    const Scalar z9 = n9_81 + m3 * z6;
+    const Scalar z10 = m0 * z7 - m1 * z4;  // moment on arm_2, y
+    const Scalar z11 = p_M * z9;  // force on sleeve, z
+    const Scalar z12 = n1 / z8;
+    const Scalar z13 = z0 * z11 - n2 * z10;
+    const Scalar z14 = z13 * z12;
+    accelerations.theta = -z14;
+    if (!(traits::regular(z8, z8))) return torsor::Status::singular;
     // 0 x is 0 for every finite x and not a number for any other.
     const Scalar zero = n0 * accelerations.theta;
     if (!traits::regular(n1, zero)) return torsor::Status::not_finite;
@@ -951,20 +951,20 @@ struct Mechanism {
     const Scalar p_omega = precomputed.parameters.omega;
     const Scalar q_theta = state.q.theta;
     const Scalar v_theta = state.v.theta;
-    const Scalar z16 = precomputed.z16;
-    const Scalar z17 = precomputed.z17;
-    const Scalar z39 = precomputed.z39;
-    const Scalar z169 = precomputed.z169;
-    const Scalar z170 = precomputed.z170;
+    const Scalar m0 = precomputed.m0;
+    const Scalar m1 = precomputed.m1;
+    const Scalar m3 = precomputed.m3;
+    const Scalar m4 = precomputed.m4;
+    const Scalar m5 = precomputed.m5;
     Scalar s_theta, c_theta;
     traits::sincos(q_theta, s_theta, c_theta);
-    const Scalar z171 = v_theta * s_theta;
-    const Scalar z172 = p_omega * s_theta;
-    const Scalar z173 = c_theta * z39;
-    const Scalar z175 = c_theta * z17;
-    const Scalar z174 = z39 * z171;  // velocity of sleeve, z
-    result.kinetic = z16 * (v_theta * v_theta + z172 * z172) + z169 * z174 * z174;
-    result.force_function = z170 * z173 + n19_62 * z175;
+    const Scalar z0 = v_theta * s_theta;
+    const Scalar z1 = p_omega * s_theta;
+    const Scalar z2 = c_theta * m3;
+    const Scalar z3 = c_theta * m1;
+    const Scalar z4 = m3 * z0;  // velocity of sleeve, z
+    result.kinetic = m0 * (v_theta * v_theta + z1 * z1) + m4 * z4 * z4;
+    result.force_function = m5 * z2 + n19_62 * z3;
     result.power = n0;
   }
 
@@ -978,22 +978,21 @@ struct Mechanism {
     const Scalar q_theta = state.q.theta;
     const Scalar v_theta = state.v.theta;
     const Scalar p_M = precomputed.parameters.M;
-    const Scalar z16 = precomputed.z16;
-    const Scalar z17 = precomputed.z17;
-    const Scalar z19 = precomputed.z19;
-    const Scalar z39 = precomputed.z39;
+    const Scalar m0 = precomputed.m0;
+    const Scalar m1 = precomputed.m1;
+    const Scalar m2 = precomputed.m2;
+    const Scalar m3 = precomputed.m3;
     Scalar s_theta, c_theta;
     traits::sincos(q_theta, s_theta, c_theta);
-    const Scalar z188 = v_theta * s_theta;
-    const Scalar z189 = p_omega * s_theta;
-    const Scalar z190 = c_theta * z39;
-    const Scalar z192 = c_theta * z17;
-    const Scalar z191 = z39 * z188;  // velocity of sleeve, z
-    const Scalar z193 = p_M * z191;
-    const Scalar z194 = z39 * z193;
-    const Scalar z195 = v_theta * z19 + s_theta * z194;
-    result.painleve = -v_theta * (v_theta * z16 - z195) - p_M * (n9_81 * z190 + n0_5 * z191 * z191) - z16 * z189 * z189
-        - n19_62 * z192;
+    const Scalar z0 = v_theta * s_theta;
+    const Scalar z1 = p_omega * s_theta;
+    const Scalar z2 = c_theta * m3;
+    const Scalar z3 = c_theta * m1;
+    const Scalar z4 = m3 * z0;  // velocity of sleeve, z
+    const Scalar z5 = p_M * z4;
+    const Scalar z6 = m3 * z5;
+    const Scalar z7 = v_theta * m2 + s_theta * z6;
+    result.painleve = -v_theta * (v_theta * m0 - z7) - p_M * (n9_81 * z2 + n0_5 * z4 * z4) - m0 * z1 * z1 - n19_62 * z3;
   }
 
   /// Reactions against the released coordinates, each P_q - Q_q at q = 0: what the joint exerts along the released
@@ -1004,16 +1003,16 @@ struct Mechanism {
     const Scalar p_omega = precomputed.parameters.omega;
     const Scalar q_theta = state.q.theta;
     const Scalar v_theta = state.v.theta;
-    const Scalar z16 = precomputed.z16;
+    const Scalar m0 = precomputed.m0;
     Scalar s_theta, c_theta;
     traits::sincos(q_theta, s_theta, c_theta);
-    const Scalar z26 = p_omega * c_theta;
-    const Scalar z96 = v_theta * z26;  // angular acceleration of arm_1, x
-    const Scalar z102 = n2 * z96;
-    const Scalar z109 = z16 * z102;  // moment on arm_2, x
-    const Scalar z114 = s_theta * z109;
-    const Scalar z116 = n2 * z114;  // moment on shaft, z
-    result.motor = z116;
+    const Scalar z0 = p_omega * c_theta;
+    const Scalar z1 = v_theta * z0;  // angular acceleration of arm_1, x
+    const Scalar z2 = n2 * z1;
+    const Scalar z3 = m0 * z2;  // moment on arm_2, x
+    const Scalar z4 = s_theta * z3;
+    const Scalar z5 = n2 * z4;  // moment on shaft, z
+    result.motor = z5;
   }
 
   /// Linearisation about the state: M e'' + C e' + K e = F + E du, with e and du deviations from the state and the
@@ -1029,50 +1028,50 @@ struct Mechanism {
     const Scalar v_theta = state.v.theta;
     const Scalar a_theta = accelerations.theta;
     const Scalar p_M = precomputed.parameters.M;
-    const Scalar z16 = precomputed.z16;
-    const Scalar z17 = precomputed.z17;
-    const Scalar z19 = precomputed.z19;
-    const Scalar z39 = precomputed.z39;
+    const Scalar m0 = precomputed.m0;
+    const Scalar m1 = precomputed.m1;
+    const Scalar m2 = precomputed.m2;
+    const Scalar m3 = precomputed.m3;
     Scalar s_theta, c_theta;
     traits::sincos(q_theta, s_theta, c_theta);
-    const Scalar z208 = v_theta * s_theta;
-    const Scalar z211 = s_theta * z39;
-    const Scalar z209 = v_theta * c_theta;
-    const Scalar z212 = p_omega * s_theta;
-    const Scalar z213 = p_omega * c_theta;
-    const Scalar z217 = n9_81 * s_theta;
-    const Scalar z218 = n9_81 * c_theta;
-    const Scalar z214 = c_theta * z39;
-    const Scalar z210 = a_theta * s_theta + v_theta * z209;
-    const Scalar z215 = p_M * z211;
-    const Scalar z219 = z212 * z213;
-    const Scalar z225 = n2 * z209;
-    const Scalar z229 = v_theta * z208 - a_theta * c_theta;
-    const Scalar z232 = z212 * z212 - z213 * z213;
-    const Scalar z216 = z19 + z211 * z215;
-    const Scalar z222 = z17 * z217 + z16 * (a_theta - z219);  // moment on arm_2, y
-    const Scalar z226 = z39 * z225;
-    const Scalar z220 = n9_81 + z39 * z210;
-    const Scalar z227 = p_M * z226;
-    const Scalar z224 = n1 / z216;
-    const Scalar z230 = z39 * z229;
-    const Scalar z233 = z17 * z218 + z16 * z232;
-    const Scalar z221 = p_M * z220;  // force on sleeve, z
-    const Scalar z228 = z211 * z227;
-    const Scalar z231 = p_M * z230;
-    const Scalar z223 = n2 * z222 + z211 * z221;
-    const Scalar z234 = z211 * z231 - z214 * z221 - n2 * z233;
-    const Scalar z236 = z224 * z228;
-    const Scalar z235 = z224 * z234;
-    result.M[0] = z216;
-    result.C[0] = z228;
-    result.K[0] = -z234;
-    result.F[0] = -z223;
+    const Scalar z0 = v_theta * s_theta;
+    const Scalar z1 = s_theta * m3;
+    const Scalar z2 = v_theta * c_theta;
+    const Scalar z3 = p_omega * s_theta;
+    const Scalar z4 = p_omega * c_theta;
+    const Scalar z5 = n9_81 * s_theta;
+    const Scalar z6 = n9_81 * c_theta;
+    const Scalar z7 = c_theta * m3;
+    const Scalar z8 = a_theta * s_theta + v_theta * z2;
+    const Scalar z9 = p_M * z1;
+    const Scalar z10 = z3 * z4;
+    const Scalar z11 = n2 * z2;
+    const Scalar z12 = v_theta * z0 - a_theta * c_theta;
+    const Scalar z13 = z3 * z3 - z4 * z4;
+    const Scalar z14 = m2 + z1 * z9;
+    const Scalar z15 = m1 * z5 + m0 * (a_theta - z10);  // moment on arm_2, y
+    const Scalar z16 = m3 * z11;
+    const Scalar z17 = n9_81 + m3 * z8;
+    const Scalar z18 = p_M * z16;
+    const Scalar z19 = n1 / z14;
+    const Scalar z20 = m3 * z12;
+    const Scalar z21 = m1 * z6 + m0 * z13;
+    const Scalar z22 = p_M * z17;  // force on sleeve, z
+    const Scalar z23 = z1 * z18;
+    const Scalar z24 = p_M * z20;
+    const Scalar z25 = n2 * z15 + z1 * z22;
+    const Scalar z26 = z1 * z24 - z7 * z22 - n2 * z21;
+    const Scalar z27 = z19 * z23;
+    const Scalar z28 = z19 * z26;
+    result.M[0] = z14;
+    result.C[0] = z23;
+    result.K[0] = -z26;
+    result.F[0] = -z25;
     result.A[0] = n0;
-    result.A[1] = z235;
+    result.A[1] = z28;
     result.A[2] = n1;
-    result.A[3] = -z236;
-    if (!(traits::regular(z216, z216))) return torsor::Status::singular;
+    result.A[3] = -z27;
+    if (!(traits::regular(z14, z14))) return torsor::Status::singular;
     // 0 x is 0 for every finite x and not a number for any other.
     const Scalar zero = n0 * result.M[0] * result.C[0] * result.K[0] * result.F[0] * result.A[1] * result.A[3];
     if (!traits::regular(n1, zero)) return torsor::Status::not_finite;

@@ -505,7 +505,7 @@ struct Mechanism {
 
   static constexpr const char* name = "weather_vane";
   /// 64 bits (FNV-1a) of this file from "#pragma once" on, with zeros in their own place: another mechanism, other bits.
-  static constexpr unsigned long long fingerprint = 0x736fc55555efce88ULL;
+  static constexpr unsigned long long fingerprint = 0xeb23f360585652dcULL;
   static constexpr int coordinate_count = 1;
   static constexpr int velocity_count = 1;
   static constexpr int input_count = 0;
@@ -685,17 +685,17 @@ struct Mechanism {
     Scalar s_theta, c_theta;
     traits::sincos(q_theta, s_theta, c_theta);
     const Scalar pi = traits::pi();
-    const Scalar z8 = traits::formula(0.12732395447351627, 0.12732396f, [&]() -> Scalar {
+    const Scalar z0 = traits::formula(0.12732395447351627, 0.12732396f, [&]() -> Scalar {
       return n0_4 / pi;
     });
-    const Scalar z11 = v_theta * z8;
-    const Scalar z9 = c_theta * z8;
-    const Scalar z10 = s_theta * z8;
-    const Scalar z12 = s_theta * z11;
-    const Scalar z13 = c_theta * z11;
-    result.vane_position[0] = z8;
-    result.vane_position[1] = z9;
-    result.vane_position[2] = z10;
+    const Scalar z1 = v_theta * z0;
+    const Scalar z2 = c_theta * z0;
+    const Scalar z3 = s_theta * z0;
+    const Scalar z4 = s_theta * z1;
+    const Scalar z5 = c_theta * z1;
+    result.vane_position[0] = z0;
+    result.vane_position[1] = z2;
+    result.vane_position[2] = z3;
     result.vane_rotation[0] = n1;
     result.vane_rotation[1] = n0;
     result.vane_rotation[2] = n0;
@@ -706,8 +706,8 @@ struct Mechanism {
     result.vane_rotation[7] = -s_theta;
     result.vane_rotation[8] = c_theta;
     result.vane_velocity[0] = n0;
-    result.vane_velocity[1] = -z12;
-    result.vane_velocity[2] = z13;
+    result.vane_velocity[1] = -z4;
+    result.vane_velocity[2] = z5;
     result.vane_angular_velocity[0] = v_theta;
     result.vane_angular_velocity[1] = n0;
     result.vane_angular_velocity[2] = n0;
@@ -728,10 +728,10 @@ struct Mechanism {
     const Scalar v_theta = state.v.theta;
     Scalar s_theta, c_theta;
     traits::sincos(q_theta, s_theta, c_theta);
-    const Scalar z32 = n0_4 * s_theta;
-    const Scalar z33 = n0_02 * v_theta;
-    const Scalar z41 = z32 + z33;
-    forces.theta = z41;
+    const Scalar z0 = n0_4 * s_theta;
+    const Scalar z1 = n0_02 * v_theta;
+    const Scalar z2 = z0 + z1;
+    forces.theta = z2;
   }
 
   /// Inverse dynamics: the generalised forces M a + h - A' lambda that motors must supply for the accelerations a.
@@ -745,11 +745,11 @@ struct Mechanism {
     const Scalar a_theta = accelerations.theta;
     Scalar s_theta, c_theta;
     traits::sincos(q_theta, s_theta, c_theta);
-    const Scalar z33 = n0_02 * v_theta;
-    const Scalar z43 = n0_045 * a_theta;  // moment on vane, x
-    const Scalar z32 = n0_4 * s_theta;
-    const Scalar z49 = z33 + z43 + z32;
-    forces.theta = z49;
+    const Scalar z0 = n0_02 * v_theta;
+    const Scalar z1 = n0_045 * a_theta;  // moment on vane, x
+    const Scalar z2 = n0_4 * s_theta;
+    const Scalar z3 = z0 + z1 + z2;
+    forces.theta = z3;
   }
 
   /// Forward dynamics: accelerations a and multipliers lambda from M a + h = E u + A' lambda, A a + gamma = 0, by
@@ -766,11 +766,11 @@ struct Mechanism {
     const Scalar v_theta = state.v.theta;
     Scalar s_theta, c_theta;
     traits::sincos(q_theta, s_theta, c_theta);
-    const Scalar z32 = n0_4 * s_theta;
-    const Scalar z33 = n0_02 * v_theta;
-    const Scalar z41 = z32 + z33;
-    const Scalar z51 = n200_over_9 * z41;
-    accelerations.theta = -z51;
+    const Scalar z0 = n0_4 * s_theta;
+    const Scalar z1 = n0_02 * v_theta;
+    const Scalar z2 = z0 + z1;
+    const Scalar z3 = n200_over_9 * z2;
+    accelerations.theta = -z3;
     // 0 x is 0 for every finite x and not a number for any other.
     const Scalar zero = n0 * accelerations.theta;
     if (!traits::regular(n1, zero)) return torsor::Status::not_finite;
@@ -786,10 +786,10 @@ struct Mechanism {
     const Scalar v_theta = state.v.theta;
     Scalar s_theta, c_theta;
     traits::sincos(q_theta, s_theta, c_theta);
-    const Scalar z33 = n0_02 * v_theta;
+    const Scalar z0 = n0_02 * v_theta;
     result.kinetic = n0_0225 * v_theta * v_theta;
     result.force_function = n0_4 * c_theta;
-    result.power = -v_theta * z33;
+    result.power = -v_theta * z0;
   }
 
   /// Reactions against the released coordinates, each P_q - Q_q at q = 0: what the joint exerts along the released
@@ -805,26 +805,26 @@ struct Mechanism {
     Scalar s_theta, c_theta;
     traits::sincos(q_theta, s_theta, c_theta);
     const Scalar pi = traits::pi();
-    const Scalar z6 = traits::formula(0.02864788975654116, 0.02864789f, [&]() -> Scalar {
+    const Scalar z0 = traits::formula(0.02864788975654116, 0.02864789f, [&]() -> Scalar {
       return n0_09 / pi;
     });
-    const Scalar z7 = traits::formula(0.25464790894703254, 0.2546479f, [&]() -> Scalar {
+    const Scalar z1 = traits::formula(0.25464790894703254, 0.2546479f, [&]() -> Scalar {
       return n0_8 / pi;
     });
-    const Scalar z34 = v_theta * v_theta;
-    const Scalar z42 = a_theta * z7;  // force on vane, z
-    const Scalar z44 = a_theta * z6;  // moment on vane, y
-    const Scalar z35 = z7 * z34;  // force on vane, y
-    const Scalar z36 = z6 * z34;  // moment on vane, z
-    const Scalar z45 = s_theta * z42 + c_theta * z35;
-    const Scalar z46 = s_theta * z35 - c_theta * z42;
-    const Scalar z47 = s_theta * z36 - c_theta * z44;
-    const Scalar z48 = s_theta * z44 + c_theta * z36;
+    const Scalar z2 = v_theta * v_theta;
+    const Scalar z3 = a_theta * z1;  // force on vane, z
+    const Scalar z4 = a_theta * z0;  // moment on vane, y
+    const Scalar z5 = z1 * z2;  // force on vane, y
+    const Scalar z6 = z0 * z2;  // moment on vane, z
+    const Scalar z7 = s_theta * z3 + c_theta * z5;
+    const Scalar z8 = s_theta * z5 - c_theta * z3;
+    const Scalar z9 = s_theta * z6 - c_theta * z4;
+    const Scalar z10 = s_theta * z4 + c_theta * z6;
     result.X = n0;
-    result.Y = -z45;
-    result.Z = -z46;
-    result.M_y = z47;
-    result.M_z = -z48;
+    result.Y = -z7;
+    result.Z = -z8;
+    result.M_y = z9;
+    result.M_z = -z10;
   }
 
   /// Linearisation about the state: M e'' + C e' + K e = F + E du, with e and du deviations from the state and the
@@ -843,18 +843,18 @@ struct Mechanism {
     const Scalar a_theta = accelerations.theta;
     Scalar s_theta, c_theta;
     traits::sincos(q_theta, s_theta, c_theta);
-    const Scalar z33 = n0_02 * v_theta;
-    const Scalar z43 = n0_045 * a_theta;  // moment on vane, x
-    const Scalar z32 = n0_4 * s_theta;
-    const Scalar z53 = n0_4 * c_theta;
-    const Scalar z49 = z33 + z43 + z32;
-    const Scalar z54 = n200_over_9 * z53;
+    const Scalar z0 = n0_02 * v_theta;
+    const Scalar z1 = n0_045 * a_theta;  // moment on vane, x
+    const Scalar z2 = n0_4 * s_theta;
+    const Scalar z3 = n0_4 * c_theta;
+    const Scalar z4 = z0 + z1 + z2;
+    const Scalar z5 = n200_over_9 * z3;
     result.M[0] = n0_045;
     result.C[0] = n0_02;
-    result.K[0] = z53;
-    result.F[0] = -z49;
+    result.K[0] = z3;
+    result.F[0] = -z4;
     result.A[0] = n0;
-    result.A[1] = -z54;
+    result.A[1] = -z5;
     result.A[2] = n1;
     result.A[3] = -n4_over_9;
     // 0 x is 0 for every finite x and not a number for any other.

@@ -509,7 +509,7 @@ struct Mechanism {
 
   static constexpr const char* name = "winder";
   /// 64 bits (FNV-1a) of this file from "#pragma once" on, with zeros in their own place: another mechanism, other bits.
-  static constexpr unsigned long long fingerprint = 0xf2d71519625c201eULL;
+  static constexpr unsigned long long fingerprint = 0xbac257eb6f539e6dULL;
   static constexpr int coordinate_count = 2;
   static constexpr int velocity_count = 2;
   static constexpr int input_count = 0;
@@ -614,23 +614,23 @@ struct Mechanism {
     Parameters parameters;
     Scalar s_slope;
     Scalar c_slope;
-    Scalar z22;
-    Scalar z23;
-    Scalar z24;
-    Scalar z91;
-    Scalar z92;
-    Scalar z106;
-    Scalar z107;
-    Scalar z108;
-    Scalar z109;
-    Scalar z110;
-    Scalar z162;
-    Scalar z163;
-    Scalar z170;
-    Scalar z201;
-    Scalar z216;
-    Scalar z244;
-    Scalar z245;
+    Scalar m2;
+    Scalar m3;
+    Scalar m4;
+    Scalar m5;
+    Scalar m6;
+    Scalar m7;
+    Scalar m8;
+    Scalar m9;
+    Scalar m10;
+    Scalar m11;
+    Scalar m12;
+    Scalar m13;
+    Scalar m14;
+    Scalar m15;
+    Scalar m16;
+    Scalar m17;
+    Scalar m18;
   };
 
   /// Values of the scene.
@@ -660,44 +660,44 @@ struct Mechanism {
     const Scalar p_slope = parameters.slope;
     Scalar s_slope, c_slope;
     traits::sincos(p_slope, s_slope, c_slope);
-    const Scalar z22 = n0_2 * p_omega;
-    const Scalar z23 = p_omega * s_slope;
-    const Scalar z24 = p_omega * c_slope;
-    const Scalar z91 = n0_3 * s_slope;
-    const Scalar z92 = n0_3 * c_slope;
-    const Scalar z105 = p_omega * p_omega;
-    const Scalar z106 = n0_2 * z105;
-    const Scalar z107 = n9_81 * s_slope;
-    const Scalar z108 = n9_81 * c_slope;
-    const Scalar z109 = z23 * z24;
-    const Scalar z110 = z23 * z23;
-    const Scalar z162 = c_slope * z22;
-    const Scalar z163 = s_slope * z22;
-    const Scalar z169 = n0_01 * p_omega;
-    const Scalar z170 = p_omega * z169;
-    const Scalar z201 = n0_0005 * z24;
-    const Scalar z216 = n2 * z23;
-    const Scalar z244 = n200 - n0_5 * z110;
-    const Scalar z245 = n2 * z244;
+    const Scalar z0 = n0_2 * p_omega;
+    const Scalar z1 = p_omega * s_slope;
+    const Scalar z2 = p_omega * c_slope;
+    const Scalar z3 = n0_3 * s_slope;
+    const Scalar z4 = n0_3 * c_slope;
+    const Scalar z5 = p_omega * p_omega;
+    const Scalar z6 = n0_2 * z5;
+    const Scalar z7 = n9_81 * s_slope;
+    const Scalar z8 = n9_81 * c_slope;
+    const Scalar z9 = z1 * z2;
+    const Scalar z10 = z1 * z1;
+    const Scalar z11 = c_slope * z0;
+    const Scalar z12 = s_slope * z0;
+    const Scalar z13 = n0_01 * p_omega;
+    const Scalar z14 = p_omega * z13;
+    const Scalar z15 = n0_0005 * z2;
+    const Scalar z16 = n2 * z1;
+    const Scalar z17 = n200 - n0_5 * z10;
+    const Scalar z18 = n2 * z17;
     precomputed.s_slope = s_slope;
     precomputed.c_slope = c_slope;
-    precomputed.z22 = z22;
-    precomputed.z23 = z23;
-    precomputed.z24 = z24;
-    precomputed.z91 = z91;
-    precomputed.z92 = z92;
-    precomputed.z106 = z106;
-    precomputed.z107 = z107;
-    precomputed.z108 = z108;
-    precomputed.z109 = z109;
-    precomputed.z110 = z110;
-    precomputed.z162 = z162;
-    precomputed.z163 = z163;
-    precomputed.z170 = z170;
-    precomputed.z201 = z201;
-    precomputed.z216 = z216;
-    precomputed.z244 = z244;
-    precomputed.z245 = z245;
+    precomputed.m2 = z0;
+    precomputed.m3 = z1;
+    precomputed.m4 = z2;
+    precomputed.m5 = z3;
+    precomputed.m6 = z4;
+    precomputed.m7 = z6;
+    precomputed.m8 = z7;
+    precomputed.m9 = z8;
+    precomputed.m10 = z9;
+    precomputed.m11 = z10;
+    precomputed.m12 = z11;
+    precomputed.m13 = z12;
+    precomputed.m14 = z14;
+    precomputed.m15 = z15;
+    precomputed.m16 = z16;
+    precomputed.m17 = z17;
+    precomputed.m18 = z18;
     return precomputed;
   }
 
@@ -804,48 +804,48 @@ struct Mechanism {
     const Scalar v_phi = state.v.phi;
     const Scalar s_slope = precomputed.s_slope;
     const Scalar c_slope = precomputed.c_slope;
-    const Scalar z22 = precomputed.z22;
-    const Scalar z23 = precomputed.z23;
-    const Scalar z2 = p_omega * t;
-    const Scalar angles_[] = {z2, q_phi};
+    const Scalar m2 = precomputed.m2;
+    const Scalar m3 = precomputed.m3;
+    const Scalar z0 = p_omega * t;
+    const Scalar angles_[] = {z0, q_phi};
     Scalar sines_[2], cosines_[2];
     torsor::sines_and_cosines(angles_, sines_, cosines_);
-    const Scalar z3 = sines_[0], z4 = cosines_[0];
+    const Scalar z1 = sines_[0], z2 = cosines_[0];
     const Scalar s_phi = sines_[1], c_phi = cosines_[1];
-    const Scalar z25 = z3 * z22;  // velocity of holder, x
-    const Scalar z26 = z4 * z22;  // velocity of holder, y
-    const Scalar z32 = q_lambda * z23;
-    const Scalar z17 = z3 * s_slope;
-    const Scalar z19 = z4 * s_slope;
-    const Scalar z16 = z3 * c_slope;
-    const Scalar z18 = z4 * c_slope;
-    const Scalar z20 = n0_2 * z4;
-    const Scalar z21 = n0_2 * z3;
-    const Scalar z29 = c_slope * q_lambda;
-    const Scalar z35 = c_slope * v_lambda;  // velocity of S.1, z
-    const Scalar z40 = s_slope * s_phi;
-    const Scalar z41 = s_slope * c_phi;
-    const Scalar z47 = p_omega + c_slope * v_phi;  // angular velocity of S, z
-    const Scalar z27 = q_lambda * z17;
-    const Scalar z28 = q_lambda * z19;
-    const Scalar z33 = z4 * z32 - z25 + v_lambda * z17;  // velocity of S.1, x
-    const Scalar z34 = z26 + z3 * z32 - v_lambda * z19;  // velocity of S.1, y
-    const Scalar z36 = z4 * c_phi - s_phi * z16;
-    const Scalar z37 = z4 * s_phi + c_phi * z16;
-    const Scalar z38 = z3 * c_phi + s_phi * z18;
-    const Scalar z39 = z3 * s_phi - c_phi * z18;
-    const Scalar z45 = v_phi * z17;  // angular velocity of S, x
-    const Scalar z46 = v_phi * z19;  // angular velocity of S, y
-    const Scalar z30 = z20 + z27;  // place of S.1, x
-    const Scalar z31 = z21 - z28;  // place of S.1, y
+    const Scalar z3 = z1 * m2;  // velocity of holder, x
+    const Scalar z4 = z2 * m2;  // velocity of holder, y
+    const Scalar z5 = q_lambda * m3;
+    const Scalar z6 = z1 * s_slope;
+    const Scalar z7 = z2 * s_slope;
+    const Scalar z8 = z1 * c_slope;
+    const Scalar z9 = z2 * c_slope;
+    const Scalar z10 = n0_2 * z2;
+    const Scalar z11 = n0_2 * z1;
+    const Scalar z12 = c_slope * q_lambda;
+    const Scalar z13 = c_slope * v_lambda;  // velocity of S.1, z
+    const Scalar z14 = s_slope * s_phi;
+    const Scalar z15 = s_slope * c_phi;
+    const Scalar z16 = p_omega + c_slope * v_phi;  // angular velocity of S, z
+    const Scalar z17 = q_lambda * z6;
+    const Scalar z18 = q_lambda * z7;
+    const Scalar z19 = z2 * z5 - z3 + v_lambda * z6;  // velocity of S.1, x
+    const Scalar z20 = z4 + z1 * z5 - v_lambda * z7;  // velocity of S.1, y
+    const Scalar z21 = z2 * c_phi - s_phi * z8;
+    const Scalar z22 = z2 * s_phi + c_phi * z8;
+    const Scalar z23 = z1 * c_phi + s_phi * z9;
+    const Scalar z24 = z1 * s_phi - c_phi * z9;
+    const Scalar z25 = v_phi * z6;  // angular velocity of S, x
+    const Scalar z26 = v_phi * z7;  // angular velocity of S, y
+    const Scalar z27 = z10 + z17;  // place of S.1, x
+    const Scalar z28 = z11 - z18;  // place of S.1, y
     result.Sigma_position[0] = n0;
     result.Sigma_position[1] = n0;
     result.Sigma_position[2] = n0;
-    result.Sigma_rotation[0] = z4;
-    result.Sigma_rotation[1] = z3;
+    result.Sigma_rotation[0] = z2;
+    result.Sigma_rotation[1] = z1;
     result.Sigma_rotation[2] = n0;
-    result.Sigma_rotation[3] = -z3;
-    result.Sigma_rotation[4] = z4;
+    result.Sigma_rotation[3] = -z1;
+    result.Sigma_rotation[4] = z2;
     result.Sigma_rotation[5] = n0;
     result.Sigma_rotation[6] = n0;
     result.Sigma_rotation[7] = n0;
@@ -856,33 +856,33 @@ struct Mechanism {
     result.Sigma_angular_velocity[0] = n0;
     result.Sigma_angular_velocity[1] = n0;
     result.Sigma_angular_velocity[2] = p_omega;
-    result.S_position[0] = z30;
-    result.S_position[1] = z31;
-    result.S_position[2] = z29;
-    result.S_rotation[0] = z36;
-    result.S_rotation[1] = z38;
-    result.S_rotation[2] = z40;
-    result.S_rotation[3] = -z37;
-    result.S_rotation[4] = -z39;
-    result.S_rotation[5] = z41;
-    result.S_rotation[6] = z17;
-    result.S_rotation[7] = -z19;
+    result.S_position[0] = z27;
+    result.S_position[1] = z28;
+    result.S_position[2] = z12;
+    result.S_rotation[0] = z21;
+    result.S_rotation[1] = z23;
+    result.S_rotation[2] = z14;
+    result.S_rotation[3] = -z22;
+    result.S_rotation[4] = -z24;
+    result.S_rotation[5] = z15;
+    result.S_rotation[6] = z6;
+    result.S_rotation[7] = -z7;
     result.S_rotation[8] = c_slope;
-    result.S_velocity[0] = z33;
-    result.S_velocity[1] = z34;
-    result.S_velocity[2] = z35;
-    result.S_angular_velocity[0] = z45;
-    result.S_angular_velocity[1] = -z46;
-    result.S_angular_velocity[2] = z47;
-    result.G_position[0] = z30;
-    result.G_position[1] = z31;
-    result.G_position[2] = z29;
-    result.G_velocity[0] = z33;
-    result.G_velocity[1] = z34;
-    result.G_velocity[2] = z35;
-    result.G_jacobian[0] = z17;
+    result.S_velocity[0] = z19;
+    result.S_velocity[1] = z20;
+    result.S_velocity[2] = z13;
+    result.S_angular_velocity[0] = z25;
+    result.S_angular_velocity[1] = -z26;
+    result.S_angular_velocity[2] = z16;
+    result.G_position[0] = z27;
+    result.G_position[1] = z28;
+    result.G_position[2] = z12;
+    result.G_velocity[0] = z19;
+    result.G_velocity[1] = z20;
+    result.G_velocity[2] = z13;
+    result.G_jacobian[0] = z6;
     result.G_jacobian[3] = n0;
-    result.G_jacobian[1] = -z19;
+    result.G_jacobian[1] = -z7;
     result.G_jacobian[4] = n0;
     result.G_jacobian[2] = c_slope;
     result.G_jacobian[5] = n0;
@@ -919,14 +919,14 @@ struct Mechanism {
     const Scalar n0_5 = traits::constant(0.5, 0.5f, "1/2");
     const Scalar n0 = traits::constant(0.0, 0.0f, "0/1");
     const Scalar q_lambda = state.q.lambda;
-    const Scalar z92 = precomputed.z92;
-    const Scalar z108 = precomputed.z108;
-    const Scalar z110 = precomputed.z110;
-    const Scalar z93 = q_lambda - z92;
-    const Scalar z113 = q_lambda * z110 - z108;
-    const Scalar z101 = n200 * z93;
-    const Scalar z128 = z101 - n0_5 * z113;  // force on S.1, z
-    forces.lambda = z128;
+    const Scalar m6 = precomputed.m6;
+    const Scalar m9 = precomputed.m9;
+    const Scalar m11 = precomputed.m11;
+    const Scalar z0 = q_lambda - m6;
+    const Scalar z1 = q_lambda * m11 - m9;
+    const Scalar z2 = n200 * z0;
+    const Scalar z3 = z2 - n0_5 * z1;  // force on S.1, z
+    forces.lambda = z3;
     forces.phi = n0;
   }
 
@@ -939,16 +939,16 @@ struct Mechanism {
     const Scalar q_lambda = state.q.lambda;
     const Scalar a_lambda = accelerations.lambda;
     const Scalar a_phi = accelerations.phi;
-    const Scalar z92 = precomputed.z92;
-    const Scalar z108 = precomputed.z108;
-    const Scalar z110 = precomputed.z110;
-    const Scalar z93 = q_lambda - z92;
-    const Scalar z145 = q_lambda * z110 - a_lambda - z108;
-    const Scalar z146 = n0_0005 * a_phi;  // moment on S, z
-    const Scalar z101 = n200 * z93;
-    const Scalar z147 = z101 - n0_5 * z145;  // force on S.1, z
-    forces.lambda = z147;
-    forces.phi = z146;
+    const Scalar m6 = precomputed.m6;
+    const Scalar m9 = precomputed.m9;
+    const Scalar m11 = precomputed.m11;
+    const Scalar z0 = q_lambda - m6;
+    const Scalar z1 = q_lambda * m11 - a_lambda - m9;
+    const Scalar z2 = n0_0005 * a_phi;  // moment on S, z
+    const Scalar z3 = n200 * z0;
+    const Scalar z4 = z3 - n0_5 * z1;  // force on S.1, z
+    forces.lambda = z4;
+    forces.phi = z2;
   }
 
   /// Forward dynamics: accelerations a and multipliers lambda from M a + h = E u + A' lambda, A a + gamma = 0, by
@@ -962,15 +962,15 @@ struct Mechanism {
     const Scalar n0 = traits::constant(0.0, 0.0f, "0/1");
     const Scalar n1 = traits::constant(1.0, 1.0f, "1/1");
     const Scalar q_lambda = state.q.lambda;
-    const Scalar z92 = precomputed.z92;
-    const Scalar z108 = precomputed.z108;
-    const Scalar z110 = precomputed.z110;
-    const Scalar z93 = q_lambda - z92;
-    const Scalar z113 = q_lambda * z110 - z108;
-    const Scalar z101 = n200 * z93;
-    const Scalar z128 = z101 - n0_5 * z113;  // force on S.1, z
-    const Scalar z161 = n2 * z128;
-    accelerations.lambda = -z161;
+    const Scalar m6 = precomputed.m6;
+    const Scalar m9 = precomputed.m9;
+    const Scalar m11 = precomputed.m11;
+    const Scalar z0 = q_lambda - m6;
+    const Scalar z1 = q_lambda * m11 - m9;
+    const Scalar z2 = n200 * z0;
+    const Scalar z3 = z2 - n0_5 * z1;  // force on S.1, z
+    const Scalar z4 = n2 * z3;
+    accelerations.lambda = -z4;
     accelerations.phi = n0;
     // 0 x is 0 for every finite x and not a number for any other.
     const Scalar zero = n0 * accelerations.lambda;
@@ -993,30 +993,29 @@ struct Mechanism {
     const Scalar q_phi = state.q.phi;
     const Scalar v_phi = state.v.phi;
     const Scalar c_slope = precomputed.c_slope;
-    const Scalar z23 = precomputed.z23;
-    const Scalar z24 = precomputed.z24;
-    const Scalar z91 = precomputed.z91;
-    const Scalar z92 = precomputed.z92;
-    const Scalar z162 = precomputed.z162;
-    const Scalar z163 = precomputed.z163;
-    const Scalar z170 = precomputed.z170;
+    const Scalar m3 = precomputed.m3;
+    const Scalar m4 = precomputed.m4;
+    const Scalar m5 = precomputed.m5;
+    const Scalar m6 = precomputed.m6;
+    const Scalar m12 = precomputed.m12;
+    const Scalar m13 = precomputed.m13;
+    const Scalar m14 = precomputed.m14;
     Scalar s_phi, c_phi;
     traits::sincos(q_phi, s_phi, c_phi);
-    const Scalar z176 = q_lambda - z92;
-    const Scalar z177 = s_phi * z91 - n0_2 * c_phi;
-    const Scalar z172 = q_lambda * z23;
-    const Scalar z178 = n0_2 * s_phi + c_phi * z91;
-    const Scalar z171 = c_slope * q_lambda;
-    const Scalar z173 = s_phi * z23;
-    const Scalar z174 = c_phi * z23;
-    const Scalar z175 = v_phi + z24;
-    const Scalar z180 = v_lambda - z163;  // velocity of S.1, z
-    const Scalar z181 = s_phi * z162 + c_phi * z172;
-    const Scalar z182 = s_phi * z172 - c_phi * z162;
-    const Scalar z179 = z176 * z176 + z177 * z177 + z178 * z178;
-    result.kinetic = z170 + k1 * z175 * z175 + n0_0004 * (z173 * z173 + z174 * z174) + n0_25 * (z180 * z180 + z181
-        * z181 + z182 * z182);
-    result.force_function = -n4_905 * z171 - n100 * z179;
+    const Scalar z0 = q_lambda - m6;
+    const Scalar z1 = s_phi * m5 - n0_2 * c_phi;
+    const Scalar z2 = q_lambda * m3;
+    const Scalar z3 = n0_2 * s_phi + c_phi * m5;
+    const Scalar z4 = c_slope * q_lambda;
+    const Scalar z5 = s_phi * m3;
+    const Scalar z6 = c_phi * m3;
+    const Scalar z7 = v_phi + m4;
+    const Scalar z8 = v_lambda - m13;  // velocity of S.1, z
+    const Scalar z9 = s_phi * m12 + c_phi * z2;
+    const Scalar z10 = s_phi * z2 - c_phi * m12;
+    const Scalar z11 = z0 * z0 + z1 * z1 + z3 * z3;
+    result.kinetic = m14 + k1 * z7 * z7 + n0_0004 * (z5 * z5 + z6 * z6) + n0_25 * (z8 * z8 + z9 * z9 + z10 * z10);
+    result.force_function = -n4_905 * z4 - n100 * z11;
     result.power = n0;
   }
 
@@ -1036,33 +1035,33 @@ struct Mechanism {
     const Scalar q_phi = state.q.phi;
     const Scalar v_phi = state.v.phi;
     const Scalar c_slope = precomputed.c_slope;
-    const Scalar z23 = precomputed.z23;
-    const Scalar z24 = precomputed.z24;
-    const Scalar z91 = precomputed.z91;
-    const Scalar z92 = precomputed.z92;
-    const Scalar z162 = precomputed.z162;
-    const Scalar z163 = precomputed.z163;
-    const Scalar z170 = precomputed.z170;
-    const Scalar z201 = precomputed.z201;
+    const Scalar m3 = precomputed.m3;
+    const Scalar m4 = precomputed.m4;
+    const Scalar m5 = precomputed.m5;
+    const Scalar m6 = precomputed.m6;
+    const Scalar m12 = precomputed.m12;
+    const Scalar m13 = precomputed.m13;
+    const Scalar m14 = precomputed.m14;
+    const Scalar m15 = precomputed.m15;
     Scalar s_phi, c_phi;
     traits::sincos(q_phi, s_phi, c_phi);
-    const Scalar z207 = q_lambda - z92;
-    const Scalar z208 = s_phi * z91 - n0_2 * c_phi;
-    const Scalar z203 = q_lambda * z23;
-    const Scalar z209 = n0_2 * s_phi + c_phi * z91;
-    const Scalar z206 = v_phi + z24;
-    const Scalar z211 = v_lambda - z163;  // velocity of S.1, z
-    const Scalar z202 = c_slope * q_lambda;
-    const Scalar z204 = s_phi * z23;
-    const Scalar z205 = c_phi * z23;
-    const Scalar z212 = s_phi * z162 + c_phi * z203;
-    const Scalar z213 = s_phi * z203 - c_phi * z162;
-    const Scalar z214 = n0_5 * z211;
-    const Scalar z215 = n0_0005 * z206;
-    const Scalar z210 = z207 * z207 + z208 * z208 + z209 * z209;
-    result.painleve = n4_905 * z202 - z170 + v_lambda * z214 + v_phi * z215 - k4 * z206 * z206 - n0_0004 * (z204 * z204
-        + z205 * z205) - n0_25 * (z211 * z211 + z212 * z212 + z213 * z213) + n100 * z210;
-    result.momentum_phi = n0_0005 * v_phi + z201;
+    const Scalar z0 = q_lambda - m6;
+    const Scalar z1 = s_phi * m5 - n0_2 * c_phi;
+    const Scalar z2 = q_lambda * m3;
+    const Scalar z3 = n0_2 * s_phi + c_phi * m5;
+    const Scalar z4 = v_phi + m4;
+    const Scalar z5 = v_lambda - m13;  // velocity of S.1, z
+    const Scalar z6 = c_slope * q_lambda;
+    const Scalar z7 = s_phi * m3;
+    const Scalar z8 = c_phi * m3;
+    const Scalar z9 = s_phi * m12 + c_phi * z2;
+    const Scalar z10 = s_phi * z2 - c_phi * m12;
+    const Scalar z11 = n0_5 * z5;
+    const Scalar z12 = n0_0005 * z4;
+    const Scalar z13 = z0 * z0 + z1 * z1 + z3 * z3;
+    result.painleve = n4_905 * z6 - m14 + v_lambda * z11 + v_phi * z12 - k4 * z4 * z4 - n0_0004 * (z7 * z7 + z8 * z8)
+        - n0_25 * (z5 * z5 + z9 * z9 + z10 * z10) + n100 * z13;
+    result.momentum_phi = n0_0005 * v_phi + m15;
   }
 
   /// Reactions against the released coordinates, each P_q - Q_q at q = 0: what the joint exerts along the released
@@ -1081,46 +1080,46 @@ struct Mechanism {
     const Scalar a_phi = accelerations.phi;
     const Scalar s_slope = precomputed.s_slope;
     const Scalar c_slope = precomputed.c_slope;
-    const Scalar z23 = precomputed.z23;
-    const Scalar z24 = precomputed.z24;
-    const Scalar z91 = precomputed.z91;
-    const Scalar z92 = precomputed.z92;
-    const Scalar z106 = precomputed.z106;
-    const Scalar z107 = precomputed.z107;
-    const Scalar z108 = precomputed.z108;
-    const Scalar z109 = precomputed.z109;
-    const Scalar z110 = precomputed.z110;
-    const Scalar z216 = precomputed.z216;
+    const Scalar m3 = precomputed.m3;
+    const Scalar m4 = precomputed.m4;
+    const Scalar m5 = precomputed.m5;
+    const Scalar m6 = precomputed.m6;
+    const Scalar m7 = precomputed.m7;
+    const Scalar m8 = precomputed.m8;
+    const Scalar m9 = precomputed.m9;
+    const Scalar m10 = precomputed.m10;
+    const Scalar m11 = precomputed.m11;
+    const Scalar m16 = precomputed.m16;
     Scalar s_phi, c_phi;
     traits::sincos(q_phi, s_phi, c_phi);
-    const Scalar z222 = n0_2 * s_phi + c_phi * z91;
-    const Scalar z218 = c_phi * z23;
-    const Scalar z219 = v_phi + z24;
-    const Scalar z221 = s_phi * z91 - n0_2 * c_phi;
-    const Scalar z217 = s_phi * z23;
-    const Scalar z220 = q_lambda - z92;
-    const Scalar z226 = v_lambda * z216 - z106;
-    const Scalar z225 = n200 * z220;
-    const Scalar z238 = q_lambda * z110 - a_lambda - z108;
-    const Scalar z227 = q_lambda * z109 + z107;
-    const Scalar z239 = n0_0005 * a_phi;  // moment on S, z
-    const Scalar z240 = z225 - n0_5 * z238;  // force on S.1, z
-    const Scalar z228 = z218 * z219;
-    const Scalar z229 = z217 * z219;
-    const Scalar z230 = n0_0005 * z228;  // moment on S, x
-    const Scalar z231 = n0_0005 * z229;  // moment on S, y
-    const Scalar z223 = n200 * z221;
-    const Scalar z224 = n200 * z222;
-    const Scalar z234 = s_phi * z230 - c_phi * z231;
-    const Scalar z232 = s_phi * z224 - c_phi * z223;
-    const Scalar z233 = s_phi * z223 + c_phi * z224;
-    const Scalar z235 = n0_5 * z226 + z232;  // force on S.1, x
-    const Scalar z236 = n0_5 * z227 - z233;  // force on S.1, y
-    const Scalar z237 = q_lambda * z235 + z234;  // moment on holder, y
-    const Scalar z241 = s_slope * z240 - c_slope * z236;
-    const Scalar z242 = c_slope * z239 + s_slope * z237;
-    const Scalar z243 = n0_2 * z241 - z242;  // moment on Sigma, z
-    result.motor = -z243;
+    const Scalar z0 = n0_2 * s_phi + c_phi * m5;
+    const Scalar z1 = c_phi * m3;
+    const Scalar z2 = v_phi + m4;
+    const Scalar z3 = s_phi * m5 - n0_2 * c_phi;
+    const Scalar z4 = s_phi * m3;
+    const Scalar z5 = q_lambda - m6;
+    const Scalar z6 = v_lambda * m16 - m7;
+    const Scalar z7 = n200 * z5;
+    const Scalar z8 = q_lambda * m11 - a_lambda - m9;
+    const Scalar z9 = q_lambda * m10 + m8;
+    const Scalar z10 = n0_0005 * a_phi;  // moment on S, z
+    const Scalar z11 = z7 - n0_5 * z8;  // force on S.1, z
+    const Scalar z12 = z1 * z2;
+    const Scalar z13 = z4 * z2;
+    const Scalar z14 = n0_0005 * z12;  // moment on S, x
+    const Scalar z15 = n0_0005 * z13;  // moment on S, y
+    const Scalar z16 = n200 * z3;
+    const Scalar z17 = n200 * z0;
+    const Scalar z18 = s_phi * z14 - c_phi * z15;
+    const Scalar z19 = s_phi * z17 - c_phi * z16;
+    const Scalar z20 = s_phi * z16 + c_phi * z17;
+    const Scalar z21 = n0_5 * z6 + z19;  // force on S.1, x
+    const Scalar z22 = n0_5 * z9 - z20;  // force on S.1, y
+    const Scalar z23 = q_lambda * z21 + z18;  // moment on holder, y
+    const Scalar z24 = s_slope * z11 - c_slope * z22;
+    const Scalar z25 = c_slope * z10 + s_slope * z23;
+    const Scalar z26 = n0_2 * z24 - z25;  // moment on Sigma, z
+    result.motor = -z26;
   }
 
   /// Linearisation about the state: M e'' + C e' + K e = F + E du, with e and du deviations from the state and the
@@ -1135,16 +1134,16 @@ struct Mechanism {
     const Scalar q_lambda = state.q.lambda;
     const Scalar a_lambda = accelerations.lambda;
     const Scalar a_phi = accelerations.phi;
-    const Scalar z92 = precomputed.z92;
-    const Scalar z108 = precomputed.z108;
-    const Scalar z110 = precomputed.z110;
-    const Scalar z244 = precomputed.z244;
-    const Scalar z245 = precomputed.z245;
-    const Scalar z93 = q_lambda - z92;
-    const Scalar z145 = q_lambda * z110 - a_lambda - z108;
-    const Scalar z146 = n0_0005 * a_phi;  // moment on S, z
-    const Scalar z101 = n200 * z93;
-    const Scalar z147 = z101 - n0_5 * z145;  // force on S.1, z
+    const Scalar m6 = precomputed.m6;
+    const Scalar m9 = precomputed.m9;
+    const Scalar m11 = precomputed.m11;
+    const Scalar m17 = precomputed.m17;
+    const Scalar m18 = precomputed.m18;
+    const Scalar z0 = q_lambda - m6;
+    const Scalar z1 = q_lambda * m11 - a_lambda - m9;
+    const Scalar z2 = n0_0005 * a_phi;  // moment on S, z
+    const Scalar z3 = n200 * z0;
+    const Scalar z4 = z3 - n0_5 * z1;  // force on S.1, z
     result.M[0] = n0_5;
     result.M[1] = n0;
     result.M[2] = n0;
@@ -1153,15 +1152,15 @@ struct Mechanism {
     result.C[1] = n0;
     result.C[2] = n0;
     result.C[3] = n0;
-    result.K[0] = z244;
+    result.K[0] = m17;
     result.K[1] = n0;
     result.K[2] = n0;
     result.K[3] = n0;
-    result.F[0] = -z147;
-    result.F[1] = -z146;
+    result.F[0] = -z4;
+    result.F[1] = -z2;
     result.A[0] = n0;
     result.A[1] = n0;
-    result.A[2] = -z245;
+    result.A[2] = -m18;
     result.A[3] = n0;
     result.A[4] = n0;
     result.A[5] = n0;

@@ -68,7 +68,10 @@ std::string wrapped(const std::string& line, std::size_t indentation) {
 }
 
 FormulaPrinter::FormulaPrinter(const Program& program)
-    : FormulaPrinter([&program](Atom atom) { return local_name(program, atom); },
+    : FormulaPrinter([&program](Atom atom) {
+        const std::string name = local_name(program, atom);
+        return name.empty() ? fmt::format("z{}", atom) : name;
+      },
                      [](Function function) { return traits_of(function).emitted; }) {}
 
 std::string FormulaPrinter::name(const Number& number) {

@@ -89,7 +89,8 @@ Atom ListingBuilder::add(Quantity quantity) {
 }
 
 Atom ListingBuilder::add_local(Atom atom) {
-  const Atom number = add_local(local_name(*program_, atom));
+  const std::string meaningful = local_name(*program_, atom);
+  const Atom number = add_local(meaningful.empty() ? fmt::format("z{}", numbered_++) : meaningful);
   places_.emplace(atom, number);
   return number;
 }
@@ -119,7 +120,7 @@ void ListingBuilder::read_member(Atom atom) {
   const std::vector<Atom>& members = around_.schedule->members;
   const auto place = std::lower_bound(members.begin(), members.end(), atom);
   const auto index = static_cast<std::size_t>(place - members.begin());
-  listing_.given.push_back(add({Table::precomputed, index, local_name(*program_, atom)}));
+  listing_.given.push_back(add({Table::precomputed, index, precomputed_name(*program_, *around_.schedule, index)}));
   places_.emplace(atom, listing_.given.back());
 }
 

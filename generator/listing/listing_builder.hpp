@@ -57,7 +57,7 @@ class ListingBuilder {
   bool places_formulas_ = true;
   std::unordered_map<Atom, Atom> places_;  ///< of the program's atoms among the quantities; looked up only, as the next two
   std::unordered_set<Atom> done_, live_;
-  std::size_t locals_ = 0;
+  std::size_t locals_ = 0, numbered_ = 0;
   SumTable written_;                                  ///< results that cost something, with
   std::vector<std::optional<std::size_t>> outputs_;   ///< the output of each, or
   std::unordered_map<std::size_t, Atom> locals_of_pivots_;

@@ -36,7 +36,7 @@ std::string local_name(const Program& program, Atom atom) {
       return (definition.function == Function::sin ? "s_" : "c_") + angle->name;
     }
   }
-  return fmt::format("z{}", atom);
+  return {};
 }
 
 std::string constant_name(const Number& number, std::size_t index) {

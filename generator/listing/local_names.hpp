@@ -13,7 +13,7 @@ namespace torsor {
 // ends in an underscore. So no two names can meet, whatever the user chose.
 
 /// The local variable that holds an atom: q_theta, v_theta, a_theta, u_torque, l_normal, p_mass, t; s_theta and c_theta
-/// for sine and cosine of a coordinate or parameter; z<k> for everything else.
+/// for sine and cosine of a coordinate or parameter; empty for everything else, which is numbered function by function.
 std::string local_name(const Program& program, Atom atom);
 
 /// The coordinate's name for its velocity and acceleration too, else the symbol's own.

@@ -42,7 +42,9 @@ Listing lower_precompute(Program& program, const Schedule& schedule, const Layou
 
 std::string precomputed_name(const Program& program, const Schedule& schedule, std::size_t member) {
   const std::size_t definitions = schedule.members.size();
-  return member < definitions ? local_name(program, schedule.members[member]) : fmt::format("y{}", member - definitions);
+  if (member >= definitions) return fmt::format("y{}", member - definitions);
+  const std::string meaningful = local_name(program, schedule.members[member]);
+  return meaningful.empty() ? fmt::format("m{}", member) : meaningful;
 }
 
 std::size_t precomputed_count(const Schedule& schedule) {
