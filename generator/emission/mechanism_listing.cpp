@@ -3,12 +3,9 @@
 
 #include <algorithm>
 
-#include <fmt/format.h>
-
 #include "generator/emission/cpp_structures.hpp"
 #include "generator/emission/kernel_kinematics.hpp"
 #include "generator/emission/start_values.hpp"
-#include "generator/expression/error.hpp"
 
 namespace torsor {
 namespace {
@@ -47,11 +44,7 @@ Listing lower_kernel(Program& program, const Kernel& kernel, const Block& block,
   request.has_status = kernel.series || !kernel.pivots.empty();
   if (kernel.series) request.series = &*kernel.series;
   const Layout layout = layout_of(mechanism.layout, kernel);
-  try {
-    return lower(program, block, request, {&layout, &mechanism.schedule});
-  } catch (const Error& error) {
-    throw Error(fmt::format("the kernel '{}': {}", kernel.name, error.what()));
-  }
+  return lower(program, block, request, {&layout, &mechanism.schedule, kernel.name});
 }
 
 }  // namespace

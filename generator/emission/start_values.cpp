@@ -81,7 +81,7 @@ Listing initial_state(const Equations& equations, const ModelOptions& options, c
         fmt::format("the initial state of the scene '{}' depends on '{}': give it by numbers and parameters",
                     equations.scene().name(), program[atom].symbol->name));
   }
-  return lower(program, block, {results}, {&layout, nullptr});
+  return lower(program, block, {results}, {&layout, nullptr, "initial_state"});
 }
 
 }  // namespace torsor

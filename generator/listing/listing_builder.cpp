@@ -100,7 +100,9 @@ std::pair<Table, std::size_t> ListingBuilder::argument(const SymbolPointer& symb
   if (table == Table::time) return {table, 0};
   const std::vector<SymbolPointer>& known = around_.layout->of(table);
   const auto place = std::find(known.begin(), known.end(), symbol);
-  if (place == known.end()) throw Error(fmt::format("'{}' is read, which is not among its arguments", symbol->name));
+  if (place == known.end()) {
+    throw Error(fmt::format("the kernel '{}' needs '{}', which is not among its arguments", around_.function, symbol->name));
+  }
   return {table, static_cast<std::size_t>(place - known.begin())};
 }
 

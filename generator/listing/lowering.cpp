@@ -27,7 +27,7 @@ std::vector<Polynomial> coefficients_read(Program& program, const SeriesResult& 
 }
 
 Listing lower_precompute(Program& program, const Schedule& schedule, const Layout& layout) {
-  ListingBuilder builder(program, {&layout, nullptr});
+  ListingBuilder builder(program, {&layout, nullptr, "precompute"});
   builder.compute(schedule.precompute);
   for (std::size_t k = 0; k < precomputed_count(schedule); ++k) {
     const Target target{"precomputed", precomputed_name(program, schedule, k)};

@@ -30,6 +30,7 @@ struct Request {
 struct Surroundings {
   const Layout* layout = nullptr;
   const Schedule* schedule = nullptr;
+  std::string function{};  ///< its name, for messages
 };
 
 /// The function as it is computed. Sines and cosines come first, with what their angles need: those of all angles that
