@@ -31,7 +31,7 @@ TEST(KernelEnergy, HasEveryKindOfEnergyAndPower) {
   const Real stretch = place - rational(1, 2);
   const auto expect = [&](const std::string& target, const Real& value) {
     const auto& all = kernel.assignments;
-    const auto is_target = [&](const Assignment& each) { return each.target == target; };
+    const auto is_target = [&](const Assignment& each) { return each.target.to_string() == target; };
     const auto found = std::find_if(all.begin(), all.end(), is_target);
     ASSERT_NE(found, all.end()) << target;
     EXPECT_LT(relative_difference(here(found->value), value), 1e-45) << target;
