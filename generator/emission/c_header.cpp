@@ -27,7 +27,7 @@ bool is_vector(const MechanismListing& mechanism, const Structure& structure) {
                      [&](const Structure& each) { return each.name == structure.name; });
 }
 
-std::string structure_text(const std::string& scene, const Structure& structure) {
+std::string c_structure(const std::string& scene, const Structure& structure) {
   std::string text = "/// " + comment_text(structure.documentation) + "\ntypedef struct {\n";
   if (structure.members.empty()) text += "  torsor_real nothing_;\n";
   for (const Member& member : structure.members) {
@@ -54,7 +54,7 @@ std::string places_text(const std::string& scene, const Layout& layout) {
   return text;
 }
 
-std::string function_text(const MechanismListing& mechanism, const KernelListing& given) {
+std::string c_function(const MechanismListing& mechanism, const KernelListing& given) {
   const auto& [kernel, listing] = given;
   const std::string& scene = mechanism.equations->scene().name();
   std::map<std::string, const Structure*> structures;
@@ -64,11 +64,7 @@ std::string function_text(const MechanismListing& mechanism, const KernelListing
     arguments += fmt::format(", {}* {}", type, name);
     unused += ", (void)" + name;
   };
-  for (const Argument argument : kernel.arguments) {
-    add("const torsor_real", argument == Argument::accelerations ? "accelerations"
-                             : argument == Argument::multipliers ? "multipliers"
-                                                                 : "inputs");
-  }
+  for (const Argument argument : kernel.arguments) add("const torsor_real", name_of(argument));
   for (const Result& result : kernel.results) {
     const Structure* const structure = mechanism.structure(result.structure);
     const bool array = structure == nullptr || is_vector(mechanism, *structure);
@@ -97,9 +93,9 @@ std::string emit_c(const Equations& equations, const std::vector<Kernel>& kernel
   const Layout& layout = mechanism.layout;
   std::string functions, structures, members;
   std::vector<OperationCount> operations;
-  for (const Structure& each : mechanism.own) structures += structure_text(scene, each);
+  for (const Structure& each : mechanism.own) structures += c_structure(scene, each);
   for (const KernelListing& each : mechanism.kernels) {
-    functions += (functions.empty() ? "" : "\n") + function_text(mechanism, each);
+    functions += (functions.empty() ? "" : "\n") + c_function(mechanism, each);
     operations.push_back(count(each.listing));
   }
   for (const PrecomputedMember& each : mechanism.members) members += fmt::format("torsor_real {};\n", each.name);

@@ -25,7 +25,7 @@ std::string CLanguage::local(const std::string& name, const std::string& value) 
 
 std::string CLanguage::pi() const { return "TORSOR_NUMBER(3.141592653589793, 3.1415927f)"; }
 
-std::vector<Line> CLanguage::literal(const std::string& name, const Literal& literal, const std::string&) const {
+std::vector<CodeLine> CLanguage::literal(const std::string& name, const Literal& literal, const std::string&) const {
   const std::string value = fmt::format("TORSOR_NUMBER({}, {})", torsor::literal(literal.rounded.in_double),
                                         torsor::literal(literal.rounded.in_float));
   return {{local(name, value), literal.meaning}};
@@ -86,8 +86,8 @@ std::string CLanguage::function(Function function) const {
   throw Error("sines and cosines come in pairs");
 }
 
-std::vector<Line> CLanguage::sines_and_cosines(const std::vector<AngleText>& angles, int) const {
-  std::vector<Line> lines;
+std::vector<CodeLine> CLanguage::sines_and_cosines(const std::vector<AngleText>& angles, int) const {
+  std::vector<CodeLine> lines;
   for (const AngleText& each : angles) {
     // The one that nothing reads is written all the same.
     const std::string sine = each.sine.empty() ? each.cosine + "_sine" : each.sine;
@@ -98,9 +98,9 @@ std::vector<Line> CLanguage::sines_and_cosines(const std::vector<AngleText>& ang
   return lines;
 }
 
-std::vector<Line> CLanguage::recurrence(const RecurrenceText& text) const {
+std::vector<CodeLine> CLanguage::recurrence(const RecurrenceText& text) const {
   const std::size_t lanes = text.convolutions.size();
-  std::vector<Line> lines;
+  std::vector<CodeLine> lines;
   if (lanes > 0) {
     lines.push_back({fmt::format("torsor_real left_[{0} * torsor_order_max], right_[{0} * torsor_order_max], sums_[{0}];", lanes)});
   }
@@ -111,7 +111,7 @@ std::vector<Line> CLanguage::recurrence(const RecurrenceText& text) const {
     lines.push_back({fmt::format("  const torsor_real first_ = k_ == 1 ? {} : {};", text.one, text.zero)});
   }
   if (lanes > 0) lines.push_back({fmt::format("  torsor_convolutions({}, k_, left_, right_, sums_);", lanes)});
-  for (const Line& each : text.steps) lines.push_back({"  " + each.code, each.meaning});
+  for (const CodeLine& each : text.steps) lines.push_back({"  " + each.code, each.meaning});
   for (std::size_t i = 0; i < text.next.size(); ++i) {
     lines.push_back({fmt::format("  coefficients[{} * (k_ + 1) + {}] = {};", text.size, i, text.next[i])});
   }

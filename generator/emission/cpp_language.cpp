@@ -22,8 +22,8 @@ std::string CppLanguage::local(const std::string& name, const std::string& value
 
 std::string CppLanguage::pi() const { return "traits::pi()"; }
 
-std::vector<Line> CppLanguage::literal(const std::string& name, const Literal& literal, const std::string& value) const {
-  std::vector<Line> lines{{fmt::format("const Scalar {} = traits::formula({}, {}, [&]() -> Scalar {{", name,
+std::vector<CodeLine> CppLanguage::literal(const std::string& name, const Literal& literal, const std::string& value) const {
+  std::vector<CodeLine> lines{{fmt::format("const Scalar {} = traits::formula({}, {}, [&]() -> Scalar {{", name,
                                        torsor::literal(literal.rounded.in_double),
                                        torsor::literal(literal.rounded.in_float))}};
   const Formula& right = literal.right;
@@ -60,7 +60,7 @@ std::string CppLanguage::access(const Target& target) const {
 
 std::string CppLanguage::function(Function function) const { return traits_of(function).emitted; }
 
-std::vector<Line> CppLanguage::sines_and_cosines(const std::vector<AngleText>& angles, int group) const {
+std::vector<CodeLine> CppLanguage::sines_and_cosines(const std::vector<AngleText>& angles, int group) const {
   if (angles.size() == 1) {
     const AngleText& only = angles[0];
     return {{fmt::format("Scalar {}, {};", only.sine, only.cosine)},
@@ -69,7 +69,7 @@ std::vector<Line> CppLanguage::sines_and_cosines(const std::vector<AngleText>& a
   const std::string suffix = group == 1 ? "_" : fmt::format("{}_", group);
   std::string all;
   for (const AngleText& each : angles) all += (all.empty() ? "" : ", ") + each.angle;
-  std::vector<Line> lines{{fmt::format("const Scalar angles{}[] = {{{}}};", suffix, all)},
+  std::vector<CodeLine> lines{{fmt::format("const Scalar angles{}[] = {{{}}};", suffix, all)},
                           {fmt::format("Scalar sines{0}[{1}], cosines{0}[{1}];", suffix, angles.size())},
                           {fmt::format("torsor::sines_and_cosines(angles{0}, sines{0}, cosines{0});", suffix)}};
   for (std::size_t i = 0; i < angles.size(); ++i) {
@@ -86,8 +86,8 @@ std::vector<Line> CppLanguage::sines_and_cosines(const std::vector<AngleText>& a
   return lines;
 }
 
-std::vector<Line> CppLanguage::recurrence(const RecurrenceText& text) const {
-  std::vector<Line> lines;
+std::vector<CodeLine> CppLanguage::recurrence(const RecurrenceText& text) const {
+  std::vector<CodeLine> lines;
   const std::size_t lanes = text.convolutions.size();
   if (lanes > 0) {
     const std::string type = fmt::format("torsor::Convolutions<Scalar, {}>", lanes);
@@ -99,7 +99,7 @@ std::vector<Line> CppLanguage::recurrence(const RecurrenceText& text) const {
   lines.push_back({fmt::format("  const Scalar following_ = number_ + {0}, next_ = {0} / following_;", text.one)});
   if (text.is_first_read) lines.push_back({fmt::format("  const Scalar first_ = k_ == 1 ? {} : {};", text.one, text.zero)});
   if (lanes > 0) lines.push_back({"  operations_.sum(k_, sums_);"});
-  for (const Line& each : text.steps) lines.push_back({"  " + each.code, each.meaning});
+  for (const CodeLine& each : text.steps) lines.push_back({"  " + each.code, each.meaning});
   for (std::size_t i = 0; i < text.next.size(); ++i) {
     lines.push_back({fmt::format("  coefficients[k_ + 1][{}] = {};", i, text.next[i])});
   }

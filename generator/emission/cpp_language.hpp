@@ -21,13 +21,13 @@ class CppLanguage final : public Language {
   std::string constant(const Number& number) const override;
   std::string local(const std::string& name, const std::string& value) const override;
   std::string pi() const override;
-  std::vector<Line> literal(const std::string& name, const Literal& literal, const std::string& value) const override;
+  std::vector<CodeLine> literal(const std::string& name, const Literal& literal, const std::string& value) const override;
   bool computes_literals() const override { return true; }
   std::string access(const Quantity& quantity) const override;
   std::string access(const Target& target) const override;
   std::string function(Function function) const override;
-  std::vector<Line> sines_and_cosines(const std::vector<AngleText>& angles, int group) const override;
-  std::vector<Line> recurrence(const RecurrenceText& text) const override;
+  std::vector<CodeLine> sines_and_cosines(const std::vector<AngleText>& angles, int group) const override;
+  std::vector<CodeLine> recurrence(const RecurrenceText& text) const override;
   std::string regular(const std::string& pivot, const std::string& diagonal) const override;
   std::string status(const std::string& name) const override;
 

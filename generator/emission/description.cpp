@@ -22,15 +22,6 @@ std::string lines_of(const Json& list) {
   return text + (list.empty() ? "]" : "\n]");
 }
 
-const char* name_of(Argument argument) {
-  switch (argument) {
-    case Argument::accelerations: return "accelerations";
-    case Argument::multipliers: return "multipliers";
-    case Argument::inputs: return "inputs";
-  }
-  return "";
-}
-
 Json result_json(const MechanismListing& mechanism, const Result& result) {
   const Structure* const structure = mechanism.structure(result.structure);
   Json json{{"name", result.name}, {"size", structure == nullptr ? result.size : size_of(*structure)}};
@@ -45,6 +36,15 @@ Json result_json(const MechanismListing& mechanism, const Result& result) {
 }
 
 }  // namespace
+
+const char* name_of(Argument argument) {
+  switch (argument) {
+    case Argument::accelerations: return "accelerations";
+    case Argument::multipliers: return "multipliers";
+    case Argument::inputs: return "inputs";
+  }
+  return "";
+}
 
 std::string unit_of(const Symbol& symbol) {
   const bool angle = symbol.unit.is_dimensionless() && symbol.kind == SymbolKind::coordinate && symbol.attitude.expired();

@@ -19,6 +19,9 @@ std::string kernels_json(const MechanismListing& mechanism);
 /// Places in q of the first components of unit quaternions.
 std::string quaternions_json(const MechanismListing& mechanism);
 
+/// What an argument is called.
+const char* name_of(Argument argument);
+
 /// Unit of a symbol as a reader expects it: an angle's is rad.
 std::string unit_of(const Symbol& symbol);
 

@@ -62,7 +62,7 @@ std::string JavascriptLanguage::local(const std::string& name, const std::string
 
 std::string JavascriptLanguage::pi() const { return "Math.PI"; }
 
-std::vector<Line> JavascriptLanguage::literal(const std::string& name, const Literal& literal, const std::string&) const {
+std::vector<CodeLine> JavascriptLanguage::literal(const std::string& name, const Literal& literal, const std::string&) const {
   return {{local(name, number_text(literal.rounded.in_double)), literal.meaning}};
 }
 
@@ -124,8 +124,8 @@ std::string JavascriptLanguage::function(Function function) const {
   throw Error("sines and cosines come in pairs");
 }
 
-std::vector<Line> JavascriptLanguage::sines_and_cosines(const std::vector<AngleText>& angles, int) const {
-  std::vector<Line> lines;
+std::vector<CodeLine> JavascriptLanguage::sines_and_cosines(const std::vector<AngleText>& angles, int) const {
+  std::vector<CodeLine> lines;
   for (const AngleText& each : angles) {
     lines.push_back({fmt::format("sincos({});", each.angle)});
     std::string locals;
@@ -139,9 +139,9 @@ std::vector<Line> JavascriptLanguage::sines_and_cosines(const std::vector<AngleT
   return lines;
 }
 
-std::vector<Line> JavascriptLanguage::recurrence(const RecurrenceText& text) const {
+std::vector<CodeLine> JavascriptLanguage::recurrence(const RecurrenceText& text) const {
   const std::size_t lanes = text.convolutions.size();
-  std::vector<Line> lines{{"let number_ = 1, inverse_ = 1;"}};
+  std::vector<CodeLine> lines{{"let number_ = 1, inverse_ = 1;"}};
   if (lanes > 0) {
     for (const char* name : {"left_", "right_"}) lines.push_back({fmt::format("const {} = new Float64Array({} * order);", name, lanes)});
     lines.push_back({fmt::format("const sums_ = new Float64Array({});", lanes)});
@@ -150,7 +150,7 @@ std::vector<Line> JavascriptLanguage::recurrence(const RecurrenceText& text) con
   lines.push_back({"  const following_ = number_ + 1, next_ = 1 / following_;"});
   if (text.is_first_read) lines.push_back({"  const first_ = k_ === 1 ? 1 : 0;"});
   if (lanes > 0) lines.push_back({fmt::format("  convolutions({}, k_, left_, right_, sums_);", lanes)});
-  for (const Line& each : text.steps) lines.push_back({"  " + each.code, each.meaning});
+  for (const CodeLine& each : text.steps) lines.push_back({"  " + each.code, each.meaning});
   for (std::size_t i = 0; i < text.next.size(); ++i) {
     lines.push_back({fmt::format("  coefficients[{} * (k_ + 1) + {}] = {};", text.size, i, text.next[i])});
   }

@@ -15,16 +15,7 @@
 namespace torsor {
 namespace {
 
-const char* name_of(Argument argument) {
-  switch (argument) {
-    case Argument::accelerations: return "accelerations";
-    case Argument::multipliers: return "multipliers";
-    case Argument::inputs: return "inputs";
-  }
-  return "";
-}
-
-std::string function_text(const MechanismListing& mechanism, const KernelListing& given) {
+std::string javascript_function(const MechanismListing& mechanism, const KernelListing& given) {
   const auto& [kernel, listing] = given;
   std::map<std::string, const Structure*> results;
   std::string arguments = "precomputed, state";
@@ -47,7 +38,7 @@ std::string emit_javascript(const Equations& equations, const std::vector<Kernel
   std::string functions;
   std::vector<OperationCount> operations;
   for (const KernelListing& each : mechanism.kernels) {
-    functions += (functions.empty() ? "" : "\n") + function_text(mechanism, each);
+    functions += (functions.empty() ? "" : "\n") + javascript_function(mechanism, each);
     operations.push_back(count(each.listing));
   }
   const Layout& layout = mechanism.layout;

@@ -23,7 +23,7 @@ struct AngleText {
 };
 
 /// A statement, and what it means.
-struct Line {
+struct CodeLine {
   std::string code;
   std::string meaning{};
 };
@@ -31,7 +31,7 @@ struct Line {
 /// What is done at each order of a recurrence.
 struct RecurrenceText {
   std::size_t size = 0;                                            ///< of the state
-  std::vector<Line> steps;                                         ///< without indentation
+  std::vector<CodeLine> steps;                                         ///< without indentation
   std::vector<std::string> next;                                   ///< coefficients of the next order
   std::vector<std::pair<std::string, std::string>> convolutions;   ///< of which pairs of series
   bool is_first_read = false;
@@ -50,7 +50,7 @@ class Language {
   virtual std::string local(const std::string& name, const std::string& value) const = 0;
   virtual std::string pi() const = 0;
   /// Declares a constant that is rounded from more than a number; `value` is the text of its formula.
-  virtual std::vector<Line> literal(const std::string& name, const Literal& literal, const std::string& value) const = 0;
+  virtual std::vector<CodeLine> literal(const std::string& name, const Literal& literal, const std::string& value) const = 0;
   /// Whether such a constant is computed by its formula where literals are not exact enough.
   virtual bool computes_literals() const { return false; }
   /// Where an argument, a member of Precomputed or an output stands.
@@ -59,9 +59,9 @@ class Language {
   /// The name of a function of numbers.
   virtual std::string function(Function function) const = 0;
   /// Declares sines and cosines of a group of angles, the first of a function or a later one; of a single angle both.
-  virtual std::vector<Line> sines_and_cosines(const std::vector<AngleText>& angles, int group) const = 0;
+  virtual std::vector<CodeLine> sines_and_cosines(const std::vector<AngleText>& angles, int group) const = 0;
   /// The loop over orders 1 to order - 1.
-  virtual std::vector<Line> recurrence(const RecurrenceText& text) const = 0;
+  virtual std::vector<CodeLine> recurrence(const RecurrenceText& text) const = 0;
   /// Whether a pivot is regular beside another number.
   virtual std::string regular(const std::string& pivot, const std::string& diagonal) const = 0;
   /// One of "ok", "singular", "not_finite".

@@ -72,8 +72,8 @@ class ListingPrinter {
   }
 
   void line(const std::string& code) { code_ += wrapped(code, function_indentation) + "\n"; }
-  void lines(const std::vector<Line>& all) {
-    for (const Line& each : all) statement(each.code, each.meaning);
+  void lines(const std::vector<CodeLine>& all) {
+    for (const CodeLine& each : all) statement(each.code, each.meaning);
   }
   void statement(const std::string& code, const std::string& meaning) {
     const std::string wrapped_code = wrapped(code, function_indentation);
