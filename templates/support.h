@@ -166,17 +166,8 @@ TORSOR_UNUSED static void torsor_sincos_far(double x, double* sine, double* cosi
 }
 
 #ifdef TORSOR_SINGLE
-TORSOR_UNUSED static inline void torsor_sincos(float x, float* sine, float* cosine) {
-  if (fabsf(x) > 1600.0f || torsor_rounds_to_one_side(x)) {
-    double s, c;
-    if (fabsf(x) <= 2097152.0f && !torsor_rounds_to_one_side(x))
-      torsor_core((double)x, &s, &c);
-    else
-      torsor_sincos_far((double)x, &s, &c);
-    *sine = (float)s;
-    *cosine = (float)c;
-    return;
-  }
+/// For |x| <= 1600.
+TORSOR_UNUSED static inline void torsor_near(float x, float* sine, float* cosine) {
   const float shift = 0x1.8p23f, P = 0x1.ed5p-14f, Q = 0x1.10bp-30f;
   const float n = (x * 0x1.45f306p-1f + shift) - shift;
   const float first = x - n * 0x1.9218p+0f;
@@ -198,15 +189,43 @@ TORSOR_UNUSED static inline void torsor_sincos(float x, float* sine, float* cosi
   *sine = s * i - c * j;
   *cosine = c * i + s * j;
 }
-#else
-TORSOR_UNUSED static inline void torsor_sincos(double x, double* sine, double* cosine) {
-  if (fabs(x) > 2097152.0 || torsor_rounds_to_one_side(x))
-    torsor_sincos_far(x, sine, cosine);
+TORSOR_UNUSED static inline int torsor_is_far(float x) { return fabsf(x) > 1600.0f; }
+TORSOR_UNUSED static void torsor_far(float x, float* sine, float* cosine) {
+  double s, c;
+  if (fabsf(x) <= 2097152.0f && !torsor_rounds_to_one_side(x))
+    torsor_core((double)x, &s, &c);
   else
-    torsor_core(x, sine, cosine);
+    torsor_sincos_far((double)x, &s, &c);
+  *sine = (float)s;
+  *cosine = (float)c;
+}
+#else
+TORSOR_UNUSED static inline void torsor_near(double x, double* sine, double* cosine) { torsor_core(x, sine, cosine); }
+TORSOR_UNUSED static inline int torsor_is_far(double x) { return fabs(x) > 2097152.0; }
+TORSOR_UNUSED static void torsor_far(double x, double* sine, double* cosine) { torsor_sincos_far(x, sine, cosine); }
+#endif
+
+TORSOR_UNUSED static inline void torsor_sincos(torsor_real angle, torsor_real* sine, torsor_real* cosine) {
+  if (torsor_is_far(angle) || torsor_rounds_to_one_side(angle))
+    torsor_far(angle, sine, cosine);
+  else
+    torsor_near(angle, sine, cosine);
 }
 #endif
+
+/// Of several angles: where none is far the loop has no branch, and the compiler takes several at once.
+TORSOR_UNUSED static inline void torsor_sines_and_cosines(int count, const torsor_real* angles, torsor_real* sines,
+                                                          torsor_real* cosines) {
+#ifndef TORSOR_LIBM
+  int far = torsor_rounds_to_one_side(angles[0]);
+  for (int i = 0; i < count; ++i) far |= torsor_is_far(angles[i]);
+  if (!far) {
+    for (int i = 0; i < count; ++i) torsor_near(angles[i], sines + i, cosines + i);
+    return;
+  }
 #endif
+  for (int i = 0; i < count; ++i) torsor_sincos(angles[i], sines + i, cosines + i);
+}
 
 // Functions that take one of several forms, and the angle of a vector. What is not a number stays so.
 TORSOR_UNUSED static inline torsor_real torsor_absolute(torsor_real x) {

@@ -86,14 +86,28 @@ std::string CLanguage::function(Function function) const {
   throw Error("sines and cosines come in pairs");
 }
 
-std::vector<CodeLine> CLanguage::sines_and_cosines(const std::vector<AngleText>& angles, int) const {
-  std::vector<CodeLine> lines;
-  for (const AngleText& each : angles) {
-    // The one that nothing reads is written all the same.
-    const std::string sine = each.sine.empty() ? each.cosine + "_sine" : each.sine;
-    const std::string cosine = each.cosine.empty() ? each.sine + "_cosine" : each.cosine;
-    lines.push_back({fmt::format("torsor_real {}, {};", sine, cosine)});
-    lines.push_back({fmt::format("torsor_sincos({}, &{}, &{});", each.angle, sine, cosine), each.meaning});
+std::vector<CodeLine> CLanguage::sines_and_cosines(const std::vector<AngleText>& angles, int group) const {
+  if (angles.size() == 1) {
+    const AngleText& only = angles[0];
+    return {{fmt::format("torsor_real {}, {};", only.sine, only.cosine)},
+            {fmt::format("torsor_sincos({}, &{}, &{});", only.angle, only.sine, only.cosine), only.meaning}};
+  }
+  const std::string suffix = group == 1 ? "_" : fmt::format("{}_", group);
+  std::string all;
+  for (const AngleText& each : angles) all += (all.empty() ? "" : ", ") + each.angle;
+  std::vector<CodeLine> lines{{fmt::format("const torsor_real angles{}[] = {{{}}};", suffix, all)},
+                              {fmt::format("torsor_real sines{0}[{1}], cosines{0}[{1}];", suffix, angles.size())},
+                              {fmt::format("torsor_sines_and_cosines({1}, angles{0}, sines{0}, cosines{0});", suffix, angles.size())}};
+  for (std::size_t i = 0; i < angles.size(); ++i) {
+    std::string locals;
+    const auto take = [&](const std::string& name, const char* array) {
+      if (!name.empty()) {
+        locals += fmt::format("{} {} = {}{}[{}]", locals.empty() ? "const torsor_real" : ",", name, array, suffix, i);
+      }
+    };
+    take(angles[i].sine, "sines");
+    take(angles[i].cosine, "cosines");
+    lines.push_back({locals + ";", angles[i].meaning});
   }
   return lines;
 }
