@@ -14,6 +14,7 @@
 namespace torsor {
 namespace {
 
+/// Of C++20, and of C99.
 constexpr std::string_view keywords =
     " alignas alignof and and_eq asm auto bitand bitor bool break case catch char char8_t char16_t char32_t class "
     "co_await "
@@ -21,7 +22,7 @@ constexpr std::string_view keywords =
     "do "
     "double dynamic_cast else enum explicit export extern false float for friend goto if inline int long mutable "
     "namespace new noexcept not not_eq nullptr operator or or_eq private protected public register reinterpret_cast "
-    "requires return short signed sizeof static static_assert static_cast struct switch template this thread_local "
+    "requires restrict return short signed sizeof static static_assert static_cast struct switch template this thread_local "
     "throw "
     "true try typedef typeid typename typeof union unsigned using virtual void volatile wchar_t while xor xor_eq ";
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // compare.mjs NAME STATES FOLDER C++-COMPILER C-COMPILER...: evaluates every kernel of FOLDER/NAME.mjs, .h and .hpp at
-// the same random states and expects the same bits from all of them: results, Taylor coefficients, statuses.
+// the same random states and expects the same bits from all of them: results, Taylor coefficients, statuses. C in float is compared with C++ in float.
 import { execFileSync } from "node:child_process";
 import { readFileSync, writeFileSync } from "node:fs";
 import { join, resolve } from "node:path";
@@ -70,72 +70,88 @@ function ofModule() {
   return new Float64Array(all);
 }
 
-const readStates = `  FILE* in = fopen("${join(folder, name)}.states", "rb");
-  FILE* out = fopen(argv[1], "wb");
-  if (argc != 2 || in == 0 || out == 0) return 1;
+/// Reads the states, in the numbers `real` of the program, and writes results as doubles.
+const readStates = (real) => `static FILE* out;
+static void put(const ${real}* from, int count) {
+  for (int i = 0; i < count; ++i) {
+    const double number = (double)from[i];
+    fwrite(&number, sizeof number, 1, out);
+  }
+}
+int main(int argc, char** argv) {
+  FILE* in = fopen("${join(folder, name)}.states", "rb");
+  if (argc != 2 || in == 0) return 1;
+  out = fopen(argv[1], "wb");
+  if (out == 0) return 1;
   double row[${width}];
   while (fread(row, sizeof(double), ${width}, in) == ${width}) {
-    const double* at = row;
+    ${real} numbers[${width}];
+    for (int i = 0; i < ${width}; ++i) numbers[i] = (${real})row[i];
+    const ${real}* at = numbers;
 `;
+const end = "  }\n  return fclose(out) != 0;\n}\n";
 
-function driverInC() {
-  let text = `#include "${name}.h"\n#include <stdio.h>\n#include <string.h>\nint main(int argc, char** argv) {\n${readStates}`;
-  text += `    ${name}_precomputed precomputed;\n    ${name}_precompute(at, &precomputed);\n    at += ${sizes.parameters};\n`;
-  text += `    ${name}_state state;\n    state.time = at[0];\n`;
-  text += `    memcpy(state.q, at + 1, ${8 * m.coordinates.length});\n    memcpy(state.v, at + ${1 + m.coordinates.length}, ${8 * m.velocities.length});\n    at += ${sizes.state};\n`;
-  text += `    const double *accelerations = at, *multipliers = at + ${sizes.accelerations}, *inputs = at + ${sizes.accelerations + sizes.multipliers};\n`;
-  text += `    (void)accelerations, (void)multipliers, (void)inputs;\n`;
+/// Calls of all kernels: how a result is declared, passed and read.
+function calls(declaration, passed, read, call, coefficients) {
+  let text = "";
   for (const kernel of m.kernels) {
-    const vectors = ["Accelerations", "Multipliers", "GeneralizedForces"];
-    const isArray = (result) => !result.structure || vectors.includes(result.structure);
-    text += "    {\n      double status = 0;\n";
-    kernel.results.forEach((result, i) => {
-      text += isArray(result) ? `      double r${i}[${Math.max(1, result.size)}] = {0};\n` : `      ${name}_${result.structure} r${i};\n`;
-    });
-    const more = kernel.name === "jets" ? [String(order), "c"] : [];
-    if (more.length > 0) text += `      double c[${taylor * (order + 1)}];\n      memset(c, 0, sizeof c);\n`;
-    const list = ["&precomputed", "&state", ...kernel.arguments, ...kernel.results.map((r, i) => (isArray(r) ? `r${i}` : `&r${i}`)), ...more];
-    text += `      ${kernel.status ? "status = (double)" : ""}${name}_${kernel.name}(${list.join(", ")});\n`;
-    kernel.results.forEach((result, i) => {
-      text += `      fwrite(${isArray(result) ? "" : "&"}r${i}, sizeof(double), ${result.size}, out);\n`;
-    });
-    if (more.length > 0) text += `      fwrite(c, sizeof(double), ${taylor * (order + 1)}, out);\n`;
-    text += "      fwrite(&status, sizeof(double), 1, out);\n    }\n";
+    text += "    {\n";
+    kernel.results.forEach((result, i) => (text += `      ${declaration(result, `r${i}`)}\n`));
+    const jets = kernel.name === "jets";
+    if (jets) text += `      ${coefficients}\n`;
+    const list = ["precomputed", "state", ...kernel.arguments];
+    const results = kernel.results.map((result, i) => passed(result, `r${i}`));
+    const given = call(kernel.name, list, [...results, ...(jets ? [String(order), "c"] : [])]);
+    text += kernel.status ? `      const int code = (int)${given};\n` : `      ${given};\n      const int code = 0;\n`;
+    kernel.results.forEach((result, i) => (text += `      put(${read(result, `r${i}`)}, ${result.size});\n`));
+    if (jets) text += `      put(&c[0]${declaration === declaredInCpp ? "[0]" : ""}, ${taylor * (order + 1)});\n`;
+    text += "      const REAL status = (REAL)code;\n      put(&status, 1);\n    }\n";
   }
-  return text + "  }\n  return fclose(out) != 0;\n}\n";
+  return text;
 }
 
-function driverInCpp() {
-  let text = `#include "${name}.hpp"\n#include <cstdio>\n#include <cstring>\nusing M = ${name}::Mechanism<double>;\n`;
-  text += "template <class T>\nT filled(const double* from, int size) {\n  T t{};\n  if (size > 0) std::memcpy(static_cast<void*>(&t), from, sizeof(double) * static_cast<unsigned>(size));\n  return t;\n}\n";
-  text += `int main(int argc, char** argv) {\n${readStates}`;
+const vectors = ["Accelerations", "Multipliers", "GeneralizedForces"];
+const isArray = (result) => !result.structure || vectors.includes(result.structure);
+const declaredInC = (result, r) =>
+  isArray(result) ? `torsor_real ${r}[${Math.max(1, result.size)}] = {0};` : `${name}_${result.structure} ${r};`;
+const declaredInCpp = (result, r) => `${result.structure ? `M::${result.structure}` : `std::array<REAL, ${result.size}>`} ${r}{};`;
+
+function driverInC() {
+  const counts = [m.coordinates.length, m.velocities.length];
+  let text = `#include "${name}.h"\n#include <stdio.h>\n#include <string.h>\n#define REAL torsor_real\n${readStates("torsor_real")}`;
+  text += `    ${name}_precomputed precomputed;\n    ${name}_precompute(at, &precomputed);\n    at += ${sizes.parameters};\n`;
+  text += `    ${name}_state state;\n    state.time = at[0];\n`;
+  text += `    memcpy(state.q, at + 1, ${counts[0]} * sizeof(torsor_real));\n`;
+  text += `    memcpy(state.v, at + ${1 + counts[0]}, ${counts[1]} * sizeof(torsor_real));\n    at += ${sizes.state};\n`;
+  text += "    const torsor_real *accelerations = at, *multipliers = at + SKIP1, *inputs = at + SKIP2;\n"
+    .replace("SKIP1", sizes.accelerations)
+    .replace("SKIP2", sizes.accelerations + sizes.multipliers);
+  text += "    (void)accelerations, (void)multipliers, (void)inputs;\n";
+  const passed = (result, r) => (isArray(result) ? r : `&${r}`);
+  const call = (kernel, given, results) => `${name}_${kernel}(${[`&${given[0]}`, `&${given[1]}`, ...given.slice(2), ...results].join(", ")})`;
+  const coefficients = `torsor_real c[${taylor * (order + 1)}];\n      memset(c, 0, sizeof c);`;
+  return text + calls(declaredInC, passed, (result, r) => (isArray(result) ? r : `(const torsor_real*)&${r}`), call, coefficients) + end;
+}
+
+function driverInCpp(real) {
+  let text = `#include "${name}.hpp"\n#include <cstdio>\n#include <cstring>\nusing REAL = ${real};\nusing M = ${name}::Mechanism<REAL>;\n`;
+  text += "template <class T>\nT filled(const REAL* from, unsigned size) {\n  T t{};\n";
+  text += "  if (size > 0) std::memcpy(static_cast<void*>(&t), from, sizeof(REAL) * size);\n  return t;\n}\n" + readStates("REAL");
   text += `    const auto precomputed = M::precompute(filled<M::Parameters>(at, ${sizes.parameters}));\n    at += ${sizes.parameters};\n`;
   text += `    const auto state = filled<M::State>(at, ${sizes.state});\n    at += ${sizes.state};\n`;
   for (const [type, key] of [["Accelerations", "accelerations"], ["Multipliers", "multipliers"], ["Inputs", "inputs"]]) {
     text += `    const auto ${key} = filled<M::${type}>(at, ${sizes[key]});\n    at += ${sizes[key]};\n    (void)${key};\n`;
   }
-  for (const kernel of m.kernels) {
-    text += "    {\n      double status = 0;\n";
-    kernel.results.forEach((result, i) => {
-      text += `      ${result.structure ? `M::${result.structure}` : `std::array<double, ${result.size}>`} r${i}{};\n`;
-    });
-    const more = kernel.name === "jets" ? [String(order), "c"] : [];
-    if (more.length > 0) text += `      std::array<double, ${taylor}> c[${order + 1}] = {};\n`;
-    const list = ["precomputed", "state", ...kernel.arguments, ...kernel.results.map((r, i) => `r${i}`), ...more];
-    text += `      ${kernel.status ? "status = static_cast<double>(" : ""}M::${kernel.name}(${list.join(", ")})${kernel.status ? ")" : ""};\n`;
-    kernel.results.forEach((result, i) => {
-      text += `      std::fwrite(&r${i}, sizeof(double), ${result.size}, out);\n`;
-    });
-    if (more.length > 0) text += `      std::fwrite(c, sizeof(double), ${taylor * (order + 1)}, out);\n`;
-    text += "      std::fwrite(&status, sizeof(double), 1, out);\n    }\n";
-  }
-  return text + "  }\n  return std::fclose(out) != 0;\n}\n";
+  const call = (kernel, given, results) => `M::${kernel}(${[...given, ...results].join(", ")})`;
+  const read = (result, r) => `reinterpret_cast<const REAL*>(&${r})`;
+  return text + calls(declaredInCpp, (result, r) => r, read, call, `std::array<REAL, ${taylor}> c[${order + 1}] = {};`) + end;
 }
 
 function run(driver, extension, compiler, flags) {
-  const base = join(folder, `${name}_${compiler.replace(/\W/g, "")}_${extension}`);
+  const base = join(folder, `${name}_${compiler.replace(/\W/g, "")}_${flags.join("").replace(/\W/g, "")}_${extension}`);
   writeFileSync(`${base}.${extension}`, driver);
-  execFileSync(compiler, [...flags, "-O1", "-ffp-contract=off", `-I${folder}`, `${base}.${extension}`, "-o", base, "-lm"], { stdio: "inherit" });
+  const options = [...flags, "-O1", "-ffp-contract=off", `-I${folder}`, `${base}.${extension}`, "-o", base, "-lm"];
+  execFileSync(compiler, options, { stdio: "inherit" });
   execFileSync(base, [`${base}.out`], { stdio: "inherit" });
   const bytes = readFileSync(`${base}.out`);
   return new Float64Array(bytes.buffer.slice(bytes.byteOffset, bytes.byteOffset + bytes.length));
@@ -158,10 +174,14 @@ function differences(expected, found, language) {
   return list;
 }
 
-const reference = run(driverInCpp(), "cpp", cppCompiler, ["-std=c++17"]);
+const reference = run(driverInCpp("double"), "cpp", cppCompiler, ["-std=c++17"]);
+const single = run(driverInCpp("float"), "cpp", cppCompiler, ["-std=c++17", "-DSINGLE"]);
 const found = differences(reference, ofModule(), "JavaScript");
 const strict = ["-std=c99", "-pedantic", "-Wall", "-Wextra", "-Wconversion", "-Wdouble-promotion", "-Werror"];
-for (const compiler of cCompilers) found.push(...differences(reference, run(driverInC(), "c", compiler, strict), compiler));
+for (const compiler of cCompilers) {
+  found.push(...differences(reference, run(driverInC(), "c", compiler, strict), compiler));
+  found.push(...differences(single, run(driverInC(), "c", compiler, [...strict, "-DTORSOR_SINGLE"]), `${compiler} in float`));
+}
 if (reference.length === 0) found.push("nothing was computed");
 console.log(`${name}: ${m.kernels.length} kernels, ${states} states, ${reference.length} numbers, ${found.length} differ`);
 for (const line of found.slice(0, 20)) console.log(line);
