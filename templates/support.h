@@ -44,7 +44,7 @@ TORSOR_UNUSED static inline void torsor_sincos(torsor_real angle, torsor_real* s
 #else
 // Sine and cosine in one, with an error of at most 1 ulp: the operations of the C++ header in the same order, so that
 // results have the same bits where no product is fused with a sum.
-typedef unsigned long long torsor_word;  // of which 32 bits are used
+typedef unsigned long long torsor_word;  // at least 64 bits
 
 /// Of high - rest, |high| <= pi/4, rest being about an ulp of high at most.
 TORSOR_UNUSED static inline void torsor_of_reduced(double high, double rest, double* sine, double* cosine) {
@@ -93,7 +93,7 @@ TORSOR_UNUSED static inline int torsor_rounds_to_one_side(torsor_real x) {
 TORSOR_UNUSED static void torsor_sincos_far(double x, double* sine, double* cosine) {
   const torsor_word mask = 0xffffffffu;
   // 1/(2 pi) behind 64 zeros
-  static const unsigned turns[] = {
+  static const unsigned long turns[] = {
       0u,          0u,          0x28be60dbu, 0x9391054au, 0x7f09d5f4u, 0x7d4d3770u, 0x36d8a566u, 0x4f10e410u,
       0x7f9458eau, 0xf7aef158u, 0x6dc91b8eu, 0x909374b8u, 0x01924bbau, 0x82746487u, 0x3f877ac7u, 0x2c4a69cfu,
       0xba208d7du, 0x4baed121u, 0x3a671c09u, 0xad17df90u, 0x4e64758eu, 0x60d4ce7du, 0x272117e2u, 0xef7e4a0eu,
@@ -288,4 +288,6 @@ TORSOR_UNUSED static inline void torsor_convolutions(int count, int k, const tor
     sums[lane] = sum;
   }
 }
+#elif TORSOR_C_SUPPORT != 1
+#error "headers of incompatible versions of torsor meet here: write them again with one version"
 #endif

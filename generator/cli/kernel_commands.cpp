@@ -66,7 +66,7 @@ CommandResult passes(const Scene& scene, const KernelRequest& request) {
 
 void add_kernel_commands(CommandSet& commands) {
   const auto request = std::make_shared<KernelRequest>();
-  CLI::App& generating = commands.add("generate", "write the specialised C++17 header",
+  CLI::App& generating = commands.add("generate", "write the specialised header, or module",
                                       [request](const Scene& scene) { return generate(scene, *request); });
   add_kernel_options(generating, *request);
   generating.add_option("--language", request->language, "c++ (a header), c99 (a header) or javascript (an ES module)")

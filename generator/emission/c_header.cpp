@@ -2,7 +2,6 @@
 #include "generator/emission/c_header.hpp"
 
 #include <algorithm>
-#include <map>
 
 #include <fmt/format.h>
 
@@ -31,10 +30,12 @@ std::string c_structure(const std::string& scene, const Structure& structure) {
   std::string text = "/// " + comment_text(structure.documentation) + "\ntypedef struct {\n";
   if (structure.members.empty()) text += "  torsor_real nothing_;\n";
   for (const Member& member : structure.members) {
-    const std::string shape = member.scalar || member.columns == 1 ? "" : fmt::format(" ({} x {})", member.rows, member.columns);
+    const std::string shape =
+        member.scalar || member.columns == 1 ? "" : fmt::format(" ({} x {})", member.rows, member.columns);
     const std::string size =
         member.scalar ? "" : fmt::format("[{}]", array_size(static_cast<std::size_t>(member.rows * member.columns)));
-    text += fmt::format("  torsor_real {}{};  ///< {}{}\n", member.name, size, comment_text(member.documentation), shape);
+    text +=
+        fmt::format("  torsor_real {}{};  ///< {}{}\n", member.name, size, comment_text(member.documentation), shape);
   }
   return text + fmt::format("}} {}_{};\n\n", scene, structure.name);
 }
@@ -42,9 +43,9 @@ std::string c_structure(const std::string& scene, const Structure& structure) {
 /// Places of symbols in their arrays: arm7_q_shoulder.
 std::string places_text(const std::string& scene, const Layout& layout) {
   std::string text;
-  for (const auto& [table, prefix] : {std::pair(Table::coordinate, "q"), std::pair(Table::velocity, "v"),
-                                      std::pair(Table::input, "input"), std::pair(Table::multiplier, "multiplier"),
-                                      std::pair(Table::parameter, "parameter")}) {
+  for (const auto& [table, prefix] :
+       {std::pair(Table::coordinate, "q"), std::pair(Table::velocity, "v"), std::pair(Table::input, "input"),
+        std::pair(Table::multiplier, "multiplier"), std::pair(Table::parameter, "parameter")}) {
     std::string list;
     for (const SymbolPointer& symbol : layout.of(table)) {
       list += fmt::format("{}{}_{}_{}", list.empty() ? "" : ", ", scene, prefix, member_name(*symbol));
@@ -57,7 +58,6 @@ std::string places_text(const std::string& scene, const Layout& layout) {
 std::string c_function(const MechanismListing& mechanism, const KernelListing& given) {
   const auto& [kernel, listing] = given;
   const std::string& scene = mechanism.equations->scene().name();
-  std::map<std::string, const Structure*> structures;
   std::string arguments = fmt::format("const {0}_precomputed* precomputed, const {0}_state* state", scene);
   std::string unused = "(void)precomputed, (void)state";
   const auto add = [&](const std::string& type, const std::string& name) {
@@ -69,19 +69,14 @@ std::string c_function(const MechanismListing& mechanism, const KernelListing& g
     const Structure* const structure = mechanism.structure(result.structure);
     const bool array = structure == nullptr || is_vector(mechanism, *structure);
     add(array ? "torsor_real" : fmt::format("{}_{}", scene, structure->name), result.name);
-    if (!array) structures.emplace(result.name, structure);
   }
   if (kernel.series) arguments += ", int order, torsor_real* coefficients";
-  const std::string body = print(listing, CLanguage(mechanism, "precomputed->parameters", structures));
+  const std::string body = print(listing, CLanguage(mechanism, "precomputed->parameters"));
   const std::string type = listing.has_status ? "torsor_status" : "void";
-  const std::string signature = fmt::format("TORSOR_UNUSED static inline {} {}_{}({}) {{", type, scene, kernel.name, arguments);
-  return documentation_comment(kernel.documentation) + wrapped(signature, 0) + "\n  " + unused + ";\n" + indented(body, "  ") +
-         "}\n";
-}
-
-std::string upper(std::string text) {
-  std::transform(text.begin(), text.end(), text.begin(), [](char c) { return c >= 'a' && c <= 'z' ? static_cast<char>(c - 32) : c; });
-  return text;
+  const std::string signature =
+      fmt::format("TORSOR_UNUSED static inline {} {}_{}({}) {{", type, scene, kernel.name, arguments);
+  return documentation_comment(kernel.documentation) + wrapped(signature, 0) + "\n  " + unused + ";\n" +
+         indented(body, "  ") + "}\n";
 }
 
 }  // namespace
@@ -108,7 +103,7 @@ std::string emit_c(const Equations& equations, const std::vector<Kernel>& kernel
   const auto size = [](const auto& list) { return std::to_string(list.size()); };
   return fill_template("mechanism.h.in", embedded_template("mechanism.h.in"),
                        {{"provenance", provenance_comment(provenance_of(mechanism, operations, "c99", "h"))},
-                        {"guard", "TORSOR_" + upper(scene) + "_H"},
+                        {"guard", "TORSOR_" + scene + "_H"},
                         {"support", std::string(support.substr(support.find('\n') + 1))},
                         {"scene_name", scene},
                         {"coordinate_count", size(layout.coordinates)},

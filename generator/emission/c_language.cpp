@@ -2,7 +2,6 @@
 #include "generator/emission/c_language.hpp"
 
 #include <algorithm>
-#include <utility>
 
 #include <fmt/format.h>
 
@@ -10,10 +9,6 @@
 #include "generator/expression/error.hpp"
 
 namespace torsor {
-
-CLanguage::CLanguage(const MechanismListing& mechanism, std::string parameters,
-                     std::map<std::string, const Structure*> structures)
-    : mechanism_(&mechanism), parameters_(std::move(parameters)), structures_(std::move(structures)) {}
 
 std::string CLanguage::constant(const Number& number) const {
   return fmt::format("TORSOR_NUMBER({}, {})", torsor::literal(number.to_double()), torsor::literal(number.to_float()));
@@ -34,22 +29,34 @@ std::vector<CodeLine> CLanguage::literal(const std::string& name, const Literal&
 std::string CLanguage::access(const Quantity& quantity) const {
   const auto entry = [&quantity](const char* array) { return fmt::format("{}[{}]", array, quantity.index); };
   switch (quantity.table) {
-    case Table::time: return "state->time";
-    case Table::coordinate: return entry("state->q");
-    case Table::velocity: return entry("state->v");
-    case Table::acceleration: return entry("accelerations");
-    case Table::multiplier: return entry("multipliers");
-    case Table::input: return entry("inputs");
-    case Table::parameter: return entry(parameters_.c_str());
-    case Table::precomputed: return "precomputed->" + mechanism_->members.at(quantity.index).name;
+    case Table::time:
+      return "state->time";
+    case Table::coordinate:
+      return entry("state->q");
+    case Table::velocity:
+      return entry("state->v");
+    case Table::acceleration:
+      return entry("accelerations");
+    case Table::multiplier:
+      return entry("multipliers");
+    case Table::input:
+      return entry("inputs");
+    case Table::parameter:
+      return entry(parameters_.c_str());
+    case Table::precomputed:
+      return "precomputed->" + mechanism_->members.at(quantity.index).name;
     case Table::coefficient: {
       const Layout& layout = mechanism_->layout;
-      return fmt::format("coefficients[{} * k_ + {}]", layout.coordinates.size() + layout.velocities.size(), quantity.index);
+      return fmt::format("coefficients[{} * k_ + {}]", layout.coordinates.size() + layout.velocities.size(),
+                         quantity.index);
     }
-    case Table::convolution: return entry("sums_");
-    case Table::order: return name_of(static_cast<OrderQuantity>(quantity.index));
+    case Table::convolution:
+      return entry("sums_");
+    case Table::order:
+      return name_of(static_cast<OrderQuantity>(quantity.index));
     case Table::output:
-    case Table::local: break;
+    case Table::local:
+      break;
   }
   throw Error("a local variable is read where an argument stands");
 }
@@ -63,7 +70,9 @@ std::string CLanguage::access(const Target& target) const {
   }
   if (target.result == "parameters") {
     const auto& all = layout.parameters;
-    const auto place = std::find_if(all.begin(), all.end(), [&](const SymbolPointer& each) { return each->name == target.member; });
+    const auto place =
+        std::find_if(all.begin(), all.end(), [&](const SymbolPointer& each) { return each->name == target.member; });
+    if (place == all.end()) throw Error(fmt::format("there is no parameter '{}'", target.member));
     return fmt::format("parameters[{}]", place - all.begin());
   }
   const std::string entry = target.entry ? fmt::format("[{}]", *target.entry) : "";
@@ -72,16 +81,25 @@ std::string CLanguage::access(const Target& target) const {
 
 std::string CLanguage::function(Function function) const {
   switch (function) {
-    case Function::sqrt: return "TORSOR_FUNCTION(sqrt)";
-    case Function::exp: return "TORSOR_FUNCTION(exp)";
-    case Function::log: return "TORSOR_FUNCTION(log)";
-    case Function::abs: return "torsor_absolute";
-    case Function::sign: return "torsor_sign";
-    case Function::maximum: return "torsor_maximum";
-    case Function::atan2: return "torsor_arctangent";
-    case Function::select: return "torsor_chosen";
+    case Function::sqrt:
+      return "TORSOR_FUNCTION(sqrt)";
+    case Function::exp:
+      return "TORSOR_FUNCTION(exp)";
+    case Function::log:
+      return "TORSOR_FUNCTION(log)";
+    case Function::abs:
+      return "torsor_absolute";
+    case Function::sign:
+      return "torsor_sign";
+    case Function::maximum:
+      return "torsor_maximum";
+    case Function::atan2:
+      return "torsor_arctangent";
+    case Function::select:
+      return "torsor_chosen";
     case Function::sin:
-    case Function::cos: break;
+    case Function::cos:
+      break;
   }
   throw Error("sines and cosines come in pairs");
 }
@@ -95,9 +113,10 @@ std::vector<CodeLine> CLanguage::sines_and_cosines(const std::vector<AngleText>&
   const std::string suffix = group == 1 ? "_" : fmt::format("{}_", group);
   std::string all;
   for (const AngleText& each : angles) all += (all.empty() ? "" : ", ") + each.angle;
-  std::vector<CodeLine> lines{{fmt::format("const torsor_real angles{}[] = {{{}}};", suffix, all)},
-                              {fmt::format("torsor_real sines{0}[{1}], cosines{0}[{1}];", suffix, angles.size())},
-                              {fmt::format("torsor_sines_and_cosines({1}, angles{0}, sines{0}, cosines{0});", suffix, angles.size())}};
+  std::vector<CodeLine> lines{
+      {fmt::format("const torsor_real angles{}[] = {{{}}};", suffix, all)},
+      {fmt::format("torsor_real sines{0}[{1}], cosines{0}[{1}];", suffix, angles.size())},
+      {fmt::format("torsor_sines_and_cosines({1}, angles{0}, sines{0}, cosines{0});", suffix, angles.size())}};
   for (std::size_t i = 0; i < angles.size(); ++i) {
     std::string locals;
     const auto take = [&](const std::string& name, const char* array) {
@@ -107,7 +126,7 @@ std::vector<CodeLine> CLanguage::sines_and_cosines(const std::vector<AngleText>&
     };
     take(angles[i].sine, "sines");
     take(angles[i].cosine, "cosines");
-    lines.push_back({locals + ";", angles[i].meaning});
+    if (!locals.empty()) lines.push_back({locals + ";", angles[i].meaning});
   }
   return lines;
 }
@@ -116,7 +135,8 @@ std::vector<CodeLine> CLanguage::recurrence(const RecurrenceText& text) const {
   const std::size_t lanes = text.convolutions.size();
   std::vector<CodeLine> lines;
   if (lanes > 0) {
-    lines.push_back({fmt::format("torsor_real left_[{0} * torsor_order_max], right_[{0} * torsor_order_max], sums_[{0}];", lanes)});
+    lines.push_back(
+        {fmt::format("torsor_real left_[{0} * torsor_order_max], right_[{0} * torsor_order_max], sums_[{0}];", lanes)});
   }
   lines.push_back({fmt::format("torsor_real number_ = {0}, inverse_ = {0};", text.one)});
   lines.push_back({"for (int k_ = 1; k_ < order; ++k_) {"});
@@ -131,9 +151,11 @@ std::vector<CodeLine> CLanguage::recurrence(const RecurrenceText& text) const {
   }
   for (std::size_t i = 0; i < lanes; ++i) {
     const auto& [left, right] = text.convolutions[i];
-    lines.push_back({fmt::format("  left_[{0} * k_ + {1}] = {2}, right_[{0} * k_ + {1}] = {3};", lanes, i, left, right)});
+    lines.push_back(
+        {fmt::format("  left_[{0} * k_ + {1}] = {2}, right_[{0} * k_ + {1}] = {3};", lanes, i, left, right)});
   }
-  for (const char* each : {"  number_ = following_;", "  inverse_ = next_;", "}", "(void)inverse_;"}) lines.push_back({each});
+  for (const char* each : {"  number_ = following_;", "  inverse_ = next_;", "}", "(void)inverse_;"})
+    lines.push_back({each});
   return lines;
 }
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <map>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "generator/emission/language.hpp"
@@ -10,17 +10,19 @@
 
 namespace torsor {
 
-/// C99 in the terms of templates/mechanism.h.in: numbers are `torsor_real`, arguments come by pointers, vectors are arrays.
+/// C99 in the terms of templates/mechanism.h.in: numbers are `torsor_real`, arguments come by pointers, vectors are
+/// arrays.
 class CLanguage final : public Language {
  public:
-  /// `parameters` is the array that holds them; `structures` tells which results are structures.
-  CLanguage(const MechanismListing& mechanism, std::string parameters,
-            std::map<std::string, const Structure*> structures = {});
+  /// `parameters` is the array that holds them.
+  CLanguage(const MechanismListing& mechanism, std::string parameters)
+      : mechanism_(&mechanism), parameters_(std::move(parameters)) {}
 
   std::string constant(const Number& number) const override;
   std::string local(const std::string& name, const std::string& value) const override;
   std::string pi() const override;
-  std::vector<CodeLine> literal(const std::string& name, const Literal& literal, const std::string& value) const override;
+  std::vector<CodeLine> literal(const std::string& name, const Literal& literal,
+                                const std::string& value) const override;
   std::string access(const Quantity& quantity) const override;
   std::string access(const Target& target) const override;
   std::string function(Function function) const override;
@@ -32,7 +34,6 @@ class CLanguage final : public Language {
  private:
   const MechanismListing* mechanism_;
   std::string parameters_;
-  std::map<std::string, const Structure*> structures_;
 };
 
 }  // namespace torsor

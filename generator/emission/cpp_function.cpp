@@ -70,8 +70,8 @@ FunctionText cpp_function(const MechanismListing& mechanism, const KernelListing
     signature += fmt::format(", int order, std::array<Scalar, {}>* coefficients", kernel.series->state.size());
   }
   signature += ") noexcept {";
-  function.body =
-      documentation_comment(kernel.documentation) + wrapped(signature, 2) + "\n" + indented(function.body, "  ") + "}\n";
+  function.body = documentation_comment(kernel.documentation) + wrapped(signature, 2) + "\n" +
+                  indented(function.body, "  ") + "}\n";
   return function;
 }
 

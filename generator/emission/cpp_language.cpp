@@ -12,7 +12,10 @@ namespace torsor {
 
 CppLanguage::CppLanguage(const Layout& layout, std::string parameters, std::vector<std::string> members,
                          std::map<std::string, const Structure*> vectors)
-    : layout_(&layout), parameters_(std::move(parameters)), members_(std::move(members)), vectors_(std::move(vectors)) {}
+    : layout_(&layout),
+      parameters_(std::move(parameters)),
+      members_(std::move(members)),
+      vectors_(std::move(vectors)) {}
 
 std::string CppLanguage::constant(const Number& number) const { return constant_call(number); }
 
@@ -22,10 +25,11 @@ std::string CppLanguage::local(const std::string& name, const std::string& value
 
 std::string CppLanguage::pi() const { return "traits::pi()"; }
 
-std::vector<CodeLine> CppLanguage::literal(const std::string& name, const Literal& literal, const std::string& value) const {
-  std::vector<CodeLine> lines{{fmt::format("const Scalar {} = traits::formula({}, {}, [&]() -> Scalar {{", name,
-                                       torsor::literal(literal.rounded.in_double),
-                                       torsor::literal(literal.rounded.in_float))}};
+std::vector<CodeLine> CppLanguage::literal(const std::string& name, const Literal& literal,
+                                           const std::string& value) const {
+  std::vector<CodeLine> lines{
+      {fmt::format("const Scalar {} = traits::formula({}, {}, [&]() -> Scalar {{", name,
+                   torsor::literal(literal.rounded.in_double), torsor::literal(literal.rounded.in_float))}};
   const Formula& right = literal.right;
   if (right.kind == Formula::Kind::function && (right.function == Function::sin || right.function == Function::cos)) {
     lines.push_back({"  Scalar sine, cosine;"});
@@ -54,7 +58,8 @@ std::string CppLanguage::access(const Target& target) const {
   }
   const std::string vector = target.member.empty() ? target.result : target.result + "." + target.member;
   const auto structure = vectors_.find(vector);
-  if (target.entry && structure != vectors_.end()) return vector + "." + structure->second->members.at(*target.entry).name;
+  if (target.entry && structure != vectors_.end())
+    return vector + "." + structure->second->members.at(*target.entry).name;
   return target.to_string();
 }
 
@@ -70,8 +75,8 @@ std::vector<CodeLine> CppLanguage::sines_and_cosines(const std::vector<AngleText
   std::string all;
   for (const AngleText& each : angles) all += (all.empty() ? "" : ", ") + each.angle;
   std::vector<CodeLine> lines{{fmt::format("const Scalar angles{}[] = {{{}}};", suffix, all)},
-                          {fmt::format("Scalar sines{0}[{1}], cosines{0}[{1}];", suffix, angles.size())},
-                          {fmt::format("torsor::sines_and_cosines(angles{0}, sines{0}, cosines{0});", suffix)}};
+                              {fmt::format("Scalar sines{0}[{1}], cosines{0}[{1}];", suffix, angles.size())},
+                              {fmt::format("torsor::sines_and_cosines(angles{0}, sines{0}, cosines{0});", suffix)}};
   for (std::size_t i = 0; i < angles.size(); ++i) {
     std::string locals;
     const auto take = [&](const std::string& name, const char* array) {
@@ -81,7 +86,7 @@ std::vector<CodeLine> CppLanguage::sines_and_cosines(const std::vector<AngleText
     };
     take(angles[i].sine, "sines");
     take(angles[i].cosine, "cosines");
-    lines.push_back({locals + ";", angles[i].meaning});
+    if (!locals.empty()) lines.push_back({locals + ";", angles[i].meaning});
   }
   return lines;
 }
@@ -97,7 +102,8 @@ std::vector<CodeLine> CppLanguage::recurrence(const RecurrenceText& text) const 
   lines.push_back({fmt::format("Scalar number_ = {0}, inverse_ = {0};", text.one)});
   lines.push_back({"for (int k_ = 1; k_ < order; ++k_) {"});
   lines.push_back({fmt::format("  const Scalar following_ = number_ + {0}, next_ = {0} / following_;", text.one)});
-  if (text.is_first_read) lines.push_back({fmt::format("  const Scalar first_ = k_ == 1 ? {} : {};", text.one, text.zero)});
+  if (text.is_first_read)
+    lines.push_back({fmt::format("  const Scalar first_ = k_ == 1 ? {} : {};", text.one, text.zero)});
   if (lanes > 0) lines.push_back({"  operations_.sum(k_, sums_);"});
   for (const CodeLine& each : text.steps) lines.push_back({"  " + each.code, each.meaning});
   for (std::size_t i = 0; i < text.next.size(); ++i) {
@@ -113,7 +119,8 @@ std::vector<CodeLine> CppLanguage::recurrence(const RecurrenceText& text) const 
     lines.push_back({"  const Scalar right_[] = {" + right + "};"});
     lines.push_back({"  operations_.keep(k_, left_, right_);"});
   }
-  for (const char* each : {"  number_ = following_;", "  inverse_ = next_;", "}", "static_cast<void>(inverse_);"}) lines.push_back({each});
+  for (const char* each : {"  number_ = following_;", "  inverse_ = next_;", "}", "static_cast<void>(inverse_);"})
+    lines.push_back({each});
   return lines;
 }
 

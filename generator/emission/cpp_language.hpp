@@ -13,15 +13,16 @@ namespace torsor {
 /// C++17 in the terms of templates/mechanism.hpp.in: `Scalar` and `traits`.
 class CppLanguage final : public Language {
  public:
-  /// `parameters` is where parameters are read from: "precomputed.parameters." or "parameters."; `members` are the names
-  /// of the members of Precomputed; `vectors` tells the structures of results that have a name for each entry.
+  /// `parameters` is where parameters are read from: "precomputed.parameters." or "parameters."; `members` are the
+  /// names of the members of Precomputed; `vectors` tells the structures of results that have a name for each entry.
   CppLanguage(const Layout& layout, std::string parameters, std::vector<std::string> members,
               std::map<std::string, const Structure*> vectors = {});
 
   std::string constant(const Number& number) const override;
   std::string local(const std::string& name, const std::string& value) const override;
   std::string pi() const override;
-  std::vector<CodeLine> literal(const std::string& name, const Literal& literal, const std::string& value) const override;
+  std::vector<CodeLine> literal(const std::string& name, const Literal& literal,
+                                const std::string& value) const override;
   bool computes_literals() const override { return true; }
   std::string access(const Quantity& quantity) const override;
   std::string access(const Target& target) const override;

@@ -18,20 +18,6 @@ Member scalar(const Symbol& symbol, const std::string& meaning, const Unit& unit
   return {member_name(symbol), 1, 1, fmt::format("{} [{}]", meaning, unit_text(unit)), true};
 }
 
-void check_names(const Structure& structure) {
-  std::set<std::string> names;
-  const std::string what = fmt::format("member of {}", structure.name);
-  for (const Member& member : structure.members) {
-    require_cpp_name(member.name, what);
-    if (member.name == structure.name || !names.insert(member.name).second) {
-      throw SceneError(
-          fmt::format("two things would be called '{}' in the structure {} of the generated header: choose "
-                      "another name for one",
-                      member.name, structure.name));
-    }
-  }
-}
-
 std::string element_access(const Structure& structure) {
   const std::string pointer = fmt::format("Scalar {}::*", structure.name);
   std::string table;
@@ -113,8 +99,21 @@ std::vector<Structure> common_structures(const Equations& equations, const std::
   return {given, q, v, a, forces, inputs, multipliers};
 }
 
+void check_names(const Structure& structure) {
+  std::set<std::string> names;
+  const std::string what = fmt::format("member of {}", structure.name);
+  for (const Member& member : structure.members) {
+    require_cpp_name(member.name, what);
+    if (member.name == structure.name || !names.insert(member.name).second) {
+      throw SceneError(
+          fmt::format("two things would be called '{}' in the structure {} of the generated header: choose "
+                      "another name for one",
+                      member.name, structure.name));
+    }
+  }
+}
+
 std::string structure_text(const Structure& structure) {
-  check_names(structure);
   std::string text = fmt::format("/// {}\n", comment_text(structure.documentation));
   if (structure.members.empty()) {
     return text + fmt::format("struct {} {{\n  static constexpr int size = 0;\n}};\n", structure.name);

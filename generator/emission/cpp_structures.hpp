@@ -16,8 +16,11 @@ std::string unit_text(const Unit& unit);
 /// GeneralizedForces, Inputs, Multipliers.
 std::vector<Structure> common_structures(const Equations& equations, const std::vector<SymbolPointer>& parameters);
 
+/// Throws SceneError for a member's name that cannot stand in a generated text or comes twice.
+void check_names(const Structure& structure);
+
 /// A structure in C++. When all members are scalars it has `size` and `operator[]`, through a constexpr table of member
-/// pointers. Throws SceneError for a member's name that cannot stand in C++ or comes twice.
+/// pointers.
 std::string structure_text(const Structure& structure);
 
 }  // namespace torsor

@@ -39,15 +39,19 @@ Json result_json(const MechanismListing& mechanism, const Result& result) {
 
 const char* name_of(Argument argument) {
   switch (argument) {
-    case Argument::accelerations: return "accelerations";
-    case Argument::multipliers: return "multipliers";
-    case Argument::inputs: return "inputs";
+    case Argument::accelerations:
+      return "accelerations";
+    case Argument::multipliers:
+      return "multipliers";
+    case Argument::inputs:
+      return "inputs";
   }
   return "";
 }
 
 std::string unit_of(const Symbol& symbol) {
-  const bool angle = symbol.unit.is_dimensionless() && symbol.kind == SymbolKind::coordinate && symbol.attitude.expired();
+  const bool angle =
+      symbol.unit.is_dimensionless() && symbol.kind == SymbolKind::coordinate && symbol.attitude.expired();
   if (angle) return "rad";
   return symbol.unit.is_dimensionless() ? "1" : unit_text(symbol.unit);
 }
@@ -64,7 +68,10 @@ std::string kernels_json(const MechanismListing& mechanism) {
   Json list = Json::array();
   for (const KernelListing& each : mechanism.kernels) {
     const Kernel& kernel = each.kernel;
-    Json json{{"name", kernel.name}, {"arguments", Json::array()}, {"results", Json::array()}, {"status", each.listing.has_status}};
+    Json json{{"name", kernel.name},
+              {"arguments", Json::array()},
+              {"results", Json::array()},
+              {"status", each.listing.has_status}};
     for (const Argument argument : kernel.arguments) json["arguments"].push_back(name_of(argument));
     for (const Result& result : kernel.results) json["results"].push_back(result_json(mechanism, result));
     list.push_back(std::move(json));

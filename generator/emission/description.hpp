@@ -12,8 +12,8 @@ namespace torsor {
 /// [{"name": "theta", "unit": "rad"}, ...] of the symbols in one table of the layout.
 std::string symbols_json(const MechanismListing& mechanism, Table table);
 
-/// Of each kernel its name, its arguments behind the state, whether it returns a status, and its results: of an array its
-/// size, of a structure its members with where each begins and its shape.
+/// Of each kernel its name, its arguments behind the state, whether it returns a status, and its results: of an array
+/// its size, of a structure its members with where each begins and its shape.
 std::string kernels_json(const MechanismListing& mechanism);
 
 /// Places in q of the first components of unit quaternions.

@@ -24,12 +24,16 @@ std::string number_text(double value) {
 }
 
 std::size_t place_of(const std::vector<PrecomputedMember>& members, const std::string& name) {
-  const auto place = std::find_if(members.begin(), members.end(), [&](const PrecomputedMember& each) { return each.name == name; });
+  const auto place =
+      std::find_if(members.begin(), members.end(), [&](const PrecomputedMember& each) { return each.name == name; });
+  if (place == members.end()) throw Error(fmt::format("there is no member '{}' of Precomputed", name));
   return static_cast<std::size_t>(place - members.begin());
 }
 
 std::size_t place_of(const std::vector<SymbolPointer>& symbols, const std::string& name) {
-  const auto place = std::find_if(symbols.begin(), symbols.end(), [&](const SymbolPointer& each) { return each->name == name; });
+  const auto place =
+      std::find_if(symbols.begin(), symbols.end(), [&](const SymbolPointer& each) { return each->name == name; });
+  if (place == symbols.end()) throw Error(fmt::format("there is no parameter '{}'", name));
   return static_cast<std::size_t>(place - symbols.begin());
 }
 
@@ -62,7 +66,8 @@ std::string JavascriptLanguage::local(const std::string& name, const std::string
 
 std::string JavascriptLanguage::pi() const { return "Math.PI"; }
 
-std::vector<CodeLine> JavascriptLanguage::literal(const std::string& name, const Literal& literal, const std::string&) const {
+std::vector<CodeLine> JavascriptLanguage::literal(const std::string& name, const Literal& literal,
+                                                  const std::string&) const {
   return {{local(name, number_text(literal.rounded.in_double)), literal.meaning}};
 }
 
@@ -70,20 +75,32 @@ std::string JavascriptLanguage::access(const Quantity& quantity) const {
   const Layout& layout = mechanism_->layout;
   const auto entry = [](const std::string& array, const auto& index) { return fmt::format("{}[{}]", array, index); };
   switch (quantity.table) {
-    case Table::time: return "state[0]";
-    case Table::coordinate: return entry("state", 1 + quantity.index);
-    case Table::velocity: return entry("state", 1 + layout.coordinates.size() + quantity.index);
-    case Table::acceleration: return entry("accelerations", quantity.index);
-    case Table::multiplier: return entry("multipliers", quantity.index);
-    case Table::input: return entry("inputs", quantity.index);
-    case Table::parameter: return entry(parameters_, quantity.index);
-    case Table::precomputed: return entry("precomputed", layout.parameters.size() + quantity.index);
+    case Table::time:
+      return "state[0]";
+    case Table::coordinate:
+      return entry("state", 1 + quantity.index);
+    case Table::velocity:
+      return entry("state", 1 + layout.coordinates.size() + quantity.index);
+    case Table::acceleration:
+      return entry("accelerations", quantity.index);
+    case Table::multiplier:
+      return entry("multipliers", quantity.index);
+    case Table::input:
+      return entry("inputs", quantity.index);
+    case Table::parameter:
+      return entry(parameters_, quantity.index);
+    case Table::precomputed:
+      return entry("precomputed", layout.parameters.size() + quantity.index);
     case Table::coefficient:
-      return entry("coefficients", fmt::format("{} * k_ + {}", layout.coordinates.size() + layout.velocities.size(), quantity.index));
-    case Table::convolution: return entry("sums_", quantity.index);
-    case Table::order: return name_of(static_cast<OrderQuantity>(quantity.index));
+      return entry("coefficients",
+                   fmt::format("{} * k_ + {}", layout.coordinates.size() + layout.velocities.size(), quantity.index));
+    case Table::convolution:
+      return entry("sums_", quantity.index);
+    case Table::order:
+      return name_of(static_cast<OrderQuantity>(quantity.index));
     case Table::output:
-    case Table::local: break;
+    case Table::local:
+      break;
   }
   throw Error("a local variable is read where an argument stands");
 }
@@ -110,16 +127,25 @@ std::string JavascriptLanguage::access(const Target& target) const {
 
 std::string JavascriptLanguage::function(Function function) const {
   switch (function) {
-    case Function::sqrt: return "Math.sqrt";
-    case Function::exp: return "Math.exp";
-    case Function::log: return "Math.log";
-    case Function::abs: return "absolute";
-    case Function::sign: return "sign";
-    case Function::maximum: return "maximum";
-    case Function::atan2: return "arctangent";
-    case Function::select: return "chosen";
+    case Function::sqrt:
+      return "Math.sqrt";
+    case Function::exp:
+      return "Math.exp";
+    case Function::log:
+      return "Math.log";
+    case Function::abs:
+      return "absolute";
+    case Function::sign:
+      return "sign";
+    case Function::maximum:
+      return "maximum";
+    case Function::atan2:
+      return "arctangent";
+    case Function::select:
+      return "chosen";
     case Function::sin:
-    case Function::cos: break;
+    case Function::cos:
+      break;
   }
   throw Error("sines and cosines come in pairs");
 }
@@ -127,6 +153,7 @@ std::string JavascriptLanguage::function(Function function) const {
 std::vector<CodeLine> JavascriptLanguage::sines_and_cosines(const std::vector<AngleText>& angles, int) const {
   std::vector<CodeLine> lines;
   for (const AngleText& each : angles) {
+    if (each.sine.empty() && each.cosine.empty()) continue;
     lines.push_back({fmt::format("sincos({});", each.angle)});
     std::string locals;
     const auto take = [&locals](const std::string& name, int place) {
@@ -143,7 +170,8 @@ std::vector<CodeLine> JavascriptLanguage::recurrence(const RecurrenceText& text)
   const std::size_t lanes = text.convolutions.size();
   std::vector<CodeLine> lines{{"let number_ = 1, inverse_ = 1;"}};
   if (lanes > 0) {
-    for (const char* name : {"left_", "right_"}) lines.push_back({fmt::format("const {} = new Float64Array({} * order);", name, lanes)});
+    for (const char* name : {"left_", "right_"})
+      lines.push_back({fmt::format("const {} = new Float64Array({} * order);", name, lanes)});
     lines.push_back({fmt::format("const sums_ = new Float64Array({});", lanes)});
   }
   lines.push_back({"for (let k_ = 1; k_ < order; ++k_) {"});
@@ -156,7 +184,8 @@ std::vector<CodeLine> JavascriptLanguage::recurrence(const RecurrenceText& text)
   }
   for (std::size_t i = 0; i < lanes; ++i) {
     const auto& [left, right] = text.convolutions[i];
-    lines.push_back({fmt::format("  left_[{0} * k_ + {1}] = {2}, right_[{0} * k_ + {1}] = {3};", lanes, i, left, right)});
+    lines.push_back(
+        {fmt::format("  left_[{0} * k_ + {1}] = {2}, right_[{0} * k_ + {1}] = {3};", lanes, i, left, right)});
   }
   for (const char* each : {"  number_ = following_;", "  inverse_ = next_;", "}"}) lines.push_back({each});
   return lines;

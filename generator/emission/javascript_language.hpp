@@ -10,8 +10,9 @@
 
 namespace torsor {
 
-/// JavaScript in the terms of templates/mechanism.js.in: every argument and result is one typed array. The state is time,
-/// coordinates, velocities; Precomputed the parameters and its members; a structure its members one after the other.
+/// JavaScript in the terms of templates/mechanism.js.in: every argument and result is one typed array. The state is
+/// time, coordinates, velocities; Precomputed the parameters and its members; a structure its members one after the
+/// other.
 class JavascriptLanguage final : public Language {
  public:
   /// `parameters` is the array that starts with the parameters, `results` tells what of the structure each result is.
@@ -21,7 +22,8 @@ class JavascriptLanguage final : public Language {
   std::string constant(const Number& number) const override;
   std::string local(const std::string& name, const std::string& value) const override;
   std::string pi() const override;
-  std::vector<CodeLine> literal(const std::string& name, const Literal& literal, const std::string& value) const override;
+  std::vector<CodeLine> literal(const std::string& name, const Literal& literal,
+                                const std::string& value) const override;
   std::string access(const Quantity& quantity) const override;
   std::string access(const Target& target) const override;
   std::string function(Function function) const override;

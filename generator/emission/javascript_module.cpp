@@ -27,12 +27,14 @@ std::string javascript_function(const MechanismListing& mechanism, const KernelL
   if (kernel.series) arguments += ", order, coefficients";
   const std::string body = print(listing, JavascriptLanguage(mechanism, "precomputed", results));
   return documentation_comment(kernel.documentation) +
-         wrapped(fmt::format("export function {}({}) {{", kernel.name, arguments), 0) + "\n" + indented(body, "  ") + "}\n";
+         wrapped(fmt::format("export function {}({}) {{", kernel.name, arguments), 0) + "\n" + indented(body, "  ") +
+         "}\n";
 }
 
 }  // namespace
 
-std::string emit_javascript(const Equations& equations, const std::vector<Kernel>& kernels, const ModelOptions& options) {
+std::string emit_javascript(const Equations& equations, const std::vector<Kernel>& kernels,
+                            const ModelOptions& options) {
   const MechanismListing mechanism = lower_mechanism(equations, kernels, options);
   const JavascriptLanguage language(mechanism, "parameters");
   std::string functions;
@@ -56,9 +58,10 @@ std::string emit_javascript(const Equations& equations, const std::vector<Kernel
       {"precompute", print(mechanism.precompute, language)},
       {"initial_state", print(mechanism.initial_state, language)},
       {"kernels", functions}};
-  for (const auto& [name, table] : {std::pair("coordinates", Table::coordinate), std::pair("velocities", Table::velocity),
-                                    std::pair("inputs", Table::input), std::pair("multipliers", Table::multiplier),
-                                    std::pair("parameters", Table::parameter)}) {
+  for (const auto& [name, table] :
+       {std::pair("coordinates", Table::coordinate), std::pair("velocities", Table::velocity),
+        std::pair("inputs", Table::input), std::pair("multipliers", Table::multiplier),
+        std::pair("parameters", Table::parameter)}) {
     values.emplace(name, symbols_json(mechanism, table));
   }
   return fill_template("mechanism.js.in", embedded_template("mechanism.js.in"), values);

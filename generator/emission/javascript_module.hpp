@@ -8,8 +8,10 @@
 
 namespace torsor {
 
-/// A mechanism as an ES module without imports: the kernels of `emit_header` as functions of typed arrays, with names and
-/// units of all that they read and write. Without fused operations, results have the bits of the C++ header in double.
-std::string emit_javascript(const Equations& equations, const std::vector<Kernel>& kernels, const ModelOptions& options);
+/// A mechanism as an ES module without imports: the kernels of `emit_header` as functions of typed arrays, with names
+/// and units of all that they read and write. Without fused operations, results have the bits of the C++ header in
+/// double.
+std::string emit_javascript(const Equations& equations, const std::vector<Kernel>& kernels,
+                            const ModelOptions& options);
 
 }  // namespace torsor

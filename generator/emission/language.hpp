@@ -30,10 +30,10 @@ struct CodeLine {
 
 /// What is done at each order of a recurrence.
 struct RecurrenceText {
-  std::size_t size = 0;                                            ///< of the state
-  std::vector<CodeLine> steps;                                         ///< without indentation
-  std::vector<std::string> next;                                   ///< coefficients of the next order
-  std::vector<std::pair<std::string, std::string>> convolutions;   ///< of which pairs of series
+  std::size_t size = 0;                                           ///< of the state
+  std::vector<CodeLine> steps;                                    ///< without indentation
+  std::vector<std::string> next;                                  ///< coefficients of the next order
+  std::vector<std::pair<std::string, std::string>> convolutions;  ///< of which pairs of series
   bool is_first_read = false;
   std::string zero, one;
 };
@@ -50,7 +50,8 @@ class Language {
   virtual std::string local(const std::string& name, const std::string& value) const = 0;
   virtual std::string pi() const = 0;
   /// Declares a constant that is rounded from more than a number; `value` is the text of its formula.
-  virtual std::vector<CodeLine> literal(const std::string& name, const Literal& literal, const std::string& value) const = 0;
+  virtual std::vector<CodeLine> literal(const std::string& name, const Literal& literal,
+                                        const std::string& value) const = 0;
   /// Whether such a constant is computed by its formula where literals are not exact enough.
   virtual bool computes_literals() const { return false; }
   /// Where an argument, a member of Precomputed or an output stands.

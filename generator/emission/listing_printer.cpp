@@ -17,7 +17,8 @@ constexpr std::size_t function_indentation = 4;
 constexpr std::size_t finite_group = 16;
 
 /// 0 times some results; of many a product of such products.
-std::string zero_times(const std::string& zero, const std::vector<std::string>& of, std::size_t begin, std::size_t end) {
+std::string zero_times(const std::string& zero, const std::vector<std::string>& of, std::size_t begin,
+                       std::size_t end) {
   if (end - begin > finite_group) {
     const std::size_t middle = begin + (end - begin) / 2;
     const std::string first = zero_times(zero, of, begin, middle);
@@ -37,15 +38,15 @@ class ListingPrinter {
                   [this](Function function) { return language_->function(function); }) {}
 
   std::string print() {
-    const std::vector<bool> read = read_quantities(*listing_, language_->computes_literals());
+    read_ = read_quantities(*listing_, language_->computes_literals());
     std::string bindings;
     for (const Atom quantity : listing_->given) {
-      if (!read[static_cast<std::size_t>(quantity)]) continue;
+      if (!is_read(quantity)) continue;
       const Quantity& each = listing_->quantity(quantity);
       bindings += language_->local(each.name, language_->access(each)) + "\n";
     }
     for (const Statement& each : listing_->statements) {
-      if (is_needed(each, read)) write(each);
+      if (is_needed(each, read_)) write(each);
     }
     for (const Output& output : listing_->outputs) {
       statement(fmt::format("{} = {};", language_->access(output.target), text(output.value)), output.meaning);
@@ -55,12 +56,14 @@ class ListingPrinter {
     if (listing_->has_status) write_status();
     std::string constants;
     for (const FormulaPrinter::Constant& constant : formulas_.constants()) {
-      constants += wrapped(language_->local(constant.name, language_->constant(constant.number)), function_indentation) + "\n";
+      constants +=
+          wrapped(language_->local(constant.name, language_->constant(constant.number)), function_indentation) + "\n";
     }
     return constants + bindings + code_;
   }
 
  private:
+  bool is_read(Atom quantity) const { return read_[static_cast<std::size_t>(quantity)]; }
   std::string name(Atom number) const {
     const Quantity& quantity = listing_->quantity(number);
     if (!quantity.name.empty()) return quantity.name;
@@ -100,7 +103,10 @@ class ListingPrinter {
     lines(language_->literal(name(each.quantity), each, value));
   }
   void write(const SinesAndCosines& group) {
-    const auto optional_name = [this](const std::optional<Atom>& quantity) { return quantity ? name(*quantity) : ""; };
+    const bool both = group.angles.size() == 1;
+    const auto optional_name = [&](const std::optional<Atom>& quantity) {
+      return quantity && (both || is_read(*quantity)) ? name(*quantity) : "";
+    };
     std::vector<AngleText> angles;
     for (const SineCosine& each : group.angles) {
       angles.push_back({name(each.angle), optional_name(each.sine), optional_name(each.cosine), each.meaning});
@@ -116,17 +122,20 @@ class ListingPrinter {
       const auto& step = std::get<Assigned>(each);
       text.steps.push_back({language_->local(name(step.quantity), formulas_.print(step.right)), step.meaning});
     }
-    const std::string next = language_->access(Quantity{Table::order, static_cast<std::size_t>(OrderQuantity::next), ""});
+    const std::string next =
+        language_->access(Quantity{Table::order, static_cast<std::size_t>(OrderQuantity::next), ""});
     for (std::size_t i = 0; i < recurrence.rates.size(); ++i) {
       const Formula& rate = recurrence.rates[i];
       const bool product = rate.kind == Formula::Kind::product;
-      const std::string text_of_rate = product || recurrence.constant[i] ? formulas_.print(rate) : formulas_.print_factor(rate);
+      const std::string text_of_rate =
+          product || recurrence.constant[i] ? formulas_.print(rate) : formulas_.print_factor(rate);
       text.next.push_back(recurrence.constant[i] ? text_of_rate : next + " * " + text_of_rate);
     }
     for (const auto& [left, right] : recurrence.convolutions) text.convolutions.emplace_back(name(left), name(right));
-    text.is_first_read = std::any_of(listing_->quantities.begin(), listing_->quantities.end(), [](const Quantity& each) {
-      return each.table == Table::order && each.index == static_cast<std::size_t>(OrderQuantity::first);
-    });
+    text.is_first_read =
+        std::any_of(listing_->quantities.begin(), listing_->quantities.end(), [](const Quantity& each) {
+          return each.table == Table::order && each.index == static_cast<std::size_t>(OrderQuantity::first);
+        });
     if (text.is_first_read) text.zero = formulas_.name(Number());
     lines(language_->recurrence(text));
     for (std::size_t i = 0; i < recurrence.rates.size(); ++i) {
@@ -161,6 +170,7 @@ class ListingPrinter {
   const Listing* listing_;
   const Language* language_;
   FormulaPrinter formulas_;
+  std::vector<bool> read_;  ///< by quantity
   std::string code_;
   std::vector<std::string> finite_;  ///< results that could be not finite
   int groups_ = 0;
@@ -168,6 +178,8 @@ class ListingPrinter {
 
 }  // namespace
 
-std::string print(const Listing& listing, const Language& language) { return ListingPrinter(listing, language).print(); }
+std::string print(const Listing& listing, const Language& language) {
+  return ListingPrinter(listing, language).print();
+}
 
 }  // namespace torsor

@@ -20,7 +20,8 @@ Layout layout_of(const Equations& equations, const std::vector<SymbolPointer>& p
     layout.accelerations.push_back(coordinate.a);
   }
   layout.inputs = model.inputs();
-  for (const ConstraintContent& constraint : model.scene().constraints) layout.multipliers.push_back(constraint.multiplier);
+  for (const ConstraintContent& constraint : model.scene().constraints)
+    layout.multipliers.push_back(constraint.multiplier);
   layout.parameters = parameters;
   return layout;
 }
@@ -57,7 +58,8 @@ const Structure* MechanismListing::structure(const std::string& name) const {
   return nullptr;
 }
 
-MechanismListing lower_mechanism(const Equations& equations, const std::vector<Kernel>& kernels, const ModelOptions& options) {
+MechanismListing lower_mechanism(const Equations& equations, const std::vector<Kernel>& kernels,
+                                 const ModelOptions& options) {
   MechanismListing mechanism;
   mechanism.equations = &equations;
   mechanism.options = options;
@@ -76,6 +78,9 @@ MechanismListing lower_mechanism(const Equations& equations, const std::vector<K
     for (const Structure& structure : kernel.structures) {  // two kernels may share one when it is the same
       if (mechanism.structure(structure.name) == nullptr) mechanism.own.push_back(structure);
     }
+  }
+  for (const auto* structures : {&mechanism.common, &mechanism.own}) {
+    for (const Structure& structure : *structures) check_names(structure);
   }
   mechanism.schedule = make_schedule(program, values);
   const Schedule& schedule = mechanism.schedule;
@@ -104,7 +109,8 @@ Provenance provenance_of(const MechanismListing& mechanism, const std::vector<Op
   if (const OperationCount once = count(mechanism.precompute); once.total() > 0) {
     provenance.operations.push_back({"precompute", once, std::nullopt});
   }
-  // Before: no inertia moved across joints, no products shared, no factoring, nothing done once for a set of parameters.
+  // Before: no inertia moved across joints, no products shared, no factoring, nothing done once for a set of
+  // parameters.
   const Equations unoptimised(scene, as_given(mechanism.options));
   for (std::size_t k = 0; k < mechanism.kernels.size(); ++k) {
     const Kernel& kernel = mechanism.kernels[k].kernel;

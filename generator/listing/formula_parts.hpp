@@ -34,8 +34,6 @@ inline Formula difference(Formula a, Formula b) {
   return formula;
 }
 
-inline Formula quotient(Formula a, Formula b) {
-  return of_kind(Formula::Kind::quotient, {std::move(a), std::move(b)});
-}
+inline Formula quotient(Formula a, Formula b) { return of_kind(Formula::Kind::quotient, {std::move(a), std::move(b)}); }
 
 }  // namespace torsor::formula_parts

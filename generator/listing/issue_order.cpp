@@ -27,8 +27,8 @@ using NodeNumber = std::size_t;  // among the definitions
 struct IssueNode {
   std::map<NodeNumber, int> operands;  ///< and the most cycles from there to its result
   std::vector<NodeNumber> users;
-  int from_outside = 0;     ///< the cycle from which on other operands let its result be known
-  int to_the_end = 0;       ///< cycles from its result to the last result of all
+  int from_outside = 0;  ///< the cycle from which on other operands let its result be known
+  int to_the_end = 0;    ///< cycles from its result to the last result of all
   int operations = 0;
   std::size_t missing = 0;  ///< operands not yet issued
   std::size_t uses = 0;     ///< users not yet issued
@@ -149,7 +149,7 @@ class ListScheduling {
   std::vector<IssueNode> nodes_;
   std::vector<NodeNumber> order_;
   std::vector<bool> issued_;
-  NodeNumber first_ = 0;  ///< the first in the program's order that is not issued
+  NodeNumber first_ = 0;         ///< the first in the program's order that is not issued
   std::set<Urgency> available_;  ///< near, and their operands are there
   std::priority_queue<NodeNumber, std::vector<NodeNumber>, std::greater<>> far_;  ///< the others whose operands are
   using Arrival = std::pair<double, NodeNumber>;

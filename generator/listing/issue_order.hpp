@@ -7,10 +7,10 @@
 
 namespace torsor {
 
-/// The definitions of a function that are left after its sines and cosines, in the order in which it computes them: list
-/// scheduling (Gibbons & Muchnick 1986) for a processor that looks some way ahead. What the results wait for longest
-/// goes first, unless more values are live than registers hold: then what frees most. `definitions` are in the program's
-/// order, and stay so without the pass `scheduling`. Same definitions, same bits.
+/// The definitions of a function that are left after its sines and cosines, in the order in which it computes them:
+/// list scheduling (Gibbons & Muchnick 1986) for a processor that looks some way ahead. What the results wait for
+/// longest goes first, unless more values are live than registers hold: then what frees most. `definitions` are in the
+/// program's order, and stay so without the pass `scheduling`. Same definitions, same bits.
 std::vector<Atom> issue_order(const Program& program, const std::vector<Atom>& definitions);
 
 }  // namespace torsor

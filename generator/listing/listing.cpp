@@ -7,13 +7,20 @@ namespace torsor {
 
 const std::vector<SymbolPointer>& Layout::of(Table table) const {
   switch (table) {
-    case Table::coordinate: return coordinates;
-    case Table::velocity: return velocities;
-    case Table::acceleration: return accelerations;
-    case Table::multiplier: return multipliers;
-    case Table::input: return inputs;
-    case Table::parameter: return parameters;
-    default: break;
+    case Table::coordinate:
+      return coordinates;
+    case Table::velocity:
+      return velocities;
+    case Table::acceleration:
+      return accelerations;
+    case Table::multiplier:
+      return multipliers;
+    case Table::input:
+      return inputs;
+    case Table::parameter:
+      return parameters;
+    default:
+      break;
   }
   throw Error("a listing asks for symbols where there are none");
 }
@@ -47,7 +54,8 @@ std::vector<bool> read_quantities(const Listing& listing, bool literals_are_comp
   for (auto each = listing.statements.rbegin(); each != listing.statements.rend(); ++each) {
     if (!is_needed(*each, read)) continue;
     if (const auto* assigned = std::get_if<Assigned>(&*each)) mark(assigned->right, read);
-    if (const auto* literal = std::get_if<Literal>(&*each); literal != nullptr && literals_are_computed) mark(literal->right, read);
+    if (const auto* literal = std::get_if<Literal>(&*each); literal != nullptr && literals_are_computed)
+      mark(literal->right, read);
     if (const auto* group = std::get_if<SinesAndCosines>(&*each)) {
       for (const SineCosine& pair : group->angles) read[static_cast<std::size_t>(pair.angle)] = true;
     }
@@ -65,8 +73,10 @@ bool Listing::reads(Table table) const {
 
 OperationCount count(const Listing& listing) {
   OperationCount total;
+  const std::vector<bool> read = read_quantities(listing, true);
   for (const auto* statements : {&listing.statements, &listing.of_pivots}) {
     for (const Statement& each : *statements) {
+      if (statements == &listing.statements && !is_needed(each, read)) continue;
       if (const auto* assigned = std::get_if<Assigned>(&each)) total += count(assigned->right);
       if (const auto* group = std::get_if<SinesAndCosines>(&each)) {
         total.sincos_pairs += static_cast<int>(group->angles.size());

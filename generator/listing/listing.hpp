@@ -17,7 +17,13 @@ namespace torsor {
 
 /// Where a number that a function names stands.
 enum class Table {
-  time, coordinate, velocity, acceleration, multiplier, input, parameter,  ///< arguments, by their place in the layout
+  time,
+  coordinate,
+  velocity,
+  acceleration,
+  multiplier,
+  input,
+  parameter,    ///< arguments, by their place in the layout
   precomputed,  ///< members of Precomputed behind its parameters
   output,       ///< of the function itself, written before
   local,
@@ -27,7 +33,12 @@ enum class Table {
 };
 
 /// What a recurrence knows of the order k that it is at.
-enum class OrderQuantity : std::size_t { number, inverse, next, first };  // k, 1/k, 1/(k + 1), and 1 where k = 1, else 0
+enum class OrderQuantity : std::size_t {
+  number,
+  inverse,
+  next,
+  first
+};  // k, 1/k, 1/(k + 1), and 1 where k = 1, else 0
 
 /// The numbers that a header's functions may be given, in the order of their structures.
 struct Layout {
@@ -108,12 +119,12 @@ struct Recurrence {
 /// some language, and nothing refers to the program that it came from.
 struct Listing {
   std::vector<Quantity> quantities;
-  std::vector<Atom> given;            ///< read from arguments before anything is computed
+  std::vector<Atom> given;  ///< read from arguments before anything is computed
   std::vector<Statement> statements;
   std::vector<Output> outputs;
   std::optional<Recurrence> recurrence;
-  std::vector<Statement> of_pivots;   ///< computed after the outputs, for pivots
-  std::vector<Pivot> pivots;          ///< but for those that are regular whatever the state
+  std::vector<Statement> of_pivots;  ///< computed after the outputs, for pivots
+  std::vector<Pivot> pivots;         ///< but for those that are regular whatever the state
   bool has_status = false;
 
   bool reads(Table table) const;  ///< any quantity of that table

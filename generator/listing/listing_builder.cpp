@@ -27,14 +27,22 @@ void for_each_operand(const Definition& definition, const Call& call) {
 
 Table table_of(SymbolKind kind) {
   switch (kind) {
-    case SymbolKind::time: return Table::time;
-    case SymbolKind::coordinate: return Table::coordinate;
-    case SymbolKind::velocity: return Table::velocity;
-    case SymbolKind::acceleration: return Table::acceleration;
-    case SymbolKind::multiplier: return Table::multiplier;
-    case SymbolKind::input: return Table::input;
-    case SymbolKind::parameter: return Table::parameter;
-    case SymbolKind::pi: break;
+    case SymbolKind::time:
+      return Table::time;
+    case SymbolKind::coordinate:
+      return Table::coordinate;
+    case SymbolKind::velocity:
+      return Table::velocity;
+    case SymbolKind::acceleration:
+      return Table::acceleration;
+    case SymbolKind::multiplier:
+      return Table::multiplier;
+    case SymbolKind::input:
+      return Table::input;
+    case SymbolKind::parameter:
+      return Table::parameter;
+    case SymbolKind::pi:
+      break;
   }
   return Table::local;
 }
@@ -58,7 +66,7 @@ void ListingBuilder::write(const Wanted& wanted) {
   listing_.outputs.push_back({wanted.target, std::move(value), !repeats && !wanted.value.is_constant(), {}});
 }
 
-void ListingBuilder::write_member(const Target& target, Atom atom) { write(target, Formula::of_atom(places_.at(atom))); }
+void ListingBuilder::write_member(const Target& target, Atom atom) { write(target, Formula::of_atom(place_of(atom))); }
 
 void ListingBuilder::measure(const std::pair<Value, Value>& pivot) {
   const auto& [d, m] = pivot;
@@ -101,7 +109,8 @@ std::pair<Table, std::size_t> ListingBuilder::argument(const SymbolPointer& symb
   const std::vector<SymbolPointer>& known = around_.layout->of(table);
   const auto place = std::find(known.begin(), known.end(), symbol);
   if (place == known.end()) {
-    throw Error(fmt::format("the kernel '{}' needs '{}', which is not among its arguments", around_.function, symbol->name));
+    throw Error(
+        fmt::format("the kernel '{}' needs '{}', which is not among its arguments", around_.function, symbol->name));
   }
   return {table, static_cast<std::size_t>(place - known.begin())};
 }
@@ -124,6 +133,14 @@ void ListingBuilder::read_member(Atom atom) {
   const auto index = static_cast<std::size_t>(place - members.begin());
   listing_.given.push_back(add({Table::precomputed, index, precomputed_name(*program_, *around_.schedule, index)}));
   places_.emplace(atom, listing_.given.back());
+}
+
+Atom ListingBuilder::place_of(Atom atom) const {
+  if (!places_formulas_) return 0;
+  const auto place = places_.find(atom);
+  if (place != places_.end()) return place->second;
+  throw Error(
+      fmt::format("the kernel '{}' reads '{}' before it is computed", around_.function, label(*program_, atom)));
 }
 
 Formula ListingBuilder::placed(Formula formula) const {
@@ -187,7 +204,7 @@ void ListingBuilder::define_group(const std::vector<Atom>& group) {
   SinesAndCosines together;
   for (const Atom atom : group) {
     const Definition& definition = (*program_)[atom];
-    SineCosine pair{places_.at(definition.arguments[0]), {}, {}, definition.name};
+    SineCosine pair{place_of(definition.arguments[0]), {}, {}, definition.name};
     const bool sine = definition.function == Function::sin;
     for (const bool of_sine : {true, false}) {
       const Atom each = sine == of_sine ? atom : definition.partner;
@@ -220,11 +237,11 @@ std::pair<Signed, bool> ListingBuilder::value_of(const Value& value, std::size_t
 }
 
 Atom ListingBuilder::read(Table table, std::size_t index) {
-  const auto& all = listing_.quantities;
-  const auto known = std::find_if(all.begin(), all.end(), [&](const Quantity& each) {
-    return each.table == table && each.index == index && each.name.empty();
-  });
-  return known != all.end() ? static_cast<Atom>(known - all.begin()) : add({table, index, ""});
+  const auto known = standing_.find({table, index});
+  if (known != standing_.end()) return known->second;
+  const Atom number = add({table, index, ""});
+  standing_.emplace(std::pair(table, index), number);
+  return number;
 }
 
 Atom ListingBuilder::written(std::size_t place) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <map>
 #include <optional>
 #include <string>
 #include <unordered_map>
@@ -23,18 +24,22 @@ class ListingBuilder {
   void compute_nothing() { places_formulas_ = false; }
   void compute(const Block& block);
   void write(const Wanted& wanted);
-  void write(const Target& target, Formula value) { listing_.outputs.push_back({target, {std::move(value)}, false, {}}); }
+  void write(const Target& target, Formula value) {
+    listing_.outputs.push_back({target, {std::move(value)}, false, {}});
+  }
   void write_member(const Target& target, Atom atom);
   void measure(const std::pair<Value, Value>& pivot);
   Listing take(bool has_status);
 
   // Of recurrences
-  Formula formula_of(const Polynomial& sum);  ///< in what has been computed
-  Atom place_of(Atom atom) const { return places_formulas_ ? places_.at(atom) : 0; }
+  Formula formula_of(const Polynomial& sum);   ///< in what has been computed
+  Atom place_of(Atom atom) const;              ///< what has been computed
   Atom place_of(const SymbolPointer& symbol);  ///< an argument
   Atom read(Table table, std::size_t index);   ///< where it stands
   Atom add_local(const std::string& name) { return add({Table::local, locals_++, name}); }
-  void assign(Atom quantity, Formula right) { listing_.statements.emplace_back(Assigned{quantity, std::move(right), {}}); }
+  void assign(Atom quantity, Formula right) {
+    listing_.statements.emplace_back(Assigned{quantity, std::move(right), {}});
+  }
   Listing& listing() { return listing_; }
 
  private:
@@ -55,13 +60,15 @@ class ListingBuilder {
   Surroundings around_;
   Listing listing_;
   bool places_formulas_ = true;
-  std::unordered_map<Atom, Atom> places_;  ///< of the program's atoms among the quantities; looked up only, as the next two
+  std::unordered_map<Atom, Atom>
+      places_;  ///< of the program's atoms among the quantities; looked up only, as the next two
   std::unordered_set<Atom> done_, live_;
+  std::map<std::pair<Table, std::size_t>, Atom> standing_;  ///< quantities that are read where they stand
   std::size_t locals_ = 0, numbered_ = 0;
-  SumTable written_;                                  ///< results that cost something, with
-  std::vector<std::optional<std::size_t>> outputs_;   ///< the output of each, or
+  SumTable written_;                                 ///< results that cost something, with
+  std::vector<std::optional<std::size_t>> outputs_;  ///< the output of each, or
   std::unordered_map<std::size_t, Atom> locals_of_pivots_;
-  std::vector<bool> negative_;                        ///< and whether it holds it with the other sign
+  std::vector<bool> negative_;  ///< and whether it holds it with the other sign
 };
 
 }  // namespace torsor

@@ -9,8 +9,8 @@
 namespace torsor {
 
 // Names in generated texts of any language. A user's name has a letter first, no underscore last and none doubled; as a
-// member it stands as it is, as a local variable it gets a prefix of its kind. What a printer needs beside users' members
-// ends in an underscore. So no two names can meet, whatever the user chose.
+// member it stands as it is, as a local variable it gets a prefix of its kind. What a printer needs beside users'
+// members ends in an underscore. So no two names can meet, whatever the user chose.
 
 /// The local variable that holds an atom: q_theta, v_theta, a_theta, u_torque, l_normal, p_mass, t; s_theta and c_theta
 /// for sine and cosine of a coordinate or parameter; empty for everything else, which is numbered function by function.

@@ -128,14 +128,17 @@ Formula RecurrenceLowering::form(const SeriesForm& form, bool at_begin) {
     before = size ? *size : number(Number(1));
     if (negative) before = negated(std::move(*before));
   }
-  const Optional all = with_terms(std::move(before), form, [&](int id) { return Optional(at_begin ? begin(id) : x(id)); });
+  const Optional all =
+      with_terms(std::move(before), form, [&](int id) { return Optional(at_begin ? begin(id) : x(id)); });
   return all ? *all : number(Number());
 }
 
 /// What stands there and the terms of a sum that are asked for.
-RecurrenceLowering::Optional RecurrenceLowering::with_terms(Optional before, const SeriesForm& form, const OperandOf& operand) {
+RecurrenceLowering::Optional RecurrenceLowering::with_terms(Optional before, const SeriesForm& form,
+                                                            const OperandOf& operand) {
   std::vector<SeriesForm::Term> terms = form.terms;  // what is known last is added last
-  std::stable_sort(terms.begin(), terms.end(), [this](const auto& a, const auto& b) { return is_deeper(b.node, a.node); });
+  std::stable_sort(terms.begin(), terms.end(),
+                   [this](const auto& a, const auto& b) { return is_deeper(b.node, a.node); });
   Formula all;
   all.kind = Formula::Kind::sum;
   const auto add = [&all](Formula part, bool negative) {
@@ -176,7 +179,9 @@ Formula RecurrenceLowering::begin(int id) {
       right = is_unknown(id) ? builder_.formula_of(series_.solve->start[unknown_of(id)].polynomial())
                              : Formula::of_atom(builder_.place_of(program_[each.atom].symbol));
       break;
-    case Kind::sum: right = form(each.form, true); break;
+    case Kind::sum:
+      right = form(each.form, true);
+      break;
     case Kind::product: {
       Formula left = begin(each.left);  // in this order: compilers evaluate arguments in different ones
       right = product({std::move(left), begin(each.right)});
@@ -190,7 +195,8 @@ Formula RecurrenceLowering::begin(int id) {
         right = quotient(std::move(top), begin(each.right));
       }
       break;
-    default: break;
+    default:
+      break;
   }
   const Atom made = builder_.add_local(fmt::format("b{}", id));
   builder_.assign(made, std::move(right));
@@ -204,7 +210,8 @@ Formula RecurrenceLowering::inverse(int id) {
   const SeriesNode& each = node(id);
   const int divisor = each.kind == Kind::quotient ? each.right : each.kind == Kind::logarithm ? each.left : id;
   Formula value = begin(divisor);
-  Formula right = quotient(each.kind == Kind::square_root ? number(Number::rational(1, 2)) : number(Number(1)), std::move(value));
+  Formula right =
+      quotient(each.kind == Kind::square_root ? number(Number::rational(1, 2)) : number(Number(1)), std::move(value));
   const Atom made = builder_.add_local(fmt::format("i{}", id));
   builder_.assign(made, std::move(right));
   inverse_[place(id)] = made;
@@ -254,11 +261,21 @@ void RecurrenceLowering::write_order(int id) {
   const SeriesNode& each = node(id);
   Formula right;
   switch (each.kind) {
-    case Kind::symbol: right = symbol_of_order(each); break;
-    case Kind::sum: right = form(each.form, false); break;
-    case Kind::weighted: right = product({order(OrderQuantity::number), x(each.left)}); break;
-    case Kind::integrated: right = product({order(OrderQuantity::inverse), x(each.left)}); break;
-    case Kind::selection: right = selected(each, id); break;
+    case Kind::symbol:
+      right = symbol_of_order(each);
+      break;
+    case Kind::sum:
+      right = form(each.form, false);
+      break;
+    case Kind::weighted:
+      right = product({order(OrderQuantity::number), x(each.left)});
+      break;
+    case Kind::integrated:
+      right = product({order(OrderQuantity::inverse), x(each.left)});
+      break;
+    case Kind::selection:
+      right = selected(each, id);
+      break;
     case Kind::product:
       if (each.left == each.right) {
         const Formula b = begin(each.left);
@@ -287,7 +304,9 @@ void RecurrenceLowering::write_order(int id) {
       }
       break;
     }
-    case Kind::square_root: right = product({difference(x(each.left), sum_of(id)), inverse(id)}); break;
+    case Kind::square_root:
+      right = product({difference(x(each.left), sum_of(id)), inverse(id)});
+      break;
     case Kind::sine:
     case Kind::exponential: {
       const Formula slope = begin(each.kind == Kind::sine ? each.right : id);
@@ -317,13 +336,19 @@ std::pair<Atom, Atom> RecurrenceLowering::operands(int id) const {
   const auto coefficient = [this](int of) { return x_[place(of)]; };
   const auto weighted = [this](int of) { return weighted_[place(of)].value(); };
   switch (each.kind) {
-    case Kind::product: return {coefficient(each.left), coefficient(each.right)};
-    case Kind::quotient: return {coefficient(id), coefficient(each.right)};
+    case Kind::product:
+      return {coefficient(each.left), coefficient(each.right)};
+    case Kind::quotient:
+      return {coefficient(id), coefficient(each.right)};
     case Kind::sine:
-    case Kind::cosine: return {weighted(each.left), coefficient(each.right)};
-    case Kind::exponential: return {weighted(each.left), coefficient(id)};
-    case Kind::logarithm: return {weighted(id), coefficient(each.left)};
-    default: return {coefficient(id), coefficient(id)};
+    case Kind::cosine:
+      return {weighted(each.left), coefficient(each.right)};
+    case Kind::exponential:
+      return {weighted(each.left), coefficient(id)};
+    case Kind::logarithm:
+      return {weighted(id), coefficient(each.left)};
+    default:
+      return {coefficient(id), coefficient(id)};
   }
 }
 

@@ -10,10 +10,10 @@
 
 namespace torsor {
 
-/// The recurrence of a function that gives Taylor coefficients: the values at the start, then what is done at each order.
-/// At order k the convolutions over coefficients 1..k-1 of all operations come first, since none waits for another; what
-/// remains is to add, one operation after another, the terms with the coefficients k and 0. With a solve, what depends on
-/// the accelerations is added up twice: without those of order k, and with them.
+/// The recurrence of a function that gives Taylor coefficients: the values at the start, then what is done at each
+/// order. At order k the convolutions over coefficients 1..k-1 of all operations come first, since none waits for
+/// another; what remains is to add, one operation after another, the terms with the coefficients k and 0. With a solve,
+/// what depends on the accelerations is added up twice: without those of order k, and with them.
 class RecurrenceLowering {
  public:
   /// `block` is what has been computed; null: nothing is.
@@ -63,15 +63,15 @@ class RecurrenceLowering {
   const SeriesResult& series_;
   const std::vector<SeriesNode>& nodes_;
   Recurrence recurrence_;
-  std::vector<bool> known_;               ///< by atom: computed by the block
+  std::vector<bool> known_;                                      ///< by atom: computed by the block
   std::vector<std::optional<Atom>> begin_, inverse_, weighted_;  ///< by node
-  std::vector<Atom> x_;                   ///< by node: its coefficient of order k
-  std::vector<int> depth_;                ///< by node: how many operations of one order follow one another up to it
-  std::vector<int> lanes_;                ///< by node: which convolution is its own
-  std::vector<bool> marked_;              ///< by node: depends on the accelerations that are solved for
-  std::vector<Optional> without_;         ///< by marked node: what does not come from marked operands
-  std::vector<Optional> partial_;         ///< by marked node: its coefficient without the accelerations
-  std::vector<Atom> rates_;               ///< of the accelerations: coefficients of order k
+  std::vector<Atom> x_;                                          ///< by node: its coefficient of order k
+  std::vector<int> depth_;         ///< by node: how many operations of one order follow one another up to it
+  std::vector<int> lanes_;         ///< by node: which convolution is its own
+  std::vector<bool> marked_;       ///< by node: depends on the accelerations that are solved for
+  std::vector<Optional> without_;  ///< by marked node: what does not come from marked operands
+  std::vector<Optional> partial_;  ///< by marked node: its coefficient without the accelerations
+  std::vector<Atom> rates_;        ///< of the accelerations: coefficients of order k
   SumTable factors_;
   std::vector<Atom> factor_places_;
   std::vector<Polynomial> read_;

@@ -79,7 +79,8 @@ void RecurrenceLowering::write_partial(int id) {
   const SeriesNode& each = node(id);
   Optional alone;
   if (each.kind == Kind::sum) {
-    alone = with_terms({}, each.form, [this](int operand) { return marked(operand) ? std::nullopt : Optional(x(operand)); });
+    alone = with_terms({}, each.form,
+                       [this](int operand) { return marked(operand) ? std::nullopt : Optional(x(operand)); });
   } else if (each.kind == Kind::product) {
     const auto [with, other] = factors_of(each);
     const Formula value = begin(with);

@@ -34,6 +34,7 @@ constexpr std::string_view macros =
     "WSTOPSIG WTERMSIG WUNTRACED alloca linux unix i386 errno assert offsetof stdin stdout stderr math_errhandling "
     "isgreater isgreaterequal isless islessequal islessgreater isunordered isfinite isinf isnan isnormal issubnormal iszero "
     "iscanonical issignaling iseqsig fpclassify signbit strdupa strndupa minor major makedev "
+    "TORSOR_C_SUPPORT TORSOR_SINGLE TORSOR_LIBM TORSOR_NUMBER TORSOR_FUNCTION TORSOR_UNUSED "
     "TORSOR_DEVICE TORSOR_KERNEL_SUPPORT TORSOR_STD_SINCOS TORSOR_INLINED TORSOR_OUTLINED TORSOR_VECTOR_TYPES ";
 
 constexpr std::string_view types =

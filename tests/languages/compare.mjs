@@ -182,6 +182,15 @@ for (const compiler of cCompilers) {
   found.push(...differences(reference, run(driverInC(), "c", compiler, strict), compiler));
   found.push(...differences(single, run(driverInC(), "c", compiler, [...strict, "-DTORSOR_SINGLE"]), `${compiler} in float`));
 }
+// What is said to compile, compiles.
+const header = join(folder, `${name}.h`);
+for (const compiler of cCompilers) {
+  for (const flags of [["-DTORSOR_LIBM"], ["-ffast-math"], ["-DTORSOR_SINGLE", "-DTORSOR_LIBM"]]) {
+    execFileSync(compiler, ["-fsyntax-only", ...strict, ...flags, "-xc", header], { stdio: "inherit" });
+  }
+  const asCpp = ["-std=c++17", "-pedantic", "-Wall", "-Wextra", "-Wconversion", "-Werror"];
+  execFileSync(compiler, ["-fsyntax-only", ...asCpp, "-xc++", header], { stdio: "inherit" });
+}
 if (reference.length === 0) found.push("nothing was computed");
 console.log(`${name}: ${m.kernels.length} kernels, ${states} states, ${reference.length} numbers, ${found.length} differ`);
 for (const line of found.slice(0, 20)) console.log(line);
