@@ -97,6 +97,8 @@ class ListingPrinter {
   }
   void write(const Pi& each) { line(language_->local(name(each.quantity), language_->pi())); }
   void write(const Literal& each) {
+    // A formula that is not printed names no numbers.
+    if (!language_->computes_literals()) return lines(language_->literal(name(each.quantity), each, {}));
     const bool turns = each.right.kind == Formula::Kind::function &&
                        (each.right.function == Function::sin || each.right.function == Function::cos);
     const std::string value = turns ? name(each.right.children[0].atom) : formulas_.print(each.right);
