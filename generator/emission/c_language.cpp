@@ -2,6 +2,7 @@
 #include "generator/emission/c_language.hpp"
 
 #include <algorithm>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -64,9 +65,7 @@ std::string CLanguage::access(const Quantity& quantity) const {
 std::string CLanguage::access(const Target& target) const {
   const Layout& layout = mechanism_->layout;
   if (target.result == "coefficients") {
-    const std::size_t size = layout.coordinates.size() + layout.velocities.size();
-    if (target.member == "last") return fmt::format("coefficients[{} * order + {}]", size, *target.entry);
-    return fmt::format("coefficients[{}]", (target.member == "0" ? 0 : size) + *target.entry);
+    return coefficient_in_array(target, layout.coordinates.size() + layout.velocities.size());
   }
   if (target.result == "parameters") {
     const auto& all = layout.parameters;
@@ -110,25 +109,9 @@ std::vector<CodeLine> CLanguage::sines_and_cosines(const std::vector<AngleText>&
     return {{fmt::format("torsor_real {}, {};", only.sine, only.cosine)},
             {fmt::format("torsor_sincos({}, &{}, &{});", only.angle, only.sine, only.cosine), only.meaning}};
   }
-  const std::string suffix = group == 1 ? "_" : fmt::format("{}_", group);
-  std::string all;
-  for (const AngleText& each : angles) all += (all.empty() ? "" : ", ") + each.angle;
-  std::vector<CodeLine> lines{
-      {fmt::format("const torsor_real angles{}[] = {{{}}};", suffix, all)},
-      {fmt::format("torsor_real sines{0}[{1}], cosines{0}[{1}];", suffix, angles.size())},
-      {fmt::format("torsor_sines_and_cosines({1}, angles{0}, sines{0}, cosines{0});", suffix, angles.size())}};
-  for (std::size_t i = 0; i < angles.size(); ++i) {
-    std::string locals;
-    const auto take = [&](const std::string& name, const char* array) {
-      if (!name.empty()) {
-        locals += fmt::format("{} {} = {}{}[{}]", locals.empty() ? "const torsor_real" : ",", name, array, suffix, i);
-      }
-    };
-    take(angles[i].sine, "sines");
-    take(angles[i].cosine, "cosines");
-    if (!locals.empty()) lines.push_back({locals + ";", angles[i].meaning});
-  }
-  return lines;
+  return sines_in_arrays(angles, group, "torsor_real", [](std::size_t count, const std::string& suffix) {
+    return fmt::format("torsor_sines_and_cosines({1}, angles{0}, sines{0}, cosines{0});", suffix, count);
+  });
 }
 
 std::vector<CodeLine> CLanguage::recurrence(const RecurrenceText& text) const {
@@ -145,17 +128,8 @@ std::vector<CodeLine> CLanguage::recurrence(const RecurrenceText& text) const {
     lines.push_back({fmt::format("  const torsor_real first_ = k_ == 1 ? {} : {};", text.one, text.zero)});
   }
   if (lanes > 0) lines.push_back({fmt::format("  torsor_convolutions({}, k_, left_, right_, sums_);", lanes)});
-  for (const CodeLine& each : text.steps) lines.push_back({"  " + each.code, each.meaning});
-  for (std::size_t i = 0; i < text.next.size(); ++i) {
-    lines.push_back({fmt::format("  coefficients[{} * (k_ + 1) + {}] = {};", text.size, i, text.next[i])});
-  }
-  for (std::size_t i = 0; i < lanes; ++i) {
-    const auto& [left, right] = text.convolutions[i];
-    lines.push_back(
-        {fmt::format("  left_[{0} * k_ + {1}] = {2}, right_[{0} * k_ + {1}] = {3};", lanes, i, left, right)});
-  }
-  for (const char* each : {"  number_ = following_;", "  inverse_ = next_;", "}", "(void)inverse_;"})
-    lines.push_back({each});
+  for (CodeLine& each : order_in_arrays(text)) lines.push_back(std::move(each));
+  lines.push_back({"(void)inverse_;"});
   return lines;
 }
 

@@ -71,24 +71,9 @@ std::vector<CodeLine> CppLanguage::sines_and_cosines(const std::vector<AngleText
     return {{fmt::format("Scalar {}, {};", only.sine, only.cosine)},
             {fmt::format("traits::sincos({}, {}, {});", only.angle, only.sine, only.cosine), only.meaning}};
   }
-  const std::string suffix = group == 1 ? "_" : fmt::format("{}_", group);
-  std::string all;
-  for (const AngleText& each : angles) all += (all.empty() ? "" : ", ") + each.angle;
-  std::vector<CodeLine> lines{{fmt::format("const Scalar angles{}[] = {{{}}};", suffix, all)},
-                              {fmt::format("Scalar sines{0}[{1}], cosines{0}[{1}];", suffix, angles.size())},
-                              {fmt::format("torsor::sines_and_cosines(angles{0}, sines{0}, cosines{0});", suffix)}};
-  for (std::size_t i = 0; i < angles.size(); ++i) {
-    std::string locals;
-    const auto take = [&](const std::string& name, const char* array) {
-      if (!name.empty()) {
-        locals += fmt::format("{} {} = {}{}[{}]", locals.empty() ? "const Scalar" : ",", name, array, suffix, i);
-      }
-    };
-    take(angles[i].sine, "sines");
-    take(angles[i].cosine, "cosines");
-    if (!locals.empty()) lines.push_back({locals + ";", angles[i].meaning});
-  }
-  return lines;
+  return sines_in_arrays(angles, group, "Scalar", [](std::size_t, const std::string& suffix) {
+    return fmt::format("torsor::sines_and_cosines(angles{0}, sines{0}, cosines{0});", suffix);
+  });
 }
 
 std::vector<CodeLine> CppLanguage::recurrence(const RecurrenceText& text) const {

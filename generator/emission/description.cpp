@@ -79,15 +79,17 @@ std::string kernels_json(const MechanismListing& mechanism) {
   return lines_of(list);
 }
 
-std::string quaternions_json(const MechanismListing& mechanism) {
-  Json list = Json::array();
+std::vector<std::size_t> quaternion_places(const MechanismListing& mechanism) {
+  std::vector<std::size_t> places;
   const std::vector<SymbolPointer>& positions = mechanism.layout.coordinates;
   for (std::size_t i = 0; i < positions.size(); ++i) {
     const auto attitude = positions[i]->attitude.lock();
-    if (attitude && attitude->e[0] == positions[i]) list.push_back(i);
+    if (attitude && attitude->e[0] == positions[i]) places.push_back(i);
   }
-  return list.dump();
+  return places;
 }
+
+std::string quaternions_json(const MechanismListing& mechanism) { return Json(quaternion_places(mechanism)).dump(); }
 
 std::string documentation_comment(const std::string& documentation) {
   std::string text;

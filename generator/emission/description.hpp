@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstddef>
 #include <string>
+#include <vector>
 
 #include "generator/emission/mechanism_listing.hpp"
 
@@ -16,7 +18,8 @@ std::string symbols_json(const MechanismListing& mechanism, Table table);
 /// its size, of a structure its members with where each begins and its shape.
 std::string kernels_json(const MechanismListing& mechanism);
 
-/// Places in q of the first components of unit quaternions.
+/// Places in q of the first components (w) of the unit quaternions.
+std::vector<std::size_t> quaternion_places(const MechanismListing& mechanism);
 std::string quaternions_json(const MechanismListing& mechanism);
 
 /// What an argument is called.

@@ -7,7 +7,7 @@
 
 #include <fmt/format.h>
 
-#include "generator/emission/cpp_names.hpp"
+#include "generator/listing/local_names.hpp"
 
 namespace torsor {
 namespace {
@@ -66,13 +66,6 @@ std::string wrapped(const std::string& line, std::size_t indentation) {
   }
   return result + rest;
 }
-
-FormulaPrinter::FormulaPrinter(const Program& program)
-    : FormulaPrinter([&program](Atom atom) {
-        const std::string name = local_name(program, atom);
-        return name.empty() ? fmt::format("z{}", atom) : name;
-      },
-                     [](Function function) { return traits_of(function).emitted; }) {}
 
 std::string FormulaPrinter::name(const Number& number) {
   const auto [place, added] = places_.emplace(number, constants_.size());

@@ -19,8 +19,6 @@ class FormulaPrinter {
   using NameOf = std::function<std::string(Atom)>;
   using NameOfFunction = std::function<std::string(Function)>;
 
-  /// Of formulas of a program, as C++.
-  explicit FormulaPrinter(const Program& program);
   FormulaPrinter(NameOf name_of, NameOfFunction name_of_function)
       : name_of_(std::move(name_of)), name_of_function_(std::move(name_of_function)) {}
 

@@ -7,11 +7,13 @@
 #include <string_view>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "generator/emission/cpp_function.hpp"
 #include "generator/emission/cpp_language.hpp"
 #include "generator/emission/cpp_names.hpp"
 #include "generator/emission/cpp_structures.hpp"
+#include "generator/emission/description.hpp"
 #include "generator/emission/embedded_templates.hpp"
 #include "generator/emission/formula_printer.hpp"
 #include "generator/emission/listing_printer.hpp"
@@ -32,21 +34,13 @@ std::string precomputed_structure(const MechanismListing& mechanism) {
 }
 
 /// Where the quaternions lie among the coordinates, for the runtime, which keeps their norm.
-std::string quaternion_table(const Model& model) {
-  std::string first;
-  int count = 0;
-  const std::vector<SymbolPointer> positions = model.positions();
-  for (std::size_t i = 0; i < positions.size(); ++i) {
-    const auto attitude = positions[i]->attitude.lock();
-    if (!attitude || attitude->e[0] != positions[i]) continue;
-    first += (first.empty() ? "" : ", ") + std::to_string(i);
-    ++count;
-  }
-  if (count == 0) return "";
+std::string quaternion_table(const MechanismListing& mechanism) {
+  const std::vector<std::size_t> places = quaternion_places(mechanism);
+  if (places.empty()) return "";
   return fmt::format(
       "/// Indices in q of the first components (w) of the unit quaternions (w, x, y, z).\n"
       "static constexpr int quaternion_count = {};\nstatic constexpr int quaternions[] = {{{}}};\n",
-      count, first);
+      places.size(), fmt::join(places, ", "));
 }
 
 /// Which multipliers are zero because their constraints repeat others, for the runtime, which cannot solve for them.
@@ -135,7 +129,7 @@ std::string emit_header(const Equations& equations, const std::vector<Kernel>& k
       {"multiplier_count", size(content.constraints.size())},
       {"first_integral_count", size(first_integrals)},
       {"quaternions",
-       quaternion_table(equations.model()) + redundancy_table(equations) + limits_table(equations.model())},
+       quaternion_table(mechanism) + redundancy_table(equations) + limits_table(equations.model())},
       {"structures", blocks_text(common_text)},
       {"precomputed_members", precomputed_structure(mechanism)},
       {"default_parameters", print(mechanism.default_parameters, language)},

@@ -109,9 +109,7 @@ std::string JavascriptLanguage::access(const Target& target) const {
   const Layout& layout = mechanism_->layout;
   std::size_t place = target.entry.value_or(0);
   if (target.result == "coefficients") {
-    const std::size_t size = layout.coordinates.size() + layout.velocities.size();
-    if (target.member == "last") return fmt::format("coefficients[{} * order + {}]", size, place);
-    return fmt::format("coefficients[{}]", target.member == "0" ? place : size + place);
+    return coefficient_in_array(target, layout.coordinates.size() + layout.velocities.size());
   }
   if (target.result == "parameters") {
     place = place_of(layout.parameters, target.member);
@@ -178,16 +176,7 @@ std::vector<CodeLine> JavascriptLanguage::recurrence(const RecurrenceText& text)
   lines.push_back({"  const following_ = number_ + 1, next_ = 1 / following_;"});
   if (text.is_first_read) lines.push_back({"  const first_ = k_ === 1 ? 1 : 0;"});
   if (lanes > 0) lines.push_back({fmt::format("  convolutions({}, k_, left_, right_, sums_);", lanes)});
-  for (const CodeLine& each : text.steps) lines.push_back({"  " + each.code, each.meaning});
-  for (std::size_t i = 0; i < text.next.size(); ++i) {
-    lines.push_back({fmt::format("  coefficients[{} * (k_ + 1) + {}] = {};", text.size, i, text.next[i])});
-  }
-  for (std::size_t i = 0; i < lanes; ++i) {
-    const auto& [left, right] = text.convolutions[i];
-    lines.push_back(
-        {fmt::format("  left_[{0} * k_ + {1}] = {2}, right_[{0} * k_ + {1}] = {3};", lanes, i, left, right)});
-  }
-  for (const char* each : {"  number_ = following_;", "  inverse_ = next_;", "}"}) lines.push_back({each});
+  for (CodeLine& each : order_in_arrays(text)) lines.push_back(std::move(each));
   return lines;
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -68,5 +69,16 @@ class Language {
   /// One of "ok", "singular", "not_finite".
   virtual std::string status(const std::string& name) const = 0;
 };
+
+/// Sines and cosines of a group of several angles, in C and what is like it: into arrays of `type` by a call, which is
+/// given the number of angles and the suffix of the arrays.
+std::vector<CodeLine> sines_in_arrays(const std::vector<AngleText>& angles, int group, const std::string& type,
+                                      const std::function<std::string(std::size_t, const std::string&)>& call);
+
+/// Where Taylor coefficients stand, if they are one array, order after order; `size` is that of the state.
+std::string coefficient_in_array(const Target& target, std::size_t size);
+
+/// What is done at each order, behind its first lines, if coefficients and kept series are one array each.
+std::vector<CodeLine> order_in_arrays(const RecurrenceText& text);
 
 }  // namespace torsor

@@ -38,8 +38,12 @@ TEST(ConstantName, ShowsTheValueWhileItIsShort) {
 
 class FormulaPrinterText : public testing::Test {
  protected:
+  FormulaPrinter printer() {
+    return {[this](Atom atom) { return local_name(program_, atom); },
+            [](Function function) { return traits_of(function).emitted; }};
+  }
   std::string print(const Value& value) {
-    FormulaPrinter printer(program_);
+    FormulaPrinter printer = this->printer();
     return printer.print(factored(value.polynomial()));
   }
   Scene scene_{"printed"};
@@ -65,7 +69,7 @@ TEST_F(FormulaPrinterText, PutsParenthesesWhereTheTreeNeedsThem) {
 }
 
 TEST_F(FormulaPrinterText, TurnsTheSignsOfASumRoundInsteadOfNegatingIt) {
-  FormulaPrinter printer(program_);
+  FormulaPrinter printer = this->printer();
   EXPECT_EQ(printer.print_negated(factored((x_ - y_).polynomial())), "-q_x + q_y");
   EXPECT_EQ(printer.print_negated(factored((x_ * y_).polynomial())), "-q_x * q_y");
 }
