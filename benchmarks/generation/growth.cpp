@@ -34,21 +34,20 @@ Growth grown(int joints) {
   Growth growth{};
   const Stopwatch total;
   const Scene scene = serial_chain(joints);
-  const Equations equations(scene);
-  std::vector<Kernel> kernels;
-  for (std::size_t k = 0; k < kernel_list.size(); ++k) {
-    const Stopwatch step;
-    kernels.push_back(make_kernel(kernel_list[k], equations));
-    growth.kernel_seconds[k] = step.seconds();
-  }
+  const MechanismListing mechanism = lower_mechanism(scene, {kernel_list.begin(), kernel_list.end()});
   const Stopwatch emission;
-  growth.bytes = static_cast<double>(emit_header(equations, kernels).size());
+  growth.bytes = static_cast<double>(emit_header(mechanism).size());
   growth.emission_seconds = emission.seconds();
   growth.total_seconds = total.seconds();
-  growth.definitions = static_cast<double>(equations.program().size());
   growth.megabytes = peak_megabytes();
+  const Equations equations(scene);
   for (std::size_t k = 0; k < kernel_list.size(); ++k) {
-    growth.operations[k] = static_cast<double>(count(equations.program(), kernels[k].values()).total());
+    equations.start_over();
+    const Stopwatch step;
+    const Kernel kernel = make_kernel(kernel_list[k], equations);
+    growth.kernel_seconds[k] = step.seconds();
+    growth.operations[k] = static_cast<double>(count(equations.program(), kernel.values()).total());
+    growth.definitions += static_cast<double>(equations.program().size());
   }
   return growth;
 }

@@ -28,11 +28,14 @@ SceneCounts count_scene(const Scene& scene, const std::vector<std::string>& name
   std::vector<Value> all;
   for (const std::string& name : names) {
     const std::vector<Value> values = make_kernel(name, equations).values();
-    counts.kernels.emplace_back(name, count(equations.program(), values));
     all.insert(all.end(), values.begin(), values.end());
   }
   counts.joint = count(equations.program(), all);
   counts.precompute = count(equations.program(), all, Occasion::parameters);
+  for (const std::string& name : names) {  // each as it is emitted, whichever others there are
+    equations.start_over();
+    counts.kernels.emplace_back(name, count(equations.program(), make_kernel(name, equations).values()));
+  }
   return counts;
 }
 

@@ -24,29 +24,26 @@ struct KernelRequest : KernelOptions {
 };
 
 CommandResult generate(const Scene& scene, const KernelRequest& request) {
-  const ModelOptions options = request.model(scene);
-  const Equations equations(scene, options);
+  const MechanismListing mechanism = lower_mechanism(scene, request.names(), request.model(scene));
   CommandResult result;
-  std::vector<Kernel> kernels;
   std::vector<std::string> unsolved;
-  for (const std::string& name : request.names()) {
-    kernels.push_back(make_kernel(name, equations));
-    const std::string& why = kernels.back().skipped;
-    if (why.empty()) continue;
-    if (solves_with_mass_matrix(name) && !equations.massless().empty()) {
-      if (request.kernels != "all") throw SceneError(fmt::format("there is no kernel {}: {}", name, why));
-      unsolved.push_back(name);
+  for (const AskedKernel& kernel : mechanism.asked) {
+    if (kernel.skipped.empty()) continue;
+    if (solves_with_mass_matrix(kernel.name) && !mechanism.equations->massless().empty()) {
+      if (request.kernels != "all") throw SceneError(fmt::format("there is no kernel {}: {}", kernel.name, kernel.skipped));
+      unsolved.push_back(kernel.name);
       continue;
     }
     if (request.kernels == "all") continue;  // all that there are: what is absent was not asked for
-    result.notes.push_back(fmt::format("the kernel {} is absent: {}", name, why));
+    result.notes.push_back(fmt::format("the kernel {} is absent: {}", kernel.name, kernel.skipped));
   }
   if (!unsolved.empty()) {
-    result.notes.push_back(fmt::format("the kernels {} are absent: {}", fmt::join(unsolved, ", "), lack_of_mass(equations)));
+    result.notes.push_back(
+        fmt::format("the kernels {} are absent: {}", fmt::join(unsolved, ", "), lack_of_mass(*mechanism.equations)));
   }
-  result.text = request.language == "javascript" ? emit_javascript(equations, kernels, options)
-                : request.language == "c99"      ? emit_c(equations, kernels, options)
-                                                 : emit_header(equations, kernels, {options});
+  result.text = request.language == "javascript" ? emit_javascript(mechanism)
+                : request.language == "c99"      ? emit_c(mechanism)
+                                                 : emit_header(mechanism);
   return result;
 }
 

@@ -56,8 +56,9 @@ std::string places_text(const std::string& scene, const Layout& layout) {
 }
 
 std::string c_function(const MechanismListing& mechanism, const KernelListing& given) {
-  const auto& [kernel, listing] = given;
-  const std::string& scene = mechanism.equations->scene().name();
+  const KernelSignature& kernel = given.kernel;
+  const Listing& listing = given.listing;
+  const std::string& scene = mechanism.scene().name();
   std::string arguments = fmt::format("const {0}_precomputed* precomputed, const {0}_state* state", scene);
   std::string unused = "(void)precomputed, (void)state";
   const auto add = [&](const std::string& type, const std::string& name) {
@@ -70,7 +71,7 @@ std::string c_function(const MechanismListing& mechanism, const KernelListing& g
     const bool array = structure == nullptr || is_vector(mechanism, *structure);
     add(array ? "torsor_real" : fmt::format("{}_{}", scene, structure->name), result.name);
   }
-  if (kernel.series) arguments += ", int order, torsor_real* coefficients";
+  if (listing.recurrence) arguments += ", int order, torsor_real* coefficients";
   const std::string body = print(listing, CLanguage(mechanism, "precomputed->parameters"));
   const std::string type = listing.has_status ? "torsor_status" : "void";
   const std::string signature =
@@ -81,17 +82,14 @@ std::string c_function(const MechanismListing& mechanism, const KernelListing& g
 
 }  // namespace
 
-std::string emit_c(const Equations& equations, const std::vector<Kernel>& kernels, const ModelOptions& options) {
-  const std::string& scene = equations.scene().name();
+std::string emit_c(const MechanismListing& mechanism) {
+  const std::string& scene = mechanism.scene().name();
   require_cpp_name(scene, "scene");
-  const MechanismListing mechanism = lower_mechanism(equations, kernels, options);
   const Layout& layout = mechanism.layout;
   std::string functions, structures, members;
-  std::vector<OperationCount> operations;
   for (const Structure& each : mechanism.own) structures += c_structure(scene, each);
   for (const KernelListing& each : mechanism.kernels) {
     functions += (functions.empty() ? "" : "\n") + c_function(mechanism, each);
-    operations.push_back(count(each.listing));
   }
   for (const PrecomputedMember& each : mechanism.members) members += fmt::format("torsor_real {};\n", each.name);
   std::string copies;
@@ -102,7 +100,7 @@ std::string emit_c(const Equations& equations, const std::vector<Kernel>& kernel
   const std::string_view support = embedded_template("support.h");
   const auto size = [](const auto& list) { return std::to_string(list.size()); };
   return fill_template("mechanism.h.in", embedded_template("mechanism.h.in"),
-                       {{"provenance", provenance_comment(provenance_of(mechanism, operations, "c99", "h"))},
+                       {{"provenance", provenance_comment(provenance_of(mechanism, "c99", "h"))},
                         {"guard", "TORSOR_" + scene + "_H"},
                         {"support", std::string(support.substr(support.find('\n') + 1))},
                         {"scene_name", scene},

@@ -33,17 +33,16 @@ std::string type_of(const Result& result) {
 
 }  // namespace
 
-FunctionText cpp_function(const MechanismListing& mechanism, const KernelListing& given) {
-  const auto& [kernel, listing] = given;
-  FunctionText function;
+std::string cpp_function(const MechanismListing& mechanism, const KernelListing& given) {
+  const KernelSignature& kernel = given.kernel;
+  const Listing& listing = given.listing;
   std::vector<std::string> members;
   for (const PrecomputedMember& each : mechanism.members) members.push_back(each.name);
   std::map<std::string, const Structure*> vectors;
   for (const Result& result : kernel.results) {
     if (const Structure* structure = mechanism.structure(result.structure)) vectors.emplace(result.name, structure);
   }
-  function.body = print(listing, CppLanguage(mechanism.layout, "precomputed.parameters.", members, vectors));
-  function.operations = count(listing);
+  const std::string body = print(listing, CppLanguage(mechanism.layout, "precomputed.parameters.", members, vectors));
 
   // An argument that this scene does not need has no name, so that nobody looks for it and no compiler warns.
   const auto parameter = [](const std::string& type, const std::string& name, bool used) {
@@ -55,24 +54,22 @@ FunctionText cpp_function(const MechanismListing& mechanism, const KernelListing
                          listing.reads(Table::precomputed) || listing.reads(Table::parameter));
   const bool reads_state =
       listing.reads(Table::time) || listing.reads(Table::coordinate) || listing.reads(Table::velocity);
-  signature += ", " + parameter("const State&", "state", kernel.series || reads_state);
+  signature += ", " + parameter("const State&", "state", listing.recurrence || reads_state);
   for (const Argument argument : kernel.arguments) {
     const ArgumentText& text = *std::find_if(argument_texts.begin(), argument_texts.end(),
                                              [&](const ArgumentText& each) { return each.argument == argument; });
     signature += ", " + parameter(fmt::format("const {}&", text.type), text.name, listing.reads(text.table));
   }
   for (const Result& result : kernel.results) {
-    const bool used = std::any_of(kernel.assignments.begin(), kernel.assignments.end(),
-                                  [&](const Assignment& each) { return each.target.result == result.name; });
+    const bool used = std::any_of(listing.outputs.begin(), listing.outputs.end(),
+                                  [&](const Output& each) { return each.target.result == result.name; });
     signature += ", " + parameter(type_of(result) + "&", result.name, used);
   }
-  if (kernel.series) {
-    signature += fmt::format(", int order, std::array<Scalar, {}>* coefficients", kernel.series->state.size());
+  if (listing.recurrence) {
+    signature += fmt::format(", int order, std::array<Scalar, {}>* coefficients", listing.recurrence->rates.size());
   }
   signature += ") noexcept {";
-  function.body = documentation_comment(kernel.documentation) + wrapped(signature, 2) + "\n" +
-                  indented(function.body, "  ") + "}\n";
-  return function;
+  return documentation_comment(kernel.documentation) + wrapped(signature, 2) + "\n" + indented(body, "  ") + "}\n";
 }
 
 }  // namespace torsor

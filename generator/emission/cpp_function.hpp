@@ -7,13 +7,7 @@
 
 namespace torsor {
 
-/// A function of a header, and the operations it states.
-struct FunctionText {
-  std::string body;
-  OperationCount operations;
-};
-
-/// The whole function of a kernel with its documentation.
-FunctionText cpp_function(const MechanismListing& mechanism, const KernelListing& kernel);
+/// The whole function of a kernel with its documentation, in C++.
+std::string cpp_function(const MechanismListing& mechanism, const KernelListing& kernel);
 
 }  // namespace torsor

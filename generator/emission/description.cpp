@@ -67,7 +67,7 @@ std::string symbols_json(const MechanismListing& mechanism, Table table) {
 std::string kernels_json(const MechanismListing& mechanism) {
   Json list = Json::array();
   for (const KernelListing& each : mechanism.kernels) {
-    const Kernel& kernel = each.kernel;
+    const KernelSignature& kernel = each.kernel;
     Json json{{"name", kernel.name},
               {"arguments", Json::array()},
               {"results", Json::array()},

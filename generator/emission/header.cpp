@@ -87,23 +87,24 @@ std::string blocks_text(const std::vector<std::string>& blocks) {
 
 }  // namespace
 
-std::string emit_header(const Equations& equations, const std::vector<Kernel>& kernels, const HeaderOptions& options) {
+std::string emit_header(const Scene& scene, const std::vector<std::string>& kernels, const ModelOptions& options) {
+  return emit_header(lower_mechanism(scene, kernels, options));
+}
+
+std::string emit_header(const MechanismListing& mechanism) {
+  const Equations& equations = *mechanism.equations;
   const Scene& scene = equations.scene();
   require_cpp_name(scene.name(), "scene");
-  const MechanismListing mechanism = lower_mechanism(equations, kernels, options.model);
   std::vector<std::string> common_text, structure_texts;
   for (const Structure& structure : mechanism.common) common_text.push_back(structure_text(structure));
   for (const Structure& structure : mechanism.own) structure_texts.push_back(structure_text(structure) + structure.tables);
   const Structure* const integrals = mechanism.structure("FirstIntegrals");
   const std::size_t first_integrals = integrals == nullptr ? 0 : integrals->members.size();
   std::vector<std::string> functions;
-  std::vector<OperationCount> operations;
   bool jets = false;
   for (const KernelListing& kernel : mechanism.kernels) {
-    FunctionText function = cpp_function(mechanism, kernel);
-    functions.push_back(std::move(function.body));
-    operations.push_back(function.operations);
-    jets = jets || kernel.kernel.series;
+    functions.push_back(cpp_function(mechanism, kernel));
+    jets = jets || kernel.listing.recurrence;
   }
   const CppLanguage language(mechanism.layout, "parameters.", {}, start_vectors(mechanism));
   const std::string precompute_body = print(mechanism.precompute, language);
@@ -117,7 +118,7 @@ std::string emit_header(const Equations& equations, const std::vector<Kernel>& k
   const std::string selection_support =
       selections ? without_licence(embedded_template("selections.hpp")) + "\n" : "";
   std::map<std::string, std::string> values = {
-      {"provenance", provenance_comment(provenance_of(mechanism, operations))},
+      {"provenance", provenance_comment(provenance_of(mechanism))},
       {"scene_name", scene.name()},
       {"sincos", without_licence(embedded_template("sincos.hpp")) +
                      without_licence(embedded_template("sincos_registers.hpp"))},

@@ -4,20 +4,17 @@
 #include <string>
 #include <vector>
 
-#include "generator/dynamics/equations/equations.hpp"
-#include "generator/emission/kernel.hpp"
+#include "generator/emission/mechanism_listing.hpp"
 
 namespace torsor {
 
-struct HeaderOptions {
-  ModelOptions model;  ///< those the equations were made with: they tell which parameters stay symbols
-};
-
 /// The generated header of a scene: one C++17 file that includes <array> and <cmath> only, with
-/// `<scene>::Mechanism<Scalar>`, its structures and the kernels, in the order given. Kernels with a reason to be
-/// skipped are named in the head comment only. The same equations give the same bytes; the member `fingerprint` tells
-/// headers apart that differ in more than the head comment. Throws SceneError for a name that cannot stand in C++.
-std::string emit_header(const Equations& equations, const std::vector<Kernel>& kernels,
-                        const HeaderOptions& options = {});
+/// `<scene>::Mechanism<Scalar>`, its structures and the kernels, in the order given. Kernels that are absent are named in
+/// the head comment only. The same scene gives the same bytes; the member `fingerprint` tells headers apart that differ
+/// in more than the head comment. Throws SceneError for a name that cannot stand in C++.
+std::string emit_header(const MechanismListing& mechanism);
+
+/// The same of a scene: kernels by their names (kernel.hpp).
+std::string emit_header(const Scene& scene, const std::vector<std::string>& kernels, const ModelOptions& options = {});
 
 }  // namespace torsor

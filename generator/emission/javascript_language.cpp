@@ -23,13 +23,6 @@ std::string number_text(double value) {
   return text == "-HUGE_VAL" ? "-Infinity" : text;
 }
 
-std::size_t place_of(const std::vector<PrecomputedMember>& members, const std::string& name) {
-  const auto place =
-      std::find_if(members.begin(), members.end(), [&](const PrecomputedMember& each) { return each.name == name; });
-  if (place == members.end()) throw Error(fmt::format("there is no member '{}' of Precomputed", name));
-  return static_cast<std::size_t>(place - members.begin());
-}
-
 std::size_t place_of(const std::vector<SymbolPointer>& symbols, const std::string& name) {
   const auto place =
       std::find_if(symbols.begin(), symbols.end(), [&](const SymbolPointer& each) { return each->name == name; });
@@ -90,7 +83,7 @@ std::string JavascriptLanguage::access(const Quantity& quantity) const {
     case Table::parameter:
       return entry(parameters_, quantity.index);
     case Table::precomputed:
-      return entry("precomputed", layout.parameters.size() + quantity.index);
+      return entry("precomputed", mechanism_->members.at(quantity.index).name);
     case Table::coefficient:
       return entry("coefficients",
                    fmt::format("{} * k_ + {}", layout.coordinates.size() + layout.velocities.size(), quantity.index));
@@ -114,7 +107,7 @@ std::string JavascriptLanguage::access(const Target& target) const {
   if (target.result == "parameters") {
     place = place_of(layout.parameters, target.member);
   } else if (target.result == "precomputed") {
-    place = layout.parameters.size() + place_of(mechanism_->members, target.member);
+    return fmt::format("precomputed[{}]", target.member);
   } else if (target.result == "state") {
     if (target.member != "time") place += target.member == "q" ? 1 : 1 + layout.coordinates.size();
   } else if (!target.member.empty()) {

@@ -16,7 +16,8 @@ namespace torsor {
 namespace {
 
 std::string javascript_function(const MechanismListing& mechanism, const KernelListing& given) {
-  const auto& [kernel, listing] = given;
+  const KernelSignature& kernel = given.kernel;
+  const Listing& listing = given.listing;
   std::map<std::string, const Structure*> results;
   std::string arguments = "precomputed, state";
   for (const Argument argument : kernel.arguments) arguments += fmt::format(", {}", name_of(argument));
@@ -24,7 +25,7 @@ std::string javascript_function(const MechanismListing& mechanism, const KernelL
     arguments += ", " + result.name;
     results.emplace(result.name, mechanism.structure(result.structure));
   }
-  if (kernel.series) arguments += ", order, coefficients";
+  if (listing.recurrence) arguments += ", order, coefficients";
   const std::string body = print(listing, JavascriptLanguage(mechanism, "precomputed", results));
   return documentation_comment(kernel.documentation) +
          wrapped(fmt::format("export function {}({}) {{", kernel.name, arguments), 0) + "\n" + indented(body, "  ") +
@@ -33,26 +34,28 @@ std::string javascript_function(const MechanismListing& mechanism, const KernelL
 
 }  // namespace
 
-std::string emit_javascript(const Equations& equations, const std::vector<Kernel>& kernels,
-                            const ModelOptions& options) {
-  const MechanismListing mechanism = lower_mechanism(equations, kernels, options);
+std::string emit_javascript(const MechanismListing& mechanism) {
   const JavascriptLanguage language(mechanism, "parameters");
   std::string functions;
-  std::vector<OperationCount> operations;
   for (const KernelListing& each : mechanism.kernels) {
     functions += (functions.empty() ? "" : "\n") + javascript_function(mechanism, each);
-    operations.push_back(count(each.listing));
   }
   const Layout& layout = mechanism.layout;
+  std::string places;
+  for (std::size_t k = 0; k < mechanism.members.size(); ++k) {
+    places += fmt::format("const {} = {};\n", mechanism.members[k].name, layout.parameters.size() + k);
+  }
+  if (!places.empty()) places = "// Where precompute puts what it has computed.\n" + places + "\n";
   const std::string_view support = embedded_template("support.js");
   std::map<std::string, std::string> values = {
-      {"provenance", provenance_comment(provenance_of(mechanism, operations, "javascript", "mjs"))},
-      {"scene_name", equations.scene().name()},
+      {"provenance", provenance_comment(provenance_of(mechanism, "javascript", "mjs"))},
+      {"scene_name", mechanism.scene().name()},
       {"quaternions", quaternions_json(mechanism)},
       {"state_size", std::to_string(1 + layout.coordinates.size() + layout.velocities.size())},
       {"precomputed_size", std::to_string(layout.parameters.size() + mechanism.members.size())},
       {"parameter_count", std::to_string(layout.parameters.size())},
       {"kernel_table", kernels_json(mechanism)},
+      {"precomputed_places", places},
       {"support", std::string(support.substr(support.find('\n') + 1))},
       {"default_parameters", print(mechanism.default_parameters, language)},
       {"precompute", print(mechanism.precompute, language)},

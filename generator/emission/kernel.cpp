@@ -192,18 +192,6 @@ void clear_vanishing(Kernel& kernel) {
   for (std::size_t i = 0; i < values.size(); ++i) kernel.assignments[i].value = std::move(values[i]);
 }
 
-/// Products that several sums have in common: see shared_products.hpp.
-void share_products(Program& program, Kernel& kernel) {
-  if (kernel.series) return;
-  std::vector<Value> values = with_shared_products(program, kernel.values());
-  auto value = values.begin();
-  for (Assignment& assignment : kernel.assignments) assignment.value = std::move(*value++);
-  for (auto& [pivot, diagonal] : kernel.pivots) {
-    pivot = std::move(*value++);
-    diagonal = std::move(*value++);
-  }
-}
-
 // Why there is nothing to compute, found without deriving the kernel.
 std::string never(const Equations&) { return ""; }
 
@@ -326,15 +314,42 @@ const std::vector<std::string>& usual_kernel_names() {
   return names;
 }
 
-Kernel make_kernel(const std::string& name, const Equations& equations) {
+Kernel derive_kernel(const std::string& name, const Equations& equations) {
   const Entry& entry = entry_of(name);
   Kernel kernel;
   kernel.skipped = absence(entry, equations);
   if (kernel.skipped.empty()) kernel = entry.make(equations);
   kernel.name = name;
   clear_vanishing(kernel);
+  return kernel;
+}
+
+void share_products(Program& program, Kernel& kernel) {
+  if (kernel.series) return;
+  std::vector<Value> values = with_shared_products(program, kernel.values());
+  auto value = values.begin();
+  for (Assignment& assignment : kernel.assignments) assignment.value = std::move(*value++);
+  for (auto& [pivot, diagonal] : kernel.pivots) {
+    pivot = std::move(*value++);
+    diagonal = std::move(*value++);
+  }
+}
+
+Kernel make_kernel(const std::string& name, const Equations& equations) {
+  Kernel kernel = derive_kernel(name, equations);
   share_products(equations.program(), kernel);
   return kernel;
+}
+
+std::vector<OwnKernel> make_own_kernels(const Scene& scene, const ModelOptions& options,
+                                        const std::vector<std::string>& names) {
+  std::vector<OwnKernel> kernels;
+  for (const std::string& name : names) {
+    auto equations = std::make_unique<const Equations>(scene, options);
+    Kernel kernel = make_kernel(name, *equations);
+    if (kernel.skipped.empty()) kernels.push_back({std::move(equations), std::move(kernel)});
+  }
+  return kernels;
 }
 
 std::string why_absent(const std::string& name, const Equations& equations) {

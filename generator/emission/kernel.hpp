@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <string>
 #include <utility>
@@ -45,13 +46,17 @@ struct Assignment {
   Value value;
 };
 
-/// A kernel as data: emitters print it, counters count it, checkers evaluate it.
-struct Kernel {
+/// What a caller of a kernel must know.
+struct KernelSignature {
   std::string name;
   std::string documentation;  ///< one or more lines: equation, layout, units
   std::vector<Argument> arguments;
   std::vector<Structure> structures;
   std::vector<Result> results;
+};
+
+/// A kernel as values of the equations' program: it is lowered to a listing, counted and evaluated.
+struct Kernel : KernelSignature {
   std::vector<Assignment> assignments;
   std::vector<std::pair<Value, Value>> pivots;  ///< (pivot, diagonal): not empty means the kernel returns a Status
   std::optional<SeriesResult> series{};  ///< of a kernel that is written as recurrences, without assignments
@@ -69,8 +74,22 @@ const std::vector<std::string>& usual_kernel_names();
 /// Whether the kernel solves with the mass matrix, and so is absent where joints move no mass.
 bool solves_with_mass_matrix(const std::string& name);
 
-/// Builds a kernel on the equations' program. Throws UsageError naming an unknown kernel and listing the known ones.
+/// Builds a kernel on the equations' program, as it is derived: terms that cancel are gone, nothing else is rearranged.
+/// Throws UsageError naming an unknown kernel and listing the known ones.
+Kernel derive_kernel(const std::string& name, const Equations& equations);
+
+/// The same with products that its sums have in common computed once (shared_products.hpp).
 Kernel make_kernel(const std::string& name, const Equations& equations);
+void share_products(Program& program, Kernel& kernel);
+
+/// A kernel with equations of its own: as it is emitted, whichever other kernels there are.
+struct OwnKernel {
+  std::unique_ptr<const Equations> equations;
+  Kernel kernel;
+};
+/// Those that are not absent.
+std::vector<OwnKernel> make_own_kernels(const Scene& scene, const ModelOptions& options,
+                                        const std::vector<std::string>& names);
 
 /// Why a kernel is absent, empty where it is not; no kernel is derived for it.
 std::string why_absent(const std::string& name, const Equations& equations);

@@ -110,7 +110,7 @@ class ListingPrinter {
       return quantity && (both || is_read(*quantity)) ? name(*quantity) : "";
     };
     std::vector<AngleText> angles;
-    for (const SineCosine& each : group.angles) {
+    for (const SineCosinePair& each : group.angles) {
       angles.push_back({name(each.angle), optional_name(each.sine), optional_name(each.cosine), each.meaning});
     }
     lines(language_->sines_and_cosines(angles, ++groups_));

@@ -6,6 +6,8 @@
 #include "generator/emission/cpp_structures.hpp"
 #include "generator/emission/kernel_kinematics.hpp"
 #include "generator/emission/start_values.hpp"
+#include "generator/expression/formula.hpp"
+#include "generator/expression/sum_table.hpp"
 
 namespace torsor {
 namespace {
@@ -38,15 +40,71 @@ Layout layout_of(const Layout& all, const Kernel& kernel) {
   return layout;
 }
 
-Listing lower_kernel(Program& program, const Kernel& kernel, const Block& block, const MechanismListing& mechanism) {
+struct LoweredKernel {
+  Listing listing;
+  Listing once;  ///< what it reads from Precomputed
+};
+
+LoweredKernel lower_kernel(Program& program, const Kernel& kernel, const Layout& all) {
   Request request;
   for (const Assignment& each : kernel.assignments) request.results.push_back({each.target, each.value});
   request.pivots = kernel.pivots;
   request.has_status = kernel.series || !kernel.pivots.empty();
   if (kernel.series) request.series = &*kernel.series;
-  const Layout layout = layout_of(mechanism.layout, kernel);
-  return lower(program, block, request, {&layout, &mechanism.schedule, kernel.name});
+  const Layout layout = layout_of(all, kernel);
+  const Schedule schedule = make_schedule(program, kernel.values());
+  Listing listing = lower(program, schedule.function, request, {&layout, &schedule, kernel.name});
+  return {std::move(listing), lower_precompute(program, schedule, all)};
 }
+
+AskedKernel as_asked(const Kernel& kernel) {
+  AskedKernel asked{kernel.name, kernel.skipped, kernel.assignments.size(), 0, 0};
+  SumTable seen;
+  for (const Assignment& assignment : kernel.assignments) {
+    const Polynomial sum = without_sign(assignment.value.polynomial()).first;
+    if (sum.is_zero())
+      ++asked.zeros;
+    else if (!sum.is_constant() && !seen.add(sum).second)
+      ++asked.repeated;
+  }
+  return asked;
+}
+
+/// Operations before products that sums share, factoring, and what is done once for a set of parameters.
+std::optional<int> unoptimised(const Program& program, const Kernel& kernel) {
+  if (kernel.series) return std::nullopt;
+  return count_unoptimised(program, kernel.values()).total();
+}
+
+class MechanismLowering {
+ public:
+  explicit MechanismLowering(MechanismListing& mechanism) : mechanism_(&mechanism) {}
+
+  void add(Kernel kernel) {
+    Program& program = mechanism_->equations->program();
+    const std::optional<int> before = unoptimised(program, kernel);
+    share_products(program, kernel);
+    auto [listing, once] = lower_kernel(program, kernel, mechanism_->layout);
+    const std::vector<std::size_t> members = precomputation_.add(once);
+    for (Quantity& quantity : listing.quantities) {
+      if (quantity.table == Table::precomputed) quantity.index = members[quantity.index];
+    }
+    for (const Structure& structure : kernel.structures) {  // two kernels may share one when it is the same
+      if (mechanism_->structure(structure.name) == nullptr) mechanism_->own.push_back(structure);
+    }
+    mechanism_->asked.push_back(as_asked(kernel));
+    mechanism_->kernels.push_back({std::move(kernel), std::move(listing), before});
+  }
+
+  void finish() {
+    mechanism_->members = precomputation_.members();
+    mechanism_->precompute = precomputation_.listing();
+  }
+
+ private:
+  MechanismListing* mechanism_;
+  Precomputation precomputation_;
+};
 
 }  // namespace
 
@@ -58,69 +116,51 @@ const Structure* MechanismListing::structure(const std::string& name) const {
   return nullptr;
 }
 
-MechanismListing lower_mechanism(const Equations& equations, const std::vector<Kernel>& kernels,
+MechanismListing lower_mechanism(const Scene& scene, const std::vector<std::string>& kernels,
                                  const ModelOptions& options) {
   MechanismListing mechanism;
-  mechanism.equations = &equations;
+  mechanism.equations = std::make_unique<const Equations>(scene, options);
   mechanism.options = options;
-  Program& program = equations.program();
-  const std::vector<SymbolPointer> parameters = run_time_parameters(equations.scene(), options);
+  const Equations& equations = *mechanism.equations;
+  const std::vector<SymbolPointer> parameters = run_time_parameters(scene, options);
   mechanism.layout = layout_of(equations, parameters);
   mechanism.common = common_structures(equations, parameters);
-  mechanism.asked = kernels;
-  std::vector<Kernel> present;
-  if (has_quaternions(equations.model())) present.push_back(make_coordinate_rates(equations));
-  std::copy_if(kernels.begin(), kernels.end(), std::back_inserter(present),
-               [](const Kernel& kernel) { return kernel.skipped.empty(); });
-  std::vector<std::vector<Value>> values;
-  for (const Kernel& kernel : present) {
-    values.push_back(kernel.values());
-    for (const Structure& structure : kernel.structures) {  // two kernels may share one when it is the same
-      if (mechanism.structure(structure.name) == nullptr) mechanism.own.push_back(structure);
-    }
+  mechanism.default_parameters = default_parameters(scene, parameters);
+  mechanism.initial_state = initial_state(equations, options, mechanism.layout);
+  MechanismLowering lowering(mechanism);
+  if (has_quaternions(equations.model())) {
+    lowering.add(make_coordinate_rates(equations));
+    mechanism.asked.clear();
   }
+  for (const std::string& name : kernels) {
+    equations.start_over();
+    Kernel kernel = derive_kernel(name, equations);
+    if (kernel.skipped.empty())
+      lowering.add(std::move(kernel));
+    else
+      mechanism.asked.push_back(as_asked(kernel));
+  }
+  equations.start_over();
+  lowering.finish();
   for (const auto* structures : {&mechanism.common, &mechanism.own}) {
     for (const Structure& structure : *structures) check_names(structure);
-  }
-  mechanism.schedule = make_schedule(program, values);
-  const Schedule& schedule = mechanism.schedule;
-  for (std::size_t k = 0; k < precomputed_count(schedule); ++k) {
-    const std::string meaning = k < schedule.members.size() ? program[schedule.members[k]].name : "";
-    mechanism.members.push_back({precomputed_name(program, schedule, k), meaning});
-  }
-  mechanism.default_parameters = default_parameters(equations.scene(), parameters);
-  mechanism.precompute = lower_precompute(program, schedule, mechanism.layout);
-  mechanism.initial_state = initial_state(equations, options, mechanism.layout);
-  for (std::size_t k = 0; k < present.size(); ++k) {
-    Listing listing = lower_kernel(program, present[k], schedule.functions[k], mechanism);
-    mechanism.kernels.push_back({std::move(present[k]), std::move(listing)});
   }
   return mechanism;
 }
 
-Provenance provenance_of(const MechanismListing& mechanism, const std::vector<OperationCount>& of_kernels,
-                         const std::string& language, const std::string& extension) {
-  const Equations& equations = *mechanism.equations;
-  const Scene& scene = equations.scene();
+Provenance provenance_of(const MechanismListing& mechanism, const std::string& language,
+                         const std::string& extension) {
+  const Scene& scene = mechanism.scene();
   Provenance provenance{&scene, mechanism.options, mechanism.asked, mechanism.layout.parameters, {}};
-  provenance.notes = notes(equations.redundancy(), scene);
+  provenance.notes = notes(mechanism.equations->redundancy(), scene);
   provenance.language = language;
   provenance.extension = extension;
   if (const OperationCount once = count(mechanism.precompute); once.total() > 0) {
     provenance.operations.push_back({"precompute", once, std::nullopt});
   }
-  // Before: no inertia moved across joints, no products shared, no factoring, nothing done once for a set of
-  // parameters.
-  const Equations unoptimised(scene, as_given(mechanism.options));
-  for (std::size_t k = 0; k < mechanism.kernels.size(); ++k) {
-    const Kernel& kernel = mechanism.kernels[k].kernel;
-    if (kernel.name == "coordinate_rates") continue;
-    std::optional<int> before;  // recurrences have nothing to be compared with
-    if (!kernel.series) {
-      const std::vector<Value> values = make_kernel(kernel.name, unoptimised).values();
-      before = count_unoptimised(unoptimised.program(), values).total();
-    }
-    provenance.operations.push_back({kernel.name, of_kernels[k], before});
+  for (const KernelListing& each : mechanism.kernels) {
+    if (each.kernel.name == "coordinate_rates") continue;
+    provenance.operations.push_back({each.kernel.name, count(each.listing), each.before});
   }
   return provenance;
 }

@@ -1,50 +1,50 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "generator/emission/kernel.hpp"
 #include "generator/emission/provenance.hpp"
 #include "generator/listing/lowering.hpp"
+#include "generator/listing/precomputation.hpp"
 
 namespace torsor {
 
 /// A kernel and how it is computed.
 struct KernelListing {
-  Kernel kernel;
+  KernelSignature kernel;
   Listing listing;
+  std::optional<int> before;  ///< operations before any were saved; none of recurrences, which have nothing to compare
 };
 
-/// A member of Precomputed.
-struct PrecomputedMember {
-  std::string name;
-  std::string meaning;
-};
-
-/// All functions of one mechanism, as every language writes them.
+/// All functions of one mechanism, as every language writes them. It refers to no program.
 struct MechanismListing {
-  const Equations* equations = nullptr;
+  std::unique_ptr<const Equations> equations;  ///< nothing of them is derived
   ModelOptions options;
   Layout layout;
-  Schedule schedule;
   std::vector<Structure> common;           ///< structures that every mechanism has
   std::vector<Structure> own;              ///< those that its kernels bring along
   std::vector<PrecomputedMember> members;  ///< of Precomputed, behind the parameters
   Listing default_parameters, precompute, initial_state;
-  std::vector<KernelListing> kernels;  ///< those that are not skipped
-  std::vector<Kernel> asked;           ///< all that were asked for
+  std::vector<KernelListing> kernels;  ///< those that are not absent
+  std::vector<AskedKernel> asked;      ///< all that were asked for
 
+  const Scene& scene() const { return equations->scene(); }
   const Structure* structure(const std::string& name) const;  ///< null: there is none
 };
 
-/// Lowers all functions. Throws Error when a kernel reads a symbol that it is not given, and SceneError where the
-/// initial state depends on more than parameters, or two members of a structure would have one name.
-MechanismListing lower_mechanism(const Equations& equations, const std::vector<Kernel>& kernels,
-                                 const ModelOptions& options);
+/// Derives and lowers the kernels of these names, each as if it were the only one: a function is the same whichever
+/// others there are. The scene is lowered to a model once. Throws UsageError naming an unknown kernel, Error when a
+/// kernel reads a symbol that it is not given, and SceneError where the initial state depends on more than parameters,
+/// or two members of a structure would have one name.
+MechanismListing lower_mechanism(const Scene& scene, const std::vector<std::string>& kernels,
+                                 const ModelOptions& options = {});
 
 /// What the head comment tells, with the operations of each kernel's text.
-Provenance provenance_of(const MechanismListing& mechanism, const std::vector<OperationCount>& of_kernels,
-                         const std::string& language = {}, const std::string& extension = "hpp");
+Provenance provenance_of(const MechanismListing& mechanism, const std::string& language = {},
+                         const std::string& extension = "hpp");
 
 }  // namespace torsor

@@ -35,26 +35,17 @@ std::string operations_table(const Provenance& provenance) {
 /// What the mechanism made unnecessary, kernel by kernel.
 std::string skipped(const Provenance& provenance) {
   std::string text;
-  for (const Kernel& kernel : provenance.kernels) {
+  for (const AskedKernel& kernel : provenance.kernels) {
     if (!kernel.skipped.empty()) {
       text += fmt::format("  {}: left out, {}\n", kernel.name, kernel.skipped);
       continue;
     }
-    int zeros = 0;
-    int repeated = 0;
-    SumTable seen;
-    for (const Assignment& assignment : kernel.assignments) {
-      const Polynomial sum = without_sign(assignment.value.polynomial()).first;
-      if (sum.is_zero())
-        ++zeros;
-      else if (!sum.is_constant() && !seen.add(sum).second)
-        ++repeated;
-    }
+    const auto [zeros, repeated] = std::pair(kernel.zeros, kernel.repeated);
     if (zeros == 0 && repeated == 0) continue;
     std::string what;
     if (zeros > 0) what = fmt::format("{} vanish identically", zeros);
     if (repeated > 0) what += fmt::format("{}{} repeat another up to sign", what.empty() ? "" : ", ", repeated);
-    text += fmt::format("  {}: of {} results {}\n", kernel.name, kernel.assignments.size(), what);
+    text += fmt::format("  {}: of {} results {}\n", kernel.name, kernel.results, what);
   }
   return text.empty() ? "  nothing\n" : text;
 }
@@ -64,7 +55,7 @@ std::string skipped(const Provenance& provenance) {
 std::string regeneration_command(const Provenance& provenance) {
   const std::string& scene = provenance.scene->name();
   std::string command = fmt::format("{} --kernels {}", provenance.scene->command_line("generate"),
-                                    joined(provenance.kernels, ",", [](const Kernel& kernel) { return kernel.name; }));
+                                    joined(provenance.kernels, ",", [](const AskedKernel& kernel) { return kernel.name; }));
   if (provenance.options.all_run_time || provenance.options.symbolic_parameters) {
     command += " --run-time all";
   } else if (!provenance.options.run_time.empty()) {
@@ -90,7 +81,7 @@ std::string provenance_comment(const Provenance& provenance) {
                                  file.empty() ? "" : " from " + file, file.empty() ? "the scene" : "that");
   text += "Free to embed under the MIT licence.\n\n";
   std::vector<std::string> present;
-  for (const Kernel& kernel : provenance.kernels) {
+  for (const AskedKernel& kernel : provenance.kernels) {
     if (kernel.skipped.empty()) present.push_back(kernel.name);
   }
   const auto itself = [](const std::string& name) { return name; };
@@ -98,8 +89,8 @@ std::string provenance_comment(const Provenance& provenance) {
   text += "Parameters set at run time: " +
           joined(provenance.parameters, ", ", [](const SymbolPointer& symbol) { return symbol->name; }) + "\n\n";
   text += "Operations in the text of each function (a sine-cosine pair counts 2 in the total; not in it is what a Status\n";
-  text += "costs, one multiplication for each result and for each pivot tested); before: without inertia moved across\n";
-  text += "joints, products that sums share, factoring, and what is done once for a set of parameters:\n";
+  text += "costs, one multiplication for each result and for each pivot tested); before: without products that sums\n";
+  text += "share, factoring, and what is done once for a set of parameters:\n";
   text += operations_table(provenance) + "\n";
   text += "Not computed because this mechanism does not need it:\n" + skipped(provenance) + "\n";
   for (const std::string& note : scene.origin.notes) text += note + "\n";

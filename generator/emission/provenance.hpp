@@ -11,18 +11,25 @@
 
 namespace torsor {
 
-/// Operations that the text of one function states, and their number before anything was optimised.
+/// Operations that the text of one function states, and their number before any were saved.
 struct FunctionOperations {
   std::string name;
   OperationCount after;
-  std::optional<int> before;  ///< none for what exists only because of the optimisation
+  std::optional<int> before;  ///< none for what exists only because some were saved
+};
+
+/// A kernel that was asked for, and what the mechanism made unnecessary of it.
+struct AskedKernel {
+  std::string name;
+  std::string skipped;  ///< not empty: why it is absent
+  std::size_t results = 0, zeros = 0, repeated = 0;
 };
 
 /// What the head comment of a generated header tells about it.
 struct Provenance {
   const Scene* scene = nullptr;
   ModelOptions options;
-  std::vector<Kernel> kernels;                                     ///< all that were asked for, skipped ones included
+  std::vector<AskedKernel> kernels;                                ///< all that were asked for, skipped ones included
   std::vector<SymbolPointer> parameters;                           ///< set at run time
   std::vector<FunctionOperations> operations;                      ///< of each function of the text
   std::vector<std::string> notes{};                                ///< on the constraints, a sentence each

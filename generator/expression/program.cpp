@@ -43,16 +43,16 @@ Value Program::atom_value(Atom atom) { return {*this, Polynomial(atom), (*this)[
 
 Value Program::symbol(const SymbolPointer& symbol) {
   if (const auto known = symbols_.find(symbol.get()); known != symbols_.end()) return atom_value(known->second);
-  if (const auto known = resolved_.find(symbol.get()); known != resolved_.end()) return known->second;
+  if (const auto known = resolved_.find(symbol.get()); known != resolved_.end()) return known->second.value;
   if (symbol->measure && measurer_) {
     const Value value = measurer_(*symbol);
-    resolved_.emplace(symbol.get(), value);
+    resolved_.emplace(symbol.get(), Resolved{value, size()});
     return value;
   }
   if (resolver_) {
     if (const std::optional<Expression> replacement = resolver_(symbol)) {
       const Value value = lower(*replacement);
-      resolved_.emplace(symbol.get(), value);
+      resolved_.emplace(symbol.get(), Resolved{value, size()});
       return value;
     }
   }
@@ -70,6 +70,24 @@ std::optional<Atom> Program::find(const SymbolPointer& symbol) const {
   const auto known = symbols_.find(symbol.get());
   if (known == symbols_.end()) return std::nullopt;
   return known->second;
+}
+
+void Program::truncate(std::size_t size) {
+  while (definitions_.size() > size) {
+    const auto atom = static_cast<Atom>(definitions_.size()) - 1;
+    const Definition& last = definitions_.back();
+    if (last.symbol) {
+      symbols_.erase(last.symbol.get());
+    } else if (last.function) {
+      functions_[static_cast<std::size_t>(last.arguments[0])].pop_back();  // of one argument the latest stands last
+    } else if (std::vector<Atom>& bucket = sums_[last.polynomial.hash()]; !bucket.empty() && bucket.back() == atom) {
+      bucket.pop_back();  // one that is bound apart stands in none
+    }
+    definitions_.pop_back();
+    functions_.pop_back();
+    arrivals_.pop_back();
+  }
+  std::erase_if(resolved_, [size](const auto& each) { return each.second.size > size; });
 }
 
 Value Program::lower(const Expression& formula) {

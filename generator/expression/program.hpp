@@ -115,6 +115,9 @@ class Program {
   /// When an atom is known, in cycles after all symbols are (arrival.hpp).
   int arrival(Atom atom) const { return arrivals_[static_cast<std::size_t>(atom)]; }
   std::optional<Atom> find(const SymbolPointer& symbol) const;
+  /// Forgets every definition but the first `size`, as if the others had never been asked for. Values that name one of
+  /// those forgotten must not be used any more.
+  void truncate(std::size_t size);
 
   /// Every atom the values depend on, directly or not, in creation order: the live part of the program.
   std::vector<Atom> live(const std::vector<Value>& outputs) const;
@@ -143,7 +146,11 @@ class Program {
   std::unordered_map<const Symbol*, Atom> symbols_;
   std::unordered_map<std::size_t, std::vector<Atom>> sums_;  ///< by hash of the polynomial
   std::vector<std::vector<std::pair<Function, Atom>>> functions_;  ///< by first argument
-  std::unordered_map<const Symbol*, Value> resolved_;
+  struct Resolved {
+    Value value;
+    std::size_t size = 0;  ///< of the program when it had been lowered
+  };
+  std::unordered_map<const Symbol*, Resolved> resolved_;
 };
 
 /// What a reader calls an atom: the symbol's name, else the definition's name, else z<k>.

@@ -57,7 +57,7 @@ std::vector<bool> read_quantities(const Listing& listing, bool literals_are_comp
     if (const auto* literal = std::get_if<Literal>(&*each); literal != nullptr && literals_are_computed)
       mark(literal->right, read);
     if (const auto* group = std::get_if<SinesAndCosines>(&*each)) {
-      for (const SineCosine& pair : group->angles) read[static_cast<std::size_t>(pair.angle)] = true;
+      for (const SineCosinePair& pair : group->angles) read[static_cast<std::size_t>(pair.angle)] = true;
     }
   }
   return read;

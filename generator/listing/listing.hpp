@@ -76,13 +76,13 @@ struct Pi {
 };
 
 /// Sines and cosines of several angles at once; one of an angle that nothing reads is none.
-struct SineCosine {
+struct SineCosinePair {
   Atom angle = 0;
   std::optional<Atom> sine, cosine;
   std::string meaning{};
 };
 struct SinesAndCosines {
-  std::vector<SineCosine> angles;
+  std::vector<SineCosinePair> angles;
 };
 
 using Statement = std::variant<Assigned, Literal, Pi, SinesAndCosines>;

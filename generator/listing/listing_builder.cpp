@@ -66,7 +66,9 @@ void ListingBuilder::write(const Wanted& wanted) {
   listing_.outputs.push_back({wanted.target, std::move(value), !repeats && !wanted.value.is_constant(), {}});
 }
 
-void ListingBuilder::write_member(const Target& target, Atom atom) { write(target, Formula::of_atom(place_of(atom))); }
+void ListingBuilder::write_member(const Target& target, Atom atom, const std::string& meaning) {
+  write(target, Formula::of_atom(place_of(atom)), meaning);
+}
 
 void ListingBuilder::measure(const std::pair<Value, Value>& pivot) {
   const auto& [d, m] = pivot;
@@ -204,7 +206,7 @@ void ListingBuilder::define_group(const std::vector<Atom>& group) {
   SinesAndCosines together;
   for (const Atom atom : group) {
     const Definition& definition = (*program_)[atom];
-    SineCosine pair{place_of(definition.arguments[0]), {}, {}, definition.name};
+    SineCosinePair pair{place_of(definition.arguments[0]), {}, {}, definition.name};
     const bool sine = definition.function == Function::sin;
     for (const bool of_sine : {true, false}) {
       const Atom each = sine == of_sine ? atom : definition.partner;

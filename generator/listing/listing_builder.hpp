@@ -24,10 +24,10 @@ class ListingBuilder {
   void compute_nothing() { places_formulas_ = false; }
   void compute(const Block& block);
   void write(const Wanted& wanted);
-  void write(const Target& target, Formula value) {
-    listing_.outputs.push_back({target, {std::move(value)}, false, {}});
+  void write(const Target& target, Formula value, const std::string& meaning = {}) {
+    listing_.outputs.push_back({target, {std::move(value)}, false, meaning});
   }
-  void write_member(const Target& target, Atom atom);
+  void write_member(const Target& target, Atom atom, const std::string& meaning);
   void measure(const std::pair<Value, Value>& pivot);
   Listing take(bool has_status);
 

@@ -32,7 +32,7 @@ Listing lower_precompute(Program& program, const Schedule& schedule, const Layou
   for (std::size_t k = 0; k < precomputed_count(schedule); ++k) {
     const Target target{"precomputed", precomputed_name(program, schedule, k)};
     if (k < schedule.members.size()) {
-      builder.write_member(target, schedule.members[k]);
+      builder.write_member(target, schedule.members[k], program[schedule.members[k]].name);
     } else {
       builder.write({target, Value(program, schedule.results.sums()[k - schedule.members.size()], Unit())});
     }

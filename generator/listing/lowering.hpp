@@ -26,7 +26,8 @@ struct Request {
   const SeriesResult* series = nullptr;  ///< of a function that gives Taylor coefficients
 };
 
-/// What stands ready for a function: its arguments and the members of Precomputed. Null: none.
+/// What stands ready for a function: its arguments, and those members of Precomputed that it has in its schedule. Null:
+/// none.
 struct Surroundings {
   const Layout* layout = nullptr;
   const Schedule* schedule = nullptr;
@@ -43,10 +44,11 @@ Listing lower(Program& program, const Block& block, const Request& request, cons
 /// solved without their terms in the accelerations themselves.
 std::vector<Polynomial> coefficients_read(Program& program, const SeriesResult& series);
 
-/// The function that computes the members of Precomputed.
+/// What the function has computed once: its outputs are the members of Precomputed that it reads, in its own order. The
+/// outputs' meanings are those of the members.
 Listing lower_precompute(Program& program, const Schedule& schedule, const Layout& layout);
 
-/// Name of a member of Precomputed.
+/// Name of a member of Precomputed among those of the function.
 std::string precomputed_name(const Program& program, const Schedule& schedule, std::size_t member);
 std::size_t precomputed_count(const Schedule& schedule);
 

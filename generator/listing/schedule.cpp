@@ -51,32 +51,25 @@ Block whole_block(const Program& program, const std::vector<Polynomial>& sums) {
   return collect(program, sums, [](Atom) { return false; });
 }
 
-Schedule make_schedule(const Program& program, const std::vector<std::vector<Value>>& values) {
+Schedule make_schedule(const Program& program, const std::vector<Value>& values) {
   Schedule schedule;
-  std::vector<bool> read(program.size(), false);
   const auto is_precomputed = [&program](Atom atom) {
     return !program[atom].symbol && program[atom].stage == Stage::parameters;
   };
-  for (const std::vector<Value>& of_function : values) {
-    std::vector<Polynomial> roots;
-    for (const Value& value : of_function) {
-      auto [sum, negative] = without_sign(value.polynomial());
-      const bool once = stage_of(program, sum) == Stage::parameters && count(formula(program, sum)).total() > 0;
-      if (once)
-        schedule.results.add(sum);
-      else
-        roots.push_back(std::move(sum));
-    }
-    schedule.functions.push_back(collect(program, roots, is_precomputed));
-    for (const Atom atom : schedule.functions.back().given) read[static_cast<std::size_t>(atom)] = true;
+  std::vector<Polynomial> roots;
+  for (const Value& value : values) {
+    auto [sum, negative] = without_sign(value.polynomial());
+    const bool once = stage_of(program, sum) == Stage::parameters && count(formula(program, sum)).total() > 0;
+    if (once)
+      schedule.results.add(sum);
+    else
+      roots.push_back(std::move(sum));
   }
-  std::vector<Polynomial> roots = schedule.results.sums();
-  for (std::size_t k = 0; k < program.size(); ++k) {
-    if (!read[k]) continue;
-    schedule.members.push_back(static_cast<Atom>(k));
-    roots.emplace_back(static_cast<Atom>(k));
-  }
-  schedule.precompute = whole_block(program, roots);
+  schedule.function = collect(program, roots, is_precomputed);
+  schedule.members = schedule.function.given;
+  std::vector<Polynomial> members = schedule.results.sums();
+  for (const Atom atom : schedule.members) members.emplace_back(atom);
+  schedule.precompute = whole_block(program, members);
   return schedule;
 }
 

@@ -16,15 +16,15 @@ struct Block {
   std::vector<Atom> definitions;  ///< computed here; those of the generation stage are literals
 };
 
-/// Distributes the work of several functions: what depends on parameters only is done once, in `precompute`.
+/// Distributes the work of a function: what depends on parameters only is done once, in `precompute`.
 struct Schedule {
   Block precompute;
-  std::vector<Atom> members;     ///< definitions that functions read from Precomputed
-  SumTable results;              ///< results of functions that depend on parameters only: more members of Precomputed
-  std::vector<Block> functions;  ///< one for each
+  std::vector<Atom> members;  ///< definitions that the function reads from Precomputed
+  SumTable results;           ///< its results that depend on parameters only: more members of Precomputed
+  Block function;
 };
-/// `values` are what each function must compute.
-Schedule make_schedule(const Program& program, const std::vector<std::vector<Value>>& values);
+/// `values` are what the function must compute.
+Schedule make_schedule(const Program& program, const std::vector<Value>& values);
 
 /// Everything the sums need, computed in one block.
 Block whole_block(const Program& program, const std::vector<Polynomial>& sums);

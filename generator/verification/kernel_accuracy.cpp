@@ -207,32 +207,18 @@ std::unique_ptr<Conditions> make_conditions(const Scene& scene, ModelOptions opt
 template <class Float>
 class AccuracyIn final : public KernelAccuracy {
  public:
-  AccuracyIn(const Scene& scene, const ModelOptions& options, const std::vector<std::string>& names)
-      : equations_(scene, options),
-        kernels_(present_kernels(equations_, names)),
-        groups_(groups_of(kernels_)),
-        conditions_(make_conditions(scene, options, names, kernels_)),
-        compute_(equations_.program(), {}) {
-    Program& program = equations_.program();
-    // A definition of its own for each result: its formula is then made once and not at each state.
-    std::vector<Value> all;
-    for (Kernel& kernel : kernels_) {
-      for (Assignment& assignment : kernel.assignments) assignment.value = program.bind(assignment.value);
-      for (auto& [pivot, diagonal] : kernel.pivots) pivot = program.bind(pivot), diagonal = program.bind(diagonal);
-      const std::vector<Value> values = kernel.values();
-      all.insert(all.end(), values.begin(), values.end());
-      if (!kernel.series) continue;
-      for (const SymbolPointer& symbol : kernel.series->state) all.push_back(program.symbol(symbol));
+  AccuracyIn(const Scene& scene, const ModelOptions& options, const std::vector<std::string>& names) {
+    for (OwnKernel& each : make_own_kernels(scene, options, names)) {
+      compute_.emplace_back(each.equations->program(), typename Evaluator<Running<Float>>::SymbolValue());
+      equations_.push_back(std::move(each.equations));
+      kernels_.push_back(std::move(each.kernel));
+      prepare(kernels_.size() - 1);
     }
-    for (const Atom atom : program.live(all)) {
-      const Definition& definition = program[atom];
-      if (definition.symbol && definition.symbol->kind != SymbolKind::pi) symbols_.push_back(definition.symbol);
-      if (definition.stage != Stage::generation) continue;
-      if (!definition.symbol && !definition.function && definition.polynomial.is_constant()) continue;
-      compute_.fix(atom, Running<Float>::rounded_literal(literal(rounded_constant(program, atom))));
-    }
+    groups_ = groups_of(kernels_);
+    conditions_ = make_conditions(scene, options, names, kernels_);
     for (const OutputGroup& group : groups_) {
       const Kernel& kernel = kernels_[group.kernel];
+      Program& program = equations_[group.kernel]->program();
       std::vector<Value> values = kernel.series ? kernel.values() : std::vector<Value>();
       if (kernel.series) {
         for (const SymbolPointer& symbol : kernel.series->state) values.push_back(program.symbol(symbol));
@@ -255,9 +241,11 @@ class AccuracyIn final : public KernelAccuracy {
   void move_to(const StressState& state) override {
     state_ = &state;
     known_series_.clear();
-    compute_.move_to(symbol_values<Running<Float>>(
-        Running<Float>::rounded_literal(static_cast<Float>(3.14159265358979323846)),
-        [this](const SymbolPointer& symbol) { return Running<Float>(static_cast<Float>(state_->value(symbol))); }));
+    for (Evaluator<Running<Float>>& compute : compute_) {
+      compute.move_to(symbol_values<Running<Float>>(
+          Running<Float>::rounded_literal(static_cast<Float>(3.14159265358979323846)),
+          [this](const SymbolPointer& symbol) { return Running<Float>(static_cast<Float>(state_->value(symbol))); }));
+    }
     conditions_->move_to(state);
   }
 
@@ -281,6 +269,26 @@ class AccuracyIn final : public KernelAccuracy {
   }
 
  private:
+  void prepare(std::size_t place) {
+    Program& program = equations_[place]->program();
+    Kernel& kernel = kernels_[place];
+    // A definition of its own for each result: its formula is then made once and not at each state.
+    for (Assignment& assignment : kernel.assignments) assignment.value = program.bind(assignment.value);
+    for (auto& [pivot, diagonal] : kernel.pivots) pivot = program.bind(pivot), diagonal = program.bind(diagonal);
+    std::vector<Value> all = kernel.values();
+    if (kernel.series) {
+      for (const SymbolPointer& symbol : kernel.series->state) all.push_back(program.symbol(symbol));
+    }
+    for (const Atom atom : program.live(all)) {
+      const Definition& definition = program[atom];
+      const bool known = std::find(symbols_.begin(), symbols_.end(), definition.symbol) != symbols_.end();
+      if (definition.symbol && definition.symbol->kind != SymbolKind::pi && !known) symbols_.push_back(definition.symbol);
+      if (definition.stage != Stage::generation) continue;
+      if (!definition.symbol && !definition.function && definition.polynomial.is_constant()) continue;
+      compute_[place].fix(atom, Running<Float>::rounded_literal(literal(rounded_constant(program, atom))));
+    }
+  }
+
   static Float literal(const RoundedConstant& constant) {
     if constexpr (std::is_same_v<Float, float>) {
       return constant.in_float;
@@ -290,17 +298,19 @@ class AccuracyIn final : public KernelAccuracy {
   }
 
   Running<Float> computed_result(std::size_t kernel, std::size_t result) {
-    if (!kernels_[kernel].series) return compute_(kernels_[kernel].assignments[result].value);
+    if (!kernels_[kernel].series) return compute_[kernel](kernels_[kernel].assignments[result].value);
     std::vector<Running<Float>>& known = known_series_[kernel];
-    if (known.empty()) known = coefficients(*kernels_[kernel].series, compute_);
+    if (known.empty()) known = coefficients(*kernels_[kernel].series, compute_[kernel]);
     return known[result];
   }
 
   /// As traits::regular of the header.
-  bool regular(const Kernel& kernel) {
-    return std::all_of(kernel.pivots.begin(), kernel.pivots.end(), [this](const auto& each) {
-      const Float pivot = compute_(each.first).value();
-      return pivot > std::numeric_limits<Float>::epsilon() * std::abs(compute_(each.second).value());
+  bool regular(std::size_t kernel) {
+    const auto& pivots = kernels_[kernel].pivots;
+    Evaluator<Running<Float>>& compute = compute_[kernel];
+    return std::all_of(pivots.begin(), pivots.end(), [&compute](const auto& each) {
+      const Float pivot = compute(each.first).value();
+      return pivot > std::numeric_limits<Float>::epsilon() * std::abs(compute(each.second).value());
     });
   }
 
@@ -321,7 +331,7 @@ class AccuracyIn final : public KernelAccuracy {
   template <class Exact>
   Accuracy against(std::size_t group, int digits) {
     const WorkingDigits precision(digits);
-    Evaluator<Exact> exact(equations_.program(), symbol_values<Exact>(Exact::pi(), [this](const SymbolPointer& symbol) {
+    Evaluator<Exact> exact(equations_[groups_[group].kernel]->program(), symbol_values<Exact>(Exact::pi(), [this](const SymbolPointer& symbol) {
                              return Exact::from_double(state_->value(symbol));
                            }));
     const Kernel& kernel = kernels_[groups_[group].kernel];
@@ -350,7 +360,7 @@ class AccuracyIn final : public KernelAccuracy {
     const OutputGroup& group = groups_[index];
     const Kernel& kernel = kernels_[group.kernel];
     Accuracy result;
-    if (!regular(kernel)) return result;
+    if (!regular(group.kernel)) return result;
     long double error = 0, norm = 0, bound = 0;
     std::vector<long double> squares;
     for (const std::size_t i : group.members) {
@@ -391,11 +401,11 @@ class AccuracyIn final : public KernelAccuracy {
     return result;
   }
 
-  Equations equations_;
+  std::vector<std::unique_ptr<const Equations>> equations_;  ///< by kernel, and so the next two
   std::vector<Kernel> kernels_;
+  std::vector<Evaluator<Running<Float>>> compute_;
   std::vector<OutputGroup> groups_;
   std::unique_ptr<Conditions> conditions_;
-  Evaluator<Running<Float>> compute_;
   std::vector<SymbolPointer> symbols_;
   std::vector<std::vector<SymbolPointer>> group_symbols_;
   std::map<std::size_t, std::vector<Running<Float>>> known_series_;  ///< by kernel, at this state

@@ -17,25 +17,23 @@ namespace {
 /// The kernels of a scene under one choice of passes.
 struct Variant {
   Variant(const Scene& scene, const std::vector<std::string>& names, const ModelOptions& options)
-      : equations(scene, options) {
-    for (const std::string& name : names) {
-      Kernel kernel = make_kernel(name, equations);
-      if (kernel.skipped.empty() && !kernel.series) kernels.push_back(std::move(kernel));
-    }
+      : kernels(make_own_kernels(scene, options, names)) {
+    std::erase_if(kernels, [](const OwnKernel& each) { return each.kernel.series.has_value(); });
   }
 
-  int operations(std::size_t k) const { return count(equations.program(), kernels[k].values()).total(); }
+  const Kernel& kernel(std::size_t k) const { return kernels[k].kernel; }
+  const Program& program(std::size_t k) const { return kernels[k].equations->program(); }
+  int operations(std::size_t k) const { return count(program(k), kernel(k).values()).total(); }
   int cycles(std::size_t k) const {
-    const Program& program = equations.program();
+    const Program& program = this->program(k);
     int last = 0;
-    for (const Value& value : kernels[k].values()) {
+    for (const Value& value : kernel(k).values()) {
       last = std::max(last, arrival(program, formula(program, value.polynomial())));
     }
     return last;
   }
 
-  Equations equations;
-  std::vector<Kernel> kernels;
+  std::vector<OwnKernel> kernels;
 };
 
 using Results = std::vector<std::vector<Real>>;  ///< of every kernel at one state
@@ -43,14 +41,19 @@ using Results = std::vector<std::vector<Real>>;  ///< of every kernel at one sta
 /// At the states of seeds `seed`, `seed` + 1, …
 std::vector<Results> results_of(const Scene& scene, const Variant& variant, const PassReportOptions& asked) {
   std::vector<Results> results;
-  Evaluator<Real> evaluate(variant.equations.program(), {});
+  std::vector<Evaluator<Real>> evaluate;
+  for (const OwnKernel& own : variant.kernels) {
+    evaluate.emplace_back(own.equations->program(), Evaluator<Real>::SymbolValue());
+  }
   for (int s = 0; s < asked.states; ++s) {
     const RandomState state(scene, asked.seed + static_cast<std::uint64_t>(s));
-    evaluate.move_to(state.in_real());
     results.emplace_back();
-    for (const Kernel& kernel : variant.kernels) {
+    for (std::size_t k = 0; k < variant.kernels.size(); ++k) {
+      evaluate[k].move_to(state.in_real());
       results.back().emplace_back();
-      for (const Assignment& each : kernel.assignments) results.back().back().push_back(evaluate(each.value));
+      for (const Assignment& each : variant.kernel(k).assignments) {
+        results.back().back().push_back(evaluate[k](each.value));
+      }
     }
   }
   return results;
@@ -117,7 +120,7 @@ PassReport report_passes(const Scene& scene, const std::vector<std::string>& nam
   PassReport report{scene.name(), {}, {}, asked.digits};
   const Variant whole(scene, names, options);
   std::vector<std::string> present;
-  for (const Kernel& kernel : whole.kernels) present.push_back(kernel.name);
+  for (const OwnKernel& each : whole.kernels) present.push_back(each.kernel.name);
   const auto errors = worst_errors(scene, options, present, asked);
   for (std::size_t k = 0; k < present.size(); ++k) {
     report.kernels.push_back({present[k], {whole.operations(k), whole.cycles(k), 0, error_of(errors, present[k])}, {}});
@@ -134,7 +137,7 @@ PassReport report_passes(const Scene& scene, const std::vector<std::string>& nam
     for (std::size_t k = 0; k < present.size(); ++k) {
       double apart = 0;
       for (std::size_t n = 0; n < exact.size(); ++n) {
-        const double here = difference(whole.kernels[k], exact[n][k], other[n][k]);
+        const double here = difference(whole.kernel(k), exact[n][k], other[n][k]);
         if (is_worse(here, apart)) apart = here;
       }
       report.kernels[k].without.push_back(

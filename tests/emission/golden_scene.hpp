@@ -34,10 +34,4 @@ inline Scene golden_pendulum() {
   return scene;
 }
 
-inline std::vector<Kernel> kernels_of(const Equations& equations, const std::string& list) {
-  std::vector<Kernel> kernels;
-  for (const std::string& name : parse_kernel_list(list)) kernels.push_back(make_kernel(name, equations));
-  return kernels;
-}
-
 }  // namespace torsor::testing_scenes

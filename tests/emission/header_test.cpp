@@ -16,7 +16,6 @@
 namespace torsor::header_test {
 namespace {
 
-using testing_scenes::kernels_of;
 
 Scene spatial_arm() {
   using Q = Expression;
@@ -75,11 +74,12 @@ void expect_equal(const OperationCount& text, const OperationCount& counted, con
 }
 
 TEST(Header, StatesExactlyTheOperationsThatAreCounted) {
-  const Equations equations(spatial_arm());
-  const std::vector<Kernel> kernels =
-      kernels_of(equations, "kinematics,mass_matrix,bias,inverse_dynamics,forward_dynamics,energy,linearisation");
-  const std::string header = emit_header(equations, kernels);
-  for (const Kernel& kernel : kernels) {
+  const Scene scene = spatial_arm();
+  const std::vector<std::string> names =
+      parse_kernel_list("kinematics,mass_matrix,bias,inverse_dynamics,forward_dynamics,energy,linearisation");
+  const std::string header = emit_header(scene, names);
+  for (const auto& [own, kernel] : make_own_kernels(scene, {}, names)) {
+    const Equations& equations = *own;
     const OperationCount counted = count(equations.program(), kernel.values());
     ASSERT_GT(counted.total(), 0) << kernel.name;
     expect_equal(operators_in(body_of(header, kernel.name)), counted, kernel.name);
@@ -91,19 +91,19 @@ TEST(Header, StatesExactlyTheOperationsThatAreCounted) {
 }
 
 TEST(Header, DoesOnceWhatDependsOnParametersOnly) {
-  const Equations equations(testing_scenes::golden_pendulum());
-  const std::vector<Kernel> kernels = kernels_of(equations, "mass_matrix");
-  const std::string header = emit_header(equations, kernels);
+  const Scene scene = testing_scenes::golden_pendulum();
+  const Equations equations(scene);
+  const Kernel kernel = make_kernel("mass_matrix", equations);
+  const std::string header = emit_header(scene, {"mass_matrix"});
   // M = m l²: nothing is left to the kernel.
   EXPECT_EQ(operators_in(body_of(header, "mass_matrix")).total(), 0);
-  expect_equal(operators_in(body_of(header, "precompute")), 
-               count(equations.program(), kernels[0].values(), Occasion::parameters), "M");
+  expect_equal(operators_in(body_of(header, "precompute")),
+               count(equations.program(), kernel.values(), Occasion::parameters), "M");
 }
 
 TEST(Header, IsTheSameForTheSameScene) {
   const auto header = [] {
-    const Equations equations(spatial_arm());
-    return emit_header(equations, kernels_of(equations, "all"));
+    return emit_header(spatial_arm(), parse_kernel_list("all"));
   };
   const std::string first = header();
   const std::vector<std::string> disturbance(1000, std::string(100, 'x'));  // other addresses for the second
@@ -122,8 +122,7 @@ std::string fingerprint_in(const std::string& header) {
 }
 
 TEST(Header, HasTheFingerprintOfItsTextBelowTheHead) {
-  const Equations equations(block_of("2", ""));
-  std::string header = emit_header(equations, kernels_of(equations, "bias,mass_matrix"));
+  std::string header = emit_header(block_of("2", ""), parse_kernel_list("bias,mass_matrix"));
   const std::string fingerprint = fingerprint_in(header);
   header.replace(header.find(fingerprint), 16, 16, '0');
   // FNV-1a with 64 bits: http://www.isthe.com/chongo/tech/comp/fnv/, offset basis and prime in decimal as given there.
@@ -138,16 +137,14 @@ TEST(Header, HasTheFingerprintOfItsTextBelowTheHead) {
 
 TEST(Header, HasAnotherFingerprintForAnotherMassButNotForAnotherTitle) {
   const auto fingerprint = [](const Scene& scene) {
-    const Equations equations(scene);
-    return fingerprint_in(emit_header(equations, kernels_of(equations, "mass_matrix")));
+    return fingerprint_in(emit_header(scene, parse_kernel_list("mass_matrix")));
   };
   EXPECT_EQ(fingerprint(block_of("2", "A block")), fingerprint(block_of("2", "The same")));
   EXPECT_NE(fingerprint(block_of("2", "A block")), fingerprint(block_of("2.5", "A block")));
 }
 
 TEST(Header, HasOnlyTheKernelsAskedFor) {
-  const Equations equations(spatial_arm());
-  const std::string header = emit_header(equations, kernels_of(equations, "bias,constraints"));
+  const std::string header = emit_header(spatial_arm(), parse_kernel_list("bias,constraints"));
   EXPECT_NE(header.find("static void bias("), std::string::npos);
   EXPECT_EQ(header.find("mass_matrix"), std::string::npos);
   EXPECT_EQ(header.find("struct Constraints"), std::string::npos);
@@ -158,8 +155,7 @@ TEST(Header, HasOnlyTheKernelsAskedFor) {
 
 TEST(Header, CountsFirstIntegralsWhereThereAreNoneToo) {
   const auto has = [](const Scene& scene, const std::string& kernels, const std::string& text) {
-    const Equations equations(scene);
-    return emit_header(equations, kernels_of(equations, kernels)).find(text) != std::string::npos;
+    return emit_header(scene, parse_kernel_list(kernels)).find(text) != std::string::npos;
   };
   // The pendulum has friction and keeps nothing; the arm keeps nothing it was asked for.
   EXPECT_TRUE(has(testing_scenes::golden_pendulum(), "first_integrals", "int first_integral_count = 0;"));
@@ -169,23 +165,20 @@ TEST(Header, CountsFirstIntegralsWhereThereAreNoneToo) {
 TEST(Header, KeepsTheParametersItIsAskedToKeep) {
   ModelOptions options;
   options.run_time = {"mass"};
-  const Equations some(testing_scenes::golden_pendulum(), options);
-  const std::string with_mass = emit_header(some, kernels_of(some, "bias"), {options});
+  const std::string with_mass = emit_header(testing_scenes::golden_pendulum(), parse_kernel_list("bias"), options);
   EXPECT_NE(with_mass.find("// Parameters set at run time: length, friction, mass\n"), std::string::npos);
   EXPECT_NE(with_mass.find("--kernels bias --run-time mass --output"), std::string::npos);
   EXPECT_NE(with_mass.find("= parameters.mass;"), std::string::npos);
 
   ModelOptions everything;
   everything.all_run_time = true;
-  const Equations all(testing_scenes::golden_pendulum(), everything);
-  const std::string with_all = emit_header(all, kernels_of(all, "bias"), {everything});
+  const std::string with_all = emit_header(testing_scenes::golden_pendulum(), parse_kernel_list("bias"), everything);
   EXPECT_NE(with_all.find("parameter_count = 4;"), std::string::npos);
   EXPECT_NE(with_all.find("--run-time all"), std::string::npos);
 }
 
 TEST(Header, LeavesArgumentsWithoutUseUnnamed) {
-  const Equations equations(testing_scenes::golden_pendulum());
-  const std::string header = emit_header(equations, kernels_of(equations, "mass_matrix"));
+  const std::string header = emit_header(testing_scenes::golden_pendulum(), parse_kernel_list("mass_matrix"));
   EXPECT_NE(header.find("mass_matrix(const Precomputed& precomputed, const State&,\n"
                         "      std::array<Scalar, 1>& mass) noexcept"),
             std::string::npos);
@@ -199,7 +192,7 @@ TEST(Header, RefusesNamesThatCppDoesNotTake) {
                Inertia::point(Expression::quantity("1", "kg")));
     const Equations equations(scene);
     try {
-      emit_header(equations, kernels_of(equations, "mass_matrix"));
+      emit_header(equations.scene(), parse_kernel_list("mass_matrix"));
     } catch (const SceneError& error) {
       return error.what();
     }
@@ -212,18 +205,21 @@ TEST(Header, RefusesNamesThatCppDoesNotTake) {
 }
 
 TEST(Header, GivesAQuaternionsComponentsNoUnitOfAnAngle) {
-  const Equations equations(testing_mechanisms::torque_free_body());
-  const std::string header = emit_header(equations, kernels_of(equations, "mass_matrix"));
+  const std::string header = emit_header(testing_mechanisms::torque_free_body(), parse_kernel_list("mass_matrix"));
   EXPECT_NE(header.find("    Scalar e_w;  ///< component of a unit quaternion [1]\n"), std::string::npos) << header;
   EXPECT_NE(header.find("    Scalar e_omega_x;  ///< angular velocity, in moving axes [rad/s]\n"), std::string::npos);
 }
 
 TEST(Header, RefusesAKernelThatReadsWhatItIsNotGiven) {
   const Equations equations(spatial_arm());
-  Kernel kernel = make_kernel("inverse_dynamics", equations);
-  kernel.arguments.clear();
+  Program& program = equations.program();
+  const Kernel kernel = make_kernel("inverse_dynamics", equations);
+  const Layout layout{equations.model().positions(), {}, {}, {}, {}, {}};
+  const Schedule schedule = make_schedule(program, kernel.values());
+  Request request;
+  for (const Assignment& each : kernel.assignments) request.results.push_back({each.target, each.value});
   try {
-    emit_header(equations, {kernel});
+    lower(program, schedule.function, request, {&layout, &schedule, kernel.name});
     FAIL() << "the accelerations are not among the arguments";
   } catch (const Error& error) {
     EXPECT_NE(std::string(error.what()).find("the kernel 'inverse_dynamics' needs"), std::string::npos) << error.what();

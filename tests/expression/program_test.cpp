@@ -254,5 +254,40 @@ TEST(ProgramResolver, ReplacesSymbolsAndTheirRates) {
   EXPECT_TRUE((program.symbol(q.a) - twice).is_zero());
 }
 
+/// All that a program says of its definitions.
+std::string written(Program& program) {
+  std::string text;
+  for (std::size_t k = 0; k < program.size(); ++k) {
+    const auto atom = static_cast<Atom>(k);
+    text += label(program, atom) + " = " + to_string(Value(program, program[atom].polynomial, Unit())) +
+            "\n";
+  }
+  return text;
+}
+
+TEST_F(ProgramTest, ForgetsWhatItIsToldToForget) {
+  program.bind(lower(x + y));
+  program.sin(program.bind(lower(x + y)));
+  const std::size_t kept = program.size();
+  const auto derive = [this] {
+    program.bind(lower(x * z + y));
+    program.bind(lower(sin(z) * cos(x + y) + sqrt(z)));
+    program.bind_apart(lower(x + z), "apart");
+    program.argument(program[program.sin(-lower(z * x - y)).polynomial().terms()[0].monomial[0].atom], 0);
+    return written(program);
+  };
+  const std::string first = derive();
+  ASSERT_GT(program.size(), kept);
+  program.truncate(kept);
+  EXPECT_EQ(program.size(), kept);
+  EXPECT_FALSE(program.find(z.as_symbol()));
+  // Something else first, and forgotten too: nothing of it is found again.
+  program.bind(lower(z + x * y));
+  program.cos(lower(z));
+  program.truncate(kept);
+  EXPECT_EQ(derive(), first);
+  EXPECT_EQ(program.bind(lower(y + x)).atom(), program.bind(lower(x + y)).atom());
+}
+
 }  // namespace
 }  // namespace torsor::program_test

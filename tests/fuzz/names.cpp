@@ -42,8 +42,7 @@ Scene named_by(std::string_view input) {
 void name_everything(std::string_view input) {
   try {
     const Scene scene = named_by(input);
-    const Equations equations(scene);
-    expect_source_text(emit_header(equations, {make_kernel("mass_matrix", equations)}));
+    expect_source_text(emit_header(scene, {"mass_matrix"}));
     expect_clean_text(print_equations(scene, Format::text));
     expect_clean_text(print_equations(scene, Format::latex));
     expect_clean_text(list_text(scene));

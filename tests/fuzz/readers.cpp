@@ -26,8 +26,7 @@ void read_robot(std::string_view input) {
     const Scene scene = read_urdf_text(input, "robot.urdf", options).scene;
     // What is read is derived now and then only: it takes a hundred times as long.
     if (input.size() > 20000 || input.size() % 16 != 0) return;
-    const Equations equations(scene);
-    expect_source_text(emit_header(equations, {make_kernel("inverse_dynamics", equations)}));
+    expect_source_text(emit_header(scene, {"inverse_dynamics"}));
   } catch (const Error& refusal) {
     expect_message(refusal.what());
   }

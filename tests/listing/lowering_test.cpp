@@ -15,8 +15,8 @@ class LoweredFunction : public testing::Test {
     std::vector<Value> values;
     for (const Wanted& each : request.results) values.push_back(each.value);
     for (const auto& [pivot, diagonal] : request.pivots) values.push_back(pivot), values.push_back(diagonal);
-    schedule_ = make_schedule(program_, {values});
-    return lower(program_, schedule_.functions[0], request, {&layout_, &schedule_, "tested"});
+    schedule_ = make_schedule(program_, values);
+    return lower(program_, schedule_.function, request, {&layout_, &schedule_, "tested"});
   }
   SymbolPointer symbol(const Expression& expression) { return expression.as_symbol(); }
 

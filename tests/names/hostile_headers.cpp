@@ -55,12 +55,7 @@ class Builder {
     }
   }
 
-  std::string header(const Names& asked) const {
-    const Equations equations(scene_);
-    std::vector<Kernel> all;
-    for (const std::string& kernel : asked) all.push_back(make_kernel(kernel, equations));
-    return emit_header(equations, all);
-  }
+  std::string header(const Names& asked) const { return emit_header(scene_, asked); }
 
  private:
   Expression moving(const std::string& name, const std::string& frame, const std::string& body, const Expression& mass) {
@@ -136,8 +131,7 @@ class Writer {
         Scene scene(name);
         const Expression x = scene.coordinate("x", "m");
         scene.body("block", scene.prismatic("slide", scene.ground(), axis::x, x), Inertia::point(Expression::quantity("1", "kg")));
-        const Equations equations(scene);
-        const std::string text = emit_header(equations, {make_kernel("mass_matrix", equations)});
+        const std::string text = emit_header(scene, {"mass_matrix"});
         all += all.empty() ? text : text.substr(text.find("\nnamespace " + name + " {"));
         instances += "template struct " + name + "::Mechanism<double>;\n";
       } catch (const Error&) {

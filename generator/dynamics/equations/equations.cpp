@@ -39,16 +39,22 @@ int cost_of(const Program& program, const ForwardSolution& solution) {
 Equations::Equations(const Scene& scene, const ModelOptions& options)
     : scene_(scene),
       program_(std::make_unique<Program>(Model::resolver(scene_, options), options.passes)),
-      model_(scene_, *program_, options) {}
+      model_(scene_, *program_, options),
+      size_of_model_(program_->size()) {}
+
+void Equations::start_over() const {
+  derived_ = Derived();
+  program_->truncate(size_of_model_);
+}
 
 const AppliedActions& Equations::actions() const {
-  if (!actions_) actions_ = applied_actions(model_);
-  return *actions_;
+  if (!derived_.actions) derived_.actions = applied_actions(model_);
+  return *derived_.actions;
 }
 
 const std::vector<ConstraintRow>& Equations::constraints() const {
-  if (!constraints_) constraints_ = constraint_rows(model_);
-  return *constraints_;
+  if (!derived_.constraints) derived_.constraints = constraint_rows(model_);
+  return *derived_.constraints;
 }
 
 const ConstraintRank& Equations::redundancy() const {
@@ -60,17 +66,17 @@ const ConstraintRank& Equations::redundancy() const {
 }
 
 const ValueMatrix& Equations::mass() const {
-  if (!mass_) {
-    mass_ = mass_matrix(model_);
+  if (!derived_.mass) {
+    derived_.mass = mass_matrix(model_);
     // Coordinates may uncouple (a centre of mass and what moves about it) where joint by joint nothing says so.
-    if (few_unknowns()) clear_vanishing(*mass_);
+    if (few_unknowns()) clear_vanishing(*derived_.mass);
   }
-  return *mass_;
+  return *derived_.mass;
 }
 
 const std::vector<int>& Equations::massless() const {
-  if (!massless_) massless_ = scene_.content().keeps_massless ? massless_coordinates(*this) : std::vector<int>();
-  return *massless_;
+  if (!derived_.massless) derived_.massless = scene_.content().keeps_massless ? massless_coordinates(*this) : std::vector<int>();
+  return *derived_.massless;
 }
 
 bool Equations::few_unknowns() const { return model_.unknown_count() <= most_for_parts; }
@@ -85,15 +91,15 @@ std::vector<Value> Equations::inertia_and_passive(AccelerationInput input) const
 }
 
 const std::vector<Value>& Equations::bias() const {
-  if (!bias_) {
-    bias_ = inertia_and_passive(AccelerationInput::zero);
-    if (few_unknowns()) clear_vanishing(*bias_);
+  if (!derived_.bias) {
+    derived_.bias = inertia_and_passive(AccelerationInput::zero);
+    if (few_unknowns()) clear_vanishing(*derived_.bias);
   }
-  return *bias_;
+  return *derived_.bias;
 }
 
 const std::vector<Value>& Equations::inverse_dynamics() const {
-  if (!inverse_) {
+  if (!derived_.inverse) {
     std::vector<Value> forces = inertia_and_passive(AccelerationInput::symbols);
     const auto of_unknowns = [this](const std::vector<Value>& all) {
       return count(*program_, {all.begin(), all.begin() + model_.unknown_count()}).total();
@@ -108,9 +114,9 @@ const std::vector<Value>& Equations::inverse_dynamics() const {
         if (!row.column[i].is_zero()) forces[i] -= row.column[i] * lambda;
       }
     }
-    inverse_ = std::move(forces);
+    derived_.inverse = std::move(forces);
   }
-  return *inverse_;
+  return *derived_.inverse;
 }
 
 std::vector<Value> Equations::expanded_inverse_dynamics(const std::vector<Value>& recursive) const {
@@ -161,7 +167,7 @@ ForwardSolution Equations::cheapest_forward() const {
 }
 
 const ForwardSolution& Equations::forward() const {
-  if (forward_) return *forward_;
+  if (derived_.forward) return *derived_.forward;
   require_mass(*this);
   ForwardMethod method = model_.options().forward;
   const auto joints = constraints().empty() ? joint_coordinates(model_) : std::nullopt;
@@ -169,8 +175,8 @@ const ForwardSolution& Equations::forward() const {
     method = forward_method_that_keeps_digits(scene_, model_.options());
   }
   switch (method) {
-    case ForwardMethod::cheapest: forward_ = cheapest_forward(); break;
-    case ForwardMethod::factorisation: forward_ = forward_by_factorisation(); break;
+    case ForwardMethod::cheapest: derived_.forward = cheapest_forward(); break;
+    case ForwardMethod::factorisation: derived_.forward = forward_by_factorisation(); break;
     case ForwardMethod::articulated_body:
       if (!recursion_possible()) {
         throw UsageError(
@@ -178,7 +184,7 @@ const ForwardSolution& Equations::forward() const {
                         "constraints in which each coordinate is the displacement of one joint",
                         scene_.name()));
       }
-      forward_ = forward_by_recursion();
+      derived_.forward = forward_by_recursion();
       break;
     case ForwardMethod::sums_of_squares:
       if (!joints) {
@@ -187,10 +193,10 @@ const ForwardSolution& Equations::forward() const {
                         "constraints, with as many joints as coordinates, their displacements linear in these",
                         scene_.name()));
       }
-      forward_ = factored_forward(model_, *joints, efforts(), actions().wrenches);
+      derived_.forward = factored_forward(model_, *joints, efforts(), actions().wrenches);
       break;
   }
-  return *forward_;
+  return *derived_.forward;
 }
 
 Value Equations::power() const {
@@ -203,7 +209,7 @@ Value Equations::power() const {
 }
 
 const MotionSolver& Equations::solver() const {
-  if (!solver_) {
+  if (!derived_.solver) {
     require_mass(*this);
     const auto unknowns = [this](const std::vector<Value>& all) {
       return std::vector<Value>(all.begin(), all.begin() + model_.unknown_count());
@@ -217,9 +223,9 @@ const MotionSolver& Equations::solver() const {
       columns.push_back(unknowns(row.column));
     }
     const ValueMatrix& matrix = mass();
-    solver_.emplace(*program_, matrix, std::move(jacobian), columns, friction);
+    derived_.solver.emplace(*program_, matrix, std::move(jacobian), columns, friction);
   }
-  return *solver_;
+  return *derived_.solver;
 }
 
 ForwardSolution Equations::solve(const std::vector<Value>& force, const std::vector<Value>& gamma) const {
@@ -234,17 +240,17 @@ ForwardSolution Equations::solve(const std::vector<Value>& force, const std::vec
 }
 
 const ForwardSolution& Equations::forward_by_factorisation() const {
-  if (factored_) return *factored_;
+  if (derived_.factored) return *derived_.factored;
   std::vector<Value> force = of_inputs();
   for (std::size_t i = 0; i < force.size(); ++i) force[i] = program_->bind(force[i] - bias()[i]);
   std::vector<Value> gamma;
   for (const ConstraintRow& row : constraints()) gamma.push_back(row.gamma);
-  factored_ = solve(force, gamma);
+  derived_.factored = solve(force, gamma);
   if (constraints().empty() && has_simple_joints(model_)) {
     ForwardSolution other = forward_about_reference();
-    if (cost_of(*program_, other) < cost_of(*program_, *factored_)) factored_ = std::move(other);
+    if (cost_of(*program_, other) < cost_of(*program_, *derived_.factored)) derived_.factored = std::move(other);
   }
-  return *factored_;
+  return *derived_.factored;
 }
 
 ForwardSolution Equations::forward_about_reference() const {

@@ -19,6 +19,10 @@ class Equations {
  public:
   explicit Equations(const Scene& scene, const ModelOptions& options = {});
 
+  /// Forgets all that was derived, as if nothing had been asked for yet: what is derived next does not depend on what
+  /// was derived before. Values of these equations must not be used any more.
+  void start_over() const;
+
   const Scene& scene() const { return scene_; }
   Program& program() const { return *program_; }
   const Model& model() const { return model_; }
@@ -64,17 +68,23 @@ class Equations {
   /// q̈ = q̈_r + M⁻¹ (E u + Q − P(q̈_r)), q̈_r of reference_motion: less to compute than the bias.
   ForwardSolution forward_about_reference() const;
 
+  /// What has been derived.
+  struct Derived {
+    std::optional<AppliedActions> actions;
+    std::optional<std::vector<ConstraintRow>> constraints;
+    std::optional<ValueMatrix> mass;
+    std::optional<std::vector<int>> massless;
+    std::optional<std::vector<Value>> bias, inverse;
+    std::optional<MotionSolver> solver;
+    std::optional<ForwardSolution> forward, factored;
+  };
+
   Scene scene_;
   std::unique_ptr<Program> program_;
   Model model_;
-  mutable std::optional<AppliedActions> actions_;
-  mutable std::optional<std::vector<ConstraintRow>> constraints_;
-  mutable std::optional<ConstraintRank> redundancy_;
-  mutable std::optional<ValueMatrix> mass_;
-  mutable std::optional<std::vector<int>> massless_;
-  mutable std::optional<std::vector<Value>> bias_, inverse_;
-  mutable std::optional<MotionSolver> solver_;
-  mutable std::optional<ForwardSolution> forward_, factored_;
+  std::size_t size_of_model_;  ///< of the program, before anything else was derived
+  mutable Derived derived_;
+  mutable std::optional<ConstraintRank> redundancy_;  ///< found in a program of its own
 };
 
 /// Operations of everything that the kernel computes, what it tests included.
