@@ -7,8 +7,8 @@
 // Parameters set at run time: none
 //
 // Operations in the text of each function (a sine-cosine pair counts 2 in the total; not in it is what a Status
-// costs, one multiplication for each result and for each pivot tested); before: without inertia moved across
-// joints, products that sums share, factoring, and what is done once for a set of parameters:
+// costs, one multiplication for each result and for each pivot tested); before: without products that sums
+// share, factoring, and what is done once for a set of parameters:
 //   function          additions  multiplications  divisions  square roots  sine-cosine pairs  others  total  before
 //   kinematics                4                5          0             0                  1       0     11      11
 //   mass_matrix               0                2          0             0                  1       0      4       4
@@ -18,7 +18,7 @@
 //   energy                    6               11          0             0                  1       0     19      21
 //   first_integrals           6               11          0             0                  1       0     19      21
 //   constraints               2                6          0             0                  1       0     10      10
-//   linearisation            27               58          5             0                  1       0     92      97
+//   linearisation            27               58          5             0                  1       0     92      94
 //
 // Not computed because this mechanism does not need it:
 //   kinematics: of 33 results 17 vanish identically, 2 repeat another up to sign
@@ -508,7 +508,7 @@ struct Mechanism {
 
   static constexpr const char* name = "chaplygin_sleigh";
   /// 64 bits (FNV-1a) of this file from "#pragma once" on, with zeros in their own place: another mechanism, other bits.
-  static constexpr unsigned long long fingerprint = 0xc321f3736980d6e0ULL;
+  static constexpr unsigned long long fingerprint = 0xb9ce95bfffa77b38ULL;
   static constexpr int coordinate_count = 3;
   static constexpr int velocity_count = 3;
   static constexpr int input_count = 0;
@@ -779,16 +779,16 @@ struct Mechanism {
     const Scalar q_phi = state.q.phi;
     Scalar s_phi, c_phi;
     traits::sincos(q_phi, s_phi, c_phi);
-    const Scalar z0 = n0_5 * c_phi;
-    const Scalar z1 = n0_5 * s_phi;
+    const Scalar z0 = n0_5 * s_phi;
+    const Scalar z1 = n0_5 * c_phi;
     mass[0] = n1;
     mass[1] = n0;
-    mass[2] = -z1;
+    mass[2] = -z0;
     mass[3] = n0;
     mass[4] = n1;
-    mass[5] = z0;
-    mass[6] = -z1;
-    mass[7] = z0;
+    mass[5] = z1;
+    mass[6] = -z0;
+    mass[7] = z1;
     mass[8] = n0_75;
   }
 
@@ -984,8 +984,8 @@ struct Mechanism {
     const Scalar z0 = v_phi * v_phi;
     const Scalar z1 = n0_5 * a_phi;  // force on sleigh, y
     const Scalar z2 = v_phi * s_phi;
-    const Scalar z3 = a_x * c_phi;
-    const Scalar z4 = v_phi * c_phi;
+    const Scalar z3 = v_phi * c_phi;
+    const Scalar z4 = a_x * c_phi;
     const Scalar z5 = v_x * c_phi + v_y * s_phi;
     const Scalar z6 = n0_5 * z0;  // force on sleigh, x
     const Scalar z7 = n1 / c_phi;
@@ -1001,18 +1001,18 @@ struct Mechanism {
     const Scalar z17 = c_phi * c_phi;
     const Scalar z18 = c_phi * z15;
     const Scalar z19 = s_phi * z15;
-    const Scalar z20 = a_y * s_phi + z3;
-    const Scalar z21 = a_y * c_phi - z8;
-    const Scalar z22 = v_x * z4 + v_y * z2;
-    const Scalar z23 = v_x * z2 - v_y * z4;
-    const Scalar z24 = n0_75 * a_phi + n0_5 * z21;  // moment on sleigh, z
+    const Scalar z20 = v_x * z3 + v_y * z2;
+    const Scalar z21 = a_y * s_phi + z4;
+    const Scalar z22 = a_y * c_phi - z8;
+    const Scalar z23 = v_x * z2 - v_y * z3;
+    const Scalar z24 = n0_75 * a_phi + n0_5 * z22;  // moment on sleigh, z
     const Scalar z25 = a_x - z11;  // force on along_y, x
     const Scalar z26 = a_y - z10;  // force on along_y, y
     const Scalar z27 = c_phi * l_N + z10;
     const Scalar z28 = s_phi * l_N - z11;
-    const Scalar z29 = n0_5 * z20;
-    const Scalar z30 = a_y * c_phi - z8 - z22;
-    const Scalar z31 = a_y * s_phi + z3 - z23;
+    const Scalar z29 = n0_5 * z21;
+    const Scalar z30 = a_y * c_phi - z8 - z20;
+    const Scalar z31 = a_y * s_phi + z4 - z23;
     const Scalar z32 = a_x - z11 + s_phi * z26 / c_phi;
     const Scalar z33 = s_phi * z7;
     const Scalar z34 = z5 * z7;

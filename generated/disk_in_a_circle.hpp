@@ -7,15 +7,15 @@
 // Parameters set at run time: rho
 //
 // Operations in the text of each function (a sine-cosine pair counts 2 in the total; not in it is what a Status
-// costs, one multiplication for each result and for each pivot tested); before: without inertia moved across
-// joints, products that sums share, factoring, and what is done once for a set of parameters:
+// costs, one multiplication for each result and for each pivot tested); before: without products that sums
+// share, factoring, and what is done once for a set of parameters:
 //   function          additions  multiplications  divisions  square roots  sine-cosine pairs  others  total  before
 //   precompute                1                4          2             0                  0       0      7       -
 //   kinematics               16               34          0             0                  3       0     56      56
 //   mass_matrix               1                3          0             0                  1       0      6      11
-//   bias                      4               15          0             0                  1       0     21      54
-//   inverse_dynamics         20               29          0             0                  2       0     53      93
-//   forward_dynamics         25               64          3             0                  2       0     96     132
+//   bias                      4               15          0             0                  1       0     21      25
+//   inverse_dynamics         20               29          0             0                  2       0     53      58
+//   forward_dynamics         25               64          3             0                  2       0     96     104
 //   energy                   14               28          0             0                  3       0     48      58
 //   constraints              16               30          0             0                  2       0     50      50
 //
@@ -505,7 +505,7 @@ struct Mechanism {
 
   static constexpr const char* name = "disk_in_a_circle";
   /// 64 bits (FNV-1a) of this file from "#pragma once" on, with zeros in their own place: another mechanism, other bits.
-  static constexpr unsigned long long fingerprint = 0x72da09d0d6e9bd82ULL;
+  static constexpr unsigned long long fingerprint = 0xab393b9bd8c100e1ULL;
   static constexpr int coordinate_count = 6;
   static constexpr int velocity_count = 6;
   static constexpr int input_count = 0;
@@ -638,11 +638,11 @@ struct Mechanism {
   /// Parameters and what depends on them only: built once for each set of parameters.
   struct Precomputed {
     Parameters parameters;
-    Scalar m0;
-    Scalar m1;
-    Scalar m2;
-    Scalar m3;
-    Scalar m4;
+    Scalar m_f6014e73;
+    Scalar m_d93ea422;
+    Scalar m_c5c6887b;
+    Scalar m_0d712a8b;
+    Scalar m_2db39225;
   };
 
   /// Values of the scene.
@@ -666,11 +666,11 @@ struct Mechanism {
     const Scalar z2 = z0 - z1;
     const Scalar z3 = n1 / z1;
     const Scalar z4 = n1 / z0;
-    precomputed.m0 = z0;
-    precomputed.m1 = z1;
-    precomputed.m2 = z2;
-    precomputed.m3 = z3;
-    precomputed.m4 = z4;
+    precomputed.m_f6014e73 = z0;
+    precomputed.m_d93ea422 = z1;
+    precomputed.m_c5c6887b = z2;
+    precomputed.m_0d712a8b = z3;
+    precomputed.m_2db39225 = z4;
     return precomputed;
   }
 
@@ -847,9 +847,9 @@ struct Mechanism {
     const Scalar n1 = traits::constant(1.0, 1.0f, "1/1");
     const Scalar n0 = traits::constant(0.0, 0.0f, "0/1");
     const Scalar q_theta = state.q.theta;
-    const Scalar m0 = precomputed.m0;
-    const Scalar m1 = precomputed.m1;
-    const Scalar m2 = precomputed.m2;
+    const Scalar m0 = precomputed.m_f6014e73;
+    const Scalar m1 = precomputed.m_d93ea422;
+    const Scalar m2 = precomputed.m_c5c6887b;
     Scalar s_theta, c_theta;
     traits::sincos(q_theta, s_theta, c_theta);
     const Scalar z0 = c_theta * m2;
@@ -904,20 +904,20 @@ struct Mechanism {
     const Scalar q_theta = state.q.theta;
     const Scalar v_theta = state.v.theta;
     const Scalar v_phi = state.v.phi;
-    const Scalar m0 = precomputed.m0;
-    const Scalar m1 = precomputed.m1;
+    const Scalar m0 = precomputed.m_f6014e73;
+    const Scalar m1 = precomputed.m_d93ea422;
     Scalar s_theta, c_theta;
     traits::sincos(q_theta, s_theta, c_theta);
     const Scalar z0 = v_psi * c_theta;
     const Scalar z1 = v_psi * s_theta;
-    const Scalar z2 = v_phi + z0;
-    const Scalar z3 = v_theta * z0;  // angular acceleration of disk.2, y
-    const Scalar z4 = v_theta * z1;  // angular acceleration of disk.2, z
+    const Scalar z2 = v_theta * z0;  // angular acceleration of disk.2, y
+    const Scalar z3 = v_theta * z1;  // angular acceleration of disk.2, z
+    const Scalar z4 = v_phi + z0;  // angular velocity of disk, z
     const Scalar z5 = z1 * z0;
-    const Scalar z6 = z1 * z2;
-    const Scalar z7 = v_theta * z2;
-    const Scalar z8 = m1 * z4;  // moment on disk, z
-    const Scalar z9 = n2 * z3;
+    const Scalar z6 = z1 * z4;
+    const Scalar z7 = v_theta * z4;
+    const Scalar z8 = m1 * z3;  // moment on disk, z
+    const Scalar z9 = n2 * z2;
     const Scalar z10 = m1 * z6;  // moment on disk, x
     const Scalar z11 = m1 * z7;  // moment on disk, y
     const Scalar z12 = m0 * z5 - z10;  // moment on disk.2, x
@@ -950,8 +950,8 @@ struct Mechanism {
     const Scalar l_N = multipliers.N;
     const Scalar l_X = multipliers.X;
     const Scalar l_Y = multipliers.Y;
-    const Scalar m0 = precomputed.m0;
-    const Scalar m1 = precomputed.m1;
+    const Scalar m0 = precomputed.m_f6014e73;
+    const Scalar m1 = precomputed.m_d93ea422;
     const Scalar angles_[] = {q_psi, q_theta};
     Scalar sines_[2], cosines_[2];
     torsor::sines_and_cosines(angles_, sines_, cosines_);
@@ -964,27 +964,27 @@ struct Mechanism {
     const Scalar z4 = s_theta * p_rho;
     const Scalar z5 = c_theta * p_rho;
     const Scalar z6 = n9_81 + a_z;
-    const Scalar z7 = v_phi + z1;
-    const Scalar z8 = v_theta * z1;  // angular acceleration of disk.2, y
-    const Scalar z9 = z0 * z1;
-    const Scalar z10 = v_theta * z1 + z3;  // angular acceleration of disk.2, y
-    const Scalar z11 = v_theta * z0 - z2;  // angular acceleration of disk.2, z
+    const Scalar z7 = v_theta * z1 + z3;  // angular acceleration of disk.2, y
+    const Scalar z8 = v_theta * z0 - z2;  // angular acceleration of disk.2, z
+    const Scalar z9 = v_phi + z1;  // angular velocity of disk, z
+    const Scalar z10 = z0 * z1;
+    const Scalar z11 = v_theta * z1;
     const Scalar z12 = s_theta * z4 + c_theta * z5;
-    const Scalar z13 = z0 * z7;
-    const Scalar z14 = v_theta * z7;
-    const Scalar z15 = a_phi - z11;  // angular acceleration of disk, z
-    const Scalar z16 = z8 + z10;
+    const Scalar z13 = z0 * z9;
+    const Scalar z14 = v_theta * z9;
+    const Scalar z15 = a_phi - z8;  // angular acceleration of disk, z
+    const Scalar z16 = z7 + z11;
     const Scalar z17 = m1 * z13;  // moment on disk, x
     const Scalar z18 = m1 * z14;  // moment on disk, y
     const Scalar z19 = m1 * z15;  // moment on disk, z
-    const Scalar z20 = m0 * (a_theta - z9) + z17;  // moment on disk.2, x
+    const Scalar z20 = m0 * (a_theta - z10) + z17;  // moment on disk.2, x
     const Scalar z21 = m0 * z16 - z18;  // moment on disk.2, y
     const Scalar z22 = c_theta * z19 + s_theta * z21;
     forces.x = a_x + s_psi * l_Y - c_psi * l_X;
     forces.y = a_y - s_psi * l_X - c_psi * l_Y;
     forces.z = z6 - l_N;
     forces.psi = z22 - z5 * l_X;
-    forces.theta = -z4 * l_Y + z20 + z5 * l_N;
+    forces.theta = z20 + z5 * l_N - z4 * l_Y;
     forces.phi = z19 - z12 * l_X;
   }
 
@@ -1009,11 +1009,11 @@ struct Mechanism {
     const Scalar v_theta = state.v.theta;
     const Scalar v_phi = state.v.phi;
     const Scalar p_rho = precomputed.parameters.rho;
-    const Scalar m0 = precomputed.m0;
-    const Scalar m1 = precomputed.m1;
-    const Scalar m2 = precomputed.m2;
-    const Scalar m3 = precomputed.m3;
-    const Scalar m4 = precomputed.m4;
+    const Scalar m0 = precomputed.m_f6014e73;
+    const Scalar m1 = precomputed.m_d93ea422;
+    const Scalar m2 = precomputed.m_c5c6887b;
+    const Scalar m3 = precomputed.m_0d712a8b;
+    const Scalar m4 = precomputed.m_2db39225;
     const Scalar angles_[] = {q_psi, q_theta};
     Scalar sines_[2], cosines_[2];
     torsor::sines_and_cosines(angles_, sines_, cosines_);
@@ -1031,42 +1031,42 @@ struct Mechanism {
     const Scalar z9 = c_theta * m1;
     const Scalar z10 = v_psi * (v_x * s_psi - v_y * c_psi);
     const Scalar z11 = c_theta * m2;
-    const Scalar z12 = v_phi + z2;
-    const Scalar z13 = c_theta * z11 - m0;
-    const Scalar z14 = v_theta * z2;  // angular acceleration of disk.2, y
-    const Scalar z15 = v_theta * z3;  // angular acceleration of disk.2, z
-    const Scalar z16 = z3 * z2;
-    const Scalar z17 = p_rho * z7;
-    const Scalar z18 = v_theta * z5;
-    const Scalar z19 = s_theta * z0 + c_theta * z1;
+    const Scalar z12 = p_rho * z7;
+    const Scalar z13 = v_theta * z5;
+    const Scalar z14 = s_theta * z0 + c_theta * z1;
+    const Scalar z15 = v_theta * z2;  // angular acceleration of disk.2, y
+    const Scalar z16 = v_theta * z3;  // angular acceleration of disk.2, z
+    const Scalar z17 = v_phi + z2;  // angular velocity of disk, z
+    const Scalar z18 = z3 * z2;
+    const Scalar z19 = c_theta * z11 - m0;
     const Scalar z20 = z9 * m3;
     const Scalar z21 = z1 * m4;
     const Scalar z22 = z0 * m4;
-    const Scalar z23 = z3 * z12;
-    const Scalar z24 = v_theta * z12;
-    const Scalar z25 = m1 * z15;  // moment on disk, z
-    const Scalar z26 = n2 * z14;
-    const Scalar z27 = p_rho * z18;
-    const Scalar z28 = v_x * z4 + v_y * z6 - v_theta * z17;
+    const Scalar z23 = p_rho * z13;
+    const Scalar z24 = v_x * z4 + v_y * z6 - v_theta * z12;
+    const Scalar z25 = z3 * z17;
+    const Scalar z26 = v_theta * z17;
+    const Scalar z27 = m1 * z16;  // moment on disk, z
+    const Scalar z28 = n2 * z15;
     const Scalar z29 = n1 / z8;
     const Scalar z30 = n1 + z1 * z21;
     const Scalar z31 = z0 * z21;
     const Scalar z32 = n1 + z0 * z22;
-    const Scalar z33 = m1 * z23;  // moment on disk, x
-    const Scalar z34 = m1 * z24;  // moment on disk, y
-    const Scalar z35 = z19 * m3;
+    const Scalar z33 = m1 * z25;  // moment on disk, x
+    const Scalar z34 = m1 * z26;  // moment on disk, y
+    const Scalar z35 = z14 * m3;
     const Scalar z36 = n1 / z32;
     const Scalar z37 = n1_over_3 * z10;
     const Scalar z38 = n3 + z30 + z32;
-    const Scalar z39 = m0 * z16 - z33;  // moment on disk.2, x
-    const Scalar z40 = m0 * z26 - z34;  // moment on disk.2, y
+    const Scalar z39 = m0 * z18 - z33;  // moment on disk.2, x
+    const Scalar z40 = m0 * z28 - z34;  // moment on disk.2, y
     const Scalar z41 = s_theta * z40;
     const Scalar z42 = z39 * m4;
     const Scalar z43 = n4096 * z38;
     const Scalar z44 = z29 * z41;
-    const Scalar z45 = n9_81 - z27 + z1 * z42;
-    const Scalar z46 = z0 * z42 - z28;
-    const Scalar z47 = z25 * m3 + z20 * z44;
+    const Scalar z45 = n9_81 - z23 + z1 * z42;
+    const Scalar z46 = z0 * z42 - z24;
+    const Scalar z47 = z27 * m3 + z20 * z44;
     const Scalar z48 = z31 * z36;
     const Scalar z49 = z30 - z31 * z48;
     const Scalar z50 = z48 * z46 - z45;
@@ -1087,7 +1087,7 @@ struct Mechanism {
     multipliers.N = -z53;
     multipliers.X = z37;
     multipliers.Y = -z54;
-    if (!(traits::regular(z8, -z13) && traits::regular(m0, m0) && traits::regular(m1, m1) && traits::regular(z49, z43)
+    if (!(traits::regular(z8, -z19) && traits::regular(m0, m0) && traits::regular(m1, m1) && traits::regular(z49, z43)
         && traits::regular(z32, z43))) return torsor::Status::singular;
     // 0 x is 0 for every finite x and not a number for any other.
     const Scalar zero = n0 * accelerations.x * accelerations.y * accelerations.z * accelerations.psi
@@ -1112,8 +1112,8 @@ struct Mechanism {
     const Scalar v_theta = state.v.theta;
     const Scalar q_phi = state.q.phi;
     const Scalar v_phi = state.v.phi;
-    const Scalar m0 = precomputed.m0;
-    const Scalar m1 = precomputed.m1;
+    const Scalar m0 = precomputed.m_f6014e73;
+    const Scalar m1 = precomputed.m_d93ea422;
     const Scalar angles_[] = {q_psi, q_theta, q_phi};
     Scalar sines_[3], cosines_[3];
     torsor::sines_and_cosines(angles_, sines_, cosines_);
@@ -1126,7 +1126,7 @@ struct Mechanism {
     const Scalar z3 = v_psi * c_theta;
     const Scalar z4 = v_theta * c_phi + s_phi * z2;
     const Scalar z5 = v_theta * s_phi - c_phi * z2;
-    const Scalar z6 = v_phi + z3;
+    const Scalar z6 = v_phi + z3;  // angular velocity of disk, z
     const Scalar z7 = v_z * s_theta - c_theta * z0;
     const Scalar z8 = v_z * c_theta + s_theta * z0;
     const Scalar z9 = c_phi * z1 + s_phi * z7;

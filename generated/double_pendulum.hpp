@@ -7,23 +7,23 @@
 // Parameters set at run time: none
 //
 // Operations in the text of each function (a sine-cosine pair counts 2 in the total; not in it is what a Status
-// costs, one multiplication for each result and for each pivot tested); before: without inertia moved across
-// joints, products that sums share, factoring, and what is done once for a set of parameters:
+// costs, one multiplication for each result and for each pivot tested); before: without products that sums
+// share, factoring, and what is done once for a set of parameters:
 //   function                             additions  multiplications  divisions  square roots  sine-cosine pairs  others  total  before
 //   kinematics                                   4                4          0             0                  2       0     12      12
 //   mass_matrix                                  1                0          0             0                  1       0      3       3
-//   bias                                         4                8          0             0                  2       0     16      23
-//   inverse_dynamics                            10                9          0             0                  2       0     23      26
-//   forward_dynamics                             7               12          1             0                  2       0     24      31
+//   bias                                         4                8          0             0                  2       0     16      16
+//   inverse_dynamics                            10                9          0             0                  2       0     23      24
+//   forward_dynamics                             7               12          1             0                  2       0     24      24
 //   energy                                       6                8          0             0                  3       0     20      24
 //   first_integrals                              7                8          0             0                  3       0     21      25
-//   linearisation                               26               32          1             0                  2       0     63      89
-//   inverse_dynamics_derivatives                13               15          0             0                  2       0     32      56
-//   forward_dynamics_derivatives                24               36          1             0                  2       0     65     103
+//   linearisation                               26               32          1             0                  2       0     63      66
+//   inverse_dynamics_derivatives                13               15          0             0                  2       0     32      34
+//   forward_dynamics_derivatives                24               36          1             0                  2       0     65      67
 //   regressor                                    7               12          0             0                  2       0     23      23
 //   jets                                        32               41          1             0                  2       0     78       -
-//   inverse_dynamics_second_derivatives         15               16          0             0                  2       0     35      59
-//   forward_dynamics_second_derivatives         56               72          1             0                  2       0    133     180
+//   inverse_dynamics_second_derivatives         15               16          0             0                  2       0     35      37
+//   forward_dynamics_second_derivatives         56               72          1             0                  2       0    133     145
 //
 // Not computed because this mechanism does not need it:
 //   kinematics: of 36 results 16 vanish identically, 6 repeat another up to sign
@@ -631,7 +631,7 @@ struct Mechanism {
 
   static constexpr const char* name = "double_pendulum";
   /// 64 bits (FNV-1a) of this file from "#pragma once" on, with zeros in their own place: another mechanism, other bits.
-  static constexpr unsigned long long fingerprint = 0xf447ba3b8324585fULL;
+  static constexpr unsigned long long fingerprint = 0xe10a64ea4ae07a8cULL;
   static constexpr int coordinate_count = 2;
   static constexpr int velocity_count = 2;
   static constexpr int input_count = 0;
@@ -976,9 +976,9 @@ struct Mechanism {
     const Scalar z5 = n9_81 * s_theta_1;
     const Scalar z6 = v_theta_2 * v_theta_2;
     const Scalar z7 = a_theta_2 * z2 + z1 * z6;
-    const Scalar z8 = z3 + z4;
-    const Scalar z9 = a_theta_1 + z5;
-    const Scalar z10 = z1 * z8 - z2 * z9;
+    const Scalar z8 = a_theta_1 + z5;
+    const Scalar z9 = z3 + z4;
+    const Scalar z10 = z1 * z9 - z2 * z8;
     const Scalar z11 = a_theta_2 - z10;  // moment on lower, z
     const Scalar z12 = n2 * (a_theta_1 + z5) + z7 + z11;  // moment on upper, z
     const Scalar z13 = z11 - z12;
@@ -1106,11 +1106,11 @@ struct Mechanism {
     const Scalar z11 = z1 * z9;
     const Scalar z12 = n2 * v_theta_2;
     const Scalar z13 = z1 * z12;
-    const Scalar z14 = z4 + z5;
-    const Scalar z15 = a_theta_1 + z3;
-    const Scalar z16 = z1 * z14 - z2 * z15;
-    const Scalar z17 = z1 * z15 + z2 * z14;
-    const Scalar z18 = z1 * (z3 - z15) + z2 * (z4 - z14);
+    const Scalar z14 = a_theta_1 + z3;
+    const Scalar z15 = z4 + z5;
+    const Scalar z16 = z1 * z15 - z2 * z14;
+    const Scalar z17 = z1 * z14 + z2 * z15;
+    const Scalar z18 = z1 * (z3 - z14) + z2 * (z4 - z15);
     const Scalar z19 = z2 * z11;
     const Scalar z20 = n1 / z7;
     const Scalar z21 = a_theta_2 - z16;  // moment on lower, z
@@ -1122,7 +1122,7 @@ struct Mechanism {
     const Scalar z27 = z18 - z24;
     const Scalar z28 = z2 * z17 + z25;
     const Scalar z29 = z20 * z19;
-    const Scalar z30 = z20 * z13;
+    const Scalar z30 = z13 * z20;
     const Scalar z31 = z2 * z18 + z27;
     const Scalar z32 = z2 * z29 + z11;
     const Scalar z33 = z20 * z28;
@@ -1196,10 +1196,10 @@ struct Mechanism {
     const Scalar z9 = a_theta_2 * z1 - z2 * z6;
     const Scalar z10 = z1 * z7;
     const Scalar z11 = z1 * z8;
-    const Scalar z12 = z4 + z5;
-    const Scalar z13 = a_theta_1 + z3;
-    const Scalar z14 = z1 * z13 + z2 * z12;
-    const Scalar z15 = z1 * (z3 - z13) + z2 * (z4 - z12);
+    const Scalar z12 = a_theta_1 + z3;
+    const Scalar z13 = z4 + z5;
+    const Scalar z14 = z1 * z12 + z2 * z13;
+    const Scalar z15 = z1 * (z3 - z12) + z2 * (z4 - z13);
     const Scalar z16 = z14 + z9;
     const Scalar z17 = n2 * z4 - z9 + z15;
     const Scalar z18 = z14 - z16;
@@ -1250,15 +1250,15 @@ struct Mechanism {
     const Scalar z18 = z2 * z14 + z15;
     const Scalar z19 = z17 * z18;
     const Scalar z20 = z17 * z16;
-    const Scalar z21 = z17 * z12;
-    const Scalar z22 = z2 * z17;
+    const Scalar z21 = z2 * z17;
+    const Scalar z22 = z12 * z17;
     const Scalar z23 = z2 * z19 + z14;
-    const Scalar z24 = z2 * z20 + z10;
-    const Scalar z25 = z2 * z21;
-    const Scalar z26 = z7 - z19;
-    const Scalar z27 = n1 + z2 * z22;
-    const Scalar z28 = z2 * (z3 - z13) + z1 * (z7 - z26);
-    const Scalar z29 = z2 * z13 + z1 * z26;
+    const Scalar z24 = z7 - z19;
+    const Scalar z25 = z2 * z20 + z10;
+    const Scalar z26 = z2 * z22;
+    const Scalar z27 = n1 + z2 * z21;
+    const Scalar z28 = z2 * (z3 - z13) + z1 * (z7 - z24);
+    const Scalar z29 = z2 * z13 + z1 * z24;
     const Scalar z30 = z1 * z23 - z2 * z6;
     const Scalar z31 = n2 * z3 + z28 - z30;
     const Scalar z32 = z30 + z29;
@@ -1275,12 +1275,12 @@ struct Mechanism {
     result.by_position[2] = z37;
     result.by_position[3] = -z39;
     result.by_velocity[0] = -z20;
-    result.by_velocity[1] = z24;
-    result.by_velocity[2] = -z21;
-    result.by_velocity[3] = z25;
+    result.by_velocity[1] = z25;
+    result.by_velocity[2] = -z22;
+    result.by_velocity[3] = z26;
     result.by_force[0] = z17;
-    result.by_force[1] = -z22;
-    result.by_force[2] = -z22;
+    result.by_force[1] = -z21;
+    result.by_force[2] = -z21;
     result.by_force[3] = z27;
     if (!(traits::regular(z5, n2))) return torsor::Status::singular;
     // 0 x is 0 for every finite x and not a number for any other.
@@ -1314,21 +1314,21 @@ struct Mechanism {
     const Scalar z4 = n9_81 * c_theta_1;
     const Scalar z5 = v_theta_1 * v_theta_1;
     const Scalar z6 = v_theta_2 * v_theta_2;
-    const Scalar z7 = a_theta_2 * z2 + z1 * z6;
-    const Scalar z8 = a_theta_2 * z1 - z2 * z6;
-    const Scalar z9 = z4 + z5;
-    const Scalar z10 = a_theta_1 + z3;
-    const Scalar z11 = z1 * z9 - z2 * z10;
-    const Scalar z12 = z1 * z10 + z2 * z9;
+    const Scalar z7 = a_theta_2 * z1 - z2 * z6;
+    const Scalar z8 = a_theta_2 * z2 + z1 * z6;
+    const Scalar z9 = a_theta_1 + z3;
+    const Scalar z10 = z4 + z5;
+    const Scalar z11 = z1 * z10 - z2 * z9;
+    const Scalar z12 = z1 * z9 + z2 * z10;
     result.Y[0] = z4;
     result.Y[1] = n0;
     result.Y[2] = -z3;
     result.Y[3] = n0;
     result.Y[4] = a_theta_1;
     result.Y[5] = n0;
-    result.Y[6] = z8;
+    result.Y[6] = z7;
     result.Y[7] = z12;
-    result.Y[8] = -z7;
+    result.Y[8] = -z8;
     result.Y[9] = z11;
     result.Y[10] = n0;
     result.Y[11] = a_theta_2;
@@ -1463,10 +1463,10 @@ struct Mechanism {
     const Scalar z10 = z2 * z7;
     const Scalar z11 = z2 * z8;
     const Scalar z12 = n2 * z1;
-    const Scalar z13 = z3 + z4;
-    const Scalar z14 = a_theta_1 + z5;
-    const Scalar z15 = z1 * z13 - z2 * z14;
-    const Scalar z16 = z1 * (z3 - z13) - z2 * (z5 - z14);
+    const Scalar z13 = a_theta_1 + z5;
+    const Scalar z14 = z3 + z4;
+    const Scalar z15 = z1 * z14 - z2 * z13;
+    const Scalar z16 = z1 * (z3 - z14) - z2 * (z5 - z13);
     const Scalar z17 = z15 - z9;
     const Scalar z18 = n2 * z5 + z9 + z16;
     const Scalar z19 = z9 + z16;
@@ -1554,21 +1554,21 @@ struct Mechanism {
     const Scalar z27 = z2 * z15;
     const Scalar z28 = z20 * z15;
     const Scalar z29 = z20 * z27;
-    const Scalar z30 = z2 * z24 + z10;
-    const Scalar z31 = z2 * z25;
-    const Scalar z32 = z7 + z23;
+    const Scalar z30 = z7 + z23;
+    const Scalar z31 = z2 * z24 + z10;
+    const Scalar z32 = z2 * z25;
     const Scalar z33 = z1 * z24 - z13;
     const Scalar z34 = z1 * z25;
     const Scalar z35 = z2 * z28;
     const Scalar z36 = z2 * z29 + z15;
-    const Scalar z37 = z2 * (z3 - z16) + z1 * (z7 - z32);
-    const Scalar z38 = z2 * z16 + z1 * z32;
-    const Scalar z39 = z1 * (z3 - z16) - z2 * (z7 - z32);
-    const Scalar z40 = z2 * z32 - z17;
-    const Scalar z41 = z1 * z31 - z14;
+    const Scalar z37 = z2 * (z3 - z16) + z1 * (z7 - z30);
+    const Scalar z38 = z2 * z16 + z1 * z30;
+    const Scalar z39 = z1 * (z3 - z16) - z2 * (z7 - z30);
+    const Scalar z40 = z2 * z30 - z17;
+    const Scalar z41 = z1 * z32 - z14;
     const Scalar z42 = z2 * z6 + z1 * z26;
     const Scalar z43 = z2 * z26 - z8;
-    const Scalar z44 = z1 * z30;
+    const Scalar z44 = z1 * z31;
     const Scalar z45 = z2 * z33 + z44;
     const Scalar z46 = z2 * z34 + z41;
     const Scalar z47 = z42 - z38;

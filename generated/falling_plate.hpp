@@ -7,19 +7,19 @@
 // Parameters set at run time: b, A, B, F
 //
 // Operations in the text of each function (a sine-cosine pair counts 2 in the total; not in it is what a Status
-// costs, one multiplication for each result and for each pivot tested); before: without inertia moved across
-// joints, products that sums share, factoring, and what is done once for a set of parameters:
+// costs, one multiplication for each result and for each pivot tested); before: without products that sums
+// share, factoring, and what is done once for a set of parameters:
 //   function          additions  multiplications  divisions  square roots  sine-cosine pairs  others  total  before
 //   precompute                9                4          0             0                  0       0     13       -
 //   kinematics               12               28          0             0                  2       0     44      46
 //   mass_matrix               3                7          0             0                  1       0     12      21
-//   bias                     14               39          0             0                  1       0     55      70
-//   inverse_dynamics         21               48          0             0                  1       0     71      89
-//   forward_dynamics         20               50          2             0                  1       0     74      92
+//   bias                     14               39          0             0                  1       0     55      66
+//   inverse_dynamics         21               48          0             0                  1       0     71      86
+//   forward_dynamics         20               50          2             0                  1       0     74      89
 //   energy                   15               30          0             0                  2       0     49      59
 //   first_integrals          19               36          0             0                  2       0     59      70
-//   reactions                16               30          0             0                  2       0     50      79
-//   linearisation            73              149          2             0                  1       0    226     280
+//   reactions                16               30          0             0                  2       0     50      61
+//   linearisation            73              149          2             0                  1       0    226     255
 //
 // Not computed because this mechanism does not need it:
 //   kinematics: of 18 results 1 vanish identically
@@ -509,7 +509,7 @@ struct Mechanism {
 
   static constexpr const char* name = "falling_plate";
   /// 64 bits (FNV-1a) of this file from "#pragma once" on, with zeros in their own place: another mechanism, other bits.
-  static constexpr unsigned long long fingerprint = 0xbb98ee445cd89163ULL;
+  static constexpr unsigned long long fingerprint = 0x17772a8c8b911377ULL;
   static constexpr int coordinate_count = 4;
   static constexpr int velocity_count = 4;
   static constexpr int input_count = 0;
@@ -626,13 +626,13 @@ struct Mechanism {
   /// Parameters and what depends on them only: built once for each set of parameters.
   struct Precomputed {
     Parameters parameters;
-    Scalar m0;
-    Scalar m1;
-    Scalar m2;
-    Scalar m3;
-    Scalar m4;
-    Scalar m5;
-    Scalar m6;
+    Scalar m_de226596;
+    Scalar m_a8188141;
+    Scalar m_b5f0de83;
+    Scalar m_c70c1f0e;
+    Scalar m_8204775b;
+    Scalar m_6f102224;
+    Scalar m_96015fcf;
   };
 
   /// Values of the scene.
@@ -667,13 +667,13 @@ struct Mechanism {
     const Scalar z6 = z1 - z4;
     const Scalar z7 = z5 - z6;
     const Scalar z8 = n2 * p_b;
-    precomputed.m0 = z0;
-    precomputed.m1 = z1;
-    precomputed.m2 = z2;
-    precomputed.m3 = z5;
-    precomputed.m4 = z6;
-    precomputed.m5 = z7;
-    precomputed.m6 = z8;
+    precomputed.m_de226596 = z0;
+    precomputed.m_a8188141 = z1;
+    precomputed.m_b5f0de83 = z2;
+    precomputed.m_c70c1f0e = z5;
+    precomputed.m_8204775b = z6;
+    precomputed.m_6f102224 = z7;
+    precomputed.m_96015fcf = z8;
     return precomputed;
   }
 
@@ -834,9 +834,9 @@ struct Mechanism {
     const Scalar p_b = precomputed.parameters.b;
     const Scalar q_beta = state.q.beta;
     const Scalar p_F = precomputed.parameters.F;
-    const Scalar m0 = precomputed.m0;
-    const Scalar m1 = precomputed.m1;
-    const Scalar m2 = precomputed.m2;
+    const Scalar m0 = precomputed.m_de226596;
+    const Scalar m1 = precomputed.m_a8188141;
+    const Scalar m2 = precomputed.m_b5f0de83;
     Scalar s_beta, c_beta;
     traits::sincos(q_beta, s_beta, c_beta);
     const Scalar z0 = s_beta * m2;
@@ -878,27 +878,27 @@ struct Mechanism {
     const Scalar q_beta = state.q.beta;
     const Scalar v_beta = state.v.beta;
     const Scalar p_F = precomputed.parameters.F;
-    const Scalar m3 = precomputed.m3;
-    const Scalar m4 = precomputed.m4;
-    const Scalar m5 = precomputed.m5;
+    const Scalar m0 = precomputed.m_c70c1f0e;
+    const Scalar m1 = precomputed.m_8204775b;
+    const Scalar m2 = precomputed.m_6f102224;
     Scalar s_beta, c_beta;
     traits::sincos(q_beta, s_beta, c_beta);
     const Scalar z0 = s_beta * v_beta;
     const Scalar z1 = c_beta * v_beta;
     const Scalar z2 = p_b * c_beta;
-    const Scalar z3 = v_alpha * s_beta;
-    const Scalar z4 = v_alpha * v_alpha;
+    const Scalar z3 = v_alpha * v_alpha;
+    const Scalar z4 = v_alpha * s_beta;
     const Scalar z5 = v_alpha * c_beta;
     const Scalar z6 = v_beta * v_beta;
     const Scalar z7 = p_b * s_beta;
     const Scalar z8 = v_beta * z1;
     const Scalar z9 = n2 * v_alpha * p_b * z0;
     const Scalar z10 = v_beta * z5;  // angular acceleration of plate, y
-    const Scalar z11 = v_beta * z3;  // angular acceleration of plate, z
+    const Scalar z11 = v_beta * z4;  // angular acceleration of plate, z
     const Scalar z12 = z5 * z5;
-    const Scalar z13 = z3 * z5;
-    const Scalar z14 = z3 * z3;
-    const Scalar z15 = z2 * z4 + p_b * z8;
+    const Scalar z13 = z4 * z5;
+    const Scalar z14 = z4 * z4;
+    const Scalar z15 = z2 * z3 + p_b * z8;
     const Scalar z16 = n2 * z11;
     const Scalar z17 = z12 + z6;
     const Scalar z18 = n2 * z10;
@@ -906,12 +906,12 @@ struct Mechanism {
     const Scalar z20 = p_b * z13;  // force on plate, z
     const Scalar z21 = p_b * z16;  // force on plate, x
     const Scalar z22 = p_b * z17;  // force on plate, y
-    const Scalar z23 = p_F * z13 + m3 * z18;  // moment on plate, y
-    const Scalar z24 = p_b * z9 + p_F * z19 - m4 * z16;  // moment on plate, z
+    const Scalar z23 = p_F * z13 + m0 * z18;  // moment on plate, y
+    const Scalar z24 = p_b * z9 + p_F * z19 - m1 * z16;  // moment on plate, z
     const Scalar z25 = n9_81 * c_beta - s_beta * z15;
     const Scalar z26 = s_beta * z20 + c_beta * z22;
     const Scalar z27 = z9 - z21;  // force on foot, x
-    const Scalar z28 = p_b * z25 - z13 * m5;  // moment on plate, x
+    const Scalar z28 = p_b * z25 - z13 * m2;  // moment on plate, x
     const Scalar z29 = z15 - z26;  // force on foot, y
     const Scalar z30 = s_beta * z23 + c_beta * z24;
     const Scalar z31 = z2 * z27 - z30;  // moment on turned, z
@@ -936,56 +936,56 @@ struct Mechanism {
     const Scalar v_beta = state.v.beta;
     const Scalar a_beta = accelerations.beta;
     const Scalar p_F = precomputed.parameters.F;
-    const Scalar m0 = precomputed.m0;
-    const Scalar m1 = precomputed.m1;
-    const Scalar m2 = precomputed.m2;
-    const Scalar m3 = precomputed.m3;
-    const Scalar m4 = precomputed.m4;
-    const Scalar m5 = precomputed.m5;
+    const Scalar m0 = precomputed.m_de226596;
+    const Scalar m1 = precomputed.m_a8188141;
+    const Scalar m2 = precomputed.m_b5f0de83;
+    const Scalar m3 = precomputed.m_c70c1f0e;
+    const Scalar m4 = precomputed.m_8204775b;
+    const Scalar m5 = precomputed.m_6f102224;
     Scalar s_beta, c_beta;
     traits::sincos(q_beta, s_beta, c_beta);
     const Scalar z0 = s_beta * v_beta;
     const Scalar z1 = c_beta * v_beta;
     const Scalar z2 = p_b * c_beta;
-    const Scalar z3 = v_alpha * s_beta;
-    const Scalar z4 = v_alpha * v_alpha;
+    const Scalar z3 = v_alpha * v_alpha;
+    const Scalar z4 = v_alpha * s_beta;
     const Scalar z5 = v_alpha * c_beta;
     const Scalar z6 = v_beta * v_beta;
     const Scalar z7 = s_beta * m2;
     const Scalar z8 = p_b * s_beta;
     const Scalar z9 = s_beta * p_F;
-    const Scalar z10 = s_beta * z7;
-    const Scalar z11 = z8 * z8;
-    const Scalar z12 = v_beta * z1;
-    const Scalar z13 = n2 * v_alpha * p_b * z0;
-    const Scalar z14 = v_beta * z5;  // angular acceleration of plate, y
-    const Scalar z15 = v_beta * z3;  // angular acceleration of plate, z
-    const Scalar z16 = z5 * z5;
-    const Scalar z17 = z3 * z5;
-    const Scalar z18 = z3 * z3;
-    const Scalar z19 = m1 + z10;
-    const Scalar z20 = m0 - z11;
-    const Scalar z21 = z2 * z4 + p_b * z12;
-    const Scalar z22 = n2 * z15;
-    const Scalar z23 = z16 + z6;
-    const Scalar z24 = n2 * z14;
-    const Scalar z25 = z6 - z18;
-    const Scalar z26 = p_b * z17;  // force on plate, z
-    const Scalar z27 = z2 * z2 - z19;
-    const Scalar z28 = p_b * z22;  // force on plate, x
-    const Scalar z29 = p_b * z23;  // force on plate, y
-    const Scalar z30 = p_F * z17 + m3 * z24;  // moment on plate, y
-    const Scalar z31 = p_b * z13 + p_F * z25 - m4 * z22;  // moment on plate, z
-    const Scalar z32 = n9_81 * c_beta - s_beta * z21;
-    const Scalar z33 = s_beta * z26 + c_beta * z29;
-    const Scalar z34 = z13 - z28;  // force on foot, x
-    const Scalar z35 = p_b * z32 - m5 * z17;  // moment on plate, x
-    const Scalar z36 = z21 - z33;  // force on foot, y
+    const Scalar z10 = v_beta * z4;
+    const Scalar z11 = z5 * z5;
+    const Scalar z12 = z4 * z5;
+    const Scalar z13 = v_beta * z5;
+    const Scalar z14 = z4 * z4;
+    const Scalar z15 = s_beta * z7;
+    const Scalar z16 = z8 * z8;
+    const Scalar z17 = v_beta * z1;
+    const Scalar z18 = n2 * v_alpha * p_b * z0;
+    const Scalar z19 = z11 + z6;
+    const Scalar z20 = z6 - z14;
+    const Scalar z21 = m1 + z15;
+    const Scalar z22 = m0 - z16;
+    const Scalar z23 = z2 * z3 + p_b * z17;
+    const Scalar z24 = n2 * z10;
+    const Scalar z25 = n2 * z13;
+    const Scalar z26 = p_b * z12;  // force on plate, z
+    const Scalar z27 = p_b * z19;  // force on plate, y
+    const Scalar z28 = z2 * z2 - z21;
+    const Scalar z29 = p_b * z24;  // force on plate, x
+    const Scalar z30 = p_F * z12 + m3 * z25;  // moment on plate, y
+    const Scalar z31 = p_b * z18 + p_F * z20 - m4 * z24;  // moment on plate, z
+    const Scalar z32 = n9_81 * c_beta - s_beta * z23;
+    const Scalar z33 = s_beta * z26 + c_beta * z27;
+    const Scalar z34 = z18 - z29;  // force on foot, x
+    const Scalar z35 = p_b * z32 - m5 * z12;  // moment on plate, x
+    const Scalar z36 = z23 - z33;  // force on foot, y
     const Scalar z37 = s_beta * z30 + c_beta * z31;
     const Scalar z38 = z2 * z34 - z37;  // moment on turned, z
     const Scalar z39 = z8 * z36 + z35;
-    const Scalar z40 = z38 + a_alpha * z27 - a_beta * z9;
-    const Scalar z41 = z39 + a_alpha * z9 + a_beta * z20;
+    const Scalar z40 = z38 + a_alpha * z28 - a_beta * z9;
+    const Scalar z41 = z39 + a_alpha * z9 + a_beta * z22;
     forces.x = a_x;
     forces.y = a_y;
     forces.alpha = -z40;
@@ -1006,12 +1006,12 @@ struct Mechanism {
     const Scalar q_beta = state.q.beta;
     const Scalar v_beta = state.v.beta;
     const Scalar p_F = precomputed.parameters.F;
-    const Scalar m0 = precomputed.m0;
-    const Scalar m1 = precomputed.m1;
-    const Scalar m2 = precomputed.m2;
-    const Scalar m3 = precomputed.m3;
-    const Scalar m4 = precomputed.m4;
-    const Scalar m5 = precomputed.m5;
+    const Scalar m0 = precomputed.m_de226596;
+    const Scalar m1 = precomputed.m_a8188141;
+    const Scalar m2 = precomputed.m_b5f0de83;
+    const Scalar m3 = precomputed.m_c70c1f0e;
+    const Scalar m4 = precomputed.m_8204775b;
+    const Scalar m5 = precomputed.m_6f102224;
     Scalar s_beta, c_beta;
     traits::sincos(q_beta, s_beta, c_beta);
     const Scalar z0 = p_b * s_beta;
@@ -1019,44 +1019,44 @@ struct Mechanism {
     const Scalar z2 = s_beta * v_beta;
     const Scalar z3 = c_beta * v_beta;
     const Scalar z4 = p_b * c_beta;
-    const Scalar z5 = v_alpha * s_beta;
-    const Scalar z6 = v_alpha * v_alpha;
+    const Scalar z5 = v_alpha * v_alpha;
+    const Scalar z6 = v_alpha * s_beta;
     const Scalar z7 = v_alpha * c_beta;
     const Scalar z8 = v_beta * v_beta;
     const Scalar z9 = s_beta * p_F;
-    const Scalar z10 = s_beta * z1;
-    const Scalar z11 = z0 * z0;
-    const Scalar z12 = v_beta * z3;
-    const Scalar z13 = n2 * v_alpha * p_b * z2;
-    const Scalar z14 = v_beta * z7;  // angular acceleration of plate, y
-    const Scalar z15 = v_beta * z5;  // angular acceleration of plate, z
-    const Scalar z16 = z7 * z7;
-    const Scalar z17 = z5 * z7;
-    const Scalar z18 = z5 * z5;
-    const Scalar z19 = m1 + z10;
-    const Scalar z20 = m0 - z11;
-    const Scalar z21 = z4 * z6 + p_b * z12;
-    const Scalar z22 = n2 * z15;
-    const Scalar z23 = z16 + z8;
-    const Scalar z24 = n2 * z14;
-    const Scalar z25 = z8 - z18;
-    const Scalar z26 = p_b * z17;  // force on plate, z
-    const Scalar z27 = z4 * z4 - z19;
-    const Scalar z28 = p_b * z22;  // force on plate, x
-    const Scalar z29 = p_b * z23;  // force on plate, y
-    const Scalar z30 = p_F * z17 + m3 * z24;  // moment on plate, y
-    const Scalar z31 = p_b * z13 + p_F * z25 - m4 * z22;  // moment on plate, z
-    const Scalar z32 = n1 / z20;
-    const Scalar z33 = n9_81 * c_beta - s_beta * z21;
-    const Scalar z34 = s_beta * z26 + c_beta * z29;
-    const Scalar z35 = z13 - z28;  // force on foot, x
-    const Scalar z36 = p_b * z33 - m5 * z17;  // moment on plate, x
-    const Scalar z37 = z21 - z34;  // force on foot, y
-    const Scalar z38 = s_beta * z30 + c_beta * z31;
+    const Scalar z10 = v_beta * z3;
+    const Scalar z11 = n2 * v_alpha * p_b * z2;
+    const Scalar z12 = v_beta * z7;  // angular acceleration of plate, y
+    const Scalar z13 = v_beta * z6;  // angular acceleration of plate, z
+    const Scalar z14 = z7 * z7;
+    const Scalar z15 = z6 * z7;
+    const Scalar z16 = z6 * z6;
+    const Scalar z17 = s_beta * z1;
+    const Scalar z18 = z0 * z0;
+    const Scalar z19 = z4 * z5 + p_b * z10;
+    const Scalar z20 = n2 * z13;
+    const Scalar z21 = z14 + z8;
+    const Scalar z22 = n2 * z12;
+    const Scalar z23 = z8 - z16;
+    const Scalar z24 = p_b * z15;  // force on plate, z
+    const Scalar z25 = m1 + z17;
+    const Scalar z26 = m0 - z18;
+    const Scalar z27 = p_b * z20;  // force on plate, x
+    const Scalar z28 = p_b * z21;  // force on plate, y
+    const Scalar z29 = p_F * z15 + m3 * z22;  // moment on plate, y
+    const Scalar z30 = p_b * z11 + p_F * z23 - m4 * z20;  // moment on plate, z
+    const Scalar z31 = z4 * z4 - z25;
+    const Scalar z32 = n1 / z26;
+    const Scalar z33 = n9_81 * c_beta - s_beta * z19;
+    const Scalar z34 = s_beta * z24 + c_beta * z28;
+    const Scalar z35 = z11 - z27;  // force on foot, x
+    const Scalar z36 = p_b * z33 - m5 * z15;  // moment on plate, x
+    const Scalar z37 = z19 - z34;  // force on foot, y
+    const Scalar z38 = s_beta * z29 + c_beta * z30;
     const Scalar z39 = z4 * z35 - z38;  // moment on turned, z
     const Scalar z40 = z0 * z37 + z36;
     const Scalar z41 = z9 * z32;
-    const Scalar z42 = z9 * z41 + z27;
+    const Scalar z42 = z9 * z41 + z31;
     const Scalar z43 = z39 + z40 * z41;
     const Scalar z44 = n1 / z42;
     const Scalar z45 = z44 * z43;
@@ -1065,7 +1065,7 @@ struct Mechanism {
     accelerations.y = n0;
     accelerations.alpha = -z45;
     accelerations.beta = -z46;
-    if (!(traits::regular(-z42, -z27) && traits::regular(z20, z20))) return torsor::Status::singular;
+    if (!(traits::regular(-z42, -z31) && traits::regular(z26, z26))) return torsor::Status::singular;
     // 0 x is 0 for every finite x and not a number for any other.
     const Scalar zero = n0 * accelerations.alpha * accelerations.beta;
     if (!traits::regular(n1, zero)) return torsor::Status::not_finite;
@@ -1087,8 +1087,8 @@ struct Mechanism {
     const Scalar v_beta = state.v.beta;
     const Scalar p_F = precomputed.parameters.F;
     const Scalar p_B = precomputed.parameters.B;
-    const Scalar m0 = precomputed.m0;
-    const Scalar m1 = precomputed.m1;
+    const Scalar m0 = precomputed.m_de226596;
+    const Scalar m1 = precomputed.m_a8188141;
     const Scalar angles_[] = {q_alpha, q_beta};
     Scalar sines_[2], cosines_[2];
     torsor::sines_and_cosines(angles_, sines_, cosines_);
@@ -1096,13 +1096,13 @@ struct Mechanism {
     const Scalar s_beta = sines_[1], c_beta = cosines_[1];
     const Scalar z0 = s_beta * v_beta;
     const Scalar z1 = v_x * s_alpha - v_y * c_alpha;
-    const Scalar z2 = p_b * c_beta;
-    const Scalar z3 = v_x * c_alpha + v_y * s_alpha;
+    const Scalar z2 = v_x * c_alpha + v_y * s_alpha;
+    const Scalar z3 = p_b * c_beta;
     const Scalar z4 = v_alpha * s_beta;
     const Scalar z5 = v_alpha * c_beta;
     const Scalar z6 = p_b * s_beta;
     const Scalar z7 = v_beta * p_F + p_B * z4;
-    const Scalar z8 = v_alpha * z2 + z3;
+    const Scalar z8 = v_alpha * z3 + z2;
     const Scalar z9 = p_b * z0 - z1;  // velocity of foot, y
     const Scalar z10 = c_beta * z9;
     const Scalar z11 = s_beta * z9;
@@ -1129,9 +1129,9 @@ struct Mechanism {
     const Scalar v_beta = state.v.beta;
     const Scalar p_F = precomputed.parameters.F;
     const Scalar p_B = precomputed.parameters.B;
-    const Scalar m0 = precomputed.m0;
-    const Scalar m1 = precomputed.m1;
-    const Scalar m2 = precomputed.m2;
+    const Scalar m0 = precomputed.m_de226596;
+    const Scalar m1 = precomputed.m_a8188141;
+    const Scalar m2 = precomputed.m_b5f0de83;
     const Scalar angles_[] = {q_alpha, q_beta};
     Scalar sines_[2], cosines_[2];
     torsor::sines_and_cosines(angles_, sines_, cosines_);
@@ -1139,26 +1139,26 @@ struct Mechanism {
     const Scalar s_beta = sines_[1], c_beta = cosines_[1];
     const Scalar z0 = s_beta * v_beta;
     const Scalar z1 = v_x * s_alpha - v_y * c_alpha;
-    const Scalar z2 = p_b * c_beta;
-    const Scalar z3 = v_x * c_alpha + v_y * s_alpha;
+    const Scalar z2 = v_x * c_alpha + v_y * s_alpha;
+    const Scalar z3 = p_b * c_beta;
     const Scalar z4 = s_beta * m2;
     const Scalar z5 = v_alpha * s_beta;
     const Scalar z6 = v_alpha * c_beta;
     const Scalar z7 = p_b * s_beta;
     const Scalar z8 = s_beta * p_F;
-    const Scalar z9 = s_beta * z4;
-    const Scalar z10 = v_beta * p_F + p_B * z5;
-    const Scalar z11 = m1 + z9;
-    const Scalar z12 = v_alpha * z2 + z3;
+    const Scalar z9 = v_beta * p_F + p_B * z5;
+    const Scalar z10 = s_beta * z4;
+    const Scalar z11 = m1 + z10;
+    const Scalar z12 = v_alpha * z3 + z2;
     const Scalar z13 = p_b * z0 - z1;  // velocity of foot, y
-    const Scalar z14 = z2 * z2 - z11;
+    const Scalar z14 = z3 * z3 - z11;
     const Scalar z15 = c_beta * z13;
     const Scalar z16 = s_beta * z13;
     const Scalar z17 = p_b * z6 - z12;
     const Scalar z18 = p_b * z12 - m1 * z6;
     const Scalar z19 = p_b * v_beta - z16;
     const Scalar z20 = p_b * z16 - v_beta * m0 - p_F * z5;
-    result.energy = -n0_5 * (z12 * z17 - z5 * z10 - z15 * z15 + z6 * z18 + z16 * z19 + v_beta * z20) + n9_81 * z7;
+    result.energy = -n0_5 * (z12 * z17 - z5 * z9 - z15 * z15 + z6 * z18 + z16 * z19 + v_beta * z20) + n9_81 * z7;
     result.momentum_x = v_x;
     result.momentum_y = v_y;
     result.momentum_alpha = -v_alpha * z14 + v_beta * z8;
@@ -1179,9 +1179,9 @@ struct Mechanism {
     const Scalar v_beta = state.v.beta;
     const Scalar a_beta = accelerations.beta;
     const Scalar p_F = precomputed.parameters.F;
-    const Scalar m3 = precomputed.m3;
-    const Scalar m4 = precomputed.m4;
-    const Scalar m6 = precomputed.m6;
+    const Scalar m0 = precomputed.m_c70c1f0e;
+    const Scalar m1 = precomputed.m_8204775b;
+    const Scalar m2 = precomputed.m_96015fcf;
     const Scalar angles_[] = {q_alpha, q_beta};
     Scalar sines_[2], cosines_[2];
     torsor::sines_and_cosines(angles_, sines_, cosines_);
@@ -1190,29 +1190,29 @@ struct Mechanism {
     const Scalar z0 = v_alpha * s_beta;
     const Scalar z1 = v_alpha * c_beta;
     const Scalar z2 = a_alpha * c_beta;
-    const Scalar z3 = v_beta * v_beta;
-    const Scalar z4 = a_alpha * s_beta;
+    const Scalar z3 = a_alpha * s_beta;
+    const Scalar z4 = v_beta * v_beta;
     const Scalar z5 = s_beta * v_beta;
     const Scalar z6 = a_x * c_alpha + a_y * s_alpha;
     const Scalar z7 = p_b * c_beta;
-    const Scalar z8 = v_beta * z1;  // angular acceleration of plate, y
-    const Scalar z9 = v_beta * z0;  // angular acceleration of plate, z
-    const Scalar z10 = z1 * z1;
-    const Scalar z11 = z0 * z1;
-    const Scalar z12 = z0 * z0;
-    const Scalar z13 = v_beta * z1 + z4;  // angular acceleration of plate, y
-    const Scalar z14 = v_beta * z0 - z2;  // angular acceleration of plate, z
-    const Scalar z15 = z10 + z3;
-    const Scalar z16 = z3 - z12;
-    const Scalar z17 = a_beta + z11;
-    const Scalar z18 = v_alpha * m6 * z5 - z6 - a_alpha * z7;
-    const Scalar z19 = z9 + z14;
+    const Scalar z8 = v_beta * z1 + z3;  // angular acceleration of plate, y
+    const Scalar z9 = v_beta * z0 - z2;  // angular acceleration of plate, z
+    const Scalar z10 = v_beta * z0;
+    const Scalar z11 = z1 * z1;
+    const Scalar z12 = z0 * z1;
+    const Scalar z13 = v_beta * z1;
+    const Scalar z14 = z0 * z0;
+    const Scalar z15 = z11 + z4;
+    const Scalar z16 = a_beta + z12;
+    const Scalar z17 = z4 - z14;
+    const Scalar z18 = v_alpha * m2 * z5 - z6 - a_alpha * z7;
+    const Scalar z19 = z9 + z10;
     const Scalar z20 = z8 + z13;
     const Scalar z21 = p_b * z15;  // force on plate, y
-    const Scalar z22 = p_b * z17;  // force on plate, z
-    const Scalar z23 = p_F * z17 + m3 * z20;  // moment on plate, y
+    const Scalar z22 = p_b * z16;  // force on plate, z
+    const Scalar z23 = p_F * z16 + m0 * z20;  // moment on plate, y
     const Scalar z24 = c_beta * z22 - s_beta * z21;
-    const Scalar z25 = p_F * z16 - m4 * z19 + p_b * z18;  // moment on plate, z
+    const Scalar z25 = p_F * z17 - m1 * z19 + p_b * z18;  // moment on plate, z
     const Scalar z26 = n9_81 + z24;  // force on foot, z
     const Scalar z27 = c_beta * z23 - s_beta * z25;
     result.N = z26;
@@ -1224,8 +1224,8 @@ struct Mechanism {
   TORSOR_DEVICE static torsor::Status linearisation(const Precomputed& precomputed, const State& state,
       const Accelerations& accelerations, const Multipliers&, const Inputs&, Linearisation& result) noexcept {
     const Scalar n2 = traits::constant(2.0, 2.0f, "2/1");
-    const Scalar n1 = traits::constant(1.0, 1.0f, "1/1");
     const Scalar n9_81 = traits::constant(9.81, 9.81f, "981/100");
+    const Scalar n1 = traits::constant(1.0, 1.0f, "1/1");
     const Scalar n0 = traits::constant(0.0, 0.0f, "0/1");
     const Scalar a_x = accelerations.x;
     const Scalar a_y = accelerations.y;
@@ -1236,13 +1236,13 @@ struct Mechanism {
     const Scalar v_beta = state.v.beta;
     const Scalar a_beta = accelerations.beta;
     const Scalar p_F = precomputed.parameters.F;
-    const Scalar m0 = precomputed.m0;
-    const Scalar m1 = precomputed.m1;
-    const Scalar m2 = precomputed.m2;
-    const Scalar m3 = precomputed.m3;
-    const Scalar m4 = precomputed.m4;
-    const Scalar m5 = precomputed.m5;
-    const Scalar m6 = precomputed.m6;
+    const Scalar m0 = precomputed.m_de226596;
+    const Scalar m1 = precomputed.m_a8188141;
+    const Scalar m2 = precomputed.m_b5f0de83;
+    const Scalar m3 = precomputed.m_c70c1f0e;
+    const Scalar m4 = precomputed.m_8204775b;
+    const Scalar m5 = precomputed.m_6f102224;
+    const Scalar m6 = precomputed.m_96015fcf;
     Scalar s_beta, c_beta;
     traits::sincos(q_beta, s_beta, c_beta);
     const Scalar z0 = c_beta * v_beta;
@@ -1256,115 +1256,115 @@ struct Mechanism {
     const Scalar z8 = s_beta * m2;
     const Scalar z9 = n2 * v_alpha;
     const Scalar z10 = s_beta * p_F;
-    const Scalar z11 = c_beta * m2;
-    const Scalar z12 = c_beta * p_F;
-    const Scalar z13 = n2 * v_alpha * p_b * s_beta;
-    const Scalar z14 = s_beta * z8;
-    const Scalar z15 = z4 * z4;
-    const Scalar z16 = v_beta * z0;
-    const Scalar z17 = n2 * v_alpha * p_b * z2;
-    const Scalar z18 = v_beta * z3;  // angular acceleration of plate, y
-    const Scalar z19 = v_beta * z1;  // angular acceleration of plate, z
-    const Scalar z20 = z3 * z3;
-    const Scalar z21 = z1 * z3;
-    const Scalar z22 = z1 * z1;
-    const Scalar z23 = m6 * z2;
-    const Scalar z24 = n2 * z2;
-    const Scalar z25 = n2 * s_beta * z1;
-    const Scalar z26 = c_beta * z1 + s_beta * z3;
-    const Scalar z27 = n2 * z0;
-    const Scalar z28 = z5 * z9;
-    const Scalar z29 = n2 * c_beta * z3;
-    const Scalar z30 = n2 * z1;
-    const Scalar z31 = m1 + z14;
-    const Scalar z32 = m0 - z15;
-    const Scalar z33 = z5 * z6 + p_b * z16;
-    const Scalar z34 = n2 * z19;
-    const Scalar z35 = z20 + z7;
-    const Scalar z36 = n2 * z18;
-    const Scalar z37 = z7 - z22;
-    const Scalar z38 = p_b * z21;  // force on plate, z
-    const Scalar z39 = p_b * z24;
-    const Scalar z40 = p_b * z23 - p_F * z25 - m4 * z24;
-    const Scalar z41 = p_b * z29;
-    const Scalar z42 = s_beta * z28;
+    const Scalar z11 = n2 * v_alpha * p_b * s_beta;
+    const Scalar z12 = c_beta * m2;
+    const Scalar z13 = c_beta * p_F;
+    const Scalar z14 = v_beta * z1;
+    const Scalar z15 = z3 * z3;
+    const Scalar z16 = n2 * v_beta;
+    const Scalar z17 = z1 * z3;
+    const Scalar z18 = v_beta * z3;
+    const Scalar z19 = z1 * z1;
+    const Scalar z20 = s_beta * z8;
+    const Scalar z21 = z4 * z4;
+    const Scalar z22 = v_beta * z0;
+    const Scalar z23 = n2 * v_alpha * p_b * z2;
+    const Scalar z24 = m6 * z2;
+    const Scalar z25 = n2 * z2;
+    const Scalar z26 = n2 * s_beta * z1;
+    const Scalar z27 = c_beta * z1 + s_beta * z3;
+    const Scalar z28 = n2 * z0;
+    const Scalar z29 = z5 * z9;
+    const Scalar z30 = n2 * c_beta * z3;
+    const Scalar z31 = n2 * z1;
+    const Scalar z32 = z15 + z7;
+    const Scalar z33 = n2 * z3;
+    const Scalar z34 = z7 - z19;
+    const Scalar z35 = m1 + z20;
+    const Scalar z36 = m0 - z21;
+    const Scalar z37 = z5 * z6 + p_b * z22;
+    const Scalar z38 = n2 * z14;
+    const Scalar z39 = n2 * z18;
+    const Scalar z40 = p_b * z17;  // force on plate, z
+    const Scalar z41 = p_b * z25;
+    const Scalar z42 = p_b * z24 - p_F * z26 - m4 * z25;
     const Scalar z43 = p_b * z30;
-    const Scalar z44 = z5 * z5 - z31;
-    const Scalar z45 = n2 * v_beta;
-    const Scalar z46 = n2 * z3;
-    const Scalar z47 = p_F * z45 + p_b * z13 - m4 * z30;
-    const Scalar z48 = m3 * z46;
-    const Scalar z49 = p_b * z34;  // force on plate, x
-    const Scalar z50 = p_b * z35;  // force on plate, y
-    const Scalar z51 = p_F * z21 + m3 * z36;  // moment on plate, y
-    const Scalar z52 = p_b * z17 + p_F * z37 - m4 * z34;  // moment on plate, z
-    const Scalar z53 = n1 / z32;
-    const Scalar z54 = z23 - z39;
-    const Scalar z55 = z13 - z43;
-    const Scalar z56 = n9_81 * c_beta - s_beta * z33;
-    const Scalar z57 = z3 * z30;
-    const Scalar z58 = z20 - z22;
-    const Scalar z59 = c_beta * z8 + s_beta * z11;
-    const Scalar z60 = n2 * v_alpha * p_b * z0;
-    const Scalar z61 = s_beta * z48 + c_beta * z47;
-    const Scalar z62 = z17 - z49;  // force on foot, x
-    const Scalar z63 = p_F * z58 - m3 * z34;
-    const Scalar z64 = p_b * z56 - m5 * z21;  // moment on plate, x
-    const Scalar z65 = z5 * z55 - z61;
-    const Scalar z66 = p_b * z45;
-    const Scalar z67 = c_beta * z66;
-    const Scalar z68 = p_b * z42 + m5 * z26;
-    const Scalar z69 = p_b * z60 - p_F * z57 - m4 * z36;
-    const Scalar z70 = c_beta * (z51 + z69) - s_beta * (z52 - z63);
-    const Scalar z71 = s_beta * z51 + c_beta * z52;
-    const Scalar z72 = p_b * z36;
-    const Scalar z73 = z60 - z72;
-    const Scalar z74 = z5 * z62 - z71;  // moment on turned, z
-    const Scalar z75 = s_beta * z38 + c_beta * z50;
-    const Scalar z76 = z33 - z75;  // force on foot, y
-    const Scalar z77 = z74 + a_alpha * z44 - a_beta * z10;
-    const Scalar z78 = z70 + z4 * z62 - z5 * z73;
-    const Scalar z79 = z4 * z76 + z64;
-    const Scalar z80 = v_beta * z2;
-    const Scalar z81 = z4 * z6 + p_b * z80;
-    const Scalar z82 = z79 + a_alpha * z10 + a_beta * z32;
-    const Scalar z83 = p_b * z57;
-    const Scalar z84 = p_b * z58;
-    const Scalar z85 = z4 * z5;
-    const Scalar z86 = n2 * z85;
-    const Scalar z87 = z10 * z53;
-    const Scalar z88 = c_beta * (z38 - z83) - s_beta * (z50 - z84);
-    const Scalar z89 = z10 * z87 + z44;
-    const Scalar z90 = z59 + z86;
-    const Scalar z91 = n2 * (z4 * z5 - z86);
-    const Scalar z92 = z78 + a_beta * z12 + a_alpha * z90;
-    const Scalar z93 = n1 / z89;
-    const Scalar z94 = c_beta * z33 + s_beta * (n9_81 - z81);
-    const Scalar z95 = m5 * z58 + p_b * z94;
-    const Scalar z96 = z81 + z88;
-    const Scalar z97 = m3 * z27 + p_F * z26;
-    const Scalar z98 = s_beta * z97 + c_beta * z40;
-    const Scalar z99 = z95 - z5 * z76 + z4 * z96;
-    const Scalar z100 = p_b * z26;
-    const Scalar z101 = p_b * z27;
-    const Scalar z102 = c_beta * z41 + s_beta * z100;
-    const Scalar z103 = s_beta * z101;
-    const Scalar z104 = z101 - z67;
-    const Scalar z105 = z5 * z54 - z98;
-    const Scalar z106 = z28 - z102;
-    const Scalar z107 = p_b * z103;
-    const Scalar z108 = a_alpha * z12 - z99 + a_beta * z91;
-    const Scalar z109 = z4 * z106 - z68;
-    const Scalar z110 = z4 * z104 - z107;
-    const Scalar z111 = z87 * z110 + z65;
-    const Scalar z112 = z87 * z109 + z105;
-    const Scalar z113 = z87 * z108 - z92;
-    const Scalar z114 = z93 * z111;
-    const Scalar z115 = z93 * z112;
-    const Scalar z116 = z93 * z113;
-    const Scalar z117 = z53 * z110 - z87 * z114;
-    const Scalar z118 = z53 * z109 - z87 * z115;
-    const Scalar z119 = z53 * z108 - z87 * z116;
+    const Scalar z44 = s_beta * z29;
+    const Scalar z45 = p_b * z31;
+    const Scalar z46 = p_F * z16 + p_b * z11 - m4 * z31;
+    const Scalar z47 = m3 * z33;
+    const Scalar z48 = p_b * z32;  // force on plate, y
+    const Scalar z49 = c_beta * z8 + s_beta * z12;
+    const Scalar z50 = n2 * v_alpha * p_b * z0;
+    const Scalar z51 = z4 * z5;
+    const Scalar z52 = n2 * z51;
+    const Scalar z53 = z5 * z5 - z35;
+    const Scalar z54 = z3 * z31;
+    const Scalar z55 = z15 - z19;
+    const Scalar z56 = p_b * z38;  // force on plate, x
+    const Scalar z57 = p_F * z17 + m3 * z39;  // moment on plate, y
+    const Scalar z58 = p_b * z23 + p_F * z34 - m4 * z38;  // moment on plate, z
+    const Scalar z59 = z24 - z41;
+    const Scalar z60 = z11 - z45;
+    const Scalar z61 = p_F * z55 - m3 * z38;
+    const Scalar z62 = s_beta * z47 + c_beta * z46;
+    const Scalar z63 = z23 - z56;  // force on foot, x
+    const Scalar z64 = p_b * z44 + m5 * z27;
+    const Scalar z65 = z49 + z52;
+    const Scalar z66 = p_b * z50 - p_F * z54 - m4 * z39;
+    const Scalar z67 = c_beta * (z57 + z66) - s_beta * (z58 - z61);
+    const Scalar z68 = s_beta * z57 + c_beta * z58;
+    const Scalar z69 = z5 * z60 - z62;
+    const Scalar z70 = p_b * z39;
+    const Scalar z71 = z50 - z70;
+    const Scalar z72 = z5 * z63 - z68;  // moment on turned, z
+    const Scalar z73 = s_beta * z40 + c_beta * z48;
+    const Scalar z74 = z72 + a_alpha * z53 - a_beta * z10;
+    const Scalar z75 = z67 + z4 * z63 - z5 * z71;
+    const Scalar z76 = z37 - z73;  // force on foot, y
+    const Scalar z77 = m3 * z28 + p_F * z27;
+    const Scalar z78 = s_beta * z77 + c_beta * z42;
+    const Scalar z79 = p_b * z27;
+    const Scalar z80 = c_beta * z43 + s_beta * z79;
+    const Scalar z81 = n9_81 * c_beta - s_beta * z37;
+    const Scalar z82 = p_b * z81 - m5 * z17;  // moment on plate, x
+    const Scalar z83 = z29 - z80;
+    const Scalar z84 = z5 * z59 - z78;
+    const Scalar z85 = z75 + a_beta * z13 + a_alpha * z65;
+    const Scalar z86 = z4 * z83 - z64;
+    const Scalar z87 = v_beta * z2;
+    const Scalar z88 = z4 * z6 + p_b * z87;
+    const Scalar z89 = p_b * z54;
+    const Scalar z90 = p_b * z28;
+    const Scalar z91 = p_b * z16;
+    const Scalar z92 = c_beta * z91;
+    const Scalar z93 = n2 * (z4 * z5 - z52);
+    const Scalar z94 = z4 * z76 + z82;
+    const Scalar z95 = z94 + a_alpha * z10 + a_beta * z36;
+    const Scalar z96 = c_beta * z37 + s_beta * (n9_81 - z88);
+    const Scalar z97 = n1 / z36;
+    const Scalar z98 = z90 - z92;
+    const Scalar z99 = m5 * z55 + p_b * z96;
+    const Scalar z100 = p_b * z55;
+    const Scalar z101 = c_beta * (z40 - z89) - s_beta * (z48 - z100);
+    const Scalar z102 = z10 * z97;
+    const Scalar z103 = z10 * z102 + z53;
+    const Scalar z104 = s_beta * z90;
+    const Scalar z105 = p_b * z104;
+    const Scalar z106 = z84 + z86 * z102;
+    const Scalar z107 = z88 + z101;
+    const Scalar z108 = n1 / z103;
+    const Scalar z109 = z4 * z98 - z105;
+    const Scalar z110 = z99 - z5 * z76 + z4 * z107;
+    const Scalar z111 = z69 + z109 * z102;
+    const Scalar z112 = a_alpha * z13 - z110 + a_beta * z93;
+    const Scalar z113 = z108 * z106;
+    const Scalar z114 = z108 * z111;
+    const Scalar z115 = z85 - z112 * z102;
+    const Scalar z116 = z86 * z97 - z102 * z113;
+    const Scalar z117 = z109 * z97 - z102 * z114;
+    const Scalar z118 = z108 * z115;
+    const Scalar z119 = z112 * z97 + z102 * z118;
     result.M[0] = n1;
     result.M[1] = n0;
     result.M[2] = n0;
@@ -1375,12 +1375,12 @@ struct Mechanism {
     result.M[7] = n0;
     result.M[8] = n0;
     result.M[9] = n0;
-    result.M[10] = -z44;
+    result.M[10] = -z53;
     result.M[11] = z10;
     result.M[12] = n0;
     result.M[13] = n0;
     result.M[14] = z10;
-    result.M[15] = z32;
+    result.M[15] = z36;
     result.C[0] = n0;
     result.C[1] = n0;
     result.C[2] = n0;
@@ -1391,12 +1391,12 @@ struct Mechanism {
     result.C[7] = n0;
     result.C[8] = n0;
     result.C[9] = n0;
-    result.C[10] = -z105;
-    result.C[11] = z109;
+    result.C[10] = -z84;
+    result.C[11] = z86;
     result.C[12] = n0;
     result.C[13] = n0;
-    result.C[14] = -z65;
-    result.C[15] = z110;
+    result.C[14] = -z69;
+    result.C[15] = z109;
     result.K[0] = n0;
     result.K[1] = n0;
     result.K[2] = n0;
@@ -1411,12 +1411,12 @@ struct Mechanism {
     result.K[11] = n0;
     result.K[12] = n0;
     result.K[13] = n0;
-    result.K[14] = z92;
-    result.K[15] = z108;
+    result.K[14] = z85;
+    result.K[15] = z112;
     result.F[0] = -a_x;
     result.F[1] = -a_y;
-    result.F[2] = z77;
-    result.F[3] = -z82;
+    result.F[2] = z74;
+    result.F[3] = -z95;
     result.A[0] = n0;
     result.A[1] = n0;
     result.A[2] = n0;
@@ -1447,7 +1447,7 @@ struct Mechanism {
     result.A[27] = n0;
     result.A[28] = n0;
     result.A[29] = n0;
-    result.A[30] = -z116;
+    result.A[30] = z118;
     result.A[31] = -z119;
     result.A[32] = n1;
     result.A[33] = n0;
@@ -1471,8 +1471,8 @@ struct Mechanism {
     result.A[51] = n0;
     result.A[52] = n0;
     result.A[53] = n0;
-    result.A[54] = -z115;
-    result.A[55] = -z118;
+    result.A[54] = -z113;
+    result.A[55] = -z116;
     result.A[56] = n0;
     result.A[57] = n0;
     result.A[58] = n0;
@@ -1481,7 +1481,7 @@ struct Mechanism {
     result.A[61] = n0;
     result.A[62] = -z114;
     result.A[63] = -z117;
-    if (!(traits::regular(-z89, -z44) && traits::regular(z32, z32))) return torsor::Status::singular;
+    if (!(traits::regular(-z103, -z53) && traits::regular(z36, z36))) return torsor::Status::singular;
     // 0 x is 0 for every finite x and not a number for any other.
     const Scalar zero = (n0 * result.M[10] * result.M[11] * result.M[14] * result.M[15] * result.C[10] * result.C[11]
         * result.C[14] * result.C[15] * result.K[14] * result.K[15]) * (n0 * result.F[0] * result.F[1] * result.F[2]

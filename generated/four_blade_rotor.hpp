@@ -7,18 +7,18 @@
 // Parameters set at run time: alpha
 //
 // Operations in the text of each function (a sine-cosine pair counts 2 in the total; not in it is what a Status
-// costs, one multiplication for each result and for each pivot tested); before: without inertia moved across
-// joints, products that sums share, factoring, and what is done once for a set of parameters:
+// costs, one multiplication for each result and for each pivot tested); before: without products that sums
+// share, factoring, and what is done once for a set of parameters:
 //   function          additions  multiplications  divisions  square roots  sine-cosine pairs  others  total  before
 //   precompute               11                4          2             0                  1       0     19       -
 //   kinematics               62              101          0             0                  0       0    163     193
-//   mass_matrix               0                0          0             0                  0       0      0      16
-//   bias                     16               34          0             0                  0       0     50      68
-//   inverse_dynamics         18               37          0             0                  0       0     55      87
-//   forward_dynamics         16               36          0             0                  0       0     52      86
+//   mass_matrix               0                0          0             0                  0       0      0      17
+//   bias                     16               34          0             0                  0       0     50      58
+//   inverse_dynamics         18               37          0             0                  0       0     55      78
+//   forward_dynamics         16               36          0             0                  0       0     52      77
 //   energy                   17               23          0             0                  0       0     40      55
 //   first_integrals          17               24          0             0                  0       0     41      62
-//   linearisation            40               81          0             0                  0       0    121     171
+//   linearisation            40               81          0             0                  0       0    121     150
 //
 // Not computed because this mechanism does not need it:
 //   kinematics: of 72 results 21 repeat another up to sign
@@ -509,7 +509,7 @@ struct Mechanism {
 
   static constexpr const char* name = "four_blade_rotor";
   /// 64 bits (FNV-1a) of this file from "#pragma once" on, with zeros in their own place: another mechanism, other bits.
-  static constexpr unsigned long long fingerprint = 0x6620fd44371d4fecULL;
+  static constexpr unsigned long long fingerprint = 0x9c8b97cda392938cULL;
   static constexpr int coordinate_count = 4;
   static constexpr int velocity_count = 3;
   static constexpr int input_count = 0;
@@ -623,13 +623,13 @@ struct Mechanism {
   /// Parameters and what depends on them only: built once for each set of parameters.
   struct Precomputed {
     Parameters parameters;
-    Scalar s_alpha;
-    Scalar c_alpha;
-    Scalar m2;
-    Scalar m3;
-    Scalar m4;
-    Scalar m5;
-    Scalar m6;
+    Scalar m_7b59dd2d;
+    Scalar m_e1bdef79;
+    Scalar m_a8fa4f8e;
+    Scalar m_b375ffd8;
+    Scalar m_71a5253a;
+    Scalar m_f4f2deb3;
+    Scalar m_a02f74de;
   };
 
   /// Values of the scene.
@@ -669,13 +669,13 @@ struct Mechanism {
     const Scalar z14 = z3 + z11;
     const Scalar z15 = n1 / z13;
     const Scalar z16 = n1 / z12;
-    precomputed.s_alpha = s_alpha;
-    precomputed.c_alpha = c_alpha;
-    precomputed.m2 = z12;
-    precomputed.m3 = z13;
-    precomputed.m4 = z14;
-    precomputed.m5 = z15;
-    precomputed.m6 = z16;
+    precomputed.m_7b59dd2d = s_alpha;
+    precomputed.m_e1bdef79 = c_alpha;
+    precomputed.m_a8fa4f8e = z12;
+    precomputed.m_b375ffd8 = z13;
+    precomputed.m_71a5253a = z14;
+    precomputed.m_f4f2deb3 = z15;
+    precomputed.m_a02f74de = z16;
     return precomputed;
   }
 
@@ -795,8 +795,8 @@ struct Mechanism {
     const Scalar v_e_omega_x = state.v.e_omega_x;
     const Scalar v_e_omega_y = state.v.e_omega_y;
     const Scalar v_e_omega_z = state.v.e_omega_z;
-    const Scalar s_alpha = precomputed.s_alpha;
-    const Scalar c_alpha = precomputed.c_alpha;
+    const Scalar s_alpha = precomputed.m_7b59dd2d;
+    const Scalar c_alpha = precomputed.m_e1bdef79;
     const Scalar z0 = n2 * q_e_y;
     const Scalar z1 = n2 * q_e_z;
     const Scalar z2 = n2 * q_e_x;
@@ -973,18 +973,18 @@ struct Mechanism {
   TORSOR_DEVICE static void mass_matrix(const Precomputed& precomputed, const State&,
       std::array<Scalar, 9>& mass) noexcept {
     const Scalar n0 = traits::constant(0.0, 0.0f, "0/1");
-    const Scalar m2 = precomputed.m2;
-    const Scalar m3 = precomputed.m3;
-    const Scalar m4 = precomputed.m4;
-    mass[0] = m2;
+    const Scalar m0 = precomputed.m_a8fa4f8e;
+    const Scalar m1 = precomputed.m_b375ffd8;
+    const Scalar m2 = precomputed.m_71a5253a;
+    mass[0] = m0;
     mass[1] = n0;
     mass[2] = n0;
     mass[3] = n0;
-    mass[4] = -m3;
+    mass[4] = -m1;
     mass[5] = n0;
     mass[6] = n0;
     mass[7] = n0;
-    mass[8] = -m4;
+    mass[8] = -m2;
   }
 
   /// Bias h(q, v, t): inverse dynamics at zero acceleration without inputs and multipliers; gravity and passive
@@ -997,8 +997,8 @@ struct Mechanism {
     const Scalar v_e_omega_x = state.v.e_omega_x;
     const Scalar v_e_omega_y = state.v.e_omega_y;
     const Scalar v_e_omega_z = state.v.e_omega_z;
-    const Scalar s_alpha = precomputed.s_alpha;
-    const Scalar c_alpha = precomputed.c_alpha;
+    const Scalar s_alpha = precomputed.m_7b59dd2d;
+    const Scalar c_alpha = precomputed.m_e1bdef79;
     const Scalar z0 = v_e_omega_z * s_alpha;
     const Scalar z1 = v_e_omega_z * c_alpha;
     const Scalar z2 = v_e_omega_y * v_e_omega_z;
@@ -1049,48 +1049,48 @@ struct Mechanism {
     const Scalar a_e_omega_y = accelerations.e_omega_y;
     const Scalar v_e_omega_z = state.v.e_omega_z;
     const Scalar a_e_omega_z = accelerations.e_omega_z;
-    const Scalar s_alpha = precomputed.s_alpha;
-    const Scalar c_alpha = precomputed.c_alpha;
-    const Scalar m2 = precomputed.m2;
-    const Scalar m3 = precomputed.m3;
-    const Scalar m4 = precomputed.m4;
+    const Scalar s_alpha = precomputed.m_7b59dd2d;
+    const Scalar c_alpha = precomputed.m_e1bdef79;
+    const Scalar m2 = precomputed.m_a8fa4f8e;
+    const Scalar m3 = precomputed.m_b375ffd8;
+    const Scalar m4 = precomputed.m_71a5253a;
     const Scalar z0 = v_e_omega_z * s_alpha;
     const Scalar z1 = v_e_omega_z * c_alpha;
     const Scalar z2 = v_e_omega_y * v_e_omega_z;
     const Scalar z3 = v_e_omega_x * v_e_omega_z;
     const Scalar z4 = a_e_omega_z * m4;
     const Scalar z5 = v_e_omega_y * c_alpha + z0;
-    const Scalar z6 = v_e_omega_y * s_alpha - z1;
-    const Scalar z7 = v_e_omega_x * c_alpha + z0;
-    const Scalar z8 = v_e_omega_x * s_alpha - z1;
-    const Scalar z9 = v_e_omega_x * c_alpha - z0;
-    const Scalar z10 = z7 * z8;
-    const Scalar z11 = z5 * z6;
-    const Scalar z12 = v_e_omega_x * s_alpha + z1;
-    const Scalar z13 = v_e_omega_y * c_alpha - z0;
-    const Scalar z14 = v_e_omega_y * s_alpha + z1;
+    const Scalar z6 = v_e_omega_y * c_alpha - z0;
+    const Scalar z7 = v_e_omega_y * s_alpha + z1;
+    const Scalar z8 = v_e_omega_x * c_alpha + z0;
+    const Scalar z9 = v_e_omega_x * s_alpha - z1;
+    const Scalar z10 = z8 * z9;
+    const Scalar z11 = z6 * z7;
+    const Scalar z12 = v_e_omega_y * s_alpha - z1;
+    const Scalar z13 = v_e_omega_x * z6;
+    const Scalar z14 = n0_4 * z11;  // moment on blade_3, x
     const Scalar z15 = n0_4 * z10;  // moment on blade_4, x
-    const Scalar z16 = n0_4 * z11;  // moment on blade_1, x
-    const Scalar z17 = v_e_omega_y * z7;
-    const Scalar z18 = z13 * z14;
-    const Scalar z19 = v_e_omega_x * z13;
-    const Scalar z20 = z9 * z12;
-    const Scalar z21 = n0_4 * z17;  // moment on blade_4, z
-    const Scalar z22 = n0_4 * z18;  // moment on blade_3, x
-    const Scalar z23 = n0_4 * z19;  // moment on blade_3, z
-    const Scalar z24 = v_e_omega_y * z9;
-    const Scalar z25 = n0_4 * z20;  // moment on blade_2, x
-    const Scalar z26 = v_e_omega_x * z5;
-    const Scalar z27 = s_alpha * z21;
-    const Scalar z28 = s_alpha * z23;
-    const Scalar z29 = n0_4 * z24;  // moment on blade_2, z
-    const Scalar z30 = n0_4 * z26;  // moment on blade_1, z
+    const Scalar z16 = v_e_omega_x * c_alpha - z0;
+    const Scalar z17 = v_e_omega_x * s_alpha + z1;
+    const Scalar z18 = v_e_omega_y * z8;
+    const Scalar z19 = z5 * z12;
+    const Scalar z20 = n0_4 * z13;  // moment on blade_3, z
+    const Scalar z21 = z16 * z17;
+    const Scalar z22 = v_e_omega_y * z16;
+    const Scalar z23 = v_e_omega_x * z5;
+    const Scalar z24 = n0_4 * z18;  // moment on blade_4, z
+    const Scalar z25 = s_alpha * z20;
+    const Scalar z26 = n0_4 * z19;  // moment on blade_1, x
+    const Scalar z27 = s_alpha * z24;
+    const Scalar z28 = n0_4 * z21;  // moment on blade_2, x
+    const Scalar z29 = n0_4 * z22;  // moment on blade_2, z
+    const Scalar z30 = n0_4 * z23;  // moment on blade_1, z
     const Scalar z31 = s_alpha * z29;
     const Scalar z32 = s_alpha * z30;
-    const Scalar z33 = z16 - n665 * z2 - z22 + z27 - z31;  // moment on rotor, x
-    const Scalar z34 = z15 - n665 * z3 - z25 - z28 + z32;  // moment on rotor, y
-    const Scalar z35 = a_e_omega_x * m2 - z33;
-    const Scalar z36 = a_e_omega_y * m3 - z34;
+    const Scalar z33 = n665 * z2 + z14 - z26 - z27 + z31;  // moment on rotor, x
+    const Scalar z34 = n665 * z3 - z15 + z25 + z28 - z32;  // moment on rotor, y
+    const Scalar z35 = a_e_omega_x * m2 + z33;
+    const Scalar z36 = a_e_omega_y * m3 + z34;
     forces.e_omega_x = z35;
     forces.e_omega_y = -z36;
     forces.e_omega_z = -z4;
@@ -1108,13 +1108,13 @@ struct Mechanism {
     const Scalar v_e_omega_x = state.v.e_omega_x;
     const Scalar v_e_omega_y = state.v.e_omega_y;
     const Scalar v_e_omega_z = state.v.e_omega_z;
-    const Scalar s_alpha = precomputed.s_alpha;
-    const Scalar c_alpha = precomputed.c_alpha;
-    const Scalar m2 = precomputed.m2;
-    const Scalar m3 = precomputed.m3;
-    const Scalar m4 = precomputed.m4;
-    const Scalar m5 = precomputed.m5;
-    const Scalar m6 = precomputed.m6;
+    const Scalar s_alpha = precomputed.m_7b59dd2d;
+    const Scalar c_alpha = precomputed.m_e1bdef79;
+    const Scalar m2 = precomputed.m_a8fa4f8e;
+    const Scalar m3 = precomputed.m_b375ffd8;
+    const Scalar m4 = precomputed.m_71a5253a;
+    const Scalar m5 = precomputed.m_f4f2deb3;
+    const Scalar m6 = precomputed.m_a02f74de;
     const Scalar z0 = v_e_omega_z * s_alpha;
     const Scalar z1 = v_e_omega_z * c_alpha;
     const Scalar z2 = v_e_omega_y * v_e_omega_z;
@@ -1129,26 +1129,26 @@ struct Mechanism {
     const Scalar z11 = v_e_omega_x * s_alpha + z1;
     const Scalar z12 = v_e_omega_y * c_alpha - z0;
     const Scalar z13 = v_e_omega_y * s_alpha + z1;
-    const Scalar z14 = n0_4 * z9;  // moment on blade_4, x
-    const Scalar z15 = n0_4 * z10;  // moment on blade_1, x
+    const Scalar z14 = n0_4 * z9;
+    const Scalar z15 = n0_4 * z10;
     const Scalar z16 = v_e_omega_y * z6;
     const Scalar z17 = z12 * z13;
     const Scalar z18 = v_e_omega_x * z12;
     const Scalar z19 = z8 * z11;
-    const Scalar z20 = n0_4 * z16;  // moment on blade_4, z
-    const Scalar z21 = n0_4 * z17;  // moment on blade_3, x
-    const Scalar z22 = n0_4 * z18;  // moment on blade_3, z
+    const Scalar z20 = n0_4 * z16;
+    const Scalar z21 = n0_4 * z17;
+    const Scalar z22 = n0_4 * z18;
     const Scalar z23 = v_e_omega_y * z8;
-    const Scalar z24 = n0_4 * z19;  // moment on blade_2, x
+    const Scalar z24 = n0_4 * z19;
     const Scalar z25 = v_e_omega_x * z4;
     const Scalar z26 = s_alpha * z20;
     const Scalar z27 = s_alpha * z22;
-    const Scalar z28 = n0_4 * z23;  // moment on blade_2, z
-    const Scalar z29 = n0_4 * z25;  // moment on blade_1, z
+    const Scalar z28 = n0_4 * z23;
+    const Scalar z29 = n0_4 * z25;
     const Scalar z30 = s_alpha * z28;
     const Scalar z31 = s_alpha * z29;
-    const Scalar z32 = z15 - n665 * z2 - z21 + z26 - z30;  // moment on rotor, x
-    const Scalar z33 = z14 - n665 * z3 - z24 - z27 + z31;  // moment on rotor, y
+    const Scalar z32 = z15 - n665 * z2 - z21 + z26 - z30;
+    const Scalar z33 = z14 - n665 * z3 - z24 - z27 + z31;
     const Scalar z34 = m5 * z33;
     const Scalar z35 = m6 * z32;
     accelerations.e_omega_x = z35;
@@ -1172,8 +1172,8 @@ struct Mechanism {
     const Scalar v_e_omega_x = state.v.e_omega_x;
     const Scalar v_e_omega_y = state.v.e_omega_y;
     const Scalar v_e_omega_z = state.v.e_omega_z;
-    const Scalar s_alpha = precomputed.s_alpha;
-    const Scalar c_alpha = precomputed.c_alpha;
+    const Scalar s_alpha = precomputed.m_7b59dd2d;
+    const Scalar c_alpha = precomputed.m_e1bdef79;
     const Scalar z0 = v_e_omega_z * s_alpha;
     const Scalar z1 = v_e_omega_z * c_alpha;
     const Scalar z2 = v_e_omega_y * c_alpha + z0;
@@ -1199,9 +1199,9 @@ struct Mechanism {
     const Scalar v_e_omega_x = state.v.e_omega_x;
     const Scalar v_e_omega_y = state.v.e_omega_y;
     const Scalar v_e_omega_z = state.v.e_omega_z;
-    const Scalar s_alpha = precomputed.s_alpha;
-    const Scalar c_alpha = precomputed.c_alpha;
-    const Scalar m4 = precomputed.m4;
+    const Scalar s_alpha = precomputed.m_7b59dd2d;
+    const Scalar c_alpha = precomputed.m_e1bdef79;
+    const Scalar m2 = precomputed.m_71a5253a;
     const Scalar z0 = v_e_omega_z * s_alpha;
     const Scalar z1 = v_e_omega_z * c_alpha;
     const Scalar z2 = v_e_omega_y * c_alpha + z0;
@@ -1214,7 +1214,7 @@ struct Mechanism {
     const Scalar z9 = v_e_omega_x * s_alpha - z1;
     result.energy = n0_4 * (v_e_omega_x * v_e_omega_x + v_e_omega_y * v_e_omega_y) + n166_25 * (z2 * z2 + z4 * z4 + z6
         * z6 + z8 * z8) + n166_45 * (z3 * z3 + z5 * z5 + z7 * z7 + z9 * z9);
-    result.momentum_e_omega_z = -v_e_omega_z * m4;
+    result.momentum_e_omega_z = -v_e_omega_z * m2;
   }
 
   /// Linearisation about the state: M e'' + C e' + K e = F + E du, with e and du deviations from the state and the
@@ -1234,13 +1234,13 @@ struct Mechanism {
     const Scalar a_e_omega_y = accelerations.e_omega_y;
     const Scalar v_e_omega_z = state.v.e_omega_z;
     const Scalar a_e_omega_z = accelerations.e_omega_z;
-    const Scalar s_alpha = precomputed.s_alpha;
-    const Scalar c_alpha = precomputed.c_alpha;
-    const Scalar m2 = precomputed.m2;
-    const Scalar m3 = precomputed.m3;
-    const Scalar m4 = precomputed.m4;
-    const Scalar m5 = precomputed.m5;
-    const Scalar m6 = precomputed.m6;
+    const Scalar s_alpha = precomputed.m_7b59dd2d;
+    const Scalar c_alpha = precomputed.m_e1bdef79;
+    const Scalar m2 = precomputed.m_a8fa4f8e;
+    const Scalar m3 = precomputed.m_b375ffd8;
+    const Scalar m4 = precomputed.m_71a5253a;
+    const Scalar m5 = precomputed.m_f4f2deb3;
+    const Scalar m6 = precomputed.m_a02f74de;
     const Scalar z0 = v_e_omega_z * s_alpha;
     const Scalar z1 = v_e_omega_y * s_alpha;
     const Scalar z2 = v_e_omega_z * c_alpha;
@@ -1249,68 +1249,68 @@ struct Mechanism {
     const Scalar z5 = v_e_omega_x * v_e_omega_z;
     const Scalar z6 = z1 + z2;
     const Scalar z7 = z2 - z3;
-    const Scalar z8 = v_e_omega_y * c_alpha + z0;
-    const Scalar z9 = z1 - z2;
-    const Scalar z10 = v_e_omega_x * c_alpha + z0;
-    const Scalar z11 = v_e_omega_y * c_alpha - z0;
-    const Scalar z12 = z10 * z7;
-    const Scalar z13 = z8 * z9;
-    const Scalar z14 = v_e_omega_x * c_alpha - z0;
-    const Scalar z15 = z2 + z3;
-    const Scalar z16 = n0_4 * z11;
-    const Scalar z17 = n0_4 * z10;
-    const Scalar z18 = n0_4 * z12;  // moment on blade_4, x
-    const Scalar z19 = n0_4 * z13;  // moment on blade_1, x
-    const Scalar z20 = s_alpha * z6 - c_alpha * z11;
-    const Scalar z21 = s_alpha * z7 + c_alpha * z10;
-    const Scalar z22 = v_e_omega_y * z10;
-    const Scalar z23 = z11 * z6;
-    const Scalar z24 = s_alpha * z10 - c_alpha * z7;
-    const Scalar z25 = v_e_omega_x * z11;
-    const Scalar z26 = c_alpha * z6 + s_alpha * z11;
-    const Scalar z27 = z14 * z15;
+    const Scalar z8 = v_e_omega_y * c_alpha - z0;
+    const Scalar z9 = v_e_omega_x * c_alpha + z0;
+    const Scalar z10 = v_e_omega_y * c_alpha + z0;
+    const Scalar z11 = z9 * z7;
+    const Scalar z12 = z8 * z6;
+    const Scalar z13 = z1 - z2;
+    const Scalar z14 = z2 + z3;
+    const Scalar z15 = v_e_omega_x * z8;
+    const Scalar z16 = n0_4 * z8;
+    const Scalar z17 = n0_4 * z9;
+    const Scalar z18 = n0_4 * z11;  // moment on blade_4, x
+    const Scalar z19 = n0_4 * z12;  // moment on blade_3, x
+    const Scalar z20 = s_alpha * z6 - c_alpha * z8;
+    const Scalar z21 = s_alpha * z7 + c_alpha * z9;
+    const Scalar z22 = v_e_omega_x * c_alpha - z0;
+    const Scalar z23 = v_e_omega_y * z9;
+    const Scalar z24 = c_alpha * z6 + s_alpha * z8;
+    const Scalar z25 = z10 * z13;
+    const Scalar z26 = s_alpha * z9 - c_alpha * z7;
+    const Scalar z27 = n0_4 * z15;  // moment on blade_3, z
     const Scalar z28 = s_alpha * z16;
     const Scalar z29 = s_alpha * z17;
-    const Scalar z30 = n0_4 * z20;
-    const Scalar z31 = n0_4 * z21;
-    const Scalar z32 = n0_4 * z22;  // moment on blade_4, z
-    const Scalar z33 = n0_4 * z23;  // moment on blade_3, x
-    const Scalar z34 = n0_4 * z25;  // moment on blade_3, z
-    const Scalar z35 = n0_4 * z27;  // moment on blade_2, x
+    const Scalar z30 = n0_4 * z10;
+    const Scalar z31 = n0_4 * z20;
+    const Scalar z32 = n0_4 * z21;
+    const Scalar z33 = n0_4 * z23;  // moment on blade_4, z
+    const Scalar z34 = s_alpha * z27;
+    const Scalar z35 = n0_4 * z25;  // moment on blade_1, x
     const Scalar z36 = n0_4 * z1;
     const Scalar z37 = n0_4 * z3;
-    const Scalar z38 = n0_4 * z26;
-    const Scalar z39 = s_alpha * z32;
-    const Scalar z40 = s_alpha * z34;
+    const Scalar z38 = s_alpha * z30;
+    const Scalar z39 = n0_4 * z24;
+    const Scalar z40 = s_alpha * z33;
     const Scalar z41 = s_alpha * z36;
     const Scalar z42 = s_alpha * z37;
-    const Scalar z43 = n0_4 * z24;
+    const Scalar z43 = n0_4 * z26;
     const Scalar z44 = a_e_omega_z * m4;
-    const Scalar z45 = n0_4 * z8;
-    const Scalar z46 = s_alpha * z45;
-    const Scalar z47 = v_e_omega_y * z14;
+    const Scalar z45 = z22 * z14;
+    const Scalar z46 = n0_4 * z45;  // moment on blade_2, x
+    const Scalar z47 = v_e_omega_y * z22;
     const Scalar z48 = n0_4 * z47;  // moment on blade_2, z
-    const Scalar z49 = v_e_omega_x * z8;
+    const Scalar z49 = v_e_omega_x * z10;
     const Scalar z50 = n0_4 * z49;  // moment on blade_1, z
-    const Scalar z51 = c_alpha * z15 + s_alpha * z14;
+    const Scalar z51 = c_alpha * z14 + s_alpha * z22;
     const Scalar z52 = n0_4 * z51;
-    const Scalar z53 = s_alpha * z15 - c_alpha * z14;
-    const Scalar z54 = n0_4 * z14;
+    const Scalar z53 = s_alpha * z14 - c_alpha * z22;
+    const Scalar z54 = n0_4 * z22;
     const Scalar z55 = s_alpha * z54;
-    const Scalar z56 = n665 * v_e_omega_z + z28 - z46 + z52 - z43;
+    const Scalar z56 = n665 * v_e_omega_z + z28 - z38 + z52 - z43;
     const Scalar z57 = s_alpha * z48;
-    const Scalar z58 = z19 - n665 * z4 - z33 + z39 - z57;  // moment on rotor, x
-    const Scalar z59 = c_alpha * z9 + s_alpha * z8;
-    const Scalar z60 = s_alpha * z9 - c_alpha * z8;
+    const Scalar z58 = n665 * z4 + z19 - z35 - z40 + z57;  // moment on rotor, x
+    const Scalar z59 = c_alpha * z13 + s_alpha * z10;
+    const Scalar z60 = s_alpha * z13 - c_alpha * z10;
     const Scalar z61 = s_alpha * z50;
     const Scalar z62 = n0_4 * z59;
     const Scalar z63 = n0_4 * z60;
     const Scalar z64 = n0_4 * z53;
-    const Scalar z65 = n665 * z5 + z18 + z35 + z40 - z61;  // moment on rotor, y
-    const Scalar z66 = n665 * v_e_omega_z - z29 + z38 + z55 - z62;
-    const Scalar z67 = n665 * v_e_omega_y - z30 - n2 * z41 - z63;
-    const Scalar z68 = n665 * v_e_omega_x + z31 - n2 * z42 - z64;
-    const Scalar z69 = a_e_omega_x * m2 - z58;
+    const Scalar z65 = n665 * z5 + z18 + z34 + z46 - z61;  // moment on rotor, y
+    const Scalar z66 = n665 * v_e_omega_z - z29 + z39 + z55 - z62;
+    const Scalar z67 = n665 * v_e_omega_y - z31 - n2 * z41 - z63;
+    const Scalar z68 = n665 * v_e_omega_x + z32 - n2 * z42 - z64;
+    const Scalar z69 = a_e_omega_x * m2 + z58;
     const Scalar z70 = a_e_omega_y * m3 + z65;
     const Scalar z71 = m5 * z56;
     const Scalar z72 = m6 * z66;

@@ -7,8 +7,8 @@
 // Parameters set at run time: none
 //
 // Operations in the text of each function (a sine-cosine pair counts 2 in the total; not in it is what a Status
-// costs, one multiplication for each result and for each pivot tested); before: without inertia moved across
-// joints, products that sums share, factoring, and what is done once for a set of parameters:
+// costs, one multiplication for each result and for each pivot tested); before: without products that sums
+// share, factoring, and what is done once for a set of parameters:
 //   function          additions  multiplications  divisions  square roots  sine-cosine pairs  others  total  before
 //   kinematics               32               51          0             0                  5       0     93      95
 //   mass_matrix               0                0          0             0                  0       0      0       0
@@ -509,7 +509,7 @@ struct Mechanism {
 
   static constexpr const char* name = "four_wheel_vehicle";
   /// 64 bits (FNV-1a) of this file from "#pragma once" on, with zeros in their own place: another mechanism, other bits.
-  static constexpr unsigned long long fingerprint = 0x6cb5cd6d671cf0d8ULL;
+  static constexpr unsigned long long fingerprint = 0x023380f3439c94a2ULL;
   static constexpr int coordinate_count = 7;
   static constexpr int velocity_count = 7;
   static constexpr int input_count = 2;
@@ -1126,12 +1126,12 @@ struct Mechanism {
   TORSOR_DEVICE static void inverse_dynamics(const Precomputed&, const State& state, const Accelerations& accelerations,
       const Multipliers& multipliers, GeneralizedForces& forces) noexcept {
     const Scalar n3 = traits::constant(3.0, 3.0f, "3/1");
-    const Scalar k1 = traits::constant(0.7071067811865476, 0.70710677f, "0;1/2;0;0");
-    const Scalar n0_5 = traits::constant(0.5, 0.5f, "1/2");
-    const Scalar k3 = traits::constant(0.8660254037844386, 0.8660254f, "0;0;1/2;0");
     const Scalar n880 = traits::constant(880.0, 880.0f, "880/1");
-    const Scalar k5 = traits::constant(1024.8718707889795, 1024.8718f, "1302;0;-160;0");
+    const Scalar k2 = traits::constant(1024.8718707889795, 1024.8718f, "1302;0;-160;0");
     const Scalar n0_9 = traits::constant(0.9, 0.9f, "9/10");
+    const Scalar k4 = traits::constant(0.7071067811865476, 0.70710677f, "0;1/2;0;0");
+    const Scalar n0_5 = traits::constant(0.5, 0.5f, "1/2");
+    const Scalar k6 = traits::constant(0.8660254037844386, 0.8660254f, "0;0;1/2;0");
     const Scalar k7 = traits::constant(1.224744871391589, 1.2247449f, "0;0;0;1/2");
     const Scalar k8 = traits::constant(0.189468690981506, 0.1894687f, "0;1;0;-1/2");
     const Scalar k9 = traits::constant(1.1339745962155614, 1.1339746f, "2;0;-1/2;0");
@@ -1163,29 +1163,29 @@ struct Mechanism {
     const Scalar z1 = n3 * v_phi_2;
     const Scalar z2 = n3 * v_phi_3;
     const Scalar z3 = n3 * v_phi_4;
-    const Scalar z4 = k1 * (s_psi + c_psi);
-    const Scalar z5 = k1 * (s_psi - c_psi);
-    const Scalar z6 = n0_5 * s_psi + k3 * c_psi;
-    const Scalar z7 = k3 * s_psi - n0_5 * c_psi;
-    const Scalar z8 = n880 * a_x;  // force on S.y, x
-    const Scalar z9 = n880 * a_y;  // force on S.y, y
-    const Scalar z10 = k5 * a_psi;
-    const Scalar z11 = n0_9 * a_phi_1 + z0;
-    const Scalar z12 = n0_9 * a_phi_2 + z1;
-    const Scalar z13 = n0_9 * a_phi_3 + z2;
-    const Scalar z14 = n0_9 * a_phi_4 + z3;
-    forces.x = z8 + s_psi * (l_lambda_wheel_3_y + l_lambda_wheel_4_y) - c_psi * (l_lambda_wheel_3_x
-        + l_lambda_wheel_4_x) - z4 * l_lambda_wheel_1_x + z5 * l_lambda_wheel_1_y - z6 * l_lambda_wheel_2_x + z7
+    const Scalar z4 = n880 * a_x;  // force on S.y, x
+    const Scalar z5 = n880 * a_y;  // force on S.y, y
+    const Scalar z6 = k2 * a_psi;
+    const Scalar z7 = n0_9 * a_phi_1 + z0;
+    const Scalar z8 = n0_9 * a_phi_2 + z1;
+    const Scalar z9 = n0_9 * a_phi_3 + z2;
+    const Scalar z10 = n0_9 * a_phi_4 + z3;
+    const Scalar z11 = k4 * (s_psi + c_psi);
+    const Scalar z12 = k4 * (s_psi - c_psi);
+    const Scalar z13 = n0_5 * s_psi + k6 * c_psi;
+    const Scalar z14 = k6 * s_psi - n0_5 * c_psi;
+    forces.x = z4 + s_psi * (l_lambda_wheel_3_y + l_lambda_wheel_4_y) - c_psi * (l_lambda_wheel_3_x
+        + l_lambda_wheel_4_x) - z11 * l_lambda_wheel_1_x + z12 * l_lambda_wheel_1_y - z13 * l_lambda_wheel_2_x + z14
         * l_lambda_wheel_2_y;
-    forces.y = -s_psi * (l_lambda_wheel_3_x + l_lambda_wheel_4_x) + z9 - c_psi * (l_lambda_wheel_3_y
-        + l_lambda_wheel_4_y) - z4 * l_lambda_wheel_1_y - z5 * l_lambda_wheel_1_x - z6 * l_lambda_wheel_2_y - z7
+    forces.y = -s_psi * (l_lambda_wheel_3_x + l_lambda_wheel_4_x) + z5 - c_psi * (l_lambda_wheel_3_y
+        + l_lambda_wheel_4_y) - z11 * l_lambda_wheel_1_y - z12 * l_lambda_wheel_1_x - z13 * l_lambda_wheel_2_y - z14
         * l_lambda_wheel_2_x;
     forces.psi = k7 * l_lambda_wheel_1_x - l_lambda_wheel_3_x + k8 * l_lambda_wheel_1_y + n0_5 * l_lambda_wheel_2_x + k9
-        * l_lambda_wheel_2_y - l_lambda_wheel_4_x + k10 * (l_lambda_wheel_3_y - l_lambda_wheel_4_y) + z10;
-    forces.phi_1 = z11 - n0_3 * l_lambda_wheel_1_y;
-    forces.phi_2 = z12 - n0_3 * l_lambda_wheel_2_y;
-    forces.phi_3 = z13 - n0_3 * l_lambda_wheel_3_y;
-    forces.phi_4 = z14 - n0_3 * l_lambda_wheel_4_y;
+        * l_lambda_wheel_2_y - l_lambda_wheel_4_x + k10 * (l_lambda_wheel_3_y - l_lambda_wheel_4_y) + z6;
+    forces.phi_1 = z7 - n0_3 * l_lambda_wheel_1_y;
+    forces.phi_2 = z8 - n0_3 * l_lambda_wheel_2_y;
+    forces.phi_3 = z9 - n0_3 * l_lambda_wheel_3_y;
+    forces.phi_4 = z10 - n0_3 * l_lambda_wheel_4_y;
   }
 
   /// Forward dynamics: accelerations a and multipliers lambda from M a + h = E u + A' lambda, A a + gamma = 0, by

@@ -7,18 +7,18 @@
 // Parameters set at run time: d
 //
 // Operations in the text of each function (a sine-cosine pair counts 2 in the total; not in it is what a Status
-// costs, one multiplication for each result and for each pivot tested); before: without inertia moved across
-// joints, products that sums share, factoring, and what is done once for a set of parameters:
+// costs, one multiplication for each result and for each pivot tested); before: without products that sums
+// share, factoring, and what is done once for a set of parameters:
 //   function          additions  multiplications  divisions  square roots  sine-cosine pairs  others  total  before
 //   precompute               17               31          5             0                  0       0     53       -
 //   kinematics               25               50          0             0                  3       0     81      85
 //   mass_matrix               0                0          0             0                  0       0      0       0
-//   bias                      1                4          0             0                  1       0      7      50
-//   inverse_dynamics          9               14          0             0                  1       0     25      80
-//   forward_dynamics         12               20          0             0                  1       0     34     107
+//   bias                      1                4          0             0                  1       0      7       7
+//   inverse_dynamics          9               14          0             0                  1       0     25      37
+//   forward_dynamics         12               20          0             0                  1       0     34      64
 //   energy                   13               29          0             0                  2       0     46      50
 //   constraints               3                4          0             0                  0       0      7      20
-//   linearisation            27               35          0             0                  1       0     64     157
+//   linearisation            27               35          0             0                  1       0     64     101
 //
 // Not computed because this mechanism does not need it:
 //   kinematics: of 84 results 41 vanish identically, 8 repeat another up to sign
@@ -512,7 +512,7 @@ struct Mechanism {
 
   static constexpr const char* name = "graham_variator";
   /// 64 bits (FNV-1a) of this file from "#pragma once" on, with zeros in their own place: another mechanism, other bits.
-  static constexpr unsigned long long fingerprint = 0x3eb6edeb14b13ff8ULL;
+  static constexpr unsigned long long fingerprint = 0xa79d32f42afc12b6ULL;
   static constexpr int coordinate_count = 3;
   static constexpr int velocity_count = 3;
   static constexpr int input_count = 2;
@@ -646,27 +646,27 @@ struct Mechanism {
   /// Parameters and what depends on them only: built once for each set of parameters.
   struct Precomputed {
     Parameters parameters;
-    Scalar m0;
-    Scalar m1;
-    Scalar m2;
-    Scalar m3;
-    Scalar m4;
-    Scalar m5;
-    Scalar m6;
-    Scalar m7;
-    Scalar m8;
-    Scalar m9;
-    Scalar m10;
-    Scalar m11;
-    Scalar m12;
-    Scalar m13;
-    Scalar m14;
-    Scalar m15;
-    Scalar m16;
-    Scalar m17;
-    Scalar m18;
-    Scalar m19;
-    Scalar m20;
+    Scalar m_46683f43;
+    Scalar m_852b2189;
+    Scalar m_d9a89de0;
+    Scalar m_06f2b4b9;
+    Scalar m_2164e01a;
+    Scalar m_10f9681d;
+    Scalar m_a117cb70;
+    Scalar m_495bc7d3;
+    Scalar m_2d607baf;
+    Scalar m_65da4474;
+    Scalar m_e95f6307;
+    Scalar m_8be0c743;
+    Scalar m_9e64efab;
+    Scalar m_6dc83d0b;
+    Scalar m_3bba0927;
+    Scalar m_5e660a8c;
+    Scalar m_f526aa3d;
+    Scalar m_b9c5f516;
+    Scalar m_1639e79e;
+    Scalar m_7e4fc887;
+    Scalar m_8f660bd4;
   };
 
   /// Values of the scene.
@@ -740,27 +740,27 @@ struct Mechanism {
     const Scalar z27 = z24 + z22 * z26 - z23 * z25;
     const Scalar z28 = n1 / z27;
     const Scalar z29 = z22 * z28;
-    precomputed.m0 = z0;
-    precomputed.m1 = z1;
-    precomputed.m2 = z3;
-    precomputed.m3 = z5;
-    precomputed.m4 = z7;
-    precomputed.m5 = z8;
-    precomputed.m6 = z11;
-    precomputed.m7 = z12;
-    precomputed.m8 = z13;
-    precomputed.m9 = z15;
-    precomputed.m10 = z16;
-    precomputed.m11 = z17;
-    precomputed.m12 = z18;
-    precomputed.m13 = z20;
-    precomputed.m14 = z22;
-    precomputed.m15 = z23;
-    precomputed.m16 = z25;
-    precomputed.m17 = z26;
-    precomputed.m18 = z27;
-    precomputed.m19 = z28;
-    precomputed.m20 = z29;
+    precomputed.m_46683f43 = z0;
+    precomputed.m_852b2189 = z1;
+    precomputed.m_d9a89de0 = z3;
+    precomputed.m_06f2b4b9 = z5;
+    precomputed.m_2164e01a = z7;
+    precomputed.m_10f9681d = z8;
+    precomputed.m_a117cb70 = z11;
+    precomputed.m_495bc7d3 = z12;
+    precomputed.m_2d607baf = z13;
+    precomputed.m_65da4474 = z15;
+    precomputed.m_e95f6307 = z16;
+    precomputed.m_8be0c743 = z17;
+    precomputed.m_9e64efab = z18;
+    precomputed.m_6dc83d0b = z20;
+    precomputed.m_3bba0927 = z22;
+    precomputed.m_5e660a8c = z23;
+    precomputed.m_f526aa3d = z25;
+    precomputed.m_b9c5f516 = z26;
+    precomputed.m_1639e79e = z27;
+    precomputed.m_7e4fc887 = z28;
+    precomputed.m_8f660bd4 = z29;
     return precomputed;
   }
 
@@ -873,8 +873,8 @@ struct Mechanism {
     const Scalar q_gamma = state.q.gamma;
     const Scalar v_gamma = state.v.gamma;
     const Scalar p_d = precomputed.parameters.d;
-    const Scalar m0 = precomputed.m0;
-    const Scalar m1 = precomputed.m1;
+    const Scalar m0 = precomputed.m_46683f43;
+    const Scalar m1 = precomputed.m_852b2189;
     const Scalar angles_[] = {q_alpha, q_beta, q_gamma};
     Scalar sines_[3], cosines_[3];
     torsor::sines_and_cosines(angles_, sines_, cosines_);
@@ -1067,8 +1067,8 @@ struct Mechanism {
     const Scalar a_gamma = accelerations.gamma;
     const Scalar l_T_A = multipliers.T_A;
     const Scalar l_T_E = multipliers.T_E;
-    const Scalar m2 = precomputed.m2;
-    const Scalar m3 = precomputed.m3;
+    const Scalar m0 = precomputed.m_d9a89de0;
+    const Scalar m1 = precomputed.m_06f2b4b9;
     Scalar s_alpha, c_alpha;
     traits::sincos(q_alpha, s_alpha, c_alpha);
     const Scalar z0 = n98_1 * s_alpha;
@@ -1078,8 +1078,8 @@ struct Mechanism {
     const Scalar z4 = k5 * z3;
     const Scalar z5 = n0_01 * z0 - z4;  // moment on S1, x
     const Scalar z6 = k7 * a_alpha - z5 + k2 * a_beta;
-    forces.alpha = z6 - m2 * l_T_A - k8 * l_T_E;
-    forces.beta = z2 - m3 * l_T_A - n0_02 * l_T_E;
+    forces.alpha = z6 - m0 * l_T_A - k8 * l_T_E;
+    forces.beta = z2 - m1 * l_T_A - n0_02 * l_T_E;
     forces.gamma = z1 + k8 * l_T_E;
   }
 
@@ -1109,14 +1109,14 @@ struct Mechanism {
     const Scalar q_alpha = state.q.alpha;
     const Scalar u_C1 = inputs.C1;
     const Scalar u_C3 = inputs.C3;
-    const Scalar m2 = precomputed.m2;
-    const Scalar m3 = precomputed.m3;
-    const Scalar m4 = precomputed.m4;
-    const Scalar m5 = precomputed.m5;
-    const Scalar m6 = precomputed.m6;
-    const Scalar m7 = precomputed.m7;
-    const Scalar m8 = precomputed.m8;
-    const Scalar m9 = precomputed.m9;
+    const Scalar m0 = precomputed.m_d9a89de0;
+    const Scalar m1 = precomputed.m_06f2b4b9;
+    const Scalar m2 = precomputed.m_2164e01a;
+    const Scalar m3 = precomputed.m_10f9681d;
+    const Scalar m4 = precomputed.m_a117cb70;
+    const Scalar m5 = precomputed.m_495bc7d3;
+    const Scalar m6 = precomputed.m_2d607baf;
+    const Scalar m7 = precomputed.m_65da4474;
     Scalar s_alpha, c_alpha;
     traits::sincos(q_alpha, s_alpha, c_alpha);
     const Scalar z0 = n98_1 * s_alpha;
@@ -1128,12 +1128,12 @@ struct Mechanism {
     const Scalar z6 = k5 * (u_C1 + z4) - k6 * u_C3;
     const Scalar z7 = k7 * z5;
     const Scalar z8 = k8 * z7;
-    const Scalar z9 = m2 * z7 - m3 * z8;
-    const Scalar z10 = m6 * z6 - z9;
-    const Scalar z11 = m8 * z10;
-    const Scalar z12 = k9 * z6 + m6 * z11;
-    const Scalar z13 = m4 * z11 + z7 - k5 * z12;
-    const Scalar z14 = m5 * z11 - z8 - k10 * z12;
+    const Scalar z9 = m0 * z7 - m1 * z8;
+    const Scalar z10 = m4 * z6 - z9;
+    const Scalar z11 = m6 * z10;
+    const Scalar z12 = k9 * z6 + m4 * z11;
+    const Scalar z13 = m2 * z11 + z7 - k5 * z12;
+    const Scalar z14 = m3 * z11 - z8 - k10 * z12;
     const Scalar z15 = z1 + k6 * z12;
     accelerations.alpha = z13;
     accelerations.beta = z14;
@@ -1142,7 +1142,7 @@ struct Mechanism {
     multipliers.T_A = z11;
     multipliers.lambda_rolling_E_x = n0;
     multipliers.T_E = -z12;
-    if (!(traits::regular(m7, m9))) return torsor::Status::singular;
+    if (!(traits::regular(m5, m7))) return torsor::Status::singular;
     // 0 x is 0 for every finite x and not a number for any other.
     const Scalar zero = n0 * accelerations.alpha * accelerations.beta * accelerations.gamma * multipliers.T_A
         * multipliers.T_E;
@@ -1185,7 +1185,7 @@ struct Mechanism {
     const Scalar z6 = s_beta * z0;
     const Scalar z7 = s_beta * z1;
     const Scalar z8 = c_beta * z1;
-    const Scalar z9 = v_beta + z2;
+    const Scalar z9 = v_beta + z2;  // angular velocity of S2, x
     const Scalar z10 = n0_06 * z6 - z7;
     const Scalar z11 = n0_06 * z5 - z8;
     const Scalar z12 = n0_0044 * z5 - n0_06 * z8;
@@ -1205,9 +1205,9 @@ struct Mechanism {
     const Scalar v_alpha = state.v.alpha;
     const Scalar v_beta = state.v.beta;
     const Scalar v_gamma = state.v.gamma;
-    const Scalar m2 = precomputed.m2;
-    const Scalar m3 = precomputed.m3;
-    const Scalar z0 = v_alpha * m2 + v_beta * m3;
+    const Scalar m0 = precomputed.m_d9a89de0;
+    const Scalar m1 = precomputed.m_06f2b4b9;
+    const Scalar z0 = v_alpha * m0 + v_beta * m1;
     const Scalar z1 = n0_02 * v_beta + k1 * (v_alpha - v_gamma);
     result.value[0] = n0;
     result.rate[0] = n0;
@@ -1222,11 +1222,11 @@ struct Mechanism {
     result.rate[3] = z1;
     result.gamma[3] = n0;
     result.jacobian[0] = n0;
-    result.jacobian[1] = m2;
+    result.jacobian[1] = m0;
     result.jacobian[2] = n0;
     result.jacobian[3] = k1;
     result.jacobian[4] = n0;
-    result.jacobian[5] = m3;
+    result.jacobian[5] = m1;
     result.jacobian[6] = n0;
     result.jacobian[7] = n0_02;
     result.jacobian[8] = n0;
@@ -1265,33 +1265,33 @@ struct Mechanism {
     const Scalar u_C3 = inputs.C3;
     const Scalar l_T_A = multipliers.T_A;
     const Scalar l_T_E = multipliers.T_E;
-    const Scalar m2 = precomputed.m2;
-    const Scalar m3 = precomputed.m3;
-    const Scalar m10 = precomputed.m10;
-    const Scalar m11 = precomputed.m11;
-    const Scalar m12 = precomputed.m12;
-    const Scalar m13 = precomputed.m13;
-    const Scalar m14 = precomputed.m14;
-    const Scalar m15 = precomputed.m15;
-    const Scalar m16 = precomputed.m16;
-    const Scalar m17 = precomputed.m17;
-    const Scalar m18 = precomputed.m18;
-    const Scalar m19 = precomputed.m19;
-    const Scalar m20 = precomputed.m20;
+    const Scalar m0 = precomputed.m_d9a89de0;
+    const Scalar m1 = precomputed.m_06f2b4b9;
+    const Scalar m2 = precomputed.m_e95f6307;
+    const Scalar m3 = precomputed.m_8be0c743;
+    const Scalar m4 = precomputed.m_9e64efab;
+    const Scalar m5 = precomputed.m_6dc83d0b;
+    const Scalar m6 = precomputed.m_3bba0927;
+    const Scalar m7 = precomputed.m_5e660a8c;
+    const Scalar m8 = precomputed.m_f526aa3d;
+    const Scalar m9 = precomputed.m_b9c5f516;
+    const Scalar m10 = precomputed.m_1639e79e;
+    const Scalar m11 = precomputed.m_7e4fc887;
+    const Scalar m12 = precomputed.m_8f660bd4;
     Scalar s_alpha, c_alpha;
     traits::sincos(q_alpha, s_alpha, c_alpha);
     const Scalar z0 = n98_1 * s_alpha;
     const Scalar z1 = k1 * a_alpha + n0_0003 * a_beta;
     const Scalar z2 = n0_02 * a_gamma;  // moment on S3, x
-    const Scalar z3 = a_alpha * m2 + a_beta * m3;
+    const Scalar z3 = a_alpha * m0 + a_beta * m1;
     const Scalar z4 = n0_02 * a_beta + k4 * (a_alpha - a_gamma);
     const Scalar z5 = u_C3 - k4 * l_T_E - z2;
     const Scalar z6 = n98_1 * c_alpha;
-    const Scalar z7 = z3 * m11 - z4;
-    const Scalar z8 = z3 * m10;
-    const Scalar z9 = z1 - m3 * l_T_A - n0_02 * l_T_E;
+    const Scalar z7 = z3 * m3 - z4;
+    const Scalar z8 = z3 * m2;
+    const Scalar z9 = m1 * l_T_A - z1 + n0_02 * l_T_E;
     const Scalar z10 = k5 * z7;
-    const Scalar z11 = z8 * m16 + z10 * m17;
+    const Scalar z11 = z8 * m8 + z10 * m9;
     const Scalar z12 = n0_006 * z0;  // moment on inclined, y
     const Scalar z13 = n0_006 * z6;
     const Scalar z14 = k7 * z12;
@@ -1299,8 +1299,8 @@ struct Mechanism {
     const Scalar z16 = n0_01 * z0 - z14;  // moment on S1, x
     const Scalar z17 = n0_01 * z6 - z15;
     const Scalar z18 = k9 * a_alpha - z16 + k1 * a_beta;
-    const Scalar z19 = z17 * m19;
-    const Scalar z20 = u_C1 + m2 * l_T_A + k4 * l_T_E + m14 * z5 + m15 * z9 - z18;
+    const Scalar z19 = z17 * m11;
+    const Scalar z20 = m0 * l_T_A + u_C1 + k4 * l_T_E + m6 * z5 - m7 * z9 - z18;
     const Scalar z21 = z20 + z11;
     result.M[0] = k9;
     result.M[1] = k1;
@@ -1329,8 +1329,8 @@ struct Mechanism {
     result.K[6] = n0;
     result.K[7] = n0;
     result.K[8] = n0;
-    result.F[0] = u_C1 + m2 * l_T_A + k4 * l_T_E - z18;
-    result.F[1] = -z1 + m3 * l_T_A + n0_02 * l_T_E;
+    result.F[0] = m0 * l_T_A + u_C1 + k4 * l_T_E - z18;
+    result.F[1] = m1 * l_T_A - z1 + n0_02 * l_T_E;
     result.F[2] = u_C3 - k4 * l_T_E - z2;
     result.E[0] = n1;
     result.E[1] = n0;
@@ -1338,14 +1338,14 @@ struct Mechanism {
     result.E[3] = n0;
     result.E[4] = n0;
     result.E[5] = n1;
-    result.M_r[0] = m18;
+    result.M_r[0] = m10;
     result.C_r[0] = n0;
     result.K_r[0] = -z17;
     result.K_r[1] = n0;
     result.K_r[2] = n0;
     result.F_r[0] = z21;
     result.E_r[0] = n1;
-    result.E_r[1] = m14;
+    result.E_r[1] = m6;
     result.A[0] = n0;
     result.A[1] = n0;
     result.A[2] = n0;
@@ -1359,18 +1359,18 @@ struct Mechanism {
     result.A[10] = n0;
     result.A[11] = n0;
     result.A[12] = n1;
-    result.A[13] = -m15;
-    result.A[14] = m14;
+    result.A[13] = -m7;
+    result.A[14] = m6;
     result.A[15] = n0;
     result.B[0] = n0;
     result.B[1] = n0;
     result.B[2] = n0;
-    result.B[3] = m19;
+    result.B[3] = m11;
     result.B[4] = n0;
     result.B[5] = n0;
     result.B[6] = n0;
-    result.B[7] = m20;
-    if (!(traits::regular(m12, m13) && traits::regular(m18, m18))) return torsor::Status::singular;
+    result.B[7] = m12;
+    if (!(traits::regular(m4, m5) && traits::regular(m10, m10))) return torsor::Status::singular;
     // 0 x is 0 for every finite x and not a number for any other.
     const Scalar zero = n0 * result.K[0] * result.F[0] * result.F[1] * result.F[2] * result.M_r[0] * result.K_r[0]
         * result.F_r[0] * result.E_r[1] * result.A[3] * result.A[13] * result.A[14] * result.B[3] * result.B[7];

@@ -7,17 +7,17 @@
 // Parameters set at run time: none
 //
 // Operations in the text of each function (a sine-cosine pair counts 2 in the total; not in it is what a Status
-// costs, one multiplication for each result and for each pivot tested); before: without inertia moved across
-// joints, products that sums share, factoring, and what is done once for a set of parameters:
+// costs, one multiplication for each result and for each pivot tested); before: without products that sums
+// share, factoring, and what is done once for a set of parameters:
 //   function          additions  multiplications  divisions  square roots  sine-cosine pairs  others  total  before
 //   kinematics               20               45          0             0                  3       0     71      71
 //   mass_matrix               1                3          0             0                  1       0      6       6
-//   bias                      7               21          0             0                  2       0     32      56
-//   inverse_dynamics         12               23          0             0                  2       0     39      65
-//   forward_dynamics          8               28          1             0                  2       0     41      60
+//   bias                      7               21          0             0                  2       0     32      32
+//   inverse_dynamics         12               23          0             0                  2       0     39      40
+//   forward_dynamics          8               28          1             0                  2       0     41      41
 //   energy                    6               16          0             0                  3       0     28      29
 //   first_integrals           8               19          0             0                  3       0     33      34
-//   linearisation            34               88          1             0                  2       0    127     182
+//   linearisation            34               88          1             0                  2       0    127     132
 //   jets                     33               51          2             0                  2       0     90       -
 //
 // Not computed because this mechanism does not need it:
@@ -621,7 +621,7 @@ struct Mechanism {
 
   static constexpr const char* name = "heavy_top";
   /// 64 bits (FNV-1a) of this file from "#pragma once" on, with zeros in their own place: another mechanism, other bits.
-  static constexpr unsigned long long fingerprint = 0xeca2b887b4e5c17fULL;
+  static constexpr unsigned long long fingerprint = 0xff1cfddca6a64c42ULL;
   static constexpr int coordinate_count = 3;
   static constexpr int velocity_count = 3;
   static constexpr int input_count = 0;
@@ -916,19 +916,19 @@ struct Mechanism {
     const Scalar z1 = k0 * s_alpha;
     const Scalar z2 = v_alpha * c_beta;
     const Scalar z3 = k0 * c_alpha;
-    const Scalar z4 = v_gamma - z0;
-    const Scalar z5 = s_beta * z1 - n4_905 * c_beta;
-    const Scalar z6 = v_beta * z0;  // angular acceleration of second, x
-    const Scalar z7 = v_beta * z2;  // angular acceleration of second, y
+    const Scalar z4 = s_beta * z1 - n4_905 * c_beta;
+    const Scalar z5 = v_beta * z0;  // angular acceleration of second, x
+    const Scalar z6 = v_beta * z2;  // angular acceleration of second, y
+    const Scalar z7 = v_gamma - z0;  // angular velocity of top, y
     const Scalar z8 = z2 * z0;
-    const Scalar z9 = v_beta * z4;
-    const Scalar z10 = z2 * z4;
-    const Scalar z11 = n15_over_32 * z7;  // moment on top, y
-    const Scalar z12 = n2 * z6;
+    const Scalar z9 = v_beta * z7;
+    const Scalar z10 = z2 * z7;
+    const Scalar z11 = n15_over_32 * z6;  // moment on top, y
+    const Scalar z12 = n2 * z5;
     const Scalar z13 = n15_over_32 * z9;  // moment on top, x
     const Scalar z14 = n15_over_32 * z10;  // moment on top, z
     const Scalar z15 = n15 * z3 - z13 - n975_over_64 * z12;  // moment on second, x
-    const Scalar z16 = n15 * z5 - z14 - n975_over_64 * z8;  // moment on second, z
+    const Scalar z16 = n15 * z4 - z14 - n975_over_64 * z8;  // moment on second, z
     const Scalar z17 = s_beta * z11 + c_beta * z15;
     forces.alpha = z17;
     forces.beta = -z16;
@@ -962,21 +962,21 @@ struct Mechanism {
     const Scalar z3 = a_alpha * c_beta;
     const Scalar z4 = k0 * c_alpha;
     const Scalar z5 = k0 * s_alpha;
-    const Scalar z6 = v_gamma - z0;
-    const Scalar z7 = s_beta * z5 - n4_905 * c_beta;
-    const Scalar z8 = v_beta * z0;  // angular acceleration of second, x
-    const Scalar z9 = z1 * z0;
-    const Scalar z10 = v_beta * z0 - z3;  // angular acceleration of second, x
-    const Scalar z11 = v_beta * z1 + z2;  // angular acceleration of second, y
-    const Scalar z12 = v_beta * z6;
-    const Scalar z13 = z1 * z6;
-    const Scalar z14 = a_gamma - z11;  // angular acceleration of top, y
-    const Scalar z15 = z8 + z10;
+    const Scalar z6 = s_beta * z5 - n4_905 * c_beta;
+    const Scalar z7 = v_beta * z0 - z3;  // angular acceleration of second, x
+    const Scalar z8 = v_beta * z1 + z2;  // angular acceleration of second, y
+    const Scalar z9 = v_gamma - z0;  // angular velocity of top, y
+    const Scalar z10 = z1 * z0;
+    const Scalar z11 = v_beta * z0;
+    const Scalar z12 = v_beta * z9;
+    const Scalar z13 = z1 * z9;
+    const Scalar z14 = a_gamma - z8;  // angular acceleration of top, y
+    const Scalar z15 = z7 + z11;
     const Scalar z16 = n15_over_32 * z12;  // moment on top, x
     const Scalar z17 = n15_over_32 * z13;  // moment on top, z
     const Scalar z18 = n15_over_32 * z14;  // moment on top, y
     const Scalar z19 = n15 * z4 - z16 - n975_over_64 * z15;  // moment on second, x
-    const Scalar z20 = z17 + n975_over_64 * (a_beta + z9) - n15 * z7;  // moment on second, z
+    const Scalar z20 = z17 + n975_over_64 * (a_beta + z10) - n15 * z6;  // moment on second, z
     const Scalar z21 = s_beta * z18 - c_beta * z19;
     forces.alpha = -z21;
     forces.beta = z20;
@@ -1016,30 +1016,30 @@ struct Mechanism {
     const Scalar z4 = v_alpha * c_beta;
     const Scalar z5 = n15_over_32 * s_beta;
     const Scalar z6 = n945_over_64 * c_beta;
-    const Scalar z7 = v_gamma - z0;
-    const Scalar z8 = n15_over_32 + c_beta * z6;
-    const Scalar z9 = s_beta * z3 - n4_905 * c_beta;
-    const Scalar z10 = v_beta * z0;  // angular acceleration of second, x
-    const Scalar z11 = v_beta * z4;  // angular acceleration of second, y
-    const Scalar z12 = z4 * z0;
+    const Scalar z7 = s_beta * z3 - n4_905 * c_beta;
+    const Scalar z8 = v_beta * z0;  // angular acceleration of second, x
+    const Scalar z9 = v_beta * z4;  // angular acceleration of second, y
+    const Scalar z10 = v_gamma - z0;  // angular velocity of top, y
+    const Scalar z11 = z4 * z0;
+    const Scalar z12 = n15_over_32 + c_beta * z6;
     const Scalar z13 = n32_over_15 * z5;
-    const Scalar z14 = v_beta * z7;
-    const Scalar z15 = z4 * z7;
-    const Scalar z16 = n2 * z10;
+    const Scalar z14 = n2 * z8;
+    const Scalar z15 = v_beta * z10;
+    const Scalar z16 = z4 * z10;
     const Scalar z17 = n1 / z1;
-    const Scalar z18 = n15_over_32 * z14;  // moment on top, x
-    const Scalar z19 = n15_over_32 * z15;  // moment on top, z
-    const Scalar z20 = n15 * z2 - z18 - n975_over_64 * z16;  // moment on second, x
-    const Scalar z21 = n15 * z9 - z19 - n975_over_64 * z12;  // moment on second, z
+    const Scalar z18 = n15_over_32 * z15;  // moment on top, x
+    const Scalar z19 = n15_over_32 * z16;  // moment on top, z
+    const Scalar z20 = n15 * z2 - z18 - n975_over_64 * z14;  // moment on second, x
+    const Scalar z21 = n15 * z7 - z19 - n975_over_64 * z11;  // moment on second, z
     const Scalar z22 = c_beta * z20;
     const Scalar z23 = n64_over_975 * z21;
     const Scalar z24 = z17 * z22;
     const Scalar z25 = z13 * z24;
-    const Scalar z26 = z11 - z25;
+    const Scalar z26 = z9 - z25;
     accelerations.alpha = -z24;
     accelerations.beta = z23;
     accelerations.gamma = z26;
-    if (!(traits::regular(z1, z8))) return torsor::Status::singular;
+    if (!(traits::regular(z1, z12))) return torsor::Status::singular;
     // 0 x is 0 for every finite x and not a number for any other.
     const Scalar zero = n0 * accelerations.alpha * accelerations.beta * accelerations.gamma;
     if (!traits::regular(n1, zero)) return torsor::Status::not_finite;
@@ -1072,7 +1072,7 @@ struct Mechanism {
     const Scalar z3 = n15 * s_beta;
     const Scalar z4 = v_beta * s_gamma - c_gamma * z0;
     const Scalar z5 = v_beta * c_gamma + s_gamma * z0;
-    const Scalar z6 = v_gamma - z1;
+    const Scalar z6 = v_gamma - z1;  // angular velocity of top, y
     const Scalar z7 = s_alpha * z2;
     result.kinetic = n15_over_64 * z6 * z6 + n975_over_128 * (z4 * z4 + z5 * z5);
     result.force_function = -n4_905 * z3 - k4 * z7;
@@ -1102,14 +1102,14 @@ struct Mechanism {
     const Scalar z0 = v_alpha * c_beta;
     const Scalar z1 = v_alpha * s_beta;
     const Scalar z2 = n15 * c_beta;
-    const Scalar z3 = n15_over_32 * s_beta;
-    const Scalar z4 = n15 * s_beta;
+    const Scalar z3 = n15 * s_beta;
+    const Scalar z4 = n15_over_32 * s_beta;
     const Scalar z5 = v_beta * s_gamma - c_gamma * z0;
     const Scalar z6 = v_beta * c_gamma + s_gamma * z0;
-    const Scalar z7 = v_gamma - z1;
+    const Scalar z7 = v_gamma - z1;  // angular velocity of top, y
     const Scalar z8 = s_alpha * z2;
-    result.energy = n4_905 * z4 + k3 * z8 + n15_over_64 * z7 * z7 + n975_over_128 * (z5 * z5 + z6 * z6);
-    result.momentum_gamma = -v_alpha * z3 + n15_over_32 * v_gamma;
+    result.energy = n4_905 * z3 + k3 * z8 + n15_over_64 * z7 * z7 + n975_over_128 * (z5 * z5 + z6 * z6);
+    result.momentum_gamma = -v_alpha * z4 + n15_over_32 * v_gamma;
   }
 
   /// Linearisation about the state: M e'' + C e' + K e = F + E du, with e and du deviations from the state and the
@@ -1121,9 +1121,9 @@ struct Mechanism {
     const Scalar n15_over_32 = traits::constant(0.46875, 0.46875f, "15/32");
     const Scalar n945_over_64 = traits::constant(14.765625, 14.765625f, "945/64");
     const Scalar n4_905 = traits::constant(4.905, 4.905f, "981/200");
-    const Scalar n32_over_15 = traits::constant(2.1333333333333333, 2.1333334f, "32/15");
     const Scalar n2 = traits::constant(2.0, 2.0f, "2/1");
     const Scalar n15 = traits::constant(15.0, 15.0f, "15/1");
+    const Scalar n32_over_15 = traits::constant(2.1333333333333333, 2.1333334f, "32/15");
     const Scalar n1 = traits::constant(1.0, 1.0f, "1/1");
     const Scalar n64_over_975 = traits::constant(0.06564102564102564, 0.06564102f, "64/975");
     const Scalar n0 = traits::constant(0.0, 0.0f, "0/1");
@@ -1145,82 +1145,82 @@ struct Mechanism {
     const Scalar z2 = a_alpha * s_beta;
     const Scalar z3 = a_alpha * c_beta;
     const Scalar z4 = k0 * c_alpha;
-    const Scalar z5 = n975_over_64 * c_beta * c_beta;
-    const Scalar z6 = v_beta * s_beta;
-    const Scalar z7 = k0 * s_alpha;
+    const Scalar z5 = v_beta * s_beta;
+    const Scalar z6 = k0 * s_alpha;
+    const Scalar z7 = n975_over_64 * c_beta * c_beta;
     const Scalar z8 = n15_over_32 * s_beta;
     const Scalar z9 = v_beta * c_beta;
     const Scalar z10 = n15_over_32 * v_beta;
-    const Scalar z11 = n945_over_64 * c_beta;
-    const Scalar z12 = v_gamma - z0;
-    const Scalar z13 = c_beta * z10;
-    const Scalar z14 = n15_over_32 + c_beta * z11;
-    const Scalar z15 = s_beta * z7 - n4_905 * c_beta;
-    const Scalar z16 = n4_905 * s_beta + c_beta * z7;
-    const Scalar z17 = v_beta * z0;  // angular acceleration of second, x
-    const Scalar z18 = v_beta * z1;  // angular acceleration of second, y
-    const Scalar z19 = z1 * z0;
-    const Scalar z20 = v_beta * z0 - z3;  // angular acceleration of second, x
-    const Scalar z21 = v_beta * z1 + z2;  // angular acceleration of second, y
-    const Scalar z22 = n32_over_15 * z8;
-    const Scalar z23 = n15_over_32 * z9;
-    const Scalar z24 = n15_over_32 * z6;
-    const Scalar z25 = n2 * z6;
-    const Scalar z26 = n15 * z7;
-    const Scalar z27 = s_beta * z1;
-    const Scalar z28 = s_beta * z4;
-    const Scalar z29 = n15_over_32 * z1;
-    const Scalar z30 = n2 * z0;
-    const Scalar z31 = z1 * z1;
-    const Scalar z32 = v_beta * z12;
-    const Scalar z33 = z1 * z12;
-    const Scalar z34 = n15_over_32 * z18;  // moment on top, y
-    const Scalar z35 = n1 / z5;
-    const Scalar z36 = n15_over_32 * z12;
-    const Scalar z37 = z24 - n975_over_64 * z25;
-    const Scalar z38 = c_beta * z26;
-    const Scalar z39 = c_beta * z12 - z27;
-    const Scalar z40 = c_beta * z0 + z27;
-    const Scalar z41 = n15 * z28;
-    const Scalar z42 = z0 * z12 + z31;
-    const Scalar z43 = z0 * z0 - z31;
-    const Scalar z44 = a_gamma - z21;  // angular acceleration of top, y
-    const Scalar z45 = z17 + z20;
-    const Scalar z46 = n15_over_32 * z20;
-    const Scalar z47 = z18 + z21;
+    const Scalar z11 = c_beta * z10;
+    const Scalar z12 = n945_over_64 * c_beta;
+    const Scalar z13 = s_beta * z6 - n4_905 * c_beta;
+    const Scalar z14 = n4_905 * s_beta + c_beta * z6;
+    const Scalar z15 = v_beta * z0 - z3;  // angular acceleration of second, x
+    const Scalar z16 = v_beta * z1 + z2;  // angular acceleration of second, y
+    const Scalar z17 = v_gamma - z0;  // angular velocity of top, y
+    const Scalar z18 = z1 * z0;
+    const Scalar z19 = v_beta * z0;
+    const Scalar z20 = n15_over_32 + c_beta * z12;
+    const Scalar z21 = v_beta * z1;  // angular acceleration of second, y
+    const Scalar z22 = n15_over_32 * z9;
+    const Scalar z23 = n15_over_32 * z5;
+    const Scalar z24 = n2 * z5;
+    const Scalar z25 = n15 * z6;
+    const Scalar z26 = s_beta * z1;
+    const Scalar z27 = s_beta * z4;
+    const Scalar z28 = n15_over_32 * z1;
+    const Scalar z29 = n2 * z0;
+    const Scalar z30 = z1 * z1;
+    const Scalar z31 = n32_over_15 * z8;
+    const Scalar z32 = v_beta * z17;
+    const Scalar z33 = z1 * z17;
+    const Scalar z34 = n15_over_32 * z21;  // moment on top, y
+    const Scalar z35 = z23 - n975_over_64 * z24;
+    const Scalar z36 = c_beta * z25;
+    const Scalar z37 = c_beta * z17 - z26;
+    const Scalar z38 = c_beta * z0 + z26;
+    const Scalar z39 = n15 * z27;
+    const Scalar z40 = n15_over_32 * z17;
+    const Scalar z41 = z0 * z17 + z30;
+    const Scalar z42 = z0 * z0 - z30;
+    const Scalar z43 = n1 / z7;
+    const Scalar z44 = a_gamma - z16;  // angular acceleration of top, y
+    const Scalar z45 = z15 + z19;
+    const Scalar z46 = n15_over_32 * z15;
+    const Scalar z47 = z16 + z21;
     const Scalar z48 = n15_over_32 * z32;  // moment on top, x
     const Scalar z49 = n15_over_32 * z33;  // moment on top, z
-    const Scalar z50 = n64_over_975 * z29;
-    const Scalar z51 = z36 + n975_over_64 * z30;
-    const Scalar z52 = n64_over_975 * z41;
-    const Scalar z53 = n15_over_32 * z44;  // moment on top, y
-    const Scalar z54 = s_beta * z23 + c_beta * z37;
-    const Scalar z55 = n15_over_32 * z39;
+    const Scalar z50 = z40 + n975_over_64 * z29;
+    const Scalar z51 = n64_over_975 * z39;
+    const Scalar z52 = n15_over_32 * z44;  // moment on top, y
+    const Scalar z53 = n64_over_975 * z28;
+    const Scalar z54 = s_beta * z22 + c_beta * z35;
+    const Scalar z55 = n15_over_32 * z37;
     const Scalar z56 = z34 - n975_over_64 * z47;
-    const Scalar z57 = n15_over_32 * z42;
-    const Scalar z58 = c_beta * z37;
+    const Scalar z57 = n15_over_32 * z41;
+    const Scalar z58 = c_beta * z35;
     const Scalar z59 = n15 * z4 - z48 - n975_over_64 * z45;  // moment on second, x
-    const Scalar z60 = z49 + n975_over_64 * (a_beta + z19) - n15 * z15;  // moment on second, z
-    const Scalar z61 = z55 + n975_over_64 * z40;
-    const Scalar z62 = s_beta * z29 - c_beta * z51;
-    const Scalar z63 = n15 * z16 + z57 + n975_over_64 * z43;
-    const Scalar z64 = c_beta * z51;
+    const Scalar z60 = z49 + n975_over_64 * (a_beta + z18) - n15 * z13;  // moment on second, z
+    const Scalar z61 = z55 + n975_over_64 * z38;
+    const Scalar z62 = s_beta * z28 - c_beta * z50;
+    const Scalar z63 = n15 * z14 + z57 + n975_over_64 * z42;
+    const Scalar z64 = c_beta * z50;
     const Scalar z65 = n64_over_975 * z61;
-    const Scalar z66 = z35 * z38;
-    const Scalar z67 = z35 * z58;
-    const Scalar z68 = z35 * z64;
-    const Scalar z69 = z35 * z13;
-    const Scalar z70 = s_beta * z53 - c_beta * z59;
-    const Scalar z71 = c_beta * (z53 - z56) + s_beta * (z59 + z46);
+    const Scalar z66 = z36 * z43;
+    const Scalar z67 = z43 * z58;
+    const Scalar z68 = z43 * z64;
+    const Scalar z69 = z11 * z43;
+    const Scalar z70 = s_beta * z52 - c_beta * z59;
+    const Scalar z71 = c_beta * (z52 - z56) + s_beta * (z59 + z46);
     const Scalar z72 = n64_over_975 * z63;
-    const Scalar z73 = z22 * z66;
-    const Scalar z74 = z22 * z67 - n32_over_15 * z23;
-    const Scalar z75 = n32_over_15 * z29 + z22 * z68;
-    const Scalar z76 = z22 * z69;
-    const Scalar z77 = z22 * z46 - z71;
-    const Scalar z78 = z35 * z77;
-    const Scalar z79 = n32_over_15 * z46 + z22 * z78;
-    result.M[0] = z14;
+    const Scalar z73 = z31 * z66;
+    const Scalar z74 = n32_over_15 * z22 - z31 * z67;
+    const Scalar z75 = n32_over_15 * z28 + z31 * z68;
+    const Scalar z76 = z31 * z69;
+    const Scalar z77 = z46 * z31 - z71;
+    const Scalar z78 = z43 * z77;
+    const Scalar z79 = n32_over_15 * z46 + z31 * z78;
+    result.M[0] = z20;
     result.M[1] = n0;
     result.M[2] = -z8;
     result.M[3] = n0;
@@ -1231,15 +1231,15 @@ struct Mechanism {
     result.M[8] = n15_over_32;
     result.C[0] = z54;
     result.C[1] = z61;
-    result.C[2] = -z23;
+    result.C[2] = -z22;
     result.C[3] = z62;
     result.C[4] = n0;
-    result.C[5] = -z29;
-    result.C[6] = -z13;
-    result.C[7] = z29;
+    result.C[5] = -z28;
+    result.C[6] = -z11;
+    result.C[7] = z28;
     result.C[8] = n0;
-    result.K[0] = -z38;
-    result.K[1] = -z41;
+    result.K[0] = -z36;
+    result.K[1] = -z39;
     result.K[2] = n0;
     result.K[3] = -z71;
     result.K[4] = -z63;
@@ -1249,12 +1249,12 @@ struct Mechanism {
     result.K[8] = n0;
     result.F[0] = z70;
     result.F[1] = -z60;
-    result.F[2] = -z53;
+    result.F[2] = -z52;
     result.A[0] = n0;
     result.A[1] = n0;
     result.A[2] = n0;
     result.A[3] = z66;
-    result.A[4] = z52;
+    result.A[4] = z51;
     result.A[5] = z73;
     result.A[6] = n0;
     result.A[7] = n0;
@@ -1273,7 +1273,7 @@ struct Mechanism {
     result.A[20] = n0;
     result.A[21] = -z67;
     result.A[22] = -z65;
-    result.A[23] = -z74;
+    result.A[23] = z74;
     result.A[24] = n0;
     result.A[25] = n1;
     result.A[26] = n0;
@@ -1284,9 +1284,9 @@ struct Mechanism {
     result.A[31] = n0;
     result.A[32] = n1;
     result.A[33] = z69;
-    result.A[34] = -z50;
+    result.A[34] = -z53;
     result.A[35] = z76;
-    if (!(traits::regular(z5, z14))) return torsor::Status::singular;
+    if (!(traits::regular(z7, z20))) return torsor::Status::singular;
     // 0 x is 0 for every finite x and not a number for any other.
     const Scalar zero = (n0 * result.M[0] * result.M[2] * result.M[6] * result.C[0] * result.C[1] * result.C[2]
         * result.C[3] * result.C[5] * result.C[6] * result.C[7] * result.K[0] * result.K[1] * result.K[3] * result.K[4]

@@ -7,8 +7,8 @@
 // Parameters set at run time: theta, omega, alpha
 //
 // Operations in the text of each function (a sine-cosine pair counts 2 in the total; not in it is what a Status
-// costs, one multiplication for each result and for each pivot tested); before: without inertia moved across
-// joints, products that sums share, factoring, and what is done once for a set of parameters:
+// costs, one multiplication for each result and for each pivot tested); before: without products that sums
+// share, factoring, and what is done once for a set of parameters:
 //   function          additions  multiplications  divisions  square roots  sine-cosine pairs  others  total  before
 //   precompute                4               12          1             0                  2       0     21       -
 //   kinematics               56               81          0             0                  2       0    141     168
@@ -17,7 +17,7 @@
 //   inverse_dynamics          0                1          0             0                  0       0      1       9
 //   forward_dynamics          0                1          0             0                  0       0      1      10
 //   energy                   13               23          0             0                  1       0     38      53
-//   reactions                35               50          0             0                  1       0     87     128
+//   reactions                35               50          0             0                  1       0     87     111
 //   linearisation             1                1          0             0                  0       0      2      11
 //
 // Not computed because this mechanism does not need it:
@@ -508,7 +508,7 @@ struct Mechanism {
 
   static constexpr const char* name = "helicopter_on_a_circle";
   /// 64 bits (FNV-1a) of this file from "#pragma once" on, with zeros in their own place: another mechanism, other bits.
-  static constexpr unsigned long long fingerprint = 0xf769155a58ff1094ULL;
+  static constexpr unsigned long long fingerprint = 0x6f0c0ec3ac21d926ULL;
   static constexpr int coordinate_count = 1;
   static constexpr int velocity_count = 1;
   static constexpr int input_count = 1;
@@ -617,19 +617,19 @@ struct Mechanism {
   /// Parameters and what depends on them only: built once for each set of parameters.
   struct Precomputed {
     Parameters parameters;
-    Scalar s_theta;
-    Scalar c_theta;
-    Scalar s_alpha;
-    Scalar c_alpha;
-    Scalar m4;
-    Scalar m5;
-    Scalar m6;
-    Scalar m7;
-    Scalar m8;
-    Scalar m9;
-    Scalar m10;  ///< force on upwards, x
-    Scalar m11;
-    Scalar m12;
+    Scalar m_282b6380;
+    Scalar m_b1b5ea6b;
+    Scalar m_7b59dd2d;
+    Scalar m_e1bdef79;
+    Scalar m_b30b430b;
+    Scalar m_9d2b0082;
+    Scalar m_83f08dc3;
+    Scalar m_d520cb19;
+    Scalar m_2ab9571c;
+    Scalar m_71a5253a;
+    Scalar m_9d9d6204;
+    Scalar m_2c52f31d;  ///< force on upwards, x
+    Scalar m_1454edca;
   };
 
   /// Values of the scene.
@@ -650,8 +650,8 @@ struct Mechanism {
     const Scalar n100 = traits::constant(100.0, 100.0f, "100/1");
     const Scalar n0_4 = traits::constant(0.4, 0.4f, "2/5");
     const Scalar n1331_6 = traits::constant(1331.6, 1331.6f, "6658/5");
-    const Scalar n120 = traits::constant(120.0, 120.0f, "120/1");
     const Scalar n1 = traits::constant(1.0, 1.0f, "1/1");
+    const Scalar n120 = traits::constant(120.0, 120.0f, "120/1");
     const Scalar n665 = traits::constant(665.0, 665.0f, "665/1");
     const Scalar p_omega = parameters.omega;
     const Scalar p_theta = parameters.theta;
@@ -672,25 +672,25 @@ struct Mechanism {
     const Scalar z8 = z6 - z7;
     const Scalar z9 = z6 + z8;
     const Scalar z10 = z6 + z9;
-    const Scalar z11 = p_omega * p_omega;
-    const Scalar z12 = n100 * z11;
-    const Scalar z13 = z1 * z2;
-    const Scalar z14 = n120 * z12;  // force on upwards, x
-    const Scalar z15 = n1 / z10;
-    const Scalar z16 = n665 * z13;
-    precomputed.s_theta = s_theta;
-    precomputed.c_theta = c_theta;
-    precomputed.s_alpha = s_alpha;
-    precomputed.c_alpha = c_alpha;
-    precomputed.m4 = z0;
-    precomputed.m5 = z1;
-    precomputed.m6 = z2;
-    precomputed.m7 = z3;
-    precomputed.m8 = z4;
-    precomputed.m9 = z10;
-    precomputed.m10 = z14;
-    precomputed.m11 = z15;
-    precomputed.m12 = z16;
+    const Scalar z11 = n1 / z10;
+    const Scalar z12 = p_omega * p_omega;
+    const Scalar z13 = n100 * z12;
+    const Scalar z14 = z1 * z2;
+    const Scalar z15 = n120 * z13;  // force on upwards, x
+    const Scalar z16 = n665 * z14;
+    precomputed.m_282b6380 = s_theta;
+    precomputed.m_b1b5ea6b = c_theta;
+    precomputed.m_7b59dd2d = s_alpha;
+    precomputed.m_e1bdef79 = c_alpha;
+    precomputed.m_b30b430b = z0;
+    precomputed.m_9d2b0082 = z1;
+    precomputed.m_83f08dc3 = z2;
+    precomputed.m_d520cb19 = z3;
+    precomputed.m_2ab9571c = z4;
+    precomputed.m_71a5253a = z10;
+    precomputed.m_9d9d6204 = z11;
+    precomputed.m_2c52f31d = z15;
+    precomputed.m_1454edca = z16;
     return precomputed;
   }
 
@@ -803,15 +803,15 @@ struct Mechanism {
     const Scalar t = state.time;
     const Scalar q_phi = state.q.phi;
     const Scalar v_phi = state.v.phi;
-    const Scalar s_theta = precomputed.s_theta;
-    const Scalar c_theta = precomputed.c_theta;
-    const Scalar s_alpha = precomputed.s_alpha;
-    const Scalar c_alpha = precomputed.c_alpha;
-    const Scalar m4 = precomputed.m4;
-    const Scalar m5 = precomputed.m5;
-    const Scalar m6 = precomputed.m6;
-    const Scalar m7 = precomputed.m7;
-    const Scalar m8 = precomputed.m8;
+    const Scalar s_theta = precomputed.m_282b6380;
+    const Scalar c_theta = precomputed.m_b1b5ea6b;
+    const Scalar s_alpha = precomputed.m_7b59dd2d;
+    const Scalar c_alpha = precomputed.m_e1bdef79;
+    const Scalar m4 = precomputed.m_b30b430b;
+    const Scalar m5 = precomputed.m_9d2b0082;
+    const Scalar m6 = precomputed.m_83f08dc3;
+    const Scalar m7 = precomputed.m_d520cb19;
+    const Scalar m8 = precomputed.m_2ab9571c;
     const Scalar z0 = p_omega * t;
     const Scalar angles_[] = {q_phi, z0};
     Scalar sines_[2], cosines_[2];
@@ -1051,8 +1051,8 @@ struct Mechanism {
   /// Mass matrix M(q), symmetric, stored column by column: T2 = 1/2 v' M v.
   TORSOR_DEVICE static void mass_matrix(const Precomputed& precomputed, const State&,
       std::array<Scalar, 1>& mass) noexcept {
-    const Scalar m9 = precomputed.m9;
-    mass[0] = -m9;
+    const Scalar m0 = precomputed.m_71a5253a;
+    mass[0] = -m0;
   }
 
   /// Bias h(q, v, t): inverse dynamics at zero acceleration without inputs and multipliers; gravity and passive
@@ -1066,8 +1066,8 @@ struct Mechanism {
   TORSOR_DEVICE static void inverse_dynamics(const Precomputed& precomputed, const State&,
       const Accelerations& accelerations, const Multipliers&, GeneralizedForces& forces) noexcept {
     const Scalar a_phi = accelerations.phi;
-    const Scalar m9 = precomputed.m9;
-    const Scalar z0 = a_phi * m9;
+    const Scalar m0 = precomputed.m_71a5253a;
+    const Scalar z0 = a_phi * m0;
     forces.phi = -z0;
   }
 
@@ -1079,11 +1079,11 @@ struct Mechanism {
     const Scalar n0 = traits::constant(0.0, 0.0f, "0/1");
     const Scalar n1 = traits::constant(1.0, 1.0f, "1/1");
     const Scalar u_C = inputs.C;
-    const Scalar m9 = precomputed.m9;
-    const Scalar m11 = precomputed.m11;
-    const Scalar z0 = u_C * m11;
+    const Scalar m0 = precomputed.m_71a5253a;
+    const Scalar m1 = precomputed.m_9d9d6204;
+    const Scalar z0 = u_C * m1;
     accelerations.phi = -z0;
-    if (!(traits::regular(-m9, -m9))) return torsor::Status::singular;
+    if (!(traits::regular(-m0, -m0))) return torsor::Status::singular;
     // 0 x is 0 for every finite x and not a number for any other.
     const Scalar zero = n0 * accelerations.phi;
     if (!traits::regular(n1, zero)) return torsor::Status::not_finite;
@@ -1101,18 +1101,18 @@ struct Mechanism {
     const Scalar q_phi = state.q.phi;
     const Scalar v_phi = state.v.phi;
     const Scalar u_C = inputs.C;
-    const Scalar s_alpha = precomputed.s_alpha;
-    const Scalar c_alpha = precomputed.c_alpha;
-    const Scalar m4 = precomputed.m4;
-    const Scalar m5 = precomputed.m5;
-    const Scalar m6 = precomputed.m6;
+    const Scalar s_alpha = precomputed.m_7b59dd2d;
+    const Scalar c_alpha = precomputed.m_e1bdef79;
+    const Scalar m2 = precomputed.m_b30b430b;
+    const Scalar m3 = precomputed.m_9d2b0082;
+    const Scalar m4 = precomputed.m_83f08dc3;
     Scalar s_phi, c_phi;
     traits::sincos(q_phi, s_phi, c_phi);
-    const Scalar z0 = v_phi + m6;
-    const Scalar z1 = c_phi * m5;
-    const Scalar z2 = s_phi * m5;
-    const Scalar z3 = s_phi * m4;
-    const Scalar z4 = c_phi * m4;
+    const Scalar z0 = v_phi + m4;  // angular velocity of rotor, z
+    const Scalar z1 = c_phi * m3;
+    const Scalar z2 = s_phi * m3;
+    const Scalar z3 = s_phi * m2;
+    const Scalar z4 = c_phi * m2;
     const Scalar z5 = c_alpha * z0;
     const Scalar z6 = s_alpha * z2 + z5;
     const Scalar z7 = s_alpha * z1 + z5;
@@ -1134,56 +1134,56 @@ struct Mechanism {
     const Scalar q_phi = state.q.phi;
     const Scalar v_phi = state.v.phi;
     const Scalar a_phi = accelerations.phi;
-    const Scalar s_alpha = precomputed.s_alpha;
-    const Scalar c_alpha = precomputed.c_alpha;
-    const Scalar m5 = precomputed.m5;
-    const Scalar m6 = precomputed.m6;
-    const Scalar m10 = precomputed.m10;
-    const Scalar m12 = precomputed.m12;
+    const Scalar s_alpha = precomputed.m_7b59dd2d;
+    const Scalar c_alpha = precomputed.m_e1bdef79;
+    const Scalar m2 = precomputed.m_9d2b0082;
+    const Scalar m3 = precomputed.m_83f08dc3;
+    const Scalar m4 = precomputed.m_2c52f31d;
+    const Scalar m5 = precomputed.m_1454edca;
     Scalar s_phi, c_phi;
     traits::sincos(q_phi, s_phi, c_phi);
-    const Scalar z0 = v_phi + m6;
-    const Scalar z1 = s_phi * m5;
-    const Scalar z2 = c_phi * m5;
+    const Scalar z0 = v_phi + m3;  // angular velocity of rotor, z
+    const Scalar z1 = s_phi * m2;
+    const Scalar z2 = c_phi * m2;
     const Scalar z3 = a_phi * c_alpha;
     const Scalar z4 = s_alpha * z0;
     const Scalar z5 = c_alpha * z0;
-    const Scalar z6 = c_alpha * z1 - z4;
-    const Scalar z7 = s_alpha * z1 + z5;
-    const Scalar z8 = c_alpha * z2 - z4;
-    const Scalar z9 = s_alpha * z2 + z5;
-    const Scalar z10 = c_alpha * z1 + z4;
-    const Scalar z11 = s_alpha * z1 - z5;
-    const Scalar z12 = c_alpha * z2 + z4;
-    const Scalar z13 = s_alpha * z2 - z5;
-    const Scalar z14 = v_phi * z1;  // angular acceleration of rotor, x
-    const Scalar z15 = v_phi * z2;  // angular acceleration of rotor, y
+    const Scalar z6 = v_phi * z1;  // angular acceleration of rotor, x
+    const Scalar z7 = v_phi * z2;  // angular acceleration of rotor, y
+    const Scalar z8 = c_alpha * z1 - z4;
+    const Scalar z9 = s_alpha * z1 + z5;
+    const Scalar z10 = c_alpha * z2 - z4;
+    const Scalar z11 = s_alpha * z2 + z5;
+    const Scalar z12 = c_alpha * z1 + z4;
+    const Scalar z13 = s_alpha * z1 - z5;
+    const Scalar z14 = c_alpha * z2 + z4;
+    const Scalar z15 = s_alpha * z2 - z5;
     const Scalar z16 = z1 * z0;
     const Scalar z17 = z2 * z0;
-    const Scalar z18 = s_alpha * z15 + z3;
-    const Scalar z19 = s_alpha * z14 - z3;
-    const Scalar z20 = s_alpha * z15 - z3;
-    const Scalar z21 = s_alpha * z14 + z3;
-    const Scalar z22 = z12 * z13;
-    const Scalar z23 = z1 * z12;
-    const Scalar z24 = z10 * z11;
-    const Scalar z25 = z2 * z10;
-    const Scalar z26 = z8 * z9;
-    const Scalar z27 = z1 * z8;
-    const Scalar z28 = z6 * z7;
-    const Scalar z29 = z2 * z6;
-    const Scalar z30 = n0_4 * (z15 - z22);  // moment on blade_4, x
-    const Scalar z31 = n0_4 * (z14 - z24);  // moment on blade_3, x
-    const Scalar z32 = n0_4 * (z15 + z26);  // moment on blade_2, x
-    const Scalar z33 = n0_4 * (z14 + z28);  // moment on blade_1, x
-    const Scalar z34 = z23 - z21;
-    const Scalar z35 = z25 - z20;
-    const Scalar z36 = z27 + z19;
-    const Scalar z37 = z29 + z18;
-    const Scalar z38 = n0_4 * z34;  // moment on blade_4, z
-    const Scalar z39 = n0_4 * z35;  // moment on blade_3, z
-    const Scalar z40 = n0_4 * z36;  // moment on blade_2, z
-    const Scalar z41 = n0_4 * z37;  // moment on blade_1, z
+    const Scalar z18 = s_alpha * z7 + z3;
+    const Scalar z19 = s_alpha * z6 - z3;
+    const Scalar z20 = s_alpha * z7 - z3;
+    const Scalar z21 = s_alpha * z6 + z3;
+    const Scalar z22 = z14 * z15;
+    const Scalar z23 = z1 * z14;
+    const Scalar z24 = z12 * z13;
+    const Scalar z25 = z2 * z12;
+    const Scalar z26 = z10 * z11;
+    const Scalar z27 = z1 * z10;
+    const Scalar z28 = z8 * z9;
+    const Scalar z29 = z2 * z8;
+    const Scalar z30 = z21 - z23;
+    const Scalar z31 = n0_4 * (z7 - z22);  // moment on blade_4, x
+    const Scalar z32 = z20 - z25;
+    const Scalar z33 = n0_4 * (z6 - z24);  // moment on blade_3, x
+    const Scalar z34 = z19 + z27;
+    const Scalar z35 = n0_4 * (z7 + z26);  // moment on blade_2, x
+    const Scalar z36 = z18 + z29;
+    const Scalar z37 = n0_4 * (z6 + z28);  // moment on blade_1, x
+    const Scalar z38 = n0_4 * z30;  // moment on blade_4, z
+    const Scalar z39 = n0_4 * z32;  // moment on blade_3, z
+    const Scalar z40 = n0_4 * z34;  // moment on blade_2, z
+    const Scalar z41 = n0_4 * z36;  // moment on blade_1, z
     const Scalar z42 = s_alpha * z38;
     const Scalar z43 = c_alpha * z38;
     const Scalar z44 = s_alpha * z39;
@@ -1192,12 +1192,12 @@ struct Mechanism {
     const Scalar z47 = c_alpha * z40;
     const Scalar z48 = s_alpha * z41;
     const Scalar z49 = c_alpha * z41;
-    const Scalar z50 = z31 + z33 + n1330 * z16 - z42 + z46;  // moment on rotor, x
-    const Scalar z51 = z30 + z32 + n1330 * z17 - z44 + z48;  // moment on rotor, y
-    const Scalar z52 = n1330 * a_phi - z43 + z45 - z47 + z49;  // moment on rotor, z
+    const Scalar z50 = n1330 * z16 + z33 + z37 + z42 + z46;  // moment on rotor, x
+    const Scalar z51 = n1330 * z17 + z31 + z35 + z44 + z48;  // moment on rotor, y
+    const Scalar z52 = n1330 * a_phi + z43 - z45 - z47 + z49;  // moment on rotor, z
     const Scalar z53 = s_phi * z50 + c_phi * z51;
-    const Scalar z54 = m12 - z53;  // moment on pitch, y
-    result.X = -m10;
+    const Scalar z54 = m5 - z53;  // moment on pitch, y
+    result.X = -m4;
     result.Y = n0;
     result.Z = n0;
     result.M_x = n0;
@@ -1213,10 +1213,10 @@ struct Mechanism {
     const Scalar n1 = traits::constant(1.0, 1.0f, "1/1");
     const Scalar a_phi = accelerations.phi;
     const Scalar u_C = inputs.C;
-    const Scalar m9 = precomputed.m9;
-    const Scalar m11 = precomputed.m11;
-    const Scalar z0 = a_phi * m9;
-    result.M[0] = -m9;
+    const Scalar m0 = precomputed.m_71a5253a;
+    const Scalar m1 = precomputed.m_9d9d6204;
+    const Scalar z0 = a_phi * m0;
+    result.M[0] = -m0;
     result.C[0] = n0;
     result.K[0] = n0;
     result.F[0] = u_C + z0;
@@ -1226,8 +1226,8 @@ struct Mechanism {
     result.A[2] = n1;
     result.A[3] = n0;
     result.B[0] = n0;
-    result.B[1] = -m11;
-    if (!(traits::regular(-m9, -m9))) return torsor::Status::singular;
+    result.B[1] = -m1;
+    if (!(traits::regular(-m0, -m0))) return torsor::Status::singular;
     // 0 x is 0 for every finite x and not a number for any other.
     const Scalar zero = n0 * result.M[0] * result.F[0] * result.B[1];
     if (!traits::regular(n1, zero)) return torsor::Status::not_finite;

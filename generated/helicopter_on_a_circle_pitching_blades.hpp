@@ -7,17 +7,17 @@
 // Parameters set at run time: theta, omega, alpha, alpha_c, k, c
 //
 // Operations in the text of each function (a sine-cosine pair counts 2 in the total; not in it is what a Status
-// costs, one multiplication for each result and for each pivot tested); before: without inertia moved across
-// joints, products that sums share, factoring, and what is done once for a set of parameters:
+// costs, one multiplication for each result and for each pivot tested); before: without products that sums
+// share, factoring, and what is done once for a set of parameters:
 //   function          additions  multiplications  divisions  square roots  sine-cosine pairs  others  total  before
 //   precompute                0                9          0             0                  1       0     11       -
 //   kinematics               68              113          0             0                  6       0    193     198
 //   mass_matrix               4                8          0             0                  4       0     20      20
-//   bias                     56               69          0             0                  5       0    135     160
-//   inverse_dynamics         65               74          0             0                  5       0    149     174
-//   forward_dynamics         61               82          1             0                  5       0    154     179
+//   bias                     56               69          0             0                  5       0    135     156
+//   inverse_dynamics         65               74          0             0                  5       0    149     170
+//   forward_dynamics         61               82          1             0                  5       0    154     175
 //   energy                   40               53          0             0                  5       0    103     124
-//   reactions                48               65          0             0                  5       0    123     153
+//   reactions                48               65          0             0                  5       0    123     136
 //
 // Not computed because this mechanism does not need it:
 //   kinematics: of 165 results 25 vanish identically, 68 repeat another up to sign
@@ -503,7 +503,7 @@ struct Mechanism {
 
   static constexpr const char* name = "helicopter_on_a_circle_pitching_blades";
   /// 64 bits (FNV-1a) of this file from "#pragma once" on, with zeros in their own place: another mechanism, other bits.
-  static constexpr unsigned long long fingerprint = 0x559ad179a87bf4e0ULL;
+  static constexpr unsigned long long fingerprint = 0xd5b3ba4a3b9fdf9cULL;
   static constexpr int coordinate_count = 5;
   static constexpr int velocity_count = 5;
   static constexpr int input_count = 1;
@@ -636,14 +636,14 @@ struct Mechanism {
   /// Parameters and what depends on them only: built once for each set of parameters.
   struct Precomputed {
     Parameters parameters;
-    Scalar s_theta;
-    Scalar c_theta;
-    Scalar m2;
-    Scalar m3;
-    Scalar m4;
-    Scalar m5;  ///< force on upwards, x
-    Scalar m6;
-    Scalar m7;
+    Scalar m_282b6380;
+    Scalar m_b1b5ea6b;
+    Scalar m_b30b430b;
+    Scalar m_9d2b0082;
+    Scalar m_83f08dc3;
+    Scalar m_94794fcc;
+    Scalar m_2c52f31d;  ///< force on upwards, x
+    Scalar m_1454edca;
   };
 
   /// Values of the scene.
@@ -668,8 +668,8 @@ struct Mechanism {
     Precomputed precomputed{};
     precomputed.parameters = parameters;
     const Scalar n100 = traits::constant(100.0, 100.0f, "100/1");
-    const Scalar n120 = traits::constant(120.0, 120.0f, "120/1");
     const Scalar n0_5 = traits::constant(0.5, 0.5f, "1/2");
+    const Scalar n120 = traits::constant(120.0, 120.0f, "120/1");
     const Scalar n665 = traits::constant(665.0, 665.0f, "665/1");
     const Scalar p_omega = parameters.omega;
     const Scalar p_theta = parameters.theta;
@@ -679,20 +679,20 @@ struct Mechanism {
     const Scalar z0 = n100 * p_omega;
     const Scalar z1 = p_omega * s_theta;
     const Scalar z2 = p_omega * c_theta;
-    const Scalar z3 = p_omega * p_omega;
-    const Scalar z4 = n100 * z3;
-    const Scalar z5 = z1 * z2;
-    const Scalar z6 = n120 * z4;  // force on upwards, x
-    const Scalar z7 = n0_5 * p_k;
-    const Scalar z8 = n665 * z5;
-    precomputed.s_theta = s_theta;
-    precomputed.c_theta = c_theta;
-    precomputed.m2 = z0;
-    precomputed.m3 = z1;
-    precomputed.m4 = z2;
-    precomputed.m5 = z6;
-    precomputed.m6 = z7;
-    precomputed.m7 = z8;
+    const Scalar z3 = n0_5 * p_k;
+    const Scalar z4 = p_omega * p_omega;
+    const Scalar z5 = n100 * z4;
+    const Scalar z6 = z1 * z2;
+    const Scalar z7 = n120 * z5;  // force on upwards, x
+    const Scalar z8 = n665 * z6;
+    precomputed.m_282b6380 = s_theta;
+    precomputed.m_b1b5ea6b = c_theta;
+    precomputed.m_b30b430b = z0;
+    precomputed.m_9d2b0082 = z1;
+    precomputed.m_83f08dc3 = z2;
+    precomputed.m_94794fcc = z3;
+    precomputed.m_2c52f31d = z7;
+    precomputed.m_1454edca = z8;
     return precomputed;
   }
 
@@ -812,11 +812,11 @@ struct Mechanism {
     const Scalar v_alpha_3 = state.v.alpha_3;
     const Scalar q_alpha_4 = state.q.alpha_4;
     const Scalar v_alpha_4 = state.v.alpha_4;
-    const Scalar s_theta = precomputed.s_theta;
-    const Scalar c_theta = precomputed.c_theta;
-    const Scalar m2 = precomputed.m2;
-    const Scalar m3 = precomputed.m3;
-    const Scalar m4 = precomputed.m4;
+    const Scalar s_theta = precomputed.m_282b6380;
+    const Scalar c_theta = precomputed.m_b1b5ea6b;
+    const Scalar m2 = precomputed.m_b30b430b;
+    const Scalar m3 = precomputed.m_9d2b0082;
+    const Scalar m4 = precomputed.m_83f08dc3;
     const Scalar z0 = p_omega * t;
     const Scalar angles_[] = {z0, q_phi, q_alpha_1, q_alpha_2, q_alpha_3, q_alpha_4};
     Scalar sines_[6], cosines_[6];
@@ -1151,8 +1151,8 @@ struct Mechanism {
     const Scalar p_alpha_c = precomputed.parameters.alpha_c;
     const Scalar p_alpha = precomputed.parameters.alpha;
     const Scalar p_c = precomputed.parameters.c;
-    const Scalar m3 = precomputed.m3;
-    const Scalar m4 = precomputed.m4;
+    const Scalar m0 = precomputed.m_9d2b0082;
+    const Scalar m1 = precomputed.m_83f08dc3;
     const Scalar angles_[] = {q_phi, q_alpha_1, q_alpha_2, q_alpha_3, q_alpha_4};
     Scalar sines_[5], cosines_[5];
     torsor::sines_and_cosines(angles_, sines_, cosines_);
@@ -1161,63 +1161,63 @@ struct Mechanism {
     const Scalar s_alpha_2 = sines_[2], c_alpha_2 = cosines_[2];
     const Scalar s_alpha_3 = sines_[3], c_alpha_3 = cosines_[3];
     const Scalar s_alpha_4 = sines_[4], c_alpha_4 = cosines_[4];
-    const Scalar z0 = v_phi + m4;
-    const Scalar z1 = c_phi * m3;
-    const Scalar z2 = s_phi * m3;
+    const Scalar z0 = v_phi + m1;  // angular velocity of rotor, z
+    const Scalar z1 = c_phi * m0;
+    const Scalar z2 = s_phi * m0;
     const Scalar z3 = v_phi * s_phi;
     const Scalar z4 = p_alpha - q_alpha_1 + c_phi * p_alpha_c;
     const Scalar z5 = q_alpha_3 - p_alpha + c_phi * p_alpha_c;
     const Scalar z6 = v_phi * c_phi;
     const Scalar z7 = q_alpha_2 - p_alpha + s_phi * p_alpha_c;
     const Scalar z8 = p_alpha - q_alpha_4 + s_phi * p_alpha_c;
-    const Scalar z9 = s_alpha_1 * z0 - c_alpha_1 * z2;
-    const Scalar z10 = c_alpha_1 * z0 + s_alpha_1 * z2;
-    const Scalar z11 = v_alpha_1 + z1;
-    const Scalar z12 = s_alpha_2 * z0 - c_alpha_2 * z1;
-    const Scalar z13 = c_alpha_2 * z0 + s_alpha_2 * z1;
-    const Scalar z14 = v_alpha_2 - z2;
-    const Scalar z15 = s_alpha_3 * z0 + c_alpha_3 * z2;
-    const Scalar z16 = s_alpha_3 * z2 - c_alpha_3 * z0;
-    const Scalar z17 = v_alpha_3 - z1;
-    const Scalar z18 = s_alpha_4 * z0 + c_alpha_4 * z1;
-    const Scalar z19 = s_alpha_4 * z1 - c_alpha_4 * z0;
-    const Scalar z20 = v_alpha_4 + z2;
-    const Scalar z21 = v_alpha_1 + p_alpha_c * z3;
-    const Scalar z22 = v_alpha_2 + p_alpha_c * z6;
-    const Scalar z23 = v_alpha_3 - p_alpha_c * z3;
-    const Scalar z24 = v_alpha_4 - p_alpha_c * z6;
-    const Scalar z25 = v_phi * z2;  // angular acceleration of rotor, x
-    const Scalar z26 = v_phi * z1;  // angular acceleration of rotor, y
+    const Scalar z9 = v_alpha_1 + p_alpha_c * z3;
+    const Scalar z10 = v_alpha_2 + p_alpha_c * z6;
+    const Scalar z11 = v_alpha_3 - p_alpha_c * z3;
+    const Scalar z12 = v_alpha_4 - p_alpha_c * z6;
+    const Scalar z13 = v_phi * z2;  // angular acceleration of rotor, x
+    const Scalar z14 = v_phi * z1;  // angular acceleration of rotor, y
+    const Scalar z15 = s_alpha_1 * z0 - c_alpha_1 * z2;
+    const Scalar z16 = c_alpha_1 * z0 + s_alpha_1 * z2;
+    const Scalar z17 = v_alpha_1 + z1;  // angular velocity of blade_1, x
+    const Scalar z18 = s_alpha_2 * z0 - c_alpha_2 * z1;
+    const Scalar z19 = c_alpha_2 * z0 + s_alpha_2 * z1;
+    const Scalar z20 = v_alpha_2 - z2;  // angular velocity of blade_2, x
+    const Scalar z21 = s_alpha_3 * z0 + c_alpha_3 * z2;
+    const Scalar z22 = s_alpha_3 * z2 - c_alpha_3 * z0;
+    const Scalar z23 = v_alpha_3 - z1;  // angular velocity of blade_3, x
+    const Scalar z24 = s_alpha_4 * z0 + c_alpha_4 * z1;
+    const Scalar z25 = s_alpha_4 * z1 - c_alpha_4 * z0;
+    const Scalar z26 = v_alpha_4 + z2;  // angular velocity of blade_4, x
     const Scalar z27 = p_k * z4;
     const Scalar z28 = p_k * z7;
     const Scalar z29 = p_k * z5;
     const Scalar z30 = p_k * z8;
-    const Scalar z31 = s_alpha_1 * z26;
-    const Scalar z32 = s_alpha_2 * z25;
-    const Scalar z33 = s_alpha_3 * z26;
-    const Scalar z34 = s_alpha_4 * z25;
-    const Scalar z35 = z21 * p_c;
-    const Scalar z36 = p_c * z22;
-    const Scalar z37 = p_c * z23;
-    const Scalar z38 = p_c * z24;
-    const Scalar z39 = z18 * z20;
-    const Scalar z40 = z15 * z17;
-    const Scalar z41 = z12 * z13;
-    const Scalar z42 = z12 * z14;
-    const Scalar z43 = z9 * z10;
-    const Scalar z44 = z9 * z11;
-    const Scalar z45 = v_alpha_1 * z9 - z31;  // angular acceleration of blade_1, z
-    const Scalar z46 = v_alpha_2 * z12 + z32;  // angular acceleration of blade_2, z
-    const Scalar z47 = v_alpha_3 * z15 + z33;  // angular acceleration of blade_3, z
-    const Scalar z48 = v_alpha_4 * z18 - z34;  // angular acceleration of blade_4, z
-    const Scalar z49 = z18 * z19;
-    const Scalar z50 = z15 * z16;
-    const Scalar z51 = n0_4 * (z26 - z41);  // moment on blade_2, x
-    const Scalar z52 = n0_4 * (z25 - z43);  // moment on blade_1, x
+    const Scalar z31 = s_alpha_1 * z14;
+    const Scalar z32 = s_alpha_2 * z13;
+    const Scalar z33 = s_alpha_3 * z14;
+    const Scalar z34 = s_alpha_4 * z13;
+    const Scalar z35 = z9 * p_c;
+    const Scalar z36 = p_c * z10;
+    const Scalar z37 = p_c * z11;
+    const Scalar z38 = p_c * z12;
+    const Scalar z39 = z24 * z26;
+    const Scalar z40 = z21 * z23;
+    const Scalar z41 = z18 * z19;
+    const Scalar z42 = z18 * z20;
+    const Scalar z43 = z15 * z16;
+    const Scalar z44 = z15 * z17;
+    const Scalar z45 = v_alpha_1 * z15 - z31;  // angular acceleration of blade_1, z
+    const Scalar z46 = v_alpha_2 * z18 + z32;  // angular acceleration of blade_2, z
+    const Scalar z47 = v_alpha_3 * z21 + z33;  // angular acceleration of blade_3, z
+    const Scalar z48 = v_alpha_4 * z24 - z34;  // angular acceleration of blade_4, z
+    const Scalar z49 = z24 * z25;
+    const Scalar z50 = z21 * z22;
+    const Scalar z51 = n0_4 * (z14 - z41);  // moment on blade_2, x
+    const Scalar z52 = n0_4 * (z13 - z43);  // moment on blade_1, x
     const Scalar z53 = z48 + z39;
-    const Scalar z54 = n0_4 * (z26 - z49);  // moment on blade_4, x
+    const Scalar z54 = n0_4 * (z14 - z49);  // moment on blade_4, x
     const Scalar z55 = z47 + z40;
-    const Scalar z56 = n0_4 * (z25 - z50);  // moment on blade_3, x
+    const Scalar z56 = n0_4 * (z13 - z50);  // moment on blade_3, x
     const Scalar z57 = z46 + z42;
     const Scalar z58 = z45 + z44;
     const Scalar z59 = n0_4 * z53;  // moment on blade_4, z
@@ -1265,8 +1265,8 @@ struct Mechanism {
     const Scalar p_alpha_c = precomputed.parameters.alpha_c;
     const Scalar p_alpha = precomputed.parameters.alpha;
     const Scalar p_c = precomputed.parameters.c;
-    const Scalar m3 = precomputed.m3;
-    const Scalar m4 = precomputed.m4;
+    const Scalar m0 = precomputed.m_9d2b0082;
+    const Scalar m1 = precomputed.m_83f08dc3;
     const Scalar angles_[] = {q_phi, q_alpha_1, q_alpha_2, q_alpha_3, q_alpha_4};
     Scalar sines_[5], cosines_[5];
     torsor::sines_and_cosines(angles_, sines_, cosines_);
@@ -1275,82 +1275,82 @@ struct Mechanism {
     const Scalar s_alpha_2 = sines_[2], c_alpha_2 = cosines_[2];
     const Scalar s_alpha_3 = sines_[3], c_alpha_3 = cosines_[3];
     const Scalar s_alpha_4 = sines_[4], c_alpha_4 = cosines_[4];
-    const Scalar z0 = s_phi * m3;
-    const Scalar z1 = v_phi + m4;
-    const Scalar z2 = c_phi * m3;
+    const Scalar z0 = s_phi * m0;
+    const Scalar z1 = v_phi + m1;  // angular velocity of rotor, z
+    const Scalar z2 = c_phi * m0;
     const Scalar z3 = v_phi * s_phi;
     const Scalar z4 = p_alpha - q_alpha_1 + c_phi * p_alpha_c;
     const Scalar z5 = q_alpha_3 - p_alpha + c_phi * p_alpha_c;
     const Scalar z6 = v_phi * c_phi;
     const Scalar z7 = q_alpha_2 - p_alpha + s_phi * p_alpha_c;
     const Scalar z8 = p_alpha - q_alpha_4 + s_phi * p_alpha_c;
-    const Scalar z9 = s_alpha_1 * z1 - c_alpha_1 * z0;
-    const Scalar z10 = c_alpha_1 * z1 + s_alpha_1 * z0;
-    const Scalar z11 = v_alpha_1 + z2;
-    const Scalar z12 = s_alpha_2 * z1 - c_alpha_2 * z2;
-    const Scalar z13 = c_alpha_2 * z1 + s_alpha_2 * z2;
-    const Scalar z14 = v_alpha_2 - z0;
-    const Scalar z15 = s_alpha_3 * z1 + c_alpha_3 * z0;
-    const Scalar z16 = s_alpha_3 * z0 - c_alpha_3 * z1;
-    const Scalar z17 = v_alpha_3 - z2;
-    const Scalar z18 = s_alpha_4 * z1 + c_alpha_4 * z2;
-    const Scalar z19 = s_alpha_4 * z2 - c_alpha_4 * z1;
-    const Scalar z20 = v_alpha_4 + z0;
-    const Scalar z21 = v_alpha_1 + p_alpha_c * z3;
-    const Scalar z22 = v_alpha_2 + p_alpha_c * z6;
-    const Scalar z23 = v_alpha_3 - p_alpha_c * z3;
-    const Scalar z24 = v_alpha_4 - p_alpha_c * z6;
-    const Scalar z25 = v_phi * z0;  // angular acceleration of rotor, x
-    const Scalar z26 = v_phi * z2;  // angular acceleration of rotor, y
+    const Scalar z9 = v_alpha_1 + p_alpha_c * z3;
+    const Scalar z10 = v_alpha_2 + p_alpha_c * z6;
+    const Scalar z11 = v_alpha_3 - p_alpha_c * z3;
+    const Scalar z12 = v_alpha_4 - p_alpha_c * z6;
+    const Scalar z13 = v_phi * z0;  // angular acceleration of rotor, x
+    const Scalar z14 = v_phi * z2;  // angular acceleration of rotor, y
+    const Scalar z15 = s_alpha_1 * z1 - c_alpha_1 * z0;
+    const Scalar z16 = c_alpha_1 * z1 + s_alpha_1 * z0;
+    const Scalar z17 = v_alpha_1 + z2;  // angular velocity of blade_1, x
+    const Scalar z18 = s_alpha_2 * z1 - c_alpha_2 * z2;
+    const Scalar z19 = c_alpha_2 * z1 + s_alpha_2 * z2;
+    const Scalar z20 = v_alpha_2 - z0;  // angular velocity of blade_2, x
+    const Scalar z21 = s_alpha_3 * z1 + c_alpha_3 * z0;
+    const Scalar z22 = s_alpha_3 * z0 - c_alpha_3 * z1;
+    const Scalar z23 = v_alpha_3 - z2;  // angular velocity of blade_3, x
+    const Scalar z24 = s_alpha_4 * z1 + c_alpha_4 * z2;
+    const Scalar z25 = s_alpha_4 * z2 - c_alpha_4 * z1;
+    const Scalar z26 = v_alpha_4 + z0;  // angular velocity of blade_4, x
     const Scalar z27 = p_k * z4;
     const Scalar z28 = p_k * z7;
     const Scalar z29 = p_k * z5;
     const Scalar z30 = p_k * z8;
-    const Scalar z31 = a_phi * c_alpha_1 + s_alpha_1 * z26;
-    const Scalar z32 = a_alpha_1 - z25;  // angular acceleration of blade_1, x
-    const Scalar z33 = a_phi * c_alpha_2 - s_alpha_2 * z25;
-    const Scalar z34 = a_alpha_2 - z26;  // angular acceleration of blade_2, x
-    const Scalar z35 = a_phi * c_alpha_3 - s_alpha_3 * z26;
-    const Scalar z36 = a_alpha_3 + z25;  // angular acceleration of blade_3, x
-    const Scalar z37 = a_phi * c_alpha_4 + s_alpha_4 * z25;
-    const Scalar z38 = a_alpha_4 + z26;  // angular acceleration of blade_4, x
-    const Scalar z39 = z21 * p_c;
-    const Scalar z40 = p_c * z22;
-    const Scalar z41 = p_c * z23;
-    const Scalar z42 = p_c * z24;
-    const Scalar z43 = z18 * z20;
-    const Scalar z44 = z15 * z17;
-    const Scalar z45 = z12 * z13;
-    const Scalar z46 = z12 * z14;
-    const Scalar z47 = z9 * z10;
-    const Scalar z48 = z9 * z11;
-    const Scalar z49 = z18 * z19;
-    const Scalar z50 = z15 * z16;
-    const Scalar z51 = v_alpha_1 * z9 - z31;  // angular acceleration of blade_1, z
-    const Scalar z52 = v_alpha_2 * z12 - z33;  // angular acceleration of blade_2, z
-    const Scalar z53 = v_alpha_4 * z18 - z37;  // angular acceleration of blade_4, z
-    const Scalar z54 = v_alpha_3 * z15 - z35;  // angular acceleration of blade_3, z
-    const Scalar z55 = n0_4 * (z45 + z34);  // moment on blade_2, x
-    const Scalar z56 = n0_4 * (z49 - z38);  // moment on blade_4, x
-    const Scalar z57 = z43 + z53;
-    const Scalar z58 = z44 + z54;
-    const Scalar z59 = z46 + z52;
-    const Scalar z60 = z48 + z51;
-    const Scalar z61 = n0_4 * (z50 - z36);  // moment on blade_3, x
+    const Scalar z31 = a_phi * c_alpha_1 + s_alpha_1 * z14;
+    const Scalar z32 = a_alpha_1 - z13;  // angular acceleration of blade_1, x
+    const Scalar z33 = a_phi * c_alpha_2 - s_alpha_2 * z13;
+    const Scalar z34 = a_alpha_2 - z14;  // angular acceleration of blade_2, x
+    const Scalar z35 = a_phi * c_alpha_3 - s_alpha_3 * z14;
+    const Scalar z36 = a_alpha_3 + z13;  // angular acceleration of blade_3, x
+    const Scalar z37 = a_phi * c_alpha_4 + s_alpha_4 * z13;
+    const Scalar z38 = a_alpha_4 + z14;  // angular acceleration of blade_4, x
+    const Scalar z39 = z9 * p_c;
+    const Scalar z40 = p_c * z10;
+    const Scalar z41 = p_c * z11;
+    const Scalar z42 = p_c * z12;
+    const Scalar z43 = z24 * z26;
+    const Scalar z44 = z21 * z23;
+    const Scalar z45 = z18 * z19;
+    const Scalar z46 = z18 * z20;
+    const Scalar z47 = z15 * z16;
+    const Scalar z48 = z15 * z17;
+    const Scalar z49 = v_alpha_1 * z15 - z31;  // angular acceleration of blade_1, z
+    const Scalar z50 = v_alpha_2 * z18 - z33;  // angular acceleration of blade_2, z
+    const Scalar z51 = v_alpha_3 * z21 - z35;  // angular acceleration of blade_3, z
+    const Scalar z52 = z21 * z22;
+    const Scalar z53 = n0_4 * (z34 + z45);  // moment on blade_2, x
+    const Scalar z54 = n0_4 * (z32 + z47);  // moment on blade_1, x
+    const Scalar z55 = v_alpha_4 * z24 - z37;  // angular acceleration of blade_4, z
+    const Scalar z56 = z24 * z25;
+    const Scalar z57 = z55 + z43;
+    const Scalar z58 = z51 + z44;
+    const Scalar z59 = z50 + z46;
+    const Scalar z60 = z49 + z48;
+    const Scalar z61 = n0_4 * (z38 - z56);  // moment on blade_4, x
     const Scalar z62 = n0_4 * z57;  // moment on blade_4, z
     const Scalar z63 = n0_4 * z58;  // moment on blade_3, z
     const Scalar z64 = n0_4 * z59;  // moment on blade_2, z
     const Scalar z65 = n0_4 * z60;  // moment on blade_1, z
-    const Scalar z66 = n0_4 * (z47 + z32);  // moment on blade_1, x
+    const Scalar z66 = n0_4 * (z36 - z52);  // moment on blade_3, x
     const Scalar z67 = c_alpha_4 * z62;
     const Scalar z68 = c_alpha_3 * z63;
     const Scalar z69 = c_alpha_2 * z64;
     const Scalar z70 = c_alpha_1 * z65;
-    const Scalar z71 = z27 - z39 - z66;
+    const Scalar z71 = z27 - z39 - z54;
     const Scalar z72 = n1330 * a_phi - z67 - z68 - z69 - z70;  // moment on rotor, z
-    const Scalar z73 = z28 + z40 + z55;
-    const Scalar z74 = z29 + z41 - z61;
-    const Scalar z75 = z30 - z42 + z56;
+    const Scalar z73 = z28 + z40 + z53;
+    const Scalar z74 = z29 + z41 + z66;
+    const Scalar z75 = z30 - z42 - z61;
     const Scalar z76 = p_alpha_c * (s_phi * (z27 + z29 - z39 + z41) - c_phi * (z28 + z30 + z40 - z42)) - z72;
     forces.phi = -z76;
     forces.alpha_1 = -z71;
@@ -1384,8 +1384,8 @@ struct Mechanism {
     const Scalar p_alpha_c = precomputed.parameters.alpha_c;
     const Scalar p_alpha = precomputed.parameters.alpha;
     const Scalar p_c = precomputed.parameters.c;
-    const Scalar m3 = precomputed.m3;
-    const Scalar m4 = precomputed.m4;
+    const Scalar m0 = precomputed.m_9d2b0082;
+    const Scalar m1 = precomputed.m_83f08dc3;
     const Scalar angles_[] = {q_phi, q_alpha_1, q_alpha_2, q_alpha_3, q_alpha_4};
     Scalar sines_[5], cosines_[5];
     torsor::sines_and_cosines(angles_, sines_, cosines_);
@@ -1394,96 +1394,96 @@ struct Mechanism {
     const Scalar s_alpha_2 = sines_[2], c_alpha_2 = cosines_[2];
     const Scalar s_alpha_3 = sines_[3], c_alpha_3 = cosines_[3];
     const Scalar s_alpha_4 = sines_[4], c_alpha_4 = cosines_[4];
-    const Scalar z0 = v_phi + m4;
-    const Scalar z1 = c_phi * m3;
-    const Scalar z2 = s_phi * m3;
-    const Scalar z3 = n0_4 * s_alpha_4;
-    const Scalar z4 = v_phi * s_phi;
-    const Scalar z5 = p_alpha - q_alpha_1 + c_phi * p_alpha_c;
-    const Scalar z6 = q_alpha_3 - p_alpha + c_phi * p_alpha_c;
-    const Scalar z7 = n0_4 * s_alpha_3;
-    const Scalar z8 = v_phi * c_phi;
-    const Scalar z9 = q_alpha_2 - p_alpha + s_phi * p_alpha_c;
-    const Scalar z10 = p_alpha - q_alpha_4 + s_phi * p_alpha_c;
-    const Scalar z11 = n0_4 * s_alpha_2;
-    const Scalar z12 = n0_4 * s_alpha_1;
-    const Scalar z13 = s_alpha_1 * z0 - c_alpha_1 * z2;
-    const Scalar z14 = c_alpha_1 * z0 + s_alpha_1 * z2;
-    const Scalar z15 = v_alpha_1 + z1;
-    const Scalar z16 = s_alpha_2 * z0 - c_alpha_2 * z1;
-    const Scalar z17 = c_alpha_2 * z0 + s_alpha_2 * z1;
-    const Scalar z18 = v_alpha_2 - z2;
-    const Scalar z19 = s_alpha_3 * z0 + c_alpha_3 * z2;
-    const Scalar z20 = s_alpha_3 * z2 - c_alpha_3 * z0;
-    const Scalar z21 = v_alpha_3 - z1;
-    const Scalar z22 = s_alpha_4 * z0 + c_alpha_4 * z1;
-    const Scalar z23 = s_alpha_4 * z1 - c_alpha_4 * z0;
-    const Scalar z24 = v_alpha_4 + z2;
-    const Scalar z25 = s_alpha_4 * z3;
-    const Scalar z26 = s_alpha_3 * z7;
-    const Scalar z27 = s_alpha_2 * z11;
-    const Scalar z28 = s_alpha_1 * z12;
-    const Scalar z29 = v_alpha_1 + p_alpha_c * z4;
-    const Scalar z30 = v_alpha_2 + p_alpha_c * z8;
-    const Scalar z31 = v_alpha_3 - p_alpha_c * z4;
-    const Scalar z32 = v_alpha_4 - p_alpha_c * z8;
-    const Scalar z33 = v_phi * z2;  // angular acceleration of rotor, x
-    const Scalar z34 = v_phi * z1;  // angular acceleration of rotor, y
-    const Scalar z35 = p_k * z5;
-    const Scalar z36 = p_k * z9;
-    const Scalar z37 = p_k * z6;
-    const Scalar z38 = p_k * z10;
-    const Scalar z39 = n1331_6 - z25;
-    const Scalar z40 = s_alpha_1 * z34;
-    const Scalar z41 = s_alpha_2 * z33;
-    const Scalar z42 = s_alpha_3 * z34;
-    const Scalar z43 = s_alpha_4 * z33;
-    const Scalar z44 = z29 * p_c;
-    const Scalar z45 = p_c * z30;
-    const Scalar z46 = p_c * z31;
-    const Scalar z47 = p_c * z32;
-    const Scalar z48 = z22 * z24;
-    const Scalar z49 = z19 * z21;
-    const Scalar z50 = z16 * z17;
-    const Scalar z51 = z16 * z18;
-    const Scalar z52 = z13 * z14;
-    const Scalar z53 = z13 * z15;
-    const Scalar z54 = z39 - z26;
-    const Scalar z55 = v_alpha_1 * z13 - z40;  // angular acceleration of blade_1, z
-    const Scalar z56 = v_alpha_2 * z16 + z41;  // angular acceleration of blade_2, z
-    const Scalar z57 = v_alpha_3 * z19 + z42;  // angular acceleration of blade_3, z
-    const Scalar z58 = v_alpha_4 * z22 - z43;  // angular acceleration of blade_4, z
-    const Scalar z59 = z22 * z23;
-    const Scalar z60 = z19 * z20;
-    const Scalar z61 = n0_4 * (z34 - z50);  // moment on blade_2, x
-    const Scalar z62 = n0_4 * (z33 - z52);  // moment on blade_1, x
-    const Scalar z63 = z54 - z27;
-    const Scalar z64 = z58 + z48;
-    const Scalar z65 = n0_4 * (z34 - z59);  // moment on blade_4, x
-    const Scalar z66 = z57 + z49;
-    const Scalar z67 = z56 + z51;
-    const Scalar z68 = z55 + z53;
-    const Scalar z69 = n0_4 * (z33 - z60);  // moment on blade_3, x
-    const Scalar z70 = z63 - z28;
-    const Scalar z71 = n0_4 * z64;  // moment on blade_4, z
-    const Scalar z72 = n0_4 * z66;  // moment on blade_3, z
-    const Scalar z73 = n0_4 * z67;  // moment on blade_2, z
-    const Scalar z74 = n0_4 * z68;  // moment on blade_1, z
-    const Scalar z75 = z35 - z44 + z62;
-    const Scalar z76 = c_alpha_4 * z71;
-    const Scalar z77 = c_alpha_3 * z72;
-    const Scalar z78 = c_alpha_2 * z73;
-    const Scalar z79 = c_alpha_1 * z74;
-    const Scalar z80 = z36 + z45 - z61;
-    const Scalar z81 = z76 + z77 + z78 + z79;  // moment on rotor, z
-    const Scalar z82 = z37 + z46 + z69;
-    const Scalar z83 = z38 - z47 - z65;
-    const Scalar z84 = n1 / z70;
-    const Scalar z85 = n2_5 * z75;
-    const Scalar z86 = n2_5 * z80;
+    const Scalar z0 = v_phi + m1;  // angular velocity of rotor, z
+    const Scalar z1 = c_phi * m0;
+    const Scalar z2 = s_phi * m0;
+    const Scalar z3 = v_phi * s_phi;
+    const Scalar z4 = p_alpha - q_alpha_1 + c_phi * p_alpha_c;
+    const Scalar z5 = q_alpha_3 - p_alpha + c_phi * p_alpha_c;
+    const Scalar z6 = v_phi * c_phi;
+    const Scalar z7 = q_alpha_2 - p_alpha + s_phi * p_alpha_c;
+    const Scalar z8 = p_alpha - q_alpha_4 + s_phi * p_alpha_c;
+    const Scalar z9 = v_alpha_1 + p_alpha_c * z3;
+    const Scalar z10 = v_alpha_2 + p_alpha_c * z6;
+    const Scalar z11 = v_alpha_3 - p_alpha_c * z3;
+    const Scalar z12 = v_alpha_4 - p_alpha_c * z6;
+    const Scalar z13 = v_phi * z2;  // angular acceleration of rotor, x
+    const Scalar z14 = v_phi * z1;  // angular acceleration of rotor, y
+    const Scalar z15 = s_alpha_1 * z0 - c_alpha_1 * z2;
+    const Scalar z16 = c_alpha_1 * z0 + s_alpha_1 * z2;
+    const Scalar z17 = v_alpha_1 + z1;  // angular velocity of blade_1, x
+    const Scalar z18 = s_alpha_2 * z0 - c_alpha_2 * z1;
+    const Scalar z19 = c_alpha_2 * z0 + s_alpha_2 * z1;
+    const Scalar z20 = v_alpha_2 - z2;  // angular velocity of blade_2, x
+    const Scalar z21 = s_alpha_3 * z0 + c_alpha_3 * z2;
+    const Scalar z22 = s_alpha_3 * z2 - c_alpha_3 * z0;
+    const Scalar z23 = v_alpha_3 - z1;  // angular velocity of blade_3, x
+    const Scalar z24 = s_alpha_4 * z0 + c_alpha_4 * z1;
+    const Scalar z25 = s_alpha_4 * z1 - c_alpha_4 * z0;
+    const Scalar z26 = v_alpha_4 + z2;  // angular velocity of blade_4, x
+    const Scalar z27 = p_k * z4;
+    const Scalar z28 = p_k * z7;
+    const Scalar z29 = p_k * z5;
+    const Scalar z30 = p_k * z8;
+    const Scalar z31 = s_alpha_1 * z14;
+    const Scalar z32 = s_alpha_2 * z13;
+    const Scalar z33 = s_alpha_3 * z14;
+    const Scalar z34 = s_alpha_4 * z13;
+    const Scalar z35 = z9 * p_c;
+    const Scalar z36 = p_c * z10;
+    const Scalar z37 = p_c * z11;
+    const Scalar z38 = n0_4 * s_alpha_4;
+    const Scalar z39 = s_alpha_4 * z38;
+    const Scalar z40 = n1331_6 - z39;
+    const Scalar z41 = p_c * z12;
+    const Scalar z42 = n0_4 * s_alpha_3;
+    const Scalar z43 = n0_4 * s_alpha_2;
+    const Scalar z44 = n0_4 * s_alpha_1;
+    const Scalar z45 = s_alpha_3 * z42;
+    const Scalar z46 = s_alpha_2 * z43;
+    const Scalar z47 = s_alpha_1 * z44;
+    const Scalar z48 = z24 * z26;
+    const Scalar z49 = z21 * z23;
+    const Scalar z50 = z18 * z19;
+    const Scalar z51 = z18 * z20;
+    const Scalar z52 = z15 * z16;
+    const Scalar z53 = z15 * z17;
+    const Scalar z54 = v_alpha_1 * z15 - z31;  // angular acceleration of blade_1, z
+    const Scalar z55 = v_alpha_2 * z18 + z32;  // angular acceleration of blade_2, z
+    const Scalar z56 = v_alpha_3 * z21 + z33;  // angular acceleration of blade_3, z
+    const Scalar z57 = v_alpha_4 * z24 - z34;  // angular acceleration of blade_4, z
+    const Scalar z58 = z40 - z45;
+    const Scalar z59 = z24 * z25;
+    const Scalar z60 = z21 * z22;
+    const Scalar z61 = n0_4 * (z14 - z50);  // moment on blade_2, x
+    const Scalar z62 = z58 - z46;
+    const Scalar z63 = n0_4 * (z13 - z52);  // moment on blade_1, x
+    const Scalar z64 = z57 + z48;
+    const Scalar z65 = z56 + z49;
+    const Scalar z66 = z55 + z51;
+    const Scalar z67 = z54 + z53;
+    const Scalar z68 = z62 - z47;
+    const Scalar z69 = n0_4 * z64;  // moment on blade_4, z
+    const Scalar z70 = n0_4 * z65;  // moment on blade_3, z
+    const Scalar z71 = n0_4 * z66;  // moment on blade_2, z
+    const Scalar z72 = n0_4 * z67;  // moment on blade_1, z
+    const Scalar z73 = n0_4 * (z14 - z59);  // moment on blade_4, x
+    const Scalar z74 = c_alpha_4 * z69;
+    const Scalar z75 = c_alpha_3 * z70;
+    const Scalar z76 = c_alpha_2 * z71;
+    const Scalar z77 = c_alpha_1 * z72;
+    const Scalar z78 = n0_4 * (z13 - z60);  // moment on blade_3, x
+    const Scalar z79 = z74 + z75 + z76 + z77;  // moment on rotor, z
+    const Scalar z80 = z27 - z35 + z63;
+    const Scalar z81 = z28 + z36 - z61;
+    const Scalar z82 = z29 + z37 + z78;
+    const Scalar z83 = z30 - z41 - z73;
+    const Scalar z84 = n1 / z68;
+    const Scalar z85 = n2_5 * z80;
+    const Scalar z86 = n2_5 * z81;
     const Scalar z87 = n2_5 * z82;
     const Scalar z88 = n2_5 * z83;
-    const Scalar z89 = p_alpha_c * (s_phi * (z35 + z37 - z44 + z46) - c_phi * (z36 + z38 + z45 - z47)) + z81;
+    const Scalar z89 = p_alpha_c * (s_phi * (z27 + z29 - z35 + z37) - c_phi * (z28 + z30 + z36 - z41)) + z79;
     const Scalar z90 = u_C + z89;
     const Scalar z91 = z90 * z84;
     accelerations.phi = z91;
@@ -1491,7 +1491,7 @@ struct Mechanism {
     accelerations.alpha_2 = -z86;
     accelerations.alpha_3 = -z87;
     accelerations.alpha_4 = z88;
-    if (!(traits::regular(z70, z70))) return torsor::Status::singular;
+    if (!(traits::regular(z68, z68))) return torsor::Status::singular;
     // 0 x is 0 for every finite x and not a number for any other.
     const Scalar zero = n0 * accelerations.phi * accelerations.alpha_1 * accelerations.alpha_2 * accelerations.alpha_3
         * accelerations.alpha_4;
@@ -1520,10 +1520,10 @@ struct Mechanism {
     const Scalar p_alpha_c = precomputed.parameters.alpha_c;
     const Scalar p_alpha = precomputed.parameters.alpha;
     const Scalar p_c = precomputed.parameters.c;
-    const Scalar m2 = precomputed.m2;
-    const Scalar m3 = precomputed.m3;
-    const Scalar m4 = precomputed.m4;
-    const Scalar m6 = precomputed.m6;
+    const Scalar m0 = precomputed.m_b30b430b;
+    const Scalar m1 = precomputed.m_9d2b0082;
+    const Scalar m2 = precomputed.m_83f08dc3;
+    const Scalar m3 = precomputed.m_94794fcc;
     const Scalar angles_[] = {q_phi, q_alpha_1, q_alpha_2, q_alpha_3, q_alpha_4};
     Scalar sines_[5], cosines_[5];
     torsor::sines_and_cosines(angles_, sines_, cosines_);
@@ -1532,25 +1532,25 @@ struct Mechanism {
     const Scalar s_alpha_2 = sines_[2], c_alpha_2 = cosines_[2];
     const Scalar s_alpha_3 = sines_[3], c_alpha_3 = cosines_[3];
     const Scalar s_alpha_4 = sines_[4], c_alpha_4 = cosines_[4];
-    const Scalar z0 = c_phi * m3;
-    const Scalar z1 = s_phi * m3;
-    const Scalar z2 = v_phi + m4;
+    const Scalar z0 = c_phi * m1;
+    const Scalar z1 = s_phi * m1;
+    const Scalar z2 = v_phi + m2;  // angular velocity of rotor, z
     const Scalar z3 = v_phi * s_phi;
     const Scalar z4 = v_phi * c_phi;
-    const Scalar z5 = p_alpha - q_alpha_1 + c_phi * p_alpha_c;
-    const Scalar z6 = q_alpha_2 - p_alpha + s_phi * p_alpha_c;
-    const Scalar z7 = q_alpha_3 - p_alpha + c_phi * p_alpha_c;
-    const Scalar z8 = p_alpha - q_alpha_4 + s_phi * p_alpha_c;
-    const Scalar z9 = s_phi * m2;
-    const Scalar z10 = c_phi * m2;
+    const Scalar z5 = s_phi * m0;
+    const Scalar z6 = c_phi * m0;
+    const Scalar z7 = p_alpha - q_alpha_1 + c_phi * p_alpha_c;
+    const Scalar z8 = q_alpha_2 - p_alpha + s_phi * p_alpha_c;
+    const Scalar z9 = q_alpha_3 - p_alpha + c_phi * p_alpha_c;
+    const Scalar z10 = p_alpha - q_alpha_4 + s_phi * p_alpha_c;
     const Scalar z11 = c_alpha_1 * z2 + s_alpha_1 * z1;
-    const Scalar z12 = v_alpha_1 + z0;
+    const Scalar z12 = v_alpha_1 + z0;  // angular velocity of blade_1, x
     const Scalar z13 = c_alpha_2 * z2 + s_alpha_2 * z0;
-    const Scalar z14 = v_alpha_2 - z1;
+    const Scalar z14 = v_alpha_2 - z1;  // angular velocity of blade_2, x
     const Scalar z15 = s_alpha_3 * z1 - c_alpha_3 * z2;
-    const Scalar z16 = v_alpha_3 - z0;
+    const Scalar z16 = v_alpha_3 - z0;  // angular velocity of blade_3, x
     const Scalar z17 = s_alpha_4 * z0 - c_alpha_4 * z2;
-    const Scalar z18 = v_alpha_4 + z1;
+    const Scalar z18 = v_alpha_4 + z1;  // angular velocity of blade_4, x
     const Scalar z19 = v_alpha_1 + p_alpha_c * z3;
     const Scalar z20 = v_alpha_2 + p_alpha_c * z4;
     const Scalar z21 = v_alpha_3 - p_alpha_c * z3;
@@ -1559,9 +1559,9 @@ struct Mechanism {
     const Scalar z24 = p_c * z20;
     const Scalar z25 = p_c * z21;
     const Scalar z26 = p_c * z22;
-    result.kinetic = n665 * z2 * z2 + n332_5 * (z0 * z0 + z1 * z1) + n60 * (z9 * z9 + z10 * z10) + n0_2 * (z12 * z12
-        + z14 * z14 + z16 * z16 + z18 * z18 + z11 * z11 + z13 * z13 + z15 * z15 + z17 * z17);
-    result.force_function = -m6 * (z5 * z5 + z6 * z6 + z7 * z7 + z8 * z8);
+    result.kinetic = n665 * z2 * z2 + n332_5 * (z0 * z0 + z1 * z1) + n60 * (z5 * z5 + z6 * z6) + n0_2 * (z12 * z12 + z14
+        * z14 + z16 * z16 + z18 * z18 + z11 * z11 + z13 * z13 + z15 * z15 + z17 * z17);
+    result.force_function = -m3 * (z7 * z7 + z8 * z8 + z9 * z9 + z10 * z10);
     result.power = v_phi * u_C - z19 * z23 - z20 * z24 - z21 * z25 - z22 * z26;
   }
 
@@ -1587,10 +1587,10 @@ struct Mechanism {
     const Scalar q_alpha_4 = state.q.alpha_4;
     const Scalar v_alpha_4 = state.v.alpha_4;
     const Scalar a_alpha_4 = accelerations.alpha_4;
-    const Scalar m3 = precomputed.m3;
-    const Scalar m4 = precomputed.m4;
-    const Scalar m5 = precomputed.m5;
-    const Scalar m7 = precomputed.m7;
+    const Scalar m0 = precomputed.m_9d2b0082;
+    const Scalar m1 = precomputed.m_83f08dc3;
+    const Scalar m2 = precomputed.m_2c52f31d;
+    const Scalar m3 = precomputed.m_1454edca;
     const Scalar angles_[] = {q_phi, q_alpha_1, q_alpha_2, q_alpha_3, q_alpha_4};
     Scalar sines_[5], cosines_[5];
     torsor::sines_and_cosines(angles_, sines_, cosines_);
@@ -1599,53 +1599,53 @@ struct Mechanism {
     const Scalar s_alpha_2 = sines_[2], c_alpha_2 = cosines_[2];
     const Scalar s_alpha_3 = sines_[3], c_alpha_3 = cosines_[3];
     const Scalar s_alpha_4 = sines_[4], c_alpha_4 = cosines_[4];
-    const Scalar z0 = v_phi + m4;
-    const Scalar z1 = s_phi * m3;
-    const Scalar z2 = c_phi * m3;
-    const Scalar z3 = s_alpha_1 * z0 - c_alpha_1 * z1;
-    const Scalar z4 = c_alpha_1 * z0 + s_alpha_1 * z1;
-    const Scalar z5 = v_alpha_1 + z2;
-    const Scalar z6 = s_alpha_2 * z0 - c_alpha_2 * z2;
-    const Scalar z7 = c_alpha_2 * z0 + s_alpha_2 * z2;
-    const Scalar z8 = v_alpha_2 - z1;
-    const Scalar z9 = s_alpha_3 * z0 + c_alpha_3 * z1;
-    const Scalar z10 = s_alpha_3 * z1 - c_alpha_3 * z0;
-    const Scalar z11 = v_alpha_3 - z2;
-    const Scalar z12 = s_alpha_4 * z0 + c_alpha_4 * z2;
-    const Scalar z13 = s_alpha_4 * z2 - c_alpha_4 * z0;
-    const Scalar z14 = v_alpha_4 + z1;
-    const Scalar z15 = v_phi * z1;  // angular acceleration of rotor, x
-    const Scalar z16 = v_phi * z2;  // angular acceleration of rotor, y
+    const Scalar z0 = v_phi + m1;  // angular velocity of rotor, z
+    const Scalar z1 = s_phi * m0;
+    const Scalar z2 = c_phi * m0;
+    const Scalar z3 = v_phi * z1;  // angular acceleration of rotor, x
+    const Scalar z4 = v_phi * z2;  // angular acceleration of rotor, y
+    const Scalar z5 = s_alpha_1 * z0 - c_alpha_1 * z1;
+    const Scalar z6 = c_alpha_1 * z0 + s_alpha_1 * z1;
+    const Scalar z7 = v_alpha_1 + z2;  // angular velocity of blade_1, x
+    const Scalar z8 = s_alpha_2 * z0 - c_alpha_2 * z2;
+    const Scalar z9 = c_alpha_2 * z0 + s_alpha_2 * z2;
+    const Scalar z10 = v_alpha_2 - z1;  // angular velocity of blade_2, x
+    const Scalar z11 = s_alpha_3 * z0 + c_alpha_3 * z1;
+    const Scalar z12 = s_alpha_3 * z1 - c_alpha_3 * z0;
+    const Scalar z13 = v_alpha_3 - z2;  // angular velocity of blade_3, x
+    const Scalar z14 = s_alpha_4 * z0 + c_alpha_4 * z2;
+    const Scalar z15 = s_alpha_4 * z2 - c_alpha_4 * z0;
+    const Scalar z16 = v_alpha_4 + z1;  // angular velocity of blade_4, x
     const Scalar z17 = z1 * z0;
     const Scalar z18 = z2 * z0;
-    const Scalar z19 = a_phi * c_alpha_1 + s_alpha_1 * z16;
-    const Scalar z20 = a_alpha_1 - z15;  // angular acceleration of blade_1, x
-    const Scalar z21 = a_phi * c_alpha_2 - s_alpha_2 * z15;
-    const Scalar z22 = a_alpha_2 - z16;  // angular acceleration of blade_2, x
-    const Scalar z23 = a_phi * c_alpha_3 - s_alpha_3 * z16;
-    const Scalar z24 = a_alpha_3 + z15;  // angular acceleration of blade_3, x
-    const Scalar z25 = a_phi * c_alpha_4 + s_alpha_4 * z15;
-    const Scalar z26 = a_alpha_4 + z16;  // angular acceleration of blade_4, x
-    const Scalar z27 = z12 * z14;
-    const Scalar z28 = z9 * z11;
-    const Scalar z29 = z6 * z7;
-    const Scalar z30 = z6 * z8;
-    const Scalar z31 = z3 * z4;
-    const Scalar z32 = z3 * z5;
-    const Scalar z33 = z12 * z13;
-    const Scalar z34 = z9 * z10;
-    const Scalar z35 = v_alpha_1 * z3 - z19;  // angular acceleration of blade_1, z
-    const Scalar z36 = v_alpha_2 * z6 - z21;  // angular acceleration of blade_2, z
-    const Scalar z37 = v_alpha_3 * z9 - z23;  // angular acceleration of blade_3, z
-    const Scalar z38 = v_alpha_4 * z12 - z25;  // angular acceleration of blade_4, z
-    const Scalar z39 = n0_4 * (z29 + z22);  // moment on blade_2, x
-    const Scalar z40 = n0_4 * (z31 + z20);  // moment on blade_1, x
-    const Scalar z41 = n0_4 * (z33 - z26);  // moment on blade_4, x
-    const Scalar z42 = n0_4 * (z34 - z24);  // moment on blade_3, x
-    const Scalar z43 = z27 + z38;
-    const Scalar z44 = z28 + z37;
-    const Scalar z45 = z30 + z36;
-    const Scalar z46 = z32 + z35;
+    const Scalar z19 = a_phi * c_alpha_1 + s_alpha_1 * z4;
+    const Scalar z20 = a_alpha_1 - z3;  // angular acceleration of blade_1, x
+    const Scalar z21 = a_phi * c_alpha_2 - s_alpha_2 * z3;
+    const Scalar z22 = a_alpha_2 - z4;  // angular acceleration of blade_2, x
+    const Scalar z23 = a_phi * c_alpha_3 - s_alpha_3 * z4;
+    const Scalar z24 = a_alpha_3 + z3;  // angular acceleration of blade_3, x
+    const Scalar z25 = a_phi * c_alpha_4 + s_alpha_4 * z3;
+    const Scalar z26 = a_alpha_4 + z4;  // angular acceleration of blade_4, x
+    const Scalar z27 = z14 * z16;
+    const Scalar z28 = z11 * z13;
+    const Scalar z29 = z8 * z9;
+    const Scalar z30 = z8 * z10;
+    const Scalar z31 = z5 * z6;
+    const Scalar z32 = z5 * z7;
+    const Scalar z33 = v_alpha_1 * z5 - z19;  // angular acceleration of blade_1, z
+    const Scalar z34 = v_alpha_2 * z8 - z21;  // angular acceleration of blade_2, z
+    const Scalar z35 = v_alpha_3 * z11 - z23;  // angular acceleration of blade_3, z
+    const Scalar z36 = v_alpha_4 * z14 - z25;  // angular acceleration of blade_4, z
+    const Scalar z37 = z14 * z15;
+    const Scalar z38 = z11 * z12;
+    const Scalar z39 = n0_4 * (z22 + z29);  // moment on blade_2, x
+    const Scalar z40 = n0_4 * (z20 + z31);  // moment on blade_1, x
+    const Scalar z41 = n0_4 * (z26 - z37);  // moment on blade_4, x
+    const Scalar z42 = n0_4 * (z24 - z38);  // moment on blade_3, x
+    const Scalar z43 = z36 + z27;
+    const Scalar z44 = z35 + z28;
+    const Scalar z45 = z34 + z30;
+    const Scalar z46 = z33 + z32;
     const Scalar z47 = n0_4 * z43;  // moment on blade_4, z
     const Scalar z48 = n0_4 * z44;  // moment on blade_3, z
     const Scalar z49 = n0_4 * z45;  // moment on blade_2, z
@@ -1658,13 +1658,13 @@ struct Mechanism {
     const Scalar z56 = c_alpha_2 * z49;
     const Scalar z57 = s_alpha_1 * z50;
     const Scalar z58 = c_alpha_1 * z50;
-    const Scalar z59 = n1330 * z17 - z40 - z42 - z51 + z55;  // moment on rotor, x
-    const Scalar z60 = n1330 * z18 - z39 - z41 + z53 - z57;  // moment on rotor, y
+    const Scalar z59 = z40 - n1330 * z17 - z42 + z51 - z55;  // moment on rotor, x
+    const Scalar z60 = n1330 * z18 - z39 + z41 + z53 - z57;  // moment on rotor, y
     const Scalar z61 = n1330 * a_phi - z52 - z54 - z56 - z58;  // moment on rotor, z
-    const Scalar z62 = s_phi * z60 - c_phi * z59;
-    const Scalar z63 = s_phi * z59 + c_phi * z60;
-    const Scalar z64 = m7 - z63;  // moment on pitch, y
-    result.X = -m5;
+    const Scalar z62 = s_phi * z60 + c_phi * z59;
+    const Scalar z63 = s_phi * z59 - c_phi * z60;
+    const Scalar z64 = m3 + z63;  // moment on pitch, y
+    result.X = -m2;
     result.Y = n0;
     result.Z = n0;
     result.M_x = z62;

@@ -7,8 +7,8 @@
 // Parameters set at run time: a, omega
 //
 // Operations in the text of each function (a sine-cosine pair counts 2 in the total; not in it is what a Status
-// costs, one multiplication for each result and for each pivot tested); before: without inertia moved across
-// joints, products that sums share, factoring, and what is done once for a set of parameters:
+// costs, one multiplication for each result and for each pivot tested); before: without products that sums
+// share, factoring, and what is done once for a set of parameters:
 //   function          additions  multiplications  divisions  square roots  sine-cosine pairs  others  total  before
 //   kinematics                2                6          0             0                  2       0     12      12
 //   mass_matrix               0                0          0             0                  0       0      0       0
@@ -16,7 +16,7 @@
 //   inverse_dynamics          2                5          0             0                  2       0     11      11
 //   forward_dynamics          1                5          0             0                  2       0     10      10
 //   energy                    4               10          0             0                  2       0     18      22
-//   reactions                 3                7          0             0                  2       0     14      17
+//   reactions                 3                7          0             0                  2       0     14      14
 //   linearisation             2                6          0             0                  2       0     12      12
 //
 // Not computed because this mechanism does not need it:

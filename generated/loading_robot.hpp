@@ -7,17 +7,17 @@
 // Parameters set at run time: none
 //
 // Operations in the text of each function (a sine-cosine pair counts 2 in the total; not in it is what a Status
-// costs, one multiplication for each result and for each pivot tested); before: without inertia moved across
-// joints, products that sums share, factoring, and what is done once for a set of parameters:
+// costs, one multiplication for each result and for each pivot tested); before: without products that sums
+// share, factoring, and what is done once for a set of parameters:
 //   function          additions  multiplications  divisions  square roots  sine-cosine pairs  others  total  before
 //   kinematics               20               27          0             0                  2       0     51      55
 //   mass_matrix               9                7          0             0                  1       0     18      19
-//   bias                     13               22          0             0                  2       0     39      49
-//   inverse_dynamics         22               30          0             0                  2       0     56      65
-//   forward_dynamics         35               45          2             0                  2       0     86      97
+//   bias                     13               22          0             0                  2       0     39      39
+//   inverse_dynamics         22               30          0             0                  2       0     56      56
+//   forward_dynamics         35               45          2             0                  2       0     86      87
 //   energy                   22               39          0             0                  2       0     65      70
-//   reactions                 8               13          0             0                  2       0     25      41
-//   linearisation           102              153          2             0                  2       0    261     337
+//   reactions                 8               13          0             0                  2       0     25      25
+//   linearisation           102              153          2             0                  2       0    261     263
 //
 // Not computed because this mechanism does not need it:
 //   kinematics: of 84 results 46 vanish identically, 13 repeat another up to sign
@@ -505,7 +505,7 @@ struct Mechanism {
 
   static constexpr const char* name = "loading_robot";
   /// 64 bits (FNV-1a) of this file from "#pragma once" on, with zeros in their own place: another mechanism, other bits.
-  static constexpr unsigned long long fingerprint = 0xb9b2853303dd749cULL;
+  static constexpr unsigned long long fingerprint = 0x81c2558bb23a26f2ULL;
   static constexpr int coordinate_count = 3;
   static constexpr int velocity_count = 3;
   static constexpr int input_count = 3;
@@ -910,7 +910,7 @@ struct Mechanism {
     const Scalar z0 = n9_81 * c_alpha;
     const Scalar z1 = v_alpha * v_alpha;
     const Scalar z2 = n9_81 * s_alpha;
-    const Scalar z3 = v_alpha + v_beta;
+    const Scalar z3 = v_alpha + v_beta;  // angular velocity of S3, z
     const Scalar z4 = z3 * z3;
     const Scalar z5 = n1_6 * z4;  // force on S3, x
     const Scalar z6 = c_beta * z5;
@@ -959,17 +959,17 @@ struct Mechanism {
     const Scalar z0 = n9_81 * c_alpha;
     const Scalar z1 = v_alpha * v_alpha;
     const Scalar z2 = n9_81 * s_alpha;
-    const Scalar z3 = v_alpha + v_beta;
+    const Scalar z3 = v_alpha + v_beta;  // angular velocity of S3, z
     const Scalar z4 = a_alpha + a_beta;  // angular acceleration of S3, z
     const Scalar z5 = z3 * z3;
     const Scalar z6 = n1_6 * z4;  // force on S3, y
     const Scalar z7 = n1_6 * z5;  // force on S3, x
     const Scalar z8 = s_beta * z6 + c_beta * z7;
     const Scalar z9 = s_beta * z7 - c_beta * z6;
-    const Scalar z10 = z0 - n0_5 * z1;
-    const Scalar z11 = n0_5 * a_alpha - z2;
-    const Scalar z12 = q_x * z1 - a_x + z11;
-    const Scalar z13 = z10 + a_alpha * q_x + n2 * v_alpha * v_x;
+    const Scalar z10 = n0_5 * a_alpha - z2;
+    const Scalar z11 = z0 - n0_5 * z1;
+    const Scalar z12 = q_x * z1 - a_x + z10;
+    const Scalar z13 = z11 + a_alpha * q_x + n2 * v_alpha * v_x;
     const Scalar z14 = n10 * z1 - z8 + n33 * z12;  // force on S2, x
     const Scalar z15 = s_beta * z12 + c_beta * z13;
     const Scalar z16 = n10 * a_alpha + z9 + n33 * z13;  // force on S2, y
@@ -1019,38 +1019,38 @@ struct Mechanism {
     const Scalar z2 = n9_81 * c_alpha;
     const Scalar z3 = v_alpha * v_alpha;
     const Scalar z4 = n9_81 * s_alpha;
-    const Scalar z5 = v_alpha + v_beta;
+    const Scalar z5 = v_alpha + v_beta;  // angular velocity of S3, z
     const Scalar z6 = z5 * z5;
     const Scalar z7 = n1_6 * z6;  // force on S3, x
     const Scalar z8 = c_beta * z7;
     const Scalar z9 = s_beta * z7;
-    const Scalar z10 = n0_5 - q_x * z1;
-    const Scalar z11 = n10 - z1;
-    const Scalar z12 = n16_5 - z0;
-    const Scalar z13 = z2 - n0_5 * z3;
-    const Scalar z14 = q_x * z3 - z4;
+    const Scalar z10 = z2 - n0_5 * z3;
+    const Scalar z11 = q_x * z3 - z4;
+    const Scalar z12 = n0_5 - q_x * z1;
+    const Scalar z13 = n10 - z1;
+    const Scalar z14 = n16_5 - z0;
     const Scalar z15 = n2 * z0;
-    const Scalar z16 = q_x * (n33 * q_x + n2 * z11) + n0_5;
+    const Scalar z16 = q_x * (n33 * q_x + n2 * z13) + n0_5;
     const Scalar z17 = n33 - z0 * z15;
-    const Scalar z18 = n0_5 * z0 - z10;
-    const Scalar z19 = n2 * v_alpha * v_x + z13;
-    const Scalar z20 = n10 * z3 - z8 + n33 * z14;  // force on S2, x
+    const Scalar z18 = n2 * v_alpha * v_x + z10;
+    const Scalar z19 = n10 * z3 - z8 + n33 * z11;  // force on S2, x
+    const Scalar z20 = n0_5 * z0 - z12;
     const Scalar z21 = n1 / z17;
-    const Scalar z22 = s_beta * z14 + c_beta * z19;
-    const Scalar z23 = n33 * z19 + z9;  // force on S2, y
-    const Scalar z24 = u_F12 + z20;
-    const Scalar z25 = n2 * z18;
-    const Scalar z26 = z18 * z15 - z12;
+    const Scalar z22 = s_beta * z11 + c_beta * z18;
+    const Scalar z23 = n33 * z18 + z9;  // force on S2, y
+    const Scalar z24 = u_F12 + z19;
+    const Scalar z25 = n2 * z20;
+    const Scalar z26 = z20 * z15 - z14;
     const Scalar z27 = n8_25 - z0 + z16;
     const Scalar z28 = n1_6 * z22;  // moment on S3, z
     const Scalar z29 = n36 + z27;
-    const Scalar z30 = n10 * z19 - z28;  // moment on S2, z
+    const Scalar z30 = n10 * z18 - z28;  // moment on S2, z
     const Scalar z31 = u_C23 + z28;
-    const Scalar z32 = z18 * z25 - z29;
+    const Scalar z32 = z20 * z25 - z29;
     const Scalar z33 = z24 - z31 * z15;
     const Scalar z34 = q_x * z23 + z30;  // moment on guide, z
     const Scalar z35 = z26 * z21;
-    const Scalar z36 = n30 * z4 - n18 * z2 - n0_5 * z20 - z34;  // moment on S1, z
+    const Scalar z36 = n30 * z4 - n18 * z2 - n0_5 * z19 - z34;  // moment on S1, z
     const Scalar z37 = z32 + z26 * z35;
     const Scalar z38 = u_C01 + z36;
     const Scalar z39 = n1 / z37;
@@ -1100,7 +1100,7 @@ struct Mechanism {
     const Scalar s_beta = sines_[1], c_beta = cosines_[1];
     const Scalar z0 = n0_5 * v_alpha;
     const Scalar z1 = v_alpha * q_x;
-    const Scalar z2 = v_alpha + v_beta;
+    const Scalar z2 = v_alpha + v_beta;  // angular velocity of S3, z
     const Scalar z3 = n1_6 * c_beta;
     const Scalar z4 = n1_6 * s_beta;
     const Scalar z5 = n18 * s_alpha + n30 * c_alpha;
@@ -1114,8 +1114,8 @@ struct Mechanism {
     const Scalar z13 = s_alpha * z3 + c_alpha * z4;
     const Scalar z14 = n1_6 * z2 + n8 * z8;
     const Scalar z15 = n0_5 * z2 + n1_6 * z8;
-    result.kinetic = n15 * v_alpha * v_alpha + n12_5 * z6 * z6 + n4 * z9 * z9 + n0_5 * (v_alpha * z10 + z1 * z7 + z2
-        * z15 + z8 * z14);
+    result.kinetic = n15 * v_alpha * v_alpha + n12_5 * z6 * z6 + n4 * z9 * z9 + n0_5 * (v_alpha * z10 + z1 * z7 + z8
+        * z14 + z2 * z15);
     result.force_function = -n323_73 * z11 - n9_81 * (z5 + z12 - z13);
     result.power = v_alpha * u_C01 + v_x * u_F12 + v_beta * u_C23;
   }
@@ -1143,7 +1143,7 @@ struct Mechanism {
     torsor::sines_and_cosines(angles_, sines_, cosines_);
     const Scalar c_alpha = cosines_[0];
     const Scalar s_beta = sines_[1], c_beta = cosines_[1];
-    const Scalar z0 = v_alpha + v_beta;
+    const Scalar z0 = v_alpha + v_beta;  // angular velocity of S3, z
     const Scalar z1 = n9_81 * c_alpha;
     const Scalar z2 = v_alpha * v_alpha;
     const Scalar z3 = a_alpha + a_beta;  // angular acceleration of S3, z
@@ -1168,9 +1168,9 @@ struct Mechanism {
     const Scalar n33 = traits::constant(33.0, 33.0f, "33/1");
     const Scalar n10 = traits::constant(10.0, 10.0f, "10/1");
     const Scalar n16_5 = traits::constant(16.5, 16.5f, "33/2");
-    const Scalar n1 = traits::constant(1.0, 1.0f, "1/1");
     const Scalar n8_25 = traits::constant(8.25, 8.25f, "33/4");
     const Scalar n36 = traits::constant(36.0, 36.0f, "36/1");
+    const Scalar n1 = traits::constant(1.0, 1.0f, "1/1");
     const Scalar n18 = traits::constant(18.0, 18.0f, "18/1");
     const Scalar n30 = traits::constant(30.0, 30.0f, "30/1");
     const Scalar n0 = traits::constant(0.0, 0.0f, "0/1");
@@ -1192,10 +1192,10 @@ struct Mechanism {
     const Scalar s_alpha = sines_[0], c_alpha = cosines_[0];
     const Scalar s_beta = sines_[1], c_beta = cosines_[1];
     const Scalar z0 = n1_6 * s_beta;
-    const Scalar z1 = n1_6 * c_beta;
-    const Scalar z2 = n9_81 * c_alpha;
-    const Scalar z3 = v_alpha * v_alpha;
-    const Scalar z4 = v_alpha + v_beta;
+    const Scalar z1 = n9_81 * c_alpha;
+    const Scalar z2 = v_alpha * v_alpha;
+    const Scalar z3 = n1_6 * c_beta;
+    const Scalar z4 = v_alpha + v_beta;  // angular velocity of S3, z
     const Scalar z5 = n2 * v_alpha;
     const Scalar z6 = z4 * z4;
     const Scalar z7 = n0_5 * z5;
@@ -1206,137 +1206,137 @@ struct Mechanism {
     const Scalar z12 = n1_6 * z6;  // force on S3, x
     const Scalar z13 = n2 * v_x - z7;
     const Scalar z14 = n2 * z4;
-    const Scalar z15 = n1_6 * z14;
-    const Scalar z16 = n33 * z5;
-    const Scalar z17 = s_beta * z12 - c_beta * z11;
+    const Scalar z15 = a_alpha * c_beta + s_beta * z2;
+    const Scalar z16 = s_beta * z12 - c_beta * z11;
+    const Scalar z17 = n1_6 * z14;
     const Scalar z18 = s_beta * z10 + c_beta * z13;
-    const Scalar z19 = c_beta * z15;
-    const Scalar z20 = s_beta * z15;
-    const Scalar z21 = s_beta * z11 + c_beta * z12;
-    const Scalar z22 = n0_5 - q_x * z1;
-    const Scalar z23 = c_beta * z5;
-    const Scalar z24 = n10 - z1;
-    const Scalar z25 = n16_5 - z0;
-    const Scalar z26 = z2 - n0_5 * z3;
-    const Scalar z27 = n0_5 * a_alpha - z8;
-    const Scalar z28 = n2 * z0;
-    const Scalar z29 = n10 * z5 - z19 + n33 * z10;
-    const Scalar z30 = n33 * z13 + z20;
-    const Scalar z31 = n33 * z2;
-    const Scalar z32 = n33 * z8;
-    const Scalar z33 = s_beta * z2 + c_beta * z8;
-    const Scalar z34 = q_x * (n33 * q_x + n2 * z24) + n0_5;
-    const Scalar z35 = n33 - z0 * z28;
-    const Scalar z36 = n0_5 * z0 - z22;
-    const Scalar z37 = n1_6 * z23;
-    const Scalar z38 = n33 * z3;
-    const Scalar z39 = n10 * z5 - z37;
-    const Scalar z40 = q_x * z3 - a_x + z27;
-    const Scalar z41 = z26 + a_alpha * q_x + v_x * z5;
-    const Scalar z42 = n1_6 * z18;
-    const Scalar z43 = n10 * z3 - z21 + n33 * z40;  // force on S2, x
-    const Scalar z44 = n1 / z35;
-    const Scalar z45 = n10 * z13 - z42;
-    const Scalar z46 = n1_6 * z33;
-    const Scalar z47 = q_x * z16 + z39;
-    const Scalar z48 = n2 * z36;
-    const Scalar z49 = z36 * z28 - z25;
-    const Scalar z50 = n10 * z8 - z46;
-    const Scalar z51 = n8_25 - z0 + z34;
-    const Scalar z52 = n33 * a_alpha;
-    const Scalar z53 = q_x * z30 + z45;
-    const Scalar z54 = s_beta * z41 - c_beta * z40;
-    const Scalar z55 = s_beta * z40 + c_beta * z41;
-    const Scalar z56 = n10 * a_alpha + z17 + n33 * z41;  // force on S2, y
-    const Scalar z57 = n36 + z51;
-    const Scalar z58 = a_alpha * c_beta + s_beta * z3;
-    const Scalar z59 = n1_6 * z58;
-    const Scalar z60 = q_x * z20;
-    const Scalar z61 = n0_5 * z19 - z60;
-    const Scalar z62 = z28 * z46 - z31;
-    const Scalar z63 = n10 * a_alpha - z59;
-    const Scalar z64 = q_x * z32 + z50;
-    const Scalar z65 = n0_5 * z29 + z53;
-    const Scalar z66 = n1_6 * z55 - n0_5 * z9;  // moment on S3, z
-    const Scalar z67 = z28 * z42 - z29;
-    const Scalar z68 = q_x * z52 + z63 + z56;
-    const Scalar z69 = z36 * z48 - z57;
-    const Scalar z70 = n18 * z8 + n30 * z2 + n0_5 * z31 + z64;
+    const Scalar z19 = c_beta * z17;
+    const Scalar z20 = s_beta * z17;
+    const Scalar z21 = c_beta * z5;
+    const Scalar z22 = n33 * a_alpha;
+    const Scalar z23 = s_beta * z11 + c_beta * z12;
+    const Scalar z24 = n33 * z5;
+    const Scalar z25 = n33 * z2;
+    const Scalar z26 = n0_5 * a_alpha - z8;
+    const Scalar z27 = z1 - n0_5 * z2;
+    const Scalar z28 = n0_5 - q_x * z3;
+    const Scalar z29 = n10 - z3;
+    const Scalar z30 = n16_5 - z0;
+    const Scalar z31 = n10 * z5 - z19 + n33 * z10;
+    const Scalar z32 = n33 * z13 + z20;
+    const Scalar z33 = n33 * z1;
+    const Scalar z34 = n33 * z8;
+    const Scalar z35 = s_beta * z1 + c_beta * z8;
+    const Scalar z36 = n1_6 * z21;
+    const Scalar z37 = q_x * (n33 * q_x + n2 * z29) + n0_5;
+    const Scalar z38 = n10 * z5 - z36;
+    const Scalar z39 = q_x * z2 - a_x + z26;
+    const Scalar z40 = q_x * z20;
+    const Scalar z41 = n0_5 * z19 - z40;
+    const Scalar z42 = z27 + a_alpha * q_x + v_x * z5;
+    const Scalar z43 = n0_5 * z0 - z28;
+    const Scalar z44 = n1_6 * z18;
+    const Scalar z45 = n1_6 * z15;
+    const Scalar z46 = n10 * z2 - z23 + n33 * z39;  // force on S2, x
+    const Scalar z47 = n10 * z13 - z44;
+    const Scalar z48 = n1_6 * z35;
+    const Scalar z49 = q_x * z24 + z38;
+    const Scalar z50 = n10 * a_alpha - z45;
+    const Scalar z51 = n10 * z8 - z48;
+    const Scalar z52 = n8_25 - z0 + z37;
+    const Scalar z53 = q_x * z32 + z47;
+    const Scalar z54 = s_beta * z42 - c_beta * z39;
+    const Scalar z55 = s_beta * z39 + c_beta * z42;
+    const Scalar z56 = n2 * z0;
+    const Scalar z57 = n2 * z43;
+    const Scalar z58 = n33 - z0 * z56;
+    const Scalar z59 = z43 * z56 - z30;
+    const Scalar z60 = n10 * a_alpha + z16 + n33 * z42;  // force on S2, y
+    const Scalar z61 = n36 + z52;
+    const Scalar z62 = q_x * z34 + z51;
+    const Scalar z63 = n0_5 * z31 + z53;
+    const Scalar z64 = n1_6 * z55 - n0_5 * z9;  // moment on S3, z
+    const Scalar z65 = n1 / z58;
+    const Scalar z66 = z33 - z48 * z56;
+    const Scalar z67 = q_x * z22 + z50 + z60;
+    const Scalar z68 = z43 * z57 - z61;
+    const Scalar z69 = n18 * z8 + n30 * z1 + n0_5 * z33 + z62;
+    const Scalar z70 = n0_5 * z25 + z67;
     const Scalar z71 = n1_6 * z54;
-    const Scalar z72 = q_x * z21 + z71;
-    const Scalar z73 = n10 * z41 - z66;  // moment on S2, z
-    const Scalar z74 = n0_5 * z38 + z68;
-    const Scalar z75 = z28 * z59 - z38;
-    const Scalar z76 = n0_5 * z17 + z72;
-    const Scalar z77 = q_x * z56 + z73;  // moment on guide, z
-    const Scalar z78 = z49 * z44;
-    const Scalar z79 = z69 + z49 * z78;
-    const Scalar z80 = z48 * z46 - z70 + z78 * z62;
-    const Scalar z81 = n36 * a_alpha - n30 * z8 + n18 * z2 + n0_5 * z43 + z77;  // moment on S1, z
-    const Scalar z82 = z17 + z28 * z71;
-    const Scalar z83 = n1 / z79;
-    const Scalar z84 = z48 * z42 - z65 + z78 * z67;
-    const Scalar z85 = z48 * z59 - z74 + z78 * z75;
-    const Scalar z86 = z76 + z48 * z71 + z78 * z82;
-    const Scalar z87 = z78 * z19 + z61;
-    const Scalar z88 = z28 * z37;
-    const Scalar z89 = z48 * z37 - z47 + z78 * z88;
-    const Scalar z90 = z83 * z80;
-    const Scalar z91 = z83 * z84;
-    const Scalar z92 = z83 * z85;
-    const Scalar z93 = z83 * z86;
-    const Scalar z94 = z83 * z89;
-    const Scalar z95 = z83 * z87;
-    const Scalar z96 = z44 * z62 - z78 * z90;
-    const Scalar z97 = z44 * z67 - z78 * z91;
-    const Scalar z98 = z48 * z90 - n2 * z46 - z28 * z96;
-    const Scalar z99 = z48 + z28 * z78;
-    const Scalar z100 = z48 * z91 - n2 * z42 - z28 * z97;
-    const Scalar z101 = z78 * z83;
-    const Scalar z102 = z83 * z99;
-    const Scalar z103 = z44 * z75 - z78 * z92;
-    const Scalar z104 = z44 * z88 - z78 * z94;
-    const Scalar z105 = z44 * z82 - z78 * z93;
-    const Scalar z106 = z44 * z19 - z78 * z95;
-    const Scalar z107 = z44 - z78 * z101;
-    const Scalar z108 = z28 * z44 - z78 * z102;
-    const Scalar z109 = z48 * z92 - n2 * z59 - z28 * z103;
-    const Scalar z110 = z48 * z94 - n2 * z37 - z28 * z104;
-    const Scalar z111 = z48 * z93 - n2 * z71 - z28 * z105;
-    const Scalar z112 = z48 * z95 - z28 * z106;
-    const Scalar z113 = z48 * z83 + z28 * z101;
-    const Scalar z114 = z48 * z101 - z28 * z107;
-    const Scalar z115 = n2 - z48 * z102 + z28 * z108;
-    result.M[0] = z57;
-    result.M[1] = -z25;
-    result.M[2] = -z36;
-    result.M[3] = -z25;
+    const Scalar z72 = z59 * z65;
+    const Scalar z73 = q_x * z23 + z71;
+    const Scalar z74 = n10 * z42 - z64;  // moment on S2, z
+    const Scalar z75 = z68 + z59 * z72;
+    const Scalar z76 = z48 * z57 - z69 - z72 * z66;
+    const Scalar z77 = n0_5 * z16 + z73;
+    const Scalar z78 = q_x * z60 + z74;  // moment on guide, z
+    const Scalar z79 = n1 / z75;
+    const Scalar z80 = n36 * a_alpha - n30 * z8 + n18 * z1 + n0_5 * z46 + z78;  // moment on S1, z
+    const Scalar z81 = z31 - z44 * z56;
+    const Scalar z82 = z25 - z45 * z56;
+    const Scalar z83 = z16 + z71 * z56;
+    const Scalar z84 = z44 * z57 - z63 - z72 * z81;
+    const Scalar z85 = z45 * z57 - z70 - z72 * z82;
+    const Scalar z86 = z71 * z57 + z77 + z72 * z83;
+    const Scalar z87 = z19 * z72 + z41;
+    const Scalar z88 = z79 * z76;
+    const Scalar z89 = z79 * z84;
+    const Scalar z90 = z79 * z85;
+    const Scalar z91 = z79 * z86;
+    const Scalar z92 = z79 * z87;
+    const Scalar z93 = z65 * z66 + z72 * z88;
+    const Scalar z94 = z65 * z81 + z72 * z89;
+    const Scalar z95 = n2 * z48 - z57 * z88 - z56 * z93;
+    const Scalar z96 = z36 * z56;
+    const Scalar z97 = z36 * z57 - z49 + z72 * z96;
+    const Scalar z98 = z57 + z56 * z72;
+    const Scalar z99 = n2 * z44 - z57 * z89 - z56 * z94;
+    const Scalar z100 = z79 * z97;
+    const Scalar z101 = z72 * z79;
+    const Scalar z102 = z79 * z98;
+    const Scalar z103 = z65 * z82 + z72 * z90;
+    const Scalar z104 = z65 * z96 - z72 * z100;
+    const Scalar z105 = z65 * z83 - z72 * z91;
+    const Scalar z106 = z19 * z65 - z72 * z92;
+    const Scalar z107 = z65 - z72 * z101;
+    const Scalar z108 = z56 * z65 - z72 * z102;
+    const Scalar z109 = n2 * z45 - z57 * z90 - z56 * z103;
+    const Scalar z110 = n2 * z36 - z57 * z100 + z56 * z104;
+    const Scalar z111 = n2 * z71 - z57 * z91 + z56 * z105;
+    const Scalar z112 = z57 * z92 - z56 * z106;
+    const Scalar z113 = z57 * z79 + z56 * z101;
+    const Scalar z114 = z57 * z101 - z56 * z107;
+    const Scalar z115 = n2 - z57 * z102 + z56 * z108;
+    result.M[0] = z61;
+    result.M[1] = -z30;
+    result.M[2] = -z43;
+    result.M[3] = -z30;
     result.M[4] = n33;
     result.M[5] = z0;
-    result.M[6] = -z36;
+    result.M[6] = -z43;
     result.M[7] = z0;
     result.M[8] = n0_5;
-    result.C[0] = z65;
-    result.C[1] = -z29;
-    result.C[2] = -z42;
-    result.C[3] = z47;
+    result.C[0] = z63;
+    result.C[1] = -z31;
+    result.C[2] = -z44;
+    result.C[3] = z49;
     result.C[4] = n0;
-    result.C[5] = -z37;
-    result.C[6] = -z61;
+    result.C[5] = -z36;
+    result.C[6] = -z41;
     result.C[7] = z19;
     result.C[8] = n0;
-    result.K[0] = -z70;
-    result.K[1] = z31;
-    result.K[2] = z46;
-    result.K[3] = z74;
-    result.K[4] = -z38;
-    result.K[5] = -z59;
-    result.K[6] = z76;
-    result.K[7] = -z17;
+    result.K[0] = -z69;
+    result.K[1] = z33;
+    result.K[2] = z48;
+    result.K[3] = z70;
+    result.K[4] = -z25;
+    result.K[5] = -z45;
+    result.K[6] = z77;
+    result.K[7] = -z16;
     result.K[8] = z71;
-    result.F[0] = u_C01 - z81;
-    result.F[1] = u_F12 + z43;
-    result.F[2] = u_C23 + z66;
+    result.F[0] = u_C01 - z80;
+    result.F[1] = u_F12 + z46;
+    result.F[2] = u_C23 + z64;
     result.E[0] = n1;
     result.E[1] = n0;
     result.E[2] = n0;
@@ -1349,43 +1349,43 @@ struct Mechanism {
     result.A[0] = n0;
     result.A[1] = n0;
     result.A[2] = n0;
-    result.A[3] = z90;
-    result.A[4] = z96;
-    result.A[5] = z98;
+    result.A[3] = z88;
+    result.A[4] = -z93;
+    result.A[5] = -z95;
     result.A[6] = n0;
     result.A[7] = n0;
     result.A[8] = n0;
-    result.A[9] = -z92;
-    result.A[10] = -z103;
-    result.A[11] = -z109;
+    result.A[9] = -z90;
+    result.A[10] = z103;
+    result.A[11] = z109;
     result.A[12] = n0;
     result.A[13] = n0;
     result.A[14] = n0;
-    result.A[15] = z93;
+    result.A[15] = z91;
     result.A[16] = z105;
-    result.A[17] = z111;
+    result.A[17] = -z111;
     result.A[18] = n1;
     result.A[19] = n0;
     result.A[20] = n0;
-    result.A[21] = -z91;
-    result.A[22] = -z97;
-    result.A[23] = -z100;
+    result.A[21] = -z89;
+    result.A[22] = z94;
+    result.A[23] = z99;
     result.A[24] = n0;
     result.A[25] = n1;
     result.A[26] = n0;
-    result.A[27] = -z94;
+    result.A[27] = -z100;
     result.A[28] = -z104;
-    result.A[29] = -z110;
+    result.A[29] = z110;
     result.A[30] = n0;
     result.A[31] = n0;
     result.A[32] = n1;
-    result.A[33] = -z95;
+    result.A[33] = -z92;
     result.A[34] = -z106;
     result.A[35] = -z112;
     result.B[0] = n0;
     result.B[1] = n0;
     result.B[2] = n0;
-    result.B[3] = -z83;
+    result.B[3] = -z79;
     result.B[4] = z101;
     result.B[5] = -z113;
     result.B[6] = n0;
@@ -1400,7 +1400,7 @@ struct Mechanism {
     result.B[15] = -z102;
     result.B[16] = -z108;
     result.B[17] = z115;
-    if (!(traits::regular(-z79, z57) && traits::regular(z35, n33))) return torsor::Status::singular;
+    if (!(traits::regular(-z75, z61) && traits::regular(z58, n33))) return torsor::Status::singular;
     // 0 x is 0 for every finite x and not a number for any other.
     const Scalar zero = ((n0 * result.M[0] * result.M[1] * result.M[2] * result.M[3] * result.M[5] * result.M[6]
         * result.M[7] * result.C[0] * result.C[1] * result.C[2] * result.C[3] * result.C[5] * result.C[6]) * (n0

@@ -7,8 +7,8 @@
 // Parameters set at run time: none
 //
 // Operations in the text of each function (a sine-cosine pair counts 2 in the total; not in it is what a Status
-// costs, one multiplication for each result and for each pivot tested); before: without inertia moved across
-// joints, products that sums share, factoring, and what is done once for a set of parameters:
+// costs, one multiplication for each result and for each pivot tested); before: without products that sums
+// share, factoring, and what is done once for a set of parameters:
 //   function          additions  multiplications  divisions  square roots  sine-cosine pairs  others  total  before
 //   kinematics                0                2          2             0                  1       0      6       6
 //   mass_matrix               0                0          0             0                  0       0      0       0
@@ -506,7 +506,7 @@ struct Mechanism {
 
   static constexpr const char* name = "model_making_press_reduced";
   /// 64 bits (FNV-1a) of this file from "#pragma once" on, with zeros in their own place: another mechanism, other bits.
-  static constexpr unsigned long long fingerprint = 0x26b020bdd192c257ULL;
+  static constexpr unsigned long long fingerprint = 0x3c2131efa0496461ULL;
   static constexpr int coordinate_count = 2;
   static constexpr int velocity_count = 2;
   static constexpr int input_count = 1;
@@ -852,9 +852,9 @@ struct Mechanism {
     const Scalar n0_002 = traits::constant(0.002, 0.002f, "1/500");
     const Scalar n0_3 = traits::constant(0.3, 0.3f, "3/10");
     const Scalar n0_0001 = traits::constant(1e-04, 1e-04f, "1/10000");
-    const Scalar n2_943 = traits::constant(2.943, 2.943f, "2943/1000");
     const Scalar n1 = traits::constant(1.0, 1.0f, "1/1");
     const Scalar n25_over_21 = traits::constant(1.1904761904761905, 1.1904762f, "25/21");
+    const Scalar n2_943 = traits::constant(2.943, 2.943f, "2943/1000");
     const Scalar n0_0005 = traits::constant(5e-04, 5e-04f, "1/2000");
     const Scalar n20000 = traits::constant(20000.0, 20000.0f, "20000/1");
     const Scalar n8_2404 = traits::constant(8.2404, 8.2404f, "20601/2500");
@@ -872,36 +872,36 @@ struct Mechanism {
     const Scalar z2 = traits::formula(0.0001001215854203708, 0.000100121586f, [&]() -> Scalar {
       return n0_0001 + z0 * z1;
     });
-    const Scalar z3 = traits::formula(0.001873571990077792, 0.001873572f, [&]() -> Scalar {
-      return n2_943 * z0;
-    });
-    const Scalar z4 = traits::formula(9987.856223025203, 9987.856f, [&]() -> Scalar {
+    const Scalar z3 = traits::formula(9987.856223025203, 9987.856f, [&]() -> Scalar {
       return n1 / z2;
     });
-    const Scalar z5 = traits::formula(6.358466755142436, 6.3584666f, [&]() -> Scalar {
-      return z0 * z4;
+    const Scalar z4 = traits::formula(6.358466755142436, 6.3584666f, [&]() -> Scalar {
+      return z0 * z3;
     });
-    const Scalar z6 = traits::formula(1.1945241161344562, 1.1945242f, [&]() -> Scalar {
-      return n25_over_21 + z0 * z5;
+    const Scalar z5 = traits::formula(1.1945241161344562, 1.1945242f, [&]() -> Scalar {
+      return n25_over_21 + z0 * z4;
     });
-    const Scalar z7 = traits::formula(0.8371534626157683, 0.83715343f, [&]() -> Scalar {
-      return n1 / z6;
+    const Scalar z6 = traits::formula(0.8371534626157683, 0.83715343f, [&]() -> Scalar {
+      return n1 / z5;
+    });
+    const Scalar z7 = traits::formula(0.001873571990077792, 0.001873572f, [&]() -> Scalar {
+      return n2_943 * z0;
     });
     const Scalar z8 = n0_0005 * v_omega_z;
     const Scalar z9 = n20000 * q_a_z;
     const Scalar z10 = n8_2404 + z9;
-    const Scalar z11 = z3 + z8;
+    const Scalar z11 = z7 + z8;
     const Scalar z12 = u_C - z11;
     const Scalar z13 = n25_over_21 * z10;
-    const Scalar z14 = z4 * z12;
+    const Scalar z14 = z3 * z12;
     const Scalar z15 = z0 * z14 + z13;
-    const Scalar z16 = z7 * z15;
+    const Scalar z16 = z6 * z15;
     const Scalar z17 = z13 - n25_over_21 * z16;
-    const Scalar z18 = z5 * z16 - z14;
+    const Scalar z18 = z4 * z16 - z14;
     accelerations.a_z = -z17;
     accelerations.omega_z = -z18;
     multipliers.lambda_LB_z = -z16;
-    if (!(traits::regular(z2, z2) && traits::regular(z6, z6))) return torsor::Status::singular;
+    if (!(traits::regular(z2, z2) && traits::regular(z5, z5))) return torsor::Status::singular;
     // 0 x is 0 for every finite x and not a number for any other.
     const Scalar zero = n0 * accelerations.a_z * accelerations.omega_z * multipliers.lambda_LB_z;
     if (!traits::regular(n1, zero)) return torsor::Status::not_finite;
@@ -947,7 +947,7 @@ struct Mechanism {
       return n0_002 / pi;
     });
     const Scalar z1 = n0_002 * q_omega_z / pi;
-    const Scalar z2 = n0_002 * v_omega_z / pi;  // velocity of screw.1, z
+    const Scalar z2 = n0_002 * v_omega_z / pi;
     const Scalar z3 = q_a_z - z1;
     const Scalar z4 = v_a_z - z2;
     result.value[0] = -z3;
@@ -969,11 +969,11 @@ struct Mechanism {
     const Scalar n0_002 = traits::constant(0.002, 0.002f, "1/500");
     const Scalar n0_3 = traits::constant(0.3, 0.3f, "3/10");
     const Scalar n0_0001 = traits::constant(1e-04, 1e-04f, "1/10000");
-    const Scalar n2_943 = traits::constant(2.943, 2.943f, "2943/1000");
-    const Scalar k4 = traits::constant(0.00168, 0.00168f, "21/12500");
+    const Scalar k3 = traits::constant(0.00168, 0.00168f, "21/12500");
     const Scalar n40 = traits::constant(40.0, 40.0f, "40/1");
     const Scalar n1 = traits::constant(1.0, 1.0f, "1/1");
     const Scalar n0_0005 = traits::constant(5e-04, 5e-04f, "1/2000");
+    const Scalar n2_943 = traits::constant(2.943, 2.943f, "2943/1000");
     const Scalar n20000 = traits::constant(20000.0, 20000.0f, "20000/1");
     const Scalar n8_2404 = traits::constant(8.2404, 8.2404f, "20601/2500");
     const Scalar n0_84 = traits::constant(0.84, 0.84f, "21/25");
@@ -994,36 +994,36 @@ struct Mechanism {
     const Scalar z2 = traits::formula(0.0001001215854203708, 0.000100121586f, [&]() -> Scalar {
       return n0_0001 + z0 * z1;
     });
-    const Scalar z3 = traits::formula(0.001873571990077792, 0.001873572f, [&]() -> Scalar {
-      return n2_943 * z0;
+    const Scalar z3 = traits::formula(0.0005347606087887683, 0.0005347606f, [&]() -> Scalar {
+      return k3 / pi;
     });
-    const Scalar z4 = traits::formula(0.0005347606087887683, 0.0005347606f, [&]() -> Scalar {
-      return k4 / pi;
+    const Scalar z4 = traits::formula(0.00010046202459740906, 0.00010046203f, [&]() -> Scalar {
+      return z0 * z3 + z2;
     });
-    const Scalar z5 = traits::formula(0.00010046202459740906, 0.00010046203f, [&]() -> Scalar {
-      return z0 * z4 + z2;
-    });
-    const Scalar z6 = traits::formula(12.732395447351626, 12.732395f, [&]() -> Scalar {
+    const Scalar z5 = traits::formula(12.732395447351626, 12.732395f, [&]() -> Scalar {
       return n40 / pi;
     });
-    const Scalar z7 = traits::formula(0.008105694691387022, 0.008105694f, [&]() -> Scalar {
-      return z0 * z6;
+    const Scalar z6 = traits::formula(0.008105694691387022, 0.008105694f, [&]() -> Scalar {
+      return z0 * z5;
     });
-    const Scalar z8 = traits::formula(9954.01002525476, 9954.01f, [&]() -> Scalar {
-      return n1 / z5;
+    const Scalar z7 = traits::formula(9954.01002525476, 9954.01f, [&]() -> Scalar {
+      return n1 / z4;
     });
-    const Scalar z9 = traits::formula(80.6841662197207, 80.684166f, [&]() -> Scalar {
-      return z7 * z8;
+    const Scalar z8 = traits::formula(80.6841662197207, 80.684166f, [&]() -> Scalar {
+      return z6 * z7;
     });
-    const Scalar z10 = traits::formula(4.977005012627379, 4.977005f, [&]() -> Scalar {
-      return n0_0005 * z8;
+    const Scalar z9 = traits::formula(4.977005012627379, 4.977005f, [&]() -> Scalar {
+      return n0_0005 * z7;
+    });
+    const Scalar z10 = traits::formula(0.001873571990077792, 0.001873572f, [&]() -> Scalar {
+      return n2_943 * z0;
     });
     const Scalar z11 = n20000 * q_a_z;
     const Scalar z12 = n0_0005 * v_omega_z;
     const Scalar z13 = a_a_z - a_omega_z * z0;
     const Scalar z14 = n8_2404 + z11;
-    const Scalar z15 = z3 + z12;
-    const Scalar z16 = z4 * z13;
+    const Scalar z15 = z10 + z12;
+    const Scalar z16 = z3 * z13;
     const Scalar z17 = n0_84 * a_a_z + z14;
     const Scalar z18 = a_omega_z * z2 + z15;
     const Scalar z19 = l_lambda_LB_z + z17;
@@ -1045,18 +1045,18 @@ struct Mechanism {
     result.F[1] = z0 * l_lambda_LB_z + u_C - z18;
     result.E[0] = n0;
     result.E[1] = n1;
-    result.M_r[0] = z5;
+    result.M_r[0] = z4;
     result.C_r[0] = n0_0005;
-    result.K_r[0] = z7;
+    result.K_r[0] = z6;
     result.F_r[0] = z21;
     result.E_r[0] = n1;
     result.A[0] = n0;
-    result.A[1] = -z9;
+    result.A[1] = -z8;
     result.A[2] = n1;
-    result.A[3] = -z10;
+    result.A[3] = -z9;
     result.B[0] = n0;
-    result.B[1] = z8;
-    if (!(traits::regular(z5, z5))) return torsor::Status::singular;
+    result.B[1] = z7;
+    if (!(traits::regular(z4, z4))) return torsor::Status::singular;
     // 0 x is 0 for every finite x and not a number for any other.
     const Scalar zero = n0 * result.M[3] * result.F[0] * result.F[1] * result.M_r[0] * result.K_r[0] * result.F_r[0]
         * result.A[1] * result.A[3] * result.B[1];

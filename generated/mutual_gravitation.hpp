@@ -7,8 +7,8 @@
 // Parameters set at run time: none
 //
 // Operations in the text of each function (a sine-cosine pair counts 2 in the total; not in it is what a Status
-// costs, one multiplication for each result and for each pivot tested); before: without inertia moved across
-// joints, products that sums share, factoring, and what is done once for a set of parameters:
+// costs, one multiplication for each result and for each pivot tested); before: without products that sums
+// share, factoring, and what is done once for a set of parameters:
 //   function          additions  multiplications  divisions  square roots  sine-cosine pairs  others  total  before
 //   kinematics               12               20          0             0                  1       0     34      42
 //   mass_matrix               1                5          0             0                  0       0      6       6
@@ -508,7 +508,7 @@ struct Mechanism {
 
   static constexpr const char* name = "mutual_gravitation";
   /// 64 bits (FNV-1a) of this file from "#pragma once" on, with zeros in their own place: another mechanism, other bits.
-  static constexpr unsigned long long fingerprint = 0x181d7306efd8ba95ULL;
+  static constexpr unsigned long long fingerprint = 0xa18eed538930c30aULL;
   static constexpr int coordinate_count = 4;
   static constexpr int velocity_count = 4;
   static constexpr int input_count = 0;
@@ -854,8 +854,8 @@ struct Mechanism {
   /// Bias h(q, v, t): inverse dynamics at zero acceleration without inputs and multipliers; gravity and passive
   /// actions included. M a + h = E u + A' lambda.
   TORSOR_DEVICE static void bias(const Precomputed&, const State& state, GeneralizedForces& forces) noexcept {
-    const Scalar n0_25 = traits::constant(0.25, 0.25f, "1/4");
     const Scalar n0_75 = traits::constant(0.75, 0.75f, "3/4");
+    const Scalar n0_25 = traits::constant(0.25, 0.25f, "1/4");
     const Scalar n0_5 = traits::constant(0.5, 0.5f, "1/2");
     const Scalar n1_5 = traits::constant(1.5, 1.5f, "3/2");
     const Scalar n3 = traits::constant(3.0, 3.0f, "3/1");
@@ -864,19 +864,19 @@ struct Mechanism {
     const Scalar v_phi = state.v.phi;
     const Scalar q_r = state.q.r;
     const Scalar v_r = state.v.r;
-    const Scalar z0 = n0_25 * q_r;
-    const Scalar z1 = n0_75 * q_r;
+    const Scalar z0 = n0_75 * q_r;
+    const Scalar z1 = n0_25 * q_r;
     const Scalar z2 = v_phi * v_phi;
     const Scalar z3 = v_phi * v_r;
     const Scalar z4 = z0 + z1;
-    const Scalar z5 = z0 * z2;
-    const Scalar z6 = z1 * z2;
+    const Scalar z5 = z1 * z2;
+    const Scalar z6 = z0 * z2;
     const Scalar z7 = n0_5 * z3;
     const Scalar z8 = n1_5 * z3;
     const Scalar z9 = z4 * z4;
     const Scalar z10 = n3 * z7;  // force on first, y
     const Scalar z11 = traits::sqrt(z9);
-    const Scalar z12 = z1 * z8 + z0 * z10;  // moment on line, z
+    const Scalar z12 = z0 * z8 + z1 * z10;  // moment on line, z
     const Scalar z13 = n1 / z11;
     const Scalar z14 = n3 * z13 * z13 * z13;
     const Scalar z15 = z4 * z14;
@@ -892,8 +892,8 @@ struct Mechanism {
   /// Inverse dynamics: the generalised forces M a + h - A' lambda that motors must supply for the accelerations a.
   TORSOR_DEVICE static void inverse_dynamics(const Precomputed&, const State& state, const Accelerations& accelerations,
       const Multipliers&, GeneralizedForces& forces) noexcept {
-    const Scalar n0_25 = traits::constant(0.25, 0.25f, "1/4");
     const Scalar n0_75 = traits::constant(0.75, 0.75f, "3/4");
+    const Scalar n0_25 = traits::constant(0.25, 0.25f, "1/4");
     const Scalar n4 = traits::constant(4.0, 4.0f, "4/1");
     const Scalar n0_5 = traits::constant(0.5, 0.5f, "1/2");
     const Scalar n1_5 = traits::constant(1.5, 1.5f, "3/2");
@@ -906,26 +906,26 @@ struct Mechanism {
     const Scalar q_r = state.q.r;
     const Scalar v_r = state.v.r;
     const Scalar a_r = accelerations.r;
-    const Scalar z0 = n0_25 * q_r;
-    const Scalar z1 = n0_75 * q_r;
+    const Scalar z0 = n0_75 * q_r;
+    const Scalar z1 = n0_25 * q_r;
     const Scalar z2 = v_phi * v_phi;
     const Scalar z3 = v_phi * v_r;
     const Scalar z4 = n4 * a_X;
     const Scalar z5 = n4 * a_Y;
     const Scalar z6 = z0 + z1;
-    const Scalar z7 = z1 * z2;
-    const Scalar z8 = z0 * z2;
+    const Scalar z7 = z0 * z2;
+    const Scalar z8 = z1 * z2;
     const Scalar z9 = n0_5 * z3;
     const Scalar z10 = n1_5 * z3;
-    const Scalar z11 = z1 * z1;
+    const Scalar z11 = z0 * z0;
     const Scalar z12 = z6 * z6;
     const Scalar z13 = n3 * z9;  // force on first, y
-    const Scalar z14 = n3 * z0 * z0;
-    const Scalar z15 = z11 + z14;
-    const Scalar z16 = traits::sqrt(z12);
-    const Scalar z17 = z1 * z10 + z0 * z13;  // moment on line, z
-    const Scalar z18 = a_phi * z15 + z17;
-    const Scalar z19 = n1 / z16;
+    const Scalar z14 = n3 * z1 * z1;
+    const Scalar z15 = traits::sqrt(z12);
+    const Scalar z16 = z11 + z14;
+    const Scalar z17 = z0 * z10 + z1 * z13;  // moment on line, z
+    const Scalar z18 = a_phi * z16 + z17;
+    const Scalar z19 = n1 / z15;
     const Scalar z20 = n3 * z19 * z19 * z19;
     const Scalar z21 = z6 * z20;
     const Scalar z22 = z21 - z7;  // force on second, x
@@ -943,8 +943,8 @@ struct Mechanism {
   /// positive relative to its diagonal entry.
   TORSOR_DEVICE static torsor::Status forward_dynamics(const Precomputed&, const State& state, const Inputs&,
       Accelerations& accelerations, Multipliers&) noexcept {
-    const Scalar n0_25 = traits::constant(0.25, 0.25f, "1/4");
     const Scalar n0_75 = traits::constant(0.75, 0.75f, "3/4");
+    const Scalar n0_25 = traits::constant(0.25, 0.25f, "1/4");
     const Scalar n3 = traits::constant(3.0, 3.0f, "3/1");
     const Scalar n0_5 = traits::constant(0.5, 0.5f, "1/2");
     const Scalar n1_5 = traits::constant(1.5, 1.5f, "3/2");
@@ -954,36 +954,36 @@ struct Mechanism {
     const Scalar v_phi = state.v.phi;
     const Scalar q_r = state.q.r;
     const Scalar v_r = state.v.r;
-    const Scalar z0 = n0_25 * q_r;
-    const Scalar z1 = n0_75 * q_r;
+    const Scalar z0 = n0_75 * q_r;
+    const Scalar z1 = n0_25 * q_r;
     const Scalar z2 = v_phi * v_phi;
     const Scalar z3 = v_phi * v_r;
-    const Scalar z4 = z1 * z1;
-    const Scalar z5 = n3 * z0 * z0;
-    const Scalar z6 = z0 + z1;
-    const Scalar z7 = z1 * z2;
+    const Scalar z4 = z0 + z1;
+    const Scalar z5 = z1 * z2;
+    const Scalar z6 = z0 * z0;
+    const Scalar z7 = n3 * z1 * z1;
     const Scalar z8 = z0 * z2;
     const Scalar z9 = n0_5 * z3;
     const Scalar z10 = n1_5 * z3;
-    const Scalar z11 = z6 * z6;
+    const Scalar z11 = z4 * z4;
     const Scalar z12 = n3 * z9;  // force on first, y
-    const Scalar z13 = z4 + z5;
-    const Scalar z14 = traits::sqrt(z11);
-    const Scalar z15 = z1 * z10 + z0 * z12;  // moment on line, z
-    const Scalar z16 = n1 / z13;
-    const Scalar z17 = z15 * z16;
-    const Scalar z18 = n1 / z14;
+    const Scalar z13 = traits::sqrt(z11);
+    const Scalar z14 = z0 * z10 + z1 * z12;  // moment on line, z
+    const Scalar z15 = z6 + z7;
+    const Scalar z16 = n1 / z15;
+    const Scalar z17 = z14 * z16;
+    const Scalar z18 = n1 / z13;
     const Scalar z19 = n3 * z18 * z18 * z18;
-    const Scalar z20 = z6 * z19;
-    const Scalar z21 = z20 - z7;  // force on second, x
-    const Scalar z22 = z20 - n3 * z8;  // force on first, x
+    const Scalar z20 = z4 * z19;
+    const Scalar z21 = z20 - z8;  // force on second, x
+    const Scalar z22 = z20 - n3 * z5;  // force on first, x
     const Scalar z23 = n0_75 * z21 + n0_25 * z22;
     const Scalar z24 = n4_over_3 * z23;
     accelerations.X = n0;
     accelerations.Y = n0;
     accelerations.r = -z24;
     accelerations.phi = -z17;
-    if (!(traits::regular(z13, z13))) return torsor::Status::singular;
+    if (!(traits::regular(z15, z15))) return torsor::Status::singular;
     // 0 x is 0 for every finite x and not a number for any other.
     const Scalar zero = n0 * accelerations.r * accelerations.phi;
     if (!traits::regular(n1, zero)) return torsor::Status::not_finite;
@@ -1049,25 +1049,25 @@ struct Mechanism {
     const Scalar z5 = z1 * z1;
     const Scalar z6 = n3 * z0 * z0;
     const Scalar z7 = z4 * z4;
-    const Scalar z8 = z5 + z6;
-    const Scalar z9 = traits::sqrt(z7);
-    const Scalar z10 = n1 / z9;
+    const Scalar z8 = traits::sqrt(z7);
+    const Scalar z9 = z5 + z6;
+    const Scalar z10 = n1 / z8;
     const Scalar z11 = v_phi * z0 + z3;
     const Scalar z12 = n0_25 * v_r - z2;  // velocity of first, x
     const Scalar z13 = v_phi * z1 - z3;
     const Scalar z14 = n0_75 * v_r + z2;  // velocity of second, x
-    result.energy = -n3 * z10 + n1_5 * (z11 * z11 + z12 * z12) + n0_5 * (z13 * z13 + z14 * z14);
+    result.energy = n1_5 * (z11 * z11 + z12 * z12) + n0_5 * (z13 * z13 + z14 * z14) - n3 * z10;
     result.momentum_X = n4 * v_X;
     result.momentum_Y = n4 * v_Y;
-    result.momentum_phi = v_phi * z8;
+    result.momentum_phi = v_phi * z9;
   }
 
   /// Linearisation about the state: M e'' + C e' + K e = F + E du, with e and du deviations from the state and the
   /// inputs. Zero accelerations give the expansion about a rest, with F what is left of the equations there.
   TORSOR_DEVICE static torsor::Status linearisation(const Precomputed&, const State& state,
       const Accelerations& accelerations, const Multipliers&, const Inputs&, Linearisation& result) noexcept {
-    const Scalar n0_25 = traits::constant(0.25, 0.25f, "1/4");
     const Scalar n0_75 = traits::constant(0.75, 0.75f, "3/4");
+    const Scalar n0_25 = traits::constant(0.25, 0.25f, "1/4");
     const Scalar n0_5 = traits::constant(0.5, 0.5f, "1/2");
     const Scalar n1_5 = traits::constant(1.5, 1.5f, "3/2");
     const Scalar n2 = traits::constant(2.0, 2.0f, "2/1");
@@ -1084,52 +1084,52 @@ struct Mechanism {
     const Scalar q_r = state.q.r;
     const Scalar v_r = state.v.r;
     const Scalar a_r = accelerations.r;
-    const Scalar z0 = n0_25 * q_r;
-    const Scalar z1 = n0_75 * q_r;
+    const Scalar z0 = n0_75 * q_r;
+    const Scalar z1 = n0_25 * q_r;
     const Scalar z2 = v_phi * v_phi;
     const Scalar z3 = n0_5 * v_phi;
     const Scalar z4 = n1_5 * v_phi;
     const Scalar z5 = n2 * v_phi;
     const Scalar z6 = z0 + z1;
-    const Scalar z7 = z1 * z1;
-    const Scalar z8 = n3 * z0 * z0;
+    const Scalar z7 = z0 * z0;
+    const Scalar z8 = n3 * z1 * z1;
     const Scalar z9 = v_r * z3;
-    const Scalar z10 = z1 * z2;
+    const Scalar z10 = z0 * z2;
     const Scalar z11 = z6 * z6;
     const Scalar z12 = n2 * z6;
     const Scalar z13 = v_r * z4;
     const Scalar z14 = n0_75 * z2;
-    const Scalar z15 = z0 * z2;
+    const Scalar z15 = z1 * z2;
     const Scalar z16 = n3 * z9;  // force on first, y
     const Scalar z17 = traits::sqrt(z11);
     const Scalar z18 = z7 + z8;
     const Scalar z19 = n0_25 * z2;
-    const Scalar z20 = n1_5 * z1;
-    const Scalar z21 = n1_5 * z0;
-    const Scalar z22 = z1 * z5;
-    const Scalar z23 = z0 * z5;
-    const Scalar z24 = n0_5 * v_r;
-    const Scalar z25 = n1_5 * v_r;
+    const Scalar z20 = n1_5 * z0;
+    const Scalar z21 = n1_5 * z1;
+    const Scalar z22 = z0 * z5;
+    const Scalar z23 = z1 * z5;
+    const Scalar z24 = n1_5 * v_r;
+    const Scalar z25 = n0_5 * v_r;
     const Scalar z26 = z20 + z21;
     const Scalar z27 = n3 * z3;
     const Scalar z28 = n0_75 * z13 + n0_25 * z16;
-    const Scalar z29 = z1 * z13 + z0 * z16;  // moment on line, z
+    const Scalar z29 = z0 * z13 + z1 * z16;  // moment on line, z
     const Scalar z30 = n3 * z23;
-    const Scalar z31 = n3 * z24;
-    const Scalar z32 = n1 / z18;
-    const Scalar z33 = a_phi * z18 + z29;
-    const Scalar z34 = z1 * z4 + z0 * z27;
-    const Scalar z35 = a_phi * z26 + z28;
-    const Scalar z36 = n0_75 * z22 + n0_25 * z30;
-    const Scalar z37 = z1 * z25 + z0 * z31;
-    const Scalar z38 = n4 * a_X;
-    const Scalar z39 = n4 * a_Y;
-    const Scalar z40 = z32 * z35;
+    const Scalar z31 = n3 * z25;
+    const Scalar z32 = z0 * z4 + z1 * z27;
+    const Scalar z33 = a_phi * z26 + z28;
+    const Scalar z34 = n0_75 * z22 + n0_25 * z30;
+    const Scalar z35 = z0 * z24 + z1 * z31;
+    const Scalar z36 = n1 / z18;
+    const Scalar z37 = n4 * a_X;
+    const Scalar z38 = n4 * a_Y;
+    const Scalar z39 = a_phi * z18 + z29;
+    const Scalar z40 = z33 * z36;
     const Scalar z41 = n0_5 * z12 / z17;
     const Scalar z42 = n1 / z17;
-    const Scalar z43 = z32 * z34;
-    const Scalar z44 = n4_over_3 * z36;
-    const Scalar z45 = z32 * z37;
+    const Scalar z43 = z32 * z36;
+    const Scalar z44 = n4_over_3 * z34;
+    const Scalar z45 = z35 * z36;
     const Scalar z46 = n3 * z42 * z42 * z42;
     const Scalar z47 = z41 / (z17 * z17);
     const Scalar z48 = z6 * z46;
@@ -1170,11 +1170,11 @@ struct Mechanism {
     result.C[8] = n0;
     result.C[9] = n0;
     result.C[10] = n0;
-    result.C[11] = z34;
+    result.C[11] = z32;
     result.C[12] = n0;
     result.C[13] = n0;
-    result.C[14] = -z36;
-    result.C[15] = z37;
+    result.C[14] = -z34;
+    result.C[15] = z35;
     result.K[0] = n0;
     result.K[1] = n0;
     result.K[2] = n0;
@@ -1186,15 +1186,15 @@ struct Mechanism {
     result.K[8] = n0;
     result.K[9] = n0;
     result.K[10] = -z57;
-    result.K[11] = z35;
+    result.K[11] = z33;
     result.K[12] = n0;
     result.K[13] = n0;
     result.K[14] = n0;
     result.K[15] = n0;
-    result.F[0] = -z38;
-    result.F[1] = -z39;
+    result.F[0] = -z37;
+    result.F[1] = -z38;
     result.F[2] = -z56;
-    result.F[3] = -z33;
+    result.F[3] = -z39;
     result.A[0] = n0;
     result.A[1] = n0;
     result.A[2] = n0;

@@ -7,16 +7,16 @@
 // Parameters set at run time: V
 //
 // Operations in the text of each function (a sine-cosine pair counts 2 in the total; not in it is what a Status
-// costs, one multiplication for each result and for each pivot tested); before: without inertia moved across
-// joints, products that sums share, factoring, and what is done once for a set of parameters:
+// costs, one multiplication for each result and for each pivot tested); before: without products that sums
+// share, factoring, and what is done once for a set of parameters:
 //   function          additions  multiplications  divisions  square roots  sine-cosine pairs  others  total  before
 //   kinematics               13               16          0             0                  2       0     33      33
 //   mass_matrix               3                3          0             0                  1       0      8       8
-//   bias                      9               16          0             0                  2       0     29      37
-//   inverse_dynamics         14               21          0             0                  2       0     39      46
-//   forward_dynamics         15               25          1             0                  2       0     45      53
+//   bias                      9               16          0             0                  2       0     29      29
+//   inverse_dynamics         14               21          0             0                  2       0     39      39
+//   forward_dynamics         15               25          1             0                  2       0     45      45
 //   energy                   21               37          0             0                  3       0     64      68
-//   linearisation            35               59          1             0                  2       0     99     118
+//   linearisation            35               59          1             0                  2       0     99     100
 //
 // Not computed because this mechanism does not need it:
 //   kinematics: of 60 results 31 vanish identically, 4 repeat another up to sign
@@ -505,7 +505,7 @@ struct Mechanism {
 
   static constexpr const char* name = "passenger_in_vehicle";
   /// 64 bits (FNV-1a) of this file from "#pragma once" on, with zeros in their own place: another mechanism, other bits.
-  static constexpr unsigned long long fingerprint = 0xfc5f90c3c6c93e3aULL;
+  static constexpr unsigned long long fingerprint = 0x706be376a9c851d3ULL;
   static constexpr int coordinate_count = 2;
   static constexpr int velocity_count = 2;
   static constexpr int input_count = 0;
@@ -833,7 +833,7 @@ struct Mechanism {
     const Scalar z0 = n9_81 * c_theta_1;
     const Scalar z1 = v_theta_1 * v_theta_1;
     const Scalar z2 = n9_81 * s_theta_1;
-    const Scalar z3 = v_theta_1 + v_theta_2;
+    const Scalar z3 = v_theta_1 + v_theta_2;  // angular velocity of S2, z
     const Scalar z4 = n600 * q_theta_1;
     const Scalar z5 = n25 * v_theta_1;
     const Scalar z6 = z3 * z3;
@@ -876,7 +876,7 @@ struct Mechanism {
     const Scalar s_theta_2 = sines_[1], c_theta_2 = cosines_[1];
     const Scalar z0 = n9_81 * c_theta_1;
     const Scalar z1 = v_theta_1 * v_theta_1;
-    const Scalar z2 = v_theta_1 + v_theta_2;
+    const Scalar z2 = v_theta_1 + v_theta_2;  // angular velocity of S2, z
     const Scalar z3 = n9_81 * s_theta_1;
     const Scalar z4 = a_theta_1 + a_theta_2;  // angular acceleration of S2, z
     const Scalar z5 = n600 * q_theta_1;
@@ -887,9 +887,9 @@ struct Mechanism {
     const Scalar z10 = n0_6 * v_theta_2;
     const Scalar z11 = n0_75 * z6;  // force on S2, y
     const Scalar z12 = s_theta_2 * z11 - c_theta_2 * z7;
-    const Scalar z13 = z0 - n0_6 * z1;
-    const Scalar z14 = n0_6 * a_theta_1 - z3;
-    const Scalar z15 = s_theta_2 * z13 - c_theta_2 * z14;
+    const Scalar z13 = n0_6 * a_theta_1 - z3;
+    const Scalar z14 = z0 - n0_6 * z1;
+    const Scalar z15 = s_theta_2 * z14 - c_theta_2 * z13;
     const Scalar z16 = n0_75 * z15 - n0_1425 * z4;  // moment on S2, z
     const Scalar z17 = n8_2 * a_theta_1 - n17 * z3 - n0_6 * z12 - z16;  // moment on S1, z
     const Scalar z18 = z9 + z10 - z16;
@@ -929,22 +929,22 @@ struct Mechanism {
     const Scalar z1 = v_theta_1 * v_theta_1;
     const Scalar z2 = n9_81 * s_theta_1;
     const Scalar z3 = n0_75 * c_theta_2;
-    const Scalar z4 = v_theta_1 + v_theta_2;
+    const Scalar z4 = v_theta_1 + v_theta_2;  // angular velocity of S2, z
     const Scalar z5 = n600 * q_theta_1;
     const Scalar z6 = z4 * z4;
     const Scalar z7 = n25 * v_theta_1;
     const Scalar z8 = n40 * q_theta_2;
     const Scalar z9 = n0_6 * v_theta_2;
-    const Scalar z10 = n0_75 * z6;  // force on S2, y
+    const Scalar z10 = n0_75 * z6;
     const Scalar z11 = s_theta_2 * z10;
-    const Scalar z12 = n0_1425 + n0_6 * z3;
-    const Scalar z13 = n0_1425 + n1_2 * z3;
-    const Scalar z14 = z0 - n0_6 * z1;
-    const Scalar z15 = n8_2 + z13;
-    const Scalar z16 = c_theta_2 * z2 + s_theta_2 * z14;
-    const Scalar z17 = n400_over_57 * z12;
-    const Scalar z18 = z12 * z17 - z15;
-    const Scalar z19 = n0_75 * z16;  // moment on S2, z
+    const Scalar z12 = z0 - n0_6 * z1;
+    const Scalar z13 = n0_1425 + n0_6 * z3;
+    const Scalar z14 = n0_1425 + n1_2 * z3;
+    const Scalar z15 = c_theta_2 * z2 + s_theta_2 * z12;
+    const Scalar z16 = n8_2 + z14;
+    const Scalar z17 = n400_over_57 * z13;
+    const Scalar z18 = z13 * z17 - z16;
+    const Scalar z19 = n0_75 * z15;
     const Scalar z20 = n17 * z2 + z19 + n0_6 * z11;  // moment on S1, z
     const Scalar z21 = z8 + z9 - z19;
     const Scalar z22 = n1 / z18;
@@ -954,7 +954,7 @@ struct Mechanism {
     const Scalar z26 = n400_over_57 * z21 + z17 * z25;
     accelerations.theta_1 = z25;
     accelerations.theta_2 = -z26;
-    if (!(traits::regular(-z18, z15))) return torsor::Status::singular;
+    if (!(traits::regular(-z18, z16))) return torsor::Status::singular;
     // 0 x is 0 for every finite x and not a number for any other.
     const Scalar zero = n0 * accelerations.theta_1 * accelerations.theta_2;
     if (!traits::regular(n1, zero)) return torsor::Status::not_finite;
@@ -965,12 +965,12 @@ struct Mechanism {
   TORSOR_DEVICE static void energy(const Precomputed& precomputed, const State& state, const Inputs&,
       Energy& result) noexcept {
     const Scalar n0_6 = traits::constant(0.6, 0.6f, "3/5");
-    const Scalar n25 = traits::constant(25.0, 25.0f, "25/1");
     const Scalar n14 = traits::constant(14.0, 14.0f, "14/1");
     const Scalar n0_75 = traits::constant(0.75, 0.75f, "3/4");
-    const Scalar n0_5 = traits::constant(0.5, 0.5f, "1/2");
+    const Scalar n25 = traits::constant(25.0, 25.0f, "25/1");
     const Scalar n40 = traits::constant(40.0, 40.0f, "40/1");
     const Scalar n6_4 = traits::constant(6.4, 6.4f, "32/5");
+    const Scalar n0_5 = traits::constant(0.5, 0.5f, "1/2");
     const Scalar n5 = traits::constant(5.0, 5.0f, "5/1");
     const Scalar n0_1425 = traits::constant(0.1425, 0.1425f, "57/400");
     const Scalar n20 = traits::constant(20.0, 20.0f, "20/1");
@@ -993,24 +993,24 @@ struct Mechanism {
     const Scalar z1 = cosines_[2];
     const Scalar z2 = p_V * c_theta_1;
     const Scalar z3 = p_V * s_theta_1;
-    const Scalar z4 = v_theta_1 + v_theta_2;
+    const Scalar z4 = v_theta_1 + v_theta_2;  // angular velocity of S2, z
     const Scalar z5 = n0_6 * c_theta_1;
-    const Scalar z6 = n25 * v_theta_1;
-    const Scalar z7 = n0_6 * v_theta_2;
-    const Scalar z8 = n14 * c_theta_1;
-    const Scalar z9 = n0_75 * z1;
-    const Scalar z10 = n0_5 + z5;  // place of S2, y
-    const Scalar z11 = n0_6 * v_theta_1 - z2;
-    const Scalar z12 = n14 * v_theta_1 - n40 * z2;
-    const Scalar z13 = n6_4 * v_theta_1 - n14 * z2;
-    const Scalar z14 = s_theta_2 * z3 + c_theta_2 * z11;
-    const Scalar z15 = s_theta_2 * z11 - c_theta_2 * z3;
+    const Scalar z6 = n14 * c_theta_1;
+    const Scalar z7 = n0_75 * z1;
+    const Scalar z8 = n25 * v_theta_1;
+    const Scalar z9 = n0_6 * v_theta_2;
+    const Scalar z10 = n0_6 * v_theta_1 - z2;
+    const Scalar z11 = n14 * v_theta_1 - n40 * z2;
+    const Scalar z12 = n6_4 * v_theta_1 - n14 * z2;
+    const Scalar z13 = n0_5 + z5;
+    const Scalar z14 = s_theta_2 * z3 + c_theta_2 * z10;
+    const Scalar z15 = s_theta_2 * z10 - c_theta_2 * z3;
     const Scalar z16 = n0_75 * z4 + n5 * z14;
     const Scalar z17 = n0_1425 * z4 + n0_75 * z14;
-    result.kinetic = n20 * z3 * z3 + n2_5 * z15 * z15 + n0_5 * (v_theta_1 * z13 - z2 * z12 + z4 * z17 + z14 * z16);
-    result.force_function = -n196_2 - n300 * q_theta_1 * q_theta_1 - n20 * q_theta_2 * q_theta_2 - n49_05 * z10 - n9_81
-        * (z8 + z9);
-    result.power = -v_theta_1 * z6 - v_theta_2 * z7;
+    result.kinetic = n20 * z3 * z3 + n2_5 * z15 * z15 + n0_5 * (v_theta_1 * z12 - z2 * z11 + z14 * z16 + z4 * z17);
+    result.force_function = -n196_2 - n300 * q_theta_1 * q_theta_1 - n20 * q_theta_2 * q_theta_2 - n49_05 * z13 - n9_81
+        * (z6 + z7);
+    result.power = -v_theta_1 * z8 - v_theta_2 * z9;
   }
 
   /// Linearisation about the state: M e'' + C e' + K e = F + E du, with e and du deviations from the state and the
@@ -1044,15 +1044,15 @@ struct Mechanism {
     const Scalar s_theta_1 = sines_[0], c_theta_1 = cosines_[0];
     const Scalar s_theta_2 = sines_[1], c_theta_2 = cosines_[1];
     const Scalar z0 = n0_75 * c_theta_2;
-    const Scalar z1 = v_theta_1 + v_theta_2;
-    const Scalar z2 = n9_81 * s_theta_1;
+    const Scalar z1 = n9_81 * s_theta_1;
+    const Scalar z2 = v_theta_1 + v_theta_2;  // angular velocity of S2, z
     const Scalar z3 = n9_81 * c_theta_1;
     const Scalar z4 = v_theta_1 * v_theta_1;
     const Scalar z5 = n2 * v_theta_1;
-    const Scalar z6 = n2 * z1;
+    const Scalar z6 = n2 * z2;
     const Scalar z7 = a_theta_1 + a_theta_2;  // angular acceleration of S2, z
     const Scalar z8 = n0_6 * z5;
-    const Scalar z9 = z1 * z1;
+    const Scalar z9 = z2 * z2;
     const Scalar z10 = n0_75 * z7;  // force on S2, x
     const Scalar z11 = n600 * q_theta_1;
     const Scalar z12 = n0_75 * z6;
@@ -1064,53 +1064,53 @@ struct Mechanism {
     const Scalar z18 = s_theta_2 * z12;
     const Scalar z19 = s_theta_2 * z10 + c_theta_2 * z14;
     const Scalar z20 = s_theta_2 * z14 - c_theta_2 * z10;
-    const Scalar z21 = n0_1425 + n0_6 * z0;
-    const Scalar z22 = n0_1425 + n1_2 * z0;
-    const Scalar z23 = z3 - n0_6 * z4;
-    const Scalar z24 = n0_6 * a_theta_1 - z2;
+    const Scalar z21 = n0_6 * a_theta_1 - z1;
+    const Scalar z22 = z3 - n0_6 * z4;
+    const Scalar z23 = n0_1425 + n0_6 * z0;
+    const Scalar z24 = n0_1425 + n1_2 * z0;
     const Scalar z25 = n0_75 * z13;
     const Scalar z26 = n0_6 * z18;
-    const Scalar z27 = s_theta_2 * z2 - c_theta_2 * z3;
+    const Scalar z27 = s_theta_2 * z1 - c_theta_2 * z3;
     const Scalar z28 = z25 - z26;
-    const Scalar z29 = n8_2 + z22;
-    const Scalar z30 = s_theta_2 * z23 - c_theta_2 * z24;
-    const Scalar z31 = s_theta_2 * z24 + c_theta_2 * z23;
-    const Scalar z32 = n400_over_57 * z21;
+    const Scalar z29 = s_theta_2 * z22 - c_theta_2 * z21;
+    const Scalar z30 = s_theta_2 * z21 + c_theta_2 * z22;
+    const Scalar z31 = n8_2 + z24;
+    const Scalar z32 = n400_over_57 * z23;
     const Scalar z33 = n25 + z28;
-    const Scalar z34 = z21 * z32 - z29;
-    const Scalar z35 = n0_75 * z27;
-    const Scalar z36 = n0_6 * z32 + z26;
-    const Scalar z37 = z32 * z25 - z33;
-    const Scalar z38 = n17 * z3 - z35;
-    const Scalar z39 = n0_75 * z30 - n0_1425 * z7;  // moment on S2, z
-    const Scalar z40 = n1 / z34;
-    const Scalar z41 = n0_75 * z31;
+    const Scalar z34 = n0_75 * z27;
+    const Scalar z35 = z23 * z32 - z31;
+    const Scalar z36 = z26 + n0_6 * z32;
+    const Scalar z37 = z25 * z32 - z33;
+    const Scalar z38 = n17 * z3 - z34;
+    const Scalar z39 = n0_75 * z29 - n0_1425 * z7;  // moment on S2, z
+    const Scalar z40 = n0_75 * z30;
+    const Scalar z41 = n1 / z35;
     const Scalar z42 = n600 - z38;
-    const Scalar z43 = n0_6 * z19 + z41;
-    const Scalar z44 = n40 - z41;
-    const Scalar z45 = z32 * z35 - z42;
-    const Scalar z46 = n8_2 * a_theta_1 - n17 * z2 - n0_6 * z20 - z39;  // moment on S1, z
+    const Scalar z43 = n0_6 * z19 + z40;
+    const Scalar z44 = n40 - z40;
+    const Scalar z45 = z34 * z32 - z42;
+    const Scalar z46 = n8_2 * a_theta_1 - n17 * z1 - n0_6 * z20 - z39;  // moment on S1, z
     const Scalar z47 = z16 + z17 - z39;
-    const Scalar z48 = z32 * z44 + z43;
+    const Scalar z48 = z43 + z44 * z32;
     const Scalar z49 = z11 + z15 + z46;
-    const Scalar z50 = z40 * z45;
-    const Scalar z51 = z40 * z37;
-    const Scalar z52 = z40 * z48;
-    const Scalar z53 = z40 * z36;
-    const Scalar z54 = z32 * z50 - n400_over_57 * z35;
-    const Scalar z55 = z32 * z51 - n400_over_57 * z25;
-    const Scalar z56 = z32 * z52 - n400_over_57 * z44;
+    const Scalar z50 = z41 * z45;
+    const Scalar z51 = z41 * z37;
+    const Scalar z52 = z41 * z48;
+    const Scalar z53 = z41 * z36;
+    const Scalar z54 = n400_over_57 * z34 - z32 * z50;
+    const Scalar z55 = n400_over_57 * z25 - z32 * z51;
+    const Scalar z56 = n400_over_57 * z44 - z32 * z52;
     const Scalar z57 = n80_over_19 - z32 * z53;
-    result.M[0] = z29;
-    result.M[1] = z21;
-    result.M[2] = z21;
+    result.M[0] = z31;
+    result.M[1] = z23;
+    result.M[2] = z23;
     result.M[3] = n0_1425;
     result.C[0] = z33;
     result.C[1] = z25;
     result.C[2] = -z26;
     result.C[3] = n0_6;
     result.K[0] = z42;
-    result.K[1] = z35;
+    result.K[1] = z34;
     result.K[2] = -z43;
     result.K[3] = z44;
     result.F[0] = -z49;
@@ -1118,20 +1118,20 @@ struct Mechanism {
     result.A[0] = n0;
     result.A[1] = n0;
     result.A[2] = -z50;
-    result.A[3] = z54;
+    result.A[3] = -z54;
     result.A[4] = n0;
     result.A[5] = n0;
     result.A[6] = -z52;
-    result.A[7] = z56;
+    result.A[7] = -z56;
     result.A[8] = n1;
     result.A[9] = n0;
     result.A[10] = -z51;
-    result.A[11] = z55;
+    result.A[11] = -z55;
     result.A[12] = n0;
     result.A[13] = n1;
     result.A[14] = -z53;
     result.A[15] = -z57;
-    if (!(traits::regular(-z34, z29))) return torsor::Status::singular;
+    if (!(traits::regular(-z35, z31))) return torsor::Status::singular;
     // 0 x is 0 for every finite x and not a number for any other.
     const Scalar zero = (n0 * result.M[0] * result.M[1] * result.M[2] * result.C[0] * result.C[1] * result.C[2]
         * result.K[0] * result.K[1] * result.K[2] * result.K[3]) * (n0 * result.F[0] * result.F[1] * result.A[2]

@@ -7,19 +7,19 @@
 // Parameters set at run time: r, latitude
 //
 // Operations in the text of each function (a sine-cosine pair counts 2 in the total; not in it is what a Status
-// costs, one multiplication for each result and for each pivot tested); before: without inertia moved across
-// joints, products that sums share, factoring, and what is done once for a set of parameters:
+// costs, one multiplication for each result and for each pivot tested); before: without products that sums
+// share, factoring, and what is done once for a set of parameters:
 //   function          additions  multiplications  divisions  square roots  sine-cosine pairs  others  total  before
 //   precompute                1                8          0             0                  1       0     11       -
 //   kinematics               24               48          0             0                  4       0     80      88
-//   mass_matrix               1                1          0             0                  1       0      4       3
+//   mass_matrix               1                1          0             0                  1       0      4       4
 //   bias                     22               42          1             1                  3       0     72      82
 //   inverse_dynamics         24               43          1             1                  3       0     75      85
-//   forward_dynamics         23               44          2             1                  3       0     76      85
+//   forward_dynamics         23               44          2             1                  3       0     76      86
 //   energy                   16               27          1             1                  3       0     51      62
 //   first_integrals          21               32          1             1                  3       0     61      73
 //   reactions                17               31          1             1                  3       0     56      66
-//   linearisation            59              115          6             1                  3       0    187     202
+//   linearisation            59              115          6             1                  3       0    187     203
 //
 // Not computed because this mechanism does not need it:
 //   kinematics: of 42 results 12 vanish identically, 6 repeat another up to sign
@@ -507,7 +507,7 @@ struct Mechanism {
 
   static constexpr const char* name = "plumb_line";
   /// 64 bits (FNV-1a) of this file from "#pragma once" on, with zeros in their own place: another mechanism, other bits.
-  static constexpr unsigned long long fingerprint = 0xd85a90c7a88f4315ULL;
+  static constexpr unsigned long long fingerprint = 0x6e8e659944d8071eULL;
   static constexpr int coordinate_count = 2;
   static constexpr int velocity_count = 2;
   static constexpr int input_count = 0;
@@ -610,15 +610,15 @@ struct Mechanism {
   /// Parameters and what depends on them only: built once for each set of parameters.
   struct Precomputed {
     Parameters parameters;
-    Scalar s_latitude;
-    Scalar c_latitude;
-    Scalar m2;
-    Scalar m3;
-    Scalar m4;
-    Scalar m5;
-    Scalar m6;
-    Scalar m7;
-    Scalar m8;
+    Scalar m_d70720cb;
+    Scalar m_2850c073;
+    Scalar m_4afded67;
+    Scalar m_dca3f8db;
+    Scalar m_e5473e60;
+    Scalar m_2dcdaecb;
+    Scalar m_de60d3e0;
+    Scalar m_0e4df02e;
+    Scalar m_9aa83e17;
   };
 
   /// Values of the scene.
@@ -655,15 +655,15 @@ struct Mechanism {
     const Scalar z7 = z2 * z3;
     const Scalar z8 = z0 * z6;
     const Scalar z9 = z0 * z7;
-    precomputed.s_latitude = s_latitude;
-    precomputed.c_latitude = c_latitude;
-    precomputed.m2 = z0;
-    precomputed.m3 = z2;
-    precomputed.m4 = z3;
-    precomputed.m5 = z4;
-    precomputed.m6 = z5;
-    precomputed.m7 = z8;
-    precomputed.m8 = z9;
+    precomputed.m_d70720cb = c_latitude;
+    precomputed.m_2850c073 = z0;
+    precomputed.m_4afded67 = z2;
+    precomputed.m_dca3f8db = z3;
+    precomputed.m_e5473e60 = z4;
+    precomputed.m_2dcdaecb = z5;
+    precomputed.m_de60d3e0 = s_latitude;
+    precomputed.m_0e4df02e = z8;
+    precomputed.m_9aa83e17 = z9;
     return precomputed;
   }
 
@@ -760,12 +760,12 @@ struct Mechanism {
     const Scalar v_delta = state.v.delta;
     const Scalar q_epsilon = state.q.epsilon;
     const Scalar v_epsilon = state.v.epsilon;
-    const Scalar c_latitude = precomputed.c_latitude;
-    const Scalar m2 = precomputed.m2;
-    const Scalar m3 = precomputed.m3;
-    const Scalar m4 = precomputed.m4;
-    const Scalar m5 = precomputed.m5;
-    const Scalar m6 = precomputed.m6;
+    const Scalar c_latitude = precomputed.m_d70720cb;
+    const Scalar m1 = precomputed.m_2850c073;
+    const Scalar m2 = precomputed.m_4afded67;
+    const Scalar m3 = precomputed.m_dca3f8db;
+    const Scalar m4 = precomputed.m_e5473e60;
+    const Scalar m5 = precomputed.m_2dcdaecb;
     const Scalar pi = traits::pi();
     const Scalar z0 = traits::formula(7.27220521664304e-05, 7.2722054e-05f, [&]() -> Scalar {
       return k0 * pi;
@@ -780,12 +780,12 @@ struct Mechanism {
     const Scalar z3 = sines_[2], z4 = cosines_[2];
     const Scalar z5 = sines_[3], z6 = cosines_[3];
     const Scalar z7 = z4 * z6;
-    const Scalar z8 = s_delta * m4 - c_delta * m3;
+    const Scalar z8 = s_delta * m3 - c_delta * m2;
     const Scalar z9 = z3 * z6;
-    const Scalar z10 = s_delta * m3 + c_delta * m4;
+    const Scalar z10 = s_delta * m2 + c_delta * m3;
     const Scalar z11 = z3 * z5;
-    const Scalar z12 = m6 * z3;  // velocity of meridian, x
-    const Scalar z13 = m6 * z4;  // velocity of meridian, y
+    const Scalar z12 = m5 * z3;  // velocity of meridian, x
+    const Scalar z13 = m5 * z4;  // velocity of meridian, y
     const Scalar z14 = z4 * z5;
     const Scalar z15 = c_epsilon * z5;
     const Scalar z16 = s_epsilon * z5;
@@ -794,15 +794,15 @@ struct Mechanism {
     const Scalar z19 = v_delta * z3;  // angular velocity of meridian, x
     const Scalar z20 = v_delta * z4;  // angular velocity of meridian, y
     const Scalar z21 = v_epsilon * z6 + z0;  // angular velocity of thread, z
-    const Scalar z22 = m2 * z17;
-    const Scalar z23 = m2 * z18;
+    const Scalar z22 = m1 * z17;
+    const Scalar z23 = m1 * z18;
     const Scalar z24 = s_epsilon * z3 - c_epsilon * z7;
     const Scalar z25 = c_epsilon * z3 + s_epsilon * z7;
     const Scalar z26 = s_epsilon * z4 + c_epsilon * z9;
     const Scalar z27 = s_epsilon * z9 - c_epsilon * z4;
     const Scalar z28 = v_epsilon * z14 + z19;  // angular velocity of thread, x
     const Scalar z29 = v_epsilon * z11 - z20;  // angular velocity of thread, y
-    const Scalar z30 = m5 - z15;
+    const Scalar z30 = m4 - z15;
     const Scalar z31 = z4 * z15;
     const Scalar z32 = z3 * z15;
     const Scalar z33 = v_delta * c_epsilon + s_epsilon * z8;
@@ -888,17 +888,17 @@ struct Mechanism {
     const Scalar v_delta = state.v.delta;
     const Scalar q_epsilon = state.q.epsilon;
     const Scalar v_epsilon = state.v.epsilon;
-    const Scalar s_latitude = precomputed.s_latitude;
-    const Scalar c_latitude = precomputed.c_latitude;
-    const Scalar m2 = precomputed.m2;
-    const Scalar m3 = precomputed.m3;
-    const Scalar m4 = precomputed.m4;
-    const Scalar m7 = precomputed.m7;
-    const Scalar m8 = precomputed.m8;
+    const Scalar s_latitude = precomputed.m_de60d3e0;
+    const Scalar c_latitude = precomputed.m_d70720cb;
+    const Scalar m2 = precomputed.m_2850c073;
+    const Scalar m3 = precomputed.m_4afded67;
+    const Scalar m4 = precomputed.m_dca3f8db;
+    const Scalar m5 = precomputed.m_0e4df02e;
+    const Scalar m6 = precomputed.m_9aa83e17;
     const Scalar pi = traits::pi();
     const Scalar z0 = traits::formula(7.27220521664304e-05, 7.2722054e-05f, [&]() -> Scalar {
       return k0 * pi;
-    });
+    });  // angular velocity of globe, z
     const Scalar z1 = t * z0;
     const Scalar angles_[] = {q_delta, q_epsilon, z1};
     Scalar sines_[3], cosines_[3];
@@ -912,24 +912,24 @@ struct Mechanism {
     const Scalar z7 = s_delta * m4 - c_delta * m3;
     const Scalar z8 = c_delta * m2;
     const Scalar z9 = s_delta * m2;
-    const Scalar z10 = s_delta * m8 + c_delta * m7;
-    const Scalar z11 = s_delta * m7 - c_delta * m8;
+    const Scalar z10 = s_delta * m6 + c_delta * m5;
+    const Scalar z11 = s_delta * m5 - c_delta * m6;
     const Scalar z12 = n1 + p_r - z4;
     const Scalar z13 = s_epsilon * z8;
     const Scalar z14 = s_latitude * z5 - c_latitude * z12;
     const Scalar z15 = c_latitude * z5 + s_latitude * z12;
-    const Scalar z16 = v_delta * s_epsilon - c_epsilon * z7;
-    const Scalar z17 = v_delta * c_epsilon + s_epsilon * z7;
-    const Scalar z18 = v_epsilon + z6;
-    const Scalar z19 = v_delta * z6;  // angular acceleration of meridian, x
-    const Scalar z20 = v_delta * z7;  // angular acceleration of meridian, z
-    const Scalar z21 = s_epsilon * z10;
+    const Scalar z16 = v_delta * z6;  // angular acceleration of meridian, x
+    const Scalar z17 = v_delta * z7;  // angular acceleration of meridian, z
+    const Scalar z18 = v_delta * s_epsilon - c_epsilon * z7;
+    const Scalar z19 = v_delta * c_epsilon + s_epsilon * z7;
+    const Scalar z20 = s_epsilon * z10;
+    const Scalar z21 = v_epsilon + z6;  // angular velocity of thread, z
     const Scalar z22 = s_epsilon * z2 - z3 * z14;
     const Scalar z23 = s_epsilon * z3 + z2 * z14;
-    const Scalar z24 = s_epsilon * z19;
-    const Scalar z25 = z16 * z17;
-    const Scalar z26 = z16 * z18;
-    const Scalar z27 = v_epsilon * z16 - z24;  // angular acceleration of thread, y
+    const Scalar z24 = s_epsilon * z16;
+    const Scalar z25 = z18 * z19;
+    const Scalar z26 = z18 * z21;
+    const Scalar z27 = v_epsilon * z18 - z24;  // angular acceleration of thread, y
     const Scalar z28 = z15 * z15 + z22 * z22 + z23 * z23;
     const Scalar z29 = z27 + z26;
     const Scalar z30 = traits::sqrt(z28);
@@ -938,9 +938,9 @@ struct Mechanism {
     const Scalar z33 = z13 * z32;
     const Scalar z34 = z9 * z32;
     const Scalar z35 = z34 - z11;  // moment on bob, y
-    const Scalar z36 = z33 - z21;  // moment on bob, z
+    const Scalar z36 = z33 - z20;  // moment on bob, z
     const Scalar z37 = z29 - z35;  // moment on thread, y
-    const Scalar z38 = z20 - z25 - z36;  // moment on thread, z
+    const Scalar z38 = z17 - z25 - z36;  // moment on thread, z
     const Scalar z39 = c_epsilon * z37;
     forces.delta = -z39;
     forces.epsilon = -z38;
@@ -960,17 +960,17 @@ struct Mechanism {
     const Scalar q_epsilon = state.q.epsilon;
     const Scalar v_epsilon = state.v.epsilon;
     const Scalar a_epsilon = accelerations.epsilon;
-    const Scalar s_latitude = precomputed.s_latitude;
-    const Scalar c_latitude = precomputed.c_latitude;
-    const Scalar m2 = precomputed.m2;
-    const Scalar m3 = precomputed.m3;
-    const Scalar m4 = precomputed.m4;
-    const Scalar m7 = precomputed.m7;
-    const Scalar m8 = precomputed.m8;
+    const Scalar s_latitude = precomputed.m_de60d3e0;
+    const Scalar c_latitude = precomputed.m_d70720cb;
+    const Scalar m2 = precomputed.m_2850c073;
+    const Scalar m3 = precomputed.m_4afded67;
+    const Scalar m4 = precomputed.m_dca3f8db;
+    const Scalar m5 = precomputed.m_0e4df02e;
+    const Scalar m6 = precomputed.m_9aa83e17;
     const Scalar pi = traits::pi();
     const Scalar z0 = traits::formula(7.27220521664304e-05, 7.2722054e-05f, [&]() -> Scalar {
       return k0 * pi;
-    });
+    });  // angular velocity of globe, z
     const Scalar z1 = t * z0;
     const Scalar angles_[] = {q_delta, q_epsilon, z1};
     Scalar sines_[3], cosines_[3];
@@ -984,38 +984,38 @@ struct Mechanism {
     const Scalar z7 = s_delta * m4 - c_delta * m3;
     const Scalar z8 = c_delta * m2;
     const Scalar z9 = s_delta * m2;
-    const Scalar z10 = s_delta * m8 + c_delta * m7;
-    const Scalar z11 = s_delta * m7 - c_delta * m8;
+    const Scalar z10 = s_delta * m6 + c_delta * m5;
+    const Scalar z11 = s_delta * m5 - c_delta * m6;
     const Scalar z12 = n1 + p_r - z4;
     const Scalar z13 = s_epsilon * z8;
     const Scalar z14 = s_latitude * z5 - c_latitude * z12;
     const Scalar z15 = c_latitude * z5 + s_latitude * z12;
-    const Scalar z16 = v_delta * s_epsilon - c_epsilon * z7;
-    const Scalar z17 = v_delta * c_epsilon + s_epsilon * z7;
-    const Scalar z18 = v_epsilon + z6;
-    const Scalar z19 = v_delta * z6;  // angular acceleration of meridian, x
-    const Scalar z20 = v_delta * z7;  // angular acceleration of meridian, z
-    const Scalar z21 = s_epsilon * z10;
+    const Scalar z16 = v_delta * z6;  // angular acceleration of meridian, x
+    const Scalar z17 = v_delta * z7;  // angular acceleration of meridian, z
+    const Scalar z18 = v_delta * s_epsilon - c_epsilon * z7;
+    const Scalar z19 = v_delta * c_epsilon + s_epsilon * z7;
+    const Scalar z20 = s_epsilon * z10;
+    const Scalar z21 = v_epsilon + z6;  // angular velocity of thread, z
     const Scalar z22 = s_epsilon * z2 - z3 * z14;
     const Scalar z23 = s_epsilon * z3 + z2 * z14;
-    const Scalar z24 = a_delta * c_epsilon + s_epsilon * z19;
-    const Scalar z25 = a_epsilon - z20;  // angular acceleration of thread, z
-    const Scalar z26 = z16 * z17;
-    const Scalar z27 = z16 * z18;
+    const Scalar z24 = a_delta * c_epsilon + s_epsilon * z16;
+    const Scalar z25 = a_epsilon - z17;  // angular acceleration of thread, z
+    const Scalar z26 = z18 * z19;
+    const Scalar z27 = z18 * z21;
     const Scalar z28 = z15 * z15 + z22 * z22 + z23 * z23;
-    const Scalar z29 = v_epsilon * z16 - z24;  // angular acceleration of thread, y
-    const Scalar z30 = z27 + z29;
+    const Scalar z29 = v_epsilon * z18 - z24;  // angular acceleration of thread, y
+    const Scalar z30 = z29 + z27;
     const Scalar z31 = traits::sqrt(z28);
     const Scalar z32 = n1 / z31;
     const Scalar z33 = k2 * z32 * z32 * z32;
     const Scalar z34 = z13 * z33;
     const Scalar z35 = z9 * z33;
     const Scalar z36 = z35 - z11;  // moment on bob, y
-    const Scalar z37 = z34 - z21;  // moment on bob, z
-    const Scalar z38 = z36 - z30;  // moment on thread, y
+    const Scalar z37 = z34 - z20;  // moment on bob, z
+    const Scalar z38 = z30 - z36;  // moment on thread, y
     const Scalar z39 = z25 + z26 + z37;  // moment on thread, z
     const Scalar z40 = c_epsilon * z38;
-    forces.delta = z40;
+    forces.delta = -z40;
     forces.epsilon = z39;
   }
 
@@ -1034,17 +1034,17 @@ struct Mechanism {
     const Scalar v_delta = state.v.delta;
     const Scalar q_epsilon = state.q.epsilon;
     const Scalar v_epsilon = state.v.epsilon;
-    const Scalar s_latitude = precomputed.s_latitude;
-    const Scalar c_latitude = precomputed.c_latitude;
-    const Scalar m2 = precomputed.m2;
-    const Scalar m3 = precomputed.m3;
-    const Scalar m4 = precomputed.m4;
-    const Scalar m7 = precomputed.m7;
-    const Scalar m8 = precomputed.m8;
+    const Scalar s_latitude = precomputed.m_de60d3e0;
+    const Scalar c_latitude = precomputed.m_d70720cb;
+    const Scalar m2 = precomputed.m_2850c073;
+    const Scalar m3 = precomputed.m_4afded67;
+    const Scalar m4 = precomputed.m_dca3f8db;
+    const Scalar m5 = precomputed.m_0e4df02e;
+    const Scalar m6 = precomputed.m_9aa83e17;
     const Scalar pi = traits::pi();
     const Scalar z0 = traits::formula(7.27220521664304e-05, 7.2722054e-05f, [&]() -> Scalar {
       return k0 * pi;
-    });
+    });  // angular velocity of globe, z
     const Scalar z1 = t * z0;
     const Scalar angles_[] = {q_delta, q_epsilon, z1};
     Scalar sines_[3], cosines_[3];
@@ -1059,42 +1059,42 @@ struct Mechanism {
     const Scalar z8 = s_epsilon * s_epsilon;
     const Scalar z9 = s_delta * m2;
     const Scalar z10 = c_delta * m2;
-    const Scalar z11 = s_delta * m7 - c_delta * m8;
-    const Scalar z12 = s_delta * m8 + c_delta * m7;
-    const Scalar z13 = n1 - z8;
-    const Scalar z14 = n1 + p_r - z4;
-    const Scalar z15 = s_epsilon * z10;
-    const Scalar z16 = s_latitude * z5 - c_latitude * z14;
-    const Scalar z17 = c_latitude * z5 + s_latitude * z14;
-    const Scalar z18 = n1 / z13;
-    const Scalar z19 = v_delta * s_epsilon - c_epsilon * z7;
-    const Scalar z20 = v_delta * c_epsilon + s_epsilon * z7;
-    const Scalar z21 = v_epsilon + z6;
-    const Scalar z22 = v_delta * z6;  // angular acceleration of meridian, x
-    const Scalar z23 = v_delta * z7;  // angular acceleration of meridian, z
-    const Scalar z24 = s_epsilon * z12;
+    const Scalar z11 = s_delta * m5 - c_delta * m6;
+    const Scalar z12 = s_delta * m6 + c_delta * m5;
+    const Scalar z13 = n1 + p_r - z4;
+    const Scalar z14 = s_epsilon * z10;
+    const Scalar z15 = n1 - z8;
+    const Scalar z16 = s_latitude * z5 - c_latitude * z13;
+    const Scalar z17 = c_latitude * z5 + s_latitude * z13;
+    const Scalar z18 = n1 / z15;
+    const Scalar z19 = v_delta * z6;  // angular acceleration of meridian, x
+    const Scalar z20 = v_delta * z7;  // angular acceleration of meridian, z
+    const Scalar z21 = v_delta * s_epsilon - c_epsilon * z7;
+    const Scalar z22 = v_delta * c_epsilon + s_epsilon * z7;
+    const Scalar z23 = s_epsilon * z12;
+    const Scalar z24 = v_epsilon + z6;  // angular velocity of thread, z
     const Scalar z25 = s_epsilon * z2 - z3 * z16;
     const Scalar z26 = s_epsilon * z3 + z2 * z16;
-    const Scalar z27 = s_epsilon * z22;
-    const Scalar z28 = z19 * z20;
-    const Scalar z29 = z19 * z21;
-    const Scalar z30 = v_epsilon * z19 - z27;  // angular acceleration of thread, y
+    const Scalar z27 = s_epsilon * z19;
+    const Scalar z28 = z21 * z22;
+    const Scalar z29 = z21 * z24;
+    const Scalar z30 = v_epsilon * z21 - z27;  // angular acceleration of thread, y
     const Scalar z31 = z17 * z17 + z25 * z25 + z26 * z26;
     const Scalar z32 = z30 + z29;
     const Scalar z33 = traits::sqrt(z31);
     const Scalar z34 = n1 / z33;
     const Scalar z35 = k2 * z34 * z34 * z34;
-    const Scalar z36 = z15 * z35;
+    const Scalar z36 = z14 * z35;
     const Scalar z37 = z9 * z35;
     const Scalar z38 = z37 - z11;  // moment on bob, y
-    const Scalar z39 = z36 - z24;  // moment on bob, z
+    const Scalar z39 = z36 - z23;  // moment on bob, z
     const Scalar z40 = z32 - z38;  // moment on thread, y
-    const Scalar z41 = z23 - z28 - z39;  // moment on thread, z
+    const Scalar z41 = z20 - z28 - z39;  // moment on thread, z
     const Scalar z42 = c_epsilon * z40;
     const Scalar z43 = z42 * z18;
     accelerations.delta = z43;
     accelerations.epsilon = z41;
-    if (!(traits::regular(z13, z13))) return torsor::Status::singular;
+    if (!(traits::regular(z15, z15))) return torsor::Status::singular;
     // 0 x is 0 for every finite x and not a number for any other.
     const Scalar zero = n0 * accelerations.delta * accelerations.epsilon;
     if (!traits::regular(n1, zero)) return torsor::Status::not_finite;
@@ -1115,15 +1115,15 @@ struct Mechanism {
     const Scalar v_delta = state.v.delta;
     const Scalar q_epsilon = state.q.epsilon;
     const Scalar v_epsilon = state.v.epsilon;
-    const Scalar s_latitude = precomputed.s_latitude;
-    const Scalar c_latitude = precomputed.c_latitude;
-    const Scalar m3 = precomputed.m3;
-    const Scalar m4 = precomputed.m4;
-    const Scalar m6 = precomputed.m6;
+    const Scalar s_latitude = precomputed.m_de60d3e0;
+    const Scalar c_latitude = precomputed.m_d70720cb;
+    const Scalar m2 = precomputed.m_4afded67;
+    const Scalar m3 = precomputed.m_dca3f8db;
+    const Scalar m4 = precomputed.m_2dcdaecb;
     const Scalar pi = traits::pi();
     const Scalar z0 = traits::formula(7.27220521664304e-05, 7.2722054e-05f, [&]() -> Scalar {
       return k0 * pi;
-    });
+    });  // angular velocity of globe, z
     const Scalar z1 = t * z0;
     const Scalar angles_[] = {q_delta, q_epsilon, z1};
     Scalar sines_[3], cosines_[3];
@@ -1133,22 +1133,22 @@ struct Mechanism {
     const Scalar z2 = sines_[2], z3 = cosines_[2];
     const Scalar z4 = c_delta * c_epsilon;
     const Scalar z5 = s_delta * c_epsilon;
-    const Scalar z6 = s_delta * m3 + c_delta * m4;
-    const Scalar z7 = s_delta * m4 - c_delta * m3;
-    const Scalar z8 = c_epsilon * m6;
-    const Scalar z9 = s_epsilon * m6;
+    const Scalar z6 = s_delta * m2 + c_delta * m3;
+    const Scalar z7 = s_delta * m3 - c_delta * m2;
+    const Scalar z8 = c_epsilon * m4;
+    const Scalar z9 = s_epsilon * m4;
     const Scalar z10 = n1 + p_r - z4;
     const Scalar z11 = s_latitude * z5 - c_latitude * z10;
     const Scalar z12 = c_latitude * z5 + s_latitude * z10;
     const Scalar z13 = v_delta * c_epsilon + s_epsilon * z7;
-    const Scalar z14 = v_epsilon + z6;
-    const Scalar z15 = s_epsilon * z2 - z3 * z11;
-    const Scalar z16 = s_epsilon * z3 + z2 * z11;
-    const Scalar z17 = z14 - z8;
-    const Scalar z18 = z12 * z12 + z15 * z15 + z16 * z16;
+    const Scalar z14 = v_epsilon + z6;  // angular velocity of thread, z
+    const Scalar z15 = z8 - z14;
+    const Scalar z16 = s_epsilon * z2 - z3 * z11;
+    const Scalar z17 = s_epsilon * z3 + z2 * z11;
+    const Scalar z18 = z12 * z12 + z16 * z16 + z17 * z17;
     const Scalar z19 = traits::sqrt(z18);
     const Scalar z20 = n1 / z19;
-    result.kinetic = n0_5 * (z9 * z9 + z13 * z13 + z17 * (z14 - z8));
+    result.kinetic = n0_5 * (z9 * z9 + z13 * z13 + z15 * (z8 - z14));
     result.force_function = k3 * z20;
     result.power = n0;
   }
@@ -1166,15 +1166,15 @@ struct Mechanism {
     const Scalar v_delta = state.v.delta;
     const Scalar q_epsilon = state.q.epsilon;
     const Scalar v_epsilon = state.v.epsilon;
-    const Scalar s_latitude = precomputed.s_latitude;
-    const Scalar c_latitude = precomputed.c_latitude;
-    const Scalar m3 = precomputed.m3;
-    const Scalar m4 = precomputed.m4;
-    const Scalar m6 = precomputed.m6;
+    const Scalar s_latitude = precomputed.m_de60d3e0;
+    const Scalar c_latitude = precomputed.m_d70720cb;
+    const Scalar m2 = precomputed.m_4afded67;
+    const Scalar m3 = precomputed.m_dca3f8db;
+    const Scalar m4 = precomputed.m_2dcdaecb;
     const Scalar pi = traits::pi();
     const Scalar z0 = traits::formula(7.27220521664304e-05, 7.2722054e-05f, [&]() -> Scalar {
       return k0 * pi;
-    });
+    });  // angular velocity of globe, z
     const Scalar z1 = t * z0;
     const Scalar angles_[] = {q_delta, q_epsilon, z1};
     Scalar sines_[3], cosines_[3];
@@ -1184,25 +1184,25 @@ struct Mechanism {
     const Scalar z2 = sines_[2], z3 = cosines_[2];
     const Scalar z4 = c_delta * c_epsilon;
     const Scalar z5 = s_delta * c_epsilon;
-    const Scalar z6 = s_delta * m3 + c_delta * m4;
-    const Scalar z7 = c_epsilon * m6;
-    const Scalar z8 = s_delta * m4 - c_delta * m3;
-    const Scalar z9 = s_epsilon * m6;
+    const Scalar z6 = s_delta * m2 + c_delta * m3;
+    const Scalar z7 = c_epsilon * m4;
+    const Scalar z8 = s_delta * m3 - c_delta * m2;
+    const Scalar z9 = s_epsilon * m4;
     const Scalar z10 = n1 + p_r - z4;
     const Scalar z11 = s_latitude * z5 - c_latitude * z10;
     const Scalar z12 = c_latitude * z5 + s_latitude * z10;
     const Scalar z13 = v_delta * c_epsilon + s_epsilon * z8;
-    const Scalar z14 = v_epsilon + z6;
-    const Scalar z15 = s_epsilon * z2 - z3 * z11;
-    const Scalar z16 = s_epsilon * z3 + z2 * z11;
-    const Scalar z17 = z14 - z7;
-    const Scalar z18 = n0_5 * (z14 - z7);
+    const Scalar z14 = v_epsilon + z6;  // angular velocity of thread, z
+    const Scalar z15 = z7 - z14;
+    const Scalar z16 = n0_5 * (z7 - z14);
+    const Scalar z17 = s_epsilon * z2 - z3 * z11;
+    const Scalar z18 = s_epsilon * z3 + z2 * z11;
     const Scalar z19 = c_epsilon * z13;
-    const Scalar z20 = z12 * z12 + z15 * z15 + z16 * z16;
-    const Scalar z21 = n0_5 * z17 + z18;
+    const Scalar z20 = z12 * z12 + z17 * z17 + z18 * z18;
+    const Scalar z21 = n0_5 * z15 + z16;
     const Scalar z22 = traits::sqrt(z20);
     const Scalar z23 = n1 / z22;
-    result.painleve = v_delta * z19 - n0_5 * (z9 * z9 + z13 * z13 + z17 * (z14 - z7)) + v_epsilon * z21 - k3 * z23;
+    result.painleve = v_delta * z19 - n0_5 * (z9 * z9 + z13 * z13 + z15 * (z7 - z14)) - v_epsilon * z21 - k3 * z23;
   }
 
   /// Reactions against the released coordinates, each P_q - Q_q at q = 0: what the joint exerts along the released
@@ -1218,17 +1218,17 @@ struct Mechanism {
     const Scalar v_delta = state.v.delta;
     const Scalar q_epsilon = state.q.epsilon;
     const Scalar v_epsilon = state.v.epsilon;
-    const Scalar s_latitude = precomputed.s_latitude;
-    const Scalar c_latitude = precomputed.c_latitude;
-    const Scalar m2 = precomputed.m2;
-    const Scalar m3 = precomputed.m3;
-    const Scalar m4 = precomputed.m4;
-    const Scalar m7 = precomputed.m7;
-    const Scalar m8 = precomputed.m8;
+    const Scalar s_latitude = precomputed.m_de60d3e0;
+    const Scalar c_latitude = precomputed.m_d70720cb;
+    const Scalar m2 = precomputed.m_2850c073;
+    const Scalar m3 = precomputed.m_4afded67;
+    const Scalar m4 = precomputed.m_dca3f8db;
+    const Scalar m5 = precomputed.m_0e4df02e;
+    const Scalar m6 = precomputed.m_9aa83e17;
     const Scalar pi = traits::pi();
     const Scalar z0 = traits::formula(7.27220521664304e-05, 7.2722054e-05f, [&]() -> Scalar {
       return k0 * pi;
-    });
+    });  // angular velocity of globe, z
     const Scalar z1 = t * z0;
     const Scalar angles_[] = {q_delta, q_epsilon, z1};
     Scalar sines_[3], cosines_[3];
@@ -1241,18 +1241,18 @@ struct Mechanism {
     const Scalar z6 = s_delta * m4 - c_delta * m3;
     const Scalar z7 = s_delta * m3 + c_delta * m4;
     const Scalar z8 = c_delta * m2;
-    const Scalar z9 = s_delta * m8 + c_delta * m7;
+    const Scalar z9 = s_delta * m6 + c_delta * m5;
     const Scalar z10 = n1 + p_r - z4;
     const Scalar z11 = c_epsilon * z8;
     const Scalar z12 = s_latitude * z5 - c_latitude * z10;
     const Scalar z13 = c_latitude * z5 + s_latitude * z10;
     const Scalar z14 = n1 - z11;
     const Scalar z15 = v_delta * c_epsilon + s_epsilon * z6;
-    const Scalar z16 = v_epsilon + z7;
-    const Scalar z17 = c_epsilon * z9;
+    const Scalar z16 = c_epsilon * z9;
+    const Scalar z17 = v_epsilon + z7;  // angular velocity of thread, z
     const Scalar z18 = s_epsilon * z2 - z3 * z12;
     const Scalar z19 = s_epsilon * z3 + z2 * z12;
-    const Scalar z20 = z16 * z16;
+    const Scalar z20 = z17 * z17;
     const Scalar z21 = z15 * z15;
     const Scalar z22 = z13 * z13 + z18 * z18 + z19 * z19;
     const Scalar z23 = z21 + z20;
@@ -1260,7 +1260,7 @@ struct Mechanism {
     const Scalar z25 = n1 / z24;
     const Scalar z26 = k2 * z25 * z25 * z25;
     const Scalar z27 = z14 * z26;
-    const Scalar z28 = z17 - z23 + z27;  // force on bob, x
+    const Scalar z28 = z16 - z23 + z27;  // force on bob, x
     result.tension = -z28;
   }
 
@@ -1283,17 +1283,17 @@ struct Mechanism {
     const Scalar q_epsilon = state.q.epsilon;
     const Scalar v_epsilon = state.v.epsilon;
     const Scalar a_epsilon = accelerations.epsilon;
-    const Scalar s_latitude = precomputed.s_latitude;
-    const Scalar c_latitude = precomputed.c_latitude;
-    const Scalar m2 = precomputed.m2;
-    const Scalar m3 = precomputed.m3;
-    const Scalar m4 = precomputed.m4;
-    const Scalar m7 = precomputed.m7;
-    const Scalar m8 = precomputed.m8;
+    const Scalar s_latitude = precomputed.m_de60d3e0;
+    const Scalar c_latitude = precomputed.m_d70720cb;
+    const Scalar m2 = precomputed.m_2850c073;
+    const Scalar m3 = precomputed.m_4afded67;
+    const Scalar m4 = precomputed.m_dca3f8db;
+    const Scalar m5 = precomputed.m_0e4df02e;
+    const Scalar m6 = precomputed.m_9aa83e17;
     const Scalar pi = traits::pi();
     const Scalar z0 = traits::formula(7.27220521664304e-05, 7.2722054e-05f, [&]() -> Scalar {
       return k0 * pi;
-    });
+    });  // angular velocity of globe, z
     const Scalar z1 = t * z0;
     const Scalar angles_[] = {q_delta, q_epsilon, z1};
     Scalar sines_[3], cosines_[3];
@@ -1307,132 +1307,132 @@ struct Mechanism {
     const Scalar z7 = c_delta * s_epsilon;
     const Scalar z8 = s_delta * m3 + c_delta * m4;
     const Scalar z9 = s_delta * m4 - c_delta * m3;
-    const Scalar z10 = s_epsilon * s_epsilon;
-    const Scalar z11 = c_delta * m2;
-    const Scalar z12 = s_delta * m2;
-    const Scalar z13 = s_delta * m7 - c_delta * m8;
-    const Scalar z14 = s_delta * m8 + c_delta * m7;
-    const Scalar z15 = s_latitude * z5;
-    const Scalar z16 = c_latitude * z5;
-    const Scalar z17 = s_latitude * z6 + c_latitude * z7;
-    const Scalar z18 = s_latitude * z7 - c_latitude * z6;
-    const Scalar z19 = n1 - z10;
-    const Scalar z20 = n1 + p_r - z4;
-    const Scalar z21 = c_epsilon * z11;
-    const Scalar z22 = s_epsilon * z11;
-    const Scalar z23 = c_latitude * z4 + z15;
-    const Scalar z24 = s_latitude * z4 - z16;
-    const Scalar z25 = c_latitude * z20 - z15;
-    const Scalar z26 = s_latitude * z20 + z16;
-    const Scalar z27 = n1 / z19;
-    const Scalar z28 = v_delta * s_epsilon - c_epsilon * z9;
-    const Scalar z29 = v_delta * c_epsilon + s_epsilon * z9;
-    const Scalar z30 = v_epsilon + z8;
-    const Scalar z31 = s_epsilon * z12;
-    const Scalar z32 = v_delta * z8;  // angular acceleration of meridian, x
-    const Scalar z33 = v_delta * z9;  // angular acceleration of meridian, z
-    const Scalar z34 = c_epsilon * z14;
-    const Scalar z35 = s_epsilon * z14;
-    const Scalar z36 = s_epsilon * z8;
-    const Scalar z37 = c_epsilon * z8;
-    const Scalar z38 = s_epsilon * z13;
-    const Scalar z39 = s_epsilon * z2 + z3 * z25;
-    const Scalar z40 = s_epsilon * z3 - z2 * z25;
-    const Scalar z41 = a_delta * s_epsilon - c_epsilon * z32;
-    const Scalar z42 = a_delta * c_epsilon + s_epsilon * z32;
-    const Scalar z43 = a_epsilon - z33;  // angular acceleration of thread, z
-    const Scalar z44 = s_epsilon * z30;
-    const Scalar z45 = v_epsilon * s_epsilon - z36;
-    const Scalar z46 = z3 * z24;
-    const Scalar z47 = z2 * z24;
-    const Scalar z48 = s_epsilon * z33;
-    const Scalar z49 = c_epsilon * z2 + z3 * z17;
-    const Scalar z50 = c_epsilon * z3 - z2 * z17;
-    const Scalar z51 = z28 * z29;
-    const Scalar z52 = z28 * z30;
-    const Scalar z53 = z30 * z37 + z9 * z28;
-    const Scalar z54 = s_epsilon * z29 + c_epsilon * z28;
-    const Scalar z55 = z28 * z36 - z29 * z37;
-    const Scalar z56 = n2 * z28;
-    const Scalar z57 = v_epsilon * z37 - z48;
-    const Scalar z58 = z26 * z26 + z39 * z39 + z40 * z40;
-    const Scalar z59 = v_epsilon * z29 + z41;  // angular acceleration of thread, x
-    const Scalar z60 = n2 * (z23 * z26 - z39 * z46 + z40 * z47);
-    const Scalar z61 = n2 * (z18 * z26 + z39 * z49 + z40 * z50);
-    const Scalar z62 = z9 - z54;
-    const Scalar z63 = z53 + z57;
-    const Scalar z64 = z44 + z45;
-    const Scalar z65 = traits::sqrt(z58);
-    const Scalar z66 = v_epsilon * z28 - z42;  // angular acceleration of thread, y
-    const Scalar z67 = z52 + z66;
-    const Scalar z68 = c_epsilon * z64;
-    const Scalar z69 = c_epsilon * z56;
-    const Scalar z70 = n1 / z65;
-    const Scalar z71 = n0_5 * z60 / z65;
-    const Scalar z72 = n0_5 * z61 / z65;
-    const Scalar z73 = k4 * z70 * z70 * z70;
-    const Scalar z74 = z29 * z30;
-    const Scalar z75 = z71 / (z65 * z65);
-    const Scalar z76 = z72 / (z65 * z65);
-    const Scalar z77 = z22 * z73;
-    const Scalar z78 = z59 + z74;
-    const Scalar z79 = z12 * z73;
-    const Scalar z80 = z28 * z28 - z29 * z29;
-    const Scalar z81 = z27 * z68;
-    const Scalar z82 = z79 - z13;  // moment on bob, y
-    const Scalar z83 = z27 * z69;
-    const Scalar z84 = z77 - z35;  // moment on bob, z
-    const Scalar z85 = k5 * z70 * z70 * z75;
-    const Scalar z86 = k5 * z70 * z70 * z76;
-    const Scalar z87 = z82 - z67;  // moment on thread, y
-    const Scalar z88 = z43 + z51 + z84;  // moment on thread, z
-    const Scalar z89 = z11 * z73 - z12 * z85;
-    const Scalar z90 = z73 * z31 + z22 * z85;
-    const Scalar z91 = z12 * z86;
-    const Scalar z92 = z21 * z73 - z22 * z86;
-    const Scalar z93 = c_epsilon * z87;
-    const Scalar z94 = z91 + z78;
-    const Scalar z95 = z14 - z89;
-    const Scalar z96 = z90 - z38;
-    const Scalar z97 = z34 - z92;
-    const Scalar z98 = s_epsilon * z87 + c_epsilon * z94;
-    const Scalar z99 = z95 - z63;
-    const Scalar z100 = z32 - z55 + z96;
-    const Scalar z101 = z80 + z97;
-    const Scalar z102 = c_epsilon * z99;
-    const Scalar z103 = z27 * z98;
-    const Scalar z104 = z27 * z102;
-    result.M[0] = z19;
+    const Scalar z10 = c_delta * m2;
+    const Scalar z11 = s_delta * m2;
+    const Scalar z12 = s_epsilon * s_epsilon;
+    const Scalar z13 = s_delta * m5 - c_delta * m6;
+    const Scalar z14 = s_delta * m6 + c_delta * m5;
+    const Scalar z15 = n1 + p_r - z4;
+    const Scalar z16 = s_latitude * z5;
+    const Scalar z17 = c_latitude * z5;
+    const Scalar z18 = c_epsilon * z10;
+    const Scalar z19 = s_epsilon * z10;
+    const Scalar z20 = s_latitude * z6 + c_latitude * z7;
+    const Scalar z21 = s_latitude * z7 - c_latitude * z6;
+    const Scalar z22 = n1 - z12;
+    const Scalar z23 = c_latitude * z15 - z16;
+    const Scalar z24 = s_latitude * z15 + z17;
+    const Scalar z25 = c_latitude * z4 + z16;
+    const Scalar z26 = s_latitude * z4 - z17;
+    const Scalar z27 = v_delta * z8;  // angular acceleration of meridian, x
+    const Scalar z28 = v_delta * z9;  // angular acceleration of meridian, z
+    const Scalar z29 = v_delta * s_epsilon - c_epsilon * z9;
+    const Scalar z30 = v_delta * c_epsilon + s_epsilon * z9;
+    const Scalar z31 = c_epsilon * z14;
+    const Scalar z32 = s_epsilon * z14;
+    const Scalar z33 = v_epsilon + z8;  // angular velocity of thread, z
+    const Scalar z34 = s_epsilon * z8;
+    const Scalar z35 = c_epsilon * z8;
+    const Scalar z36 = s_epsilon * z2 + z3 * z23;
+    const Scalar z37 = s_epsilon * z3 - z2 * z23;
+    const Scalar z38 = a_delta * s_epsilon - c_epsilon * z27;
+    const Scalar z39 = a_delta * c_epsilon + s_epsilon * z27;
+    const Scalar z40 = a_epsilon - z28;  // angular acceleration of thread, z
+    const Scalar z41 = v_epsilon * s_epsilon - z34;
+    const Scalar z42 = s_epsilon * z33;
+    const Scalar z43 = s_epsilon * z28;
+    const Scalar z44 = z3 * z26;
+    const Scalar z45 = z2 * z26;
+    const Scalar z46 = z29 * z30;
+    const Scalar z47 = z29 * z33;
+    const Scalar z48 = z33 * z35 + z9 * z29;
+    const Scalar z49 = s_epsilon * z30 + c_epsilon * z29;
+    const Scalar z50 = v_epsilon * z35 - z43;
+    const Scalar z51 = z24 * z24 + z36 * z36 + z37 * z37;
+    const Scalar z52 = z29 * z34 - z30 * z35;
+    const Scalar z53 = v_epsilon * z30 + z38;  // angular acceleration of thread, x
+    const Scalar z54 = v_epsilon * z29 - z39;  // angular acceleration of thread, y
+    const Scalar z55 = z41 + z42;
+    const Scalar z56 = n2 * (z24 * z25 - z36 * z44 + z37 * z45);
+    const Scalar z57 = c_epsilon * z55;
+    const Scalar z58 = z50 + z48;
+    const Scalar z59 = z54 + z47;
+    const Scalar z60 = z9 - z49;
+    const Scalar z61 = traits::sqrt(z51);
+    const Scalar z62 = s_epsilon * z11;
+    const Scalar z63 = n1 / z61;
+    const Scalar z64 = n0_5 * z56 / z61;
+    const Scalar z65 = k4 * z63 * z63 * z63;
+    const Scalar z66 = s_epsilon * z13;
+    const Scalar z67 = z64 / (z61 * z61);
+    const Scalar z68 = z19 * z65;
+    const Scalar z69 = z11 * z65;
+    const Scalar z70 = z30 * z33;
+    const Scalar z71 = z53 + z70;
+    const Scalar z72 = z29 * z29 - z30 * z30;
+    const Scalar z73 = n2 * z29;
+    const Scalar z74 = c_epsilon * z73;
+    const Scalar z75 = n1 / z22;
+    const Scalar z76 = c_epsilon * z2 + z3 * z20;
+    const Scalar z77 = c_epsilon * z3 - z2 * z20;
+    const Scalar z78 = n2 * (z24 * z21 + z36 * z76 + z37 * z77);
+    const Scalar z79 = n0_5 * z78 / z61;
+    const Scalar z80 = z69 - z13;  // moment on bob, y
+    const Scalar z81 = z57 * z75;
+    const Scalar z82 = z68 - z32;  // moment on bob, z
+    const Scalar z83 = z79 / (z61 * z61);
+    const Scalar z84 = k5 * z63 * z63 * z67;
+    const Scalar z85 = z59 - z80;  // moment on thread, y
+    const Scalar z86 = z74 * z75;
+    const Scalar z87 = z40 + z46 + z82;  // moment on thread, z
+    const Scalar z88 = z10 * z65 - z11 * z84;
+    const Scalar z89 = z65 * z62 + z19 * z84;
+    const Scalar z90 = c_epsilon * z85;
+    const Scalar z91 = z14 - z88;
+    const Scalar z92 = z89 - z66;
+    const Scalar z93 = z58 - z91;
+    const Scalar z94 = z27 - z52 + z92;
+    const Scalar z95 = k5 * z63 * z63 * z83;
+    const Scalar z96 = c_epsilon * z93;
+    const Scalar z97 = z11 * z95;
+    const Scalar z98 = z18 * z65 - z19 * z95;
+    const Scalar z99 = z96 * z75;
+    const Scalar z100 = z71 + z97;
+    const Scalar z101 = z31 - z98;
+    const Scalar z102 = s_epsilon * z85 - c_epsilon * z100;
+    const Scalar z103 = z72 + z101;
+    const Scalar z104 = z102 * z75;
+    result.M[0] = z22;
     result.M[1] = n0;
     result.M[2] = n0;
     result.M[3] = n1;
-    result.C[0] = -z68;
-    result.C[1] = -z62;
-    result.C[2] = -z69;
+    result.C[0] = -z57;
+    result.C[1] = -z60;
+    result.C[2] = -z74;
     result.C[3] = n0;
-    result.K[0] = -z102;
-    result.K[1] = -z100;
-    result.K[2] = -z98;
-    result.K[3] = -z101;
-    result.F[0] = -z93;
-    result.F[1] = -z88;
+    result.K[0] = z96;
+    result.K[1] = -z94;
+    result.K[2] = z102;
+    result.K[3] = -z103;
+    result.F[0] = z90;
+    result.F[1] = -z87;
     result.A[0] = n0;
     result.A[1] = n0;
-    result.A[2] = z104;
-    result.A[3] = z100;
+    result.A[2] = -z99;
+    result.A[3] = z94;
     result.A[4] = n0;
     result.A[5] = n0;
-    result.A[6] = z103;
-    result.A[7] = z101;
+    result.A[6] = -z104;
+    result.A[7] = z103;
     result.A[8] = n1;
     result.A[9] = n0;
     result.A[10] = z81;
-    result.A[11] = z62;
+    result.A[11] = z60;
     result.A[12] = n0;
     result.A[13] = n1;
-    result.A[14] = z83;
+    result.A[14] = z86;
     result.A[15] = n0;
-    if (!(traits::regular(z19, z19))) return torsor::Status::singular;
+    if (!(traits::regular(z22, z22))) return torsor::Status::singular;
     // 0 x is 0 for every finite x and not a number for any other.
     const Scalar zero = (n0 * result.M[0] * result.C[0] * result.C[1] * result.C[2] * result.K[0] * result.K[1]
         * result.K[2] * result.K[3]) * (n0 * result.F[0] * result.F[1] * result.A[2] * result.A[3] * result.A[6]

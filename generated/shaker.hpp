@@ -7,8 +7,8 @@
 // Parameters set at run time: omega
 //
 // Operations in the text of each function (a sine-cosine pair counts 2 in the total; not in it is what a Status
-// costs, one multiplication for each result and for each pivot tested); before: without inertia moved across
-// joints, products that sums share, factoring, and what is done once for a set of parameters:
+// costs, one multiplication for each result and for each pivot tested); before: without products that sums
+// share, factoring, and what is done once for a set of parameters:
 //   function          additions  multiplications  divisions  square roots  sine-cosine pairs  others  total  before
 //   kinematics                2                4          0             0                  1       0      8       8
 //   mass_matrix               0                0          0             0                  0       0      0       0
@@ -505,7 +505,7 @@ struct Mechanism {
 
   static constexpr const char* name = "shaker";
   /// 64 bits (FNV-1a) of this file from "#pragma once" on, with zeros in their own place: another mechanism, other bits.
-  static constexpr unsigned long long fingerprint = 0x6b3b2eca25f6724cULL;
+  static constexpr unsigned long long fingerprint = 0x72737cf7e848a86bULL;
   static constexpr int coordinate_count = 1;
   static constexpr int velocity_count = 1;
   static constexpr int input_count = 0;
@@ -806,8 +806,8 @@ struct Mechanism {
   /// Kinetic energy, force function (potential energy = -U) and power of what has no force function.
   TORSOR_DEVICE static void energy(const Precomputed& precomputed, const State& state, const Inputs&,
       Energy& result) noexcept {
-    const Scalar n0_2 = traits::constant(0.2, 0.2f, "1/5");
     const Scalar n0_01 = traits::constant(0.01, 0.01f, "1/100");
+    const Scalar n0_2 = traits::constant(0.2, 0.2f, "1/5");
     const Scalar n0_5 = traits::constant(0.5, 0.5f, "1/2");
     const Scalar n200 = traits::constant(200.0, 200.0f, "200/1");
     const Scalar n9_81 = traits::constant(9.81, 9.81f, "981/100");
@@ -820,12 +820,12 @@ struct Mechanism {
     Scalar z1, z2;
     traits::sincos(z0, z1, z2);
     const Scalar z3 = p_omega * z2;
-    const Scalar z4 = n0_2 - q_x;
-    const Scalar z5 = n0_01 * z1 + q_x;
+    const Scalar z4 = n0_01 * z1 + q_x;
+    const Scalar z5 = n0_2 - q_x;
     const Scalar z6 = n0_01 * z3;  // velocity of support, y
     const Scalar z7 = v_x + z6;  // velocity of mass, y
     result.kinetic = n0_5 * z7 * z7;
-    result.force_function = -n200 * z4 * z4 - n9_81 * z5;
+    result.force_function = -n200 * z5 * z5 - n9_81 * z4;
     result.power = n0;
   }
 

@@ -7,8 +7,8 @@
 // Parameters set at run time: k2, c2, f, omega
 //
 // Operations in the text of each function (a sine-cosine pair counts 2 in the total; not in it is what a Status
-// costs, one multiplication for each result and for each pivot tested); before: without inertia moved across
-// joints, products that sums share, factoring, and what is done once for a set of parameters:
+// costs, one multiplication for each result and for each pivot tested); before: without products that sums
+// share, factoring, and what is done once for a set of parameters:
 //   function          additions  multiplications  divisions  square roots  sine-cosine pairs  others  total  before
 //   precompute                1                3          0             0                  0       0      4       -
 //   kinematics                0                0          0             0                  0       0      0       0
@@ -506,7 +506,7 @@ struct Mechanism {
 
   static constexpr const char* name = "sprung_absorber";
   /// 64 bits (FNV-1a) of this file from "#pragma once" on, with zeros in their own place: another mechanism, other bits.
-  static constexpr unsigned long long fingerprint = 0xe27459ce13c34b3fULL;
+  static constexpr unsigned long long fingerprint = 0x9c3fcd255bd8bd19ULL;
   static constexpr int coordinate_count = 2;
   static constexpr int velocity_count = 2;
   static constexpr int input_count = 0;
@@ -611,10 +611,10 @@ struct Mechanism {
   /// Parameters and what depends on them only: built once for each set of parameters.
   struct Precomputed {
     Parameters parameters;
-    Scalar m0;
-    Scalar m1;
-    Scalar m2;
-    Scalar m3;
+    Scalar m_b1cd9f7f;
+    Scalar m_d520c9b4;
+    Scalar m_8f58a2ce;
+    Scalar m_e2f62ebb;
   };
 
   /// Values of the scene.
@@ -643,10 +643,10 @@ struct Mechanism {
     const Scalar z1 = n100 + p_k2;
     const Scalar z2 = n10 * p_k2;
     const Scalar z3 = n10 * p_c2;
-    precomputed.m0 = z0;
-    precomputed.m1 = z1;
-    precomputed.m2 = z2;
-    precomputed.m3 = z3;
+    precomputed.m_b1cd9f7f = z0;
+    precomputed.m_d520c9b4 = z1;
+    precomputed.m_8f58a2ce = z2;
+    precomputed.m_e2f62ebb = z3;
     return precomputed;
   }
 
@@ -889,7 +889,7 @@ struct Mechanism {
     const Scalar p_f = precomputed.parameters.f;
     const Scalar p_omega = precomputed.parameters.omega;
     const Scalar t = state.time;
-    const Scalar m0 = precomputed.m0;
+    const Scalar m0 = precomputed.m_b1cd9f7f;
     const Scalar z0 = p_omega * t;
     Scalar z1, z2;
     traits::sincos(z0, z1, z2);
@@ -921,9 +921,9 @@ struct Mechanism {
     const Scalar p_f = precomputed.parameters.f;
     const Scalar p_omega = precomputed.parameters.omega;
     const Scalar t = state.time;
-    const Scalar m1 = precomputed.m1;
-    const Scalar m2 = precomputed.m2;
-    const Scalar m3 = precomputed.m3;
+    const Scalar m0 = precomputed.m_d520c9b4;
+    const Scalar m1 = precomputed.m_8f58a2ce;
+    const Scalar m2 = precomputed.m_e2f62ebb;
     const Scalar z0 = p_omega * t;
     Scalar z1, z2;
     traits::sincos(z0, z1, z2);
@@ -945,7 +945,7 @@ struct Mechanism {
     result.C[1] = -p_c2;
     result.C[2] = -p_c2;
     result.C[3] = p_c2;
-    result.K[0] = m1;
+    result.K[0] = m0;
     result.K[1] = -p_k2;
     result.K[2] = -p_k2;
     result.K[3] = p_k2;
@@ -953,20 +953,20 @@ struct Mechanism {
     result.F[1] = z10;
     result.A[0] = n0;
     result.A[1] = n0;
-    result.A[2] = -m1;
-    result.A[3] = m2;
+    result.A[2] = -m0;
+    result.A[3] = m1;
     result.A[4] = n0;
     result.A[5] = n0;
     result.A[6] = p_k2;
-    result.A[7] = -m2;
+    result.A[7] = -m1;
     result.A[8] = n1;
     result.A[9] = n0;
     result.A[10] = -p_c2;
-    result.A[11] = m3;
+    result.A[11] = m2;
     result.A[12] = n0;
     result.A[13] = n1;
     result.A[14] = p_c2;
-    result.A[15] = -m3;
+    result.A[15] = -m2;
     // 0 x is 0 for every finite x and not a number for any other.
     const Scalar zero = (n0 * result.C[0] * result.C[1] * result.C[2] * result.C[3] * result.K[0] * result.K[1]
         * result.K[2] * result.K[3] * result.F[0]) * (n0 * result.F[1] * result.A[2] * result.A[3] * result.A[6]

@@ -7,8 +7,8 @@
 // Parameters set at run time: I1, I2, I3
 //
 // Operations in the text of each function (a sine-cosine pair counts 2 in the total; not in it is what a Status
-// costs, one multiplication for each result and for each pivot tested); before: without inertia moved across
-// joints, products that sums share, factoring, and what is done once for a set of parameters:
+// costs, one multiplication for each result and for each pivot tested); before: without products that sums
+// share, factoring, and what is done once for a set of parameters:
 //   function          additions  multiplications  divisions  square roots  sine-cosine pairs  others  total  before
 //   precompute                3                3          3             0                  0       0      9       -
 //   kinematics               18               21          0             0                  0       0     39      45
@@ -622,7 +622,7 @@ struct Mechanism {
 
   static constexpr const char* name = "torque_free_body";
   /// 64 bits (FNV-1a) of this file from "#pragma once" on, with zeros in their own place: another mechanism, other bits.
-  static constexpr unsigned long long fingerprint = 0x991e15bdb62e67edULL;
+  static constexpr unsigned long long fingerprint = 0xcbf95ac506082d9fULL;
   static constexpr int coordinate_count = 4;
   static constexpr int velocity_count = 3;
   static constexpr int input_count = 0;
@@ -738,15 +738,15 @@ struct Mechanism {
   /// Parameters and what depends on them only: built once for each set of parameters.
   struct Precomputed {
     Parameters parameters;
-    Scalar m0;
-    Scalar m1;
-    Scalar m2;
-    Scalar m3;
-    Scalar m4;
-    Scalar m5;
-    Scalar y0;
-    Scalar y1;
-    Scalar y2;
+    Scalar m_a1b9b1ab;
+    Scalar m_ff477b03;
+    Scalar m_ed21dc8f;
+    Scalar m_ccc6a9f6;
+    Scalar m_805f55cf;
+    Scalar m_890bddd1;
+    Scalar m_8124a2d7;
+    Scalar m_202d1c7d;
+    Scalar m_41a86042;
   };
 
   /// Values of the scene.
@@ -775,15 +775,15 @@ struct Mechanism {
     const Scalar z3 = n1 / p_I3;
     const Scalar z4 = n1 / p_I2;
     const Scalar z5 = n1 / p_I1;
-    precomputed.m0 = z0;
-    precomputed.m1 = z1;
-    precomputed.m2 = z2;
-    precomputed.m3 = z3;
-    precomputed.m4 = z4;
-    precomputed.m5 = z5;
-    precomputed.y0 = z0 * z5;
-    precomputed.y1 = z1 * z4;
-    precomputed.y2 = z2 * z3;
+    precomputed.m_a1b9b1ab = z0;
+    precomputed.m_ff477b03 = z1;
+    precomputed.m_ed21dc8f = z2;
+    precomputed.m_ccc6a9f6 = z3;
+    precomputed.m_805f55cf = z4;
+    precomputed.m_890bddd1 = z5;
+    precomputed.m_8124a2d7 = z5 * z0;
+    precomputed.m_202d1c7d = z4 * z1;
+    precomputed.m_41a86042 = z3 * z2;
     return precomputed;
   }
 
@@ -961,9 +961,9 @@ struct Mechanism {
     const Scalar v_e_omega_x = state.v.e_omega_x;
     const Scalar v_e_omega_y = state.v.e_omega_y;
     const Scalar v_e_omega_z = state.v.e_omega_z;
-    const Scalar m0 = precomputed.m0;
-    const Scalar m1 = precomputed.m1;
-    const Scalar m2 = precomputed.m2;
+    const Scalar m0 = precomputed.m_a1b9b1ab;
+    const Scalar m1 = precomputed.m_ff477b03;
+    const Scalar m2 = precomputed.m_ed21dc8f;
     const Scalar z0 = v_e_omega_y * v_e_omega_z;
     const Scalar z1 = v_e_omega_x * v_e_omega_z;
     const Scalar z2 = v_e_omega_x * v_e_omega_y;
@@ -987,9 +987,9 @@ struct Mechanism {
     const Scalar p_I1 = precomputed.parameters.I1;
     const Scalar p_I2 = precomputed.parameters.I2;
     const Scalar p_I3 = precomputed.parameters.I3;
-    const Scalar m0 = precomputed.m0;
-    const Scalar m1 = precomputed.m1;
-    const Scalar m2 = precomputed.m2;
+    const Scalar m0 = precomputed.m_a1b9b1ab;
+    const Scalar m1 = precomputed.m_ff477b03;
+    const Scalar m2 = precomputed.m_ed21dc8f;
     const Scalar z0 = v_e_omega_y * v_e_omega_z;
     const Scalar z1 = v_e_omega_x * v_e_omega_z;
     const Scalar z2 = v_e_omega_x * v_e_omega_y;
@@ -1014,21 +1014,21 @@ struct Mechanism {
     const Scalar p_I1 = precomputed.parameters.I1;
     const Scalar p_I2 = precomputed.parameters.I2;
     const Scalar p_I3 = precomputed.parameters.I3;
-    const Scalar m0 = precomputed.m0;
-    const Scalar m1 = precomputed.m1;
-    const Scalar m2 = precomputed.m2;
-    const Scalar m3 = precomputed.m3;
-    const Scalar m4 = precomputed.m4;
-    const Scalar m5 = precomputed.m5;
+    const Scalar m0 = precomputed.m_ccc6a9f6;
+    const Scalar m1 = precomputed.m_805f55cf;
+    const Scalar m2 = precomputed.m_890bddd1;
+    const Scalar m3 = precomputed.m_a1b9b1ab;
+    const Scalar m4 = precomputed.m_ff477b03;
+    const Scalar m5 = precomputed.m_ed21dc8f;
     const Scalar z0 = v_e_omega_y * v_e_omega_z;
     const Scalar z1 = v_e_omega_x * v_e_omega_z;
     const Scalar z2 = v_e_omega_x * v_e_omega_y;
-    const Scalar z3 = m0 * z0;  // moment on body, x
-    const Scalar z4 = m1 * z1;  // moment on body, y
-    const Scalar z5 = m2 * z2;  // moment on body, z
-    const Scalar z6 = z5 * m3;
-    const Scalar z7 = z4 * m4;
-    const Scalar z8 = z3 * m5;
+    const Scalar z3 = m3 * z0;
+    const Scalar z4 = m4 * z1;
+    const Scalar z5 = m5 * z2;
+    const Scalar z6 = m0 * z5;
+    const Scalar z7 = m1 * z4;
+    const Scalar z8 = m2 * z3;
     accelerations.e_omega_x = z8;
     accelerations.e_omega_y = -z7;
     accelerations.e_omega_z = z6;
@@ -1088,12 +1088,12 @@ struct Mechanism {
     const Scalar p_I1 = precomputed.parameters.I1;
     const Scalar p_I2 = precomputed.parameters.I2;
     const Scalar p_I3 = precomputed.parameters.I3;
-    const Scalar m0 = precomputed.m0;
-    const Scalar m1 = precomputed.m1;
-    const Scalar m2 = precomputed.m2;
-    const Scalar m3 = precomputed.m3;
-    const Scalar m4 = precomputed.m4;
-    const Scalar m5 = precomputed.m5;
+    const Scalar m0 = precomputed.m_a1b9b1ab;
+    const Scalar m1 = precomputed.m_ff477b03;
+    const Scalar m2 = precomputed.m_ed21dc8f;
+    const Scalar m3 = precomputed.m_ccc6a9f6;
+    const Scalar m4 = precomputed.m_805f55cf;
+    const Scalar m5 = precomputed.m_890bddd1;
     const Scalar z0 = v_e_omega_y * v_e_omega_z;
     const Scalar z1 = v_e_omega_x * v_e_omega_z;
     const Scalar z2 = v_e_omega_x * v_e_omega_y;
@@ -1106,12 +1106,12 @@ struct Mechanism {
     const Scalar z9 = a_e_omega_x * p_I1 - m0 * z0;  // moment on body, x
     const Scalar z10 = a_e_omega_y * p_I2 + m1 * z1;  // moment on body, y
     const Scalar z11 = a_e_omega_z * p_I3 - m2 * z2;  // moment on body, z
-    const Scalar z12 = m4 * z3;
-    const Scalar z13 = m3 * z4;
-    const Scalar z14 = m5 * z5;
-    const Scalar z15 = m3 * z6;
-    const Scalar z16 = m5 * z7;
-    const Scalar z17 = m4 * z8;
+    const Scalar z12 = z3 * m4;
+    const Scalar z13 = z4 * m3;
+    const Scalar z14 = z5 * m5;
+    const Scalar z15 = z6 * m3;
+    const Scalar z16 = z7 * m5;
+    const Scalar z17 = z8 * m4;
     result.M[0] = p_I1;
     result.M[1] = n0;
     result.M[2] = n0;
@@ -1207,9 +1207,9 @@ struct Mechanism {
     const Scalar b2 = state.q.e_x;
     const Scalar b4 = state.v.e_omega_x;
     const Scalar b3 = state.q.e_w;
-    const Scalar f0 = precomputed.y0;
-    const Scalar f1 = precomputed.y1;
-    const Scalar f2 = precomputed.y2;
+    const Scalar f0 = precomputed.m_8124a2d7;
+    const Scalar f1 = precomputed.m_202d1c7d;
+    const Scalar f2 = precomputed.m_41a86042;
     const Scalar b7 = b0 * b5;
     const Scalar b8 = b1 * b6;
     const Scalar b9 = b2 * b4;

@@ -7,15 +7,15 @@
 // Parameters set at run time: a
 //
 // Operations in the text of each function (a sine-cosine pair counts 2 in the total; not in it is what a Status
-// costs, one multiplication for each result and for each pivot tested); before: without inertia moved across
-// joints, products that sums share, factoring, and what is done once for a set of parameters:
+// costs, one multiplication for each result and for each pivot tested); before: without products that sums
+// share, factoring, and what is done once for a set of parameters:
 //   function          additions  multiplications  divisions  square roots  sine-cosine pairs  others  total  before
 //   precompute                2                3          1             0                  0       0      6       -
 //   kinematics               53               89          0             0                  3       0    148     148
 //   mass_matrix               1                9          0             0                  2       0     14      19
-//   bias                     11               30          0             0                  2       0     45      86
-//   inverse_dynamics         33               51          0             0                  2       0     88     129
-//   forward_dynamics        124              212          7             0                  2       0    347     389
+//   bias                     11               30          0             0                  2       0     45      49
+//   inverse_dynamics         33               51          0             0                  2       0     88      93
+//   forward_dynamics        124              212          7             0                  2       0    347     353
 //   energy                   19               38          0             0                  3       0     63      70
 //   constraints              10               25          0             0                  2       0     39      39
 //
@@ -505,7 +505,7 @@ struct Mechanism {
 
   static constexpr const char* name = "tumbler";
   /// 64 bits (FNV-1a) of this file from "#pragma once" on, with zeros in their own place: another mechanism, other bits.
-  static constexpr unsigned long long fingerprint = 0x0ad8711ed589eb28ULL;
+  static constexpr unsigned long long fingerprint = 0xdea3f8ebeaf41f27ULL;
   static constexpr int coordinate_count = 6;
   static constexpr int velocity_count = 6;
   static constexpr int input_count = 0;
@@ -638,10 +638,10 @@ struct Mechanism {
   /// Parameters and what depends on them only: built once for each set of parameters.
   struct Precomputed {
     Parameters parameters;
-    Scalar m0;
-    Scalar m1;
-    Scalar m2;
-    Scalar m3;
+    Scalar m_fcfe008c;
+    Scalar m_94eff1a0;
+    Scalar m_a41afbc0;
+    Scalar m_36f1651a;
   };
 
   /// Values of the scene.
@@ -665,10 +665,10 @@ struct Mechanism {
     const Scalar z1 = n0_2 * p_a;
     const Scalar z2 = k2 - z0;
     const Scalar z3 = n1 / z0;
-    precomputed.m0 = z0;
-    precomputed.m1 = z1;
-    precomputed.m2 = z2;
-    precomputed.m3 = z3;
+    precomputed.m_fcfe008c = z0;
+    precomputed.m_94eff1a0 = z1;
+    precomputed.m_a41afbc0 = z2;
+    precomputed.m_36f1651a = z3;
     return precomputed;
   }
 
@@ -886,9 +886,9 @@ struct Mechanism {
     const Scalar n0 = traits::constant(0.0, 0.0f, "0/1");
     const Scalar q_psi = state.q.psi;
     const Scalar q_theta = state.q.theta;
-    const Scalar m0 = precomputed.m0;
-    const Scalar m1 = precomputed.m1;
-    const Scalar m2 = precomputed.m2;
+    const Scalar m0 = precomputed.m_fcfe008c;
+    const Scalar m1 = precomputed.m_94eff1a0;
+    const Scalar m2 = precomputed.m_a41afbc0;
     const Scalar angles_[] = {q_psi, q_theta};
     Scalar sines_[2], cosines_[2];
     torsor::sines_and_cosines(angles_, sines_, cosines_);
@@ -954,8 +954,8 @@ struct Mechanism {
     const Scalar q_theta = state.q.theta;
     const Scalar v_theta = state.v.theta;
     const Scalar v_phi = state.v.phi;
-    const Scalar m0 = precomputed.m0;
-    const Scalar m1 = precomputed.m1;
+    const Scalar m0 = precomputed.m_fcfe008c;
+    const Scalar m1 = precomputed.m_94eff1a0;
     const Scalar angles_[] = {q_psi, q_theta};
     Scalar sines_[2], cosines_[2];
     torsor::sines_and_cosines(angles_, sines_, cosines_);
@@ -965,15 +965,15 @@ struct Mechanism {
     const Scalar z1 = v_psi * c_theta;
     const Scalar z2 = v_theta * v_theta;
     const Scalar z3 = n9_81 * s_theta;
-    const Scalar z4 = v_phi + z1;
-    const Scalar z5 = v_theta * z1;  // angular acceleration of tumbler.2, y
-    const Scalar z6 = v_theta * z0;  // angular acceleration of tumbler.2, z
+    const Scalar z4 = v_theta * z1;  // angular acceleration of tumbler.2, y
+    const Scalar z5 = v_theta * z0;  // angular acceleration of tumbler.2, z
+    const Scalar z6 = v_phi + z1;  // angular velocity of tumbler, z
     const Scalar z7 = z0 * z1;
     const Scalar z8 = z0 * z0;
-    const Scalar z9 = z0 * z4;
-    const Scalar z10 = v_theta * z4;
-    const Scalar z11 = k1 * z6;  // moment on tumbler, z
-    const Scalar z12 = n2 * z5;
+    const Scalar z9 = z0 * z6;
+    const Scalar z10 = v_theta * z6;
+    const Scalar z11 = k1 * z5;  // moment on tumbler, z
+    const Scalar z12 = n2 * z4;
     const Scalar z13 = z2 + z8;
     const Scalar z14 = m1 * z7;  // force on tumbler.2, y
     const Scalar z15 = k1 * z9;  // moment on tumbler, x
@@ -1018,8 +1018,8 @@ struct Mechanism {
     const Scalar l_N = multipliers.N;
     const Scalar l_X = multipliers.X;
     const Scalar l_Y = multipliers.Y;
-    const Scalar m0 = precomputed.m0;
-    const Scalar m1 = precomputed.m1;
+    const Scalar m0 = precomputed.m_fcfe008c;
+    const Scalar m1 = precomputed.m_94eff1a0;
     const Scalar angles_[] = {q_psi, q_theta};
     Scalar sines_[2], cosines_[2];
     torsor::sines_and_cosines(angles_, sines_, cosines_);
@@ -1034,36 +1034,36 @@ struct Mechanism {
     const Scalar z6 = a_x * c_psi + a_y * s_psi;
     const Scalar z7 = a_x * s_psi - a_y * c_psi;
     const Scalar z8 = n0_05 - q_z;
-    const Scalar z9 = s_psi * s_theta;
-    const Scalar z10 = c_psi * s_theta;
-    const Scalar z11 = q_z + z8;
-    const Scalar z12 = s_psi * z11;
-    const Scalar z13 = c_psi * z11;
-    const Scalar z14 = v_phi + z1;
-    const Scalar z15 = v_theta * z1;  // angular acceleration of tumbler.2, y
-    const Scalar z16 = z0 * z1;
-    const Scalar z17 = z0 * z0;
-    const Scalar z18 = v_theta * z1 + z3;  // angular acceleration of tumbler.2, y
-    const Scalar z19 = v_theta * z0 - z4;  // angular acceleration of tumbler.2, z
-    const Scalar z20 = z10 * z11;
-    const Scalar z21 = z9 * z11;
-    const Scalar z22 = z0 * z14;
-    const Scalar z23 = v_theta * z14;
-    const Scalar z24 = z2 + z17;
-    const Scalar z25 = a_theta - z16;
+    const Scalar z9 = q_z + z8;
+    const Scalar z10 = s_psi * s_theta;
+    const Scalar z11 = c_psi * s_theta;
+    const Scalar z12 = s_psi * z9;
+    const Scalar z13 = c_psi * z9;
+    const Scalar z14 = v_theta * z1 + z3;  // angular acceleration of tumbler.2, y
+    const Scalar z15 = v_theta * z0 - z4;  // angular acceleration of tumbler.2, z
+    const Scalar z16 = v_phi + z1;  // angular velocity of tumbler, z
+    const Scalar z17 = v_theta * z1;
+    const Scalar z18 = z0 * z1;
+    const Scalar z19 = z0 * z0;
+    const Scalar z20 = z9 * z11;
+    const Scalar z21 = z9 * z10;
+    const Scalar z22 = z0 * z16;
+    const Scalar z23 = v_theta * z16;
+    const Scalar z24 = a_theta - z18;
+    const Scalar z25 = z2 + z19;
     const Scalar z26 = s_theta * z5 - c_theta * z7;
-    const Scalar z27 = a_phi - z19;  // angular acceleration of tumbler, z
-    const Scalar z28 = z15 + z18;
+    const Scalar z27 = a_phi - z15;  // angular acceleration of tumbler, z
+    const Scalar z28 = z14 + z17;
     const Scalar z29 = k2 * z22;  // moment on tumbler, x
     const Scalar z30 = k2 * z23;  // moment on tumbler, y
-    const Scalar z31 = m1 * z24;  // force on tumbler.2, z
-    const Scalar z32 = m1 * z25;  // force on tumbler.2, y
+    const Scalar z31 = m1 * z24;  // force on tumbler.2, y
+    const Scalar z32 = m1 * z25;  // force on tumbler.2, z
     const Scalar z33 = k2 * z27;  // moment on tumbler, z
     const Scalar z34 = m1 * z28;  // force on tumbler.2, x
-    const Scalar z35 = z29 + m0 * (a_theta - z16) + m1 * z26;  // moment on tumbler.2, x
+    const Scalar z35 = z29 + m0 * (a_theta - z18) + m1 * z26;  // moment on tumbler.2, x
     const Scalar z36 = m0 * z28 - z30 - m1 * z6;  // moment on tumbler.2, y
-    const Scalar z37 = s_theta * z31 - c_theta * z32;
-    const Scalar z38 = s_theta * z32 + c_theta * z31;
+    const Scalar z37 = s_theta * z32 - c_theta * z31;
+    const Scalar z38 = s_theta * z31 + c_theta * z32;
     const Scalar z39 = s_psi * z37 - c_psi * z34;
     const Scalar z40 = s_psi * z34 + c_psi * z37;
     const Scalar z41 = n0_2 * z5 + z38;  // force on tumbler.z, z
@@ -1100,10 +1100,10 @@ struct Mechanism {
     const Scalar q_theta = state.q.theta;
     const Scalar v_theta = state.v.theta;
     const Scalar v_phi = state.v.phi;
-    const Scalar m0 = precomputed.m0;
-    const Scalar m1 = precomputed.m1;
-    const Scalar m2 = precomputed.m2;
-    const Scalar m3 = precomputed.m3;
+    const Scalar m0 = precomputed.m_fcfe008c;
+    const Scalar m1 = precomputed.m_94eff1a0;
+    const Scalar m2 = precomputed.m_a41afbc0;
+    const Scalar m3 = precomputed.m_36f1651a;
     const Scalar angles_[] = {q_psi, q_theta};
     Scalar sines_[2], cosines_[2];
     torsor::sines_and_cosines(angles_, sines_, cosines_);
@@ -1127,81 +1127,81 @@ struct Mechanism {
     const Scalar z15 = v_psi * c_psi;
     const Scalar z16 = v_psi * s_psi;
     const Scalar z17 = s_theta * m2;
-    const Scalar z18 = v_phi + z9;
-    const Scalar z19 = s_psi * z2;
-    const Scalar z20 = c_psi * z2;
-    const Scalar z21 = k1 - s_theta * z17;
-    const Scalar z22 = c_psi * z0;
-    const Scalar z23 = s_psi * z0;
+    const Scalar z18 = z5 * z7;
+    const Scalar z19 = z5 * z4;
+    const Scalar z20 = z5 * z15;
+    const Scalar z21 = c_psi * z14 - s_theta * z16;
+    const Scalar z22 = z5 * z16;
+    const Scalar z23 = s_psi * z14 + s_theta * z15;
     const Scalar z24 = v_theta * z9;  // angular acceleration of tumbler.2, y
     const Scalar z25 = v_theta * z8;  // angular acceleration of tumbler.2, z
-    const Scalar z26 = z8 * z9;
-    const Scalar z27 = z8 * z8;
-    const Scalar z28 = z7 * z5;
-    const Scalar z29 = z4 * z5;
-    const Scalar z30 = z5 * z15;
-    const Scalar z31 = c_psi * z14 - s_theta * z16;
-    const Scalar z32 = z5 * z16;
-    const Scalar z33 = s_psi * z14 + s_theta * z15;
+    const Scalar z26 = v_phi + z9;  // angular velocity of tumbler, z
+    const Scalar z27 = z8 * z9;
+    const Scalar z28 = z8 * z8;
+    const Scalar z29 = s_psi * z2;
+    const Scalar z30 = c_psi * z2;
+    const Scalar z31 = k1 - s_theta * z17;
+    const Scalar z32 = c_psi * z0;
+    const Scalar z33 = s_psi * z0;
     const Scalar z34 = k3 * z6;
     const Scalar z35 = z0 * m3;
-    const Scalar z36 = z8 * z18;
-    const Scalar z37 = v_theta * z18;
+    const Scalar z36 = z8 * z26;
+    const Scalar z37 = v_theta * z26;
     const Scalar z38 = k1 * z25;  // moment on tumbler, z
     const Scalar z39 = n2 * z24;
-    const Scalar z40 = z10 + z27;
-    const Scalar z41 = m1 * z26;  // force on tumbler.2, y
-    const Scalar z42 = z19 * m3;
-    const Scalar z43 = z20 * m3;
-    const Scalar z44 = z19 * z35;
-    const Scalar z45 = z20 * z35;
+    const Scalar z40 = z10 + z28;
+    const Scalar z41 = m1 * z27;  // force on tumbler.2, y
+    const Scalar z42 = z29 * m3;
+    const Scalar z43 = z30 * m3;
+    const Scalar z44 = z29 * z35;
+    const Scalar z45 = z30 * z35;
     const Scalar z46 = n0_2 - z0 * z35;
     const Scalar z47 = n1 / z1;
     const Scalar z48 = k1 * z36;  // moment on tumbler, x
     const Scalar z49 = k1 * z37;  // moment on tumbler, y
     const Scalar z50 = m1 * z39;  // force on tumbler.2, x
-    const Scalar z51 = z28 * z34;
-    const Scalar z52 = z12 * z35;
-    const Scalar z53 = m1 * z40;  // force on tumbler.2, z
-    const Scalar z54 = n0_2 - z19 * z42;
-    const Scalar z55 = z19 * z43;
-    const Scalar z56 = n0_2 - z20 * z43;
-    const Scalar z57 = z5 * z31;
-    const Scalar z58 = z5 * z33;
-    const Scalar z59 = n1 / z46;
-    const Scalar z60 = m0 * z26 - z48 - m1 * z13;  // moment on tumbler.2, x
-    const Scalar z61 = m0 * z39 - z49;  // moment on tumbler.2, y
-    const Scalar z62 = c_theta * z41 + s_theta * z53;
-    const Scalar z63 = s_theta * z41 - c_theta * z53;
-    const Scalar z64 = v_theta * z30 - v_phi * z57;
-    const Scalar z65 = v_theta * z32 - v_phi * z58;
-    const Scalar z66 = s_psi * z62 - c_psi * z50;
-    const Scalar z67 = s_psi * z50 + c_psi * z62;
-    const Scalar z68 = n1_962 - z63;  // force on tumbler.z, z
-    const Scalar z69 = z29 * z34;
-    const Scalar z70 = z11 * z35;
-    const Scalar z71 = s_theta * z61;
-    const Scalar z72 = z22 * z47;
-    const Scalar z73 = z23 * z47;
-    const Scalar z74 = z60 * z35 + z68;
-    const Scalar z75 = z22 * z72 - z54;
-    const Scalar z76 = z22 * z73 - z55;
-    const Scalar z77 = z23 * z73 - z56;
-    const Scalar z78 = z44 * z59;
-    const Scalar z79 = z45 * z59;
+    const Scalar z51 = m1 * z40;  // force on tumbler.2, z
+    const Scalar z52 = n0_2 - z29 * z42;
+    const Scalar z53 = z29 * z43;
+    const Scalar z54 = n0_2 - z30 * z43;
+    const Scalar z55 = z5 * z21;
+    const Scalar z56 = z5 * z23;
+    const Scalar z57 = n1 / z46;
+    const Scalar z58 = m0 * z27 - z48 - m1 * z13;  // moment on tumbler.2, x
+    const Scalar z59 = m0 * z39 - z49;  // moment on tumbler.2, y
+    const Scalar z60 = c_theta * z41 + s_theta * z51;
+    const Scalar z61 = s_theta * z41 - c_theta * z51;
+    const Scalar z62 = v_theta * z20 - v_phi * z55;
+    const Scalar z63 = v_theta * z22 - v_phi * z56;
+    const Scalar z64 = z19 * z34;
+    const Scalar z65 = z11 * z35;
+    const Scalar z66 = z18 * z34;
+    const Scalar z67 = z12 * z35;
+    const Scalar z68 = s_psi * z60 - c_psi * z50;
+    const Scalar z69 = s_psi * z50 + c_psi * z60;
+    const Scalar z70 = n1_962 - z61;  // force on tumbler.z, z
+    const Scalar z71 = s_theta * z59;
+    const Scalar z72 = z32 * z47;
+    const Scalar z73 = z33 * z47;
+    const Scalar z74 = z58 * z35 + z70;
+    const Scalar z75 = z32 * z72 - z52;
+    const Scalar z76 = z32 * z73 - z53;
+    const Scalar z77 = z33 * z73 - z54;
+    const Scalar z78 = z44 * z57;
+    const Scalar z79 = z45 * z57;
     const Scalar z80 = z44 * z78 + z75;
     const Scalar z81 = z44 * z79 - z76;
     const Scalar z82 = z45 * z79 + z77;
-    const Scalar z83 = z12 * z43 - z73 * z51 + z79 * z52;
-    const Scalar z84 = n1 - z11 * z43 - z73 * z69 - z79 * z70;
-    const Scalar z85 = z60 * z43 - z67 + z73 * z71 + z79 * z74;
+    const Scalar z83 = z12 * z43 - z73 * z66 + z79 * z67;
+    const Scalar z84 = n1 - z11 * z43 - z73 * z64 - z79 * z65;
+    const Scalar z85 = z58 * z43 - z69 + z73 * z71 + z79 * z74;
     const Scalar z86 = n1 / z82;
     const Scalar z87 = z81 * z86;
     const Scalar z88 = z80 - z81 * z87;
     const Scalar z89 = z78 - z79 * z87;
-    const Scalar z90 = n1 - z12 * z42 - z72 * z51 - z78 * z52 + z87 * z83;
-    const Scalar z91 = z11 * z42 - z72 * z69 + z78 * z70 + z87 * z84;
-    const Scalar z92 = z60 * z42 - z66 - z72 * z71 + z78 * z74 - z87 * z85;
+    const Scalar z90 = n1 - z12 * z42 - z72 * z66 - z78 * z67 + z87 * z83;
+    const Scalar z91 = z11 * z42 - z72 * z64 + z78 * z65 + z87 * z84;
+    const Scalar z92 = z58 * z42 - z68 - z72 * z71 + z78 * z74 - z87 * z85;
     const Scalar z93 = n1 / z88;
     const Scalar z94 = z93 * z89;
     const Scalar z95 = z93 * z90;
@@ -1211,30 +1211,30 @@ struct Mechanism {
     const Scalar z99 = z86 * z83 + z87 * z95;
     const Scalar z100 = z86 * z84 + z87 * z96;
     const Scalar z101 = z86 * z85 - z87 * z97;
-    const Scalar z102 = z59 - z78 * z94 - z79 * z98;
+    const Scalar z102 = z57 - z78 * z94 - z79 * z98;
     const Scalar z103 = z72 * z94 - z73 * z98;
-    const Scalar z104 = z59 * z52 + z78 * z95 - z79 * z99;
-    const Scalar z105 = z47 * z51 + z72 * z95 + z73 * z99;
-    const Scalar z106 = z59 * z70 - z78 * z96 + z79 * z100;
-    const Scalar z107 = z47 * z69 + z72 * z96 + z73 * z100;
-    const Scalar z108 = z59 * z74 - z78 * z97 - z79 * z101;
+    const Scalar z104 = z57 * z67 + z78 * z95 - z79 * z99;
+    const Scalar z105 = z47 * z66 + z72 * z95 + z73 * z99;
+    const Scalar z106 = z57 * z65 - z78 * z96 + z79 * z100;
+    const Scalar z107 = z47 * z64 + z72 * z96 + z73 * z100;
+    const Scalar z108 = z57 * z74 - z78 * z97 - z79 * z101;
     const Scalar z109 = z47 * z71 + z72 * z97 - z73 * z101;
     const Scalar z110 = z42 * z94 + z43 * z98 - z35 * z102;
     const Scalar z111 = z34 * z103;
     const Scalar z112 = z11 * m3 - z42 * z96 + z43 * z100 + z35 * z106;
     const Scalar z113 = z12 * m3 + z42 * z95 - z43 * z99 + z35 * z104;
-    const Scalar z114 = z60 * m3 - z42 * z97 - z43 * z101 + z35 * z108;
+    const Scalar z114 = z58 * m3 - z42 * z97 - z43 * z101 + z35 * z108;
     const Scalar z115 = k3 * z38 + z34 * z109;
-    const Scalar z116 = z64 + z97 + z12 * z114 - z28 * z115;
-    const Scalar z117 = z101 - z65 + z11 * z114 + z29 * z115;
-    const Scalar z118 = k3 * z29 + z34 * z107;
-    const Scalar z119 = k3 * z28 + z34 * z105;
-    const Scalar z120 = z11 * z112 - z100 + z29 * z118;
-    const Scalar z121 = z99 + z11 * z113 - z29 * z119;
-    const Scalar z122 = z11 * z110 - z98 - z29 * z111;
+    const Scalar z116 = z62 + z97 + z12 * z114 - z18 * z115;
+    const Scalar z117 = z101 - z63 + z11 * z114 + z19 * z115;
+    const Scalar z118 = k3 * z19 + z34 * z107;
+    const Scalar z119 = k3 * z18 + z34 * z105;
+    const Scalar z120 = z11 * z112 - z100 + z19 * z118;
+    const Scalar z121 = z99 + z11 * z113 - z19 * z119;
+    const Scalar z122 = z11 * z110 - z98 - z19 * z111;
     const Scalar z123 = n1 / z120;
-    const Scalar z124 = z12 * z113 - z95 + z28 * z119;
-    const Scalar z125 = z28 * z111 - z94 + z12 * z110;
+    const Scalar z124 = z12 * z113 - z95 + z18 * z119;
+    const Scalar z125 = z18 * z111 - z94 + z12 * z110;
     const Scalar z126 = z102 + z124 + z120;
     const Scalar z127 = n4096 * z126;
     const Scalar z128 = z122 * z123;
@@ -1266,7 +1266,7 @@ struct Mechanism {
     multipliers.X = -z140;
     multipliers.Y = -z141;
     if (!(traits::regular(-z88, n0_2) && traits::regular(-z82, n0_2) && traits::regular(z46, n0_2)
-        && traits::regular(z1, z21) && traits::regular(m0, m0) && traits::regular(z136, z127) && traits::regular(z132,
+        && traits::regular(z1, z31) && traits::regular(m0, m0) && traits::regular(z136, z127) && traits::regular(z132,
         z127) && traits::regular(z120, z127))) return torsor::Status::singular;
     // 0 x is 0 for every finite x and not a number for any other.
     const Scalar zero = n0 * accelerations.x * accelerations.y * accelerations.psi * accelerations.theta
@@ -1295,8 +1295,8 @@ struct Mechanism {
     const Scalar v_theta = state.v.theta;
     const Scalar q_phi = state.q.phi;
     const Scalar v_phi = state.v.phi;
-    const Scalar m0 = precomputed.m0;
-    const Scalar m1 = precomputed.m1;
+    const Scalar m0 = precomputed.m_fcfe008c;
+    const Scalar m1 = precomputed.m_94eff1a0;
     const Scalar angles_[] = {q_psi, q_theta, q_phi};
     Scalar sines_[3], cosines_[3];
     torsor::sines_and_cosines(angles_, sines_, cosines_);
@@ -1304,17 +1304,17 @@ struct Mechanism {
     const Scalar s_theta = sines_[1], c_theta = cosines_[1];
     const Scalar s_phi = sines_[2], c_phi = cosines_[2];
     const Scalar z0 = v_x * s_psi - v_y * c_psi;
-    const Scalar z1 = v_psi * s_theta;
-    const Scalar z2 = v_x * c_psi + v_y * s_psi;
+    const Scalar z1 = v_x * c_psi + v_y * s_psi;
+    const Scalar z2 = v_psi * s_theta;
     const Scalar z3 = v_psi * c_theta;
     const Scalar z4 = c_theta * m1;
-    const Scalar z5 = v_theta * c_phi + s_phi * z1;
-    const Scalar z6 = v_theta * s_phi - c_phi * z1;
-    const Scalar z7 = v_phi + z3;
+    const Scalar z5 = v_theta * c_phi + s_phi * z2;
+    const Scalar z6 = v_theta * s_phi - c_phi * z2;
+    const Scalar z7 = v_phi + z3;  // angular velocity of tumbler, z
     const Scalar z8 = v_z * s_theta - c_theta * z0;
     const Scalar z9 = v_z * c_theta + s_theta * z0;
-    const Scalar z10 = c_phi * z2 + s_phi * z8;
-    const Scalar z11 = s_phi * z2 - c_phi * z8;
+    const Scalar z10 = c_phi * z1 + s_phi * z8;
+    const Scalar z11 = s_phi * z1 - c_phi * z8;
     const Scalar z12 = m1 * z6 + n0_2 * z10;
     const Scalar z13 = m1 * z5 - n0_2 * z11;
     const Scalar z14 = m0 * z5 - m1 * z11;
@@ -1343,28 +1343,28 @@ struct Mechanism {
     torsor::sines_and_cosines(angles_, sines_, cosines_);
     const Scalar s_psi = sines_[0], c_psi = cosines_[0];
     const Scalar s_theta = sines_[1], c_theta = cosines_[1];
-    const Scalar z0 = v_theta * c_theta;
-    const Scalar z1 = n0_05 - q_z;
+    const Scalar z0 = n0_05 - q_z;
+    const Scalar z1 = v_theta * c_theta;
     const Scalar z2 = v_psi * c_psi;
     const Scalar z3 = v_psi * s_psi;
     const Scalar z4 = s_psi * s_theta;
     const Scalar z5 = c_psi * s_theta;
-    const Scalar z6 = q_z + z1;
+    const Scalar z6 = q_z + z0;
     const Scalar z7 = s_psi * z6;
     const Scalar z8 = c_psi * z6;
-    const Scalar z9 = z5 * z6;
-    const Scalar z10 = z4 * z6;
+    const Scalar z9 = z6 * z5;
+    const Scalar z10 = z6 * z4;
     const Scalar z11 = z6 * z2;
-    const Scalar z12 = c_psi * z0 - s_theta * z3;
+    const Scalar z12 = c_psi * z1 - s_theta * z3;
     const Scalar z13 = z6 * z3;
-    const Scalar z14 = s_psi * z0 + s_theta * z2;
+    const Scalar z14 = s_psi * z1 + s_theta * z2;
     const Scalar z15 = v_x - v_theta * z7 + v_phi * z9;
     const Scalar z16 = v_y + v_theta * z8 + v_phi * z10;
     const Scalar z17 = z6 * z12;
     const Scalar z18 = z6 * z14;
     const Scalar z19 = v_theta * z11 - v_phi * z17;
     const Scalar z20 = v_theta * z13 - v_phi * z18;
-    result.value[0] = -z1;
+    result.value[0] = -z0;
     result.rate[0] = v_z;
     result.gamma[0] = n0;
     result.value[1] = n0;

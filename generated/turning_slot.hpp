@@ -7,8 +7,8 @@
 // Parameters set at run time: omega
 //
 // Operations in the text of each function (a sine-cosine pair counts 2 in the total; not in it is what a Status
-// costs, one multiplication for each result and for each pivot tested); before: without inertia moved across
-// joints, products that sums share, factoring, and what is done once for a set of parameters:
+// costs, one multiplication for each result and for each pivot tested); before: without products that sums
+// share, factoring, and what is done once for a set of parameters:
 //   function          additions  multiplications  divisions  square roots  sine-cosine pairs  others  total  before
 //   precompute                0                1          0             0                  0       0      1       -
 //   kinematics                0                0          0             0                  0       0      0       0
@@ -508,7 +508,7 @@ struct Mechanism {
 
   static constexpr const char* name = "turning_slot";
   /// 64 bits (FNV-1a) of this file from "#pragma once" on, with zeros in their own place: another mechanism, other bits.
-  static constexpr unsigned long long fingerprint = 0xc8396f0d809dbc92ULL;
+  static constexpr unsigned long long fingerprint = 0x4f3d0be64b5f57e6ULL;
   static constexpr int coordinate_count = 2;
   static constexpr int velocity_count = 2;
   static constexpr int input_count = 0;
@@ -619,7 +619,7 @@ struct Mechanism {
   /// Parameters and what depends on them only: built once for each set of parameters.
   struct Precomputed {
     Parameters parameters;
-    Scalar m0;
+    Scalar m_e71b311a;
   };
 
   /// Values of the scene.
@@ -637,7 +637,7 @@ struct Mechanism {
     const Scalar n2 = traits::constant(2.0, 2.0f, "2/1");
     const Scalar p_omega = parameters.omega;
     const Scalar z0 = n2 * p_omega;
-    precomputed.m0 = z0;
+    precomputed.m_e71b311a = z0;
     return precomputed;
   }
 
@@ -891,7 +891,7 @@ struct Mechanism {
     const Scalar p_omega = precomputed.parameters.omega;
     const Scalar t = state.time;
     const Scalar l_N = multipliers.N;
-    const Scalar m0 = precomputed.m0;
+    const Scalar m0 = precomputed.m_e71b311a;
     const Scalar z0 = p_omega * t;
     Scalar z1, z2;
     traits::sincos(z0, z1, z2);
@@ -902,7 +902,7 @@ struct Mechanism {
     const Scalar z7 = n1 / z2;
     const Scalar z8 = p_omega / z2;
     const Scalar z9 = m0 / z2;
-    const Scalar z10 = n2 * (a_x + z5 * z1 / z2);
+    const Scalar z10 = n2 * (a_x + z1 * z5 / z2);
     const Scalar z11 = n2 * a_x;  // force on bead, x
     const Scalar z12 = n2 * z5;  // force on bead, y
     const Scalar z13 = z2 * z2;

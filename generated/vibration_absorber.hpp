@@ -7,17 +7,17 @@
 // Parameters set at run time: d, omega
 //
 // Operations in the text of each function (a sine-cosine pair counts 2 in the total; not in it is what a Status
-// costs, one multiplication for each result and for each pivot tested); before: without inertia moved across
-// joints, products that sums share, factoring, and what is done once for a set of parameters:
+// costs, one multiplication for each result and for each pivot tested); before: without products that sums
+// share, factoring, and what is done once for a set of parameters:
 //   function          additions  multiplications  divisions  square roots  sine-cosine pairs  others  total  before
 //   precompute                0                6          1             0                  0       0      7       -
 //   kinematics                4               10          0             0                  2       0     18      19
 //   mass_matrix               0                1          0             0                  1       0      3       4
-//   bias                      3                8          0             0                  2       0     15      28
-//   inverse_dynamics          7               13          0             0                  2       0     24      38
-//   forward_dynamics          6               15          1             0                  2       0     26      41
+//   bias                      3                8          0             0                  2       0     15      17
+//   inverse_dynamics          7               13          0             0                  2       0     24      27
+//   forward_dynamics          6               15          1             0                  2       0     26      30
 //   energy                   13               25          0             0                  2       0     42      50
-//   linearisation            12               32          1             0                  2       0     49      65
+//   linearisation            12               32          1             0                  2       0     49      53
 //
 // Not computed because this mechanism does not need it:
 //   kinematics: of 66 results 38 vanish identically, 6 repeat another up to sign
@@ -507,7 +507,7 @@ struct Mechanism {
 
   static constexpr const char* name = "vibration_absorber";
   /// 64 bits (FNV-1a) of this file from "#pragma once" on, with zeros in their own place: another mechanism, other bits.
-  static constexpr unsigned long long fingerprint = 0xcab23fdb4030ff0eULL;
+  static constexpr unsigned long long fingerprint = 0xbebd6265afe7ce0bULL;
   static constexpr int coordinate_count = 2;
   static constexpr int velocity_count = 2;
   static constexpr int input_count = 0;
@@ -610,12 +610,12 @@ struct Mechanism {
   /// Parameters and what depends on them only: built once for each set of parameters.
   struct Precomputed {
     Parameters parameters;
-    Scalar m0;
-    Scalar m1;
-    Scalar m2;  ///< force on rotor, z
-    Scalar m3;
-    Scalar m4;
-    Scalar m5;
+    Scalar m_d35bb54c;
+    Scalar m_c10e5f00;
+    Scalar m_53d108b6;  ///< force on rotor, z
+    Scalar m_248a3b97;
+    Scalar m_ba725c70;
+    Scalar m_a124f2ef;
   };
 
   /// Values of the scene.
@@ -638,19 +638,19 @@ struct Mechanism {
     const Scalar k3 = traits::constant(4e-05, 4e-05f, "1/25000");
     const Scalar p_omega = parameters.omega;
     const Scalar p_d = parameters.d;
-    const Scalar z0 = p_d * p_d;
-    const Scalar z1 = n0_02 * p_omega;
+    const Scalar z0 = n0_02 * p_omega;
+    const Scalar z1 = p_d * p_d;
     const Scalar z2 = p_omega * p_omega;
     const Scalar z3 = n0_002 * z2;  // force on rotor, z
-    const Scalar z4 = n1 / z0;
+    const Scalar z4 = n1 / z1;
     const Scalar z5 = k3 * p_omega;
     const Scalar z6 = n0_002 * p_omega;
-    precomputed.m0 = z0;
-    precomputed.m1 = z1;
-    precomputed.m2 = z3;
-    precomputed.m3 = z4;
-    precomputed.m4 = z5;
-    precomputed.m5 = z6;
+    precomputed.m_d35bb54c = z0;
+    precomputed.m_c10e5f00 = z1;
+    precomputed.m_53d108b6 = z3;
+    precomputed.m_248a3b97 = z4;
+    precomputed.m_ba725c70 = z5;
+    precomputed.m_a124f2ef = z6;
     return precomputed;
   }
 
@@ -727,7 +727,7 @@ struct Mechanism {
     const Scalar p_omega = precomputed.parameters.omega;
     const Scalar t = state.time;
     const Scalar p_d = precomputed.parameters.d;
-    const Scalar m1 = precomputed.m1;
+    const Scalar m0 = precomputed.m_d35bb54c;
     const Scalar z0 = p_omega * t;
     const Scalar angles_[] = {q_theta, z0};
     Scalar sines_[2], cosines_[2];
@@ -739,10 +739,10 @@ struct Mechanism {
     const Scalar z5 = n0_02 * z1;
     const Scalar z6 = c_theta * p_d;
     const Scalar z7 = n0_02 * z2;
-    const Scalar z8 = v_X + z2 * m1;
+    const Scalar z8 = v_X + z2 * m0;
     const Scalar z9 = v_X + c_theta * z3;
     const Scalar z10 = s_theta * z3;
-    const Scalar z11 = z1 * m1;
+    const Scalar z11 = z1 * m0;
     const Scalar z12 = q_X + z4;
     const Scalar z13 = q_X + z5;
     result.support_position[0] = q_X;
@@ -819,7 +819,7 @@ struct Mechanism {
     const Scalar n11_1 = traits::constant(11.1, 11.1f, "111/10");
     const Scalar q_theta = state.q.theta;
     const Scalar p_d = precomputed.parameters.d;
-    const Scalar m0 = precomputed.m0;
+    const Scalar m0 = precomputed.m_c10e5f00;
     Scalar s_theta, c_theta;
     traits::sincos(q_theta, s_theta, c_theta);
     const Scalar z0 = c_theta * p_d;
@@ -842,7 +842,7 @@ struct Mechanism {
     const Scalar p_omega = precomputed.parameters.omega;
     const Scalar t = state.time;
     const Scalar p_d = precomputed.parameters.d;
-    const Scalar m2 = precomputed.m2;
+    const Scalar m0 = precomputed.m_53d108b6;
     const Scalar z0 = p_omega * t;
     const Scalar angles_[] = {q_theta, z0};
     Scalar sines_[2], cosines_[2];
@@ -851,7 +851,7 @@ struct Mechanism {
     const Scalar z1 = sines_[1];
     const Scalar z2 = v_theta * v_theta;
     const Scalar z3 = n0_1 - q_X;
-    const Scalar z4 = z1 * m2;
+    const Scalar z4 = z1 * m0;
     const Scalar z5 = n9_81 * s_theta;
     const Scalar z6 = n1000 * z3;
     const Scalar z7 = p_d * z2;  // force on pendulum, z
@@ -878,8 +878,8 @@ struct Mechanism {
     const Scalar p_omega = precomputed.parameters.omega;
     const Scalar t = state.time;
     const Scalar p_d = precomputed.parameters.d;
-    const Scalar m0 = precomputed.m0;
-    const Scalar m2 = precomputed.m2;
+    const Scalar m0 = precomputed.m_c10e5f00;
+    const Scalar m1 = precomputed.m_53d108b6;
     const Scalar z0 = p_omega * t;
     const Scalar angles_[] = {q_theta, z0};
     Scalar sines_[2], cosines_[2];
@@ -887,7 +887,7 @@ struct Mechanism {
     const Scalar s_theta = sines_[0], c_theta = cosines_[0];
     const Scalar z1 = sines_[1];
     const Scalar z2 = v_theta * v_theta;
-    const Scalar z3 = z1 * m2;
+    const Scalar z3 = z1 * m1;
     const Scalar z4 = a_theta * p_d;  // force on pendulum, x
     const Scalar z5 = n0_1 - q_X;
     const Scalar z6 = a_X * c_theta + n9_81 * s_theta;
@@ -918,9 +918,9 @@ struct Mechanism {
     const Scalar p_omega = precomputed.parameters.omega;
     const Scalar t = state.time;
     const Scalar p_d = precomputed.parameters.d;
-    const Scalar m0 = precomputed.m0;
-    const Scalar m2 = precomputed.m2;
-    const Scalar m3 = precomputed.m3;
+    const Scalar m0 = precomputed.m_c10e5f00;
+    const Scalar m1 = precomputed.m_248a3b97;
+    const Scalar m2 = precomputed.m_53d108b6;
     const Scalar z0 = p_omega * t;
     const Scalar angles_[] = {q_theta, z0};
     Scalar sines_[2], cosines_[2];
@@ -933,17 +933,17 @@ struct Mechanism {
     const Scalar z5 = z1 * m2;
     const Scalar z6 = n9_81 * s_theta;
     const Scalar z7 = n1000 * z4;
-    const Scalar z8 = p_d * z3;  // force on pendulum, z
+    const Scalar z8 = p_d * z3;
     const Scalar z9 = s_theta * z8;
-    const Scalar z10 = p_d * z6;  // moment on pendulum, y
-    const Scalar z11 = z2 * m3;
+    const Scalar z10 = p_d * z6;
+    const Scalar z11 = m1 * z2;
     const Scalar z12 = z5 + z9;  // force on support, x
     const Scalar z13 = n11_1 - z2 * z11;
     const Scalar z14 = z7 + z12;
     const Scalar z15 = n1 / z13;
     const Scalar z16 = z10 * z11 + z14;
     const Scalar z17 = z15 * z16;
-    const Scalar z18 = z10 * m3 + z11 * z17;
+    const Scalar z18 = m1 * z10 + z11 * z17;
     accelerations.X = z17;
     accelerations.theta = -z18;
     if (!(traits::regular(z13, n11_1) && traits::regular(m0, m0))) return torsor::Status::singular;
@@ -971,9 +971,9 @@ struct Mechanism {
     const Scalar p_omega = precomputed.parameters.omega;
     const Scalar t = state.time;
     const Scalar p_d = precomputed.parameters.d;
-    const Scalar m0 = precomputed.m0;
-    const Scalar m4 = precomputed.m4;
-    const Scalar m5 = precomputed.m5;
+    const Scalar m0 = precomputed.m_c10e5f00;
+    const Scalar m1 = precomputed.m_ba725c70;
+    const Scalar m2 = precomputed.m_a124f2ef;
     const Scalar z0 = p_omega * t;
     const Scalar angles_[] = {q_theta, z0};
     Scalar sines_[2], cosines_[2];
@@ -982,18 +982,18 @@ struct Mechanism {
     const Scalar z1 = sines_[1], z2 = cosines_[1];
     const Scalar z3 = v_X * c_theta;
     const Scalar z4 = v_X * z2;
-    const Scalar z5 = c_theta * p_d;
-    const Scalar z6 = n0_002 * z2;
-    const Scalar z7 = n0_1 - q_X;
-    const Scalar z8 = v_X * s_theta;
-    const Scalar z9 = v_X * z1;
+    const Scalar z5 = v_X * s_theta;
+    const Scalar z6 = v_X * z1;
+    const Scalar z7 = c_theta * p_d;
+    const Scalar z8 = n0_002 * z2;
+    const Scalar z9 = n0_1 - q_X;
     const Scalar z10 = v_theta * p_d + z3;
     const Scalar z11 = v_theta * m0 + p_d * z3;
-    const Scalar z12 = m5 + n0_1 * z4;
-    const Scalar z13 = m4 + n0_002 * z4;
-    result.kinetic = n5 * v_X * v_X + n0_05 * z9 * z9 + n0_5 * (z8 * z8 + v_theta * z11 + z3 * z10 + p_omega * z13 + z4
+    const Scalar z12 = m2 + n0_1 * z4;
+    const Scalar z13 = m1 + n0_002 * z4;
+    result.kinetic = n5 * v_X * v_X + n0_05 * z6 * z6 + n0_5 * (z5 * z5 + v_theta * z11 + z3 * z10 + p_omega * z13 + z4
         * z12);
-    result.force_function = n9_81 * (z5 + z6) - n500 * z7 * z7;
+    result.force_function = n9_81 * (z7 + z8) - n500 * z9 * z9;
     result.power = n0;
   }
 
@@ -1016,9 +1016,9 @@ struct Mechanism {
     const Scalar p_omega = precomputed.parameters.omega;
     const Scalar t = state.time;
     const Scalar p_d = precomputed.parameters.d;
-    const Scalar m0 = precomputed.m0;
-    const Scalar m2 = precomputed.m2;
-    const Scalar m3 = precomputed.m3;
+    const Scalar m0 = precomputed.m_c10e5f00;
+    const Scalar m1 = precomputed.m_53d108b6;
+    const Scalar m2 = precomputed.m_248a3b97;
     const Scalar z0 = p_omega * t;
     const Scalar angles_[] = {q_theta, z0};
     Scalar sines_[2], cosines_[2];
@@ -1031,7 +1031,7 @@ struct Mechanism {
     const Scalar z5 = a_X * s_theta - n9_81 * c_theta;
     const Scalar z6 = p_d * z3;  // force on pendulum, z
     const Scalar z7 = n2 * v_theta;
-    const Scalar z8 = z1 * m2;
+    const Scalar z8 = z1 * m1;
     const Scalar z9 = p_d * z7;
     const Scalar z10 = n0_1 - q_X;
     const Scalar z11 = a_X * c_theta + n9_81 * s_theta;
@@ -1039,19 +1039,19 @@ struct Mechanism {
     const Scalar z13 = s_theta * z6 - c_theta * z4;
     const Scalar z14 = s_theta * z9;
     const Scalar z15 = n1000 * z10;
-    const Scalar z16 = z2 * m3;
+    const Scalar z16 = z2 * m2;
     const Scalar z17 = n11_1 - z2 * z16;
     const Scalar z18 = a_theta * m0 + p_d * z11;  // moment on pendulum, y
     const Scalar z19 = n11_1 * a_X - z8 - z13;  // force on support, x
     const Scalar z20 = p_d * z5;
     const Scalar z21 = n1 / z17;
-    const Scalar z22 = z12 - z16 * z20;
+    const Scalar z22 = z12 - z20 * z16;
     const Scalar z23 = z15 - z19;
     const Scalar z24 = n1000 * z21;
     const Scalar z25 = z21 * z22;
-    const Scalar z26 = z21 * z14;
+    const Scalar z26 = z14 * z21;
     const Scalar z27 = z16 * z24;
-    const Scalar z28 = m3 * z20 - z16 * z25;
+    const Scalar z28 = z20 * m2 - z16 * z25;
     const Scalar z29 = z16 * z26;
     result.M[0] = n11_1;
     result.M[1] = z2;

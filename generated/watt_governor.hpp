@@ -7,8 +7,8 @@
 // Parameters set at run time: m, M, L, omega
 //
 // Operations in the text of each function (a sine-cosine pair counts 2 in the total; not in it is what a Status
-// costs, one multiplication for each result and for each pivot tested); before: without inertia moved across
-// joints, products that sums share, factoring, and what is done once for a set of parameters:
+// costs, one multiplication for each result and for each pivot tested); before: without products that sums
+// share, factoring, and what is done once for a set of parameters:
 //   function          additions  multiplications  divisions  square roots  sine-cosine pairs  others  total  before
 //   precompute                0                7          0             0                  0       0      7       -
 //   kinematics                2               21          0             0                  2       0     27      29
@@ -506,7 +506,7 @@ struct Mechanism {
 
   static constexpr const char* name = "watt_governor";
   /// 64 bits (FNV-1a) of this file from "#pragma once" on, with zeros in their own place: another mechanism, other bits.
-  static constexpr unsigned long long fingerprint = 0x3b0a0ad5ddbdb938ULL;
+  static constexpr unsigned long long fingerprint = 0x06ee8117ea3a05a5ULL;
   static constexpr int coordinate_count = 1;
   static constexpr int velocity_count = 1;
   static constexpr int input_count = 0;
@@ -607,12 +607,12 @@ struct Mechanism {
   /// Parameters and what depends on them only: built once for each set of parameters.
   struct Precomputed {
     Parameters parameters;
-    Scalar m0;
-    Scalar m1;
-    Scalar m2;
-    Scalar m3;
-    Scalar m4;
-    Scalar m5;
+    Scalar m_05c12e58;
+    Scalar m_1f69d53f;
+    Scalar m_a7bd4253;
+    Scalar m_efa9f396;
+    Scalar m_48355c18;
+    Scalar m_2f5126c7;
   };
 
   /// Values of the scene.
@@ -639,18 +639,18 @@ struct Mechanism {
     const Scalar p_L = parameters.L;
     const Scalar p_m = parameters.m;
     const Scalar p_M = parameters.M;
-    const Scalar z0 = p_L * p_L * p_m;
-    const Scalar z1 = p_L * p_m;
-    const Scalar z2 = n2 * z0;
-    const Scalar z3 = n2 * p_L;
+    const Scalar z0 = n2 * p_L;
+    const Scalar z1 = p_L * p_L * p_m;
+    const Scalar z2 = n2 * z1;
+    const Scalar z3 = p_L * p_m;
     const Scalar z4 = n0_5 * p_M;
     const Scalar z5 = n9_81 * p_M;
-    precomputed.m0 = z0;
-    precomputed.m1 = z1;
-    precomputed.m2 = z2;
-    precomputed.m3 = z3;
-    precomputed.m4 = z4;
-    precomputed.m5 = z5;
+    precomputed.m_05c12e58 = z0;
+    precomputed.m_1f69d53f = z2;
+    precomputed.m_a7bd4253 = z1;
+    precomputed.m_efa9f396 = z3;
+    precomputed.m_48355c18 = z4;
+    precomputed.m_2f5126c7 = z5;
     return precomputed;
   }
 
@@ -747,7 +747,7 @@ struct Mechanism {
     const Scalar q_theta = state.q.theta;
     const Scalar v_theta = state.v.theta;
     const Scalar p_L = precomputed.parameters.L;
-    const Scalar m3 = precomputed.m3;
+    const Scalar m0 = precomputed.m_05c12e58;
     const Scalar z0 = p_omega * t;
     const Scalar angles_[] = {q_theta, z0};
     Scalar sines_[2], cosines_[2];
@@ -766,7 +766,7 @@ struct Mechanism {
     const Scalar z12 = v_theta * z2;  // angular velocity of arm_1, y
     const Scalar z13 = s_theta * z6;
     const Scalar z14 = n2 * z10;
-    const Scalar z15 = m3 * z7;  // velocity of sleeve, z
+    const Scalar z15 = m0 * z7;  // velocity of sleeve, z
     const Scalar z16 = p_L * z3;
     const Scalar z17 = p_L * z8;
     const Scalar z18 = p_L * z9;
@@ -833,13 +833,13 @@ struct Mechanism {
       std::array<Scalar, 1>& mass) noexcept {
     const Scalar q_theta = state.q.theta;
     const Scalar p_M = precomputed.parameters.M;
-    const Scalar m2 = precomputed.m2;
-    const Scalar m3 = precomputed.m3;
+    const Scalar m0 = precomputed.m_1f69d53f;
+    const Scalar m1 = precomputed.m_05c12e58;
     Scalar s_theta, c_theta;
     traits::sincos(q_theta, s_theta, c_theta);
-    const Scalar z0 = s_theta * m3;
+    const Scalar z0 = s_theta * m1;
     const Scalar z1 = p_M * z0;
-    const Scalar z2 = m2 + z0 * z1;
+    const Scalar z2 = m0 + z0 * z1;
     mass[0] = z2;
   }
 
@@ -853,19 +853,19 @@ struct Mechanism {
     const Scalar q_theta = state.q.theta;
     const Scalar v_theta = state.v.theta;
     const Scalar p_M = precomputed.parameters.M;
-    const Scalar m0 = precomputed.m0;
-    const Scalar m1 = precomputed.m1;
-    const Scalar m3 = precomputed.m3;
+    const Scalar m0 = precomputed.m_a7bd4253;
+    const Scalar m1 = precomputed.m_efa9f396;
+    const Scalar m2 = precomputed.m_05c12e58;
     Scalar s_theta, c_theta;
     traits::sincos(q_theta, s_theta, c_theta);
     const Scalar z0 = v_theta * c_theta;
     const Scalar z1 = p_omega * s_theta;
     const Scalar z2 = p_omega * c_theta;
     const Scalar z3 = n9_81 * s_theta;
-    const Scalar z4 = s_theta * m3;
+    const Scalar z4 = s_theta * m2;
     const Scalar z5 = v_theta * z0;
     const Scalar z6 = z1 * z2;
-    const Scalar z7 = n9_81 + m3 * z5;
+    const Scalar z7 = n9_81 + m2 * z5;
     const Scalar z8 = m0 * z6 - m1 * z3;  // moment on arm_2, y
     const Scalar z9 = p_M * z7;  // force on sleeve, z
     const Scalar z10 = z4 * z9 - n2 * z8;
@@ -882,20 +882,20 @@ struct Mechanism {
     const Scalar v_theta = state.v.theta;
     const Scalar a_theta = accelerations.theta;
     const Scalar p_M = precomputed.parameters.M;
-    const Scalar m0 = precomputed.m0;
-    const Scalar m1 = precomputed.m1;
-    const Scalar m3 = precomputed.m3;
+    const Scalar m0 = precomputed.m_a7bd4253;
+    const Scalar m1 = precomputed.m_efa9f396;
+    const Scalar m2 = precomputed.m_05c12e58;
     Scalar s_theta, c_theta;
     traits::sincos(q_theta, s_theta, c_theta);
     const Scalar z0 = p_omega * s_theta;
     const Scalar z1 = p_omega * c_theta;
     const Scalar z2 = v_theta * c_theta;
     const Scalar z3 = n9_81 * s_theta;
-    const Scalar z4 = s_theta * m3;
+    const Scalar z4 = s_theta * m2;
     const Scalar z5 = a_theta * s_theta + v_theta * z2;
     const Scalar z6 = z0 * z1;
     const Scalar z7 = m1 * z3 + m0 * (a_theta - z6);  // moment on arm_2, y
-    const Scalar z8 = n9_81 + m3 * z5;
+    const Scalar z8 = n9_81 + m2 * z5;
     const Scalar z9 = p_M * z8;  // force on sleeve, z
     const Scalar z10 = n2 * z7 + z4 * z9;
     forces.theta = z10;
@@ -914,10 +914,10 @@ struct Mechanism {
     const Scalar q_theta = state.q.theta;
     const Scalar v_theta = state.v.theta;
     const Scalar p_M = precomputed.parameters.M;
-    const Scalar m0 = precomputed.m0;
-    const Scalar m1 = precomputed.m1;
-    const Scalar m2 = precomputed.m2;
-    const Scalar m3 = precomputed.m3;
+    const Scalar m0 = precomputed.m_a7bd4253;
+    const Scalar m1 = precomputed.m_efa9f396;
+    const Scalar m2 = precomputed.m_1f69d53f;
+    const Scalar m3 = precomputed.m_05c12e58;
     Scalar s_theta, c_theta;
     traits::sincos(q_theta, s_theta, c_theta);
     const Scalar z0 = s_theta * m3;
@@ -925,18 +925,18 @@ struct Mechanism {
     const Scalar z2 = p_omega * s_theta;
     const Scalar z3 = p_omega * c_theta;
     const Scalar z4 = n9_81 * s_theta;
-    const Scalar z5 = p_M * z0;
-    const Scalar z6 = v_theta * z1;
-    const Scalar z7 = z2 * z3;
-    const Scalar z8 = m2 + z0 * z5;
-    const Scalar z9 = n9_81 + m3 * z6;
-    const Scalar z10 = m0 * z7 - m1 * z4;  // moment on arm_2, y
-    const Scalar z11 = p_M * z9;  // force on sleeve, z
-    const Scalar z12 = n1 / z8;
-    const Scalar z13 = z0 * z11 - n2 * z10;
+    const Scalar z5 = v_theta * z1;
+    const Scalar z6 = z2 * z3;
+    const Scalar z7 = p_M * z0;
+    const Scalar z8 = n9_81 + m3 * z5;
+    const Scalar z9 = m0 * z6 - m1 * z4;  // moment on arm_2, y
+    const Scalar z10 = m2 + z0 * z7;
+    const Scalar z11 = p_M * z8;  // force on sleeve, z
+    const Scalar z12 = n1 / z10;
+    const Scalar z13 = z0 * z11 - n2 * z9;
     const Scalar z14 = z13 * z12;
     accelerations.theta = -z14;
-    if (!(traits::regular(z8, z8))) return torsor::Status::singular;
+    if (!(traits::regular(z10, z10))) return torsor::Status::singular;
     // 0 x is 0 for every finite x and not a number for any other.
     const Scalar zero = n0 * accelerations.theta;
     if (!traits::regular(n1, zero)) return torsor::Status::not_finite;
@@ -951,20 +951,20 @@ struct Mechanism {
     const Scalar p_omega = precomputed.parameters.omega;
     const Scalar q_theta = state.q.theta;
     const Scalar v_theta = state.v.theta;
-    const Scalar m0 = precomputed.m0;
-    const Scalar m1 = precomputed.m1;
-    const Scalar m3 = precomputed.m3;
-    const Scalar m4 = precomputed.m4;
-    const Scalar m5 = precomputed.m5;
+    const Scalar m0 = precomputed.m_a7bd4253;
+    const Scalar m1 = precomputed.m_efa9f396;
+    const Scalar m2 = precomputed.m_05c12e58;
+    const Scalar m3 = precomputed.m_48355c18;
+    const Scalar m4 = precomputed.m_2f5126c7;
     Scalar s_theta, c_theta;
     traits::sincos(q_theta, s_theta, c_theta);
     const Scalar z0 = v_theta * s_theta;
     const Scalar z1 = p_omega * s_theta;
-    const Scalar z2 = c_theta * m3;
+    const Scalar z2 = c_theta * m2;
     const Scalar z3 = c_theta * m1;
-    const Scalar z4 = m3 * z0;  // velocity of sleeve, z
-    result.kinetic = m0 * (v_theta * v_theta + z1 * z1) + m4 * z4 * z4;
-    result.force_function = m5 * z2 + n19_62 * z3;
+    const Scalar z4 = m2 * z0;  // velocity of sleeve, z
+    result.kinetic = m0 * (v_theta * v_theta + z1 * z1) + m3 * z4 * z4;
+    result.force_function = m4 * z2 + n19_62 * z3;
     result.power = n0;
   }
 
@@ -978,10 +978,10 @@ struct Mechanism {
     const Scalar q_theta = state.q.theta;
     const Scalar v_theta = state.v.theta;
     const Scalar p_M = precomputed.parameters.M;
-    const Scalar m0 = precomputed.m0;
-    const Scalar m1 = precomputed.m1;
-    const Scalar m2 = precomputed.m2;
-    const Scalar m3 = precomputed.m3;
+    const Scalar m0 = precomputed.m_a7bd4253;
+    const Scalar m1 = precomputed.m_efa9f396;
+    const Scalar m2 = precomputed.m_1f69d53f;
+    const Scalar m3 = precomputed.m_05c12e58;
     Scalar s_theta, c_theta;
     traits::sincos(q_theta, s_theta, c_theta);
     const Scalar z0 = v_theta * s_theta;
@@ -1003,7 +1003,7 @@ struct Mechanism {
     const Scalar p_omega = precomputed.parameters.omega;
     const Scalar q_theta = state.q.theta;
     const Scalar v_theta = state.v.theta;
-    const Scalar m0 = precomputed.m0;
+    const Scalar m0 = precomputed.m_a7bd4253;
     Scalar s_theta, c_theta;
     traits::sincos(q_theta, s_theta, c_theta);
     const Scalar z0 = p_omega * c_theta;
@@ -1028,10 +1028,10 @@ struct Mechanism {
     const Scalar v_theta = state.v.theta;
     const Scalar a_theta = accelerations.theta;
     const Scalar p_M = precomputed.parameters.M;
-    const Scalar m0 = precomputed.m0;
-    const Scalar m1 = precomputed.m1;
-    const Scalar m2 = precomputed.m2;
-    const Scalar m3 = precomputed.m3;
+    const Scalar m0 = precomputed.m_a7bd4253;
+    const Scalar m1 = precomputed.m_efa9f396;
+    const Scalar m2 = precomputed.m_1f69d53f;
+    const Scalar m3 = precomputed.m_05c12e58;
     Scalar s_theta, c_theta;
     traits::sincos(q_theta, s_theta, c_theta);
     const Scalar z0 = v_theta * s_theta;
@@ -1043,27 +1043,27 @@ struct Mechanism {
     const Scalar z6 = n9_81 * c_theta;
     const Scalar z7 = c_theta * m3;
     const Scalar z8 = a_theta * s_theta + v_theta * z2;
-    const Scalar z9 = p_M * z1;
-    const Scalar z10 = z3 * z4;
+    const Scalar z9 = z3 * z4;
+    const Scalar z10 = p_M * z1;
     const Scalar z11 = n2 * z2;
     const Scalar z12 = v_theta * z0 - a_theta * c_theta;
     const Scalar z13 = z3 * z3 - z4 * z4;
-    const Scalar z14 = m2 + z1 * z9;
-    const Scalar z15 = m1 * z5 + m0 * (a_theta - z10);  // moment on arm_2, y
+    const Scalar z14 = m1 * z5 + m0 * (a_theta - z9);  // moment on arm_2, y
+    const Scalar z15 = m2 + z1 * z10;
     const Scalar z16 = m3 * z11;
     const Scalar z17 = n9_81 + m3 * z8;
     const Scalar z18 = p_M * z16;
-    const Scalar z19 = n1 / z14;
-    const Scalar z20 = m3 * z12;
-    const Scalar z21 = m1 * z6 + m0 * z13;
+    const Scalar z19 = m3 * z12;
+    const Scalar z20 = m1 * z6 + m0 * z13;
+    const Scalar z21 = n1 / z15;
     const Scalar z22 = p_M * z17;  // force on sleeve, z
     const Scalar z23 = z1 * z18;
-    const Scalar z24 = p_M * z20;
-    const Scalar z25 = n2 * z15 + z1 * z22;
-    const Scalar z26 = z1 * z24 - z7 * z22 - n2 * z21;
-    const Scalar z27 = z19 * z23;
-    const Scalar z28 = z19 * z26;
-    result.M[0] = z14;
+    const Scalar z24 = p_M * z19;
+    const Scalar z25 = n2 * z14 + z1 * z22;
+    const Scalar z26 = z1 * z24 - z7 * z22 - n2 * z20;
+    const Scalar z27 = z23 * z21;
+    const Scalar z28 = z26 * z21;
+    result.M[0] = z15;
     result.C[0] = z23;
     result.K[0] = -z26;
     result.F[0] = -z25;
@@ -1071,7 +1071,7 @@ struct Mechanism {
     result.A[1] = z28;
     result.A[2] = n1;
     result.A[3] = -z27;
-    if (!(traits::regular(z14, z14))) return torsor::Status::singular;
+    if (!(traits::regular(z15, z15))) return torsor::Status::singular;
     // 0 x is 0 for every finite x and not a number for any other.
     const Scalar zero = n0 * result.M[0] * result.C[0] * result.K[0] * result.F[0] * result.A[1] * result.A[3];
     if (!traits::regular(n1, zero)) return torsor::Status::not_finite;

@@ -7,8 +7,8 @@
 // Parameters set at run time: omega, slope
 //
 // Operations in the text of each function (a sine-cosine pair counts 2 in the total; not in it is what a Status
-// costs, one multiplication for each result and for each pivot tested); before: without inertia moved across
-// joints, products that sums share, factoring, and what is done once for a set of parameters:
+// costs, one multiplication for each result and for each pivot tested); before: without products that sums
+// share, factoring, and what is done once for a set of parameters:
 //   function          additions  multiplications  divisions  square roots  sine-cosine pairs  others  total  before
 //   precompute                1               19          0             0                  1       0     22       -
 //   kinematics               11               31          0             0                  2       0     46      50
@@ -18,7 +18,7 @@
 //   forward_dynamics          3                4          0             0                  0       0      7      13
 //   energy                   16               26          0             0                  1       0     44      58
 //   first_integrals          20               31          0             0                  1       0     53      68
-//   reactions                18               32          0             0                  1       0     52      77
+//   reactions                18               32          0             0                  1       0     52      65
 //   linearisation             4                4          0             0                  0       0      8      17
 //
 // Not computed because this mechanism does not need it:
@@ -509,7 +509,7 @@ struct Mechanism {
 
   static constexpr const char* name = "winder";
   /// 64 bits (FNV-1a) of this file from "#pragma once" on, with zeros in their own place: another mechanism, other bits.
-  static constexpr unsigned long long fingerprint = 0xbac257eb6f539e6dULL;
+  static constexpr unsigned long long fingerprint = 0x46fcc6cdd9701ae5ULL;
   static constexpr int coordinate_count = 2;
   static constexpr int velocity_count = 2;
   static constexpr int input_count = 0;
@@ -612,25 +612,25 @@ struct Mechanism {
   /// Parameters and what depends on them only: built once for each set of parameters.
   struct Precomputed {
     Parameters parameters;
-    Scalar s_slope;
-    Scalar c_slope;
-    Scalar m2;
-    Scalar m3;
-    Scalar m4;
-    Scalar m5;
-    Scalar m6;
-    Scalar m7;
-    Scalar m8;
-    Scalar m9;
-    Scalar m10;
-    Scalar m11;
-    Scalar m12;
-    Scalar m13;
-    Scalar m14;
-    Scalar m15;
-    Scalar m16;
-    Scalar m17;
-    Scalar m18;
+    Scalar m_5497d850;
+    Scalar m_0d85e50a;
+    Scalar m_e2924f70;
+    Scalar m_1d3b3676;
+    Scalar m_462a1001;
+    Scalar m_6a95ea13;
+    Scalar m_1a460582;
+    Scalar m_07225285;
+    Scalar m_4e72cd7c;
+    Scalar m_107ee610;
+    Scalar m_67ccdc7c;
+    Scalar m_38b72402;
+    Scalar m_ecb3ecf5;
+    Scalar m_7e409560;
+    Scalar m_4487ff3a;
+    Scalar m_c1fca877;
+    Scalar m_45a85e48;
+    Scalar m_ae98d915;
+    Scalar m_c069d2c4;
   };
 
   /// Values of the scene.
@@ -662,42 +662,42 @@ struct Mechanism {
     traits::sincos(p_slope, s_slope, c_slope);
     const Scalar z0 = n0_2 * p_omega;
     const Scalar z1 = p_omega * s_slope;
-    const Scalar z2 = p_omega * c_slope;
-    const Scalar z3 = n0_3 * s_slope;
-    const Scalar z4 = n0_3 * c_slope;
-    const Scalar z5 = p_omega * p_omega;
-    const Scalar z6 = n0_2 * z5;
-    const Scalar z7 = n9_81 * s_slope;
-    const Scalar z8 = n9_81 * c_slope;
-    const Scalar z9 = z1 * z2;
-    const Scalar z10 = z1 * z1;
-    const Scalar z11 = c_slope * z0;
-    const Scalar z12 = s_slope * z0;
-    const Scalar z13 = n0_01 * p_omega;
-    const Scalar z14 = p_omega * z13;
-    const Scalar z15 = n0_0005 * z2;
+    const Scalar z2 = n0_3 * c_slope;
+    const Scalar z3 = n9_81 * c_slope;
+    const Scalar z4 = z1 * z1;
+    const Scalar z5 = p_omega * c_slope;
+    const Scalar z6 = c_slope * z0;
+    const Scalar z7 = s_slope * z0;
+    const Scalar z8 = n0_3 * s_slope;
+    const Scalar z9 = n0_01 * p_omega;
+    const Scalar z10 = p_omega * z9;
+    const Scalar z11 = n0_0005 * z5;
+    const Scalar z12 = p_omega * p_omega;
+    const Scalar z13 = n0_2 * z12;
+    const Scalar z14 = n9_81 * s_slope;
+    const Scalar z15 = z1 * z5;
     const Scalar z16 = n2 * z1;
-    const Scalar z17 = n200 - n0_5 * z10;
+    const Scalar z17 = n200 - n0_5 * z4;
     const Scalar z18 = n2 * z17;
-    precomputed.s_slope = s_slope;
-    precomputed.c_slope = c_slope;
-    precomputed.m2 = z0;
-    precomputed.m3 = z1;
-    precomputed.m4 = z2;
-    precomputed.m5 = z3;
-    precomputed.m6 = z4;
-    precomputed.m7 = z6;
-    precomputed.m8 = z7;
-    precomputed.m9 = z8;
-    precomputed.m10 = z9;
-    precomputed.m11 = z10;
-    precomputed.m12 = z11;
-    precomputed.m13 = z12;
-    precomputed.m14 = z14;
-    precomputed.m15 = z15;
-    precomputed.m16 = z16;
-    precomputed.m17 = z17;
-    precomputed.m18 = z18;
+    precomputed.m_5497d850 = s_slope;
+    precomputed.m_0d85e50a = c_slope;
+    precomputed.m_e2924f70 = z0;
+    precomputed.m_1d3b3676 = z1;
+    precomputed.m_462a1001 = z2;
+    precomputed.m_6a95ea13 = z3;
+    precomputed.m_1a460582 = z4;
+    precomputed.m_07225285 = z5;
+    precomputed.m_4e72cd7c = z6;
+    precomputed.m_107ee610 = z7;
+    precomputed.m_67ccdc7c = z8;
+    precomputed.m_38b72402 = z10;
+    precomputed.m_ecb3ecf5 = z11;
+    precomputed.m_7e409560 = z13;
+    precomputed.m_4487ff3a = z14;
+    precomputed.m_c1fca877 = z15;
+    precomputed.m_45a85e48 = z16;
+    precomputed.m_ae98d915 = z17;
+    precomputed.m_c069d2c4 = z18;
     return precomputed;
   }
 
@@ -802,10 +802,10 @@ struct Mechanism {
     const Scalar v_lambda = state.v.lambda;
     const Scalar q_phi = state.q.phi;
     const Scalar v_phi = state.v.phi;
-    const Scalar s_slope = precomputed.s_slope;
-    const Scalar c_slope = precomputed.c_slope;
-    const Scalar m2 = precomputed.m2;
-    const Scalar m3 = precomputed.m3;
+    const Scalar s_slope = precomputed.m_5497d850;
+    const Scalar c_slope = precomputed.m_0d85e50a;
+    const Scalar m2 = precomputed.m_e2924f70;
+    const Scalar m3 = precomputed.m_1d3b3676;
     const Scalar z0 = p_omega * t;
     const Scalar angles_[] = {z0, q_phi};
     Scalar sines_[2], cosines_[2];
@@ -919,11 +919,11 @@ struct Mechanism {
     const Scalar n0_5 = traits::constant(0.5, 0.5f, "1/2");
     const Scalar n0 = traits::constant(0.0, 0.0f, "0/1");
     const Scalar q_lambda = state.q.lambda;
-    const Scalar m6 = precomputed.m6;
-    const Scalar m9 = precomputed.m9;
-    const Scalar m11 = precomputed.m11;
-    const Scalar z0 = q_lambda - m6;
-    const Scalar z1 = q_lambda * m11 - m9;
+    const Scalar m0 = precomputed.m_462a1001;
+    const Scalar m1 = precomputed.m_6a95ea13;
+    const Scalar m2 = precomputed.m_1a460582;
+    const Scalar z0 = q_lambda - m0;
+    const Scalar z1 = q_lambda * m2 - m1;
     const Scalar z2 = n200 * z0;
     const Scalar z3 = z2 - n0_5 * z1;  // force on S.1, z
     forces.lambda = z3;
@@ -939,11 +939,11 @@ struct Mechanism {
     const Scalar q_lambda = state.q.lambda;
     const Scalar a_lambda = accelerations.lambda;
     const Scalar a_phi = accelerations.phi;
-    const Scalar m6 = precomputed.m6;
-    const Scalar m9 = precomputed.m9;
-    const Scalar m11 = precomputed.m11;
-    const Scalar z0 = q_lambda - m6;
-    const Scalar z1 = q_lambda * m11 - a_lambda - m9;
+    const Scalar m0 = precomputed.m_462a1001;
+    const Scalar m1 = precomputed.m_6a95ea13;
+    const Scalar m2 = precomputed.m_1a460582;
+    const Scalar z0 = q_lambda - m0;
+    const Scalar z1 = q_lambda * m2 - a_lambda - m1;
     const Scalar z2 = n0_0005 * a_phi;  // moment on S, z
     const Scalar z3 = n200 * z0;
     const Scalar z4 = z3 - n0_5 * z1;  // force on S.1, z
@@ -962,11 +962,11 @@ struct Mechanism {
     const Scalar n0 = traits::constant(0.0, 0.0f, "0/1");
     const Scalar n1 = traits::constant(1.0, 1.0f, "1/1");
     const Scalar q_lambda = state.q.lambda;
-    const Scalar m6 = precomputed.m6;
-    const Scalar m9 = precomputed.m9;
-    const Scalar m11 = precomputed.m11;
-    const Scalar z0 = q_lambda - m6;
-    const Scalar z1 = q_lambda * m11 - m9;
+    const Scalar m0 = precomputed.m_462a1001;
+    const Scalar m1 = precomputed.m_6a95ea13;
+    const Scalar m2 = precomputed.m_1a460582;
+    const Scalar z0 = q_lambda - m0;
+    const Scalar z1 = q_lambda * m2 - m1;
     const Scalar z2 = n200 * z0;
     const Scalar z3 = z2 - n0_5 * z1;  // force on S.1, z
     const Scalar z4 = n2 * z3;
@@ -992,30 +992,30 @@ struct Mechanism {
     const Scalar v_lambda = state.v.lambda;
     const Scalar q_phi = state.q.phi;
     const Scalar v_phi = state.v.phi;
-    const Scalar c_slope = precomputed.c_slope;
-    const Scalar m3 = precomputed.m3;
-    const Scalar m4 = precomputed.m4;
-    const Scalar m5 = precomputed.m5;
-    const Scalar m6 = precomputed.m6;
-    const Scalar m12 = precomputed.m12;
-    const Scalar m13 = precomputed.m13;
-    const Scalar m14 = precomputed.m14;
+    const Scalar c_slope = precomputed.m_0d85e50a;
+    const Scalar m1 = precomputed.m_1d3b3676;
+    const Scalar m2 = precomputed.m_07225285;
+    const Scalar m3 = precomputed.m_4e72cd7c;
+    const Scalar m4 = precomputed.m_107ee610;
+    const Scalar m5 = precomputed.m_67ccdc7c;
+    const Scalar m6 = precomputed.m_462a1001;
+    const Scalar m7 = precomputed.m_38b72402;
     Scalar s_phi, c_phi;
     traits::sincos(q_phi, s_phi, c_phi);
     const Scalar z0 = q_lambda - m6;
     const Scalar z1 = s_phi * m5 - n0_2 * c_phi;
-    const Scalar z2 = q_lambda * m3;
+    const Scalar z2 = q_lambda * m1;
     const Scalar z3 = n0_2 * s_phi + c_phi * m5;
-    const Scalar z4 = c_slope * q_lambda;
-    const Scalar z5 = s_phi * m3;
-    const Scalar z6 = c_phi * m3;
-    const Scalar z7 = v_phi + m4;
-    const Scalar z8 = v_lambda - m13;  // velocity of S.1, z
-    const Scalar z9 = s_phi * m12 + c_phi * z2;
-    const Scalar z10 = s_phi * z2 - c_phi * m12;
+    const Scalar z4 = v_lambda - m4;  // velocity of S.1, z
+    const Scalar z5 = s_phi * m1;
+    const Scalar z6 = c_phi * m1;
+    const Scalar z7 = s_phi * m3 + c_phi * z2;
+    const Scalar z8 = s_phi * z2 - c_phi * m3;
+    const Scalar z9 = v_phi + m2;  // angular velocity of S, z
+    const Scalar z10 = c_slope * q_lambda;
     const Scalar z11 = z0 * z0 + z1 * z1 + z3 * z3;
-    result.kinetic = m14 + k1 * z7 * z7 + n0_0004 * (z5 * z5 + z6 * z6) + n0_25 * (z8 * z8 + z9 * z9 + z10 * z10);
-    result.force_function = -n4_905 * z4 - n100 * z11;
+    result.kinetic = m7 + k1 * z9 * z9 + n0_0004 * (z5 * z5 + z6 * z6) + n0_25 * (z4 * z4 + z7 * z7 + z8 * z8);
+    result.force_function = -n4_905 * z10 - n100 * z11;
     result.power = n0;
   }
 
@@ -1023,8 +1023,8 @@ struct Mechanism {
   TORSOR_DEVICE static void first_integrals(const Precomputed& precomputed, const State& state,
       FirstIntegrals& result) noexcept {
     const Scalar n0_2 = traits::constant(0.2, 0.2f, "1/5");
-    const Scalar n0_5 = traits::constant(0.5, 0.5f, "1/2");
     const Scalar n0_0005 = traits::constant(5e-04, 5e-04f, "1/2000");
+    const Scalar n0_5 = traits::constant(0.5, 0.5f, "1/2");
     const Scalar n4_905 = traits::constant(4.905, 4.905f, "981/200");
     const Scalar k4 = traits::constant(0.00025, 0.00025f, "1/4000");
     const Scalar n0_0004 = traits::constant(4e-04, 4e-04f, "1/2500");
@@ -1034,34 +1034,34 @@ struct Mechanism {
     const Scalar v_lambda = state.v.lambda;
     const Scalar q_phi = state.q.phi;
     const Scalar v_phi = state.v.phi;
-    const Scalar c_slope = precomputed.c_slope;
-    const Scalar m3 = precomputed.m3;
-    const Scalar m4 = precomputed.m4;
-    const Scalar m5 = precomputed.m5;
-    const Scalar m6 = precomputed.m6;
-    const Scalar m12 = precomputed.m12;
-    const Scalar m13 = precomputed.m13;
-    const Scalar m14 = precomputed.m14;
-    const Scalar m15 = precomputed.m15;
+    const Scalar c_slope = precomputed.m_0d85e50a;
+    const Scalar m1 = precomputed.m_1d3b3676;
+    const Scalar m2 = precomputed.m_07225285;
+    const Scalar m3 = precomputed.m_4e72cd7c;
+    const Scalar m4 = precomputed.m_107ee610;
+    const Scalar m5 = precomputed.m_67ccdc7c;
+    const Scalar m6 = precomputed.m_462a1001;
+    const Scalar m7 = precomputed.m_ecb3ecf5;
+    const Scalar m8 = precomputed.m_38b72402;
     Scalar s_phi, c_phi;
     traits::sincos(q_phi, s_phi, c_phi);
     const Scalar z0 = q_lambda - m6;
     const Scalar z1 = s_phi * m5 - n0_2 * c_phi;
-    const Scalar z2 = q_lambda * m3;
+    const Scalar z2 = q_lambda * m1;
     const Scalar z3 = n0_2 * s_phi + c_phi * m5;
-    const Scalar z4 = v_phi + m4;
-    const Scalar z5 = v_lambda - m13;  // velocity of S.1, z
-    const Scalar z6 = c_slope * q_lambda;
-    const Scalar z7 = s_phi * m3;
-    const Scalar z8 = c_phi * m3;
-    const Scalar z9 = s_phi * m12 + c_phi * z2;
-    const Scalar z10 = s_phi * z2 - c_phi * m12;
-    const Scalar z11 = n0_5 * z5;
-    const Scalar z12 = n0_0005 * z4;
+    const Scalar z4 = v_lambda - m4;  // velocity of S.1, z
+    const Scalar z5 = v_phi + m2;  // angular velocity of S, z
+    const Scalar z6 = s_phi * m1;
+    const Scalar z7 = c_phi * m1;
+    const Scalar z8 = s_phi * m3 + c_phi * z2;
+    const Scalar z9 = s_phi * z2 - c_phi * m3;
+    const Scalar z10 = n0_0005 * z5;
+    const Scalar z11 = n0_5 * z4;
+    const Scalar z12 = c_slope * q_lambda;
     const Scalar z13 = z0 * z0 + z1 * z1 + z3 * z3;
-    result.painleve = n4_905 * z6 - m14 + v_lambda * z11 + v_phi * z12 - k4 * z4 * z4 - n0_0004 * (z7 * z7 + z8 * z8)
-        - n0_25 * (z5 * z5 + z9 * z9 + z10 * z10) + n100 * z13;
-    result.momentum_phi = n0_0005 * v_phi + m15;
+    result.painleve = n4_905 * z12 - m8 + v_lambda * z11 + v_phi * z10 - k4 * z5 * z5 - n0_0004 * (z6 * z6 + z7 * z7)
+        - n0_25 * (z4 * z4 + z8 * z8 + z9 * z9) + n100 * z13;
+    result.momentum_phi = n0_0005 * v_phi + m7;
   }
 
   /// Reactions against the released coordinates, each P_q - Q_q at q = 0: what the joint exerts along the released
@@ -1078,30 +1078,30 @@ struct Mechanism {
     const Scalar q_phi = state.q.phi;
     const Scalar v_phi = state.v.phi;
     const Scalar a_phi = accelerations.phi;
-    const Scalar s_slope = precomputed.s_slope;
-    const Scalar c_slope = precomputed.c_slope;
-    const Scalar m3 = precomputed.m3;
-    const Scalar m4 = precomputed.m4;
-    const Scalar m5 = precomputed.m5;
-    const Scalar m6 = precomputed.m6;
-    const Scalar m7 = precomputed.m7;
-    const Scalar m8 = precomputed.m8;
-    const Scalar m9 = precomputed.m9;
-    const Scalar m10 = precomputed.m10;
-    const Scalar m11 = precomputed.m11;
-    const Scalar m16 = precomputed.m16;
+    const Scalar s_slope = precomputed.m_5497d850;
+    const Scalar c_slope = precomputed.m_0d85e50a;
+    const Scalar m2 = precomputed.m_67ccdc7c;
+    const Scalar m3 = precomputed.m_462a1001;
+    const Scalar m4 = precomputed.m_1d3b3676;
+    const Scalar m5 = precomputed.m_07225285;
+    const Scalar m6 = precomputed.m_7e409560;
+    const Scalar m7 = precomputed.m_4487ff3a;
+    const Scalar m8 = precomputed.m_6a95ea13;
+    const Scalar m9 = precomputed.m_c1fca877;
+    const Scalar m10 = precomputed.m_1a460582;
+    const Scalar m11 = precomputed.m_45a85e48;
     Scalar s_phi, c_phi;
     traits::sincos(q_phi, s_phi, c_phi);
-    const Scalar z0 = n0_2 * s_phi + c_phi * m5;
-    const Scalar z1 = c_phi * m3;
-    const Scalar z2 = v_phi + m4;
-    const Scalar z3 = s_phi * m5 - n0_2 * c_phi;
-    const Scalar z4 = s_phi * m3;
-    const Scalar z5 = q_lambda - m6;
-    const Scalar z6 = v_lambda * m16 - m7;
+    const Scalar z0 = n0_2 * s_phi + c_phi * m2;
+    const Scalar z1 = c_phi * m4;
+    const Scalar z2 = v_phi + m5;  // angular velocity of S, z
+    const Scalar z3 = s_phi * m2 - n0_2 * c_phi;
+    const Scalar z4 = s_phi * m4;
+    const Scalar z5 = q_lambda - m3;
+    const Scalar z6 = v_lambda * m11 - m6;
     const Scalar z7 = n200 * z5;
-    const Scalar z8 = q_lambda * m11 - a_lambda - m9;
-    const Scalar z9 = q_lambda * m10 + m8;
+    const Scalar z8 = q_lambda * m10 - a_lambda - m8;
+    const Scalar z9 = q_lambda * m9 + m7;
     const Scalar z10 = n0_0005 * a_phi;  // moment on S, z
     const Scalar z11 = z7 - n0_5 * z8;  // force on S.1, z
     const Scalar z12 = z1 * z2;
@@ -1134,13 +1134,13 @@ struct Mechanism {
     const Scalar q_lambda = state.q.lambda;
     const Scalar a_lambda = accelerations.lambda;
     const Scalar a_phi = accelerations.phi;
-    const Scalar m6 = precomputed.m6;
-    const Scalar m9 = precomputed.m9;
-    const Scalar m11 = precomputed.m11;
-    const Scalar m17 = precomputed.m17;
-    const Scalar m18 = precomputed.m18;
-    const Scalar z0 = q_lambda - m6;
-    const Scalar z1 = q_lambda * m11 - a_lambda - m9;
+    const Scalar m0 = precomputed.m_462a1001;
+    const Scalar m1 = precomputed.m_6a95ea13;
+    const Scalar m2 = precomputed.m_1a460582;
+    const Scalar m3 = precomputed.m_ae98d915;
+    const Scalar m4 = precomputed.m_c069d2c4;
+    const Scalar z0 = q_lambda - m0;
+    const Scalar z1 = q_lambda * m2 - a_lambda - m1;
     const Scalar z2 = n0_0005 * a_phi;  // moment on S, z
     const Scalar z3 = n200 * z0;
     const Scalar z4 = z3 - n0_5 * z1;  // force on S.1, z
@@ -1152,7 +1152,7 @@ struct Mechanism {
     result.C[1] = n0;
     result.C[2] = n0;
     result.C[3] = n0;
-    result.K[0] = m17;
+    result.K[0] = m3;
     result.K[1] = n0;
     result.K[2] = n0;
     result.K[3] = n0;
@@ -1160,7 +1160,7 @@ struct Mechanism {
     result.F[1] = -z2;
     result.A[0] = n0;
     result.A[1] = n0;
-    result.A[2] = -m18;
+    result.A[2] = -m4;
     result.A[3] = n0;
     result.A[4] = n0;
     result.A[5] = n0;
