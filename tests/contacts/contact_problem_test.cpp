@@ -1,0 +1,159 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <numbers>
+
+#include "runtime/contacts/contact_solver.hpp"
+
+namespace contact_problem_test {
+namespace {
+
+using namespace torsor::runtime;
+
+// One contact in space, rows N, T1, T2, from a program of forty digits that scanned every direction of slip.
+struct Known {
+  double friction;
+  std::array<double, 3> q;
+  ContactRegime regime;
+  std::array<double, 3> r, u;
+};
+const Known known[] = {
+    {0.5, {1, 0.2, -0.3}, ContactRegime::open, {0, 0, 0}, {1, 0.2, -0.3}},
+    {0.9,
+     {-1, 0.2, -0.3},
+     ContactRegime::sticks,
+     {0.5294076800222206791195056, -0.1414485105201027706409277, 0.1638080688841052704673287},
+     {0, 0, 0}},
+    {0.2,
+     {-1, 1.5, -0.7},
+     ContactRegime::slides,
+     {0.516185910802316578469763, -0.09288974072907394969, 0.04504899385910972033},
+     {0, 1.394206148597117012605342, -0.6761520027240869369017213}},
+    {0.05,
+     {-2, -0.4, 0.3},
+     ContactRegime::slides,
+     {0.9943752385990176102131502, 0.02276477281817568365648015, -0.04420090956512074476755465},
+     {0, -0.05107347379181596387363632, 0.09916611135456665052239}},
+};
+
+ContactProblem<1> in_space() {
+  ContactProblem<1> problem;
+  problem.count = 1;
+  problem.W.resize(3, 3);
+  problem.W << 2, 0.3, -0.1, 0.3, 3, 0.4, -0.1, 0.4, 2.5;
+  problem.q.resize(3);
+  return problem;
+}
+
+TEST(OneContact, HasTheReactionOfCoulombsDisc) {
+  for (const Known& k : known) {
+    ContactProblem<1> problem = in_space();
+    problem.laws[0] = coulomb(2, k.friction);
+    for (int i = 0; i < 3; ++i) problem.q(i) = k.q[static_cast<std::size_t>(i)];
+    const auto answer = solve_contacts(problem);
+    ASSERT_EQ(answer.verdict, ContactVerdict::unique);
+    EXPECT_EQ(answer.best().regimes[0], k.regime);
+    for (int i = 0; i < 3; ++i) {
+      // The condition of W is below 2, the equations are three: some roundings of numbers up to 2.
+      EXPECT_NEAR(answer.best().r(i), k.r[static_cast<std::size_t>(i)], 2e-15);
+      EXPECT_NEAR(answer.best().u(i), k.u[static_cast<std::size_t>(i)], 4e-15);
+    }
+    EXPECT_LE(answer.best().residual, 1e-14);
+  }
+}
+
+TEST(OneContact, SaysThatForcesOfPainleveDoNotExistOrAreTwo) {
+  ContactProblem<1> problem;
+  problem.count = 1;
+  problem.laws[0] = coulomb(1, 1.5);
+  problem.laws[0].slips = true;  // to the positive side
+  problem.W.resize(2, 2);
+  problem.W << 1, 0.9, 0.9, 1;
+  problem.q.resize(2);
+  problem.q << -1, 0;
+  EXPECT_EQ(solve_contacts(problem).verdict, ContactVerdict::none);
+  problem.q << 1, 0;
+  const auto two = solve_contacts(problem);
+  ASSERT_EQ(two.verdict, ContactVerdict::several);
+  ASSERT_EQ(two.count, 2U);
+  EXPECT_EQ(two.solutions[0].r(0), 0.0);
+  EXPECT_NEAR(two.solutions[1].r(0), 1 / 0.35, 4e-15);  // 1 - 1.5 * 0.9 loses two bits
+  // The impulses that start from that slip exist.
+  problem.laws[0].slips = false;
+  problem.q << -1, 1;
+  EXPECT_TRUE(solve_contacts(problem));
+}
+
+TEST(OneContact, StartsToSlideByTheLesserCoefficientAndSaysThatItCouldStick) {
+  ContactProblem<1> problem;
+  problem.count = 1;
+  problem.laws[0] = {.tangents = 1, .friction = 0.2, .static_friction = 0.5};
+  problem.W = Eigen::Matrix2d::Identity();
+  problem.q.resize(2);
+  problem.q << -1, 0.4;  // N = 1; sticks with T = -0.4, or slides with T = -0.2
+  const auto answer = solve_contacts(problem);
+  ASSERT_EQ(answer.verdict, ContactVerdict::several);
+  EXPECT_EQ(answer.best().regimes[0], ContactRegime::sticks);  // rest persists
+  EXPECT_NEAR(answer.solutions[1].u(1), 0.2, 1e-15);
+  problem.q << -1, 0.6;
+  const auto slides = solve_contacts(problem);
+  ASSERT_EQ(slides.verdict, ContactVerdict::unique);
+  EXPECT_NEAR(slides.best().r(1), -0.2, 1e-15);
+}
+
+TEST(OneContact, OfDryFrictionAloneIsBoundedByItsForce) {
+  ContactProblem<1> problem;
+  problem.count = 1;
+  problem.laws[0] = {.normal = false, .tangents = 1, .bound = 0.8, .static_bound = 0.8};
+  problem.W.resize(1, 1);
+  problem.W << 2;
+  problem.q.resize(1);
+  for (const double q : {-3.0, -1.6, -1.0, 0.0, 1.0, 1.6, 3.0}) {
+    problem.q << q;
+    const auto answer = solve_contacts(problem);
+    ASSERT_EQ(answer.verdict, ContactVerdict::unique) << q;
+    EXPECT_NEAR(answer.best().r(0), std::abs(q) <= 1.6 ? -q / 2 : std::copysign(0.8, -q), 1e-15);
+  }
+}
+
+// A plank on three supports in the plane, of which two would do: forces are one freedom too many.
+TEST(ManySupports, LeaveReactionsIndeterminate) {
+  ContactProblem<3> problem;
+  problem.count = 3;
+  Eigen::Matrix<double, 3, 2> J;
+  J << 1, -1, 1, 0, 1, 1;  // height and turn
+  problem.laws.fill(coulomb(0, 0));
+  problem.W = J * J.transpose();
+  problem.q = J * Eigen::Vector2d(-1, 0);
+  const auto answer = solve_contacts(problem);
+  ASSERT_EQ(answer.verdict, ContactVerdict::indeterminate);
+  EXPECT_NEAR(answer.best().r.sum(), 1, 1e-15);  // the weight
+  for (int i = 0; i < 3; ++i) EXPECT_GE(answer.best().r(i), 0.0);
+  EXPECT_LE(answer.best().residual, 1e-15);
+}
+
+// Beyond six contacts no regime is guessed: a row of masses on a floor, pulled aside by forces that some withstand.
+TEST(ManyContacts, AreSolvedByIteration) {
+  constexpr int n = 12;
+  ContactProblem<n> problem;
+  problem.count = n;
+  problem.W = Eigen::MatrixXd::Identity(2 * n, 2 * n);
+  problem.q.resize(2 * n);
+  for (int i = 0; i < n; ++i) {
+    problem.laws[static_cast<std::size_t>(i)] = coulomb(1, 0.5);
+    if (i > 0) problem.W(2 * i, 2 * i - 2) = problem.W(2 * i - 2, 2 * i) = 0.25;
+    problem.q.segment<2>(2 * i) << (i % 4 == 3 ? 1.0 : -1.0), 0.1 * i;
+  }
+  const auto answer = solve_contacts(problem);
+  ASSERT_TRUE(answer);
+  EXPECT_LE(answer.best().residual, 1e-14);
+  EXPECT_EQ(answer.best().regimes[0], ContactRegime::sticks);
+  EXPECT_EQ(answer.best().regimes[3], ContactRegime::open);
+  EXPECT_EQ(answer.best().regimes[10], ContactRegime::slides);
+}
+
+}  // namespace
+}  // namespace contact_problem_test
