@@ -7,12 +7,20 @@ endif()
 include(CMakePackageConfigHelpers)
 set(package_dir "${CMAKE_INSTALL_LIBDIR}/cmake/torsor")
 
-install(TARGETS torsor_generator torsor EXPORT torsorGeneratorTargets
-  ARCHIVE DESTINATION "${CMAKE_INSTALL_LIBDIR}" RUNTIME DESTINATION "${CMAKE_INSTALL_BINDIR}")
-install(TARGETS torsor_runtime EXPORT torsorRuntimeTargets ARCHIVE DESTINATION "${CMAKE_INSTALL_LIBDIR}")
-set(parts Generator Runtime)
+install(TARGETS torsor EXPORT torsorToolTargets RUNTIME DESTINATION "${CMAKE_INSTALL_BINDIR}" COMPONENT tool)
+install(TARGETS torsor_generator EXPORT torsorGeneratorTargets
+  ARCHIVE DESTINATION "${CMAKE_INSTALL_LIBDIR}" COMPONENT generator-dev)
+install(TARGETS torsor_runtime EXPORT torsorRuntimeTargets
+  ARCHIVE DESTINATION "${CMAKE_INSTALL_LIBDIR}" COMPONENT runtime-dev)
+set(parts Tool Generator Runtime)
+set(package_of_Tool tool)
+set(package_of_Generator generator-dev)
+set(package_of_Runtime runtime-dev)
+set(package_of_RuntimeMpi runtime-dev)
+set(package_of_RuntimeSundials runtime-dev)
 if(TARGET torsor_runtime_mpi)
-  install(TARGETS torsor_runtime_mpi EXPORT torsorRuntimeMpiTargets ARCHIVE DESTINATION "${CMAKE_INSTALL_LIBDIR}")
+  install(TARGETS torsor_runtime_mpi EXPORT torsorRuntimeMpiTargets
+    ARCHIVE DESTINATION "${CMAKE_INSTALL_LIBDIR}" COMPONENT runtime-dev)
   list(APPEND parts RuntimeMpi)
 endif()
 if(TARGET torsor_runtime_sundials)
@@ -20,22 +28,26 @@ if(TARGET torsor_runtime_sundials)
   list(APPEND parts RuntimeSundials)
 endif()
 foreach(part IN LISTS parts)
-  install(EXPORT torsor${part}Targets NAMESPACE torsor:: DESTINATION "${package_dir}")
+  install(EXPORT torsor${part}Targets NAMESPACE torsor:: DESTINATION "${package_dir}" COMPONENT ${package_of_${part}})
   export(EXPORT torsor${part}Targets NAMESPACE torsor:: FILE "${PROJECT_BINARY_DIR}/torsor${part}Targets.cmake")
 endforeach()
 
 foreach(folder generator runtime)
   if(EXISTS "${PROJECT_SOURCE_DIR}/${folder}")
-    install(DIRECTORY "${folder}" DESTINATION "${TORSOR_INCLUDE_DIR}" FILES_MATCHING PATTERN "*.hpp")
+    install(DIRECTORY "${folder}" DESTINATION "${TORSOR_INCLUDE_DIR}" COMPONENT ${folder}-dev
+      FILES_MATCHING PATTERN "*.hpp")
   endif()
 endforeach()
 
 configure_package_config_file(cmake/torsorConfig.cmake.in "${PROJECT_BINARY_DIR}/torsorConfig.cmake"
   INSTALL_DESTINATION "${package_dir}")
-write_basic_package_version_file("${PROJECT_BINARY_DIR}/torsorConfigVersion.cmake" COMPATIBILITY SameMinorVersion)
+# For any processor: what a cross build wants is the tool, which runs here, and headers. A library of another
+# architecture is refused by the linker.
+write_basic_package_version_file("${PROJECT_BINARY_DIR}/torsorConfigVersion.cmake" COMPATIBILITY SameMinorVersion
+  ARCH_INDEPENDENT)
 # Beside the configuration in the build tree too, where find_package(torsor) with torsor_DIR finds it.
 file(COPY_FILE "${PROJECT_SOURCE_DIR}/cmake/torsor_add_mechanism.cmake"
   "${PROJECT_BINARY_DIR}/torsor_add_mechanism.cmake" ONLY_IF_DIFFERENT)
 install(FILES "${PROJECT_BINARY_DIR}/torsorConfig.cmake" "${PROJECT_BINARY_DIR}/torsorConfigVersion.cmake"
-  cmake/torsor_add_mechanism.cmake DESTINATION "${package_dir}")
-install(DIRECTORY LICENSES/ DESTINATION "${CMAKE_INSTALL_DATADIR}/doc/torsor/LICENSES")
+  cmake/torsor_add_mechanism.cmake DESTINATION "${package_dir}" COMPONENT tool)
+install(DIRECTORY LICENSES/ DESTINATION "${CMAKE_INSTALL_DATADIR}/doc/torsor/LICENSES" COMPONENT tool)

@@ -99,6 +99,7 @@ CommandResult run_with_remarks(const CommandSet& commands, const Scene& scene, c
 int run(int argc, const char* const* argv, const SceneSource& source) {
   CLI::App app{source.description};
   app.require_subcommand(1);
+  app.set_version_flag("--version", "torsor " TORSOR_VERSION, "print the version of torsor and exit");
   CommandSet commands(app, source);
   add_equations_command(commands);
   add_kernel_commands(commands);

@@ -206,6 +206,7 @@ TEST(SceneProgram, HelpsEverywhere) {
     EXPECT_EQ(one.err, "") << command;
     EXPECT_NE(one.out.find("--output"), std::string::npos) << command;
   }
+  EXPECT_EQ(run(pendulum, {"--version"}).out, "torsor " TORSOR_VERSION "\n");
   EXPECT_NE(run(pendulum, {"generate", "--help"}).out.find("forward_dynamics"), std::string::npos);
 }
 

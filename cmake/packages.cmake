@@ -1,0 +1,36 @@
+# SPDX-License-Identifier: MIT
+# Packages by `cpack -G DEB` or `cpack -G TGZ` in a build folder: the tool, and what programs link to.
+if(NOT PROJECT_IS_TOP_LEVEL OR NOT TORSOR_INSTALL)
+  return()
+endif()
+set(CPACK_PACKAGE_VENDOR "torsor")
+set(CPACK_PACKAGE_CONTACT "The developers of torsor <torsor@localhost>")
+set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "${PROJECT_DESCRIPTION}")
+set(CPACK_PACKAGE_FILE_NAME "torsor-${PROJECT_VERSION}-${CMAKE_SYSTEM_NAME}-${CMAKE_SYSTEM_PROCESSOR}")
+set(CPACK_RESOURCE_FILE_LICENSE "${PROJECT_SOURCE_DIR}/LICENSES/GPL-3.0-or-later.txt")
+set(CPACK_STRIP_FILES ON)
+set(CMAKE_SKIP_INSTALL_ALL_DEPENDENCY ON)  # what was built is packed
+set(CPACK_GENERATOR DEB TGZ)
+set(CPACK_COMPONENTS_ALL tool generator-dev runtime-dev)
+
+set(CPACK_PACKAGING_INSTALL_PREFIX "/usr")
+set(CPACK_DEB_COMPONENT_INSTALL ON)
+set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
+set(CPACK_DEBIAN_PACKAGE_SECTION "science")
+set(CPACK_DEBIAN_TOOL_PACKAGE_NAME "torsor")
+set(CPACK_DEBIAN_TOOL_PACKAGE_SHLIBDEPS ON)
+set(CPACK_COMPONENT_TOOL_DESCRIPTION "Equations of motion of mechanisms, as code
+ Reads a robot's file (URDF, xacro, MJCF), derives its equations of motion and
+ writes them as one C++ or C header, or as one JavaScript module.")
+set(CPACK_DEBIAN_GENERATOR-DEV_PACKAGE_NAME "libtorsor-generator-dev")
+set(CPACK_DEBIAN_GENERATOR-DEV_PACKAGE_SECTION "libdevel")
+set(CPACK_DEBIAN_GENERATOR-DEV_PACKAGE_DEPENDS
+  "torsor (= ${PROJECT_VERSION}), libginac-dev, libcln-dev, libfmt-dev, libtinyxml2-dev")
+set(CPACK_COMPONENT_GENERATOR-DEV_DESCRIPTION "Mechanisms described in C++, for torsor
+ The library that a scene is written with, and that derives its equations.")
+set(CPACK_DEBIAN_RUNTIME-DEV_PACKAGE_NAME "libtorsor-runtime-dev")
+set(CPACK_DEBIAN_RUNTIME-DEV_PACKAGE_SECTION "libdevel")
+set(CPACK_DEBIAN_RUNTIME-DEV_PACKAGE_DEPENDS "torsor (= ${PROJECT_VERSION}), libeigen3-dev")
+set(CPACK_COMPONENT_RUNTIME-DEV_DESCRIPTION "Motions of the mechanisms that torsor generates
+ Integrators, events, equilibria and comparisons for generated headers (MIT).")
+include(CPack)

@@ -1,0 +1,47 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+# The Debian packages of this build: what is in which, what each depends on, and that the tool's alone serves a cross
+# build.
+include("${CMAKE_CURRENT_LIST_DIR}/consumer.cmake")
+file(REMOVE_RECURSE "${FOLDER}")
+file(MAKE_DIRECTORY "${FOLDER}/packages")
+step("${CPACK}" -G DEB -B "${FOLDER}/packages" --config "${TORSOR_BUILD}/CPackConfig.cmake")
+
+# Says what a field of a package's control file is.
+function(field package name variable)
+  file(GLOB files "${FOLDER}/packages/${package}_*.deb")
+  list(LENGTH files count)
+  if(NOT count EQUAL 1)
+    message(FATAL_ERROR "not one package ${package}: '${files}'")
+  endif()
+  step(dpkg-deb --field "${files}" "${name}")
+  set(${variable} "${output}" PARENT_SCOPE)
+  set(file "${files}" PARENT_SCOPE)
+endfunction()
+
+function(expect text pattern)
+  if(NOT text MATCHES "${pattern}")
+    message(FATAL_ERROR "'${text}' does not contain '${pattern}'")
+  endif()
+endfunction()
+
+field(libtorsor-runtime-dev Depends depends)
+expect("${depends}" "torsor \\(= .*libeigen3-dev")
+step(dpkg-deb --contents "${file}")
+expect("${output}" "libtorsor_runtime\\.a")
+field(libtorsor-generator-dev Depends depends)
+expect("${depends}" "libginac-dev")
+field(torsor Depends depends)
+expect("${depends}" "libcln6")
+step(dpkg-deb --contents "${file}")
+if(output MATCHES "\\.a\n" OR output MATCHES "\\.hpp\n")
+  message(FATAL_ERROR "the tool's package holds libraries or headers:\n${output}")
+endif()
+
+step(dpkg-deb --extract "${file}" "${FOLDER}/root")
+step("${FOLDER}/root/usr/bin/torsor" --version)
+expect("${output}" "^torsor [0-9]+\\.[0-9]+\\.[0-9]+\n$")
+file(COPY "${TORSOR_SOURCE}/tests/consumer/tool/" DESTINATION "${FOLDER}/source")
+file(COPY "${TORSOR_SOURCE}/tests/import/data/arm.urdf" DESTINATION "${FOLDER}/source")
+set(where "-DCMAKE_PREFIX_PATH=${FOLDER}/root/usr")
+configure_consumer()
+build_consumer()
