@@ -12,22 +12,6 @@
 namespace torsor {
 namespace {
 
-Layout layout_of(const Equations& equations, const std::vector<SymbolPointer>& parameters) {
-  const Model& model = equations.model();
-  Layout layout;
-  layout.coordinates = model.positions();
-  for (int i = 0; i < model.unknown_count(); ++i) {
-    const CoordinateContent& coordinate = model.coordinates()[static_cast<std::size_t>(i)];
-    layout.velocities.push_back(coordinate.v);
-    layout.accelerations.push_back(coordinate.a);
-  }
-  layout.inputs = model.inputs();
-  for (const ConstraintContent& constraint : model.scene().constraints)
-    layout.multipliers.push_back(constraint.multiplier);
-  layout.parameters = parameters;
-  return layout;
-}
-
 /// What a kernel may read.
 Layout layout_of(const Layout& all, const Kernel& kernel) {
   const auto is_given = [&kernel](Argument argument) {
@@ -38,23 +22,6 @@ Layout layout_of(const Layout& all, const Kernel& kernel) {
   if (!is_given(Argument::multipliers)) layout.multipliers.clear();
   if (!is_given(Argument::inputs)) layout.inputs.clear();
   return layout;
-}
-
-struct LoweredKernel {
-  Listing listing;
-  Listing once;  ///< what it reads from Precomputed
-};
-
-LoweredKernel lower_kernel(Program& program, const Kernel& kernel, const Layout& all) {
-  Request request;
-  for (const Assignment& each : kernel.assignments) request.results.push_back({each.target, each.value});
-  request.pivots = kernel.pivots;
-  request.has_status = kernel.series || !kernel.pivots.empty();
-  if (kernel.series) request.series = &*kernel.series;
-  const Layout layout = layout_of(all, kernel);
-  const Schedule schedule = make_schedule(program, kernel.values());
-  Listing listing = lower(program, schedule.function, request, {&layout, &schedule, kernel.name});
-  return {std::move(listing), lower_precompute(program, schedule, all)};
 }
 
 AskedKernel as_asked(const Kernel& kernel) {
@@ -107,6 +74,34 @@ class MechanismLowering {
 };
 
 }  // namespace
+
+Layout layout_of(const Equations& equations, const std::vector<SymbolPointer>& parameters) {
+  const Model& model = equations.model();
+  Layout layout;
+  layout.coordinates = model.positions();
+  for (int i = 0; i < model.unknown_count(); ++i) {
+    const CoordinateContent& coordinate = model.coordinates()[static_cast<std::size_t>(i)];
+    layout.velocities.push_back(coordinate.v);
+    layout.accelerations.push_back(coordinate.a);
+  }
+  layout.inputs = model.inputs();
+  for (const ConstraintContent& constraint : model.scene().constraints)
+    layout.multipliers.push_back(constraint.multiplier);
+  layout.parameters = parameters;
+  return layout;
+}
+
+LoweredKernel lower_kernel(Program& program, const Kernel& kernel, const Layout& all) {
+  Request request;
+  for (const Assignment& each : kernel.assignments) request.results.push_back({each.target, each.value});
+  request.pivots = kernel.pivots;
+  request.has_status = kernel.series || !kernel.pivots.empty();
+  if (kernel.series) request.series = &*kernel.series;
+  const Layout layout = layout_of(all, kernel);
+  const Schedule schedule = make_schedule(program, kernel.values());
+  Listing listing = lower(program, schedule.function, request, {&layout, &schedule, kernel.name});
+  return {std::move(listing), lower_precompute(program, schedule, all)};
+}
 
 const Structure* MechanismListing::structure(const std::string& name) const {
   for (const auto* all : {&common, &own}) {

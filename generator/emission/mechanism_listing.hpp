@@ -20,6 +20,16 @@ struct KernelListing {
   std::optional<int> before;  ///< operations before any were saved; none of recurrences, which have nothing to compare
 };
 
+/// A kernel by itself.
+struct LoweredKernel {
+  Listing listing;
+  Listing once;  ///< what it reads from Precomputed, by its places there
+};
+LoweredKernel lower_kernel(Program& program, const Kernel& kernel, const Layout& layout);
+
+/// What functions of the mechanism may be given.
+Layout layout_of(const Equations& equations, const std::vector<SymbolPointer>& parameters);
+
 /// All functions of one mechanism, as every language writes them. It refers to no program.
 struct MechanismListing {
   std::unique_ptr<const Equations> equations;  ///< nothing of them is derived

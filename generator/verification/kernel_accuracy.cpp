@@ -12,6 +12,8 @@
 #include "generator/expression/error.hpp"
 #include "generator/expression/evaluation.hpp"
 #include "generator/expression/series_evaluation.hpp"
+#include "generator/emission/mechanism_listing.hpp"
+#include "generator/listing/listing_evaluator.hpp"
 #include "generator/verification/ball.hpp"
 #include "generator/verification/running_error.hpp"
 #include "generator/verification/sensitivity.hpp"
@@ -209,11 +211,13 @@ class AccuracyIn final : public KernelAccuracy {
  public:
   AccuracyIn(const Scene& scene, const ModelOptions& options, const std::vector<std::string>& names) {
     for (OwnKernel& each : make_own_kernels(scene, options, names)) {
-      compute_.emplace_back(each.equations->program(), typename Evaluator<Running<Float>>::SymbolValue());
+      const Layout layout = layout_of(*each.equations, run_time_parameters(scene, options));
+      texts_.emplace_back(lower_kernel(each.equations->program(), each.kernel, layout), layout);
       equations_.push_back(std::move(each.equations));
       kernels_.push_back(std::move(each.kernel));
       prepare(kernels_.size() - 1);
     }
+    time_ = scene.time().as_symbol();
     groups_ = groups_of(kernels_);
     conditions_ = make_conditions(scene, options, names, kernels_);
     for (const OutputGroup& group : groups_) {
@@ -240,12 +244,7 @@ class AccuracyIn final : public KernelAccuracy {
 
   void move_to(const StressState& state) override {
     state_ = &state;
-    known_series_.clear();
-    for (Evaluator<Running<Float>>& compute : compute_) {
-      compute.move_to(symbol_values<Running<Float>>(
-          Running<Float>::rounded_literal(static_cast<Float>(3.14159265358979323846)),
-          [this](const SymbolPointer& symbol) { return Running<Float>(static_cast<Float>(state_->value(symbol))); }));
-    }
+    for (Text& text : texts_) text.results.clear();
     conditions_->move_to(state);
   }
 
@@ -283,10 +282,54 @@ class AccuracyIn final : public KernelAccuracy {
       const Definition& definition = program[atom];
       const bool known = std::find(symbols_.begin(), symbols_.end(), definition.symbol) != symbols_.end();
       if (definition.symbol && definition.symbol->kind != SymbolKind::pi && !known) symbols_.push_back(definition.symbol);
-      if (definition.stage != Stage::generation) continue;
-      if (!definition.symbol && !definition.function && definition.polynomial.is_constant()) continue;
-      compute_[place].fix(atom, Running<Float>::rounded_literal(literal(rounded_constant(program, atom))));
     }
+  }
+
+  /// A kernel as it is emitted, and what it gives at the state.
+  struct Text {
+    Text(LoweredKernel lowered, Layout arguments)
+        : layout(std::move(arguments)),
+          kernel(std::make_unique<const LoweredKernel>(std::move(lowered))),
+          once(kernel->once, numbers()),
+          compute(kernel->listing, numbers()) {}
+    Layout layout;
+    std::unique_ptr<const LoweredKernel> kernel;
+    ListingEvaluator<Running<Float>> once, compute;
+    std::vector<Running<Float>> results{};  ///< none: not yet computed at this state
+    bool regular = true;                    ///< as traits::regular of the header
+  };
+
+  const Text& text(std::size_t kernel) {
+    Text& text = texts_[kernel];
+    if (!text.results.empty()) return text;
+    const auto argument = [&](Table table, std::size_t place) {
+      const SymbolPointer symbol = table == Table::time ? time_ : text.layout.of(table)[place];
+      return Running<Float>(static_cast<Float>(state_->value(symbol)));
+    };
+    text.once(argument);
+    const auto with_precomputed = [&](Table table, std::size_t place) {
+      return table == Table::precomputed ? text.once.outputs()[place] : argument(table, place);
+    };
+    text.compute(with_precomputed, jet_orders);
+    if (text.kernel->listing.recurrence) {
+      const auto& by_order = text.compute.coefficients();
+      for (std::size_t k = 1; k < by_order.size(); ++k) {
+        text.results.insert(text.results.end(), by_order[k].begin(), by_order[k].end());
+      }
+    } else {
+      text.results = text.compute.outputs();
+    }
+    const auto& pivots = text.compute.pivots();
+    text.regular = std::all_of(pivots.begin(), pivots.end(), [](const auto& each) {
+      return each.first.value() > std::numeric_limits<Float>::epsilon() * std::abs(each.second.value());
+    });
+    return text;
+  }
+
+  static NumbersOf<Running<Float>> numbers() {
+    return {[](const Number& number) { return Running<Float>::of_number(number); },
+            [](const RoundedConstant& constant) { return Running<Float>::rounded_literal(literal(constant)); },
+            Running<Float>::rounded_literal(static_cast<Float>(3.14159265358979323846))};
   }
 
   static Float literal(const RoundedConstant& constant) {
@@ -297,22 +340,7 @@ class AccuracyIn final : public KernelAccuracy {
     }
   }
 
-  Running<Float> computed_result(std::size_t kernel, std::size_t result) {
-    if (!kernels_[kernel].series) return compute_[kernel](kernels_[kernel].assignments[result].value);
-    std::vector<Running<Float>>& known = known_series_[kernel];
-    if (known.empty()) known = coefficients(*kernels_[kernel].series, compute_[kernel]);
-    return known[result];
-  }
-
-  /// As traits::regular of the header.
-  bool regular(std::size_t kernel) {
-    const auto& pivots = kernels_[kernel].pivots;
-    Evaluator<Running<Float>>& compute = compute_[kernel];
-    return std::all_of(pivots.begin(), pivots.end(), [&compute](const auto& each) {
-      const Float pivot = compute(each.first).value();
-      return pivot > std::numeric_limits<Float>::epsilon() * std::abs(compute(each.second).value());
-    });
-  }
+  Running<Float> computed_result(std::size_t kernel, std::size_t result) { return text(kernel).results[result]; }
 
   /// With as many digits as the error depends on.
   template <class Exact>
@@ -360,7 +388,7 @@ class AccuracyIn final : public KernelAccuracy {
     const OutputGroup& group = groups_[index];
     const Kernel& kernel = kernels_[group.kernel];
     Accuracy result;
-    if (!regular(group.kernel)) return result;
+    if (!text(group.kernel).regular) return result;
     long double error = 0, norm = 0, bound = 0;
     std::vector<long double> squares;
     for (const std::size_t i : group.members) {
@@ -403,12 +431,12 @@ class AccuracyIn final : public KernelAccuracy {
 
   std::vector<std::unique_ptr<const Equations>> equations_;  ///< by kernel, and so the next two
   std::vector<Kernel> kernels_;
-  std::vector<Evaluator<Running<Float>>> compute_;
+  std::vector<Text> texts_;
   std::vector<OutputGroup> groups_;
   std::unique_ptr<Conditions> conditions_;
   std::vector<SymbolPointer> symbols_;
   std::vector<std::vector<SymbolPointer>> group_symbols_;
-  std::map<std::size_t, std::vector<Running<Float>>> known_series_;  ///< by kernel, at this state
+  SymbolPointer time_;
   const StressState* state_ = nullptr;
 };
 
