@@ -22,7 +22,7 @@
 #include "generator/emission/kernel_sparse_jacobian.hpp"
 #include "generator/expression/did_you_mean.hpp"
 #include "generator/expression/error.hpp"
-#include "generator/expression/shared_products.hpp"
+#include "generator/listing/shared_products.hpp"
 #include "generator/expression/vanishing.hpp"
 
 namespace torsor {

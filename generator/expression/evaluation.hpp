@@ -13,8 +13,8 @@
 
 namespace torsor {
 
-/// Evaluates values of a program in `double` or `Real`, each definition once, with the formulas that are emitted: the
-/// same factoring, order and constants, rounded once. `move_to` evaluates at another state without new formulas.
+/// Evaluates values of a program in `double` or `Real`, each definition once, factored as it is emitted; constants are
+/// rounded once. (The terms of a text stand in another order: see listing_evaluator.hpp.) `move_to` evaluates at another state without new formulas.
 /// Any other scalar tells by a static `of_number(Number)` what a constant is to it.
 template <class Scalar>
 class Evaluator {

@@ -7,7 +7,6 @@
 #include <unordered_map>
 #include <utility>
 
-#include "generator/expression/arrival.hpp"
 #include "generator/expression/sum_table.hpp"
 
 namespace torsor {
@@ -178,8 +177,7 @@ Formula expanded(const Polynomial& polynomial) {
 }
 
 Formula formula(const Program& program, const Polynomial& sum) {
-  Formula formula = program.passes().factoring ? factored(sum) : expanded(sum);
-  return program.passes().scheduling ? in_order_of_arrival(program, std::move(formula)) : formula;
+  return program.passes().factoring ? factored(sum) : expanded(sum);
 }
 
 Formula formula(const Program& program, const Definition& definition) {

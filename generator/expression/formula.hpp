@@ -33,8 +33,7 @@ Formula factored(const Polynomial& polynomial);
 /// The same sum term by term, nothing taken out.
 Formula expanded(const Polynomial& polynomial);
 
-/// A sum as the program's passes have it: factored or not, its terms in the order in which they are known or as they
-/// stand.
+/// A sum as the program's passes have it, factored or not; its terms as they stand.
 Formula formula(const Program& program, const Polynomial& sum);
 
 /// The right-hand side of a definition (not of a symbol).

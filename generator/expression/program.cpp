@@ -5,7 +5,6 @@
 
 #include <fmt/format.h>
 
-#include "generator/expression/arrival.hpp"
 #include "generator/expression/derivative.hpp"
 #include "generator/expression/error.hpp"
 #include "generator/expression/expression_node.hpp"
@@ -32,7 +31,6 @@ Stage stage_of_symbol(SymbolKind kind) {
 Program::Program(Resolver resolver, const Passes& passes) : resolver_(std::move(resolver)), passes_(passes) {}
 
 Atom Program::append(Definition definition) {
-  arrivals_.push_back(torsor::arrival(*this, definition));
   definitions_.push_back(std::move(definition));
   functions_.emplace_back();
   return static_cast<Atom>(definitions_.size()) - 1;
@@ -85,7 +83,6 @@ void Program::truncate(std::size_t size) {
     }
     definitions_.pop_back();
     functions_.pop_back();
-    arrivals_.pop_back();
   }
   std::erase_if(resolved_, [size](const auto& each) { return each.second.size > size; });
 }

@@ -112,8 +112,6 @@ class Program {
   const Passes& passes() const { return passes_; }
   std::size_t size() const { return definitions_.size(); }
   const Definition& operator[](Atom atom) const { return definitions_[static_cast<std::size_t>(atom)]; }
-  /// When an atom is known, in cycles after all symbols are (arrival.hpp).
-  int arrival(Atom atom) const { return arrivals_[static_cast<std::size_t>(atom)]; }
   std::optional<Atom> find(const SymbolPointer& symbol) const;
   /// Forgets every definition but the first `size`, as if the others had never been asked for. Values that name one of
   /// those forgotten must not be used any more.
@@ -142,7 +140,6 @@ class Program {
   Measurer measurer_;
   Passes passes_;
   std::vector<Definition> definitions_;
-  std::vector<int> arrivals_;  ///< of each definition
   std::unordered_map<const Symbol*, Atom> symbols_;
   std::unordered_map<std::size_t, std::vector<Atom>> sums_;  ///< by hash of the polynomial
   std::vector<std::vector<std::pair<Function, Atom>>> functions_;  ///< by first argument

@@ -10,7 +10,7 @@
 #include <unordered_map>
 #include <utility>
 
-#include "generator/expression/arrival.hpp"
+#include "generator/listing/earliest_start.hpp"
 
 namespace torsor {
 namespace {
@@ -35,19 +35,20 @@ struct IssueNode {
   double known = 0;         ///< the cycle of its result, once issued
 };
 
-std::vector<IssueNode> nodes_of(const Program& program, const std::vector<Atom>& definitions) {
+std::vector<IssueNode> nodes_of(const Program& program, const EarliestStarts& starts,
+                                const std::vector<Atom>& definitions) {
   std::unordered_map<Atom, NodeNumber> places;
   for (NodeNumber k = 0; k < definitions.size(); ++k) places.emplace(definitions[k], k);
   std::vector<IssueNode> nodes(definitions.size());
   // Users come after operands in the program: backwards, each one's way to the end is known when it is looked at.
   for (NodeNumber k = definitions.size(); k-- > 0;) {
     IssueNode& node = nodes[k];
-    const Formula right_side = formula(program, program[definitions[k]]);
+    const Formula right_side = starts.scheduled(program[definitions[k]]);
     node.operations = std::max(1, count(right_side).total());
-    for_each_delay(program, right_side, [&](Atom atom, int cycles) {
+    starts.for_each_delay(right_side, [&](Atom atom, int cycles) {
       const auto place = places.find(atom);
       if (place == places.end()) {
-        node.from_outside = std::max(node.from_outside, program.arrival(atom) + cycles);
+        node.from_outside = std::max(node.from_outside, starts(atom) + cycles);
         return;
       }
       int& longest = node.operands[place->second];
@@ -160,13 +161,14 @@ class ListScheduling {
 
 }  // namespace
 
-std::vector<Atom> issue_order(const Program& program, const std::vector<Atom>& definitions) {
+std::vector<Atom> issue_order(const Program& program, const EarliestStarts& starts,
+                              const std::vector<Atom>& definitions) {
   if (!program.passes().scheduling) return definitions;
   // Constants of the generation stage are literals; what is computed once for all states needs no haste.
   const auto is_urgent = [&](Atom atom) { return program[atom].stage > Stage::parameters; };
   std::vector<Atom> order, urgent;
   for (const Atom atom : definitions) (is_urgent(atom) ? urgent : order).push_back(atom);
-  for (const NodeNumber k : ListScheduling(nodes_of(program, urgent)).run()) order.push_back(urgent[k]);
+  for (const NodeNumber k : ListScheduling(nodes_of(program, starts, urgent)).run()) order.push_back(urgent[k]);
   return order;
 }
 

@@ -58,7 +58,7 @@ void ListingBuilder::compute(const Block& block) {
   for (const Atom atom : block.definitions) {
     if (!done_.contains(atom)) left.push_back(atom);
   }
-  for (const Atom atom : issue_order(*program_, left)) define(atom);
+  for (const Atom atom : issue_order(*program_, starts_, left)) define(atom);
 }
 
 void ListingBuilder::write(const Wanted& wanted) {
@@ -88,7 +88,7 @@ Formula ListingBuilder::formula_of(const Polynomial& sum) {
   if (const auto ready = around_.schedule != nullptr ? around_.schedule->results.find(positive) : std::nullopt) {
     right = Formula::of_atom(read(Table::precomputed, around_.schedule->members.size() + *ready));
   } else {
-    right = placed(formula(*program_, positive));
+    right = placed(starts_.scheduled(positive));
   }
   return negative ? negated(std::move(right)) : right;
 }
@@ -158,7 +158,7 @@ void ListingBuilder::define(Atom atom) {
     listing_.statements.emplace_back(Pi{add_local(atom)});
     return;
   }
-  Formula right = placed(formula(*program_, definition));
+  Formula right = placed(starts_.scheduled(definition));
   const bool number = !definition.function && definition.polynomial.is_constant();
   const Atom quantity = add_local(atom);
   if (definition.stage != Stage::generation || number) {
@@ -223,7 +223,7 @@ void ListingBuilder::define_group(const std::vector<Atom>& group) {
 /// to the next output.
 std::pair<Signed, bool> ListingBuilder::value_of(const Value& value, std::size_t output) {
   const auto [sum, negative] = without_sign(value.polynomial());
-  Formula tree = formula(*program_, sum);
+  Formula tree = starts_.scheduled(sum);
   if (count(tree).total() == 0) return {{placed(std::move(tree)), negative}, false};
   if (const auto ready = around_.schedule != nullptr ? around_.schedule->results.find(sum) : std::nullopt) {
     const std::size_t member = around_.schedule->members.size() + *ready;

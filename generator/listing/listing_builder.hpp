@@ -11,6 +11,7 @@
 
 #include "generator/expression/program.hpp"
 #include "generator/expression/sum_table.hpp"
+#include "generator/listing/earliest_start.hpp"
 #include "generator/listing/lowering.hpp"
 
 namespace torsor {
@@ -18,7 +19,8 @@ namespace torsor {
 /// Builds a listing from a program, statement by statement; see lowering.hpp.
 class ListingBuilder {
  public:
-  ListingBuilder(Program& program, const Surroundings& around) : program_(&program), around_(around) {}
+  ListingBuilder(Program& program, const Surroundings& around)
+      : program_(&program), starts_(program), around_(around) {}
 
   /// Without a block: leaves of formulas are not placed, since only what they are of matters.
   void compute_nothing() { places_formulas_ = false; }
@@ -57,6 +59,7 @@ class ListingBuilder {
   Signed operand(const Value& value);
 
   Program* program_;
+  EarliestStarts starts_;
   Surroundings around_;
   Listing listing_;
   bool places_formulas_ = true;

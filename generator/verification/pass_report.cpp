@@ -6,7 +6,7 @@
 #include <map>
 
 #include "generator/emission/kernel.hpp"
-#include "generator/expression/arrival.hpp"
+#include "generator/listing/earliest_start.hpp"
 #include "generator/verification/random_state.hpp"
 #include "generator/verification/verify.hpp"
 #include "generator/verification/worst.hpp"
@@ -26,9 +26,10 @@ struct Variant {
   int operations(std::size_t k) const { return count(program(k), kernel(k).values()).total(); }
   int cycles(std::size_t k) const {
     const Program& program = this->program(k);
+    const EarliestStarts starts(program);
     int last = 0;
     for (const Value& value : kernel(k).values()) {
-      last = std::max(last, arrival(program, formula(program, value.polynomial())));
+      last = std::max(last, starts(starts.scheduled(value.polynomial())));
     }
     return last;
   }

@@ -12,7 +12,7 @@ namespace torsor {
 /// One kernel without one pass.
 struct PassEffect {
   int operations = 0;     ///< at every state
-  int cycles = 0;         ///< from the state to the last result, with as many units as it takes (arrival.hpp)
+  int cycles = 0;         ///< from the state to the last result, with as many units as it takes (earliest_start.hpp)
   /// From the kernel with all passes, in CLN: ‖y - y₀‖ / ‖y₀‖, the largest of all states and units of results.
   double difference = 0;
   double error = 0;       ///< worst error in double, scaled by max(1, condition) [ulp]; see KernelAccuracy

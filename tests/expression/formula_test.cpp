@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "generator/expression/arrival.hpp"
 #include "generator/expression/formula.hpp"
+#include "generator/listing/earliest_start.hpp"
 
 #include <gtest/gtest.h>
 
@@ -71,7 +71,7 @@ TEST(Formula, OnlyRegroupsItsPolynomial) {
       polynomial.add({monomial, Number::rational(static_cast<long>(random() % 9U) - 4, 3)});
     }
     ASSERT_EQ(value_of(factored(polynomial)), value_of(polynomial)) << trial;
-    ASSERT_EQ(value_of(in_order_of_arrival(program, factored(polynomial))), value_of(polynomial)) << trial;
+    ASSERT_EQ(value_of(EarliestStarts(program).in_order(factored(polynomial))), value_of(polynomial)) << trial;
   }
 }
 

@@ -60,19 +60,19 @@ TEST_F(IssueOrder, BeginsWithWhatTheResultsWaitForLongest) {
   const Atom sum = define(a + b), product = define(a * c);
   const Atom root = *program.sqrt(value(product)).atom();
   const Atom result = define(value(root) + b);
-  EXPECT_EQ(issue_order(program, {sum, product, root, result}), (std::vector<Atom>{product, sum, root, result}));
+  EXPECT_EQ(issue_order(program, EarliestStarts(program), {sum, product, root, result}), (std::vector<Atom>{product, sum, root, result}));
 }
 
 TEST_F(IssueOrder, KeepsTheProgramsOrderWhereNothingIsMoreUrgent) {
   const std::vector<Atom> definitions{define(a + b), define(a + c), define(b + c)};
-  EXPECT_EQ(issue_order(program, definitions), definitions);
-  EXPECT_TRUE(issue_order(program, {}).empty());
+  EXPECT_EQ(issue_order(program, EarliestStarts(program), definitions), definitions);
+  EXPECT_TRUE(issue_order(program, EarliestStarts(program), {}).empty());
 }
 
 TEST_F(IssueOrder, PutsWhatDoesNotDependOnTheStateFirst) {
   const Value p = program.symbol(make_symbol("p")), r = program.symbol(make_symbol("r"));
   const Atom at_each_state = define(a * b), once = define(p * r);
-  EXPECT_EQ(issue_order(program, {at_each_state, once}), (std::vector<Atom>{once, at_each_state}));
+  EXPECT_EQ(issue_order(program, EarliestStarts(program), {at_each_state, once}), (std::vector<Atom>{once, at_each_state}));
 }
 
 TEST_F(IssueOrder, IsTheProgramsWithoutThePass) {
@@ -82,7 +82,7 @@ TEST_F(IssueOrder, IsTheProgramsWithoutThePass) {
   const Value x = plain.symbol(TestCoordinate("x").q), y = plain.symbol(TestCoordinate("y").q);
   const Atom sum = *plain.bind(x + y).atom(), product = *plain.bind(x * y).atom();
   const std::vector<Atom> definitions{sum, product, *plain.sqrt(plain.atom_value(product)).atom()};
-  EXPECT_EQ(issue_order(plain, definitions), definitions);
+  EXPECT_EQ(issue_order(plain, EarliestStarts(plain), definitions), definitions);
 }
 
 // Sixty products, each used once: all of them are more urgent than any of their users.
@@ -94,7 +94,7 @@ TEST_F(IssueOrder, HoldsNoMoreValuesThanRegistersDo) {
   }
   definitions.insert(definitions.end(), users.begin(), users.end());
   EXPECT_EQ(most_live(program, definitions), 60);
-  EXPECT_LE(most_live(program, issue_order(program, definitions)), 20);
+  EXPECT_LE(most_live(program, issue_order(program, EarliestStarts(program), definitions)), 20);
 }
 
 TEST_F(IssueOrder, ComputesEveryDefinitionOnceBehindItsOperandsAndNearItsPlace) {
@@ -111,7 +111,7 @@ TEST_F(IssueOrder, ComputesEveryDefinitionOnceBehindItsOperandsAndNearItsPlace) 
   for (std::size_t k = 0; k < program.size(); ++k) {
     if (!program[static_cast<Atom>(k)].symbol) definitions.push_back(static_cast<Atom>(k));
   }
-  const std::vector<Atom> order = issue_order(program, definitions);
+  const std::vector<Atom> order = issue_order(program, EarliestStarts(program), definitions);
   ASSERT_TRUE(std::is_permutation(order.begin(), order.end(), definitions.begin(), definitions.end()));
   EXPECT_NE(order, definitions);
   std::vector<bool> known(program.size(), false);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "generator/expression/shared_products.hpp"
+#include "generator/listing/shared_products.hpp"
 
 #include <algorithm>
 #include <iterator>
@@ -9,9 +9,9 @@
 #include <unordered_map>
 #include <utility>
 
-#include "generator/expression/arrival.hpp"
+#include "generator/listing/earliest_start.hpp"
 #include "generator/expression/error.hpp"
-#include "generator/expression/factor_pair.hpp"
+#include "generator/listing/factor_pair.hpp"
 #include "generator/expression/formula.hpp"
 #include "generator/expression/sum_table.hpp"
 
@@ -26,7 +26,7 @@ struct StateSum {
   Polynomial sum;
   int operations = 0;
   int instructions = 0;             ///< where a product and the sum it is added to are one
-  int arrival = 0;                  ///< the cycle in which it is known, if its operands are when they were before the pass
+  int start = 0;                    ///< the cycle in which it is known, if its operands are when they were before the pass
   std::vector<FactorPair> pairs{};  ///< that its formula multiplies, once for each time
   bool changed = true;              ///< since all pairs were tried
 };
@@ -45,7 +45,7 @@ int fusions(const Formula& formula) {
 class ProductSharing {
  public:
   ProductSharing(Program& program, const std::vector<Value>& values)
-      : program_(&program), values_(values), live_(program.live(values)) {
+      : program_(&program), starts_(program), values_(values), live_(program.live(values)) {
     for (const Atom atom : live_) {
       const Definition& definition = program[atom];
       if (definition.symbol || definition.function || definition.stage <= Stage::parameters) continue;
@@ -92,10 +92,10 @@ class ProductSharing {
   /// Its pairs are not yet told.
   StateSum counted(Polynomial sum, const Formula& tree) const {
     const int operations = count(tree).total();
-    return {std::move(sum), operations, operations - fusions(tree), arrival(*program_, tree)};
+    return {std::move(sum), operations, operations - fusions(tree), starts_(tree)};
   }
   std::size_t add(Polynomial sum) {
-    const Formula tree = formula(*program_, sum);
+    const Formula tree = starts_.scheduled(sum);
     StateSum all = counted(std::move(sum), tree);
     if (all.sum.terms().size() <= most_terms) add_pairs(tree, all.pairs);
     sums_.push_back(std::move(all));
@@ -146,11 +146,11 @@ class ProductSharing {
       if ((i > 0 && uses[i - 1] == place) || (own != places_.end() && own->second == place)) continue;
       const StateSum& before = sums_[place];
       Polynomial sum = pair.replaced(before.sum, product);
-      const Formula tree = formula(*program_, sum);
+      const Formula tree = starts_.scheduled(sum);
       StateSum after = counted(std::move(sum), tree);
       if (after.operations >= before.operations || after.instructions > before.instructions) continue;
-      if (after.arrival > before.arrival) continue;
-      if (!same_factoring(formula(*program_, before.sum), tree, pair, product)) continue;
+      if (after.start > before.start) continue;
+      if (!same_factoring(starts_.scheduled(before.sum), tree, pair, product)) continue;
       add_pairs(tree, after.pairs);
       operations += before.operations - after.operations;
       instructions += before.instructions - after.instructions;
@@ -208,6 +208,7 @@ class ProductSharing {
   }
 
   Program* program_;
+  EarliestStarts starts_;
   std::vector<Value> values_;
   std::vector<Atom> live_;
   std::vector<StateSum> sums_;

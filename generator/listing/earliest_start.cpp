@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "generator/expression/arrival.hpp"
+#include "generator/listing/earliest_start.hpp"
 
 #include <algorithm>
 #include <utility>
@@ -25,10 +25,10 @@ int latency_of(Function function) {
 }
 
 /// When the last multiplication of a product can begin, which a sum fuses with its own addition.
-int last_factor(const Program& program, const Formula& product) {
-  int time = arrival(program, product.children[0]);
+int last_factor(const EarliestStarts& starts, const Formula& product) {
+  int time = starts(product.children[0]);
   for (std::size_t i = 1; i < product.children.size(); ++i) {
-    const int factor = arrival(program, product.children[i]);
+    const int factor = starts(product.children[i]);
     if (i > 1) time += Latency::multiplication;
     time = std::max(time, factor);
   }
@@ -44,10 +44,10 @@ struct Part {
   int operands = 0;  ///< when what its addition needs is: of a product its factors
 };
 
-Part part_of(const Program& program, const Formula& sum, std::size_t place) {
+Part part_of(const EarliestStarts& starts, const Formula& sum, std::size_t place) {
   const Formula& child = sum.children[place];
   Part part{place, child.kind == Formula::Kind::product, sum.negative[place], 0, 0};
-  part.operands = part.product ? last_factor(program, child) : arrival(program, child);
+  part.operands = part.product ? last_factor(starts, child) : starts(child);
   part.whole = part.operands + (part.product ? Latency::multiplication : 0);
   return part;
 }
@@ -55,7 +55,7 @@ Part part_of(const Program& program, const Formula& sum, std::size_t place) {
 /// Whether the first of two terms is a product that is fused with the second.
 bool fuses_first(const std::vector<Part>& parts) { return parts.size() > 1 && parts[0].product && !parts[1].product; }
 
-int arrival_of(const std::vector<Part>& parts) {
+int start_of(const std::vector<Part>& parts) {
   const bool first_fused = fuses_first(parts);
   int time = first_fused ? parts[0].operands : parts[0].whole;
   for (std::size_t i = 1; i < parts.size(); ++i) {
@@ -65,10 +65,10 @@ int arrival_of(const std::vector<Part>& parts) {
   return time;
 }
 
-/// Arrival, and what more instructions than one for each addition are worth.
+/// When the sum is known, and what more instructions than one for each addition are worth.
 int cost(const std::vector<Part>& parts) {
   const bool single_product = parts[0].product && !fuses_first(parts);
-  return arrival_of(parts) + (single_product ? instruction : 0);
+  return start_of(parts) + (single_product ? instruction : 0);
 }
 
 /// The order of a sum's parts, which begins with one that is not subtracted: as they stand where no other is better.
@@ -84,55 +84,63 @@ std::vector<Part> ordered(const std::vector<Part>& parts) {
   const auto offer = [&best](std::vector<Part> order) {
     if (!order[0].negative && cost(order) < cost(best)) best = std::move(order);
   };
-  std::vector<Part> by_arrival = parts;
-  std::stable_sort(by_arrival.begin(), by_arrival.end(),
+  std::vector<Part> by_start = parts;
+  std::stable_sort(by_start.begin(), by_start.end(),
                    [](const Part& a, const Part& b) { return a.operands < b.operands; });
-  by_arrival = with_first(by_arrival, positive);
+  by_start = with_first(by_start, positive);
   // A term that is no product first, or second where it is subtracted
-  std::vector<Part> single_first = with_first(by_arrival, [](const Part& part) { return !part.product; });
+  std::vector<Part> single_first = with_first(by_start, [](const Part& part) { return !part.product; });
   if (single_first[0].negative) std::swap(single_first[0], single_first[1]);
-  offer(std::move(by_arrival));
+  offer(std::move(by_start));
   offer(std::move(single_first));
   return best;
 }
 
-std::vector<Part> parts_of(const Program& program, const Formula& sum) {
+std::vector<Part> parts_of(const EarliestStarts& starts, const Formula& sum) {
   std::vector<Part> parts;
-  for (std::size_t i = 0; i < sum.children.size(); ++i) parts.push_back(part_of(program, sum, i));
+  for (std::size_t i = 0; i < sum.children.size(); ++i) parts.push_back(part_of(starts, sum, i));
   return parts;
 }
 
 }  // namespace
 
-int arrival(const Program& program, const Formula& formula) {
+int EarliestStarts::operator()(const Formula& formula) const {
   switch (formula.kind) {
-    case Formula::Kind::atom: return program.arrival(formula.atom);
+    case Formula::Kind::atom: return (*this)(formula.atom);
     case Formula::Kind::constant: return 0;
     case Formula::Kind::function: {
       int last = 0;
-      for (const Formula& child : formula.children) last = std::max(last, program.arrival(child.atom));
+      for (const Formula& child : formula.children) last = std::max(last, (*this)(child.atom));
       return last + latency_of(formula.function);
     }
-    case Formula::Kind::product: return last_factor(program, formula) + Latency::multiplication;
-    case Formula::Kind::quotient:
-      return std::max(arrival(program, formula.children[0]), arrival(program, formula.children[1])) +
-             Latency::division;
-    case Formula::Kind::sum: return arrival_of(parts_of(program, formula));
+    case Formula::Kind::product: return last_factor(*this, formula) + Latency::multiplication;
+    case Formula::Kind::quotient: {
+      const int numerator = (*this)(formula.children[0]);
+      return std::max(numerator, (*this)(formula.children[1])) + Latency::division;
+    }
+    case Formula::Kind::sum: return start_of(parts_of(*this, formula));
   }
   return 0;
 }
 
-int arrival(const Program& program, const Definition& definition) {
-  if (definition.symbol || definition.stage == Stage::generation || definition.stage == Stage::parameters) return 0;
-  if (definition.function) return arrival(program, formula(program, definition));
-  Formula sum = expanded(definition.polynomial);
-  if (program.passes().scheduling) sum = in_order_of_arrival(program, std::move(sum));
-  return arrival(program, sum);
+int EarliestStarts::operator()(Atom atom) const {
+  // Operands come before users: nothing is asked for that is not known.
+  while (known_.size() <= static_cast<std::size_t>(atom)) {
+    known_.push_back(of((*program_)[static_cast<Atom>(known_.size())]));
+  }
+  return known_[static_cast<std::size_t>(atom)];
 }
 
-void for_each_delay(const Program& program, const Formula& formula, const std::function<void(Atom, int)>& call) {
+int EarliestStarts::of(const Definition& definition) const {
+  if (definition.symbol || definition.stage == Stage::generation || definition.stage == Stage::parameters) return 0;
+  if (definition.function) return (*this)(formula(*program_, definition));
+  Formula sum = expanded(definition.polynomial);
+  return (*this)(program_->passes().scheduling ? in_order(std::move(sum)) : sum);
+}
+
+void EarliestStarts::for_each_delay(const Formula& formula, const std::function<void(Atom, int)>& call) const {
   const auto within = [&](const Formula& child, int after) {
-    for_each_delay(program, child, [&](Atom atom, int cycles) { call(atom, cycles + after); });
+    for_each_delay(child, [&](Atom atom, int cycles) { call(atom, cycles + after); });
   };
   // From the factors to the beginning of the last multiplication, and `after` from there on
   const auto factors = [&](const Formula& product, int after) {
@@ -154,7 +162,7 @@ void for_each_delay(const Program& program, const Formula& formula, const std::f
       return;
     case Formula::Kind::sum: break;
   }
-  const std::vector<Part> parts = parts_of(program, formula);
+  const std::vector<Part> parts = parts_of(*this, formula);
   const bool first_fused = fuses_first(parts);
   int after = 0;
   for (std::size_t i = parts.size(); i-- > 0;) {
@@ -168,16 +176,25 @@ void for_each_delay(const Program& program, const Formula& formula, const std::f
   }
 }
 
-Formula in_order_of_arrival(const Program& program, Formula formula) {
-  for (Formula& child : formula.children) child = in_order_of_arrival(program, std::move(child));
+Formula EarliestStarts::in_order(Formula formula) const {
+  for (Formula& child : formula.children) child = in_order(std::move(child));
   if (formula.kind != Formula::Kind::sum) return formula;
   Formula sum;
   sum.kind = Formula::Kind::sum;
-  for (const Part& part : ordered(parts_of(program, formula))) {
+  for (const Part& part : ordered(parts_of(*this, formula))) {
     sum.children.push_back(std::move(formula.children[part.place]));
     sum.negative.push_back(part.negative);
   }
   return sum;
+}
+
+Formula EarliestStarts::scheduled(const Polynomial& sum) const {
+  Formula right = formula(*program_, sum);
+  return program_->passes().scheduling ? in_order(std::move(right)) : right;
+}
+
+Formula EarliestStarts::scheduled(const Definition& definition) const {
+  return definition.function ? formula(*program_, definition) : scheduled(definition.polynomial);
 }
 
 }  // namespace torsor

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "generator/expression/shared_products.hpp"
+#include "generator/listing/shared_products.hpp"
 
 #include <gtest/gtest.h>
 
@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "generator/expression/arrival.hpp"
+#include "generator/listing/earliest_start.hpp"
 #include "tests/expression/test_symbols.hpp"
 
 namespace torsor::shared_products_test {
@@ -21,7 +21,8 @@ int operations(const Program& program, const std::vector<Value>& values, Occasio
 }
 
 int known_in(const Program& program, const Value& value) {
-  return arrival(program, formula(program, value.polynomial()));
+  const EarliestStarts starts(program);
+  return starts(starts.scheduled(value.polynomial()));
 }
 
 class SharedProducts : public ::testing::Test {

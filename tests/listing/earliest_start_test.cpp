@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "generator/expression/arrival.hpp"
+#include "generator/listing/earliest_start.hpp"
 
 #include <gtest/gtest.h>
 
@@ -9,7 +9,7 @@
 
 #include "tests/expression/test_symbols.hpp"
 
-namespace torsor::arrival_test {
+namespace torsor::earliest_start_test {
 namespace {
 
 using namespace testing_symbols;
@@ -28,18 +28,19 @@ std::string text(const Program& program, const Formula& formula) {
   return joined;
 }
 
-class Arrival : public ::testing::Test {
+class EarliestStart : public ::testing::Test {
  protected:
   Value coordinate(const std::string& name) { return program.symbol(TestCoordinate(name).q); }
-  int of(const Value& value) { return arrival(program, formula(program, value.polynomial())); }
-  std::string order(const Value& value) { return text(program, formula(program, value.polynomial())); }
+  int of(const Value& value) { return starts(starts.scheduled(value.polynomial())); }
+  std::string order(const Value& value) { return text(program, starts.scheduled(value.polynomial())); }
   Program program;
+  EarliestStarts starts{program};
   Value a = coordinate("a"), late = program.sin(a);  // known 45 cycles after the others
   Value b = coordinate("b"), c = coordinate("c"), d = coordinate("d"), e = coordinate("e"), f = coordinate("f"),
         g = coordinate("g");
 };
 
-TEST_F(Arrival, AddsTheLatenciesOfWhatFollowsOneAnother) {
+TEST_F(EarliestStart, AddsTheLatenciesOfWhatFollowsOneAnother) {
   EXPECT_EQ(of(a), 0);
   EXPECT_EQ(of(b + c), Latency::addition);
   EXPECT_EQ(of(b * c), Latency::multiplication);
@@ -50,30 +51,30 @@ TEST_F(Arrival, AddsTheLatenciesOfWhatFollowsOneAnother) {
   EXPECT_EQ(of(late * b), Latency::sine_cosine + Latency::multiplication);
 }
 
-TEST_F(Arrival, FusesAProductWithTheSumItStandsIn) {
+TEST_F(EarliestStart, FusesAProductWithTheSumItStandsIn) {
   EXPECT_EQ(of(b * c + d), Latency::fused);
   EXPECT_EQ(of(b * c + d * e), Latency::multiplication + Latency::fused);
 }
 
-TEST_F(Arrival, OfADefinitionIsKeptWithIt) {
+TEST_F(EarliestStart, OfADefinitionIsKeptWithIt) {
   const Value bound = program.bind(late * b);
-  EXPECT_EQ(program.arrival(*bound.atom()), Latency::sine_cosine + Latency::multiplication);
+  EXPECT_EQ(starts(*bound.atom()), Latency::sine_cosine + Latency::multiplication);
   EXPECT_EQ(of(bound + c), Latency::sine_cosine + Latency::multiplication + Latency::addition);
   const Value once = program.bind(program.symbol(make_symbol("p")) * program.symbol(make_symbol("r")));
-  EXPECT_EQ(program.arrival(*once.atom()), 0);  // computed before any state is there
+  EXPECT_EQ(starts(*once.atom()), 0);  // computed before any state is there
 }
 
-TEST_F(Arrival, PutsTheTermThatIsKnownLastAtTheEnd) {
+TEST_F(EarliestStart, PutsTheTermThatIsKnownLastAtTheEnd) {
   EXPECT_EQ(order(late + b + c), "+b+c+sin(a)");
   EXPECT_EQ(of(late + b + c), Latency::sine_cosine + Latency::addition);
 }
 
-TEST_F(Arrival, LeavesTermsAsTheyStandWhereNoOrderIsBetter) {
+TEST_F(EarliestStart, LeavesTermsAsTheyStandWhereNoOrderIsBetter) {
   EXPECT_EQ(order(b + c + d), "+b+c+d");
   EXPECT_EQ(order(b * c + d * e), "+b c+d e");
 }
 
-TEST_F(Arrival, DoesNotBeginWithASubtractionWhereThereIsAnotherTerm) {
+TEST_F(EarliestStart, DoesNotBeginWithASubtractionWhereThereIsAnotherTerm) {
   EXPECT_EQ(order(b + c - late), "+b+c-sin(a)");
   EXPECT_EQ(order(late - b - c), "+sin(a)-b-c");
   EXPECT_EQ(order(-b - c), "-b-c");
@@ -81,13 +82,13 @@ TEST_F(Arrival, DoesNotBeginWithASubtractionWhereThereIsAnotherTerm) {
 
 // First, the single term saves an instruction, worth eight cycles. Last, it saves what the others take beyond one
 // multiplication less one cycle: five cycles for two products, nine for three.
-TEST_F(Arrival, BeginsWithTheTermThatIsNoProductUnlessTheSumWaitsForIt) {
+TEST_F(EarliestStart, BeginsWithTheTermThatIsNoProductUnlessTheSumWaitsForIt) {
   EXPECT_EQ(order(b * c + d * e + f), "+f+b c+d e");
   EXPECT_EQ(order(late + b * c + d * e), "+sin(a)+b c+d e");
   EXPECT_EQ(order(late + b * c + d * e + f * g), "+b c+d e+f g+sin(a)");
 }
 
-TEST_F(Arrival, IsLeftOutWithItsPass) {
+TEST_F(EarliestStart, IsLeftOutWithItsPass) {
   Passes passes;
   passes.scheduling = false;
   Program plain({}, passes);
@@ -97,7 +98,7 @@ TEST_F(Arrival, IsLeftOutWithItsPass) {
 }
 
 // A result is there when the last of its operands has come all the way.
-TEST_F(Arrival, IsTheLongestOfAllDelays) {
+TEST_F(EarliestStart, IsTheLongestOfAllDelays) {
   program.sqrt(program.bind(late * b));
   std::mt19937 random(5);
   for (int trial = 0; trial < 300; ++trial) {
@@ -111,14 +112,14 @@ TEST_F(Arrival, IsTheLongestOfAllDelays) {
       }
       polynomial.add({monomial, Number::rational(static_cast<long>(random() % 9U) - 4, 3)});
     }
-    const Formula tree = formula(program, polynomial);
+    const Formula tree = starts.scheduled(polynomial);
     int longest = 0;
-    for_each_delay(program, tree, [&](Atom atom, int cycles) {
-      longest = std::max(longest, program.arrival(atom) + cycles);
+    starts.for_each_delay(tree, [&](Atom atom, int cycles) {
+      longest = std::max(longest, starts(atom) + cycles);
     });
-    ASSERT_EQ(longest, arrival(program, tree)) << trial << ": " << text(program, tree);
+    ASSERT_EQ(longest, starts(tree)) << trial << ": " << text(program, tree);
   }
 }
 
 }  // namespace
-}  // namespace torsor::arrival_test
+}  // namespace torsor::earliest_start_test

@@ -12,7 +12,7 @@ namespace torsor {
 ///
 /// The most frequent pair of factors goes first (after Breuer, Generation of optimal code for expressions via
 /// factorization, 1969). It is taken out of those sums that cost less without it, in operations and not more in
-/// instructions, are known no later by the arrivals that their operands had, and have the same factors taken out as
+/// instructions, are known no later if their operands are when they were, and have the same factors taken out as
 /// before; and only where that saves operations in all, and no processor that fuses products with sums has an
 /// instruction more: a product that two sums fuse costs nothing in the second. Sums of several terms are not taken out:
 /// terms that do not belong together would be rounded together. Exact; nothing changes unless the passes `sharing` and
