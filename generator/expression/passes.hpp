@@ -10,6 +10,7 @@ namespace torsor {
 struct Passes {
   bool sharing = true;      ///< a sum or product that is there already, up to sign, is not computed again
   bool identities = true;   ///< sin² + cos² = 1
+  bool zero_test = true;    ///< what vanishes identically, although its terms do not show it, is zero
   bool products = true;     ///< a product that stands in several sums of a kernel is computed once
   bool factoring = true;    ///< what terms of a sum share is multiplied once
   bool hoisting = true;     ///< what depends on parameters alone is computed once for a set of them

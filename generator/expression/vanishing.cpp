@@ -167,6 +167,10 @@ std::vector<bool> vanish(const std::vector<Value>& values) {
 }
 
 void clear_vanishing(std::vector<Value>& values) {
+  const auto without_test = [](const Value& value) {
+    return value.program() != nullptr && !value.program()->passes().zero_test;
+  };
+  if (std::any_of(values.begin(), values.end(), without_test)) return;
   const std::vector<bool> zero = vanish(values);
   for (std::size_t i = 0; i < values.size(); ++i) {
     if (zero[i]) values[i] = Value();

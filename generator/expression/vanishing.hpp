@@ -19,7 +19,8 @@ namespace torsor {
 bool vanishes(const Value& value);
 /// The same for many values of one program, whose definitions are evaluated once for all.
 std::vector<bool> vanish(const std::vector<Value>& values);
-/// Makes zeros of those that vanish identically without showing it, which would be carried through all that follows.
+/// Makes zeros of those that vanish identically without showing it, which would be carried through all that follows: the pass
+/// `zero_test`, without which nothing changes.
 void clear_vanishing(std::vector<Value>& values);
 void clear_vanishing(std::vector<std::vector<Value>>& matrix);
 
