@@ -31,8 +31,8 @@ torsor::Scene hoop_scene() {
   const PointHandle contact = scene.point("I", "hoop.2", {0, -r, 0});
   scene.body("hoop", hoop, Inertia::general(m, A, A, C));
   scene.gravity({0, 0, -g});
-  scene.no_slip("along_x1", hoop, contact, axis::x, "hoop.1");
-  scene.no_slip("along_y1", hoop, contact, axis::y, "hoop.1");
+  scene.no_slip("along_x1", {.body = hoop, .contact = contact, .direction = axis::x, .axes = "hoop.1"});
+  scene.no_slip("along_y1", {.body = hoop, .contact = contact, .direction = axis::y, .axes = "hoop.1"});
   return scene;
 }
 

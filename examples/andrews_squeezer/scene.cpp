@@ -60,7 +60,7 @@ torsor::Scene andrews_squeezer_scene() {
   scene.torque("motor", K1, {0, 0, mom}, scene.ground());
   const PointHandle D = scene.point("D", K3, {sd, -sc, 0});
   const Expression stiffness = scene.parameter("c0", "N/m", 4530);
-  scene.spring("spring", C, D, stiffness, length("l0", 0.07785_r));
+  scene.spring("spring", {.a = C, .b = D, .stiffness = stiffness, .rest = length("l0", 0.07785_r)});
 
   const PointHandle E2 = scene.point("E2", K2, {-d, 0, 0}), E3 = scene.point("E3", K3, {0, -ss, 0});
   const PointHandle E4 = scene.point("E4", K4, {0, -e, 0}), E6 = scene.point("E6", K6, {zf, 0, 0});

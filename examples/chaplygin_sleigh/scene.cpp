@@ -23,8 +23,9 @@ torsor::Scene chaplygin_sleigh_scene() {
   const PointHandle C = scene.point("C", sleigh, {0, 0, 0});
   // In a plane motion nothing but the moment about z matters.
   scene.body("sleigh", sleigh, Inertia::general(m, 0, 0, J).at({a, 0, 0}));
-  const ConstraintHandle edge = scene.no_slip("knife_edge", sleigh, C, axis::y, sleigh);
-  scene.reaction(edge, "N", sleigh, C, axis::y, sleigh);
+  const ConstraintHandle edge =
+      scene.no_slip("knife_edge", {.body = sleigh, .contact = C, .direction = axis::y, .axes = sleigh});
+  scene.reaction(edge, "N", {.body = sleigh, .contact = C, .direction = axis::y, .axes = sleigh});
   return scene;
 }
 

@@ -39,11 +39,12 @@ torsor::Scene disk_in_a_circle_scene() {
   scene.body("disk", disk, Inertia::disk(m, rho, 2));
   scene.gravity({0, 0, -g});
 
-  const ConstraintHandle contact = scene.contact("contact", I, scene.ground());
-  scene.reaction(contact, "N", disk, I, axis::z, "disk.1");
-  const std::vector<ConstraintHandle> rolling = scene.rolling("rolling", disk, scene.ground(), I, "disk.1");
-  scene.reaction(rolling[0], "X", disk, I, axis::x, "disk.1");
-  scene.reaction(rolling[1], "Y", disk, I, axis::y, "disk.1");
+  const ConstraintHandle contact = scene.point_in_plane("contact", I, scene.ground());
+  scene.reaction(contact, "N", {.body = disk, .contact = I, .direction = axis::z, .axes = "disk.1"});
+  const std::vector<ConstraintHandle> rolling =
+      scene.rolling("rolling", {.body = disk, .on = scene.ground(), .contact = I, .tangents = "disk.1"});
+  scene.reaction(rolling[0], "X", {.body = disk, .contact = I, .direction = axis::x, .axes = "disk.1"});
+  scene.reaction(rolling[1], "Y", {.body = disk, .contact = I, .direction = axis::y, .axes = "disk.1"});
   return scene;
 }
 

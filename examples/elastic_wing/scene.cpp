@@ -49,7 +49,7 @@ torsor::Scene elastic_wing_scene() {
     // A thin panel in a plane motion: a rod along y.
     scene.body("panel_" + number, panel, Inertia::rod(mass[at], length, 1).at({0, length / 2, 0}));
     const PointHandle middle = scene.point("middle_" + number, panel, {0, length / 2, 0});
-    scene.force("gust_" + number, panel, middle, {0, 0, gust}, scene.ground());
+    scene.force("gust_" + number, {.body = panel, .point = middle, .components = {0, 0, gust}, .axes = scene.ground()});
     scene.spring("hinge_" + number, beta[at], stiffness[at]);
     scene.damper("friction_" + number, beta[at], delay * stiffness[at]);
     wing.push_back(panel);

@@ -43,7 +43,7 @@ torsor::Scene flyball_governor_scene() {
     scene.body("ball_" + number, rod, Inertia::point(m_ball).at({side * length, 0, 0}));
     const PointHandle middle = scene.point("middle_" + number, rod, {side * length / 2, 0, 0});
     const PointHandle ear = scene.point("ear_" + number, slider, {side * edge / 2, 0, 0});
-    scene.spring("spring_" + number, middle, ear, k, rest);
+    scene.spring("spring_" + number, {.a = middle, .b = ear, .stiffness = k, .rest = rest});
     scene.damper("damper_" + number, middle, ear, c);
   };
   arm("1", 1, axis::y, beta_1);

@@ -13,7 +13,8 @@ torsor::Scene four_wheel_vehicle_scene() {
   const Expression c = scene.parameter("c", "N m s", 3);
   const auto& [alpha, phi, steered, wheel, P] = vehicle;
   for (std::size_t i = 0; i < 4; ++i) {
-    scene.rolling("wheel_" + std::to_string(i + 1), wheel[i], scene.ground(), P[i], steered[i]);
+    scene.rolling("wheel_" + std::to_string(i + 1),
+                  {.body = wheel[i], .on = scene.ground(), .contact = P[i], .tangents = steered[i]});
   }
   scene.motor("C3", phi[2]);
   scene.motor("C4", phi[3]);

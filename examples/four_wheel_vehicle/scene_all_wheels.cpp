@@ -9,7 +9,8 @@ torsor::Scene four_wheel_vehicle_all_wheels_scene() {
   const auto vehicle = four_wheel_vehicle_scenes::add_vehicle(scene, true);
   const auto& [alpha, phi, steered, wheel, P] = vehicle;
   for (std::size_t i = 0; i < 4; ++i) {
-    scene.rolling("wheel_" + std::to_string(i + 1), wheel[i], scene.ground(), P[i], steered[i]);
+    scene.rolling("wheel_" + std::to_string(i + 1),
+                  {.body = wheel[i], .on = scene.ground(), .contact = P[i], .tangents = steered[i]});
   }
   return scene;
 }

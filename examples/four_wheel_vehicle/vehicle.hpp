@@ -50,7 +50,7 @@ inline Vehicle add_vehicle(torsor::Scene& scene, bool sliding) {
   scene.initial(y, 0, -rate * I_x);
   scene.initial(psi, 0, rate);
 
-  const FrameHandle S = scene.planar("S", scene.ground(), x, y, psi, {.origin = {0, 0, r}});
+  const FrameHandle S = scene.planar("S", scene.ground(), {.x = x, .y = y, .angle = psi}, {.origin = {0, 0, r}});
   scene.body("chassis", S, Inertia::general(M, 0, 0, J));
   const std::array<std::array<Expression, 2>, 4> O{{{a, b}, {-a, b}, {-a, -b}, {a, -b}}};
   for (std::size_t i = 0; i < 4; ++i) vehicle.phi[i] = scene.coordinate("phi_" + std::to_string(i + 1), "rad");

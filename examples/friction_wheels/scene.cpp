@@ -31,8 +31,9 @@ torsor::Scene friction_wheels_scene() {
   scene.point("I2", S2, {-r2 * sin(theta_2), -r2 * cos(theta_2), 0});
   // The normal at I is the line of centres. Along the axes z the wheels cannot slip: that condition is an identity.
   const FrameHandle contact = scene.weld("contact", scene.ground(), {.rotation = Rotation::about(0, -6)});
-  const auto rolling = scene.rolling("rolling", S1, S2, I, contact);
-  scene.reaction(rolling[0], "T", S1, I, axis::x, scene.ground(), S2);
+  const auto rolling = scene.rolling("rolling", {.body = S1, .on = S2, .contact = I, .tangents = contact});
+  scene.reaction(rolling[0], "T",
+                 {.body = S1, .contact = I, .direction = axis::x, .axes = scene.ground(), .other = S2});
 
   scene.motor("C1", theta_1);
   scene.rotational_drag("load", S2, c);

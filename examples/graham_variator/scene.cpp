@@ -52,10 +52,10 @@ torsor::Scene graham_variator_scene() {
   const FrameHandle contacts = scene.weld("contacts", S1, {.rotation = Rotation::about(0, 6)});
   const PointHandle A = scene.point("A", inclined, {-d, d * tan(delta), 0});
   const PointHandle E = scene.point("E", inclined, {-l, p, 0});
-  const auto at_A = scene.rolling("rolling_A", S2, S4, A, contacts);
-  const auto at_E = scene.rolling("rolling_E", S2, S3, E, contacts);
-  scene.reaction(at_A[1], "T_A", S2, A, axis::z, S1, S4);
-  scene.reaction(at_E[1], "T_E", S2, E, axis::z, S1, S3);
+  const auto at_A = scene.rolling("rolling_A", {.body = S2, .on = S4, .contact = A, .tangents = contacts});
+  const auto at_E = scene.rolling("rolling_E", {.body = S2, .on = S3, .contact = E, .tangents = contacts});
+  scene.reaction(at_A[1], "T_A", {.body = S2, .contact = A, .direction = axis::z, .axes = S1, .other = S4});
+  scene.reaction(at_E[1], "T_E", {.body = S2, .contact = E, .direction = axis::z, .axes = S1, .other = S3});
 
   scene.gravity({0, -g, 0});
   scene.motor("C1", alpha);

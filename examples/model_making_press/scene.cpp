@@ -26,7 +26,7 @@ torsor::Scene model_making_press_scene() {
 
   const Expression a_z = scene.coordinate("a_z", "m"), a = angle("a");
   const FrameHandle column = scene.weld("column_A", scene.ground(), {{-e, 0, 0}, {}});
-  const FrameHandle ring = scene.cylindrical("ring_A", column, axis::z, a_z, a);
+  const FrameHandle ring = scene.cylindrical("ring_A", column, {.axis = axis::z, .displacement = a_z, .angle = a});
   const FrameHandle traverse = scene.weld("traverse", ring, {{e, 0, 0}, {}});
 
   const FrameHandle lower_cup = scene.spherical("lower_cup", traverse, scene.attitude("lower"));
@@ -34,7 +34,8 @@ torsor::Scene model_making_press_scene() {
 
   const FrameHandle summit = scene.weld("summit", scene.ground(), {{0, 0, h}, {}});
   const Expression omega_z = angle("omega_z");
-  const FrameHandle screw = scene.helical("screw", summit, axis::z, omega_z, p, {{0, 0, -h}, {}});
+  const FrameHandle screw =
+      scene.helical("screw", summit, {.axis = axis::z, .angle = omega_z, .pitch = p}, {{0, 0, -h}, {}});
 
   scene.name_joint(ring, "L1");
   scene.name_joint(lower_cup, "L4");
@@ -45,9 +46,9 @@ torsor::Scene model_making_press_scene() {
   const Rotation x_along_z = Rotation::about(1, -6);
   const FrameHandle column_B = scene.weld("column_B", scene.ground(), {{e, 0, 0}, x_along_z});
   const FrameHandle ring_B = scene.weld("ring_B", traverse, {{e, 0, 0}, x_along_z});
-  scene.close("L2", JointType::cylindrical, column_B, ring_B);
-  scene.close("L3", JointType::planar, lower_cup, screw);
-  scene.close("L5", JointType::planar, upper_cup, screw);
+  scene.loop_joint("L2", {.type = JointType::cylindrical, .a = column_B, .b = ring_B});
+  scene.loop_joint("L3", {.type = JointType::planar, .a = lower_cup, .b = screw});
+  scene.loop_joint("L5", {.type = JointType::planar, .a = upper_cup, .b = screw});
 
   scene.body("traverse", traverse, Inertia::general(m10, C10, C10, C10));
   scene.body("screw", screw, Inertia::general(m20, C20, C20, C20));

@@ -19,10 +19,10 @@ torsor::Scene model_making_press_reduced_scene() {
 
   const Expression a_z = scene.coordinate("a_z", "m"), omega_z = scene.coordinate("omega_z", "rad");
   const FrameHandle traverse = scene.prismatic("traverse", scene.ground(), axis::z, a_z);
-  const FrameHandle screw = scene.helical("screw", scene.ground(), axis::z, omega_z, p);
+  const FrameHandle screw = scene.helical("screw", scene.ground(), {.axis = axis::z, .angle = omega_z, .pitch = p});
   scene.name_joint(traverse, "LA");
   scene.name_joint(screw, "LC");
-  scene.close("LB", JointType::point_contact, traverse, screw);
+  scene.loop_joint("LB", {.type = JointType::point_contact, .a = traverse, .b = screw});
   scene.body("traverse", traverse, Inertia::point(m10));
   scene.body("screw", screw, Inertia::general(m20, C20, C20, C20));
 

@@ -38,12 +38,14 @@ torsor::Scene rolling_hoop_contact_forces_scene() {
   const PointHandle contact = scene.point("I", "hoop.2", {0, -R, 0});
   scene.body("hoop", hoop, Inertia::general(m, A, A, C));
   scene.gravity({0, 0, -g});
-  const ConstraintHandle along_x1 = scene.no_slip("along_x1", hoop, contact, axis::x, "hoop.1");
-  const ConstraintHandle along_y1 = scene.no_slip("along_y1", hoop, contact, axis::y, "hoop.1");
+  const ConstraintHandle along_x1 =
+      scene.no_slip("along_x1", {.body = hoop, .contact = contact, .direction = axis::x, .axes = "hoop.1"});
+  const ConstraintHandle along_y1 =
+      scene.no_slip("along_y1", {.body = hoop, .contact = contact, .direction = axis::y, .axes = "hoop.1"});
   const ConstraintHandle touching = scene.holonomic("touching", z - R * sin(theta));
-  scene.reaction(along_x1, "X_F", hoop, contact, axis::x, "hoop.1");
-  scene.reaction(along_y1, "Y_F", hoop, contact, axis::y, "hoop.1");
-  scene.reaction(touching, "N", hoop, contact, axis::z, scene.ground());
+  scene.reaction(along_x1, "X_F", {.body = hoop, .contact = contact, .direction = axis::x, .axes = "hoop.1"});
+  scene.reaction(along_y1, "Y_F", {.body = hoop, .contact = contact, .direction = axis::y, .axes = "hoop.1"});
+  scene.reaction(touching, "N", {.body = hoop, .contact = contact, .direction = axis::z, .axes = scene.ground()});
   return scene;
 }
 

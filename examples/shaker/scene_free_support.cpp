@@ -30,7 +30,7 @@ torsor::Scene shaker_free_support_scene() {
   const PointHandle H = scene.point("H", support, {0, 0, 0});
   const PointHandle P = scene.point("P", mass, {0, 0, 0});
   scene.gravity({0, -g, 0});
-  scene.spring("spring", H, P, k, l0);
+  scene.spring("spring", {.a = H, .b = P, .stiffness = k, .rest = l0});
   return scene;
 }
 

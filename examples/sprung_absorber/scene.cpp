@@ -29,7 +29,9 @@ torsor::Scene sprung_absorber_scene() {
   scene.spring("foundation", x1, k1);
   scene.spring("coupling", x2 - x1, k2);
   scene.damper("friction", x2 - x1, c2);
-  scene.force("shaking", machine, A, {f * cos(omega * scene.time()), 0, 0}, scene.ground());
+  scene.force(
+      "shaking",
+      {.body = machine, .point = A, .components = {f * cos(omega * scene.time()), 0, 0}, .axes = scene.ground()});
   return scene;
 }
 

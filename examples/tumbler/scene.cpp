@@ -40,11 +40,12 @@ torsor::Scene tumbler_scene() {
   scene.body("tumbler", tumbler, Inertia::general(m, A, A, B).at({0, 0, -a}));
   scene.gravity({0, 0, -g});
 
-  const ConstraintHandle contact = scene.contact("contact", I, scene.ground());
-  scene.reaction(contact, "N", tumbler, I, axis::z, scene.ground());
-  const std::vector<ConstraintHandle> rolling = scene.rolling("rolling", tumbler, scene.ground(), I, scene.ground());
-  scene.reaction(rolling[0], "X", tumbler, I, axis::x, scene.ground());
-  scene.reaction(rolling[1], "Y", tumbler, I, axis::y, scene.ground());
+  const ConstraintHandle contact = scene.point_in_plane("contact", I, scene.ground());
+  scene.reaction(contact, "N", {.body = tumbler, .contact = I, .direction = axis::z, .axes = scene.ground()});
+  const std::vector<ConstraintHandle> rolling =
+      scene.rolling("rolling", {.body = tumbler, .on = scene.ground(), .contact = I, .tangents = scene.ground()});
+  scene.reaction(rolling[0], "X", {.body = tumbler, .contact = I, .direction = axis::x, .axes = scene.ground()});
+  scene.reaction(rolling[1], "Y", {.body = tumbler, .contact = I, .direction = axis::y, .axes = scene.ground()});
   return scene;
 }
 

@@ -26,7 +26,8 @@ torsor::Scene turning_slot_scene() {
   const Expression turn = omega * scene.time();
   const PointHandle center = scene.point("center", bead, {0, 0, 0});
   const ConstraintHandle slot = scene.holonomic("slot", y * cos(turn) - x * sin(turn));
-  scene.reaction(slot, "N", bead, center, {-sin(turn), cos(turn), 0}, scene.ground());
+  scene.reaction(slot, "N",
+                 {.body = bead, .contact = center, .direction = {-sin(turn), cos(turn), 0}, .axes = scene.ground()});
   return scene;
 }
 

@@ -64,12 +64,12 @@ torsor::Scene whipple_bicycle_scene() {
   scene.body("F", front_wheel, Inertia::general(m_F, I_Fx, I_Fy, I_Fx));
   scene.gravity({0, 0, g});
 
-  const PointHandle P = scene.disc_contact("P", frame, axis::y, r_R, road);
-  const PointHandle Q = scene.disc_contact("Q", hub, axis::y, r_F, road);
-  scene.contact("rear_touches", P, road);
-  scene.contact("front_touches", Q, road);
-  scene.rolling("rear_rolls", rear_wheel, scene.ground(), P, road);
-  scene.rolling("front_rolls", front_wheel, scene.ground(), Q, road);
+  const PointHandle P = scene.disc_contact("P", {.frame = frame, .axis = axis::y, .radius = r_R, .plane = road});
+  const PointHandle Q = scene.disc_contact("Q", {.frame = hub, .axis = axis::y, .radius = r_F, .plane = road});
+  scene.point_in_plane("rear_touches", P, road);
+  scene.point_in_plane("front_touches", Q, road);
+  scene.rolling("rear_rolls", {.body = rear_wheel, .on = scene.ground(), .contact = P, .tangents = road});
+  scene.rolling("front_rolls", {.body = front_wheel, .on = scene.ground(), .contact = Q, .tangents = road});
   scene.independent({roll, steer, rear});
   return scene;
 }

@@ -14,7 +14,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-const char* role(const CoordinateContent& c) { return c.attitude >= 0 ? "quasi-velocity" : c.law ? "driven" : c.released ? "released" : "unknown"; }
+const char* role(const CoordinateContent& c) { return c.attitude ? "quasi-velocity" : c.law ? "driven" : c.released ? "released" : "unknown"; }
 
 Json content_json(const Scene& scene) {
   const SceneContent& content = scene.content();
@@ -29,7 +29,7 @@ Json content_json(const Scene& scene) {
   }
   Json& coordinates = list("coordinates");
   for (const CoordinateContent& c : content.coordinates) {
-    if (c.attitude >= 0) {
+    if (c.attitude) {
       for (const SymbolPointer& e : positions_with(content, c)) {
         coordinates.push_back({{"name", e->name}, {"unit", e->unit.to_string()}, {"role", "quaternion"}});
       }

@@ -38,7 +38,7 @@ CommandResult unknowns(const Scene& scene, const UnknownsRequest& request) {
   options.symbolic_parameters = true;
   const Equations equations(scene, options);
   std::string text = unknowns_report(equations);
-  if (!request.bodies.empty()) text += isolation_report(equations, request.bodies, {request.point, request.axes}).text;
+  if (!request.bodies.empty()) text += isolation_report(equations, request.bodies, {Scene::point(request.point), request.axes}).text;
   return {text};
 }
 

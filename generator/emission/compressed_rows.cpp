@@ -4,8 +4,8 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "generator/emission/formula_printer.hpp"
 #include "generator/emission/kernel_parts.hpp"
+#include "generator/emission/wrapped_line.hpp"
 #include "generator/expression/vanishing.hpp"
 
 namespace torsor {

@@ -80,7 +80,7 @@ std::vector<Structure> common_structures(const Equations& equations, const std::
   for (int i = 0; i < model.unknown_count(); ++i) {
     const CoordinateContent& coordinate = model.coordinates()[static_cast<std::size_t>(i)];
     const std::string& name = coordinate.q->name;
-    const bool quasi = coordinate.attitude >= 0;
+    const bool quasi = coordinate.attitude.has_value();
     v.members.push_back(scalar(*coordinate.v, quasi ? "angular velocity, in moving axes" : "its rate", coordinate.v->unit));
     a.members.push_back(scalar(*coordinate.a, quasi ? "its rate" : "its second rate", coordinate.a->unit));
     forces.members.push_back(scalar(*coordinate.q, (quasi ? "works with " : "works with the rate of ") + name,

@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "generator/emission/wrapped_line.hpp"
 #include "generator/expression/formula.hpp"
 #include "generator/expression/program.hpp"
 
@@ -52,8 +53,5 @@ std::string literal(float value);
 
 /// `traits::constant(9.81, 9.81f, "981/100")`, rounded once for each format.
 std::string constant_call(const Number& number);
-
-/// Breaks a line of code longer than 120 columns before operators or after commas; later lines are indented further.
-std::string wrapped(const std::string& line, std::size_t indentation);
 
 }  // namespace torsor

@@ -5,9 +5,9 @@
 
 #include "generator/dynamics/recursions/base_parameters.hpp"
 #include "generator/dynamics/recursions/regressor.hpp"
-#include "generator/emission/cpp_names.hpp"
-#include "generator/emission/formula_printer.hpp"
+#include "generator/emission/comment_text.hpp"
 #include "generator/emission/kernel_parts.hpp"
+#include "generator/emission/wrapped_line.hpp"
 
 namespace torsor {
 namespace {

@@ -191,9 +191,11 @@ void MjcfBuilder::add_motor(const MjcfActuator& actuator) {
       if (joint.type == MjcfJointType::ball) {
         if (!pushes) return cannot("its gear is 0");
         const Expression u = open_force(false);
-        scene_.torque_between(joints_[target].name + "_" + as_identifier(actuator.name, "actuator"), parts.frame,
-                              parts.parent_frame, {part(0, u, Unit()), part(1, u, Unit()), part(2, u, Unit())},
-                              in_parent ? parts.parent_frame : parts.frame);
+        scene_.torque_between(joints_[target].name + "_" + as_identifier(actuator.name, "actuator"),
+                              {.a = parts.frame,
+                               .b = parts.parent_frame,
+                               .components = {part(0, u, Unit()), part(1, u, Unit()), part(2, u, Unit())},
+                               .axes = in_parent ? parts.parent_frame : parts.frame});
         return;
       }
       if (!pushes && !twists) return cannot("its gear is 0");
@@ -211,8 +213,10 @@ void MjcfBuilder::add_motor(const MjcfActuator& actuator) {
       const std::string name = joints_[target].name + "_" + as_identifier(actuator.name, "actuator");
       const PointHandle origin = scene_.point(name + "_at", body, {0, 0, 0});
       if (pushes) {
-        scene_.force(name + "_force", body, origin, {part(0, u, Unit()), part(1, u, Unit()), part(2, u, Unit())},
-                     scene_.ground());
+        scene_.force(name + "_force", {.body = body,
+                                       .point = origin,
+                                       .components = {part(0, u, Unit()), part(1, u, Unit()), part(2, u, Unit())},
+                                       .axes = scene_.ground()});
       }
       const FrameReference turning = in_parent ? FrameReference(scene_.ground()) : FrameReference(body);
       scene_.torque(name + "_torque", body, {part(3, u, arm), part(4, u, arm), part(5, u, arm)}, turning);
@@ -235,8 +239,11 @@ void MjcfBuilder::add_motor(const MjcfActuator& actuator) {
       scene_.weld(name, frames_[static_cast<std::size_t>(site.body)],
                   {lengths(site.position), rotation(site.quaternion, "site " + site.name)});
       const PointHandle at = scene_.point(name + "_at", name, {0, 0, 0});
-      scene_.wrench(name + "_wrench", name, at, {part(0, u, Unit()), part(1, u, Unit()), part(2, u, Unit())},
-                    {part(3, u, arm), part(4, u, arm), part(5, u, arm)}, name);
+      scene_.wrench(name + "_wrench", {.body = name,
+                                       .point = at,
+                                       .force = {part(0, u, Unit()), part(1, u, Unit()), part(2, u, Unit())},
+                                       .moment = {part(3, u, arm), part(4, u, arm), part(5, u, arm)},
+                                       .axes = name});
       return;
     }
     case MjcfTransmission::other:

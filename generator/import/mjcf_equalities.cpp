@@ -43,7 +43,7 @@ void MjcfBuilder::add_points_together(const MjcfEquality& equality, const std::s
   const Rotation turned = weld ? rotation(equality.quaternion, "equality " + equality.name) : Rotation();
   const std::string a = frame_at(equality.first, name + "_first", equality.first_point, turned);
   const std::string b = frame_at(equality.second, name + "_second", equality.second_point, {});
-  scene_.close(name, weld ? JointType::weld : JointType::spherical, a, b);
+  scene_.loop_joint(name, {.type = weld ? JointType::weld : JointType::spherical, .a = a, .b = b});
 }
 
 void MjcfBuilder::add_equalities() {

@@ -234,9 +234,10 @@ class SceneBuilder {
       case UrdfJointType::planar: {
         const auto& [x, y, angle] = planar_.at(joint.name);
         const Rotation tilt = rotation_to(joint.axis);
-        if (tilt.is_identity()) return scene_.planar(child, parent, x, y, angle, at);
+        if (tilt.is_identity()) return scene_.planar(child, parent, {.x = x, .y = y, .angle = angle}, at);
         const std::string slide = frame_names_.take(joint.name + "_plane", "joint");
-        const FrameHandle frame = scene_.planar(slide, parent, x, y, angle, {at.origin, at.rotation * tilt});
+        const FrameHandle frame =
+            scene_.planar(slide, parent, {.x = x, .y = y, .angle = angle}, {at.origin, at.rotation * tilt});
         scene_.weld(child, slide, {{0, 0, 0}, tilt.transpose()});
         return frame;
       }

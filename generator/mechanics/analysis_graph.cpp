@@ -92,7 +92,7 @@ class Linker {
   void tie(const NonholonomicFormula& law) { constraint("non-holonomic relation", moved_by(law.left_side)); }
   void tie(const NoSlip& law) { constraint("no slip", {body_of(law.body), body_of(law.on)}); }
   void tie(const Closure& law) { constraint("closure of points", {body_of(law.a), body_of(law.b)}); }
-  void tie(const PointInPlane& law) { constraint("contact", {body_of(law.point), body_of(law.plane)}); }
+  void tie(const PointInPlane& law) { constraint("point in plane", {body_of(law.point), body_of(law.plane)}); }
   void tie(const JointClosure&) {}
 
   void tie(const ElongationSpring& a) { action(a.name, "spring", displaced_by(a.elongation)); }
@@ -103,7 +103,7 @@ class Linker {
   void tie(const GivenForce& a) { action(a.name, "force", {0, body_of(a.body)}); }
   void tie(const GivenTorque& a) { action(a.name, "torque", {0, body_of(a.body)}); }
   void tie(const GivenForceFunction& a) { action(a.name, "force function", moved_by(a.force_function)); }
-  void tie(const Effort& a) { action(a.name, "effort", displaced_by(a.displacement)); }
+  void tie(const GeneralisedForce& a) { action(a.name, "generalised force", displaced_by(a.displacement)); }
   void tie(const Gravitation& a) { action(a.name, "gravitation", {body_of(a.a), body_of(a.b)}); }
   void tie(const GivenWrench& a) { action(a.name, "wrench", {0, body_of(a.body)}); }
   void tie(const Drag& a) { action(a.name, "drag", {body_of(a.body), body_of(a.relative_to)}); }
@@ -139,7 +139,7 @@ class Linker {
       if (here && (formula.depends_on(c.q) || formula.depends_on(c.v))) return true;
     }
     if (frame.joint != JointKind::attitude) return false;
-    for (const SymbolPointer& e : scene_.attitudes[as_index(frame.attitude)].symbols->e) {
+    for (const SymbolPointer& e : scene_.attitudes[as_index(*frame.attitude)].symbols->e) {
       if (formula.depends_on(e)) return true;
     }
     return false;

@@ -21,8 +21,8 @@ struct AnalysisLink {
 /// §6.2.4). Actions from outside are tied to the ground. What works with a displacement given as a formula is tied to
 /// the two bodies whose relative displacement that is (the sum of the displacements of the joints between them), or
 /// else to all bodies that the formula's coordinates move in their joints; so is what imposes a law of time on a
-/// coordinate, or on a joint whose displacement is a formula of time. A `closure` of two points and a `contact` are
-/// constraints; the closures of joints belong to the structure graph.
+/// coordinate, or on a joint whose displacement is a formula of time. A `closure` of two points and a `point_in_plane`
+/// are constraints; the joints that close loops belong to the structure graph.
 std::vector<AnalysisLink> analysis_links(const Scene& scene, const StructureGraph& graph);
 
 }  // namespace torsor

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "generator/mechanics/freedom_positions.hpp"
 
+#include "generator/expression/as_index.hpp"
+
 namespace torsor {
 
 std::vector<SymbolPointer> positions_with(const SceneContent& scene, const CoordinateContent& freedom) {
-  if (freedom.attitude < 0) return {freedom.q};
-  const AttitudeSymbols& symbols = *scene.attitudes[static_cast<std::size_t>(freedom.attitude)].symbols;
+  if (!freedom.attitude) return {freedom.q};
+  const AttitudeSymbols& symbols = *scene.attitudes[as_index(*freedom.attitude)].symbols;
   if (freedom.v != symbols.omega[0]) return {};
   return {symbols.e.begin(), symbols.e.end()};
 }

@@ -19,16 +19,23 @@ constexpr JointTransmission force_x{JointTransmission::Kind::force, 0}, force_y{
     thrust_x{JointTransmission::Kind::screw, 0}, couple_x_y{JointTransmission::Kind::couple, 0, 1},
     couple_z_x{JointTransmission::Kind::couple, 2, 0};
 
+/// The axis about which b is turned where the basis depends on that angle.
+std::optional<int> turned_axis(JointType type) {
+  if (type == JointType::universal) return 0;
+  if (type == JointType::line_contact) return 2;
+  return std::nullopt;
+}
+
 PlacedJoint<Vector, Value> placed(Program& program, JointType type, const Vector& point, const Value& pitch,
                                   const Value& angle) {
   PlacedJoint<Vector, Value> joint;
   for (int i = 0; i < 3; ++i) joint.a[static_cast<std::size_t>(i)][i] = program.number(Number(1));
   joint.b = joint.a;
-  const int about = type == JointType::universal ? 0 : type == JointType::line_contact ? 2 : -1;
-  if (about >= 0) {
+  const std::optional<int> about = turned_axis(type);
+  if (about) {
     const Value sine = program.sin(angle);
     const Value cosine = program.cos(angle);
-    const int i = (about + 1) % 3, j = (about + 2) % 3;
+    const int i = (*about + 1) % 3, j = (*about + 2) % 3;
     auto& b_i = joint.b[static_cast<std::size_t>(i)];
     auto& b_j = joint.b[static_cast<std::size_t>(j)];
     b_i[i] = cosine;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -25,7 +26,7 @@ struct JointTransmission {
   enum class Kind { force, couple, screw };
   Kind kind = Kind::force;
   int axis = 0;
-  int with_axis_of_b = -1;  ///< not −1: the direction is (axis of a) ∧ (this axis of b)
+  std::optional<int> with_axis_of_b = std::nullopt;  ///< the direction is then (axis of a) ∧ (this axis of b)
 };
 
 /// The freedoms of a type, freedom_count of them, and the 6 − f parts of its ideal wrench (Pommier, Dynamique des
@@ -58,7 +59,7 @@ std::pair<Vector, Vector> twist_of(const JointFreedom& freedom, const PlacedJoin
 template <class Vector, class Scalar>
 std::pair<Vector, Vector> wrench_of(const JointTransmission& part, const PlacedJoint<Vector, Scalar>& joint) {
   Vector axis = joint.a[static_cast<std::size_t>(part.axis)];
-  if (part.with_axis_of_b >= 0) axis = cross(axis, joint.b[static_cast<std::size_t>(part.with_axis_of_b)]);
+  if (part.with_axis_of_b) axis = cross(axis, joint.b[static_cast<std::size_t>(*part.with_axis_of_b)]);
   if (part.kind == JointTransmission::Kind::couple) return {Vector{}, axis};
   const Vector moment = cross(joint.point, axis);
   if (part.kind == JointTransmission::Kind::force) return {axis, moment};

@@ -117,7 +117,7 @@ Expression Scene::time() const { return content_.time; }
 CoordinateContent& Scene::coordinate_of(const Expression& formula, const std::string& purpose) {
   const SymbolPointer symbol = formula.as_symbol();
   for (CoordinateContent& coordinate : content_.coordinates) {
-    if (symbol && coordinate.q == symbol && coordinate.attitude < 0) return coordinate;
+    if (symbol && coordinate.q == symbol && !coordinate.attitude) return coordinate;
   }
   throw SceneError(fmt::format("{} needs a coordinate of the scene '{}' and got {}: pass what coordinate(...) returned",
                                purpose, content_.name, formula.to_string()));
@@ -217,18 +217,16 @@ PointHandle Scene::point(const std::string& name, const FrameReference& frame, c
   require_unit(components, units::metre, fmt::format("a component of the point '{}'", name));
   return add_point({name, frame, components});
 }
-PointHandle Scene::disc_contact(const std::string& name, const FrameReference& frame, const Triple& axis,
-                                const Expression& radius, const FrameReference& plane) {
-  require_unit(axis, Unit(), fmt::format("a component of the axis of the disc at '{}'", name));
-  require_unit(radius, units::metre, fmt::format("the radius of the disc at '{}'", name));
-  return add_point({name, frame, {}, LowestPoint{axis, radius, plane}});
+PointHandle Scene::disc_contact(const std::string& name, const DiscContact& disc) {
+  require_unit(disc.axis, Unit(), fmt::format("a component of the axis of the disc at '{}'", name));
+  require_unit(disc.radius, units::metre, fmt::format("the radius of the disc at '{}'", name));
+  return add_point({name, disc.frame, {}, LowestPoint{disc.axis, disc.radius, disc.plane}});
 }
-PointHandle Scene::torus_contact(const std::string& name, const FrameReference& frame, const Triple& axis,
-                                 const Expression& circle_radius, const Expression& tube_radius,
-                                 const FrameReference& plane) {
-  require_unit(circle_radius, units::metre, fmt::format("the circle's radius of '{}'", name));
-  require_unit(tube_radius, units::metre, fmt::format("the tube's radius of '{}'", name));
-  return add_point({name, frame, {}, LowestPoint{axis, circle_radius, plane, tube_radius}});
+PointHandle Scene::torus_contact(const std::string& name, const TorusContact& torus) {
+  require_unit(torus.circle_radius, units::metre, fmt::format("the circle's radius of '{}'", name));
+  require_unit(torus.tube_radius, units::metre, fmt::format("the tube's radius of '{}'", name));
+  return add_point(
+      {name, torus.frame, {}, LowestPoint{torus.axis, torus.circle_radius, torus.plane, torus.tube_radius}});
 }
 PointHandle Scene::ellipsoid_contact(const std::string& name, const FrameReference& frame, const Triple& semi_axes,
                                      const FrameReference& plane) {

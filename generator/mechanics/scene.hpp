@@ -68,14 +68,13 @@ class Scene {
   FrameHandle prismatic(const std::string& name, const FrameReference& parent, const Triple& axis,
                         const Expression& displacement, const Placement& placement = {});
   /// Turns by `angle` and advances by `pitch` [m/rad] times it (the lead of the screw over 2π).
-  FrameHandle helical(const std::string& name, const FrameReference& parent, const Triple& axis,
-                      const Expression& angle, const Expression& pitch, const Placement& placement = {});
+  FrameHandle helical(const std::string& name, const FrameReference& parent, const HelicalMotion& motion,
+                      const Placement& placement = {});
   /// Slides along the axis, then turns about it.
-  FrameHandle cylindrical(const std::string& name, const FrameReference& parent, const Triple& axis,
-                          const Expression& displacement, const Expression& angle, const Placement& placement = {});
+  FrameHandle cylindrical(const std::string& name, const FrameReference& parent, const CylindricalMotion& motion,
+                          const Placement& placement = {});
   /// Turns about `first`, fixed in the parent, then about `second`, which turns along; perpendicular directions.
-  FrameHandle universal(const std::string& name, const FrameReference& parent, const Triple& first,
-                        const Expression& first_angle, const Triple& second, const Expression& second_angle,
+  FrameHandle universal(const std::string& name, const FrameReference& parent, const UniversalMotion& motion,
                         const Placement& placement = {});
   /// Three plane rotations about the joint's origin. Singular where the first and the last axis are parallel.
   FrameHandle spherical(const std::string& name, const FrameReference& parent, const AngleSequence& sequence,
@@ -84,25 +83,17 @@ class Scene {
   FrameHandle spherical(const std::string& name, const FrameReference& parent, AttitudeHandle attitude,
                         const Placement& placement = {});
   /// Slides by (x, y) in the plane z = 0 of the placed axes, then turns about z.
-  FrameHandle planar(const std::string& name, const FrameReference& parent, const Expression& x, const Expression& y,
-                     const Expression& angle, const Placement& placement = {});
+  FrameHandle planar(const std::string& name, const FrameReference& parent, const PlanarMotion& motion,
+                     const Placement& placement = {});
   /// The line x of the frame stays in the plane z = 0: slides by (x, y), turns by `yaw` about z, then by `roll` about x.
-  FrameHandle line_contact(const std::string& name, const FrameReference& parent, const Expression& x,
-                           const Expression& y, const Expression& yaw, const Expression& roll,
+  FrameHandle line_contact(const std::string& name, const FrameReference& parent, const LineContactMotion& motion,
                            const Placement& placement = {});
   /// The origin of the frame slides along `axis`; the frame turns in any way about it.
-  FrameHandle sphere_in_cylinder(const std::string& name, const FrameReference& parent, const Triple& axis,
-                                 const Expression& displacement, const AngleSequence& sequence, const Triple& angles,
-                                 const Placement& placement = {});
-  FrameHandle sphere_in_cylinder(const std::string& name, const FrameReference& parent, const Triple& axis,
-                                 const Expression& displacement, AttitudeHandle attitude,
-                                 const Placement& placement = {});
+  FrameHandle sphere_in_cylinder(const std::string& name, const FrameReference& parent,
+                                 const SphereInCylinderMotion& motion, const Placement& placement = {});
   /// The origin of the frame slides by (x, y) in the plane z = 0; the frame turns in any way about it.
-  FrameHandle point_contact(const std::string& name, const FrameReference& parent, const Expression& x,
-                            const Expression& y, const AngleSequence& sequence, const Triple& angles,
+  FrameHandle point_contact(const std::string& name, const FrameReference& parent, const PointContactMotion& motion,
                             const Placement& placement = {});
-  FrameHandle point_contact(const std::string& name, const FrameReference& parent, const Expression& x,
-                            const Expression& y, AttitudeHandle attitude, const Placement& placement = {});
   /// Six degrees of freedom: translation (x, y, z) in the parent's axes, then three plane rotations. The intermediate
   /// frames are named <name>.x, .y, .z, .1 and .2, e.g. "hoop.2" after two rotations of Euler's sequence.
   FrameHandle free(const std::string& name, const FrameReference& parent, const AngleSequence& sequence,
@@ -116,18 +107,17 @@ class Scene {
   // --- points and bodies --------------------------------------------------------------------------------------------
   /// A point given by its components in a frame; they may depend on the coordinates (a contact point moves).
   PointHandle point(const std::string& name, const FrameReference& frame, const Triple& components);
+  /// The point of that name, which may be declared later.
+  static PointReference point(const std::string& name) { return PointReference(name); }
   /// The point of the rim of a thin disc that lies lowest along the normal z of `plane`: where a wheel touches it. The
   /// disc is centred at the origin of `frame`, its unit `axis` and its radius are given there. With n the normal and k
   /// the axis: P = C − r (n − (n·k) k)/√(1 − (n·k)²); not defined for a disc lying flat.
-  PointHandle disc_contact(const std::string& name, const FrameReference& frame, const Triple& axis,
-                           const Expression& radius, const FrameReference& plane);
+  PointHandle disc_contact(const std::string& name, const DiscContact& disc);
   /// The same of a sphere: P = C − r n.
   PointHandle sphere_contact(const std::string& name, const FrameReference& frame, const Expression& radius,
                              const FrameReference& plane);
   /// The same of a torus: a tube of the given radius [m] around a circle about `axis`; as a point, of its convex hull.
-  PointHandle torus_contact(const std::string& name, const FrameReference& frame, const Triple& axis,
-                            const Expression& circle_radius, const Expression& tube_radius,
-                            const FrameReference& plane);
+  PointHandle torus_contact(const std::string& name, const TorusContact& torus);
   /// The same of a solid ellipsoid with its semi-axes [m] along those of the frame:
   /// P = C − S n/√(n · S n), S = diag(a², b², c²).
   PointHandle ellipsoid_contact(const std::string& name, const FrameReference& frame, const Triple& semi_axes,
@@ -167,104 +157,87 @@ class Scene {
   /// Damper on e: the force −c ė works with ė.
   void damper(const std::string& name, const Expression& elongation, const Expression& damping);
   /// Spring between two points: U = −½ k (|AB| − rest)².
-  void spring(const std::string& name, const PointReference& a, const PointReference& b, const Expression& stiffness,
-              const Expression& rest = 0);
+  void spring(const std::string& name, const SpringBetween& spring);
   /// Damper between two points: tension c d|AB|/dt.
   void damper(const std::string& name, const PointReference& a, const PointReference& b, const Expression& damping);
   /// A motor working with the displacement e: its force or torque is an input of the kernels and is returned.
   Expression motor(const std::string& name, const Expression& displacement);
   /// A given force at a point of a body, components along the axes of `axes` [N].
-  void force(const std::string& name, const FrameReference& body, const PointReference& point, const Triple& components,
-             const FrameReference& axes);
+  void force(const std::string& name, const PointForce& force);
   /// A given torque on a body, components along the axes of `axes` [N m].
   void torque(const std::string& name, const FrameReference& body, const Triple& components,
               const FrameReference& axes);
   /// A conservative action given by its force function U(q, t) [J]: Q_i = ∂U/∂q_i. U is part of the force function of
   /// the energy; its power is that of these Q_i.
   void force_function(const std::string& name, const Expression& u);
-  /// An action of intensity F working with the displacement e: Q_i = F ∂e/∂q_i, power F ė. F is any formula of q, q̇ and
+  /// A generalised force F working with the displacement e: Q_i = F ∂e/∂q_i, power F ė. F is any formula of q, q̇ and
   /// t [J over the unit of e]: a non-linear damper, a belt, the law of a controller. It has no force function.
-  void effort(const std::string& name, const Expression& displacement, const Expression& force);
+  void generalised_force(const std::string& name, const Expression& displacement, const Expression& force);
   /// Mutual attraction of two points at the distance d: U = k/d, k = 𝒢 m1 m2 [N m²]; forces k/d² towards each other
   /// (course, §5.2.4).
   void gravitation(const std::string& name, const PointReference& a, const PointReference& b,
                    const Expression& strength);
   /// A given wrench on a body reduced at a point: force [N] and moment at that point [N m], along the axes of `axes`.
-  void wrench(const std::string& name, const FrameReference& body, const PointReference& point, const Triple& force,
-              const Triple& moment, const FrameReference& axes);
+  void wrench(const std::string& name, const PointWrench& wrench);
   /// Viscous drag at a point P of a body: the force −c V(P ∈ body/relative_to), c [N s/m]; the opposite acts on
   /// `relative_to` when it is not the ground. Power −c V².
-  void drag(const std::string& name, const FrameReference& body, const PointReference& point,
-            const Expression& coefficient, const FrameReference& relative_to = "ground");
+  void drag(const std::string& name, const PointDrag& drag);
   /// Viscous drag against turning: the torque −c Ω(body/relative_to), c [N m s], and its opposite. Power −c Ω².
   void rotational_drag(const std::string& name, const FrameReference& body, const Expression& coefficient,
                        const FrameReference& relative_to = "ground");
   /// A force of body b on body a at a point [N], components along the axes of `axes`, and the opposite of a on b at the
   /// same point. Its power F · V(P ∈ a/b) is the same in every frame of reference.
-  void force_between(const std::string& name, const FrameReference& a, const FrameReference& b,
-                     const PointReference& point, const Triple& components, const FrameReference& axes);
+  void force_between(const std::string& name, const ForceBetween& force);
   /// A torque of body b on body a [N m] and the opposite of a on b; power C · Ω(a/b).
-  void torque_between(const std::string& name, const FrameReference& a, const FrameReference& b,
-                      const Triple& components, const FrameReference& axes);
+  void torque_between(const std::string& name, const TorqueBetween& torque);
 
   // --- contact laws in an assumed regime ----------------------------------------------------------------------------
   // Each uses the multiplier N of `normal` as the normal force N = n · R(other → body) ≥ 0 [N]: give that constraint as
   // a distance, or name its reaction along n. Nothing watches the regime: N < 0 (the contact opens) and a slip that
-  // stops are for the caller to see (runtime/events/contact_regime.hpp). Adhering is a no_slip constraint, without friction.
-  /// Coulomb's law while sliding: at `point` of `body` the force T = −f N G/|G|, and the opposite on `other`. `direction`
-  /// is G, of any length: the velocity of slip of body on other or a direction known beforehand (course, §6.2.3, whose
-  /// printed T lacks the division by |G|).
-  void sliding_friction(const std::string& name, const ConstraintHandle& normal, const Expression& f,
-                        const FrameReference& body, const PointReference& point, const Triple& direction,
-                        const FrameReference& axes, const FrameReference& other = "ground");
+  // stops are for the caller to see (runtime/events/contact_regime.hpp). Adhering is a no_slip constraint, without
+  // friction.
+  /// Coulomb's law while sliding: at `point` of `body` the force T = −f N G/|G|, f the `coefficient`, and the opposite
+  /// on `other`. `direction` is G, of any length: the velocity of slip of body on other or a direction known beforehand
+  /// (course, §6.2.3, whose printed T lacks the division by |G|).
+  void sliding_friction(const std::string& name, const ConstraintHandle& normal, const SlidingFriction& friction);
   /// Any law of friction: T = −N φ(s) G/s at `point` of `body`, and the opposite on `other`; G is the velocity of slip, the
   /// part along x and y of the axes of `plane` (z the normal) of V(P ∈ body/other), s = √(G² + ε²). With ε > 0 [m/s] the
   /// force is smooth through rest, where it vanishes; beyond some ε it is −N φ(|G|) G/|G| to a relative (ε/G)²/2. `law`
   /// gives φ, a plain number, as a formula of s.
-  void friction_law(const std::string& name, const ConstraintHandle& normal,
-                    const std::function<Expression(const Expression& speed)>& law, const FrameReference& body,
-                    const PointReference& point, const FrameReference& plane, const FrameReference& other = "ground",
-                    const Expression& smoothing = Expression::quantity("0.000001", "m/s"));
-  /// Resistance to rolling: the moment −h N R12/|R12| on `body`, h [m], R12 the rolling part of Ω(body/other).
-  void rolling_resistance(const std::string& name, const ConstraintHandle& normal, const Expression& h,
-                          const FrameReference& body, const Triple& direction, const FrameReference& axes,
-                          const FrameReference& other = "ground");
-  /// Resistance to spinning: the moment −k N n on `body`, k [m], n the normal turned the way of the spin P12.
-  void spinning_resistance(const std::string& name, const ConstraintHandle& normal, const Expression& k,
-                           const FrameReference& body, const Triple& direction, const FrameReference& axes,
-                           const FrameReference& other = "ground");
+  void friction_law(const std::string& name, const ConstraintHandle& normal, const FrictionLaw& friction);
+  /// Resistance to rolling: the moment −h N R12/|R12| on `body`, h the `length` [m], R12 the rolling part of
+  /// Ω(body/other).
+  void rolling_resistance(const std::string& name, const ConstraintHandle& normal,
+                          const RotationResistance& resistance);
+  /// Resistance to spinning: the moment −k N n on `body`, k the `length` [m], n the normal turned the way of the spin
+  /// P12.
+  void spinning_resistance(const std::string& name, const ConstraintHandle& normal,
+                           const RotationResistance& resistance);
 
   // --- constraints --------------------------------------------------------------------------------------------------
   /// f(q, t) = 0.
   ConstraintHandle holonomic(const std::string& name, const Expression& f);
   /// Σ a_i(q, t) q̇_i − b(q, t) = 0, given as its left-hand side.
   ConstraintHandle nonholonomic(const std::string& name, const Expression& left_side);
-  /// No slip: the velocity of the body's material point at `contact`, along `direction` (components in `axes`), is 0.
-  ConstraintHandle no_slip(const std::string& name, const FrameReference& body, const PointReference& contact,
-                           const Triple& direction, const FrameReference& axes);
-  /// The same relative to another body: V(P ∈ body / on) · direction = 0.
-  ConstraintHandle no_slip(const std::string& name, const FrameReference& body, const PointReference& contact,
-                           const Triple& direction, const FrameReference& axes, const FrameReference& on);
+  /// No slip: V(P ∈ body / on) · direction = 0, P the body's material point at `contact`, `direction` along `axes`.
+  ConstraintHandle no_slip(const std::string& name, const NoSlip& law);
   /// Rolls without slipping: V(P ∈ body / on) vanishes along x and y of `tangents`, whose z is the normal of contact.
   /// Two constraints, <name>_x and <name>_y. That the bodies touch is another condition: built into the coordinates, or
-  /// a `contact`.
-  std::vector<ConstraintHandle> rolling(const std::string& name, const FrameReference& body, const FrameReference& on,
-                                        const PointReference& contact, const FrameReference& tangents);
-  /// The point stays in the plane z = 0 of a frame; its multiplier is the normal force on the point's body.
-  ConstraintHandle contact(const std::string& name, const PointReference& point, const FrameReference& plane);
-  /// Closes a loop: AB · direction = 0, direction given in the ground frame.
+  /// a `point_in_plane`.
+  std::vector<ConstraintHandle> rolling(const std::string& name, const Rolling& rolling);
+  /// The point stays in the plane z = 0 of a frame, from both sides; its multiplier is the normal force on the point's
+  /// body.
+  ConstraintHandle point_in_plane(const std::string& name, const PointReference& point, const FrameReference& plane);
+  /// An equation that closes a loop: AB · direction = 0, direction given in the ground frame.
   ConstraintHandle closure(const std::string& name, const PointReference& a, const PointReference& b,
                            const Triple& direction);
-  /// Closes a loop by an ideal joint between two frames: one constraint for each locked direction, <name>_x, _y, _z for
-  /// AB along the axes of a (multipliers are components of the force on b) and <name>_rx, _ry, _rz for the orientation
-  /// (multipliers are components of the moment on b about the axes of a). `pitch` is a helical joint's [m/rad].
-  std::vector<ConstraintHandle> close(const std::string& name, JointType type, const FrameReference& a,
-                                      const FrameReference& b, const Expression& pitch = 0);
+  /// A joint that closes a loop, ideal, between two frames: one constraint for each locked direction, <name>_x, _y, _z
+  /// for AB along the axes of a (multipliers are components of the force on b) and <name>_rx, _ry, _rz for the
+  /// orientation (multipliers are components of the moment on b about the axes of a).
+  std::vector<ConstraintHandle> loop_joint(const std::string& name, const LoopJoint& joint);
   /// Names the reaction that enforces a constraint: a force of unknown intensity on `body` at `contact` along
   /// `direction` (components in `axes`), and the opposite on `other`. Its multiplier is then that intensity [N].
-  void reaction(const ConstraintHandle& constraint, const std::string& name, const FrameReference& body,
-                const PointReference& contact, const Triple& direction, const FrameReference& axes,
-                const FrameReference& other = "ground");
+  void reaction(const ConstraintHandle& constraint, const std::string& name, const PointReaction& reaction);
 
   /// Names coordinates that shall be independent where constraints are eliminated (linearisation), the most wanted
   /// first: those the constraints allow stay, the generator chooses the rest. An attitude's freedoms cannot be named.
@@ -289,15 +262,18 @@ class Scene {
   void claim(const std::string& name, const std::string& what);
   FrameHandle add_frame(FrameContent frame);
   PointHandle add_point(PointContent point);
-  struct Step { std::string suffix; JointKind kind; Triple axis; Expression displacement; int attitude = -1; };
+  struct Step { std::string suffix; JointKind kind; Triple axis; Expression displacement; std::optional<int> attitude = std::nullopt; };
   FrameHandle add_joint(const std::string& name, JointType type, const FrameReference& parent,
                         const Placement& placement, const std::vector<Step>& steps);
   static std::vector<Step> turns(const AngleSequence& sequence, const Triple& angles);
   static std::vector<Step> turn(AttitudeHandle attitude);
+  static std::vector<Step> turn(const SphericalMotion& by);
   static std::vector<Step> slides(const std::vector<std::pair<Triple, Expression>>& slides,
                                   const std::vector<Step>& then);
   ConstraintHandle add_constraint(ConstraintContent constraint);
   void add_friction(ContactFriction friction);
+  void add_resistance(const std::string& name, const char* kind, const ConstraintHandle& normal,
+                      const RotationResistance& resistance);
   ConstraintHandle add_constraint(const std::string& name, ConstraintLaw law, const Unit& multiplier);
   Triple measured(MeasuredVector vector, const std::string& name, const Unit& unit, std::vector<SymbolPointer> made_of);
   std::string name_of(int frame) const;

@@ -30,10 +30,9 @@ void Scene::damper(const std::string& name, const Expression& elongation, const 
   claim(name, "action");
   content_.actions.emplace_back(ElongationDamper{name, elongation, damping});
 }
-void Scene::spring(const std::string& name, const PointReference& a, const PointReference& b,
-                   const Expression& stiffness, const Expression& rest) {
+void Scene::spring(const std::string& name, const SpringBetween& spring) {
   claim(name, "action");
-  content_.actions.emplace_back(PointSpring{name, a, b, stiffness, rest});
+  content_.actions.emplace_back(PointSpring{spring, name});
 }
 void Scene::damper(const std::string& name, const PointReference& a, const PointReference& b,
                    const Expression& damping) {
@@ -48,10 +47,9 @@ Expression Scene::motor(const std::string& name, const Expression& displacement)
   content_.actions.emplace_back(Motor{name, input, displacement});
   return input;
 }
-void Scene::force(const std::string& name, const FrameReference& body, const PointReference& point,
-                  const Triple& components, const FrameReference& axes) {
+void Scene::force(const std::string& name, const PointForce& force) {
   claim(name, "action");
-  content_.actions.emplace_back(GivenForce{name, body, point, components, axes});
+  content_.actions.emplace_back(GivenForce{force, name});
 }
 void Scene::torque(const std::string& name, const FrameReference& body, const Triple& components,
                    const FrameReference& axes) {
@@ -63,12 +61,12 @@ void Scene::force_function(const std::string& name, const Expression& u) {
   claim(name, "action");
   content_.actions.emplace_back(GivenForceFunction{name, u});
 }
-void Scene::effort(const std::string& name, const Expression& displacement, const Expression& force) {
+void Scene::generalised_force(const std::string& name, const Expression& displacement, const Expression& force) {
   require_unit(force, units::joule / displacement.unit(),
-               fmt::format("the intensity of the effort '{}' on {} [{}]", name, displacement.to_string(),
+               fmt::format("the generalised force '{}' on {} [{}]", name, displacement.to_string(),
                            displacement.unit().to_string()));
   claim(name, "action");
-  content_.actions.emplace_back(Effort{name, displacement, force});
+  content_.actions.emplace_back(GeneralisedForce{name, displacement, force});
 }
 void Scene::gravitation(const std::string& name, const PointReference& a, const PointReference& b,
                         const Expression& strength) {
@@ -76,19 +74,17 @@ void Scene::gravitation(const std::string& name, const PointReference& a, const 
   claim(name, "action");
   content_.actions.emplace_back(Gravitation{name, a, b, strength});
 }
-void Scene::wrench(const std::string& name, const FrameReference& body, const PointReference& point,
-                   const Triple& force, const Triple& moment, const FrameReference& axes) {
-  require_unit(force, units::newton, fmt::format("a force component of the wrench '{}'", name));
-  require_unit(moment, units::newton_metre, fmt::format("a moment component of the wrench '{}'", name));
+void Scene::wrench(const std::string& name, const PointWrench& wrench) {
+  require_unit(wrench.force, units::newton, fmt::format("a force component of the wrench '{}'", name));
+  require_unit(wrench.moment, units::newton_metre, fmt::format("a moment component of the wrench '{}'", name));
   claim(name, "action");
-  content_.actions.emplace_back(GivenWrench{name, body, point, force, moment, axes});
+  content_.actions.emplace_back(GivenWrench{wrench, name});
 }
-void Scene::drag(const std::string& name, const FrameReference& body, const PointReference& point,
-                 const Expression& coefficient, const FrameReference& relative_to) {
-  require_unit(coefficient, units::newton / units::metre_per_second,
+void Scene::drag(const std::string& name, const PointDrag& drag) {
+  require_unit(drag.coefficient, units::newton / units::metre_per_second,
                fmt::format("the coefficient of the drag '{}'", name));
   claim(name, "action");
-  content_.actions.emplace_back(Drag{name, body, point, coefficient, relative_to});
+  content_.actions.emplace_back(Drag{drag, name});
 }
 void Scene::rotational_drag(const std::string& name, const FrameReference& body, const Expression& coefficient,
                             const FrameReference& relative_to) {
@@ -97,17 +93,15 @@ void Scene::rotational_drag(const std::string& name, const FrameReference& body,
   claim(name, "action");
   content_.actions.emplace_back(RotationalDrag{name, body, coefficient, relative_to});
 }
-void Scene::force_between(const std::string& name, const FrameReference& a, const FrameReference& b,
-                          const PointReference& point, const Triple& components, const FrameReference& axes) {
-  require_unit(components, units::newton, fmt::format("a component of the force '{}'", name));
+void Scene::force_between(const std::string& name, const ForceBetween& force) {
+  require_unit(force.components, units::newton, fmt::format("a component of the force '{}'", name));
   claim(name, "action");
-  content_.actions.emplace_back(MutualAction{name, a, b, point, components, axes});
+  content_.actions.emplace_back(MutualAction{name, force.a, force.b, force.point, force.components, force.axes});
 }
-void Scene::torque_between(const std::string& name, const FrameReference& a, const FrameReference& b,
-                           const Triple& components, const FrameReference& axes) {
-  require_unit(components, units::newton_metre, fmt::format("a component of the torque '{}'", name));
+void Scene::torque_between(const std::string& name, const TorqueBetween& torque) {
+  require_unit(torque.components, units::newton_metre, fmt::format("a component of the torque '{}'", name));
   claim(name, "action");
-  content_.actions.emplace_back(MutualAction{name, a, b, std::nullopt, components, axes});
+  content_.actions.emplace_back(MutualAction{name, torque.a, torque.b, std::nullopt, torque.components, torque.axes});
 }
 
 void Scene::add_friction(ContactFriction friction) {
@@ -118,42 +112,62 @@ void Scene::add_friction(ContactFriction friction) {
   claim(friction.name, "action");
   content_.frictions.push_back(std::move(friction));
 }
-void Scene::sliding_friction(const std::string& name, const ConstraintHandle& normal, const Expression& f,
-                             const FrameReference& body, const PointReference& point, const Triple& direction,
-                             const FrameReference& axes, const FrameReference& other) {
-  require_unit(f, Unit(), fmt::format("the coefficient of the friction '{}'", name));
-  require_one_unit(direction, of("direction", "friction", name));
-  add_friction({name, normal.index, f, body, point, direction, axes, other, {}});
+void Scene::sliding_friction(const std::string& name, const ConstraintHandle& normal, const SlidingFriction& friction) {
+  require_unit(friction.coefficient, Unit(), fmt::format("the coefficient of the friction '{}'", name));
+  require_one_unit(friction.direction, of("direction", "friction", name));
+  add_friction({name,
+                normal.index,
+                friction.coefficient,
+                friction.body,
+                friction.point,
+                friction.direction,
+                friction.axes,
+                friction.other,
+                {}});
 }
-void Scene::friction_law(const std::string& name, const ConstraintHandle& normal,
-                         const std::function<Expression(const Expression& speed)>& law, const FrameReference& body,
-                         const PointReference& point, const FrameReference& plane, const FrameReference& other,
-                         const Expression& smoothing) {
-  if (smoothing.is_zero()) {
+void Scene::friction_law(const std::string& name, const ConstraintHandle& normal, const FrictionLaw& friction) {
+  if (friction.smoothing.is_zero()) {
     throw SceneError(fmt::format("the law of friction '{}' has the smoothing speed 0, with which its force is no number at "
                                  "rest: give one that is small beside the speeds that matter, e.g. 1e-6 m/s",
                                  name));
   }
-  require_unit(smoothing, units::metre_per_second, fmt::format("the smoothing speed of the friction '{}'", name));
-  const Triple slip = velocity(point, body, plane, other);
-  const Expression speed = sqrt(pow(slip[0], 2) + pow(slip[1], 2) + pow(smoothing, 2));
-  const Expression coefficient = law(speed);
+  require_unit(friction.smoothing, units::metre_per_second,
+               fmt::format("the smoothing speed of the friction '{}'", name));
+  const Triple slip = velocity(friction.point, friction.body, friction.plane, friction.other);
+  const Expression speed = sqrt(pow(slip[0], 2) + pow(slip[1], 2) + pow(friction.smoothing, 2));
+  const Expression coefficient = friction.law(speed);
   require_unit(coefficient, Unit(), fmt::format("the value of the law of friction '{}'", name));
-  add_friction({name, normal.index, coefficient, body, point, {slip[0], slip[1], 0}, plane, other, speed});
+  add_friction({name,
+                normal.index,
+                coefficient,
+                friction.body,
+                friction.point,
+                {slip[0], slip[1], 0},
+                friction.plane,
+                friction.other,
+                speed});
 }
-void Scene::rolling_resistance(const std::string& name, const ConstraintHandle& normal, const Expression& h,
-                               const FrameReference& body, const Triple& direction, const FrameReference& axes,
-                               const FrameReference& other) {
-  require_unit(h, units::metre, fmt::format("the length of the rolling resistance '{}'", name));
-  require_one_unit(direction, of("direction", "rolling resistance", name));
-  add_friction({name, normal.index, h, body, std::nullopt, direction, axes, other, {}});
+void Scene::rolling_resistance(const std::string& name, const ConstraintHandle& normal,
+                               const RotationResistance& resistance) {
+  add_resistance(name, "rolling resistance", normal, resistance);
 }
-void Scene::spinning_resistance(const std::string& name, const ConstraintHandle& normal, const Expression& k,
-                                const FrameReference& body, const Triple& direction, const FrameReference& axes,
-                                const FrameReference& other) {
-  require_unit(k, units::metre, fmt::format("the length of the spinning resistance '{}'", name));
-  require_one_unit(direction, of("direction", "spinning resistance", name));
-  add_friction({name, normal.index, k, body, std::nullopt, direction, axes, other, {}});
+void Scene::spinning_resistance(const std::string& name, const ConstraintHandle& normal,
+                                const RotationResistance& resistance) {
+  add_resistance(name, "spinning resistance", normal, resistance);
+}
+void Scene::add_resistance(const std::string& name, const char* kind, const ConstraintHandle& normal,
+                           const RotationResistance& resistance) {
+  require_unit(resistance.length, units::metre, of("length", kind, name));
+  require_one_unit(resistance.direction, of("direction", kind, name));
+  add_friction({name,
+                normal.index,
+                resistance.length,
+                resistance.body,
+                std::nullopt,
+                resistance.direction,
+                resistance.axes,
+                resistance.other,
+                {}});
 }
 
 }  // namespace torsor

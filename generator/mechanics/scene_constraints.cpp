@@ -73,23 +73,24 @@ ConstraintHandle Scene::holonomic(const std::string& name, const Expression& f) 
 ConstraintHandle Scene::nonholonomic(const std::string& name, const Expression& left_side) {
   return add_constraint(name, NonholonomicFormula{left_side}, units::watt / left_side.unit());
 }
-ConstraintHandle Scene::no_slip(const std::string& name, const FrameReference& body, const PointReference& contact,
-                                const Triple& direction, const FrameReference& axes) {
-  return no_slip(name, body, contact, direction, axes, ground());
+ConstraintHandle Scene::no_slip(const std::string& name, const NoSlip& law) {
+  require_unit(law.direction, Unit(), fmt::format("a component of the direction of the constraint '{}'", name));
+  return add_constraint(name, law, units::newton);
 }
-ConstraintHandle Scene::no_slip(const std::string& name, const FrameReference& body, const PointReference& contact,
-                                const Triple& direction, const FrameReference& axes, const FrameReference& on) {
-  require_unit(direction, Unit(), fmt::format("a component of the direction of the constraint '{}'", name));
-  return add_constraint(name, NoSlip{body, contact, direction, axes, on}, units::newton);
-}
-std::vector<ConstraintHandle> Scene::rolling(const std::string& name, const FrameReference& body,
-                                             const FrameReference& on, const PointReference& contact,
-                                             const FrameReference& tangents) {
-  const ConstraintHandle along_x = no_slip(name + "_x", body, contact, axis::x, tangents, on);
-  const ConstraintHandle along_y = no_slip(name + "_y", body, contact, axis::y, tangents, on);
+std::vector<ConstraintHandle> Scene::rolling(const std::string& name, const Rolling& rolling) {
+  const auto along = [&](const char* suffix, const Triple& direction) {
+    return no_slip(name + suffix, {.body = rolling.body,
+                                   .contact = rolling.contact,
+                                   .direction = direction,
+                                   .axes = rolling.tangents,
+                                   .on = rolling.on});
+  };
+  const ConstraintHandle along_x = along("_x", axis::x);
+  const ConstraintHandle along_y = along("_y", axis::y);
   return {along_x, along_y};
 }
-ConstraintHandle Scene::contact(const std::string& name, const PointReference& point, const FrameReference& plane) {
+ConstraintHandle Scene::point_in_plane(const std::string& name, const PointReference& point,
+                                       const FrameReference& plane) {
   return add_constraint(name, PointInPlane{point, plane}, units::newton);
 }
 ConstraintHandle Scene::closure(const std::string& name, const PointReference& a, const PointReference& b,
@@ -98,8 +99,8 @@ ConstraintHandle Scene::closure(const std::string& name, const PointReference& a
   return add_constraint(name, Closure{a, b, direction}, units::newton);
 }
 
-std::vector<ConstraintHandle> Scene::close(const std::string& name, JointType type, const FrameReference& a,
-                                           const FrameReference& b, const Expression& pitch) {
+std::vector<ConstraintHandle> Scene::loop_joint(const std::string& name, const LoopJoint& joint) {
+  const auto& [type, a, b, pitch] = joint;
   if (type == JointType::free) {
     throw SceneError(fmt::format("joint '{}' cannot close a loop: a free joint holds nothing; leave it out", name));
   }
@@ -112,7 +113,7 @@ std::vector<ConstraintHandle> Scene::close(const std::string& name, JointType ty
                                 pitch.to_string(), name, pitch.unit().to_string()));
   }
   claim(name, "joint");
-  content_.joints.push_back({name, type, a, b, {}, true, 0, -1, pitch});
+  content_.joints.push_back({name, type, a, b, {}, std::nullopt, pitch});
   std::vector<ConstraintHandle> handles;
   for (const Locked& direction : locked_directions(type)) {
     const JointClosure law{direction.kind, a, b, direction.i, direction.j, direction.sign, pitch};
@@ -133,18 +134,16 @@ void Scene::independent(const std::vector<Expression>& coordinates) {
   }
 }
 
-void Scene::reaction(const ConstraintHandle& handle, const std::string& name, const FrameReference& body,
-                     const PointReference& contact, const Triple& direction, const FrameReference& axes,
-                     const FrameReference& other) {
+void Scene::reaction(const ConstraintHandle& handle, const std::string& name, const PointReaction& reaction) {
   require_identifier(name, "reaction");
-  require_unit(direction, Unit(), fmt::format("a component of the direction of the reaction '{}'", name));
+  require_unit(reaction.direction, Unit(), fmt::format("a component of the direction of the reaction '{}'", name));
   claim(name, "reaction");
   ConstraintContent& constraint = content_.constraints.at(static_cast<std::size_t>(handle.index));
   if (constraint.reaction) {
     throw SceneError(fmt::format("constraint '{}' already has the reaction '{}': one multiplier enforces one constraint",
                                  constraint.name, constraint.reaction->name));
   }
-  constraint.reaction = ReactionContent{name, body, contact, direction, axes, other};
+  constraint.reaction = ReactionContent{reaction, name};
   constraint.multiplier = add_symbol(name, units::newton, SymbolKind::multiplier);
 }
 

@@ -14,48 +14,12 @@
 #include "generator/geometry/triple.hpp"
 #include "generator/mechanics/inertia.hpp"
 #include "generator/mechanics/joint.hpp"
+#include "generator/mechanics/scene_arguments.hpp"
+#include "generator/mechanics/scene_references.hpp"
 
 namespace torsor {
 
-// What a Scene holds, for those who derive from it. Users meet the handles and references only.
-
-struct FrameHandle { int index = 0; };
-struct PointHandle { int index = 0; };
-struct ConstraintHandle { int index = 0; };
-
-/// A frame by handle or by name; names are looked up when the scene is validated.
-struct FrameReference {
-  FrameReference(FrameHandle handle) : target(handle.index) {}          // NOLINT(google-explicit-constructor)
-  FrameReference(std::string name) : target(std::move(name)) {}         // NOLINT(google-explicit-constructor)
-  FrameReference(const char* name) : target(std::string(name)) {}       // NOLINT(google-explicit-constructor)
-  std::variant<int, std::string> target;
-};
-struct PointReference {
-  PointReference(PointHandle handle) : target(handle.index) {}          // NOLINT(google-explicit-constructor)
-  PointReference(std::string name) : target(std::move(name)) {}         // NOLINT(google-explicit-constructor)
-  PointReference(const char* name) : target(std::string(name)) {}       // NOLINT(google-explicit-constructor)
-  std::variant<int, std::string> target;
-};
-
-/// Where a joint sits in its parent: origin, then a constant rotation.
-struct Placement {
-  Triple origin{Expression(0), Expression(0), Expression(0)};
-  Rotation rotation{};
-};
-
-/// Axes (0, 1, 2 for x, y, z) of three plane rotations, each about an axis of the frame that the one before has turned.
-struct AngleSequence {
-  std::array<int, 3> axes;
-  static const AngleSequence euler;   ///< ψ, θ, φ about z, x, z
-  static const AngleSequence cardan;  ///< α, β, γ about x, y, z
-};
-inline constexpr AngleSequence AngleSequence::euler{{2, 0, 2}};
-inline constexpr AngleSequence AngleSequence::cardan{{0, 1, 2}};
-
-/// A unit quaternion as a scene's unknown: the orientation of a frame relative to its parent, by four coordinates e
-/// whose rates come from the components ω of the relative angular velocity in the moving frame's axes (quasi-velocities):
-/// ė_w = −½ (e_x ω_x + e_y ω_y + e_z ω_z), ė_x = ½ (e_w ω_x + e_y ω_z − e_z ω_y) and so on cyclically.
-struct AttitudeHandle { int index = 0; };
+// What a Scene holds, for those who derive from it. Users meet handles, references and arguments only.
 
 /// How one frame of the tree moves in its parent. `attitude` is a rotation by a unit quaternion.
 enum class JointKind { weld, revolute, prismatic, attitude };
@@ -67,18 +31,20 @@ struct FrameContent {
   JointKind joint = JointKind::weld;
   Triple axis{};
   Expression displacement;  ///< angle [rad] or distance [m] as a formula of coordinates and time
-  int attitude = -1;        ///< index of the scene's attitude that turns the frame
+  std::optional<int> attitude = std::nullopt;  ///< index of the scene's attitude that turns the frame
 };
 
-/// A joint as its author named it, made of the frames `first` to `last` of the scene's tree, or closing a loop.
+/// Frames of a scene's tree by their indices, both included.
+struct FrameRange { int first, last; };
+
+/// A joint as its author named it: of the tree, or held by constraints where it closes a loop.
 struct JointContent {
   std::string name;
   JointType type = JointType::free;
-  FrameReference a, b;        ///< the frames it joins: parent and child in the tree
-  Placement placement;        ///< of the joint's axes in a; the tree's only
-  bool closes_loop = false;   ///< held by constraints, not by the tree
-  int first = 0, last = -1;   ///< frames of the tree that realise it
-  Expression pitch;           ///< of a helical joint [m/rad]
+  FrameReference a, b;                ///< the frames it joins: parent and child in the tree
+  Placement placement;                ///< of the joint's axes in a; the tree's only
+  std::optional<FrameRange> of_tree;  ///< the frames that realise it; none: it closes a loop
+  Expression pitch;                   ///< of a helical joint [m/rad]
 };
 
 /// h(u) = max u · CP over the points P of a convex body, C the origin of a frame, as a formula of the components of u
@@ -125,7 +91,7 @@ struct CoordinateLimits { std::optional<Number> lower, upper, velocity, effort; 
 /// A freedom of the mechanism: a coordinate q, or one of the three of an attitude, whose q is only a name.
 struct CoordinateContent {
   SymbolPointer q, v, a;
-  int attitude = -1;                        ///< of quasi-velocities: index of the attitude
+  std::optional<int> attitude;              ///< of quasi-velocities: index of the attitude
   std::optional<Expression> law;            ///< imposed by time
   bool released = false;                    ///< held at zero, its reaction can be asked for
   std::optional<Expression> initial_value;  ///< at t = 0
@@ -136,16 +102,19 @@ struct CoordinateContent {
 
 struct ElongationSpring { std::string name; Expression elongation, stiffness, rest; };
 struct ElongationDamper { std::string name; Expression elongation, damping; };
-struct PointSpring { std::string name; PointReference a, b; Expression stiffness, rest; };
+using PointSpring = Named<SpringBetween>;
 struct PointDamper { std::string name; PointReference a, b; Expression damping; };
 struct Motor { std::string name; SymbolPointer input; Expression displacement; };
-struct GivenForce { std::string name; FrameReference body; PointReference point; Triple components; FrameReference axes; };
+using GivenForce = Named<PointForce>;
 struct GivenTorque { std::string name; FrameReference body; Triple components; FrameReference axes; };
 struct GivenForceFunction { std::string name; Expression force_function; };
-struct Effort { std::string name; Expression displacement, force; };
+struct GeneralisedForce {
+  std::string name;
+  Expression displacement, force;
+};
 struct Gravitation { std::string name; PointReference a, b; Expression strength; };
-struct GivenWrench { std::string name; FrameReference body; PointReference point; Triple force, moment; FrameReference axes; };
-struct Drag { std::string name; FrameReference body; PointReference point; Expression coefficient; FrameReference relative_to; };
+using GivenWrench = Named<PointWrench>;
+using Drag = Named<PointDrag>;
 struct RotationalDrag { std::string name; FrameReference body; Expression coefficient; FrameReference relative_to; };
 /// Force at a point (none: a torque) of b on a, with the opposite of a on b.
 struct MutualAction {
@@ -157,7 +126,7 @@ struct MutualAction {
 };
 using ActionContent =
     std::variant<ElongationSpring, ElongationDamper, PointSpring, PointDamper, Motor, GivenForce, GivenTorque,
-                 GivenForceFunction, Effort, Gravitation, GivenWrench, Drag, RotationalDrag, MutualAction>;
+                 GivenForceFunction, GeneralisedForce, Gravitation, GivenWrench, Drag, RotationalDrag, MutualAction>;
 
 /// Coulomb's laws in an assumed regime, tied to the multiplier N of a normal constraint: the force −f N d at the point,
 /// or without a point the moment −h N d, on `body`, and the opposite on `other`; d = direction/|direction|.
@@ -175,13 +144,8 @@ struct ContactFriction {
 const std::string& name_of(const ActionContent& action);
 
 struct HolonomicFormula { Expression f; };
-struct NonholonomicFormula { Expression left_side; };
-struct NoSlip {
-  FrameReference body;
-  PointReference contact;
-  Triple direction;
-  FrameReference axes;
-  FrameReference on = FrameHandle{0};  ///< the body it does not slip on
+struct NonholonomicFormula {
+  Expression left_side;
 };
 struct Closure { PointReference a, b; Triple direction; };
 /// The point stays in the plane x, y of a frame.
@@ -202,14 +166,7 @@ struct JointClosure {
 
 using ConstraintLaw = std::variant<HolonomicFormula, NonholonomicFormula, NoSlip, Closure, PointInPlane, JointClosure>;
 
-struct ReactionContent {
-  std::string name;
-  FrameReference body;
-  PointReference contact;
-  Triple direction;
-  FrameReference axes;
-  FrameReference other = "ground";  ///< the body that exerts it, and feels the opposite
-};
+using ReactionContent = Named<PointReaction>;
 struct ConstraintContent {
   std::string name;
   ConstraintLaw law;

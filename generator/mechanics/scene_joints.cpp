@@ -36,11 +36,11 @@ FrameHandle Scene::add_joint(const std::string& name, JointType type, const Fram
                              const Placement& placement, const std::vector<Step>& steps) {
   require_unit(placement.origin, units::metre, fmt::format("a component of the origin of the joint '{}'", name));
   for (const Step& step : steps) {
-    if (step.attitude < 0) require_unit(step.axis, Unit(), fmt::format("a component of the axis of the joint '{}'", name));
+    if (!step.attitude) require_unit(step.axis, Unit(), fmt::format("a component of the axis of the joint '{}'", name));
     if (step.kind == JointKind::revolute) require_displacement(name, "angle", step.displacement, Unit(), "rad");
     if (step.kind == JointKind::prismatic) require_displacement(name, "displacement", step.displacement, units::metre, "m");
-    if (step.attitude < 0) continue;
-    AttitudeContent& attitude = content_.attitudes.at(static_cast<std::size_t>(step.attitude));
+    if (!step.attitude) continue;
+    AttitudeContent& attitude = content_.attitudes.at(as_index(*step.attitude));
     if (!attitude.frame.empty()) {
       throw SceneError(fmt::format("the attitude '{}' turns the frame '{}' and cannot turn '{}' too: declare another one",
                                    attitude.name, attitude.frame, name));
@@ -56,7 +56,7 @@ FrameHandle Scene::add_joint(const std::string& name, JointType type, const Fram
                     step.displacement, step.attitude});
   }
   const int end = static_cast<int>(content_.frames.size()) - 1;
-  content_.joints.push_back({name, type, parent, FrameHandle{end}, placement, false, first, end, 0});
+  content_.joints.push_back({name, type, parent, FrameHandle{end}, placement, FrameRange{first, end}, 0});
   return {end};
 }
 
@@ -75,26 +75,27 @@ FrameHandle Scene::prismatic(const std::string& name, const FrameReference& pare
   return add_joint(name, JointType::prismatic, parent, placement, {{"1", JointKind::prismatic, axis, displacement}});
 }
 
-FrameHandle Scene::helical(const std::string& name, const FrameReference& parent, const Triple& axis,
-                           const Expression& angle, const Expression& pitch, const Placement& placement) {
-  const FrameHandle frame =
-      add_joint(name, JointType::helical, parent, placement,
-                {{"1", JointKind::prismatic, axis, pitch * angle}, {"2", JointKind::revolute, axis, angle}});
-  content_.joints.back().pitch = pitch;
+FrameHandle Scene::helical(const std::string& name, const FrameReference& parent, const HelicalMotion& motion,
+                           const Placement& placement) {
+  const FrameHandle frame = add_joint(name, JointType::helical, parent, placement,
+                                      {{"1", JointKind::prismatic, motion.axis, motion.pitch * motion.angle},
+                                       {"2", JointKind::revolute, motion.axis, motion.angle}});
+  content_.joints.back().pitch = motion.pitch;
   return frame;
 }
 
-FrameHandle Scene::cylindrical(const std::string& name, const FrameReference& parent, const Triple& axis,
-                               const Expression& displacement, const Expression& angle, const Placement& placement) {
+FrameHandle Scene::cylindrical(const std::string& name, const FrameReference& parent, const CylindricalMotion& motion,
+                               const Placement& placement) {
   return add_joint(name, JointType::cylindrical, parent, placement,
-                   {{"1", JointKind::prismatic, axis, displacement}, {"2", JointKind::revolute, axis, angle}});
+                   {{"1", JointKind::prismatic, motion.axis, motion.displacement},
+                    {"2", JointKind::revolute, motion.axis, motion.angle}});
 }
 
-FrameHandle Scene::universal(const std::string& name, const FrameReference& parent, const Triple& first,
-                             const Expression& first_angle, const Triple& second, const Expression& second_angle,
+FrameHandle Scene::universal(const std::string& name, const FrameReference& parent, const UniversalMotion& motion,
                              const Placement& placement) {
   return add_joint(name, JointType::universal, parent, placement,
-                   {{"1", JointKind::revolute, first, first_angle}, {"2", JointKind::revolute, second, second_angle}});
+                   {{"1", JointKind::revolute, motion.first, motion.first_angle},
+                    {"2", JointKind::revolute, motion.second, motion.second_angle}});
 }
 
 std::vector<Scene::Step> Scene::turns(const AngleSequence& sequence, const Triple& angles) {
@@ -113,6 +114,11 @@ std::vector<Scene::Step> Scene::turns(const AngleSequence& sequence, const Tripl
 
 std::vector<Scene::Step> Scene::turn(AttitudeHandle attitude) {
   return {{"1", JointKind::attitude, {}, 0, attitude.index}};
+}
+
+std::vector<Scene::Step> Scene::turn(const SphericalMotion& by) {
+  if (const auto* rotations = std::get_if<PlaneRotations>(&by)) return turns(rotations->sequence, rotations->angles);
+  return turn(std::get<AttitudeHandle>(by));
 }
 
 std::vector<Scene::Step> Scene::slides(const std::vector<std::pair<Triple, Expression>>& slides,
@@ -135,43 +141,31 @@ FrameHandle Scene::spherical(const std::string& name, const FrameReference& pare
   return add_joint(name, JointType::spherical, parent, placement, turn(attitude));
 }
 
-FrameHandle Scene::planar(const std::string& name, const FrameReference& parent, const Expression& x,
-                          const Expression& y, const Expression& angle, const Placement& placement) {
-  return add_joint(name, JointType::planar, parent, placement,
-                   slides({{axis::x, x}, {axis::y, y}}, {{"1", JointKind::revolute, axis::z, angle}}));
+FrameHandle Scene::planar(const std::string& name, const FrameReference& parent, const PlanarMotion& motion,
+                          const Placement& placement) {
+  return add_joint(
+      name, JointType::planar, parent, placement,
+      slides({{axis::x, motion.x}, {axis::y, motion.y}}, {{"1", JointKind::revolute, axis::z, motion.angle}}));
 }
 
-FrameHandle Scene::line_contact(const std::string& name, const FrameReference& parent, const Expression& x,
-                                const Expression& y, const Expression& yaw, const Expression& roll,
+FrameHandle Scene::line_contact(const std::string& name, const FrameReference& parent, const LineContactMotion& motion,
                                 const Placement& placement) {
-  return add_joint(name, JointType::line_contact, parent, placement,
-                   slides({{axis::x, x}, {axis::y, y}},
-                          {{"1", JointKind::revolute, axis::z, yaw}, {"2", JointKind::revolute, axis::x, roll}}));
+  return add_joint(
+      name, JointType::line_contact, parent, placement,
+      slides({{axis::x, motion.x}, {axis::y, motion.y}},
+             {{"1", JointKind::revolute, axis::z, motion.yaw}, {"2", JointKind::revolute, axis::x, motion.roll}}));
 }
 
-FrameHandle Scene::sphere_in_cylinder(const std::string& name, const FrameReference& parent, const Triple& axis,
-                                      const Expression& displacement, const AngleSequence& sequence,
-                                      const Triple& angles, const Placement& placement) {
+FrameHandle Scene::sphere_in_cylinder(const std::string& name, const FrameReference& parent,
+                                      const SphereInCylinderMotion& motion, const Placement& placement) {
   return add_joint(name, JointType::sphere_in_cylinder, parent, placement,
-                   slides({{axis, displacement}}, turns(sequence, angles)));
-}
-FrameHandle Scene::sphere_in_cylinder(const std::string& name, const FrameReference& parent, const Triple& axis,
-                                      const Expression& displacement, AttitudeHandle attitude,
-                                      const Placement& placement) {
-  return add_joint(name, JointType::sphere_in_cylinder, parent, placement,
-                   slides({{axis, displacement}}, turn(attitude)));
+                   slides({{motion.axis, motion.displacement}}, turn(motion.turn)));
 }
 
-FrameHandle Scene::point_contact(const std::string& name, const FrameReference& parent, const Expression& x,
-                                 const Expression& y, const AngleSequence& sequence, const Triple& angles,
-                                 const Placement& placement) {
+FrameHandle Scene::point_contact(const std::string& name, const FrameReference& parent,
+                                 const PointContactMotion& motion, const Placement& placement) {
   return add_joint(name, JointType::point_contact, parent, placement,
-                   slides({{axis::x, x}, {axis::y, y}}, turns(sequence, angles)));
-}
-FrameHandle Scene::point_contact(const std::string& name, const FrameReference& parent, const Expression& x,
-                                 const Expression& y, AttitudeHandle attitude, const Placement& placement) {
-  return add_joint(name, JointType::point_contact, parent, placement,
-                   slides({{axis::x, x}, {axis::y, y}}, turn(attitude)));
+                   slides({{axis::x, motion.x}, {axis::y, motion.y}}, turn(motion.turn)));
 }
 
 FrameHandle Scene::free(const std::string& name, const FrameReference& parent, const AngleSequence& sequence,
@@ -189,7 +183,7 @@ FrameHandle Scene::free(const std::string& name, const FrameReference& parent, c
 
 void Scene::name_joint(const FrameHandle& frame, const std::string& name) {
   for (JointContent& joint : content_.joints) {
-    if (joint.closes_loop || joint.last != frame.index) continue;
+    if (!joint.of_tree || joint.of_tree->last != frame.index) continue;
     claim(name, "joint");
     joint.name = name;
     return;
@@ -201,7 +195,7 @@ void Scene::name_joint(const FrameHandle& frame, const std::string& name) {
   }
   claim(name, "joint");
   content_.joints.push_back(
-      {name, JointType::weld, *welded.parent, frame, welded.placement, false, frame.index, frame.index, 0});
+      {name, JointType::weld, *welded.parent, frame, welded.placement, FrameRange{frame.index, frame.index}, 0});
 }
 
 }  // namespace torsor

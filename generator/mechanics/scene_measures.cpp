@@ -61,7 +61,7 @@ class MadeOf {
   }
   void add_joint(const FrameContent& frame) {
     if (frame.joint != JointKind::attitude) return add(frame.displacement);
-    for (const SymbolPointer& e : scene_.attitudes[as_index(frame.attitude)].symbols->e) add(e);
+    for (const SymbolPointer& e : scene_.attitudes[as_index(*frame.attitude)].symbols->e) add(e);
   }
   std::vector<int> chain(int frame) const {
     std::vector<int> all;

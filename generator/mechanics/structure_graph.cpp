@@ -39,11 +39,11 @@ class Builder {
     body_of_frame_.assign(group_.size(), -1);
     for (std::size_t f = 0; f < group_.size(); ++f) body_of_frame_[f] = body_of(static_cast<int>(f));
     for (std::size_t j = 0; j < scene_.joints.size(); ++j) {
-      if (!scene_.joints[j].closes_loop) add_pieces(graph, static_cast<int>(j));
+      if (scene_.joints[j].of_tree) add_pieces(graph, static_cast<int>(j));
     }
     for (std::size_t j = 0; j < scene_.joints.size(); ++j) {
       const JointContent& joint = scene_.joints[j];
-      if (!joint.closes_loop) continue;
+      if (joint.of_tree) continue;
       graph.joints.push_back({joint.name,
                               joint.type,
                               freedom_count(joint.type),
@@ -69,7 +69,7 @@ class Builder {
 
   bool is_named_weld(std::size_t f) const {
     return std::any_of(scene_.joints.begin(), scene_.joints.end(), [f](const JointContent& joint) {
-      return joint.type == JointType::weld && !joint.closes_loop && as_index(joint.last) == f;
+      return joint.type == JointType::weld && joint.of_tree && as_index(joint.of_tree->last) == f;
     });
   }
 
@@ -96,8 +96,9 @@ class Builder {
       attach(frame(joint.b));
     }
     for (const JointContent& joint : scene_.joints) {
-      int end = joint.last;
-      for (int f = joint.last; f >= joint.first && !joint.closes_loop; --f) {
+      if (!joint.of_tree) continue;
+      int end = joint.of_tree->last;
+      for (int f = end; f >= joint.of_tree->first; --f) {
         if (is_body[as_index(root(f))]) end = f;
         end_of_[as_index(root(f))] = root(end);
       }
@@ -127,7 +128,7 @@ class Builder {
   }
 
   int freedoms_of(const JointContent& joint, int f) const {
-    if (joint.type == JointType::helical && f != joint.last) return 0;  // the slide follows the turn
+    if (joint.type == JointType::helical && f != joint.of_tree->last) return 0;  // the slide follows the turn
     return scene_.frames[as_index(f)].joint == JointKind::attitude ? 3 : 1;
   }
 
@@ -142,7 +143,7 @@ class Builder {
     int from = body(joint.a);
     GraphJoint piece;
     bool whole = true;
-    for (int f = joint.first; f <= joint.last; ++f) {
+    for (int f = joint.of_tree->first; f <= joint.of_tree->last; ++f) {
       if (root(f) != f) {
         whole = false;
         continue;

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "generator/dynamics/forces/energy.hpp"
+#include "generator/expression/as_index.hpp"
 
 namespace torsor::reading {
 namespace {
@@ -57,7 +58,7 @@ GiNaC::ex LagrangeEquations::time_derivative(const GiNaC::ex& expression) {
   const Model& model = open_.model();
   GiNaC::ex result = partial(expression, view_.symbol(model.scene().time));
   for (const CoordinateContent& c : model.coordinates()) {
-    if (c.attitude < 0) result += partial(expression, view_.symbol(c.q)) * view_.symbol(c.v);
+    if (!c.attitude) result += partial(expression, view_.symbol(c.q)) * view_.symbol(c.v);
     result += partial(expression, view_.symbol(c.v)) * view_.symbol(c.a);
   }
   for (const AttitudeContent& attitude : model.scene().attitudes) {
@@ -69,9 +70,9 @@ GiNaC::ex LagrangeEquations::time_derivative(const GiNaC::ex& expression) {
 }
 
 GiNaC::ex LagrangeEquations::along(const GiNaC::ex& expression, const CoordinateContent& c) {
-  if (c.attitude < 0) return partial(expression, view_.symbol(c.q));
+  if (!c.attitude) return partial(expression, view_.symbol(c.q));
   GiNaC::ex result = 0;
-  const auto& attitude = open_.scene().content().attitudes[static_cast<std::size_t>(c.attitude)];
+  const auto& attitude = open_.scene().content().attitudes[as_index(*c.attitude)];
   for (const SymbolPointer& e : attitude.symbols->e) {
     const Value rate = rate_along(open_.program(), e, c.v);
     if (!rate.is_zero()) result += partial(expression, view_.symbol(e)) * *view_.expression(rate);
@@ -80,8 +81,8 @@ GiNaC::ex LagrangeEquations::along(const GiNaC::ex& expression, const Coordinate
 }
 
 GiNaC::ex LagrangeEquations::turning_term(const GiNaC::ex& kinetic, const CoordinateContent& c) {
-  if (c.attitude < 0) return 0;
-  const auto& omega = open_.scene().content().attitudes[static_cast<std::size_t>(c.attitude)].symbols->omega;
+  if (!c.attitude) return 0;
+  const auto& omega = open_.scene().content().attitudes[as_index(*c.attitude)].symbols->omega;
   for (std::size_t i = 0; i < 3; ++i) {
     if (omega[i] != c.v) continue;
     const GiNaC::ex second = view_.symbol(omega[(i + 1) % 3]);

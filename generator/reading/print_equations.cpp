@@ -90,7 +90,7 @@ class Printer {
     page_.section("Coordinates");
     for (const CoordinateContent& c : scene.coordinates) {
       if (c.law) continue;
-      if (c.attitude < 0) {
+      if (!c.attitude) {
         page_.symbol(*c.q, c.released ? "released: held at zero by the joint, its reaction is asked for" : "");
         continue;
       }

@@ -35,10 +35,11 @@ Triple direction_of(const std::string& text, const Scene& scene) {
 /// The point at which moments are taken; the origin of a frame becomes a point of the scene.
 PointReference point_at(Scene& scene, const std::string& name) {
   const auto& points = scene.content().points;
-  if (std::any_of(points.begin(), points.end(), [&](const PointContent& p) { return p.name == name; })) return name;
+  if (std::any_of(points.begin(), points.end(), [&](const PointContent& p) { return p.name == name; }))
+    return PointReference(name);
   const auto& frames = scene.content().frames;
   const auto frame = std::find_if(frames.begin(), frames.end(), [&](const FrameContent& f) { return f.name == name; });
-  if (frame == frames.end()) return name;  // whoever looks it up names those that there are
+  if (frame == frames.end()) return PointReference(name);  // whoever looks it up names those that there are
   std::string free = "origin";
   while (scene.content().names.count(free) > 0) free += "_";
   return scene.point(free, FrameHandle{static_cast<int>(frame - frames.begin())}, {0, 0, 0});

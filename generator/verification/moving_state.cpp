@@ -20,7 +20,7 @@ MovingState::MovingState(const Scene& scene, const RandomState& state) : start_(
   motions_[content.time.get()] = {start_(content.time), Real(1), Real(0)};
   for (const CoordinateContent& c : content.coordinates) {
     motions_[c.v.get()] = {start_(c.v), start_(c.a), Real(0)};
-    if (c.attitude < 0) motions_[c.q.get()] = {start_(c.q), start_(c.v), start_(c.a)};
+    if (!c.attitude) motions_[c.q.get()] = {start_(c.q), start_(c.v), start_(c.a)};
   }
   for (const AttitudeContent& attitude : content.attitudes) {
     RealQuaternion e;

@@ -87,7 +87,7 @@ TEST(BadScene, WithAConstraintThatInvolvesNoCoordinateIsRefused) {
         Scene scene = pendulum();
         scene.point("A", scene.ground(), {0, 0, 0});
         scene.point("B", scene.ground(), {1 * Expression::quantity("1", "m"), 0, 0});
-        scene.closure("bar", "A", "B", axis::x);
+        scene.closure("bar", scene.point("A"), scene.point("B"), axis::x);
         return scene;
       },
       "constraint 'bar' involves no coordinate: no motion can satisfy or violate it; drop it or write it with the "

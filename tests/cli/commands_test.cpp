@@ -154,7 +154,10 @@ Scene ill_conditioned() {
   scene.body("block", slide, Inertia::point(Expression::quantity("1", "kg")));
   scene.point("G", slide, {0, 0, 0});
   scene.spring("spring", x, Expression::quantity("1", "N/m"), Expression::quantity("1e18", "m"));
-  scene.force("balance", slide, "G", {Expression::quantity("-1e18", "N"), 0, 0}, scene.ground());
+  scene.force("balance", {.body = slide,
+                          .point = scene.point("G"),
+                          .components = {Expression::quantity("-1e18", "N"), 0, 0},
+                          .axes = scene.ground()});
   return scene;
 }
 

@@ -11,8 +11,9 @@ using namespace testing_programs;
 Scene named() {
   Scene scene = pendulum();
   const PointHandle tip = scene.point("fingertip", "arm", {0, -Expression::quantity("1.5", "m"), 0});
-  scene.spring("rubber", tip, scene.point("anchor", scene.ground(), {Expression::quantity("1", "m"), 0, 0}),
-               Expression::quantity("3", "N/m"));
+  scene.spring("rubber", {.a = tip,
+                          .b = scene.point("anchor", scene.ground(), {Expression::quantity("1", "m"), 0, 0}),
+                          .stiffness = Expression::quantity("3", "N/m")});
   return scene;
 }
 
@@ -60,7 +61,10 @@ TEST(DidYouMeanCommand, AnswersNamesInScenes) {
   with(
       [] {
         Scene scene = named();
-        scene.force("push", "arm", "finger_tip", {Expression::quantity("1", "N"), 0, 0}, "ground");
+        scene.force("push", {.body = "arm",
+                             .point = scene.point("finger_tip"),
+                             .components = {Expression::quantity("1", "N"), 0, 0},
+                             .axes = "ground"});
         return scene;
       },
       "fingertip");

@@ -80,7 +80,9 @@ TEST(SingularStart, OfADiscThatLiesFlatIsNamed) {
         const FrameHandle disc = scene.spherical("disc", scene.prismatic("lift", scene.ground(), axis::z, z),
                                                  AngleSequence::euler, {psi, theta, phi});
         scene.body("disc", disc, Inertia::disk(Expression::quantity("1", "kg"), r, 2));
-        scene.contact("touch", scene.disc_contact("C", disc, axis::z, r, scene.ground()), scene.ground());
+        scene.point_in_plane(
+            "touch", scene.disc_contact("C", {.frame = disc, .axis = axis::z, .radius = r, .plane = scene.ground()}),
+            scene.ground());
         return scene;
       },
       {"list"});

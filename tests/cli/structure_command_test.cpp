@@ -14,10 +14,11 @@ Scene guided() {
   Scene scene("guided");
   const Expression z = scene.coordinate("z", "m"), a = scene.coordinate("a", "rad");
   const Expression metre = Expression::quantity("1", "m"), kilogram = Expression::quantity("1", "kg");
-  const FrameHandle block = scene.cylindrical("block", scene.ground(), axis::x, z, a);
+  const FrameHandle block =
+      scene.cylindrical("block", scene.ground(), {.axis = axis::x, .displacement = z, .angle = a});
   const FrameHandle ring = scene.weld("ring", block, {{0, metre, 0}, {}});
   const FrameHandle column = scene.weld("column", scene.ground(), {{0, metre, 0}, {}});
-  scene.close("guide", JointType::cylindrical, column, ring);
+  scene.loop_joint("guide", {.type = JointType::cylindrical, .a = column, .b = ring});
   const Expression J = Expression::quantity("1", "kg m^2");
   scene.body("block", block, Inertia::general(kilogram, J, J, J));
   return scene;

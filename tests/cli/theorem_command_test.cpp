@@ -215,7 +215,8 @@ Scene nut_on_a_thread() {
   const FrameHandle nut = scene.revolute("nut", slide, axis::x, q);
   const Expression radius = Expression::quantity("0.3", "m");
   scene.body("nut", nut, Inertia::disk(Expression::quantity("2", "kg"), radius, 0));
-  scene.close("thread", JointType::helical, scene.ground(), nut, Expression::quantity("0.1", "m"));
+  scene.loop_joint(
+      "thread", {.type = JointType::helical, .a = scene.ground(), .b = nut, .pitch = Expression::quantity("0.1", "m")});
   return scene;
 }
 

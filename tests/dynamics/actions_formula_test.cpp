@@ -91,7 +91,7 @@ TEST_F(TwoPoints, FollowAGivenForceFunction) {
 TEST_F(TwoPoints, AreMovedByAnEffortAlongItsDisplacement) {
   // A cubic damper on the stretch of a belt e = 2 x1 − x2.
   const Expression e = 2 * x1 - x2;
-  scene.effort("belt", e, Expression::quantity("-7", "N s^3/m^3") * pow(rate(e), 3));
+  scene.generalised_force("belt", e, Expression::quantity("-7", "N s^3/m^3") * pow(rate(e), 3));
   const Equations equations(scene);
   NamedState here(equations, state);
   const Real speed = Real(2) * of("x1'") - of("x2'");
@@ -111,8 +111,11 @@ TEST(Wrench, WorksWithTheVelocityOfItsPointAndTheTurn) {
   scene.body("lever", lever, Inertia::rod(kilograms("3"), metres("4"), 0).at({metres("2"), 0, 0}));
   scene.point("P", lever, {metres("2"), 0, 0});
   const auto newtons = [](const char* value) { return Expression::quantity(value, "N"); };
-  scene.wrench("push", lever, "P", {newtons("3"), newtons("4"), 0},
-               {Expression::quantity("9", "N m"), 0, Expression::quantity("5", "N m")}, scene.ground());
+  scene.wrench("push", {.body = lever,
+                        .point = scene.point("P"),
+                        .force = {newtons("3"), newtons("4"), 0},
+                        .moment = {Expression::quantity("9", "N m"), 0, Expression::quantity("5", "N m")},
+                        .axes = scene.ground()});
   const Equations equations(scene);
   const Real angle = rational(2, 3);
   NamedState here(equations, {{"theta", angle}, {"theta'", rational(3, 7)}});
@@ -131,26 +134,26 @@ TEST_F(TwoPoints, RefuseFormulasThatAreNoForces) {
       Equations(bad).actions();
     });
   };
-  EXPECT_EQ(
-      refusal([&](Scene& s) { s.effort("law", x2, 2 * push); }),
-      "effort 'law' depends on accelerations, inputs or multipliers through 2*push: give a formula of coordinates, "
-      "their rates, time and parameters");
+  EXPECT_EQ(refusal([&](Scene& s) { s.generalised_force("law", x2, 2 * push); }),
+            "generalised force 'law' depends on accelerations, inputs or multipliers through 2*push: give a formula of "
+            "coordinates, "
+            "their rates, time and parameters");
   EXPECT_EQ(refusal([&](Scene& s) { s.force_function("U", Expression::quantity("1", "J s/m") * rate(x1)); }),
             "force function 'U' depends on more than coordinates, time and parameters: an action that depends on "
-            "velocities has no force function; use effort(...)");
+            "velocities has no force function; use generalised_force(...)");
   EXPECT_EQ(refusal([&](Scene& s) { s.force_function("U", Expression::quantity("1", "W") * s.time()); }),
             "force function 'U' depends on no unknown coordinate: it makes no force; drop it");
-  EXPECT_EQ(refusal([&](Scene& s) { s.effort("pull", x1, metres("2")); }),
-            "the intensity of the effort 'pull' on x1 [m] is 2 [m] and must be in kg m s^-2");
+  EXPECT_EQ(refusal([&](Scene& s) { s.generalised_force("pull", x1, metres("2")); }),
+            "the generalised force 'pull' on x1 [m] is 2 [m] and must be in kg m s^-2");
   EXPECT_EQ(refusal([&](Scene& s) { s.gravitation("g", a, b, Expression::quantity("1", "N")); }),
             "the strength of the gravitation 'g' is 1 [kg m s^-2] and must be in kg m^3 s^-2");
   Scene released = scene;
   const Expression held = released.released_coordinate("held", "m");
-  released.effort("stretch", x1 + held, Expression::quantity("1", "N"));
-  EXPECT_EQ(
-      error_of([&] { Equations(released).actions(); }),
-      "effort 'stretch' names the released coordinate 'held', which its joint holds at zero: write it without, or "
-      "between points");
+  released.generalised_force("stretch", x1 + held, Expression::quantity("1", "N"));
+  EXPECT_EQ(error_of([&] { Equations(released).actions(); }),
+            "generalised force 'stretch' names the released coordinate 'held', which its joint holds at zero: write it "
+            "without, or "
+            "between points");
 }
 
 }  // namespace

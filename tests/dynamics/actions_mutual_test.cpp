@@ -47,7 +47,8 @@ class TwoCarts : public ::testing::Test {
 };
 
 TEST_F(TwoCarts, AreDraggedByTheirRelativeVelocityAtThePoint) {
-  scene.drag("brake", wheel1, p, Expression::quantity("3", "N s/m"), cart2);
+  scene.drag("brake",
+             {.body = wheel1, .point = p, .coefficient = Expression::quantity("3", "N s/m"), .relative_to = cart2});
   const Equations equations(scene);
   NamedState here(equations, state);
   // P = O1 + ½ (−sin a, cos a): V(P/cart2) = (ẋ1 − ẋ2 − ½ ȧ cos a, −½ ȧ sin a); the rails hold what is across.
@@ -75,8 +76,11 @@ TEST_F(TwoCarts, AreBrakedByTheirRelativeTurn) {
 }
 
 TEST_F(TwoCarts, PushEachOtherWithOppositeForcesAtOnePoint) {
-  scene.force_between("push", wheel1, wheel2, p, {newtons("3"), newtons("-4"), 0}, scene.ground());
-  scene.torque_between("twist", wheel1, wheel2, {newton_metres("1"), 0, newton_metres("6")}, wheel1);
+  scene.force_between(
+      "push",
+      {.a = wheel1, .b = wheel2, .point = p, .components = {newtons("3"), newtons("-4"), 0}, .axes = scene.ground()});
+  scene.torque_between(
+      "twist", {.a = wheel1, .b = wheel2, .components = {newton_metres("1"), 0, newton_metres("6")}, .axes = wheel1});
   const Equations equations(scene);
   NamedState here(equations, state);
   const Real half = rational(1, 2);
@@ -103,19 +107,23 @@ TEST_F(TwoCarts, RefuseActionsWithinOneBodyOrOnTheGround) {
     });
   };
   const Expression c = Expression::quantity("1", "N s/m");
-  EXPECT_EQ(refusal([&](Scene& s) { s.drag("wind", "ground", p, c); }),
+  EXPECT_EQ(refusal([&](Scene& s) { s.drag("wind", {.body = "ground", .point = p, .coefficient = c}); }),
             "action 'wind' is applied to the ground, which it cannot move");
   EXPECT_EQ(refusal([&](Scene& s) {
               const FrameHandle rim = s.weld("rim", wheel1, {});
-              s.torque_between("inner", rim, wheel1, {newton_metres("1"), 0, 0}, wheel1);
+              s.torque_between("inner",
+                               {.a = rim, .b = wheel1, .components = {newton_metres("1"), 0, 0}, .axes = wheel1});
             }),
             "action 'inner' acts between two frames of one rigid body: nothing moves between them");
-  EXPECT_EQ(refusal([&](Scene& s) { s.drag("wind", wheel1, p, newtons("1")); }),
+  EXPECT_EQ(refusal([&](Scene& s) { s.drag("wind", {.body = wheel1, .point = p, .coefficient = newtons("1")}); }),
             "the coefficient of the drag 'wind' is 1 [kg m s^-2] and must be in kg s^-1");
-  EXPECT_EQ(refusal([&](Scene& s) {
-              s.wrench("w", wheel1, p, {newton_metres("1"), 0, 0}, {0, 0, 0}, wheel1);
-            }),
-            "a force component of the wrench 'w' is 1 [kg m^2 s^-2] and must be in kg m s^-2");
+  EXPECT_EQ(
+      refusal([&](Scene& s) {
+        s.wrench(
+            "w",
+            {.body = wheel1, .point = p, .force = {newton_metres("1"), 0, 0}, .moment = {0, 0, 0}, .axes = wheel1});
+      }),
+      "a force component of the wrench 'w' is 1 [kg m^2 s^-2] and must be in kg m s^-2");
 }
 
 /// Two bodies on a carriage that turns about z at Ω and moves along y at V, or stands; the coordinates are relative to
@@ -137,12 +145,17 @@ struct OnACarriage {
     const Triple force{newtons("3"), newtons("-1"), newtons("2")};
     const Triple moment{newton_metres("5"), 0, newton_metres("4")};
     if (mutual) {
-      scene.force_between("push", first, second, "P", force, second);
-      scene.torque_between("twist", first, second, moment, second);
-      scene.drag("drag", first, "P", Expression::quantity("7", "N s/m"), second);
+      scene.force_between("push",
+                          {.a = first, .b = second, .point = scene.point("P"), .components = force, .axes = second});
+      scene.torque_between("twist", {.a = first, .b = second, .components = moment, .axes = second});
+      scene.drag("drag", {.body = first,
+                          .point = scene.point("P"),
+                          .coefficient = Expression::quantity("7", "N s/m"),
+                          .relative_to = second});
       scene.rotational_drag("turning_drag", first, Expression::quantity("3", "N m s"), second);
     } else {
-      scene.wrench("push", first, "P", force, moment, carriage);
+      scene.wrench("push",
+                   {.body = first, .point = scene.point("P"), .force = force, .moment = moment, .axes = carriage});
     }
   }
   Point state{{"t", rational(1, 2)},  {"x", rational(3, 4)},   {"a", rational(1, 3)}, {"b", rational(-2, 5)},

@@ -27,7 +27,7 @@ class TiedBob : public ::testing::Test {
 };
 
 TEST_F(TiedBob, FeelsNothingFromASpringOfNoNaturalLengthAtZeroLength) {
-  scene.spring("tie", origin, center, stiffness());
+  scene.spring("tie", {.a = origin, .b = center, .stiffness = stiffness()});
   const Equations equations(scene);
   const Linearisation linear = linearisation(equations);
   NamedState at_origin(equations, {});
@@ -42,7 +42,7 @@ TEST_F(TiedBob, FeelsNothingFromASpringOfNoNaturalLengthAtZeroLength) {
 }
 
 TEST_F(TiedBob, IsPulledAlongTheSpringByStiffnessTimesElongation) {
-  scene.spring("tie", origin, center, stiffness(), metres("0.5"));
+  scene.spring("tie", {.a = origin, .b = center, .stiffness = stiffness(), .rest = metres("0.5")});
   const Equations equations(scene);
   NamedState state(equations, {{"x", Real(3)}, {"y", Real(-4)}});  // length 5, tension 5 (5 − 1/2) = 22.5
   EXPECT_NEAR(state.in_double(equations.bias()[0]), 22.5 * 3 / 5, 1e-14);
@@ -63,8 +63,10 @@ TEST_F(TiedBob, LosesPowerInADamperAlongItsLengthOnly) {
 
 TEST_F(TiedBob, WorksWithGivenForcesAndMotors) {
   const Expression push = scene.motor("push", x);
-  scene.force("wind", bob, center, {Expression::quantity("1.5", "N"), Expression::quantity("-2", "N"), 0},
-              scene.ground());
+  scene.force("wind", {.body = bob,
+                       .point = center,
+                       .components = {Expression::quantity("1.5", "N"), Expression::quantity("-2", "N"), 0},
+                       .axes = scene.ground()});
   const Equations equations(scene);
   ASSERT_EQ(push.as_symbol()->kind, SymbolKind::input);
   NamedState state(equations, {{"x'", Real(2)}, {"y'", Real(3)}, {"push", Real(11)}});
@@ -97,15 +99,20 @@ TEST_F(TiedBob, RefusesActionsThatCannotAct) {
     return error_of<SceneError>([&] { Equations(bad).actions(); });
   };
   EXPECT_EQ(refusal([&](Scene& s) {
-              s.force("f", s.ground(), "O", {Expression::quantity("1", "N"), 0, 0}, s.ground());
+              s.force("f", {.body = s.ground(),
+                            .point = s.point("O"),
+                            .components = {Expression::quantity("1", "N"), 0, 0},
+                            .axes = s.ground()});
             }),
             "action 'f' is applied to the ground, which it cannot move");
   EXPECT_EQ(refusal([&](Scene& s) {
               s.point("H", bob, {metres("1"), 0, 0});
-              s.spring("rigid", "G", "H", stiffness());
+              s.spring("rigid", {.a = s.point("G"), .b = s.point("H"), .stiffness = stiffness()});
             }),
             "spring 'rigid' ties two points of one rigid body: its length never changes");
-  EXPECT_EQ(refusal([&](Scene& s) { s.spring("lost", "O", "nowhere", stiffness()); }),
+  EXPECT_EQ(refusal([&](Scene& s) {
+              s.spring("lost", {.a = s.point("O"), .b = s.point("nowhere"), .stiffness = stiffness()});
+            }),
             "unknown point 'nowhere' in spring 'lost': the scene has O, G");
 }
 

@@ -34,10 +34,10 @@ Scene branching_tree() {
   s.gravity({0, 0, quantity("-9.81", "m/s^2")});
   const PointHandle p = s.point("P", tip, {quantity("0.3", "m"), 0, 0});
   const PointHandle q = s.point("Q", s.ground(), {0, quantity("1", "m"), 0});
-  s.spring("spring", p, q, quantity("40", "N/m"), quantity("0.2", "m"));
+  s.spring("spring", {.a = p, .b = q, .stiffness = quantity("40", "N/m"), .rest = quantity("0.2", "m")});
   s.damper("damper", c, quantity("0.3", "N m s"));
   s.motor("u", b);
-  s.force("force", branch, p, {0, quantity("3", "N"), 0}, s.ground());
+  s.force("force", {.body = branch, .point = p, .components = {0, quantity("3", "N"), 0}, .axes = s.ground()});
   return s;
 }
 

@@ -80,7 +80,7 @@ TEST_P(RandomScrews, AreTheSameFromTwistsAndFromPositions) {
   Evaluator<Real> evaluate(equations.program(), state.in_real());
   const BodyNames bodies = all_bodies(model);
   for (const ScrewQuery& query :
-       {ScrewQuery{"X", axes, "ground"}, ScrewQuery{"Q0", "ground", observer}, ScrewQuery{"X", observer, observer}}) {
+       {ScrewQuery{Scene::point("X"), axes, "ground"}, ScrewQuery{Scene::point("Q0"), "ground", observer}, ScrewQuery{Scene::point("X"), observer, observer}}) {
     const MomentumScrew momentum = momentum_screw(model, bodies, query);
     const MomentumScrew momentum_again = momentum_screw_from_positions(model, bodies, query);
     EXPECT_LT(distance(columns(evaluate, momentum.resultant), columns(evaluate, momentum_again.resultant)), 1e-44);
@@ -93,7 +93,7 @@ TEST_P(RandomScrews, AreTheSameFromTwistsAndFromPositions) {
   const Real energy = evaluate(kinetic_energy_from_positions(model));
   EXPECT_LT(relative_difference(evaluate(kinetic_energy(model, bodies)), energy), 1e-44);
   Real sum(0);
-  for (const std::string& body : bodies) sum += evaluate(kinetic_energy_at(model, {body}, "X"));
+  for (const std::string& body : bodies) sum += evaluate(kinetic_energy_at(model, {body}, Scene::point("X")));
   EXPECT_LT(relative_difference(sum, energy), 1e-44);
 }
 
@@ -132,7 +132,7 @@ TEST(DynamicScrew, TakesTheVelocityOfTheGeometricPointOfContact) {
                             e * cos(phi) * ddphi - e * sin(phi) * dphi * dphi, Real(0)};
   const Real sigma = cross(IG, m * VG)[2] + J * dphi;
   const Real delta = cross(IG, m * acceleration)[2] + J * ddphi;
-  const ScrewQuery query{"I"};
+  const ScrewQuery query{Scene::point("I")};
   const Vector moment = momentum_screw(model, {"disk"}, query).moment;
   EXPECT_LT(relative_difference(evaluate(moment[2]), sigma), 1e-45);
   // σ_I = m IG ∧ V(I ∈ S) + J_I Ω wants the disk's own point ...
@@ -160,7 +160,7 @@ TEST(KineticEnergy, NeedsTheOperatorAtThePointItIsWrittenAt) {
   const Column IG{e * cos(phi), r + e * sin(phi), Real(0)};
   const Column VG{dx - e * sin(phi) * dphi, e * cos(phi) * dphi, Real(0)};
   const Real doubled = m * dot(VG, VG) + J * dphi * dphi;  // König
-  EXPECT_LT(relative_difference(evaluate(kinetic_energy_at(equations.model(), {"disk"}, "I")), doubled / Real(2)),
+  EXPECT_LT(relative_difference(evaluate(kinetic_energy_at(equations.model(), {"disk"}, Scene::point("I"))), doubled / Real(2)),
             1e-45);
   const Column V_I{dx + r * dphi, Real(0), Real(0)};
   const Column turned = cross({Real(0), Real(0), dphi}, IG);
@@ -174,16 +174,16 @@ TEST(BodyScrews, NameWhatIsAskedWrongly) {
   const BodyOnCarrier given;
   const Equations equations(given.scene);
   const Model& model = equations.model();
-  EXPECT_EQ(error_of<SceneError>([&] { momentum_screw(model, {"moon"}, {"X"}); }),
+  EXPECT_EQ(error_of<SceneError>([&] { momentum_screw(model, {"moon"}, {Scene::point("X")}); }),
             "unknown body 'moon' in a momentum screw: the scene has cloud, weight");
   EXPECT_EQ(error_of<SceneError>([&] {
-              dynamic_screw(model, {"cloud", "weight", "cloud"}, {"X"});
+              dynamic_screw(model, {"cloud", "weight", "cloud"}, {Scene::point("X")});
             }),
             "a dynamic screw names the body 'cloud' twice");
-  EXPECT_EQ(error_of<SceneError>([&] { dynamic_screw(model, {}, {"X"}); }),
+  EXPECT_EQ(error_of<SceneError>([&] { dynamic_screw(model, {}, {Scene::point("X")}); }),
             "a dynamic screw is asked for no body: name at least one of cloud, weight");
   EXPECT_EQ(error_of<SceneError>([&] {
-              kinetic_energy_at(model, {"cloud", "weight"}, "X");
+              kinetic_energy_at(model, {"cloud", "weight"}, Scene::point("X"));
             }),
             "the kinetic energy at a point is that of one rigid body, and the bodies asked for move on 2 links (R, S, "
             "...): ask for each, or for kinetic_energy");

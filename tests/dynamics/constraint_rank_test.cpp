@@ -76,7 +76,7 @@ TEST(ConstraintRank, MovesFourBarsClosedByASpatialPinAsByAPlanarOne) {
   planar.scene.closure("y", tip, end, axis::y);
   FourBar spatial("spatial");
   const auto ends = spatial.ends();
-  spatial.scene.close("pin", JointType::revolute, ends.first, ends.second);
+  spatial.scene.loop_joint("pin", {.type = JointType::revolute, .a = ends.first, .b = ends.second});
   EXPECT_EQ(error_of([&] { validate(spatial.scene); }), "no error");
 
   const Equations one(planar.scene), other(spatial.scene);
@@ -128,8 +128,8 @@ struct Door {
     upper_frame = scene.weld("upper_frame", scene.ground(), {high, x_up});
     lower = scene.weld("lower", door, {{0, 0, 0}, x_up});
     upper = scene.weld("upper", door, {high, x_up});
-    scene.close("low", lower_type, lower_frame, lower);
-    scene.close("high", upper_type, upper_frame, upper);
+    scene.loop_joint("low", {.type = lower_type, .a = lower_frame, .b = lower});
+    scene.loop_joint("high", {.type = upper_type, .a = upper_frame, .b = upper});
     scene.initial(q, 0, unit("0.7", "rad/s"));
   }
 };
@@ -204,7 +204,7 @@ TEST(ConstraintRank, MovesBennettsLinkage) {
     scene.body(name, frame, Inertia::solid_sphere(kilograms("1"), metres("0.2")).at({metres("0.5"), metres("0.1"), 0}));
   }
   scene.gravity({0, unit("2", "m/s^2"), unit("-9", "m/s^2")});
-  scene.close("loop", JointType::revolute, pin, hand);
+  scene.loop_joint("loop", {.type = JointType::revolute, .a = pin, .b = hand});
   // tan(q1/2) tan(q2/2) = sin((β + α)/2) / sin((β − α)/2) = √3, q3 = −q1.
   scene.initial(q1, pi() / 2);
   scene.initial(q2, Expression(2) * pi() / 3);
@@ -248,7 +248,7 @@ TEST(ConstraintRank, ReportsAStartWhereTheLoopBranches) {
   }
   scene.closure("x", scene.point("tip", coupler, {metres("2"), 0, 0}), scene.point("end", rocker, {metres("1"), 0, 0}),
                 axis::x);
-  scene.closure("y", "tip", "end", axis::y);
+  scene.closure("y", scene.point("tip"), scene.point("end"), axis::y);
   const ConstraintRank rank = constraint_rank(scene);
   EXPECT_EQ(rank.rank_at_start, 1U);
   EXPECT_EQ(rank.kept, (Indices{0, 1}));
@@ -275,7 +275,7 @@ Scene folded_parallelograms(int windows, bool pins) {
     if (pins) {
       const FrameHandle end = scene.weld(name("end", i), bar, x_along_z({metres("1"), 0, 0}));
       const FrameHandle tip = scene.weld(name("tip", i), next, x_along_z({metres("0.3"), 0, 0}));
-      scene.close(name("pin", i), JointType::revolute, end, tip);
+      scene.loop_joint(name("pin", i), {.type = JointType::revolute, .a = end, .b = tip});
     } else {
       const PointHandle end = scene.point(name("end", i), bar, {metres("1"), 0, 0});
       const PointHandle tip = scene.point(name("tip", i), next, {metres("0.3"), 0, 0});
@@ -337,7 +337,7 @@ TEST(ConstraintRank, RefusesAPinThatMissesThePlaneOfItsLoop) {
   const Rotation x_up = Rotation::about(1, -6);
   const FrameHandle tip = bars.scene.weld("tip", bars.coupler, {{metres("2"), 0, metres("0.1")}, x_up});
   const FrameHandle end = bars.scene.weld("end", bars.rocker, {{metres("1.5"), 0, 0}, x_up});
-  bars.scene.close("pin", JointType::revolute, tip, end);
+  bars.scene.loop_joint("pin", {.type = JointType::revolute, .a = tip, .b = end});
   EXPECT_EQ(
       error_of<SceneError>([&] { validate(bars.scene); }),
       "constraint 'pin_x' involves no coordinate: no motion can satisfy or violate it; drop it or write it with the "
@@ -351,9 +351,11 @@ TEST(ConstraintRank, RefusesFrictionOfAnIndeterminateNormal) {
   scene.body("block", block, Inertia::point(kilograms("1")));
   const PointHandle left = scene.point("left", block, {0, 0, 0}),
                     right = scene.point("right", block, {metres("1"), 0, 0});
-  const ConstraintHandle first = scene.contact("first", left, scene.ground());
-  scene.contact("second", right, scene.ground());
-  scene.sliding_friction("friction", first, Expression(1) / 5, block, left, axis::x, scene.ground());
+  const ConstraintHandle first = scene.point_in_plane("first", left, scene.ground());
+  scene.point_in_plane("second", right, scene.ground());
+  scene.sliding_friction(
+      "friction", first,
+      {.coefficient = Expression(1) / 5, .body = block, .point = left, .direction = axis::x, .axes = scene.ground()});
   EXPECT_EQ(error_of<SceneError>([&] { constraint_rank(scene); }),
             "constraint 'first' carries friction but repeats other constraints: its normal force is indeterminate, and "
             "the motion with it; release one of the constraints");

@@ -77,11 +77,13 @@ TEST(SupportContact, OfABallAndOfADiscIsWhatTheirOwnContactsAre) {
       return metres("0.7") * sqrt(u[0] * u[0] + u[1] * u[1] + u[2] * u[2]);
     };
     const Support of_disc = [](const Triple& u) { return metres("0.7") * sqrt(u[0] * u[0] + u[1] * u[1]); };
-    const PointHandle wanted = disc ? it.scene.disc_contact("own", it.body, axis::z, metres("0.7"), it.plane)
-                                    : it.scene.sphere_contact("own", it.body, metres("0.7"), it.plane);
+    const PointHandle wanted =
+        disc ? it.scene.disc_contact("own",
+                                     {.frame = it.body, .axis = axis::z, .radius = metres("0.7"), .plane = it.plane})
+             : it.scene.sphere_contact("own", it.body, metres("0.7"), it.plane);
     const PointHandle found = it.scene.support_contact("touch", it.body, disc ? of_disc : of_ball, it.plane);
-    it.scene.contact("by_own", wanted, it.plane);
-    it.scene.contact("by_support", found, it.plane);
+    it.scene.point_in_plane("by_own", wanted, it.plane);
+    it.scene.point_in_plane("by_support", found, it.plane);
     const Equations equations(it.scene);
     NamedState here(equations, leaning);
     for (int i = 0; i < 3; ++i) {
@@ -101,10 +103,15 @@ TEST(SupportContact, OfABallAndOfADiscIsWhatTheirOwnContactsAre) {
 
 TEST(TorusContact, LiesATubesRadiusBelowThatOfItsCircle) {
   Stone it;
-  const PointHandle circle = it.scene.disc_contact("circle", it.body, axis::z, metres("1.2"), it.plane);
-  const PointHandle touch = it.scene.torus_contact("touch", it.body, axis::z, metres("1.2"), metres("0.3"), it.plane);
+  const PointHandle circle =
+      it.scene.disc_contact("circle", {.frame = it.body, .axis = axis::z, .radius = metres("1.2"), .plane = it.plane});
+  const PointHandle touch = it.scene.torus_contact("touch", {.frame = it.body,
+                                                             .axis = axis::z,
+                                                             .circle_radius = metres("1.2"),
+                                                             .tube_radius = metres("0.3"),
+                                                             .plane = it.plane});
   const Triple of_circle = it.scene.position(circle, it.plane), place = it.scene.position(touch, it.plane);
-  it.scene.contact("floor", touch, it.plane);
+  it.scene.point_in_plane("floor", touch, it.plane);
   const Equations equations(it.scene);
   NamedState here(equations, leaning);
   const auto number = [&](const Expression& formula) { return here(equations.program().lower(formula)); };
@@ -129,8 +136,8 @@ TEST(SupportContact, IsRefusedForWhatIsNoConvexBody) {
 }
 
 void roll(Stone& it, const PointHandle& touch) {
-  it.scene.contact("floor", touch, it.plane);
-  it.scene.rolling("roll", it.body, it.scene.ground(), touch, it.plane);
+  it.scene.point_in_plane("floor", touch, it.plane);
+  it.scene.rolling("roll", {.body = it.body, .on = it.scene.ground(), .contact = touch, .tangents = it.plane});
 }
 
 TEST(RollingEllipsoid, IsDerivedInTwoWaysAlike) {
@@ -230,9 +237,12 @@ struct Block {
 TEST(FrictionLaw, IsMinusNPhiAlongTheSlip) {
   // φ(s) = 1/5 + 3/10 exp(-s/(2 m/s)): of a slip (3, -4) m/s, 5 m/s long.
   Block it;
-  it.scene.friction_law("law", it.floor, [](const Expression& s) {
-    return 0.2_r + 0.3_r * exp(-s / Expression::quantity("2", "m/s"));
-  }, it.block, it.contact, it.scene.ground());
+  it.scene.friction_law(
+      "law", it.floor,
+      {.law = [](const Expression& s) { return 0.2_r + 0.3_r * exp(-s / Expression::quantity("2", "m/s")); },
+       .body = it.block,
+       .point = it.contact,
+       .plane = it.scene.ground()});
   const Equations equations(it.scene);
   const WorkingDigits precision(50);
   NamedState here(equations, {{"x'", Real(3)}, {"y'", Real(-4)}});
@@ -248,8 +258,13 @@ TEST(FrictionLaw, IsMinusNPhiAlongTheSlip) {
 TEST(FrictionLaw, IsSmoothThroughRest) {
   Block it;
   const Expression smoothing = Expression::quantity("0.01", "m/s");
-  it.scene.friction_law("law", it.floor, [](const Expression&) { return 0.5_r; }, it.block, it.contact,
-                        it.scene.ground(), it.scene.ground(), smoothing);
+  it.scene.friction_law("law", it.floor,
+                        {.law = [](const Expression&) { return 0.5_r; },
+                         .body = it.block,
+                         .point = it.contact,
+                         .plane = it.scene.ground(),
+                         .other = it.scene.ground(),
+                         .smoothing = smoothing});
   const Equations equations(it.scene);
   NamedState at_rest(equations, {}), creeping(equations, {{"x'", rational(1, 100)}});
   EXPECT_TRUE(at_rest(equations.forward().accelerations[0]).is_zero());
@@ -260,8 +275,13 @@ TEST(FrictionLaw, IsSmoothThroughRest) {
   EXPECT_LT(relative_difference(creeping(equations.forward().accelerations[0]), -(rational(1, 2) * g / sqrt(Real(2)))),
             exact);
   EXPECT_NE(error_of<SceneError>([&] {
-              it.scene.friction_law("sharp", it.floor, [](const Expression&) { return 0.5_r; }, it.block, it.contact,
-                                    it.scene.ground(), it.scene.ground(), 0);
+              it.scene.friction_law("sharp", it.floor,
+                                    {.law = [](const Expression&) { return 0.5_r; },
+                                     .body = it.block,
+                                     .point = it.contact,
+                                     .plane = it.scene.ground(),
+                                     .other = it.scene.ground(),
+                                     .smoothing = 0});
             }).find("no number at rest"),
             std::string::npos);
 }
@@ -270,10 +290,13 @@ TEST(FrictionLaw, IsSmoothThroughRest) {
 TEST(FrictionLaw, ActsOnAConvexBody) {
   Stone it;
   const PointHandle touch = it.ellipsoid();
-  const ConstraintHandle floor = it.scene.contact("floor", touch, it.plane);
-  it.scene.friction_law("law", floor, [](const Expression& s) {
-    return 0.4_r * min(s / Expression::quantity("0.1", "m/s"), 1);
-  }, it.body, touch, it.plane);
+  const ConstraintHandle floor = it.scene.point_in_plane("floor", touch, it.plane);
+  it.scene.friction_law(
+      "law", floor,
+      {.law = [](const Expression& s) { return 0.4_r * min(s / Expression::quantity("0.1", "m/s"), 1); },
+       .body = it.body,
+       .point = touch,
+       .plane = it.plane});
   it.scene.initial(it.z, metres("0.5"));
   expect_all_checks(it.scene);
 }

@@ -60,10 +60,18 @@ struct Rails {
     scene.point("A1", m1, {metres("0.2"), metres("0.1"), 0});
     scene.point("A2", m2, {metres("-0.3"), metres("0.1"), 0});
     scene.point("post", scene.ground(), {metres("2"), metres("-1"), metres("0.7")});
-    scene.spring("between", "A1", "A2", stiffness, metres("0.4"));
-    scene.spring("to_ground", "A1", "post", stiffness, metres("0.3"));
-    scene.drag("drag", m1, PointReference("A2"), Expression::quantity("0.6", "N s/m"), m2);
-    scene.force("push", m1, PointReference("A1"), {newton("3"), newton("-1"), newton("2")}, scene.ground());
+    scene.spring("between",
+                 {.a = scene.point("A1"), .b = scene.point("A2"), .stiffness = stiffness, .rest = metres("0.4")});
+    scene.spring("to_ground",
+                 {.a = scene.point("A1"), .b = scene.point("post"), .stiffness = stiffness, .rest = metres("0.3")});
+    scene.drag("drag", {.body = m1,
+                        .point = PointReference("A2"),
+                        .coefficient = Expression::quantity("0.6", "N s/m"),
+                        .relative_to = m2});
+    scene.force("push", {.body = m1,
+                         .point = PointReference("A1"),
+                         .components = {newton("3"), newton("-1"), newton("2")},
+                         .axes = scene.ground()});
     scene.spring("return", x1, stiffness, metres("0.2"));
   }
   Scene scene{"rails"};

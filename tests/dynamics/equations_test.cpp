@@ -130,8 +130,8 @@ TEST(Equations, KnowTheRatesOfADrivenCoordinate) {
   scene.drive(s, Expression::quantity("1", "m/s^3") * pow(scene.time(), 3));
   const FrameHandle block = scene.prismatic("block", scene.ground(), axis::x, x);
   scene.body("block", block, Inertia::point(Expression::quantity("2", "kg")));
-  scene.effort("pull", x,
-               Expression::quantity("2", "kg") * rate(rate(s)) + Expression::quantity("3", "N s/m") * rate(s));
+  scene.generalised_force(
+      "pull", x, Expression::quantity("2", "kg") * rate(rate(s)) + Expression::quantity("3", "N s/m") * rate(s));
   const Equations equations(scene);
   const WorkingDigits precision(50);
   const Real t = rational(3, 4);
@@ -150,8 +150,8 @@ TEST(Equations, OfARollingBallHoldItsSpinInBothDirections) {
   scene.initial(z, metres("0.5"));
   scene.body("ball", ball, Inertia::solid_sphere(Expression::quantity("2", "kg"), metres("0.5")));
   const PointHandle low = scene.sphere_contact("low", ball, metres("0.5"), scene.ground());
-  scene.contact("floor", low, scene.ground());
-  scene.rolling("rolling", ball, scene.ground(), low, scene.ground());
+  scene.point_in_plane("floor", low, scene.ground());
+  scene.rolling("rolling", {.body = ball, .on = scene.ground(), .contact = low, .tangents = scene.ground()});
   scene.motor("along", x);
   scene.motor("across", y);
   const Equations equations(scene);
@@ -231,8 +231,9 @@ TEST(Equations, KeepAForceThatActsInOneRegionOnly) {
   const Expression x = scene.coordinate("x", "m");
   const FrameHandle cart = scene.prismatic("cart", scene.ground(), axis::x, x);
   scene.body("cart", cart, Inertia::point(Expression::quantity("1", "kg")));
-  scene.effort("wall", x,
-               Expression::quantity("-1", "N") * exp((x - Expression::quantity("2", "m")) / Expression::quantity("0.001", "m")));
+  scene.generalised_force(
+      "wall", x,
+      Expression::quantity("-1", "N") * exp((x - Expression::quantity("2", "m")) / Expression::quantity("0.001", "m")));
   const Equations equations(scene);
   EXPECT_FALSE(equations.bias()[0].is_zero());
   EXPECT_FALSE(equations.forward().accelerations[0].is_zero());

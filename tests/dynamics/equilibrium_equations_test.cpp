@@ -99,8 +99,10 @@ TEST(EquilibriumEquations, CountInputsAndGivenForcesAndForgetDampers) {
   EXPECT_NEAR(state.in_double(statics.rows[0]), 2 * 9.81 * 1.5 * std::sin(0.5) - 3, 1e-13);
 
   Scene pushed = pendulum();
-  pushed.force("wind", "arm", pushed.point("tip", "arm", {0, metres("-1.5"), 0}),
-               {Expression::quantity("4", "N"), 0, 0}, pushed.ground());
+  pushed.force("wind", {.body = "arm",
+                        .point = pushed.point("tip", "arm", {0, metres("-1.5"), 0}),
+                        .components = {Expression::quantity("4", "N"), 0, 0},
+                        .axes = pushed.ground()});
   const Equations with_wind(pushed);
   const EquilibriumEquations blown = equilibrium_equations(with_wind);
   EXPECT_FALSE(blown.from_potential);

@@ -81,8 +81,11 @@ TEST(FactoredBodies, KnowAbsoluteAnglesSeveralBodiesAndLinksWithoutMatter) {
   s.body("weight", tip, block("0.5"));
   s.gravity({0, quantity("-9.81", "m/s^2"), 0});
   const PointHandle p = s.point("P", tip, {quantity("0.3", "m"), 0, 0});
-  s.force("force", tip, p, {0, quantity("3", "N"), 0}, s.ground());
-  s.spring("spring", p, s.point("Q", s.ground(), {0, quantity("1", "m"), 0}), quantity("40", "N/m"), quantity("0.2", "m"));
+  s.force("force", {.body = tip, .point = p, .components = {0, quantity("3", "N"), 0}, .axes = s.ground()});
+  s.spring("spring", {.a = p,
+                      .b = s.point("Q", s.ground(), {0, quantity("1", "m"), 0}),
+                      .stiffness = quantity("40", "N/m"),
+                      .rest = quantity("0.2", "m")});
   s.motor("u", c);
   for (std::uint64_t seed = 1; seed <= 10; ++seed) EXPECT_LT(difference(s, seed), rounding) << seed;
 }

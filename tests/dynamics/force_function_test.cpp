@@ -30,7 +30,8 @@ struct Shaker {
     scene.body("S", support, Inertia::point(kilograms("7")));
     scene.point("A", support, {0, 0, 0});
     scene.point("B", mass, {0, 0, 0});
-    scene.spring("spring", "A", "B", stiffness(), metres("0.5"));
+    scene.spring("spring",
+                 {.a = scene.point("A"), .b = scene.point("B"), .stiffness = stiffness(), .rest = metres("0.5")});
   }
 };
 
@@ -71,7 +72,7 @@ TEST(ShakenSpring, HasAForceFunctionAndNoPotentialEnergySeenFromTheMassAlone) {
 
 TEST(ShakenSpring, HasNoForceFunctionWithADamper) {
   Shaker it;
-  it.scene.damper("damper", "A", "B", Expression::quantity("2", "N s/m"));
+  it.scene.damper("damper", it.scene.point("A"), it.scene.point("B"), Expression::quantity("2", "N s/m"));
   const Equations equations(it.scene);
   const ForceFunctionReport report = classify_force_function(equations, {{"spring", "damper"}, {}});
   EXPECT_EQ(report.kind, ForceFunctionCase::none);
@@ -142,7 +143,7 @@ struct FreePoint {
     scene.point("P", point, {0, 0, 0});
   }
   void force(const Expression& fx, const Expression& fy) {
-    scene.force("field", point, "P", {fx, fy, 0}, scene.ground());
+    scene.force("field", {.body = point, .point = scene.point("P"), .components = {fx, fy, 0}, .axes = scene.ground()});
   }
 };
 
@@ -192,7 +193,12 @@ TEST(ForceFunction, DoesNotExistForMotorsAndFriction) {
   FreePoint it;
   it.scene.motor("push", it.x);
   const ConstraintHandle floor = it.scene.holonomic("floor", it.y);
-  it.scene.sliding_friction("rub", floor, 0.1_r, it.point, "P", axis::x, it.scene.ground());
+  it.scene.sliding_friction("rub", floor,
+                            {.coefficient = 0.1_r,
+                             .body = it.point,
+                             .point = it.scene.point("P"),
+                             .direction = axis::x,
+                             .axes = it.scene.ground()});
   const ForceFunctionReport report = classify_force_function(Equations(it.scene));
   EXPECT_EQ(report.kind, ForceFunctionCase::none);
   EXPECT_EQ(report.reasons, (std::vector<std::string>{"'rub' depends on the normal force of its contact",

@@ -39,8 +39,13 @@ Scene bar_between_two_guides(Contact contact) {
       scene.holonomic("wall", x + metres("1") * cos(theta) - Expression::quantity("0.1", "m/s") * t);
   scene.holonomic("curve", y * cos(theta) - z * sin(theta) * Expression::quantity("0.5", "1/s") * t);
   if (contact == Contact::rough) {
-    scene.reaction(wall, "N", bar, foot, axis::x, scene.ground());
-    scene.sliding_friction("rub", wall, Expression(Number::rational(3, 10)), bar, foot, axis::y, scene.ground());
+    scene.reaction(wall, "N", {.body = bar, .contact = foot, .direction = axis::x, .axes = scene.ground()});
+    scene.sliding_friction("rub", wall,
+                           {.coefficient = Expression(Number::rational(3, 10)),
+                            .body = bar,
+                            .point = foot,
+                            .direction = axis::y,
+                            .axes = scene.ground()});
   }
   return scene;
 }

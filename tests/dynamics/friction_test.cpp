@@ -34,15 +34,19 @@ struct Block {
   Block() {
     scene.body("block", block, Inertia::point(kilograms("2")));
     scene.gravity({gravity() * 3 / 5, 0, -gravity() * 4 / 5});
-    scene.reaction(floor, "N", block, contact, axis::z, scene.ground());
+    scene.reaction(floor, "N", {.body = block, .contact = contact, .direction = axis::z, .axes = scene.ground()});
   }
 };
 
 TEST(SlidingFriction, IsFTimesTheNormalForceAgainstTheSlipWhateverItsSpeed) {
   // T = −f N G/|G|: without the division a faster block would be braked more.
   Block it;
-  it.scene.sliding_friction("slide", it.floor, 0.25_r, it.block, it.contact, {rate(it.x), rate(it.y), 0},
-                            it.scene.ground());
+  it.scene.sliding_friction("slide", it.floor,
+                            {.coefficient = 0.25_r,
+                             .body = it.block,
+                             .point = it.contact,
+                             .direction = {rate(it.x), rate(it.y), 0},
+                             .axes = it.scene.ground()});
   const Equations equations(it.scene);
   const Real normal = Real(2) * g * rational(4, 5);
   for (const long speed : {1L, 7L}) {
@@ -62,8 +66,12 @@ TEST(SlidingFriction, IsFTimesTheNormalForceAgainstTheSlipWhateverItsSpeed) {
 TEST(SlidingFriction, DampsWhatIsAcrossTheSlipWhenLinearised) {
   // −∂T_x/∂x' = f N y'²/|G|³ and −∂T_x/∂y' = −f N x' y'/|G|³ for T = −f N G/|G|.
   Block it;
-  it.scene.sliding_friction("slide", it.floor, 0.25_r, it.block, it.contact, {rate(it.x), rate(it.y), 0},
-                            it.scene.ground());
+  it.scene.sliding_friction("slide", it.floor,
+                            {.coefficient = 0.25_r,
+                             .body = it.block,
+                             .point = it.contact,
+                             .direction = {rate(it.x), rate(it.y), 0},
+                             .axes = it.scene.ground()});
   const Equations equations(it.scene);
   const Linearisation linear = linearisation(equations);
   NamedState here(equations, {{"x'", Real(3)}, {"y'", Real(-4)}, {"N", Real(7)}});
@@ -75,7 +83,12 @@ TEST(SlidingFriction, OfAKnownDirectionTakesADirectionOfAnyLength) {
   for (const bool doubled : {false, true}) {
     Block it;
     const Triple direction{doubled ? 2 : 1, 0, 0};
-    it.scene.sliding_friction("slide", it.floor, 0.5_r, it.block, it.contact, direction, it.scene.ground());
+    it.scene.sliding_friction("slide", it.floor,
+                              {.coefficient = 0.5_r,
+                               .body = it.block,
+                               .point = it.contact,
+                               .direction = direction,
+                               .axes = it.scene.ground()});
     const Equations equations(it.scene);
     NamedState here(equations, {{"x'", Real(3)}});
     EXPECT_LT(relative_difference(here(equations.forward().accelerations[0]), g * rational(1, 5)), exact);
@@ -85,7 +98,9 @@ TEST(SlidingFriction, OfAKnownDirectionTakesADirectionOfAnyLength) {
 
 TEST(SlidingFriction, FailsTheConditionsOfPainleveByName) {
   Block it;
-  it.scene.sliding_friction("slide", it.floor, 0.25_r, it.block, it.contact, axis::x, it.scene.ground());
+  it.scene.sliding_friction(
+      "slide", it.floor,
+      {.coefficient = 0.25_r, .body = it.block, .point = it.contact, .direction = axis::x, .axes = it.scene.ground()});
   const PainleveReport report = painleve(Equations(it.scene));
   EXPECT_EQ(report.failing_conditions, std::vector<std::string>{"'slide' has no force function"});
   ASSERT_EQ(report.first_integrals.size(), 1U);  // nothing acts across
@@ -108,10 +123,14 @@ TEST(SlidingFriction, OnTwoContactsGivesTheMotionOfNewtonAndEuler) {
   const PointHandle top = scene.point("top", ladder, {metres("-2"), 0, 0});
   const ConstraintHandle floor = scene.holonomic("floor", y - metres("2") * sin(theta));
   const ConstraintHandle wall = scene.holonomic("wall", x - metres("2") * cos(theta));
-  scene.reaction(floor, "N1", ladder, foot, axis::y, scene.ground());
-  scene.reaction(wall, "N2", ladder, top, axis::x, scene.ground());
-  scene.sliding_friction("on_floor", floor, 0.3_r, ladder, foot, axis::x, scene.ground());
-  scene.sliding_friction("on_wall", wall, 0.2_r, ladder, top, -axis::y, scene.ground());
+  scene.reaction(floor, "N1", {.body = ladder, .contact = foot, .direction = axis::y, .axes = scene.ground()});
+  scene.reaction(wall, "N2", {.body = ladder, .contact = top, .direction = axis::x, .axes = scene.ground()});
+  scene.sliding_friction(
+      "on_floor", floor,
+      {.coefficient = 0.3_r, .body = ladder, .point = foot, .direction = axis::x, .axes = scene.ground()});
+  scene.sliding_friction(
+      "on_wall", wall,
+      {.coefficient = 0.2_r, .body = ladder, .point = top, .direction = -axis::y, .axes = scene.ground()});
   const Equations equations(scene);
   const Real angle = rational(4, 5);
   const Real turning = rational(-2, 3);  // the foot slips out: θ decreases
@@ -181,8 +200,15 @@ TEST(SlidingFriction, BetweenTwoBodiesLeavesTheirMomentum) {
   scene.gravity({0, 0, -gravity()});
   scene.point("I", block, {0, 0, 0});
   const ConstraintHandle contact = scene.holonomic("contact", h);
-  scene.reaction(contact, "N", block, "I", axis::z, plank, plank);
-  scene.sliding_friction("rub", contact, 0.4_r, block, "I", axis::x, plank, plank);
+  scene.reaction(contact, "N",
+                 {.body = block, .contact = scene.point("I"), .direction = axis::z, .axes = plank, .other = plank});
+  scene.sliding_friction("rub", contact,
+                         {.coefficient = 0.4_r,
+                          .body = block,
+                          .point = scene.point("I"),
+                          .direction = axis::x,
+                          .axes = plank,
+                          .other = plank});
   const Equations equations(scene);
   NamedState here(equations, {{"x'", Real(1)}, {"s'", Real(3)}});
   // Block: 2 (ẍ + s̈) = −0.4 · 2 g; plank: 5 ẍ = +0.4 · 2 g.
@@ -210,9 +236,10 @@ TEST(RollingResistance, SlowsARollingDiskByItsLengthTimesTheNormalForce) {
   scene.gravity({0, -gravity(), 0});
   const PointHandle contact = scene.point("I", center, {0, metres("-0.5"), 0});
   const ConstraintHandle floor = scene.holonomic("floor", y);
-  scene.reaction(floor, "N", disk, contact, axis::y, scene.ground());
-  scene.no_slip("rolling", disk, contact, axis::x, scene.ground());
-  scene.rolling_resistance("resistance", floor, metres("0.01"), disk, -axis::z, scene.ground());
+  scene.reaction(floor, "N", {.body = disk, .contact = contact, .direction = axis::y, .axes = scene.ground()});
+  scene.no_slip("rolling", {.body = disk, .contact = contact, .direction = axis::x, .axes = scene.ground()});
+  scene.rolling_resistance("resistance", floor,
+                           {.length = metres("0.01"), .body = disk, .direction = -axis::z, .axes = scene.ground()});
   const Equations equations(scene);
   NamedState here(equations, {{"x'", Real(1)}, {"phi'", Real(2)}});
   // (m + J/R²) ẍ = −h N/R with N = m g: ẍ = −(2/3) (h/R) g.
@@ -231,9 +258,10 @@ TEST(SpinningResistance, SlowsASpinningDiskByItsLengthTimesTheNormalForce) {
   scene.gravity({0, 0, -gravity()});
   scene.point("I", disk, {0, 0, 0});
   const ConstraintHandle floor = scene.holonomic("floor", z);
-  scene.reaction(floor, "N", disk, "I", axis::z, scene.ground());
+  scene.reaction(floor, "N", {.body = disk, .contact = scene.point("I"), .direction = axis::z, .axes = scene.ground()});
   // Spinning backwards: sign(P12) n = −z.
-  scene.spinning_resistance("resistance", floor, metres("0.02"), disk, -axis::z, scene.ground());
+  scene.spinning_resistance("resistance", floor,
+                            {.length = metres("0.02"), .body = disk, .direction = -axis::z, .axes = scene.ground()});
   const Equations equations(scene);
   NamedState here(equations, {{"psi'", Real(-6)}});
   EXPECT_LT(relative_difference(here(equations.forward().accelerations[1]),
@@ -256,8 +284,11 @@ TEST(SlidingFriction, ReportsPainlevesParadoxByAPivotThatIsNotPositive) {
   scene.gravity({0, -gravity(), 0});
   scene.point("foot", rod, {metres("-1"), 0, 0});
   const ConstraintHandle floor = scene.holonomic("floor", y - metres("1") * sin(theta));
-  scene.reaction(floor, "N", rod, "foot", axis::y, scene.ground());
-  scene.sliding_friction("rub", floor, f, rod, "foot", axis::x, scene.ground());
+  scene.reaction(floor, "N",
+                 {.body = rod, .contact = scene.point("foot"), .direction = axis::y, .axes = scene.ground()});
+  scene.sliding_friction(
+      "rub", floor,
+      {.coefficient = f, .body = rod, .point = scene.point("foot"), .direction = axis::x, .axes = scene.ground()});
   const Equations equations(scene);
   const auto pivot = [&](const Real& friction, const Real& angle) {
     NamedState here(equations, {{"theta", angle}, {"y", sin(angle)}, {"f", friction}});
@@ -281,26 +312,47 @@ TEST(Friction, RefusesWhatIsNoContact) {
   };
   EXPECT_EQ(refusal([](Block& it) {
               const ConstraintHandle angle = it.scene.holonomic("angle", it.z / metres("1"));
-              it.scene.sliding_friction("rub", angle, 0.1_r, it.block, it.contact, axis::x, it.scene.ground());
+              it.scene.sliding_friction("rub", angle,
+                                        {.coefficient = 0.1_r,
+                                         .body = it.block,
+                                         .point = it.contact,
+                                         .direction = axis::x,
+                                         .axes = it.scene.ground()});
             }),
             "friction 'rub' needs the normal force of its contact, and the multiplier of constraint 'angle' is in "
             "kg m^2 s^-2: write the constraint as a distance [m], or as a velocity along the normal");
   EXPECT_EQ(refusal([](Block& it) {
-              it.scene.sliding_friction("rub", it.floor, 0.1_r, it.block, it.contact, {0, 0, 0}, it.scene.ground());
+              it.scene.sliding_friction("rub", it.floor,
+                                        {.coefficient = 0.1_r,
+                                         .body = it.block,
+                                         .point = it.contact,
+                                         .direction = {0, 0, 0},
+                                         .axes = it.scene.ground()});
             }),
             "the direction of friction 'rub' is the null vector: give the direction of the relative motion");
+  EXPECT_EQ(
+      refusal([](Block& it) {
+        it.scene.rolling_resistance(
+            "rub", it.floor,
+            {.length = metres("0.1"), .body = it.block, .direction = axis::x, .axes = it.block, .other = it.block});
+      }),
+      "friction 'rub' acts between two frames of one rigid body: nothing slips there");
   EXPECT_EQ(refusal([](Block& it) {
-              it.scene.rolling_resistance("rub", it.floor, metres("0.1"), it.block, axis::x, it.block, it.block);
-            }),
-            "friction 'rub' acts between two frames of one rigid body: nothing slips there");
-  EXPECT_EQ(refusal([](Block& it) {
-              it.scene.sliding_friction("rub", it.floor, metres("0.1"), it.block, it.contact, axis::x, it.block);
+              it.scene.sliding_friction("rub", it.floor,
+                                        {.coefficient = metres("0.1"),
+                                         .body = it.block,
+                                         .point = it.contact,
+                                         .direction = axis::x,
+                                         .axes = it.block});
             }),
             "the coefficient of the friction 'rub' is 1/10 [m] and must be in plain numbers");
-  EXPECT_EQ(refusal([](Block& it) {
-              it.scene.sliding_friction("rub", ConstraintHandle{7}, 0.1_r, it.block, it.contact, axis::x, it.block);
-            }),
-            "friction 'rub' is tied to constraint number 7, which belongs to another scene");
+  EXPECT_EQ(
+      refusal([](Block& it) {
+        it.scene.sliding_friction(
+            "rub", ConstraintHandle{7},
+            {.coefficient = 0.1_r, .body = it.block, .point = it.contact, .direction = axis::x, .axes = it.block});
+      }),
+      "friction 'rub' is tied to constraint number 7, which belongs to another scene");
 }
 
 }  // namespace

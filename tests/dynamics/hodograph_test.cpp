@@ -68,7 +68,7 @@ TEST(Hodograph, IsRunAlongByTheAcceleration) {
     const int links = static_cast<int>(model.links().size());
     const Value second = program.number(Number(1), units::second);
     for (int reference = 0; reference < links; ++reference) {
-      const GeometricPoint point = geometric_point(model, "P1", "test");
+      const GeometricPoint point = geometric_point(model, Scene::point("P1"), "test");
       const GeometricPoint drawn = hodograph(model, point, reference);
       const Vector gamma = point_motion(model, point, point.link, reference, reference).absolute_acceleration;
       const Vector difference = velocity(model, drawn, reference) - second * gamma;

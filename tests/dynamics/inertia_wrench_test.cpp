@@ -53,7 +53,7 @@ TEST(InertiaWrench, IsASumOverTheBodysPoints) {
     coriolis = coriolis - m * turning;
     coriolis_moment = coriolis_moment - m * cross(arm, turning);
   }
-  const ScrewQuery query{"X", "ground", "R"};
+  const ScrewQuery query{Scene::point("X"), "ground", "R"};
   const Wrench of_transport = transport_inertia_wrench(model, {"cloud"}, query);
   EXPECT_LT(distance(columns(evaluate, of_transport.resultant), transport), 1e-45);
   EXPECT_LT(distance(columns(evaluate, of_transport.moment), transport_moment), 1e-45);
@@ -99,7 +99,7 @@ TEST(InertiaWrench, IsThePrintedOneOnlyForABodyFixedInTheFrame) {
   const Model& model = equations.model();
   const RandomState state(scene, 11);
   Evaluator<Real> evaluate(equations.program(), state.in_real());
-  const ScrewQuery query{"X", "ground", "R"};
+  const ScrewQuery query{Scene::point("X"), "ground", "R"};
   const auto fixed = printed_transport(model, evaluate, "fixed", "X", "R");
   const Wrench of_fixed = transport_inertia_wrench(model, {"fixed"}, query);
   EXPECT_LT(distance(columns(evaluate, of_fixed.resultant), fixed.first), 1e-45);
@@ -127,9 +127,9 @@ TEST_P(RandomInertiaWrench, MakesTheTheoremsHoldInAMovingFrame) {
   const FrameReference R = FrameHandle{static_cast<int>(1 + GetParam() % last)};
   const FrameReference axes = FrameHandle{static_cast<int>(last)};
   for (const BodyNames& bodies : {all_bodies(model), BodyNames{scene.content().bodies.back().name}}) {
-    const ScrewQuery seen{"Q1", axes, R};
+    const ScrewQuery seen{Scene::point("Q1"), axes, R};
     const DynamicScrew in_R = dynamic_screw_from_positions(model, bodies, seen);
-    const DynamicScrew in_ground = dynamic_screw_from_positions(model, bodies, {"Q1", axes, "ground"});
+    const DynamicScrew in_ground = dynamic_screw_from_positions(model, bodies, {Scene::point("Q1"), axes, "ground"});
     const Wrench transport = transport_inertia_wrench(model, bodies, seen);
     const Wrench coriolis = coriolis_inertia_wrench(model, bodies, seen);
     EXPECT_LT(distance(columns(evaluate, in_R.resultant - transport.resultant - coriolis.resultant),

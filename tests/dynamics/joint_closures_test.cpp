@@ -63,15 +63,17 @@ Scene tree(JointType type, bool moving) {
   switch (type) {
     case JointType::revolute: s.revolute("b", ground, axis::x, angle("a"), at); break;
     case JointType::prismatic: s.prismatic("b", ground, axis::x, length("x"), at); break;
-    case JointType::helical: s.helical("b", ground, axis::x, angle("a"), pitch(), at); break;
+    case JointType::helical:
+      s.helical("b", ground, {.axis = axis::x, .angle = angle("a"), .pitch = pitch()}, at);
+      break;
     case JointType::cylindrical: {
       const Expression x = length("x");
-      s.cylindrical("b", ground, axis::x, x, angle("a"), at);
+      s.cylindrical("b", ground, {.axis = axis::x, .displacement = x, .angle = angle("a")}, at);
       break;
     }
     case JointType::universal: {
       const Expression a = angle("a");
-      s.universal("b", ground, axis::x, a, axis::y, angle("b"), at);
+      s.universal("b", ground, {.first = axis::x, .first_angle = a, .second = axis::y, .second_angle = angle("b")}, at);
       break;
     }
     case JointType::spherical: {
@@ -83,19 +85,19 @@ Scene tree(JointType type, bool moving) {
     case JointType::planar: {
       const Expression x = length("x");
       const Expression y = length("y");
-      s.planar("b", ground, x, y, angle("a"), at);
+      s.planar("b", ground, {.x = x, .y = y, .angle = angle("a")}, at);
       break;
     }
     case JointType::line_contact: {
       const Expression x = length("x");
       const Expression y = length("y");
       const Expression a = angle("a");
-      s.line_contact("b", ground, x, y, a, angle("b"), at);
+      s.line_contact("b", ground, {.x = x, .y = y, .yaw = a, .roll = angle("b")}, at);
       break;
     }
     case JointType::sphere_in_cylinder: {
       const Expression x = length("x");
-      s.sphere_in_cylinder("b", ground, axis::x, x, s.attitude("turn"), at);
+      s.sphere_in_cylinder("b", ground, {.axis = axis::x, .displacement = x, .turn = s.attitude("turn")}, at);
       break;
     }
     case JointType::point_contact: {
@@ -103,7 +105,8 @@ Scene tree(JointType type, bool moving) {
       const Expression y = length("y");
       const Expression a = angle("a");
       const Expression b = angle("b");
-      s.point_contact("b", ground, x, y, AngleSequence::cardan, {a, b, angle("c")}, at);
+      s.point_contact("b", ground, {.x = x, .y = y, .turn = PlaneRotations{AngleSequence::cardan, {a, b, angle("c")}}},
+                      at);
       break;
     }
     case JointType::weld:
@@ -121,7 +124,8 @@ Scene closed(JointType type, bool moving) {
   const Expression z = s.coordinate("z", "m");
   s.free("b", s.ground(), {x, y, z}, s.attitude("turn"));
   s.weld("a", carrier, placement());
-  s.close("joint", type, "a", "b", type == JointType::helical ? pitch() : Expression(0));
+  s.loop_joint("joint",
+               {.type = type, .a = "a", .b = "b", .pitch = type == JointType::helical ? pitch() : Expression(0)});
   add_body(s);
   return s;
 }
@@ -351,7 +355,7 @@ TEST(ClosingJoint, HasMultipliersThatAreComponentsOfItsWrench) {
   const Expression y = s.coordinate("y", "m");
   const Expression z = s.coordinate("z", "m");
   s.free("b", s.ground(), {x, y, z}, s.attitude("turn"));
-  s.close("joint", JointType::weld, s.ground(), "b");
+  s.loop_joint("joint", {.type = JointType::weld, .a = s.ground(), .b = "b"});
   add_body(s);
   const Equations equations(s);
   State state;
@@ -377,10 +381,14 @@ TEST(ClosingJoint, HasMultipliersThatAreComponentsOfItsWrench) {
 TEST(ClosingJoint, AsksForAPitchWhereThereIsOne) {
   Scene s("wrong");
   const FrameHandle b = s.revolute("b", s.ground(), axis::x, s.coordinate("a", "rad"));
-  EXPECT_THROW(s.close("screw", JointType::helical, s.ground(), b), SceneError);
-  EXPECT_THROW(s.close("hinge", JointType::revolute, s.ground(), b, pitch()), SceneError);
-  EXPECT_THROW(s.close("nothing", JointType::free, s.ground(), b), SceneError);
-  EXPECT_THROW(s.close("screw", JointType::helical, s.ground(), b, Expression::quantity("1", "s")), UnitError);
+  EXPECT_THROW(s.loop_joint("screw", {.type = JointType::helical, .a = s.ground(), .b = b}), SceneError);
+  EXPECT_THROW(s.loop_joint("hinge", {.type = JointType::revolute, .a = s.ground(), .b = b, .pitch = pitch()}),
+               SceneError);
+  EXPECT_THROW(s.loop_joint("nothing", {.type = JointType::free, .a = s.ground(), .b = b}), SceneError);
+  EXPECT_THROW(
+      s.loop_joint("screw",
+                   {.type = JointType::helical, .a = s.ground(), .b = b, .pitch = Expression::quantity("1", "s")}),
+      UnitError);
 }
 
 TEST(Attitude, IsRefusedInTwoJoints) {

@@ -25,7 +25,7 @@ inline Scene four_bar(int crank_length, int coupler_length, int rocker_length, i
       scene.revolute("rocker", scene.ground(), axis::z, q[2], {{metre(ground_length), 0, 0}, {}});
   const FrameHandle end = scene.weld("coupler_end", coupler, x_along_z({metre(coupler_length), 0, 0}));
   const FrameHandle rocker_end = scene.weld("rocker_end", rocker, x_along_z({metre(rocker_length), 0, 0}));
-  scene.close("knee", JointType::revolute, end, rocker_end);
+  scene.loop_joint("knee", {.type = JointType::revolute, .a = end, .b = rocker_end});
   return scene;
 }
 
@@ -52,7 +52,7 @@ inline Scene bennett() {
   const FrameHandle last_axis = scene.weld("last_axis", scene.ground(), {{-metres("2"), 0, 0}, back});
   const FrameHandle end_x = scene.weld("end_x", end, x_along_z({0, 0, 0}));
   const FrameHandle last_x = scene.weld("last_x", last_axis, x_along_z({0, 0, 0}));
-  scene.close("last", JointType::revolute, last_x, end_x);
+  scene.loop_joint("last", {.type = JointType::revolute, .a = last_x, .b = end_x});
   return scene;
 }
 
@@ -75,7 +75,7 @@ inline Scene sarrus() {
   const FrameHandle B_2 = scene.revolute("B_2", B_1, axis::x, b_2, {two_y, {}});
   const FrameHandle end = scene.weld("B_end", B_2, {two_y, {}});
   const FrameHandle corner = scene.weld("corner", plate, {{metres("-2"), metres("2"), 0}, {}});
-  scene.close("hinge", JointType::revolute, corner, end);
+  scene.loop_joint("hinge", {.type = JointType::revolute, .a = corner, .b = end});
   return scene;
 }
 
@@ -92,11 +92,12 @@ inline Scene isostatic_slider_crank() {
   const Expression s = coordinate("s", "m", 4), turn = coordinate("turn", "rad");
   const Expression pin = coordinate("pin", "rad", 0.6);
   const FrameHandle crank = scene.revolute("crank", scene.ground(), axis::z, theta);
-  const FrameHandle piston = scene.cylindrical("piston", scene.ground(), axis::x, s, turn);
+  const FrameHandle piston =
+      scene.cylindrical("piston", scene.ground(), {.axis = axis::x, .displacement = s, .angle = turn});
   const FrameHandle rod = scene.revolute("rod", piston, axis::z, pin);
   const FrameHandle crank_end = scene.weld("crank_end", crank, {{metres("3"), 0, 0}, {}});
   const FrameHandle rod_end = scene.weld("rod_end", rod, {{metres("-5"), 0, 0}, {}});
-  scene.close("crank_pin", JointType::spherical, crank_end, rod_end);
+  scene.loop_joint("crank_pin", {.type = JointType::spherical, .a = crank_end, .b = rod_end});
   return scene;
 }
 

@@ -24,7 +24,8 @@ struct LeaningDisc {
              spin = scene.coordinate("spin", "rad");
   FrameHandle plane = scene.weld("plane", scene.ground(), {{metres("1"), 0, metres("2")}, tilt()});
   FrameHandle disc = scene.free("disc", plane, AngleSequence::euler, {x, y, z}, {heading, lean, spin});
-  PointHandle touch = scene.disc_contact("touch", disc, axis::z, metres("1.5"), plane);
+  PointHandle touch =
+      scene.disc_contact("touch", {.frame = disc, .axis = axis::z, .radius = metres("1.5"), .plane = plane});
   PointHandle ball = scene.sphere_contact("ball", disc, metres("1.5"), plane);
   LeaningDisc() { scene.body("disc", disc, Inertia::disk(kilograms("2"), metres("1.5"), 2)); }
 
@@ -148,8 +149,8 @@ TEST(DiscContact, IsNoNumberWhereTheDiscLiesFlatButItsHeightIsOne) {
 // The accelerations of what rolls need the point: flat, a pivot is no number, which the kernels report as singular.
 TEST(DiscContact, LeavesAPivotThatIsNoNumberWhereARollingDiscLiesFlat) {
   LeaningDisc it;
-  it.scene.contact("touches", it.touch, it.plane);
-  it.scene.rolling("rolls", it.disc, it.plane, it.touch, it.plane);
+  it.scene.point_in_plane("touches", it.touch, it.plane);
+  it.scene.rolling("rolls", {.body = it.disc, .on = it.plane, .contact = it.touch, .tangents = it.plane});
   it.scene.initial(it.lean, 1);
   it.scene.initial(it.z, metres("1.5") * sin(Expression(1)));
   const Equations equations(it.scene);

@@ -161,12 +161,18 @@ TEST(MeasuredAngularVelocity, TurnsTheAxesThatItIsOf) {
 TEST(MeasuredVelocity, GivesTheDragThatTheActionGives) {
   Carried one("one"), other("other");
   const Expression c = Expression::quantity("0.7", "N s/m"), turn = Expression::quantity("0.3", "N m s");
-  one.scene.drag("drag", one.arm, one.tip, c, one.table);
+  one.scene.drag("drag", {.body = one.arm, .point = one.tip, .coefficient = c, .relative_to = one.table});
   one.scene.rotational_drag("turn", one.arm, turn, one.table);
   const Triple v = other.scene.velocity(other.tip, other.arm, "ground", other.table);
-  other.scene.force_between("drag", other.arm, other.table, other.tip, {-c * v[0], -c * v[1], -c * v[2]}, "ground");
+  other.scene.force_between("drag", {.a = other.arm,
+                                     .b = other.table,
+                                     .point = other.tip,
+                                     .components = {-c * v[0], -c * v[1], -c * v[2]},
+                                     .axes = "ground"});
   const Triple omega = other.scene.angular_velocity("arm", "body", "table");
-  other.scene.torque_between("turn", "arm", "table", {-turn * omega[0], -turn * omega[1], -turn * omega[2]}, "body");
+  other.scene.torque_between(
+      "turn",
+      {.a = "arm", .b = "table", .components = {-turn * omega[0], -turn * omega[1], -turn * omega[2]}, .axes = "body"});
   expect_same_bias(one.scene, other.scene);
   expect_all_checks(other.scene);
 }
@@ -200,7 +206,7 @@ TEST(MeasuredVectors, StandInEveryKindOfFormula) {
   const Triple tip = it.scene.position(it.tip, "ground");
   const Triple omega = it.scene.angular_velocity(it.body, it.body);
   it.scene.force_function("spring", -Expression::quantity("4", "N/m") * pow(tip[2], 2) / 2);
-  it.scene.effort("steer", up[0], Expression::quantity("2", "N m s") * omega[1] * components[0]);
+  it.scene.generalised_force("steer", up[0], Expression::quantity("2", "N m s") * omega[1] * components[0]);
   it.scene.motor("winch", tip[0]);
   it.scene.holonomic("level", it.x - it.y * up[2] + Expression::quantity("0.2", "m") * up[0]);
   it.scene.nonholonomic("blade", rate(it.phi) + omega[2] * up[2] - 2 * rate(it.table_angle));
@@ -254,9 +260,10 @@ TEST(MeasuredVectors, DoNotHideReleasedCoordinates) {
   scene.body("bob", arm, Inertia::point(kilograms("2")).at({0, metres("-1.5"), 0}));
   const PointHandle tip = scene.point("tip", arm, {0, metres("-1.5"), 0});
   Scene other = scene;
-  scene.effort("pull", scene.position(tip, "ground")[0], Expression::quantity("1", "N"));
+  scene.generalised_force("pull", scene.position(tip, "ground")[0], Expression::quantity("1", "N"));
   EXPECT_NE(error_of<SceneError>([&] { validate(scene); }).find("names the released coordinate 'shift'"), std::string::npos);
-  other.effort("pull", other.position(tip, slide)[0], Expression::quantity("1", "N"));  // does not contain it
+  other.generalised_force("pull", other.position(tip, slide)[0],
+                          Expression::quantity("1", "N"));  // does not contain it
   EXPECT_EQ(error_of([&] { validate(other); }), "no error");
 }
 

@@ -60,9 +60,9 @@ TEST(Mobility, OfCartsWeldedToEachOtherIsThatOfOneCart) {
     carts.push_back(scene.prismatic(name, scene.ground(), axis::x, scene.coordinate("x_" + std::string(name), "m")));
     scene.body(name, carts.back(), Inertia::point(Expression::quantity("1", "kg")));
   }
-  scene.close("ab", JointType::weld, carts[0], carts[1]);
-  scene.close("ac", JointType::weld, carts[0], carts[2]);
-  scene.close("bc", JointType::weld, carts[1], carts[2]);
+  scene.loop_joint("ab", {.type = JointType::weld, .a = carts[0], .b = carts[1]});
+  scene.loop_joint("ac", {.type = JointType::weld, .a = carts[0], .b = carts[2]});
+  scene.loop_joint("bc", {.type = JointType::weld, .a = carts[1], .b = carts[2]});
   const Mobility mobility = analyse_mobility(scene);
   expect(mobility.given, {4, 6, 3, 3, 2, 1, 16});
 }
@@ -74,7 +74,7 @@ TEST(Mobility, OfADoorOnTwoBallsLeavesOneForceOpen) {
   const FrameHandle door = scene.spherical("low", scene.ground(), scene.attitude("e"), {{metres("1"), 0, 0}, {}});
   const FrameHandle top = scene.weld("top", door, {{0, metres("2"), 0}, {}});
   const FrameHandle frame = scene.weld("frame", scene.ground(), {{metres("1"), metres("2"), 0}, {}});
-  scene.close("high", JointType::spherical, frame, top);
+  scene.loop_joint("high", {.type = JointType::spherical, .a = frame, .b = top});
   const Mobility mobility = analyse_mobility(scene);
   expect(mobility.given, {2, 2, 1, 6, 5, 1, 1});
   for (const char* joint : {"low", "high"}) EXPECT_EQ(components(mobility, joint), (Names{"F_y"})) << joint;
@@ -88,7 +88,7 @@ TEST(Mobility, TakesAnAttitudeAsTheSceneStarts) {
   const FrameHandle rod = scene.spherical("rod", scene.ground(), e);
   const FrameHandle end = scene.weld("end", rod, {{metres("1"), 0, 0}, {}});
   const FrameHandle wall = scene.weld("wall", scene.ground(), {{0, metres("1"), 0}, {}});
-  scene.close("ball", JointType::spherical, wall, end);
+  scene.loop_joint("ball", {.type = JointType::spherical, .a = wall, .b = end});
   const Mobility mobility = analyse_mobility(scene);
   EXPECT_FALSE(mobility.moved_to_close);
   expect(mobility.given, {2, 2, 1, 6, 5, 1, 1});

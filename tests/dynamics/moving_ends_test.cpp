@@ -75,10 +75,12 @@ using Add = std::function<void(Scene&)>;
 
 const std::vector<Add>& mutual_actions() {
   static const std::vector<Add> all{
-      [](Scene& s) { s.spring("spring", "O", "P", stiffness()); },
-      [](Scene& s) { s.spring("spring", "P", "O", stiffness(), metres("0.3")); },
-      [](Scene& s) { s.damper("damper", "O", "P", damping()); },
-      [](Scene& s) { s.gravitation("pull", "O", "P", Expression::quantity("2", "N m^2")); }};
+      [](Scene& s) { s.spring("spring", {.a = s.point("O"), .b = s.point("P"), .stiffness = stiffness()}); },
+      [](Scene& s) {
+        s.spring("spring", {.a = s.point("P"), .b = s.point("O"), .stiffness = stiffness(), .rest = metres("0.3")});
+      },
+      [](Scene& s) { s.damper("damper", s.point("O"), s.point("P"), damping()); },
+      [](Scene& s) { s.gravitation("pull", s.point("O"), s.point("P"), Expression::quantity("2", "N m^2")); }};
   return all;
 }
 
@@ -123,8 +125,9 @@ TEST(MovingEnds, MayBothBelongToOneBody) {
     } else {
       it.scene.point("Q", it.rod, {x, metres("0.3"), 0});
     }
-    it.scene.spring("tie", "P", "Q", stiffness(), metres("0.1"));
-    it.scene.damper("oil", "P", "Q", damping());
+    it.scene.spring(
+        "tie", {.a = it.scene.point("P"), .b = it.scene.point("Q"), .stiffness = stiffness(), .rest = metres("0.1")});
+    it.scene.damper("oil", it.scene.point("P"), it.scene.point("Q"), damping());
     return it.scene;
   };
   expect_same(make(true), make(false));
@@ -142,8 +145,8 @@ TEST(MovingEnds, MayFollowALawOfTime) {
     if (by_points) {
       scene.point("A", scene.ground(), {law, 0, 0});
       scene.point("B", slide, {0, 0, 0});
-      scene.spring("spring", "A", "B", stiffness());
-      scene.damper("damper", "A", "B", damping());
+      scene.spring("spring", {.a = scene.point("A"), .b = scene.point("B"), .stiffness = stiffness()});
+      scene.damper("damper", scene.point("A"), scene.point("B"), damping());
     } else {
       scene.spring("spring", x - law, stiffness());
       scene.damper("damper", x - law, damping());
@@ -165,7 +168,11 @@ TEST(MovingEnds, OfADiscFollowItsLowestPoint) {
     scene.body("disc", disc, Inertia::disk(kilograms("2"), metres("0.4"), 1));
     if (by_points) {
       scene.point("A", scene.ground(), {metres("1"), 0, metres("-0.5")});
-      scene.spring("spring", scene.disc_contact("P", disc, axis::y, metres("0.4"), scene.ground()), "A", stiffness());
+      scene.spring("spring",
+                   {.a = scene.disc_contact(
+                        "P", {.frame = disc, .axis = axis::y, .radius = metres("0.4"), .plane = scene.ground()}),
+                    .b = scene.point("A"),
+                    .stiffness = stiffness()});
     } else {
       const Expression along = x - metres("1"), up = z + metres("0.1");
       scene.force_function("spring", -stiffness() * (along * along + up * up) / 2);
@@ -190,7 +197,7 @@ TEST(MovingEnds, AreRefusedWhereTheirMotionIsNotKnown) {
   EXPECT_EQ(refusal([](Scene& s) {
               const Expression v(s.content().coordinates[1].v);
               s.point("M", "rod", {v * Expression::quantity("1", "s"), 0, 0});
-              s.spring("odd", "M", "O", stiffness());
+              s.spring("odd", {.a = s.point("M"), .b = s.point("O"), .stiffness = stiffness()});
             }),
             "spring 'odd' is attached to point 'M', whose place depends on more than coordinates, time and parameters: "
             "give its components as formulas of those");
@@ -198,7 +205,7 @@ TEST(MovingEnds, AreRefusedWhereTheirMotionIsNotKnown) {
               const Expression r = s.released_coordinate("r", "m");
               s.prismatic("held", "rod", axis::y, r);
               s.point("M", "rod", {r, 0, 0});
-              s.spring("odd", "M", "O", stiffness());
+              s.spring("odd", {.a = s.point("M"), .b = s.point("O"), .stiffness = stiffness()});
             }),
             "spring 'odd' names the released coordinate 'r', which its joint holds at zero: write it without, or between "
             "points");
@@ -206,7 +213,7 @@ TEST(MovingEnds, AreRefusedWhereTheirMotionIsNotKnown) {
 
 TEST(MovingEnds, HaveNoShareOnOneBodyThatIsKnown) {
   RodAndBead it(false);
-  it.scene.spring("spring", "O", "P", stiffness());
+  it.scene.spring("spring", {.a = it.scene.point("O"), .b = it.scene.point("P"), .stiffness = stiffness()});
   const Equations equations(it.scene);
   EXPECT_THROW(selected_actions(equations.model(), {{"spring"}, {"rod"}}), SceneError);
   EXPECT_NO_THROW(selected_actions(equations.model(), {{"spring"}, {}}));

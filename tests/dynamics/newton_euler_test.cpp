@@ -72,11 +72,11 @@ TEST_P(RandomNewtonEuler, IsolatesASubTreeAsTheRecursionDoes) {
   const FrameReference axes = FrameHandle{static_cast<int>(scene.content().frames.size()) - 1};
   for (std::size_t k = 1; k < model.links().size(); ++k) {
     const BodyNames bodies = bodies_beyond(model, k);
-    const ScrewQuery query{"P1", axes};
+    const ScrewQuery query{Scene::point("P1"), axes};
     const Wrench recursive = transmitted_wrench(equations, model.links()[k].name, query);
     EXPECT_LT(gap(evaluate, newton_euler(equations, bodies, query).transmitted, recursive), 1e-43) << k;
     // Seen from a moving frame the inertia wrenches make up for the other dynamic screw.
-    const ScrewQuery moving{"P1", axes, "body0"};
+    const ScrewQuery moving{Scene::point("P1"), axes, "body0"};
     const NewtonEuler theorem = newton_euler(equations, bodies, moving);
     EXPECT_LT(gap(evaluate, theorem.transmitted, recursive), 1e-43) << k;
     EXPECT_GT(gap(evaluate, theorem.inertia, Wrench{}), 1e-6) << k;
@@ -113,7 +113,10 @@ struct Elbow {
     scene.point("E", fixed, {0, 0, 0});
     scene.point("tip", forearm, {metres("0.8"), 0, 0});
     scene.point("post", scene.ground(), {metres("1"), metres("2"), 0});
-    scene.spring("tie", "tip", "post", Expression::quantity("70", "N/m"), metres("0.5"));
+    scene.spring("tie", {.a = scene.point("tip"),
+                         .b = scene.point("post"),
+                         .stiffness = Expression::quantity("70", "N/m"),
+                         .rest = metres("0.5")});
     scene.motor("torque", q2);
   }
   Scene scene{"elbow"};
@@ -126,7 +129,7 @@ TEST(TransmittedWrench, HasTheReactionsFoundWithReleasedCoordinates) {
   const Point point{{"q1", rational(3, 7)},  {"q2", rational(-8, 5)},  {"q1'", rational(9, 4)},
                     {"q2'", rational(5, 3)}, {"q1''", rational(1, 3)}, {"q2''", rational(-7, 2)}};
   NamedState state(of_closed, point), state_open(of_open, point);
-  const Wrench wrench = transmitted_wrench(of_closed, "forearm", {"E", "fixed"});
+  const Wrench wrench = transmitted_wrench(of_closed, "forearm", {Scene::point("E"), "fixed"});
   const std::vector<Value>& forces = of_open.inverse_dynamics();  // q1, q2, then X, Y, Z, L, M
   for (int i = 0; i < 3; ++i) {
     EXPECT_LT(relative_difference(state(wrench.resultant[i]), state_open(forces[static_cast<std::size_t>(2 + i)])),
@@ -147,7 +150,7 @@ TEST(NewtonEuler, GivesTheTensionInTheRodOfAPendulum) {
   const Real m(2), l = rational(3, 2), g = rational(981, 100), theta = rational(2, 3), rate = rational(7, 5);
   NamedState state(equations, {{"theta", theta}, {"theta'", rate}, {"theta''", -g * sin(theta) / l}});
   // Along the rod: tension = m (g cos θ + l θ̇²), towards O along y of the arm; nothing across, no moment about O.
-  const ScrewQuery query{"O", "arm"};
+  const ScrewQuery query{Scene::point("O"), "arm"};
   const NewtonEulerEquation along = newton_euler(equations, {"bob"}, query, Theorem::resultant, axis::y);
   EXPECT_LT(relative_difference(state(along.transmitted), m * (g * cos(theta) + l * rate * rate)), 1e-45);
   EXPECT_LT(relative_difference(state(along.known), -(m * g * cos(theta))), 1e-45);
@@ -167,10 +170,10 @@ TEST(NewtonEuler, IsolatesWholeRigidBodiesOnly) {
   scene.body("pillar", scene.ground(), Inertia::point(kilograms("10")));
   const Equations equations(scene);
   EXPECT_EQ(
-      error_of<SceneError>([&] { newton_euler(equations, {"bob"}, {"O"}); }),
+      error_of<SceneError>([&] { newton_euler(equations, {"bob"}, {Scene::point("O")}); }),
       "Newton-Euler's theorem isolates part of a rigid body: 'paint' is fixed to what is asked for; name it too, or "
       "put a joint with a released coordinate between them");
-  EXPECT_EQ(error_of<SceneError>([&] { newton_euler(equations, {"pillar"}, {"O"}); }),
+  EXPECT_EQ(error_of<SceneError>([&] { newton_euler(equations, {"pillar"}, {Scene::point("O")}); }),
             "Newton-Euler's theorem isolates the ground, which nothing moves: drop its bodies");
   EXPECT_EQ(error_of<SceneError>([&] { transmitted_wrench(equations, "ground"); }),
             "no joint carries the ground: ask for the wrench transmitted to a frame that moves");
@@ -193,7 +196,7 @@ TEST(ConstraintWrench, WorksAsItsGeneralisedForces) {
     }
     scene.body("a", a, Inertia::box(kilograms("1"), metres("0.2"), metres("0.3"), metres("0.4")));
     scene.body("b", b, Inertia::box(kilograms("1"), metres("0.2"), metres("0.3"), metres("0.4")));
-    scene.close("loop", type, a, b);
+    scene.loop_joint("loop", {.type = type, .a = a, .b = b});
     const Equations equations(scene);
     const Model& model = equations.model();
     const RandomState state(scene, 4);

@@ -193,7 +193,9 @@ Scene bent_path() {
   const FrameHandle point = scene.prismatic("point", scene.prismatic("slide", scene.ground(), axis::x, x), axis::y, y);
   scene.body("point", point, Inertia::point(kilograms("1")));
   scene.point("P", point, {0, 0, 0});
-  scene.force("turns", point, "P", {B * rate(y), -B * rate(x), 0}, scene.ground());
+  scene.force(
+      "turns",
+      {.body = point, .point = scene.point("P"), .components = {B * rate(y), -B * rate(x), 0}, .axes = scene.ground()});
   return scene;
 }
 
@@ -208,7 +210,7 @@ TEST(FirstIntegrals, IncludeTheEnergyWhereActionsWithoutAForceFunctionDoNoWork) 
   const Expression b = Expression::quantity("3", "kg/s");
   opposed.damper("brake", x, b);
   EXPECT_EQ(failing(opposed), std::vector<std::string>{"'brake' has no force function"});
-  opposed.effort("drive", x, b * rate(x));
+  opposed.generalised_force("drive", x, b * rate(x));
   EXPECT_TRUE(failing(opposed).empty());
   // What works is named alone.
   opposed.damper("oil", y, b);
@@ -227,9 +229,13 @@ TEST(FirstIntegrals, IncludeTheEnergyWhereActionsWithoutAForceFunctionDoNoWork) 
   across.body("block", block, Inertia::point(kilograms("2")));
   across.point("I", block, {0, 0, 0});
   const ConstraintHandle floor = across.holonomic("floor", height);
-  across.sliding_friction("aside", floor, 0.5_r, block, "I", axis::y, across.ground());
+  across.sliding_friction(
+      "aside", floor,
+      {.coefficient = 0.5_r, .body = block, .point = across.point("I"), .direction = axis::y, .axes = across.ground()});
   EXPECT_TRUE(failing(across).empty());
-  across.sliding_friction("rub", floor, 0.5_r, block, "I", axis::x, across.ground());
+  across.sliding_friction(
+      "rub", floor,
+      {.coefficient = 0.5_r, .body = block, .point = across.point("I"), .direction = axis::x, .axes = across.ground()});
   EXPECT_EQ(failing(across), (std::vector<std::string>{"'aside', 'rub' have no force function"}));
 }
 

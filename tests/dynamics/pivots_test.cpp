@@ -30,7 +30,7 @@ Scene parallelogram(bool absolute) {
   scene.initial(c, 1);
   scene.closure("x", scene.point("tip", coupler, {metres("2"), 0, 0}), scene.point("end", rocker, {metres("1"), 0, 0}),
                 axis::x);
-  scene.closure("y", "tip", "end", axis::y);
+  scene.closure("y", scene.point("tip"), scene.point("end"), axis::y);
   return scene;
 }
 

@@ -121,7 +121,7 @@ class WheelOnTheGround : public ::testing::Test {
 };
 
 TEST_F(WheelOnTheGround, HasAContactPointThatIsNoPointOfTheWheel) {
-  const PointMotion motion = point_motion(model, "I", "wheel", "ground");
+  const PointMotion motion = point_motion(model, Scene::point("I"), "wheel", "ground");
   const Value turn = radius * phi1;
   const Value square = turn * phi1;
   const Value angular = radius * phi2;
@@ -136,16 +136,16 @@ TEST_F(WheelOnTheGround, HasAContactPointThatIsNoPointOfTheWheel) {
 }
 
 TEST_F(WheelOnTheGround, IsSeenFromItsCarriageAtRest) {
-  const PointMotion motion = point_motion(model, "I", "wheel", "carriage");
+  const PointMotion motion = point_motion(model, Scene::point("I"), "wheel", "carriage");
   expect(motion.absolute_velocity, Value(), Value());
   expect(motion.absolute_acceleration, Value(), Value());
   expect(motion.transport_velocity, radius * phi1, Value());
 }
 
 TEST_F(WheelOnTheGround, NamesThePointOrFrameThatDoesNotExist) {
-  const std::string point = error_of<SceneError>([&] { point_motion(model, "J", "wheel", "ground"); });
+  const std::string point = error_of<SceneError>([&] { point_motion(model, Scene::point("J"), "wheel", "ground"); });
   EXPECT_NE(point.find("'J'"), std::string::npos) << point;
-  const std::string frame = error_of<SceneError>([&] { point_motion(model, "I", "wheels", "ground"); });
+  const std::string frame = error_of<SceneError>([&] { point_motion(model, Scene::point("I"), "wheels", "ground"); });
   EXPECT_NE(frame.find("'wheels'"), std::string::npos) << frame;
 }
 
@@ -181,7 +181,7 @@ class SphereOnAPlate : public ::testing::Test {
 
 TEST_F(SphereOnAPlate, SlidesRollsAndSpins) {
   // n = z from the plate to the sphere, given three times too long.
-  const ContactMotion contact = contact_motion(model, "sphere", "plate", "I", {0, 0, 3}, "ground");
+  const ContactMotion contact = contact_motion(model, "sphere", "plate", Scene::point("I"), {0, 0, 3}, "ground");
   const Value psi = model.q(4);
   // Ω = psi' z + theta' u, u = (cos psi, sin psi, 0); V(I) = V(C) + Ω ∧ (−R z).
   const Vector u(program.cos(psi), program.sin(psi), Value());
@@ -197,8 +197,8 @@ TEST_F(SphereOnAPlate, SlidesRollsAndSpins) {
 }
 
 TEST_F(SphereOnAPlate, HasTheOppositeMotionOfThePlateOnTheSphere) {
-  const ContactMotion one = contact_motion(model, "sphere", "plate", "I", axis::z, "ground");
-  const ContactMotion other = contact_motion(model, "plate", "sphere", "I", -axis::z, "ground");
+  const ContactMotion one = contact_motion(model, "sphere", "plate", Scene::point("I"), axis::z, "ground");
+  const ContactMotion other = contact_motion(model, "plate", "sphere", Scene::point("I"), -axis::z, "ground");
   EXPECT_TRUE(vanishes(one.sliding + other.sliding));
   EXPECT_TRUE(vanishes(one.rolling + other.rolling));
   EXPECT_TRUE(vanishes(one.spinning - other.spinning));
@@ -207,16 +207,16 @@ TEST_F(SphereOnAPlate, HasTheOppositeMotionOfThePlateOnTheSphere) {
 
 /// V(I ∈ S1/S2) = V(I/S2) − V(I/S1), the geometric point's velocities seen from either body.
 TEST_F(SphereOnAPlate, SlidesWithTheDifferenceOfTheContactPointsVelocities) {
-  const ContactMotion contact = contact_motion(model, "sphere", "plate", "I", axis::z, "ground");
-  const Vector in_plate = point_motion(model, "I", "plate", "plate").relative_velocity;
-  const Vector in_sphere = point_motion(model, "I", "sphere", "sphere").relative_velocity;
+  const ContactMotion contact = contact_motion(model, "sphere", "plate", Scene::point("I"), axis::z, "ground");
+  const Vector in_plate = point_motion(model, Scene::point("I"), "plate", "plate").relative_velocity;
+  const Vector in_sphere = point_motion(model, Scene::point("I"), "sphere", "sphere").relative_velocity;
   const Vector whole = contact.sliding + contact.separation * contact.normal;
   EXPECT_TRUE(vanishes(in_plate - in_sphere - whole));
 }
 
 TEST_F(SphereOnAPlate, NeedsANormal) {
   EXPECT_EQ(error_of<SceneError>([&] {
-              contact_motion(model, "sphere", "plate", "I", {0, 0, 0}, "ground");
+              contact_motion(model, "sphere", "plate", Scene::point("I"), {0, 0, 0}, "ground");
             }),
             "the normal of a contact is the null vector: give the direction from S2 to S1");
 }

@@ -147,17 +147,20 @@ class ChainBuilder {
         break;
       case JointType::helical: {
         const Expression pitch = random_.quantity("m");
-        add(name, scene_.helical(name, last_, along(i), angle(i, 0, 0), pitch, at));  // π m are no exact start
+        add(name, scene_.helical(name, last_, {.axis = along(i), .angle = angle(i, 0, 0), .pitch = pitch},
+                                 at));  // π m are no exact start
         break;
       }
       case JointType::cylindrical: {
         const Expression x = length(i);
-        add(name, scene_.cylindrical(name, last_, along(i), x, angle(i), at));
+        add(name, scene_.cylindrical(name, last_, {.axis = along(i), .displacement = x, .angle = angle(i)}, at));
         break;
       }
       case JointType::universal: {
         const Expression first = angle(2);
-        add(name, scene_.universal(name, last_, axis::z, first, axis::x, angle(0), at));
+        add(name, scene_.universal(
+                      name, last_,
+                      {.first = axis::z, .first_angle = first, .second = axis::x, .second_angle = angle(0)}, at));
         break;
       }
       case JointType::spherical:
@@ -173,7 +176,7 @@ class ChainBuilder {
       case JointType::planar: {
         const Expression x = length(0);
         const Expression y = length(1);
-        add(name, scene_.planar(name, last_, x, y, angle(2), at));
+        add(name, scene_.planar(name, last_, {.x = x, .y = y, .angle = angle(2)}, at));
         break;
       }
       default:
@@ -188,7 +191,7 @@ class ChainBuilder {
     const FrameHandle near = scene_.weld(kind_ + "_near" + suffix, last_, Pose{by, rotation}.placement());
     const FrameHandle far = scene_.weld(kind_ + "_far" + suffix, base_, end_.moved(by, rotation).placement());
     const Expression pitch = type == JointType::helical ? random_.quantity("m") : Expression(0);
-    scene_.close(kind_ + "_close" + suffix, type, far, near, pitch);
+    scene_.loop_joint(kind_ + "_close" + suffix, {.type = type, .a = far, .b = near, .pitch = pitch});
   }
 
   void spatial() {

@@ -104,19 +104,20 @@ class Builder : private RandomSource {
       case 0: {
         const Expression angle = fresh("rad");
         const Expression pitch = quantity("m");
-        frame = scene_.helical(name, parent, axis(), angle, pitch, place);
+        frame = scene_.helical(name, parent, {.axis = axis(), .angle = angle, .pitch = pitch}, place);
         break;
       }
       case 1: {
         const Expression x = fresh("m");
         const Expression angle = fresh("rad");
-        frame = scene_.cylindrical(name, parent, axis(), x, angle, place);
+        frame = scene_.cylindrical(name, parent, {.axis = axis(), .displacement = x, .angle = angle}, place);
         break;
       }
       case 2: {
         const Expression first = fresh("rad");
         const Expression second = fresh("rad");
-        frame = scene_.universal(name, parent, axis::z, first, axis::x, second, place);
+        frame = scene_.universal(
+            name, parent, {.first = axis::z, .first_angle = first, .second = axis::x, .second_angle = second}, place);
         break;
       }
       case 3: frame = scene_.spherical(name, parent, attitude(), place); break;
@@ -124,7 +125,7 @@ class Builder : private RandomSource {
         const Expression x = fresh("m");
         const Expression y = fresh("m");
         const Expression angle = fresh("rad");
-        frame = scene_.planar(name, parent, x, y, angle, place);
+        frame = scene_.planar(name, parent, {.x = x, .y = y, .angle = angle}, place);
         break;
       }
       case 5: {
@@ -132,18 +133,18 @@ class Builder : private RandomSource {
         const Expression y = fresh("m");
         const Expression yaw = fresh("rad");
         const Expression roll = fresh("rad");
-        frame = scene_.line_contact(name, parent, x, y, yaw, roll, place);
+        frame = scene_.line_contact(name, parent, {.x = x, .y = y, .yaw = yaw, .roll = roll}, place);
         break;
       }
       case 6: {
         const Expression x = fresh("m");
-        frame = scene_.sphere_in_cylinder(name, parent, axis(), x, attitude(), place);
+        frame = scene_.sphere_in_cylinder(name, parent, {.axis = axis(), .displacement = x, .turn = attitude()}, place);
         break;
       }
       default: {
         const Expression x = fresh("m");
         const Expression y = fresh("m");
-        frame = scene_.point_contact(name, parent, x, y, attitude(), place);
+        frame = scene_.point_contact(name, parent, {.x = x, .y = y, .turn = attitude()}, place);
         break;
       }
     }
@@ -163,7 +164,7 @@ class Builder : private RandomSource {
     const FrameHandle far = scene_.weld("far", frames_.back(), placement());
     const JointType type = static_cast<JointType>(1 + below(10));  // revolute to point contact
     const Expression pitch = type == JointType::helical ? quantity("m") : Expression(0);
-    scene_.close("loop_joint", type, far, near, pitch);
+    scene_.loop_joint("loop_joint", {.type = type, .a = far, .b = near, .pitch = pitch});
   }
 
   /// A vertical axis that turns uniformly: it imposes a motion but leaves T2 − T0 − U of what stands on it constant.
@@ -180,12 +181,15 @@ class Builder : private RandomSource {
     const PointHandle a = scene_.point("A", chain.frames.front(), vector("m"));
     const PointHandle b = scene_.point("B", chain.frames.back(), vector("m"));
     if (options_.actions) {
-      if (one_in(2)) scene_.spring("chain_tie", a, "P1", quantity("N/m"), quantity("m"));
+      if (one_in(2))
+        scene_.spring("chain_tie",
+                      {.a = a, .b = scene_.point("P1"), .stiffness = quantity("N/m"), .rest = quantity("m")});
       const Expression last = chain.coordinates.empty() ? unknowns_[0] : chain.coordinates.back();
       if (one_in(2)) scene_.spring("chain_spring", last, quantity(last.unit().is_dimensionless() ? "N m" : "N/m"));
       if (options_.conservative) return;
-      if (one_in(2)) scene_.force("chain_push", chain.frames.back(), b, vector("N"), base);
-      if (one_in(2)) scene_.damper("chain_brake", b, "Q0", quantity("N s/m"));
+      if (one_in(2))
+        scene_.force("chain_push", {.body = chain.frames.back(), .point = b, .components = vector("N"), .axes = base});
+      if (one_in(2)) scene_.damper("chain_brake", b, scene_.point("Q0"), quantity("N s/m"));
     }
     if (options_.motors && !options_.conservative && !chain.coordinates.empty()) {
       scene_.motor("chain_motor", chain.coordinates.front());
@@ -198,8 +202,11 @@ class Builder : private RandomSource {
     const bool angle = first.unit().is_dimensionless();
     if (one_in(2)) scene_.spring("spring", first, quantity(angle ? "N m" : "N/m"));
     const std::string tip = std::to_string(frames_.size() - 1);
-    if (one_in(2)) scene_.spring("tie", "P0", "P" + tip, quantity("N/m"), quantity("m"));
-    if (one_in(2)) scene_.gravitation("attraction", "Q0", "P" + tip, quantity("N m^2"));
+    if (one_in(2))
+      scene_.spring(
+          "tie",
+          {.a = scene_.point("P0"), .b = scene_.point("P" + tip), .stiffness = quantity("N/m"), .rest = quantity("m")});
+    if (one_in(2)) scene_.gravitation("attraction", scene_.point("Q0"), scene_.point("P" + tip), quantity("N m^2"));
     const Expression last = unknowns_.back();
     const Expression scale = last.unit().is_dimensionless() ? Expression(1) : Expression::quantity("1", "m");
     if (one_in(2)) scene_.force_function("field", quantity("J") * sin(2 * last / scale));
@@ -240,10 +247,17 @@ class Builder : private RandomSource {
       scene_.damper("damper", unknowns_.back(),
                     quantity(unknowns_.back().unit().is_dimensionless() ? "N m s" : "N s/m"));
     const std::string tip = std::to_string(frames_.size() - 1);
-    if (one_in(2)) scene_.spring("tie", "P0", "P" + tip, quantity("N/m"), quantity("m"));
-    if (one_in(3)) scene_.spring("zero_tie", "Q0", "Q" + tip, quantity("N/m"));
-    if (one_in(3)) scene_.damper("brake", "Q0", "P" + tip, quantity("N s/m"));
-    if (one_in(2)) scene_.force("push", frames_.back(), PointReference("P" + tip), vector("N"), frames_[0]);
+    if (one_in(2))
+      scene_.spring(
+          "tie",
+          {.a = scene_.point("P0"), .b = scene_.point("P" + tip), .stiffness = quantity("N/m"), .rest = quantity("m")});
+    if (one_in(3))
+      scene_.spring("zero_tie", {.a = scene_.point("Q0"), .b = scene_.point("Q" + tip), .stiffness = quantity("N/m")});
+    if (one_in(3)) scene_.damper("brake", scene_.point("Q0"), scene_.point("P" + tip), quantity("N s/m"));
+    if (one_in(2))
+      scene_.force(
+          "push",
+          {.body = frames_.back(), .point = PointReference("P" + tip), .components = vector("N"), .axes = frames_[0]});
     if (one_in(3)) scene_.torque("twist", frames_[1], vector("N m"), frames_.back());
   }
 
@@ -275,9 +289,11 @@ class Builder : private RandomSource {
     const bool loop = one_in(2);
     Scene constrained = scene_;
     if (loop) {
-      constrained.closure("loop", "P0", "P" + tip, {1, 0, 2});
+      constrained.closure("loop", constrained.point("P0"), constrained.point("P" + tip), {1, 0, 2});
     } else {
-      constrained.no_slip("rolling", frames_.back(), "P" + tip, axis::x, frames_[0]);
+      constrained.no_slip(
+          "rolling",
+          {.body = frames_.back(), .contact = constrained.point("P" + tip), .direction = axis::x, .axes = frames_[0]});
     }
     // The direction may be one in which the tip never moves, or cannot move for a loop: then there is nothing to
     // constrain.
@@ -297,7 +313,7 @@ class Builder : private RandomSource {
     if (one_in(4)) scene_.force_function("field", quantity("J") * sin(2 * last / scale));
     if (one_in(4)) {
       const Expression speed = rate(last) / scale;
-      scene_.effort("cubic_damper", last, -quantity("J s^3") * speed * speed * speed / scale);
+      scene_.generalised_force("cubic_damper", last, -quantity("J s^3") * speed * speed * speed / scale);
     }
   }
 
@@ -305,12 +321,24 @@ class Builder : private RandomSource {
     const FrameHandle body = frames_.back();
     const std::string tip = std::to_string(frames_.size() - 1);
     const FrameHandle other = frames_[static_cast<std::size_t>(below(static_cast<int>(frames_.size()) - 1))];
-    if (one_in(4)) scene_.gravitation("attraction", "P0", "Q" + tip, quantity("N m^2"));
-    if (one_in(4)) scene_.wrench("wrench", body, PointReference("Q" + tip), vector("N"), vector("N m"), frames_[1]);
-    if (one_in(4)) scene_.drag("drag", body, PointReference("P" + tip), quantity("N s/m"), other);
+    if (one_in(4)) scene_.gravitation("attraction", scene_.point("P0"), scene_.point("Q" + tip), quantity("N m^2"));
+    if (one_in(4))
+      scene_.wrench("wrench", {.body = body,
+                               .point = PointReference("Q" + tip),
+                               .force = vector("N"),
+                               .moment = vector("N m"),
+                               .axes = frames_[1]});
+    if (one_in(4))
+      scene_.drag(
+          "drag",
+          {.body = body, .point = PointReference("P" + tip), .coefficient = quantity("N s/m"), .relative_to = other});
     if (one_in(4)) scene_.rotational_drag("turning_drag", body, quantity("N m s"), other);
-    if (one_in(4)) scene_.force_between("mutual_force", body, other, PointReference("P" + tip), vector("N"), other);
-    if (one_in(4)) scene_.torque_between("mutual_torque", body, other, vector("N m"), frames_[0]);
+    if (one_in(4))
+      scene_.force_between(
+          "mutual_force",
+          {.a = body, .b = other, .point = PointReference("P" + tip), .components = vector("N"), .axes = other});
+    if (one_in(4))
+      scene_.torque_between("mutual_torque", {.a = body, .b = other, .components = vector("N m"), .axes = frames_[0]});
   }
 
   void add_friction() {
@@ -322,9 +350,15 @@ class Builder : private RandomSource {
       if (constraints[j].name.starts_with("planar") || constraints[j].name.starts_with("hinged")) continue;
       const std::string tip = std::to_string(frames_.size() - 1);
       const ConstraintHandle normal{static_cast<int>(j)};
-      scene_.sliding_friction("friction", normal, Expression(fraction()) / 10, frames_.back(),
-                              PointReference("Q" + tip), axis(), frames_[0]);
-      scene_.rolling_resistance("resistance", normal, quantity("m") / 10, frames_.back(), axis(), frames_.back());
+      scene_.sliding_friction("friction", normal,
+                              {.coefficient = Expression(fraction()) / 10,
+                               .body = frames_.back(),
+                               .point = PointReference("Q" + tip),
+                               .direction = axis(),
+                               .axes = frames_[0]});
+      scene_.rolling_resistance(
+          "resistance", normal,
+          {.length = quantity("m") / 10, .body = frames_.back(), .direction = axis(), .axes = frames_.back()});
       return;
     }
   }

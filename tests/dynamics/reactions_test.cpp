@@ -125,7 +125,7 @@ TEST(Multiplier, IsTheIntensityOfItsNamedReaction) {
   scene.gravity({0, Expression::quantity("-9.81", "m/s^2"), 0});
   const Expression r = sqrt(x * x + y * y);
   const ConstraintHandle rod = scene.holonomic("rod", metres("1.5") - r);
-  scene.reaction(rod, "R", bob, center, {-x / r, -y / r, 0}, scene.ground());
+  scene.reaction(rod, "R", {.body = bob, .contact = center, .direction = {-x / r, -y / r, 0}, .axes = scene.ground()});
   const Equations equations(scene);
   const Real angle = rational(-6, 5);
   NamedState state(equations, {{"x", length * sin(angle)}, {"y", -length * cos(angle)}});
@@ -145,7 +145,12 @@ TEST(Multiplier, ActsOnBothBodiesOfItsNamedReaction) {
   scene.body("car", car, Inertia::point(kilograms("3")));
   scene.motor("push", x);
   const ConstraintHandle bar = scene.holonomic("bar", y - x + metres("4"));
-  scene.reaction(bar, "R", car, scene.point("hook", car, {0, 0, 0}), axis::x, scene.ground(), locomotive);
+  scene.reaction(bar, "R",
+                 {.body = car,
+                  .contact = scene.point("hook", car, {0, 0, 0}),
+                  .direction = axis::x,
+                  .axes = scene.ground(),
+                  .other = locomotive});
   const Equations equations(scene);
   NamedState state(equations, {{"push", Real(10)}});
   for (std::size_t i = 0; i < 2; ++i) {
@@ -164,7 +169,7 @@ TEST(Constraint, HasTheRateAndTheDriftOfItsValueAlongAMotion) {
   scene.body("second", second, Inertia::box(kilograms("1"), metres("1"), metres("1"), metres("1")));
   scene.point("A", scene.ground(), {metres("0.2"), 0, 0});
   scene.point("B", second, {0, metres("0.5"), metres("0.1")});
-  scene.closure("along_y", "A", "B", axis::y);
+  scene.closure("along_y", scene.point("A"), scene.point("B"), axis::y);
   scene.holonomic("moving", sin(a) * b - scene.time() / Expression::quantity("7", "s"));
   const Equations equations(scene);
   // a(t) = 1/3 + t/2 − t²/5, b(t) = 1/4 − t + t²/3 around t = 1/2; value, rate and acceleration by differences.

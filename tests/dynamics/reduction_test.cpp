@@ -149,9 +149,10 @@ Scene rolling_disc() {
   const FrameHandle disc = scene.free("disc", scene.ground(), {x, y, z}, e);
   scene.body("disc", disc, Inertia::disk(kilograms("2"), metres("0.5"), 2));
   scene.gravity({0, 0, unit("-9.81", "m/s^2")});
-  const PointHandle touch = scene.disc_contact("touch", disc, axis::z, metres("0.5"), scene.ground());
-  scene.contact("touches", touch, scene.ground());
-  scene.rolling("rolls", disc, scene.ground(), touch, scene.ground());
+  const PointHandle touch =
+      scene.disc_contact("touch", {.frame = disc, .axis = axis::z, .radius = metres("0.5"), .plane = scene.ground()});
+  scene.point_in_plane("touches", touch, scene.ground());
+  scene.rolling("rolls", {.body = disc, .on = scene.ground(), .contact = touch, .tangents = scene.ground()});
   scene.torque("wind", disc, {unit("0.1", "N m"), 0, unit("0.3", "N m")}, disc);
   // Upright: turned by a right angle about x.
   scene.initial(e, {1, 1, 0, 0});
@@ -215,8 +216,12 @@ TEST(ReducedLinearisation, TakesTheMultipliersOutWhereFrictionWorksWithThem) {
   scene.gravity({0, unit("-9.81", "m/s^2"), 0});
   const PointHandle foot = scene.point("foot", across, {0, 0, 0});
   const ConstraintHandle floor = scene.holonomic("floor", y - metres("0.3") * sin(x / metres("2")));
-  scene.sliding_friction("friction", floor, Expression(1) / 5, across, foot,
-                         {rate(x), unit("0.1", "m/s") * q + rate(y), 0}, scene.ground());
+  scene.sliding_friction("friction", floor,
+                         {.coefficient = Expression(1) / 5,
+                          .body = across,
+                          .point = foot,
+                          .direction = {rate(x), unit("0.1", "m/s") * q + rate(y), 0},
+                          .axes = scene.ground()});
   State state;
   state.q = {rational(2, 3), Real(0), rational(-5, 4)};
   state.v = {rational(1, 2), rational(1, 7), rational(3, 2)};

@@ -150,7 +150,8 @@ TEST(SymbolicRouth, GivesTheFlutterLoadOfADampedColumn) {
   scene.spring("knee_spring", beta - alpha, k);
   scene.damper("foot_damper", alpha, c);
   scene.damper("knee_damper", beta - alpha, c);
-  scene.force("load", upper, scene.point("tip", upper, {l, 0, 0}), {-P, 0, 0}, upper);
+  scene.force("load",
+              {.body = upper, .point = scene.point("tip", upper, {l, 0, 0}), .components = {-P, 0, 0}, .axes = upper});
   ModelOptions symbolic;
   symbolic.symbolic_parameters = true;
   const Equations equations(scene, symbolic);

@@ -71,7 +71,10 @@ Scene on_a_universal_joint(const Triple& first, const Triple& second) {
   Scene scene("shaft");
   const Expression a = scene.coordinate("a", "rad"), b = scene.coordinate("b", "rad");
   const Inertia rod = Inertia::general(kilograms("1"), unit("1", "kg m^2"), unit("1.5", "kg m^2"), unit("2", "kg m^2"));
-  scene.body("shaft", scene.universal("shaft", scene.ground(), first, a, second, b), rod);
+  scene.body(
+      "shaft",
+      scene.universal("shaft", scene.ground(), {.first = first, .first_angle = a, .second = second, .second_angle = b}),
+      rod);
   return scene;
 }
 
@@ -91,9 +94,13 @@ Scene sliding_block(const Expression& coefficient, bool rolls) {
   const PointHandle foot = scene.point("foot", block, {0, 0, 0});
   const ConstraintHandle floor = scene.holonomic("floor", z);
   if (rolls)
-    scene.rolling_resistance("friction", floor, coefficient * metres("1"), block, axis::y, scene.ground());
+    scene.rolling_resistance(
+        "friction", floor,
+        {.length = coefficient * metres("1"), .body = block, .direction = axis::y, .axes = scene.ground()});
   else
-    scene.sliding_friction("friction", floor, coefficient, block, foot, axis::x, scene.ground());
+    scene.sliding_friction(
+        "friction", floor,
+        {.coefficient = coefficient, .body = block, .point = foot, .direction = axis::x, .axes = scene.ground()});
   return scene;
 }
 
@@ -115,9 +122,9 @@ TEST(Rolling, OfABodyOnItselfIsRefused) {
   const FrameHandle rim = scene.weld("rim", wheel, {{metres("1"), 0, 0}, {}});
   const PointHandle touch = scene.point("touch", slide, {0, 0, metres("-1")});
   Scene right = scene;
-  right.no_slip("rolls", wheel, touch, axis::x, slide);
+  right.no_slip("rolls", {.body = wheel, .contact = touch, .direction = axis::x, .axes = slide});
   EXPECT_EQ(refusal(right), "no error");
-  scene.rolling("rolls", wheel, rim, touch, slide);
+  scene.rolling("rolls", {.body = wheel, .on = rim, .contact = touch, .tangents = slide});
   EXPECT_EQ(
       refusal(scene),
       "constraint 'rolls_x': frame 'wheel' cannot slip on frame 'rim', for both are of one body; name the other body "
@@ -136,7 +143,7 @@ Scene held_lever(JointType type, int start, int placed, bool across) {
   const FrameHandle end = across ? scene.weld("end", arm, {{}, Rotation::about(1, -6)}) : arm;
   const Rotation turned = Rotation::about(2, placed);
   const FrameHandle seat = scene.weld("seat", scene.ground(), {{}, across ? turned * Rotation::about(1, -6) : turned});
-  scene.close("held", type, seat, end);
+  scene.loop_joint("held", {.type = type, .a = seat, .b = end});
   return scene;
 }
 

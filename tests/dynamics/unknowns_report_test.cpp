@@ -42,17 +42,26 @@ TEST(Connection, TransmitsTheIdealWrenchOfItsJoint) {
   EXPECT_EQ(scene_with([&](Scene& s, E, E x, Triple) { return s.prismatic("j", ground, axis::x, x); }),
             "Y, Z, L, M, N");
   const E pitch = Expression::quantity("0.01", "m");
-  EXPECT_EQ(scene_with([&](Scene& s, E q, E, Triple) { return s.helical("j", ground, axis::x, q, pitch); }),
+  EXPECT_EQ(scene_with([&](Scene& s, E q, E, Triple) {
+              return s.helical("j", ground, {.axis = axis::x, .angle = q, .pitch = pitch});
+            }),
             "X - 0.01 L, Y, Z, M, N");
-  EXPECT_EQ(scene_with([&](Scene& s, E q, E x, Triple) { return s.cylindrical("j", ground, axis::x, x, q); }),
+  EXPECT_EQ(scene_with([&](Scene& s, E q, E x, Triple) {
+              return s.cylindrical("j", ground, {.axis = axis::x, .displacement = x, .angle = q});
+            }),
             "Y, Z, M, N");
-  EXPECT_EQ(scene_with([&](Scene& s, E q, E, Triple a) { return s.universal("j", ground, axis::x, q, axis::y, a[1]); }),
+  EXPECT_EQ(scene_with([&](Scene& s, E q, E, Triple a) {
+              return s.universal("j", ground,
+                                 {.first = axis::x, .first_angle = q, .second = axis::y, .second_angle = a[1]});
+            }),
             "X, Y, Z, N");
   EXPECT_EQ(scene_with([&](Scene& s, E, E, Triple a) { return s.spherical("j", ground, AngleSequence::euler, a); }),
             "X, Y, Z");
   EXPECT_EQ(scene_with([&](Scene& s, E, E, Triple) { return s.spherical("j", ground, s.attitude("turn")); }),
             "X, Y, Z");
-  EXPECT_EQ(scene_with([&](Scene& s, E q, E x, Triple) { return s.planar("j", ground, x, s.coordinate("y", "m"), q); }),
+  EXPECT_EQ(scene_with([&](Scene& s, E q, E x, Triple) {
+              return s.planar("j", ground, {.x = x, .y = s.coordinate("y", "m"), .angle = q});
+            }),
             "Z, L, M");
   EXPECT_EQ(scene_with([&](Scene& s, E, E x, Triple a) {
               return s.free("j", ground, AngleSequence::cardan, {x, s.coordinate("y", "m"), s.coordinate("z", "m")}, a);
@@ -100,7 +109,7 @@ Scene two_bars() {
 
 TEST(IsolationReport, TellsWhichEquationGivesWhichUnknown) {
   const Equations equations(two_bars());
-  EXPECT_EQ(isolation_report(equations, {"forearm"}, {"E", "elbow"}).text,
+  EXPECT_EQ(isolation_report(equations, {"forearm"}, {Scene::point("E"), "elbow"}).text,
             "Newton-Euler for forearm at E along the axes of elbow\n"
             "  joint elbow: X, Y, Z, L, M\n"
             "  resultant, x: elbow X\n"
@@ -110,28 +119,28 @@ TEST(IsolationReport, TellsWhichEquationGivesWhichUnknown) {
             "  moment, y: elbow M\n"
             "  moment, z: no unknown component, an equation of motion\n");
   // Away from the joint's axis the forces have moments, and along other axes they mix.
-  const IsolationReport away = isolation_report(equations, {"forearm"}, {"O", "ground"});
+  const IsolationReport away = isolation_report(equations, {"forearm"}, {Scene::point("O"), "ground"});
   ASSERT_EQ(away.unknowns.size(), 5U);
   EXPECT_EQ(away.unknowns[0].name, "elbow X");
   EXPECT_EQ(away.unknowns[0].enters, (std::array<bool, 6>{true, true, false, false, false, true}));
   EXPECT_EQ(away.unknowns[2].enters, (std::array<bool, 6>{false, false, true, true, true, false}));
   // Both bars together: the elbow is inside.
-  const IsolationReport both = isolation_report(equations, {"arm", "forearm"}, {"O", "ground"});
+  const IsolationReport both = isolation_report(equations, {"arm", "forearm"}, {Scene::point("O"), "ground"});
   EXPECT_EQ(both.unknowns.size(), 5U);
   EXPECT_EQ(both.unknowns[0].name, "shoulder X");
   EXPECT_NE(both.text.find("moment, z: no unknown component, an equation of motion"), std::string::npos);
   // The arm alone feels both joints.
-  EXPECT_EQ(isolation_report(equations, {"arm"}, {"O", "ground"}).unknowns.size(), 10U);
+  EXPECT_EQ(isolation_report(equations, {"arm"}, {Scene::point("O"), "ground"}).unknowns.size(), 10U);
 }
 
 TEST(IsolationReport, CountsTheMultipliersAcrossTheBoundary) {
   Scene scene = two_bars();
   scene.point("rail", scene.ground(), {metres("0.9"), 0, 0});
-  scene.closure("guide", "rail", "tip", axis::y);
+  scene.closure("guide", scene.point("rail"), scene.point("tip"), axis::y);
   scene.holonomic("gear",
                   Expression(scene.content().coordinates[0].q) + 2 * Expression(scene.content().coordinates[1].q));
   const Equations equations(scene);
-  const IsolationReport report = isolation_report(equations, {"forearm"}, {"tip", "ground"});
+  const IsolationReport report = isolation_report(equations, {"forearm"}, {Scene::point("tip"), "ground"});
   ASSERT_EQ(report.unknowns.size(), 6U);
   EXPECT_EQ(report.unknowns[5].name, "lambda_guide");
   EXPECT_EQ(report.unknowns[5].enters, (std::array<bool, 6>{false, true, false, false, false, false}));
@@ -141,32 +150,32 @@ TEST(IsolationReport, CountsTheMultipliersAcrossTheBoundary) {
 TEST(IsolationReport, LeavesOutWhatActsBetweenIsolatedBodies) {
   Scene scene = two_bars();
   scene.point("mark", "shoulder", {metres("0.2"), 0, 0});
-  scene.closure("belt", "mark", "tip", axis::y);
+  scene.closure("belt", scene.point("mark"), scene.point("tip"), axis::y);
   const Equations equations(scene);
-  EXPECT_EQ(isolation_report(equations, {"arm", "forearm"}, {"O", "ground"}).unknowns.size(), 5U);
-  EXPECT_EQ(isolation_report(equations, {"forearm"}, {"O", "ground"}).unknowns.size(), 6U);
+  EXPECT_EQ(isolation_report(equations, {"arm", "forearm"}, {Scene::point("O"), "ground"}).unknowns.size(), 5U);
+  EXPECT_EQ(isolation_report(equations, {"forearm"}, {Scene::point("O"), "ground"}).unknowns.size(), 6U);
 }
 
 // The force across the plane acts at the puck's centre, which both slides have moved: there it has no moment.
 TEST(IsolationReport, CarriesForcesFromTheBodyWhereverItsJointStarts) {
   Scene scene("puck");
   const Expression x = scene.coordinate("x", "m"), y = scene.coordinate("y", "m"), q = scene.coordinate("q", "rad");
-  const FrameHandle puck = scene.planar("puck", scene.ground(), x, y, q);
+  const FrameHandle puck = scene.planar("puck", scene.ground(), {.x = x, .y = y, .angle = q});
   scene.body("puck", puck, box());
   scene.point("centre", puck, {0, 0, 0});
   scene.point("O", scene.ground(), {0, 0, 0});
   const Equations equations(scene);
-  const IsolationReport at_centre = isolation_report(equations, {"puck"}, {"centre", "ground"});
+  const IsolationReport at_centre = isolation_report(equations, {"puck"}, {Scene::point("centre"), "ground"});
   ASSERT_EQ(at_centre.unknowns.size(), 3U);
   EXPECT_EQ(at_centre.unknowns[0].name, "puck Z");
   EXPECT_EQ(at_centre.unknowns[0].enters, (std::array<bool, 6>{false, false, true, false, false, false}));
-  const IsolationReport at_origin = isolation_report(equations, {"puck"}, {"O", "ground"});
+  const IsolationReport at_origin = isolation_report(equations, {"puck"}, {Scene::point("O"), "ground"});
   EXPECT_EQ(at_origin.unknowns[0].enters, (std::array<bool, 6>{false, false, true, true, true, false}));
 }
 
 TEST(UnknownsReport, CountsUnknownsAgainstEquations) {
   Scene scene = two_bars();
-  scene.closure("guide", "O", "tip", axis::y);
+  scene.closure("guide", scene.point("O"), scene.point("tip"), axis::y);
   const Expression held = scene.released_coordinate("held", "m");
   const FrameHandle slide = scene.prismatic("pin", "elbow", axis::z, held);
   scene.body("hand", slide, box());
@@ -201,7 +210,7 @@ TEST(UnknownsReport, CountsConstraintsThatRepeatOthersOnce) {
   const FrameHandle slide = scene.prismatic("slide", scene.ground(), axis::x, x);
   const FrameHandle nut = scene.revolute("nut", slide, axis::x, q);
   scene.body("nut", nut, box());
-  scene.close("thread", JointType::helical, scene.ground(), nut, metres("0.1"));
+  scene.loop_joint("thread", {.type = JointType::helical, .a = scene.ground(), .b = nut, .pitch = metres("0.1")});
   const std::string text = unknowns_report(Equations(scene));
   for (const char* line : {
            "  constraints: 5 (thread_x; thread_y; thread_z; thread_ry; thread_rz)\n",

@@ -142,11 +142,13 @@ TEST(Validation, NamesAReactionThatDoesNotEnforceItsConstraint) {
   scene.body("block", block, Inertia::point(kilograms("1")));
   scene.point("P", block, {0, 0, 0});
   Scene sloped = scene;
-  scene.reaction(scene.holonomic("floor", y), "N", block, "P", axis::x, scene.ground());
+  scene.reaction(scene.holonomic("floor", y), "N",
+                 {.body = block, .contact = scene.point("P"), .direction = axis::x, .axes = scene.ground()});
   const std::string text = refusal(scene);
   EXPECT_TRUE(text.starts_with("reaction 'N' does not enforce constraint 'floor': along coordinate 'x'")) << text;
   EXPECT_NE(text.find("check the point and the direction"), std::string::npos) << text;
-  sloped.reaction(sloped.holonomic("slope", x + y), "N", block, "P", axis::x, sloped.ground());
+  sloped.reaction(sloped.holonomic("slope", x + y), "N",
+                  {.body = block, .contact = sloped.point("P"), .direction = axis::x, .axes = sloped.ground()});
   EXPECT_TRUE(refusal(sloped).starts_with("reaction 'N' does not enforce constraint 'slope': along coordinate 'y'"));
 }
 
@@ -205,33 +207,46 @@ TEST(Validation, RefusesVelocitiesWhereAConfigurationIsMeant) {
   using S = Scene;
   using F = FrameHandle;
   using E = Expression;
-  EXPECT_EQ(refused([&](S& s, F b, E x, E) { s.contact("c", s.point("P", b, {0, 0, rate(x) * second}), s.ground()); }),
-            "the place of point 'P' depends on the velocity 'x'' through d/dt(x)*1: give a formula of coordinates, time and "
-            "parameters");
+  EXPECT_EQ(
+      refused([&](S& s, F b, E x, E) {
+        s.point_in_plane("c", s.point("P", b, {0, 0, rate(x) * second}), s.ground());
+      }),
+      "the place of point 'P' depends on the velocity 'x'' through d/dt(x)*1: give a formula of coordinates, time and "
+      "parameters");
   const std::string starts[] = {
       refused([&](S& s, F b, E, E q) { s.prismatic("out", b, axis::x, rate(q) * second * metres("1")); }),
       refused([&](S& s, F b, E, E q) { s.revolute("turn", b, axis::x, rate(q) * second); }),
-      refused([&](S& s, F b, E x, E) { s.weld("far", b, {.origin = {rate(x) * second, 0, 0}}); }),
-      refused([&](S& s, F b, E x, E) { s.weld("far", b, {.origin = {x, 0, 0}}); }),
+      refused([&](S& s, F b, E x, E) {
+        s.weld("far", b, {.origin = {rate(x) * second, 0, 0}});
+      }),
+      refused([&](S& s, F b, E x, E) {
+        s.weld("far", b, {.origin = {x, 0, 0}});
+      }),
       refused([&](S& s, F b, E, E q) { s.body("more", b, Inertia::point(kilograms("1") * (2 + sin(q)))); }),
-      refused([&](S& s, F b, E x, E) { s.body("more", b, Inertia::point(kilograms("1")).at({x, 0, 0})); }),
+      refused([&](S& s, F b, E x, E) {
+        s.body("more", b, Inertia::point(kilograms("1")).at({x, 0, 0}));
+      }),
       refused([&](S& s, F, E x, E) { s.spring("k", x + rate(x) * second, Expression::quantity("1", "N/m")); }),
       refused([&](S& s, F, E x, E) {
         s.spring("k", x, Expression::quantity("1", "N/m") * (2 + sin(rate(x) * second / metres("1"))));
       }),
       refused([&](S& s, F b, E x, E) {
-        s.spring("k", s.point("P", b, {0, 0, 0}), s.point("O", s.ground(), {0, 0, 0}),
-                 Expression::quantity("1", "N/m") * (2 + sin(rate(x) * second / metres("1"))));
+        s.spring("k", {.a = s.point("P", b, {0, 0, 0}),
+                       .b = s.point("O", s.ground(), {0, 0, 0}),
+                       .stiffness = Expression::quantity("1", "N/m") * (2 + sin(rate(x) * second / metres("1")))});
       }),
-      refused([&](S& s, F b, E, E) { s.weld("far", b, {.origin = {s.time() / second * metres("1"), 0, 0}}); }),
+      refused([&](S& s, F b, E, E) {
+        s.weld("far", b, {.origin = {s.time() / second * metres("1"), 0, 0}});
+      }),
       refused([&](S& s, F, E x, E) { s.motor("m", rate(x) * second); }),
       refused([&](S& s, F, E x, E) { s.holonomic("h", x + rate(x) * second); }),
       refused([&](S& s, F b, E, E q) {
-        s.no_slip("n", b, s.point("P", b, {0, 0, 0}), {rate(q) * second, 1, 0}, s.ground());
+        s.no_slip("n", {.body = b,
+                        .contact = s.point("P", b, {0, 0, 0}),
+                        .direction = {rate(q) * second, 1, 0},
+                        .axes = s.ground()});
       }),
-      refused([&](S& s, F b, E x, E) {
-        s.contact("c", s.sphere_contact("P", b, x, s.ground()), s.ground());
-      }),
+      refused([&](S& s, F b, E x, E) { s.point_in_plane("c", s.sphere_contact("P", b, x, s.ground()), s.ground()); }),
   };
   const char* expected[] = {
       "the displacement of joint 'out' depends on the velocity 'q''",

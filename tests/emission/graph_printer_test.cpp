@@ -27,7 +27,7 @@ Scene cart() {
   scene.damper("d", b - a, Expression::quantity("1", "N m s"));
   const PointHandle tip = scene.point("tip", lower, {metres("1"), 0, 0});
   const FrameHandle floor = scene.weld("floor", scene.ground(), {{}, Rotation::about(0, -6)});
-  scene.contact("touch", tip, floor);
+  scene.point_in_plane("touch", tip, floor);
   return scene;
 }
 

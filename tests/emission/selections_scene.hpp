@@ -20,10 +20,10 @@ inline Scene golden_selections() {
   scene.body("mass", mass, Inertia::point(Q::quantity("2", "kg")));
   scene.force_function("table", spline(x, {{-1, 2}, {-0.25, 0.5}, {0.5, 1}, {1.5, -1}}, "J"));
   scene.force_function("angle", joule / 2 * atan2(y - 2 * metre, x));
-  scene.effort("stop", y, -Q::quantity("40", "N/m") * sign(y) * max(abs(y) - stop, 0));
-  scene.effort("drag", x, -Q::quantity("0.5", "N s^2/m^2") * abs(rate(x)) * rate(x));
-  scene.effort("steps", y, piecewise({{x < -metre / 2, newton}, {x <= metre, 2 * newton}}, 0));
-  scene.effort("brake", y, max(min(-Q::quantity("5", "N s/m") * rate(y), most), -most));
+  scene.generalised_force("stop", y, -Q::quantity("40", "N/m") * sign(y) * max(abs(y) - stop, 0));
+  scene.generalised_force("drag", x, -Q::quantity("0.5", "N s^2/m^2") * abs(rate(x)) * rate(x));
+  scene.generalised_force("steps", y, piecewise({{x < -metre / 2, newton}, {x <= metre, 2 * newton}}, 0));
+  scene.generalised_force("brake", y, max(min(-Q::quantity("5", "N s/m") * rate(y), most), -most));
   scene.initial(x, Q::quantity("0.2", "m"));
   return scene;
 }

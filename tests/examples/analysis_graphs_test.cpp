@@ -40,13 +40,13 @@ using Names = std::vector<std::string>;
 // Pommier, 8.3.2 exercise 5, question 2: one equation for each motion, with nothing unknown from the joints.
 TEST(AnalysisGraphs, ChooseTheEquationsOfTheSatellite) {
   const torsor::Equations equations(satellite_arms_scene());
-  EXPECT_EQ(unknown(equations, {"S1", "S2", "S3"}, {"O", "S1"}, moment_z), Names{});
-  EXPECT_EQ(unknown(equations, {"S2"}, {"O2", "S1"}, moment_y), Names{});
-  EXPECT_EQ(unknown(equations, {"S3"}, {"O3", "S1"}, moment_y), Names{});
+  EXPECT_EQ(unknown(equations, {"S1", "S2", "S3"}, {torsor::Scene::point("O"), "S1"}, moment_z), Names{});
+  EXPECT_EQ(unknown(equations, {"S2"}, {torsor::Scene::point("O2"), "S1"}, moment_y), Names{});
+  EXPECT_EQ(unknown(equations, {"S3"}, {torsor::Scene::point("O3"), "S1"}, moment_y), Names{});
   // The arms taken together, or the body alone, would not do: of each hinge Y, L and N enter.
   const Names hinges{"S2 Y", "S2 L", "S2 N", "S3 Y", "S3 L", "S3 N"};
-  EXPECT_EQ(unknown(equations, {"S2", "S3"}, {"O", "S1"}, moment_z), hinges);
-  EXPECT_EQ(unknown(equations, {"S1"}, {"O", "S1"}, moment_z), hinges);
+  EXPECT_EQ(unknown(equations, {"S2", "S3"}, {torsor::Scene::point("O"), "S1"}, moment_z), hinges);
+  EXPECT_EQ(unknown(equations, {"S1"}, {torsor::Scene::point("O"), "S1"}, moment_z), hinges);
 }
 
 // Pommier, §6.2.4: mobility 3, hence three equations; the third holds the torque of the motor that imposes phi, and
@@ -59,9 +59,9 @@ TEST(AnalysisGraphs, ChooseTheEquationsOfTheAbsorber) {
   EXPECT_EQ(count.mobility, 3);
   const torsor::Equations equations(scene);
   EXPECT_EQ(equations.model().unknown_count(), 2);
-  EXPECT_EQ(unknown(equations, {"support", "pendulum", "unbalance"}, {"G1", "ground"}, resultant_x), Names{});
-  EXPECT_EQ(unknown(equations, {"pendulum"}, {"G1", "ground"}, moment_y), Names{});
-  EXPECT_EQ(unknown(equations, {"unbalance"}, {"G1", "ground"}, moment_y), Names{"rotor M"});
+  EXPECT_EQ(unknown(equations, {"support", "pendulum", "unbalance"}, {torsor::Scene::point("G1"), "ground"}, resultant_x), Names{});
+  EXPECT_EQ(unknown(equations, {"pendulum"}, {torsor::Scene::point("G1"), "ground"}, moment_y), Names{});
+  EXPECT_EQ(unknown(equations, {"unbalance"}, {torsor::Scene::point("G1"), "ground"}, moment_y), Names{"rotor M"});
 }
 
 TEST(AnalysisGraphs, AreDrawnOnThePages) {

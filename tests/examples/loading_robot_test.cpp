@@ -133,7 +133,7 @@ TEST(LoadingRobot, FindsEachUnknownByOneEquationOfTheGeneralTheorems) {
   using Names = std::vector<std::string>;
   constexpr std::size_t resultant_x = 0, resultant_y = 1, moment_z = 5;
   const torsor::Equations equations(loading_robot_scene());
-  const auto slide = torsor::isolation_report(equations, {"S2", "S3"}, {"O2", "S1"});
+  const auto slide = torsor::isolation_report(equations, {"S2", "S3"}, {Scene::point("O2"), "S1"});
   EXPECT_EQ(slide.text,
             "Newton-Euler for S2, S3 at O2 along the axes of S1\n"
             "  joint S2: Y, Z, L, M, N\n"
@@ -145,12 +145,12 @@ TEST(LoadingRobot, FindsEachUnknownByOneEquationOfTheGeneralTheorems) {
             "  moment, z: S2 N\n");
   EXPECT_EQ(entering(slide, resultant_x), Names{});                                                   // F12
   EXPECT_EQ(entering(slide, resultant_y), Names{"S2 Y"});                                             // Y12
-  EXPECT_EQ(entering(torsor::isolation_report(equations, {"S3"}, {"O2", "S1"}), moment_z), Names{});  // C23
-  EXPECT_EQ(entering(torsor::isolation_report(equations, {"S1", "S2", "S3"}, {"Oo", "ground"}), moment_z),
+  EXPECT_EQ(entering(torsor::isolation_report(equations, {"S3"}, {Scene::point("O2"), "S1"}), moment_z), Names{});  // C23
+  EXPECT_EQ(entering(torsor::isolation_report(equations, {"S1", "S2", "S3"}, {Scene::point("Oo"), "ground"}), moment_z),
             Names{});  // C01
   // S1 and S2 taken alone, or another point, bring reactions in.
-  EXPECT_EQ(entering(torsor::isolation_report(equations, {"S2"}, {"O2", "S1"}), resultant_x), (Names{"S3 X", "S3 Y"}));
-  EXPECT_EQ(entering(torsor::isolation_report(equations, {"S3"}, {"Oo", "ground"}), moment_z), (Names{"S3 X", "S3 Y"}));
+  EXPECT_EQ(entering(torsor::isolation_report(equations, {"S2"}, {Scene::point("O2"), "S1"}), resultant_x), (Names{"S3 X", "S3 Y"}));
+  EXPECT_EQ(entering(torsor::isolation_report(equations, {"S3"}, {Scene::point("Oo"), "ground"}), moment_z), (Names{"S3 X", "S3 Y"}));
 }
 
 // The formulas of the page for F12, Y12 and C23.

@@ -36,7 +36,10 @@ TEST(Misprint, StiffnessOfAFollowingForceIsNotSymmetric) {
   scene.point("tip", second, {metre, 0, 0});
   scene.spring("hinge_1", theta_1, k);
   scene.spring("hinge_2", theta_2 - theta_1, k);
-  scene.force("thrust", second, "tip", {Expression::quantity("-3", "N"), 0, 0}, second);
+  scene.force("thrust", {.body = second,
+                         .point = scene.point("tip"),
+                         .components = {Expression::quantity("-3", "N"), 0, 0},
+                         .axes = second});
   const Equations equations(scene);
   const Linearisation linear = linearisation(equations);
   testing_mechanisms::NamedState rest(equations, {});

@@ -159,9 +159,11 @@ TEST_F(SceneReactions, EnforceOneConstraintEach) {
   const FrameHandle slide = scene.prismatic("slide", scene.ground(), axis::x, x);
   const PointHandle point = scene.point("P", slide, {0, 0, 0});
   const ConstraintHandle stop = scene.holonomic("stop", x);
-  scene.reaction(stop, "N", slide, point, axis::x, "ground");
+  scene.reaction(stop, "N", {.body = slide, .contact = point, .direction = axis::x, .axes = "ground"});
   EXPECT_EQ(scene.content().constraints[0].multiplier->name, "N");
-  EXPECT_EQ(error_of<SceneError>([&] { scene.reaction(stop, "R", slide, point, axis::x, "ground"); }),
+  EXPECT_EQ(error_of<SceneError>([&] {
+              scene.reaction(stop, "R", {.body = slide, .contact = point, .direction = axis::x, .axes = "ground"});
+            }),
             "constraint 'stop' already has the reaction 'N': one multiplier enforces one constraint");
 }
 

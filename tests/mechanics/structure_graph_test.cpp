@@ -34,7 +34,7 @@ TEST(StructureGraph, MakesOneBodyOfWeldedFramesAndNoneOfFramesInsideAJoint) {
 TEST(StructureGraph, CutsAJointWhereSomethingIsAttachedInsideIt) {
   Scene scene("cut");
   const Expression x = scene.coordinate("x", "m"), y = scene.coordinate("y", "m"), a = scene.coordinate("a", "rad");
-  scene.planar("table", scene.ground(), x, y, a);
+  scene.planar("table", scene.ground(), {.x = x, .y = y, .angle = a});
   scene.body("carriage", "table.y", Inertia::point(kilograms("1")));
   const StructureGraph graph = structure_graph(scene);
   EXPECT_EQ(body_names(graph), (Names{"ground", "table.y", "table"}));
@@ -71,7 +71,7 @@ TEST(StructureGraph, TakesWhatIsHeldForRigid) {
   const Expression x = scene.coordinate("x", "m"), N = scene.released_coordinate("N", "m");
   const Expression a = scene.coordinate("a", "rad");
   scene.prismatic("lifted", scene.ground(), axis::z, N);
-  scene.planar("slider", "lifted", x, 0, a);
+  scene.planar("slider", "lifted", {.x = x, .y = 0, .angle = a});
   const StructureGraph graph = structure_graph(scene);
   EXPECT_EQ(body_names(graph), (Names{"ground", "slider"}));
   ASSERT_EQ(graph.joints.size(), 1U);

@@ -66,7 +66,8 @@ class Builder {
     const FrameHandle handle = is_angle_ ? scene_.revolute(frame, scene_.ground(), axis::z, q)
                                          : scene_.prismatic(frame, scene_.ground(), axis::x, q);
     scene_.body(body, handle, Inertia::point(mass).at({metre, 0, 0}));
-    scene_.effort("e_" + name, q, is_angle_ ? Expression::quantity("1", "N m") * sin(q) : Expression::quantity("1", "N/m") * q);
+    scene_.generalised_force(
+        "e_" + name, q, is_angle_ ? Expression::quantity("1", "N m") * sin(q) : Expression::quantity("1", "N/m") * q);
     return q;
   }
 

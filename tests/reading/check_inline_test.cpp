@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "generator/reading/check_inline.hpp"
+#include "tests/reading/check_inline.hpp"
 
 #include <gtest/gtest.h>
 
@@ -11,7 +11,7 @@ namespace {
 class PrintedEquations : public testing::TestWithParam<Scene (*)()> {};
 
 TEST_P(PrintedEquations, AgreeWithTheProgramAtFiftyDigits) {
-  const InlineCheck check = check_inline(GetParam()(), 50, 10);
+  const test::InlineCheck check = test::check_inline(GetParam()(), 50, 10);
   ASSERT_TRUE(check.written_out);
   EXPECT_EQ(check.states, 10);
   EXPECT_GE(check.compared.size(), 3U);
@@ -28,7 +28,7 @@ INSTANTIATE_TEST_SUITE_P(Scenes, PrintedEquations,
                                          test::released_block, test::sled, chain_3));
 
 TEST(CheckInline, SaysWhenThereIsNothingWrittenOutToCheck) {
-  const InlineCheck check = check_inline(test::chain(7), 50, 1);
+  const test::InlineCheck check = test::check_inline(test::chain(7), 50, 1);
   EXPECT_FALSE(check.written_out);
   EXPECT_EQ(check.states, 0);
 }

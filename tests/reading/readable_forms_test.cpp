@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "generator/reading/check_inline.hpp"
+#include "tests/reading/check_inline.hpp"
 #include "generator/reading/lagrange_equations.hpp"
 #include "generator/reading/notation.hpp"
 #include "generator/reading/print_equations.hpp"
@@ -21,7 +21,7 @@ std::string print(const Scene& scene, Format format = Format::text) { return pri
 bool has(const std::string& text, const std::string& line) { return text.find(line) != std::string::npos; }
 
 void expect_what_the_program_says(const Scene& scene) {
-  const InlineCheck check = check_inline(scene, 50, 5);
+  const test::InlineCheck check = test::check_inline(scene, 50, 5);
   ASSERT_TRUE(check.written_out);
   // Some 400 terms of size 1e3 at most, rounded at 1e-50 each.
   EXPECT_LT(check.worst, Real::parse("1e-45")) << check.worst_of;
@@ -145,9 +145,10 @@ Scene disc(bool steered) {
     body = scene.revolute("fork", body, axis::z, scene.coordinate("delta", "rad"), {{scene.parameter("w", "m", 1), 0, 0}});
     scene.body("wheel", body, Inertia::disk(m, r, 1));
   }
-  const PointHandle touch = scene.disc_contact("C", body, axis::y, r, scene.ground());
-  scene.contact("touch", touch, scene.ground());
-  scene.no_slip("along", body, touch, axis::x, scene.ground());
+  const PointHandle touch =
+      scene.disc_contact("C", {.frame = body, .axis = axis::y, .radius = r, .plane = scene.ground()});
+  scene.point_in_plane("touch", touch, scene.ground());
+  scene.no_slip("along", {.body = body, .contact = touch, .direction = axis::x, .axes = scene.ground()});
   scene.initial(z, r);
   return scene;
 }
@@ -176,7 +177,10 @@ TEST(ReadableForms, NameARootThatOccursTwice) {
   const FrameHandle mass = scene.prismatic(
       "mass", scene.prismatic("b", scene.prismatic("a", scene.ground(), axis::x, x), axis::y, y), axis::z, z);
   scene.body("mass", mass, Inertia::point(scene.parameter("m", "kg", 1)));
-  scene.spring("s", scene.point("A", scene.ground(), {0, 0, 0}), scene.point("B", mass, {l, 0, 0}), k, l);
+  scene.spring("s", {.a = scene.point("A", scene.ground(), {0, 0, 0}),
+                     .b = scene.point("B", mass, {l, 0, 0}),
+                     .stiffness = k,
+                     .rest = l});
   const std::string page = print(scene);
   EXPECT_TRUE(has(page, "\nRoots\n  root_1 = sqrt(x^2 + 2 l x + y^2 + z^2 + l^2)\n")) << page;
   EXPECT_TRUE(has(page, "  y:  m y'' = l k y/root_1 - k y\n")) << page;

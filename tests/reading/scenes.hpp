@@ -93,7 +93,7 @@ inline Scene elastic_pendulum() {
   s.gravity({0, -g, 0});
   const PointHandle top = s.point("top", s.ground(), {0, 0, 0});
   const PointHandle end = s.point("end", bob, {0, 0, 0});
-  s.spring("spring", top, end, k, l);
+  s.spring("spring", {.a = top, .b = end, .stiffness = k, .rest = l});
   return s;
 }
 
@@ -111,7 +111,7 @@ inline Scene released_block() {
   s.body("block", block, Inertia::point(m));
   s.gravity({0, 0, -g});
   const PointHandle middle = s.point("middle", block, {0, 0, 0});
-  s.force("push", block, middle, {F, 0, 0}, incline);
+  s.force("push", {.body = block, .point = middle, .components = {F, 0, 0}, .axes = incline});
   return s;
 }
 

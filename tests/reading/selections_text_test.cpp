@@ -5,7 +5,7 @@
 #include <string>
 
 #include "generator/expression/piecewise.hpp"
-#include "generator/reading/check_inline.hpp"
+#include "tests/reading/check_inline.hpp"
 #include "generator/reading/formula_text.hpp"
 #include "generator/reading/print_equations.hpp"
 #include "tests/emission/selections_scene.hpp"
@@ -20,8 +20,8 @@ Scene stops() {
   scene.body("mass", scene.prismatic("mass", along, axis::y, y), Inertia::point(scene.parameter("m", "kg", 2)));
   const Expression k = scene.parameter("k", "N/m", 40), d = scene.parameter("d", "m", 1), F = scene.parameter("F", "N", 3);
   const Expression J = scene.parameter("J", "J", 3);
-  scene.effort("stop", x, -k * sign(x) * max(abs(x) - d, 0));
-  scene.effort("steps", y, piecewise({{x < -d, F}, {x <= d, 2 * F * y / d}}, -F));
+  scene.generalised_force("stop", x, -k * sign(x) * max(abs(x) - d, 0));
+  scene.generalised_force("steps", y, piecewise({{x < -d, F}, {x <= d, 2 * F * y / d}}, -F));
   scene.force_function("angle", J * atan2(y - 2 * d, x));
   return scene;
 }
@@ -49,7 +49,7 @@ TEST(SelectionsText, IsSetByCasesInLatex) {
 /// What is printed, at random states of 40 digits, against the program.
 TEST(SelectionsText, SaysWhatTheProgramComputes) {
   for (const Scene& scene : {stops(), testing_scenes::golden_selections()}) {
-    const InlineCheck check = check_inline(scene, 40, 8, 3);
+    const test::InlineCheck check = test::check_inline(scene, 40, 8, 3);
     EXPECT_TRUE(check.written_out);
     EXPECT_LT(check.worst.to_double(), 1e-35) << check.worst_of;
   }

@@ -54,7 +54,7 @@ TEST(CheckConstraints, DifferentiatesALoopWhoseCrankFollowsALawOfTime) {
   scene.body("block", block, Inertia::point(kilograms("2")));
   scene.initial(slide, metres("1.3"));
   scene.closure("pin_x", scene.point("end", rod, {metres("1"), 0, 0}), scene.point("pin", block, {0, 0, 0}), axis::x);
-  scene.closure("pin_y", "end", "pin", axis::y);
+  scene.closure("pin_y", scene.point("end"), scene.point("pin"), axis::y);
   expect_passed(scene, {"constraint_motion", "constraint_wrenches"});
 }
 
@@ -66,11 +66,12 @@ TEST(CheckConstraints, DifferentiatesRollingAndFindsThePowerOfItsForces) {
   scene.initial(upright, {1, 1, 0, 0});
   scene.initial(z, metres("0.5"));
   const FrameHandle disc = scene.free("disc", scene.ground(), {x, y, z}, upright);
-  const PointHandle low = scene.disc_contact("low", disc, axis::z, metres("0.5"), scene.ground());
+  const PointHandle low =
+      scene.disc_contact("low", {.frame = disc, .axis = axis::z, .radius = metres("0.5"), .plane = scene.ground()});
   scene.body("disc", disc, Inertia::disk(kilograms("2"), metres("0.5"), 2));
   scene.gravity({0, 0, quantity("-9.81", "m/s^2")});
-  scene.contact("floor", low, scene.ground());
-  scene.rolling("rolling", disc, scene.ground(), low, scene.ground());
+  scene.point_in_plane("floor", low, scene.ground());
+  scene.rolling("rolling", {.body = disc, .on = scene.ground(), .contact = low, .tangents = scene.ground()});
   expect_passed(scene, {"constraint_motion", "constraint_wrenches"});
 }
 
@@ -89,8 +90,8 @@ TEST(CheckConstraints, DifferentiatesRollingOnABodyThatMoves) {
   const PointHandle low = scene.sphere_contact("low", ball, metres("0.5"), table);
   scene.body("ball", ball, Inertia::solid_sphere(kilograms("2"), metres("0.5")));
   scene.gravity({0, 0, quantity("-9.81", "m/s^2")});
-  scene.contact("floor", low, table);
-  scene.rolling("rolling", ball, table, low, table);
+  scene.point_in_plane("floor", low, table);
+  scene.rolling("rolling", {.body = ball, .on = table, .contact = low, .tangents = table});
   expect_passed(scene, {"constraint_motion", "constraint_wrenches"});
 }
 
@@ -108,7 +109,7 @@ Scene with_closing_joint(JointType type) {
   scene.body("b", b, Inertia::box(kilograms("2"), metres("1"), metres("0.4"), metres("0.6")).at({metres("0.1"), 0, 0}));
   const FrameHandle near = scene.weld("near", a, {.rotation = Rotation::about(2, 3)});
   const FrameHandle far = scene.weld("far", b, {.origin = {0, metres("0.2"), 0}, .rotation = Rotation::about(0, 7)});
-  scene.close("joint", type, near, far, pitch);
+  scene.loop_joint("joint", {.type = type, .a = near, .b = far, .pitch = pitch});
   return scene;
 }
 
@@ -156,7 +157,7 @@ TEST(ClosureWrench, OfAWeldAreUnitForcesAndCouples) {
   const Expression x = scene.coordinate("x", "m"), y = scene.coordinate("y", "m"), z = scene.coordinate("z", "m");
   const FrameHandle b = scene.free("b", scene.ground(), {x, y, z}, scene.attitude("e"));
   scene.body("b", b, Inertia::box(kilograms("2"), metres("1"), metres("0.4"), metres("0.6")));
-  scene.close("weld", JointType::weld, scene.ground(), b);
+  scene.loop_joint("weld", {.type = JointType::weld, .a = scene.ground(), .b = b});
   const Equations equations(scene);
   Evaluator<Real> here(equations.program(), [](const SymbolPointer& s) { return Real(s->name == "e_w" ? 1 : 0); });
   for (int k = 0; k < 6; ++k) {
@@ -179,7 +180,7 @@ TEST(ClosureWrench, OfAThreadPushesTheNutBackAndTurnsIt) {
   const FrameHandle nut = scene.revolute("nut", slide, axis::x, q);
   scene.body("nut", nut, Inertia::disk(kilograms("2"), metres("0.3"), 0));
   scene.motor("push", x);
-  scene.close("thread", JointType::helical, scene.ground(), nut, metres("0.1"));
+  scene.loop_joint("thread", {.type = JointType::helical, .a = scene.ground(), .b = nut, .pitch = metres("0.1")});
   const Equations equations(scene);
   NamedState state(equations, {{"push", Real(3)}, {"x", rational(1, 5)}, {"q", Real(2)}});  // x = p q
   const double lambda = state.in_double(equations.forward().multipliers[0]);

@@ -49,8 +49,8 @@ TEST(Check, MeasuresWhatVanishesIdenticallyAgainstItsNeighbours) {
   const Expression moment = Expression::quantity("1", "kg m^2");
   scene.body("ball", ball, Inertia::general(kilograms("2"), moment, moment, moment).at({0, 0, metres("0.1")}));
   scene.gravity({0, 0, Expression::quantity("-9.81", "m/s^2")});
-  scene.contact("floor", contact, scene.ground());
-  scene.rolling("rolling", ball, scene.ground(), contact, scene.ground());
+  scene.point_in_plane("floor", contact, scene.ground());
+  scene.rolling("rolling", {.body = ball, .on = scene.ground(), .contact = contact, .tangents = scene.ground()});
   for (const CheckResult& result : check_scene(scene, {.digits = 30, .states = 3})) {
     EXPECT_TRUE(result.passed()) << result.name << ": " << result.worst;
   }
@@ -105,7 +105,8 @@ TEST(Check, FailsWhereAReactionDoesNotEnforceItsConstraint) {
   const FrameHandle block = scene.prismatic("block", slide, axis::y, y);
   scene.body("block", block, Inertia::point(kilograms("1")));
   scene.point("P", block, {0, 0, 0});
-  scene.reaction(scene.holonomic("floor", y + x / 100), "N", block, "P", axis::y, scene.ground());
+  scene.reaction(scene.holonomic("floor", y + x / 100), "N",
+                 {.body = block, .contact = scene.point("P"), .direction = axis::y, .axes = scene.ground()});
   const std::vector<CheckResult> results = check_scene(scene, {.digits = 30, .states = 2});
   EXPECT_FALSE(named(results, "reactions").passed());
   EXPECT_GT(named(results, "reactions").worst, 1e-3);

@@ -32,7 +32,7 @@ Scene ending() {
   Scene scene("ending");
   const Expression x = scene.coordinate("x", "m");
   scene.body("mass", scene.prismatic("mass", scene.ground(), axis::x, x), Inertia::point(scene.parameter("m", "kg", 1)));
-  scene.effort("push", x, Expression::quantity("2", "N/m^3") * x * x * x);
+  scene.generalised_force("push", x, Expression::quantity("2", "N/m^3") * x * x * x);
   scene.initial(x, 1, 1);
   return scene;
 }

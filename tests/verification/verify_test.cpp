@@ -33,7 +33,7 @@ Scene block_and_hinge(const std::function<Expression(const Expression&)>& torque
   scene.spring("spring", x, Expression::quantity("4", "N/m"), Expression::quantity("0", "m"));
   const FrameHandle hinge = scene.revolute("hinge", scene.ground(), axis::z, angle);
   scene.body("flywheel", hinge, Inertia::point(kilograms("1")).at({metres("1"), 0, 0}));
-  scene.effort("torque", angle, torque(angle));
+  scene.generalised_force("torque", angle, torque(angle));
   return scene;
 }
 

@@ -147,7 +147,7 @@ class TwiceDifferentiatedMotion {
   bool repeats(const Variable& x, const Variable& y) const {
     if (x.kind != y.kind || x.index >= y.index) return false;
     const auto attitude = [this](const Variable& each) { return model_.coordinates()[each.index].attitude; };
-    return x.kind != Kind::position || attitude(x) < 0 || attitude(x) != attitude(y);
+    return x.kind != Kind::position || !attitude(x) || attitude(x) != attitude(y);
   }
 
   void pair_up(ValuePages ForwardSecondDerivatives::Of::*member, const std::vector<Variable>& xs,

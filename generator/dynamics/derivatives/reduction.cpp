@@ -112,7 +112,7 @@ class DependentFreedoms {
 std::vector<Value> turned_row(const Model& model, std::size_t i, const ValueMatrix& x) {
   const std::size_t columns = x.empty() ? 0 : x[0].size();
   std::vector<Value> row(columns);
-  if (model.coordinates()[i].attitude < 0) return row;
+  if (!model.coordinates()[i].attitude) return row;
   std::size_t first = i;
   while (first > 0 && model.coordinates()[first - 1].attitude == model.coordinates()[i].attitude) --first;
   const std::size_t y = first + (i - first + 1) % 3;

@@ -36,14 +36,14 @@ class SecondResidualDerivatives {
   }
 
  private:
-  int attitude(std::size_t k) const { return model_.coordinates()[k].attitude; }
+  std::optional<int> attitude(std::size_t k) const { return model_.coordinates()[k].attitude; }
   bool any_attitude() const {
     for (std::size_t k = 0; k < n_; ++k) {
-      if (attitude(k) >= 0) return true;
+      if (attitude(k)) return true;
     }
     return false;
   }
-  bool same_attitude(std::size_t j, std::size_t k) const { return attitude(j) >= 0 && attitude(j) == attitude(k); }
+  bool same_attitude(std::size_t j, std::size_t k) const { return attitude(j) && attitude(j) == attitude(k); }
 
   /// Links stand behind those that carry them.
   std::size_t first_link(std::size_t k) const {

@@ -75,7 +75,7 @@ void ConfigurationSample::scatter() {
 void ConfigurationSample::displace(const std::vector<Real>& along_freedoms) {
   std::size_t place = 0;
   for (std::size_t i = 0; i < static_cast<std::size_t>(model_->unknown_count());) {
-    if (model_->coordinates()[i].attitude < 0) {
+    if (!model_->coordinates()[i].attitude) {
       values_[place++] += along_freedoms[i++];
       continue;
     }

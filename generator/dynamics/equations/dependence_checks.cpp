@@ -114,8 +114,8 @@ class DependenceCheck {
   void operator()(const Motor& motor) {
     require("the displacement of motor '" + motor.name + "'", motor.displacement, Allowed::configuration);
   }
-  void operator()(const Effort& effort) {
-    require("the displacement of effort '" + effort.name + "'", effort.displacement, Allowed::configuration);
+  void operator()(const GeneralisedForce& given) {
+    require("the displacement of generalised force '" + given.name + "'", given.displacement, Allowed::configuration);
   }
   void operator()(const Gravitation& attraction) {
     require("the strength of gravitation '" + attraction.name + "'", attraction.strength, Allowed::configuration);

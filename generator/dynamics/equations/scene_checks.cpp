@@ -61,9 +61,9 @@ std::string name_of_frame(const SceneContent& scene, const FrameReference& frame
 
 void check_universal_joints(const SceneContent& scene) {
   for (const JointContent& joint : scene.joints) {
-    if (joint.type != JointType::universal || joint.closes_loop) continue;
-    const Triple& first = scene.frames[as_index(joint.first)].axis;
-    const Triple& second = scene.frames[as_index(joint.last)].axis;
+    if (joint.type != JointType::universal || !joint.of_tree) continue;
+    const Triple& first = scene.frames[as_index(joint.of_tree->first)].axis;
+    const Triple& second = scene.frames[as_index(joint.of_tree->last)].axis;
     const Real product = parameter_value(scene, dot(first, second), true);
     const Real size = sqrt(parameter_value(scene, folded_product(dot(first, first), dot(second, second)), true));
     if (!(abs(product) > size * Real::from_double(1e-12))) continue;
@@ -105,7 +105,7 @@ void check_closing_joints(const Equations& equations) {
   Program& program = equations.program();
   static const std::array<const Triple*, 3> axes{&axis::x, &axis::y, &axis::z};
   for (const JointContent& joint : scene.joints) {
-    if (!joint.closes_loop) continue;
+    if (joint.of_tree) continue;
     const std::string user = "joint '" + joint.name + "'";
     for (const std::size_t i : axes_kept_along(joint.type)) {
       const Vector of_a = bound(program, model.express(*axes[i], joint.a, 0, user));

@@ -107,7 +107,7 @@ class Collector {
     if (program_.stage(u) > Stage::configuration) {
       throw SceneError(
           fmt::format("{} depends on more than coordinates, time and parameters: an action that depends on "
-                      "velocities has no force function; use effort(...)",
+                      "velocities has no force function; use generalised_force(...)",
                       user));
     }
     result_.spring_force_function += u;
@@ -120,14 +120,14 @@ class Collector {
     for (std::size_t i = 0; i < forces.size(); ++i) result_.passive[i] += forces[i];
   }
 
-  void operator()(const Effort& effort) {
-    const std::string user = "effort '" + effort.name + "'";
-    refuse_released(effort.displacement, user);
-    const Value force = program_.bind(of_state(effort.force, user));
-    work_with(effort.displacement, force, result_.passive);
-    const Value displacement = model_.of_configuration(effort.displacement, "the displacement of " + user);
+  void operator()(const GeneralisedForce& given) {
+    const std::string user = "generalised force '" + given.name + "'";
+    refuse_released(given.displacement, user);
+    const Value force = program_.bind(of_state(given.force, user));
+    work_with(given.displacement, force, result_.passive);
+    const Value displacement = model_.of_configuration(given.displacement, "the displacement of " + user);
     const Value speed = program_.bind(time_derivative(displacement));
-    dissipative(effort.name, force * speed);
+    dissipative(given.name, force * speed);
   }
 
   void operator()(const Gravitation& attraction) {

@@ -63,8 +63,8 @@ Value kinetic_energy_from_positions(const Model& model) {
 std::vector<Value> turning_terms(const Model& model, const std::vector<Value>& momenta) {
   std::vector<Value> terms(momenta.size());
   for (std::size_t i = 0; i + 2 < momenta.size(); ++i) {
-    const int attitude = model.coordinates()[i].attitude;
-    if (attitude < 0 || (i > 0 && model.coordinates()[i - 1].attitude == attitude)) continue;
+    const std::optional<int> attitude = model.coordinates()[i].attitude;
+    if (!attitude || (i > 0 && model.coordinates()[i - 1].attitude == attitude)) continue;
     const int first = static_cast<int>(i);
     const Vector omega{model.v(first), model.v(first + 1), model.v(first + 2)};
     const Vector bound_momenta = bound(model.program(), Vector{momenta[i], momenta[i + 1], momenta[i + 2]});

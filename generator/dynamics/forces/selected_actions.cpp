@@ -18,7 +18,7 @@ constexpr const char* weight = "gravity";
 bool has_ends(const ActionContent& action) {
   return !std::holds_alternative<ElongationSpring>(action) && !std::holds_alternative<ElongationDamper>(action) &&
          !std::holds_alternative<Motor>(action) && !std::holds_alternative<GivenForceFunction>(action) &&
-         !std::holds_alternative<Effort>(action);
+         !std::holds_alternative<GeneralisedForce>(action);
 }
 
 bool contains(const std::vector<std::string>& names, const std::string& name) {

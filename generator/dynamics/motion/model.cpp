@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "generator/expression/as_index.hpp"
 #include "generator/expression/derivative.hpp"
 #include "generator/expression/error.hpp"
 #include "generator/expression/expression_derivative.hpp"
@@ -123,7 +124,7 @@ void Model::set_motion(Link& link, const FrameContent& frame) {
 void Model::add_attitude(const FrameContent& frame, const FramePlace& at) {
   Program& program = *program_;
   const Value one = program.number(Number(1));
-  const auto& e = scene_->attitudes[static_cast<std::size_t>(frame.attitude)].symbols->e;
+  const auto& e = scene_->attitudes[as_index(*frame.attitude)].symbols->e;
   const auto twice = [&](std::size_t i, std::size_t j) {
     return program.bind(Number(2) * program.symbol(e[i]) * program.symbol(e[j]));
   };

@@ -76,7 +76,7 @@ JointSpace::JointSpace(const Scene& scene, const StructureGraph& graph)
     if (frame.kind == JointKind::attitude) {
       std::array<Real, 4> e;
       for (std::size_t k = 0; k < 4; ++k)
-        e[k] = number(initial_component(scene_->attitudes[as_index(content.attitude)], k));
+        e[k] = number(initial_component(scene_->attitudes[as_index(*content.attitude)], k));
       frame.turned = rotation_of(e);
     } else if (frame.kind != JointKind::weld) {
       frame.axis = numbers(content.axis);
@@ -127,8 +127,8 @@ void JointSpace::place_frames() {
   for (std::size_t remaining = frames_.size() - 1; remaining > 0;) {
     for (std::size_t f = 1; f < frames_.size(); ++f) {
       const Frame& frame = frames_[f];
-      if (done[f] || !done[as_index(frame.parent)]) continue;
-      const RealPose& parent = poses_[as_index(frame.parent)];
+      if (done[f] || !done[as_index(*frame.parent)]) continue;
+      const RealPose& parent = poses_[as_index(*frame.parent)];
       RealPose& pose = poses_[f];
       pose.origin = parent.origin + parent.rotation * frame.placement.origin;
       pose.rotation = parent.rotation * frame.placement.rotation;
@@ -147,8 +147,8 @@ void JointSpace::place_frames() {
 
 void JointSpace::move(const RealRow& by) {
   for (Frame& frame : frames_) {
-    if (frame.variable < 0) continue;
-    const std::size_t v = as_index(frame.variable);
+    if (!frame.variable) continue;
+    const std::size_t v = as_index(*frame.variable);
     if (frame.kind == JointKind::attitude) {
       frame.turned = frame.turned * rotation_by({by[v], by[v + 1], by[v + 2]});
     } else {
@@ -175,8 +175,8 @@ RealRow JointSpace::variable_twist(int variable) const {
   RealRow sum(6, Real(0));
   for (std::size_t f = 0; f < frames_.size(); ++f) {
     const Frame& frame = frames_[f];
-    if (frame.variable < 0) continue;
-    const int component = variable - frame.variable;
+    if (!frame.variable) continue;
+    const int component = variable - *frame.variable;
     const bool attitude = frame.kind == JointKind::attitude;
     if (component < 0 || component > (attitude ? 2 : 0)) continue;
     const RealPose& pose = poses_[f];
@@ -204,12 +204,12 @@ std::vector<JointTwists> JointSpace::twists() const {
                                     : "turn about ") +
                            direction_text(direction));
     };
-    int last = -1;
+    std::optional<int> last;
     for (const int f : joint.frames) {
       const Frame& frame = frames_[as_index(f)];
       if (frame.variable == last) continue;  // both frames of a helical joint are one freedom
       last = frame.variable;
-      for (int k = 0; k < (frame.kind == JointKind::attitude ? 3 : 1); ++k) add(variable_twist(frame.variable + k));
+      for (int k = 0; k < (frame.kind == JointKind::attitude ? 3 : 1); ++k) add(variable_twist(*frame.variable + k));
     }
     if (joint.closes_loop) {
       const JointContent& content = scene_->joints[as_index(joint.scene_joint)];
@@ -238,9 +238,9 @@ RealPose JointSpace::place(const GraphJoint& joint) const {
     return {poses_[as_index(scene_->frame_index(content.a, joint.name))].rotation,
             poses_[as_index(scene_->frame_index(content.b, joint.name))].origin};
   }
-  if (joint.frames.empty()) return poses_[as_index(content.last)];  // a weld
+  if (joint.frames.empty()) return poses_[as_index(content.of_tree->last)];  // a weld
   const Frame& first = frames_[as_index(joint.frames.front())];
-  return {poses_[as_index(first.parent)].rotation * first.placement.rotation, poses_[as_index(joint.frames.back())].origin};
+  return {poses_[as_index(*first.parent)].rotation * first.placement.rotation, poses_[as_index(joint.frames.back())].origin};
 }
 
 RealRow JointSpace::closure_errors() const {
@@ -268,12 +268,12 @@ RealRows JointSpace::closure_jacobian() const {
   for (int v = 0; v < variables_; ++v) twists.push_back(variable_twist(v));
   // +1 for what moves b, −1 for what moves a, 0 for what moves both.
   const auto add = [this](std::vector<int>& sides, int f, int side) {
-    for (; f > 0; f = frames_[as_index(f)].parent) {
+    for (; f > 0; f = *frames_[as_index(f)].parent) {
       const Frame& frame = frames_[as_index(f)];
-      if (frame.variable < 0) continue;
+      if (!frame.variable) continue;
       // A helical joint's two frames are both in the chain or both out of it.
       for (int k = 0; k < (frame.kind == JointKind::attitude ? 3 : 1) && !frame.slides_with_turn; ++k) {
-        sides[as_index(frame.variable + k)] += side;
+        sides[as_index(*frame.variable + k)] += side;
       }
     }
   };

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -55,13 +56,13 @@ class JointSpace {
 
  private:
   struct Frame {
-    int parent = -1;
+    std::optional<int> parent;      ///< none for the ground
     RealPose placement;
     JointKind kind = JointKind::weld;
     RealVector axis;
     Real displacement;
     RealRotation turned;            ///< of an attitude
-    int variable = -1;              ///< the first of three for an attitude
+    std::optional<int> variable;    ///< the first of three for an attitude; none where nothing moves
     bool slides_with_turn = false;  ///< the slide of a helical joint, which shares the variable of its turn
     Real per_variable;              ///< 1, or the pitch for that slide
   };

@@ -105,7 +105,7 @@ class Classifier {
   /// X_i X_j U − X_j X_i U = ε_ijk X_k U. Zero for any other pair.
   Value of_commutator(std::size_t i, std::size_t j) const {
     const auto& all = model_.coordinates();
-    if (all[i].attitude < 0 || all[i].attitude != all[j].attitude) return {};
+    if (!all[i].attitude || all[i].attitude != all[j].attitude) return {};
     std::size_t first = i;
     while (first > 0 && all[first - 1].attitude == all[i].attitude) --first;
     const std::size_t k = 3 - (i - first) - (j - first);

@@ -112,8 +112,8 @@ class Finder {
   std::string name_of_joint(const std::vector<int>& chain) const {
     const std::string user = "a report on joints";
     for (const JointContent& joint : model_.scene().joints) {
-      if (joint.closes_loop || joint.last < joint.first) continue;
-      const int last = model_.place(FrameHandle{joint.last}, user).link;
+      if (!joint.of_tree) continue;
+      const int last = model_.place(FrameHandle{joint.of_tree->last}, user).link;
       if (last == chain.back()) return joint.name;
     }
     return model_.links()[static_cast<std::size_t>(chain.back())].name;

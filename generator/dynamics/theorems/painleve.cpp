@@ -95,7 +95,7 @@ void add_momenta(const Equations& equations, const std::vector<Value>& momenta, 
     force -= turning[i];
     if (!vanishes(force)) continue;
     const Unit unit = units::joule / model.coordinates()[i].v->unit;
-    const std::string meaning = model.coordinates()[i].attitude < 0
+    const std::string meaning = !model.coordinates()[i].attitude
                                     ? fmt::format("dT/d{}' of the cyclic coordinate '{}'", q->name, q->name)
                                     : fmt::format("dT/d{}, constant in the moving axes", q->name);
     Value momentum = at_rest(momenta[i]);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "generator/reading/check_inline.hpp"
+#include "tests/reading/check_inline.hpp"
 
 #include <map>
 #include <random>
@@ -10,7 +10,7 @@
 #include "generator/reading/lagrange_equations.hpp"
 #include "generator/reading/written.hpp"
 
-namespace torsor {
+namespace torsor::test {
 namespace {
 
 using reading::Written;
@@ -114,4 +114,4 @@ InlineCheck check_inline(const Scene& scene, int digits, int states, std::uint64
   return result;
 }
 
-}  // namespace torsor
+}  // namespace torsor::test

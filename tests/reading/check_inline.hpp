@@ -8,7 +8,7 @@
 #include "generator/expression/high_precision.hpp"
 #include "generator/mechanics/scene.hpp"
 
-namespace torsor {
+namespace torsor::test {
 
 /// How well the printed equations agree with the program that kernels are made of.
 struct InlineCheck {
@@ -25,4 +25,4 @@ struct InlineCheck {
 /// agreement means about 10^(2 − digits). Seeded: the same states in every run.
 InlineCheck check_inline(const Scene& scene, int digits, int states, std::uint64_t seed = 1);
 
-}  // namespace torsor
+}  // namespace torsor::test
