@@ -48,7 +48,7 @@ TEST(BodyScrews, AreSumsOverTheBodysPoints) {
   for (const char* observer : {"ground", "R", "arm"}) {
     for (const char* point : {"X", "E"}) {
       const Sums sums(equations, evaluate, model.place(observer, "test").link, PointReference(point));
-      const ScrewQuery query{point, observer, observer};
+      const ScrewQuery query{Scene::point(point), observer, observer};
       const MomentumScrew momentum = momentum_screw(model, {"cloud"}, query);
       EXPECT_LT(distance(columns(evaluate, momentum.resultant), sums.momentum), 1e-45) << observer;
       EXPECT_LT(distance(columns(evaluate, momentum.moment), sums.moment), 1e-45) << observer << point;
@@ -56,8 +56,8 @@ TEST(BodyScrews, AreSumsOverTheBodysPoints) {
       EXPECT_LT(distance(columns(evaluate, dynamic.resultant), sums.force), 1e-45) << observer;
       EXPECT_LT(distance(columns(evaluate, dynamic.moment), sums.dynamic_moment), 1e-45) << observer << point;
       EXPECT_LT(relative_difference(evaluate(kinetic_energy(model, {"cloud"}, observer)), sums.energy), 1e-45);
-      EXPECT_LT(relative_difference(evaluate(kinetic_energy_at(model, {"cloud"}, point, observer)), sums.energy), 1e-45)
-          << observer << point;
+      const Value energy = kinetic_energy_at(model, {"cloud"}, Scene::point(point), observer);
+      EXPECT_LT(relative_difference(evaluate(energy), sums.energy), 1e-45) << observer << point;
     }
   }
 }

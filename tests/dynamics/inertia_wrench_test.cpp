@@ -100,14 +100,14 @@ TEST(InertiaWrench, IsThePrintedOneOnlyForABodyFixedInTheFrame) {
   const RandomState state(scene, 11);
   Evaluator<Real> evaluate(equations.program(), state.in_real());
   const ScrewQuery query{Scene::point("X"), "ground", "R"};
-  const auto fixed = printed_transport(model, evaluate, "fixed", "X", "R");
+  const auto fixed = printed_transport(model, evaluate, "fixed", Scene::point("X"), "R");
   const Wrench of_fixed = transport_inertia_wrench(model, {"fixed"}, query);
   EXPECT_LT(distance(columns(evaluate, of_fixed.resultant), fixed.first), 1e-45);
   EXPECT_LT(distance(columns(evaluate, of_fixed.moment), fixed.second), 1e-45);
   const Wrench none = coriolis_inertia_wrench(model, {"fixed"}, query);
   EXPECT_LT(distance(columns(evaluate, none.resultant), Column{}), 1e-45);
   EXPECT_LT(distance(columns(evaluate, none.moment), Column{}), 1e-45);
-  const auto moving = printed_transport(model, evaluate, "cloud", "X", "R");
+  const auto moving = printed_transport(model, evaluate, "cloud", Scene::point("X"), "R");
   const Wrench of_moving = transport_inertia_wrench(model, {"cloud"}, query);
   EXPECT_GT(distance(columns(evaluate, of_moving.resultant), moving.first), 1e-2);
   EXPECT_GT(distance(columns(evaluate, of_moving.moment), moving.second), 1e-2);

@@ -6,20 +6,14 @@
 #include "generator/dynamics/equations/equations.hpp"
 #include "generator/dynamics/motion/body_screws.hpp"
 #include "generator/expression/derivative.hpp"
+#include "generator/geometry/real_vector.hpp"
 #include "generator/verification/random_state.hpp"
 #include "tests/expression/test_symbols.hpp"
 
 namespace torsor::testing_mechanisms {
 
-using Column = std::array<Real, 3>;
+using Column = RealVector;
 
-inline Column operator+(const Column& a, const Column& b) { return {a[0] + b[0], a[1] + b[1], a[2] + b[2]}; }
-inline Column operator-(const Column& a, const Column& b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
-inline Column operator*(const Real& k, const Column& v) { return {k * v[0], k * v[1], k * v[2]}; }
-inline Real dot(const Column& a, const Column& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
-inline Column cross(const Column& a, const Column& b) {
-  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-}
 inline Column columns(Evaluator<Real>& evaluate, const Vector& v) {
   const Real x = evaluate(v[0]);
   const Real y = evaluate(v[1]);

@@ -57,7 +57,7 @@ TEST(QuantityUnits, OfActionsAreRefusedByTheNameOfTheActionAndTheQuantity) {
        "the rest of the spring 'hinge' on x [m] is some_mass [kg] and must be in m"},
       {[](Mechanism& m) { m.scene.damper("oil", m.x, m.force); },
        "the damping of the damper 'oil' on x [m] is some_force [kg m s^-2] and must be in kg s^-1"},
-      {[](Mechanism& m) { m.scene.spring("rod", m.A, m.B, m.force); },
+      {[](Mechanism& m) { m.scene.spring("rod", {.a = m.A, .b = m.B, .stiffness = m.force}); },
        "the stiffness of the spring 'rod' is some_force [kg m s^-2] and must be in kg s^-2"},
       {[](Mechanism& m) {
          m.scene.spring("rod", {.a = m.A, .b = m.B, .stiffness = m.force / m.length, .rest = m.mass});

@@ -139,9 +139,9 @@ std::vector<std::string> contents(const Scene& scene) {
   };
   for (const JointContent& joint : content.joints) {
     const std::string type(to_string(joint.type));
-    note(joint.closes_loop ? "closed by " + type : type);
+    note(!joint.of_tree ? "closed by " + type : type);
     for (const char* kind : {"loop", "spatial", "planar", "hinged"}) {
-      note(std::string("closed ") + kind, joint.closes_loop && joint.name.starts_with(kind));
+      note(std::string("closed ") + kind, !joint.of_tree && joint.name.starts_with(kind));
     }
   }
   for (const FrameContent& frame : content.frames) {
