@@ -103,6 +103,14 @@ TEST_F(LoweredFunction, MeasuresPivotsThatMayVanish) {
   EXPECT_EQ(count(listing).total(), 4);
 }
 
+TEST_F(LoweredFunction, MeasuresPivotsThatAreNegativeNumbers) {
+  const Value pivot = program_.lower(1 + x_ * x_);
+  Request request{{{{"r", "", 0}, pivot}}};
+  request.pivots = {{program_.number(Number(-2)), program_.number(Number(3))}};
+  request.has_status = true;
+  EXPECT_EQ(lowered(request).pivots.size(), 1u) << "no state makes it regular";
+}
+
 TEST_F(LoweredFunction, DropsWhatOnlyLiteralsRead) {
   const Value angle = program_.lower(sin(Expression(0.3)));
   const Listing listing = lowered({{{{"r", "", 0}, angle * program_.lower(x_)}}});

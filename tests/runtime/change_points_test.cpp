@@ -109,6 +109,86 @@ TEST(ChangePoints, ArePassedByFortyWindows) {
   }
 }
 
+/// The same loop, its constraints told in other units, which differ from row to row.
+template <class M>
+struct InOtherUnits : M {
+  static void constraints(const typename M::Precomputed& p, const typename M::State& s,
+                          typename M::Constraints& c) noexcept {
+    M::constraints(p, s, c);
+    constexpr std::size_t m = static_cast<std::size_t>(M::multiplier_count);
+    for (std::size_t i = 0; i < m; ++i) {
+      const double unit = i % 2 == 0 ? 16 : 0.125;
+      c.value[i] *= unit;
+      c.rate[i] *= unit;
+      c.gamma[i] *= unit;
+      for (std::size_t j = 0; j < c.jacobian.size() / m; ++j) c.jacobian[j * m + i] *= unit;
+    }
+  }
+};
+
+TEST(ChangePoints, AreMeasuredAlikeInAllUnitsOfConstraints) {
+  using InMetres = mechanisms::CrankLoop<mechanisms::ThreeEqualCranks>;
+  using Others = InOtherUnits<InMetres>;
+  const RankDistance<InMetres> distance({});
+  const RankDistance<Others> in_units({});
+  EXPECT_EQ(distance.repeats(), in_units.repeats());
+  for (const double angle : {0.3, 1.2, pi / 2 - 0.1, pi / 2 - 1e-3, 2.0}) {
+    InMetres::Constraints c{};
+    Others::Constraints d{};
+    const StateVector<InMetres> y{angle, angle, angle, 0, 0, 0, 0, 0};
+    InMetres::constraints({}, unpack<InMetres>(0.0, y), c);
+    Others::constraints({}, unpack<Others>(0.0, y), d);
+    // Both measure by states of their own, which corrections from far off lead to: alike, not the same.
+    EXPECT_NEAR(in_units(d) / distance(c), 1.0, 0.1) << angle;
+  }
+}
+
+/// A parallelogram of unit cranks on a base of 2 m that turns at the rate w about the pivot of crank 0, without
+/// gravity: relative to the base both cranks swing about its outward direction as a pendulum under w² would.
+struct OnATurningBase : mechanisms::CrankLoop<mechanisms::FourBar> {
+  struct Lengths : mechanisms::FourBar {
+    static constexpr std::array<double, 2> crank{1, 1}, base{0, 2}, coupler{0, 2};
+  };
+  using Still = mechanisms::CrankLoop<Lengths>;
+  static constexpr double square = 9.81;
+  static double rate() { return std::sqrt(square); }
+  // Angles from the downward vertical; the base starts along x, which is at π/2. Swings of 2 rad from rest beside it.
+  static State initial_state() noexcept {
+    return {0.0, {{pi / 2 + 2, pi / 2 + 2, 0}}, {{rate(), rate(), rate()}}};
+  }
+  static void mass_matrix(const Precomputed&, const State&, std::array<double, 9>& mass) noexcept {
+    mass = {1, 0, 0, 0, 1, 0, 0, 0, 0.2};
+  }
+  static void bias(const Precomputed&, const State& s, GeneralizedForces& h) noexcept {
+    h = {};
+    h[1] = -2 * square * std::cos(s.q[1] - rate() * s.time);  // the pivot's acceleration, along the crank's motion
+  }
+  static void constraints(const Precomputed&, const State& s, Constraints& c) noexcept {
+    Still::Constraints still{};
+    Still::constraints({}, {s.time, {s.q.values}, {s.v.values}}, still);
+    const double w = rate(), x = 2 * std::cos(w * s.time), y = 2 * std::sin(w * s.time);
+    c.jacobian = still.jacobian;
+    c.value = {still.value[0] + 2 - x, still.value[1] - y};
+    c.rate = {still.rate[0] + w * y, still.rate[1] - w * x};
+    c.gamma = {still.gamma[0] + square * x, still.gamma[1] + square * y};
+  }
+};
+
+TEST(ChangePoints, ArePassedByLoopsThatTimeCarriesAlong) {
+  using M = OnATurningBase;
+  const auto motion = projected(constrained_motion<M>());
+  auto y = motion.initial();
+  const auto result = integrate(motion, y, 0, 10, with_tolerance<DormandPrince853>(1e-10));
+  ASSERT_TRUE(result) << describe(result);
+  // Errors of 1e-10 of angles to 33 rad a step, over 10 s in which they grow tenfold.
+  const double turned = pi / 2 + 10 * M::rate(), allowed = 33 * 1e-10 * 10 * 10;
+  for (std::size_t k = 0; k < 2; ++k) {
+    EXPECT_NEAR(y[k] - turned, swing[0], allowed);
+    EXPECT_NEAR(y[3 + k] - M::rate(), swing[1], allowed);
+  }
+  EXPECT_NEAR(y[2], 10 * M::rate(), 1e-13);
+}
+
 TEST(ChangePoints, ArePassedByEveryMethod) {
   const auto motion = equations_of_motion<Windows<2>>();
   expect_swing(motion, with_tolerance<DormandPrince54>(1e-9), 1e-6);

@@ -142,6 +142,33 @@ TEST(Projection, RefusesCorrectionsThatGrow) {
   EXPECT_EQ(y, before);
 }
 
+/// A crank of 0.3 m against a table that rises as 5 t²: f = 0.3 sin θ - z, and z = 5 t² + t.
+struct RisingTable : mechanisms::Contract<2, 2> {
+  using Parameters = mechanisms::Nothing;
+  struct Precomputed {
+    Parameters parameters;
+  };
+  static Parameters default_parameters() noexcept { return {}; }
+  static Precomputed precompute(const Parameters& p) noexcept { return {p}; }
+  static void constraints(const Precomputed&, const State& s, Constraints& c) noexcept {
+    c.value = {0.3 * std::sin(s.q[0]) - s.q[1], s.q[1] - (5 * s.time + 1) * s.time};
+    c.jacobian = {0.3 * std::cos(s.q[0]), 0, -1, 1};
+    c.rate = {c.jacobian[0] * s.v[0] - s.v[1], s.v[1] - 10 * s.time - 1};
+    c.gamma = {-0.3 * std::sin(s.q[0]) * s.v[0] * s.v[0], -10};
+  }
+};
+TEST(ConstraintReading, CountsNoAccelerationThatTimeBringsAmongTheLengths) {
+  // |∂²f/∂θ²| = 0.3 |sin θ|: the table's 10 m/s² are none.
+  const double angle = 1.2;
+  const StateVector<RisingTable> y{angle, 0.2, 0, 0};
+  const auto kinds = ConstraintKinds<RisingTable>::at({}, 0.4, y);
+  ASSERT_TRUE(kinds.turns[0]);
+  ASSERT_FALSE(kinds.turns[1]);
+  const auto lengths = ConstraintReading<RisingTable>::lengths({}, kinds, 0.4, y);
+  EXPECT_NEAR(lengths[0], 0.3 * std::sin(angle), 1e-16);
+  EXPECT_EQ(lengths[1], 0.0);
+}
+
 TEST(Projection, SeesWhatIsNotFiniteInACoordinateThatNoConstraintHas) {
   for (std::size_t i = 0; i < 10; ++i) {
     StateVector<RollingBody> y{};

@@ -125,6 +125,15 @@ TEST_F(Ensemble, DropsEverythingFromADamagedRecordOn) {
   }
 }
 
+// A record that is right in itself, after the last one that the head promises.
+TEST_F(Ensemble, DropsWhatFollowsTheLastRecord) {
+  const std::string expected = whole();
+  run_ensemble(file("longer"), {123, 8, 3}, squares);
+  put("results", expected + contents(file("longer")).substr(56 + 7 * 40));
+  EXPECT_EQ(run_ensemble(file(), seven, squares).found, 7U);
+  EXPECT_EQ(contents(file()), expected);
+}
+
 TEST_F(Ensemble, RefusesTheFileOfAnotherQuestion) {
   const std::string expected = whole();
   const RecordHead others[] = {{124, 7, 3}, {123, 8, 3}, {123, 7, 4}};
@@ -407,6 +416,42 @@ TEST(MotionEnsemble, AsksAnotherQuestionWhenAnythingChanges) {
   EXPECT_EQ(motion_ensemble<Oscillator>(9, oscillator, times, method).head().question, questions.front());
   std::sort(questions.begin(), questions.end());
   EXPECT_EQ(std::adjacent_find(questions.begin(), questions.end()), questions.end());
+}
+
+template <class Method, class... Change>
+void expect_a_question_for_each(const Change&... changes) {
+  std::vector<Method> methods{Method{}};
+  (changes(methods.emplace_back()), ...);
+  std::vector<std::uint64_t> questions;
+  for (const Method& method : methods) {
+    Digest digest;
+    add_to_digest(digest, method);
+    questions.push_back(digest.value());
+  }
+  std::sort(questions.begin(), questions.end());
+  EXPECT_EQ(std::adjacent_find(questions.begin(), questions.end()), questions.end());
+}
+
+TEST(MotionEnsemble, AsksAnotherQuestionForEveryOptionOfAMethod) {
+  const auto step = [](auto& m) { m.step = 0.03125; };
+  const auto compensated = [](auto& m) { m.compensated = !m.compensated; };
+  expect_a_question_for_each<Midpoint>(step, compensated);
+  expect_a_question_for_each<RungeKutta4>(step, compensated);
+  const auto relative = [](auto& m) { m.relative_tolerance = 3e-7; };
+  const auto absolute = [](auto& m) { m.absolute_tolerance = 3e-7; };
+  const auto first = [](auto& m) { m.first_step = 0.03125; };
+  const auto largest = [](auto& m) { m.largest_step = 0.03125; };
+  const auto limit = [](auto& m) { m.step_limit = 77; };
+  expect_a_question_for_each<DormandPrince54>(relative, absolute, first, largest, limit, compensated);
+  expect_a_question_for_each<DormandPrince853>(relative, absolute, first, largest, limit, compensated);
+  expect_a_question_for_each<Taylor>(relative, absolute, first, largest, limit, compensated,
+                                     [](Taylor& m) { m.order = m.order == 12 ? 13 : 12; });
+}
+
+TEST(Digest, TellsTwoTextsInARowFromTheirLettersDividedOtherwise) {
+  using std::string_view_literals::operator""sv;
+  EXPECT_NE(Digest().add("ab"sv).add("c"sv).value(), Digest().add("a"sv).add("bc"sv).value());
+  EXPECT_NE(Digest().add("abc"sv).add(""sv).value(), Digest().add(""sv).add("abc"sv).value());
 }
 
 /// What a header becomes that is written again, with another mass folded in say.

@@ -460,6 +460,19 @@ void expect_no_jump_inside() {
   EXPECT_LE(std::abs(y[0]), std::numbers::pi);
 }
 
+TEST(AnglesWithinATurn, AreLedBackToWhereTheyCameFrom) {
+  const auto wheel = angles_within_a_turn(Motion{}, std::array<std::size_t, 1>{0});
+  for (const double before : {-20.0, -3.5, 3.0, 3.5, 10.0, 100.0}) {
+    const State from{before, 5.0, 3.0, 7.0};
+    State settled = from;
+    ASSERT_EQ(wheel.project(0.0, settled), Evaluation::ok);
+    EXPECT_LE(std::abs(settled[0]), std::numbers::pi);
+    const State back = wheel.unwound(settled, from);
+    EXPECT_NEAR(back[0], before, 16 * epsilon * std::abs(before));  // 2π is rounded once, up to 16 times over
+    for (std::size_t i = 1; i < 4; ++i) EXPECT_EQ(back[i], from[i]);
+  }
+}
+
 TEST(AnglesWithinATurn, DoNotJumpInsideSteps) {
   expect_no_jump_inside<DormandPrince54>();
   expect_no_jump_inside<DormandPrince853>();

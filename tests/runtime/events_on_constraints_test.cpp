@@ -165,5 +165,29 @@ TEST(EventsOnClosedLoops, KeepAFourBarClosedThatHitsALimit) {
   EXPECT_LE(guard_left, 0.0);
 }
 
+/// At rest, but put down on a seat that sinks from 1 and comes back within every second: to 0.6, from t = 2 on to -0.2.
+struct OnASeat {
+  static double seat(double t) { return 1 - (t < 2 ? 0.4 : 1.2) * std::pow(std::sin(std::numbers::pi * t), 2); }
+  Evaluation operator()(double, const std::array<double, 1>&, std::array<double, 1>& rate) const noexcept {
+    rate[0] = 0.0;
+    return Evaluation::ok;
+  }
+  [[nodiscard]] Evaluation project(double t, std::array<double, 1>& y) const noexcept {
+    y[0] = seat(t);
+    return Evaluation::ok;
+  }
+};
+
+// Steps of a whole second end where they began; only what settling says of the states inside shows the crossings.
+TEST(EventsOfSettledStates, AreSeenInsideAStepAcrossWhichNothingMoves) {
+  std::array<double, 1> y{1.0};
+  const DormandPrince54 by_seconds{.first_step = 1.0, .largest_step = 1.0};
+  const auto below = stop_at([](double, const std::array<double, 1>& s) { return s[0]; });
+  const auto result = integrate_with_events(OnASeat{}, y, 0.0, 5.0, by_seconds, Events(below));
+  ASSERT_EQ(result.status, EventStatus::stopped_at_event) << describe(result.status);
+  const double crossing = 2 + std::asin(std::sqrt(1 / 1.2)) / std::numbers::pi;  // where the slope is -2.8 1/s
+  EXPECT_NEAR(result.time, crossing, 16 * epsilon);
+}
+
 }  // namespace
 }  // namespace events_on_constraints_test

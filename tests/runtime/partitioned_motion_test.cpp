@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
 
 #include "runtime/constraints/constrained_motion.hpp"
 #include "runtime/integration/dormand_prince_853.hpp"
@@ -25,12 +26,16 @@ TEST(PartitionedMotion, ChangesCoordinatesWhereThePendulumTurnsFromOneToTheOther
                                     4.17559810095172883646051950627, -1.19474905456047527164747276163};
   const auto motion = equations_of_motion<Pendulum>();
   auto y = motion.initial();
-  double worst = 0.0;
-  const auto result = integrate_partitioned<1>(motion, y, 0, 10, precise, [&](double, const StateVector<Pendulum>& s) {
+  double worst = 0.0, reached = -1.0;
+  std::int64_t steps = -1;  // the start is seen too
+  const auto result = integrate_partitioned<1>(motion, y, 0, 10, precise, [&](double t, const StateVector<Pendulum>& s) {
     worst = std::max(worst, std::abs(s[0] * s[0] + s[1] * s[1] - 1));
+    steps += t > reached ? 1 : 0;
+    reached = t;
   });
   ASSERT_TRUE(result) << describe(result.integration);
   EXPECT_GE(result.switches, 2 * 8);  // two each half period of 1.18 s
+  EXPECT_EQ(result.integration.statistics.accepted, steps);  // of all partitions
   EXPECT_LT(worst, 4e-15);
   // 10 s at speeds to 5, a motion that amplifies ten times, and dependent coordinates that do so up to four times.
   const double tolerance = 1e-12 * 10 * 5 * 10 * 4;

@@ -312,6 +312,48 @@ TEST(Baumgarte, BoundsTheDriftThatGrowsWithoutIt) {
   EXPECT_GT(worst[1], 1e-12);  // it damps, it does not project
 }
 
+// f'' + 2 α f' + β² f = 0, f'' being A a + γ, at states off the circle in position and in velocity.
+TEST(Baumgarte, GivesTheResidualTheEquationOfADampedOscillator) {
+  const StateVector<Pendulum> off{0.5, -0.9, 1.3, 0.4};
+  const auto s = unpack<Pendulum>(0.0, off);
+  Pendulum::Constraints c{};
+  Pendulum::constraints({}, s, c);
+  for (const auto& [alpha, beta] : {std::array{3.0, 7.0}, std::array{11.0, 2.0}}) {
+    const ConstrainedMotion<Pendulum> motion({}, {.alpha = alpha, .beta = beta});
+    Pendulum::Accelerations a{};
+    Pendulum::Multipliers lambda{};
+    ASSERT_EQ(motion.accelerations(s, a, lambda), Evaluation::ok);
+    const double second = c.jacobian[0] * a[0] + c.jacobian[1] * a[1] + c.gamma[0];
+    // Terms to 40, each rounded a few times.
+    EXPECT_NEAR(second + 2 * alpha * c.rate[0] + beta * beta * c.value[0], 0.0, 40 * 16 * 1.1e-16);
+  }
+}
+
+/// A point on a line that two guides push, at 1 m/s and at 2 m/s; they are at one place at t = 0 only.
+struct PushedTwice : mechanisms::Contract<1, 2> {
+  using Parameters = mechanisms::Nothing;
+  struct Precomputed {
+    Parameters parameters;
+  };
+  static Parameters default_parameters() noexcept { return {}; }
+  static Precomputed precompute(const Parameters& p) noexcept { return {p}; }
+  static void mass_matrix(const Precomputed&, const State&, std::array<double, 1>& mass) noexcept { mass = {1.0}; }
+  static void bias(const Precomputed&, const State&, GeneralizedForces& h) noexcept { h = {}; }
+  static void constraints(const Precomputed&, const State& s, Constraints& c) noexcept {
+    c.value = {s.q[0] - s.time, s.q[0] - 2 * s.time};
+    c.jacobian = {1, 1};
+    c.rate = {s.v[0] - 1, s.v[0] - 2};
+    c.gamma = {0, 0};
+  }
+};
+TEST(Projection, RefusesConstraintsThatAskForTwoVelocities) {
+  for (const double v : {0.0, 1.0, 1.5, 2.0}) {
+    StateVector<PushedTwice> y{0.0, v};
+    EXPECT_EQ(project_on_constraints<PushedTwice>({}, 0.0, y).evaluation, Evaluation::singular) << v;
+    EXPECT_EQ(y[1], v);
+  }
+}
+
 TEST(Projection, ReportsStatesFromWhichNoneIsReached) {
   constexpr double nan = std::numeric_limits<double>::quiet_NaN(), infinity = std::numeric_limits<double>::infinity();
   const auto project = [](StateVector<Pendulum> y) {

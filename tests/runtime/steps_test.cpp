@@ -264,5 +264,22 @@ TEST(IntegrateThrough, ShowsNoTimeThatWasNotReached) {
   EXPECT_EQ(seen, (std::vector<double>{0.2, 0.4}));
 }
 
+TEST(RepeatedStep, IsNoNumberWhereTheModelFailsInside) {
+  const auto fails_later = [](double t, const std::array<double, 1>&, std::array<double, 1>& rate) noexcept {
+    rate[0] = 2.0;
+    return t > 0.5 ? Evaluation::singular : Evaluation::ok;
+  };
+  const RungeKutta4 method{.step = 0.125};
+  const std::array<double, 1> first{1.0}, last{3.0};
+  std::int64_t calls = 0;
+  const RepeatedStep<decltype(fails_later), RungeKutta4, double, 1> step{fails_later, method, 0.0, 1.0, first, last,
+                                                                         calls};
+  EXPECT_EQ(step(0.0), first);
+  EXPECT_EQ(step(1.0), last);
+  EXPECT_EQ(step(0.25)[0], 1.5);
+  EXPECT_EQ(calls, 8);
+  EXPECT_TRUE(std::isnan(step(0.75)[0]));
+}
+
 }  // namespace
 }  // namespace steps_test
