@@ -2,6 +2,8 @@
 #include "generator/expression/expression.hpp"
 
 #include <algorithm>
+#include <functional>
+#include <optional>
 
 #include <fmt/format.h>
 
@@ -34,6 +36,37 @@ std::string call_text(Function function, const std::vector<Expression>& argument
 bool is_number(const Expression& x, const Number& value) {
   const auto* number = std::get_if<Number>(&x.node().content);
   return number != nullptr && *number == value;
+}
+
+/// −x as it was told, of a number or of a product that begins with −1.
+std::optional<Expression> without_minus(const Expression& x) {
+  if (const auto* number = std::get_if<Number>(&x.node().content)) return Expression::quantity(-*number, x.unit());
+  const auto* product = std::get_if<Expression::Node::Product>(&x.node().content);
+  if (product == nullptr || !is_number(product->left, Number(-1))) return std::nullopt;
+  return product->right;
+}
+
+/// The text of −x where x is max(−a, −b).
+std::optional<std::string> minimum_text(const Expression& x) {
+  const auto* call = std::get_if<Expression::Node::Apply>(&x.node().content);
+  if (call == nullptr || call->function != Function::maximum) return std::nullopt;
+  const auto a = without_minus(call->arguments[0]), b = without_minus(call->arguments[1]);
+  if (!a || !b) return std::nullopt;
+  return fmt::format("min({}, {})", a->to_string(), b->to_string());
+}
+
+/// The unit of a call; `text` is how errors name it.
+Unit checked_unit(Function function, const std::vector<Expression>& arguments, const std::function<std::string()>& text) {
+  if (arguments.size() != traits_of(function).arity) {
+    throw Error(fmt::format("{} takes {} arguments", text(), traits_of(function).arity));
+  }
+  std::vector<Unit> units;
+  std::vector<bool> zeros;
+  for (const Expression& argument : arguments) {
+    units.push_back(argument.unit());
+    zeros.push_back(argument.is_zero());
+  }
+  return unit_of_call(function, units, zeros, text, ": divide it by a quantity of that unit");
 }
 
 }  // namespace
@@ -116,17 +149,7 @@ Expression pow(const Expression& base, int exponent) {
 }
 Expression apply(Function function, const Expression& x) { return call(function, {x}); }
 Expression call(Function function, const std::vector<Expression>& arguments) {
-  if (arguments.size() != traits_of(function).arity) {
-    throw Error(fmt::format("{} takes {} arguments", call_text(function, arguments), traits_of(function).arity));
-  }
-  std::vector<Unit> units;
-  std::vector<bool> zeros;
-  for (const Expression& argument : arguments) {
-    units.push_back(argument.unit());
-    zeros.push_back(argument.is_zero());
-  }
-  const Unit unit = unit_of_call(
-      function, units, zeros, [&] { return call_text(function, arguments); }, ": divide it by a quantity of that unit");
+  const Unit unit = checked_unit(function, arguments, [&] { return call_text(function, arguments); });
   return Expression(
       std::make_shared<Expression::Node>(Expression::Node{Expression::Node::Apply{function, arguments}, unit}));
 }
@@ -144,7 +167,10 @@ Expression sqrt(const Expression& x) { return apply(Function::sqrt, x); }
 Expression abs(const Expression& x) { return apply(Function::abs, x); }
 Expression sign(const Expression& x) { return apply(Function::sign, x); }
 Expression max(const Expression& a, const Expression& b) { return call(Function::maximum, {a, b}); }
-Expression min(const Expression& a, const Expression& b) { return -max(-a, -b); }
+Expression min(const Expression& a, const Expression& b) {
+  (void)checked_unit(Function::maximum, {a, b}, [&] { return fmt::format("min({}, {})", a.to_string(), b.to_string()); });
+  return -max(-a, -b);
+}
 Expression atan2(const Expression& y, const Expression& x) { return call(Function::atan2, {y, x}); }
 
 Expression pi() {
@@ -160,7 +186,10 @@ std::string Expression::to_string() const {
                           return fmt::format("({} + {})", sum.left.to_string(), sum.right.to_string());
                         },
                         [](const Node::Product& product) {
-                          if (is_number(product.left, Number(-1))) return "-" + product.right.to_string();
+                          if (is_number(product.left, Number(-1))) {
+                            const std::optional<std::string> least = minimum_text(product.right);
+                            return least ? *least : "-" + product.right.to_string();
+                          }
                           return fmt::format("{}*{}", product.left.to_string(), product.right.to_string());
                         },
                         [](const Node::Power& power) {

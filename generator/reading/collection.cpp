@@ -144,6 +144,36 @@ WrittenTerm group_term(const Sum& coefficient, const Product& motion) {
   return times(std::move(term), motion);
 }
 
+bool is_negative(const Written& written) { return !written.empty() && written[0].coefficient.sign() < 0; }
+void negate(Written& written) {
+  for (WrittenTerm& term : written) term.coefficient = -term.coefficient;
+}
+
+/// −max(−a, −b) as min(a, b), wherever that takes minus signs away. The first term of a sum keeps its plus.
+void name_minima(Written& written) {
+  for (std::size_t i = 0; i < written.size(); ++i) {
+    WrittenTerm& term = written[i];
+    for (WrittenFactor& factor : term.factors) {
+      name_minima(factor.inside);
+      for (Written& other : factor.others) name_minima(other);
+      const bool maximum = factor.base && factor.base->kind == Base::Kind::function &&
+                           factor.base->function == Function::maximum && !factor.least && factor.others.size() == 1;
+      if (!maximum || factor.halves % 2 != 0) continue;
+      int fewer = 0;
+      for (const Written* argument : {&factor.inside, &factor.others[0]}) {
+        if (!argument->empty()) fewer += is_negative(*argument) ? 1 : -1;
+      }
+      const bool turns = factor.halves % 4 != 0, minus = term.coefficient.sign() < 0;
+      if (turns) fewer += minus ? 1 : -1;
+      if (fewer <= 0 || (turns && !minus && i == 0)) continue;
+      factor.least = true;
+      negate(factor.inside);
+      negate(factor.others[0]);
+      if (turns) term.coefficient = -term.coefficient;
+    }
+  }
+}
+
 /// A lone sum needs no parentheses.
 Written unwrapped(Written written) {
   if (written.size() != 1 || !written[0].coefficient.is_one() || written[0].factors.size() != 1) return written;
@@ -170,7 +200,9 @@ Written collected(const Sum& sum, const Layout& layout) {
       result.push_back(group_term(coefficient, motion));
     }
   }
-  return unwrapped(std::move(result));
+  result = unwrapped(std::move(result));
+  name_minima(result);
+  return result;
 }
 
 }  // namespace torsor::reading

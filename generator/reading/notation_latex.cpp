@@ -76,9 +76,10 @@ std::string call_latex(const WrittenFactor& factor) {
   }
   std::string inside = first;
   for (const Written& other : factor.others) inside += ", " + latex(other);
-  const std::string name(to_string(factor.base->function));
-  return name == "max" ? fmt::format("\\max\\left({}\\right)", inside)
-                       : fmt::format("\\operatorname{{{}}}\\left({}\\right)", name, inside);
+  const std::string name = name_on_paper(factor);
+  return factor.base->function == Function::maximum
+             ? fmt::format("\\{}\\left({}\\right)", name, inside)
+             : fmt::format("\\operatorname{{{}}}\\left({}\\right)", name, inside);
 }
 
 std::string factor_latex(const WrittenFactor& factor, int halves) {

@@ -21,7 +21,7 @@ std::string call_text(const WrittenFactor& factor) {
   }
   std::string inside = text(factor.inside);
   for (const Written& other : factor.others) inside += ", " + text(other);
-  return fmt::format("{}({})", to_string(factor.base->function), inside);
+  return fmt::format("{}({})", name_on_paper(factor), inside);
 }
 
 std::string factor_text(const WrittenFactor& factor, int halves) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <functional>
+#include <string>
 #include <vector>
 
 #include "generator/expression/high_precision.hpp"
@@ -20,6 +21,7 @@ struct WrittenFactor {
   int halves = 2;    ///< the factor stands to the power halves/2
   bool size = false;  ///< of a sum in parentheses: |sum| stands to that power
   std::vector<Written> others{};  ///< further arguments of a function
+  bool least = false;  ///< of a maximum: the smaller of its arguments as they stand here
 };
 
 /// coefficient · factors, in the order of writing.
@@ -36,6 +38,9 @@ struct Layout {
 /// Collects by accelerations, then by products of velocities, then the rest, inputs and multipliers; inside by what
 /// depends on the configuration; parameters gather in the coefficients. A sum in parentheses starts with a plus.
 Written collected(const Sum& sum, const Layout& layout = {});
+
+/// How the function of a factor is called on paper.
+std::string name_on_paper(const WrittenFactor& call);
 
 /// One row of a selection by cases: its value where the condition holds (>= 0) or does not (< 0), the last one elsewhere.
 struct Case {

@@ -46,6 +46,40 @@ TEST(SelectionsText, IsSetByCasesInLatex) {
   expect_part(text, "\\operatorname{atan2}\\left(y - 2 d, x\\right)");
 }
 
+/// Forces that are minima: alone, of a sum, and of a stop that only presses.
+Scene minima() {
+  Scene scene("minima");
+  const Expression x = scene.coordinate("x", "m"), y = scene.coordinate("y", "m");
+  const FrameHandle along = scene.prismatic("along", scene.ground(), axis::x, x);
+  scene.body("mass", scene.prismatic("mass", along, axis::y, y), Inertia::point(scene.parameter("m", "kg", 2)));
+  const Expression k = scene.parameter("k", "N/m", 40), d = scene.parameter("d", "m", 1);
+  scene.effort("both", x, k * min(x + d, 2 * y));
+  scene.effort("seat", y, k * min(y - d, 0) - k * pow(min(x, y), 2) / d);
+  return scene;
+}
+
+TEST(SelectionsText, WritesAMinimumAsSuch) {
+  const std::string text = print_equations(minima(), Format::text, {});
+  expect_part(text, "k min(x + d, 2 y)");
+  expect_part(text, "-k min(x, y)^2/d + k min(y - d, 0)");
+  EXPECT_EQ(text.find("max(-"), std::string::npos) << text;
+  expect_part(print_equations(minima(), Format::latex, {}), "\\min\\left(x + d, 2 y\\right)");
+  const InlineCheck check = check_inline(minima(), 40, 8, 3);
+  EXPECT_TRUE(check.written_out);
+  EXPECT_LT(check.worst.to_double(), 1e-35) << check.worst_of;
+}
+
+TEST(SelectionsText, NamesAMinimumInErrors) {
+  Scene scene("units");
+  const Expression x = scene.coordinate("x", "m"), t = scene.parameter("tau", "s", 1);
+  try {
+    (void)min(x, t);
+    FAIL();
+  } catch (const UnitError& error) {
+    expect_part(error.what(), "min(x, tau)");
+  }
+}
+
 /// What is printed, at random states of 40 digits, against the program.
 TEST(SelectionsText, SaysWhatTheProgramComputes) {
   for (const Scene& scene : {stops(), testing_scenes::golden_selections()}) {
@@ -58,7 +92,9 @@ TEST(SelectionsText, SaysWhatTheProgramComputes) {
 TEST(SelectionsText, IsReadBack) {
   const Scene scene = stops();
   EXPECT_EQ(parse_formula("max(abs(x), min(y, 2*y))", scene).to_string(),
-            "max(abs(x), -max(-y, -2*y))");
+            "max(abs(x), min(y, 2*y))");
+  EXPECT_EQ(parse_formula("-max(-y, x)", scene).to_string(), "-max(-y, x)");
+  EXPECT_EQ(parse_formula("min(x, y) - 2*min(-x, y)", scene).to_string(), "(min(x, y) + -2*min(-x, y))");
   EXPECT_EQ(parse_formula("atan2(x, y) + sign(x)", scene).to_string(), "(atan2(x, y) + sign(x))");
 }
 
