@@ -130,6 +130,8 @@ TEST_F(Ensemble, DropsWhatFollowsTheLastRecord) {
   const std::string expected = whole();
   run_ensemble(file("longer"), {123, 8, 3}, squares);
   put("results", expected + contents(file("longer")).substr(56 + 7 * 40));
+  ASSERT_EQ(RecordFile(file(), seven).written(), 7U);
+  put("results", expected + contents(file("longer")).substr(56 + 7 * 40));
   EXPECT_EQ(run_ensemble(file(), seven, squares).found, 7U);
   EXPECT_EQ(contents(file()), expected);
 }
