@@ -53,8 +53,8 @@ Scene minima() {
   const FrameHandle along = scene.prismatic("along", scene.ground(), axis::x, x);
   scene.body("mass", scene.prismatic("mass", along, axis::y, y), Inertia::point(scene.parameter("m", "kg", 2)));
   const Expression k = scene.parameter("k", "N/m", 40), d = scene.parameter("d", "m", 1);
-  scene.effort("both", x, k * min(x + d, 2 * y));
-  scene.effort("seat", y, k * min(y - d, 0) - k * pow(min(x, y), 2) / d);
+  scene.generalised_force("both", x, k * min(x + d, 2 * y));
+  scene.generalised_force("seat", y, k * min(y - d, 0) - k * pow(min(x, y), 2) / d);
   return scene;
 }
 
