@@ -106,6 +106,7 @@ int run(int argc, const char* const* argv, const SceneSource& source) {
   add_verification_commands(commands);
   add_statics_commands(commands);
   add_structure_commands(commands);
+  add_report_command(commands);
   if (!read_command_line(app, argc, argv)) return 0;
   const Scene scene = source.make();
   validate(scene);

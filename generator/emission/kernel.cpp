@@ -15,6 +15,7 @@
 #include "generator/emission/kernel_kinematics.hpp"
 #include "generator/emission/kernel_linearisation.hpp"
 #include "generator/emission/kernel_parts.hpp"
+#include "generator/emission/kernel_poses.hpp"
 #include "generator/emission/kernel_regressor.hpp"
 #include "generator/emission/kernel_residual.hpp"
 #include "generator/emission/kernel_second_derivatives.hpp"
@@ -247,7 +248,8 @@ const std::vector<Entry>& entries() {
       {"inverse_dynamics_second_derivatives", make_inverse_dynamics_second_derivatives, no_unknowns, false, true},
       {"forward_dynamics_second_derivatives", make_forward_dynamics_second_derivatives, no_unknowns, true, true},
       {"inverse_dynamics_sensitivities", make_inverse_dynamics_sensitivities, no_sensitivities, false, true},
-      {"forward_dynamics_sensitivities", make_forward_dynamics_sensitivities, no_sensitivities, true, true}};
+      {"forward_dynamics_sensitivities", make_forward_dynamics_sensitivities, no_sensitivities, true, true},
+      {"poses", make_poses, never, false, true}};
   return all;
 }
 

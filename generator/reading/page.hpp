@@ -36,6 +36,9 @@ class Page {
 
 std::unique_ptr<Page> text_page();
 std::unique_ptr<Page> latex_page(bool document);
+/// Folded sections of HTML without a title: every formula as text, with its LaTeX in the attribute data-latex. Whatever
+/// comes from a scene is escaped.
+std::unique_ptr<Page> html_page();
 
 /// A one-letter name such as T or z12 as a sum.
 Written named(const std::string& name);

@@ -263,7 +263,9 @@ class Printer {
 std::string print_equations(const Scene& scene, Format format, const PrintOptions& options) {
   validate(scene);
   const std::unique_ptr<reading::Page> page = reading::with_named_roots(
-      format == Format::text ? reading::text_page() : reading::latex_page(options.document));
+      format == Format::text    ? reading::text_page()
+      : format == Format::latex ? reading::latex_page(options.document)
+                                : reading::html_page());
   reading::Printer(scene, options, *page).print();
   return page->finish();
 }

@@ -12,6 +12,7 @@ namespace torsor {
 enum class Format {
   text,   ///< plain ASCII: theta'' for an acceleration, 1/2 M1 X'^2
   latex,  ///< align* environments
+  html,   ///< folded sections of a report, without its title
 };
 
 struct PrintOptions {

@@ -240,12 +240,12 @@ TEST(SceneProgram, RefusesWhatItDoesNotUnderstand) {
 TEST(SceneProgram, NamesAnUnknownKernelAndTheKnownOnes) {
   for (const char* command : {"counts", "generate"}) {
     expect_failure(
-        run(pendulum, {command, "--output", "/nowhere/x", "--kernels", "mass_matrix,masses"}), 2,
-        "unknown kernel 'masses': known are kinematics, mass_matrix, bias, inverse_dynamics, forward_dynamics, "
+        run(pendulum, {command, "--output", "/nowhere/x", "--kernels", "mass_matrix,weights"}), 2,
+        "unknown kernel 'weights': known are kinematics, mass_matrix, bias, inverse_dynamics, forward_dynamics, "
         "energy, first_integrals, constraints, reactions, linearisation, inverse_dynamics_derivatives, "
                   "forward_dynamics_derivatives, regressor, jets, sparse_constraint_jacobian, residual, residual_jacobian, "
                   "inverse_dynamics_second_derivatives, forward_dynamics_second_derivatives, "
-                  "inverse_dynamics_sensitivities, forward_dynamics_sensitivities, or all");
+                  "inverse_dynamics_sensitivities, forward_dynamics_sensitivities, poses, or all");
   }
 }
 

@@ -1,0 +1,223 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "generator/cli/report.hpp"
+
+#include <algorithm>
+#include <map>
+#include <string_view>
+
+#include <fmt/format.h>
+
+#include "generator/cli/command_texts.hpp"
+#include "generator/cli/katex.hpp"
+#include "generator/dynamics/theorems/unknowns_report.hpp"
+#include "generator/emission/embedded_templates.hpp"
+#include "generator/emission/javascript_module.hpp"
+#include "generator/emission/text_template.hpp"
+#include "generator/expression/error.hpp"
+#include "generator/reading/html_text.hpp"
+#include "generator/reading/print_equations.hpp"
+#include "generator/reading/statics_text.hpp"
+
+namespace torsor {
+namespace {
+
+/// A template without the line that names its licence, which the page says once.
+std::string part(std::string_view name) {
+  const std::string_view text = embedded_template(fmt::format("report/{}", name));
+  return std::string(text.substr(text.find('\n') + 1));
+}
+
+std::string base64(std::string_view hexadecimal) {
+  static constexpr std::string_view letters = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+  const auto digit = [](char c) { return static_cast<unsigned>(c <= '9' ? c - '0' : c - 'a' + 10); };
+  std::string result;
+  for (std::size_t i = 0; i < hexadecimal.size(); i += 6) {  // three bytes, four letters
+    unsigned bits = 0;
+    const std::size_t bytes = std::min<std::size_t>(3, (hexadecimal.size() - i) / 2);
+    for (std::size_t k = 0; k < 3; ++k) {
+      const std::size_t at = i + 2 * k;
+      bits = bits << 8 | (k < bytes ? digit(hexadecimal[at]) << 4 | digit(hexadecimal[at + 1]) : 0U);
+    }
+    for (std::size_t k = 0; k < 4; ++k) result += k <= bytes ? letters[bits >> (18 - 6 * k) & 63U] : '=';
+  }
+  return result;
+}
+
+/// KaTeX's rules without its own font faces, and those fonts that the page carries.
+std::string formula_style() {
+  std::string style(katex_style());
+  for (std::size_t at = style.find("@font-face"); at != std::string::npos; at = style.find("@font-face", at)) {
+    style.erase(at, style.find('}', at) + 1 - at);
+  }
+  for (const KatexFont& font : katex_fonts()) {
+    const std::string name(font.name);
+    const std::string family = name.substr(0, name.find('-'));
+    style += fmt::format(
+        "@font-face{{font-family:KaTeX_{};font-weight:{};font-style:{};src:url(data:font/woff2;base64,{}) "
+        "format('woff2')}}\n",
+        family, name.find("Bold") == std::string::npos ? 400 : 700,
+        name.find("Italic") == std::string::npos ? "normal" : "italic", base64(font.digits));
+  }
+  return style;
+}
+
+bool same_redundancy(const Scene& scene, const ModelOptions& a, const ModelOptions& b) {
+  return Equations(scene, a).redundancy().kept == Equations(scene, b).redundancy().kept;
+}
+
+/// Whether all parameters can be left to the reader of the page.
+ModelOptions options_of_motion(const Scene& scene, const ModelOptions& given) {
+  constexpr std::size_t most = 40;  // parameters that a page can offer: a robot has hundreds
+  if (given.all_run_time || !given.run_time.empty() || scene.content().parameters.size() > most) return given;
+  ModelOptions all = given;
+  all.all_run_time = true;
+  if (scene.content().constraints.empty()) return all;
+  try {
+    if (same_redundancy(scene, given, all)) return all;
+  } catch (const SceneError&) {
+  }
+  return given;
+}
+
+struct Motion {
+  std::string module = "null";
+  std::string remark;  ///< why there is none
+};
+
+Motion motion_of(const Scene& scene, const ModelOptions& given) {
+  std::vector<std::string> names{"forward_dynamics", "energy", "first_integrals", "poses"};
+  if (!scene.content().constraints.empty()) names.insert(names.end(), {"mass_matrix", "constraints"});  // projection
+  const MechanismListing mechanism = lower_mechanism(scene, names, options_of_motion(scene, given));
+  Motion motion;
+  for (const AskedKernel& kernel : mechanism.asked) {
+    if (kernel.name == "forward_dynamics") motion.remark = kernel.skipped;
+  }
+  motion.module = module_as_object(emit_javascript(mechanism));
+  return motion;
+}
+
+/// Words of a command as they stand, folded.
+std::string folded(const std::string& heading, const std::string& text) {
+  return fmt::format("<details><summary><h3>{}</h3></summary>\n<pre>{}</pre>\n</details>\n", html_escaped(heading),
+                     html_lines(text));
+}
+
+/// What another command says, or why it cannot.
+template <class Say>
+std::string words(const Say& say) {
+  try {
+    return say();
+  } catch (const Error& error) {
+    return error.what();
+  }
+}
+
+/// The same where HTML is expected.
+template <class Say>
+std::string markup(const Say& say) {
+  try {
+    return say();
+  } catch (const Error& error) {
+    return fmt::format("<p>{}</p>\n", html_escaped(error.what()));
+  }
+}
+
+std::string picture(const Scene& scene, const std::string& kind) {
+  return markup([&] { return graph_text(scene, "svg", kind, {}); });
+}
+
+/// Definitions that would fill more than a reader reads are left out, and the page says so.
+std::string without_long_definitions(std::string equations) {
+  constexpr std::size_t most = 250'000;  // characters
+  const std::string_view head = "<details open><summary><h3>Definitions</h3></summary>\n";
+  const std::size_t begin = equations.find(head);
+  if (begin == std::string::npos || equations.size() < most) return equations;
+  const std::size_t end = equations.find("</details>\n", begin);
+  equations.replace(begin + head.size(), end - begin - head.size(),
+                    "<p>They are too long for a page: the command equations prints them.</p>\n");
+  return equations;
+}
+
+std::string unknowns_words(const Scene& scene) {
+  ModelOptions options;
+  options.symbolic_parameters = true;
+  return unknowns_report(Equations(scene, options));
+}
+
+std::string script(std::string_view id, const std::string& text) {
+  return fmt::format("<script id=\"{}\">\n{}</script>\n", id, inside_script(text));
+}
+
+}  // namespace
+
+std::string module_as_object(const std::string& module) {
+  std::string body, names;
+  for (std::size_t begin = 0; begin < module.size();) {
+    const std::size_t end = std::min(module.find('\n', begin), module.size());
+    std::string line = module.substr(begin, end - begin);
+    begin = end + 1;
+    static constexpr std::string_view mark = "export ";
+    if (line.starts_with(mark)) {
+      line.erase(0, mark.size());
+      const std::size_t name = line.find(' ') + 1;
+      names += (names.empty() ? "" : ", ") + line.substr(name, line.find_first_of(" (", name) - name);
+    }
+    body += line + "\n";
+  }
+  return "(() => {\n\"use strict\";\n" + body + "return { " + names + " };\n})()";
+}
+
+std::string inside_script(const std::string& text) {
+  std::string result;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    result += text[i];
+    // "</" and "<!" in strings and in patterns mean the same behind a backslash; elsewhere they do not occur.
+    if (text[i] == '<' && i + 1 < text.size() && (text[i + 1] == '/' || text[i + 1] == '!')) result += '\\';
+  }
+  return result;
+}
+
+std::string inside_json(const std::string& text) {
+  std::string result;
+  for (const char c : text) c == '<' ? result += "\\u003c" : result += c;
+  return result;
+}
+
+std::string report_html(const Scene& scene, const ReportOptions& options) {
+  const SceneContent& content = scene.content();
+  const Motion motion = motion_of(scene, options.model);
+  PrintOptions print;
+  print.about = options.about;
+  const std::string equations =
+      without_long_definitions(markup([&] { return print_equations(scene, Format::html, print); }));
+  std::string scripts;
+  scripts += script("mechanism", "globalThis.torsorMechanism = " + motion.module + ";\n");
+  scripts += fmt::format("<script id=\"scene\" type=\"application/json\">{}</script>\n",
+                         inside_json(report_data(scene, options.duration)));
+  for (const char* name : {"integrator", "projection", "motion", "vectors", "shapes", "viewer", "plots", "formulas", "page"}) {
+    scripts += script(name, part(fmt::format("{}.js", name)));
+  }
+  const bool with_katex = !katex_script().empty();
+  const std::string title = content.title.empty() ? content.name : content.title;
+  return fill_template(
+      "report/report.html", embedded_template("report/report.html"),
+      {{"title", html_escaped(title)},
+       {"name", html_escaped(content.name)},
+       {"version", TORSOR_VERSION},
+       {"style", part("style.css")},
+       {"formula_style", formula_style()},
+       {"structure_graph", picture(scene, "structure")},
+       {"analysis_graph", picture(scene, "analysis")},
+       {"structure_words", html_lines(words([&] { return structure_text(scene, {}); }))},
+       {"equations", equations},
+       {"further", folded("Unknowns and equations", words([&] { return unknowns_words(scene); })) +
+                       folded("Equilibrium", words([&] { return statics_text(scene, options.about); }))},
+       {"formula_note", with_katex ? "" : "<p class=\"note\">Formulas are shown as text: KaTeX was not there when torsor was built.</p>\n"},
+       {"motion_note", motion.remark.empty() ? ""
+                                             : fmt::format("<p class=\"note\">There is no motion: {}.</p>\n",
+                                                           html_escaped(motion.remark))},
+       {"katex", with_katex ? script("katex", std::string(katex_script()) + "\n") : ""},
+       {"scripts", scripts}});
+}
+
+}  // namespace torsor

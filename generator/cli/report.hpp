@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "generator/dynamics/motion/model.hpp"
+#include "generator/mechanics/scene.hpp"
+
+namespace torsor {
+
+struct ReportOptions {
+  ModelOptions model;                                      ///< how the kernels of the motion are derived
+  std::vector<std::pair<std::string, std::string>> about;  ///< state of the linearisation
+  double duration = 10.0;                                  ///< of the motion [s]
+};
+
+/// A scene as one HTML file that needs no other: what the mechanism is, its graphs, equations and theorems, and its motion,
+/// which the JavaScript kernels in it integrate. The same bytes for the same scene. Names, units and titles are data: no
+/// text of a scene becomes HTML, JavaScript, LaTeX or SVG.
+///
+/// All parameters become run-time parameters, which the reader can change, unless the options name some, there are more
+/// than 40, or the scene's constraints repeat each other only at the values that it states.
+std::string report_html(const Scene& scene, const ReportOptions& options);
+
+/// An ES module as an expression: an object with everything that it exports.
+std::string module_as_object(const std::string& module);
+/// JavaScript, or JSON, inside a <script> element: no text in it ends the element or begins a comment of HTML.
+std::string inside_script(const std::string& text);
+std::string inside_json(const std::string& text);
+/// What a viewer needs to know of the scene beside its kernels.
+std::string report_data(const Scene& scene, double duration);
+
+}  // namespace torsor

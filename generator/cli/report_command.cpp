@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <memory>
+
+#include <CLI/CLI.hpp>
+
+#include "generator/cli/command_set.hpp"
+#include "generator/cli/kernel_options.hpp"
+#include "generator/cli/report.hpp"
+
+namespace torsor {
+namespace {
+
+struct ReportRequest : KernelOptions {
+  About about;
+  double duration = 10.0;
+};
+
+}  // namespace
+
+void add_report_command(CommandSet& commands) {
+  const auto request = std::make_shared<ReportRequest>();
+  CLI::App& command = commands.add(
+      "report", "write one HTML file: the mechanism, its equations and its motion", [request](const Scene& scene) {
+        return CommandResult{report_html(scene, {request->model(scene), request->about, request->duration})};
+      });
+  command.add_option("--run-time", request->run_time,
+                     "parameters that the page lets its reader change, comma-separated, or all; all that can be when absent");
+  command.add_option("--to", request->duration, "length of the motion [s]")
+      ->capture_default_str()
+      ->check(CLI::Range(1e-6, 1e6));
+  add_about(command, request->about, "state of the linearisation, NAME=VALUE, e.g. theta=0; repeatable");
+}
+
+}  // namespace torsor

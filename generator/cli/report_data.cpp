@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <variant>
+
+#include <nlohmann/json.hpp>
+
+#include "generator/cli/report.hpp"
+#include "generator/expression/printable.hpp"
+#include "generator/mechanics/structure_graph.hpp"
+
+namespace torsor {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+const char* word_of(JointKind kind) {
+  switch (kind) {
+    case JointKind::weld:
+      return "weld";
+    case JointKind::revolute:
+      return "revolute";
+    case JointKind::prismatic:
+      return "prismatic";
+    case JointKind::attitude:
+      return "attitude";
+  }
+  return "";
+}
+
+Json frames_json(const Scene& scene) {
+  const SceneContent& content = scene.content();
+  const StructureGraph graph = structure_graph(scene);
+  Json list = Json::array();
+  for (std::size_t k = 0; k < content.frames.size(); ++k) {
+    const FrameContent& frame = content.frames[k];
+    const int parent = frame.parent ? content.frame_index(*frame.parent, "frame '" + frame.name + "'") : -1;
+    list.push_back({{"name", printable(frame.name)},
+                    {"parent", parent},
+                    {"joint", word_of(frame.joint)},
+                    {"body", graph.body_of_frame[k]}});
+  }
+  return list;
+}
+
+/// Lines between two points: springs, dampers, attractions.
+Json links_json(const SceneContent& content) {
+  Json list = Json::array();
+  const auto add = [&](const char* kind, const auto& action) {
+    const std::string user = "action '" + action.name + "'";
+    list.push_back({{"kind", kind},
+                    {"name", printable(action.name)},
+                    {"a", content.point_index(action.a, user)},
+                    {"b", content.point_index(action.b, user)}});
+  };
+  for (const ActionContent& action : content.actions) {
+    if (const auto* spring = std::get_if<PointSpring>(&action)) add("spring", *spring);
+    if (const auto* damper = std::get_if<PointDamper>(&action)) add("damper", *damper);
+    if (const auto* gravitation = std::get_if<Gravitation>(&action)) add("attraction", *gravitation);
+  }
+  return list;
+}
+
+}  // namespace
+
+std::string report_data(const Scene& scene, double duration) {
+  const SceneContent& content = scene.content();
+  Json json{{"name", printable(content.name)},
+            {"title", printable(content.title)},
+            {"duration", duration},
+            {"frames", frames_json(scene)},
+            {"points", Json::array()},
+            {"bodies", Json::array()},
+            {"links", links_json(content)}};
+  for (const PointContent& point : content.points) {
+    Json each{{"name", printable(point.name)},
+              {"frame", content.frame_index(point.frame, "point '" + point.name + "'")}};
+    if (point.lowest) {
+      each["lowest"] = true;
+      each["plane"] = content.frame_index(point.lowest->plane, "point '" + point.name + "'");
+    }
+    json["points"].push_back(std::move(each));
+  }
+  for (const BodyContent& body : content.bodies) {
+    json["bodies"].push_back({{"name", printable(body.name)},
+                              {"frame", content.frame_index(body.frame, "body '" + body.name + "'")}});
+  }
+  return json.dump();
+}
+
+}  // namespace torsor

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: MIT
+// Formulas become typeset as they scroll into view; where KaTeX is missing, or cannot read one, the text stays.
+(() => {
+"use strict";
+const options = { throwOnError: true, trust: false, strict: "ignore", maxExpand: 100000 };
+
+function typeset(element) {
+  const { latex, inline, mixed } = element.dataset;
+  if (element.dataset.done) return;
+  element.dataset.done = "yes";
+  const text = element.textContent;
+  try {
+    if (latex !== undefined) {
+      katex.render(latex, element, { ...options, displayMode: true });
+    } else if (inline !== undefined) {
+      katex.render(inline, element, options);
+    } else {
+      const parts = mixed.split("$").map((part, i) => {
+        const span = document.createElement("span");
+        if (i % 2 === 0) span.textContent = part;
+        else katex.render(part, span, options);
+        return span;
+      });
+      element.replaceChildren(...parts);
+    }
+  } catch (error) {
+    element.textContent = text;
+    element.classList.add("formula-error");
+    element.title = String(error.message);
+  }
+}
+
+function start() {
+  const formulas = [...document.querySelectorAll("[data-latex], [data-inline], [data-mixed]")];
+  for (const each of formulas) {
+    if (each.dataset.latex === undefined) continue;
+    const button = document.createElement("button");
+    button.type = "button";
+    button.className = "copy";
+    button.textContent = "LaTeX";
+    button.setAttribute("aria-label", "Show the LaTeX of this formula");
+    button.addEventListener("click", () => {
+      const shown = each.parentElement.querySelector("textarea");
+      if (shown) return shown.remove();
+      const area = document.createElement("textarea");
+      area.readOnly = true;
+      area.value = each.dataset.latex;
+      area.rows = Math.min(12, 1 + area.value.split("\n").length + area.value.length / 90);
+      area.setAttribute("aria-label", "LaTeX");
+      each.after(area);
+      area.select();
+      if (navigator.clipboard) navigator.clipboard.writeText(area.value).catch(() => {});
+    });
+    each.parentElement.append(button);
+  }
+  if (typeof katex === "undefined") return;
+  const all = () => formulas.forEach(typeset);
+  torsorReport.typesetAll = all;
+  window.addEventListener("beforeprint", () => {
+    document.querySelectorAll("details").forEach((each) => { each.open = true; });
+    all();
+  });
+  if (typeof IntersectionObserver === "undefined") return all();
+  const observer = new IntersectionObserver((entries) => {
+    for (const entry of entries) {
+      if (!entry.isIntersecting) continue;
+      observer.unobserve(entry.target);
+      typeset(entry.target);
+    }
+  }, { rootMargin: "600px" });
+  formulas.forEach((each) => observer.observe(each));
+}
+
+if (typeof document !== "undefined") start();
+})();

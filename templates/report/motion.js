@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: MIT
+// The motion of a mechanism from its generated kernels, sample by sample.
+(() => {
+"use strict";
+const { Integrator, Projection } = torsorReport;
+
+class Motion {
+  /// Values by name: parameters, inputs, start values of coordinates (`start`) and velocities (`speeds`, which have their
+  /// coordinates' names). What is not named has the value of the scene, or 1 for a parameter without one.
+  constructor(mechanism, { parameters = {}, inputs = {}, start = {}, speeds = {}, interval = 1 / 60, tolerance = 1e-12 } = {}) {
+    Object.assign(this, { mechanism, interval });
+    this.parameters = mechanism.defaultParameters();
+    mechanism.parameters.forEach((each, i) => {
+      if (each.name in parameters) this.parameters[i] = parameters[each.name];
+      else if (Number.isNaN(this.parameters[i])) this.parameters[i] = 1;
+    });
+    this.precomputed = mechanism.precompute(this.parameters);
+    this.inputs = Float64Array.from(mechanism.inputs, (each) => inputs[each.name] ?? 0);
+    this.nq = mechanism.coordinates.length;
+    this.nv = mechanism.velocities.length;
+    this.accelerations = new Float64Array(this.nv);
+    this.multipliers = new Float64Array(mechanism.multipliers.length);
+    this.state = mechanism.initialState(this.parameters);
+    const y = this.state.slice(1);
+    mechanism.coordinates.forEach((each, i) => { y[i] = start[each.name] ?? y[i]; });
+    mechanism.velocities.forEach((each, i) => { y[this.nq + i] = speeds[each.name] ?? y[this.nq + i]; });
+    this.rates = mechanism.coordinate_rates ? new Float64Array(this.nq) : null;
+    this.projection = new Projection(mechanism, this.precomputed);
+    const settle = (t, at) => this.projection.settle(t, at);
+    this.start = Float64Array.from(y);
+    this.samples = [];
+    this.status = "ok";
+    if (!settle(0, y)) this.status = "the constraints could not be closed at the start";
+    else if (!mechanism.forward_dynamics) this.status = "the mechanism's accelerations are not determined";
+    if (this.status !== "ok") {
+      this.samples.push(this.status.startsWith("the mech") ? y : this.start);
+      return;
+    }
+    const needsSettling = mechanism.multipliers.length > 0 || mechanism.quaternions.length > 0;
+    this.integrator = new Integrator((t, at, slope) => this.slope(t, at, slope), 0, y,
+                                     { tolerance, settle: needsSettling ? settle : null, stepLimit: 2e6 });
+    this.status = this.integrator.status;
+    this.samples.push(Float64Array.from(y));
+  }
+
+  slope(t, y, slope) {
+    const { mechanism, state, nq, nv } = this;
+    state[0] = t;
+    state.set(y, 1);
+    const status = mechanism.forward_dynamics(this.precomputed, state, this.inputs, this.accelerations, this.multipliers);
+    if (this.rates) {
+      mechanism.coordinate_rates(this.precomputed, state, this.rates);
+      slope.set(this.rates);
+    } else {
+      for (let i = 0; i < nq; ++i) slope[i] = y[nq + i];
+    }
+    slope.set(this.accelerations, nq);
+    return status === mechanism.Status.ok;
+  }
+
+  /// The time that has been reached.
+  get time() { return (this.samples.length - 1) * this.interval; }
+
+  /// One sample more; false, with a status, where the motion cannot go on.
+  extend() {
+    if (this.status !== "ok") return false;
+    if (!this.integrator.advance(this.samples.length * this.interval)) {
+      this.status = `${this.integrator.status} at t = ${this.integrator.t.toPrecision(6)} s`;
+      return false;
+    }
+    this.samples.push(Float64Array.from(this.integrator.y));
+    return true;
+  }
+
+  /// What a kernel without arguments but the inputs says of sample k.
+  evaluate(name, k) {
+    const kernel = this.mechanism.kernels.find((each) => each.name === name);
+    if (!kernel) return null;
+    const state = new Float64Array(this.mechanism.stateSize), result = new Float64Array(kernel.results[0].size);
+    state[0] = k * this.interval;
+    state.set(this.samples[k], 1);
+    const given = kernel.arguments.map((argument) => this[argument]);
+    this.mechanism[name](this.precomputed, state, ...given, result);
+    const members = {};
+    for (const member of kernel.results[0].members) {
+      const size = member.rows ? member.rows * member.columns : 1;
+      members[member.name] = result.subarray(member.offset, member.offset + size);
+    }
+    return members;
+  }
+}
+
+torsorReport.Motion = Motion;
+})();

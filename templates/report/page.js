@@ -1,0 +1,220 @@
+// SPDX-License-Identifier: MIT
+// The page: what its reader changes restarts the motion; time runs, stops or follows the slider.
+(() => {
+"use strict";
+if (typeof document === "undefined") return;
+const { Motion, Picture, Viewer, Plot, column, label } = torsorReport;
+const mechanism = globalThis.torsorMechanism, scene = JSON.parse(document.getElementById("scene").textContent);
+const element = (id) => document.getElementById(id);
+const still = window.matchMedia("(prefers-reduced-motion: reduce)").matches;
+
+const chosen = { parameters: {}, inputs: {}, start: {}, speeds: {} };
+let until = scene.duration, motion = null, picture = null, viewer = null, plots = [], playing = !still, now = 0, last = 0, told = "", traces = [];
+
+function restart(keepTime) {
+  motion = new Motion(mechanism, chosen);
+  torsorReport.current = motion;
+  if (!keepTime) now = 0;
+  told = "";
+  traces = picture ? picture.traced.map(() => []) : [];
+  plots.forEach((plot) => plot.clear());
+  if (viewer) viewer.changed = true;
+}
+
+function row(parent, { name, unit, value, low, high, change }) {
+  const line = document.createElement("div"), text = document.createElement("span"), slider = document.createElement("input");
+  const number = document.createElement("input"), units = document.createElement("span");
+  line.className = "row";
+  text.textContent = name;
+  units.textContent = unit === "1" ? "" : unit;
+  Object.assign(slider, { type: "range", min: low, max: high, step: "any", value });
+  Object.assign(number, { type: "number", step: "any", value: Number(value.toPrecision(8)) });
+  slider.setAttribute("aria-label", `${name} [${unit}]`);
+  number.setAttribute("aria-label", `${name} [${unit}], as a number`);
+  const set = (next, from) => {
+    if (!Number.isFinite(next)) return;
+    if (from !== slider) slider.value = next;
+    if (from !== number) number.value = Number(next.toPrecision(6));
+    change(next);
+    restart();
+  };
+  slider.addEventListener("input", () => set(Number(slider.value), slider));
+  number.addEventListener("change", () => number.value !== "" && set(Number(number.value), number));
+  line.append(text, slider, number, units);
+  parent.append(line);
+}
+
+function range(value, unit) {
+  if (unit === "rad") return [Math.min(-Math.PI, value - Math.PI), Math.max(Math.PI, value + Math.PI)];
+  if (value === 0) return [-1, 1];
+  return value > 0 ? [0.05 * value, 4 * value] : [4 * value, 0.05 * value];
+}
+
+function heading(parent, text) {
+  const title = document.createElement("h3");
+  title.textContent = text;
+  parent.append(title);
+}
+
+function buildSliders() {
+  const parent = element("sliders"), first = new Motion(mechanism, {});
+  parent.replaceChildren();
+  const known = new Set(mechanism.coordinates.map((each) => each.name));
+  const shown = (symbol) => (mechanism.velocities.includes(symbol) && known.has(symbol.name) ? `${symbol.name}'` : symbol.name);
+  const add = (symbols, title, valueOf, store, limits) => {
+    if (symbols.length === 0) return;
+    heading(parent, title);
+    symbols.forEach((symbol, i) => {
+      const value = valueOf(i), [low, high] = limits(value, symbol.unit);
+      row(parent, { name: shown(symbol), unit: symbol.unit, value, low, high, change: (next) => { store[symbol.name] = next; } });
+    });
+  };
+  add(mechanism.parameters, "Parameters", (i) => first.parameters[i], chosen.parameters, range);
+  add(mechanism.inputs, "Inputs, constant in time", () => 0, chosen.inputs, () => [-10, 10]);
+  const spread = (value, unit) => (unit === "rad" ? range(value, unit) : [Math.min(-1, 2 * value), Math.max(1, 2 * value)]);
+  add(mechanism.coordinates, "Start: coordinates", (i) => first.start[i], chosen.start, spread);
+  add(mechanism.velocities, "Start: velocities", (i) => first.start[first.nq + i], chosen.speeds,
+      (value) => [Math.min(-10, 2 * value), Math.max(10, 2 * value)]);
+}
+
+function buildPlots() {
+  const parent = element("plots"), groups = new Map();
+  mechanism.coordinates.forEach((each, i) => {
+    if (mechanism.quaternions.some((first) => i >= first && i < first + 4)) return;
+    if (!groups.has(each.unit)) groups.set(each.unit, []);
+    groups.get(each.unit).push({ name: each.name, value: (k) => motion.samples[k][i] });
+  });
+  const goTo = (t) => { now = Math.max(0, Math.min(motion.time, t)); pause(); };
+  const add = (title, unit, curves) => { for (let i = 0; i < curves.length; i += 8) plots.push(new Plot(parent, title, unit, curves.slice(i, i + 8), goTo)); };
+  for (const [unit, curves] of groups) add("Coordinates", unit === "1" ? "" : unit, curves);
+  const remember = (name) => {
+    let at = -1, of = null, result = null;
+    return (k) => {
+      if (k !== at || of !== motion) [at, of, result] = [k, motion, motion.evaluate(name, k)];
+      return result;
+    };
+  };
+  const has = (name) => mechanism.kernels.some((each) => each.name === name);
+  if (has("energy")) {
+    const energy = remember("energy");
+    add("Energy", "J", [{ name: "T", value: (k) => energy(k).kinetic[0] },
+                        { name: "-U", value: (k) => -energy(k).force_function[0] },
+                        { name: "T - U", value: (k) => energy(k).kinetic[0] - energy(k).force_function[0] }]);
+  }
+  if (has("first_integrals")) {
+    const integrals = remember("first_integrals");
+    const names = mechanism.kernels.find((each) => each.name === "first_integrals").results[0].members.map((each) => each.name);
+    let first = null, of = null;
+    const change = (name) => (k) => {
+      if (of !== motion) [of, first] = [motion, motion.evaluate("first_integrals", 0)];
+      return integrals(k)[name][0] - first[name][0];
+    };
+    add("First integrals: change since the start (what rounding and steps leave)", "SI", names.map((name) => ({ name, value: change(name) })));
+  }
+}
+
+function pause() {
+  playing = false;
+  element("play").textContent = "Play";
+  plots.forEach((plot) => plot.describe());
+  if (viewer) viewer.changed = true;
+}
+function play() {
+  if (now >= until - 1e-9) now = 0;
+  playing = true;
+  element("play").textContent = "Pause";
+}
+
+function poses(t) {
+  return motion.evaluate("poses", Math.min(motion.samples.length - 1, Math.max(0, Math.round(t / motion.interval))));
+}
+
+function addTraces() {
+  for (let k = traces.length ? traces[0].length / 3 : 0; k < motion.samples.length; ++k) {
+    const at = motion.evaluate("poses", k);
+    picture.traced.forEach((each, i) => traces[i].push(...column(at[each.member], each.k)));
+  }
+}
+
+function frame(stamp) {
+  const passed = last === 0 ? 0 : Math.min(0.1, (stamp - last) / 1000);
+  last = stamp;
+  const budget = performance.now() + 9, before = motion.samples.length;
+  while (motion.time < until - 1e-9 && performance.now() < budget && motion.extend());
+  if (playing) {
+    now = Math.min(now + passed * Number(element("speed").value), motion.time, until);
+    if (now >= until - 1e-9 || motion.status !== "ok" && now >= motion.time - 1e-9) pause();
+  }
+  const fresh = motion.samples.length !== before;
+  if (playing || fresh || !viewer || viewer.changed) show(fresh);
+  requestAnimationFrame(frame);
+}
+
+function show(fresh) {
+  if (fresh || plots.length && plots[0].data[0].length === 0) plots.forEach((plot) => plot.read(motion.samples.length));
+  plots.forEach((plot) => plot.draw(motion.interval, until, now));
+  element("time").max = until;
+  element("time").value = now;
+  element("clock").textContent = `t = ${now.toFixed(2)} s`;
+  if (viewer) {
+    if (element("traces").checked) addTraces();
+    const upTo = 3 * (1 + Math.round(now / motion.interval));
+    const here = poses(now);
+    viewer.target = picture.followed(here, viewer.target);
+    viewer.draw(picture.at(here, element("traces").checked ? traces.map((each) => each.slice(0, upTo)) : [], viewer.target));
+  }
+  const state = motion.status !== "ok" ? `The motion ends: ${motion.status}.`
+    : motion.time < until - 1e-9 ? `Integrated until ${motion.time.toFixed(1)} s`
+    : `Integrated until ${until} s in ${motion.integrator.steps} steps.`;
+  if (state !== told) element("status").textContent = told = state;
+}
+
+function start() {
+  if (!mechanism) return;
+  element("until").value = until;
+  restart();
+  buildSliders();
+  try {
+    const first = motion.evaluate("poses", 0);
+    picture = new Picture(scene, first);
+    const ready = performance.now() + 120;  // what the beginning of the motion reaches is in the first view
+    while (motion.time < until - 1e-9 && performance.now() < ready && motion.extend());
+    const step = Math.max(1, Math.floor(motion.samples.length / 40)), seen = [];
+    for (let k = 0; k < motion.samples.length; k += step) seen.push(motion.evaluate("poses", k));
+    picture.frameAll(seen);
+    viewer = new Viewer(element("view"));
+    viewer.home(picture.camera(first));
+    element("view").setAttribute("aria-label", `${scene.bodies.length} bodies in three dimensions: ${scene.bodies.slice(0, 12).map((each) => each.name).join(", ")}. ` +
+      "Arrow keys turn the picture, plus and minus come nearer and go away, 0 is the first view.");
+    traces = picture.traced.map(() => []);
+  } catch (error) {
+    viewer = null;
+    element("view").replaceWith(Object.assign(document.createElement("p"), { className: "note", textContent: `No picture: ${error.message}.` }));
+  }
+  buildPlots();
+  element("play").addEventListener("click", () => (playing ? pause() : play()));
+  if (!playing) element("play").textContent = "Play";
+  element("time").addEventListener("input", () => { now = Math.min(Number(element("time").value), motion.time); pause(); });
+  element("traces").addEventListener("change", () => { if (viewer) viewer.changed = true; });
+  element("until").addEventListener("change", () => {
+    const wanted = Number(element("until").value);
+    if (wanted > 0) [until, told] = [wanted, ""];
+    if (viewer) viewer.changed = true;
+  });
+  element("restart").addEventListener("click", () => {
+    for (const each of Object.values(chosen)) for (const name of Object.keys(each)) delete each[name];
+    buildSliders();
+    restart();
+  });
+  element("view-home").addEventListener("click", () => viewer && viewer.reset());
+  document.addEventListener("keydown", (event) => {
+    if (event.key === " " && (event.target === document.body || event.target === element("view"))) {
+      event.preventDefault();
+      if (playing) pause();
+      else play();
+    }
+  });
+  requestAnimationFrame(frame);
+}
+start();
+})();

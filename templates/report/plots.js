@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: MIT
+// Curves over time on a canvas, tied to the time of the animation.
+(() => {
+"use strict";
+const colours = ["#2266bb", "#cc4b33", "#33935a", "#985bb3", "#c98f10", "#1a94a6", "#c65a8c", "#72802f"];
+
+function label(value) {
+  if (value === 0) return "0";
+  const size = Math.abs(value);
+  return size >= 1e5 || size < 1e-3 ? value.toExponential(2) : String(Number(value.toPrecision(4)));
+}
+
+class Plot {
+  /// `curves`: [{name, unit, value(k)}]; `words` says for those who do not see it what it shows.
+  constructor(parent, title, unit, curves, onTime) {
+    Object.assign(this, { unit, curves, data: curves.map(() => []) });
+    const figure = document.createElement("figure"), caption = document.createElement("figcaption");
+    caption.textContent = unit ? `${title} [${unit}]` : title;
+    this.canvas = document.createElement("canvas");
+    this.canvas.className = "plot";
+    this.canvas.setAttribute("role", "img");
+    this.legend = document.createElement("ul");
+    this.legend.className = "legend";
+    this.values = curves.map((curve, i) => {
+      const item = document.createElement("li"), mark = document.createElement("span"), value = document.createElement("span");
+      mark.className = "mark";
+      mark.style.background = colours[i % colours.length];
+      value.className = "value";
+      item.append(mark, document.createTextNode(curve.name + " "), value);
+      this.legend.append(item);
+      return value;
+    });
+    this.title = title;
+    figure.append(caption, this.canvas, this.legend);
+    parent.append(figure);
+    const at = (event) => {
+      if (event.type === "pointermove" && event.buttons === 0) return;
+      const box = this.canvas.getBoundingClientRect();
+      onTime(((event.clientX - box.left - 56) / Math.max(1, box.width - 66)) * this.end);
+    };
+    this.canvas.addEventListener("pointerdown", at);
+    this.canvas.addEventListener("pointermove", at);
+  }
+
+  clear() { this.data = this.curves.map(() => []); }
+
+  /// Reads samples that came since.
+  read(count) {
+    this.curves.forEach((curve, i) => {
+      for (let k = this.data[i].length; k < count; ++k) this.data[i].push(curve.value(k));
+    });
+  }
+
+  draw(interval, end, now) {
+    this.end = end;
+    const { canvas } = this, ratio = Math.min(window.devicePixelRatio || 1, 2), box = [canvas.clientWidth, canvas.clientHeight];
+    if (box[0] === 0) return;
+    canvas.width = Math.round(box[0] * ratio), canvas.height = Math.round(box[1] * ratio);
+    const context = canvas.getContext("2d"), style = getComputedStyle(canvas);
+    context.scale(ratio, ratio);
+    context.font = "11px system-ui, sans-serif";
+    let low = Infinity, high = -Infinity;
+    for (const data of this.data) for (const value of data) if (Number.isFinite(value)) [low, high] = [Math.min(low, value), Math.max(high, value)];
+    if (!(low <= high)) [low, high] = [-1, 1];
+    const least = 1e-12 * Math.max(1e-6, Math.abs(low), Math.abs(high));
+    if (high - low < least) [low, high] = [low - Math.max(least, 0.5 * Math.abs(low) || 1), high + Math.max(least, 0.5 * Math.abs(high) || 1)];
+    const left = 56, right = box[0] - 10, top = 8, bottom = box[1] - 18;
+    const x = (t) => left + ((right - left) * t) / end, y = (v) => bottom - ((bottom - top) * (v - low)) / (high - low);
+    context.strokeStyle = style.getPropertyValue("--line");
+    context.fillStyle = style.color;
+    context.lineWidth = 1;
+    const stepY = torsorReport.niceStep((high - low) / 4), stepX = torsorReport.niceStep(end / 6);
+    context.textAlign = "right";
+    for (let v = Math.ceil(low / stepY) * stepY; v <= high + 1e-9 * stepY; v += stepY) {
+      line(context, left, y(v), right, y(v));
+      context.fillText(label(Math.abs(v) < 1e-9 * stepY ? 0 : v), left - 4, y(v) + 4);
+    }
+    context.textAlign = "center";
+    for (let t = 0; t <= end * (1 + 1e-9); t += stepX) {
+      line(context, x(t), top, x(t), bottom);
+      context.fillText(label(t), x(t), bottom + 13);
+    }
+    context.lineWidth = 1.6;
+    this.data.forEach((data, i) => {
+      context.strokeStyle = colours[i % colours.length];
+      context.beginPath();
+      const stride = Math.max(1, Math.floor(data.length / (2 * (right - left))));
+      for (let k = 0; k < data.length; k += stride) {
+        if (k === 0) context.moveTo(x(0), y(data[0]));
+        else context.lineTo(x(k * interval), y(data[k]));
+      }
+      context.stroke();
+    });
+    context.strokeStyle = style.color;
+    context.lineWidth = 1;
+    line(context, x(now), top, x(now), bottom);
+    const k = Math.round(now / interval);
+    this.values.forEach((value, i) => {
+      value.textContent = k < this.data[i].length ? label(this.data[i][k]) : "";
+    });
+  }
+
+  /// Words for the picture, when the motion stands still.
+  describe() {
+    const ranges = this.curves.map((curve, i) => {
+      const data = this.data[i].filter(Number.isFinite);
+      const [low, high] = data.reduce(([a, b], v) => [Math.min(a, v), Math.max(b, v)], [Infinity, -Infinity]);
+      return `${curve.name} between ${label(low)} and ${label(high)}`;
+    });
+    this.canvas.setAttribute("aria-label", `${this.title} over time: ${ranges.join("; ")} ${this.unit}`);
+  }
+}
+
+function line(context, x1, y1, x2, y2) {
+  context.beginPath();
+  context.moveTo(x1, y1);
+  context.lineTo(x2, y2);
+  context.stroke();
+}
+
+Object.assign(torsorReport, { Plot, label });
+})();

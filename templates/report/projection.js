@@ -1,0 +1,172 @@
+// SPDX-License-Identifier: MIT
+// States on their constraints by the least change in the metric of the masses (Hairer-Wanner II, VII.2; Lubich, Engstler,
+// Nowak, Poehle 1995); constraints that repeat others are left out.
+(() => {
+"use strict";
+
+/// Lower Cholesky factor of a symmetric matrix stored column by column, or null where it is not positive.
+function cholesky(matrix, n) {
+  const factor = Float64Array.from(matrix);
+  for (let j = 0; j < n; ++j) {
+    for (let k = 0; k < j; ++k) for (let i = j; i < n; ++i) factor[j * n + i] -= factor[k * n + i] * factor[k * n + j];
+    const pivot = factor[j * n + j];
+    if (!(pivot > 1e-14 * Math.abs(matrix[j * n + j]))) return null;
+    for (let i = j; i < n; ++i) factor[j * n + i] /= Math.sqrt(pivot);
+  }
+  return factor;
+}
+
+/// The least change dv, in the metric of the factor L L', with A dv = right for the given rows of A (m rows, n columns,
+/// column by column). Rows that others repeat within 1e-9 are left out.
+function leastChange(jacobian, m, n, factor, rows, right) {
+  // Rows of A L'^-1, made orthonormal, the longest remainder first.
+  const own = rows.map((row) => {
+    const b = Float64Array.from({ length: n }, (_, j) => jacobian[j * m + row]);
+    for (let j = 0; j < n; ++j) {
+      for (let k = 0; k < j; ++k) b[j] -= factor[k * n + j] * b[k];
+      b[j] /= factor[j * n + j];
+    }
+    const size = Math.hypot(...b);
+    return { b, right: right[row], size };
+  }).filter((each) => each.size > 0);
+  const basis = [], change = new Float64Array(n);
+  const dot = (a, b) => a.reduce((sum, value, i) => sum + value * b[i], 0);
+  while (own.length > 0) {
+    let best = 0, share = -1;
+    own.forEach((each, i) => {
+      const left = Math.hypot(...each.b) / each.size;
+      if (left > share) [best, share] = [i, left];
+    });
+    if (share < 1e-9) break;
+    const [{ b, right: value }] = own.splice(best, 1);
+    for (const e of basis) {  // once more: what is left of nearly dependent rows
+      const along = dot(b, e.b);
+      for (let i = 0; i < n; ++i) b[i] -= along * e.b[i];
+    }
+    const length = Math.hypot(...b);
+    const e = b.map((entry) => entry / length), coefficient = value / length;
+    basis.push({ b: e });
+    for (let i = 0; i < n; ++i) change[i] += coefficient * e[i];
+    for (const each of own) {
+      const along = dot(each.b, e);
+      for (let i = 0; i < n; ++i) each.b[i] -= along * e[i];
+      each.right -= along * coefficient;
+    }
+  }
+  for (let j = n - 1; j >= 0; --j) {  // L' dv = change
+    for (let k = j + 1; k < n; ++k) change[j] -= factor[j * n + k] * change[k];
+    change[j] /= factor[j * n + j];
+  }
+  return change;
+}
+
+/// Puts states of a mechanism onto its constraints, and gives quaternions their norm.
+class Projection {
+  constructor(mechanism, precomputed) {
+    Object.assign(this, { mechanism, precomputed });
+    this.nq = mechanism.coordinates.length;
+    this.nv = mechanism.velocities.length;
+    const kernel = mechanism.kernels.find((each) => each.name === "constraints");
+    if (!kernel) return;
+    const result = kernel.results[0];
+    this.m = mechanism.multipliers.length;
+    this.result = new Float64Array(result.size);
+    this.at = Object.fromEntries(result.members.map((member) => [member.name, member.offset]));
+    this.mass = new Float64Array(this.nv * this.nv);
+    this.rates = new Float64Array(this.nq);
+    this.state = new Float64Array(mechanism.stateSize);
+    this.holonomic = null;
+  }
+
+  normalise(y) {
+    for (const first of this.mechanism.quaternions) {
+      const norm = Math.hypot(y[first], y[first + 1], y[first + 2], y[first + 3]);
+      for (let i = first; i < first + 4; ++i) y[i] /= norm;
+    }
+  }
+
+  read(t, y) {
+    this.state[0] = t;
+    this.state.set(y, 1);
+    this.mechanism.constraints(this.precomputed, this.state, this.result);
+    const { at, m, nv } = this;
+    this.jacobian = this.result.subarray(at.jacobian, at.jacobian + m * nv);
+    this.value = this.result.subarray(at.value, at.value + m);
+    this.rate = this.result.subarray(at.rate, at.rate + m);
+    this.scale = Array.from({ length: m }, (_, row) => {
+      let sum = 0;
+      for (let j = 0; j < nv; ++j) sum += Math.abs(this.jacobian[j * m + row]);
+      return Math.max(sum, 1e-300);
+    });
+    return this.result.every(Number.isFinite);
+  }
+
+  /// The value of a constraint on velocities alone is 0 wherever it is read: found by moving along both ways.
+  findHolonomic(t, y) {
+    const seen = new Set();
+    for (const sign of [0, 1, -1]) {
+      const there = Float64Array.from(y);
+      this.displace(t, there, Float64Array.from({ length: this.nv }, (_, i) => sign * 1e-3 * Math.sin(1 + 7 * i)));
+      this.read(t, there);
+      this.value.forEach((value, row) => { if (value !== 0) seen.add(row); });
+    }
+    this.holonomic = [...seen].sort((a, b) => a - b);
+  }
+
+  displace(t, y, change) {
+    if (typeof this.mechanism.coordinate_rates === "function") {
+      this.state[0] = t;
+      this.state.set(y, 1);
+      this.state.set(change, 1 + this.nq);
+      this.mechanism.coordinate_rates(this.precomputed, this.state, this.rates);
+      for (let i = 0; i < this.nq; ++i) y[i] += this.rates[i];
+      this.normalise(y);
+    } else {
+      for (let i = 0; i < this.nq; ++i) y[i] += change[i];
+    }
+  }
+
+  metric() {
+    const { nv } = this;
+    if (this.mechanism.mass_matrix) {
+      this.mechanism.mass_matrix(this.precomputed, this.state, this.mass);
+      const factor = cholesky(this.mass, nv);
+      if (factor) return factor;
+    }
+    return Float64Array.from({ length: nv * nv }, (_, i) => (i % (nv + 1) === 0 ? 1 : 0));
+  }
+
+  largest(values, rows) {
+    return rows.reduce((most, row) => Math.max(most, Math.abs(values[row]) / this.scale[row]), 0);
+  }
+
+  /// False where the constraints cannot be closed near y.
+  settle(t, y) {
+    this.normalise(y);
+    if (!this.m) return y.every(Number.isFinite);
+    if (!this.holonomic) this.findHolonomic(t, y);
+    const { m, nv, nq, holonomic } = this, all = Array.from({ length: m }, (_, row) => row);
+    const sizes = y.subarray(0, nq).reduce((most, value) => Math.max(most, Math.abs(value)), 1);
+    if (!this.read(t, y)) return false;
+    let before = Infinity;
+    for (let round = 0; round < 40; ++round) {
+      const open = this.largest(this.value, holonomic);
+      if (open <= 1e-15 * sizes || (open >= before / 2 && open <= 1e-12 * sizes)) break;
+      if (round > 20 && !(open < before)) return false;
+      before = open;
+      this.displace(t, y, leastChange(this.jacobian, m, nv, this.metric(), holonomic, this.value.map((f) => -f)));
+      if (!this.read(t, y)) return false;
+    }
+    if (this.largest(this.value, holonomic) > 1e-9 * sizes) return false;
+    for (let round = 0; round < 2; ++round) {
+      const change = leastChange(this.jacobian, m, nv, this.metric(), all, this.rate.map((rate) => -rate));
+      for (let i = 0; i < nv; ++i) y[nq + i] += change[i];
+      if (!this.read(t, y)) return false;
+    }
+    const speeds = y.subarray(nq).reduce((most, value) => Math.max(most, Math.abs(value)), 1);
+    return this.largest(this.rate, all) <= 1e-9 * speeds;
+  }
+}
+
+torsorReport.Projection = Projection;
+})();

@@ -1,0 +1,270 @@
+// SPDX-License-Identifier: MIT
+// From the poses of a scene to shapes: joints by their type, rods between joints, discs, ellipsoids of inertia.
+(() => {
+"use strict";
+const { add, scaled, dot, cross, length, unit, triad, principal } = torsorReport.vectors;
+
+const palette = [[0.55, 0.57, 0.6], [0.13, 0.4, 0.75], [0.8, 0.3, 0.2], [0.2, 0.58, 0.35], [0.6, 0.36, 0.7],
+                 [0.83, 0.6, 0.12], [0.1, 0.58, 0.65], [0.78, 0.35, 0.55], [0.45, 0.5, 0.2], [0.5, 0.35, 0.25]];
+const steel = [0.35, 0.37, 0.4];
+const colourOf = (body) => (body === 0 ? palette[0] : palette[1 + ((body - 1) % (palette.length - 1))]);
+
+const column = (member, k) => [member[3 * k], member[3 * k + 1], member[3 * k + 2]];
+
+function cylinder(from, to, radius, colour, mesh = "cylinder") {
+  const along = add(to, from, -1), [x, y] = triad(along);
+  return { mesh, x: scaled(x, radius), y: scaled(y, radius), z: along, origin: from, colour };
+}
+function ball(origin, radius, colour) {
+  return { mesh: "sphere", x: [radius, 0, 0], y: [0, radius, 0], z: [0, 0, radius], origin, colour };
+}
+
+/// What is drawn of a scene, decided once at its first pose: sizes, and which places of a body are joined by rods.
+class Picture {
+  constructor(scene, poses) {
+    this.scene = scene;
+    const places = [];
+    scene.frames.forEach((_, k) => places.push(column(poses.origins, k), column(poses.anchors, k)));
+    scene.bodies.forEach((_, k) => places.push(column(poses.centres, k)));
+    scene.points.forEach((_, k) => places.push(column(poses.points, k)));
+    const low = [0, 1, 2].map((i) => Math.min(...places.map((p) => p[i])));
+    const high = [0, 1, 2].map((i) => Math.max(...places.map((p) => p[i])));
+    this.middle = scaled(add(low, high), 0.5);
+    const extents = scene.bodies.map((_, k) => {
+      const m = poses.masses[k], trace = poses.inertias[6 * k] + poses.inertias[6 * k + 1] + poses.inertias[6 * k + 2];
+      return m > 0 && trace > 0 ? Math.sqrt((1.5 * trace) / m) : 0;
+    });
+    const radii = scene.points.map((_, k) => poses.radii[k]);
+    this.size = Math.max(length(add(high, low, -1)) / 2, 0.9 * Math.max(0, ...extents), 1.4 * Math.max(0, ...radii)) || 1;
+    this.low = low;
+    const gravity = column(poses.gravity, 0);
+    const axes = scene.frames.map((frame, k) => (frame.joint === "revolute" ? column(poses.axes, k) : null)).filter(Boolean);
+    const planar = axes.length > 0 && axes.every((axis) => Math.abs(dot(axis, axes[0])) > 0.999);
+    this.across = planar ? axes[0] : null;  // the direction about which all joints turn
+    this.up = length(gravity) > 0 ? unit(scaled(gravity, -1)) : planar && Math.abs(axes[0][2]) > 0.9 ? [0, 1, 0] : [0, 0, 1];
+    this.round = new Map();  // body -> frames that carry a disc or a sphere
+    scene.points.forEach((point) => point.lowest && this.round.set(point.frame, true));
+    this.sortFrames();
+    this.findRods(poses);
+    this.findTraces();
+  }
+
+  /// Frames that move, by the rigid body at their end, outermost last.
+  sortFrames() {
+    const { frames } = this.scene, depth = (k) => (frames[k].parent < 0 ? 0 : 1 + depth(frames[k].parent));
+    this.ofBody = new Map();
+    frames.forEach((frame, k) => {
+      if (frame.joint === "weld") return;
+      if (!this.ofBody.has(frame.body)) this.ofBody.set(frame.body, []);
+      this.ofBody.get(frame.body).push(k);
+    });
+    for (const list of this.ofBody.values()) list.sort((a, b) => depth(a) - depth(b));
+  }
+
+  findRods(poses) {
+    const { scene, size } = this;
+    this.rods = [];
+    this.linked = new Set();  // bodies whose rods lead from joint to joint: they need no ellipsoid
+    for (const [body, list] of this.ofBody) {
+      if (body === 0) continue;
+      const main = list[list.length - 1], start = column(poses.origins, main), taken = [start];
+      const join = (member, k, thick) => {
+        const place = column(poses[member], k);
+        if (taken.some((other) => length(add(place, other, -1)) < 1e-6 * size)) return;
+        taken.push(place);
+        this.rods.push({ body, main, member, k, thick });
+        if (member === "anchors" || member === "origins") this.linked.add(body);
+      };
+      const { frames } = scene;
+      frames.forEach((frame, k) => {
+        const first = frame.parent >= 0 && frame.body !== body && frames[frame.parent].body === body;
+        if (first && frame.joint !== "weld") join("anchors", k, true);
+        if (frame.joint === "weld" && frame.body === body) join("origins", k, true);
+      });
+      scene.bodies.forEach((each, k) => frames[each.frame].body === body && join("centres", k, true));
+      scene.points.forEach((each, k) => frames[each.frame].body === body && !each.lowest && join("points", k, false));
+    }
+  }
+
+  /// Named points that a body carries, else the centres of the outermost bodies.
+  findTraces() {
+    const { scene } = this, { frames } = scene;
+    this.traced = scene.points.map((point, k) => ({ member: "points", k, body: frames[point.frame].body }))
+      .filter((each) => each.body !== 0);
+    if (this.traced.length === 0) {
+      const inner = new Set(frames.filter((frame) => frame.parent >= 0 && frames[frame.parent].body !== frame.body)
+        .map((frame) => frames[frame.parent].body));
+      scene.bodies.forEach((each, k) => {
+        const body = frames[each.frame].body;
+        if (body !== 0 && !inner.has(body)) this.traced.push({ member: "centres", k, body });
+      });
+    }
+    this.traced = this.traced.slice(0, 8);
+  }
+
+  /// The middle and the size of everything in some poses, unless it runs away.
+  frameAll(allPoses) {
+    let low = [Infinity, Infinity, Infinity], high = low.map((v) => -v);
+    const include = (place) => {
+      low = low.map((v, i) => Math.min(v, place[i]));
+      high = high.map((v, i) => Math.max(v, place[i]));
+    };
+    for (const poses of allPoses) {
+      this.scene.bodies.forEach((_, k) => include(column(poses.centres, k)));
+      this.scene.frames.forEach((_, k) => include(column(poses.anchors, k)));
+      this.traced.forEach((each) => include(column(poses[each.member], each.k)));
+    }
+    const half = length(add(high, low, -1)) / 2;
+    if (!(half < 4 * this.size)) return;
+    this.reach = Math.max(half, this.size);
+    this.middle = scaled(add(low, high), 0.5);
+  }
+
+  /// Where the camera looks: it follows a mechanism that leaves the view.
+  followed(poses, target) {
+    const places = this.scene.bodies.map((_, k) => column(poses.centres, k));
+    if (places.length === 0) return target;
+    const away = add(scaled(places.reduce((sum, place) => add(sum, place)), 1 / places.length), target, -1);
+    const free = 0.8 * (this.reach ?? this.size), distance = length(away);
+    return distance > free ? add(target, away, 1 - free / distance) : target;
+  }
+
+  /// Where a camera sees the most: across the axes where all joints turn about one direction.
+  camera(poses) {
+    const [x, y] = triad(this.up), across = this.across;
+    let from = add(add(scaled(x, 0.5), y, -1), this.up, 0.5);
+    if (across && Math.abs(dot(across, this.up)) < 0.1) {
+      const towards = scaled(across, across[2] > 0.5 || across[1] < -0.5 || across[0] < -0.5 ? 1 : -1);
+      from = add(add(towards, this.up, 0.25), cross(this.up, towards), 0.35);
+    }
+    return { target: this.middle, up: this.up, from, size: 1.1 * (this.reach ?? this.size) };
+  }
+
+  /// Shapes and lines of one pose; `traces` are lists of places.
+  at(poses, traces, target = this.middle) {
+    const { scene, size } = this, shapes = [], lines = [];
+    this.joints(poses, shapes);
+    for (const rod of this.rods) {
+      const from = column(poses.origins, rod.main), to = column(poses[rod.member], rod.k);
+      if (length(add(to, from, -1)) > 1e-9 * size) shapes.push(cylinder(from, to, (rod.thick ? 0.02 : 0.008) * size, colourOf(rod.body)));
+      if (rod.member === "points") shapes.push(ball(to, 0.018 * size, colourOf(rod.body)));
+    }
+    scene.bodies.forEach((each, k) => this.inertia(each, k, poses, shapes));
+    scene.points.forEach((each, k) => each.lowest && this.rim(each, k, poses, shapes, lines));
+    for (const link of scene.links) this.link(link, poses, shapes, lines);
+    this.grid(poses, lines, target);
+    traces.forEach((points, i) => points.length > 3 && lines.push({ points, colour: scaled(add([0.25, 0.25, 0.25], colourOf(this.traced[i].body), 0.75), 1) }));
+    return { shapes, lines };
+  }
+
+  joints(poses, shapes) {
+    const { size } = this;
+    for (const [body, list] of this.ofBody) {
+      for (const k of list) {
+        const frame = this.scene.frames[k], origin = column(poses.origins, k), axis = column(poses.axes, k);
+        if (frame.joint === "revolute" && list.length <= 3) {
+          shapes.push(cylinder(add(origin, axis, -0.045 * size), add(origin, axis, 0.045 * size), 0.028 * size, steel));
+        } else if (frame.joint === "prismatic" && list.length <= 2) {
+          const anchor = column(poses.anchors, k), [x, y] = triad(axis), half = 0.05 * size;
+          shapes.push(cylinder(add(anchor, axis, -0.9 * size), add(anchor, axis, 0.9 * size), 0.008 * size, steel));
+          shapes.push({ mesh: "box", x: scaled(x, half), y: scaled(y, half), z: scaled(axis, 1.5 * half), origin, colour: colourOf(body) });
+        } else if (frame.joint === "attitude") {
+          shapes.push(ball(origin, 0.035 * size, steel));
+        }
+      }
+    }
+  }
+
+  /// The ellipsoid with the same mass and moments, in the proportion in which a rod's is as long as the rod.
+  inertia(body, k, poses, shapes) {
+    const rigid = this.scene.frames[body.frame].body, colour = colourOf(rigid), centre = column(poses.centres, k);
+    const m = poses.masses[k];
+    if (this.round.get(body.frame) || !(m > 0)) return;
+    const { values, axes } = principal(poses.inertias.subarray(6 * k, 6 * k + 6));
+    const trace = values[0] + values[1] + values[2];
+    if (!(trace > 0) || this.linked.has(rigid)) {
+      shapes.push(ball(centre, (trace > 0 ? 0.035 : 0.05) * this.size, colour));
+      return;
+    }
+    const rotation = [0, 1, 2].map((j) => column(poses.rotations, 3 * body.frame + j));
+    const turned = (v) => add(add(scaled(rotation[0], v[0]), rotation[1], v[1]), rotation[2], v[2]);
+    const [x, y, z] = axes.map((axis, i) => {
+      const half = Math.sqrt(Math.max(0, (1.5 * (trace - 2 * values[i])) / m));
+      return scaled(turned(axis), Math.min(1.2 * this.size, Math.max(0.03 * this.size, half)));
+    });
+    shapes.push({ mesh: "sphere", x, y, z, origin: centre, colour });
+  }
+
+  /// A disc, or a sphere, that touches a plane: with spokes, which show how it turns.
+  rim(point, k, poses, shapes, lines) {
+    const radius = poses.radii[k], frame = point.frame, colour = colourOf(this.scene.frames[frame].body);
+    if (!(radius > 0)) return;
+    const origin = column(poses.origins, frame), axis = column(poses.rims, k);
+    const [x, y, z] = [0, 1, 2].map((j) => column(poses.rotations, 3 * frame + j));
+    if (length(axis) === 0) {
+      shapes.push(ball(origin, radius, colour));
+      for (const [u, v] of [[x, y], [y, z], [z, x]]) lines.push({ points: circle(origin, scaled(u, 1.01 * radius), scaled(v, 1.01 * radius)), colour: steel });
+      return;
+    }
+    const n = unit(axis), half = 0.012 * this.size;
+    shapes.push(cylinder(add(origin, n, -half), add(origin, n, half), radius, colour));
+    const across = [x, y, z].reduce((best, v) => (Math.abs(dot(v, n)) < Math.abs(dot(best, n)) - 1e-9 ? v : best));
+    const spoke = unit(add(across, n, -dot(across, n))), other = cross(n, spoke);
+    for (const [u, v] of [[spoke, other], [other, spoke]]) {
+      shapes.push({ mesh: "box", x: scaled(u, 0.96 * radius), y: scaled(v, 0.02 * radius), z: scaled(n, 1.6 * half), origin, colour: steel });
+    }
+  }
+
+  link(link, poses, shapes, lines) {
+    const a = column(poses.points, link.a), b = column(poses.points, link.b), along = add(b, a, -1), far = length(along);
+    if (!(far > 1e-9 * this.size)) return;
+    if (link.kind === "damper") {
+      shapes.push(cylinder(a, add(a, along, 0.6), 0.02 * this.size, steel), cylinder(a, b, 0.007 * this.size, steel));
+    } else if (link.kind === "attraction") {
+      lines.push({ points: [...a, ...b], colour: steel });
+    } else {
+      const [x, y] = triad(along), points = [], turns = 10, radius = 0.03 * this.size;
+      for (let i = 0; i <= 200; ++i) {
+        const angle = (2 * Math.PI * turns * i) / 200, edge = i < 10 || i > 190 ? 0 : radius;
+        points.push(...add(add(add(a, along, i / 200), x, edge * Math.cos(angle)), y, edge * Math.sin(angle)));
+      }
+      lines.push({ points, colour: [0.7, 0.45, 0.1] });
+    }
+  }
+
+  /// A floor across gravity below the first pose, or the planes on which the mechanism rolls.
+  grid(poses, lines, target) {
+    const planes = [...new Set(this.scene.points.filter((each) => each.lowest).map((each) => each.plane))];
+    const put = (origin, x, y) => {
+      const points = [], step = niceStep((this.reach ?? this.size) / 2.5), count = 6;
+      for (const axis of [x, y]) {  // under the camera's target, on lines of the same grid
+        origin = add(origin, axis, step * Math.round(dot(add(target, origin, -1), axis) / step));
+      }
+      for (let i = -count; i <= count; ++i) {
+        for (const [u, v] of [[x, y], [y, x]]) {
+          points.push(...add(add(origin, u, i * step), v, -count * step), ...add(add(origin, u, i * step), v, count * step));
+        }
+      }
+      lines.push({ points, colour: [0.62, 0.64, 0.67], pairs: true });
+    };
+    for (const plane of planes) put(column(poses.origins, plane), column(poses.rotations, 3 * plane), column(poses.rotations, 3 * plane + 1));
+    if (planes.length > 0) return;
+    const [x, y] = triad(this.up), down = add(this.middle, this.up, -1.05 * this.size);
+    put(down, x, y);
+  }
+}
+
+function circle(origin, u, v) {
+  const points = [];
+  for (let i = 0; i <= 48; ++i) points.push(...add(add(origin, u, Math.cos((Math.PI * i) / 24)), v, Math.sin((Math.PI * i) / 24)));
+  return points;
+}
+
+/// 1, 2 or 5 times a power of ten, near the given length.
+function niceStep(wanted) {
+  const power = 10 ** Math.floor(Math.log10(wanted)), rest = wanted / power;
+  return power * (rest < 1.5 ? 1 : rest < 3.5 ? 2 : rest < 7.5 ? 5 : 10);
+}
+
+Object.assign(torsorReport, { Picture, column, niceStep, palette });
+})();

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// motion.mjs PROGRAM NAME REFERENCE FOLDER: the integrator of a report's page, run here, ends where the reference motion in
+// 40 digits does, and a parameter that is changed changes the motion.
+import { execFileSync } from "node:child_process";
+import { mkdirSync, readFileSync } from "node:fs";
+import { join } from "node:path";
+import vm from "node:vm";
+
+const [program, name, reference, folder] = process.argv.slice(2);
+mkdirSync(folder, { recursive: true });
+const file = join(folder, `${name}.html`);
+execFileSync(program, ["report", "--output", file]);
+const page = readFileSync(file, "utf8");
+
+const context = vm.createContext({});
+for (const id of ["mechanism", "integrator", "projection", "motion"]) {
+  vm.runInContext(new RegExp(`<script id="${id}">\n([^]*?)</script>`).exec(page)[1], context);
+}
+const { torsorMechanism: mechanism, torsorReport } = context;
+const failures = [];
+
+const [header, ...rows] = readFileSync(reference, "utf8").split("\n").filter((line) => line && !line.startsWith("#"));
+const columns = header.split(",").length - 1;
+const motion = new torsorReport.Motion(mechanism);
+let worst = 0;
+for (const row of rows) {
+  const [time, ...wanted] = row.split(",").map(Number);
+  if (!motion.integrator.advance(time)) {
+    failures.push(`the motion ended: ${motion.integrator.status}`);
+    break;
+  }
+  if (motion.integrator.y.length !== columns) failures.push(`${columns} columns for ${motion.integrator.y.length} numbers`);
+  wanted.forEach((value, i) => { worst = Math.max(worst, Math.abs(motion.integrator.y[i] - value) / Math.max(1, Math.abs(value))); });
+}
+// Steps keep 1e-12 each; there are at most a thousand of them.
+if (!(worst < 1e-9)) failures.push(`the end is off by ${worst}`);
+
+const parameter = mechanism.parameters.find((each) => each.name === "g" || each.name.startsWith("m")) ?? mechanism.parameters[0];
+if (parameter) {
+  const place = mechanism.parameters.indexOf(parameter);
+  const other = new torsorReport.Motion(mechanism, { parameters: { [parameter.name]: 1.1 * motion.parameters[place] } });
+  if (other.status === "ok" && other.parameters[place] === motion.parameters[place]) failures.push("a parameter was not set");
+}
+// A coordinate and its velocity have one name, and start where each is told to.
+const [first] = mechanism.coordinates;
+if (first && mechanism.multipliers.length === 0 && mechanism.quaternions.length === 0) {
+  const other = new torsorReport.Motion(mechanism, { start: { [first.name]: 0.125 }, speeds: { [first.name]: 0.5 } });
+  if (other.start[0] !== 0.125 || other.start[other.nq] !== 0.5) failures.push("start values are not what was asked for");
+}
+if (page.length > 1.2e6) failures.push(`the page has ${page.length} characters`);
+console.log(`${name}: ${rows.length} times, off by ${worst}, ${motion.integrator.steps} steps, ${page.length} characters`);
+for (const each of failures) console.error(each);
+process.exit(failures.length > 0 ? 1 : 0);

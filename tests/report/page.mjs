@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// page.mjs BROWSER KATEX FOLDER PROGRAM...: reports of scene programs (or of "torsor FILE") as a browser sees them: no
+// complaint, no request, every formula typeset (where KATEX is 1), a motion that a slider changes, everything within
+// reach of the keyboard.
+import { execFileSync } from "node:child_process";
+import { mkdirSync, statSync } from "node:fs";
+import { basename, join } from "node:path";
+import { Browser } from "./browser.mjs";
+
+const [program, katex, folder, ...scenes] = process.argv.slice(2);
+mkdirSync(folder, { recursive: true });
+const browser = await Browser.start(program);
+let failed = false;
+
+for (const scene of scenes) {
+  const [tool, ...files] = scene.split(" "), failures = [];
+  const file = join(folder, `${basename(files[0] ?? tool)}.html`);
+  execFileSync(tool, ["report", ...files, "--output", file], { stdio: ["ignore", "ignore", "ignore"] });
+  const expect = (holds, text) => { if (!holds) failures.push(text); };
+  await browser.open(file);
+
+  expect(await browser.evaluate("typeof hacked") === "undefined", "a name of the scene became a script");
+  expect(await browser.evaluate("document.querySelectorAll('img, iframe, object, embed, link, base, form').length") === 0, "there are elements that no report has");
+  const formulas = await browser.evaluate(`(() => {
+    if (torsorReport.typesetAll) torsorReport.typesetAll();
+    const all = [...document.querySelectorAll("[data-latex], [data-inline]")];
+    return { count: all.length, errors: [...document.querySelectorAll(".katex-error, .formula-error")].map((e) => e.title + ": " + e.textContent.slice(0, 200)).slice(0, 3),
+             set: all.filter((each) => each.querySelector(".katex")).length };
+  })()`);
+  expect(formulas.count > 3, "there are hardly any formulas");
+  expect(formulas.errors.length === 0, `formulas are not typeset: ${formulas.errors.join("; ")}`);
+  expect(formulas.set === (katex === "1" ? formulas.count : 0), `${formulas.set} of ${formulas.count} formulas are typeset`);
+
+  // The motion, before and after the first slider is moved.
+  const end = "Array.from(torsorReport.current.samples.at(-1))";
+  const reached = `new Promise((done) => { const wait = () => torsorReport.current.samples.length > 6 || torsorReport.current.status !== "ok" ? done(torsorReport.current.status) : setTimeout(wait, 50); wait(); })`;
+  expect(await browser.evaluate(reached) === "ok", "the motion fails at its beginning");
+  const moved = await browser.evaluate(`(async () => {
+    const slider = document.querySelector("#sliders input[type=range]");
+    if (!slider) return true;
+    const before = torsorReport.current;
+    slider.value = Number(slider.value) + 0.01 * (slider.max - slider.min);
+    slider.dispatchEvent(new Event("input"));
+    return torsorReport.current !== before;
+  })()`);
+  expect(moved, "a slider does not restart the motion");
+  await browser.evaluate(reached);
+  expect(await browser.evaluate("document.querySelector('#view') !== null"), "there is no picture");
+  // Something is drawn: not all pixels are those of the background.
+  const drawn = await browser.evaluate(`new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(() => {
+    const view = document.getElementById("view"), copy = document.createElement("canvas");
+    copy.width = copy.height = 64;
+    const context = copy.getContext("2d");
+    context.drawImage(view, 0, 0, 64, 64);
+    done(context.getImageData(0, 0, 64, 64).data.filter((value, i) => i % 4 === 3 && value > 0).length);
+  })))`);
+  expect(drawn > 20, `the picture is empty (${drawn} of 4096 points)`);
+
+  // Tab reaches the picture, the buttons and the first slider.
+  const focused = new Set();
+  await browser.evaluate("document.activeElement.blur()");
+  for (let i = 0; i < 16; ++i) {
+    for (const type of ["rawKeyDown", "keyUp"]) await browser.send("Input.dispatchKeyEvent", { type, key: "Tab", code: "Tab", windowsVirtualKeyCode: 9 });
+    focused.add(await browser.evaluate("document.activeElement.id || document.activeElement.type || document.activeElement.tagName"));
+  }
+  for (const id of ["view", "play", "time", "speed", "traces", "until"]) expect(focused.has(id), `the keyboard does not reach ${id}`);
+  const unnamed = await browser.evaluate(`[...document.querySelectorAll("canvas, input, button, select")]
+    .filter((each) => !each.getAttribute("aria-label") && !each.labels?.length && !each.textContent.trim() && !(each.className === "plot")).map((each) => each.id || each.type)`);
+  expect(unnamed.length === 0, `without words: ${unnamed.join(", ")}`);
+
+  expect(browser.complaints().length === 0, `complaints: ${browser.complaints().join("; ")}`);
+  expect(browser.requests().length === 0, `requests: ${browser.requests().join(", ")}`);
+  const size = statSync(file).size;
+  expect(size < 1.4e6, `the page has ${size} bytes`);
+  console.log(`${basename(file)}: ${size} bytes, ${formulas.count} formulas${failures.length ? "" : ", ok"}`);
+  for (const each of failures) console.error(`${basename(file)}: ${each}`);
+  failed ||= failures.length > 0;
+}
+await browser.close();
+process.exit(failed ? 1 : 0);
