@@ -356,6 +356,29 @@ double energy_error(const Taylor& method) {
   return largest;
 }
 
+// The series itself, without a method that would make up for wrong coefficients by short steps: each coefficient takes
+// all convolutions below it.
+TEST(TaylorCoefficients, AreThoseOfTheMotionOfADoublePendulum) {
+  const auto motion = equations_of_motion<double_pendulum::Mechanism<double>>();
+  using Vector = std::array<double, 4>;
+  const Vector start{1.1, -0.4, 2.0, -3.0};
+  constexpr int order = 14;
+  std::array<Vector, order + 1> c{};
+  ASSERT_EQ(motion.jets(0.0, start, std::span<Vector>(c)), Evaluation::ok);
+  for (const double h : {0.015, -0.015}) {
+    Vector y = start, sum = c[order];
+    ASSERT_TRUE(integrate(motion, y, 0, h, DormandPrince853{.relative_tolerance = 1e-14, .absolute_tolerance = 1e-14}));
+    for (int k = order; k-- > 0;) {
+      for (std::size_t i = 0; i < 4; ++i) sum[i] = sum[i] * h + c[static_cast<std::size_t>(k)][i];
+    }
+    // The last term kept is below a rounding of the state; the reference takes some steps at 1e-14 of numbers to 4.
+    for (std::size_t i = 0; i < 4; ++i) {
+      EXPECT_LT(std::abs(c[order][i] * std::pow(h, order)), 1e-15);
+      EXPECT_NEAR(sum[i], y[i], 10 * 1e-14 * 4) << i << " at " << h;
+    }
+  }
+}
+
 TEST(Taylor, KeepsTheEnergyOfAChaoticMotionToRounding) {
   // Some 4,000 steps whose errors of 1e-15 in y change E by up to |v| 1e-15 = 1e-14 each, with either sign:
   // sqrt(4000) × 1e-14 / 16 = 4e-14.
