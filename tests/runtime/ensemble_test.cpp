@@ -221,6 +221,21 @@ TEST_F(Ensemble, ResumesInsideAGroup) {
   }
 }
 
+// The window goes round after 66 records, and the place of record 3, found in the file, is that of record 69: it waits
+// for its own, however long that takes.
+TEST_F(Ensemble, WaitsForEveryRecordAfterResumingInsideAGroup) {
+  constexpr RecordHead many{123, 200, 3};
+  run_ensemble(file("one"), many, squares);
+  const std::string expected = contents(file("one"));
+  put("results", expected.substr(0, 56 + 40 * 4));
+  const auto group = [](std::uint64_t first, std::uint64_t count, std::span<double> records) {
+    if (first == 69) std::this_thread::sleep_for(std::chrono::milliseconds(30));
+    for (std::uint64_t i = 0; i < count; ++i) squares(first + i, records.subspan(3 * i, 3));
+  };
+  run_ensemble(file(), many, EnsembleGroups{3, group}, {.threads = 2});
+  EXPECT_EQ(contents(file()), expected);
+}
+
 TEST_F(Ensemble, RefusesGroupsWithoutMembers) {
   for (const unsigned threads : {1U, 2U}) {
     const std::string error = error_of<std::invalid_argument>([&] {
