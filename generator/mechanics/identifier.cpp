@@ -35,6 +35,7 @@ constexpr std::string_view macros =
     "isgreater isgreaterequal isless islessequal islessgreater isunordered isfinite isinf isnan isnormal issubnormal iszero "
     "iscanonical issignaling iseqsig fpclassify signbit strdupa strndupa minor major makedev "
     "TORSOR_C_SUPPORT TORSOR_SINGLE TORSOR_LIBM TORSOR_NUMBER TORSOR_FUNCTION TORSOR_UNUSED "
+    "TORSOR_VECTORS TORSOR_FLATTENED TORSOR_VECTOR_BYTES TORSOR_EACH_LANE TORSOR_LOAD TORSOR_STORE TORSOR_ADD "
     "TORSOR_DEVICE TORSOR_KERNEL_SUPPORT TORSOR_STD_SINCOS TORSOR_INLINED TORSOR_OUTLINED TORSOR_VECTOR_TYPES ";
 
 constexpr std::string_view types =
