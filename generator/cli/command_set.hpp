@@ -45,6 +45,7 @@ void add_verification_commands(CommandSet& commands);  ///< check, verify, refer
 void add_statics_commands(CommandSet& commands);       ///< force-function, unknowns, theorem, statics
 void add_structure_commands(CommandSet& commands);     ///< structure, graph, list
 void add_report_command(CommandSet& commands);
+void add_simulate_command(CommandSet& commands);
 
 /// Adds --about NAME=VALUE, e.g. theta=0; repeatable. A word without = is a UsageError while the command line is read.
 using About = std::vector<std::pair<std::string, std::string>>;

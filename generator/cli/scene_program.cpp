@@ -107,6 +107,7 @@ int run(int argc, const char* const* argv, const SceneSource& source) {
   add_statics_commands(commands);
   add_structure_commands(commands);
   add_report_command(commands);
+  add_simulate_command(commands);
   if (!read_command_line(app, argc, argv)) return 0;
   const Scene scene = source.make();
   validate(scene);

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "generator/verification/evaluated_motion.hpp"
+
+namespace torsor {
+
+struct SimulationOptions {
+  ModelOptions model;
+  double duration = 10.0, step = 0.01;  ///< [s]; a row for each multiple of the step, and one for the end
+  double tolerance = 1e-10;             ///< errors of a step stay below tolerance · (1 + |y_i|)
+  bool project = true;                  ///< onto the constraints, after each step
+  NamedNumbers initial, parameters, inputs;
+  std::function<void(double share)> progress = {};
+};
+
+/// A motion as a table.
+struct Simulation {
+  std::vector<std::string> names, units;  ///< of the columns: time, positions, velocities, energies, first integrals
+  std::vector<std::vector<double>> rows;
+  std::string status;                     ///< empty: the end was reached
+  long steps = 0;
+};
+
+/// The motion of a scene, evaluated from its program. Throws UsageError for names and numbers that make no sense, Error
+/// where the constraints cannot be closed at the start.
+Simulation simulate(const Scene& scene, const SimulationOptions& options);
+
+/// Comment lines, names, rows; each number by the shortest decimal that reads back as the same.
+std::string simulation_csv(const Scene& scene, const SimulationOptions& options, const Simulation& motion);
+
+/// Curves of some columns over time. Throws UsageError for a name that is no column.
+std::string simulation_svg(const Scene& scene, const Simulation& motion, const std::vector<std::string>& columns);
+
+}  // namespace torsor

@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <unistd.h>
+
+#include <chrono>
+#include <cstdio>
+#include <memory>
+
+#include <fmt/format.h>
+#include <CLI/CLI.hpp>
+
+#include "generator/cli/command_set.hpp"
+#include "generator/cli/kernel_options.hpp"
+#include "generator/cli/simulate.hpp"
+#include "generator/emission/output_file.hpp"
+#include "generator/expression/error.hpp"
+
+namespace torsor {
+namespace {
+
+struct SimulationRequest : KernelOptions {
+  SimulationOptions options;
+  std::vector<std::string> plot;
+  bool no_projection = false;
+};
+
+/// A share of a long run on the standard error, where a person looks at it.
+class Progress {
+ public:
+  void operator()(double share) {
+    const auto now = std::chrono::steady_clock::now();
+    if (now - shown_ < std::chrono::milliseconds(500) || isatty(STDERR_FILENO) == 0) return;
+    shown_ = now;
+    const int done = static_cast<int>(40 * share);
+    std::fprintf(stderr, "\r[%s%s] %3.0f %%", std::string(static_cast<std::size_t>(done), '#').c_str(),
+                 std::string(static_cast<std::size_t>(40 - done), ' ').c_str(), 100 * share);
+    if (share >= 1.0) std::fprintf(stderr, "\n");
+    std::fflush(stderr);
+  }
+
+ private:
+  std::chrono::steady_clock::time_point shown_ = std::chrono::steady_clock::now();
+};
+
+CommandResult run_simulation(const Scene& scene, SimulationRequest request) {
+  SimulationOptions& options = request.options;
+  options.model = request.model(scene);
+  options.project = !request.no_projection;
+  options.progress = Progress();
+  if (!request.plot.empty() && !request.plot[0].ends_with(".svg")) {
+    throw UsageError(fmt::format("--plot writes SVG: end the name '{}' in .svg", request.plot[0]));
+  }
+  const Simulation motion = simulate(scene, options);
+  CommandResult result{simulation_csv(scene, options, motion), motion.status.empty()};
+  if (!request.plot.empty()) {
+    std::vector<std::string> columns(1);
+    for (const char c : request.plot[1]) {
+      if (c == ',') columns.emplace_back();
+      else columns.back() += c;
+    }
+    write_file_if_changed(request.plot[0], simulation_svg(scene, motion, columns));
+  }
+  if (!motion.status.empty()) result.notes.push_back(fmt::format("the motion ends: {}", motion.status));
+  return result;
+}
+
+/// --NAME NAME=VALUE, comma-separated, repeatable.
+void add_numbers(CLI::App& command, const std::string& option, NamedNumbers& numbers, const std::string& text) {
+  command
+      .add_option_function<std::vector<std::string>>(
+          option,
+          [&numbers, option](const std::vector<std::string>& assignments) {
+            for (const std::string& assignment : assignments) {
+              const std::size_t equals = assignment.find('=');
+              double value = 0.0;
+              if (equals == std::string::npos || !CLI::detail::lexical_cast(assignment.substr(equals + 1), value)) {
+                throw UsageError(fmt::format("{} takes NAME=NUMBER, e.g. theta=0.5, and got '{}'", option, assignment));
+              }
+              numbers[assignment.substr(0, equals)] = value;
+            }
+          },
+          text)
+      ->delimiter(',');
+}
+
+}  // namespace
+
+void add_simulate_command(CommandSet& commands) {
+  const auto request = std::make_shared<SimulationRequest>();
+  CLI::App& command = commands.add("simulate", "integrate the motion; write it as a table, and draw it",
+                                   [request](const Scene& scene) { return run_simulation(scene, *request); });
+  SimulationOptions& options = request->options;
+  command.add_option("--to", options.duration, "end of the motion [s]")->capture_default_str();
+  command.add_option("--step", options.step, "time between rows [s]; the method chooses its own steps")->capture_default_str();
+  command.add_option("--tolerance", options.tolerance, "what a step may be off, of 1 + |y|")->capture_default_str();
+  if (command.get_option_no_throw("--initial") == nullptr) {  // the tool for files has it already, for the scene it makes
+    add_numbers(command, "--initial", options.initial, "start values, NAME=NUMBER, rates NAME'=NUMBER; comma-separated");
+  }
+  add_numbers(command, "--run-time", options.parameters, "values of parameters, NAME=NUMBER; comma-separated");
+  add_numbers(command, "--input", options.inputs, "constant inputs, NAME=NUMBER; comma-separated; 0 when absent");
+  command.add_flag("--no-projection", request->no_projection, "leave constraints to drift");
+  command
+      .add_option("--plot", request->plot, "draw columns over time: a file, then names, comma-separated: motion.svg x,theta")
+      ->expected(2);
+}
+
+}  // namespace torsor

@@ -1,0 +1,305 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "generator/verification/evaluated_motion.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <numeric>
+#include <set>
+
+#include <fmt/format.h>
+
+#include "generator/dynamics/equations/massless.hpp"
+#include "generator/expression/did_you_mean.hpp"
+#include "generator/expression/error.hpp"
+
+namespace torsor {
+namespace {
+
+std::set<std::string> names_of(const NamedNumbers& numbers) {
+  std::set<std::string> names;
+  for (const auto& [name, value] : numbers) names.insert(name);
+  return names;
+}
+
+ModelOptions with_run_time(ModelOptions options, const NamedNumbers& parameters) {
+  options.run_time.merge(names_of(parameters));
+  return options;
+}
+
+void require_known(const NamedNumbers& given, const std::vector<std::string>& known, const std::string& what,
+                   const std::string& option) {
+  for (const auto& [name, value] : given) {
+    if (std::find(known.begin(), known.end(), name) != known.end()) continue;
+    throw UsageError(fmt::format("there is no {} '{}' for {}: {}there {}", what, name, option, did_you_mean(name, known),
+                                 known.empty() ? "are none" : fmt::format("are {}", fmt::join(known, ", "))));
+  }
+}
+
+/// Lower Cholesky factor of a symmetric matrix, that of 1 where it is not positive.
+std::vector<std::vector<double>> metric_factor(std::vector<std::vector<double>> m) {
+  const std::size_t n = m.size();
+  bool positive = true;
+  const auto original = m;
+  for (std::size_t j = 0; j < n && positive; ++j) {
+    for (std::size_t k = 0; k < j; ++k) {
+      for (std::size_t i = j; i < n; ++i) m[i][j] -= m[i][k] * m[j][k];
+    }
+    positive = m[j][j] > 1e-14 * std::abs(original[j][j]);
+    if (!positive) break;
+    const double root = std::sqrt(m[j][j]);
+    for (std::size_t i = j; i < n; ++i) m[i][j] /= root;
+  }
+  for (std::size_t i = 0; i < n && !positive; ++i) {
+    for (std::size_t j = 0; j < n; ++j) m[i][j] = i == j ? 1.0 : 0.0;
+  }
+  return m;
+}
+
+double euclidean(const std::vector<double>& a, const std::vector<double>& b) {
+  return std::inner_product(a.begin(), a.end(), b.begin(), 0.0);
+}
+
+bool finite(const std::vector<double>& numbers) {
+  return std::all_of(numbers.begin(), numbers.end(), [](double x) { return std::isfinite(x); });
+}
+
+}  // namespace
+
+EvaluatedMotion::EvaluatedMotion(const Scene& scene, const ModelOptions& options, const NamedNumbers& parameters,
+                                 const NamedNumbers& inputs)
+    : equations_(scene, with_run_time(options, parameters)), here_(equations_.program(), {}) {
+  const Model& model = equations_.model();
+  const SceneContent& content = scene.content();
+  Program& program = equations_.program();
+  symbols_ = model.positions();
+  position_count_ = symbols_.size();
+  for (std::size_t i = 0; i < position_count_; ++i) {
+    const auto attitude = symbols_[i]->attitude.lock();
+    if (attitude && attitude->e[0] == symbols_[i]) quaternions_.push_back(i);
+    position_rates_.push_back(rate_of(program, symbols_[i]));
+  }
+  for (int i = 0; i < model.unknown_count(); ++i) symbols_.push_back(model.coordinates()[static_cast<std::size_t>(i)].v);
+
+  std::vector<std::string> known;
+  for (const ParameterContent& parameter : content.parameters) known.push_back(parameter.symbol->name);
+  require_known(parameters, known, "parameter", "--run-time");
+  known.clear();
+  for (const SymbolPointer& input : model.inputs()) known.push_back(input->name);
+  require_known(inputs, known, "input", "--input");
+  for (const SymbolPointer& input : model.inputs()) {
+    const auto given = inputs.find(input->name);
+    values_[input.get()] = given == inputs.end() ? 0.0 : given->second;
+  }
+  values_[content.time.get()] = 0.0;
+  for (const ParameterContent& parameter : content.parameters) {
+    const auto given = parameters.find(parameter.symbol->name);
+    if (given == parameters.end() && !parameter.value) {
+      throw UsageError(fmt::format("the parameter '{0}' has no value: give --run-time {0}=VALUE", parameter.symbol->name));
+    }
+    move_to(0.0, {});
+    values_[parameter.symbol.get()] =
+        given != parameters.end() ? given->second : here_(program.lower(*parameter.value));
+  }
+  for (const auto& [name, value] : parameters) {
+    if (!std::isfinite(value)) throw UsageError(fmt::format("--run-time {} is not a finite number", name));
+  }
+
+  if (const std::string reason = why_absent("forward_dynamics", equations_); !reason.empty()) {
+    throw SceneError(fmt::format("the scene '{}' cannot be simulated: {}", scene.name(), reason));
+  }
+  forward_ = make_kernel("forward_dynamics", equations_);
+  energy_ = make_kernel("energy", equations_);
+  integrals_ = make_kernel("first_integrals", equations_);
+  rows_ = equations_.constraints();
+  for (std::size_t j = 0; j < rows_.size(); ++j) {
+    all_.push_back(j);
+    if (rows_[j].holonomic) holonomic_.push_back(j);
+  }
+}
+
+void EvaluatedMotion::move_to(double t, const std::vector<double>& y) {
+  values_[equations_.scene().content().time.get()] = t;
+  for (std::size_t i = 0; i < y.size(); ++i) values_[symbols_[i].get()] = y[i];
+  here_.move_to([this](const SymbolPointer& symbol) {
+    if (symbol->kind == SymbolKind::pi) return std::numbers::pi;
+    const auto place = values_.find(symbol.get());
+    return place == values_.end() ? 0.0 : place->second;  // released coordinates
+  });
+}
+
+std::vector<double> EvaluatedMotion::start(const NamedNumbers& replaced) {
+  const SceneContent& content = equations_.scene().content();
+  Program& program = equations_.program();
+  std::vector<std::string> known;
+  for (const SymbolPointer& symbol : symbols_) known.push_back(symbol->name);
+  require_known(replaced, known, "coordinate or rate", "--initial");
+  move_to(0.0, {});
+  std::vector<double> y;
+  for (const SymbolPointer& symbol : symbols_) {
+    double value = 0.0;
+    if (const auto component = content.quaternion_component(symbol)) {
+      value = here_(program.lower(initial_component(content.attitudes[component->first], component->second)));
+    }
+    for (const CoordinateContent& c : equations_.model().coordinates()) {
+      if (c.q == symbol && c.initial_value) value = here_(program.lower(*c.initial_value));
+      if (c.v == symbol && c.initial_rate) value = here_(program.lower(*c.initial_rate));
+    }
+    const auto given = replaced.find(symbol->name);
+    y.push_back(given == replaced.end() ? value : given->second);
+  }
+  normalise(y);
+  if (!finite(y)) throw UsageError("--initial must leave finite numbers, and a quaternion that is not zero");
+  return y;
+}
+
+bool EvaluatedMotion::slope(double t, const std::vector<double>& y, std::vector<double>& rates) {
+  move_to(t, y);
+  for (const auto& [pivot, diagonal] : forward_.pivots) {
+    if (!(here_(pivot) > std::numeric_limits<double>::epsilon() * std::abs(here_(diagonal)))) return false;
+  }
+  for (std::size_t i = 0; i < position_count_; ++i) rates[i] = here_(position_rates_[i]);
+  for (std::size_t i = 0; i < velocity_count(); ++i) {
+    rates[position_count_ + i] = here_(forward_.assignments[i].value);  // accelerations come first
+  }
+  return finite(rates);
+}
+
+void EvaluatedMotion::normalise(std::vector<double>& y) const {
+  for (const std::size_t first : quaternions_) {
+    const double norm = std::hypot(std::hypot(y[first], y[first + 1]), std::hypot(y[first + 2], y[first + 3]));
+    for (std::size_t i = first; i < first + 4; ++i) y[i] /= norm;
+  }
+}
+
+void EvaluatedMotion::displace(double t, std::vector<double>& y, const std::vector<double>& change) {
+  std::vector<double> turning = y;
+  std::copy(change.begin(), change.end(), turning.begin() + static_cast<std::ptrdiff_t>(position_count_));
+  move_to(t, turning);
+  for (std::size_t i = 0; i < position_count_; ++i) y[i] += here_(position_rates_[i]);
+  normalise(y);
+  move_to(t, y);
+}
+
+std::vector<double> EvaluatedMotion::least_change(const std::vector<std::size_t>& rows,
+                                                  const std::vector<double>& right) {
+  const std::size_t n = velocity_count();
+  std::vector<std::vector<double>> mass(n, std::vector<double>(n));
+  for (std::size_t i = 0; i < n; ++i) {
+    for (std::size_t j = 0; j < n; ++j) mass[i][j] = here_(equations_.mass()[i][j]);
+  }
+  const auto factor = metric_factor(std::move(mass));
+  struct Row {
+    std::vector<double> direction;  // of A L⁻ᵀ
+    double right, size;
+  };
+  std::vector<Row> left;
+  for (std::size_t k = 0; k < rows.size(); ++k) {
+    std::vector<double> b(n);
+    for (std::size_t j = 0; j < n; ++j) {
+      b[j] = here_(rows_[rows[k]].jacobian[j]);
+      for (std::size_t i = 0; i < j; ++i) b[j] -= factor[j][i] * b[i];
+      b[j] /= factor[j][j];
+    }
+    const double size = std::sqrt(euclidean(b, b));
+    if (size > 0) left.push_back({std::move(b), right[k], size});
+  }
+  // The rows made orthonormal, the longest remainder first; what others leave of a repeated row is rounding.
+  constexpr double rank_tolerance = 1e-9;
+  std::vector<double> change(n, 0.0);
+  std::vector<std::vector<double>> basis;
+  const auto share = [](const Row& row) { return std::sqrt(euclidean(row.direction, row.direction)) / row.size; };
+  while (!left.empty()) {
+    const auto best = std::max_element(left.begin(), left.end(), [&](const Row& a, const Row& b) { return share(a) < share(b); });
+    if (share(*best) < rank_tolerance) break;
+    Row row = std::move(*best);
+    left.erase(best);
+    for (const std::vector<double>& e : basis) {
+      const double along = euclidean(row.direction, e);
+      for (std::size_t i = 0; i < n; ++i) row.direction[i] -= along * e[i];
+    }
+    const double length = std::sqrt(euclidean(row.direction, row.direction));
+    for (double& entry : row.direction) entry /= length;
+    const double coefficient = row.right / length;
+    for (std::size_t i = 0; i < n; ++i) change[i] += coefficient * row.direction[i];
+    for (Row& other : left) {
+      const double along = euclidean(other.direction, row.direction);
+      for (std::size_t i = 0; i < n; ++i) other.direction[i] -= along * row.direction[i];
+      other.right -= along * coefficient;
+    }
+    basis.push_back(std::move(row.direction));
+  }
+  for (std::size_t j = n; j-- > 0;) {
+    for (std::size_t k = j + 1; k < n; ++k) change[j] -= factor[k][j] * change[k];
+    change[j] /= factor[j][j];
+  }
+  return change;
+}
+
+double EvaluatedMotion::open(const std::vector<std::size_t>& rows, bool rates) {
+  double most = 0.0;
+  for (const std::size_t j : rows) {
+    double scale = std::numeric_limits<double>::min();
+    for (std::size_t i = 0; i < velocity_count(); ++i) scale += std::abs(here_(rows_[j].jacobian[i]));
+    const double value = std::abs(here_(rates ? rows_[j].rate : rows_[j].value)) / scale;
+    most = std::isfinite(value) ? std::max(most, value) : std::numeric_limits<double>::infinity();
+  }
+  return most;
+}
+
+bool EvaluatedMotion::settle(double t, std::vector<double>& y) {
+  normalise(y);
+  if (!finite(y)) return false;
+  move_to(t, y);
+  if (rows_.empty()) return true;
+  const auto largest = [&](std::size_t begin, std::size_t end) {
+    double most = 1.0;
+    for (std::size_t i = begin; i < end; ++i) most = std::max(most, std::abs(y[i]));
+    return most;
+  };
+  const auto opposite = [&](const std::vector<std::size_t>& rows, bool rates) {
+    std::vector<double> right;
+    for (const std::size_t j : rows) right.push_back(-here_(rates ? rows_[j].rate : rows_[j].value));
+    return right;
+  };
+  // What is written keeps 1e-9 of the positions and of the velocities at the worst; Newton's steps end where rounding does.
+  constexpr double rounding = 1e-15, may_be_rounding = 1e-12, closed = 1e-9;
+  const double positions = largest(0, position_count_);
+  double before = std::numeric_limits<double>::infinity();
+  for (int round = 0; round < 40; ++round) {
+    const double now = open(holonomic_, false);
+    if (now <= rounding * positions || (now >= before / 2 && now <= may_be_rounding * positions)) break;
+    if (round > 20 && !(now < before)) return false;
+    before = now;
+    displace(t, y, least_change(holonomic_, opposite(holonomic_, false)));
+    if (!finite(y)) return false;
+  }
+  if (!(open(holonomic_, false) <= closed * positions)) return false;
+  for (int round = 0; round < 2; ++round) {
+    const std::vector<double> change = least_change(all_, opposite(all_, true));
+    for (std::size_t i = 0; i < change.size(); ++i) y[position_count_ + i] += change[i];
+    move_to(t, y);
+  }
+  return finite(y) && open(all_, true) <= closed * largest(position_count_, y.size());
+}
+
+std::vector<std::string> EvaluatedMotion::observed_names() const {
+  std::vector<std::string> names{"kinetic_energy", "potential_energy", "mechanical_energy"};
+  if (integrals_.skipped.empty()) {
+    for (const Assignment& each : integrals_.assignments) names.push_back("first_integral_" + each.target.member);
+  }
+  return names;
+}
+
+std::vector<double> EvaluatedMotion::observe(double t, const std::vector<double>& y) {
+  move_to(t, y);
+  const double kinetic = here_(energy_.assignments[0].value), potential = -here_(energy_.assignments[1].value);
+  std::vector<double> numbers{kinetic, potential, kinetic + potential};
+  if (integrals_.skipped.empty()) {
+    for (const Assignment& each : integrals_.assignments) numbers.push_back(here_(each.value));
+  }
+  return numbers;
+}
+
+}  // namespace torsor

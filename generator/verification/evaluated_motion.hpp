@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <map>
+#include <memory>
+#include <string>
+#include <unordered_map>
+#include <vector>
+
+#include "generator/dynamics/equations/equations.hpp"
+#include "generator/emission/kernel.hpp"
+#include "generator/expression/evaluation.hpp"
+
+namespace torsor {
+
+/// Numbers that a command line gives by name.
+using NamedNumbers = std::map<std::string, double>;
+
+/// What moves a scene, evaluated in `double` from its program: kernels without a compiler. Inputs are constant in time.
+class EvaluatedMotion {
+ public:
+  /// `parameters` and `inputs` replace values of the scene; an input that is not named is 0. Throws UsageError for an unknown
+  /// name and for a parameter without a value, SceneError where the accelerations are not determined.
+  EvaluatedMotion(const Scene& scene, const ModelOptions& options, const NamedNumbers& parameters,
+                  const NamedNumbers& inputs);
+
+  const Equations& equations() const { return equations_; }
+  /// Positions, quaternions' components included, and velocities, in the order of generated files.
+  const std::vector<SymbolPointer>& symbols() const { return symbols_; }
+  std::size_t position_count() const { return position_count_; }
+  std::size_t velocity_count() const { return symbols_.size() - position_count_; }
+
+  /// The state the scene starts from, with some numbers replaced: "theta", "theta'". Constraints may be open. Throws
+  /// UsageError for an unknown name.
+  std::vector<double> start(const NamedNumbers& replaced);
+
+  /// dy/dt; false where a pivot is not positive beyond rounding, or a number is none.
+  bool slope(double t, const std::vector<double>& y, std::vector<double>& rates);
+
+  /// Puts a state onto its constraints by the least change in the metric of the masses, quaternions to norm 1:
+  ///   δq = −M⁻¹ Fᵀ (F M⁻¹ Fᵀ)⁺ f, repeated until f is down to rounding;   δv = −M⁻¹ Aᵀ (A M⁻¹ Aᵀ)⁺ (A v − b),
+  /// F the rows of holonomic constraints; rows that repeat others are left out. False where they cannot be closed.
+  /// Source: Hairer-Wanner II, VII.2; Lubich, Engstler, Nowak & Poehle 1995.
+  bool settle(double t, std::vector<double>& y);
+  bool needs_settling() const { return !rows_.empty() || !quaternions_.empty(); }
+
+  /// T, −U, T − U [J], then the first integrals.
+  std::vector<std::string> observed_names() const;
+  std::vector<double> observe(double t, const std::vector<double>& y);
+
+ private:
+  void move_to(double t, const std::vector<double>& y);
+  void normalise(std::vector<double>& y) const;
+  void displace(double t, std::vector<double>& y, const std::vector<double>& change);
+  /// The least change δv with A δv = right for these rows, in the metric of the masses at the state moved to.
+  std::vector<double> least_change(const std::vector<std::size_t>& rows, const std::vector<double>& right);
+  double open(const std::vector<std::size_t>& rows, bool rates);
+
+  Equations equations_;
+  std::vector<SymbolPointer> symbols_;
+  std::size_t position_count_ = 0;
+  std::vector<std::size_t> quaternions_;  ///< places of their first components
+  std::unordered_map<const Symbol*, double> values_;  // looked up only
+  Evaluator<double> here_;
+  Kernel forward_, energy_, integrals_;
+  std::vector<Value> position_rates_;
+  std::vector<ConstraintRow> rows_;
+  std::vector<std::size_t> holonomic_, all_;
+};
+
+}  // namespace torsor

@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "tests/cli/scene_runner.hpp"
+
+namespace torsor::simulate_command_test {
+namespace {
+
+using testing_programs::Outcome;
+using testing_programs::pendulum;
+using testing_programs::run;
+
+/// Names, then rows.
+std::pair<std::vector<std::string>, std::vector<std::vector<double>>> table(const std::string& csv) {
+  std::pair<std::vector<std::string>, std::vector<std::vector<double>>> result;
+  std::istringstream lines(csv);
+  for (std::string line; std::getline(lines, line);) {
+    if (line.starts_with("#")) continue;
+    std::istringstream cells(line);
+    std::vector<double> row;
+    for (std::string cell; std::getline(cells, cell, ',');) {
+      if (result.second.empty() && std::isalpha(static_cast<unsigned char>(cell[0]))) result.first.push_back(cell);
+      else row.push_back(std::stod(cell));
+    }
+    if (!row.empty()) result.second.push_back(row);
+  }
+  return result;
+}
+
+TEST(Simulate, WritesATable) {
+  const Outcome outcome = run(pendulum, {"simulate", "--to", "0.55", "--step", "0.1", "--initial", "theta=0.5,theta'=-1"});
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  const auto [names, rows] = table(outcome.out);
+  ASSERT_GE(names.size(), 6U);
+  EXPECT_EQ(names[0], "time");
+  EXPECT_EQ(names[1], "theta");
+  EXPECT_EQ(names[2], "theta'");
+  EXPECT_EQ(names[5], "mechanical_energy");
+  ASSERT_EQ(rows.size(), 7U);
+  EXPECT_EQ(rows[0][1], 0.5);
+  EXPECT_EQ(rows[0][2], -1.0);
+  EXPECT_EQ(rows.back()[0], 0.55);
+  // Conserved within what steps of 1e-10 leave, of energies of some 30 J.
+  for (const auto& row : rows) EXPECT_NEAR(row[5], rows[0][5], 1e-7);
+}
+
+TEST(Simulate, HoldsAParameterAndAnInput) {
+  const auto rows = table(run(pendulum, {"simulate", "--to", "0.1", "--run-time", "mass=4"}).out).second;
+  const auto usual = table(run(pendulum, {"simulate", "--to", "0.1"}).out).second;
+  const auto driven = table(run(pendulum, {"simulate", "--to", "0.1", "--input", "torque=7"}).out).second;
+  ASSERT_FALSE(rows.empty() || usual.empty() || driven.empty());
+  EXPECT_NEAR(rows[0][4], 2 * usual[0][4], 1e-12 * std::abs(rows[0][4]));  // the potential energy m g h
+  // A torque C adds C t / (m l²) to the rate, m l² = 4.5 kg m²; at t = 0.1 s the weight's difference is of order t³.
+  EXPECT_NEAR(driven.back()[2] - usual.back()[2], 0.7 / 4.5, 0.01);
+}
+
+TEST(Simulate, DrawsColumns) {
+  const auto folder = std::filesystem::temp_directory_path() / "torsor_simulate_test";
+  std::filesystem::create_directories(folder);
+  const std::string picture = (folder / "motion.svg").string();
+  const Outcome outcome = run(pendulum, {"simulate", "--to", "1", "--plot", picture, "theta,mechanical_energy"});
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  std::ifstream file(picture);
+  std::ostringstream svg;
+  svg << file.rdbuf();
+  EXPECT_TRUE(svg.str().starts_with("<svg "));
+  EXPECT_NE(svg.str().find("theta [rad]"), std::string::npos);
+  EXPECT_EQ(run(pendulum, {"simulate", "--plot", picture, "thetta"}).code, 2);
+  EXPECT_EQ(run(pendulum, {"simulate", "--plot", "motion.png", "theta"}).code, 2);
+  std::filesystem::remove_all(folder);
+}
+
+TEST(Simulate, RefusesWhatMakesNoSense) {
+  for (const std::vector<std::string>& words : std::vector<std::vector<std::string>>{
+           {"--to", "-1"}, {"--step", "0"}, {"--tolerance", "2"}, {"--initial", "theta"}, {"--initial", "thetta=1"},
+           {"--initial", "theta=nan"}, {"--run-time", "m=3"}, {"--input", "u=1"}, {"--plot", "motion.svg"}}) {
+    std::vector<std::string> arguments{"simulate"};
+    arguments.insert(arguments.end(), words.begin(), words.end());
+    const Outcome outcome = run(pendulum, arguments);
+    EXPECT_EQ(outcome.code, 2) << words[0] << " " << words[1];
+    EXPECT_EQ(outcome.out, "");
+  }
+}
+
+/// A point on a line that its parabola f = x² + 1 never meets.
+Scene impossible() {
+  Scene scene("impossible", "");
+  const Expression x = scene.coordinate("x", "m");
+  scene.initial(x, Expression::quantity("1", "m"));
+  const FrameHandle slider = scene.prismatic("slider", scene.ground(), axis::x, x);
+  scene.body("point", slider, Inertia::point(Expression::quantity("1", "kg")));
+  scene.holonomic("parabola", x * x + Expression::quantity("1", "m^2"));
+  return scene;
+}
+
+TEST(Simulate, SaysThatConstraintsCannotBeClosed) {
+  const Outcome outcome = run(impossible, {"simulate"});
+  EXPECT_NE(outcome.code, 0);
+  EXPECT_EQ(outcome.out, "");
+}
+
+}  // namespace
+}  // namespace torsor::simulate_command_test

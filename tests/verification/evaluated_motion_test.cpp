@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "generator/verification/evaluated_motion.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "generator/expression/error.hpp"
+#include "generator/verification/dormand_prince_853.hpp"
+
+namespace torsor::evaluated_motion_test {
+namespace {
+
+using namespace torsor::literals;
+
+Expression unit(const char* number, const char* of) { return Expression::quantity(number, of); }
+
+// y'' = −y from (1, 0): the end of a circle. Some 60 steps, each within the tolerance, on a motion without growth.
+TEST(DormandPrince853, FollowsACircle) {
+  DormandPrince853 motion(
+      [](double, const std::vector<double>& y, std::vector<double>& rates) {
+        rates = {y[1], -y[0]};
+        return true;
+      },
+      {}, {1.0, 0.0}, 1e-13);
+  ASSERT_TRUE(motion.advance(10.0));
+  EXPECT_EQ(motion.time(), 10.0);
+  EXPECT_NEAR(motion.state()[0], std::cos(10.0), 1e-11);
+  EXPECT_NEAR(motion.state()[1], -std::sin(10.0), 1e-11);
+}
+
+// y' = y² from 1 leaves at t = 1.
+TEST(DormandPrince853, SaysWhereASolutionEnds) {
+  DormandPrince853 motion(
+      [](double, const std::vector<double>& y, std::vector<double>& rates) {
+        rates = {y[0] * y[0]};
+        return std::isfinite(rates[0]);
+      },
+      {}, {1.0}, 1e-10);
+  EXPECT_FALSE(motion.advance(2.0));
+  EXPECT_NEAR(motion.time(), 1.0, 1e-6);
+  EXPECT_NE(motion.status(), "");
+}
+
+/// Two bars and a slider on the line y = 0: the coordinates of a crank with the closure of a loop.
+Scene crank() {
+  Scene scene("crank", "");
+  const Expression r = scene.parameter("r", "m", 1), l = scene.parameter("l", "m", 3);
+  const Expression a = scene.coordinate("a", "rad"), b = scene.coordinate("b", "rad");
+  scene.initial(a, 1, unit("2", "rad/s"));
+  const FrameHandle bar = scene.revolute("bar", scene.ground(), axis::z, a);
+  const FrameHandle rod = scene.revolute("rod", bar, axis::z, b - a, {.origin = {r, 0, 0}});
+  scene.body("bar", bar, Inertia::rod(unit("1", "kg"), r, 0).at({r / 2, 0, 0}));
+  scene.body("rod", rod, Inertia::rod(unit("2", "kg"), l, 0).at({l / 2, 0, 0}));
+  scene.holonomic("slider", r * sin(a) + l * sin(b));
+  return scene;
+}
+
+// From an open loop the nearest closed state in the metric of masses: r sin a + l sin b = 0 and its rate.
+TEST(EvaluatedMotion, ClosesConstraints) {
+  EvaluatedMotion motion(crank(), {}, {}, {});
+  std::vector<double> y = motion.start({{"b", 0.3}});
+  ASSERT_TRUE(motion.settle(0.0, y));
+  EXPECT_NEAR(std::sin(y[0]) + 3 * std::sin(y[1]), 0.0, 1e-14);
+  EXPECT_NEAR(std::cos(y[0]) * y[2] + 3 * std::cos(y[1]) * y[3], 0.0, 1e-14);
+  EXPECT_NE(y[0], 1.0);
+}
+
+// Without gravity and forces T is constant: some 200 steps of 1e-12 each, energies of some 5 J.
+TEST(EvaluatedMotion, KeepsEnergyOnConstraints) {
+  EvaluatedMotion motion(crank(), {}, {}, {});
+  std::vector<double> y = motion.start({});
+  ASSERT_TRUE(motion.settle(0.0, y));
+  const double before = motion.observe(0.0, y)[2];
+  DormandPrince853 integrator([&](double t, const std::vector<double>& at, std::vector<double>& rates) { return motion.slope(t, at, rates); },
+                              [&](double t, std::vector<double>& at) { return motion.settle(t, at); }, y, 1e-12);
+  ASSERT_TRUE(integrator.advance(5.0));
+  EXPECT_NEAR(motion.observe(5.0, integrator.state())[2], before, 1e-9 * std::abs(before));
+  EXPECT_NEAR(std::sin(integrator.state()[0]) + 3 * std::sin(integrator.state()[1]), 0.0, 1e-13);
+}
+
+// A free body that turns about a principal axis: its quaternion keeps norm 1 and turns by half the angle.
+TEST(EvaluatedMotion, TurnsAQuaternion) {
+  Scene scene("free", "");
+  const AttitudeHandle e = scene.attitude("e");
+  const FrameHandle body = scene.spherical("body", scene.ground(), e);
+  scene.body("body", body, Inertia::general(unit("1", "kg"), unit("1", "kg m^2"), unit("2", "kg m^2"), unit("2.5", "kg m^2")));
+  EvaluatedMotion motion(scene, {}, {}, {});
+  EXPECT_TRUE(motion.needs_settling());
+  DormandPrince853 integrator([&](double t, const std::vector<double>& at, std::vector<double>& rates) { return motion.slope(t, at, rates); },
+                              [&](double t, std::vector<double>& at) { return motion.settle(t, at); },
+                              motion.start({{"e_omega_z", 0.5}}), 1e-13);
+  ASSERT_TRUE(integrator.advance(4.0));
+  EXPECT_NEAR(integrator.state()[0], std::cos(1.0), 1e-12);
+  EXPECT_NEAR(integrator.state()[3], std::sin(1.0), 1e-12);
+}
+
+TEST(EvaluatedMotion, TakesParametersByName) {
+  EXPECT_NEAR(EvaluatedMotion(crank(), {}, {{"r", 2.0}}, {}).start({})[0], 1.0, 0.0);
+  EvaluatedMotion longer(crank(), {}, {{"r", 2.0}}, {});
+  std::vector<double> y = longer.start({});
+  ASSERT_TRUE(longer.settle(0.0, y));
+  EXPECT_NEAR(2 * std::sin(y[0]) + 3 * std::sin(y[1]), 0.0, 1e-14);
+  EXPECT_THROW(EvaluatedMotion(crank(), {}, {{"radius", 2.0}}, {}), UsageError);
+  EXPECT_THROW(EvaluatedMotion(crank(), {}, {}, {{"push", 2.0}}), UsageError);
+  EXPECT_THROW((void)EvaluatedMotion(crank(), {}, {}, {}).start({{"c", 2.0}}), UsageError);
+}
+
+}  // namespace
+}  // namespace torsor::evaluated_motion_test
