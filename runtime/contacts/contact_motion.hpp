@@ -1,0 +1,279 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <Eigen/LU>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+
+#include "runtime/contacts/contact_system.hpp"
+#include "runtime/contacts/regime_system.hpp"
+
+namespace torsor::runtime {
+
+/// What the automaton knows of one contact between events.
+struct ContactState {
+  bool touches = false;  ///< gap and its rate are zero; always so of dry friction
+  ContactRegime regime = ContactRegime::open;
+  std::array<double, 2> direction{1, 0};  ///< of slip, while it slides
+  double fastest = 0;                     ///< the largest slip since it slides [m/s]
+};
+
+/// y' = f(t, y) of a mechanism while the regimes of its contacts last: closed contacts keep w_N = 0, sticking ones w_T
+/// = 0, and sliding ones have T = -(f N + b) d, d the direction of the slip w_T. Settling puts gaps and these
+/// velocities back to zero, in the metric of the masses.
+///
+/// In space w_T passes through zero without a change of sign. So d is followed from step to step: s = d_last · w_T
+/// changes sign where the slip ends, and beyond it d = sign(s) w_T/|w_T| goes on smoothly. Near s = 0, where w_T is
+/// rounding, d is d_last.
+template <ContactSystem S>
+class ContactMotion {
+ public:
+  static constexpr std::size_t nq = S::nq, nv = S::nv;
+  static constexpr int contacts = static_cast<int>(S::contacts);
+  using Vector = std::array<double, nq + nv>;
+  using Reading = typename S::Reading;
+  using Problem = ContactProblem<contacts>;
+  using States = std::array<ContactState, S::contacts>;
+  using Forces = typename Problem::Vector;
+
+  explicit ContactMotion(const S& system) noexcept : system_(system) {}
+
+  States states{};
+
+  [[nodiscard]] Evaluation operator()(double t, const Vector& y, Vector& dydt) noexcept {
+    const Evaluation evaluation = solve(t, y);
+    std::array<double, nq> rates{};
+    system_.coordinate_rates(t, y, rates);
+    std::copy(rates.begin(), rates.end(), dydt.begin());
+    for (std::size_t i = 0; i < nv; ++i) dydt[nq + i] = a_(static_cast<Eigen::Index>(i));
+    return evaluation;
+  }
+
+  /// Gaps of closed contacts, their velocities and those of sticking ones back to zero.
+  [[nodiscard]] Evaluation project(double t, Vector& y) noexcept {
+    bool any = false;
+    for (int i = 0; i < contacts; ++i) any = any || at(i).touches;
+    if (!any) return Evaluation::ok;
+    for (int step = 0; step < 3; ++step) {
+      if (!read(t, y)) return Evaluation::singular;
+      bool gaps = false;
+      double worst = 0;
+      select([&](int i, int row, bool normal) {
+        if (!normal) return false;
+        gaps = true;
+        worst = std::max(worst, std::abs(reading_.gap[as(i)]));
+        right_(row) = -reading_.gap[as(i)];
+        return true;
+      });
+      if (!gaps || !(worst > 0)) break;
+      const Velocity change = least_change();
+      Vector there = y;
+      for (std::size_t i = 0; i < nv; ++i) there[nq + i] = change(static_cast<Eigen::Index>(i));
+      std::array<double, nq> moved{};
+      system_.coordinate_rates(t, there, moved);
+      double largest = 0, place = 0;
+      for (std::size_t i = 0; i < nq; ++i) {
+        y[i] += moved[i];
+        largest = std::max(largest, std::abs(moved[i]));
+        place = std::max(place, std::abs(y[i]));
+      }
+      known_ = false;
+      if (largest <= 4 * std::numeric_limits<double>::epsilon() * place) break;
+    }
+    if constexpr (requires { system_.normalise(y); }) system_.normalise(y);
+    if (!read(t, y)) return Evaluation::singular;
+    select([&](int i, int row, bool normal) {
+      right_(row) = -reading_.w(row);
+      return normal || at(i).regime == ContactRegime::sticks;
+    });
+    const Velocity change = least_change();
+    for (std::size_t i = 0; i < nv; ++i) y[nq + i] += change(static_cast<Eigen::Index>(i));
+    known_ = false;
+    if (!read(t, y)) return Evaluation::singular;
+    follow_directions();
+    return Evaluation::ok;
+  }
+
+  /// Reads the mechanism at a state; false where it cannot be.
+  [[nodiscard]] bool read(double t, const Vector& y) noexcept {
+    if (known_ && t == t_ && y == y_) return true;
+    known_ = solved_ = false;
+    reading_.J.resize(rows(), Eigen::NoChange);
+    reading_.w.resize(rows());
+    reading_.drift.resize(rows());
+    if (system_.read(t, y, reading_) != Evaluation::ok || !dynamics_.compute(reading_)) return false;
+    t_ = t;
+    y_ = y;
+    return known_ = true;
+  }
+
+  /// Accelerations and reactions of the present regimes.
+  [[nodiscard]] Evaluation solve(double t, const Vector& y) noexcept {
+    if (!read(t, y)) return Evaluation::singular;
+    if (solved_) return Evaluation::ok;
+    Problem problem = problem_of(reading_.J * dynamics_.a0 + reading_.drift);
+    typename RegimeSystem<contacts>::Regimes regimes{};
+    for (int i = 0; i < contacts; ++i) {
+      const ContactState& state = at(i);
+      AssumedRegime& regime = regimes[as(i)];
+      if (!state.touches) continue;
+      regime.pressed = problem.law(i).normal;
+      if (problem.law(i).tangents == 0 || state.regime == ContactRegime::open) continue;
+      regime.friction =
+          state.regime == ContactRegime::sticks ? AssumedRegime::Friction::sticks : AssumedRegime::Friction::slides;
+      regime.direction = direction(i);
+    }
+    RegimeSystem<contacts> equations(problem, regimes);
+    if (!equations.solve()) return Evaluation::singular;
+    r_ = equations.reactions();
+    a_ = dynamics_.a0 + dynamics_.KJ * r_;
+    solved_ = true;
+    return a_.allFinite() ? Evaluation::ok : Evaluation::not_finite;
+  }
+
+  /// A problem of all contacts with the rules' coefficients, and no contact that slips already.
+  template <class Right>
+  [[nodiscard]] Problem problem_of(const Right& q) const noexcept {
+    Problem problem;
+    problem.count = contacts;
+    for (int i = 0; i < contacts; ++i) {
+      const ContactRule rule = system_.rule(i);
+      problem.laws[as(i)] = {.normal = rule.normal,
+                             .tangents = rule.tangents,
+                             .friction = rule.friction,
+                             .static_friction = rule.sticking(),
+                             .bound = rule.bound,
+                             .static_bound = rule.sticking_bound()};
+    }
+    problem.W = dynamics_.W;
+    problem.q = q;
+    return problem;
+  }
+
+  /// Direction of the slip at the state read last.
+  [[nodiscard]] std::array<double, 2> direction(int i) const noexcept {
+    const ContactRule rule = system_.rule(i);
+    const auto& last = at(i).direction;
+    if (rule.tangents < 2) return last;
+    const int t = tangent_row(i);
+    const double x = reading_.w(t), y = reading_.w(t + 1), length = std::hypot(x, y);
+    if (!(length > std::max(64 * rounding_of(t), 1e-12 * at(i).fastest))) return last;
+    const double sign = x * last[0] + y * last[1] < 0 ? -1 : 1;
+    return {sign * x / length, sign * y / length};
+  }
+
+  /// d_last · w_T, which falls through zero where the slip ends.
+  [[nodiscard]] double slip(int i) const noexcept {
+    const int t = tangent_row(i);
+    double sum = 0;
+    for (int k = 0; k < system_.rule(i).tangents; ++k) sum += at(i).direction[as(k)] * reading_.w(t + k);
+    return sum;
+  }
+
+  /// f_s N + b_s - |T| of a sticking contact.
+  [[nodiscard]] double margin(int i) const noexcept {
+    const ContactRule rule = system_.rule(i);
+    const int t = tangent_row(i);
+    const double N = rule.normal ? r_(normal_row(i)) : 0;
+    double length = 0;
+    for (int k = 0; k < rule.tangents; ++k) length = std::hypot(length, r_(t + k));
+    return rule.sticking() * N + rule.sticking_bound() - length;
+  }
+
+  /// What rounding may make of a velocity: some parts of its terms.
+  [[nodiscard]] double rounding_of(int row) const noexcept {
+    double sum = 0;
+    for (std::size_t j = 0; j < nv; ++j) {
+      sum += std::abs(reading_.J(row, static_cast<Eigen::Index>(j)) * y_[nq + j]);
+    }
+    return std::numeric_limits<double>::epsilon() * (sum + std::abs(reading_.w(row)));
+  }
+
+  /// What rounding may make of a gap, of the coordinates that it depends on.
+  [[nodiscard]] double rounding_of_gap(int i) const noexcept {
+    double sum = 0, largest = 0;
+    for (std::size_t j = 0; j < nq; ++j) largest = std::max(largest, std::abs(y_[j]));
+    for (std::size_t j = 0; j < nv; ++j) {
+      sum += std::abs(reading_.J(normal_row(i), static_cast<Eigen::Index>(j))) * (nq == nv ? std::abs(y_[j]) : largest);
+    }
+    return std::numeric_limits<double>::epsilon() * sum;
+  }
+
+  [[nodiscard]] int rows() const noexcept { return normal_row(contacts); }
+  [[nodiscard]] int normal_row(int contact) const noexcept {
+    int row = 0;
+    for (int i = 0; i < contact; ++i) row += system_.rule(i).rows();
+    return row;
+  }
+  [[nodiscard]] int tangent_row(int i) const noexcept { return normal_row(i) + (system_.rule(i).normal ? 1 : 0); }
+
+  [[nodiscard]] const Reading& reading() const noexcept { return reading_; }
+  [[nodiscard]] const ContactDynamics<Reading>& dynamics() const noexcept { return dynamics_; }
+  [[nodiscard]] const Forces& reactions() const noexcept { return r_; }
+  [[nodiscard]] const S& system() const noexcept { return system_; }
+  /// Regimes were changed: what was solved is no longer valid.
+  void changed() noexcept { solved_ = false; }
+
+ private:
+  using Velocity = Eigen::Matrix<double, static_cast<int>(nv), 1>;
+  static constexpr std::size_t as(int i) noexcept { return static_cast<std::size_t>(i); }
+  [[nodiscard]] const ContactState& at(int i) const noexcept { return states[as(i)]; }
+
+  void follow_directions() noexcept {
+    for (int i = 0; i < contacts; ++i) {
+      if (!at(i).touches || at(i).regime != ContactRegime::slides || system_.rule(i).tangents < 2) continue;
+      ContactState& state = states[as(i)];
+      const double now = slip(i);
+      state.fastest = std::max(state.fastest, now);
+      // Near its end the slip has no direction of its own that is worth following.
+      if (now > 1e-6 * state.fastest) state.direction = direction(i);
+    }
+  }
+
+  // Rows of touching contacts for which `wanted` says so.
+  template <class Wanted>
+  void select(const Wanted& wanted) noexcept {
+    chosen_ = 0;
+    right_ = Forces::Zero(rows());
+    for (int i = 0; i < contacts; ++i) {
+      if (!at(i).touches) continue;
+      const ContactRule rule = system_.rule(i);
+      for (int k = 0; k < rule.rows(); ++k) {
+        const int row = normal_row(i) + k;
+        if (wanted(i, row, rule.normal && k == 0)) row_[as(chosen_++)] = row;
+      }
+    }
+  }
+
+  // The least change of velocity, in the metric of the masses, that adds `right_` to the rows selected.
+  [[nodiscard]] Velocity least_change() const noexcept {
+    Velocity change = Velocity::Zero();
+    if (chosen_ == 0) return change;
+    typename Problem::Matrix W(chosen_, chosen_);
+    Forces b(chosen_);
+    for (int i = 0; i < chosen_; ++i) {
+      b(i) = right_(row_[as(i)]);
+      for (int j = 0; j < chosen_; ++j) W(i, j) = dynamics_.W(row_[as(i)], row_[as(j)]);
+    }
+    Eigen::FullPivLU<typename Problem::Matrix> lu(W);
+    lu.setThreshold(1e-11);
+    const Forces P = lu.solve(b);
+    for (int i = 0; i < chosen_; ++i) change += dynamics_.KJ.col(row_[as(i)]) * P(i);
+    return change;
+  }
+
+  const S& system_;
+  Reading reading_;
+  ContactDynamics<Reading> dynamics_;
+  Velocity a_;
+  Forces r_, right_;
+  std::array<int, static_cast<std::size_t>(3 * contacts)> row_{};
+  int chosen_ = 0;
+  double t_ = 0;
+  Vector y_{};
+  bool known_ = false, solved_ = false;
+};
+
+}  // namespace torsor::runtime

@@ -1,0 +1,489 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <string>
+#include <string_view>
+
+#include "runtime/contacts/contact_motion.hpp"
+#include "runtime/contacts/impact_laws.hpp"
+#include "runtime/integration/dormand_prince_853.hpp"
+#include "runtime/integration/events.hpp"
+
+namespace torsor::runtime {
+
+/// Why a motion with contacts ended.
+enum class ContactStatus : int {
+  reached_end = 0,
+  stopped_by_observer,
+  no_solution,    ///< no regimes fulfil the laws (Painlevé)
+  energy_gained,  ///< T+ > T- at an impact
+  penetrates,     ///< a gap is negative at the start
+  invalid_rule,   ///< f < 0, f_s < f, b < 0, or e outside [0, 1]
+  too_many_events,
+  integration_failed,
+};
+
+[[nodiscard]] constexpr std::string_view describe(ContactStatus status) noexcept {
+  switch (status) {
+    case ContactStatus::reached_end:
+      return "reached the end time";
+    case ContactStatus::stopped_by_observer:
+      return "stopped because the observer returned false";
+    case ContactStatus::no_solution:
+      return "no regimes fulfil the laws of contact: the equations of rigid bodies have no solution here (Painlevé)";
+    case ContactStatus::energy_gained:
+      return "the impact law gave energy: choose another, or a smaller restitution";
+    case ContactStatus::penetrates:
+      return "a contact starts below its surface: begin where every gap is at least zero";
+    case ContactStatus::invalid_rule:
+      return "a contact's rule is impossible: friction and bounds at least 0, static ones at least those of sliding, "
+             "restitution from 0 to 1";
+    case ContactStatus::too_many_events:
+      return "the limit of events was met: raise it, or look for regimes that alternate without end";
+    case ContactStatus::integration_failed:
+      return "the integration between events failed, see its own status";
+  }
+  return "unknown contact status";
+}
+
+enum class ContactEventKind { impact, opens, slips, slip_ends, accumulation };
+
+/// What the observer is told after it happened.
+template <class Motion>
+struct ContactEvent {
+  ContactEventKind kind;
+  double time;  ///< of an accumulation, the limit of its impacts
+  int contact;  ///< the one that caused it
+  const typename Motion::Vector& before;
+  const typename Motion::Vector& state;
+  const typename Motion::States& contacts;  ///< regimes after
+  const typename Motion::Forces& impulses;  ///< of impacts and accumulations
+  double energy_lost;                       ///< T- - T+
+  double residual;                          ///< certificate, the larger of impact and regimes
+  ContactVerdict verdict;                   ///< of the decision of regimes
+};
+
+struct ContactOptions {
+  ImpactLaw law = ImpactLaw::newton_moreau;
+  double touch = 1e-10;     ///< [m] gaps up to it are closed when another contact has an event
+  double at_rest = 1e-10;   ///< [m/s] velocities up to it are zero at the start
+  double accumulation = 0;  ///< [s] impacts whose predicted remaining time is at most this are an accumulation
+  long long event_limit = 1'000'000;
+};
+
+struct ContactResult {
+  ContactStatus status = ContactStatus::reached_end;
+  double time = 0;
+  int contact = -1;  ///< the one that ended it
+  ContactVerdict verdict = ContactVerdict::unique;
+  std::int64_t events = 0, impacts = 0, accumulations = 0;
+  std::int64_t ambiguous = 0;      ///< decisions for which there were several motions
+  std::int64_t indeterminate = 0;  ///< decisions that left reactions indeterminate
+  double worst_residual = 0;
+  EventStatus integration_event = EventStatus::reached_end;
+  Result<double> integration{};
+  [[nodiscard]] explicit operator bool() const noexcept { return status == ContactStatus::reached_end; }
+};
+
+/// Event-driven motion of a mechanism with contacts.
+template <ContactSystem S, class Method, class Observer>
+class ContactRun {
+ public:
+  using Motion = ContactMotion<S>;
+  using Vector = typename Motion::Vector;
+  static constexpr int contacts = Motion::contacts;
+
+  ContactRun(const S& system, Vector& y, const Method& method, const ContactOptions& options, Observer& observer)
+      : motion_(system), y_(y), method_(method), options_(options), observer_(observer) {}
+
+  ContactResult run(double t0, double t1) {
+    result_.time = t0;
+    if (!valid_rules() || !begin(t0)) return result_;
+    int stuck = 0;
+    while (result_.status == ContactStatus::reached_end && result_.time < t1) {
+      const double before = result_.time;
+      if (!advance(t1)) break;
+      // Regimes that alternate at one time come to no end.
+      stuck = result_.time > before ? 0 : stuck + 1;
+      if (stuck > 100 || result_.events > options_.event_limit) result_.status = ContactStatus::too_many_events;
+    }
+    return result_;
+  }
+
+  [[nodiscard]] const Motion& motion() const noexcept { return motion_; }
+
+ private:
+  enum class Watched { gap_or_pressure, slip_or_margin };
+  struct Value {
+    Motion* motion;
+    int contact;
+    Watched watched;
+    double operator()(double t, const Vector& y) const {
+      const ContactState& state = motion->states[as(contact)];
+      const ContactRule rule = motion->system().rule(contact);
+      if (!motion->read(t, y)) return std::numeric_limits<double>::quiet_NaN();
+      if (watched == Watched::gap_or_pressure) {
+        if (!rule.normal) return 1;
+        if (!state.touches) return motion->reading().gap[as(contact)];
+        if (motion->solve(t, y) != Evaluation::ok) return std::numeric_limits<double>::quiet_NaN();
+        return motion->reactions()(motion->normal_row(contact));
+      }
+      if (!state.touches || rule.tangents == 0 || state.regime == ContactRegime::open) return 1;
+      if (state.regime == ContactRegime::slides) return motion->slip(contact);
+      if (motion->solve(t, y) != Evaluation::ok) return std::numeric_limits<double>::quiet_NaN();
+      return motion->margin(contact);
+    }
+  };
+  struct End {
+    bool operator()(double, Vector&) const noexcept { return false; }
+  };
+  using Watch = Guard<Value, End>;
+
+  static constexpr std::size_t as(int i) noexcept { return static_cast<std::size_t>(i); }
+
+  [[nodiscard]] bool valid_rules() noexcept {
+    for (int i = 0; i < contacts; ++i) {
+      const ContactRule rule = motion_.system().rule(i);
+      const bool valid = rule.friction >= 0 && rule.sticking() >= rule.friction && rule.bound >= 0 &&
+                         rule.sticking_bound() >= rule.bound && rule.restitution >= 0 && rule.restitution <= 1 &&
+                         rule.tangents >= 0 && rule.tangents <= 2 && rule.rows() > 0;
+      if (!valid) return end(ContactStatus::invalid_rule, i);
+    }
+    return true;
+  }
+
+  bool end(ContactStatus status, int contact) noexcept {
+    result_.status = status;
+    result_.contact = contact;
+    return false;
+  }
+
+  bool begin(double t) {
+    if (!motion_.read(t, y_)) return end(ContactStatus::integration_failed, -1);
+    bool approaches = false;
+    int first = 0;
+    for (int i = contacts; i-- > 0;) {
+      const ContactRule rule = motion_.system().rule(i);
+      const double gap = motion_.reading().gap[as(i)];
+      if (rule.normal && gap < -options_.touch) return end(ContactStatus::penetrates, i);
+      touching_[as(i)] = !rule.normal || gap <= options_.touch;
+      if (rule.normal && touching_[as(i)] && motion_.reading().w(motion_.normal_row(i)) < -options_.at_rest) {
+        approaches = true;
+        first = i;
+      }
+    }
+    if (approaches) return collide(first, false);
+    for (int i = 0; i < contacts; ++i) {
+      const ContactRule rule = motion_.system().rule(i);
+      ContactState& state = motion_.states[as(i)];
+      state.touches =
+          touching_[as(i)] && (!rule.normal || motion_.reading().w(motion_.normal_row(i)) <= options_.at_rest);
+      set_by_slip(i, options_.at_rest);
+    }
+    return decide(-1, Cause::none);
+  }
+
+  // Sticking or sliding by the velocity of slip; one that sticks is free to begin to slide.
+  void set_by_slip(int i, double at_rest) noexcept {
+    ContactState& state = motion_.states[as(i)];
+    state.regime = ContactRegime::open;
+    state.fastest = 0;
+    if (!state.touches) return;
+    const ContactRule rule = motion_.system().rule(i);
+    state.regime = ContactRegime::slides;
+    if (rule.tangents == 0) return;
+    const int t = motion_.tangent_row(i);
+    double length = 0;
+    for (int k = 0; k < rule.tangents; ++k) length = std::hypot(length, motion_.reading().w(t + k));
+    if (length <= at_rest) {
+      state.regime = ContactRegime::sticks;
+      return;
+    }
+    for (int k = 0; k < rule.tangents; ++k) state.direction[as(k)] = motion_.reading().w(t + k) / length;
+  }
+
+  enum class Cause { none, opens, slips };
+
+  // Which regimes follow: all that are consistent are sought, and the one of least motion is taken. The contact that
+  // had an event is not left to rounding: what the event says of it is given.
+  bool decide(int forced, Cause cause) {
+    if (!motion_.read(result_.time, y_)) return end(ContactStatus::integration_failed, forced);
+    const auto& reading = motion_.reading();
+    const auto whole = motion_.problem_of(reading.J * motion_.dynamics().a0 + reading.drift);
+    typename Motion::Problem problem;
+    std::array<int, S::contacts> who{};
+    std::array<int, static_cast<std::size_t>(3 * contacts)> row{};
+    int rows = 0;
+    for (int i = 0; i < contacts; ++i) {
+      const ContactState& state = motion_.states[as(i)];
+      if (!state.touches || (cause == Cause::opens && i == forced)) continue;
+      ContactLaw law = whole.law(i);
+      const bool slides = state.regime == ContactRegime::slides && law.tangents > 0;
+      if (slides || (cause == Cause::slips && i == forced)) {
+        law.slips = true;
+        law.slip = slides ? motion_.direction(i) : state.direction;
+      }
+      for (int k = 0; k < law.rows(); ++k) row[as(rows++)] = whole.first_row(i) + k;
+      who[as(problem.count)] = i;
+      problem.laws[as(problem.count++)] = law;
+    }
+    problem.W.resize(rows, rows);
+    problem.q.resize(rows);
+    for (int i = 0; i < rows; ++i) {
+      problem.q(i) = whole.q(row[as(i)]);
+      for (int j = 0; j < rows; ++j) problem.W(i, j) = whole.W(row[as(i)], row[as(j)]);
+    }
+    const ContactAnswer<contacts> answer = solve_contacts(problem);
+    result_.verdict = verdict_ = answer.verdict;
+    if (!answer) return end(ContactStatus::no_solution, forced >= 0 ? forced : who[0]);
+    if (answer.verdict == ContactVerdict::several) ++result_.ambiguous;
+    if (answer.best().indeterminate) ++result_.indeterminate;
+    residual_ = std::max(residual_, answer.best().residual);
+    result_.worst_residual = std::max(result_.worst_residual, residual_);
+    if (cause == Cause::opens) motion_.states[as(forced)] = {};
+    for (int k = 0; k < problem.count; ++k) {
+      const int i = who[as(k)];
+      ContactState& state = motion_.states[as(i)];
+      const ContactSolution<contacts>& s = answer.best();
+      const int n = problem.first_row(k), t = problem.tangent_row(k);
+      if (problem.law(k).normal && s.u(n) > 0) {
+        state = {};
+        continue;
+      }
+      if (state.regime != ContactRegime::slides) state.fastest = 0;
+      if (problem.law(k).slips) {
+        state.regime = ContactRegime::slides;
+        state.direction = problem.law(k).slip;
+      } else if (s.regimes[as(k)] == ContactRegime::sticks) {
+        state.regime = ContactRegime::sticks;
+      } else {
+        state.regime = ContactRegime::slides;
+        double length = 0;
+        for (int j = 0; j < problem.law(k).tangents; ++j) length = std::hypot(length, s.u(t + j));
+        for (int j = 0; j < problem.law(k).tangents && length > 0; ++j) state.direction[as(j)] = s.u(t + j) / length;
+      }
+    }
+    motion_.changed();
+    return motion_.project(result_.time, y_) == Evaluation::ok || end(ContactStatus::integration_failed, forced);
+  }
+
+  // When the bounces of one contact end: each is ρ times as long as the one before, ρ the ratio of the last two speeds
+  // of approach, and the next one lasts 2 ρ w/a, a the acceleration towards the contact. Rounding of late impacts
+  // counts once here, and their intervals need not shrink evenly before.
+  [[nodiscard]] double end_of_bounces(int i, double speed) const noexcept {
+    const int n = motion_.normal_row(i);
+    const double a = -(motion_.reading().J.row(n).dot(motion_.dynamics().a0) + motion_.reading().drift(n));
+    const double ratio = last_speed_[as(i)] > 0 ? speed / last_speed_[as(i)] : 1;
+    if (!(a > 0 && ratio < 1)) return result_.time;
+    return result_.time + 2 * ratio * speed / (a * (1 - ratio));
+  }
+
+  // Whether a contact takes part in the accumulation: of one contact, or of those of the last seventeen impacts.
+  [[nodiscard]] bool accumulating(int i) const noexcept {
+    if (alone_) return i == cause_;
+    return last_impact_[as(i)] > 0 && last_impact_[as(i)] + 17 > impact_number_;
+  }
+
+  // An impact of all contacts that touch; `rests` makes it completely inelastic, the end of an accumulation.
+  bool collide(int cause, bool rests) {
+    if (!motion_.read(result_.time, y_)) return end(ContactStatus::integration_failed, cause);
+    const auto& reading = motion_.reading();
+    const auto whole = motion_.problem_of(reading.w);
+    typename Motion::Problem problem;
+    std::array<double, S::contacts> restitution{};
+    std::array<int, S::contacts> who{};
+    std::array<int, static_cast<std::size_t>(3 * contacts)> row{};
+    int rows = 0;
+    for (int i = 0; i < contacts; ++i) {
+      const ContactRule rule = motion_.system().rule(i);
+      if (!touching_[as(i)] || !rule.normal) continue;
+      ContactLaw law = whole.law(i);
+      law.static_friction = law.friction;
+      law.bound = law.static_bound = 0;  // bounded forces give no impulse
+      for (int k = 0; k < law.rows(); ++k) row[as(rows++)] = whole.first_row(i) + k;
+      who[as(problem.count)] = i;
+      restitution[as(problem.count)] = rests ? 0 : rule.restitution;
+      problem.laws[as(problem.count++)] = law;
+    }
+    problem.W.resize(rows, rows);
+    problem.q.resize(rows);
+    for (int i = 0; i < rows; ++i) {
+      problem.q(i) = reading.w(row[as(i)]);
+      for (int j = 0; j < rows; ++j) problem.W(i, j) = whole.W(row[as(i)], row[as(j)]);
+    }
+    const ImpactResult<contacts> shock = impact(problem, restitution, rests ? ImpactLaw::newton_moreau : options_.law);
+    result_.verdict = shock.verdict;
+    if (shock.verdict == ContactVerdict::none) return end(ContactStatus::no_solution, cause);
+    residual_ = shock.residual;
+    result_.worst_residual = std::max(result_.worst_residual, residual_);
+    impulses_ = Motion::Forces::Zero(motion_.rows());
+    for (int i = 0; i < rows; ++i) impulses_(row[as(i)]) = shock.P(i);
+    // T- - T+ = -P · (w- + w+)/2.
+    energy_lost_ = 0;
+    double terms = 0;
+    for (int i = 0; i < rows; ++i) {
+      const double product = -shock.P(i) * (problem.q(i) + shock.w(i)) / 2;
+      energy_lost_ += product;
+      terms += std::abs(shock.P(i) * problem.q(i));
+    }
+    if (energy_lost_ < -1e-12 * terms) return end(ContactStatus::energy_gained, cause);
+    const Eigen::Matrix<double, static_cast<int>(S::nv), 1> change = motion_.dynamics().KJ * impulses_;
+    for (std::size_t i = 0; i < S::nv; ++i) y_[S::nq + i] += change(static_cast<Eigen::Index>(i));
+    ++result_.impacts;
+    if (!motion_.read(result_.time, y_)) return end(ContactStatus::integration_failed, cause);
+    for (int k = 0; k < problem.count; ++k) {
+      const int i = who[as(k)];
+      ContactState& state = motion_.states[as(i)];
+      // What is left of an accumulation's velocity is rounding: projection takes it away.
+      state.touches = shock.closed[as(k)] || (rests && accumulating(i));
+      set_by_slip(i, shock.sticks[as(k)] ? std::numeric_limits<double>::infinity() : 0);
+    }
+    for (int i = 0; i < contacts; ++i) {
+      const ContactRule rule = motion_.system().rule(i);
+      if (rule.normal) continue;
+      motion_.states[as(i)].touches = true;
+      set_by_slip(i, 64 * motion_.rounding_of(motion_.tangent_row(i)));
+    }
+    return decide(-1, Cause::none);
+  }
+
+  bool advance(double t1) {
+    const auto watch_all = [&]<std::size_t... k>(std::index_sequence<k...>) {
+      return EventArray<Watch, 2 * S::contacts>({watch(static_cast<int>(k / 2), k % 2 == 0)...});
+    };
+    auto events = watch_all(std::make_index_sequence<2 * S::contacts>());
+    events.options.by_stepping = true;
+    const auto piece =
+        integrate_with_events(motion_, y_, result_.time, t1, method_, events, IgnoreSteps{}, Steps{*this});
+    result_.time = piece.time;
+    result_.integration = piece.integration;
+    result_.integration_event = piece.status;
+    if (piece.status == EventStatus::reached_end) return true;
+    if (piece.status == EventStatus::stopped_by_observer) return end(ContactStatus::stopped_by_observer, -1);
+    const int contact = static_cast<int>(piece.guard / 2);
+    if (piece.status != EventStatus::stopped_at_event) return end(ContactStatus::integration_failed, contact);
+    return happened(contact, piece.guard % 2 == 0);
+  }
+
+  [[nodiscard]] Watch watch(int contact, bool normal) noexcept {
+    const bool barrier = normal && !motion_.states[as(contact)].touches;
+    return {Value{&motion_, contact, normal ? Watched::gap_or_pressure : Watched::slip_or_margin}, Crossing::falling,
+            barrier ? Response::barrier : Response::stop, End{}};
+  }
+
+  struct Steps {
+    ContactRun& run;
+    bool operator()(const double& t, const Vector& y) const {
+      if constexpr (std::is_invocable_v<Observer&, const double&, const Vector&>) return notify(run.observer_, t, y);
+      return true;
+    }
+  };
+
+  bool happened(int contact, bool normal) {
+    ++result_.events;
+    const Vector before = y_;
+    ContactState& state = motion_.states[as(contact)];
+    residual_ = energy_lost_ = 0;
+    impulses_ = Motion::Forces::Zero(motion_.rows());
+    ContactEventKind kind = ContactEventKind::impact;
+    double told = result_.time;
+    bool done = false;
+    if (normal && !state.touches) {
+      if (!motion_.read(result_.time, y_)) return end(ContactStatus::integration_failed, contact);
+      const double speed = std::abs(motion_.reading().w(motion_.normal_row(contact)));
+      // Where the flights left rise by less than 1e6 roundings of the gap, the next impacts are known less well.
+      const double unresolved = speed > 0 ? 1e6 * motion_.rounding_of_gap(contact) / speed : 0;
+      const double limit = end_of_bounces(contact, speed);
+      bounces_[as(contact)] = limit > result_.time ? bounces_[as(contact)] + 1 : 0;
+      const bool fades = bounces_[as(contact)] >= 3 && limit - result_.time <= unresolved;
+      const bool alone = watches_[as(contact)](result_.time, options_.accumulation) || fades;
+      const bool together = all_(result_.time, std::max(options_.accumulation, unresolved));
+      const bool rests = alone || together;
+      last_impact_[as(contact)] = ++impact_number_;
+      alone_ = alone;
+      cause_ = contact;
+      if (rests) {
+        kind = ContactEventKind::accumulation;
+        ++result_.accumulations;
+        // The contact is closed from now on: until the limit the impulses of all bounces and of rest are the same.
+        told = std::max(result_.time, alone ? limit : all_.limit());
+      }
+      for (int i = 0; i < contacts; ++i) {
+        touching_[as(i)] =
+            i == contact || motion_.states[as(i)].touches || motion_.reading().gap[as(i)] <= options_.touch;
+      }
+      last_speed_[as(contact)] = speed;
+      done = collide(contact, rests);
+      if (rests) {
+        watches_.fill({});
+        bounces_.fill(0);
+        last_speed_.fill(0);
+        all_ = {};
+      }
+    } else if (normal) {
+      kind = ContactEventKind::opens;
+      done = decide(contact, Cause::opens);
+    } else if (state.regime == ContactRegime::slides) {
+      kind = ContactEventKind::slip_ends;
+      state.regime = ContactRegime::sticks;  // or whatever the laws say from rest
+      motion_.changed();
+      done = decide(contact, Cause::none);
+    } else {
+      kind = ContactEventKind::slips;
+      if (motion_.solve(result_.time, y_) != Evaluation::ok) return end(ContactStatus::integration_failed, contact);
+      const int t = motion_.tangent_row(contact);
+      double length = 0;
+      for (int k = 0; k < motion_.system().rule(contact).tangents; ++k)
+        length = std::hypot(length, motion_.reactions()(t + k));
+      for (int k = 0; k < motion_.system().rule(contact).tangents; ++k) {
+        state.direction[as(k)] = -motion_.reactions()(t + k) / length;
+      }
+      done = decide(contact, Cause::slips);
+    }
+    if (!done) return false;
+    if constexpr (std::is_invocable_v<Observer&, const ContactEvent<Motion>&>) {
+      const ContactEvent<Motion> event{kind,           told,      contact,      before,    y_,
+                                       motion_.states, impulses_, energy_lost_, residual_, verdict_};
+      if (!notify(observer_, event)) return end(ContactStatus::stopped_by_observer, contact);
+    }
+    return true;
+  }
+
+  Motion motion_;
+  Vector& y_;
+  const Method& method_;
+  const ContactOptions& options_;
+  Observer& observer_;
+  ContactResult result_;
+  std::array<bool, S::contacts> touching_{};
+  std::array<AccumulationWatch<double>, S::contacts> watches_{};
+  AccumulationWatch<double> all_{};
+  std::array<std::int64_t, S::contacts> last_impact_{};  ///< its number among all impacts; 0: none yet
+  std::array<int, S::contacts> bounces_{};               ///< impacts in succession that were slower than the one before
+  std::array<double, S::contacts> last_speed_{};         ///< of approach at its last impact [m/s]
+  std::int64_t impact_number_ = 0;
+  bool alone_ = false;  ///< the accumulation is that of one contact, `cause_`
+  int cause_ = 0;
+  typename Motion::Forces impulses_;
+  double energy_lost_ = 0, residual_ = 0;
+  ContactVerdict verdict_ = ContactVerdict::unique;
+};
+
+/// Integrates a mechanism with contacts from t0 to t1 >= t0: smooth pieces by a method, between events that are
+/// located; at each event impacts and regimes are solved for all contacts together. Impacts that accumulate are passed
+/// by a completely inelastic one at the time they tend to. `observer` is told of steps (t, y), of events
+/// (ContactEvent), or of both. y is the state at `result.time`.
+template <ContactSystem S, class Method = DormandPrince853, class Observer = IgnoreSteps>
+ContactResult integrate_contacts(const S& system, std::array<double, S::nq + S::nv>& y, double t0, double t1,
+                                 const Method& method = Method{.relative_tolerance = 1e-13,
+                                                               .absolute_tolerance = 1e-13},
+                                 const ContactOptions& options = {}, Observer&& observer = Observer{}) {
+  return ContactRun<S, Method, std::remove_reference_t<Observer>>(system, y, method, options, observer).run(t0, t1);
+}
+
+}  // namespace torsor::runtime
