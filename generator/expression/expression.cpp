@@ -56,7 +56,8 @@ std::optional<std::string> minimum_text(const Expression& x) {
 }
 
 /// The unit of a call; `text` is how errors name it.
-Unit checked_unit(Function function, const std::vector<Expression>& arguments, const std::function<std::string()>& text) {
+Unit checked_unit(Function function, const std::vector<Expression>& arguments,
+                  const std::function<std::string()>& text) {
   if (arguments.size() != traits_of(function).arity) {
     throw Error(fmt::format("{} takes {} arguments", text(), traits_of(function).arity));
   }
@@ -168,7 +169,8 @@ Expression abs(const Expression& x) { return apply(Function::abs, x); }
 Expression sign(const Expression& x) { return apply(Function::sign, x); }
 Expression max(const Expression& a, const Expression& b) { return call(Function::maximum, {a, b}); }
 Expression min(const Expression& a, const Expression& b) {
-  (void)checked_unit(Function::maximum, {a, b}, [&] { return fmt::format("min({}, {})", a.to_string(), b.to_string()); });
+  const auto text = [&] { return fmt::format("min({}, {})", a.to_string(), b.to_string()); };
+  (void)checked_unit(Function::maximum, {a, b}, text);
   return -max(-a, -b);
 }
 Expression atan2(const Expression& y, const Expression& x) { return call(Function::atan2, {y, x}); }

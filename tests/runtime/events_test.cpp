@@ -484,24 +484,5 @@ TEST(Events, ShowStepsCutAtResetsToObservers) {
   }
 }
 
-// Below zero, but within the band, until 0.6; above until 0.9: there it leaves, and not at the start nor at 0.6.
-TEST(FirstDeparture, IsTheLastZeroBeforeTheValueBeyondTheBand) {
-  const auto guard = [](double t) { return (t - 0.6) * (0.9 - t) * (0.01 + t * t); };
-  using Polynomial = StepPolynomial<double>;
-  for (const bool backwards : {false, true}) {
-    const auto f = [&](double t) { return guard(backwards ? 1 - t : t); };
-    const double start = backwards ? 1.0 : 0.0, end = 1.0 - start, zero = backwards ? 1 - 0.9 : 0.9;
-    Polynomial::Values values;
-    for (std::size_t j = 0; j < Polynomial::samples; ++j) {
-      values[j] = f(start + static_cast<double>(Polynomial::places[j]) * (end - start));
-    }
-    const auto departure = first_departure(f, start, end, 0.025, values);
-    ASSERT_TRUE(departure.found && departure.finite);
-    // The slope is 0.25: a rounding of the three factors there is four of the time.
-    EXPECT_NEAR(departure.before, zero, 16 * epsilon);
-    EXPECT_NEAR(departure.after, zero, 16 * epsilon);
-  }
-}
-
 }  // namespace
 }  // namespace events_test
