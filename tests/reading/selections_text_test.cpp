@@ -64,7 +64,7 @@ TEST(SelectionsText, WritesAMinimumAsSuch) {
   expect_part(text, "-k min(x, y)^2/d + k min(y - d, 0)");
   EXPECT_EQ(text.find("max(-"), std::string::npos) << text;
   expect_part(print_equations(minima(), Format::latex, {}), "\\min\\left(x + d, 2 y\\right)");
-  const InlineCheck check = check_inline(minima(), 40, 8, 3);
+  const test::InlineCheck check = test::check_inline(minima(), 40, 8, 3);
   EXPECT_TRUE(check.written_out);
   EXPECT_LT(check.worst.to_double(), 1e-35) << check.worst_of;
 }
