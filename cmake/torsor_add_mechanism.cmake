@@ -2,14 +2,15 @@
 include_guard(GLOBAL)
 
 # torsor_add_mechanism(<name> SCENE <file.cpp> KERNELS <kernel>... [OUTPUT_NAME <name>] [RUN_TIME <parameter>...|all]
-#                      [OPTIONS <option>...])
+#                      [SUPPORT <file name>] [OPTIONS <option>...])
 # torsor_add_mechanism(<name> URDF <file.urdf> KERNELS <kernel>... [OUTPUT_NAME <name>] [RUN_TIME <parameter>...|all]
-#                      [OPTIONS <option>...])
+#                      [SUPPORT <file name>] [OPTIONS <option>...])
 #
 # Builds the program <name>_scene from the scene, or takes the tool torsor for a URDF, xacro or MJCF file, and runs it to write
 # <output name>.hpp (<name>.hpp by default) and make the interface target <name>: what links to it can write #include
 # "<name>.hpp". The target <name>_header stands for the writing alone, and the target property TORSOR_HEADER of <name>
-# holds the path of the header. The namespace of the header is the name of the scene; for a URDF file it is <name>.
+# holds the path of the header. With SUPPORT, what all headers have in common goes to a file of that name beside the
+# header, which includes it. The namespace of the header is the name of the scene; for a URDF file it is <name>.
 # OPTIONS are further ones of `generate`: --forward factorisation, or for a URDF file --base floating. A file that does
 # not exist, and that nothing in this project generates, is an error here and not only when it is built.
 #
@@ -17,10 +18,10 @@ include_guard(GLOBAL)
 # includes changed; it leaves a header alone whose bytes would not change, so that nothing is compiled again then. The stamp is what the build tool
 # looks at: with the header itself as output, make would find an unchanged header old for ever.
 function(torsor_add_mechanism name)
-  cmake_parse_arguments(PARSE_ARGV 1 mechanism "" "SCENE;URDF;OUTPUT_NAME" "KERNELS;RUN_TIME;OPTIONS")
+  cmake_parse_arguments(PARSE_ARGV 1 mechanism "" "SCENE;URDF;OUTPUT_NAME;SUPPORT" "KERNELS;RUN_TIME;OPTIONS")
   if(mechanism_UNPARSED_ARGUMENTS)
     message(FATAL_ERROR "torsor_add_mechanism(${name}): '${mechanism_UNPARSED_ARGUMENTS}' is no argument; "
-                        "the arguments are SCENE or URDF, KERNELS, OUTPUT_NAME, RUN_TIME and OPTIONS")
+                        "the arguments are SCENE or URDF, KERNELS, OUTPUT_NAME, RUN_TIME, SUPPORT and OPTIONS")
   endif()
   if((NOT mechanism_SCENE AND NOT mechanism_URDF) OR NOT mechanism_KERNELS)
     message(FATAL_ERROR "torsor_add_mechanism(${name}): give SCENE <file.cpp> or URDF <file.urdf>, and KERNELS <kernel>...")
@@ -76,6 +77,11 @@ function(torsor_add_mechanism name)
     list(JOIN mechanism_RUN_TIME "," run_time)
     list(APPEND arguments --run-time "${run_time}")
   endif()
+  set(support "")
+  if(mechanism_SUPPORT)
+    set(support "${folder}/${mechanism_SUPPORT}")
+    list(APPEND arguments --support "${support}")
+  endif()
   list(APPEND arguments ${mechanism_OPTIONS})
   file(MAKE_DIRECTORY "${folder}")
   # make does not notice that a command changed; this file changes with it.
@@ -86,7 +92,7 @@ function(torsor_add_mechanism name)
     list(APPEND arguments --depfile "${stamp}.d")
     set(found_inputs DEPFILE "${stamp}.d")
   endif()
-  add_custom_command(OUTPUT "${stamp}" BYPRODUCTS "${header}"
+  add_custom_command(OUTPUT "${stamp}" BYPRODUCTS "${header}" ${support}
     COMMAND ${program} generate ${arguments}
     COMMAND "${CMAKE_COMMAND}" -E touch "${stamp}"
     DEPENDS ${program} ${inputs} "${folder}.arguments" ${found_inputs}

@@ -10,11 +10,17 @@
 
 namespace torsor {
 
+/// A further file that a command writes, before its text.
+struct FurtherFile {
+  std::string path, text;
+};
+
 /// What a command leaves: its text goes where --output says, its notes to the standard error, after the text.
 struct CommandResult {
   std::string text;
   bool passed = true;  ///< false: what was checked does not hold, exit code 1
   std::vector<std::string> notes = {};
+  std::vector<FurtherFile> files = {};
 };
 
 /// The commands of a program while they are declared, and the one that the command line chose.

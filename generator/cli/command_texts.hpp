@@ -49,7 +49,8 @@ std::string verify_json(const std::string& scene, const std::vector<VerifyRow>& 
 
 /// What the scene contains and which kernels it offers.
 std::string list_text(const Scene& scene);
-std::string list_json(const Scene& scene);
+/// With the shapes of what these kernels write, and the fingerprint of the header with them.
+std::string list_json(const Scene& scene, const std::vector<std::string>& kernels);
 
 /// Loops, ranks, mobility, redundancy, internal motions, indeterminate reactions and the reduced graph of the scene's
 /// joints. `inputs_outputs` names the joints that count as those with the outside; empty: those of the ground.

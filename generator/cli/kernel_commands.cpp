@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <filesystem>
 #include <memory>
 
 #include <fmt/format.h>
@@ -12,6 +13,7 @@
 #include "generator/emission/header.hpp"
 #include "generator/emission/javascript_module.hpp"
 #include "generator/emission/kernel.hpp"
+#include "generator/emission/support.hpp"
 #include "generator/expression/error.hpp"
 
 namespace torsor {
@@ -21,9 +23,37 @@ struct KernelRequest : KernelOptions {
   StateOptions states;
   bool json = false;
   std::string language = "c++";
+  std::string support, source;
 };
 
-CommandResult generate(const Scene& scene, const KernelRequest& request) {
+/// How a file includes another one that is written with it: by the way from its folder, or from the current one where it
+/// goes to the standard output.
+std::string included_from(const std::string& output, const std::string& file) {
+  namespace fs = std::filesystem;
+  const fs::path folder = output == "-" ? fs::current_path() : fs::absolute(output).parent_path();
+  return fs::absolute(file).lexically_normal().lexically_relative(folder.lexically_normal()).generic_string();
+}
+
+void check_options(const KernelRequest& request, const std::string& output) {
+  if (!request.support.empty() && request.language == "javascript") {
+    throw UsageError("--support is for --language c++ and c99: a module of JavaScript has its own support");
+  }
+  if (!request.source.empty() && request.language != "c99") {
+    throw UsageError("--source is for --language c99: nothing else is written as a header and a source file");
+  }
+  for (const auto& [option, file] : {std::pair("--support", request.support), std::pair("--source", request.source)}) {
+    if (!request.source.empty() && output == "-") {
+      throw UsageError("--source needs a header that it can include: give --output a file");
+    }
+    if (file == "-") throw UsageError(fmt::format("{} takes a file: the standard output is for --output", option));
+    if (!file.empty() && (file == output || (option == std::string("--source") && file == request.support))) {
+      throw UsageError(fmt::format("{} {} is written by another option too: give it a file of its own", option, file));
+    }
+  }
+}
+
+CommandResult generate(const Scene& scene, const KernelRequest& request, const std::string& output) {
+  check_options(request, output);
   const MechanismListing mechanism = lower_mechanism(scene, request.names(), request.model(scene));
   CommandResult result;
   std::vector<std::string> unsolved;
@@ -41,9 +71,19 @@ CommandResult generate(const Scene& scene, const KernelRequest& request) {
     result.notes.push_back(
         fmt::format("the kernels {} are absent: {}", fmt::join(unsolved, ", "), lack_of_mass(*mechanism.equations)));
   }
-  result.text = request.language == "javascript" ? emit_javascript(mechanism)
-                : request.language == "c99"      ? emit_c(mechanism)
-                                                 : emit_header(mechanism);
+  const std::string support = request.support.empty() ? "" : included_from(output, request.support);
+  if (request.language == "javascript") {
+    result.text = emit_javascript(mechanism);
+  } else if (request.language == "c99") {
+    const std::string header = request.source.empty() ? "" : included_from(request.source, output);
+    CText text = emit_c(mechanism, {support, std::filesystem::path(request.source).filename().string(), header});
+    result.text = std::move(text.header);
+    if (!support.empty()) result.files.push_back({request.support, shared_c_support()});
+    if (!header.empty()) result.files.push_back({request.source, std::move(text.source)});
+  } else {
+    result.text = emit_header(mechanism, support);
+    if (!support.empty()) result.files.push_back({request.support, shared_support()});
+  }
   return result;
 }
 
@@ -64,11 +104,17 @@ CommandResult passes(const Scene& scene, const KernelRequest& request) {
 void add_kernel_commands(CommandSet& commands) {
   const auto request = std::make_shared<KernelRequest>();
   CLI::App& generating = commands.add("generate", "write the specialised header, or module",
-                                      [request](const Scene& scene) { return generate(scene, *request); });
+                                      [request, &commands](const Scene& scene) {
+                                        return generate(scene, *request, commands.output());
+                                      });
   add_kernel_options(generating, *request);
   generating.add_option("--language", request->language, "c++ (a header), c99 (a header) or javascript (an ES module)")
       ->capture_default_str()
       ->check(CLI::IsMember({"c++", "c99", "javascript"}));
+  generating.add_option("--support", request->support,
+                        "file to write, too, with what all headers have in common; the header includes it");
+  generating.add_option("--source", request->source,
+                        "of c99: file to write, too, with functions and tables; the header then declares them");
   generating.get_option("--output")->required()->description("file to write; - for the standard output");
 
   CLI::App& counting = commands.add("counts", "count the operations of the emitted kernels, tests of their Status left out",

@@ -6,8 +6,13 @@
 #include <nlohmann/json.hpp>
 
 #include "generator/cli/command_texts.hpp"
+#include "generator/emission/description.hpp"
+#include "generator/emission/header.hpp"
 #include "generator/emission/kernel.hpp"
+#include "generator/expression/error.hpp"
+#include "generator/expression/written_unit.hpp"
 #include "generator/mechanics/freedom_positions.hpp"
+#include "generator/mechanics/parameter_value.hpp"
 
 namespace torsor {
 namespace {
@@ -16,14 +21,52 @@ using Json = nlohmann::ordered_json;
 
 const char* role(const CoordinateContent& c) { return c.attitude ? "quasi-velocity" : c.law ? "driven" : c.released ? "released" : "unknown"; }
 
-Json content_json(const Scene& scene) {
+/// A number as it starts; null where a parameter has no value.
+Json start_of(const SceneContent& content, const SymbolPointer& symbol) {
+  try {
+    return initial_value(content, symbol).to_double();
+  } catch (const SceneError&) {
+    return {};
+  }
+}
+
+/// The state in which the scene starts, in the order of generated texts.
+Json initial_state_json(const Model& model) {
+  const SceneContent& content = model.scene();
+  Json state{{"time", 0.0}, {"q", Json::array()}, {"v", Json::array()}};
+  for (const SymbolPointer& q : model.positions()) state["q"].push_back(start_of(content, q));
+  for (int i = 0; i < model.unknown_count(); ++i) {
+    state["v"].push_back(start_of(content, model.coordinates()[static_cast<std::size_t>(i)].v));
+  }
+  return state;
+}
+
+/// Adds to the kernels that are derived what they read and write, and to the whole the fingerprint of the header with
+/// them. A scene for which nothing can be generated is listed all the same, with the reason.
+void add_kernel_shapes(Json& json, const Scene& scene, const std::vector<std::string>& names) {
+  try {
+    const MechanismListing mechanism = lower_mechanism(scene, names);
+    for (const Json& shape : kernels_json(mechanism)) {
+      for (Json& kernel : json["kernels"]) {
+        if (kernel["name"] != shape["name"]) continue;
+        for (const auto& [key, value] : shape.items()) kernel[key] = value;
+      }
+    }
+    json["fingerprint"] = fmt::format("{:016x}", header_fingerprint(mechanism));
+  } catch (const Error& error) {
+    json["fingerprint"] = nullptr;
+    json["why_no_header"] = error.what();
+  }
+}
+
+Json content_json(const Scene& scene, const Equations& equations) {
   const SceneContent& content = scene.content();
   Json json{{"name", content.name}, {"title", content.title}};
   const auto list = [&json](const char* key) -> Json& { return json[key] = Json::array(); };
   Json& parameters = list("parameters");
   for (const ParameterContent& p : content.parameters) {
     parameters.push_back({{"name", p.symbol->name},
-                          {"unit", p.symbol->unit.to_string()},
+                          {"unit", written_unit(*p.symbol)},
                           {"value", p.value ? Json(p.value->to_string()) : Json()},
                           {"run_time", p.run_time}});
   }
@@ -31,10 +74,10 @@ Json content_json(const Scene& scene) {
   for (const CoordinateContent& c : content.coordinates) {
     if (c.attitude) {
       for (const SymbolPointer& e : positions_with(content, c)) {
-        coordinates.push_back({{"name", e->name}, {"unit", e->unit.to_string()}, {"role", "quaternion"}});
+        coordinates.push_back({{"name", e->name}, {"unit", written_unit(*e)}, {"role", "quaternion"}});
       }
     }
-    Json coordinate{{"name", c.q->name}, {"unit", c.q->unit.to_string()}, {"role", role(c)}};
+    Json coordinate{{"name", c.q->name}, {"unit", written_unit(*c.q)}, {"role", role(c)}};
     if (c.limits) {
       const auto limit = [&](const char* name, const std::optional<Number>& value) {
         if (value) coordinate["limits"][name] = value->to_double();
@@ -46,6 +89,14 @@ Json content_json(const Scene& scene) {
     }
     coordinates.push_back(std::move(coordinate));
   }
+  const Model& model = equations.model();
+  std::vector<SymbolPointer> velocities;
+  for (int i = 0; i < model.unknown_count(); ++i) {
+    velocities.push_back(model.coordinates()[static_cast<std::size_t>(i)].v);
+  }
+  json["velocities"] = quantities_json(velocities);
+  json["inputs"] = quantities_json(model.inputs());
+  json["initial_state"] = initial_state_json(model);
   Json& frames = list("frames");
   for (const FrameContent& f : content.frames) frames.push_back(f.name);
   Json& bodies = list("bodies");
@@ -57,9 +108,9 @@ Json content_json(const Scene& scene) {
   for (const ContactFriction& f : content.frictions) actions.push_back(f.name);
   Json& constraints = list("constraints");
   for (const ConstraintContent& c : content.constraints) {
-    constraints.push_back({{"name", c.name}, {"multiplier", c.multiplier->name}});
+    constraints.push_back(
+        {{"name", c.name}, {"multiplier", c.multiplier->name}, {"unit", written_unit(*c.multiplier)}});
   }
-  const Equations equations(scene);
   Json& kernels = list("kernels");
   for (const std::string& name : kernel_names()) {
     const std::string skipped = why_absent(name, equations);
@@ -80,10 +131,14 @@ std::string line(const std::string& title, const Json& items, const std::functio
 
 }  // namespace
 
-std::string list_json(const Scene& scene) { return content_json(scene).dump(2) + "\n"; }
+std::string list_json(const Scene& scene, const std::vector<std::string>& kernels) {
+  Json json = content_json(scene, Equations(scene));
+  add_kernel_shapes(json, scene, kernels);
+  return json.dump(2) + "\n";
+}
 
 std::string list_text(const Scene& scene) {
-  const Json json = content_json(scene);
+  const Json json = content_json(scene, Equations(scene));
   const auto plain = [](const Json& item) { return item.get<std::string>(); };
   const auto text = [](const Json& value) { return value.get<std::string>(); };
   std::string out = scene.content().title.empty() ? scene.name() + "\n"

@@ -114,6 +114,7 @@ int run(int argc, const char* const* argv, const SceneSource& source) {
   const std::vector<std::string> remarks = singular_start(scene);
   CommandResult result = run_with_remarks(commands, scene, remarks);
   result.notes.insert(result.notes.end(), remarks.begin(), remarks.end());
+  for (const FurtherFile& file : result.files) write_file_if_changed(file.path, file.text);
   write(commands.output(), result.text);
   if (!source.quiet || !source.quiet()) {
     for (const std::string& note : result.notes) std::fprintf(stderr, "note: %s\n", printable(note).c_str());

@@ -6,7 +6,7 @@
 
 #include <fmt/format.h>
 
-#include "generator/emission/description.hpp"
+#include "generator/expression/written_unit.hpp"
 #include "generator/expression/error.hpp"
 #include "generator/verification/dormand_prince_853.hpp"
 
@@ -33,7 +33,7 @@ Simulation simulate(const Scene& scene, const SimulationOptions& options) {
   result.units = {"s"};
   for (const SymbolPointer& symbol : motion.symbols()) {
     result.names.push_back(symbol->name);
-    result.units.push_back(unit_of(*symbol));
+    result.units.push_back(written_unit(*symbol));
   }
   for (const std::string& name : motion.observed_names()) {
     result.names.push_back(name);

@@ -5,6 +5,7 @@
 
 #include "generator/cli/command_set.hpp"
 #include "generator/cli/command_texts.hpp"
+#include "generator/cli/kernel_options.hpp"
 
 namespace torsor {
 namespace {
@@ -12,6 +13,7 @@ namespace {
 struct StructureRequest {
   std::vector<std::string> inputs_outputs;
   bool json = false;
+  KernelOptions kernels;
   std::string graph = "structure";
   std::string graph_format = "dot";
 };
@@ -47,8 +49,11 @@ void add_structure_commands(CommandSet& commands) {
 
   CLI::App& list = commands.add(
       "list", "print what the scene contains and the kernels it offers",
-      [request](const Scene& scene) { return CommandResult{request->json ? list_json(scene) : list_text(scene)}; });
-  list.add_flag("--json", request->json, "print JSON");
+      [request](const Scene& scene) {
+        return CommandResult{request->json ? list_json(scene, request->kernels.names()) : list_text(scene)};
+      });
+  list.add_flag("--json", request->json, "print JSON, with the shapes of what kernels write");
+  add_kernel_list(list, request->kernels);
 }
 
 }  // namespace torsor

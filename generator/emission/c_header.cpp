@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "generator/emission/c_language.hpp"
 #include "generator/emission/comment_text.hpp"
@@ -12,19 +13,15 @@
 #include "generator/emission/embedded_templates.hpp"
 #include "generator/emission/formula_printer.hpp"
 #include "generator/emission/listing_printer.hpp"
+#include "generator/emission/support.hpp"
 #include "generator/emission/text_template.hpp"
+#include "generator/emission/wrapped_line.hpp"
 
 namespace torsor {
 namespace {
 
 /// Arrays have one entry at least.
 std::string array_size(std::size_t entries) { return std::to_string(std::max<std::size_t>(entries, 1)); }
-
-/// Structures whose members all are numbers of one vector are passed as arrays.
-bool is_vector(const MechanismListing& mechanism, const Structure& structure) {
-  return std::any_of(mechanism.common.begin(), mechanism.common.end(),
-                     [&](const Structure& each) { return each.name == structure.name; });
-}
 
 std::string c_structure(const std::string& scene, const Structure& structure) {
   std::string text = "/// " + comment_text(structure.documentation) + "\ntypedef struct {\n";
@@ -55,7 +52,82 @@ std::string places_text(const std::string& scene, const Layout& layout) {
   return text;
 }
 
-std::string c_function(const MechanismListing& mechanism, const KernelListing& given) {
+/// A function or a table: its definition is the declaration with something behind.
+struct CItem {
+  std::string documentation, declaration, definition;
+  bool is_table = false;
+};
+
+CItem c_table(const std::string& type, const std::string& name, std::size_t size, const std::string& entries,
+            const std::string& nothing, const std::string& documentation = {}) {
+  return {documentation, fmt::format("const {} {}[{}]", type, name, array_size(size)),
+          fmt::format(" = {{{}}};", size == 0 ? nothing : entries), true};
+}
+
+void add_entry(std::string& list, const std::string& entry) { list += (list.empty() ? "" : ", ") + entry; }
+
+/// What the mechanism says of itself.
+std::vector<CItem> c_description(const MechanismListing& mechanism) {
+  const std::string& scene = mechanism.scene().name();
+  std::vector<CItem> items;
+  for (const DescribedTable& described : described_tables) {
+    std::string entries;
+    const std::vector<NamedUnit> all = named_units(mechanism.layout.of(described.table));
+    for (const auto& [name, unit] : all) add_entry(entries, fmt::format("{{\"{}\", \"{}\"}}", name, unit));
+    items.push_back(c_table("torsor_quantity", scene + "_" + described.name, all.size(), entries, "{\"\", \"\"}"));
+  }
+  items.front().documentation = "Names and units of what the vectors hold.";
+  const std::vector<std::size_t> quaternions = quaternion_places(mechanism);
+  items.push_back(c_table("int", scene + "_quaternions", quaternions.size(), fmt::format("{}", fmt::join(quaternions, ", ")), "0",
+                        "Places in q of the first components (w) of the unit quaternions (w, x, y, z)."));
+  std::string results, kernels;
+  std::size_t count = 0;
+  for (const KernelListing& given : mechanism.kernels) {
+    const KernelSignature& kernel = given.kernel;
+    const std::size_t first = count;
+    for (const ResultShape& each : result_shapes(mechanism, given)) {
+      add_entry(results, fmt::format("{{\"{}\", \"{}\", {}, {}}}", each.result, each.member, each.rows, each.columns));
+      ++count;
+    }
+    add_entry(kernels, fmt::format("{{\"{}\", {:d}, {:d}, {:d}, {:d}, {}_results + {}, {}}}", kernel.name,
+                                reads(kernel, Argument::accelerations), reads(kernel, Argument::multipliers),
+                                reads(kernel, Argument::inputs), given.listing.has_status, scene, first, count - first));
+  }
+  items.push_back(c_table("torsor_result", scene + "_results", count, results, "{\"\", \"\", 0, 0}",
+                        "What kernels write, and what they read."));
+  items.push_back(c_table("torsor_kernel", scene + "_kernels", mechanism.kernels.size(), kernels,
+                        "{\"\", 0, 0, 0, 0, 0, 0}"));
+  return items;
+}
+
+/// What comes along with a structure: a number as an enumerator, which has no definition, else a table.
+std::vector<CItem> c_tables(const std::string& scene, const Structure& structure) {
+  std::vector<CItem> items;
+  for (const ConstantTable& each : structure.tables) {
+    const std::string name = scene + "_" + each.name;
+    if (const auto* number = std::get_if<std::size_t>(&each.value)) {
+      items.push_back({each.documentation, fmt::format("enum {{ {} = {} }}", name, *number), "", true});
+    } else if (const auto* indices = std::get_if<ConstantTable::Indices>(&each.value)) {
+      items.push_back(c_table("int", name, indices->size(), numbers_text(each), "0", each.documentation));
+    } else {
+      std::string factors;
+      for (const double factor : std::get<ConstantTable::Factors>(each.value)) {
+        add_entry(factors, fmt::format("TORSOR_NUMBER({}, {})", literal(factor), literal(static_cast<float>(factor))));
+      }
+      const std::size_t size = std::get<ConstantTable::Factors>(each.value).size();
+      items.push_back(c_table("torsor_real", name, size, factors, "0", each.documentation));
+    }
+  }
+  return items;
+}
+
+CItem c_item(const std::string& type, const std::string& name, const std::string& arguments,
+               const std::string& documentation, const std::string& unused, const std::string& body) {
+  return {documentation, fmt::format("{} {}({})", type, name, arguments),
+          " {\n  " + unused + ";\n" + indented(body, "  ") + "}"};
+}
+
+CItem c_function(const MechanismListing& mechanism, const KernelListing& given) {
   const KernelSignature& kernel = given.kernel;
   const Listing& listing = given.listing;
   const std::string& scene = mechanism.scene().name();
@@ -73,53 +145,125 @@ std::string c_function(const MechanismListing& mechanism, const KernelListing& g
   }
   if (listing.recurrence) arguments += ", int order, torsor_real* coefficients";
   const std::string body = print(listing, CLanguage(mechanism, "precomputed->parameters"));
-  const std::string type = listing.has_status ? "torsor_status" : "void";
-  const std::string signature =
-      fmt::format("TORSOR_UNUSED static inline {} {}_{}({}) {{", type, scene, kernel.name, arguments);
-  return documentation_comment(kernel.documentation) + wrapped(signature, 0) + "\n  " + unused + ";\n" +
-         indented(body, "  ") + "}\n";
+  return c_item(listing.has_status ? "torsor_status" : "void", scene + "_" + kernel.name, arguments,
+                  kernel.documentation, unused, body);
+}
+
+/// Functions of parameters.
+std::vector<CItem> preparations(const MechanismListing& mechanism) {
+  const std::string& scene = mechanism.scene().name();
+  const CLanguage language(mechanism, "parameters");
+  std::string copies;
+  for (std::size_t i = 0; i < mechanism.layout.parameters.size(); ++i) {
+    copies += fmt::format("precomputed->parameters[{0}] = parameters[{0}];\n", i);
+  }
+  return {c_item("void", scene + "_default_parameters", "torsor_real* parameters", "Values of the scene.",
+                   "(void)parameters", print(mechanism.default_parameters, language)),
+          c_item("void", scene + "_precompute",
+                   fmt::format("const torsor_real* parameters, {}_precomputed* precomputed", scene),
+                   "To be called again when a parameter changes.", "(void)parameters, (void)precomputed",
+                   copies + print(mechanism.precompute, language)),
+          c_item("void", scene + "_initial_state", fmt::format("const torsor_real* parameters, {}_state* state", scene),
+                   "The state the scene starts from, for these parameters.", "(void)parameters, (void)state",
+                   print(mechanism.initial_state, language))};
+}
+
+std::vector<CItem> all_items(const MechanismListing& mechanism) {
+  const std::string& scene = mechanism.scene().name();
+  std::vector<CItem> items = c_description(mechanism);
+  const auto add = [&items](const std::vector<CItem>& more) { items.insert(items.end(), more.begin(), more.end()); };
+  for (const Structure& structure : mechanism.own) add(c_tables(scene, structure));
+  add(preparations(mechanism));
+  for (const KernelListing& each : mechanism.kernels) items.push_back(c_function(mechanism, each));
+  return items;
+}
+
+/// All in the header.
+std::string as_inline(const CItem& item) {
+  if (item.definition.empty()) return documentation_comment(item.documentation) + item.declaration + ";\n";
+  const std::string signature = (item.is_table ? "TORSOR_UNUSED static " : "TORSOR_UNUSED static inline ") + item.declaration;
+  return documentation_comment(item.documentation) +
+         (item.is_table ? wrapped(signature + item.definition, 0) : wrapped(signature + " {", 0) + item.definition.substr(2)) +
+         "\n";
+}
+
+std::string as_declaration(const CItem& item) {
+  const bool external = item.is_table && !item.definition.empty();
+  return documentation_comment(item.documentation) + wrapped((external ? "extern " : "") + item.declaration + ";", 0) + "\n";
+}
+
+std::string as_definition(const CItem& item) {
+  if (item.definition.empty()) return "";
+  return (item.is_table ? wrapped(item.declaration + item.definition, 0)
+                        : wrapped(item.declaration + " {", 0) + item.definition.substr(2)) +
+         "\n";
+}
+
+template <class Text>
+std::string texts(const std::vector<CItem>& items, const Text& text) {
+  std::string all;
+  for (const CItem& item : items) {
+    const std::string one = text(item);
+    const bool apart = !all.empty() && !one.empty() && (!item.is_table || !item.documentation.empty());
+    all += (apart ? "\n" : "") + one;
+  }
+  return all;
+}
+
+std::string functions_support() {
+  return fill_template("support.h.in", template_without_licence("support.h.in"), {{"sines", template_without_licence("sines_registers.h")}});
 }
 
 }  // namespace
 
-std::string emit_c(const MechanismListing& mechanism) {
+std::string shared_c_support() {
+  return fill_template("shared_support.h.in", embedded_template("shared_support.h.in"),
+                       {{"version", TORSOR_VERSION}, {"support", template_without_licence("support_types.h") + functions_support()}});
+}
+
+CText emit_c(const MechanismListing& mechanism, const COptions& options) {
   const std::string& scene = mechanism.scene().name();
   require_cpp_name(scene, "scene");
   const Layout& layout = mechanism.layout;
-  std::string functions, structures, members;
+  std::string structures, members;
   for (const Structure& each : mechanism.own) structures += c_structure(scene, each);
-  for (const KernelListing& each : mechanism.kernels) {
-    functions += (functions.empty() ? "" : "\n") + c_function(mechanism, each);
-  }
   for (const PrecomputedMember& each : mechanism.members) members += fmt::format("torsor_real {};\n", each.name);
-  std::string copies;
-  for (std::size_t i = 0; i < layout.parameters.size(); ++i) {
-    copies += fmt::format("precomputed->parameters[{0}] = parameters[{0}];\n", i);
-  }
-  const CLanguage language(mechanism, "parameters");
-  const std::string_view support = embedded_template("support.h");
+  const std::vector<CItem> items = all_items(mechanism);
+  Provenance provenance = provenance_of(mechanism, "c99", "h");
+  provenance.support = options.support;
+  provenance.source = options.included_header.empty() ? "" : options.source;
+  const bool apart = !options.included_header.empty();
+  const std::string support =
+      options.support.empty() ? template_without_licence("support_types.h") + (apart ? "" : functions_support())
+                              : fmt::format("#include \"{}\"\n", options.support);
   const auto size = [](const auto& list) { return std::to_string(list.size()); };
-  return fill_template("mechanism.h.in", embedded_template("mechanism.h.in"),
-                       {{"provenance", provenance_comment(provenance_of(mechanism, "c99", "h"))},
-                        {"guard", "TORSOR_" + scene + "_H"},
-                        {"support", std::string(support.substr(support.find('\n') + 1))},
-                        {"scene_name", scene},
-                        {"coordinate_count", size(layout.coordinates)},
-                        {"velocity_count", size(layout.velocities)},
-                        {"input_count", size(layout.inputs)},
-                        {"parameter_count", size(layout.parameters)},
-                        {"multiplier_count", size(layout.multipliers)},
-                        {"coordinate_size", array_size(layout.coordinates.size())},
-                        {"velocity_size", array_size(layout.velocities.size())},
-                        {"parameter_size", array_size(layout.parameters.size())},
-                        {"places", places_text(scene, layout)},
-                        {"precomputed_members", members},
-                        {"structures", structures},
-                        {"default_parameters", print(mechanism.default_parameters, language)},
-                        {"copy_parameters", copies},
-                        {"precompute", print(mechanism.precompute, language)},
-                        {"initial_state", print(mechanism.initial_state, language)},
-                        {"kernels", functions}});
+  CText text;
+  text.header = fill_template("mechanism.h.in", embedded_template("mechanism.h.in"),
+                              {{"provenance", provenance_comment(provenance)},
+                               {"guard", "TORSOR_" + scene + "_H"},
+                               {"support", support},
+                               {"scene_name", scene},
+                               {"coordinate_count", size(layout.coordinates)},
+                               {"velocity_count", size(layout.velocities)},
+                               {"input_count", size(layout.inputs)},
+                               {"parameter_count", size(layout.parameters)},
+                               {"multiplier_count", size(layout.multipliers)},
+                               {"quaternion_count", size(quaternion_places(mechanism))},
+                               {"kernel_count", size(mechanism.kernels)},
+                               {"coordinate_size", array_size(layout.coordinates.size())},
+                               {"velocity_size", array_size(layout.velocities.size())},
+                               {"parameter_size", array_size(layout.parameters.size())},
+                               {"places", places_text(scene, layout)},
+                               {"precomputed_members", members},
+                               {"structures", structures},
+                               {"items", apart ? texts(items, as_declaration) : texts(items, as_inline)}});
+  if (apart) {
+    text.source = fill_template("mechanism.c.in", embedded_template("mechanism.c.in"),
+                                {{"header", options.included_header},
+                                 {"support", options.support.empty() ? functions_support() : ""},
+                                 {"items", texts(items, as_definition)}});
+  }
+  return text;
 }
 
 }  // namespace torsor

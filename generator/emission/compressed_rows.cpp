@@ -1,11 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "generator/emission/compressed_rows.hpp"
 
-#include <fmt/format.h>
-#include <fmt/ranges.h>
-
 #include "generator/emission/kernel_parts.hpp"
-#include "generator/emission/wrapped_line.hpp"
 #include "generator/expression/vanishing.hpp"
 
 namespace torsor {
@@ -31,12 +27,10 @@ void CompressedRows::assign(Kernel& kernel, const std::string& result) const {
   }
 }
 
-std::string CompressedRows::tables(const std::string& name) const {
-  const auto table = [](const std::string& table_name, const std::vector<std::size_t>& entries) {
-    return wrapped(fmt::format("static constexpr int {}[] = {{{}}};", table_name, fmt::join(entries, ", ")), 2) + "\n";
-  };
-  return fmt::format("static constexpr int {}_nonzeros = {};\n", name, values.size()) +
-         table(name + "_row_start", row_starts) + table(name + "_column", columns);
+std::vector<ConstantTable> CompressedRows::tables(const std::string& name, const std::string& documentation) const {
+  return {{name + "_nonzeros", values.size(), documentation},
+          {name + "_row_start", row_starts},
+          {name + "_column", columns}};
 }
 
 }  // namespace torsor

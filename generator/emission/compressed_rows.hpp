@@ -19,8 +19,8 @@ struct CompressedRows {
   explicit CompressedRows(const ValueMatrix& matrix);
   /// `result.values[k] = ...` of a kernel, in the order of the rows.
   void assign(Kernel& kernel, const std::string& result) const;
-  /// Declarations `<name>_nonzeros`, `<name>_row_start[]` and `<name>_column[]` of a header.
-  std::string tables(const std::string& name) const;
+  /// `<name>_nonzeros`, `<name>_row_start[]` and `<name>_column[]`.
+  std::vector<ConstantTable> tables(const std::string& name, const std::string& documentation) const;
 };
 
 }  // namespace torsor

@@ -3,6 +3,9 @@
 
 #include <algorithm>
 #include <array>
+#include <map>
+#include <string>
+#include <vector>
 
 #include <fmt/format.h>
 
@@ -12,6 +15,7 @@
 #include "generator/emission/formula_printer.hpp"
 #include "generator/emission/listing_printer.hpp"
 #include "generator/emission/text_template.hpp"
+#include "generator/emission/wrapped_line.hpp"
 
 namespace torsor {
 namespace {
@@ -27,49 +31,93 @@ constexpr std::array<ArgumentText, 3> argument_texts{
      {Argument::multipliers, Table::multiplier, "Multipliers", "multipliers"},
      {Argument::inputs, Table::input, "Inputs", "inputs"}}};
 
-std::string type_of(const Result& result) {
-  return result.structure.empty() ? fmt::format("std::array<Scalar, {}>", result.size) : result.structure;
+struct ParameterText {
+  std::string type, name;
+  bool used;              ///< one that this scene does not need has no name: nobody looks for it, no compiler warns
+  std::string empty{};    ///< the structure without members that it is, which a caller may leave out
+  bool is_result = false;
+};
+
+std::vector<ParameterText> parameters_behind_state(const MechanismListing& mechanism, const KernelListing& given) {
+  const KernelSignature& kernel = given.kernel;
+  const Listing& listing = given.listing;
+  const auto empty = [&mechanism](const std::string& structure) {
+    const Structure* const found = mechanism.structure(structure);
+    const bool optional = structure == "Inputs" || structure == "Multipliers";
+    return optional && found->members.empty() ? structure : std::string();
+  };
+  std::vector<ParameterText> all;
+  for (const Argument argument : kernel.arguments) {
+    const ArgumentText& text = *std::find_if(argument_texts.begin(), argument_texts.end(),
+                                             [&](const ArgumentText& each) { return each.argument == argument; });
+    all.push_back({fmt::format("const {}&", text.type), text.name, listing.reads(text.table), empty(text.type)});
+  }
+  for (const Result& result : kernel.results) {
+    const bool used = std::any_of(listing.outputs.begin(), listing.outputs.end(),
+                                  [&](const Output& each) { return each.target.result == result.name; });
+    const std::string type =
+        result.structure.empty() ? fmt::format("std::array<Scalar, {}>", result.size) : result.structure;
+    all.push_back({type + "&", result.name, used, empty(result.structure), true});
+  }
+  if (listing.recurrence) {
+    all.push_back({"int", "order", true});
+    all.push_back({fmt::format("std::array<Scalar, {}>*", listing.recurrence->rates.size()), "coefficients", true, "", true});
+  }
+  return all;
+}
+
+/// The same function without arguments that have no members; empty where all have some.
+std::string short_form(const KernelSignature& kernel, const char* type, const std::vector<ParameterText>& parameters) {
+  const auto is_empty = [](const ParameterText& each) { return !each.empty.empty(); };
+  if (std::none_of(parameters.begin(), parameters.end(), is_empty)) return "";
+  std::string signature = fmt::format("TORSOR_DEVICE static {} {}(const Precomputed& precomputed, const State& state",
+                                      type, kernel.name);
+  std::string call = "precomputed, state", locals;
+  for (const ParameterText& each : parameters) {
+    if (!is_empty(each)) signature += ", " + each.type + " " + each.name;
+    if (is_empty(each) && each.is_result) locals += fmt::format("  {} {}{{}};\n", each.empty, each.name);
+    call += ", " + (is_empty(each) && !each.is_result ? each.empty + "()" : each.name);
+  }
+  return "\n/// The same for this mechanism, which has nothing in the arguments left out.\n" +
+         wrapped(signature + ") noexcept {", 2) + "\n" + locals +
+         fmt::format("  {}{}({});\n}}\n", std::string(type) == "void" ? "" : "return ", kernel.name, call);
 }
 
 }  // namespace
 
-std::string cpp_function(const MechanismListing& mechanism, const KernelListing& given) {
+FunctionText cpp_function(const MechanismListing& mechanism, const KernelListing& given) {
   const KernelSignature& kernel = given.kernel;
   const Listing& listing = given.listing;
+  FunctionText function;
   std::vector<std::string> members;
   for (const PrecomputedMember& each : mechanism.members) members.push_back(each.name);
   std::map<std::string, const Structure*> vectors;
   for (const Result& result : kernel.results) {
     if (const Structure* structure = mechanism.structure(result.structure)) vectors.emplace(result.name, structure);
   }
-  const std::string body = print(listing, CppLanguage(mechanism.layout, "precomputed.parameters.", members, vectors));
+  function.body = print(listing, CppLanguage(mechanism.layout, "precomputed.parameters.", members, vectors));
 
-  // An argument that this scene does not need has no name, so that nobody looks for it and no compiler warns.
   const auto parameter = [](const std::string& type, const std::string& name, bool used) {
     return used ? type + " " + name : type;
   };
-  std::string signature =
-      fmt::format("TORSOR_DEVICE static {} {}(", listing.has_status ? "torsor::Status" : "void", kernel.name);
+  const char* const type = listing.has_status ? "torsor::Status" : "void";
+  std::string signature = fmt::format("TORSOR_DEVICE static {} {}(", type, kernel.name);
   signature += parameter("const Precomputed&", "precomputed",
                          listing.reads(Table::precomputed) || listing.reads(Table::parameter));
   const bool reads_state =
       listing.reads(Table::time) || listing.reads(Table::coordinate) || listing.reads(Table::velocity);
   signature += ", " + parameter("const State&", "state", listing.recurrence || reads_state);
-  for (const Argument argument : kernel.arguments) {
-    const ArgumentText& text = *std::find_if(argument_texts.begin(), argument_texts.end(),
-                                             [&](const ArgumentText& each) { return each.argument == argument; });
-    signature += ", " + parameter(fmt::format("const {}&", text.type), text.name, listing.reads(text.table));
-  }
-  for (const Result& result : kernel.results) {
-    const bool used = std::any_of(listing.outputs.begin(), listing.outputs.end(),
-                                  [&](const Output& each) { return each.target.result == result.name; });
-    signature += ", " + parameter(type_of(result) + "&", result.name, used);
-  }
-  if (listing.recurrence) {
-    signature += fmt::format(", int order, std::array<Scalar, {}>* coefficients", listing.recurrence->rates.size());
+  const std::vector<ParameterText> parameters = parameters_behind_state(mechanism, given);
+  std::string types = type;
+  for (const ParameterText& each : parameters) {
+    signature += ", " + parameter(each.type, each.name, each.used);
+    types += ", " + each.type;
   }
   signature += ") noexcept {";
-  return documentation_comment(kernel.documentation) + wrapped(signature, 2) + "\n" + indented(body, "  ") + "}\n";
+  function.pointer = fmt::format("KernelFunction<{}>({})", types, kernel.name);
+  function.body = documentation_comment(kernel.documentation) + wrapped(signature, 2) + "\n" +
+                  indented(function.body, "  ") + "}\n" + short_form(kernel, type, parameters);
+  return function;
 }
 
 }  // namespace torsor

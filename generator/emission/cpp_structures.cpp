@@ -10,13 +10,15 @@
 #include "generator/emission/formula_printer.hpp"
 #include "generator/emission/text_template.hpp"
 #include "generator/expression/error.hpp"
+#include "generator/expression/written_unit.hpp"
 
 namespace torsor {
 namespace {
 
-Member scalar(const Symbol& symbol, const std::string& meaning, const Unit& unit) {
-  return {member_name(symbol), 1, 1, fmt::format("{} [{}]", meaning, unit_text(unit)), true};
+Member scalar(const Symbol& symbol, const std::string& meaning, const std::string& unit) {
+  return {member_name(symbol), 1, 1, fmt::format("{} [{}]", meaning, unit), true};
 }
+Member scalar(const Symbol& symbol, const std::string& meaning) { return scalar(symbol, meaning, written_unit(symbol)); }
 
 std::string element_access(const Structure& structure) {
   const std::string pointer = fmt::format("Scalar {}::*", structure.name);
@@ -36,38 +38,14 @@ std::string element_access(const Structure& structure) {
 
 }  // namespace
 
-std::string unit_text(const Unit& unit) {
-  struct Name {
-    Unit unit;
-    const char* text;
-  };
-  const Unit per_second = Unit() / units::second;
-  const Name names[] = {{Unit(), "rad or 1"},
-                        {per_second, "rad/s"},
-                        {per_second.pow(2), "rad/s^2"},
-                        {units::metre_per_second, "m/s"},
-                        {units::metre_per_second_squared, "m/s^2"},
-                        {units::newton, "N"},
-                        {units::newton_metre, "N m"},
-                        {units::newton / units::metre, "N/m"},
-                        {units::newton / units::metre_per_second, "N s/m"},
-                        {units::newton_metre / per_second, "N m s"},
-                        {units::watt, "W"},
-                        {units::kilogram_metre_squared, "kg m^2"}};
-  for (const Name& name : names) {
-    if (name.unit == unit) return name.text;
-  }
-  return unit.to_string();
-}
-
 std::vector<Structure> common_structures(const Equations& equations, const std::vector<SymbolPointer>& parameters) {
   const Model& model = equations.model();
   Structure given{"Parameters", "Parameters that are set at run time.", {}};
-  for (const SymbolPointer& symbol : parameters) given.members.push_back(scalar(*symbol, "parameter", symbol->unit));
+  for (const SymbolPointer& symbol : parameters) given.members.push_back(scalar(*symbol, "parameter"));
   Structure q{"Coordinates", "Generalised coordinates q.", {}};
   for (const SymbolPointer& symbol : model.positions()) {
     const bool quaternion = !symbol->attitude.expired();
-    q.members.push_back(scalar(*symbol, "coordinate", symbol->unit));
+    q.members.push_back(scalar(*symbol, "coordinate"));
     if (quaternion) q.members.back().documentation = "component of a unit quaternion [1]";
   }
   const bool quasi_velocities = model.positions().size() != static_cast<std::size_t>(model.unknown_count());
@@ -81,20 +59,20 @@ std::vector<Structure> common_structures(const Equations& equations, const std::
     const CoordinateContent& coordinate = model.coordinates()[static_cast<std::size_t>(i)];
     const std::string& name = coordinate.q->name;
     const bool quasi = coordinate.attitude.has_value();
-    v.members.push_back(scalar(*coordinate.v, quasi ? "angular velocity, in moving axes" : "its rate", coordinate.v->unit));
-    a.members.push_back(scalar(*coordinate.a, quasi ? "its rate" : "its second rate", coordinate.a->unit));
+    v.members.push_back(scalar(*coordinate.v, quasi ? "angular velocity, in moving axes" : "its rate"));
+    a.members.push_back(scalar(*coordinate.a, quasi ? "its rate" : "its second rate"));
     forces.members.push_back(scalar(*coordinate.q, (quasi ? "works with " : "works with the rate of ") + name,
-                                    units::joule / coordinate.q->unit));
+                                    written_unit(units::joule / coordinate.q->unit)));
   }
   Structure inputs{"Inputs", "Forces and torques of motors, set at each call.", {}};
-  for (const SymbolPointer& symbol : model.inputs()) inputs.members.push_back(scalar(*symbol, "motor", symbol->unit));
+  for (const SymbolPointer& symbol : model.inputs()) inputs.members.push_back(scalar(*symbol, "motor"));
   Structure multipliers{"Multipliers", "Multipliers of the constraints, or the reactions that enforce them.", {}};
   for (std::size_t j = 0; j < model.scene().constraints.size(); ++j) {
     const ConstraintContent& constraint = model.scene().constraints[j];
     const Symbol& symbol = *constraint.multiplier;
     const bool determinate = equations.redundancy().determinate[j];
     multipliers.members.push_back(scalar(
-        symbol, (determinate ? "of the constraint " : "indeterminate, of the constraint ") + constraint.name, symbol.unit));
+        symbol, (determinate ? "of the constraint " : "indeterminate, of the constraint ") + constraint.name));
   }
   return {given, q, v, a, forces, inputs, multipliers};
 }
@@ -116,7 +94,7 @@ void check_names(const Structure& structure) {
 std::string structure_text(const Structure& structure) {
   std::string text = fmt::format("/// {}\n", comment_text(structure.documentation));
   if (structure.members.empty()) {
-    return text + fmt::format("struct {} {{\n  static constexpr int size = 0;\n}};\n", structure.name);
+    return text + fmt::format("struct {} : torsor::NoMembers<Scalar> {{}};\n", structure.name);
   }
   text += fmt::format("struct {} {{\n", structure.name);
   for (const Member& member : structure.members) {

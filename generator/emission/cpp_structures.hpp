@@ -8,10 +8,6 @@
 
 namespace torsor {
 
-/// Unit as a reader expects it behind a quantity of mechanics: "[N m]" for kg m² s⁻², "[rad/s]" for s⁻¹, else base
-/// units.
-std::string unit_text(const Unit& unit);
-
 /// The structures every header has, in its order: Parameters, Coordinates, Velocities, Accelerations,
 /// GeneralizedForces, Inputs, Multipliers.
 std::vector<Structure> common_structures(const Equations& equations, const std::vector<SymbolPointer>& parameters);
@@ -20,7 +16,7 @@ std::vector<Structure> common_structures(const Equations& equations, const std::
 void check_names(const Structure& structure);
 
 /// A structure in C++. When all members are scalars it has `size` and `operator[]`, through a constexpr table of member
-/// pointers.
+/// pointers; without members both are there too.
 std::string structure_text(const Structure& structure);
 
 }  // namespace torsor

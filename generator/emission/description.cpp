@@ -3,11 +3,13 @@
 
 #include <algorithm>
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <nlohmann/json.hpp>
 
 #include "generator/emission/comment_text.hpp"
-#include "generator/emission/cpp_structures.hpp"
 #include "generator/emission/javascript_language.hpp"
+#include "generator/expression/written_unit.hpp"
 #include "generator/listing/local_names.hpp"
 
 namespace torsor {
@@ -15,17 +17,13 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// One entry on each line.
-std::string lines_of(const Json& list) {
-  std::string text = "[";
-  for (const Json& each : list) text += (text.size() > 1 ? ",\n  " : "\n  ") + each.dump();
-  return text + (list.empty() ? "]" : "\n]");
-}
-
 Json result_json(const MechanismListing& mechanism, const Result& result) {
   const Structure* const structure = mechanism.structure(result.structure);
   Json json{{"name", result.name}, {"size", structure == nullptr ? result.size : size_of(*structure)}};
-  if (structure == nullptr) return json;
+  if (structure == nullptr) {
+    if (result.columns > 1) json["rows"] = result.size / result.columns, json["columns"] = result.columns;
+    return json;
+  }
   json["structure"] = structure->name;
   for (const Member& member : structure->members) {
     Json each{{"name", member.name}, {"offset", offset_of(*structure, member.name)}};
@@ -36,6 +34,40 @@ Json result_json(const MechanismListing& mechanism, const Result& result) {
 }
 
 }  // namespace
+
+std::vector<NamedUnit> named_units(const std::vector<SymbolPointer>& symbols) {
+  std::vector<NamedUnit> all;
+  for (const SymbolPointer& symbol : symbols) all.push_back({member_name(*symbol), written_unit(*symbol)});
+  return all;
+}
+
+bool is_vector(const MechanismListing& mechanism, const Structure& structure) {
+  return std::any_of(mechanism.common.begin(), mechanism.common.end(),
+                     [&structure](const Structure& each) { return each.name == structure.name; });
+}
+
+std::vector<ResultShape> result_shapes(const MechanismListing& mechanism, const KernelListing& kernel) {
+  std::vector<ResultShape> all;
+  for (const Result& result : kernel.kernel.results) {
+    const Structure* const structure = mechanism.structure(result.structure);
+    if (structure == nullptr) {
+      all.push_back({result.name, "", result.size / std::max<std::size_t>(result.columns, 1), result.columns});
+    } else if (is_vector(mechanism, *structure)) {
+      all.push_back({result.name, "", structure->members.size(), 1});
+    } else {
+      for (const Member& member : structure->members) {
+        all.push_back({result.name, member.name, static_cast<std::size_t>(member.rows),
+                       static_cast<std::size_t>(member.columns)});
+      }
+    }
+  }
+  if (kernel.listing.recurrence) all.push_back({"coefficients", "", kernel.listing.recurrence->rates.size(), 0});
+  return all;
+}
+
+bool reads(const KernelSignature& kernel, Argument argument) {
+  return std::find(kernel.arguments.begin(), kernel.arguments.end(), argument) != kernel.arguments.end();
+}
 
 const char* name_of(Argument argument) {
   switch (argument) {
@@ -49,22 +81,19 @@ const char* name_of(Argument argument) {
   return "";
 }
 
-std::string unit_of(const Symbol& symbol) {
-  const bool angle =
-      symbol.unit.is_dimensionless() && symbol.kind == SymbolKind::coordinate && symbol.attitude.expired();
-  if (angle) return "rad";
-  return symbol.unit.is_dimensionless() ? "1" : unit_text(symbol.unit);
+std::string lines_of(const Json& list) {
+  std::string text = "[";
+  for (const Json& each : list) text += (text.size() > 1 ? ",\n  " : "\n  ") + each.dump();
+  return text + (list.empty() ? "]" : "\n]");
 }
 
-std::string symbols_json(const MechanismListing& mechanism, Table table) {
+Json quantities_json(const std::vector<SymbolPointer>& symbols) {
   Json list = Json::array();
-  for (const SymbolPointer& symbol : mechanism.layout.of(table)) {
-    list.push_back({{"name", member_name(*symbol)}, {"unit", unit_of(*symbol)}});
-  }
-  return lines_of(list);
+  for (const auto& [name, unit] : named_units(symbols)) list.push_back({{"name", name}, {"unit", unit}});
+  return list;
 }
 
-std::string kernels_json(const MechanismListing& mechanism) {
+Json kernels_json(const MechanismListing& mechanism) {
   Json list = Json::array();
   for (const KernelListing& each : mechanism.kernels) {
     const KernelSignature& kernel = each.kernel;
@@ -74,9 +103,10 @@ std::string kernels_json(const MechanismListing& mechanism) {
               {"status", each.listing.has_status}};
     for (const Argument argument : kernel.arguments) json["arguments"].push_back(name_of(argument));
     for (const Result& result : kernel.results) json["results"].push_back(result_json(mechanism, result));
+    if (each.listing.recurrence) json["coefficients"] = each.listing.recurrence->rates.size();
     list.push_back(std::move(json));
   }
-  return lines_of(list);
+  return list;
 }
 
 std::vector<std::size_t> quaternion_places(const MechanismListing& mechanism) {
@@ -89,8 +119,6 @@ std::vector<std::size_t> quaternion_places(const MechanismListing& mechanism) {
   return places;
 }
 
-std::string quaternions_json(const MechanismListing& mechanism) { return Json(quaternion_places(mechanism)).dump(); }
-
 std::string documentation_comment(const std::string& documentation) {
   std::string text;
   for (std::size_t begin = 0; begin < documentation.size();) {
@@ -99,6 +127,18 @@ std::string documentation_comment(const std::string& documentation) {
     begin = end + 1;
   }
   return text;
+}
+
+std::string numbers_text(const ConstantTable& table) {
+  return std::visit(
+      [](const auto& value) {
+        if constexpr (std::is_same_v<decltype(value), const std::size_t&>) {
+          return std::to_string(value);
+        } else {
+          return fmt::format("{}", fmt::join(value, ", "));
+        }
+      },
+      table.value);
 }
 
 }  // namespace torsor

@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "generator/emission/cpp_description.hpp"
 #include "generator/emission/cpp_function.hpp"
 #include "generator/emission/cpp_language.hpp"
 #include "generator/emission/cpp_names.hpp"
@@ -17,7 +18,9 @@
 #include "generator/emission/embedded_templates.hpp"
 #include "generator/emission/formula_printer.hpp"
 #include "generator/emission/listing_printer.hpp"
+#include "generator/emission/support.hpp"
 #include "generator/emission/text_template.hpp"
+#include "generator/emission/wrapped_line.hpp"
 #include "generator/expression/error.hpp"
 #include "generator/expression/fnv.hpp"
 
@@ -85,52 +88,43 @@ std::string blocks_text(const std::vector<std::string>& blocks) {
   return text;
 }
 
-}  // namespace
-
-std::string emit_header(const Scene& scene, const std::vector<std::string>& kernels, const ModelOptions& options) {
-  return emit_header(lower_mechanism(scene, kernels, options));
-}
-
-std::string emit_header(const MechanismListing& mechanism) {
+/// What stands in the template behind the head comment, which tells where the scene came from and where the header was
+/// written to.
+std::map<std::string, std::string> body_of(const MechanismListing& mechanism, const std::string& support) {
   const Equations& equations = *mechanism.equations;
   const Scene& scene = equations.scene();
-  require_cpp_name(scene.name(), "scene");
-  std::vector<std::string> common_text, structure_texts;
+  std::vector<std::string> common_text, structure_texts, functions;
   for (const Structure& structure : mechanism.common) common_text.push_back(structure_text(structure));
-  for (const Structure& structure : mechanism.own) structure_texts.push_back(structure_text(structure) + structure.tables);
+  for (const Structure& structure : mechanism.own) structure_texts.push_back(structure_text(structure) + cpp_tables(structure));
   const Structure* const integrals = mechanism.structure("FirstIntegrals");
-  const std::size_t first_integrals = integrals == nullptr ? 0 : integrals->members.size();
-  std::vector<std::string> functions;
+  std::string visits;
   bool jets = false;
   for (const KernelListing& kernel : mechanism.kernels) {
-    functions.push_back(cpp_function(mechanism, kernel));
+    FunctionText function = cpp_function(mechanism, kernel);
+    visits += wrapped(fmt::format("visitor(Description::kernels[{}], {});", functions.size(), function.pointer), 4) + "\n";
+    functions.push_back(std::move(function.body));
     jets = jets || kernel.listing.recurrence;
   }
   const CppLanguage language(mechanism.layout, "parameters.", {}, start_vectors(mechanism));
   const std::string precompute_body = print(mechanism.precompute, language);
   const std::string start_body = print(mechanism.initial_state, language);
-  const SceneContent& content = scene.content();
+  const auto selects = [](const std::string& text) { return text.find("torsor::Selections<") != std::string::npos; };
+  const bool selections =
+      selects(precompute_body) || selects(start_body) || std::any_of(functions.begin(), functions.end(), selects);
   const auto size = [](std::size_t count) { return std::to_string(count); };
-  const std::string degrees = std::to_string(equations.model().unknown_count());
-  const auto without_licence = [](std::string_view text) { return std::string(text.substr(text.find('\n') + 1)); };
-  const auto selects = [](const std::string& body) { return body.find("torsor::Selections<") != std::string::npos; };
-  const bool selections = selects(precompute_body) || selects(start_body) || std::any_of(functions.begin(), functions.end(), selects);
-  const std::string selection_support =
-      selections ? without_licence(embedded_template("selections.hpp")) + "\n" : "";
-  std::map<std::string, std::string> values = {
-      {"provenance", provenance_comment(provenance_of(mechanism))},
+  const Model& model = equations.model();
+  return {
       {"scene_name", scene.name()},
-      {"sincos", without_licence(embedded_template("sincos.hpp")) +
-                     without_licence(embedded_template("sincos_registers.hpp"))},
-      {"jet_support", selection_support + (jets ? without_licence(embedded_template("jets.hpp")) + "\n" : "")},
-      {"coordinate_count", size(equations.model().positions().size())},
-      {"velocity_count", degrees},
-      {"input_count", size(equations.model().inputs().size())},
+      {"support", support.empty() ? support_text(selections, jets) : fmt::format("#include \"{}\"\n", support)},
+      {"of_support", support.empty() ? "" : " ^ torsor::support_fingerprint"},
+      {"description", cpp_description(mechanism)},
+      {"coordinate_count", size(model.positions().size())},
+      {"velocity_count", std::to_string(model.unknown_count())},
+      {"input_count", size(model.inputs().size())},
       {"parameter_count", size(mechanism.layout.parameters.size())},
-      {"multiplier_count", size(content.constraints.size())},
-      {"first_integral_count", size(first_integrals)},
-      {"quaternions",
-       quaternion_table(mechanism) + redundancy_table(equations) + limits_table(equations.model())},
+      {"multiplier_count", size(scene.content().constraints.size())},
+      {"first_integral_count", size(integrals == nullptr ? 0 : integrals->members.size())},
+      {"quaternions", quaternion_table(mechanism) + redundancy_table(equations) + limits_table(model)},
       {"structures", blocks_text(common_text)},
       {"precomputed_members", precomputed_structure(mechanism)},
       {"default_parameters", print(mechanism.default_parameters, language)},
@@ -138,14 +132,38 @@ std::string emit_header(const MechanismListing& mechanism) {
       {"initial_parameters", mechanism.initial_state.reads(Table::parameter) ? " parameters" : ""},
       {"initial_state", start_body},
       {"kernel_structures", structure_texts.empty() ? "" : blocks_text(structure_texts) + "\n"},
-      {"kernels", blocks_text(functions)}};
-  const auto with_fingerprint = [&values](std::uint64_t bits) {
-    values["fingerprint"] = fmt::format("{:016x}", bits);
-    return fill_template("mechanism.hpp.in", embedded_template("mechanism.hpp.in"), values);
-  };
-  const std::string text = with_fingerprint(0);
-  // Not of the head comment, which tells where the scene came from and where the header was written to.
-  return with_fingerprint(Fnv().add(std::string_view(text).substr(text.find("#pragma once"))).value());
+      {"kernels", blocks_text(functions)},
+      {"visits", visits}};
+}
+
+std::string filled(std::map<std::string, std::string>& values, std::uint64_t fingerprint) {
+  values["fingerprint"] = fmt::format("{:016x}", fingerprint);
+  return fill_template("mechanism.hpp.in", embedded_template("mechanism.hpp.in"), values);
+}
+
+std::uint64_t fingerprint_of(const std::string& text) {
+  return Fnv().add(std::string_view(text).substr(text.find("#pragma once"))).value();
+}
+
+}  // namespace
+
+std::string emit_header(const Scene& scene, const std::vector<std::string>& kernels, const ModelOptions& options) {
+  return emit_header(lower_mechanism(scene, kernels, options));
+}
+
+std::string emit_header(const MechanismListing& mechanism, const std::string& support) {
+  require_cpp_name(mechanism.scene().name(), "scene");
+  std::map<std::string, std::string> values = body_of(mechanism, support);
+  Provenance provenance = provenance_of(mechanism);
+  provenance.support = support;
+  values.emplace("provenance", provenance_comment(provenance));
+  return filled(values, fingerprint_of(filled(values, 0)));
+}
+
+std::uint64_t header_fingerprint(const MechanismListing& mechanism) {
+  std::map<std::string, std::string> values = body_of(mechanism, "");
+  values.emplace("provenance", "");
+  return fingerprint_of(filled(values, 0));
 }
 
 }  // namespace torsor

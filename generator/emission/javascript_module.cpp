@@ -4,6 +4,7 @@
 #include <map>
 
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
 #include "generator/emission/description.hpp"
 #include "generator/emission/embedded_templates.hpp"
@@ -11,6 +12,7 @@
 #include "generator/emission/javascript_language.hpp"
 #include "generator/emission/listing_printer.hpp"
 #include "generator/emission/text_template.hpp"
+#include "generator/emission/wrapped_line.hpp"
 
 namespace torsor {
 namespace {
@@ -32,6 +34,22 @@ std::string javascript_function(const MechanismListing& mechanism, const KernelL
          "}\n";
 }
 
+/// What comes along with structures.
+std::string tables_text(const MechanismListing& mechanism) {
+  std::string text;
+  for (const Structure& structure : mechanism.own) {
+    for (const ConstantTable& table : structure.tables) {
+      const bool number = std::holds_alternative<std::size_t>(table.value);
+      text += documentation_comment(table.documentation) +
+              wrapped(fmt::format("export const {} = {};", table.name,
+                                  number ? numbers_text(table) : "[" + numbers_text(table) + "]"),
+                      0) +
+              "\n";
+    }
+  }
+  return text;
+}
+
 }  // namespace
 
 std::string emit_javascript(const MechanismListing& mechanism) {
@@ -50,22 +68,20 @@ std::string emit_javascript(const MechanismListing& mechanism) {
   std::map<std::string, std::string> values = {
       {"provenance", provenance_comment(provenance_of(mechanism, "javascript", "mjs"))},
       {"scene_name", mechanism.scene().name()},
-      {"quaternions", quaternions_json(mechanism)},
+      {"quaternions", nlohmann::ordered_json(quaternion_places(mechanism)).dump()},
       {"state_size", std::to_string(1 + layout.coordinates.size() + layout.velocities.size())},
       {"precomputed_size", std::to_string(layout.parameters.size() + mechanism.members.size())},
       {"parameter_count", std::to_string(layout.parameters.size())},
-      {"kernel_table", kernels_json(mechanism)},
+      {"kernel_table", lines_of(kernels_json(mechanism))},
+      {"tables", tables_text(mechanism)},
       {"precomputed_places", places},
       {"support", std::string(support.substr(support.find('\n') + 1))},
       {"default_parameters", print(mechanism.default_parameters, language)},
       {"precompute", print(mechanism.precompute, language)},
       {"initial_state", print(mechanism.initial_state, language)},
       {"kernels", functions}};
-  for (const auto& [name, table] :
-       {std::pair("coordinates", Table::coordinate), std::pair("velocities", Table::velocity),
-        std::pair("inputs", Table::input), std::pair("multipliers", Table::multiplier),
-        std::pair("parameters", Table::parameter)}) {
-    values.emplace(name, symbols_json(mechanism, table));
+  for (const DescribedTable& described : described_tables) {
+    values.emplace(described.name, lines_of(quantities_json(layout.of(described.table))));
   }
   return fill_template("mechanism.js.in", embedded_template("mechanism.js.in"), values);
 }

@@ -38,7 +38,7 @@ Kernel make_mass_matrix(const Equations& equations) {
   const std::size_t n = unknowns(equations);
   Kernel kernel;
   kernel.documentation = "Mass matrix M(q), symmetric, stored column by column: T2 = 1/2 v' M v.";
-  kernel.results = {{"", "mass", n * n}};
+  kernel.results = {{"", "mass", n * n, n}};
   assign_matrix(kernel, {"mass"}, equations.mass(), n);
   return kernel;
 }

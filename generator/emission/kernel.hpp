@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 #include <utility>
+#include <variant>
 #include <vector>
 
 #include "generator/dynamics/equations/equations.hpp"
@@ -22,12 +23,22 @@ struct Member {
   bool scalar = true;         ///< false: std::array<Scalar, rows * columns>
 };
 
+/// Constants that come along with a structure: a number, or a table of indices or of factors.
+struct ConstantTable {
+  using Indices = std::vector<std::size_t>;
+  using Factors = std::vector<double>;
+
+  std::string name;
+  std::variant<std::size_t, Indices, Factors> value;
+  std::string documentation{};  ///< of this one, and of those behind it that have none; one or more lines
+};
+
 /// A structure of the generated header that one kernel brings along.
 struct Structure {
   std::string name;
   std::string documentation;
   std::vector<Member> members;
-  std::string tables{};  ///< declarations that come along with it: constants, tables of indices
+  std::vector<ConstantTable> tables{};
 };
 
 /// What a kernel reads besides `precomputed` and `state`.
@@ -37,7 +48,8 @@ enum class Argument { accelerations, multipliers, inputs };
 struct Result {
   std::string structure;  ///< "GeneralizedForces", or the name of a structure of the kernel; empty for an array
   std::string name;
-  std::size_t size = 0;   ///< of an array
+  std::size_t size = 0;     ///< of an array
+  std::size_t columns = 1;  ///< of an array that is a matrix
 };
 
 /// `target = value`. The same value may go to several targets.

@@ -81,15 +81,6 @@ std::string names(const Model& model, const std::vector<std::size_t>& freedoms) 
   return text.empty() ? "none" : text;
 }
 
-std::string table(const std::string& count, const std::string& name, const std::vector<std::size_t>& entries,
-                  const std::string& text) {
-  std::string list;
-  for (const std::size_t i : entries) list += (list.empty() ? "" : ", ") + std::to_string(i);
-  std::string declaration = fmt::format("/// {}\nstatic constexpr int {} = {};\n", text, count, entries.size());
-  if (!entries.empty()) declaration += fmt::format("static constexpr int {}[] = {{{}}};\n", name, list);
-  return declaration;
-}
-
 Kernel unconstrained(const Equations& equations) {
   Kernel kernel;
   const std::size_t n = unknowns(equations);
@@ -143,11 +134,13 @@ Kernel reduced(const Equations& equations) {
     kernel.documentation += "\nThe deviation along an attitude is a turn in its moving axes.";
   }
   Structure structure{"Linearisation", "Matrices of the linearised equations, stored column by column.", {}};
-  structure.tables =
-      table("independent_coordinate_count", "independent_coordinates", freedoms.coordinates,
-            "Freedoms that e of the linearisation runs along: places in v (and in q, but for attitudes).") +
-      table("independent_velocity_count", "independent_velocities", freedoms.velocities,
-            "Velocities that w of the linearisation deviates: places in v.");
+  structure.tables = {
+      {"independent_coordinate_count", freedoms.coordinates.size(),
+       "Freedoms that e of the linearisation runs along: places in v (and in q, but for attitudes)."},
+      {"independent_coordinates", freedoms.coordinates},
+      {"independent_velocity_count", freedoms.velocities.size(),
+       "Velocities that w of the linearisation deviates: places in v."},
+      {"independent_velocities", freedoms.velocities}};
   assign_equations(kernel, structure, "", "", linear.full.M, linear.full.C, linear.full.K, linear.full.F,
                    linear.full.E);
   assign_equations(kernel, structure, "_r", "reduced ", linear.M, linear.C, linear.K, linear.F, linear.E);

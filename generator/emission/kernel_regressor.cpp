@@ -5,71 +5,54 @@
 
 #include "generator/dynamics/recursions/base_parameters.hpp"
 #include "generator/dynamics/recursions/regressor.hpp"
-#include "generator/emission/comment_text.hpp"
 #include "generator/emission/kernel_parts.hpp"
-#include "generator/emission/wrapped_line.hpp"
 
 namespace torsor {
 namespace {
 
 /// Which index belongs to which link and its bodies, a line each.
-std::string list_of_parameters(const Model& model, const std::vector<std::size_t>& links) {
-  std::string text = "/// Standard inertial parameters of the links, ten each about the link's origin in its axes:";
-  text += "\n///  ";
+ConstantTable list_of_parameters(const Model& model, const std::vector<std::size_t>& links) {
+  std::string text = "Standard inertial parameters of the links, ten each about the link's origin in its axes:\n ";
   for (const char* name : inertial_parameter_names) text += fmt::format(" {}", name);
-  text += " (J_xy = minus the integral of x y dm).\n";
+  text += " (J_xy = minus the integral of x y dm).";
   for (std::size_t l = 0; l < links.size(); ++l) {
     std::string bodies;
     for (const BodyContent& body : model.scene().bodies) {
       if (static_cast<std::size_t>(model.place(body.frame, "body '" + body.name + "'").link) != links[l]) continue;
       bodies += (bodies.empty() ? "" : ", ") + body.name;
     }
-    text += fmt::format("/// {} to {}: frame {} with body {}\n", 10 * l, 10 * l + 9,
-                        comment_text(model.links()[links[l]].name), comment_text(bodies));
+    text += fmt::format("\n{} to {}: frame {} with body {}", 10 * l, 10 * l + 9, model.links()[links[l]].name, bodies);
   }
-  return text + fmt::format("static constexpr int inertial_parameter_count = {};\n", 10 * links.size());
+  return {"inertial_parameter_count", 10 * links.size(), text};
 }
 
-std::string table(const std::string& type, const std::string& name, const std::string& entries) {
-  return entries.empty() ? ""
-                         : wrapped(fmt::format("static constexpr {} {}[] = {{{}}};", type, name, entries), 2) + "\n";
-}
-
-void append(std::string& list, const std::string& entry) { list += (list.empty() ? "" : ", ") + entry; }
-
-std::string table_of_base(const BaseParameters& base) {
-  std::string list;
-  for (const std::size_t c : base.independent) append(list, std::to_string(c));
-  return fmt::format(
-             "/// Base parameters pi_b, by their place in the list above; of the others those that have an effect are\n"
-             "/// combined with them. First link to last: what a joint cannot tell apart goes towards the ground\n"
-             "/// (Gautier & Khalil, 1990).\n"
-             "static constexpr int base_parameter_count = {};\n",
-             base.independent.size()) +
-         table("int", "base_parameters", list);
+void add_base(std::vector<ConstantTable>& tables, const BaseParameters& base) {
+  tables.push_back({"base_parameter_count", base.independent.size(),
+                    "Base parameters pi_b, by their place in the list above; of the others those that have an effect are\n"
+                    "combined with them. First link to last: what a joint cannot tell apart goes towards the ground\n"
+                    "(Gautier & Khalil, 1990)."});
+  tables.push_back({"base_parameters", base.independent});
 }
 
 /// K without its zeros.
-std::string table_of_regrouping(const BaseParameters& base) {
-  std::string from, to, by;
-  int count = 0;
+void add_regrouping(std::vector<ConstantTable>& tables, const BaseParameters& base) {
+  ConstantTable::Indices from, to;
+  ConstantTable::Factors by;
   for (std::size_t d = 0; d < base.dependent.size(); ++d) {
     for (std::size_t b = 0; b < base.independent.size(); ++b) {
       const Real& k = base.combination[b][d];
       if (k.is_zero()) continue;
-      append(from, std::to_string(base.dependent[d]));
-      append(to, std::to_string(b));
-      append(by, fmt::format("{}", k.to_double()));
-      ++count;
+      from.push_back(base.dependent[d]);
+      to.push_back(b);
+      by.push_back(k.to_double());
     }
   }
-  return fmt::format(
-             "/// pi_base = pi_b + K pi_d: each pi_base[regrouped_to[k]], from pi[base_parameters[...]], gains\n"
-             "/// regrouping_factors[k] * pi[regrouped_from[k]].\n"
-             "static constexpr int regrouping_count = {};\n",
-             count) +
-         table("int", "regrouped_from", from) + table("int", "regrouped_to", to) +
-         table("double", "regrouping_factors", by);
+  tables.push_back({"regrouping_count", by.size(),
+                    "pi_base = pi_b + K pi_d: each pi_base[regrouped_to[k]], from pi[base_parameters[...]], gains\n"
+                    "regrouping_factors[k] * pi[regrouped_from[k]]."});
+  tables.push_back({"regrouped_from", from});
+  tables.push_back({"regrouped_to", to});
+  tables.push_back({"regrouping_factors", by});
 }
 
 }  // namespace
@@ -109,9 +92,9 @@ Kernel make_regressor(const Equations& equations) {
         "combine with them depends on these values, so that no table says it.";
   }
   Structure structure{"Regressor", "What the generalised forces are linear in, stored column by column.", {}};
-  structure.tables = list_of_parameters(model, links);
-  structure.tables += table_of_base(base);
-  if (base.at_any_parameters) structure.tables += table_of_regrouping(base);
+  structure.tables = {list_of_parameters(model, links)};
+  add_base(structure.tables, base);
+  if (base.at_any_parameters) add_regrouping(structure.tables, base);
   kernel.arguments = {Argument::accelerations};
   kernel.results = {{"Regressor", "result"}};
   ValueMatrix columns;

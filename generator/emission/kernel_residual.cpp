@@ -89,10 +89,10 @@ Kernel make_residual_jacobian(const Equations& equations) {
   kernel.arguments = {Argument::accelerations, Argument::multipliers, Argument::inputs};
   Structure structure{"ResidualJacobian", "Derivatives of the residual in compressed rows.", {}};
   structure.members = {matrix_member("values", rows.values.size(), 1, "entries, row by row")};
-  structure.tables =
-      "/// Where the values of ResidualJacobian stand: those of row i from row_start[i] to row_start[i + 1], each in its\n"
-      "/// column: of unknown j by position j, by velocity n + j, by acceleration 2 n + j, by multiplier k 3 n + k.\n" +
-      rows.tables("residual_jacobian");
+  structure.tables = rows.tables(
+      "residual_jacobian",
+      "Where the values of ResidualJacobian stand: those of row i from row_start[i] to row_start[i + 1], each in its\n"
+      "column: of unknown j by position j, by velocity n + j, by acceleration 2 n + j, by multiplier k 3 n + k.");
   kernel.structures = {structure};
   kernel.results = {{"ResidualJacobian", "result"}};
   return kernel;

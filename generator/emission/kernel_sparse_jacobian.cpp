@@ -31,10 +31,10 @@ Kernel make_sparse_constraint_jacobian(const Equations& equations) {
       "Jacobian A(q, t) of the constraints without the entries that vanish identically: `values` of compressed rows.";
   Structure structure{"SparseConstraintJacobian", "Entries of A in compressed rows.", {}};
   structure.members = {matrix_member("values", rows.values.size(), 1, "entries of A, row by row")};
-  structure.tables =
-      "/// Where the values of SparseConstraintJacobian stand: those of row i, in the order of the multipliers, from\n"
-      "/// row_start[i] to row_start[i + 1], each in its column, an index in v.\n" +
-      rows.tables("constraint_jacobian");
+  structure.tables = rows.tables(
+      "constraint_jacobian",
+      "Where the values of SparseConstraintJacobian stand: those of row i, in the order of the multipliers, from\n"
+      "row_start[i] to row_start[i + 1], each in its column, an index in v.");
   kernel.structures = {structure};
   kernel.results = {{"SparseConstraintJacobian", "result"}};
   return kernel;

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "generator/emission/cpp_names.hpp"
+#include "generator/expression/shell_word.hpp"
 #include "generator/listing/schedule.hpp"
 
 namespace torsor {
@@ -70,6 +71,8 @@ std::string regeneration_command(const Provenance& provenance) {
   }
   command += without;
   if (!provenance.language.empty()) command += " --language " + provenance.language;
+  if (!provenance.support.empty()) command += " --support " + shell_word(provenance.support);
+  if (!provenance.source.empty()) command += " --source " + shell_word(provenance.source);
   return command + fmt::format(" --output {}.{}", scene, provenance.extension);
 }
 

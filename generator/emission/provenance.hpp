@@ -36,6 +36,8 @@ struct Provenance {
   std::string frames{};                                            ///< what links have other frames than the scene's for
   std::string language{};                                          ///< as --language has it; empty for C++
   std::string extension = "hpp";                                   ///< of the file
+  std::string support{};                                           ///< the file it includes, where there is one
+  std::string source{};                                            ///< the file written with it, where there is one
 };
 
 /// The head comment: scene, version, licence, kernels, operations, what was skipped and why, how to regenerate. No

@@ -1,4 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <random>
+
 #include <nlohmann/json.hpp>
 
 #include "generator/expression/error.hpp"
@@ -31,6 +36,60 @@ TEST(SceneProgram, ListsWhatTheSceneContains) {
     EXPECT_EQ(kernel.at("available"), !absent) << kernel;
     EXPECT_EQ(kernel.contains("why_not"), absent) << kernel;
   }
+}
+
+TEST(SceneProgram, DescribesTheSceneAsItsHeaderDoes) {
+  const json list = json::parse(run(pendulum, {"list", "--json"}).out);
+  const auto quantity = [](const char* name, const char* unit) { return json{{"name", name}, {"unit", unit}}; };
+  EXPECT_EQ(list.at("coordinates").at(0).at("unit"), "rad");
+  EXPECT_EQ(list.at("velocities"), json::array({quantity("theta", "rad/s")}));
+  EXPECT_EQ(list.at("inputs"), json::array({quantity("torque", "N m")}));
+  EXPECT_EQ(list.at("initial_state"), (json{{"time", 0.0}, {"q", json::array({0.5})}, {"v", json::array({0.0})}}));
+  std::size_t described = 0;
+  for (const json& kernel : list.at("kernels")) {
+    if (!kernel.contains("results")) continue;
+    ++described;
+    if (kernel.at("name") != "mass_matrix") continue;
+    EXPECT_EQ(kernel.at("results"), json::array({json{{"name", "mass"}, {"size", 1}}}));
+    EXPECT_EQ(kernel.at("status"), false);
+  }
+  EXPECT_GT(described, 5U);
+  const std::string header = run(pendulum, {"generate", "--output", "-"}).out;
+  EXPECT_NE(header.find("fingerprint = 0x" + list.at("fingerprint").get<std::string>()), std::string::npos);
+  // Of other kernels.
+  const json few = json::parse(run(pendulum, {"list", "--json", "--kernels", "energy"}).out);
+  EXPECT_NE(few.at("fingerprint"), list.at("fingerprint"));
+}
+
+TEST(SceneProgram, WritesSupportOnceForHeadersThatAskForIt) {
+  const std::filesystem::path folder =
+      std::filesystem::temp_directory_path() / ("torsor_support_" + std::to_string(std::random_device{}()));
+  const auto path = [&folder](const char* name) { return (folder / name).string(); };
+  const auto text_of = [&path](const char* name) {
+    std::ifstream file(path(name));
+    return std::string(std::istreambuf_iterator<char>(file), {});
+  };
+  std::filesystem::create_directories(folder / "below");
+  const Outcome outcome = run(pendulum, {"generate", "--kernels", "energy", "--support", path("shared.hpp"), "--output",
+                                         path("below/pendulum.hpp")});
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  const std::string header = text_of("below/pendulum.hpp"), support = text_of("shared.hpp");
+  EXPECT_NE(header.find("\n#include \"../shared.hpp\"\n"), std::string::npos);
+  EXPECT_EQ(header.find("struct SineCosine"), std::string::npos);
+  EXPECT_NE(support.find("struct SineCosine"), std::string::npos);
+  EXPECT_NE(support.find("class Convolutions"), std::string::npos);
+  // But for the support, the text is that of a header of its own.
+  const std::string alone = run(pendulum, {"generate", "--kernels", "energy", "--output", "-"}).out;
+  const auto kernels = [](const std::string& text) { return text.substr(text.find("  /// Parameters that are set")); };
+  EXPECT_EQ(kernels(header), kernels(alone));
+  EXPECT_NE(alone.find("struct SineCosine"), std::string::npos);
+  expect_failure_beginning(run(pendulum, {"generate", "--language", "javascript", "--support", path("x.mjs"), "--output", "-"}), 2,
+                           "--support is for");
+  expect_failure_beginning(run(pendulum, {"generate", "--source", path("x.c"), "--output", path("x.hpp")}), 2,
+                           "--source is for");
+  expect_failure_beginning(run(pendulum, {"generate", "--support", path("x.hpp"), "--output", path("x.hpp")}), 2,
+                           "--support " + path("x.hpp") + " is written by another option");
+  std::filesystem::remove_all(folder);
 }
 
 Scene sliding_top() {

@@ -60,6 +60,8 @@ expect_refused("torsor_add_mechanism(arm URDF . KERNELS bias)" "is a folder; URD
 expect_refused("torsor_add_mechanism(arm SCENE scene.cpp URDF arm.urdf KERNELS bias)" "give SCENE or URDF, not both")
 expect_arguments("torsor_add_mechanism(arm SCENE scene.cpp KERNELS bias energy OPTIONS --forward factorisation)"
   "--kernels;bias,energy;--output;${FOLDER}/build/torsor/arm/arm.hpp;--forward;factorisation")
+expect_arguments("torsor_add_mechanism(arm SCENE scene.cpp KERNELS bias SUPPORT shared.hpp)"
+  "--output;${FOLDER}/build/torsor/arm/arm.hpp;--support;${FOLDER}/build/torsor/arm/shared.hpp")
 expect_arguments("torsor_add_mechanism(arm URDF arm.urdf KERNELS bias OPTIONS --base floating)" "--base;floating")
 # What another rule of the project writes need not be there yet.
 expect_arguments("set_source_files_properties(\${CMAKE_CURRENT_SOURCE_DIR}/later.urdf PROPERTIES GENERATED ON)

@@ -3,23 +3,27 @@
 
 #include <algorithm>
 #include <string>
+#include <variant>
 #include <vector>
+
+#include "generator/emission/kernel.hpp"
 
 namespace torsor::testing_headers {
 
-/// Numbers of the table `name[] = {...};` of a header.
-inline std::vector<std::size_t> numbers(const std::string& tables, const std::string& name) {
-  std::vector<std::size_t> all;
-  const std::size_t begin = tables.find(name + "[] = {");
-  if (begin == std::string::npos) return all;
-  std::string list = tables.substr(begin + name.size() + 6);
-  list = list.substr(0, list.find('}'));
-  for (std::size_t at = 0; at < list.size();) {
-    const std::size_t end = std::min(list.find(',', at), list.size());
-    all.push_back(std::stoul(list.substr(at, end - at)));
-    at = end + 1;
-  }
-  return all;
+/// The value of the constant of this name; nothing that any has if there is none.
+inline std::variant<std::size_t, ConstantTable::Indices, ConstantTable::Factors> constant(
+    const std::vector<ConstantTable>& tables, const std::string& name) {
+  const auto place =
+      std::find_if(tables.begin(), tables.end(), [&name](const ConstantTable& each) { return each.name == name; });
+  if (place == tables.end()) return ConstantTable::Factors{-12345.0};
+  return place->value;
+}
+
+/// Numbers of a table of indices; none if there is no such table.
+inline std::vector<std::size_t> numbers(const std::vector<ConstantTable>& tables, const std::string& name) {
+  const auto value = constant(tables, name);
+  const auto* const indices = std::get_if<ConstantTable::Indices>(&value);
+  return indices == nullptr ? std::vector<std::size_t>{} : *indices;
 }
 
 }  // namespace torsor::testing_headers

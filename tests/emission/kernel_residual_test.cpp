@@ -25,7 +25,7 @@ std::vector<Value> values_of(const Kernel& kernel) {
 
 /// A column of the Jacobian, its zeros filled in.
 std::vector<Real> column(const Kernel& jacobian, const std::vector<Real>& entries, std::size_t which) {
-  const std::string& tables = jacobian.structures[0].tables;
+  const std::vector<ConstantTable>& tables = jacobian.structures[0].tables;
   const std::vector<std::size_t> starts = numbers(tables, "residual_jacobian_row_start");
   const std::vector<std::size_t> columns = numbers(tables, "residual_jacobian_column");
   EXPECT_EQ(columns.size(), entries.size());
@@ -103,7 +103,7 @@ TEST(Residual, OfThePendulumIsWrittenOut) {
   // r = m l² a + m g l sin q - u: 2 · (3/2)² = 9/2 kg m², 2 · 9.81 · 3/2 = 29.43 N m.
   const Equations equations(testing_mechanisms::pendulum());
   const Kernel jacobian = make_residual_jacobian(equations);
-  const std::string& tables = jacobian.structures[0].tables;
+  const std::vector<ConstantTable>& tables = jacobian.structures[0].tables;
   EXPECT_EQ(numbers(tables, "residual_jacobian_row_start"), (std::vector<std::size_t>{0, 2}));
   EXPECT_EQ(numbers(tables, "residual_jacobian_column"), (std::vector<std::size_t>{0, 2}));
   testing_mechanisms::NamedState at(equations, {{"theta", Real(1)}});

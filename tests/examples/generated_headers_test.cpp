@@ -131,7 +131,7 @@ bool is_binary(const std::string& fraction) {
 TEST(GeneratedHeaders, HaveCorrectlyRoundedLiterals) {
   const std::regex constant(R"re(traits::constant\(([^,]+), ([^,]+)f, "([^"]+)"\))re");
   for (const auto& entry : std::filesystem::directory_iterator(TORSOR_SOURCE_DIR "/generated")) {
-    if (entry.path().extension() != ".hpp") continue;
+    if (entry.path().extension() != ".hpp" || entry.path().stem() == "torsor_support") continue;
     std::ifstream stream(entry.path());
     const std::string text{std::istreambuf_iterator<char>(stream), {}};
     int constants = 0;

@@ -50,9 +50,7 @@ struct Motion {
     for (Scalar& value : start) value = exactly<Scalar>(uniform(random));
     typename M::Parameters parameters = M::default_parameters();
     const auto in_double = Mechanism<double>::default_parameters();
-    if constexpr (M::parameter_count > 0) {
-      for (int i = 0; i < M::parameter_count; ++i) parameters[i] = exactly<Scalar>(in_double[i]);
-    }
+    for (int i = 0; i < M::parameter_count; ++i) parameters[i] = exactly<Scalar>(in_double[i]);
     precomputed = M::precompute(parameters);
   }
 

@@ -51,9 +51,7 @@ class Evaluated {
     std::mt19937 random(seed);
     std::uniform_real_distribution<float> uniform(-1.5F, 1.5F);
     const auto draw = [&](auto& members) {
-      if constexpr (std::remove_reference_t<decltype(members)>::size > 0) {
-        for (int i = 0; i < members.size; ++i) members[i] = scalar<Scalar>(uniform(random));
-      }
+      for (int i = 0; i < members.size; ++i) members[i] = scalar<Scalar>(uniform(random));
     };
     state_.time = scalar<Scalar>(std::abs(uniform(random)));
     draw(state_.q);
@@ -63,9 +61,7 @@ class Evaluated {
     draw(inputs_);
     auto parameters = M::default_parameters();
     const auto doubles = Mechanism<float>::default_parameters();
-    if constexpr (M::parameter_count > 0) {
-      for (int i = 0; i < M::parameter_count; ++i) parameters[i] = scalar<Scalar>(doubles[i]);
-    }
+    for (int i = 0; i < M::parameter_count; ++i) parameters[i] = scalar<Scalar>(doubles[i]);
     precomputed_ = M::precompute(parameters);
     evaluate();
   }
@@ -112,9 +108,7 @@ class Evaluated {
       typename M::Multipliers multipliers{};
       EXPECT_EQ(M::forward_dynamics(p, s, inputs_, accelerations, multipliers), torsor::Status::ok);
       add_vector(solved, "forward_dynamics", accelerations);
-      if constexpr (M::multiplier_count > 0) {
-        for (int j = 0; j < M::multiplier_count; ++j) solved["multipliers"].push_back(exactly(multipliers[j]));
-      }
+      for (int j = 0; j < M::multiplier_count; ++j) solved["multipliers"].push_back(exactly(multipliers[j]));
     }
     evaluate_energies();
     evaluate_constraints();

@@ -86,18 +86,14 @@ void expect_same_bits(const Scene& scene, Precision precision, StateFormat forma
       ++i;
     }
     ASSERT_EQ(i, n);
-    if constexpr (M::input_count > 0) {
-      int k = 0;
-      for (const ActionContent& action : scene.content().actions) {
-        if (const auto* motor = std::get_if<Motor>(&action)) u[k++] = value(motor->input);
-      }
+    int input = 0;
+    for (const ActionContent& action : scene.content().actions) {
+      if (const auto* motor = std::get_if<Motor>(&action)) u[input++] = value(motor->input);
     }
     auto parameters = M::default_parameters();
-    if constexpr (M::parameter_count > 0) {
-      int k = 0;
-      for (const ParameterContent& parameter : scene.content().parameters) {
-        if (parameter.run_time || !parameter.value) parameters[k++] = value(parameter.symbol);
-      }
+    int number = 0;
+    for (const ParameterContent& parameter : scene.content().parameters) {
+      if (parameter.run_time || !parameter.value) parameters[number++] = value(parameter.symbol);
     }
     const auto p = M::precompute(parameters);
 

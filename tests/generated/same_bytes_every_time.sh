@@ -11,9 +11,10 @@ mkdir -p "$folder"
 run() {  # run NUMBER: one process per output, all into one folder
   local to="$folder/$1"
   mkdir "$to"
-  "$program" generate --kernels "$kernels" --output "$to/header.hpp"
+  "$program" generate --kernels "$kernels" --support "$to/support.hpp" --output "$to/header.hpp"
   # What they have in common with the first is written from the same listings: some kernels show the rest.
-  "$program" generate --kernels inverse_dynamics,energy --language c99 --output "$to/header.h"
+  "$program" generate --kernels inverse_dynamics,energy --language c99 --support "$to/support.h" --source "$to/source.c" \
+    --output "$to/header.h"
   "$program" generate --kernels inverse_dynamics,energy --language javascript --output "$to/module.mjs"
   "$program" counts --kernels "$kernels" --json > "$to/counts.json"
   "$program" equations > "$to/equations.txt"
@@ -21,7 +22,7 @@ run() {  # run NUMBER: one process per output, all into one folder
 }
 
 run 1
-for output in header.hpp header.h module.mjs counts.json equations.txt equations.tex; do
+for output in header.hpp support.hpp header.h support.h source.c module.mjs counts.json equations.txt equations.tex; do
   [ -s "$folder/1/$output" ] || { echo "the first run left $output empty"; exit 1; }
 done
 for number in $(seq 2 "$count"); do

@@ -29,7 +29,8 @@ for compiler in g++ clang++; do
   command -v "$compiler" > /dev/null || continue
   for level in "${levels[@]}"; do
     made="$compiler$level"
-    [ "$folder/$made.o" -nt "$header" ] || bash "$here/compile_alone.sh" "$compiler" "$header" "$folder"
+    { [ "$folder/$made.o" -nt "$header" ] && [ ! "$(dirname "$header")/torsor_support.hpp" -nt "$folder/$made.o" ]; } ||
+      bash "$here/compile_alone.sh" "$compiler" "$header" "$folder"
     g++ "$folder/by_number.o" "$folder/$made.o" "$program" -o "$folder/states-$made"
     if [ -z "$first" ]; then
       first="$made"
@@ -51,7 +52,7 @@ for compiler in g++ clang++; do
   done
 done
 
-if grep -qw fma /proc/cpuinfo 2> /dev/null && { [ -n "$long" ] || [ "$(wc -c < "$header")" -lt 64000 ]; }; then
+if grep -qw fma /proc/cpuinfo 2> /dev/null && { [ -n "$long" ] || [ "$(wc -c < "$header")" -lt 40000 ]; }; then
   sed -i 's/^extern template/template/' "$source"
   g++ -std=c++17 -O3 -mavx2 -mfma -ffp-contract=fast -c "$source" -o "$folder/fused.o"
   g++ "$folder/fused.o" "$program" -o "$folder/states-fused"

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // compare.mjs NAME STATES FOLDER C++-COMPILER C-COMPILER...: evaluates every kernel of FOLDER/NAME.mjs, .h and .hpp at
-// the same random states and expects the same bits from all of them: results, Taylor coefficients, statuses. C in float is compared with C++ in float.
+// the same random states and expects the same bits from all of them: results, Taylor coefficients, statuses. C in float is
+// compared with C++ in float, and C as header and source file (FOLDER/apart) too. All describe themselves alike.
 import { execFileSync } from "node:child_process";
 import { readFileSync, writeFileSync } from "node:fs";
 import { join, resolve } from "node:path";
@@ -46,7 +47,7 @@ writeFileSync(join(folder, `${name}.states`), data);
 const taylor = sizes.state - 1;
 const outputs = m.kernels.map((kernel) => {
   const size = kernel.results.reduce((sum, result) => sum + result.size, 0);
-  return size + (kernel.name === "jets" ? taylor * (order + 1) : 0) + 1;
+  return size + (kernel.coefficients ? taylor * (order + 1) : 0) + 1;
 });
 
 function ofModule() {
@@ -60,18 +61,48 @@ function ofModule() {
     for (const kernel of m.kernels) {
       const results = kernel.results.map((result) => new Float64Array(result.size));
       const coefficients = new Float64Array(taylor * (order + 1));
-      const more = kernel.name === "jets" ? [order, coefficients] : [];
+      const more = kernel.coefficients ? [order, coefficients] : [];
       const status = m[kernel.name](precomputed, state, ...kernel.arguments.map((a) => given[a]), ...results, ...more);
       for (const result of results) all.push(...result);
-      if (kernel.name === "jets") all.push(...coefficients);
+      if (kernel.coefficients) all.push(...coefficients);
       all.push(status ?? 0);
     }
   }
   return new Float64Array(all);
 }
 
+const vectors = ["Accelerations", "Multipliers", "GeneralizedForces"];
+const isArray = (result) => !result.structure || vectors.includes(result.structure);
+
+/// What the texts say of themselves, a line for each fact.
+const lists = { coordinates: m.coordinates, velocities: m.velocities, inputs: m.inputs, multipliers: m.multipliers, parameters: m.parameters };
+const description = [];
+for (const [list, all] of Object.entries(lists)) for (const each of all) description.push(`${list} ${each.name} ${each.unit}`);
+for (const kernel of m.kernels) {
+  const reads = ["accelerations", "multipliers", "inputs"].map((argument) => Number(kernel.arguments.includes(argument)));
+  description.push(`kernel ${kernel.name} ${reads.join(" ")} ${Number(kernel.status)}`);
+  for (const result of kernel.results) {
+    if (isArray(result)) description.push(`${result.name}  ${result.rows ?? result.size} ${result.columns ?? 1}`);
+    else for (const each of result.members ?? []) description.push(`${result.name} ${each.name} ${each.rows ?? 1} ${each.columns ?? 1}`);
+  }
+  if (kernel.coefficients) description.push(`coefficients  ${kernel.coefficients} 0`);
+}
+/// The same from a program: of the list of a name its entry k, and the number of entries.
+function describing(at, size) {
+  let text = "    if (argc == 3) {\n      FILE* say = fopen(argv[2], \"w\");\n      if (say == 0) return 1;\n";
+  for (const list of Object.keys(lists)) {
+    text += `      for (int k = 0; k < ${size(list)}; ++k) fprintf(say, "${list} %s %s\\n", ${at(list)}.name, ${at(list)}.unit);\n`;
+  }
+  const kernel = at("kernels");
+  text += `      for (int k = 0; k < ${size("kernels")}; ++k) {\n        fprintf(say, "kernel %s %d %d %d %d\\n", ${kernel}.name, `;
+  text += `(int)${kernel}.reads_accelerations, (int)${kernel}.reads_multipliers, (int)${kernel}.reads_inputs, (int)${kernel}.has_status);\n`;
+  text += `        for (int r = 0; r < ${kernel}.result_count; ++r)\n          fprintf(say, "%s %s %d %d\\n", ${kernel}.results[r].result, `;
+  text += `${kernel}.results[r].member, ${kernel}.results[r].rows, ${kernel}.results[r].columns);\n      }\n`;
+  return text + "      if (fclose(say) != 0) return 1;\n    }\n";
+}
+
 /// Reads the states, in the numbers `real` of the program, and writes results as doubles.
-const readStates = (real) => `static FILE* out;
+const readStates = (real, say) => `static FILE* out;
 static void put(const ${real}* from, int count) {
   for (int i = 0; i < count; ++i) {
     const double number = (double)from[i];
@@ -80,7 +111,8 @@ static void put(const ${real}* from, int count) {
 }
 int main(int argc, char** argv) {
   FILE* in = fopen("${join(folder, name)}.states", "rb");
-  if (argc != 2 || in == 0) return 1;
+  if (argc < 2 || in == 0) return 1;
+${say}
   out = fopen(argv[1], "wb");
   if (out == 0) return 1;
   double row[${width}];
@@ -97,7 +129,7 @@ function calls(declaration, passed, read, call, coefficients) {
   for (const kernel of m.kernels) {
     text += "    {\n";
     kernel.results.forEach((result, i) => (text += `      ${declaration(result, `r${i}`)}\n`));
-    const jets = kernel.name === "jets";
+    const jets = Boolean(kernel.coefficients);
     if (jets) text += `      ${coefficients}\n`;
     const list = ["precomputed", "state", ...kernel.arguments];
     const results = kernel.results.map((result, i) => passed(result, `r${i}`));
@@ -110,15 +142,15 @@ function calls(declaration, passed, read, call, coefficients) {
   return text;
 }
 
-const vectors = ["Accelerations", "Multipliers", "GeneralizedForces"];
-const isArray = (result) => !result.structure || vectors.includes(result.structure);
 const declaredInC = (result, r) =>
   isArray(result) ? `torsor_real ${r}[${Math.max(1, result.size)}] = {0};` : `${name}_${result.structure} ${r};`;
 const declaredInCpp = (result, r) => `${result.structure ? `M::${result.structure}` : `std::array<REAL, ${result.size}>`} ${r}{};`;
 
 function driverInC() {
   const counts = [m.coordinates.length, m.velocities.length];
-  let text = `#include "${name}.h"\n#include <stdio.h>\n#include <string.h>\n#define REAL torsor_real\n${readStates("torsor_real")}`;
+  let text = `#include "${name}.h"\n#include <stdio.h>\n#include <string.h>\n#define REAL torsor_real\n`;
+  const singular = { coordinates: "coordinate", velocities: "velocity", inputs: "input", multipliers: "multiplier", parameters: "parameter", kernels: "kernel" };
+  text += readStates("torsor_real", describing((list) => `${name}_${list}[k]`, (list) => `${name}_${singular[list]}_size`));
   text += `    ${name}_precomputed precomputed;\n    ${name}_precompute(at, &precomputed);\n    at += ${sizes.parameters};\n`;
   text += `    ${name}_state state;\n    state.time = at[0];\n`;
   text += `    memcpy(state.q, at + 1, ${counts[0]} * sizeof(torsor_real));\n`;
@@ -136,7 +168,8 @@ function driverInC() {
 function driverInCpp(real) {
   let text = `#include "${name}.hpp"\n#include <cstdio>\n#include <cstring>\nusing REAL = ${real};\nusing M = ${name}::Mechanism<REAL>;\n`;
   text += "template <class T>\nT filled(const REAL* from, unsigned size) {\n  T t{};\n";
-  text += "  if (size > 0) std::memcpy(static_cast<void*>(&t), from, sizeof(REAL) * size);\n  return t;\n}\n" + readStates("REAL");
+  text += "  if (size > 0) std::memcpy(static_cast<void*>(&t), from, sizeof(REAL) * size);\n  return t;\n}\n";
+  text += readStates("REAL", describing((list) => `M::Description::${list}[(unsigned)k]`, (list) => `(int)M::Description::${list}.size()`));
   text += `    const auto precomputed = M::precompute(filled<M::Parameters>(at, ${sizes.parameters}));\n    at += ${sizes.parameters};\n`;
   text += `    const auto state = filled<M::State>(at, ${sizes.state});\n    at += ${sizes.state};\n`;
   for (const [type, key] of [["Accelerations", "accelerations"], ["Multipliers", "multipliers"], ["Inputs", "inputs"]]) {
@@ -147,12 +180,16 @@ function driverInCpp(real) {
   return text + calls(declaredInCpp, (result, r) => r, read, call, `std::array<REAL, ${taylor}> c[${order + 1}] = {};`) + end;
 }
 
-function run(driver, extension, compiler, flags) {
-  const base = join(folder, `${name}_${compiler.replace(/\W/g, "")}_${flags.join("").replace(/\W/g, "")}_${extension}`);
+const found = [];
+function run(driver, extension, compiler, flags, where = folder, sources = []) {
+  const base = join(where, `${name}_${compiler.replace(/\W/g, "")}_${flags.join("").replace(/\W/g, "")}_${extension}`);
   writeFileSync(`${base}.${extension}`, driver);
-  const options = [...flags, "-O1", "-ffp-contract=off", `-I${folder}`, `${base}.${extension}`, "-o", base, "-lm"];
+  const options = [...flags, "-O1", "-ffp-contract=off", `-I${where}`, `${base}.${extension}`, ...sources, "-o", base, "-lm"];
   execFileSync(compiler, options, { stdio: "inherit" });
-  execFileSync(base, [`${base}.out`], { stdio: "inherit" });
+  execFileSync(base, [`${base}.out`, `${base}.description`], { stdio: "inherit" });
+  const said = readFileSync(`${base}.description`, "utf8").split("\n").slice(0, -1);
+  const wrong = [...said, ""].findIndex((line, i) => line !== (description[i] ?? ""));
+  if (wrong >= 0) found.push(`${base} describes itself by "${said[wrong]}" instead of "${description[wrong]}"`);
   const bytes = readFileSync(`${base}.out`);
   return new Float64Array(bytes.buffer.slice(bytes.byteOffset, bytes.byteOffset + bytes.length));
 }
@@ -176,12 +213,14 @@ function differences(expected, found, language) {
 
 const reference = run(driverInCpp("double"), "cpp", cppCompiler, ["-std=c++17"]);
 const single = run(driverInCpp("float"), "cpp", cppCompiler, ["-std=c++17", "-DSINGLE"]);
-const found = differences(reference, ofModule(), "JavaScript");
+found.push(...differences(reference, ofModule(), "JavaScript"));
 const strict = ["-std=c99", "-pedantic", "-Wall", "-Wextra", "-Wconversion", "-Wdouble-promotion", "-Werror"];
 for (const compiler of cCompilers) {
   found.push(...differences(reference, run(driverInC(), "c", compiler, strict), compiler));
   found.push(...differences(single, run(driverInC(), "c", compiler, [...strict, "-DTORSOR_SINGLE"]), `${compiler} in float`));
 }
+const apart = join(folder, "apart");
+found.push(...differences(reference, run(driverInC(), "c", cCompilers[0], strict, apart, [join(apart, `${name}.c`)]), "C with a source file"));
 // What is said to compile, compiles.
 const header = join(folder, `${name}.h`);
 for (const compiler of cCompilers) {

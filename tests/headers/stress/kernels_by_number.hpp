@@ -2,6 +2,9 @@
 #pragma once
 // Every kernel of one generated header behind C functions, so that one program (states.cpp) can be linked with the
 // kernels of any header at any level of optimisation. Include after the header; needs nothing else.
+#include <array>
+#include <tuple>
+#include <type_traits>
 
 namespace kernels_by_number {
 
@@ -17,50 +20,12 @@ struct Has<M, Call, Void<Call<M>>> {
   static constexpr bool value = true;
 };
 
-template <class T>
-T& any() noexcept;
-
-#define TORSOR_KERNEL(name, ...) \
-  template <class M>             \
-  using name = decltype(M::name(any<const typename M::Precomputed>(), any<const typename M::State>(), __VA_ARGS__))
-TORSOR_KERNEL(kinematics, any<typename M::Kinematics>());
-TORSOR_KERNEL(bias, any<typename M::GeneralizedForces>());
-TORSOR_KERNEL(energy, any<const typename M::Inputs>(), any<typename M::Energy>());
-TORSOR_KERNEL(first_integrals, any<typename M::FirstIntegrals>());
-TORSOR_KERNEL(constraints, any<typename M::Constraints>());
-TORSOR_KERNEL(inverse_dynamics, any<const typename M::Accelerations>(), any<const typename M::Multipliers>(),
-              any<typename M::GeneralizedForces>());
-TORSOR_KERNEL(reactions, any<const typename M::Accelerations>(), any<const typename M::Multipliers>(),
-              any<const typename M::Inputs>(), any<typename M::Reactions>());
-TORSOR_KERNEL(linearisation, any<const typename M::Accelerations>(), any<const typename M::Multipliers>(),
-              any<const typename M::Inputs>(), any<typename M::Linearisation>());
-TORSOR_KERNEL(inverse_dynamics_derivatives, any<const typename M::Accelerations>(), any<const typename M::Multipliers>(),
-              any<typename M::InverseDynamicsDerivatives>());
-TORSOR_KERNEL(forward_dynamics_derivatives, any<const typename M::Inputs>(),
-              any<typename M::ForwardDynamicsDerivatives>());
-TORSOR_KERNEL(sparse_constraint_jacobian, any<typename M::SparseConstraintJacobian>());
-TORSOR_KERNEL(residual, any<const typename M::Accelerations>(), any<const typename M::Multipliers>(),
-              any<const typename M::Inputs>(), any<std::array<double, M::velocity_count + M::multiplier_count>>());
-TORSOR_KERNEL(residual_jacobian, any<const typename M::Accelerations>(), any<const typename M::Multipliers>(),
-              any<const typename M::Inputs>(), any<typename M::ResidualJacobian>());
-TORSOR_KERNEL(inverse_dynamics_second_derivatives, any<const typename M::Accelerations>(),
-              any<const typename M::Multipliers>(), any<typename M::InverseDynamicsSecondDerivatives>());
-TORSOR_KERNEL(forward_dynamics_second_derivatives, any<const typename M::Inputs>(),
-              any<typename M::ForwardDynamicsSecondDerivatives>());
-TORSOR_KERNEL(inverse_dynamics_sensitivities, any<const typename M::Accelerations>(),
-              any<const typename M::Multipliers>(), any<typename M::InverseDynamicsSensitivities>());
-TORSOR_KERNEL(forward_dynamics_sensitivities, any<const typename M::Inputs>(),
-              any<typename M::ForwardDynamicsSensitivities>());
-TORSOR_KERNEL(regressor, any<const typename M::Accelerations>(), any<typename M::Regressor>());
-TORSOR_KERNEL(mass_matrix, any<std::array<double, M::velocity_count * M::velocity_count>>());
-TORSOR_KERNEL(coordinate_rates, any<std::array<double, M::coordinate_count>>());
-TORSOR_KERNEL(jets, any<const typename M::Inputs>(), 1,
-              static_cast<std::array<double, M::coordinate_count + M::velocity_count>*>(nullptr));
-#undef TORSOR_KERNEL
 template <class M>
 using quaternions = decltype(M::quaternions[0]);
-template <class M>
-using columns = decltype(any<typename M::Constraints>().columns);
+template <class Result>
+using jacobian = decltype(Result::gamma, Result::jacobian);
+template <class Result>
+using columns = decltype(Result::columns);
 
 /// Results one after the other in a buffer, or their number alone where there is none.
 struct Results {
@@ -87,147 +52,126 @@ struct Results {
 
 template <class Vector>
 const double* read(const double* in, int count, Vector& to) {
-  if constexpr (sizeof(Vector) >= sizeof(double)) {
-    for (int i = 0; i < count; ++i) to[i] = in[i];
-  }
+  for (int i = 0; i < count; ++i) to[i] = in[i];
   return in + count;
 }
 
+/// What kernels read.
 template <class M>
-constexpr int multipliers() {
-  return M::multiplier_count;
-}
+struct Given {
+  typename M::State state{};
+  typename M::Accelerations accelerations{};
+  typename M::Multipliers multipliers{};
+  typename M::Inputs inputs{};
+  typename M::Precomputed precomputed{};
+
+  explicit Given(const double* in) noexcept {
+    auto parameters = M::default_parameters();
+    state.time = *in++;
+    in = read(in, M::coordinate_count, state.q);
+    in = read(in, M::velocity_count, state.v);
+    in = read(in, M::velocity_count, accelerations);
+    in = read(in, M::multiplier_count, multipliers);
+    in = read(in, M::input_count, inputs);
+    read(in, M::parameter_count, parameters);
+    precomputed = M::precompute(parameters);
+  }
+  operator const typename M::Accelerations&() const noexcept { return accelerations; }
+  operator const typename M::Multipliers&() const noexcept { return multipliers; }
+  operator const typename M::Inputs&() const noexcept { return inputs; }
+};
+
+constexpr int order = 8;  // of Taylor coefficients
+
+/// An argument behind the state: it is given, or it holds a result, which it adds.
+template <class M, class Argument>
+struct Held;
+template <class M, class T>
+struct Held<M, const T&> {
+  explicit Held(const Given<M>& given) noexcept : value(given) {}
+  const T& get() noexcept { return value; }
+  void add(Results&, const char*, int) noexcept {}
+  static constexpr bool is_result = false;
+  const T& value;
+};
+template <class M, class T>
+struct Held<M, T&> {
+  explicit Held(const Given<M>&) noexcept {}
+  T& get() noexcept { return value; }
+  void add(Results& results, const char* name, int code) noexcept {
+    if constexpr (!std::is_empty<T>::value) results.add(name, code, value);
+    // Once more by themselves, for the condition of the matrix that is solved with.
+    if constexpr (Has<T, jacobian>::value) {
+      results.add("constraint_jacobian", code, value.jacobian);
+      if constexpr (Has<T, columns>::value) results.add("constraint_columns", code, value.columns);
+    }
+  }
+  static constexpr bool is_result = true;
+  T value{};
+};
+template <class M>
+struct Held<M, int> {
+  explicit Held(const Given<M>&) noexcept {}
+  int get() noexcept { return order; }
+  void add(Results&, const char*, int) noexcept {}
+  static constexpr bool is_result = false;
+};
+template <class M, class T>
+struct Held<M, T*> {
+  explicit Held(const Given<M>&) noexcept {}
+  T* get() noexcept { return value.data(); }
+  void add(Results& results, const char* name, int code) noexcept {
+    value[0] = {};  // the state again
+    results.add(name, code, value);
+  }
+  static constexpr bool is_result = true;
+  std::array<T, order + 1> value{};
+};
+
+/// Evaluates every kernel that it is shown. Its first result has the kernel's name, another one its own.
+template <class M>
+struct Evaluation {
+  const Given<M>& given;
+  Results& results;
+
+  template <class Code, class... Arguments>
+  void operator()(const torsor::KernelDescription& kernel,
+                  Code (*function)(const typename M::Precomputed&, const typename M::State&, Arguments...)) noexcept {
+    std::tuple<Held<M, Arguments>...> held{Held<M, Arguments>(given)...};
+    std::apply(
+        [&](auto&... each) {
+          int code = -1;
+          if constexpr (std::is_void<Code>::value) {
+            function(given.precomputed, given.state, each.get()...);
+          } else {
+            code = static_cast<int>(function(given.precomputed, given.state, each.get()...));
+          }
+          const char* name = kernel.name;
+          const char* last = kernel.result_count > 0 ? kernel.results[0].result : "";
+          int next = 0;
+          const auto add = [&](auto& one) {
+            one.add(results, name, code);
+            if (!one.is_result) return;
+            while (next < kernel.result_count && same(kernel.results[next].result, last)) ++next;
+            if (next < kernel.result_count) name = last = kernel.results[next].result;
+          };
+          (add(each), ...);
+        },
+        held);
+  }
+
+ private:
+  static bool same(const char* a, const char* b) noexcept {
+    for (; *a != 0 && *a == *b; ++a, ++b) {
+    }
+    return *a == *b;
+  }
+};
 
 template <class M>
 void evaluate(const double* in, Results& results) {
-  typename M::State s{};
-  typename M::Accelerations a{};
-  typename M::Multipliers lambda{};
-  typename M::Inputs u{};
-  auto parameters = M::default_parameters();
-  s.time = *in++;
-  in = read(in, M::coordinate_count, s.q);
-  in = read(in, M::velocity_count, s.v);
-  in = read(in, M::velocity_count, a);
-  in = read(in, M::multiplier_count, lambda);
-  in = read(in, M::input_count, u);
-  if constexpr (M::parameter_count > 0) read(in, M::parameter_count, parameters);
-  const auto p = M::precompute(parameters);
-
-  if constexpr (Has<M, kinematics>::value) {
-    typename M::Kinematics result{};
-    M::kinematics(p, s, result);
-    results.add("kinematics", -1, result);
-  }
-  if constexpr (Has<M, coordinate_rates>::value) {
-    std::array<double, M::coordinate_count> rates{};
-    M::coordinate_rates(p, s, rates);
-    results.add("coordinate_rates", -1, rates);
-  }
-  if constexpr (Has<M, mass_matrix>::value) {
-    std::array<double, M::velocity_count * M::velocity_count> mass{};
-    M::mass_matrix(p, s, mass);
-    results.add("mass_matrix", -1, mass);
-  }
-  typename M::GeneralizedForces forces{};
-  if constexpr (Has<M, bias>::value) {
-    M::bias(p, s, forces);
-    results.add("bias", -1, forces);
-  }
-  if constexpr (Has<M, inverse_dynamics>::value) {
-    M::inverse_dynamics(p, s, a, lambda, forces);
-    results.add("inverse_dynamics", -1, forces);
-  }
-  if constexpr (Has<M, energy>::value) {
-    typename M::Energy result{};
-    M::energy(p, s, u, result);
-    results.add("energy", -1, result);
-  }
-  if constexpr (Has<M, first_integrals>::value) {
-    typename M::FirstIntegrals result{};
-    M::first_integrals(p, s, result);
-    results.add("first_integrals", -1, result);
-  }
-  if constexpr (Has<M, constraints>::value) {
-    typename M::Constraints result{};
-    M::constraints(p, s, result);
-    results.add("constraints", -1, result);
-    // Once more by themselves, for the condition of the matrix that is solved with.
-    results.add("constraint_jacobian", -1, result.jacobian);
-    if constexpr (Has<M, columns>::value) results.add("constraint_columns", -1, result.columns);
-  }
-  if constexpr (Has<M, reactions>::value) {
-    typename M::Reactions result{};
-    M::reactions(p, s, a, lambda, u, result);
-    results.add("reactions", -1, result);
-  }
-  if constexpr (Has<M, regressor>::value) {
-    typename M::Regressor result{};
-    M::regressor(p, s, a, result);
-    results.add("regressor", -1, result);
-  }
-  if constexpr (Has<M, inverse_dynamics_derivatives>::value) {
-    typename M::InverseDynamicsDerivatives result{};
-    M::inverse_dynamics_derivatives(p, s, a, lambda, result);
-    results.add("inverse_dynamics_derivatives", -1, result);
-  }
-  if constexpr (Has<M, sparse_constraint_jacobian>::value) {
-    typename M::SparseConstraintJacobian result{};
-    M::sparse_constraint_jacobian(p, s, result);
-    results.add("sparse_constraint_jacobian", -1, result);
-  }
-  if constexpr (Has<M, residual>::value) {
-    std::array<double, M::velocity_count + M::multiplier_count> result{};
-    M::residual(p, s, a, lambda, u, result);
-    results.add("residual", -1, result);
-  }
-  if constexpr (Has<M, residual_jacobian>::value) {
-    typename M::ResidualJacobian result{};
-    M::residual_jacobian(p, s, a, lambda, u, result);
-    results.add("residual_jacobian", -1, result);
-  }
-  if constexpr (Has<M, inverse_dynamics_second_derivatives>::value) {
-    typename M::InverseDynamicsSecondDerivatives result{};
-    M::inverse_dynamics_second_derivatives(p, s, a, lambda, result);
-    results.add("inverse_dynamics_second_derivatives", -1, result);
-  }
-  if constexpr (Has<M, inverse_dynamics_sensitivities>::value) {
-    typename M::InverseDynamicsSensitivities result{};
-    M::inverse_dynamics_sensitivities(p, s, a, lambda, result);
-    results.add("inverse_dynamics_sensitivities", -1, result);
-  }
-  typename M::Accelerations found{};
-  typename M::Multipliers reaction{};
-  const int status = static_cast<int>(M::forward_dynamics(p, s, u, found, reaction));
-  results.add("forward_dynamics", status, found);
-  if constexpr (M::multiplier_count > 0) results.add("multipliers", status, reaction);
-  if constexpr (Has<M, linearisation>::value) {
-    typename M::Linearisation result{};
-    const auto code = M::linearisation(p, s, a, lambda, u, result);
-    results.add("linearisation", static_cast<int>(code), result);
-  }
-  if constexpr (Has<M, forward_dynamics_derivatives>::value) {
-    typename M::ForwardDynamicsDerivatives result{};
-    const auto code = M::forward_dynamics_derivatives(p, s, u, result);
-    results.add("forward_dynamics_derivatives", static_cast<int>(code), result);
-  }
-  if constexpr (Has<M, forward_dynamics_second_derivatives>::value) {
-    typename M::ForwardDynamicsSecondDerivatives result{};
-    const auto code = M::forward_dynamics_second_derivatives(p, s, u, result);
-    results.add("forward_dynamics_second_derivatives", static_cast<int>(code), result);
-  }
-  if constexpr (Has<M, forward_dynamics_sensitivities>::value) {
-    typename M::ForwardDynamicsSensitivities result{};
-    const auto code = M::forward_dynamics_sensitivities(p, s, u, result);
-    results.add("forward_dynamics_sensitivities", static_cast<int>(code), result);
-  }
-  if constexpr (Has<M, jets>::value) {
-    constexpr int order = 8;
-    std::array<std::array<double, M::coordinate_count + M::velocity_count>, order + 1> result{};
-    const auto code = M::jets(p, s, u, order, result.data());
-    result[0] = {};  // the state again
-    results.add("jets", static_cast<int>(code), result);
-  }
+  const Given<M> given(in);
+  M::for_each_kernel(Evaluation<M>{given, results});
 }
 
 /// Initial state and default parameters, nothing else.
@@ -239,10 +183,7 @@ void start(double* in) {
   for (int i = 0; i < M::velocity_count; ++i) *in++ = s.v[i];
   for (int i = 0; i < M::velocity_count + M::multiplier_count + M::input_count; ++i) *in++ = 0.0;
   const auto parameters = M::default_parameters();
-  (void)parameters;
-  if constexpr (M::parameter_count > 0) {
-    for (int i = 0; i < M::parameter_count; ++i) *in++ = parameters[i];
-  }
+  for (int i = 0; i < M::parameter_count; ++i) *in++ = parameters[i];
 }
 
 /// Sizes of the parts of the input: coordinates, velocities, accelerations, multipliers, inputs, parameters.

@@ -1,0 +1,57 @@
+/* SPDX-License-Identifier: MIT */
+#ifndef TORSOR_C_SUPPORT
+#define TORSOR_C_SUPPORT 2
+// Define TORSOR_SINGLE before the first generated header, alike in the whole program, for float in place of double, and
+// TORSOR_LIBM for the library's sine and cosine. The file is C99, and as C++ the same.
+#include <math.h>
+
+#if defined(__FAST_MATH__) || (defined(__FLT_EVAL_METHOD__) && __FLT_EVAL_METHOD__ != 0)
+#ifndef TORSOR_LIBM
+#define TORSOR_LIBM  // sums would be reassociated or hold more digits than their type
+#endif
+#endif
+
+#ifdef TORSOR_SINGLE
+typedef float torsor_real;
+#define TORSOR_NUMBER(in_double, in_float) (in_float)
+#define TORSOR_FUNCTION(name) name##f
+#else
+typedef double torsor_real;
+#define TORSOR_NUMBER(in_double, in_float) (in_double)
+#define TORSOR_FUNCTION(name) name
+#endif
+#if defined(__GNUC__)
+#define TORSOR_UNUSED __attribute__((unused))
+#else
+#define TORSOR_UNUSED
+#endif
+
+/// What a kernel says about its results; the larger, the worse.
+typedef enum { torsor_ok = 0, torsor_singular = 1, torsor_not_finite = 2 } torsor_status;
+
+enum { torsor_order_max = 30 };  // of Taylor coefficients
+
+/// A number of a mechanism: its name, and its unit as a person writes it.
+typedef struct {
+  const char* name;
+  const char* unit;
+} torsor_quantity;
+
+/// Numbers that a kernel writes, column by column: a result, or a member of one that is a structure. No columns: as many
+/// as are asked for, one for each order of a Taylor series.
+typedef struct {
+  const char* result;
+  const char* member;  // empty: the whole result
+  int rows, columns;
+} torsor_result;
+
+typedef struct {
+  const char* name;
+  int reads_accelerations, reads_multipliers, reads_inputs;  // behind precomputed and state
+  int has_status;                                            // returns a torsor_status
+  const torsor_result* results;
+  int result_count;
+} torsor_kernel;
+#elif TORSOR_C_SUPPORT != 2
+#error "headers of incompatible versions of torsor meet here: write them again with one version"
+#endif
