@@ -287,7 +287,7 @@ TEST_P(EveryJoint, HasAsManyFreedomsInTheTreeAsTheTableSays) {
 }
 
 TEST_P(EveryJoint, MovesTheSameAsCoordinatesAndAsConstraints) {
-  const Equations one(tree(type, moving), with_frames_of_scene({}));  // a link's axes are those of its body
+  const Equations one(tree(type, moving));
   const State state = start(one.model());
   const Motion motion(one, state);
 

@@ -128,7 +128,7 @@ TEST(MomentumScrew, IsThatOfTheBodysPoints) {
   scene.body("box", third,
              Inertia::box(Expression::quantity("1.5", "kg"), m("0.4"), m("0.6"), m("1.0"))
                  .at({m("0.1"), m("-0.2"), m("0.5")}));
-  const Equations equations(scene, with_frames_of_scene({}));
+  const Equations equations(scene);
   const RandomState state(scene, 3);
   Evaluator<double> evaluate(equations.program(), state.in_double());
   const Twist twist = twists(equations.model())[3];
