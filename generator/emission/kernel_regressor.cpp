@@ -74,8 +74,7 @@ std::string no_regressor(const Equations& equations) {
 
 Kernel make_regressor(const Equations& equations) {
   Kernel kernel;
-  // Parameters are those of the scene's frames.
-  const Model model(equations.scene(), equations.program(), with_frames_of_scene(equations.model().options()));
+  const Model& model = equations.model();
   const std::vector<std::size_t> links = links_with_bodies(model);
   const ValueMatrix y = regressor(model);
   const BaseParameters base = base_parameters(model, y);

@@ -3,14 +3,11 @@
 
 #include <algorithm>
 
-#include <fmt/format.h>
-
 #include "generator/emission/cpp_structures.hpp"
 #include "generator/emission/kernel_kinematics.hpp"
 #include "generator/emission/start_values.hpp"
 #include "generator/expression/formula.hpp"
 #include "generator/expression/sum_table.hpp"
-#include "generator/geometry/exact_turn.hpp"
 
 namespace torsor {
 namespace {
@@ -146,33 +143,11 @@ MechanismListing lower_mechanism(const Scene& scene, const std::vector<std::stri
   return mechanism;
 }
 
-namespace {
-
-std::string note_on_frames(const Model& model) {
-  if (!model.is_reframed()) return {};
-  std::string text =
-      "Frames: links have their own in here, in which turns between joints cost less (--without reframing: those of "
-      "the\n"
-      "scene). Coordinates, inputs, parameters and results are those of the scene. An angle to which a constant is "
-      "added is\n"
-      "rounded once more than its coordinate, by half a unit in the last place of the sum.\n";
-  if (model.rounded_directions() > 0) {
-    text += fmt::format(
-        "Of the constants {} directions and angles are irrational: rational numbers stand for them, within 1e-{} rad "
-        "each.\n",
-        model.rounded_directions(), direction_digits);
-  }
-  return text;
-}
-
-}  // namespace
-
 Provenance provenance_of(const MechanismListing& mechanism, const std::string& language,
                          const std::string& extension) {
   const Scene& scene = mechanism.scene();
   Provenance provenance{&scene, mechanism.options, mechanism.asked, mechanism.layout.parameters, {}};
   provenance.notes = notes(mechanism.equations->redundancy(), scene);
-  provenance.frames = note_on_frames(mechanism.equations->model());
   provenance.language = language;
   provenance.extension = extension;
   if (const OperationCount once = count(mechanism.precompute); once.total() > 0) {

@@ -12,10 +12,10 @@ namespace torsor {
 
 const std::vector<PassName>& pass_names() {
   static const std::vector<PassName> names{
-      {"sharing", &Passes::sharing},         {"identities", &Passes::identities}, {"zero_test", &Passes::zero_test},
-      {"products", &Passes::products},       {"factoring", &Passes::factoring},   {"hoisting", &Passes::hoisting},
-      {"regrouping", &Passes::regrouping},   {"off_axis", &Passes::off_axis},     {"reframing", &Passes::reframing},
-      {"length_unit", &Passes::length_unit}, {"scheduling", &Passes::scheduling}};
+      {"sharing", &Passes::sharing},       {"identities", &Passes::identities}, {"zero_test", &Passes::zero_test},
+      {"products", &Passes::products},     {"factoring", &Passes::factoring},   {"hoisting", &Passes::hoisting},
+      {"regrouping", &Passes::regrouping}, {"off_axis", &Passes::off_axis},     {"length_unit", &Passes::length_unit},
+      {"scheduling", &Passes::scheduling}};
   return names;
 }
 
@@ -26,8 +26,7 @@ Passes passes_without(const std::string& list) {
     const std::string name = list.substr(begin, end - begin);
     begin = end + 1;
     const auto& names = pass_names();
-    const auto place =
-        std::find_if(names.begin(), names.end(), [&](const PassName& pass) { return pass.name == name; });
+    const auto place = std::find_if(names.begin(), names.end(), [&](const PassName& pass) { return pass.name == name; });
     if (place == names.end()) {
       std::vector<std::string> known;
       for (const PassName& pass : names) known.emplace_back(pass.name);

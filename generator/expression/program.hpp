@@ -6,7 +6,6 @@
 #include <optional>
 #include <string>
 #include <unordered_map>
-#include <utility>
 #include <vector>
 
 #include "generator/expression/expression.hpp"
@@ -87,7 +86,7 @@ class Program {
   Program& operator=(const Program&) = delete;
 
   /// Who tells the values of measured quantities; without one they are symbols like any other.
-  Measurer set_measurer(Measurer measurer) { return std::exchange(measurer_, std::move(measurer)); }
+  void set_measurer(Measurer measurer) { measurer_ = std::move(measurer); }
 
   Value lower(const Expression& formula);
   Value symbol(const SymbolPointer& symbol);

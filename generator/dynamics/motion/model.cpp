@@ -9,7 +9,6 @@
 #include "generator/expression/derivative.hpp"
 #include "generator/expression/error.hpp"
 #include "generator/expression/expression_derivative.hpp"
-#include "generator/geometry/exact_turn.hpp"
 #include "generator/mechanics/freedom_positions.hpp"
 
 namespace torsor {
@@ -48,24 +47,17 @@ std::vector<SymbolPointer> run_time_parameters(const Scene& scene, const ModelOp
   return symbols;
 }
 
-ModelOptions with_frames_of_scene(ModelOptions options) {
-  options.passes.reframing = false;
-  return options;
-}
-
 ModelOptions as_given(ModelOptions options) {
-  options.passes.reframing = options.passes.regrouping = options.passes.off_axis = options.passes.length_unit =
-      options.passes.products = false;
+  options.passes.regrouping = options.passes.off_axis = options.passes.length_unit = options.passes.products = false;
   return options;
 }
 
 Model::Model(const Scene& scene, Program& program, const ModelOptions& options)
     : scene_(&scene.content()), program_(&program), options_(options) {
-  outer_measurer_ = program.set_measurer([this](const Symbol& symbol) { return measured(symbol); });
+  program.set_measurer([this](const Symbol& symbol) { return measured(symbol); });
   add_coordinates();
   add_links();
   add_bodies();
-  if (options.passes.reframing && !options.symbolic_parameters) reframe();
   for (Link& link : links_) link.effective = link.off_axis = link.mass;
   if (options.passes.regrouping) regroup_inertia(*this, links_);
   if (options.passes.length_unit) choose_length_unit();
@@ -167,7 +159,6 @@ void Model::add_attitude(const FrameContent& frame, const FramePlace& at) {
     link.parent = component == 0 ? at.link : static_cast<int>(links_.size()) - 1;
     if (component == 0) {
       link.placement_rotation = at.rotation;
-      link.placement_factors = plane_factors(at.rotation);
       link.placement_origin = at.origin;
       link.turn = Turn::general;
       link.rotation = rotation;
@@ -189,10 +180,9 @@ std::vector<SymbolPointer> Model::positions() const {
 Value Model::of_configuration(const Expression& formula, const std::string& user) const {
   const Value value = program_->lower(formula);
   if (value.is_constant() || program_->stage(value) <= Stage::configuration) return value;
-  throw SceneError(
-      fmt::format("{} depends on velocities, accelerations or forces through {}: it must be a formula of "
-                  "coordinates, time and parameters",
-                  user, formula.to_string()));
+  throw SceneError(fmt::format("{} depends on velocities, accelerations or forces through {}: it must be a formula of "
+                               "coordinates, time and parameters",
+                               user, formula.to_string()));
 }
 
 std::vector<Value> Model::partials(const Expression& e) const {
@@ -239,7 +229,6 @@ void Model::add_links() {
         link.name = frame.name;
         link.parent = here.link;
         link.placement_rotation = here.rotation;
-        link.placement_factors = plane_factors(here.rotation);
         link.placement_origin = here.origin;
         set_motion(link, frame);
         links_.push_back(link);
@@ -250,10 +239,9 @@ void Model::add_links() {
     if (remaining == before) {
       for (std::size_t f = 1; f < frames.size(); ++f) {
         if (done[f]) continue;
-        throw SceneError(
-            fmt::format("frame '{}' hangs on itself: its chain of parents never reaches the ground; close "
-                        "a loop with a constraint instead",
-                        frames[f].name));
+        throw SceneError(fmt::format("frame '{}' hangs on itself: its chain of parents never reaches the ground; close "
+                                     "a loop with a constraint instead",
+                                     frames[f].name));
       }
     }
   }

@@ -39,10 +39,7 @@ struct ModelOptions {
 /// options. They are what the header's `Parameters` lists.
 std::vector<SymbolPointer> run_time_parameters(const Scene& scene, const ModelOptions& options);
 
-/// The same options with the frames of the scene.
-ModelOptions with_frames_of_scene(ModelOptions options);
-
-/// The same options with frames, inertia and lengths left as the scene has them, and products where they stand.
+/// The same options with inertia and lengths left as the scene has them, and products where they stand.
 ModelOptions as_given(ModelOptions options);
 
 /// Inertia of what is attached to one link: mass [kg], first moment h = m OG [kg m] and operator about the link's
@@ -69,7 +66,6 @@ struct Link {
   std::string name;
   int parent = -1;
   Rotation placement_rotation;  ///< from the joint's fixed axes to the parent link's
-  std::optional<std::vector<Rotation>> placement_factors = std::vector<Rotation>();  ///< it as turns about axes, where it is a product of such
   Vector placement_origin;      ///< of the joint, in the parent link's axes
   JointKind joint = JointKind::weld;
   Vector axis;                  ///< unit vector, the same components on both sides of the joint
@@ -98,7 +94,7 @@ struct FramePlace {
 class Model {
  public:
   Model(const Scene& scene, Program& program, const ModelOptions& options = {});
-  ~Model() { program_->set_measurer(std::move(outer_measurer_)); }
+  ~Model() { program_->set_measurer({}); }
   Model(const Model&) = delete;  // its program asks it for what formulas measure
   Model& operator=(const Model&) = delete;
 
@@ -155,16 +151,12 @@ class Model {
   Matrix from_parent(const Link& link, const Matrix& j) const;
   /// The same without the joint's turn: between the parent's axes and the joint's fixed ones.
   Vector to_joint(const Link& link, const Vector& v) const;
-  Vector from_joint(const Link& link, const Vector& v) const;
+  Vector from_joint(const Link& link, const Vector& v) const { return link.placement_rotation * v; }
   /// Origin of the link in its parent, in the parent's axes.
   Vector origin_in_parent(const Link& link) const;
   /// What the recursions of dynamics put in the place of lengths where all joints turn: lengths over one length L that
   /// occurs in the mechanism, so that its multiplications vanish, with masses m L² and first moments m OG L, so that
   /// moments and inertias stay what they are (`Link::effective` is in these units). L is 1 without a unit elsewhere.
-  /// Whether links have other frames than the scene gives them: joints and bodies then stand elsewhere in the same motion.
-  bool is_reframed() const { return rounded_directions_.has_value(); }
-  /// Directions and angles that its frames round; see direction_digits.
-  int rounded_directions() const { return rounded_directions_.value_or(0); }
   const std::optional<Number>& length_unit() const { return length_unit_; }
   Value length() const;                   ///< L where there is one
   Vector arm(const Link& link) const;     ///< origin_in_parent over L
@@ -194,7 +186,6 @@ class Model {
   Vector down_in(const PointContent& point, const FramePlace& at, const std::string& user) const;
   Vector lowest(const PointContent& point, int link, const std::string& user) const;
   void add_bodies();
-  void reframe();
   void choose_length_unit();
 
   const SceneContent* scene_;
@@ -206,8 +197,6 @@ class Model {
   std::vector<FramePlace> places_;  ///< by frame of the scene
   std::map<int, Vector> measured_;  ///< by index of the measured vector
   std::optional<Number> length_unit_;  ///< [m]
-  std::optional<int> rounded_directions_;
-  Program::Measurer outer_measurer_;  ///< of a model that shares the program
 };
 
 /// Moves to the parent the part of each link's inertia that a turn about its axis leaves alone (a mass distributed on

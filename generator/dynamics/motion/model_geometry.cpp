@@ -5,54 +5,46 @@
 
 #include "generator/dynamics/motion/model.hpp"
 #include "generator/dynamics/motion/nominal_number.hpp"
-#include "generator/geometry/exact_turn.hpp"
 
 namespace torsor {
 namespace {
-
-/// A turn about axis 0, 1 or 2.
-struct AxisTurn {
-  int axis;
-  Value sine, cosine;
-};
-
-/// R v.
-Vector turn(Program& program, const AxisTurn& by, const Vector& v) {
-  const int a = (by.axis + 1) % 3;
-  const int b = (by.axis + 2) % 3;
-  Vector turned = v;
-  turned[a] = by.cosine * v[a];
-  turned[a] -= by.sine * v[b];
-  turned[b] = by.sine * v[a];
-  turned[b] += by.cosine * v[b];
-  return bound(program, turned);
-}
-
-AxisTurn turn_of(const Link& link, bool inverse) {
-  return {link.aligned, inverse ? -link.sine : link.sine, link.cosine};
-}
 
 /// R v for a rotation by the link's angle (its transpose for the inverse turn).
 Vector turn(Program& program, const Link& link, const Vector& v, bool inverse) {
   if (link.turn == Turn::none) return v;
   if (link.turn == Turn::general) return bound(program, (inverse ? transpose(link.rotation) : link.rotation) * v);
-  return turn(program, turn_of(link, inverse), v);
+  const int a = (link.aligned + 1) % 3;
+  const int b = (link.aligned + 2) % 3;
+  const Value sine = inverse ? -link.sine : link.sine;
+  Vector turned = v;
+  turned[a] = link.cosine * v[a];
+  turned[a] -= sine * v[b];
+  turned[b] = sine * v[a];
+  turned[b] += link.cosine * v[b];
+  return bound(program, turned);
 }
 
-/// R J Rᵀ for a turn about axis z. With d = J_xx − J_yy, e = J_xy + J_yx and u = s d + c e:
-/// J'_xx = J_xx − s u, J'_yy = J_yy + s u, J'_xy = c u − J_yx, J'_yx = c u − J_xy, and (J_xz, J_yz), (J_zx, J_zy) turn
-/// as vectors. 16 operations for a symmetric array where two general products take 27.
+/// R J Rᵀ (the inverse turn: Rᵀ J R) for a turn about an aligned axis z. With d = J_xx − J_yy, e = J_xy + J_yx and u = s d + c e:
+/// J'_xx = J_xx − s u, J'_yy = J_yy + s u, J'_xy = c u − J_yx, J'_yx = c u − J_xy, and (J_xz, J_yz), (J_zx, J_zy) turn as
+/// vectors. 16 operations for a symmetric array where two general products take 27.
 ///
 /// Where e vanishes, J_xx cos² + J_yy sin² is written from the smaller of both moments, J_yy + d cos², the other as
 /// J_yy + d sin²: a sum of positive terms, which loses nothing where the squares are near 1.
-Matrix turn(Program& program, const SceneContent& scene, const AxisTurn& by, const Matrix& j) {
-  const auto& [z, sine, cosine] = by;
+Matrix turn(Program& program, const SceneContent& scene, const Link& link, const Matrix& j, bool inverse) {
+  if (link.turn == Turn::none) return j;
+  if (link.turn == Turn::general) {
+    const Matrix back = transpose(link.rotation);
+    const Matrix half = bound(program, (inverse ? back : link.rotation) * j);
+    return bound(program, half * (inverse ? link.rotation : back));
+  }
+  const Value sine = inverse ? -link.sine : link.sine;
+  const int z = link.aligned;
   const int x = (z + 1) % 3;
   const int y = (z + 2) % 3;
   const Value difference = program.bind(j(x, x) - j(y, y));
   const Value sum = program.bind(j(x, y) + j(y, x));
-  const Vector column = turn(program, by, {j(0, z), j(1, z), j(2, z)});
-  const Vector row = turn(program, by, {j(z, 0), j(z, 1), j(z, 2)});
+  const Vector column = turn(program, link, {j(0, z), j(1, z), j(2, z)}, inverse);
+  const Vector row = turn(program, link, {j(z, 0), j(z, 1), j(z, 2)}, inverse);
   Matrix turned;
   const std::optional<double> across = nominal_number(scene, j(x, x));
   const std::optional<double> along = nominal_number(scene, j(y, y));
@@ -60,8 +52,8 @@ Matrix turn(Program& program, const SceneContent& scene, const AxisTurn& by, con
     const bool first = std::abs(*across) > std::abs(*along);  // the larger moment
     const Value& least = first ? j(y, y) : j(x, x);
     const Value spread = first ? difference : program.bind(-difference);
-    const Value by_sine = program.bind(sine * spread), by_cosine = program.bind(cosine * spread);
-    turned(first ? x : y, first ? x : y) = program.bind(least + cosine * by_cosine);
+    const Value by_sine = program.bind(sine * spread), by_cosine = program.bind(link.cosine * spread);
+    turned(first ? x : y, first ? x : y) = program.bind(least + link.cosine * by_cosine);
     turned(first ? y : x, first ? y : x) = program.bind(least + sine * by_sine);
     const Value mixed = program.bind(sine * by_cosine);
     turned(x, y) = turned(y, x) = first ? mixed : -mixed;
@@ -69,10 +61,10 @@ Matrix turn(Program& program, const SceneContent& scene, const AxisTurn& by, con
     turned(y, x) -= j(x, y);
   } else {
     Value u = sine * difference;
-    u += cosine * sum;
+    u += link.cosine * sum;
     u = program.bind(u);
     const Value change = program.bind(sine * u);
-    const Value mixed = cosine * u;
+    const Value mixed = link.cosine * u;
     turned(x, x) = program.bind(j(x, x) - change);
     turned(y, y) = program.bind(j(y, y) + change);
     turned(x, y) = program.bind(mixed - j(y, x));
@@ -86,66 +78,27 @@ Matrix turn(Program& program, const SceneContent& scene, const AxisTurn& by, con
   return turned;
 }
 
-/// The same by the link's angle (the inverse turn: Rᵀ J R).
-Matrix turn(Program& program, const SceneContent& scene, const Link& link, const Matrix& j, bool inverse) {
-  if (link.turn == Turn::none) return j;
-  if (link.turn == Turn::general) {
-    const Matrix back = transpose(link.rotation);
-    const Matrix half = bound(program, (inverse ? back : link.rotation) * j);
-    return bound(program, half * (inverse ? link.rotation : back));
-  }
-  return turn(program, scene, turn_of(link, inverse), j);
-}
-
-/// The same for a constant rotation.
-Matrix turn(Program& program, const SceneContent& scene, const Rotation& r, const Matrix& j) {
-  if (const std::optional<int> z = axis_of_turn(r)) {
-    const int x = (*z + 1) % 3, y = (*z + 2) % 3;
-    return turn(program, scene, AxisTurn{*z, program.number(r(y, x)), program.number(r(x, x))}, j);
-  }
-  const Matrix constant = constant_matrix(program, r);
-  return bound(program, constant * j * transpose(constant));
-}
-
 }  // namespace
 
 Matrix Model::to_parent(const Link& link, const Matrix& j) const {
-  Matrix turned = turn(*program_, *scene_, link, j, false);
-  if (!link.placement_factors) return turn(*program_, *scene_, link.placement_rotation, turned);
-  const std::vector<Rotation>& factors = *link.placement_factors;
-  for (auto factor = factors.rbegin(); factor != factors.rend(); ++factor) {
-    turned = turn(*program_, *scene_, *factor, turned);
-  }
-  return turned;
+  const Matrix turned = turn(*program_, *scene_, link, j, false);
+  if (link.placement_rotation.is_identity()) return turned;
+  const Matrix placement = constant_matrix(*program_, link.placement_rotation);
+  return bound(*program_, placement * turned * transpose(placement));
 }
 
 Matrix Model::from_parent(const Link& link, const Matrix& j) const {
-  Matrix turned = j;
-  if (link.placement_factors) {
-    for (const Rotation& factor : *link.placement_factors) {
-      turned = turn(*program_, *scene_, factor.transpose(), turned);
-    }
-  } else {
-    turned = turn(*program_, *scene_, link.placement_rotation.transpose(), turned);
-  }
-  return turn(*program_, *scene_, link, turned, true);
+  if (link.placement_rotation.is_identity()) return turn(*program_, *scene_, link, j, true);
+  const Matrix placement = constant_matrix(*program_, link.placement_rotation);
+  return turn(*program_, *scene_, link, bound(*program_, transpose(placement) * j * placement), true);
 }
 
 Vector Model::to_parent(const Link& link, const Vector& v) const {
-  return from_joint(link, turn(*program_, link, v, false));
-}
-
-Vector Model::from_joint(const Link& link, const Vector& v) const {
-  if (!link.placement_factors || link.placement_factors->size() < 2) return link.placement_rotation * v;
-  return link.placement_factors->front() * bound(*program_, link.placement_factors->back() * v);
+  return link.placement_rotation * turn(*program_, link, v, false);
 }
 
 Vector Model::to_joint(const Link& link, const Vector& v) const {
-  if (!link.placement_factors || link.placement_factors->size() < 2) {
-    return bound(*program_, link.placement_rotation.transpose() * v);
-  }
-  const Vector half = bound(*program_, link.placement_factors->front().transpose() * v);
-  return bound(*program_, link.placement_factors->back().transpose() * half);
+  return bound(*program_, link.placement_rotation.transpose() * v);
 }
 
 Vector Model::from_parent(const Link& link, const Vector& v) const {
