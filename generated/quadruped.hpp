@@ -14,7 +14,7 @@
 //   mass_matrix             307              402          0             0                 12       0    733     747
 //   bias                    388              512          0             0                 12       0    924     942
 //   inverse_dynamics        446              549          0             0                 12       0   1019    1037
-//   forward_dynamics        950             1176         14             0                 12       0   2164    2206
+//   forward_dynamics        946             1176         14             0                 12       0   2160    2202
 //   energy                  352              469          0             0                 16       0    853     980
 //
 // Not computed because this mechanism does not need it:
@@ -26,485 +26,96 @@
 //   1.5707963267948966 is pi/2: link front_left_thigh_link (rpy), link front_right_thigh_link (rpy), link rear_left_thigh_link (rpy), link rear_right_thigh_link (rpy)
 //
 // To write this file again:
-//   torsor generate quadruped.urdf --base floating --points front_left_foot,front_right_foot,rear_left_foot,rear_right_foot --initial 'trunk_z=0.8,trunk_x'\''=0.5,trunk_attitude_omega_x=0.3,trunk_attitude_omega_y=-0.5,front_left_thigh=0.7,front_left_knee=-1.4,front_right_thigh=0.7,front_right_knee=-1.4,rear_left_thigh=0.7,rear_left_knee=-1.4,rear_right_thigh=0.7,rear_right_knee=-1.4' --kernels kinematics,mass_matrix,bias,inverse_dynamics,forward_dynamics,energy,constraints --output quadruped.hpp
+//   torsor generate quadruped.urdf --base floating --points front_left_foot,front_right_foot,rear_left_foot,rear_right_foot --initial 'trunk_z=0.8,trunk_x'\''=0.5,trunk_attitude_omega_x=0.3,trunk_attitude_omega_y=-0.5,front_left_thigh=0.7,front_left_knee=-1.4,front_right_thigh=0.7,front_right_knee=-1.4,rear_left_thigh=0.7,rear_left_knee=-1.4,rear_right_thigh=0.7,rear_right_knee=-1.4' --kernels kinematics,mass_matrix,bias,inverse_dynamics,forward_dynamics,energy,constraints --support torsor_support.hpp --output quadruped.hpp
 #pragma once
 
 #include <array>
 #include <cmath>
 
-#ifndef TORSOR_KERNEL_SUPPORT
-#define TORSOR_KERNEL_SUPPORT 3
-// Define it before the first generated header to annotate every function, e.g. as __host__ __device__.
-#ifndef TORSOR_DEVICE
-#define TORSOR_DEVICE
-#endif
-// Define TORSOR_STD_SINCOS before the first generated header, alike in the whole program, for std::sin and std::cos.
-
-// Sine and cosine in one, of one angle or of several at once, with an error of at most 1 ulp (of some more where the
-// processor is set to round up, down or towards zero). With rounding to nearest:
-//  * the angle loses its quadrant, x = n pi/2 + r, by parts of pi/2 so short that n times a part is exact. Whether a
-//    product and a sum are fused does not matter, here or elsewhere; letting the compiler reassociate sums would;
-//  * two polynomials of least greatest error give the sine and the cosine of r, |r| <= pi/4;
-//  * angles beyond `bound` are rare: they are reduced exactly, in integers, by a function that is not inlined, and so
-//    are all angles under another rounding, which would give the nearest integers wrong.
-// The core has no branch, so that several angles go through it at once.
-#ifndef TORSOR_STD_SINCOS
-#if defined(__FAST_MATH__) || defined(_M_FP_FAST) || (defined(__FLT_EVAL_METHOD__) && __FLT_EVAL_METHOD__ != 0)
-#define TORSOR_STD_SINCOS  // sums would be reassociated or hold more digits than their type
-#endif
-#endif
-#if defined(_MSC_VER)
-#define TORSOR_INLINED __forceinline
-#define TORSOR_OUTLINED __declspec(noinline)
-#else
-#define TORSOR_INLINED inline __attribute__((always_inline))
-#define TORSOR_OUTLINED __attribute__((noinline, cold))
-#endif
-
-namespace torsor {
-
-template <class Scalar>
-struct scalar_traits;
-
-/// For float, double and packs of either (`in_float` says of which): of these, constants, sums and
-/// products only are used.
-template <class Scalar, bool in_float>
-struct SineCosine {
-  /// The core is meant for |x| <= bound; n is then exact in 10 or 21 bits and its products with the parts in 24 or 53.
-  static constexpr double bound = in_float ? 1600.0 : 2097152.0;
-
-  TORSOR_DEVICE TORSOR_INLINED static Scalar number(double for_double, float for_float) noexcept {
-    return scalar_traits<Scalar>::constant(for_double, for_float, nullptr);
-  }
-  /// So large that the last bit of what is some less or more counts 1.
-  TORSOR_DEVICE TORSOR_INLINED static Scalar shift() noexcept { return number(0x1.8p52, 0x1.8p23f); }
-  /// To the nearest integer, of two the even one.
-  TORSOR_DEVICE TORSOR_INLINED static Scalar rounded(const Scalar& x) noexcept { return (x + shift()) - shift(); }
-
-  /// Of high - rest, |high| <= pi/4, rest being about an ulp of high at most.
-  TORSOR_DEVICE TORSOR_INLINED static void of_reduced(const Scalar& high, const Scalar& rest, Scalar& sine,
-                                                      Scalar& cosine) noexcept {
-    const Scalar one = number(1.0, 1.0f), half = number(0.5, 0.5f);
-    const Scalar z = high * high, z2 = z * z;
-    // sin r = r + r z S(z), cos r = 1 - z/2 + z z C(z)
-    Scalar S, C;
-    if constexpr (in_float) {
-      const Scalar S01 = number(0.0, -0x1.555546p-3f) + z * number(0.0, 0x1.110778p-7f);
-      const Scalar C01 = number(0.0, 0x1.55554ap-5f) + z * number(0.0, -0x1.6c0c1ap-10f);
-      S = S01 + z2 * number(0.0, -0x1.9953f2p-13f);
-      C = C01 + z2 * number(0.0, 0x1.99e0eep-16f);
-    } else {
-      const Scalar S01 = number(-0x1.5555555555548p-3, 0.0f) + z * number(0x1.111111110f73p-7, 0.0f);
-      const Scalar S23 = number(-0x1.a01a019be9217p-13, 0.0f) + z * number(0x1.71de35552b518p-19, 0.0f);
-      const Scalar S45 = number(-0x1.ae5e4b83e1601p-26, 0.0f) + z * number(0x1.5d8b55934597bp-33, 0.0f);
-      const Scalar C01 = number(0x1.555555555554cp-5, 0.0f) + z * number(-0x1.6c16c16c1521bp-10, 0.0f);
-      const Scalar C23 = number(0x1.a01a019cbeb68p-16, 0.0f) + z * number(-0x1.27e4f8121198fp-22, 0.0f);
-      const Scalar C45 = number(0x1.1ee9f0cbf70d6p-29, 0.0f) + z * number(-0x1.8fb0e15d5f2ap-37, 0.0f);
-      S = S01 + z2 * (S23 + z2 * S45);
-      C = C01 + z2 * (C23 + z2 * C45);
-    }
-    const Scalar half_z = half * z, w = one - half_z, high_z = high * z;
-    // What waits for S and C comes last. The correction of -0 is a 0, which subtracted leaves it -0.
-    sine = high - (rest * w - high_z * S);
-    cosine = w + ((((one - w) - half_z) + high * rest) + z2 * C);
-  }
-
-  /// Of n pi/2 more.
-  TORSOR_DEVICE TORSOR_INLINED static void turn(const Scalar& n, Scalar& sine, Scalar& cosine) noexcept {
-    const Scalar one = number(1.0, 1.0f), two = number(2.0, 2.0f), half = number(0.5, 0.5f);
-    const Scalar s = sine, c = cosine;
-    // i = cos(n pi/2) = sin((n + 1) pi/2) and j = -sin(n pi/2): halves are rounded to even, which tells 1 from 3.
-    const Scalar next = n + one;
-    const Scalar i = next - two * rounded(half * next);
-    const Scalar j = two * rounded(half * n) - n;
-    sine = s * i - c * j;
-    cosine = c * i + s * j;
-  }
-
-  /// Of r = x - n pi/2 for |x| <= bound, and `shifted`, n + shift(); what is no number gives no number.
-  ///  * n P and n Q are exact, as is x - n pi/2 to the first part: products that are fused with their sums round as
-  ///    others do, and may be formed twice;
-  ///  * r = first - n P loses (first - r) - n P. Two operations tell it where |first| >= |n P|, as in Fast2Sum, and
-  ///    elsewhere, where r is exact: both are multiples of P's last bit, and r is less than 2^53 (2^24) of them.
-  TORSOR_DEVICE TORSOR_INLINED static void of_remainder(const Scalar& x, Scalar& shifted, Scalar& sine,
-                                                        Scalar& cosine) noexcept {
-    const Scalar P = number(0x1.0b4611a6p-34, 0x1.ed5p-14f), Q = number(0x1.3198a2ep-69, 0x1.10bp-30f);
-    shifted = x * number(0x1.45f306dc9c883p-1, 0x1.45f306p-1f) + shift();
-    const Scalar n = shifted - shift();
-    const Scalar first = x - n * number(0x1.921fb544p+0, 0x1.9218p+0f);
-    const Scalar r = first - n * P;
-    const Scalar error = (first - r) - n * P;
-    const Scalar high = r - n * Q;
-    const Scalar rest = ((n * Q - (r - high)) - error) + n * number(0x1.b839a252049c1p-104, 0x1.184698p-44f);
-    of_reduced(high, rest, sine, cosine);
-  }
-
-  /// For |x| <= bound.
-  TORSOR_DEVICE TORSOR_INLINED static void core(const Scalar& x, Scalar& sine, Scalar& cosine) noexcept {
-    Scalar shifted;
-    of_remainder(x, shifted, sine, cosine);
-    turn(shifted - shift(), sine, cosine);
-  }
-};
-
-/// Whether sums are rounded up, down or towards zero: a little more and a little less than one then differ. What is no
-/// number does not tell. x keeps compilers from doing the sums themselves.
-template <class Scalar>
-TORSOR_DEVICE TORSOR_INLINED bool rounds_to_one_side(const Scalar& x) noexcept {
-  const Scalar one = static_cast<Scalar>(1) + (x - x), little = static_cast<Scalar>(0x1p-60);
-  return (one + little) - (one - little) > static_cast<Scalar>(0);
-}
-
-/// Of any x, beyond the bound too, where n pi/2 is subtracted exactly: x/(2 pi) modulo 1 in integers, with as many
-/// digits of 1/(2 pi) as |x - n pi/2| >= 2^-62 needs. Infinite: not a number. Under any rounding.
-TORSOR_OUTLINED inline void sincos_far(double x, double& sine, double& cosine) noexcept {
-  using Word = unsigned long long;  // of which 32 bits are used
-  constexpr Word mask = 0xffffffffu;
-  // 1/(2 pi) behind 64 zeros
-  static constexpr unsigned turns[] = {
-      0u,          0u,          0x28be60dbu, 0x9391054au, 0x7f09d5f4u, 0x7d4d3770u, 0x36d8a566u, 0x4f10e410u,
-      0x7f9458eau, 0xf7aef158u, 0x6dc91b8eu, 0x909374b8u, 0x01924bbau, 0x82746487u, 0x3f877ac7u, 0x2c4a69cfu,
-      0xba208d7du, 0x4baed121u, 0x3a671c09u, 0xad17df90u, 0x4e64758eu, 0x60d4ce7du, 0x272117e2u, 0xef7e4a0eu,
-      0xc7fe25ffu, 0xf7816603u, 0xfbcbc462u, 0xd6829b47u, 0xdb4d9fb3u, 0xc9f2c26du, 0xd3d18fd9u, 0xa797fa8bu,
-      0x5d49eeb1u, 0xfaf97c5eu, 0xcf41ce7du, 0xe294a4bau, 0x9afed7ecu, 0x47e35742u, 0x1580cc11u};
-  if (!(std::abs(x) <= 0x1.fffffffffffffp+1023)) {
-    sine = cosine = x - x;
-    return;
-  }
-  if (std::abs(x) <= 0.5) {
-    SineCosine<double, false>::of_reduced(x, 0.0, sine, cosine);
-    return;
-  }
-  int exponent = 0;
-  const double mantissa = std::frexp(std::abs(x), &exponent);
-  const Word integer = static_cast<Word>(std::ldexp(mantissa, 53));  // |x| = integer 2^(exponent - 53)
-  const int position = exponent - 53 + 64;                           // at least 64 - 53
-  const int skipped = position / 32, shift = position % 32;
-  const Word low_word = (integer & mask) << shift, high_word = (integer >> 32) << shift;
-  const Word factor[3] = {low_word & mask, ((low_word >> 32) + high_word) & mask,
-                          (((low_word >> 32) + high_word) >> 32)};
-
-  // The fraction of the product with seven words of 1/(2 pi), the lowest word first: an error of 2^-139 at most.
-  Word turn[8] = {};
-  for (int k = 0; k < 7; ++k) {
-    Word carry = 0;
-    for (int m = 0; m < 3 && k + m < 7; ++m) {
-      carry += turn[k + m] + factor[m] * turns[skipped + 6 - k];
-      turn[k + m] = carry & mask;
-      carry >>= 32;
-    }
-    if (k + 3 < 7) turn[k + 3] = carry;
-  }
-  // Quarters of a turn, to nearest; what is left, |rest| <= 1/8, and its sign
-  const Word quarter = ((turn[6] + 0x20000000u) & mask) >> 30;
-  turn[6] = (turn[6] - (quarter << 30)) & mask;
-  const bool negative = (turn[6] >> 31) != 0;
-  Word carry = negative ? 1 : 0;
-  for (int k = 0; k < 7; ++k) {
-    turn[k] = (negative ? ~turn[k] & mask : turn[k]) + carry;
-    carry = turn[k] >> 32;
-    turn[k] &= mask;
-  }
-  // Its 128 leading bits, and these times pi/4
-  int zeros = 0;
-  for (; zeros < 96 && (turn[6] >> 31) == 0; ++zeros) {
-    for (int k = 6; k > 0; --k) turn[k] = ((turn[k] << 1) & mask) | (turn[k - 1] >> 31);
-    turn[0] = (turn[0] << 1) & mask;
-  }
-  static constexpr Word quarter_pi[4] = {0x80dc1cd1u, 0xc4c6628bu, 0x2168c234u, 0xc90fdaa2u};
-  Word product[8] = {};
-  for (int k = 0; k < 4; ++k) {
-    carry = 0;
-    for (int m = 0; m < 4; ++m) {
-      carry += product[k + m] + turn[3 + k] * quarter_pi[m];
-      product[k + m] = carry & mask;
-      carry >>= 32;
-    }
-    product[k + 4] = carry;
-  }
-  // At least 0.39: 53 bits reach into the second word's last eleven bits or beyond.
-  const Word leading = (product[7] << 32) | product[6], following = (product[5] << 32) | product[4];
-  const double high = std::ldexp(static_cast<double>(leading & ~Word{2047}), 3 - zeros - 64);
-  const double low = std::ldexp(static_cast<double>(((leading & 2047) << 53) | (following >> 11)), 3 - zeros - 117);
-  double s = 0, c = 0;
-  SineCosine<double, false>::of_reduced(negative ? -high : high, negative ? low : -low, s, c);
-  const double turned = quarter == 0 ? s : quarter == 1 ? c : quarter == 2 ? -s : -c;
-  cosine = quarter == 0 ? c : quarter == 1 ? -s : quarter == 2 ? -c : s;
-  sine = x < 0 ? -turned : turned;
-}
-TORSOR_OUTLINED inline void sincos_far(float x, float& sine, float& cosine) noexcept {
-  double s = 0, c = 0;
-  if (std::abs(x) <= static_cast<float>(SineCosine<double, false>::bound) && !rounds_to_one_side(x))
-    SineCosine<double, false>::core(static_cast<double>(x), s, c);
-  else
-    sincos_far(static_cast<double>(x), s, c);
-  sine = static_cast<float>(s);
-  cosine = static_cast<float>(c);
-}
-
-/// Of one angle, in float or double.
-template <class Scalar>
-TORSOR_DEVICE inline void sincos_of_one(const Scalar& angle, Scalar& sine, Scalar& cosine) noexcept {
-#if defined(__CUDA_ARCH__)
-  if constexpr (sizeof(Scalar) == sizeof(float))
-    ::sincosf(angle, &sine, &cosine);
-  else
-    ::sincos(angle, &sine, &cosine);
-#elif defined(TORSOR_STD_SINCOS)
-  sine = std::sin(angle);
-  cosine = std::cos(angle);
-#else
-  using Core = SineCosine<Scalar, sizeof(Scalar) == sizeof(float)>;
-  if (std::abs(angle) > static_cast<Scalar>(Core::bound) || rounds_to_one_side(angle))
-    sincos_far(angle, sine, cosine);
-  else
-    Core::core(angle, sine, cosine);
-#endif
-}
-
-}  // namespace torsor
-// Sines and cosines of several angles at once, in vector registers where GNU C++ has types for them: of 32 bytes with
-// AVX, else of 16.
-#if defined(__GNUC__) && !defined(__CUDACC__)
-#define TORSOR_VECTOR_TYPES
-#endif
-
-namespace torsor {
-
-#if defined(TORSOR_VECTOR_TYPES)
-/// 0, 1, ... as arguments of a template.
-template <int... place>
-struct Places {};
-template <int count, int... place>
-struct FirstPlaces : FirstPlaces<count - 1, count - 1, place...> {};
-template <int... place>
-struct FirstPlaces<0, place...> {
-  using type = Places<place...>;
-};
-
-/// Some registers of equally many numbers, which take the same operations by turns: while the one waits for its last
-/// result, the other is at work. A scalar for SineCosine, of which it needs constants, sums and products only.
-template <class Number, int lanes, int count>
-struct Registers {
-  typedef Number Numbers __attribute__((vector_size(lanes * sizeof(Number))));
-  using Bits = decltype(Numbers{} < Numbers{});
-  Numbers part[count];
-
-  TORSOR_INLINED friend Registers operator+(const Registers& a, const Registers& b) noexcept {
-    Registers sum;
-    for (int i = 0; i < count; ++i) sum.part[i] = a.part[i] + b.part[i];
-    return sum;
-  }
-  TORSOR_INLINED friend Registers operator-(const Registers& a, const Registers& b) noexcept {
-    Registers difference;
-    for (int i = 0; i < count; ++i) difference.part[i] = a.part[i] - b.part[i];
-    return difference;
-  }
-  TORSOR_INLINED friend Registers operator*(const Registers& a, const Registers& b) noexcept {
-    Registers product;
-    for (int i = 0; i < count; ++i) product.part[i] = a.part[i] * b.part[i];
-    return product;
-  }
-};
-
-template <class Number, int lanes, int count>
-struct scalar_traits<Registers<Number, lanes, count>> {
-  using Scalar = Registers<Number, lanes, count>;
-  TORSOR_INLINED static Scalar constant(double in_double, float in_float, const char* /*exact*/) noexcept {
-    constexpr bool is_float = sizeof(Number) == sizeof(float);
-    const Number number = is_float ? static_cast<Number>(in_float) : static_cast<Number>(in_double);
-    Scalar result;
-    for (int i = 0; i < count; ++i) {
-      for (int lane = 0; lane < lanes; ++lane) result.part[i][lane] = number;
-    }
-    return result;
-  }
-};
-
-/// Of angles up to the bound, bit by bit what SineCosine::core gives where nothing is fused. The quarter of the turn is
-/// in the last two bits of `shifted`: it is chosen by bits, not by products.
-template <class Number, int lanes, int count>
-TORSOR_INLINED void sincos_of_registers(const Registers<Number, lanes, count>& angles,
-                                        Registers<Number, lanes, count>& sines,
-                                        Registers<Number, lanes, count>& cosines) noexcept {
-  using Scalar = Registers<Number, lanes, count>;
-  using Numbers = typename Scalar::Numbers;
-  using Bits = typename Scalar::Bits;
-  constexpr int sign_bit = 8 * static_cast<int>(sizeof(Number)) - 1;
-  Scalar shifted, sine, cosine;
-  SineCosine<Scalar, sizeof(Number) == sizeof(float)>::of_remainder(angles, shifted, sine, cosine);
-  const Bits sign = (Bits)scalar_traits<Scalar>::constant(-0.0, -0.0f, nullptr).part[0];
-  for (int i = 0; i < count; ++i) {
-    const Numbers s = sine.part[i], c = cosine.part[i];
-    const Bits bits = (Bits)shifted.part[i];
-    const Bits odd = bits << sign_bit, upper = bits << (sign_bit - 1);
-    Numbers sine_of_rest, cosine_of_rest;
-    if constexpr (sizeof(Numbers) >= 32) {  // AVX chooses by the bit of the sign, AVX-512 by a mask
-      const Bits exchanged = odd < Bits{};
-      sine_of_rest = exchanged ? c : s;
-      cosine_of_rest = exchanged ? s : c;
-    } else {
-      const Bits exchanged = Bits{} - (bits & 1);
-      sine_of_rest = (Numbers)((exchanged & (Bits)c) | (~exchanged & (Bits)s));
-      cosine_of_rest = (Numbers)((exchanged & (Bits)s) | (~exchanged & (Bits)c));
-    }
-    // The sine is negated for n = 2 and 3, the cosine for 1 and 2.
-    sines.part[i] = (Numbers)((Bits)sine_of_rest ^ (upper & sign));
-    cosines.part[i] = (Numbers)((Bits)cosine_of_rest ^ ((upper ^ odd) & sign));
-  }
-}
-
-/// Of the angles first to first + size - 1, up to the bound, in one register or two; idle lanes get 0. Returns the sum
-/// of their squares. Places are constants before anything is optimised: lanes then come from registers and go there,
-/// where a way through memory would be stored in parts and loaded whole.
-template <int size, class Number, int N, int... lane, int... place>
-TORSOR_INLINED Number sincos_of_some(int first, const Number (&angles)[N], Number (&sines)[N], Number (&cosines)[N],
-                                     Places<lane...>, Places<place...>) noexcept {
-  constexpr int lanes = sizeof...(lane), count = size > lanes ? 2 : 1;
-  using Some = Registers<Number, lanes, count>;
-  const auto angle = [&](int i) noexcept { return i < size ? angles[first + i] : Number(0); };
-  Some x, s, c;
-  x.part[0] = typename Some::Numbers{angle(lane)...};
-  if constexpr (count == 2) x.part[1] = typename Some::Numbers{angle(lane + lanes)...};
-  sincos_of_registers(x, s, c);
-  ((sines[first + place] = s.part[place / lanes][place % lanes]), ...);
-  ((cosines[first + place] = c.part[place / lanes][place % lanes]), ...);
-  typename Some::Numbers squares = x.part[0] * x.part[0];
-  if constexpr (count == 2) squares += x.part[1] * x.part[1];
-  return (squares[lane] + ...);
-}
-
-/// Of several angles up to the bound, by two registers at a time. Returns the sum of their squares.
-template <class Number, int N>
-TORSOR_INLINED Number sincos_in_registers(const Number (&angles)[N], Number (&sines)[N],
-                                          Number (&cosines)[N]) noexcept {
-  constexpr int narrow = 16 / static_cast<int>(sizeof(Number));
-#if defined(__AVX__)
-  // Registers of AVX-512 gain nothing for so few numbers.
-  constexpr int lanes = N <= narrow ? narrow : 2 * narrow;
-#else
-  constexpr int lanes = narrow;
-#endif
-  constexpr int both = 2 * lanes, rest = N % both, whole = N - rest;
-  using AllLanes = typename FirstPlaces<lanes>::type;
-  Number squares = 0;
-  if constexpr (whole > 0) {
-    // One copy of the code: its constants stay where they are.
-#if defined(__clang__)
-#pragma clang loop unroll(disable)
-#else
-#pragma GCC unroll 1
-#endif
-    for (int i = 0; i < whole; i += both)
-      squares += sincos_of_some<both>(i, angles, sines, cosines, AllLanes(), typename FirstPlaces<both>::type());
-  }
-  if constexpr (rest > 0)
-    squares += sincos_of_some<rest>(whole, angles, sines, cosines, AllLanes(), typename FirstPlaces<rest>::type());
-  return squares;
-}
-#endif
-
-/// Of several angles at once, in float or double.
-template <class Scalar, int N>
-TORSOR_DEVICE TORSOR_INLINED void sincos_of_several(const Scalar (&angles)[N], Scalar (&sines)[N],
-                                                    Scalar (&cosines)[N]) noexcept {
-#if defined(TORSOR_VECTOR_TYPES) && !defined(TORSOR_STD_SINCOS)
-  constexpr bool at_once = N > 1;
-#else
-  constexpr bool at_once = false;
-#endif
-  if constexpr (at_once) {
-    const Scalar squares = sincos_in_registers(angles, sines, cosines);
-    constexpr Scalar bound = static_cast<Scalar>(SineCosine<Scalar, sizeof(Scalar) == sizeof(float)>::bound);
-    if (squares <= bound * bound && !rounds_to_one_side(squares)) return;
-    for (int i = 0; i < N; ++i) {
-      if (std::abs(angles[i]) > bound || rounds_to_one_side(angles[i])) sincos_far(angles[i], sines[i], cosines[i]);
-    }
-  } else {
-    for (int i = 0; i < N; ++i) sincos_of_one(angles[i], sines[i], cosines[i]);
-  }
-}
-
-/// Of several angles of any scalar: at once where its traits have a `sincos` of arrays, else one by one.
-template <class Scalar, int N>
-TORSOR_DEVICE TORSOR_INLINED auto sincos_by_traits(const Scalar (&angles)[N], Scalar (&sines)[N],
-                                                   Scalar (&cosines)[N], int) noexcept
-    -> decltype(scalar_traits<Scalar>::sincos(angles, sines, cosines)) {
-  scalar_traits<Scalar>::sincos(angles, sines, cosines);
-}
-template <class Scalar, int N>
-TORSOR_DEVICE TORSOR_INLINED void sincos_by_traits(const Scalar (&angles)[N], Scalar (&sines)[N],
-                                                   Scalar (&cosines)[N], long) noexcept {
-  for (int i = 0; i < N; ++i) scalar_traits<Scalar>::sincos(angles[i], sines[i], cosines[i]);
-}
-template <class Scalar, int N>
-TORSOR_DEVICE TORSOR_INLINED void sines_and_cosines(const Scalar (&angles)[N], Scalar (&sines)[N],
-                                                    Scalar (&cosines)[N]) noexcept {
-  sincos_by_traits(angles, sines, cosines, 0);
-}
-
-}  // namespace torsor
-
-namespace torsor {
-
-/// What a kernel says about its results; the larger, the worse.
-enum class Status : int { ok = 0, singular = 1, not_finite = 2 };
-
-/// What a kernel needs of its scalar. This one serves float and double; specialise it, once a header is included, for
-/// any other (a pack of several states, a high-precision number).
-template <class Scalar>
-struct scalar_traits {
-  static_assert(sizeof(Scalar) == sizeof(float) || sizeof(Scalar) == sizeof(double),
-                "specialise torsor::scalar_traits for a scalar that is neither float nor double");
-  static constexpr bool is_float = sizeof(Scalar) == sizeof(float);
-
-  /// A number, rounded for either format. `exact` is "num/den", or "a;b;c;d" for a + b sqrt(2) + c sqrt(3) + d sqrt(6).
-  TORSOR_DEVICE static constexpr Scalar constant(double in_double, float in_float, const char* /*exact*/) noexcept {
-    return is_float ? static_cast<Scalar>(in_float) : static_cast<Scalar>(in_double);
-  }
-  /// The same for a number that is no such sum: a callable computes it where literals are not precise enough.
-  template <class Callable>
-  TORSOR_DEVICE static constexpr Scalar formula(double in_double, float in_float, const Callable&) noexcept {
-    return constant(in_double, in_float, nullptr);
-  }
-  TORSOR_DEVICE static constexpr Scalar pi() noexcept { return constant(3.141592653589793, 3.1415927f, nullptr); }
-  TORSOR_DEVICE static constexpr Scalar select(bool condition, Scalar if_true, Scalar if_false) noexcept {
-    return condition ? if_true : if_false;
-  }
-  TORSOR_DEVICE static void sincos(const Scalar& angle, Scalar& sine, Scalar& cosine) noexcept {
-    sincos_of_one(angle, sine, cosine);
-  }
-  /// Of several angles at once; a specialisation without it gets them one by one.
-  template <int N>
-  TORSOR_DEVICE TORSOR_INLINED static void sincos(const Scalar (&angles)[N], Scalar (&sines)[N],
-                                                  Scalar (&cosines)[N]) noexcept {
-    sincos_of_several(angles, sines, cosines);
-  }
-  TORSOR_DEVICE static Scalar sqrt(const Scalar& x) noexcept { return std::sqrt(x); }
-  TORSOR_DEVICE static Scalar exp(const Scalar& x) noexcept { return std::exp(x); }
-  TORSOR_DEVICE static Scalar log(const Scalar& x) noexcept { return std::log(x); }
-  /// Whether a pivot is positive beyond the rounding of the diagonal entry it came from; not when it is not a number.
-  TORSOR_DEVICE static bool regular(const Scalar& pivot, const Scalar& diagonal) noexcept {
-    return pivot > constant(0x1p-52, 0x1p-23f, nullptr) * std::abs(diagonal);
-  }
-};
-
-}  // namespace torsor
-#elif TORSOR_KERNEL_SUPPORT != 3
-#error "headers of incompatible versions of torsor meet here: write them again with one version"
-#endif
-
+#include "torsor_support.hpp"
 namespace quadruped {
+
+/// What vectors hold, with units, and what kernels read and write: data that cost nothing where nobody looks at them.
+struct Description {
+  static constexpr std::array<torsor::QuantityDescription, 19> coordinates{{{"trunk_x", "m"}, {"trunk_y", "m"},
+      {"trunk_z", "m"}, {"trunk_attitude_w", "1"}, {"trunk_attitude_x", "1"}, {"trunk_attitude_y", "1"},
+      {"trunk_attitude_z", "1"}, {"front_left_hip", "rad"}, {"front_left_thigh", "rad"}, {"front_left_knee", "rad"},
+      {"front_right_hip", "rad"}, {"front_right_thigh", "rad"}, {"front_right_knee", "rad"}, {"rear_left_hip", "rad"},
+      {"rear_left_thigh", "rad"}, {"rear_left_knee", "rad"}, {"rear_right_hip", "rad"}, {"rear_right_thigh", "rad"},
+      {"rear_right_knee", "rad"}}};
+  static constexpr std::array<torsor::QuantityDescription, 18> velocities{{{"trunk_x", "m/s"}, {"trunk_y", "m/s"},
+      {"trunk_z", "m/s"}, {"trunk_attitude_omega_x", "rad/s"}, {"trunk_attitude_omega_y", "rad/s"},
+      {"trunk_attitude_omega_z", "rad/s"}, {"front_left_hip", "rad/s"}, {"front_left_thigh", "rad/s"},
+      {"front_left_knee", "rad/s"}, {"front_right_hip", "rad/s"}, {"front_right_thigh", "rad/s"}, {"front_right_knee",
+      "rad/s"}, {"rear_left_hip", "rad/s"}, {"rear_left_thigh", "rad/s"}, {"rear_left_knee", "rad/s"},
+      {"rear_right_hip", "rad/s"}, {"rear_right_thigh", "rad/s"}, {"rear_right_knee", "rad/s"}}};
+  static constexpr std::array<torsor::QuantityDescription, 12> inputs{{{"front_left_hip_torque", "N m"},
+      {"front_left_thigh_torque", "N m"}, {"front_left_knee_torque", "N m"}, {"front_right_hip_torque", "N m"},
+      {"front_right_thigh_torque", "N m"}, {"front_right_knee_torque", "N m"}, {"rear_left_hip_torque", "N m"},
+      {"rear_left_thigh_torque", "N m"}, {"rear_left_knee_torque", "N m"}, {"rear_right_hip_torque", "N m"},
+      {"rear_right_thigh_torque", "N m"}, {"rear_right_knee_torque", "N m"}}};
+  static constexpr std::array<torsor::QuantityDescription, 0> multipliers{};
+  static constexpr std::array<torsor::QuantityDescription, 0> parameters{};
+  static constexpr std::array<torsor::ResultDescription, 89> results{{{"rates", "", 19, 1}, {"result", "trunk_position",
+      3, 1}, {"result", "trunk_rotation", 3, 3}, {"result", "trunk_velocity", 3, 1}, {"result",
+      "trunk_angular_velocity", 3, 1}, {"result", "front_left_hip_link_position", 3, 1}, {"result",
+      "front_left_hip_link_rotation", 3, 3}, {"result", "front_left_hip_link_velocity", 3, 1}, {"result",
+      "front_left_hip_link_angular_velocity", 3, 1}, {"result", "front_left_thigh_link_position", 3, 1}, {"result",
+      "front_left_thigh_link_rotation", 3, 3}, {"result", "front_left_thigh_link_velocity", 3, 1}, {"result",
+      "front_left_thigh_link_angular_velocity", 3, 1}, {"result", "front_left_shank_link_position", 3, 1}, {"result",
+      "front_left_shank_link_rotation", 3, 3}, {"result", "front_left_shank_link_velocity", 3, 1}, {"result",
+      "front_left_shank_link_angular_velocity", 3, 1}, {"result", "front_left_foot_position", 3, 1}, {"result",
+      "front_left_foot_rotation", 3, 3}, {"result", "front_left_foot_velocity", 3, 1}, {"result",
+      "front_left_foot_angular_velocity", 3, 1}, {"result", "front_right_hip_link_position", 3, 1}, {"result",
+      "front_right_hip_link_rotation", 3, 3}, {"result", "front_right_hip_link_velocity", 3, 1}, {"result",
+      "front_right_hip_link_angular_velocity", 3, 1}, {"result", "front_right_thigh_link_position", 3, 1}, {"result",
+      "front_right_thigh_link_rotation", 3, 3}, {"result", "front_right_thigh_link_velocity", 3, 1}, {"result",
+      "front_right_thigh_link_angular_velocity", 3, 1}, {"result", "front_right_shank_link_position", 3, 1}, {"result",
+      "front_right_shank_link_rotation", 3, 3}, {"result", "front_right_shank_link_velocity", 3, 1}, {"result",
+      "front_right_shank_link_angular_velocity", 3, 1}, {"result", "front_right_foot_position", 3, 1}, {"result",
+      "front_right_foot_rotation", 3, 3}, {"result", "front_right_foot_velocity", 3, 1}, {"result",
+      "front_right_foot_angular_velocity", 3, 1}, {"result", "rear_left_hip_link_position", 3, 1}, {"result",
+      "rear_left_hip_link_rotation", 3, 3}, {"result", "rear_left_hip_link_velocity", 3, 1}, {"result",
+      "rear_left_hip_link_angular_velocity", 3, 1}, {"result", "rear_left_thigh_link_position", 3, 1}, {"result",
+      "rear_left_thigh_link_rotation", 3, 3}, {"result", "rear_left_thigh_link_velocity", 3, 1}, {"result",
+      "rear_left_thigh_link_angular_velocity", 3, 1}, {"result", "rear_left_shank_link_position", 3, 1}, {"result",
+      "rear_left_shank_link_rotation", 3, 3}, {"result", "rear_left_shank_link_velocity", 3, 1}, {"result",
+      "rear_left_shank_link_angular_velocity", 3, 1}, {"result", "rear_left_foot_position", 3, 1}, {"result",
+      "rear_left_foot_rotation", 3, 3}, {"result", "rear_left_foot_velocity", 3, 1}, {"result",
+      "rear_left_foot_angular_velocity", 3, 1}, {"result", "rear_right_hip_link_position", 3, 1}, {"result",
+      "rear_right_hip_link_rotation", 3, 3}, {"result", "rear_right_hip_link_velocity", 3, 1}, {"result",
+      "rear_right_hip_link_angular_velocity", 3, 1}, {"result", "rear_right_thigh_link_position", 3, 1}, {"result",
+      "rear_right_thigh_link_rotation", 3, 3}, {"result", "rear_right_thigh_link_velocity", 3, 1}, {"result",
+      "rear_right_thigh_link_angular_velocity", 3, 1}, {"result", "rear_right_shank_link_position", 3, 1}, {"result",
+      "rear_right_shank_link_rotation", 3, 3}, {"result", "rear_right_shank_link_velocity", 3, 1}, {"result",
+      "rear_right_shank_link_angular_velocity", 3, 1}, {"result", "rear_right_foot_position", 3, 1}, {"result",
+      "rear_right_foot_rotation", 3, 3}, {"result", "rear_right_foot_velocity", 3, 1}, {"result",
+      "rear_right_foot_angular_velocity", 3, 1}, {"result", "front_left_foot_origin_position", 3, 1}, {"result",
+      "front_left_foot_origin_velocity", 3, 1}, {"result", "front_left_foot_origin_jacobian", 3, 18}, {"result",
+      "front_right_foot_origin_position", 3, 1}, {"result", "front_right_foot_origin_velocity", 3, 1}, {"result",
+      "front_right_foot_origin_jacobian", 3, 18}, {"result", "rear_left_foot_origin_position", 3, 1}, {"result",
+      "rear_left_foot_origin_velocity", 3, 1}, {"result", "rear_left_foot_origin_jacobian", 3, 18}, {"result",
+      "rear_right_foot_origin_position", 3, 1}, {"result", "rear_right_foot_origin_velocity", 3, 1}, {"result",
+      "rear_right_foot_origin_jacobian", 3, 18}, {"mass", "", 18, 18}, {"forces", "", 18, 1}, {"forces", "", 18, 1},
+      {"accelerations", "", 18, 1}, {"multipliers", "", 0, 1}, {"result", "kinetic", 1, 1}, {"result", "force_function",
+      1, 1}, {"result", "power", 1, 1}}};
+  static constexpr std::array<torsor::KernelDescription, 7> kernels{{{"coordinate_rates", false, false, false, false,
+      results.data() + 0, 1}, {"kinematics", false, false, false, false, results.data() + 1, 80}, {"mass_matrix", false,
+      false, false, false, results.data() + 81, 1}, {"bias", false, false, false, false, results.data() + 82, 1},
+      {"inverse_dynamics", true, true, false, false, results.data() + 83, 1}, {"forward_dynamics", false, false, true,
+      true, results.data() + 84, 2}, {"energy", false, false, true, false, results.data() + 86, 3}}};
+};
 
 /// Every function is pure: it reads constant arguments and writes its results. Matrices are stored column by column.
 /// M a + h = E u + A' lambda and A a + gamma = 0, with a the accelerations and u the inputs; units are SI.
 template <class Scalar>
 struct Mechanism {
   using traits = torsor::scalar_traits<Scalar>;
+  using Description = ::quadruped::Description;
 
   static constexpr const char* name = "quadruped";
   /// 64 bits (FNV-1a) of this file from "#pragma once" on, with zeros in their own place: another mechanism, other bits.
-  static constexpr unsigned long long fingerprint = 0x86892cd03ced9125ULL;
+  static constexpr unsigned long long fingerprint = 0x92173f0456eaf3ebULL ^ torsor::support_fingerprint;
   static constexpr int coordinate_count = 19;
   static constexpr int velocity_count = 18;
   static constexpr int input_count = 12;
@@ -539,9 +150,7 @@ struct Mechanism {
   };
 
   /// Parameters that are set at run time.
-  struct Parameters {
-    static constexpr int size = 0;
-  };
+  struct Parameters : torsor::NoMembers<Scalar> {};
 
   /// Generalised coordinates q.
   struct Coordinates {
@@ -552,18 +161,18 @@ struct Mechanism {
     Scalar trunk_attitude_x;  ///< component of a unit quaternion [1]
     Scalar trunk_attitude_y;  ///< component of a unit quaternion [1]
     Scalar trunk_attitude_z;  ///< component of a unit quaternion [1]
-    Scalar front_left_hip;  ///< coordinate [rad or 1]
-    Scalar front_left_thigh;  ///< coordinate [rad or 1]
-    Scalar front_left_knee;  ///< coordinate [rad or 1]
-    Scalar front_right_hip;  ///< coordinate [rad or 1]
-    Scalar front_right_thigh;  ///< coordinate [rad or 1]
-    Scalar front_right_knee;  ///< coordinate [rad or 1]
-    Scalar rear_left_hip;  ///< coordinate [rad or 1]
-    Scalar rear_left_thigh;  ///< coordinate [rad or 1]
-    Scalar rear_left_knee;  ///< coordinate [rad or 1]
-    Scalar rear_right_hip;  ///< coordinate [rad or 1]
-    Scalar rear_right_thigh;  ///< coordinate [rad or 1]
-    Scalar rear_right_knee;  ///< coordinate [rad or 1]
+    Scalar front_left_hip;  ///< coordinate [rad]
+    Scalar front_left_thigh;  ///< coordinate [rad]
+    Scalar front_left_knee;  ///< coordinate [rad]
+    Scalar front_right_hip;  ///< coordinate [rad]
+    Scalar front_right_thigh;  ///< coordinate [rad]
+    Scalar front_right_knee;  ///< coordinate [rad]
+    Scalar rear_left_hip;  ///< coordinate [rad]
+    Scalar rear_left_thigh;  ///< coordinate [rad]
+    Scalar rear_left_knee;  ///< coordinate [rad]
+    Scalar rear_right_hip;  ///< coordinate [rad]
+    Scalar rear_right_thigh;  ///< coordinate [rad]
+    Scalar rear_right_knee;  ///< coordinate [rad]
     static constexpr int size = 19;
     TORSOR_DEVICE Scalar& operator[](int i_) noexcept { return this->*member_(i_); }
     TORSOR_DEVICE const Scalar& operator[](int i_) const noexcept { return this->*member_(i_); }
@@ -722,9 +331,7 @@ struct Mechanism {
   };
 
   /// Multipliers of the constraints, or the reactions that enforce them.
-  struct Multipliers {
-    static constexpr int size = 0;
-  };
+  struct Multipliers : torsor::NoMembers<Scalar> {};
 
   /// Time [s], coordinates and velocities.
   struct State {
@@ -2172,17 +1779,17 @@ struct Mechanism {
     const Scalar n0_2 = traits::constant(0.2, 0.2f, "1/5");
     const Scalar n0_4 = traits::constant(0.4, 0.4f, "2/5");
     const Scalar n0_124 = traits::constant(0.124, 0.124f, "31/250");
-    const Scalar k8 = traits::constant(0.01928, 0.01928f, "241/12500");
-    const Scalar k9 = traits::constant(0.01968, 0.01968f, "123/6250");
+    const Scalar k8 = traits::constant(0.01968, 0.01968f, "123/6250");
     const Scalar n0_08 = traits::constant(0.08, 0.08f, "2/25");
-    const Scalar k11 = traits::constant(0.0325736, 0.0325736f, "40717/1250000");
+    const Scalar k10 = traits::constant(0.01928, 0.01928f, "241/12500");
     const Scalar n0_1048 = traits::constant(0.1048, 0.1048f, "131/1250");
     const Scalar n0_05 = traits::constant(0.05, 0.05f, "1/20");
-    const Scalar k14 = traits::constant(0.0329736, 0.0329736f, "41217/1250000");
+    const Scalar k13 = traits::constant(0.0082236, 0.0082236f, "20559/2500000");
+    const Scalar k14 = traits::constant(0.0086236, 0.0086236f, "21559/2500000");
     const Scalar n0_1 = traits::constant(0.1, 0.1f, "1/10");
     const Scalar n0_0406 = traits::constant(0.0406, 0.0406f, "203/5000");
-    const Scalar k17 = traits::constant(0.4664944, 0.4664944f, "291559/625000");
-    const Scalar k18 = traits::constant(0.4970944, 0.4970944f, "77671/156250");
+    const Scalar n0_3362 = traits::constant(0.3362, 0.3362f, "1681/5000");
+    const Scalar n0_3668 = traits::constant(0.3668, 0.3668f, "917/2500");
     const Scalar n12_24 = traits::constant(12.24, 12.24f, "306/25");
     const Scalar n0 = traits::constant(0.0, 0.0f, "0/1");
     const Scalar q_trunk_attitude_y = state.q.trunk_attitude_y;
@@ -2218,9 +1825,9 @@ struct Mechanism {
     const Scalar s_rear_right_hip = sines_[9], c_rear_right_hip = cosines_[9];
     const Scalar s_rear_right_thigh = sines_[10], c_rear_right_thigh = cosines_[10];
     const Scalar s_rear_right_knee = sines_[11], c_rear_right_knee = cosines_[11];
-    const Scalar z0 = k0 * s_rear_right_knee;
-    const Scalar z1 = k0 * c_rear_right_knee;
-    const Scalar z2 = n0_032 * c_rear_right_knee;
+    const Scalar z0 = k0 * c_rear_right_knee;
+    const Scalar z1 = n0_032 * c_rear_right_knee;
+    const Scalar z2 = k0 * s_rear_right_knee;
     const Scalar z3 = n0_032 * s_rear_right_knee;
     const Scalar z4 = n2 * q_trunk_attitude_y;
     const Scalar z5 = n2 * q_trunk_attitude_z;
@@ -2243,331 +1850,331 @@ struct Mechanism {
     const Scalar z22 = n1 - z6 - z15;
     const Scalar z23 = z16 - z17;
     const Scalar z24 = z11 + z12;
-    const Scalar z25 = k4 + n0_2 * z2;
+    const Scalar z25 = k4 + n0_2 * z1;
     const Scalar z26 = s_rear_right_thigh * z3;
     const Scalar z27 = c_rear_right_thigh * z3;
-    const Scalar z28 = c_rear_right_knee * z1;
-    const Scalar z29 = s_rear_right_knee * z0;
-    const Scalar z30 = s_rear_right_knee * z1;
-    const Scalar z31 = k4 + n0_4 * z2;
-    const Scalar z32 = n0_124 + z2;
-    const Scalar z33 = c_rear_right_thigh * z2 - z26;
-    const Scalar z34 = s_rear_right_thigh * z2 + z27;
-    const Scalar z35 = n0_4 * z2 - z29;
+    const Scalar z28 = c_rear_right_knee * z0;
+    const Scalar z29 = s_rear_right_knee * z2;
+    const Scalar z30 = s_rear_right_knee * z0;
+    const Scalar z31 = k4 + n0_4 * z1;
+    const Scalar z32 = n0_124 + z1;
+    const Scalar z33 = c_rear_right_thigh * z1 - z26;
+    const Scalar z34 = s_rear_right_thigh * z1 + z27;
+    const Scalar z35 = n0_4 * z1 + z28;
     const Scalar z36 = n0_2 * z3 + z30;
-    const Scalar z37 = k8 + z28;
-    const Scalar z38 = c_rear_right_thigh * z32 - z26;
-    const Scalar z39 = s_rear_right_thigh * z32 + z27;
-    const Scalar z40 = k9 + z31;
-    const Scalar z41 = n0_08 * z34;
-    const Scalar z42 = n0_08 * z33;
-    const Scalar z43 = s_rear_right_hip * z34;
-    const Scalar z44 = c_rear_right_hip * z34;
-    const Scalar z45 = n0_08 * z39;
-    const Scalar z46 = n0_08 * z38;
-    const Scalar z47 = s_rear_right_hip * z39;
-    const Scalar z48 = c_rear_right_hip * z39;
-    const Scalar z49 = z35 + z37;
-    const Scalar z50 = n2 * z36;
-    const Scalar z51 = k11 - z40;
-    const Scalar z52 = n0_1048 * s_rear_right_hip + c_rear_right_hip * z38;
-    const Scalar z53 = s_rear_right_hip * z38 - n0_1048 * c_rear_right_hip;
-    const Scalar z54 = c_rear_right_hip * z25 + s_rear_right_hip * z42;
-    const Scalar z55 = s_rear_right_hip * z25 - c_rear_right_hip * z42;
-    const Scalar z56 = z41 + n0_05 * z44;
-    const Scalar z57 = z13 * z33 + z19 * z43 - z24 * z44;
-    const Scalar z58 = z14 * z33 + z20 * z43 - z23 * z44;
-    const Scalar z59 = z18 * z33 + z21 * z43 - z22 * z44;
-    const Scalar z60 = c_rear_right_hip * z40 + s_rear_right_hip * z46;
-    const Scalar z61 = s_rear_right_hip * z40 - c_rear_right_hip * z46;
-    const Scalar z62 = z45 + n0_05 * z48;
-    const Scalar z63 = z13 * z38 + z19 * z47 - z24 * z48;
-    const Scalar z64 = z14 * z38 + z20 * z47 - z23 * z48;
-    const Scalar z65 = s_rear_right_thigh * z49 + c_rear_right_thigh * z50;
-    const Scalar z66 = z18 * z38 + z21 * z47 - z22 * z48;
-    const Scalar z67 = n0_05 * z33 - z55 - n0_2 * z43;
-    const Scalar z68 = n0_05 * z38 - z61 - n0_2 * z47;
-    const Scalar z69 = n0_2 * z44 + z54;
-    const Scalar z70 = n0_2 * z48 + z60;
-    const Scalar z71 = k0 * s_rear_left_knee;
-    const Scalar z72 = s_rear_left_knee * z71;
-    const Scalar z73 = c_rear_right_thigh * z65 - z36;
-    const Scalar z74 = s_rear_right_thigh * z65;
-    const Scalar z75 = z37 - z74;
-    const Scalar z76 = z35 - z74;
-    const Scalar z77 = k0 * c_rear_left_knee;
-    const Scalar z78 = z19 * z52 + z24 * z53;
-    const Scalar z79 = k14 + z76;
-    const Scalar z80 = z20 * z52 + z23 * z53;
-    const Scalar z81 = z21 * z52 + z22 * z53;
-    const Scalar z82 = z79 - n0_05 * z53;
-    const Scalar z83 = z79 - n0_1 * z53;
-    const Scalar z84 = n0_032 * c_rear_left_knee;
-    const Scalar z85 = n0_4 * z84 - z72;
-    const Scalar z86 = n0_0406 + z83;
-    const Scalar z87 = c_rear_left_knee * z77;
-    const Scalar z88 = s_rear_left_knee * z77;
-    const Scalar z89 = k8 + z87;
-    const Scalar z90 = n0_032 * s_rear_left_knee;
-    const Scalar z91 = n0_2 * z90 + z88;
-    const Scalar z92 = s_rear_left_thigh * z90;
-    const Scalar z93 = c_rear_left_thigh * z90;
-    const Scalar z94 = n0_124 + z84;
-    const Scalar z95 = k4 + n0_4 * z84;
-    const Scalar z96 = k9 + z95;
-    const Scalar z97 = c_rear_left_thigh * z94 - z92;
-    const Scalar z98 = s_rear_left_thigh * z94 + z93;
-    const Scalar z99 = c_rear_left_thigh * z84 - z92;
-    const Scalar z100 = s_rear_left_thigh * z84 + z93;
-    const Scalar z101 = k4 + n0_2 * z84;
-    const Scalar z102 = z75 - z51;
-    const Scalar z103 = n0_08 * z97;
+    const Scalar z37 = c_rear_right_thigh * z32 - z26;
+    const Scalar z38 = s_rear_right_thigh * z32 + z27;
+    const Scalar z39 = k8 + z31;
+    const Scalar z40 = n0_08 * z34;
+    const Scalar z41 = n0_08 * z33;
+    const Scalar z42 = s_rear_right_hip * z34;
+    const Scalar z43 = c_rear_right_hip * z34;
+    const Scalar z44 = k10 + z35;
+    const Scalar z45 = n0_08 * z38;
+    const Scalar z46 = n0_08 * z37;
+    const Scalar z47 = s_rear_right_hip * z38;
+    const Scalar z48 = c_rear_right_hip * z38;
+    const Scalar z49 = n2 * z36;
+    const Scalar z50 = n0_1048 * s_rear_right_hip + c_rear_right_hip * z37;
+    const Scalar z51 = s_rear_right_hip * z37 - n0_1048 * c_rear_right_hip;
+    const Scalar z52 = c_rear_right_hip * z25 + s_rear_right_hip * z41;
+    const Scalar z53 = s_rear_right_hip * z25 - c_rear_right_hip * z41;
+    const Scalar z54 = z40 + n0_05 * z43;
+    const Scalar z55 = z13 * z33 + z19 * z42 - z24 * z43;
+    const Scalar z56 = z14 * z33 + z20 * z42 - z23 * z43;
+    const Scalar z57 = z18 * z33 + z21 * z42 - z22 * z43;
+    const Scalar z58 = c_rear_right_hip * z39 + s_rear_right_hip * z46;
+    const Scalar z59 = s_rear_right_hip * z39 - c_rear_right_hip * z46;
+    const Scalar z60 = z45 + n0_05 * z48;
+    const Scalar z61 = z13 * z37 + z19 * z47 - z24 * z48;
+    const Scalar z62 = z14 * z37 + z20 * z47 - z23 * z48;
+    const Scalar z63 = z18 * z37 + z21 * z47 - z22 * z48;
+    const Scalar z64 = z29 - z44;
+    const Scalar z65 = s_rear_right_thigh * z64 - c_rear_right_thigh * z49;
+    const Scalar z66 = n0_05 * z33 - z53 - n0_2 * z42;
+    const Scalar z67 = n0_05 * z37 - z59 - n0_2 * z47;
+    const Scalar z68 = n0_2 * z43 + z52;
+    const Scalar z69 = n0_2 * z48 + z58;
+    const Scalar z70 = k0 * c_rear_left_knee;
+    const Scalar z71 = c_rear_right_thigh * z65 + z36;
+    const Scalar z72 = s_rear_right_thigh * z65;
+    const Scalar z73 = z19 * z50 + z24 * z51;
+    const Scalar z74 = z29 - z72;
+    const Scalar z75 = z44 + z72;
+    const Scalar z76 = n0_032 * c_rear_left_knee;
+    const Scalar z77 = z20 * z50 + z23 * z51;
+    const Scalar z78 = k13 + z74;
+    const Scalar z79 = k14 + z75;
+    const Scalar z80 = z21 * z50 + z22 * z51;
+    const Scalar z81 = z79 - n0_05 * z51;
+    const Scalar z82 = z79 - n0_1 * z51;
+    const Scalar z83 = c_rear_left_knee * z70;
+    const Scalar z84 = n0_4 * z76 + z83;
+    const Scalar z85 = s_rear_left_knee * z70;
+    const Scalar z86 = n0_0406 + z82;
+    const Scalar z87 = k0 * s_rear_left_knee;
+    const Scalar z88 = s_rear_left_knee * z87;
+    const Scalar z89 = n0_032 * s_rear_left_knee;
+    const Scalar z90 = n0_2 * z89 + z85;
+    const Scalar z91 = k10 + z84;
+    const Scalar z92 = s_rear_left_thigh * z89;
+    const Scalar z93 = c_rear_left_thigh * z89;
+    const Scalar z94 = n0_124 + z76;
+    const Scalar z95 = c_rear_left_thigh * z94 - z92;
+    const Scalar z96 = s_rear_left_thigh * z94 + z93;
+    const Scalar z97 = c_rear_left_thigh * z76 - z92;
+    const Scalar z98 = s_rear_left_thigh * z76 + z93;
+    const Scalar z99 = z39 - z78;
+    const Scalar z100 = k4 + n0_4 * z76;
+    const Scalar z101 = k8 + z100;
+    const Scalar z102 = k4 + n0_2 * z76;
+    const Scalar z103 = n0_08 * z95;
     const Scalar z104 = n2 * z46;
-    const Scalar z105 = s_rear_right_hip * z102 - c_rear_right_hip * z104;
-    const Scalar z106 = n0_08 * z98;
-    const Scalar z107 = s_rear_right_hip * z73 - c_rear_right_hip * z45;
-    const Scalar z108 = s_rear_right_hip * z45 + c_rear_right_hip * z73;
-    const Scalar z109 = n0_2 * z52 + z108;
-    const Scalar z110 = c_rear_right_hip * z105 + z46;
-    const Scalar z111 = s_rear_right_hip * z105;
-    const Scalar z112 = n0_2 * z53 + z107;
-    const Scalar z113 = n0_05 * z39 - z107 - n0_2 * z53;
-    const Scalar z114 = z75 - z111;
-    const Scalar z115 = z51 + z111;
-    const Scalar z116 = n0_05 * z52 - z110;
-    const Scalar z117 = n0_4 * z39 - z115;
-    const Scalar z118 = n0_4 * z39 - z114 - n0_1 * z53;
-    const Scalar z119 = z85 + z89;
-    const Scalar z120 = k17 + z117;
-    const Scalar z121 = n2 * z91;
-    const Scalar z122 = s_rear_left_thigh * z119 + c_rear_left_thigh * z121;
-    const Scalar z123 = k11 - z96;
-    const Scalar z124 = n0_1048 * s_rear_left_hip - c_rear_left_hip * z97;
-    const Scalar z125 = k18 + z118;
-    const Scalar z126 = n2 * z103;
-    const Scalar z127 = n0_1048 * c_rear_left_hip + s_rear_left_hip * z97;
-    const Scalar z128 = c_rear_left_thigh * z122 - z91;
+    const Scalar z105 = s_rear_right_hip * z99 - c_rear_right_hip * z104;
+    const Scalar z106 = n0_08 * z96;
+    const Scalar z107 = c_rear_right_hip * z45 + s_rear_right_hip * z71;
+    const Scalar z108 = s_rear_right_hip * z45 - c_rear_right_hip * z71;
+    const Scalar z109 = c_rear_right_hip * z105 + z46;
+    const Scalar z110 = s_rear_right_hip * z105;
+    const Scalar z111 = n0_2 * z50 + z108;
+    const Scalar z112 = z78 + z110;
+    const Scalar z113 = z39 - z110;
+    const Scalar z114 = n0_05 * z50 - z109;
+    const Scalar z115 = n0_2 * z51 - z107;
+    const Scalar z116 = n0_4 * z38 + z113;
+    const Scalar z117 = z112 + n0_4 * z38 - n0_1 * z51;
+    const Scalar z118 = z107 + n0_05 * z38 - n0_2 * z51;
+    const Scalar z119 = n0_3362 + z116;
+    const Scalar z120 = z88 - z91;
+    const Scalar z121 = n2 * z90;
+    const Scalar z122 = s_rear_left_thigh * z120 - c_rear_left_thigh * z121;
+    const Scalar z123 = n0_3668 + z117;
+    const Scalar z124 = n2 * z103;
+    const Scalar z125 = n0_1048 * s_rear_left_hip - c_rear_left_hip * z95;
+    const Scalar z126 = n0_1048 * c_rear_left_hip + s_rear_left_hip * z95;
+    const Scalar z127 = z19 * z125 - z24 * z126;
+    const Scalar z128 = c_rear_left_thigh * z122 + z90;
     const Scalar z129 = s_rear_left_thigh * z122;
-    const Scalar z130 = z19 * z124 - z24 * z127;
-    const Scalar z131 = z89 - z129;
-    const Scalar z132 = z85 - z129;
-    const Scalar z133 = z20 * z124 - z23 * z127;
-    const Scalar z134 = z21 * z124 - z22 * z127;
+    const Scalar z130 = z20 * z125 - z23 * z126;
+    const Scalar z131 = z88 - z129;
+    const Scalar z132 = z91 + z129;
+    const Scalar z133 = z21 * z125 - z22 * z126;
+    const Scalar z134 = k13 + z131;
     const Scalar z135 = k14 + z132;
-    const Scalar z136 = z131 - z123;
-    const Scalar z137 = c_rear_left_hip * z106 + s_rear_left_hip * z128;
-    const Scalar z138 = c_rear_left_hip * z126 + s_rear_left_hip * z136;
-    const Scalar z139 = s_rear_left_hip * z106 - c_rear_left_hip * z128;
-    const Scalar z140 = n0_2 * z124 + z139;
-    const Scalar z141 = z135 + n0_05 * z127;
-    const Scalar z142 = n0_2 * z127 + z137;
-    const Scalar z143 = s_rear_left_hip * z138;
-    const Scalar z144 = n0_08 * z99;
-    const Scalar z145 = s_rear_left_hip * z100;
-    const Scalar z146 = s_rear_left_hip * z101 + c_rear_left_hip * z144;
-    const Scalar z147 = s_rear_left_hip * z144 - c_rear_left_hip * z101;
-    const Scalar z148 = s_rear_left_hip * z98;
-    const Scalar z149 = z146 + n0_05 * z99 + n0_2 * z145;
-    const Scalar z150 = s_rear_left_hip * z96 + c_rear_left_hip * z103;
-    const Scalar z151 = z150 + n0_05 * z97 + n0_2 * z148;
-    const Scalar z152 = s_rear_left_hip * z103 - c_rear_left_hip * z96;
-    const Scalar z153 = n0_08 * z100;
-    const Scalar z154 = c_rear_left_hip * z138 - z103;
-    const Scalar z155 = z131 - z143;
-    const Scalar z156 = z123 + z143;
-    const Scalar z157 = c_rear_left_hip * z100;
-    const Scalar z158 = z153 + n0_05 * z157;
-    const Scalar z159 = n0_2 * z157 - z147;
-    const Scalar z160 = z39 + z98;
-    const Scalar z161 = z135 + n0_1 * z127;
-    const Scalar z162 = z137 + n0_05 * z98 + n0_2 * z127;
-    const Scalar z163 = n0_4 * z98 - z156;
-    const Scalar z164 = n0_05 * z124 - z154;
-    const Scalar z165 = n0_4 * z98 - z155 + n0_1 * z127;
-    const Scalar z166 = c_rear_left_hip * z98;
+    const Scalar z136 = s_rear_left_hip * z128 - c_rear_left_hip * z106;
+    const Scalar z137 = s_rear_left_hip * z106 + c_rear_left_hip * z128;
+    const Scalar z138 = n0_2 * z125 + z137;
+    const Scalar z139 = z135 + n0_05 * z126;
+    const Scalar z140 = n0_2 * z126 - z136;
+    const Scalar z141 = z101 - z134;
+    const Scalar z142 = c_rear_left_hip * z124 + s_rear_left_hip * z141;
+    const Scalar z143 = n0_08 * z97;
+    const Scalar z144 = s_rear_left_hip * z98;
+    const Scalar z145 = s_rear_left_hip * z102 + c_rear_left_hip * z143;
+    const Scalar z146 = s_rear_left_hip * z143 - c_rear_left_hip * z102;
+    const Scalar z147 = s_rear_left_hip * z142;
+    const Scalar z148 = z145 + n0_05 * z97 + n0_2 * z144;
+    const Scalar z149 = s_rear_left_hip * z96;
+    const Scalar z150 = s_rear_left_hip * z101 + c_rear_left_hip * z103;
+    const Scalar z151 = z150 + n0_05 * z95 + n0_2 * z149;
+    const Scalar z152 = n0_08 * z98;
+    const Scalar z153 = z134 + z147;
+    const Scalar z154 = z101 - z147;
+    const Scalar z155 = c_rear_left_hip * z142 - z103;
+    const Scalar z156 = s_rear_left_hip * z103 - c_rear_left_hip * z101;
+    const Scalar z157 = c_rear_left_hip * z98;
+    const Scalar z158 = z152 + n0_05 * z157;
+    const Scalar z159 = n0_2 * z157 - z146;
+    const Scalar z160 = z38 + z96;
+    const Scalar z161 = z135 + n0_1 * z126;
+    const Scalar z162 = n0_05 * z96 - z136 + n0_2 * z126;
+    const Scalar z163 = n0_4 * z96 + z154;
+    const Scalar z164 = n0_05 * z125 - z155;
+    const Scalar z165 = z153 + n0_4 * z96 + n0_1 * z126;
+    const Scalar z166 = c_rear_left_hip * z96;
     const Scalar z167 = z106 + n0_05 * z166;
-    const Scalar z168 = n0_2 * z166 - z152;
-    const Scalar z169 = z13 * z99 + z19 * z145 - z24 * z157;
-    const Scalar z170 = z53 + z127;
-    const Scalar z171 = z14 * z99 + z20 * z145 - z23 * z157;
-    const Scalar z172 = z18 * z99 + z21 * z145 - z22 * z157;
-    const Scalar z173 = z52 - z124;
+    const Scalar z168 = n0_2 * z166 - z156;
+    const Scalar z169 = z13 * z97 + z19 * z144 - z24 * z157;
+    const Scalar z170 = z51 + z126;
+    const Scalar z171 = z14 * z97 + z20 * z144 - z23 * z157;
+    const Scalar z172 = z18 * z97 + z21 * z144 - z22 * z157;
+    const Scalar z173 = z50 - z125;
     const Scalar z174 = z86 + z161;
-    const Scalar z175 = z113 - z162;
-    const Scalar z176 = z120 + z163;
-    const Scalar z177 = z109 - z140;
-    const Scalar z178 = z116 + z164;
-    const Scalar z179 = z125 + z165;
-    const Scalar z180 = z13 * z97 + z19 * z148 - z24 * z166;
-    const Scalar z181 = z14 * z97 + z20 * z148 - z23 * z166;
-    const Scalar z182 = z18 * z97 + z21 * z148 - z22 * z166;
-    const Scalar z183 = k0 * s_front_right_knee;
-    const Scalar z184 = k0 * c_front_right_knee;
-    const Scalar z185 = s_front_right_knee * z183;
-    const Scalar z186 = n0_032 * c_front_right_knee;
-    const Scalar z187 = c_front_right_knee * z184;
-    const Scalar z188 = s_front_right_knee * z184;
+    const Scalar z175 = z118 - z162;
+    const Scalar z176 = z119 + z163;
+    const Scalar z177 = z111 - z138;
+    const Scalar z178 = z114 + z164;
+    const Scalar z179 = z123 + z165;
+    const Scalar z180 = z13 * z95 + z19 * z149 - z24 * z166;
+    const Scalar z181 = z14 * z95 + z20 * z149 - z23 * z166;
+    const Scalar z182 = z18 * z95 + z21 * z149 - z22 * z166;
+    const Scalar z183 = k0 * c_front_right_knee;
+    const Scalar z184 = n0_032 * c_front_right_knee;
+    const Scalar z185 = c_front_right_knee * z183;
+    const Scalar z186 = s_front_right_knee * z183;
+    const Scalar z187 = k0 * s_front_right_knee;
+    const Scalar z188 = s_front_right_knee * z187;
     const Scalar z189 = n0_032 * s_front_right_knee;
-    const Scalar z190 = n0_4 * z186 - z185;
-    const Scalar z191 = k8 + z187;
-    const Scalar z192 = n0_2 * z189 + z188;
-    const Scalar z193 = k4 + n0_4 * z186;
-    const Scalar z194 = k9 + z193;
-    const Scalar z195 = z190 + z191;
-    const Scalar z196 = n2 * z192;
-    const Scalar z197 = s_front_right_thigh * z189;
-    const Scalar z198 = c_front_right_thigh * z189;
-    const Scalar z199 = n0_124 + z186;
-    const Scalar z200 = c_front_right_thigh * z199 - z197;
-    const Scalar z201 = s_front_right_thigh * z195 + c_front_right_thigh * z196;
-    const Scalar z202 = s_front_right_thigh * z199 + z198;
-    const Scalar z203 = c_front_right_thigh * z186 - z197;
-    const Scalar z204 = s_front_right_thigh * z186 + z198;
-    const Scalar z205 = k4 + n0_2 * z186;
-    const Scalar z206 = k11 - z194;
-    const Scalar z207 = n0_08 * z200;
-    const Scalar z208 = c_front_right_thigh * z201 - z192;
-    const Scalar z209 = s_front_right_thigh * z201;
-    const Scalar z210 = n2 * z207;
-    const Scalar z211 = n0_08 * z202;
-    const Scalar z212 = n0_1048 * s_front_right_hip + c_front_right_hip * z200;
-    const Scalar z213 = z191 - z209;
-    const Scalar z214 = z190 - z209;
-    const Scalar z215 = s_front_right_hip * z208 - c_front_right_hip * z211;
-    const Scalar z216 = k14 + z214;
-    const Scalar z217 = s_front_right_hip * z211 + c_front_right_hip * z208;
-    const Scalar z218 = z213 - z206;
-    const Scalar z219 = s_front_right_hip * z218 - c_front_right_hip * z210;
-    const Scalar z220 = n0_2 * z212 - z217;
-    const Scalar z221 = n0_08 * z203;
-    const Scalar z222 = s_front_right_hip * z200 - n0_1048 * c_front_right_hip;
-    const Scalar z223 = z216 - n0_05 * z222;
-    const Scalar z224 = n0_2 * z222 - z215;
-    const Scalar z225 = z19 * z212 + z24 * z222;
-    const Scalar z226 = z20 * z212 + z23 * z222;
-    const Scalar z227 = z21 * z212 + z22 * z222;
-    const Scalar z228 = s_front_right_hip * z219;
-    const Scalar z229 = s_front_right_hip * z204;
-    const Scalar z230 = s_front_right_hip * z205 - c_front_right_hip * z221;
-    const Scalar z231 = c_front_right_hip * z205 + s_front_right_hip * z221;
-    const Scalar z232 = n0_05 * z203 - z230 + n0_2 * z229;
-    const Scalar z233 = s_front_right_hip * z202;
-    const Scalar z234 = s_front_right_hip * z194 - c_front_right_hip * z207;
-    const Scalar z235 = n0_05 * z200 - z234 + n0_2 * z233;
-    const Scalar z236 = c_front_right_hip * z194 + s_front_right_hip * z207;
-    const Scalar z237 = n0_08 * z204;
-    const Scalar z238 = c_front_right_hip * z219 + z207;
-    const Scalar z239 = z213 - z228;
-    const Scalar z240 = z206 + z228;
-    const Scalar z241 = c_front_right_hip * z204;
-    const Scalar z242 = z237 + n0_05 * z241;
-    const Scalar z243 = n0_2 * z241 - z231;
-    const Scalar z244 = z160 + z202;
-    const Scalar z245 = z216 - n0_1 * z222;
-    const Scalar z246 = n0_05 * z202 - z215 + n0_2 * z222;
-    const Scalar z247 = n0_4 * z202 + z240;
-    const Scalar z248 = n0_05 * z212 - z238;
-    const Scalar z249 = z239 + n0_4 * z202 + n0_1 * z222;
-    const Scalar z250 = c_front_right_hip * z202;
-    const Scalar z251 = z211 + n0_05 * z250;
-    const Scalar z252 = n0_2 * z250 - z236;
-    const Scalar z253 = z13 * z203 + z19 * z229 - z24 * z241;
-    const Scalar z254 = z170 + z222;
-    const Scalar z255 = z14 * z203 + z20 * z229 - z23 * z241;
-    const Scalar z256 = z18 * z203 + z21 * z229 - z22 * z241;
-    const Scalar z257 = z173 + z212;
+    const Scalar z190 = n0_4 * z184 + z185;
+    const Scalar z191 = n0_2 * z189 + z186;
+    const Scalar z192 = s_front_right_thigh * z189;
+    const Scalar z193 = c_front_right_thigh * z189;
+    const Scalar z194 = n0_124 + z184;
+    const Scalar z195 = k4 + n0_4 * z184;
+    const Scalar z196 = k10 + z190;
+    const Scalar z197 = k8 + z195;
+    const Scalar z198 = n2 * z191;
+    const Scalar z199 = c_front_right_thigh * z194 - z192;
+    const Scalar z200 = s_front_right_thigh * z194 + z193;
+    const Scalar z201 = c_front_right_thigh * z184 - z192;
+    const Scalar z202 = s_front_right_thigh * z184 + z193;
+    const Scalar z203 = k4 + n0_2 * z184;
+    const Scalar z204 = z188 - z196;
+    const Scalar z205 = s_front_right_thigh * z204 - c_front_right_thigh * z198;
+    const Scalar z206 = n0_08 * z199;
+    const Scalar z207 = n2 * z206;
+    const Scalar z208 = n0_08 * z200;
+    const Scalar z209 = n0_1048 * s_front_right_hip + c_front_right_hip * z199;
+    const Scalar z210 = n0_08 * z201;
+    const Scalar z211 = s_front_right_hip * z199 - n0_1048 * c_front_right_hip;
+    const Scalar z212 = z19 * z209 + z24 * z211;
+    const Scalar z213 = c_front_right_thigh * z205 + z191;
+    const Scalar z214 = s_front_right_thigh * z205;
+    const Scalar z215 = z20 * z209 + z23 * z211;
+    const Scalar z216 = z188 - z214;
+    const Scalar z217 = z196 + z214;
+    const Scalar z218 = z21 * z209 + z22 * z211;
+    const Scalar z219 = k13 + z216;
+    const Scalar z220 = k14 + z217;
+    const Scalar z221 = c_front_right_hip * z208 + s_front_right_hip * z213;
+    const Scalar z222 = s_front_right_hip * z208 - c_front_right_hip * z213;
+    const Scalar z223 = n0_2 * z209 - z222;
+    const Scalar z224 = z220 - n0_05 * z211;
+    const Scalar z225 = n0_2 * z211 + z221;
+    const Scalar z226 = z197 - z219;
+    const Scalar z227 = s_front_right_hip * z226 - c_front_right_hip * z207;
+    const Scalar z228 = s_front_right_hip * z202;
+    const Scalar z229 = s_front_right_hip * z203 - c_front_right_hip * z210;
+    const Scalar z230 = c_front_right_hip * z203 + s_front_right_hip * z210;
+    const Scalar z231 = n0_05 * z201 - z229 + n0_2 * z228;
+    const Scalar z232 = s_front_right_hip * z227;
+    const Scalar z233 = s_front_right_hip * z200;
+    const Scalar z234 = s_front_right_hip * z197 - c_front_right_hip * z206;
+    const Scalar z235 = n0_05 * z199 - z234 + n0_2 * z233;
+    const Scalar z236 = n0_08 * z202;
+    const Scalar z237 = z219 + z232;
+    const Scalar z238 = z197 - z232;
+    const Scalar z239 = c_front_right_hip * z227 + z206;
+    const Scalar z240 = c_front_right_hip * z197 + s_front_right_hip * z206;
+    const Scalar z241 = c_front_right_hip * z202;
+    const Scalar z242 = z236 + n0_05 * z241;
+    const Scalar z243 = n0_2 * z241 - z230;
+    const Scalar z244 = z160 + z200;
+    const Scalar z245 = z220 - n0_1 * z211;
+    const Scalar z246 = z221 + n0_05 * z200 + n0_2 * z211;
+    const Scalar z247 = n0_4 * z200 - z238;
+    const Scalar z248 = n0_05 * z209 - z239;
+    const Scalar z249 = n0_4 * z200 - z237 + n0_1 * z211;
+    const Scalar z250 = c_front_right_hip * z200;
+    const Scalar z251 = z208 + n0_05 * z250;
+    const Scalar z252 = n0_2 * z250 - z240;
+    const Scalar z253 = z13 * z201 + z19 * z228 - z24 * z241;
+    const Scalar z254 = z170 + z211;
+    const Scalar z255 = z14 * z201 + z20 * z228 - z23 * z241;
+    const Scalar z256 = z18 * z201 + z21 * z228 - z22 * z241;
+    const Scalar z257 = z173 + z209;
     const Scalar z258 = z174 + z245;
     const Scalar z259 = z175 + z246;
     const Scalar z260 = z176 - z247;
-    const Scalar z261 = z177 - z220;
+    const Scalar z261 = z177 - z223;
     const Scalar z262 = z178 + z248;
     const Scalar z263 = z179 - z249;
-    const Scalar z264 = z13 * z200 + z19 * z233 - z24 * z250;
-    const Scalar z265 = z14 * z200 + z20 * z233 - z23 * z250;
-    const Scalar z266 = z18 * z200 + z21 * z233 - z22 * z250;
-    const Scalar z267 = k0 * s_front_left_knee;
-    const Scalar z268 = k0 * c_front_left_knee;
-    const Scalar z269 = s_front_left_knee * z267;
-    const Scalar z270 = n0_032 * c_front_left_knee;
-    const Scalar z271 = c_front_left_knee * z268;
-    const Scalar z272 = s_front_left_knee * z268;
+    const Scalar z264 = z13 * z199 + z19 * z233 - z24 * z250;
+    const Scalar z265 = z14 * z199 + z20 * z233 - z23 * z250;
+    const Scalar z266 = z18 * z199 + z21 * z233 - z22 * z250;
+    const Scalar z267 = k0 * c_front_left_knee;
+    const Scalar z268 = n0_032 * c_front_left_knee;
+    const Scalar z269 = c_front_left_knee * z267;
+    const Scalar z270 = s_front_left_knee * z267;
+    const Scalar z271 = k0 * s_front_left_knee;
+    const Scalar z272 = s_front_left_knee * z271;
     const Scalar z273 = n0_032 * s_front_left_knee;
-    const Scalar z274 = n0_4 * z270 - z269;
-    const Scalar z275 = k8 + z271;
-    const Scalar z276 = n0_2 * z273 + z272;
-    const Scalar z277 = s_front_left_thigh * z273;
-    const Scalar z278 = c_front_left_thigh * z273;
-    const Scalar z279 = n0_124 + z270;
-    const Scalar z280 = z274 + z275;
-    const Scalar z281 = n2 * z276;
-    const Scalar z282 = k4 + n0_4 * z270;
-    const Scalar z283 = k9 + z282;
-    const Scalar z284 = c_front_left_thigh * z279 - z277;
-    const Scalar z285 = s_front_left_thigh * z280 + c_front_left_thigh * z281;
-    const Scalar z286 = s_front_left_thigh * z279 + z278;
-    const Scalar z287 = c_front_left_thigh * z270 - z277;
-    const Scalar z288 = s_front_left_thigh * z270 + z278;
-    const Scalar z289 = k4 + n0_2 * z270;
-    const Scalar z290 = n0_08 * z284;
-    const Scalar z291 = k11 - z283;
-    const Scalar z292 = c_front_left_thigh * z285 - z276;
-    const Scalar z293 = s_front_left_thigh * z285;
-    const Scalar z294 = n2 * z290;
-    const Scalar z295 = n0_08 * z286;
-    const Scalar z296 = n0_08 * z287;
-    const Scalar z297 = z275 - z293;
-    const Scalar z298 = z274 - z293;
-    const Scalar z299 = c_front_left_hip * z295 + s_front_left_hip * z292;
-    const Scalar z300 = s_front_left_hip * z295 - c_front_left_hip * z292;
-    const Scalar z301 = k14 + z298;
-    const Scalar z302 = z297 - z291;
-    const Scalar z303 = n0_1048 * s_front_left_hip - c_front_left_hip * z284;
-    const Scalar z304 = c_front_left_hip * z294 + s_front_left_hip * z302;
-    const Scalar z305 = n0_2 * z303 - z300;
-    const Scalar z306 = s_front_left_hip * z288;
-    const Scalar z307 = s_front_left_hip * z289 + c_front_left_hip * z296;
-    const Scalar z308 = s_front_left_hip * z296 - c_front_left_hip * z289;
-    const Scalar z309 = z307 + n0_05 * z287 - n0_2 * z306;
-    const Scalar z310 = s_front_left_hip * z304;
-    const Scalar z311 = s_front_left_hip * z286;
-    const Scalar z312 = s_front_left_hip * z283 + c_front_left_hip * z290;
-    const Scalar z313 = z312 + n0_05 * z284 - n0_2 * z311;
-    const Scalar z314 = s_front_left_hip * z290 - c_front_left_hip * z283;
-    const Scalar z315 = n0_1048 * c_front_left_hip + s_front_left_hip * z284;
-    const Scalar z316 = z301 + n0_05 * z315;
-    const Scalar z317 = n0_2 * z315 - z299;
-    const Scalar z318 = z19 * z303 - z24 * z315;
-    const Scalar z319 = z20 * z303 - z23 * z315;
-    const Scalar z320 = z21 * z303 - z22 * z315;
-    const Scalar z321 = n0_08 * z288;
-    const Scalar z322 = c_front_left_hip * z304 - z290;
-    const Scalar z323 = z297 - z310;
-    const Scalar z324 = z291 + z310;
-    const Scalar z325 = c_front_left_hip * z288;
-    const Scalar z326 = z321 + n0_05 * z325;
-    const Scalar z327 = n0_2 * z325 + z308;
-    const Scalar z328 = z244 + z286;
-    const Scalar z329 = z301 + n0_1 * z315;
-    const Scalar z330 = z299 + n0_05 * z286 - n0_2 * z315;
-    const Scalar z331 = n0_4 * z286 + z324;
-    const Scalar z332 = n0_05 * z303 - z322;
-    const Scalar z333 = z323 + n0_4 * z286 - n0_1 * z315;
-    const Scalar z334 = c_front_left_hip * z286;
-    const Scalar z335 = z295 + n0_05 * z334;
-    const Scalar z336 = n0_2 * z334 + z314;
-    const Scalar z337 = z13 * z287 + z19 * z306 - z24 * z325;
-    const Scalar z338 = z254 + z315;
-    const Scalar z339 = z14 * z287 + z20 * z306 - z23 * z325;
-    const Scalar z340 = z18 * z287 + z21 * z306 - z22 * z325;
+    const Scalar z274 = n0_4 * z268 + z269;
+    const Scalar z275 = n0_2 * z273 + z270;
+    const Scalar z276 = s_front_left_thigh * z273;
+    const Scalar z277 = c_front_left_thigh * z273;
+    const Scalar z278 = n0_124 + z268;
+    const Scalar z279 = c_front_left_thigh * z278 - z276;
+    const Scalar z280 = k10 + z274;
+    const Scalar z281 = s_front_left_thigh * z278 + z277;
+    const Scalar z282 = c_front_left_thigh * z268 - z276;
+    const Scalar z283 = s_front_left_thigh * z268 + z277;
+    const Scalar z284 = z272 - z280;
+    const Scalar z285 = n2 * z275;
+    const Scalar z286 = k4 + n0_4 * z268;
+    const Scalar z287 = s_front_left_thigh * z284 - c_front_left_thigh * z285;
+    const Scalar z288 = k8 + z286;
+    const Scalar z289 = k4 + n0_2 * z268;
+    const Scalar z290 = n0_08 * z279;
+    const Scalar z291 = n2 * z290;
+    const Scalar z292 = n0_08 * z281;
+    const Scalar z293 = n0_08 * z282;
+    const Scalar z294 = n0_1048 * s_front_left_hip - c_front_left_hip * z279;
+    const Scalar z295 = s_front_left_hip * z283;
+    const Scalar z296 = c_front_left_thigh * z287 + z275;
+    const Scalar z297 = s_front_left_thigh * z287;
+    const Scalar z298 = s_front_left_hip * z289 + c_front_left_hip * z293;
+    const Scalar z299 = s_front_left_hip * z293 - c_front_left_hip * z289;
+    const Scalar z300 = z298 + n0_05 * z282 - n0_2 * z295;
+    const Scalar z301 = z272 - z297;
+    const Scalar z302 = z280 + z297;
+    const Scalar z303 = k13 + z301;
+    const Scalar z304 = k14 + z302;
+    const Scalar z305 = s_front_left_hip * z296 - c_front_left_hip * z292;
+    const Scalar z306 = s_front_left_hip * z292 + c_front_left_hip * z296;
+    const Scalar z307 = n0_2 * z294 - z306;
+    const Scalar z308 = z288 - z303;
+    const Scalar z309 = c_front_left_hip * z291 + s_front_left_hip * z308;
+    const Scalar z310 = s_front_left_hip * z281;
+    const Scalar z311 = s_front_left_hip * z288 + c_front_left_hip * z290;
+    const Scalar z312 = z311 + n0_05 * z279 - n0_2 * z310;
+    const Scalar z313 = s_front_left_hip * z309;
+    const Scalar z314 = n0_1048 * c_front_left_hip + s_front_left_hip * z279;
+    const Scalar z315 = z304 + n0_05 * z314;
+    const Scalar z316 = n0_2 * z314 + z305;
+    const Scalar z317 = z19 * z294 - z24 * z314;
+    const Scalar z318 = z20 * z294 - z23 * z314;
+    const Scalar z319 = z21 * z294 - z22 * z314;
+    const Scalar z320 = n0_08 * z283;
+    const Scalar z321 = z303 + z313;
+    const Scalar z322 = z288 - z313;
+    const Scalar z323 = c_front_left_hip * z309 - z290;
+    const Scalar z324 = s_front_left_hip * z290 - c_front_left_hip * z288;
+    const Scalar z325 = c_front_left_hip * z283;
+    const Scalar z326 = z320 + n0_05 * z325;
+    const Scalar z327 = n0_2 * z325 + z299;
+    const Scalar z328 = z244 + z281;
+    const Scalar z329 = z304 + n0_1 * z314;
+    const Scalar z330 = n0_05 * z281 - z305 - n0_2 * z314;
+    const Scalar z331 = n0_4 * z281 - z322;
+    const Scalar z332 = n0_05 * z294 - z323;
+    const Scalar z333 = n0_4 * z281 - z321 - n0_1 * z314;
+    const Scalar z334 = c_front_left_hip * z281;
+    const Scalar z335 = z292 + n0_05 * z334;
+    const Scalar z336 = n0_2 * z334 + z324;
+    const Scalar z337 = z13 * z282 + z19 * z295 - z24 * z325;
+    const Scalar z338 = z254 + z314;
+    const Scalar z339 = z14 * z282 + z20 * z295 - z23 * z325;
+    const Scalar z340 = z18 * z282 + z21 * z295 - z22 * z325;
     const Scalar z341 = z258 + z329;
     const Scalar z342 = z259 - z330;
     const Scalar z343 = z260 - z331;
-    const Scalar z344 = z261 + z305;
+    const Scalar z344 = z261 + z307;
     const Scalar z345 = z262 + z332;
-    const Scalar z346 = z257 - z303;
-    const Scalar z347 = z13 * z284 + z19 * z311 - z24 * z334;
-    const Scalar z348 = z14 * z284 + z20 * z311 - z23 * z334;
-    const Scalar z349 = z18 * z284 + z21 * z311 - z22 * z334;
+    const Scalar z346 = z257 - z294;
+    const Scalar z347 = z13 * z279 + z19 * z310 - z24 * z334;
+    const Scalar z348 = z14 * z279 + z20 * z310 - z23 * z334;
+    const Scalar z349 = z18 * z279 + z21 * z310 - z22 * z334;
     const Scalar z350 = z263 - z333;
     const Scalar z351 = z19 * z328 + z13 * z338;
     const Scalar z352 = z20 * z328 + z14 * z338;
@@ -2584,117 +2191,117 @@ struct Mechanism {
     mass[3] = z357;
     mass[4] = -z354;
     mass[5] = -z351;
-    mass[6] = -z318;
+    mass[6] = -z317;
     mass[7] = -z347;
     mass[8] = -z337;
-    mass[9] = z225;
+    mass[9] = z212;
     mass[10] = -z264;
     mass[11] = -z253;
-    mass[12] = -z130;
+    mass[12] = -z127;
     mass[13] = -z180;
     mass[14] = -z169;
-    mass[15] = z78;
-    mass[16] = -z63;
-    mass[17] = -z57;
+    mass[15] = z73;
+    mass[16] = -z61;
+    mass[17] = -z55;
     mass[18] = n0;
     mass[19] = n12_24;
     mass[20] = n0;
     mass[21] = z358;
     mass[22] = -z355;
     mass[23] = -z352;
-    mass[24] = -z319;
+    mass[24] = -z318;
     mass[25] = -z348;
     mass[26] = -z339;
-    mass[27] = z226;
+    mass[27] = z215;
     mass[28] = -z265;
     mass[29] = -z255;
-    mass[30] = -z133;
+    mass[30] = -z130;
     mass[31] = -z181;
     mass[32] = -z171;
-    mass[33] = z80;
-    mass[34] = -z64;
-    mass[35] = -z58;
+    mass[33] = z77;
+    mass[34] = -z62;
+    mass[35] = -z56;
     mass[36] = n0;
     mass[37] = n0;
     mass[38] = n12_24;
     mass[39] = z359;
     mass[40] = z356;
     mass[41] = -z353;
-    mass[42] = -z320;
+    mass[42] = -z319;
     mass[43] = -z349;
     mass[44] = -z340;
-    mass[45] = z227;
+    mass[45] = z218;
     mass[46] = -z266;
     mass[47] = -z256;
-    mass[48] = -z134;
+    mass[48] = -z133;
     mass[49] = -z182;
     mass[50] = -z172;
-    mass[51] = z81;
-    mass[52] = -z66;
-    mass[53] = -z59;
+    mass[51] = z80;
+    mass[52] = -z63;
+    mass[53] = -z57;
     mass[54] = z357;
     mass[55] = z358;
     mass[56] = z359;
     mass[57] = z341;
     mass[58] = -z342;
     mass[59] = -z344;
-    mass[60] = z316;
+    mass[60] = z315;
     mass[61] = z335;
     mass[62] = z326;
-    mass[63] = z223;
+    mass[63] = z224;
     mass[64] = -z251;
     mass[65] = -z242;
-    mass[66] = z141;
+    mass[66] = z139;
     mass[67] = z167;
     mass[68] = z158;
-    mass[69] = z82;
-    mass[70] = -z62;
-    mass[71] = -z56;
+    mass[69] = z81;
+    mass[70] = -z60;
+    mass[71] = -z54;
     mass[72] = -z354;
     mass[73] = -z355;
     mass[74] = z356;
     mass[75] = -z342;
     mass[76] = z343;
     mass[77] = -z345;
-    mass[78] = -z317;
+    mass[78] = -z316;
     mass[79] = -z336;
     mass[80] = -z327;
-    mass[81] = -z224;
+    mass[81] = -z225;
     mass[82] = -z252;
     mass[83] = -z243;
-    mass[84] = z142;
+    mass[84] = z140;
     mass[85] = z168;
     mass[86] = z159;
-    mass[87] = z112;
-    mass[88] = z70;
-    mass[89] = z69;
+    mass[87] = z115;
+    mass[88] = z69;
+    mass[89] = z68;
     mass[90] = -z351;
     mass[91] = -z352;
     mass[92] = -z353;
     mass[93] = -z344;
     mass[94] = -z345;
     mass[95] = z350;
-    mass[96] = -z305;
-    mass[97] = z313;
-    mass[98] = z309;
-    mass[99] = z220;
+    mass[96] = -z307;
+    mass[97] = z312;
+    mass[98] = z300;
+    mass[99] = z223;
     mass[100] = -z235;
-    mass[101] = -z232;
-    mass[102] = z140;
+    mass[101] = -z231;
+    mass[102] = z138;
     mass[103] = z151;
-    mass[104] = z149;
-    mass[105] = -z109;
-    mass[106] = -z68;
-    mass[107] = -z67;
-    mass[108] = -z318;
-    mass[109] = -z319;
-    mass[110] = -z320;
-    mass[111] = z316;
-    mass[112] = -z317;
-    mass[113] = -z305;
-    mass[114] = z301;
-    mass[115] = z295;
-    mass[116] = z321;
+    mass[104] = z148;
+    mass[105] = -z111;
+    mass[106] = -z67;
+    mass[107] = -z66;
+    mass[108] = -z317;
+    mass[109] = -z318;
+    mass[110] = -z319;
+    mass[111] = z315;
+    mass[112] = -z316;
+    mass[113] = -z307;
+    mass[114] = z304;
+    mass[115] = z292;
+    mass[116] = z320;
     mass[117] = n0;
     mass[118] = n0;
     mass[119] = n0;
@@ -2709,9 +2316,9 @@ struct Mechanism {
     mass[128] = -z349;
     mass[129] = z335;
     mass[130] = -z336;
-    mass[131] = z313;
-    mass[132] = z295;
-    mass[133] = z283;
+    mass[131] = z312;
+    mass[132] = z292;
+    mass[133] = z288;
     mass[134] = z289;
     mass[135] = n0;
     mass[136] = n0;
@@ -2727,8 +2334,8 @@ struct Mechanism {
     mass[146] = -z340;
     mass[147] = z326;
     mass[148] = -z327;
-    mass[149] = z309;
-    mass[150] = z321;
+    mass[149] = z300;
+    mass[150] = z320;
     mass[151] = z289;
     mass[152] = k4;
     mass[153] = n0;
@@ -2740,18 +2347,18 @@ struct Mechanism {
     mass[159] = n0;
     mass[160] = n0;
     mass[161] = n0;
-    mass[162] = z225;
-    mass[163] = z226;
-    mass[164] = z227;
-    mass[165] = z223;
-    mass[166] = -z224;
-    mass[167] = z220;
+    mass[162] = z212;
+    mass[163] = z215;
+    mass[164] = z218;
+    mass[165] = z224;
+    mass[166] = -z225;
+    mass[167] = z223;
     mass[168] = n0;
     mass[169] = n0;
     mass[170] = n0;
-    mass[171] = z216;
-    mass[172] = -z211;
-    mass[173] = -z237;
+    mass[171] = z220;
+    mass[172] = -z208;
+    mass[173] = -z236;
     mass[174] = n0;
     mass[175] = n0;
     mass[176] = n0;
@@ -2767,9 +2374,9 @@ struct Mechanism {
     mass[186] = n0;
     mass[187] = n0;
     mass[188] = n0;
-    mass[189] = -z211;
-    mass[190] = z194;
-    mass[191] = z205;
+    mass[189] = -z208;
+    mass[190] = z197;
+    mass[191] = z203;
     mass[192] = n0;
     mass[193] = n0;
     mass[194] = n0;
@@ -2781,12 +2388,12 @@ struct Mechanism {
     mass[200] = -z256;
     mass[201] = -z242;
     mass[202] = -z243;
-    mass[203] = -z232;
+    mass[203] = -z231;
     mass[204] = n0;
     mass[205] = n0;
     mass[206] = n0;
-    mass[207] = -z237;
-    mass[208] = z205;
+    mass[207] = -z236;
+    mass[208] = z203;
     mass[209] = k4;
     mass[210] = n0;
     mass[211] = n0;
@@ -2794,12 +2401,12 @@ struct Mechanism {
     mass[213] = n0;
     mass[214] = n0;
     mass[215] = n0;
-    mass[216] = -z130;
-    mass[217] = -z133;
-    mass[218] = -z134;
-    mass[219] = z141;
-    mass[220] = z142;
-    mass[221] = z140;
+    mass[216] = -z127;
+    mass[217] = -z130;
+    mass[218] = -z133;
+    mass[219] = z139;
+    mass[220] = z140;
+    mass[221] = z138;
     mass[222] = n0;
     mass[223] = n0;
     mass[224] = n0;
@@ -2808,7 +2415,7 @@ struct Mechanism {
     mass[227] = n0;
     mass[228] = z135;
     mass[229] = z106;
-    mass[230] = z153;
+    mass[230] = z152;
     mass[231] = n0;
     mass[232] = n0;
     mass[233] = n0;
@@ -2825,8 +2432,8 @@ struct Mechanism {
     mass[244] = n0;
     mass[245] = n0;
     mass[246] = z106;
-    mass[247] = z96;
-    mass[248] = z101;
+    mass[247] = z101;
+    mass[248] = z102;
     mass[249] = n0;
     mass[250] = n0;
     mass[251] = n0;
@@ -2835,25 +2442,25 @@ struct Mechanism {
     mass[254] = -z172;
     mass[255] = z158;
     mass[256] = z159;
-    mass[257] = z149;
+    mass[257] = z148;
     mass[258] = n0;
     mass[259] = n0;
     mass[260] = n0;
     mass[261] = n0;
     mass[262] = n0;
     mass[263] = n0;
-    mass[264] = z153;
-    mass[265] = z101;
+    mass[264] = z152;
+    mass[265] = z102;
     mass[266] = k4;
     mass[267] = n0;
     mass[268] = n0;
     mass[269] = n0;
-    mass[270] = z78;
-    mass[271] = z80;
-    mass[272] = z81;
-    mass[273] = z82;
-    mass[274] = z112;
-    mass[275] = -z109;
+    mass[270] = z73;
+    mass[271] = z77;
+    mass[272] = z80;
+    mass[273] = z81;
+    mass[274] = z115;
+    mass[275] = -z111;
     mass[276] = n0;
     mass[277] = n0;
     mass[278] = n0;
@@ -2865,13 +2472,13 @@ struct Mechanism {
     mass[284] = n0;
     mass[285] = z79;
     mass[286] = -z45;
-    mass[287] = -z41;
-    mass[288] = -z63;
-    mass[289] = -z64;
-    mass[290] = -z66;
-    mass[291] = -z62;
-    mass[292] = z70;
-    mass[293] = -z68;
+    mass[287] = -z40;
+    mass[288] = -z61;
+    mass[289] = -z62;
+    mass[290] = -z63;
+    mass[291] = -z60;
+    mass[292] = z69;
+    mass[293] = -z67;
     mass[294] = n0;
     mass[295] = n0;
     mass[296] = n0;
@@ -2882,14 +2489,14 @@ struct Mechanism {
     mass[301] = n0;
     mass[302] = n0;
     mass[303] = -z45;
-    mass[304] = z40;
+    mass[304] = z39;
     mass[305] = z25;
-    mass[306] = -z57;
-    mass[307] = -z58;
-    mass[308] = -z59;
-    mass[309] = -z56;
-    mass[310] = z69;
-    mass[311] = -z67;
+    mass[306] = -z55;
+    mass[307] = -z56;
+    mass[308] = -z57;
+    mass[309] = -z54;
+    mass[310] = z68;
+    mass[311] = -z66;
     mass[312] = n0;
     mass[313] = n0;
     mass[314] = n0;
@@ -2899,7 +2506,7 @@ struct Mechanism {
     mass[318] = n0;
     mass[319] = n0;
     mass[320] = n0;
-    mass[321] = -z41;
+    mass[321] = -z40;
     mass[322] = z25;
     mass[323] = k4;
   }
@@ -4007,6 +3614,12 @@ struct Mechanism {
     forces.rear_right_knee = z435;
   }
 
+  /// The same for this mechanism, which has nothing in the arguments left out.
+  TORSOR_DEVICE static void inverse_dynamics(const Precomputed& precomputed, const State& state,
+      const Accelerations& accelerations, GeneralizedForces& forces) noexcept {
+    inverse_dynamics(precomputed, state, accelerations, Multipliers(), forces);
+  }
+
   /// Forward dynamics: accelerations a and multipliers lambda from M a + h = E u + A' lambda, A a + gamma = 0, by
   /// the articulated-body recursion. Returns singular when a pivot is not
   /// positive relative to its diagonal entry.
@@ -4025,11 +3638,11 @@ struct Mechanism {
     const Scalar k10 = traits::constant(0.01968, 0.01968f, "123/6250");
     const Scalar n0_08 = traits::constant(0.08, 0.08f, "2/25");
     const Scalar n0_1048 = traits::constant(0.1048, 0.1048f, "131/1250");
-    const Scalar k13 = traits::constant(0.0329736, 0.0329736f, "41217/1250000");
-    const Scalar k14 = traits::constant(0.0325736, 0.0325736f, "40717/1250000");
+    const Scalar k13 = traits::constant(0.0086236, 0.0086236f, "21559/2500000");
+    const Scalar k14 = traits::constant(0.0082236, 0.0082236f, "20559/2500000");
     const Scalar n12_24 = traits::constant(12.24, 12.24f, "306/25");
-    const Scalar k16 = traits::constant(0.4970944, 0.4970944f, "77671/156250");
-    const Scalar k17 = traits::constant(0.4664944, 0.4664944f, "291559/625000");
+    const Scalar n0_3668 = traits::constant(0.3668, 0.3668f, "917/2500");
+    const Scalar n0_3362 = traits::constant(0.3362, 0.3362f, "1681/5000");
     const Scalar n0_0406 = traits::constant(0.0406, 0.0406f, "203/5000");
     const Scalar n9_81 = traits::constant(9.81, 9.81f, "981/100");
     const Scalar k20 = traits::constant(1.98e-05, 1.98e-05f, "99/5000000");
@@ -4104,13 +3717,13 @@ struct Mechanism {
     const Scalar s_rear_right_hip = sines_[9], c_rear_right_hip = cosines_[9];
     const Scalar s_rear_right_thigh = sines_[10], c_rear_right_thigh = cosines_[10];
     const Scalar s_rear_right_knee = sines_[11], c_rear_right_knee = cosines_[11];
-    const Scalar z0 = k0 * s_rear_right_knee;
-    const Scalar z1 = k0 * c_rear_right_knee;
-    const Scalar z2 = k0 * s_rear_left_knee;
-    const Scalar z3 = n0_032 * c_rear_right_knee;
-    const Scalar z4 = k0 * c_rear_left_knee;
-    const Scalar z5 = n0_032 * c_rear_left_knee;
-    const Scalar z6 = n0_032 * s_rear_right_knee;
+    const Scalar z0 = k0 * c_rear_right_knee;
+    const Scalar z1 = k0 * c_rear_left_knee;
+    const Scalar z2 = n0_032 * c_rear_right_knee;
+    const Scalar z3 = n0_032 * c_rear_left_knee;
+    const Scalar z4 = k0 * s_rear_right_knee;
+    const Scalar z5 = n0_032 * s_rear_right_knee;
+    const Scalar z6 = k0 * s_rear_left_knee;
     const Scalar z7 = n0_032 * s_rear_left_knee;
     const Scalar z8 = n2 * q_trunk_attitude_y;
     const Scalar z9 = n2 * q_trunk_attitude_x;
@@ -4133,118 +3746,118 @@ struct Mechanism {
     const Scalar z26 = q_trunk_attitude_w * z14;
     const Scalar z27 = n1 - z24 - z16;
     const Scalar z28 = n1 - z10 - z24;
-    const Scalar z29 = k0 * s_front_right_knee;
-    const Scalar z30 = k0 * c_front_right_knee;
+    const Scalar z29 = k0 * c_front_right_knee;
+    const Scalar z30 = k0 * s_front_right_knee;
     const Scalar z31 = z25 + z26;
     const Scalar z32 = z25 - z26;
-    const Scalar z33 = k0 * s_front_left_knee;
-    const Scalar z34 = k0 * c_front_left_knee;
-    const Scalar z35 = n0_032 * c_front_left_knee;
+    const Scalar z33 = k0 * c_front_left_knee;
+    const Scalar z34 = n0_032 * c_front_left_knee;
+    const Scalar z35 = k0 * s_front_left_knee;
     const Scalar z36 = n0_032 * s_front_left_knee;
-    const Scalar z37 = c_rear_right_knee * z1;
-    const Scalar z38 = s_rear_right_knee * z0;
-    const Scalar z39 = s_rear_right_knee * z1;
-    const Scalar z40 = n0_124 + z3;
-    const Scalar z41 = c_rear_left_knee * z4;
-    const Scalar z42 = s_rear_left_knee * z2;
-    const Scalar z43 = s_rear_left_knee * z4;
-    const Scalar z44 = n0_124 + z5;
-    const Scalar z45 = c_front_right_knee * z30;
-    const Scalar z46 = s_front_right_knee * z29;
-    const Scalar z47 = s_front_right_knee * z30;
+    const Scalar z37 = c_rear_right_knee * z0;
+    const Scalar z38 = s_rear_right_knee * z4;
+    const Scalar z39 = s_rear_right_knee * z0;
+    const Scalar z40 = n0_124 + z2;
+    const Scalar z41 = c_rear_left_knee * z1;
+    const Scalar z42 = s_rear_left_knee * z6;
+    const Scalar z43 = s_rear_left_knee * z1;
+    const Scalar z44 = n0_124 + z3;
+    const Scalar z45 = c_front_right_knee * z29;
+    const Scalar z46 = s_front_right_knee * z30;
+    const Scalar z47 = s_front_right_knee * z29;
     const Scalar z48 = n0_124 + z11;
-    const Scalar z49 = c_front_left_knee * z34;
-    const Scalar z50 = s_front_left_knee * z33;
-    const Scalar z51 = s_front_left_knee * z34;
-    const Scalar z52 = n0_4 * z3 - z38;
-    const Scalar z53 = n0_2 * z6 + z39;
-    const Scalar z54 = n0_124 + z35;
-    const Scalar z55 = k7 + z37;
-    const Scalar z56 = s_rear_right_thigh * z6 - c_rear_right_thigh * z40;
-    const Scalar z57 = c_rear_right_thigh * z6 + s_rear_right_thigh * z40;
-    const Scalar z58 = n0_4 * z5 - z42;
-    const Scalar z59 = n0_2 * z7 + z43;
-    const Scalar z60 = k7 + z41;
-    const Scalar z61 = s_rear_left_thigh * z7 - c_rear_left_thigh * z44;
-    const Scalar z62 = c_rear_left_thigh * z7 + s_rear_left_thigh * z44;
-    const Scalar z63 = n0_4 * z11 - z46;
-    const Scalar z64 = n0_2 * z15 + z47;
-    const Scalar z65 = k7 + z45;
-    const Scalar z66 = s_front_right_thigh * z15 - c_front_right_thigh * z48;
-    const Scalar z67 = c_front_right_thigh * z15 + s_front_right_thigh * z48;
-    const Scalar z68 = n0_4 * z35 - z50;
-    const Scalar z69 = n0_2 * z36 + z51;
-    const Scalar z70 = k7 + z49;
-    const Scalar z71 = s_front_left_thigh * z36 - c_front_left_thigh * z54;
-    const Scalar z72 = c_front_left_thigh * z36 + s_front_left_thigh * z54;
-    const Scalar z73 = z52 + z55;
-    const Scalar z74 = n2 * z53;
-    const Scalar z75 = z58 + z60;
-    const Scalar z76 = n2 * z59;
-    const Scalar z77 = z63 + z65;
-    const Scalar z78 = n2 * z64;
-    const Scalar z79 = z68 + z70;
-    const Scalar z80 = n2 * z69;
-    const Scalar z81 = s_rear_right_thigh * z73 + c_rear_right_thigh * z74;
-    const Scalar z82 = s_rear_left_thigh * z75 + c_rear_left_thigh * z76;
-    const Scalar z83 = s_front_right_thigh * z77 + c_front_right_thigh * z78;
-    const Scalar z84 = s_front_left_thigh * z79 + c_front_left_thigh * z80;
+    const Scalar z49 = c_front_left_knee * z33;
+    const Scalar z50 = s_front_left_knee * z35;
+    const Scalar z51 = s_front_left_knee * z33;
+    const Scalar z52 = n0_4 * z2 + z37;
+    const Scalar z53 = n0_2 * z5 + z39;
+    const Scalar z54 = n0_124 + z34;
+    const Scalar z55 = s_rear_right_thigh * z5 - c_rear_right_thigh * z40;
+    const Scalar z56 = c_rear_right_thigh * z5 + s_rear_right_thigh * z40;
+    const Scalar z57 = n0_4 * z3 + z41;
+    const Scalar z58 = n0_2 * z7 + z43;
+    const Scalar z59 = s_rear_left_thigh * z7 - c_rear_left_thigh * z44;
+    const Scalar z60 = c_rear_left_thigh * z7 + s_rear_left_thigh * z44;
+    const Scalar z61 = n0_4 * z11 + z45;
+    const Scalar z62 = n0_2 * z15 + z47;
+    const Scalar z63 = s_front_right_thigh * z15 - c_front_right_thigh * z48;
+    const Scalar z64 = c_front_right_thigh * z15 + s_front_right_thigh * z48;
+    const Scalar z65 = n0_4 * z34 + z49;
+    const Scalar z66 = n0_2 * z36 + z51;
+    const Scalar z67 = k7 + z52;
+    const Scalar z68 = s_front_left_thigh * z36 - c_front_left_thigh * z54;
+    const Scalar z69 = c_front_left_thigh * z36 + s_front_left_thigh * z54;
+    const Scalar z70 = n2 * z53;
+    const Scalar z71 = k7 + z57;
+    const Scalar z72 = n2 * z58;
+    const Scalar z73 = k7 + z61;
+    const Scalar z74 = n2 * z62;
+    const Scalar z75 = k7 + z65;
+    const Scalar z76 = z38 - z67;
+    const Scalar z77 = n2 * z66;
+    const Scalar z78 = z42 - z71;
+    const Scalar z79 = z46 - z73;
+    const Scalar z80 = z50 - z75;
+    const Scalar z81 = s_rear_right_thigh * z76 - c_rear_right_thigh * z70;
+    const Scalar z82 = s_rear_left_thigh * z78 - c_rear_left_thigh * z72;
+    const Scalar z83 = s_front_right_thigh * z79 - c_front_right_thigh * z74;
+    const Scalar z84 = s_front_left_thigh * z80 - c_front_left_thigh * z77;
     const Scalar z85 = s_rear_right_thigh * z81;
-    const Scalar z86 = c_rear_right_thigh * z81 - z53;
+    const Scalar z86 = c_rear_right_thigh * z81 + z53;
     const Scalar z87 = s_rear_left_thigh * z82;
-    const Scalar z88 = c_rear_left_thigh * z82 - z59;
+    const Scalar z88 = c_rear_left_thigh * z82 + z58;
     const Scalar z89 = s_front_right_thigh * z83;
-    const Scalar z90 = c_front_right_thigh * z83 - z64;
+    const Scalar z90 = c_front_right_thigh * z83 + z62;
     const Scalar z91 = s_front_left_thigh * z84;
-    const Scalar z92 = z55 - z85;
-    const Scalar z93 = z52 - z85;
-    const Scalar z94 = c_front_left_thigh * z84 - z69;
+    const Scalar z92 = z38 - z85;
+    const Scalar z93 = z67 + z85;
+    const Scalar z94 = c_front_left_thigh * z84 + z66;
     const Scalar z95 = n0_05 * v_rear_right_knee;
     const Scalar z96 = n0_05 * v_rear_left_knee;
-    const Scalar z97 = z58 - z87;
-    const Scalar z98 = z60 - z87;
-    const Scalar z99 = z63 - z89;
-    const Scalar z100 = z65 - z89;
-    const Scalar z101 = z68 - z91;
-    const Scalar z102 = z70 - z91;
-    const Scalar z103 = u_rear_right_knee_torque - z95;
-    const Scalar z104 = u_rear_left_knee_torque - z96;
-    const Scalar z105 = k9 * c_rear_right_knee;
-    const Scalar z106 = c_rear_right_knee * z105;
-    const Scalar z107 = s_rear_right_knee * z105;
-    const Scalar z108 = k9 * s_rear_right_knee;
-    const Scalar z109 = s_rear_right_knee * z108;
-    const Scalar z110 = n0_05 * v_front_right_knee;
-    const Scalar z111 = u_front_right_knee_torque - z110;
-    const Scalar z112 = n0_2 * z106;
-    const Scalar z113 = n0_2 * z107;
-    const Scalar z114 = n0_05 * v_front_left_knee;
-    const Scalar z115 = u_front_left_knee_torque - z114;
-    const Scalar z116 = n0_05 * v_rear_right_thigh;
-    const Scalar z117 = u_rear_right_thigh_torque - z116;
-    const Scalar z118 = n0_2 * z112;
-    const Scalar z119 = n0_124 - z112;
-    const Scalar z120 = n0_05 * v_rear_left_thigh;
-    const Scalar z121 = u_rear_left_thigh_torque - z120;
-    const Scalar z122 = n0_05 * v_front_right_thigh;
-    const Scalar z123 = u_front_right_thigh_torque - z122;
-    const Scalar z124 = k10 - z118;
-    const Scalar z125 = n0_05 * v_front_left_thigh;
-    const Scalar z126 = u_front_left_thigh_torque - z125;
-    const Scalar z127 = n0_05 * v_rear_right_hip;
-    const Scalar z128 = u_rear_right_hip_torque - z127;
-    const Scalar z129 = n0_05 * v_rear_left_hip;
-    const Scalar z130 = n1 / z124;
-    const Scalar z131 = u_rear_left_hip_torque - z129;
-    const Scalar z132 = n0_05 * v_front_right_hip;
-    const Scalar z133 = u_front_right_hip_torque - z132;
-    const Scalar z134 = n0_05 * v_front_left_hip;
-    const Scalar z135 = u_front_left_hip_torque - z134;
-    const Scalar z136 = z119 * z130;
-    const Scalar z137 = z113 * z130;
-    const Scalar z138 = z106 + z119 * z136;
-    const Scalar z139 = z107 - z119 * z137;
-    const Scalar z140 = z109 + z113 * z137;
+    const Scalar z97 = n0_05 * v_front_right_knee;
+    const Scalar z98 = n0_05 * v_front_left_knee;
+    const Scalar z99 = u_front_left_knee_torque - z98;
+    const Scalar z100 = n0_05 * v_rear_right_thigh;
+    const Scalar z101 = n0_05 * v_rear_left_thigh;
+    const Scalar z102 = n0_05 * v_front_right_thigh;
+    const Scalar z103 = z71 + z87;
+    const Scalar z104 = z42 - z87;
+    const Scalar z105 = z73 + z89;
+    const Scalar z106 = z46 - z89;
+    const Scalar z107 = z75 + z91;
+    const Scalar z108 = z50 - z91;
+    const Scalar z109 = u_rear_right_knee_torque - z95;
+    const Scalar z110 = u_rear_left_knee_torque - z96;
+    const Scalar z111 = u_front_right_knee_torque - z97;
+    const Scalar z112 = u_rear_right_thigh_torque - z100;
+    const Scalar z113 = u_rear_left_thigh_torque - z101;
+    const Scalar z114 = u_front_right_thigh_torque - z102;
+    const Scalar z115 = k9 * c_rear_right_knee;
+    const Scalar z116 = c_rear_right_knee * z115;
+    const Scalar z117 = s_rear_right_knee * z115;
+    const Scalar z118 = k9 * s_rear_right_knee;
+    const Scalar z119 = s_rear_right_knee * z118;
+    const Scalar z120 = n0_05 * v_front_left_thigh;
+    const Scalar z121 = u_front_left_thigh_torque - z120;
+    const Scalar z122 = n0_2 * z116;
+    const Scalar z123 = n0_2 * z117;
+    const Scalar z124 = n0_05 * v_rear_right_hip;
+    const Scalar z125 = u_rear_right_hip_torque - z124;
+    const Scalar z126 = n0_05 * v_rear_left_hip;
+    const Scalar z127 = u_rear_left_hip_torque - z126;
+    const Scalar z128 = n0_2 * z122;
+    const Scalar z129 = n0_124 - z122;
+    const Scalar z130 = n0_05 * v_front_right_hip;
+    const Scalar z131 = u_front_right_hip_torque - z130;
+    const Scalar z132 = n0_05 * v_front_left_hip;
+    const Scalar z133 = u_front_left_hip_torque - z132;
+    const Scalar z134 = k10 - z128;
+    const Scalar z135 = n1 / z134;
+    const Scalar z136 = z129 * z135;
+    const Scalar z137 = z123 * z135;
+    const Scalar z138 = z116 + z129 * z136;
+    const Scalar z139 = z117 - z129 * z137;
+    const Scalar z140 = z119 + z123 * z137;
     const Scalar z141 = z138 - z140;
     const Scalar z142 = n2 * z139;
     const Scalar z143 = s_rear_right_thigh * z141 + c_rear_right_thigh * z142;
@@ -4255,1005 +3868,1001 @@ struct Mechanism {
     const Scalar z148 = n0_08 * z145;
     const Scalar z149 = n0_08 * z146;
     const Scalar z150 = n0_08 * z147;
-    const Scalar z151 = z86 + n0_08 * z148;
+    const Scalar z151 = z86 - n0_08 * z148;
     const Scalar z152 = z93 - n0_08 * z149;
-    const Scalar z153 = z92 + n0_08 * z150;
+    const Scalar z153 = z92 - n0_08 * z150;
     const Scalar z154 = n0_1048 - z149;
     const Scalar z155 = n0_1048 - z150;
     const Scalar z156 = k13 + z152;
-    const Scalar z157 = k9 * c_rear_left_knee;
-    const Scalar z158 = k9 * s_rear_left_knee;
-    const Scalar z159 = n1 / z156;
-    const Scalar z160 = c_rear_left_knee * z157;
-    const Scalar z161 = z151 * z159;
-    const Scalar z162 = s_rear_left_knee * z158;
-    const Scalar z163 = z148 * z159;
-    const Scalar z164 = s_rear_left_knee * z157;
-    const Scalar z165 = z56 * z159;
-    const Scalar z166 = n0_2 * z160;
-    const Scalar z167 = z154 * z159;
-    const Scalar z168 = n0_2 * z164;
-    const Scalar z169 = z147 + z148 * z163;
-    const Scalar z170 = n0_2 * z166;
-    const Scalar z171 = z148 * z165;
-    const Scalar z172 = k10 - z170;
-    const Scalar z173 = z56 * z165;
-    const Scalar z174 = n0_124 - z166;
-    const Scalar z175 = z148 * z161 - z155;
-    const Scalar z176 = n1 / z172;
-    const Scalar z177 = z145 - z148 * z167;
-    const Scalar z178 = z174 * z176;
-    const Scalar z179 = z56 * z161 + z57;
-    const Scalar z180 = z168 * z176;
-    const Scalar z181 = z56 * z167;
-    const Scalar z182 = z160 + z174 * z178;
-    const Scalar z183 = z148 - z154 * z161;
-    const Scalar z184 = z164 - z174 * z180;
-    const Scalar z185 = z151 * z161 + z153;
-    const Scalar z186 = z162 + z168 * z180;
-    const Scalar z187 = z146 + z154 * z167;
-    const Scalar z188 = z182 - z186;
-    const Scalar z189 = n2 * z181;
-    const Scalar z190 = k14 - z185;
-    const Scalar z191 = n2 * z184;
-    const Scalar z192 = s_rear_right_hip * z175;
-    const Scalar z193 = c_rear_right_hip * z175;
-    const Scalar z194 = s_rear_right_hip * z183 + c_rear_right_hip * z179;
-    const Scalar z195 = z173 - z187;
-    const Scalar z196 = c_rear_right_hip * z171 + s_rear_right_hip * z177;
-    const Scalar z197 = s_rear_right_hip * z171 - c_rear_right_hip * z177;
-    const Scalar z198 = n12_24 - z169;
-    const Scalar z199 = s_rear_right_hip * z190;
-    const Scalar z200 = s_rear_left_thigh * z188 + c_rear_left_thigh * z191;
-    const Scalar z201 = c_rear_right_hip * z189 + s_rear_right_hip * z195;
-    const Scalar z202 = s_rear_right_hip * z199;
-    const Scalar z203 = s_rear_left_thigh * z200;
-    const Scalar z204 = c_rear_right_hip * z199;
-    const Scalar z205 = n0_05 * z197;
-    const Scalar z206 = z192 - n0_2 * z197;
-    const Scalar z207 = n0_05 * z169 + z193 - n0_2 * z196;
-    const Scalar z208 = s_rear_right_hip * z194;
-    const Scalar z209 = c_rear_right_hip * z194 - z179;
-    const Scalar z210 = c_rear_right_hip * z194;
-    const Scalar z211 = k14 - z202;
-    const Scalar z212 = z186 + z203;
-    const Scalar z213 = z185 + z202;
-    const Scalar z214 = c_rear_left_thigh * z200 - z184;
-    const Scalar z215 = z182 - z203;
-    const Scalar z216 = n0_08 * z212;
-    const Scalar z217 = n0_08 * z214;
-    const Scalar z218 = n0_08 * z215;
-    const Scalar z219 = s_rear_right_hip * z201;
-    const Scalar z220 = c_rear_right_hip * z201 - z181;
-    const Scalar z221 = z183 - z208;
-    const Scalar z222 = z88 + n0_08 * z217;
-    const Scalar z223 = z97 - n0_08 * z216;
-    const Scalar z224 = z98 + n0_08 * z218;
-    const Scalar z225 = n0_1048 - z216;
-    const Scalar z226 = n0_1048 - z218;
-    const Scalar z227 = z173 - z219;
-    const Scalar z228 = z187 + z219;
-    const Scalar z229 = n0_05 * z220;
-    const Scalar z230 = z208 - n0_2 * z220;
-    const Scalar z231 = z221 + n0_2 * z220 - z205;
-    const Scalar z232 = k13 + z223;
-    const Scalar z233 = z210 + n0_05 * z196 - n0_2 * z227;
-    const Scalar z234 = z204 - n0_05 * z206 - n0_2 * (z221 - z230);
-    const Scalar z235 = z213 + n0_05 * (z193 + z207) - n0_2 * (z210 + z233);
-    const Scalar z236 = n1 / z232;
-    const Scalar z237 = n0_05 * (z221 - z205) + n0_2 * z229;
-    const Scalar z238 = n12_24 - z227;
-    const Scalar z239 = k16 - z235;
-    const Scalar z240 = z209 + n0_2 * z228;
-    const Scalar z241 = n0_2 * (z209 + z240) + z211;
-    const Scalar z242 = n0_05 * z228;
-    const Scalar z243 = n0_05 * z209 + n0_2 * z242;
-    const Scalar z244 = n12_24 - z228;
-    const Scalar z245 = z225 * z236;
-    const Scalar z246 = z61 * z236;
-    const Scalar z247 = z222 * z236;
-    const Scalar z248 = z217 * z236;
-    const Scalar z249 = n0_05 * z242;
-    const Scalar z250 = z222 * z247 + z224;
-    const Scalar z251 = z212 + z225 * z245;
-    const Scalar z252 = z217 - z225 * z247;
-    const Scalar z253 = z217 * z247 - z226;
-    const Scalar z254 = z214 - z217 * z245;
-    const Scalar z255 = z61 * z247 + z62;
-    const Scalar z256 = z215 + z217 * z248;
-    const Scalar z257 = z217 * z246;
-    const Scalar z258 = k17 - z241;
-    const Scalar z259 = n0_0406 - z249;
-    const Scalar z260 = z61 * z246;
-    const Scalar z261 = z61 * z245;
-    const Scalar z262 = z198 - z256;
-    const Scalar z263 = k9 * c_front_right_knee;
+    const Scalar z157 = k9 * s_rear_left_knee;
+    const Scalar z158 = k14 + z153;
+    const Scalar z159 = s_rear_left_knee * z157;
+    const Scalar z160 = k9 * c_rear_left_knee;
+    const Scalar z161 = c_rear_left_knee * z160;
+    const Scalar z162 = n1 / z156;
+    const Scalar z163 = s_rear_left_knee * z160;
+    const Scalar z164 = z151 * z162;
+    const Scalar z165 = n0_2 * z161;
+    const Scalar z166 = z148 * z162;
+    const Scalar z167 = n0_2 * z163;
+    const Scalar z168 = z55 * z162;
+    const Scalar z169 = n0_2 * z165;
+    const Scalar z170 = z154 * z162;
+    const Scalar z171 = k10 - z169;
+    const Scalar z172 = z147 + z148 * z166;
+    const Scalar z173 = n0_124 - z165;
+    const Scalar z174 = z148 * z168;
+    const Scalar z175 = n1 / z171;
+    const Scalar z176 = z55 * z168;
+    const Scalar z177 = z173 * z175;
+    const Scalar z178 = z148 * z164 + z155;
+    const Scalar z179 = z167 * z175;
+    const Scalar z180 = z145 - z148 * z170;
+    const Scalar z181 = z161 + z173 * z177;
+    const Scalar z182 = z55 * z164 - z56;
+    const Scalar z183 = z163 - z173 * z179;
+    const Scalar z184 = z55 * z170;
+    const Scalar z185 = z159 + z167 * z179;
+    const Scalar z186 = z148 + z154 * z164;
+    const Scalar z187 = z181 - z185;
+    const Scalar z188 = z151 * z164 - z158;
+    const Scalar z189 = n2 * z183;
+    const Scalar z190 = z146 + z154 * z170;
+    const Scalar z191 = s_rear_left_thigh * z187 + c_rear_left_thigh * z189;
+    const Scalar z192 = n2 * z184;
+    const Scalar z193 = s_rear_right_hip * z188;
+    const Scalar z194 = s_rear_right_hip * z178;
+    const Scalar z195 = c_rear_right_hip * z178;
+    const Scalar z196 = s_rear_right_hip * z186 - c_rear_right_hip * z182;
+    const Scalar z197 = z176 - z190;
+    const Scalar z198 = c_rear_right_hip * z174 + s_rear_right_hip * z180;
+    const Scalar z199 = s_rear_right_hip * z174 - c_rear_right_hip * z180;
+    const Scalar z200 = n12_24 - z172;
+    const Scalar z201 = s_rear_left_thigh * z191;
+    const Scalar z202 = s_rear_right_hip * z193;
+    const Scalar z203 = c_rear_right_hip * z193;
+    const Scalar z204 = c_rear_right_hip * z192 + s_rear_right_hip * z197;
+    const Scalar z205 = z185 + z201;
+    const Scalar z206 = z188 - z202;
+    const Scalar z207 = c_rear_left_thigh * z191 - z183;
+    const Scalar z208 = z181 - z201;
+    const Scalar z209 = n0_08 * z207;
+    const Scalar z210 = n0_05 * z199;
+    const Scalar z211 = z194 + n0_2 * z199;
+    const Scalar z212 = n0_05 * z172 - z195 - n0_2 * z198;
+    const Scalar z213 = n0_08 * z205;
+    const Scalar z214 = n0_08 * z208;
+    const Scalar z215 = s_rear_right_hip * z196;
+    const Scalar z216 = c_rear_right_hip * z196 + z182;
+    const Scalar z217 = c_rear_right_hip * z196;
+    const Scalar z218 = s_rear_right_hip * z204;
+    const Scalar z219 = c_rear_right_hip * z204 - z184;
+    const Scalar z220 = z103 - n0_08 * z213;
+    const Scalar z221 = z186 - z215;
+    const Scalar z222 = n0_1048 - z213;
+    const Scalar z223 = z88 - n0_08 * z209;
+    const Scalar z224 = z104 - n0_08 * z214;
+    const Scalar z225 = n0_1048 - z214;
+    const Scalar z226 = z176 - z218;
+    const Scalar z227 = z190 + z218;
+    const Scalar z228 = n0_05 * z219;
+    const Scalar z229 = z215 - n0_2 * z219;
+    const Scalar z230 = z221 + n0_2 * z219 - z210;
+    const Scalar z231 = k13 + z220;
+    const Scalar z232 = k14 + z224;
+    const Scalar z233 = n0_05 * z227;
+    const Scalar z234 = z216 + n0_2 * z227;
+    const Scalar z235 = n12_24 - z227;
+    const Scalar z236 = n1 / z231;
+    const Scalar z237 = z217 + n0_05 * z198 - n0_2 * z226;
+    const Scalar z238 = z203 - n0_05 * z211 + n0_2 * (z221 - z229);
+    const Scalar z239 = z206 - n0_05 * (z195 - z212) - n0_2 * (z217 + z237);
+    const Scalar z240 = n0_2 * (z216 + z234) + z202;
+    const Scalar z241 = n0_05 * z216 + n0_2 * z233;
+    const Scalar z242 = n0_3668 - z239;
+    const Scalar z243 = n0_3362 - z240;
+    const Scalar z244 = n0_05 * (z221 - z210) + n0_2 * z228;
+    const Scalar z245 = n12_24 - z226;
+    const Scalar z246 = z222 * z236;
+    const Scalar z247 = z59 * z236;
+    const Scalar z248 = z223 * z236;
+    const Scalar z249 = z223 * z248 - z232;
+    const Scalar z250 = z205 + z222 * z246;
+    const Scalar z251 = z209 + z222 * z248;
+    const Scalar z252 = z209 * z248 + z225;
+    const Scalar z253 = z207 - z209 * z246;
+    const Scalar z254 = z59 * z248 - z60;
+    const Scalar z255 = z59 * z247;
+    const Scalar z256 = z59 * z246;
+    const Scalar z257 = z209 * z236;
+    const Scalar z258 = z208 + z209 * z257;
+    const Scalar z259 = z209 * z247;
+    const Scalar z260 = n0_05 * z233;
+    const Scalar z261 = n0_0406 - z260;
+    const Scalar z262 = k9 * c_front_right_knee;
+    const Scalar z263 = c_front_right_knee * z262;
     const Scalar z264 = k9 * s_front_right_knee;
-    const Scalar z265 = z260 - z251;
-    const Scalar z266 = n2 * z261;
-    const Scalar z267 = c_rear_left_hip * z253;
-    const Scalar z268 = s_rear_left_hip * z265 - c_rear_left_hip * z266;
-    const Scalar z269 = s_rear_left_hip * z253;
-    const Scalar z270 = s_rear_left_hip * z252 - c_rear_left_hip * z255;
-    const Scalar z271 = c_rear_left_hip * z270 + z255;
-    const Scalar z272 = k14 - z250;
-    const Scalar z273 = s_rear_left_hip * z272;
-    const Scalar z274 = s_front_right_knee * z264;
-    const Scalar z275 = c_front_right_knee * z263;
-    const Scalar z276 = c_rear_left_hip * z268 + z261;
-    const Scalar z277 = s_rear_left_hip * z268;
-    const Scalar z278 = c_rear_left_hip * z270;
-    const Scalar z279 = s_rear_left_hip * z270;
-    const Scalar z280 = z252 - z279;
-    const Scalar z281 = z260 - z277;
-    const Scalar z282 = z251 + z277;
-    const Scalar z283 = z279 + n0_2 * z276;
-    const Scalar z284 = z220 + z276;
-    const Scalar z285 = s_rear_left_hip * z254 - c_rear_left_hip * z257;
-    const Scalar z286 = s_rear_left_hip * z257 + c_rear_left_hip * z254;
-    const Scalar z287 = n0_05 * z256 + z267 + n0_2 * z285;
-    const Scalar z288 = z269 - n0_2 * z286;
-    const Scalar z289 = z230 - z283;
-    const Scalar z290 = z238 - z281;
-    const Scalar z291 = z278 + n0_05 * z285 + n0_2 * z281;
-    const Scalar z292 = z196 + z285;
-    const Scalar z293 = z233 - z291;
-    const Scalar z294 = z244 - z282;
-    const Scalar z295 = z206 - z288;
-    const Scalar z296 = z207 - z287;
-    const Scalar z297 = z197 - z286;
-    const Scalar z298 = n0_05 * z286;
-    const Scalar z299 = z205 + z298;
-    const Scalar z300 = s_rear_left_hip * z273;
-    const Scalar z301 = s_front_right_knee * z263;
-    const Scalar z302 = z250 + z300;
-    const Scalar z303 = c_rear_left_hip * z273;
-    const Scalar z304 = z303 - n0_05 * z288 + n0_2 * (z280 - z283);
-    const Scalar z305 = z302 + n0_05 * (z267 + z287) + n0_2 * (z278 + z291);
-    const Scalar z306 = k14 - z300;
-    const Scalar z307 = n0_2 * z275;
-    const Scalar z308 = n0_2 * z307;
-    const Scalar z309 = n0_124 - z307;
-    const Scalar z310 = n0_2 * z301;
-    const Scalar z311 = z234 + z304;
-    const Scalar z312 = z271 - n0_2 * z282;
-    const Scalar z313 = z239 - z305;
-    const Scalar z314 = k10 - z308;
-    const Scalar z315 = z306 - n0_2 * (z271 + z312);
-    const Scalar z316 = z240 - z312;
-    const Scalar z317 = n1 / z314;
-    const Scalar z318 = n0_05 * z282;
-    const Scalar z319 = n0_05 * z271 - n0_2 * z318;
-    const Scalar z320 = z242 - z318;
-    const Scalar z321 = n0_05 * z318;
-    const Scalar z322 = n0_05 * z276;
-    const Scalar z323 = z258 - z315;
-    const Scalar z324 = z259 - z321;
-    const Scalar z325 = z243 + z319;
-    const Scalar z326 = z298 + z280 - n0_2 * z276;
-    const Scalar z327 = n0_05 * (z280 + z298) - n0_2 * z322;
-    const Scalar z328 = z237 + z327;
-    const Scalar z329 = z229 - z322;
-    const Scalar z330 = z231 - z326;
-    const Scalar z331 = z309 * z317;
-    const Scalar z332 = z310 * z317;
-    const Scalar z333 = z275 + z309 * z331;
-    const Scalar z334 = z301 - z309 * z332;
-    const Scalar z335 = z274 + z310 * z332;
-    const Scalar z336 = z333 - z335;
-    const Scalar z337 = n2 * z334;
-    const Scalar z338 = s_front_right_thigh * z336 + c_front_right_thigh * z337;
-    const Scalar z339 = s_front_right_thigh * z338;
-    const Scalar z340 = c_front_right_thigh * z338 - z334;
-    const Scalar z341 = z335 + z339;
-    const Scalar z342 = z333 - z339;
+    const Scalar z265 = s_front_right_knee * z264;
+    const Scalar z266 = z200 - z258;
+    const Scalar z267 = z255 - z250;
+    const Scalar z268 = n2 * z256;
+    const Scalar z269 = s_rear_left_hip * z267 - c_rear_left_hip * z268;
+    const Scalar z270 = c_rear_left_hip * z252;
+    const Scalar z271 = s_rear_left_hip * z252;
+    const Scalar z272 = s_rear_left_hip * z251 + c_rear_left_hip * z254;
+    const Scalar z273 = c_rear_left_hip * z272 - z254;
+    const Scalar z274 = c_rear_left_hip * z272;
+    const Scalar z275 = s_rear_left_hip * z272;
+    const Scalar z276 = s_rear_left_hip * z253 - c_rear_left_hip * z259;
+    const Scalar z277 = s_rear_left_hip * z259 + c_rear_left_hip * z253;
+    const Scalar z278 = n0_05 * z258 - z270 + n0_2 * z276;
+    const Scalar z279 = c_rear_left_hip * z269 + z256;
+    const Scalar z280 = s_rear_left_hip * z269;
+    const Scalar z281 = z255 - z280;
+    const Scalar z282 = z250 + z280;
+    const Scalar z283 = z271 + n0_2 * z277;
+    const Scalar z284 = z251 - z275;
+    const Scalar z285 = z275 + n0_2 * z279;
+    const Scalar z286 = z229 - z285;
+    const Scalar z287 = z245 - z281;
+    const Scalar z288 = z274 + n0_05 * z276 + n0_2 * z281;
+    const Scalar z289 = z198 + z276;
+    const Scalar z290 = z237 - z288;
+    const Scalar z291 = z219 + z279;
+    const Scalar z292 = z235 - z282;
+    const Scalar z293 = z211 - z283;
+    const Scalar z294 = z212 - z278;
+    const Scalar z295 = z199 - z277;
+    const Scalar z296 = n0_05 * z277;
+    const Scalar z297 = z210 + z296;
+    const Scalar z298 = s_rear_left_hip * z249;
+    const Scalar z299 = s_front_right_knee * z262;
+    const Scalar z300 = s_rear_left_hip * z298;
+    const Scalar z301 = c_rear_left_hip * z298;
+    const Scalar z302 = n0_2 * z263;
+    const Scalar z303 = z273 - n0_2 * z282;
+    const Scalar z304 = z301 - n0_05 * z283 - n0_2 * (z284 - z285);
+    const Scalar z305 = z249 - z300;
+    const Scalar z306 = z305 - n0_05 * (z270 - z278) + n0_2 * (z274 + z288);
+    const Scalar z307 = z300 - n0_2 * (z273 + z303);
+    const Scalar z308 = z243 - z307;
+    const Scalar z309 = z238 + z304;
+    const Scalar z310 = z234 - z303;
+    const Scalar z311 = n0_05 * z282;
+    const Scalar z312 = n0_05 * z273 - n0_2 * z311;
+    const Scalar z313 = z242 - z306;
+    const Scalar z314 = z233 - z311;
+    const Scalar z315 = n0_05 * z311;
+    const Scalar z316 = z261 - z315;
+    const Scalar z317 = n0_2 * z302;
+    const Scalar z318 = z241 + z312;
+    const Scalar z319 = k10 - z317;
+    const Scalar z320 = n0_124 - z302;
+    const Scalar z321 = n0_2 * z299;
+    const Scalar z322 = n0_05 * z279;
+    const Scalar z323 = z296 + z284 - n0_2 * z279;
+    const Scalar z324 = n0_05 * (z284 + z296) - n0_2 * z322;
+    const Scalar z325 = z228 - z322;
+    const Scalar z326 = z244 + z324;
+    const Scalar z327 = z230 - z323;
+    const Scalar z328 = n1 / z319;
+    const Scalar z329 = z320 * z328;
+    const Scalar z330 = z321 * z328;
+    const Scalar z331 = z263 + z320 * z329;
+    const Scalar z332 = z299 - z320 * z330;
+    const Scalar z333 = z265 + z321 * z330;
+    const Scalar z334 = z331 - z333;
+    const Scalar z335 = n2 * z332;
+    const Scalar z336 = s_front_right_thigh * z334 + c_front_right_thigh * z335;
+    const Scalar z337 = s_front_right_thigh * z336;
+    const Scalar z338 = c_front_right_thigh * z336 - z332;
+    const Scalar z339 = z333 + z337;
+    const Scalar z340 = z331 - z337;
+    const Scalar z341 = n0_08 * z338;
+    const Scalar z342 = n0_08 * z339;
     const Scalar z343 = n0_08 * z340;
-    const Scalar z344 = n0_08 * z341;
-    const Scalar z345 = n0_08 * z342;
-    const Scalar z346 = z90 + n0_08 * z343;
-    const Scalar z347 = z99 - n0_08 * z344;
-    const Scalar z348 = z100 + n0_08 * z345;
-    const Scalar z349 = n0_1048 - z344;
-    const Scalar z350 = n0_1048 - z345;
-    const Scalar z351 = k13 + z347;
-    const Scalar z352 = n1 / z351;
-    const Scalar z353 = z346 * z352;
-    const Scalar z354 = z343 * z352;
-    const Scalar z355 = z66 * z352;
-    const Scalar z356 = z349 * z352;
-    const Scalar z357 = z342 + z343 * z354;
-    const Scalar z358 = z343 * z355;
-    const Scalar z359 = z66 * z355;
-    const Scalar z360 = z343 * z353 - z350;
-    const Scalar z361 = z340 - z343 * z356;
-    const Scalar z362 = z66 * z353 + z67;
-    const Scalar z363 = z66 * z356;
-    const Scalar z364 = z343 - z349 * z353;
-    const Scalar z365 = z346 * z353 + z348;
-    const Scalar z366 = k9 * s_front_left_knee;
-    const Scalar z367 = z341 + z349 * z356;
-    const Scalar z368 = k9 * c_front_left_knee;
-    const Scalar z369 = n2 * z363;
-    const Scalar z370 = k14 - z365;
-    const Scalar z371 = c_front_left_knee * z368;
-    const Scalar z372 = s_front_right_hip * z360;
-    const Scalar z373 = c_front_right_hip * z360;
-    const Scalar z374 = s_front_right_hip * z364 + c_front_right_hip * z362;
-    const Scalar z375 = z359 - z367;
-    const Scalar z376 = c_front_right_hip * z358 + s_front_right_hip * z361;
-    const Scalar z377 = s_front_right_hip * z358 - c_front_right_hip * z361;
-    const Scalar z378 = z262 - z357;
-    const Scalar z379 = s_front_right_hip * z370;
-    const Scalar z380 = s_front_left_knee * z366;
-    const Scalar z381 = c_front_right_hip * z369 + s_front_right_hip * z375;
-    const Scalar z382 = s_front_right_hip * z379;
-    const Scalar z383 = s_front_left_knee * z368;
-    const Scalar z384 = c_front_right_hip * z379;
-    const Scalar z385 = n0_05 * z377;
-    const Scalar z386 = z372 + n0_2 * z377;
-    const Scalar z387 = n0_05 * z357 + z373 + n0_2 * z376;
-    const Scalar z388 = z292 + z376;
-    const Scalar z389 = z297 + z377;
-    const Scalar z390 = s_front_right_hip * z374;
-    const Scalar z391 = c_front_right_hip * z374 - z362;
-    const Scalar z392 = c_front_right_hip * z374;
-    const Scalar z393 = k14 - z382;
-    const Scalar z394 = n0_2 * z371;
-    const Scalar z395 = z365 + z382;
-    const Scalar z396 = n0_2 * z394;
-    const Scalar z397 = n0_124 - z394;
-    const Scalar z398 = n0_2 * z383;
-    const Scalar z399 = k10 - z396;
-    const Scalar z400 = n1 / z399;
-    const Scalar z401 = s_front_right_hip * z381;
-    const Scalar z402 = c_front_right_hip * z381 - z363;
-    const Scalar z403 = z299 + z385;
-    const Scalar z404 = z364 - z390;
-    const Scalar z405 = z295 + z386;
-    const Scalar z406 = z296 + z387;
-    const Scalar z407 = z359 - z401;
-    const Scalar z408 = z367 + z401;
-    const Scalar z409 = n0_05 * z402;
-    const Scalar z410 = z390 + n0_2 * z402;
-    const Scalar z411 = z404 - n0_2 * z402 - z385;
-    const Scalar z412 = z284 + z402;
-    const Scalar z413 = z397 * z400;
-    const Scalar z414 = z398 * z400;
-    const Scalar z415 = n0_05 * z408;
-    const Scalar z416 = z391 - n0_2 * z408;
-    const Scalar z417 = z392 + n0_05 * z376 + n0_2 * z407;
-    const Scalar z418 = z290 - z407;
-    const Scalar z419 = z294 - z408;
-    const Scalar z420 = n0_05 * (z404 - z385) - n0_2 * z409;
-    const Scalar z421 = z329 + z409;
-    const Scalar z422 = z384 - n0_05 * z386 + n0_2 * (z404 - z410);
-    const Scalar z423 = z289 + z410;
-    const Scalar z424 = z380 + z398 * z414;
-    const Scalar z425 = z371 + z397 * z413;
-    const Scalar z426 = z395 + n0_05 * (z373 + z387) + n0_2 * (z392 + z417);
-    const Scalar z427 = z383 - z397 * z414;
-    const Scalar z428 = z328 + z420;
-    const Scalar z429 = z293 + z417;
-    const Scalar z430 = z311 + z422;
-    const Scalar z431 = z330 + z411;
-    const Scalar z432 = z393 - n0_2 * (z391 + z416);
-    const Scalar z433 = z313 - z426;
-    const Scalar z434 = z323 - z432;
-    const Scalar z435 = z316 + z416;
-    const Scalar z436 = n0_05 * z391 - n0_2 * z415;
-    const Scalar z437 = z325 + z436;
-    const Scalar z438 = z320 + z415;
-    const Scalar z439 = n0_05 * z415;
-    const Scalar z440 = z324 - z439;
-    const Scalar z441 = z425 - z424;
-    const Scalar z442 = n2 * z427;
-    const Scalar z443 = s_front_left_thigh * z441 + c_front_left_thigh * z442;
-    const Scalar z444 = s_front_left_thigh * z443;
-    const Scalar z445 = c_front_left_thigh * z443 - z427;
-    const Scalar z446 = z424 + z444;
-    const Scalar z447 = z425 - z444;
-    const Scalar z448 = n0_08 * z445;
-    const Scalar z449 = n0_08 * z446;
-    const Scalar z450 = n0_08 * z447;
-    const Scalar z451 = z94 + n0_08 * z448;
-    const Scalar z452 = z101 - n0_08 * z449;
-    const Scalar z453 = z102 + n0_08 * z450;
-    const Scalar z454 = n0_1048 - z449;
-    const Scalar z455 = n0_1048 - z450;
-    const Scalar z456 = k13 + z452;
-    const Scalar z457 = n1 / z456;
-    const Scalar z458 = z451 * z457;
-    const Scalar z459 = z448 * z457;
-    const Scalar z460 = z71 * z457;
-    const Scalar z461 = z454 * z457;
-    const Scalar z462 = z447 + z448 * z459;
-    const Scalar z463 = z448 * z460;
-    const Scalar z464 = z71 * z460;
-    const Scalar z465 = z448 * z458 - z455;
-    const Scalar z466 = z445 - z448 * z461;
-    const Scalar z467 = z71 * z458 + z72;
-    const Scalar z468 = z71 * z461;
-    const Scalar z469 = z448 - z454 * z458;
-    const Scalar z470 = z451 * z458 + z453;
-    const Scalar z471 = z446 + z454 * z461;
-    const Scalar z472 = n2 * z468;
-    const Scalar z473 = k14 - z470;
-    const Scalar z474 = s_front_left_hip * z465;
-    const Scalar z475 = c_front_left_hip * z465;
-    const Scalar z476 = s_front_left_hip * z469 - c_front_left_hip * z467;
-    const Scalar z477 = z464 - z471;
-    const Scalar z478 = s_front_left_hip * z466 - c_front_left_hip * z463;
-    const Scalar z479 = s_front_left_hip * z463 + c_front_left_hip * z466;
-    const Scalar z480 = z378 - z462;
-    const Scalar z481 = s_front_left_hip * z473;
-    const Scalar z482 = s_front_left_hip * z477 - c_front_left_hip * z472;
-    const Scalar z483 = s_front_left_hip * z481;
-    const Scalar z484 = c_front_left_hip * z481;
-    const Scalar z485 = n0_05 * z479;
-    const Scalar z486 = z474 + n0_2 * z479;
-    const Scalar z487 = z389 - z479;
-    const Scalar z488 = s_front_left_hip * z476;
-    const Scalar z489 = c_front_left_hip * z476 + z467;
-    const Scalar z490 = c_front_left_hip * z476;
-    const Scalar z491 = n0_05 * z462 + z475 - n0_2 * z478;
-    const Scalar z492 = z388 + z478;
-    const Scalar z493 = k14 - z483;
-    const Scalar z494 = z470 + z483;
-    const Scalar z495 = z403 + z485;
-    const Scalar z496 = z469 - z488;
-    const Scalar z497 = s_front_left_hip * z482;
-    const Scalar z498 = c_front_left_hip * z482 + z468;
-    const Scalar z499 = z405 - z486;
-    const Scalar z500 = z406 - z491;
-    const Scalar z501 = z464 - z497;
-    const Scalar z502 = z471 + z497;
+    const Scalar z344 = z90 - n0_08 * z341;
+    const Scalar z345 = z105 - n0_08 * z342;
+    const Scalar z346 = z106 - n0_08 * z343;
+    const Scalar z347 = n0_1048 - z342;
+    const Scalar z348 = n0_1048 - z343;
+    const Scalar z349 = k13 + z345;
+    const Scalar z350 = k14 + z346;
+    const Scalar z351 = n1 / z349;
+    const Scalar z352 = z344 * z351;
+    const Scalar z353 = z341 * z351;
+    const Scalar z354 = z63 * z351;
+    const Scalar z355 = z347 * z351;
+    const Scalar z356 = z340 + z341 * z353;
+    const Scalar z357 = z341 * z354;
+    const Scalar z358 = z63 * z354;
+    const Scalar z359 = z341 * z352 + z348;
+    const Scalar z360 = z338 - z341 * z355;
+    const Scalar z361 = z63 * z352 - z64;
+    const Scalar z362 = z63 * z355;
+    const Scalar z363 = k9 * s_front_left_knee;
+    const Scalar z364 = z341 + z347 * z352;
+    const Scalar z365 = k9 * c_front_left_knee;
+    const Scalar z366 = z344 * z352 - z350;
+    const Scalar z367 = c_front_left_knee * z365;
+    const Scalar z368 = z339 + z347 * z355;
+    const Scalar z369 = s_front_left_knee * z363;
+    const Scalar z370 = n2 * z362;
+    const Scalar z371 = s_front_right_hip * z366;
+    const Scalar z372 = s_front_left_knee * z365;
+    const Scalar z373 = s_front_right_hip * z359;
+    const Scalar z374 = c_front_right_hip * z359;
+    const Scalar z375 = s_front_right_hip * z364 - c_front_right_hip * z361;
+    const Scalar z376 = z358 - z368;
+    const Scalar z377 = c_front_right_hip * z357 + s_front_right_hip * z360;
+    const Scalar z378 = s_front_right_hip * z357 - c_front_right_hip * z360;
+    const Scalar z379 = z266 - z356;
+    const Scalar z380 = s_front_right_hip * z371;
+    const Scalar z381 = n0_2 * z367;
+    const Scalar z382 = c_front_right_hip * z371;
+    const Scalar z383 = c_front_right_hip * z370 + s_front_right_hip * z376;
+    const Scalar z384 = z366 - z380;
+    const Scalar z385 = n0_2 * z381;
+    const Scalar z386 = k10 - z385;
+    const Scalar z387 = n0_124 - z381;
+    const Scalar z388 = n0_2 * z372;
+    const Scalar z389 = n1 / z386;
+    const Scalar z390 = n0_05 * z378;
+    const Scalar z391 = z373 - n0_2 * z378;
+    const Scalar z392 = n0_05 * z356 - z374 + n0_2 * z377;
+    const Scalar z393 = z289 + z377;
+    const Scalar z394 = z295 + z378;
+    const Scalar z395 = s_front_right_hip * z375;
+    const Scalar z396 = z387 * z389;
+    const Scalar z397 = c_front_right_hip * z375 + z361;
+    const Scalar z398 = c_front_right_hip * z375;
+    const Scalar z399 = s_front_right_hip * z383;
+    const Scalar z400 = c_front_right_hip * z383 - z362;
+    const Scalar z401 = z297 + z390;
+    const Scalar z402 = z364 - z395;
+    const Scalar z403 = z367 + z387 * z396;
+    const Scalar z404 = z388 * z389;
+    const Scalar z405 = z372 - z387 * z404;
+    const Scalar z406 = z369 + z388 * z404;
+    const Scalar z407 = z293 + z391;
+    const Scalar z408 = z294 + z392;
+    const Scalar z409 = z403 - z406;
+    const Scalar z410 = n2 * z405;
+    const Scalar z411 = z358 - z399;
+    const Scalar z412 = z368 + z399;
+    const Scalar z413 = n0_05 * z400;
+    const Scalar z414 = z395 + n0_2 * z400;
+    const Scalar z415 = z402 - n0_2 * z400 - z390;
+    const Scalar z416 = z291 + z400;
+    const Scalar z417 = s_front_left_thigh * z409 + c_front_left_thigh * z410;
+    const Scalar z418 = n0_05 * z412;
+    const Scalar z419 = z397 - n0_2 * z412;
+    const Scalar z420 = z398 + n0_05 * z377 + n0_2 * z411;
+    const Scalar z421 = z287 - z411;
+    const Scalar z422 = z292 - z412;
+    const Scalar z423 = n0_05 * (z402 - z390) - n0_2 * z413;
+    const Scalar z424 = z382 - n0_05 * z391 - n0_2 * (z402 - z414);
+    const Scalar z425 = z384 - n0_05 * (z374 - z392) + n0_2 * (z398 + z420);
+    const Scalar z426 = z326 + z423;
+    const Scalar z427 = z309 + z424;
+    const Scalar z428 = z325 + z413;
+    const Scalar z429 = z286 + z414;
+    const Scalar z430 = z290 + z420;
+    const Scalar z431 = z313 - z425;
+    const Scalar z432 = z327 + z415;
+    const Scalar z433 = c_front_left_thigh * z417 - z405;
+    const Scalar z434 = s_front_left_thigh * z417;
+    const Scalar z435 = z406 + z434;
+    const Scalar z436 = z403 - z434;
+    const Scalar z437 = z380 - n0_2 * (z397 + z419);
+    const Scalar z438 = z308 - z437;
+    const Scalar z439 = z310 + z419;
+    const Scalar z440 = n0_05 * z397 - n0_2 * z418;
+    const Scalar z441 = z318 + z440;
+    const Scalar z442 = z314 + z418;
+    const Scalar z443 = n0_05 * z418;
+    const Scalar z444 = z316 - z443;
+    const Scalar z445 = n0_08 * z435;
+    const Scalar z446 = z107 - n0_08 * z445;
+    const Scalar z447 = n0_1048 - z445;
+    const Scalar z448 = n0_08 * z433;
+    const Scalar z449 = z94 - n0_08 * z448;
+    const Scalar z450 = n0_08 * z436;
+    const Scalar z451 = z108 - n0_08 * z450;
+    const Scalar z452 = k13 + z446;
+    const Scalar z453 = n0_1048 - z450;
+    const Scalar z454 = n1 / z452;
+    const Scalar z455 = k14 + z451;
+    const Scalar z456 = z449 * z454;
+    const Scalar z457 = z448 * z454;
+    const Scalar z458 = z68 * z454;
+    const Scalar z459 = z447 * z454;
+    const Scalar z460 = z436 + z448 * z457;
+    const Scalar z461 = z448 * z458;
+    const Scalar z462 = z68 * z458;
+    const Scalar z463 = z448 * z456 + z453;
+    const Scalar z464 = z433 - z448 * z459;
+    const Scalar z465 = z68 * z456 - z69;
+    const Scalar z466 = z68 * z459;
+    const Scalar z467 = z448 + z447 * z456;
+    const Scalar z468 = z449 * z456 - z455;
+    const Scalar z469 = z435 + z447 * z459;
+    const Scalar z470 = n2 * z466;
+    const Scalar z471 = s_front_left_hip * z468;
+    const Scalar z472 = s_front_left_hip * z463;
+    const Scalar z473 = c_front_left_hip * z463;
+    const Scalar z474 = s_front_left_hip * z467 + c_front_left_hip * z465;
+    const Scalar z475 = z462 - z469;
+    const Scalar z476 = s_front_left_hip * z464 - c_front_left_hip * z461;
+    const Scalar z477 = s_front_left_hip * z461 + c_front_left_hip * z464;
+    const Scalar z478 = z379 - z460;
+    const Scalar z479 = s_front_left_hip * z471;
+    const Scalar z480 = c_front_left_hip * z471;
+    const Scalar z481 = s_front_left_hip * z475 - c_front_left_hip * z470;
+    const Scalar z482 = z468 - z479;
+    const Scalar z483 = n0_05 * z477;
+    const Scalar z484 = z472 - n0_2 * z477;
+    const Scalar z485 = z394 - z477;
+    const Scalar z486 = s_front_left_hip * z474;
+    const Scalar z487 = c_front_left_hip * z474 - z465;
+    const Scalar z488 = c_front_left_hip * z474;
+    const Scalar z489 = n0_05 * z460 - z473 - n0_2 * z476;
+    const Scalar z490 = z393 + z476;
+    const Scalar z491 = z401 + z483;
+    const Scalar z492 = z467 - z486;
+    const Scalar z493 = s_front_left_hip * z481;
+    const Scalar z494 = c_front_left_hip * z481 + z466;
+    const Scalar z495 = z407 - z484;
+    const Scalar z496 = z408 - z489;
+    const Scalar z497 = z462 - z493;
+    const Scalar z498 = z469 + z493;
+    const Scalar z499 = n0_05 * z494;
+    const Scalar z500 = z486 - n0_2 * z494;
+    const Scalar z501 = z483 + z492 + n0_2 * z494;
+    const Scalar z502 = z416 + z494;
     const Scalar z503 = n0_05 * z498;
-    const Scalar z504 = z488 - n0_2 * z498;
-    const Scalar z505 = z485 + z496 + n0_2 * z498;
-    const Scalar z506 = z412 + z498;
-    const Scalar z507 = n0_05 * z502;
-    const Scalar z508 = z489 + n0_2 * z502;
-    const Scalar z509 = z490 + n0_05 * z478 - n0_2 * z501;
-    const Scalar z510 = z418 - z501;
-    const Scalar z511 = z419 - z502;
-    const Scalar z512 = n0_05 * (z496 + z485) + n0_2 * z503;
-    const Scalar z513 = z421 - z503;
-    const Scalar z514 = z484 - n0_05 * z486 - n0_2 * (z496 - z504);
-    const Scalar z515 = z423 - z504;
-    const Scalar z516 = n0_05 * z507;
-    const Scalar z517 = n0_05 * z489 + n0_2 * z507;
-    const Scalar z518 = z438 - z507;
-    const Scalar z519 = n0_2 * (z489 + z508) + z493;
-    const Scalar z520 = z494 + n0_05 * (z475 + z491) - n0_2 * (z490 + z509);
-    const Scalar z521 = z429 - z509;
-    const Scalar z522 = z440 - z516;
-    const Scalar z523 = z435 - z508;
-    const Scalar z524 = z437 + z517;
-    const Scalar z525 = z428 + z512;
-    const Scalar z526 = z431 - z505;
-    const Scalar z527 = z430 + z514;
-    const Scalar z528 = z434 - z519;
-    const Scalar z529 = z433 - z520;
-    const Scalar z530 = n1 / z529;
-    const Scalar z531 = z525 * z530;
-    const Scalar z532 = z527 * z530;
-    const Scalar z533 = z500 * z530;
-    const Scalar z534 = z521 * z530;
-    const Scalar z535 = z526 * z530;
-    const Scalar z536 = z495 - z500 * z531;
-    const Scalar z537 = z522 - z525 * z531;
-    const Scalar z538 = z500 * z533 - z480;
-    const Scalar z539 = z513 - z521 * z531;
-    const Scalar z540 = z518 + z526 * z531;
-    const Scalar z541 = z499 - z500 * z532;
-    const Scalar z542 = n9_81 * z22;
-    const Scalar z543 = z524 - z525 * z532;
-    const Scalar z544 = n9_81 * z17;
-    const Scalar z545 = z500 * z534 + z492;
-    const Scalar z546 = n9_81 * z20;
-    const Scalar z547 = z515 - z521 * z532;
-    const Scalar z548 = v_trunk_attitude_omega_y * v_trunk_attitude_omega_y;
-    const Scalar z549 = z528 - z527 * z532;
-    const Scalar z550 = v_trunk_attitude_omega_z * v_trunk_attitude_omega_z;
-    const Scalar z551 = z521 * z534 - z510;
-    const Scalar z552 = z548 + z550;
-    const Scalar z553 = z523 - z526 * z532;
-    const Scalar z554 = v_trunk_attitude_omega_x * v_trunk_attitude_omega_y;
-    const Scalar z555 = z500 * z535 - z487;
-    const Scalar z556 = v_trunk_attitude_omega_x * v_trunk_attitude_omega_x;
-    const Scalar z557 = z521 * z535 - z506;
-    const Scalar z558 = z550 + z556;
-    const Scalar z559 = z526 * z535 - z511;
-    const Scalar z560 = v_trunk_attitude_omega_x * v_trunk_attitude_omega_z;
-    const Scalar z561 = n1 / z549;
-    const Scalar z562 = v_trunk_attitude_omega_y * v_trunk_attitude_omega_z;
-    const Scalar z563 = z543 * z561;
-    const Scalar z564 = v_trunk_attitude_omega_y * c_front_left_hip + v_trunk_attitude_omega_z * s_front_left_hip;
-    const Scalar z565 = z541 * z561;
-    const Scalar z566 = v_trunk_attitude_omega_y * s_front_left_hip - v_trunk_attitude_omega_z * c_front_left_hip;
-    const Scalar z567 = z547 * z561;
-    const Scalar z568 = z542 - n0_2 * z552 + n0_05 * z554;
-    const Scalar z569 = z553 * z561;
-    const Scalar z570 = z544 + n0_2 * z554 - n0_05 * z558;
-    const Scalar z571 = z536 - z541 * z563;
-    const Scalar z572 = z546 + n0_2 * z560 + n0_05 * z562;
-    const Scalar z573 = z537 - z543 * z563;
-    const Scalar z574 = s_front_left_hip * z572 + c_front_left_hip * z570;
-    const Scalar z575 = z538 + z541 * z565;
-    const Scalar z576 = s_front_left_hip * z570 - c_front_left_hip * z572;
-    const Scalar z577 = z539 - z547 * z563;
-    const Scalar z578 = z540 + z553 * z563;
-    const Scalar z579 = z553 * z569 + z559;
-    const Scalar z580 = n1 / z573;
-    const Scalar z581 = z547 * z567 + z551;
-    const Scalar z582 = z547 * z569 + z557;
-    const Scalar z583 = z541 * z567 + z545;
-    const Scalar z584 = z541 * z569 + z555;
-    const Scalar z585 = v_trunk_attitude_omega_x + v_front_left_hip;  // angular velocity of front_left_hip_link, x
-    const Scalar z586 = v_front_left_hip * z564;  // angular acceleration of front_left_hip_link, z
-    const Scalar z587 = z564 * z585;
-    const Scalar z588 = z566 * z566;
-    const Scalar z589 = z585 * z585;
-    const Scalar z590 = v_front_left_hip * z566;  // angular acceleration of front_left_hip_link, y
-    const Scalar z591 = z586 + z587;
-    const Scalar z592 = z588 + z589;
-    const Scalar z593 = z571 * z580;
-    const Scalar z594 = z564 * z566;
-    const Scalar z595 = z577 * z580;
-    const Scalar z596 = c_front_left_thigh * z585 + s_front_left_thigh * z566;
-    const Scalar z597 = z578 * z580;
-    const Scalar z598 = s_front_left_thigh * z585 - c_front_left_thigh * z566;
-    const Scalar z599 = z571 * z593 + z575;
-    const Scalar z600 = s_front_left_thigh * z586;
-    const Scalar z601 = z571 * z595 + z583;
-    const Scalar z602 = z578 * z597 + z579;
-    const Scalar z603 = z571 * z597 - z584;
-    const Scalar z604 = c_front_left_thigh * z586;
-    const Scalar z605 = z577 * z595 + z581;
-    const Scalar z606 = z577 * z597 - z582;
-    const Scalar z607 = z574 - n0_08 * z592;
-    const Scalar z608 = z568 + n0_08 * z591;
-    const Scalar z609 = z576 + n0_08 * z594;
-    const Scalar z610 = s_front_left_thigh * z609 + c_front_left_thigh * z608;
-    const Scalar z611 = z17 * z605 + z20 * z606 + z22 * z601;
-    const Scalar z612 = z17 * z606 + z20 * z602 + z22 * z603;
-    const Scalar z613 = z17 * z601 + z20 * z603 + z22 * z599;
-    const Scalar z614 = z17 * z611 + z20 * z612 + z22 * z613;
-    const Scalar z615 = z31 * z601 + z27 * z605 + z21 * z606;
-    const Scalar z616 = z28 * z601 + z32 * z605 + z23 * z606;
-    const Scalar z617 = z31 * z599 + z27 * z601 + z21 * z603;
-    const Scalar z618 = z28 * z599 + z32 * z601 + z23 * z603;
-    const Scalar z619 = s_front_left_thigh * z608 - c_front_left_thigh * z609;
-    const Scalar z620 = v_front_left_thigh + z564;  // angular velocity of front_left_thigh_link, y
-    const Scalar z621 = n1 / z614;
-    const Scalar z622 = z31 * z603 + z27 * z606 + z21 * z602;
-    const Scalar z623 = z28 * z603 + z32 * z606 + z23 * z602;
-    const Scalar z624 = v_front_left_thigh * z598 - z600;  // angular acceleration of front_left_thigh_link, x
-    const Scalar z625 = v_front_left_thigh * z596 - z604;  // angular acceleration of front_left_thigh_link, z
-    const Scalar z626 = z596 * z596;
-    const Scalar z627 = z620 * z620;
-    const Scalar z628 = z596 * z598;
-    const Scalar z629 = z598 * z620;
-    const Scalar z630 = z624 + z629;
-    const Scalar z631 = z17 * z615 + z20 * z622 + z22 * z617;
-    const Scalar z632 = z31 * z617 + z27 * z615 + z21 * z622;
-    const Scalar z633 = z28 * z617 + z32 * z615 + z23 * z622;
-    const Scalar z634 = z631 * z621;
-    const Scalar z635 = z632 - z631 * z634;
-    const Scalar z636 = z17 * z616 + z20 * z623 + z22 * z618;
-    const Scalar z637 = z28 * z618 + z32 * z616 + z23 * z623;
-    const Scalar z638 = z626 + z627;
-    const Scalar z639 = z636 * z634 - z633;
-    const Scalar z640 = n1 / z635;
-    const Scalar z641 = z610 - n0_2 * z628;
-    const Scalar z642 = s_front_left_knee * z598 - c_front_left_knee * z596;
-    const Scalar z643 = s_front_left_knee * z596 + c_front_left_knee * z598;
-    const Scalar z644 = s_front_left_knee * z624 - c_front_left_knee * z625;
-    const Scalar z645 = s_front_left_knee * z625 + c_front_left_knee * z624;
-    const Scalar z646 = z607 - n0_2 * z630;
-    const Scalar z647 = z636 * z621;
-    const Scalar z648 = z637 - z636 * z647;
-    const Scalar z649 = z619 + n0_2 * z638;
-    const Scalar z650 = s_front_left_knee * z649 - c_front_left_knee * z641;
-    const Scalar z651 = v_front_left_knee * z642 + z644;  // angular acceleration of front_left_shank_link, z
-    const Scalar z652 = v_front_left_knee * z643 + z645;  // angular acceleration of front_left_shank_link, x
-    const Scalar z653 = v_trunk_attitude_omega_y * c_front_right_hip + v_trunk_attitude_omega_z * s_front_right_hip;
-    const Scalar z654 = v_front_left_knee + z620;  // angular velocity of front_left_shank_link, y
-    const Scalar z655 = z639 * z640;
-    const Scalar z656 = z648 - z639 * z655;
-    const Scalar z657 = v_trunk_attitude_omega_y * s_front_right_hip - v_trunk_attitude_omega_z * c_front_right_hip;
-    const Scalar z658 = z542 - n0_2 * z552 - n0_05 * z554;
-    const Scalar z659 = n1 / z656;
-    const Scalar z660 = v_trunk_attitude_omega_y * c_rear_left_hip + v_trunk_attitude_omega_z * s_rear_left_hip;
-    const Scalar z661 = v_trunk_attitude_omega_x + v_rear_left_hip;  // angular velocity of rear_left_hip_link, x
-    const Scalar z662 = z544 - n0_2 * z554 - n0_05 * z558;
-    const Scalar z663 = v_trunk_attitude_omega_x + v_front_right_hip;  // angular velocity of front_right_hip_link, x
-    const Scalar z664 = v_rear_left_hip * z660;  // angular acceleration of rear_left_hip_link, z
-    const Scalar z665 = z660 * z661;
-    const Scalar z666 = z664 + z665;
-    const Scalar z667 = z544 + n0_2 * z554 + n0_05 * z558;
-    const Scalar z668 = z546 - n0_2 * z560 + n0_05 * z562;
-    const Scalar z669 = v_front_right_hip * z653;  // angular acceleration of front_right_hip_link, z
-    const Scalar z670 = z653 * z663;
-    const Scalar z671 = z669 + z670;
-    const Scalar z672 = v_trunk_attitude_omega_y * s_rear_left_hip - v_trunk_attitude_omega_z * c_rear_left_hip;
-    const Scalar z673 = z542 + n0_2 * z552 + n0_05 * z554;
-    const Scalar z674 = z546 + n0_2 * z560 - n0_05 * z562;
-    const Scalar z675 = s_rear_left_hip * z662 - c_rear_left_hip * z668;
-    const Scalar z676 = s_rear_left_hip * z668 + c_rear_left_hip * z662;
-    const Scalar z677 = z660 * z672;
-    const Scalar z678 = c_rear_left_thigh * z661 + s_rear_left_thigh * z672;
-    const Scalar z679 = s_front_right_hip * z667 - c_front_right_hip * z674;
-    const Scalar z680 = s_front_right_hip * z674 + c_front_right_hip * z667;
-    const Scalar z681 = z673 + n0_08 * z666;
-    const Scalar z682 = z653 * z657;
-    const Scalar z683 = v_front_right_thigh + z653;  // angular velocity of front_right_thigh_link, y
-    const Scalar z684 = z658 - n0_08 * z671;
-    const Scalar z685 = z675 + n0_08 * z677;
-    const Scalar z686 = c_front_right_thigh * z663 + s_front_right_thigh * z657;
-    const Scalar z687 = z679 - n0_08 * z682;
-    const Scalar z688 = z686 * z686;
-    const Scalar z689 = z683 * z683;
-    const Scalar z690 = s_rear_left_thigh * z661 - c_rear_left_thigh * z672;
-    const Scalar z691 = z688 + z689;
-    const Scalar z692 = s_rear_left_thigh * z664;
-    const Scalar z693 = c_rear_left_thigh * z664;
-    const Scalar z694 = s_front_right_thigh * z663 - c_front_right_thigh * z657;
-    const Scalar z695 = s_front_right_thigh * z669;
-    const Scalar z696 = c_front_right_thigh * z669;
-    const Scalar z697 = v_front_right_thigh * z694 - z695;  // angular acceleration of front_right_thigh_link, x
-    const Scalar z698 = v_front_right_thigh * z686 - z696;  // angular acceleration of front_right_thigh_link, z
-    const Scalar z699 = s_front_right_thigh * z684 - c_front_right_thigh * z687;
-    const Scalar z700 = s_front_right_thigh * z687 + c_front_right_thigh * z684;
-    const Scalar z701 = z699 + n0_2 * z691;
-    const Scalar z702 = z686 * z694;
-    const Scalar z703 = z672 * z672;
-    const Scalar z704 = z661 * z661;
-    const Scalar z705 = z703 + z704;
-    const Scalar z706 = z657 * z657;
-    const Scalar z707 = z663 * z663;
-    const Scalar z708 = z706 + z707;
-    const Scalar z709 = z700 - n0_2 * z702;
-    const Scalar z710 = s_front_right_knee * z701 - c_front_right_knee * z709;
-    const Scalar z711 = z676 - n0_08 * z705;
-    const Scalar z712 = z680 + n0_08 * z708;
-    const Scalar z713 = z694 * z683;
-    const Scalar z714 = z697 + z713;
-    const Scalar z715 = s_front_right_knee * z694 - c_front_right_knee * z686;
-    const Scalar z716 = s_front_right_knee * z686 + c_front_right_knee * z694;
-    const Scalar z717 = s_front_right_knee * z697 - c_front_right_knee * z698;
-    const Scalar z718 = s_front_right_knee * z698 + c_front_right_knee * z697;
-    const Scalar z719 = v_front_right_knee * z715 + z717;  // angular acceleration of front_right_shank_link, z
-    const Scalar z720 = v_front_right_knee * z716 + z718;  // angular acceleration of front_right_shank_link, x
-    const Scalar z721 = v_front_right_knee + z683;  // angular velocity of front_right_shank_link, y
-    const Scalar z722 = z712 - n0_2 * z714;
-    const Scalar z723 = v_rear_left_hip * z672;  // angular acceleration of rear_left_hip_link, y
-    const Scalar z724 = v_front_right_hip * z657;  // angular acceleration of front_right_hip_link, y
-    const Scalar z725 = z544 - n0_2 * z554 + n0_05 * z558;
-    const Scalar z726 = z542 + n0_2 * z552 - n0_05 * z554;
-    const Scalar z727 = v_rear_left_thigh + z660;  // angular velocity of rear_left_thigh_link, y
-    const Scalar z728 = v_rear_left_thigh * z690 - z692;  // angular acceleration of rear_left_thigh_link, x
-    const Scalar z729 = v_rear_left_thigh * z678 - z693;  // angular acceleration of rear_left_thigh_link, z
-    const Scalar z730 = v_trunk_attitude_omega_y * c_rear_right_hip + v_trunk_attitude_omega_z * s_rear_right_hip;
-    const Scalar z731 = v_trunk_attitude_omega_x + v_rear_right_hip;  // angular velocity of rear_right_hip_link, x
-    const Scalar z732 = v_rear_right_hip * z730;  // angular acceleration of rear_right_hip_link, z
-    const Scalar z733 = z730 * z731;
-    const Scalar z734 = z546 - n0_2 * z560 - n0_05 * z562;
-    const Scalar z735 = z732 + z733;
-    const Scalar z736 = v_trunk_attitude_omega_y * s_rear_right_hip - v_trunk_attitude_omega_z * c_rear_right_hip;
-    const Scalar z737 = s_rear_right_hip * z725 - c_rear_right_hip * z734;
-    const Scalar z738 = s_rear_right_hip * z734 + c_rear_right_hip * z725;
-    const Scalar z739 = z730 * z736;
-    const Scalar z740 = v_rear_right_thigh + z730;  // angular velocity of rear_right_thigh_link, y
-    const Scalar z741 = z726 - n0_08 * z735;
-    const Scalar z742 = c_rear_right_thigh * z731 + s_rear_right_thigh * z736;
-    const Scalar z743 = z737 - n0_08 * z739;
-    const Scalar z744 = z742 * z742;
-    const Scalar z745 = z740 * z740;
-    const Scalar z746 = s_rear_right_thigh * z731 - c_rear_right_thigh * z736;
-    const Scalar z747 = z744 + z745;
-    const Scalar z748 = s_rear_right_thigh * z732;
-    const Scalar z749 = c_rear_right_thigh * z732;
-    const Scalar z750 = v_rear_right_thigh * z746 - z748;  // angular acceleration of rear_right_thigh_link, x
-    const Scalar z751 = v_rear_right_thigh * z742 - z749;  // angular acceleration of rear_right_thigh_link, z
-    const Scalar z752 = s_rear_right_thigh * z741 - c_rear_right_thigh * z743;
-    const Scalar z753 = s_rear_right_thigh * z743 + c_rear_right_thigh * z741;
-    const Scalar z754 = z678 * z678;
-    const Scalar z755 = z727 * z727;
-    const Scalar z756 = z754 + z755;
-    const Scalar z757 = z742 * z746;
-    const Scalar z758 = s_rear_left_thigh * z681 - c_rear_left_thigh * z685;
-    const Scalar z759 = s_rear_left_thigh * z685 + c_rear_left_thigh * z681;
-    const Scalar z760 = z752 + n0_2 * z747;
-    const Scalar z761 = z758 + n0_2 * z756;
-    const Scalar z762 = z736 * z736;
-    const Scalar z763 = z731 * z731;
-    const Scalar z764 = z762 + z763;
-    const Scalar z765 = z678 * z690;
-    const Scalar z766 = z753 - n0_2 * z757;
-    const Scalar z767 = s_rear_right_knee * z760 - c_rear_right_knee * z766;
-    const Scalar z768 = z738 + n0_08 * z764;
-    const Scalar z769 = z746 * z740;
-    const Scalar z770 = z750 + z769;
-    const Scalar z771 = z759 - n0_2 * z765;
-    const Scalar z772 = s_rear_left_knee * z761 - c_rear_left_knee * z771;
-    const Scalar z773 = s_rear_right_knee * z746 - c_rear_right_knee * z742;
-    const Scalar z774 = s_rear_right_knee * z742 + c_rear_right_knee * z746;
-    const Scalar z775 = s_rear_right_knee * z750 - c_rear_right_knee * z751;
-    const Scalar z776 = s_rear_right_knee * z751 + c_rear_right_knee * z750;
-    const Scalar z777 = v_rear_right_knee * z774 + z776;  // angular acceleration of rear_right_shank_link, x
-    const Scalar z778 = v_rear_right_knee + z740;  // angular velocity of rear_right_shank_link, y
-    const Scalar z779 = z690 * z727;
-    const Scalar z780 = v_rear_right_knee * z773 + z775;  // angular acceleration of rear_right_shank_link, z
-    const Scalar z781 = z728 + z779;
-    const Scalar z782 = z773 * z774;
-    const Scalar z783 = z774 * z778;
-    const Scalar z784 = z777 + z783;
-    const Scalar z785 = s_rear_left_knee * z690 - c_rear_left_knee * z678;
-    const Scalar z786 = s_rear_left_knee * z678 + c_rear_left_knee * z690;
-    const Scalar z787 = s_rear_left_knee * z728 - c_rear_left_knee * z729;
-    const Scalar z788 = s_rear_left_knee * z729 + c_rear_left_knee * z728;
-    const Scalar z789 = v_rear_left_knee * z785 + z787;  // angular acceleration of rear_left_shank_link, z
-    const Scalar z790 = v_rear_left_knee * z786 + z788;  // angular acceleration of rear_left_shank_link, x
-    const Scalar z791 = z773 * z778;
-    const Scalar z792 = z780 + z791;
-    const Scalar z793 = z773 * z773;
-    const Scalar z794 = z778 * z778;
-    const Scalar z795 = z793 + z794;
-    const Scalar z796 = v_rear_left_knee + z727;  // angular velocity of rear_left_shank_link, y
-    const Scalar z797 = z768 - n0_2 * z770;
-    const Scalar z798 = z711 - n0_2 * z781;
-    const Scalar z799 = z742 * z740;
-    const Scalar z800 = z751 + z799;
-    const Scalar z801 = n0_032 * z767 - k0 * z782;
-    const Scalar z802 = n0_032 * z782;
-    const Scalar z803 = k20 * z792;
-    const Scalar z804 = z103 - z801;
-    const Scalar z805 = n0_032 * z795;
-    const Scalar z806 = n0_032 * z797 - k21 * z784;
-    const Scalar z807 = z802 - k22 * z804;
-    const Scalar z808 = n0_032 * z784;
-    const Scalar z809 = k23 * z804;
-    const Scalar z810 = c_rear_right_knee * z803 + s_rear_right_knee * z806;
-    const Scalar z811 = s_rear_right_knee * z803 - c_rear_right_knee * z806;
-    const Scalar z812 = s_rear_right_knee * z805 + c_rear_right_knee * z807;
-    const Scalar z813 = s_rear_right_knee * z807 - c_rear_right_knee * z805;
-    const Scalar z814 = v_rear_right_hip * z736;  // angular acceleration of rear_right_hip_link, y
-    const Scalar z815 = z678 * z727;
-    const Scalar z816 = z810 - n0_0002 * z800;
-    const Scalar z817 = z729 + z815;
-    const Scalar z818 = z103 - n0_124 * z753 + k7 * z757 - n0_2 * z812;
-    const Scalar z819 = n0_124 * z768 - k25 * z770 - n0_2 * z808 - z811;
-    const Scalar z820 = n0_124 * z757 - z812;
-    const Scalar z821 = n0_124 * z747 - z813;
-    const Scalar z822 = z736 * z731;
-    const Scalar z823 = n0_124 * z770 + z808;
-    const Scalar z824 = n0_1048 * z764 - z823;
-    const Scalar z825 = z117 - z818;
-    const Scalar z826 = z136 * z825 + z820;
-    const Scalar z827 = z137 * z825 - z821;
-    const Scalar z828 = z130 * z825;
-    const Scalar z829 = z672 * z661;
-    const Scalar z830 = z814 + z822;
-    const Scalar z831 = z117 - n0_0002 * z830;
-    const Scalar z832 = z785 * z786;
-    const Scalar z833 = z786 * z796;
-    const Scalar z834 = z790 + z833;
-    const Scalar z835 = n0_032 * z772 - k0 * z832;
-    const Scalar z836 = n0_032 * z832;
-    const Scalar z837 = z785 * z796;
-    const Scalar z838 = z789 + z837;
-    const Scalar z839 = z785 * z785;
-    const Scalar z840 = z796 * z796;
-    const Scalar z841 = z839 + z840;
-    const Scalar z842 = z104 - z835;
-    const Scalar z843 = n0_032 * z798 - k21 * z834;
-    const Scalar z844 = k20 * z838;
-    const Scalar z845 = n0_032 * z841;
-    const Scalar z846 = z836 - k22 * z842;
-    const Scalar z847 = n0_032 * z834;
-    const Scalar z848 = k23 * z842;
-    const Scalar z849 = c_rear_left_knee * z844 + s_rear_left_knee * z843;
-    const Scalar z850 = s_rear_left_knee * z844 - c_rear_left_knee * z843;
-    const Scalar z851 = s_rear_left_knee * z845 + c_rear_left_knee * z846;
-    const Scalar z852 = s_rear_left_knee * z846 - c_rear_left_knee * z845;
-    const Scalar z853 = z849 - n0_0002 * z817;
-    const Scalar z854 = n0_124 * z711 - k25 * z781 - n0_2 * z847 - z850;
-    const Scalar z855 = z104 - n0_124 * z759 + k7 * z765 - n0_2 * z851;
-    const Scalar z856 = n0_124 * z765 - z851;
-    const Scalar z857 = n0_124 * z756 - z852;
-    const Scalar z858 = n0_124 * z781 + z847;
-    const Scalar z859 = z121 - z855;
-    const Scalar z860 = z178 * z859 + z856;
-    const Scalar z861 = z180 * z859 - z857;
-    const Scalar z862 = z176 * z859;
-    const Scalar z863 = s_rear_right_thigh * z816 - c_rear_right_thigh * z819;
-    const Scalar z864 = s_rear_right_thigh * z819 + c_rear_right_thigh * z816;
-    const Scalar z865 = s_rear_left_thigh * z853 - c_rear_left_thigh * z854;
-    const Scalar z866 = s_rear_left_thigh * z854 + c_rear_left_thigh * z853;
-    const Scalar z867 = s_rear_right_thigh * z826 - c_rear_right_thigh * z827;
-    const Scalar z868 = s_rear_right_thigh * z827 + c_rear_right_thigh * z826;
-    const Scalar z869 = n0_1048 * z737 - z863 - k26 * z739 - n0_08 * z867;
-    const Scalar z870 = n0_1048 * z726 - z864 - k27 * z735 - n0_08 * z868;
-    const Scalar z871 = n0_1048 * z739 + z867;
-    const Scalar z872 = n0_1048 * z705 + z858;
-    const Scalar z873 = n0_1048 * z735 + z868;
-    const Scalar z874 = z128 - z869;
-    const Scalar z875 = z723 + z829;
-    const Scalar z876 = z121 - n0_0002 * z875;
-    const Scalar z877 = z161 * z874 - z870;
-    const Scalar z878 = z165 * z874 - z824;
-    const Scalar z879 = z167 * z874 - z871;
-    const Scalar z880 = z163 * z874 + z873;
-    const Scalar z881 = z159 * z874;
-    const Scalar z882 = z715 * z716;
-    const Scalar z883 = s_rear_left_thigh * z860 - c_rear_left_thigh * z861;
-    const Scalar z884 = s_rear_left_thigh * z861 + c_rear_left_thigh * z860;
-    const Scalar z885 = z865 + n0_1048 * z675 + k26 * z677 - n0_08 * z883;
-    const Scalar z886 = z866 + n0_1048 * z673 + k27 * z666 - n0_08 * z884;
-    const Scalar z887 = n0_1048 * z677 - z883;
-    const Scalar z888 = n0_1048 * z666 - z884;
-    const Scalar z889 = z131 + z885;
-    const Scalar z890 = z247 * z889 + z886;
-    const Scalar z891 = z246 * z889 + z872;
-    const Scalar z892 = z245 * z889 - z887;
-    const Scalar z893 = z248 * z889 + z888;
-    const Scalar z894 = z236 * z889;
-    const Scalar z895 = s_rear_right_hip * z831 - c_rear_right_hip * z877;
-    const Scalar z896 = c_rear_right_hip * z831 + s_rear_right_hip * z877;
-    const Scalar z897 = s_rear_left_hip * z876 - c_rear_left_hip * z890;
-    const Scalar z898 = c_rear_left_hip * z876 + s_rear_left_hip * z890;
-    const Scalar z899 = s_rear_right_hip * z879 - c_rear_right_hip * z878;
-    const Scalar z900 = s_rear_right_hip * z878 + c_rear_right_hip * z879;
-    const Scalar z901 = z686 * z683;
-    const Scalar z902 = z698 + z901;
-    const Scalar z903 = z657 * z663;
-    const Scalar z904 = z716 * z721;
-    const Scalar z905 = z720 + z904;
-    const Scalar z906 = n0_032 * z710 - k0 * z882;
-    const Scalar z907 = n0_032 * z882;
-    const Scalar z908 = z111 - z906;
-    const Scalar z909 = n0_032 * z722 - k21 * z905;
-    const Scalar z910 = n0_032 * z905;
-    const Scalar z911 = z907 - k22 * z908;
-    const Scalar z912 = z724 + z903;
-    const Scalar z913 = z123 - n0_0002 * z912;
-    const Scalar z914 = k23 * z908;
-    const Scalar z915 = z715 * z721;
-    const Scalar z916 = z719 + z915;
-    const Scalar z917 = z715 * z715;
-    const Scalar z918 = z721 * z721;
-    const Scalar z919 = z917 + z918;
-    const Scalar z920 = z642 * z643;
-    const Scalar z921 = n0_124 * z714 + z910;
-    const Scalar z922 = n0_1048 * z708 - z921;
-    const Scalar z923 = k20 * z916;
-    const Scalar z924 = n0_032 * z919;
-    const Scalar z925 = s_rear_left_hip * z892 + c_rear_left_hip * z891;
-    const Scalar z926 = s_rear_left_hip * z891 - c_rear_left_hip * z892;
-    const Scalar z927 = z596 * z620;
-    const Scalar z928 = z643 * z654;
-    const Scalar z929 = z652 + z928;
-    const Scalar z930 = n0_032 * z650 - k0 * z920;
-    const Scalar z931 = n0_032 * z920;
-    const Scalar z932 = z115 - z930;
-    const Scalar z933 = n0_032 * z646 - k21 * z929;
-    const Scalar z934 = n0_032 * z929;
-    const Scalar z935 = z931 - k22 * z932;
-    const Scalar z936 = k23 * z932;
-    const Scalar z937 = z642 * z654;
-    const Scalar z938 = z651 + z937;
-    const Scalar z939 = z642 * z642;
-    const Scalar z940 = z654 * z654;
-    const Scalar z941 = z939 + z940;
-    const Scalar z942 = c_front_right_knee * z923 + s_front_right_knee * z909;
-    const Scalar z943 = s_front_right_knee * z923 - c_front_right_knee * z909;
-    const Scalar z944 = n0_124 * z712 - k25 * z714 - n0_2 * z910 - z943;
-    const Scalar z945 = z942 - n0_0002 * z902;
-    const Scalar z946 = k20 * z938;
-    const Scalar z947 = n0_032 * z941;
-    const Scalar z948 = s_front_right_knee * z924 + c_front_right_knee * z911;
-    const Scalar z949 = z625 + z927;
-    const Scalar z950 = z111 - n0_124 * z700 + k7 * z702 - n0_2 * z948;
-    const Scalar z951 = s_front_right_knee * z911 - c_front_right_knee * z924;
-    const Scalar z952 = n0_124 * z702 - z948;
-    const Scalar z953 = z123 - z950;
-    const Scalar z954 = n0_124 * z691 - z951;
-    const Scalar z955 = z331 * z953 + z952;
-    const Scalar z956 = z317 * z953;
-    const Scalar z957 = z332 * z953 - z954;
-    const Scalar z958 = z566 * z585;
-    const Scalar z959 = c_front_left_knee * z946 + s_front_left_knee * z933;
-    const Scalar z960 = s_front_left_knee * z946 - c_front_left_knee * z933;
-    const Scalar z961 = z959 - n0_0002 * z949;
-    const Scalar z962 = n0_124 * z607 - k25 * z630 - n0_2 * z934 - z960;
-    const Scalar z963 = n0_124 * z630 + z934;
-    const Scalar z964 = s_front_left_knee * z947 + c_front_left_knee * z935;
-    const Scalar z965 = z115 - n0_124 * z610 + k7 * z628 - n0_2 * z964;
-    const Scalar z966 = s_front_left_knee * z935 - c_front_left_knee * z947;
-    const Scalar z967 = n0_124 * z628 - z964;
-    const Scalar z968 = n0_124 * z638 - z966;
-    const Scalar z969 = z126 - z965;
-    const Scalar z970 = z413 * z969 + z967;
-    const Scalar z971 = z400 * z969;
-    const Scalar z972 = z414 * z969 - z968;
-    const Scalar z973 = s_front_right_thigh * z945 - c_front_right_thigh * z944;
-    const Scalar z974 = s_front_right_thigh * z944 + c_front_right_thigh * z945;
-    const Scalar z975 = s_front_left_thigh * z961 - c_front_left_thigh * z962;
-    const Scalar z976 = s_front_left_thigh * z962 + c_front_left_thigh * z961;
-    const Scalar z977 = s_front_right_thigh * z955 - c_front_right_thigh * z957;
-    const Scalar z978 = s_front_right_thigh * z957 + c_front_right_thigh * z955;
-    const Scalar z979 = n0_1048 * z679 - z973 - k26 * z682 - n0_08 * z977;
-    const Scalar z980 = n0_1048 * z658 - z974 - k27 * z671 - n0_08 * z978;
-    const Scalar z981 = n0_1048 * z682 + z977;
-    const Scalar z982 = n0_1048 * z671 + z978;
-    const Scalar z983 = n0_1048 * z592 + z963;
-    const Scalar z984 = z133 - z979;
-    const Scalar z985 = z590 + z958;
-    const Scalar z986 = z126 - n0_0002 * z985;
-    const Scalar z987 = z353 * z984 - z980;
-    const Scalar z988 = z355 * z984 - z922;
-    const Scalar z989 = z356 * z984 - z981;
-    const Scalar z990 = z354 * z984 + z982;
-    const Scalar z991 = z352 * z984;
-    const Scalar z992 = s_front_left_thigh * z970 - c_front_left_thigh * z972;
-    const Scalar z993 = s_front_left_thigh * z972 + c_front_left_thigh * z970;
-    const Scalar z994 = z975 + n0_1048 * z576 + k26 * z594 - n0_08 * z992;
-    const Scalar z995 = z976 + n0_1048 * z568 + k27 * z591 - n0_08 * z993;
-    const Scalar z996 = n0_1048 * z594 - z992;
-    const Scalar z997 = n0_1048 * z591 - z993;
-    const Scalar z998 = z135 + z994;
-    const Scalar z999 = z458 * z998 + z995;
-    const Scalar z1000 = z460 * z998 + z983;
-    const Scalar z1001 = z461 * z998 - z996;
-    const Scalar z1002 = z459 * z998 + z997;
-    const Scalar z1003 = z457 * z998;
-    const Scalar z1004 = n12_24 * z542 - z880 + z893 - z990 + z1002;
-    const Scalar z1005 = s_front_right_hip * z913 - c_front_right_hip * z987;
-    const Scalar z1006 = c_front_right_hip * z913 + s_front_right_hip * z987;
-    const Scalar z1007 = s_front_left_hip * z986 - c_front_left_hip * z999;
-    const Scalar z1008 = c_front_left_hip * z986 + s_front_left_hip * z999;
-    const Scalar z1009 = s_front_right_hip * z989 - c_front_right_hip * z988;
-    const Scalar z1010 = s_front_right_hip * z988 + c_front_right_hip * z989;
-    const Scalar z1011 = s_front_left_hip * z1001 + c_front_left_hip * z1000;
-    const Scalar z1012 = n0_2948 * z554 + z895 + z897 + z1005 + z1007 - n0_05 * (z880 + z893 + z990 + z1002) - n0_2
-        * (z899 - z925 - z1009 + z1011);
-    const Scalar z1013 = n12_24 * z544 + z899 - z925 + z1009 - z1011;
-    const Scalar z1014 = s_front_left_hip * z1000 - c_front_left_hip * z1001;
-    const Scalar z1015 = n0_0306 * z562 + z135 + z133 + z131 + z128 + n0_05 * (z900 - z926 + z1010 - z1014);
-    const Scalar z1016 = n0_3254 * z560 - z896 - z898 - z1006 - z1008 + n0_2 * (z900 + z926 - z1010 - z1014);
-    const Scalar z1017 = n12_24 * z546 - z900 - z926 - z1010 - z1014;
-    const Scalar z1018 = z531 * z1012 + z1015;
-    const Scalar z1019 = z532 * z1012 - z1016;
-    const Scalar z1020 = z533 * z1012 + z1004;
-    const Scalar z1021 = z534 * z1012 + z1013;
-    const Scalar z1022 = z535 * z1012 - z1017;
-    const Scalar z1023 = z530 * z1012;
-    const Scalar z1024 = z563 * z1019 - z1018;
-    const Scalar z1025 = z565 * z1019 - z1020;
-    const Scalar z1026 = z567 * z1019 - z1021;
-    const Scalar z1027 = z569 * z1019 - z1022;
-    const Scalar z1028 = z561 * z1019;
-    const Scalar z1029 = z593 * z1024 - z1025;
-    const Scalar z1030 = z595 * z1024 - z1026;
-    const Scalar z1031 = z597 * z1024 + z1027;
-    const Scalar z1032 = z580 * z1024;
-    const Scalar z1033 = z28 * z1029 + z32 * z1030 + z23 * z1031;
-    const Scalar z1034 = z31 * z1029 + z27 * z1030 + z21 * z1031;
-    const Scalar z1035 = z17 * z1030 + z20 * z1031 + z22 * z1029;
-    const Scalar z1036 = z621 * z1035;
-    const Scalar z1037 = z647 * z1035 - z1033;
-    const Scalar z1038 = z634 * z1035 - z1034;
-    const Scalar z1039 = z640 * z1038;
-    const Scalar z1040 = z655 * z1038 + z1037;
-    const Scalar z1041 = z659 * z1040;
-    const Scalar z1042 = z655 * z1041 + z1039;
-    const Scalar z1043 = z1036 + z647 * z1041 + z634 * z1042;
-    const Scalar z1044 = z28 * z1041 + z31 * z1042 - z22 * z1043;
-    const Scalar z1045 = z32 * z1041 + z27 * z1042 - z17 * z1043;
-    const Scalar z1046 = z23 * z1041 + z21 * z1042 - z20 * z1043;
-    const Scalar z1047 = z1032 + z593 * z1044 + z595 * z1045 + z597 * z1046;
-    const Scalar z1048 = z1028 - z565 * z1044 - z567 * z1045 + z569 * z1046 + z563 * z1047;
-    const Scalar z1049 = z535 * z1046 - z1023 - z533 * z1044 - z534 * z1045 + z531 * z1047 - z532 * z1048;
-    const Scalar z1050 = z1046 - n0_05 * z1047 - n0_2 * z1048;
-    const Scalar z1051 = z1046 + n0_05 * z1047 - n0_2 * z1048;
-    const Scalar z1052 = z1046 - n0_05 * z1047 + n0_2 * z1048;
-    const Scalar z1053 = z1046 + n0_05 * z1047 + n0_2 * z1048;
-    const Scalar z1054 = z1044 + n0_05 * z1049;
-    const Scalar z1055 = z1045 - n0_2 * z1049;
-    const Scalar z1056 = s_front_left_hip * z1049 - c_front_left_hip * z1048;
-    const Scalar z1057 = s_front_left_hip * z1048 + c_front_left_hip * z1049;
-    const Scalar z1058 = z1044 - n0_05 * z1049;
-    const Scalar z1059 = s_front_right_hip * z1049 - c_front_right_hip * z1048;
-    const Scalar z1060 = s_front_right_hip * z1048 + c_front_right_hip * z1049;
-    const Scalar z1061 = z1045 + n0_2 * z1049;
-    const Scalar z1062 = s_rear_left_hip * z1049 - c_rear_left_hip * z1048;
-    const Scalar z1063 = s_rear_left_hip * z1048 + c_rear_left_hip * z1049;
-    const Scalar z1064 = s_rear_right_hip * z1048 + c_rear_right_hip * z1049;
-    const Scalar z1065 = s_rear_right_hip * z1049 - c_rear_right_hip * z1048;
-    const Scalar z1066 = s_front_left_hip * z1050 + c_front_left_hip * z1055;
-    const Scalar z1067 = s_front_left_hip * z1055 - c_front_left_hip * z1050;
-    const Scalar z1068 = s_front_right_hip * z1051 + c_front_right_hip * z1055;
-    const Scalar z1069 = s_front_right_hip * z1055 - c_front_right_hip * z1051;
-    const Scalar z1070 = z1003 + z458 * z1057 + z459 * z1054 - z460 * z1066 - z461 * z1067;
-    const Scalar z1071 = z991 + z353 * z1060 - z354 * z1058 - z355 * z1068 + z356 * z1069;
-    const Scalar z1072 = z1054 + n0_08 * z1057;
-    const Scalar z1073 = z1058 - n0_08 * z1060;
-    const Scalar z1074 = z1067 + n0_08 * z1070;
-    const Scalar z1075 = z1047 - z1070;
-    const Scalar z1076 = z1069 - n0_08 * z1071;
-    const Scalar z1077 = z1047 - z1071;
-    const Scalar z1078 = s_rear_left_hip * z1052 + c_rear_left_hip * z1061;
-    const Scalar z1079 = s_rear_left_hip * z1061 - c_rear_left_hip * z1052;
-    const Scalar z1080 = z894 + z247 * z1063 + z248 * z1054 - z246 * z1078 - z245 * z1079;
-    const Scalar z1081 = z1054 + n0_08 * z1063;
-    const Scalar z1082 = s_rear_right_hip * z1053 + c_rear_right_hip * z1061;
-    const Scalar z1083 = s_rear_right_hip * z1061 - c_rear_right_hip * z1053;
-    const Scalar z1084 = z881 + z161 * z1064 - z163 * z1058 - z165 * z1082 + z167 * z1083;
-    const Scalar z1085 = z1058 - n0_08 * z1064;
-    const Scalar z1086 = z1079 + n0_08 * z1080;
-    const Scalar z1087 = z1047 - z1080;
-    const Scalar z1088 = z1047 - z1084;
-    const Scalar z1089 = z1083 - n0_08 * z1084;
-    const Scalar z1090 = c_front_left_thigh * z1072 + s_front_left_thigh * z1074;
-    const Scalar z1091 = s_front_left_thigh * z1072 - c_front_left_thigh * z1074;
-    const Scalar z1092 = z413 * z1090 - z971 + z414 * z1091;
-    const Scalar z1093 = c_front_right_thigh * z1073 + s_front_right_thigh * z1076;
-    const Scalar z1094 = s_front_right_thigh * z1073 - c_front_right_thigh * z1076;
-    const Scalar z1095 = z331 * z1093 - z956 + z332 * z1094;
-    const Scalar z1096 = z1090 - n0_2 * z1092;
-    const Scalar z1097 = z1056 + z1092;
-    const Scalar z1098 = c_rear_left_thigh * z1081 + s_rear_left_thigh * z1086;
-    const Scalar z1099 = z590 - z1097;  // acceleration of joint front_left_thigh_link
-    const Scalar z1100 = s_rear_left_thigh * z1081 - c_rear_left_thigh * z1086;
-    const Scalar z1101 = z178 * z1098 - z862 + z180 * z1100;
-    const Scalar z1102 = s_front_left_knee * z1091 - c_front_left_knee * z1096;
-    const Scalar z1103 = z936 + k22 * z1102;
-    const Scalar z1104 = z1093 - n0_2 * z1095;
-    const Scalar z1105 = s_front_right_knee * z1094 - c_front_right_knee * z1104;
-    const Scalar z1106 = z1098 - n0_2 * z1101;
-    const Scalar z1107 = z1092 + z1103;
-    const Scalar z1108 = c_rear_right_thigh * z1085 + s_rear_right_thigh * z1089;
-    const Scalar z1109 = s_rear_right_thigh * z1085 - c_rear_right_thigh * z1089;
-    const Scalar z1110 = z136 * z1108 - z828 + z137 * z1109;
-    const Scalar z1111 = s_rear_left_knee * z1100 - c_rear_left_knee * z1106;
-    const Scalar z1112 = z1059 + z1095;
-    const Scalar z1113 = z914 + k22 * z1105;
-    const Scalar z1114 = z1062 + z1101;
-    const Scalar z1115 = z848 + k22 * z1111;
-    const Scalar z1116 = z1108 - n0_2 * z1110;
-    const Scalar z1117 = z1065 + z1110;
-    const Scalar z1118 = z724 - z1112;  // acceleration of joint front_right_thigh_link
-    const Scalar z1119 = z1095 + z1113;
-    const Scalar z1120 = z723 - z1114;  // acceleration of joint rear_left_thigh_link
-    const Scalar z1121 = z1101 + z1115;
-    const Scalar z1122 = z814 - z1117;  // acceleration of joint rear_right_thigh_link
-    const Scalar z1123 = s_rear_right_knee * z1109 - c_rear_right_knee * z1116;
-    const Scalar z1124 = z809 + k22 * z1123;
-    const Scalar z1125 = z1110 + z1124;
-    accelerations.trunk_x = -z1041;
-    accelerations.trunk_y = -z1042;
-    accelerations.trunk_z = z1043;
-    accelerations.trunk_attitude_omega_x = z1047;
-    accelerations.trunk_attitude_omega_y = -z1048;
-    accelerations.trunk_attitude_omega_z = z1049;
-    accelerations.front_left_hip = -z1075;
-    accelerations.front_left_thigh = z1099;
-    accelerations.front_left_knee = z1107;
-    accelerations.front_right_hip = -z1077;
-    accelerations.front_right_thigh = z1118;
-    accelerations.front_right_knee = z1119;
-    accelerations.rear_left_hip = -z1087;
-    accelerations.rear_left_thigh = z1120;
-    accelerations.rear_left_knee = z1121;
-    accelerations.rear_right_hip = -z1088;
-    accelerations.rear_right_thigh = z1122;
-    accelerations.rear_right_knee = z1125;
-    if (!(traits::regular(z124, z124) && traits::regular(z156, z156) && traits::regular(z172, z172)
-        && traits::regular(z232, z232) && traits::regular(z314, z314) && traits::regular(z351, z351)
-        && traits::regular(z399, z399) && traits::regular(z456, z456) && traits::regular(z529, z529)
-        && traits::regular(z549, z549) && traits::regular(z573, z573) && traits::regular(-z614, -z614)
-        && traits::regular(-z635, -z635) && traits::regular(-z656, -z656))) return torsor::Status::singular;
+    const Scalar z504 = z487 + n0_2 * z498;
+    const Scalar z505 = z422 - z498;
+    const Scalar z506 = z488 + n0_05 * z476 - n0_2 * z497;
+    const Scalar z507 = z480 - n0_05 * z484 + n0_2 * (z492 - z500);
+    const Scalar z508 = z482 - n0_05 * (z473 - z489) - n0_2 * (z488 + z506);
+    const Scalar z509 = n0_05 * (z492 + z483) + n0_2 * z499;
+    const Scalar z510 = z427 + z507;
+    const Scalar z511 = z431 - z508;
+    const Scalar z512 = z426 + z509;
+    const Scalar z513 = z428 - z499;
+    const Scalar z514 = z429 - z500;
+    const Scalar z515 = z430 - z506;
+    const Scalar z516 = z432 - z501;
+    const Scalar z517 = z421 - z497;
+    const Scalar z518 = n0_2 * (z487 + z504) + z479;
+    const Scalar z519 = z438 - z518;
+    const Scalar z520 = z439 - z504;
+    const Scalar z521 = n1 / z511;
+    const Scalar z522 = n0_05 * z487 + n0_2 * z503;
+    const Scalar z523 = z441 + z522;
+    const Scalar z524 = z442 - z503;
+    const Scalar z525 = n0_05 * z503;
+    const Scalar z526 = z444 - z525;
+    const Scalar z527 = z512 * z521;
+    const Scalar z528 = z510 * z521;
+    const Scalar z529 = z496 * z521;
+    const Scalar z530 = z515 * z521;
+    const Scalar z531 = z516 * z521;
+    const Scalar z532 = z491 - z496 * z527;
+    const Scalar z533 = z526 - z512 * z527;
+    const Scalar z534 = z496 * z529 - z478;
+    const Scalar z535 = z513 - z515 * z527;
+    const Scalar z536 = z524 + z516 * z527;
+    const Scalar z537 = z495 - z496 * z528;
+    const Scalar z538 = n9_81 * z22;
+    const Scalar z539 = z519 - z510 * z528;
+    const Scalar z540 = z523 + z512 * z528;
+    const Scalar z541 = z514 + z515 * z528;
+    const Scalar z542 = z515 * z530 - z517;
+    const Scalar z543 = z515 * z531 - z502;
+    const Scalar z544 = n1 / z539;
+    const Scalar z545 = z520 + z516 * z528;
+    const Scalar z546 = z516 * z531 - z505;
+    const Scalar z547 = z496 * z530 + z490;
+    const Scalar z548 = z496 * z531 - z485;
+    const Scalar z549 = n9_81 * z17;
+    const Scalar z550 = v_trunk_attitude_omega_x * v_trunk_attitude_omega_y;
+    const Scalar z551 = v_trunk_attitude_omega_y * v_trunk_attitude_omega_y;
+    const Scalar z552 = v_trunk_attitude_omega_z * v_trunk_attitude_omega_z;
+    const Scalar z553 = z551 + z552;
+    const Scalar z554 = v_trunk_attitude_omega_x * v_trunk_attitude_omega_x;
+    const Scalar z555 = z552 + z554;
+    const Scalar z556 = n9_81 * z20;
+    const Scalar z557 = v_trunk_attitude_omega_x * v_trunk_attitude_omega_z;
+    const Scalar z558 = v_trunk_attitude_omega_y * v_trunk_attitude_omega_z;
+    const Scalar z559 = z540 * z544;
+    const Scalar z560 = v_trunk_attitude_omega_y * c_front_left_hip + v_trunk_attitude_omega_z * s_front_left_hip;
+    const Scalar z561 = z537 * z544;
+    const Scalar z562 = v_trunk_attitude_omega_y * s_front_left_hip - v_trunk_attitude_omega_z * c_front_left_hip;
+    const Scalar z563 = z541 * z544;
+    const Scalar z564 = z538 - n0_2 * z553 + n0_05 * z550;
+    const Scalar z565 = z533 - z540 * z559;
+    const Scalar z566 = z535 - z541 * z559;
+    const Scalar z567 = z536 + z545 * z559;
+    const Scalar z568 = n1 / z565;
+    const Scalar z569 = z541 * z563 + z542;
+    const Scalar z570 = z532 + z537 * z559;
+    const Scalar z571 = z537 * z563 - z547;
+    const Scalar z572 = z534 + z537 * z561;
+    const Scalar z573 = z545 * z544;
+    const Scalar z574 = z541 * z573 + z543;
+    const Scalar z575 = z545 * z573 + z546;
+    const Scalar z576 = z537 * z573 - z548;
+    const Scalar z577 = v_trunk_attitude_omega_x + v_front_left_hip;  // angular velocity of front_left_hip_link, x
+    const Scalar z578 = z549 + n0_2 * z550 - n0_05 * z555;
+    const Scalar z579 = v_front_left_hip * z560;  // angular acceleration of front_left_hip_link, z
+    const Scalar z580 = z560 * z577;
+    const Scalar z581 = z579 + z580;
+    const Scalar z582 = z556 + n0_2 * z557 + n0_05 * z558;
+    const Scalar z583 = s_front_left_hip * z578 - c_front_left_hip * z582;
+    const Scalar z584 = s_front_left_hip * z582 + c_front_left_hip * z578;
+    const Scalar z585 = z562 * z562;
+    const Scalar z586 = z577 * z577;
+    const Scalar z587 = z585 + z586;
+    const Scalar z588 = z566 * z568;
+    const Scalar z589 = z566 * z588 + z569;
+    const Scalar z590 = z570 * z588 - z571;
+    const Scalar z591 = z567 * z568;
+    const Scalar z592 = z566 * z591 - z574;
+    const Scalar z593 = z567 * z591 + z575;
+    const Scalar z594 = z570 * z591 + z576;
+    const Scalar z595 = z570 * z568;
+    const Scalar z596 = z570 * z595 + z572;
+    const Scalar z597 = z584 - n0_08 * z587;
+    const Scalar z598 = z560 * z562;
+    const Scalar z599 = z564 + n0_08 * z581;
+    const Scalar z600 = c_front_left_thigh * z577 + s_front_left_thigh * z562;
+    const Scalar z601 = z583 + n0_08 * z598;
+    const Scalar z602 = s_front_left_thigh * z577 - c_front_left_thigh * z562;
+    const Scalar z603 = s_front_left_thigh * z579;
+    const Scalar z604 = c_front_left_thigh * z579;
+    const Scalar z605 = s_front_left_thigh * z601 + c_front_left_thigh * z599;
+    const Scalar z606 = z17 * z589 + z20 * z592 + z22 * z590;
+    const Scalar z607 = z17 * z592 + z20 * z593 + z22 * z594;
+    const Scalar z608 = z17 * z590 + z20 * z594 + z22 * z596;
+    const Scalar z609 = z17 * z606 + z20 * z607 + z22 * z608;
+    const Scalar z610 = v_front_left_hip * z562;  // angular acceleration of front_left_hip_link, y
+    const Scalar z611 = z31 * z590 + z27 * z589 + z21 * z592;
+    const Scalar z612 = z28 * z590 + z32 * z589 + z23 * z592;
+    const Scalar z613 = n1 / z609;
+    const Scalar z614 = z31 * z596 + z27 * z590 + z21 * z594;
+    const Scalar z615 = z28 * z596 + z32 * z590 + z23 * z594;
+    const Scalar z616 = s_front_left_thigh * z599 - c_front_left_thigh * z601;
+    const Scalar z617 = v_front_left_thigh + z560;  // angular velocity of front_left_thigh_link, y
+    const Scalar z618 = z31 * z594 + z27 * z592 + z21 * z593;
+    const Scalar z619 = z28 * z594 + z32 * z592 + z23 * z593;
+    const Scalar z620 = v_front_left_thigh * z602 - z603;  // angular acceleration of front_left_thigh_link, x
+    const Scalar z621 = v_front_left_thigh * z600 - z604;  // angular acceleration of front_left_thigh_link, z
+    const Scalar z622 = z600 * z600;
+    const Scalar z623 = z617 * z617;
+    const Scalar z624 = z600 * z602;
+    const Scalar z625 = z602 * z617;
+    const Scalar z626 = z620 + z625;
+    const Scalar z627 = z17 * z611 + z20 * z618 + z22 * z614;
+    const Scalar z628 = z31 * z614 + z27 * z611 + z21 * z618;
+    const Scalar z629 = z28 * z614 + z32 * z611 + z23 * z618;
+    const Scalar z630 = z627 * z613;
+    const Scalar z631 = z628 - z627 * z630;
+    const Scalar z632 = z17 * z612 + z20 * z619 + z22 * z615;
+    const Scalar z633 = z28 * z615 + z32 * z612 + z23 * z619;
+    const Scalar z634 = z622 + z623;
+    const Scalar z635 = z632 * z630 - z629;
+    const Scalar z636 = n1 / z631;
+    const Scalar z637 = z605 - n0_2 * z624;
+    const Scalar z638 = s_front_left_knee * z602 - c_front_left_knee * z600;
+    const Scalar z639 = s_front_left_knee * z600 + c_front_left_knee * z602;
+    const Scalar z640 = s_front_left_knee * z620 - c_front_left_knee * z621;
+    const Scalar z641 = s_front_left_knee * z621 + c_front_left_knee * z620;
+    const Scalar z642 = z597 - n0_2 * z626;
+    const Scalar z643 = z632 * z613;
+    const Scalar z644 = z633 - z632 * z643;
+    const Scalar z645 = z616 + n0_2 * z634;
+    const Scalar z646 = s_front_left_knee * z645 - c_front_left_knee * z637;
+    const Scalar z647 = v_front_left_knee * z638 + z640;  // angular acceleration of front_left_shank_link, z
+    const Scalar z648 = v_front_left_knee * z639 + z641;  // angular acceleration of front_left_shank_link, x
+    const Scalar z649 = v_trunk_attitude_omega_y * c_front_right_hip + v_trunk_attitude_omega_z * s_front_right_hip;
+    const Scalar z650 = v_front_left_knee + z617;  // angular velocity of front_left_shank_link, y
+    const Scalar z651 = z635 * z636;
+    const Scalar z652 = z644 - z635 * z651;
+    const Scalar z653 = v_trunk_attitude_omega_y * s_front_right_hip - v_trunk_attitude_omega_z * c_front_right_hip;
+    const Scalar z654 = z538 - n0_2 * z553 - n0_05 * z550;
+    const Scalar z655 = n1 / z652;
+    const Scalar z656 = v_trunk_attitude_omega_y * c_rear_left_hip + v_trunk_attitude_omega_z * s_rear_left_hip;
+    const Scalar z657 = v_trunk_attitude_omega_x + v_rear_left_hip;  // angular velocity of rear_left_hip_link, x
+    const Scalar z658 = z549 - n0_2 * z550 - n0_05 * z555;
+    const Scalar z659 = v_trunk_attitude_omega_x + v_front_right_hip;  // angular velocity of front_right_hip_link, x
+    const Scalar z660 = v_rear_left_hip * z656;  // angular acceleration of rear_left_hip_link, z
+    const Scalar z661 = z656 * z657;
+    const Scalar z662 = z660 + z661;
+    const Scalar z663 = z549 + n0_2 * z550 + n0_05 * z555;
+    const Scalar z664 = z556 - n0_2 * z557 + n0_05 * z558;
+    const Scalar z665 = v_front_right_hip * z649;  // angular acceleration of front_right_hip_link, z
+    const Scalar z666 = z649 * z659;
+    const Scalar z667 = z665 + z666;
+    const Scalar z668 = v_trunk_attitude_omega_y * s_rear_left_hip - v_trunk_attitude_omega_z * c_rear_left_hip;
+    const Scalar z669 = z538 + n0_2 * z553 + n0_05 * z550;
+    const Scalar z670 = z556 + n0_2 * z557 - n0_05 * z558;
+    const Scalar z671 = s_rear_left_hip * z658 - c_rear_left_hip * z664;
+    const Scalar z672 = s_rear_left_hip * z664 + c_rear_left_hip * z658;
+    const Scalar z673 = z656 * z668;
+    const Scalar z674 = c_rear_left_thigh * z657 + s_rear_left_thigh * z668;
+    const Scalar z675 = s_front_right_hip * z663 - c_front_right_hip * z670;
+    const Scalar z676 = s_front_right_hip * z670 + c_front_right_hip * z663;
+    const Scalar z677 = z669 + n0_08 * z662;
+    const Scalar z678 = z649 * z653;
+    const Scalar z679 = v_front_right_thigh + z649;  // angular velocity of front_right_thigh_link, y
+    const Scalar z680 = z654 - n0_08 * z667;
+    const Scalar z681 = z671 + n0_08 * z673;
+    const Scalar z682 = c_front_right_thigh * z659 + s_front_right_thigh * z653;
+    const Scalar z683 = z675 - n0_08 * z678;
+    const Scalar z684 = z682 * z682;
+    const Scalar z685 = z679 * z679;
+    const Scalar z686 = s_rear_left_thigh * z657 - c_rear_left_thigh * z668;
+    const Scalar z687 = z684 + z685;
+    const Scalar z688 = s_rear_left_thigh * z660;
+    const Scalar z689 = c_rear_left_thigh * z660;
+    const Scalar z690 = s_front_right_thigh * z659 - c_front_right_thigh * z653;
+    const Scalar z691 = s_front_right_thigh * z665;
+    const Scalar z692 = c_front_right_thigh * z665;
+    const Scalar z693 = v_front_right_thigh * z690 - z691;  // angular acceleration of front_right_thigh_link, x
+    const Scalar z694 = v_front_right_thigh * z682 - z692;  // angular acceleration of front_right_thigh_link, z
+    const Scalar z695 = s_front_right_thigh * z680 - c_front_right_thigh * z683;
+    const Scalar z696 = s_front_right_thigh * z683 + c_front_right_thigh * z680;
+    const Scalar z697 = z695 + n0_2 * z687;
+    const Scalar z698 = z682 * z690;
+    const Scalar z699 = z668 * z668;
+    const Scalar z700 = z657 * z657;
+    const Scalar z701 = z699 + z700;
+    const Scalar z702 = z653 * z653;
+    const Scalar z703 = z659 * z659;
+    const Scalar z704 = z702 + z703;
+    const Scalar z705 = z696 - n0_2 * z698;
+    const Scalar z706 = s_front_right_knee * z697 - c_front_right_knee * z705;
+    const Scalar z707 = z672 - n0_08 * z701;
+    const Scalar z708 = z676 + n0_08 * z704;
+    const Scalar z709 = z690 * z679;
+    const Scalar z710 = z693 + z709;
+    const Scalar z711 = s_front_right_knee * z690 - c_front_right_knee * z682;
+    const Scalar z712 = s_front_right_knee * z682 + c_front_right_knee * z690;
+    const Scalar z713 = s_front_right_knee * z693 - c_front_right_knee * z694;
+    const Scalar z714 = s_front_right_knee * z694 + c_front_right_knee * z693;
+    const Scalar z715 = v_front_right_knee * z711 + z713;  // angular acceleration of front_right_shank_link, z
+    const Scalar z716 = v_front_right_knee * z712 + z714;  // angular acceleration of front_right_shank_link, x
+    const Scalar z717 = v_front_right_knee + z679;  // angular velocity of front_right_shank_link, y
+    const Scalar z718 = z708 - n0_2 * z710;
+    const Scalar z719 = v_rear_left_hip * z668;  // angular acceleration of rear_left_hip_link, y
+    const Scalar z720 = v_front_right_hip * z653;  // angular acceleration of front_right_hip_link, y
+    const Scalar z721 = z549 - n0_2 * z550 + n0_05 * z555;
+    const Scalar z722 = z538 + n0_2 * z553 - n0_05 * z550;
+    const Scalar z723 = v_rear_left_thigh + z656;  // angular velocity of rear_left_thigh_link, y
+    const Scalar z724 = v_rear_left_thigh * z686 - z688;  // angular acceleration of rear_left_thigh_link, x
+    const Scalar z725 = v_rear_left_thigh * z674 - z689;  // angular acceleration of rear_left_thigh_link, z
+    const Scalar z726 = v_trunk_attitude_omega_y * c_rear_right_hip + v_trunk_attitude_omega_z * s_rear_right_hip;
+    const Scalar z727 = v_trunk_attitude_omega_x + v_rear_right_hip;  // angular velocity of rear_right_hip_link, x
+    const Scalar z728 = v_rear_right_hip * z726;  // angular acceleration of rear_right_hip_link, z
+    const Scalar z729 = z726 * z727;
+    const Scalar z730 = z556 - n0_2 * z557 - n0_05 * z558;
+    const Scalar z731 = z728 + z729;
+    const Scalar z732 = v_trunk_attitude_omega_y * s_rear_right_hip - v_trunk_attitude_omega_z * c_rear_right_hip;
+    const Scalar z733 = s_rear_right_hip * z721 - c_rear_right_hip * z730;
+    const Scalar z734 = s_rear_right_hip * z730 + c_rear_right_hip * z721;
+    const Scalar z735 = z726 * z732;
+    const Scalar z736 = v_rear_right_thigh + z726;  // angular velocity of rear_right_thigh_link, y
+    const Scalar z737 = z722 - n0_08 * z731;
+    const Scalar z738 = c_rear_right_thigh * z727 + s_rear_right_thigh * z732;
+    const Scalar z739 = z733 - n0_08 * z735;
+    const Scalar z740 = z738 * z738;
+    const Scalar z741 = z736 * z736;
+    const Scalar z742 = s_rear_right_thigh * z727 - c_rear_right_thigh * z732;
+    const Scalar z743 = z740 + z741;
+    const Scalar z744 = s_rear_right_thigh * z728;
+    const Scalar z745 = c_rear_right_thigh * z728;
+    const Scalar z746 = v_rear_right_thigh * z742 - z744;  // angular acceleration of rear_right_thigh_link, x
+    const Scalar z747 = v_rear_right_thigh * z738 - z745;  // angular acceleration of rear_right_thigh_link, z
+    const Scalar z748 = s_rear_right_thigh * z737 - c_rear_right_thigh * z739;
+    const Scalar z749 = s_rear_right_thigh * z739 + c_rear_right_thigh * z737;
+    const Scalar z750 = z674 * z674;
+    const Scalar z751 = z723 * z723;
+    const Scalar z752 = z750 + z751;
+    const Scalar z753 = z738 * z742;
+    const Scalar z754 = s_rear_left_thigh * z677 - c_rear_left_thigh * z681;
+    const Scalar z755 = s_rear_left_thigh * z681 + c_rear_left_thigh * z677;
+    const Scalar z756 = z748 + n0_2 * z743;
+    const Scalar z757 = z754 + n0_2 * z752;
+    const Scalar z758 = z732 * z732;
+    const Scalar z759 = z727 * z727;
+    const Scalar z760 = z758 + z759;
+    const Scalar z761 = z674 * z686;
+    const Scalar z762 = z749 - n0_2 * z753;
+    const Scalar z763 = s_rear_right_knee * z756 - c_rear_right_knee * z762;
+    const Scalar z764 = z734 + n0_08 * z760;
+    const Scalar z765 = z742 * z736;
+    const Scalar z766 = z746 + z765;
+    const Scalar z767 = z755 - n0_2 * z761;
+    const Scalar z768 = s_rear_left_knee * z757 - c_rear_left_knee * z767;
+    const Scalar z769 = s_rear_right_knee * z742 - c_rear_right_knee * z738;
+    const Scalar z770 = s_rear_right_knee * z738 + c_rear_right_knee * z742;
+    const Scalar z771 = s_rear_right_knee * z746 - c_rear_right_knee * z747;
+    const Scalar z772 = s_rear_right_knee * z747 + c_rear_right_knee * z746;
+    const Scalar z773 = v_rear_right_knee * z770 + z772;  // angular acceleration of rear_right_shank_link, x
+    const Scalar z774 = v_rear_right_knee + z736;  // angular velocity of rear_right_shank_link, y
+    const Scalar z775 = z686 * z723;
+    const Scalar z776 = v_rear_right_knee * z769 + z771;  // angular acceleration of rear_right_shank_link, z
+    const Scalar z777 = z724 + z775;
+    const Scalar z778 = z769 * z770;
+    const Scalar z779 = z770 * z774;
+    const Scalar z780 = z773 + z779;
+    const Scalar z781 = s_rear_left_knee * z686 - c_rear_left_knee * z674;
+    const Scalar z782 = s_rear_left_knee * z674 + c_rear_left_knee * z686;
+    const Scalar z783 = s_rear_left_knee * z724 - c_rear_left_knee * z725;
+    const Scalar z784 = s_rear_left_knee * z725 + c_rear_left_knee * z724;
+    const Scalar z785 = v_rear_left_knee * z781 + z783;  // angular acceleration of rear_left_shank_link, z
+    const Scalar z786 = v_rear_left_knee * z782 + z784;  // angular acceleration of rear_left_shank_link, x
+    const Scalar z787 = z769 * z774;
+    const Scalar z788 = z776 + z787;
+    const Scalar z789 = z769 * z769;
+    const Scalar z790 = z774 * z774;
+    const Scalar z791 = z789 + z790;
+    const Scalar z792 = v_rear_left_knee + z723;  // angular velocity of rear_left_shank_link, y
+    const Scalar z793 = z764 - n0_2 * z766;
+    const Scalar z794 = z707 - n0_2 * z777;
+    const Scalar z795 = z738 * z736;
+    const Scalar z796 = z747 + z795;
+    const Scalar z797 = n0_032 * z763 - k0 * z778;
+    const Scalar z798 = n0_032 * z778;
+    const Scalar z799 = k20 * z788;
+    const Scalar z800 = z109 - z797;
+    const Scalar z801 = n0_032 * z791;
+    const Scalar z802 = n0_032 * z793 - k21 * z780;
+    const Scalar z803 = z798 - k22 * z800;
+    const Scalar z804 = n0_032 * z780;
+    const Scalar z805 = k23 * z800;
+    const Scalar z806 = c_rear_right_knee * z799 + s_rear_right_knee * z802;
+    const Scalar z807 = s_rear_right_knee * z799 - c_rear_right_knee * z802;
+    const Scalar z808 = s_rear_right_knee * z801 + c_rear_right_knee * z803;
+    const Scalar z809 = s_rear_right_knee * z803 - c_rear_right_knee * z801;
+    const Scalar z810 = v_rear_right_hip * z732;  // angular acceleration of rear_right_hip_link, y
+    const Scalar z811 = z674 * z723;
+    const Scalar z812 = z806 - n0_0002 * z796;
+    const Scalar z813 = z725 + z811;
+    const Scalar z814 = z109 - n0_124 * z749 + k7 * z753 - n0_2 * z808;
+    const Scalar z815 = n0_124 * z764 - k25 * z766 - n0_2 * z804 - z807;
+    const Scalar z816 = n0_124 * z753 - z808;
+    const Scalar z817 = n0_124 * z743 - z809;
+    const Scalar z818 = z732 * z727;
+    const Scalar z819 = n0_124 * z766 + z804;
+    const Scalar z820 = n0_1048 * z760 - z819;
+    const Scalar z821 = z112 - z814;
+    const Scalar z822 = z136 * z821 + z816;
+    const Scalar z823 = z137 * z821 - z817;
+    const Scalar z824 = z135 * z821;
+    const Scalar z825 = z668 * z657;
+    const Scalar z826 = z810 + z818;
+    const Scalar z827 = z112 - n0_0002 * z826;
+    const Scalar z828 = z781 * z782;
+    const Scalar z829 = z782 * z792;
+    const Scalar z830 = z786 + z829;
+    const Scalar z831 = n0_032 * z768 - k0 * z828;
+    const Scalar z832 = n0_032 * z828;
+    const Scalar z833 = z781 * z792;
+    const Scalar z834 = z785 + z833;
+    const Scalar z835 = z781 * z781;
+    const Scalar z836 = z792 * z792;
+    const Scalar z837 = z835 + z836;
+    const Scalar z838 = z110 - z831;
+    const Scalar z839 = n0_032 * z794 - k21 * z830;
+    const Scalar z840 = k20 * z834;
+    const Scalar z841 = n0_032 * z837;
+    const Scalar z842 = z832 - k22 * z838;
+    const Scalar z843 = n0_032 * z830;
+    const Scalar z844 = k23 * z838;
+    const Scalar z845 = c_rear_left_knee * z840 + s_rear_left_knee * z839;
+    const Scalar z846 = s_rear_left_knee * z840 - c_rear_left_knee * z839;
+    const Scalar z847 = s_rear_left_knee * z841 + c_rear_left_knee * z842;
+    const Scalar z848 = s_rear_left_knee * z842 - c_rear_left_knee * z841;
+    const Scalar z849 = z845 - n0_0002 * z813;
+    const Scalar z850 = n0_124 * z707 - k25 * z777 - n0_2 * z843 - z846;
+    const Scalar z851 = z110 - n0_124 * z755 + k7 * z761 - n0_2 * z847;
+    const Scalar z852 = n0_124 * z761 - z847;
+    const Scalar z853 = n0_124 * z752 - z848;
+    const Scalar z854 = n0_124 * z777 + z843;
+    const Scalar z855 = z113 - z851;
+    const Scalar z856 = z177 * z855 + z852;
+    const Scalar z857 = z179 * z855 - z853;
+    const Scalar z858 = z175 * z855;
+    const Scalar z859 = s_rear_right_thigh * z812 - c_rear_right_thigh * z815;
+    const Scalar z860 = s_rear_right_thigh * z815 + c_rear_right_thigh * z812;
+    const Scalar z861 = s_rear_left_thigh * z849 - c_rear_left_thigh * z850;
+    const Scalar z862 = s_rear_left_thigh * z850 + c_rear_left_thigh * z849;
+    const Scalar z863 = s_rear_right_thigh * z822 - c_rear_right_thigh * z823;
+    const Scalar z864 = s_rear_right_thigh * z823 + c_rear_right_thigh * z822;
+    const Scalar z865 = n0_1048 * z733 - z859 - k26 * z735 - n0_08 * z863;
+    const Scalar z866 = n0_1048 * z722 - z860 - k27 * z731 - n0_08 * z864;
+    const Scalar z867 = n0_1048 * z735 + z863;
+    const Scalar z868 = n0_1048 * z701 + z854;
+    const Scalar z869 = n0_1048 * z731 + z864;
+    const Scalar z870 = z125 - z865;
+    const Scalar z871 = z719 + z825;
+    const Scalar z872 = z113 - n0_0002 * z871;
+    const Scalar z873 = z164 * z870 + z866;
+    const Scalar z874 = z168 * z870 - z820;
+    const Scalar z875 = z170 * z870 - z867;
+    const Scalar z876 = z166 * z870 + z869;
+    const Scalar z877 = z162 * z870;
+    const Scalar z878 = z711 * z712;
+    const Scalar z879 = s_rear_left_thigh * z856 - c_rear_left_thigh * z857;
+    const Scalar z880 = s_rear_left_thigh * z857 + c_rear_left_thigh * z856;
+    const Scalar z881 = z861 + n0_1048 * z671 + k26 * z673 - n0_08 * z879;
+    const Scalar z882 = z862 + n0_1048 * z669 + k27 * z662 - n0_08 * z880;
+    const Scalar z883 = n0_1048 * z673 - z879;
+    const Scalar z884 = n0_1048 * z662 - z880;
+    const Scalar z885 = z127 + z881;
+    const Scalar z886 = z248 * z885 - z882;
+    const Scalar z887 = z247 * z885 + z868;
+    const Scalar z888 = z246 * z885 - z883;
+    const Scalar z889 = z257 * z885 + z884;
+    const Scalar z890 = z236 * z885;
+    const Scalar z891 = s_rear_right_hip * z827 + c_rear_right_hip * z873;
+    const Scalar z892 = s_rear_right_hip * z873 - c_rear_right_hip * z827;
+    const Scalar z893 = s_rear_left_hip * z872 + c_rear_left_hip * z886;
+    const Scalar z894 = s_rear_left_hip * z886 - c_rear_left_hip * z872;
+    const Scalar z895 = s_rear_right_hip * z875 - c_rear_right_hip * z874;
+    const Scalar z896 = s_rear_right_hip * z874 + c_rear_right_hip * z875;
+    const Scalar z897 = z682 * z679;
+    const Scalar z898 = z694 + z897;
+    const Scalar z899 = z653 * z659;
+    const Scalar z900 = z712 * z717;
+    const Scalar z901 = z716 + z900;
+    const Scalar z902 = n0_032 * z706 - k0 * z878;
+    const Scalar z903 = n0_032 * z878;
+    const Scalar z904 = z111 - z902;
+    const Scalar z905 = n0_032 * z718 - k21 * z901;
+    const Scalar z906 = n0_032 * z901;
+    const Scalar z907 = z903 - k22 * z904;
+    const Scalar z908 = z720 + z899;
+    const Scalar z909 = z114 - n0_0002 * z908;
+    const Scalar z910 = k23 * z904;
+    const Scalar z911 = z711 * z717;
+    const Scalar z912 = z715 + z911;
+    const Scalar z913 = z711 * z711;
+    const Scalar z914 = z717 * z717;
+    const Scalar z915 = z913 + z914;
+    const Scalar z916 = z638 * z639;
+    const Scalar z917 = n0_124 * z710 + z906;
+    const Scalar z918 = n0_1048 * z704 - z917;
+    const Scalar z919 = k20 * z912;
+    const Scalar z920 = n0_032 * z915;
+    const Scalar z921 = s_rear_left_hip * z888 + c_rear_left_hip * z887;
+    const Scalar z922 = s_rear_left_hip * z887 - c_rear_left_hip * z888;
+    const Scalar z923 = z600 * z617;
+    const Scalar z924 = z639 * z650;
+    const Scalar z925 = z648 + z924;
+    const Scalar z926 = n0_032 * z646 - k0 * z916;
+    const Scalar z927 = n0_032 * z916;
+    const Scalar z928 = z99 - z926;
+    const Scalar z929 = n0_032 * z642 - k21 * z925;
+    const Scalar z930 = n0_032 * z925;
+    const Scalar z931 = z927 - k22 * z928;
+    const Scalar z932 = k23 * z928;
+    const Scalar z933 = z638 * z650;
+    const Scalar z934 = z647 + z933;
+    const Scalar z935 = z638 * z638;
+    const Scalar z936 = z650 * z650;
+    const Scalar z937 = z935 + z936;
+    const Scalar z938 = c_front_right_knee * z919 + s_front_right_knee * z905;
+    const Scalar z939 = s_front_right_knee * z919 - c_front_right_knee * z905;
+    const Scalar z940 = n0_124 * z708 - k25 * z710 - n0_2 * z906 - z939;
+    const Scalar z941 = z938 - n0_0002 * z898;
+    const Scalar z942 = k20 * z934;
+    const Scalar z943 = n0_032 * z937;
+    const Scalar z944 = s_front_right_knee * z920 + c_front_right_knee * z907;
+    const Scalar z945 = z621 + z923;
+    const Scalar z946 = z111 - n0_124 * z696 + k7 * z698 - n0_2 * z944;
+    const Scalar z947 = s_front_right_knee * z907 - c_front_right_knee * z920;
+    const Scalar z948 = n0_124 * z698 - z944;
+    const Scalar z949 = z114 - z946;
+    const Scalar z950 = n0_124 * z687 - z947;
+    const Scalar z951 = z329 * z949 + z948;
+    const Scalar z952 = z328 * z949;
+    const Scalar z953 = z330 * z949 - z950;
+    const Scalar z954 = z562 * z577;
+    const Scalar z955 = c_front_left_knee * z942 + s_front_left_knee * z929;
+    const Scalar z956 = s_front_left_knee * z942 - c_front_left_knee * z929;
+    const Scalar z957 = z955 - n0_0002 * z945;
+    const Scalar z958 = n0_124 * z597 - k25 * z626 - n0_2 * z930 - z956;
+    const Scalar z959 = n0_124 * z626 + z930;
+    const Scalar z960 = s_front_left_knee * z943 + c_front_left_knee * z931;
+    const Scalar z961 = z99 - n0_124 * z605 + k7 * z624 - n0_2 * z960;
+    const Scalar z962 = s_front_left_knee * z931 - c_front_left_knee * z943;
+    const Scalar z963 = n0_124 * z624 - z960;
+    const Scalar z964 = n0_124 * z634 - z962;
+    const Scalar z965 = z121 - z961;
+    const Scalar z966 = z396 * z965 + z963;
+    const Scalar z967 = z389 * z965;
+    const Scalar z968 = z404 * z965 - z964;
+    const Scalar z969 = s_front_right_thigh * z941 - c_front_right_thigh * z940;
+    const Scalar z970 = s_front_right_thigh * z940 + c_front_right_thigh * z941;
+    const Scalar z971 = s_front_left_thigh * z957 - c_front_left_thigh * z958;
+    const Scalar z972 = s_front_left_thigh * z958 + c_front_left_thigh * z957;
+    const Scalar z973 = s_front_right_thigh * z951 - c_front_right_thigh * z953;
+    const Scalar z974 = s_front_right_thigh * z953 + c_front_right_thigh * z951;
+    const Scalar z975 = n0_1048 * z675 - z969 - k26 * z678 - n0_08 * z973;
+    const Scalar z976 = n0_1048 * z654 - z970 - k27 * z667 - n0_08 * z974;
+    const Scalar z977 = n0_1048 * z678 + z973;
+    const Scalar z978 = n0_1048 * z667 + z974;
+    const Scalar z979 = n0_1048 * z587 + z959;
+    const Scalar z980 = z131 - z975;
+    const Scalar z981 = z610 + z954;
+    const Scalar z982 = z121 - n0_0002 * z981;
+    const Scalar z983 = z352 * z980 + z976;
+    const Scalar z984 = z354 * z980 - z918;
+    const Scalar z985 = z355 * z980 - z977;
+    const Scalar z986 = z353 * z980 + z978;
+    const Scalar z987 = z351 * z980;
+    const Scalar z988 = s_front_left_thigh * z966 - c_front_left_thigh * z968;
+    const Scalar z989 = s_front_left_thigh * z968 + c_front_left_thigh * z966;
+    const Scalar z990 = z971 + n0_1048 * z583 + k26 * z598 - n0_08 * z988;
+    const Scalar z991 = z972 + n0_1048 * z564 + k27 * z581 - n0_08 * z989;
+    const Scalar z992 = n0_1048 * z598 - z988;
+    const Scalar z993 = n0_1048 * z581 - z989;
+    const Scalar z994 = z133 + z990;
+    const Scalar z995 = z456 * z994 - z991;
+    const Scalar z996 = z458 * z994 + z979;
+    const Scalar z997 = z459 * z994 - z992;
+    const Scalar z998 = z457 * z994 + z993;
+    const Scalar z999 = z454 * z994;
+    const Scalar z1000 = n12_24 * z538 - z876 + z889 - z986 + z998;
+    const Scalar z1001 = s_front_right_hip * z909 + c_front_right_hip * z983;
+    const Scalar z1002 = s_front_right_hip * z983 - c_front_right_hip * z909;
+    const Scalar z1003 = s_front_left_hip * z982 + c_front_left_hip * z995;
+    const Scalar z1004 = s_front_left_hip * z995 - c_front_left_hip * z982;
+    const Scalar z1005 = s_front_right_hip * z985 - c_front_right_hip * z984;
+    const Scalar z1006 = s_front_right_hip * z984 + c_front_right_hip * z985;
+    const Scalar z1007 = s_front_left_hip * z997 + c_front_left_hip * z996;
+    const Scalar z1008 = n0_2948 * z550 + z891 + z893 + z1001 + z1003 - n0_05 * (z876 + z889 + z986 + z998) - n0_2
+        * (z895 - z921 - z1005 + z1007);
+    const Scalar z1009 = n12_24 * z549 + z895 - z921 + z1005 - z1007;
+    const Scalar z1010 = s_front_left_hip * z996 - c_front_left_hip * z997;
+    const Scalar z1011 = n0_0306 * z558 + z133 + z131 + z127 + z125 + n0_05 * (z896 - z922 + z1006 - z1010);
+    const Scalar z1012 = n0_3254 * z557 + z892 + z894 + z1002 + z1004 + n0_2 * (z896 + z922 - z1006 - z1010);
+    const Scalar z1013 = n12_24 * z556 - z896 - z922 - z1006 - z1010;
+    const Scalar z1014 = z527 * z1008 + z1011;
+    const Scalar z1015 = z528 * z1008 + z1012;
+    const Scalar z1016 = z529 * z1008 + z1000;
+    const Scalar z1017 = z530 * z1008 + z1009;
+    const Scalar z1018 = z531 * z1008 - z1013;
+    const Scalar z1019 = z521 * z1008;
+    const Scalar z1020 = z559 * z1015 + z1014;
+    const Scalar z1021 = z561 * z1015 - z1016;
+    const Scalar z1022 = z563 * z1015 + z1017;
+    const Scalar z1023 = z573 * z1015 + z1018;
+    const Scalar z1024 = z544 * z1015;
+    const Scalar z1025 = z595 * z1020 + z1021;
+    const Scalar z1026 = z588 * z1020 - z1022;
+    const Scalar z1027 = z591 * z1020 + z1023;
+    const Scalar z1028 = z568 * z1020;
+    const Scalar z1029 = z28 * z1025 + z32 * z1026 + z23 * z1027;
+    const Scalar z1030 = z31 * z1025 + z27 * z1026 + z21 * z1027;
+    const Scalar z1031 = z17 * z1026 + z20 * z1027 + z22 * z1025;
+    const Scalar z1032 = z613 * z1031;
+    const Scalar z1033 = z643 * z1031 - z1029;
+    const Scalar z1034 = z630 * z1031 - z1030;
+    const Scalar z1035 = z636 * z1034;
+    const Scalar z1036 = z651 * z1034 + z1033;
+    const Scalar z1037 = z655 * z1036;
+    const Scalar z1038 = z651 * z1037 + z1035;
+    const Scalar z1039 = z1032 + z643 * z1037 + z630 * z1038;
+    const Scalar z1040 = z28 * z1037 + z31 * z1038 - z22 * z1039;
+    const Scalar z1041 = z32 * z1037 + z27 * z1038 - z17 * z1039;
+    const Scalar z1042 = z23 * z1037 + z21 * z1038 - z20 * z1039;
+    const Scalar z1043 = z1028 + z595 * z1040 + z588 * z1041 + z591 * z1042;
+    const Scalar z1044 = z1024 + z561 * z1040 - z563 * z1041 + z573 * z1042 + z559 * z1043;
+    const Scalar z1045 = z1019 - z529 * z1040 - z530 * z1041 + z531 * z1042 + z527 * z1043 + z528 * z1044;
+    const Scalar z1046 = z1042 - n0_05 * z1043 - n0_2 * z1044;
+    const Scalar z1047 = z1042 + n0_05 * z1043 - n0_2 * z1044;
+    const Scalar z1048 = z1042 - n0_05 * z1043 + n0_2 * z1044;
+    const Scalar z1049 = z1042 + n0_05 * z1043 + n0_2 * z1044;
+    const Scalar z1050 = z1040 + n0_05 * z1045;
+    const Scalar z1051 = z1041 - n0_2 * z1045;
+    const Scalar z1052 = s_front_left_hip * z1045 - c_front_left_hip * z1044;
+    const Scalar z1053 = s_front_left_hip * z1044 + c_front_left_hip * z1045;
+    const Scalar z1054 = z1040 - n0_05 * z1045;
+    const Scalar z1055 = s_front_right_hip * z1045 - c_front_right_hip * z1044;
+    const Scalar z1056 = s_front_right_hip * z1044 + c_front_right_hip * z1045;
+    const Scalar z1057 = z1041 + n0_2 * z1045;
+    const Scalar z1058 = s_rear_left_hip * z1045 - c_rear_left_hip * z1044;
+    const Scalar z1059 = s_rear_left_hip * z1044 + c_rear_left_hip * z1045;
+    const Scalar z1060 = s_rear_right_hip * z1044 + c_rear_right_hip * z1045;
+    const Scalar z1061 = s_rear_right_hip * z1045 - c_rear_right_hip * z1044;
+    const Scalar z1062 = s_front_left_hip * z1046 + c_front_left_hip * z1051;
+    const Scalar z1063 = s_front_left_hip * z1051 - c_front_left_hip * z1046;
+    const Scalar z1064 = s_front_right_hip * z1047 + c_front_right_hip * z1051;
+    const Scalar z1065 = s_front_right_hip * z1051 - c_front_right_hip * z1047;
+    const Scalar z1066 = z999 + z456 * z1053 - z457 * z1050 + z458 * z1062 + z459 * z1063;
+    const Scalar z1067 = z987 + z352 * z1056 + z353 * z1054 + z354 * z1064 - z355 * z1065;
+    const Scalar z1068 = z1050 + n0_08 * z1053;
+    const Scalar z1069 = z1054 - n0_08 * z1056;
+    const Scalar z1070 = z1063 - n0_08 * z1066;
+    const Scalar z1071 = z1043 + z1066;
+    const Scalar z1072 = z1065 + n0_08 * z1067;
+    const Scalar z1073 = z1043 + z1067;
+    const Scalar z1074 = s_rear_left_hip * z1048 + c_rear_left_hip * z1057;
+    const Scalar z1075 = s_rear_left_hip * z1057 - c_rear_left_hip * z1048;
+    const Scalar z1076 = z890 + z248 * z1059 - z257 * z1050 + z247 * z1074 + z246 * z1075;
+    const Scalar z1077 = z1050 + n0_08 * z1059;
+    const Scalar z1078 = s_rear_right_hip * z1049 + c_rear_right_hip * z1057;
+    const Scalar z1079 = s_rear_right_hip * z1057 - c_rear_right_hip * z1049;
+    const Scalar z1080 = z877 + z164 * z1060 + z166 * z1054 + z168 * z1078 - z170 * z1079;
+    const Scalar z1081 = z1054 - n0_08 * z1060;
+    const Scalar z1082 = z1075 - n0_08 * z1076;
+    const Scalar z1083 = z1043 + z1076;
+    const Scalar z1084 = z1043 + z1080;
+    const Scalar z1085 = z1079 + n0_08 * z1080;
+    const Scalar z1086 = c_front_left_thigh * z1068 + s_front_left_thigh * z1070;
+    const Scalar z1087 = s_front_left_thigh * z1068 - c_front_left_thigh * z1070;
+    const Scalar z1088 = z967 + z396 * z1086 + z404 * z1087;
+    const Scalar z1089 = c_front_right_thigh * z1069 + s_front_right_thigh * z1072;
+    const Scalar z1090 = s_front_right_thigh * z1069 - c_front_right_thigh * z1072;
+    const Scalar z1091 = z952 + z329 * z1089 + z330 * z1090;
+    const Scalar z1092 = z1086 - n0_2 * z1088;
+    const Scalar z1093 = z1052 + z1088;
+    const Scalar z1094 = c_rear_left_thigh * z1077 + s_rear_left_thigh * z1082;
+    const Scalar z1095 = z610 + z1093;  // acceleration of joint front_left_thigh_link
+    const Scalar z1096 = s_rear_left_thigh * z1077 - c_rear_left_thigh * z1082;
+    const Scalar z1097 = z858 + z177 * z1094 + z179 * z1096;
+    const Scalar z1098 = s_front_left_knee * z1087 - c_front_left_knee * z1092;
+    const Scalar z1099 = z932 - k22 * z1098;
+    const Scalar z1100 = z1089 - n0_2 * z1091;
+    const Scalar z1101 = s_front_right_knee * z1090 - c_front_right_knee * z1100;
+    const Scalar z1102 = z1094 - n0_2 * z1097;
+    const Scalar z1103 = z1088 - z1099;
+    const Scalar z1104 = c_rear_right_thigh * z1081 + s_rear_right_thigh * z1085;
+    const Scalar z1105 = s_rear_right_thigh * z1081 - c_rear_right_thigh * z1085;
+    const Scalar z1106 = z824 + z136 * z1104 + z137 * z1105;
+    const Scalar z1107 = s_rear_left_knee * z1096 - c_rear_left_knee * z1102;
+    const Scalar z1108 = z1055 + z1091;
+    const Scalar z1109 = z910 - k22 * z1101;
+    const Scalar z1110 = z1058 + z1097;
+    const Scalar z1111 = z844 - k22 * z1107;
+    const Scalar z1112 = z1104 - n0_2 * z1106;
+    const Scalar z1113 = z1061 + z1106;
+    const Scalar z1114 = z720 + z1108;  // acceleration of joint front_right_thigh_link
+    const Scalar z1115 = z1091 - z1109;
+    const Scalar z1116 = z719 + z1110;  // acceleration of joint rear_left_thigh_link
+    const Scalar z1117 = z1097 - z1111;
+    const Scalar z1118 = z810 + z1113;  // acceleration of joint rear_right_thigh_link
+    const Scalar z1119 = s_rear_right_knee * z1105 - c_rear_right_knee * z1112;
+    const Scalar z1120 = z805 - k22 * z1119;
+    const Scalar z1121 = z1106 - z1120;
+    accelerations.trunk_x = z1037;
+    accelerations.trunk_y = z1038;
+    accelerations.trunk_z = -z1039;
+    accelerations.trunk_attitude_omega_x = -z1043;
+    accelerations.trunk_attitude_omega_y = z1044;
+    accelerations.trunk_attitude_omega_z = -z1045;
+    accelerations.front_left_hip = z1071;
+    accelerations.front_left_thigh = z1095;
+    accelerations.front_left_knee = -z1103;
+    accelerations.front_right_hip = z1073;
+    accelerations.front_right_thigh = z1114;
+    accelerations.front_right_knee = -z1115;
+    accelerations.rear_left_hip = z1083;
+    accelerations.rear_left_thigh = z1116;
+    accelerations.rear_left_knee = -z1117;
+    accelerations.rear_right_hip = z1084;
+    accelerations.rear_right_thigh = z1118;
+    accelerations.rear_right_knee = -z1121;
+    if (!(traits::regular(z134, z134) && traits::regular(z156, z156) && traits::regular(z171, z171)
+        && traits::regular(z231, z231) && traits::regular(z319, z319) && traits::regular(z349, z349)
+        && traits::regular(z386, z386) && traits::regular(z452, z452) && traits::regular(z511, z511)
+        && traits::regular(z539, z539) && traits::regular(z565, z565) && traits::regular(-z609, -z609)
+        && traits::regular(-z631, -z631) && traits::regular(-z652, -z652))) return torsor::Status::singular;
     // 0 x is 0 for every finite x and not a number for any other.
     const Scalar zero = (n0 * accelerations.trunk_x * accelerations.trunk_y * accelerations.trunk_z
         * accelerations.trunk_attitude_omega_x * accelerations.trunk_attitude_omega_y
@@ -5264,6 +4873,13 @@ struct Mechanism {
         * accelerations.rear_right_knee);
     if (!traits::regular(n1, zero)) return torsor::Status::not_finite;
     return torsor::Status::ok;
+  }
+
+  /// The same for this mechanism, which has nothing in the arguments left out.
+  TORSOR_DEVICE static torsor::Status forward_dynamics(const Precomputed& precomputed, const State& state,
+      const Inputs& inputs, Accelerations& accelerations) noexcept {
+    Multipliers multipliers{};
+    return forward_dynamics(precomputed, state, inputs, accelerations, multipliers);
   }
 
   /// Kinetic energy, force function (potential energy = -U) and power of what has no force function.
@@ -5673,6 +5289,25 @@ struct Mechanism {
         * (u_rear_left_thigh_torque - z291) + v_rear_left_knee * (u_rear_left_knee_torque - z292) + v_rear_right_hip
         * (u_rear_right_hip_torque - z293) + v_rear_right_thigh * (u_rear_right_thigh_torque - z294) + v_rear_right_knee
         * (u_rear_right_knee_torque - z295);
+  }
+
+  /// A kernel with all its arguments.
+  template <class Code, class... Arguments>
+  using KernelFunction = Code (*)(const Precomputed&, const State&, Arguments...) noexcept;
+
+  /// Calls visitor(description, function) for each kernel: whatever walks them meets a new one by itself.
+  template <class Visitor>
+  static constexpr void for_each_kernel(Visitor&& visitor) {
+    static_cast<void>(visitor);
+    visitor(Description::kernels[0], KernelFunction<void, std::array<Scalar, 19>&>(coordinate_rates));
+    visitor(Description::kernels[1], KernelFunction<void, Kinematics&>(kinematics));
+    visitor(Description::kernels[2], KernelFunction<void, std::array<Scalar, 324>&>(mass_matrix));
+    visitor(Description::kernels[3], KernelFunction<void, GeneralizedForces&>(bias));
+    visitor(Description::kernels[4],
+        KernelFunction<void, const Accelerations&, const Multipliers&, GeneralizedForces&>(inverse_dynamics));
+    visitor(Description::kernels[5],
+        KernelFunction<torsor::Status, const Inputs&, Accelerations&, Multipliers&>(forward_dynamics));
+    visitor(Description::kernels[6], KernelFunction<void, const Inputs&, Energy&>(energy));
   }
 };
 

@@ -10,12 +10,12 @@
 // costs, one multiplication for each result and for each pivot tested); before: without products that sums
 // share, factoring, and what is done once for a set of parameters:
 //   function          additions  multiplications  divisions  square roots  sine-cosine pairs  others  total  before
-//   mass_matrix              88              131          0             0                  4       0    227     232
-//   forward_dynamics       1098             1467         26             2                  4       0   2601    2670
+//   mass_matrix              87              131          0             0                  4       0    226     231
+//   forward_dynamics       1097             1467         26             2                  4       0   2600    2669
 //   energy                  109              161          0             0                  6       0    282     302
 //   first_integrals         110              161          0             0                  6       0    283     303
 //   constraints             339              520         14             2                  4       0    883     941
-//   linearisation          2887             3784        107             2                  6       0   6792    7192
+//   linearisation          2881             3779        107             2                  6       0   6781    7181
 //
 // Not computed because this mechanism does not need it:
 //   mass_matrix: of 81 results 28 vanish identically, 21 repeat another up to sign
@@ -24,485 +24,50 @@
 //   linearisation: of 394 results 187 vanish identically, 26 repeat another up to sign
 //
 // To write this file again:
-//   whipple_bicycle_scene generate --kernels mass_matrix,forward_dynamics,energy,first_integrals,constraints,linearisation --output whipple_bicycle.hpp
+//   whipple_bicycle_scene generate --kernels mass_matrix,forward_dynamics,energy,first_integrals,constraints,linearisation --support torsor_support.hpp --output whipple_bicycle.hpp
 #pragma once
 
 #include <array>
 #include <cmath>
 
-#ifndef TORSOR_KERNEL_SUPPORT
-#define TORSOR_KERNEL_SUPPORT 3
-// Define it before the first generated header to annotate every function, e.g. as __host__ __device__.
-#ifndef TORSOR_DEVICE
-#define TORSOR_DEVICE
-#endif
-// Define TORSOR_STD_SINCOS before the first generated header, alike in the whole program, for std::sin and std::cos.
-
-// Sine and cosine in one, of one angle or of several at once, with an error of at most 1 ulp (of some more where the
-// processor is set to round up, down or towards zero). With rounding to nearest:
-//  * the angle loses its quadrant, x = n pi/2 + r, by parts of pi/2 so short that n times a part is exact. Whether a
-//    product and a sum are fused does not matter, here or elsewhere; letting the compiler reassociate sums would;
-//  * two polynomials of least greatest error give the sine and the cosine of r, |r| <= pi/4;
-//  * angles beyond `bound` are rare: they are reduced exactly, in integers, by a function that is not inlined, and so
-//    are all angles under another rounding, which would give the nearest integers wrong.
-// The core has no branch, so that several angles go through it at once.
-#ifndef TORSOR_STD_SINCOS
-#if defined(__FAST_MATH__) || defined(_M_FP_FAST) || (defined(__FLT_EVAL_METHOD__) && __FLT_EVAL_METHOD__ != 0)
-#define TORSOR_STD_SINCOS  // sums would be reassociated or hold more digits than their type
-#endif
-#endif
-#if defined(_MSC_VER)
-#define TORSOR_INLINED __forceinline
-#define TORSOR_OUTLINED __declspec(noinline)
-#else
-#define TORSOR_INLINED inline __attribute__((always_inline))
-#define TORSOR_OUTLINED __attribute__((noinline, cold))
-#endif
-
-namespace torsor {
-
-template <class Scalar>
-struct scalar_traits;
-
-/// For float, double and packs of either (`in_float` says of which): of these, constants, sums and
-/// products only are used.
-template <class Scalar, bool in_float>
-struct SineCosine {
-  /// The core is meant for |x| <= bound; n is then exact in 10 or 21 bits and its products with the parts in 24 or 53.
-  static constexpr double bound = in_float ? 1600.0 : 2097152.0;
-
-  TORSOR_DEVICE TORSOR_INLINED static Scalar number(double for_double, float for_float) noexcept {
-    return scalar_traits<Scalar>::constant(for_double, for_float, nullptr);
-  }
-  /// So large that the last bit of what is some less or more counts 1.
-  TORSOR_DEVICE TORSOR_INLINED static Scalar shift() noexcept { return number(0x1.8p52, 0x1.8p23f); }
-  /// To the nearest integer, of two the even one.
-  TORSOR_DEVICE TORSOR_INLINED static Scalar rounded(const Scalar& x) noexcept { return (x + shift()) - shift(); }
-
-  /// Of high - rest, |high| <= pi/4, rest being about an ulp of high at most.
-  TORSOR_DEVICE TORSOR_INLINED static void of_reduced(const Scalar& high, const Scalar& rest, Scalar& sine,
-                                                      Scalar& cosine) noexcept {
-    const Scalar one = number(1.0, 1.0f), half = number(0.5, 0.5f);
-    const Scalar z = high * high, z2 = z * z;
-    // sin r = r + r z S(z), cos r = 1 - z/2 + z z C(z)
-    Scalar S, C;
-    if constexpr (in_float) {
-      const Scalar S01 = number(0.0, -0x1.555546p-3f) + z * number(0.0, 0x1.110778p-7f);
-      const Scalar C01 = number(0.0, 0x1.55554ap-5f) + z * number(0.0, -0x1.6c0c1ap-10f);
-      S = S01 + z2 * number(0.0, -0x1.9953f2p-13f);
-      C = C01 + z2 * number(0.0, 0x1.99e0eep-16f);
-    } else {
-      const Scalar S01 = number(-0x1.5555555555548p-3, 0.0f) + z * number(0x1.111111110f73p-7, 0.0f);
-      const Scalar S23 = number(-0x1.a01a019be9217p-13, 0.0f) + z * number(0x1.71de35552b518p-19, 0.0f);
-      const Scalar S45 = number(-0x1.ae5e4b83e1601p-26, 0.0f) + z * number(0x1.5d8b55934597bp-33, 0.0f);
-      const Scalar C01 = number(0x1.555555555554cp-5, 0.0f) + z * number(-0x1.6c16c16c1521bp-10, 0.0f);
-      const Scalar C23 = number(0x1.a01a019cbeb68p-16, 0.0f) + z * number(-0x1.27e4f8121198fp-22, 0.0f);
-      const Scalar C45 = number(0x1.1ee9f0cbf70d6p-29, 0.0f) + z * number(-0x1.8fb0e15d5f2ap-37, 0.0f);
-      S = S01 + z2 * (S23 + z2 * S45);
-      C = C01 + z2 * (C23 + z2 * C45);
-    }
-    const Scalar half_z = half * z, w = one - half_z, high_z = high * z;
-    // What waits for S and C comes last. The correction of -0 is a 0, which subtracted leaves it -0.
-    sine = high - (rest * w - high_z * S);
-    cosine = w + ((((one - w) - half_z) + high * rest) + z2 * C);
-  }
-
-  /// Of n pi/2 more.
-  TORSOR_DEVICE TORSOR_INLINED static void turn(const Scalar& n, Scalar& sine, Scalar& cosine) noexcept {
-    const Scalar one = number(1.0, 1.0f), two = number(2.0, 2.0f), half = number(0.5, 0.5f);
-    const Scalar s = sine, c = cosine;
-    // i = cos(n pi/2) = sin((n + 1) pi/2) and j = -sin(n pi/2): halves are rounded to even, which tells 1 from 3.
-    const Scalar next = n + one;
-    const Scalar i = next - two * rounded(half * next);
-    const Scalar j = two * rounded(half * n) - n;
-    sine = s * i - c * j;
-    cosine = c * i + s * j;
-  }
-
-  /// Of r = x - n pi/2 for |x| <= bound, and `shifted`, n + shift(); what is no number gives no number.
-  ///  * n P and n Q are exact, as is x - n pi/2 to the first part: products that are fused with their sums round as
-  ///    others do, and may be formed twice;
-  ///  * r = first - n P loses (first - r) - n P. Two operations tell it where |first| >= |n P|, as in Fast2Sum, and
-  ///    elsewhere, where r is exact: both are multiples of P's last bit, and r is less than 2^53 (2^24) of them.
-  TORSOR_DEVICE TORSOR_INLINED static void of_remainder(const Scalar& x, Scalar& shifted, Scalar& sine,
-                                                        Scalar& cosine) noexcept {
-    const Scalar P = number(0x1.0b4611a6p-34, 0x1.ed5p-14f), Q = number(0x1.3198a2ep-69, 0x1.10bp-30f);
-    shifted = x * number(0x1.45f306dc9c883p-1, 0x1.45f306p-1f) + shift();
-    const Scalar n = shifted - shift();
-    const Scalar first = x - n * number(0x1.921fb544p+0, 0x1.9218p+0f);
-    const Scalar r = first - n * P;
-    const Scalar error = (first - r) - n * P;
-    const Scalar high = r - n * Q;
-    const Scalar rest = ((n * Q - (r - high)) - error) + n * number(0x1.b839a252049c1p-104, 0x1.184698p-44f);
-    of_reduced(high, rest, sine, cosine);
-  }
-
-  /// For |x| <= bound.
-  TORSOR_DEVICE TORSOR_INLINED static void core(const Scalar& x, Scalar& sine, Scalar& cosine) noexcept {
-    Scalar shifted;
-    of_remainder(x, shifted, sine, cosine);
-    turn(shifted - shift(), sine, cosine);
-  }
-};
-
-/// Whether sums are rounded up, down or towards zero: a little more and a little less than one then differ. What is no
-/// number does not tell. x keeps compilers from doing the sums themselves.
-template <class Scalar>
-TORSOR_DEVICE TORSOR_INLINED bool rounds_to_one_side(const Scalar& x) noexcept {
-  const Scalar one = static_cast<Scalar>(1) + (x - x), little = static_cast<Scalar>(0x1p-60);
-  return (one + little) - (one - little) > static_cast<Scalar>(0);
-}
-
-/// Of any x, beyond the bound too, where n pi/2 is subtracted exactly: x/(2 pi) modulo 1 in integers, with as many
-/// digits of 1/(2 pi) as |x - n pi/2| >= 2^-62 needs. Infinite: not a number. Under any rounding.
-TORSOR_OUTLINED inline void sincos_far(double x, double& sine, double& cosine) noexcept {
-  using Word = unsigned long long;  // of which 32 bits are used
-  constexpr Word mask = 0xffffffffu;
-  // 1/(2 pi) behind 64 zeros
-  static constexpr unsigned turns[] = {
-      0u,          0u,          0x28be60dbu, 0x9391054au, 0x7f09d5f4u, 0x7d4d3770u, 0x36d8a566u, 0x4f10e410u,
-      0x7f9458eau, 0xf7aef158u, 0x6dc91b8eu, 0x909374b8u, 0x01924bbau, 0x82746487u, 0x3f877ac7u, 0x2c4a69cfu,
-      0xba208d7du, 0x4baed121u, 0x3a671c09u, 0xad17df90u, 0x4e64758eu, 0x60d4ce7du, 0x272117e2u, 0xef7e4a0eu,
-      0xc7fe25ffu, 0xf7816603u, 0xfbcbc462u, 0xd6829b47u, 0xdb4d9fb3u, 0xc9f2c26du, 0xd3d18fd9u, 0xa797fa8bu,
-      0x5d49eeb1u, 0xfaf97c5eu, 0xcf41ce7du, 0xe294a4bau, 0x9afed7ecu, 0x47e35742u, 0x1580cc11u};
-  if (!(std::abs(x) <= 0x1.fffffffffffffp+1023)) {
-    sine = cosine = x - x;
-    return;
-  }
-  if (std::abs(x) <= 0.5) {
-    SineCosine<double, false>::of_reduced(x, 0.0, sine, cosine);
-    return;
-  }
-  int exponent = 0;
-  const double mantissa = std::frexp(std::abs(x), &exponent);
-  const Word integer = static_cast<Word>(std::ldexp(mantissa, 53));  // |x| = integer 2^(exponent - 53)
-  const int position = exponent - 53 + 64;                           // at least 64 - 53
-  const int skipped = position / 32, shift = position % 32;
-  const Word low_word = (integer & mask) << shift, high_word = (integer >> 32) << shift;
-  const Word factor[3] = {low_word & mask, ((low_word >> 32) + high_word) & mask,
-                          (((low_word >> 32) + high_word) >> 32)};
-
-  // The fraction of the product with seven words of 1/(2 pi), the lowest word first: an error of 2^-139 at most.
-  Word turn[8] = {};
-  for (int k = 0; k < 7; ++k) {
-    Word carry = 0;
-    for (int m = 0; m < 3 && k + m < 7; ++m) {
-      carry += turn[k + m] + factor[m] * turns[skipped + 6 - k];
-      turn[k + m] = carry & mask;
-      carry >>= 32;
-    }
-    if (k + 3 < 7) turn[k + 3] = carry;
-  }
-  // Quarters of a turn, to nearest; what is left, |rest| <= 1/8, and its sign
-  const Word quarter = ((turn[6] + 0x20000000u) & mask) >> 30;
-  turn[6] = (turn[6] - (quarter << 30)) & mask;
-  const bool negative = (turn[6] >> 31) != 0;
-  Word carry = negative ? 1 : 0;
-  for (int k = 0; k < 7; ++k) {
-    turn[k] = (negative ? ~turn[k] & mask : turn[k]) + carry;
-    carry = turn[k] >> 32;
-    turn[k] &= mask;
-  }
-  // Its 128 leading bits, and these times pi/4
-  int zeros = 0;
-  for (; zeros < 96 && (turn[6] >> 31) == 0; ++zeros) {
-    for (int k = 6; k > 0; --k) turn[k] = ((turn[k] << 1) & mask) | (turn[k - 1] >> 31);
-    turn[0] = (turn[0] << 1) & mask;
-  }
-  static constexpr Word quarter_pi[4] = {0x80dc1cd1u, 0xc4c6628bu, 0x2168c234u, 0xc90fdaa2u};
-  Word product[8] = {};
-  for (int k = 0; k < 4; ++k) {
-    carry = 0;
-    for (int m = 0; m < 4; ++m) {
-      carry += product[k + m] + turn[3 + k] * quarter_pi[m];
-      product[k + m] = carry & mask;
-      carry >>= 32;
-    }
-    product[k + 4] = carry;
-  }
-  // At least 0.39: 53 bits reach into the second word's last eleven bits or beyond.
-  const Word leading = (product[7] << 32) | product[6], following = (product[5] << 32) | product[4];
-  const double high = std::ldexp(static_cast<double>(leading & ~Word{2047}), 3 - zeros - 64);
-  const double low = std::ldexp(static_cast<double>(((leading & 2047) << 53) | (following >> 11)), 3 - zeros - 117);
-  double s = 0, c = 0;
-  SineCosine<double, false>::of_reduced(negative ? -high : high, negative ? low : -low, s, c);
-  const double turned = quarter == 0 ? s : quarter == 1 ? c : quarter == 2 ? -s : -c;
-  cosine = quarter == 0 ? c : quarter == 1 ? -s : quarter == 2 ? -c : s;
-  sine = x < 0 ? -turned : turned;
-}
-TORSOR_OUTLINED inline void sincos_far(float x, float& sine, float& cosine) noexcept {
-  double s = 0, c = 0;
-  if (std::abs(x) <= static_cast<float>(SineCosine<double, false>::bound) && !rounds_to_one_side(x))
-    SineCosine<double, false>::core(static_cast<double>(x), s, c);
-  else
-    sincos_far(static_cast<double>(x), s, c);
-  sine = static_cast<float>(s);
-  cosine = static_cast<float>(c);
-}
-
-/// Of one angle, in float or double.
-template <class Scalar>
-TORSOR_DEVICE inline void sincos_of_one(const Scalar& angle, Scalar& sine, Scalar& cosine) noexcept {
-#if defined(__CUDA_ARCH__)
-  if constexpr (sizeof(Scalar) == sizeof(float))
-    ::sincosf(angle, &sine, &cosine);
-  else
-    ::sincos(angle, &sine, &cosine);
-#elif defined(TORSOR_STD_SINCOS)
-  sine = std::sin(angle);
-  cosine = std::cos(angle);
-#else
-  using Core = SineCosine<Scalar, sizeof(Scalar) == sizeof(float)>;
-  if (std::abs(angle) > static_cast<Scalar>(Core::bound) || rounds_to_one_side(angle))
-    sincos_far(angle, sine, cosine);
-  else
-    Core::core(angle, sine, cosine);
-#endif
-}
-
-}  // namespace torsor
-// Sines and cosines of several angles at once, in vector registers where GNU C++ has types for them: of 32 bytes with
-// AVX, else of 16.
-#if defined(__GNUC__) && !defined(__CUDACC__)
-#define TORSOR_VECTOR_TYPES
-#endif
-
-namespace torsor {
-
-#if defined(TORSOR_VECTOR_TYPES)
-/// 0, 1, ... as arguments of a template.
-template <int... place>
-struct Places {};
-template <int count, int... place>
-struct FirstPlaces : FirstPlaces<count - 1, count - 1, place...> {};
-template <int... place>
-struct FirstPlaces<0, place...> {
-  using type = Places<place...>;
-};
-
-/// Some registers of equally many numbers, which take the same operations by turns: while the one waits for its last
-/// result, the other is at work. A scalar for SineCosine, of which it needs constants, sums and products only.
-template <class Number, int lanes, int count>
-struct Registers {
-  typedef Number Numbers __attribute__((vector_size(lanes * sizeof(Number))));
-  using Bits = decltype(Numbers{} < Numbers{});
-  Numbers part[count];
-
-  TORSOR_INLINED friend Registers operator+(const Registers& a, const Registers& b) noexcept {
-    Registers sum;
-    for (int i = 0; i < count; ++i) sum.part[i] = a.part[i] + b.part[i];
-    return sum;
-  }
-  TORSOR_INLINED friend Registers operator-(const Registers& a, const Registers& b) noexcept {
-    Registers difference;
-    for (int i = 0; i < count; ++i) difference.part[i] = a.part[i] - b.part[i];
-    return difference;
-  }
-  TORSOR_INLINED friend Registers operator*(const Registers& a, const Registers& b) noexcept {
-    Registers product;
-    for (int i = 0; i < count; ++i) product.part[i] = a.part[i] * b.part[i];
-    return product;
-  }
-};
-
-template <class Number, int lanes, int count>
-struct scalar_traits<Registers<Number, lanes, count>> {
-  using Scalar = Registers<Number, lanes, count>;
-  TORSOR_INLINED static Scalar constant(double in_double, float in_float, const char* /*exact*/) noexcept {
-    constexpr bool is_float = sizeof(Number) == sizeof(float);
-    const Number number = is_float ? static_cast<Number>(in_float) : static_cast<Number>(in_double);
-    Scalar result;
-    for (int i = 0; i < count; ++i) {
-      for (int lane = 0; lane < lanes; ++lane) result.part[i][lane] = number;
-    }
-    return result;
-  }
-};
-
-/// Of angles up to the bound, bit by bit what SineCosine::core gives where nothing is fused. The quarter of the turn is
-/// in the last two bits of `shifted`: it is chosen by bits, not by products.
-template <class Number, int lanes, int count>
-TORSOR_INLINED void sincos_of_registers(const Registers<Number, lanes, count>& angles,
-                                        Registers<Number, lanes, count>& sines,
-                                        Registers<Number, lanes, count>& cosines) noexcept {
-  using Scalar = Registers<Number, lanes, count>;
-  using Numbers = typename Scalar::Numbers;
-  using Bits = typename Scalar::Bits;
-  constexpr int sign_bit = 8 * static_cast<int>(sizeof(Number)) - 1;
-  Scalar shifted, sine, cosine;
-  SineCosine<Scalar, sizeof(Number) == sizeof(float)>::of_remainder(angles, shifted, sine, cosine);
-  const Bits sign = (Bits)scalar_traits<Scalar>::constant(-0.0, -0.0f, nullptr).part[0];
-  for (int i = 0; i < count; ++i) {
-    const Numbers s = sine.part[i], c = cosine.part[i];
-    const Bits bits = (Bits)shifted.part[i];
-    const Bits odd = bits << sign_bit, upper = bits << (sign_bit - 1);
-    Numbers sine_of_rest, cosine_of_rest;
-    if constexpr (sizeof(Numbers) >= 32) {  // AVX chooses by the bit of the sign, AVX-512 by a mask
-      const Bits exchanged = odd < Bits{};
-      sine_of_rest = exchanged ? c : s;
-      cosine_of_rest = exchanged ? s : c;
-    } else {
-      const Bits exchanged = Bits{} - (bits & 1);
-      sine_of_rest = (Numbers)((exchanged & (Bits)c) | (~exchanged & (Bits)s));
-      cosine_of_rest = (Numbers)((exchanged & (Bits)s) | (~exchanged & (Bits)c));
-    }
-    // The sine is negated for n = 2 and 3, the cosine for 1 and 2.
-    sines.part[i] = (Numbers)((Bits)sine_of_rest ^ (upper & sign));
-    cosines.part[i] = (Numbers)((Bits)cosine_of_rest ^ ((upper ^ odd) & sign));
-  }
-}
-
-/// Of the angles first to first + size - 1, up to the bound, in one register or two; idle lanes get 0. Returns the sum
-/// of their squares. Places are constants before anything is optimised: lanes then come from registers and go there,
-/// where a way through memory would be stored in parts and loaded whole.
-template <int size, class Number, int N, int... lane, int... place>
-TORSOR_INLINED Number sincos_of_some(int first, const Number (&angles)[N], Number (&sines)[N], Number (&cosines)[N],
-                                     Places<lane...>, Places<place...>) noexcept {
-  constexpr int lanes = sizeof...(lane), count = size > lanes ? 2 : 1;
-  using Some = Registers<Number, lanes, count>;
-  const auto angle = [&](int i) noexcept { return i < size ? angles[first + i] : Number(0); };
-  Some x, s, c;
-  x.part[0] = typename Some::Numbers{angle(lane)...};
-  if constexpr (count == 2) x.part[1] = typename Some::Numbers{angle(lane + lanes)...};
-  sincos_of_registers(x, s, c);
-  ((sines[first + place] = s.part[place / lanes][place % lanes]), ...);
-  ((cosines[first + place] = c.part[place / lanes][place % lanes]), ...);
-  typename Some::Numbers squares = x.part[0] * x.part[0];
-  if constexpr (count == 2) squares += x.part[1] * x.part[1];
-  return (squares[lane] + ...);
-}
-
-/// Of several angles up to the bound, by two registers at a time. Returns the sum of their squares.
-template <class Number, int N>
-TORSOR_INLINED Number sincos_in_registers(const Number (&angles)[N], Number (&sines)[N],
-                                          Number (&cosines)[N]) noexcept {
-  constexpr int narrow = 16 / static_cast<int>(sizeof(Number));
-#if defined(__AVX__)
-  // Registers of AVX-512 gain nothing for so few numbers.
-  constexpr int lanes = N <= narrow ? narrow : 2 * narrow;
-#else
-  constexpr int lanes = narrow;
-#endif
-  constexpr int both = 2 * lanes, rest = N % both, whole = N - rest;
-  using AllLanes = typename FirstPlaces<lanes>::type;
-  Number squares = 0;
-  if constexpr (whole > 0) {
-    // One copy of the code: its constants stay where they are.
-#if defined(__clang__)
-#pragma clang loop unroll(disable)
-#else
-#pragma GCC unroll 1
-#endif
-    for (int i = 0; i < whole; i += both)
-      squares += sincos_of_some<both>(i, angles, sines, cosines, AllLanes(), typename FirstPlaces<both>::type());
-  }
-  if constexpr (rest > 0)
-    squares += sincos_of_some<rest>(whole, angles, sines, cosines, AllLanes(), typename FirstPlaces<rest>::type());
-  return squares;
-}
-#endif
-
-/// Of several angles at once, in float or double.
-template <class Scalar, int N>
-TORSOR_DEVICE TORSOR_INLINED void sincos_of_several(const Scalar (&angles)[N], Scalar (&sines)[N],
-                                                    Scalar (&cosines)[N]) noexcept {
-#if defined(TORSOR_VECTOR_TYPES) && !defined(TORSOR_STD_SINCOS)
-  constexpr bool at_once = N > 1;
-#else
-  constexpr bool at_once = false;
-#endif
-  if constexpr (at_once) {
-    const Scalar squares = sincos_in_registers(angles, sines, cosines);
-    constexpr Scalar bound = static_cast<Scalar>(SineCosine<Scalar, sizeof(Scalar) == sizeof(float)>::bound);
-    if (squares <= bound * bound && !rounds_to_one_side(squares)) return;
-    for (int i = 0; i < N; ++i) {
-      if (std::abs(angles[i]) > bound || rounds_to_one_side(angles[i])) sincos_far(angles[i], sines[i], cosines[i]);
-    }
-  } else {
-    for (int i = 0; i < N; ++i) sincos_of_one(angles[i], sines[i], cosines[i]);
-  }
-}
-
-/// Of several angles of any scalar: at once where its traits have a `sincos` of arrays, else one by one.
-template <class Scalar, int N>
-TORSOR_DEVICE TORSOR_INLINED auto sincos_by_traits(const Scalar (&angles)[N], Scalar (&sines)[N],
-                                                   Scalar (&cosines)[N], int) noexcept
-    -> decltype(scalar_traits<Scalar>::sincos(angles, sines, cosines)) {
-  scalar_traits<Scalar>::sincos(angles, sines, cosines);
-}
-template <class Scalar, int N>
-TORSOR_DEVICE TORSOR_INLINED void sincos_by_traits(const Scalar (&angles)[N], Scalar (&sines)[N],
-                                                   Scalar (&cosines)[N], long) noexcept {
-  for (int i = 0; i < N; ++i) scalar_traits<Scalar>::sincos(angles[i], sines[i], cosines[i]);
-}
-template <class Scalar, int N>
-TORSOR_DEVICE TORSOR_INLINED void sines_and_cosines(const Scalar (&angles)[N], Scalar (&sines)[N],
-                                                    Scalar (&cosines)[N]) noexcept {
-  sincos_by_traits(angles, sines, cosines, 0);
-}
-
-}  // namespace torsor
-
-namespace torsor {
-
-/// What a kernel says about its results; the larger, the worse.
-enum class Status : int { ok = 0, singular = 1, not_finite = 2 };
-
-/// What a kernel needs of its scalar. This one serves float and double; specialise it, once a header is included, for
-/// any other (a pack of several states, a high-precision number).
-template <class Scalar>
-struct scalar_traits {
-  static_assert(sizeof(Scalar) == sizeof(float) || sizeof(Scalar) == sizeof(double),
-                "specialise torsor::scalar_traits for a scalar that is neither float nor double");
-  static constexpr bool is_float = sizeof(Scalar) == sizeof(float);
-
-  /// A number, rounded for either format. `exact` is "num/den", or "a;b;c;d" for a + b sqrt(2) + c sqrt(3) + d sqrt(6).
-  TORSOR_DEVICE static constexpr Scalar constant(double in_double, float in_float, const char* /*exact*/) noexcept {
-    return is_float ? static_cast<Scalar>(in_float) : static_cast<Scalar>(in_double);
-  }
-  /// The same for a number that is no such sum: a callable computes it where literals are not precise enough.
-  template <class Callable>
-  TORSOR_DEVICE static constexpr Scalar formula(double in_double, float in_float, const Callable&) noexcept {
-    return constant(in_double, in_float, nullptr);
-  }
-  TORSOR_DEVICE static constexpr Scalar pi() noexcept { return constant(3.141592653589793, 3.1415927f, nullptr); }
-  TORSOR_DEVICE static constexpr Scalar select(bool condition, Scalar if_true, Scalar if_false) noexcept {
-    return condition ? if_true : if_false;
-  }
-  TORSOR_DEVICE static void sincos(const Scalar& angle, Scalar& sine, Scalar& cosine) noexcept {
-    sincos_of_one(angle, sine, cosine);
-  }
-  /// Of several angles at once; a specialisation without it gets them one by one.
-  template <int N>
-  TORSOR_DEVICE TORSOR_INLINED static void sincos(const Scalar (&angles)[N], Scalar (&sines)[N],
-                                                  Scalar (&cosines)[N]) noexcept {
-    sincos_of_several(angles, sines, cosines);
-  }
-  TORSOR_DEVICE static Scalar sqrt(const Scalar& x) noexcept { return std::sqrt(x); }
-  TORSOR_DEVICE static Scalar exp(const Scalar& x) noexcept { return std::exp(x); }
-  TORSOR_DEVICE static Scalar log(const Scalar& x) noexcept { return std::log(x); }
-  /// Whether a pivot is positive beyond the rounding of the diagonal entry it came from; not when it is not a number.
-  TORSOR_DEVICE static bool regular(const Scalar& pivot, const Scalar& diagonal) noexcept {
-    return pivot > constant(0x1p-52, 0x1p-23f, nullptr) * std::abs(diagonal);
-  }
-};
-
-}  // namespace torsor
-#elif TORSOR_KERNEL_SUPPORT != 3
-#error "headers of incompatible versions of torsor meet here: write them again with one version"
-#endif
-
+#include "torsor_support.hpp"
 namespace whipple_bicycle {
+
+/// What vectors hold, with units, and what kernels read and write: data that cost nothing where nobody looks at them.
+struct Description {
+  static constexpr std::array<torsor::QuantityDescription, 9> coordinates{{{"x", "m"}, {"y", "m"}, {"z", "m"}, {"yaw",
+      "rad"}, {"roll", "rad"}, {"pitch", "rad"}, {"steer", "rad"}, {"rear", "rad"}, {"front", "rad"}}};
+  static constexpr std::array<torsor::QuantityDescription, 9> velocities{{{"x", "m/s"}, {"y", "m/s"}, {"z", "m/s"},
+      {"yaw", "rad/s"}, {"roll", "rad/s"}, {"pitch", "rad/s"}, {"steer", "rad/s"}, {"rear", "rad/s"}, {"front",
+      "rad/s"}}};
+  static constexpr std::array<torsor::QuantityDescription, 0> inputs{};
+  static constexpr std::array<torsor::QuantityDescription, 6> multipliers{{{"lambda_rear_touches", "N"},
+      {"lambda_front_touches", "N"}, {"lambda_rear_rolls_x", "N"}, {"lambda_rear_rolls_y", "N"},
+      {"lambda_front_rolls_x", "N"}, {"lambda_front_rolls_y", "N"}}};
+  static constexpr std::array<torsor::QuantityDescription, 0> parameters{};
+  static constexpr std::array<torsor::ResultDescription, 20> results{{{"mass", "", 9, 9}, {"accelerations", "", 9, 1},
+      {"multipliers", "", 6, 1}, {"result", "kinetic", 1, 1}, {"result", "force_function", 1, 1}, {"result", "power", 1,
+      1}, {"result", "energy", 1, 1}, {"result", "value", 6, 1}, {"result", "rate", 6, 1}, {"result", "jacobian", 6, 9},
+      {"result", "gamma", 6, 1}, {"result", "M", 9, 9}, {"result", "C", 9, 9}, {"result", "K", 9, 9}, {"result", "F", 9,
+      1}, {"result", "M_r", 3, 3}, {"result", "C_r", 3, 3}, {"result", "K_r", 3, 7}, {"result", "F_r", 3, 1}, {"result",
+      "A", 10, 10}}};
+  static constexpr std::array<torsor::KernelDescription, 6> kernels{{{"mass_matrix", false, false, false, false,
+      results.data() + 0, 1}, {"forward_dynamics", false, false, true, true, results.data() + 1, 2}, {"energy", false,
+      false, true, false, results.data() + 3, 3}, {"first_integrals", false, false, false, false, results.data() + 6,
+      1}, {"constraints", false, false, false, false, results.data() + 7, 4}, {"linearisation", true, true, true, true,
+      results.data() + 11, 9}}};
+};
 
 /// Every function is pure: it reads constant arguments and writes its results. Matrices are stored column by column.
 /// M a + h = E u + A' lambda and A a + gamma = 0, with a the accelerations and u the inputs; units are SI.
 template <class Scalar>
 struct Mechanism {
   using traits = torsor::scalar_traits<Scalar>;
+  using Description = ::whipple_bicycle::Description;
 
   static constexpr const char* name = "whipple_bicycle";
   /// 64 bits (FNV-1a) of this file from "#pragma once" on, with zeros in their own place: another mechanism, other bits.
-  static constexpr unsigned long long fingerprint = 0x596ffdc3ba98913dULL;
+  static constexpr unsigned long long fingerprint = 0x00e9d5fec6d0a374ULL ^ torsor::support_fingerprint;
   static constexpr int coordinate_count = 9;
   static constexpr int velocity_count = 9;
   static constexpr int input_count = 0;
@@ -511,21 +76,19 @@ struct Mechanism {
   static constexpr int first_integral_count = 1;
 
   /// Parameters that are set at run time.
-  struct Parameters {
-    static constexpr int size = 0;
-  };
+  struct Parameters : torsor::NoMembers<Scalar> {};
 
   /// Generalised coordinates q.
   struct Coordinates {
     Scalar x;  ///< coordinate [m]
     Scalar y;  ///< coordinate [m]
     Scalar z;  ///< coordinate [m]
-    Scalar yaw;  ///< coordinate [rad or 1]
-    Scalar roll;  ///< coordinate [rad or 1]
-    Scalar pitch;  ///< coordinate [rad or 1]
-    Scalar steer;  ///< coordinate [rad or 1]
-    Scalar rear;  ///< coordinate [rad or 1]
-    Scalar front;  ///< coordinate [rad or 1]
+    Scalar yaw;  ///< coordinate [rad]
+    Scalar roll;  ///< coordinate [rad]
+    Scalar pitch;  ///< coordinate [rad]
+    Scalar steer;  ///< coordinate [rad]
+    Scalar rear;  ///< coordinate [rad]
+    Scalar front;  ///< coordinate [rad]
     static constexpr int size = 9;
     TORSOR_DEVICE Scalar& operator[](int i_) noexcept { return this->*member_(i_); }
     TORSOR_DEVICE const Scalar& operator[](int i_) const noexcept { return this->*member_(i_); }
@@ -610,9 +173,7 @@ struct Mechanism {
   };
 
   /// Forces and torques of motors, set at each call.
-  struct Inputs {
-    static constexpr int size = 0;
-  };
+  struct Inputs : torsor::NoMembers<Scalar> {};
 
   /// Multipliers of the constraints, or the reactions that enforce them.
   struct Multipliers {
@@ -772,13 +333,13 @@ struct Mechanism {
     const Scalar n2_31 = traits::constant(2.31, 2.31f, "231/100");
     const Scalar n29_35 = traits::constant(29.35, 29.35f, "587/20");
     const Scalar n17_7 = traits::constant(17.7, 17.7f, "177/10");
-    const Scalar n49_25 = traits::constant(49.25, 49.25f, "197/4");
     const Scalar n2 = traits::constant(2.0, 2.0f, "2/1");
     const Scalar n2_1 = traits::constant(2.1, 2.1f, "21/10");
-    const Scalar n39_8603 = traits::constant(39.8603, 39.8603f, "398603/10000");
+    const Scalar n49_25 = traits::constant(49.25, 49.25f, "197/4");
     const Scalar n7_7 = traits::constant(7.7, 7.7f, "77/10");
     const Scalar n51 = traits::constant(51.0, 51.0f, "51/1");
     const Scalar n25_5 = traits::constant(25.5, 25.5f, "51/2");
+    const Scalar n39_8603 = traits::constant(39.8603, 39.8603f, "398603/10000");
     const Scalar n94 = traits::constant(94.0, 94.0f, "94/1");
     const Scalar n0 = traits::constant(0.0, 0.0f, "0/1");
     const Scalar q_yaw = state.q.yaw;
@@ -871,55 +432,54 @@ struct Mechanism {
     const Scalar z55 = n29_35 - z52;
     const Scalar z56 = n17_7 - z54;
     const Scalar z57 = z53 + z55;
-    const Scalar z58 = n49_25 + z51;
-    const Scalar z59 = c_steer * z26 - z12 * z37 - z9 * z39;
-    const Scalar z60 = n2 * z56;
+    const Scalar z58 = c_steer * z26 - z12 * z37 - z9 * z39;
+    const Scalar z59 = n2 * z56;
+    const Scalar z60 = n2_1 + z35;
     const Scalar z61 = n1_1 * z22 + z41;
-    const Scalar z62 = s_pitch * z57 - c_pitch * z60;
-    const Scalar z63 = n0_12 + z58;
-    const Scalar z64 = n2_1 + z35;
-    const Scalar z65 = n0_3 * z22 + z59;
-    const Scalar z66 = n39_8603 - z63;
-    const Scalar z67 = n7_7 - z34;
+    const Scalar z62 = s_pitch * z57 - c_pitch * z59;
+    const Scalar z63 = n49_25 + z51;
+    const Scalar z64 = n7_7 - z34;
+    const Scalar z65 = n51 - z60;
+    const Scalar z66 = n0_3 * z22 + z58;
+    const Scalar z67 = n0_12 + z63;
     const Scalar z68 = s_pitch * z62;
-    const Scalar z69 = n51 - z64;
-    const Scalar z70 = s_pitch * z61 - c_pitch * z65;
-    const Scalar z71 = n25_5 + z67;
+    const Scalar z69 = n25_5 + z64;
+    const Scalar z70 = s_pitch * z61 - c_pitch * z66;
+    const Scalar z71 = c_pitch * z65 + s_pitch * z69;
     const Scalar z72 = z55 - z68;
-    const Scalar z73 = c_pitch * z69 + s_pitch * z71;
-    const Scalar z74 = s_pitch * z69 - c_pitch * z71;
-    const Scalar z75 = s_pitch * z65 + c_pitch * z61;
-    const Scalar z76 = s_roll * z74;
+    const Scalar z73 = s_pitch * z65 - c_pitch * z69;
+    const Scalar z74 = n39_8603 - z72;
+    const Scalar z75 = s_pitch * z66 + c_pitch * z61;
+    const Scalar z76 = s_roll * z73;
     const Scalar z77 = s_pitch * z44 + c_pitch * z45;
     const Scalar z78 = c_pitch * z62 + z56;
     const Scalar z79 = z53 - z68;
-    const Scalar z80 = s_roll * z22 + c_roll * z73;
+    const Scalar z80 = s_roll * z22 + c_roll * z71;
     const Scalar z81 = s_pitch * z45 - c_pitch * z44;
-    const Scalar z82 = s_roll * z73 - c_roll * z22;
+    const Scalar z82 = s_roll * z71 - c_roll * z22;
     const Scalar z83 = s_roll * z40 - c_roll * z77;
-    const Scalar z84 = z72 - z66;
+    const Scalar z84 = z67 - z74;
     const Scalar z85 = c_yaw * z29 + s_yaw * z46;
     const Scalar z86 = n2 * z70;
     const Scalar z87 = s_yaw * z29 - c_yaw * z46;
     const Scalar z88 = s_roll * z84 - c_roll * z86;
-    const Scalar z89 = c_roll * z74;
-    const Scalar z90 = s_roll * z63 - c_roll * z70;
+    const Scalar z89 = c_roll * z73;
+    const Scalar z90 = s_roll * z67 - c_roll * z70;
     const Scalar z91 = s_roll * z88;
-    const Scalar z92 = s_yaw * z76 - c_yaw * z73;
-    const Scalar z93 = s_yaw * z73 + c_yaw * z76;
-    const Scalar z94 = z72 - z91;
-    const Scalar z95 = n39_8603 + z79;
-    const Scalar z96 = s_roll * z75 - c_roll * z78;
-    const Scalar z97 = s_yaw * z80;
-    const Scalar z98 = c_yaw * z80;
-    const Scalar z99 = n39_8603 - z94;
-    const Scalar z100 = s_yaw * z74 - c_yaw * z82;
-    const Scalar z101 = c_yaw * z74 + s_yaw * z82;
+    const Scalar z92 = s_yaw * z76 - c_yaw * z71;
+    const Scalar z93 = s_yaw * z71 + c_yaw * z76;
+    const Scalar z94 = n39_8603 + z79;
+    const Scalar z95 = s_roll * z75 - c_roll * z78;
+    const Scalar z96 = s_yaw * z80;
+    const Scalar z97 = c_yaw * z80;
+    const Scalar z98 = z74 + z91;
+    const Scalar z99 = s_yaw * z73 - c_yaw * z82;
+    const Scalar z100 = c_yaw * z73 + s_yaw * z82;
     mass[0] = n94;
     mass[1] = n0;
     mass[2] = n0;
-    mass[3] = z100;
-    mass[4] = -z97;
+    mass[3] = z99;
+    mass[4] = -z96;
     mass[5] = z92;
     mass[6] = z85;
     mass[7] = n0;
@@ -927,8 +487,8 @@ struct Mechanism {
     mass[9] = n0;
     mass[10] = n94;
     mass[11] = n0;
-    mass[12] = -z101;
-    mass[13] = z98;
+    mass[12] = -z100;
+    mass[13] = z97;
     mass[14] = -z93;
     mass[15] = z87;
     mass[16] = n0;
@@ -942,20 +502,20 @@ struct Mechanism {
     mass[24] = z47;
     mass[25] = n0;
     mass[26] = n0;
-    mass[27] = z100;
-    mass[28] = -z101;
+    mass[27] = z99;
+    mass[28] = -z100;
     mass[29] = n0;
-    mass[30] = z99;
-    mass[31] = z96;
+    mass[30] = z98;
+    mass[31] = z95;
     mass[32] = z90;
     mass[33] = -z83;
     mass[34] = z16;
     mass[35] = z43;
-    mass[36] = -z97;
-    mass[37] = z98;
+    mass[36] = -z96;
+    mass[37] = z97;
     mass[38] = z82;
-    mass[39] = z96;
-    mass[40] = z95;
+    mass[39] = z95;
+    mass[40] = z94;
     mass[41] = z75;
     mass[42] = z81;
     mass[43] = n0;
@@ -965,7 +525,7 @@ struct Mechanism {
     mass[47] = z89;
     mass[48] = z90;
     mass[49] = z75;
-    mass[50] = z63;
+    mass[50] = z67;
     mass[51] = -z40;
     mass[52] = n0_12;
     mass[53] = z15;
@@ -1552,351 +1112,350 @@ struct Mechanism {
     const Scalar z447 = n0_12 + z433;
     const Scalar z448 = n25_over_7 * z349;
     const Scalar z449 = z7 * z369;
-    const Scalar z450 = n39_8603 - z447;
+    const Scalar z450 = s_pitch * z434 + c_pitch * z423;
     const Scalar z451 = s_pitch * z423 - c_pitch * z434;
-    const Scalar z452 = s_pitch * z434 + c_pitch * z423;
-    const Scalar z453 = c_pitch * z445 + z432;
-    const Scalar z454 = s_pitch * z445;
-    const Scalar z455 = s_roll * z447 - c_roll * z451;
-    const Scalar z456 = z440 - z454;
-    const Scalar z457 = z415 - z454;
-    const Scalar z458 = n2 * z451;
-    const Scalar z459 = s_roll * z452 - c_roll * z453;
-    const Scalar z460 = z456 - z450;
-    const Scalar z461 = n39_8603 + z457;
-    const Scalar z462 = z352 * z448 - z452;
-    const Scalar z463 = s_roll * z460 - c_roll * z458;
-    const Scalar z464 = z362 * z448 - z455;
-    const Scalar z465 = n25_over_7 * z352;
-    const Scalar z466 = z352 * z465 - z461;
-    const Scalar z467 = z362 * z465 - z459;
+    const Scalar z452 = c_pitch * z445 + z432;
+    const Scalar z453 = s_pitch * z445;
+    const Scalar z454 = n25_over_7 * z352;
+    const Scalar z455 = z352 * z448 - z450;
+    const Scalar z456 = z440 - z453;
+    const Scalar z457 = z415 - z453;
+    const Scalar z458 = s_roll * z450 - c_roll * z452;
+    const Scalar z459 = n39_8603 - z456;
+    const Scalar z460 = n39_8603 + z457;
+    const Scalar z461 = n2 * z451;
+    const Scalar z462 = s_roll * z447 - c_roll * z451;
+    const Scalar z463 = z352 * z454 - z460;
+    const Scalar z464 = z447 - z459;
+    const Scalar z465 = z362 * z448 - z462;
+    const Scalar z466 = z362 * z454 - z458;
+    const Scalar z467 = s_roll * z464 - c_roll * z461;
     const Scalar z468 = z7 * z376;
     const Scalar z469 = n25_over_7 * z362;
     const Scalar z470 = n0_12 * s_roll;
-    const Scalar z471 = z470 + z464;
-    const Scalar z472 = s_roll * z463;
-    const Scalar z473 = n25_over_3 * z470;
-    const Scalar z474 = z7 * z380;
-    const Scalar z475 = c_pitch * z437 + s_pitch * z438;
-    const Scalar z476 = z456 - z472;
-    const Scalar z477 = s_pitch * z437 - c_pitch * z438;
-    const Scalar z478 = z376 * z468 + z466;
-    const Scalar z479 = n39_8603 - z476;
-    const Scalar z480 = z380 * z468 - z467;
-    const Scalar z481 = c_roll * z477;
-    const Scalar z482 = s_roll * z475 - c_roll * z383;
-    const Scalar z483 = z362 * z469 - z479;
-    const Scalar z484 = s_roll * z383 + c_roll * z475;
-    const Scalar z485 = z7 * z384;
-    const Scalar z486 = z384 * z474;
-    const Scalar z487 = z470 * z473 + z483;
-    const Scalar z488 = z384 * z468 - z482;
-    const Scalar z489 = n94 - z384 * z485;
-    const Scalar z490 = s_roll * z477;
-    const Scalar z491 = z384 * z449 + z481;
-    const Scalar z492 = z380 * z474 + z487;
-    const Scalar z493 = s_yaw * z475 + c_yaw * z490;
-    const Scalar z494 = s_yaw * z490 - c_yaw * z475;
+    const Scalar z471 = z470 + z465;
+    const Scalar z472 = n25_over_3 * z470;
+    const Scalar z473 = z7 * z380;
+    const Scalar z474 = c_pitch * z437 + s_pitch * z438;
+    const Scalar z475 = s_pitch * z437 - c_pitch * z438;
+    const Scalar z476 = z376 * z468 + z463;
+    const Scalar z477 = s_roll * z467;
+    const Scalar z478 = z380 * z468 - z466;
+    const Scalar z479 = z459 + z477;
+    const Scalar z480 = c_roll * z475;
+    const Scalar z481 = s_roll * z474 - c_roll * z383;
+    const Scalar z482 = z362 * z469 - z479;
+    const Scalar z483 = s_roll * z383 + c_roll * z474;
+    const Scalar z484 = z7 * z384;
+    const Scalar z485 = z384 * z473;
+    const Scalar z486 = z384 * z468 - z481;
+    const Scalar z487 = z470 * z472 + z482;
+    const Scalar z488 = n94 - z384 * z484;
+    const Scalar z489 = s_roll * z475;
+    const Scalar z490 = z384 * z449 + z480;
+    const Scalar z491 = z380 * z449 + z471;
+    const Scalar z492 = z380 * z473 + z487;
+    const Scalar z493 = s_yaw * z474 + c_yaw * z489;
+    const Scalar z494 = s_yaw * z489 - c_yaw * z474;
     const Scalar z495 = z369 * z449 + z446;
-    const Scalar z496 = z376 * z449 - z462;
-    const Scalar z497 = z380 * z449 + z471;
-    const Scalar z498 = n1 / z495;
-    const Scalar z499 = z386 * z449 - z493;
-    const Scalar z500 = z387 * z449 + z494;
-    const Scalar z501 = c_yaw * z484;
-    const Scalar z502 = z386 * z468 - z501;
-    const Scalar z503 = s_yaw * z484;
-    const Scalar z504 = z387 * z468 + z503;
-    const Scalar z505 = c_yaw * z477 + s_yaw * z482;
-    const Scalar z506 = s_yaw * z477 - c_yaw * z482;
-    const Scalar z507 = z386 * z474 - z505;
-    const Scalar z508 = z387 * z474 + z506;
-    const Scalar z509 = z7 * z386;
-    const Scalar z510 = z496 * z498;
-    const Scalar z511 = z497 * z498;
-    const Scalar z512 = z491 * z498;
-    const Scalar z513 = z386 * z485;
-    const Scalar z514 = n94 - z386 * z509;
-    const Scalar z515 = z478 - z496 * z510;
-    const Scalar z516 = z480 - z497 * z510;
-    const Scalar z517 = z492 - z497 * z511;
-    const Scalar z518 = z486 - z491 * z511;
-    const Scalar z519 = n1 / z515;
-    const Scalar z520 = z488 - z491 * z510;
-    const Scalar z521 = z489 + z491 * z512;
-    const Scalar z522 = z513 - z499 * z512;
-    const Scalar z523 = z507 - z499 * z511;
-    const Scalar z524 = z502 - z499 * z510;
-    const Scalar z525 = z508 - z500 * z511;
-    const Scalar z526 = z504 - z500 * z510;
-    const Scalar z527 = z499 * z498;
-    const Scalar z528 = z514 + z499 * z527;
-    const Scalar z529 = z7 * z387;
-    const Scalar z530 = z387 * z509;
-    const Scalar z531 = z530 - z500 * z527;
-    const Scalar z532 = z387 * z485;
-    const Scalar z533 = n94 - z387 * z529;
-    const Scalar z534 = z532 - z500 * z512;
-    const Scalar z535 = z516 * z519;
-    const Scalar z536 = z520 * z519;
-    const Scalar z537 = z524 * z519;
-    const Scalar z538 = z500 * z498;
-    const Scalar z539 = z533 + z500 * z538;
-    const Scalar z540 = z517 - z516 * z535;
-    const Scalar z541 = z518 - z520 * z535;
-    const Scalar z542 = z521 + z520 * z536;
-    const Scalar z543 = z522 - z524 * z536;
+    const Scalar z496 = z376 * z449 - z455;
+    const Scalar z497 = n1 / z495;
+    const Scalar z498 = z386 * z449 - z493;
+    const Scalar z499 = z387 * z449 + z494;
+    const Scalar z500 = c_yaw * z483;
+    const Scalar z501 = z386 * z468 - z500;
+    const Scalar z502 = s_yaw * z483;
+    const Scalar z503 = z387 * z468 + z502;
+    const Scalar z504 = c_yaw * z475 + s_yaw * z481;
+    const Scalar z505 = s_yaw * z475 - c_yaw * z481;
+    const Scalar z506 = z386 * z473 - z504;
+    const Scalar z507 = z387 * z473 + z505;
+    const Scalar z508 = z7 * z386;
+    const Scalar z509 = z386 * z484;
+    const Scalar z510 = n94 - z386 * z508;
+    const Scalar z511 = z496 * z497;
+    const Scalar z512 = z491 * z497;
+    const Scalar z513 = z490 * z497;
+    const Scalar z514 = z498 * z497;
+    const Scalar z515 = z7 * z387;
+    const Scalar z516 = z476 - z496 * z511;
+    const Scalar z517 = z478 - z491 * z511;
+    const Scalar z518 = z492 - z491 * z512;
+    const Scalar z519 = z485 - z490 * z512;
+    const Scalar z520 = n1 / z516;
+    const Scalar z521 = z486 - z490 * z511;
+    const Scalar z522 = z488 + z490 * z513;
+    const Scalar z523 = z509 - z498 * z513;
+    const Scalar z524 = z506 - z498 * z512;
+    const Scalar z525 = z501 - z498 * z511;
+    const Scalar z526 = z510 + z498 * z514;
+    const Scalar z527 = z507 - z499 * z512;
+    const Scalar z528 = z503 - z499 * z511;
+    const Scalar z529 = z387 * z508;
+    const Scalar z530 = z529 - z499 * z514;
+    const Scalar z531 = z387 * z484;
+    const Scalar z532 = n94 - z387 * z515;
+    const Scalar z533 = z531 - z499 * z513;
+    const Scalar z534 = z499 * z497;
+    const Scalar z535 = z532 + z499 * z534;
+    const Scalar z536 = z517 * z520;
+    const Scalar z537 = z521 * z520;
+    const Scalar z538 = z525 * z520;
+    const Scalar z539 = z528 * z520;
+    const Scalar z540 = z518 - z517 * z536;
+    const Scalar z541 = z519 - z521 * z536;
+    const Scalar z542 = z522 + z521 * z537;
+    const Scalar z543 = z523 - z525 * z537;
     const Scalar z544 = n1 / z540;
-    const Scalar z545 = z523 - z524 * z535;
-    const Scalar z546 = z528 + z524 * z537;
-    const Scalar z547 = z531 - z526 * z537;
-    const Scalar z548 = z534 - z526 * z536;
-    const Scalar z549 = z525 - z526 * z535;
-    const Scalar z550 = z526 * z519;
-    const Scalar z551 = z539 + z526 * z550;
-    const Scalar z552 = z189 * z535;
-    const Scalar z553 = z145 + z172 * z449;
-    const Scalar z554 = z133 + z172 * z468 - z510 * z553;
-    const Scalar z555 = z81 * z535;
-    const Scalar z556 = z549 * z544;
-    const Scalar z557 = z188 * z535;
-    const Scalar z558 = z545 * z544;
-    const Scalar z559 = z541 * z544;
-    const Scalar z560 = z172 * z474 - z511 * z553 - z535 * z554;
-    const Scalar z561 = z542 + z541 * z559;
-    const Scalar z562 = z543 - z545 * z559;
-    const Scalar z563 = z546 + z545 * z558;
-    const Scalar z564 = z547 - z549 * z558;
-    const Scalar z565 = n1 / z561;
-    const Scalar z566 = z548 - z549 * z559;
-    const Scalar z567 = z551 + z549 * z556;
-    const Scalar z568 = z188 * z536 - z559 * z557;
-    const Scalar z569 = z189 * z536 - z559 * z552;
-    const Scalar z570 = n1 + z172 * z485 - z512 * z553 - z536 * z554 - z559 * z560;
-    const Scalar z571 = n1 + z81 * z536 - z559 * z555;
-    const Scalar z572 = z566 * z565;
-    const Scalar z573 = z562 * z565;
-    const Scalar z574 = z567 - z566 * z572;
-    const Scalar z575 = z564 + z566 * z573;
-    const Scalar z576 = z187 + z222 * z449 - z241 * z448;
-    const Scalar z577 = z563 - z562 * z573;
-    const Scalar z578 = z186 + z222 * z468 + z241 * z465 - z510 * z576;
-    const Scalar z579 = n1 / z577;
-    const Scalar z580 = z184 + z222 * z474 - z241 * z469 - z511 * z576 - z535 * z578;
-    const Scalar z581 = n1 - z188 * z537 + z558 * z557 - z573 * z568;
-    const Scalar z582 = z189 * z537 - z558 * z552 + z573 * z569;
-    const Scalar z583 = z172 * z509 - z527 * z553 - z537 * z554 - z558 * z560 + z573 * z570;
-    const Scalar z584 = z575 * z579;
-    const Scalar z585 = z222 * z485 - z512 * z576 - z536 * z578 - z559 * z580;
-    const Scalar z586 = z574 - z575 * z584;
-    const Scalar z587 = n1 / z586;
-    const Scalar z588 = z222 * z509 - z527 * z576 - z537 * z578 - z558 * z580 + z573 * z585;
-    const Scalar z589 = n1 - z222 * z529 + z538 * z576 + z550 * z578 + z556 * z580 - z572 * z585 - z584 * z588;
-    const Scalar z590 = z188 * z550 - z556 * z557 + z572 * z568 - z584 * z581;
+    const Scalar z545 = z524 - z525 * z536;
+    const Scalar z546 = z526 + z525 * z538;
+    const Scalar z547 = z530 - z528 * z538;
+    const Scalar z548 = z533 - z528 * z537;
+    const Scalar z549 = z527 - z528 * z536;
+    const Scalar z550 = z535 + z528 * z539;
+    const Scalar z551 = z189 * z536;
+    const Scalar z552 = z145 + z172 * z449;
+    const Scalar z553 = z133 + z172 * z468 - z511 * z552;
+    const Scalar z554 = z81 * z536;
+    const Scalar z555 = z172 * z473 - z512 * z552 - z536 * z553;
+    const Scalar z556 = z541 * z544;
+    const Scalar z557 = z545 * z544;
+    const Scalar z558 = z549 * z544;
+    const Scalar z559 = z188 * z536;
+    const Scalar z560 = z550 + z549 * z558;
+    const Scalar z561 = z542 + z541 * z556;
+    const Scalar z562 = z543 - z545 * z556;
+    const Scalar z563 = z546 + z545 * z557;
+    const Scalar z564 = z547 - z549 * z557;
+    const Scalar z565 = z548 - z549 * z556;
+    const Scalar z566 = n1 / z561;
+    const Scalar z567 = z188 * z537 - z556 * z559;
+    const Scalar z568 = z189 * z537 - z556 * z551;
+    const Scalar z569 = n1 + z172 * z484 - z513 * z552 - z537 * z553 - z556 * z555;
+    const Scalar z570 = n1 + z81 * z537 - z556 * z554;
+    const Scalar z571 = z565 * z566;
+    const Scalar z572 = z562 * z566;
+    const Scalar z573 = z560 - z565 * z571;
+    const Scalar z574 = z564 + z565 * z572;
+    const Scalar z575 = z187 + z222 * z449 - z241 * z448;
+    const Scalar z576 = z563 - z562 * z572;
+    const Scalar z577 = z186 + z222 * z468 + z241 * z454 - z511 * z575;
+    const Scalar z578 = n1 - z188 * z538 + z557 * z559 - z572 * z567;
+    const Scalar z579 = n1 / z576;
+    const Scalar z580 = z184 + z222 * z473 - z241 * z469 - z512 * z575 - z536 * z577;
+    const Scalar z581 = z189 * z538 - z557 * z551 + z572 * z568;
+    const Scalar z582 = z172 * z508 - z514 * z552 - z538 * z553 - z557 * z555 + z572 * z569;
+    const Scalar z583 = z574 * z579;
+    const Scalar z584 = z222 * z484 - z513 * z575 - z537 * z577 - z556 * z580;
+    const Scalar z585 = z573 - z574 * z583;
+    const Scalar z586 = z222 * z508 - z514 * z575 - z538 * z577 - z557 * z580 + z572 * z584;
+    const Scalar z587 = n1 / z585;
+    const Scalar z588 = n1 - z222 * z515 + z534 * z575 + z539 * z577 + z558 * z580 - z571 * z584 - z583 * z586;
+    const Scalar z589 = z188 * z539 - z558 * z559 + z571 * z567 - z583 * z578;
+    const Scalar z590 = z587 * z588;
     const Scalar z591 = z587 * z589;
-    const Scalar z592 = z587 * z590;
-    const Scalar z593 = n1 + z189 * z550 - z556 * z552 + z572 * z569 + z584 * z582;
-    const Scalar z594 = z579 * z588 - z584 * z591;
-    const Scalar z595 = z579 * z581 - z584 * z592;
-    const Scalar z596 = z565 * z568 + z572 * z592 - z573 * z595;
-    const Scalar z597 = z587 * z593;
-    const Scalar z598 = z579 * z582 + z584 * z597;
-    const Scalar z599 = z544 * z557 + z556 * z592 - z558 * z595 + z559 * z596;
-    const Scalar z600 = z565 * z569 + z572 * z597 + z573 * z598;
-    const Scalar z601 = z188 * z519 - z550 * z592 + z537 * z595 - z536 * z596 + z535 * z599;
-    const Scalar z602 = z544 * z552 + z556 * z597 + z558 * z598 + z559 * z600;
-    const Scalar z603 = z538 * z592 - z527 * z595 + z512 * z596 - z511 * z599 + z510 * z601;
-    const Scalar z604 = z529 * z592 - z509 * z595 + z485 * z596 - z474 * z599 + z468 * z601 - z449 * z603;
-    const Scalar z605 = n25_over_3 * z197 - z603 - z473 * z599;
-    const Scalar z606 = z469 * z599 + z465 * z601 + z448 * z603;
-    const Scalar z607 = z172 * z529 - z538 * z553 - z550 * z554 - z556 * z560 + z572 * z570 + z584 * z583;
-    const Scalar z608 = z587 * z607;
-    const Scalar z609 = z189 * z519 - z550 * z597 - z537 * z598 - z536 * z600 + z535 * z602;
-    const Scalar z610 = z579 * z583 + z584 * z608;
-    const Scalar z611 = z538 * z597 + z527 * z598 + z512 * z600 - z511 * z602 + z510 * z609;
-    const Scalar z612 = z565 * z570 + z572 * z608 + z573 * z610;
-    const Scalar z613 = z544 * z560 + z556 * z608 + z558 * z610 + z559 * z612;
-    const Scalar z614 = z529 * z597 + z509 * z598 + z485 * z600 - z474 * z602 + z468 * z609 - z449 * z611;
-    const Scalar z615 = z519 * z554 + z550 * z608 + z537 * z610 + z536 * z612 - z535 * z613;
-    const Scalar z616 = z498 * z553 + z538 * z608 + z527 * z610 + z512 * z612 - z511 * z613 - z510 * z615;
-    const Scalar z617 = z81 * z537 - z558 * z555 + z573 * z571;
-    const Scalar z618 = z565 * z585 - z572 * z591 + z573 * z594;
-    const Scalar z619 = n25_over_3 * z199 - z611 - z473 * z602;
-    const Scalar z620 = z469 * z602 + z465 * z609 + z448 * z611;
-    const Scalar z621 = z81 * z550 - z556 * z555 + z572 * z571 + z584 * z617;
-    const Scalar z622 = z544 * z580 - z556 * z591 + z558 * z594 + z559 * z618;
-    const Scalar z623 = z587 * z621;
-    const Scalar z624 = z519 * z578 - z550 * z591 + z537 * z594 + z536 * z618 - z535 * z622;
-    const Scalar z625 = z579 * z617 + z584 * z623;
-    const Scalar z626 = z498 * z576 - z538 * z591 + z527 * z594 + z512 * z618 - z511 * z622 - z510 * z624;
-    const Scalar z627 = z565 * z571 + z572 * z623 + z573 * z625;
-    const Scalar z628 = z544 * z555 + z556 * z623 + z558 * z625 + z559 * z627;
-    const Scalar z629 = z7 * z222 - z529 * z591 + z509 * z594 + z485 * z618 - z474 * z622 - z468 * z624 - z449 * z626;
-    const Scalar z630 = z7 * z172 + z529 * z608 + z509 * z610 + z485 * z612 - z474 * z613 - z468 * z615 - z449 * z616;
-    const Scalar z631 = z473 * z613 + z616;
-    const Scalar z632 = z469 * z613 - z465 * z615 + z448 * z616;
-    const Scalar z633 = z81 * z519 - z550 * z623 - z537 * z625 - z536 * z627 + z535 * z628;
-    const Scalar z634 = n25_over_7 * z241 + z469 * z622 - z465 * z624 + z448 * z626;
-    const Scalar z635 = z538 * z623 + z527 * z625 + z512 * z627 - z511 * z628 + z510 * z633;
-    const Scalar z636 = z183 + z239 * z449 - z240 * z448;
-    const Scalar z637 = z529 * z623 + z509 * z625 + z485 * z627 - z474 * z628 + z468 * z633 - z449 * z635;
-    const Scalar z638 = z182 + z239 * z468 + z240 * z465 - z510 * z636;
-    const Scalar z639 = z473 * z628 + z635;
-    const Scalar z640 = z178 + z239 * z474 - z240 * z469 - z511 * z636 - z535 * z638;
-    const Scalar z641 = z469 * z628 + z465 * z633 + z448 * z635;
-    const Scalar z642 = z239 * z485 - z512 * z636 - z536 * z638 - z559 * z640;
-    const Scalar z643 = n1 + z239 * z509 - z527 * z636 - z537 * z638 - z558 * z640 + z573 * z642;
-    const Scalar z644 = z239 * z529 - z538 * z636 - z550 * z638 - z556 * z640 + z572 * z642 + z584 * z643;
-    const Scalar z645 = z587 * z644;
-    const Scalar z646 = z178 * z622 - z594 + z182 * z624 + z183 * z626 - z239 * z629 - z240 * z634;
-    const Scalar z647 = z579 * z643 + z584 * z645;
-    const Scalar z648 = z565 * z642 + z572 * z645 + z573 * z647;
-    const Scalar z649 = z184 * z622 - z591 + z186 * z624 + z187 * z626 - z222 * z629 - z241 * z634;
-    const Scalar z650 = z544 * z640 + z556 * z645 + z558 * z647 + z559 * z648;
-    const Scalar z651 = z519 * z638 + z550 * z645 + z537 * z647 + z536 * z648 - z535 * z650;
-    const Scalar z652 = z498 * z636 + z538 * z645 + z527 * z647 + z512 * z648 - z511 * z650 - z510 * z651;
-    const Scalar z653 = z7 * z239 + z529 * z645 + z509 * z647 + z485 * z648 - z474 * z650 - z468 * z651 - z449 * z652;
-    const Scalar z654 = n25_over_7 * z240 + z469 * z650 - z465 * z651 + z448 * z652;
-    const Scalar z655 = z178 * z650 - z647 + z182 * z651 + z183 * z652 - z239 * z653 - z240 * z654;
-    const Scalar z656 = n1 / z655;
-    const Scalar z657 = z592 + z184 * z599 - z186 * z601 + z187 * z603 - z222 * z604 - z241 * z606;
-    const Scalar z658 = z595 + z178 * z599 - z182 * z601 + z183 * z603 - z239 * z604 - z240 * z606;
-    const Scalar z659 = z595 + z166 * z599 - z188 * z601 + z197 * (z603 + z605);
-    const Scalar z660 = z646 * z656;
-    const Scalar z661 = z658 * z656;
-    const Scalar z662 = z166 * z602 - z598 - z188 * z609 + z197 * (z611 + z619);
-    const Scalar z663 = z649 - z646 * z660;
-    const Scalar z664 = z657 - z658 * z660;
-    const Scalar z665 = n1 / z663;
-    const Scalar z666 = z659 + z658 * z661;
-    const Scalar z667 = z597 + z184 * z602 - z186 * z609 + z187 * z611 - z222 * z614 - z241 * z620;
-    const Scalar z668 = z178 * z602 - z598 - z182 * z609 + z183 * z611 - z239 * z614 - z240 * z620;
-    const Scalar z669 = z662 + z668 * z661;
-    const Scalar z670 = z667 - z668 * z660;
-    const Scalar z671 = z597 + z167 * z602 - z189 * z609 + z199 * (z611 + z619);
-    const Scalar z672 = z668 * z656;
-    const Scalar z673 = z671 + z668 * z672;
-    const Scalar z674 = z608 + z167 * z613 + z189 * z615 + z199 * (z616 - z631);
-    const Scalar z675 = z166 * z613 - z610 + z188 * z615 + z197 * (z616 - z631);
-    const Scalar z676 = z608 + z184 * z613 + z186 * z615 + z187 * z616 - z222 * z630 - z241 * z632;
-    const Scalar z677 = z178 * z613 - z610 + z182 * z615 + z183 * z616 - z239 * z630 - z240 * z632;
-    const Scalar z678 = z674 + z677 * z672;
-    const Scalar z679 = z675 + z677 * z661;
-    const Scalar z680 = z676 - z677 * z660;
-    const Scalar z681 = z133 * z615 - z612 + z145 * z616 - z172 * z630;
-    const Scalar z682 = z677 * z656;
-    const Scalar z683 = z681 - z677 * z682;
-    const Scalar z684 = z627 + z133 * z633 - z145 * z635 + z172 * z637;
-    const Scalar z685 = z623 + z167 * z628 - z189 * z633 + z199 * (z635 - z639);
-    const Scalar z686 = z166 * z628 - z625 - z188 * z633 + z197 * (z635 - z639);
-    const Scalar z687 = z623 + z184 * z628 - z186 * z633 + z187 * z635 - z222 * z637 - z241 * z641;
-    const Scalar z688 = z178 * z628 - z625 - z182 * z633 + z183 * z635 - z239 * z637 - z240 * z641;
-    const Scalar z689 = z684 + z688 * z682;
-    const Scalar z690 = z685 + z688 * z672;
-    const Scalar z691 = z686 + z688 * z661;
-    const Scalar z692 = z687 - z688 * z660;
-    const Scalar z693 = z81 * z633 - z627;
-    const Scalar z694 = z688 * z656;
-    const Scalar z695 = z693 - z688 * z694;
-    const Scalar z696 = z473 * z622 + z626;
-    const Scalar z697 = z664 * z665;
-    const Scalar z698 = z666 + z664 * z697;
-    const Scalar z699 = z669 + z670 * z697;
-    const Scalar z700 = z679 + z680 * z697;
-    const Scalar z701 = z691 + z692 * z697;
-    const Scalar z702 = n1 / z698;
-    const Scalar z703 = z670 * z665;
-    const Scalar z704 = z673 + z670 * z703;
-    const Scalar z705 = z678 + z680 * z703;
-    const Scalar z706 = z690 + z692 * z703;
-    const Scalar z707 = z680 * z665;
-    const Scalar z708 = z683 - z680 * z707;
-    const Scalar z709 = z689 + z692 * z707;
-    const Scalar z710 = z692 * z665;
-    const Scalar z711 = z695 - z692 * z710;
-    const Scalar z712 = z473 * z650 + z652;
-    const Scalar z713 = z693 + z681 - z671 - z659 + z649 + z655;
-    const Scalar z714 = n4096 * z713;
-    const Scalar z715 = z377 * z448 - z388 - z406 * z449 + z405;
-    const Scalar z716 = z377 * z465 + z406 * z468 + z510 * z715 - z429;
-    const Scalar z717 = z699 * z702;
-    const Scalar z718 = z704 - z699 * z717;
-    const Scalar z719 = z705 - z700 * z717;
-    const Scalar z720 = z706 - z701 * z717;
-    const Scalar z721 = z700 * z702;
-    const Scalar z722 = z708 + z700 * z721;
-    const Scalar z723 = z377 * z469 - z388 * z473 - z406 * z474 - z511 * z715 + z535 * z716 + z439;
-    const Scalar z724 = n1 / z718;
-    const Scalar z725 = z709 - z701 * z721;
-    const Scalar z726 = z426 - z406 * z485 - z512 * z715 + z536 * z716 - z559 * z723;
-    const Scalar z727 = z442 - z406 * z509 - z527 * z715 + z537 * z716 - z558 * z723 + z573 * z726;
-    const Scalar z728 = z441 + z406 * z529 + z538 * z715 - z550 * z716 + z556 * z723 - z572 * z726 - z584 * z727;
-    const Scalar z729 = z587 * z728;
-    const Scalar z730 = z719 * z724;
-    const Scalar z731 = z722 + z719 * z730;
-    const Scalar z732 = z725 - z720 * z730;
-    const Scalar z733 = z579 * z727 - z584 * z729;
-    const Scalar z734 = z701 * z702;
-    const Scalar z735 = z711 + z701 * z734;
-    const Scalar z736 = n1 / z731;
-    const Scalar z737 = z720 * z724;
-    const Scalar z738 = z565 * z726 - z572 * z729 + z573 * z733;
-    const Scalar z739 = z735 + z720 * z737;
-    const Scalar z740 = z544 * z723 - z556 * z729 + z558 * z733 + z559 * z738;
-    const Scalar z741 = z519 * z716 + z550 * z729 - z537 * z733 - z536 * z738 + z535 * z740;
-    const Scalar z742 = z732 * z736;
-    const Scalar z743 = z498 * z715 - z538 * z729 + z527 * z733 + z512 * z738 - z511 * z740 + z510 * z741;
-    const Scalar z744 = z7 * z406 + z529 * z729 - z509 * z733 - z485 * z738 + z474 * z740 - z468 * z741 + z449 * z743;
-    const Scalar z745 = n25_over_7 * z377 - z469 * z740 - z465 * z741 - z448 * z743;
-    const Scalar z746 = z305 - z729 + z184 * z740 - z186 * z741 + z187 * z743 + z222 * z744 + z241 * z745;
-    const Scalar z747 = z304 - z733 + z178 * z740 - z182 * z741 + z183 * z743 + z239 * z744 + z240 * z745;
-    const Scalar z748 = z236 + z738 + z133 * z741 - z145 * z743 - z172 * z744;
-    const Scalar z749 = z743 + n25_over_3 * z388 + z473 * z740;
-    const Scalar z750 = z229 - z729 + z167 * z740 - z189 * z741 + z199 * (z743 - z749);
-    const Scalar z751 = z235 - z733 + z166 * z740 - z188 * z741 + z197 * (z743 - z749);
-    const Scalar z752 = z100 - z738 + z81 * z741;
-    const Scalar z753 = z739 - z732 * z742;
-    const Scalar z754 = z660 * z747 - z746;
-    const Scalar z755 = z751 + z661 * z747 - z697 * z754;
-    const Scalar z756 = n1 / z753;
-    const Scalar z757 = z750 + z672 * z747 - z703 * z754 - z717 * z755;
-    const Scalar z758 = z748 + z682 * z747 - z707 * z754 - z721 * z755 - z730 * z757;
-    const Scalar z759 = z694 * z747 - z752 - z710 * z754 - z734 * z755 - z737 * z757 + z742 * z758;
-    const Scalar z760 = z756 * z759;
-    const Scalar z761 = z736 * z758 + z742 * z760;
-    const Scalar z762 = z724 * z757 + z737 * z760 + z730 * z761;
-    const Scalar z763 = z702 * z755 + z734 * z760 + z721 * z761 - z717 * z762;
-    const Scalar z764 = z665 * z754 - z710 * z760 - z707 * z761 + z703 * z762 + z697 * z763;
-    const Scalar z765 = z656 * z747 + z694 * z760 + z682 * z761 - z672 * z762 - z661 * z763 + z660 * z764;
-    const Scalar z766 = z623 * z760 - z729 + z608 * z761 - z597 * z762 - z592 * z763 - z591 * z764 - z645 * z765;
-    const Scalar z767 = z733 + z625 * z760 + z610 * z761 - z598 * z762 + z595 * z763 + z594 * z764 - z647 * z765;
-    const Scalar z768 = z738 + z627 * z760 + z612 * z761 - z600 * z762 - z596 * z763 + z618 * z764 - z648 * z765;
-    const Scalar z769 = z740 + z628 * z760 + z613 * z761 - z602 * z762 - z599 * z763 + z622 * z764 - z650 * z765;
-    const Scalar z770 = z741 + z633 * z760 - z615 * z761 - z609 * z762 - z601 * z763 - z624 * z764 + z651 * z765;
-    const Scalar z771 = z743 + z635 * z760 + z616 * z761 - z611 * z762 - z603 * z763 + z626 * z764 - z652 * z765;
-    const Scalar z772 = z637 * z760 - z744 + z630 * z761 - z614 * z762 - z604 * z763 + z629 * z764 - z653 * z765;
-    const Scalar z773 = z749 + z639 * z760 + z631 * z761 + z619 * z762 + z605 * z763 + z696 * z764 - z712 * z765;
-    const Scalar z774 = z641 * z760 - z745 + z632 * z761 - z620 * z762 - z606 * z763 + z634 * z764 - z654 * z765;
-    accelerations.x = z766;
-    accelerations.y = z767;
-    accelerations.z = z768;
-    accelerations.yaw = z769;
-    accelerations.roll = z770;
-    accelerations.pitch = z771;
-    accelerations.steer = -z772;
-    accelerations.rear = -z773;
-    accelerations.front = -z774;
-    multipliers.lambda_rear_touches = -z760;
-    multipliers.lambda_front_touches = -z761;
-    multipliers.lambda_rear_rolls_x = -z762;
-    multipliers.lambda_rear_rolls_y = -z763;
-    multipliers.lambda_front_rolls_x = -z764;
-    multipliers.lambda_front_rolls_y = z765;
-    if (!(traits::regular(z586, n94) && traits::regular(z577, n94) && traits::regular(z561, n94)
-        && traits::regular(-z540, z479) && traits::regular(-z515, z461) && traits::regular(-z495, z447)
-        && traits::regular(z6, z6) && traits::regular(-z753, -z714) && traits::regular(-z731, -z714)
-        && traits::regular(z718, -z714) && traits::regular(z698, -z714) && traits::regular(-z663, -z714)
-        && traits::regular(-z655, -z714))) return torsor::Status::singular;
+    const Scalar z592 = n1 + z189 * z539 - z558 * z551 + z571 * z568 + z583 * z581;
+    const Scalar z593 = z579 * z586 - z583 * z590;
+    const Scalar z594 = z579 * z578 - z583 * z591;
+    const Scalar z595 = z566 * z567 + z571 * z591 - z572 * z594;
+    const Scalar z596 = z587 * z592;
+    const Scalar z597 = z579 * z581 + z583 * z596;
+    const Scalar z598 = z544 * z559 + z558 * z591 - z557 * z594 + z556 * z595;
+    const Scalar z599 = z566 * z568 + z571 * z596 + z572 * z597;
+    const Scalar z600 = z188 * z520 - z539 * z591 + z538 * z594 - z537 * z595 + z536 * z598;
+    const Scalar z601 = z544 * z551 + z558 * z596 + z557 * z597 + z556 * z599;
+    const Scalar z602 = z534 * z591 - z514 * z594 + z513 * z595 - z512 * z598 + z511 * z600;
+    const Scalar z603 = z515 * z591 - z508 * z594 + z484 * z595 - z473 * z598 + z468 * z600 - z449 * z602;
+    const Scalar z604 = n25_over_3 * z197 - z602 - z472 * z598;
+    const Scalar z605 = z469 * z598 + z454 * z600 + z448 * z602;
+    const Scalar z606 = z172 * z515 - z534 * z552 - z539 * z553 - z558 * z555 + z571 * z569 + z583 * z582;
+    const Scalar z607 = z587 * z606;
+    const Scalar z608 = z189 * z520 - z539 * z596 - z538 * z597 - z537 * z599 + z536 * z601;
+    const Scalar z609 = z579 * z582 + z583 * z607;
+    const Scalar z610 = z534 * z596 + z514 * z597 + z513 * z599 - z512 * z601 + z511 * z608;
+    const Scalar z611 = z566 * z569 + z571 * z607 + z572 * z609;
+    const Scalar z612 = z544 * z555 + z558 * z607 + z557 * z609 + z556 * z611;
+    const Scalar z613 = z515 * z596 + z508 * z597 + z484 * z599 - z473 * z601 + z468 * z608 - z449 * z610;
+    const Scalar z614 = z520 * z553 + z539 * z607 + z538 * z609 + z537 * z611 - z536 * z612;
+    const Scalar z615 = z497 * z552 + z534 * z607 + z514 * z609 + z513 * z611 - z512 * z612 - z511 * z614;
+    const Scalar z616 = z81 * z538 - z557 * z554 + z572 * z570;
+    const Scalar z617 = z566 * z584 - z571 * z590 + z572 * z593;
+    const Scalar z618 = n25_over_3 * z199 - z610 - z472 * z601;
+    const Scalar z619 = z469 * z601 + z454 * z608 + z448 * z610;
+    const Scalar z620 = z81 * z539 - z558 * z554 + z571 * z570 + z583 * z616;
+    const Scalar z621 = z544 * z580 - z558 * z590 + z557 * z593 + z556 * z617;
+    const Scalar z622 = z587 * z620;
+    const Scalar z623 = z520 * z577 - z539 * z590 + z538 * z593 + z537 * z617 - z536 * z621;
+    const Scalar z624 = z579 * z616 + z583 * z622;
+    const Scalar z625 = z497 * z575 - z534 * z590 + z514 * z593 + z513 * z617 - z512 * z621 - z511 * z623;
+    const Scalar z626 = z566 * z570 + z571 * z622 + z572 * z624;
+    const Scalar z627 = z544 * z554 + z558 * z622 + z557 * z624 + z556 * z626;
+    const Scalar z628 = z7 * z222 - z515 * z590 + z508 * z593 + z484 * z617 - z473 * z621 - z468 * z623 - z449 * z625;
+    const Scalar z629 = z7 * z172 + z515 * z607 + z508 * z609 + z484 * z611 - z473 * z612 - z468 * z614 - z449 * z615;
+    const Scalar z630 = z472 * z612 + z615;
+    const Scalar z631 = z469 * z612 - z454 * z614 + z448 * z615;
+    const Scalar z632 = z81 * z520 - z539 * z622 - z538 * z624 - z537 * z626 + z536 * z627;
+    const Scalar z633 = n25_over_7 * z241 + z469 * z621 - z454 * z623 + z448 * z625;
+    const Scalar z634 = z534 * z622 + z514 * z624 + z513 * z626 - z512 * z627 + z511 * z632;
+    const Scalar z635 = z183 + z239 * z449 - z240 * z448;
+    const Scalar z636 = z515 * z622 + z508 * z624 + z484 * z626 - z473 * z627 + z468 * z632 - z449 * z634;
+    const Scalar z637 = z182 + z239 * z468 + z240 * z454 - z511 * z635;
+    const Scalar z638 = z472 * z627 + z634;
+    const Scalar z639 = z178 + z239 * z473 - z240 * z469 - z512 * z635 - z536 * z637;
+    const Scalar z640 = z469 * z627 + z454 * z632 + z448 * z634;
+    const Scalar z641 = z239 * z484 - z513 * z635 - z537 * z637 - z556 * z639;
+    const Scalar z642 = n1 + z239 * z508 - z514 * z635 - z538 * z637 - z557 * z639 + z572 * z641;
+    const Scalar z643 = z239 * z515 - z534 * z635 - z539 * z637 - z558 * z639 + z571 * z641 + z583 * z642;
+    const Scalar z644 = z587 * z643;
+    const Scalar z645 = z178 * z621 - z593 + z182 * z623 + z183 * z625 - z239 * z628 - z240 * z633;
+    const Scalar z646 = z579 * z642 + z583 * z644;
+    const Scalar z647 = z566 * z641 + z571 * z644 + z572 * z646;
+    const Scalar z648 = z184 * z621 - z590 + z186 * z623 + z187 * z625 - z222 * z628 - z241 * z633;
+    const Scalar z649 = z544 * z639 + z558 * z644 + z557 * z646 + z556 * z647;
+    const Scalar z650 = z520 * z637 + z539 * z644 + z538 * z646 + z537 * z647 - z536 * z649;
+    const Scalar z651 = z497 * z635 + z534 * z644 + z514 * z646 + z513 * z647 - z512 * z649 - z511 * z650;
+    const Scalar z652 = z7 * z239 + z515 * z644 + z508 * z646 + z484 * z647 - z473 * z649 - z468 * z650 - z449 * z651;
+    const Scalar z653 = n25_over_7 * z240 + z469 * z649 - z454 * z650 + z448 * z651;
+    const Scalar z654 = z178 * z649 - z646 + z182 * z650 + z183 * z651 - z239 * z652 - z240 * z653;
+    const Scalar z655 = n1 / z654;
+    const Scalar z656 = z591 + z184 * z598 - z186 * z600 + z187 * z602 - z222 * z603 - z241 * z605;
+    const Scalar z657 = z594 + z178 * z598 - z182 * z600 + z183 * z602 - z239 * z603 - z240 * z605;
+    const Scalar z658 = z594 + z166 * z598 - z188 * z600 + z197 * (z602 + z604);
+    const Scalar z659 = z645 * z655;
+    const Scalar z660 = z657 * z655;
+    const Scalar z661 = z166 * z601 - z597 - z188 * z608 + z197 * (z610 + z618);
+    const Scalar z662 = z648 - z645 * z659;
+    const Scalar z663 = z656 - z657 * z659;
+    const Scalar z664 = n1 / z662;
+    const Scalar z665 = z658 + z657 * z660;
+    const Scalar z666 = z596 + z184 * z601 - z186 * z608 + z187 * z610 - z222 * z613 - z241 * z619;
+    const Scalar z667 = z178 * z601 - z597 - z182 * z608 + z183 * z610 - z239 * z613 - z240 * z619;
+    const Scalar z668 = z661 + z667 * z660;
+    const Scalar z669 = z666 - z667 * z659;
+    const Scalar z670 = z596 + z167 * z601 - z189 * z608 + z199 * (z610 + z618);
+    const Scalar z671 = z667 * z655;
+    const Scalar z672 = z670 + z667 * z671;
+    const Scalar z673 = z607 + z167 * z612 + z189 * z614 + z199 * (z615 - z630);
+    const Scalar z674 = z166 * z612 - z609 + z188 * z614 + z197 * (z615 - z630);
+    const Scalar z675 = z607 + z184 * z612 + z186 * z614 + z187 * z615 - z222 * z629 - z241 * z631;
+    const Scalar z676 = z178 * z612 - z609 + z182 * z614 + z183 * z615 - z239 * z629 - z240 * z631;
+    const Scalar z677 = z673 + z676 * z671;
+    const Scalar z678 = z674 + z676 * z660;
+    const Scalar z679 = z675 - z676 * z659;
+    const Scalar z680 = z133 * z614 - z611 + z145 * z615 - z172 * z629;
+    const Scalar z681 = z676 * z655;
+    const Scalar z682 = z680 - z676 * z681;
+    const Scalar z683 = z626 + z133 * z632 - z145 * z634 + z172 * z636;
+    const Scalar z684 = z622 + z167 * z627 - z189 * z632 + z199 * (z634 - z638);
+    const Scalar z685 = z166 * z627 - z624 - z188 * z632 + z197 * (z634 - z638);
+    const Scalar z686 = z622 + z184 * z627 - z186 * z632 + z187 * z634 - z222 * z636 - z241 * z640;
+    const Scalar z687 = z178 * z627 - z624 - z182 * z632 + z183 * z634 - z239 * z636 - z240 * z640;
+    const Scalar z688 = z683 + z687 * z681;
+    const Scalar z689 = z684 + z687 * z671;
+    const Scalar z690 = z685 + z687 * z660;
+    const Scalar z691 = z686 - z687 * z659;
+    const Scalar z692 = z81 * z632 - z626;
+    const Scalar z693 = z687 * z655;
+    const Scalar z694 = z692 - z687 * z693;
+    const Scalar z695 = z472 * z621 + z625;
+    const Scalar z696 = z663 * z664;
+    const Scalar z697 = z665 + z663 * z696;
+    const Scalar z698 = z668 + z669 * z696;
+    const Scalar z699 = z678 + z679 * z696;
+    const Scalar z700 = z690 + z691 * z696;
+    const Scalar z701 = n1 / z697;
+    const Scalar z702 = z669 * z664;
+    const Scalar z703 = z672 + z669 * z702;
+    const Scalar z704 = z677 + z679 * z702;
+    const Scalar z705 = z689 + z691 * z702;
+    const Scalar z706 = z679 * z664;
+    const Scalar z707 = z682 - z679 * z706;
+    const Scalar z708 = z688 + z691 * z706;
+    const Scalar z709 = z691 * z664;
+    const Scalar z710 = z694 - z691 * z709;
+    const Scalar z711 = z472 * z649 + z651;
+    const Scalar z712 = z692 + z680 - z670 - z658 + z648 + z654;
+    const Scalar z713 = n4096 * z712;
+    const Scalar z714 = z377 * z448 - z388 - z406 * z449 + z405;
+    const Scalar z715 = z377 * z454 + z406 * z468 + z511 * z714 - z429;
+    const Scalar z716 = z698 * z701;
+    const Scalar z717 = z703 - z698 * z716;
+    const Scalar z718 = z704 - z699 * z716;
+    const Scalar z719 = z705 - z700 * z716;
+    const Scalar z720 = z699 * z701;
+    const Scalar z721 = z707 + z699 * z720;
+    const Scalar z722 = z377 * z469 - z388 * z472 - z406 * z473 - z512 * z714 + z536 * z715 + z439;
+    const Scalar z723 = n1 / z717;
+    const Scalar z724 = z708 - z700 * z720;
+    const Scalar z725 = z426 - z406 * z484 - z513 * z714 + z537 * z715 - z556 * z722;
+    const Scalar z726 = z442 - z406 * z508 - z514 * z714 + z538 * z715 - z557 * z722 + z572 * z725;
+    const Scalar z727 = z441 + z406 * z515 + z534 * z714 - z539 * z715 + z558 * z722 - z571 * z725 - z583 * z726;
+    const Scalar z728 = z587 * z727;
+    const Scalar z729 = z718 * z723;
+    const Scalar z730 = z721 + z718 * z729;
+    const Scalar z731 = z724 - z719 * z729;
+    const Scalar z732 = z579 * z726 - z583 * z728;
+    const Scalar z733 = z700 * z701;
+    const Scalar z734 = z710 + z700 * z733;
+    const Scalar z735 = n1 / z730;
+    const Scalar z736 = z719 * z723;
+    const Scalar z737 = z566 * z725 - z571 * z728 + z572 * z732;
+    const Scalar z738 = z734 + z719 * z736;
+    const Scalar z739 = z544 * z722 - z558 * z728 + z557 * z732 + z556 * z737;
+    const Scalar z740 = z520 * z715 + z539 * z728 - z538 * z732 - z537 * z737 + z536 * z739;
+    const Scalar z741 = z731 * z735;
+    const Scalar z742 = z497 * z714 - z534 * z728 + z514 * z732 + z513 * z737 - z512 * z739 + z511 * z740;
+    const Scalar z743 = z7 * z406 + z515 * z728 - z508 * z732 - z484 * z737 + z473 * z739 - z468 * z740 + z449 * z742;
+    const Scalar z744 = n25_over_7 * z377 - z469 * z739 - z454 * z740 - z448 * z742;
+    const Scalar z745 = z305 - z728 + z184 * z739 - z186 * z740 + z187 * z742 + z222 * z743 + z241 * z744;
+    const Scalar z746 = z304 - z732 + z178 * z739 - z182 * z740 + z183 * z742 + z239 * z743 + z240 * z744;
+    const Scalar z747 = z236 + z737 + z133 * z740 - z145 * z742 - z172 * z743;
+    const Scalar z748 = z742 + n25_over_3 * z388 + z472 * z739;
+    const Scalar z749 = z229 - z728 + z167 * z739 - z189 * z740 + z199 * (z742 - z748);
+    const Scalar z750 = z235 - z732 + z166 * z739 - z188 * z740 + z197 * (z742 - z748);
+    const Scalar z751 = z100 - z737 + z81 * z740;
+    const Scalar z752 = z738 - z731 * z741;
+    const Scalar z753 = z659 * z746 - z745;
+    const Scalar z754 = z750 + z660 * z746 - z696 * z753;
+    const Scalar z755 = n1 / z752;
+    const Scalar z756 = z749 + z671 * z746 - z702 * z753 - z716 * z754;
+    const Scalar z757 = z747 + z681 * z746 - z706 * z753 - z720 * z754 - z729 * z756;
+    const Scalar z758 = z693 * z746 - z751 - z709 * z753 - z733 * z754 - z736 * z756 + z741 * z757;
+    const Scalar z759 = z755 * z758;
+    const Scalar z760 = z735 * z757 + z741 * z759;
+    const Scalar z761 = z723 * z756 + z736 * z759 + z729 * z760;
+    const Scalar z762 = z701 * z754 + z733 * z759 + z720 * z760 - z716 * z761;
+    const Scalar z763 = z664 * z753 - z709 * z759 - z706 * z760 + z702 * z761 + z696 * z762;
+    const Scalar z764 = z655 * z746 + z693 * z759 + z681 * z760 - z671 * z761 - z660 * z762 + z659 * z763;
+    const Scalar z765 = z622 * z759 - z728 + z607 * z760 - z596 * z761 - z591 * z762 - z590 * z763 - z644 * z764;
+    const Scalar z766 = z732 + z624 * z759 + z609 * z760 - z597 * z761 + z594 * z762 + z593 * z763 - z646 * z764;
+    const Scalar z767 = z737 + z626 * z759 + z611 * z760 - z599 * z761 - z595 * z762 + z617 * z763 - z647 * z764;
+    const Scalar z768 = z739 + z627 * z759 + z612 * z760 - z601 * z761 - z598 * z762 + z621 * z763 - z649 * z764;
+    const Scalar z769 = z740 + z632 * z759 - z614 * z760 - z608 * z761 - z600 * z762 - z623 * z763 + z650 * z764;
+    const Scalar z770 = z742 + z634 * z759 + z615 * z760 - z610 * z761 - z602 * z762 + z625 * z763 - z651 * z764;
+    const Scalar z771 = z636 * z759 - z743 + z629 * z760 - z613 * z761 - z603 * z762 + z628 * z763 - z652 * z764;
+    const Scalar z772 = z748 + z638 * z759 + z630 * z760 + z618 * z761 + z604 * z762 + z695 * z763 - z711 * z764;
+    const Scalar z773 = z640 * z759 - z744 + z631 * z760 - z619 * z761 - z605 * z762 + z633 * z763 - z653 * z764;
+    accelerations.x = z765;
+    accelerations.y = z766;
+    accelerations.z = z767;
+    accelerations.yaw = z768;
+    accelerations.roll = z769;
+    accelerations.pitch = z770;
+    accelerations.steer = -z771;
+    accelerations.rear = -z772;
+    accelerations.front = -z773;
+    multipliers.lambda_rear_touches = -z759;
+    multipliers.lambda_front_touches = -z760;
+    multipliers.lambda_rear_rolls_x = -z761;
+    multipliers.lambda_rear_rolls_y = -z762;
+    multipliers.lambda_front_rolls_x = -z763;
+    multipliers.lambda_front_rolls_y = z764;
+    if (!(traits::regular(z585, n94) && traits::regular(z576, n94) && traits::regular(z561, n94)
+        && traits::regular(-z540, z479) && traits::regular(-z516, z460) && traits::regular(-z495, z447)
+        && traits::regular(z6, z6) && traits::regular(-z752, -z713) && traits::regular(-z730, -z713)
+        && traits::regular(z717, -z713) && traits::regular(z697, -z713) && traits::regular(-z662, -z713)
+        && traits::regular(-z654, -z713))) return torsor::Status::singular;
     // 0 x is 0 for every finite x and not a number for any other.
     const Scalar zero = n0 * accelerations.x * accelerations.y * accelerations.z * accelerations.yaw
         * accelerations.roll * accelerations.pitch * accelerations.steer * accelerations.rear * accelerations.front
@@ -1904,6 +1463,12 @@ struct Mechanism {
         * multipliers.lambda_rear_rolls_y * multipliers.lambda_front_rolls_x * multipliers.lambda_front_rolls_y;
     if (!traits::regular(n1, zero)) return torsor::Status::not_finite;
     return torsor::Status::ok;
+  }
+
+  /// The same for this mechanism, which has nothing in the arguments left out.
+  TORSOR_DEVICE static torsor::Status forward_dynamics(const Precomputed& precomputed, const State& state,
+      Accelerations& accelerations, Multipliers& multipliers) noexcept {
+    return forward_dynamics(precomputed, state, Inputs(), accelerations, multipliers);
   }
 
   /// Kinetic energy, force function (potential energy = -U) and power of what has no force function.
@@ -2057,6 +1622,11 @@ struct Mechanism {
         * z69 - z47 * z71);
     result.force_function = n853_47 * q_z + n39_24 * z34 - n9_81 * (z28 + z72) + n29_43 * z73;
     result.power = n0;
+  }
+
+  /// The same for this mechanism, which has nothing in the arguments left out.
+  TORSOR_DEVICE static void energy(const Precomputed& precomputed, const State& state, Energy& result) noexcept {
+    energy(precomputed, state, Inputs(), result);
   }
 
   /// First integrals: constant along every motion.
@@ -2646,30 +2216,29 @@ struct Mechanism {
     const Scalar k16 = traits::constant(2.20014, 2.20014f, "110007/50000");
     const Scalar n2_5667 = traits::constant(2.5667, 2.5667f, "25667/10000");
     const Scalar k18 = traits::constant(2.23992, 2.23992f, "27999/12500");
+    const Scalar k19 = traits::constant(0.03978, 0.03978f, "1989/50000");
     const Scalar n7 = traits::constant(7.0, 7.0f, "7/1");
-    const Scalar k20 = traits::constant(0.03978, 0.03978f, "1989/50000");
     const Scalar n25_5 = traits::constant(25.5, 25.5f, "51/2");
     const Scalar n51 = traits::constant(51.0, 51.0f, "51/1");
     const Scalar n49_25 = traits::constant(49.25, 49.25f, "197/4");
     const Scalar n29_35 = traits::constant(29.35, 29.35f, "587/20");
     const Scalar n17_7 = traits::constant(17.7, 17.7f, "177/10");
-    const Scalar n39_8603 = traits::constant(39.8603, 39.8603f, "398603/10000");
     const Scalar n78_6 = traits::constant(78.6, 78.6f, "393/5");
     const Scalar n2_8467 = traits::constant(2.8467, 2.8467f, "28467/10000");
     const Scalar n0_63 = traits::constant(0.63, 0.63f, "63/100");
     const Scalar n0_6 = traits::constant(0.6, 0.6f, "3/5");
-    const Scalar n79_7206 = traits::constant(79.7206, 79.7206f, "398603/5000");
     const Scalar n2_31 = traits::constant(2.31, 2.31f, "231/100");
     const Scalar n9_1 = traits::constant(9.1, 9.1f, "91/10");
     const Scalar n2_2 = traits::constant(2.2, 2.2f, "11/5");
+    const Scalar n39_8603 = traits::constant(39.8603, 39.8603f, "398603/10000");
     const Scalar n8_47 = traits::constant(8.47, 8.47f, "847/100");
-    const Scalar n2_1 = traits::constant(2.1, 2.1f, "21/10");
     const Scalar n7_7 = traits::constant(7.7, 7.7f, "77/10");
+    const Scalar n2_1 = traits::constant(2.1, 2.1f, "21/10");
     const Scalar n87 = traits::constant(87.0, 87.0f, "87/1");
     const Scalar n0_14 = traits::constant(0.14, 0.14f, "7/50");
-    const Scalar k40 = traits::constant(2.38342, 2.38342f, "119171/50000");
+    const Scalar k39 = traits::constant(2.38342, 2.38342f, "119171/50000");
     const Scalar n0_1435 = traits::constant(0.1435, 0.1435f, "287/2000");
-    const Scalar k42 = traits::constant(0.18328, 0.18328f, "2291/12500");
+    const Scalar k41 = traits::constant(0.18328, 0.18328f, "2291/12500");
     const Scalar n0_06 = traits::constant(0.06, 0.06f, "3/50");
     const Scalar n39_3 = traits::constant(39.3, 39.3f, "393/10");
     const Scalar n9_95 = traits::constant(9.95, 9.95f, "199/20");
@@ -3021,10 +2590,10 @@ struct Mechanism {
     const Scalar z270 = v_roll * z264 + z269;  // angular acceleration of frame.2, y
     const Scalar z271 = a_x * s_yaw - a_y * c_yaw;
     const Scalar z272 = n9_81 - a_z;
-    const Scalar z273 = a_x * c_yaw + a_y * s_yaw;
-    const Scalar z274 = s_roll * z271 - c_roll * z272;
-    const Scalar z275 = s_roll * z272 + c_roll * z271;
-    const Scalar z276 = z1 * z86 - z2 * z85;
+    const Scalar z273 = s_roll * z271 - c_roll * z272;
+    const Scalar z274 = a_x * c_yaw + a_y * s_yaw;
+    const Scalar z275 = z1 * z86 - z2 * z85;
+    const Scalar z276 = s_roll * z272 + c_roll * z271;
     const Scalar z277 = v_y - z256;
     const Scalar z278 = a_roll * c_pitch + s_pitch * z268;
     const Scalar z279 = a_roll * s_pitch - c_pitch * z268;
@@ -3032,10 +2601,10 @@ struct Mechanism {
     const Scalar z281 = z17 * z194 + s_roll * z251;
     const Scalar z282 = n1_1 * z85 + n0_3 * z86;
     const Scalar z283 = s_yaw * z250 - c_yaw * z249 - z16 * z65 - z18 * z63;
-    const Scalar z284 = s_yaw * z276 - z16 * z195 + z18 * z196 - c_yaw * z281;
+    const Scalar z284 = s_yaw * z275 - z16 * z195 + z18 * z196 - c_yaw * z281;
     const Scalar z285 = z106 * z107 - z277 + z83 * z252;
     const Scalar z286 = z277 + z285;
-    const Scalar z287 = s_pitch * z274 - c_pitch * z273;
+    const Scalar z287 = s_pitch * z273 - c_pitch * z274;
     const Scalar z288 = z17 * z192 + s_roll * z282;
     const Scalar z289 = v_x + z283;
     const Scalar z290 = z16 * z191 + s_yaw * z280 - z18 * z193 + c_yaw * z288;
@@ -3049,12 +2618,12 @@ struct Mechanism {
     const Scalar z298 = z289 - z293;
     const Scalar z299 = v_pitch + z263;  // angular velocity of frame, y
     const Scalar z300 = a_pitch + z270;  // angular acceleration of frame, y
-    const Scalar z301 = s_pitch * z273 + c_pitch * z274;
+    const Scalar z301 = s_pitch * z274 + c_pitch * z273;
     const Scalar z302 = z18 * z191 - c_yaw * z280 + z16 * z193 + s_yaw * z288;
     const Scalar z303 = v_z - z292;
     const Scalar z304 = z253 - z303;
     const Scalar z305 = v_x - z293;
-    const Scalar z306 = z18 * z195 + c_yaw * z276 + z16 * z196 + s_yaw * z281;
+    const Scalar z306 = z18 * z195 + c_yaw * z275 + z16 * z196 + s_yaw * z281;
     const Scalar z307 = v_x - z302;
     const Scalar z308 = z293 - z307;
     const Scalar z309 = z27 * z183;
@@ -3065,21 +2634,21 @@ struct Mechanism {
     const Scalar z314 = c_yaw * z258 - z18 * z183;
     const Scalar z315 = z17 * z182 + z254 + s_roll * z295 - z21 * z258;
     const Scalar z316 = z265 * z299;
-    const Scalar z317 = z265 * z266;
-    const Scalar z318 = z297 + z316;
-    const Scalar z319 = z266 * z299;
-    const Scalar z320 = z299 * z299;
-    const Scalar z321 = z266 * z266;
-    const Scalar z322 = z300 - z317;
-    const Scalar z323 = z296 + z319;
-    const Scalar z324 = z265 * z265;
-    const Scalar z325 = z320 + z321;
-    const Scalar z326 = z320 + z324;
-    const Scalar z327 = z300 + z317;
+    const Scalar z317 = z299 * z299;
+    const Scalar z318 = z266 * z266;
+    const Scalar z319 = z297 + z316;
+    const Scalar z320 = z265 * z266;
+    const Scalar z321 = z266 * z299;
+    const Scalar z322 = z317 + z318;
+    const Scalar z323 = z296 + z321;
+    const Scalar z324 = z300 - z320;
+    const Scalar z325 = z265 * z265;
+    const Scalar z326 = z317 + z325;
+    const Scalar z327 = z300 + z320;
     const Scalar z328 = s_rear * z265 + c_rear * z266;
     const Scalar z329 = v_rear + z299;  // angular velocity of rear_wheel, y
-    const Scalar z330 = a_rear + z300;  // angular acceleration of rear_wheel, y
-    const Scalar z331 = s_rear * z266 - c_rear * z265;
+    const Scalar z330 = s_rear * z266 - c_rear * z265;
+    const Scalar z331 = a_rear + z300;  // angular acceleration of rear_wheel, y
     const Scalar z332 = z17 * z181 - z309 + s_roll * z305 + z19 * z258;
     const Scalar z333 = z310 - z233 * z257 + z197 * z294 - z199 * z304;
     const Scalar z334 = z11 * z299 + z13 * z265 - z15 * z266;
@@ -3098,1614 +2667,1609 @@ struct Mechanism {
     const Scalar z347 = v_steer * z346 - z340;  // angular acceleration of fork, y
     const Scalar z348 = z1 * v_steer;
     const Scalar z349 = z335 + z348;  // angular velocity of fork, x
-    const Scalar z350 = z275 - n1_1 * z318 - n0_3 * z323;
-    const Scalar z351 = z301 - n1_1 * z322 - n0_3 * z326;
-    const Scalar z352 = z336 * z336;
-    const Scalar z353 = z287 + n1_1 * z325 - n0_3 * z327;
-    const Scalar z354 = z13 * z296 - z11 * z300 + z15 * z297;
-    const Scalar z355 = z354 + z2 * a_steer - z336 * z348;  // angular acceleration of fork, z
+    const Scalar z350 = z276 - n1_1 * z319 - n0_3 * z323;
+    const Scalar z351 = z287 + n1_1 * z322 - n0_3 * z327;
+    const Scalar z352 = z13 * z296 - z11 * z300 + z15 * z297;
+    const Scalar z353 = z352 + z2 * a_steer - z336 * z348;  // angular acceleration of fork, z
+    const Scalar z354 = z301 - n1_1 * z324 - n0_3 * z326;
+    const Scalar z355 = z336 * z336;
     const Scalar z356 = z345 * z345;
-    const Scalar z357 = z10 * z350 + z13 * z351 + z12 * z353;
-    const Scalar z358 = c_steer * z350 - z10 * z353 - z11 * z351;
-    const Scalar z359 = z11 * z350 + z15 * z351 + z13 * z353;
+    const Scalar z357 = c_steer * z350 - z10 * z351 - z11 * z354;
+    const Scalar z358 = z10 * z350 + z13 * z354 + z12 * z351;
+    const Scalar z359 = z11 * z350 + z15 * z354 + z13 * z351;
     const Scalar z360 = v_yaw * z305 - v_roll * z314 + v_pitch * z332 + v_steer * z338 + v_front * z341;
-    const Scalar z361 = n0_12 * z330;  // moment on rear_wheel, y
+    const Scalar z361 = n0_12 * z331;  // moment on rear_wheel, y
     const Scalar z362 = s_front * z345 + c_front * z349;
     const Scalar z363 = s_front * z349 - c_front * z345;
     const Scalar z364 = v_front + z336;  // angular velocity of front_wheel, y
     const Scalar z365 = a_front - z347;  // angular acceleration of front_wheel, y
     const Scalar z366 = n0_28 * z365;  // moment on front_wheel, y
     const Scalar z367 = z362 * z364;
-    const Scalar z368 = z349 * z349;
-    const Scalar z369 = z349 * z345;
-    const Scalar z370 = z363 * z364;
+    const Scalar z368 = z349 * z345;
+    const Scalar z369 = z363 * z364;
+    const Scalar z370 = z349 * z349;
     const Scalar z371 = n0_28 * z367;  // moment on front_wheel, z
-    const Scalar z372 = n0_28 * z370;  // moment on front_wheel, x
-    const Scalar z373 = z352 + z368;
-    const Scalar z374 = z352 + z356;
-    const Scalar z375 = z356 - z368;
+    const Scalar z372 = n0_28 * z369;  // moment on front_wheel, x
+    const Scalar z373 = z328 * z329;
+    const Scalar z374 = n0_12 * z373;  // moment on rear_wheel, x
+    const Scalar z375 = z355 + z356;
+    const Scalar z376 = z356 - z370;
+    const Scalar z377 = z355 + z370;
     // moment on fork, y
-    const Scalar z376 = z366 - k16 * z369 - k4 * z375 - n2_5667 * z347 + n3_85 * z357 + n1_04 * z359;
-    const Scalar z377 = z328 * z329;
-    const Scalar z378 = n0_12 * z377;  // moment on rear_wheel, x
-    const Scalar z379 = z347 - z369;
-    const Scalar z380 = z347 + z369;
-    const Scalar z381 = z331 * z329;
-    const Scalar z382 = n0_12 * z381;  // moment on rear_wheel, z
+    const Scalar z378 = z366 - k16 * z368 - k4 * z376 - n2_5667 * z347 + n3_85 * z358 + n1_04 * z359;
+    const Scalar z379 = z330 * z329;
+    const Scalar z380 = n0_12 * z379;  // moment on rear_wheel, z
+    const Scalar z381 = z347 + z368;
+    const Scalar z382 = z347 - z368;
     const Scalar z383 = s_front * z371 - c_front * z372;
     const Scalar z384 = s_front * z372 + c_front * z371;
     const Scalar z385 = z336 * z349;
-    const Scalar z386 = z355 + z385;
+    const Scalar z386 = z353 + z385;
     const Scalar z387 = z336 * z345;
-    const Scalar z388 = s_rear * z378 - c_rear * z382;
-    const Scalar z389 = s_rear * z382 + c_rear * z378;
-    const Scalar z390 = n3_85 * z358 - z383 - k18 * z387 - k3 * z344 + k4 * z386;  // moment on fork, x
-    const Scalar z391 = z321 - z324;
-    const Scalar z392 = n3_85 * z373 - n1_04 * z379 + n7 * z359;  // force on fork, z
-    const Scalar z393 = z344 + z387;
-    const Scalar z394 = z384 + k20 * z385 + k5 * z355 + n1_04 * z358 - k4 * z393;  // moment on fork, z
-    const Scalar z395 = z3 * z10;
-    const Scalar z396 = z3 * z11;
-    const Scalar z397 = n7 * z357 - n1_04 * z374 - n3_85 * z380;  // force on fork, x
-    const Scalar z398 = z4 * z10 + z5 * z11;
-    const Scalar z399 = n0_3 * z395 - z398 + n1_1 * z396;
-    const Scalar z400 = c_steer * z3;
-    const Scalar z401 = z5 * z13 + z4 * z12;
-    const Scalar z402 = n0_3 * z400 - z401;
-    const Scalar z403 = s_pitch * z395 + c_pitch * z396;
-    const Scalar z404 = n0_28 * z10;
-    const Scalar z405 = n7 * z358 + n1_04 * z386 - n3_85 * z393;  // force on fork, y
-    const Scalar z406 = z4 * z13 + z5 * z15;
-    const Scalar z407 = n1_1 * z400 - z406;
-    const Scalar z408 = n0_28 * z11;
-    const Scalar z409 = s_pitch * z396 - c_pitch * z395;
-    const Scalar z410 = n0_28 * c_steer;
-    const Scalar z411 = z13 * z392 + z12 * z397 - z10 * z405;
-    const Scalar z412 = z411 + n25_5 * z325 + n51 * z327;  // force on frame, x
-    const Scalar z413 = n1_04 * z12 - n3_85 * z13;
-    const Scalar z414 = c_steer * z376;
-    const Scalar z415 = s_roll * z403 - c_roll * z400;
-    const Scalar z416 = s_pitch * z404 + c_pitch * z408;
-    const Scalar z417 = z11 * z392 + c_steer * z405 + z10 * z397;
-    const Scalar z418 = n1_04 * z10 - n3_85 * z11;
-    const Scalar z419 = z15 * z392 + z13 * z397 - z11 * z405;
-    const Scalar z420 = n25_5 * z322 - z419 - n51 * z326;  // force on frame, z
-    const Scalar z421 = n1_04 * z13 - n3_85 * z15;
-    const Scalar z422 = s_pitch * z402 + c_pitch * z407;
-    const Scalar z423 = c_yaw * z409 + s_yaw * z415;
-    const Scalar z424 = s_yaw * z409 - c_yaw * z415;
-    const Scalar z425 = s_roll * z410 + c_roll * z416;
-    const Scalar z426 = z10 * z390 - z414 + z11 * z394;
-    // moment on frame, y
-    const Scalar z427 = z361 + n49_25 * z300 + n29_35 * z317 + n17_7 * z391 - n25_5 * z301 + n51 * z287 - n0_3 * z411
-        - n1_1 * z419 - z426;
-    const Scalar z428 = z11 * z376 + z13 * z390 + z15 * z394;
+    const Scalar z388 = s_rear * z374 - c_rear * z380;
+    const Scalar z389 = s_rear * z380 + c_rear * z374;
+    const Scalar z390 = n3_85 * z357 - z383 - k18 * z387 - k3 * z344 + k4 * z386;  // moment on fork, x
+    const Scalar z391 = z344 + z387;
+    const Scalar z392 = z384 + k19 * z385 + k5 * z353 + n1_04 * z357 - k4 * z391;  // moment on fork, z
+    const Scalar z393 = z3 * z10;
+    const Scalar z394 = z3 * z11;
+    const Scalar z395 = z318 - z325;
+    const Scalar z396 = n3_85 * z377 - n1_04 * z382 + n7 * z359;  // force on fork, z
+    const Scalar z397 = z4 * z10 + z5 * z11;
+    const Scalar z398 = n0_3 * z393 - z397 + n1_1 * z394;
+    const Scalar z399 = c_steer * z3;
+    const Scalar z400 = z5 * z13 + z4 * z12;
+    const Scalar z401 = n0_3 * z399 - z400;
+    const Scalar z402 = s_pitch * z393 + c_pitch * z394;
+    const Scalar z403 = n0_28 * z10;
+    const Scalar z404 = n7 * z358 - n1_04 * z375 - n3_85 * z381;  // force on fork, x
+    const Scalar z405 = n7 * z357 + n1_04 * z386 - n3_85 * z391;  // force on fork, y
+    const Scalar z406 = n1_04 * z12 - n3_85 * z13;
+    const Scalar z407 = n1_04 * z10 - n3_85 * z11;
+    const Scalar z408 = z4 * z13 + z5 * z15;
+    const Scalar z409 = n1_1 * z399 - z408;
+    const Scalar z410 = n0_28 * z11;
+    const Scalar z411 = s_pitch * z394 - c_pitch * z393;
+    const Scalar z412 = n0_28 * c_steer;
+    const Scalar z413 = s_roll * z402 - c_roll * z399;
+    const Scalar z414 = s_pitch * z403 + c_pitch * z410;
+    const Scalar z415 = z13 * z396 + z12 * z404 - z10 * z405;
+    const Scalar z416 = z415 + n25_5 * z322 + n51 * z327;  // force on frame, x
+    const Scalar z417 = n1_04 * z13 - n3_85 * z15;
+    const Scalar z418 = z11 * z396 + c_steer * z405 + z10 * z404;
+    const Scalar z419 = k4 * z13;
+    const Scalar z420 = c_steer * z378;
+    const Scalar z421 = s_pitch * z401 + c_pitch * z409;
+    const Scalar z422 = c_yaw * z411 + s_yaw * z413;
+    const Scalar z423 = s_yaw * z411 - c_yaw * z413;
+    const Scalar z424 = s_roll * z412 + c_roll * z414;
+    const Scalar z425 = z15 * z396 + z13 * z404 - z11 * z405;
+    const Scalar z426 = n25_5 * z324 - z425 - n51 * z326;  // force on frame, z
+    const Scalar z427 = k3 * z12 + z419;
+    const Scalar z428 = z11 * z378 + z13 * z390 + z15 * z392;
     // moment on frame, z
-    const Scalar z429 = n25_5 * z275 - z388 - n49_25 * z316 + n29_35 * z297 + n17_7 * z323 + n1_1 * z417 - z428;
-    const Scalar z430 = v_roll * z264;
-    const Scalar z431 = n39_8603 * (z270 - z430) - z427;  // moment on frame.2, y
-    const Scalar z432 = v_roll * z263;
-    const Scalar z433 = s_roll * z399 - c_roll * z422;
-    const Scalar z434 = s_pitch * z407 - c_pitch * z402;
-    const Scalar z435 = s_roll * z400 + c_roll * z403;
-    const Scalar z436 = z10 * z376 + z12 * z390 + z13 * z394;
-    const Scalar z437 = z389 + n78_6 * z319 + n51 * z275 - n17_7 * z318 - n0_3 * z417 + z436;  // moment on frame, x
-    const Scalar z438 = n2_8467 * z11;
-    const Scalar z439 = k4 * z13;
-    const Scalar z440 = n2_8467 * z10;
-    const Scalar z441 = k3 * z13 + k4 * z15;
-    const Scalar z442 = k3 * z12 + z439;
-    const Scalar z443 = k5 * z15 + z439;
-    const Scalar z444 = k5 * z13 + k4 * z12;
-    const Scalar z445 = z10 * z440 + z12 * z442 + z13 * z444;
-    const Scalar z446 = n2_8467 * c_steer;
-    const Scalar z447 = k3 * z10 + k4 * z11;
-    const Scalar z448 = k4 * z10 + k5 * z11;
-    const Scalar z449 = c_steer * z446 + z10 * z447 + z11 * z448;
-    const Scalar z450 = z12 * z447 - z10 * z446 + z13 * z448;
-    const Scalar z451 = n25_5 * z318 - z417 - n51 * z323;  // force on frame, y
-    const Scalar z452 = n0_63 + n0_6 * z421 + z445;
-    const Scalar z453 = z11 * z438 + z13 * z441 + z15 * z443;
-    const Scalar z454 = n1_1 * z418 + z450;
-    const Scalar z455 = z10 * z438 + z12 * z441 + z13 * z443;
-    const Scalar z456 = c_steer * z438 - z10 * z441 - z11 * z443;
-    const Scalar z457 = s_pitch * z408 - c_pitch * z404;
-    const Scalar z458 = s_pitch * z412 - c_pitch * z420;
-    const Scalar z459 = s_pitch * z437 - c_pitch * z429;
-    const Scalar z460 = z459 - n79_7206 * z432;  // moment on frame.2, z
-    const Scalar z461 = s_pitch * z420 + c_pitch * z412;
-    const Scalar z462 = n2_31 + n1_1 * z421 - n0_3 * z413 + z455;
-    const Scalar z463 = n9_1 + n0_6 * z421 - n2_2 * z413 + z449;
-    const Scalar z464 = n0_3 * z418 + z456;
-    const Scalar z465 = z263 * z264;
-    const Scalar z466 = n8_47 - n2_2 * z413 + z453;
-    const Scalar z467 = n2_1 + z421;
-    const Scalar z468 = n51 - z467;
-    const Scalar z469 = n7_7 - z413;
-    const Scalar z470 = n25_5 + z469;
-    const Scalar z471 = s_roll * z458 - c_roll * z451;
-    const Scalar z472 = n49_25 + z463;
-    const Scalar z473 = s_roll * z451 + c_roll * z458;
-    const Scalar z474 = n87 * z272 - z473;  // force on frame.z, z
-    const Scalar z475 = n17_7 - z462;
-    const Scalar z476 = s_yaw * z471 - c_yaw * z461;
-    const Scalar z477 = n29_35 - z466;
-    const Scalar z478 = s_yaw * z461 + c_yaw * z471;
-    const Scalar z479 = n87 * a_x + z476;  // force on frame.z, x
-    const Scalar z480 = n0_12 + z472;
-    const Scalar z481 = n87 * a_y - z478;  // force on frame.z, y
-    const Scalar z482 = z1 * z374 + z2 * z380;
-    const Scalar z483 = z1 * z379 - z2 * z373;
-    const Scalar z484 = z1 * z359 + z2 * z357;
-    const Scalar z485 = z296 - z319;
-    const Scalar z486 = z297 - z316;
-    const Scalar z487 = z321 + z324;
-    const Scalar z488 = z270 - z430;
-    const Scalar z489 = n2 * z299;
-    const Scalar z490 = n2 * z328;
-    const Scalar z491 = n2 * z331;
-    const Scalar z492 = n2 * z349;
-    const Scalar z493 = z452 + z477;
-    const Scalar z494 = n2 * z475;
-    const Scalar z495 = s_pitch * z493 - c_pitch * z494;
-    const Scalar z496 = z2 * z336;
-    const Scalar z497 = z1 * z336;
-    const Scalar z498 = n39_8603 - z480;
-    const Scalar z499 = z1 * z345 + z2 * z349;
-    const Scalar z500 = s_pitch * z454 - c_pitch * z464;
-    const Scalar z501 = c_pitch * z468 + s_pitch * z470;
-    const Scalar z502 = s_pitch * z495;
-    const Scalar z503 = c_pitch * z495 + z475;
-    const Scalar z504 = n2 * z500;
-    const Scalar z505 = z477 - z502;
-    const Scalar z506 = z452 - z502;
-    const Scalar z507 = n2 * z265;
-    const Scalar z508 = z2 * z358;
-    const Scalar z509 = s_pitch * z468 - c_pitch * z470;
-    const Scalar z510 = n39_8603 + z506;
-    const Scalar z511 = z505 - z498;
-    const Scalar z512 = n2 * z266;
-    const Scalar z513 = z1 * z386 - z2 * z393;
-    const Scalar z514 = s_roll * z511 - c_roll * z504;
-    const Scalar z515 = s_roll * z501 - c_roll * z418;
-    const Scalar z516 = s_roll * z509;
-    const Scalar z517 = z1 * z358;
-    const Scalar z518 = n2 * z329;
-    const Scalar z519 = n0_12 * s_roll;
-    const Scalar z520 = n2 * z336;
-    const Scalar z521 = n2 * z345;
-    const Scalar z522 = s_yaw * z509 - c_yaw * z515;
-    const Scalar z523 = s_roll * z514;
-    const Scalar z524 = z263 * z263;
-    const Scalar z525 = z264 * z264;
-    const Scalar z526 = z524 + z525;
-    const Scalar z527 = z505 - z523;
-    const Scalar z528 = z2 * z520;
-    const Scalar z529 = c_yaw * z509 + s_yaw * z515;
-    const Scalar z530 = z1 * z521 + z2 * z492;
-    const Scalar z531 = n39_8603 - z527;
-    const Scalar z532 = s_yaw * z501 + c_yaw * z516;
-    const Scalar z533 = s_pitch * z464 + c_pitch * z454;
-    const Scalar z534 = n2 * z362;
-    const Scalar z535 = n2 * z364;
-    const Scalar z536 = z1 * z520;
-    const Scalar z537 = c_roll * z509;
-    const Scalar z538 = n2 * z363;
-    const Scalar z539 = s_yaw * z516 - c_yaw * z501;
-    const Scalar z540 = z268 - z432;
-    const Scalar z541 = s_roll * z480 - c_roll * z500;
-    const Scalar z542 = n0_14 * z534;
-    const Scalar z543 = n0_14 * z538;
-    const Scalar z544 = n0_14 * z535;
-    const Scalar z545 = s_front * z542 - c_front * z543;
-    const Scalar z546 = s_front * z543 + c_front * z542;
-    const Scalar z547 = k4 * z520;
-    const Scalar z548 = n1_04 * z520;
-    const Scalar z549 = n3_85 * z520;
-    const Scalar z550 = k40 * z520 + z544;
-    const Scalar z551 = n3_85 * z492 + n1_04 * z521;
-    const Scalar z552 = n0_1435 * z521 - z545;
-    const Scalar z553 = z545 + k4 * z492 + k42 * z521;
-    const Scalar z554 = n2 * z264;
-    const Scalar z555 = s_roll * z418 + c_roll * z501;
-    const Scalar z556 = k42 * z520 + z544;
-    const Scalar z557 = z546 + k40 * z492 + k4 * z521;
-    const Scalar z558 = n2 * z263;
-    const Scalar z559 = s_yaw * z555;
-    const Scalar z560 = c_yaw * z555;
-    const Scalar z561 = n2 * v_roll;
-    const Scalar z562 = s_roll * z533 - c_roll * z503;
-    const Scalar z563 = n0_1435 * z492 - z546;
-    const Scalar z564 = n0_06 * z490;
-    const Scalar z565 = n0_06 * z491;
-    const Scalar z566 = n0_06 * z518;
-    const Scalar z567 = z13 * z547;
-    const Scalar z568 = z12 * z547 + z13 * z556 + z10 * z553;
-    const Scalar z569 = z567 + z15 * z556 + z11 * z553;
-    const Scalar z570 = z567 + z12 * z550 + z10 * z557;
-    const Scalar z571 = z12 * z552 - z13 * z563;
-    const Scalar z572 = z13 * z552 - z15 * z563;
-    const Scalar z573 = z10 * z552 - z11 * z563;
-    const Scalar z574 = c_steer * z553 - z10 * z547 - z11 * z556;
-    const Scalar z575 = z15 * z547 + z13 * z550 + z11 * z557;
-    const Scalar z576 = n0_3 * z489;
-    const Scalar z577 = n1_1 * z489;
-    const Scalar z578 = z12 * z549 + z13 * z548 + z10 * z551;
-    const Scalar z579 = n7 * z576 - z578;
-    const Scalar z580 = z13 * z549 + z15 * z548 + z11 * z551;
-    const Scalar z581 = n7 * z577 - z580;
-    const Scalar z582 = c_steer * z557 - z10 * z550 - z11 * z547;
-    const Scalar z583 = z13 * z568 - z11 * z571 - z15 * z570;
-    const Scalar z584 = z421 * z576 - z583 + n0_3 * z579;
-    const Scalar z585 = z12 * z569 - z10 * z572 - z13 * z575;
-    const Scalar z586 = z413 * z577 - z585 - n1_1 * z581;
-    const Scalar z587 = z12 * z568 - z10 * z571 - z13 * z570;
-    const Scalar z588 = c_steer * z571 + z10 * z568 - z11 * z570;
-    const Scalar z589 = z413 * z576 - z587 - n1_1 * z579;
-    const Scalar z590 = z584 + z566;
-    const Scalar z591 = z586 - z566;
-    const Scalar z592 = z418 * z576 - z588;
-    const Scalar z593 = n51 * z489 - z579;
-    const Scalar z594 = n39_3 * z489 + z590;
-    const Scalar z595 = n9_95 * z489 - z591;
-    const Scalar z596 = z13 * z569 - z11 * z572 - z15 * z575;
-    const Scalar z597 = c_steer * z572 + z10 * z569 - z11 * z575;
-    const Scalar z598 = z421 * z577 - z596 + n0_3 * z581;
-    const Scalar z599 = z418 * z577 - z597;
-    const Scalar z600 = n25_5 * z489 + z581;
-    const Scalar z601 = n17_7 * z489;
-    const Scalar z602 = z589 + z601;
-    const Scalar z603 = n0_3 * z507 - n1_1 * z512;
-    const Scalar z604 = z598 - z601;
-    const Scalar z605 = c_steer * z551 - z10 * z549 - z11 * z548;
-    const Scalar z606 = n7 * z603 - z605;
-    const Scalar z607 = z11 * z573 + z13 * z574 - z15 * z582;
-    const Scalar z608 = z10 * z573 + z12 * z574 - z13 * z582;
-    const Scalar z609 = c_steer * z573 - z10 * z574 + z11 * z582;
-    const Scalar z610 = z421 * z603 - z607 + n0_3 * z606;
-    const Scalar z611 = z413 * z603 - z608 - n1_1 * z606;
-    const Scalar z612 = n51 * z507 - z606 + n25_5 * z512;
-    const Scalar z613 = z418 * z603 + z609;
-    const Scalar z614 = n7 * z273 + z461;
-    const Scalar z615 = n7 * z271 - z471;
-    const Scalar z616 = z273 * z555;
-    const Scalar z617 = s_rear * z564 - c_rear * z565;
-    const Scalar z618 = s_rear * z565 + c_rear * z564;
-    const Scalar z619 = z610 + z617;
-    const Scalar z620 = z592 - z618;
-    const Scalar z621 = z611 + z618;
-    const Scalar z622 = z599 - z617;
-    const Scalar z623 = n39_3 * z507 - z622;
-    const Scalar z624 = n39_3 * z512 - z620;
-    const Scalar z625 = z619 + n39_3 * z507 + n17_7 * z512;
-    const Scalar z626 = z621 + n17_7 * z507 + n9_95 * z512;
-    const Scalar z627 = z602 - z604;
-    const Scalar z628 = z594 - z595;
-    const Scalar z629 = s_pitch * z627 + c_pitch * z628;
-    const Scalar z630 = s_pitch * z600 + c_pitch * z593;
-    const Scalar z631 = z418 * z526 + n7 * z275 - z509 * z540 + z264 * z630 + z451;
-    const Scalar z632 = n7 * z274 - z501 * z526 + z509 * z488 + z263 * z630 - z458;
-    const Scalar z633 = s_pitch * z593 - c_pitch * z600;
-    const Scalar z634 = z509 * z554 + z612;
-    const Scalar z635 = z275 * z509;
-    const Scalar z636 = s_pitch * z629;
-    const Scalar z637 = z509 * z558 - z633;
-    const Scalar z638 = s_pitch * z623 - c_pitch * z624;
-    const Scalar z639 = n39_8603 * z554 + z638;
-    const Scalar z640 = s_pitch * z624 + c_pitch * z623;
-    const Scalar z641 = n39_8603 * z561 - z640;
-    const Scalar z642 = z604 + z636;
-    const Scalar z643 = z602 - z636;
-    const Scalar z644 = s_pitch * z625 - c_pitch * z626;
-    const Scalar z645 = s_roll * z634 - c_roll * z637;
-    const Scalar z646 = s_roll * z637 + c_roll * z634;
-    const Scalar z647 = s_pitch * z626 + c_pitch * z625;
-    const Scalar z648 = z301 * z468 + z287 * z470 - z464 * z485 - z454 * z486 - z480 * z487 + z265 * z625 + z266 * z626;
-    const Scalar z649 = n7 * z301 + z418 * z485 - z468 * z487 + z265 * z612 + z420;
-    const Scalar z650 = n7 * z287 - z418 * z486 - z470 * z487 + z266 * z612 - z412;
-    const Scalar z651 = z271 * z501 + z273 * z516;
-    const Scalar z652 = z468 * z486 + z470 * z485 + z265 * z593 + z266 * z600;
-    const Scalar z653 = s_roll * z633 - c_roll * z612;
-    const Scalar z654 = z501 * z540 - z418 * z488 + z264 * z633 + z263 * z612;
-    const Scalar z655 = z613 + z642;
-    const Scalar z656 = z602 + z604;
-    const Scalar z657 = z613 - z604;
-    const Scalar z658 = z613 - z602;
-    const Scalar z659 = c_pitch * z629 - z594;
-    const Scalar z660 = z429 + z452 * z486 - z287 * z418 + z454 * z487 + z475 * z485 + z266 * z657 + z265 * z594;
-    const Scalar z661 = c_pitch * z629 + z595;
-    const Scalar z662 = z437 + z477 * z485 - z301 * z418 - z464 * z487 - z475 * z486 + z265 * z658 - z266 * z595;
-    const Scalar z663 = z656 + z454 * z512 - z464 * z507;
-    const Scalar z664 = n39_8603 * z558 + z659;
-    const Scalar z665 = z664 + z500 * z554 - z505 * z558;
-    const Scalar z666 = s_pitch * z650 + c_pitch * z649;
-    const Scalar z667 = z418 * z558 + z501 * z554;
-    const Scalar z668 = z274 * z501 - z275 * z418 - z533 * z540 + z503 * z488 - z510 * z526 + z264 * z639 + z263 * z661;
-    const Scalar z669 = s_roll * z639 - c_roll * z661;
-    const Scalar z670 = n39_8603 * z554 + z644;
-    const Scalar z671 = s_pitch * z649 - c_pitch * z650;
-    const Scalar z672 = z670 + z500 * z558 - z498 * z554;
-    const Scalar z673 = z644 + z480 * z554 + z500 * z558;
-    const Scalar z674 = z647 - z641;
-    const Scalar z675 = s_roll * z655 - c_roll * z674;
-    const Scalar z676 = s_roll * z631 - c_roll * z632;
-    const Scalar z677 = c_roll * z631 + s_roll * z632;
-    const Scalar z678 = s_roll * z672 - c_roll * z665;
-    const Scalar z679 = s_roll * z675;
-    const Scalar z680 = z418 * z507 - z600;
-    const Scalar z681 = z613 - z679;
-    const Scalar z682 = z470 * z507 - z468 * z512;
-    const Scalar z683 = c_roll * z652 + s_roll * z671;
-    const Scalar z684 = s_roll * z652 - c_roll * z671;
-    const Scalar z685 = z643 - z681;
-    const Scalar z686 = s_yaw * z645 - c_yaw * z667;
-    const Scalar z687 = s_yaw * z667 + c_yaw * z645;
-    const Scalar z688 = s_yaw * z653 - c_yaw * z630;
-    const Scalar z689 = z418 * z512 + z593;
-    const Scalar z690 = s_yaw * z630 + c_yaw * z653;
-    const Scalar z691 = z624 + z452 * z512 - z475 * z507;
-    const Scalar z692 = z475 * z512 - z623 + z477 * z507;
-    const Scalar z693 = s_yaw * z654 - c_yaw * z676;
-    const Scalar z694 = c_yaw * z654 + s_yaw * z676;
-    const Scalar z695 = s_roll * z656 - c_roll * z647;
-    const Scalar z696 = z480 * z540 - z635 + z533 * z526 - z500 * z488 + z264 * z656 + z263 * z647;
-    const Scalar z697 = s_yaw * z666 + c_yaw * z683;
-    const Scalar z698 = s_yaw * z683 - c_yaw * z666;
-    const Scalar z699 = z613 - z643;
-    const Scalar z700 = z431 + z274 * z509 - z500 * z540 - z503 * z526 - z505 * z488 + z264 * z641 + z263 * z699;
-    const Scalar z701 = z642 + z643;
-    const Scalar z702 = z533 * z526 - z635 - z500 * z488 - z498 * z540 + z460 + z263 * z647 + z264 * z701;
-    const Scalar z703 = z613 - z642;
-    const Scalar z704 = c_roll * z700 + s_roll * z702;
-    const Scalar z705 = z703 + z533 * z554 + z503 * z558;
-    const Scalar z706 = z273 * z509 + z271 * z515;
-    const Scalar z707 = s_pitch * z680 - c_pitch * z689;
-    const Scalar z708 = s_pitch * z689 + c_pitch * z680;
-    const Scalar z709 = s_yaw * z614 - c_yaw * z615;
-    const Scalar z710 = c_yaw * z614 + s_yaw * z615;
-    const Scalar z711 = z273 * z415 - z271 * z409;
-    const Scalar z712 = z496 * z548 - z497 * z549 + n3_85 * z482 + n1_04 * z483 + z1 * z392 - n7 * z484 + z2 * z397;
-    const Scalar z713 = z497 * z557 - n3_85 * z508 - n1_04 * z517 - n2_8467 * z513 - z496 * z553 + z1 * z394 + z2
-        * z390;
-    const Scalar z714 = z497 * z551 - z499 * z548 - n7 * z508 - n3_85 * z513 + z2 * z405;
-    const Scalar z715 = z499 * z549 - z496 * z551 - n7 * z517 - n1_04 * z513 + z1 * z405;
-    const Scalar z716 = z1 * z547;
-    const Scalar z717 = z2 * z547;
-    const Scalar z718 = z2 * z556 - z716;
-    const Scalar z719 = z1 * z550 - z717;
-    const Scalar z720 = z1 * z552 + z2 * z563;
-    const Scalar z721 = z496 * z547 - z497 * z550 + k3 * z482 + k4 * z483 - z499 * z552 - n3_85 * z484 + z2 * z376;
-    const Scalar z722 = z496 * z556 - z497 * z547 + k4 * z482 + k5 * z483 + z499 * z563 - n1_04 * z484 + z1 * z376;
-    const Scalar z723 = z496 * z718 + z497 * z719 - z4 * z482 - z5 * z483 + z3 * z484 + z499 * z720;
-    const Scalar z724 = z13 * z718 + z15 * z719 + z11 * z720;
-    const Scalar z725 = z724 + z395 * z603 - z400 * z576;
-    const Scalar z726 = z12 * z718 + z13 * z719 + z10 * z720;
-    const Scalar z727 = c_steer * z720 - z10 * z718 - z11 * z719;
-    const Scalar z728 = z726 + z400 * z577 - z396 * z603;
-    const Scalar z729 = z395 * z577 - z727 - z396 * z576;
-    const Scalar z730 = z12 * z714 + z10 * z712 + z13 * z715;
-    const Scalar z731 = z407 * z485 - z301 * z395 - z402 * z486 - z399 * z487 + z287 * z396 + z265 * z725 + z266 * z728;
-    const Scalar z732 = z729 + z402 * z512 + z407 * z507;
-    const Scalar z733 = z13 * z714 + z11 * z712 + z15 * z715;
-    const Scalar z734 = c_steer * z712 - z10 * z714 - z11 * z715;
-    const Scalar z735 = s_pitch * z725 - c_pitch * z728;
-    const Scalar z736 = s_pitch * z728 + c_pitch * z725;
-    const Scalar z737 = z275 * z403 + z274 * z400 + z399 * z540 - z434 * z526 - z422 * z488 + z263 * z736 + z264 * z729;
-    const Scalar z738 = z735 + z399 * z554 + z422 * z558;
-    const Scalar z739 = s_roll * z729 - c_roll * z736;
-    const Scalar z740 = c_roll * z682 + s_roll * z707;
-    const Scalar z741 = s_roll * z682 - c_roll * z707;
-    const Scalar z742 = s_yaw * z708 + c_yaw * z740;
-    const Scalar z743 = s_yaw * z740 - c_yaw * z708;
-    const Scalar z744 = z12 * z721 + z13 * z722 - z10 * z713;
-    const Scalar z745 = n0_3 * z734 - z744;
-    const Scalar z746 = z10 * z721 + z11 * z722 + c_steer * z713;
-    const Scalar z747 = z13 * z721 + z15 * z722 - z11 * z713;
-    const Scalar z748 = n0_3 * z730 - z746 + n1_1 * z733;
-    const Scalar z749 = s_pitch * z617 - c_pitch * z618;
-    const Scalar z750 = s_pitch * z618 + c_pitch * z617;
-    const Scalar z751 = s_pitch * z691 - c_pitch * z692;
-    const Scalar z752 = s_pitch * z692 + c_pitch * z691;
-    const Scalar z753 = s_roll * z663 - c_roll * z751;
-    const Scalar z754 = n0_12 * z540 + z263 * z750;
-    const Scalar z755 = c_roll * z750;
-    const Scalar z756 = s_pitch * z660 + c_pitch * z662;
-    const Scalar z757 = s_pitch * z662 - c_pitch * z660;
-    const Scalar z758 = n1_1 * z734 - z747;
-    const Scalar z759 = s_roll * z648 + c_roll * z756;
-    const Scalar z760 = z1 * z548 + z2 * z549 - n3_85 * z528 - n1_04 * z536;
-    const Scalar z761 = z716 - k3 * z528 - k4 * z536 + z2 * z550;
-    const Scalar z762 = z717 - k4 * z528 - k5 * z536 + z1 * z556;
-    const Scalar z763 = z1 * z553 + z2 * z557 - n2_8467 * z530;
-    const Scalar z764 = z2 * z551 - n3_85 * z530;
-    const Scalar z765 = z1 * z551 - n1_04 * z530;
-    const Scalar z766 = z12 * z764 - z10 * z760 + z13 * z765;
-    const Scalar z767 = z13 * z764 - z11 * z760 + z15 * z765;
-    const Scalar z768 = z10 * z764 + z11 * z765 + c_steer * z760;
-    const Scalar z769 = s_pitch * z730 + c_pitch * z733;
-    const Scalar z770 = s_pitch * z733 - c_pitch * z730;
-    const Scalar z771 = z12 * z761 + z13 * z762 + z10 * z763;
-    const Scalar z772 = n0_3 * z768 - z771;
-    const Scalar z773 = s_roll * z769 - c_roll * z734;
-    const Scalar z774 = s_roll * z734 + c_roll * z769;
-    const Scalar z775 = z13 * z761 + z15 * z762 + z11 * z763;
-    const Scalar z776 = c_steer * z763 - z10 * z761 - z11 * z762;
-    const Scalar z777 = n0_3 * z766 - z776 + n1_1 * z767;
-    const Scalar z778 = s_yaw * z770 - c_yaw * z773;
-    const Scalar z779 = c_yaw * z770 + s_yaw * z773;
-    const Scalar z780 = s_pitch * z745 + c_pitch * z758;
-    const Scalar z781 = s_pitch * z758 - c_pitch * z745;
-    const Scalar z782 = s_roll * z748 - c_roll * z780;
-    const Scalar z783 = n0_12 * z554 + z749;
-    const Scalar z784 = z496 * z545 - z497 * z546 + n0_28 * z513;
-    const Scalar z785 = n1_1 * z768 - z775;
-    const Scalar z786 = c_yaw * z66;
-    const Scalar z787 = s_yaw * z66;
-    const Scalar z788 = n0_35 * z162 / (z96 * z96);
-    const Scalar z789 = z786 - z106 * z138 + z83 * z788;
-    const Scalar z790 = z98 / (z58 * z58);
-    const Scalar z791 = z787 - z106 * z134 + z80 * z788;
-    const Scalar z792 = z68 - z83 * z106;
-    const Scalar z793 = z203 - z792;
-    const Scalar z794 = z68 - z792;
-    const Scalar z795 = z25 * z790 - z72 * z30;
-    const Scalar z796 = z71 - z80 * z106;
-    const Scalar z797 = z205 - z796;
-    const Scalar z798 = z197 * z793 - z240;
-    const Scalar z799 = z71 - z796;
-    const Scalar z800 = z53 * z794 - z235;
-    const Scalar z801 = z197 * z797 - z239;
-    const Scalar z802 = z53 * z799 - z246;
-    const Scalar z803 = s_roll * z792 + z21 * z183;
-    const Scalar z804 = z26 * z72;
-    const Scalar z805 = s_roll * z796 + z19 * z183;
-    const Scalar z806 = z26 * z790 - z72 * z31;
-    const Scalar z807 = z25 * z72;
-    const Scalar z808 = s_roll * z804 - z21 * z179;
-    const Scalar z809 = s_roll * z807 - z19 * z179;
-    const Scalar z810 = z10 * z545 - z11 * z546;
-    const Scalar z811 = z810 + z404 * z512 + z408 * z507;
-    const Scalar z812 = z12 * z545 - z13 * z546;
-    const Scalar z813 = s_pitch * z766 + c_pitch * z767;
-    const Scalar z814 = s_pitch * z767 - c_pitch * z766;
-    const Scalar z815 = n2 * (c_roll * z22 + z25);
-    const Scalar z816 = n2 * (c_roll * z24 + z26);
-    const Scalar z817 = z13 * z545 - z15 * z546;
-    const Scalar z818 = z410 * z487 - z404 * z486 + z408 * z485 + z265 * z817 + z266 * z812;
-    const Scalar z819 = z1 * z545;
-    const Scalar z820 = z819 + z2 * z546 - n0_28 * z530;
-    const Scalar z821 = z2 * z546 + z819;
-    const Scalar z822 = l_lambda_rear_rolls_x * z809;
-    const Scalar z823 = c_roll * z768 + s_roll * z813;
-    const Scalar z824 = s_roll * z768 - c_roll * z813;
-    const Scalar z825 = s_pitch * z812 + c_pitch * z817;
-    const Scalar z826 = z264 * z810 - z410 * z540 - z457 * z526 - z416 * z488 + z263 * z825;
-    const Scalar z827 = s_pitch * z817 - c_pitch * z812;
-    const Scalar z828 = z410 * z554 - z827 - z416 * z558;
-    const Scalar z829 = s_roll * z810 - c_roll * z825;
-    const Scalar z830 = s_yaw * z814 - c_yaw * z823;
-    const Scalar z831 = c_yaw * z814 + s_yaw * z823;
-    const Scalar z832 = s_pitch * z772 + c_pitch * z785;
-    const Scalar z833 = s_pitch * z785 - c_pitch * z772;
-    const Scalar z834 = c_roll * z832 + s_roll * z777;
-    const Scalar z835 = n2 * (z56 * z56 - z53 * z53);
-    const Scalar z836 = s_yaw * z124;
-    const Scalar z837 = z53 * z836 + z125 * z124 + z56 * z126 + z61 * z122;
-    const Scalar z838 = c_yaw * z124;
-    const Scalar z839 = s_roll * z63;
-    const Scalar z840 = s_yaw * z56;
-    const Scalar z841 = n2 * z56;
-    const Scalar z842 = z125 * z841 + z53 * (z61 + z840);
-    const Scalar z843 = c_yaw * z56;
-    const Scalar z844 = z132 * z841 + z53 * (z78 + z843);
-    const Scalar z845 = z65 - z106 * z144 - z82 * z788;
-    const Scalar z846 = s_yaw * z845;
-    const Scalar z847 = n2 * (s_roll * s_roll - c_roll * c_roll);
-    const Scalar z848 = n2 * (z25 * z815 + z26 * z816 - z20 * z847 - z30 * z30 - z31 * z31 - z32 * z32);
-    const Scalar z849 = n2 * (z82 * z835 - z144 * z144 - z134 * z134 - z138 * z138 + z80 * z842 + z83 * z844);
-    const Scalar z850 = n0_5 * (z149 * z162 / (z96 * z96) + z849 / z96);
-    const Scalar z851 = c_yaw * z845;
-    const Scalar z852 = z20 * z790 - z72 * z32;
-    const Scalar z853 = c_yaw * z852;
-    const Scalar z854 = s_yaw * z852;
-    const Scalar z855 = l_lambda_rear_rolls_x * z217 - l_lambda_rear_rolls_y * z212 + l_lambda_front_rolls_x * z198
-        - l_lambda_front_rolls_y * z186;
-    const Scalar z856 = z616 - z855;
-    const Scalar z857 = n0_5 * (z50 * z75 / (z58 * z58) + z848 / z58);
-    const Scalar z858 = l_lambda_front_rolls_x * z805 - z822 - l_lambda_rear_rolls_y * z808 + l_lambda_front_rolls_y
-        * z803;
-    const Scalar z859 = z651 - z858;
-    const Scalar z860 = l_lambda_rear_rolls_y * z808 + z822;
-    const Scalar z861 = l_lambda_front_rolls_x * z801 + l_lambda_front_rolls_y * z798;
-    const Scalar z862 = z711 - z861;
-    const Scalar z863 = z66 - n0_35 * z850;
-    const Scalar z864 = l_lambda_rear_rolls_x * z806 - l_lambda_rear_rolls_y * z795 - l_lambda_front_rolls_x * z789
-        + l_lambda_front_rolls_y * z791;
-    const Scalar z865 = z704 + z864;
-    const Scalar z866 = l_lambda_front_rolls_x * z802 + l_lambda_front_rolls_y * z800;
-    const Scalar z867 = n0_3 * z857;
-    const Scalar z868 = l_lambda_rear_rolls_x * z807 + l_lambda_rear_rolls_y * z804 - l_lambda_front_rolls_x * z796
-        - l_lambda_front_rolls_y * z792;
-    const Scalar z869 = z706 + z868;
-    const Scalar z870 = z53 * z838 + z56 * z123 + z132 * z124 + z78 * z122;
-    const Scalar z871 = z193 - z845;
-    const Scalar z872 = z786 - z789;
-    const Scalar z873 = z65 - z845;
-    const Scalar z874 = z787 - z791;
-    const Scalar z875 = n2 * (z56 * z124 - z53 * z122);
-    const Scalar z876 = n2 * (z82 * z875 - z144 * z131 + z134 * z142 + z138 * z135 + z80 * z837 + z83 * z870);
-    const Scalar z877 = c_yaw * z128;
-    const Scalar z878 = z53 * z877 + z132 * z128 + z56 * z130 - z78 * z127;
-    const Scalar z879 = n2 * (z53 * z127 + z56 * z128);
-    const Scalar z880 = s_roll * z164 - c_roll * z165;
-    const Scalar z881 = s_yaw * z128;
-    const Scalar z882 = z56 * z129 - z53 * z881 + z61 * z127 - z125 * z128;
-    const Scalar z883 = n0_35 * z161 / (z96 * z96);
-    const Scalar z884 = s_yaw * z62 - c_yaw * z839;
-    const Scalar z885 = s_yaw * z839 + c_yaw * z62;
-    const Scalar z886 = c_yaw * z197;
-    const Scalar z887 = c_yaw * z204;
-    const Scalar z888 = z789 - z887;
-    const Scalar z889 = s_yaw * z197;
-    const Scalar z890 = z83 * z883 - z884 - z106 * z135;
-    const Scalar z891 = n2 * (z144 * z146 - z82 * z879 + z134 * z136 - z138 * z141 - z83 * z878 + z80 * z882);
-    const Scalar z892 = z166 - z106 * z131 + z82 * z883;
-    const Scalar z893 = s_yaw * z204;
-    const Scalar z894 = z791 - z893;
-    const Scalar z895 = z885 - z106 * z142 + z80 * z883;
-    const Scalar z896 = s_yaw * z892;
-    const Scalar z897 = c_yaw * z892;
-    const Scalar z898 = z196 * z233 - z231 * z886 - z197 * z888 + z199 * z871;
-    const Scalar z899 = c_roll * z181 - z22 * z183 + s_roll * z791 - z19 * z845;
-    const Scalar z900 = z56 * z232 + z132 * z230 + z53 * z872 - z78 * z873;
-    const Scalar z901 = z22 * z179 - c_roll * z178 + s_roll * z795 + z19 * z852;
-    const Scalar z902 = z196 * z237 + z231 * z889 + z197 * z894 - z200 * z871;
-    const Scalar z903 = s_roll * z789 - c_roll * z182 - z21 * z845 - z24 * z183;
-    const Scalar z904 = z56 * z234 - z125 * z230 - z53 * z874 + z61 * z873;
-    const Scalar z905 = c_roll * z180 + z24 * z179 + s_roll * z806 + z21 * z852;
-    const Scalar z906 = n0_5 * (z149 * z161 / (z96 * z96) - z876 / z96);
-    const Scalar z907 = n0_5 * (z162 * z148 / (z96 * z96) - z876 / z96);
-    const Scalar z908 = z839 - n0_35 * z906;
-    const Scalar z909 = z839 - n0_35 * z907;
-    const Scalar z910 = n0_5 * (z162 * z150 / (z96 * z96) - z891 / z96);
-    const Scalar z911 = z880 + n0_35 * z910;
-    const Scalar z912 = l_lambda_rear_rolls_x * z905;
-    const Scalar z913 = l_lambda_front_rolls_x * z900 + l_lambda_front_rolls_y * z904;
-    const Scalar z914 = z826 - z913;
-    const Scalar z915 = l_lambda_rear_rolls_y * z901 - z912;
-    const Scalar z916 = l_lambda_rear_rolls_y * z901 - z912 + l_lambda_front_touches * z909 - l_lambda_front_rolls_y
-        * z899 + l_lambda_front_rolls_x * z903;
-    const Scalar z917 = z754 - z915;
-    const Scalar z918 = l_lambda_front_touches * z911 + l_lambda_front_rolls_x * z898 + l_lambda_front_rolls_y * z902;
-    const Scalar z919 = l_lambda_front_rolls_x * z890 - l_lambda_front_rolls_y * z895;
-    const Scalar z920 = z759 + z919;
-    const Scalar z921 = l_lambda_rear_touches * z867 + l_lambda_rear_rolls_x * z854 + l_lambda_rear_rolls_y * z853
-        + l_lambda_front_rolls_x * z846 + l_lambda_front_rolls_y * z851 - l_lambda_front_touches * z863;
-    const Scalar z922 = z737 + z918;
-    const Scalar z923 = z696 - z916;
-    const Scalar z924 = z668 - z921;
-    const Scalar z925 = s_yaw * z52 + z54;
-    const Scalar z926 = c_yaw * z52 - z73;
-    const Scalar z927 = z166 - z892;
-    const Scalar z928 = z885 - z895;
-    const Scalar z929 = z884 + z890;
-    const Scalar z930 = n0_5 * (z149 * z163 / (z96 * z96) - z891 / z96);
-    const Scalar z931 = z880 + n0_35 * z930;
-    const Scalar z932 = c_roll * z41;
-    const Scalar z933 = c_roll * z121;
-    const Scalar z934 = s_roll * z121;
-    const Scalar z935 = n2 * (z53 * z932 - z124 * z124);
-    const Scalar z936 = s_pitch * z156 - c_pitch * z154;
-    const Scalar z937 = s_yaw * z120 + c_yaw * z934;
-    const Scalar z938 = s_yaw * z934 - c_yaw * z120;
-    const Scalar z939 = z53 * z937 - z123 * z128 - z124 * z130 - z78 * z933;
-    const Scalar z940 = z124 * z129 + z53 * z938 - z126 * z128 - z61 * z933;
-    const Scalar z941 = n2 * (z53 * z933 - z124 * z128);
-    const Scalar z942 = n2 * z124;
-    const Scalar z943 = z53 * z925 - z126 * z942 - z61 * z932;
-    const Scalar z944 = z53 * z926 - z123 * z942 - z78 * z932;
-    const Scalar z945 = n2 * (z131 * z146 + z82 * z941 + z135 * z141 - z142 * z136 + z83 * z939 + z80 * z940);
-    const Scalar z946 = n2 * (z131 * z131 + z82 * z935 + z135 * z135 + z142 * z142 + z80 * z943 + z83 * z944);
-    const Scalar z947 = s_yaw * z936 - c_yaw * z880;
-    const Scalar z948 = s_roll * z195;
-    const Scalar z949 = n0_5 * (z148 * z161 / (z96 * z96) - z946 / z96);
-    const Scalar z950 = c_yaw * z936 + s_yaw * z880;
-    const Scalar z951 = n0_35 * z163 / (z96 * z96);
-    const Scalar z952 = c_roll * z195;
-    const Scalar z953 = s_roll * z191;
-    const Scalar z954 = c_yaw * z194 + s_yaw * z948;
-    const Scalar z955 = s_yaw * z194 - c_yaw * z948;
-    const Scalar z956 = c_roll * z191;
-    const Scalar z957 = z892 - z956;
-    const Scalar z958 = z947 + z106 * z141 + z83 * z951;
-    const Scalar z959 = c_yaw * z192 + s_yaw * z953;
-    const Scalar z960 = z895 - z959;
-    const Scalar z961 = z80 * z951 - z950 - z106 * z136;
-    const Scalar z962 = s_yaw * z192 - c_yaw * z953;
-    const Scalar z963 = z890 + z962;
-    const Scalar z964 = z21 * z892 + s_roll * z890;
-    const Scalar z965 = s_roll * z895 + z19 * z892;
-    const Scalar z966 = z233 * z952 - z231 * z955 - z199 * z957 + z197 * z963;
-    const Scalar z967 = z231 * z954 - z237 * z952 + z197 * z960 - z200 * z957;
-    const Scalar z968 = z124 * z232 + z123 * z230 - z78 * z927 + z53 * z929;
-    const Scalar z969 = z124 * z234 - z126 * z230 + z53 * z928 + z61 * z927;
-    const Scalar z970 = c_roll * z62;
-    const Scalar z971 = z970 - n0_35 * z949;
-    const Scalar z972 = c_roll * z936;
-    const Scalar z973 = n0_5 * (z161 * z150 / (z96 * z96) + z945 / z96);
-    const Scalar z974 = z972 + n0_35 * z973;
-    const Scalar z975 = l_lambda_front_rolls_x * z968 + l_lambda_front_rolls_y * z969;
-    const Scalar z976 = z818 - z975;
-    const Scalar z977 = l_lambda_front_touches * z971 - l_lambda_front_rolls_y * z965 + l_lambda_front_rolls_x * z964;
-    const Scalar z978 = l_lambda_front_rolls_x * z966 - l_lambda_front_rolls_y * z967 - l_lambda_front_touches * z974;
-    const Scalar z979 = z731 + z978;
-    const Scalar z980 = l_lambda_front_rolls_x * z958 - l_lambda_front_rolls_y * z961;
-    const Scalar z981 = z782 - z980;
-    const Scalar z982 = z648 + z977;
-    const Scalar z983 = l_lambda_front_rolls_x * z896 + l_lambda_front_rolls_y * z897 + l_lambda_front_touches * z908;
-    const Scalar z984 = z757 + z983;
-    const Scalar z985 = z268 + z432;
-    const Scalar z986 = z947 - z958;
-    const Scalar z987 = z950 + z961;
-    const Scalar z988 = z349 * z364;
-    const Scalar z989 = z345 * z364;
-    const Scalar z990 = n0_28 * z988;  // moment on front_wheel, z
-    const Scalar z991 = n0_5 * (z148 * z163 / (z96 * z96) + z945 / z96);
-    const Scalar z992 = k20 * z385 + z990 + k5 * z355 + n1_04 * z358 - k4 * z393;  // moment on fork, z
-    const Scalar z993 = z972 + n0_35 * z991;
-    const Scalar z994 = n0_28 * z989;  // moment on front_wheel, x
-    const Scalar z995 = n3_85 * z358 - z994 - k18 * z387 - k3 * z344 + k4 * z386;  // moment on fork, x
-    const Scalar z996 = z265 * z329;
-    const Scalar z997 = z266 * z329;
-    const Scalar z998 = n0_12 * z996;  // moment on rear_wheel, z
-    const Scalar z999 = n0_12 * z997;  // moment on rear_wheel, x
-    const Scalar z1000 = a_z - a_roll * z98 - z117;
-    const Scalar z1001 = a_z + a_roll * z177 - a_pitch * z175 - a_steer * z190 + z244;
-    const Scalar z1002 = n2 * (z128 * z130 + z53 * z78);
-    const Scalar z1003 = n2 * (z53 * z53 - z128 * z128);
-    const Scalar z1004 = z106 * z146 - z167 + z82 * z951;
-    const Scalar z1005 = z167 + z1004;
-    const Scalar z1006 = z15 * z992 + z13 * z995 + z11 * z376;
-    const Scalar z1007 = z13 * z992 + z12 * z995 + z10 * z376;
-    const Scalar z1008 = z11 * z992 - z414 + z10 * z995;
+    const Scalar z429 = n25_5 * z276 - z388 - n49_25 * z316 + n29_35 * z297 + n17_7 * z323 + n1_1 * z418 - z428;
+    const Scalar z430 = v_roll * z263;
+    const Scalar z431 = s_roll * z398 - c_roll * z421;
+    const Scalar z432 = s_pitch * z409 - c_pitch * z401;
+    const Scalar z433 = s_roll * z399 + c_roll * z402;
+    const Scalar z434 = z10 * z378 + z12 * z390 + z13 * z392;
+    const Scalar z435 = z389 + n78_6 * z321 + n51 * z276 - n17_7 * z319 - n0_3 * z418 + z434;  // moment on frame, x
+    const Scalar z436 = n2_8467 * z10;
+    const Scalar z437 = k5 * z13 + k4 * z12;
+    const Scalar z438 = z10 * z390 - z420 + z11 * z392;
+    const Scalar z439 = z10 * z436 + z12 * z427 + z13 * z437;
+    const Scalar z440 = k5 * z15 + z419;
     // moment on frame, y
-    const Scalar z1009 = z361 + n49_25 * z300 + n29_35 * z317 + n17_7 * z391 - n25_5 * z301 + n51 * z287 - n0_3 * z411
-        - n1_1 * z419 - z1008;
-    const Scalar z1010 = n25_5 * z275 - z998 - n9_95 * z318 + n17_7 * z323 + n1_1 * z417 - z1006;  // moment on frame, z
-    const Scalar z1011 = n51 * z275 + z999 - n17_7 * z318 + n39_3 * z323 - n0_3 * z417 + z1007;  // moment on frame, x
-    const Scalar z1012 = z1 * z995 - z2 * z992;
-    const Scalar z1013 = a_x + a_yaw * z182 - a_roll * z186 + a_pitch * z210 + a_steer * z241 + a_front * z238 + z342;
-    const Scalar z1014 = s_yaw * z1004;
-    const Scalar z1015 = a_y - z209 * (a_pitch + a_rear) - a_yaw * z178 + a_roll * z217 - z260;
-    const Scalar z1016 = c_yaw * z1004;
-    const Scalar z1017 = a_y - a_yaw * z181 + a_roll * z198 - a_pitch * z208 - a_steer * z242 - a_front * z247 - z360;
-    const Scalar z1018 = s_roll * z958 + z21 * z1004;
-    const Scalar z1019 = z19 * z1004 + s_roll * z961;
-    const Scalar z1020 = n2 * (z53 * z61 - z128 * z129);
-    const Scalar z1021 = n2 * (z83 * z1002 - z146 * z146 - z82 * z1003 - z136 * z136 - z141 * z141 + z80 * z1020);
-    const Scalar z1022 = z197 * z958 - z199 * z1004;
-    const Scalar z1023 = n0_5 * (z150 * z163 / (z96 * z96) + z1021 / z96);
-    const Scalar z1024 = z197 * z961 - z200 * z1004;
-    const Scalar z1025 = z128 * z232 + z130 * z230 + z53 * z986 - z78 * z1005;
-    const Scalar z1026 = c_steer * z8;
-    const Scalar z1027 = z128 * z234 + z129 * z230 + z61 * z1005 + z53 * z987;
-    const Scalar z1028 = c_steer * (n1 - z7);
-    const Scalar z1029 = n0_08 * z1028 - n0_35 * z1026;
-    const Scalar z1030 = c_steer * (n1 - z9);
-    const Scalar z1031 = n0_08 * z1026 - n0_35 * z1030;
-    const Scalar z1032 = l_lambda_front_rolls_x * z1025 + l_lambda_front_rolls_y * z1027;
-    const Scalar z1033 = z784 + z1032;
-    const Scalar z1034 = s_pitch * z1010 + c_pitch * z1011;
-    const Scalar z1035 = c_pitch * z1031 + s_pitch * z1029;
-    const Scalar z1036 = n0_5603 * (a_roll + z465) - z1034;  // moment on frame.2, x
-    const Scalar z1037 = s_pitch * z1011 - c_pitch * z1010;
-    const Scalar z1038 = z1037 - n0_5603 * z985;  // moment on frame.2, z
-    const Scalar z1039 = l_lambda_front_rolls_x * z1018 - l_lambda_front_rolls_y * z1019 - l_lambda_front_touches
-        * z993;
-    const Scalar z1040 = c_roll * z1035 - z51;
-    const Scalar z1041 = z748 - z1039;
-    const Scalar z1042 = s_roll * z1009 + c_roll * z1038;
-    const Scalar z1043 = z1040 + n0_35 * z1023;
-    const Scalar z1044 = l_lambda_front_rolls_x * z1014 + l_lambda_front_rolls_y * z1016 - l_lambda_front_touches
-        * z931;
-    const Scalar z1045 = z781 + z1044;
-    const Scalar z1046 = z26 * z207 - z216;
-    const Scalar z1047 = z17 * z804 + z28 * z179 + s_roll * z1046 - z228;
-    const Scalar z1048 = z215 * (a_pitch + a_rear) + a_x + a_yaw * z180 - a_roll * z212 + z261;
-    const Scalar z1049 = v_yaw * z1046 - v_roll * z227 + z1047 * (v_pitch + v_rear);
-    const Scalar z1050 = v_yaw * z792;
-    const Scalar z1051 = v_yaw * z796;
-    const Scalar z1052 = z808 * (a_pitch + a_rear) + a_yaw * z804 - a_roll * z212 + z1049;
-    const Scalar z1053 = v_yaw * z804;
-    const Scalar z1054 = v_roll * z212 - z1053 - z808 * (v_pitch + v_rear);
-    const Scalar z1055 = v_roll * z212 - z1053 - z808 * (v_pitch + v_rear) + z214;
-    const Scalar z1056 = z1050 + v_roll * z186 + v_pitch * z803 + v_steer * z798 - v_front * z800;
-    const Scalar z1057 = z1050 + v_roll * z186 + v_pitch * z803 + v_steer * z798 - v_front * z800 + z305;
-    const Scalar z1058 = v_roll * z198 - z1051 - v_pitch * z805 - v_steer * z801 + v_front * z802;
-    const Scalar z1059 = v_roll * z198 - z1051 - v_pitch * z805 - v_steer * z801 + v_front * z802 - z295;
-    const Scalar z1060 = z283 - z106 * z109 + z80 * z252;
-    const Scalar z1061 = z309 - z17 * z796 + s_roll * z1060 - z19 * z258;
-    const Scalar z1062 = z302 + z1060;
-    const Scalar z1063 = z257 * z797 - z311 + z197 * z1062 - z200 * z304;
-    const Scalar z1064 = z283 - z1060;
-    const Scalar z1065 = z104 * z799 - z312 + z53 * z1064 + z61 * z262;
-    const Scalar z1066 = z256 + z106 * z107 + z83 * z252;
-    const Scalar z1067 = l_lambda_front_rolls_x * z1022 - l_lambda_front_touches * z1043 - l_lambda_front_rolls_y
-        * z1024;
-    const Scalar z1068 = z723 + z1067;
-    const Scalar z1069 = v_yaw * z1060 + v_pitch * z1061 + v_roll * z314 - v_steer * z1063 - v_front * z1065;
-    const Scalar z1070 = z290 + z1066;
-    const Scalar z1071 = z257 * z793 + z310 + z197 * z1070 - z199 * z304;
-    const Scalar z1072 = z254 - z17 * z792 + s_roll * z1066 - z21 * z258;
-    const Scalar z1073 = a_yaw * z796 - a_roll * z198 + a_pitch * z805 + a_steer * z801 - a_front * z802 - z1069;
-    const Scalar z1074 = c_steer * z35 + z37 * z41 + n2 * (s_roll * z100 + z99);
-    const Scalar z1075 = n2 * (s_roll * z110 + z248) - z35 * z39 - z37 * z62;
-    const Scalar z1076 = z256 - z1066;
-    const Scalar z1077 = z104 * z794 + z313 + z53 * z1076 + z78 * z262;
-    const Scalar z1078 = z25 * z207 - z189;
-    const Scalar z1079 = z17 * z807 + z27 * z179 + s_roll * z1078 - z225;
-    const Scalar z1080 = c_yaw * z17 - s_roll * z18;
-    const Scalar z1081 = v_yaw * z1066 - v_roll * z259 + v_pitch * z1072 - v_steer * z1071 - v_front * z1077;
-    const Scalar z1082 = a_yaw * z792 + a_roll * z186 + a_pitch * z803 + a_steer * z798 - a_front * z800 - z1081;
-    const Scalar z1083 = v_yaw * z1078 + z1079 * (v_pitch + v_rear) + v_roll * z224;
-    const Scalar z1084 = z809 * (a_pitch + a_rear) + a_yaw * z807 + a_roll * z217 + z1083;
-    const Scalar z1085 = v_yaw * z807;
-    const Scalar z1086 = z36 * z62 - z33 * z39 - c_roll * z158 + n2 * (z17 * z110 - z14 * z97) + s_roll * z221;
-    const Scalar z1087 = c_roll * z28;
-    const Scalar z1088 = z104 * z125;
-    const Scalar z1089 = z21 * z14 + z17 * z24 + s_roll * z1080 + z1087;
-    const Scalar z1090 = z48 * z30;
-    const Scalar z1091 = c_roll * z17;
-    const Scalar z1092 = s_yaw * z104 - z16 * z53;
-    const Scalar z1093 = z104 * z132;
-    const Scalar z1094 = n2 * (z56 * z104 + z53 * z102);
-    const Scalar z1095 = z145 * z144;
-    const Scalar z1096 = z17 * z22;
-    const Scalar z1097 = z18 * z53 + c_yaw * z104;
-    const Scalar z1098 = s_yaw * z17 + s_roll * z16;
-    const Scalar z1099 = n2 * (s_roll * z14 - z1091);
-    const Scalar z1100 = z23 * z35 - n4 * z1091;
-    const Scalar z1101 = z61 * z102 - z1088 - z53 * z1092 + z56 * z108;
-    const Scalar z1102 = z1093 - z78 * z102 + z53 * z1097 + z56 * z105;
-    const Scalar z1103 = z19 * z14 + z1096 + s_roll * z1098 + c_roll * z27;
-    const Scalar z1104 = n2 * (z26 * z1089 - z1090 - z29 * z32 - z20 * z1099 - z49 * z31 + z25 * z1103);
-    const Scalar z1105 = z59 * z75;
-    const Scalar z1106 = n2 * (z1095 - z82 * z1094 - z107 * z138 + z80 * z1101 - z83 * z1102 + z109 * z134);
-    const Scalar z1107 = z160 * z162;
-    const Scalar z1108 = z35 * z41 - c_steer * z37 + n2 * (s_roll * z88 - c_roll * z100);
-    const Scalar z1109 = n4 * z17 * z14 + n2 * (s_roll * z33 + c_roll * z36);
-    const Scalar z1110 = s_yaw * z1108 - z16 * z103;
-    const Scalar z1111 = z18 * z103 + c_yaw * z1108;
-    const Scalar z1112 = z53 * z1111 - z78 * z1074 + n2 * (z56 * z105 + z1093);
-    const Scalar z1113 = z61 * z1074 - z53 * z1110 + n2 * (z56 * z108 - z1088);
-    const Scalar z1114 = n4 * z56 * z104 + z103 * z1074;
-    const Scalar z1115 = s_yaw * z36 + s_roll * z34 - z16 * z37;
-    const Scalar z1116 = n4 * (z1095 - z107 * z138 + z109 * z134) + n2 * (z80 * z1113 - z83 * z1112 - z82 * z1114);
-    const Scalar z1117 = z22 * z36 - z19 * z33 - n2 * (z17 * z1098 - z14 * z27) + s_roll * z1115 - c_roll * z43;
-    const Scalar z1118 = n0_5 * (z1107 / (z96 * z96) - z1116 / z96 + z169 * z149 / (z96 * z96));
-    const Scalar z1119 = n0_5 * (z1107 / (z96 * z96) - z1106 / z96);
-    const Scalar z1120 = n0_5 * (z1105 / (z58 * z58) + z1104 / z58);
-    const Scalar z1121 = z16 * z23 + s_yaw * z37;
-    const Scalar z1122 = z19 * z35 + s_roll * z1121 + n2 * (c_roll * z27 + z1096);
-    const Scalar z1123 = c_yaw * z37 - z18 * z23;
-    const Scalar z1124 = z21 * z35 + s_roll * z1123 + n2 * (z17 * z24 + z1087);
-    const Scalar z1125 = c_yaw * z36 + s_roll * z38 + z18 * z37;
-    const Scalar z1126 = z24 * z36 - z21 * z33 - n2 * (z17 * z1080 - z14 * z28) + s_roll * z1125 - c_roll * z44;
-    const Scalar z1127 = n2 * (z25 * z1122 + z26 * z1124 - z20 * z1100) - n4 * (z1090 + z29 * z32 + z49 * z31);
-    const Scalar z1128 = n4 * (z49 * z1089 - z29 * z1099 + z48 * z1103) + n2 * (z20 * z1109 - z32 * z45 + z30 * z60
-        + z31 * z64 + z25 * z1117 + z26 * z1126);
-    const Scalar z1129 = n0_5 * (z76 * z1104 / (z58 * z58) + z75 * z67 / (z58 * z58) - z1128 / z58 + z59 * z1120 / (z58
-        * z58)) + z76 * z1105 / (z58 * z58 * z58);
-    const Scalar z1130 = n0_5 * (z76 * z50 / (z58 * z58) + z1105 / (z58 * z58) + z1127 / z58);
-    const Scalar z1131 = z1075 - n0_35 * z1118;
-    const Scalar z1132 = n0_3 * z1120;
-    const Scalar z1133 = n0_3 * z1130;
-    const Scalar z1134 = z250 - n0_35 * z1119;
-    const Scalar z1135 = z1085 + v_roll * z217 + z809 * (v_pitch + v_rear);
-    const Scalar z1136 = z1085 + v_roll * z217 + z809 * (v_pitch + v_rear) - z222;
-    const Scalar z1137 = n0_6 * z76 * z75 / (z58 * z58 * z58) + z1132 / (z58 * z58);
-    const Scalar z1138 = n0_3 * z1129;
-    const Scalar z1139 = a_roll * z867 + z1138;
-    const Scalar z1140 = n4 * z104;
-    const Scalar z1141 = n2 * (z56 * z170 - z53 * z159) - z102 * z1140;
-    const Scalar z1142 = z72 * z1099 - z29 * z790 - z32 * z207 + z20 * z1137;
-    const Scalar z1143 = z25 * z1137 - z72 * z1103 - z48 * z790 - z30 * z207;
-    const Scalar z1144 = z26 * z1137 - z72 * z1089 - z49 * z790 - z31 * z207;
-    const Scalar z1145 = z38 * z53 - z18 * z171 + c_yaw * z170;
-    const Scalar z1146 = z34 * z53 + z16 * z171 + s_yaw * z170;
-    const Scalar z1147 = n2 * (z104 * z1097 + z102 * z105) - z78 * z159 - z132 * z170 + z56 * z172 - z53 * z1145;
-    const Scalar z1148 = z61 * z159 + z125 * z170 - n2 * (z104 * z1092 - z102 * z108) + z56 * z168 + z53 * z1146;
-    const Scalar z1149 = n4 * (z145 * z1094 + z109 * z1101 + z107 * z1102) + n2 * (z82 * z1141 - z144 * z173 - z138
-        * z174 + z134 * z176 - z83 * z1147 + z80 * z1148);
-    const Scalar z1150 = n0_5 * (z1149 / z96 - z162 * z185 / (z96 * z96) - z169 * z1106 / (z96 * z96) + z160 * z1119
+    const Scalar z441 = z361 + n49_25 * z300 + n29_35 * z320 + n17_7 * z395 - n25_5 * z301 + n51 * z287 - n0_3 * z415
+        - n1_1 * z425 - z438;
+    const Scalar z442 = n2_8467 * z11;
+    const Scalar z443 = k3 * z13 + k4 * z15;
+    const Scalar z444 = z10 * z442 + z12 * z443 + z13 * z440;
+    const Scalar z445 = n2_8467 * c_steer;
+    const Scalar z446 = k3 * z10 + k4 * z11;
+    const Scalar z447 = k4 * z10 + k5 * z11;
+    const Scalar z448 = c_steer * z445 + z10 * z446 + z11 * z447;
+    const Scalar z449 = z12 * z446 - z10 * z445 + z13 * z447;
+    const Scalar z450 = c_steer * z442 - z10 * z443 - z11 * z440;
+    const Scalar z451 = n25_5 * z319 - z418 - n51 * z323;  // force on frame, y
+    const Scalar z452 = z11 * z442 + z13 * z443 + z15 * z440;
+    const Scalar z453 = n0_63 + n0_6 * z417 + z439;
+    const Scalar z454 = n2_31 + n1_1 * z417 - n0_3 * z406 + z444;
+    const Scalar z455 = n9_1 + n0_6 * z417 - n2_2 * z406 + z448;
+    const Scalar z456 = n1_1 * z407 + z449;
+    const Scalar z457 = s_pitch * z410 - c_pitch * z403;
+    const Scalar z458 = s_pitch * z416 - c_pitch * z426;
+    const Scalar z459 = s_pitch * z435 - c_pitch * z429;
+    const Scalar z460 = n39_8603 * (z268 + z430) - z459;  // moment on frame.2, z
+    const Scalar z461 = s_pitch * z426 + c_pitch * z416;
+    const Scalar z462 = n8_47 - n2_2 * z406 + z452;
+    const Scalar z463 = n0_3 * z407 + z450;
+    const Scalar z464 = n7_7 - z406;
+    const Scalar z465 = z263 * z264;
+    const Scalar z466 = n25_5 + z464;
+    const Scalar z467 = n2_1 + z417;
+    const Scalar z468 = n51 - z467;
+    const Scalar z469 = s_roll * z458 - c_roll * z451;
+    const Scalar z470 = n49_25 + z455;
+    const Scalar z471 = s_roll * z451 + c_roll * z458;
+    const Scalar z472 = n87 * z272 - z471;  // force on frame.z, z
+    const Scalar z473 = n17_7 - z454;
+    const Scalar z474 = s_yaw * z469 - c_yaw * z461;
+    const Scalar z475 = n29_35 - z462;
+    const Scalar z476 = s_yaw * z461 + c_yaw * z469;
+    const Scalar z477 = n87 * a_x + z474;  // force on frame.z, x
+    const Scalar z478 = n0_12 + z470;
+    const Scalar z479 = n87 * a_y - z476;  // force on frame.z, y
+    const Scalar z480 = z1 * z375 + z2 * z381;
+    const Scalar z481 = z1 * z382 - z2 * z377;
+    const Scalar z482 = z1 * z359 + z2 * z358;
+    const Scalar z483 = z296 - z321;
+    const Scalar z484 = z297 - z316;
+    const Scalar z485 = z318 + z325;
+    const Scalar z486 = n2 * z299;
+    const Scalar z487 = n2 * z330;
+    const Scalar z488 = n2 * z328;
+    const Scalar z489 = n2 * z349;
+    const Scalar z490 = z453 + z475;
+    const Scalar z491 = n2 * z473;
+    const Scalar z492 = s_pitch * z490 - c_pitch * z491;
+    const Scalar z493 = z2 * z336;
+    const Scalar z494 = z1 * z336;
+    const Scalar z495 = z1 * z345 + z2 * z349;
+    const Scalar z496 = c_pitch * z468 + s_pitch * z466;
+    const Scalar z497 = s_pitch * z456 - c_pitch * z463;
+    const Scalar z498 = s_pitch * z492;
+    const Scalar z499 = c_pitch * z492 + z473;
+    const Scalar z500 = n2 * z265;
+    const Scalar z501 = z2 * z357;
+    const Scalar z502 = z475 - z498;
+    const Scalar z503 = z453 - z498;
+    const Scalar z504 = s_pitch * z468 - c_pitch * z466;
+    const Scalar z505 = n2 * z497;
+    const Scalar z506 = n39_8603 - z502;
+    const Scalar z507 = n39_8603 + z503;
+    const Scalar z508 = n2 * z266;
+    const Scalar z509 = z1 * z386 - z2 * z391;
+    const Scalar z510 = z478 - z506;
+    const Scalar z511 = s_roll * z496 - c_roll * z407;
+    const Scalar z512 = s_roll * z504;
+    const Scalar z513 = z1 * z357;
+    const Scalar z514 = s_roll * z510 - c_roll * z505;
+    const Scalar z515 = n2 * z329;
+    const Scalar z516 = n0_12 * s_roll;
+    const Scalar z517 = n2 * z336;
+    const Scalar z518 = n2 * z345;
+    const Scalar z519 = s_yaw * z504 - c_yaw * z511;
+    const Scalar z520 = z263 * z263;
+    const Scalar z521 = z264 * z264;
+    const Scalar z522 = z520 + z521;
+    const Scalar z523 = z2 * z517;
+    const Scalar z524 = s_roll * z514;
+    const Scalar z525 = c_yaw * z504 + s_yaw * z511;
+    const Scalar z526 = z1 * z518 + z2 * z489;
+    const Scalar z527 = z506 + z524;
+    const Scalar z528 = s_yaw * z496 + c_yaw * z512;
+    const Scalar z529 = s_pitch * z463 + c_pitch * z456;
+    const Scalar z530 = n2 * z362;
+    const Scalar z531 = n2 * z364;
+    const Scalar z532 = z1 * z517;
+    const Scalar z533 = c_roll * z504;
+    const Scalar z534 = n2 * z363;
+    const Scalar z535 = s_yaw * z512 - c_yaw * z496;
+    const Scalar z536 = z268 - z430;
+    const Scalar z537 = v_roll * z264;
+    const Scalar z538 = z270 - z537;
+    const Scalar z539 = s_roll * z478 - c_roll * z497;
+    const Scalar z540 = n0_14 * z530;
+    const Scalar z541 = n0_14 * z534;
+    const Scalar z542 = n0_14 * z531;
+    const Scalar z543 = s_front * z540 - c_front * z541;
+    const Scalar z544 = s_front * z541 + c_front * z540;
+    const Scalar z545 = k4 * z517;
+    const Scalar z546 = n1_04 * z517;
+    const Scalar z547 = n3_85 * z517;
+    const Scalar z548 = k39 * z517 + z542;
+    const Scalar z549 = n3_85 * z489 + n1_04 * z518;
+    const Scalar z550 = n0_1435 * z518 - z543;
+    const Scalar z551 = z543 + k4 * z489 + k41 * z518;
+    const Scalar z552 = n2 * z264;
+    const Scalar z553 = s_roll * z407 + c_roll * z496;
+    const Scalar z554 = k41 * z517 + z542;
+    const Scalar z555 = z544 + k39 * z489 + k4 * z518;
+    const Scalar z556 = n2 * z263;
+    const Scalar z557 = s_yaw * z553;
+    const Scalar z558 = c_yaw * z553;
+    const Scalar z559 = n2 * v_roll;
+    const Scalar z560 = s_roll * z529 - c_roll * z499;
+    const Scalar z561 = n0_1435 * z489 - z544;
+    const Scalar z562 = n0_06 * z488;
+    const Scalar z563 = n0_06 * z487;
+    const Scalar z564 = n0_06 * z515;
+    const Scalar z565 = z13 * z545;
+    const Scalar z566 = z12 * z545 + z13 * z554 + z10 * z551;
+    const Scalar z567 = z565 + z15 * z554 + z11 * z551;
+    const Scalar z568 = z565 + z12 * z548 + z10 * z555;
+    const Scalar z569 = z12 * z550 - z13 * z561;
+    const Scalar z570 = z13 * z550 - z15 * z561;
+    const Scalar z571 = z10 * z550 - z11 * z561;
+    const Scalar z572 = z15 * z545 + z13 * z548 + z11 * z555;
+    const Scalar z573 = c_steer * z551 - z10 * z545 - z11 * z554;
+    const Scalar z574 = n0_3 * z486;
+    const Scalar z575 = n1_1 * z486;
+    const Scalar z576 = z12 * z547 + z13 * z546 + z10 * z549;
+    const Scalar z577 = n7 * z574 - z576;
+    const Scalar z578 = z13 * z547 + z15 * z546 + z11 * z549;
+    const Scalar z579 = n7 * z575 - z578;
+    const Scalar z580 = z13 * z566 - z11 * z569 - z15 * z568;
+    const Scalar z581 = z417 * z574 - z580 + n0_3 * z577;
+    const Scalar z582 = z12 * z567 - z10 * z570 - z13 * z572;
+    const Scalar z583 = z406 * z575 - z582 - n1_1 * z579;
+    const Scalar z584 = c_steer * z555 - z10 * z548 - z11 * z545;
+    const Scalar z585 = z581 + z564;
+    const Scalar z586 = z12 * z566 - z10 * z569 - z13 * z568;
+    const Scalar z587 = c_steer * z569 + z10 * z566 - z11 * z568;
+    const Scalar z588 = z583 - z564;
+    const Scalar z589 = z406 * z574 - z586 - n1_1 * z577;
+    const Scalar z590 = z407 * z574 - z587;
+    const Scalar z591 = n51 * z486 - z577;
+    const Scalar z592 = n39_3 * z486 + z585;
+    const Scalar z593 = n9_95 * z486 - z588;
+    const Scalar z594 = z13 * z567 - z11 * z570 - z15 * z572;
+    const Scalar z595 = c_steer * z570 + z10 * z567 - z11 * z572;
+    const Scalar z596 = z417 * z575 - z594 + n0_3 * z579;
+    const Scalar z597 = z407 * z575 - z595;
+    const Scalar z598 = n25_5 * z486 + z579;
+    const Scalar z599 = n17_7 * z486;
+    const Scalar z600 = z589 + z599;
+    const Scalar z601 = n0_3 * z500 - n1_1 * z508;
+    const Scalar z602 = z596 - z599;
+    const Scalar z603 = c_steer * z549 - z10 * z547 - z11 * z546;
+    const Scalar z604 = n7 * z601 - z603;
+    const Scalar z605 = z10 * z571 + z12 * z573 - z13 * z584;
+    const Scalar z606 = z11 * z571 + z13 * z573 - z15 * z584;
+    const Scalar z607 = c_steer * z571 - z10 * z573 + z11 * z584;
+    const Scalar z608 = z406 * z601 - z605 - n1_1 * z604;
+    const Scalar z609 = z417 * z601 - z606 + n0_3 * z604;
+    const Scalar z610 = n51 * z500 - z604 + n25_5 * z508;
+    const Scalar z611 = z407 * z601 + z607;
+    const Scalar z612 = n7 * z274 + z461;
+    const Scalar z613 = n7 * z271 - z469;
+    const Scalar z614 = z274 * z553;
+    const Scalar z615 = s_rear * z563 + c_rear * z562;
+    const Scalar z616 = s_rear * z562 - c_rear * z563;
+    const Scalar z617 = z590 - z615;
+    const Scalar z618 = z608 + z615;
+    const Scalar z619 = z597 - z616;
+    const Scalar z620 = z609 + z616;
+    const Scalar z621 = n39_3 * z508 - z617;
+    const Scalar z622 = n39_3 * z500 - z619;
+    const Scalar z623 = z618 + n17_7 * z500 + n9_95 * z508;
+    const Scalar z624 = z620 + n39_3 * z500 + n17_7 * z508;
+    const Scalar z625 = z600 - z602;
+    const Scalar z626 = z592 - z593;
+    const Scalar z627 = s_pitch * z625 + c_pitch * z626;
+    const Scalar z628 = s_pitch * z598 + c_pitch * z591;
+    const Scalar z629 = z407 * z522 + n7 * z276 - z504 * z536 + z264 * z628 + z451;
+    const Scalar z630 = n7 * z273 - z496 * z522 + z504 * z538 + z263 * z628 - z458;
+    const Scalar z631 = s_pitch * z591 - c_pitch * z598;
+    const Scalar z632 = z504 * z552 + z610;
+    const Scalar z633 = z276 * z504;
+    const Scalar z634 = s_pitch * z627;
+    const Scalar z635 = z504 * z556 - z631;
+    const Scalar z636 = s_pitch * z622 - c_pitch * z621;
+    const Scalar z637 = n39_8603 * z552 + z636;
+    const Scalar z638 = s_pitch * z621 + c_pitch * z622;
+    const Scalar z639 = n39_8603 * z559 - z638;
+    const Scalar z640 = z271 * z496 + z274 * z512;
+    const Scalar z641 = z602 + z634;
+    const Scalar z642 = z600 - z634;
+    const Scalar z643 = s_roll * z632 - c_roll * z635;
+    const Scalar z644 = s_roll * z635 + c_roll * z632;
+    const Scalar z645 = s_pitch * z623 + c_pitch * z624;
+    const Scalar z646 = s_roll * z631 - c_roll * z610;
+    const Scalar z647 = z496 * z536 - z407 * z538 + z264 * z631 + z263 * z610;
+    const Scalar z648 = z611 + z641;
+    const Scalar z649 = z600 + z602;
+    const Scalar z650 = z611 - z602;
+    const Scalar z651 = z611 - z600;
+    const Scalar z652 = z407 * z556 + z496 * z552;
+    const Scalar z653 = s_pitch * z624 - c_pitch * z623;
+    const Scalar z654 = z429 + z453 * z484 - z287 * z407 + z456 * z485 + z473 * z483 + z266 * z650 + z265 * z592;
+    const Scalar z655 = z435 + z475 * z483 - z301 * z407 - z463 * z485 - z473 * z484 + z265 * z651 - z266 * z593;
+    const Scalar z656 = z301 * z468 + z287 * z466 - z463 * z483 - z456 * z484 - z478 * z485 + z265 * z624 + z266 * z623;
+    const Scalar z657 = z649 + z456 * z508 - z463 * z500;
+    const Scalar z658 = n7 * z301 + z407 * z483 - z468 * z485 + z265 * z610 + z426;
+    const Scalar z659 = n7 * z287 - z407 * z484 - z466 * z485 + z266 * z610 - z416;
+    const Scalar z660 = c_pitch * z627 + z593;
+    const Scalar z661 = c_pitch * z627 - z592;
+    const Scalar z662 = z653 + z478 * z552 + z497 * z556;
+    const Scalar z663 = z661 + z497 * z552 + z506 * z556;
+    const Scalar z664 = z273 * z496 - z276 * z407 - z529 * z536 + z499 * z538 - z507 * z522 + z264 * z637 + z263 * z660;
+    const Scalar z665 = s_roll * z637 - c_roll * z660;
+    const Scalar z666 = s_roll * z662 - c_roll * z663;
+    const Scalar z667 = z468 * z484 + z466 * z483 + z265 * z591 + z266 * z598;
+    const Scalar z668 = s_pitch * z658 - c_pitch * z659;
+    const Scalar z669 = s_pitch * z659 + c_pitch * z658;
+    const Scalar z670 = z645 - z639;
+    const Scalar z671 = s_roll * z648 - c_roll * z670;
+    const Scalar z672 = z407 * z500 - z598;
+    const Scalar z673 = s_roll * z629 - c_roll * z630;
+    const Scalar z674 = c_roll * z629 + s_roll * z630;
+    const Scalar z675 = s_roll * z671;
+    const Scalar z676 = z466 * z500 - z468 * z508;
+    const Scalar z677 = z611 - z675;
+    const Scalar z678 = z407 * z508 + z591;
+    const Scalar z679 = c_roll * z667 + s_roll * z668;
+    const Scalar z680 = s_roll * z667 - c_roll * z668;
+    const Scalar z681 = z642 - z677;
+    const Scalar z682 = s_yaw * z643 - c_yaw * z652;
+    const Scalar z683 = s_yaw * z652 + c_yaw * z643;
+    const Scalar z684 = s_yaw * z646 - c_yaw * z628;
+    const Scalar z685 = z621 + z453 * z508 - z473 * z500;
+    const Scalar z686 = s_yaw * z628 + c_yaw * z646;
+    const Scalar z687 = z473 * z508 - z622 + z475 * z500;
+    const Scalar z688 = s_pitch * z678 + c_pitch * z672;
+    const Scalar z689 = s_yaw * z647 - c_yaw * z673;
+    const Scalar z690 = c_yaw * z647 + s_yaw * z673;
+    const Scalar z691 = s_roll * z649 - c_roll * z645;
+    const Scalar z692 = z478 * z536 - z633 + z529 * z522 - z497 * z538 + z264 * z649 + z263 * z645;
+    const Scalar z693 = s_yaw * z669 + c_yaw * z679;
+    const Scalar z694 = s_yaw * z679 - c_yaw * z669;
+    const Scalar z695 = z611 - z642;
+    const Scalar z696 = z273 * z504 - z441 - z497 * z536 - z499 * z522 + z506 * z538 + z264 * z639 + z263 * z695;
+    const Scalar z697 = z641 + z642;
+    const Scalar z698 = z478 * z536 - z633 + z529 * z522 - z497 * z538 - z460 + z263 * z645 + z264 * z697;
+    const Scalar z699 = z611 - z641;
+    const Scalar z700 = c_roll * z696 + s_roll * z698;
+    const Scalar z701 = z699 + z529 * z552 + z499 * z556;
+    const Scalar z702 = z274 * z504 + z271 * z511;
+    const Scalar z703 = s_pitch * z672 - c_pitch * z678;
+    const Scalar z704 = s_yaw * z612 - c_yaw * z613;
+    const Scalar z705 = c_yaw * z612 + s_yaw * z613;
+    const Scalar z706 = z274 * z413 - z271 * z411;
+    const Scalar z707 = z493 * z546 - z494 * z547 + n3_85 * z480 + n1_04 * z481 + z1 * z396 - n7 * z482 + z2 * z404;
+    const Scalar z708 = z494 * z555 - n3_85 * z501 - n1_04 * z513 - n2_8467 * z509 - z493 * z551 + z1 * z392 + z2
+        * z390;
+    const Scalar z709 = z494 * z549 - z495 * z546 - n7 * z501 - n3_85 * z509 + z2 * z405;
+    const Scalar z710 = z495 * z547 - z493 * z549 - n7 * z513 - n1_04 * z509 + z1 * z405;
+    const Scalar z711 = z1 * z545;
+    const Scalar z712 = z2 * z545;
+    const Scalar z713 = z2 * z554 - z711;
+    const Scalar z714 = z1 * z548 - z712;
+    const Scalar z715 = z1 * z550 + z2 * z561;
+    const Scalar z716 = z493 * z545 - z494 * z548 + k3 * z480 + k4 * z481 - z495 * z550 - n3_85 * z482 + z2 * z378;
+    const Scalar z717 = z493 * z554 - z494 * z545 + k4 * z480 + k5 * z481 + z495 * z561 - n1_04 * z482 + z1 * z378;
+    const Scalar z718 = z493 * z713 + z494 * z714 - z4 * z480 - z5 * z481 + z3 * z482 + z495 * z715;
+    const Scalar z719 = z13 * z713 + z15 * z714 + z11 * z715;
+    const Scalar z720 = z719 + z393 * z601 - z399 * z574;
+    const Scalar z721 = z12 * z713 + z13 * z714 + z10 * z715;
+    const Scalar z722 = c_steer * z715 - z10 * z713 - z11 * z714;
+    const Scalar z723 = z721 + z399 * z575 - z394 * z601;
+    const Scalar z724 = z393 * z575 - z722 - z394 * z574;
+    const Scalar z725 = z12 * z709 + z10 * z707 + z13 * z710;
+    const Scalar z726 = z409 * z483 - z301 * z393 - z401 * z484 - z398 * z485 + z287 * z394 + z265 * z720 + z266 * z723;
+    const Scalar z727 = z724 + z401 * z508 + z409 * z500;
+    const Scalar z728 = z13 * z709 + z11 * z707 + z15 * z710;
+    const Scalar z729 = c_steer * z707 - z10 * z709 - z11 * z710;
+    const Scalar z730 = s_pitch * z720 - c_pitch * z723;
+    const Scalar z731 = s_pitch * z723 + c_pitch * z720;
+    const Scalar z732 = z276 * z402 + z273 * z399 + z398 * z536 - z432 * z522 - z421 * z538 + z263 * z731 + z264 * z724;
+    const Scalar z733 = z730 + z398 * z552 + z421 * z556;
+    const Scalar z734 = s_roll * z724 - c_roll * z731;
+    const Scalar z735 = c_roll * z676 + s_roll * z703;
+    const Scalar z736 = s_roll * z676 - c_roll * z703;
+    const Scalar z737 = s_yaw * z688 + c_yaw * z735;
+    const Scalar z738 = s_yaw * z735 - c_yaw * z688;
+    const Scalar z739 = z12 * z716 + z13 * z717 - z10 * z708;
+    const Scalar z740 = n0_3 * z729 - z739;
+    const Scalar z741 = z10 * z716 + z11 * z717 + c_steer * z708;
+    const Scalar z742 = z13 * z716 + z15 * z717 - z11 * z708;
+    const Scalar z743 = n0_3 * z725 - z741 + n1_1 * z728;
+    const Scalar z744 = s_pitch * z616 - c_pitch * z615;
+    const Scalar z745 = s_pitch * z615 + c_pitch * z616;
+    const Scalar z746 = s_pitch * z685 - c_pitch * z687;
+    const Scalar z747 = s_pitch * z687 + c_pitch * z685;
+    const Scalar z748 = s_roll * z657 - c_roll * z746;
+    const Scalar z749 = n0_12 * z536 + z263 * z745;
+    const Scalar z750 = c_roll * z745;
+    const Scalar z751 = s_pitch * z654 + c_pitch * z655;
+    const Scalar z752 = s_pitch * z655 - c_pitch * z654;
+    const Scalar z753 = n1_1 * z729 - z742;
+    const Scalar z754 = s_roll * z656 + c_roll * z751;
+    const Scalar z755 = z1 * z546 + z2 * z547 - n3_85 * z523 - n1_04 * z532;
+    const Scalar z756 = z711 - k3 * z523 - k4 * z532 + z2 * z548;
+    const Scalar z757 = z712 - k4 * z523 - k5 * z532 + z1 * z554;
+    const Scalar z758 = z1 * z551 + z2 * z555 - n2_8467 * z526;
+    const Scalar z759 = z2 * z549 - n3_85 * z526;
+    const Scalar z760 = z1 * z549 - n1_04 * z526;
+    const Scalar z761 = z12 * z759 - z10 * z755 + z13 * z760;
+    const Scalar z762 = z13 * z759 - z11 * z755 + z15 * z760;
+    const Scalar z763 = z10 * z759 + z11 * z760 + c_steer * z755;
+    const Scalar z764 = s_pitch * z725 + c_pitch * z728;
+    const Scalar z765 = s_pitch * z728 - c_pitch * z725;
+    const Scalar z766 = z12 * z756 + z13 * z757 + z10 * z758;
+    const Scalar z767 = n0_3 * z763 - z766;
+    const Scalar z768 = s_roll * z764 - c_roll * z729;
+    const Scalar z769 = s_roll * z729 + c_roll * z764;
+    const Scalar z770 = z13 * z756 + z15 * z757 + z11 * z758;
+    const Scalar z771 = c_steer * z758 - z10 * z756 - z11 * z757;
+    const Scalar z772 = n0_3 * z761 - z771 + n1_1 * z762;
+    const Scalar z773 = s_yaw * z765 - c_yaw * z768;
+    const Scalar z774 = c_yaw * z765 + s_yaw * z768;
+    const Scalar z775 = s_pitch * z740 + c_pitch * z753;
+    const Scalar z776 = s_pitch * z753 - c_pitch * z740;
+    const Scalar z777 = s_roll * z743 - c_roll * z775;
+    const Scalar z778 = n0_12 * z552 + z744;
+    const Scalar z779 = z493 * z543 - z494 * z544 + n0_28 * z509;
+    const Scalar z780 = n1_1 * z763 - z770;
+    const Scalar z781 = c_yaw * z66;
+    const Scalar z782 = s_yaw * z66;
+    const Scalar z783 = n0_35 * z162 / (z96 * z96);
+    const Scalar z784 = z781 - z106 * z138 + z83 * z783;
+    const Scalar z785 = z98 / (z58 * z58);
+    const Scalar z786 = z782 - z106 * z134 + z80 * z783;
+    const Scalar z787 = z68 - z83 * z106;
+    const Scalar z788 = z203 - z787;
+    const Scalar z789 = z68 - z787;
+    const Scalar z790 = z25 * z785 - z72 * z30;
+    const Scalar z791 = z71 - z80 * z106;
+    const Scalar z792 = z205 - z791;
+    const Scalar z793 = z197 * z788 - z240;
+    const Scalar z794 = z71 - z791;
+    const Scalar z795 = z53 * z789 - z235;
+    const Scalar z796 = z197 * z792 - z239;
+    const Scalar z797 = z53 * z794 - z246;
+    const Scalar z798 = s_roll * z787 + z21 * z183;
+    const Scalar z799 = z26 * z72;
+    const Scalar z800 = s_roll * z791 + z19 * z183;
+    const Scalar z801 = z26 * z785 - z72 * z31;
+    const Scalar z802 = z25 * z72;
+    const Scalar z803 = s_roll * z799 - z21 * z179;
+    const Scalar z804 = s_roll * z802 - z19 * z179;
+    const Scalar z805 = z10 * z543 - z11 * z544;
+    const Scalar z806 = z805 + z403 * z508 + z410 * z500;
+    const Scalar z807 = z12 * z543 - z13 * z544;
+    const Scalar z808 = s_pitch * z761 + c_pitch * z762;
+    const Scalar z809 = s_pitch * z762 - c_pitch * z761;
+    const Scalar z810 = n2 * (c_roll * z22 + z25);
+    const Scalar z811 = n2 * (c_roll * z24 + z26);
+    const Scalar z812 = z13 * z543 - z15 * z544;
+    const Scalar z813 = z412 * z485 - z403 * z484 + z410 * z483 + z265 * z812 + z266 * z807;
+    const Scalar z814 = z1 * z543;
+    const Scalar z815 = z814 + z2 * z544 - n0_28 * z526;
+    const Scalar z816 = z2 * z544 + z814;
+    const Scalar z817 = l_lambda_rear_rolls_x * z804;
+    const Scalar z818 = c_roll * z763 + s_roll * z808;
+    const Scalar z819 = s_roll * z763 - c_roll * z808;
+    const Scalar z820 = s_pitch * z807 + c_pitch * z812;
+    const Scalar z821 = z264 * z805 - z412 * z536 - z457 * z522 - z414 * z538 + z263 * z820;
+    const Scalar z822 = s_pitch * z812 - c_pitch * z807;
+    const Scalar z823 = z412 * z552 - z822 - z414 * z556;
+    const Scalar z824 = s_roll * z805 - c_roll * z820;
+    const Scalar z825 = s_yaw * z809 - c_yaw * z818;
+    const Scalar z826 = c_yaw * z809 + s_yaw * z818;
+    const Scalar z827 = s_pitch * z767 + c_pitch * z780;
+    const Scalar z828 = s_pitch * z780 - c_pitch * z767;
+    const Scalar z829 = c_roll * z827 + s_roll * z772;
+    const Scalar z830 = n2 * (z56 * z56 - z53 * z53);
+    const Scalar z831 = s_yaw * z124;
+    const Scalar z832 = z53 * z831 + z125 * z124 + z56 * z126 + z61 * z122;
+    const Scalar z833 = c_yaw * z124;
+    const Scalar z834 = s_roll * z63;
+    const Scalar z835 = s_yaw * z56;
+    const Scalar z836 = n2 * z56;
+    const Scalar z837 = z125 * z836 + z53 * (z61 + z835);
+    const Scalar z838 = c_yaw * z56;
+    const Scalar z839 = z132 * z836 + z53 * (z78 + z838);
+    const Scalar z840 = z65 - z106 * z144 - z82 * z783;
+    const Scalar z841 = s_yaw * z840;
+    const Scalar z842 = n2 * (s_roll * s_roll - c_roll * c_roll);
+    const Scalar z843 = n2 * (z25 * z810 + z26 * z811 - z20 * z842 - z30 * z30 - z31 * z31 - z32 * z32);
+    const Scalar z844 = n2 * (z82 * z830 - z144 * z144 - z134 * z134 - z138 * z138 + z80 * z837 + z83 * z839);
+    const Scalar z845 = n0_5 * (z149 * z162 / (z96 * z96) + z844 / z96);
+    const Scalar z846 = c_yaw * z840;
+    const Scalar z847 = z20 * z785 - z72 * z32;
+    const Scalar z848 = c_yaw * z847;
+    const Scalar z849 = s_yaw * z847;
+    const Scalar z850 = l_lambda_rear_rolls_x * z217 - l_lambda_rear_rolls_y * z212 + l_lambda_front_rolls_x * z198
+        - l_lambda_front_rolls_y * z186;
+    const Scalar z851 = z614 - z850;
+    const Scalar z852 = n0_5 * (z50 * z75 / (z58 * z58) + z843 / z58);
+    const Scalar z853 = l_lambda_front_rolls_x * z800 - z817 - l_lambda_rear_rolls_y * z803 + l_lambda_front_rolls_y
+        * z798;
+    const Scalar z854 = z640 - z853;
+    const Scalar z855 = l_lambda_rear_rolls_y * z803 + z817;
+    const Scalar z856 = l_lambda_front_rolls_x * z796 + l_lambda_front_rolls_y * z793;
+    const Scalar z857 = z706 - z856;
+    const Scalar z858 = z66 - n0_35 * z845;
+    const Scalar z859 = l_lambda_rear_rolls_x * z801 - l_lambda_rear_rolls_y * z790 - l_lambda_front_rolls_x * z784
+        + l_lambda_front_rolls_y * z786;
+    const Scalar z860 = z700 + z859;
+    const Scalar z861 = l_lambda_front_rolls_x * z797 + l_lambda_front_rolls_y * z795;
+    const Scalar z862 = n0_3 * z852;
+    const Scalar z863 = l_lambda_rear_rolls_x * z802 + l_lambda_rear_rolls_y * z799 - l_lambda_front_rolls_x * z791
+        - l_lambda_front_rolls_y * z787;
+    const Scalar z864 = z702 + z863;
+    const Scalar z865 = z53 * z833 + z56 * z123 + z132 * z124 + z78 * z122;
+    const Scalar z866 = z193 - z840;
+    const Scalar z867 = z781 - z784;
+    const Scalar z868 = z65 - z840;
+    const Scalar z869 = z782 - z786;
+    const Scalar z870 = n2 * (z56 * z124 - z53 * z122);
+    const Scalar z871 = n2 * (z82 * z870 - z144 * z131 + z134 * z142 + z138 * z135 + z80 * z832 + z83 * z865);
+    const Scalar z872 = c_yaw * z128;
+    const Scalar z873 = z53 * z872 + z132 * z128 + z56 * z130 - z78 * z127;
+    const Scalar z874 = n2 * (z53 * z127 + z56 * z128);
+    const Scalar z875 = s_roll * z164 - c_roll * z165;
+    const Scalar z876 = s_yaw * z128;
+    const Scalar z877 = z56 * z129 - z53 * z876 + z61 * z127 - z125 * z128;
+    const Scalar z878 = n0_35 * z161 / (z96 * z96);
+    const Scalar z879 = s_yaw * z62 - c_yaw * z834;
+    const Scalar z880 = s_yaw * z834 + c_yaw * z62;
+    const Scalar z881 = c_yaw * z197;
+    const Scalar z882 = c_yaw * z204;
+    const Scalar z883 = z784 - z882;
+    const Scalar z884 = s_yaw * z197;
+    const Scalar z885 = z83 * z878 - z879 - z106 * z135;
+    const Scalar z886 = n2 * (z144 * z146 - z82 * z874 + z134 * z136 - z138 * z141 - z83 * z873 + z80 * z877);
+    const Scalar z887 = z166 - z106 * z131 + z82 * z878;
+    const Scalar z888 = s_yaw * z204;
+    const Scalar z889 = z786 - z888;
+    const Scalar z890 = z880 - z106 * z142 + z80 * z878;
+    const Scalar z891 = s_yaw * z887;
+    const Scalar z892 = c_yaw * z887;
+    const Scalar z893 = z196 * z233 - z231 * z881 - z197 * z883 + z199 * z866;
+    const Scalar z894 = c_roll * z181 - z22 * z183 + s_roll * z786 - z19 * z840;
+    const Scalar z895 = z56 * z232 + z132 * z230 + z53 * z867 - z78 * z868;
+    const Scalar z896 = z22 * z179 - c_roll * z178 + s_roll * z790 + z19 * z847;
+    const Scalar z897 = z196 * z237 + z231 * z884 + z197 * z889 - z200 * z866;
+    const Scalar z898 = s_roll * z784 - c_roll * z182 - z21 * z840 - z24 * z183;
+    const Scalar z899 = z56 * z234 - z125 * z230 - z53 * z869 + z61 * z868;
+    const Scalar z900 = c_roll * z180 + z24 * z179 + s_roll * z801 + z21 * z847;
+    const Scalar z901 = n0_5 * (z149 * z161 / (z96 * z96) - z871 / z96);
+    const Scalar z902 = n0_5 * (z162 * z148 / (z96 * z96) - z871 / z96);
+    const Scalar z903 = z834 - n0_35 * z901;
+    const Scalar z904 = z834 - n0_35 * z902;
+    const Scalar z905 = n0_5 * (z162 * z150 / (z96 * z96) - z886 / z96);
+    const Scalar z906 = z875 + n0_35 * z905;
+    const Scalar z907 = l_lambda_rear_rolls_x * z900;
+    const Scalar z908 = l_lambda_front_rolls_x * z895 + l_lambda_front_rolls_y * z899;
+    const Scalar z909 = z821 - z908;
+    const Scalar z910 = l_lambda_rear_rolls_y * z896 - z907;
+    const Scalar z911 = l_lambda_rear_rolls_y * z896 - z907 + l_lambda_front_touches * z904 - l_lambda_front_rolls_y
+        * z894 + l_lambda_front_rolls_x * z898;
+    const Scalar z912 = z749 - z910;
+    const Scalar z913 = l_lambda_front_touches * z906 + l_lambda_front_rolls_x * z893 + l_lambda_front_rolls_y * z897;
+    const Scalar z914 = l_lambda_front_rolls_x * z885 - l_lambda_front_rolls_y * z890;
+    const Scalar z915 = z754 + z914;
+    const Scalar z916 = l_lambda_rear_touches * z862 + l_lambda_rear_rolls_x * z849 + l_lambda_rear_rolls_y * z848
+        + l_lambda_front_rolls_x * z841 + l_lambda_front_rolls_y * z846 - l_lambda_front_touches * z858;
+    const Scalar z917 = z732 + z913;
+    const Scalar z918 = z692 - z911;
+    const Scalar z919 = z664 - z916;
+    const Scalar z920 = s_yaw * z52 + z54;
+    const Scalar z921 = c_yaw * z52 - z73;
+    const Scalar z922 = z166 - z887;
+    const Scalar z923 = z880 - z890;
+    const Scalar z924 = z879 + z885;
+    const Scalar z925 = n0_5 * (z149 * z163 / (z96 * z96) - z886 / z96);
+    const Scalar z926 = z875 + n0_35 * z925;
+    const Scalar z927 = c_roll * z41;
+    const Scalar z928 = c_roll * z121;
+    const Scalar z929 = s_roll * z121;
+    const Scalar z930 = n2 * (z53 * z927 - z124 * z124);
+    const Scalar z931 = s_pitch * z156 - c_pitch * z154;
+    const Scalar z932 = s_yaw * z120 + c_yaw * z929;
+    const Scalar z933 = s_yaw * z929 - c_yaw * z120;
+    const Scalar z934 = z53 * z932 - z123 * z128 - z124 * z130 - z78 * z928;
+    const Scalar z935 = z124 * z129 + z53 * z933 - z126 * z128 - z61 * z928;
+    const Scalar z936 = n2 * (z53 * z928 - z124 * z128);
+    const Scalar z937 = n2 * z124;
+    const Scalar z938 = z53 * z920 - z126 * z937 - z61 * z927;
+    const Scalar z939 = z53 * z921 - z123 * z937 - z78 * z927;
+    const Scalar z940 = n2 * (z131 * z146 + z82 * z936 + z135 * z141 - z142 * z136 + z83 * z934 + z80 * z935);
+    const Scalar z941 = n2 * (z131 * z131 + z82 * z930 + z135 * z135 + z142 * z142 + z80 * z938 + z83 * z939);
+    const Scalar z942 = s_yaw * z931 - c_yaw * z875;
+    const Scalar z943 = s_roll * z195;
+    const Scalar z944 = n0_5 * (z148 * z161 / (z96 * z96) - z941 / z96);
+    const Scalar z945 = c_yaw * z931 + s_yaw * z875;
+    const Scalar z946 = n0_35 * z163 / (z96 * z96);
+    const Scalar z947 = c_roll * z195;
+    const Scalar z948 = s_roll * z191;
+    const Scalar z949 = c_yaw * z194 + s_yaw * z943;
+    const Scalar z950 = s_yaw * z194 - c_yaw * z943;
+    const Scalar z951 = c_roll * z191;
+    const Scalar z952 = z887 - z951;
+    const Scalar z953 = z942 + z106 * z141 + z83 * z946;
+    const Scalar z954 = c_yaw * z192 + s_yaw * z948;
+    const Scalar z955 = z890 - z954;
+    const Scalar z956 = z80 * z946 - z945 - z106 * z136;
+    const Scalar z957 = s_yaw * z192 - c_yaw * z948;
+    const Scalar z958 = z885 + z957;
+    const Scalar z959 = z21 * z887 + s_roll * z885;
+    const Scalar z960 = s_roll * z890 + z19 * z887;
+    const Scalar z961 = z233 * z947 - z231 * z950 - z199 * z952 + z197 * z958;
+    const Scalar z962 = z231 * z949 - z237 * z947 + z197 * z955 - z200 * z952;
+    const Scalar z963 = z124 * z232 + z123 * z230 - z78 * z922 + z53 * z924;
+    const Scalar z964 = z124 * z234 - z126 * z230 + z53 * z923 + z61 * z922;
+    const Scalar z965 = c_roll * z62;
+    const Scalar z966 = z965 - n0_35 * z944;
+    const Scalar z967 = c_roll * z931;
+    const Scalar z968 = n0_5 * (z161 * z150 / (z96 * z96) + z940 / z96);
+    const Scalar z969 = z967 + n0_35 * z968;
+    const Scalar z970 = l_lambda_front_rolls_x * z963 + l_lambda_front_rolls_y * z964;
+    const Scalar z971 = z813 - z970;
+    const Scalar z972 = l_lambda_front_touches * z966 - l_lambda_front_rolls_y * z960 + l_lambda_front_rolls_x * z959;
+    const Scalar z973 = l_lambda_front_rolls_x * z961 - l_lambda_front_rolls_y * z962 - l_lambda_front_touches * z969;
+    const Scalar z974 = z726 + z973;
+    const Scalar z975 = l_lambda_front_rolls_x * z953 - l_lambda_front_rolls_y * z956;
+    const Scalar z976 = z777 - z975;
+    const Scalar z977 = z656 + z972;
+    const Scalar z978 = l_lambda_front_rolls_x * z891 + l_lambda_front_rolls_y * z892 + l_lambda_front_touches * z903;
+    const Scalar z979 = z752 + z978;
+    const Scalar z980 = z268 + z430;
+    const Scalar z981 = z942 - z953;
+    const Scalar z982 = z945 + z956;
+    const Scalar z983 = z349 * z364;
+    const Scalar z984 = z345 * z364;
+    const Scalar z985 = n0_28 * z983;  // moment on front_wheel, z
+    const Scalar z986 = n0_5 * (z148 * z163 / (z96 * z96) + z940 / z96);
+    const Scalar z987 = k19 * z385 + z985 + k5 * z353 + n1_04 * z357 - k4 * z391;  // moment on fork, z
+    const Scalar z988 = z967 + n0_35 * z986;
+    const Scalar z989 = n0_28 * z984;  // moment on front_wheel, x
+    const Scalar z990 = n3_85 * z357 - z989 - k18 * z387 - k3 * z344 + k4 * z386;  // moment on fork, x
+    const Scalar z991 = z265 * z329;
+    const Scalar z992 = z266 * z329;
+    const Scalar z993 = n0_12 * z991;  // moment on rear_wheel, z
+    const Scalar z994 = n0_12 * z992;  // moment on rear_wheel, x
+    const Scalar z995 = a_z - a_roll * z98 - z117;
+    const Scalar z996 = a_z + a_roll * z177 - a_pitch * z175 - a_steer * z190 + z244;
+    const Scalar z997 = n2 * (z128 * z130 + z53 * z78);
+    const Scalar z998 = n2 * (z53 * z53 - z128 * z128);
+    const Scalar z999 = z106 * z146 - z167 + z82 * z946;
+    const Scalar z1000 = z167 + z999;
+    const Scalar z1001 = z15 * z987 + z13 * z990 + z11 * z378;
+    const Scalar z1002 = z13 * z987 + z12 * z990 + z10 * z378;
+    const Scalar z1003 = z11 * z987 - z420 + z10 * z990;
+    // moment on frame, y
+    const Scalar z1004 = z361 + n49_25 * z300 + n29_35 * z320 + n17_7 * z395 - n25_5 * z301 + n51 * z287 - n0_3 * z415
+        - n1_1 * z425 - z1003;
+    const Scalar z1005 = n25_5 * z276 - z993 - n9_95 * z319 + n17_7 * z323 + n1_1 * z418 - z1001;  // moment on frame, z
+    const Scalar z1006 = n51 * z276 + z994 - n17_7 * z319 + n39_3 * z323 - n0_3 * z418 + z1002;  // moment on frame, x
+    const Scalar z1007 = z1 * z990 - z2 * z987;
+    const Scalar z1008 = a_x + a_yaw * z182 - a_roll * z186 + a_pitch * z210 + a_steer * z241 + a_front * z238 + z342;
+    const Scalar z1009 = s_yaw * z999;
+    const Scalar z1010 = a_y - z209 * (a_pitch + a_rear) - a_yaw * z178 + a_roll * z217 - z260;
+    const Scalar z1011 = c_yaw * z999;
+    const Scalar z1012 = a_y - a_yaw * z181 + a_roll * z198 - a_pitch * z208 - a_steer * z242 - a_front * z247 - z360;
+    const Scalar z1013 = s_roll * z953 + z21 * z999;
+    const Scalar z1014 = z19 * z999 + s_roll * z956;
+    const Scalar z1015 = n2 * (z53 * z61 - z128 * z129);
+    const Scalar z1016 = n2 * (z83 * z997 - z146 * z146 - z82 * z998 - z136 * z136 - z141 * z141 + z80 * z1015);
+    const Scalar z1017 = z197 * z953 - z199 * z999;
+    const Scalar z1018 = n0_5 * (z150 * z163 / (z96 * z96) + z1016 / z96);
+    const Scalar z1019 = z197 * z956 - z200 * z999;
+    const Scalar z1020 = z128 * z232 + z130 * z230 + z53 * z981 - z78 * z1000;
+    const Scalar z1021 = c_steer * z8;
+    const Scalar z1022 = z128 * z234 + z129 * z230 + z61 * z1000 + z53 * z982;
+    const Scalar z1023 = c_steer * (n1 - z7);
+    const Scalar z1024 = n0_08 * z1023 - n0_35 * z1021;
+    const Scalar z1025 = c_steer * (n1 - z9);
+    const Scalar z1026 = n0_08 * z1021 - n0_35 * z1025;
+    const Scalar z1027 = l_lambda_front_rolls_x * z1020 + l_lambda_front_rolls_y * z1022;
+    const Scalar z1028 = z779 + z1027;
+    const Scalar z1029 = s_pitch * z1005 + c_pitch * z1006;
+    const Scalar z1030 = c_pitch * z1026 + s_pitch * z1024;
+    const Scalar z1031 = n0_5603 * (a_roll + z465) - z1029;  // moment on frame.2, x
+    const Scalar z1032 = s_pitch * z1006 - c_pitch * z1005;
+    const Scalar z1033 = z1032 - n0_5603 * z980;  // moment on frame.2, z
+    const Scalar z1034 = l_lambda_front_rolls_x * z1013 - l_lambda_front_rolls_y * z1014 - l_lambda_front_touches
+        * z988;
+    const Scalar z1035 = c_roll * z1030 - z51;
+    const Scalar z1036 = z743 - z1034;
+    const Scalar z1037 = s_roll * z1004 + c_roll * z1033;
+    const Scalar z1038 = z1035 + n0_35 * z1018;
+    const Scalar z1039 = l_lambda_front_rolls_x * z1009 + l_lambda_front_rolls_y * z1011 - l_lambda_front_touches
+        * z926;
+    const Scalar z1040 = z776 + z1039;
+    const Scalar z1041 = z26 * z207 - z216;
+    const Scalar z1042 = z17 * z799 + z28 * z179 + s_roll * z1041 - z228;
+    const Scalar z1043 = z215 * (a_pitch + a_rear) + a_x + a_yaw * z180 - a_roll * z212 + z261;
+    const Scalar z1044 = v_yaw * z1041 - v_roll * z227 + z1042 * (v_pitch + v_rear);
+    const Scalar z1045 = v_yaw * z787;
+    const Scalar z1046 = v_yaw * z791;
+    const Scalar z1047 = z803 * (a_pitch + a_rear) + a_yaw * z799 - a_roll * z212 + z1044;
+    const Scalar z1048 = v_yaw * z799;
+    const Scalar z1049 = v_roll * z212 - z1048 - z803 * (v_pitch + v_rear);
+    const Scalar z1050 = v_roll * z212 - z1048 - z803 * (v_pitch + v_rear) + z214;
+    const Scalar z1051 = z1045 + v_roll * z186 + v_pitch * z798 + v_steer * z793 - v_front * z795;
+    const Scalar z1052 = z1045 + v_roll * z186 + v_pitch * z798 + v_steer * z793 - v_front * z795 + z305;
+    const Scalar z1053 = v_roll * z198 - z1046 - v_pitch * z800 - v_steer * z796 + v_front * z797;
+    const Scalar z1054 = v_roll * z198 - z1046 - v_pitch * z800 - v_steer * z796 + v_front * z797 - z295;
+    const Scalar z1055 = z283 - z106 * z109 + z80 * z252;
+    const Scalar z1056 = z309 - z17 * z791 + s_roll * z1055 - z19 * z258;
+    const Scalar z1057 = z302 + z1055;
+    const Scalar z1058 = z257 * z792 - z311 + z197 * z1057 - z200 * z304;
+    const Scalar z1059 = z283 - z1055;
+    const Scalar z1060 = z104 * z794 - z312 + z53 * z1059 + z61 * z262;
+    const Scalar z1061 = z256 + z106 * z107 + z83 * z252;
+    const Scalar z1062 = l_lambda_front_rolls_x * z1017 - l_lambda_front_touches * z1038 - l_lambda_front_rolls_y
+        * z1019;
+    const Scalar z1063 = z718 + z1062;
+    const Scalar z1064 = v_yaw * z1055 + v_pitch * z1056 + v_roll * z314 - v_steer * z1058 - v_front * z1060;
+    const Scalar z1065 = z290 + z1061;
+    const Scalar z1066 = z257 * z788 + z310 + z197 * z1065 - z199 * z304;
+    const Scalar z1067 = z254 - z17 * z787 + s_roll * z1061 - z21 * z258;
+    const Scalar z1068 = a_yaw * z791 - a_roll * z198 + a_pitch * z800 + a_steer * z796 - a_front * z797 - z1064;
+    const Scalar z1069 = c_steer * z35 + z37 * z41 + n2 * (s_roll * z100 + z99);
+    const Scalar z1070 = n2 * (s_roll * z110 + z248) - z35 * z39 - z37 * z62;
+    const Scalar z1071 = z256 - z1061;
+    const Scalar z1072 = z104 * z789 + z313 + z53 * z1071 + z78 * z262;
+    const Scalar z1073 = z25 * z207 - z189;
+    const Scalar z1074 = z17 * z802 + z27 * z179 + s_roll * z1073 - z225;
+    const Scalar z1075 = c_yaw * z17 - s_roll * z18;
+    const Scalar z1076 = v_yaw * z1061 - v_roll * z259 + v_pitch * z1067 - v_steer * z1066 - v_front * z1072;
+    const Scalar z1077 = a_yaw * z787 + a_roll * z186 + a_pitch * z798 + a_steer * z793 - a_front * z795 - z1076;
+    const Scalar z1078 = v_yaw * z1073 + z1074 * (v_pitch + v_rear) + v_roll * z224;
+    const Scalar z1079 = z804 * (a_pitch + a_rear) + a_yaw * z802 + a_roll * z217 + z1078;
+    const Scalar z1080 = v_yaw * z802;
+    const Scalar z1081 = z36 * z62 - z33 * z39 - c_roll * z158 + n2 * (z17 * z110 - z14 * z97) + s_roll * z221;
+    const Scalar z1082 = c_roll * z28;
+    const Scalar z1083 = z104 * z125;
+    const Scalar z1084 = z21 * z14 + z17 * z24 + s_roll * z1075 + z1082;
+    const Scalar z1085 = z48 * z30;
+    const Scalar z1086 = c_roll * z17;
+    const Scalar z1087 = s_yaw * z104 - z16 * z53;
+    const Scalar z1088 = z104 * z132;
+    const Scalar z1089 = n2 * (z56 * z104 + z53 * z102);
+    const Scalar z1090 = z145 * z144;
+    const Scalar z1091 = z17 * z22;
+    const Scalar z1092 = z18 * z53 + c_yaw * z104;
+    const Scalar z1093 = s_yaw * z17 + s_roll * z16;
+    const Scalar z1094 = n2 * (s_roll * z14 - z1086);
+    const Scalar z1095 = z23 * z35 - n4 * z1086;
+    const Scalar z1096 = z61 * z102 - z1083 - z53 * z1087 + z56 * z108;
+    const Scalar z1097 = z1088 - z78 * z102 + z53 * z1092 + z56 * z105;
+    const Scalar z1098 = z19 * z14 + z1091 + s_roll * z1093 + c_roll * z27;
+    const Scalar z1099 = n2 * (z26 * z1084 - z1085 - z29 * z32 - z20 * z1094 - z49 * z31 + z25 * z1098);
+    const Scalar z1100 = z59 * z75;
+    const Scalar z1101 = n2 * (z1090 - z82 * z1089 - z107 * z138 + z80 * z1096 - z83 * z1097 + z109 * z134);
+    const Scalar z1102 = z160 * z162;
+    const Scalar z1103 = z35 * z41 - c_steer * z37 + n2 * (s_roll * z88 - c_roll * z100);
+    const Scalar z1104 = n4 * z17 * z14 + n2 * (s_roll * z33 + c_roll * z36);
+    const Scalar z1105 = s_yaw * z1103 - z16 * z103;
+    const Scalar z1106 = z18 * z103 + c_yaw * z1103;
+    const Scalar z1107 = z53 * z1106 - z78 * z1069 + n2 * (z56 * z105 + z1088);
+    const Scalar z1108 = z61 * z1069 - z53 * z1105 + n2 * (z56 * z108 - z1083);
+    const Scalar z1109 = n4 * z56 * z104 + z103 * z1069;
+    const Scalar z1110 = s_yaw * z36 + s_roll * z34 - z16 * z37;
+    const Scalar z1111 = n4 * (z1090 - z107 * z138 + z109 * z134) + n2 * (z80 * z1108 - z83 * z1107 - z82 * z1109);
+    const Scalar z1112 = z22 * z36 - z19 * z33 - n2 * (z17 * z1093 - z14 * z27) + s_roll * z1110 - c_roll * z43;
+    const Scalar z1113 = n0_5 * (z1102 / (z96 * z96) - z1111 / z96 + z169 * z149 / (z96 * z96));
+    const Scalar z1114 = n0_5 * (z1102 / (z96 * z96) - z1101 / z96);
+    const Scalar z1115 = n0_5 * (z1100 / (z58 * z58) + z1099 / z58);
+    const Scalar z1116 = z16 * z23 + s_yaw * z37;
+    const Scalar z1117 = z19 * z35 + s_roll * z1116 + n2 * (c_roll * z27 + z1091);
+    const Scalar z1118 = c_yaw * z37 - z18 * z23;
+    const Scalar z1119 = z21 * z35 + s_roll * z1118 + n2 * (z17 * z24 + z1082);
+    const Scalar z1120 = c_yaw * z36 + s_roll * z38 + z18 * z37;
+    const Scalar z1121 = z24 * z36 - z21 * z33 - n2 * (z17 * z1075 - z14 * z28) + s_roll * z1120 - c_roll * z44;
+    const Scalar z1122 = n2 * (z25 * z1117 + z26 * z1119 - z20 * z1095) - n4 * (z1085 + z29 * z32 + z49 * z31);
+    const Scalar z1123 = n4 * (z49 * z1084 - z29 * z1094 + z48 * z1098) + n2 * (z20 * z1104 - z32 * z45 + z30 * z60
+        + z31 * z64 + z25 * z1112 + z26 * z1121);
+    const Scalar z1124 = n0_5 * (z76 * z1099 / (z58 * z58) + z75 * z67 / (z58 * z58) - z1123 / z58 + z59 * z1115 / (z58
+        * z58)) + z76 * z1100 / (z58 * z58 * z58);
+    const Scalar z1125 = n0_5 * (z76 * z50 / (z58 * z58) + z1100 / (z58 * z58) + z1122 / z58);
+    const Scalar z1126 = z1070 - n0_35 * z1113;
+    const Scalar z1127 = n0_3 * z1115;
+    const Scalar z1128 = n0_3 * z1125;
+    const Scalar z1129 = z250 - n0_35 * z1114;
+    const Scalar z1130 = z1080 + v_roll * z217 + z804 * (v_pitch + v_rear);
+    const Scalar z1131 = z1080 + v_roll * z217 + z804 * (v_pitch + v_rear) - z222;
+    const Scalar z1132 = n0_6 * z76 * z75 / (z58 * z58 * z58) + z1127 / (z58 * z58);
+    const Scalar z1133 = n0_3 * z1124;
+    const Scalar z1134 = a_roll * z862 + z1133;
+    const Scalar z1135 = n4 * z104;
+    const Scalar z1136 = n2 * (z56 * z170 - z53 * z159) - z102 * z1135;
+    const Scalar z1137 = z72 * z1094 - z29 * z785 - z32 * z207 + z20 * z1132;
+    const Scalar z1138 = z25 * z1132 - z72 * z1098 - z48 * z785 - z30 * z207;
+    const Scalar z1139 = z26 * z1132 - z72 * z1084 - z49 * z785 - z31 * z207;
+    const Scalar z1140 = z38 * z53 - z18 * z171 + c_yaw * z170;
+    const Scalar z1141 = z34 * z53 + z16 * z171 + s_yaw * z170;
+    const Scalar z1142 = n2 * (z104 * z1092 + z102 * z105) - z78 * z159 - z132 * z170 + z56 * z172 - z53 * z1140;
+    const Scalar z1143 = z61 * z159 + z125 * z170 - n2 * (z104 * z1087 - z102 * z108) + z56 * z168 + z53 * z1141;
+    const Scalar z1144 = n4 * (z145 * z1089 + z109 * z1096 + z107 * z1097) + n2 * (z82 * z1136 - z144 * z173 - z138
+        * z174 + z134 * z176 - z83 * z1142 + z80 * z1143);
+    const Scalar z1145 = n0_5 * (z1144 / z96 - z162 * z185 / (z96 * z96) - z169 * z1101 / (z96 * z96) + z160 * z1114
         / (z96 * z96)) + z162 * z211 / (z96 * z96 * z96);
-    const Scalar z1151 = z14 * z178 + z179 * z1098 - c_roll * z214 + z17 * z795 - z27 * z852 + z22 * z220 + z19 * z1142
-        + s_roll * z1143;
-    const Scalar z1152 = z179 * z1080 - z14 * z180 + c_roll * z222 + z17 * z806 - z28 * z852 + z24 * z220 + z21 * z1142
-        + s_roll * z1144;
-    const Scalar z1153 = z18 * z41;
-    const Scalar z1154 = c_roll * z101 - z14 * z40;
-    const Scalar z1155 = z1086 - n0_35 * z1150;
-    const Scalar z1156 = z17 * z40 + s_roll * z101;
-    const Scalar z1157 = z16 * z122 + z1153 - c_yaw * z100 + s_yaw * z1156;
-    const Scalar z1158 = a_roll * z863 + a_pitch * z909 + a_steer * z911 - z1155;
-    const Scalar z1159 = z16 * z41 - z18 * z122 + s_yaw * z100 + c_yaw * z1156;
-    const Scalar z1160 = z53 * z1157 - z61 * z1154 - z104 * z126 + z108 * z124;
-    const Scalar z1161 = n0_7 * z169;
-    const Scalar z1162 = z162 * z1161 / (z96 * z96 * z96) + n0_35 * z1119 / (z96 * z96);
-    const Scalar z1163 = v_roll * z846;
-    const Scalar z1164 = v_yaw * z789 - z1163 + z259 + v_steer * z898 - v_front * z900 + v_pitch * z903;
-    const Scalar z1165 = v_yaw * z789 - z1163 + v_steer * z898 - v_front * z900 + v_pitch * z903;
-    const Scalar z1166 = z104 * z123;
-    const Scalar z1167 = z107 * z135;
-    const Scalar z1168 = n2 * (z53 * z1154 - z104 * z124);
-    const Scalar z1169 = z53 * z1159 - z1166 - z78 * z1154 - z105 * z124;
-    const Scalar z1170 = z250 - z106 * z1094 + z145 * z788 + z144 * z252 + z82 * z1162;
-    const Scalar z1171 = z288 + z1170;
-    const Scalar z1172 = z250 - z1170;
-    const Scalar z1173 = v_yaw * z791;
-    const Scalar z1174 = v_roll * z851 + z1173 + v_pitch * z899 - v_steer * z902 + v_front * z904 - z314;
-    const Scalar z1175 = v_roll * z851 + z1173 + v_pitch * z899 - v_steer * z902 + v_front * z904;
-    const Scalar z1176 = n2 * (z1167 + z145 * z131 + z82 * z1168 - z109 * z142 + z83 * z1169 + z80 * z1160);
-    const Scalar z1177 = z14 * z63 + c_roll * z249;
-    const Scalar z1178 = v_yaw * z795;
-    const Scalar z1179 = v_roll * z853 - z1178 - z224 - z901 * (v_pitch + v_rear);
-    const Scalar z1180 = v_roll * z853 - z1178 - z901 * (v_pitch + v_rear);
-    const Scalar z1181 = c_yaw * z257 - z18 * z197;
-    const Scalar z1182 = c_yaw * z114 - z18 * z66;
-    const Scalar z1183 = z16 * z66 + s_yaw * z114;
-    const Scalar z1184 = z1182 - z106 * z1102 + z107 * z788 - z138 * z252 + z83 * z1162;
-    const Scalar z1185 = z1183 + z106 * z1101 - z109 * z788 - z134 * z252 + z80 * z1162;
-    const Scalar z1186 = z160 * z161;
-    const Scalar z1187 = n0_5 * (z1186 / (z96 * z96) + z1176 / z96);
-    const Scalar z1188 = z16 * z197 + s_yaw * z257;
-    const Scalar z1189 = v_yaw * z806;
-    const Scalar z1190 = v_roll * z854 + z1189 - z227 + z905 * (v_pitch + v_rear);
-    const Scalar z1191 = z14 * z182 - z183 * z1080 + z17 * z789 + z28 * z845 - c_roll * z295 - z24 * z258 + s_roll
-        * z1184 + z21 * z1170;
-    const Scalar z1192 = z17 * z791 - z14 * z181 - z183 * z1098 + z27 * z845 + c_roll * z305 - z22 * z258 + s_roll
-        * z1185 + z19 * z1170;
-    const Scalar z1193 = v_roll * z854 + z1189 + z905 * (v_pitch + v_rear);
-    const Scalar z1194 = z1182 - z1184;
-    const Scalar z1195 = z56 * z286 - z102 * z232 - z230 * z1097 - z104 * z872 - z105 * z873 + z132 * z262 + z53 * z1194
-        + z78 * z1172;
-    const Scalar z1196 = z1183 - z1185;
-    const Scalar z1197 = z230 * z1092 - z102 * z234 + z104 * z874 - z108 * z873 + z56 * z298 - z125 * z262 - z53 * z1196
-        - z61 * z1172;
-    const Scalar z1198 = z1177 + n0_35 * z1187;
-    const Scalar z1199 = c_yaw * z292 - z18 * z204;
-    const Scalar z1200 = z16 * z204 + s_yaw * z292;
-    const Scalar z1201 = z1184 - z1199;
-    const Scalar z1202 = z1185 - z1200;
-    const Scalar z1203 = s_yaw * z1170 - z16 * z845;
-    const Scalar z1204 = z231 * z1181 - z233 * z281 + z257 * z888 + z284 * z871 + z196 * z294 + z304 * z886 + z197
-        * z1201 - z199 * z1171;
-    const Scalar z1205 = z237 * z281 + z231 * z1188 + z257 * z894 - z306 * z871 + z196 * z308 + z304 * z889 + z197
-        * z1202 - z200 * z1171;
-    const Scalar z1206 = v_yaw * z1184 + v_roll * z1203 + v_pitch * z1191 - v_steer * z1204 - v_front * z1195;
-    const Scalar z1207 = a_yaw * z789 - a_roll * z846 + a_pitch * z903 + a_steer * z898 - a_front * z900 + z1206;
-    const Scalar z1208 = z55 * z133 + s_pitch * z202 + c_pitch * z188 + z57 * z137 + n2 * (z85 * z94 - z95 * z86);
-    const Scalar z1209 = z18 * z845 + c_yaw * z1170;
-    const Scalar z1210 = v_yaw * z1185 - v_roll * z1209 + v_pitch * z1192 - v_steer * z1205 + v_front * z1197;
-    const Scalar z1211 = z33 * z63 - z35 * z249 + c_roll * z1208;
-    const Scalar z1212 = n2 * z86;
-    const Scalar z1213 = n2 * z85;
-    const Scalar z1214 = z57 * z1212 - z55 * z1213 + n2 * (c_pitch * z95 + z245);
-    const Scalar z1215 = z10 * z1212 + z11 * z1213 + n2 * (s_pitch * z90 - c_pitch * z89);
-    const Scalar z1216 = z10 * z1213 - z11 * z1212 + n2 * (s_pitch * z89 + c_pitch * z90);
-    const Scalar z1217 = a_yaw * z791 + a_roll * z851 + a_pitch * z899 - a_steer * z902 + a_front * z904 + z1210;
-    const Scalar z1218 = z35 * z63 + c_roll * z1214;
-    const Scalar z1219 = z37 * z40 + s_roll * z1215;
-    const Scalar z1220 = n2 * (z16 * z122 + z1153) - c_yaw * z1216 + s_yaw * z1219;
-    const Scalar z1221 = n2 * (z16 * z41 - z18 * z122) + s_yaw * z1216 + c_yaw * z1219;
-    const Scalar z1222 = c_roll * z1215 - z35 * z40;
-    const Scalar z1223 = z53 * z1221 - z78 * z1222 - n2 * (z105 * z124 + z1166);
-    const Scalar z1224 = z53 * z1220 - z61 * z1222 - n2 * (z104 * z126 - z108 * z124);
-    const Scalar z1225 = z103 * z1222 - z124 * z1140;
-    const Scalar z1226 = c_yaw * z1142 - z18 * z852;
-    const Scalar z1227 = n2 * (z82 * z1225 + z80 * z1224 + z83 * z1223) - n4 * (z109 * z142 - z1167 - z145 * z131);
-    const Scalar z1228 = v_yaw * z1143 - v_roll * z1226 + z1151 * (v_pitch + v_rear);
-    const Scalar z1229 = z901 * (a_pitch + a_rear) + a_yaw * z795 - a_roll * z853 + z1228;
-    const Scalar z1230 = s_roll * z249 - z17 * z63;
-    const Scalar z1231 = z16 * z852 + s_yaw * z1142;
-    const Scalar z1232 = v_roll * z1231 + v_yaw * z1144 + z1152 * (v_pitch + v_rear);
-    const Scalar z1233 = n0_5 * (z1227 / z96 + z1186 / (z96 * z96) + z169 * z148 / (z96 * z96));
-    const Scalar z1234 = z33 * z40 + z35 * z101 + c_roll * z157;
-    const Scalar z1235 = z36 * z40 - z37 * z101 + s_roll * z157;
-    const Scalar z1236 = z905 * (a_pitch + a_rear) + a_yaw * z806 + a_roll * z854 + z1232;
-    const Scalar z1237 = z2 * z88;
-    const Scalar z1238 = z1 * z88;
-    const Scalar z1239 = z8 * z87;
-    const Scalar z1240 = -z87 * (n1 - z7);
-    const Scalar z1241 = n0_35 * z1239 + n0_08 * z1240;
-    const Scalar z1242 = z1140 * z1154 + n2 * (z53 * z1234 + z124 * z170);
-    const Scalar z1243 = z1218 + n0_35 * z1233;
-    const Scalar z1244 = z85 * z154;
-    const Scalar z1245 = -z87 * (n1 - z9);
-    const Scalar z1246 = n0_08 * z1239 + n0_35 * z1245;
-    const Scalar z1247 = z34 * z41 + z38 * z122 - n2 * (z16 * z100 - z18 * z1156) + s_yaw * z151 + c_yaw * z1235;
-    const Scalar z1248 = z34 * z122 - z38 * z41 - n2 * (z18 * z100 + z16 * z1156) - c_yaw * z151 + s_yaw * z1235;
-    const Scalar z1249 = n2 * (z104 * z1159 + z105 * z1154) - z78 * z1234 + z123 * z170 + z53 * z1247 - z124 * z172;
-    const Scalar z1250 = z126 * z170 - z61 * z1234 + n2 * (z104 * z1157 - z108 * z1154) + z53 * z1248 + z124 * z168;
-    const Scalar z1251 = n4 * (z109 * z1160 - z107 * z1169 - z145 * z1168) + n2 * (z82 * z1242 - z131 * z173 + z135
-        * z174 - z142 * z176 + z83 * z1249 + z80 * z1250);
-    const Scalar z1252 = n0_5 * (z169 * z1176 / (z96 * z96) - z161 * z185 / (z96 * z96) - z1251 / z96 + z160 * z1187
+    const Scalar z1146 = z14 * z178 + z179 * z1093 - c_roll * z214 + z17 * z790 - z27 * z847 + z22 * z220 + z19 * z1137
+        + s_roll * z1138;
+    const Scalar z1147 = z179 * z1075 - z14 * z180 + c_roll * z222 + z17 * z801 - z28 * z847 + z24 * z220 + z21 * z1137
+        + s_roll * z1139;
+    const Scalar z1148 = z18 * z41;
+    const Scalar z1149 = c_roll * z101 - z14 * z40;
+    const Scalar z1150 = z1081 - n0_35 * z1145;
+    const Scalar z1151 = z17 * z40 + s_roll * z101;
+    const Scalar z1152 = z16 * z122 + z1148 - c_yaw * z100 + s_yaw * z1151;
+    const Scalar z1153 = a_roll * z858 + a_pitch * z904 + a_steer * z906 - z1150;
+    const Scalar z1154 = z16 * z41 - z18 * z122 + s_yaw * z100 + c_yaw * z1151;
+    const Scalar z1155 = z53 * z1152 - z61 * z1149 - z104 * z126 + z108 * z124;
+    const Scalar z1156 = n0_7 * z169;
+    const Scalar z1157 = z162 * z1156 / (z96 * z96 * z96) + n0_35 * z1114 / (z96 * z96);
+    const Scalar z1158 = v_roll * z841;
+    const Scalar z1159 = v_yaw * z784 - z1158 + z259 + v_steer * z893 - v_front * z895 + v_pitch * z898;
+    const Scalar z1160 = v_yaw * z784 - z1158 + v_steer * z893 - v_front * z895 + v_pitch * z898;
+    const Scalar z1161 = z104 * z123;
+    const Scalar z1162 = z107 * z135;
+    const Scalar z1163 = n2 * (z53 * z1149 - z104 * z124);
+    const Scalar z1164 = z53 * z1154 - z1161 - z78 * z1149 - z105 * z124;
+    const Scalar z1165 = z250 - z106 * z1089 + z145 * z783 + z144 * z252 + z82 * z1157;
+    const Scalar z1166 = z288 + z1165;
+    const Scalar z1167 = z250 - z1165;
+    const Scalar z1168 = v_yaw * z786;
+    const Scalar z1169 = v_roll * z846 + z1168 + v_pitch * z894 - v_steer * z897 + v_front * z899 - z314;
+    const Scalar z1170 = v_roll * z846 + z1168 + v_pitch * z894 - v_steer * z897 + v_front * z899;
+    const Scalar z1171 = n2 * (z1162 + z145 * z131 + z82 * z1163 - z109 * z142 + z83 * z1164 + z80 * z1155);
+    const Scalar z1172 = z14 * z63 + c_roll * z249;
+    const Scalar z1173 = v_yaw * z790;
+    const Scalar z1174 = v_roll * z848 - z1173 - z224 - z896 * (v_pitch + v_rear);
+    const Scalar z1175 = v_roll * z848 - z1173 - z896 * (v_pitch + v_rear);
+    const Scalar z1176 = c_yaw * z257 - z18 * z197;
+    const Scalar z1177 = c_yaw * z114 - z18 * z66;
+    const Scalar z1178 = z16 * z66 + s_yaw * z114;
+    const Scalar z1179 = z1177 - z106 * z1097 + z107 * z783 - z138 * z252 + z83 * z1157;
+    const Scalar z1180 = z1178 + z106 * z1096 - z109 * z783 - z134 * z252 + z80 * z1157;
+    const Scalar z1181 = z160 * z161;
+    const Scalar z1182 = n0_5 * (z1181 / (z96 * z96) + z1171 / z96);
+    const Scalar z1183 = z16 * z197 + s_yaw * z257;
+    const Scalar z1184 = v_yaw * z801;
+    const Scalar z1185 = v_roll * z849 + z1184 - z227 + z900 * (v_pitch + v_rear);
+    const Scalar z1186 = z14 * z182 - z183 * z1075 + z17 * z784 + z28 * z840 - c_roll * z295 - z24 * z258 + s_roll
+        * z1179 + z21 * z1165;
+    const Scalar z1187 = z17 * z786 - z14 * z181 - z183 * z1093 + z27 * z840 + c_roll * z305 - z22 * z258 + s_roll
+        * z1180 + z19 * z1165;
+    const Scalar z1188 = v_roll * z849 + z1184 + z900 * (v_pitch + v_rear);
+    const Scalar z1189 = z1177 - z1179;
+    const Scalar z1190 = z56 * z286 - z102 * z232 - z230 * z1092 - z104 * z867 - z105 * z868 + z132 * z262 + z53 * z1189
+        + z78 * z1167;
+    const Scalar z1191 = z1178 - z1180;
+    const Scalar z1192 = z230 * z1087 - z102 * z234 + z104 * z869 - z108 * z868 + z56 * z298 - z125 * z262 - z53 * z1191
+        - z61 * z1167;
+    const Scalar z1193 = z1172 + n0_35 * z1182;
+    const Scalar z1194 = c_yaw * z292 - z18 * z204;
+    const Scalar z1195 = z16 * z204 + s_yaw * z292;
+    const Scalar z1196 = z1179 - z1194;
+    const Scalar z1197 = z1180 - z1195;
+    const Scalar z1198 = s_yaw * z1165 - z16 * z840;
+    const Scalar z1199 = z231 * z1176 - z233 * z281 + z257 * z883 + z284 * z866 + z196 * z294 + z304 * z881 + z197
+        * z1196 - z199 * z1166;
+    const Scalar z1200 = z237 * z281 + z231 * z1183 + z257 * z889 - z306 * z866 + z196 * z308 + z304 * z884 + z197
+        * z1197 - z200 * z1166;
+    const Scalar z1201 = v_yaw * z1179 + v_roll * z1198 + v_pitch * z1186 - v_steer * z1199 - v_front * z1190;
+    const Scalar z1202 = a_yaw * z784 - a_roll * z841 + a_pitch * z898 + a_steer * z893 - a_front * z895 + z1201;
+    const Scalar z1203 = z55 * z133 + s_pitch * z202 + c_pitch * z188 + z57 * z137 + n2 * (z85 * z94 - z95 * z86);
+    const Scalar z1204 = z18 * z840 + c_yaw * z1165;
+    const Scalar z1205 = v_yaw * z1180 - v_roll * z1204 + v_pitch * z1187 - v_steer * z1200 + v_front * z1192;
+    const Scalar z1206 = z33 * z63 - z35 * z249 + c_roll * z1203;
+    const Scalar z1207 = n2 * z86;
+    const Scalar z1208 = n2 * z85;
+    const Scalar z1209 = z57 * z1207 - z55 * z1208 + n2 * (c_pitch * z95 + z245);
+    const Scalar z1210 = z10 * z1207 + z11 * z1208 + n2 * (s_pitch * z90 - c_pitch * z89);
+    const Scalar z1211 = z10 * z1208 - z11 * z1207 + n2 * (s_pitch * z89 + c_pitch * z90);
+    const Scalar z1212 = a_yaw * z786 + a_roll * z846 + a_pitch * z894 - a_steer * z897 + a_front * z899 + z1205;
+    const Scalar z1213 = z35 * z63 + c_roll * z1209;
+    const Scalar z1214 = z37 * z40 + s_roll * z1210;
+    const Scalar z1215 = n2 * (z16 * z122 + z1148) - c_yaw * z1211 + s_yaw * z1214;
+    const Scalar z1216 = n2 * (z16 * z41 - z18 * z122) + s_yaw * z1211 + c_yaw * z1214;
+    const Scalar z1217 = c_roll * z1210 - z35 * z40;
+    const Scalar z1218 = z53 * z1216 - z78 * z1217 - n2 * (z105 * z124 + z1161);
+    const Scalar z1219 = z53 * z1215 - z61 * z1217 - n2 * (z104 * z126 - z108 * z124);
+    const Scalar z1220 = z103 * z1217 - z124 * z1135;
+    const Scalar z1221 = c_yaw * z1137 - z18 * z847;
+    const Scalar z1222 = n2 * (z82 * z1220 + z80 * z1219 + z83 * z1218) - n4 * (z109 * z142 - z1162 - z145 * z131);
+    const Scalar z1223 = v_yaw * z1138 - v_roll * z1221 + z1146 * (v_pitch + v_rear);
+    const Scalar z1224 = z896 * (a_pitch + a_rear) + a_yaw * z790 - a_roll * z848 + z1223;
+    const Scalar z1225 = s_roll * z249 - z17 * z63;
+    const Scalar z1226 = z16 * z847 + s_yaw * z1137;
+    const Scalar z1227 = v_roll * z1226 + v_yaw * z1139 + z1147 * (v_pitch + v_rear);
+    const Scalar z1228 = n0_5 * (z1222 / z96 + z1181 / (z96 * z96) + z169 * z148 / (z96 * z96));
+    const Scalar z1229 = z33 * z40 + z35 * z101 + c_roll * z157;
+    const Scalar z1230 = z36 * z40 - z37 * z101 + s_roll * z157;
+    const Scalar z1231 = z900 * (a_pitch + a_rear) + a_yaw * z801 + a_roll * z849 + z1227;
+    const Scalar z1232 = z2 * z88;
+    const Scalar z1233 = z1 * z88;
+    const Scalar z1234 = z8 * z87;
+    const Scalar z1235 = -z87 * (n1 - z7);
+    const Scalar z1236 = n0_35 * z1234 + n0_08 * z1235;
+    const Scalar z1237 = z1135 * z1149 + n2 * (z53 * z1229 + z124 * z170);
+    const Scalar z1238 = z1213 + n0_35 * z1228;
+    const Scalar z1239 = z85 * z154;
+    const Scalar z1240 = -z87 * (n1 - z9);
+    const Scalar z1241 = n0_08 * z1234 + n0_35 * z1240;
+    const Scalar z1242 = z34 * z41 + z38 * z122 - n2 * (z16 * z100 - z18 * z1151) + s_yaw * z151 + c_yaw * z1230;
+    const Scalar z1243 = z34 * z122 - z38 * z41 - n2 * (z18 * z100 + z16 * z1151) - c_yaw * z151 + s_yaw * z1230;
+    const Scalar z1244 = n2 * (z104 * z1154 + z105 * z1149) - z78 * z1229 + z123 * z170 + z53 * z1242 - z124 * z172;
+    const Scalar z1245 = z126 * z170 - z61 * z1229 + n2 * (z104 * z1152 - z108 * z1149) + z53 * z1243 + z124 * z168;
+    const Scalar z1246 = n4 * (z109 * z1155 - z107 * z1164 - z145 * z1163) + n2 * (z82 * z1237 - z131 * z173 + z135
+        * z174 - z142 * z176 + z83 * z1244 + z80 * z1245);
+    const Scalar z1247 = n0_5 * (z169 * z1171 / (z96 * z96) - z161 * z185 / (z96 * z96) - z1246 / z96 + z160 * z1182
         / (z96 * z96)) + z161 * z211 / (z96 * z96 * z96);
-    const Scalar z1253 = z161 * z1161 / (z96 * z96 * z96) + n0_35 * z1187 / (z96 * z96);
-    const Scalar z1254 = z145 * z883 - z1177 - z106 * z1168 - z131 * z252 + z82 * z1253;
-    const Scalar z1255 = z1177 + z1254;
-    const Scalar z1256 = z86 * z119;
-    const Scalar z1257 = z85 * z119;
-    const Scalar z1258 = z18 * z121;
-    const Scalar z1259 = z1256 + s_pitch * z1237 - z85 * z118 + c_pitch * z1238;
-    const Scalar z1260 = s_pitch * z1238 - z1257 - z86 * z118 - c_pitch * z1237;
-    const Scalar z1261 = z1211 + n0_35 * z1252;
-    const Scalar z1262 = s_steer * z17;
-    const Scalar z1263 = a_roll * z908 + a_pitch * z971 + a_steer * z974 + z1261;
-    const Scalar z1264 = z86 * z156 - z1244 + s_pitch * z1241 - c_pitch * z1246;
-    const Scalar z1265 = s_roll * z87 + z1262 + z14 * z120 + c_roll * z1259;
-    const Scalar z1266 = s_steer * z14 - c_roll * z87 - z17 * z120 + s_roll * z1259;
-    const Scalar z1267 = z1258 - z16 * z127 + c_yaw * z1260 + s_yaw * z1266;
-    const Scalar z1268 = n0_08 * z1237 - n0_35 * z1238;
-    const Scalar z1269 = z17 * z165;
-    const Scalar z1270 = v_yaw * z890;
-    const Scalar z1271 = v_roll * z896 + z1270 + v_pitch * z964 - v_steer * z966 + v_front * z968 - z315;
-    const Scalar z1272 = v_roll * z896 + z1270 + v_pitch * z964 - v_steer * z966 + v_front * z968;
-    const Scalar z1273 = z104 * z129;
-    const Scalar z1274 = z16 * z121;
-    const Scalar z1275 = z104 * z130;
-    const Scalar z1276 = z1273 - z61 * z1265 + z53 * z1267 + z108 * z128;
-    const Scalar z1277 = s_yaw * z1260 - z1274 - z18 * z127 - c_yaw * z1266;
-    const Scalar z1278 = v_yaw * z895;
-    const Scalar z1279 = v_roll * z897 - z1278 - v_pitch * z965 + v_steer * z967 + v_front * z969 - z332;
-    const Scalar z1280 = v_roll * z897 - z1278 - v_pitch * z965 + v_steer * z967 + v_front * z969;
-    const Scalar z1281 = s_roll * z1268 - z1269 + z14 * z164 + c_roll * z1264;
-    const Scalar z1282 = s_roll * z276 - z17 * z195;
-    const Scalar z1283 = z14 * z195 + c_roll * z276;
-    const Scalar z1284 = s_yaw * z110 - z16 * z62 - z18 * z839 - c_yaw * z1230;
-    const Scalar z1285 = z18 * z62 - z16 * z839 + c_yaw * z110 + s_yaw * z1230;
-    const Scalar z1286 = z1284 - z106 * z1169 + z107 * z883 - z135 * z252 + z83 * z1253;
-    const Scalar z1287 = z80 * z1253 - z1285 - z106 * z1160 - z109 * z883 - z142 * z252;
-    const Scalar z1288 = z107 * z141;
-    const Scalar z1289 = n2 * (z53 * z1265 - z104 * z128);
-    const Scalar z1290 = z78 * z1265 + z1275 + z105 * z128 + z53 * z1277;
-    const Scalar z1291 = z1284 - z1286;
-    const Scalar z1292 = z18 * z194 - c_yaw * z251 - z16 * z948 + s_yaw * z1282;
-    const Scalar z1293 = z16 * z194 + s_yaw * z251 + z18 * z948 + c_yaw * z1282;
-    const Scalar z1294 = z105 * z927 - z232 * z1154 - z230 * z1159 - z124 * z286 - z123 * z262 + z104 * z929 + z53
-        * z1291 - z78 * z1255;
-    const Scalar z1295 = z1285 + z1287;
-    const Scalar z1296 = z230 * z1157 - z234 * z1154 + z104 * z928 + z108 * z927 - z124 * z298 + z126 * z262 + z61
-        * z1255 + z53 * z1295;
-    const Scalar z1297 = z17 * z191 + s_roll * z280;
-    const Scalar z1298 = c_roll * z280 - z14 * z191;
-    const Scalar z1299 = z1254 - z1298;
-    const Scalar z1300 = z16 * z192 + s_yaw * z282 + z18 * z953 - c_yaw * z1297;
-    const Scalar z1301 = c_yaw * z282 - z18 * z192 + z16 * z953 + s_yaw * z1297;
-    const Scalar z1302 = z1286 + z1300;
-    const Scalar z1303 = z284 * z957 - z233 * z1283 - z231 * z1293 - z294 * z952 - z304 * z955 + z257 * z963 + z197
-        * z1302 - z199 * z1299;
-    const Scalar z1304 = z1287 - z1301;
-    const Scalar z1305 = z237 * z1283 - z231 * z1292 + z257 * z960 - z306 * z957 + z304 * z954 - z308 * z952 - z200
-        * z1299 + z197 * z1304;
-    const Scalar z1306 = z16 * z892 + s_yaw * z1254;
-    const Scalar z1307 = n2 * (z1288 + z145 * z146 + z82 * z1289 + z80 * z1276 - z83 * z1290 + z109 * z136);
-    const Scalar z1308 = c_yaw * z1254 - z18 * z892;
-    const Scalar z1309 = z17 * z890 - z28 * z892 + s_roll * z1286 + z21 * z1254;
-    const Scalar z1310 = v_yaw * z1286 + v_roll * z1306 + v_pitch * z1309 - v_steer * z1303 - v_front * z1294;
-    const Scalar z1311 = z17 * z895 - z27 * z892 + z19 * z1254 + s_roll * z1287;
-    const Scalar z1312 = v_yaw * z1287 - v_roll * z1308 + v_pitch * z1311 - v_steer * z1305 + v_front * z1296;
-    const Scalar z1313 = a_yaw * z890 + a_roll * z896 + a_pitch * z964 - a_steer * z966 + a_front * z968 + z1310;
-    const Scalar z1314 = n2 * z88;
-    const Scalar z1315 = z2 * z140;
-    const Scalar z1316 = z1 * z140;
-    const Scalar z1317 = z1 * z1314;
-    const Scalar z1318 = z2 * z1314;
-    const Scalar z1319 = a_yaw * z895 - a_roll * z897 + a_pitch * z965 - a_steer * z967 - a_front * z969 + z1312;
-    const Scalar z1320 = s_pitch * z1317 - n2 * (z86 * z118 + z1257) - c_pitch * z1318;
-    const Scalar z1321 = s_pitch * z1318 - n2 * (z85 * z118 - z1256) + c_pitch * z1317;
-    const Scalar z1322 = n0_08 * z1318 - n0_35 * z1317;
-    const Scalar z1323 = z118 * z133 + z119 * z137 + s_pitch * z1315 + c_pitch * z1316 + n2 * (z85 * z1237 - z86
-        * z1238);
-    const Scalar z1324 = z119 * z133 - z118 * z137 + s_pitch * z1316 - c_pitch * z1315 + n2 * (z85 * z1238 + z86
-        * z1237);
-    const Scalar z1325 = n0_08 * z1315 - n0_35 * z1316;
-    const Scalar z1326 = s_roll * z139 + s_steer * z36 - z33 * z120 - n2 * (z17 * z87 - z14 * z1259) - c_roll * z1323;
-    const Scalar z1327 = c_roll * z139 + s_steer * z33 + z36 * z120 + n2 * (z14 * z87 + z17 * z1259) + s_roll * z1323;
-    const Scalar z1328 = n2 * z87;
-    const Scalar z1329 = n2 * (z14 * z120 + z1262) + s_roll * z1328 + c_roll * z1321;
-    const Scalar z1330 = n2 * (s_steer * z14 - z17 * z120) - c_roll * z1328 + s_roll * z1321;
-    const Scalar z1331 = z160 * z163;
-    const Scalar z1332 = c_yaw * z1320 - n2 * (z16 * z127 - z1258) + s_yaw * z1330;
-    const Scalar z1333 = s_yaw * z1320 - n2 * (z18 * z127 + z1274) - c_yaw * z1330;
-    const Scalar z1334 = z53 * z1332 - z61 * z1329 + n2 * (z108 * z128 + z1273);
-    const Scalar z1335 = z78 * z1329 + n2 * (z105 * z128 + z1275) + z53 * z1333;
-    const Scalar z1336 = z103 * z1329 - z128 * z1140;
-    const Scalar z1337 = n4 * (z1288 + z145 * z146 + z109 * z136) + n2 * (z82 * z1336 + z80 * z1334 - z83 * z1335);
-    const Scalar z1338 = z1140 * z1265 + n2 * (z53 * z1326 + z128 * z170);
-    const Scalar z1339 = z34 * z121 - z38 * z127 + n2 * (z16 * z1260 + z18 * z1266) + s_yaw * z1324 - c_yaw * z1327;
-    const Scalar z1340 = z38 * z121 + z34 * z127 + n2 * (z16 * z1266 - z18 * z1260) + c_yaw * z1324 + s_yaw * z1327;
-    const Scalar z1341 = z130 * z170 - z78 * z1326 - n2 * (z104 * z1277 - z105 * z1265) + z53 * z1339 - z128 * z172;
-    const Scalar z1342 = z61 * z1326 + z129 * z170 - n2 * (z104 * z1267 - z108 * z1265) + z53 * z1340 - z128 * z168;
-    const Scalar z1343 = n2 * (z146 * z173 - z82 * z1338 - z141 * z174 - z136 * z176 - z83 * z1341 + z80 * z1342) - n4
-        * (z109 * z1276 + z107 * z1290 - z145 * z1289);
-    const Scalar z1344 = n0_5 * (z1331 / (z96 * z96) - z1337 / z96 + z169 * z150 / (z96 * z96));
-    const Scalar z1345 = n0_5 * (z1331 / (z96 * z96) - z1307 / z96);
-    const Scalar z1346 = n0_5 * (z160 * z1345 / (z96 * z96) - z169 * z1307 / (z96 * z96) - z163 * z185 / (z96 * z96)
-        - z1343 / z96) + z163 * z211 / (z96 * z96 * z96);
-    const Scalar z1347 = z163 * z1161 / (z96 * z96 * z96) + n0_35 * z1345 / (z96 * z96);
-    const Scalar z1348 = z1281 - n0_35 * z1345;
-    const Scalar z1349 = v_roll * z1014;
-    const Scalar z1350 = v_yaw * z958 + z1349 + v_pitch * z1018 - v_steer * z1022 - v_front * z1025 - z333;
-    const Scalar z1351 = z1281 + z106 * z1289 + z145 * z951 + z146 * z252 + z82 * z1347;
-    const Scalar z1352 = v_yaw * z958 + z1349 + v_pitch * z1018 - v_steer * z1022 - v_front * z1025;
-    const Scalar z1353 = z1281 - z1351;
-    const Scalar z1354 = v_yaw * z961;
-    const Scalar z1355 = z85 * z156 + z86 * z154 + s_pitch * z1246 + c_pitch * z1241;
-    const Scalar z1356 = z8 * z139;
-    const Scalar z1357 = s_roll * z1264 - c_roll * z1268 - z17 * z164 - z14 * z165;
-    const Scalar z1358 = -z139 * (n1 - z7);
-    const Scalar z1359 = n0_35 * z1356 + n0_08 * z1358;
-    const Scalar z1360 = -z139 * (n1 - z9);
-    const Scalar z1361 = n0_08 * z1356 + n0_35 * z1360;
-    const Scalar z1362 = z16 * z936 + z18 * z880 + s_yaw * z1355 + c_yaw * z1357;
-    const Scalar z1363 = s_pitch * z1359 - z156 * z137 - z154 * z133 - c_pitch * z1361 - n2 * (z85 * z1241 + z86
-        * z1246);
-    const Scalar z1364 = z1362 - z106 * z1290 + z107 * z951 + z141 * z252 + z83 * z1347;
-    const Scalar z1365 = z8 * z1328;
-    const Scalar z1366 = -z1328 * (n1 - z7);
-    const Scalar z1367 = -z1328 * (n1 - z9);
-    const Scalar z1368 = n0_35 * z1365 + n0_08 * z1366;
-    const Scalar z1369 = z18 * z936 - z16 * z880 - c_yaw * z1355 + s_yaw * z1357;
-    const Scalar z1370 = z1369 + z106 * z1276 - z109 * z951 - z136 * z252 + z80 * z1347;
-    const Scalar z1371 = z36 * z165 + s_roll * z1325 + z33 * z164 + n2 * (z17 * z1268 - z14 * z1264) - c_roll * z1363;
-    const Scalar z1372 = n0_08 * z1365 + n0_35 * z1367;
-    const Scalar z1373 = s_pitch * z1368 - c_pitch * z1372 + n2 * (z86 * z156 - z1244);
-    const Scalar z1374 = z17 * z958 - z28 * z1004 + s_roll * z1364 + z21 * z1351;
-    const Scalar z1375 = z17 * z961 - z27 * z1004 + s_roll * z1370 + z19 * z1351;
-    const Scalar z1376 = s_roll * z1322 + n2 * (z14 * z164 - z1269) + c_roll * z1373;
-    const Scalar z1377 = z257 * z958 + z284 * z1004 + z197 * z1364 - z199 * z1351;
-    const Scalar z1378 = z257 * z961 - z306 * z1004 + z197 * z1370 - z200 * z1351;
-    const Scalar z1379 = z1371 - n0_35 * z1346;
-    const Scalar z1380 = a_roll * z931 + a_pitch * z993 - a_steer * z1043 + z1379;
-    const Scalar z1381 = z1376 - n0_35 * z1344;
-    const Scalar z1382 = z16 * z1004 + s_yaw * z1351;
-    const Scalar z1383 = c_yaw * z1351 - z18 * z1004;
-    const Scalar z1384 = z1362 - z1364;
-    const Scalar z1385 = z232 * z1265 - z230 * z1277 - z104 * z986 - z105 * z1005 + z128 * z286 + z130 * z262 + z53
-        * z1384 + z78 * z1353;
-    const Scalar z1386 = z1369 - z1370;
-    const Scalar z1387 = z230 * z1267 - z234 * z1265 + z108 * z1005 - z128 * z298 - z129 * z262 + z104 * z987 + z53
-        * z1386 + z61 * z1353;
-    const Scalar z1388 = v_yaw * z1364 + v_roll * z1382 + v_pitch * z1374 - v_steer * z1377 - v_front * z1385;
-    const Scalar z1389 = a_yaw * z958 + a_roll * z1014 + a_pitch * z1018 - a_steer * z1022 - a_front * z1025 + z1388;
-    const Scalar z1390 = v_yaw * z1370 - v_roll * z1383 + v_pitch * z1375 - v_steer * z1378 - v_front * z1387;
-    const Scalar z1391 = a_yaw * z961 - a_roll * z1016 + a_pitch * z1019 - a_steer * z1024 + a_front * z1027 + z1390;
-    const Scalar z1392 = v_roll * z1016 - z1354 - v_pitch * z1019 + v_steer * z1024 - v_front * z1027 + z338;
-    const Scalar z1393 = v_roll * z1016 - z1354 - v_pitch * z1019 + v_steer * z1024 - v_front * z1027;
-    const Scalar z1394 = n1 / z238;
-    const Scalar z1395 = z247 * z1394;
-    const Scalar z1396 = n1 / z175;
-    const Scalar z1397 = z98 + z177;
-    const Scalar z1398 = z1396 * z1397;
-    const Scalar z1399 = z190 * z1396;
-    const Scalar z1400 = z208 * z1396;
-    const Scalar z1401 = z181 - z182 * z1395;
-    const Scalar z1402 = z1198 * z1399 - z1348;
-    const Scalar z1403 = z1134 - z1198 * z1398;
-    const Scalar z1404 = z1165 + z1272 * z1398;
-    const Scalar z1405 = z1272 * z1399 + z1352;
-    const Scalar z1406 = z178 - z1401;
-    const Scalar z1407 = z1175 - z1280 * z1398;
-    const Scalar z1408 = z1280 * z1399 + z1393;
-    const Scalar z1409 = z1406 * z1406;
-    const Scalar z1410 = n1 / z1406;
-    const Scalar z1411 = z209 * z1396;
-    const Scalar z1412 = z210 * z1396;
-    const Scalar z1413 = z1056 - z1054 + z1058 * z1395;
-    const Scalar z1414 = z190 * z1411;
-    const Scalar z1415 = z190 * z1412 - z241;
-    const Scalar z1416 = z215 * z1396;
-    const Scalar z1417 = z1132 - z1403;
-    const Scalar z1418 = z190 * z1400 - z242 - z1414 - z1395 * z1415;
-    const Scalar z1419 = z217 - z1411 * z1397;
-    const Scalar z1420 = z186 - z1412 * z1397;
-    const Scalar z1421 = z198 - z1400 * z1397 - z1419 - z1395 * z1420;
-    const Scalar z1422 = z180 * z1410;
-    const Scalar z1423 = z1412 * z1417 - z1404;
-    const Scalar z1424 = z175 * z175;
-    const Scalar z1425 = n1_over_94 + z190 * z190 / z6 + z177 * z177 / z510 + z1424 / z480;
-    const Scalar z1426 = z1135 - z1422 * z1413;
-    const Scalar z1427 = z212 - z1416 * z1397 + z1422 * z1421;
-    const Scalar z1428 = n1 - z1395 * z1422;
-    const Scalar z1429 = z1180 + z1411 * z1417;
-    const Scalar z1430 = z1428 * z1428;
-    const Scalar z1431 = n1 / z1428;
-    const Scalar z1432 = z1400 * z1417 - z1429 + z1407 - z1395 * z1423;
-    const Scalar z1433 = z215 - z209 * z1422;
-    const Scalar z1434 = z190 * z1416 + z1422 * z1418;
-    const Scalar z1435 = z238 * z238;
-    const Scalar z1436 = n1_over_94 + n25_over_7 * z1435 + z182 * z182 / z531 + z186 * z186 / z510 + z241 * z241 / z6
-        + z210 * z210 / z480;
-    const Scalar z1437 = z480 * z1425;
-    const Scalar z1438 = z1431 * z1433;
-    const Scalar z1439 = z1431 * z1434;
-    const Scalar z1440 = z1193 + z1416 * z1417 + z1422 * z1432;
-    const Scalar z1441 = z1395 * z1439 + z1418;
-    const Scalar z1442 = z1431 * z1426;
-    const Scalar z1443 = z1431 * z1440;
-    const Scalar z1444 = z1410 * z1441;
-    const Scalar z1445 = z1431 * z1427;
-    const Scalar z1446 = z1395 * z1442 - z1413;
-    const Scalar z1447 = z1395 * z1443 + z1432;
-    const Scalar z1448 = z178 * z1444 + z1414;
-    const Scalar z1449 = n0_28 * z1436;
-    const Scalar z1450 = z1395 * z1445 + z1421;
-    const Scalar z1451 = z1410 * z1446;
-    const Scalar z1452 = z1410 * z1447;
-    const Scalar z1453 = z1058 - z1442 + z182 * z1451;
-    const Scalar z1454 = z1423 - z1443 + z182 * z1452;
-    const Scalar z1455 = z178 * z1451 - z1054;
-    const Scalar z1456 = z178 * z1452 + z1429;
-    const Scalar z1457 = z1410 * z1450;
-    const Scalar z1458 = z1415 - z1439 + z182 * z1444;
-    const Scalar z1459 = z1394 * z1458;
-    const Scalar z1460 = z1394 * z1453;
-    const Scalar z1461 = z178 * z1457 + z1419;
-    const Scalar z1462 = z1420 - z1445 + z182 * z1457;
-    const Scalar z1463 = z1394 * z1454;
-    const Scalar z1464 = z1394 * z1462;
-    const Scalar z1465 = z209 - z1395 * z1438;
-    const Scalar z1466 = z1410 * z1465;
-    const Scalar z1467 = n1_over_94 + n25_over_7 * z247 * z247 + z181 * z181 / z531 + z198 * z198 / z510 + z242 * z242
-        / z6 + z208 * z208 / z480;
-    const Scalar z1468 = z531 * z1467;
-    const Scalar z1469 = z1412 * z1402 - z1405;
-    const Scalar z1470 = z1396 * z1417;
-    const Scalar z1471 = z1411 * z1402;
-    const Scalar z1472 = z178 * z1466 - z209;
-    const Scalar z1473 = z182 * z1466 + z1438;
-    const Scalar z1474 = z1394 * z1473;
-    const Scalar z1475 = n1_over_94 + z215 * z215 * (n25_over_3 + n1 / z480) + z212 * z212 / z510 + z180 * z180 / z531;
-    const Scalar z1476 = n94 * z1475;
-    const Scalar z1477 = z1400 * z1402 - z1471 - z1408 - z1395 * z1469;
-    const Scalar z1478 = z1131 - z1243 * z1398;
-    const Scalar z1479 = z1243 * z1399 - z1381;
-    const Scalar z1480 = z226 * z1398 + z1179 - z1055 * z1457;
-    const Scalar z1481 = z1133 - z1478;
-    const Scalar z1482 = z1411 * z1481 + z1480;
-    const Scalar z1483 = z1059 * z1457 - z1164 - z1271 * z1398 + z339 * z1464;
-    const Scalar z1484 = z1350 + z1271 * z1399 + z1059 * z1444 + z339 * z1459;
-    const Scalar z1485 = z1174 - z1279 * z1398 - z1057 * z1457 + z341 * z1464;
-    const Scalar z1486 = z1279 * z1399 + z1392 - z1057 * z1444 + z341 * z1459;
-    const Scalar z1487 = z255 * z1398 + z1190 + z1136 * z1457;
-    const Scalar z1488 = z1412 * z1481 + z1483;
-    const Scalar z1489 = z1412 * z1479 - z1484;
-    const Scalar z1490 = z1400 * z1481 - z1482 + z1485 - z1395 * z1488;
-    const Scalar z1491 = z1416 * z1402 + z1422 * z1477;
-    const Scalar z1492 = z1431 * z1491;
-    const Scalar z1493 = z1396 * z1402;
-    const Scalar z1494 = z1416 * z1481 + z1487 + z1422 * z1490;
-    const Scalar z1495 = z1395 * z1492 + z1477;
-    const Scalar z1496 = z1396 * z1481;
-    const Scalar z1497 = z1431 * z1494;
-    const Scalar z1498 = z1243 * z1470;
-    const Scalar z1499 = z1243 * z1493;
-    const Scalar z1500 = z1395 * z1497 + z1490;
-    const Scalar z1501 = z1410 * z1495;
-    const Scalar z1502 = z226 * z1470 + z1055 * z1452;
-    const Scalar z1503 = z226 * z1399 + z1055 * z1444;
-    const Scalar z1504 = z1469 - z1492 + z182 * z1501;
-    const Scalar z1505 = z178 * z1501 + z1471;
-    const Scalar z1506 = z1411 * z1479 + z1503;
-    const Scalar z1507 = z1394 * z1504;
-    const Scalar z1508 = z1158 + z1263 * z1398;
-    const Scalar z1509 = z1263 * z1399 - z1380;
-    const Scalar z1510 = z1207 + z1313 * z1398;
-    const Scalar z1511 = z1313 * z1399 + z1389;
-    const Scalar z1512 = z1400 * z1479 - z1506 - z1486 - z1395 * z1489;
-    const Scalar z1513 = z1410 * z1500;
-    const Scalar z1514 = z178 * z1513 + z1482;
-    const Scalar z1515 = z1488 - z1497 + z182 * z1513;
-    const Scalar z1516 = z226 * z1493 + z1055 * z1501;
-    const Scalar z1517 = z226 - z1055 * z1466;
-    const Scalar z1518 = z1055 * z1451;
-    const Scalar z1519 = z1394 * z1515;
-    const Scalar z1520 = z1059 * z1451 + z339 * z1460;
-    const Scalar z1521 = z1271 * z1470 + z1059 * z1452 + z339 * z1463;
-    const Scalar z1522 = z1271 * z1493 + z1059 * z1501 + z339 * z1507;
-    const Scalar z1523 = z1059 * z1466 + z339 * z1474;
-    const Scalar z1524 = z1279 * z1470 - z1057 * z1452 + z341 * z1463;
-    const Scalar z1525 = z1279 * z1493 - z1057 * z1501 + z341 * z1507;
-    const Scalar z1526 = z341 * z1460 - z1057 * z1451;
-    const Scalar z1527 = z341 * z1474 - z1057 * z1466;
-    const Scalar z1528 = z1395 * z1523 + z1517 - z1527;
-    const Scalar z1529 = z255 * z1470 - z1136 * z1452;
-    const Scalar z1530 = z1136 * z1451;
-    const Scalar z1531 = z255 * z1399 - z1136 * z1444;
-    const Scalar z1532 = z1217 + z1319 * z1398;
-    const Scalar z1533 = z1416 * z1479 + z1531 + z1422 * z1512;
-    const Scalar z1534 = z1396 * z1479;
-    const Scalar z1535 = z255 * z1493 - z1136 * z1501;
-    const Scalar z1536 = z255 + z1136 * z1466;
-    const Scalar z1537 = z1498 + z1508;
-    const Scalar z1538 = z1499 + z1509;
-    const Scalar z1539 = z1229 - z1502;
-    const Scalar z1540 = z1319 * z1399 + z1391;
-    const Scalar z1541 = z1052 + z1518;
-    const Scalar z1542 = z1073 + z1520;
-    const Scalar z1543 = z1521 + z1510;
-    const Scalar z1544 = z1522 + z1511;
-    const Scalar z1545 = z1524 - z1532;
-    const Scalar z1546 = z1525 - z1540;
-    const Scalar z1547 = z1082 + z1526;
-    const Scalar z1548 = z1236 + z1529;
-    const Scalar z1549 = z1084 - z1530;
-    const Scalar z1550 = z1139 + z1537;
-    const Scalar z1551 = z1411 * z1550 - z1539;
-    const Scalar z1552 = z1412 * z1550 - z1543;
-    const Scalar z1553 = z1395 * z1542 - z1541 - z1547;
-    const Scalar z1554 = z1422 * z1528 - z1536;
-    const Scalar z1555 = z1400 * z1550 - z1551 - z1545 - z1395 * z1552;
-    const Scalar z1556 = z1422 * z1553 + z1549;
-    const Scalar z1557 = z1431 * z1554;
-    const Scalar z1558 = z1431 * z1556;
-    const Scalar z1559 = z1431 * z1533;
-    const Scalar z1560 = z1395 * z1557 + z1528;
-    const Scalar z1561 = z1395 * z1559 + z1512;
-    const Scalar z1562 = z1395 * z1558 + z1553;
-    const Scalar z1563 = z1410 * z1560;
-    const Scalar z1564 = z1410 * z1561;
-    const Scalar z1565 = z1410 * z1562;
-    const Scalar z1566 = z1416 * z1550 + z1548 + z1422 * z1555;
-    const Scalar z1567 = z178 * z1563 - z1517;
-    const Scalar z1568 = z178 * z1564 + z1506;
-    const Scalar z1569 = z178 * z1565 + z1541;
-    const Scalar z1570 = z1431 * z1566;
-    const Scalar z1571 = z1489 - z1559 + z182 * z1564;
-    const Scalar z1572 = z182 * z1563 - z1523 - z1557;
-    const Scalar z1573 = z1395 * z1570 + z1555;
-    const Scalar z1574 = z182 * z1565 - z1542 - z1558;
-    const Scalar z1575 = z1394 * z1571;
-    const Scalar z1576 = z1411 * z1538 + z1516;
-    const Scalar z1577 = z1412 * z1538 - z1544;
-    const Scalar z1578 = z1400 * z1538 - z1576 - z1546 - z1395 * z1577;
-    const Scalar z1579 = z1396 * z1550;
-    const Scalar z1580 = z1410 * z1573;
-    const Scalar z1581 = z178 * z1580 + z1551;
-    const Scalar z1582 = z1552 - z1570 + z182 * z1580;
-    const Scalar z1583 = z1394 * z1572;
-    const Scalar z1584 = z434 + z98 * z435 - z399 * z1398 + z423 * z1445 + z433 * z1457 - z424 * z1461;
-    const Scalar z1585 = z1000 - z1001;
-    const Scalar z1586 = z1015 + z1411 * z1585;
-    const Scalar z1587 = z1013 - z1412 * z1585;
-    const Scalar z1588 = z435 - z537 * z1399;
-    const Scalar z1589 = z1416 * z1538 + z1535 + z1422 * z1578;
-    const Scalar z1590 = z1400 * z1585 - z1586 + z1017 + z1395 * z1587;
-    const Scalar z1591 = z1431 * z1589;
-    const Scalar z1592 = z1396 * z1538;
-    const Scalar z1593 = z1395 * z1591 + z1578;
-    const Scalar z1594 = z510 + z98 * z515 + z533 * z1398 - z559 * z1445 - z562 * z1457 - z560 * z1461 + z457 * z1464;
-    const Scalar z1595 = z1048 - z1416 * z1585 - z1422 * z1590;
-    const Scalar z1596 = z1396 * z1585;
-    const Scalar z1597 = z515 + n94 * z98 + z537 * z1398;
-    const Scalar z1598 = z533 + z98 * z537 + z480 * z1398 + z539 * z1445 - z541 * z1457 + z532 * z1461 + z410 * z1464;
-    const Scalar z1599 = z1431 * z1595;
-    const Scalar z1600 = z1395 * z1599 - z1590;
-    const Scalar z1601 = z539 * z1439 - z399 - z480 * z1399 - z541 * z1444 + z532 * z1448 + z410 * z1459;
-    const Scalar z1602 = z6 + z399 * z1399 + z423 * z1439 + z433 * z1444 - z424 * z1448;
-    const Scalar z1603 = z424 + z532 * z1399 + z529 * z1444 - n94 * z1448;
-    const Scalar z1604 = z423 - z539 * z1399 + n94 * z1439 - z522 * z1444;
-    const Scalar z1605 = z539 * z1398 - z559 + n94 * z1445 - z522 * z1457;
-    const Scalar z1606 = z522 * z1439 - z433 - z541 * z1399 - z531 * z1444 + z529 * z1448 + z425 * z1459;
-    const Scalar z1607 = z532 * z1398 - z560 - z529 * z1457 + n94 * z1461;
-    const Scalar z1608 = n0_12 - z539 * z1438 - z541 * z1466 + z532 * z1472 + z410 * z1474;
-    const Scalar z1609 = z562 + z541 * z1398 + z522 * z1445 - z531 * z1457 + z529 * z1461 + z425 * z1464;
-    const Scalar z1610 = z519 - z522 * z1438 - z531 * z1466 + z529 * z1472 + z425 * z1474;
-    const Scalar z1611 = n94 * z1438 + z522 * z1466;
-    const Scalar z1612 = z529 * z1466 - n94 * z1472;
-    const Scalar z1613 = z410 * z1398 + z457 - z425 * z1457 + n0_28 * z1464;
-    const Scalar z1614 = z410 * z1399 + z425 * z1444 - n0_28 * z1459;
-    const Scalar z1615 = z425 * z1466 - n0_28 * z1474;
-    const Scalar z1616 = z1410 * z1593;
-    const Scalar z1617 = z1410 * z1600;
-    const Scalar z1618 = z98 * z1597 + z1445 * z1605 + z1461 * z1607 + z1464 * z1613 + z1398 * z1598 - z1457 * z1609
-        + z1594;
-    const Scalar z1619 = z178 * z1616 + z1576;
-    const Scalar z1620 = z1577 - z1591 + z182 * z1616;
-    const Scalar z1621 = z1394 * z1574;
-    const Scalar z1622 = z1448 * z1603 - z1602 - z1439 * z1604 + z1459 * z1614 + z1399 * z1601 + z1444 * z1606;
-    const Scalar z1623 = z1399 * z1598 - z1584 - z1439 * z1605 - z1448 * z1607 - z1459 * z1613 + z1444 * z1609;
-    const Scalar z1624 = z1394 * z1582;
-    const Scalar z1625 = z646 + z741 * z1398;
-    const Scalar z1626 = z741 * z1399 + z824;
-    const Scalar z1627 = z743 * z1398 - z686 + z690 * z1457;
-    const Scalar z1628 = z742 * z1399 - z830 + z688 * z1444;
-    const Scalar z1629 = z690 * z1444 - z831 - z743 * z1399;
-    const Scalar z1630 = z687 - z742 * z1398 + z688 * z1457;
-    const Scalar z1631 = z1394 * z1620;
-    const Scalar z1632 = z669 * z1466 - z749 + z827 * z1474;
-    const Scalar z1633 = z732 * z1398 - z738 - z739 * z1457 + z821 * z1464;
-    const Scalar z1634 = z663 * z1398 - z673 - z695 * z1457 - z810 * z1464;
-    const Scalar z1635 = z663 * z1399 - z777 + z695 * z1444 + z810 * z1459;
-    const Scalar z1636 = z678 - z753 * z1398 + z685 * z1457 + z829 * z1464;
-    const Scalar z1637 = z753 * z1399 - z834 + z685 * z1444 + z829 * z1459;
-    const Scalar z1638 = z752 * z1398 - z705 + z669 * z1457 + z827 * z1464;
-    const Scalar z1639 = z833 - z752 * z1399 + z669 * z1444 + z827 * z1459;
-    const Scalar z1640 = z178 * z1617 - z1586;
-    const Scalar z1641 = z1587 - z1599 + z182 * z1617;
-    const Scalar z1642 = z1394 * z1641;
-    const Scalar z1643 = z820 - z811 * z1399 - z829 * z1444;
-    const Scalar z1644 = z98 * z1626 - z1461 * z1628 - z1464 * z1643 + z1445 * z1629 - z1398 * z1635 + z1457 * z1637
-        + z1639;
-    const Scalar z1645 = z783 - z755 * z1457;
-    const Scalar z1646 = z811 * z1398 + z828 - z829 * z1457;
-    const Scalar z1647 = z98 * z1625 - z1445 * z1627 + z1461 * z1630 + z1464 * z1646 - z1398 * z1634 - z1457 * z1636
-        - z1638;
-    const Scalar z1648 = n0_12 - z519 * z1466;
-    const Scalar z1649 = z1438 * z1611 + z1648 - z1472 * z1612 - z1474 * z1615 - z1466 * z1610;
-    const Scalar z1650 = n0_12 * z1399 + z519 * z1444;
-    const Scalar z1651 = z519 * z1457 - n0_12 * z1398;
-    const Scalar z1652 = z1633 + z1448 * z1630 - z1439 * z1627 + z1459 * z1646 + z1399 * z1634 - z1444 * z1636;
-    const Scalar z1653 = z1645 + z1438 * z1627 + z1472 * z1630 + z1474 * z1646 - z1466 * z1636;
-    const Scalar z1654 = z1438 * z1604 + z1650 + z1472 * z1603 + z1474 * z1614 + z1466 * z1606;
-    const Scalar z1655 = z1438 * z1605 + z1651 - z1472 * z1607 - z1474 * z1613 + z1466 * z1609;
-    const Scalar z1656 = z690 * z1466;
-    const Scalar z1657 = z688 * z1466;
-    const Scalar z1658 = z732 * z1399 + z739 * z1444 - z821 * z1459;
-    const Scalar z1659 = z1658 + z1439 * z1629 - z1448 * z1628 - z1459 * z1643 + z1399 * z1635 + z1444 * z1637;
-    const Scalar z1660 = z739 * z1466 - z821 * z1474;
-    const Scalar z1661 = z755 * z1444;
-    const Scalar z1662 = z1472 * z1628 - z1661 + z1474 * z1643 + z1438 * z1629 - z1466 * z1637;
-    const Scalar z1663 = z755 * z1466;
-    const Scalar z1664 = z829 * z1466;
-    const Scalar z1665 = z695 * z1466 + z810 * z1474;
-    const Scalar z1666 = z685 * z1466 + z755 + z829 * z1474;
-    const Scalar z1667 = z1461 * z1657 - z1632 - z1445 * z1656 - z1464 * z1664 + z1398 * z1665 - z1457 * z1666;
-    const Scalar z1668 = z1660 + z1439 * z1656 - z1448 * z1657 + z1459 * z1664 + z1399 * z1665 + z1444 * z1666;
-    const Scalar z1669 = z1438 * z1656 - z1663 + z1472 * z1657 - z1474 * z1664 - z1466 * z1666;
-    const Scalar z1670 = z1133 * z1597 + z1496 * z1598 - z1497 * z1605 + z1513 * z1609 - z1514 * z1607 - z1519 * z1613;
-    const Scalar z1671 = z1670 + z1647;
-    const Scalar z1672 = z1133 * z1588 + z1496 * z1601 - z1497 * z1604 + z1513 * z1606 + z1514 * z1603 + z1519 * z1614;
-    const Scalar z1673 = z1496 * z1608 + z1497 * z1611 + z1513 * z1610 + z1514 * z1612 + z1519 * z1615;
-    const Scalar z1674 = z1672 + z1652;
-    const Scalar z1675 = z1673 + z1653;
-    const Scalar z1676 = z1559 * z1605 - z1534 * z1598 - z1564 * z1609 + z1568 * z1607 + z1575 * z1613;
-    const Scalar z1677 = z1676 - z1644;
-    const Scalar z1678 = z1557 * z1605 - z1563 * z1609 + z1567 * z1607 + z1583 * z1613;
-    const Scalar z1679 = z1678 + z1667;
-    const Scalar z1680 = z690 * z1451;
-    const Scalar z1681 = z690 * z1452 - z743 * z1470;
-    const Scalar z1682 = z1559 * z1604 - z1534 * z1601 - z1564 * z1606 - z1568 * z1603 - z1575 * z1614;
-    const Scalar z1683 = z1534 * z1608 + z1559 * z1611 + z1564 * z1610 + z1568 * z1612 + z1575 * z1615;
-    const Scalar z1684 = z690 * z1501 - z743 * z1493;
-    const Scalar z1685 = z1682 - z1659;
-    const Scalar z1686 = z1683 - z1662;
-    const Scalar z1687 = z1557 * z1604 - z1563 * z1606 - z1567 * z1603 - z1583 * z1614;
-    const Scalar z1688 = z1557 * z1611 + z1563 * z1610 + z1567 * z1612 + z1583 * z1615;
-    const Scalar z1689 = z709 - z1680;
-    const Scalar z1690 = z1687 - z1668;
-    const Scalar z1691 = z1688 - z1669;
-    const Scalar z1692 = z677 - z684 * z1398;
-    const Scalar z1693 = z684 * z1399 - z774;
-    const Scalar z1694 = z693 - z697 * z1398;
-    const Scalar z1695 = z697 * z1399 - z778;
-    const Scalar z1696 = z922 - z979 * z1398;
-    const Scalar z1697 = z979 * z1399 + z1068;
-    const Scalar z1698 = z914 - z976 * z1398;
-    const Scalar z1699 = z976 * z1399 + z1033;
-    const Scalar z1700 = z694 + z698 * z1398;
-    const Scalar z1701 = z698 * z1399 + z779;
-    const Scalar z1702 = z1681 + z1700;
-    const Scalar z1703 = z1684 + z1701;
-    const Scalar z1704 = z923 - z982 * z1398;
-    const Scalar z1705 = z982 * z1399 - z1041;
-    const Scalar z1706 = z865 - z920 * z1398;
-    const Scalar z1707 = z920 * z1399 - z981;
-    const Scalar z1708 = z924 + z984 * z1398;
-    const Scalar z1709 = z984 * z1399 + z1045;
-    const Scalar z1710 = z741 * z1470;
-    const Scalar z1711 = z1710 + z1692;
-    const Scalar z1712 = z741 * z1493;
-    const Scalar z1713 = z1712 - z1693;
-    const Scalar z1714 = z742 * z1470 + z688 * z1452;
-    const Scalar z1715 = z1714 + z1694;
-    const Scalar z1716 = z742 * z1493 + z688 * z1501;
-    const Scalar z1717 = z1716 - z1695;
-    const Scalar z1718 = z688 * z1451;
-    const Scalar z1719 = z710 + z1718;
-    const Scalar z1720 = z669 * z1451 + z827 * z1460;
-    const Scalar z1721 = z695 * z1451 + z810 * z1460;
-    const Scalar z1722 = z739 * z1451 - z821 * z1460;
-    const Scalar z1723 = z685 * z1451 + z829 * z1460;
-    const Scalar z1724 = z869 + z1723;
-    const Scalar z1725 = z732 * z1470 + z739 * z1452 - z821 * z1463;
-    const Scalar z1726 = z732 * z1493 + z739 * z1501 - z821 * z1507;
-    const Scalar z1727 = z811 * z1470 + z829 * z1452;
-    const Scalar z1728 = z811 * z1493 + z829 * z1501;
-    const Scalar z1729 = z755 * z1451;
-    const Scalar z1730 = z829 * z1451;
-    const Scalar z1731 = z755 * z1452;
-    const Scalar z1732 = z755 * z1501;
-    const Scalar z1733 = z663 * z1470 + z695 * z1452 + z810 * z1463;
-    const Scalar z1734 = z663 * z1493 + z695 * z1501 + z810 * z1507;
-    const Scalar z1735 = z685 * z1452 + z753 * z1470 + z829 * z1463;
-    const Scalar z1736 = z685 * z1501 + z753 * z1493 + z829 * z1507;
-    const Scalar z1737 = z669 * z1452 - z752 * z1470 + z827 * z1463;
-    const Scalar z1738 = z669 * z1501 - z752 * z1493 + z827 * z1507;
-    const Scalar z1739 = z1558 * z1605 - z1565 * z1609 + z1569 * z1607 + z1621 * z1613;
-    const Scalar z1740 = z1735 + z1706;
-    const Scalar z1741 = z1139 * z1597 + z1579 * z1598 - z1570 * z1605 + z1580 * z1609 - z1581 * z1607 - z1624 * z1613;
-    const Scalar z1742 = z1736 - z1707;
-    const Scalar z1743 = z1139 * z1588 + z1579 * z1601 - z1570 * z1604 + z1580 * z1606 + z1581 * z1603 + z1624 * z1614;
-    const Scalar z1744 = z1579 * z1608 + z1570 * z1611 + z1580 * z1610 + z1581 * z1612 + z1624 * z1615;
-    const Scalar z1745 = z1591 * z1605 - z1592 * z1598 - z1616 * z1609 + z1619 * z1607 + z1631 * z1613;
-    const Scalar z1746 = z856 + z1720;
-    const Scalar z1747 = z1558 * z1604 - z1565 * z1606 - z1569 * z1603 - z1621 * z1614;
-    const Scalar z1748 = z1558 * z1611 + z1565 * z1610 + z1569 * z1612 + z1621 * z1615;
-    const Scalar z1749 = z1737 + z1708;
-    const Scalar z1750 = z1738 + z1709;
-    const Scalar z1751 = z1591 * z1604 - z1592 * z1601 - z1616 * z1606 - z1619 * z1603 - z1631 * z1614;
-    const Scalar z1752 = z1592 * z1608 + z1591 * z1611 + z1616 * z1610 + z1619 * z1612 + z1631 * z1615;
-    const Scalar z1753 = z1000 * z1597 + z1599 * z1605 + z1640 * z1607 + z1642 * z1613 - z1617 * z1609 + z1596 * z1598;
-    const Scalar z1754 = z1000 * z1588 + z1599 * z1604 - z1640 * z1603 - z1642 * z1614 - z1617 * z1606 + z1596 * z1601;
-    const Scalar z1755 = z1599 * z1611 + z1640 * z1612 + z1642 * z1615 + z1617 * z1610 - z1596 * z1608;
-    const Scalar z1756 = l_lambda_rear_rolls_x * z180 + l_lambda_rear_rolls_y * z178 + l_lambda_front_rolls_x * z182
-        + l_lambda_front_rolls_y * z181 - z1042;
-    const Scalar z1757 = l_lambda_rear_rolls_x * z215 - z1009 + l_lambda_rear_rolls_y * z209 + l_lambda_front_touches
+    const Scalar z1248 = z161 * z1156 / (z96 * z96 * z96) + n0_35 * z1182 / (z96 * z96);
+    const Scalar z1249 = z145 * z878 - z1172 - z106 * z1163 - z131 * z252 + z82 * z1248;
+    const Scalar z1250 = z1172 + z1249;
+    const Scalar z1251 = z86 * z119;
+    const Scalar z1252 = z85 * z119;
+    const Scalar z1253 = z18 * z121;
+    const Scalar z1254 = z1251 + s_pitch * z1232 - z85 * z118 + c_pitch * z1233;
+    const Scalar z1255 = s_pitch * z1233 - z1252 - z86 * z118 - c_pitch * z1232;
+    const Scalar z1256 = z1206 + n0_35 * z1247;
+    const Scalar z1257 = s_steer * z17;
+    const Scalar z1258 = a_roll * z903 + a_pitch * z966 + a_steer * z969 + z1256;
+    const Scalar z1259 = z86 * z156 - z1239 + s_pitch * z1236 - c_pitch * z1241;
+    const Scalar z1260 = s_roll * z87 + z1257 + z14 * z120 + c_roll * z1254;
+    const Scalar z1261 = s_steer * z14 - c_roll * z87 - z17 * z120 + s_roll * z1254;
+    const Scalar z1262 = z1253 - z16 * z127 + c_yaw * z1255 + s_yaw * z1261;
+    const Scalar z1263 = n0_08 * z1232 - n0_35 * z1233;
+    const Scalar z1264 = z17 * z165;
+    const Scalar z1265 = v_yaw * z885;
+    const Scalar z1266 = v_roll * z891 + z1265 + v_pitch * z959 - v_steer * z961 + v_front * z963 - z315;
+    const Scalar z1267 = v_roll * z891 + z1265 + v_pitch * z959 - v_steer * z961 + v_front * z963;
+    const Scalar z1268 = z104 * z129;
+    const Scalar z1269 = z16 * z121;
+    const Scalar z1270 = z104 * z130;
+    const Scalar z1271 = z1268 - z61 * z1260 + z53 * z1262 + z108 * z128;
+    const Scalar z1272 = s_yaw * z1255 - z1269 - z18 * z127 - c_yaw * z1261;
+    const Scalar z1273 = v_yaw * z890;
+    const Scalar z1274 = v_roll * z892 - z1273 - v_pitch * z960 + v_steer * z962 + v_front * z964 - z332;
+    const Scalar z1275 = v_roll * z892 - z1273 - v_pitch * z960 + v_steer * z962 + v_front * z964;
+    const Scalar z1276 = s_roll * z1263 - z1264 + z14 * z164 + c_roll * z1259;
+    const Scalar z1277 = s_roll * z275 - z17 * z195;
+    const Scalar z1278 = z14 * z195 + c_roll * z275;
+    const Scalar z1279 = s_yaw * z110 - z16 * z62 - z18 * z834 - c_yaw * z1225;
+    const Scalar z1280 = z18 * z62 - z16 * z834 + c_yaw * z110 + s_yaw * z1225;
+    const Scalar z1281 = z1279 - z106 * z1164 + z107 * z878 - z135 * z252 + z83 * z1248;
+    const Scalar z1282 = z80 * z1248 - z1280 - z106 * z1155 - z109 * z878 - z142 * z252;
+    const Scalar z1283 = z107 * z141;
+    const Scalar z1284 = n2 * (z53 * z1260 - z104 * z128);
+    const Scalar z1285 = z78 * z1260 + z1270 + z105 * z128 + z53 * z1272;
+    const Scalar z1286 = z1279 - z1281;
+    const Scalar z1287 = z18 * z194 - c_yaw * z251 - z16 * z943 + s_yaw * z1277;
+    const Scalar z1288 = z16 * z194 + s_yaw * z251 + z18 * z943 + c_yaw * z1277;
+    const Scalar z1289 = z105 * z922 - z232 * z1149 - z230 * z1154 - z124 * z286 - z123 * z262 + z104 * z924 + z53
+        * z1286 - z78 * z1250;
+    const Scalar z1290 = z1280 + z1282;
+    const Scalar z1291 = z230 * z1152 - z234 * z1149 + z104 * z923 + z108 * z922 - z124 * z298 + z126 * z262 + z61
+        * z1250 + z53 * z1290;
+    const Scalar z1292 = z17 * z191 + s_roll * z280;
+    const Scalar z1293 = c_roll * z280 - z14 * z191;
+    const Scalar z1294 = z1249 - z1293;
+    const Scalar z1295 = z16 * z192 + s_yaw * z282 + z18 * z948 - c_yaw * z1292;
+    const Scalar z1296 = c_yaw * z282 - z18 * z192 + z16 * z948 + s_yaw * z1292;
+    const Scalar z1297 = z1281 + z1295;
+    const Scalar z1298 = z284 * z952 - z233 * z1278 - z231 * z1288 - z294 * z947 - z304 * z950 + z257 * z958 + z197
+        * z1297 - z199 * z1294;
+    const Scalar z1299 = z1282 - z1296;
+    const Scalar z1300 = z237 * z1278 - z231 * z1287 + z257 * z955 - z306 * z952 + z304 * z949 - z308 * z947 - z200
+        * z1294 + z197 * z1299;
+    const Scalar z1301 = z16 * z887 + s_yaw * z1249;
+    const Scalar z1302 = n2 * (z1283 + z145 * z146 + z82 * z1284 + z80 * z1271 - z83 * z1285 + z109 * z136);
+    const Scalar z1303 = c_yaw * z1249 - z18 * z887;
+    const Scalar z1304 = z17 * z885 - z28 * z887 + s_roll * z1281 + z21 * z1249;
+    const Scalar z1305 = v_yaw * z1281 + v_roll * z1301 + v_pitch * z1304 - v_steer * z1298 - v_front * z1289;
+    const Scalar z1306 = z17 * z890 - z27 * z887 + z19 * z1249 + s_roll * z1282;
+    const Scalar z1307 = v_yaw * z1282 - v_roll * z1303 + v_pitch * z1306 - v_steer * z1300 + v_front * z1291;
+    const Scalar z1308 = a_yaw * z885 + a_roll * z891 + a_pitch * z959 - a_steer * z961 + a_front * z963 + z1305;
+    const Scalar z1309 = n2 * z88;
+    const Scalar z1310 = z2 * z140;
+    const Scalar z1311 = z1 * z140;
+    const Scalar z1312 = z1 * z1309;
+    const Scalar z1313 = z2 * z1309;
+    const Scalar z1314 = a_yaw * z890 - a_roll * z892 + a_pitch * z960 - a_steer * z962 - a_front * z964 + z1307;
+    const Scalar z1315 = s_pitch * z1312 - n2 * (z86 * z118 + z1252) - c_pitch * z1313;
+    const Scalar z1316 = s_pitch * z1313 - n2 * (z85 * z118 - z1251) + c_pitch * z1312;
+    const Scalar z1317 = n0_08 * z1313 - n0_35 * z1312;
+    const Scalar z1318 = z118 * z133 + z119 * z137 + s_pitch * z1310 + c_pitch * z1311 + n2 * (z85 * z1232 - z86
+        * z1233);
+    const Scalar z1319 = z119 * z133 - z118 * z137 + s_pitch * z1311 - c_pitch * z1310 + n2 * (z85 * z1233 + z86
+        * z1232);
+    const Scalar z1320 = n0_08 * z1310 - n0_35 * z1311;
+    const Scalar z1321 = s_roll * z139 + s_steer * z36 - z33 * z120 - n2 * (z17 * z87 - z14 * z1254) - c_roll * z1318;
+    const Scalar z1322 = c_roll * z139 + s_steer * z33 + z36 * z120 + n2 * (z14 * z87 + z17 * z1254) + s_roll * z1318;
+    const Scalar z1323 = n2 * z87;
+    const Scalar z1324 = n2 * (z14 * z120 + z1257) + s_roll * z1323 + c_roll * z1316;
+    const Scalar z1325 = n2 * (s_steer * z14 - z17 * z120) - c_roll * z1323 + s_roll * z1316;
+    const Scalar z1326 = z160 * z163;
+    const Scalar z1327 = c_yaw * z1315 - n2 * (z16 * z127 - z1253) + s_yaw * z1325;
+    const Scalar z1328 = s_yaw * z1315 - n2 * (z18 * z127 + z1269) - c_yaw * z1325;
+    const Scalar z1329 = z53 * z1327 - z61 * z1324 + n2 * (z108 * z128 + z1268);
+    const Scalar z1330 = z78 * z1324 + n2 * (z105 * z128 + z1270) + z53 * z1328;
+    const Scalar z1331 = z103 * z1324 - z128 * z1135;
+    const Scalar z1332 = n4 * (z1283 + z145 * z146 + z109 * z136) + n2 * (z82 * z1331 + z80 * z1329 - z83 * z1330);
+    const Scalar z1333 = z1135 * z1260 + n2 * (z53 * z1321 + z128 * z170);
+    const Scalar z1334 = z34 * z121 - z38 * z127 + n2 * (z16 * z1255 + z18 * z1261) + s_yaw * z1319 - c_yaw * z1322;
+    const Scalar z1335 = z38 * z121 + z34 * z127 + n2 * (z16 * z1261 - z18 * z1255) + c_yaw * z1319 + s_yaw * z1322;
+    const Scalar z1336 = z130 * z170 - z78 * z1321 - n2 * (z104 * z1272 - z105 * z1260) + z53 * z1334 - z128 * z172;
+    const Scalar z1337 = z61 * z1321 + z129 * z170 - n2 * (z104 * z1262 - z108 * z1260) + z53 * z1335 - z128 * z168;
+    const Scalar z1338 = n2 * (z146 * z173 - z82 * z1333 - z141 * z174 - z136 * z176 - z83 * z1336 + z80 * z1337) - n4
+        * (z109 * z1271 + z107 * z1285 - z145 * z1284);
+    const Scalar z1339 = n0_5 * (z1326 / (z96 * z96) - z1332 / z96 + z169 * z150 / (z96 * z96));
+    const Scalar z1340 = n0_5 * (z1326 / (z96 * z96) - z1302 / z96);
+    const Scalar z1341 = n0_5 * (z160 * z1340 / (z96 * z96) - z169 * z1302 / (z96 * z96) - z163 * z185 / (z96 * z96)
+        - z1338 / z96) + z163 * z211 / (z96 * z96 * z96);
+    const Scalar z1342 = z163 * z1156 / (z96 * z96 * z96) + n0_35 * z1340 / (z96 * z96);
+    const Scalar z1343 = z1276 - n0_35 * z1340;
+    const Scalar z1344 = v_roll * z1009;
+    const Scalar z1345 = v_yaw * z953 + z1344 + v_pitch * z1013 - v_steer * z1017 - v_front * z1020 - z333;
+    const Scalar z1346 = z1276 + z106 * z1284 + z145 * z946 + z146 * z252 + z82 * z1342;
+    const Scalar z1347 = v_yaw * z953 + z1344 + v_pitch * z1013 - v_steer * z1017 - v_front * z1020;
+    const Scalar z1348 = z1276 - z1346;
+    const Scalar z1349 = v_yaw * z956;
+    const Scalar z1350 = z85 * z156 + z86 * z154 + s_pitch * z1241 + c_pitch * z1236;
+    const Scalar z1351 = z8 * z139;
+    const Scalar z1352 = s_roll * z1259 - c_roll * z1263 - z17 * z164 - z14 * z165;
+    const Scalar z1353 = -z139 * (n1 - z7);
+    const Scalar z1354 = n0_35 * z1351 + n0_08 * z1353;
+    const Scalar z1355 = -z139 * (n1 - z9);
+    const Scalar z1356 = n0_08 * z1351 + n0_35 * z1355;
+    const Scalar z1357 = z16 * z931 + z18 * z875 + s_yaw * z1350 + c_yaw * z1352;
+    const Scalar z1358 = s_pitch * z1354 - z156 * z137 - z154 * z133 - c_pitch * z1356 - n2 * (z85 * z1236 + z86
+        * z1241);
+    const Scalar z1359 = z1357 - z106 * z1285 + z107 * z946 + z141 * z252 + z83 * z1342;
+    const Scalar z1360 = z8 * z1323;
+    const Scalar z1361 = -z1323 * (n1 - z7);
+    const Scalar z1362 = -z1323 * (n1 - z9);
+    const Scalar z1363 = n0_35 * z1360 + n0_08 * z1361;
+    const Scalar z1364 = z18 * z931 - z16 * z875 - c_yaw * z1350 + s_yaw * z1352;
+    const Scalar z1365 = z1364 + z106 * z1271 - z109 * z946 - z136 * z252 + z80 * z1342;
+    const Scalar z1366 = z36 * z165 + s_roll * z1320 + z33 * z164 + n2 * (z17 * z1263 - z14 * z1259) - c_roll * z1358;
+    const Scalar z1367 = n0_08 * z1360 + n0_35 * z1362;
+    const Scalar z1368 = s_pitch * z1363 - c_pitch * z1367 + n2 * (z86 * z156 - z1239);
+    const Scalar z1369 = z17 * z953 - z28 * z999 + s_roll * z1359 + z21 * z1346;
+    const Scalar z1370 = z17 * z956 - z27 * z999 + s_roll * z1365 + z19 * z1346;
+    const Scalar z1371 = s_roll * z1317 + n2 * (z14 * z164 - z1264) + c_roll * z1368;
+    const Scalar z1372 = z257 * z953 + z284 * z999 + z197 * z1359 - z199 * z1346;
+    const Scalar z1373 = z257 * z956 - z306 * z999 + z197 * z1365 - z200 * z1346;
+    const Scalar z1374 = z1366 - n0_35 * z1341;
+    const Scalar z1375 = a_roll * z926 + a_pitch * z988 - a_steer * z1038 + z1374;
+    const Scalar z1376 = z1371 - n0_35 * z1339;
+    const Scalar z1377 = z16 * z999 + s_yaw * z1346;
+    const Scalar z1378 = c_yaw * z1346 - z18 * z999;
+    const Scalar z1379 = z1357 - z1359;
+    const Scalar z1380 = z232 * z1260 - z230 * z1272 - z104 * z981 - z105 * z1000 + z128 * z286 + z130 * z262 + z53
+        * z1379 + z78 * z1348;
+    const Scalar z1381 = z1364 - z1365;
+    const Scalar z1382 = z230 * z1262 - z234 * z1260 + z108 * z1000 - z128 * z298 - z129 * z262 + z104 * z982 + z53
+        * z1381 + z61 * z1348;
+    const Scalar z1383 = v_yaw * z1359 + v_roll * z1377 + v_pitch * z1369 - v_steer * z1372 - v_front * z1380;
+    const Scalar z1384 = a_yaw * z953 + a_roll * z1009 + a_pitch * z1013 - a_steer * z1017 - a_front * z1020 + z1383;
+    const Scalar z1385 = v_yaw * z1365 - v_roll * z1378 + v_pitch * z1370 - v_steer * z1373 - v_front * z1382;
+    const Scalar z1386 = a_yaw * z956 - a_roll * z1011 + a_pitch * z1014 - a_steer * z1019 + a_front * z1022 + z1385;
+    const Scalar z1387 = v_roll * z1011 - z1349 - v_pitch * z1014 + v_steer * z1019 - v_front * z1022 + z338;
+    const Scalar z1388 = v_roll * z1011 - z1349 - v_pitch * z1014 + v_steer * z1019 - v_front * z1022;
+    const Scalar z1389 = n1 / z238;
+    const Scalar z1390 = z247 * z1389;
+    const Scalar z1391 = n1 / z175;
+    const Scalar z1392 = z98 + z177;
+    const Scalar z1393 = z1391 * z1392;
+    const Scalar z1394 = z190 * z1391;
+    const Scalar z1395 = z208 * z1391;
+    const Scalar z1396 = z181 - z182 * z1390;
+    const Scalar z1397 = z1193 * z1394 - z1343;
+    const Scalar z1398 = z1129 - z1193 * z1393;
+    const Scalar z1399 = z1160 + z1267 * z1393;
+    const Scalar z1400 = z1267 * z1394 + z1347;
+    const Scalar z1401 = z178 - z1396;
+    const Scalar z1402 = z1170 - z1275 * z1393;
+    const Scalar z1403 = z1275 * z1394 + z1388;
+    const Scalar z1404 = z1401 * z1401;
+    const Scalar z1405 = n1 / z1401;
+    const Scalar z1406 = z209 * z1391;
+    const Scalar z1407 = z210 * z1391;
+    const Scalar z1408 = z1051 - z1049 + z1053 * z1390;
+    const Scalar z1409 = z190 * z1406;
+    const Scalar z1410 = z190 * z1407 - z241;
+    const Scalar z1411 = z215 * z1391;
+    const Scalar z1412 = z1127 - z1398;
+    const Scalar z1413 = z190 * z1395 - z242 - z1409 - z1390 * z1410;
+    const Scalar z1414 = z217 - z1406 * z1392;
+    const Scalar z1415 = z186 - z1407 * z1392;
+    const Scalar z1416 = z198 - z1395 * z1392 - z1414 - z1390 * z1415;
+    const Scalar z1417 = z180 * z1405;
+    const Scalar z1418 = z1407 * z1412 - z1399;
+    const Scalar z1419 = z175 * z175;
+    const Scalar z1420 = n1_over_94 + z190 * z190 / z6 + z177 * z177 / z507 + z1419 / z478;
+    const Scalar z1421 = z1130 - z1417 * z1408;
+    const Scalar z1422 = z212 - z1411 * z1392 + z1417 * z1416;
+    const Scalar z1423 = n1 - z1390 * z1417;
+    const Scalar z1424 = z1175 + z1406 * z1412;
+    const Scalar z1425 = z1423 * z1423;
+    const Scalar z1426 = n1 / z1423;
+    const Scalar z1427 = z1395 * z1412 - z1424 + z1402 - z1390 * z1418;
+    const Scalar z1428 = z215 - z209 * z1417;
+    const Scalar z1429 = z190 * z1411 + z1417 * z1413;
+    const Scalar z1430 = z238 * z238;
+    const Scalar z1431 = n1_over_94 + n25_over_7 * z1430 + z182 * z182 / z527 + z186 * z186 / z507 + z241 * z241 / z6
+        + z210 * z210 / z478;
+    const Scalar z1432 = z478 * z1420;
+    const Scalar z1433 = z1426 * z1428;
+    const Scalar z1434 = z1426 * z1429;
+    const Scalar z1435 = z1188 + z1411 * z1412 + z1417 * z1427;
+    const Scalar z1436 = z1390 * z1434 + z1413;
+    const Scalar z1437 = z1426 * z1421;
+    const Scalar z1438 = z1426 * z1435;
+    const Scalar z1439 = z1405 * z1436;
+    const Scalar z1440 = z1426 * z1422;
+    const Scalar z1441 = z1390 * z1437 - z1408;
+    const Scalar z1442 = z1390 * z1438 + z1427;
+    const Scalar z1443 = z178 * z1439 + z1409;
+    const Scalar z1444 = n0_28 * z1431;
+    const Scalar z1445 = z1390 * z1440 + z1416;
+    const Scalar z1446 = z1405 * z1441;
+    const Scalar z1447 = z1405 * z1442;
+    const Scalar z1448 = z1053 - z1437 + z182 * z1446;
+    const Scalar z1449 = z1418 - z1438 + z182 * z1447;
+    const Scalar z1450 = z178 * z1446 - z1049;
+    const Scalar z1451 = z178 * z1447 + z1424;
+    const Scalar z1452 = z1405 * z1445;
+    const Scalar z1453 = z1410 - z1434 + z182 * z1439;
+    const Scalar z1454 = z1389 * z1453;
+    const Scalar z1455 = z1389 * z1448;
+    const Scalar z1456 = z178 * z1452 + z1414;
+    const Scalar z1457 = z1415 - z1440 + z182 * z1452;
+    const Scalar z1458 = z1389 * z1449;
+    const Scalar z1459 = z1389 * z1457;
+    const Scalar z1460 = z209 - z1390 * z1433;
+    const Scalar z1461 = z1405 * z1460;
+    const Scalar z1462 = n1_over_94 + n25_over_7 * z247 * z247 + z181 * z181 / z527 + z198 * z198 / z507 + z242 * z242
+        / z6 + z208 * z208 / z478;
+    const Scalar z1463 = z527 * z1462;
+    const Scalar z1464 = z1407 * z1397 - z1400;
+    const Scalar z1465 = z1391 * z1412;
+    const Scalar z1466 = z1406 * z1397;
+    const Scalar z1467 = z178 * z1461 - z209;
+    const Scalar z1468 = z182 * z1461 + z1433;
+    const Scalar z1469 = z1389 * z1468;
+    const Scalar z1470 = n1_over_94 + z215 * z215 * (n25_over_3 + n1 / z478) + z212 * z212 / z507 + z180 * z180 / z527;
+    const Scalar z1471 = n94 * z1470;
+    const Scalar z1472 = z1395 * z1397 - z1466 - z1403 - z1390 * z1464;
+    const Scalar z1473 = z1126 - z1238 * z1393;
+    const Scalar z1474 = z1238 * z1394 - z1376;
+    const Scalar z1475 = z226 * z1393 + z1174 - z1050 * z1452;
+    const Scalar z1476 = z1128 - z1473;
+    const Scalar z1477 = z1406 * z1476 + z1475;
+    const Scalar z1478 = z1054 * z1452 - z1159 - z1266 * z1393 + z339 * z1459;
+    const Scalar z1479 = z1345 + z1266 * z1394 + z1054 * z1439 + z339 * z1454;
+    const Scalar z1480 = z1169 - z1274 * z1393 - z1052 * z1452 + z341 * z1459;
+    const Scalar z1481 = z1274 * z1394 + z1387 - z1052 * z1439 + z341 * z1454;
+    const Scalar z1482 = z255 * z1393 + z1185 + z1131 * z1452;
+    const Scalar z1483 = z1407 * z1476 + z1478;
+    const Scalar z1484 = z1407 * z1474 - z1479;
+    const Scalar z1485 = z1395 * z1476 - z1477 + z1480 - z1390 * z1483;
+    const Scalar z1486 = z1411 * z1397 + z1417 * z1472;
+    const Scalar z1487 = z1426 * z1486;
+    const Scalar z1488 = z1391 * z1397;
+    const Scalar z1489 = z1411 * z1476 + z1482 + z1417 * z1485;
+    const Scalar z1490 = z1390 * z1487 + z1472;
+    const Scalar z1491 = z1391 * z1476;
+    const Scalar z1492 = z1426 * z1489;
+    const Scalar z1493 = z1238 * z1465;
+    const Scalar z1494 = z1238 * z1488;
+    const Scalar z1495 = z1390 * z1492 + z1485;
+    const Scalar z1496 = z1405 * z1490;
+    const Scalar z1497 = z226 * z1465 + z1050 * z1447;
+    const Scalar z1498 = z226 * z1394 + z1050 * z1439;
+    const Scalar z1499 = z1464 - z1487 + z182 * z1496;
+    const Scalar z1500 = z178 * z1496 + z1466;
+    const Scalar z1501 = z1406 * z1474 + z1498;
+    const Scalar z1502 = z1389 * z1499;
+    const Scalar z1503 = z1153 + z1258 * z1393;
+    const Scalar z1504 = z1258 * z1394 - z1375;
+    const Scalar z1505 = z1202 + z1308 * z1393;
+    const Scalar z1506 = z1308 * z1394 + z1384;
+    const Scalar z1507 = z1395 * z1474 - z1501 - z1481 - z1390 * z1484;
+    const Scalar z1508 = z1405 * z1495;
+    const Scalar z1509 = z178 * z1508 + z1477;
+    const Scalar z1510 = z1483 - z1492 + z182 * z1508;
+    const Scalar z1511 = z226 * z1488 + z1050 * z1496;
+    const Scalar z1512 = z226 - z1050 * z1461;
+    const Scalar z1513 = z1050 * z1446;
+    const Scalar z1514 = z1389 * z1510;
+    const Scalar z1515 = z1054 * z1446 + z339 * z1455;
+    const Scalar z1516 = z1266 * z1465 + z1054 * z1447 + z339 * z1458;
+    const Scalar z1517 = z1266 * z1488 + z1054 * z1496 + z339 * z1502;
+    const Scalar z1518 = z1054 * z1461 + z339 * z1469;
+    const Scalar z1519 = z1274 * z1465 - z1052 * z1447 + z341 * z1458;
+    const Scalar z1520 = z1274 * z1488 - z1052 * z1496 + z341 * z1502;
+    const Scalar z1521 = z341 * z1455 - z1052 * z1446;
+    const Scalar z1522 = z341 * z1469 - z1052 * z1461;
+    const Scalar z1523 = z1390 * z1518 + z1512 - z1522;
+    const Scalar z1524 = z255 * z1465 - z1131 * z1447;
+    const Scalar z1525 = z1131 * z1446;
+    const Scalar z1526 = z255 * z1394 - z1131 * z1439;
+    const Scalar z1527 = z1212 + z1314 * z1393;
+    const Scalar z1528 = z1411 * z1474 + z1526 + z1417 * z1507;
+    const Scalar z1529 = z1391 * z1474;
+    const Scalar z1530 = z255 * z1488 - z1131 * z1496;
+    const Scalar z1531 = z255 + z1131 * z1461;
+    const Scalar z1532 = z1493 + z1503;
+    const Scalar z1533 = z1494 + z1504;
+    const Scalar z1534 = z1224 - z1497;
+    const Scalar z1535 = z1314 * z1394 + z1386;
+    const Scalar z1536 = z1047 + z1513;
+    const Scalar z1537 = z1068 + z1515;
+    const Scalar z1538 = z1516 + z1505;
+    const Scalar z1539 = z1517 + z1506;
+    const Scalar z1540 = z1519 - z1527;
+    const Scalar z1541 = z1520 - z1535;
+    const Scalar z1542 = z1077 + z1521;
+    const Scalar z1543 = z1231 + z1524;
+    const Scalar z1544 = z1079 - z1525;
+    const Scalar z1545 = z1134 + z1532;
+    const Scalar z1546 = z1406 * z1545 - z1534;
+    const Scalar z1547 = z1407 * z1545 - z1538;
+    const Scalar z1548 = z1390 * z1537 - z1536 - z1542;
+    const Scalar z1549 = z1417 * z1523 - z1531;
+    const Scalar z1550 = z1395 * z1545 - z1546 - z1540 - z1390 * z1547;
+    const Scalar z1551 = z1417 * z1548 + z1544;
+    const Scalar z1552 = z1426 * z1549;
+    const Scalar z1553 = z1426 * z1551;
+    const Scalar z1554 = z1426 * z1528;
+    const Scalar z1555 = z1390 * z1552 + z1523;
+    const Scalar z1556 = z1390 * z1554 + z1507;
+    const Scalar z1557 = z1390 * z1553 + z1548;
+    const Scalar z1558 = z1405 * z1555;
+    const Scalar z1559 = z1405 * z1556;
+    const Scalar z1560 = z1405 * z1557;
+    const Scalar z1561 = z1411 * z1545 + z1543 + z1417 * z1550;
+    const Scalar z1562 = z178 * z1558 - z1512;
+    const Scalar z1563 = z178 * z1559 + z1501;
+    const Scalar z1564 = z178 * z1560 + z1536;
+    const Scalar z1565 = z1426 * z1561;
+    const Scalar z1566 = z1484 - z1554 + z182 * z1559;
+    const Scalar z1567 = z182 * z1558 - z1518 - z1552;
+    const Scalar z1568 = z1390 * z1565 + z1550;
+    const Scalar z1569 = z182 * z1560 - z1537 - z1553;
+    const Scalar z1570 = z1389 * z1566;
+    const Scalar z1571 = z1406 * z1533 + z1511;
+    const Scalar z1572 = z1407 * z1533 - z1539;
+    const Scalar z1573 = z1395 * z1533 - z1571 - z1541 - z1390 * z1572;
+    const Scalar z1574 = z1391 * z1545;
+    const Scalar z1575 = z1405 * z1568;
+    const Scalar z1576 = z178 * z1575 + z1546;
+    const Scalar z1577 = z1547 - z1565 + z182 * z1575;
+    const Scalar z1578 = z1389 * z1567;
+    const Scalar z1579 = z432 + z98 * z433 - z398 * z1393 + z422 * z1440 + z431 * z1452 - z423 * z1456;
+    const Scalar z1580 = z995 - z996;
+    const Scalar z1581 = z1010 + z1406 * z1580;
+    const Scalar z1582 = z1008 - z1407 * z1580;
+    const Scalar z1583 = z433 - z533 * z1394;
+    const Scalar z1584 = z1411 * z1533 + z1530 + z1417 * z1573;
+    const Scalar z1585 = z1395 * z1580 - z1581 + z1012 + z1390 * z1582;
+    const Scalar z1586 = z1426 * z1584;
+    const Scalar z1587 = z1391 * z1533;
+    const Scalar z1588 = z1390 * z1586 + z1573;
+    const Scalar z1589 = z507 + z98 * z511 + z529 * z1393 - z557 * z1440 - z560 * z1452 - z558 * z1456 + z457 * z1459;
+    const Scalar z1590 = z1043 - z1411 * z1580 - z1417 * z1585;
+    const Scalar z1591 = z1391 * z1580;
+    const Scalar z1592 = z511 + n94 * z98 + z533 * z1393;
+    const Scalar z1593 = z529 + z98 * z533 + z478 * z1393 + z535 * z1440 - z539 * z1452 + z528 * z1456 + z412 * z1459;
+    const Scalar z1594 = z1426 * z1590;
+    const Scalar z1595 = z1390 * z1594 - z1585;
+    const Scalar z1596 = z535 * z1434 - z398 - z478 * z1394 - z539 * z1439 + z528 * z1443 + z412 * z1454;
+    const Scalar z1597 = z6 + z398 * z1394 + z422 * z1434 + z431 * z1439 - z423 * z1443;
+    const Scalar z1598 = z423 + z528 * z1394 + z525 * z1439 - n94 * z1443;
+    const Scalar z1599 = z422 - z535 * z1394 + n94 * z1434 - z519 * z1439;
+    const Scalar z1600 = z535 * z1393 - z557 + n94 * z1440 - z519 * z1452;
+    const Scalar z1601 = z519 * z1434 - z431 - z539 * z1394 - z527 * z1439 + z525 * z1443 + z424 * z1454;
+    const Scalar z1602 = z528 * z1393 - z558 - z525 * z1452 + n94 * z1456;
+    const Scalar z1603 = n0_12 - z535 * z1433 - z539 * z1461 + z528 * z1467 + z412 * z1469;
+    const Scalar z1604 = z560 + z539 * z1393 + z519 * z1440 - z527 * z1452 + z525 * z1456 + z424 * z1459;
+    const Scalar z1605 = z516 - z519 * z1433 - z527 * z1461 + z525 * z1467 + z424 * z1469;
+    const Scalar z1606 = n94 * z1433 + z519 * z1461;
+    const Scalar z1607 = z525 * z1461 - n94 * z1467;
+    const Scalar z1608 = z412 * z1393 + z457 - z424 * z1452 + n0_28 * z1459;
+    const Scalar z1609 = z412 * z1394 + z424 * z1439 - n0_28 * z1454;
+    const Scalar z1610 = z424 * z1461 - n0_28 * z1469;
+    const Scalar z1611 = z1405 * z1588;
+    const Scalar z1612 = z1405 * z1595;
+    const Scalar z1613 = z98 * z1592 + z1440 * z1600 + z1456 * z1602 + z1459 * z1608 + z1393 * z1593 - z1452 * z1604
+        + z1589;
+    const Scalar z1614 = z178 * z1611 + z1571;
+    const Scalar z1615 = z1572 - z1586 + z182 * z1611;
+    const Scalar z1616 = z1389 * z1569;
+    const Scalar z1617 = z1443 * z1598 - z1597 - z1434 * z1599 + z1454 * z1609 + z1394 * z1596 + z1439 * z1601;
+    const Scalar z1618 = z1394 * z1593 - z1579 - z1434 * z1600 - z1443 * z1602 - z1454 * z1608 + z1439 * z1604;
+    const Scalar z1619 = z1389 * z1577;
+    const Scalar z1620 = z644 + z736 * z1393;
+    const Scalar z1621 = z736 * z1394 + z819;
+    const Scalar z1622 = z738 * z1393 - z682 + z686 * z1452;
+    const Scalar z1623 = z737 * z1394 - z825 + z684 * z1439;
+    const Scalar z1624 = z686 * z1439 - z826 - z738 * z1394;
+    const Scalar z1625 = z683 - z737 * z1393 + z684 * z1452;
+    const Scalar z1626 = z1389 * z1615;
+    const Scalar z1627 = z665 * z1461 - z744 + z822 * z1469;
+    const Scalar z1628 = z727 * z1393 - z733 - z734 * z1452 + z816 * z1459;
+    const Scalar z1629 = z662 - z657 * z1393 + z691 * z1452 + z805 * z1459;
+    const Scalar z1630 = z657 * z1394 - z772 + z691 * z1439 + z805 * z1454;
+    const Scalar z1631 = z666 - z748 * z1393 + z681 * z1452 + z824 * z1459;
+    const Scalar z1632 = z748 * z1394 - z829 + z681 * z1439 + z824 * z1454;
+    const Scalar z1633 = z747 * z1393 - z701 + z665 * z1452 + z822 * z1459;
+    const Scalar z1634 = z828 - z747 * z1394 + z665 * z1439 + z822 * z1454;
+    const Scalar z1635 = z178 * z1612 - z1581;
+    const Scalar z1636 = z1582 - z1594 + z182 * z1612;
+    const Scalar z1637 = z1389 * z1636;
+    const Scalar z1638 = z815 - z806 * z1394 - z824 * z1439;
+    const Scalar z1639 = z98 * z1621 - z1456 * z1623 - z1459 * z1638 + z1440 * z1624 - z1393 * z1630 + z1452 * z1632
+        + z1634;
+    const Scalar z1640 = z778 - z750 * z1452;
+    const Scalar z1641 = z806 * z1393 + z823 - z824 * z1452;
+    const Scalar z1642 = z98 * z1620 - z1440 * z1622 + z1456 * z1625 + z1459 * z1641 + z1393 * z1629 - z1452 * z1631
+        - z1633;
+    const Scalar z1643 = n0_12 - z516 * z1461;
+    const Scalar z1644 = z1433 * z1606 + z1643 - z1467 * z1607 - z1469 * z1610 - z1461 * z1605;
+    const Scalar z1645 = n0_12 * z1394 + z516 * z1439;
+    const Scalar z1646 = z516 * z1452 - n0_12 * z1393;
+    const Scalar z1647 = z1434 * z1622 - z1628 - z1443 * z1625 - z1454 * z1641 + z1394 * z1629 + z1439 * z1631;
+    const Scalar z1648 = z1640 + z1433 * z1622 + z1467 * z1625 + z1469 * z1641 - z1461 * z1631;
+    const Scalar z1649 = z1433 * z1599 + z1645 + z1467 * z1598 + z1469 * z1609 + z1461 * z1601;
+    const Scalar z1650 = z1433 * z1600 + z1646 - z1467 * z1602 - z1469 * z1608 + z1461 * z1604;
+    const Scalar z1651 = z686 * z1461;
+    const Scalar z1652 = z684 * z1461;
+    const Scalar z1653 = z727 * z1394 + z734 * z1439 - z816 * z1454;
+    const Scalar z1654 = z1653 + z1434 * z1624 - z1443 * z1623 - z1454 * z1638 + z1394 * z1630 + z1439 * z1632;
+    const Scalar z1655 = z734 * z1461 - z816 * z1469;
+    const Scalar z1656 = z750 * z1439;
+    const Scalar z1657 = z1467 * z1623 - z1656 + z1469 * z1638 + z1433 * z1624 - z1461 * z1632;
+    const Scalar z1658 = z750 * z1461;
+    const Scalar z1659 = z824 * z1461;
+    const Scalar z1660 = z691 * z1461 + z805 * z1469;
+    const Scalar z1661 = z681 * z1461 + z750 + z824 * z1469;
+    const Scalar z1662 = z1456 * z1652 - z1627 - z1440 * z1651 - z1459 * z1659 + z1393 * z1660 - z1452 * z1661;
+    const Scalar z1663 = z1655 + z1434 * z1651 - z1443 * z1652 + z1454 * z1659 + z1394 * z1660 + z1439 * z1661;
+    const Scalar z1664 = z1433 * z1651 - z1658 + z1467 * z1652 - z1469 * z1659 - z1461 * z1661;
+    const Scalar z1665 = z1128 * z1592 + z1491 * z1593 - z1492 * z1600 + z1508 * z1604 - z1509 * z1602 - z1514 * z1608;
+    const Scalar z1666 = z1665 + z1642;
+    const Scalar z1667 = z1128 * z1583 + z1491 * z1596 - z1492 * z1599 + z1508 * z1601 + z1509 * z1598 + z1514 * z1609;
+    const Scalar z1668 = z1491 * z1603 + z1492 * z1606 + z1508 * z1605 + z1509 * z1607 + z1514 * z1610;
+    const Scalar z1669 = z1667 - z1647;
+    const Scalar z1670 = z1668 + z1648;
+    const Scalar z1671 = z1554 * z1600 - z1529 * z1593 - z1559 * z1604 + z1563 * z1602 + z1570 * z1608;
+    const Scalar z1672 = z1671 - z1639;
+    const Scalar z1673 = z1552 * z1600 - z1558 * z1604 + z1562 * z1602 + z1578 * z1608;
+    const Scalar z1674 = z1673 + z1662;
+    const Scalar z1675 = z686 * z1446;
+    const Scalar z1676 = z686 * z1447 - z738 * z1465;
+    const Scalar z1677 = z1554 * z1599 - z1529 * z1596 - z1559 * z1601 - z1563 * z1598 - z1570 * z1609;
+    const Scalar z1678 = z1529 * z1603 + z1554 * z1606 + z1559 * z1605 + z1563 * z1607 + z1570 * z1610;
+    const Scalar z1679 = z686 * z1496 - z738 * z1488;
+    const Scalar z1680 = z1677 - z1654;
+    const Scalar z1681 = z1678 - z1657;
+    const Scalar z1682 = z1552 * z1599 - z1558 * z1601 - z1562 * z1598 - z1578 * z1609;
+    const Scalar z1683 = z1552 * z1606 + z1558 * z1605 + z1562 * z1607 + z1578 * z1610;
+    const Scalar z1684 = z704 - z1675;
+    const Scalar z1685 = z1682 - z1663;
+    const Scalar z1686 = z1683 - z1664;
+    const Scalar z1687 = z674 - z680 * z1393;
+    const Scalar z1688 = z680 * z1394 - z769;
+    const Scalar z1689 = z689 - z693 * z1393;
+    const Scalar z1690 = z693 * z1394 - z773;
+    const Scalar z1691 = z917 - z974 * z1393;
+    const Scalar z1692 = z974 * z1394 + z1063;
+    const Scalar z1693 = z909 - z971 * z1393;
+    const Scalar z1694 = z971 * z1394 + z1028;
+    const Scalar z1695 = z690 + z694 * z1393;
+    const Scalar z1696 = z694 * z1394 + z774;
+    const Scalar z1697 = z1676 + z1695;
+    const Scalar z1698 = z1679 + z1696;
+    const Scalar z1699 = z918 - z977 * z1393;
+    const Scalar z1700 = z977 * z1394 - z1036;
+    const Scalar z1701 = z860 - z915 * z1393;
+    const Scalar z1702 = z915 * z1394 - z976;
+    const Scalar z1703 = z919 + z979 * z1393;
+    const Scalar z1704 = z979 * z1394 + z1040;
+    const Scalar z1705 = z736 * z1465;
+    const Scalar z1706 = z1705 + z1687;
+    const Scalar z1707 = z736 * z1488;
+    const Scalar z1708 = z1707 - z1688;
+    const Scalar z1709 = z737 * z1465 + z684 * z1447;
+    const Scalar z1710 = z1709 + z1689;
+    const Scalar z1711 = z737 * z1488 + z684 * z1496;
+    const Scalar z1712 = z1711 - z1690;
+    const Scalar z1713 = z684 * z1446;
+    const Scalar z1714 = z705 + z1713;
+    const Scalar z1715 = z665 * z1446 + z822 * z1455;
+    const Scalar z1716 = z691 * z1446 + z805 * z1455;
+    const Scalar z1717 = z734 * z1446 - z816 * z1455;
+    const Scalar z1718 = z681 * z1446 + z824 * z1455;
+    const Scalar z1719 = z864 + z1718;
+    const Scalar z1720 = z727 * z1465 + z734 * z1447 - z816 * z1458;
+    const Scalar z1721 = z727 * z1488 + z734 * z1496 - z816 * z1502;
+    const Scalar z1722 = z806 * z1465 + z824 * z1447;
+    const Scalar z1723 = z806 * z1488 + z824 * z1496;
+    const Scalar z1724 = z750 * z1446;
+    const Scalar z1725 = z824 * z1446;
+    const Scalar z1726 = z750 * z1447;
+    const Scalar z1727 = z750 * z1496;
+    const Scalar z1728 = z657 * z1465 + z691 * z1447 + z805 * z1458;
+    const Scalar z1729 = z657 * z1488 + z691 * z1496 + z805 * z1502;
+    const Scalar z1730 = z681 * z1447 + z748 * z1465 + z824 * z1458;
+    const Scalar z1731 = z681 * z1496 + z748 * z1488 + z824 * z1502;
+    const Scalar z1732 = z665 * z1447 - z747 * z1465 + z822 * z1458;
+    const Scalar z1733 = z665 * z1496 - z747 * z1488 + z822 * z1502;
+    const Scalar z1734 = z1553 * z1600 - z1560 * z1604 + z1564 * z1602 + z1616 * z1608;
+    const Scalar z1735 = z1730 + z1701;
+    const Scalar z1736 = z1134 * z1592 + z1574 * z1593 - z1565 * z1600 + z1575 * z1604 - z1576 * z1602 - z1619 * z1608;
+    const Scalar z1737 = z1731 - z1702;
+    const Scalar z1738 = z1134 * z1583 + z1574 * z1596 - z1565 * z1599 + z1575 * z1601 + z1576 * z1598 + z1619 * z1609;
+    const Scalar z1739 = z1574 * z1603 + z1565 * z1606 + z1575 * z1605 + z1576 * z1607 + z1619 * z1610;
+    const Scalar z1740 = z1586 * z1600 - z1587 * z1593 - z1611 * z1604 + z1614 * z1602 + z1626 * z1608;
+    const Scalar z1741 = z851 + z1715;
+    const Scalar z1742 = z1553 * z1599 - z1560 * z1601 - z1564 * z1598 - z1616 * z1609;
+    const Scalar z1743 = z1553 * z1606 + z1560 * z1605 + z1564 * z1607 + z1616 * z1610;
+    const Scalar z1744 = z1732 + z1703;
+    const Scalar z1745 = z1733 + z1704;
+    const Scalar z1746 = z1586 * z1599 - z1587 * z1596 - z1611 * z1601 - z1614 * z1598 - z1626 * z1609;
+    const Scalar z1747 = z1587 * z1603 + z1586 * z1606 + z1611 * z1605 + z1614 * z1607 + z1626 * z1610;
+    const Scalar z1748 = z995 * z1592 + z1594 * z1600 + z1635 * z1602 + z1637 * z1608 - z1612 * z1604 + z1591 * z1593;
+    const Scalar z1749 = z995 * z1583 + z1594 * z1599 - z1635 * z1598 - z1637 * z1609 - z1612 * z1601 + z1591 * z1596;
+    const Scalar z1750 = z1594 * z1606 + z1635 * z1607 + z1637 * z1610 + z1612 * z1605 - z1591 * z1603;
+    const Scalar z1751 = l_lambda_rear_rolls_x * z180 + l_lambda_rear_rolls_y * z178 + l_lambda_front_rolls_x * z182
+        + l_lambda_front_rolls_y * z181 - z1037;
+    const Scalar z1752 = l_lambda_rear_rolls_x * z215 - z1004 + l_lambda_rear_rolls_y * z209 + l_lambda_front_touches
         * z175 + l_lambda_front_rolls_x * z210 + l_lambda_front_rolls_y * z208;
-    const Scalar z1758 = l_lambda_front_rolls_x * z238 - z366 + l_lambda_front_rolls_y * z247;
-    const Scalar z1759 = z859 + z1721;
-    const Scalar z1760 = z862 - z1722;
-    const Scalar z1761 = z1725 + z1696;
-    const Scalar z1762 = z1726 - z1697;
-    const Scalar z1763 = z1727 + z1698;
-    const Scalar z1764 = z1728 - z1699;
-    const Scalar z1765 = z860 - z1729;
-    const Scalar z1766 = z917 - z1731;
-    const Scalar z1767 = z866 - z1730;
-    const Scalar z1768 = z1733 + z1704;
-    const Scalar z1769 = z1734 - z1705;
-    const Scalar z1770 = z98 * z1711 - z1461 * z1715 + z1464 * z1763 + z1445 * z1702 - z1398 * z1768 + z1457 * z1740
-        + z1749;
-    const Scalar z1771 = z98 * z1713 - z1461 * z1717 + z1464 * z1764 + z1445 * z1703 - z1398 * z1769 + z1457 * z1742
-        + z1750;
-    const Scalar z1772 = z1761 + z1459 * z1763 - z1448 * z1715 + z1439 * z1702 + z1399 * z1768 + z1444 * z1740;
-    const Scalar z1773 = z1766 + z1472 * z1715 - z1474 * z1763 + z1438 * z1702 - z1466 * z1740;
-    const Scalar z1774 = z1762 + z1459 * z1764 - z1448 * z1717 + z1439 * z1703 + z1399 * z1769 + z1444 * z1742;
-    const Scalar z1775 = z1472 * z1717 - z1732 - z1474 * z1764 + z1438 * z1703 - z1466 * z1742;
-    const Scalar z1776 = z1741 + z1770;
-    const Scalar z1777 = z1745 - z1771;
-    const Scalar z1778 = z1743 + z1772;
-    const Scalar z1779 = z1751 - z1774;
-    const Scalar z1780 = z1744 - z1773;
-    const Scalar z1781 = z1752 - z1775;
-    const Scalar z1782 = n1 / z1649;
-    const Scalar z1783 = l_lambda_rear_touches + l_lambda_front_touches - z474;
-    const Scalar z1784 = z1445 * z1689 - z1746 + z1461 * z1719 + z1464 * z1767 + z1398 * z1759 - z1457 * z1724;
-    const Scalar z1785 = z1399 * z1759 - z1760 - z1439 * z1689 - z1448 * z1719 - z1459 * z1767 + z1444 * z1724;
-    const Scalar z1786 = z1438 * z1689 - z1765 - z1472 * z1719 - z1474 * z1767 + z1466 * z1724;
-    const Scalar z1787 = z1739 + z1784;
-    const Scalar z1788 = z1747 - z1785;
-    const Scalar z1789 = z1748 + z1786;
-    const Scalar z1790 = l_lambda_rear_rolls_x + l_lambda_front_rolls_x - z479;
-    const Scalar z1791 = l_lambda_rear_rolls_y + l_lambda_front_rolls_y + z481;
-    const Scalar z1792 = z1036 + l_lambda_rear_rolls_x * z212 + l_lambda_rear_rolls_y * z217 + l_lambda_front_touches
-        * z177 + l_lambda_front_rolls_x * z186 + l_lambda_front_rolls_y * z198 - z98 * (l_lambda_rear_touches - z1783)
-        - z1398 * z1757 - z1445 * z1790 + z1457 * z1756 - z1461 * z1791 - z1464 * z1758;
-    const Scalar z1793 = z1012 + l_lambda_front_touches * z190 + l_lambda_front_rolls_x * z241 + l_lambda_front_rolls_y
-        * z242 - z1399 * z1757 + z1439 * z1790 - z1444 * z1756 + z1448 * z1791 + z1459 * z1758;
-    const Scalar z1794 = l_lambda_rear_rolls_x * z215 - z361 + l_lambda_rear_rolls_y * z209 - z1438 * z1790 - z1466
-        * z1756 + z1472 * z1791 + z1474 * z1758;
-    const Scalar z1795 = z1792 - z1753;
-    const Scalar z1796 = z1793 + z1754;
-    const Scalar z1797 = z1794 - z1755;
-    const Scalar z1798 = z1654 * z1782;
-    const Scalar z1799 = z1622 + z1654 * z1798;
-    const Scalar z1800 = z1623 + z1655 * z1798;
-    const Scalar z1801 = z1674 + z1675 * z1798;
-    const Scalar z1802 = z1685 - z1686 * z1798;
-    const Scalar z1803 = n1 / z1799;
-    const Scalar z1804 = z1788 - z1789 * z1798;
-    const Scalar z1805 = z1690 - z1691 * z1798;
-    const Scalar z1806 = z1778 + z1780 * z1798;
-    const Scalar z1807 = z1779 - z1781 * z1798;
-    const Scalar z1808 = z1655 * z1782;
-    const Scalar z1809 = z1618 - z1655 * z1808;
-    const Scalar z1810 = z1800 * z1803;
-    const Scalar z1811 = z1809 + z1800 * z1810;
-    const Scalar z1812 = z1671 + z1675 * z1808 - z1810 * z1801;
-    const Scalar z1813 = z1677 - z1686 * z1808 - z1810 * z1802;
-    const Scalar z1814 = z1787 - z1789 * z1808 - z1810 * z1804;
-    const Scalar z1815 = z1679 - z1691 * z1808 - z1810 * z1805;
-    const Scalar z1816 = z1776 + z1780 * z1808 - z1810 * z1806;
-    const Scalar z1817 = z1777 - z1781 * z1808 - z1810 * z1807;
-    const Scalar z1818 = n1 / z1811;
-    const Scalar z1819 = z1818 * z1812;
-    const Scalar z1820 = z1818 * z1813;
-    const Scalar z1821 = z1818 * z1814;
-    const Scalar z1822 = z1818 * z1815;
-    const Scalar z1823 = z1818 * z1816;
-    const Scalar z1824 = z1818 * z1817;
-    const Scalar z1825 = z1803 * z1801 + z1810 * z1819;
-    const Scalar z1826 = z1803 * z1802 + z1810 * z1820;
-    const Scalar z1827 = z1803 * z1804 + z1810 * z1821;
-    const Scalar z1828 = z1803 * z1805 + z1810 * z1822;
-    const Scalar z1829 = z1803 * z1806 + z1810 * z1823;
-    const Scalar z1830 = z1803 * z1807 + z1810 * z1824;
-    const Scalar z1831 = z1675 * z1782 + z1808 * z1819 - z1798 * z1825;
-    const Scalar z1832 = z1686 * z1782 - z1808 * z1820 + z1798 * z1826;
-    const Scalar z1833 = z1789 * z1782 - z1808 * z1821 + z1798 * z1827;
-    const Scalar z1834 = z1691 * z1782 - z1808 * z1822 + z1798 * z1828;
-    const Scalar z1835 = z1780 * z1782 + z1808 * z1823 - z1798 * z1829;
-    const Scalar z1836 = z1781 * z1782 - z1808 * z1824 + z1798 * z1830;
+    const Scalar z1753 = l_lambda_front_rolls_x * z238 - z366 + l_lambda_front_rolls_y * z247;
+    const Scalar z1754 = z854 + z1716;
+    const Scalar z1755 = z857 - z1717;
+    const Scalar z1756 = z1720 + z1691;
+    const Scalar z1757 = z1721 - z1692;
+    const Scalar z1758 = z1722 + z1693;
+    const Scalar z1759 = z1723 - z1694;
+    const Scalar z1760 = z855 - z1724;
+    const Scalar z1761 = z912 - z1726;
+    const Scalar z1762 = z861 - z1725;
+    const Scalar z1763 = z1728 + z1699;
+    const Scalar z1764 = z1729 - z1700;
+    const Scalar z1765 = z98 * z1706 - z1456 * z1710 + z1459 * z1758 + z1440 * z1697 - z1393 * z1763 + z1452 * z1735
+        + z1744;
+    const Scalar z1766 = z98 * z1708 - z1456 * z1712 + z1459 * z1759 + z1440 * z1698 - z1393 * z1764 + z1452 * z1737
+        + z1745;
+    const Scalar z1767 = z1756 + z1454 * z1758 - z1443 * z1710 + z1434 * z1697 + z1394 * z1763 + z1439 * z1735;
+    const Scalar z1768 = z1761 + z1467 * z1710 - z1469 * z1758 + z1433 * z1697 - z1461 * z1735;
+    const Scalar z1769 = z1757 + z1454 * z1759 - z1443 * z1712 + z1434 * z1698 + z1394 * z1764 + z1439 * z1737;
+    const Scalar z1770 = z1467 * z1712 - z1727 - z1469 * z1759 + z1433 * z1698 - z1461 * z1737;
+    const Scalar z1771 = z1736 + z1765;
+    const Scalar z1772 = z1740 - z1766;
+    const Scalar z1773 = z1738 + z1767;
+    const Scalar z1774 = z1746 - z1769;
+    const Scalar z1775 = z1739 - z1768;
+    const Scalar z1776 = z1747 - z1770;
+    const Scalar z1777 = n1 / z1644;
+    const Scalar z1778 = l_lambda_rear_touches + l_lambda_front_touches - z472;
+    const Scalar z1779 = z1440 * z1684 - z1741 + z1456 * z1714 + z1459 * z1762 + z1393 * z1754 - z1452 * z1719;
+    const Scalar z1780 = z1394 * z1754 - z1755 - z1434 * z1684 - z1443 * z1714 - z1454 * z1762 + z1439 * z1719;
+    const Scalar z1781 = z1433 * z1684 - z1760 - z1467 * z1714 - z1469 * z1762 + z1461 * z1719;
+    const Scalar z1782 = z1734 + z1779;
+    const Scalar z1783 = z1742 - z1780;
+    const Scalar z1784 = z1743 + z1781;
+    const Scalar z1785 = l_lambda_rear_rolls_x + l_lambda_front_rolls_x - z477;
+    const Scalar z1786 = l_lambda_rear_rolls_y + l_lambda_front_rolls_y + z479;
+    const Scalar z1787 = z1031 + l_lambda_rear_rolls_x * z212 + l_lambda_rear_rolls_y * z217 + l_lambda_front_touches
+        * z177 + l_lambda_front_rolls_x * z186 + l_lambda_front_rolls_y * z198 - z98 * (l_lambda_rear_touches - z1778)
+        - z1393 * z1752 - z1440 * z1785 + z1452 * z1751 - z1456 * z1786 - z1459 * z1753;
+    const Scalar z1788 = z1007 + l_lambda_front_touches * z190 + l_lambda_front_rolls_x * z241 + l_lambda_front_rolls_y
+        * z242 - z1394 * z1752 + z1434 * z1785 - z1439 * z1751 + z1443 * z1786 + z1454 * z1753;
+    const Scalar z1789 = l_lambda_rear_rolls_x * z215 - z361 + l_lambda_rear_rolls_y * z209 - z1433 * z1785 - z1461
+        * z1751 + z1467 * z1786 + z1469 * z1753;
+    const Scalar z1790 = z1787 - z1748;
+    const Scalar z1791 = z1788 + z1749;
+    const Scalar z1792 = z1789 - z1750;
+    const Scalar z1793 = z1649 * z1777;
+    const Scalar z1794 = z1617 + z1649 * z1793;
+    const Scalar z1795 = z1618 + z1650 * z1793;
+    const Scalar z1796 = z1669 + z1670 * z1793;
+    const Scalar z1797 = z1680 - z1681 * z1793;
+    const Scalar z1798 = n1 / z1794;
+    const Scalar z1799 = z1783 - z1784 * z1793;
+    const Scalar z1800 = z1685 - z1686 * z1793;
+    const Scalar z1801 = z1773 + z1775 * z1793;
+    const Scalar z1802 = z1774 - z1776 * z1793;
+    const Scalar z1803 = z1650 * z1777;
+    const Scalar z1804 = z1613 - z1650 * z1803;
+    const Scalar z1805 = z1795 * z1798;
+    const Scalar z1806 = z1804 + z1795 * z1805;
+    const Scalar z1807 = z1666 + z1670 * z1803 - z1805 * z1796;
+    const Scalar z1808 = z1672 - z1681 * z1803 - z1805 * z1797;
+    const Scalar z1809 = z1782 - z1784 * z1803 - z1805 * z1799;
+    const Scalar z1810 = z1674 - z1686 * z1803 - z1805 * z1800;
+    const Scalar z1811 = z1771 + z1775 * z1803 - z1805 * z1801;
+    const Scalar z1812 = z1772 - z1776 * z1803 - z1805 * z1802;
+    const Scalar z1813 = n1 / z1806;
+    const Scalar z1814 = z1813 * z1807;
+    const Scalar z1815 = z1813 * z1808;
+    const Scalar z1816 = z1813 * z1809;
+    const Scalar z1817 = z1813 * z1810;
+    const Scalar z1818 = z1813 * z1811;
+    const Scalar z1819 = z1813 * z1812;
+    const Scalar z1820 = z1798 * z1796 + z1805 * z1814;
+    const Scalar z1821 = z1798 * z1797 + z1805 * z1815;
+    const Scalar z1822 = z1798 * z1799 + z1805 * z1816;
+    const Scalar z1823 = z1798 * z1800 + z1805 * z1817;
+    const Scalar z1824 = z1798 * z1801 + z1805 * z1818;
+    const Scalar z1825 = z1798 * z1802 + z1805 * z1819;
+    const Scalar z1826 = z1670 * z1777 + z1803 * z1814 - z1793 * z1820;
+    const Scalar z1827 = z1681 * z1777 - z1803 * z1815 + z1793 * z1821;
+    const Scalar z1828 = z1784 * z1777 - z1803 * z1816 + z1793 * z1822;
+    const Scalar z1829 = z1686 * z1777 - z1803 * z1817 + z1793 * z1823;
+    const Scalar z1830 = z1775 * z1777 + z1803 * z1818 - z1793 * z1824;
+    const Scalar z1831 = z1776 * z1777 - z1803 * z1819 + z1793 * z1825;
     result.M[0] = n94;
     result.M[1] = n0;
     result.M[2] = n0;
-    result.M[3] = z522;
-    result.M[4] = -z559;
-    result.M[5] = z539;
-    result.M[6] = z423;
+    result.M[3] = z519;
+    result.M[4] = -z557;
+    result.M[5] = z535;
+    result.M[6] = z422;
     result.M[7] = n0;
     result.M[8] = n0;
     result.M[9] = n0;
     result.M[10] = n94;
     result.M[11] = n0;
-    result.M[12] = -z529;
-    result.M[13] = z560;
-    result.M[14] = -z532;
-    result.M[15] = z424;
+    result.M[12] = -z525;
+    result.M[13] = z558;
+    result.M[14] = -z528;
+    result.M[15] = z423;
     result.M[16] = n0;
     result.M[17] = n0;
     result.M[18] = n0;
     result.M[19] = n0;
     result.M[20] = n94;
     result.M[21] = n0;
-    result.M[22] = z515;
-    result.M[23] = z537;
-    result.M[24] = z435;
+    result.M[22] = z511;
+    result.M[23] = z533;
+    result.M[24] = z433;
     result.M[25] = n0;
     result.M[26] = n0;
-    result.M[27] = z522;
-    result.M[28] = -z529;
+    result.M[27] = z519;
+    result.M[28] = -z525;
     result.M[29] = n0;
-    result.M[30] = z531;
-    result.M[31] = z562;
-    result.M[32] = z541;
-    result.M[33] = -z433;
-    result.M[34] = z519;
-    result.M[35] = z425;
-    result.M[36] = -z559;
-    result.M[37] = z560;
-    result.M[38] = z515;
-    result.M[39] = z562;
-    result.M[40] = z510;
-    result.M[41] = z533;
-    result.M[42] = z434;
+    result.M[30] = z527;
+    result.M[31] = z560;
+    result.M[32] = z539;
+    result.M[33] = -z431;
+    result.M[34] = z516;
+    result.M[35] = z424;
+    result.M[36] = -z557;
+    result.M[37] = z558;
+    result.M[38] = z511;
+    result.M[39] = z560;
+    result.M[40] = z507;
+    result.M[41] = z529;
+    result.M[42] = z432;
     result.M[43] = n0;
     result.M[44] = z457;
-    result.M[45] = z539;
-    result.M[46] = -z532;
-    result.M[47] = z537;
-    result.M[48] = z541;
-    result.M[49] = z533;
-    result.M[50] = z480;
-    result.M[51] = -z399;
+    result.M[45] = z535;
+    result.M[46] = -z528;
+    result.M[47] = z533;
+    result.M[48] = z539;
+    result.M[49] = z529;
+    result.M[50] = z478;
+    result.M[51] = -z398;
     result.M[52] = n0_12;
-    result.M[53] = z410;
-    result.M[54] = z423;
-    result.M[55] = z424;
-    result.M[56] = z435;
-    result.M[57] = -z433;
-    result.M[58] = z434;
-    result.M[59] = -z399;
+    result.M[53] = z412;
+    result.M[54] = z422;
+    result.M[55] = z423;
+    result.M[56] = z433;
+    result.M[57] = -z431;
+    result.M[58] = z432;
+    result.M[59] = -z398;
     result.M[60] = z6;
     result.M[61] = n0;
     result.M[62] = n0;
     result.M[63] = n0;
     result.M[64] = n0;
     result.M[65] = n0;
-    result.M[66] = z519;
+    result.M[66] = z516;
     result.M[67] = n0;
     result.M[68] = n0_12;
     result.M[69] = n0;
@@ -4714,9 +4278,9 @@ struct Mechanism {
     result.M[72] = n0;
     result.M[73] = n0;
     result.M[74] = n0;
-    result.M[75] = z425;
+    result.M[75] = z424;
     result.M[76] = z457;
-    result.M[77] = z410;
+    result.M[77] = z412;
     result.M[78] = n0;
     result.M[79] = n0;
     result.M[80] = n0_28;
@@ -4747,47 +4311,47 @@ struct Mechanism {
     result.C[24] = n0;
     result.C[25] = n0;
     result.C[26] = n0;
-    result.C[27] = z690;
-    result.C[28] = z688;
+    result.C[27] = z686;
+    result.C[28] = z684;
     result.C[29] = n0;
-    result.C[30] = -z685;
-    result.C[31] = z669;
-    result.C[32] = -z695;
-    result.C[33] = z739;
-    result.C[34] = z755;
-    result.C[35] = z829;
-    result.C[36] = z686;
-    result.C[37] = -z687;
-    result.C[38] = z646;
-    result.C[39] = z678;
-    result.C[40] = z705;
-    result.C[41] = z673;
-    result.C[42] = -z738;
-    result.C[43] = z783;
-    result.C[44] = z828;
-    result.C[45] = -z743;
-    result.C[46] = z742;
-    result.C[47] = z741;
-    result.C[48] = -z753;
-    result.C[49] = -z752;
-    result.C[50] = -z663;
-    result.C[51] = z732;
+    result.C[30] = -z681;
+    result.C[31] = z665;
+    result.C[32] = -z691;
+    result.C[33] = z734;
+    result.C[34] = z750;
+    result.C[35] = z824;
+    result.C[36] = z682;
+    result.C[37] = -z683;
+    result.C[38] = z644;
+    result.C[39] = z666;
+    result.C[40] = z701;
+    result.C[41] = z662;
+    result.C[42] = -z733;
+    result.C[43] = z778;
+    result.C[44] = z823;
+    result.C[45] = -z738;
+    result.C[46] = z737;
+    result.C[47] = z736;
+    result.C[48] = -z748;
+    result.C[49] = -z747;
+    result.C[50] = -z657;
+    result.C[51] = z727;
     result.C[52] = n0;
-    result.C[53] = z811;
-    result.C[54] = z831;
-    result.C[55] = z830;
-    result.C[56] = -z824;
-    result.C[57] = -z834;
-    result.C[58] = -z833;
-    result.C[59] = -z777;
+    result.C[53] = z806;
+    result.C[54] = z826;
+    result.C[55] = z825;
+    result.C[56] = -z819;
+    result.C[57] = -z829;
+    result.C[58] = -z828;
+    result.C[59] = -z772;
     result.C[60] = n0;
     result.C[61] = n0;
-    result.C[62] = z820;
+    result.C[62] = z815;
     result.C[63] = n0;
     result.C[64] = n0;
     result.C[65] = n0;
-    result.C[66] = z755;
-    result.C[67] = z749;
+    result.C[66] = z750;
+    result.C[67] = z744;
     result.C[68] = n0;
     result.C[69] = n0;
     result.C[70] = n0;
@@ -4795,10 +4359,10 @@ struct Mechanism {
     result.C[72] = n0;
     result.C[73] = n0;
     result.C[74] = n0;
-    result.C[75] = z829;
-    result.C[76] = -z827;
-    result.C[77] = z810;
-    result.C[78] = z821;
+    result.C[75] = z824;
+    result.C[76] = -z822;
+    result.C[77] = z805;
+    result.C[78] = z816;
     result.C[79] = n0;
     result.C[80] = n0;
     result.K[0] = n0;
@@ -4828,42 +4392,42 @@ struct Mechanism {
     result.K[24] = n0;
     result.K[25] = n0;
     result.K[26] = n0;
-    result.K[27] = z709;
-    result.K[28] = -z710;
+    result.K[27] = z704;
+    result.K[28] = -z705;
     result.K[29] = n0;
-    result.K[30] = z869;
-    result.K[31] = -z856;
-    result.K[32] = z859;
-    result.K[33] = z862;
-    result.K[34] = z860;
-    result.K[35] = z866;
-    result.K[36] = z694;
-    result.K[37] = z693;
-    result.K[38] = z677;
-    result.K[39] = -z865;
-    result.K[40] = z924;
-    result.K[41] = -z923;
-    result.K[42] = z922;
-    result.K[43] = -z917;
-    result.K[44] = z914;
-    result.K[45] = z698;
-    result.K[46] = -z697;
-    result.K[47] = -z684;
-    result.K[48] = z920;
-    result.K[49] = z984;
-    result.K[50] = z982;
-    result.K[51] = -z979;
+    result.K[30] = z864;
+    result.K[31] = -z851;
+    result.K[32] = z854;
+    result.K[33] = z857;
+    result.K[34] = z855;
+    result.K[35] = z861;
+    result.K[36] = z690;
+    result.K[37] = z689;
+    result.K[38] = z674;
+    result.K[39] = -z860;
+    result.K[40] = z919;
+    result.K[41] = -z918;
+    result.K[42] = z917;
+    result.K[43] = -z912;
+    result.K[44] = z909;
+    result.K[45] = z694;
+    result.K[46] = -z693;
+    result.K[47] = -z680;
+    result.K[48] = z915;
+    result.K[49] = z979;
+    result.K[50] = z977;
+    result.K[51] = -z974;
     result.K[52] = n0;
-    result.K[53] = -z976;
-    result.K[54] = -z779;
-    result.K[55] = -z778;
-    result.K[56] = -z774;
-    result.K[57] = z981;
-    result.K[58] = -z1045;
-    result.K[59] = z1041;
-    result.K[60] = z1068;
+    result.K[53] = -z971;
+    result.K[54] = -z774;
+    result.K[55] = -z773;
+    result.K[56] = -z769;
+    result.K[57] = z976;
+    result.K[58] = -z1040;
+    result.K[59] = z1036;
+    result.K[60] = z1063;
     result.K[61] = n0;
-    result.K[62] = z1033;
+    result.K[62] = z1028;
     result.K[63] = n0;
     result.K[64] = n0;
     result.K[65] = n0;
@@ -4882,60 +4446,60 @@ struct Mechanism {
     result.K[78] = n0;
     result.K[79] = n0;
     result.K[80] = n0;
-    result.F[0] = l_lambda_rear_rolls_x + l_lambda_front_rolls_x - z479;
-    result.F[1] = -l_lambda_rear_rolls_y - l_lambda_front_rolls_y - z481;
-    result.F[2] = -l_lambda_rear_touches - l_lambda_front_touches + z474;
+    result.F[0] = l_lambda_rear_rolls_x + l_lambda_front_rolls_x - z477;
+    result.F[1] = -l_lambda_rear_rolls_y - l_lambda_front_rolls_y - z479;
+    result.F[2] = -l_lambda_rear_touches - l_lambda_front_touches + z472;
     result.F[3] = l_lambda_rear_rolls_x * z180 + l_lambda_rear_rolls_y * z178 + l_lambda_front_rolls_x * z182
-        + l_lambda_front_rolls_y * z181 - z1042;
+        + l_lambda_front_rolls_y * z181 - z1037;
     result.F[4] = -l_lambda_rear_rolls_x * z212 + l_lambda_rear_touches * z98 - l_lambda_rear_rolls_y * z217
-        - l_lambda_front_touches * z177 - l_lambda_front_rolls_x * z186 - l_lambda_front_rolls_y * z198 - z1036;
-    result.F[5] = l_lambda_rear_rolls_x * z215 - z1009 + l_lambda_rear_rolls_y * z209 + l_lambda_front_touches * z175
+        - l_lambda_front_touches * z177 - l_lambda_front_rolls_x * z186 - l_lambda_front_rolls_y * z198 - z1031;
+    result.F[5] = l_lambda_rear_rolls_x * z215 - z1004 + l_lambda_rear_rolls_y * z209 + l_lambda_front_touches * z175
         + l_lambda_front_rolls_x * z210 + l_lambda_front_rolls_y * z208;
-    result.F[6] = z1012 + l_lambda_front_touches * z190 + l_lambda_front_rolls_x * z241 + l_lambda_front_rolls_y * z242;
+    result.F[6] = z1007 + l_lambda_front_touches * z190 + l_lambda_front_rolls_x * z241 + l_lambda_front_rolls_y * z242;
     result.F[7] = l_lambda_rear_rolls_x * z215 - z361 + l_lambda_rear_rolls_y * z209;
     result.F[8] = l_lambda_front_rolls_x * z238 - z366 + l_lambda_front_rolls_y * z247;
-    result.M_r[0] = z1618;
-    result.M_r[1] = -z1623;
-    result.M_r[2] = -z1655;
-    result.M_r[3] = -z1623;
-    result.M_r[4] = -z1622;
-    result.M_r[5] = -z1654;
-    result.M_r[6] = -z1655;
-    result.M_r[7] = -z1654;
-    result.M_r[8] = z1649;
-    result.C_r[0] = z1671;
-    result.C_r[1] = z1674;
-    result.C_r[2] = z1675;
-    result.C_r[3] = z1677;
-    result.C_r[4] = z1685;
-    result.C_r[5] = -z1686;
-    result.C_r[6] = z1679;
-    result.C_r[7] = z1690;
-    result.C_r[8] = -z1691;
+    result.M_r[0] = z1613;
+    result.M_r[1] = -z1618;
+    result.M_r[2] = -z1650;
+    result.M_r[3] = -z1618;
+    result.M_r[4] = -z1617;
+    result.M_r[5] = -z1649;
+    result.M_r[6] = -z1650;
+    result.M_r[7] = -z1649;
+    result.M_r[8] = z1644;
+    result.C_r[0] = z1666;
+    result.C_r[1] = z1669;
+    result.C_r[2] = z1670;
+    result.C_r[3] = z1672;
+    result.C_r[4] = z1680;
+    result.C_r[5] = -z1681;
+    result.C_r[6] = z1674;
+    result.C_r[7] = z1685;
+    result.C_r[8] = -z1686;
     result.K_r[0] = n0;
     result.K_r[1] = n0;
     result.K_r[2] = n0;
     result.K_r[3] = n0;
     result.K_r[4] = n0;
     result.K_r[5] = n0;
-    result.K_r[6] = z1787;
-    result.K_r[7] = z1788;
-    result.K_r[8] = -z1789;
-    result.K_r[9] = z1776;
-    result.K_r[10] = z1778;
-    result.K_r[11] = z1780;
-    result.K_r[12] = z1777;
-    result.K_r[13] = z1779;
-    result.K_r[14] = -z1781;
+    result.K_r[6] = z1782;
+    result.K_r[7] = z1783;
+    result.K_r[8] = -z1784;
+    result.K_r[9] = z1771;
+    result.K_r[10] = z1773;
+    result.K_r[11] = z1775;
+    result.K_r[12] = z1772;
+    result.K_r[13] = z1774;
+    result.K_r[14] = -z1776;
     result.K_r[15] = n0;
     result.K_r[16] = n0;
     result.K_r[17] = n0;
     result.K_r[18] = n0;
     result.K_r[19] = n0;
     result.K_r[20] = n0;
-    result.F_r[0] = -z1795;
-    result.F_r[1] = z1796;
-    result.F_r[2] = z1797;
+    result.F_r[0] = -z1790;
+    result.F_r[1] = z1791;
+    result.F_r[2] = z1792;
     result.A[0] = n0;
     result.A[1] = n0;
     result.A[2] = n0;
@@ -4956,36 +4520,36 @@ struct Mechanism {
     result.A[17] = n0;
     result.A[18] = n0;
     result.A[19] = n0;
-    result.A[20] = z1442;
-    result.A[21] = -z1455;
-    result.A[22] = -z1451;
+    result.A[20] = z1437;
+    result.A[21] = -z1450;
+    result.A[22] = -z1446;
     result.A[23] = n0;
     result.A[24] = n0;
     result.A[25] = n0;
-    result.A[26] = z1460;
-    result.A[27] = -z1821;
-    result.A[28] = z1827;
-    result.A[29] = z1833;
-    result.A[30] = -z1443;
-    result.A[31] = z1456;
-    result.A[32] = z1452;
+    result.A[26] = z1455;
+    result.A[27] = -z1816;
+    result.A[28] = z1822;
+    result.A[29] = z1828;
+    result.A[30] = -z1438;
+    result.A[31] = z1451;
+    result.A[32] = z1447;
     result.A[33] = n0;
     result.A[34] = n0;
     result.A[35] = n0;
-    result.A[36] = -z1463;
-    result.A[37] = -z1823;
-    result.A[38] = z1829;
-    result.A[39] = -z1835;
-    result.A[40] = z1492;
-    result.A[41] = -z1505;
-    result.A[42] = -z1501;
+    result.A[36] = -z1458;
+    result.A[37] = -z1818;
+    result.A[38] = z1824;
+    result.A[39] = -z1830;
+    result.A[40] = z1487;
+    result.A[41] = -z1500;
+    result.A[42] = -z1496;
     result.A[43] = n0;
     result.A[44] = n0;
     result.A[45] = n0;
-    result.A[46] = z1507;
-    result.A[47] = -z1824;
-    result.A[48] = z1830;
-    result.A[49] = z1836;
+    result.A[46] = z1502;
+    result.A[47] = -z1819;
+    result.A[48] = z1825;
+    result.A[49] = z1831;
     result.A[50] = n0;
     result.A[51] = n0;
     result.A[52] = n0;
@@ -5006,39 +4570,39 @@ struct Mechanism {
     result.A[67] = n0;
     result.A[68] = n0;
     result.A[69] = n0;
-    result.A[70] = z1445;
-    result.A[71] = -z1461;
-    result.A[72] = -z1457;
+    result.A[70] = z1440;
+    result.A[71] = -z1456;
+    result.A[72] = -z1452;
     result.A[73] = n1;
     result.A[74] = n0;
     result.A[75] = n0;
     result.A[76] = n0;
-    result.A[77] = -z1819;
-    result.A[78] = z1825;
-    result.A[79] = -z1831;
-    result.A[80] = z1439;
-    result.A[81] = -z1448;
-    result.A[82] = -z1444;
+    result.A[77] = -z1814;
+    result.A[78] = z1820;
+    result.A[79] = -z1826;
+    result.A[80] = z1434;
+    result.A[81] = -z1443;
+    result.A[82] = -z1439;
     result.A[83] = n0;
     result.A[84] = n1;
     result.A[85] = n0;
-    result.A[86] = z1459;
-    result.A[87] = -z1820;
-    result.A[88] = z1826;
-    result.A[89] = z1832;
-    result.A[90] = -z1438;
-    result.A[91] = -z1472;
-    result.A[92] = -z1466;
+    result.A[86] = z1454;
+    result.A[87] = -z1815;
+    result.A[88] = z1821;
+    result.A[89] = z1827;
+    result.A[90] = -z1433;
+    result.A[91] = -z1467;
+    result.A[92] = -z1461;
     result.A[93] = n0;
     result.A[94] = n0;
     result.A[95] = n1;
-    result.A[96] = z1474;
-    result.A[97] = -z1822;
-    result.A[98] = z1828;
-    result.A[99] = z1834;
-    if (!(traits::regular(z1424, z1437) && traits::regular(z1435, z1449) && traits::regular(z1409, z1468)
-        && traits::regular(z1430, z1476) && traits::regular(z1811, z1618) && traits::regular(-z1799, -z1622)
-        && traits::regular(z1649, z1649))) return torsor::Status::singular;
+    result.A[96] = z1469;
+    result.A[97] = -z1817;
+    result.A[98] = z1823;
+    result.A[99] = z1829;
+    if (!(traits::regular(z1419, z1432) && traits::regular(z1430, z1444) && traits::regular(z1404, z1463)
+        && traits::regular(z1425, z1471) && traits::regular(z1806, z1613) && traits::regular(-z1794, -z1617)
+        && traits::regular(z1644, z1644))) return torsor::Status::singular;
     // 0 x is 0 for every finite x and not a number for any other.
     const Scalar zero = ((((n0 * result.M[3] * result.M[4] * result.M[5] * result.M[6] * result.M[12] * result.M[13]
         * result.M[14] * result.M[15] * result.M[22] * result.M[23] * result.M[24] * result.M[27]) * (n0 * result.M[28]
@@ -5072,6 +4636,30 @@ struct Mechanism {
         * result.A[96] * result.A[97] * result.A[98] * result.A[99]))));
     if (!traits::regular(n1, zero)) return torsor::Status::not_finite;
     return torsor::Status::ok;
+  }
+
+  /// The same for this mechanism, which has nothing in the arguments left out.
+  TORSOR_DEVICE static torsor::Status linearisation(const Precomputed& precomputed, const State& state,
+      const Accelerations& accelerations, const Multipliers& multipliers, Linearisation& result) noexcept {
+    return linearisation(precomputed, state, accelerations, multipliers, Inputs(), result);
+  }
+
+  /// A kernel with all its arguments.
+  template <class Code, class... Arguments>
+  using KernelFunction = Code (*)(const Precomputed&, const State&, Arguments...) noexcept;
+
+  /// Calls visitor(description, function) for each kernel: whatever walks them meets a new one by itself.
+  template <class Visitor>
+  static constexpr void for_each_kernel(Visitor&& visitor) {
+    static_cast<void>(visitor);
+    visitor(Description::kernels[0], KernelFunction<void, std::array<Scalar, 81>&>(mass_matrix));
+    visitor(Description::kernels[1],
+        KernelFunction<torsor::Status, const Inputs&, Accelerations&, Multipliers&>(forward_dynamics));
+    visitor(Description::kernels[2], KernelFunction<void, const Inputs&, Energy&>(energy));
+    visitor(Description::kernels[3], KernelFunction<void, FirstIntegrals&>(first_integrals));
+    visitor(Description::kernels[4], KernelFunction<void, Constraints&>(constraints));
+    visitor(Description::kernels[5],
+        KernelFunction<torsor::Status, const Accelerations&, const Multipliers&, const Inputs&, Linearisation&>(linearisation));
   }
 };
 

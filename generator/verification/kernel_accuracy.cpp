@@ -234,9 +234,7 @@ class AccuracyIn final : public KernelAccuracy {
         const SymbolPointer& symbol = program[atom].symbol;
         if (symbol && symbol->kind != SymbolKind::pi) group_symbols_.back().push_back(symbol);
       }
-      in_order_of_scene(group_symbols_.back());
     }
-    in_order_of_scene(symbols_);
   }
 
   const std::vector<Kernel>& kernels() const override { return kernels_; }
@@ -326,13 +324,6 @@ class AccuracyIn final : public KernelAccuracy {
       return each.first.value() > std::numeric_limits<Float>::epsilon() * std::abs(each.second.value());
     });
     return text;
-  }
-
-  /// So that states do not depend on how a kernel is derived, nor on the others.
-  static void in_order_of_scene(std::vector<SymbolPointer>& symbols) {
-    std::sort(symbols.begin(), symbols.end(), [](const SymbolPointer& a, const SymbolPointer& b) {
-      return std::pair(a->kind, a->index) < std::pair(b->kind, b->index);
-    });
   }
 
   static NumbersOf<Running<Float>> numbers() {

@@ -138,7 +138,8 @@ class Builder : private RandomSource {
       }
       case 6: {
         const Expression x = fresh("m");
-        frame = scene_.sphere_in_cylinder(name, parent, {.axis = axis(), .displacement = x, .turn = attitude()}, place);
+        const AttitudeHandle turn = attitude();
+        frame = scene_.sphere_in_cylinder(name, parent, {.axis = axis(), .displacement = x, .turn = turn}, place);
         break;
       }
       default: {
@@ -181,9 +182,10 @@ class Builder : private RandomSource {
     const PointHandle a = scene_.point("A", chain.frames.front(), vector("m"));
     const PointHandle b = scene_.point("B", chain.frames.back(), vector("m"));
     if (options_.actions) {
-      if (one_in(2))
-        scene_.spring("chain_tie",
-                      {.a = a, .b = scene_.point("P1"), .stiffness = quantity("N/m"), .rest = quantity("m")});
+      if (one_in(2)) {
+        const Expression rest = quantity("m");
+        scene_.spring("chain_tie", {.a = a, .b = scene_.point("P1"), .stiffness = quantity("N/m"), .rest = rest});
+      }
       const Expression last = chain.coordinates.empty() ? unknowns_[0] : chain.coordinates.back();
       if (one_in(2)) scene_.spring("chain_spring", last, quantity(last.unit().is_dimensionless() ? "N m" : "N/m"));
       if (options_.conservative) return;
@@ -202,10 +204,11 @@ class Builder : private RandomSource {
     const bool angle = first.unit().is_dimensionless();
     if (one_in(2)) scene_.spring("spring", first, quantity(angle ? "N m" : "N/m"));
     const std::string tip = std::to_string(frames_.size() - 1);
-    if (one_in(2))
+    if (one_in(2)) {
+      const Expression rest = quantity("m");
       scene_.spring(
-          "tie",
-          {.a = scene_.point("P0"), .b = scene_.point("P" + tip), .stiffness = quantity("N/m"), .rest = quantity("m")});
+          "tie", {.a = scene_.point("P0"), .b = scene_.point("P" + tip), .stiffness = quantity("N/m"), .rest = rest});
+    }
     if (one_in(2)) scene_.gravitation("attraction", scene_.point("Q0"), scene_.point("P" + tip), quantity("N m^2"));
     const Expression last = unknowns_.back();
     const Expression scale = last.unit().is_dimensionless() ? Expression(1) : Expression::quantity("1", "m");
@@ -247,10 +250,11 @@ class Builder : private RandomSource {
       scene_.damper("damper", unknowns_.back(),
                     quantity(unknowns_.back().unit().is_dimensionless() ? "N m s" : "N s/m"));
     const std::string tip = std::to_string(frames_.size() - 1);
-    if (one_in(2))
+    if (one_in(2)) {
+      const Expression rest = quantity("m");
       scene_.spring(
-          "tie",
-          {.a = scene_.point("P0"), .b = scene_.point("P" + tip), .stiffness = quantity("N/m"), .rest = quantity("m")});
+          "tie", {.a = scene_.point("P0"), .b = scene_.point("P" + tip), .stiffness = quantity("N/m"), .rest = rest});
+    }
     if (one_in(3))
       scene_.spring("zero_tie", {.a = scene_.point("Q0"), .b = scene_.point("Q" + tip), .stiffness = quantity("N/m")});
     if (one_in(3)) scene_.damper("brake", scene_.point("Q0"), scene_.point("P" + tip), quantity("N s/m"));

@@ -88,7 +88,7 @@ TEST(GraphPrinter, WritesTextForGraphviz) {
   const std::string analysis = graph_dot(draw_analysis(scene, graph, analysis_links(scene, graph)));
   for (const char* line :
        {"n0 -- n1 [label=\"k\\nspring\", style=dashed", "n1 -- n3 [label=\"M\\nmotor\", style=dashed",
-        "n0 -- n3 [label=\"gravity\", style=dashed", "n0 -- n3 [label=\"touch\\ncontact\", style=dotted"}) {
+        "n0 -- n3 [label=\"gravity\", style=dashed", "n0 -- n3 [label=\"touch\\npoint in plane\", style=dotted"}) {
     EXPECT_NE(analysis.find(line), std::string::npos) << line << " is missing from\n" << analysis;
   }
 }

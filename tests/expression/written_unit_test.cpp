@@ -37,8 +37,8 @@ TEST(WrittenUnit, IsReadBack) {
 }
 
 TEST(WrittenUnit, OfACoordinateWithoutADimensionIsAnAngles) {
-  EXPECT_EQ(written_unit(Symbol{"q", Unit(), SymbolKind::coordinate}), "rad");
-  EXPECT_EQ(written_unit(Symbol{"c", Unit(), SymbolKind::parameter}), "1");
+  EXPECT_EQ(written_unit(Symbol{"q", Unit(), SymbolKind::coordinate, 0, nullptr, {}}), "rad");
+  EXPECT_EQ(written_unit(Symbol{"c", Unit(), SymbolKind::parameter, 0, nullptr, {}}), "1");
   const auto attitude = std::make_shared<AttitudeSymbols>();
   EXPECT_EQ(written_unit(Symbol{"e_w", Unit(), SymbolKind::coordinate, 0, nullptr, attitude}), "1");
 }

@@ -46,7 +46,7 @@ void name_everything(std::string_view input) {
     expect_clean_text(print_equations(scene, Format::text));
     expect_clean_text(print_equations(scene, Format::latex));
     expect_clean_text(list_text(scene));
-    const std::string json = list_json(scene);
+    const std::string json = list_json(scene, {});
     expect_clean_text(json);
     if (nlohmann::json::parse(json)["title"] != scene.content().title) throw std::logic_error("JSON that is not read back");
     for (const char* kind : {"structure", "analysis", "reduced"}) {

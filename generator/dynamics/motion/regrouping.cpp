@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "generator/dynamics/motion/model.hpp"
 
+#include <optional>
+
+#include "generator/dynamics/motion/nominal_number.hpp"
+
 namespace torsor {
 namespace {
 
@@ -10,6 +14,16 @@ bool is_symmetric_about(const Matrix& inertia, int z) {
     if (!inertia(i, (i + 1) % 3).is_zero()) return false;
   }
   return (inertia(x, x) - inertia(y, y)).is_zero();
+}
+
+/// What is spread along z: J_yy, or J_xx where that is the smaller of two principal moments. What stays is positive then,
+/// and turns into sums of positive terms: (J_yy − J_xx) cos², not J_yy − (J_yy − J_xx) sin².
+Value spread_along(const Model& model, const Matrix& inertia, int x, int y) {
+  const Value product = inertia(x, y) + inertia(y, x);
+  if (!product.is_zero()) return inertia(y, y);
+  const std::optional<double> across = nominal_number(model.scene(), inertia(x, x));
+  const std::optional<double> along = nominal_number(model.scene(), inertia(y, y));
+  return across && along && *across < *along ? inertia(x, x) : inertia(y, y);
 }
 
 void regroup(const Model& model, std::vector<Link>& links, MassProperties Link::*properties) {
@@ -25,7 +39,7 @@ void regroup(const Model& model, std::vector<Link>& links, MassProperties Link::
       const int z = link.aligned;
       const int x = (z + 1) % 3;
       const int y = (z + 2) % 3;
-      Value line = own.inertia(y, y);
+      Value line = spread_along(model, own.inertia, x, y);
       if (whole_line && !is_symmetric_about(own.inertia, z)) {
         line = own.inertia(x, x) + own.inertia(y, y);
         line = program.bind(Number::rational(1, 2) * program.bind(line - own.inertia(z, z)));
