@@ -90,7 +90,7 @@ struct Mechanism {
 
   static constexpr const char* name = "andrews_squeezer";
   /// 64 bits (FNV-1a) of this file from "#pragma once" on, with zeros in their own place: another mechanism, other bits.
-  static constexpr unsigned long long fingerprint = 0x59ed4c664aa86f53ULL ^ torsor::support_fingerprint;
+  static constexpr unsigned long long fingerprint = 0xffeb973e7a9643ecULL ^ torsor::support_fingerprint;
   static constexpr int coordinate_count = 7;
   static constexpr int velocity_count = 7;
   static constexpr int input_count = 0;
@@ -1546,7 +1546,7 @@ struct Mechanism {
   /// The same for this mechanism, which has nothing in the arguments left out.
   TORSOR_DEVICE static torsor::Status forward_dynamics(const Precomputed& precomputed, const State& state,
       Accelerations& accelerations, Multipliers& multipliers) noexcept {
-    return forward_dynamics(precomputed, state, Inputs(), accelerations, multipliers);
+    return Mechanism::forward_dynamics(precomputed, state, Inputs(), accelerations, multipliers);
   }
 
   /// Kinetic energy, force function (potential energy = -U) and power of what has no force function.
@@ -1629,7 +1629,7 @@ struct Mechanism {
 
   /// The same for this mechanism, which has nothing in the arguments left out.
   TORSOR_DEVICE static void energy(const Precomputed& precomputed, const State& state, Energy& result) noexcept {
-    energy(precomputed, state, Inputs(), result);
+    Mechanism::energy(precomputed, state, Inputs(), result);
   }
 
   /// Constraints A(q, t) v - b(q, t) = 0, in the order of the multipliers.
@@ -2586,7 +2586,7 @@ struct Mechanism {
   /// The same for this mechanism, which has nothing in the arguments left out.
   TORSOR_DEVICE static torsor::Status linearisation(const Precomputed& precomputed, const State& state,
       const Accelerations& accelerations, const Multipliers& multipliers, Linearisation& result) noexcept {
-    return linearisation(precomputed, state, accelerations, multipliers, Inputs(), result);
+    return Mechanism::linearisation(precomputed, state, accelerations, multipliers, Inputs(), result);
   }
 
   /// Residual of the equations of motion, zero along motions:
@@ -2815,7 +2815,7 @@ struct Mechanism {
   /// The same for this mechanism, which has nothing in the arguments left out.
   TORSOR_DEVICE static void residual(const Precomputed& precomputed, const State& state,
       const Accelerations& accelerations, const Multipliers& multipliers, std::array<Scalar, 13>& residual) noexcept {
-    residual(precomputed, state, accelerations, multipliers, Inputs(), residual);
+    Mechanism::residual(precomputed, state, accelerations, multipliers, Inputs(), residual);
   }
 
   /// Derivatives of residual by (q, v, a, lambda) without those that vanish identically: `values` of
@@ -3265,7 +3265,7 @@ struct Mechanism {
   /// The same for this mechanism, which has nothing in the arguments left out.
   TORSOR_DEVICE static void residual_jacobian(const Precomputed& precomputed, const State& state,
       const Accelerations& accelerations, const Multipliers& multipliers, ResidualJacobian& result) noexcept {
-    residual_jacobian(precomputed, state, accelerations, multipliers, Inputs(), result);
+    Mechanism::residual_jacobian(precomputed, state, accelerations, multipliers, Inputs(), result);
   }
 
   /// A kernel with all its arguments.

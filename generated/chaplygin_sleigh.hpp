@@ -73,7 +73,7 @@ struct Mechanism {
 
   static constexpr const char* name = "chaplygin_sleigh";
   /// 64 bits (FNV-1a) of this file from "#pragma once" on, with zeros in their own place: another mechanism, other bits.
-  static constexpr unsigned long long fingerprint = 0x2e92f7f05e8c907eULL ^ torsor::support_fingerprint;
+  static constexpr unsigned long long fingerprint = 0x89b7f66cc67f030dULL ^ torsor::support_fingerprint;
   static constexpr int coordinate_count = 3;
   static constexpr int velocity_count = 3;
   static constexpr int input_count = 0;
@@ -462,7 +462,7 @@ struct Mechanism {
   /// The same for this mechanism, which has nothing in the arguments left out.
   TORSOR_DEVICE static torsor::Status forward_dynamics(const Precomputed& precomputed, const State& state,
       Accelerations& accelerations, Multipliers& multipliers) noexcept {
-    return forward_dynamics(precomputed, state, Inputs(), accelerations, multipliers);
+    return Mechanism::forward_dynamics(precomputed, state, Inputs(), accelerations, multipliers);
   }
 
   /// Kinetic energy, force function (potential energy = -U) and power of what has no force function.
@@ -487,7 +487,7 @@ struct Mechanism {
 
   /// The same for this mechanism, which has nothing in the arguments left out.
   TORSOR_DEVICE static void energy(const Precomputed& precomputed, const State& state, Energy& result) noexcept {
-    energy(precomputed, state, Inputs(), result);
+    Mechanism::energy(precomputed, state, Inputs(), result);
   }
 
   /// First integrals: constant along every motion.
@@ -699,7 +699,7 @@ struct Mechanism {
   /// The same for this mechanism, which has nothing in the arguments left out.
   TORSOR_DEVICE static torsor::Status linearisation(const Precomputed& precomputed, const State& state,
       const Accelerations& accelerations, const Multipliers& multipliers, Linearisation& result) noexcept {
-    return linearisation(precomputed, state, accelerations, multipliers, Inputs(), result);
+    return Mechanism::linearisation(precomputed, state, accelerations, multipliers, Inputs(), result);
   }
 
   /// A kernel with all its arguments.

@@ -67,7 +67,7 @@ struct Mechanism {
 
   static constexpr const char* name = "disk_in_a_circle";
   /// 64 bits (FNV-1a) of this file from "#pragma once" on, with zeros in their own place: another mechanism, other bits.
-  static constexpr unsigned long long fingerprint = 0x3eecd9f4cd25f31fULL ^ torsor::support_fingerprint;
+  static constexpr unsigned long long fingerprint = 0x4b67ddb8be13292bULL ^ torsor::support_fingerprint;
   static constexpr int coordinate_count = 6;
   static constexpr int velocity_count = 6;
   static constexpr int input_count = 0;
@@ -659,7 +659,7 @@ struct Mechanism {
   /// The same for this mechanism, which has nothing in the arguments left out.
   TORSOR_DEVICE static torsor::Status forward_dynamics(const Precomputed& precomputed, const State& state,
       Accelerations& accelerations, Multipliers& multipliers) noexcept {
-    return forward_dynamics(precomputed, state, Inputs(), accelerations, multipliers);
+    return Mechanism::forward_dynamics(precomputed, state, Inputs(), accelerations, multipliers);
   }
 
   /// Kinetic energy, force function (potential energy = -U) and power of what has no force function.
@@ -704,7 +704,7 @@ struct Mechanism {
 
   /// The same for this mechanism, which has nothing in the arguments left out.
   TORSOR_DEVICE static void energy(const Precomputed& precomputed, const State& state, Energy& result) noexcept {
-    energy(precomputed, state, Inputs(), result);
+    Mechanism::energy(precomputed, state, Inputs(), result);
   }
 
   /// Constraints A(q, t) v - b(q, t) = 0, in the order of the multipliers.

@@ -88,7 +88,7 @@ struct Mechanism {
 
   static constexpr const char* name = "double_pendulum";
   /// 64 bits (FNV-1a) of this file from "#pragma once" on, with zeros in their own place: another mechanism, other bits.
-  static constexpr unsigned long long fingerprint = 0xecb8040df3024d66ULL ^ torsor::support_fingerprint;
+  static constexpr unsigned long long fingerprint = 0x382a879b26f64aa3ULL ^ torsor::support_fingerprint;
   static constexpr int coordinate_count = 2;
   static constexpr int velocity_count = 2;
   static constexpr int input_count = 0;
@@ -440,7 +440,7 @@ struct Mechanism {
   /// The same for this mechanism, which has nothing in the arguments left out.
   TORSOR_DEVICE static void inverse_dynamics(const Precomputed& precomputed, const State& state,
       const Accelerations& accelerations, GeneralizedForces& forces) noexcept {
-    inverse_dynamics(precomputed, state, accelerations, Multipliers(), forces);
+    Mechanism::inverse_dynamics(precomputed, state, accelerations, Multipliers(), forces);
   }
 
   /// Forward dynamics: accelerations a and multipliers lambda from M a + h = E u + A' lambda, A a + gamma = 0, by
@@ -488,7 +488,7 @@ struct Mechanism {
   TORSOR_DEVICE static torsor::Status forward_dynamics(const Precomputed& precomputed, const State& state,
       Accelerations& accelerations) noexcept {
     Multipliers multipliers{};
-    return forward_dynamics(precomputed, state, Inputs(), accelerations, multipliers);
+    return Mechanism::forward_dynamics(precomputed, state, Inputs(), accelerations, multipliers);
   }
 
   /// Kinetic energy, force function (potential energy = -U) and power of what has no force function.
@@ -518,7 +518,7 @@ struct Mechanism {
 
   /// The same for this mechanism, which has nothing in the arguments left out.
   TORSOR_DEVICE static void energy(const Precomputed& precomputed, const State& state, Energy& result) noexcept {
-    energy(precomputed, state, Inputs(), result);
+    Mechanism::energy(precomputed, state, Inputs(), result);
   }
 
   /// First integrals: constant along every motion.
@@ -641,7 +641,7 @@ struct Mechanism {
   /// The same for this mechanism, which has nothing in the arguments left out.
   TORSOR_DEVICE static torsor::Status linearisation(const Precomputed& precomputed, const State& state,
       const Accelerations& accelerations, Linearisation& result) noexcept {
-    return linearisation(precomputed, state, accelerations, Multipliers(), Inputs(), result);
+    return Mechanism::linearisation(precomputed, state, accelerations, Multipliers(), Inputs(), result);
   }
 
   /// Derivatives of inverse_dynamics at (q, v, a, lambda). That by accelerations is the mass matrix.
@@ -692,7 +692,7 @@ struct Mechanism {
   /// The same for this mechanism, which has nothing in the arguments left out.
   TORSOR_DEVICE static void inverse_dynamics_derivatives(const Precomputed& precomputed, const State& state,
       const Accelerations& accelerations, InverseDynamicsDerivatives& result) noexcept {
-    inverse_dynamics_derivatives(precomputed, state, accelerations, Multipliers(), result);
+    Mechanism::inverse_dynamics_derivatives(precomputed, state, accelerations, Multipliers(), result);
   }
 
   /// Derivatives of forward_dynamics at (q, v, u), the accelerations and multipliers being those of the motion, by
@@ -775,7 +775,7 @@ struct Mechanism {
   /// The same for this mechanism, which has nothing in the arguments left out.
   TORSOR_DEVICE static torsor::Status forward_dynamics_derivatives(const Precomputed& precomputed, const State& state,
       ForwardDynamicsDerivatives& result) noexcept {
-    return forward_dynamics_derivatives(precomputed, state, Inputs(), result);
+    return Mechanism::forward_dynamics_derivatives(precomputed, state, Inputs(), result);
   }
 
   /// Regressor: Y pi_base are the generalised forces of inertia and gravity at (q, v, a), inverse_dynamics without
@@ -922,7 +922,7 @@ struct Mechanism {
   /// The same for this mechanism, which has nothing in the arguments left out.
   TORSOR_DEVICE static torsor::Status jets(const Precomputed& precomputed, const State& state, int order,
       std::array<Scalar, 4>* coefficients) noexcept {
-    return jets(precomputed, state, Inputs(), order, coefficients);
+    return Mechanism::jets(precomputed, state, Inputs(), order, coefficients);
   }
 
   /// Second derivatives of inverse_dynamics at (q, v, a, lambda). It is linear in a: d2f/da dq has the derivatives of
@@ -1003,7 +1003,7 @@ struct Mechanism {
   /// The same for this mechanism, which has nothing in the arguments left out.
   TORSOR_DEVICE static void inverse_dynamics_second_derivatives(const Precomputed& precomputed, const State& state,
       const Accelerations& accelerations, InverseDynamicsSecondDerivatives& result) noexcept {
-    inverse_dynamics_second_derivatives(precomputed, state, accelerations, Multipliers(), result);
+    Mechanism::inverse_dynamics_second_derivatives(precomputed, state, accelerations, Multipliers(), result);
   }
 
   /// Second derivatives of forward_dynamics at (q, v, u), the accelerations and multipliers being those of the motion;
@@ -1145,7 +1145,7 @@ struct Mechanism {
   /// The same for this mechanism, which has nothing in the arguments left out.
   TORSOR_DEVICE static torsor::Status forward_dynamics_second_derivatives(const Precomputed& precomputed,
       const State& state, ForwardDynamicsSecondDerivatives& result) noexcept {
-    return forward_dynamics_second_derivatives(precomputed, state, Inputs(), result);
+    return Mechanism::forward_dynamics_second_derivatives(precomputed, state, Inputs(), result);
   }
 
   /// A kernel with all its arguments.

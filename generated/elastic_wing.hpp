@@ -79,7 +79,7 @@ struct Mechanism {
 
   static constexpr const char* name = "elastic_wing";
   /// 64 bits (FNV-1a) of this file from "#pragma once" on, with zeros in their own place: another mechanism, other bits.
-  static constexpr unsigned long long fingerprint = 0xc0010a6ff3c11490ULL ^ torsor::support_fingerprint;
+  static constexpr unsigned long long fingerprint = 0x75d41a636708edc2ULL ^ torsor::support_fingerprint;
   static constexpr int coordinate_count = 6;
   static constexpr int velocity_count = 6;
   static constexpr int input_count = 0;
@@ -1026,7 +1026,7 @@ struct Mechanism {
   /// The same for this mechanism, which has nothing in the arguments left out.
   TORSOR_DEVICE static void inverse_dynamics(const Precomputed& precomputed, const State& state,
       const Accelerations& accelerations, GeneralizedForces& forces) noexcept {
-    inverse_dynamics(precomputed, state, accelerations, Multipliers(), forces);
+    Mechanism::inverse_dynamics(precomputed, state, accelerations, Multipliers(), forces);
   }
 
   /// Forward dynamics: accelerations a and multipliers lambda from M a + h = E u + A' lambda, A a + gamma = 0, by
@@ -1286,7 +1286,7 @@ struct Mechanism {
   TORSOR_DEVICE static torsor::Status forward_dynamics(const Precomputed& precomputed, const State& state,
       Accelerations& accelerations) noexcept {
     Multipliers multipliers{};
-    return forward_dynamics(precomputed, state, Inputs(), accelerations, multipliers);
+    return Mechanism::forward_dynamics(precomputed, state, Inputs(), accelerations, multipliers);
   }
 
   /// Kinetic energy, force function (potential energy = -U) and power of what has no force function.
@@ -1403,7 +1403,7 @@ struct Mechanism {
 
   /// The same for this mechanism, which has nothing in the arguments left out.
   TORSOR_DEVICE static void energy(const Precomputed& precomputed, const State& state, Energy& result) noexcept {
-    energy(precomputed, state, Inputs(), result);
+    Mechanism::energy(precomputed, state, Inputs(), result);
   }
 
   /// Linearisation about the state: M e'' + C e' + K e = F + E du, with e and du deviations from the state and the
@@ -2157,7 +2157,7 @@ struct Mechanism {
   /// The same for this mechanism, which has nothing in the arguments left out.
   TORSOR_DEVICE static torsor::Status linearisation(const Precomputed& precomputed, const State& state,
       const Accelerations& accelerations, Linearisation& result) noexcept {
-    return linearisation(precomputed, state, accelerations, Multipliers(), Inputs(), result);
+    return Mechanism::linearisation(precomputed, state, accelerations, Multipliers(), Inputs(), result);
   }
 
   /// A kernel with all its arguments.

@@ -83,7 +83,7 @@ struct Mechanism {
 
   static constexpr const char* name = "flyball_governor";
   /// 64 bits (FNV-1a) of this file from "#pragma once" on, with zeros in their own place: another mechanism, other bits.
-  static constexpr unsigned long long fingerprint = 0x6c959664766da1a5ULL ^ torsor::support_fingerprint;
+  static constexpr unsigned long long fingerprint = 0xad861e8715ccb1d5ULL ^ torsor::support_fingerprint;
   static constexpr int coordinate_count = 4;
   static constexpr int velocity_count = 4;
   static constexpr int input_count = 0;
@@ -859,7 +859,7 @@ struct Mechanism {
   /// The same for this mechanism, which has nothing in the arguments left out.
   TORSOR_DEVICE static void inverse_dynamics(const Precomputed& precomputed, const State& state,
       const Accelerations& accelerations, GeneralizedForces& forces) noexcept {
-    inverse_dynamics(precomputed, state, accelerations, Multipliers(), forces);
+    Mechanism::inverse_dynamics(precomputed, state, accelerations, Multipliers(), forces);
   }
 
   /// Forward dynamics: accelerations a and multipliers lambda from M a + h = E u + A' lambda, A a + gamma = 0, by
@@ -1003,7 +1003,7 @@ struct Mechanism {
   TORSOR_DEVICE static torsor::Status forward_dynamics(const Precomputed& precomputed, const State& state,
       Accelerations& accelerations) noexcept {
     Multipliers multipliers{};
-    return forward_dynamics(precomputed, state, Inputs(), accelerations, multipliers);
+    return Mechanism::forward_dynamics(precomputed, state, Inputs(), accelerations, multipliers);
   }
 
   /// Kinetic energy, force function (potential energy = -U) and power of what has no force function.
@@ -1084,7 +1084,7 @@ struct Mechanism {
 
   /// The same for this mechanism, which has nothing in the arguments left out.
   TORSOR_DEVICE static void energy(const Precomputed& precomputed, const State& state, Energy& result) noexcept {
-    energy(precomputed, state, Inputs(), result);
+    Mechanism::energy(precomputed, state, Inputs(), result);
   }
 
   /// First integrals: constant along every motion.
@@ -1533,7 +1533,7 @@ struct Mechanism {
   /// The same for this mechanism, which has nothing in the arguments left out.
   TORSOR_DEVICE static torsor::Status linearisation(const Precomputed& precomputed, const State& state,
       const Accelerations& accelerations, Linearisation& result) noexcept {
-    return linearisation(precomputed, state, accelerations, Multipliers(), Inputs(), result);
+    return Mechanism::linearisation(precomputed, state, accelerations, Multipliers(), Inputs(), result);
   }
 
   /// Residual of the equations of motion, zero along motions:
@@ -1672,7 +1672,7 @@ struct Mechanism {
   /// The same for this mechanism, which has nothing in the arguments left out.
   TORSOR_DEVICE static void residual(const Precomputed& precomputed, const State& state,
       const Accelerations& accelerations, std::array<Scalar, 4>& residual) noexcept {
-    residual(precomputed, state, accelerations, Multipliers(), Inputs(), residual);
+    Mechanism::residual(precomputed, state, accelerations, Multipliers(), Inputs(), residual);
   }
 
   /// Derivatives of residual by (q, v, a, lambda) without those that vanish identically: `values` of
@@ -1936,7 +1936,7 @@ struct Mechanism {
   /// The same for this mechanism, which has nothing in the arguments left out.
   TORSOR_DEVICE static void residual_jacobian(const Precomputed& precomputed, const State& state,
       const Accelerations& accelerations, ResidualJacobian& result) noexcept {
-    residual_jacobian(precomputed, state, accelerations, Multipliers(), Inputs(), result);
+    Mechanism::residual_jacobian(precomputed, state, accelerations, Multipliers(), Inputs(), result);
   }
 
   /// A kernel with all its arguments.

@@ -70,7 +70,7 @@ struct Mechanism {
 
   static constexpr const char* name = "heavy_top";
   /// 64 bits (FNV-1a) of this file from "#pragma once" on, with zeros in their own place: another mechanism, other bits.
-  static constexpr unsigned long long fingerprint = 0x396111f439daa4e3ULL ^ torsor::support_fingerprint;
+  static constexpr unsigned long long fingerprint = 0x58f51d234468ce8eULL ^ torsor::support_fingerprint;
   static constexpr int coordinate_count = 3;
   static constexpr int velocity_count = 3;
   static constexpr int input_count = 0;
@@ -429,7 +429,7 @@ struct Mechanism {
   /// The same for this mechanism, which has nothing in the arguments left out.
   TORSOR_DEVICE static void inverse_dynamics(const Precomputed& precomputed, const State& state,
       const Accelerations& accelerations, GeneralizedForces& forces) noexcept {
-    inverse_dynamics(precomputed, state, accelerations, Multipliers(), forces);
+    Mechanism::inverse_dynamics(precomputed, state, accelerations, Multipliers(), forces);
   }
 
   /// Forward dynamics: accelerations a and multipliers lambda from M a + h = E u + A' lambda, A a + gamma = 0, by
@@ -499,7 +499,7 @@ struct Mechanism {
   TORSOR_DEVICE static torsor::Status forward_dynamics(const Precomputed& precomputed, const State& state,
       Accelerations& accelerations) noexcept {
     Multipliers multipliers{};
-    return forward_dynamics(precomputed, state, Inputs(), accelerations, multipliers);
+    return Mechanism::forward_dynamics(precomputed, state, Inputs(), accelerations, multipliers);
   }
 
   /// Kinetic energy, force function (potential energy = -U) and power of what has no force function.
@@ -537,7 +537,7 @@ struct Mechanism {
 
   /// The same for this mechanism, which has nothing in the arguments left out.
   TORSOR_DEVICE static void energy(const Precomputed& precomputed, const State& state, Energy& result) noexcept {
-    energy(precomputed, state, Inputs(), result);
+    Mechanism::energy(precomputed, state, Inputs(), result);
   }
 
   /// First integrals: constant along every motion.
@@ -761,7 +761,7 @@ struct Mechanism {
   /// The same for this mechanism, which has nothing in the arguments left out.
   TORSOR_DEVICE static torsor::Status linearisation(const Precomputed& precomputed, const State& state,
       const Accelerations& accelerations, Linearisation& result) noexcept {
-    return linearisation(precomputed, state, accelerations, Multipliers(), Inputs(), result);
+    return Mechanism::linearisation(precomputed, state, accelerations, Multipliers(), Inputs(), result);
   }
 
   /// Taylor coefficients of the motion: coefficients[k] = y^(k)/k! for k = 0..order, 1 <= order <= 30, y positions
@@ -868,7 +868,7 @@ struct Mechanism {
   /// The same for this mechanism, which has nothing in the arguments left out.
   TORSOR_DEVICE static torsor::Status jets(const Precomputed& precomputed, const State& state, int order,
       std::array<Scalar, 6>* coefficients) noexcept {
-    return jets(precomputed, state, Inputs(), order, coefficients);
+    return Mechanism::jets(precomputed, state, Inputs(), order, coefficients);
   }
 
   /// A kernel with all its arguments.

@@ -73,7 +73,7 @@ struct Mechanism {
 
   static constexpr const char* name = "loading_robot";
   /// 64 bits (FNV-1a) of this file from "#pragma once" on, with zeros in their own place: another mechanism, other bits.
-  static constexpr unsigned long long fingerprint = 0x2081079495b1be8fULL ^ torsor::support_fingerprint;
+  static constexpr unsigned long long fingerprint = 0x53fc2ead3b84e1bbULL ^ torsor::support_fingerprint;
   static constexpr int coordinate_count = 3;
   static constexpr int velocity_count = 3;
   static constexpr int input_count = 3;
@@ -549,7 +549,7 @@ struct Mechanism {
   /// The same for this mechanism, which has nothing in the arguments left out.
   TORSOR_DEVICE static void inverse_dynamics(const Precomputed& precomputed, const State& state,
       const Accelerations& accelerations, GeneralizedForces& forces) noexcept {
-    inverse_dynamics(precomputed, state, accelerations, Multipliers(), forces);
+    Mechanism::inverse_dynamics(precomputed, state, accelerations, Multipliers(), forces);
   }
 
   /// Forward dynamics: accelerations a and multipliers lambda from M a + h = E u + A' lambda, A a + gamma = 0, by
@@ -642,7 +642,7 @@ struct Mechanism {
   TORSOR_DEVICE static torsor::Status forward_dynamics(const Precomputed& precomputed, const State& state,
       const Inputs& inputs, Accelerations& accelerations) noexcept {
     Multipliers multipliers{};
-    return forward_dynamics(precomputed, state, inputs, accelerations, multipliers);
+    return Mechanism::forward_dynamics(precomputed, state, inputs, accelerations, multipliers);
   }
 
   /// Kinetic energy, force function (potential energy = -U) and power of what has no force function.
@@ -737,7 +737,7 @@ struct Mechanism {
   /// The same for this mechanism, which has nothing in the arguments left out.
   TORSOR_DEVICE static void reactions(const Precomputed& precomputed, const State& state,
       const Accelerations& accelerations, const Inputs& inputs, Reactions& result) noexcept {
-    reactions(precomputed, state, accelerations, Multipliers(), inputs, result);
+    Mechanism::reactions(precomputed, state, accelerations, Multipliers(), inputs, result);
   }
 
   /// Linearisation about the state: M e'' + C e' + K e = F + E du, with e and du deviations from the state and the
@@ -1000,7 +1000,7 @@ struct Mechanism {
   /// The same for this mechanism, which has nothing in the arguments left out.
   TORSOR_DEVICE static torsor::Status linearisation(const Precomputed& precomputed, const State& state,
       const Accelerations& accelerations, const Inputs& inputs, Linearisation& result) noexcept {
-    return linearisation(precomputed, state, accelerations, Multipliers(), inputs, result);
+    return Mechanism::linearisation(precomputed, state, accelerations, Multipliers(), inputs, result);
   }
 
   /// A kernel with all its arguments.

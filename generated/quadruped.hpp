@@ -115,7 +115,7 @@ struct Mechanism {
 
   static constexpr const char* name = "quadruped";
   /// 64 bits (FNV-1a) of this file from "#pragma once" on, with zeros in their own place: another mechanism, other bits.
-  static constexpr unsigned long long fingerprint = 0x92173f0456eaf3ebULL ^ torsor::support_fingerprint;
+  static constexpr unsigned long long fingerprint = 0x44071922d55709e5ULL ^ torsor::support_fingerprint;
   static constexpr int coordinate_count = 19;
   static constexpr int velocity_count = 18;
   static constexpr int input_count = 12;
@@ -3617,7 +3617,7 @@ struct Mechanism {
   /// The same for this mechanism, which has nothing in the arguments left out.
   TORSOR_DEVICE static void inverse_dynamics(const Precomputed& precomputed, const State& state,
       const Accelerations& accelerations, GeneralizedForces& forces) noexcept {
-    inverse_dynamics(precomputed, state, accelerations, Multipliers(), forces);
+    Mechanism::inverse_dynamics(precomputed, state, accelerations, Multipliers(), forces);
   }
 
   /// Forward dynamics: accelerations a and multipliers lambda from M a + h = E u + A' lambda, A a + gamma = 0, by
@@ -4879,7 +4879,7 @@ struct Mechanism {
   TORSOR_DEVICE static torsor::Status forward_dynamics(const Precomputed& precomputed, const State& state,
       const Inputs& inputs, Accelerations& accelerations) noexcept {
     Multipliers multipliers{};
-    return forward_dynamics(precomputed, state, inputs, accelerations, multipliers);
+    return Mechanism::forward_dynamics(precomputed, state, inputs, accelerations, multipliers);
   }
 
   /// Kinetic energy, force function (potential energy = -U) and power of what has no force function.

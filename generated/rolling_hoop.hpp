@@ -96,7 +96,7 @@ struct Mechanism {
 
   static constexpr const char* name = "rolling_hoop";
   /// 64 bits (FNV-1a) of this file from "#pragma once" on, with zeros in their own place: another mechanism, other bits.
-  static constexpr unsigned long long fingerprint = 0xd5ec010a9ef4fed3ULL ^ torsor::support_fingerprint;
+  static constexpr unsigned long long fingerprint = 0x672a25021d849355ULL ^ torsor::support_fingerprint;
   static constexpr int coordinate_count = 5;
   static constexpr int velocity_count = 5;
   static constexpr int input_count = 0;
@@ -730,7 +730,7 @@ struct Mechanism {
   /// The same for this mechanism, which has nothing in the arguments left out.
   TORSOR_DEVICE static torsor::Status forward_dynamics(const Precomputed& precomputed, const State& state,
       Accelerations& accelerations, Multipliers& multipliers) noexcept {
-    return forward_dynamics(precomputed, state, Inputs(), accelerations, multipliers);
+    return Mechanism::forward_dynamics(precomputed, state, Inputs(), accelerations, multipliers);
   }
 
   /// Kinetic energy, force function (potential energy = -U) and power of what has no force function.
@@ -774,7 +774,7 @@ struct Mechanism {
 
   /// The same for this mechanism, which has nothing in the arguments left out.
   TORSOR_DEVICE static void energy(const Precomputed& precomputed, const State& state, Energy& result) noexcept {
-    energy(precomputed, state, Inputs(), result);
+    Mechanism::energy(precomputed, state, Inputs(), result);
   }
 
   /// First integrals: constant along every motion.
@@ -1352,7 +1352,7 @@ struct Mechanism {
   /// The same for this mechanism, which has nothing in the arguments left out.
   TORSOR_DEVICE static torsor::Status linearisation(const Precomputed& precomputed, const State& state,
       const Accelerations& accelerations, const Multipliers& multipliers, Linearisation& result) noexcept {
-    return linearisation(precomputed, state, accelerations, multipliers, Inputs(), result);
+    return Mechanism::linearisation(precomputed, state, accelerations, multipliers, Inputs(), result);
   }
 
   /// Derivatives of inverse_dynamics at (q, v, a, lambda). That by accelerations is the mass matrix.
@@ -1814,7 +1814,7 @@ struct Mechanism {
   /// The same for this mechanism, which has nothing in the arguments left out.
   TORSOR_DEVICE static torsor::Status forward_dynamics_derivatives(const Precomputed& precomputed, const State& state,
       ForwardDynamicsDerivatives& result) noexcept {
-    return forward_dynamics_derivatives(precomputed, state, Inputs(), result);
+    return Mechanism::forward_dynamics_derivatives(precomputed, state, Inputs(), result);
   }
 
   /// Taylor coefficients of the motion: coefficients[k] = y^(k)/k! for k = 0..order, 1 <= order <= 30, y positions
@@ -2005,7 +2005,7 @@ struct Mechanism {
   /// The same for this mechanism, which has nothing in the arguments left out.
   TORSOR_DEVICE static torsor::Status jets(const Precomputed& precomputed, const State& state, int order,
       std::array<Scalar, 10>* coefficients) noexcept {
-    return jets(precomputed, state, Inputs(), order, coefficients);
+    return Mechanism::jets(precomputed, state, Inputs(), order, coefficients);
   }
 
   /// Jacobian A(q, t) of the constraints without the entries that vanish identically: `values` of compressed rows.
@@ -2199,7 +2199,7 @@ struct Mechanism {
   /// The same for this mechanism, which has nothing in the arguments left out.
   TORSOR_DEVICE static torsor::Status forward_dynamics_sensitivities(const Precomputed& precomputed, const State& state,
       ForwardDynamicsSensitivities& result) noexcept {
-    return forward_dynamics_sensitivities(precomputed, state, Inputs(), result);
+    return Mechanism::forward_dynamics_sensitivities(precomputed, state, Inputs(), result);
   }
 
   /// A kernel with all its arguments.

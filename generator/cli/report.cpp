@@ -128,7 +128,7 @@ std::string picture(const Scene& scene, const std::string& kind) {
 
 /// Definitions that would fill more than a reader reads are left out, and the page says so.
 std::string without_long_definitions(std::string equations) {
-  constexpr std::size_t most = 250'000;  // characters
+  constexpr std::size_t most = 180'000;  // characters
   const std::string_view head = "<details open><summary><h3>Definitions</h3></summary>\n";
   const std::size_t begin = equations.find(head);
   if (begin == std::string::npos || equations.size() < most) return equations;

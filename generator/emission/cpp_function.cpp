@@ -80,7 +80,7 @@ std::string short_form(const KernelSignature& kernel, const char* type, const st
   }
   return "\n/// The same for this mechanism, which has nothing in the arguments left out.\n" +
          wrapped(signature + ") noexcept {", 2) + "\n" + locals +
-         fmt::format("  {}{}({});\n}}\n", std::string(type) == "void" ? "" : "return ", kernel.name, call);
+         fmt::format("  {}Mechanism::{}({});\n}}\n", std::string(type) == "void" ? "" : "return ", kernel.name, call);
 }
 
 }  // namespace

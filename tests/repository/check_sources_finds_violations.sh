@@ -41,7 +41,7 @@ expect 'which stands higher' generator/dynamics/motion/x.cpp "$gpl" '#include "g
 expect 'is no folder of generator/dynamics' generator/dynamics/x.cpp "$gpl" '#include "generator/dynamics/theorems/lagrange.hpp"'
 expect 'runtime includes generator' runtime/x.hpp "$mit" '#include "generator/expression/file_1.hpp"'
 expect 'a main includes generator' examples/arm/main.cpp "$mit" '#include "generator/mechanics/body.hpp"'
-expect 'only <array> and <cmath>' generated/x.hpp "$mit" '#include <vector>'
+expect 'only <array>, <cmath>' generated/x.hpp "$mit" '#include <vector>'
 expect 'must read MIT' runtime/x.hpp "$gpl"
 expect 'must read GPL-3.0-or-later' generator/cli/x.cpp "$mit"
 expect 'must read GPL-3.0-or-later' tests/x.cpp '// nothing'
