@@ -109,7 +109,7 @@ class ListingEvaluator {
   }
 
   void define(const Statement& statement) {
-    std::visit([this](const auto& each) { define(each); }, statement);
+    std::visit([this](const auto& each) { this->define(each); }, statement);
   }
   void define(const Assigned& each) { assign(each.quantity, of(each.right)); }
   void define(const Literal& each) { assign(each.quantity, numbers_.literal(each.rounded)); }
