@@ -30,7 +30,7 @@ LoweredKernel lower_kernel(Program& program, const Kernel& kernel, const Layout&
 /// What functions of the mechanism may be given.
 Layout layout_of(const Equations& equations, const std::vector<SymbolPointer>& parameters);
 
-/// All functions of one mechanism, as every language writes them. It refers to no program.
+/// All functions of one mechanism, as every language writes them.
 struct MechanismListing {
   std::unique_ptr<const Equations> equations;  ///< nothing of them is derived
   ModelOptions options;
