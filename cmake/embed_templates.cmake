@@ -23,7 +23,7 @@ file(WRITE "${OUTPUT}.new" "// SPDX-License-Identifier: GPL-3.0-or-later
 #include <array>
 #include <string>
 
-#include \"generator/expression/error.hpp\"
+#include \"generator/base/error.hpp\"
 
 namespace torsor {
 namespace {

@@ -14,8 +14,8 @@
 #include "benchmarks/generation/resources.hpp"
 #include "benchmarks/generation/serial_chain.hpp"
 #include "generator/emission/header.hpp"
-#include "generator/emission/kernel.hpp"
-#include "generator/expression/formula.hpp"
+#include "generator/kernels/kernel.hpp"
+#include "generator/program/formula.hpp"
 #include "runtime/records/plot.hpp"
 
 namespace torsor {

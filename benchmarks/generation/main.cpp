@@ -13,8 +13,8 @@
 #include "examples/arm7/scene.cpp"
 #include "generator/cli/command_texts.hpp"
 #include "generator/emission/header.hpp"
-#include "generator/emission/kernel.hpp"
-#include "generator/reading/print_equations.hpp"
+#include "generator/kernels/kernel.hpp"
+#include "generator/printing/print_equations.hpp"
 
 namespace {
 

@@ -7,9 +7,9 @@
 #include <fmt/format.h>
 
 #include "benchmarks/model_counts/models.hpp"
+#include "generator/base/error.hpp"
 #include "generator/cli/command_texts.hpp"
-#include "generator/emission/kernel.hpp"
-#include "generator/expression/error.hpp"
+#include "generator/kernels/kernel.hpp"
 
 namespace {
 

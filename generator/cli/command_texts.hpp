@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "generator/dynamics/equations/equations.hpp"
-#include "generator/expression/formula.hpp"
+#include "generator/program/formula.hpp"
 #include "generator/verification/check.hpp"
 #include "generator/verification/pass_report.hpp"
 #include "generator/verification/verify.hpp"

@@ -3,7 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include "generator/cli/command_texts.hpp"
-#include "generator/emission/kernel.hpp"
+#include "generator/kernels/kernel.hpp"
 
 namespace torsor {
 namespace {

@@ -4,7 +4,7 @@
 #include <CLI/CLI.hpp>
 
 #include "generator/cli/command_set.hpp"
-#include "generator/reading/print_equations.hpp"
+#include "generator/printing/print_equations.hpp"
 
 namespace torsor {
 namespace {

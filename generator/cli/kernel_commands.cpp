@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
 
+#include "generator/base/error.hpp"
 #include "generator/cli/command_set.hpp"
 #include "generator/cli/command_texts.hpp"
 #include "generator/cli/kernel_options.hpp"
@@ -12,9 +13,8 @@
 #include "generator/emission/c_header.hpp"
 #include "generator/emission/header.hpp"
 #include "generator/emission/javascript_module.hpp"
-#include "generator/emission/kernel.hpp"
 #include "generator/emission/support.hpp"
-#include "generator/expression/error.hpp"
+#include "generator/kernels/kernel.hpp"
 
 namespace torsor {
 namespace {

@@ -6,9 +6,9 @@
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
 
-#include "generator/emission/kernel.hpp"
-#include "generator/expression/did_you_mean.hpp"
-#include "generator/expression/error.hpp"
+#include "generator/base/did_you_mean.hpp"
+#include "generator/base/error.hpp"
+#include "generator/kernels/kernel.hpp"
 
 namespace torsor {
 namespace {

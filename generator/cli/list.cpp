@@ -5,14 +5,14 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "generator/base/error.hpp"
 #include "generator/cli/command_texts.hpp"
 #include "generator/emission/description.hpp"
 #include "generator/emission/header.hpp"
-#include "generator/emission/kernel.hpp"
-#include "generator/expression/error.hpp"
-#include "generator/expression/written_unit.hpp"
+#include "generator/kernels/kernel.hpp"
 #include "generator/mechanics/freedom_positions.hpp"
 #include "generator/mechanics/parameter_value.hpp"
+#include "generator/program/written_unit.hpp"
 
 namespace torsor {
 namespace {

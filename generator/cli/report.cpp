@@ -7,16 +7,16 @@
 
 #include <fmt/format.h>
 
+#include "generator/base/error.hpp"
 #include "generator/cli/command_texts.hpp"
 #include "generator/cli/katex.hpp"
 #include "generator/dynamics/theorems/unknowns_report.hpp"
 #include "generator/emission/embedded_templates.hpp"
 #include "generator/emission/javascript_module.hpp"
 #include "generator/emission/text_template.hpp"
-#include "generator/expression/error.hpp"
-#include "generator/reading/html_text.hpp"
-#include "generator/reading/print_equations.hpp"
-#include "generator/reading/statics_text.hpp"
+#include "generator/printing/html_text.hpp"
+#include "generator/printing/print_equations.hpp"
+#include "generator/printing/statics_text.hpp"
 
 namespace torsor {
 namespace {

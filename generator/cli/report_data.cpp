@@ -3,8 +3,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include "generator/base/printable.hpp"
 #include "generator/cli/report.hpp"
-#include "generator/expression/printable.hpp"
 #include "generator/mechanics/structure_graph.hpp"
 
 namespace torsor {

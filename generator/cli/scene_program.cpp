@@ -10,14 +10,14 @@
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
 
+#include "generator/base/did_you_mean.hpp"
+#include "generator/base/error.hpp"
+#include "generator/base/output_file.hpp"
+#include "generator/base/printable.hpp"
 #include "generator/cli/command_line.hpp"
 #include "generator/cli/command_set.hpp"
 #include "generator/dynamics/equations/singular_start.hpp"
 #include "generator/dynamics/equations/validation.hpp"
-#include "generator/emission/output_file.hpp"
-#include "generator/expression/did_you_mean.hpp"
-#include "generator/expression/error.hpp"
-#include "generator/expression/printable.hpp"
 
 namespace torsor {
 namespace {

@@ -6,8 +6,8 @@
 
 #include <fmt/format.h>
 
-#include "generator/expression/written_unit.hpp"
-#include "generator/expression/error.hpp"
+#include "generator/base/error.hpp"
+#include "generator/program/written_unit.hpp"
 #include "generator/verification/dormand_prince_853.hpp"
 
 namespace torsor {

@@ -8,11 +8,11 @@
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
 
+#include "generator/base/error.hpp"
+#include "generator/base/output_file.hpp"
 #include "generator/cli/command_set.hpp"
 #include "generator/cli/kernel_options.hpp"
 #include "generator/cli/simulate.hpp"
-#include "generator/emission/output_file.hpp"
-#include "generator/expression/error.hpp"
 
 namespace torsor {
 namespace {

@@ -6,10 +6,10 @@
 
 #include <fmt/format.h>
 
+#include "generator/base/did_you_mean.hpp"
+#include "generator/base/error.hpp"
 #include "generator/cli/simulate.hpp"
-#include "generator/expression/did_you_mean.hpp"
-#include "generator/expression/error.hpp"
-#include "generator/reading/html_text.hpp"
+#include "generator/printing/html_text.hpp"
 
 namespace torsor {
 namespace {

@@ -3,12 +3,12 @@
 
 #include <CLI/CLI.hpp>
 
+#include "generator/base/error.hpp"
 #include "generator/cli/command_set.hpp"
 #include "generator/dynamics/theorems/unknowns_report.hpp"
-#include "generator/expression/error.hpp"
-#include "generator/reading/force_function_text.hpp"
-#include "generator/reading/statics_text.hpp"
-#include "generator/reading/theorem_text.hpp"
+#include "generator/printing/force_function_text.hpp"
+#include "generator/printing/statics_text.hpp"
+#include "generator/printing/theorem_text.hpp"
 
 namespace torsor {
 namespace {

@@ -9,12 +9,12 @@
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
 
+#include "generator/base/decimal.hpp"
+#include "generator/base/did_you_mean.hpp"
+#include "generator/base/error.hpp"
+#include "generator/base/output_file.hpp"
+#include "generator/base/printable.hpp"
 #include "generator/cli/command_line.hpp"
-#include "generator/expression/decimal.hpp"
-#include "generator/emission/output_file.hpp"
-#include "generator/expression/did_you_mean.hpp"
-#include "generator/expression/error.hpp"
-#include "generator/expression/printable.hpp"
 #include "generator/import/mechanism_file.hpp"
 
 namespace torsor {

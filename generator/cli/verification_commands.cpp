@@ -7,13 +7,13 @@
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
 
+#include "generator/base/decimal.hpp"
+#include "generator/base/error.hpp"
 #include "generator/cli/command_set.hpp"
 #include "generator/cli/command_texts.hpp"
 #include "generator/cli/kernel_options.hpp"
 #include "generator/dynamics/equations/massless.hpp"
-#include "generator/emission/kernel.hpp"
-#include "generator/expression/decimal.hpp"
-#include "generator/expression/error.hpp"
+#include "generator/kernels/kernel.hpp"
 #include "generator/verification/reference_cache.hpp"
 
 namespace torsor {
@@ -155,7 +155,7 @@ void add_verify(CommandSet& commands) {
 void add_reference(CommandSet& commands) {
   const auto request = std::make_shared<ReferenceRequest>();
   request->digits = 50;
-  CLI::App& command = commands.add("reference", "integrate the motion in high precision by an independent road",
+  CLI::App& command = commands.add("reference", "integrate the motion in high precision by an independent derivation",
                                    [request](const Scene& scene) { return reference(scene, *request); });
   add_digits(command, request->digits, "digits of the result", 10);
   command.add_option("--times", request->times, "comma-separated times in seconds, increasing")

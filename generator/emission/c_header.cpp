@@ -6,8 +6,9 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "generator/base/comment_text.hpp"
+#include "generator/base/wrapped_line.hpp"
 #include "generator/emission/c_language.hpp"
-#include "generator/emission/comment_text.hpp"
 #include "generator/emission/cpp_names.hpp"
 #include "generator/emission/description.hpp"
 #include "generator/emission/embedded_templates.hpp"
@@ -15,7 +16,6 @@
 #include "generator/emission/listing_printer.hpp"
 #include "generator/emission/support.hpp"
 #include "generator/emission/text_template.hpp"
-#include "generator/emission/wrapped_line.hpp"
 
 namespace torsor {
 namespace {

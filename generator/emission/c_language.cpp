@@ -6,8 +6,8 @@
 
 #include <fmt/format.h>
 
+#include "generator/base/error.hpp"
 #include "generator/emission/formula_printer.hpp"
-#include "generator/expression/error.hpp"
 
 namespace torsor {
 

@@ -3,9 +3,9 @@
 
 #include <fmt/format.h>
 
+#include "generator/base/wrapped_line.hpp"
 #include "generator/emission/description.hpp"
 #include "generator/emission/formula_printer.hpp"
-#include "generator/emission/wrapped_line.hpp"
 
 namespace torsor {
 namespace {

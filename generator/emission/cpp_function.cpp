@@ -9,13 +9,13 @@
 
 #include <fmt/format.h>
 
+#include "generator/base/wrapped_line.hpp"
 #include "generator/emission/cpp_language.hpp"
 #include "generator/emission/cpp_names.hpp"
 #include "generator/emission/description.hpp"
 #include "generator/emission/formula_printer.hpp"
 #include "generator/emission/listing_printer.hpp"
 #include "generator/emission/text_template.hpp"
-#include "generator/emission/wrapped_line.hpp"
 
 namespace torsor {
 namespace {

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "generator/emission/comment_text.hpp"
+#include "generator/base/comment_text.hpp"
 #include "generator/expression/symbol.hpp"
 #include "generator/listing/local_names.hpp"
 

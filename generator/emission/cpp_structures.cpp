@@ -6,11 +6,11 @@
 
 #include <fmt/format.h>
 
+#include "generator/base/error.hpp"
 #include "generator/emission/cpp_names.hpp"
 #include "generator/emission/formula_printer.hpp"
 #include "generator/emission/text_template.hpp"
-#include "generator/expression/error.hpp"
-#include "generator/expression/written_unit.hpp"
+#include "generator/program/written_unit.hpp"
 
 namespace torsor {
 namespace {

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "generator/emission/kernel.hpp"
+#include "generator/kernels/kernel.hpp"
 
 namespace torsor {
 

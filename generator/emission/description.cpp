@@ -7,10 +7,10 @@
 #include <fmt/ranges.h>
 #include <nlohmann/json.hpp>
 
-#include "generator/emission/comment_text.hpp"
+#include "generator/base/comment_text.hpp"
 #include "generator/emission/javascript_language.hpp"
-#include "generator/expression/written_unit.hpp"
 #include "generator/listing/local_names.hpp"
+#include "generator/program/written_unit.hpp"
 
 namespace torsor {
 namespace {

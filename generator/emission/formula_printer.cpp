@@ -56,14 +56,14 @@ std::string FormulaPrinter::print_sum(const Formula& sum, bool negated) {
 }
 
 std::string FormulaPrinter::print_factor(const Formula& formula) {
-  const bool simple = formula.kind == Formula::Kind::atom || formula.kind == Formula::Kind::constant;
+  const bool simple = formula.kind == Formula::Kind::value_number || formula.kind == Formula::Kind::constant;
   return simple ? print(formula) : "(" + print(formula) + ")";
 }
 
 std::string FormulaPrinter::print(const Formula& formula) {
   switch (formula.kind) {
-    case Formula::Kind::atom:
-      return name_of_(formula.atom);
+    case Formula::Kind::value_number:
+      return name_of_(formula.value_number);
     case Formula::Kind::constant:
       return formula.number.sign() < 0 ? "-" + name(-formula.number) : name(formula.number);
     case Formula::Kind::sum:

@@ -7,9 +7,9 @@
 #include <utility>
 #include <vector>
 
-#include "generator/emission/wrapped_line.hpp"
-#include "generator/expression/formula.hpp"
-#include "generator/expression/program.hpp"
+#include "generator/base/wrapped_line.hpp"
+#include "generator/program/formula.hpp"
+#include "generator/program/program.hpp"
 
 namespace torsor {
 
@@ -17,7 +17,7 @@ namespace torsor {
 /// is one operation. Numbers become names, gathered in order of first use; the caller declares them.
 class FormulaPrinter {
  public:
-  using NameOf = std::function<std::string(Atom)>;
+  using NameOf = std::function<std::string(ValueNumber)>;
   using NameOfFunction = std::function<std::string(Function)>;
 
   FormulaPrinter(NameOf name_of, NameOfFunction name_of_function)

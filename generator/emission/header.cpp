@@ -9,6 +9,9 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "generator/base/error.hpp"
+#include "generator/base/fnv.hpp"
+#include "generator/base/wrapped_line.hpp"
 #include "generator/emission/cpp_description.hpp"
 #include "generator/emission/cpp_function.hpp"
 #include "generator/emission/cpp_language.hpp"
@@ -20,9 +23,6 @@
 #include "generator/emission/listing_printer.hpp"
 #include "generator/emission/support.hpp"
 #include "generator/emission/text_template.hpp"
-#include "generator/emission/wrapped_line.hpp"
-#include "generator/expression/error.hpp"
-#include "generator/expression/fnv.hpp"
 
 namespace torsor {
 namespace {

@@ -6,13 +6,13 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "generator/base/wrapped_line.hpp"
 #include "generator/emission/description.hpp"
 #include "generator/emission/embedded_templates.hpp"
 #include "generator/emission/formula_printer.hpp"
 #include "generator/emission/javascript_language.hpp"
 #include "generator/emission/listing_printer.hpp"
 #include "generator/emission/text_template.hpp"
-#include "generator/emission/wrapped_line.hpp"
 
 namespace torsor {
 namespace {

@@ -5,7 +5,7 @@
 
 #include <fmt/format.h>
 
-#include "generator/emission/comment_text.hpp"
+#include "generator/base/comment_text.hpp"
 #include "generator/emission/formula_printer.hpp"
 
 namespace torsor {
@@ -34,13 +34,13 @@ class ListingPrinter {
   ListingPrinter(const Listing& listing, const Language& language)
       : listing_(&listing),
         language_(&language),
-        formulas_([this](Atom quantity) { return name(quantity); },
+        formulas_([this](ValueNumber quantity) { return name(quantity); },
                   [this](Function function) { return language_->function(function); }) {}
 
   std::string print() {
     read_ = read_quantities(*listing_, language_->computes_literals());
     std::string bindings;
-    for (const Atom quantity : listing_->given) {
+    for (const ValueNumber quantity : listing_->given) {
       if (!is_read(quantity)) continue;
       const Quantity& each = listing_->quantity(quantity);
       bindings += language_->local(each.name, language_->access(each)) + "\n";
@@ -63,8 +63,8 @@ class ListingPrinter {
   }
 
  private:
-  bool is_read(Atom quantity) const { return read_[static_cast<std::size_t>(quantity)]; }
-  std::string name(Atom number) const {
+  bool is_read(ValueNumber quantity) const { return read_[static_cast<std::size_t>(quantity)]; }
+  std::string name(ValueNumber number) const {
     const Quantity& quantity = listing_->quantity(number);
     if (!quantity.name.empty()) return quantity.name;
     if (quantity.table == Table::output) return language_->access(listing_->outputs[quantity.index].target);
@@ -101,12 +101,12 @@ class ListingPrinter {
     if (!language_->computes_literals()) return lines(language_->literal(name(each.quantity), each, {}));
     const bool turns = each.right.kind == Formula::Kind::function &&
                        (each.right.function == Function::sin || each.right.function == Function::cos);
-    const std::string value = turns ? name(each.right.children[0].atom) : formulas_.print(each.right);
+    const std::string value = turns ? name(each.right.children[0].value_number) : formulas_.print(each.right);
     lines(language_->literal(name(each.quantity), each, value));
   }
   void write(const SinesAndCosines& group) {
     const bool both = group.angles.size() == 1;
-    const auto optional_name = [&](const std::optional<Atom>& quantity) {
+    const auto optional_name = [&](const std::optional<ValueNumber>& quantity) {
       return quantity && (both || is_read(*quantity)) ? name(*quantity) : "";
     };
     std::vector<AngleText> angles;

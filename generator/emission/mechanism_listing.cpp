@@ -4,10 +4,10 @@
 #include <algorithm>
 
 #include "generator/emission/cpp_structures.hpp"
-#include "generator/emission/kernel_kinematics.hpp"
 #include "generator/emission/start_values.hpp"
-#include "generator/expression/formula.hpp"
-#include "generator/expression/sum_table.hpp"
+#include "generator/kernels/kernel_kinematics.hpp"
+#include "generator/program/formula.hpp"
+#include "generator/program/sum_table.hpp"
 
 namespace torsor {
 namespace {

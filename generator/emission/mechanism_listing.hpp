@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "generator/emission/kernel.hpp"
 #include "generator/emission/provenance.hpp"
+#include "generator/kernels/kernel.hpp"
 #include "generator/listing/lowering.hpp"
 #include "generator/listing/precomputation.hpp"
 

@@ -5,8 +5,8 @@
 
 #include <fmt/format.h>
 
+#include "generator/base/shell_word.hpp"
 #include "generator/emission/cpp_names.hpp"
-#include "generator/expression/shell_word.hpp"
 #include "generator/listing/schedule.hpp"
 
 namespace torsor {

@@ -6,8 +6,8 @@
 #include <utility>
 #include <vector>
 
-#include "generator/emission/kernel.hpp"
-#include "generator/expression/formula.hpp"
+#include "generator/kernels/kernel.hpp"
+#include "generator/program/formula.hpp"
 
 namespace torsor {
 

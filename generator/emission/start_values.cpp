@@ -5,7 +5,7 @@
 
 #include <fmt/format.h>
 
-#include "generator/expression/error.hpp"
+#include "generator/base/error.hpp"
 #include "generator/listing/lowering.hpp"
 
 namespace torsor {
@@ -75,11 +75,11 @@ Listing initial_state(const Equations& equations, const ModelOptions& options, c
     add({"state", "v", i}, model.coordinates()[i].initial_rate);
   }
   const Block block = block_of(program, results);
-  for (const Atom atom : block.symbols) {
-    if (program[atom].symbol->kind == SymbolKind::parameter) continue;
+  for (const ValueNumber value_number : block.symbols) {
+    if (program[value_number].symbol->kind == SymbolKind::parameter) continue;
     throw SceneError(
         fmt::format("the initial state of the scene '{}' depends on '{}': give it by numbers and parameters",
-                    equations.scene().name(), program[atom].symbol->name));
+                    equations.scene().name(), program[value_number].symbol->name));
   }
   return lower(program, block, {results}, {&layout, nullptr, "initial_state"});
 }

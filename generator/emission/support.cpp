@@ -7,9 +7,9 @@
 
 #include <fmt/format.h>
 
+#include "generator/base/fnv.hpp"
 #include "generator/emission/embedded_templates.hpp"
 #include "generator/emission/text_template.hpp"
-#include "generator/expression/fnv.hpp"
 
 namespace torsor {
 

@@ -7,8 +7,8 @@
 
 #include <fmt/format.h>
 
-#include "generator/expression/decimal.hpp"
-#include "generator/expression/error.hpp"
+#include "generator/base/decimal.hpp"
+#include "generator/base/error.hpp"
 #include "generator/expression/expression_node.hpp"
 
 namespace torsor {

@@ -6,9 +6,9 @@
 #include <string_view>
 #include <vector>
 
+#include "generator/base/unit.hpp"
 #include "generator/expression/function.hpp"
 #include "generator/expression/symbol.hpp"
-#include "generator/expression/unit.hpp"
 
 namespace torsor {
 

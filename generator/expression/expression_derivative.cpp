@@ -3,7 +3,7 @@
 
 #include <fmt/format.h>
 
-#include "generator/expression/error.hpp"
+#include "generator/base/error.hpp"
 #include "generator/expression/expression_node.hpp"
 
 namespace torsor {

@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "generator/expression/unit.hpp"
+#include "generator/base/unit.hpp"
 
 namespace torsor {
 

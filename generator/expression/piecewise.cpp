@@ -5,9 +5,9 @@
 
 #include <fmt/format.h>
 
-#include "generator/expression/decimal.hpp"
-#include "generator/expression/error.hpp"
-#include "generator/expression/high_precision.hpp"
+#include "generator/base/decimal.hpp"
+#include "generator/base/error.hpp"
+#include "generator/base/high_precision.hpp"
 
 namespace torsor {
 

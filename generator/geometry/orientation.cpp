@@ -3,10 +3,10 @@
 
 #include <fmt/format.h>
 
-#include "generator/expression/derivative.hpp"
-#include "generator/expression/error.hpp"
-#include "generator/expression/vanishing.hpp"
+#include "generator/base/error.hpp"
 #include "generator/geometry/dyad.hpp"
+#include "generator/program/derivative.hpp"
+#include "generator/program/identically_zero.hpp"
 
 namespace torsor {
 namespace {
@@ -72,7 +72,7 @@ std::vector<PlaneRotation> cardan(const Value& alpha, const Value& beta, const V
 
 void check_unit_axis(Program& program, const Vector& axis) {
   const Value square = dot(axis, axis);
-  if (vanishes(square - program.number(Number(1)))) return;
+  if (identically_zero(square - program.number(Number(1)))) return;
   throw SceneError(
       fmt::format("the axis ({}, {}, {}) of a rotation has the square {} and must be a unit vector: divide "
                   "it by its length",

@@ -4,7 +4,7 @@
 #include <array>
 #include <optional>
 
-#include "generator/expression/number.hpp"
+#include "generator/base/number.hpp"
 
 namespace torsor {
 

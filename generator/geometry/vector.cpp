@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "generator/geometry/vector.hpp"
 
-#include "generator/expression/derivative.hpp"
-#include "generator/expression/vanishing.hpp"
+#include "generator/program/derivative.hpp"
+#include "generator/program/identically_zero.hpp"
 
 namespace torsor {
 namespace {
@@ -62,8 +62,8 @@ Vector time_derivative(const Vector& v) {
   return rates;
 }
 
-bool vanishes(const Vector& v) {
-  const std::vector<bool> zero = vanish({v[0], v[1], v[2]});
+bool identically_zero(const Vector& v) {
+  const std::vector<bool> zero = identically_zero_entries({v[0], v[1], v[2]});
   return zero[0] && zero[1] && zero[2];
 }
 

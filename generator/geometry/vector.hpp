@@ -4,10 +4,10 @@
 #include <array>
 #include <string>
 
-#include "generator/expression/program.hpp"
-#include "generator/expression/vanishing.hpp"
 #include "generator/geometry/rotation.hpp"
 #include "generator/geometry/triple.hpp"
+#include "generator/program/identically_zero.hpp"
+#include "generator/program/program.hpp"
 
 namespace torsor {
 
@@ -41,7 +41,7 @@ Vector lower(Program& program, const Triple& triple);
 Vector time_derivative(const Vector& v);
 
 /// Whether all components vanish identically.
-bool vanishes(const Vector& v);
+bool identically_zero(const Vector& v);
 
 /// Binds each component; the name gets the suffix ", x" and so on.
 Vector bound(Program& program, const Vector& v, const std::string& name = {});

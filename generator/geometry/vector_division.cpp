@@ -3,17 +3,17 @@
 
 #include <fmt/format.h>
 
-#include "generator/expression/error.hpp"
-#include "generator/expression/vanishing.hpp"
+#include "generator/base/error.hpp"
+#include "generator/program/identically_zero.hpp"
 
 namespace torsor {
 
 VectorQuotient divide(const Vector& b, const Vector& a) {
-  if (vanishes(a)) {
+  if (identically_zero(a)) {
     throw SceneError("A ∧ X = B: cannot divide by A, which is the null vector; every X gives 0");
   }
   const Value along = dot(a, b);
-  if (!vanishes(along)) {
+  if (!identically_zero(along)) {
     throw SceneError(
         fmt::format("A ∧ X = B has no solution: A·B = {} must vanish, since A ∧ X is orthogonal to A; take "
                     "the part of B along A away first",

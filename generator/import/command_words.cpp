@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "generator/import/command_words.hpp"
 
-#include "generator/expression/decimal.hpp"
-#include "generator/expression/shell_word.hpp"
+#include "generator/base/decimal.hpp"
+#include "generator/base/shell_word.hpp"
 
 namespace torsor {
 

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "generator/expression/number.hpp"
+#include "generator/base/number.hpp"
 
 namespace torsor {
 

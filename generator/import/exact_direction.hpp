@@ -4,7 +4,7 @@
 #include <array>
 #include <optional>
 
-#include "generator/expression/number.hpp"
+#include "generator/base/number.hpp"
 #include "generator/geometry/rotation.hpp"
 
 namespace torsor {

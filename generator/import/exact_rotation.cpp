@@ -7,7 +7,7 @@
 
 #include <fmt/format.h>
 
-#include "generator/expression/decimal.hpp"
+#include "generator/base/decimal.hpp"
 #include "generator/import/exact_direction.hpp"
 
 namespace torsor {

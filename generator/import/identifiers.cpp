@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "generator/expression/error.hpp"
+#include "generator/base/error.hpp"
 #include "generator/mechanics/identifier.hpp"
 
 namespace torsor {

@@ -5,8 +5,8 @@
 
 #include <fmt/format.h>
 
-#include "generator/expression/error.hpp"
-#include "generator/expression/shell_word.hpp"
+#include "generator/base/error.hpp"
+#include "generator/base/shell_word.hpp"
 #include "generator/import/mjcf_files.hpp"
 #include "generator/import/text_of_file.hpp"
 

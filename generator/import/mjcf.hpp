@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "generator/expression/number.hpp"
+#include "generator/base/number.hpp"
 #include "generator/import/mjcf_model.hpp"
 #include "generator/mechanics/scene.hpp"
 

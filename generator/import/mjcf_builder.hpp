@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "generator/expression/decimal.hpp"
+#include "generator/base/decimal.hpp"
 #include "generator/import/exact_direction.hpp"
 #include "generator/import/exact_rotation.hpp"
 #include "generator/import/identifiers.hpp"

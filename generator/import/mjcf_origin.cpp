@@ -3,8 +3,8 @@
 
 #include <fmt/format.h>
 
-#include "generator/expression/printable.hpp"
-#include "generator/expression/shell_word.hpp"
+#include "generator/base/printable.hpp"
+#include "generator/base/shell_word.hpp"
 #include "generator/import/command_words.hpp"
 #include "generator/import/origin_notes.hpp"
 

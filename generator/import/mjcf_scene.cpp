@@ -6,9 +6,9 @@
 
 #include <fmt/format.h>
 
-#include "generator/expression/did_you_mean.hpp"
-#include "generator/expression/error.hpp"
-#include "generator/expression/high_precision.hpp"
+#include "generator/base/did_you_mean.hpp"
+#include "generator/base/error.hpp"
+#include "generator/base/high_precision.hpp"
 #include "generator/import/mjcf.hpp"
 #include "generator/import/mjcf_builder.hpp"
 #include "generator/import/mjcf_origin.hpp"

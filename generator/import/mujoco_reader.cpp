@@ -8,8 +8,8 @@
 #include <fmt/format.h>
 #include <mujoco/mujoco.h>
 
-#include "generator/expression/decimal.hpp"
-#include "generator/expression/error.hpp"
+#include "generator/base/decimal.hpp"
+#include "generator/base/error.hpp"
 
 namespace torsor {
 namespace {

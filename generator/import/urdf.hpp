@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "generator/expression/number.hpp"
+#include "generator/base/number.hpp"
 #include "generator/import/xml_element.hpp"
 #include "generator/mechanics/scene.hpp"
 

@@ -6,7 +6,7 @@
 #include <map>
 #include <vector>
 
-#include "generator/expression/decimal.hpp"
+#include "generator/base/decimal.hpp"
 
 namespace torsor {
 namespace {

@@ -6,8 +6,8 @@
 
 #include <fmt/format.h>
 
-#include "generator/expression/decimal.hpp"
-#include "generator/expression/error.hpp"
+#include "generator/base/decimal.hpp"
+#include "generator/base/error.hpp"
 
 namespace torsor {
 namespace {

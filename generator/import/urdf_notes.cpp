@@ -3,9 +3,9 @@
 
 #include <fmt/format.h>
 
-#include "generator/expression/decimal.hpp"
-#include "generator/expression/printable.hpp"
-#include "generator/expression/shell_word.hpp"
+#include "generator/base/decimal.hpp"
+#include "generator/base/printable.hpp"
+#include "generator/base/shell_word.hpp"
 #include "generator/import/command_words.hpp"
 #include "generator/import/origin_notes.hpp"
 

@@ -6,7 +6,7 @@
 
 #include <fmt/format.h>
 
-#include "generator/expression/high_precision.hpp"
+#include "generator/base/high_precision.hpp"
 
 namespace torsor {
 namespace {
@@ -52,7 +52,8 @@ void require_angle(const XmlElement& element, const Number& angle) {
 
 }  // namespace
 
-void UrdfPlacements::tell(const XmlNumber& angle, const std::optional<Number>& twelfths, const std::string& where) const {
+void UrdfPlacements::report(const XmlNumber& angle, const std::optional<Number>& twelfths,
+                            const std::string& where) const {
   if (angle.value.is_zero()) return;
   if (twelfths) return robot_.changes.add(angle.text + " is " + twelfths_text(*twelfths), where);
   if (const auto near = twelfths_of_pi(angle.value, suspicious())) {
@@ -71,7 +72,7 @@ std::optional<Number> UrdfPlacements::twelfths(const XmlElement& element, const 
                                                const std::string& where) const {
   require_angle(element, angle.value);
   const std::optional<Number> k = twelfths_of_pi(angle.value, tolerance_);
-  tell(angle, k, where);
+  report(angle, k, where);
   if (k) {
     const double size = distance_from_twelfths(angle.value, *k);
     record(where, size, size);
@@ -95,7 +96,7 @@ UrdfPlacement UrdfPlacements::placement(const XmlElement& origin, const std::str
   for (std::size_t i = 0; i < 3; ++i) {
     require_angle(origin, rpy[i].value);
     const ExactAngle angle = exact_angle(rpy[i].value, tolerance_);
-    tell(rpy[i], angle.twelfths, where + " (rpy)");
+    report(rpy[i], angle.twelfths, where + " (rpy)");
     if (angle.twelfths) {
       const double size = distance_from_twelfths(rpy[i].value, *angle.twelfths);
       record(where, size, size);

@@ -22,7 +22,7 @@ class UrdfPlacements {
   std::optional<Number> twelfths(const XmlElement& element, const XmlNumber& angle, const std::string& where) const;
 
  private:
-  void tell(const XmlNumber& angle, const std::optional<Number>& twelfths, const std::string& where) const;
+  void report(const XmlNumber& angle, const std::optional<Number>& twelfths, const std::string& where) const;
   void record(const std::string& where, double size, double moves) const;
   static Rotation by_quaternion(const XmlElement& origin);
 

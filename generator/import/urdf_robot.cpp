@@ -8,8 +8,8 @@
 
 #include <fmt/format.h>
 
-#include "generator/expression/did_you_mean.hpp"
-#include "generator/expression/error.hpp"
+#include "generator/base/did_you_mean.hpp"
+#include "generator/base/error.hpp"
 #include "generator/import/urdf_deviation.hpp"
 #include "generator/import/urdf_inertial.hpp"
 #include "generator/import/urdf_placement.hpp"
@@ -62,7 +62,7 @@ class Reader {
   void check(const XmlElement& element, const std::string& where) { check_vocabulary(element, where, robot_.notes); }
 
   /// Tells of attributes that are there.
-  void tell_without_effect(const XmlElement& element, const std::vector<const char*>& attributes,
+  void report_without_effect(const XmlElement& element, const std::vector<const char*>& attributes,
                            const UrdfJoint& joint, const std::string& why = "") {
     std::vector<std::string> given;
     for (const char* name : attributes) {
@@ -82,7 +82,7 @@ class Reader {
     if (const auto limit = element.child("limit")) read_limit(*limit, joint, where);
     if (const auto safety = element.child("safety_controller")) {
       check(*safety, where);
-      tell_without_effect(*safety, {"soft_lower_limit", "soft_upper_limit", "k_position", "k_velocity"}, joint);
+      report_without_effect(*safety, {"soft_lower_limit", "soft_upper_limit", "k_position", "k_velocity"}, joint);
     }
     if (const auto dynamics = element.child("dynamics")) {
       check(*dynamics, where);
@@ -97,9 +97,9 @@ class Reader {
 
   void read_limit(const XmlElement& limit, UrdfJoint& joint, const std::string& where) {
     check(limit, where);
-    tell_without_effect(limit, {"acceleration", "deceleration", "jerk"}, joint);
+    report_without_effect(limit, {"acceleration", "deceleration", "jerk"}, joint);
     if (joint.type == UrdfJointType::continuous) {
-      tell_without_effect(limit, {"lower", "upper"}, joint, ", because the joint is continuous");
+      report_without_effect(limit, {"lower", "upper"}, joint, ", because the joint is continuous");
     } else {
       joint.lower = limit.optional_bound("lower");
       joint.upper = limit.optional_bound("upper");

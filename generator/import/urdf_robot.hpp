@@ -8,7 +8,7 @@
 #include <string_view>
 #include <vector>
 
-#include "generator/expression/number.hpp"
+#include "generator/base/number.hpp"
 #include "generator/geometry/rotation.hpp"
 #include "generator/import/exact_direction.hpp"
 #include "generator/import/reading_notes.hpp"

@@ -6,9 +6,9 @@
 
 #include <fmt/format.h>
 
-#include "generator/expression/did_you_mean.hpp"
-#include "generator/expression/error.hpp"
-#include "generator/expression/high_precision.hpp"
+#include "generator/base/did_you_mean.hpp"
+#include "generator/base/error.hpp"
+#include "generator/base/high_precision.hpp"
 #include "generator/dynamics/equations/massless.hpp"
 #include "generator/import/identifiers.hpp"
 #include "generator/import/urdf.hpp"

@@ -4,8 +4,8 @@
 
 #include <fmt/format.h>
 
-#include "generator/expression/did_you_mean.hpp"
-#include "generator/expression/error.hpp"
+#include "generator/base/did_you_mean.hpp"
+#include "generator/base/error.hpp"
 #include "generator/import/identifiers.hpp"
 #include "generator/import/urdf_robot.hpp"
 

@@ -7,7 +7,7 @@
 
 #include <fmt/format.h>
 
-#include "generator/expression/did_you_mean.hpp"
+#include "generator/base/did_you_mean.hpp"
 
 namespace torsor {
 namespace {

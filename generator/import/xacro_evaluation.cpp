@@ -5,8 +5,8 @@
 
 #include <fmt/format.h>
 
-#include "generator/expression/did_you_mean.hpp"
-#include "generator/expression/error.hpp"
+#include "generator/base/did_you_mean.hpp"
+#include "generator/base/error.hpp"
 #include "generator/import/text_of_file.hpp"
 #include "generator/import/xacro_expander.hpp"
 #include "generator/import/xacro_expression.hpp"

@@ -341,7 +341,7 @@ class Parser {
       next();
       next();
     }
-    Part part = is_dotted() ? dotted() : atom();
+    Part part = is_dotted() ? dotted() : value_number();
     for (;;) {
       if (take("[")) {
         part = subscript(part);
@@ -454,7 +454,7 @@ class Parser {
     return dictionary(std::move(entries));
   }
 
-  Part atom() {
+  Part value_number() {
     const Token token = next();
     switch (token.kind) {
       case Token::Kind::number:

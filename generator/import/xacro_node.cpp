@@ -4,7 +4,7 @@
 #include <fmt/format.h>
 #include <tinyxml2.h>
 
-#include "generator/expression/error.hpp"
+#include "generator/base/error.hpp"
 
 namespace torsor::xacro {
 namespace {

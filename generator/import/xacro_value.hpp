@@ -10,7 +10,7 @@
 #include <variant>
 #include <vector>
 
-#include "generator/expression/error.hpp"
+#include "generator/base/error.hpp"
 
 namespace torsor::xacro {
 

@@ -7,8 +7,8 @@
 #include <fmt/format.h>
 #include <tinyxml2.h>
 
-#include "generator/expression/decimal.hpp"
-#include "generator/expression/error.hpp"
+#include "generator/base/decimal.hpp"
+#include "generator/base/error.hpp"
 #include "generator/import/unclosed_element.hpp"
 
 namespace torsor {

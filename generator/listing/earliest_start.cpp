@@ -106,11 +106,11 @@ std::vector<Part> parts_of(const EarliestStarts& starts, const Formula& sum) {
 
 int EarliestStarts::operator()(const Formula& formula) const {
   switch (formula.kind) {
-    case Formula::Kind::atom: return (*this)(formula.atom);
+    case Formula::Kind::value_number: return (*this)(formula.value_number);
     case Formula::Kind::constant: return 0;
     case Formula::Kind::function: {
       int last = 0;
-      for (const Formula& child : formula.children) last = std::max(last, (*this)(child.atom));
+      for (const Formula& child : formula.children) last = std::max(last, (*this)(child.value_number));
       return last + latency_of(formula.function);
     }
     case Formula::Kind::product: return last_factor(*this, formula) + Latency::multiplication;
@@ -123,12 +123,12 @@ int EarliestStarts::operator()(const Formula& formula) const {
   return 0;
 }
 
-int EarliestStarts::operator()(Atom atom) const {
+int EarliestStarts::operator()(ValueNumber value_number) const {
   // Operands come before users: nothing is asked for that is not known.
-  while (known_.size() <= static_cast<std::size_t>(atom)) {
-    known_.push_back(of((*program_)[static_cast<Atom>(known_.size())]));
+  while (known_.size() <= static_cast<std::size_t>(value_number)) {
+    known_.push_back(of((*program_)[static_cast<ValueNumber>(known_.size())]));
   }
-  return known_[static_cast<std::size_t>(atom)];
+  return known_[static_cast<std::size_t>(value_number)];
 }
 
 int EarliestStarts::of(const Definition& definition) const {
@@ -138,9 +138,9 @@ int EarliestStarts::of(const Definition& definition) const {
   return (*this)(program_->passes().scheduling ? in_order(std::move(sum)) : sum);
 }
 
-void EarliestStarts::for_each_delay(const Formula& formula, const std::function<void(Atom, int)>& call) const {
+void EarliestStarts::for_each_delay(const Formula& formula, const std::function<void(ValueNumber, int)>& call) const {
   const auto within = [&](const Formula& child, int after) {
-    for_each_delay(child, [&](Atom atom, int cycles) { call(atom, cycles + after); });
+    for_each_delay(child, [&](ValueNumber value_number, int cycles) { call(value_number, cycles + after); });
   };
   // From the factors to the beginning of the last multiplication, and `after` from there on
   const auto factors = [&](const Formula& product, int after) {
@@ -152,9 +152,9 @@ void EarliestStarts::for_each_delay(const Formula& formula, const std::function<
   };
   switch (formula.kind) {
     case Formula::Kind::constant: return;
-    case Formula::Kind::atom: return call(formula.atom, 0);
+    case Formula::Kind::value_number: return call(formula.value_number, 0);
     case Formula::Kind::function:
-      for (const Formula& child : formula.children) call(child.atom, latency_of(formula.function));
+      for (const Formula& child : formula.children) call(child.value_number, latency_of(formula.function));
       return;
     case Formula::Kind::product: return factors(formula, Latency::multiplication);
     case Formula::Kind::quotient:

@@ -4,8 +4,8 @@
 #include <functional>
 #include <vector>
 
-#include "generator/expression/formula.hpp"
-#include "generator/expression/program.hpp"
+#include "generator/program/formula.hpp"
+#include "generator/program/program.hpp"
 
 namespace torsor {
 
@@ -29,12 +29,12 @@ class EarliestStarts {
   explicit EarliestStarts(const Program& program) : program_(&program) {}
 
   /// Of a definition from its sum as it stands, nothing taken out.
-  int operator()(Atom atom) const;
+  int operator()(ValueNumber value_number) const;
   int operator()(const Formula& formula) const;
 
-  /// Calls for each atom that a formula reads, with the cycles from there to the formula's result; an atom that stands
+  /// Calls for each value number that a formula reads, with the cycles from there to the formula's result; a value number that stands
   /// in it several times is told several times.
-  void for_each_delay(const Formula& formula, const std::function<void(Atom, int)>& call) const;
+  void for_each_delay(const Formula& formula, const std::function<void(ValueNumber, int)>& call) const;
 
   /// The terms of all sums in the order in which they are known where that makes a sum known earlier, as they stand
   /// elsewhere. A term that is no product comes before two products, with which both are fused, unless the sum waits
@@ -49,7 +49,7 @@ class EarliestStarts {
   int of(const Definition& definition) const;
 
   const Program* program_;
-  mutable std::vector<int> known_;  ///< by atom
+  mutable std::vector<int> known_;  ///< by value number
 };
 
 }  // namespace torsor

@@ -11,9 +11,9 @@
 namespace torsor {
 namespace {
 
-int exponent_of(const Monomial& monomial, Atom atom) {
-  const auto place =
-      std::find_if(monomial.begin(), monomial.end(), [atom](const Factor& factor) { return factor.atom == atom; });
+int exponent_of(const Monomial& monomial, ValueNumber value_number) {
+  const auto place = std::find_if(monomial.begin(), monomial.end(),
+                                  [value_number](const Factor& factor) { return factor.value_number == value_number; });
   return place == monomial.end() ? 0 : place->exponent;
 }
 
@@ -27,15 +27,16 @@ bool has_inner_sum(const Formula& formula, bool multiplied = false) {
 /// Texts that are equal where formulas are, but for the order of terms and factors, with the pair for its product.
 class Shape {
  public:
-  Shape(const FactorPair& pair, Atom product) : product_(product) {
+  Shape(const FactorPair& pair, ValueNumber product) : product_(product) {
     pair_ = {text(pair.first), pair.second < 0 ? pair.number.to_string() : text(pair.second)};
   }
 
   std::string operator()(const Formula& formula) const {
     switch (formula.kind) {
-      case Formula::Kind::atom: return formula.atom == product_ ? joined("*", pair_) : text(formula.atom);
+      case Formula::Kind::value_number:
+        return formula.value_number == product_ ? joined("*", pair_) : text(formula.value_number);
       case Formula::Kind::constant: return formula.number.to_string();
-      case Formula::Kind::function: return text(formula.atom);
+      case Formula::Kind::function: return text(formula.value_number);
       case Formula::Kind::sum: {
         std::vector<std::string> terms;
         for (std::size_t i = 0; i < formula.children.size(); ++i)
@@ -45,7 +46,7 @@ class Shape {
       case Formula::Kind::product: {
         std::vector<std::string> factors;
         for (const Formula& child : formula.children) {
-          if (child.kind == Formula::Kind::atom && child.atom == product_)
+          if (child.kind == Formula::Kind::value_number && child.value_number == product_)
             factors.insert(factors.end(), pair_.begin(), pair_.end());
           else
             factors.push_back((*this)(child));
@@ -58,7 +59,7 @@ class Shape {
   }
 
  private:
-  static std::string text(Atom atom) { return "z" + std::to_string(atom); }
+  static std::string text(ValueNumber value_number) { return "z" + std::to_string(value_number); }
   static std::string joined(const char* name, std::vector<std::string> parts) {
     std::sort(parts.begin(), parts.end());
     std::string result = std::string(name) + "(";
@@ -66,7 +67,7 @@ class Shape {
     return result + ")";
   }
 
-  Atom product_;
+  ValueNumber product_;
   std::vector<std::string> pair_;
 };
 
@@ -82,7 +83,7 @@ Polynomial FactorPair::product() const {
   return Polynomial(Term{std::move(monomial), number});
 }
 
-Polynomial FactorPair::replaced(const Polynomial& sum, Atom product) const {
+Polynomial FactorPair::replaced(const Polynomial& sum, ValueNumber product) const {
   Polynomial result;
   for (const Term& term : sum.terms()) {
     Monomial monomial = term.monomial;
@@ -109,32 +110,33 @@ std::optional<FactorPair> as_pair(const Polynomial& sum) {
   const auto& [monomial, coefficient] = sum.terms()[0];
   const bool plain = coefficient.is_one();
   if (monomial.size() == 1) {
-    const auto& [atom, exponent] = monomial[0];
-    if (plain && exponent == 2) return FactorPair{atom, atom, Number(1)};
-    if (!plain && exponent == 1 && coefficient.sign() > 0) return FactorPair{atom, -1, coefficient};
+    const auto& [value_number, exponent] = monomial[0];
+    if (plain && exponent == 2) return FactorPair{value_number, value_number, Number(1)};
+    if (!plain && exponent == 1 && coefficient.sign() > 0) return FactorPair{value_number, -1, coefficient};
   }
   if (!plain || monomial.size() != 2 || monomial[0].exponent != 1 || monomial[1].exponent != 1) return std::nullopt;
-  return FactorPair{monomial[0].atom, monomial[1].atom, Number(1)};
+  return FactorPair{monomial[0].value_number, monomial[1].value_number, Number(1)};
 }
 
 void add_pairs(const Formula& formula, std::vector<FactorPair>& pairs) {
   for (const Formula& child : formula.children) add_pairs(child, pairs);
   if (formula.kind != Formula::Kind::product) return;
-  std::map<Atom, int> powers;
+  std::map<ValueNumber, int> powers;
   const Number* number = nullptr;
   for (const Formula& child : formula.children) {
-    if (child.kind == Formula::Kind::atom) ++powers[child.atom];
+    if (child.kind == Formula::Kind::value_number) ++powers[child.value_number];
     if (child.kind == Formula::Kind::constant) number = &child.number;
   }
   for (auto one = powers.begin(); one != powers.end(); ++one) {
-    const auto& [atom, power] = *one;
-    if (number != nullptr) pairs.push_back({atom, -1, *number});
-    for (int squares = power / 2; squares > 0; --squares) pairs.push_back({atom, atom, Number(1)});
-    for (auto other = std::next(one); other != powers.end(); ++other) pairs.push_back({atom, other->first, Number(1)});
+    const auto& [value_number, power] = *one;
+    if (number != nullptr) pairs.push_back({value_number, -1, *number});
+    for (int squares = power / 2; squares > 0; --squares) pairs.push_back({value_number, value_number, Number(1)});
+    for (auto other = std::next(one); other != powers.end(); ++other)
+      pairs.push_back({value_number, other->first, Number(1)});
   }
 }
 
-bool same_factoring(const Formula& before, const Formula& after, const FactorPair& pair, Atom product) {
+bool same_factoring(const Formula& before, const Formula& after, const FactorPair& pair, ValueNumber product) {
   if (!has_inner_sum(before) && !has_inner_sum(after)) return true;
   const Shape shape(pair, product);
   return shape(before) == shape(after);

@@ -5,23 +5,23 @@
 #include <optional>
 #include <vector>
 
-#include "generator/expression/formula.hpp"
-#include "generator/expression/number.hpp"
-#include "generator/expression/polynomial.hpp"
+#include "generator/base/number.hpp"
+#include "generator/program/formula.hpp"
+#include "generator/program/polynomial.hpp"
 
 namespace torsor {
 
-/// Two factors of a product: an atom, and another (perhaps the same) or a positive number other than one.
+/// Two factors of a product: a value number, and another (perhaps the same) or a positive number other than one.
 struct FactorPair {
-  Atom first = -1, second = -1;  ///< in this order; second < 0: the number
+  ValueNumber first = -1, second = -1;  ///< in this order; second < 0: the number
   Number number{1};
 
   friend std::strong_ordering operator<=>(const FactorPair& a, const FactorPair& b);
   friend bool operator==(const FactorPair& a, const FactorPair& b) { return (a <=> b) == 0; }
 
   Polynomial product() const;
-  /// The sum with the atom `product` for the pair, wherever a term multiplies both.
-  Polynomial replaced(const Polynomial& sum, Atom product) const;
+  /// The sum with the value number `product` for the pair, wherever a term multiplies both.
+  Polynomial replaced(const Polynomial& sum, ValueNumber product) const;
 };
 
 /// The pair of which a sum is the product.
@@ -32,6 +32,6 @@ void add_pairs(const Formula& formula, std::vector<FactorPair>& pairs);
 
 /// Whether two formulas differ in nothing but `product` for the pair, and the order of terms and factors: the same sums
 /// are formed, with the same signs, before they are multiplied: the same roundings but for those of the products.
-bool same_factoring(const Formula& before, const Formula& after, const FactorPair& pair, Atom product);
+bool same_factoring(const Formula& before, const Formula& after, const FactorPair& pair, ValueNumber product);
 
 }  // namespace torsor

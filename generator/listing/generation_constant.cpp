@@ -3,29 +3,29 @@
 
 #include <fmt/format.h>
 
-#include "generator/expression/error.hpp"
-#include "generator/expression/evaluation.hpp"
+#include "generator/base/error.hpp"
+#include "generator/program/evaluation.hpp"
 
 namespace torsor {
 namespace {
 
-Real evaluated(Program& program, Atom atom) {
-  Evaluator<Real> evaluate(program, [&program, atom](const SymbolPointer& symbol) {
+Real evaluated(Program& program, ValueNumber value_number) {
+  Evaluator<Real> evaluate(program, [&program, value_number](const SymbolPointer& symbol) {
     if (symbol->kind == SymbolKind::pi) return Real::pi(Real::working_digits());
     throw Error(fmt::format("'{}' depends on '{}': its value is not known when the header is generated",
-                            label(program, atom), symbol->name));
+                            label(program, value_number), symbol->name));
   });
-  return evaluate(program.atom_value(atom));
+  return evaluate(program.value_of_number(value_number));
 }
 
 }  // namespace
 
-RoundedConstant rounded_constant(Program& program, Atom atom) {
+RoundedConstant rounded_constant(Program& program, ValueNumber value_number) {
   constexpr int most_digits = 1280;
   for (int digits = 40;; digits *= 2) {
     const auto at = [&](int precision) {
       const WorkingDigits working(precision);
-      return evaluated(program, atom);
+      return evaluated(program, value_number);
     };
     const Real coarse = at(digits);
     const Real fine = at(2 * digits);
@@ -33,7 +33,7 @@ RoundedConstant rounded_constant(Program& program, Atom atom) {
       throw Error(
           fmt::format("the constant '{}' of the scene has no value: it divides by zero, or takes the root or "
                       "logarithm of a negative number",
-                      label(program, atom)));
+                      label(program, value_number)));
     }
     // A value known to 30 digits rounds to 53 bits at once, unless it lies within 1e-30 of a half: then two
     // precisions give two results.

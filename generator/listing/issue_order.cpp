@@ -36,8 +36,8 @@ struct IssueNode {
 };
 
 std::vector<IssueNode> nodes_of(const Program& program, const EarliestStarts& starts,
-                                const std::vector<Atom>& definitions) {
-  std::unordered_map<Atom, NodeNumber> places;
+                                const std::vector<ValueNumber>& definitions) {
+  std::unordered_map<ValueNumber, NodeNumber> places;
   for (NodeNumber k = 0; k < definitions.size(); ++k) places.emplace(definitions[k], k);
   std::vector<IssueNode> nodes(definitions.size());
   // Users come after operands in the program: backwards, each one's way to the end is known when it is looked at.
@@ -45,10 +45,10 @@ std::vector<IssueNode> nodes_of(const Program& program, const EarliestStarts& st
     IssueNode& node = nodes[k];
     const Formula right_side = starts.scheduled(program[definitions[k]]);
     node.operations = std::max(1, count(right_side).total());
-    starts.for_each_delay(right_side, [&](Atom atom, int cycles) {
-      const auto place = places.find(atom);
+    starts.for_each_delay(right_side, [&](ValueNumber value_number, int cycles) {
+      const auto place = places.find(value_number);
       if (place == places.end()) {
-        node.from_outside = std::max(node.from_outside, starts(atom) + cycles);
+        node.from_outside = std::max(node.from_outside, starts(value_number) + cycles);
         return;
       }
       int& longest = node.operands[place->second];
@@ -161,13 +161,13 @@ class ListScheduling {
 
 }  // namespace
 
-std::vector<Atom> issue_order(const Program& program, const EarliestStarts& starts,
-                              const std::vector<Atom>& definitions) {
+std::vector<ValueNumber> issue_order(const Program& program, const EarliestStarts& starts,
+                              const std::vector<ValueNumber>& definitions) {
   if (!program.passes().scheduling) return definitions;
   // Constants of the generation stage are literals; what is computed once for all states needs no haste.
-  const auto is_urgent = [&](Atom atom) { return program[atom].stage > Stage::parameters; };
-  std::vector<Atom> order, urgent;
-  for (const Atom atom : definitions) (is_urgent(atom) ? urgent : order).push_back(atom);
+  const auto is_urgent = [&](ValueNumber value_number) { return program[value_number].stage > Stage::parameters; };
+  std::vector<ValueNumber> order, urgent;
+  for (const ValueNumber value_number : definitions) (is_urgent(value_number) ? urgent : order).push_back(value_number);
   for (const NodeNumber k : ListScheduling(nodes_of(program, starts, urgent)).run()) order.push_back(urgent[k]);
   return order;
 }

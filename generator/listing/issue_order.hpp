@@ -3,8 +3,8 @@
 
 #include <vector>
 
-#include "generator/expression/program.hpp"
 #include "generator/listing/earliest_start.hpp"
+#include "generator/program/program.hpp"
 
 namespace torsor {
 
@@ -12,7 +12,7 @@ namespace torsor {
 /// list scheduling (Gibbons & Muchnick 1986) for a processor that looks some way ahead. What the results wait for
 /// longest goes first, unless more values are live than registers hold: then what frees most. `definitions` are in the
 /// program's order, and stay so without the pass `scheduling`. Same definitions, same bits.
-std::vector<Atom> issue_order(const Program& program, const EarliestStarts& starts,
-                              const std::vector<Atom>& definitions);
+std::vector<ValueNumber> issue_order(const Program& program, const EarliestStarts& starts,
+                              const std::vector<ValueNumber>& definitions);
 
 }  // namespace torsor

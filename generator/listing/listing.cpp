@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "generator/listing/listing.hpp"
 
-#include "generator/expression/error.hpp"
+#include "generator/base/error.hpp"
 
 namespace torsor {
 
@@ -28,14 +28,14 @@ const std::vector<SymbolPointer>& Layout::of(Table table) const {
 namespace {
 
 void mark(const Formula& formula, std::vector<bool>& read) {
-  if (formula.kind == Formula::Kind::atom) read[static_cast<std::size_t>(formula.atom)] = true;
+  if (formula.kind == Formula::Kind::value_number) read[static_cast<std::size_t>(formula.value_number)] = true;
   for (const Formula& child : formula.children) mark(child, read);
 }
 
 }  // namespace
 
 bool is_needed(const Statement& statement, const std::vector<bool>& read) {
-  const auto is_read = [&read](Atom quantity) { return read[static_cast<std::size_t>(quantity)]; };
+  const auto is_read = [&read](ValueNumber quantity) { return read[static_cast<std::size_t>(quantity)]; };
   if (const auto* literal = std::get_if<Literal>(&statement)) return is_read(literal->quantity);
   if (const auto* assigned = std::get_if<Assigned>(&statement)) return is_read(assigned->quantity);
   if (const auto* pi = std::get_if<Pi>(&statement)) return is_read(pi->quantity);

@@ -8,10 +8,10 @@
 #include <variant>
 #include <vector>
 
-#include "generator/expression/formula.hpp"
 #include "generator/expression/symbol.hpp"
 #include "generator/listing/generation_constant.hpp"
 #include "generator/listing/target.hpp"
+#include "generator/program/formula.hpp"
 
 namespace torsor {
 
@@ -56,7 +56,7 @@ struct Quantity {
 
 /// Local quantities that a statement defines. Leaves of a listing's formulas are quantities by their number.
 struct Assigned {
-  Atom quantity = 0;
+  ValueNumber quantity = 0;
   Formula right;
   std::string meaning{};
 };
@@ -64,7 +64,7 @@ struct Assigned {
 /// A constant that depends on numbers only, rounded once, with the formula for scalars that no literal is exact enough
 /// for; of a sine or cosine the angle is its only child.
 struct Literal {
-  Atom quantity = 0;
+  ValueNumber quantity = 0;
   Formula right;
   RoundedConstant rounded;
   std::string meaning{};
@@ -72,13 +72,13 @@ struct Literal {
 
 /// π, under a name.
 struct Pi {
-  Atom quantity = 0;
+  ValueNumber quantity = 0;
 };
 
 /// Sines and cosines of several angles at once; one of an angle that nothing reads is none.
 struct SineCosinePair {
-  Atom angle = 0;
-  std::optional<Atom> sine, cosine;
+  ValueNumber angle = 0;
+  std::optional<ValueNumber> sine, cosine;
   std::string meaning{};
 };
 struct SinesAndCosines {
@@ -110,7 +110,7 @@ struct Pivot {
 /// are the coefficients of order k + 1.
 struct Recurrence {
   std::vector<Statement> steps;
-  std::vector<std::pair<Atom, Atom>> convolutions;  ///< pairs of series, whose coefficients of order k are these
+  std::vector<std::pair<ValueNumber, ValueNumber>> convolutions;  ///< pairs of series, whose coefficients of order k are these
   std::vector<Formula> rates;                       ///< of each entry of the state
   std::vector<bool> constant;                       ///< which rates are constant
 };
@@ -119,7 +119,7 @@ struct Recurrence {
 /// some language, and nothing refers to the program that it came from.
 struct Listing {
   std::vector<Quantity> quantities;
-  std::vector<Atom> given;  ///< read from arguments before anything is computed
+  std::vector<ValueNumber> given;  ///< read from arguments before anything is computed
   std::vector<Statement> statements;
   std::vector<Output> outputs;
   std::optional<Recurrence> recurrence;
@@ -128,7 +128,7 @@ struct Listing {
   bool has_status = false;
 
   bool reads(Table table) const;  ///< any quantity of that table
-  const Quantity& quantity(Atom number) const { return quantities[static_cast<std::size_t>(number)]; }
+  const Quantity& quantity(ValueNumber number) const { return quantities[static_cast<std::size_t>(number)]; }
 };
 
 /// By quantity: whether anything reads it that is needed itself; formulas of literals do if these are computed.

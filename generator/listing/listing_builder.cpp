@@ -5,7 +5,7 @@
 
 #include <fmt/format.h>
 
-#include "generator/expression/error.hpp"
+#include "generator/base/error.hpp"
 #include "generator/listing/issue_order.hpp"
 #include "generator/listing/local_names.hpp"
 
@@ -16,13 +16,13 @@ bool is_trigonometric(const Definition& definition) {
   return definition.function == Function::sin || definition.function == Function::cos;
 }
 
-/// Calls for each earlier atom of the program that a definition reads.
+/// Calls for each earlier value number of the program that a definition reads.
 template <class Call>
 void for_each_operand(const Definition& definition, const Call& call) {
   for (const Term& term : definition.polynomial.terms()) {
-    for (const Factor& factor : term.monomial) call(factor.atom);
+    for (const Factor& factor : term.monomial) call(factor.value_number);
   }
-  for (const Atom argument : definition.arguments) call(argument);
+  for (const ValueNumber argument : definition.arguments) call(argument);
 }
 
 Table table_of(SymbolKind kind) {
@@ -51,14 +51,14 @@ Table table_of(SymbolKind kind) {
 
 void ListingBuilder::compute(const Block& block) {
   live_.insert(block.definitions.begin(), block.definitions.end());
-  for (const Atom atom : block.symbols) read_symbol(atom);
-  for (const Atom atom : block.given) read_member(atom);
+  for (const ValueNumber value_number : block.symbols) read_symbol(value_number);
+  for (const ValueNumber value_number : block.given) read_member(value_number);
   define_sines_and_cosines(block);
-  std::vector<Atom> left;
-  for (const Atom atom : block.definitions) {
-    if (!done_.contains(atom)) left.push_back(atom);
+  std::vector<ValueNumber> left;
+  for (const ValueNumber value_number : block.definitions) {
+    if (!done_.contains(value_number)) left.push_back(value_number);
   }
-  for (const Atom atom : issue_order(*program_, starts_, left)) define(atom);
+  for (const ValueNumber value_number : issue_order(*program_, starts_, left)) define(value_number);
 }
 
 void ListingBuilder::write(const Wanted& wanted) {
@@ -66,8 +66,8 @@ void ListingBuilder::write(const Wanted& wanted) {
   listing_.outputs.push_back({wanted.target, std::move(value), !repeats && !wanted.value.is_constant(), {}});
 }
 
-void ListingBuilder::write_member(const Target& target, Atom atom, const std::string& meaning) {
-  write(target, Formula::of_atom(place_of(atom)), meaning);
+void ListingBuilder::write_member(const Target& target, ValueNumber value_number, const std::string& meaning) {
+  write(target, Formula::of_value_number(place_of(value_number)), meaning);
 }
 
 void ListingBuilder::measure(const std::pair<Value, Value>& pivot) {
@@ -86,22 +86,22 @@ Formula ListingBuilder::formula_of(const Polynomial& sum) {
   const auto [positive, negative] = without_sign(sum);
   Formula right;
   if (const auto ready = around_.schedule != nullptr ? around_.schedule->results.find(positive) : std::nullopt) {
-    right = Formula::of_atom(read(Table::precomputed, around_.schedule->members.size() + *ready));
+    right = Formula::of_value_number(read(Table::precomputed, around_.schedule->members.size() + *ready));
   } else {
     right = placed(starts_.scheduled(positive));
   }
   return negative ? negated(std::move(right)) : right;
 }
 
-Atom ListingBuilder::add(Quantity quantity) {
+ValueNumber ListingBuilder::add(Quantity quantity) {
   listing_.quantities.push_back(std::move(quantity));
-  return static_cast<Atom>(listing_.quantities.size()) - 1;
+  return static_cast<ValueNumber>(listing_.quantities.size()) - 1;
 }
 
-Atom ListingBuilder::add_local(Atom atom) {
-  const std::string meaningful = local_name(*program_, atom);
-  const Atom number = add_local(meaningful.empty() ? fmt::format("z{}", numbered_++) : meaningful);
-  places_.emplace(atom, number);
+ValueNumber ListingBuilder::add_local(ValueNumber value_number) {
+  const std::string meaningful = local_name(*program_, value_number);
+  const ValueNumber number = add_local(meaningful.empty() ? fmt::format("z{}", numbered_++) : meaningful);
+  places_.emplace(value_number, number);
   return number;
 }
 
@@ -117,99 +117,101 @@ std::pair<Table, std::size_t> ListingBuilder::argument(const SymbolPointer& symb
   return {table, static_cast<std::size_t>(place - known.begin())};
 }
 
-Atom ListingBuilder::place_of(const SymbolPointer& symbol) {
+ValueNumber ListingBuilder::place_of(const SymbolPointer& symbol) {
   if (!places_formulas_) return 0;
   const auto [table, index] = argument(symbol);
   return read(table, index);
 }
 
-void ListingBuilder::read_symbol(Atom atom) {
-  const auto [table, index] = argument((*program_)[atom].symbol);
-  listing_.given.push_back(add({table, index, local_name(*program_, atom)}));
-  places_.emplace(atom, listing_.given.back());
+void ListingBuilder::read_symbol(ValueNumber value_number) {
+  const auto [table, index] = argument((*program_)[value_number].symbol);
+  listing_.given.push_back(add({table, index, local_name(*program_, value_number)}));
+  places_.emplace(value_number, listing_.given.back());
 }
 
-void ListingBuilder::read_member(Atom atom) {
-  const std::vector<Atom>& members = around_.schedule->members;
-  const auto place = std::lower_bound(members.begin(), members.end(), atom);
+void ListingBuilder::read_member(ValueNumber value_number) {
+  const std::vector<ValueNumber>& members = around_.schedule->members;
+  const auto place = std::lower_bound(members.begin(), members.end(), value_number);
   const auto index = static_cast<std::size_t>(place - members.begin());
   listing_.given.push_back(add({Table::precomputed, index, precomputed_name(*program_, *around_.schedule, index)}));
-  places_.emplace(atom, listing_.given.back());
+  places_.emplace(value_number, listing_.given.back());
 }
 
-Atom ListingBuilder::place_of(Atom atom) const {
+ValueNumber ListingBuilder::place_of(ValueNumber value_number) const {
   if (!places_formulas_) return 0;
-  const auto place = places_.find(atom);
+  const auto place = places_.find(value_number);
   if (place != places_.end()) return place->second;
-  throw Error(
-      fmt::format("the kernel '{}' reads '{}' before it is computed", around_.function, label(*program_, atom)));
+  throw Error(fmt::format("the kernel '{}' reads '{}' before it is computed", around_.function,
+                          label(*program_, value_number)));
 }
 
 Formula ListingBuilder::placed(Formula formula) const {
-  if (formula.kind == Formula::Kind::atom) formula.atom = place_of(formula.atom);
+  if (formula.kind == Formula::Kind::value_number) formula.value_number = place_of(formula.value_number);
   for (Formula& child : formula.children) child = placed(std::move(child));
   return formula;
 }
 
-void ListingBuilder::define(Atom atom) {
-  if (!done_.insert(atom).second) return;
-  const Definition& definition = (*program_)[atom];
+void ListingBuilder::define(ValueNumber value_number) {
+  if (!done_.insert(value_number).second) return;
+  const Definition& definition = (*program_)[value_number];
   if (definition.symbol) {
-    listing_.statements.emplace_back(Pi{add_local(atom)});
+    listing_.statements.emplace_back(Pi{add_local(value_number)});
     return;
   }
   Formula right = placed(starts_.scheduled(definition));
   const bool number = !definition.function && definition.polynomial.is_constant();
-  const Atom quantity = add_local(atom);
+  const ValueNumber quantity = add_local(value_number);
   if (definition.stage != Stage::generation || number) {
     listing_.statements.emplace_back(Assigned{quantity, std::move(right), definition.name});
   } else {
-    const RoundedConstant rounded = rounded_constant(*program_, atom);
+    const RoundedConstant rounded = rounded_constant(*program_, value_number);
     listing_.statements.emplace_back(Literal{quantity, std::move(right), rounded, definition.name});
   }
 }
 
 void ListingBuilder::define_sines_and_cosines(const Block& block) {
   // How many sines or cosines stand one behind the other before and in each definition.
-  std::unordered_map<Atom, std::size_t> depth;  // looked up only
-  std::vector<std::vector<Atom>> groups;
-  for (const Atom atom : block.definitions) {
-    const Definition& definition = (*program_)[atom];
+  std::unordered_map<ValueNumber, std::size_t> depth;  // looked up only
+  std::vector<std::vector<ValueNumber>> groups;
+  for (const ValueNumber value_number : block.definitions) {
+    const Definition& definition = (*program_)[value_number];
     std::size_t own = 0;
-    for_each_operand(definition, [&](Atom operand) {
+    for_each_operand(definition, [&](ValueNumber operand) {
       const auto known = depth.find(operand);
       if (known != depth.end()) own = std::max(own, known->second);
     });
     const bool counts = is_trigonometric(definition) && definition.stage != Stage::generation;
     if (counts && ++own > groups.size()) groups.emplace_back();
-    if (own > 0) depth.emplace(atom, own);
+    if (own > 0) depth.emplace(value_number, own);
     if (!counts) continue;
-    std::vector<Atom>& group = groups[own - 1];
+    std::vector<ValueNumber>& group = groups[own - 1];
     const bool with_partner = std::find(group.begin(), group.end(), definition.partner) != group.end();
-    if (!with_partner) group.push_back(atom);
+    if (!with_partner) group.push_back(value_number);
   }
-  for (const std::vector<Atom>& group : groups) {
+  for (const std::vector<ValueNumber>& group : groups) {
     std::vector<bool> needed(program_->size(), false);
-    for (const Atom atom : group) needed[static_cast<std::size_t>((*program_)[atom].arguments[0])] = true;
+    for (const ValueNumber value_number : group)
+      needed[static_cast<std::size_t>((*program_)[value_number].arguments[0])] = true;
     for (auto each = block.definitions.rbegin(); each != block.definitions.rend(); ++each) {
       if (!needed[static_cast<std::size_t>(*each)]) continue;
-      for_each_operand((*program_)[*each], [&](Atom operand) { needed[static_cast<std::size_t>(operand)] = true; });
+      for_each_operand((*program_)[*each],
+                       [&](ValueNumber operand) { needed[static_cast<std::size_t>(operand)] = true; });
     }
-    for (const Atom atom : block.definitions) {
-      if (needed[static_cast<std::size_t>(atom)]) define(atom);
+    for (const ValueNumber value_number : block.definitions) {
+      if (needed[static_cast<std::size_t>(value_number)]) define(value_number);
     }
     define_group(group);
   }
 }
 
-void ListingBuilder::define_group(const std::vector<Atom>& group) {
+void ListingBuilder::define_group(const std::vector<ValueNumber>& group) {
   SinesAndCosines together;
-  for (const Atom atom : group) {
-    const Definition& definition = (*program_)[atom];
+  for (const ValueNumber value_number : group) {
+    const Definition& definition = (*program_)[value_number];
     SineCosinePair pair{place_of(definition.arguments[0]), {}, {}, definition.name};
     const bool sine = definition.function == Function::sin;
     for (const bool of_sine : {true, false}) {
-      const Atom each = sine == of_sine ? atom : definition.partner;
+      const ValueNumber each = sine == of_sine ? value_number : definition.partner;
       done_.insert(each);
       if (group.size() > 1 && !live_.contains(each)) continue;  // a group of one gives both
       (of_sine ? pair.sine : pair.cosine) = add_local(each);
@@ -227,7 +229,7 @@ std::pair<Signed, bool> ListingBuilder::value_of(const Value& value, std::size_t
   if (count(tree).total() == 0) return {{placed(std::move(tree)), negative}, false};
   if (const auto ready = around_.schedule != nullptr ? around_.schedule->results.find(sum) : std::nullopt) {
     const std::size_t member = around_.schedule->members.size() + *ready;
-    return {{Formula::of_atom(read(Table::precomputed, member)), negative}, false};
+    return {{Formula::of_value_number(read(Table::precomputed, member)), negative}, false};
   }
   const auto [place, added] = written_.add(sum);
   if (added) {
@@ -235,18 +237,18 @@ std::pair<Signed, bool> ListingBuilder::value_of(const Value& value, std::size_t
     negative_.push_back(negative);
     return {{placed(std::move(tree)), negative}, false};
   }
-  return {{Formula::of_atom(written(place)), negative != negative_[place]}, true};
+  return {{Formula::of_value_number(written(place)), negative != negative_[place]}, true};
 }
 
-Atom ListingBuilder::read(Table table, std::size_t index) {
+ValueNumber ListingBuilder::read(Table table, std::size_t index) {
   const auto known = standing_.find({table, index});
   if (known != standing_.end()) return known->second;
-  const Atom number = add({table, index, ""});
+  const ValueNumber number = add({table, index, ""});
   standing_.emplace(std::pair(table, index), number);
   return number;
 }
 
-Atom ListingBuilder::written(std::size_t place) {
+ValueNumber ListingBuilder::written(std::size_t place) {
   const std::optional<std::size_t>& output = outputs_[place];
   return output ? read(Table::output, *output) : locals_of_pivots_.at(place);
 }
@@ -257,12 +259,12 @@ Signed ListingBuilder::operand(const Value& value) {
   Signed result = value_of(value, 0).first;
   if (outputs_.size() == before) return result;
   outputs_.back().reset();
-  const Atom local = add_local(fmt::format("y{}", before));
+  const ValueNumber local = add_local(fmt::format("y{}", before));
   locals_of_pivots_.emplace(before, local);
   negative_.back() = false;
   const bool negative = result.negative;
   listing_.of_pivots.emplace_back(Assigned{local, std::move(result.formula), {}});
-  return {Formula::of_atom(local), negative};
+  return {Formula::of_value_number(local), negative};
 }
 
 }  // namespace torsor

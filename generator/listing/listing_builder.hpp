@@ -9,10 +9,10 @@
 #include <utility>
 #include <vector>
 
-#include "generator/expression/program.hpp"
-#include "generator/expression/sum_table.hpp"
 #include "generator/listing/earliest_start.hpp"
 #include "generator/listing/lowering.hpp"
+#include "generator/program/program.hpp"
+#include "generator/program/sum_table.hpp"
 
 namespace torsor {
 
@@ -29,33 +29,33 @@ class ListingBuilder {
   void write(const Target& target, Formula value, const std::string& meaning = {}) {
     listing_.outputs.push_back({target, {std::move(value)}, false, meaning});
   }
-  void write_member(const Target& target, Atom atom, const std::string& meaning);
+  void write_member(const Target& target, ValueNumber value_number, const std::string& meaning);
   void measure(const std::pair<Value, Value>& pivot);
   Listing take(bool has_status);
 
   // Of recurrences
   Formula formula_of(const Polynomial& sum);   ///< in what has been computed
-  Atom place_of(Atom atom) const;              ///< what has been computed
-  Atom place_of(const SymbolPointer& symbol);  ///< an argument
-  Atom read(Table table, std::size_t index);   ///< where it stands
-  Atom add_local(const std::string& name) { return add({Table::local, locals_++, name}); }
-  void assign(Atom quantity, Formula right) {
+  ValueNumber place_of(ValueNumber value_number) const;              ///< what has been computed
+  ValueNumber place_of(const SymbolPointer& symbol);  ///< an argument
+  ValueNumber read(Table table, std::size_t index);   ///< where it stands
+  ValueNumber add_local(const std::string& name) { return add({Table::local, locals_++, name}); }
+  void assign(ValueNumber quantity, Formula right) {
     listing_.statements.emplace_back(Assigned{quantity, std::move(right), {}});
   }
   Listing& listing() { return listing_; }
 
  private:
-  Atom add(Quantity quantity);
-  Atom add_local(Atom atom);
+  ValueNumber add(Quantity quantity);
+  ValueNumber add_local(ValueNumber value_number);
   std::pair<Table, std::size_t> argument(const SymbolPointer& symbol) const;
-  void read_symbol(Atom atom);
-  void read_member(Atom atom);
+  void read_symbol(ValueNumber value_number);
+  void read_member(ValueNumber value_number);
   Formula placed(Formula formula) const;  ///< its leaves as quantities
-  void define(Atom atom);
+  void define(ValueNumber value_number);
   void define_sines_and_cosines(const Block& block);
-  void define_group(const std::vector<Atom>& group);
+  void define_group(const std::vector<ValueNumber>& group);
   std::pair<Signed, bool> value_of(const Value& value, std::size_t output);
-  Atom written(std::size_t place);
+  ValueNumber written(std::size_t place);
   Signed operand(const Value& value);
 
   Program* program_;
@@ -63,14 +63,14 @@ class ListingBuilder {
   Surroundings around_;
   Listing listing_;
   bool places_formulas_ = true;
-  std::unordered_map<Atom, Atom>
-      places_;  ///< of the program's atoms among the quantities; looked up only, as the next two
-  std::unordered_set<Atom> done_, live_;
-  std::map<std::pair<Table, std::size_t>, Atom> standing_;  ///< quantities that are read where they stand
+  std::unordered_map<ValueNumber, ValueNumber>
+      places_;  ///< of the program's value numbers among the quantities; looked up only, as the next two
+  std::unordered_set<ValueNumber> done_, live_;
+  std::map<std::pair<Table, std::size_t>, ValueNumber> standing_;  ///< quantities that are read where they stand
   std::size_t locals_ = 0, numbered_ = 0;
   SumTable written_;                                 ///< results that cost something, with
   std::vector<std::optional<std::size_t>> outputs_;  ///< the output of each, or
-  std::unordered_map<std::size_t, Atom> locals_of_pivots_;
+  std::unordered_map<std::size_t, ValueNumber> locals_of_pivots_;
   std::vector<bool> negative_;  ///< and whether it holds it with the other sign
 };
 

@@ -6,8 +6,8 @@
 #include <utility>
 #include <vector>
 
-#include "generator/expression/function_values.hpp"
 #include "generator/listing/listing.hpp"
+#include "generator/program/function_values.hpp"
 
 namespace torsor {
 
@@ -35,7 +35,7 @@ class ListingEvaluator {
     argument_ = std::move(argument);
     outputs_.clear();
     pivots_.clear();
-    for (const Atom quantity : listing_->given) assign(quantity, at_place(listing_->quantity(quantity)));
+    for (const ValueNumber quantity : listing_->given) assign(quantity, at_place(listing_->quantity(quantity)));
     for (const Statement& each : listing_->statements) define(each);
     for (const Output& each : listing_->outputs) outputs_.push_back(of(each.value));
     if (listing_->recurrence) compute(*listing_->recurrence, order);
@@ -54,7 +54,7 @@ class ListingEvaluator {
   const std::vector<std::pair<Scalar, Scalar>>& pivots() const { return pivots_; }
 
  private:
-  void assign(Atom quantity, Scalar value) { locals_[static_cast<std::size_t>(quantity)] = std::move(value); }
+  void assign(ValueNumber quantity, Scalar value) { locals_[static_cast<std::size_t>(quantity)] = std::move(value); }
 
   Scalar at_place(const Quantity& quantity) const {
     switch (quantity.table) {
@@ -65,7 +65,7 @@ class ListingEvaluator {
       default: return argument_(quantity.table, quantity.index);
     }
   }
-  Scalar of(Atom number) const {
+  Scalar of(ValueNumber number) const {
     const Quantity& quantity = listing_->quantity(number);
     return quantity.name.empty() ? at_place(quantity) : locals_[static_cast<std::size_t>(number)];
   }
@@ -82,7 +82,7 @@ class ListingEvaluator {
   Scalar of(const Formula& formula) {
     switch (formula.kind) {
       case Formula::Kind::constant: return constant(formula.number);
-      case Formula::Kind::atom: return of(formula.atom);
+      case Formula::Kind::value_number: return of(formula.value_number);
       case Formula::Kind::function: {
         std::vector<Scalar> arguments;
         for (const Formula& child : formula.children) arguments.push_back(of(child));

@@ -7,8 +7,8 @@ namespace torsor {
 
 std::string member_name(const Symbol& symbol) { return symbol.name.substr(0, symbol.name.find('\'')); }
 
-std::string local_name(const Program& program, Atom atom) {
-  const Definition& definition = program[atom];
+std::string local_name(const Program& program, ValueNumber value_number) {
+  const Definition& definition = program[value_number];
   if (definition.symbol) {
     const std::string name = member_name(*definition.symbol);
     switch (definition.symbol->kind) {

@@ -3,8 +3,8 @@
 
 #include <string>
 
-#include "generator/expression/number.hpp"
-#include "generator/expression/program.hpp"
+#include "generator/base/number.hpp"
+#include "generator/program/program.hpp"
 
 namespace torsor {
 
@@ -12,9 +12,9 @@ namespace torsor {
 // member it stands as it is, as a local variable it gets a prefix of its kind. What a printer needs beside users'
 // members ends in an underscore. So no two names can meet, whatever the user chose.
 
-/// The local variable that holds an atom: q_theta, v_theta, a_theta, u_torque, l_normal, p_mass, t; s_theta and c_theta
+/// The local variable that holds a value number: q_theta, v_theta, a_theta, u_torque, l_normal, p_mass, t; s_theta and c_theta
 /// for sine and cosine of a coordinate or parameter; empty for everything else, which is numbered function by function.
-std::string local_name(const Program& program, Atom atom);
+std::string local_name(const Program& program, ValueNumber value_number);
 
 /// The coordinate's name for its velocity and acceleration too, else the symbol's own.
 std::string member_name(const Symbol& symbol);

@@ -5,10 +5,10 @@
 #include <utility>
 #include <vector>
 
-#include "generator/expression/program.hpp"
 #include "generator/listing/listing.hpp"
 #include "generator/listing/schedule.hpp"
 #include "generator/listing/series_result.hpp"
+#include "generator/program/program.hpp"
 
 namespace torsor {
 

@@ -7,12 +7,12 @@
 
 #include <fmt/format.h>
 
-#include "generator/expression/fnv.hpp"
+#include "generator/base/fnv.hpp"
 
 namespace torsor {
 namespace {
 
-std::string written(const Formula& formula, const std::function<std::string(Atom)>& leaf) {
+std::string written(const Formula& formula, const std::function<std::string(ValueNumber)>& leaf) {
   const auto children = [&](const char* separator) {
     std::string text;
     for (std::size_t i = 0; i < formula.children.size(); ++i) {
@@ -22,8 +22,8 @@ std::string written(const Formula& formula, const std::function<std::string(Atom
     return "(" + text + ")";
   };
   switch (formula.kind) {
-    case Formula::Kind::atom:
-      return leaf(formula.atom);
+    case Formula::Kind::value_number:
+      return leaf(formula.value_number);
     case Formula::Kind::constant:
       return formula.number.to_exact();
     case Formula::Kind::sum:
@@ -41,8 +41,9 @@ std::string written(const Formula& formula, const std::function<std::string(Atom
 std::string digest(const std::string& text) { return fmt::format("{:016x}", Fnv().add(text).value()); }
 
 /// The formula with its leaves at other places.
-Formula moved(Formula formula, const std::vector<Atom>& places) {
-  if (formula.kind == Formula::Kind::atom) formula.atom = places[static_cast<std::size_t>(formula.atom)];
+Formula moved(Formula formula, const std::vector<ValueNumber>& places) {
+  if (formula.kind == Formula::Kind::value_number)
+    formula.value_number = places[static_cast<std::size_t>(formula.value_number)];
   for (Formula& child : formula.children) child = moved(std::move(child), places);
   return formula;
 }
@@ -57,15 +58,16 @@ bool is_numbered(const std::string& name) {
 }  // namespace
 
 std::string Precomputation::exactly(const Formula& formula) const {
-  return written(formula, [](Atom quantity) { return fmt::format("#{}", quantity); });
+  return written(formula, [](ValueNumber quantity) { return fmt::format("#{}", quantity); });
 }
 
 std::string Precomputation::content(const Formula& formula) const {
-  return digest(written(formula, [this](Atom quantity) { return contents_[static_cast<std::size_t>(quantity)]; }));
+  return digest(
+      written(formula, [this](ValueNumber quantity) { return contents_[static_cast<std::size_t>(quantity)]; }));
 }
 
-Atom Precomputation::add(Quantity quantity, const std::string& formula, const std::string& content) {
-  const auto number = static_cast<Atom>(listing_.quantities.size());
+ValueNumber Precomputation::add(Quantity quantity, const std::string& formula, const std::string& content) {
+  const auto number = static_cast<ValueNumber>(listing_.quantities.size());
   listing_.quantities.push_back(std::move(quantity));
   contents_.push_back(content);
   quantities_.emplace(formula, number);
@@ -73,10 +75,10 @@ Atom Precomputation::add(Quantity quantity, const std::string& formula, const st
 }
 
 template <class MakeStatement>
-Atom Precomputation::quantity(const std::string& formula, const std::string& content, const std::string& name,
+ValueNumber Precomputation::quantity(const std::string& formula, const std::string& content, const std::string& name,
                               const MakeStatement& statement) {
   if (const auto known = quantities_.find(formula); known != quantities_.end()) return known->second;
-  const Atom number = add({Table::local, 0, local_name(name)}, formula, content);
+  const ValueNumber number = add({Table::local, 0, local_name(name)}, formula, content);
   listing_.statements.emplace_back(statement(number));
   return number;
 }
@@ -85,26 +87,26 @@ void Precomputation::define(const Listing& once, const Assigned& each, Places& p
   const Formula right = moved(each.right, places);
   places[static_cast<std::size_t>(each.quantity)] =
       quantity(exactly(right), content(right), once.quantity(each.quantity).name,
-               [&](Atom number) { return Assigned{number, right, each.meaning}; });
+               [&](ValueNumber number) { return Assigned{number, right, each.meaning}; });
 }
 
 void Precomputation::define(const Listing& once, const Literal& each, Places& places) {
   const Formula right = moved(each.right, places);
   places[static_cast<std::size_t>(each.quantity)] =
       quantity("literal " + exactly(right), content(right), once.quantity(each.quantity).name,
-               [&](Atom number) { return Literal{number, right, each.rounded, each.meaning}; });
+               [&](ValueNumber number) { return Literal{number, right, each.rounded, each.meaning}; });
 }
 
 void Precomputation::define(const Listing& once, const Pi& each, Places& places) {
   places[static_cast<std::size_t>(each.quantity)] = quantity(
-      "pi", digest("pi"), once.quantity(each.quantity).name, [](Atom number) { return Pi{number}; });
+      "pi", digest("pi"), once.quantity(each.quantity).name, [](ValueNumber number) { return Pi{number}; });
 }
 
 std::string Precomputation::local_name(const std::string& name) {
   return is_numbered(name) ? fmt::format("z{}", numbered_++) : name;
 }
 
-Atom Precomputation::turned(const std::string& name, const char* function, Atom angle) {
+ValueNumber Precomputation::turned(const std::string& name, const char* function, ValueNumber angle) {
   return add({Table::local, 0, local_name(name)}, fmt::format("{}(#{})", function, angle),
              digest(function + contents_[static_cast<std::size_t>(angle)]));
 }
@@ -112,7 +114,7 @@ Atom Precomputation::turned(const std::string& name, const char* function, Atom 
 /// Of a pair that stands in another function's group only what lacks is added, there.
 void Precomputation::define(const Listing& once, const SinesAndCosines& group, Places& places) {
   SinesAndCosines fresh;
-  const auto known_pair = [this](Atom angle) -> SineCosinePair* {
+  const auto known_pair = [this](ValueNumber angle) -> SineCosinePair* {
     for (Statement& statement : listing_.statements) {
       auto* const known = std::get_if<SinesAndCosines>(&statement);
       if (known == nullptr) continue;
@@ -123,13 +125,14 @@ void Precomputation::define(const Listing& once, const SinesAndCosines& group, P
     return nullptr;
   };
   for (const SineCosinePair& each : group.angles) {
-    const Atom angle = places[static_cast<std::size_t>(each.angle)];
+    const ValueNumber angle = places[static_cast<std::size_t>(each.angle)];
     SineCosinePair* pair = known_pair(angle);
     if (pair == nullptr) {
       fresh.angles.push_back({angle, {}, {}, each.meaning});
       pair = &fresh.angles.back();
     }
-    const auto take = [&](const std::optional<Atom>& wanted, std::optional<Atom>& here, const char* function) {
+    const auto take = [&](const std::optional<ValueNumber>& wanted, std::optional<ValueNumber>& here,
+                          const char* function) {
       if (!wanted) return;
       if (!here) here = turned(once.quantity(*wanted).name, function, angle);
       places[static_cast<std::size_t>(*wanted)] = *here;
@@ -148,7 +151,7 @@ void Precomputation::define(const Listing& once, const SinesAndCosines& group, P
 
 std::vector<std::size_t> Precomputation::add(const Listing& once) {
   Places places(once.quantities.size(), -1);
-  for (const Atom given : once.given) {
+  for (const ValueNumber given : once.given) {
     const Quantity& argument = once.quantity(given);
     const std::string formula = fmt::format("given {}", argument.name);
     const auto known = quantities_.find(formula);

@@ -33,26 +33,26 @@ class Precomputation {
 
  private:
   /// Of what is added: quantities of the listing here, by quantity of the one that is added.
-  using Places = std::vector<Atom>;
+  using Places = std::vector<ValueNumber>;
 
   /// The quantity of this formula; a new one gets a statement, made by `statement` of its number.
   template <class MakeStatement>
-  Atom quantity(const std::string& formula, const std::string& content, const std::string& name,
+  ValueNumber quantity(const std::string& formula, const std::string& content, const std::string& name,
                 const MakeStatement& statement);
   void define(const Listing& once, const Assigned& each, Places& places);
   void define(const Listing& once, const Literal& each, Places& places);
   void define(const Listing& once, const Pi& each, Places& places);
   void define(const Listing& once, const SinesAndCosines& group, Places& places);
-  Atom turned(const std::string& name, const char* function, Atom angle);
+  ValueNumber turned(const std::string& name, const char* function, ValueNumber angle);
   std::string local_name(const std::string& name);  ///< anew where it is a number
-  Atom add(Quantity quantity, const std::string& formula, const std::string& content);
+  ValueNumber add(Quantity quantity, const std::string& formula, const std::string& content);
   std::string exactly(const Formula& formula) const;  ///< in quantities of this listing
   std::string content(const Formula& formula) const;  ///< whatever the numbers of these
 
   Listing listing_;
   std::vector<PrecomputedMember> members_;
   std::vector<std::string> contents_;          ///< of each quantity: a digest of what it is computed from
-  std::map<std::string, Atom> quantities_;     ///< by formula
+  std::map<std::string, ValueNumber> quantities_;     ///< by formula
   std::map<std::string, std::size_t> places_;  ///< of members, by formula
   std::size_t numbered_ = 0;
 };

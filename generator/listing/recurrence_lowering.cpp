@@ -28,8 +28,8 @@ RecurrenceLowering::RecurrenceLowering(ListingBuilder& builder, Program& program
   partial_.resize(count);
   lanes_.resize(count, -1);
   known_.resize(program.size(), false);
-  const auto know = [this](const std::vector<Atom>& atoms) {
-    for (const Atom atom : atoms) known_[static_cast<std::size_t>(atom)] = true;
+  const auto know = [this](const std::vector<ValueNumber>& value_numbers) {
+    for (const ValueNumber value_number : value_numbers) known_[static_cast<std::size_t>(value_number)] = true;
   };
   if (series.solve) {
     // Not all of the block: what it holds for the sake of coefficients depends on which of them are read.
@@ -59,7 +59,7 @@ void RecurrenceLowering::run() {
     recurrence_.constant.push_back(outputs[i].terms.empty());
   }
   for (std::size_t i = 0; i < unknown_count(); ++i) {
-    recurrence_.rates.push_back(Formula::of_atom(rates_[i]));
+    recurrence_.rates.push_back(Formula::of_value_number(rates_[i]));
     recurrence_.constant.push_back(false);
   }
   std::vector<Formula> first;
@@ -68,7 +68,7 @@ void RecurrenceLowering::run() {
     first.push_back(builder_.formula_of(series_.solve->start[i].polynomial()));
   }
   for (std::size_t i = 0; i < outputs.size(); ++i) {
-    builder_.write({"coefficients", "0", i}, Formula::of_atom(builder_.place_of(series_.state[i])));
+    builder_.write({"coefficients", "0", i}, Formula::of_value_number(builder_.place_of(series_.state[i])));
   }
   for (std::size_t i = 0; i < outputs.size(); ++i) builder_.write({"coefficients", "1", i}, std::move(first[i]));
   for (std::size_t id = 0; id < nodes_.size(); ++id) {
@@ -91,15 +91,16 @@ int RecurrenceLowering::depth_of(const SeriesNode& each) const {
 
 std::size_t RecurrenceLowering::unknown_of(int id) const {
   const std::vector<SymbolPointer>& all = series_.solve->unknowns;
-  return static_cast<std::size_t>(std::find(all.begin(), all.end(), program_[node(id).atom].symbol) - all.begin());
+  return static_cast<std::size_t>(std::find(all.begin(), all.end(), program_[node(id).value_number].symbol) -
+                                  all.begin());
 }
 
 Formula RecurrenceLowering::sum_of(int id) {
-  return Formula::of_atom(builder_.read(Table::convolution, static_cast<std::size_t>(lanes_[place(id)])));
+  return Formula::of_value_number(builder_.read(Table::convolution, static_cast<std::size_t>(lanes_[place(id)])));
 }
 
 Formula RecurrenceLowering::order(OrderQuantity which) {
-  return Formula::of_atom(builder_.read(Table::order, static_cast<std::size_t>(which)));
+  return Formula::of_value_number(builder_.read(Table::order, static_cast<std::size_t>(which)));
 }
 
 /// The factor without its sign; nothing for one.
@@ -110,14 +111,15 @@ RecurrenceLowering::Optional RecurrenceLowering::factor(const Polynomial& coeffi
   if (positive.is_constant()) {
     return positive.constant().is_one() ? std::nullopt : Optional(number(positive.constant()));
   }
-  if (positive.is_single_atom()) return Formula::of_atom(builder_.place_of(positive.terms()[0].monomial[0].atom));
+  if (positive.is_single_value_number())
+    return Formula::of_value_number(builder_.place_of(positive.terms()[0].monomial[0].value_number));
   const auto [index, added] = factors_.add(positive);
   if (added) {
     Formula right = builder_.formula_of(positive);
     factor_places_.push_back(builder_.add_local(fmt::format("f{}", index)));
     builder_.assign(factor_places_.back(), std::move(right));
   }
-  return Formula::of_atom(factor_places_[index]);
+  return Formula::of_value_number(factor_places_[index]);
 }
 
 Formula RecurrenceLowering::form(const SeriesForm& form, bool at_begin) {
@@ -166,18 +168,18 @@ RecurrenceLowering::Optional RecurrenceLowering::with_terms(Optional before, con
 
 /// A node's value at the start; what is not known yet is computed.
 Formula RecurrenceLowering::begin(int id) {
-  std::optional<Atom>& known = begin_[place(id)];
-  if (known) return Formula::of_atom(*known);
+  std::optional<ValueNumber>& known = begin_[place(id)];
+  if (known) return Formula::of_value_number(*known);
   const SeriesNode& each = node(id);
-  if (each.atom >= 0 && known_[static_cast<std::size_t>(each.atom)]) {
-    known = builder_.place_of(each.atom);
-    return Formula::of_atom(*known);
+  if (each.value_number >= 0 && known_[static_cast<std::size_t>(each.value_number)]) {
+    known = builder_.place_of(each.value_number);
+    return Formula::of_value_number(*known);
   }
   Formula right = number(Number());
   switch (each.kind) {
     case Kind::symbol:
       right = is_unknown(id) ? builder_.formula_of(series_.solve->start[unknown_of(id)].polynomial())
-                             : Formula::of_atom(builder_.place_of(program_[each.atom].symbol));
+                             : Formula::of_value_number(builder_.place_of(program_[each.value_number].symbol));
       break;
     case Kind::sum:
       right = form(each.form, true);
@@ -198,55 +200,56 @@ Formula RecurrenceLowering::begin(int id) {
     default:
       break;
   }
-  const Atom made = builder_.add_local(fmt::format("b{}", id));
+  const ValueNumber made = builder_.add_local(fmt::format("b{}", id));
   builder_.assign(made, std::move(right));
   begin_[place(id)] = made;
-  return Formula::of_atom(made);
+  return Formula::of_value_number(made);
 }
 
 /// What a quotient, a square root or a logarithm is multiplied by at each order, computed when it is first asked for.
 Formula RecurrenceLowering::inverse(int id) {
-  if (inverse_[place(id)]) return Formula::of_atom(*inverse_[place(id)]);
+  if (inverse_[place(id)]) return Formula::of_value_number(*inverse_[place(id)]);
   const SeriesNode& each = node(id);
   const int divisor = each.kind == Kind::quotient ? each.right : each.kind == Kind::logarithm ? each.left : id;
   Formula value = begin(divisor);
   Formula right =
       quotient(each.kind == Kind::square_root ? number(Number::rational(1, 2)) : number(Number(1)), std::move(value));
-  const Atom made = builder_.add_local(fmt::format("i{}", id));
+  const ValueNumber made = builder_.add_local(fmt::format("i{}", id));
   builder_.assign(made, std::move(right));
   inverse_[place(id)] = made;
-  return Formula::of_atom(made);
+  return Formula::of_value_number(made);
 }
 
-Atom RecurrenceLowering::step(const std::string& name, Formula right, const std::string& meaning) {
-  const Atom made = builder_.add_local(name);
+ValueNumber RecurrenceLowering::step(const std::string& name, Formula right, const std::string& meaning) {
+  const ValueNumber made = builder_.add_local(name);
   recurrence_.steps.emplace_back(Assigned{made, std::move(right), meaning});
   return made;
 }
 
 /// k times the coefficient of order k.
-Atom RecurrenceLowering::weighted(int id) {
-  std::optional<Atom>& known = weighted_[place(id)];
+ValueNumber RecurrenceLowering::weighted(int id) {
+  std::optional<ValueNumber>& known = weighted_[place(id)];
   if (!known) known = step(fmt::format("w{}", id), product({order(OrderQuantity::number), x(id)}));
   return *known;
 }
 
 Formula RecurrenceLowering::symbol_of_order(const SeriesNode& each) {
-  const auto found = std::find(series_.state.begin(), series_.state.end(), program_[each.atom].symbol);
+  const auto found = std::find(series_.state.begin(), series_.state.end(), program_[each.value_number].symbol);
   if (found == series_.state.end()) return order(OrderQuantity::first);  // time
-  return Formula::of_atom(builder_.read(Table::coefficient, static_cast<std::size_t>(found - series_.state.begin())));
+  return Formula::of_value_number(
+      builder_.read(Table::coefficient, static_cast<std::size_t>(found - series_.state.begin())));
 }
 
 /// The coefficient of the form that a selection takes at the start.
 Formula RecurrenceLowering::selected(const SeriesNode& each, int id) {
-  const Definition& call = program_[each.atom];
-  const auto argument = [&](std::size_t i) { return Formula::of_atom(builder_.place_of(call.arguments[i])); };
+  const Definition& call = program_[each.value_number];
+  const auto argument = [&](std::size_t i) { return Formula::of_value_number(builder_.place_of(call.arguments[i])); };
   const auto of = [&](int operand) { return operand < 0 ? number(Number()) : x(operand); };
   Formula condition = argument(0);
   if (call.function == Function::maximum) {
-    const Atom difference_of = builder_.add_local(fmt::format("c{}", id));
+    const ValueNumber difference_of = builder_.add_local(fmt::format("c{}", id));
     builder_.assign(difference_of, difference(std::move(condition), argument(1)));
-    condition = Formula::of_atom(difference_of);
+    condition = Formula::of_value_number(difference_of);
   }
   Formula choice;
   choice.kind = Formula::Kind::function;
@@ -324,14 +327,15 @@ void RecurrenceLowering::write_order(int id) {
       break;
     }
   }
-  const std::string meaning = each.atom >= 0 && each.kind != Kind::symbol ? program_[each.atom].name : "";
+  const std::string meaning =
+      each.value_number >= 0 && each.kind != Kind::symbol ? program_[each.value_number].name : "";
   x_[place(id)] = step(fmt::format("x{}", id), std::move(right), meaning);
   if (each.kind == Kind::sine || each.kind == Kind::exponential) weighted(each.left);
   if (each.kind == Kind::logarithm) weighted(id);
 }
 
 /// The two series whose convolution an operation takes.
-std::pair<Atom, Atom> RecurrenceLowering::operands(int id) const {
+std::pair<ValueNumber, ValueNumber> RecurrenceLowering::operands(int id) const {
   const SeriesNode& each = node(id);
   const auto coefficient = [this](int of) { return x_[place(of)]; };
   const auto weighted = [this](int of) { return weighted_[place(of)].value(); };

@@ -37,18 +37,18 @@ class RecurrenceLowering {
   std::size_t unknown_of(int id) const;
   std::size_t unknown_count() const { return series_.solve ? series_.solve->unknowns.size() : 0; }
 
-  Formula x(int id) const { return Formula::of_atom(x_[place(id)]); }
+  Formula x(int id) const { return Formula::of_value_number(x_[place(id)]); }
   Formula sum_of(int id);
   Formula order(OrderQuantity which);
   Formula begin(int id);
   Formula inverse(int id);
-  Atom weighted(int id);
+  ValueNumber weighted(int id);
   Optional factor(const Polynomial& coefficient, bool& negative);
 
   Formula form(const SeriesForm& form, bool at_begin);
   Optional with_terms(Optional before, const SeriesForm& form, const OperandOf& operand);
   Optional with_marked(int id, const OperandOf& operand);
-  Atom step(const std::string& name, Formula right, const std::string& meaning = {});
+  ValueNumber step(const std::string& name, Formula right, const std::string& meaning = {});
   void write_order(int id);
   Formula symbol_of_order(const SeriesNode& each);
   Formula selected(const SeriesNode& each, int id);
@@ -56,24 +56,24 @@ class RecurrenceLowering {
   void write_partial(int id);
   void write_accelerations();
   std::pair<int, int> factors_of(const SeriesNode& product) const;
-  std::pair<Atom, Atom> operands(int id) const;
+  std::pair<ValueNumber, ValueNumber> operands(int id) const;
 
   ListingBuilder& builder_;
   Program& program_;
   const SeriesResult& series_;
   const std::vector<SeriesNode>& nodes_;
   Recurrence recurrence_;
-  std::vector<bool> known_;                                      ///< by atom: computed by the block
-  std::vector<std::optional<Atom>> begin_, inverse_, weighted_;  ///< by node
-  std::vector<Atom> x_;                                          ///< by node: its coefficient of order k
+  std::vector<bool> known_;                                      ///< by value number: computed by the block
+  std::vector<std::optional<ValueNumber>> begin_, inverse_, weighted_;  ///< by node
+  std::vector<ValueNumber> x_;                                          ///< by node: its coefficient of order k
   std::vector<int> depth_;         ///< by node: how many operations of one order follow one another up to it
   std::vector<int> lanes_;         ///< by node: which convolution is its own
   std::vector<bool> marked_;       ///< by node: depends on the accelerations that are solved for
   std::vector<Optional> without_;  ///< by marked node: what does not come from marked operands
   std::vector<Optional> partial_;  ///< by marked node: its coefficient without the accelerations
-  std::vector<Atom> rates_;        ///< of the accelerations: coefficients of order k
+  std::vector<ValueNumber> rates_;        ///< of the accelerations: coefficients of order k
   SumTable factors_;
-  std::vector<Atom> factor_places_;
+  std::vector<ValueNumber> factor_places_;
   std::vector<Polynomial> read_;
 };
 

@@ -18,7 +18,8 @@ std::vector<Value> SeriesSolve::at_start(const SeriesProgram& program) const {
   for (const std::vector<Value>& row : lower) all.insert(all.end(), row.begin(), row.end());
   all.insert(all.end(), inverse_pivots.begin(), inverse_pivots.end());
   for (const SeriesNode& node : program.nodes()) {
-    for (const Atom atom : program.known_at_start(node)) all.push_back(program.value(Polynomial(atom)));
+    for (const ValueNumber value_number : program.known_at_start(node))
+      all.push_back(program.value(Polynomial(value_number)));
   }
   return all;
 }
@@ -91,14 +92,15 @@ void RecurrenceLowering::write_partial(int id) {
     alone = negated(product({sum({sum_of(id), product({value, x(each.right)})}), factor}));
   }
   Optional& without = without_[place(id)];
-  if (alone) without = Formula::of_atom(step(fmt::format("o{}", id), std::move(*alone)));
+  if (alone) without = Formula::of_value_number(step(fmt::format("o{}", id), std::move(*alone)));
   bool more = false;
   Optional all = with_marked(id, [&](int operand) {
     const Optional& part = partial_[place(operand)];
     more = more || part.has_value();
     return part;
   });
-  partial_[place(id)] = more ? Optional(Formula::of_atom(step(fmt::format("p{}", id), std::move(*all)))) : without;
+  partial_[place(id)] =
+      more ? Optional(Formula::of_value_number(step(fmt::format("p{}", id), std::move(*all)))) : without;
 }
 
 /// Lᵀ D L a_k = -(left sides without a_k).
@@ -137,7 +139,7 @@ void RecurrenceLowering::write_accelerations() {
       right = std::move(minus);
     }
     for (std::size_t i = n; i-- > k + 1;) subtract(right, i, k, rest[i]);
-    if (right) rest[k] = Formula::of_atom(step(fmt::format("r{}", k), std::move(*right)));
+    if (right) rest[k] = Formula::of_value_number(step(fmt::format("r{}", k), std::move(*right)));
   }
   for (std::size_t k = 0; k < n; ++k) {
     bool negative = false;
@@ -147,7 +149,7 @@ void RecurrenceLowering::write_accelerations() {
       right = size ? product({*size, *rest[k]}) : *rest[k];
       if (negative) right = negated(std::move(*right));
     }
-    for (std::size_t i = 0; i < k; ++i) subtract(right, k, i, Formula::of_atom(rates_[i]));
+    for (std::size_t i = 0; i < k; ++i) subtract(right, k, i, Formula::of_value_number(rates_[i]));
     rates_.push_back(step(fmt::format("a{}", k), right ? std::move(*right) : number(Number())));
   }
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "generator/listing/schedule.hpp"
 
-#include "generator/expression/formula.hpp"
+#include "generator/program/formula.hpp"
 
 namespace torsor {
 namespace {
@@ -12,27 +12,28 @@ Block collect(const Program& program, const std::vector<Polynomial>& roots, cons
   std::vector<bool> needed(program.size(), false);
   const auto mark = [&needed](const Polynomial& polynomial) {
     for (const Term& term : polynomial.terms()) {
-      for (const Factor& factor : term.monomial) needed[static_cast<std::size_t>(factor.atom)] = true;
+      for (const Factor& factor : term.monomial) needed[static_cast<std::size_t>(factor.value_number)] = true;
     }
   };
   for (const Polynomial& root : roots) mark(root);
   for (std::size_t k = program.size(); k-- > 0;) {
-    const auto atom = static_cast<Atom>(k);
-    if (!needed[k] || is_given(atom)) continue;
-    mark(program[atom].polynomial);
-    for (const Atom argument : program[atom].arguments) needed[static_cast<std::size_t>(argument)] = true;
+    const auto value_number = static_cast<ValueNumber>(k);
+    if (!needed[k] || is_given(value_number)) continue;
+    mark(program[value_number].polynomial);
+    for (const ValueNumber argument : program[value_number].arguments)
+      needed[static_cast<std::size_t>(argument)] = true;
   }
   Block block;
   for (std::size_t k = 0; k < program.size(); ++k) {
-    const auto atom = static_cast<Atom>(k);
+    const auto value_number = static_cast<ValueNumber>(k);
     if (!needed[k]) continue;
-    const SymbolPointer& symbol = program[atom].symbol;
+    const SymbolPointer& symbol = program[value_number].symbol;
     if (symbol && symbol->kind != SymbolKind::pi)
-      block.symbols.push_back(atom);
-    else if (is_given(atom))
-      block.given.push_back(atom);
+      block.symbols.push_back(value_number);
+    else if (is_given(value_number))
+      block.given.push_back(value_number);
     else
-      block.definitions.push_back(atom);
+      block.definitions.push_back(value_number);
   }
   return block;
 }
@@ -40,7 +41,7 @@ Block collect(const Program& program, const std::vector<Polynomial>& roots, cons
 Stage stage_of(const Program& program, const Polynomial& polynomial) {
   Stage latest = Stage::generation;
   for (const Term& term : polynomial.terms()) {
-    for (const Factor& factor : term.monomial) latest = std::max(latest, program[factor.atom].stage);
+    for (const Factor& factor : term.monomial) latest = std::max(latest, program[factor.value_number].stage);
   }
   return latest;
 }
@@ -48,13 +49,13 @@ Stage stage_of(const Program& program, const Polynomial& polynomial) {
 }  // namespace
 
 Block whole_block(const Program& program, const std::vector<Polynomial>& sums) {
-  return collect(program, sums, [](Atom) { return false; });
+  return collect(program, sums, [](ValueNumber) { return false; });
 }
 
 Schedule make_schedule(const Program& program, const std::vector<Value>& values) {
   Schedule schedule;
-  const auto is_precomputed = [&program](Atom atom) {
-    return !program[atom].symbol && program[atom].stage == Stage::parameters;
+  const auto is_precomputed = [&program](ValueNumber value_number) {
+    return !program[value_number].symbol && program[value_number].stage == Stage::parameters;
   };
   std::vector<Polynomial> roots;
   for (const Value& value : values) {
@@ -68,7 +69,7 @@ Schedule make_schedule(const Program& program, const std::vector<Value>& values)
   schedule.function = collect(program, roots, is_precomputed);
   schedule.members = schedule.function.given;
   std::vector<Polynomial> members = schedule.results.sums();
-  for (const Atom atom : schedule.members) members.emplace_back(atom);
+  for (const ValueNumber value_number : schedule.members) members.emplace_back(value_number);
   schedule.precompute = whole_block(program, members);
   return schedule;
 }

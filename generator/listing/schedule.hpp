@@ -3,23 +3,23 @@
 
 #include <vector>
 
-#include "generator/expression/polynomial.hpp"
-#include "generator/expression/program.hpp"
-#include "generator/expression/sum_table.hpp"
+#include "generator/program/polynomial.hpp"
+#include "generator/program/program.hpp"
+#include "generator/program/sum_table.hpp"
 
 namespace torsor {
 
 /// What one function reads and computes, each in the program's order.
 struct Block {
-  std::vector<Atom> symbols;      ///< read from its arguments
-  std::vector<Atom> given;        ///< computed before: members of Precomputed
-  std::vector<Atom> definitions;  ///< computed here; those of the generation stage are literals
+  std::vector<ValueNumber> symbols;      ///< read from its arguments
+  std::vector<ValueNumber> given;        ///< computed before: members of Precomputed
+  std::vector<ValueNumber> definitions;  ///< computed here; those of the generation stage are literals
 };
 
 /// Distributes the work of a function: what depends on parameters only is done once, in `precompute`.
 struct Schedule {
   Block precompute;
-  std::vector<Atom> members;  ///< definitions that the function reads from Precomputed
+  std::vector<ValueNumber> members;  ///< definitions that the function reads from Precomputed
   SumTable results;           ///< its results that depend on parameters only: more members of Precomputed
   Block function;
 };

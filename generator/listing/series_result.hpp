@@ -4,7 +4,7 @@
 #include <optional>
 #include <vector>
 
-#include "generator/expression/series_program.hpp"
+#include "generator/program/series_program.hpp"
 
 namespace torsor {
 

@@ -9,11 +9,11 @@
 #include <unordered_map>
 #include <utility>
 
+#include "generator/base/error.hpp"
 #include "generator/listing/earliest_start.hpp"
-#include "generator/expression/error.hpp"
 #include "generator/listing/factor_pair.hpp"
-#include "generator/expression/formula.hpp"
-#include "generator/expression/sum_table.hpp"
+#include "generator/program/formula.hpp"
+#include "generator/program/sum_table.hpp"
 
 namespace torsor {
 namespace {
@@ -46,11 +46,11 @@ class ProductSharing {
  public:
   ProductSharing(Program& program, const std::vector<Value>& values)
       : program_(&program), starts_(program), values_(values), live_(program.live(values)) {
-    for (const Atom atom : live_) {
-      const Definition& definition = program[atom];
+    for (const ValueNumber value_number : live_) {
+      const Definition& definition = program[value_number];
       if (definition.symbol || definition.function || definition.stage <= Stage::parameters) continue;
-      if (const auto pair = as_pair(definition.polynomial)) products_.emplace(*pair, atom);
-      places_.emplace(atom, add(definition.polynomial));
+      if (const auto pair = as_pair(definition.polynomial)) products_.emplace(*pair, value_number);
+      places_.emplace(value_number, add(definition.polynomial));
     }
     SumTable different;  // what is equal up to sign is computed once
     const std::size_t first = sums_.size();
@@ -68,7 +68,8 @@ class ProductSharing {
     bool shared = false;
     while (share()) shared = true;
     if (!shared) return values_;
-    for (const Atom atom : live_) define(atom);  // operands before users, so that no recursion is deep
+    for (const ValueNumber value_number : live_)
+      define(value_number);  // operands before users, so that no recursion is deep
     std::vector<Value> values;
     for (std::size_t i = 0; i < values_.size(); ++i) {
       const std::optional<Result>& result = results_[i];
@@ -106,13 +107,14 @@ class ProductSharing {
     return (*program_)[pair.first].stage <= Stage::parameters &&
            (pair.second < 0 || (*program_)[pair.second].stage <= Stage::parameters);
   }
-  Atom product_of(const FactorPair& pair) {
+  ValueNumber product_of(const FactorPair& pair) {
     if (const auto known = products_.find(pair); known != products_.end()) return known->second;
     const Value product(*program_, pair.product(), Unit());  // read by sums only, that have their own
     // What is computed before any state all kernels share; only such a product is found by others.
-    const Atom atom = *(is_early(pair) ? program_->bind(product) : program_->bind_apart(product)).atom();
-    products_.emplace(pair, atom);
-    return atom;
+    const ValueNumber value_number =
+        *(is_early(pair) ? program_->bind(product) : program_->bind_apart(product)).value_number();
+    products_.emplace(pair, value_number);
+    return value_number;
   }
 
   /// One round through all pairs of sums that changed since the last one; whether any was taken out.
@@ -136,7 +138,7 @@ class ProductSharing {
   }
 
   bool share(const FactorPair& pair, const Uses& uses) {
-    const Atom product = product_of(pair);
+    const ValueNumber product = product_of(pair);
     const auto own = places_.find(product);
     const int cost = is_early(pair) || own != places_.end() ? 0 : 1;
     int operations = -cost, instructions = -cost;  // saved
@@ -162,26 +164,26 @@ class ProductSharing {
     return true;
   }
 
-  /// What stands for an atom now: itself, plus or minus another, or a number.
-  const Value& define(Atom atom) {
-    if (const auto known = defined_.find(atom); known != defined_.end()) return known->second;
-    Value value = program_->atom_value(atom);
-    const auto function = (*program_)[atom].function;
-    if (function && (*program_)[atom].stage > Stage::parameters) {
-      // Numbers with units may have made the argument a pure number: its atom's own unit does not tell.
-      const Definition call = (*program_)[atom];
+  /// What stands for a value number now: itself, plus or minus another, or a number.
+  const Value& define(ValueNumber value_number) {
+    if (const auto known = defined_.find(value_number); known != defined_.end()) return known->second;
+    Value value = program_->value_of_number(value_number);
+    const auto function = (*program_)[value_number].function;
+    if (function && (*program_)[value_number].stage > Stage::parameters) {
+      // Numbers with units may have made the argument a pure number: its value number's own unit does not tell.
+      const Definition call = (*program_)[value_number];
       const std::vector<Unit> units = argument_units(*function, call.unit);
       std::vector<Value> arguments;
       for (std::size_t i = 0; i < units.size(); ++i) {
         arguments.emplace_back(*program_, define(call.arguments[i]).polynomial(), units[i]);
       }
       value = program_->apply(*function, arguments);
-    } else if (const auto place = places_.find(atom); place != places_.end()) {
-      const Unit unit = (*program_)[atom].unit;
-      const std::string name = (*program_)[atom].name;
+    } else if (const auto place = places_.find(value_number); place != places_.end()) {
+      const Unit unit = (*program_)[value_number].unit;
+      const std::string name = (*program_)[value_number].name;
       value = bound(rewritten(sums_[place->second].sum, unit), name);
     }
-    return defined_.emplace(atom, std::move(value)).first->second;
+    return defined_.emplace(value_number, std::move(value)).first->second;
   }
   /// Definitions stand in the order that they had; those that became equal are one.
   Value bound(const Value& value, const std::string& name) {
@@ -195,7 +197,7 @@ class ProductSharing {
     for (const Term& term : sum.terms()) {
       Term product{{}, term.coefficient};
       for (const Factor& factor : term.monomial) {
-        const Polynomial& now = define(factor.atom).polynomial();
+        const Polynomial& now = define(factor.value_number).polynomial();
         // What turned out to be equal may have cancelled: nothing is left, or a number.
         if (now.is_zero() && factor.exponent < 0) throw Error("division by zero: a denominator vanishes identically");
         const Term only = now.is_zero() ? Term{{}, Number()} : now.terms()[0];
@@ -210,12 +212,12 @@ class ProductSharing {
   Program* program_;
   EarliestStarts starts_;
   std::vector<Value> values_;
-  std::vector<Atom> live_;
+  std::vector<ValueNumber> live_;
   std::vector<StateSum> sums_;
-  std::unordered_map<Atom, std::size_t> places_;  ///< of definitions among the sums
-  std::map<FactorPair, Atom> products_;           ///< definitions that are one, live or tried
+  std::unordered_map<ValueNumber, std::size_t> places_;  ///< of definitions among the sums
+  std::map<FactorPair, ValueNumber> products_;           ///< definitions that are one, live or tried
   std::vector<std::optional<Result>> results_;    ///< of values: nothing for those known before
-  std::unordered_map<Atom, Value> defined_;       ///< what stands for old atoms
+  std::unordered_map<ValueNumber, Value> defined_;       ///< what stands for old value numbers
   SumTable different_;        ///< of new definitions, with
   std::vector<Value> bound_;  ///< what each is bound to
 };

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "generator/expression/program.hpp"
+#include "generator/program/program.hpp"
 
 namespace torsor {
 

@@ -5,8 +5,8 @@
 #include <optional>
 #include <set>
 
-#include "generator/expression/as_index.hpp"
-#include "generator/expression/program.hpp"
+#include "generator/base/as_index.hpp"
+#include "generator/program/program.hpp"
 
 namespace torsor {
 namespace {

@@ -3,12 +3,12 @@
 
 #include <fmt/format.h>
 
-#include "generator/expression/error.hpp"
+#include "generator/base/error.hpp"
 
 namespace torsor {
 
 CentralAxis central_axis(const Vector& resultant, const Vector& moment, const std::string& name) {
-  if (vanishes(resultant)) {
+  if (identically_zero(resultant)) {
     throw SceneError(
         fmt::format("the screw '{}' has no central axis: its resultant vanishes identically, it is a couple "
                     "(the same moment at every point)",

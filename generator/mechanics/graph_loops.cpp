@@ -4,7 +4,7 @@
 
 #include <fmt/format.h>
 
-#include "generator/expression/as_index.hpp"
+#include "generator/base/as_index.hpp"
 #include "generator/mechanics/structure_graph.hpp"
 
 namespace torsor {

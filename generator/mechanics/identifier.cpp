@@ -8,7 +8,7 @@
 
 #include <fmt/format.h>
 
-#include "generator/expression/error.hpp"
+#include "generator/base/error.hpp"
 #include "generator/mechanics/library_names.hpp"
 
 namespace torsor {

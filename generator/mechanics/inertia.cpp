@@ -3,8 +3,8 @@
 
 #include <fmt/format.h>
 
-#include "generator/expression/error.hpp"
-#include "generator/expression/number.hpp"
+#include "generator/base/error.hpp"
+#include "generator/base/number.hpp"
 #include "generator/mechanics/triple_algebra.hpp"
 
 namespace torsor {

@@ -3,16 +3,16 @@
 
 #include <fmt/format.h>
 
-#include "generator/expression/error.hpp"
-#include "generator/expression/vanishing.hpp"
+#include "generator/base/error.hpp"
 #include "generator/mechanics/triple_algebra.hpp"
+#include "generator/program/identically_zero.hpp"
 
 namespace torsor {
 namespace {
 
 bool cancels(const Expression& formula) {
   Program program;
-  return vanishes(program.lower(formula));
+  return identically_zero(program.lower(formula));
 }
 
 }  // namespace

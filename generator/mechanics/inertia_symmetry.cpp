@@ -5,9 +5,9 @@
 
 #include <fmt/format.h>
 
-#include "generator/expression/error.hpp"
-#include "generator/expression/vanishing.hpp"
+#include "generator/base/error.hpp"
 #include "generator/mechanics/triple_algebra.hpp"
+#include "generator/program/identically_zero.hpp"
 
 namespace torsor {
 namespace {
@@ -35,10 +35,10 @@ struct Seen {
   Expression *yy, *zz, *xy, *xz, *yz, *x, *y, *z;
 };
 
-bool all_vanish(const std::vector<Expression>& formulas) {
+bool all_identically_zero(const std::vector<Expression>& formulas) {
   Program program;
   return std::all_of(formulas.begin(), formulas.end(),
-                     [&program](const Expression& formula) { return vanishes(program.lower(formula)); });
+                     [&program](const Expression& formula) { return identically_zero(program.lower(formula)); });
 }
 
 }  // namespace
@@ -57,7 +57,7 @@ bool allows(const Inertia& body, MaterialSymmetry symmetry, int axis) {
     zeros.push_back(*seen.yz);
     zeros.push_back(difference(*seen.yy, *seen.zz));
   }
-  return all_vanish(zeros);
+  return all_identically_zero(zeros);
 }
 
 Inertia with_symmetry(const Inertia& body, MaterialSymmetry symmetry, int axis) {
@@ -79,7 +79,7 @@ Inertia with_symmetry(const Inertia& body, MaterialSymmetry symmetry, int axis) 
 }
 
 bool is_spherical(const Inertia& body) {
-  return all_vanish({body.xy, body.xz, body.yz, difference(body.xx, body.yy), difference(body.yy, body.zz)});
+  return all_identically_zero({body.xy, body.xz, body.yz, difference(body.xx, body.yy), difference(body.yy, body.zz)});
 }
 
 bool is_of_revolution(const Inertia& body, int axis) {

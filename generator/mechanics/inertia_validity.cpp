@@ -7,7 +7,7 @@
 
 #include <fmt/format.h>
 
-#include "generator/expression/error.hpp"
+#include "generator/base/error.hpp"
 #include "generator/mechanics/parameter_value.hpp"
 
 namespace torsor {

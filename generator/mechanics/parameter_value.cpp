@@ -3,9 +3,9 @@
 
 #include <fmt/format.h>
 
-#include "generator/expression/error.hpp"
-#include "generator/expression/evaluation.hpp"
-#include "generator/expression/generic_state.hpp"
+#include "generator/base/error.hpp"
+#include "generator/program/evaluation.hpp"
+#include "generator/program/generic_state.hpp"
 
 namespace torsor {
 

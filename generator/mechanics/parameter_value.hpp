@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "generator/expression/high_precision.hpp"
+#include "generator/base/high_precision.hpp"
 #include "generator/mechanics/scene_content.hpp"
 
 namespace torsor {

@@ -3,7 +3,7 @@
 
 #include <fmt/format.h>
 
-#include "generator/expression/error.hpp"
+#include "generator/base/error.hpp"
 
 namespace torsor {
 

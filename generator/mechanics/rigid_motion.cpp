@@ -3,8 +3,8 @@
 
 #include <fmt/format.h>
 
-#include "generator/expression/error.hpp"
-#include "generator/expression/vanishing.hpp"
+#include "generator/base/error.hpp"
+#include "generator/program/identically_zero.hpp"
 
 namespace torsor {
 
@@ -13,7 +13,7 @@ void check_equiprojective(const std::vector<PointVelocity>& points) {
     for (std::size_t j = i + 1; j < points.size(); ++j) {
       const Vector arm = points[j].position - points[i].position;
       const Value stretch = dot(arm, points[j].velocity - points[i].velocity);
-      if (vanishes(stretch)) continue;
+      if (identically_zero(stretch)) continue;
       throw SceneError(
           fmt::format("points '{0}' and '{1}' do not move as points of one body: {0}{1}·(V_{1} − V_{0}) "
                       "must vanish, their distance would change; correct one of the velocities",
@@ -27,7 +27,7 @@ Twist twist_of_velocities(const PointVelocity& a, const PointVelocity& b, const 
   const Vector ab = b.position - a.position;
   const Vector ac = c.position - a.position;
   const Vector n = cross(ab, ac);
-  if (vanishes(n)) {
+  if (identically_zero(n)) {
     throw SceneError(
         fmt::format("points '{}', '{}' and '{}' are aligned: their velocities leave the turn about their "
                     "line open; take a point off the line",
@@ -71,15 +71,15 @@ std::string_view to_string(MotionKind kind) {
 
 RigidMotion recognise(const Twist& twist) {
   RigidMotion motion;
-  if (vanishes(twist.angular)) {
-    motion.kind = vanishes(twist.linear) ? MotionKind::rest : MotionKind::translation;
+  if (identically_zero(twist.angular)) {
+    motion.kind = identically_zero(twist.linear) ? MotionKind::rest : MotionKind::translation;
     return motion;
   }
-  motion.kind = vanishes(scalar_invariant(twist)) ? MotionKind::rotation : MotionKind::screw;
+  motion.kind = identically_zero(scalar_invariant(twist)) ? MotionKind::rotation : MotionKind::screw;
   motion.axis = central_axis(twist, "twist");
   const Vector turn = time_derivative(twist.angular);
   const Vector shift = time_derivative(motion.axis->ah);
-  motion.fixed_axis = vanishes(cross(turn, twist.angular)) && vanishes(cross(shift, twist.angular));
+  motion.fixed_axis = identically_zero(cross(turn, twist.angular)) && identically_zero(cross(shift, twist.angular));
   return motion;
 }
 

@@ -3,8 +3,8 @@
 
 #include <fmt/format.h>
 
-#include "generator/expression/error.hpp"
-#include "generator/expression/printable.hpp"
+#include "generator/base/error.hpp"
+#include "generator/base/printable.hpp"
 #include "generator/mechanics/identifier.hpp"
 #include "generator/mechanics/require_unit.hpp"
 

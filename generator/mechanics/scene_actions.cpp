@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fmt/format.h>
 
-#include "generator/expression/error.hpp"
+#include "generator/base/error.hpp"
 #include "generator/mechanics/identifier.hpp"
 #include "generator/mechanics/require_unit.hpp"
 #include "generator/mechanics/scene.hpp"

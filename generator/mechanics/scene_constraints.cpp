@@ -3,7 +3,7 @@
 
 #include <fmt/format.h>
 
-#include "generator/expression/error.hpp"
+#include "generator/base/error.hpp"
 #include "generator/mechanics/identifier.hpp"
 #include "generator/mechanics/require_unit.hpp"
 #include "generator/mechanics/scene.hpp"

@@ -3,8 +3,8 @@
 
 #include <fmt/format.h>
 
-#include "generator/expression/did_you_mean.hpp"
-#include "generator/expression/error.hpp"
+#include "generator/base/did_you_mean.hpp"
+#include "generator/base/error.hpp"
 
 namespace torsor {
 namespace {

@@ -3,8 +3,8 @@
 
 #include <fmt/format.h>
 
-#include "generator/expression/as_index.hpp"
-#include "generator/expression/error.hpp"
+#include "generator/base/as_index.hpp"
+#include "generator/base/error.hpp"
 #include "generator/mechanics/measure.hpp"
 #include "generator/mechanics/scene.hpp"
 

@@ -3,8 +3,8 @@
 
 #include <fmt/format.h>
 
-#include "generator/expression/error.hpp"
-#include "generator/expression/vanishing.hpp"
+#include "generator/base/error.hpp"
+#include "generator/program/identically_zero.hpp"
 
 namespace torsor {
 namespace {
@@ -29,7 +29,7 @@ Value measure(const std::vector<Vector>& edges) {
       square = volume * volume;
     }
   }
-  if (vanishes(square)) {
+  if (identically_zero(square)) {
     throw SceneError(fmt::format("the {} edge{} of a density's region span no {}: give independent edges", edges.size(),
                                  edges.size() == 1 ? "" : "s",
                                  std::array<const char*, 3>{"length", "area", "volume"}[edges.size() - 1]));
@@ -58,7 +58,7 @@ Vector moment_at(const SlidingVector& sliding, const Vector& oa) { return cross(
 
 Value moment_about(const Vector& resultant, const Vector& moment, const Vector& ab, const Vector& direction,
                    const std::string& axis_name) {
-  if (vanishes(direction)) {
+  if (identically_zero(direction)) {
     throw SceneError(fmt::format("the direction of axis '{}' is the null vector: give a direction", axis_name));
   }
   const Vector at_b = moment + cross(resultant, ab);

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "generator/mechanics/triple_algebra.hpp"
 
-#include "generator/expression/error.hpp"
+#include "generator/base/error.hpp"
+#include "generator/base/number.hpp"
 #include "generator/expression/expression_node.hpp"
-#include "generator/expression/number.hpp"
 
 namespace torsor {
 namespace {

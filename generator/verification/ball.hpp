@@ -3,7 +3,7 @@
 
 #include <memory>
 
-#include "generator/expression/high_precision.hpp"
+#include "generator/base/high_precision.hpp"
 
 namespace torsor {
 

@@ -7,12 +7,12 @@
 #include <fmt/format.h>
 
 #include "generator/dynamics/theorems/painleve.hpp"
-#include "generator/expression/derivative.hpp"
+#include "generator/program/derivative.hpp"
 #include "generator/verification/check_constraints.hpp"
 #include "generator/verification/check_jets.hpp"
 #include "generator/verification/check_kernels.hpp"
 #include "generator/verification/dense_linear.hpp"
-#include "generator/verification/lagrange_road.hpp"
+#include "generator/verification/lagrange_derivation.hpp"
 #include "generator/verification/random_state.hpp"
 #include "generator/verification/worst.hpp"
 
@@ -104,7 +104,7 @@ class SceneCheck {
     for (int k = 0; k < options_.states; ++k) {
       const RandomState state(scene_, static_cast<std::uint64_t>(k) + 1);
       Evaluator<Real> here(program, state.in_real());
-      // On the Lagrange road the released coordinates are symbols: held at zero there too.
+      // On the Lagrange derivation the released coordinates are symbols: held at zero there too.
       Evaluator<Real> there(road_program, [&](const SymbolPointer& symbol) {
         for (std::size_t i = n; i < all; ++i) {
           const CoordinateContent& c = model.coordinates()[i];
@@ -317,7 +317,7 @@ class SceneCheck {
   CheckOptions options_;
   WorkingDigits precision_;
   Equations kernels_;
-  LagrangeRoad road_;
+  LagrangeDerivation road_;
   Worst derivations_, masses_, symmetry_, forward_, energy_, constraints_, columns_;
   double not_positive_ = 0;
 };

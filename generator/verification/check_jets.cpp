@@ -5,9 +5,9 @@
 #include <cmath>
 #include <map>
 
-#include "generator/emission/kernel_jets.hpp"
-#include "generator/expression/derivative.hpp"
-#include "generator/expression/series_evaluation.hpp"
+#include "generator/kernels/kernel_jets.hpp"
+#include "generator/program/derivative.hpp"
+#include "generator/program/series_evaluation.hpp"
 #include "generator/verification/condition.hpp"
 #include "generator/verification/random_state.hpp"
 #include "generator/verification/worst.hpp"

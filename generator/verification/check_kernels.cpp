@@ -7,7 +7,7 @@
 
 #include <fmt/format.h>
 
-#include "generator/emission/kernel.hpp"
+#include "generator/kernels/kernel.hpp"
 #include "generator/verification/condition.hpp"
 #include "generator/verification/random_state.hpp"
 #include "generator/verification/sensitivity.hpp"

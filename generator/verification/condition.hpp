@@ -2,7 +2,7 @@
 #pragma once
 
 #include "generator/dynamics/equations/independent_freedoms.hpp"
-#include "generator/expression/evaluation.hpp"
+#include "generator/program/evaluation.hpp"
 
 namespace torsor {
 

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <type_traits>
 
-#include "generator/expression/function_values.hpp"
-#include "generator/expression/high_precision.hpp"
+#include "generator/base/high_precision.hpp"
+#include "generator/program/function_values.hpp"
 
 namespace torsor {
 

@@ -10,9 +10,9 @@
 
 #include <fmt/format.h>
 
+#include "generator/base/did_you_mean.hpp"
+#include "generator/base/error.hpp"
 #include "generator/dynamics/equations/massless.hpp"
-#include "generator/expression/did_you_mean.hpp"
-#include "generator/expression/error.hpp"
 
 namespace torsor {
 namespace {

@@ -6,7 +6,7 @@
 #include <string>
 #include <utility>
 
-#include "generator/expression/error.hpp"
+#include "generator/base/error.hpp"
 
 namespace torsor {
 namespace {

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "generator/expression/high_precision.hpp"
+#include "generator/base/high_precision.hpp"
 
 namespace torsor {
 

@@ -8,12 +8,12 @@
 
 #include <fmt/format.h>
 
-#include "generator/listing/generation_constant.hpp"
-#include "generator/expression/error.hpp"
-#include "generator/expression/evaluation.hpp"
-#include "generator/expression/series_evaluation.hpp"
+#include "generator/base/error.hpp"
 #include "generator/emission/mechanism_listing.hpp"
+#include "generator/listing/generation_constant.hpp"
 #include "generator/listing/listing_evaluator.hpp"
+#include "generator/program/evaluation.hpp"
+#include "generator/program/series_evaluation.hpp"
 #include "generator/verification/ball.hpp"
 #include "generator/verification/running_error.hpp"
 #include "generator/verification/sensitivity.hpp"
@@ -230,8 +230,8 @@ class AccuracyIn final : public KernelAccuracy {
         for (const std::size_t i : group.members) values.push_back(kernel.assignments[i].value);
       }
       group_symbols_.emplace_back();
-      for (const Atom atom : program.live(values)) {
-        const SymbolPointer& symbol = program[atom].symbol;
+      for (const ValueNumber value_number : program.live(values)) {
+        const SymbolPointer& symbol = program[value_number].symbol;
         if (symbol && symbol->kind != SymbolKind::pi) group_symbols_.back().push_back(symbol);
       }
     }
@@ -278,8 +278,8 @@ class AccuracyIn final : public KernelAccuracy {
     if (kernel.series) {
       for (const SymbolPointer& symbol : kernel.series->state) all.push_back(program.symbol(symbol));
     }
-    for (const Atom atom : program.live(all)) {
-      const Definition& definition = program[atom];
+    for (const ValueNumber value_number : program.live(all)) {
+      const Definition& definition = program[value_number];
       const bool known = std::find(symbols_.begin(), symbols_.end(), definition.symbol) != symbols_.end();
       if (definition.symbol && definition.symbol->kind != SymbolKind::pi && !known) symbols_.push_back(definition.symbol);
     }
@@ -418,8 +418,8 @@ class AccuracyIn final : public KernelAccuracy {
     const long double allowed = norm == 0 ? std::max(unit, moved * std::numeric_limits<Float>::epsilon())
                                           : unit * std::max(1.0L, moved / norm);
     // Neither an ulp nor a condition, 0/0: nothing is left but what `long double` or CLN make of zero.
-    result.vanishing = bound > 0 && norm < 0x1p-10L * bound && moved < 0x1p-10L * bound;
-    if (result.vanishing && error > 0 && error <= bound) return result;
+    result.identically_zero = bound > 0 && norm < 0x1p-10L * bound && moved < 0x1p-10L * bound;
+    if (result.identically_zero && error > 0 && error <= bound) return result;
     result.counted = true;
     result.error = static_cast<double>(error / unit);
     result.condition = norm == 0 && moved == 0 ? 1.0 : static_cast<double>(moved / norm);

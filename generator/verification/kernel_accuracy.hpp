@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "generator/dynamics/equations/equations.hpp"
-#include "generator/emission/kernel.hpp"
+#include "generator/kernels/kernel.hpp"
 #include "generator/verification/stress_state.hpp"
 
 namespace torsor {
@@ -31,7 +31,7 @@ struct Accuracy {
   bool undefined = false;  ///< not counted: there is no result (0/0), and the kernel has no status to say so
   /// Not counted either: ‖y‖ and all that inputs move it by are zero here, or less than a thousandth of what rounding
   /// may leave of the terms that cancel. There is no ulp to measure by; the error is within its bound.
-  bool vanishing = false;
+  bool identically_zero = false;
   double error = 0;       ///< [ulp]
   double condition = 0;
   double scaled = 0;      ///< [ulp]

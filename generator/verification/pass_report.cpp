@@ -5,7 +5,7 @@
 #include <cmath>
 #include <map>
 
-#include "generator/emission/kernel.hpp"
+#include "generator/kernels/kernel.hpp"
 #include "generator/listing/earliest_start.hpp"
 #include "generator/verification/random_state.hpp"
 #include "generator/verification/verify.hpp"

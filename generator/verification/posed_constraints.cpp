@@ -119,8 +119,8 @@ class PosedLaw {
     Program& program = model_.program();
     const Value h = program.bind(program.lower(support.h));
     std::map<const Symbol*, Real> parameters;
-    for (const Atom atom : program.live({h})) {
-      const SymbolPointer& symbol = program[atom].symbol;
+    for (const ValueNumber value_number : program.live({h})) {
+      const SymbolPointer& symbol = program[value_number].symbol;
       const bool formal = std::find(support.direction.begin(), support.direction.end(), symbol) != support.direction.end();
       if (symbol && !formal) parameters.emplace(symbol.get(), here_(program.symbol(symbol)));
     }

@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "generator/dynamics/motion/model.hpp"
-#include "generator/expression/evaluation.hpp"
 #include "generator/geometry/real_vector.hpp"
+#include "generator/program/evaluation.hpp"
 
 namespace torsor {
 

@@ -3,8 +3,8 @@
 
 #include <fmt/format.h>
 
-#include "generator/expression/error.hpp"
-#include "generator/expression/generic_state.hpp"
+#include "generator/base/error.hpp"
+#include "generator/program/generic_state.hpp"
 
 namespace torsor {
 

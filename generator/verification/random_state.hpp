@@ -6,8 +6,8 @@
 #include <random>
 #include <string>
 
-#include "generator/expression/evaluation.hpp"
 #include "generator/mechanics/scene.hpp"
+#include "generator/program/evaluation.hpp"
 
 namespace torsor {
 

@@ -5,20 +5,20 @@
 
 #include <fmt/format.h>
 
+#include "generator/base/decimal.hpp"
+#include "generator/base/error.hpp"
 #include "generator/dynamics/equations/massless.hpp"
 #include "generator/dynamics/equations/validation.hpp"
-#include "generator/expression/decimal.hpp"
-#include "generator/expression/error.hpp"
-#include "generator/expression/evaluation.hpp"
 #include "generator/mechanics/parameter_value.hpp"
+#include "generator/program/evaluation.hpp"
 #include "generator/verification/dense_linear.hpp"
 #include "generator/verification/extrapolation.hpp"
-#include "generator/verification/lagrange_road.hpp"
+#include "generator/verification/lagrange_derivation.hpp"
 
 namespace torsor {
 namespace {
 
-/// y = (q, q̇) -> (q̇, q̈) by the Lagrange road.
+/// y = (q, q̇) -> (q̇, q̈) by the Lagrange derivation.
 class Motion {
  public:
   explicit Motion(const Scene& scene) : road_(scene), evaluate_(road_.equations().program(), {}) {
@@ -70,7 +70,7 @@ class Motion {
   const std::vector<SymbolPointer>& positions() const { return positions_; }
 
  private:
-  LagrangeRoad road_;
+  LagrangeDerivation road_;
   Evaluator<Real> evaluate_;
   std::vector<SymbolPointer> positions_;
   std::vector<Value> rates_;

@@ -13,7 +13,7 @@ struct ReferenceOptions {
   std::vector<std::string> times;   ///< exact decimals, increasing [s]
 };
 
-/// The motion of a scene from its initial state, inputs zero, by a road that shares nothing with the double kernels:
+/// The motion of a scene from its initial state, inputs zero, by a derivation that shares nothing with the double kernels:
 /// Lagrange's operator on T from positions, evaluated in CLN, a dense solve with the constraints, an extrapolation
 /// integrator run at two orders.
 struct ReferenceResult {

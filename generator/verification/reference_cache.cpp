@@ -9,12 +9,12 @@
 
 #include <fmt/format.h>
 
+#include "generator/base/error.hpp"
+#include "generator/base/fnv.hpp"
+#include "generator/base/output_file.hpp"
 #include "generator/dynamics/equations/validation.hpp"
-#include "generator/emission/output_file.hpp"
-#include "generator/expression/error.hpp"
-#include "generator/expression/fnv.hpp"
 #include "generator/mechanics/parameter_value.hpp"
-#include "generator/verification/lagrange_road.hpp"
+#include "generator/verification/lagrange_derivation.hpp"
 
 namespace torsor {
 namespace {
@@ -32,7 +32,7 @@ class Question {
   Question& add(const Polynomial& polynomial) {
     for (const Term& term : polynomial.terms()) {
       add(term.coefficient.to_exact());
-      for (const Factor& factor : term.monomial) add(fmt::format("{}^{}", factor.atom, factor.exponent));
+      for (const Factor& factor : term.monomial) add(fmt::format("{}^{}", factor.value_number, factor.exponent));
     }
     return add("");
   }
@@ -42,11 +42,11 @@ class Question {
   Fnv bytes_;
 };
 
-void add_definition(Question& digest, const Scene& scene, const Definition& definition, Atom atom) {
-  digest.add(static_cast<std::uint64_t>(atom));
+void add_definition(Question& digest, const Scene& scene, const Definition& definition, ValueNumber value_number) {
+  digest.add(static_cast<std::uint64_t>(value_number));
   if (definition.function) {
     digest.add(to_string(*definition.function));
-    for (const Atom argument : definition.arguments) digest.add(static_cast<std::uint64_t>(argument));
+    for (const ValueNumber argument : definition.arguments) digest.add(static_cast<std::uint64_t>(argument));
   }
   digest.add(definition.polynomial);
   if (!definition.symbol) return;
@@ -78,23 +78,23 @@ std::uint64_t reference_digest(const Scene& scene, const ReferenceOptions& optio
   for (const std::string& time : options.times) digest.add(time);
   for (const Real& value : initial_state(scene)) digest.add(value.to_string(options.digits + 10));
 
-  const LagrangeRoad road(scene);
-  const Model& model = road.equations().model();
-  std::vector<Value> values = road.forces();
+  const LagrangeDerivation derivation(scene);
+  const Model& model = derivation.equations().model();
+  std::vector<Value> values = derivation.forces();
   const auto append = [&values](const std::vector<Value>& more) {
     values.insert(values.end(), more.begin(), more.end());
   };
-  append(road.operators_at_rest());
-  for (const std::vector<Value>& row : road.mass()) append(row);
+  append(derivation.operators_at_rest());
+  for (const std::vector<Value>& row : derivation.mass()) append(row);
   for (const SymbolPointer& q : model.positions()) values.push_back(rate_of(model.program(), q));
-  for (const ConstraintRow& row : road.equations().constraints()) {
+  for (const ConstraintRow& row : derivation.equations().constraints()) {
     append(row.jacobian);
     append(row.column);
     values.push_back(row.gamma);
   }
   for (const Value& value : values) digest.add(value.polynomial());
-  for (const Atom atom : model.program().live(values)) {
-    add_definition(digest, scene, model.program()[atom], atom);
+  for (const ValueNumber value_number : model.program().live(values)) {
+    add_definition(digest, scene, model.program()[value_number], value_number);
   }
   return digest.value();
 }

@@ -8,7 +8,7 @@
 
 namespace torsor {
 
-/// 64 bits (FNV-1a) of everything that a reference depends on: the definitions of the Lagrange road, parameters, initial
+/// 64 bits (FNV-1a) of everything that a reference depends on: the definitions of the Lagrange derivation, parameters, initial
 /// state, times, digits, and how it is integrated. Another question has other bits but for one in 2^64; the same
 /// question the same on every machine.
 std::uint64_t reference_digest(const Scene& scene, const ReferenceOptions& options);

@@ -6,8 +6,8 @@
 #include <limits>
 #include <type_traits>
 
-#include "generator/expression/function_values.hpp"
-#include "generator/expression/high_precision.hpp"
+#include "generator/base/high_precision.hpp"
+#include "generator/program/function_values.hpp"
 #include "generator/verification/emitted_sincos.hpp"
 
 namespace torsor {

@@ -7,7 +7,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "generator/expression/evaluation.hpp"
+#include "generator/program/evaluation.hpp"
 #include "generator/verification/differential.hpp"
 
 namespace torsor {

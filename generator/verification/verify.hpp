@@ -52,7 +52,7 @@ struct VerifyRow {
   bool bounded() const { return worst.error <= worst.bound; }
   /// A group that could be measured at no state has shown nothing.
   bool passed() const {
-    return worst.counted ? worst.scaled <= limit && bounded() : worst.vanishing;  // false for NaN
+    return worst.counted ? worst.scaled <= limit && bounded() : worst.identically_zero;  // false for NaN
   }
 };
 

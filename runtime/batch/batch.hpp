@@ -124,7 +124,7 @@ struct BatchReport {
 };
 
 /// The kernels of a generated mechanism for many states at once: `BatchOf<arm7::Mechanism, double> arm;`.
-/// Every block of `lanes` states takes the same road through the same instructions, the last and incomplete one too, so
+/// Every block of `lanes` states takes the same path through the same instructions, the last and incomplete one too, so
 /// that a state's results depend neither on its place, nor on its neighbours, nor on the number of threads.
 template <template <class> class Mechanism, class Number, int lanes = native_lanes<Number>>
 class BatchOf {

@@ -163,7 +163,7 @@ template <class M>
 concept HasDynamicsMatrices = HasMassMatrixAndBias<M> &&(M::multiplier_count == 0 || HasConstraints<M>);
 
 /// Accelerations and multipliers of a mechanism under given generalised forces Q, from its matrices rather than from
-/// the kernel `forward_dynamics`: the same unknowns by another road.
+/// the kernel `forward_dynamics`: the same unknowns by another method.
 template <HasDynamicsMatrices M>
 [[nodiscard]] Evaluation solve_dynamics(const typename M::Precomputed& precomputed, const typename M::State& state,
                                         const typename M::GeneralizedForces& forces, typename M::Accelerations& a,

@@ -28,7 +28,7 @@ std::vector<const Variant*> variants() {
 }
 
 template <class T>
-const Roads<T>& roads_of(const Variant& variant) {
+const CodePaths<T>& paths_of(const Variant& variant) {
   if constexpr (std::is_same_v<T, float>)
     return variant.in_float;
   else
@@ -73,7 +73,9 @@ template <class T>
 struct TopResults {
   Numbers<T> values{state_count * result_entries};
   Numbers<int> statuses{state_count};
-  TopResults(const Road<T>& road, const Numbers<T>& states) { road.top(states.data(), values.data(), statuses.data()); }
+  TopResults(const CodePath<T>& path, const Numbers<T>& states) {
+    path.top(states.data(), values.data(), statuses.data());
+  }
 };
 
 template <class T>
@@ -86,7 +88,7 @@ TYPED_TEST(SimdOf, HasTheLanesOfTheRegistersItIsCompiledFor) {
   for (const Variant* variant : variants()) {
     const std::string name = variant->name;
     const int bytes = name == "portable" ? torsor::runtime::vector_bytes : name == "avx512" ? 64 : 32;
-    EXPECT_EQ(roads_of<TypeParam>(*variant).packs.lanes * int(sizeof(TypeParam)), bytes) << name;
+    EXPECT_EQ(paths_of<TypeParam>(*variant).packs.lanes * int(sizeof(TypeParam)), bytes) << name;
   }
 }
 
@@ -115,12 +117,12 @@ TYPED_TEST(SimdOf, RoundsEveryOperationAsTheNumberDoes) {
     std::copy(row, row + operation_count, &expected[i * operation_count]);
   }
   for (const Variant* variant : variants()) {
-    const Roads<T>& roads = roads_of<T>(*variant);
-    for (const Road<T>& road : {roads.packs, roads.arrays}) {
-      road.operations(x.data(), y.data(), found.data());
+    const CodePaths<T>& paths = paths_of<T>(*variant);
+    for (const CodePath<T>& path : {paths.packs, paths.arrays}) {
+      path.operations(x.data(), y.data(), found.data());
       for (int i = 0; i < found.size(); ++i) {
         EXPECT_TRUE(same_bits(found[i], expected[i]))
-            << variant->name << ' ' << road.name << ", operation " << i % operation_count << " of "
+            << variant->name << ' ' << path.name << ", operation " << i % operation_count << " of "
             << x[i / operation_count] << ", " << y[i / operation_count] << ": " << found[i] << ", not " << expected[i];
       }
     }
@@ -132,14 +134,14 @@ template <class T>
 void expect_sines_and_cosines(const Numbers<T>& x) {
   Numbers<T> s(state_count), c(state_count), s_one(state_count), c_one(state_count);
   for (const Variant* variant : variants()) {
-    const Roads<T>& roads = roads_of<T>(*variant);
-    roads.one.sincos(x.data(), s_one.data(), c_one.data());
-    for (const Road<T>& road : {roads.packs, roads.arrays}) {
-      road.sincos(x.data(), s.data(), c.data());
+    const CodePaths<T>& paths = paths_of<T>(*variant);
+    paths.one.sincos(x.data(), s_one.data(), c_one.data());
+    for (const CodePath<T>& path : {paths.packs, paths.arrays}) {
+      path.sincos(x.data(), s.data(), c.data());
       for (int i = 0; i < state_count; ++i) {
         if (!variant->fused) {
           EXPECT_TRUE(same_bits(s[i], s_one[i]) && same_bits(c[i], c_one[i]))
-              << variant->name << ' ' << road.name << " at " << x[i];
+              << variant->name << ' ' << path.name << " at " << x[i];
         }
         // The wider type's own error is far below a thousandth of an ulp.
         using Wide = std::conditional_t<std::is_same_v<T, float>, double, long double>;
@@ -195,13 +197,13 @@ TYPED_TEST(SimdOf, TakesSinesOfNoNumberLaneByLane) {
   x[8] = std::numeric_limits<T>::quiet_NaN();
   x[9] = T(-0.0);
   for (const Variant* variant : variants()) {
-    const Roads<T>& roads = roads_of<T>(*variant);
-    for (const Road<T>& road : {roads.packs, roads.arrays}) {
-      road.sincos(x.data(), s.data(), c.data());
+    const CodePaths<T>& paths = paths_of<T>(*variant);
+    for (const CodePath<T>& path : {paths.packs, paths.arrays}) {
+      path.sincos(x.data(), s.data(), c.data());
       for (int i = 0; i < state_count; ++i) {
-        EXPECT_EQ(std::isnan(s[i]) && std::isnan(c[i]), i == 3 || i == 8) << variant->name << ' ' << road.name << i;
+        EXPECT_EQ(std::isnan(s[i]) && std::isnan(c[i]), i == 3 || i == 8) << variant->name << ' ' << path.name << i;
       }
-      EXPECT_TRUE(same_bits(s[9], T(-0.0)) && c[9] == T(1)) << variant->name << ' ' << road.name;
+      EXPECT_TRUE(same_bits(s[9], T(-0.0)) && c[9] == T(1)) << variant->name << ' ' << path.name;
     }
   }
 }
@@ -214,13 +216,13 @@ TYPED_TEST(SimdOf, GivesAKernelTheBitsOfTheSingleOneWhenNothingIsFused) {
     if (seed > 10) states[seed * state_entries + 1] = T(1e9), states[(seed + 100) * state_entries + 2] = T(-3e12);
     for (const Variant* variant : variants()) {
       if (variant->fused) continue;
-      const Roads<T>& roads = roads_of<T>(*variant);
-      const TopResults<T> expected(roads.one, states);
-      for (const Road<T>& road : {roads.packs, roads.arrays}) {
-        const TopResults<T> found(road, states);
+      const CodePaths<T>& paths = paths_of<T>(*variant);
+      const TopResults<T> expected(paths.one, states);
+      for (const CodePath<T>& path : {paths.packs, paths.arrays}) {
+        const TopResults<T> found(path, states);
         for (int i = 0; i < found.values.size(); ++i) {
           EXPECT_TRUE(same_bits(found.values[i], expected.values[i]))
-              << variant->name << ' ' << road.name << ", seed " << seed << ", state " << i / result_entries
+              << variant->name << ' ' << path.name << ", seed " << seed << ", state " << i / result_entries
               << ", result " << i % result_entries;
         }
       }
@@ -256,16 +258,16 @@ TYPED_TEST(SimdOf, GivesAKernelWithinTheBoundOfItsRoundings) {
   for (int seed = 1; seed <= 4; ++seed) {
     const Numbers<T> states = random_states<T>(static_cast<unsigned>(seed));
     for (const Variant* variant : variants()) {
-      const Roads<T>& roads = roads_of<T>(*variant);
-      for (const Road<T>& road : {roads.one, roads.packs, roads.arrays}) {
-        const TopResults<T> found(road, states);
+      const CodePaths<T>& paths = paths_of<T>(*variant);
+      for (const CodePath<T>& path : {paths.one, paths.packs, paths.arrays}) {
+        const TopResults<T> found(path, states);
         for (int i = 0; i < state_count; ++i) {
           const auto bounds = bounded_top<in_float>(&states[i * state_entries]);
           ASSERT_EQ(bounds.size(), result_entries);
           for (int k = 0; k < result_entries; ++k) {
             // Twice: the value in the middle has roundings of its own when it is computed in the same type.
             const double difference = std::abs(double(found.values[i * result_entries + k]) - bounds[k].value);
-            EXPECT_LE(difference, 2 * bounds[k].bound) << variant->name << ' ' << road.name << ", result " << k;
+            EXPECT_LE(difference, 2 * bounds[k].bound) << variant->name << ' ' << path.name << ", result " << k;
             if (bounds[k].bound > 0) worst = std::max(worst, difference / bounds[k].bound);
           }
         }
@@ -284,16 +286,16 @@ TYPED_TEST(SimdOf, SaysOfAPackWhatHoldsOfItsWorstLane) {
   states[locked * state_entries + 2] = std::acos(T(0));
   states[endless * state_entries + 4] = std::numeric_limits<T>::max();
   for (const Variant* variant : variants()) {
-    const Roads<T>& roads = roads_of<T>(*variant);
-    const TopResults<T> one(roads.one, states);
+    const CodePaths<T>& paths = paths_of<T>(*variant);
+    const TopResults<T> one(paths.one, states);
     EXPECT_EQ(one.statuses[locked], 1) << variant->name;
     EXPECT_EQ(one.statuses[endless], 2) << variant->name;
-    for (const Road<T>& road : {roads.packs, roads.arrays}) {
-      const TopResults<T> found(road, states);
+    for (const CodePath<T>& path : {paths.packs, paths.arrays}) {
+      const TopResults<T> found(path, states);
       for (int i = 0; i < state_count; ++i) {
-        const int pack = i / road.lanes;
-        const int expected = pack == locked / road.lanes ? 1 : pack == endless / road.lanes ? 2 : 0;
-        EXPECT_EQ(found.statuses[i], expected) << variant->name << ' ' << road.name << ", state " << i;
+        const int pack = i / path.lanes;
+        const int expected = pack == locked / path.lanes ? 1 : pack == endless / path.lanes ? 2 : 0;
+        EXPECT_EQ(found.statuses[i], expected) << variant->name << ' ' << path.name << ", state " << i;
         if (variant->fused || i == locked || i == endless) continue;
         for (int k = 0; k < result_entries; ++k) {
           EXPECT_TRUE(same_bits(found.values[i * result_entries + k], one.values[i * result_entries + k]))

@@ -118,19 +118,19 @@ void operations(const Number* xs, const Number* ys, Number* results) {
 
 // Constants, so that nothing compiled for another processor runs before main.
 template <class Scalar, class Number>
-constexpr Road<Number> road(const char* name) {
+constexpr CodePath<Number> path(const char* name) {
   return {name, lanes_of<Scalar>, top<Scalar, Number>, sincos<Scalar, Number>, operations<Scalar, Number>};
 }
 
 template <class Number>
-constexpr Roads<Number> roads() {
+constexpr CodePaths<Number> paths() {
   constexpr int odd = sizeof(Number) == 8 ? 3 : 5;
-  return {road<Number, Number>("numbers"), road<Simd<Number, native_lanes<Number>>, Number>("packs"),
-          road<Simd<Number, odd>, Number>("arrays")};
+  return {path<Number, Number>("numbers"), path<Simd<Number, native_lanes<Number>>, Number>("packs"),
+          path<Simd<Number, odd>, Number>("arrays")};
 }
 
 bool runs_here() { return VARIANT_RUNS; }
 
 }  // namespace
 
-extern constexpr Variant VARIANT{VARIANT_NAME, runs_here, VARIANT_FUSED, roads<double>(), roads<float>()};
+extern constexpr Variant VARIANT{VARIANT_NAME, runs_here, VARIANT_FUSED, paths<double>(), paths<float>()};

@@ -10,7 +10,7 @@ constexpr int result_entries = 3 + 3 + 3;
 
 /// One way to evaluate many states: a number after the other, or packs of so many lanes.
 template <class Number>
-struct Road {
+struct CodePath {
   const char* name;
   int lanes;
   /// States (time, coordinates, velocities) one after the other; the same for results and the status of every state,
@@ -25,17 +25,17 @@ struct Road {
 constexpr int operation_count = 14;
 
 template <class Number>
-struct Roads {
-  Road<Number> one, packs, arrays;  ///< numbers; packs of a register; packs that fit none
+struct CodePaths {
+  CodePath<Number> one, packs, arrays;  ///< numbers; packs of a register; packs that fit none
 };
 
 /// What one set of compiler options makes.
 struct Variant {
   const char* name;
   bool (*runs_here)();
-  bool fused;  ///< products and sums may be fused, and then round differently from one road to the other
-  Roads<double> in_double;
-  Roads<float> in_float;
+  bool fused;  ///< products and sums may be fused, and then round differently from one path to the other
+  CodePaths<double> in_double;
+  CodePaths<float> in_float;
 };
 
 extern const Variant portable_variant;

@@ -7,7 +7,7 @@
 #include <string>
 
 #include "generator/cli/katex.hpp"
-#include "generator/reading/html_text.hpp"
+#include "generator/printing/html_text.hpp"
 #include "tests/cli/scene_runner.hpp"
 
 namespace torsor::report_test {

@@ -3,10 +3,10 @@
 
 #include "generator/dynamics/equations/equations.hpp"
 #include "generator/dynamics/forces/energy.hpp"
-#include "generator/expression/derivative.hpp"
+#include "generator/program/derivative.hpp"
 #include "generator/verification/random_state.hpp"
 #include "tests/dynamics/random_mechanism.hpp"
-#include "tests/expression/test_symbols.hpp"
+#include "tests/program/test_symbols.hpp"
 
 namespace torsor::actions_power_test {
 namespace {

@@ -5,7 +5,7 @@
 
 #include "generator/dynamics/equations/validation.hpp"
 #include "generator/verification/check.hpp"
-#include "tests/expression/test_symbols.hpp"
+#include "tests/program/test_symbols.hpp"
 
 namespace torsor::testing_mechanisms {
 

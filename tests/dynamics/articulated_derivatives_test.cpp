@@ -5,8 +5,8 @@
 #include <gtest/gtest.h>
 
 #include "benchmarks/model_counts/models.hpp"
-#include "generator/expression/evaluation.hpp"
-#include "generator/expression/formula.hpp"
+#include "generator/program/evaluation.hpp"
+#include "generator/program/formula.hpp"
 #include "generator/verification/random_state.hpp"
 #include "tests/dynamics/random_mechanism.hpp"
 

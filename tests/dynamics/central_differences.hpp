@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "generator/dynamics/equations/equations.hpp"
-#include "generator/expression/derivative.hpp"
-#include "generator/expression/evaluation.hpp"
+#include "generator/program/derivative.hpp"
+#include "generator/program/evaluation.hpp"
 #include "generator/verification/random_state.hpp"
 
 namespace torsor::testing_mechanisms {

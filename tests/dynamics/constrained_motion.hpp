@@ -5,12 +5,12 @@
 #include <vector>
 
 #include "generator/dynamics/equations/equations.hpp"
-#include "generator/expression/evaluation.hpp"
+#include "generator/program/evaluation.hpp"
 #include "generator/verification/dense_linear.hpp"
 
 namespace torsor::testing_mechanisms {
 
-/// A state of a scene in numbers, moved along its constraints by Newton's method: the road of the tests of the reduced
+/// A state of a scene in numbers, moved along its constraints by Newton's method: the derivation of the tests of the reduced
 /// linearisation, which shares with it the rows of the constraints only.
 class ConstrainedMotion {
  public:

@@ -6,7 +6,7 @@
 #include "generator/dynamics/derivatives/linearisation.hpp"
 #include "generator/verification/random_state.hpp"
 #include "tests/dynamics/random_mechanism.hpp"
-#include "tests/expression/test_symbols.hpp"
+#include "tests/program/test_symbols.hpp"
 
 namespace torsor::equations_test {
 namespace {

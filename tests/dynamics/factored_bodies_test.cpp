@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Articulated bodies as sums of squares against the factorised mass matrix: two roads to the same accelerations.
+// Articulated bodies as sums of squares against the factorised mass matrix: two derivations to the same accelerations.
 #include "generator/dynamics/recursions/factored_bodies.hpp"
 
 #include <gtest/gtest.h>
 
+#include "generator/base/error.hpp"
 #include "generator/dynamics/equations/equations.hpp"
 #include "generator/dynamics/equations/forward_choice.hpp"
-#include "generator/expression/error.hpp"
-#include "generator/expression/evaluation.hpp"
+#include "generator/program/evaluation.hpp"
 #include "generator/verification/random_state.hpp"
 #include "tests/dynamics/random_mechanism.hpp"
 

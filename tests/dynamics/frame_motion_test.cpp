@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "generator/dynamics/equations/equations.hpp"
-#include "generator/expression/vanishing.hpp"
+#include "generator/program/identically_zero.hpp"
 #include "generator/verification/random_state.hpp"
 #include "tests/dynamics/random_mechanism.hpp"
 #include "tests/dynamics/simple_scenes.hpp"
@@ -170,7 +170,7 @@ class NamedMotions : public ::testing::Test {
     return recognise_motion(equations.model(), a, b);
   }
   bool is(const Value& value, const Expression& expected) {
-    return vanishes(value - equations.program().lower(expected));
+    return identically_zero(value - equations.program().lower(expected));
   }
 
   Equations equations{make()};

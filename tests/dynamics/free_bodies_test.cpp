@@ -8,7 +8,7 @@
 
 #include "generator/dynamics/equations/equations.hpp"
 #include "generator/dynamics/equations/validation.hpp"
-#include "generator/expression/generic_state.hpp"
+#include "generator/program/generic_state.hpp"
 #include "tests/dynamics/random_source.hpp"
 #include "tests/dynamics/simple_scenes.hpp"
 

@@ -4,7 +4,7 @@
 #include "generator/dynamics/derivatives/linearisation.hpp"
 #include "generator/dynamics/equations/validation.hpp"
 #include "generator/dynamics/theorems/painleve.hpp"
-#include "generator/expression/vanishing.hpp"
+#include "generator/program/identically_zero.hpp"
 #include "generator/verification/check.hpp"
 #include "generator/verification/dense_linear.hpp"
 #include "tests/dynamics/all_checks.hpp"
@@ -217,7 +217,7 @@ TEST(SlidingFriction, BetweenTwoBodiesLeavesTheirMomentum) {
   EXPECT_LT(relative_difference(here(equations.forward().accelerations[1]), -rational(2, 5) * g - plank_acceleration),
             exact);
   EXPECT_LT(relative_difference(here(equations.power()), -rational(2, 5) * Real(2) * g * Real(3)), exact);
-  EXPECT_TRUE(vanishes(equations.constraints()[0].column[0]));
+  EXPECT_TRUE(identically_zero(equations.constraints()[0].column[0]));
   const PainleveReport report = painleve(equations);
   ASSERT_EQ(report.first_integrals.size(), 1U);
   EXPECT_EQ(report.first_integrals[0].name, "momentum_x");

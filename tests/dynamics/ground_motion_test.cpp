@@ -5,7 +5,7 @@
 
 #include "generator/dynamics/equations/equations.hpp"
 #include "generator/dynamics/motion/motion.hpp"
-#include "generator/emission/kernel.hpp"
+#include "generator/kernels/kernel.hpp"
 #include "generator/verification/random_state.hpp"
 #include "tests/dynamics/random_mechanism.hpp"
 #include "tests/dynamics/simple_scenes.hpp"
@@ -34,7 +34,7 @@ class RandomGround : public ::testing::TestWithParam<unsigned> {
   GroundMotion motion{model};
 };
 
-/// Against the road inwards (places and vectors carried from link to link), rates of places, and the recursion of
+/// Against the derivation inwards (places and vectors carried from link to link), rates of places, and the recursion of
 /// twists in the links' axes. Everything is of order one to a thousand: 50 digits leave 1e-44.
 TEST_P(RandomGround, AgreesWithTheRoadInwardsAndWithRatesOfPlaces) {
   const std::vector<Twist> all = twists(model);
@@ -105,8 +105,8 @@ TEST(GroundMotion, ASpinAboutAnAxisThroughAPointDoesNotMoveIt) {
   const Kernel kernel = make_kernel("kinematics", equations);
   for (const Assignment& assignment : kernel.assignments) {
     if (assignment.target.member != "wheel_velocity") continue;
-    for (const Atom atom : equations.program().live({assignment.value})) {
-      const SymbolPointer& symbol = equations.program()[atom].symbol;
+    for (const ValueNumber value_number : equations.program().live({assignment.value})) {
+      const SymbolPointer& symbol = equations.program()[value_number].symbol;
       EXPECT_FALSE(symbol && symbol->name == "spin'") << assignment.target.to_string();
     }
   }

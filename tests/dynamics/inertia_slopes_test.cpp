@@ -6,8 +6,8 @@
 #include "generator/dynamics/derivatives/linearisation.hpp"
 #include "generator/dynamics/equations/equations.hpp"
 #include "generator/dynamics/recursions/inertia_derivatives.hpp"
-#include "generator/expression/evaluation.hpp"
-#include "generator/expression/formula.hpp"
+#include "generator/program/evaluation.hpp"
+#include "generator/program/formula.hpp"
 #include "generator/verification/random_state.hpp"
 
 namespace torsor::inertia_slopes_test {

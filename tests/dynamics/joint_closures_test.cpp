@@ -8,12 +8,12 @@
 #include <tuple>
 #include <vector>
 
+#include "generator/base/error.hpp"
 #include "generator/dynamics/equations/equations.hpp"
 #include "generator/dynamics/equations/validation.hpp"
-#include "generator/expression/error.hpp"
-#include "generator/expression/evaluation.hpp"
-#include "generator/expression/derivative.hpp"
 #include "generator/mechanics/scene.hpp"
+#include "generator/program/derivative.hpp"
+#include "generator/program/evaluation.hpp"
 #include "generator/verification/extrapolation.hpp"
 
 namespace torsor::joint_closures_test {

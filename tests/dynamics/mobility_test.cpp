@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "generator/expression/error.hpp"
+#include "generator/base/error.hpp"
 #include "tests/dynamics/loop_mechanisms.hpp"
 
 namespace torsor::mobility_test {
@@ -176,7 +176,7 @@ TEST(Mobility, TellsMotionsOfOneBodyFromThoseOfSeveral) {
   EXPECT_EQ(mobility.internal[1].text, "move together");
 }
 
-// The same number by another road: rank of the constraints' Jacobian, which is derived from the closures as functions
+// The same number by another derivation: rank of the constraints' Jacobian, which is derived from the closures as functions
 // of the coordinates, instead of twists around loops.
 TEST(Mobility, IsWhatTheConstraintsOfTheSceneLeave) {
   for (const Scene& scene : {four_bar(1, 2, 1, 2, {0, 0, 0}), bennett(), sarrus()}) {

@@ -5,12 +5,12 @@
 
 #include "generator/dynamics/equations/equations.hpp"
 #include "generator/dynamics/forces/energy.hpp"
-#include "generator/expression/derivative.hpp"
-#include "generator/expression/vanishing.hpp"
+#include "generator/program/derivative.hpp"
+#include "generator/program/identically_zero.hpp"
 #include "generator/verification/random_state.hpp"
 #include "tests/dynamics/random_mechanism.hpp"
-#include "tests/expression/test_symbols.hpp"
 #include "tests/mechanics/gauss_quadrature.hpp"
+#include "tests/program/test_symbols.hpp"
 
 namespace torsor::motion_test {
 namespace {
@@ -224,8 +224,8 @@ TEST(Vanishing, KnowsThatQuaternionsHaveTheNormOne) {
   Program& program = equations.program();
   Value square = program.number(Number(-1));
   for (const SymbolPointer& e : equations.model().positions()) square += pow(program.symbol(e), 2);
-  EXPECT_TRUE(vanishes(square));
-  EXPECT_FALSE(vanishes(square + program.symbol(equations.model().positions()[1])));
+  EXPECT_TRUE(identically_zero(square));
+  EXPECT_FALSE(identically_zero(square + program.symbol(equations.model().positions()[1])));
 }
 
 }  // namespace

@@ -6,10 +6,10 @@
 
 #include <gtest/gtest.h>
 
+#include "generator/base/error.hpp"
 #include "generator/dynamics/forces/selected_actions.hpp"
 #include "generator/dynamics/theorems/energy_theorem.hpp"
 #include "generator/dynamics/theorems/painleve.hpp"
-#include "generator/expression/error.hpp"
 #include "generator/verification/check.hpp"
 #include "tests/dynamics/simple_scenes.hpp"
 

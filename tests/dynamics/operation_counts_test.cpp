@@ -5,7 +5,7 @@
 
 #include "benchmarks/model_counts/models.hpp"
 #include "generator/dynamics/equations/equations.hpp"
-#include "generator/expression/formula.hpp"
+#include "generator/program/formula.hpp"
 
 namespace torsor::operation_counts_test {
 namespace {

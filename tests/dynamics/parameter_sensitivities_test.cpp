@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "generator/dynamics/recursions/regressor.hpp"
-#include "generator/emission/kernel.hpp"
+#include "generator/kernels/kernel.hpp"
 #include "tests/dynamics/central_differences.hpp"
 #include "tests/dynamics/random_mechanism.hpp"
 #include "tests/dynamics/simple_scenes.hpp"

@@ -5,10 +5,10 @@
 
 #include "generator/dynamics/equations/equations.hpp"
 #include "generator/dynamics/motion/body_screws.hpp"
-#include "generator/expression/derivative.hpp"
 #include "generator/geometry/real_vector.hpp"
+#include "generator/program/derivative.hpp"
 #include "generator/verification/random_state.hpp"
-#include "tests/expression/test_symbols.hpp"
+#include "tests/program/test_symbols.hpp"
 
 namespace torsor::testing_mechanisms {
 

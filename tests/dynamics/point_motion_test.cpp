@@ -5,7 +5,7 @@
 
 #include "generator/dynamics/equations/equations.hpp"
 #include "generator/dynamics/motion/contact_motion.hpp"
-#include "generator/expression/vanishing.hpp"
+#include "generator/program/identically_zero.hpp"
 #include "generator/verification/random_state.hpp"
 #include "tests/dynamics/random_mechanism.hpp"
 #include "tests/dynamics/simple_scenes.hpp"
@@ -111,7 +111,9 @@ class WheelOnTheGround : public ::testing::Test {
     scene.point("I", carriage, {0, -radius, 0});
     return scene;
   }
-  void expect(const Vector& v, const Value& x, const Value& y) { EXPECT_TRUE(vanishes(v - Vector(x, y, Value()))); }
+  void expect(const Vector& v, const Value& x, const Value& y) {
+    EXPECT_TRUE(identically_zero(v - Vector(x, y, Value())));
+  }
 
   Equations equations{make()};
   Program& program = equations.program();
@@ -189,20 +191,20 @@ TEST_F(SphereOnAPlate, SlidesRollsAndSpins) {
   const Vector minus_z(Value(), Value(), -radius);
   Vector sliding(rate("x") - rate("p"), rate("y"), Value());
   sliding += cross(rolling, minus_z);
-  EXPECT_TRUE(vanishes(contact.sliding - sliding));
-  EXPECT_TRUE(vanishes(contact.rolling - rolling));
-  EXPECT_TRUE(vanishes(contact.spinning - rate("psi")));
-  EXPECT_TRUE(vanishes(contact.separation - rate("z")));
-  EXPECT_TRUE(vanishes(contact.normal - Vector(Value(), Value(), program.number(Number(1)))));
+  EXPECT_TRUE(identically_zero(contact.sliding - sliding));
+  EXPECT_TRUE(identically_zero(contact.rolling - rolling));
+  EXPECT_TRUE(identically_zero(contact.spinning - rate("psi")));
+  EXPECT_TRUE(identically_zero(contact.separation - rate("z")));
+  EXPECT_TRUE(identically_zero(contact.normal - Vector(Value(), Value(), program.number(Number(1)))));
 }
 
 TEST_F(SphereOnAPlate, HasTheOppositeMotionOfThePlateOnTheSphere) {
   const ContactMotion one = contact_motion(model, "sphere", "plate", Scene::point("I"), axis::z, "ground");
   const ContactMotion other = contact_motion(model, "plate", "sphere", Scene::point("I"), -axis::z, "ground");
-  EXPECT_TRUE(vanishes(one.sliding + other.sliding));
-  EXPECT_TRUE(vanishes(one.rolling + other.rolling));
-  EXPECT_TRUE(vanishes(one.spinning - other.spinning));
-  EXPECT_TRUE(vanishes(one.separation - other.separation));
+  EXPECT_TRUE(identically_zero(one.sliding + other.sliding));
+  EXPECT_TRUE(identically_zero(one.rolling + other.rolling));
+  EXPECT_TRUE(identically_zero(one.spinning - other.spinning));
+  EXPECT_TRUE(identically_zero(one.separation - other.separation));
 }
 
 /// V(I ∈ S1/S2) = V(I/S2) − V(I/S1), the geometric point's velocities seen from either body.
@@ -211,7 +213,7 @@ TEST_F(SphereOnAPlate, SlidesWithTheDifferenceOfTheContactPointsVelocities) {
   const Vector in_plate = point_motion(model, Scene::point("I"), "plate", "plate").relative_velocity;
   const Vector in_sphere = point_motion(model, Scene::point("I"), "sphere", "sphere").relative_velocity;
   const Vector whole = contact.sliding + contact.separation * contact.normal;
-  EXPECT_TRUE(vanishes(in_plate - in_sphere - whole));
+  EXPECT_TRUE(identically_zero(in_plate - in_sphere - whole));
 }
 
 TEST_F(SphereOnAPlate, NeedsANormal) {

@@ -17,7 +17,7 @@ struct RandomMechanismOptions {
   bool constraints = true;  ///< holonomic, non-holonomic and closure constraints
   bool joints = false;      ///< every joint of the table instead of revolute and prismatic ones, quaternions included
   bool loops = false;       ///< a free body tied to another one by a joint of the table
-  bool held = false;        ///< a constraint holds what `released` would release: the same mechanism by another road
+  bool held = false;        ///< a constraint holds what `released` would release: the same mechanism by another derivation
   bool chains = false;        ///< a chain of several joints that closes, redundant ones among them
   bool conservative = false;  ///< only what has a first integral: motions are imposed by a turntable only
   bool weightless = false;

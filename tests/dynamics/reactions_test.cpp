@@ -131,7 +131,7 @@ TEST(Multiplier, IsTheIntensityOfItsNamedReaction) {
   NamedState state(equations, {{"x", length * sin(angle)}, {"y", -length * cos(angle)}});
   EXPECT_LT(relative_difference(state(equations.forward().multipliers[0]), tension(angle, Real(0))), 1e-45);
   const ConstraintRow& row = equations.constraints()[0];
-  for (std::size_t i = 0; i < 2; ++i) EXPECT_TRUE(vanishes(row.column[i] - row.jacobian[i]));
+  for (std::size_t i = 0; i < 2; ++i) EXPECT_TRUE(identically_zero(row.column[i] - row.jacobian[i]));
 }
 
 // A locomotive of 2 kg is pushed and pulls a car of 3 kg by a bar without mass: F = 5 a, and the bar pulls the car by 3 a

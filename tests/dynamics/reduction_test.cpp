@@ -6,7 +6,7 @@
 #include <algorithm>
 
 #include "generator/dynamics/equations/validation.hpp"
-#include "generator/emission/kernel.hpp"
+#include "generator/kernels/kernel.hpp"
 #include "tests/dynamics/constrained_motion.hpp"
 #include "tests/dynamics/random_mechanism.hpp"
 #include "tests/dynamics/simple_scenes.hpp"

@@ -9,14 +9,14 @@
 #include <vector>
 
 #include "benchmarks/model_counts/models.hpp"
+#include "generator/base/real_elimination.hpp"
 #include "generator/dynamics/recursions/base_parameters.hpp"
-#include "generator/emission/kernel.hpp"
-#include "generator/expression/real_elimination.hpp"
 #include "generator/import/exact_direction.hpp"
+#include "generator/kernels/kernel.hpp"
 #include "generator/verification/random_state.hpp"
 #include "tests/dynamics/random_mechanism.hpp"
 #include "tests/dynamics/simple_scenes.hpp"
-#include "tests/emission/compressed_tables.hpp"
+#include "tests/kernels/compressed_tables.hpp"
 
 namespace torsor::regressor_test {
 namespace {

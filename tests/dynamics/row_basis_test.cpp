@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "tests/expression/test_symbols.hpp"
+#include "tests/program/test_symbols.hpp"
 
 namespace torsor::row_basis_test {
 namespace {

@@ -4,7 +4,7 @@
 #include <string>
 
 #include "generator/dynamics/equations/equations.hpp"
-#include "tests/expression/test_symbols.hpp"
+#include "tests/program/test_symbols.hpp"
 
 namespace torsor::testing_mechanisms {
 

@@ -5,8 +5,8 @@
 
 #include <map>
 
+#include "generator/base/error.hpp"
 #include "generator/dynamics/theorems/joint_actions.hpp"
-#include "generator/expression/error.hpp"
 #include "generator/verification/random_state.hpp"
 #include "tests/dynamics/random_mechanism.hpp"
 #include "tests/dynamics/simple_scenes.hpp"

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "generator/dynamics/recursions/articulated_body.hpp"
+#include "generator/dynamics/recursions/articulated_motion.hpp"
 #include "generator/dynamics/theorems/joint_reactions.hpp"
 #include "tests/dynamics/random_mechanism.hpp"
 #include "tests/dynamics/simple_scenes.hpp"

@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "generator/expression/error.hpp"
+#include "generator/base/error.hpp"
 
 namespace torsor::embedded_templates_test {
 namespace {

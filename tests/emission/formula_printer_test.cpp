@@ -3,9 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include "generator/base/error.hpp"
 #include "generator/emission/cpp_names.hpp"
 #include "generator/listing/generation_constant.hpp"
-#include "generator/expression/error.hpp"
 #include "generator/mechanics/scene.hpp"
 
 namespace torsor::formula_printer_test {
@@ -39,7 +39,7 @@ TEST(ConstantName, ShowsTheValueWhileItIsShort) {
 class FormulaPrinterText : public testing::Test {
  protected:
   FormulaPrinter printer() {
-    return {[this](Atom atom) { return local_name(program_, atom); },
+    return {[this](ValueNumber value_number) { return local_name(program_, value_number); },
             [](Function function) { return traits_of(function).emitted; }};
   }
   std::string print(const Value& value) {
@@ -108,7 +108,7 @@ TEST(CppName, KeepsCommentsOnOneLine) { EXPECT_EQ(comment_text("force\non arm\\"
 TEST(GenerationConstant, IsRoundedOnceForEachFormat) {
   Program program;
   const Value sine = program.sin(program.number(Number::rational(3, 10)));
-  const RoundedConstant rounded = rounded_constant(program, *sine.atom());
+  const RoundedConstant rounded = rounded_constant(program, *sine.value_number());
   // sin(3/10) = 0.29552020666133957510532..., its series in rational arithmetic; the nearest double is not the sine of
   // the double 0.3, which ends in ...955.
   EXPECT_EQ(rounded.in_double, 0.2955202066613396);
@@ -121,11 +121,11 @@ TEST(GenerationConstant, SurvivesCancellation) {
   const Value x = program.number(Number::rational(3, 10));
   const Value logarithm = program.apply(Function::log, program.apply(Function::exp, x));
   const Value zero = program.bind(x - logarithm);
-  ASSERT_TRUE(zero.atom());
-  EXPECT_EQ(rounded_constant(program, *zero.atom()).in_double, 0.0);
+  ASSERT_TRUE(zero.value_number());
+  EXPECT_EQ(rounded_constant(program, *zero.value_number()).in_double, 0.0);
   const Value tiny = program.bind(x + program.number(Number(10).pow(-60)) - logarithm);
-  ASSERT_TRUE(tiny.atom());
-  EXPECT_EQ(rounded_constant(program, *tiny.atom()).in_double, 1e-60);
+  ASSERT_TRUE(tiny.value_number());
+  EXPECT_EQ(rounded_constant(program, *tiny.value_number()).in_double, 1e-60);
 }
 
 TEST(GenerationConstant, NamesAConstantWithoutValue) {
@@ -133,7 +133,7 @@ TEST(GenerationConstant, NamesAConstantWithoutValue) {
   const Value sine = program.sin(program.number(Number(3)));
   const Value root = program.sqrt(program.number(Number::rational(1, 10)) - sine);  // 0.1 - 0.14112
   try {
-    rounded_constant(program, root.polynomial().terms()[0].monomial[0].atom);
+    rounded_constant(program, root.polynomial().terms()[0].monomial[0].value_number);
     FAIL() << "the root of a negative number has no value";
   } catch (const Error& error) {
     EXPECT_NE(std::string(error.what()).find("has no value"), std::string::npos) << error.what();

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "generator/emission/header.hpp"
-#include "generator/emission/kernel.hpp"
+#include "generator/kernels/kernel.hpp"
 #include "generator/mechanics/scene.hpp"
 
 namespace torsor::testing_scenes {

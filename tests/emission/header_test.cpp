@@ -7,9 +7,9 @@
 
 #include <gtest/gtest.h>
 
-#include "generator/emission/kernel.hpp"
-#include "generator/expression/error.hpp"
-#include "generator/expression/formula.hpp"
+#include "generator/base/error.hpp"
+#include "generator/kernels/kernel.hpp"
+#include "generator/program/formula.hpp"
 #include "tests/dynamics/simple_scenes.hpp"
 #include "tests/emission/golden_scene.hpp"
 

@@ -12,8 +12,8 @@
 
 #include <gtest/gtest.h>
 
-#include "generator/emission/output_file.hpp"
-#include "generator/expression/evaluation.hpp"
+#include "generator/base/output_file.hpp"
+#include "generator/program/evaluation.hpp"
 #include "generator/verification/emitted_sincos.hpp"
 #include "tests/emission/golden/selections.hpp.txt"
 #include "tests/emission/golden_scene.hpp"

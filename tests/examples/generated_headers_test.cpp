@@ -20,7 +20,7 @@
 #include "generated/rolling_hoop_contact_forces.hpp"
 #include "generated/satellite_arms.hpp"
 #include "generated/vibration_absorber.hpp"
-#include "generator/expression/number.hpp"
+#include "generator/base/number.hpp"
 #include "tests/examples/kernel_comparison.hpp"
 
 namespace torsor::generated_headers_test {

@@ -15,7 +15,7 @@
 #include "generated/heavy_top.hpp"
 #include "generated/rolling_hoop.hpp"
 #include "generated/torque_free_body.hpp"
-#include "generator/expression/high_precision.hpp"
+#include "generator/base/high_precision.hpp"
 #include "generator/verification/real_scalar_traits.hpp"
 #include "runtime/mechanism.hpp"
 

@@ -48,7 +48,7 @@ TEST(KapitzaPendulum, MeetsItsIndependentReferences) {
 }
 
 /// Trace of the motion over one period of the shaking, linearised about the upright rest: Floquet's roots have the
-/// product 1 (no friction), so the rest is stable where |trace| < 2. An independent road: Runge-Kutta on Hill's
+/// product 1 (no friction), so the rest is stable where |trace| < 2. An independent derivation: Runge-Kutta on Hill's
 /// equation.
 double trace_of_hill(double omega) {
   constexpr int steps = 4000;

@@ -15,7 +15,7 @@
 #include <string_view>
 #include <vector>
 
-#include "generator/expression/high_precision.hpp"
+#include "generator/base/high_precision.hpp"
 #include "generator/verification/dense_linear.hpp"
 #include "generator/verification/real_scalar_traits.hpp"
 #include "generator/verification/worst.hpp"

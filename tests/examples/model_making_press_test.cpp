@@ -17,7 +17,7 @@
 #include "tests/examples/motion.hpp"
 
 #include "generator/dynamics/structure/reduced_graph.hpp"
-#include "generator/emission/graph_printer.hpp"
+#include "generator/graphs/graph_printer.hpp"
 #include "tests/examples/scenes.hpp"
 
 namespace torsor::model_making_press_test {

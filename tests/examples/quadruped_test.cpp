@@ -109,7 +109,7 @@ TEST(Quadruped, HasTheKineticEnergyOfItsBodiesAndTheMassOfTheFile) {
   Robot::Energy energy{};
   Robot::energy(motion.precomputed(), state, {}, energy);
   const Totals sum = totals(state);
-  // Some hundred terms of the size of T on both roads.
+  // Some hundred terms of the size of T on both derivations.
   EXPECT_NEAR(energy.kinetic, sum.kinetic, 200 * rounding * energy.kinetic);
   EXPECT_NEAR(energy.force_function, -mass * g * sum.center[2], 200 * rounding * mass * g);
   std::array<double, 324> matrix{};

@@ -9,10 +9,10 @@
 #include <numbers>
 
 #include "generated/rolling_hoop_contact_forces.hpp"
-#include "runtime/mechanism.hpp"
-#include "runtime/small_motions/stability.hpp"
-#include "runtime/records/reference.hpp"
 #include "runtime/integration/runge_kutta_4.hpp"
+#include "runtime/mechanism.hpp"
+#include "runtime/records/reference.hpp"
+#include "runtime/small_motions/stability.hpp"
 #include "tests/examples/motion.hpp"
 
 namespace torsor::rolling_hoop_test {

@@ -15,8 +15,8 @@
 #include "tests/examples/motion.hpp"
 
 #include "generator/dynamics/theorems/force_function.hpp"
-#include "generator/expression/vanishing.hpp"
-#include "generator/reading/force_function_text.hpp"
+#include "generator/printing/force_function_text.hpp"
+#include "generator/program/identically_zero.hpp"
 #include "tests/examples/scenes.hpp"
 
 namespace torsor::shaker_test {
@@ -64,11 +64,11 @@ TEST(Shaker, HasNoForceFunctionSeenFromTheMassWhenItsSupportIsFree) {
   const torsor::Equations equations(shaker_free_support_scene());
   const auto both = torsor::classify_force_function(equations, {{"spring"}, {}});
   EXPECT_EQ(both.kind, torsor::ForceFunctionCase::potential_energy);
-  EXPECT_TRUE(torsor::vanishes(both.forces[0]));
+  EXPECT_TRUE(torsor::identically_zero(both.forces[0]));
   // Q_lambda = Q_l on the mass.
   const auto mass = torsor::classify_force_function(equations, {{"spring"}, {"mass"}});
-  EXPECT_TRUE(torsor::vanishes(mass.forces[0] - mass.forces[1]));
-  EXPECT_TRUE(torsor::vanishes(mass.forces[1] - both.forces[1]));
+  EXPECT_TRUE(torsor::identically_zero(mass.forces[0] - mass.forces[1]));
+  EXPECT_TRUE(torsor::identically_zero(mass.forces[1] - both.forces[1]));
 }
 
 TEST(Shaker, HasNoForceFunctionWithTheDamper) {

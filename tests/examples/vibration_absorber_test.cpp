@@ -17,7 +17,7 @@
 #include "tests/examples/energy_theorem.hpp"
 #include "tests/examples/motion.hpp"
 
-#include "generator/reading/print_equations.hpp"
+#include "generator/printing/print_equations.hpp"
 #include "tests/examples/scenes.hpp"
 
 namespace torsor::vibration_absorber_test {

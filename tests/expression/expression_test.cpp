@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "generator/expression/expression_node.hpp"
-#include "tests/expression/test_symbols.hpp"
+#include "tests/program/test_symbols.hpp"
 
 namespace torsor::expression_test {
 namespace {

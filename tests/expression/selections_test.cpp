@@ -6,11 +6,11 @@
 #include <string>
 #include <vector>
 
-#include "generator/expression/derivative.hpp"
 #include "generator/expression/piecewise.hpp"
-#include "generator/expression/series_evaluation.hpp"
-#include "generator/expression/vanishing.hpp"
-#include "tests/expression/test_symbols.hpp"
+#include "generator/program/derivative.hpp"
+#include "generator/program/identically_zero.hpp"
+#include "generator/program/series_evaluation.hpp"
+#include "tests/program/test_symbols.hpp"
 
 namespace torsor::selections_test {
 namespace {
@@ -137,20 +137,20 @@ TEST_F(Selections, AreNoNumberWhereTheirConditionIsNone) {
 /// A force that acts in a narrow window only is silent at nearly every random state.
 TEST_F(Selections, AreNotTakenForZeroWhereTheyAreSilent) {
   const Expression window = piecewise({{x < Expression(20001) / 10000, 0}, {x < Expression(20002) / 10000, y}}, 0);
-  EXPECT_FALSE(vanishes(lowered(window)));
-  EXPECT_FALSE(vanishes(lowered(x * window - y * window)));
-  EXPECT_FALSE(vanishes(lowered(max(x - 123456, 0))));
-  EXPECT_FALSE(vanishes(lowered(abs(x - 100000) - 100000 + x)));  // zero below 100000
-  EXPECT_FALSE(vanishes(lowered(sign(x + 1000000) - 1)));
-  EXPECT_FALSE(vanishes(lowered(max(max(x, 50000), y) - 50000)));
+  EXPECT_FALSE(identically_zero(lowered(window)));
+  EXPECT_FALSE(identically_zero(lowered(x * window - y * window)));
+  EXPECT_FALSE(identically_zero(lowered(max(x - 123456, 0))));
+  EXPECT_FALSE(identically_zero(lowered(abs(x - 100000) - 100000 + x)));  // zero below 100000
+  EXPECT_FALSE(identically_zero(lowered(sign(x + 1000000) - 1)));
+  EXPECT_FALSE(identically_zero(lowered(max(max(x, 50000), y) - 50000)));
 }
 
 TEST_F(Selections, VanishWhereEachOfTheirFormsDoes) {
   const Expression turn = pow(sin(x + y), 2) + pow(cos(x + y), 2) - 1, sum = sin(x + y) - sin(x) * cos(y) - cos(x) * sin(y);
-  EXPECT_TRUE(vanishes(lowered(piecewise({{x < 1, sum}}, 0))));
-  EXPECT_TRUE(vanishes(lowered(max(x, y) * sum + turn)));
-  EXPECT_TRUE(vanishes(lowered(abs(x) * sign(x) - x)));
-  EXPECT_TRUE(vanishes(lowered(pow(abs(x), 2) - x * x)));
+  EXPECT_TRUE(identically_zero(lowered(piecewise({{x < 1, sum}}, 0))));
+  EXPECT_TRUE(identically_zero(lowered(max(x, y) * sum + turn)));
+  EXPECT_TRUE(identically_zero(lowered(abs(x) * sign(x) - x)));
+  EXPECT_TRUE(identically_zero(lowered(pow(abs(x), 2) - x * x)));
 }
 
 TEST(Atan2, HasTheAngleOfEveryVectorInHighPrecision) {

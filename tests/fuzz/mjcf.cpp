@@ -6,7 +6,7 @@
 
 #include <unistd.h>
 
-#include "generator/expression/error.hpp"
+#include "generator/base/error.hpp"
 #include "generator/import/mjcf.hpp"
 #include "generator/import/mujoco_reader.hpp"
 #include "tests/fuzz/target.hpp"

@@ -4,11 +4,11 @@
 #include <stdexcept>
 #include <string>
 
+#include "generator/base/decimal.hpp"
+#include "generator/base/error.hpp"
+#include "generator/base/unit.hpp"
 #include "generator/dynamics/equations/equations.hpp"
 #include "generator/emission/header.hpp"
-#include "generator/expression/decimal.hpp"
-#include "generator/expression/error.hpp"
-#include "generator/expression/unit.hpp"
 #include "generator/import/urdf.hpp"
 #include "generator/import/xacro.hpp"
 #include "generator/import/xacro_expression.hpp"

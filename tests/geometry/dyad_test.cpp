@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "tests/expression/test_symbols.hpp"
+#include "tests/program/test_symbols.hpp"
 
 namespace torsor::dyad_test {
 namespace {
@@ -17,9 +17,9 @@ class Dyad : public ::testing::Test {
     for (int i = 0; i < 3; ++i) v[i] = program.lower(make_symbol(name + "xyz"[i], unit));
     return v;
   }
-  static bool vanish(const Matrix& m) {
+  static bool all_zero(const Matrix& m) {
     for (int i = 0; i < 3; ++i) {
-      if (!vanishes(Vector(m(i, 0), m(i, 1), m(i, 2)))) return false;
+      if (!identically_zero(Vector(m(i, 0), m(i, 1), m(i, 2)))) return false;
     }
     return true;
   }
@@ -32,32 +32,32 @@ using CrossOperator = Dyad;
 using MatrixAlgebra = Dyad;
 
 TEST_F(Dyad, TakesTheProjectionOnItsSecondVectorAlongTheFirst) {
-  EXPECT_TRUE(vanishes(dyad(a, b) * c - dot(b, c) * a));
-  EXPECT_FALSE(vanishes(dyad(a, b) * c - dot(a, c) * b));
-  EXPECT_TRUE(vanish(transpose(dyad(a, b)) - dyad(b, a)));
-  EXPECT_TRUE(vanishes(trace(dyad(a, b)) - dot(a, b)));
+  EXPECT_TRUE(identically_zero(dyad(a, b) * c - dot(b, c) * a));
+  EXPECT_FALSE(identically_zero(dyad(a, b) * c - dot(a, c) * b));
+  EXPECT_TRUE(all_zero(transpose(dyad(a, b)) - dyad(b, a)));
+  EXPECT_TRUE(identically_zero(trace(dyad(a, b)) - dot(a, b)));
 }
 
 TEST_F(CrossOperator, ActsLikeTheCrossProduct) {
-  EXPECT_TRUE(vanishes(cross_operator(a) * b - cross(a, b)));
-  EXPECT_TRUE(vanishes(axial_vector(cross_operator(a)) - a));
+  EXPECT_TRUE(identically_zero(cross_operator(a) * b - cross(a, b)));
+  EXPECT_TRUE(identically_zero(axial_vector(cross_operator(a)) - a));
   const Matrix square = cross_operator(a) * cross_operator(a);
-  EXPECT_TRUE(vanish(square - (dyad(a, a) - dot(a, a) * identity(program))));
+  EXPECT_TRUE(all_zero(square - (dyad(a, a) - dot(a, a) * identity(program))));
 }
 
 TEST_F(CrossOperator, HoldsTheAntisymmetricPartOfAnyOperator) {
   const Matrix m = dyad(a, b) + dyad(c, a);
   const Vector twice = m * c - transpose(m) * c;
   const Value two = program.number(Number(2));
-  EXPECT_TRUE(vanishes(twice - two * cross(axial_vector(m), c)));
-  EXPECT_TRUE(vanishes(axial_vector(m + transpose(m))));
+  EXPECT_TRUE(identically_zero(twice - two * cross(axial_vector(m), c)));
+  EXPECT_TRUE(identically_zero(axial_vector(m + transpose(m))));
 }
 
 TEST_F(MatrixAlgebra, IsLinear) {
   const Matrix m = dyad(a, b);
   const Value k = program.lower(make_symbol("k", "m"));
-  EXPECT_TRUE(vanishes((k * m) * c - k * (m * c)));
-  EXPECT_TRUE(vanish((m + identity(program)) * m - (m * m + m)));
+  EXPECT_TRUE(identically_zero((k * m) * c - k * (m * c)));
+  EXPECT_TRUE(all_zero((m + identity(program)) * m - (m * m + m)));
   EXPECT_EQ((k * m)(0, 1).unit(), units::metre);
 }
 
@@ -67,8 +67,8 @@ TEST_F(Dyad, MakesTheInertiaOperatorOfAPoint) {
   const Vector omega = symbols("w", "rad/s");
   const Vector v = cross(omega, r);
   const Vector moment = unit_inertia(program, r) * omega;
-  EXPECT_TRUE(vanishes(moment - cross(r, v)));
-  EXPECT_TRUE(vanishes(dot(omega, moment) - dot(v, v)));
+  EXPECT_TRUE(identically_zero(moment - cross(r, v)));
+  EXPECT_TRUE(identically_zero(dot(omega, moment) - dot(v, v)));
   EXPECT_EQ(moment[0].unit(), Unit::parse("m^2/s"));
 }
 

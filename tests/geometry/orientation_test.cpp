@@ -3,19 +3,19 @@
 
 #include <gtest/gtest.h>
 
-#include "generator/expression/derivative.hpp"
 #include "generator/geometry/dyad.hpp"
 #include "generator/geometry/quaternion.hpp"
-#include "tests/expression/test_symbols.hpp"
+#include "generator/program/derivative.hpp"
+#include "tests/program/test_symbols.hpp"
 
 namespace torsor::orientation_test {
 namespace {
 
 using namespace testing_symbols;
 
-bool vanish(const Matrix& m) {
+bool all_zero(const Matrix& m) {
   for (int i = 0; i < 3; ++i) {
-    if (!vanishes(Vector(m(i, 0), m(i, 1), m(i, 2)))) return false;
+    if (!identically_zero(Vector(m(i, 0), m(i, 1), m(i, 2)))) return false;
   }
   return true;
 }
@@ -67,9 +67,9 @@ class Orientation : public ::testing::Test {
     for (int j = 0; j < 3; ++j) {
       const Vector e(rotation(0, j), rotation(1, j), rotation(2, j));
       const Vector moved = time_derivative(e);
-      EXPECT_TRUE(vanishes(moved - cross(omega, e))) << "axis " << j;
+      EXPECT_TRUE(identically_zero(moved - cross(omega, e))) << "axis " << j;
     }
-    EXPECT_TRUE(vanishes(angular_velocity(rotation) - omega));
+    EXPECT_TRUE(identically_zero(angular_velocity(rotation) - omega));
   }
 
   /// Every entry within 1e-47 of the composition of `turns` at 50 digits: entries are at most 1 and come from some
@@ -104,7 +104,7 @@ TEST_F(Orientation, TurnsAboutAnAxisAsTheExactRotationDoes) {
   for (int axis = 0; axis < 3; ++axis) {
     for (int k = -5; k < 24; k += 7) {
       const Value angle = program.lower(Expression(k) * pi() / Expression(12));
-      EXPECT_TRUE(vanish(rotation_matrix(program, PlaneRotation{axis, angle}) -
+      EXPECT_TRUE(all_zero(rotation_matrix(program, PlaneRotation{axis, angle}) -
                          constant_matrix(program, Rotation::about(axis, k))));
     }
   }
@@ -118,9 +118,9 @@ TEST_F(EulerAngles, AreThreePlaneRotationsAboutZXZ) {
   const Matrix r = rotation_matrix(program, euler(psi, theta, phi));
   expect_composed(r, {{2, point["psi"]}, {0, point["theta"]}, {2, point["phi"]}});
   // The turned z axis: (sinψ sinθ, −cosψ sinθ, cosθ); the node line is x of the first intermediate base.
-  EXPECT_TRUE(vanishes(r(0, 2) - program.sin(psi) * program.sin(theta)));
-  EXPECT_TRUE(vanishes(r(1, 2) + program.cos(psi) * program.sin(theta)));
-  EXPECT_TRUE(vanishes(r(2, 2) - program.cos(theta)));
+  EXPECT_TRUE(identically_zero(r(0, 2) - program.sin(psi) * program.sin(theta)));
+  EXPECT_TRUE(identically_zero(r(1, 2) + program.cos(psi) * program.sin(theta)));
+  EXPECT_TRUE(identically_zero(r(2, 2) - program.cos(theta)));
 }
 
 TEST_F(EulerAngles, TurnWithPrecessionNutationAndOwnRotation) {
@@ -135,7 +135,7 @@ TEST_F(EulerAngles, TurnWithPrecessionNutationAndOwnRotation) {
   closed[0] = nutation * program.cos(psi) + rate * r(0, 2);
   closed[1] = nutation * program.sin(psi) + rate * r(1, 2);
   closed[2] = program.symbol(first.v) + rate * r(2, 2);
-  EXPECT_TRUE(vanishes(closed - omega));
+  EXPECT_TRUE(identically_zero(closed - omega));
 }
 
 TEST_F(CardanAngles, AreThreePlaneRotationsAboutXYZ) {
@@ -153,8 +153,8 @@ TEST_F(CardanAngles, KeepTheFirstAxisAndNotTheThirdInTheirFirstBase) {
   const auto moved = [&](int axis) {
     return Vector(r(0, axis) - one(0, axis), r(1, axis) - one(1, axis), r(2, axis) - one(2, axis));
   };
-  EXPECT_TRUE(vanishes(moved(0)));
-  EXPECT_FALSE(vanishes(moved(2)));
+  EXPECT_TRUE(identically_zero(moved(0)));
+  EXPECT_FALSE(identically_zero(moved(2)));
 }
 
 TEST_F(Orientation, ComposesAnySequence) {
@@ -164,25 +164,25 @@ TEST_F(Orientation, ComposesAnySequence) {
   const Real difference = point["phi"] - point["theta"];
   expect_composed(r, {{1, point["psi"]}, {2, two_theta}, {1, point["phi"]}, {0, point["psi"]}, {2, difference}});
   expect_turns_with(r, angular_velocity(program, sequence));
-  EXPECT_TRUE(vanish(rotation_matrix(program, std::vector<PlaneRotation>{}) - identity(program)));
-  EXPECT_TRUE(vanishes(angular_velocity(program, std::vector<PlaneRotation>{})));
+  EXPECT_TRUE(all_zero(rotation_matrix(program, std::vector<PlaneRotation>{}) - identity(program)));
+  EXPECT_TRUE(identically_zero(angular_velocity(program, std::vector<PlaneRotation>{})));
 }
 
 TEST_F(AxisAngleForm, IsTheTurnAboutZCarriedToTheAxis) {
   const Matrix r = rotation_matrix(program, AxisAngle{moving_axis(), phi});
   expect_composed(
       r, {{2, point["psi"]}, {1, point["theta"]}, {2, point["phi"]}, {1, -point["theta"]}, {2, -point["psi"]}});
-  EXPECT_TRUE(vanishes(r * moving_axis() - moving_axis()));
+  EXPECT_TRUE(identically_zero(r * moving_axis() - moving_axis()));
 }
 
 TEST_F(AxisAngleForm, TurnsFasterThanItsAngleWhenTheAxisMoves) {
   const AxisAngle turn{moving_axis(), phi};
   const Vector omega = angular_velocity(program, turn);
   expect_turns_with(rotation_matrix(program, turn), omega);
-  EXPECT_FALSE(vanishes(omega - program.symbol(third.v) * turn.axis));
+  EXPECT_FALSE(identically_zero(omega - program.symbol(third.v) * turn.axis));
   const Vector fixed(program.number(Number::rational(2, 3)), program.number(Number::rational(-1, 3)),
                      program.number(Number::rational(2, 3)));
-  EXPECT_TRUE(vanishes(angular_velocity(program, AxisAngle{fixed, phi}) - program.symbol(third.v) * fixed));
+  EXPECT_TRUE(identically_zero(angular_velocity(program, AxisAngle{fixed, phi}) - program.symbol(third.v) * fixed));
 }
 
 TEST_F(AxisAngleForm, NeedsAUnitVector) {
@@ -197,10 +197,10 @@ TEST_F(AxisAngleForm, NeedsAUnitVector) {
 TEST_F(QuaternionForm, IsTheSameRotationAsItsAxisAndAngle) {
   const AxisAngle turn{moving_axis(), phi};
   const Quaternion p = quaternion(program, turn);
-  EXPECT_TRUE(vanish(rotation_matrix(program, p) - rotation_matrix(program, turn)));
-  EXPECT_TRUE(vanishes(squared_norm(p) - program.number(Number(1))));
-  EXPECT_TRUE(vanish(rotation_matrix(program, Quaternion{-p.scalar, -p.vector}) - rotation_matrix(program, p)));
-  EXPECT_TRUE(vanish(rotation_matrix(program, conjugate(p)) - transpose(rotation_matrix(program, p))));
+  EXPECT_TRUE(all_zero(rotation_matrix(program, p) - rotation_matrix(program, turn)));
+  EXPECT_TRUE(identically_zero(squared_norm(p) - program.number(Number(1))));
+  EXPECT_TRUE(all_zero(rotation_matrix(program, Quaternion{-p.scalar, -p.vector}) - rotation_matrix(program, p)));
+  EXPECT_TRUE(all_zero(rotation_matrix(program, conjugate(p)) - transpose(rotation_matrix(program, p))));
 }
 
 TEST_F(QuaternionForm, ComposesLikePlaneRotations) {
@@ -214,11 +214,11 @@ TEST_F(QuaternionForm, HasTheAngularVelocityOfItsSequence) {
   const std::vector<PlaneRotation> sequence = euler(psi, theta, phi);
   const Quaternion p = quaternion(program, sequence);
   const Vector omega = bound(program, angular_velocity(p));
-  EXPECT_TRUE(vanishes(omega - angular_velocity(program, sequence)));
+  EXPECT_TRUE(identically_zero(omega - angular_velocity(program, sequence)));
   expect_turns_with(rotation_matrix(program, p), omega);
   const Quaternion rate = rate_of_turn(p, omega);  // and the way back
-  EXPECT_TRUE(vanishes(rate.scalar - time_derivative(p.scalar)));
-  EXPECT_TRUE(vanishes(rate.vector - time_derivative(p.vector)));
+  EXPECT_TRUE(identically_zero(rate.scalar - time_derivative(p.scalar)));
+  EXPECT_TRUE(identically_zero(rate.vector - time_derivative(p.vector)));
 }
 
 /// Four coordinates of their own: the norm's rate is p·p', which the rates of an angular velocity make null.
@@ -228,8 +228,8 @@ TEST_F(QuaternionForm, KeepsItsNormUnderAnyAngularVelocity) {
   const Vector omega(symbol("wx"), symbol("wy"), symbol("wz"));
   const Quaternion rate = rate_of_turn(p, omega);
   const Value scalar = p.scalar * rate.scalar;
-  EXPECT_TRUE(vanishes(scalar + dot(p.vector, rate.vector)));
-  EXPECT_FALSE(vanishes(scalar));
+  EXPECT_TRUE(identically_zero(scalar + dot(p.vector, rate.vector)));
+  EXPECT_FALSE(identically_zero(scalar));
 }
 
 /// P(b_j/b_i) takes components along b_i to components along b_j. Around a loop of bases
@@ -245,11 +245,11 @@ TEST_F(GeometricClosure, MultipliesTheChangesOfBaseFromTheLastToTheFirst) {
   const Matrix& p14 = r14;
   const Matrix half = bound(program, p32 * p21);
   const Matrix loop = bound(program, p14 * bound(program, p43 * half));
-  EXPECT_TRUE(vanish(loop - identity(program)));
+  EXPECT_TRUE(all_zero(loop - identity(program)));
   const Matrix p13 = bound(program, r12 * r23);
-  EXPECT_FALSE(vanish(bound(program, p14 * bound(program, p13 * half)) - identity(program)));
+  EXPECT_FALSE(all_zero(bound(program, p14 * bound(program, p13 * half)) - identity(program)));
   const Matrix other_way = bound(program, p21 * p32);
-  EXPECT_FALSE(vanish(bound(program, other_way * bound(program, p43 * p14)) - identity(program)));
+  EXPECT_FALSE(all_zero(bound(program, other_way * bound(program, p43 * p14)) - identity(program)));
 }
 
 }  // namespace

@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "generator/geometry/vector.hpp"
-#include "tests/expression/test_symbols.hpp"
+#include "tests/program/test_symbols.hpp"
 
 namespace torsor::positions_test {
 namespace {
@@ -26,14 +26,14 @@ class Positions : public ::testing::Test {
   void expect_derivatives_of_position(const LocalPosition& position) {
     const Vector place = bound(program, lower(program, position.position));
     const Vector velocity = bound(program, time_derivative(place));
-    EXPECT_TRUE(vanishes(in_fixed_axes(position, position.velocity) - velocity));
-    EXPECT_TRUE(vanishes(in_fixed_axes(position, position.acceleration) - time_derivative(velocity)));
+    EXPECT_TRUE(identically_zero(in_fixed_axes(position, position.velocity) - velocity));
+    EXPECT_TRUE(identically_zero(in_fixed_axes(position, position.acceleration) - time_derivative(velocity)));
     for (std::size_t i = 0; i < 3; ++i) {
       const Vector e = lower(program, position.base[i]);
       const Vector next = lower(program, position.base[(i + 1) % 3]);
       const Vector last = lower(program, position.base[(i + 2) % 3]);
-      EXPECT_TRUE(vanishes(cross(e, next) - last)) << "the local base is direct";
-      EXPECT_TRUE(vanishes(dot(e, e) - program.number(Number(1))));
+      EXPECT_TRUE(identically_zero(cross(e, next) - last)) << "the local base is direct";
+      EXPECT_TRUE(identically_zero(dot(e, e) - program.number(Number(1))));
     }
   }
 
@@ -71,10 +71,10 @@ TEST_F(Positions, DisagreeWithThePrintedSphericalVelocity) {
   const Expression turning = q1 * rate(q3);
   const Vector common = in_fixed_axes(position, without_phi);
   const Vector printed = common + lower(program, {0, 0, -turning * sin(q3)});
-  EXPECT_FALSE(vanishes(printed - velocity));
+  EXPECT_FALSE(identically_zero(printed - velocity));
   const Expression missing = turning * cos(q3);
   const Vector right = printed + lower(program, {missing * cos(q2), missing * sin(q2), 0});
-  EXPECT_TRUE(vanishes(right - velocity));
+  EXPECT_TRUE(identically_zero(right - velocity));
 }
 
 }  // namespace

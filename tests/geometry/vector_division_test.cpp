@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "tests/expression/test_symbols.hpp"
+#include "tests/program/test_symbols.hpp"
 
 namespace torsor::vector_division_test {
 namespace {
@@ -29,18 +29,18 @@ TEST_F(VectorDivision, FindsEverySolution) {
   const Vector x = symbols("x", "m");
   const Vector b = bound(program, cross(a, x));  // orthogonal to a, and no other way to be so
   const VectorQuotient quotient = divide(b, a);
-  EXPECT_TRUE(vanishes(cross(a, quotient.particular) - b));
-  EXPECT_TRUE(vanishes(dot(a, quotient.particular)));
-  EXPECT_TRUE(vanishes(cross(a, quotient.at(program.lower(make_symbol("alpha", "m/N")))) - b));
+  EXPECT_TRUE(identically_zero(cross(a, quotient.particular) - b));
+  EXPECT_TRUE(identically_zero(dot(a, quotient.particular)));
+  EXPECT_TRUE(identically_zero(cross(a, quotient.at(program.lower(make_symbol("alpha", "m/N")))) - b));
   // x itself is among them: at α = a·x / a².
   const Value alpha = dot(a, x) / dot(a, a);
-  EXPECT_TRUE(vanishes(quotient.at(alpha) - x));
+  EXPECT_TRUE(identically_zero(quotient.at(alpha) - x));
 }
 
 TEST_F(VectorDivision, HasTheSignOfTheCourse) {
   // x ∧ X = z: X = z ∧ x / 1 = y.
   const VectorQuotient quotient = divide(numbers(0, 0, 1), numbers(1, 0, 0));
-  EXPECT_TRUE(vanishes(quotient.particular - numbers(0, 1, 0)));
+  EXPECT_TRUE(identically_zero(quotient.particular - numbers(0, 1, 0)));
 }
 
 TEST_F(VectorDivision, RefusesTheNullVector) {

@@ -3,8 +3,8 @@
 
 #include <gtest/gtest.h>
 
-#include "generator/expression/decimal.hpp"
-#include "generator/expression/high_precision.hpp"
+#include "generator/base/decimal.hpp"
+#include "generator/base/high_precision.hpp"
 
 namespace torsor::exact_direction_test {
 namespace {

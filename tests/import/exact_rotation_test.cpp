@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-#include "generator/expression/decimal.hpp"
+#include "generator/base/decimal.hpp"
 #include "generator/import/exact_direction.hpp"
 
 namespace torsor::exact_rotation_test {

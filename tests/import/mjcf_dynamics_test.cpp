@@ -10,12 +10,12 @@
 
 #include <mujoco/mujoco.h>
 
+#include "generator/base/decimal.hpp"
 #include "generator/dynamics/equations/equations.hpp"
 #include "generator/dynamics/equations/validation.hpp"
-#include "generator/expression/decimal.hpp"
-#include "generator/expression/evaluation.hpp"
 #include "generator/import/mjcf.hpp"
 #include "generator/import/mujoco_reader.hpp"
+#include "generator/program/evaluation.hpp"
 
 namespace torsor::mjcf_dynamics_test {
 namespace {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <gtest/gtest.h>
 
-#include "generator/expression/error.hpp"
+#include "generator/base/error.hpp"
 #include "generator/import/urdf.hpp"
 
 namespace torsor::urdf_errors_test {

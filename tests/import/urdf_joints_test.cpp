@@ -6,7 +6,7 @@ namespace {
 
 using namespace testing_urdf;
 
-/// Turns about x, y, z by constant angles, each a joint of its own: the road that rpy is compared with.
+/// Turns about x, y, z by constant angles, each a joint of its own: the derivation that rpy is compared with.
 FrameHandle tilted(Scene& scene, const std::string& name, const FrameHandle& parent, const Triple& origin,
                    const Expression& roll, const Expression& pitch, const Expression& yaw) {
   const FrameHandle z = scene.revolute(name + "_yaw", parent, axis::z, yaw, {origin, {}});

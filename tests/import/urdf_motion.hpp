@@ -7,11 +7,11 @@
 
 #include <gtest/gtest.h>
 
+#include "generator/base/decimal.hpp"
 #include "generator/dynamics/equations/equations.hpp"
 #include "generator/dynamics/equations/validation.hpp"
-#include "generator/expression/decimal.hpp"
-#include "generator/expression/evaluation.hpp"
 #include "generator/import/urdf.hpp"
+#include "generator/program/evaluation.hpp"
 
 namespace torsor::testing_urdf {
 
@@ -90,7 +90,7 @@ inline void expect_same(const std::map<std::string, Real>& actual, const std::ma
   }
 }
 
-/// Both roads in 50 digits lose a few to the condition of M.
+/// Both derivations in 50 digits lose a few to the condition of M.
 inline constexpr double fifty_digits = 1e-42;
 /// Angles that are no multiple of π/12 are good to 2·10⁻¹⁸ of themselves; the accelerations of these mechanisms, of a
 /// few bodies of like size, depend on them with coefficients of the order of 10.

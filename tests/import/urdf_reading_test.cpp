@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "generator/emission/kernel.hpp"
-#include "generator/expression/error.hpp"
+#include "generator/base/error.hpp"
+#include "generator/kernels/kernel.hpp"
 #include "tests/import/urdf_motion.hpp"
 
 namespace torsor::urdf_reading_test {

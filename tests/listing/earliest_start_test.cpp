@@ -7,7 +7,7 @@
 #include <random>
 #include <string>
 
-#include "tests/expression/test_symbols.hpp"
+#include "tests/program/test_symbols.hpp"
 
 namespace torsor::earliest_start_test {
 namespace {
@@ -16,7 +16,7 @@ using namespace testing_symbols;
 
 /// Terms with their signs, factors side by side.
 std::string text(const Program& program, const Formula& formula) {
-  if (formula.kind == Formula::Kind::atom) return label(program, formula.atom);
+  if (formula.kind == Formula::Kind::value_number) return label(program, formula.value_number);
   std::string joined;
   for (std::size_t i = 0; i < formula.children.size(); ++i) {
     if (formula.kind == Formula::Kind::sum)
@@ -58,10 +58,10 @@ TEST_F(EarliestStart, FusesAProductWithTheSumItStandsIn) {
 
 TEST_F(EarliestStart, OfADefinitionIsKeptWithIt) {
   const Value bound = program.bind(late * b);
-  EXPECT_EQ(starts(*bound.atom()), Latency::sine_cosine + Latency::multiplication);
+  EXPECT_EQ(starts(*bound.value_number()), Latency::sine_cosine + Latency::multiplication);
   EXPECT_EQ(of(bound + c), Latency::sine_cosine + Latency::multiplication + Latency::addition);
   const Value once = program.bind(program.symbol(make_symbol("p")) * program.symbol(make_symbol("r")));
-  EXPECT_EQ(starts(*once.atom()), 0);  // computed before any state is there
+  EXPECT_EQ(starts(*once.value_number()), 0);  // computed before any state is there
 }
 
 TEST_F(EarliestStart, PutsTheTermThatIsKnownLastAtTheEnd) {
@@ -106,16 +106,16 @@ TEST_F(EarliestStart, IsTheLongestOfAllDelays) {
     const int terms = 1 + static_cast<int>(random() % 9U);
     for (int k = 0; k < terms; ++k) {
       Monomial monomial;
-      for (std::size_t atom = 0; atom < program.size(); ++atom) {
+      for (std::size_t value_number = 0; value_number < program.size(); ++value_number) {
         const int exponent = std::max(static_cast<int>(random() % 8U) - 5, -1);
-        if (exponent != 0) monomial.push_back({static_cast<Atom>(atom), exponent});
+        if (exponent != 0) monomial.push_back({static_cast<ValueNumber>(value_number), exponent});
       }
       polynomial.add({monomial, Number::rational(static_cast<long>(random() % 9U) - 4, 3)});
     }
     const Formula tree = starts.scheduled(polynomial);
     int longest = 0;
-    starts.for_each_delay(tree, [&](Atom atom, int cycles) {
-      longest = std::max(longest, starts(atom) + cycles);
+    starts.for_each_delay(tree, [&](ValueNumber value_number, int cycles) {
+      longest = std::max(longest, starts(value_number) + cycles);
     });
     ASSERT_EQ(longest, starts(tree)) << trial << ": " << text(program, tree);
   }

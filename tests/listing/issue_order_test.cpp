@@ -8,32 +8,32 @@
 #include <string>
 #include <vector>
 
-#include "tests/expression/test_symbols.hpp"
+#include "tests/program/test_symbols.hpp"
 
 namespace torsor::issue_order_test {
 namespace {
 
 using namespace testing_symbols;
 
-std::vector<Atom> operands(const Program& program, Atom atom) {
-  const Definition& definition = program[atom];
+std::vector<ValueNumber> operands(const Program& program, ValueNumber value_number) {
+  const Definition& definition = program[value_number];
   if (definition.function) return definition.arguments;
-  std::vector<Atom> all;
+  std::vector<ValueNumber> all;
   for (const Term& term : definition.polynomial.terms()) {
-    for (const Factor& factor : term.monomial) all.push_back(factor.atom);
+    for (const Factor& factor : term.monomial) all.push_back(factor.value_number);
   }
   return all;
 }
 
-std::size_t place(const std::vector<Atom>& order, Atom atom) {
-  return static_cast<std::size_t>(std::find(order.begin(), order.end(), atom) - order.begin());
+std::size_t place(const std::vector<ValueNumber>& order, ValueNumber value_number) {
+  return static_cast<std::size_t>(std::find(order.begin(), order.end(), value_number) - order.begin());
 }
 
 /// The most results that stand between their definition and their last use.
-int most_live(const Program& program, const std::vector<Atom>& order) {
+int most_live(const Program& program, const std::vector<ValueNumber>& order) {
   std::vector<std::size_t> last_use(order.size(), 0);
   for (std::size_t k = 0; k < order.size(); ++k) {
-    for (const Atom operand : operands(program, order[k])) {
+    for (const ValueNumber operand : operands(program, order[k])) {
       const std::size_t at = place(order, operand);
       if (at < order.size()) last_use[at] = std::max(last_use[at], k);
     }
@@ -50,29 +50,31 @@ int most_live(const Program& program, const std::vector<Atom>& order) {
 class IssueOrder : public ::testing::Test {
  protected:
   Value coordinate(const std::string& name) { return program.symbol(TestCoordinate(name).q); }
-  Atom define(const Value& value) { return *program.bind(value).atom(); }
-  Value value(Atom atom) { return program.atom_value(atom); }
+  ValueNumber define(const Value& value) { return *program.bind(value).value_number(); }
+  Value value(ValueNumber value_number) { return program.value_of_number(value_number); }
   Program program;
   Value a = coordinate("a"), b = coordinate("b"), c = coordinate("c");
 };
 
 TEST_F(IssueOrder, BeginsWithWhatTheResultsWaitForLongest) {
-  const Atom sum = define(a + b), product = define(a * c);
-  const Atom root = *program.sqrt(value(product)).atom();
-  const Atom result = define(value(root) + b);
-  EXPECT_EQ(issue_order(program, EarliestStarts(program), {sum, product, root, result}), (std::vector<Atom>{product, sum, root, result}));
+  const ValueNumber sum = define(a + b), product = define(a * c);
+  const ValueNumber root = *program.sqrt(value(product)).value_number();
+  const ValueNumber result = define(value(root) + b);
+  EXPECT_EQ(issue_order(program, EarliestStarts(program), {sum, product, root, result}),
+            (std::vector<ValueNumber>{product, sum, root, result}));
 }
 
 TEST_F(IssueOrder, KeepsTheProgramsOrderWhereNothingIsMoreUrgent) {
-  const std::vector<Atom> definitions{define(a + b), define(a + c), define(b + c)};
+  const std::vector<ValueNumber> definitions{define(a + b), define(a + c), define(b + c)};
   EXPECT_EQ(issue_order(program, EarliestStarts(program), definitions), definitions);
   EXPECT_TRUE(issue_order(program, EarliestStarts(program), {}).empty());
 }
 
 TEST_F(IssueOrder, PutsWhatDoesNotDependOnTheStateFirst) {
   const Value p = program.symbol(make_symbol("p")), r = program.symbol(make_symbol("r"));
-  const Atom at_each_state = define(a * b), once = define(p * r);
-  EXPECT_EQ(issue_order(program, EarliestStarts(program), {at_each_state, once}), (std::vector<Atom>{once, at_each_state}));
+  const ValueNumber at_each_state = define(a * b), once = define(p * r);
+  EXPECT_EQ(issue_order(program, EarliestStarts(program), {at_each_state, once}),
+            (std::vector<ValueNumber>{once, at_each_state}));
 }
 
 TEST_F(IssueOrder, IsTheProgramsWithoutThePass) {
@@ -80,14 +82,14 @@ TEST_F(IssueOrder, IsTheProgramsWithoutThePass) {
   passes.scheduling = false;
   Program plain({}, passes);
   const Value x = plain.symbol(TestCoordinate("x").q), y = plain.symbol(TestCoordinate("y").q);
-  const Atom sum = *plain.bind(x + y).atom(), product = *plain.bind(x * y).atom();
-  const std::vector<Atom> definitions{sum, product, *plain.sqrt(plain.atom_value(product)).atom()};
+  const ValueNumber sum = *plain.bind(x + y).value_number(), product = *plain.bind(x * y).value_number();
+  const std::vector<ValueNumber> definitions{sum, product, *plain.sqrt(plain.value_of_number(product)).value_number()};
   EXPECT_EQ(issue_order(plain, EarliestStarts(plain), definitions), definitions);
 }
 
 // Sixty products, each used once: all of them are more urgent than any of their users.
 TEST_F(IssueOrder, HoldsNoMoreValuesThanRegistersDo) {
-  std::vector<Atom> definitions, users;
+  std::vector<ValueNumber> definitions, users;
   for (int k = 0; k < 60; ++k) {
     definitions.push_back(define(coordinate("x" + std::to_string(k)) * b));
     users.push_back(define(value(definitions.back()) * c));
@@ -107,21 +109,22 @@ TEST_F(IssueOrder, ComputesEveryDefinitionOnceBehindItsOperandsAndNearItsPlace) 
     const Value next = random() % 2U == 0 ? x + y : x * y;
     values.push_back(random() % 10U == 0 ? program.sqrt(next) : program.bind(next));
   }
-  std::vector<Atom> definitions;
+  std::vector<ValueNumber> definitions;
   for (std::size_t k = 0; k < program.size(); ++k) {
-    if (!program[static_cast<Atom>(k)].symbol) definitions.push_back(static_cast<Atom>(k));
+    if (!program[static_cast<ValueNumber>(k)].symbol) definitions.push_back(static_cast<ValueNumber>(k));
   }
-  const std::vector<Atom> order = issue_order(program, EarliestStarts(program), definitions);
+  const std::vector<ValueNumber> order = issue_order(program, EarliestStarts(program), definitions);
   ASSERT_TRUE(std::is_permutation(order.begin(), order.end(), definitions.begin(), definitions.end()));
   EXPECT_NE(order, definitions);
   std::vector<bool> known(program.size(), false);
   std::size_t first = 0;
-  for (std::size_t k = 0; k < program.size(); ++k) known[k] = program[static_cast<Atom>(k)].symbol != nullptr;
-  for (const Atom atom : order) {
-    for (const Atom operand : operands(program, atom)) ASSERT_TRUE(known[static_cast<std::size_t>(operand)]) << atom;
+  for (std::size_t k = 0; k < program.size(); ++k) known[k] = program[static_cast<ValueNumber>(k)].symbol != nullptr;
+  for (const ValueNumber value_number : order) {
+    for (const ValueNumber operand : operands(program, value_number))
+      ASSERT_TRUE(known[static_cast<std::size_t>(operand)]) << value_number;
     while (known[static_cast<std::size_t>(definitions[first])]) ++first;
-    EXPECT_LT(place(definitions, atom), first + 60);
-    known[static_cast<std::size_t>(atom)] = true;
+    EXPECT_LT(place(definitions, value_number), first + 60);
+    known[static_cast<std::size_t>(value_number)] = true;
   }
 }
 

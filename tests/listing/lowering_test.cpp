@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "generator/expression/error.hpp"
+#include "generator/base/error.hpp"
 #include "generator/mechanics/scene.hpp"
 
 namespace torsor::lowering_test {
@@ -31,7 +31,7 @@ class LoweredFunction : public testing::Test {
 TEST_F(LoweredFunction, ReadsArgumentsByTheirPlaces) {
   const Listing listing = lowered({{{{"r", "", 0}, program_.lower(y_ * x_ + y_)}}});
   ASSERT_EQ(listing.given.size(), 2u);
-  for (const Atom given : listing.given) {
+  for (const ValueNumber given : listing.given) {
     const Quantity& quantity = listing.quantity(given);
     EXPECT_EQ(quantity.table, Table::coordinate);
     EXPECT_EQ(quantity.name, quantity.index == 0 ? "q_x" : "q_y");
@@ -59,8 +59,8 @@ TEST_F(LoweredFunction, ComputesWhatRepeatsUpToSignOnce) {
   const Output& second = listing.outputs[1];
   EXPECT_FALSE(second.checked);
   EXPECT_TRUE(second.value.negative);
-  ASSERT_EQ(second.value.formula.kind, Formula::Kind::atom);
-  const Quantity& read = listing.quantity(second.value.formula.atom);
+  ASSERT_EQ(second.value.formula.kind, Formula::Kind::value_number);
+  const Quantity& read = listing.quantity(second.value.formula.value_number);
   EXPECT_EQ(read.table, Table::output);
   EXPECT_EQ(read.index, 0u);
   EXPECT_FALSE(listing.outputs[2].checked) << "a number is finite";
@@ -98,7 +98,7 @@ TEST_F(LoweredFunction, MeasuresPivotsThatMayVanish) {
   request.has_status = true;
   const Listing listing = lowered(request);
   ASSERT_EQ(listing.pivots.size(), 1u) << "a positive number is regular whatever the state";
-  EXPECT_EQ(listing.quantity(listing.pivots[0].pivot.formula.atom).table, Table::output);
+  EXPECT_EQ(listing.quantity(listing.pivots[0].pivot.formula.value_number).table, Table::output);
   EXPECT_EQ(listing.of_pivots.size(), 1u);
   EXPECT_EQ(count(listing).total(), 4);
 }

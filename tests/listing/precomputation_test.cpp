@@ -57,11 +57,11 @@ TEST_F(PutTogether, TakesASineThatAnotherFunctionLacked) {
   EXPECT_EQ(count(all.listing()).sincos_pairs, 2);
   // Each quantity that a statement reads is defined before it.
   std::vector<bool> known(all.listing().quantities.size(), false);
-  for (const Atom given : all.listing().given) known[static_cast<std::size_t>(given)] = true;
-  const auto define = [&known](Atom atom) { known[static_cast<std::size_t>(atom)] = true; };
+  for (const ValueNumber given : all.listing().given) known[static_cast<std::size_t>(given)] = true;
+  const auto define = [&known](ValueNumber value_number) { known[static_cast<std::size_t>(value_number)] = true; };
   const std::function<void(const Formula&)> expect_known = [&](const Formula& formula) {
-    if (formula.kind == Formula::Kind::atom) {
-      EXPECT_TRUE(known[static_cast<std::size_t>(formula.atom)]);
+    if (formula.kind == Formula::Kind::value_number) {
+      EXPECT_TRUE(known[static_cast<std::size_t>(formula.value_number)]);
     }
     for (const Formula& child : formula.children) expect_known(child);
   };

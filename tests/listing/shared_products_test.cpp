@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "generator/listing/earliest_start.hpp"
-#include "tests/expression/test_symbols.hpp"
+#include "tests/program/test_symbols.hpp"
 
 namespace torsor::shared_products_test {
 namespace {
@@ -95,8 +95,8 @@ TEST_F(SharedProducts, LeaveDefinitionsInTheirOrder) {
   const std::vector<Value> plain = {third}, after = shared(plain);
   EXPECT_LT(operations(program, after), operations(program, plain));
   std::vector<std::string> names;
-  for (const Atom atom : program.live(after)) {
-    if (!program[atom].name.empty()) names.push_back(program[atom].name);
+  for (const ValueNumber value_number : program.live(after)) {
+    if (!program[value_number].name.empty()) names.push_back(program[value_number].name);
   }
   EXPECT_EQ(names, (std::vector<std::string>{"first", "second", "third"}));
 }
@@ -121,8 +121,8 @@ TEST_F(SharedProducts, LeaveWhatIsFactoredOut) {
 TEST_F(SharedProducts, AreNotFoundByOthers) {
   shared({a * b + c, a * b + d});
   shared({c * d * a + b, c * d * b + a});
-  EXPECT_EQ(program[*program.bind(a * b, "left").atom()].name, "left");
-  EXPECT_EQ(program[*program.bind(c * d, "taken").atom()].name, "taken");
+  EXPECT_EQ(program[*program.bind(a * b, "left").value_number()].name, "left");
+  EXPECT_EQ(program[*program.bind(c * d, "taken").value_number()].name, "taken");
 }
 
 // Two thousand terms, each with a product of parameters, are left as they are.

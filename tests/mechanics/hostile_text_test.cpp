@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-#include "generator/expression/error.hpp"
+#include "generator/base/error.hpp"
 #include "generator/mechanics/scene.hpp"
 
 namespace torsor::hostile_text_test {

@@ -14,7 +14,7 @@
 
 #include <gtest/gtest.h>
 
-#include "generator/expression/error.hpp"
+#include "generator/base/error.hpp"
 
 namespace torsor::identifier_test {
 namespace {

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "generator/mechanics/inertia_operations.hpp"
 
-#include "generator/expression/error.hpp"
-#include "tests/expression/test_symbols.hpp"
+#include "generator/base/error.hpp"
 #include "tests/mechanics/inertia_points.hpp"
+#include "tests/program/test_symbols.hpp"
 
 namespace torsor::inertia_operations_test {
 namespace {
@@ -81,12 +81,12 @@ TEST(InertiaOperations, PitchABladeByASymbol) {
   const Inertia blade = Inertia::plate(m, c, a);  // thin, in the plane x, y
   const Inertia pitched = blade.rotated(axis::x, alpha);
   Program program;
-  const auto same = [&](const Expression& x, const Expression& y) { return vanishes(program.lower(x - y)); };
+  const auto same = [&](const Expression& x, const Expression& y) { return identically_zero(program.lower(x - y)); };
   EXPECT_TRUE(same(pitched.xx, blade.xx));
   EXPECT_TRUE(same(pitched.yy, blade.yy * pow(cos(alpha), 2) + blade.zz * pow(sin(alpha), 2)));
   EXPECT_TRUE(same(pitched.zz, blade.yy * pow(sin(alpha), 2) + blade.zz * pow(cos(alpha), 2)));
   EXPECT_TRUE(same(pitched.yz, (blade.yy - blade.zz) * sin(alpha) * cos(alpha)));
-  EXPECT_TRUE(vanishes(program.lower(pitched.xy)));
+  EXPECT_TRUE(identically_zero(program.lower(pitched.xy)));
 }
 
 TEST(InertiaOperations, RefuseTheNullAxis) {
@@ -130,7 +130,7 @@ TEST(InertiaOperations, CutAHole) {
   Program program;
   for (const auto& [entry, value] : {std::pair(tube.mass, expected.mass), std::pair(tube.xx, expected.xx),
                                      std::pair(tube.yy, expected.yy), std::pair(tube.center[2], expected.center[2])}) {
-    EXPECT_TRUE(vanishes(program.lower(entry - value)));
+    EXPECT_TRUE(identically_zero(program.lower(entry - value)));
   }
   // A hole beside the centre moves it: the rest, put together with the core again, is the whole.
   const Inertia core = Inertia::box(in_unit(0.5, "kg"), a, b, c).rotated(axis::y, Expression(0.2)).at({a, 0, 0});
@@ -164,8 +164,8 @@ TEST(InertiaOperations, MakeTwoQuartersAHalf) {
                                                              {half.zz, expected.zz},
                                                              {half.center[0], expected.center[0]},
                                                              {half.center[1], expected.center[1]}};
-  for (const auto& [entry, value] : pairs) EXPECT_TRUE(vanishes(program.lower(entry - value)));
-  EXPECT_TRUE(vanishes(program.lower(half.xy)));
+  for (const auto& [entry, value] : pairs) EXPECT_TRUE(identically_zero(program.lower(entry - value)));
+  EXPECT_TRUE(identically_zero(program.lower(half.xy)));
 }
 
 }  // namespace

@@ -72,7 +72,7 @@ TEST(InertiaShapes, GiveTheQuarterDiskOfTheCourseExactly) {
   const Inertia vane = Inertia::quarter_disk(m, r, 2);
   const InertiaOperator corner = operator_about(vane, {0, 0, 0});
   Program program;
-  const auto same = [&](const Expression& a, const Expression& b) { return vanishes(program.lower(a - b)); };
+  const auto same = [&](const Expression& a, const Expression& b) { return identically_zero(program.lower(a - b)); };
   EXPECT_TRUE(same(vane.center[0], 4 * r / (3 * pi())));
   EXPECT_TRUE(same(vane.center[1], 4 * r / (3 * pi())));
   EXPECT_TRUE(same(corner.xx, m * r * r / 4));

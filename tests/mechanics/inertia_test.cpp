@@ -3,8 +3,8 @@
 
 #include <gtest/gtest.h>
 
-#include "generator/expression/error.hpp"
-#include "generator/expression/evaluation.hpp"
+#include "generator/base/error.hpp"
+#include "generator/program/evaluation.hpp"
 #include "tests/mechanics/gauss_quadrature.hpp"
 
 namespace torsor::inertia_test {

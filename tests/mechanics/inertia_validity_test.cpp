@@ -5,7 +5,7 @@
 
 #include "generator/mechanics/inertia_operations.hpp"
 #include "generator/mechanics/scene.hpp"
-#include "tests/expression/test_symbols.hpp"
+#include "tests/program/test_symbols.hpp"
 
 namespace torsor::inertia_validity_test {
 namespace {

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "generator/expression/vanishing.hpp"
 #include "generator/mechanics/joint_screws.hpp"
+#include "generator/program/identically_zero.hpp"
 
 #include <gtest/gtest.h>
 
-#include "generator/expression/evaluation.hpp"
-#include "generator/expression/real_elimination.hpp"
-#include "tests/expression/test_symbols.hpp"
+#include "generator/base/real_elimination.hpp"
+#include "generator/program/evaluation.hpp"
+#include "tests/program/test_symbols.hpp"
 
 namespace torsor::joint_screws_test {
 namespace {
@@ -41,9 +41,9 @@ TEST_P(JointScrews, AreAsManyAsTheFreedomsAndWhatTheyLeave) {
 TEST_P(JointScrews, TransmitNoPowerWhateverTheMotionAndThePoint) {
   for (const Twist& twist : twists) {
     for (const Wrench& wrench : wrenches) {
-      EXPECT_TRUE(vanishes(reciprocal_product(wrench, twist)));
+      EXPECT_TRUE(identically_zero(reciprocal_product(wrench, twist)));
       const Value elsewhere = reciprocal_product(reduced_at(wrench, ab), reduced_at(twist, ab));
-      EXPECT_TRUE(vanishes(elsewhere));
+      EXPECT_TRUE(identically_zero(elsewhere));
     }
   }
 }
@@ -53,14 +53,14 @@ TEST_P(JointScrews, MoveWithTheirPoint) {
   const std::vector<Twist> moved = allowed_twists(program, GetParam(), -ab, pitch, angle);
   for (std::size_t i = 0; i < twists.size(); ++i) {
     const Twist expected = reduced_at(twists[i], ab);
-    EXPECT_TRUE(vanishes(moved[i].angular - expected.angular));
-    EXPECT_TRUE(vanishes(moved[i].linear - expected.linear));
+    EXPECT_TRUE(identically_zero(moved[i].angular - expected.angular));
+    EXPECT_TRUE(identically_zero(moved[i].linear - expected.linear));
   }
   const std::vector<Wrench> far = ideal_wrenches(program, GetParam(), -ab, pitch, angle);
   for (std::size_t i = 0; i < wrenches.size(); ++i) {
     const Wrench expected = reduced_at(wrenches[i], ab);
-    EXPECT_TRUE(vanishes(far[i].resultant - expected.resultant));
-    EXPECT_TRUE(vanishes(far[i].moment - expected.moment));
+    EXPECT_TRUE(identically_zero(far[i].resultant - expected.resultant));
+    EXPECT_TRUE(identically_zero(far[i].moment - expected.moment));
   }
 }
 
@@ -91,7 +91,7 @@ TEST_P(JointScrews, HaveTheWrenchOfTheCourse) {
     const Vector& R = w.resultant;
     const Vector& M = w.moment;
     const auto zero = [](const Vector& v, std::initializer_list<int> components) {
-      for (const int i : components) EXPECT_TRUE(vanishes(v[i])) << i;
+      for (const int i : components) EXPECT_TRUE(identically_zero(v[i])) << i;
     };
     const Vector x_b{program.cos(angle), program.sin(angle), Value()};  // of a line contact
     const Vector y_b{Value(), program.cos(angle), program.sin(angle)};  // of a universal joint
@@ -106,14 +106,14 @@ TEST_P(JointScrews, HaveTheWrenchOfTheCourse) {
         zero(R, {0});
         break;
       case JointType::helical:
-        EXPECT_TRUE(vanishes(M[0] + pitch * R[0]));
+        EXPECT_TRUE(identically_zero(M[0] + pitch * R[0]));
         break;
       case JointType::cylindrical:
         zero(M, {0}), zero(R, {0});
         break;
       case JointType::universal:
         zero(M, {0});
-        EXPECT_TRUE(vanishes(dot(M, y_b)));
+        EXPECT_TRUE(identically_zero(dot(M, y_b)));
         break;
       case JointType::spherical:
         zero(M, {0, 1, 2});
@@ -123,8 +123,8 @@ TEST_P(JointScrews, HaveTheWrenchOfTheCourse) {
         break;
       case JointType::line_contact:
         zero(R, {0, 1}), zero(M, {2});
-        EXPECT_TRUE(vanishes(dot(M, x_b)));
-        EXPECT_TRUE(vanishes(cross(M, across)));
+        EXPECT_TRUE(identically_zero(dot(M, x_b)));
+        EXPECT_TRUE(identically_zero(cross(M, across)));
         break;
       case JointType::sphere_in_cylinder:
         zero(M, {0, 1, 2}), zero(R, {0});

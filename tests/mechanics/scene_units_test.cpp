@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-#include "generator/expression/error.hpp"
+#include "generator/base/error.hpp"
 #include "generator/mechanics/action_units.hpp"
 #include "generator/mechanics/scene.hpp"
 

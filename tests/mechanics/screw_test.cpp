@@ -6,7 +6,7 @@
 #include "generator/mechanics/central_axis.hpp"
 #include "generator/mechanics/rigid_motion.hpp"
 #include "generator/mechanics/sliding_vector.hpp"
-#include "tests/expression/test_symbols.hpp"
+#include "tests/program/test_symbols.hpp"
 
 namespace torsor::screw_test {
 namespace {
@@ -55,63 +55,63 @@ using MotionRecognised = ScrewTest;
 
 TEST_F(ScrewReduction, GoesFromPointToPointByAnyRoad) {
   const Wrench at_b = reduced_at(wrench, ab);
-  EXPECT_TRUE(vanishes(at_b.moment - (wrench.moment + cross(wrench.resultant, ab))));
-  EXPECT_TRUE(vanishes(reduced_at(at_b, ac - ab).moment - reduced_at(wrench, ac).moment));
-  EXPECT_TRUE(vanishes(reduced_at(at_b, -ab).moment - wrench.moment));
+  EXPECT_TRUE(identically_zero(at_b.moment - (wrench.moment + cross(wrench.resultant, ab))));
+  EXPECT_TRUE(identically_zero(reduced_at(at_b, ac - ab).moment - reduced_at(wrench, ac).moment));
+  EXPECT_TRUE(identically_zero(reduced_at(at_b, -ab).moment - wrench.moment));
   // V_B = V_A + Ω ∧ AB, and AB·V_A = AB·V_B.
   const Twist there = reduced_at(twist, ab);
-  EXPECT_TRUE(vanishes(there.linear - (twist.linear + cross(twist.angular, ab))));
-  EXPECT_TRUE(vanishes(dot(ab, there.linear) - dot(ab, twist.linear)));
+  EXPECT_TRUE(identically_zero(there.linear - (twist.linear + cross(twist.angular, ab))));
+  EXPECT_TRUE(identically_zero(dot(ab, there.linear) - dot(ab, twist.linear)));
 }
 
 TEST_F(ScrewReduction, CommutesWithSumsAndFactors) {
   const Wrench other{symbols("S", "N"), symbols("N", "N m")};
   const Value k = program.lower(make_symbol("k"));
-  EXPECT_TRUE(
-      vanishes(reduced_at(wrench + other, ab).moment - (reduced_at(wrench, ab) + reduced_at(other, ab)).moment));
-  EXPECT_TRUE(vanishes(reduced_at(k * wrench, ab).moment - (k * reduced_at(wrench, ab)).moment));
-  EXPECT_TRUE(vanishes((wrench - other).resultant - (wrench + -other).resultant));
+  EXPECT_TRUE(identically_zero(reduced_at(wrench + other, ab).moment -
+                               (reduced_at(wrench, ab) + reduced_at(other, ab)).moment));
+  EXPECT_TRUE(identically_zero(reduced_at(k * wrench, ab).moment - (k * reduced_at(wrench, ab)).moment));
+  EXPECT_TRUE(identically_zero((wrench - other).resultant - (wrench + -other).resultant));
 }
 
 TEST_F(ScrewReduction, CommutesWithATurnOfTheAxes) {
   const Rotation r = Rotation::about(0, 5) * Rotation::about(1, 1);
   const Wrench one_way = turned(r, reduced_at(wrench, ab));
   const Wrench other_way = reduced_at(turned(r, wrench), r * ab);
-  EXPECT_TRUE(vanishes(one_way.moment - other_way.moment));
-  EXPECT_TRUE(vanishes(turned(constant_matrix(program, r), wrench).resultant - r * wrench.resultant));
+  EXPECT_TRUE(identically_zero(one_way.moment - other_way.moment));
+  EXPECT_TRUE(identically_zero(turned(constant_matrix(program, r), wrench).resultant - r * wrench.resultant));
 }
 
 TEST_F(ScrewInvariants, AreTheSameAtEveryPoint) {
-  EXPECT_TRUE(vanishes(scalar_invariant(reduced_at(wrench, ab)) - scalar_invariant(wrench)));
-  EXPECT_TRUE(vanishes(reduced_at(wrench, ab).resultant - wrench.resultant));
+  EXPECT_TRUE(identically_zero(scalar_invariant(reduced_at(wrench, ab)) - scalar_invariant(wrench)));
+  EXPECT_TRUE(identically_zero(reduced_at(wrench, ab).resultant - wrench.resultant));
   const Value power = reciprocal_product(wrench, twist);
-  EXPECT_TRUE(vanishes(reciprocal_product(reduced_at(wrench, ab), reduced_at(twist, ab)) - power));
-  EXPECT_FALSE(vanishes(reciprocal_product(reduced_at(wrench, ab), twist) - power));
+  EXPECT_TRUE(identically_zero(reciprocal_product(reduced_at(wrench, ab), reduced_at(twist, ab)) - power));
+  EXPECT_FALSE(identically_zero(reciprocal_product(reduced_at(wrench, ab), twist) - power));
   EXPECT_EQ(power.unit(), units::watt);
 }
 
 TEST_F(ScrewInvariants, VanishForASlidingVectorAndForACouple) {
   const Wrench sliding = screw_of<screw_kind::Wrench>({{ab, wrench.resultant}}, ac);
-  EXPECT_TRUE(vanishes(scalar_invariant(sliding)));
-  EXPECT_TRUE(vanishes(scalar_invariant(Wrench{Vector(), wrench.moment})));
-  EXPECT_FALSE(vanishes(scalar_invariant(wrench)));
+  EXPECT_TRUE(identically_zero(scalar_invariant(sliding)));
+  EXPECT_TRUE(identically_zero(scalar_invariant(Wrench{Vector(), wrench.moment})));
+  EXPECT_FALSE(identically_zero(scalar_invariant(wrench)));
 }
 
 TEST_F(CentralAxisOf, AScrewHasItsMomentAlongTheResultant) {
   const CentralAxis axis = central_axis(wrench, "load");
   const Wrench there = reduced_at(wrench, axis.ah);
-  EXPECT_TRUE(vanishes(cross(there.moment, wrench.resultant)));
-  EXPECT_TRUE(vanishes(there.moment - axis.pitch * wrench.resultant));
-  EXPECT_TRUE(vanishes(dot(axis.ah, wrench.resultant)));
-  EXPECT_TRUE(vanishes(dot(axis.direction, axis.direction) - program.number(Number(1))));
-  EXPECT_TRUE(vanishes(cross(axis.direction, wrench.resultant)));
+  EXPECT_TRUE(identically_zero(cross(there.moment, wrench.resultant)));
+  EXPECT_TRUE(identically_zero(there.moment - axis.pitch * wrench.resultant));
+  EXPECT_TRUE(identically_zero(dot(axis.ah, wrench.resultant)));
+  EXPECT_TRUE(identically_zero(dot(axis.direction, axis.direction) - program.number(Number(1))));
+  EXPECT_TRUE(identically_zero(cross(axis.direction, wrench.resultant)));
   EXPECT_EQ(axis.pitch.unit(), units::metre);
   // Further along the axis nothing changes; the point does not depend on where the screw was reduced.
   const Vector further = axis.ah + program.lower(make_symbol("alpha", "m")) * axis.direction;
-  EXPECT_TRUE(vanishes(reduced_at(wrench, further).moment - there.moment));
+  EXPECT_TRUE(identically_zero(reduced_at(wrench, further).moment - there.moment));
   const CentralAxis same = central_axis(reduced_at(wrench, ab), "load");
-  EXPECT_TRUE(vanishes(cross(ab + same.ah - axis.ah, wrench.resultant)));
-  EXPECT_TRUE(vanishes(same.pitch - axis.pitch));
+  EXPECT_TRUE(identically_zero(cross(ab + same.ah - axis.ah, wrench.resultant)));
+  EXPECT_TRUE(identically_zero(same.pitch - axis.pitch));
 }
 
 TEST_F(CentralAxisOf, AScrewInNumbersLiesWhereThePictureSays) {
@@ -132,44 +132,44 @@ TEST_F(CentralAxisOf, ACoupleDoesNotExist) {
   EXPECT_EQ(error_of<SceneError>([&] { central_axis(couple, "brake"); }), message);
   const Wrench hidden{cross(wrench.resultant, wrench.resultant), wrench.moment};
   EXPECT_EQ(error_of<SceneError>([&] { split_on_central_axis(hidden, "brake"); }), message);
-  EXPECT_TRUE(vanishes(reduced_at(couple, ab).moment - couple.moment));
+  EXPECT_TRUE(identically_zero(reduced_at(couple, ab).moment - couple.moment));
 }
 
 TEST_F(CentralAxisOf, AScrewSplitsItIntoASlidingVectorAndTheSmallestCouple) {
   const ScrewParts<screw_kind::Wrench> parts = split_on_central_axis(wrench, "load");
-  EXPECT_TRUE(vanishes((parts.couple + parts.sliding).moment - wrench.moment));
-  EXPECT_TRUE(vanishes(parts.couple.resultant));
-  EXPECT_TRUE(vanishes(cross(parts.couple.moment, wrench.resultant)));
+  EXPECT_TRUE(identically_zero((parts.couple + parts.sliding).moment - wrench.moment));
+  EXPECT_TRUE(identically_zero(parts.couple.resultant));
+  EXPECT_TRUE(identically_zero(cross(parts.couple.moment, wrench.resultant)));
   const Vector h = central_axis(wrench, "load").ah;
-  EXPECT_TRUE(vanishes(reduced_at(parts.sliding, h).moment));
+  EXPECT_TRUE(identically_zero(reduced_at(parts.sliding, h).moment));
   // |M_B|² − |couple|² is the square of the rest: never smaller than on the axis.
   const Vector moment = reduced_at(wrench, ab).moment;
   const Vector rest = reduced_at(parts.sliding, ab).moment;
   const Value squares = dot(moment, moment) - dot(parts.couple.moment, parts.couple.moment);
-  EXPECT_TRUE(vanishes(squares - dot(rest, rest)));
+  EXPECT_TRUE(identically_zero(squares - dot(rest, rest)));
   const ScrewParts<screw_kind::Wrench> here = split_at_point(wrench);
-  EXPECT_TRUE(vanishes((here.couple + here.sliding).moment - wrench.moment));
-  EXPECT_TRUE(vanishes(here.sliding.moment) && vanishes(here.couple.resultant));
+  EXPECT_TRUE(identically_zero((here.couple + here.sliding).moment - wrench.moment));
+  EXPECT_TRUE(identically_zero(here.sliding.moment) && identically_zero(here.couple.resultant));
 }
 
 TEST_F(SlidingVectors, HaveAMomentThatIgnoresTheirPointOnTheLine) {
   const Vector force = wrench.resultant;
   const SlidingVector sliding{ab, force};
   const SlidingVector further{ab + program.lower(make_symbol("s", "m/N")) * force, force};
-  EXPECT_TRUE(vanishes(moment_at(sliding, ac) - moment_at(further, ac)));
-  EXPECT_TRUE(vanishes(moment_at(sliding, ac) - cross(ab - ac, force)));
+  EXPECT_TRUE(identically_zero(moment_at(sliding, ac) - moment_at(further, ac)));
+  EXPECT_TRUE(identically_zero(moment_at(sliding, ac) - cross(ab - ac, force)));
 }
 
 TEST_F(SlidingVectors, FormTheScrewTheirMomentsObey) {
   const std::vector<SlidingVector> set{{ab, symbols("f", "N")}, {ac, symbols("g", "N")}, {Vector(), symbols("h", "N")}};
   const Wrench at_o = screw_of<screw_kind::Wrench>(set, Vector());
   const Vector place = symbols("p", "m");
-  EXPECT_TRUE(vanishes(screw_of<screw_kind::Wrench>(set, place).moment - reduced_at(at_o, place).moment));
+  EXPECT_TRUE(identically_zero(screw_of<screw_kind::Wrench>(set, place).moment - reduced_at(at_o, place).moment));
   // Two opposite ones are a couple: AP ∧ V at every point.
   const std::vector<SlidingVector> pair{{ab, wrench.resultant}, {ac, -wrench.resultant}};
   const Wrench couple = screw_of<screw_kind::Wrench>(pair, place);
-  EXPECT_TRUE(vanishes(couple.resultant));
-  EXPECT_TRUE(vanishes(couple.moment - cross(ab - ac, wrench.resultant)));
+  EXPECT_TRUE(identically_zero(couple.resultant));
+  EXPECT_TRUE(identically_zero(couple.moment - cross(ab - ac, wrench.resultant)));
 }
 
 TEST_F(SlidingVectors, TurnAboutAnAxisWithTheLeverArm) {
@@ -204,8 +204,8 @@ TEST_F(Density, AlongASegmentIsThatOfManySmallForces) {
     set.push_back({ab + program.number(s) * edge, length * f0});
   }
   const Wrench sum = screw_of<screw_kind::Wrench>(set, Vector());
-  EXPECT_TRUE(vanishes(exact.resultant - sum.resultant));
-  EXPECT_TRUE(vanishes(exact.moment - sum.moment));
+  EXPECT_TRUE(identically_zero(exact.resultant - sum.resultant));
+  EXPECT_TRUE(identically_zero(exact.moment - sum.moment));
   EXPECT_EQ(exact.moment[0].unit(), units::newton_metre);
 }
 
@@ -218,11 +218,11 @@ TEST_F(Density, OverARectangleGivesTheCentreOfPressure) {
   const Wrench thrust = screw_of_density<screw_kind::Wrench>(gate, {{{Value(), p0, Value()}, {0, 1, 0}}});
   // √(a² b²) is a b for the positive lengths of a gate; squares avoid the question.
   const Value squared = pow(thrust.resultant[1], 2);
-  EXPECT_TRUE(vanishes(squared - Number::rational(1, 4) * pow(p0 * a * b, 2)));
+  EXPECT_TRUE(identically_zero(squared - Number::rational(1, 4) * pow(p0 * a * b, 2)));
   const CentralAxis axis = central_axis(thrust, "thrust");
-  EXPECT_TRUE(vanishes(axis.ah[0] - Number::rational(1, 2) * a));
-  EXPECT_TRUE(vanishes(axis.ah[2] + Number::rational(2, 3) * b));
-  EXPECT_TRUE(vanishes(axis.pitch));
+  EXPECT_TRUE(identically_zero(axis.ah[0] - Number::rational(1, 2) * a));
+  EXPECT_TRUE(identically_zero(axis.ah[2] + Number::rational(2, 3) * b));
+  EXPECT_TRUE(identically_zero(axis.pitch));
 }
 
 TEST_F(Density, InABoxOfUniformWeightPassesThroughItsCentre) {
@@ -231,8 +231,8 @@ TEST_F(Density, InABoxOfUniformWeightPassesThroughItsCentre) {
   const Vector weight = symbols("w", "N/m^3");
   const Wrench sum = screw_of_density<screw_kind::Wrench>(box, {{weight}});
   const Vector centre = ab + numbers({Number::rational(3, 2), 2, Number::rational(5, 2)}, units::metre);
-  EXPECT_TRUE(vanishes(sum.resultant - program.number(Number(30), Unit(0, 3)) * weight));
-  EXPECT_TRUE(vanishes(reduced_at(sum, centre).moment));
+  EXPECT_TRUE(identically_zero(sum.resultant - program.number(Number(30), Unit(0, 3)) * weight));
+  EXPECT_TRUE(identically_zero(reduced_at(sum, centre).moment));
 }
 
 TEST_F(Density, NeedsARegionWithAMeasure) {
@@ -256,8 +256,8 @@ TEST_F(TwistOfVelocities, IsTheTwistThatGaveThem) {
     return PointVelocity{name, place, bound(program, reduced_at(twist, place).linear)};
   };
   const Twist found = twist_of_velocities(moving("A", a), moving("B", ab), moving("C", ac));
-  EXPECT_TRUE(vanishes(found.angular - twist.angular));
-  EXPECT_TRUE(vanishes(found.linear - reduced_at(twist, a).linear));
+  EXPECT_TRUE(identically_zero(found.angular - twist.angular));
+  EXPECT_TRUE(identically_zero(found.linear - reduced_at(twist, a).linear));
 }
 
 TEST_F(TwistOfVelocities, NamesThePairThatStretches) {
@@ -281,7 +281,7 @@ TEST_F(MotionRecognised, FollowsTheInvariantsOfTheTwist) {
   const RigidMotion screw = recognise(twist);
   EXPECT_EQ(screw.kind, MotionKind::screw);
   ASSERT_TRUE(screw.axis);
-  EXPECT_TRUE(vanishes(cross(reduced_at(twist, screw.axis->ah).linear, twist.angular)));
+  EXPECT_TRUE(identically_zero(cross(reduced_at(twist, screw.axis->ah).linear, twist.angular)));
   EXPECT_FALSE(recognise(Twist{}).axis);
   EXPECT_EQ(to_string(MotionKind::screw), "screw motion");
 }
@@ -300,7 +300,7 @@ TEST_F(MotionRecognised, TellsAnAxisThatStaysFromOneThatMoves) {
   const RigidMotion wandering = recognise(twist_about(program.lower(place.q)));
   EXPECT_EQ(wandering.kind, MotionKind::rotation);
   EXPECT_FALSE(wandering.fixed_axis);
-  EXPECT_TRUE(vanishes(wandering.axis->ah[0] - program.lower(place.q)));
+  EXPECT_TRUE(identically_zero(wandering.axis->ah[0] - program.lower(place.q)));
   // An axis that turns, through a fixed point.
   const Vector leaning(turn * program.sin(program.lower(angle.q)), Value(), turn);
   EXPECT_FALSE(recognise(Twist{leaning, Vector()}).fixed_axis);

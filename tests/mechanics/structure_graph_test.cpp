@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "generator/expression/error.hpp"
+#include "generator/base/error.hpp"
 #include "tests/dynamics/loop_mechanisms.hpp"
 
 namespace torsor::structure_graph_test {

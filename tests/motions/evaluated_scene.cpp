@@ -7,9 +7,9 @@
 #include "generator/dynamics/forces/constraints.hpp"
 #include "generator/dynamics/forces/energy.hpp"
 #include "generator/dynamics/theorems/painleve.hpp"
-#include "generator/emission/kernel_jets.hpp"
-#include "generator/expression/derivative.hpp"
-#include "generator/expression/series_evaluation.hpp"
+#include "generator/kernels/kernel_jets.hpp"
+#include "generator/program/derivative.hpp"
+#include "generator/program/series_evaluation.hpp"
 
 namespace torsor::testing_motions {
 

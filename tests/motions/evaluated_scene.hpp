@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "generator/dynamics/equations/equations.hpp"
-#include "generator/emission/kernel.hpp"
-#include "generator/expression/evaluation.hpp"
+#include "generator/kernels/kernel.hpp"
+#include "generator/program/evaluation.hpp"
 
 namespace torsor::testing_motions {
 

@@ -12,7 +12,7 @@
 #include <random>
 #include <string>
 
-#include "generator/expression/error.hpp"
+#include "generator/base/error.hpp"
 #include "runtime/constraints/consistent_state.hpp"
 #include "runtime/constraints/partitioned_motion.hpp"
 #include "runtime/constraints/projection.hpp"

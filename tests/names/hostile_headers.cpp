@@ -9,8 +9,8 @@
 #include <string>
 #include <vector>
 
+#include "generator/base/error.hpp"
 #include "generator/emission/header.hpp"
-#include "generator/expression/error.hpp"
 #include "generator/mechanics/scene.hpp"
 
 namespace {

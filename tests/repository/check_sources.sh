@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: GPL-3.0-or-later
 # check_sources.sh ROOT: the rules of the layout that a compiler does not check. Prints each violation and fails.
-#  * a file of generator/ includes its own floor or a lower one, and so within the folders of generator/dynamics and
+#  * a file of generator/ includes its own layer or a lower one, and so within the folders of generator/dynamics and
 #    runtime; runtime/ and examples' mains never include generator/;
 #  * a generated header includes <array> and <cmath> only;
 #  * the SPDX line near the top names the licence of the folder;
@@ -14,8 +14,8 @@ find . \( -path ./build -o -path './.*' \) -prune -o -type f \
      -o -name CMakeLists.txt -o -path './templates/*' -o -path './scripts/*' \) -printf '%P\n' | LC_ALL=C sort |
 awk '
   BEGIN {
-    floors = "expression 0 listing 1 geometry 2 mechanics 3 dynamics 4 import 4 emission 5 reading 5 verification 6 cli 7 torsor.hpp 8 queries.hpp 8"  # the umbrella headers stand on all
-    count = split(floors, word, " ")
+    layers = "base 0 expression 1 program 2 listing 3 geometry 4 mechanics 5 dynamics 6 import 6 kernels 7 emission 8 printing 8 graphs 8 verification 9 cli 10 torsor.hpp 11 queries.hpp 11"  # the umbrella headers stand on all
+    count = split(layers, word, " ")
     for (i = 1; i < count; i += 2) height[word[i]] = word[i + 1]
     rooms("generator/dynamics", "motion forces recursions structure equations derivatives theorems")
     rooms("runtime", "numerics records steps constraints events integration contacts small_motions sundials batch mpi")
@@ -56,10 +56,10 @@ awk '
       if (path == "") continue
       split(path, piece, "/")
       if (folder == "generator" && piece[1] == "generator") {
-        if (!(part[2] in height)) violation(file ": generator/" part[2] " is no floor; the floors are " floors)
-        else if (!(piece[2] in height)) violation(file ":" number ": generator/" piece[2] " is no floor")
+        if (!(part[2] in height)) violation(file ": generator/" part[2] " is no layer; the layers are " layers)
+        else if (!(piece[2] in height)) violation(file ":" number ": generator/" piece[2] " is no layer")
         else if (height[piece[2]] > height[part[2]])
-          violation(file ":" number ": floor " part[2] " includes the higher floor " piece[2] " (" path ")")
+          violation(file ":" number ": layer " part[2] " includes the higher layer " piece[2] " (" path ")")
       }
       if (parent_of(file) != "" && parent_of(file) == parent_of(path)) {
         room = room_of(file)

@@ -31,10 +31,10 @@ expect() {  # expect TEXT FILE LINE...: with that file the check must fail and p
   grep -qF -- "$text" <<< "$output" || { echo "$file: expected '$text', got: $output"; exit 1; }
   if [ -n "$before" ]; then printf '%s\n' "$before" > "$file"; else rm "$file"; fi
 }
-expect 'includes the higher floor dynamics' generator/mechanics/x.cpp "$gpl" '#include "generator/dynamics/theorems/lagrange.hpp"'
-expect 'includes the higher floor cli' generator/verification/x.hpp "$gpl" '#  include "generator/cli/main.hpp"'
+expect 'includes the higher layer dynamics' generator/mechanics/x.cpp "$gpl" '#include "generator/dynamics/theorems/lagrange.hpp"'
+expect 'includes the higher layer cli' generator/verification/x.hpp "$gpl" '#  include "generator/cli/main.hpp"'
 expect 'generator includes runtime' generator/cli/x.cpp "$gpl" '#include "runtime/numerics/solve.hpp"'
-expect 'is no floor' generator/misc/x.cpp "$gpl" '#include "generator/mechanics/body.hpp"'
+expect 'is no layer' generator/misc/x.cpp "$gpl" '#include "generator/mechanics/body.hpp"'
 expect 'which stands higher' runtime/numerics/x.hpp "$mit" '#include "runtime/events/guard.hpp"'
 expect 'which stands higher' runtime/x.hpp "$mit" '#include "runtime/events/guard.hpp"'
 expect 'which stands higher' generator/dynamics/motion/x.cpp "$gpl" '#include "generator/dynamics/theorems/lagrange.hpp"'

@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-#include "generator/expression/error.hpp"
+#include "generator/base/error.hpp"
 
 namespace torsor::ball_test {
 namespace {

@@ -6,9 +6,9 @@
 #include <string>
 #include <vector>
 
-#include "generator/emission/kernel_jets.hpp"
-#include "generator/expression/derivative.hpp"
-#include "generator/expression/series_evaluation.hpp"
+#include "generator/kernels/kernel_jets.hpp"
+#include "generator/program/derivative.hpp"
+#include "generator/program/series_evaluation.hpp"
 #include "generator/verification/random_state.hpp"
 #include "tests/dynamics/random_mechanism.hpp"
 #include "tests/dynamics/simple_scenes.hpp"

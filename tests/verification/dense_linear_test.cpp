@@ -6,7 +6,7 @@
 #include <random>
 #include <string>
 
-#include "generator/expression/error.hpp"
+#include "generator/base/error.hpp"
 
 namespace torsor::dense_linear_test {
 namespace {

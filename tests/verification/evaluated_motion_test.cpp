@@ -6,7 +6,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "generator/expression/error.hpp"
+#include "generator/base/error.hpp"
 #include "generator/verification/dormand_prince_853.hpp"
 
 namespace torsor::evaluated_motion_test {

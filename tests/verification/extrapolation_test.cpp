@@ -5,7 +5,7 @@
 
 #include <string>
 
-#include "generator/expression/error.hpp"
+#include "generator/base/error.hpp"
 
 namespace torsor::extrapolation_test {
 namespace {

@@ -13,7 +13,7 @@
 #include <utility>
 #include <vector>
 
-#include "generator/expression/evaluation.hpp"
+#include "generator/program/evaluation.hpp"
 #include "generator/verification/ball.hpp"
 #include "generator/verification/condition.hpp"
 #include "generator/verification/verify.hpp"
@@ -149,7 +149,7 @@ class ExtremeParameters {
       const OutputGroup& group = accuracy_->groups()[g];
       const Accuracy found = accuracy_->estimate(g);
       EXPECT_FALSE(found.undefined) << name(g);  // no number, and nothing says so
-      if (group.kernel == forward_ && !found.counted && !found.vanishing) ok = false;
+      if (group.kernel == forward_ && !found.counted && !found.identically_zero) ok = false;
       if (!found.counted) continue;
       // `long double` errs by 2^-11 of what double does.
       EXPECT_LE(found.error, found.bound * 1.001) << name(g);
@@ -182,7 +182,7 @@ class ExtremeParameters {
       if (!worst_[g]) continue;
       accuracy_->move_to(worst_[g]->second);
       const Accuracy sure = accuracy_->certify(g, 40);
-      EXPECT_TRUE(sure.counted || sure.vanishing) << name(g);
+      EXPECT_TRUE(sure.counted || sure.identically_zero) << name(g);
       EXPECT_LE(sure.error, sure.bound) << name(g);
       if (sure.counted) {
         EXPECT_EQ(sure.enclosed, Ball::available()) << name(g);
@@ -253,7 +253,7 @@ TEST(NearlySingularMass, IsReportedOrSolvedAsWellAsItCanBe) {
       accuracy->move_to(state);
       const std::vector<double> solution = accuracy->computed(0);
       const Accuracy accelerations = accuracy->estimate(0), derivatives = accuracy->estimate(1);
-      const bool ok = accelerations.counted || accelerations.vanishing;
+      const bool ok = accelerations.counted || accelerations.identically_zero;
       EXPECT_FALSE(accelerations.undefined || derivatives.undefined);
       EXPECT_FALSE(refused && ok) << "solved at 1e-" << power << ", nearer than where it was refused";
       refused = refused || !ok;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Five hundred random mechanisms: trees and loops, all joints, inertias, actions, laws of time. Each is derived by
-// roads that have nothing in common, and compared at a random state to 50 digits.
+// derivations that have nothing in common, and compared at a random state to 50 digits.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -15,8 +15,8 @@
 
 #include <fmt/format.h>
 
+#include "generator/base/error.hpp"
 #include "generator/cli/command_texts.hpp"
-#include "generator/expression/error.hpp"
 #include "tests/dynamics/random_mechanism.hpp"
 #include "tests/verification/mechanism_comparisons.hpp"
 

@@ -7,9 +7,9 @@
 
 #include <fmt/format.h>
 
+#include "generator/base/error.hpp"
 #include "generator/dynamics/derivatives/forward_derivatives.hpp"
 #include "generator/dynamics/derivatives/reduction.hpp"
-#include "generator/expression/error.hpp"
 #include "generator/mechanics/parameter_value.hpp"
 #include "generator/verification/random_state.hpp"
 #include "tests/dynamics/constrained_motion.hpp"

@@ -120,7 +120,7 @@ TEST(MassRatios, OfTwoLinksCostNoDigitsBySumsOfSquares) {
 
 // Of longer chains the rate of a joint is u − g A, with |g| up to half the root of the ratio of the masses where a light
 // link lies nearly in line with what it pulls (g = m s c/(m' + m s²), largest at s² = m'/m): that many times the last bit
-// of the carrier's acceleration A. Differences of inertias lose the ratio itself, 1e6.
+// of the parent's acceleration A. Differences of inertias lose the ratio itself, 1e6.
 TEST(MassRatios, OfLongerChainsCostTheRootOfTheRatioAtMostBySumsOfSquares) {
   const double allowed = accuracy_bar + 0.5 * std::sqrt(1e6);
   for (const Chain& chain : formulations({{-6, -6, 0}, {0, -6, 0}, {6, 0, 6}, {-6, -6, 0, 0}, {-6, -3, 0, 3}})) {

@@ -7,7 +7,7 @@
 #include <fmt/format.h>
 
 #include "generator/dynamics/theorems/painleve.hpp"
-#include "generator/expression/derivative.hpp"
+#include "generator/program/derivative.hpp"
 #include "generator/verification/check.hpp"
 #include "generator/verification/dense_linear.hpp"
 #include "generator/verification/random_state.hpp"

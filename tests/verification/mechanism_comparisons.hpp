@@ -7,7 +7,7 @@
 
 namespace torsor::testing_mechanisms {
 
-// Comparisons of one random mechanism by roads that have nothing in common, at a random state, in 50 digits. Each
+// Comparisons of one random mechanism by derivations that have nothing in common, at a random state, in 50 digits. Each
 // gives what differs, empty when nothing does.
 
 constexpr int comparison_digits = 50;

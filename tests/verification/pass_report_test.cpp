@@ -7,8 +7,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "generator/emission/kernel.hpp"
-#include "generator/expression/error.hpp"
+#include "generator/base/error.hpp"
+#include "generator/kernels/kernel.hpp"
 #include "tests/dynamics/random_mechanism.hpp"
 
 namespace torsor::pass_report_test {

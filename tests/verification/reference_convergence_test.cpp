@@ -8,7 +8,7 @@
 
 #include <gtest/gtest.h>
 
-#include "generator/expression/error.hpp"
+#include "generator/base/error.hpp"
 #include "generator/verification/reference.hpp"
 #include "tests/cli/scene_runner.hpp"
 

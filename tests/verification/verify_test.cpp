@@ -7,7 +7,7 @@
 #include <cmath>
 #include <functional>
 
-#include "generator/expression/error.hpp"
+#include "generator/base/error.hpp"
 #include "generator/verification/ball.hpp"
 #include "tests/dynamics/random_mechanism.hpp"
 #include "tests/dynamics/simple_scenes.hpp"

@@ -5,13 +5,13 @@
 
 #include "generator/dynamics/derivatives/linearisation.hpp"
 #include "generator/dynamics/motion/joint_changes.hpp"
-#include "generator/dynamics/recursions/articulated_body.hpp"
-#include "generator/dynamics/recursions/compliance.hpp"
+#include "generator/dynamics/recursions/articulated_motion.hpp"
+#include "generator/dynamics/recursions/inverse_operational_inertia.hpp"
 
 namespace torsor {
 namespace {
 
-/// What an articulated body asks for a turning w of its carrier: N = moment · w, F = resultant · w.
+/// What an articulated body asks for a turning w of its parent: N = moment · w, F = resultant · w.
 struct TurningAnswer {
   Matrix moment, resultant;
 };
@@ -25,9 +25,9 @@ struct AccelerationRow {
 struct JointPerturbation {
   std::size_t joint;          ///< unknown
   Vector w;                   ///< turning of all links beyond
-  AccelerationChange change;  ///< their {α, β}
-  Wrench asked;               ///< of the carrier
-  AccelerationChange met;     ///< their {α, β} when the carrier gives way
+  AccelerationIncrement change;  ///< their {α, β}
+  Wrench asked;               ///< of the parent
+  AccelerationIncrement met;     ///< their {α, β} when the parent gives way
 };
 
 constexpr std::array<ValueMatrix ForwardDerivatives::Of::*, 2> by_kind{&ForwardDerivatives::Of::by_position,
@@ -47,7 +47,7 @@ class ArticulatedDerivatives {
 
   ForwardDerivatives run() {
     children_.resize(links_.size());
-    for (std::size_t k = 1; k < links_.size(); ++k) children_[carrier(k)].push_back(k);
+    for (std::size_t k = 1; k < links_.size(); ++k) children_[parent(k)].push_back(k);
     ForwardDerivatives::Of& of = result_.accelerations;
     of.by_position.assign(n_, std::vector<Value>(n_));
     of.by_velocity = of.by_force = of.by_position;
@@ -55,7 +55,7 @@ class ArticulatedDerivatives {
     result_.method = "articulated bodies";
     gather_velocities();
     gather_answers();
-    gather_compliances();
+    gather_inverse_inertias();
     perturbations_.resize(links_.size());
     for (std::size_t k = 1; k < links_.size(); ++k) {
       if (is_free(links_[k])) perturb(k);
@@ -70,7 +70,7 @@ class ArticulatedDerivatives {
   }
 
  private:
-  std::size_t carrier(std::size_t k) const { return static_cast<std::size_t>(links_[k].parent); }
+  std::size_t parent(std::size_t k) const { return static_cast<std::size_t>(links_[k].parent); }
   std::size_t unknown(std::size_t k) const { return static_cast<std::size_t>(links_[k].partials[0].first); }
 
   std::vector<Value> all_efforts() const {
@@ -93,7 +93,7 @@ class ArticulatedDerivatives {
   void gather_velocities() {
     doubled_velocities_.resize(links_.size());
     for (std::size_t k = 1; k < links_.size(); ++k) {
-      const Vector v = doubled_velocities_[carrier(k)] + joints_.doubled_velocity(links_[k]);
+      const Vector v = doubled_velocities_[parent(k)] + joints_.doubled_velocity(links_[k]);
       doubled_velocities_[k] = model_.from_parent(links_[k], bound(program_, v));
     }
   }
@@ -111,7 +111,7 @@ class ArticulatedDerivatives {
       const Matrix resultant = model_.to_parent(link, answer.resultant);
       Matrix moment = model_.to_parent(link, answer.moment);
       moment += cross_matrix(bound(program_, model_.arm(link))) * resultant;
-      TurningAnswer& all = answers_[carrier(k)];
+      TurningAnswer& all = answers_[parent(k)];
       all.resultant = bound(program_, all.resultant + resultant);
       all.moment = bound(program_, all.moment + moment);
     }
@@ -156,12 +156,12 @@ class ArticulatedDerivatives {
     }
   }
 
-  void gather_compliances() {
+  void gather_inverse_inertias() {
     before_.resize(links_.size());
-    compliances_.resize(links_.size());
+    inverse_inertias_.resize(links_.size());
     for (std::size_t k = 1; k < links_.size(); ++k) {
-      before_[k] = from_carrier(model_, links_[k], compliances_[carrier(k)]);
-      compliances_[k] =
+      before_[k] = from_parent(model_, links_[k], inverse_inertias_[parent(k)]);
+      inverse_inertias_[k] =
           is_free(links_[k]) ? with_joint(program_, links_[k], free_.bodies.joints[k], before_[k]) : before_[k];
     }
   }
@@ -179,13 +179,13 @@ class ArticulatedDerivatives {
       perturbation.met = perturbation.change;
       if (links_[at].parent != 0) {
         Wrench& asked = perturbation.asked;
-        asked = free_.bodies.handed[at] * perturbation.change;
+        asked = free_.bodies.seen_by_parent[at] * perturbation.change;
         asked.moment += answers_[at].moment * motion.w;
         asked.resultant += answers_[at].resultant * motion.w;
         if (kind == 0) add_turned_load(k, asked);
         asked.moment = bound(program_, asked.moment);
         asked.resultant = bound(program_, asked.resultant);
-        const AccelerationChange yield = before_[at] * asked;
+        const AccelerationIncrement yield = before_[at] * asked;
         perturbation.met.angular = bound(program_, motion.alpha - yield.angular);
         perturbation.met.linear = bound(program_, motion.beta - yield.linear);
       }
@@ -197,9 +197,9 @@ class ArticulatedDerivatives {
   void add_turned_load(std::size_t k, Wrench& asked) const {
     const Link& link = links_[k];
     const std::size_t node = model_.turning_link(k);
-    Wrench load = free_.bodies.handed[node] * free_.before[node];
-    load.resultant = bound(program_, load.resultant + free_.asked[node].resultant);
-    load.moment = bound(program_, load.moment + free_.asked[node].moment);
+    Wrench load = free_.bodies.seen_by_parent[node] * free_.before[node];
+    load.resultant = bound(program_, load.resultant + free_.bias_forces[node].resultant);
+    load.moment = bound(program_, load.moment + free_.bias_forces[node].moment);
     const bool revolute = link.joint == JointKind::revolute;
     asked.moment += cross(link.axis, revolute ? load.moment : load.resultant);
     if (revolute) asked.resultant += cross(link.axis, load.resultant);
@@ -213,12 +213,13 @@ class ArticulatedDerivatives {
   /// q̈_k for changes of the joints that carry it and of its own; forces at k on what those carry otherwise.
   void carry_row(std::size_t k) {
     AccelerationRow row = row_before(k);
-    const AccelerationChange own = reaction(program_, links_[k], free_.bodies.joints[k], before_[k], compliances_[k]);
+    const AccelerationIncrement own =
+        reaction(program_, links_[k], free_.bodies.joints[k], before_[k], inverse_inertias_[k]);
     for (std::size_t at = k;;) {
       for (std::size_t kind = 0; kind < 2; ++kind) {
         for (const JointPerturbation& joint : perturbations_[at][kind]) {
-          // Of the joint itself by reciprocity: what its force does to the carrier tells what the carrier does to it.
-          const AccelerationChange& change = at == k ? joint.change : joint.met;
+          // Of the joint itself by reciprocity: what its force does to the parent tells what the parent does to it.
+          const AccelerationIncrement& change = at == k ? joint.change : joint.met;
           Value entry = dot(row.angular, change.angular) + dot(row.linear, change.linear);
           entry += dot(row.turning, joint.w);
           if (at == k) entry -= dot(own.angular, joint.asked.moment) + dot(own.linear, joint.asked.resultant);
@@ -228,15 +229,15 @@ class ArticulatedDerivatives {
       const std::size_t from = at;
       const Link& link = links_[from];
       if (link.parent == 0) return;
-      at = carrier(from);
+      at = parent(from);
       row.linear = model_.to_parent(link, row.linear);
       row.angular = model_.to_parent(link, row.angular);
       row.angular = bound(program_, row.angular + cross(bound(program_, model_.arm(link)), row.linear));
       row.turning = model_.to_parent(link, row.turning);
       if (children_[at].size() > 1) {
-        const AccelerationChange here = compliances_[at] * Wrench{row.linear, row.angular};
+        const AccelerationIncrement here = inverse_inertias_[at] * Wrench{row.linear, row.angular};
         const Vector angular = bound(program_, here.angular);
-        const AccelerationChange moved{angular, bound(program_, here.linear)};
+        const AccelerationIncrement moved{angular, bound(program_, here.linear)};
         for (const std::size_t other : children_[at]) {
           if (other != from) carry_outwards(k, other, moved);
         }
@@ -261,17 +262,17 @@ class ArticulatedDerivatives {
   /// What a unit force at joint k does to its link and to all that it carries.
   void carry_column(std::size_t k) {
     const ArticulatedJoint& joint = free_.bodies.joints[k];
-    const AccelerationChange before = reaction(program_, links_[k], joint, before_[k], compliances_[k]);
-    AccelerationChange after;
+    const AccelerationIncrement before = reaction(program_, links_[k], joint, before_[k], inverse_inertias_[k]);
+    AccelerationIncrement after;
     const Value own = joint_acceleration(program_, links_[k], joint, joint.inverse, before, after);
     result_.accelerations.by_force[unknown(k)][unknown(k)] = own;
     for (const std::size_t child : children_[k]) carry_outwards(k, child, after);
   }
 
-  /// The same of link `at` and all that it carries, given what its carrier does; then q̈_k for changes of their joints.
-  void carry_outwards(std::size_t k, std::size_t at, const AccelerationChange& carrier) {
+  /// The same of link `at` and all that it carries, given what its parent does; then q̈_k for changes of their joints.
+  void carry_outwards(std::size_t k, std::size_t at, const AccelerationIncrement& parent) {
     const Link& link = links_[at];
-    const AccelerationChange before = from_carrier(model_, link, carrier);
+    const AccelerationIncrement before = from_parent(model_, link, parent);
     for (std::size_t kind = 0; kind < 2; ++kind) {
       for (const JointPerturbation& joint : perturbations_[at][kind]) {
         Value entry = -dot(before.angular, joint.asked.moment);
@@ -279,7 +280,7 @@ class ArticulatedDerivatives {
         (result_.accelerations.*by_kind[kind])[unknown(k)][joint.joint] = program_.bind(entry);
       }
     }
-    AccelerationChange after = before;
+    AccelerationIncrement after = before;
     if (is_free(link)) {
       ValueMatrix& by_force = result_.accelerations.by_force;
       const Value moved = joint_acceleration(program_, link, free_.bodies.joints[at], Value(), before, after);
@@ -324,7 +325,7 @@ class ArticulatedDerivatives {
   std::vector<Vector> doubled_velocities_;  ///< 2 V(O) of each link, in its axes
   std::vector<TurningAnswer> answers_;      ///< B less what the joint gives way to
   std::vector<Vector> turning_gains_;       ///< s · B/d
-  std::vector<Compliance> before_, compliances_;
+  std::vector<InverseOperationalInertia> before_, inverse_inertias_;
   std::vector<std::array<std::vector<JointPerturbation>, 2>> perturbations_;  ///< by the link before which they act
   ForwardDerivatives result_;
 };

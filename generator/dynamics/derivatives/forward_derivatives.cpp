@@ -8,9 +8,9 @@
 #include "generator/dynamics/derivatives/linearisation.hpp"
 #include "generator/dynamics/derivatives/motion_changes.hpp"
 #include "generator/dynamics/recursions/articulated_bodies.hpp"
-#include "generator/dynamics/recursions/articulated_body.hpp"
-#include "generator/expression/derivative.hpp"
-#include "generator/expression/formula.hpp"
+#include "generator/dynamics/recursions/articulated_motion.hpp"
+#include "generator/program/derivative.hpp"
+#include "generator/program/formula.hpp"
 
 namespace torsor {
 namespace {

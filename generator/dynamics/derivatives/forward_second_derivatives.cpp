@@ -3,7 +3,7 @@
 
 #include "generator/dynamics/derivatives/forward_derivatives.hpp"
 #include "generator/dynamics/derivatives/motion_changes.hpp"
-#include "generator/expression/derivative.hpp"
+#include "generator/program/derivative.hpp"
 
 namespace torsor {
 namespace {

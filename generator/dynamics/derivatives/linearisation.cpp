@@ -4,10 +4,10 @@
 #include <optional>
 
 #include "generator/dynamics/forces/virtual_power.hpp"
-#include "generator/dynamics/recursions/articulated_body.hpp"
+#include "generator/dynamics/recursions/articulated_motion.hpp"
 #include "generator/dynamics/recursions/inertia_derivatives.hpp"
-#include "generator/expression/derivative.hpp"
-#include "generator/expression/formula.hpp"
+#include "generator/program/derivative.hpp"
+#include "generator/program/formula.hpp"
 
 namespace torsor {
 namespace {

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "generator/dynamics/equations/equations.hpp"
-#include "generator/expression/derivative.hpp"
+#include "generator/program/derivative.hpp"
 
 namespace torsor {
 

@@ -4,8 +4,8 @@
 #include <algorithm>
 
 #include "generator/dynamics/derivatives/motion_changes.hpp"
-#include "generator/expression/derivative.hpp"
-#include "generator/expression/formula.hpp"
+#include "generator/program/derivative.hpp"
+#include "generator/program/formula.hpp"
 
 namespace torsor {
 namespace {

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "generator/expression/vanishing.hpp"
+#include "generator/program/identically_zero.hpp"
 
 namespace torsor {
 namespace {
@@ -163,7 +163,7 @@ ReducedLinearisation reduced_linearisation(const Equations& equations) {
       of_acceleration[j][i] = program.bind(by_position(left_over[j][0]));
     }
   }
-  for (ValueMatrix* matrix : {&full.C, &full.K, &of_rate, &gamma_v, &of_acceleration}) clear_vanishing(*matrix);
+  for (ValueMatrix* matrix : {&full.C, &full.K, &of_rate, &gamma_v, &of_acceleration}) clear_identically_zero(*matrix);
 
   const DependentFreedoms holonomic(program, a_matrix, freedoms, freedoms.holonomic, n);
   const DependentFreedoms all(program, a_matrix, freedoms, freedoms.pivots.size(), n);

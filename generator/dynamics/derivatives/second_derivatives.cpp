@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "generator/expression/derivative.hpp"
+#include "generator/program/derivative.hpp"
 
 namespace torsor {
 namespace {

@@ -3,8 +3,8 @@
 
 #include <algorithm>
 
-#include "generator/expression/generic_state.hpp"
 #include "generator/mechanics/parameter_value.hpp"
+#include "generator/program/generic_state.hpp"
 
 namespace torsor {
 

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "generator/dynamics/motion/model.hpp"
-#include "generator/expression/evaluation.hpp"
+#include "generator/program/evaluation.hpp"
 
 namespace torsor {
 

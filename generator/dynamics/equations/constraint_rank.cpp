@@ -6,11 +6,11 @@
 
 #include <fmt/format.h>
 
+#include "generator/base/error.hpp"
 #include "generator/dynamics/equations/configuration_sample.hpp"
 #include "generator/dynamics/equations/row_basis.hpp"
 #include "generator/dynamics/forces/constraints.hpp"
 #include "generator/dynamics/forces/virtual_power.hpp"
-#include "generator/expression/error.hpp"
 
 namespace torsor {
 namespace {

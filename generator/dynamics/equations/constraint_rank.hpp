@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "generator/base/high_precision.hpp"
 #include "generator/dynamics/motion/model.hpp"
-#include "generator/expression/high_precision.hpp"
 
 namespace torsor {
 

@@ -3,7 +3,7 @@
 
 #include <fmt/format.h>
 
-#include "generator/expression/error.hpp"
+#include "generator/base/error.hpp"
 
 namespace torsor {
 namespace {
@@ -141,8 +141,8 @@ class DependenceCheck {
   void require(const std::string& what, const Expression& formula, Allowed allowed) {
     const Value value = program_.lower(formula);
     if (value.is_zero() || value.is_constant()) return;
-    for (const Atom atom : program_.live({value})) {
-      const SymbolPointer& symbol = program_[atom].symbol;
+    for (const ValueNumber value_number : program_.live({value})) {
+      const SymbolPointer& symbol = program_[value_number].symbol;
       if (!symbol || is_allowed(symbol->kind, allowed)) continue;
       const bool condition = what.starts_with("the holonomic");
       throw SceneError(fmt::format("{} depends on {} '{}' through {}: give a formula of {}{}", what,

@@ -3,13 +3,13 @@
 
 #include <fmt/format.h>
 
+#include "generator/base/error.hpp"
 #include "generator/dynamics/equations/forward_choice.hpp"
 #include "generator/dynamics/equations/massless.hpp"
-#include "generator/dynamics/recursions/articulated_body.hpp"
+#include "generator/dynamics/recursions/articulated_motion.hpp"
 #include "generator/dynamics/recursions/factored_bodies.hpp"
-#include "generator/expression/error.hpp"
-#include "generator/expression/formula.hpp"
-#include "generator/expression/vanishing.hpp"
+#include "generator/program/formula.hpp"
+#include "generator/program/identically_zero.hpp"
 
 namespace torsor {
 namespace {
@@ -69,7 +69,7 @@ const ValueMatrix& Equations::mass() const {
   if (!derived_.mass) {
     derived_.mass = mass_matrix(model_);
     // Coordinates may uncouple (a centre of mass and what moves about it) where joint by joint nothing says so.
-    if (few_unknowns()) clear_vanishing(*derived_.mass);
+    if (few_unknowns()) clear_identically_zero(*derived_.mass);
   }
   return *derived_.mass;
 }
@@ -93,7 +93,7 @@ std::vector<Value> Equations::inertia_and_passive(AccelerationInput input) const
 const std::vector<Value>& Equations::bias() const {
   if (!derived_.bias) {
     derived_.bias = inertia_and_passive(AccelerationInput::zero);
-    if (few_unknowns()) clear_vanishing(*derived_.bias);
+    if (few_unknowns()) clear_identically_zero(*derived_.bias);
   }
   return *derived_.bias;
 }

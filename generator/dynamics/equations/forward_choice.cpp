@@ -16,9 +16,9 @@
 
 #include "generator/dynamics/equations/equations.hpp"
 #include "generator/dynamics/motion/nominal_number.hpp"
-#include "generator/dynamics/recursions/articulated_body.hpp"
+#include "generator/dynamics/recursions/articulated_motion.hpp"
 #include "generator/dynamics/recursions/joint_coordinates.hpp"
-#include "generator/expression/evaluation.hpp"
+#include "generator/program/evaluation.hpp"
 
 namespace torsor {
 namespace {

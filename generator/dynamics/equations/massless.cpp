@@ -5,10 +5,10 @@
 
 #include <fmt/format.h>
 
-#include "generator/expression/error.hpp"
-#include "generator/expression/evaluation.hpp"
-#include "generator/expression/generic_state.hpp"
-#include "generator/expression/high_precision.hpp"
+#include "generator/base/error.hpp"
+#include "generator/base/high_precision.hpp"
+#include "generator/program/evaluation.hpp"
+#include "generator/program/generic_state.hpp"
 
 namespace torsor {
 namespace {

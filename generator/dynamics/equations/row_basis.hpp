@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include "generator/expression/real_elimination.hpp"
+#include "generator/base/real_elimination.hpp"
 
 namespace torsor {
 

@@ -8,11 +8,11 @@
 
 #include <fmt/format.h>
 
-#include "generator/expression/as_index.hpp"
-#include "generator/expression/error.hpp"
-#include "generator/expression/evaluation.hpp"
+#include "generator/base/as_index.hpp"
+#include "generator/base/error.hpp"
 #include "generator/mechanics/parameter_value.hpp"
 #include "generator/mechanics/triple_algebra.hpp"
+#include "generator/program/evaluation.hpp"
 
 namespace torsor {
 namespace {

@@ -7,8 +7,8 @@
 #include <fmt/format.h>
 
 #include "generator/dynamics/equations/equations.hpp"
-#include "generator/expression/evaluation.hpp"
 #include "generator/mechanics/parameter_value.hpp"
+#include "generator/program/evaluation.hpp"
 
 namespace torsor {
 namespace {

@@ -5,11 +5,11 @@
 
 #include <fmt/format.h>
 
+#include "generator/base/error.hpp"
 #include "generator/dynamics/equations/scene_checks.hpp"
-#include "generator/expression/error.hpp"
-#include "generator/expression/evaluation.hpp"
-#include "generator/expression/vanishing.hpp"
 #include "generator/mechanics/parameter_value.hpp"
+#include "generator/program/evaluation.hpp"
+#include "generator/program/identically_zero.hpp"
 
 namespace torsor {
 namespace {
@@ -86,7 +86,7 @@ void check_support_functions(const Model& model) {
       const Value product = program.symbol(u) * slopes.back();
       difference += Value(program, product.polynomial(), h.unit());
     }
-    if (!vanishes(difference)) {  // Euler's theorem
+    if (!identically_zero(difference)) {  // Euler's theorem
       throw SceneError(fmt::format("{} is not homogeneous of degree 1: it must grow with its argument, h(k u) = k h(u) for "
                                    "k > 0; multiply by the length of u where that is missing",
                                    user));

@@ -7,16 +7,16 @@
 
 #include <fmt/format.h>
 
+#include "generator/base/as_index.hpp"
+#include "generator/base/error.hpp"
 #include "generator/dynamics/equations/dependence_checks.hpp"
 #include "generator/dynamics/equations/equations.hpp"
 #include "generator/dynamics/equations/scene_checks.hpp"
-#include "generator/expression/as_index.hpp"
-#include "generator/expression/error.hpp"
-#include "generator/expression/evaluation.hpp"
-#include "generator/expression/generic_state.hpp"
-#include "generator/expression/vanishing.hpp"
 #include "generator/mechanics/inertia_validity.hpp"
 #include "generator/mechanics/parameter_value.hpp"
+#include "generator/program/evaluation.hpp"
+#include "generator/program/generic_state.hpp"
+#include "generator/program/identically_zero.hpp"
 
 namespace torsor {
 namespace {
@@ -135,7 +135,7 @@ void check_masses(const Equations& equations) {
   const ValueMatrix& mass = equations.mass();
   const std::size_t n = mass.size();
   for (std::size_t i = 0; i < n; ++i) {
-    if (!std::all_of(mass[i].begin(), mass[i].end(), [](const Value& m) { return vanishes(m); })) continue;
+    if (!std::all_of(mass[i].begin(), mass[i].end(), [](const Value& m) { return identically_zero(m); })) continue;
     throw SceneError(fmt::format("coordinate '{}' must accelerate but has no inertia: it moves {} with zero mass; give "
                                  "a mass, or drive the coordinate by a law of time",
                                  model.coordinates()[i].q->name, moved_by(model, static_cast<int>(i))));
@@ -155,7 +155,7 @@ void check_reactions(const Equations& equations) {
     for (int i = 0; i < equations.model().unknown_count(); ++i) {
       Value difference = row.ideal[static_cast<std::size_t>(i)];
       difference -= row.jacobian[static_cast<std::size_t>(i)];
-      if (vanishes(difference)) continue;
+      if (identically_zero(difference)) continue;
       throw SceneError(fmt::format("reaction '{}' does not enforce constraint '{}': along coordinate '{}' its power is "
                                    "{} and the constraint needs {}; check the point and the direction",
                                    reaction->name, row.name, equations.model().coordinates()[static_cast<std::size_t>(i)].q->name,

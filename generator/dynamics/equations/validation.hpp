@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "generator/expression/high_precision.hpp"
+#include "generator/base/high_precision.hpp"
 #include "generator/mechanics/scene.hpp"
 
 namespace torsor {

@@ -5,10 +5,10 @@
 
 #include <fmt/format.h>
 
+#include "generator/base/error.hpp"
 #include "generator/dynamics/motion/relative_motion.hpp"
-#include "generator/expression/derivative.hpp"
-#include "generator/expression/error.hpp"
 #include "generator/mechanics/action_units.hpp"
+#include "generator/program/derivative.hpp"
 
 namespace torsor {
 namespace {

@@ -5,11 +5,11 @@
 
 #include <fmt/format.h>
 
+#include "generator/base/error.hpp"
 #include "generator/dynamics/forces/closure_wrench.hpp"
 #include "generator/dynamics/forces/friction.hpp"
-#include "generator/expression/derivative.hpp"
-#include "generator/expression/error.hpp"
-#include "generator/expression/vanishing.hpp"
+#include "generator/program/derivative.hpp"
+#include "generator/program/identically_zero.hpp"
 
 namespace torsor {
 namespace {
@@ -240,7 +240,7 @@ std::vector<ConstraintRow> constraint_rows(const Model& model) {
       // A joint that closes a loop may lock what the mechanism locks already; a formula is a mistake.
       const bool formula = std::holds_alternative<HolonomicFormula>(constraint.law) ||
                            std::holds_alternative<NonholonomicFormula>(constraint.law);
-      if (formula || !vanishes(row.value) || !vanishes(row.rate)) {
+      if (formula || !identically_zero(row.value) || !identically_zero(row.rate)) {
         throw SceneError(fmt::format("{} involves no coordinate: no motion can satisfy or violate it; drop it or write "
                                      "it with the scene's coordinates",
                                      user));

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "generator/dynamics/forces/energy.hpp"
 
-#include "generator/expression/derivative.hpp"
+#include "generator/program/derivative.hpp"
 
 namespace torsor {
 

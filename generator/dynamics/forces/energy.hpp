@@ -11,7 +11,7 @@ Value kinetic_energy(const Model& model);
 /// U of gravity: Σ m g · OG [J].
 Value gravity_force_function(const Model& model);
 
-/// T by another road: positions of all centres of mass and axes in the ground frame, differentiated with respect to
+/// T by another derivation: positions of all centres of mass and axes in the ground frame, differentiated with respect to
 /// time, 2 Ω = Σ e_i ∧ ė_i. Nothing in common with the recursion of twists.
 Value kinetic_energy_from_positions(const Model& model);
 

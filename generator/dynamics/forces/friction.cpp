@@ -5,8 +5,8 @@
 
 #include <fmt/format.h>
 
+#include "generator/base/error.hpp"
 #include "generator/dynamics/motion/relative_motion.hpp"
-#include "generator/expression/error.hpp"
 
 namespace torsor {
 namespace {
@@ -69,7 +69,7 @@ void add_friction(const Model& model, std::vector<ConstraintRow>& rows) {
     const Vector effort = bound(program, -(program.lower(friction.coefficient) * direction));
     const Wrench unit = friction.point ? Wrench{effort, Vector()} : Wrench{Vector(), effort};
     const RelativeMotion contact(model, body, other, point, axes);
-    const std::vector<Value> forces = contact.generalized_forces(unit);
+    const std::vector<Value> forces = contact.generalised_forces(unit);
     for (std::size_t i = 0; i < forces.size(); ++i) row.column[i] = program.bind(row.column[i] + forces[i]);
     row.friction = true;
     row.friction_power = program.bind(row.friction_power + reciprocal_product(unit, contact.twist()));

@@ -5,9 +5,9 @@
 
 #include <fmt/format.h>
 
-#include "generator/expression/derivative.hpp"
-#include "generator/expression/did_you_mean.hpp"
-#include "generator/expression/error.hpp"
+#include "generator/base/did_you_mean.hpp"
+#include "generator/base/error.hpp"
+#include "generator/program/derivative.hpp"
 
 namespace torsor {
 namespace {

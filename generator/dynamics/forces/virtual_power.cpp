@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "generator/expression/flattening.hpp"
+#include "generator/program/flattening.hpp"
 
 namespace torsor {
 namespace {

@@ -7,8 +7,8 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "generator/expression/did_you_mean.hpp"
-#include "generator/expression/error.hpp"
+#include "generator/base/did_you_mean.hpp"
+#include "generator/base/error.hpp"
 
 namespace torsor {
 

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "generator/dynamics/motion/contact_motion.hpp"
 
-#include "generator/expression/error.hpp"
+#include "generator/base/error.hpp"
 
 namespace torsor {
 
 ContactMotion contact_motion(const Model& model, int body_1, int body_2, const GeometricPoint& contact,
                              const Vector& normal, int axes) {
-  if (vanishes(normal))
+  if (identically_zero(normal))
     throw SceneError("the normal of a contact is the null vector: give the direction from S2 to S1");
   Program& program = model.program();
   const Vector n = bound(program, model.express(normal, contact.link, axes));

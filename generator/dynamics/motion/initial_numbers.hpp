@@ -4,8 +4,8 @@
 #include <cstdint>
 #include <map>
 
-#include "generator/expression/evaluation.hpp"
 #include "generator/mechanics/scene.hpp"
+#include "generator/program/evaluation.hpp"
 
 namespace torsor {
 

@@ -3,7 +3,7 @@
 
 #include <array>
 
-#include "generator/expression/as_index.hpp"
+#include "generator/base/as_index.hpp"
 
 namespace torsor {
 namespace {
@@ -36,15 +36,15 @@ Vector JointChanges::doubled(const Vector& v) const {
 }
 
 Vector JointChanges::doubled_velocity(const Link& link) const {
-  const Acceleration& carrier = motion_[static_cast<std::size_t>(link.parent)];
-  Vector v = cross(doubled(carrier.omega()), bound(program_, model_.arm(link)));
+  const Acceleration& parent = motion_[static_cast<std::size_t>(link.parent)];
+  Vector v = cross(doubled(parent.omega()), bound(program_, model_.arm(link)));
   if (link.joint == JointKind::prismatic) {
     v += program_.bind(Number(2) * link.rate) * model_.axis_in_parent(link);
   }
   return bound(program_, v);
 }
 
-Vector JointChanges::carrier_omega_cross_axis(std::size_t k) const {
+Vector JointChanges::parent_omega_cross_axis(std::size_t k) const {
   const Link& link = model_.links()[k];
   if (!in_attitude(k)) return bound(program_, cross(motion_[k].omega(), link.axis));
   const Link& first = model_.links()[first_of_group(k)];
@@ -59,7 +59,7 @@ MotionChange JointChanges::by_position(std::size_t k) const {
     change.beta = bound(program_, motion_[k].u_times(link.axis));
     return change;
   }
-  change.w = carrier_omega_cross_axis(k);
+  change.w = parent_omega_cross_axis(k);
   change.beta = bound(program_, cross(motion_[model_.turning_link(k)].linear(), link.axis));
   if (in_attitude(k)) {
     const Link& first = model_.links()[first_of_group(k)];
@@ -82,7 +82,7 @@ MotionChange JointChanges::by_velocity(std::size_t k) const {
   change.w = link.axis;
   if (in_attitude(k)) {
     const Vector own = bound(program_, cross(motion_[model_.turning_link(k)].omega(), link.axis));
-    change.alpha = bound(program_, carrier_omega_cross_axis(k) + own);
+    change.alpha = bound(program_, parent_omega_cross_axis(k) + own);
   } else {
     change.alpha = bound(program_, cross(doubled(motion_[k].omega()), link.axis));
   }

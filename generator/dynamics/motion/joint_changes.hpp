@@ -7,12 +7,12 @@
 
 namespace torsor {
 
-/// Change of a carrier's motion: δΩ, δΩ̇ − δΩ ∧ Ω, δΓ(O).
+/// Change of a parent's motion: δΩ, δΩ̇ − δΩ ∧ Ω, δΓ(O).
 struct MotionChange {
   Vector w, alpha, beta;
 };
 
-/// What a small change of one joint's displacement or rate is to the links beyond it: as if their common carrier moved
+/// What a small change of one joint's displacement or rate is to the links beyond it: as if their common parent moved
 /// otherwise (inertia_derivatives.hpp has the equations). `motion` are the accelerations of all links in their own
 /// axes.
 class JointChanges {
@@ -26,7 +26,7 @@ class JointChanges {
 
   /// Of the links of a unit quaternion the first; any other link is its own.
   std::size_t first_of_group(std::size_t k) const { return k - static_cast<std::size_t>(model_.links()[k].in_group); }
-  /// Twice the velocity of a link's origin relative to its carrier's, in the carrier's axes.
+  /// Twice the velocity of a link's origin relative to its parent's, in the parent's axes.
   Vector doubled_velocity(const Link& link) const;
   /// 2 Ω of a link.
   Vector doubled_omega(std::size_t k) const { return doubled(motion_[k].omega()); }
@@ -34,8 +34,8 @@ class JointChanges {
  private:
   bool in_attitude(std::size_t k) const { return first_of_group(k) != model_.turning_link(k); }
   Vector doubled(const Vector& v) const;
-  /// Ω_p ∧ s of the carrier, in the axes of link k.
-  Vector carrier_omega_cross_axis(std::size_t k) const;
+  /// Ω_p ∧ s of the parent, in the axes of link k.
+  Vector parent_omega_cross_axis(std::size_t k) const;
 
   const Model& model_;
   Program& program_;

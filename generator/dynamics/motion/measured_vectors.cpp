@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
 
+#include "generator/base/as_index.hpp"
 #include "generator/dynamics/motion/model.hpp"
 #include "generator/dynamics/motion/relative_motion.hpp"
-#include "generator/expression/as_index.hpp"
 #include "generator/mechanics/measure.hpp"
 
 namespace torsor {

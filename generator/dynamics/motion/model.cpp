@@ -5,11 +5,11 @@
 
 #include <fmt/format.h>
 
-#include "generator/expression/as_index.hpp"
-#include "generator/expression/derivative.hpp"
-#include "generator/expression/error.hpp"
+#include "generator/base/as_index.hpp"
+#include "generator/base/error.hpp"
 #include "generator/expression/expression_derivative.hpp"
 #include "generator/mechanics/freedom_positions.hpp"
+#include "generator/program/derivative.hpp"
 
 namespace torsor {
 

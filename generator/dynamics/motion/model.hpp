@@ -8,11 +8,11 @@
 #include <utility>
 #include <vector>
 
-#include "generator/expression/derivative.hpp"
-#include "generator/expression/program.hpp"
 #include "generator/geometry/vector.hpp"
 #include "generator/mechanics/scene.hpp"
 #include "generator/mechanics/screw.hpp"
+#include "generator/program/derivative.hpp"
+#include "generator/program/program.hpp"
 
 namespace torsor {
 

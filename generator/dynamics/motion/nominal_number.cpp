@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-#include "generator/expression/evaluation.hpp"
+#include "generator/program/evaluation.hpp"
 
 namespace torsor {
 namespace {

@@ -3,8 +3,8 @@
 
 #include <optional>
 
-#include "generator/expression/program.hpp"
 #include "generator/mechanics/scene_content.hpp"
+#include "generator/program/program.hpp"
 
 namespace torsor {
 

@@ -39,7 +39,7 @@ RelativeMotion::RelativeMotion(const Model& model, int a, int b, const Vector& p
   twist_.linear = bound(model.program(), twist_.linear);
 }
 
-std::vector<Value> RelativeMotion::generalized_forces(const Wrench& wrench) const {
+std::vector<Value> RelativeMotion::generalised_forces(const Wrench& wrench) const {
   Program& program = model_.program();
   std::vector<Value> forces(model_.coordinates().size());
   for (std::size_t k = 0; k < joints_.size(); ++k) {

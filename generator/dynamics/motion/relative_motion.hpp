@@ -20,7 +20,7 @@ class RelativeMotion {
   const Twist& twist() const { return twist_; }
   /// Q_i = F · ∂V(P ∈ a/b)/∂q̇_i + M_P · ∂Ω(a/b)/∂q̇_i, every coordinate of the model: generalised forces of the wrench
   /// {F; M_P} on a with the opposite on b.
-  std::vector<Value> generalized_forces(const Wrench& wrench_at_point) const;
+  std::vector<Value> generalised_forces(const Wrench& wrench_at_point) const;
 
  private:
   const Model& model_;

@@ -62,8 +62,8 @@ ArticulatedInertia without_joint(Program& program, const Link& link, const Artic
   return rest;
 }
 
-/// Adds what a link hands over to the answer of its carrier. Moved by r: H + [r] M, and J − H [r] + [r] (H + [r] M)ᵀ.
-void hand_over(const Model& model, const Link& link, const ArticulatedInertia& body, ArticulatedInertia& carrier) {
+/// Adds what a link hands over to the answer of its parent. Moved by r: H + [r] M, and J − H [r] + [r] (H + [r] M)ᵀ.
+void hand_over(const Model& model, const Link& link, const ArticulatedInertia& body, ArticulatedInertia& parent) {
   Program& program = model.program();
   const Matrix arm = cross_matrix(bound(program, model.arm(link)));
   const Matrix angular = model.to_parent(link, body.angular);
@@ -76,16 +76,16 @@ void hand_over(const Model& model, const Link& link, const ArticulatedInertia& b
     for (int j = 0; j <= i; ++j) {
       Value entry = angular(i, j) - left(i, j);
       entry += right(i, j);
-      carrier.angular(i, j) = carrier.angular(j, i) = program.bind(carrier.angular(i, j) + program.bind(entry));
+      parent.angular(i, j) = parent.angular(j, i) = program.bind(parent.angular(i, j) + program.bind(entry));
     }
   }
-  carrier.coupling = added(program, carrier.coupling, moved);
-  carrier.linear = added(program, carrier.linear, linear);
+  parent.coupling = added(program, parent.coupling, moved);
+  parent.linear = added(program, parent.linear, linear);
 }
 
 }  // namespace
 
-Wrench ArticulatedInertia::operator*(const AccelerationChange& change) const {
+Wrench ArticulatedInertia::operator*(const AccelerationIncrement& change) const {
   Wrench wrench;
   wrench.moment = angular * change.angular;
   wrench.moment += coupling * change.linear;
@@ -109,16 +109,16 @@ ArticulatedBodies articulated_bodies(const Model& model, MassProperties Link::*p
   const auto& links = model.links();
   ArticulatedBodies result;
   result.joints.resize(links.size());
-  result.handed.resize(links.size());
+  result.seen_by_parent.resize(links.size());
   std::vector<ArticulatedInertia> bodies;
   for (const Link& link : links) bodies.push_back(rigid(link.*properties));
   for (std::size_t k = links.size(); k-- > 1;) {
     const Link& link = links[k];
-    result.handed[k] = bodies[k];
+    result.seen_by_parent[k] = bodies[k];
     if (is_free(link)) result.joints[k] = joint_of(model.program(), link, bodies[k]);
     if (link.parent == 0) continue;
-    if (is_free(link)) result.handed[k] = without_joint(model.program(), link, bodies[k], result.joints[k]);
-    hand_over(model, link, result.handed[k], bodies[static_cast<std::size_t>(link.parent)]);
+    if (is_free(link)) result.seen_by_parent[k] = without_joint(model.program(), link, bodies[k], result.joints[k]);
+    hand_over(model, link, result.seen_by_parent[k], bodies[static_cast<std::size_t>(link.parent)]);
   }
   return result;
 }

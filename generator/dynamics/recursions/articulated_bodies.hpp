@@ -10,7 +10,7 @@
 namespace torsor {
 
 /// Changes of the accelerations of a link: of the angular one and of that of its origin, in the link's axes.
-struct AccelerationChange {
+struct AccelerationIncrement {
   Vector angular, linear;
 };
 
@@ -20,7 +20,7 @@ struct ArticulatedInertia {
   Matrix coupling;  ///< H
   Matrix linear;    ///< M, symmetric
 
-  Wrench operator*(const AccelerationChange& change) const;
+  Wrench operator*(const AccelerationIncrement& change) const;
 };
 
 /// What the elimination of a joint leaves: q̈ = u/d − g · A with A of the link before its joint moves, d = s · I s.
@@ -35,7 +35,7 @@ struct ArticulatedJoint {
 struct ArticulatedBodies {
   std::vector<ArticulatedJoint> joints;  ///< of links whose joint has an unknown
   std::vector<ArticulatedInertia>
-      handed;  ///< I − I s sᵀ I/d, what the carrier meets; of links that the ground carries: none
+      seen_by_parent;  ///< I − I s sᵀ I/d, what the parent meets; of links that the ground carries: none
 };
 
 /// `properties`: which of the equivalent inertias of each link.

@@ -4,9 +4,9 @@
 #include <cstddef>
 #include <vector>
 
+#include "generator/base/high_precision.hpp"
 #include "generator/dynamics/motion/model.hpp"
 #include "generator/dynamics/recursions/forward_dynamics.hpp"
-#include "generator/expression/high_precision.hpp"
 
 namespace torsor {
 

@@ -7,8 +7,8 @@
 #include "generator/dynamics/forces/virtual_power.hpp"
 #include "generator/dynamics/recursions/articulated_bodies.hpp"
 #include "generator/dynamics/recursions/central_bodies.hpp"
-#include "generator/expression/flattening.hpp"
-#include "generator/expression/vanishing.hpp"
+#include "generator/program/flattening.hpp"
+#include "generator/program/identically_zero.hpp"
 
 namespace torsor {
 namespace {
@@ -293,7 +293,7 @@ class FactoredRecursion {
     return program_.bind(sum);
   }
 
-  /// The effort Q of the joint, which works on its rate, ρ_j in X_j: a square without weight. Its reaction on the carrier
+  /// The effort Q of the joint, which works on its rate, ρ_j in X_j: a square without weight. Its reaction on the parent
   /// comes of that.
   void add_effort(std::size_t k, std::vector<Answer>& answers) {
     const auto place = static_cast<std::size_t>(std::find(joints_.joints.begin(), joints_.joints.end(), k) -
@@ -331,7 +331,7 @@ class FactoredRecursion {
     for (const std::size_t p : order) {
       Value total;
       for (const Answer& answer : answers) total += program_.bind(answer.weight * answer.of[p]) * answer.of[p];
-      if (total.is_zero() || vanishes(total)) {
+      if (total.is_zero() || identically_zero(total)) {
         for (Answer& answer : answers) answer.of[p] = Value();
         continue;
       }
@@ -376,7 +376,7 @@ class FactoredRecursion {
     }
     std::vector<Value> left;
     for (const Answer& answer : answers) left.insert(left.end(), answer.of.begin(), answer.of.end());
-    clear_vanishing(left);
+    clear_identically_zero(left);
     for (std::size_t r = 0; r < answers.size(); ++r) {
       Square square{answers[r].weight, answers[r].force, {}, {}};
       bool any = false;
@@ -413,7 +413,7 @@ class FactoredRecursion {
           if (!is_along(link, j)) along -= joint.gain[j] * component(turning, moving, j);
         }
         along = program_.bind(along);
-        joints[k] = along + fixed;  // a sum: what the carrier turns by, which it takes away, is added again below
+        joints[k] = along + fixed;  // a sum: what the parent turns by, which it takes away, is added again below
         Vector& moved = link.joint == JointKind::revolute ? angular[k] : linear[k];
         for (int i = 0; i < 3; ++i) {
           const Value& axis = link.axis[i];
@@ -450,7 +450,7 @@ class FactoredRecursion {
   Flattening flattening_;
   std::vector<CentralBody> bodies_;
   ReferenceMotion reference_;
-  std::vector<std::vector<Square>> handed_;  ///< to the carrier, by link
+  std::vector<std::vector<Square>> handed_;  ///< to the parent, by link
   std::vector<JointSolution> done_;
   ForwardSolution solution_;
 };

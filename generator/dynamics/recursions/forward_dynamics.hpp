@@ -6,8 +6,8 @@
 #include <utility>
 #include <vector>
 
-#include "generator/expression/flattening.hpp"
-#include "generator/expression/program.hpp"
+#include "generator/program/flattening.hpp"
+#include "generator/program/program.hpp"
 
 namespace torsor {
 

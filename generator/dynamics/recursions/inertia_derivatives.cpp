@@ -110,23 +110,23 @@ class DerivativeRecursion {
     }
   }
 
-  /// Adds the composite of link k to its carrier's: r = ρ + r', u = V + u'.
+  /// Adds the composite of link k to its parent's: r = ρ + r', u = V + u'.
   void hand_over(std::size_t k) {
     const Link& link = links_[k];
-    PointFlow& carrier = flow_[static_cast<std::size_t>(link.parent)];
+    PointFlow& parent = flow_[static_cast<std::size_t>(link.parent)];
     const MassProperties& body = composites_.bodies[k];
     const Vector v = joints_.doubled_velocity(link);
     const Vector rho = bound(program_, model_.arm(link));
     const Vector h = bound(program_, model_.to_parent(link, body.first_moment));
     const Vector l = bound(program_, model_.to_parent(link, flow_[k].l) + body.mass * v);
     const Matrix q = model_.to_parent(link, flow_[k].q);
-    carrier.l = bound(program_, carrier.l + l);
+    parent.l = bound(program_, parent.l + l);
     for (int i = 0; i < 3; ++i) {
       for (int j = 0; j < 3; ++j) {
-        Value entry = carrier.q(i, j) + q(i, j);
+        Value entry = parent.q(i, j) + q(i, j);
         entry += l[i] * rho[j];
         entry += v[i] * h[j];
-        carrier.q(i, j) = program_.bind(entry);
+        parent.q(i, j) = program_.bind(entry);
       }
     }
   }

@@ -15,13 +15,13 @@ struct ForceDerivatives {
 /// Derivatives of the generalised forces of inertia and gravity M q̈ + h at the accelerations as symbols, by one
 /// recursion over pairs of joints, for mechanisms in which each unknown is the displacement of one joint
 /// (has_simple_joints). A small turn of joint j about s changes what the links beyond it meet as if their common
-/// carrier moved otherwise: {w, α', β} = {Ω_p ∧ s, U_p s, Γ(O_j) ∧ s} with Ω_p, U_p = [Ω̇_p] + [Ω_p][Ω_p] of the carrier
+/// parent moved otherwise: {w, α', β} = {Ω_p ∧ s, U_p s, Γ(O_j) ∧ s} with Ω_p, U_p = [Ω̇_p] + [Ω_p][Ω_p] of the parent
 /// and Γ less gravity; a change of its rate gives {s, Ω_p ∧ s + Ω ∧ s, 0}; slides give {0, 0, U s} and {0, 0, 2 Ω ∧ s}.
 /// Here w = δΩ, α' = δΩ̇ − w ∧ Ω, β = δΓ(O), and w and α' are the same for all links beyond j. A composite body of mass
 /// m, first moment h, operator J, whose points have velocities u relative to its origin, answers with
 ///   δF = m β + α' ∧ h + w ∧ l,             l = 2 ∫ u dm,
 ///   δN = J α' + h ∧ β + (tr(Q) 1 − Q) w,   Q = 2 ∫ u rᵀ dm,
-/// and moved to a carrier that sees the origin at ρ with relative velocity V, β becomes β + α' ∧ ρ + 2 w ∧ V. Entries
+/// and moved to a parent that sees the origin at ρ with relative velocity V, β becomes β + α' ∧ ρ + 2 w ∧ V. Entries
 /// with i beyond j are rows {A, p, c}, δP_i = A · w + p · α' + c · β, carried towards the ground; the others are the
 /// changed wrenches, carried likewise. The classical accelerations make linear velocities drop out, which spatial
 /// vectors (Singh, Russell & Wensing, Efficient analytical derivatives of rigid-body dynamics using spatial vector

@@ -4,7 +4,7 @@
 
 #include "generator/dynamics/forces/virtual_power.hpp"
 #include "generator/dynamics/recursions/composite_bodies.hpp"
-#include "generator/expression/flattening.hpp"
+#include "generator/program/flattening.hpp"
 
 namespace torsor {
 namespace {

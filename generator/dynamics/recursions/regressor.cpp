@@ -4,7 +4,7 @@
 #include <set>
 
 #include "generator/dynamics/motion/motion.hpp"
-#include "generator/expression/vanishing.hpp"
+#include "generator/program/identically_zero.hpp"
 
 namespace torsor {
 namespace {
@@ -17,11 +17,11 @@ std::vector<Twist> partial_twists(const Model& model, int unknown) {
   std::vector<Twist> all(links.size());
   for (std::size_t k = 1; k < links.size(); ++k) {
     const Link& link = links[k];
-    const Twist& carrier = all[static_cast<std::size_t>(link.parent)];
+    const Twist& parent = all[static_cast<std::size_t>(link.parent)];
     const Vector origin = bound(program, model.arm(link));
-    Vector linear = bound(program, carrier.linear + cross(carrier.angular, origin));
+    Vector linear = bound(program, parent.linear + cross(parent.angular, origin));
     linear = model.from_parent(link, linear);
-    Vector angular = model.from_parent(link, carrier.angular);
+    Vector angular = model.from_parent(link, parent.angular);
     for (const auto& [i, partial] : link.partials) {
       if (i != unknown) continue;
       (link.joint == JointKind::revolute ? angular : linear) += partial * link.axis;
@@ -110,7 +110,7 @@ ValueMatrix regressor(const Model& model) {
       for (const Value& power : powers(model, motion[k], partials[k])) entries.push_back(power);
     }
   }
-  const std::vector<bool> zero = vanish(entries);
+  const std::vector<bool> zero = identically_zero_entries(entries);
   ValueMatrix y(static_cast<std::size_t>(model.unknown_count()));
   for (std::size_t e = 0; e < entries.size(); ++e) {
     y[e / (10 * links.size())].push_back(zero[e] ? Value() : entries[e]);

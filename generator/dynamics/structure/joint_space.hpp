@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "generator/base/real_elimination.hpp"
 #include "generator/dynamics/motion/initial_numbers.hpp"
-#include "generator/expression/real_elimination.hpp"
 #include "generator/geometry/real_vector.hpp"
 #include "generator/mechanics/structure_graph.hpp"
 

@@ -6,11 +6,11 @@
 
 #include <fmt/format.h>
 
+#include "generator/base/as_index.hpp"
+#include "generator/base/did_you_mean.hpp"
+#include "generator/base/error.hpp"
 #include "generator/dynamics/forces/constraints.hpp"
 #include "generator/dynamics/structure/internal_motions.hpp"
-#include "generator/expression/as_index.hpp"
-#include "generator/expression/did_you_mean.hpp"
-#include "generator/expression/error.hpp"
 
 namespace torsor {
 namespace {

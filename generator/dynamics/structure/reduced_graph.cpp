@@ -5,7 +5,7 @@
 
 #include <fmt/format.h>
 
-#include "generator/expression/as_index.hpp"
+#include "generator/base/as_index.hpp"
 
 namespace torsor {
 namespace {

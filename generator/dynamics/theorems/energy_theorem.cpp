@@ -5,11 +5,11 @@
 
 #include <fmt/format.h>
 
+#include "generator/base/did_you_mean.hpp"
+#include "generator/base/error.hpp"
 #include "generator/dynamics/forces/constraint_wrench.hpp"
 #include "generator/dynamics/motion/inertia_wrench.hpp"
-#include "generator/expression/derivative.hpp"
-#include "generator/expression/did_you_mean.hpp"
-#include "generator/expression/error.hpp"
+#include "generator/program/derivative.hpp"
 
 namespace torsor {
 namespace {
@@ -26,7 +26,7 @@ WrenchOnLinks wrenches_of(const Model& model, const ActionContent& action) {
     const Vector origin = bound(model.program(), model.locate(Vector(), link, 0));
     ground = ground - Wrench{force, moment + cross(origin, force)};
   }
-  if (!vanishes(ground.resultant) || !vanishes(ground.moment)) {
+  if (!identically_zero(ground.resultant) || !identically_zero(ground.moment)) {
     const Vector force = bound(model.program(), ground.resultant);
     all[0] = {force, bound(model.program(), ground.moment)};
   }

@@ -5,16 +5,16 @@
 
 #include <algorithm>
 
+#include "generator/base/error.hpp"
 #include "generator/dynamics/forces/energy.hpp"
 #include "generator/dynamics/theorems/flat_polynomials.hpp"
-#include "generator/expression/derivative.hpp"
-#include "generator/expression/error.hpp"
-#include "generator/expression/vanishing.hpp"
+#include "generator/program/derivative.hpp"
+#include "generator/program/identically_zero.hpp"
 
 namespace torsor {
 namespace {
 
-bool vanishes_at_rest(SymbolKind kind) { return kind == SymbolKind::velocity || kind == SymbolKind::acceleration; }
+bool zero_at_rest(SymbolKind kind) { return kind == SymbolKind::velocity || kind == SymbolKind::acceleration; }
 
 /// Why the forces at rest have no force function, or what else must be known before Lejeune-Dirichlet is believed.
 std::vector<std::string> remarks_on(const Equations& equations, bool from_potential) {
@@ -39,7 +39,7 @@ EquilibriumEquations equilibrium_equations(const Equations& equations) {
   Program& program = model.program();
   const auto n = static_cast<std::size_t>(model.unknown_count());
   Substitution at_rest(program, [&program](const SymbolPointer& symbol) -> std::optional<Value> {
-    if (!vanishes_at_rest(symbol->kind)) return std::nullopt;
+    if (!zero_at_rest(symbol->kind)) return std::nullopt;
     return program.number(Number(), symbol->unit);
   });
   EquilibriumEquations result;
@@ -58,7 +58,7 @@ EquilibriumEquations equilibrium_equations(const Equations& equations) {
     }
     if (row.holonomic) result.conditions.push_back(row.value);
     const Value imposed = at_rest(row.rate);
-    if (!vanishes(imposed)) result.conditions.push_back(imposed);
+    if (!identically_zero(imposed)) result.conditions.push_back(imposed);
   }
   const std::vector<SymbolPointer> motors = model.inputs();
   for (std::size_t k = 0; k < motors.size(); ++k) {
@@ -70,7 +70,7 @@ EquilibriumEquations equilibrium_equations(const Equations& equations) {
   }
 
   const Value t0 = at_rest(kinetic_energy(model));
-  result.driven = !vanishes(t0);
+  result.driven = !identically_zero(t0);
   const Value gravity = gravity_force_function(model);
   result.potential = -gravity;
   result.potential -= equations.actions().spring_force_function;
@@ -88,7 +88,7 @@ EquilibriumEquations equilibrium_equations(const Equations& equations) {
       result.hessian[i].push_back(program.bind(entry));
     }
   }
-  const std::vector<bool> same = vanish(differences);
+  const std::vector<bool> same = identically_zero_entries(differences);
   result.from_potential = std::all_of(same.begin(), same.end(), [](bool each) { return each; });
   result.remarks = remarks_on(equations, result.from_potential);
   return result;
@@ -134,7 +134,7 @@ std::vector<Value> AtState::operator()(const std::vector<Value>& values) const {
     for (const auto& [known, replacement] : state_) {
       if (known == symbol) return replacement;
     }
-    if (!vanishes_at_rest(symbol->kind)) return std::nullopt;
+    if (!zero_at_rest(symbol->kind)) return std::nullopt;
     return program_->number(Number(), symbol->unit);
   });
   std::vector<Value> result;

@@ -6,14 +6,14 @@
 #include <optional>
 #include <unordered_map>
 
-#include "generator/expression/error.hpp"
+#include "generator/base/error.hpp"
 
 namespace torsor {
 namespace {
 
 Polynomial one() { return Polynomial(Number(1)); }
 
-/// Multiplies flat polynomials; sums that were bound stay behind their atoms.
+/// Multiplies flat polynomials; sums that were bound stay behind their value numbers.
 class Multiplication {
  public:
   Multiplication(const Program& program, std::size_t limit) : program_(program), limit_(limit) {}
@@ -39,13 +39,13 @@ class Multiplication {
     for (const Term& term : polynomial.terms()) {
       Polynomial factor{Term{{}, term.coefficient}};
       for (const Factor& each : term.monomial) {
-        const Definition& definition = program_[each.atom];
+        const Definition& definition = program_[each.value_number];
         const bool sum = !definition.symbol && !definition.function;
         if (!sum || each.exponent < 0) {
           factor = product(factor, Polynomial(Term{{each}, Number(1)}));
           continue;
         }
-        const Polynomial base = definition_of(each.atom);
+        const Polynomial base = definition_of(each.value_number);
         for (int i = 0; i < each.exponent; ++i) factor = product(factor, base);
       }
       result += factor;
@@ -55,19 +55,19 @@ class Multiplication {
   }
 
  private:
-  const Polynomial& definition_of(Atom atom) {
-    const auto known = known_.find(atom);
+  const Polynomial& definition_of(ValueNumber value_number) {
+    const auto known = known_.find(value_number);
     if (known != known_.end()) return known->second;
-    Polynomial made = expanded(program_[atom].polynomial);
-    return known_.emplace(atom, std::move(made)).first->second;
+    Polynomial made = expanded(program_[value_number].polynomial);
+    return known_.emplace(value_number, std::move(made)).first->second;
   }
 
   const Program& program_;
   std::size_t limit_;
-  std::unordered_map<Atom, Polynomial> known_;  ///< looked up only
+  std::unordered_map<ValueNumber, Polynomial> known_;  ///< looked up only
 };
 
-std::string name_of(const Program& program, Atom atom);
+std::string name_of(const Program& program, ValueNumber value_number);
 
 std::string text_of(const Program& program, const Polynomial& polynomial) {
   std::string text;
@@ -76,7 +76,7 @@ std::string text_of(const Program& program, const Polynomial& polynomial) {
     for (const Factor& factor : term.monomial) {
       std::string& side = factor.exponent > 0 ? above : below;
       if (!side.empty()) side += " ";
-      side += name_of(program, factor.atom);
+      side += name_of(program, factor.value_number);
       const int power = factor.exponent > 0 ? factor.exponent : -factor.exponent;
       if (power != 1) side += fmt::format("^{}", power);
     }
@@ -98,12 +98,12 @@ std::string text_of(const Program& program, const Polynomial& polynomial) {
   return text.empty() ? "0" : text;
 }
 
-std::string name_of(const Program& program, Atom atom) {
-  const Definition& definition = program[atom];
+std::string name_of(const Program& program, ValueNumber value_number) {
+  const Definition& definition = program[value_number];
   if (definition.symbol) return definition.symbol->name;
   if (definition.function) {
     std::string inside;
-    for (const Atom each : definition.arguments) inside += (inside.empty() ? "" : ", ") + name_of(program, each);
+    for (const ValueNumber each : definition.arguments) inside += (inside.empty() ? "" : ", ") + name_of(program, each);
     return fmt::format("{}({})", to_string(*definition.function), inside);
   }
   const Polynomial& sum = definition.polynomial;

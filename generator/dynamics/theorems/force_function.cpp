@@ -5,8 +5,8 @@
 
 #include <fmt/format.h>
 
-#include "generator/expression/derivative.hpp"
-#include "generator/expression/vanishing.hpp"
+#include "generator/program/derivative.hpp"
+#include "generator/program/identically_zero.hpp"
 
 namespace torsor {
 namespace {
@@ -119,7 +119,7 @@ class Classifier {
     for (std::size_t i = 0; i < count(); ++i) rest_ -= actions_.forces[i] * model_.v(static_cast<int>(i));
     rest_ = program_.bind(rest_);
     Derivation by_time = partial_derivation(program_, model_.scene().time);
-    const bool silent = vanishes(rest_);
+    const bool silent = identically_zero(rest_);
     std::vector<Value> differences;
     std::vector<std::string> sentences;
     for (std::size_t i = 0; i < count(); ++i) {
@@ -142,7 +142,7 @@ class Classifier {
   }
 
   void say_where_not_zero(const std::vector<Value>& values, const std::vector<std::string>& sentences) {
-    const std::vector<bool> zero = vanish(values);
+    const std::vector<bool> zero = identically_zero_entries(values);
     for (std::size_t k = 0; k < values.size(); ++k) {
       if (!zero[k]) report_.reasons.push_back(sentences[k]);
     }
@@ -154,7 +154,7 @@ class Classifier {
     std::vector<Value> differences =
         u.program() == nullptr ? std::vector<Value>(count()) : gradient_along(u, velocities);
     for (std::size_t i = 0; i < count(); ++i) differences[i] -= actions_.forces[i];
-    const std::vector<bool> zero = vanish(differences);
+    const std::vector<bool> zero = identically_zero_entries(differences);
     return std::all_of(zero.begin(), zero.end(), [](bool z) { return z; });
   }
 
@@ -162,7 +162,7 @@ class Classifier {
   bool answers_for_power(const Value& u) const {
     Value difference = rest_;
     if (u.program() != nullptr) difference -= partial_derivation(program_, model_.scene().time)(u);
-    return vanishes(difference);
+    return identically_zero(difference);
   }
 
   void found(const Value& u, const std::string& where) {

@@ -6,8 +6,8 @@
 
 #include <fmt/format.h>
 
+#include "generator/base/as_index.hpp"
 #include "generator/dynamics/forces/constraint_wrench.hpp"
-#include "generator/expression/as_index.hpp"
 
 namespace torsor {
 namespace {
@@ -182,13 +182,13 @@ class Namer {
     const bool slides = joint.joint == JointKind::prismatic;
     if (!slides) {
       const Vector origin = model_.locate(model_.origin_in_parent(joint), joint.parent, axes);
-      if (!vanishes(cross(axis, bound(program_, at - origin)))) return std::nullopt;
+      if (!identically_zero(cross(axis, bound(program_, at - origin)))) return std::nullopt;
     }
     std::optional<std::pair<std::size_t, bool>> found;
     for (int i = 0; i < 3; ++i) {
-      if (vanishes(axis[i])) continue;
+      if (identically_zero(axis[i])) continue;
       const Value one = program_.number(Number(1), axis[i].unit());
-      const bool plus = vanishes(axis[i] - one), minus = vanishes(axis[i] + one);
+      const bool plus = identically_zero(axis[i] - one), minus = identically_zero(axis[i] + one);
       if (found || (!plus && !minus)) return std::nullopt;
       found.emplace(as_index(slides ? i : i + 3), plus);
     }

@@ -5,7 +5,7 @@
 
 #include <fmt/format.h>
 
-#include "generator/expression/generic_state.hpp"
+#include "generator/program/generic_state.hpp"
 
 namespace torsor {
 namespace {

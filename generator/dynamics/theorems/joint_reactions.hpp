@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
+#include "generator/base/high_precision.hpp"
 #include "generator/dynamics/equations/equations.hpp"
-#include "generator/expression/evaluation.hpp"
-#include "generator/expression/high_precision.hpp"
+#include "generator/program/evaluation.hpp"
 
 namespace torsor {
 

@@ -5,9 +5,9 @@
 
 #include <fmt/format.h>
 
+#include "generator/base/error.hpp"
 #include "generator/dynamics/forces/constraint_wrench.hpp"
 #include "generator/dynamics/motion/inertia_wrench.hpp"
-#include "generator/expression/error.hpp"
 
 namespace torsor {
 namespace {

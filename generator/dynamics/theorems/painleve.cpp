@@ -7,9 +7,9 @@
 
 #include "generator/dynamics/forces/energy.hpp"
 #include "generator/dynamics/theorems/joint_reactions.hpp"
-#include "generator/expression/derivative.hpp"
-#include "generator/expression/evaluation.hpp"
-#include "generator/expression/vanishing.hpp"
+#include "generator/program/derivative.hpp"
+#include "generator/program/evaluation.hpp"
+#include "generator/program/identically_zero.hpp"
 
 namespace torsor {
 namespace {
@@ -66,7 +66,7 @@ std::vector<std::string> working_actions(const Equations& asked) {
     each.push_back(power);
   }
   each.push_back(sum);
-  const std::vector<bool> silent = vanish(each);
+  const std::vector<bool> silent = identically_zero_entries(each);
   std::vector<std::string> names;
   for (std::size_t k = 0; k < powers.size() && !silent.back(); ++k) {
     if (!silent[k]) names.push_back(powers[k].first);
@@ -88,12 +88,13 @@ void add_momenta(const Equations& equations, const std::vector<Value>& momenta, 
     const auto& rows = equations.constraints();
     const bool worked_on =
         std::any_of(inputs.begin(), inputs.end(), [i](const auto& input) { return !input[i].is_zero(); }) ||
-        std::any_of(rows.begin(), rows.end(), [i](const ConstraintRow& row) { return !vanishes(row.column[i]); });
-    if (worked_on || !vanishes(along_q[i]) || momenta[i].is_zero()) continue;
+        std::any_of(rows.begin(), rows.end(),
+                    [i](const ConstraintRow& row) { return !identically_zero(row.column[i]); });
+    if (worked_on || !identically_zero(along_q[i]) || momenta[i].is_zero()) continue;
     Value force = applied[i];
     if (!gravity.is_zero()) force += model.along(static_cast<int>(i))(gravity);
     force -= turning[i];
-    if (!vanishes(force)) continue;
+    if (!identically_zero(force)) continue;
     const Unit unit = units::joule / model.coordinates()[i].v->unit;
     const std::string meaning = !model.coordinates()[i].attitude
                                     ? fmt::format("dT/d{}' of the cyclic coordinate '{}'", q->name, q->name)
@@ -134,7 +135,7 @@ PainleveReport painleve(const Equations& equations) {
     return program.number(Number(), symbol->unit);
   });
   // A joint may follow a law of time without a driven coordinate; T0 shows it even where T does not depend on time.
-  driven = driven || !report.explicit_rate.is_zero() || !vanishes(at_rest(t));
+  driven = driven || !report.explicit_rate.is_zero() || !identically_zero(at_rest(t));
 
   Value doubled;
   for (int i = 0; i < model.unknown_count(); ++i) doubled += momenta[static_cast<std::size_t>(i)] * model.v(i);
@@ -147,12 +148,12 @@ PainleveReport painleve(const Equations& equations) {
     report.failing_conditions.push_back(
         fmt::format("{} {} no force function", joined(working), working.size() == 1 ? "has" : "have"));
   }
-  if (!vanishes(report.explicit_rate)) report.failing_conditions.emplace_back("T depends on time explicitly");
-  if (!u.is_zero() && !vanishes(by_time(u))) {
+  if (!identically_zero(report.explicit_rate)) report.failing_conditions.emplace_back("T depends on time explicitly");
+  if (!u.is_zero() && !identically_zero(by_time(u))) {
     report.failing_conditions.emplace_back("the force function U depends on time explicitly");
   }
   for (const ConstraintRow& row : equations.constraints()) {
-    if (vanishes(at_rest(row.rate))) continue;
+    if (identically_zero(at_rest(row.rate))) continue;
     report.failing_conditions.push_back(fmt::format("constraint '{}' imposes a velocity (b is not zero)", row.name));
   }
   if (report.failing_conditions.empty()) {

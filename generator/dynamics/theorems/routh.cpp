@@ -5,14 +5,14 @@
 
 #include <algorithm>
 
+#include "generator/base/error.hpp"
 #include "generator/dynamics/theorems/flat_polynomials.hpp"
-#include "generator/expression/error.hpp"
-#include "generator/expression/vanishing.hpp"
+#include "generator/program/identically_zero.hpp"
 
 namespace torsor {
 namespace {
 
-bool is_zero(const Value& value) { return value.is_zero() || (!value.is_constant() && vanishes(value)); }
+bool is_zero(const Value& value) { return value.is_zero() || (!value.is_constant() && identically_zero(value)); }
 
 /// The row below two others: r_{j+1} − (r_0/p_0) p_{j+1}.
 std::vector<Value> next_row(Program& program, const std::vector<Value>& r, const std::vector<Value>& p,

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "generator/dynamics/recursions/forward_dynamics.hpp"
-#include "generator/expression/program.hpp"
+#include "generator/program/program.hpp"
 
 namespace torsor {
 

@@ -3,8 +3,8 @@
 
 #include <fmt/format.h>
 
+#include "generator/base/error.hpp"
 #include "generator/dynamics/theorems/flat_polynomials.hpp"
-#include "generator/expression/error.hpp"
 
 namespace torsor {
 

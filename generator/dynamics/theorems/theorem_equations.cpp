@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "generator/dynamics/theorems/theorem_equations.hpp"
 
+#include "generator/base/as_index.hpp"
 #include "generator/dynamics/theorems/joint_actions.hpp"
-#include "generator/expression/as_index.hpp"
-#include "generator/expression/derivative.hpp"
-#include "generator/expression/vanishing.hpp"
+#include "generator/program/derivative.hpp"
+#include "generator/program/identically_zero.hpp"
 
 namespace torsor {
 namespace {
@@ -20,7 +20,7 @@ void name_unknowns(TheoremEquation& equation, const Equations& equations, const 
   for (const SymbolPointer& unknown : all) {
     factors.push_back(program.bind(partial_derivation(program, unknown)(equation.right)));
   }
-  const std::vector<bool> absent = vanish(factors);
+  const std::vector<bool> absent = identically_zero_entries(factors);
   std::size_t next = 0;
   for (const JointAction* joint : joints) {
     bool used = false;
@@ -82,18 +82,18 @@ EnergyEquation energy_equation(const Equations& equations, const BodyNames& bodi
   std::vector<const JointAction*> concerned;
   for (const JointAction& joint : joints) {
     const int top = joint.connection.top, bottom = joint.connection.bottom, from = joint.connection.from;
-    const bool on_body = inside[as_index(bottom)], on_carrier = inside[as_index(from)];
-    if (!on_body && !on_carrier) continue;
+    const bool on_body = inside[as_index(bottom)], on_parent = inside[as_index(from)];
+    if (!on_body && !on_parent) continue;
     concerned.push_back(&joint);
     const Vector force = bound(program, model.express(joint.wrench.resultant, top, bottom));
     const Wrench wrench{force, bound(program, model.express(joint.wrench.moment, top, bottom))};
     const Twist of_joint = relative_twist(model, bottom, from);
-    if (on_body && on_carrier) {
+    if (on_body && on_parent) {
       result.internal_power += reciprocal_product(wrench, of_joint);
       continue;
     }
     const Twist of_body = relative_twist(model, bottom, reference);
-    // The opposite acts on the carrier, at its own point there.
+    // The opposite acts on the parent, at its own point there.
     result.external_power +=
         on_body
             ? reciprocal_product(wrench, of_body)

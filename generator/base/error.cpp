@@ -1,0 +1,10 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "generator/base/error.hpp"
+
+#include "generator/base/printable.hpp"
+
+namespace torsor {
+
+Error::Error(const std::string& message) : std::runtime_error(printable(message)) {}
+
+}  // namespace torsor

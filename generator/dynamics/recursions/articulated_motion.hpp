@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <map>
+#include <vector>
+
+#include "generator/dynamics/motion/motion.hpp"
+#include "generator/dynamics/recursions/articulated_bodies.hpp"
+#include "generator/dynamics/recursions/forward_dynamics.hpp"
+
+namespace torsor {
+
+/// Whether each unknown is the displacement of exactly one joint and each joint has one unknown or none (driven): what
+/// the recursion below needs.
+bool has_simple_joints(const Model& model);
+
+/// What the recursion finds, by link, in its axes.
+struct ArticulatedMotion {
+  ReferenceMotion reference;  ///< gravity included
+  ArticulatedBodies bodies;
+  std::vector<Wrench> bias_forces;         ///< pᴬ: what a link needs of its parent if that keeps to the reference
+  std::vector<AccelerationIncrement> before;  ///< what the joints before add to the reference
+  std::vector<AccelerationIncrement> added;   ///< the same with the link's own joint
+  ForwardSolution solution;
+};
+
+/// Accelerations by the articulated-body recursion (Featherstone, Rigid Body Dynamics Algorithms, 2008, §7.3), linear
+/// in the number of joints, written with the classical acceleration of each link's origin. A reference motion is taken
+/// out first: each link by itself asks for its wrench there, which costs less than what its articulated body would.
+/// `efforts`: for every unknown the generalised force of everything but inertia, gravity and the wrenches. No
+/// constraints. `properties`: which of the equivalent inertias ask (Link::effective for those of the articulated
+/// bodies).
+ArticulatedMotion articulated_motion(const Model& model, const std::vector<Value>& efforts,
+                                     const std::map<int, Wrench>& wrenches, ArticulatedBodies bodies,
+                                     MassProperties Link::*properties);
+
+/// The accelerations alone, with the inertias that cost least.
+ForwardSolution articulated_forward(const Model& model, const std::vector<Value>& efforts,
+                                    const std::map<int, Wrench>& wrenches);
+
+/// Of a link before its own joint moves, when its parent's accelerations change.
+AccelerationIncrement from_parent(const Model& model, const Link& link, const AccelerationIncrement& parent);
+
+/// q̈ = effort − g · A; the link then has A + q̈ s. `effort` is u/d. An aligned component of the sum is what the link's
+/// matter does, effort − Σ of the others, and q̈ its difference from before: a product less.
+Value joint_acceleration(Program& program, const Link& link, const ArticulatedJoint& joint, const Value& effort,
+                         const AccelerationIncrement& before, AccelerationIncrement& after);
+
+}  // namespace torsor

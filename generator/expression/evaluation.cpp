@@ -1,9 +1,0 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
-#include "generator/expression/evaluation.hpp"
-
-namespace torsor {
-
-template class Evaluator<double>;
-template class Evaluator<Real>;
-
-}  // namespace torsor

@@ -1,0 +1,164 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <numbers>
+#include <numeric>
+
+#include <fmt/format.h>
+
+#include "generator/base/as_index.hpp"
+#include "generator/base/printable.hpp"
+#include "generator/graphs/graph_printer.hpp"
+
+namespace torsor {
+namespace {
+
+using Line = GraphDrawing::Line;
+
+struct Place {
+  double x = 0, y = 0;
+};
+
+/// Pairs of edges that cross when vertices lie on a circle at their positions, then the length along the circle.
+std::pair<int, int> cost(const std::vector<int>& position, const std::vector<GraphDrawing::Edge>& edges) {
+  const int n = static_cast<int>(position.size());
+  int crossings = 0, length = 0;
+  const auto chord = [&](const GraphDrawing::Edge& edge) {
+    return std::minmax(position[as_index(edge.a)], position[as_index(edge.b)]);
+  };
+  for (std::size_t i = 0; i < edges.size(); ++i) {
+    const auto [a, b] = chord(edges[i]);
+    length += std::min(b - a, n - b + a);
+    for (std::size_t j = 0; j < i; ++j) {
+      const auto [c, d] = chord(edges[j]);
+      crossings += (a < c && c < b && b < d) || (c < a && a < d && d < b) ? 1 : 0;
+    }
+  }
+  return {crossings, length};
+}
+
+/// Position of each vertex on the circle, the ground at 0: the best of all orders of a few vertices, else the best that
+/// exchanges of two lead to from the order given.
+std::vector<int> arrange(std::size_t count, const std::vector<GraphDrawing::Edge>& edges) {
+  std::vector<int> position(count);
+  std::iota(position.begin(), position.end(), 0);
+  if (count < 4) return position;
+  std::vector<int> best = position;
+  auto least = cost(best, edges);
+  if (count <= 8) {
+    while (std::next_permutation(position.begin() + 1, position.end())) {
+      const auto here = cost(position, edges);
+      if (here < least) least = here, best = position;
+    }
+    return best;
+  }
+  for (bool better = true; better;) {
+    better = false;
+    for (std::size_t i = 1; i < count; ++i) {
+      for (std::size_t j = i + 1; j < count; ++j) {
+        std::swap(best[i], best[j]);
+        const auto here = cost(best, edges);
+        if (here < least) {
+          least = here;
+          better = true;
+        } else {
+          std::swap(best[i], best[j]);
+        }
+      }
+    }
+  }
+  return best;
+}
+
+const char* colour(Line line) {
+  return line == Line::joint ? "#202020" : line == Line::constraint ? "#a03000" : "#0050a0";
+}
+const char* dashes(Line line) {
+  return line == Line::joint        ? ""
+         : line == Line::constraint ? " stroke-dasharray=\"2 4\""
+                                    : " stroke-dasharray=\"7 4\"";
+}
+
+std::string escaped(const std::string& text) {
+  std::string result;
+  for (const char c : printable(text)) result += c == '&' ? "&amp;" : c == '<' ? "&lt;" : c == '>' ? "&gt;" : std::string(1, c);
+  return result;
+}
+
+long whole(double x) { return std::lround(x); }
+
+double text_width(std::size_t letters) { return 7.0 * static_cast<double>(letters); }
+
+std::string text_at(const Place& place, const std::string& text, const std::string& extra) {
+  if (text.empty()) return "";
+  return fmt::format("  <text x=\"{}\" y=\"{}\"{}>{}</text>\n", whole(place.x), whole(place.y), extra, escaped(text));
+}
+
+}  // namespace
+
+std::string graph_svg(const GraphDrawing& drawing) {
+  const std::size_t count = drawing.nodes.size();
+  const std::vector<int> position = arrange(count, drawing.edges);
+  std::map<std::pair<int, int>, int> parallel, drawn;
+  int most = 0;
+  for (const auto& edge : drawing.edges) most = std::max(most, ++parallel[std::minmax(edge.a, edge.b)]);
+  // Neighbours 170 apart leave room for the text between them; edges that bend round others need more.
+  const double beside = std::max(85.0, 50.0 * (most - 1));
+  const double half = std::numbers::pi / static_cast<double>(std::max<std::size_t>(count, 2));
+  const double radius = count == 1 ? 0 : std::max(90.0, beside / std::sin(half));
+  std::vector<Place> places;
+  for (std::size_t n = 0; n < count; ++n) {
+    const double angle = std::numbers::pi / 2 + 2 * half * position[n];
+    places.push_back({radius * std::cos(angle), radius * std::sin(angle)});
+  }
+  Place low, high;
+  const auto make_room = [&](const Place& at, double aside, double above) {
+    low = {std::min(low.x, at.x - aside), std::min(low.y, at.y - above)};
+    high = {std::max(high.x, at.x + aside), std::max(high.y, at.y + above)};
+  };
+  std::string lines, labels;
+  for (const auto& edge : drawing.edges) {
+    const auto [from, to] = std::minmax(edge.a, edge.b);
+    const int of = parallel[{from, to}], number = drawn[{from, to}]++;
+    const Place& a = places[as_index(from)];
+    const Place& b = places[as_index(to)];
+    const double across = (number - (of - 1) / 2.0) * 64;
+    const double dx = b.x - a.x, dy = b.y - a.y, length = std::hypot(dx, dy) + 1e-9;
+    const Place middle{(a.x + b.x) / 2 - across * dy / length, (a.y + b.y) / 2 + across * dx / length};
+    const Place control{2 * middle.x - (a.x + b.x) / 2, 2 * middle.y - (a.y + b.y) / 2};
+    lines +=
+        fmt::format("  <path d=\"M {} {} Q {} {} {} {}\" fill=\"none\" stroke=\"{}\"{}/>\n", whole(a.x), whole(a.y),
+                    whole(control.x), whole(control.y), whole(b.x), whole(b.y), colour(edge.line), dashes(edge.line));
+    make_room(middle, text_width(std::max(edge.name.size(), edge.what.size())) / 2 + 5, 25);
+    const std::string fill = fmt::format(" class=\"edge\" fill=\"{}\"", colour(edge.line));
+    labels += text_at({middle.x, middle.y - 3}, edge.name, fill);
+    labels += text_at({middle.x, middle.y + 10}, edge.what, fill);
+  }
+  std::string bodies;
+  for (std::size_t n = 0; n < count; ++n) {
+    const GraphDrawing::Node& node = drawing.nodes[n];
+    const double width = text_width(node.label.size()) + 22;
+    const Place& p = places[n];
+    make_room(p, width / 2 + 5, 25);
+    if (!node.link) {
+      bodies += fmt::format(
+          "  <rect x=\"{}\" y=\"{}\" width=\"{}\" height=\"28\" rx=\"{}\" fill=\"{}\" "
+          "stroke=\"#202020\"/>\n",
+          whole(p.x - width / 2), whole(p.y - 14), whole(width), node.ground ? 0 : 14,
+          node.ground ? "#d8d8d8" : "#ffffff");
+    }
+    bodies += text_at({p.x, p.y + 4}, node.label,
+                      node.link ? fmt::format(" class=\"edge\" fill=\"{}\"", colour(node.line)) : "");
+  }
+  return fmt::format(
+      "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{2}\" height=\"{3}\" viewBox=\"{0} {1} {2} "
+      "{3}\">\n  <title>{4}</title>\n"
+      "  <style>text {{ font: 13px sans-serif; text-anchor: middle; }} .edge {{ font-size: 11px; paint-order: stroke; "
+      "stroke: #ffffff; stroke-width: 4px; }}</style>\n"
+      "  <rect x=\"{0}\" y=\"{1}\" width=\"100%\" height=\"100%\" fill=\"#ffffff\"/>\n{5}{6}{7}</svg>\n",
+      whole(low.x), whole(low.y), whole(high.x - low.x), whole(high.y - low.y), escaped(drawing.title), lines, labels,
+      bodies);
+}
+
+}  // namespace torsor

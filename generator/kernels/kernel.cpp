@@ -1,0 +1,385 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "generator/kernels/kernel.hpp"
+
+#include <algorithm>
+#include <functional>
+
+#include <fmt/format.h>
+
+#include "generator/base/did_you_mean.hpp"
+#include "generator/base/error.hpp"
+#include "generator/dynamics/derivatives/parameter_sensitivities.hpp"
+#include "generator/dynamics/equations/massless.hpp"
+#include "generator/dynamics/forces/energy.hpp"
+#include "generator/dynamics/theorems/painleve.hpp"
+#include "generator/kernels/kernel_derivatives.hpp"
+#include "generator/kernels/kernel_jets.hpp"
+#include "generator/kernels/kernel_kinematics.hpp"
+#include "generator/kernels/kernel_linearisation.hpp"
+#include "generator/kernels/kernel_parts.hpp"
+#include "generator/kernels/kernel_poses.hpp"
+#include "generator/kernels/kernel_regressor.hpp"
+#include "generator/kernels/kernel_residual.hpp"
+#include "generator/kernels/kernel_second_derivatives.hpp"
+#include "generator/kernels/kernel_sensitivities.hpp"
+#include "generator/kernels/kernel_sparse_jacobian.hpp"
+#include "generator/listing/shared_products.hpp"
+#include "generator/program/identically_zero.hpp"
+
+namespace torsor {
+namespace {
+
+bool has_friction(const Equations& equations) { return !equations.scene().content().frictions.empty(); }
+
+/// What multiplies lambda in the equations of motion: A', unless friction works with the multipliers too.
+std::string multiplied(const Equations& equations) { return has_friction(equations) ? "B lambda" : "A' lambda"; }
+
+Kernel make_mass_matrix(const Equations& equations) {
+  const std::size_t n = unknowns(equations);
+  Kernel kernel;
+  kernel.documentation = "Mass matrix M(q), symmetric, stored column by column: T2 = 1/2 v' M v.";
+  kernel.results = {{"", "mass", n * n, n}};
+  assign_matrix(kernel, {"mass"}, equations.mass(), n);
+  return kernel;
+}
+
+Kernel make_bias(const Equations& equations) {
+  Kernel kernel;
+  kernel.documentation =
+      "Bias h(q, v, t): inverse dynamics at zero acceleration without inputs and multipliers; gravity and passive\n"
+      "actions included. M a + h = E u + " +
+      multiplied(equations) + ".";
+  kernel.results = {{"GeneralizedForces", "forces"}};
+  assign_vector(kernel, {"forces"}, equations.bias(), unknowns(equations));
+  return kernel;
+}
+
+Kernel make_inverse_dynamics(const Equations& equations) {
+  Kernel kernel;
+  kernel.documentation =
+      "Inverse dynamics: the generalised forces M a + h - " + multiplied(equations) +
+      " that motors must supply for the accelerations a.";
+  kernel.arguments = {Argument::accelerations, Argument::multipliers};
+  kernel.results = {{"GeneralizedForces", "forces"}};
+  assign_vector(kernel, {"forces"}, equations.inverse_dynamics(), unknowns(equations));
+  return kernel;
+}
+
+Kernel make_forward_dynamics(const Equations& equations) {
+  const ForwardSolution& solution = equations.forward();
+  Kernel kernel;
+  kernel.documentation = fmt::format(
+      "Forward dynamics: accelerations a and multipliers lambda from M a + h = E u + {}, A a + gamma = 0, by\n"
+      "{}. Returns singular when a pivot is not\n"
+      "positive relative to its diagonal entry{}.",
+      multiplied(equations), solution.method,
+      solution.multipliers.empty() || has_friction(equations)
+          ? ""
+          : ", or one of the Schur complement is below\n2^-40 of those of its unit (a change point)");
+  kernel.arguments = {Argument::inputs};
+  kernel.results = {{"Accelerations", "accelerations"}, {"Multipliers", "multipliers"}};
+  assign_vector(kernel, {"accelerations"}, solution.accelerations, solution.accelerations.size());
+  assign_vector(kernel, {"multipliers"}, solution.multipliers, solution.multipliers.size());
+  kernel.pivots = solution.pivots;
+  return kernel;
+}
+
+Kernel make_energy(const Equations& equations) {
+  Kernel kernel;
+  kernel.documentation = "Kinetic energy, force function (potential energy = -U) and power of what has no force function.";
+  kernel.arguments = {Argument::inputs};
+  const auto& actions = equations.scene().content().actions;
+  const bool further = std::any_of(actions.begin(), actions.end(), [](const ActionContent& action) {
+    return std::holds_alternative<GivenForceFunction>(action) || std::holds_alternative<Gravitation>(action);
+  });
+  const std::string u = further ? "force function U of gravity, springs, attractions and given functions [J]"
+                                : "force function U of gravity and springs [J]";
+  const std::string power = has_friction(equations) ? "power of friction (by the multipliers of the motion), dampers, given "
+                                                      "forces and motors [W]"
+                                                    : "power of dampers, given forces and motors [W]";
+  kernel.structures = {{"Energy",
+                        "Energies of the mechanism.",
+                        {{"kinetic", 1, 1, "kinetic energy T [J]", true},
+                         {"force_function", 1, 1, u, true},
+                         {"power", 1, 1, power, true}}}};
+  kernel.results = {{"Energy", "result"}};
+  const Value kinetic = kinetic_energy(equations.model());
+  Value force_function = gravity_force_function(equations.model());
+  force_function += equations.actions().spring_force_function;
+  kernel.assignments = {{{"result", "kinetic"}, kinetic},
+                        {{"result", "force_function"}, force_function},
+                        {{"result", "power"}, equations.power()}};
+  return kernel;
+}
+
+Kernel make_first_integrals(const Equations& equations) {
+  Kernel kernel;
+  const PainleveReport report = painleve(equations);
+  kernel.documentation = "First integrals: constant along every motion.";
+  Structure structure{"FirstIntegrals", "Quantities that every motion conserves.", {}};
+  for (const FirstIntegral& integral : report.first_integrals) {
+    structure.members.push_back({integral.name, 1, 1, integral.documentation, true});
+    kernel.assignments.push_back({{"result", integral.name}, integral.value});
+  }
+  kernel.structures = {structure};
+  kernel.results = {{"FirstIntegrals", "result"}};
+  return kernel;
+}
+
+Kernel make_constraints(const Equations& equations) {
+  Kernel kernel;
+  const std::vector<ConstraintRow>& rows = equations.constraints();
+  const std::size_t m = rows.size();
+  const std::size_t n = unknowns(equations);
+  kernel.documentation = "Constraints A(q, t) v - b(q, t) = 0, in the order of the multipliers.";
+  kernel.structures = {{"Constraints",
+                        "Constraints and their derivatives, one entry per multiplier.",
+                        {matrix_member("value", m, 1, "f(q, t) of holonomic constraints, 0 for the others"),
+                         matrix_member("rate", m, 1, "A v - b, df/dt for holonomic ones"),
+                         matrix_member("jacobian", m, n, "A, stored column by column"),
+                         matrix_member("gamma", m, 1, "d(A v - b)/dt at zero acceleration: A a + gamma = 0")}}};
+  kernel.results = {{"Constraints", "result"}};
+  ValueMatrix jacobian;
+  for (std::size_t j = 0; j < m; ++j) {
+    kernel.assignments.push_back({{"result", "value", j}, rows[j].value});
+    kernel.assignments.push_back({{"result", "rate", j}, rows[j].rate});
+    kernel.assignments.push_back({{"result", "gamma", j}, rows[j].gamma});
+    jacobian.push_back(rows[j].jacobian);
+  }
+  assign_matrix(kernel, {"result", "jacobian"}, jacobian, n);
+  if (has_friction(equations)) {
+    kernel.structures[0].members.push_back(
+        matrix_member("columns", n, m, "B, generalised forces of unit multipliers with their friction, column by column"));
+    ValueMatrix columns(n, std::vector<Value>(m));
+    for (std::size_t i = 0; i < n; ++i) {
+      for (std::size_t j = 0; j < m; ++j) columns[i][j] = rows[j].column[i];
+    }
+    assign_matrix(kernel, {"result", "columns"}, columns, m);
+  }
+  return kernel;
+}
+
+Kernel make_reactions(const Equations& equations) {
+  Kernel kernel;
+  const Model& model = equations.model();
+  kernel.documentation =
+      "Reactions against the released coordinates, each P_q - Q_q at q = 0: what the joint exerts along the released\n"
+      "direction, at accelerations, multipliers and inputs that belong to the motion.";
+  kernel.arguments = {Argument::accelerations, Argument::multipliers, Argument::inputs};
+  Structure structure{"Reactions", "Reactions of joints along released directions.", {}};
+  const std::vector<SymbolPointer> inputs = model.inputs();
+  for (std::size_t i = unknowns(equations); i < model.coordinates().size(); ++i) {
+    const SymbolPointer& q = model.coordinates()[i].q;
+    Value reaction = equations.inverse_dynamics()[i];
+    for (std::size_t k = 0; k < inputs.size(); ++k) {
+      const Value& partial = equations.actions().inputs[k][i];
+      if (!partial.is_zero()) reaction -= partial * equations.program().symbol(inputs[k]);
+    }
+    const Unit unit = units::joule / q->unit;
+    structure.members.push_back({q->name, 1, 1, fmt::format("reaction along '{}' [{}]", q->name, unit.to_string()), true});
+    kernel.assignments.push_back({{"result", q->name}, reaction});
+  }
+  kernel.structures = {structure};
+  kernel.results = {{"Reactions", "result"}};
+  return kernel;
+}
+
+/// Results that vanish identically although their definitions do not show it (terms that cancel across definitions) are
+/// set to zero: they cost nothing and carry no rounding.
+void clear_identically_zero(Kernel& kernel) {
+  std::vector<Value> values;
+  for (const Assignment& assignment : kernel.assignments) values.push_back(assignment.value);
+  clear_identically_zero(values);
+  for (std::size_t i = 0; i < values.size(); ++i) kernel.assignments[i].value = std::move(values[i]);
+}
+
+// Why there is nothing to compute, found without deriving the kernel.
+std::string never(const Equations&) { return ""; }
+
+std::string no_unknowns(const Equations& equations) {
+  return unknowns(equations) == 0 ? "the scene has no unknown coordinates" : "";
+}
+
+std::string no_sensitivities(const Equations& equations) {
+  if (!sensitivity_parameters(equations).empty()) return no_unknowns(equations);
+  return "no parameter is set at run time (run_time_parameter, or --run-time)";
+}
+
+std::string no_first_integrals(const Equations& equations) {
+  const PainleveReport report = painleve(equations);
+  return report.first_integrals.empty() ? fmt::format("{}", fmt::join(report.failing_conditions, "; ")) : "";
+}
+
+std::string no_constraints(const Equations& equations) {
+  return equations.constraints().empty() ? "the scene has no constraints" : "";
+}
+
+std::string no_reactions(const Equations& equations) {
+  return equations.model().released_count() == 0 ? "the scene releases no joint direction (released_coordinate)" : "";
+}
+
+struct Entry {
+  std::string name;
+  std::function<Kernel(const Equations&)> make;
+  std::function<std::string(const Equations&)> absence;
+  bool solves = false;  ///< with the mass matrix
+  bool named = false;   ///< made when it is named only
+};
+
+const std::vector<Entry>& entries() {
+  static const std::vector<Entry> all{
+      {"kinematics", make_kinematics, never},
+      {"mass_matrix", make_mass_matrix, never},
+      {"bias", make_bias, never},
+      {"inverse_dynamics", make_inverse_dynamics, never},
+      {"forward_dynamics", make_forward_dynamics, never, true},
+      {"energy", make_energy, never},
+      {"first_integrals", make_first_integrals, no_first_integrals},
+      {"constraints", make_constraints, no_constraints},
+      {"reactions", make_reactions, no_reactions},
+      {"linearisation", make_linearisation, no_linearisation, true},
+      {"inverse_dynamics_derivatives", make_inverse_dynamics_derivatives, never},
+      {"forward_dynamics_derivatives", make_forward_dynamics_derivatives, never, true},
+      {"regressor", make_regressor, no_regressor},
+      {"jets", make_jets, no_jets, true},
+      {"sparse_constraint_jacobian", make_sparse_constraint_jacobian, no_sparse_constraint_jacobian},
+      {"residual", make_residual, no_unknowns, false, true},
+      {"residual_jacobian", make_residual_jacobian, no_unknowns, false, true},
+      {"inverse_dynamics_second_derivatives", make_inverse_dynamics_second_derivatives, no_unknowns, false, true},
+      {"forward_dynamics_second_derivatives", make_forward_dynamics_second_derivatives, no_unknowns, true, true},
+      {"inverse_dynamics_sensitivities", make_inverse_dynamics_sensitivities, no_sensitivities, false, true},
+      {"forward_dynamics_sensitivities", make_forward_dynamics_sensitivities, no_sensitivities, true, true},
+      {"poses", make_poses, never, false, true}};
+  return all;
+}
+
+std::string known_names() {
+  std::string known;
+  for (const Entry& entry : entries()) known += (known.empty() ? "" : ", ") + entry.name;
+  return known;
+}
+
+std::string absence(const Entry& entry, const Equations& equations) {
+  const std::string reason = entry.solves ? lack_of_mass(equations) : "";
+  return reason.empty() ? entry.absence(equations) : reason;
+}
+
+const Entry& entry_of(const std::string& name) {
+  for (const Entry& entry : entries()) {
+    if (entry.name == name) return entry;
+  }
+  throw UsageError(fmt::format("unknown kernel '{}': {}known are {}", name, did_you_mean(name, kernel_names()), known_names()));
+}
+
+}  // namespace
+
+std::vector<Value> Kernel::values() const {
+  std::vector<Value> all;
+  for (const Assignment& assignment : assignments) all.push_back(assignment.value);
+  for (const auto& [pivot, diagonal] : pivots) {
+    all.push_back(pivot);
+    all.push_back(diagonal);
+  }
+  if (series) {
+    const SeriesProgram& program = series->program;
+    const std::vector<Polynomial> roots = series->solve ? series->solve->coefficients : program.roots();
+    for (const Polynomial& root : roots) all.push_back(program.value(root));
+    if (series->solve) {
+      for (const Value& value : series->solve->at_start(program)) all.push_back(value);
+    }
+  }
+  return all;
+}
+
+const std::vector<std::string>& kernel_names() {
+  static const std::vector<std::string> names = [] {
+    std::vector<std::string> all;
+    for (const Entry& entry : entries()) all.push_back(entry.name);
+    return all;
+  }();
+  return names;
+}
+
+bool solves_with_mass_matrix(const std::string& name) {
+  return std::any_of(entries().begin(), entries().end(),
+                     [&name](const Entry& entry) { return entry.solves && entry.name == name; });
+}
+
+const std::vector<std::string>& usual_kernel_names() {
+  static const std::vector<std::string> names = [] {
+    std::vector<std::string> all;
+    for (const Entry& entry : entries()) {
+      if (!entry.named) all.push_back(entry.name);
+    }
+    return all;
+  }();
+  return names;
+}
+
+Kernel derive_kernel(const std::string& name, const Equations& equations) {
+  const Entry& entry = entry_of(name);
+  Kernel kernel;
+  kernel.skipped = absence(entry, equations);
+  if (kernel.skipped.empty()) kernel = entry.make(equations);
+  kernel.name = name;
+  clear_identically_zero(kernel);
+  return kernel;
+}
+
+void share_products(Program& program, Kernel& kernel) {
+  if (kernel.series) return;
+  std::vector<Value> values = with_shared_products(program, kernel.values());
+  auto value = values.begin();
+  for (Assignment& assignment : kernel.assignments) assignment.value = std::move(*value++);
+  for (auto& [pivot, diagonal] : kernel.pivots) {
+    pivot = std::move(*value++);
+    diagonal = std::move(*value++);
+  }
+}
+
+Kernel make_kernel(const std::string& name, const Equations& equations) {
+  Kernel kernel = derive_kernel(name, equations);
+  share_products(equations.program(), kernel);
+  return kernel;
+}
+
+std::vector<OwnKernel> make_own_kernels(const Scene& scene, const ModelOptions& options,
+                                        const std::vector<std::string>& names) {
+  std::vector<OwnKernel> kernels;
+  for (const std::string& name : names) {
+    auto equations = std::make_unique<const Equations>(scene, options);
+    Kernel kernel = make_kernel(name, *equations);
+    if (kernel.skipped.empty()) kernels.push_back({std::move(equations), std::move(kernel)});
+  }
+  return kernels;
+}
+
+std::string why_absent(const std::string& name, const Equations& equations) {
+  return absence(entry_of(name), equations);
+}
+
+std::vector<std::string> parse_kernel_list(const std::string& list) {
+  std::vector<std::string> names;
+  for (std::size_t begin = 0; begin <= list.size();) {
+    const std::size_t end = std::min(list.find(',', begin), list.size());
+    const std::string name = list.substr(begin, end - begin);
+    begin = end + 1;
+    if (name == "all") {
+      for (const std::string& each : usual_kernel_names()) names.push_back(each);
+      continue;
+    }
+    const auto& known = kernel_names();
+    if (std::find(known.begin(), known.end(), name) == known.end()) {
+      throw UsageError(fmt::format("unknown kernel '{}': {}known are {}, or all", name, did_you_mean(name, known),
+                                   known_names()));
+    }
+    names.push_back(name);
+  }
+  std::vector<std::string> ordered;  // in the order of the header, each once
+  for (const std::string& name : kernel_names()) {
+    if (std::find(names.begin(), names.end(), name) != names.end()) ordered.push_back(name);
+  }
+  return ordered;
+}
+
+}  // namespace torsor

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "generator/kernels/kernel_parts.hpp"
+
+namespace torsor {
+
+void assign_matrix(Kernel& kernel, const Target& target, const ValueMatrix& matrix, std::size_t columns) {
+  for (std::size_t j = 0; j < columns; ++j) {
+    for (std::size_t i = 0; i < matrix.size(); ++i) {
+      kernel.assignments.push_back({target[j * matrix.size() + i], matrix[i][j]});
+    }
+  }
+}
+
+Member matrix_member(const std::string& name, std::size_t rows, std::size_t columns, const std::string& text) {
+  return {name, static_cast<int>(rows), static_cast<int>(columns), text, false};
+}
+
+void assign_vector(Kernel& kernel, const Target& target, const std::vector<Value>& values, std::size_t n) {
+  for (std::size_t i = 0; i < n; ++i) kernel.assignments.push_back({target[i], values[i]});
+}
+
+std::size_t unknowns(const Equations& equations) {
+  return static_cast<std::size_t>(equations.model().unknown_count());
+}
+
+}  // namespace torsor

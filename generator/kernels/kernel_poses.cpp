@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "generator/kernels/kernel_poses.hpp"
+
+#include "generator/dynamics/motion/ground_motion.hpp"
+#include "generator/kernels/kernel_parts.hpp"
+
+namespace torsor {
+namespace {
+
+/// Fills the structure `Poses`; entry 3 k + i of a member is component i of its vector k.
+class PosesBuilder {
+ public:
+  explicit PosesBuilder(const Equations& equations)
+      : model_(equations.model()), scene_(model_.scene()), program_(model_.program()), motion_(model_) {}
+
+  Kernel build() {
+    frames();
+    points();
+    bodies();
+    member("gravity", 3, 1, "acceleration of gravity [m/s^2]");
+    vector("gravity", 0, lower(program_, scene_.gravity));
+    Kernel kernel;
+    kernel.documentation =
+        "What a picture of the mechanism needs, in ground axes: one column for each frame, point and body of the scene, "
+        "in\nthe order of their declaration, the ground first.";
+    kernel.structures = {structure_};
+    kernel.results = {{"Poses", "result"}};
+    kernel.assignments = assignments_;
+    return kernel;
+  }
+
+ private:
+  void frames() {
+    const std::size_t count = scene_.frames.size();
+    member("origins", 3, count, "origins of the frames [m]");
+    member("rotations", 9, count, "from the axes of each frame to the ground's, column by column");
+    member("anchors", 3, count, "places of the joints in the frames' parents [m]");
+    member("axes", 3, count, "axes of turning and sliding joints; 0 elsewhere");
+    for (std::size_t k = 0; k < count; ++k) {
+      const FrameContent& frame = scene_.frames[k];
+      const FramePlace& at = model_.place(FrameHandle{static_cast<int>(k)}, "frame '" + frame.name + "'");
+      const Vector origin = place(at.link, at.origin);
+      vector("origins", k, origin);
+      const Matrix turn = bound(program_, motion_.rotation(at.link) * constant_matrix(program_, at.rotation));
+      for (int j = 0; j < 3; ++j) {
+        for (int i = 0; i < 3; ++i) assign("rotations", 9 * k + static_cast<std::size_t>(3 * j + i), turn(i, j));
+      }
+      vector("anchors", k, frame.parent ? anchor(frame) : origin);
+      const bool has_axis = frame.joint == JointKind::revolute || frame.joint == JointKind::prismatic;
+      const Link& link = model_.links()[static_cast<std::size_t>(at.link)];
+      vector("axes", k, has_axis ? bound(program_, motion_.rotation(at.link) * link.axis) : Vector());
+    }
+  }
+
+  void points() {
+    const std::size_t count = scene_.points.size();
+    if (count == 0) return;
+    member("points", 3, count, "named points [m]");
+    member("rims", 3, count, "axes of the discs whose lowest point is meant; 0 for other points");
+    member("radii", 1, count, "radii of the discs and spheres whose lowest point is meant; 0 for other points [m]");
+    for (std::size_t k = 0; k < count; ++k) {
+      const PointContent& point = scene_.points[k];
+      const std::string user = "point '" + point.name + "'";
+      const FramePlace& at = model_.place(point.frame, user);
+      vector("points", k, place(at.link, model_.locate(PointHandle{static_cast<int>(k)}, at.link, user)));
+      const bool rim = point.lowest && point.lowest->axis;
+      vector("rims", k, rim ? turned(at, lower(program_, *point.lowest->axis)) : Vector());
+      const bool round = point.lowest && !point.lowest->support;
+      assign("radii", k, round ? program_.lower(point.lowest->radius) : Value());
+    }
+  }
+
+  void bodies() {
+    const std::size_t count = scene_.bodies.size();
+    if (count == 0) return;
+    member("centres", 3, count, "centres of mass [m]");
+    member("masses", 1, count, "masses [kg]");
+    member("inertias", 6, count, "xx, yy, zz, xy, xz, yz about the centre of mass along the axes of its frame [kg m^2]");
+    for (std::size_t k = 0; k < count; ++k) {
+      const BodyContent& body = scene_.bodies[k];
+      const FramePlace& at = model_.place(body.frame, "body '" + body.name + "'");
+      const Inertia& inertia = body.inertia;
+      vector("centres", k, place(at.link, bound(program_, at.origin + at.rotation * lower(program_, inertia.center))));
+      assign("masses", k, program_.lower(inertia.mass));
+      std::size_t entry = 6 * k;
+      for (const Expression& moment :
+           {inertia.xx, inertia.yy, inertia.zz, inertia.xy, inertia.xz, inertia.yz}) {
+        assign("inertias", entry++, program_.lower(moment));
+      }
+    }
+  }
+
+  Vector anchor(const FrameContent& frame) {
+    const FramePlace& parent = model_.place(*frame.parent, "frame '" + frame.name + "'");
+    return place(parent.link,
+                 bound(program_, parent.origin + parent.rotation * lower(program_, frame.placement.origin)));
+  }
+
+  /// A point at `arm` from the link's origin, in the link's axes.
+  Vector place(int link, const Vector& arm) {
+    const Vector along = bound(program_, motion_.rotation(link) * arm);
+    return bound(program_, motion_.origin(link) + along);
+  }
+  Vector turned(const FramePlace& at, const Vector& v) {
+    const Vector in_link = bound(program_, at.rotation * v);
+    return bound(program_, motion_.rotation(at.link) * in_link);
+  }
+
+  void member(const std::string& name, std::size_t rows, std::size_t columns, const std::string& text) {
+    structure_.members.push_back(matrix_member(name, rows, columns, text));
+  }
+  void vector(const std::string& name, std::size_t k, const Vector& v) {
+    for (int i = 0; i < 3; ++i) assign(name, 3 * k + static_cast<std::size_t>(i), v[i]);
+  }
+  void assign(const std::string& name, std::size_t index, const Value& value) {
+    assignments_.push_back({{"result", name, index}, value});
+  }
+
+  const Model& model_;
+  const SceneContent& scene_;
+  Program& program_;
+  GroundMotion motion_;
+  Structure structure_{"Poses", "Places and axes in ground axes.", {}};
+  std::vector<Assignment> assignments_;
+};
+
+}  // namespace
+
+Kernel make_poses(const Equations& equations) { return PosesBuilder(equations).build(); }
+
+}  // namespace torsor

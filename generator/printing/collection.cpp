@@ -1,0 +1,208 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <optional>
+#include <tuple>
+
+#include "generator/printing/factoring.hpp"
+#include "generator/printing/written.hpp"
+
+namespace torsor::printing {
+namespace {
+
+bool is_dynamic(const Power& power) {
+  return power.base->kind == Base::Kind::symbol && power.base->level >= Level::velocity;
+}
+
+/// The part of a product for which `predicate` holds, and the rest.
+template <class Predicate>
+std::pair<Product, Product> split(const Product& product, const Predicate& predicate) {
+  std::pair<Product, Product> parts;
+  for (const Power& power : product) (predicate(power) ? parts.first : parts.second).push_back(power);
+  return parts;
+}
+
+WrittenTerm times(WrittenTerm term, const Product& by) {
+  for (WrittenFactor& factor : written(by)) term.factors.push_back(std::move(factor));
+  return term;
+}
+
+using Groups = std::map<Product, Sum, ProductOrder>;
+
+/// Groups by what depends on the configuration; the coefficients are sums of parameters.
+Groups by_configuration(const Sum& sum) {
+  Groups groups;
+  for (const auto& [product, coefficient] : sum.terms()) {
+    const auto [varying, constant] =
+        split(product, [](const Power& power) { return power.base->level >= Level::configuration; });
+    groups[varying].add(constant, coefficient);
+  }
+  return groups;
+}
+
+bool has(const Product& product, const BasePointer& base) {
+  return std::any_of(product.begin(), product.end(), [&](const Power& p) { return compare(*p.base, *base) == 0; });
+}
+bool is_polynomial(const Product& product) {
+  return std::all_of(product.begin(), product.end(),
+                     [](const Power& power) { return power.halves >= 2 && power.base->kind == Base::Kind::symbol; });
+}
+/// A stretch or its square, once the common factor is taken out: linear in the coordinates, with a constant or with
+/// nothing but coordinates.
+bool is_stretch(const Sum& sum, bool has_constant) {
+  const Product common = common_factor(sum);
+  Sum rest;
+  for (const auto& [product, coefficient] : sum.terms()) {
+    rest.add(product * inverse(common), coefficient / sum.terms().begin()->second);
+  }
+  if (square_root(rest)) return true;
+  return std::all_of(rest.terms().begin(), rest.terms().end(), [&](const auto& term) {
+    const bool constant = level(term.first) < Level::configuration;
+    if (constant) return has_constant;
+    return term.first.size() == 1 && term.first[0].halves == 2;
+  });
+}
+
+/// Takes k (x − l) or k (x − y) out of the part without velocities: terms in plain coordinates that share a parameter,
+/// the one that most of them share.
+std::optional<Sum> take_elongation(Sum& rest) {
+  Sum best;
+  for (const auto& [product, number] : rest.terms()) {
+    if (!is_polynomial(product)) continue;
+    for (const Power& power : product) {
+      if (power.base->level != Level::parameter) continue;
+      Sum shared;
+      bool moves = false;
+      bool constant = false;
+      for (const auto& [other, coefficient] : rest.terms()) {
+        if (!is_polynomial(other) || !has(other, power.base)) continue;
+        shared.add(other, coefficient);
+        (level(other) >= Level::configuration ? moves : constant) = true;
+      }
+      const bool wanted = moves && shared.size() >= 2 && is_stretch(shared, constant);
+      if (wanted && shared.size() > best.size()) best = shared;
+    }
+  }
+  if (best.is_zero()) return std::nullopt;
+  rest += Number(-1) * best;
+  return best;
+}
+
+/// Groups by what depends on the configuration, constants first. `one_term`: a lone sum of parameters is to be a
+/// factor.
+Written by_groups(const Sum& sum, bool one_term) {
+  Groups groups = by_configuration(sum);
+  Written result;
+  const auto constant = groups.find(Product());
+  if (constant != groups.end()) {
+    result = one_term && groups.size() == 1 ? Written{as_term(constant->second)} : factored(constant->second);
+    groups.erase(constant);
+  }
+  for (const auto& [product, coefficient] : groups) result.push_back(times(as_term(coefficient), product));
+  return result;
+}
+
+Written without_motion(Sum rest) {
+  Written springs;
+  while (const std::optional<Sum> spring = take_elongation(rest)) springs.push_back(as_term(*spring));
+  Written result = rest.is_zero() ? Written() : by_groups(rest, false);
+  if (springs.empty()) return result;
+  result.insert(result.begin(), springs.begin(), springs.end());
+  return result;
+}
+
+/// Where a group of terms stands in an equation.
+std::tuple<int, int> rank(const Product& motion, const Layout& layout) {
+  int degree = 0;
+  int group = 2;
+  for (const Power& power : motion) {
+    if (power.base->level == Level::velocity) degree -= power.halves;
+  }
+  if (degree != 0) group = 1;
+  for (const Power& power : motion) {
+    if (power.base->level == Level::input) group = 3;
+    if (power.base->level == Level::multiplier) group = 4;
+    if (power.base->level == Level::acceleration) group = power.base->symbol == layout.own ? -1 : 0;
+  }
+  return {group, degree};
+}
+
+/// number · common factors · (what remains) · motion.
+WrittenTerm group_term(const Sum& coefficient, const Product& motion) {
+  Written groups = by_groups(coefficient, true);
+  if (groups.size() == 1) return times(std::move(groups[0]), motion);
+  const Product common = common_factor(coefficient);
+  const Number number = shared_number(coefficient);
+  Sum rest;
+  for (const auto& [product, value] : coefficient.terms()) rest.add(product * inverse(common), value / number);
+  WrittenTerm term{number, written(common)};
+  groups = by_groups(rest, true);
+  if (groups[0].coefficient.sign() < 0) {
+    term.coefficient = -term.coefficient;
+    for (WrittenTerm& group : groups) group.coefficient = -group.coefficient;
+  }
+  term.factors.push_back(parenthesised(std::move(groups)));
+  return times(std::move(term), motion);
+}
+
+bool is_negative(const Written& written) { return !written.empty() && written[0].coefficient.sign() < 0; }
+void negate(Written& written) {
+  for (WrittenTerm& term : written) term.coefficient = -term.coefficient;
+}
+
+/// −max(−a, −b) as min(a, b), wherever that takes minus signs away. The first term of a sum keeps its plus.
+void name_minima(Written& written) {
+  for (std::size_t i = 0; i < written.size(); ++i) {
+    WrittenTerm& term = written[i];
+    for (WrittenFactor& factor : term.factors) {
+      name_minima(factor.inside);
+      for (Written& other : factor.others) name_minima(other);
+      const bool maximum = factor.base && factor.base->kind == Base::Kind::function &&
+                           factor.base->function == Function::maximum && !factor.least && factor.others.size() == 1;
+      if (!maximum || factor.halves % 2 != 0) continue;
+      int fewer = 0;
+      for (const Written* argument : {&factor.inside, &factor.others[0]}) {
+        if (!argument->empty()) fewer += is_negative(*argument) ? 1 : -1;
+      }
+      const bool turns = factor.halves % 4 != 0, minus = term.coefficient.sign() < 0;
+      if (turns) fewer += minus ? 1 : -1;
+      if (fewer <= 0 || (turns && !minus && i == 0)) continue;
+      factor.least = true;
+      negate(factor.inside);
+      negate(factor.others[0]);
+      if (turns) term.coefficient = -term.coefficient;
+    }
+  }
+}
+
+/// A lone sum needs no parentheses.
+Written unwrapped(Written written) {
+  if (written.size() != 1 || !written[0].coefficient.is_one() || written[0].factors.size() != 1) return written;
+  const WrittenFactor& factor = written[0].factors[0];
+  return factor.base || factor.halves != 2 || factor.size ? written : factor.inside;
+}
+
+}  // namespace
+
+Written collected(const Sum& sum, const Layout& layout) {
+  Groups groups;
+  for (const auto& [product, coefficient] : sum.terms()) {
+    const auto [motion, rest] = split(product, is_dynamic);
+    groups[motion].add(rest, coefficient);
+  }
+  std::vector<std::pair<Product, Sum>> ordered(groups.begin(), groups.end());
+  std::stable_sort(ordered.begin(), ordered.end(),
+                   [&](const auto& a, const auto& b) { return rank(a.first, layout) < rank(b.first, layout); });
+  Written result;
+  for (const auto& [motion, coefficient] : ordered) {
+    if (motion.empty()) {
+      for (WrittenTerm& term : without_motion(coefficient)) result.push_back(std::move(term));
+    } else {
+      result.push_back(group_term(coefficient, motion));
+    }
+  }
+  result = unwrapped(std::move(result));
+  name_minima(result);
+  return result;
+}
+
+}  // namespace torsor::printing

@@ -1,0 +1,199 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "generator/printing/factoring.hpp"
+
+#include <algorithm>
+#include <tuple>
+
+namespace torsor::printing {
+namespace {
+
+Written plain(const Sum& sum);
+
+WrittenFactor written(const Power& power) {
+  WrittenFactor factor;
+  factor.halves = power.halves;
+  if (power.base->kind == Base::Kind::group && power.halves % 2 != 0) {
+    if (const std::optional<Sum> root = square_root(power.base->inside)) {  // sqrt((x - y)^2) = |x - y|
+      factor.inside = plain(*root);
+      factor.halves = 2 * power.halves;
+      factor.size = true;
+      return factor;
+    }
+  }
+  if (power.base->kind != Base::Kind::group) factor.base = power.base;
+  if (power.base->kind == Base::Kind::function || power.base->kind == Base::Kind::group) {
+    factor.inside = plain(power.base->inside);
+    for (const Sum& other : power.base->others) factor.others.push_back(plain(other));
+  }
+  if (power.base->kind == Base::Kind::group) {  // 1 - x rather than -x + 1
+    const auto positive = [](const WrittenTerm& term) { return term.coefficient.sign() > 0; };
+    const auto first = std::find_if(factor.inside.begin(), factor.inside.end(), positive);
+    if (first != factor.inside.end()) std::rotate(factor.inside.begin(), first, first + 1);
+  }
+  return factor;
+}
+
+Written plain(const Sum& sum) {
+  Written result;
+  for (const auto& [product, coefficient] : sum.terms()) result.push_back({coefficient, written(product)});
+  return result;
+}
+
+bool is_short(const Number& number) {
+  return number.is_rational() && cln::abs(cln::numerator(number.part(0))) <= 100 &&
+         cln::denominator(number.part(0)) <= 12;
+}
+
+/// The number to take out of a sum, with the sign of its first term: of parameters the greatest rational that all
+/// coefficients share, of coordinates the first coefficient, so that X − X0 stays what it is. Only short numbers.
+Number common_number(const Sum& sum) {
+  const Number& first = sum.terms().begin()->second;
+  const Number sign(first.sign());
+  if (level(sum) >= Level::configuration) return is_short(first) ? first : sign;
+  return sign * shared_number(sum);
+}
+
+/// The base that most terms share, at least two and not all; among equals the one created last: lengths are shared
+/// rather than masses.
+BasePointer most_shared(const Sum& sum) {
+  BasePointer best;
+  int best_uses = 1;
+  for (const auto& [product, coefficient] : sum.terms()) {
+    for (const Power& power : product) {
+      if (power.halves < 2) continue;
+      int uses = 0;
+      for (const auto& [other, number] : sum.terms()) {
+        uses += std::any_of(other.begin(), other.end(),
+                            [&](const Power& p) { return p.halves >= 2 && compare(*p.base, *power.base) == 0; });
+      }
+      const bool later = best && uses == best_uses && compare(*power.base, *best) > 0;
+      if (uses > best_uses || (uses >= 2 && later)) {
+        best = power.base;
+        best_uses = uses;
+      }
+    }
+  }
+  return best;
+}
+
+/// Where a factor stands in a product: by level, and a sum in parentheses at the place of its first symbol.
+std::tuple<Level, int, int> place(const WrittenFactor& factor) {
+  if (factor.base) {
+    const bool call = factor.base->kind == Base::Kind::function;
+    return {factor.base->level, call ? 1 : 0, factor.base->symbol ? factor.base->symbol->index : 0};
+  }
+  std::tuple<Level, int, int> highest{Level::constant, 0, 0};
+  bool first = true;
+  for (const WrittenTerm& term : factor.inside) {
+    for (const WrittenFactor& inner : term.factors) {
+      const auto here = place(inner);
+      if (first || std::get<0>(here) > std::get<0>(highest)) highest = here;
+      first = false;
+    }
+  }
+  return highest;
+}
+
+}  // namespace
+
+WrittenFactor parenthesised(Written inside) {
+  WrittenFactor factor;
+  factor.inside = std::move(inside);
+  return factor;
+}
+
+std::vector<WrittenFactor> written(const Product& product) {
+  Product ordered = product;
+  std::stable_sort(ordered.begin(), ordered.end(),
+                   [](const Power& a, const Power& b) { return a.base->level < b.base->level; });
+  std::vector<WrittenFactor> factors;
+  for (const Power& power : ordered) factors.push_back(written(power));
+  return factors;
+}
+
+Product common_factor(const Sum& sum) {
+  if (sum.is_zero()) return {};
+  Product common;
+  for (const Power& power : sum.terms().begin()->first) {
+    int least = power.halves;
+    for (const auto& [product, coefficient] : sum.terms()) {
+      const auto place = std::find_if(product.begin(), product.end(),
+                                      [&](const Power& other) { return compare(*other.base, *power.base) == 0; });
+      least = std::min(least, place == product.end() ? 0 : place->halves);
+    }
+    if (least >= 2) common.push_back({power.base, least - least % 2});
+  }
+  return common;
+}
+
+Product inverse(Product product) {
+  for (Power& power : product) power.halves = -power.halves;
+  return product;
+}
+
+Number shared_number(const Sum& sum) {
+  cln::cl_I numerators = 0;
+  cln::cl_I denominators = 1;
+  for (const auto& [product, coefficient] : sum.terms()) {
+    if (!coefficient.is_rational()) return Number(1);
+    numerators = cln::gcd(numerators, cln::numerator(coefficient.part(0)));
+    denominators = cln::lcm(denominators, cln::denominator(coefficient.part(0)));
+  }
+  const Number shared(numerators / denominators);
+  return is_short(shared) ? shared : Number(1);
+}
+
+std::optional<Sum> square_root(const Sum& sum) {
+  if (sum.is_zero() || sum.size() == 2) return std::nullopt;
+  Sum root;
+  for (const auto& [product, coefficient] : sum.terms()) {
+    const bool square = std::all_of(product.begin(), product.end(), [](const Power& p) { return p.halves % 4 == 0; });
+    const std::optional<Number> size = square && coefficient.sign() > 0 ? coefficient.square_root() : std::nullopt;
+    if (!size) continue;
+    Product half = product;
+    for (Power& power : half) power.halves /= 2;
+    int sign = 1;
+    if (!root.is_zero()) {
+      const auto cross = sum.terms().find(half * root.terms().begin()->first);
+      if (cross == sum.terms().end()) return std::nullopt;
+      sign = cross->second.sign();
+    }
+    root.add(half, Number(sign) * *size);
+  }
+  return compare(root * root, sum) == 0 ? std::optional<Sum>(root) : std::nullopt;
+}
+
+WrittenTerm as_term(const Sum& sum) {
+  if (sum.size() == 1) return plain(sum)[0];
+  const Number number = common_number(sum);
+  const Product common = common_factor(sum);
+  Sum rest;
+  for (const auto& [product, coefficient] : sum.terms()) rest.add(product * inverse(common), coefficient / number);
+  WrittenTerm term{number, written(common)};
+  const std::optional<Sum> root = square_root(rest);
+  term.factors.push_back(parenthesised(factored(root.value_or(rest))));
+  if (root) term.factors.back().halves = 4;
+  std::stable_sort(term.factors.begin(), term.factors.end(),
+                   [](const WrittenFactor& a, const WrittenFactor& b) { return place(a) < place(b); });
+  return term;
+}
+
+Written factored(const Sum& sum) {
+  if (sum.size() > 1 && !common_factor(sum).empty()) return {as_term(sum)};
+  if (sum.size() < 3) return plain(sum);
+  const BasePointer shared = most_shared(sum);
+  if (!shared) return plain(sum);
+  Sum inside;
+  Sum outside;
+  for (const auto& [product, coefficient] : sum.terms()) {
+    const bool has = std::any_of(product.begin(), product.end(),
+                                 [&](const Power& p) { return p.halves >= 2 && compare(*p.base, *shared) == 0; });
+    (has ? inside : outside).add(product, coefficient);
+  }
+  Written result = factored(outside);
+  const bool leads = compare(inside.terms().begin()->first, sum.terms().begin()->first) == 0;
+  result.insert(leads ? result.begin() : result.end(), as_term(inside));
+  return result;
+}
+
+}  // namespace torsor::printing

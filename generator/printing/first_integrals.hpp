@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "generator/dynamics/equations/equations.hpp"
+#include "generator/printing/inline_view.hpp"
+#include "generator/printing/page.hpp"
+
+namespace torsor::printing {
+
+/// Painlevé's equation, the first integrals that were found and, where T2 − T0 − U is not conserved, which of its
+/// conditions fails; for each coordinate without a momentum integral, what stands against it.
+void write_first_integrals(const Equations& equations, const InlineLimits& limits, Page& page);
+
+}  // namespace torsor::printing

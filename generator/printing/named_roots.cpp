@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "generator/printing/named_roots.hpp"
+
+#include <functional>
+#include <map>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "generator/printing/notation.hpp"
+
+namespace torsor::printing {
+namespace {
+
+/// A shorter radicand says more than a name: x^2 + y^2.
+constexpr std::size_t short_radicand = 16;
+
+bool is_root(const WrittenFactor& factor) { return !factor.base && !factor.size && factor.halves % 2 != 0; }
+
+/// Keeps what is written until all of it is known.
+class RootPage final : public Page {
+ public:
+  explicit RootPage(std::unique_ptr<Page> page) : page_(std::move(page)) {}
+
+  void title(const SceneContent& scene) override {
+    lines_.emplace_back([this, &scene] { page_->title(scene); });
+  }
+  void section(const std::string& heading) override {
+    lines_.emplace_back([this, heading] { page_->section(heading); });
+  }
+  void note(const std::string& sentence) override {
+    lines_.emplace_back([this, sentence] { page_->note(sentence); });
+  }
+  void formula(const std::string& plain, const std::string& latex) override {
+    lines_.emplace_back([this, plain, latex] { page_->formula(plain, latex); });
+  }
+  void symbol(const Symbol& symbol, const std::string& remark) override {
+    lines_.emplace_back([this, symbol, remark] { page_->symbol(symbol, remark); });
+  }
+  void value(const Symbol& symbol, const Written& value, bool with_unit) override {
+    count(value);
+    lines_.emplace_back([this, symbol, value, with_unit] { page_->value(symbol, named_in(value), with_unit); });
+  }
+  void equation(const std::string& label, const Written& left, const Written& right,
+                const std::string& remark) override {
+    count(left);
+    count(right);
+    lines_.emplace_back([=, this] { page_->equation(label, named_in(left), named_in(right), remark); });
+  }
+  void matrix(const std::string& name, const std::vector<std::vector<Written>>& rows) override {
+    for (const auto& row : rows) {
+      for (const Written& entry : row) count(entry);
+    }
+    lines_.emplace_back([=, this] {
+      std::vector<std::vector<Written>> with_names = rows;
+      for (auto& row : with_names) {
+        for (Written& entry : row) entry = named_in(entry);
+      }
+      page_->matrix(name, with_names);
+    });
+  }
+
+  std::string finish() override {
+    int number = 0;
+    for (const std::string& radicand : in_order_) {
+      Root& root = roots_.at(radicand);
+      if (root.count > 1) root.name = fmt::format("root_{}", ++number);
+    }
+    for (const auto& line : lines_) line();
+    if (number > 0) page_->section("Roots");
+    for (const std::string& radicand : in_order_) {
+      const Root& root = roots_.at(radicand);
+      if (root.name.empty()) continue;
+      WrittenFactor itself;
+      itself.inside = named_in(root.radicand);
+      itself.halves = 1;
+      page_->equation("", named(root.name), {{Number(1), {itself}}}, "");
+    }
+    return page_->finish();
+  }
+
+ private:
+  struct Root {
+    Written radicand;
+    int count = 0;
+    std::string name = {};
+  };
+
+  void count(const Written& written) {
+    for (const WrittenTerm& term : written) {
+      for (const WrittenFactor& factor : term.factors) {
+        if (!is_root(factor)) {
+          count(factor.inside);
+          continue;
+        }
+        const std::string radicand = text(factor.inside);
+        const auto known = roots_.find(radicand);
+        if (known != roots_.end()) {
+          ++known->second.count;
+          continue;
+        }
+        count(factor.inside);  // a root inside a root stands before it
+        if (radicand.size() <= short_radicand) continue;
+        roots_.emplace(radicand, Root{factor.inside, 1});
+        in_order_.push_back(radicand);
+      }
+    }
+  }
+
+  Written named_in(Written written) const {
+    for (WrittenTerm& term : written) {
+      for (WrittenFactor& factor : term.factors) {
+        const auto root = is_root(factor) ? roots_.find(text(factor.inside)) : roots_.end();
+        if (root == roots_.end() || root->second.name.empty()) {
+          factor.inside = named_in(std::move(factor.inside));
+          continue;
+        }
+        const int halves = 2 * factor.halves;
+        factor = named(root->second.name)[0].factors[0];
+        factor.halves = halves;
+      }
+    }
+    return written;
+  }
+
+  std::unique_ptr<Page> page_;
+  std::vector<std::function<void()>> lines_;
+  std::map<std::string, Root> roots_;  // by the text of the radicand; looked up only
+  std::vector<std::string> in_order_;  // as they are first met
+};
+
+}  // namespace
+
+std::unique_ptr<Page> with_named_roots(std::unique_ptr<Page> page) {
+  return std::make_unique<RootPage>(std::move(page));
+}
+
+}  // namespace torsor::printing

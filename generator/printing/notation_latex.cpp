@@ -1,0 +1,236 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <string_view>
+
+#include <fmt/format.h>
+
+#include "generator/printing/notation.hpp"
+
+namespace torsor::printing {
+namespace {
+
+constexpr std::array<std::string_view, 33> greek{
+    "alpha", "beta",  "gamma", "delta", "epsilon", "zeta",  "eta", "theta",   "iota", "kappa", "lambda",
+    "mu",    "nu",    "xi",    "pi",    "rho",     "sigma", "tau", "upsilon", "phi",  "chi",   "psi",
+    "omega", "Gamma", "Delta", "Theta", "Lambda",  "Xi",    "Pi",  "Sigma",   "Phi",  "Psi",   "Omega"};
+
+bool is_greek(const std::string& word) { return std::find(greek.begin(), greek.end(), word) != greek.end(); }
+bool is_digit(char c) { return std::isdigit(static_cast<unsigned char>(c)) != 0; }
+
+std::string word(const std::string& text) {
+  if (is_greek(text)) return fmt::format("\\{}", text);
+  return text.size() == 1 ? text : fmt::format("\\mathrm{{{}}}", text);
+}
+
+std::string subscript(const std::string& text) {
+  return std::all_of(text.begin(), text.end(), is_digit) ? text : latex_name(text);
+}
+
+/// A rational as its size, e.g. \frac{1}{2}.
+std::string rational(const cln::cl_RA& value) {
+  if (cln::denominator(value) > 1000) {
+    const std::string decimal = decimal_text(Number(cln::abs(value)));
+    if (decimal.find('/') == std::string::npos) return decimal;
+  }
+  const std::string numerator = Number(cln::abs(cln::numerator(value))).to_string();
+  const std::string denominator = Number(cln::denominator(value)).to_string();
+  return denominator == "1" ? numerator : fmt::format("\\frac{{{}}}{{{}}}", numerator, denominator);
+}
+
+std::string number_latex(const Number& size, bool with_factors) {
+  constexpr std::array<const char*, 4> roots{"", "\\sqrt{2}", "\\sqrt{3}", "\\sqrt{6}"};
+  std::string result;
+  int parts = 0;
+  for (int i = 0; i < 4; ++i) {
+    const cln::cl_RA& part = size.part(i);
+    if (part == 0) continue;
+    const bool negative = part < 0;
+    if (parts > 0) result += negative ? " - " : " + ";
+    if (parts == 0 && negative) result += "-";
+    const std::string number = rational(part);
+    result += i > 0 && number == "1" ? "" : number + (i > 0 ? " " : "");
+    result += roots[static_cast<std::size_t>(i)];
+    ++parts;
+  }
+  return parts > 1 && with_factors ? fmt::format("\\left({}\\right)", result) : result;
+}
+
+/// Calls whose power does not stand after their name.
+std::string call_latex(const WrittenFactor& factor) {
+  const std::string first = latex(factor.inside);
+  switch (factor.base->function) {
+    case Function::abs: return fmt::format("\\left|{}\\right|", first);
+    case Function::select: {
+      std::string rows;
+      for (const Case& each : cases_of(factor)) {
+        rows += latex(*each.value) + " & ";
+        rows += each.condition == nullptr
+                    ? "\\text{else}"
+                    : fmt::format("{} {} 0 \\\\ ", latex(*each.condition), each.holds ? "\\ge" : "<");
+      }
+      return fmt::format("\\begin{{cases}} {} \\end{{cases}}", rows);
+    }
+    default: break;
+  }
+  std::string inside = first;
+  for (const Written& other : factor.others) inside += ", " + latex(other);
+  const std::string name = name_on_paper(factor);
+  return factor.base->function == Function::maximum
+             ? fmt::format("\\{}\\left({}\\right)", name, inside)
+             : fmt::format("\\operatorname{{{}}}\\left({}\\right)", name, inside);
+}
+
+std::string factor_latex(const WrittenFactor& factor, int halves) {
+  const bool call = factor.base && factor.base->kind == Base::Kind::function;
+  const std::string exponent = halves == 2 || halves == 1 ? ""
+                               : halves % 2 == 0          ? fmt::format("^{{{}}}", halves / 2)
+                                                          : fmt::format("^{{{}/2}}", halves);
+  const bool named = call && factor.others.empty() && factor.base->function != Function::abs &&
+                     factor.base->function != Function::sign;
+  if (call && !named) {
+    const std::string body = call_latex(factor);
+    if (halves == 1) return fmt::format("\\sqrt{{{}}}", body);
+    const bool cases = factor.base->function == Function::select;
+    return exponent.empty() || !cases ? body + exponent : fmt::format("\\left({}\\right){}", body, exponent);
+  }
+  if (call) {
+    const std::string call_of =
+        fmt::format("\\{}{}\\left({}\\right)", to_string(factor.base->function), exponent, latex(factor.inside));
+    return halves == 1 ? fmt::format("\\sqrt{{{}}}", call_of) : call_of;
+  }
+  std::string base;
+  if (!factor.base) {
+    base = latex(factor.inside);
+    if (factor.size) {
+      base = fmt::format("\\left|{}\\right|", base);
+    } else if (halves != 1) {
+      base = fmt::format("\\left({}\\right)", base);
+    }
+  } else {
+    base = factor.base->kind == Base::Kind::definition ? fmt::format("z_{{{}}}", factor.base->definition)
+                                                       : latex_name(factor.base->symbol->name);
+  }
+  return halves == 1 ? fmt::format("\\sqrt{{{}}}", base) : base + exponent;
+}
+
+std::string term_latex(const WrittenTerm& term) {
+  const Number size = term.coefficient.abs();
+  std::string numerator;
+  std::string denominator;
+  for (const WrittenFactor& factor : term.factors) {
+    std::string& side = factor.halves > 0 ? numerator : denominator;
+    if (!side.empty()) side += " ";
+    side += factor_latex(factor, std::abs(factor.halves));
+  }
+  std::string body = numerator;
+  if (!denominator.empty()) {
+    body = fmt::format("\\frac{{{}}}{{{}}}", numerator.empty() ? "1" : numerator, denominator);
+  }
+  if (size.is_one() && !body.empty()) return body;
+  const std::string number = number_latex(size, !body.empty());
+  return body.empty() ? number : fmt::format("{} {}", number, body);
+}
+
+std::string sign_latex(const WrittenTerm& term, bool first) {
+  const bool negative = term.coefficient.sign() < 0;
+  if (first) return negative ? "-" : "";
+  return negative ? "- " : "+ ";
+}
+
+}  // namespace
+
+std::string latex(const Written& written) {
+  std::string result;
+  for (const WrittenTerm& term : written) {
+    if (!result.empty()) result += " ";
+    result += sign_latex(term, result.empty()) + term_latex(term);
+  }
+  return result.empty() ? "0" : result;
+}
+
+std::string latex_lines(const Written& written, std::size_t width) {
+  std::string result;
+  std::size_t column = 0;
+  for (const WrittenTerm& term : written) {
+    const std::size_t size = text({term}).size();  // plain text is about as long as what LaTeX sets
+    const bool first = result.empty();
+    const bool fits = first || column + size <= width;
+    if (!first) result += fits ? " " : " \\\\\n  &\\qquad ";
+    column = fits ? column + size + 3 : size;
+    result += sign_latex(term, first) + term_latex(term);
+  }
+  return result.empty() ? "0" : result;
+}
+
+std::string latex_name(const std::string& name) {
+  const std::size_t end = name.find('\'');
+  const std::size_t dots = end == std::string::npos ? 0 : name.size() - end;
+  std::string stem = name.substr(0, end);
+  std::string below;
+  const std::size_t cut = stem.find('_');
+  if (cut != std::string::npos) {
+    std::string piece;
+    for (const char c : stem.substr(cut + 1) + "_") {
+      if (c != '_') {
+        piece += c;
+        continue;
+      }
+      if (!below.empty()) below += ",";
+      below += subscript(piece);
+      piece.clear();
+    }
+    stem.resize(cut);
+  }
+  std::size_t letters = stem.size();
+  while (letters > 1 && is_digit(stem[letters - 1])) --letters;
+  if (letters < stem.size()) {
+    const std::string digits = stem.substr(letters);
+    below = below.empty() ? digits : fmt::format("{},{}", digits, below);
+    stem.resize(letters);
+  }
+  std::string result = word(stem);
+  if (dots > 0) result = fmt::format("\\{}{{{}}}", dots == 1 ? "dot" : "ddot", result);
+  return below.empty() ? result : fmt::format("{}_{{{}}}", result, below);
+}
+
+std::string latex_escaped(const std::string& text) {
+  std::string result;
+  for (const char c : text) {
+    if (std::string_view("#$%&_{}").find(c) != std::string_view::npos) {
+      result += std::string("\\") + c;
+    } else if (c == '\\') {
+      result += "\\textbackslash{}";
+    } else if (c == '~' || c == '^') {
+      result += std::string("\\") + c + "{}";
+    } else {
+      result += c;
+    }
+  }
+  return result;
+}
+
+std::string latex_unit(const Unit& unit) {
+  std::string result;
+  std::string exponent;
+  bool raised = false;
+  for (const char c : unit.to_string() + " ") {
+    if (c == '^') {
+      raised = true;
+    } else if (c == ' ') {
+      if (!exponent.empty()) result += fmt::format("^{{{}}}", exponent);
+      exponent.clear();
+      raised = false;
+      result += "\\,";
+    } else if (raised) {
+      if (c != '(' && c != ')') exponent += c;
+    } else {
+      result += c;
+    }
+  }
+  result.resize(result.size() - 2);
+  return fmt::format("\\mathrm{{{}}}", result);
+}
+
+}  // namespace torsor::printing

@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+
+#include <cln/integer.h>
+#include <fmt/format.h>
+
+#include "generator/printing/notation.hpp"
+
+namespace torsor::printing {
+namespace {
+
+/// A call; a selection by cases, "[a if c >= 0, else b]", the forms of a nested one in one row.
+std::string call_text(const WrittenFactor& factor) {
+  if (factor.base->function == Function::select) {
+    std::string rows;
+    for (const Case& each : cases_of(factor)) {
+      rows += text(*each.value);
+      if (each.condition != nullptr) rows += fmt::format(" if {} {} 0, else ", text(*each.condition), each.holds ? ">=" : "<");
+    }
+    return fmt::format("[{}]", rows);
+  }
+  std::string inside = text(factor.inside);
+  for (const Written& other : factor.others) inside += ", " + text(other);
+  return fmt::format("{}({})", name_on_paper(factor), inside);
+}
+
+std::string factor_text(const WrittenFactor& factor, int halves) {
+  std::string base;
+  if (!factor.base) {
+    base = text(factor.inside);
+    if (halves == 1) return fmt::format("sqrt({})", base);
+    base = factor.size ? fmt::format("|{}|", base) : fmt::format("({})", base);
+  } else {
+    switch (factor.base->kind) {
+      case Base::Kind::symbol:
+        base = factor.base->symbol->name;
+        break;
+      case Base::Kind::definition:
+        base = fmt::format("z{}", factor.base->definition);
+        break;
+      default:
+        base = call_text(factor);
+        break;
+    }
+    if (halves == 1) return fmt::format("sqrt({})", base);
+  }
+  if (halves == 2) return base;
+  return halves % 2 == 0 ? fmt::format("{}^{}", base, halves / 2) : fmt::format("{}^({}/2)", base, halves);
+}
+
+/// The term without its sign.
+std::string term_text(const WrittenTerm& term) {
+  const Number size = term.coefficient.abs();
+  std::string numerator;
+  std::string denominator;
+  int divisors = 0;
+  for (const WrittenFactor& factor : term.factors) {
+    std::string& side = factor.halves > 0 ? numerator : denominator;
+    divisors += factor.halves < 0 ? 1 : 0;
+    if (!side.empty()) side += " ";
+    side += factor_text(factor, std::abs(factor.halves));
+  }
+  if (!size.is_one() || numerator.empty()) {
+    std::string number = coefficient_text(size);
+    const bool sum = number.find(" + ") != std::string::npos || number.find(" - ") != std::string::npos;
+    if (sum && !term.factors.empty()) number = fmt::format("({})", number);
+    numerator = numerator.empty() ? number : fmt::format("{} {}", number, numerator);
+  }
+  if (divisors == 0) return numerator;
+  return divisors > 1 ? fmt::format("{}/({})", numerator, denominator) : fmt::format("{}/{}", numerator, denominator);
+}
+
+std::string sign_text(const WrittenTerm& term, bool first) {
+  const bool negative = term.coefficient.sign() < 0;
+  if (first) return negative ? "-" : "";
+  return negative ? "- " : "+ ";
+}
+
+}  // namespace
+
+std::string text(const Written& written) {
+  std::string result;
+  for (const WrittenTerm& term : written) {
+    if (!result.empty()) result += " ";
+    result += sign_text(term, result.empty()) + term_text(term);
+  }
+  return result.empty() ? "0" : result;
+}
+
+std::string text_lines(const Written& written, std::size_t first_column, const std::string& indent, std::size_t wanted_width) {
+  // A name may be as long as a line: what stands beside it needs room all the same.
+  const std::size_t width = std::max(wanted_width, indent.size() + 40);
+  std::string result;
+  std::size_t column = first_column;
+  const auto put = [&](const std::string& piece) {
+    if (!result.empty()) {
+      const bool fits = column + 1 + piece.size() <= width;
+      result += fits ? " " : "\n" + indent;
+      column = fits ? column + 1 : indent.size();
+    }
+    result += piece;
+    column += piece.size();
+  };
+  for (const WrittenTerm& term : written) {
+    std::string piece = sign_text(term, result.empty()) + term_text(term);
+    // A term that no line can hold is broken inside its parentheses.
+    while (piece.size() + indent.size() > width) {
+      const std::size_t from = width - indent.size();
+      std::size_t cut = from;
+      while (cut > 3 && piece.compare(cut, 3, " + ") != 0 && piece.compare(cut, 3, " - ") != 0) --cut;
+      if (cut <= 3) break;
+      put(piece.substr(0, cut));
+      piece.erase(0, cut + 1);
+    }
+    put(piece);
+  }
+  return result.empty() ? "0" : result;
+}
+
+std::string coefficient_text(const Number& number) {
+  const bool ugly = number.is_rational() && cln::denominator(number.part(0)) > 1000;
+  std::string result = ugly ? decimal_text(number) : number.to_string();
+  std::replace(result.begin(), result.end(), '*', ' ');  // 1/2 sqrt(3)
+  return result;
+}
+
+std::string decimal_text(const Number& number) {
+  if (!number.is_rational()) return number.to_string();
+  const cln::cl_RA& value = number.part(0);
+  cln::cl_I scale = 1;
+  for (int places = 0; places <= 24; ++places, scale = scale * 10) {
+    const cln::cl_RA scaled = value * scale;
+    if (cln::denominator(scaled) != 1) continue;
+    if (places == 0) return number.to_string();
+    std::string digits = Number(cln::abs(cln::numerator(scaled))).to_string();
+    const auto count = static_cast<std::size_t>(places);
+    if (digits.size() <= count) digits.insert(0, count + 1 - digits.size(), '0');
+    const std::size_t point = digits.size() - count;
+    return fmt::format("{}{}.{}", number.sign() < 0 ? "-" : "", digits.substr(0, point), digits.substr(point));
+  }
+  return number.to_string();
+}
+
+}  // namespace torsor::printing

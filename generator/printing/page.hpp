@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "generator/printing/print_equations.hpp"
+#include "generator/printing/written.hpp"
+
+namespace torsor::printing {
+
+/// Where equations are written: one implementation per format. Sentences are plain ASCII; `$...$` never occurs in them.
+class Page {
+ public:
+  Page() = default;
+  Page(const Page&) = delete;
+  Page& operator=(const Page&) = delete;
+  virtual ~Page() = default;
+
+  virtual void title(const SceneContent& scene) = 0;
+  virtual void section(const std::string& heading) = 0;
+  virtual void note(const std::string& sentence) = 0;
+  /// A formula inside a sentence of its own: two spellings of the same thing.
+  virtual void formula(const std::string& plain, const std::string& latex) = 0;
+  /// A line of a list of symbols; `remark` says what it is.
+  virtual void symbol(const Symbol& symbol, const std::string& remark) = 0;
+  /// symbol = value [unit].
+  virtual void value(const Symbol& symbol, const Written& value, bool with_unit) = 0;
+  /// left = right; the label names the equation, the remark follows it. Both may be empty.
+  virtual void equation(const std::string& label, const Written& left, const Written& right,
+                        const std::string& remark) = 0;
+  virtual void matrix(const std::string& name, const std::vector<std::vector<Written>>& rows) = 0;
+  virtual std::string finish() = 0;
+};
+
+std::unique_ptr<Page> text_page();
+std::unique_ptr<Page> latex_page(bool document);
+/// Folded sections of HTML without a title: every formula as text, with its LaTeX in the attribute data-latex. Whatever
+/// comes from a scene is escaped.
+std::unique_ptr<Page> html_page();
+
+/// A one-letter name such as T or z12 as a sum.
+Written named(const std::string& name);
+
+}  // namespace torsor::printing

@@ -1,0 +1,279 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "generator/printing/print_equations.hpp"
+
+#include <memory>
+#include <optional>
+
+#include <fmt/format.h>
+
+#include "generator/base/did_you_mean.hpp"
+#include "generator/base/error.hpp"
+#include "generator/dynamics/equations/validation.hpp"
+#include "generator/mechanics/freedom_positions.hpp"
+#include "generator/printing/definitions_view.hpp"
+#include "generator/printing/first_integrals.hpp"
+#include "generator/printing/lagrange_equations.hpp"
+#include "generator/printing/linearised_equations.hpp"
+#include "generator/printing/named_roots.hpp"
+#include "generator/printing/page.hpp"
+
+namespace torsor {
+namespace printing {
+namespace {
+
+/// Writes the equations of one scene on one page.
+class Printer {
+ public:
+  Printer(const Scene& scene, const PrintOptions& options, Page& page)
+      : scene_(scene), options_(options), page_(page), equations_(scene, {options.terms, options.expansion}) {
+    gather_long_results();
+  }
+
+  void print() {
+    page_.title(scene_.content());
+    parameters();
+    coordinates();
+    energies();
+    lagrange();
+    constraints();
+    write_first_integrals(equations_.definitions(), {options_.terms, options_.expansion}, page_);
+    if (options_.linearisation) linearisation();
+    definitions();
+  }
+
+ private:
+  void gather_long_results() {
+    std::vector<Value> results;
+    const auto gather = [&results](const Quantity& quantity) {
+      if (!quantity.sum) results.push_back(quantity.value);
+    };
+    gather(equations_.kinetic_energy());
+    gather(equations_.force_function());
+    for (std::size_t i = 0; i < equations_.equations().size(); ++i) {
+      const LagrangeEquation& equation = equations_.equations()[i];
+      if (equation.written_out()) continue;
+      results.push_back(equation.inertia.value);
+      for (const auto& arms : equations_.definitions().actions().inputs) results.push_back(arms[i]);
+    }
+    for (const ConstraintEquation& constraint : equations_.constraints()) gather(constraint.left);
+    if (!results.empty()) definitions_.emplace(equations_.definitions().program(), results);
+  }
+
+  Written written(const Quantity& quantity, const Layout& layout = {}) const {
+    return collected(quantity.sum ? *quantity.sum : definitions_->sum(quantity.value), layout);
+  }
+
+  void say_too_long(const std::string& what, const Quantity& quantity) {
+    page_.note(
+        fmt::format("{} too long to be written out (up to {:.2g} terms before anything cancels; limits: {} of "
+                    "those, {} to be read): named definitions are at the end.",
+                    what, quantity.terms, options_.expansion, options_.terms));
+  }
+
+  void parameters() {
+    if (scene_.content().parameters.empty()) return;
+    page_.section("Parameters");
+    for (const ParameterContent& parameter : scene_.content().parameters) {
+      const std::optional<Sum> value =
+          parameter.value ? equations_.view().sum(equations_.program().lower(*parameter.value)) : std::nullopt;
+      if (value) {
+        const bool number = level(*value) <= Level::constant;
+        page_.value(*parameter.symbol, collected(*value), number);
+      } else {
+        page_.symbol(*parameter.symbol, parameter.value ? "" : "given at run time");
+      }
+    }
+  }
+
+  void coordinates() {
+    const SceneContent& scene = scene_.content();
+    page_.section("Coordinates");
+    for (const CoordinateContent& c : scene.coordinates) {
+      if (c.law) continue;
+      if (!c.attitude) {
+        page_.symbol(*c.q, c.released ? "released: held at zero by the joint, its reaction is asked for" : "");
+        continue;
+      }
+      for (const SymbolPointer& e : positions_with(scene, c)) page_.symbol(*e, "component of a unit quaternion");
+      page_.symbol(*c.v, "angular velocity in moving axes");
+    }
+    for (const CoordinateContent& c : scene.coordinates) {
+      if (!c.law) continue;
+      const std::optional<Sum> law = equations_.view().sum(equations_.program().lower(*c.law));
+      if (law) page_.value(*c.q, collected(*law), level(*law) <= Level::constant);
+    }
+    const std::vector<SymbolPointer> inputs = equations_.definitions().model().inputs();
+    if (!inputs.empty()) page_.section("Inputs");
+    for (const SymbolPointer& input : inputs) page_.symbol(*input, "");
+    if (!equations_.constraints().empty()) page_.section("Multipliers");
+    for (const ConstraintEquation& constraint : equations_.constraints()) {
+      page_.symbol(*constraint.multiplier, "of the constraint " + constraint.name);
+    }
+    const Equations& equations = equations_.definitions();
+    if (equations.constraints().empty()) return;
+    for (const std::string& sentence : notes(equations.redundancy(), scene_)) page_.note(sentence);
+  }
+
+  void energies() {
+    const auto print = [this](const std::string& heading, const std::string& name, const std::string& sentence,
+                              const Quantity& quantity) {
+      page_.section(heading);
+      if (!quantity.sum) say_too_long(sentence, quantity);
+      page_.equation("", named(name), written(quantity), "");
+    };
+    print("Kinetic energy [J]", "T", "The kinetic energy is", equations_.kinetic_energy());
+    print("Force function [J]", "U", "The force function is", equations_.force_function());
+  }
+
+  /// Σ_k ∂e_k/∂q_i u_k and the reaction: what stands on the right of an equation given by definitions.
+  Written driving_side(std::size_t i) const {
+    const Equations& equations = equations_.definitions();
+    const std::vector<SymbolPointer> inputs = equations.model().inputs();
+    Sum right;
+    for (std::size_t k = 0; k < inputs.size(); ++k) {
+      right += definitions_->sum(equations.actions().inputs[k][i]) * Sum::symbol(inputs[k]);
+    }
+    const SymbolPointer& reaction = equations_.equations()[i].reaction;
+    if (reaction) right += Sum::symbol(reaction);
+    return collected(right);
+  }
+
+  void lagrange() {
+    page_.section("Lagrange's equations");
+    const bool multipliers = !equations_.constraints().empty();
+    page_.formula(
+        fmt::format("P_i = d/dt(dT/dq_i') - dT/dq_i on the left, the generalised forces Q_i{} on the right.",
+                    multipliers ? " + sum_j lambda_j a_ji" : ""),
+        fmt::format("$P_i = \\frac{{\\mathrm{{d}}}}{{\\mathrm{{d}}t}}\\frac{{\\partial T}}{{\\partial \\dot{{q}}_i}} - "
+                    "\\frac{{\\partial T}}{{\\partial q_i}}$ on the left, the generalised forces $Q_i{}$ on the right.",
+                    multipliers ? " + \\sum_j \\lambda_j a_{ji}" : ""));
+    if (!scene_.content().attitudes.empty()) {
+      page_.formula(
+          "Along the angular velocity w of an attitude, P = d/dt(dT/dw) + w x dT/dw, less the derivative of T along the "
+          "same turn.",
+          "Along the angular velocity $\\omega$ of an attitude, $P = \\frac{\\mathrm{d}}{\\mathrm{d}t}\\frac{\\partial "
+          "T}{\\partial \\omega} + \\omega \\wedge \\frac{\\partial T}{\\partial \\omega}$, less the derivative of "
+          "$T$ along the same turn.");
+    }
+    bool said = false;
+    for (std::size_t i = 0; i < equations_.equations().size(); ++i) {
+      const LagrangeEquation& equation = equations_.equations()[i];
+      if (equation.written_out() || said) continue;
+      said = true;
+      say_too_long("Equations below with everything but the inputs on the left are", equation.inertia);
+    }
+    for (std::size_t i = 0; i < equations_.equations().size(); ++i) {
+      const LagrangeEquation& equation = equations_.equations()[i];
+      const Layout layout{equation.coordinate.a};
+      if (!equation.written_out()) {
+        page_.equation(equation.coordinate.q->name, written(equation.inertia, layout), driving_side(i), "");
+        continue;
+      }
+      Sum right = *equation.force.sum;
+      if (equation.reaction) right += Sum::symbol(equation.reaction);
+      page_.equation(equation.coordinate.q->name, collected(*equation.inertia.sum, layout), collected(right), "");
+    }
+  }
+
+  void constraints() {
+    if (equations_.constraints().empty()) return;
+    page_.section("Constraints");
+    for (const ConstraintEquation& constraint : equations_.constraints()) {
+      if (!constraint.left.sum) say_too_long("The constraint " + constraint.name + " is", constraint.left);
+      page_.equation("", written(constraint.left), {},
+                     constraint.name + (constraint.holonomic ? ", holonomic" : ", non-holonomic"));
+    }
+  }
+
+  void linearisation() {
+    page_.section("Linearised equations");
+    if (!equations_.written_out()) {
+      page_.note(
+          "Not printed, because the equations are too long to be written out: generate the kernel linearisation.");
+      return;
+    }
+    std::size_t terms = 0;
+    for (const LagrangeEquation& equation : equations_.equations()) terms += equation.inertia.sum->size();
+    if (options_.about.empty() && static_cast<int>(terms) > options_.terms) {
+      page_.note(
+          fmt::format("Not printed about any state, because the equations have {} terms together (limit {}): name "
+                      "a state, or generate the kernel linearisation.",
+                      terms, options_.terms));
+      return;
+    }
+    const LinearisedEquations linear = linearised(equations_, scene_, options_.about);
+    page_.formula("M e'' + C e' + K e = F + E u, e the deviation from the state, in the order of the coordinates.",
+                  "$\\mathbf{M} \\ddot{\\varepsilon} + \\mathbf{C} \\dot{\\varepsilon} + \\mathbf{K} \\varepsilon = "
+                  "\\mathbf{F} + \\mathbf{E} u$, $\\varepsilon$ the "
+                  "deviation from the state, in the order of the coordinates.");
+    std::string state = "About any state without acceleration.";
+    if (!options_.about.empty()) {
+      state = "About";
+      for (const auto& [name, formula] : options_.about) {
+        state += fmt::format("{} {} = {}", state == "About" ? "" : ",", name, formula);
+      }
+      state += "; velocities and accelerations not named are zero.";
+    }
+    page_.note(state);
+    if (!equations_.constraints().empty()) {
+      page_.note("At fixed multipliers, in all coordinates: A' dlambda and the linearised constraints come beside it.");
+    }
+    matrix("M", linear.M);
+    matrix("C", linear.C);
+    matrix("K", linear.K);
+    std::vector<std::vector<Sum>> force;
+    for (const Sum& sum : linear.F) force.push_back({sum});
+    matrix("F", force);
+    matrix("E", linear.E);
+  }
+
+  void matrix(const std::string& name, const SumMatrix& matrix) {
+    std::vector<std::vector<Written>> rows;
+    for (const auto& row : matrix) {
+      std::vector<Written> entries;
+      for (const Sum& sum : row) entries.push_back(collected(sum));
+      rows.push_back(std::move(entries));
+    }
+    page_.matrix(name, rows);
+  }
+
+  void definitions() {
+    const auto products = equations_.named_products();
+    if (!definitions_ && products.empty()) return;
+    page_.section("Definitions");
+    for (const auto& [product, sum] : products) {
+      page_.equation("", named(product.symbol->name), collected(sum), product.meaning);
+    }
+    if (!definitions_) return;
+    for (const DefinitionsView::Line& line : definitions_->lines()) {
+      page_.equation("", collected(Sum::definition(line.number)), line.right, line.meaning);
+    }
+  }
+
+  const Scene& scene_;
+  const PrintOptions& options_;
+  Page& page_;
+  LagrangeEquations equations_;
+  std::optional<DefinitionsView> definitions_;
+};
+
+}  // namespace
+}  // namespace printing
+
+std::string print_equations(const Scene& scene, Format format, const PrintOptions& options) {
+  validate(scene);
+  const std::unique_ptr<printing::Page> page = printing::with_named_roots(
+      format == Format::text    ? printing::text_page()
+      : format == Format::latex ? printing::latex_page(options.document)
+                                : printing::html_page());
+  printing::Printer(scene, options, *page).print();
+  return page->finish();
+}
+
+Format parse_format(const std::string& name) {
+  if (name == "text") return Format::text;
+  if (name == "latex") return Format::latex;
+  throw UsageError(fmt::format("unknown format '{}': {}use text or latex", name, did_you_mean(name, {"text", "latex"})));
+}
+
+}  // namespace torsor

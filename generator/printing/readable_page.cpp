@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "generator/printing/readable_page.hpp"
+
+#include <fmt/format.h>
+
+#include "generator/printing/named_roots.hpp"
+
+namespace torsor::printing {
+
+void ReadablePage::section(const std::string& heading) {
+  lines_.emplace_back([heading](Page& page) { page.section(heading); });
+}
+
+void ReadablePage::note(const std::string& sentence) {
+  lines_.emplace_back([sentence](Page& page) { page.note(sentence); });
+}
+
+void ReadablePage::equation(const std::string& label, const std::string& name, const Value& value,
+                            const std::string& remark) {
+  gather(value);
+  lines_.emplace_back([=, this](Page& page) { page.equation(label, named(name), written(value), remark); });
+}
+
+void ReadablePage::equation(const std::string& label, const Value& left, const Value& right,
+                            const std::string& remark) {
+  gather(left);
+  gather(right);
+  lines_.emplace_back([=, this](Page& page) {
+    const Written written_left = written(left);
+    page.equation(label, written_left, written(right), remark);
+  });
+}
+
+void ReadablePage::matrix(const std::string& name, const ValueMatrix& matrix) {
+  for (const std::vector<Value>& row : matrix) {
+    for (const Value& entry : row) gather(entry);
+  }
+  lines_.emplace_back([=, this](Page& page) {
+    std::vector<std::vector<Written>> rows;
+    for (const std::vector<Value>& row : matrix) {
+      rows.emplace_back();
+      for (const Value& entry : row) rows.back().push_back(written(entry));
+    }
+    page.matrix(name, rows);
+  });
+}
+
+std::string ReadablePage::finish(const SceneContent& scene) {
+  const std::unique_ptr<Page> page = with_named_roots(text_page());
+  page->title(scene);
+  if (!long_results_.empty()) {
+    definitions_.emplace(*program_, long_results_);
+    page->note(
+        fmt::format("What has more than {} terms, or more than {} before anything cancels, is given by the named "
+                    "definitions at the "
+                    "end.",
+                    view_.limits().terms, view_.limits().expansion));
+  }
+  for (const auto& line : lines_) line(*page);
+  if (definitions_) {
+    page->section("Definitions");
+    for (const DefinitionsView::Line& line : definitions_->lines()) {
+      page->equation("", collected(Sum::definition(line.number)), line.right, line.meaning);
+    }
+  }
+  return page->finish();
+}
+
+void ReadablePage::gather(const Value& value) {
+  if (!value.is_zero() && !view_.sum(value)) long_results_.push_back(value);
+}
+
+Written ReadablePage::written(const Value& value) {
+  if (value.is_zero()) return {};
+  const std::optional<Sum> sum = view_.sum(value);
+  return collected(sum ? *sum : definitions_->sum(value));
+}
+
+}  // namespace torsor::printing

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "generator/dynamics/recursions/forward_dynamics.hpp"
+#include "generator/printing/definitions_view.hpp"
+#include "generator/printing/inline_view.hpp"
+#include "generator/printing/page.hpp"
+
+namespace torsor::printing {
+
+/// Values of one program on a page of plain text: written out where that is short enough, else by named definitions
+/// that stand at the end.
+class ReadablePage {
+ public:
+  ReadablePage(const Program& program, const SceneContent& scene, const InlineLimits& limits = {})
+      : program_(&program), view_(program, limits, positive_parameters(scene)) {}
+
+  void section(const std::string& heading);
+  void note(const std::string& sentence);
+  /// label:  name = value    (remark)
+  void equation(const std::string& label, const std::string& name, const Value& value, const std::string& remark = {});
+  void equation(const std::string& label, const Value& left, const Value& right, const std::string& remark = {});
+  void matrix(const std::string& name, const ValueMatrix& matrix);
+
+  /// The text, under the title of the scene.
+  std::string finish(const SceneContent& scene);
+
+ private:
+  void gather(const Value& value);
+  Written written(const Value& value);
+
+  const Program* program_;
+  InlineView view_;
+  std::vector<std::function<void(Page&)>> lines_;
+  std::vector<Value> long_results_;
+  std::optional<DefinitionsView> definitions_;
+};
+
+}  // namespace torsor::printing

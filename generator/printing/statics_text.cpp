@@ -1,0 +1,285 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "generator/printing/statics_text.hpp"
+
+#include <algorithm>
+#include <memory>
+#include <optional>
+
+#include <fmt/format.h>
+
+#include "generator/base/error.hpp"
+#include "generator/dynamics/derivatives/linearisation.hpp"
+#include "generator/dynamics/equations/validation.hpp"
+#include "generator/dynamics/motion/initial_numbers.hpp"
+#include "generator/dynamics/theorems/flat_polynomials.hpp"
+#include "generator/dynamics/theorems/joint_reactions.hpp"
+#include "generator/dynamics/theorems/routh.hpp"
+#include "generator/dynamics/theorems/stability.hpp"
+#include "generator/printing/formula_text.hpp"
+#include "generator/printing/readable_page.hpp"
+
+namespace torsor {
+namespace {
+
+using About = std::vector<std::pair<std::string, std::string>>;
+
+constexpr int digits = 50;
+constexpr std::size_t most_freedoms = 4;  ///< of symbolic conditions: Hurwitz's determinants are for degrees up to 8
+
+class StaticsWriter {
+ public:
+  StaticsWriter(const Scene& scene, const About& about)
+      : scene_(scene),
+        equations_(scene, symbolic()),
+        statics_(equilibrium_equations(equations_)),
+        page_(equations_.program(), scene.content()),
+        about_(about) {}
+
+  std::string write() {
+    equilibrium();
+    if (about_.empty()) {
+      second_derivatives(statics_.hessian, "at any configuration");
+      return finish();
+    }
+    const AtState at(equations_, state());
+    rest(at);
+    lejeune_dirichlet_criterion(at);
+    hurwitz(at);
+    return finish();
+  }
+
+ private:
+  static ModelOptions symbolic() {
+    ModelOptions options;
+    options.symbolic_parameters = true;
+    return options;
+  }
+
+  std::string finish() { return page_.finish(scene_.content()); }
+
+  AtState::Named state() const {
+    AtState::Named named;
+    for (const auto& [name, formula] : about_) {
+      const Expression what = parse_formula(name, scene_), value = parse_formula(formula, scene_);
+      const bool number = value.unit() == Unit() && !(what.unit() == Unit());
+      named.emplace_back(what, number ? value * Expression::quantity(Number(1), what.unit()) : value);
+    }
+    return named;
+  }
+
+  std::string state_text() const {
+    std::string text;
+    for (const auto& [name, formula] : about_)
+      text += fmt::format("{}{} = {}", text.empty() ? "" : ", ", name, formula);
+    return text;
+  }
+
+  static std::string name_of(const SymbolPointer& rate) {
+    std::string name = rate->name;
+    while (!name.empty() && name.back() == '\'') name.pop_back();
+    return name;
+  }
+
+  std::string potential_name() const { return statics_.driven ? "-(U + T0)" : "-U"; }
+
+  void equilibrium() {
+    page_.section("Equations of equilibrium");
+    if (statics_.from_potential) page_.equation("", potential_name(), statics_.potential, "in J");
+    for (const std::string& remark : statics_.remarks) page_.note(remark + ".");
+    for (std::size_t i = 0; i < statics_.rows.size(); ++i) {
+      page_.equation(name_of(statics_.freedoms[i]), Value(), statics_.rows[i]);
+    }
+    for (const Value& condition : statics_.conditions) page_.equation("", Value(), condition, "constraint");
+  }
+
+  void second_derivatives(const ValueMatrix& hessian, const std::string& where) {
+    page_.section("Second derivatives of " + potential_name() + " " + where);
+    if (!may_conclude()) return;
+    page_.matrix("H", hessian);
+    page_.note(
+        "Where it is positive definite a rest is stable (Lejeune-Dirichlet); elsewhere the criterion cannot "
+        "conclude. Name a rest by --about for the conditions there.");
+  }
+
+  bool may_conclude() {
+    if (!equations_.constraints().empty()) {
+      page_.note(
+          "Lejeune-Dirichlet cannot conclude: the scene has constraints; describe it with independent coordinates, "
+          "or let the runtime project the second derivatives on the tangent space.");
+      return false;
+    }
+    if (!statics_.from_potential) {
+      page_.note("Lejeune-Dirichlet cannot conclude: " + statics_.remarks.front() + ".");
+      return false;
+    }
+    return true;
+  }
+
+  void rest(const AtState& at) {
+    page_.section("At " + state_text());
+    bool balanced = true;
+    const auto left_over = [&](const std::string& label, const Value& value) {
+      if (value.is_zero() || identically_zero(value)) return;
+      balanced = false;
+      page_.equation(label, Value(), value, "must hold for a rest");
+    };
+    const std::vector<Value> rows = at(statics_.rows), conditions = at(statics_.conditions);
+    for (std::size_t i = 0; i < rows.size(); ++i) left_over(name_of(statics_.freedoms[i]), rows[i]);
+    for (const Value& condition : conditions) left_over("", condition);
+    if (balanced) page_.note("Every equation of equilibrium holds: a rest, whatever the parameters.");
+  }
+
+  void lejeune_dirichlet_criterion(const AtState& at) {
+    page_.section("Lejeune-Dirichlet");
+    if (!may_conclude()) return;
+    const ValueMatrix hessian = at(statics_.hessian);
+    page_.matrix("H", hessian);
+    page_.note("H: second derivatives of " + potential_name() + " there.");
+    if (hessian.size() <= most_freedoms) {
+      write_conditions(
+          "Stable where H is positive definite, else it cannot conclude (a condition that always holds is left "
+          "out):",
+          sylvester_conditions(equations_.program(), hessian), "H is positive definite");
+    }
+    const auto values = scene_values(hessian);
+    if (!values) return;
+    const WorkingDigits precision(digits);
+    EquilibriumEquations there = statics_;
+    there.rows = at(statics_.rows);
+    there.hessian = hessian;
+    const LejeuneDirichlet verdict = lejeune_dirichlet(equations_, there, *values);
+    const bool rest =
+        std::all_of(verdict.residual.begin(), verdict.residual.end(), [](const Real& r) { return is_negligible(r); });
+    if (!rest) {
+      page_.note("With the scene's values this is no rest: nothing is concluded.");
+      return;
+    }
+    page_.note("With the scene's values: " + verdict.reason + ".");
+  }
+
+  void hurwitz(const AtState& at) {
+    page_.section("Routh and Hurwitz, linearised equations");
+    if (!equations_.constraints().empty()) {
+      page_.note(
+          "Cannot conclude here: the scene has constraints; the kernel linearisation reduces them, and the runtime "
+          "finds the eigenvalues.");
+      return;
+    }
+    const std::size_t n = statics_.rows.size();
+    if (n > most_freedoms) {
+      page_.note(
+          fmt::format("Not written: {} freedoms, and formulas are for {} at most; the runtime finds the eigenvalues.",
+                      n, most_freedoms));
+      return;
+    }
+    const Linearisation linear = linearisation(equations_);
+    const ValueMatrix M = at(linear.M), C = at(linear.C), K = at(linear.K);
+    Program& program = equations_.program();
+    std::vector<Value> polynomial, conditions;
+    try {
+      polynomial = characteristic_polynomial(program, M, C, K);
+      conditions = hurwitz_conditions(program, polynomial);
+    } catch (const UsageError& error) {
+      page_.note(fmt::format("Not written: {}.", error.what()));
+      return;
+    }
+    page_.note("det(M s^2 + C s + K) has the coefficients");
+    for (std::size_t k = 0; k < polynomial.size(); ++k) {
+      page_.equation("", fmt::format("a{}", polynomial.size() - 1 - k), polynomial[k]);
+    }
+    const bool zero = std::any_of(conditions.begin(), conditions.end(),
+                                  [](const Value& c) { return c.is_zero() || identically_zero(c); });
+    if (zero) {
+      page_.note(
+          "Cannot conclude that it is stable: a determinant of Hurwitz vanishes whatever the parameters, so that "
+          "some root has Re s >= 0.");
+      report_negative_coefficient(polynomial);
+      return;
+    }
+    write_conditions("All roots have Re s < 0, and the rest is asymptotically stable, exactly where", conditions,
+                     "all roots have Re s < 0");
+    const auto values = scene_values({conditions});
+    if (!values) return;
+    const WorkingDigits precision(digits);
+    Evaluator<Real> evaluate(program, *values);
+    bool stable = true, marginal = false;
+    for (const Value& condition : conditions) {
+      const Real size = evaluate(condition);
+      marginal = marginal || size == Real(0);
+      stable = stable && size > Real(0);
+    }
+    page_.note(std::string("With the scene's values: ") +
+               (marginal ? "cannot conclude, a condition is an equality"
+                : stable ? "asymptotically stable"
+                         : "unstable, a root has Re s > 0") +
+               ", if this is a rest.");
+  }
+
+  /// Where all roots have Re s <= 0, no coefficient is negative.
+  void report_negative_coefficient(const std::vector<Value>& polynomial) {
+    const auto values = scene_values({polynomial});
+    if (!values) return;
+    const WorkingDigits precision(digits);
+    Evaluator<Real> evaluate(equations_.program(), *values);
+    const bool negative = std::any_of(polynomial.begin(), polynomial.end(), [&](const Value& coefficient) {
+      return !coefficient.is_zero() && evaluate(coefficient) < Real(0);
+    });
+    if (negative) page_.note("With the scene's values: unstable, for a coefficient is negative, if this is a rest.");
+  }
+
+  /// "12 k m > 0" a line, or that they hold.
+  void write_conditions(const std::string& heading, const std::vector<Value>& conditions, const std::string& holds) {
+    if (std::any_of(conditions.begin(), conditions.end(),
+                    [](const Value& c) { return c.is_zero() || identically_zero(c); })) {
+      page_.note("Cannot conclude: a condition reads 0 > 0 whatever the parameters.");
+      return;
+    }
+    const std::string text = readable_conditions(conditions);
+    if (text.empty()) {
+      page_.note("Whatever the parameters, " + holds + ".");
+      return;
+    }
+    page_.note(heading);
+    for (std::size_t begin = 0; begin < text.size();) {
+      const std::size_t end = text.find('\n', begin);
+      page_.note("  " + text.substr(begin, end - begin));
+      begin = end + 1;
+    }
+  }
+
+  /// Values of all symbols when every parameter has one and nothing else than inputs, taken as zero, is left in there.
+  std::optional<Evaluator<Real>::SymbolValue> scene_values(const ValueMatrix& matrix) const {
+    const auto& parameters = scene_.content().parameters;
+    const bool valued =
+        std::all_of(parameters.begin(), parameters.end(), [](const auto& p) { return p.value.has_value(); });
+    if (!valued) return std::nullopt;
+    std::vector<Value> entries;
+    for (const std::vector<Value>& row : matrix) entries.insert(entries.end(), row.begin(), row.end());
+    for (const ValueNumber value_number : equations_.program().live(entries)) {
+      const SymbolPointer& symbol = equations_.program()[value_number].symbol;
+      if (symbol && (symbol->kind == SymbolKind::coordinate || symbol->kind == SymbolKind::velocity ||
+                     symbol->kind == SymbolKind::time))
+        return std::nullopt;
+    }
+    const WorkingDigits precision(digits);
+    auto numbers = std::make_shared<InitialNumbers>(scene_);
+    return [numbers](const SymbolPointer& symbol) {
+      return symbol->kind == SymbolKind::input ? Real(0) : (*numbers)(symbol);
+    };
+  }
+
+  const Scene& scene_;
+  Equations equations_;
+  EquilibriumEquations statics_;
+  printing::ReadablePage page_;
+  const About& about_;
+};
+
+}  // namespace
+
+std::string statics_text(const Scene& scene, const std::vector<std::pair<std::string, std::string>>& about) {
+  validate(scene);
+  return StaticsWriter(scene, about).write();
+}
+
+}  // namespace torsor

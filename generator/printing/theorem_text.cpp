@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "generator/printing/theorem_text.hpp"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "generator/base/did_you_mean.hpp"
+#include "generator/base/error.hpp"
+#include "generator/dynamics/equations/validation.hpp"
+#include "generator/dynamics/theorems/theorem_equations.hpp"
+#include "generator/printing/formula_text.hpp"
+#include "generator/printing/readable_page.hpp"
+
+namespace torsor {
+namespace {
+
+Triple direction_of(const std::string& text, const Scene& scene) {
+  if (text == "x") return axis::x;
+  if (text == "y") return axis::y;
+  if (text == "z") return axis::z;
+  std::vector<Expression> components;
+  for (std::size_t begin = 0; begin <= text.size();) {
+    const std::size_t end = std::min(text.find(',', begin), text.size());
+    components.push_back(parse_formula(text.substr(begin, end - begin), scene));
+    begin = end + 1;
+  }
+  if (components.size() != 3) {
+    throw UsageError(fmt::format("the direction '{}' is neither x, y, z nor three components, e.g. 0,1,0", text));
+  }
+  return {components[0], components[1], components[2]};
+}
+
+/// The point at which moments are taken; the origin of a frame becomes a point of the scene.
+PointReference point_at(Scene& scene, const std::string& name) {
+  const auto& points = scene.content().points;
+  if (std::any_of(points.begin(), points.end(), [&](const PointContent& p) { return p.name == name; }))
+    return PointReference(name);
+  const auto& frames = scene.content().frames;
+  const auto frame = std::find_if(frames.begin(), frames.end(), [&](const FrameContent& f) { return f.name == name; });
+  if (frame == frames.end()) return PointReference(name);  // whoever looks it up names those that there are
+  std::string free = "origin";
+  while (scene.content().names.count(free) > 0) free += "_";
+  return scene.point(free, FrameHandle{static_cast<int>(frame - frames.begin())}, {0, 0, 0});
+}
+
+void report_unknowns(printing::ReadablePage& page, const TheoremEquation& equation) {
+  std::vector<std::string> names;
+  for (const SymbolPointer& unknown : equation.unknowns) names.push_back(unknown->name);
+  for (const SymbolPointer& multiplier : equation.multipliers) names.push_back(multiplier->name);
+  if (names.empty()) {
+    page.note("No unknown of a joint enters: an equation of motion.");
+    return;
+  }
+  page.note(fmt::format("Unknown: {}.", fmt::join(names, ", ")));
+  if (!equation.unknowns.empty()) {
+    page.note(
+        "[joint X], Y, Z, L, M, N: force and moment on the body that the joint carries, at the origin of that "
+        "body's frame, along the axes of the joint's first frame that moves.");
+  }
+  if (!equation.multipliers.empty()) page.note("Multipliers are those of the scene's constraints.");
+  for (const std::string& remark : equation.remarks) page.note(remark + ".");
+}
+
+}  // namespace
+
+std::string theorem_text(const Scene& given, const TheoremRequest& request) {
+  validate(given);
+  const bool energy = request.kind == "energy", moment = request.kind == "moment";
+  if (!energy && !moment && request.kind != "resultant") {
+    throw UsageError(fmt::format("unknown kind '{}' of theorem: {}use resultant, moment or energy", request.kind,
+                                 did_you_mean(request.kind, {"resultant", "moment", "energy"})));
+  }
+  if (moment && request.point.empty()) {
+    throw UsageError(
+        "a theorem of moment needs the point at which moments are taken: --at POINT, or a frame's name for its origin");
+  }
+  Scene scene = given;
+  const PointReference point = point_at(scene, request.point.empty() ? scene.content().frames[0].name : request.point);
+  const Triple direction = direction_of(request.direction, scene);
+  ModelOptions options;
+  options.symbolic_parameters = true;
+  const Equations equations(scene, options);
+  const BodyNames bodies = request.bodies.empty() ? all_bodies(equations.model()) : request.bodies;
+  const std::string whom = fmt::format("{}", fmt::join(bodies, ", "));
+  const std::string seen = request.observer == "ground" ? "" : ", seen from " + request.observer;
+  printing::ReadablePage page(equations.program(), scene.content());
+  if (energy) {
+    const EnergyEquation theorem = energy_equation(equations, bodies, request.observer);
+    page.section(fmt::format("Energy theorem for {}{}", whom, seen));
+    page.equation("", "T", theorem.kinetic_energy, "in J");
+    page.equation("", "P_ext", theorem.external_power, "power of the actions from outside, in W");
+    page.equation("", "P_int", theorem.internal_power, "power of the actions between the bodies, in W");
+    page.equation("dT/dt = P_ext + P_int", theorem.equation.left, theorem.equation.right);
+    report_unknowns(page, theorem.equation);
+    return page.finish(given.content());
+  }
+  const TheoremEquation theorem = theorem_equation(equations, bodies, {point, request.axes, request.observer},
+                                                   moment ? Theorem::moment : Theorem::resultant, direction);
+  page.section(fmt::format("Newton-Euler for {}: {}{} along {} of {}{}", whom, request.kind,
+                           moment ? " at " + request.point : "", request.direction, request.axes, seen));
+  page.equation("", theorem.left, theorem.right);
+  report_unknowns(page, theorem);
+  return page.finish(given.content());
+}
+
+}  // namespace torsor

@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "generator/base/error.hpp"
+#include "generator/printing/written.hpp"
+#include "generator/program/function_values.hpp"
+
+namespace torsor::printing {
+namespace {
+
+Real of_factor(const WrittenFactor& factor, const std::function<Real(const SymbolPointer&)>& value_of, int digits) {
+  if (!factor.base) {
+    const Real sum = evaluate(factor.inside, value_of, digits);
+    return factor.size ? abs(sum) : sum;
+  }
+  switch (factor.base->kind) {
+    case Base::Kind::function:
+    {
+      std::vector<Real> arguments{evaluate(factor.inside, value_of, digits)};
+      for (const Written& other : factor.others) arguments.push_back(evaluate(other, value_of, digits));
+      if (!factor.least) return value_of_call(factor.base->function, arguments);
+      for (Real& argument : arguments) argument = -argument;
+      return -value_of_call(factor.base->function, arguments);
+    }
+    case Base::Kind::symbol:
+      if (factor.base->symbol->kind == SymbolKind::pi) return Real::pi(digits);
+      return value_of(factor.base->symbol);
+    default:
+      throw Error("a named definition has no value of its own: evaluate the program instead");
+  }
+}
+
+}  // namespace
+
+std::string name_on_paper(const WrittenFactor& call) {
+  return call.least ? "min" : std::string(to_string(call.base->function));
+}
+
+std::vector<Case> cases_of(const WrittenFactor& select) {
+  const auto inner = [](const Written& form) -> const WrittenFactor* {
+    if (form.size() != 1 || form[0].factors.size() != 1 || !form[0].coefficient.is_one()) return nullptr;
+    const WrittenFactor& only = form[0].factors[0];
+    const bool call = only.base && only.base->kind == Base::Kind::function && only.halves == 2;
+    return call && only.base->function == Function::select ? &only : nullptr;
+  };
+  std::vector<Case> rows;
+  for (const WrittenFactor* at = &select;;) {
+    const Written &first = at->others[0], &second = at->others[1];
+    const WrittenFactor *in_first = inner(first), *in_second = inner(second);
+    // The form that goes on stands last.
+    const bool first_goes_on = in_first != nullptr && in_second == nullptr;
+    rows.push_back({first_goes_on ? &second : &first, &at->inside, !first_goes_on});
+    const WrittenFactor* next = first_goes_on ? in_first : in_second;
+    if (next == nullptr) {
+      rows.push_back({&second, nullptr, true});
+      return rows;
+    }
+    at = next;
+  }
+}
+
+Real evaluate(const Written& written, const std::function<Real(const SymbolPointer&)>& value_of, int digits) {
+  Real sum(Number(0), digits);
+  for (const WrittenTerm& term : written) {
+    Real product(term.coefficient, digits);
+    for (const WrittenFactor& factor : term.factors) {
+      const Real base = of_factor(factor, value_of, digits);
+      product *= pow(base, factor.halves / 2);
+      if (factor.halves % 2 != 0) {
+        const Real root = sqrt(base);
+        product = factor.halves > 0 ? product * root : product / root;
+      }
+    }
+    sum += product;
+  }
+  return sum;
+}
+
+}  // namespace torsor::printing

@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The articulated-body recursion against the factorised mass matrix: two derivations to the same accelerations.
+#include "generator/dynamics/recursions/articulated_motion.hpp"
+
+#include <gtest/gtest.h>
+
+#include "generator/base/error.hpp"
+#include "generator/dynamics/equations/equations.hpp"
+#include "generator/program/evaluation.hpp"
+#include "generator/verification/random_state.hpp"
+
+namespace torsor::articulated_motion_test {
+namespace {
+
+Expression quantity(const char* value, const char* unit) { return Expression::quantity(value, unit); }
+
+/// A tree with two branches, a skew axis, prismatic and driven joints, springs, a damper, a motor, given wrenches.
+Scene branching_tree() {
+  Scene s("branching_tree");
+  const Expression a = s.coordinate("a", "rad"), b = s.coordinate("b", "m"), c = s.coordinate("c", "rad");
+  const Expression d = s.coordinate("d", "rad"), driven = s.coordinate("driven", "rad");
+  s.drive(driven, pow(s.time() / quantity("1", "s"), 2));
+  const FrameHandle trunk = s.revolute("trunk", s.ground(), axis::z, a, {.origin = {quantity("0.1", "m"), 0, 0}});
+  const FrameHandle slide = s.prismatic("slide", trunk, {0, 1, 1}, b, {.rotation = Rotation::about(0, 2)});
+  const FrameHandle rotor = s.revolute("rotor", slide, axis::x, driven);
+  const FrameHandle tip = s.revolute("tip", rotor, {1, 2, 2}, c, {.origin = {0, 0, quantity("0.3", "m")}});
+  const FrameHandle branch = s.revolute("branch", trunk, -axis::y, d, {.origin = {0, quantity("0.2", "m"), 0}});
+  for (const FrameHandle& frame : {trunk, slide, rotor, tip, branch}) {
+    const auto j = [](const char* value) { return quantity(value, "kg m^2"); };
+    s.body("body" + std::to_string(frame.index), frame,
+           Inertia::general(quantity("1.5", "kg"), j("0.3"), j("0.5"), j("0.4"), j("0.1"), j("-0.02"), j("0.03"))
+               .at({quantity("-0.1", "m"), quantity("0.2", "m"), quantity("0.05", "m")}));
+  }
+  s.gravity({0, 0, quantity("-9.81", "m/s^2")});
+  const PointHandle p = s.point("P", tip, {quantity("0.3", "m"), 0, 0});
+  const PointHandle q = s.point("Q", s.ground(), {0, quantity("1", "m"), 0});
+  s.spring("spring", {.a = p, .b = q, .stiffness = quantity("40", "N/m"), .rest = quantity("0.2", "m")});
+  s.damper("damper", c, quantity("0.3", "N m s"));
+  s.motor("u", b);
+  s.force("force", {.body = branch, .point = p, .components = {0, quantity("3", "N"), 0}, .axes = s.ground()});
+  return s;
+}
+
+TEST(ArticulatedBody, GivesTheAccelerationsOfTheFactorisedMassMatrix) {
+  const Scene scene = branching_tree();
+  const WorkingDigits precision(60);
+  ModelOptions factorisation, recursion;
+  factorisation.forward = ForwardMethod::factorisation;
+  recursion.forward = ForwardMethod::articulated_body;
+  const Equations one(scene, factorisation), other(scene, recursion);
+  for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+    const RandomState state(scene, seed);
+    Evaluator<Real> first(one.program(), state.in_real()), second(other.program(), state.in_real());
+    const std::vector<Real> x = first(one.forward().accelerations), y = second(other.forward().accelerations);
+    ASSERT_EQ(x.size(), y.size());
+    for (std::size_t i = 0; i < x.size(); ++i) {
+      // 60 digits less what a condition of M below 1e5 and a few hundred operations cost.
+      EXPECT_LT(abs(x[i] - y[i]).to_double(), 1e-50 * (1 + abs(x[i]).to_double())) << "seed " << seed << ", i = " << i;
+    }
+  }
+}
+
+TEST(ArticulatedBody, IsTakenForLongChainsAndTheFactorisationForShortOnes) {
+  const auto chosen_is_recursion = [](int n) {
+    Scene s("chain");
+    FrameHandle parent = s.ground();
+    for (int i = 0; i < n; ++i) {
+      const std::string name = "q" + std::to_string(i);
+      parent = s.revolute(name, parent, i % 2 == 0 ? axis::x : axis::y, s.coordinate(name, "rad"),
+                          {.origin = {0, 0, quantity("0.25", "m")}});
+      const auto j = [](const char* value) { return quantity(value, "kg m^2"); };
+      s.body(name, parent,
+             Inertia::general(quantity("1", "kg"), j("0.3"), j("0.5"), j("0.4"), j("0.1"), j("0.02"), j("0.03"))
+                 .at({quantity("0.1", "m"), quantity("0.2", "m"), quantity("0.05", "m")}));
+    }
+    ModelOptions recursion;
+    recursion.forward = ForwardMethod::articulated_body;
+    const Equations cheapest(s), recursive(s, recursion);
+    const auto cost = [](const Equations& e) { return count(e.program(), e.forward().accelerations).total(); };
+    return cost(cheapest) == cost(recursive);
+  };
+  EXPECT_FALSE(chosen_is_recursion(3));
+  EXPECT_TRUE(chosen_is_recursion(24));
+}
+
+TEST(ArticulatedBody, IsRefusedWhereItDoesNotFit) {
+  Scene s("pendulum");
+  const Expression a = s.coordinate("a", "rad");
+  const FrameHandle first = s.revolute("first", s.ground(), axis::z, a);
+  const FrameHandle second = s.revolute("second", first, axis::z, 2 * a);
+  s.body("bob", second, Inertia::point(quantity("1", "kg")).at({quantity("1", "m"), 0, 0}));
+  ModelOptions recursion;
+  recursion.forward = ForwardMethod::articulated_body;
+  const Equations equations(s, recursion);
+  EXPECT_THROW(equations.forward(), UsageError);
+}
+
+}  // namespace
+}  // namespace torsor::articulated_motion_test

@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <gtest/gtest.h>
+
+#include <string>
+#include <vector>
+
+#include "generator/printing/notation.hpp"
+#include "generator/printing/print_equations.hpp"
+#include "tests/printing/scenes.hpp"
+
+namespace torsor::latex_test {
+namespace {
+
+std::string print(const Scene& scene, const PrintOptions& options = {}) {
+  return print_equations(scene, Format::latex, options);
+}
+
+int occurrences(const std::string& text, const std::string& part) {
+  int count = 0;
+  for (std::size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + part.size())) ++count;
+  return count;
+}
+
+/// Empty when braces, \left and \right and environments match, else what is wrong.
+std::string imbalance(const std::string& text) {
+  int depth = 0;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const bool escaped = i > 0 && text[i - 1] == '\\';
+    if (text[i] == '{' && !escaped) ++depth;
+    if (text[i] == '}' && !escaped && --depth < 0) return "closing brace at " + text.substr(i, 40);
+  }
+  if (depth != 0) return "open braces";
+  std::vector<std::string> open;
+  for (std::size_t i = text.find('\\'); i != std::string::npos; i = text.find('\\', i + 1)) {
+    const std::string rest = text.substr(i);
+    const auto argument = [&rest] { return rest.substr(rest.find('{') + 1, rest.find('}') - rest.find('{') - 1); };
+    if (rest.starts_with("\\begin{")) open.push_back(argument());
+    if (rest.starts_with("\\left(")) open.emplace_back("(");
+    const bool end = rest.starts_with("\\end{");
+    if (!end && !rest.starts_with("\\right)")) continue;
+    const std::string expected = end ? argument() : "(";
+    if (open.empty() || open.back() != expected) return "unexpected end of " + expected;
+    open.pop_back();
+  }
+  return open.empty() ? "" : "never closed: " + open.back();
+}
+
+TEST(Latex, WritesTheAbsorbersEquation) {
+  const std::string text = print(test::absorber());
+  EXPECT_NE(text.find("\\left(M_{1} + M_{2} + M_{3}\\right) \\ddot{X} + M_{2} d \\cos\\left(\\theta\\right) "
+                      "\\ddot{\\theta}"),
+            std::string::npos);
+  EXPECT_NE(text.find("= -K \\left(X - X_{0}\\right) \\tag{$X$}"), std::string::npos);
+  EXPECT_NE(text.find("\\frac{1}{2} M_{2} d^{2} \\dot{\\theta}^{2}"), std::string::npos);
+}
+
+TEST(Latex, IsBalancedForEveryKindOfScene) {
+  for (const Scene& scene : {test::absorber(), test::double_pendulum(true), test::satellite(), test::elastic_pendulum(),
+                             test::released_block(), test::sled(), test::chain(3), test::chain(7)}) {
+    const std::string text = print(scene, {.document = true});
+    EXPECT_EQ(imbalance(text), "") << scene.name();
+    EXPECT_EQ(occurrences(text, "$") % 2, 0) << scene.name();
+    EXPECT_TRUE(text.starts_with("\\documentclass"));
+    EXPECT_TRUE(text.ends_with("\\end{document}\n"));
+    // amsmath refuses a blank line inside an align environment.
+    for (std::size_t at = text.find("\\begin{align*}"); at != std::string::npos;
+         at = text.find("\\begin{align*}", at + 1)) {
+      EXPECT_EQ(text.substr(at, text.find("\\end{align*}", at) - at).find("\n\n"), std::string::npos);
+    }
+  }
+}
+
+TEST(Latex, FindsItsOwnImbalances) {
+  EXPECT_NE(imbalance("\\frac{1}{2"), "");
+  EXPECT_NE(imbalance("\\left(x"), "");
+  EXPECT_NE(imbalance("\\begin{align*} x \\end{pmatrix}"), "");
+}
+
+TEST(Latex, NamesSymbolsAsAPersonWould) {
+  using printing::latex_name;
+  EXPECT_EQ(latex_name("theta_1''"), "\\ddot{\\theta}_{1}");
+  EXPECT_EQ(latex_name("M1"), "M_{1}");
+  EXPECT_EQ(latex_name("omega0"), "\\omega_{0}");
+  EXPECT_EQ(latex_name("lambda_along_x1"), "\\lambda_{\\mathrm{along},x_{1}}");
+  EXPECT_EQ(latex_name("mass"), "\\mathrm{mass}");
+  EXPECT_EQ(latex_name("X'"), "\\dot{X}");
+}
+
+TEST(Latex, WritesUnitsUpright) {
+  EXPECT_EQ(printing::latex_unit(Unit::parse("kg m^2/s^2")), "\\mathrm{kg\\,m^{2}\\,s^{-2}}");
+  EXPECT_EQ(printing::latex_unit(Unit()), "\\mathrm{1}");
+}
+
+TEST(Latex, EscapesATitle) { EXPECT_EQ(printing::latex_escaped("50 % of a_1 & {b}"), "50 \\% of a\\_1 \\& \\{b\\}"); }
+
+TEST(DecimalText, WritesWhatEndsAsADecimal) {
+  EXPECT_EQ(printing::decimal_text(Number::rational(1, 20)), "0.05");
+  EXPECT_EQ(printing::decimal_text(Number::rational(-981, 100)), "-9.81");
+  EXPECT_EQ(printing::decimal_text(Number(12)), "12");
+  EXPECT_EQ(printing::decimal_text(Number::rational(1, 3)), "1/3");
+}
+
+}  // namespace
+}  // namespace torsor::latex_test
