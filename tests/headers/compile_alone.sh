@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # compile_alone.sh COMPILER HEADER FOLDER: compiles every kernel of the header, in double and in float and with nothing
 # else, under the flags of its contract; then looks at what the object asks of the outside and whether it holds state.
-# Float is optimised too where the header is below 36 kB, or TORSOR_LONG_TESTS is set, which adds -O1 and -O3. Ends with
+# Float is optimised too where the header is below 24 kB, or TORSOR_LONG_TESTS is set, which adds -O1 and -O3. Ends with
 # 77 (skipped) when the compiler is not installed.
 set -euo pipefail
 compiler="$1" header="$2" folder="$3"
@@ -31,7 +31,7 @@ levels=(-O2 -O0)
 for level in "${levels[@]}"; do
   object="$folder/$compiler$level.o" source="$folder/$compiler$level.cpp"
   printf '#include "%s"\ntemplate struct %s::Mechanism<double>;\n' "$header" "$mechanism" > "$source"
-  if [ $level = -O0 ] || [ -n "${TORSOR_LONG_TESTS:-}" ] || [ "$(stat -c %s "$header")" -lt 36000 ]; then
+  if [ $level = -O0 ] || [ -n "${TORSOR_LONG_TESTS:-}" ] || [ "$(stat -c %s "$header")" -lt 24000 ]; then
     printf 'template struct %s::Mechanism<float>;\n' "$mechanism" >> "$source"
   fi
   "$compiler" -std=c++17 $level -Wall -Wextra -Wpedantic -Wconversion -Wshadow -Werror -fno-exceptions -fno-rtti \

@@ -52,7 +52,7 @@ for compiler in g++ clang++; do
   done
 done
 
-if grep -qw fma /proc/cpuinfo 2> /dev/null && { [ -n "$long" ] || [ "$(wc -c < "$header")" -lt 40000 ]; }; then
+if grep -qw fma /proc/cpuinfo 2> /dev/null && { [ -n "$long" ] || [ "$(wc -c < "$header")" -lt 24000 ]; }; then
   sed -i 's/^extern template/template/' "$source"
   g++ -std=c++17 -O3 -mavx2 -mfma -ffp-contract=fast -c "$source" -o "$folder/fused.o"
   g++ "$folder/fused.o" "$program" -o "$folder/states-fused"

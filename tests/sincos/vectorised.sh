@@ -11,18 +11,28 @@ command -v "$compiler" > /dev/null || { echo "$compiler is not installed"; exit 
 mkdir -p "$folder"
 source="$folder/$compiler.cpp" object="$folder/$compiler.o"
 
-for options in "-O2" "-O3" "-O2 -mavx2 -mfma" "-O3 -mavx2 -mfma"; do
+counts=(2 3 5 7 8 16)
+{
+  printf '#include "%s"\n' "$header"
   for scalar in double float; do
-    for count in 2 3 5 7 8 16; do
-      printf '#include "%s"\nusing S = %s;\nvoid sines(const S (&a)[%d], S (&s)[%d], S (&c)[%d]) { torsor::sincos_of_several(a, s, c); }\n' \
-        "$header" "$scalar" "$count" "$count" "$count" > "$source"
-      # shellcheck disable=SC2086
-      "$compiler" -std=c++17 $options -Wall -Wextra -Wpedantic -Wconversion -Wshadow -Werror -c "$source" -o "$object"
-      products="$(objdump --disassemble --demangle --no-show-raw-insn "$object" | awk '
-        /^[0-9a-f]+ </ { inside = /sines|sincos_of_several/ }
+    for count in "${counts[@]}"; do
+      printf 'void sines(const %s (&a)[%d], %s (&s)[%d], %s (&c)[%d]) { torsor::sincos_of_several(a, s, c); }\n' \
+        "$scalar" "$count" "$scalar" "$count" "$scalar" "$count"
+    done
+  done
+} > "$source"
+
+for options in "-O2" "-O3" "-O2 -mavx2 -mfma" "-O3 -mavx2 -mfma"; do
+  # shellcheck disable=SC2086
+  "$compiler" -std=c++17 $options -Wall -Wextra -Wpedantic -Wconversion -Wshadow -Werror -c "$source" -o "$object"
+  objdump --disassemble --demangle --no-show-raw-insn "$object" > "$object.txt"
+  for scalar in double float; do
+    for count in "${counts[@]}"; do
+      products="$(awk -v whole="sines[(]$scalar const [(]&[)] [[]$count[]]" -v part="sincos_of_several<$scalar, $count[u>]" '
+        /^[0-9a-f]+ </ { inside = $0 ~ whole || $0 ~ part }
         inside && /[ \tv](mul|fn?madd[0-9]+|fn?msub[0-9]+)p[sd][ \t]/ { ++packed }
         inside && /[ \tv](mul|fn?madd[0-9]+|fn?msub[0-9]+)s[sd][ \t]/ { ++single }
-        END { print packed + 0, single + 0 }')"
+        END { print packed + 0, single + 0 }' "$object.txt")"
       read -r packed single <<< "$products"
       echo "$compiler $options, $count angles in $scalar: $packed packed products, $single single ones"
       [ "$packed" -ge 15 ] && [ "$single" -le 2 ] || exit 1
