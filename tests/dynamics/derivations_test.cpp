@@ -15,7 +15,7 @@ using testing_mechanisms::random_mechanism;
 /// of their size, hence 1e-11 for those.
 class RandomMechanism : public ::testing::TestWithParam<unsigned> {};
 
-TEST_P(RandomMechanism, HasOneSetOfEquationsByEveryRoad) {
+TEST_P(RandomMechanism, HasOneSetOfEquationsByEveryDerivation) {
   const Scene scene = random_mechanism(GetParam());
   const std::vector<CheckResult> results = check_scene(scene, {.digits = 50, .states = 1});
   EXPECT_GE(results.size(), 6U);

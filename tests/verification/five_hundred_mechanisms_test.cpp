@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdlib>
 #include <functional>
 #include <map>
 #include <set>
@@ -106,7 +107,7 @@ class FiveHundredMechanisms : public ::testing::TestWithParam<unsigned> {
   }
 };
 
-TEST_P(FiveHundredMechanisms, HaveOneSetOfEquationsByEveryRoad) { expect(compare_derivations); }
+TEST_P(FiveHundredMechanisms, HaveOneSetOfEquationsByEveryDerivation) { expect(compare_derivations); }
 
 // At least so many of the twenty-five are looked at, or the drawing of mechanisms has become narrow.
 TEST_P(FiveHundredMechanisms, KeepTheirFirstIntegrals) {
@@ -121,7 +122,10 @@ TEST_P(FiveHundredMechanisms, HaveTheSameReactionsByBothParametrisations) {
   EXPECT_GE(counts.reactions, 1);
 }
 
-TEST_P(FiveHundredMechanisms, AreLinearisedAsFiniteDifferencesAre) {
+// Differences take most of the time: of a quarter of the mechanisms, of all with TORSOR_LONG_TESTS.
+class LinearisedMechanisms : public FiveHundredMechanisms {};
+
+TEST_P(LinearisedMechanisms, AreThoseOfFiniteDifferences) {
   expect(compare_linearisations);
   EXPECT_EQ(counts.linearised, static_cast<int>(part));
   EXPECT_GE(counts.turning, 5);
@@ -216,6 +220,8 @@ TEST(FiveHundredMechanismsTogether, KeepMomentaThatAreNoConstants) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Seeds, FiveHundredMechanisms, ::testing::Range(0U, mechanisms / 25));
+INSTANTIATE_TEST_SUITE_P(Seeds, LinearisedMechanisms,
+                         ::testing::Range(0U, mechanisms / (std::getenv("TORSOR_LONG_TESTS") != nullptr ? 25 : 100)));
 
 }  // namespace
 }  // namespace torsor::five_hundred_mechanisms_test
