@@ -58,45 +58,29 @@ struct CItem {
   bool is_table = false;
 };
 
-CItem c_table(const std::string& type, const std::string& name, std::size_t size, const std::string& entries,
-            const std::string& nothing, const std::string& documentation = {}) {
-  return {documentation, fmt::format("const {} {}[{}]", type, name, array_size(size)),
-          fmt::format(" = {{{}}};", size == 0 ? nothing : entries), true};
+CItem c_table(const std::string& type, const std::string& name, const std::vector<std::string>& entries,
+              const std::string& nothing, const std::string& documentation = {}) {
+  return {documentation, fmt::format("const {} {}[{}]", type, name, array_size(entries.size())),
+          fmt::format(" = {{{}}};", entries.empty() ? nothing : fmt::format("{}", fmt::join(entries, ", "))), true};
 }
-
-void add_entry(std::string& list, const std::string& entry) { list += (list.empty() ? "" : ", ") + entry; }
 
 /// What the mechanism says of itself.
 std::vector<CItem> c_description(const MechanismListing& mechanism) {
   const std::string& scene = mechanism.scene().name();
   std::vector<CItem> items;
   for (const DescribedTable& described : described_tables) {
-    std::string entries;
-    const std::vector<NamedUnit> all = named_units(mechanism.layout.of(described.table));
-    for (const auto& [name, unit] : all) add_entry(entries, fmt::format("{{\"{}\", \"{}\"}}", name, unit));
-    items.push_back(c_table("torsor_quantity", scene + "_" + described.name, all.size(), entries, "{\"\", \"\"}"));
+    items.push_back(c_table("torsor_quantity", scene + "_" + described.name,
+                            quantity_entries(mechanism.layout.of(described.table)), "{\"\", \"\"}"));
   }
   items.front().documentation = "Names and units of what the vectors hold.";
-  const std::vector<std::size_t> quaternions = quaternion_places(mechanism);
-  items.push_back(c_table("int", scene + "_quaternions", quaternions.size(), fmt::format("{}", fmt::join(quaternions, ", ")), "0",
-                        "Places in q of the first components (w) of the unit quaternions (w, x, y, z)."));
-  std::string results, kernels;
-  std::size_t count = 0;
-  for (const KernelListing& given : mechanism.kernels) {
-    const KernelSignature& kernel = given.kernel;
-    const std::size_t first = count;
-    for (const ResultShape& each : result_shapes(mechanism, given)) {
-      add_entry(results, fmt::format("{{\"{}\", \"{}\", {}, {}}}", each.result, each.member, each.rows, each.columns));
-      ++count;
-    }
-    add_entry(kernels, fmt::format("{{\"{}\", {:d}, {:d}, {:d}, {:d}, {}_results + {}, {}}}", kernel.name,
-                                reads(kernel, Argument::accelerations), reads(kernel, Argument::multipliers),
-                                reads(kernel, Argument::inputs), given.listing.has_status, scene, first, count - first));
-  }
-  items.push_back(c_table("torsor_result", scene + "_results", count, results, "{\"\", \"\", 0, 0}",
-                        "What kernels write, and what they read."));
-  items.push_back(c_table("torsor_kernel", scene + "_kernels", mechanism.kernels.size(), kernels,
-                        "{\"\", 0, 0, 0, 0, 0, 0}"));
+  std::vector<std::string> quaternions;
+  for (const std::size_t place : quaternion_places(mechanism)) quaternions.push_back(std::to_string(place));
+  items.push_back(c_table("int", scene + "_quaternions", quaternions, "0",
+                          "Places in q of the first components (w) of the unit quaternions (w, x, y, z)."));
+  const KernelEntries entries = kernel_entries(mechanism, scene + "_results", {"0", "1"});
+  items.push_back(c_table("torsor_result", scene + "_results", entries.results, "{\"\", \"\", 0, 0}",
+                          "What kernels write, and what they read."));
+  items.push_back(c_table("torsor_kernel", scene + "_kernels", entries.kernels, "{\"\", 0, 0, 0, 0, 0, 0}"));
   return items;
 }
 
@@ -108,14 +92,16 @@ std::vector<CItem> c_tables(const std::string& scene, const Structure& structure
     if (const auto* number = std::get_if<std::size_t>(&each.value)) {
       items.push_back({each.documentation, fmt::format("enum {{ {} = {} }}", name, *number), "", true});
     } else if (const auto* indices = std::get_if<ConstantTable::Indices>(&each.value)) {
-      items.push_back(c_table("int", name, indices->size(), numbers_text(each), "0", each.documentation));
+      std::vector<std::string> entries;
+      for (const auto index : *indices) entries.push_back(std::to_string(index));
+      items.push_back(c_table("int", name, entries, "0", each.documentation));
     } else {
-      std::string factors;
+      std::vector<std::string> factors;
       for (const double factor : std::get<ConstantTable::Factors>(each.value)) {
-        add_entry(factors, fmt::format("TORSOR_NUMBER({}, {})", literal(factor), literal(static_cast<float>(factor))));
+        factors.push_back(
+            fmt::format("TORSOR_NUMBER({}, {})", literal(factor), literal(static_cast<float>(factor))));
       }
-      const std::size_t size = std::get<ConstantTable::Factors>(each.value).size();
-      items.push_back(c_table("torsor_real", name, size, factors, "0", each.documentation));
+      items.push_back(c_table("torsor_real", name, factors, "0", each.documentation));
     }
   }
   return items;

@@ -41,6 +41,30 @@ std::vector<NamedUnit> named_units(const std::vector<SymbolPointer>& symbols) {
   return all;
 }
 
+std::vector<std::string> quantity_entries(const std::vector<SymbolPointer>& symbols) {
+  std::vector<std::string> entries;
+  for (const auto& [name, unit] : named_units(symbols)) entries.push_back(fmt::format("{{\"{}\", \"{}\"}}", name, unit));
+  return entries;
+}
+
+KernelEntries kernel_entries(const MechanismListing& mechanism, const std::string& results, const char* const (&words)[2]) {
+  KernelEntries entries;
+  for (const KernelListing& given : mechanism.kernels) {
+    const KernelSignature& kernel = given.kernel;
+    const std::size_t first = entries.results.size();
+    for (const ResultShape& each : result_shapes(mechanism, given)) {
+      entries.results.push_back(
+          fmt::format("{{\"{}\", \"{}\", {}, {}}}", each.result, each.member, each.rows, each.columns));
+    }
+    const auto word = [&](bool is) { return words[is ? 1 : 0]; };
+    entries.kernels.push_back(fmt::format(
+        "{{\"{}\", {}, {}, {}, {}, {} + {}, {}}}", kernel.name, word(reads(kernel, Argument::accelerations)),
+        word(reads(kernel, Argument::multipliers)), word(reads(kernel, Argument::inputs)), word(given.listing.has_status),
+        results, first, entries.results.size() - first));
+  }
+  return entries;
+}
+
 bool is_vector(const MechanismListing& mechanism, const Structure& structure) {
   return std::any_of(mechanism.common.begin(), mechanism.common.end(),
                      [&structure](const Structure& each) { return each.name == structure.name; });

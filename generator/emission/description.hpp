@@ -40,6 +40,16 @@ std::vector<ResultShape> result_shapes(const MechanismListing& mechanism, const 
 
 bool reads(const KernelSignature& kernel, Argument argument);
 
+/// Entries of tables as C and C++ initialise them: {"theta", "rad"} for each symbol.
+std::vector<std::string> quantity_entries(const std::vector<SymbolPointer>& symbols);
+
+/// The same of every result, and of every kernel with its place among them: `results` is the first. What a kernel reads
+/// and whether it has a status are `words[false]` and `words[true]`.
+struct KernelEntries {
+  std::vector<std::string> results, kernels;
+};
+KernelEntries kernel_entries(const MechanismListing& mechanism, const std::string& results, const char* const (&words)[2]);
+
 /// Whether all members of the structure are numbers of one vector, which has names and units of its own.
 bool is_vector(const MechanismListing& mechanism, const Structure& structure);
 
