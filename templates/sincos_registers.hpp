@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: MIT
-// Sines and cosines of several angles at once, in vector registers where GNU C++ has types for them: of 32 bytes with
-// AVX, else of 16.
+// Sines and cosines of several angles at once, in vector registers where GNU C++ has types for them and the processor has
+// registers of two doubles: of 32 bytes with AVX, else of 16.
 #if defined(__GNUC__) && !defined(__CUDACC__)
 #define TORSOR_VECTOR_TYPES
+#if defined(__SSE2__) || (defined(__aarch64__) && defined(__ARM_NEON))
+#define TORSOR_VECTOR_REGISTERS
+#endif
 #endif
 
 namespace torsor {
@@ -144,7 +147,7 @@ TORSOR_INLINED Number sincos_in_registers(const Number (&angles)[N], Number (&si
 template <class Scalar, int N>
 TORSOR_DEVICE TORSOR_INLINED void sincos_of_several(const Scalar (&angles)[N], Scalar (&sines)[N],
                                                     Scalar (&cosines)[N]) noexcept {
-#if defined(TORSOR_VECTOR_TYPES) && !defined(TORSOR_STD_SINCOS)
+#if defined(TORSOR_VECTOR_REGISTERS) && !defined(TORSOR_STD_SINCOS) && !defined(TORSOR_SMALL)
   constexpr bool at_once = N > 1;
 #else
   constexpr bool at_once = false;

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 // Sines and cosines of several angles at once, in vector registers where GNU C has types for them and the processor has
 // registers of two doubles.
-#if defined(__GNUC__) && (defined(__SSE2__) || (defined(__aarch64__) && defined(__ARM_NEON)))
+#if defined(__GNUC__) && !defined(TORSOR_SMALL) && (defined(__SSE2__) || (defined(__aarch64__) && defined(__ARM_NEON)))
 #define TORSOR_VECTORS
 #define TORSOR_FLATTENED static inline __attribute__((always_inline, unused))
 #if defined(__AVX__)

@@ -2,7 +2,8 @@
 #ifndef TORSOR_C_SUPPORT
 #define TORSOR_C_SUPPORT 2
 // Define TORSOR_SINGLE before the first generated header, alike in the whole program, for float in place of double, and
-// TORSOR_LIBM for the library's sine and cosine. The file is C99, and as C++ the same.
+// TORSOR_LIBM for the library's sine and cosine, TORSOR_SMALL for one function of an angle that is called for each sine,
+// where room counts more than time. The file is C99, and as C++ the same.
 #include <math.h>
 
 #if defined(__FAST_MATH__) || (defined(__FLT_EVAL_METHOD__) && __FLT_EVAL_METHOD__ != 0)
@@ -24,6 +25,15 @@ typedef double torsor_real;
 #define TORSOR_UNUSED __attribute__((unused))
 #else
 #define TORSOR_UNUSED
+#endif
+#if defined(TORSOR_SMALL) && defined(__GNUC__)
+#define TORSOR_ONE_SINE __attribute__((unused, noinline)) static
+#elif defined(TORSOR_SMALL) && defined(_MSC_VER)
+#define TORSOR_ONE_SINE __declspec(noinline) static
+#elif defined(TORSOR_SMALL)
+#define TORSOR_ONE_SINE static
+#else
+#define TORSOR_ONE_SINE TORSOR_UNUSED static inline
 #endif
 
 /// What a kernel says about its results; the larger, the worse.

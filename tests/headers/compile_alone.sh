@@ -42,7 +42,7 @@ for level in "${levels[@]}"; do
     case "$symbol" in
       sin | cos | tan | asin | acos | atan | atan2 | sincos | sqrt | exp | log | pow | fabs | hypot | fma | fmin | fmax) ;;
       sinf | cosf | tanf | asinf | acosf | atanf | atan2f | sincosf | sqrtf | expf | logf | powf | fabsf | hypotf | fmaf) ;;
-      fminf | fmaxf | frexp | ldexp | memcpy | memmove | memset | _GLOBAL_OFFSET_TABLE_) ;;
+      fminf | fmaxf | frexp | frexpf | ldexp | memcpy | memmove | memset | _GLOBAL_OFFSET_TABLE_) ;;
       *) echo "$header: its $compiler $level object refers to $symbol ($(c++filt "$symbol"))"; exit 1 ;;
     esac
   done < <(nm --undefined-only "$object" | awk '{ print $NF }')
