@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// A seven-joint arm on a Cortex-M4F, in float: the interrupt of each millisecond computes the torques that make it follow
-// a motion (computed torque), and the main program moves a simulated arm by them. No allocation, no C library but frexpf.
+// A seven-joint arm on a Cortex-M4F, in float: the interrupt of each millisecond computes the torques that make it
+// follow a motion (computed torque), and the main program moves a simulated arm by them. No allocation, no C library
+// but frexpf.
 #include <atomic>
 
 #include "examples/cortex_m/board.hpp"

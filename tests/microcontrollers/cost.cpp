@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What one kernel costs a controller. With PART_KERNEL defined it is the kernel alone, HEADER's MECHANISM in REAL, whose
-// object is measured; without, the program that calls it and prints how many instructions it took under QEMU, where 40
-// are a tick of the clock.
+// What one kernel costs a controller. With PART_KERNEL defined it is the kernel alone, HEADER's MECHANISM in REAL,
+// whose object is measured; without, the program that calls it and prints how many instructions it took under QEMU,
+// where 40 are a tick of the clock.
 #include <cstdint>
 
 #include HEADER
@@ -19,8 +19,8 @@ extern "C" int inverse_dynamics(const M::Precomputed& p, const M::State& s, cons
   M::inverse_dynamics(p, s, a, l, *reinterpret_cast<M::GeneralizedForces*>(results));
   return 0;
 }
-extern "C" int forward_dynamics(const M::Precomputed& p, const M::State& s, const M::Accelerations&,
-                                M::Multipliers& l, const M::Inputs& u, REAL* results) {
+extern "C" int forward_dynamics(const M::Precomputed& p, const M::State& s, const M::Accelerations&, M::Multipliers& l,
+                                const M::Inputs& u, REAL* results) {
   return static_cast<int>(M::forward_dynamics(p, s, u, *reinterpret_cast<M::Accelerations*>(results), l));
 }
 #else
