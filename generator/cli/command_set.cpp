@@ -18,19 +18,26 @@ CLI::App& CommandSet::add(const std::string& name, const std::string& text, Run 
   return *command;
 }
 
-void add_about(CLI::App& command, About& about, const std::string& text) {
+void add_about(CLI::App& command, About& about, const std::string& text) { add_assignments(command, "--about", about, text); }
+
+void add_assignments(CLI::App& command, const std::string& name, About& assignments, const std::string& text) {
   command.add_option_function<std::vector<std::string>>(
-      "--about",
-      [&about](const std::vector<std::string>& assignments) {
-        for (const std::string& assignment : assignments) {
+      name,
+      [&assignments, name](const std::vector<std::string>& words) {
+        for (const std::string& assignment : words) {
           const std::size_t equals = assignment.find('=');
           if (equals == std::string::npos) {
-            throw UsageError(fmt::format("--about takes NAME=VALUE, e.g. theta=0, and got '{}'", assignment));
+            throw UsageError(fmt::format("{} takes NAME=VALUE, e.g. theta=0, and got '{}'", name, assignment));
           }
-          about.emplace_back(assignment.substr(0, equals), assignment.substr(equals + 1));
+          assignments.emplace_back(assignment.substr(0, equals), assignment.substr(equals + 1));
         }
       },
       text);
+}
+
+void add_format(CLI::App& command, PageRequest& request) {
+  command.add_option("--format", request.format, "text or latex")->capture_default_str();
+  command.add_flag("--document", request.document, "LaTeX: a whole document");
 }
 
 }  // namespace torsor

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "generator/cli/command_line.hpp"
+#include "generator/printing/print_equations.hpp"
 
 namespace torsor {
 
@@ -48,7 +49,7 @@ class CommandSet {
 void add_equations_command(CommandSet& commands);
 void add_kernel_commands(CommandSet& commands);        ///< generate, counts, passes
 void add_verification_commands(CommandSet& commands);  ///< check, verify, reference
-void add_statics_commands(CommandSet& commands);       ///< force-function, unknowns, theorem, statics
+void add_statics_commands(CommandSet& commands);       ///< force-function, unknowns, theorem, screw, statics
 void add_structure_commands(CommandSet& commands);     ///< structure, graph, list
 void add_report_command(CommandSet& commands);
 void add_simulate_command(CommandSet& commands);
@@ -56,5 +57,15 @@ void add_simulate_command(CommandSet& commands);
 /// Adds --about NAME=VALUE, e.g. theta=0; repeatable. A word without = is a UsageError while the command line is read.
 using About = std::vector<std::pair<std::string, std::string>>;
 void add_about(CLI::App& command, About& about, const std::string& text);
+/// The same for --NAME.
+void add_assignments(CLI::App& command, const std::string& name, About& assignments, const std::string& text);
+
+/// Adds --format and --document.
+struct PageRequest {
+  std::string format = "text";
+  bool document = false;
+  PageStyle style() const { return {parse_format(format), document}; }
+};
+void add_format(CLI::App& command, PageRequest& request);
 
 }  // namespace torsor

@@ -9,8 +9,7 @@
 namespace torsor {
 namespace {
 
-struct EquationsRequest {
-  std::string format = "text";
+struct EquationsRequest : PageRequest {
   PrintOptions options;
 };
 
@@ -20,11 +19,14 @@ void add_equations_command(CommandSet& commands) {
   const auto request = std::make_shared<EquationsRequest>();
   CLI::App& command = commands.add(
       "equations", "print T, U, Lagrange's equations, constraints, linearisation", [request](const Scene& scene) {
-        return CommandResult{print_equations(scene, parse_format(request->format), request->options)};
+        PrintOptions options = request->options;
+        options.document = request->document;
+        return CommandResult{print_equations(scene, parse_format(request->format), options)};
       });
-  command.add_option("--format", request->format, "text or latex")->capture_default_str();
+  add_format(command, *request);
   add_about(command, request->options.about, "state of the linearisation, NAME=VALUE, e.g. theta=0; repeatable");
-  command.add_flag("--document", request->options.document, "LaTeX: a whole document");
+  command.add_flag("--derivation", request->options.derivation,
+                   "the steps that lead there: screws, T body by body, partial derivatives, forces by action, reactions");
 }
 
 }  // namespace torsor

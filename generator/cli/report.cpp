@@ -15,6 +15,7 @@
 #include "generator/emission/javascript_module.hpp"
 #include "generator/emission/text_template.hpp"
 #include "generator/printing/html_text.hpp"
+#include "generator/printing/page.hpp"
 #include "generator/printing/print_equations.hpp"
 #include "generator/printing/statics_text.hpp"
 
@@ -96,12 +97,6 @@ Motion motion_of(const Scene& scene, const ModelOptions& given) {
   return motion;
 }
 
-/// Words of a command as they stand, folded.
-std::string folded(const std::string& heading, const std::string& text) {
-  return fmt::format("<details><summary><h3>{}</h3></summary>\n<pre>{}</pre>\n</details>\n", html_escaped(heading),
-                     html_lines(text));
-}
-
 /// What another command says, or why it cannot.
 template <class Say>
 std::string words(const Say& say) {
@@ -138,10 +133,19 @@ std::string without_long_definitions(std::string equations) {
   return equations;
 }
 
-std::string unknowns_words(const Scene& scene) {
+std::string unknowns_page(const Scene& scene) {
   ModelOptions options;
   options.symbolic_parameters = true;
-  return unknowns_report(Equations(scene, options));
+  return printing::words_as_page(unknowns_report(Equations(scene, options)), scene.content(), {Format::html});
+}
+
+/// The same with sections that are folded at first.
+std::string closed(std::string sections) {
+  const std::string open = "<details open>";
+  for (std::size_t at = sections.find(open); at != std::string::npos; at = sections.find(open, at)) {
+    sections.replace(at, open.size(), "<details>");
+  }
+  return sections;
 }
 
 std::string script(std::string_view id, const std::string& text) {
@@ -188,6 +192,7 @@ std::string report_html(const Scene& scene, const ReportOptions& options) {
   const Motion motion = motion_of(scene, options.model);
   PrintOptions print;
   print.about = options.about;
+  print.derivation = true;
   const std::string equations =
       without_long_definitions(markup([&] { return print_equations(scene, Format::html, print); }));
   std::string scripts;
@@ -210,8 +215,8 @@ std::string report_html(const Scene& scene, const ReportOptions& options) {
        {"analysis_graph", picture(scene, "analysis")},
        {"structure_words", html_lines(words([&] { return structure_text(scene, {}); }))},
        {"equations", equations},
-       {"further", folded("Unknowns and equations", words([&] { return unknowns_words(scene); })) +
-                       folded("Equilibrium", words([&] { return statics_text(scene, options.about); }))},
+       {"further", closed(markup([&] { return unknowns_page(scene); }))},
+       {"statics", closed(markup([&] { return statics_text(scene, options.about, {}, {Format::html}); }))},
        {"formula_note", with_katex ? "" : "<p class=\"note\">Formulas are shown as text: KaTeX was not there when torsor was built.</p>\n"},
        {"motion_note", motion.remark.empty() ? ""
                                              : fmt::format("<p class=\"note\">There is no motion: {}.</p>\n",

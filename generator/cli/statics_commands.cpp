@@ -7,6 +7,7 @@
 #include "generator/cli/command_set.hpp"
 #include "generator/dynamics/theorems/unknowns_report.hpp"
 #include "generator/printing/force_function_text.hpp"
+#include "generator/printing/page.hpp"
 #include "generator/printing/statics_text.hpp"
 #include "generator/printing/theorem_text.hpp"
 
@@ -24,7 +25,7 @@ void add_force_function(CommandSet& commands) {
       ->delimiter(',');
 }
 
-struct UnknownsRequest {
+struct UnknownsRequest : PageRequest {
   std::vector<std::string> bodies;
   std::string point;
   std::string axes = "ground";
@@ -39,7 +40,8 @@ CommandResult unknowns(const Scene& scene, const UnknownsRequest& request) {
   const Equations equations(scene, options);
   std::string text = unknowns_report(equations);
   if (!request.bodies.empty()) text += isolation_report(equations, request.bodies, {Scene::point(request.point), request.axes}).text;
-  return {text};
+  const PageStyle style = request.style();
+  return {style.format == Format::text ? text : printing::words_as_page(text, scene.content(), style)};
 }
 
 void add_unknowns(CommandSet& commands) {
@@ -50,27 +52,51 @@ void add_unknowns(CommandSet& commands) {
   command.add_option("--isolate", request->bodies, "bodies to isolate, comma-separated")->delimiter(',');
   command.add_option("--at", request->point, "point at which their moments are taken");
   command.add_option("--axes", request->axes, "frame along whose axes the theorems are written")->capture_default_str();
+  add_format(command, *request);
 }
 
+struct TheoremPage : TheoremRequest, PageRequest {};
+struct ScrewPage : ScrewRequest, PageRequest {};
+struct StaticsPage : PageRequest {
+  About about, set;
+};
+
 void add_theorem(CommandSet& commands) {
-  const auto request = std::make_shared<TheoremRequest>();
+  const auto request = std::make_shared<TheoremPage>();
   CLI::App& command = commands.add(
       "theorem", "write Newton-Euler's theorem or the energy theorem for some bodies, reactions by name",
-      [request](const Scene& scene) { return CommandResult{theorem_text(scene, *request)}; });
+      [request](const Scene& scene) { return CommandResult{theorem_text(scene, *request, request->style())}; });
   command.add_option("--kind", request->kind, "resultant, moment or energy")->capture_default_str();
   command.add_option("--bodies", request->bodies, "bodies to isolate, comma-separated; all when absent")->delimiter(',');
   command.add_option("--at", request->point, "point at which moments are taken, or a frame for its origin");
   command.add_option("--direction", request->direction, "x, y, z or components 0,1,0")->capture_default_str();
   command.add_option("--axes", request->axes, "frame along whose axes the direction is given")->capture_default_str();
   command.add_option("--observer", request->observer, "frame from which motion is seen")->capture_default_str();
+  add_format(command, *request);
+}
+
+void add_screw(CommandSet& commands) {
+  const auto request = std::make_shared<ScrewPage>();
+  CLI::App& command =
+      commands.add("screw", "write the momentum screw and the dynamic screw of some bodies, and their kinetic energy",
+                   [request](const Scene& scene) { return CommandResult{screw_text(scene, *request, request->style())}; });
+  command.add_option("--body,--bodies", request->bodies, "bodies, comma-separated; all when absent")->delimiter(',');
+  command.add_option("--at", request->point, "point at which screws are reduced, or a frame for its origin");
+  command.add_option("--axes", request->axes, "frame along whose axes components are given")->capture_default_str();
+  command.add_option("--observer", request->observer, "frame from which motion is seen")->capture_default_str();
+  add_format(command, *request);
 }
 
 void add_statics(CommandSet& commands) {
-  const auto about = std::make_shared<About>();
+  const auto request = std::make_shared<StaticsPage>();
   CLI::App& command = commands.add(
       "statics", "equations of equilibrium; at a state also its stability by Lejeune-Dirichlet and Hurwitz",
-      [about](const Scene& scene) { return CommandResult{statics_text(scene, *about)}; });
-  add_about(command, *about, "the state, NAME=VALUE, e.g. theta=0; repeatable");
+      [request](const Scene& scene) {
+        return CommandResult{statics_text(scene, request->about, request->set, request->style())};
+      });
+  add_about(command, request->about, "the state, NAME=VALUE, e.g. theta=0; repeatable");
+  add_assignments(command, "--set", request->set, "value of a parameter in all that is written, NAME=VALUE, e.g. omega=0; repeatable");
+  add_format(command, *request);
 }
 
 }  // namespace
@@ -79,6 +105,7 @@ void add_statics_commands(CommandSet& commands) {
   add_force_function(commands);
   add_unknowns(commands);
   add_theorem(commands);
+  add_screw(commands);
   add_statics(commands);
 }
 

@@ -174,6 +174,41 @@ void name_minima(Written& written) {
   }
 }
 
+bool is_call(const WrittenFactor& factor, Function function) {
+  return factor.base && factor.base->kind == Base::Kind::function && factor.base->function == function &&
+         factor.halves % 2 == 0;
+}
+
+/// sin x^n/cos x^n is tan x^n: no more factors, and one denominator less.
+void name_tangents(Written& written) {
+  for (WrittenTerm& term : written) {
+    for (WrittenFactor& factor : term.factors) {
+      name_tangents(factor.inside);
+      for (Written& other : factor.others) name_tangents(other);
+    }
+    for (std::size_t i = 0; i < term.factors.size(); ++i) {
+      WrittenFactor& sine = term.factors[i];
+      if (!is_call(sine, Function::sin) || sine.tangent || sine.halves < 0) continue;
+      const auto cosine = std::find_if(term.factors.begin(), term.factors.end(), [&](const WrittenFactor& other) {
+        return is_call(other, Function::cos) && other.halves < 0 && -other.halves <= sine.halves &&
+               compare(other.base->inside, sine.base->inside) == 0;
+      });
+      if (cosine == term.factors.end()) continue;
+      const int rest = sine.halves + cosine->halves;
+      sine.halves = -cosine->halves;
+      sine.tangent = true;
+      const auto place = static_cast<std::size_t>(cosine - term.factors.begin());
+      WrittenFactor remaining = sine;
+      term.factors.erase(cosine);
+      if (rest == 0) continue;
+      remaining.tangent = false;
+      remaining.halves = rest;
+      const std::size_t at = place < i ? i - 1 : i;
+      term.factors.insert(term.factors.begin() + static_cast<std::ptrdiff_t>(at), remaining);
+    }
+  }
+}
+
 /// A lone sum needs no parentheses.
 Written unwrapped(Written written) {
   if (written.size() != 1 || !written[0].coefficient.is_one() || written[0].factors.size() != 1) return written;
@@ -202,6 +237,7 @@ Written collected(const Sum& sum, const Layout& layout) {
   }
   result = unwrapped(std::move(result));
   name_minima(result);
+  name_tangents(result);
   return result;
 }
 

@@ -2,10 +2,22 @@
 #include "generator/printing/first_integrals.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
+#include "generator/dynamics/forces/energy.hpp"
 #include "generator/dynamics/theorems/painleve.hpp"
+#include "generator/program/written_unit.hpp"
 
 namespace torsor::printing {
+namespace {
+
+/// What an integral is, with its unit as a person writes it.
+std::string meaning(const FirstIntegral& integral) {
+  const std::string text = integral.documentation.substr(0, integral.documentation.rfind(" ["));
+  return fmt::format("{}, in {}", text, integral.name.starts_with("momentum") ? written_unit(integral.value.unit()) : "J");
+}
+
+}  // namespace
 
 void write_first_integrals(const Equations& equations, const InlineLimits& limits, Page& page) {
   const PainleveReport report = painleve(equations);
@@ -17,25 +29,29 @@ void write_first_integrals(const Equations& equations, const InlineLimits& limit
                fmt::format("$\\frac{{\\mathrm{{d}}}}{{\\mathrm{{d}}t}}(T_2 - T_0) + \\frac{{\\partial T}}{{\\partial t}} = "
                            "\\sum_i Q_i \\dot{{q}}_i{}$.",
                            multipliers ? " + \\sum_j \\lambda_j b_j" : ""));
-  const auto write = [&](const Written& left, const Value& value, const std::string& remark) {
+  const auto write = [&](const Spelling& left, const Value& value, const std::string& remark) {
     if (const std::optional<Sum> sum = view.sum(value)) {
-      page.equation("", left, collected(*sum), remark);
+      page.stated(left, collected(*sum), remark);
     } else {
-      page.equation("", left, named("..."), remark + ": too long to be written out; kernels compute it");
+      page.note(fmt::format("{}: {}, too long to be written out; kernels compute it.", left.plain, remark));
     }
   };
   if (!report.failing_conditions.empty()) {
-    Written difference = named("T2");
-    difference.push_back(named("T0")[0]);
-    difference.back().coefficient = Number(-1);
-    write(difference, report.t2_minus_t0, "in J");
-    if (!report.explicit_rate.is_zero()) write(named("dT/dt"), report.explicit_rate, "partial derivative at constant q and q', in W");
+    if (report.t2_minus_t0.polynomial() == kinetic_energy(equations.model()).polynomial()) {
+      page.stated({"T2 - T0", "T_2 - T_0"}, named("T"), "nothing is driven");
+    } else {
+      write({"T2 - T0", "T_2 - T_0"}, report.t2_minus_t0, "in J");
+    }
+    if (!report.explicit_rate.is_zero()) {
+      write({"dT/dt", "\\frac{\\partial T}{\\partial t}"}, report.explicit_rate,
+            "partial derivative at constant q and q', in W");
+    }
     std::string reasons;
     for (const std::string& reason : report.failing_conditions) reasons += (reasons.empty() ? "" : "; ") + reason;
     page.note("T2 - T0 - U is not conserved: " + reasons + ".");
   }
   for (const FirstIntegral& integral : report.first_integrals) {
-    write(named("constant"), integral.value, integral.documentation);
+    write({"constant", "\\text{constant}"}, integral.value, meaning(integral));
   }
   for (const MissingMomentum& missing : missing_momenta(equations, report)) {
     page.note(fmt::format("No momentum integral along {}: {}.", missing.coordinate, fmt::join(missing.reasons, ", ")));

@@ -22,8 +22,11 @@ GiNaC::ex partial(const GiNaC::ex& expression, const GiNaC::ex& symbol) {
 
 }  // namespace
 
-LagrangeEquations::LagrangeEquations(const Scene& scene, const InlineLimits& limits)
-    : open_(scene, symbolic(false)), definitions_(scene, symbolic(true)), view_(open_.program(), limits, positive_parameters(scene.content())) {
+LagrangeEquations::LagrangeEquations(const Scene& scene, const InlineLimits& limits, bool with_steps)
+    : with_steps_(with_steps),
+      open_(scene, symbolic(false)),
+      definitions_(scene, symbolic(true)),
+      view_(open_.program(), limits, positive_parameters(scene.content())) {
   view_.name_products(disc_products(open_.model()));
   derive();
 }
@@ -121,6 +124,10 @@ void LagrangeEquations::derive_equation(std::size_t i, const std::optional<GiNaC
     const GiNaC::ex momentum = partial(*kinetic, view_.symbol(c.v));
     const GiNaC::ex rate = time_derivative(momentum);
     const GiNaC::ex along_q = along(*kinetic, c);
+    if (with_steps_) {
+      equation.steps = {view_.bounded_sum(at_rest(momentum)), view_.bounded_sum(at_rest(rate)),
+                        view_.bounded_sum(at_rest(along_q))};
+    }
     equation.inertia.sum = view_.bounded_sum(at_rest(rate - along_q + turning_term(*kinetic, c)));
     const Value rest = other_forces(i);
     equation.force.terms = view_.term_bound(rest);

@@ -18,12 +18,18 @@ struct Quantity {
   double terms = 0;  ///< upper bound of the terms before anything cancels
 };
 
+/// The terms of P_i = d/dt ∂T/∂q̇_i − ∂T/∂q_i, each apart.
+struct LagrangeSteps {
+  std::optional<Sum> momentum, rate, along;  ///< ∂T/∂q̇_i, its time derivative, ∂T/∂q_i; none where it is too long
+};
+
 /// P_i = Q_i + Σ_k ∂e_k/∂q_i u_k + Σ_j λ_j column_j,i of one coordinate.
 struct LagrangeEquation {
   CoordinateContent coordinate;
   SymbolPointer reaction;  ///< of a released coordinate: stands on the right with a factor 1
   Quantity inertia;        ///< P_i; when too long, P_i minus everything of the right but the inputs
   Quantity force;          ///< the right-hand side without the reaction; zero when P_i is too long
+  LagrangeSteps steps{};   ///< only where they are asked for
   bool written_out() const { return inertia.sum.has_value() && force.sum.has_value(); }
 };
 
@@ -39,7 +45,7 @@ struct ConstraintEquation {
 /// are set to zero after the differentiation.
 class LagrangeEquations {
  public:
-  LagrangeEquations(const Scene& scene, const InlineLimits& limits);
+  explicit LagrangeEquations(const Scene& scene, const InlineLimits& limits, bool with_steps = false);
 
   const Quantity& kinetic_energy() const { return kinetic_energy_; }
   const Quantity& force_function() const { return force_function_; }
@@ -68,6 +74,7 @@ class LagrangeEquations {
   void derive_equation(std::size_t i, const std::optional<GiNaC::ex>& kinetic, const std::optional<GiNaC::ex>& work);
   Value other_forces(std::size_t i) const;
 
+  bool with_steps_;
   Equations open_;         ///< released coordinates are coordinates
   Equations definitions_;  ///< released coordinates are held at zero
   InlineView view_;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "generator/printing/named_roots.hpp"
 
+#include <algorithm>
 #include <functional>
 #include <map>
 #include <string>
@@ -30,6 +31,9 @@ class RootPage final : public Page {
   void section(const std::string& heading) override {
     lines_.emplace_back([this, heading] { page_->section(heading); });
   }
+  void step(const std::string& heading) override {
+    lines_.emplace_back([this, heading] { page_->step(heading); });
+  }
   void note(const std::string& sentence) override {
     lines_.emplace_back([this, sentence] { page_->note(sentence); });
   }
@@ -49,16 +53,20 @@ class RootPage final : public Page {
     count(right);
     lines_.emplace_back([=, this] { page_->equation(label, named_in(left), named_in(right), remark); });
   }
-  void matrix(const std::string& name, const std::vector<std::vector<Written>>& rows) override {
+  void stated(const Spelling& left, const Written& right, const std::string& remark) override {
+    count(right);
+    lines_.emplace_back([=, this] { page_->stated(left, named_in(right), remark); });
+  }
+  void matrix(const Spelling& name, const std::string& entry, const std::vector<std::vector<Written>>& rows) override {
     for (const auto& row : rows) {
-      for (const Written& entry : row) count(entry);
+      for (const Written& each : row) count(each);
     }
     lines_.emplace_back([=, this] {
       std::vector<std::vector<Written>> with_names = rows;
       for (auto& row : with_names) {
-        for (Written& entry : row) entry = named_in(entry);
+        for (Written& each : row) each = named_in(each);
       }
-      page_->matrix(name, with_names);
+      page_->matrix(name, entry, with_names);
     });
   }
 
@@ -135,6 +143,26 @@ class RootPage final : public Page {
 
 std::unique_ptr<Page> with_named_roots(std::unique_ptr<Page> page) {
   return std::make_unique<RootPage>(std::move(page));
+}
+
+std::string words_as_page(const std::string& text, const SceneContent& scene, const PageStyle& style) {
+  const std::unique_ptr<Page> page = page_of(style);
+  page->title(scene);
+  for (std::size_t begin = 0; begin < text.size();) {
+    const std::size_t end = std::min(text.find('\n', begin), text.size());
+    const std::string line = text.substr(begin, end - begin);
+    const std::size_t words = line.find_first_not_of(' ');
+    if (words == 0) page->section(line);
+    if (words != 0 && words != std::string::npos) page->note(line.substr(words));
+    begin = end + 1;
+  }
+  return page->finish();
+}
+
+std::unique_ptr<Page> page_of(const PageStyle& style) {
+  return with_named_roots(style.format == Format::text    ? text_page()
+                          : style.format == Format::latex ? latex_page(style.document)
+                                                          : html_page());
 }
 
 }  // namespace torsor::printing

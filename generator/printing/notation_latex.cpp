@@ -3,10 +3,13 @@
 #include <array>
 #include <cctype>
 #include <string_view>
+#include <utility>
+#include <vector>
 
 #include <fmt/format.h>
 
 #include "generator/printing/notation.hpp"
+#include "generator/program/written_unit.hpp"
 
 namespace torsor::printing {
 namespace {
@@ -97,7 +100,7 @@ std::string factor_latex(const WrittenFactor& factor, int halves) {
   }
   if (call) {
     const std::string call_of =
-        fmt::format("\\{}{}\\left({}\\right)", to_string(factor.base->function), exponent, latex(factor.inside));
+        fmt::format("\\{}{}\\left({}\\right)", name_on_paper(factor), exponent, latex(factor.inside));
     return halves == 1 ? fmt::format("\\sqrt{{{}}}", call_of) : call_of;
   }
   std::string base;
@@ -150,21 +153,86 @@ std::string latex(const Written& written) {
   return result.empty() ? "0" : result;
 }
 
+namespace {
+
+/// What a line break does not part: its LaTeX, and its length as plain text, which is about what LaTeX sets.
+struct Piece {
+  std::string latex;
+  std::size_t size = 0;
+};
+
+/// The factor that is a sum in parentheses and may be written on several lines.
+std::size_t breakable_factor(const WrittenTerm& term) {
+  std::size_t best = term.factors.size(), most = 1;
+  for (std::size_t i = 0; i < term.factors.size(); ++i) {
+    const WrittenFactor& factor = term.factors[i];
+    const bool sum = !factor.base && !factor.size && factor.halves > 0 && factor.halves % 2 == 0;
+    if (!sum || factor.inside.size() <= most) continue;
+    best = i;
+    most = factor.inside.size();
+  }
+  return best;
+}
+
+void add_pieces(const Written& written, std::size_t width, bool first, std::vector<Piece>& pieces);
+
+/// A term, in several pieces where one line cannot hold it.
+void add_term(const WrittenTerm& term, bool first, std::size_t width, std::vector<Piece>& pieces) {
+  const std::size_t size = text({term}).size(), broken = breakable_factor(term);
+  if (size <= width || broken == term.factors.size()) {
+    pieces.push_back({sign_latex(term, first) + term_latex(term), size});
+    return;
+  }
+  // Numbers, denominators and what stands before the sum; the sum; what stands after it.
+  WrittenTerm before{term.coefficient.abs(), {}}, after{Number(1), {}};
+  for (std::size_t i = 0; i < term.factors.size(); ++i) {
+    if (i == broken) continue;
+    (i < broken || term.factors[i].halves < 0 ? before : after).factors.push_back(term.factors[i]);
+  }
+  std::string head = sign_latex(term, first);
+  if (!before.coefficient.is_one() || !before.factors.empty()) head += term_latex(before) + " ";
+  const std::size_t begin = pieces.size();
+  const WrittenFactor& sum = term.factors[broken];
+  add_pieces(sum.inside, width, true, pieces);
+  pieces[begin].latex = head + "\\bigl(" + pieces[begin].latex;
+  pieces[begin].size += text({before}).size() + 2;
+  std::string tail = "\\bigr)";
+  if (sum.halves > 2) tail += fmt::format("^{{{}}}", sum.halves / 2);
+  if (!after.factors.empty()) tail += " " + term_latex(after);
+  pieces.back().latex += tail;
+  pieces.back().size += 1 + (after.factors.empty() ? 0 : text({after}).size());
+}
+
+void add_pieces(const Written& written, std::size_t width, bool first, std::vector<Piece>& pieces) {
+  for (const WrittenTerm& term : written) {
+    add_term(term, first, width, pieces);
+    first = false;
+  }
+}
+
+}  // namespace
+
 std::string latex_lines(const Written& written, std::size_t width) {
+  std::vector<Piece> pieces;
+  add_pieces(written, width, true, pieces);
   std::string result;
   std::size_t column = 0;
-  for (const WrittenTerm& term : written) {
-    const std::size_t size = text({term}).size();  // plain text is about as long as what LaTeX sets
+  for (const Piece& piece : pieces) {
     const bool first = result.empty();
-    const bool fits = first || column + size <= width;
-    if (!first) result += fits ? " " : " \\\\\n  &\\qquad ";
-    column = fits ? column + size + 3 : size;
-    result += sign_latex(term, first) + term_latex(term);
+    const bool fits = first || column + piece.size <= width;
+    if (!first) result += fits ? " " : " \\\\\n  &\\qquad {}";  // the empty group keeps the space around a sign
+    column = fits ? column + piece.size + 3 : piece.size;
+    result += piece.latex;
   }
   return result.empty() ? "0" : result;
 }
 
 std::string latex_name(const std::string& name) {
+  if (const std::size_t bracket = name.find('['); bracket != std::string::npos && name.back() == ']') {
+    const std::string matrix = name.substr(0, bracket);
+    return fmt::format("{}_{{{}}}", matrix.size() == 1 ? "\\mathbf{" + matrix + "}" : "{" + latex_name(matrix) + "}",
+                       name.substr(bracket + 1, name.size() - bracket - 2));
+  }
   const std::size_t end = name.find('\'');
   const std::size_t dots = end == std::string::npos ? 0 : name.size() - end;
   std::string stem = name.substr(0, end);
@@ -211,26 +279,42 @@ std::string latex_escaped(const std::string& text) {
   return result;
 }
 
-std::string latex_unit(const Unit& unit) {
+namespace {
+
+std::string upright(const std::string& unit) {
   std::string result;
-  std::string exponent;
-  bool raised = false;
-  for (const char c : unit.to_string() + " ") {
-    if (c == '^') {
-      raised = true;
-    } else if (c == ' ') {
-      if (!exponent.empty()) result += fmt::format("^{{{}}}", exponent);
-      exponent.clear();
-      raised = false;
+  for (std::size_t i = 0; i < unit.size(); ++i) {
+    if (unit[i] == ' ') {
       result += "\\,";
-    } else if (raised) {
-      if (c != '(' && c != ')') exponent += c;
+    } else if (unit[i] != '^') {
+      result += unit[i];
+    } else if (unit[i + 1] == '(') {
+      const std::size_t end = unit.find(')', i);
+      result += fmt::format("^{{{}}}", unit.substr(i + 2, end - i - 2));
+      i = end;
     } else {
-      result += c;
+      std::size_t end = i + 1;
+      while (end < unit.size() && (is_digit(unit[end]) || unit[end] == '-')) ++end;
+      result += fmt::format("^{{{}}}", unit.substr(i + 1, end - i - 1));
+      i = end - 1;
     }
   }
-  result.resize(result.size() - 2);
   return fmt::format("\\mathrm{{{}}}", result);
+}
+
+}  // namespace
+
+std::string latex_unit(const Unit& unit) { return upright(written_unit(unit)); }
+std::string latex_unit(const Symbol& symbol) { return upright(written_unit(symbol)); }
+
+std::string accented(std::string sentence) {
+  static constexpr std::pair<std::string_view, std::string_view> names[] = {{"Painleve", "Painlev\xc3\xa9"}};
+  for (const auto& [plain, proper] : names) {
+    for (std::size_t at = sentence.find(plain); at != std::string::npos; at = sentence.find(plain, at + proper.size())) {
+      sentence.replace(at, plain.size(), proper);
+    }
+  }
+  return sentence;
 }
 
 }  // namespace torsor::printing

@@ -10,6 +10,16 @@
 
 namespace torsor::printing {
 
+/// One thing in both spellings: plain ASCII, and LaTeX.
+struct Spelling {
+  std::string plain, latex;
+};
+
+/// A matrix's name, bold in LaTeX.
+Spelling bold(const std::string& name);
+/// The name of a body, a joint or an action, which is data: an identifier as a symbol, anything else as escaped text.
+Spelling named_object(const std::string& name);
+
 /// Where equations are written: one implementation per format. Sentences are plain ASCII; `$...$` never occurs in them.
 class Page {
  public:
@@ -20,6 +30,8 @@ class Page {
 
   virtual void title(const SceneContent& scene) = 0;
   virtual void section(const std::string& heading) = 0;
+  /// A section that a reader may want to skip: folded where the format folds.
+  virtual void step(const std::string& heading) { section(heading); }
   virtual void note(const std::string& sentence) = 0;
   /// A formula inside a sentence of its own: two spellings of the same thing.
   virtual void formula(const std::string& plain, const std::string& latex) = 0;
@@ -30,9 +42,19 @@ class Page {
   /// left = right; the label names the equation, the remark follows it. Both may be empty.
   virtual void equation(const std::string& label, const Written& left, const Written& right,
                         const std::string& remark) = 0;
-  virtual void matrix(const std::string& name, const std::vector<std::vector<Written>>& rows) = 0;
+  /// The same where the left side is no formula of symbols, e.g. dT/dtheta'.
+  virtual void stated(const Spelling& left, const Written& right, const std::string& remark) = 0;
+  /// One that is too wide has names in the place of its long entries, which follow it. `entry` begins those names.
+  virtual void matrix(const Spelling& name, const std::string& entry,
+                      const std::vector<std::vector<Written>>& rows) = 0;
   virtual std::string finish() = 0;
 };
+
+/// Lines of words as a page: one that is not indented begins a section.
+std::string words_as_page(const std::string& text, const SceneContent& scene, const PageStyle& style);
+
+/// A page in the format, which names roots that it meets several times.
+std::unique_ptr<Page> page_of(const PageStyle& style);
 
 std::unique_ptr<Page> text_page();
 std::unique_ptr<Page> latex_page(bool document);

@@ -3,9 +3,11 @@
 
 #include <fmt/format.h>
 
+#include "generator/printing/fitted_matrix.hpp"
 #include "generator/printing/html_text.hpp"
 #include "generator/printing/notation.hpp"
 #include "generator/printing/page.hpp"
+#include "generator/program/written_unit.hpp"
 
 namespace torsor::printing {
 namespace {
@@ -17,23 +19,20 @@ std::string number_or(const Written& value, std::string (*write)(const Written&)
   return number ? decimal_text(value[0].coefficient) : write(value);
 }
 
-/// The unit as a reader expects it: a coordinate without dimension is an angle, unless it is a quaternion's.
+/// The unit as a reader expects it; nothing where there is none.
 std::string unit_in_text(const Symbol& symbol) {
-  const bool angle =
-      symbol.kind == SymbolKind::coordinate && symbol.unit.is_dimensionless() && symbol.attitude.expired();
-  if (angle) return "rad";
-  return symbol.unit.is_dimensionless() ? "" : symbol.unit.to_string();
+  const std::string unit = written_unit(symbol);
+  return unit == "1" ? "" : unit;
 }
 
 class HtmlPage final : public Page {
  public:
   void title(const SceneContent&) override {}
-  void section(const std::string& heading) override {
-    close();
-    out_ += fmt::format("<details open><summary><h3>{}</h3></summary>\n", html_escaped(heading));
-    open_ = true;
+  void section(const std::string& heading) override { begin(heading, " open"); }
+  void step(const std::string& heading) override { begin(heading, ""); }
+  void note(const std::string& sentence) override {
+    out_ += fmt::format("<p>{}</p>\n", html_escaped(accented(sentence)));
   }
-  void note(const std::string& sentence) override { out_ += fmt::format("<p>{}</p>\n", html_escaped(sentence)); }
   void formula(const std::string& plain, const std::string& latex) override {
     out_ += fmt::format("<p data-mixed=\"{}\">{}</p>\n", html_escaped(latex), html_escaped(plain));
   }
@@ -63,28 +62,31 @@ class HtmlPage final : public Page {
     }
     display("\\begin{aligned}" + body + "\\end{aligned}", text(left) + " = " + text(right), label, remark);
   }
-  void matrix(const std::string& name, const std::vector<std::vector<Written>>& rows) override {
+  void stated(const Spelling& left, const Written& right, const std::string& remark) override {
+    display(fmt::format("\\begin{{aligned}}{} &= {}\\end{{aligned}}", left.latex, latex_lines(right, line_of_page)),
+            left.plain + " = " + text(right), "", remark);
+  }
+  void matrix(const Spelling& name, const std::string& entry, const WrittenMatrix& rows) override {
     if (rows.empty() || rows[0].empty()) return;
-    std::size_t widest = 0;
-    std::string plain = name + " =";
-    std::string body = fmt::format("\\mathbf{{{}}} = \\begin{{pmatrix}}", name);
-    for (std::size_t i = 0; i < rows.size(); ++i) {
-      body += i == 0 ? "" : " \\\\ ";
-      plain += "\n  [ ";
-      std::size_t width = 0;
-      for (std::size_t j = 0; j < rows[i].size(); ++j) {
-        body += (j > 0 ? " & " : "") + latex(rows[i][j]);
-        plain += (j > 0 ? ",  " : "") + text(rows[i][j]);
-        width += text(rows[i][j]).size() + 2;
-      }
-      plain += " ]";
-      widest = std::max(widest, width);
-    }
-    if (widest <= 2 * line_of_page) {
-      display(body + "\\end{pmatrix}", plain, "", "");
+    const FittedMatrix matrix = fitted(entry, rows, line_of_page);
+    if (!matrix.instead.empty()) {
+      display(fmt::format("{}\\text{{, {}:}}", name.latex, matrix.instead),
+              fmt::format("{}, {}:", name.plain, matrix.instead), "", "");
     } else {
-      entries(name, rows);
+      std::string plain = name.plain + " =";
+      std::string body = fmt::format("{} = \\begin{{pmatrix}}", name.latex);
+      for (std::size_t i = 0; i < matrix.rows.size(); ++i) {
+        body += i == 0 ? "" : " \\\\ ";
+        plain += "\n  [ ";
+        for (std::size_t j = 0; j < matrix.rows[i].size(); ++j) {
+          body += (j > 0 ? " & " : "") + latex(matrix.rows[i][j]);
+          plain += (j > 0 ? ",  " : "") + text(matrix.rows[i][j]);
+        }
+        plain += " ]";
+      }
+      display(body + "\\end{pmatrix}", plain, "", "");
     }
+    for (const auto& [entry_name, value] : matrix.named) equation("", named(entry_name), value, "");
   }
   std::string finish() override {
     close();
@@ -92,20 +94,10 @@ class HtmlPage final : public Page {
   }
 
  private:
-  /// A wide matrix entry by entry; what is not listed is zero.
-  void entries(const std::string& name, const std::vector<std::vector<Written>>& rows) {
-    bool zeros = false;
-    for (std::size_t i = 0; i < rows.size(); ++i) {
-      for (std::size_t j = 0; j < rows[i].size(); ++j) {
-        zeros = zeros || rows[i][j].empty();
-        if (rows[i][j].empty()) continue;
-        const std::string index = rows[i].size() == 1 ? fmt::format("{}", i + 1) : fmt::format("{},{}", i + 1, j + 1);
-        display(fmt::format("\\begin{{aligned}}\\mathbf{{{}}}_{{{}}} &= {}\\end{{aligned}}", name, index,
-                            latex_lines(rows[i][j], line_of_page)),
-                fmt::format("{}[{}] = {}", name, index, text(rows[i][j])), "", "");
-      }
-    }
-    if (zeros) note(fmt::format("The other entries of {} are zero.", name));
+  void begin(const std::string& heading, const char* open) {
+    close();
+    out_ += fmt::format("<details{}><summary><h3>{}</h3></summary>\n", open, html_escaped(accented(heading)));
+    open_ = true;
   }
 
   void display(const std::string& latex, const std::string& plain, const std::string& label,

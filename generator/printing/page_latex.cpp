@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include "generator/printing/fitted_matrix.hpp"
 #include "generator/printing/notation.hpp"
 #include "generator/printing/page.hpp"
 
@@ -34,11 +35,11 @@ class LatexPage final : public Page {
   }
   void section(const std::string& heading) override {
     close();
-    out_ += "\n\\subsection*{" + latex_escaped(heading) + "}\n";
+    out_ += "\n\\subsection*{" + latex_escaped(accented(heading)) + "}\n";
   }
   void note(const std::string& sentence) override {
     close();
-    out_ += latex_escaped(sentence) + "\\par\n";
+    out_ += latex_escaped(accented(sentence)) + "\\par\n";
   }
   void formula(const std::string&, const std::string& latex) override {
     close();
@@ -46,10 +47,7 @@ class LatexPage final : public Page {
   }
   void symbol(const Symbol& symbol, const std::string& remark) override {
     close();
-    const bool angle =
-        symbol.kind == SymbolKind::coordinate && symbol.unit.is_dimensionless() && symbol.attitude.expired();
-    out_ += fmt::format("${}$ [${}$] {}\\par\n", latex_name(symbol.name),
-                        angle ? "\\mathrm{rad}" : latex_unit(symbol.unit), latex_escaped(remark));
+    out_ += fmt::format("${}$ [${}$] {}\\par\n", latex_name(symbol.name), latex_unit(symbol), latex_escaped(remark));
   }
   void value(const Symbol& symbol, const Written& value, bool with_unit) override {
     std::string line = fmt::format("{} &= {}", latex_name(symbol.name), value_latex(value));
@@ -60,9 +58,7 @@ class LatexPage final : public Page {
                 const std::string& remark) override {
     const std::size_t left_size = text(left).size();
     const bool broken = left_size + text(right).size() > line_width;
-    std::string end;
-    if (!remark.empty()) end += fmt::format(" && \\text{{{}}}", latex_escaped(remark));
-    if (!label.empty()) end += fmt::format(" \\tag{{${}$}}", latex_name(label));
+    const std::string end = label.empty() ? "" : fmt::format(" \\tag{{${}$}}", latex_name(label));
     if (!broken) {
       row(fmt::format("{} &= {}{}", latex(left), latex(right), end));
     } else if (left_size < 20) {
@@ -71,22 +67,31 @@ class LatexPage final : public Page {
       row(fmt::format("&{} \\\\\n  &\\quad = {}{}", latex_lines(left, line_width), latex_lines(right, line_width),
                       end));
     }
+    say(remark);
   }
-  void matrix(const std::string& name, const std::vector<std::vector<Written>>& rows) override {
+  void stated(const Spelling& left, const Written& right, const std::string& remark) override {
+    row(fmt::format("{} &= {}", left.latex, latex_lines(right, line_width)));
+    say(remark);
+  }
+  void matrix(const Spelling& name, const std::string& entry, const WrittenMatrix& rows) override {
     if (rows.empty() || rows[0].empty()) return;
-    if (!fits(rows)) {
-      entries(name, rows);
-      return;
-    }
-    std::string body = fmt::format("\\mathbf{{{}}} &= \\begin{{pmatrix}}", name);
-    for (std::size_t i = 0; i < rows.size(); ++i) {
-      body += i == 0 ? "\n    " : " \\\\\n    ";
-      for (std::size_t j = 0; j < rows[i].size(); ++j) {
-        if (j > 0) body += " & ";
-        body += latex(rows[i][j]);
+    const FittedMatrix matrix = fitted(entry, rows, line_width);
+    if (!matrix.instead.empty()) {
+      formula({}, fmt::format("${}$, {}:", name.latex, matrix.instead));
+    } else {
+      std::string body = fmt::format("{} &= \\begin{{pmatrix}}", name.latex);
+      for (std::size_t i = 0; i < matrix.rows.size(); ++i) {
+        body += i == 0 ? "\n    " : " \\\\\n    ";
+        for (std::size_t j = 0; j < matrix.rows[i].size(); ++j) {
+          if (j > 0) body += " & ";
+          body += latex(matrix.rows[i][j]);
+        }
       }
+      row(body + "\n  \\end{pmatrix}");
     }
-    row(body + "\n  \\end{pmatrix}");
+    for (const auto& [entry_name, value] : matrix.named) {
+      row(fmt::format("{} &= {}", latex_name(entry_name), latex_lines(value, line_width)));
+    }
   }
   std::string finish() override {
     close();
@@ -95,28 +100,11 @@ class LatexPage final : public Page {
   }
 
  private:
-  static bool fits(const std::vector<std::vector<Written>>& rows) {
-    std::size_t total = 0;
-    for (std::size_t j = 0; j < rows[0].size(); ++j) {
-      std::size_t widest = 0;
-      for (const auto& row : rows) widest = std::max(widest, text(row[j]).size());
-      total += widest + 2;
-    }
-    return total <= line_width;
-  }
-
-  /// A wide matrix entry by entry; what is not listed is zero.
-  void entries(const std::string& name, const std::vector<std::vector<Written>>& rows) {
-    bool zeros = false;
-    for (std::size_t i = 0; i < rows.size(); ++i) {
-      for (std::size_t j = 0; j < rows[i].size(); ++j) {
-        zeros = zeros || rows[i][j].empty();
-        if (rows[i][j].empty()) continue;
-        const std::string index = rows[i].size() == 1 ? fmt::format("{}", i + 1) : fmt::format("{},{}", i + 1, j + 1);
-        row(fmt::format("\\mathbf{{{}}}_{{{}}} &= {}", name, index, latex_lines(rows[i][j], line_width)));
-      }
-    }
-    if (zeros) note(fmt::format("The other entries of {} are zero.", name));
+  /// A remark on the equation before it: a line of its own, so that it cannot fall off the page.
+  void say(const std::string& remark) {
+    if (remark.empty()) return;
+    close();
+    out_ += fmt::format("\\hfill{{\\small ({})}}\\par\n", latex_escaped(accented(remark)));
   }
 
   /// Neighbouring equations share one environment.

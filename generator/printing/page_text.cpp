@@ -3,8 +3,10 @@
 
 #include <fmt/format.h>
 
+#include "generator/printing/fitted_matrix.hpp"
 #include "generator/printing/notation.hpp"
 #include "generator/printing/page.hpp"
+#include "generator/program/written_unit.hpp"
 
 namespace torsor::printing {
 namespace {
@@ -17,13 +19,6 @@ std::string value_text(const Written& value) {
   return number ? decimal_text(value[0].coefficient) : text(value);
 }
 
-/// A coordinate without dimension is an angle, unless it is a quaternion's.
-std::string unit_text(const Symbol& symbol) {
-  const bool angle =
-      symbol.kind == SymbolKind::coordinate && symbol.unit.is_dimensionless() && symbol.attitude.expired();
-  return angle ? "rad" : symbol.unit.to_string();
-}
-
 class TextPage final : public Page {
  public:
   void title(const SceneContent& scene) override {
@@ -33,12 +28,12 @@ class TextPage final : public Page {
   void note(const std::string& sentence) override { out_ += "  " + sentence + "\n"; }
   void formula(const std::string& plain, const std::string&) override { note(plain); }
   void symbol(const Symbol& symbol, const std::string& remark) override {
-    out_ += fmt::format("  {} [{}]", symbol.name, unit_text(symbol));
+    out_ += fmt::format("  {} [{}]", symbol.name, written_unit(symbol));
     out_ += remark.empty() ? "\n" : fmt::format("  {}\n", remark);
   }
   void value(const Symbol& symbol, const Written& value, bool with_unit) override {
     out_ += fmt::format("  {} = {}", symbol.name, value_text(value));
-    if (with_unit && !symbol.unit.is_dimensionless()) out_ += fmt::format(" {}", symbol.unit.to_string());
+    if (with_unit && !symbol.unit.is_dimensionless()) out_ += fmt::format(" {}", written_unit(symbol.unit));
     out_ += "\n";
   }
   void equation(const std::string& label, const Written& left, const Written& right,
@@ -55,51 +50,49 @@ class TextPage final : public Page {
     }
     out_ += remark.empty() ? fmt::format("{}\n", line) : fmt::format("{}    ({})\n", line, remark);
   }
-  void matrix(const std::string& name, const std::vector<std::vector<Written>>& rows) override {
+  void stated(const Spelling& left, const Written& right, const std::string& remark) override {
+    const std::string start = "  " + left.plain + " = ";
+    const std::string line = start + text_lines(right, start.size(), "      ", page_width);
+    out_ += remark.empty() ? line + "\n" : fmt::format("{}    ({})\n", line, remark);
+  }
+  void matrix(const Spelling& name, const std::string& entry, const WrittenMatrix& rows) override {
     if (rows.empty() || rows[0].empty()) return;
-    std::vector<std::size_t> widths(rows[0].size(), 0);
-    std::size_t total = 0;
+    const FittedMatrix matrix = fitted(entry, rows, page_width);
+    if (!matrix.instead.empty()) note(fmt::format("{}, {}:", name.plain, matrix.instead));
+    std::vector<std::size_t> widths(matrix.instead.empty() ? rows[0].size() : 0, 0);
     for (std::size_t j = 0; j < widths.size(); ++j) {
-      for (const auto& row : rows) widths[j] = std::max(widths[j], text(row[j]).size());
-      total += widths[j] + 3;
+      for (const auto& row : matrix.rows) widths[j] = std::max(widths[j], text(row[j]).size());
     }
-    if (total > page_width) {
-      entries(name, rows);
-      return;
-    }
-    for (std::size_t i = 0; i < rows.size(); ++i) {
-      const std::string head = name + " = ";
+    for (std::size_t i = 0; i < matrix.rows.size(); ++i) {
+      const std::string head = name.plain + " = ";
       out_ += "  " + (i == 0 ? head : std::string(head.size(), ' ')) + "[ ";
       for (std::size_t j = 0; j < widths.size(); ++j) {
-        out_ += fmt::format("{:<{}}", text(rows[i][j]), widths[j]) + (j + 1 < widths.size() ? ",  " : " ]\n");
+        out_ += fmt::format("{:<{}}", text(matrix.rows[i][j]), widths[j]) + (j + 1 < widths.size() ? ",  " : " ]\n");
       }
+    }
+    for (const auto& [entry_name, value] : matrix.named) {
+      const std::string head = fmt::format("  {} = ", entry_name);
+      out_ += head + text_lines(value, head.size(), std::string(head.size(), ' '), page_width) + "\n";
     }
   }
   std::string finish() override { return std::move(out_); }
 
  private:
-  /// A wide matrix entry by entry; what is not listed is zero.
-  void entries(const std::string& name, const std::vector<std::vector<Written>>& rows) {
-    bool zeros = false;
-    for (std::size_t i = 0; i < rows.size(); ++i) {
-      for (std::size_t j = 0; j < rows[i].size(); ++j) {
-        zeros = zeros || rows[i][j].empty();
-        if (rows[i][j].empty()) continue;
-        const bool column = rows[i].size() == 1;
-        const std::string head =
-            column ? fmt::format("  {}[{}] = ", name, i + 1) : fmt::format("  {}[{},{}] = ", name, i + 1, j + 1);
-        out_ += head + text_lines(rows[i][j], head.size(), std::string(head.size(), ' '), page_width) + "\n";
-      }
-    }
-    if (zeros) out_ += fmt::format("  The other entries of {} are zero.\n", name);
-  }
-
   std::string out_;
 };
 
 }  // namespace
 
 std::unique_ptr<Page> text_page() { return std::make_unique<TextPage>(); }
+
+Spelling bold(const std::string& name) { return {name, fmt::format("\\mathbf{{{}}}", name)}; }
+
+Spelling named_object(const std::string& name) {
+  const bool identifier = !name.empty() && std::all_of(name.begin(), name.end(), [](char c) {
+    return c == '_' || std::isalnum(static_cast<unsigned char>(c)) != 0;
+  });
+  return {name, identifier ? latex_name(name) : fmt::format("\\text{{{}}}", latex_escaped(name))};
+}
 
 Written named(const std::string& name) {
   const auto symbol = std::make_shared<const Symbol>(Symbol{name, Unit(), SymbolKind::parameter, 0, nullptr});

@@ -11,10 +11,10 @@
 #include "generator/dynamics/equations/validation.hpp"
 #include "generator/mechanics/freedom_positions.hpp"
 #include "generator/printing/definitions_view.hpp"
+#include "generator/printing/derivation.hpp"
 #include "generator/printing/first_integrals.hpp"
 #include "generator/printing/lagrange_equations.hpp"
 #include "generator/printing/linearised_equations.hpp"
-#include "generator/printing/named_roots.hpp"
 #include "generator/printing/page.hpp"
 
 namespace torsor {
@@ -25,7 +25,7 @@ namespace {
 class Printer {
  public:
   Printer(const Scene& scene, const PrintOptions& options, Page& page)
-      : scene_(scene), options_(options), page_(page), equations_(scene, {options.terms, options.expansion}) {
+      : scene_(scene), options_(options), page_(page), equations_(scene, {options.terms, options.expansion}, options.derivation) {
     gather_long_results();
   }
 
@@ -33,10 +33,22 @@ class Printer {
     page_.title(scene_.content());
     parameters();
     coordinates();
+    std::optional<Derivation> derivation;
+    if (options_.derivation) {
+      // A step is read, or it is no step: a fifth of what an equation may have.
+      derivation.emplace(scene_, InlineLimits{options_.terms / 5, options_.expansion / 4}, page_);
+      derivation->screws();
+      derivation->kinetic_energies();
+    }
     energies();
+    if (derivation) {
+      derivation->partial_derivatives(equations_.equations());
+      derivation->forces();
+    }
     lagrange();
     constraints();
     write_first_integrals(equations_.definitions(), {options_.terms, options_.expansion}, page_);
+    if (derivation) derivation->reactions();
     if (options_.linearisation) linearisation();
     definitions();
   }
@@ -179,6 +191,11 @@ class Printer {
     if (equations_.constraints().empty()) return;
     page_.section("Constraints");
     for (const ConstraintEquation& constraint : equations_.constraints()) {
+      if (constraint.left.sum && constraint.left.sum->is_zero()) {
+        page_.note(fmt::format("{} ({}) holds whatever the motion: it is no equation, and its multiplier is 0.",
+                               constraint.name, constraint.holonomic ? "holonomic" : "non-holonomic"));
+        continue;
+      }
       if (!constraint.left.sum) say_too_long("The constraint " + constraint.name + " is", constraint.left);
       page_.equation("", written(constraint.left), {},
                      constraint.name + (constraint.holonomic ? ", holonomic" : ", non-holonomic"));
@@ -234,7 +251,7 @@ class Printer {
       for (const Sum& sum : row) entries.push_back(collected(sum));
       rows.push_back(std::move(entries));
     }
-    page_.matrix(name, rows);
+    page_.matrix(bold(name), name, rows);
   }
 
   void definitions() {
@@ -262,10 +279,7 @@ class Printer {
 
 std::string print_equations(const Scene& scene, Format format, const PrintOptions& options) {
   validate(scene);
-  const std::unique_ptr<printing::Page> page = printing::with_named_roots(
-      format == Format::text    ? printing::text_page()
-      : format == Format::latex ? printing::latex_page(options.document)
-                                : printing::html_page());
+  const std::unique_ptr<printing::Page> page = printing::page_of({format, options.document});
   printing::Printer(scene, options, *page).print();
   return page->finish();
 }

@@ -15,8 +15,17 @@ enum class Format {
   html,   ///< folded sections of a report, without its title
 };
 
+/// How a page is written.
+struct PageStyle {
+  Format format = Format::text;
+  bool document = false;  ///< LaTeX: a whole document instead of a fragment
+};
+
 struct PrintOptions {
   bool document = false;      ///< LaTeX: a whole document instead of a fragment
+  /// The steps that lead to the equations, in the order of a course: twists and momentum screws at the centres of mass, T
+  /// body by body, its partial derivatives, generalised forces action by action, and what joints transmit.
+  bool derivation = false;
   bool linearisation = true;  ///< print M, C, K, F, E
   /// State about which the equations are linearised: a coordinate, "theta", or its velocity, "theta'", and a formula of
   /// the scene's parameters, e.g. {"X", "X0"}, {"theta", "pi/2"}. Empty: a symbolic state. When it is not empty,

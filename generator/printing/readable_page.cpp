@@ -3,8 +3,6 @@
 
 #include <fmt/format.h>
 
-#include "generator/printing/named_roots.hpp"
-
 namespace torsor::printing {
 
 void ReadablePage::section(const std::string& heading) {
@@ -31,22 +29,27 @@ void ReadablePage::equation(const std::string& label, const Value& left, const V
   });
 }
 
-void ReadablePage::matrix(const std::string& name, const ValueMatrix& matrix) {
+void ReadablePage::stated(const Spelling& left, const Value& value, const std::string& remark) {
+  gather(value);
+  lines_.emplace_back([=, this](Page& page) { page.stated(left, written(value), remark); });
+}
+
+void ReadablePage::matrix(const Spelling& name, const std::string& entry, const ValueMatrix& matrix) {
   for (const std::vector<Value>& row : matrix) {
-    for (const Value& entry : row) gather(entry);
+    for (const Value& each : row) gather(each);
   }
   lines_.emplace_back([=, this](Page& page) {
     std::vector<std::vector<Written>> rows;
     for (const std::vector<Value>& row : matrix) {
       rows.emplace_back();
-      for (const Value& entry : row) rows.back().push_back(written(entry));
+      for (const Value& each : row) rows.back().push_back(written(each));
     }
-    page.matrix(name, rows);
+    page.matrix(name, entry, rows);
   });
 }
 
-std::string ReadablePage::finish(const SceneContent& scene) {
-  const std::unique_ptr<Page> page = with_named_roots(text_page());
+std::string ReadablePage::finish(const SceneContent& scene, const PageStyle& style) {
+  const std::unique_ptr<Page> page = page_of(style);
   page->title(scene);
   if (!long_results_.empty()) {
     definitions_.emplace(*program_, long_results_);

@@ -13,7 +13,7 @@
 
 namespace torsor::printing {
 
-/// Values of one program on a page of plain text: written out where that is short enough, else by named definitions
+/// Values of one program on a page: written out where that is short enough, else by named definitions
 /// that stand at the end.
 class ReadablePage {
  public:
@@ -25,10 +25,13 @@ class ReadablePage {
   /// label:  name = value    (remark)
   void equation(const std::string& label, const std::string& name, const Value& value, const std::string& remark = {});
   void equation(const std::string& label, const Value& left, const Value& right, const std::string& remark = {});
-  void matrix(const std::string& name, const ValueMatrix& matrix);
+  /// The same with a name that is no symbol.
+  void stated(const Spelling& left, const Value& value, const std::string& remark = {});
+  void matrix(const Spelling& name, const std::string& entry, const ValueMatrix& matrix);
+  void matrix(const std::string& name, const ValueMatrix& entries) { matrix(bold(name), name, entries); }
 
-  /// The text, under the title of the scene.
-  std::string finish(const SceneContent& scene);
+  /// The page, under the title of the scene.
+  std::string finish(const SceneContent& scene, const PageStyle& style = {});
 
  private:
   void gather(const Value& value);

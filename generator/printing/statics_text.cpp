@@ -28,12 +28,30 @@ constexpr std::size_t most_freedoms = 4;  ///< of symbolic conditions: Hurwitz's
 
 class StaticsWriter {
  public:
-  StaticsWriter(const Scene& scene, const About& about)
+  StaticsWriter(const Scene& scene, const About& about, const About& set, const PageStyle& style)
       : scene_(scene),
         equations_(scene, symbolic()),
         statics_(equilibrium_equations(equations_)),
         page_(equations_.program(), scene.content()),
-        about_(about) {}
+        about_(about),
+        set_(named(set)),
+        style_(style) {
+    if (set_.empty()) return;
+    std::string values;
+    for (std::size_t k = 0; k < set.size(); ++k) {
+      const SymbolPointer symbol = set_[k].first.as_symbol();
+      if (!symbol || symbol->kind != SymbolKind::parameter) {
+        throw UsageError(fmt::format("--set takes parameters, e.g. m=0, and '{}' is none: name a state by --about", set[k].first));
+      }
+      values += fmt::format("{}{} = {}", k == 0 ? "" : ", ", set[k].first, set[k].second);
+    }
+    const AtState with_values(equations_, set_);
+    statics_.rows = with_values(statics_.rows);
+    statics_.conditions = with_values(statics_.conditions);
+    if (statics_.from_potential) statics_.potential = with_values(statics_.potential);
+    statics_.hessian = with_values(statics_.hessian);
+    page_.note("With " + values + ".");
+  }
 
   std::string write() {
     equilibrium();
@@ -55,11 +73,17 @@ class StaticsWriter {
     return options;
   }
 
-  std::string finish() { return page_.finish(scene_.content()); }
+  std::string finish() { return page_.finish(scene_.content(), style_); }
 
   AtState::Named state() const {
+    AtState::Named state = named(about_);
+    state.insert(state.end(), set_.begin(), set_.end());
+    return state;
+  }
+
+  AtState::Named named(const About& assignments) const {
     AtState::Named named;
-    for (const auto& [name, formula] : about_) {
+    for (const auto& [name, formula] : assignments) {
       const Expression what = parse_formula(name, scene_), value = parse_formula(formula, scene_);
       const bool number = value.unit() == Unit() && !(what.unit() == Unit());
       named.emplace_back(what, number ? value * Expression::quantity(Number(1), what.unit()) : value);
@@ -273,13 +297,15 @@ class StaticsWriter {
   EquilibriumEquations statics_;
   printing::ReadablePage page_;
   const About& about_;
+  AtState::Named set_;
+  PageStyle style_;
 };
 
 }  // namespace
 
-std::string statics_text(const Scene& scene, const std::vector<std::pair<std::string, std::string>>& about) {
+std::string statics_text(const Scene& scene, const About& about, const About& set, const PageStyle& style) {
   validate(scene);
-  return StaticsWriter(scene, about).write();
+  return StaticsWriter(scene, about, set, style).write();
 }
 
 }  // namespace torsor

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "generator/mechanics/scene.hpp"
+#include "generator/printing/print_equations.hpp"
 
 namespace torsor {
 
@@ -14,6 +15,9 @@ namespace torsor {
 /// derivatives of −(U + T0), and Hurwitz's conditions of the linearised equations; verdicts with the scene's values
 /// where every parameter has one. Where a criterion says nothing, "cannot conclude" and why. Equilibria are not sought:
 /// the runtime does that (find_equilibria). Throws UsageError for a state that cannot be read.
-std::string statics_text(const Scene& scene, const std::vector<std::pair<std::string, std::string>>& about);
+///
+/// `set` gives parameters other values in all of it ("omega", "0"). Throws UsageError where it names no parameter.
+std::string statics_text(const Scene& scene, const std::vector<std::pair<std::string, std::string>>& about,
+                         const std::vector<std::pair<std::string, std::string>>& set = {}, const PageStyle& style = {});
 
 }  // namespace torsor

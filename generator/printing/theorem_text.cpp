@@ -6,9 +6,11 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "generator/base/as_index.hpp"
 #include "generator/base/did_you_mean.hpp"
 #include "generator/base/error.hpp"
 #include "generator/dynamics/equations/validation.hpp"
+#include "generator/dynamics/motion/frame_motion.hpp"
 #include "generator/dynamics/theorems/theorem_equations.hpp"
 #include "generator/printing/formula_text.hpp"
 #include "generator/printing/readable_page.hpp"
@@ -65,7 +67,7 @@ void report_unknowns(printing::ReadablePage& page, const TheoremEquation& equati
 
 }  // namespace
 
-std::string theorem_text(const Scene& given, const TheoremRequest& request) {
+std::string theorem_text(const Scene& given, const TheoremRequest& request, const PageStyle& style) {
   validate(given);
   const bool energy = request.kind == "energy", moment = request.kind == "moment";
   if (!energy && !moment && request.kind != "resultant") {
@@ -94,7 +96,7 @@ std::string theorem_text(const Scene& given, const TheoremRequest& request) {
     page.equation("", "P_int", theorem.internal_power, "power of the actions between the bodies, in W");
     page.equation("dT/dt = P_ext + P_int", theorem.equation.left, theorem.equation.right);
     report_unknowns(page, theorem.equation);
-    return page.finish(given.content());
+    return page.finish(given.content(), style);
   }
   const TheoremEquation theorem = theorem_equation(equations, bodies, {point, request.axes, request.observer},
                                                    moment ? Theorem::moment : Theorem::resultant, direction);
@@ -102,7 +104,47 @@ std::string theorem_text(const Scene& given, const TheoremRequest& request) {
                            moment ? " at " + request.point : "", request.direction, request.axes, seen));
   page.equation("", theorem.left, theorem.right);
   report_unknowns(page, theorem);
-  return page.finish(given.content());
+  return page.finish(given.content(), style);
+}
+
+std::string screw_text(const Scene& given, const ScrewRequest& request, const PageStyle& style) {
+  validate(given);
+  if (request.point.empty()) {
+    throw UsageError("a screw needs the point at which it is reduced: --at POINT, or a frame's name for its origin");
+  }
+  Scene scene = given;
+  const ScrewQuery query{point_at(scene, request.point), request.axes, request.observer};
+  ModelOptions options;
+  options.symbolic_parameters = true;
+  const Equations equations(scene, options);
+  const Model& model = equations.model();
+  const BodyNames bodies = request.bodies.empty() ? all_bodies(model) : request.bodies;
+  printing::ReadablePage page(equations.program(), scene.content());
+  const printing::Spelling at = printing::named_object(request.point);
+  const auto column = [&](const printing::Spelling& name, const std::string& entry, const Vector& vector) {
+    page.matrix(name, entry, {{vector[0]}, {vector[1]}, {vector[2]}});
+  };
+  page.section(fmt::format("Screws of {} at {} along the axes of {}{}", fmt::join(bodies, ", "), request.point, request.axes,
+                           request.observer == "ground" ? "" : ", seen from " + request.observer));
+  const MomentumScrew momentum = momentum_screw(model, bodies, query);
+  const DynamicScrew dynamic = dynamic_screw(model, bodies, query);
+  if (bodies.size() == 1) {
+    const BodyContent& body = scene.content().bodies[as_index(body_indices(model, bodies, "a screw")[0])];
+    const int link = model.place(body.frame, "a screw").link;
+    const Twist twist = as_asked(model, relative_twist(model, link, model.place(query.observer, "a screw").link), link, query);
+    page.note("Twist: angular velocity [rad/s], velocity of the body's own point [m/s].");
+    column({"Omega", "\\vec{\\Omega}"}, "Omega", twist.angular);
+    column({fmt::format("V({})", at.plain), fmt::format("\\vec{{V}}({})", at.latex)}, "V", twist.linear);
+  }
+  page.note("Momentum screw: [kg m/s], [N m s].");
+  column({"m V_G", "m \\vec{V}_G"}, "p", momentum.resultant);
+  column({fmt::format("sigma({})", at.plain), fmt::format("\\vec{{\\sigma}}({})", at.latex)}, "sigma", momentum.moment);
+  page.note("Dynamic screw: [N], [N m].");
+  column({"m Gamma_G", "m \\vec{\\Gamma}_G"}, "D", dynamic.resultant);
+  column({fmt::format("delta({})", at.plain), fmt::format("\\vec{{\\delta}}({})", at.latex)}, "delta", dynamic.moment);
+  page.note("Kinetic energy [J].");
+  page.equation("", "T", kinetic_energy(model, bodies, query.observer));
+  return page.finish(given.content(), style);
 }
 
 }  // namespace torsor

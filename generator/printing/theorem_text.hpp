@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "generator/mechanics/scene.hpp"
+#include "generator/printing/print_equations.hpp"
 
 namespace torsor {
 
@@ -22,6 +23,19 @@ struct TheoremRequest {
 /// (generator/dynamics/theorems/theorem_equations.hpp), parameters as symbols, and a word on the unknowns in it. What is too long is given
 /// by named definitions. Throws UsageError for words it does not know and a moment without a point, SceneError for
 /// names.
-std::string theorem_text(const Scene& scene, const TheoremRequest& request);
+std::string theorem_text(const Scene& scene, const TheoremRequest& request, const PageStyle& style = {});
+
+/// Which bodies, where and along whose axes, in the words of a command line.
+struct ScrewRequest {
+  std::vector<std::string> bodies;  ///< all of the scene when empty
+  std::string point;                ///< where screws are reduced: a point, or a frame for its origin
+  std::string axes = "ground";
+  std::string observer = "ground";  ///< the frame R from which motion is seen
+};
+
+/// Momentum screw {m V_G; σ_A}, dynamic screw {m Γ_G; δ_A} and T of bodies, and of a single body its twist {Ω; V(A)}
+/// (generator/dynamics/motion/body_screws.hpp), parameters as symbols. Throws UsageError without a point, SceneError for
+/// names.
+std::string screw_text(const Scene& scene, const ScrewRequest& request, const PageStyle& style = {});
 
 }  // namespace torsor

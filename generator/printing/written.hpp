@@ -22,6 +22,7 @@ struct WrittenFactor {
   bool size = false;  ///< of a sum in parentheses: |sum| stands to that power
   std::vector<Written> others{};  ///< further arguments of a function
   bool least = false;  ///< of a maximum: the smaller of its arguments as they stand here
+  bool tangent = false;  ///< of a sine: over the cosine of the same angle
 };
 
 /// coefficient · factors, in the order of writing.

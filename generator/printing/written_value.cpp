@@ -16,6 +16,9 @@ Real of_factor(const WrittenFactor& factor, const std::function<Real(const Symbo
     {
       std::vector<Real> arguments{evaluate(factor.inside, value_of, digits)};
       for (const Written& other : factor.others) arguments.push_back(evaluate(other, value_of, digits));
+      if (factor.tangent) {
+        return value_of_call(Function::sin, arguments) / value_of_call(Function::cos, arguments);
+      }
       if (!factor.least) return value_of_call(factor.base->function, arguments);
       for (Real& argument : arguments) argument = -argument;
       return -value_of_call(factor.base->function, arguments);
@@ -31,7 +34,7 @@ Real of_factor(const WrittenFactor& factor, const std::function<Real(const Symbo
 }  // namespace
 
 std::string name_on_paper(const WrittenFactor& call) {
-  return call.least ? "min" : std::string(to_string(call.base->function));
+  return call.tangent ? "tan" : call.least ? "min" : std::string(to_string(call.base->function));
 }
 
 std::vector<Case> cases_of(const WrittenFactor& select) {

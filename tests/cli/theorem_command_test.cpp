@@ -79,6 +79,65 @@ TEST(TheoremCommand, WritesTheEnergyTheorem) {
       "  No unknown of a joint enters: an equation of motion.\n");
 }
 
+// A damped pendulum: m l² s² + c s ± m g l; the top is a rest, but no minimum of −U.
+Scene damped(int damping) {
+  Scene scene("damped");
+  const Expression m = scene.parameter("m", "kg", 2), l = scene.parameter("l", "m", 1),
+                   g = scene.parameter("g", "m/s^2", 10);
+  const Expression c = scene.parameter("c", "N m s", damping), theta = scene.coordinate("theta", "rad");
+  scene.body("bob", scene.revolute("arm", scene.ground(), axis::z, theta), Inertia::point(m).at({0, -l, 0}));
+  scene.gravity({0, -g, 0});
+  scene.damper("air", theta, c);
+  return scene;
+}
+Scene air_damped() { return damped(3); }
+Scene undamped() { return damped(0); }
+
+// The bob at its distance l: V = l θ' x, σ about the hinge l · m l θ', Γ = l θ'' x + l θ'² y.
+TEST(ScrewCommand, WritesMomentumAndDynamicScrew) {
+  const Outcome outcome = run(air_damped, {"screw", "--body", "bob", "--at", "arm", "--axes", "arm"});
+  EXPECT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_EQ(outcome.out.substr(outcome.out.find("\n\n") + 2),
+            "Screws of bob at arm along the axes of arm\n"
+            "  Twist: angular velocity [rad/s], velocity of the body's own point [m/s].\n"
+            "  Omega = [ 0      ]\n"
+            "          [ 0      ]\n"
+            "          [ theta' ]\n"
+            "  V(arm) = [ 0 ]\n"
+            "           [ 0 ]\n"
+            "           [ 0 ]\n"
+            "  Momentum screw: [kg m/s], [N m s].\n"
+            "  m V_G = [ m l theta' ]\n"
+            "          [ 0          ]\n"
+            "          [ 0          ]\n"
+            "  sigma(arm) = [ 0            ]\n"
+            "               [ 0            ]\n"
+            "               [ m l^2 theta' ]\n"
+            "  Dynamic screw: [N], [N m].\n"
+            "  m Gamma_G = [ m l theta''  ]\n"
+            "              [ m l theta'^2 ]\n"
+            "              [ 0            ]\n"
+            "  delta(arm) = [ 0             ]\n"
+            "               [ 0             ]\n"
+            "               [ m l^2 theta'' ]\n"
+            "  Kinetic energy [J].\n"
+            "  T = 1/2 m l^2 theta'^2\n");
+  expect_failure(run(pendulum, {"screw"}), 2,
+                 "a screw needs the point at which it is reduced: --at POINT, or a frame's name for its origin");
+  expect_failure_beginning(run(pendulum, {"screw", "--at", "ground", "--body", "bib"}), 3, "unknown body 'bib'");
+}
+
+TEST(TheoremCommand, IsSpelledInLatexAsOtherPagesAre) {
+  const std::string latex = run(pendulum, {"theorem", "--kind", "energy", "--format", "latex", "--document"}).out;
+  EXPECT_TRUE(latex.starts_with("\\documentclass")) << latex;
+  EXPECT_NE(latex.find("T &= \\frac{1}{2} \\mathrm{mass} \\mathrm{length}^{2} \\dot{\\theta}^{2}"), std::string::npos) << latex;
+  const std::string statics = run(air_damped, {"statics", "--format", "latex"}).out;
+  EXPECT_NE(statics.find("\\mathbf{H} &= \\begin{pmatrix}"), std::string::npos) << statics;
+  const std::string unknowns = run(air_damped, {"unknowns", "--format", "latex"}).out;
+  EXPECT_NE(unknowns.find("\\subsection*{Newton-Euler}"), std::string::npos) << unknowns;
+  EXPECT_EQ(run(pendulum, {"theorem", "--format", "html"}).code, 2);
+}
+
 TEST(TheoremCommand, RefusesWhatItDoesNotKnow) {
   expect_failure(run(pendulum, {"theorem", "--kind", "power"}), 2,
                  "unknown kind 'power' of theorem: use resultant, moment or energy");
@@ -126,20 +185,6 @@ TEST(StaticsCommand, WritesTheRelativeEquilibriaOfTheGovernor) {
             "  With the scene's values: unstable, for a coefficient is negative, if this is a rest.\n");
 }
 
-// A damped pendulum: m l² s² + c s ± m g l; the top is a rest, but no minimum of −U.
-Scene damped(int damping) {
-  Scene scene("damped");
-  const Expression m = scene.parameter("m", "kg", 2), l = scene.parameter("l", "m", 1),
-                   g = scene.parameter("g", "m/s^2", 10);
-  const Expression c = scene.parameter("c", "N m s", damping), theta = scene.coordinate("theta", "rad");
-  scene.body("bob", scene.revolute("arm", scene.ground(), axis::z, theta), Inertia::point(m).at({0, -l, 0}));
-  scene.gravity({0, -g, 0});
-  scene.damper("air", theta, c);
-  return scene;
-}
-Scene air_damped() { return damped(3); }
-Scene undamped() { return damped(0); }
-
 TEST(StaticsCommand, TellsStableFromUnstableAndFromWhatItCannotConclude) {
   const std::string bottom = run(air_damped, {"statics", "--about", "theta=0"}).out;
   EXPECT_EQ(
@@ -186,6 +231,16 @@ TEST(StaticsCommand, TellsStableFromUnstableAndFromWhatItCannotConclude) {
   const std::string leaning = run(air_damped, {"statics", "--about", "theta=1"}).out;
   EXPECT_EQ(section(leaning, "At theta = 1"), "  theta:  0 = sin(1) m l g    (must hold for a rest)");
   expect_failure_beginning(run(air_damped, {"statics", "--about", "phi=1"}), 2, "");
+}
+
+// Without its turning Watt's governor is two pendulums: no ω is left, and with ω = 0 upright arms are stable.
+TEST(StaticsCommand, TakesValuesOfParameters) {
+  const std::string still = run(watt_governor_scene, {"statics", "--about", "theta=0", "--set", "omega=0"}).out;
+  EXPECT_EQ(section(still, "Equations of equilibrium").find("omega^2"), std::string::npos) << still;
+  EXPECT_NE(still.find("  With omega = 0.\n"), std::string::npos) << still;
+  EXPECT_NE(still.find("  H = [ 2 g (m + M) L ]\n"), std::string::npos) << still;
+  expect_failure_beginning(run(watt_governor_scene, {"statics", "--set", "theta=0"}), 2, "--set takes parameters");
+  expect_failure_beginning(run(watt_governor_scene, {"statics", "--set", "omega"}), 2, "--set takes NAME=VALUE");
 }
 
 Scene on_a_circle() {

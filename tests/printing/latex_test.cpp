@@ -87,7 +87,7 @@ TEST(Latex, NamesSymbolsAsAPersonWould) {
 }
 
 TEST(Latex, WritesUnitsUpright) {
-  EXPECT_EQ(printing::latex_unit(Unit::parse("kg m^2/s^2")), "\\mathrm{kg\\,m^{2}\\,s^{-2}}");
+  EXPECT_EQ(printing::latex_unit(Unit::parse("kg m^2/s^3/A")), "\\mathrm{kg\\,m^{2}/s^{3}/A}");
   EXPECT_EQ(printing::latex_unit(Unit()), "\\mathrm{1}");
 }
 

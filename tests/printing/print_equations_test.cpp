@@ -52,10 +52,10 @@ Parameters
   M3 = 0.5 kg
   d = 0.25 m
   R = 0.05 m
-  omega = 6 s^-1
-  K = 1000 kg s^-2
+  omega = 6 rad/s
+  K = 1000 N/m
   X0 = 0.1 m
-  g = 9.81 m s^-2
+  g = 9.81 m/s^2
 
 Coordinates
   X [m]

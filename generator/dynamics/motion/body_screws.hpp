@@ -44,7 +44,7 @@ Screw<Kind> as_asked(const Model& model, const Screw<Kind>& screw, int link, con
   const FramePlace& axes = model.place(query.axes, user);
   const Vector arm = bound(program, model.locate(query.point, link, user));
   const Vector given = bound(program, resultant_of(screw));
-  const Vector moment = bound(program, reduced_at(Screw<Kind>{given, moment_of(screw)}, arm).moment);
+  const Vector moment = bound(program, moment_of(reduced_at(Screw<Kind>{given, moment_of(screw)}, arm)));
   const Rotation to_axes = axes.rotation.transpose();
   const Vector turned_resultant = to_axes * model.express(given, link, axes.link);
   const Vector turned_moment = to_axes * model.express(moment, link, axes.link);
