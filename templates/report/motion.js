@@ -73,12 +73,26 @@ class Motion {
   }
 
   /// What a kernel without arguments but the inputs says of sample k.
-  evaluate(name, k) {
+  evaluate(name, k) { return this.members(name, k * this.interval, this.samples[k]); }
+
+  /// How fast that changes along the motion: a central difference, off by some h^2.
+  change(name, k) {
+    const h = 1e-5, t = k * this.interval, y = this.samples[k], slope = new Float64Array(y.length);
+    if (!this.mechanism.forward_dynamics) return null;
+    this.slope(t, y, slope);
+    const after = this.members(name, t + h, y.map((value, i) => value + h * slope[i]));
+    const before = this.members(name, t - h, y.map((value, i) => value - h * slope[i]));
+    const result = {};
+    for (const [member, values] of Object.entries(after)) result[member] = values.map((value, i) => (value - before[member][i]) / (2 * h));
+    return result;
+  }
+
+  members(name, t, y) {
     const kernel = this.mechanism.kernels.find((each) => each.name === name);
     if (!kernel) return null;
     const state = new Float64Array(this.mechanism.stateSize), result = new Float64Array(kernel.results[0].size);
-    state[0] = k * this.interval;
-    state.set(this.samples[k], 1);
+    state[0] = t;
+    state.set(y, 1);
     const given = kernel.arguments.map((argument) => this[argument]);
     this.mechanism[name](this.precomputed, state, ...given, result);
     const members = {};

@@ -3,7 +3,7 @@
 (() => {
 "use strict";
 if (typeof document === "undefined") return;
-const { Motion, Picture, Viewer, Plot, column, label } = torsorReport;
+const { Motion, Picture, Viewer, Plot, Portrait, column, label } = torsorReport;
 const mechanism = globalThis.torsorMechanism, scene = JSON.parse(document.getElementById("scene").textContent);
 const element = (id) => document.getElementById(id);
 const still = window.matchMedia("(prefers-reduced-motion: reduce)").matches;
@@ -77,6 +77,19 @@ function buildSliders() {
       (value) => [Math.min(-10, 2 * value), Math.max(10, 2 * value)]);
 }
 
+/// Velocity over coordinate, of coordinates whose velocities are their rates; a page has room for some.
+function buildPortraits() {
+  const most = 6, nq = mechanism.coordinates.length;
+  mechanism.coordinates.forEach((each, i) => {
+    const j = mechanism.velocities.findIndex((other) => other.name === each.name);
+    if (j < 0 || plots.filter((plot) => plot instanceof Portrait).length >= most) return;
+    const unit = (of) => (of === "1" ? "" : ` [${of}]`);
+    plots.push(new Portrait(element("portrait-list"), `${each.name}' over ${each.name}`, each.name + unit(each.unit), `${each.name}'` + unit(mechanism.velocities[j].unit),
+                            { x: (k) => motion.samples[k][i], y: (k) => motion.samples[k][nq + j] }));
+  });
+  if (!plots.some((plot) => plot instanceof Portrait)) element("portraits").remove();
+}
+
 function buildPlots() {
   const parent = element("plots"), groups = new Map();
   mechanism.coordinates.forEach((each, i) => {
@@ -87,6 +100,7 @@ function buildPlots() {
   const goTo = (t) => { now = Math.max(0, Math.min(motion.time, t)); pause(); };
   const add = (title, unit, curves) => { for (let i = 0; i < curves.length; i += 8) plots.push(new Plot(parent, title, unit, curves.slice(i, i + 8), goTo)); };
   for (const [unit, curves] of groups) add("Coordinates", unit === "1" ? "" : unit, curves);
+  buildPortraits();
   const remember = (name) => {
     let at = -1, of = null, result = null;
     return (k) => {
@@ -125,9 +139,8 @@ function play() {
   element("play").textContent = "Pause";
 }
 
-function poses(t) {
-  return motion.evaluate("poses", Math.min(motion.samples.length - 1, Math.max(0, Math.round(t / motion.interval))));
-}
+const sampleAt = (t) => Math.min(motion.samples.length - 1, Math.max(0, Math.round(t / motion.interval)));
+const poses = (t) => motion.evaluate("poses", sampleAt(t));
 
 function addTraces() {
   for (let k = traces.length ? traces[0].length / 3 : 0; k < motion.samples.length; ++k) {
@@ -161,7 +174,13 @@ function show(fresh) {
     const upTo = 3 * (1 + Math.round(now / motion.interval));
     const here = poses(now);
     viewer.target = picture.followed(here, viewer.target);
-    viewer.draw(picture.at(here, element("traces").checked ? traces.map((each) => each.slice(0, upTo)) : [], viewer.target));
+    const seen = picture.at(here, element("traces").checked ? traces.map((each) => each.slice(0, upTo)) : [], viewer.target);
+    if (element("velocities").checked) {
+      const rates = motion.change("poses", sampleAt(now));
+      if (rates) seen.shapes.push(...picture.velocities(here, rates));
+    }
+    if (element("weights").checked) seen.shapes.push(...picture.weights(here));
+    viewer.draw(seen);
   }
   const state = motion.status !== "ok" ? `The motion ends: ${motion.status}.`
     : motion.time < until - 1e-9 ? `Integrated until ${motion.time.toFixed(1)} s`
@@ -195,7 +214,8 @@ function start() {
   element("play").addEventListener("click", () => (playing ? pause() : play()));
   if (!playing) element("play").textContent = "Play";
   element("time").addEventListener("input", () => { now = Math.min(Number(element("time").value), motion.time); pause(); });
-  element("traces").addEventListener("change", () => { if (viewer) viewer.changed = true; });
+  for (const id of ["traces", "velocities", "weights"]) element(id).addEventListener("change", () => { if (viewer) viewer.changed = true; });
+  element("portraits")?.addEventListener("toggle", () => { if (viewer) viewer.changed = true; else show(false); });
   element("until").addEventListener("change", () => {
     const wanted = Number(element("until").value);
     if (wanted > 0) [until, told] = [wanted, ""];

@@ -111,6 +111,76 @@ class Plot {
   }
 }
 
+/// A phase portrait: one quantity over another, with a dot where the motion is.
+class Portrait {
+  constructor(parent, title, acrossName, upName, { x, y }) {
+    Object.assign(this, { title, acrossName, upName, sources: [x, y], data: [[], []] });
+    const figure = document.createElement("figure"), caption = document.createElement("figcaption");
+    caption.textContent = title;
+    this.canvas = document.createElement("canvas");
+    this.canvas.className = "plot";
+    this.canvas.setAttribute("role", "img");
+    this.canvas.setAttribute("aria-label", `Phase portrait, ${title}`);
+    figure.append(caption, this.canvas);
+    parent.append(figure);
+  }
+
+  clear() { this.data = [[], []]; }
+  read(count) {
+    this.sources.forEach((source, i) => {
+      for (let k = this.data[i].length; k < count; ++k) this.data[i].push(source(k));
+    });
+  }
+
+  draw(interval, end, now) {
+    const { canvas } = this, ratio = Math.min(window.devicePixelRatio || 1, 2), box = [canvas.clientWidth, canvas.clientHeight];
+    if (box[0] === 0 || this.data[0].length === 0) return;
+    canvas.width = Math.round(box[0] * ratio), canvas.height = Math.round(box[1] * ratio);
+    const context = canvas.getContext("2d"), style = getComputedStyle(canvas);
+    context.scale(ratio, ratio);
+    context.font = "11px system-ui, sans-serif";
+    const extent = (data) => {
+      let low = Infinity, high = -Infinity;
+      for (const value of data) if (Number.isFinite(value)) [low, high] = [Math.min(low, value), Math.max(high, value)];
+      if (!(low <= high)) return [-1, 1];
+      const pad = Math.max(0.05 * (high - low), 1e-9 * Math.max(1, Math.abs(low), Math.abs(high)));
+      return [low - pad, high + pad];
+    };
+    const [[x0, x1], [y0, y1]] = this.data.map(extent), left = 56, right = box[0] - 10, top = 8, bottom = box[1] - 32;
+    const x = (v) => left + ((right - left) * (v - x0)) / (x1 - x0), y = (v) => bottom - ((bottom - top) * (v - y0)) / (y1 - y0);
+    context.strokeStyle = style.getPropertyValue("--line");
+    context.fillStyle = style.color;
+    context.lineWidth = 1;
+    const stepX = torsorReport.niceStep((x1 - x0) / 5), stepY = torsorReport.niceStep((y1 - y0) / 4);
+    context.textAlign = "right";
+    for (let v = Math.ceil(y0 / stepY) * stepY; v <= y1; v += stepY) {
+      line(context, left, y(v), right, y(v));
+      context.fillText(label(Math.abs(v) < 1e-9 * stepY ? 0 : v), left - 4, y(v) + 4);
+    }
+    context.textAlign = "center";
+    for (let v = Math.ceil(x0 / stepX) * stepX; v <= x1; v += stepX) {
+      line(context, x(v), top, x(v), bottom);
+      context.fillText(label(Math.abs(v) < 1e-9 * stepX ? 0 : v), x(v), bottom + 13);
+    }
+    context.fillText(this.acrossName, (left + right) / 2, box[1] - 4);
+    context.lineWidth = 1.4;
+    context.strokeStyle = colours[0];
+    context.beginPath();
+    this.data[0].forEach((value, k) => (k === 0 ? context.moveTo(x(value), y(this.data[1][k])) : context.lineTo(x(value), y(this.data[1][k]))));
+    context.stroke();
+    const k = Math.min(this.data[0].length - 1, Math.round(now / interval));
+    context.fillStyle = colours[1];
+    context.beginPath();
+    context.arc(x(this.data[0][k]), y(this.data[1][k]), 4, 0, 2 * Math.PI);
+    context.fill();
+  }
+
+  describe() {
+    const range = (data) => data.reduce(([a, b], v) => [Math.min(a, v), Math.max(b, v)], [Infinity, -Infinity]).map(label).join(" and ");
+    this.canvas.setAttribute("aria-label", `Phase portrait: ${this.acrossName} between ${range(this.data[0])}, ${this.upName} between ${range(this.data[1])}`);
+  }
+}
+
 function line(context, x1, y1, x2, y2) {
   context.beginPath();
   context.moveTo(x1, y1);
@@ -118,5 +188,5 @@ function line(context, x1, y1, x2, y2) {
   context.stroke();
 }
 
-Object.assign(torsorReport, { Plot, label });
+Object.assign(torsorReport, { Plot, Portrait, label });
 })();

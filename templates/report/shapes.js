@@ -19,6 +19,15 @@ function ball(origin, radius, colour) {
   return { mesh: "sphere", x: [radius, 0, 0], y: [0, radius, 0], z: [0, 0, radius], origin, colour };
 }
 
+/// An arrow whose shaft has this radius; nothing where it would be shorter than its head.
+function arrow(from, vector, radius, colour) {
+  const far = length(vector);
+  if (!(far > 7 * radius)) return [];
+  const neck = add(from, vector, 1 - (7 * radius) / far);
+  return [cylinder(from, neck, radius, colour), cylinder(neck, add(from, vector), 2.6 * radius, colour, "cone")];
+}
+const arrowColours = { velocities: [0.1, 0.6, 0.3], weights: [0.75, 0.2, 0.2] };
+
 /// What is drawn of a scene, decided once at its first pose: sizes, and which places of a body are joined by rods.
 class Picture {
   constructor(scene, poses) {
@@ -138,6 +147,23 @@ class Picture {
       from = add(add(towards, this.up, 0.25), cross(this.up, towards), 0.35);
     }
     return { target: this.middle, up: this.up, from, size: 1.1 * (this.reach ?? this.size) };
+  }
+
+  /// Velocities of the traced places, `rates` being those of the poses. The fastest that has been met is as long as a third
+  /// of the picture.
+  velocities(poses, rates) {
+    const found = this.traced.map(({ member, k }) => [column(poses[member], k), column(rates[member], k)]);
+    this.fastest = Math.max(this.fastest ?? 0, ...found.map(([, v]) => length(v)));
+    if (!(this.fastest > 0)) return [];
+    return found.flatMap(([place, v]) => arrow(place, scaled(v, (0.66 * this.size) / this.fastest), 0.01 * this.size, arrowColours.velocities));
+  }
+
+  /// Weights at the centres of mass; the greatest is as long as a quarter of the picture.
+  weights(poses) {
+    const gravity = column(poses.gravity, 0), greatest = Math.max(...poses.masses) * length(gravity);
+    if (!(greatest > 0)) return [];
+    return this.scene.bodies.flatMap((_, k) =>
+      arrow(column(poses.centres, k), scaled(gravity, (0.5 * this.size * poses.masses[k]) / greatest), 0.01 * this.size, arrowColours.weights));
   }
 
   /// Shapes and lines of one pose; `traces` are lists of places.

@@ -56,14 +56,32 @@ for (const scene of scenes) {
   })))`);
   expect(drawn > 20, `the picture is empty (${drawn} of 4096 points)`);
 
+  // Arrows: the tip of a velocity is where the place goes, to the third order of a small time.
+  const arrows = await browser.evaluate(`(() => {
+    const motion = torsorReport.current, before = motion.evaluate("poses", 2), after = motion.evaluate("poses", 4), rates = motion.change("poses", 3);
+    if (!rates) return 0;
+    let worst = 0, size = 1e-9;
+    before.origins.forEach((value, i) => {
+      const mean = (after.origins[i] - value) / (2 * motion.interval);
+      worst = Math.max(worst, Math.abs(mean - rates.origins[i]));
+      size = Math.max(size, Math.abs(mean));
+    });
+    return worst / size;
+  })()`);
+  // Over 1/30 s, of motions whose fastest turns are some 20 rad/s: (20/60)^2/6 is 2 %, of a few such terms.
+  expect(arrows < 0.1, `velocities are off by ${arrows}`);
+  for (const id of ["velocities", "weights"]) await browser.evaluate(`document.getElementById("${id}").click()`);
+  await browser.evaluate("document.getElementById('portraits') && (document.getElementById('portraits').open = true)");
+  await browser.evaluate("new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done)))");
+
   // Tab reaches the picture, the buttons and the first slider.
   const focused = new Set();
   await browser.evaluate("document.activeElement.blur()");
-  for (let i = 0; i < 16; ++i) {
+  for (let i = 0; i < 18; ++i) {
     for (const type of ["rawKeyDown", "keyUp"]) await browser.send("Input.dispatchKeyEvent", { type, key: "Tab", code: "Tab", windowsVirtualKeyCode: 9 });
     focused.add(await browser.evaluate("document.activeElement.id || document.activeElement.type || document.activeElement.tagName"));
   }
-  for (const id of ["view", "play", "time", "speed", "traces", "until"]) expect(focused.has(id), `the keyboard does not reach ${id}`);
+  for (const id of ["view", "play", "time", "speed", "traces", "velocities", "weights", "until"]) expect(focused.has(id), `the keyboard does not reach ${id}`);
   const unnamed = await browser.evaluate(`[...document.querySelectorAll("canvas, input, button, select")]
     .filter((each) => !each.getAttribute("aria-label") && !each.labels?.length && !each.textContent.trim() && !(each.className === "plot")).map((each) => each.id || each.type)`);
   expect(unnamed.length === 0, `without words: ${unnamed.join(", ")}`);
