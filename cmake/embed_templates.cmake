@@ -1,8 +1,15 @@
 # SPDX-License-Identifier: MIT
 # Run as a script: cmake -DTEMPLATES=<folder> -DOUTPUT=<file.cpp> -P embed_templates.cmake
 # Writes the text of every file of the folder into one source file, so that an installed generator needs no path.
-# A template is named by its path below the folder.
+# A template is named by its path below the folder. -DFUNCTION=<name>: of the function that finds a text, declared by
+# generator/emission/<name>s.hpp; embedded_template by default. -DWITHOUT=<regular expression>: files left out.
+if(NOT FUNCTION)
+  set(FUNCTION embedded_template)
+endif()
 file(GLOB_RECURSE names RELATIVE "${TEMPLATES}" "${TEMPLATES}/*")
+if(WITHOUT)
+  list(FILTER names EXCLUDE REGEX "${WITHOUT}")
+endif()
 list(SORT names)
 
 set(entries "")
@@ -17,8 +24,8 @@ foreach(name IN LISTS names)
 endforeach()
 
 file(WRITE "${OUTPUT}.new" "// SPDX-License-Identifier: GPL-3.0-or-later
-// Made by cmake/embed_templates.cmake from the files of templates/; change those.
-#include \"generator/emission/embedded_templates.hpp\"
+// Made by cmake/embed_templates.cmake from files of the sources; change those.
+#include \"generator/emission/${FUNCTION}s.hpp\"
 
 #include <array>
 #include <string>
@@ -38,21 +45,21 @@ ${entries}};
 
 }  // namespace
 
-std::vector<std::string_view> embedded_template_names() {
+std::vector<std::string_view> ${FUNCTION}_names() {
   std::vector<std::string_view> names;
   names.reserve(entries.size());
   for (const Entry& entry : entries) names.push_back(entry.name);
   return names;
 }
 
-std::string_view embedded_template(std::string_view name) {
+std::string_view ${FUNCTION}(std::string_view name) {
   std::string known;
   for (const Entry& entry : entries) {
     if (entry.name == name) return entry.text;
     known += known.empty() ? \"\" : \", \";
     known += entry.name;
   }
-  throw Error(\"no template is named '\" + std::string(name) + \"'; the templates are: \" + known);
+  throw Error(\"no text is named '\" + std::string(name) + \"'; the texts are: \" + known);
 }
 
 }  // namespace torsor

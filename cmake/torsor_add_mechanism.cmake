@@ -4,7 +4,7 @@ include_guard(GLOBAL)
 # torsor_add_mechanism(<name> SCENE <file.cpp> KERNELS <kernel>... [OUTPUT_NAME <name>] [RUN_TIME <parameter>...|all]
 #                      [SUPPORT <file name>] [OPTIONS <option>...])
 # torsor_add_mechanism(<name> URDF <file.urdf> KERNELS <kernel>... [OUTPUT_NAME <name>] [RUN_TIME <parameter>...|all]
-#                      [SUPPORT <file name>] [OPTIONS <option>...])
+#                      [SUPPORT <file name>] [OPTIONS <option>...] [SHARED])
 #
 # Builds the program <name>_scene from the scene, or takes the tool torsor for a URDF, xacro or MJCF file, and runs it to write
 # <output name>.hpp (<name>.hpp by default) and make the interface target <name>: what links to it can write #include
@@ -14,14 +14,18 @@ include_guard(GLOBAL)
 # OPTIONS are further ones of `generate`: --forward factorisation, or for a URDF file --base floating. A file that does
 # not exist, and that nothing in this project generates, is an error here and not only when it is built.
 #
+# With SHARED, <name> is a shared library too, with the interface of runtime/abi.h for C, Python and all that calls C,
+# compiled by this project's compiler with its flags: what links to it can write #include "runtime/abi.h". Give
+# CMAKE_CXX_FLAGS -march=native where it runs where it is built. A mechanism with constraints needs Eigen.
+#
 # The program runs again only when it, and so its scene or torsor, was built again, or the URDF file or one that it
 # includes changed; it leaves a header alone whose bytes would not change, so that nothing is compiled again then. The stamp is what the build tool
 # looks at: with the header itself as output, make would find an unchanged header old for ever.
 function(torsor_add_mechanism name)
-  cmake_parse_arguments(PARSE_ARGV 1 mechanism "" "SCENE;URDF;OUTPUT_NAME;SUPPORT" "KERNELS;RUN_TIME;OPTIONS")
+  cmake_parse_arguments(PARSE_ARGV 1 mechanism "SHARED" "SCENE;URDF;OUTPUT_NAME;SUPPORT" "KERNELS;RUN_TIME;OPTIONS")
   if(mechanism_UNPARSED_ARGUMENTS)
     message(FATAL_ERROR "torsor_add_mechanism(${name}): '${mechanism_UNPARSED_ARGUMENTS}' is no argument; "
-                        "the arguments are SCENE or URDF, KERNELS, OUTPUT_NAME, RUN_TIME, SUPPORT and OPTIONS")
+                        "the arguments are SCENE or URDF, KERNELS, OUTPUT_NAME, RUN_TIME, SUPPORT, OPTIONS and SHARED")
   endif()
   if((NOT mechanism_SCENE AND NOT mechanism_URDF) OR NOT mechanism_KERNELS)
     message(FATAL_ERROR "torsor_add_mechanism(${name}): give SCENE <file.cpp> or URDF <file.urdf>, and KERNELS <kernel>...")
@@ -72,11 +76,13 @@ function(torsor_add_mechanism name)
   set(header "${folder}/${mechanism_OUTPUT_NAME}.hpp")
   set(stamp "${CMAKE_CURRENT_BINARY_DIR}/torsor/${name}.stamp")
   list(JOIN mechanism_KERNELS "," kernels)
-  list(APPEND arguments --kernels "${kernels}" --output "${header}")
+  list(APPEND arguments --kernels "${kernels}")
   if(mechanism_RUN_TIME)
     list(JOIN mechanism_RUN_TIME "," run_time)
     list(APPEND arguments --run-time "${run_time}")
   endif()
+  set(library_arguments ${arguments} ${mechanism_OPTIONS} --sources "${folder}/library")
+  list(APPEND arguments --output "${header}")
   set(support "")
   if(mechanism_SUPPORT)
     set(support "${folder}/${mechanism_SUPPORT}")
@@ -99,9 +105,41 @@ function(torsor_add_mechanism name)
     COMMENT "Generating ${mechanism_OUTPUT_NAME}.hpp" VERBATIM)
   add_custom_target(${name}_header DEPENDS "${stamp}")
 
-  add_library(${name} INTERFACE)
-  target_include_directories(${name} INTERFACE "${folder}")
+  if(mechanism_SHARED)
+    torsor_add_shared_library()
+    set(scope PUBLIC)
+  else()
+    add_library(${name} INTERFACE)
+    set(scope INTERFACE)
+  endif()
+  target_include_directories(${name} ${scope} "${folder}")
   target_compile_features(${name} INTERFACE cxx_std_17)
   set_target_properties(${name} PROPERTIES TORSOR_HEADER "${header}")
   add_dependencies(${name} ${name}_header)
 endfunction()
+
+# The library of torsor_add_mechanism(... SHARED), from what `build --sources` writes; reads the variables of its caller.
+macro(torsor_add_shared_library)
+  set(library_stamp "${CMAKE_CURRENT_BINARY_DIR}/torsor/${name}.library.stamp")
+  set(library_source "${folder}/library/library.cpp")
+  file(MAKE_DIRECTORY "${folder}/library")
+  add_custom_command(OUTPUT "${library_stamp}" BYPRODUCTS "${library_source}"
+    COMMAND ${program} build ${library_arguments}
+    COMMAND "${CMAKE_COMMAND}" -E touch "${library_stamp}"
+    DEPENDS ${program} ${inputs} "${folder}.arguments" "${stamp}"
+    COMMENT "Generating the library of ${mechanism_OUTPUT_NAME}" VERBATIM)
+  add_custom_target(${name}_library DEPENDS "${library_stamp}")
+  set_source_files_properties("${library_source}" PROPERTIES GENERATED ON)
+  add_library(${name} SHARED "${library_source}")
+  add_dependencies(${name} ${name}_library)
+  target_include_directories(${name} PUBLIC "${folder}/library")
+  target_compile_features(${name} PRIVATE cxx_std_20)
+  target_compile_options(${name} PRIVATE $<$<CXX_COMPILER_ID:GNU,Clang>:-ffp-contract=off>)
+  set_target_properties(${name} PROPERTIES CXX_VISIBILITY_PRESET hidden CXX_EXTENSIONS OFF)
+  find_package(Threads REQUIRED)
+  find_package(Eigen3 QUIET NO_MODULE)
+  target_link_libraries(${name} PRIVATE Threads::Threads)
+  if(TARGET Eigen3::Eigen)
+    target_link_libraries(${name} PRIVATE Eigen3::Eigen)
+  endif()
+endmacro()

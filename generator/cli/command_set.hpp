@@ -48,6 +48,7 @@ class CommandSet {
 // Each adds the commands of its file, with their options.
 void add_equations_command(CommandSet& commands);
 void add_kernel_commands(CommandSet& commands);        ///< generate, counts, passes
+void add_build_command(CommandSet& commands);          ///< build
 void add_verification_commands(CommandSet& commands);  ///< check, verify, reference
 void add_statics_commands(CommandSet& commands);       ///< force-function, unknowns, theorem, screw, statics
 void add_structure_commands(CommandSet& commands);     ///< structure, graph, list

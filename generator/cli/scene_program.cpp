@@ -103,6 +103,7 @@ int run(int argc, const char* const* argv, const SceneSource& source) {
   CommandSet commands(app, source);
   add_equations_command(commands);
   add_kernel_commands(commands);
+  add_build_command(commands);
   add_verification_commands(commands);
   add_statics_commands(commands);
   add_structure_commands(commands);

@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <memory>
+#include <system_error>
+
+#include <fmt/format.h>
+#include <CLI/CLI.hpp>
+
+#include "generator/base/error.hpp"
+#include "generator/base/output_file.hpp"
+#include "generator/cli/command_set.hpp"
+#include "generator/cli/compiled_library.hpp"
+#include "generator/cli/kernel_options.hpp"
+#include "generator/emission/library_sources.hpp"
+
+namespace torsor {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct BuildRequest : KernelOptions {
+  LibraryOptions library;
+  std::string sources;  ///< a folder; nothing is compiled then
+};
+
+void write_sources(const MechanismListing& mechanism, const std::string& folder) {
+  for (const SourceFile& source : library_sources(mechanism)) {
+    const fs::path path = fs::path(folder) / source.path;
+    std::error_code failure;
+    fs::create_directories(path.parent_path(), failure);
+    if (failure) throw FileError(fmt::format("cannot make the folder of '{}': {}", path.string(), failure.message()));
+    write_file_if_changed(path.string(), source.text);
+  }
+}
+
+std::string bytes_of(const std::string& path) {
+  std::ifstream file(path, std::ios::binary);
+  std::string bytes((std::istreambuf_iterator<char>(file)), std::istreambuf_iterator<char>());
+  if (!file)
+    throw FileError(fmt::format("cannot read '{}', which was just written; is another program at work there?", path));
+  return bytes;
+}
+
+CommandResult build(const Scene& scene, const BuildRequest& request, const std::string& output) {
+  const MechanismListing mechanism = lower_mechanism(scene, request.names(), request.model(scene));
+  if (!request.sources.empty()) {
+    if (output != "-")
+      throw UsageError("--sources writes what a library is compiled from, and compiles nothing: leave --output out");
+    write_sources(mechanism, request.sources);
+    return {(fs::path(request.sources) / "library.cpp").string() + "\n"};
+  }
+  const std::string library = compiled_library(mechanism, request.library);
+  return {output == "-" ? library + "\n" : bytes_of(library)};
+}
+
+}  // namespace
+
+void add_build_command(CommandSet& commands) {
+  const auto request = std::make_shared<BuildRequest>();
+  CLI::App& command =
+      commands.add("build", "compile a shared library with the interface of runtime/abi.h, by $CXX",
+                   [request, &commands](const Scene& scene) { return build(scene, *request, commands.output()); });
+  add_kernel_options(command, *request);
+  command.add_option("--flags", request->library.flags, "of the compiler, separated by spaces")->capture_default_str();
+  command.add_flag(
+      "--fused", request->library.fused,
+      "let the compiler fuse products with sums: faster, and results differ in their last digits from those "
+      "of other compilers, and a state's alone from the same among others");
+  command.add_option("--sources", request->sources,
+                     "folder to write the sources to, library.cpp and what it includes; nothing is compiled");
+  command.get_option("--output")->description("library to write; its path in the cache is printed when absent");
+}
+
+}  // namespace torsor

@@ -1,0 +1,182 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "generator/cli/compiled_library.hpp"
+
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+#include <system_error>
+#include <vector>
+
+#include <unistd.h>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "generator/base/error.hpp"
+#include "generator/base/fnv.hpp"
+#include "generator/base/output_file.hpp"
+#include "generator/base/process.hpp"
+#include "generator/emission/library_sources.hpp"
+
+#ifndef TORSOR_EIGEN_DIR
+#define TORSOR_EIGEN_DIR "/usr/include/eigen3"
+#endif
+
+namespace torsor {
+namespace {
+
+namespace fs = std::filesystem;
+using Words = std::vector<std::string>;
+
+std::string environment(const char* name) {
+  const char* const value = std::getenv(name);
+  return value == nullptr ? "" : value;
+}
+
+Words words_of(const std::string& text) {
+  std::istringstream stream(text);
+  Words words;
+  for (std::string word; stream >> word;) words.push_back(word);
+  return words;
+}
+
+/// A compiler as words, and what it says of itself.
+struct Compiler {
+  Words words;
+  std::string version;
+};
+
+Compiler found_compiler() {
+  const std::string named = environment("CXX");
+  const Words candidates = named.empty() ? Words{"c++", "g++", "clang++"} : Words{named};
+  for (const std::string& candidate : candidates) {
+    Words words = words_of(candidate);
+    if (words.empty()) continue;
+    Words question = words;
+    question.push_back("--version");
+    try {
+      const ProcessResult said = run_process(question);
+      if (said.code == 0) return {std::move(words), said.output};
+    } catch (const FileError&) {
+    }
+  }
+  throw FileError(
+      fmt::format("no C++ compiler: {} does not run; install one (Debian: g++), or set CXX to one that knows C++20",
+                  named.empty() ? "none of c++, g++ and clang++" : fmt::format("CXX, which is '{}',", named)));
+}
+
+fs::path cache_folder() {
+  std::string folder = environment("TORSOR_CACHE");
+  if (folder.empty()) {
+    const std::string cache = environment("XDG_CACHE_HOME"), home = environment("HOME");
+    if (cache.empty() && home.empty()) {
+      throw FileError("no folder to keep compiled mechanisms in: set TORSOR_CACHE, XDG_CACHE_HOME or HOME");
+    }
+    folder = cache.empty() ? home + "/.cache/torsor" : cache + "/torsor";
+  }
+  std::error_code failure;
+  fs::create_directories(folder, failure);
+  if (failure)
+    throw FileError(fmt::format("cannot make the folder '{}': {}; set TORSOR_CACHE", folder, failure.message()));
+  return fs::absolute(folder);
+}
+
+/// What -march=native means here: a folder may be shared by machines.
+std::string processor() {
+  std::ifstream file("/proc/cpuinfo");
+  std::string text;
+  for (std::string line; std::getline(file, line) && !line.empty();) {
+    if (line.starts_with("model name") || line.starts_with("flags") || line.starts_with("Features"))
+      text += line + "\n";
+  }
+  return text;
+}
+
+/// Removed with all that is in it.
+class WorkFolder {
+ public:
+  explicit WorkFolder(fs::path path) : path_(std::move(path)) {
+    std::error_code failure;
+    fs::remove_all(path_, failure);
+    fs::create_directories(path_, failure);
+    if (failure) throw FileError(fmt::format("cannot make the folder '{}': {}", path_.string(), failure.message()));
+  }
+  WorkFolder(const WorkFolder&) = delete;
+  WorkFolder& operator=(const WorkFolder&) = delete;
+  ~WorkFolder() {
+    std::error_code ignored;
+    fs::remove_all(path_, ignored);
+  }
+  const fs::path& path() const { return path_; }
+
+ private:
+  fs::path path_;
+};
+
+/// Errors of the compiler: the first lines that say so.
+std::string first_errors(const std::string& output) {
+  std::istringstream stream(output);
+  std::string text;
+  int lines = 0;
+  for (std::string line; std::getline(stream, line) && lines < 5;) {
+    if (line.find("error") == std::string::npos) continue;
+    text += (text.empty() ? "" : "; ") + line;
+    ++lines;
+  }
+  return text.empty() ? output.substr(0, 500) : text;
+}
+
+Words compiler_options(const MechanismListing& mechanism, const LibraryOptions& options) {
+  Words words = {"-std=c++20", "-shared", "-fPIC", "-fvisibility=hidden", "-pthread"};
+  for (const std::string& flag : words_of(options.flags)) words.push_back(flag);
+  words.push_back(options.fused ? "-ffp-contract=fast" : "-ffp-contract=off");
+  if (needs_eigen(mechanism)) words.insert(words.end(), {"-isystem", TORSOR_EIGEN_DIR});
+  return words;
+}
+
+void compile(const Compiler& compiler, const Words& options, const std::vector<SourceFile>& sources,
+             const MechanismListing& mechanism, const fs::path& library) {
+  const WorkFolder folder(fmt::format("{}.{}.sources", library.string(), ::getpid()));
+  for (const SourceFile& source : sources) {
+    const fs::path path = folder.path() / source.path;
+    fs::create_directories(path.parent_path());
+    write_file_if_changed(path.string(), source.text);
+  }
+  const fs::path made = folder.path() / "library.so";
+  Words command = compiler.words;
+  command.insert(command.end(), options.begin(), options.end());
+  for (const std::string& word : {std::string("-I"), folder.path().string(), std::string("-o"), made.string(),
+                                  (folder.path() / sources.front().path).string()}) {
+    command.push_back(word);
+  }
+  const ProcessResult said = run_process(command);
+  if (said.code != 0) {
+    const char* remedy = needs_eigen(mechanism) && said.output.find("Eigen") != std::string::npos
+                             ? "; a mechanism with constraints needs Eigen 3 (Debian: libeigen3-dev)"
+                             : "";
+    throw FileError(fmt::format("the compiler '{}' fails for '{}': {}{}", fmt::join(compiler.words, " "),
+                                mechanism.scene().name(), first_errors(said.output), remedy));
+  }
+  std::error_code failure;
+  fs::rename(made, library, failure);
+  if (failure) throw FileError(fmt::format("cannot write '{}': {}", library.string(), failure.message()));
+}
+
+}  // namespace
+
+std::string compiled_library(const MechanismListing& mechanism, const LibraryOptions& options) {
+  const Compiler compiler = found_compiler();
+  const std::vector<SourceFile> sources = library_sources(mechanism);
+  const Words words = compiler_options(mechanism, options);
+  Fnv key;
+  for (const SourceFile& source : sources) key.add(source.path).add(source.text);
+  for (const std::string& word : compiler.words) key.add(word).add(" ");
+  for (const std::string& word : words) key.add(word).add(" ");
+  key.add(compiler.version).add(processor());
+  const fs::path library = cache_folder() / fmt::format("{}-{:016x}.so", mechanism.scene().name(), key.value());
+  if (!fs::exists(library)) compile(compiler, words, sources, mechanism, library);
+  return library.string();
+}
+
+}  // namespace torsor

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+
+#include "generator/emission/mechanism_listing.hpp"
+
+namespace torsor {
+
+struct LibraryOptions {
+  std::string flags = "-O3 -march=native";  ///< of the compiler, separated by spaces
+  bool fused = false;                       ///< products may be fused with sums: faster, other last digits
+};
+
+/// The path of a shared library of the mechanism (runtime/abi.h). It lies in a cache, under a name that tells sources,
+/// compiler, flags and processor: what is there is not compiled again. The cache is $TORSOR_CACHE, or torsor in
+/// $XDG_CACHE_HOME, or ~/.cache/torsor. The compiler is $CXX, or the first of c++, g++ and clang++ on the PATH.
+/// Throws FileError where there is no compiler, or where it fails, with what it said.
+std::string compiled_library(const MechanismListing& mechanism, const LibraryOptions& options);
+
+}  // namespace torsor

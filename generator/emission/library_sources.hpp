@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "generator/emission/mechanism_listing.hpp"
+
+namespace torsor {
+
+/// A text and its path below a folder.
+struct SourceFile {
+  std::string path, text;
+};
+
+/// What a shared library of a mechanism with the interface of runtime/abi.h is compiled from, in C++20: `library.cpp`,
+/// which comes first, the generated header, and headers of the runtime, all found from one folder.
+std::vector<SourceFile> library_sources(const MechanismListing& mechanism);
+
+/// Whether compiling them takes Eigen: motions of mechanisms with constraints are held on them.
+bool needs_eigen(const MechanismListing& mechanism);
+
+}  // namespace torsor

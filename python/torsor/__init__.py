@@ -1,0 +1,27 @@
+# SPDX-License-Identifier: MIT
+"""Equations of motion of mechanisms, as fast as they are in C++, on numpy arrays.
+
+>>> arm = torsor.load("arm.urdf")
+>>> forces = arm.inverse_dynamics(q, v, a)          # (n,) or (..., n), broadcast
+>>> motion = arm.simulate(10.0, q)                  # times, states, energy
+
+The interface is that of runtime/abi.h: `torsor.open` takes any library made by `torsor build`.
+"""
+
+from __future__ import annotations
+
+import os
+
+from ._kernel import Bound, Kernel, NotFiniteError, Results, SingularError, TorsorError
+from ._load import LoadError, load
+from ._mechanism import Equilibrium, Mechanism, Modes, Motion, State
+
+__all__ = ["Bound", "Equilibrium", "Kernel", "LoadError", "Mechanism", "Modes", "Motion", "NotFiniteError", "Results",
+           "SingularError", "State", "TorsorError", "load", "open"]
+
+
+def open(path: str | os.PathLike[str]) -> Mechanism:  # noqa: A001 - torsor.open("libarm.so")
+    """The mechanism of a library made by `torsor build` or `torsor_add_mechanism(... SHARED)`.
+
+    Raises OSError where the file is no such library, or has another version of the interface."""
+    return Mechanism(path)

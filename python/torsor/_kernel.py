@@ -1,0 +1,313 @@
+# SPDX-License-Identifier: MIT
+"""Kernels as functions of numpy arrays."""
+
+from __future__ import annotations
+
+import ctypes
+from typing import Any, Callable, Mapping, NamedTuple, Sequence
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from . import _abi
+
+STATUSES = ("ok", "singular", "not finite", "argument not finite")
+_ARGUMENTS = ("q", "v", "accelerations", "multipliers", "inputs")
+
+
+class TorsorError(ArithmeticError):
+    """A kernel cannot give the results of a state."""
+
+
+class SingularError(TorsorError):
+    """The mass matrix or the constraints of a state lose rank."""
+
+
+class NotFiniteError(TorsorError):
+    """A result is not a finite number."""
+
+
+class Results(tuple):
+    """Results of one call, by position and by name. Where the kernel can fail, ``ok`` has one bool for each state,
+    ``statuses`` one number (0: ok, 1: singular, 2: not finite), and what failed is NaN."""
+
+    _fields: tuple[str, ...] = ()
+    ok: np.ndarray
+    statuses: np.ndarray
+
+    def __new__(cls, names: Sequence[str], values: Sequence[np.ndarray], statuses: np.ndarray) -> "Results":
+        self = super().__new__(cls, values)
+        self._fields = tuple(names)
+        self.statuses = statuses
+        self.ok = statuses == 0
+        return self
+
+    def __getattr__(self, name: str) -> np.ndarray:
+        try:
+            return self[self.__dict__["_fields"].index(name)]
+        except (KeyError, ValueError):
+            raise AttributeError(f"no result {name!r}; there are {', '.join(self._fields)}") from None
+
+    def _asdict(self) -> dict[str, np.ndarray]:
+        return dict(zip(self._fields, self))
+
+    def __repr__(self) -> str:
+        return "Results(" + ", ".join(f"{name}={value!r}" for name, value in zip(self._fields, self)) + ")"
+
+    def __dir__(self) -> list[str]:
+        return [*super().__dir__(), *self._fields]
+
+
+class ResultShape(NamedTuple):
+    """Shape of one result for one state: () for a number, (rows,) or (rows, columns); columns 0: one for each order."""
+
+    name: str
+    rows: int
+    columns: int
+
+    def shape(self, order: int) -> tuple[int, ...]:
+        if self.columns == 0:
+            return (self.rows, order + 1)
+        if self.columns > 1:
+            return (self.rows, self.columns)
+        return (self.rows,)
+
+
+def as_columns(name: str, value: ArrayLike, size: int) -> np.ndarray:
+    """``value`` as doubles with ``size`` numbers in its last dimension."""
+    array = np.asarray(value)
+    if array.dtype != np.float64:
+        array = array.astype(np.float64, casting="same_kind")
+    if array.ndim == 0 or array.shape[-1] != size:
+        raise ValueError(f"{name}: mismatch in its last dimension: shape {array.shape} is not (..., {size})")
+    return array
+
+
+def view_of(array: np.ndarray, batch: tuple[int, ...], tail: int) -> tuple[_abi.View, np.ndarray]:
+    """A view of an array whose last ``tail`` dimensions belong to a state, broadcast to a batch, and what keeps its
+    numbers alive."""
+    own = array.shape[array.ndim - tail:]
+    wide = np.broadcast_to(array, batch + own)
+    flat = wide if len(batch) == 1 else wide.reshape((-1,) + own)
+    steps = flat.strides[1:] + (0, 0)
+    return _abi.View(flat.ctypes.data, flat.strides[0], steps[0], steps[1]), flat
+
+
+def require_finite(arguments: Mapping[str, np.ndarray]) -> None:
+    for name, array in arguments.items():
+        if not np.isfinite(array).all():
+            raise ValueError(f"{name}: array must not contain infs or NaNs")
+
+
+class Bound:
+    """A kernel with all its arrays: ``call()`` evaluates it for what they hold now, and returns ``call.result``, always
+    the same arrays. For loops that cannot wait for anything else."""
+
+    __slots__ = ("result", "statuses", "arguments", "_run", "_alive", "__weakref__")
+
+    def __init__(self, run: Callable[[], Any], result: Any, statuses: np.ndarray, arguments: Mapping[str, np.ndarray],
+                 alive: Any):
+        self._run = run
+        self.result = result
+        self.statuses = statuses
+        self.arguments = arguments
+        self._alive = alive
+
+    def __call__(self) -> Any:
+        return self._run()
+
+
+class Kernel:
+    """One kernel of a mechanism; ``help(arm.mass_matrix)`` or ``arm.mass_matrix.__doc__`` say what it takes and gives."""
+
+    def __init__(self, mechanism: Any, entry: _abi.KernelEntry):
+        self._mechanism = mechanism
+        self._evaluate = entry.evaluate
+        self._address = ctypes.cast(entry.evaluate, ctypes.c_void_p).value
+        self.__name__ = self.name = entry.name.decode()
+        sizes = mechanism._sizes
+        reads = {"accelerations": entry.reads_accelerations, "multipliers": entry.reads_multipliers,
+                 "inputs": entry.reads_inputs}
+        self.arguments: dict[str, int] = {name: sizes[name] for name in _ARGUMENTS if reads.get(name, True)}
+        self.results = tuple(ResultShape(r.name.decode(), r.rows, r.columns)
+                             for r in entry.results[:entry.result_count])
+        self.has_status = bool(entry.has_status)
+        self.takes_order = bool(entry.takes_order)
+        self.__doc__ = self._documentation()
+
+    def _documentation(self) -> str:
+        m = self._mechanism
+        units = {"q": m.coordinates, "v": m.velocities, "inputs": m.inputs, "multipliers": m.multipliers}
+        optional = {"v": "zeros", "multipliers": "zeros", "inputs": "zeros"}
+        words = [f"{name}=None" if name in optional else name for name in self.arguments]
+        lines = [f"{self.name}({', '.join(words)}, *, time=0.0, {'order=12, ' if self.takes_order else ''}"
+                 "parameters=None, out=None, threads=1)", "", f"Of {m.name}, for one state or many.", "", "Arguments:"]
+        for name, size in self.arguments.items():
+            quantities = units.get(name)
+            what = "" if not quantities else ": " + ", ".join(f"{q} [{u}]" for q, u in quantities.items())
+            default = f", {optional[name]} when absent" if name in optional else ""
+            lines.append(f"    {name}: (..., {size}){default}{what}")
+        lines += ["    time: (...) [s]", "", "Gives:"]
+        for result in self.results:
+            numbers = ", ".join(["..."] + (["order + 1" if n == 0 else str(n) for n in
+                                            ((result.rows, result.columns) if result.columns != 1 else
+                                             (result.rows,))] if (result.rows, result.columns) != (1, 1) else []))
+            lines.append(f"    {result.name}: ({numbers})")
+        if self.has_status:
+            lines += ["", "Raises SingularError or NotFiniteError for one state; of many, `ok` of the results tells those",
+                      "that could be evaluated."]
+        lines += ["", "Raises ValueError for shapes that do not fit and for numbers that are not finite."]
+        return "\n".join(lines)
+
+    @property
+    def unwrapped(self) -> bool:
+        """Whether a call gives one array, and not `Results`."""
+        return len(self.results) == 1 and not self.has_status
+
+    def __repr__(self) -> str:
+        return f"<kernel {self.name} of {self._mechanism.name}>"
+
+    def __call__(self, q: ArrayLike, *arguments: ArrayLike | None, out: Any = None, threads: int = 1, time: ArrayLike = 0.0,
+                 order: int = 12, parameters: Mapping[str, float] | None = None, **named: ArrayLike) -> Any:
+        bound = self._bind(q, arguments, named, time, order, parameters, out, threads)
+        return bound()
+
+    def bind(self, q: ArrayLike, *arguments: ArrayLike | None, out: Any = None, threads: int = 1, time: ArrayLike = 0.0,
+             order: int = 12, parameters: Mapping[str, float] | None = None, **named: ArrayLike) -> Bound:
+        """The call with these arguments, to be made again and again: arrays of doubles are read where they are."""
+        return self._bind(q, arguments, named, time, order, parameters, out, threads)
+
+    def _given(self, q: ArrayLike, arguments: Sequence[ArrayLike | None], named: Mapping[str, ArrayLike]) -> dict[str, Any]:
+        names = list(self.arguments)
+        if len(arguments) + 1 > len(names):
+            raise TypeError(f"{self.name}() takes {len(names)} arguments ({', '.join(names)}) and got {len(arguments) + 1}")
+        given: dict[str, Any] = dict(zip(names, (q, *arguments)))
+        for name, value in named.items():
+            if name not in self.arguments:
+                raise TypeError(f"{self.name}() got an unexpected keyword argument {name!r}; it takes {', '.join(names)}")
+            if given.get(name) is not None:
+                raise TypeError(f"{self.name}() got multiple values for argument {name!r}")
+            given[name] = value
+        if "accelerations" in self.arguments and given.get("accelerations") is None:
+            raise TypeError(f"{self.name}() missing 1 required argument: 'accelerations'")
+        return given
+
+    def _outputs(self, out: Any, batch: tuple[int, ...], order: int) -> list[np.ndarray]:
+        shapes = [batch + r.shape(order) for r in self.results]
+        if out is None:
+            return [np.empty(shape) for shape in shapes]
+        if isinstance(out, np.ndarray):
+            out = (out,)
+        elif isinstance(out, Mapping):
+            out = tuple(out.get(r.name) for r in self.results)
+        if len(out) != len(shapes):
+            raise ValueError(f"out: {self.name} has {len(shapes)} results and got {len(out)} arrays")
+        arrays = []
+        for given, shape, result in zip(out, shapes, self.results):
+            if given is None:
+                given = np.empty(shape)
+            if not isinstance(given, np.ndarray):
+                raise TypeError("return arrays must be of ArrayType")
+            if given.dtype != np.float64 or not given.dtype.isnative:
+                raise TypeError(f"out: cannot cast {result.name} from dtype('float64') to {given.dtype!r}")
+            if given.shape != shape and given.shape + (1,) != shape:
+                raise ValueError(f"non-broadcastable output operand with shape {given.shape} doesn't match the broadcast "
+                                 f"shape {shape} of {result.name}")
+            if not given.flags.writeable:
+                raise ValueError("output array is read-only")
+            arrays.append(given)
+        return arrays
+
+    def _bind(self, q: ArrayLike, positional: Sequence[ArrayLike | None], named: Mapping[str, ArrayLike], time: ArrayLike,
+              order: int, parameters: Mapping[str, float] | None, out: Any, threads: int) -> Bound:
+        m = self._mechanism
+        given = self._given(q, positional, named)
+        arrays: dict[str, np.ndarray] = {}
+        for name, size in self.arguments.items():
+            value = given.get(name)
+            if value is not None:
+                arrays[name] = as_columns(name, value, size)
+            elif name == "v":
+                arrays[name] = np.zeros(size)
+        times = np.asarray(time)
+        if times.dtype != np.float64:
+            times = times.astype(np.float64, casting="same_kind")
+        batch = np.broadcast_shapes(times.shape, *(array.shape[:-1] for array in arrays.values()))
+        count = int(np.prod(batch)) if batch else 1
+        outputs = self._outputs(out, batch, order)
+        if out is not None:  # a result may lie where an argument is read only if it is the argument
+            for name, array in arrays.items():
+                if any(np.may_share_memory(array, each) for each in outputs):
+                    arrays[name] = array.copy()
+        statuses = np.zeros(batch, dtype=np.int32)
+
+        alive: list[Any] = [statuses]
+        call = _abi.Call()
+        model = m._model(parameters)
+        alive.append(model)
+        call.model = model.address
+        call.states = count
+        call.threads = threads
+        call.order = order
+        for name, array in arrays.items():
+            view, flat = view_of(array, batch or (1,), 1)
+            setattr(call, name, view)
+            alive.append(flat)
+        if times.ndim > 0 or times != 0.0:
+            view, flat = view_of(times[..., None], batch or (1,), 1)
+            call.time = view
+            alive.append(flat)
+        views = (_abi.View * max(1, len(outputs)))()
+        scattered: list[tuple[np.ndarray, np.ndarray]] = []
+        for k, (array, result) in enumerate(zip(outputs, self.results)):
+            tail = len(result.shape(order))
+            flat = (array.reshape(array.shape + (1,)) if array.ndim < len(batch) + tail else array)
+            flat = flat.reshape((count,) + flat.shape[len(batch):])
+            if array.size > 0 and not np.may_share_memory(flat, array):  # gaps that no single step crosses
+                flat = np.empty(flat.shape)
+                scattered.append((array, flat))
+            steps = flat.strides[1:] + (0, 0)
+            views[k] = _abi.View(flat.ctypes.data if flat.size else None, flat.strides[0], steps[0], steps[1])
+            alive.append(flat)
+        call.results = views
+        call.statuses = statuses.ctypes.data if self.has_status else None
+        alive += [call, views, arrays, times, outputs]
+
+        results: Any
+        shaped = [o[..., 0] if (r.rows, r.columns) == (1, 1) and o.ndim == len(batch) + 1 else o
+                  for o, r in zip(outputs, self.results)]
+        if out is not None and self.unwrapped:
+            results = outputs[0]
+        elif self.unwrapped:
+            results = shaped[0]
+        else:
+            results = Results([r.name for r in self.results], shaped, statuses)
+        evaluate, pointer = self._evaluate, ctypes.addressof(call)
+
+        def complain(failed: int) -> None:
+            if failed < 0:
+                raise {-3: MemoryError}.get(failed, ValueError)(
+                    {-4: f"order: {order} is not among 1, ..., 30"}.get(failed, f"call of {self.name} failed: {failed}"))
+            if call.worst == 3:
+                require_finite({**arrays, "time": times})
+            if not batch:
+                error = {1: SingularError, 2: NotFiniteError}[call.worst]
+                raise error(f"{self.name}: the state is {STATUSES[call.worst]}: "
+                            + ("the mass matrix or the constraints lose rank" if call.worst == 1
+                               else "a result is not a finite number"))
+            bad = statuses != 0
+            for each in outputs:
+                each[bad] = np.nan
+            results.ok = ~bad
+
+        def run() -> Any:
+            failed = evaluate(pointer)
+            for array, flat in scattered:
+                array[...] = flat.reshape(array.shape)
+            if failed:
+                complain(failed)
+            elif self.has_status and not results.ok.all():
+                results.ok = statuses == 0
+            return results
+
+        return Bound(run, results, statuses, arrays, alive)

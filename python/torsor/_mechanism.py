@@ -1,0 +1,387 @@
+# SPDX-License-Identifier: MIT
+"""A mechanism: its kernels, its motions, and what is asked of its linearisation."""
+
+from __future__ import annotations
+
+import ctypes
+import os
+from collections import OrderedDict
+from types import MappingProxyType
+from typing import TYPE_CHECKING, Any, Callable, Mapping, NamedTuple
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from . import _abi
+from ._display import Displayed
+from ._kernel import Kernel, NotFiniteError, Results, SingularError, TorsorError, as_columns, require_finite, view_of
+
+MOTION_STATUSES = ("reached the end time", "stopped", "unusable options: times, tolerances or steps",
+                   "the step fell below the resolution of time", "the step limit was met",
+                   "the model could not be evaluated", "an implicit step did not converge",
+                   "the method does not suit the model")
+
+
+class State(NamedTuple):
+    """Time [s], coordinates and velocities."""
+
+    time: float
+    q: np.ndarray
+    v: np.ndarray
+
+
+class Motion(NamedTuple):
+    """States at given times. With many motions, ``states`` is (..., times, n) and ``status`` (...)."""
+
+    times: np.ndarray
+    q: np.ndarray
+    v: np.ndarray
+    energy: np.ndarray | None
+    """T - U at each time, where the mechanism has the kernel ``energy``."""
+    ok: Any
+    """Whether the last time was reached; what was not reached is NaN."""
+    status: Any
+    calls: Any
+    """Evaluations of the equations of motion."""
+
+    @property
+    def states(self) -> np.ndarray:
+        """(q, v) as one vector, (..., times, n)."""
+        return np.concatenate([self.q, self.v], axis=-1)
+
+
+class Modes(NamedTuple):
+    """Small motions x' = A x about a state: exp(eigenvalue t) times a column of ``shapes``."""
+
+    eigenvalues: np.ndarray
+    frequencies: np.ndarray
+    """|eigenvalue| [rad/s]."""
+    damping: np.ndarray
+    """-Re(eigenvalue)/|eigenvalue|; 1 for eigenvalues that are zero."""
+    shapes: np.ndarray
+
+
+class Equilibrium(NamedTuple):
+    q: np.ndarray
+    multipliers: np.ndarray
+    residual: float
+    """Largest generalised force that is left."""
+
+
+class _Model:
+    """Parameters with what depends on them; freed with its last user."""
+
+    def __init__(self, mechanism: "Mechanism", parameters: np.ndarray):
+        table = mechanism._table
+        self._destroy, self._library = table.destroy, mechanism._library
+        self.address = table.create(parameters.ctypes.data_as(ctypes.POINTER(ctypes.c_double)))
+        if not self.address:
+            raise MemoryError("no memory for the parameters of a mechanism")
+
+    def __del__(self) -> None:
+        if getattr(self, "address", None):
+            self._destroy(self.address)
+
+
+def _quantities(entries: Any, count: int) -> Mapping[str, str]:
+    return MappingProxyType({e.name.decode(): e.unit.decode() for e in entries[:count]})
+
+
+class Mechanism(Displayed):
+    """A mechanism from a shared library. Its kernels are its attributes: ``arm.inverse_dynamics(q, v, a)``.
+
+    ``coordinates``, ``velocities``, ``inputs``, ``multipliers`` give names with units; ``parameters`` names with values.
+    """
+
+    if TYPE_CHECKING:
+        kinematics: Kernel
+        mass_matrix: Kernel
+        bias: Kernel
+        inverse_dynamics: Kernel
+        forward_dynamics: Kernel
+        energy: Kernel
+        first_integrals: Kernel
+        constraints: Kernel
+        reactions: Kernel
+        linearisation: Kernel
+        inverse_dynamics_derivatives: Kernel
+        forward_dynamics_derivatives: Kernel
+        regressor: Kernel
+        jets: Kernel
+        state_derivative: Kernel
+
+    def __init__(self, path: str | os.PathLike[str], source: Any = None):
+        self._library, table = _abi.open_library(os.fspath(path))
+        self._table = table
+        self._source = source
+        self.path = os.path.abspath(os.fspath(path))
+        self.name: str = table.name.decode()
+        self.fingerprint: int = table.fingerprint
+        self.coordinates = _quantities(table.coordinates, table.coordinate_count)
+        self.velocities = _quantities(table.velocities, table.velocity_count)
+        self.inputs = _quantities(table.inputs, table.input_count)
+        self.multipliers = _quantities(table.multipliers, table.multiplier_count)
+        self.parameter_units = _quantities(table.parameters, table.parameter_count)
+        self.quaternions = tuple(table.quaternions[:table.quaternion_count])
+        self._sizes = {"q": table.coordinate_count, "v": table.velocity_count, "accelerations": table.velocity_count,
+                       "multipliers": table.multiplier_count, "inputs": table.input_count}
+        self.parameters: Mapping[str, float] = MappingProxyType(
+            dict(zip(self.parameter_units, table.default_parameters[:table.parameter_count])))
+        self._models: OrderedDict[tuple[float, ...], _Model] = OrderedDict()
+        self.methods = tuple(method.name.decode() for method in table.methods[:table.method_count])
+        self._fixed_step = {method.name.decode() for method in table.methods[:table.method_count] if method.fixed_step}
+        self.kernels: Mapping[str, Kernel] = MappingProxyType(
+            {entry.name.decode(): Kernel(self, entry) for entry in table.kernels[:table.kernel_count]})
+        self._own = self._model(None)
+
+    def __getattr__(self, name: str) -> Kernel:
+        kernels = self.__dict__.get("kernels", {})
+        if name in kernels:
+            self.__dict__[name] = kernels[name]
+            return kernels[name]
+        raise AttributeError(f"{self.__dict__.get('name', 'the mechanism')} has no kernel or attribute {name!r}; its kernels "
+                             f"are {', '.join(kernels)}")
+
+    def __dir__(self) -> list[str]:
+        return [*super().__dir__(), *self.kernels]
+
+    def __repr__(self) -> str:
+        return f"<torsor.Mechanism {self.name}: {len(self.coordinates)} coordinates, kernels {', '.join(self.kernels)}>"
+
+    # Parameters
+
+    def with_parameters(self, **values: float) -> "Mechanism":
+        """The same mechanism with other run-time parameters as those that calls take by default."""
+        other = object.__new__(Mechanism)
+        other.__dict__.update({k: v for k, v in self.__dict__.items() if k != "_own" and not isinstance(v, Kernel)})
+        other._models = OrderedDict()
+        other.parameters = MappingProxyType(self._merged(values))
+        other.kernels = MappingProxyType(
+            {entry.name.decode(): Kernel(other, entry) for entry in self._table.kernels[:self._table.kernel_count]})
+        other._own = other._model(None)
+        return other
+
+    def _merged(self, values: Mapping[str, float] | None) -> dict[str, float]:
+        merged = dict(self.parameters)
+        for name, value in (values or {}).items():
+            if name not in merged:
+                raise KeyError(f"{self.name} has no run-time parameter {name!r}; there are "
+                               f"{', '.join(merged) or 'none: name them when it is built, run_time='}")
+            number = np.asarray(value).astype(np.float64, casting="same_kind")
+            if number.ndim != 0:
+                raise ValueError(f"parameter {name}: only a number, not an array of shape {number.shape}")
+            if not np.isfinite(number):
+                raise ValueError(f"parameter {name}: array must not contain infs or NaNs")
+            merged[name] = float(number)
+        return merged
+
+    def _model(self, parameters: Mapping[str, float] | None) -> _Model:
+        if parameters is None and "_own" in self.__dict__:
+            return self._own
+        key = tuple(self._merged(parameters).values())
+        model = self._models.get(key)
+        if model is None:
+            model = self._models[key] = _Model(self, np.array(key if key else (0.0,)))
+            if len(self._models) > 64:
+                self._models.popitem(last=False)
+        self._models.move_to_end(key)
+        return model
+
+    # States and motions
+
+    def initial_state(self, parameters: Mapping[str, float] | None = None) -> State:
+        """The state in which the scene starts: time, q (nq,), v (nv,)."""
+        model = self._model(parameters)
+        time, q, v = np.zeros(1), np.zeros(self._sizes["q"]), np.zeros(self._sizes["v"])
+        pointers = [a.ctypes.data_as(ctypes.POINTER(ctypes.c_double)) for a in (time, q, v)]
+        self._table.initial_state(model.address, *pointers)
+        return State(float(time[0]), q, v)
+
+    def ode(self, inputs: ArrayLike | Callable[[float, np.ndarray, np.ndarray], ArrayLike] | None = None,
+            parameters: Mapping[str, float] | None = None) -> Callable[[float, np.ndarray], np.ndarray]:
+        """The right side f(t, y) of y' = f, y = (q, v) of shape (n,) or (n, states), as `scipy.integrate.solve_ivp` asks
+        for it (``vectorized=True`` is allowed). `inputs`: (inputs,), or a function of t, q, v."""
+        nq = self._sizes["q"]
+
+        def f(t: float, y: np.ndarray) -> np.ndarray:
+            rows = np.asarray(y).T
+            q, v = rows[..., :nq], rows[..., nq:]
+            u = inputs(t, q, v) if callable(inputs) else inputs
+            return self.state_derivative(q, v, u, time=t, parameters=parameters)[0].T
+
+        return f
+
+    def simulate(self, times: ArrayLike = 10.0, q: ArrayLike | None = None, v: ArrayLike | None = None, *,
+                 start_time: ArrayLike | None = None,
+                 inputs: ArrayLike | Callable[[float, np.ndarray, np.ndarray], ArrayLike] | None = None,
+                 method: str = "dormand_prince_853", relative_tolerance: float = 1e-9, absolute_tolerance: float = 1e-12,
+                 step: float | None = None, first_step: float = 0.0, largest_step: float = 0.0, step_limit: int = 0,
+                 project: bool = True, parameters: Mapping[str, float] | None = None, threads: int = 1) -> Motion:
+        """Integrates motions from (q, v) at `start_time`; what is absent is that of the scene. Constraints are held.
+
+        times: (T,) [s], in one direction; a number: 1,001 equal times up to it.
+        q, v: (nq,), (nv,), or (..., nq), (..., nv): as many motions, on `threads` threads.
+        inputs: (..., inputs), constant along a motion; or a function of t, q (nq,), v (nv,).
+        method: one of `methods`; `step` is for those with a fixed step, tolerances for the others.
+
+        One motion that fails raises TorsorError; of many, `ok` tells those that reached the end.
+        """
+        scene = self.initial_state(parameters)
+        begin = np.asarray(scene.time if start_time is None else start_time).astype(np.float64, casting="same_kind")
+        grid = np.asarray(times).astype(np.float64, casting="same_kind")
+        if grid.ndim == 0:
+            if begin.ndim != 0:
+                raise ValueError("times: give an array where motions start at several times")
+            grid = np.linspace(float(begin), float(grid), 1001)
+        if grid.ndim != 1:
+            raise ValueError(f"times: shape {grid.shape} is not (T,)")
+        grid = np.ascontiguousarray(grid)
+        if method not in self.methods:
+            raise ValueError(f"no method {method!r}; there are {', '.join(self.methods)}")
+        if method in self._fixed_step and step is None:
+            raise ValueError(f"{method} has a fixed step: give step=")
+        start = {"q": as_columns("q", scene.q if q is None else q, self._sizes["q"]),
+                 "v": as_columns("v", scene.v if v is None else v, self._sizes["v"])}
+        law = None if inputs is None or callable(inputs) else as_columns("inputs", inputs, self._sizes["inputs"])
+        require_finite({**start, "times": grid, "start_time": begin, **({} if law is None else {"inputs": law})})
+        batch = np.broadcast_shapes(begin.shape, *(a.shape[:-1] for a in start.values()),
+                                    () if law is None else law.shape[:-1])
+        count = int(np.prod(batch)) if batch else 1
+        y = np.ascontiguousarray(np.concatenate(
+            [np.broadcast_to(a, batch + a.shape[-1:]) for a in start.values()], axis=-1)).reshape(count, -1)
+        n = y.shape[1]
+        states = np.empty((count, len(grid), n))
+        statuses, calls = np.zeros(count, dtype=np.int32), np.zeros(count, dtype=np.int64)
+
+        motion, model = _abi.Motion(), self._model(parameters)
+        motion.model, motion.motions, motion.threads = model.address, count, threads
+        motion.method, motion.unprojected = self.methods.index(method), 0 if project else 1
+        motion.step = 0.0 if step is None else step
+        motion.relative_tolerance, motion.absolute_tolerance = relative_tolerance, absolute_tolerance
+        motion.first_step, motion.largest_step, motion.step_limit = first_step, largest_step, step_limit
+        alive: list[Any] = []
+        motion.time, kept = view_of(begin[..., None], batch or (1,), 1)
+        alive.append(kept)
+        motion.start = _abi.View(y.ctypes.data, y.strides[0], y.strides[1], 0)
+        if law is not None:
+            motion.inputs, kept = view_of(law, batch or (1,), 1)
+            alive.append(kept)
+        raised: list[BaseException] = []
+        if callable(inputs):
+            motion.law = self._law(inputs, raised)
+            alive.append(motion.law)
+        motion.times, motion.time_count = grid.ctypes.data, len(grid)
+        motion.states = _abi.View(states.ctypes.data, *states.strides)
+        motion.statuses, motion.calls = statuses.ctypes.data, calls.ctypes.data
+        failed = self._table.integrate(ctypes.addressof(motion))
+        if raised:
+            raise raised[0]
+        if failed < 0:
+            raise ValueError(f"{self.name} cannot be integrated: it has no kernel forward_dynamics")
+        if not batch and failed:
+            raise TorsorError(f"{self.name}: the motion ends early: {MOTION_STATUSES[statuses[0]]}")
+        return self._motion(grid, states.reshape(batch + states.shape[1:]), statuses.reshape(batch),
+                            calls.reshape(batch), parameters)
+
+    def _motion(self, grid: np.ndarray, states: np.ndarray, statuses: np.ndarray, calls: np.ndarray,
+                parameters: Mapping[str, float] | None) -> Motion:
+        nq = self._sizes["q"]
+        q, v = states[..., :nq], states[..., nq:]
+        energy = None
+        if "energy" in self.kernels:
+            reached = np.isfinite(states).all(axis=-1)
+            energy = np.full(reached.shape, np.nan)
+            at = np.broadcast_to(grid, reached.shape)[reached]
+            if len(at):
+                parts = self.energy(q[reached], v[reached], time=at, parameters=parameters)
+                energy[reached] = parts.kinetic - parts.force_function
+        if statuses.ndim == 0:
+            return Motion(grid, q, v, energy, True, int(statuses), int(calls))
+        return Motion(grid, q, v, energy, statuses == 0, statuses, calls)
+
+    def _law(self, inputs: Callable[[float, np.ndarray, np.ndarray], ArrayLike], raised: list[BaseException]) -> Any:
+        nq, n, m = self._sizes["q"], self._sizes["q"] + self._sizes["v"], self._sizes["inputs"]
+
+        def law(_: Any, time: float, y: Any, result: Any) -> None:
+            into = np.ctypeslib.as_array(result, (m,)) if m else np.empty(0)
+            try:
+                if raised:
+                    raise raised[0]
+                state = np.ctypeslib.as_array(y, (n,)).copy()
+                into[...] = as_columns("inputs", inputs(time, state[:nq], state[nq:]), m)
+            except BaseException as error:  # nothing may be thrown through C: the motion ends by what is no number
+                raised.append(error)
+                into[...] = np.nan
+
+        return _abi.InputLaw(law)
+
+    # About one state
+
+    def linearise(self, q: ArrayLike | None = None, v: ArrayLike | None = None, *, accelerations: ArrayLike | None = None,
+                  inputs: ArrayLike | None = None, time: float | None = None,
+                  parameters: Mapping[str, float] | None = None) -> Results:
+        """M e'' + C e' + K e = F + E du about a state and its own motion (or given accelerations), and where there are,
+        x' = A x + B du with x = (e, e'). What is absent is the scene's start; without accelerations, those of the
+        motion with these inputs. Matrices as `linearisation.__doc__` says."""
+        scene = self.initial_state(parameters)
+        q = scene.q if q is None else q
+        v = scene.v if v is None else v
+        at = scene.time if time is None else time
+        multipliers = None
+        if accelerations is None:
+            solved = self.forward_dynamics(q, v, inputs, time=at, parameters=parameters)
+            accelerations, multipliers = solved[0], solved[1]
+        given = {"accelerations": accelerations, "multipliers": multipliers, "inputs": inputs}
+        return self.linearisation(q, v, time=at, parameters=parameters,
+                                  **{k: a for k, a in given.items() if k in self.linearisation.arguments and a is not None})
+
+    def modes(self, q: ArrayLike | None = None, v: ArrayLike | None = None, **options: Any) -> Modes:
+        """Eigenvalues of the state matrix A of `linearise` at one state, slowest first. v is zero when absent."""
+        zeros = np.zeros(self._sizes["v"]) if v is None else v
+        matrix = self.linearise(q, zeros, **options).A
+        values, shapes = np.linalg.eig(matrix)
+        order = np.lexsort((values.imag, np.abs(values)))
+        values, shapes = values[order], shapes[:, order]
+        size = np.abs(values)
+        with np.errstate(invalid="ignore", divide="ignore"):
+            damping = np.where(size > 0, -values.real / size, 1.0)
+        return Modes(values, size, damping, shapes)
+
+    def equilibria(self, q: ArrayLike | None = None, *, inputs: ArrayLike | None = None, time: float | None = None,
+                   tolerance: float = 1e-12, steps: int = 50, parameters: Mapping[str, float] | None = None) -> Equilibrium:
+        """The equilibrium that Newton's method finds from q (the scene's start when absent): no velocity, no acceleration,
+        no generalised force left above `tolerance` of the largest that acts on it. Raises TorsorError where it finds
+        none. Constraints are met, with their multipliers."""
+        scene = self.initial_state(parameters)
+        at = scene.time if time is None else time
+        q = as_columns("q", scene.q if q is None else q, self._sizes["q"]).copy()
+        nv, nm = self._sizes["v"], self._sizes["multipliers"]
+        rest, multipliers = np.zeros(nv), np.zeros(nm)
+        common: dict[str, Any] = {"time": at, "parameters": parameters}
+        for _ in range(steps):
+            arguments = {"accelerations": rest, "multipliers": multipliers, "inputs": inputs}
+            linear = self.linearisation(q, rest, **common, **{k: a for k, a in arguments.items()
+                                                              if k in self.linearisation.arguments and a is not None})
+            matrix, right = linear.K, linear.F
+            if nm:
+                of = self.constraints(q, rest, **common)
+                jacobian = of.jacobian.reshape(nm, nv)
+                matrix = np.block([[matrix, -jacobian.T], [jacobian, np.zeros((nm, nm))]])
+                right = np.concatenate([right, -of.value.reshape(nm)])
+            size = max(1.0, float(np.abs(matrix).max())) if matrix.size else 1.0
+            change = np.linalg.lstsq(matrix, right, rcond=1e-12)[0]
+            left = float(np.abs(right).max()) if right.size else 0.0
+            if left <= tolerance * size and np.abs(change).max() <= 1e-9 * (1.0 + np.abs(q).max()):
+                return Equilibrium(q, multipliers, left)
+            longest = np.abs(change[:nv]).max()
+            share = min(1.0, 0.5 / longest) if longest > 0 else 1.0  # of a turn or a metre: Newton's method from afar
+            q, multipliers = self._displaced(q, share * change[:nv]), multipliers + change[nv:]
+        raise TorsorError(f"{self.name}: no equilibrium found from there in {steps} steps; start nearer to one")
+
+    def _displaced(self, q: np.ndarray, change: np.ndarray) -> np.ndarray:
+        if "coordinate_rates" not in self.kernels:
+            return q + change
+        q = q + self.coordinate_rates(q, change)
+        for first in self.quaternions:
+            q[first:first + 4] /= np.linalg.norm(q[first:first + 4])
+        return q

@@ -1,0 +1,176 @@
+/* SPDX-License-Identifier: MIT */
+/* A mechanism as a shared library: what `torsor build` makes, for every language that calls C. C99; also C++.
+ *
+ * The library has one symbol, `torsor_mechanism`, which gives a table of everything else:
+ *
+ *   const torsor_abi* arm = torsor_mechanism();           (or what dlsym finds under that name)
+ *   torsor_model* model = arm->create(NULL);              (with the parameters of the scene)
+ *   double q[7], v[7], a[7], forces[7];
+ *   torsor_call call = {.model = model, .states = 1};
+ *   call.q.data = q; call.v.data = v; call.accelerations.data = a;
+ *   torsor_view results[1] = {{.data = forces, .row = sizeof(double)}};
+ *   call.q.row = call.v.row = call.accelerations.row = sizeof(double);
+ *   call.results = results;
+ *   int64_t failed = arm->kernels[k].evaluate(&call);
+ *
+ * Numbers are double, units SI, angles in rad. Nothing here throws. Tables and texts live as long as the library. */
+#ifndef TORSOR_ABI_H
+#define TORSOR_ABI_H
+
+#include <stddef.h>
+#include <stdint.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* Another number: another layout. What a later version adds stands at the end of a structure. */
+#define TORSOR_ABI_VERSION 1
+
+/* A number of a vector: its name, and its unit as a person writes it. */
+typedef struct torsor_abi_quantity {
+  const char* name;
+  const char* unit;
+} torsor_abi_quantity;
+
+/* What a kernel writes: a result, or a member of it; rows x columns numbers. Without columns: one for each order, 0 and
+ * the highest included (Taylor coefficients). */
+typedef struct torsor_abi_result {
+  const char* name;
+  int32_t rows, columns;
+} torsor_abi_result;
+
+/* Where numbers are: entry (i, j) of state s at data + s * state + i * row + j * column, all in bytes. A step of 0
+ * gives the same numbers to all states. Addresses are those of doubles. */
+typedef struct torsor_view {
+  void* data;
+  ptrdiff_t state, row, column;
+} torsor_view;
+
+/* Parameters, with what depends on them only. Not changed by calls: threads may share it. */
+typedef struct torsor_model torsor_model;
+
+/* What is said of one state; larger is worse. */
+enum {
+  torsor_state_ok = 0,
+  torsor_state_singular = 1,           /* the mass matrix or the constraints lose rank */
+  torsor_state_not_finite = 2,         /* a result is not a finite number */
+  torsor_state_argument_not_finite = 3 /* an argument is not: the results are not meaningful */
+};
+
+/* Why a call did nothing. */
+enum {
+  torsor_call_without_model = -1,
+  torsor_call_without_argument = -2, /* q, v or what else the kernel reads has no data */
+  torsor_call_without_memory = -3,
+  torsor_call_bad_order = -4
+};
+
+/* One call of a kernel for one state or many. */
+typedef struct torsor_call {
+  const torsor_model* model;
+  size_t states;
+  uint32_t threads; /* 0: as many as the processor runs at once; results do not depend on it */
+  int32_t order;    /* the highest, of Taylor coefficients */
+  /* Column vectors. Those that the kernel does not read are not looked at. time, multipliers and inputs without data
+   * are zero. */
+  torsor_view time, q, v, accelerations, multipliers, inputs;
+  const torsor_view* results; /* one for each of the kernel's results; those without data are not written */
+  int32_t* statuses;          /* one for each state, or NULL */
+  int32_t worst;              /* out: of all states */
+} torsor_call;
+
+/* Returns how many states failed, or one of the negative numbers above. A state's results do not depend on its
+ * neighbours. One that fails has what the kernel left; those of others are good. */
+typedef int64_t torsor_evaluate(torsor_call* call);
+
+typedef struct torsor_abi_kernel {
+  const char* name;
+  int32_t reads_accelerations, reads_multipliers, reads_inputs; /* beside time, q and v */
+  int32_t has_status;                                           /* can fail for arguments that are finite */
+  int32_t takes_order;
+  int32_t result_count;
+  const torsor_abi_result* results;
+  torsor_evaluate* evaluate;
+} torsor_abi_kernel;
+
+/* Inputs u as they depend on time and y = [q; v]. */
+typedef void torsor_input_law(void* context, double time, const double* y, double* inputs);
+
+/* Motions from one time to others: y = [q; v], of n numbers. */
+typedef struct torsor_motion {
+  const torsor_model* model;
+  size_t motions;
+  uint32_t threads;    /* as in torsor_call */
+  int32_t method;      /* place in the table of methods */
+  int32_t unprojected; /* not 0: constraints drift */
+  double step;         /* of methods with a fixed step */
+  double relative_tolerance, absolute_tolerance, first_step,
+      largest_step;      /* of the others; steps of 0: their own choice */
+  int64_t step_limit;    /* 0: that of the method */
+  torsor_view time;      /* at the start, one for each motion */
+  torsor_view start;     /* y there */
+  torsor_view inputs;    /* constant along a motion; without data zero */
+  torsor_input_law* law; /* or NULL; then `inputs` is not looked at. With threads it is called from several at once */
+  void* context;
+  const double* times; /* in the order in which they are reached */
+  size_t time_count;
+  torsor_view states; /* out: y of motion s at time i in row i; column is the step between its numbers */
+  int32_t* statuses;  /* out: a torsor_motion_status for each motion, or NULL */
+  double* ends;       /* out: the last time reached, or NULL */
+  int64_t* calls;     /* out: evaluations of the equations, or NULL */
+} torsor_motion;
+
+/* Why a motion ended. */
+enum {
+  torsor_motion_reached_end = 0,
+  torsor_motion_stopped = 1,
+  torsor_motion_invalid_options = 2,
+  torsor_motion_step_too_small = 3,
+  torsor_motion_too_many_steps = 4,
+  torsor_motion_model_failure = 5,
+  torsor_motion_no_convergence = 6,
+  torsor_motion_unsuitable_model = 7
+};
+
+typedef struct torsor_method {
+  const char* name;
+  int32_t fixed_step; /* reads `step`; else tolerances */
+} torsor_method;
+
+typedef struct torsor_abi {
+  uint32_t version; /* TORSOR_ABI_VERSION of the library */
+  uint32_t size;    /* sizeof(torsor_abi) there */
+  const char* name;
+  uint64_t fingerprint; /* of the generated text */
+  uint32_t lanes;       /* states that a kernel takes at once */
+  int32_t coordinate_count, velocity_count, input_count, multiplier_count, parameter_count;
+  const torsor_abi_quantity *coordinates, *velocities, *inputs, *multipliers, *parameters;
+  const double* default_parameters;
+  int32_t quaternion_count;
+  const int32_t* quaternions; /* places of their first components (w) in q */
+  int32_t kernel_count;
+  const torsor_abi_kernel* kernels;
+  int32_t method_count;
+  const torsor_method* methods;
+
+  /* Of parameters, those of the scene for NULL. NULL: no memory. */
+  torsor_model* (*create)(const double* parameters);
+  void (*destroy)(torsor_model* model);
+  /* The state in which the scene starts, with these parameters. */
+  void (*initial_state)(const torsor_model* model, double* time, double* q, double* v);
+  /* Returns how many motions did not reach the last time, or a negative number as above. What was not reached is not a
+   * number. */
+  int64_t (*integrate)(const torsor_motion* motion);
+} torsor_abi;
+
+#ifndef TORSOR_ABI_EXPORT
+#define TORSOR_ABI_EXPORT
+#endif
+TORSOR_ABI_EXPORT const torsor_abi* torsor_mechanism(void);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

@@ -1,0 +1,27 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: GPL-3.0-or-later
+# from_c.sh CC CXX SCENE_PROGRAM KERNELS SOURCE FOLDER: builds a library of the scene twice, the second time without a
+# compiler's work; without a compiler it is one error. load.c opens it.
+set -euo pipefail
+cc="$1" cxx="$2" program="$3" kernels="$4" source="$5" folder="$6"
+rm -rf "$folder"
+mkdir -p "$folder"
+export TORSOR_CACHE="$folder/cache" CXX="$cxx"
+build() { "$program" build --kernels "$kernels" --flags=-O1 "$@"; }
+
+build --output "$folder/lib.so"
+cached="$(build)"
+[ -f "$cached" ] || { echo "no library in the cache: $cached"; exit 1; }
+before="$(stat -c %Y.%i "$cached" "$folder/lib.so")"
+build --output "$folder/lib.so"
+[ "$before" = "$(stat -c %Y.%i "$cached" "$folder/lib.so")" ] || { echo "what was there was compiled or written again"; exit 1; }
+[ "$(find "$TORSOR_CACHE" | wc -l)" = 2 ] || { echo "more than a library is left:"; find "$TORSOR_CACHE"; exit 1; }
+
+code=0
+said="$(CXX="$folder/no_such_compiler" "$program" build --kernels energy 2>&1)" || code=$?
+[ $code = 3 ] && [[ "$said" == *"no C++ compiler"*"no_such_compiler"* ]] || { echo "without a compiler, $code: $said"; exit 1; }
+[ "$(nm -D --defined-only "$folder/lib.so" | awk '$2 == "T"' | wc -l)" = 1 ] || { echo "more than one symbol"; nm -D --defined-only "$folder/lib.so"; exit 1; }
+
+"$cc" -std=c99 -pedantic -Wall -Wextra -Wconversion -Werror -D_GNU_SOURCE -O1 -I"$source" "$source/tests/abi/load.c" \
+  -o "$folder/load" -ldl -lm
+"$folder/load" "$folder/lib.so"

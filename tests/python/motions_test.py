@@ -1,0 +1,98 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Motions, linearisation, equilibria, modes."""
+
+import numpy as np
+import pytest
+from scipy.integrate import solve_ivp
+
+import torsor
+
+
+def test_methods_agree_with_scipy(pendulum):
+    q, v = np.array([1.0, 0.5]), np.zeros(2)
+    motion = pendulum.simulate([0.5, 1.0], q, v, relative_tolerance=1e-12, absolute_tolerance=1e-12)
+    by_scipy = solve_ivp(pendulum.ode(), (0.0, 1.0), np.concatenate([q, v]), method="DOP853", rtol=1e-12, atol=1e-12)
+    # Both hold 1e-12 a step over some hundred steps, and errors grow by e^(3 t) at most.
+    np.testing.assert_allclose(motion.states[-1], by_scipy.y[:, -1], atol=1e-8)
+    for method in pendulum.methods:
+        other = pendulum.simulate([0.5, 1.0], q, v, method=method, step=1e-4, relative_tolerance=1e-10, absolute_tolerance=1e-10)
+        # Midpoint: h^2 / 24 times third derivatives of size 100.
+        np.testing.assert_allclose(other.states, motion.states, atol=1e-5 if method == "midpoint" else 1e-7)
+
+
+def test_energy_is_kept(pendulum):
+    motion = pendulum.simulate(2.0)
+    assert motion.times.shape == (1001,) and motion.q.shape == (1001, 2) and motion.energy.shape == (1001,)
+    # 1e-9 a step over some hundred steps, of energies of some 20 J.
+    np.testing.assert_allclose(motion.energy, motion.energy[0], atol=1e-5)
+
+
+def test_many_motions_are_each_alone(pendulum):
+    q = np.array([[[0.1, 0.2], [0.3, 0.4], [2.0, 1.0]]])
+    many = pendulum.simulate([0.3, 0.7], q, np.zeros(2), threads=2)
+    assert many.q.shape == (1, 3, 2, 2) and many.ok.shape == (1, 3) and many.ok.all() and many.energy.shape == (1, 3, 2)
+    for k in range(3):
+        alone = pendulum.simulate([0.3, 0.7], q[0, k], np.zeros(2))
+        assert np.array_equal(many.states[0, k], alone.states)
+
+
+def test_constraints_are_held(hoop):
+    motion = hoop.simulate([0.5, 1.0])
+    rates = hoop.constraints(motion.q, motion.v).rate
+    assert np.abs(rates).max() < 1e-12  # projected after each step, to rounding
+    drifting = hoop.simulate([0.5, 1.0], project=False, method="runge_kutta_4", step=0.02)
+    assert np.abs(hoop.constraints(drifting.q, drifting.v).rate).max() > 1e-9
+
+
+def test_quaternions_keep_their_norm(body):
+    motion = body.simulate([1.0, 5.0])
+    np.testing.assert_allclose(np.linalg.norm(motion.q, axis=-1), 1.0, atol=4e-16)
+    f = body.ode()
+    y = np.stack([motion.states[0], motion.states[1]], axis=1)
+    assert np.array_equal(f(0.0, y)[:, 1], f(0.0, y[:, 1]))
+
+
+def test_inputs_held_and_by_a_law(panda):
+    q = np.full(7, 0.1)
+    u = panda.inverse_dynamics(q, np.zeros(7), np.zeros(7))
+    still = panda.simulate([0.2], q, np.zeros(7), inputs=u)
+    # Held by its own torques: unstable, but errors of rounding need seconds to grow by some e^(4 t).
+    np.testing.assert_allclose(still.q[0], q, atol=1e-9)
+    by_law = panda.simulate([0.2], q, np.zeros(7), inputs=lambda t, q, v: u)
+    assert np.array_equal(by_law.states, still.states)
+
+    def broken(t, q, v):
+        raise RuntimeError("no torque today")
+
+    with pytest.raises(RuntimeError, match="no torque today"):
+        panda.simulate([0.2], q, np.zeros(7), inputs=broken)
+
+
+def test_refuses_what_makes_no_sense(pendulum):
+    with pytest.raises(ValueError, match="no method 'euler'; there are dormand_prince_54"):
+        pendulum.simulate(1.0, method="euler")
+    with pytest.raises(ValueError, match="give step="):
+        pendulum.simulate(1.0, method="midpoint")
+    with pytest.raises(ValueError, match="infs or NaNs"):
+        pendulum.simulate(1.0, [np.nan, 0.0])
+    with pytest.raises(torsor.TorsorError, match="step limit"):
+        pendulum.simulate(1.0, step_limit=3)
+
+
+def test_linearisation_is_the_slope(pendulum):
+    q, v = np.array([0.4, -0.3]), np.array([0.2, 0.1])
+    linear = pendulum.linearise(q, v)
+    y, h, f = np.concatenate([q, v]), 1e-5, pendulum.ode()
+    slopes = np.stack([(f(0, y + h * e) - f(0, y - h * e)) / (2 * h) for e in np.eye(4)], axis=1)
+    # h^2/6 times third derivatives of size 100, and roundings of size 1e-15/h.
+    np.testing.assert_allclose(linear.A, slopes, atol=1e-8)
+
+
+def test_small_oscillations_of_a_double_pendulum(pendulum):
+    """Equal masses and lengths: omega^2 = (2 -+ sqrt 2) g/l, undamped."""
+    found = pendulum.equilibria(np.array([0.5, -0.4]))
+    np.testing.assert_allclose(found.q, 0.0, atol=1e-9)
+    modes = pendulum.modes(found.q)
+    expected = np.sqrt((2 + np.array([-1, -1, 1, 1]) * np.sqrt(2)) * 9.81)
+    np.testing.assert_allclose(modes.frequencies, expected, rtol=1e-9)  # eigenvalues of 4 x 4: some 1e-15, the angle 1e-9
+    np.testing.assert_allclose(modes.damping, 0.0, atol=1e-9)
