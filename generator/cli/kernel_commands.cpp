@@ -103,7 +103,7 @@ CommandResult passes(const Scene& scene, const KernelRequest& request) {
 
 void add_kernel_commands(CommandSet& commands) {
   const auto request = std::make_shared<KernelRequest>();
-  CLI::App& generating = commands.add("generate", "write the specialised header, or module",
+  CLI::App& generating = commands.add("generate", "write the kernels as a C++ or C header, or as a JavaScript module",
                                       [request, &commands](const Scene& scene) {
                                         return generate(scene, *request, commands.output());
                                       });
@@ -112,18 +112,18 @@ void add_kernel_commands(CommandSet& commands) {
       ->capture_default_str()
       ->check(CLI::IsMember({"c++", "c99", "javascript"}));
   generating.add_option("--support", request->support,
-                        "file to write, too, with what all headers have in common; the header includes it");
+                        "also write to this file the text that all headers have in common; the header includes it");
   generating.add_option("--source", request->source,
-                        "of c99: file to write, too, with functions and tables; the header then declares them");
+                        "for c99: also write functions and tables to this file; the header then declares them");
   generating.get_option("--output")->required()->description("file to write; - for the standard output");
 
-  CLI::App& counting = commands.add("counts", "count the operations of the emitted kernels, tests of their Status left out",
+  CLI::App& counting = commands.add("counts", "count the operations of the generated kernels, without the tests of their Status",
                                     [request](const Scene& scene) { return counts(scene, *request); });
   add_kernel_options(counting, *request);
   counting.add_flag("--json", request->json, "print JSON");
 
   CLI::App& comparing =
-      commands.add("passes", "tell what each pass saves, that it changes no result, and what it does to errors",
+      commands.add("passes", "print the operations that each pass saves, its effect on errors, and that it changes no result",
                    [request](const Scene& scene) { return passes(scene, *request); });
   add_kernel_options(comparing, *request);
   add_state_options(comparing, request->states);

@@ -86,9 +86,9 @@ void add_states(CLI::App& command, int& states, const std::string& text) {
 }
 
 void add_state_options(CLI::App& command, StateOptions& options) {
-  add_digits(command, options.digits, "digits of CLN, more where the error depends on them", 20);
-  add_states(command, options.states, "number of states to begin with");
-  command.add_option("--seed", options.seed, "of the first state")->capture_default_str();
+  add_digits(command, options.digits, "digits of the exact arithmetic; more are taken where the error depends on them", 20);
+  add_states(command, options.states, "number of states at which the search begins");
+  command.add_option("--seed", options.seed, "seed of the first state; the same seed gives the same states")->capture_default_str();
 }
 
 }  // namespace torsor

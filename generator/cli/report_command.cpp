@@ -24,7 +24,7 @@ void add_report_command(CommandSet& commands) {
         return CommandResult{report_html(scene, {request->model(scene), request->about, request->duration})};
       });
   command.add_option("--run-time", request->run_time,
-                     "parameters that the page lets its reader change, comma-separated, or all; all that can be when absent");
+                     "parameters that the reader of the page can change, comma-separated, or all; when absent, all that can be");
   command.add_option("--to", request->duration, "length of the motion [s]")
       ->capture_default_str()
       ->check(CLI::Range(1e-6, 1e6));

@@ -91,13 +91,13 @@ void add_simulate_command(CommandSet& commands) {
   SimulationOptions& options = request->options;
   command.add_option("--to", options.duration, "end of the motion [s]")->capture_default_str();
   command.add_option("--step", options.step, "time between rows [s]; the method chooses its own steps")->capture_default_str();
-  command.add_option("--tolerance", options.tolerance, "what a step may be off, of 1 + |y|")->capture_default_str();
+  command.add_option("--tolerance", options.tolerance, "largest error of one step, as a part of 1 + |y|")->capture_default_str();
   if (command.get_option_no_throw("--initial") == nullptr) {  // the tool for files has it already, for the scene it makes
     add_numbers(command, "--initial", options.initial, "start values, NAME=NUMBER, rates NAME'=NUMBER; comma-separated");
   }
   add_numbers(command, "--run-time", options.parameters, "values of parameters, NAME=NUMBER; comma-separated");
   add_numbers(command, "--input", options.inputs, "constant inputs, NAME=NUMBER; comma-separated; 0 when absent");
-  command.add_flag("--no-projection", request->no_projection, "leave constraints to drift");
+  command.add_flag("--no-projection", request->no_projection, "do not project steps onto the constraints: they drift");
   command
       .add_option("--plot", request->plot, "draw columns over time: a file, then names, comma-separated: motion.svg x,theta")
       ->expected(2);

@@ -17,7 +17,7 @@ namespace {
 void add_force_function(CommandSet& commands) {
   const auto selection = std::make_shared<ActionSelection>();
   CLI::App& command =
-      commands.add("force-function", "tell whether actions have a potential energy, a force function or neither",
+      commands.add("force-function", "say whether actions have a potential energy, a force function or neither",
                    [selection](const Scene& scene) { return CommandResult{force_function_text(scene, *selection)}; });
   command.add_option("--actions", selection->actions, "names, comma-separated; gravity is the weight; all when absent")
       ->delimiter(',');
@@ -47,7 +47,7 @@ CommandResult unknowns(const Scene& scene, const UnknownsRequest& request) {
 void add_unknowns(CommandSet& commands) {
   const auto request = std::make_shared<UnknownsRequest>();
   CLI::App& command =
-      commands.add("unknowns", "count unknowns against equations, and tell which theorem gives which reaction",
+      commands.add("unknowns", "count unknowns and equations, and name the theorem that gives each reaction",
                    [request](const Scene& scene) { return unknowns(scene, *request); });
   command.add_option("--isolate", request->bodies, "bodies to isolate, comma-separated")->delimiter(',');
   command.add_option("--at", request->point, "point at which their moments are taken");
@@ -90,7 +90,7 @@ void add_screw(CommandSet& commands) {
 void add_statics(CommandSet& commands) {
   const auto request = std::make_shared<StaticsPage>();
   CLI::App& command = commands.add(
-      "statics", "equations of equilibrium; at a state also its stability by Lejeune-Dirichlet and Hurwitz",
+      "statics", "print equations of equilibrium; at a state also its stability by Lejeune-Dirichlet and Hurwitz",
       [request](const Scene& scene) {
         return CommandResult{statics_text(scene, request->about, request->set, request->style())};
       });

@@ -43,7 +43,7 @@ void add_options(CLI::App& command, FileRequest& request) {
   command.add_option("--gravity", request.gravity,
                      "X,Y,Z in m/s^2, along the ground's axes; 0,0,-9.81 when absent, or what an MJCF file says");
   command
-      .add_option("--angle-tolerance", request.angle_tolerance, "angles near multiples of pi/12 are these as long as it adds up to no more from the root to any link [rad]")
+      .add_option("--angle-tolerance", request.angle_tolerance, "angles near multiples of pi/12 become these multiples; the changes from the root to any link add up to this at most [rad]")
       ->capture_default_str();
   command.add_option("--name", request.name, "name of the scene; that of the robot when absent");
   command.add_option("--points", request.points, "links whose origins are points, with Jacobians; comma-separated")
@@ -57,13 +57,13 @@ void add_options(CLI::App& command, FileRequest& request) {
                   "folders of packages that $(find ...) names, colon-separated; looked at before ROS_PACKAGE_PATH")
       ->delimiter(':');
   command.add_option("--depfile", request.dependency_file,
-                     "write the files that were read as a rule of make, for the target that this name is without its .d");
-  command.add_flag("--no-dampers", request.no_dampers, "take <dynamics damping> as data: it does not act");
-  command.add_flag("--no-motors", request.no_motors, "no input torque or force in any joint");
+                     "write the files that were read as a rule of make; the target is this name without its .d");
+  command.add_flag("--no-dampers", request.no_dampers, "leave out the dampers of <dynamics damping>");
+  command.add_flag("--no-motors", request.no_motors, "leave out the input torques and forces of the joints");
   command.add_option("--fix", request.fix, "joints that become fixed, comma-separated, or massless: those that move no mass")
       ->delimiter(',');
-  command.add_flag("--strict", request.strict, "refuse what is noted otherwise: what cannot act, inertia that no matter has");
-  command.add_flag("--quiet", request.quiet, "no notes on the standard error; headers quote them all the same");
+  command.add_flag("--strict", request.strict, "make the first note an error: elements that cannot act, inertia that no matter has");
+  command.add_flag("--quiet", request.quiet, "print no notes on the standard error; headers quote them all the same");
   command.add_flag("--accept-inertia", request.accept_inertia,
                    "void: moments of inertia that no matter has are taken as given, with a note");
 }

@@ -117,21 +117,21 @@ void add_check(CommandSet& commands) {
   CLI::App& command = commands.add("check", "compare independent derivations at random states",
                                    [request](const Scene& scene) { return check(scene, *request); });
   add_kernel_list(command, *request);
-  add_digits(command, request->digits, "digits of the comparison", 20);
+  add_digits(command, request->digits, "digits of the arithmetic in which derivations are compared", 20);
   add_states(command, request->states, "number of states");
   command.add_flag("--json", request->json, "print JSON");
 }
 
 void add_verify(CommandSet& commands) {
   const auto request = std::make_shared<VerifyRequest>();
-  CLI::App& command = commands.add("verify", "find the worst errors of the kernels in double and float, against CLN",
+  CLI::App& command = commands.add("verify", "search for the worst rounding errors of the kernels, in double and float",
                                    [request](const Scene& scene) { return verify(scene, *request); });
   add_kernel_options(command, *request);
   add_state_options(command, request->states);
-  command.add_option("--climbs", request->climbs, "searches for a worse state, for each group of results")
+  command.add_option("--climbs", request->climbs, "number of searches for a worse state, for each group of results")
       ->capture_default_str()
       ->check(CLI::Range(0, 1000));
-  command.add_option("--range", request->range, "sizes of states go up to 2^±RANGE, in float to 2^±10 at most")
+  command.add_option("--range", request->range, "numbers of a state have sizes up to 2^±RANGE, in float up to 2^±10 at most")
       ->capture_default_str()
       ->check(CLI::Range(4, double_states.large));
   command.add_option("--scalar", request->scalar, "double, float or both")
@@ -143,9 +143,9 @@ void add_verify(CommandSet& commands) {
   command
       .add_flag(
           "--every-exception-needed", request->every_exception_needed,
-          "fail too where the file excepts what stays within the bar; with the kernels and the search it was made with")
+          "also fail where the file lists a group that stays within the bar; needs the kernels and the search it was made with")
       ->needs(exceptions);
-  command.add_flag("--all", request->layout.every_group, "every group of results, not the worst of each kernel only");
+  command.add_flag("--all", request->layout.every_group, "print every group of results, not only the worst of each kernel");
   CLI::Option* markdown =
       command.add_flag("--markdown", request->markdown, "print one row of the table in docs/accuracy.md");
   command.add_flag("--show-states", request->layout.with_states, "print the state of each row");
@@ -161,7 +161,7 @@ void add_reference(CommandSet& commands) {
   command.add_option("--times", request->times, "comma-separated times in seconds, increasing")
       ->required()
       ->delimiter(',');
-  command.add_option("--cache", request->cache, "folder that keeps references, so that none is integrated twice");
+  command.add_option("--cache", request->cache, "keep references in this folder, so that none is integrated twice");
 }
 
 }  // namespace
