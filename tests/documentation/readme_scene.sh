@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: GPL-3.0-or-later
-# readme_scene.sh ROOT: the scene in README, and the lines of its equations, are those of docs/tutorial.md, which is run; and
-# README stays short.
+# readme_scene.sh ROOT: the scene in README, its equations and its other lines of C++ are those of docs/tutorial.md, which is run;
+# and README stays short.
 set -euo pipefail
 cd "$1"
 block() { # LANGUAGE: the first code block of README in it
@@ -14,6 +14,9 @@ scene="$(block cpp)"
 while read -r line; do
   grep -qF -- "$line" docs/tutorial.md || { echo "docs/tutorial.md does not print: $line"; exit 1; }
 done < <(awk '$0 == "```" && !on { on = 1; next } /^```/ && on { exit } /^```[a-z]/ { getline; while ($0 != "```") getline; next } on' README.md)
+while read -r line; do
+  grep -qF -- "$line" docs/tutorial.md || { echo "docs/tutorial.md does not have: $line"; exit 1; }
+done < <(awk '/^```cpp$/ { on = 1; next } /^```$/ { on = 0 } on' README.md)
 lines="$(wc -l < README.md)"
 [ "$lines" -lt 120 ] || { echo "README has $lines lines; fewer than 120 are read"; exit 1; }
 echo "README: $lines lines, its scene is the tutorial's"
