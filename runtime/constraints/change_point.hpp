@@ -35,14 +35,16 @@ class ChangePoints {
   using Vector = StateVector<M>;
 
   explicit ChangePoints(const typename M::Precomputed& precomputed)
-      : distance_(precomputed),
-        kinds_(ConstraintKinds<M>::at(precomputed, start(precomputed).time, pack<M>(start(precomputed)))) {}
+      : kinds_(ConstraintKinds<M>::at(precomputed, start(precomputed).time, pack<M>(start(precomputed)))),
+        distance_(precomputed, kinds_) {}
 
   /// Whether accelerations of this state itself, as it is given, are those of a motion: nearer than some 1e-4, rounding
   /// of positions takes half of their digits.
   [[nodiscard]] bool regular(const typename M::Constraints& constraints) const noexcept {
     return distance_(constraints) >= blind;
   }
+
+  [[nodiscard]] const ConstraintKinds<M>& kinds() const noexcept { return kinds_; }
 
   /// A function of the motion, `function(t, y, value)` for states on the constraints, at a state near them.
   template <class Function>
@@ -130,8 +132,10 @@ class ChangePoints {
                                   const Function& function, Vector& value) const noexcept {
     Line line{precomputed, t, y};
     write_coordinate_rates<M>(precomputed, unpack<M>(t, y), line.rates);
-    Scalar fastest = Scalar(0);
-    for (std::size_t i = 0; i < nq; ++i) fastest = std::max(fastest, std::abs(line.rates[i]));
+    Scalar fastest = Scalar(0);  // as all lengths here, over the reaches of the coordinates
+    for (std::size_t i = 0; i < nq; ++i) {
+      fastest = std::max(fastest, std::abs(line.rates[i]) / kinds_.coordinate_reach[i]);
+    }
     if (!std::isfinite(fastest)) return Evaluation::not_finite;
     if (!(fastest > Scalar(0))) return Evaluation::singular;
     line.in_time = moves_with_time(precomputed, t, y);
@@ -159,7 +163,8 @@ class ChangePoints {
       if (const Evaluation e = closed(line.precomputed, at, there); e != Evaluation::ok) return e;
       // A projection that goes further than the node is away has left the motion.
       for (std::size_t i = 0; i < nq; ++i) {
-        if (!(std::abs(there[i] - guess[i]) <= std::abs(sigma) * fastest / Scalar(2))) return Evaluation::singular;
+        const Scalar led_away = std::abs(there[i] - guess[i]) / kinds_.coordinate_reach[i];
+        if (!(led_away <= std::abs(sigma) * fastest / Scalar(2))) return Evaluation::singular;
       }
       if (const Evaluation e = function(at, there, of_there); e != Evaluation::ok) return e;
       const auto side = static_cast<std::size_t>(std::abs(k) - 1);
@@ -176,13 +181,15 @@ class ChangePoints {
     // A corner of q(σ), one branch on one side and another on the other, shows as 0.03/8 of its spread.
     Scalar spread = Scalar(0), apart = Scalar(0), away = Scalar(0), of_values = Scalar(0), bent = Scalar(0);
     for (std::size_t i = 0; i < nq; ++i) {
-      spread = std::max(spread, most_state[i] - least_state[i]);
-      apart = std::max(apart, std::abs(state[i] - coarse_state[i]));
-      away = std::max(away, std::abs(state[i] - line.y[i]));
+      const Scalar reach = kinds_.coordinate_reach[i];
+      spread = std::max(spread, (most_state[i] - least_state[i]) / reach);
+      apart = std::max(apart, std::abs(state[i] - coarse_state[i]) / reach);
+      away = std::max(away, std::abs(state[i] - line.y[i]) / reach);
     }
     for (std::size_t i = 0; i < size; ++i) {
-      of_values = std::max(of_values, largest[i]);
-      bent = std::max(bent, std::abs(value[i] - coarse[i]));
+      const Scalar reach = i < nq ? kinds_.coordinate_reach[i] : kinds_.reach[i - nq];
+      of_values = std::max(of_values, largest[i] / reach);
+      bent = std::max(bent, std::abs(value[i] - coarse[i]) / reach);
     }
     if (!(apart <= Scalar(1e-3) * spread) || !(away <= spread / Scalar(8))) return Evaluation::singular;
     // Six nodes of eight differ by g⁽⁶⁾ σ⁶/20; eight err by a thousandth of that or less.
@@ -216,8 +223,8 @@ class ChangePoints {
     return Scalar(0);
   }
 
-  RankDistance<M> distance_;
   ConstraintKinds<M> kinds_;
+  RankDistance<M> distance_;
 };
 
 }  // namespace torsor::runtime

@@ -108,7 +108,10 @@ class ConstrainedMotion {
     IndependentConstraints<Scalar, nv, m> factor;
     if (only_regular && !change_points_.regular(constraints)) return Evaluation::singular;
     const Scalar tolerance = rank_tolerance_ > Scalar(0) ? rank_tolerance_ : usual_rank_tolerance<Scalar>();
-    if (const Evaluation e = factor.factorise(mass, constraints.jacobian, tolerance); e != Evaluation::ok) return e;
+    if (const Evaluation e = factor.factorise(mass, constraints.jacobian, tolerance, change_points_.kinds().usual);
+        e != Evaluation::ok) {
+      return e;
+    }
     const auto forces = law_(state);
     typename decltype(factor)::Column r, acceleration;
     typename decltype(factor)::Residual wanted, multipliers;

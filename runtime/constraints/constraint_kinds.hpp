@@ -42,7 +42,8 @@ class AnyNumbers {
 }  // namespace detail
 
 /// What kinds of constraints and of velocities a mechanism has, found by evaluating its kernel `constraints` beside a
-/// state, moved a little in all freedoms, and there a turn away along each velocity.
+/// state, moved a little in all freedoms, and there a turn away along each velocity; and the sizes that make ranks
+/// independent of the units of constraints and of coordinates, found at places all around.
 template <HasConstraints M>
 requires(M::multiplier_count > 0) struct ConstraintKinds {
   using Scalar = ScalarOf<M>;
@@ -57,6 +58,13 @@ requires(M::multiplier_count > 0) struct ConstraintKinds {
   /// Whether a whole turn along a velocity leaves all f as they are: angles, and attitudes. Of a length, and of an
   /// angle that a length or another angle grows with (a rack, a pair of gears), it does not.
   std::array<bool, nv> turns{};
+  /// The displacement along each velocity that counts as much as a turn by 1 rad: 1 of what turns; of a length the one
+  /// that moves the constraints as far as such turns do; where nothing turns, the largest of such coordinates.
+  std::array<Scalar, nv> reach{};
+  /// The same by coordinates; 1 of the components of an attitude.
+  std::array<Scalar, nq> coordinate_reach{};
+  /// The largest |A_ij| seen: a row of A is small beside these near a place where it vanishes, in whatever unit.
+  std::array<Scalar, m * nv> usual{};
 
   [[nodiscard]] bool all_holonomic() const noexcept {
     return std::all_of(holonomic.begin(), holonomic.end(), [](bool each) { return each; });
@@ -79,8 +87,23 @@ requires(M::multiplier_count > 0) struct ConstraintKinds {
     for (std::size_t i = 0; i < m; ++i) {
       kinds.holonomic[i] = here.value[i] != Scalar(0) || there.value[i] != Scalar(0);
     }
+    // Of f_i: of its terms, each with a coordinate, and with an angle wound up that is known no better. Terms that are
+    // small here are large a quarter of a turn away.
+    StateVector<M> aside = beside;
+    detail::displace<M>(
+        precomputed, t, [&](int) { return whole_turn / Scalar(4); }, aside);
+    M::constraints(precomputed, unpack<M>(t, aside), there);
+    std::array<Scalar, m> rounding{};
     for (std::size_t j = 0; j < nv; ++j) {
       kinds.coordinate[j] = moved_by(precomputed, t, beside, j);
+      const Scalar far = kinds.coordinate[j] == nq ? Scalar(1) : std::abs(beside[kinds.coordinate[j]]);
+      for (std::size_t i = 0; i < m; ++i) {
+        const Scalar aside_too = std::abs(there.jacobian[j * m + i]), entry = std::abs(here.jacobian[j * m + i]);
+        const Scalar term = std::isfinite(aside_too) ? std::max(entry, aside_too) : entry;
+        rounding[i] += Scalar(256) * epsilon * term * (Scalar(1) + far);
+      }
+    }
+    for (std::size_t j = 0; j < nv; ++j) {
       kinds.turns[j] = true;
       if (kinds.coordinate[j] == nq) continue;
       StateVector<M> turned = beside;
@@ -88,18 +111,84 @@ requires(M::multiplier_count > 0) struct ConstraintKinds {
       angle += angle > Scalar(0) ? -whole_turn : whole_turn;
       M::constraints(precomputed, unpack<M>(t, turned), there);
       for (std::size_t i = 0; i < m; ++i) {
-        Scalar terms = Scalar(0);
-        for (std::size_t k = 0; k < nv; ++k) terms += std::abs(here.jacobian[k * m + i]);
-        const Scalar rounding = Scalar(256) * epsilon * terms * (Scalar(1) + largest);
         const Scalar change = std::abs(there.value[i] - here.value[i]);
         const Scalar of_slope = std::abs(there.jacobian[j * m + i] - here.jacobian[j * m + i]);
-        kinds.turns[j] = kinds.turns[j] && (!kinds.holonomic[i] || (change <= rounding && of_slope <= rounding));
+        kinds.turns[j] = kinds.turns[j] && (!kinds.holonomic[i] || (change <= rounding[i] && of_slope <= rounding[i]));
       }
     }
+    kinds.measure(precomputed, t, y, any);
     return kinds;
   }
 
  private:
+  static constexpr int places = 6;
+
+  void measure(const typename M::Precomputed& precomputed, Scalar t, const StateVector<M>& y,
+               detail::AnyNumbers& any) noexcept {
+    const auto look_at = [&](const StateVector<M>& place) {
+      typename M::Constraints there{};
+      M::constraints(precomputed, unpack<M>(t, place), there);
+      for (std::size_t k = 0; k < m * nv; ++k) {
+        const Scalar entry = std::abs(there.jacobian[k]);
+        if (std::isfinite(entry)) usual[k] = std::max(usual[k], entry);
+      }
+    };
+    const auto look_around = [&](bool lengths_too) {
+      for (int place = 0; place < places; ++place) {
+        StateVector<M> moved = y;
+        // Up to half a turn, and to half the reach of a length, to either side.
+        const auto displacement = [&](int i) {
+          const auto j = static_cast<std::size_t>(i);
+          const Scalar part = any.template next<Scalar>() - Scalar(1);
+          return turns[j] ? part * whole_turn : lengths_too ? part * reach[j] : Scalar(0);
+        };
+        detail::displace<M>(precomputed, t, displacement, moved);
+        look_at(moved);
+      }
+    };
+    look_at(y);
+    look_around(false);
+    find_reach(y);
+    look_around(true);
+    coordinate_reach.fill(Scalar(1));
+    for (std::size_t j = 0; j < nv; ++j) {
+      if (coordinate[j] != nq) coordinate_reach[coordinate[j]] = reach[j];
+    }
+  }
+
+  // Lengths are compared with what turns, through the constraints that tie both, then with lengths that are known so.
+  // The median of the constraints decides: an entry that is rounding says nothing.
+  void find_reach(const StateVector<M>& y) noexcept {
+    std::array<bool, nv> known = turns;
+    for (std::size_t j = 0; j < nv; ++j) reach[j] = Scalar(turns[j] ? 1 : 0);
+    for (bool more = true; more;) {
+      more = false;
+      const auto before = known;
+      for (std::size_t j = 0; j < nv; ++j) {
+        if (known[j]) continue;
+        std::array<Scalar, m> ratios{};
+        std::size_t count = 0;
+        for (std::size_t i = 0; i < m; ++i) {
+          Scalar by_others = Scalar(0);
+          for (std::size_t k = 0; k < nv; ++k) by_others += before[k] ? usual[k * m + i] * reach[k] : Scalar(0);
+          const Scalar ratio = by_others / usual[j * m + i];
+          if (ratio > Scalar(0) && std::isfinite(ratio)) ratios[count++] = ratio;
+        }
+        if (count == 0) continue;
+        std::sort(ratios.begin(), ratios.begin() + static_cast<std::ptrdiff_t>(count));
+        reach[j] = ratios[(count - 1) / 2];
+        known[j] = more = true;
+      }
+    }
+    Scalar largest = Scalar(0);
+    for (std::size_t j = 0; j < nv; ++j) {
+      if (!known[j]) largest = std::max(largest, std::abs(y[coordinate[j]]));
+    }
+    for (std::size_t j = 0; j < nv; ++j) {
+      if (!known[j]) reach[j] = largest > Scalar(0) ? largest : Scalar(1);
+    }
+  }
+
   // The one coordinate that a velocity is the rate of, or nq.
   static std::size_t moved_by([[maybe_unused]] const typename M::Precomputed& precomputed, [[maybe_unused]] Scalar t,
                               [[maybe_unused]] const StateVector<M>& y, std::size_t j) noexcept {

@@ -25,11 +25,13 @@ template <class Scalar>
   return std::cbrt(std::numeric_limits<Scalar>::epsilon());
 }
 
-/// Constraints A x = c weighed by a mass matrix M, of any rank: M = L Lᵀ (scaled to a unit diagonal, so that units do
-/// not matter), and of L⁻¹ Aᵀ, over its longest column, a pivoted orthogonal factor
-///   L⁻¹ Aᵀ P = Q R,   R upper triangular with the largest remaining column first,
-/// cut off where what remains of every column is below `rank_tolerance`: those constraints repeat others, or hold
-/// nothing at a change point. By Gram-Schmidt, twice over. Source: Golub-Van Loan, Matrix Computations, 5.2 and 5.4.
+/// Constraints A x = c weighed by a mass matrix M, of any rank: M = L Lᵀ, of which the diagonal D² is scaled to one, and
+/// of L⁻¹ Aᵀ, each column over the usual size of its constraint, a pivoted orthogonal factor
+///   L⁻¹ Aᵀ S⁻¹ P = Q R,   R upper triangular with the largest remaining column first,
+/// cut off where what remains of every column is below `rank_tolerance` of the longest, or of 1 where all are shorter:
+/// those constraints repeat others, or hold nothing at a change point. The rank so depends neither on the units of
+/// constraints nor on those of coordinates. By Gram-Schmidt, twice over. Source: Golub-Van Loan, Matrix Computations,
+/// 5.2 and 5.4.
 template <class Scalar, std::size_t nv, std::size_t m>
 class IndependentConstraints {
  public:
@@ -38,10 +40,13 @@ class IndependentConstraints {
   using Residual = Eigen::Matrix<Scalar, rows, 1>;
   using Jacobian = Eigen::Matrix<Scalar, rows, n, rows == 1 ? Eigen::RowMajor : Eigen::ColMajor>;
 
-  /// M is nv x nv, A is m x nv, both stored column by column. `singular` when M is not positive definite.
+  /// M is nv x nv, A is m x nv, both stored column by column. `usual` are sizes that the entries of A have elsewhere (see
+  /// ConstraintKinds): the size of a constraint is that of D⁻¹ Aᵀ, by these or by A, whichever is larger. Without them a
+  /// constraint that is about to vanish as a whole is not noticed. `singular` when M is not positive definite.
   [[nodiscard]] Evaluation factorise(const std::array<Scalar, nv * nv>& mass,
                                      const std::array<Scalar, m * nv>& jacobian,
-                                     Scalar rank_tolerance = usual_rank_tolerance<Scalar>()) noexcept {
+                                     Scalar rank_tolerance = usual_rank_tolerance<Scalar>(),
+                                     const std::array<Scalar, m * nv>& usual = {}) noexcept {
     const Eigen::Map<const Eigen::Matrix<Scalar, n, n>> M(mass.data());
     A_ = Eigen::Map<const Jacobian>(jacobian.data());
     if (!M.allFinite() || !A_.allFinite()) return Evaluation::not_finite;
@@ -57,7 +62,9 @@ class IndependentConstraints {
       factor_.col(k).tail(n - k) /= std::sqrt(pivot);
     }
     Q_ = scale_.asDiagonal() * A_.transpose();
+    find_sizes(usual);
     for (int j = 0; j < rows; ++j) {
+      Q_.col(j) *= over_[static_cast<std::size_t>(j)];
       for (int i = 0; i < n; ++i) {
         for (int k = 0; k < i; ++k) Q_(i, j) -= factor_(i, k) * Q_(k, j);
         Q_(i, j) /= factor_(i, i);
@@ -69,12 +76,16 @@ class IndependentConstraints {
 
   /// How many constraints are independent.
   [[nodiscard]] int rank() const noexcept { return rank_; }
-  /// What the others leave of the last one kept, over the largest constraint, 0 to 1; small near a change point.
+  /// What the others leave of the last one kept, in its usual size; small near a change point.
   [[nodiscard]] Scalar least_share() const noexcept { return rank_ > 0 ? R_(rank_ - 1, rank_ - 1) : Scalar(1); }
-  /// Content of the parallelepiped that the independent rows of A span, in the metric of M⁻¹.
+  /// Content of the parallelepiped that the independent rows of A span, in the metric of M⁻¹, over their usual sizes
+  /// where these were given.
   [[nodiscard]] Scalar content() const noexcept {
     Scalar product = Scalar(1);
-    for (int k = 0; k < rank_; ++k) product *= R_(k, k) / over_;
+    for (int k = 0; k < rank_; ++k) {
+      const auto j = static_cast<std::size_t>(constraint(k));
+      product *= R_(k, k) / (over_[j] * usual_size_[j]);
+    }
     return product;
   }
   /// Which constraint is the k-th in order of independence; those from rank() on repeat others.
@@ -88,13 +99,13 @@ class IndependentConstraints {
     return x;
   }
 
-  /// The largest part of c, over the size of the largest constraint, that the independent constraints contradict: a
-  /// redundant constraint that does not close.
+  /// The largest part of c, over the sizes of the constraints, that the independent constraints contradict: a redundant
+  /// constraint that does not close.
   [[nodiscard]] Scalar contradiction(const Residual& c) noexcept {
     const Residual w = along(c);
     Scalar largest = Scalar(0);
     for (int k = rank_; k < rows; ++k) {
-      Scalar rest = c(constraint(k)) * over_;
+      Scalar rest = c(constraint(k)) * over(k);
       for (int j = 0; j < rank_; ++j) rest -= R_(j, k) * w(j);
       largest = std::max(largest, std::abs(rest));
     }
@@ -119,20 +130,34 @@ class IndependentConstraints {
       Scalar sum = w(k);
       for (int j = k + 1; j < rank_; ++j) sum -= R_(k, j) * mu_[static_cast<std::size_t>(j)];
       mu_[static_cast<std::size_t>(k)] = sum / R_(k, k);
-      lambda(constraint(k)) = mu_[static_cast<std::size_t>(k)] * over_;
+      lambda(constraint(k)) = mu_[static_cast<std::size_t>(k)] * over(k);
     }
   }
 
  private:
+  // One over the size of the k-th constraint in order of independence.
+  [[nodiscard]] Scalar over(int k) const noexcept { return over_[static_cast<std::size_t>(constraint(k))]; }
+
+  void find_sizes(const std::array<Scalar, m * nv>& usual) noexcept {
+    for (std::size_t j = 0; j < m; ++j) {
+      Scalar square = Scalar(0);
+      for (std::size_t i = 0; i < nv; ++i) {
+        const Scalar entry = usual[i * m + j] * scale_(static_cast<int>(i));
+        square += entry * entry;
+      }
+      const Scalar elsewhere = std::sqrt(square), size = std::max(elsewhere, Q_.col(static_cast<int>(j)).norm());
+      over_[j] = size > Scalar(0) ? Scalar(1) / size : Scalar(1);
+      usual_size_[j] = elsewhere > Scalar(0) ? elsewhere : Scalar(1);
+    }
+  }
+
   void orthogonalise(Scalar rank_tolerance) noexcept {
     R_.setZero();
-    Scalar longest = Scalar(0);
+    Scalar longest = Scalar(1);
     for (int j = 0; j < rows; ++j) {
       order_[static_cast<std::size_t>(j)] = j;
       longest = std::max(longest, Q_.col(j).norm());
     }
-    over_ = longest > Scalar(0) ? Scalar(1) / longest : Scalar(1);
-    Q_ *= over_;
     for (rank_ = 0; rank_ < rows && rank_ < n; ++rank_) {
       int pivot = rank_;
       for (int j = rank_ + 1; j < rows; ++j) pivot = Q_.col(j).norm() > Q_.col(pivot).norm() ? j : pivot;
@@ -143,7 +168,7 @@ class IndependentConstraints {
       }
       for (int k = 0; k < rank_; ++k) take_out(k, rank_);
       const Scalar norm = Q_.col(rank_).norm();
-      if (!(norm > rank_tolerance)) return;
+      if (!(norm > rank_tolerance * longest)) return;
       R_(rank_, rank_) = norm;
       Q_.col(rank_) /= norm;
       for (int j = rank_ + 1; j < rows; ++j) take_out(rank_, j);
@@ -155,11 +180,11 @@ class IndependentConstraints {
     Q_.col(j) -= part * Q_.col(k);
   }
 
-  // R11ᵀ w = the independent ones of c, over the longest.
+  // R11ᵀ w = the independent ones of c, over their sizes.
   [[nodiscard]] Residual along(const Residual& c) const noexcept {
     Residual w = Residual::Zero();
     for (int k = 0; k < rank_; ++k) {
-      Scalar sum = c(constraint(k)) * over_;
+      Scalar sum = c(constraint(k)) * over(k);
       for (int j = 0; j < k; ++j) sum -= R_(j, k) * w(j);
       w(k) = sum / R_(k, k);
     }
@@ -181,7 +206,7 @@ class IndependentConstraints {
   Eigen::Matrix<Scalar, rows, rows> R_;
   std::array<int, m> order_{};
   std::array<Scalar, m> mu_{};
-  Scalar over_ = Scalar(1);  // one over the longest column
+  std::array<Scalar, m> over_{}, usual_size_{};  // one over the size of each constraint
   int rank_ = 0;
 };
 

@@ -29,7 +29,8 @@ struct Partition {
   std::size_t freedoms = nv;
   bool complete = false;  ///< there are as many independent constraints as dependent coordinates
 
-  /// A is m x nv, column by column; `freedoms` of them, or as many as the rank of A leaves.
+  /// A is m x nv, column by column, its entries without units (see `unitless`); `freedoms` of them, or as many as the
+  /// rank of A leaves.
   template <std::size_t m>
   static Partition of(const std::array<Scalar, m * nv>& jacobian, std::size_t freedoms = any) noexcept {
     auto A = jacobian;
@@ -99,9 +100,9 @@ class PartitionedMotion {
   [[nodiscard]] Evaluation choose(Scalar t, const Full& y) noexcept {
     Reading here;
     if (!here.read(motion_.precomputed(), kinds_, t, y)) return Evaluation::not_finite;
-    velocities_ = Choice::template of<m>(here.constraints.jacobian, freedoms);
+    velocities_ = Choice::template of<m>(unitless(here.constraints.jacobian), freedoms);
     const std::size_t known = kinds_.all_holonomic() ? freedoms : chosen_ ? positions_.freedoms : Choice::any;
-    positions_ = Choice::template of<m>(holonomic(here), known);
+    positions_ = Choice::template of<m>(unitless(holonomic(here)), known);
     lengths_ = Reading::lengths(motion_.precomputed(), kinds_, t, y);
     near_ = y;
     chosen_ = positions_.complete && velocities_.complete && positions_.freedoms <= places;
@@ -144,7 +145,7 @@ class PartitionedMotion {
     if (!here.read(motion_.precomputed(), kinds_, t, y)) return Evaluation::not_finite;
     loss = Scalar(1);
     const auto compare = [&](const auto& jacobian, std::size_t count, Scalar content) {
-      const Choice best = Choice::template of<m>(jacobian, count);
+      const Choice best = Choice::template of<m>(unitless(jacobian), count);
       Factor factor;
       // Others that cannot be determined here are no better.
       if (!best.complete || factorise(jacobian, best, factor) != Evaluation::ok) return;
@@ -224,15 +225,28 @@ class PartitionedMotion {
     return jacobian;
   }
 
-  // Of the columns of the dependent ones; the others keep their place, as zeros.
-  static Evaluation factorise(const Jacobian& jacobian, const Choice& choice, Factor& factor) noexcept {
+  // A_ij in the reaches of the velocities, over what the constraint usually moves by these.
+  Jacobian unitless(const Jacobian& jacobian) const noexcept {
+    Jacobian scaled{};
+    for (std::size_t i = 0; i < m; ++i) {
+      Scalar usual = Scalar(0);
+      for (std::size_t j = 0; j < nv; ++j) usual = std::max(usual, kinds_.usual[j * m + i] * kinds_.reach[j]);
+      for (std::size_t j = 0; j < nv && usual > Scalar(0); ++j) {
+        scaled[j * m + i] = jacobian[j * m + i] * kinds_.reach[j] / usual;
+      }
+    }
+    return scaled;
+  }
+
+  // Of the columns of the dependent ones, in their reaches; the others keep their place, as zeros.
+  Evaluation factorise(const Jacobian& jacobian, const Choice& choice, Factor& factor) const noexcept {
     std::array<Scalar, nv * nv> unit{};
     Jacobian columns = jacobian;
-    for (std::size_t j = 0; j < nv; ++j) unit[j * (nv + 1)] = Scalar(1);
+    for (std::size_t j = 0; j < nv; ++j) unit[j * (nv + 1)] = Scalar(1) / (kinds_.reach[j] * kinds_.reach[j]);
     for (std::size_t k = 0; k < choice.freedoms; ++k) {
       for (std::size_t i = 0; i < m; ++i) columns[choice.independent[k] * m + i] = Scalar(0);
     }
-    const Evaluation evaluation = factor.factorise(unit, columns);
+    const Evaluation evaluation = factor.factorise(unit, columns, usual_rank_tolerance<Scalar>(), kinds_.usual);
     const bool determined = factor.rank() == static_cast<int>(nv - choice.freedoms);
     return evaluation == Evaluation::ok && !determined ? Evaluation::singular : evaluation;
   }

@@ -96,7 +96,7 @@ class ProjectionOnConstraints {
     bool grows = false;
     for (; !is_rounding() && result_.iterations < limit; ++result_.iterations) {
       // Off its zeros by d, a redundant constraint looks independent by some d.
-      const Scalar tolerance = std::max(rank_tolerance_, std::min(Scalar(1e-3), Scalar(4) * here_.position));
+      const Scalar tolerance = std::max(rank_tolerance_, std::min(Scalar(1e-3), Scalar(4) * here_.displacement));
       if (!factorise(tolerance, true)) return false;
       const Column change = factor_.least_change(-here_.value(lengths_));
       const Scalar moved = here_.motion_by(kinds_, change);
@@ -149,13 +149,13 @@ class ProjectionOnConstraints {
       for (std::size_t i = 0; i < nv; ++i) trial[coordinates_of<M> + i] += change(static_cast<int>(i));
       Reading there;
       if (!there.read(precomputed_, kinds_, t_, trial)) return fail(Evaluation::not_finite);
-      if (!(there.velocity < here_.velocity)) break;
+      if (!(there.parting < here_.parting)) break;
       next_ = trial;
       here_ = there;
     }
     // Constraints that are left out may keep a share of the order of the rank tolerance, not all of it.
-    const Scalar left_over = (Scalar(2e6) * epsilon + Scalar(1e3) * rank_tolerance_) * here_.speed;
-    return here_.velocity_is_rounding() || here_.velocity <= left_over || fail(Evaluation::singular);
+    const Scalar left_over = Scalar(2e6) * epsilon + Scalar(1e3) * rank_tolerance_;
+    return here_.velocity_is_rounding() || here_.velocity_is_within(left_over) || fail(Evaluation::singular);
   }
 
   // Of the holonomic constraints alone, or of all. What is held counts as infinitely heavy.
@@ -172,7 +172,7 @@ class ProjectionOnConstraints {
     for (std::size_t i = 0; i < nv && holonomic; ++i) {
       if (held_[i]) mass[i * (nv + 1)] /= epsilon * epsilon;
     }
-    const Evaluation evaluation = factor_.factorise(mass, jacobian, tolerance);
+    const Evaluation evaluation = factor_.factorise(mass, jacobian, tolerance, kinds_.usual);
     if (evaluation != Evaluation::ok) return fail(evaluation);
     result_.rank = factor_.rank();
     result_.least_share = factor_.least_share();

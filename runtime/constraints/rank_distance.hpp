@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "runtime/constraints/constraint_kinds.hpp"
 #include "runtime/constraints/projection.hpp"
 #include "runtime/mechanism_model.hpp"
 #include "runtime/status.hpp"
@@ -17,15 +18,18 @@ namespace torsor::runtime {
 /// How far a configuration is from those at which the constraints of a mechanism lose rank: the last pivot of A Aᵀ,
 /// rows weighed and exchanged, as a root, over the largest that it has been seen to be. 1 and more where all is
 /// regular, in proportion to the displacement near such a place. Of constraints that repeat others, as many are counted
-/// as are independent elsewhere. Rows are weighed by the largest length they were seen to have, so that one that
-/// vanishes as a whole is noticed too. Seen are the initial configuration and some around it; the largest counts, since
-/// a start may be a change point itself.
+/// as are independent elsewhere. Velocities count over their reaches (see ConstraintKinds), and rows are weighed by the
+/// largest length they were seen to have, so that one that vanishes as a whole is noticed too: no unit matters. Seen are
+/// the initial configuration and some around it; the largest counts, since a start may be a change point itself.
 template <HasConstraintMetric M>
 class RankDistance {
  public:
   using Scalar = ScalarOf<M>;
 
-  explicit RankDistance(const typename M::Precomputed& precomputed) {
+  explicit RankDistance(const typename M::Precomputed& precomputed)
+      : RankDistance(precomputed, ConstraintKinds<M>::at(precomputed, initial_state_of<M>(precomputed).time,
+                                                         pack<M>(initial_state_of<M>(precomputed)))) {}
+  RankDistance(const typename M::Precomputed& precomputed, const ConstraintKinds<M>& kinds) : kinds_(kinds) {
     Samples seen;
     look_around(precomputed, walks, seen);
     learn(seen);
@@ -47,6 +51,9 @@ class RankDistance {
   static constexpr std::size_t nv = velocities_of<M>, m = static_cast<std::size_t>(M::multiplier_count);
   static constexpr int walks = 4, steps = 4;
   static constexpr Scalar rounding = Scalar(1e-6);  // of a root of a pivot; a singular sample has less
+  // The shortest displacement that is tried, in reaches. Back at the start, corrections leave the root of a rounding of
+  // it, 1.5e-8, or the fourth root, 1.2e-4, where constraints vanish to third order: a tenth of the displacement is away.
+  static constexpr Scalar least_reach = Scalar(1e-3), away = least_reach / Scalar(10);
   using Jacobian = std::array<Scalar, m * nv>;
 
   struct Samples {
@@ -61,7 +68,10 @@ class RankDistance {
       for (const Jacobian& A : *kind) {
         for (std::size_t i = 0; i < m; ++i) {
           Scalar square = Scalar(0);
-          for (std::size_t j = 0; j < nv; ++j) square += A[j * m + i] * A[j * m + i];
+          for (std::size_t j = 0; j < nv; ++j) {
+            const Scalar entry = A[j * m + i] * kinds_.reach[j];
+            square += entry * entry;
+          }
           over_[i] = std::max(over_[i], std::sqrt(square));
         }
       }
@@ -109,7 +119,7 @@ class RankDistance {
   // Displaced at random in every freedom, before and after the constraints are met again, and walks over the
   // constraints by some tenths a step, less where loops tear apart: one along the initial velocities, the others each
   // in a direction of its own. Numbers from Lehmer's generator.
-  static void look_around(const typename M::Precomputed& precomputed, int more, Samples& seen) {
+  void look_around(const typename M::Precomputed& precomputed, int more, Samples& seen) const {
     const auto start = initial_state_of<M>(precomputed);
     const Scalar t = start.time;
     StateVector<M> y = pack<M>(start);
@@ -121,7 +131,8 @@ class RankDistance {
     const auto look_closed = [&] {
       look(seen.closed);
       for (std::size_t i = 0; i < coordinates_of<M>; ++i) {
-        seen.left = seen.left || std::abs(y[i] - start.q[static_cast<int>(i)]) > Scalar(1e-4);
+        const Scalar gone = std::abs(y[i] - start.q[static_cast<int>(i)]) / kinds_.coordinate_reach[i];
+        seen.left = seen.left || gone > away;
       }
     };
     // An initial state that is not closed would show constraints that repeat others as independent.
@@ -132,10 +143,15 @@ class RankDistance {
       const bool given = std::any_of(y.begin() + coordinates_of<M>, y.end(), [](Scalar v) { return v != Scalar(0); });
       for (std::size_t i = coordinates_of<M>; i < y.size() && !(seen.walked == 0 && given); ++i) {
         random = random * 48271 % 2147483647;
-        y[i] = Scalar(2) * static_cast<Scalar>(random) / Scalar(2147483647) - Scalar(1);
+        const Scalar part = Scalar(2) * static_cast<Scalar>(random) / Scalar(2147483647) - Scalar(1);
+        y[i] = part * kinds_.reach[i - coordinates_of<M>];
+      }
+      if (seen.walked == 0 && given) {  // in reaches too, whatever the unit of time
+        const Scalar fastest = fastest_of(y);
+        for (std::size_t i = coordinates_of<M>; i < y.size(); ++i) y[i] /= fastest;
       }
       const StateVector<M> directed = y;
-      for (Scalar reach = Scalar(2); reach > Scalar(1e-3); reach /= Scalar(4)) {
+      for (Scalar reach = Scalar(2); reach > least_reach; reach /= Scalar(4)) {
         const auto displacement = [&](int i) {
           return reach * directed[coordinates_of<M> + static_cast<std::size_t>(i)];
         };
@@ -149,18 +165,26 @@ class RankDistance {
       y = directed;
       Scalar reach = Scalar(0.3);
       for (int step = 0; step < steps; ++step) {
-        while (reach > Scalar(1e-3) && !move(precomputed, t, reach, y)) reach /= Scalar(4);
-        if (!(reach > Scalar(1e-3))) break;
+        while (reach > least_reach && !move(precomputed, t, reach, y)) reach /= Scalar(4);
+        if (!(reach > least_reach)) break;
         look_closed();
       }
     }
   }
 
-  // Along the velocities of y, which are turned with the constraints.
-  [[nodiscard]] static bool move(const typename M::Precomputed& precomputed, Scalar t, Scalar reach,
-                                 StateVector<M>& y) noexcept {
+  [[nodiscard]] Scalar fastest_of(const StateVector<M>& y) const noexcept {
     Scalar fastest = Scalar(0);
-    for (std::size_t i = coordinates_of<M>; i < y.size(); ++i) fastest = std::max(fastest, std::abs(y[i]));
+    for (std::size_t j = 0; j < nv; ++j) {
+      fastest = std::max(fastest, std::abs(y[coordinates_of<M> + j]) / kinds_.reach[j]);
+    }
+    return fastest;
+  }
+
+  // Along the velocities of y, which are turned with the constraints: of one reach before, they are rounding when they
+  // are lost.
+  [[nodiscard]] bool move(const typename M::Precomputed& precomputed, Scalar t, Scalar reach,
+                          StateVector<M>& y) const noexcept {
+    const Scalar fastest = fastest_of(y);
     if (!(fastest > Scalar(1e-9))) return false;
     StateVector<M> there = y;
     const auto displacement = [&](int i) {
@@ -181,7 +205,7 @@ class RankDistance {
       std::array<std::size_t, m> filled;
       std::size_t length = 0;
       for (std::size_t i = 0; i < m; ++i) {
-        column[i] = jacobian[j * m + i] * over_[i];
+        column[i] = jacobian[j * m + i] * kinds_.reach[j] * over_[i];
         if (column[i] != Scalar(0)) filled[length++] = i;
       }
       for (std::size_t a = 0; a < length; ++a) {
@@ -209,6 +233,7 @@ class RankDistance {
     }
   }
 
+  ConstraintKinds<M> kinds_;
   std::array<Scalar, m> over_{};
   Scalar usual_ = Scalar(1);
   std::size_t independent_ = m;

@@ -268,12 +268,9 @@ class StabilisedEquations {
     }
   }
 
-  // What a difference by a coordinate is to be small against: near 0 a radian of an angle or of an attitude, 1e-3 of
-  // a length.
+  // What a difference by a coordinate is to be small against: near 0 its reach, a radian of an angle or of an attitude.
   Scalar largeness(const Vector& y, std::size_t k) const noexcept {
-    bool length = false;
-    for (std::size_t j = 0; j < n; ++j) length = length || (kinds_.coordinate[j] == k && !kinds_.turns[j]);
-    return std::max(length ? Scalar(1e-3) : Scalar(1), std::abs(y[k]));
+    return std::max(kinds_.coordinate_reach[k], std::abs(y[k]));
   }
 
   // The rows that count: of positions the holonomic constraints, of velocities all; of those that repeat others as many
@@ -290,7 +287,10 @@ class StabilisedEquations {
         counts_[(positions ? 0 : m) + j] = false;
       }
       IndependentConstraints<Scalar, n, m> factor;
-      if (const Evaluation e = factor.factorise(mass, jacobian); e != Evaluation::ok) return e;
+      if (const Evaluation e = factor.factorise(mass, jacobian, usual_rank_tolerance<Scalar>(), kinds_.usual);
+          e != Evaluation::ok) {
+        return e;
+      }
       for (int k = 0; k < factor.rank(); ++k) {
         counts_[(positions ? 0 : m) + static_cast<std::size_t>(factor.constraint(k))] = true;
       }
