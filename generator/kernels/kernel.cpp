@@ -20,6 +20,7 @@
 #include "generator/kernels/kernel_poses.hpp"
 #include "generator/kernels/kernel_regressor.hpp"
 #include "generator/kernels/kernel_residual.hpp"
+#include "generator/kernels/kernel_robotics.hpp"
 #include "generator/kernels/kernel_second_derivatives.hpp"
 #include "generator/kernels/kernel_sensitivities.hpp"
 #include "generator/kernels/kernel_sparse_jacobian.hpp"
@@ -249,6 +250,8 @@ const std::vector<Entry>& entries() {
       {"forward_dynamics_second_derivatives", make_forward_dynamics_second_derivatives, no_unknowns, true, true},
       {"inverse_dynamics_sensitivities", make_inverse_dynamics_sensitivities, no_sensitivities, false, true},
       {"forward_dynamics_sensitivities", make_forward_dynamics_sensitivities, no_sensitivities, true, true},
+      {"gravity", make_gravity, no_gravity, false, true},
+      {"centroidal_momentum", make_centroidal_momentum, no_moving_mass, false, true},
       {"poses", make_poses, never, false, true}};
   return all;
 }

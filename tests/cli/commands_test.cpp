@@ -304,7 +304,8 @@ TEST(SceneProgram, NamesAnUnknownKernelAndTheKnownOnes) {
         "energy, first_integrals, constraints, reactions, linearisation, inverse_dynamics_derivatives, "
                   "forward_dynamics_derivatives, regressor, jets, sparse_constraint_jacobian, residual, residual_jacobian, "
                   "inverse_dynamics_second_derivatives, forward_dynamics_second_derivatives, "
-                  "inverse_dynamics_sensitivities, forward_dynamics_sensitivities, poses, or all");
+                  "inverse_dynamics_sensitivities, forward_dynamics_sensitivities, gravity, centroidal_momentum, poses, "
+                  "or all");
   }
 }
 

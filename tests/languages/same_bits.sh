@@ -5,10 +5,11 @@
 set -euo pipefail
 node="$1" program="$2" name="$3" states="$4" folder="$5" run_time="$6"
 shift 6
+kernels=all,gravity,centroidal_momentum
 mkdir -p "$folder/apart"
 for language in c++:hpp c99:h javascript:mjs; do
-  "$program" generate --kernels all ${run_time:+--run-time "$run_time"} --language "${language%:*}" --output "$folder/$name.${language#*:}"
+  "$program" generate --kernels $kernels ${run_time:+--run-time "$run_time"} --language "${language%:*}" --output "$folder/$name.${language#*:}"
 done
-"$program" generate --kernels all ${run_time:+--run-time "$run_time"} --language c99 --support "$folder/apart/torsor_support.h" \
+"$program" generate --kernels $kernels ${run_time:+--run-time "$run_time"} --language c99 --support "$folder/apart/torsor_support.h" \
   --source "$folder/apart/$name.c" --output "$folder/apart/$name.h"
 exec "$node" "$(dirname "$0")/compare.mjs" "$name" "$states" "$folder" "$@"
