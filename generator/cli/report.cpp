@@ -87,7 +87,12 @@ struct Motion {
 
 Motion motion_of(const Scene& scene, const ModelOptions& given) {
   std::vector<std::string> names{"forward_dynamics", "energy", "first_integrals", "poses"};
-  if (!scene.content().constraints.empty()) names.insert(names.end(), {"mass_matrix", "constraints"});  // projection
+  const SceneContent& content = scene.content();
+  const bool constrained = !content.constraints.empty();
+  constexpr std::size_t most = 12;  // coordinates whose modes a reader looks at one by one
+  if (constrained) names.emplace_back("constraints");  // and M: projection in its metric
+  const bool modes = content.attitudes.empty() && content.coordinates.size() <= most;
+  if (constrained || modes) names.emplace_back("mass_matrix");
   const MechanismListing mechanism = lower_mechanism(scene, names, options_of_motion(scene, given));
   Motion motion;
   for (const AskedKernel& kernel : mechanism.asked) {
@@ -199,7 +204,7 @@ std::string report_html(const Scene& scene, const ReportOptions& options) {
   scripts += script("mechanism", "globalThis.torsorMechanism = " + motion.module + ";\n");
   scripts += fmt::format("<script id=\"scene\" type=\"application/json\">{}</script>\n",
                          inside_json(report_data(scene, options.duration)));
-  for (const char* name : {"integrator", "projection", "motion", "vectors", "shapes", "viewer", "plots", "formulas", "page"}) {
+  for (const char* name : {"integrator", "projection", "motion", "modes", "vectors", "shapes", "viewer", "plots", "formulas", "page"}) {
     scripts += script(name, part(fmt::format("{}.js", name)));
   }
   const bool with_katex = !katex_script().empty();

@@ -19,10 +19,12 @@ std::string number_or(const Written& value, std::string (*write)(const Written&)
   return number ? decimal_text(value[0].coefficient) : write(value);
 }
 
-/// The unit as a reader expects it; nothing where there is none.
-std::string unit_in_text(const Symbol& symbol) {
+/// The unit as a reader expects it, set by KaTeX where it has powers; nothing where there is none.
+std::string unit_of(const Symbol& symbol) {
   const std::string unit = written_unit(symbol);
-  return unit == "1" ? "" : unit;
+  if (unit == "1") return {};
+  if (unit.find('^') == std::string::npos) return html_escaped(unit);
+  return fmt::format("<span data-inline=\"{}\">{}</span>", html_escaped(latex_unit(symbol)), html_escaped(unit));
 }
 
 class HtmlPage final : public Page {
@@ -37,17 +39,17 @@ class HtmlPage final : public Page {
     out_ += fmt::format("<p data-mixed=\"{}\">{}</p>\n", html_escaped(latex), html_escaped(plain));
   }
   void symbol(const Symbol& symbol, const std::string& remark) override {
-    const std::string unit = unit_in_text(symbol);
+    const std::string unit = unit_of(symbol);
     out_ += fmt::format("<p class=\"symbol\"><span data-inline=\"{}\">{}</span>{} {}</p>\n",
                         html_escaped(latex_name(symbol.name)), html_escaped(symbol.name),
-                        unit.empty() ? "" : fmt::format(" [{}]", html_escaped(unit)), html_escaped(remark));
+                        unit.empty() ? "" : fmt::format(" [{}]", unit), html_escaped(remark));
   }
   void value(const Symbol& symbol, const Written& value, bool with_unit) override {
-    const std::string unit = with_unit ? unit_in_text(symbol) : "";
+    const std::string unit = with_unit ? unit_of(symbol) : "";
     const std::string left = latex_name(symbol.name) + " = " + number_or(value, latex);
     const std::string plain = symbol.name + " = " + number_or(value, text);
     out_ += fmt::format("<p class=\"symbol\"><span data-inline=\"{}\">{}</span> {}</p>\n", html_escaped(left),
-                        html_escaped(plain), html_escaped(unit));
+                        html_escaped(plain), unit);
   }
   void equation(const std::string& label, const Written& left, const Written& right,
                 const std::string& remark) override {

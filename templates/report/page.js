@@ -3,15 +3,16 @@
 (() => {
 "use strict";
 if (typeof document === "undefined") return;
-const { Motion, Picture, Viewer, Plot, Portrait, column, label } = torsorReport;
+const { Motion, Picture, Viewer, Plot, Portrait, SmallMotions, column, label } = torsorReport;
 const mechanism = globalThis.torsorMechanism, scene = JSON.parse(document.getElementById("scene").textContent);
 const element = (id) => document.getElementById(id);
 const still = window.matchMedia("(prefers-reduced-motion: reduce)").matches;
 
 const chosen = { parameters: {}, inputs: {}, start: {}, speeds: {} };
-let until = scene.duration, motion = null, picture = null, viewer = null, plots = [], playing = !still, now = 0, last = 0, told = "", traces = [];
+let mode = null, until = scene.duration, motion = null, picture = null, viewer = null, plots = [], playing = !still, now = 0, last = 0, told = "", traces = [];
 
 function restart(keepTime) {
+  mode = null;
   motion = new Motion(mechanism, chosen);
   torsorReport.current = motion;
   if (!keepTime) now = 0;
@@ -134,6 +135,7 @@ function pause() {
   if (viewer) viewer.changed = true;
 }
 function play() {
+  mode = null;
   if (now >= until - 1e-9) now = 0;
   playing = true;
   element("play").textContent = "Pause";
@@ -141,6 +143,46 @@ function play() {
 
 const sampleAt = (t) => Math.min(motion.samples.length - 1, Math.max(0, Math.round(t / motion.interval)));
 const poses = (t) => motion.evaluate("poses", sampleAt(t));
+
+/// Buttons for the modes about a rest near what is seen now.
+function findRest() {
+  const q = motion.samples[sampleAt(now)].slice(0, motion.nq), small = new SmallMotions(motion, q), buttons = element("modes");
+  mode = null;
+  buttons.replaceChildren();
+  if (small.why) {
+    element("rest").textContent = `No modes: ${small.why}.`;
+    return;
+  }
+  const stable = small.modes.every(({ square, neutral }) => neutral || square > 0);
+  const place = mechanism.coordinates.map((each, i) => `${each.name} = ${label(small.q[i])}`).join(", ");
+  element("rest").textContent = `A rest, ${stable ? "where the potential energy has a minimum along all that is not neutral" : "unstable without gyroscopic forces"}: ${place}. ` +
+    "Modes leave damping and gyroscopic forces out.";
+  small.modes.forEach((each, i) => {
+    const button = document.createElement("button");
+    button.type = "button";
+    button.textContent = `Mode ${i + 1}: ${SmallMotions.words(each)}`;
+    button.addEventListener("click", () => {
+      pause();
+      // Seen at a pace that the eye follows: at most two swings a second. The largest angle is 0.4 rad.
+      const limit = (unit) => (unit === "m" ? 0.3 * (picture?.size ?? 1) : 0.4);
+      const size = Math.min(...mechanism.coordinates.map((c, k) => limit(c.unit) / Math.max(Math.abs(each.shape[k]), 1e-300)));
+      const rate = each.square > 0 && !each.neutral ? Math.min(4 * Math.PI, Math.max(1, Math.sqrt(each.square))) : 2;
+      mode = { rest: small.q, shape: each.shape.map((value) => value * size), rate, phase: 0, number: i + 1 };
+    });
+    buttons.append(button);
+  });
+}
+
+/// The mechanism swinging in a mode.
+function showMode(passed) {
+  mode.phase += passed * mode.rate * Number(element("speed").value);
+  const y = new Float64Array(motion.nq + motion.nv);
+  mode.rest.forEach((value, i) => { y[i] = value + mode.shape[i] * Math.sin(mode.phase); });
+  const here = motion.members("poses", 0, y);
+  viewer.target = picture.followed(here, viewer.target);
+  viewer.draw(picture.at(here, [], viewer.target));
+  element("clock").textContent = `Mode ${mode.number}`;
+}
 
 function addTraces() {
   for (let k = traces.length ? traces[0].length / 3 : 0; k < motion.samples.length; ++k) {
@@ -159,7 +201,8 @@ function frame(stamp) {
     if (now >= until - 1e-9 || motion.status !== "ok" && now >= motion.time - 1e-9) pause();
   }
   const fresh = motion.samples.length !== before;
-  if (playing || fresh || !viewer || viewer.changed) show(fresh);
+  if (mode && viewer) showMode(passed);
+  else if (playing || fresh || !viewer || viewer.changed) show(fresh);
   requestAnimationFrame(frame);
 }
 
@@ -213,7 +256,8 @@ function start() {
   buildPlots();
   element("play").addEventListener("click", () => (playing ? pause() : play()));
   if (!playing) element("play").textContent = "Play";
-  element("time").addEventListener("input", () => { now = Math.min(Number(element("time").value), motion.time); pause(); });
+  element("find-rest").addEventListener("click", findRest);
+  element("time").addEventListener("input", () => { mode = null; now = Math.min(Number(element("time").value), motion.time); pause(); });
   for (const id of ["traces", "velocities", "weights"]) element(id).addEventListener("change", () => { if (viewer) viewer.changed = true; });
   element("portraits")?.addEventListener("toggle", () => { if (viewer) viewer.changed = true; else show(false); });
   element("until").addEventListener("change", () => {

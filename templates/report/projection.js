@@ -168,5 +168,5 @@ class Projection {
   }
 }
 
-torsorReport.Projection = Projection;
+Object.assign(torsorReport, { Projection, cholesky });
 })();

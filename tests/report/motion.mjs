@@ -13,7 +13,7 @@ execFileSync(program, ["report", "--output", file]);
 const page = readFileSync(file, "utf8");
 
 const context = vm.createContext({});
-for (const id of ["mechanism", "integrator", "projection", "motion"]) {
+for (const id of ["mechanism", "integrator", "projection", "motion", "modes"]) {
   vm.runInContext(new RegExp(`<script id="${id}">\n([^]*?)</script>`).exec(page)[1], context);
 }
 const { torsorMechanism: mechanism, torsorReport } = context;
@@ -46,6 +46,21 @@ const [first] = mechanism.coordinates;
 if (first && mechanism.multipliers.length === 0 && mechanism.quaternions.length === 0) {
   const other = new torsorReport.Motion(mechanism, { start: { [first.name]: 0.125 }, speeds: { [first.name]: 0.5 } });
   if (other.start[0] !== 0.125 || other.start[other.nq] !== 0.5) failures.push("start values are not what was asked for");
+}
+// Two equal bars without mass, absolute angles: omega^2 = (2 -+ sqrt 2) g/l hanging, the opposite standing. Differences over
+// h = 1e-5 (1 + q) are off by h^2/6, at 4 rad 4e-10 of the stiffness, and by 1e-16/h of rounding.
+if (name === "double_pendulum") {
+  for (const [start, sign] of [[[0.2, -0.1], 1], [[3.1, 3.2], -1]]) {
+    const small = new torsorReport.SmallMotions(new torsorReport.Motion(mechanism), start);
+    const squares = small.modes.map(({ square }) => (sign * square) / 9.81).sort((a, b) => a - b);
+    const wanted = [2 - Math.SQRT2, 2 + Math.SQRT2];
+    if (squares.length !== 2 || squares.some((each, i) => Math.abs(each - wanted[i]) > 1e-8)) failures.push(`modes are ${squares}: ${small.why}`);
+    const rest = sign > 0 ? 0 : Math.PI;
+    if (small.q.some((angle) => Math.abs(angle - rest) > 1e-8)) failures.push(`the rest is ${small.q}`);
+    // The slow mode of hanging bars: both the same way, as 1 to sqrt 2.
+    const slow = small.modes[sign > 0 ? 0 : 1]?.shape ?? [];
+    if (!(Math.abs(slow[1] / slow[0] - Math.SQRT2) < 1e-8)) failures.push(`the slow mode is ${slow}`);
+  }
 }
 if (page.length > 1.2e6) failures.push(`the page has ${page.length} characters`);
 console.log(`${name}: ${rows.length} times, off by ${worst}, ${motion.integrator.steps} steps, ${page.length} characters`);

@@ -31,6 +31,21 @@ for (const scene of scenes) {
   expect(formulas.errors.length === 0, `formulas are not typeset: ${formulas.errors.join("; ")}`);
   expect(formulas.set === (katex === "1" ? formulas.count : 0), `${formulas.set} of ${formulas.count} formulas are typeset`);
 
+  // A rest and its modes where there are any: the picture follows one, and comes back.
+  const modes = await browser.evaluate(`(() => {
+    const find = document.getElementById("find-rest");
+    if (!find) return null;
+    document.getElementById("small-motions").open = true;
+    find.click();
+    const buttons = [...document.querySelectorAll("#modes button")];
+    buttons[0]?.click();
+    return { words: document.getElementById("rest").textContent, count: buttons.length };
+  })()`);
+  expect(modes !== null && modes.words.length > 10, "a search for a rest says nothing");
+  expect(modes === null || modes.count > 0 || /^No modes: /.test(modes.words), `no modes and no reason: ${modes?.words}`);
+  await browser.evaluate("new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done)))");
+  await browser.evaluate("document.getElementById('play').click()");
+
   // The motion, before and after the first slider is moved.
   const end = "Array.from(torsorReport.current.samples.at(-1))";
   const reached = `new Promise((done) => { const wait = () => torsorReport.current.samples.length > 6 || torsorReport.current.status !== "ok" ? done(torsorReport.current.status) : setTimeout(wait, 50); wait(); })`;
@@ -56,9 +71,12 @@ for (const scene of scenes) {
   })))`);
   expect(drawn > 20, `the picture is empty (${drawn} of 4096 points)`);
 
-  // Arrows: the tip of a velocity is where the place goes, to the third order of a small time.
+  // Arrows: a velocity is how far a place goes in a small time, over that time.
   const arrows = await browser.evaluate(`(() => {
-    const motion = torsorReport.current, before = motion.evaluate("poses", 2), after = motion.evaluate("poses", 4), rates = motion.change("poses", 3);
+    const motion = new torsorReport.Motion(globalThis.torsorMechanism, { interval: 1e-5 });
+    for (let k = 0; k < 4; ++k) motion.extend();
+    if (motion.status !== "ok") return 0;
+    const before = motion.evaluate("poses", 2), after = motion.evaluate("poses", 4), rates = motion.change("poses", 3);
     if (!rates) return 0;
     let worst = 0, size = 1e-9;
     before.origins.forEach((value, i) => {
@@ -68,8 +86,8 @@ for (const scene of scenes) {
     });
     return worst / size;
   })()`);
-  // Over 1/30 s, of motions whose fastest turns are some 20 rad/s: (20/60)^2/6 is 2 %, of a few such terms.
-  expect(arrows < 0.1, `velocities are off by ${arrows}`);
+  // Over 2e-5 s; the fastest motions, of the squeezer, turn at some 1e4 rad/s: (0.1)^2/6 is 0.2 %, twice.
+  expect(arrows < 0.01, `velocities are off by ${arrows}`);
   for (const id of ["velocities", "weights"]) await browser.evaluate(`document.getElementById("${id}").click()`);
   await browser.evaluate("document.getElementById('portraits') && (document.getElementById('portraits').open = true)");
   await browser.evaluate("new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done)))");
