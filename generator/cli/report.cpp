@@ -126,16 +126,20 @@ std::string picture(const Scene& scene, const std::string& kind) {
   return markup([&] { return graph_text(scene, "svg", kind, {}); });
 }
 
-/// Definitions that would fill more than a reader reads are left out, and the page says so.
-std::string without_long_definitions(std::string equations) {
-  constexpr std::size_t most = 180'000;  // characters
-  const std::string_view head = "<details open><summary><h3>Definitions</h3></summary>\n";
-  const std::size_t begin = equations.find(head);
-  if (begin == std::string::npos || equations.size() < most) return equations;
-  const std::size_t end = equations.find("</details>\n", begin);
-  equations.replace(begin + head.size(), end - begin - head.size(),
-                    "<p>They are too long for a page: the command equations prints them.</p>\n");
-  return equations;
+/// Sections that would fill more than a reader reads are left out, and the page says so.
+std::string without_long_sections(const std::string& sections, const std::string& command) {
+  constexpr std::size_t most = 120'000;  // characters
+  static constexpr std::string_view begin = "<details", title_end = "</summary>\n", end = "</details>\n";
+  std::string result;
+  std::size_t done = 0;
+  for (std::size_t at = sections.find(begin); at != std::string::npos; at = sections.find(begin, done)) {
+    const std::size_t body = sections.find(title_end, at) + title_end.size(), close = sections.find(end, body);
+    const bool too_long = close - body > most;
+    result += sections.substr(done, (too_long ? body : close) - done);
+    if (too_long) result += fmt::format("<p>Too long for a page: the command {} prints it.</p>\n", command);
+    done = close;
+  }
+  return result + sections.substr(done);
 }
 
 std::string unknowns_page(const Scene& scene) {
@@ -199,7 +203,7 @@ std::string report_html(const Scene& scene, const ReportOptions& options) {
   print.about = options.about;
   print.derivation = true;
   const std::string equations =
-      without_long_definitions(markup([&] { return print_equations(scene, Format::html, print); }));
+      without_long_sections(markup([&] { return print_equations(scene, Format::html, print); }), "equations");
   std::string scripts;
   scripts += script("mechanism", "globalThis.torsorMechanism = " + motion.module + ";\n");
   scripts += fmt::format("<script id=\"scene\" type=\"application/json\">{}</script>\n",
@@ -221,7 +225,7 @@ std::string report_html(const Scene& scene, const ReportOptions& options) {
        {"structure_words", html_lines(words([&] { return structure_text(scene, {}); }))},
        {"equations", equations},
        {"further", closed(markup([&] { return unknowns_page(scene); }))},
-       {"statics", closed(markup([&] { return statics_text(scene, options.about, {}, {Format::html}); }))},
+       {"statics", closed(without_long_sections(markup([&] { return statics_text(scene, options.about, {}, {Format::html}); }), "statics"))},
        {"formula_note", with_katex ? "" : "<p class=\"note\">Formulas are shown as text: KaTeX was not there when torsor was built.</p>\n"},
        {"motion_note", motion.remark.empty() ? ""
                                              : fmt::format("<p class=\"note\">There is no motion: {}.</p>\n",
