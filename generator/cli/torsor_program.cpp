@@ -15,6 +15,7 @@
 #include "generator/base/output_file.hpp"
 #include "generator/base/printable.hpp"
 #include "generator/cli/command_line.hpp"
+#include "generator/cli/new_project.hpp"
 #include "generator/import/mechanism_file.hpp"
 
 namespace torsor {
@@ -156,12 +157,31 @@ Scene read_scene(const FileRequest& request, MjcfReader mjcf_reader) {
   return std::move(scene);
 }
 
+/// torsor new NAME
+int begin_project(int argc, const char* const* argv) {
+  const auto fail = [argv](const std::string& message, int code) {
+    std::fprintf(stderr, "%s\n", printable(fmt::format("{}: {}", argv[0], message)).c_str());
+    return code;
+  };
+  if (argc != 3 || argv[2][0] == '-') return fail("new takes the name of the project, which becomes a folder: torsor new NAME", 2);
+  try {
+    for (const std::string& file : write_new_project(argv[2])) std::printf("%s\n", file.c_str());
+    return 0;
+  } catch (const SceneError& error) {
+    return fail(error.what(), 2);
+  } catch (const Error& error) {
+    return fail(error.what(), 3);
+  }
+}
+
 }  // namespace
 
 int run_torsor(int argc, const char* const* argv, MjcfReader mjcf_reader) {
+  if (argc > 1 && std::string(argv[1]) == "new") return begin_project(argc, argv);
   FileRequest request;
   return run_commands(argc, argv,
-                      {"Equations of motion and specialised kernels of the robot of a URDF, xacro or MJCF file.",
+                      {"Equations of motion and specialised kernels of the robot of a URDF, xacro or MJCF file. "
+                       "torsor new NAME begins a project with a scene of your own.",
                        [&request](CLI::App& command) { add_options(command, request); },
                        [&] { return read_scene(request, mjcf_reader); }, [&request] { return request.quiet; }});
 }
