@@ -4,10 +4,12 @@
 
 #include <algorithm>
 #include <cctype>
+#include <memory>
 #include <string>
 #include <vector>
 
 #include "examples/graham_variator/scene.cpp"
+#include "generator/printing/canonical_sum.hpp"
 #include "generator/printing/fitted_matrix.hpp"
 #include "generator/printing/notation.hpp"
 #include "generator/printing/page.hpp"
@@ -108,6 +110,24 @@ TEST(ReadableForms, OfTheVariatorHaveTangentsAndNoEquationsThatSayNothing) {
   EXPECT_FALSE(has(text, "0 = 0")) << text;
   EXPECT_TRUE(has(text, "  rolling_A_x (non-holonomic) holds whatever the motion: it is no equation, and its multiplier is 0.\n")) << text;
   EXPECT_TRUE(has(print_equations(graham_variator_scene(), Format::latex), "d \\tan\\left(\\delta\\right) T_{A}"));
+}
+
+// sin^3/cos = sin^2 tan; sin/cos^2 stays, for a tangent would leave the denominator.
+TEST(ReadableForms, KeepTheSinesThatNoCosineDivides) {
+  const auto x = std::make_shared<const Symbol>(Symbol{"x", Unit(), SymbolKind::coordinate, 1, nullptr});
+  const printing::Sum sine = printing::Sum::function(Function::sin, printing::Sum::symbol(x));
+  const printing::Sum cosine = printing::Sum::function(Function::cos, printing::Sum::symbol(x));
+  const auto written = [](const printing::Sum& sum) { return printing::text(printing::collected(sum)); };
+  EXPECT_EQ(written(sine * printing::power(cosine, -2)), "tan(x)");
+  EXPECT_EQ(written(sine * sine * sine * printing::power(cosine, -2)), "sin(x)^2 tan(x)");
+  EXPECT_EQ(written(sine * sine * printing::power(cosine, -4)), "tan(x)^2");
+  EXPECT_EQ(written(sine * printing::power(cosine, -4)), "sin(x)/cos(x)^2");
+  const WorkingDigits precision(40);
+  const Real angle = Real::parse("0.5");
+  const Real value = printing::evaluate(printing::collected(sine * sine * sine * printing::power(cosine, -2)),
+                                        [&](const SymbolPointer&) { return angle; }, 40);
+  // A few roundings of 40 digits each.
+  EXPECT_LT(abs(value - sin(angle) * sin(angle) * sin(angle) / cos(angle)), Real::parse("1e-38"));
 }
 
 printing::Written letters(const std::string& name) { return printing::named(name); }
