@@ -51,3 +51,20 @@ file(COPY_FILE "${PROJECT_SOURCE_DIR}/cmake/torsor_add_mechanism.cmake"
 install(FILES "${PROJECT_BINARY_DIR}/torsorConfig.cmake" "${PROJECT_BINARY_DIR}/torsorConfigVersion.cmake"
   cmake/torsor_add_mechanism.cmake DESTINATION "${package_dir}" COMPONENT tool)
 install(DIRECTORY LICENSES/ DESTINATION "${CMAKE_INSTALL_DATADIR}/doc/torsor/LICENSES" COMPONENT tool)
+
+# For builds that ask pkg-config. The prefix is found from the place of the file.
+set(pc_dir "${CMAKE_INSTALL_LIBDIR}/pkgconfig")
+file(RELATIVE_PATH pc_to_prefix "/prefix/${pc_dir}" "/prefix")
+string(REGEX REPLACE "/$" "" pc_to_prefix "${pc_to_prefix}")
+set(pc_libraries "")
+foreach(library IN ITEMS "${TORSOR_ARB_LIBRARY}" "${TORSOR_FLINT_LIBRARY}")
+  if(library)
+    cmake_path(GET library STEM library)
+    string(REGEX REPLACE "^lib" " -l" library "${library}")
+    string(APPEND pc_libraries "${library}")
+  endif()
+endforeach()
+foreach(part generator runtime)
+  configure_file("cmake/torsor-${part}.pc.in" "${PROJECT_BINARY_DIR}/torsor-${part}.pc" @ONLY)
+  install(FILES "${PROJECT_BINARY_DIR}/torsor-${part}.pc" DESTINATION "${pc_dir}" COMPONENT ${part}-dev)
+endforeach()

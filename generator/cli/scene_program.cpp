@@ -16,6 +16,7 @@
 #include "generator/base/printable.hpp"
 #include "generator/cli/command_line.hpp"
 #include "generator/cli/command_set.hpp"
+#include "generator/cli/command_tree_text.hpp"
 #include "generator/dynamics/equations/singular_start.hpp"
 #include "generator/dynamics/equations/validation.hpp"
 
@@ -100,6 +101,8 @@ int run(int argc, const char* const* argv, const SceneSource& source) {
   CLI::App app{source.description};
   app.require_subcommand(1);
   app.set_version_flag("--version", "torsor " TORSOR_VERSION, "print the version of torsor and exit");
+  const std::string path = argc > 0 ? argv[0] : "torsor";
+  add_tree_texts(app, path.substr(path.find_last_of('/') + 1));
   CommandSet commands(app, source);
   add_equations_command(commands);
   add_kernel_commands(commands);
