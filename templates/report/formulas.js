@@ -23,6 +23,12 @@ function typeset(element) {
       });
       element.replaceChildren(...parts);
     }
+    // What is wider than the page is scrolled, by the keyboard too.
+    if (latex !== undefined && element.scrollWidth > element.clientWidth + 1) {
+      element.tabIndex = 0;
+      element.setAttribute("role", "group");
+      element.setAttribute("aria-label", "Formula");
+    }
   } catch (error) {
     element.textContent = text;
     element.classList.add("formula-error");

@@ -19,6 +19,7 @@ class Plot {
     this.canvas = document.createElement("canvas");
     this.canvas.className = "plot";
     this.canvas.setAttribute("role", "img");
+    this.canvas.setAttribute("aria-label", `${caption.textContent} over time: ${curves.map((curve) => curve.name).join(", ")}`);
     this.legend = document.createElement("ul");
     this.legend.className = "legend";
     this.values = curves.map((curve, i) => {

@@ -101,8 +101,11 @@ for (const scene of scenes) {
   }
   for (const id of ["view", "play", "time", "speed", "traces", "velocities", "weights", "until"]) expect(focused.has(id), `the keyboard does not reach ${id}`);
   const unnamed = await browser.evaluate(`[...document.querySelectorAll("canvas, input, button, select")]
-    .filter((each) => !each.getAttribute("aria-label") && !each.labels?.length && !each.textContent.trim() && !(each.className === "plot")).map((each) => each.id || each.type)`);
+    .filter((each) => !each.getAttribute("aria-label") && !each.labels?.length && !each.textContent.trim()).map((each) => each.id || each.type)`);
   expect(unnamed.length === 0, `without words: ${unnamed.join(", ")}`);
+
+  const stuck = await browser.evaluate(`[...document.querySelectorAll("pre, .formula")].filter((each) => each.scrollWidth > each.clientWidth + 1 && each.tabIndex < 0).length`);
+  expect(stuck === 0, `${stuck} texts scroll, but not by the keyboard`);
 
   expect(browser.complaints().length === 0, `complaints: ${browser.complaints().join("; ")}`);
   expect(browser.requests().length === 0, `requests: ${browser.requests().join(", ")}`);
