@@ -3,8 +3,11 @@
 
 #include <algorithm>
 
+#include <fmt/format.h>
+
 #include "generator/emission/cpp_structures.hpp"
 #include "generator/emission/start_values.hpp"
+#include "generator/geometry/exact_turn.hpp"
 #include "generator/kernels/kernel_kinematics.hpp"
 #include "generator/program/formula.hpp"
 #include "generator/program/sum_table.hpp"
@@ -143,11 +146,31 @@ MechanismListing lower_mechanism(const Scene& scene, const std::vector<std::stri
   return mechanism;
 }
 
+namespace {
+
+std::string note_on_frames(const BodyTree& tree) {
+  if (!tree.is_reframed()) return {};
+  std::string text =
+      "Frames: in here links have their own, in which turns between joints cost less (--without reframing: those of the\n"
+      "scene). Coordinates, inputs, parameters and results are those of the scene. An angle to which a constant is added\n"
+      "is rounded once more than its coordinate, by half a unit in the last place of the sum.\n";
+  if (tree.rounded_directions() > 0) {
+    text += fmt::format(
+        "Of the constants {} directions and angles are irrational: rational numbers stand for them, within 1e-{} rad "
+        "each.\n",
+        tree.rounded_directions(), direction_digits);
+  }
+  return text;
+}
+
+}  // namespace
+
 Provenance provenance_of(const MechanismListing& mechanism, const std::string& language,
                          const std::string& extension) {
   const Scene& scene = mechanism.scene();
   Provenance provenance{&scene, mechanism.options, mechanism.asked, mechanism.layout.parameters, {}};
   provenance.notes = notes(mechanism.equations->redundancy(), scene);
+  provenance.frames = note_on_frames(mechanism.equations->model().regrouped());
   provenance.language = language;
   provenance.extension = extension;
   if (const OperationCount once = count(mechanism.precompute); once.total() > 0) {

@@ -98,6 +98,7 @@ std::string provenance_comment(const Provenance& provenance) {
   text += "Not computed because this mechanism does not need it:\n" + skipped(provenance) + "\n";
   for (const std::string& note : scene.origin.notes) text += note + "\n";
   if (!scene.origin.notes.empty()) text += "\n";
+  if (!provenance.frames.empty()) text += provenance.frames + "\n";
   if (!provenance.notes.empty()) {
     text += "Constraints:\n";
     for (const std::string& note : provenance.notes) text += "  " + note + "\n";

@@ -33,6 +33,7 @@ struct Provenance {
   std::vector<SymbolPointer> parameters;                           ///< set at run time
   std::vector<FunctionOperations> operations;                      ///< of each function of the text
   std::vector<std::string> notes{};                                ///< on the constraints, a sentence each
+  std::string frames{};                                            ///< what links have other frames than the scene's for
   std::string language{};                                          ///< as --language has it; empty for C++
   std::string extension = "hpp";                                   ///< of the file
   std::string support{};                                           ///< the file it includes, where there is one

@@ -13,7 +13,7 @@ Kernel make_gravity(const Equations& equations) {
       "Generalised forces of gravity g(q), as the bias has them: what motors must supply at rest where nothing else\n"
       "acts, the gradient of the potential energy of weight.";
   kernel.results = {{"GeneralizedForces", "forces"}};
-  assign_vector(kernel, {"forces"}, gravity_forces(equations.model()), unknowns(equations));
+  assign_vector(kernel, {"forces"}, gravity_forces(equations.model().without_lines()), unknowns(equations));
   return kernel;
 }
 

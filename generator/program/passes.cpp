@@ -14,7 +14,8 @@ const std::vector<PassName>& pass_names() {
   static const std::vector<PassName> names{
       {"sharing", &Passes::sharing},       {"identities", &Passes::identities}, {"zero_test", &Passes::zero_test},
       {"products", &Passes::products},     {"factoring", &Passes::factoring},   {"hoisting", &Passes::hoisting},
-      {"regrouping", &Passes::regrouping}, {"off_axis", &Passes::off_axis},     {"length_unit", &Passes::length_unit},
+      {"regrouping", &Passes::regrouping}, {"off_axis", &Passes::off_axis},     {"reframing", &Passes::reframing},
+      {"length_unit", &Passes::length_unit},
       {"scheduling", &Passes::scheduling}};
   return names;
 }

@@ -16,6 +16,7 @@ struct Passes {
   bool hoisting = true;     ///< what depends on parameters alone is computed once for a set of them
   bool regrouping = true;   ///< inertia moves across joints to where it has the same effect and costs less
   bool off_axis = true;     ///< inverse dynamics: so does the whole spread of mass along a joint's axis
+  bool reframing = true;    ///< links get frames in which turns and lengths cost least
   bool length_unit = true;  ///< lengths in units of the most frequent one, whose products vanish
   bool scheduling = true;   ///< terms and definitions in an order in which a processor waits little
 };

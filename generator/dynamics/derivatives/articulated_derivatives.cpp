@@ -34,16 +34,14 @@ constexpr std::array<ValueMatrix ForwardDerivatives::Of::*, 2> by_kind{&ForwardD
                                                                        &ForwardDerivatives::Of::by_velocity};
 
 class ArticulatedDerivatives {
-  static constexpr MassProperties Link::*properties = &Link::off_axis;
-
  public:
   explicit ArticulatedDerivatives(const Equations& equations)
       : equations_(equations),
-        n_(static_cast<std::size_t>(model_.unknown_count())),
+        n_(static_cast<std::size_t>(tree_.unknown_count())),
         efforts_(all_efforts()),
-        free_(articulated_motion(model_, efforts_, {}, articulated_bodies(model_, properties), properties)),
+        free_(articulated_motion(tree_, efforts_, {}, articulated_bodies(tree_))),
         motion_(with_joint_accelerations()),
-        joints_(model_, motion_) {}
+        joints_(tree_, motion_) {}
 
   ForwardDerivatives run() {
     children_.resize(links_.size());
@@ -94,7 +92,7 @@ class ArticulatedDerivatives {
     doubled_velocities_.resize(links_.size());
     for (std::size_t k = 1; k < links_.size(); ++k) {
       const Vector v = doubled_velocities_[parent(k)] + joints_.doubled_velocity(links_[k]);
-      doubled_velocities_[k] = model_.from_parent(links_[k], bound(program_, v));
+      doubled_velocities_[k] = tree_.from_parent(links_[k], bound(program_, v));
     }
   }
 
@@ -108,9 +106,9 @@ class ArticulatedDerivatives {
       add_own(k, answer);
       if (is_free(link)) give_way(k, answer);
       if (link.parent == 0) continue;
-      const Matrix resultant = model_.to_parent(link, answer.resultant);
-      Matrix moment = model_.to_parent(link, answer.moment);
-      moment += cross_matrix(bound(program_, model_.arm(link))) * resultant;
+      const Matrix resultant = tree_.to_parent(link, answer.resultant);
+      Matrix moment = tree_.to_parent(link, answer.moment);
+      moment += cross_matrix(bound(program_, tree_.arm(link))) * resultant;
       TurningAnswer& all = answers_[parent(k)];
       all.resultant = bound(program_, all.resultant + resultant);
       all.moment = bound(program_, all.moment + moment);
@@ -119,7 +117,7 @@ class ArticulatedDerivatives {
 
   /// −Q and tr(Q) 1 − Q are one where Q = [2 Ω] S, S symmetric; with V, (2 V · h) 1 − 2 V hᵀ is added.
   void add_own(std::size_t k, TurningAnswer& answer) const {
-    const MassProperties& body = links_[k].*properties;
+    const MassProperties& body = links_[k].mass;
     const Vector &v = doubled_velocities_[k], &h = body.first_moment;
     const PointFlow flow = rigid_flow(program_, body, joints_.doubled_omega(k));
     answer.resultant = bound(program_, answer.resultant - cross_matrix(bound(program_, flow.l + body.mass * v)));
@@ -160,7 +158,7 @@ class ArticulatedDerivatives {
     before_.resize(links_.size());
     inverse_inertias_.resize(links_.size());
     for (std::size_t k = 1; k < links_.size(); ++k) {
-      before_[k] = from_parent(model_, links_[k], inverse_inertias_[parent(k)]);
+      before_[k] = from_parent(tree_, links_[k], inverse_inertias_[parent(k)]);
       inverse_inertias_[k] =
           is_free(links_[k]) ? with_joint(program_, links_[k], free_.bodies.joints[k], before_[k]) : before_[k];
     }
@@ -196,7 +194,7 @@ class ArticulatedDerivatives {
   /// The wrench that is asked already turns with the joint, or its line of action slides.
   void add_turned_load(std::size_t k, Wrench& asked) const {
     const Link& link = links_[k];
-    const std::size_t node = model_.turning_link(k);
+    const std::size_t node = tree_.turning_link(k);
     Wrench load = free_.bodies.seen_by_parent[node] * free_.before[node];
     load.resultant = bound(program_, load.resultant + free_.bias_forces[node].resultant);
     load.moment = bound(program_, load.moment + free_.bias_forces[node].moment);
@@ -230,10 +228,10 @@ class ArticulatedDerivatives {
       const Link& link = links_[from];
       if (link.parent == 0) return;
       at = parent(from);
-      row.linear = model_.to_parent(link, row.linear);
-      row.angular = model_.to_parent(link, row.angular);
-      row.angular = bound(program_, row.angular + cross(bound(program_, model_.arm(link)), row.linear));
-      row.turning = model_.to_parent(link, row.turning);
+      row.linear = tree_.to_parent(link, row.linear);
+      row.angular = tree_.to_parent(link, row.angular);
+      row.angular = bound(program_, row.angular + cross(bound(program_, tree_.arm(link)), row.linear));
+      row.turning = tree_.to_parent(link, row.turning);
       if (children_[at].size() > 1) {
         const AccelerationIncrement here = inverse_inertias_[at] * Wrench{row.linear, row.angular};
         const Vector angular = bound(program_, here.angular);
@@ -272,7 +270,7 @@ class ArticulatedDerivatives {
   /// The same of link `at` and all that it carries, given what its parent does; then q̈_k for changes of their joints.
   void carry_outwards(std::size_t k, std::size_t at, const AccelerationIncrement& parent) {
     const Link& link = links_[at];
-    const AccelerationIncrement before = from_parent(model_, link, parent);
+    const AccelerationIncrement before = from_parent(tree_, link, parent);
     for (std::size_t kind = 0; kind < 2; ++kind) {
       for (const JointPerturbation& joint : perturbations_[at][kind]) {
         Value entry = -dot(before.angular, joint.asked.moment);
@@ -294,7 +292,7 @@ class ArticulatedDerivatives {
   void add_efforts() {
     ForwardDerivatives::Of& of = result_.accelerations;
     const ForceDerivatives opposite = effort_derivatives(equations_, Inputs::act);
-    const std::size_t inputs = model_.inputs().size();
+    const std::size_t inputs = equations_.model().inputs().size();
     of.by_input.assign(n_, std::vector<Value>(inputs));
     for (std::size_t r = 0; r < n_; ++r) {
       for (std::size_t j = 0; j < n_; ++j) {
@@ -313,9 +311,9 @@ class ArticulatedDerivatives {
   }
 
   const Equations& equations_;
-  const Model& model_ = equations_.model();
+  const BodyTree& tree_ = equations_.model().without_lines();
   Program& program_ = equations_.program();
-  const std::vector<Link>& links_ = model_.links();
+  const std::vector<Link>& links_ = tree_.links();
   std::size_t n_;
   std::vector<Value> efforts_;
   ArticulatedMotion free_;

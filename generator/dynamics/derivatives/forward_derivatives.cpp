@@ -34,7 +34,7 @@ class DifferentiatedMotion {
 
   /// With the bias of ∂h/∂v, which has to be found anyway.
   ForwardDerivatives run_by_slopes() {
-    InertiaSlopes slopes = inertia_slopes(model_);
+    InertiaSlopes slopes = inertia_slopes(model_.regrouped());
     residual_ = effort_derivatives(equations_, Inputs::act);
     own_ = slopes.own;
     std::vector<Value> force = equations_.of_inputs(), gamma;

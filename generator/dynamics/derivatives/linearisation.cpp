@@ -90,7 +90,7 @@ std::vector<Value> cheapest_rest(const Equations& equations, const Linearisation
   std::vector<Value> alone, shared;
   for (std::size_t i = 0; i < of_motors.size(); ++i) alone.push_back(of_motors[i] - equations.inverse_dynamics()[i]);
   if (!recursion_fits(equations) || model.unknown_count() <= few) return alone;
-  const std::vector<Value> inertia = inertia_forces(model, AccelerationInput::symbols, {}, &Link::effective);
+  const std::vector<Value> inertia = inertia_forces(model.regrouped(), AccelerationInput::symbols, {});
   const std::vector<Value> opposite = opposite_efforts(equations, Inputs::act);
   for (std::size_t i = 0; i < alone.size(); ++i) shared.push_back(program.bind(-(inertia[i] + opposite[i])));
   const auto total = [&](const std::vector<Value>& rest) {
@@ -117,7 +117,7 @@ ForceDerivatives residual_derivatives(const Equations& equations, Inputs inputs)
   std::optional<ForceDerivatives> by_definition;
   if (!fits || model.unknown_count() <= few) by_definition = differentiated(equations, inputs);
   if (!fits) return *by_definition;
-  ForceDerivatives by_recursion = inertia_derivatives(model);
+  ForceDerivatives by_recursion = inertia_derivatives(model.regrouped());
   add_derivatives(equations, opposite_efforts(equations, inputs), by_recursion);
   if (!by_definition || cost(equations, by_recursion) < cost(equations, *by_definition)) return by_recursion;
   return *by_definition;

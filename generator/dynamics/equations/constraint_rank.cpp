@@ -26,7 +26,7 @@ class RankFinder {
   RankFinder(const Scene& scene, const ModelOptions& options)
       : program_(Model::resolver(scene, options)), model_(scene, program_, options), rows_(constraint_rows(model_)), here_(model_) {
     n_ = static_cast<std::size_t>(model_.unknown_count());
-    const std::vector<std::vector<Value>> mass = mass_matrix(model_);
+    const std::vector<std::vector<Value>> mass = mass_matrix(model_.regrouped());
     for (std::size_t i = 0; i < n_; ++i) {
       const Real inertia = here_(mass[i][i]);
       metric_.push_back(inertia > Real(0) ? Real(1) / sqrt(inertia) : Real(1));

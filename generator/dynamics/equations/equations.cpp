@@ -67,7 +67,7 @@ const ConstraintRank& Equations::redundancy() const {
 
 const ValueMatrix& Equations::mass() const {
   if (!derived_.mass) {
-    derived_.mass = mass_matrix(model_);
+    derived_.mass = mass_matrix(model_.regrouped());
     // Coordinates may uncouple (a centre of mass and what moves about it) where joint by joint nothing says so.
     if (few_unknowns()) clear_identically_zero(*derived_.mass);
   }
@@ -82,7 +82,7 @@ const std::vector<int>& Equations::massless() const {
 bool Equations::few_unknowns() const { return model_.unknown_count() <= most_for_parts; }
 
 std::vector<Value> Equations::inertia_and_passive(AccelerationInput input) const {
-  std::vector<Value> forces = inertia_forces(model_, input, actions().wrenches);
+  std::vector<Value> forces = inertia_forces(model_.without_lines(), input, actions().wrenches);
   for (std::size_t i = 0; i < forces.size(); ++i) {
     forces[i] -= actions().passive[i];
     forces[i] = program_->bind(forces[i]);
@@ -193,7 +193,7 @@ const ForwardSolution& Equations::forward() const {
                         "constraints, with as many joints as coordinates, their displacements linear in these",
                         scene_.name()));
       }
-      derived_.forward = factored_forward(model_, *joints, efforts(), actions().wrenches);
+      derived_.forward = factored_forward(model_.with_bodies(), *joints, efforts(), actions().wrenches);
       break;
   }
   return *derived_.forward;
@@ -254,7 +254,7 @@ const ForwardSolution& Equations::forward_by_factorisation() const {
 }
 
 ForwardSolution Equations::forward_about_reference() const {
-  const ReferenceForces reference = reference_forces(model_, actions().wrenches);
+  const ReferenceForces reference = reference_forces(model_.without_lines(), actions().wrenches);
   std::vector<Value> force = of_inputs();
   for (std::size_t i = 0; i < force.size(); ++i) {
     const Value effort = program_->bind(force[i] + actions().passive[i]);

@@ -18,6 +18,8 @@ namespace torsor {
 class Equations {
  public:
   explicit Equations(const Scene& scene, const ModelOptions& options = {});
+  Equations(const Equations&) = delete;  // the model refers to the scene and the program in here
+  Equations& operator=(const Equations&) = delete;
 
   /// Forgets all that was derived, as if nothing had been asked for yet: what is derived next does not depend on what
   /// was derived before. Values of these equations must not be used any more.

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "generator/dynamics/motion/model.hpp"
 #include "generator/dynamics/motion/motion.hpp"
 
 namespace torsor {

@@ -10,13 +10,13 @@ namespace {
 
 /// A tip that looks the same at every angle (a wheel, a rotor): inertia about its axis only, once regrouped. Written in
 /// unturned axes it needs neither sine nor cosine of its angle.
-bool looks_the_same_turned(const Model& model, std::size_t k, const std::map<int, Wrench>& wrenches) {
-  const Link& link = model.links()[k];
+bool looks_the_same_turned(const BodyTree& tree, std::size_t k, const std::map<int, Wrench>& wrenches) {
+  const Link& link = tree.links()[k];
   if (link.turn != Turn::aligned || wrenches.contains(static_cast<int>(k))) return false;
-  for (const Link& other : model.links()) {
+  for (const Link& other : tree.links()) {
     if (other.parent == static_cast<int>(k)) return false;
   }
-  const MassProperties& body = link.off_axis;
+  const MassProperties& body = link.mass;
   bool symmetric = body.mass.is_zero() && body.first_moment.is_zero();
   for (int i = 0; i < 3; ++i) {
     for (int j = 0; j < 3; ++j) {
@@ -28,7 +28,8 @@ bool looks_the_same_turned(const Model& model, std::size_t k, const std::map<int
 
 }  // namespace
 
-Wrench screw_less_gravity(Program& program, Acceleration& motion, const MassProperties& body, int without_line) {
+Wrench screw_less_gravity(Program& program, Acceleration& motion, const Link& link) {
+  const MassProperties& body = link.mass;
   Wrench screw;
   screw.resultant = body.mass * motion.linear();
   screw.resultant += motion.u_times(body.first_moment);
@@ -37,9 +38,9 @@ Wrench screw_less_gravity(Program& program, Acceleration& motion, const MassProp
     const int y = (x + 1) % 3;
     const int z = (x + 2) % 3;
     Value& n = screw.moment[x];
-    if (without_line == z) {
+    if (link.without_line == z) {
       if (!j(x, x).is_zero()) n += j(x, x) * motion.u(z, y);  // S_yy = J_xx
-    } else if (without_line == y) {
+    } else if (link.without_line == y) {
       if (!j(x, x).is_zero()) n -= j(x, x) * motion.u(y, z);  // S_zz = J_xx
     } else {
       n += j(x, x) * motion.angular()[x];
@@ -61,20 +62,19 @@ Wrench screw_less_gravity(Program& program, Acceleration& motion, const MassProp
   return screw;
 }
 
-std::vector<Wrench> joint_wrenches(const Model& model, std::vector<Acceleration>& motion, const std::vector<Axes>& axes,
-                                   const std::map<int, Wrench>& wrenches, MassProperties Link::*properties) {
-  Program& program = model.program();
-  const auto& links = model.links();
+std::vector<Wrench> joint_wrenches(const BodyTree& tree, std::vector<Acceleration>& motion, const std::vector<Axes>& axes,
+                                   const std::map<int, Wrench>& wrenches) {
+  Program& program = tree.program();
+  const auto& links = tree.links();
   std::vector<Wrench> load(links.size());
-  const std::string force_note = model.length_note(", times");
+  const std::string force_note = tree.length_note(", times");
   for (std::size_t k = links.size(); k-- > 1;) {
     const Link& link = links[k];
-    const int without_line = properties == &Link::off_axis ? link.without_line : -1;
-    const Wrench own = screw_less_gravity(program, motion[k], link.*properties, without_line);
+    const Wrench own = screw_less_gravity(program, motion[k], link);
     load[k].resultant += own.resultant;
     load[k].moment += own.moment;
     if (const auto wrench = wrenches.find(static_cast<int>(k)); wrench != wrenches.end()) {
-      const Wrench applied = model.over_length(wrench->second);
+      const Wrench applied = tree.applied(k, wrench->second);
       load[k].resultant += -applied.resultant;
       load[k].moment += -applied.moment;
     }
@@ -82,11 +82,11 @@ std::vector<Wrench> joint_wrenches(const Model& model, std::vector<Acceleration>
     load[k].moment = bound(program, load[k].moment, "moment on " + link.name);
     if (link.parent == 0) continue;
     const auto to_parent = [&](const Vector& v) {
-      return axes[k] == Axes::own ? model.to_parent(link, v) : model.from_joint(link, v);
+      return axes[k] == Axes::own ? tree.to_parent(link, v) : tree.from_joint(link, v);
     };
     Wrench& parent = load[static_cast<std::size_t>(link.parent)];
     const Vector turned = to_parent(load[k].resultant);
-    const Vector origin = bound(program, model.arm(link));
+    const Vector origin = bound(program, tree.arm(link));
     parent.resultant += turned;
     parent.moment += to_parent(load[k].moment);
     parent.moment += cross(origin, turned);
@@ -96,51 +96,50 @@ std::vector<Wrench> joint_wrenches(const Model& model, std::vector<Acceleration>
 
 namespace {
 
-std::vector<Axes> cheapest_axes(const Model& model, const std::map<int, Wrench>& wrenches) {
-  std::vector<Axes> axes(model.links().size(), Axes::own);
+std::vector<Axes> cheapest_axes(const BodyTree& tree, const std::map<int, Wrench>& wrenches) {
+  std::vector<Axes> axes(tree.links().size(), Axes::own);
   for (std::size_t k = 1; k < axes.size(); ++k) {
-    if (looks_the_same_turned(model, k, wrenches)) axes[k] = Axes::unturned;
+    if (looks_the_same_turned(tree, k, wrenches)) axes[k] = Axes::unturned;
   }
   return axes;
 }
 
 /// Along every coordinate, of the wrenches that joints carry.
-std::vector<Value> along_coordinates(const Model& model, const std::vector<Wrench>& load) {
-  std::vector<Value> forces(model.coordinates().size());
+std::vector<Value> along_coordinates(const BodyTree& tree, const std::vector<Wrench>& load) {
+  std::vector<Value> forces(tree.coordinates().size());
   for (std::size_t k = load.size(); k-- > 1;) {
-    const Link& link = model.links()[k];
+    const Link& link = tree.links()[k];
     const bool revolute = link.joint == JointKind::revolute;
-    const Value effort = model.program().bind(dot(link.axis, revolute ? load[k].moment : load[k].resultant));
+    const Value effort = tree.program().bind(dot(link.axis, revolute ? load[k].moment : load[k].resultant));
     for (const auto& [i, partial] : link.partials) forces[static_cast<std::size_t>(i)] += partial * effort;
   }
-  if (moves_by_several(model)) {
-    for (Value& force : forces) force = cancelled(model.program(), force);
+  if (moves_by_several(tree)) {
+    for (Value& force : forces) force = cancelled(tree.program(), force);
   }
   return forces;
 }
 
 }  // namespace
 
-bool moves_by_several(const Model& model) {
-  const auto& links = model.links();
+bool moves_by_several(const BodyTree& tree) {
+  const auto& links = tree.links();
   return std::any_of(links.begin(), links.end(), [](const Link& link) { return link.partials.size() > 1; });
 }
 
-std::vector<Value> inertia_forces(const Model& model, AccelerationInput input, const std::map<int, Wrench>& wrenches,
-                                  MassProperties Link::*properties) {
-  const std::vector<Axes> axes = cheapest_axes(model, wrenches);
-  std::vector<Acceleration> motion = accelerations(model, input, axes);
-  return along_coordinates(model, joint_wrenches(model, motion, axes, wrenches, properties));
+std::vector<Value> inertia_forces(const BodyTree& tree, AccelerationInput input, const std::map<int, Wrench>& wrenches) {
+  const std::vector<Axes> axes = cheapest_axes(tree, wrenches);
+  std::vector<Acceleration> motion = accelerations(tree, input, axes);
+  return along_coordinates(tree, joint_wrenches(tree, motion, axes, wrenches));
 }
 
-ReferenceForces reference_forces(const Model& model, const std::map<int, Wrench>& wrenches) {
-  const std::vector<Axes> axes = cheapest_axes(model, wrenches);
-  ReferenceMotion motion = reference_motion(model, axes);
+ReferenceForces reference_forces(const BodyTree& tree, const std::map<int, Wrench>& wrenches) {
+  const std::vector<Axes> axes = cheapest_axes(tree, wrenches);
+  ReferenceMotion motion = reference_motion(tree, axes);
   ReferenceForces result;
-  result.forces = along_coordinates(model, joint_wrenches(model, motion.links, axes, wrenches, &Link::off_axis));
+  result.forces = along_coordinates(tree, joint_wrenches(tree, motion.links, axes, wrenches));
   result.accelerations.resize(result.forces.size());
-  for (std::size_t k = 1; k < model.links().size(); ++k) {
-    for (const auto& [i, partial] : model.links()[k].partials) {
+  for (std::size_t k = 1; k < tree.links().size(); ++k) {
+    for (const auto& [i, partial] : tree.links()[k].partials) {
       result.accelerations[static_cast<std::size_t>(i)] = motion.joints[k];
     }
   }

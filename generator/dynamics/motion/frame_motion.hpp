@@ -3,6 +3,7 @@
 
 #include <string>
 
+#include "generator/dynamics/motion/model.hpp"
 #include "generator/dynamics/motion/motion.hpp"
 #include "generator/mechanics/rigid_motion.hpp"
 

@@ -37,35 +37,35 @@ Vector JointChanges::doubled(const Vector& v) const {
 
 Vector JointChanges::doubled_velocity(const Link& link) const {
   const Acceleration& parent = motion_[static_cast<std::size_t>(link.parent)];
-  Vector v = cross(doubled(parent.omega()), bound(program_, model_.arm(link)));
+  Vector v = cross(doubled(parent.omega()), bound(program_, tree_.arm(link)));
   if (link.joint == JointKind::prismatic) {
-    v += program_.bind(Number(2) * link.rate) * model_.axis_in_parent(link);
+    v += program_.bind(Number(2) * link.rate) * tree_.axis_in_parent(link);
   }
   return bound(program_, v);
 }
 
 Vector JointChanges::parent_omega_cross_axis(std::size_t k) const {
-  const Link& link = model_.links()[k];
+  const Link& link = tree_.links()[k];
   if (!in_attitude(k)) return bound(program_, cross(motion_[k].omega(), link.axis));
-  const Link& first = model_.links()[first_of_group(k)];
-  const Vector carried = model_.from_parent(first, motion_[static_cast<std::size_t>(first.parent)].omega());
+  const Link& first = tree_.links()[first_of_group(k)];
+  const Vector carried = tree_.from_parent(first, motion_[static_cast<std::size_t>(first.parent)].omega());
   return bound(program_, cross(bound(program_, carried), link.axis));
 }
 
 MotionChange JointChanges::by_position(std::size_t k) const {
-  const Link& link = model_.links()[k];
+  const Link& link = tree_.links()[k];
   MotionChange change;
   if (link.joint == JointKind::prismatic) {
     change.beta = bound(program_, motion_[k].u_times(link.axis));
     return change;
   }
   change.w = parent_omega_cross_axis(k);
-  change.beta = bound(program_, cross(motion_[model_.turning_link(k)].linear(), link.axis));
+  change.beta = bound(program_, cross(motion_[tree_.turning_link(k)].linear(), link.axis));
   if (in_attitude(k)) {
-    const Link& first = model_.links()[first_of_group(k)];
-    const Vector axis = bound(program_, model_.to_parent(first, link.axis));
+    const Link& first = tree_.links()[first_of_group(k)];
+    const Vector axis = bound(program_, tree_.to_parent(first, link.axis));
     const Vector turned = bound(program_, motion_[static_cast<std::size_t>(first.parent)].u_times(axis));
-    change.alpha = bound(program_, model_.from_parent(first, turned));
+    change.alpha = bound(program_, tree_.from_parent(first, turned));
   } else {
     change.alpha = bound(program_, motion_[k].u_times(link.axis));  // U s = U_p s
   }
@@ -73,7 +73,7 @@ MotionChange JointChanges::by_position(std::size_t k) const {
 }
 
 MotionChange JointChanges::by_velocity(std::size_t k) const {
-  const Link& link = model_.links()[k];
+  const Link& link = tree_.links()[k];
   MotionChange change;
   if (link.joint == JointKind::prismatic) {
     change.beta = bound(program_, cross(doubled(motion_[k].omega()), link.axis));
@@ -81,7 +81,7 @@ MotionChange JointChanges::by_velocity(std::size_t k) const {
   }
   change.w = link.axis;
   if (in_attitude(k)) {
-    const Vector own = bound(program_, cross(motion_[model_.turning_link(k)].omega(), link.axis));
+    const Vector own = bound(program_, cross(motion_[tree_.turning_link(k)].omega(), link.axis));
     change.alpha = bound(program_, parent_omega_cross_axis(k) + own);
   } else {
     change.alpha = bound(program_, cross(doubled(motion_[k].omega()), link.axis));

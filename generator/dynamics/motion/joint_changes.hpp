@@ -17,27 +17,27 @@ struct MotionChange {
 /// axes.
 class JointChanges {
  public:
-  JointChanges(const Model& model, std::vector<Acceleration>& motion)
-      : model_(model), program_(model.program()), motion_(motion) {}
+  JointChanges(const BodyTree& tree, std::vector<Acceleration>& motion)
+      : tree_(tree), program_(tree.program()), motion_(motion) {}
 
   /// In the axes of link k, which all links of one quaternion share, at its origin.
   MotionChange by_position(std::size_t k) const;
   MotionChange by_velocity(std::size_t k) const;
 
   /// Of the links of a unit quaternion the first; any other link is its own.
-  std::size_t first_of_group(std::size_t k) const { return k - static_cast<std::size_t>(model_.links()[k].in_group); }
+  std::size_t first_of_group(std::size_t k) const { return k - static_cast<std::size_t>(tree_.links()[k].in_group); }
   /// Twice the velocity of a link's origin relative to its parent's, in the parent's axes.
   Vector doubled_velocity(const Link& link) const;
   /// 2 Ω of a link.
   Vector doubled_omega(std::size_t k) const { return doubled(motion_[k].omega()); }
 
  private:
-  bool in_attitude(std::size_t k) const { return first_of_group(k) != model_.turning_link(k); }
+  bool in_attitude(std::size_t k) const { return first_of_group(k) != tree_.turning_link(k); }
   Vector doubled(const Vector& v) const;
   /// Ω_p ∧ s of the parent, in the axes of link k.
   Vector parent_omega_cross_axis(std::size_t k) const;
 
-  const Model& model_;
+  const BodyTree& tree_;
   Program& program_;
   std::vector<Acceleration>& motion_;
 };

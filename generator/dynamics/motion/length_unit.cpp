@@ -3,7 +3,7 @@
 
 #include <fmt/format.h>
 
-#include "generator/dynamics/motion/model.hpp"
+#include "generator/dynamics/motion/body_tree.hpp"
 
 namespace torsor {
 namespace {
@@ -34,44 +34,28 @@ std::optional<Number> most_frequent_length(const std::vector<Link>& links) {
 
 }  // namespace
 
-void Model::choose_length_unit() {
-  const bool slides = std::any_of(links_.begin() + 1, links_.end(),
+BodyTree in_length_unit(const BodyTree& tree) {
+  BodyTree result = tree;
+  std::vector<Link>& links = result.links_;
+  const bool slides = std::any_of(links.begin() + 1, links.end(),
                                   [](const Link& link) { return link.joint == JointKind::prismatic; });
-  if (!slides) length_unit_ = most_frequent_length(links_);
-  if (length_unit_ && *length_unit_ == Number(1)) length_unit_.reset();  // as it is
-  if (!length_unit_) return;
-  const Value unit = length();
-  for (Link& link : links_) {
-    for (MassProperties* body : {&link.effective, &link.off_axis}) {
-      const Value first = program_->bind(body->mass * unit);
-      body->mass = program_->bind(first * unit);
-      body->first_moment = bound(*program_, unit * body->first_moment);
-    }
+  if (!slides) result.length_unit_ = most_frequent_length(links);
+  if (result.length_unit_ && *result.length_unit_ == Number(1)) result.length_unit_.reset();  // as it is
+  if (!result.length_unit_) return result;
+  Program& program = *result.program_;
+  const Value unit = result.length();
+  for (Link& link : links) {
+    MassProperties& body = link.mass;
+    const Value first = program.bind(body.mass * unit);
+    body.mass = program.bind(first * unit);
+    body.first_moment = bound(program, unit * body.first_moment);
   }
+  return result;
 }
 
-Value Model::length() const { return program_->number(*length_unit_, units::metre); }
+Value BodyTree::length() const { return program_->number(*length_unit_, units::metre); }
 
-Vector Model::arm(const Link& link) const {
-  const Vector origin = origin_in_parent(link);
-  if (!length_unit_) return origin;
-  const Value inverse = pow(length(), -1);
-  return inverse * origin;
-}
-
-Vector Model::upward_gravity() const {
-  const Vector upward = -lower(*program_, scene_->gravity);
-  if (!length_unit_) return upward;
-  const Value inverse = pow(length(), -1);
-  return inverse * upward;
-}
-
-Wrench Model::over_length(const Wrench& wrench) const {
-  if (!length_unit_) return wrench;
-  return {length() * wrench.resultant, wrench.moment};
-}
-
-std::string Model::length_note(const char* relation) const {
+std::string BodyTree::length_note(const char* relation) const {
   return length_unit_ ? fmt::format("{} {:.6g} m", relation, length_unit_->to_double()) : "";
 }
 

@@ -48,19 +48,29 @@ std::vector<SymbolPointer> run_time_parameters(const Scene& scene, const ModelOp
 }
 
 ModelOptions as_given(ModelOptions options) {
-  options.passes.regrouping = options.passes.off_axis = options.passes.length_unit = options.passes.products = false;
+  options.passes.reframing = options.passes.regrouping = options.passes.off_axis = options.passes.length_unit =
+      options.passes.products = false;
   return options;
 }
 
 Model::Model(const Scene& scene, Program& program, const ModelOptions& options)
-    : scene_(&scene.content()), program_(&program), options_(options) {
+    : BodyTree(scene.content(), program), options_(options) {
   program.set_measurer([this](const Symbol& symbol) { return measured(symbol); });
   add_coordinates();
   add_links();
-  add_bodies();
-  for (Link& link : links_) link.effective = link.off_axis = link.mass;
-  if (options.passes.regrouping) regroup_inertia(*this, links_);
-  if (options.passes.length_unit) choose_length_unit();
+  gather_bodies();
+  make_trees();
+}
+
+void Model::make_trees() {
+  const Passes& passes = options_.passes;
+  with_bodies_ = passes.reframing && !options_.symbolic_parameters ? reframed(*this) : BodyTree(*this);
+  regrouped_ = passes.regrouping ? torsor::regrouped(*with_bodies_) : *with_bodies_;
+  without_lines_ = passes.regrouping && passes.off_axis ? torsor::without_lines(*with_bodies_) : *regrouped_;
+  if (!passes.length_unit) return;
+  with_bodies_ = in_length_unit(*with_bodies_);
+  regrouped_ = in_length_unit(*regrouped_);
+  without_lines_ = in_length_unit(*without_lines_);
 }
 
 void Model::add_coordinates() {
@@ -245,58 +255,6 @@ void Model::add_links() {
       }
     }
   }
-}
-
-void add_placed(Program& program, MassProperties& sum, const MassProperties& part, const Rotation& rotation,
-                const Vector& origin) {
-  const Matrix r = constant_matrix(program, rotation);
-  const Vector h = rotation * part.first_moment;
-  const Matrix turned = r * part.inertia * transpose(r);
-  // About the new origin: J + 2 (p·h) 1 − p hᵀ − h pᵀ + m (p² 1 − p pᵀ)
-  Value scalar = Number(2) * dot(origin, h);
-  scalar += part.mass * dot(origin, origin);
-  for (int i = 0; i < 3; ++i) {
-    for (int j = 0; j < 3; ++j) {
-      Value entry = turned(i, j);
-      if (i == j) entry += scalar;
-      entry -= origin[i] * h[j];
-      entry -= h[i] * origin[j];
-      entry -= part.mass * (origin[i] * origin[j]);
-      sum.inertia(i, j) = program.bind(sum.inertia(i, j) + entry);
-    }
-  }
-  sum.first_moment = bound(program, sum.first_moment + h + part.mass * origin);
-  sum.mass = program.bind(sum.mass + part.mass);
-}
-
-void Model::add_bodies() {
-  for (const BodyContent& body : scene_->bodies) {
-    const FramePlace& at = place(body.frame, "body '" + body.name + "'");
-    const Inertia& given = body.inertia;
-    MassProperties central;
-    const auto require = [&](const Value& value, const Unit& unit, const std::string& what) {
-      if (!value.is_zero() && !(value.unit() == unit)) {
-        throw UnitError(fmt::format("body '{}': {} is {} [{}] and must be in {}", body.name, what, to_string(value),
-                                    value.unit().to_string(), unit.to_string()));
-      }
-      return value;
-    };
-    central.mass = require(program_->lower(given.mass), units::kilogram, "its mass");
-    const std::array<const Expression*, 9> entries{&given.xx, &given.xy, &given.xz, &given.xy, &given.yy,
-                                                   &given.yz, &given.xz, &given.yz, &given.zz};
-    for (int i = 0; i < 9; ++i) {
-      central.inertia(i / 3, i % 3) = require(program_->lower(*entries[static_cast<std::size_t>(i)]),
-                                              units::kilogram_metre_squared, "an entry of its inertia operator");
-    }
-    Vector center = lower(*program_, given.center);
-    for (int i = 0; i < 3; ++i) require(center[i], units::metre, "its centre of mass");
-    const Vector origin = at.origin + at.rotation * center;
-    add_placed(*program_, links_[static_cast<std::size_t>(at.link)].mass, central, at.rotation, origin);
-  }
-}
-
-const FramePlace& Model::place(const FrameReference& frame, const std::string& user) const {
-  return places_[static_cast<std::size_t>(scene_->frame_index(frame, user))];
 }
 
 std::vector<SymbolPointer> Model::inputs() const {

@@ -5,16 +5,16 @@
 
 namespace torsor {
 
-std::vector<Twist> twists(const Model& model) {
-  Program& program = model.program();
-  std::vector<Twist> all(model.links().size());
+std::vector<Twist> twists(const BodyTree& tree) {
+  Program& program = tree.program();
+  std::vector<Twist> all(tree.links().size());
   for (std::size_t k = 1; k < all.size(); ++k) {
-    const Link& link = model.links()[k];
+    const Link& link = tree.links()[k];
     const Twist& parent = all[static_cast<std::size_t>(link.parent)];
-    const Vector origin = model.origin_in_parent(link);
+    const Vector origin = tree.origin_in_parent(link);
     Vector linear = bound(program, parent.linear + cross(parent.angular, bound(program, origin)));
-    Vector angular = model.from_parent(link, parent.angular);
-    linear = model.from_parent(link, linear);
+    Vector angular = tree.from_parent(link, parent.angular);
+    linear = tree.from_parent(link, linear);
     const Vector joint = link.rate * link.axis;
     (link.joint == JointKind::revolute ? angular : linear) += joint;
     all[k].angular = bound(program, angular, "angular velocity of " + link.name);
@@ -74,11 +74,11 @@ namespace {
 /// How the recursion below gets s̈ of joint k, and what it leaves the link with.
 enum class JointMotion { symbols, zero, reference };
 
-std::vector<Acceleration> recursion(const Model& model, JointMotion joints, const std::vector<Axes>& axes,
+std::vector<Acceleration> recursion(const BodyTree& tree, JointMotion joints, const std::vector<Axes>& axes,
                                     std::vector<Value>* reference) {
-  Program& program = model.program();
+  Program& program = tree.program();
   const auto from_parent = [&](std::size_t k, const Vector& v) {
-    return axes[k] == Axes::own ? model.from_parent(model.links()[k], v) : model.to_joint(model.links()[k], v);
+    return axes[k] == Axes::own ? tree.from_parent(tree.links()[k], v) : tree.to_joint(tree.links()[k], v);
   };
   Substitution at_rest(program, [&](const SymbolPointer& symbol) -> std::optional<Value> {
     if (symbol->kind != SymbolKind::acceleration) return std::nullopt;
@@ -86,27 +86,27 @@ std::vector<Acceleration> recursion(const Model& model, JointMotion joints, cons
   });
   // Takes s̈ as minus what the axis' component is without it.
   const auto choose = [&](std::size_t k, Vector& angular) {
-    const Link& link = model.links()[k];
+    const Link& link = tree.links()[k];
     if (joints != JointMotion::reference || link.aligned < 0 || link.partials.empty()) return;
     (*reference)[k] = program.bind(-(link.axis[link.aligned] * program.bind(angular[link.aligned])));
     angular[link.aligned] = Value();
   };
   Vector carried;  // Ω of the parent of a quaternion's links, in their axes
   std::vector<Acceleration> all;
-  all.reserve(model.links().size());
-  const Vector upward = model.upward_gravity();
+  all.reserve(tree.links().size());
+  const Vector upward = tree.upward_gravity();
   all.emplace_back(program, "ground", Vector(), Vector(), upward);
-  for (std::size_t k = 1; k < model.links().size(); ++k) {
-    const Link& link = model.links()[k];
+  for (std::size_t k = 1; k < tree.links().size(); ++k) {
+    const Link& link = tree.links()[k];
     Acceleration& parent = all[static_cast<std::size_t>(link.parent)];
     const Value s_dot = link.rate;
     const Value s_ddot = joints == JointMotion::symbols ? link.acceleration : at_rest(link.acceleration);
-    const Vector origin = bound(program, model.arm(link));
+    const Vector origin = bound(program, tree.arm(link));
     Vector linear = parent.linear() + parent.u_times(origin);
     Vector omega = from_parent(k, parent.omega());
     Vector angular = from_parent(k, parent.angular());
     if (link.joint == JointKind::prismatic) {
-      const Vector axis = model.axis_in_parent(link);
+      const Vector axis = tree.axis_in_parent(link);
       linear += Number(2) * s_dot * cross(parent.omega(), axis);
       linear += s_ddot * axis;
     }
@@ -122,7 +122,7 @@ std::vector<Acceleration> recursion(const Model& model, JointMotion joints, cons
     // One by one: compilers evaluate arguments in different orders.
     omega = bound(program, omega, "angular velocity of " + link.name);
     angular = bound(program, angular, "angular acceleration of " + link.name);
-    linear = bound(program, linear, "acceleration of " + link.name + model.length_note());
+    linear = bound(program, linear, "acceleration of " + link.name + tree.length_note());
     all.emplace_back(program, link.name, omega, angular, linear);
   }
   return all;
@@ -130,14 +130,14 @@ std::vector<Acceleration> recursion(const Model& model, JointMotion joints, cons
 
 }  // namespace
 
-std::vector<Acceleration> accelerations(const Model& model, AccelerationInput input, const std::vector<Axes>& axes) {
-  return recursion(model, input == AccelerationInput::zero ? JointMotion::zero : JointMotion::symbols, axes, nullptr);
+std::vector<Acceleration> accelerations(const BodyTree& tree, AccelerationInput input, const std::vector<Axes>& axes) {
+  return recursion(tree, input == AccelerationInput::zero ? JointMotion::zero : JointMotion::symbols, axes, nullptr);
 }
 
-ReferenceMotion reference_motion(const Model& model, const std::vector<Axes>& axes) {
+ReferenceMotion reference_motion(const BodyTree& tree, const std::vector<Axes>& axes) {
   ReferenceMotion motion;
-  motion.joints.resize(model.links().size());
-  motion.links = recursion(model, JointMotion::reference, axes, &motion.joints);
+  motion.joints.resize(tree.links().size());
+  motion.links = recursion(tree, JointMotion::reference, axes, &motion.joints);
   return motion;
 }
 

@@ -5,13 +5,13 @@
 #include <optional>
 #include <vector>
 
-#include "generator/dynamics/motion/model.hpp"
+#include "generator/dynamics/motion/body_tree.hpp"
 #include "generator/mechanics/screw.hpp"
 
 namespace torsor {
 
 /// Twists of all links by composition along the chains, one joint at a time; each result is bound.
-std::vector<Twist> twists(const Model& model);
+std::vector<Twist> twists(const BodyTree& tree);
 
 /// Momentum screw at O: {m V_O + Ω ∧ h, J Ω + h ∧ V_O}, h = m OG.
 MomentumScrew momentum(const MassProperties& body, const Twist& twist);
@@ -47,9 +47,9 @@ enum class AccelerationInput {
 enum class Axes { own, unturned };
 
 /// Accelerations of all links at (q, q̇, q̈), gravity included as an upward acceleration of the ground; those of points
-/// are over the model's length unit, where it has one. `axes` of each
+/// are over the tree's length unit, where it has one. `axes` of each
 /// link (only a link without children may have unturned ones).
-std::vector<Acceleration> accelerations(const Model& model, AccelerationInput input, const std::vector<Axes>& axes);
+std::vector<Acceleration> accelerations(const BodyTree& tree, AccelerationInput input, const std::vector<Axes>& axes);
 
 /// A motion of the joints that makes accelerations cheap, for those who find another one by its difference: of a turn
 /// with an unknown about an aligned axis, q̈ cancels the link's angular acceleration along it; of any other joint with
@@ -58,6 +58,6 @@ struct ReferenceMotion {
   std::vector<Acceleration> links;
   std::vector<Value> joints;  ///< q̈, by link
 };
-ReferenceMotion reference_motion(const Model& model, const std::vector<Axes>& axes);
+ReferenceMotion reference_motion(const BodyTree& tree, const std::vector<Axes>& axes);
 
 }  // namespace torsor

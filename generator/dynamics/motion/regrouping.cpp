@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "generator/dynamics/motion/model.hpp"
+#include "generator/dynamics/motion/body_tree.hpp"
 
 #include <optional>
 
@@ -18,29 +18,31 @@ bool is_symmetric_about(const Matrix& inertia, int z) {
 
 /// What is spread along z: J_yy, or J_xx where that is the smaller of two principal moments. What stays is positive then,
 /// and turns into sums of positive terms: (J_yy − J_xx) cos², not J_yy − (J_yy − J_xx) sin².
-Value spread_along(const Model& model, const Matrix& inertia, int x, int y) {
+Value spread_along(const BodyTree& tree, const Matrix& inertia, int x, int y) {
   const Value product = inertia(x, y) + inertia(y, x);
   if (!product.is_zero()) return inertia(y, y);
-  const std::optional<double> across = nominal_number(model.scene(), inertia(x, x));
-  const std::optional<double> along = nominal_number(model.scene(), inertia(y, y));
+  const std::optional<double> across = nominal_number(tree.scene(), inertia(x, x));
+  const std::optional<double> along = nominal_number(tree.scene(), inertia(y, y));
   return across && along && *across < *along ? inertia(x, x) : inertia(y, y);
 }
 
-void regroup(const Model& model, std::vector<Link>& links, MassProperties Link::*properties) {
-  Program& program = model.program();
-  const bool whole_line = properties == &Link::off_axis && model.options().passes.off_axis;
+/// How much of a line of mass on the axis goes to the parent.
+enum class Line { to_a_moment_of_zero, whole };
+
+void regroup(const BodyTree& tree, std::vector<Link>& links, Line wanted) {
+  Program& program = tree.program();
   for (std::size_t k = links.size(); k-- > 1;) {
     Link& link = links[k];
-    MassProperties& own = link.*properties;
-    MassProperties& parent = links[static_cast<std::size_t>(link.parent)].*properties;
+    MassProperties& own = link.mass;
+    MassProperties& parent = links[static_cast<std::size_t>(link.parent)].mass;
     MassProperties moved;
     if (link.turn == Turn::aligned) {
       // Mass spread on the axis z: m, h_z and an equal amount of J_xx and J_yy feel no turn about z.
       const int z = link.aligned;
       const int x = (z + 1) % 3;
       const int y = (z + 2) % 3;
-      Value line = spread_along(model, own.inertia, x, y);
-      if (whole_line && !is_symmetric_about(own.inertia, z)) {
+      Value line = spread_along(tree, own.inertia, x, y);
+      if (wanted == Line::whole && !is_symmetric_about(own.inertia, z)) {
         line = own.inertia(x, x) + own.inertia(y, y);
         line = program.bind(Number::rational(1, 2) * program.bind(line - own.inertia(z, z)));
         link.without_line = z;
@@ -65,9 +67,16 @@ void regroup(const Model& model, std::vector<Link>& links, MassProperties Link::
 
 }  // namespace
 
-void regroup_inertia(const Model& model, std::vector<Link>& links) {
-  regroup(model, links, &Link::effective);
-  regroup(model, links, &Link::off_axis);
+BodyTree regrouped(const BodyTree& tree) {
+  BodyTree result = tree;
+  regroup(tree, result.links_, Line::to_a_moment_of_zero);
+  return result;
+}
+
+BodyTree without_lines(const BodyTree& tree) {
+  BodyTree result = tree;
+  regroup(tree, result.links_, Line::whole);
+  return result;
 }
 
 }  // namespace torsor

@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "generator/dynamics/motion/model.hpp"
 #include "generator/dynamics/motion/motion.hpp"
 
 namespace torsor {

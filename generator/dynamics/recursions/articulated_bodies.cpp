@@ -63,12 +63,12 @@ ArticulatedInertia without_joint(Program& program, const Link& link, const Artic
 }
 
 /// Adds what a link hands over to the answer of its parent. Moved by r: H + [r] M, and J − H [r] + [r] (H + [r] M)ᵀ.
-void hand_over(const Model& model, const Link& link, const ArticulatedInertia& body, ArticulatedInertia& parent) {
-  Program& program = model.program();
-  const Matrix arm = cross_matrix(bound(program, model.arm(link)));
-  const Matrix angular = model.to_parent(link, body.angular);
-  const Matrix coupling = model.to_parent(link, body.coupling);
-  const Matrix linear = model.to_parent(link, body.linear);
+void hand_over(const BodyTree& tree, const Link& link, const ArticulatedInertia& body, ArticulatedInertia& parent) {
+  Program& program = tree.program();
+  const Matrix arm = cross_matrix(bound(program, tree.arm(link)));
+  const Matrix angular = tree.to_parent(link, body.angular);
+  const Matrix coupling = tree.to_parent(link, body.coupling);
+  const Matrix linear = tree.to_parent(link, body.linear);
   const Matrix moved = added(program, coupling, arm * linear);
   const Matrix left = coupling * arm;
   const Matrix right = arm * transpose(moved);
@@ -105,20 +105,20 @@ Matrix cross_matrix(const Vector& v) {
   return m;
 }
 
-ArticulatedBodies articulated_bodies(const Model& model, MassProperties Link::*properties) {
-  const auto& links = model.links();
+ArticulatedBodies articulated_bodies(const BodyTree& tree) {
+  const auto& links = tree.links();
   ArticulatedBodies result;
   result.joints.resize(links.size());
   result.seen_by_parent.resize(links.size());
   std::vector<ArticulatedInertia> bodies;
-  for (const Link& link : links) bodies.push_back(rigid(link.*properties));
+  for (const Link& link : links) bodies.push_back(rigid(link.mass));
   for (std::size_t k = links.size(); k-- > 1;) {
     const Link& link = links[k];
     result.seen_by_parent[k] = bodies[k];
-    if (is_free(link)) result.joints[k] = joint_of(model.program(), link, bodies[k]);
+    if (is_free(link)) result.joints[k] = joint_of(tree.program(), link, bodies[k]);
     if (link.parent == 0) continue;
-    if (is_free(link)) result.seen_by_parent[k] = without_joint(model.program(), link, bodies[k], result.joints[k]);
-    hand_over(model, link, result.seen_by_parent[k], bodies[static_cast<std::size_t>(link.parent)]);
+    if (is_free(link)) result.seen_by_parent[k] = without_joint(tree.program(), link, bodies[k], result.joints[k]);
+    hand_over(tree, link, result.seen_by_parent[k], bodies[static_cast<std::size_t>(link.parent)]);
   }
   return result;
 }

@@ -4,7 +4,7 @@
 #include <utility>
 #include <vector>
 
-#include "generator/dynamics/motion/model.hpp"
+#include "generator/dynamics/motion/body_tree.hpp"
 #include "generator/mechanics/screw.hpp"
 
 namespace torsor {
@@ -38,8 +38,7 @@ struct ArticulatedBodies {
       seen_by_parent;  ///< I − I s sᵀ I/d, what the parent meets; of links that the ground carries: none
 };
 
-/// `properties`: which of the equivalent inertias of each link.
-ArticulatedBodies articulated_bodies(const Model& model, MassProperties Link::*properties);
+ArticulatedBodies articulated_bodies(const BodyTree& tree);
 
 /// Whether the joint of a link has an unknown: it is driven or held otherwise.
 inline bool is_free(const Link& link) { return !link.partials.empty(); }

@@ -12,19 +12,17 @@ std::size_t unknown_of(const Link& link) { return static_cast<std::size_t>(link.
 
 class Recursion {
  public:
-  Recursion(const Model& model, const std::vector<Value>& efforts) : model_(model), efforts_(efforts) {}
+  Recursion(const BodyTree& tree, const std::vector<Value>& efforts) : tree_(tree), efforts_(efforts) {}
 
-  ArticulatedMotion run(const std::map<int, Wrench>& wrenches, ArticulatedBodies bodies,
-                        MassProperties Link::*properties) {
-    motion_.reference = reference_motion(model_, std::vector<Axes>(links_.size(), Axes::own));
+  ArticulatedMotion run(const std::map<int, Wrench>& wrenches, ArticulatedBodies bodies) {
+    motion_.reference = reference_motion(tree_, std::vector<Axes>(links_.size(), Axes::own));
     motion_.bodies = std::move(bodies);
     motion_.bias_forces.resize(links_.size());
     efforts_by_pivot_.resize(links_.size());
     for (std::size_t k = links_.size(); k-- > 1;) {
-      const int without_line = properties == &Link::off_axis ? links_[k].without_line : -1;
-      Wrench own = screw_less_gravity(program_, motion_.reference.links[k], links_[k].*properties, without_line);
+      Wrench own = screw_less_gravity(program_, motion_.reference.links[k], links_[k]);
       if (const auto wrench = wrenches.find(static_cast<int>(k)); wrench != wrenches.end()) {
-        const Wrench applied = model_.over_length(wrench->second);
+        const Wrench applied = tree_.applied(k, wrench->second);
         own.resultant += -applied.resultant;
         own.moment += -applied.moment;
       }
@@ -44,10 +42,10 @@ class Recursion {
     if (is_free(link)) give_way(k, wrench);
     if (link.parent == 0) return;
     Wrench& parent = motion_.bias_forces[static_cast<std::size_t>(link.parent)];
-    const Vector force = model_.to_parent(link, wrench.resultant);
-    const Vector origin = bound(program_, model_.arm(link));
+    const Vector force = tree_.to_parent(link, wrench.resultant);
+    const Vector origin = bound(program_, tree_.arm(link));
     parent.resultant += force;
-    parent.moment += model_.to_parent(link, wrench.moment);
+    parent.moment += tree_.to_parent(link, wrench.moment);
     parent.moment += cross(origin, force);
   }
 
@@ -72,12 +70,12 @@ class Recursion {
   void accelerate() {
     ForwardSolution& solution = motion_.solution;
     solution.method = "the articulated-body recursion";
-    solution.accelerations.resize(static_cast<std::size_t>(model_.unknown_count()));
+    solution.accelerations.resize(static_cast<std::size_t>(tree_.unknown_count()));
     motion_.before.resize(links_.size());
     motion_.added.resize(links_.size());
     for (std::size_t k = 1; k < links_.size(); ++k) {
       const Link& link = links_[k];
-      motion_.before[k] = from_parent(model_, link, motion_.added[static_cast<std::size_t>(link.parent)]);
+      motion_.before[k] = from_parent(tree_, link, motion_.added[static_cast<std::size_t>(link.parent)]);
       motion_.added[k] = motion_.before[k];
       if (!is_free(link)) continue;
       const Value change = joint_acceleration(program_, link, motion_.bodies.joints[k], efforts_by_pivot_[k],
@@ -87,9 +85,9 @@ class Recursion {
     }
   }
 
-  const Model& model_;
-  Program& program_ = model_.program();
-  const std::vector<Link>& links_ = model_.links();
+  const BodyTree& tree_;
+  Program& program_ = tree_.program();
+  const std::vector<Link>& links_ = tree_.links();
   const std::vector<Value>& efforts_;
   std::vector<Value> efforts_by_pivot_;
   ArticulatedMotion motion_;
@@ -97,15 +95,15 @@ class Recursion {
 
 }  // namespace
 
-bool has_simple_joints(const Model& model) {
-  std::vector<int> uses(static_cast<std::size_t>(model.unknown_count()), 0);
-  for (const Link& link : model.links()) {
+bool has_simple_joints(const BodyTree& tree) {
+  std::vector<int> uses(static_cast<std::size_t>(tree.unknown_count()), 0);
+  for (const Link& link : tree.links()) {
     std::size_t unknowns = 0;
     for (const auto& [i, partial] : link.partials) {
-      if (i >= model.unknown_count()) continue;
+      if (i >= tree.unknown_count()) continue;
       if (!partial.is_number(1) || !partial.unit().is_dimensionless()) return false;  // a pitch of 1 m is none
       // A displacement q + f(t) has another second derivative than q.
-      if (!(link.acceleration - model.a(i)).is_zero()) return false;
+      if (!(link.acceleration - tree.a(i)).is_zero()) return false;
       ++unknowns;
       ++uses[static_cast<std::size_t>(i)];
     }
@@ -114,13 +112,13 @@ bool has_simple_joints(const Model& model) {
   return std::all_of(uses.begin(), uses.end(), [](int use) { return use == 1; });
 }
 
-AccelerationIncrement from_parent(const Model& model, const Link& link, const AccelerationIncrement& parent) {
-  Program& program = model.program();
-  const Vector origin = bound(program, model.arm(link));
+AccelerationIncrement from_parent(const BodyTree& tree, const Link& link, const AccelerationIncrement& parent) {
+  Program& program = tree.program();
+  const Vector origin = bound(program, tree.arm(link));
   const Vector carried = bound(program, parent.linear + cross(parent.angular, origin));
   AccelerationIncrement own;
-  own.angular = model.from_parent(link, parent.angular);
-  own.linear = model.from_parent(link, carried);
+  own.angular = tree.from_parent(link, parent.angular);
+  own.linear = tree.from_parent(link, carried);
   return own;
 }
 
@@ -148,16 +146,15 @@ Value joint_acceleration(Program& program, const Link& link, const ArticulatedJo
   return program.bind(along - sense * own_before);
 }
 
-ArticulatedMotion articulated_motion(const Model& model, const std::vector<Value>& efforts,
-                                     const std::map<int, Wrench>& wrenches, ArticulatedBodies bodies,
-                                     MassProperties Link::*properties) {
-  return Recursion(model, efforts).run(wrenches, std::move(bodies), properties);
+ArticulatedMotion articulated_motion(const BodyTree& tree, const std::vector<Value>& efforts,
+                                     const std::map<int, Wrench>& wrenches, ArticulatedBodies bodies) {
+  return Recursion(tree, efforts).run(wrenches, std::move(bodies));
 }
 
 ForwardSolution articulated_forward(const Model& model, const std::vector<Value>& efforts,
                                     const std::map<int, Wrench>& wrenches) {
-  return articulated_motion(model, efforts, wrenches, articulated_bodies(model, &Link::effective), &Link::off_axis)
-      .solution;
+  ArticulatedBodies bodies = articulated_bodies(model.regrouped());
+  return articulated_motion(model.without_lines(), efforts, wrenches, std::move(bodies)).solution;
 }
 
 }  // namespace torsor

@@ -4,6 +4,7 @@
 #include <map>
 #include <vector>
 
+#include "generator/dynamics/motion/model.hpp"
 #include "generator/dynamics/motion/motion.hpp"
 #include "generator/dynamics/recursions/articulated_bodies.hpp"
 #include "generator/dynamics/recursions/forward_dynamics.hpp"
@@ -12,7 +13,7 @@ namespace torsor {
 
 /// Whether each unknown is the displacement of exactly one joint and each joint has one unknown or none (driven): what
 /// the recursion below needs.
-bool has_simple_joints(const Model& model);
+bool has_simple_joints(const BodyTree& tree);
 
 /// What the recursion finds, by link, in its axes.
 struct ArticulatedMotion {
@@ -28,18 +29,17 @@ struct ArticulatedMotion {
 /// in the number of joints, written with the classical acceleration of each link's origin. A reference motion is taken
 /// out first: each link by itself asks for its wrench there, which costs less than what its articulated body would.
 /// `efforts`: for every unknown the generalised force of everything but inertia, gravity and the wrenches. No
-/// constraints. `properties`: which of the equivalent inertias ask (Link::effective for those of the articulated
-/// bodies).
-ArticulatedMotion articulated_motion(const Model& model, const std::vector<Value>& efforts,
-                                     const std::map<int, Wrench>& wrenches, ArticulatedBodies bodies,
-                                     MassProperties Link::*properties);
+/// constraints. `tree` is what asks: its links stand where those of the articulated bodies do, its inertia may be regrouped
+/// otherwise.
+ArticulatedMotion articulated_motion(const BodyTree& tree, const std::vector<Value>& efforts,
+                                     const std::map<int, Wrench>& wrenches, ArticulatedBodies bodies);
 
 /// The accelerations alone, with the inertias that cost least.
 ForwardSolution articulated_forward(const Model& model, const std::vector<Value>& efforts,
                                     const std::map<int, Wrench>& wrenches);
 
 /// Of a link before its own joint moves, when its parent's accelerations change.
-AccelerationIncrement from_parent(const Model& model, const Link& link, const AccelerationIncrement& parent);
+AccelerationIncrement from_parent(const BodyTree& tree, const Link& link, const AccelerationIncrement& parent);
 
 /// q̈ = effort − g · A; the link then has A + q̈ s. `effort` is u/d. An aligned component of the sum is what the link's
 /// matter does, effort − Σ of the others, and q̈ its difference from before: a product less.

@@ -16,9 +16,9 @@ bool is_constant(const CentralBody& body) {
   return constant;
 }
 
-CentralBody placed(const Model& model, const BodyContent& body) {
-  Program& program = model.program();
-  const FramePlace& at = model.place(body.frame, "body '" + body.name + "'");
+CentralBody placed(const BodyTree& tree, const BodyContent& body) {
+  Program& program = tree.program();
+  const FramePlace& at = tree.place(body.frame, "body '" + body.name + "'");
   const Inertia& given = body.inertia;
   const std::array<const Expression*, 9> entries{&given.xx, &given.xy, &given.xz, &given.xy, &given.yy,
                                                  &given.yz, &given.xz, &given.yz, &given.zz};
@@ -51,22 +51,23 @@ CentralBody whole(std::size_t link, const MassProperties& sum) {
 
 }  // namespace
 
-std::vector<CentralBody> central_bodies(const Model& model) {
-  Program& program = model.program();
-  std::vector<std::vector<CentralBody>> by_link(model.links().size());
-  for (const BodyContent& body : model.scene().bodies) {
-    CentralBody central = placed(model, body);
+std::vector<CentralBody> central_bodies(const BodyTree& tree) {
+  Program& program = tree.program();
+  std::vector<std::vector<CentralBody>> by_link(tree.links().size());
+  for (const BodyContent& body : tree.scene().bodies) {
+    CentralBody central = placed(tree, body);
     by_link[central.link].push_back(std::move(central));
   }
   std::vector<CentralBody> all;
   for (std::size_t k = 1; k < by_link.size(); ++k) {
     std::vector<CentralBody>& bodies = by_link[k];
     if (bodies.size() > 1 && std::all_of(bodies.begin(), bodies.end(), is_constant)) {
-      bodies = {whole(k, model.links()[k].mass)};
+      all.push_back(whole(k, tree.links()[k].mass));
+      continue;
     }
     for (CentralBody& body : bodies) {
-      if (model.length_unit()) {
-        const Value unit = model.length();
+      if (tree.length_unit()) {
+        const Value unit = tree.length();
         body.mass = program.bind(body.mass * unit * unit);
         const Value inverse = pow(unit, -1);
         body.center = bound(program, inverse * body.center);

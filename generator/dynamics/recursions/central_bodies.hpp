@@ -4,11 +4,11 @@
 #include <cstddef>
 #include <vector>
 
-#include "generator/dynamics/motion/model.hpp"
+#include "generator/dynamics/motion/body_tree.hpp"
 
 namespace torsor {
 
-/// A rigid body by its centre of mass, in the axes of its link and in the model's units (Model::length_unit): mass,
+/// A rigid body by its centre of mass, in the axes of its link and in the tree's units (BodyTree::length_unit): mass,
 /// place, operator there. Unlike m, h and J about the link's origin, none of them holds the difference of others.
 struct CentralBody {
   std::size_t link = 0;
@@ -17,7 +17,7 @@ struct CentralBody {
   Matrix inertia;
 };
 
-/// All bodies on moving links, link by link. Bodies of one link become one where that is exact: where all are numbers.
-std::vector<CentralBody> central_bodies(const Model& model);
+/// All bodies on moving links of a tree whose inertia is that of its bodies, not regrouped, link by link. Bodies of one link become one where that is exact: where all are numbers.
+std::vector<CentralBody> central_bodies(const BodyTree& tree);
 
 }  // namespace torsor

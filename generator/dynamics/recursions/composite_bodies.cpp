@@ -5,16 +5,16 @@ namespace torsor {
 namespace {
 
 /// Mass properties of a composite seen from its parent link: turned by the joint, moved by the joint's origin.
-MassProperties in_parent(const Model& model, const Link& link, const MassProperties& body) {
-  Program& program = model.program();
-  const Vector h = bound(program, model.to_parent(link, body.first_moment));
-  const Matrix turned = model.to_parent(link, body.inertia);
+MassProperties in_parent(const BodyTree& tree, const Link& link, const MassProperties& body) {
+  Program& program = tree.program();
+  const Vector h = bound(program, tree.to_parent(link, body.first_moment));
+  const Matrix turned = tree.to_parent(link, body.inertia);
   MassProperties placed;
   placed.mass = body.mass;
   placed.first_moment = h;
   placed.inertia = turned;
   MassProperties sum;
-  add_placed(program, sum, placed, Rotation(), bound(program, model.arm(link)));
+  add_placed(program, sum, placed, Rotation(), bound(program, tree.arm(link)));
   return sum;
 }
 
@@ -30,23 +30,23 @@ void add(Program& program, MassProperties& sum, const MassProperties& part) {
 
 }  // namespace
 
-Wrench in_parent(const Model& model, const Link& link, const Wrench& wrench) {
-  Program& program = model.program();
+Wrench in_parent(const BodyTree& tree, const Link& link, const Wrench& wrench) {
+  Program& program = tree.program();
   Wrench seen;
-  seen.resultant = bound(program, model.to_parent(link, wrench.resultant));
-  seen.moment = model.to_parent(link, wrench.moment);
-  const Vector origin = bound(program, model.arm(link));
+  seen.resultant = bound(program, tree.to_parent(link, wrench.resultant));
+  seen.moment = tree.to_parent(link, wrench.moment);
+  const Vector origin = bound(program, tree.arm(link));
   seen.moment = bound(program, seen.moment + cross(origin, seen.resultant));
   return seen;
 }
 
-CompositeBodies composite_bodies(const Model& model, UnitWrenches carried) {
-  Program& program = model.program();
-  const auto& links = model.links();
+CompositeBodies composite_bodies(const BodyTree& tree, UnitWrenches carried) {
+  Program& program = tree.program();
+  const auto& links = tree.links();
   CompositeBodies result;
   result.bodies.resize(links.size());
   result.unit_wrenches.resize(links.size());
-  for (std::size_t k = 1; k < links.size(); ++k) result.bodies[k] = links[k].effective;
+  for (std::size_t k = 1; k < links.size(); ++k) result.bodies[k] = links[k].mass;
   for (std::size_t k = links.size(); k-- > 1;) {
     const Link& link = links[k];
     const MassProperties& body = result.bodies[k];
@@ -60,12 +60,12 @@ CompositeBodies composite_bodies(const Model& model, UnitWrenches carried) {
     }
     result.unit_wrenches[k].push_back({k, unit});
     for (std::size_t at = k; links[at].parent != 0 && carried == UnitWrenches::to_the_first_link;) {
-      unit = in_parent(model, links[at], unit);
+      unit = in_parent(tree, links[at], unit);
       at = static_cast<std::size_t>(links[at].parent);
       result.unit_wrenches[k].push_back({at, unit});
     }
     if (link.parent != 0) {
-      add(program, result.bodies[static_cast<std::size_t>(link.parent)], in_parent(model, link, body));
+      add(program, result.bodies[static_cast<std::size_t>(link.parent)], in_parent(tree, link, body));
     }
   }
   return result;

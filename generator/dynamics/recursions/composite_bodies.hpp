@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "generator/dynamics/motion/model.hpp"
+#include "generator/dynamics/motion/body_tree.hpp"
 #include "generator/mechanics/screw.hpp"
 
 namespace torsor {
@@ -27,9 +27,9 @@ struct CompositeBodies {
 /// How far unit wrenches are carried.
 enum class UnitWrenches { to_the_first_link, not_at_all };
 
-CompositeBodies composite_bodies(const Model& model, UnitWrenches carried = UnitWrenches::to_the_first_link);
+CompositeBodies composite_bodies(const BodyTree& tree, UnitWrenches carried = UnitWrenches::to_the_first_link);
 
 /// A wrench at the origin of a link, seen from the origin of the link that carries it, in that one's axes.
-Wrench in_parent(const Model& model, const Link& link, const Wrench& wrench);
+Wrench in_parent(const BodyTree& tree, const Link& link, const Wrench& wrench);
 
 }  // namespace torsor

@@ -52,17 +52,17 @@ struct JointSolution {
 
 class FactoredRecursion {
  public:
-  FactoredRecursion(const Model& model, const JointCoordinates& joints, const std::vector<Value>& efforts,
+  FactoredRecursion(const BodyTree& tree, const JointCoordinates& joints, const std::vector<Value>& efforts,
                     const std::map<int, Wrench>& wrenches)
-      : model_(model),
+      : tree_(tree),
         joints_(joints),
         efforts_(efforts),
         wrenches_(wrenches),
-        flattening_(Flattening::of_matrix(model.program(), efforts.size())),
-        bodies_(central_bodies(model)),
-        reference_(reference_motion(model, std::vector<Axes>(model.links().size(), Axes::own))),
-        handed_(model.links().size()),
-        done_(model.links().size()) {}
+        flattening_(Flattening::of_matrix(tree.program(), efforts.size())),
+        bodies_(central_bodies(tree)),
+        reference_(reference_motion(tree, std::vector<Axes>(tree.links().size(), Axes::own))),
+        handed_(tree.links().size()),
+        done_(tree.links().size()) {}
 
   ForwardSolution run() {
     solution_.method = "articulated bodies as sums of squares";
@@ -73,7 +73,7 @@ class FactoredRecursion {
 
  private:
   Vector arm_of(std::size_t carried) const {
-    return carried == 0 ? Vector() : bound(program_, model_.arm(links_[carried]));
+    return carried == 0 ? Vector() : bound(program_, tree_.arm(links_[carried]));
   }
 
   /// 1/x; of what is one product in parameters and functions, written as one, so that it cancels.
@@ -105,11 +105,11 @@ class FactoredRecursion {
     Acceleration& motion = reference_.links[body.link];
     const Vector acceleration = bound(program_, motion.linear() + motion.u_times(body.center));
     Vector force = -(body.mass * acceleration);
-    MassProperties turning;
-    turning.inertia = body.inertia;
-    Vector moment = -screw_less_gravity(program_, motion, turning, -1).moment;
+    Link turning;
+    turning.mass.inertia = body.inertia;
+    Vector moment = -screw_less_gravity(program_, motion, turning).moment;
     if (const auto wrench = wrenches_.find(static_cast<int>(body.link)); applies && wrench != wrenches_.end()) {
-      const Wrench applied = model_.over_length(wrench->second);
+      const Wrench applied = tree_.applied(body.link, wrench->second);
       const Vector resultant = bound(program_, applied.resultant);
       force += resultant;
       moment += applied.moment;
@@ -164,8 +164,8 @@ class FactoredRecursion {
     if (link.parent == 0) return;
     std::vector<Square> result = gathered(answers, pivots_of(guard));
     for (Square& square : result) {
-      square.angular = bound(program_, model_.to_parent(link, square.angular));
-      square.linear = bound(program_, model_.to_parent(link, square.linear));
+      square.angular = bound(program_, tree_.to_parent(link, square.angular));
+      square.linear = bound(program_, tree_.to_parent(link, square.linear));
       square.carried = k;
     }
     handed_[k] = std::move(result);
@@ -402,8 +402,8 @@ class FactoredRecursion {
       const Vector origin = done_[parent].tip.link == k
                                 ? at_tip[parent]
                                 : bound(program_, linear[parent] + cross(angular[parent], arm_of(k)));
-      Vector turning = bound(program_, model_.from_parent(link, angular[parent]));
-      Vector moving = bound(program_, model_.from_parent(link, origin));
+      Vector turning = bound(program_, tree_.from_parent(link, angular[parent]));
+      Vector moving = bound(program_, tree_.from_parent(link, origin));
       angular[k] = turning;
       linear[k] = moving;
       Value along = joint.along, fixed;
@@ -441,9 +441,9 @@ class FactoredRecursion {
     }
   }
 
-  const Model& model_;
-  Program& program_ = model_.program();
-  const std::vector<Link>& links_ = model_.links();
+  const BodyTree& tree_;
+  Program& program_ = tree_.program();
+  const std::vector<Link>& links_ = tree_.links();
   const JointCoordinates& joints_;
   const std::vector<Value>& efforts_;
   const std::map<int, Wrench>& wrenches_;
@@ -457,9 +457,9 @@ class FactoredRecursion {
 
 }  // namespace
 
-ForwardSolution factored_forward(const Model& model, const JointCoordinates& joints, const std::vector<Value>& efforts,
+ForwardSolution factored_forward(const BodyTree& tree, const JointCoordinates& joints, const std::vector<Value>& efforts,
                                  const std::map<int, Wrench>& wrenches) {
-  return FactoredRecursion(model, joints, efforts, wrenches).run();
+  return FactoredRecursion(tree, joints, efforts, wrenches).run();
 }
 
 }  // namespace torsor

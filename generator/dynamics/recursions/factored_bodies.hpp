@@ -4,7 +4,7 @@
 #include <map>
 #include <vector>
 
-#include "generator/dynamics/motion/model.hpp"
+#include "generator/dynamics/motion/body_tree.hpp"
 #include "generator/dynamics/recursions/forward_dynamics.hpp"
 #include "generator/dynamics/recursions/joint_coordinates.hpp"
 
@@ -26,7 +26,7 @@ namespace torsor {
 /// where it is along that joint's motion: one component vanishes exactly, and what is left is small as the angle is.
 ///
 /// `efforts`: for every unknown the generalised force of everything but inertia, gravity and the wrenches. No constraints.
-ForwardSolution factored_forward(const Model& model, const JointCoordinates& joints, const std::vector<Value>& efforts,
+ForwardSolution factored_forward(const BodyTree& tree, const JointCoordinates& joints, const std::vector<Value>& efforts,
                                  const std::map<int, Wrench>& wrenches);
 
 }  // namespace torsor

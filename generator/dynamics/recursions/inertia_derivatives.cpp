@@ -13,15 +13,15 @@ namespace {
 
 class DerivativeRecursion {
  public:
-  explicit DerivativeRecursion(const Model& model)
-      : model_(model),
-        program_(model.program()),
-        links_(model.links()),
+  explicit DerivativeRecursion(const BodyTree& tree)
+      : tree_(tree),
+        program_(tree.program()),
+        links_(tree.links()),
         axes_(links_.size(), Axes::own),
-        motion_(accelerations(model, AccelerationInput::symbols, axes_)),
-        joints_(model, motion_),
-        load_(joint_wrenches(model, motion_, axes_, {}, &Link::effective)),
-        composites_(composite_bodies(model)) {}
+        motion_(accelerations(tree, AccelerationInput::symbols, axes_)),
+        joints_(tree, motion_),
+        load_(joint_wrenches(tree, motion_, axes_, {})),
+        composites_(composite_bodies(tree)) {}
 
   ForceDerivatives run() {
     find_changes();
@@ -32,12 +32,12 @@ class DerivativeRecursion {
   InertiaSlopes run_beside_mass() {
     InertiaSlopes slopes;
     find_changes();
-    slopes.own.resize(static_cast<std::size_t>(model_.unknown_count()));
+    slopes.own.resize(static_cast<std::size_t>(tree_.unknown_count()));
     for (std::size_t k = 1; k < links_.size(); ++k) {
       if (is_unknown(k) && links_[k].aligned >= 0) slopes.own[unknown(k)] = leave_out_own(k);
     }
     carry();
-    if (all_joints_are_free(model_)) slopes.bias = bias();
+    if (all_joints_are_free(tree_)) slopes.bias = bias();
     slopes.forces = std::move(result_);
     return slopes;
   }
@@ -68,7 +68,7 @@ class DerivativeRecursion {
   }
 
   void carry() {
-    const auto n = static_cast<std::size_t>(model_.unknown_count());
+    const auto n = static_cast<std::size_t>(tree_.unknown_count());
     result_.by_position.assign(n, std::vector<Value>(n));
     result_.by_velocity = result_.by_position;
     gather_flow();
@@ -82,12 +82,12 @@ class DerivativeRecursion {
   std::vector<Value> bias() {
     std::vector<Value> half_rates, forces(result_.by_velocity.size());
     for (std::size_t j = 0; j < forces.size(); ++j) {
-      half_rates.push_back(program_.bind(Number::rational(1, 2) * model_.v(static_cast<int>(j))));
+      half_rates.push_back(program_.bind(Number::rational(1, 2) * tree_.v(static_cast<int>(j))));
     }
-    const Vector upward = model_.upward_gravity();
+    const Vector upward = tree_.upward_gravity();
     for (std::size_t k = 1; k < links_.size(); ++k) {
       const WrenchAt& first = composites_.unit_wrenches[k].back();
-      const Vector on_ground = bound(program_, model_.to_parent(links_[first.link], first.wrench.resultant));
+      const Vector on_ground = bound(program_, tree_.to_parent(links_[first.link], first.wrench.resultant));
       Value& force = forces[unknown(k)];
       force = dot(on_ground, upward);
       for (std::size_t j = 0; j < forces.size(); ++j) force += result_.by_velocity[unknown(k)][j] * half_rates[j];
@@ -100,7 +100,7 @@ class DerivativeRecursion {
     flow_.resize(links_.size());
     for (std::size_t k = links_.size(); k-- > 1;) {
       const Link& link = links_[k];
-      const PointFlow own = rigid_flow(program_, link.effective, joints_.doubled_omega(k));
+      const PointFlow own = rigid_flow(program_, link.mass, joints_.doubled_omega(k));
       PointFlow& all = flow_[k];
       all.l = bound(program_, all.l + own.l);
       for (int i = 0; i < 3; ++i) {
@@ -116,10 +116,10 @@ class DerivativeRecursion {
     PointFlow& parent = flow_[static_cast<std::size_t>(link.parent)];
     const MassProperties& body = composites_.bodies[k];
     const Vector v = joints_.doubled_velocity(link);
-    const Vector rho = bound(program_, model_.arm(link));
-    const Vector h = bound(program_, model_.to_parent(link, body.first_moment));
-    const Vector l = bound(program_, model_.to_parent(link, flow_[k].l) + body.mass * v);
-    const Matrix q = model_.to_parent(link, flow_[k].q);
+    const Vector rho = bound(program_, tree_.arm(link));
+    const Vector h = bound(program_, tree_.to_parent(link, body.first_moment));
+    const Vector l = bound(program_, tree_.to_parent(link, flow_[k].l) + body.mass * v);
+    const Matrix q = tree_.to_parent(link, flow_[k].q);
     parent.l = bound(program_, parent.l + l);
     for (int i = 0; i < 3; ++i) {
       for (int j = 0; j < 3; ++j) {
@@ -134,7 +134,7 @@ class DerivativeRecursion {
   /// δP_k for changes of joint k and of all that carry it.
   void carry_row(std::size_t k) {
     const Link& link = links_[k];
-    const std::size_t node = model_.turning_link(k);
+    const std::size_t node = tree_.turning_link(k);
     Vector a = link.joint == JointKind::revolute ? transpose(flow_[node].answer(program_)) * link.axis
                                                  : cross(flow_[node].l, link.axis);
     a = bound(program_, a);
@@ -145,14 +145,14 @@ class DerivativeRecursion {
       const Vector& c = unit.wrench.resultant;
       if (unit.link != k) {
         // From the link before, which is carried by this one.
-        a = model_.to_parent(links_[before], a);
+        a = tree_.to_parent(links_[before], a);
         a = bound(program_, a + cross(joints_.doubled_velocity(links_[before]), c));
       }
       before = unit.link;
       const bool own_group = joints_.first_of_group(unit.link) == own_first;
       if (own_group ? unit.link != k : joints_.first_of_group(unit.link) != unit.link) continue;
       // All joints that share this place.
-      for (std::size_t j = joints_.first_of_group(unit.link); j <= model_.turning_link(unit.link); ++j) {
+      for (std::size_t j = joints_.first_of_group(unit.link); j <= tree_.turning_link(unit.link); ++j) {
         if (!is_unknown(j)) continue;
         for (const std::size_t kind : {position, velocity}) {
           const MotionChange& change = changes_[j][kind];
@@ -167,7 +167,7 @@ class DerivativeRecursion {
   /// How joint k changes the wrench that its links ask of those that carry it.
   Wrench changed_wrench(std::size_t k, std::size_t kind) {
     const Link& link = links_[k];
-    const std::size_t node = model_.turning_link(k);
+    const std::size_t node = tree_.turning_link(k);
     const MotionChange& change = changes_[k][kind];
     const MassProperties& body = composites_.bodies[node];
     Wrench wrench;
@@ -193,7 +193,7 @@ class DerivativeRecursion {
     for (const std::size_t kind : {position, velocity}) {
       Wrench wrench = changed_wrench(k, kind);
       for (std::size_t at = first; links_[at].parent != 0;) {
-        wrench = in_parent(model_, links_[at], wrench);
+        wrench = in_parent(tree_, links_[at], wrench);
         at = static_cast<std::size_t>(links_[at].parent);
         if (!is_unknown(at)) continue;
         const Link& here = links_[at];
@@ -204,7 +204,7 @@ class DerivativeRecursion {
     }
   }
 
-  const Model& model_;
+  const BodyTree& tree_;
   Program& program_;
   const std::vector<Link>& links_;
   std::vector<Axes> axes_;
@@ -219,12 +219,12 @@ class DerivativeRecursion {
 
 }  // namespace
 
-ForceDerivatives inertia_derivatives(const Model& model) { return DerivativeRecursion(model).run(); }
+ForceDerivatives inertia_derivatives(const BodyTree& tree) { return DerivativeRecursion(tree).run(); }
 
-InertiaSlopes inertia_slopes(const Model& model) { return DerivativeRecursion(model).run_beside_mass(); }
+InertiaSlopes inertia_slopes(const BodyTree& tree) { return DerivativeRecursion(tree).run_beside_mass(); }
 
-bool all_joints_are_free(const Model& model) {
-  const auto& links = model.links();
+bool all_joints_are_free(const BodyTree& tree) {
+  const auto& links = tree.links();
   return std::none_of(links.begin() + 1, links.end(), [](const Link& link) { return link.partials.empty(); });
 }
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "generator/dynamics/motion/model.hpp"
+#include "generator/dynamics/motion/body_tree.hpp"
 #include "generator/dynamics/recursions/forward_dynamics.hpp"
 
 namespace torsor {
@@ -26,7 +26,7 @@ struct ForceDerivatives {
 /// changed wrenches, carried likewise. The classical accelerations make linear velocities drop out, which spatial
 /// vectors (Singh, Russell & Wensing, Efficient analytical derivatives of rigid-body dynamics using spatial vector
 /// algebra, IEEE RA-L 7, 2022, eqs. 19-26) need.
-ForceDerivatives inertia_derivatives(const Model& model);
+ForceDerivatives inertia_derivatives(const BodyTree& tree);
 
 /// What accelerations of the motion are differentiated with: less to compute where M⁻¹ follows.
 struct InertiaSlopes {
@@ -37,8 +37,8 @@ struct InertiaSlopes {
   /// h = ½ (∂h/∂v) v + G: forces that are quadratic in v (Euler), and those of rest. Where each joint is free.
   std::vector<Value> bias;
 };
-InertiaSlopes inertia_slopes(const Model& model);
+InertiaSlopes inertia_slopes(const BodyTree& tree);
 /// Whether they have a bias.
-bool all_joints_are_free(const Model& model);
+bool all_joints_are_free(const BodyTree& tree);
 
 }  // namespace torsor

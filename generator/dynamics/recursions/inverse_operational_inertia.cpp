@@ -89,10 +89,10 @@ AccelerationIncrement InverseOperationalInertia::operator*(const Wrench& wrench)
   return change;
 }
 
-InverseOperationalInertia from_parent(const Model& model, const Link& link, const InverseOperationalInertia& parent) {
-  Program& program = model.program();
+InverseOperationalInertia from_parent(const BodyTree& tree, const Link& link, const InverseOperationalInertia& parent) {
+  Program& program = tree.program();
   // β + α ∧ r: D + A [r], and L + Dᵀ [r] − [r] (D + A [r]).
-  const Matrix arm = cross_matrix(bound(program, model.arm(link)));
+  const Matrix arm = cross_matrix(bound(program, tree.arm(link)));
   const Matrix mixed = bound(program, parent.mixed + parent.angular * arm);
   const Matrix left = transpose(parent.mixed) * arm;
   const Matrix right = arm * mixed;
@@ -105,9 +105,9 @@ InverseOperationalInertia from_parent(const Model& model, const Link& link, cons
     }
   }
   InverseOperationalInertia seen;
-  seen.angular = model.from_parent(link, parent.angular);
-  seen.mixed = model.from_parent(link, mixed);
-  seen.linear = model.from_parent(link, linear);
+  seen.angular = tree.from_parent(link, parent.angular);
+  seen.mixed = tree.from_parent(link, mixed);
+  seen.linear = tree.from_parent(link, linear);
   return seen;
 }
 

@@ -16,7 +16,7 @@ struct InverseOperationalInertia {
 };
 
 /// Of matter of a parent, seen from the origin of a link that it carries, in that one's axes.
-InverseOperationalInertia from_parent(const Model& model, const Link& link, const InverseOperationalInertia& parent);
+InverseOperationalInertia from_parent(const BodyTree& tree, const Link& link, const InverseOperationalInertia& parent);
 
 /// A link's, from that `before` its joint moves: (1 − s gᵀ) C (1 − g sᵀ) + s sᵀ/d.
 InverseOperationalInertia with_joint(Program& program, const Link& link, const ArticulatedJoint& joint,

@@ -38,20 +38,20 @@ std::optional<NumberMatrix> inverted(NumberMatrix matrix) {
 
 }  // namespace
 
-std::optional<JointCoordinates> joint_coordinates(const Model& model) {
-  const auto n = static_cast<std::size_t>(model.unknown_count());
+std::optional<JointCoordinates> joint_coordinates(const BodyTree& tree) {
+  const auto n = static_cast<std::size_t>(tree.unknown_count());
   JointCoordinates result;
   NumberMatrix partials;
-  for (std::size_t k = 1; k < model.links().size(); ++k) {
-    const Link& link = model.links()[k];
+  for (std::size_t k = 1; k < tree.links().size(); ++k) {
+    const Link& link = tree.links()[k];
     if (link.partials.empty()) continue;
     if (partials.size() == n) return std::nullopt;
     Value rest = link.acceleration;
     std::vector<Number> row(n);
     for (const auto& [i, partial] : link.partials) {
-      if (i >= model.unknown_count() || !partial.is_constant() || !partial.unit().is_dimensionless()) return std::nullopt;
+      if (i >= tree.unknown_count() || !partial.is_constant() || !partial.unit().is_dimensionless()) return std::nullopt;
       row[static_cast<std::size_t>(i)] = partial.polynomial().constant();
-      rest -= partial * model.a(i);
+      rest -= partial * tree.a(i);
     }
     // A displacement q + f(t) has another second derivative than q.
     if (!rest.is_zero()) return std::nullopt;

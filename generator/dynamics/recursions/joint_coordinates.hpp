@@ -5,7 +5,7 @@
 #include <optional>
 #include <vector>
 
-#include "generator/dynamics/motion/model.hpp"
+#include "generator/dynamics/motion/body_tree.hpp"
 
 namespace torsor {
 
@@ -17,6 +17,6 @@ struct JointCoordinates {
 };
 
 /// Nothing where the joints are others: driven by a formula, coupled, or more than unknowns.
-std::optional<JointCoordinates> joint_coordinates(const Model& model);
+std::optional<JointCoordinates> joint_coordinates(const BodyTree& tree);
 
 }  // namespace torsor

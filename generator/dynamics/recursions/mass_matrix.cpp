@@ -10,15 +10,15 @@ namespace torsor {
 namespace {
 
 /// The power of a wrench, at the link's origin and in its axes, per unit rate of the link's joint.
-Value effort(const Model& model, const Link& link, const Wrench& wrench) {
-  return model.program().bind(dot(link.axis, link.joint == JointKind::revolute ? wrench.moment : wrench.resultant));
+Value effort(const BodyTree& tree, const Link& link, const Wrench& wrench) {
+  return tree.program().bind(dot(link.axis, link.joint == JointKind::revolute ? wrench.moment : wrench.resultant));
 }
 
 /// Whether many joints follow the same coordinates, so that wrenches had better be summed by coordinate on their way to the
 /// ground: each joint would have its own pair with each joint that carries it otherwise, 20,000 for 200 in a row.
-bool many_follow_few(const Model& model) {
+bool many_follow_few(const BodyTree& tree) {
   constexpr std::size_t few_pairs = 400, worth_it = 4;
-  const auto& links = model.links();
+  const auto& links = tree.links();
   std::vector<std::set<int>> below(links.size());
   std::vector<std::size_t> depth(links.size(), 0);
   std::size_t by_joints = 0, by_coordinates = 0;
@@ -43,11 +43,11 @@ void add(Program& program, WrenchesOfCoordinates& all, int coordinate, const Wre
 /// M_ij = Σ_k p_ki p_kj e_k + Σ_k (p_ki dot(s_k, W_kj) + p_kj dot(s_k, W_ki)): e_k the effort in joint k of its composite's
 /// unit acceleration, p_ki the partial of its displacement, W_kj the wrench that unit acceleration of q_j gives to what
 /// joint k carries, the joint's own part left out.
-std::vector<std::vector<Value>> by_coordinates(const Model& model) {
-  Program& program = model.program();
-  const auto& links = model.links();
-  const auto n = static_cast<std::size_t>(model.unknown_count());
-  const CompositeBodies composites = composite_bodies(model, UnitWrenches::not_at_all);
+std::vector<std::vector<Value>> by_coordinates(const BodyTree& tree) {
+  Program& program = tree.program();
+  const auto& links = tree.links();
+  const auto n = static_cast<std::size_t>(tree.unknown_count());
+  const CompositeBodies composites = composite_bodies(tree, UnitWrenches::not_at_all);
   std::vector<std::vector<Value>> mass(n, std::vector<Value>(n));
   const auto entry = [&](int i, int j) -> Value& { return mass[static_cast<std::size_t>(i)][static_cast<std::size_t>(j)]; };
   std::vector<WrenchesOfCoordinates> carried(links.size());
@@ -55,19 +55,19 @@ std::vector<std::vector<Value>> by_coordinates(const Model& model) {
     const Link& link = links[k];
     const Wrench& unit = composites.unit_wrenches[k].front().wrench;
     for (const auto& [i, partial_i] : link.partials) {
-      if (i >= model.unknown_count()) continue;
+      if (i >= tree.unknown_count()) continue;
       for (const auto& [j, wrench] : carried[k]) {
-        const Value power = program.bind(partial_i * effort(model, link, wrench));
+        const Value power = program.bind(partial_i * effort(tree, link, wrench));
         entry(i, j) += power;
         entry(j, i) += power;
       }
-      const Value own = program.bind(partial_i * effort(model, link, unit));
+      const Value own = program.bind(partial_i * effort(tree, link, unit));
       for (const auto& [j, partial_j] : link.partials) {
-        if (j < model.unknown_count()) entry(i, j) += program.bind(own * partial_j);
+        if (j < tree.unknown_count()) entry(i, j) += program.bind(own * partial_j);
       }
     }
     for (const auto& [i, partial] : link.partials) {
-      if (i >= model.unknown_count()) continue;
+      if (i >= tree.unknown_count()) continue;
       Wrench part;
       part.resultant = bound(program, partial * unit.resultant);
       part.moment = bound(program, partial * unit.moment);
@@ -75,7 +75,7 @@ std::vector<std::vector<Value>> by_coordinates(const Model& model) {
     }
     if (link.parent == 0) continue;
     for (const auto& [i, wrench] : carried[k]) {
-      const Wrench seen = in_parent(model, link, wrench);
+      const Wrench seen = in_parent(tree, link, wrench);
       add(program, carried[static_cast<std::size_t>(link.parent)], i, seen);
     }
     carried[k].clear();
@@ -88,20 +88,20 @@ std::vector<std::vector<Value>> by_coordinates(const Model& model) {
 
 }  // namespace
 
-std::vector<std::vector<Value>> mass_matrix(const Model& model) {
-  if (many_follow_few(model)) return by_coordinates(model);
-  Program& program = model.program();
-  const auto& links = model.links();
-  const CompositeBodies composites = composite_bodies(model);
-  const auto n = static_cast<std::size_t>(model.unknown_count());
+std::vector<std::vector<Value>> mass_matrix(const BodyTree& tree) {
+  if (many_follow_few(tree)) return by_coordinates(tree);
+  Program& program = tree.program();
+  const auto& links = tree.links();
+  const CompositeBodies composites = composite_bodies(tree);
+  const auto n = static_cast<std::size_t>(tree.unknown_count());
   std::vector<std::vector<Value>> joints(n, std::vector<Value>(n));
   for (std::size_t k = links.size(); k-- > 1;) {
     for (const WrenchAt& unit : composites.unit_wrenches[k]) {
       const Link& here = links[unit.link];
-      const Value of_unit = effort(model, here, unit.wrench);
+      const Value of_unit = effort(tree, here, unit.wrench);
       for (const auto& [i, partial_i] : here.partials) {
         for (const auto& [j, partial_j] : links[k].partials) {
-          if (i >= model.unknown_count() || j >= model.unknown_count()) continue;
+          if (i >= tree.unknown_count() || j >= tree.unknown_count()) continue;
           const auto row = static_cast<std::size_t>(i);
           const auto column = static_cast<std::size_t>(j);
           const Value entry = program.bind(partial_i * of_unit) * partial_j;
@@ -111,7 +111,7 @@ std::vector<std::vector<Value>> mass_matrix(const Model& model) {
       }
     }
   }
-  const bool several = moves_by_several(model);
+  const bool several = moves_by_several(tree);
   for (auto& row : joints) {
     for (Value& entry : row) entry = program.bind(several ? cancelled(program, entry) : entry);
   }

@@ -9,19 +9,19 @@
 namespace torsor {
 namespace {
 
-/// Twists of all links per unit rate of one unknown, at the links' origins, in their axes, linear ones over the model's
+/// Twists of all links per unit rate of one unknown, at the links' origins, in their axes, linear ones over the tree's
 /// length unit as accelerations are; null for the ground and what the unknown does not move.
-std::vector<Twist> partial_twists(const Model& model, int unknown) {
-  Program& program = model.program();
-  const auto& links = model.links();
+std::vector<Twist> partial_twists(const BodyTree& tree, int unknown) {
+  Program& program = tree.program();
+  const auto& links = tree.links();
   std::vector<Twist> all(links.size());
   for (std::size_t k = 1; k < links.size(); ++k) {
     const Link& link = links[k];
     const Twist& parent = all[static_cast<std::size_t>(link.parent)];
-    const Vector origin = bound(program, model.arm(link));
+    const Vector origin = bound(program, tree.arm(link));
     Vector linear = bound(program, parent.linear + cross(parent.angular, origin));
-    linear = model.from_parent(link, linear);
-    Vector angular = model.from_parent(link, parent.angular);
+    linear = tree.from_parent(link, linear);
+    Vector angular = tree.from_parent(link, parent.angular);
     for (const auto& [i, partial] : link.partials) {
       if (i != unknown) continue;
       (link.joint == JointKind::revolute ? angular : linear) += partial * link.axis;
@@ -33,8 +33,8 @@ std::vector<Twist> partial_twists(const Model& model, int unknown) {
 }
 
 /// The ten powers of unit parameters on a partial twist.
-std::array<Value, 10> powers(const Model& model, Acceleration& motion, const Twist& partial) {
-  Program& program = model.program();
+std::array<Value, 10> powers(const BodyTree& tree, Acceleration& motion, const Twist& partial) {
+  Program& program = tree.program();
   constexpr std::array<std::size_t, 3> diagonal{4, 7, 9};
   constexpr std::array<std::size_t, 3> beside{5, 8, 6};  // J_xy, J_yz, J_zx
   std::array<Value, 10> result;
@@ -68,8 +68,8 @@ std::array<Value, 10> powers(const Model& model, Acceleration& motion, const Twi
     result[beside[static_cast<std::size_t>(x)]] = across;
   }
   for (Value& power : result) power = program.bind(power);
-  if (!model.length_unit()) return result;
-  const Value length = model.length();
+  if (!tree.length_unit()) return result;
+  const Value length = tree.length();
   for (std::size_t p = 0; p < 4; ++p) result[p] = program.bind(length * result[p]);
   result[0] = program.bind(length * result[0]);
   return result;
@@ -101,13 +101,14 @@ std::vector<Value> inertial_parameters(const Model& model) {
 
 ValueMatrix regressor(const Model& model) {
   const std::vector<std::size_t> links = links_with_bodies(model);
-  const std::vector<Axes> axes(model.links().size(), Axes::own);
-  std::vector<Acceleration> motion = accelerations(model, AccelerationInput::symbols, axes);
+  const BodyTree tree = model.options().passes.length_unit ? in_length_unit(model) : BodyTree(model);
+  const std::vector<Axes> axes(tree.links().size(), Axes::own);
+  std::vector<Acceleration> motion = accelerations(tree, AccelerationInput::symbols, axes);
   std::vector<Value> entries;
   for (int i = 0; i < model.unknown_count(); ++i) {
-    const std::vector<Twist> partials = partial_twists(model, i);
+    const std::vector<Twist> partials = partial_twists(tree, i);
     for (const std::size_t k : links) {
-      for (const Value& power : powers(model, motion[k], partials[k])) entries.push_back(power);
+      for (const Value& power : powers(tree, motion[k], partials[k])) entries.push_back(power);
     }
   }
   const std::vector<bool> zero = identically_zero_entries(entries);
