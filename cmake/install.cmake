@@ -53,7 +53,7 @@ install(FILES "${PROJECT_BINARY_DIR}/torsorConfig.cmake" "${PROJECT_BINARY_DIR}/
 install(DIRECTORY LICENSES/ DESTINATION "${CMAKE_INSTALL_DATADIR}/doc/torsor/LICENSES" COMPONENT tool)
 
 # For builds that ask pkg-config. The prefix is found from the place of the file.
-set(pc_dir "${CMAKE_INSTALL_LIBDIR}/pkgconfig")
+set(pc_dir "${CMAKE_INSTALL_DATADIR}/pkgconfig")  # as libraries are in no folder of an architecture
 file(RELATIVE_PATH pc_to_prefix "/prefix/${pc_dir}" "/prefix")
 string(REGEX REPLACE "/$" "" pc_to_prefix "${pc_to_prefix}")
 set(pc_libraries "")

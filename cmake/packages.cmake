@@ -33,4 +33,36 @@ set(CPACK_DEBIAN_RUNTIME-DEV_PACKAGE_SECTION "libdevel")
 set(CPACK_DEBIAN_RUNTIME-DEV_PACKAGE_DEPENDS "torsor (= ${PROJECT_VERSION}), libeigen3-dev")
 set(CPACK_COMPONENT_RUNTIME-DEV_DESCRIPTION "Motions of the mechanisms that torsor generates
  Integrators, events, equilibria and comparisons for generated headers (MIT).")
+
+# Copyright and changelog, as Debian wants them in each package.
+file(STRINGS "${PROJECT_SOURCE_DIR}/LICENSES/MIT.txt" mit_lines)
+set(mit_text "")
+foreach(line IN LISTS mit_lines)
+  if(line STREQUAL "")
+    set(line ".")
+  endif()
+  string(APPEND mit_text " ${line}\n")
+endforeach()
+string(STRIP "${mit_text}" mit_text)
+set(mit_text " ${mit_text}")
+configure_file(cmake/copyright.in "${PROJECT_BINARY_DIR}/texts/copyright" @ONLY)
+find_program(TORSOR_GZIP gzip)
+mark_as_advanced(TORSOR_GZIP)
+set(package_texts "${PROJECT_BINARY_DIR}/texts/copyright")
+if(TORSOR_GZIP)
+  file(CONFIGURE OUTPUT "${PROJECT_BINARY_DIR}/texts/changelog" @ONLY CONTENT
+"torsor (@PROJECT_VERSION@) unstable; urgency=medium
+
+  * CHANGELOG.md of the sources has what is new.
+
+ -- @CPACK_PACKAGE_CONTACT@  Mon, 23 Nov 2026 00:00:00 +0000
+")
+  execute_process(COMMAND "${TORSOR_GZIP}" -9nkf "${PROJECT_BINARY_DIR}/texts/changelog" COMMAND_ERROR_IS_FATAL ANY)
+  list(APPEND package_texts "${PROJECT_BINARY_DIR}/texts/changelog.gz")
+endif()
+foreach(component tool generator-dev runtime-dev)
+  string(TOUPPER "${component}" upper)
+  install(FILES ${package_texts} DESTINATION "${CMAKE_INSTALL_DATADIR}/doc/${CPACK_DEBIAN_${upper}_PACKAGE_NAME}"
+    COMPONENT ${component})
+endforeach()
 include(CPack)
