@@ -9,6 +9,7 @@
 
 #include "runtime/contacts/contact_system.hpp"
 #include "runtime/contacts/regime_system.hpp"
+#include "runtime/contacts/slip_direction.hpp"
 
 namespace torsor::runtime {
 
@@ -18,6 +19,10 @@ struct ContactState {
   ContactRegime regime = ContactRegime::open;
   std::array<double, 2> direction{1, 0};  ///< of slip, while it slides
   double fastest = 0;                     ///< the largest slip since it slides [m/s]
+  bool begins = false;                    ///< its slip has just begun: the direction follows from forces
+  double begun = 0;                       ///< when [s]
+  bool fades = false;                     ///< its slip has been near its end, and is followed through it
+  double force_slack = 0;                 ///< [N] it was decided with N, or what is left of its bound, zero to rounding
 };
 
 /// y' = f(t, y) of a mechanism while the regimes of its contacts last: closed contacts keep w_N = 0, sticking ones w_T
@@ -26,7 +31,8 @@ struct ContactState {
 ///
 /// In space w_T passes through zero without a change of sign. So d is followed from step to step: s = d_last · w_T
 /// changes sign where the slip ends, and beyond it d = sign(s) w_T/|w_T| goes on smoothly. Near s = 0, where w_T is
-/// rounding, d is d_last.
+/// rounding, d is d_last. A slip that has just begun has its direction from the forces (slip_direction.hpp) until it
+/// has a speed: equations with d = w_T/|w_T| are too stiff before.
 template <ContactSystem S>
 class ContactMotion {
  public:
@@ -100,10 +106,7 @@ class ContactMotion {
   [[nodiscard]] bool read(double t, const Vector& y) noexcept {
     if (known_ && t == t_ && y == y_) return true;
     known_ = solved_ = false;
-    reading_.J.resize(rows(), Eigen::NoChange);
-    reading_.w.resize(rows());
-    reading_.drift.resize(rows());
-    if (system_.read(t, y, reading_) != Evaluation::ok || !dynamics_.compute(reading_)) return false;
+    if (!read(t, y, reading_, dynamics_)) return false;
     t_ = t;
     y_ = y;
     return known_ = true;
@@ -113,8 +116,10 @@ class ContactMotion {
   [[nodiscard]] Evaluation solve(double t, const Vector& y) noexcept {
     if (!read(t, y)) return Evaluation::singular;
     if (solved_) return Evaluation::ok;
-    Problem problem = problem_of(reading_.J * dynamics_.a0 + reading_.drift);
+    Problem problem = problem_of(reading_, dynamics_);
     typename RegimeSystem<contacts>::Regimes regimes{};
+    std::array<bool, S::contacts> begins{};
+    bool any = false;
     for (int i = 0; i < contacts; ++i) {
       const ContactState& state = at(i);
       AssumedRegime& regime = regimes[as(i)];
@@ -124,6 +129,12 @@ class ContactMotion {
       regime.friction =
           state.regime == ContactRegime::sticks ? AssumedRegime::Friction::sticks : AssumedRegime::Friction::slides;
       regime.direction = direction(i);
+      begins[as(i)] = follows_forces(i);
+      any = any || begins[as(i)];
+    }
+    if (any) {
+      const Evaluation aligned = align(t, y, problem, regimes, begins);
+      if (aligned != Evaluation::ok) return aligned;
     }
     RegimeSystem<contacts> equations(problem, regimes);
     if (!equations.solve()) return Evaluation::singular;
@@ -133,7 +144,13 @@ class ContactMotion {
     return a_.allFinite() ? Evaluation::ok : Evaluation::not_finite;
   }
 
-  /// A problem of all contacts with the rules' coefficients, and no contact that slips already.
+  /// A problem of all contacts with the rules' coefficients, and no contact that slips already: of accelerations at a
+  /// reading, or with any other motions without reactions.
+  [[nodiscard]] Problem problem_of(const Reading& reading, const ContactDynamics<Reading>& dynamics) const noexcept {
+    Problem problem = problem_of(reading.J * dynamics.a0 + reading.drift);
+    problem.W = dynamics.W;
+    return problem;
+  }
   template <class Right>
   [[nodiscard]] Problem problem_of(const Right& q) const noexcept {
     Problem problem;
@@ -156,12 +173,49 @@ class ContactMotion {
   [[nodiscard]] std::array<double, 2> direction(int i) const noexcept {
     const ContactRule rule = system_.rule(i);
     const auto& last = at(i).direction;
-    if (rule.tangents < 2) return last;
+    if (rule.tangents < 2 || at(i).begins) return last;
     const int t = tangent_row(i);
     const double x = reading_.w(t), y = reading_.w(t + 1), length = std::hypot(x, y);
     if (!(length > std::max(64 * rounding_of(t), 1e-12 * at(i).fastest))) return last;
     const double sign = x * last[0] + y * last[1] < 0 ? -1 : 1;
     return {sign * x / length, sign * y / length};
+  }
+
+  /// Direction of the velocity of a slip, whatever is known of it; the last one where it has none.
+  [[nodiscard]] std::array<double, 2> velocity_direction(int i) const noexcept {
+    const int t = tangent_row(i);
+    if (system_.rule(i).tangents < 2) return at(i).direction;
+    const double x = reading_.w(t), y = reading_.w(t + 1), length = std::hypot(x, y);
+    if (!(length > least_slip(i))) return at(i).direction;
+    return {x / length, y / length};
+  }
+
+  /// A slip that nears its end: where friction would turn it much faster than it ends, the equations are stiff, and its
+  /// direction follows from the forces again.
+  void fade(int i, double t, const Vector& y) noexcept {
+    ContactState& state = states[as(i)];
+    state.fades = state.begins = true;
+    state.begun = t;
+    changed();
+    state.begins = solve(t, y) == Evaluation::ok && stiff_[as(i)];
+    changed();
+  }
+
+  /// Goes on with that direction, as a slip that has a speed.
+  void take_direction(int i) noexcept {
+    ContactState& state = states[as(i)];
+    state.direction = velocity_direction(i);
+    state.begins = false;
+    state.fastest = std::max(state.fastest, slip(i));
+    changed();
+  }
+
+  /// Whether a slip has a velocity across its last direction, beyond what is left of one that ends.
+  [[nodiscard]] bool slips_across(int i) const noexcept {
+    if (system_.rule(i).tangents < 2) return false;
+    const int t = tangent_row(i);
+    const double length = std::hypot(reading_.w(t), reading_.w(t + 1));
+    return length > std::max(4 * least_slip(i), 1e-11 * at(i).fastest);
   }
 
   /// d_last · w_T, which falls through zero where the slip ends.
@@ -170,6 +224,26 @@ class ContactMotion {
     double sum = 0;
     for (int k = 0; k < system_.rule(i).tangents; ++k) sum += at(i).direction[as(k)] * reading_.w(t + k);
     return sum;
+  }
+
+  /// A slip below which a contact that begins to slide is as good as at rest: some hundred roundings.
+  [[nodiscard]] double least_slip(int i) const noexcept {
+    double largest = 0;
+    for (int k = 0; k < system_.rule(i).tangents; ++k) largest = std::max(largest, rounding_of(tangent_row(i) + k));
+    return 256 * largest;
+  }
+
+  /// Falls through zero where a slip that began has got a speed from which equations with d = w_T/|w_T| go on: where
+  /// second order in s would have turned it by more than 10⁻¹⁵ m/s since.
+  ///
+  /// Falls through zero too where a slip that had a speed nears its end, or has got one again.
+  [[nodiscard]] double youth(int i, double t) const noexcept {
+    const double s = slip(i), short_of = 1e4 * least_slip(i) - s;
+    if (!at(i).begins) return s - 1e-6 * at(i).fastest;
+    if (at(i).fades) return 4e-6 * at(i).fastest - s;
+    if (system_.rule(i).tangents < 2) return short_of;
+    const double gone = across_[as(i)] * lag_[as(i)] * (t - at(i).begun) / 5;
+    return std::max(1e-15 - std::abs(gone), short_of);
   }
 
   /// f_s N + b_s - |T| of a sticking contact.
@@ -220,6 +294,55 @@ class ContactMotion {
   using Velocity = Eigen::Matrix<double, static_cast<int>(nv), 1>;
   static constexpr std::size_t as(int i) noexcept { return static_cast<std::size_t>(i); }
   [[nodiscard]] const ContactState& at(int i) const noexcept { return states[as(i)]; }
+  [[nodiscard]] bool follows_forces(int i) const noexcept {
+    return at(i).touches && at(i).regime == ContactRegime::slides && at(i).begins && system_.rule(i).tangents == 2;
+  }
+
+  // Directions of slips that have just begun, to first order in the slip: the rate of those of order zero is taken
+  // over a microsecond of the motion, long against rounding and short against the motion.
+  [[nodiscard]] Evaluation align(double t, const Vector& y, const Problem& problem,
+                                 typename RegimeSystem<contacts>::Regimes& regimes,
+                                 const std::array<bool, S::contacts>& begins) noexcept {
+    std::array<double, S::contacts> across{};
+    if (!align_slips<contacts>(problem, regimes, begins, across)) return Evaluation::singular;
+    RegimeSystem<contacts> equations(problem, regimes);
+    if (!equations.solve()) return Evaluation::singular;
+    const Velocity a = dynamics_.a0 + dynamics_.KJ * equations.reactions();
+    const Forces u = equations.motion();
+    constexpr double later = 1e-6;
+    Vector there = y;
+    std::array<double, nq> rates{};
+    system_.coordinate_rates(t, y, rates);
+    for (std::size_t i = 0; i < nq; ++i) there[i] += later * rates[i];
+    for (std::size_t i = 0; i < nv; ++i) there[nq + i] += later * a(static_cast<Eigen::Index>(i));
+    Reading reading;
+    ContactDynamics<Reading> dynamics;
+    if (!read(t + later, there, reading, dynamics)) return Evaluation::singular;
+    auto turned = regimes;
+    if (!align_slips<contacts>(problem_of(reading, dynamics), turned, begins, across)) return Evaluation::singular;
+    for (int i = 0; i < contacts; ++i) {
+      if (!begins[as(i)]) continue;
+      const auto& d = regimes[as(i)].direction;
+      const auto& e = turned[as(i)].direction;
+      const int k = tangent_row(i);
+      const double s = d[0] * reading_.w(k) + d[1] * reading_.w(k + 1);
+      across[as(i)] = across_[as(i)] = s * (d[0] * e[1] - d[1] * e[0]) / later;
+      // s κ over the force that turns the slip back: the angle by which it lags.
+      const auto du = equations.motion_by_turning(i);
+      const double stiffness = d[0] * (u(k) - du(k + 1)) + d[1] * (u(k + 1) + du(k));
+      lag_[as(i)] = stiffness > 0 ? across_[as(i)] / stiffness : 1;
+      stiff_[as(i)] = stiffness > 8 * std::abs(d[0] * u(k) + d[1] * u(k + 1));
+    }
+    return align_slips<contacts>(problem, regimes, begins, across) ? Evaluation::ok : Evaluation::singular;
+  }
+
+  [[nodiscard]] bool read(double t, const Vector& y, Reading& reading,
+                          ContactDynamics<Reading>& dynamics) const noexcept {
+    reading.J.resize(rows(), Eigen::NoChange);
+    reading.w.resize(rows());
+    reading.drift.resize(rows());
+    return system_.read(t, y, reading) == Evaluation::ok && dynamics.compute(reading);
+  }
 
   void follow_directions() noexcept {
     for (int i = 0; i < contacts; ++i) {
@@ -228,7 +351,7 @@ class ContactMotion {
       const double now = slip(i);
       state.fastest = std::max(state.fastest, now);
       // Near its end the slip has no direction of its own that is worth following.
-      if (now > 1e-6 * state.fastest) state.direction = direction(i);
+      if (now > 1e-6 * state.fastest && !state.begins) state.direction = direction(i);
     }
   }
 
@@ -269,6 +392,8 @@ class ContactMotion {
   ContactDynamics<Reading> dynamics_;
   Velocity a_;
   Forces r_, right_;
+  std::array<double, S::contacts> across_{}, lag_{};  ///< s κ and the angle of lag of slips that begin
+  std::array<bool, S::contacts> stiff_{};
   std::array<int, static_cast<std::size_t>(3 * contacts)> row_{};
   int chosen_ = 0;
   double t_ = 0;

@@ -6,89 +6,15 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
-#include <string>
-#include <string_view>
 
+#include "runtime/contacts/bounce_limit.hpp"
 #include "runtime/contacts/contact_motion.hpp"
+#include "runtime/contacts/contact_result.hpp"
 #include "runtime/contacts/impact_laws.hpp"
 #include "runtime/integration/dormand_prince_853.hpp"
 #include "runtime/integration/events.hpp"
 
 namespace torsor::runtime {
-
-/// Why a motion with contacts ended.
-enum class ContactStatus : int {
-  reached_end = 0,
-  stopped_by_observer,
-  no_solution,    ///< no regimes fulfil the laws (Painlevé)
-  energy_gained,  ///< T+ > T- at an impact
-  penetrates,     ///< a gap is negative at the start
-  invalid_rule,   ///< f < 0, f_s < f, b < 0, or e outside [0, 1]
-  too_many_events,
-  integration_failed,
-};
-
-[[nodiscard]] constexpr std::string_view describe(ContactStatus status) noexcept {
-  switch (status) {
-    case ContactStatus::reached_end:
-      return "reached the end time";
-    case ContactStatus::stopped_by_observer:
-      return "stopped because the observer returned false";
-    case ContactStatus::no_solution:
-      return "no regimes fulfil the laws of contact: the equations of rigid bodies have no solution here (Painlevé)";
-    case ContactStatus::energy_gained:
-      return "the impact law gave energy: choose another, or a smaller restitution";
-    case ContactStatus::penetrates:
-      return "a contact starts below its surface: begin where every gap is at least zero";
-    case ContactStatus::invalid_rule:
-      return "a contact's rule is impossible: friction and bounds at least 0, static ones at least those of sliding, "
-             "restitution from 0 to 1";
-    case ContactStatus::too_many_events:
-      return "the limit of events was met: raise it, or look for regimes that alternate without end";
-    case ContactStatus::integration_failed:
-      return "the integration between events failed, see its own status";
-  }
-  return "unknown contact status";
-}
-
-enum class ContactEventKind { impact, opens, slips, slip_ends, accumulation };
-
-/// What the observer is told after it happened.
-template <class Motion>
-struct ContactEvent {
-  ContactEventKind kind;
-  double time;  ///< of an accumulation, the limit of its impacts
-  int contact;  ///< the one that caused it
-  const typename Motion::Vector& before;
-  const typename Motion::Vector& state;
-  const typename Motion::States& contacts;  ///< regimes after
-  const typename Motion::Forces& impulses;  ///< of impacts and accumulations
-  double energy_lost;                       ///< T- - T+
-  double residual;                          ///< certificate, the larger of impact and regimes
-  ContactVerdict verdict;                   ///< of the decision of regimes
-};
-
-struct ContactOptions {
-  ImpactLaw law = ImpactLaw::newton_moreau;
-  double touch = 1e-10;     ///< [m] gaps up to it are closed when another contact has an event
-  double at_rest = 1e-10;   ///< [m/s] velocities up to it are zero at the start
-  double accumulation = 0;  ///< [s] impacts whose predicted remaining time is at most this are an accumulation
-  long long event_limit = 1'000'000;
-};
-
-struct ContactResult {
-  ContactStatus status = ContactStatus::reached_end;
-  double time = 0;
-  int contact = -1;  ///< the one that ended it
-  ContactVerdict verdict = ContactVerdict::unique;
-  std::int64_t events = 0, impacts = 0, accumulations = 0;
-  std::int64_t ambiguous = 0;      ///< decisions for which there were several motions
-  std::int64_t indeterminate = 0;  ///< decisions that left reactions indeterminate
-  double worst_residual = 0;
-  EventStatus integration_event = EventStatus::reached_end;
-  Result<double> integration{};
-  [[nodiscard]] explicit operator bool() const noexcept { return status == ContactStatus::reached_end; }
-};
 
 /// Event-driven motion of a mechanism with contacts.
 template <ContactSystem S, class Method, class Observer>
@@ -118,7 +44,7 @@ class ContactRun {
   [[nodiscard]] const Motion& motion() const noexcept { return motion_; }
 
  private:
-  enum class Watched { gap_or_pressure, slip_or_margin };
+  enum class Watched { gap_or_pressure, slip_or_margin, youth };
   struct Value {
     Motion* motion;
     int contact;
@@ -131,12 +57,21 @@ class ContactRun {
         if (!rule.normal) return 1;
         if (!state.touches) return motion->reading().gap[as(contact)];
         if (motion->solve(t, y) != Evaluation::ok) return std::numeric_limits<double>::quiet_NaN();
-        return motion->reactions()(motion->normal_row(contact));
+        return motion->reactions()(motion->normal_row(contact)) + state.force_slack;
       }
       if (!state.touches || rule.tangents == 0 || state.regime == ContactRegime::open) return 1;
-      if (state.regime == ContactRegime::slides) return motion->slip(contact);
+      if (watched == Watched::youth) {
+        if (state.regime != ContactRegime::slides) return 1;
+        if (!state.begins && (state.fades || rule.tangents < 2)) return 1;
+        if (state.begins && motion->solve(t, y) != Evaluation::ok) return std::numeric_limits<double>::quiet_NaN();
+        return motion->youth(contact, t);
+      }
+      // What starts from zero is watched from a little above, so that it is seen to fall.
+      if (state.regime == ContactRegime::slides) {
+        return motion->slip(contact) + (state.begins && !state.fades ? motion->least_slip(contact) : 0);
+      }
       if (motion->solve(t, y) != Evaluation::ok) return std::numeric_limits<double>::quiet_NaN();
-      return motion->margin(contact);
+      return motion->margin(contact) + state.force_slack;
     }
   };
   struct End {
@@ -193,6 +128,7 @@ class ContactRun {
     ContactState& state = motion_.states[as(i)];
     state.regime = ContactRegime::open;
     state.fastest = 0;
+    state.begins = state.fades = false;
     if (!state.touches) return;
     const ContactRule rule = motion_.system().rule(i);
     state.regime = ContactRegime::slides;
@@ -223,10 +159,17 @@ class ContactRun {
       const ContactState& state = motion_.states[as(i)];
       if (!state.touches || (cause == Cause::opens && i == forced)) continue;
       ContactLaw law = whole.law(i);
-      const bool slides = state.regime == ContactRegime::slides && law.tangents > 0;
-      if (slides || (cause == Cause::slips && i == forced)) {
+      const bool slid = state.regime == ContactRegime::slides && law.tangents > 0;
+      const bool slides = slid && !(state.begins && motion_.slip(i) <= 16 * motion_.least_slip(i));
+      const bool loose = cause == Cause::slips && i == forced;
+      const bool falls = law.static_friction > law.friction || law.static_bound > law.bound;
+      // Where friction falls as a slip begins, its direction is that of its acceleration; else that against T.
+      if (slides || (loose && !falls)) {
         law.slips = true;
-        law.slip = slides ? motion_.direction(i) : state.direction;
+        law.slip = slides ? motion_.velocity_direction(i) : state.direction;
+      } else if (slid || loose) {
+        law.static_friction = law.friction;
+        law.static_bound = law.bound;
       }
       for (int k = 0; k < law.rows(); ++k) row[as(rows++)] = whole.first_row(i) + k;
       who[as(problem.count)] = i;
@@ -255,7 +198,11 @@ class ContactRun {
         state = {};
         continue;
       }
-      if (state.regime != ContactRegime::slides) state.fastest = 0;
+      const bool slid = state.regime == ContactRegime::slides && !state.begins;
+      if (!slid) {
+        state.fastest = 0;
+        state.fades = false;
+      }
       if (problem.law(k).slips) {
         state.regime = ContactRegime::slides;
         state.direction = problem.law(k).slip;
@@ -267,6 +214,19 @@ class ContactRun {
         for (int j = 0; j < problem.law(k).tangents; ++j) length = std::hypot(length, s.u(t + j));
         for (int j = 0; j < problem.law(k).tangents && length > 0; ++j) state.direction[as(j)] = s.u(t + j) / length;
       }
+      state.begins = state.regime == ContactRegime::slides && !slid && problem.law(k).tangents > 0 &&
+                     motion_.slip(i) <= 1e4 * motion_.least_slip(i);
+      if (state.begins) state.begun = result_.time;
+      // N, or what is left of the bound of T, that is zero to rounding may fall from there.
+      const double force = s.r.cwiseAbs().maxCoeff(), N = problem.law(k).normal ? s.r(n) : force;
+      double left = N;
+      if (state.regime == ContactRegime::sticks) {
+        double T = 0;
+        for (int j = 0; j < problem.law(k).tangents; ++j) T = std::hypot(T, s.r(t + j));
+        left = std::min(
+            left, problem.law(k).static_friction * s.r(n) * problem.law(k).normal + problem.law(k).static_bound - T);
+      }
+      state.force_slack = left <= 1e-10 * force ? 4e-12 * force : 0;
     }
     motion_.changed();
     return motion_.project(result_.time, y_) == Evaluation::ok || end(ContactStatus::integration_failed, forced);
@@ -354,9 +314,9 @@ class ContactRun {
 
   bool advance(double t1) {
     const auto watch_all = [&]<std::size_t... k>(std::index_sequence<k...>) {
-      return EventArray<Watch, 2 * S::contacts>({watch(static_cast<int>(k / 2), k % 2 == 0)...});
+      return EventArray<Watch, 3 * S::contacts>({watch(static_cast<int>(k / 3), static_cast<Watched>(k % 3))...});
     };
-    auto events = watch_all(std::make_index_sequence<2 * S::contacts>());
+    auto events = watch_all(std::make_index_sequence<3 * S::contacts>());
     events.options.by_stepping = true;
     const auto piece =
         integrate_with_events(motion_, y_, result_.time, t1, method_, events, IgnoreSteps{}, Steps{*this});
@@ -365,15 +325,33 @@ class ContactRun {
     result_.integration_event = piece.status;
     if (piece.status == EventStatus::reached_end) return true;
     if (piece.status == EventStatus::stopped_by_observer) return end(ContactStatus::stopped_by_observer, -1);
-    const int contact = static_cast<int>(piece.guard / 2);
+    const int contact = static_cast<int>(piece.guard / 3);
     if (piece.status != EventStatus::stopped_at_event) return end(ContactStatus::integration_failed, contact);
-    return happened(contact, piece.guard % 2 == 0);
+    const auto watched = static_cast<Watched>(piece.guard % 3);
+    if (watched != Watched::youth && !still_slips(contact, watched)) {
+      return happened(contact, watched == Watched::gap_or_pressure);
+    }
+    // The slip goes on, with the direction that it has got: no event.
+    if (!motion_.read(result_.time, y_)) return end(ContactStatus::integration_failed, contact);
+    ContactState& state = motion_.states[as(contact)];
+    if (watched == Watched::youth && !state.begins) {
+      motion_.fade(contact, result_.time, y_);
+    } else {
+      motion_.take_direction(contact);
+    }
+    return true;
   }
 
-  [[nodiscard]] Watch watch(int contact, bool normal) noexcept {
-    const bool barrier = normal && !motion_.states[as(contact)].touches;
-    return {Value{&motion_, contact, normal ? Watched::gap_or_pressure : Watched::slip_or_margin}, Crossing::falling,
-            barrier ? Response::barrier : Response::stop, End{}};
+  // In space the slip may turn round quickly without an end: it passes zero at a distance.
+  [[nodiscard]] bool still_slips(int contact, Watched watched) noexcept {
+    const ContactState& state = motion_.states[as(contact)];
+    return watched == Watched::slip_or_margin && state.touches && state.regime == ContactRegime::slides &&
+           !state.begins && motion_.read(result_.time, y_) && motion_.slips_across(contact);
+  }
+
+  [[nodiscard]] Watch watch(int contact, Watched watched) noexcept {
+    const bool barrier = watched == Watched::gap_or_pressure && !motion_.states[as(contact)].touches;
+    return {Value{&motion_, contact, watched}, Crossing::falling, barrier ? Response::barrier : Response::stop, End{}};
   }
 
   struct Steps {
@@ -400,6 +378,7 @@ class ContactRun {
       const double unresolved = speed > 0 ? 1e6 * motion_.rounding_of_gap(contact) / speed : 0;
       const double limit = end_of_bounces(contact, speed);
       bounces_[as(contact)] = limit > result_.time ? bounces_[as(contact)] + 1 : 0;
+      limits_[as(contact)](result_.time, speed, motion_.rounding_of_gap(contact));
       const bool fades = bounces_[as(contact)] >= 3 && limit - result_.time <= unresolved;
       const bool alone = watches_[as(contact)](result_.time, options_.accumulation) || fades;
       const bool together = all_(result_.time, std::max(options_.accumulation, unresolved));
@@ -411,7 +390,7 @@ class ContactRun {
         kind = ContactEventKind::accumulation;
         ++result_.accumulations;
         // The contact is closed from now on: until the limit the impulses of all bounces and of rest are the same.
-        told = std::max(result_.time, alone ? limit : all_.limit());
+        told = limits_[as(contact)](std::max(result_.time, alone ? limit : all_.limit()), result_.time);
       }
       for (int i = 0; i < contacts; ++i) {
         touching_[as(i)] =
@@ -422,6 +401,7 @@ class ContactRun {
       if (rests) {
         watches_.fill({});
         bounces_.fill(0);
+        for (BounceLimit& bounces : limits_) bounces.clear();
         last_speed_.fill(0);
         all_ = {};
       }
@@ -431,6 +411,7 @@ class ContactRun {
     } else if (state.regime == ContactRegime::slides) {
       kind = ContactEventKind::slip_ends;
       state.regime = ContactRegime::sticks;  // or whatever the laws say from rest
+      state.begins = state.fades = false;
       motion_.changed();
       done = decide(contact, Cause::none);
     } else {
@@ -463,6 +444,7 @@ class ContactRun {
   std::array<bool, S::contacts> touching_{};
   std::array<AccumulationWatch<double>, S::contacts> watches_{};
   AccumulationWatch<double> all_{};
+  std::array<BounceLimit, S::contacts> limits_{};
   std::array<std::int64_t, S::contacts> last_impact_{};  ///< its number among all impacts; 0: none yet
   std::array<int, S::contacts> bounces_{};               ///< impacts in succession that were slower than the one before
   std::array<double, S::contacts> last_speed_{};         ///< of approach at its last impact [m/s]

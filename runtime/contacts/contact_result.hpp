@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <cstdint>
+#include <string_view>
+
+#include "runtime/contacts/impact_laws.hpp"
+#include "runtime/events/event_memory.hpp"
+#include "runtime/integration/integrate.hpp"
+
+namespace torsor::runtime {
+
+/// Why a motion with contacts ended.
+enum class ContactStatus : int {
+  reached_end = 0,
+  stopped_by_observer,
+  no_solution,    ///< no regimes fulfil the laws (Painlevé)
+  energy_gained,  ///< T+ > T- at an impact
+  penetrates,     ///< a gap is negative at the start
+  invalid_rule,   ///< f < 0, f_s < f, b < 0, or e outside [0, 1]
+  too_many_events,
+  integration_failed,
+};
+
+[[nodiscard]] constexpr std::string_view describe(ContactStatus status) noexcept {
+  switch (status) {
+    case ContactStatus::reached_end:
+      return "reached the end time";
+    case ContactStatus::stopped_by_observer:
+      return "stopped because the observer returned false";
+    case ContactStatus::no_solution:
+      return "no regimes fulfil the laws of contact: the equations of rigid bodies have no solution here (Painlevé)";
+    case ContactStatus::energy_gained:
+      return "the impact law gave energy: choose another, or a smaller restitution";
+    case ContactStatus::penetrates:
+      return "a contact starts below its surface: begin where every gap is at least zero";
+    case ContactStatus::invalid_rule:
+      return "a contact's rule is impossible: friction and bounds at least 0, static ones at least those of sliding, "
+             "restitution from 0 to 1";
+    case ContactStatus::too_many_events:
+      return "the limit of events was met: raise it, or look for regimes that alternate without end";
+    case ContactStatus::integration_failed:
+      return "the integration between events failed, see its own status";
+  }
+  return "unknown contact status";
+}
+
+enum class ContactEventKind { impact, opens, slips, slip_ends, accumulation };
+
+/// What the observer is told after it happened.
+template <class Motion>
+struct ContactEvent {
+  ContactEventKind kind;
+  double time;  ///< of an accumulation, the limit of its impacts
+  int contact;  ///< the one that caused it
+  const typename Motion::Vector& before;
+  const typename Motion::Vector& state;
+  const typename Motion::States& contacts;  ///< regimes after
+  const typename Motion::Forces& impulses;  ///< of impacts and accumulations
+  double energy_lost;                       ///< T- - T+
+  double residual;                          ///< certificate, the larger of impact and regimes
+  ContactVerdict verdict;                   ///< of the decision of regimes
+};
+
+struct ContactOptions {
+  ImpactLaw law = ImpactLaw::newton_moreau;
+  double touch = 1e-10;     ///< [m] gaps up to it are closed when another contact has an event
+  double at_rest = 1e-10;   ///< [m/s] velocities up to it are zero at the start
+  double accumulation = 0;  ///< [s] impacts whose predicted remaining time is at most this are an accumulation
+  long long event_limit = 1'000'000;
+};
+
+struct ContactResult {
+  ContactStatus status = ContactStatus::reached_end;
+  double time = 0;
+  int contact = -1;  ///< the one that ended it
+  ContactVerdict verdict = ContactVerdict::unique;
+  std::int64_t events = 0, impacts = 0, accumulations = 0;
+  std::int64_t ambiguous = 0;      ///< decisions for which there were several motions
+  std::int64_t indeterminate = 0;  ///< decisions that left reactions indeterminate
+  double worst_residual = 0;
+  EventStatus integration_event = EventStatus::reached_end;
+  Result<double> integration{};
+  [[nodiscard]] explicit operator bool() const noexcept { return status == ContactStatus::reached_end; }
+};
+
+}  // namespace torsor::runtime
