@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "runtime/contacts/moreau_jean.hpp"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <numbers>
+#include <type_traits>
+
+#include "tests/contacts/simple_systems.hpp"
+
+namespace moreau_jean_test {
+namespace {
+
+using namespace simple_systems;
+
+// The largest error of coordinates and velocities at the end, with so many steps.
+template <class S, std::size_t size>
+double error_after(const S& system, std::array<double, size> y, double end, long steps,
+                   const std::array<double, size>& exact) {
+  EXPECT_EQ(step_contacts(system, y, 0, end, steps), ContactStatus::reached_end);
+  double worst = 0;
+  for (std::size_t i = 0; i < size; ++i) worst = std::max(worst, std::abs(y[i] - exact[i]));
+  return worst;
+}
+
+// Coulomb's disc: the path is straight. The error of the stop is a part of a step times the velocity.
+TEST(MoreauJean, StopsABlockOnTheStraightLineOfItsVelocity) {
+  const double angle = std::numbers::pi / 8;
+  std::array<double, 6> y{0, 0, 0, 2 * std::cos(angle), 2 * std::sin(angle), 0};
+  ASSERT_EQ(step_contacts(block_on_plane(0.3), y, 0, 1, 1000), ContactStatus::reached_end);
+  EXPECT_NEAR(y[1] / y[0], std::tan(angle), 1e-13);
+  EXPECT_NEAR(std::hypot(y[0], y[1]), 2 * 2 / (2 * 0.3 * g), 0.001 * 0.001 * 0.3 * g);
+  EXPECT_EQ(std::hypot(y[3], y[4]), 0.0);
+}
+
+// A ball dropped, bouncing to rest, and a sphere that bounces down a slope and then rolls: by events and by steps.
+TEST(MoreauJean, TendsToTheMotionFromEventToEvent) {
+  const auto sphere = sphere_on_slope(0.3, 0.2, 0.6, 0.05);
+  const std::array<double, 6> start{0, 0.55, 0, 0, 0, 0};
+  auto exact = start;
+  ASSERT_TRUE(integrate_contacts(sphere, exact, 0, 2));
+  exact[2] = exact[5] = 0;
+  const auto error = [&](long steps) {
+    auto y = start;
+    EXPECT_EQ(step_contacts(sphere, y, 0, 2, steps), ContactStatus::reached_end);
+    y[2] = y[5] = 0;  // 20 times the others
+    double worst = 0;
+    for (std::size_t i = 0; i < 6; ++i) worst = std::max(worst, std::abs(y[i] - exact[i]));
+    return worst;
+  };
+  // Of first order: errors of impacts' times, each a part of a step, times velocities of some m/s.
+  const double coarse = error(200), fine = error(2000), finest = error(20000);
+  EXPECT_LT(coarse, 10 * 2.0 / 200);
+  EXPECT_LT(fine, coarse / 5);
+  EXPECT_LT(finest, fine / 5);
+}
+
+TEST(MoreauJean, LetsNothingSink) {
+  const auto system = ball(0.8);
+  std::array<double, 2> y{1, 0};
+  MoreauJean<std::remove_const_t<decltype(system)>> scheme(system);
+  double carried = 0;
+  for (int k = 0; k < 6000; ++k) {
+    ASSERT_TRUE(scheme.step(1e-3 * k, 1e-3, y));
+    ASSERT_GE(y[0], -1e-14);
+    ASSERT_LE(scheme.residual(), 1e-12);
+    if (k >= 5000) carried += scheme.impulses()(0);
+  }
+  // At rest it rises by no more than it falls in a step, and is carried by m g h a step, but for what it has at the
+  // ends.
+  EXPECT_LE(y[0], g * 1e-6);
+  EXPECT_NEAR(carried, g, 2 * g * 1e-3);
+}
+
+}  // namespace
+}  // namespace moreau_jean_test
