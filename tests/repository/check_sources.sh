@@ -18,7 +18,7 @@ awk '
     count = split(layers, word, " ")
     for (i = 1; i < count; i += 2) height[word[i]] = word[i + 1]
     rooms("generator/dynamics", "motion forces recursions structure equations derivatives theorems")
-    rooms("runtime", "numerics records steps constraints events integration contacts small_motions sundials batch mpi abi")
+    rooms("runtime", "numerics records steps constraints events integration contacts small_motions sundials batch grains mpi abi")
     room_height["runtime"] = 0  # the contract between mechanisms and methods, in the folder itself
     split("runtime templates cmake examples generated", list, " ")
     for (i in list) mit[list[i]] = 1
