@@ -49,6 +49,7 @@ class CommandSet {
 void add_equations_command(CommandSet& commands);
 void add_kernel_commands(CommandSet& commands);        ///< generate, counts, passes
 void add_build_command(CommandSet& commands);          ///< build
+void add_fmu_command(CommandSet& commands);            ///< fmu
 void add_verification_commands(CommandSet& commands);  ///< check, verify, reference
 void add_statics_commands(CommandSet& commands);       ///< force-function, unknowns, theorem, screw, statics
 void add_structure_commands(CommandSet& commands);     ///< structure, graph, list

@@ -4,7 +4,6 @@
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
-#include <sstream>
 #include <system_error>
 #include <vector>
 
@@ -17,6 +16,7 @@
 #include "generator/base/fnv.hpp"
 #include "generator/base/output_file.hpp"
 #include "generator/base/process.hpp"
+#include "generator/cli/compiler.hpp"
 #include "generator/emission/library_sources.hpp"
 
 #ifndef TORSOR_EIGEN_DIR
@@ -32,38 +32,6 @@ using Words = std::vector<std::string>;
 std::string environment(const char* name) {
   const char* const value = std::getenv(name);
   return value == nullptr ? "" : value;
-}
-
-Words words_of(const std::string& text) {
-  std::istringstream stream(text);
-  Words words;
-  for (std::string word; stream >> word;) words.push_back(word);
-  return words;
-}
-
-/// A compiler as words, and what it says of itself.
-struct Compiler {
-  Words words;
-  std::string version;
-};
-
-Compiler found_compiler() {
-  const std::string named = environment("CXX");
-  const Words candidates = named.empty() ? Words{"c++", "g++", "clang++"} : Words{named};
-  for (const std::string& candidate : candidates) {
-    Words words = words_of(candidate);
-    if (words.empty()) continue;
-    Words question = words;
-    question.push_back("--version");
-    try {
-      const ProcessResult said = run_process(question);
-      if (said.code == 0) return {std::move(words), said.output};
-    } catch (const FileError&) {
-    }
-  }
-  throw FileError(
-      fmt::format("no C++ compiler: {} does not run; install one (Debian: g++), or set CXX to one that knows C++20",
-                  named.empty() ? "none of c++, g++ and clang++" : fmt::format("CXX, which is '{}',", named)));
 }
 
 fs::path cache_folder() {
@@ -114,22 +82,9 @@ class WorkFolder {
   fs::path path_;
 };
 
-/// Errors of the compiler: the first lines that say so.
-std::string first_errors(const std::string& output) {
-  std::istringstream stream(output);
-  std::string text;
-  int lines = 0;
-  for (std::string line; std::getline(stream, line) && lines < 5;) {
-    if (line.find("error") == std::string::npos) continue;
-    text += (text.empty() ? "" : "; ") + line;
-    ++lines;
-  }
-  return text.empty() ? output.substr(0, 500) : text;
-}
-
 Words compiler_options(const MechanismListing& mechanism, const LibraryOptions& options) {
   Words words = {"-std=c++20", "-shared", "-fPIC", "-fvisibility=hidden", "-pthread"};
-  for (const std::string& flag : words_of(options.flags)) words.push_back(flag);
+  for (const std::string& flag : separate_words(options.flags)) words.push_back(flag);
   words.push_back(options.fused ? "-ffp-contract=fast" : "-ffp-contract=off");
   if (needs_eigen(mechanism)) words.insert(words.end(), {"-isystem", TORSOR_EIGEN_DIR});
   return words;
@@ -156,7 +111,7 @@ void compile(const Compiler& compiler, const Words& options, const std::vector<S
                              ? "; a mechanism with constraints needs Eigen 3 (Debian: libeigen3-dev)"
                              : "";
     throw FileError(fmt::format("the compiler '{}' fails for '{}': {}{}", fmt::join(compiler.words, " "),
-                                mechanism.scene().name(), first_errors(said.output), remedy));
+                                mechanism.scene().name(), compiler_errors(said.output), remedy));
   }
   std::error_code failure;
   fs::rename(made, library, failure);
@@ -166,7 +121,7 @@ void compile(const Compiler& compiler, const Words& options, const std::vector<S
 }  // namespace
 
 std::string compiled_library(const MechanismListing& mechanism, const LibraryOptions& options) {
-  const Compiler compiler = found_compiler();
+  const Compiler compiler = found_compiler("CXX", {"c++", "g++", "clang++"}, "C++20");
   const std::vector<SourceFile> sources = library_sources(mechanism);
   const Words words = compiler_options(mechanism, options);
   Fnv key;

@@ -107,6 +107,7 @@ int run(int argc, const char* const* argv, const SceneSource& source) {
   add_equations_command(commands);
   add_kernel_commands(commands);
   add_build_command(commands);
+  add_fmu_command(commands);
   add_verification_commands(commands);
   add_statics_commands(commands);
   add_structure_commands(commands);

@@ -19,9 +19,10 @@ struct StatesOfBlock {
   std::size_t first, count;
 };
 
-/// Reads columns of `rows` numbers into packs, a state in each lane. Absent: zeros.
+/// Reads columns of `rows` numbers into packs, a state in each lane. Absent: zeros. `all`: states of the whole call.
 template <std::size_t rows, std::size_t lanes>
-void read_columns(const torsor_view& from, StatesOfBlock states, double* to) noexcept {
+void read_columns(const torsor_view& from, StatesOfBlock states, [[maybe_unused]] std::size_t all,
+                  double* to) noexcept {
   if (from.data == nullptr) {
     std::fill_n(to, rows * lanes, 0.0);
     return;
@@ -29,8 +30,12 @@ void read_columns(const torsor_view& from, StatesOfBlock states, double* to) noe
   const char* const first =
       static_cast<const char*>(from.data) + static_cast<std::ptrdiff_t>(states.first) * from.state;
   if constexpr (lanes > 1 && Tile<lanes>::in_registers) {
-    if (from.row == sizeof(double) && states.count == lanes)
-      return columns_to_packs<rows, lanes>(first, from.state, to);
+    if (from.row == sizeof(double) && states.count == lanes) {
+      // Behind a column are those of later states, each a number at least, as long as there are enough of them.
+      const bool beyond =
+          from.state >= static_cast<std::ptrdiff_t>(rows * sizeof(double)) && states.first + 2 * lanes <= all;
+      return columns_to_packs<rows, lanes>(first, from.state, beyond, to);
+    }
   }
   for (std::size_t lane = 0; lane < lanes; ++lane) {
     const char* const column = first + static_cast<std::ptrdiff_t>(std::min(lane, states.count - 1)) * from.state;
@@ -70,6 +75,22 @@ void write_matrices(const double* from, std::size_t rows, std::size_t columns, S
       }
     }
   }
+}
+
+/// Asks for the columns of a later block, so that they are there when it is read: what a kernel needs all at once
+/// before it can begin would be waited for.
+template <std::size_t rows, std::size_t lanes>
+void fetch_columns(const torsor_view& from, std::size_t first, std::size_t states) noexcept {
+#if defined(__GNUC__)
+  constexpr std::ptrdiff_t line = 64;
+  if (from.data == nullptr || from.row != sizeof(double) || from.state == 0 || first + lanes > states) return;
+  const char* column = static_cast<const char*>(from.data) + static_cast<std::ptrdiff_t>(first) * from.state;
+  for (std::size_t lane = 0; lane < lanes; ++lane, column += from.state) {
+    for (std::ptrdiff_t at = 0; at < static_cast<std::ptrdiff_t>(rows * sizeof(double)); at += line) {
+      __builtin_prefetch(column + at);
+    }
+  }
+#endif
 }
 
 /// Whether all numbers of a lane are finite: x - x is 0, or not a number.
@@ -134,7 +155,8 @@ class BlockCall {
     constexpr std::size_t rows = scalars_in<Structure, ScalarOf<M>>;
     if constexpr (rows > 0) {
       double* const numbers = reinterpret_cast<double*>(&to);
-      read_columns<rows, lanes>(from, states, numbers);
+      read_columns<rows, lanes>(from, states, call_.states, numbers);
+      if constexpr (lanes > 1) fetch_columns<rows, lanes>(from, states.first + 2 * lanes, call_.states);
       add_not_finite<lanes>(numbers, rows, difference);
     }
   }

@@ -17,30 +17,21 @@ class Tile {
  public:
   static constexpr bool in_registers = detail::fits_register(static_cast<int>(lanes * sizeof(double)));
 
-  /// The first `count` numbers of a row; the rest is zero. No others are read.
-  TORSOR_SIMD_INLINED void load(std::size_t row, const char* from, std::size_t count) noexcept {
-#if defined(__AVX512F__)
-    if constexpr (lanes == 8) {
-      rows_[row] = (Row)_mm512_maskz_loadu_pd(static_cast<__mmask8>((1U << count) - 1U), from);
-      return;
-    }
-#endif
-    if (count == lanes) {
-      std::memcpy(&rows_[row], from, sizeof(Row));
-    } else {
-      Row numbers{};
-      for (std::size_t k = 0; k < count; ++k) {
-        double number;
-        std::memcpy(&number, from + k * sizeof(double), sizeof(double));
-        numbers[k] = number;
-      }
-      rows_[row] = numbers;
-    }
+  /// A whole row.
+  TORSOR_SIMD_INLINED void load(std::size_t row, const char* from) noexcept {
+    std::memcpy(&rows_[row], from, sizeof(Row));
+  }
+  /// The first `count` numbers of a row; the rest is zero. No others are read. In pieces: loads with a mask wait for
+  /// earlier stores, three times as long as a kernel takes.
+  TORSOR_SIMD_INLINED void load_part(std::size_t row, const char* from, std::size_t count) noexcept {
+    rows_[row] = Row{};
+    char* to = reinterpret_cast<char*>(&rows_[row]);
+    if constexpr (lanes > 4) copy_piece<4>(from, to, count);
+    if constexpr (lanes > 2) copy_piece<2>(from, to, count);
+    copy_piece<1>(from, to, count);
   }
 
-  /// The first `count` numbers of a row, in whole pieces: a store with a mask counts as one of the whole row where a
-  /// load looks for earlier stores, and the next states at an address that is alike in its last 12 bits would wait for
-  /// it.
+  /// The first `count` numbers of a row.
   TORSOR_SIMD_INLINED void store(std::size_t row, char* to, std::size_t count) const noexcept {
     if (count == lanes) {
       std::memcpy(to, &rows_[row], sizeof(Row));
@@ -96,14 +87,19 @@ class Tile {
   std::array<Row, lanes> rows_;
 };
 
-/// Columns of `rows` numbers without gaps, `step` bytes from one of the `lanes` states to the next, to packs.
+/// Columns of `rows` numbers without gaps, `step` bytes from one of the `lanes` states to the next, to packs. With
+/// `beyond`, up to lanes - 1 numbers behind each column may be read.
 template <std::size_t rows, std::size_t lanes>
-TORSOR_SIMD_INLINED void columns_to_packs(const char* from, std::ptrdiff_t step, double* to) noexcept {
+TORSOR_SIMD_INLINED void columns_to_packs(const char* from, std::ptrdiff_t step, bool beyond, double* to) noexcept {
   for (std::size_t k = 0; k < rows; k += lanes) {
     const std::size_t count = std::min(lanes, rows - k);
     Tile<lanes> tile;
     const char* column = from + k * sizeof(double);
-    for (std::size_t lane = 0; lane < lanes; ++lane, column += step) tile.load(lane, column, count);
+    if (beyond || count == lanes) {
+      for (std::size_t lane = 0; lane < lanes; ++lane, column += step) tile.load(lane, column);
+    } else {
+      for (std::size_t lane = 0; lane < lanes; ++lane, column += step) tile.load_part(lane, column, count);
+    }
     tile.transpose();
     for (std::size_t i = 0; i < count; ++i) tile.store_pack(i, to + (k + i) * lanes);
   }

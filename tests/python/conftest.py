@@ -32,7 +32,7 @@ def pendulum():
 
 @pytest.fixture(scope="session")
 def hoop():
-    return scene("rolling_hoop", "--kernels", "mass_matrix,inverse_dynamics,forward_dynamics,energy,constraints")
+    return scene("rolling_hoop", "--run-time", "all", "--kernels", "mass_matrix,inverse_dynamics,forward_dynamics,energy,constraints")
 
 
 @pytest.fixture(scope="session")
@@ -44,4 +44,4 @@ def top():
 @pytest.fixture(scope="session")
 def body():
     """Free of torque, its attitude by a quaternion."""
-    return scene("torque_free_body")
+    return scene("torque_free_body", "--run-time", "all")

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "generator/cli/compiler.hpp"
+
+#include <cstdlib>
+#include <sstream>
+#include <utility>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "generator/base/error.hpp"
+#include "generator/base/process.hpp"
+
+namespace torsor {
+
+std::vector<std::string> separate_words(const std::string& text) {
+  std::istringstream stream(text);
+  std::vector<std::string> words;
+  for (std::string word; stream >> word;) words.push_back(word);
+  return words;
+}
+
+Compiler found_compiler(const std::string& variable, const std::vector<std::string>& candidates,
+                        const std::string& language) {
+  const char* const named = std::getenv(variable.c_str());
+  const bool chosen = named != nullptr && *named != '\0';
+  for (const std::string& candidate : chosen ? std::vector<std::string>{named} : candidates) {
+    std::vector<std::string> words = separate_words(candidate);
+    if (words.empty()) continue;
+    std::vector<std::string> question = words;
+    question.push_back("--version");
+    try {
+      const ProcessResult said = run_process(question);
+      if (said.code == 0) return {std::move(words), said.output};
+    } catch (const FileError&) {  // the next candidate
+    }
+  }
+  const std::string kind = language.substr(0, language.starts_with("C++") ? 3 : 1);
+  throw FileError(fmt::format("no {} compiler: {}; install one (Debian: g++), or set {} to one that knows {}", kind,
+                              chosen ? fmt::format("{}, which is '{}', does not run", variable, named)
+                                     : fmt::format("none of {} runs", fmt::join(candidates, ", ")),
+                              variable, language));
+}
+
+std::string compiler_errors(const std::string& output) {
+  std::istringstream stream(output);
+  std::string text;
+  int lines = 0;
+  for (std::string line; std::getline(stream, line) && lines < 5;) {
+    if (line.find("error") == std::string::npos) continue;
+    text += (text.empty() ? "" : "; ") + line;
+    ++lines;
+  }
+  return text.empty() ? output.substr(0, 500) : text;
+}
+
+}  // namespace torsor

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace torsor {
+
+/// A compiler as words of a command, and what it says of itself.
+struct Compiler {
+  std::vector<std::string> words;
+  std::string version;
+};
+
+/// That of the environment's variable, or the first of the candidates that runs. Throws FileError where none does; the
+/// language, "C++20", is for the message.
+Compiler found_compiler(const std::string& variable, const std::vector<std::string>& candidates,
+                        const std::string& language);
+
+/// Of what a compiler said, the first lines that name an error.
+std::string compiler_errors(const std::string& output);
+
+std::vector<std::string> separate_words(const std::string& text);
+
+}  // namespace torsor
