@@ -5,9 +5,8 @@
 
 namespace torsor {
 
-/// The command line of every scene program: equations, generate, counts, passes, check, verify, reference, force-function, unknowns,
-/// theorem, statics, structure, graph, list, report, simulate. Exit codes: 0; 1 a check failed; 2 bad usage, an unknown kernel included;
-/// 3 an error in the scene or with a file.
+/// The command line of every scene program: docs/commands.md lists its commands. Exit codes: 0; 1 a check failed; 2
+/// bad usage, an unknown kernel included; 3 an error in the scene or with a file.
 int run_scene_program(int argc, const char* const* argv, Scene (*make_scene)());
 
 }  // namespace torsor

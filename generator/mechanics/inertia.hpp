@@ -28,8 +28,7 @@ struct Inertia {
   static Inertia ring(const Expression& mass, const Expression& radius, int axis);
   /// Solid cylinder: m (3 r² + h²)/12 across, m r²/2 along its axis.
   static Inertia cylinder(const Expression& mass, const Expression& radius, const Expression& height, int axis);
-  /// Thick tube between the radii r < R, its ends open or closed makes no difference: m (3 (R² + r²) + h²)/12 across,
-  /// m (R² + r²)/2 along its axis.
+  /// Thick tube between the radii r < R: m (3 (R² + r²) + h²)/12 across, m (R² + r²)/2 along its axis.
   static Inertia hollow_cylinder(const Expression& mass, const Expression& outer_radius, const Expression& inner_radius,
                                  const Expression& height, int axis);
   /// Thin cylindrical shell without its ends: m (6 r² + h²)/12 across, m r² along its axis.
@@ -51,13 +50,13 @@ struct Inertia {
   /// Thin rectangular plate a × b in the x, y plane: m b²/12, m a²/12, m (a² + b²)/12.
   static Inertia plate(const Expression& mass, const Expression& a, const Expression& b);
 
-  /// Thin half disk with normal `axis`; its diameter is centred at the origin along the next axis (x for axis 2) and
-  /// the half that exists lies on the positive side of the one after (y): centre of mass at 4 r/(3π) there. About the
+  /// Thin half disk with normal `axis`. Its diameter is centred at the origin along the next axis (x for axis 2). The
+  /// half lies on the positive side of the one after (y), with its centre of mass at 4 r/(3π) there. About the
   /// origin: m r²/4, m r²/4, m r²/2, no product.
   static Inertia half_disk(const Expression& mass, const Expression& radius, int axis);
-  /// Thin quarter disk with normal `axis`, its corner at the origin and its edges along the two axes that follow, on
-  /// their positive sides (x and y for axis 2): centre of mass at 4 r/(3π) along both. About the corner: m r²/4,
-  /// m r²/4, m r²/2 and the product −m r²/(2π) (course, exercise 8.2.1).
+  /// Thin quarter disk with normal `axis`. Its corner is at the origin, its edges lie along the two axes that follow,
+  /// on their positive sides (x and y for axis 2). The centre of mass is at 4 r/(3π) along both. About the corner: m
+  /// r²/4, m r²/4, m r²/2 and the product −m r²/(2π) (course, exercise 8.2.1).
   static Inertia quarter_disk(const Expression& mass, const Expression& radius, int axis);
   /// Thin triangular plate with its corners at a, b, c [m], anywhere in space: the operator of three masses m/12 at the
   /// corners and one of 3 m/4 at the centre of mass (a + b + c)/3.
@@ -65,8 +64,9 @@ struct Inertia {
 
   /// The same body with its centre of mass at another place of the frame.
   Inertia at(const Triple& new_center) const;
-  /// The body turned about the frame's origin: a vector of it with components v gets components R v, its operator is
-  /// R J Rᵀ and its centre of mass goes round. Equally: a body given in a frame turned by R, seen in the outer axes.
+  /// The body turned about the frame's origin. A vector of it with components v gets components R v, its operator is
+  /// R J Rᵀ, and its centre of mass turns too. This is also a body given in a frame turned by R, seen in the outer
+  /// axes.
   Inertia rotated(const Rotation& rotation) const;
   /// Turned about the frame's origin by an angle [rad] about an axis (components along the frame's axes, any length),
   /// e.g. a blade by its pitch. The angle may be a formula of parameters; a motion needs a joint.

@@ -37,34 +37,41 @@ class Scene {
   Expression run_time_parameter(const std::string& name, std::string_view unit, const Expression& value);
   /// A generalised coordinate q [unit]; its velocity and acceleration come with it.
   Expression coordinate(const std::string& name, std::string_view unit);
-  /// A coordinate that the joints hold at zero: it exists so that the reaction against it can be asked for
-  /// (incompatible parametrisation). The reaction has the coordinate's name: P_q − Q_q at q = 0.
+  /// A coordinate that its joint holds at zero. It exists so that the reaction against it can be asked for
+  /// (incompatible parametrisation). The reaction P_q − Q_q at q = 0 has the coordinate's name.
   Expression released_coordinate(const std::string& name, std::string_view unit);
-  /// An orientation by a unit quaternion: coordinates <name>_w, _x, _y, _z and three velocities <name>_omega_x, _y, _z,
-  /// the components of the relative angular velocity in the axes of the frame it turns. Use it in exactly one joint.
+  /// An orientation by a unit quaternion. Its coordinates are <name>_w, _x, _y, _z. Its three velocities
+  /// <name>_omega_x, _y, _z are the components of the relative angular velocity in the axes of the frame that it
+  /// turns. Use it in exactly one joint.
   AttitudeHandle attitude(const std::string& name);
-  /// t [s].
+  /// The time t [s].
   Expression time() const;
 
-  /// Imposes a law of time on a coordinate, e.g. `drive(phi, omega * time())`: it is no unknown any more.
+  /// Imposes a law of time on a coordinate, e.g. `drive(phi, omega * time())`. The coordinate is no unknown any more.
   void drive(const Expression& coordinate, const Expression& law);
-  /// State at t = 0; whatever is not given is zero.
+  /// The state at t = 0. A coordinate that is not given starts at zero, at rest.
   void initial(const Expression& coordinate, const Expression& value, const Expression& rate = 0);
-  /// (w, x, y, z), normalised when it is used; an attitude that is given none starts at (1, 0, 0, 0).
+  /// The same of an attitude: (w, x, y, z) is normalised when it is used. An attitude that is given none starts at
+  /// (1, 0, 0, 0).
   void initial(AttitudeHandle attitude, const std::array<Expression, 4>& quaternion,
                const Triple& angular_velocity = {Expression(0), Expression(0), Expression(0)});
 
-  /// Limits of a coordinate, for who uses the generated header (`Mechanism::limits`); nothing here enforces them.
+  /// Limits of a coordinate. They become the header's table `Mechanism::limits`; nothing here enforces them.
   void limits(const Expression& coordinate, const CoordinateLimits& limits);
 
   // --- the tree of joints -------------------------------------------------------------------------------------------
   // Each joint is placed in its parent by a constant origin and rotation (`placement`); `axis` is a direction in the
   // placed axes. A joint of several freedoms makes intermediate frames <name>.1, <name>.2 and so on.
+  /// The frame of reference. It is the parent of every tree.
   FrameHandle ground() const;
+  /// A frame fixed in its parent: an origin and a rotation without any freedom. It carries bodies, closes loops,
+  /// gives axes.
   FrameHandle weld(const std::string& name, const FrameReference& parent, const Placement& placement);
-  /// Rotation by `angle` about the unit vector `axis` (components in the placed parent axes).
+  /// Rotation by `angle` about the unit vector `axis` (components in the placed parent axes): Ω(child/parent) =
+  /// d(angle)/dt axis.
   FrameHandle revolute(const std::string& name, const FrameReference& parent, const Triple& axis,
                        const Expression& angle, const Placement& placement = {});
+  /// Translation by `displacement` along the unit vector `axis` (components in the placed parent axes).
   FrameHandle prismatic(const std::string& name, const FrameReference& parent, const Triple& axis,
                         const Expression& displacement, const Placement& placement = {});
   /// Turns by `angle` and advances by `pitch` [m/rad] times it (the lead of the screw over 2π).
@@ -85,7 +92,8 @@ class Scene {
   /// Slides by (x, y) in the plane z = 0 of the placed axes, then turns about z.
   FrameHandle planar(const std::string& name, const FrameReference& parent, const PlanarMotion& motion,
                      const Placement& placement = {});
-  /// The line x of the frame stays in the plane z = 0: slides by (x, y), turns by `yaw` about z, then by `roll` about x.
+  /// The line x of the frame stays in the plane z = 0. The frame slides by (x, y), turns by `yaw` about z, then by
+  /// `roll` about x.
   FrameHandle line_contact(const std::string& name, const FrameReference& parent, const LineContactMotion& motion,
                            const Placement& placement = {});
   /// The origin of the frame slides along `axis`; the frame turns in any way about it.
@@ -100,18 +108,18 @@ class Scene {
                    const Triple& position, const Triple& angles);
   FrameHandle free(const std::string& name, const FrameReference& parent, const Triple& position,
                    AttitudeHandle attitude);
-  /// Names the joint that moves a frame, where its own name is to be another one than the frame's (in graphs). A weld
-  /// that is named is a joint between two bodies of the structure graph; any other makes one body of both.
+  /// Gives the joint that moves a frame a name of its own in graphs; otherwise it has the name of the frame. A weld
+  /// that is named is a joint between two bodies of the structure graph. Any other weld makes one body of both.
   void name_joint(const FrameHandle& frame, const std::string& name);
 
   // --- points and bodies --------------------------------------------------------------------------------------------
-  /// A point given by its components in a frame; they may depend on the coordinates (a contact point moves).
+  /// A point given by its components in a frame. They may depend on the coordinates, as those of a contact point do.
   PointHandle point(const std::string& name, const FrameReference& frame, const Triple& components);
   /// The point of that name, which may be declared later.
   static PointReference point(const std::string& name) { return PointReference(name); }
-  /// The point of the rim of a thin disc that lies lowest along the normal z of `plane`: where a wheel touches it. The
-  /// disc is centred at the origin of `frame`, its unit `axis` and its radius are given there. With n the normal and k
-  /// the axis: P = C − r (n − (n·k) k)/√(1 − (n·k)²); not defined for a disc lying flat.
+  /// The lowest point of the rim of a thin disc along the normal z of `plane`: there a wheel touches the plane. The
+  /// disc is centred at the origin of `frame`, and its unit `axis` is given there. With the normal n and the axis k,
+  /// P = C − r (n − (n·k) k)/√(1 − (n·k)²). It is not defined for a disc lying flat.
   PointHandle disc_contact(const std::string& name, const DiscContact& disc);
   /// The same of a sphere: P = C − r n.
   PointHandle sphere_contact(const std::string& name, const FrameReference& frame, const Expression& radius,
@@ -122,19 +130,23 @@ class Scene {
   /// P = C − S n/√(n · S n), S = diag(a², b², c²).
   PointHandle ellipsoid_contact(const std::string& name, const FrameReference& frame, const Triple& semi_axes,
                                 const FrameReference& plane);
-  /// The same of any smooth convex body, by its support function h(u) = max u · CP [m], C the origin of the frame: a
-  /// formula of the components of u along its axes, h(k u) = k h(u) for k > 0. P = C + ∇h(−n) (Schneider, Convex Bodies:
-  /// The Brunn-Minkowski Theory, §1.7). A function that is not homogeneous or not convex is refused.
+  /// The same of any smooth convex body, by its support function h(u) = max u · CP [m], C the origin of the frame. h
+  /// is a formula of the components of u along the frame's axes, with h(k u) = k h(u) for k > 0. P = C + ∇h(−n)
+  /// (Schneider, Convex Bodies: The Brunn-Minkowski Theory, §1.7). A function that is not homogeneous or not convex
+  /// is refused.
   PointHandle support_contact(const std::string& name, const FrameReference& frame,
                               const std::function<Expression(const Triple& u)>& h, const FrameReference& plane);
+  /// A rigid body fixed in a frame: its mass, its centre of mass and its inertia. A frame may carry several.
+  /// `Moments::as_given` accepts moments that no matter has, such as identified ones.
   void body(const std::string& name, const FrameReference& frame, const Inertia& inertia,
             Moments moments = Moments::of_matter);
 
   // --- what formulas may ask of the motion --------------------------------------------------------------------------
-  // Vectors that follow from the motion of frames, as components along the axes of `axes`, to be used in any formula of
-  // an action, a constraint, a law of friction, a point, a joint or the law of a driven coordinate. Frames and points
-  // must have been declared, and those that frames hang on. Neither values of parameters nor initial states can depend
-  // on them. Where places are wanted (a joint's displacement, a point, a holonomic relation) velocities are refused.
+  // Vectors that follow from the motion of frames, as components along the axes of `axes`. They may stand in any
+  // formula of an action, a constraint, a law of friction, a point, a joint or the law of a driven coordinate. Their
+  // frames and points must have been declared before, with the parents of those frames. Neither values of parameters
+  // nor initial states can depend on them. A joint's displacement, a point and a holonomic relation are places:
+  // velocities are refused there.
   /// The components (w, x, y, z) of a unit quaternion: v_parent = R(e) v; `rate` of them is known.
   std::array<Expression, 4> attitude_components(AttitudeHandle attitude) const;
   /// A direction given in a frame, e.g. axis::z, seen in another: `direction("wheel", axis::z, "ground")`.
@@ -149,7 +161,7 @@ class Scene {
                   const FrameReference& relative_to = "ground");
 
   // --- actions ------------------------------------------------------------------------------------------------------
-  /// Uniform gravity, components in the ground frame [m/s²].
+  /// Uniform gravity g, components in the ground frame [m/s²]: U = Σ m g · OG over the bodies.
   void gravity(const Triple& acceleration);
   /// Spring on an elongation or angle e: U = −½ k (e − rest)².
   void spring(const std::string& name, const Expression& elongation, const Expression& stiffness,
@@ -160,24 +172,27 @@ class Scene {
   void spring(const std::string& name, const SpringBetween& spring);
   /// Damper between two points: tension c d|AB|/dt.
   void damper(const std::string& name, const PointReference& a, const PointReference& b, const Expression& damping);
-  /// A motor working with the displacement e: its force or torque is an input of the kernels and is returned.
+  /// A motor that works with the displacement e: Q_i = u ∂e/∂q_i. Its force or torque u is an input of the kernels,
+  /// and is returned.
   Expression motor(const std::string& name, const Expression& displacement);
-  /// A given force at a point of a body, components along the axes of `axes` [N].
+  /// A given force F at a point P of a body, components along the axes of `axes` [N]: Q_i = F · ∂V(P ∈ body)/∂q̇_i.
   void force(const std::string& name, const PointForce& force);
-  /// A given torque on a body, components along the axes of `axes` [N m].
+  /// A given torque C on a body, components along the axes of `axes` [N m]: Q_i = C · ∂Ω(body)/∂q̇_i.
   void torque(const std::string& name, const FrameReference& body, const Triple& components,
               const FrameReference& axes);
   /// A conservative action given by its force function U(q, t) [J]: Q_i = ∂U/∂q_i. U is part of the force function of
   /// the energy; its power is that of these Q_i.
   void force_function(const std::string& name, const Expression& u);
-  /// A generalised force F working with the displacement e: Q_i = F ∂e/∂q_i, power F ė. F is any formula of q, q̇ and
-  /// t [J over the unit of e]: a non-linear damper, a belt, the law of a controller. It has no force function.
+  /// A generalised force F that works with the displacement e: Q_i = F ∂e/∂q_i, power F ė. F is any formula of q, q̇
+  /// and t [J over the unit of e]. It may be a non-linear damper, a belt, the law of a controller. It has no force
+  /// function.
   void generalised_force(const std::string& name, const Expression& displacement, const Expression& force);
   /// Mutual attraction of two points at the distance d: U = k/d, k = 𝒢 m1 m2 [N m²]; forces k/d² towards each other
   /// (course, §5.2.4).
   void gravitation(const std::string& name, const PointReference& a, const PointReference& b,
                    const Expression& strength);
-  /// A given wrench on a body reduced at a point: force [N] and moment at that point [N m], along the axes of `axes`.
+  /// A given wrench on a body, reduced at a point P: a force R [N] and a moment M_P [N m], along the axes of `axes`.
+  /// Its power is R · V(P ∈ body) + M_P · Ω(body).
   void wrench(const std::string& name, const PointWrench& wrench);
   /// Viscous drag at a point P of a body: the force −c V(P ∈ body/relative_to), c [N s/m]; the opposite acts on
   /// `relative_to` when it is not the ground. Power −c V².
@@ -192,18 +207,18 @@ class Scene {
   void torque_between(const std::string& name, const TorqueBetween& torque);
 
   // --- contact laws in an assumed regime ----------------------------------------------------------------------------
-  // Each uses the multiplier N of `normal` as the normal force N = n · R(other → body) ≥ 0 [N]: give that constraint as
-  // a distance, or name its reaction along n. Nothing watches the regime: N < 0 (the contact opens) and a slip that
-  // stops are for the caller to see (runtime/events/contact_regime.hpp). Adhering is a no_slip constraint, without
-  // friction.
-  /// Coulomb's law while sliding: at `point` of `body` the force T = −f N G/|G|, f the `coefficient`, and the opposite
-  /// on `other`. `direction` is G, of any length: the velocity of slip of body on other or a direction known beforehand
-  /// (course, §6.2.3, whose printed T lacks the division by |G|).
+  // Each law uses the multiplier N of `normal` as the normal force N = n · R(other → body) ≥ 0 [N]. Give that
+  // constraint as a distance, or name its reaction along n. Nothing watches the regime: the caller must notice N < 0
+  // (the contact opens) and a slip that stops (runtime/events/contact_regime.hpp). Adhering is a no_slip constraint,
+  // without friction.
+  /// Coulomb's law while sliding: the force T = −f N G/|G| at `point` of `body`, and the opposite on `other`. f is
+  /// the `coefficient`. `direction` is G, of any length: the velocity of slip of body on other, or a direction known
+  /// beforehand (course, §6.2.3, whose printed T lacks the division by |G|).
   void sliding_friction(const std::string& name, const ConstraintHandle& normal, const SlidingFriction& friction);
-  /// Any law of friction: T = −N φ(s) G/s at `point` of `body`, and the opposite on `other`; G is the velocity of slip, the
-  /// part along x and y of the axes of `plane` (z the normal) of V(P ∈ body/other), s = √(G² + ε²). With ε > 0 [m/s] the
-  /// force is smooth through rest, where it vanishes; beyond some ε it is −N φ(|G|) G/|G| to a relative (ε/G)²/2. `law`
-  /// gives φ, a plain number, as a formula of s.
+  /// Any law of friction: the force T = −N φ(s) G/s at `point` of `body`, and the opposite on `other`. G is the
+  /// velocity of slip: the part of V(P ∈ body/other) along x and y of the axes of `plane`, whose z is the normal. s
+  /// is √(G² + ε²). With ε > 0 [m/s] the force is smooth through rest, where it vanishes. Beyond some ε it is −N
+  /// φ(|G|) G/|G| to a relative (ε/G)²/2. `law` gives φ, a plain number, as a formula of s.
   void friction_law(const std::string& name, const ConstraintHandle& normal, const FrictionLaw& friction);
   /// Resistance to rolling: the moment −h N R12/|R12| on `body`, h the `length` [m], R12 the rolling part of
   /// Ω(body/other).
@@ -215,36 +230,40 @@ class Scene {
                            const RotationResistance& resistance);
 
   // --- constraints --------------------------------------------------------------------------------------------------
-  /// f(q, t) = 0.
+  /// A holonomic constraint f(q, t) = 0. Its multiplier λ gives Q_i = λ ∂f/∂q_i.
   ConstraintHandle holonomic(const std::string& name, const Expression& f);
-  /// Σ a_i(q, t) q̇_i − b(q, t) = 0, given as its left-hand side.
+  /// A constraint on velocities Σ a_i(q, t) q̇_i − b(q, t) = 0, given as its left-hand side. Its multiplier λ gives
+  /// Q_i = λ a_i.
   ConstraintHandle nonholonomic(const std::string& name, const Expression& left_side);
-  /// No slip: V(P ∈ body / on) · direction = 0, P the body's material point at `contact`, `direction` along `axes`.
+  /// No slip: V(P ∈ body / on) · direction = 0. P is the body's material point at `contact`; `direction` is given
+  /// along `axes`.
   ConstraintHandle no_slip(const std::string& name, const NoSlip& law);
   /// Rolls without slipping: V(P ∈ body / on) vanishes along x and y of `tangents`, whose z is the normal of contact.
-  /// Two constraints, <name>_x and <name>_y. That the bodies touch is another condition: built into the coordinates, or
-  /// a `point_in_plane`.
+  /// These are two constraints, <name>_x and <name>_y. Contact itself is another condition: build it into the
+  /// coordinates, or add a `point_in_plane`.
   std::vector<ConstraintHandle> rolling(const std::string& name, const Rolling& rolling);
-  /// The point stays in the plane z = 0 of a frame, from both sides; its multiplier is the normal force on the point's
-  /// body.
+  /// The point stays in the plane z = 0 of a frame: it neither enters nor leaves it. The multiplier is the normal
+  /// force on the point's body.
   ConstraintHandle point_in_plane(const std::string& name, const PointReference& point, const FrameReference& plane);
-  /// An equation that closes a loop: AB · direction = 0, direction given in the ground frame.
+  /// An equation that closes a loop: AB · direction = 0. The direction is given in the ground frame.
   ConstraintHandle closure(const std::string& name, const PointReference& a, const PointReference& b,
                            const Triple& direction);
-  /// A joint that closes a loop, ideal, between two frames: one constraint for each locked direction, <name>_x, _y, _z
-  /// for AB along the axes of a (multipliers are components of the force on b) and <name>_rx, _ry, _rz for the
-  /// orientation (multipliers are components of the moment on b about the axes of a).
+  /// An ideal joint between two frames that closes a loop. Its axes are those of the frames: a revolute joint turns
+  /// about x of both. Each locked direction is one constraint. <name>_x, _y, _z hold AB along the axes of a, and
+  /// their multipliers are components of the force on b. <name>_rx, _ry, _rz hold the orientation, and their
+  /// multipliers are components of the moment on b about the axes of a.
   std::vector<ConstraintHandle> loop_joint(const std::string& name, const LoopJoint& joint);
-  /// Names the reaction that enforces a constraint: a force of unknown intensity on `body` at `contact` along
-  /// `direction` (components in `axes`), and the opposite on `other`. Its multiplier is then that intensity [N].
+  /// Names the reaction that enforces a constraint. It is a force of unknown intensity on `body` at `contact` along
+  /// `direction` (components in `axes`), and the opposite on `other`. The multiplier is then that intensity [N].
   void reaction(const ConstraintHandle& constraint, const std::string& name, const PointReaction& reaction);
 
   /// Names coordinates that shall be independent where constraints are eliminated (linearisation), the most wanted
-  /// first: those the constraints allow stay, the generator chooses the rest. An attitude's freedoms cannot be named.
+  /// first. Those that the constraints allow stay; the generator chooses the rest. An attitude's freedoms cannot be
+  /// named.
   void independent(const std::vector<Expression>& coordinates);
 
-  /// Keeps coordinates that move no mass, which are refused otherwise: kinematics and inverse dynamics have them, kernels
-  /// that solve with the mass matrix are then absent.
+  /// Keeps coordinates that move no mass, which are refused otherwise. Kinematics and inverse dynamics have them.
+  /// Kernels that solve with the mass matrix are then absent.
   void keep_massless() { content_.keeps_massless = true; }
 
   /// Tells that the scene was read from a file; generated headers say so.

@@ -145,11 +145,12 @@ class BatchOf {
   explicit BatchOf(const typename Single::Parameters& parameters = Single::default_parameters())
       : single_(Single::precompute(parameters)), packed_(Packed::precompute(broadcast(parameters))) {}
 
-  /// Calls `kernel(std::type_identity<M>{}, precomputed, values...)` for every block of the batches, with M = Packed. It
-  /// returns nothing, or a status; where that is not 0 for a block, it is called once more for each state of the block,
-  /// with that state in all lanes: what it says then is that state's status, and what it leaves that state's results.
-  /// So neither depends on the neighbours, and a kernel may return before it has written everything. It must not read
-  /// what it writes: that is not the same at the second call. The results of states that fail are what it left.
+  /// Calls `kernel(std::type_identity<M>{}, precomputed, values...)` for every block of the batches, with M = Packed.
+  /// The kernel returns nothing, or a status. Where the status of a block is not 0, the kernel is called once more
+  /// for each state of the block, with that state in all lanes. Its status and its results are then those of that
+  /// state. So neither depends on the neighbours, and a kernel may return before it has written everything. It must
+  /// not read its own results: they are not the same at the second call. A state that fails keeps the results that
+  /// its call has left.
   /// Throws std::invalid_argument when the batches, or the statuses, are not of one size.
   template <class Kernel, class... Batches>
   BatchReport for_each(const Kernel& kernel, const BatchOptions& options, Batches&... batches) const {

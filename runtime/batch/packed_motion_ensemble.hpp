@@ -96,9 +96,9 @@ class PackedSteps {
 /// the same bit by bit, with them both stay within the same bound of rounding. With a fixed step a group of which one
 /// member fails, or whose members start at different times, is computed member by member; with Taylor's method each
 /// lane has steps of its own, and goes as far as it gets: see PackedTaylor.
-/// `InputLaw` is given for both scalars, or for none. Both are called from several threads at once, each for members of
-/// its own, and must give in each lane what the law of one member gives for that lane's state: else a record depends on
-/// whether its group was computed in a pack. What they depend on, gains say, belongs into `label`.
+/// `InputLaw` is given for both scalars, or for none. Both are called from several threads at once, each for members
+/// of its own. In each lane they must give the result of the law of one member for that lane's state. Otherwise a
+/// record depends on whether its group was computed in a pack. Numbers of a law, such as gains, belong into `label`.
 template <template <class> class Mechanism, class Number, class Members, PackableMethod Method,
           template <class> class InputLaw = NoInputs, int lanes = native_lanes<Number>>
 class PackedMotionEnsemble {

@@ -22,11 +22,11 @@ EnergyTheorem energy_theorem(const Equations& equations, const BodyNames& bodies
 EnergyTheorem energy_theorem_without_joints(const Equations& equations, const BodyNames& bodies,
                                             const FrameReference& observer = "ground");
 
-/// Power of a named action relative to R [W]. That of a mutual action (spring, damper, attraction, drag, action between
-/// two bodies) counts both sides, the ground's too, and is the same in every frame; that of a given force, torque or
-/// wrench changes with the frame by the reciprocal product with the twist of one frame relative to the other,
-/// F · V(R2/R1) for a force where the frames do not turn. An action on a formula of coordinates acts within the
-/// mechanism and has one power. Throws SceneError for a name that no action has.
+/// Power of a named action relative to R [W]. The power of a mutual action (spring, damper, attraction, drag, action
+/// between two bodies) counts both sides, the ground's too, and is the same in every frame. The power of a given
+/// force, torque or wrench changes with the frame: by the reciprocal product with the twist of one frame relative to
+/// the other, F · V(R2/R1) for a force where the frames do not turn. An action on a formula of coordinates acts
+/// within the mechanism and has one power. Throws SceneError for a name that no action has.
 Value action_power(const Equations& equations, const std::string& action, const FrameReference& observer = "ground");
 
 /// Whether an action comes from outside the bodies of the scene: a given force, torque or wrench.

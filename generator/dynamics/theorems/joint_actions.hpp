@@ -9,9 +9,9 @@
 
 namespace torsor {
 
-/// What a joint transmits to the body that it carries, component by component as a person writes it: those that no law
-/// gives are symbols with the names of `connections`; along the joint's freedoms stands what motors, springs, dampers
-/// and formulas of constraints do there.
+/// The wrench that a joint transmits to the body that it carries, component by component as a person writes it.
+/// Components that no law gives are symbols with the names of `connections`. Along the joint's freedoms stand the
+/// forces of motors, springs, dampers and formulas of constraints.
 struct JointAction {
   Connection connection;
   Wrench wrench;  ///< on the body: along the axes of `connection.top`, at the origin of `connection.bottom`
