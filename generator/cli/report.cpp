@@ -10,6 +10,7 @@
 #include "generator/base/error.hpp"
 #include "generator/cli/command_texts.hpp"
 #include "generator/cli/katex.hpp"
+#include "generator/dynamics/equations/contact_checks.hpp"
 #include "generator/dynamics/theorems/unknowns_report.hpp"
 #include "generator/emission/embedded_templates.hpp"
 #include "generator/emission/javascript_module.hpp"
@@ -197,6 +198,7 @@ std::string inside_json(const std::string& text) {
 }
 
 std::string report_html(const Scene& scene, const ReportOptions& options) {
+  refuse_contacts(scene, "the motion in a report");
   const SceneContent& content = scene.content();
   const Motion motion = motion_of(scene, options.model);
   PrintOptions print;

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "generator/base/error.hpp"
+#include "generator/dynamics/equations/contact_checks.hpp"
 #include "generator/program/written_unit.hpp"
 #include "generator/verification/dormand_prince_853.hpp"
 
@@ -27,6 +28,7 @@ void check_options(const SimulationOptions& options) {
 
 Simulation simulate(const Scene& scene, const SimulationOptions& options) {
   check_options(options);
+  refuse_contacts(scene, "a simulation");
   EvaluatedMotion motion(scene, options.model, options.parameters, options.inputs);
   Simulation result;
   result.names = {"time"};

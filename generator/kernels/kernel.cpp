@@ -12,6 +12,7 @@
 #include "generator/dynamics/equations/massless.hpp"
 #include "generator/dynamics/forces/energy.hpp"
 #include "generator/dynamics/theorems/painleve.hpp"
+#include "generator/kernels/kernel_contacts.hpp"
 #include "generator/kernels/kernel_derivatives.hpp"
 #include "generator/kernels/kernel_jets.hpp"
 #include "generator/kernels/kernel_kinematics.hpp"
@@ -238,6 +239,8 @@ const std::vector<Entry>& entries() {
       {"first_integrals", make_first_integrals, no_first_integrals},
       {"constraints", make_constraints, no_constraints},
       {"reactions", make_reactions, no_reactions},
+      {"contacts", make_contacts, no_contacts},
+      {"contact_coefficients", make_contact_coefficients, no_contacts},
       {"linearisation", make_linearisation, no_linearisation, true},
       {"inverse_dynamics_derivatives", make_inverse_dynamics_derivatives, never},
       {"forward_dynamics_derivatives", make_forward_dynamics_derivatives, never, true},

@@ -229,6 +229,25 @@ class Scene {
   void spinning_resistance(const std::string& name, const ConstraintHandle& normal,
                            const RotationResistance& resistance);
 
+  // --- contacts that open and close ---------------------------------------------------------------------------------
+  // Laws of Signorini, Coulomb and of impact, in no assumed regime: the kernels `contacts` and `contact_coefficients`
+  // hand them over, and runtime/contacts moves the mechanism from event to event (docs/contacts.md). All other kernels
+  // are those of the mechanism with its contacts open.
+  /// Two bodies that may touch: 0 ≤ gap, 0 ≤ N, their product is zero; friction in the tangential plane, in a disc; on
+  /// impact the normal velocity is reversed times the restitution. A plane takes any other shape, in any order; a sphere
+  /// takes a sphere or a hollow sphere. The normal n points from the second body (the plane, the hollow one) to the
+  /// first, and slip is that of the first on the second. Tangents are x and y of the plane; one along which nothing can
+  /// slip is left out, so that a plane mechanism has one. A round shape makes the point <name>_point, a box the contacts
+  /// <name>_1, _2 and so on with their points.
+  void contact(const std::string& name, const ContactShape& shape, const ContactShape& other, const SurfaceLaw& law = {});
+  /// Stops of a coordinate, the contacts <coordinate>_lower and <coordinate>_upper: lower ≤ q ≤ upper, each a formula of
+  /// coordinates, time and parameters or none.
+  void stop(const Expression& coordinate, const std::optional<Expression>& lower, const std::optional<Expression>& upper,
+            const StopLaw& law = {});
+  /// Dry friction in a joint: a force or torque of at most `bound` that works with the displacement, opposes its rate
+  /// while that is not zero, and holds it at rest where it can.
+  void dry_friction(const std::string& name, const Expression& displacement, const DryFriction& friction);
+
   // --- constraints --------------------------------------------------------------------------------------------------
   /// A holonomic constraint f(q, t) = 0. Its multiplier λ gives Q_i = λ ∂f/∂q_i.
   ConstraintHandle holonomic(const std::string& name, const Expression& f);
@@ -291,6 +310,8 @@ class Scene {
                                   const std::vector<Step>& then);
   ConstraintHandle add_constraint(ConstraintContent constraint);
   void add_friction(ContactFriction friction);
+  void add_contact(ContactContent contact);
+  std::vector<PointHandle> touching_points(const std::string& name, const ContactShape& shape, const FrameReference& plane);
   void add_resistance(const std::string& name, const char* kind, const ConstraintHandle& normal,
                       const RotationResistance& resistance);
   ConstraintHandle add_constraint(const std::string& name, ConstraintLaw law, const Unit& multiplier);

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <array>
 #include <functional>
+#include <optional>
 #include <string>
 #include <variant>
 
@@ -74,6 +76,43 @@ struct RotationResistance {
   FrameReference body;
   Triple direction;
   FrameReference axes, other = "ground";
+};
+
+// --- contacts that open and close -----------------------------------------------------------------------------------
+/// What a body touches others with. In a plane mechanism a sphere is a circle, and a plane is a line.
+namespace shape {
+/// A point of a body, or a point of contact of a round body that was declared for the same plane.
+struct Point { PointReference point; };
+/// Centred at the origin of the frame.
+struct Sphere { FrameReference frame; Expression radius; };
+/// The inside of a hollow sphere (in the plane: a drum, or the hole of a joint with clearance) around the frame's origin.
+struct HollowSphere { FrameReference frame; Expression radius; };
+/// The rim of a thin disc centred at the origin of the frame.
+struct Disc { FrameReference frame; Triple axis; Expression radius; };
+struct Torus { FrameReference frame; Triple axis; Expression circle_radius, tube_radius; };
+/// Semi-axes [m] along those of the frame, centred at its origin.
+struct Ellipsoid { FrameReference frame; Triple semi_axes; };
+/// A smooth convex body by its support function h(u) = max u · CP [m], C the origin of the frame.
+struct Convex { FrameReference frame; std::function<Expression(const Triple& u)> support; };
+/// The corners at ± `half_edges` [m] along the axes of the frame, each a contact; a half edge 0 leaves its axis out.
+struct Box { FrameReference frame; Triple half_edges; };
+/// The plane x, y of the frame, of a body that lies below it, z < 0. `belt` is the velocity [m/s] along x and y of a
+/// surface that runs over the body.
+struct Plane { FrameReference frame; std::array<Expression, 2> belt{}; };
+}  // namespace shape
+using ContactShape = std::variant<shape::Point, shape::Sphere, shape::HollowSphere, shape::Disc, shape::Torus,
+                                  shape::Ellipsoid, shape::Convex, shape::Box, shape::Plane>;
+/// What two surfaces do to each other: plain numbers, formulas of parameters. Without a `static_friction` it is `friction`.
+struct SurfaceLaw {
+  Expression friction = 0;
+  std::optional<Expression> static_friction = std::nullopt;
+  Expression restitution = 0;
+};
+struct StopLaw { Expression restitution = 0; };
+/// Coulomb's bound of a joint's dry friction [J over the unit of its displacement]; without a `static_bound` it is `bound`.
+struct DryFriction {
+  Expression bound;
+  std::optional<Expression> static_bound = std::nullopt;
 };
 
 // --- constraints ----------------------------------------------------------------------------------------------------

@@ -166,6 +166,22 @@ struct JointClosure {
 
 using ConstraintLaw = std::variant<HolonomicFormula, NonholonomicFormula, NoSlip, Closure, PointInPlane, JointClosure>;
 
+// --- contacts that open and close: where the gap is, and along what there is friction ---
+/// A point over the plane x, y of a frame.
+struct PointOnPlane { PointReference point; FrameReference plane; std::array<Expression, 2> belt; };
+/// Spheres around the origins of two frames; the first may lie inside the second, which is hollow then.
+struct SphereOnSphere { FrameReference a, b; Expression radius_a, radius_b; bool hollow = false; };
+/// The gap is sign · (displacement − at).
+struct Stop { Expression displacement, at; int sign = 1; };
+/// Dry friction that works with a displacement and is always there.
+struct FrictionAlong { Expression displacement, bound, static_bound; };
+using ContactGeometry = std::variant<PointOnPlane, SphereOnSphere, Stop, FrictionAlong>;
+struct ContactContent {
+  std::string name;
+  ContactGeometry geometry;
+  Expression friction{}, static_friction{}, restitution{};  ///< formulas of parameters
+};
+
 using ReactionContent = Named<PointReaction>;
 struct ConstraintContent {
   std::string name;
@@ -198,6 +214,7 @@ struct SceneContent {
   std::vector<ActionContent> actions;
   std::vector<ContactFriction> frictions;
   std::vector<ConstraintContent> constraints;
+  std::vector<ContactContent> contacts;  ///< that open and close, stops and dry frictions
   std::vector<SymbolPointer> independent;  ///< coordinates wanted independent, the most wanted first
   Triple gravity{Expression(0), Expression(0), Expression(0)};
   /// Coordinates that move no mass are kept: kernels that solve with the mass matrix are then absent. Otherwise they are

@@ -9,6 +9,7 @@
 #include "generator/dynamics/theorems/painleve.hpp"
 #include "generator/program/derivative.hpp"
 #include "generator/verification/check_constraints.hpp"
+#include "generator/verification/check_contacts.hpp"
 #include "generator/verification/check_jets.hpp"
 #include "generator/verification/check_kernels.hpp"
 #include "generator/verification/dense_linear.hpp"
@@ -327,6 +328,7 @@ class SceneCheck {
 std::vector<CheckResult> check_derivations(const Scene& scene, const CheckOptions& options) {
   std::vector<CheckResult> results = SceneCheck(scene, options).run();
   for (CheckResult& result : check_constraints(scene, options)) results.push_back(std::move(result));
+  for (CheckResult& result : check_contacts(scene, options)) results.push_back(std::move(result));
   return results;
 }
 

@@ -7,6 +7,7 @@
 
 #include "generator/base/decimal.hpp"
 #include "generator/base/error.hpp"
+#include "generator/dynamics/equations/contact_checks.hpp"
 #include "generator/dynamics/equations/massless.hpp"
 #include "generator/dynamics/equations/validation.hpp"
 #include "generator/mechanics/parameter_value.hpp"
@@ -107,6 +108,7 @@ std::string reference_csv(const Scene& scene, const ReferenceOptions& options) {
 }
 
 ReferenceResult integrate_reference(const Scene& scene, const ReferenceOptions& options) {
+  refuse_contacts(scene, "a reference");
   constexpr int spare_digits = 15;
   const int work_digits = options.digits + spare_digits;
   const WorkingDigits precision(work_digits);

@@ -32,7 +32,8 @@ TEST(SceneProgram, ListsWhatTheSceneContains) {
   EXPECT_EQ(list.at("actions"), json::array({"torque"}));
   for (const json& kernel : list.at("kernels")) {
     const bool absent = kernel.at("name") == "constraints" || kernel.at("name") == "reactions" ||
-                        kernel.at("name") == "first_integrals" || kernel.at("name") == "sparse_constraint_jacobian";
+                        kernel.at("name") == "first_integrals" || kernel.at("name") == "sparse_constraint_jacobian" ||
+                        kernel.at("name") == "contacts" || kernel.at("name") == "contact_coefficients";
     EXPECT_EQ(kernel.at("available"), !absent) << kernel;
     EXPECT_EQ(kernel.contains("why_not"), absent) << kernel;
   }
@@ -301,7 +302,8 @@ TEST(SceneProgram, NamesAnUnknownKernelAndTheKnownOnes) {
     expect_failure(
         run(pendulum, {command, "--output", "/nowhere/x", "--kernels", "mass_matrix,weights"}), 2,
         "unknown kernel 'weights': known are kinematics, mass_matrix, bias, inverse_dynamics, forward_dynamics, "
-        "energy, first_integrals, constraints, reactions, linearisation, inverse_dynamics_derivatives, "
+        "energy, first_integrals, constraints, reactions, contacts, contact_coefficients, linearisation, "
+        "inverse_dynamics_derivatives, "
                   "forward_dynamics_derivatives, regressor, jets, sparse_constraint_jacobian, residual, residual_jacobian, "
                   "inverse_dynamics_second_derivatives, forward_dynamics_second_derivatives, "
                   "inverse_dynamics_sensitivities, forward_dynamics_sensitivities, gravity, centroidal_momentum, poses, "

@@ -92,6 +92,13 @@ class DependenceCheck {
       user_ = "constraint '" + constraint.name + "'";
       std::visit(*this, constraint.law);
     }
+    for (const ContactContent& contact : scene_.contacts) {
+      user_ = "contact '" + contact.name + "'";
+      std::visit(*this, contact.geometry);
+      require("the friction of " + user_, contact.friction, Allowed::parameters);
+      require("the static friction of " + user_, contact.static_friction, Allowed::parameters);
+      require("the restitution of " + user_, contact.restitution, Allowed::parameters);
+    }
   }
 
   // --- actions: what is differentiated of them ---
@@ -127,6 +134,24 @@ class DependenceCheck {
   void operator()(const NoSlip& law) { all("the direction of " + user_, law.direction, Allowed::configuration); }
   void operator()(const Closure& law) { all("the direction of " + user_, law.direction, Allowed::configuration); }
   void operator()(const JointClosure& law) { require("the pitch of " + user_, law.pitch, Allowed::parameters); }
+
+  // --- contacts ---
+  void operator()(const PointOnPlane& on) {
+    for (const Expression& velocity : on.belt) require("the velocity of the belt of " + user_, velocity, Allowed::configuration);
+  }
+  void operator()(const SphereOnSphere& spheres) {
+    require("a radius of " + user_, spheres.radius_a, Allowed::parameters);
+    require("a radius of " + user_, spheres.radius_b, Allowed::parameters);
+  }
+  void operator()(const Stop& stop) {
+    require("the displacement of " + user_, stop.displacement, Allowed::configuration);
+    require("the place of " + user_, stop.at, Allowed::configuration);
+  }
+  void operator()(const FrictionAlong& friction) {
+    require("the displacement of " + user_, friction.displacement, Allowed::configuration);
+    require("the bound of " + user_, friction.bound, Allowed::parameters);
+    require("the static bound of " + user_, friction.static_bound, Allowed::parameters);
+  }
 
   /// Others look at their formulas themselves, or have none.
   template <class Other>

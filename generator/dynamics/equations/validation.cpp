@@ -9,6 +9,7 @@
 
 #include "generator/base/as_index.hpp"
 #include "generator/base/error.hpp"
+#include "generator/dynamics/equations/contact_checks.hpp"
 #include "generator/dynamics/equations/dependence_checks.hpp"
 #include "generator/dynamics/equations/equations.hpp"
 #include "generator/dynamics/equations/scene_checks.hpp"
@@ -219,6 +220,7 @@ void validate(const Scene& scene) {
   for (const BodyContent& body : scene.content().bodies) check_inertia(scene.content(), body);
   check_universal_joints(scene.content());
   check_friction_coefficients(scene.content());
+  check_surfaces(scene.content());
   check_dependences(scene);
   const Equations equations(scene);
   check_joints(equations.model());
@@ -233,6 +235,7 @@ void validate(const Scene& scene) {
     equations.model().locate(PointHandle{static_cast<int>(i)}, 0, "point '" + scene.content().points[i].name + "'");
   }
   check_initial_state(equations);
+  check_contacts(equations);
   if (!lacks_values(scene)) check_closing_joints(equations);
   equations.redundancy();
 }

@@ -1,0 +1,1122 @@
+// SPDX-License-Identifier: MIT
+// billiard_two_balls: Billiard ball that strikes another one
+// Made by torsor 0.1.0; change the scene and write the file again, do not edit it.
+// Free to embed under the MIT licence.
+//
+// Kernels: mass_matrix, bias, energy, contacts, contact_coefficients
+// Parameters set at run time: f, e, f_between
+//
+// Operations in the text of each function (a sine-cosine pair counts 2 in the total; not in it is what a Status
+// costs, one multiplication for each result and for each pivot tested); before: without products that sums
+// share, factoring, and what is done once for a set of parameters:
+//   function              additions  multiplications  divisions  square roots  sine-cosine pairs  others  total  before
+//   mass_matrix                   0                0          0             0                  0       0      0       0
+//   bias                         12               34          0             0                  0       0     46      54
+//   energy                       48               57          0             0                  0       0    105     128
+//   contacts                    278              384         17             1                  0       0    680     725
+//   contact_coefficients          0                0          0             0                  0       0      0       0
+//
+// Not computed because this mechanism does not need it:
+//   mass_matrix: of 144 results 132 vanish identically
+//   bias: of 12 results 10 vanish identically
+//   energy: of 3 results 1 vanish identically
+//   contacts: of 129 results 66 vanish identically, 9 repeat another up to sign
+//   contact_coefficients: of 15 results 8 vanish identically, 4 repeat another up to sign
+//
+// To write this file again:
+//   billiard_two_balls_scene generate --kernels mass_matrix,bias,energy,contacts,contact_coefficients --support torsor_support.hpp --output billiard_two_balls.hpp
+#pragma once
+
+#include <array>
+#include <cmath>
+
+#include "torsor_support.hpp"
+namespace billiard_two_balls {
+
+/// What vectors hold, with units, and what kernels read and write: data that cost nothing where nobody looks at them.
+struct Description {
+  static constexpr std::array<torsor::QuantityDescription, 14> coordinates{{{"x", "m"}, {"y", "m"}, {"z", "m"},
+      {"turn_w", "1"}, {"turn_x", "1"}, {"turn_y", "1"}, {"turn_z", "1"}, {"x2", "m"}, {"y2", "m"}, {"z2", "m"},
+      {"turn2_w", "1"}, {"turn2_x", "1"}, {"turn2_y", "1"}, {"turn2_z", "1"}}};
+  static constexpr std::array<torsor::QuantityDescription, 12> velocities{{{"x", "m/s"}, {"y", "m/s"}, {"z", "m/s"},
+      {"turn_omega_x", "rad/s"}, {"turn_omega_y", "rad/s"}, {"turn_omega_z", "rad/s"}, {"x2", "m/s"}, {"y2", "m/s"},
+      {"z2", "m/s"}, {"turn2_omega_x", "rad/s"}, {"turn2_omega_y", "rad/s"}, {"turn2_omega_z", "rad/s"}}};
+  static constexpr std::array<torsor::QuantityDescription, 0> inputs{};
+  static constexpr std::array<torsor::QuantityDescription, 0> multipliers{};
+  static constexpr std::array<torsor::QuantityDescription, 3> parameters{{{"f", "1"}, {"e", "1"}, {"f_between", "1"}}};
+  static constexpr std::array<torsor::ResultDescription, 15> results{{{"rates", "", 14, 1}, {"mass", "", 12, 12},
+      {"forces", "", 12, 1}, {"result", "kinetic", 1, 1}, {"result", "force_function", 1, 1}, {"result", "power", 1, 1},
+      {"result", "gap", 3, 1}, {"result", "rate", 9, 1}, {"result", "jacobian", 9, 12}, {"result", "drift", 9, 1},
+      {"result", "friction", 3, 1}, {"result", "static_friction", 3, 1}, {"result", "restitution", 3, 1}, {"result",
+      "bound", 3, 1}, {"result", "static_bound", 3, 1}}};
+  static constexpr std::array<torsor::KernelDescription, 6> kernels{{{"coordinate_rates", false, false, false, false,
+      results.data() + 0, 1}, {"mass_matrix", false, false, false, false, results.data() + 1, 1}, {"bias", false, false,
+      false, false, results.data() + 2, 1}, {"energy", false, false, true, false, results.data() + 3, 3}, {"contacts",
+      false, false, false, false, results.data() + 6, 4}, {"contact_coefficients", false, false, false, false,
+      results.data() + 10, 5}}};
+};
+
+/// Every function is pure: it reads constant arguments and writes its results. Matrices are stored column by column.
+/// M a + h = E u + A' lambda and A a + gamma = 0, with a the accelerations and u the inputs; units are SI.
+template <class Scalar>
+struct Mechanism {
+  using traits = torsor::scalar_traits<Scalar>;
+  using Description = ::billiard_two_balls::Description;
+
+  static constexpr const char* name = "billiard_two_balls";
+  /// 64 bits (FNV-1a) of this file from "#pragma once" on, with zeros in their own place: another mechanism, other bits.
+  static constexpr unsigned long long fingerprint = 0x35ae3aa92805e1dfULL ^ torsor::support_fingerprint;
+  static constexpr int coordinate_count = 14;
+  static constexpr int velocity_count = 12;
+  static constexpr int input_count = 0;
+  static constexpr int parameter_count = 3;
+  static constexpr int multiplier_count = 0;
+  static constexpr int first_integral_count = 0;
+  /// Indices in q of the first components (w) of the unit quaternions (w, x, y, z).
+  static constexpr int quaternion_count = 2;
+  static constexpr int quaternions[] = {3, 10};
+
+  /// Parameters that are set at run time.
+  struct Parameters {
+    Scalar f;  ///< parameter [1]
+    Scalar e;  ///< parameter [1]
+    Scalar f_between;  ///< parameter [1]
+    static constexpr int size = 3;
+    TORSOR_DEVICE Scalar& operator[](int i_) noexcept { return this->*member_(i_); }
+    TORSOR_DEVICE const Scalar& operator[](int i_) const noexcept { return this->*member_(i_); }
+
+   private:
+    TORSOR_DEVICE static constexpr Scalar Parameters::*member_(int i_) noexcept {
+      constexpr Scalar Parameters::*members_[] = {&Parameters::f, &Parameters::e, &Parameters::f_between};
+      return members_[i_];
+    }
+  };
+
+  /// Generalised coordinates q.
+  struct Coordinates {
+    Scalar x;  ///< coordinate [m]
+    Scalar y;  ///< coordinate [m]
+    Scalar z;  ///< coordinate [m]
+    Scalar turn_w;  ///< component of a unit quaternion [1]
+    Scalar turn_x;  ///< component of a unit quaternion [1]
+    Scalar turn_y;  ///< component of a unit quaternion [1]
+    Scalar turn_z;  ///< component of a unit quaternion [1]
+    Scalar x2;  ///< coordinate [m]
+    Scalar y2;  ///< coordinate [m]
+    Scalar z2;  ///< coordinate [m]
+    Scalar turn2_w;  ///< component of a unit quaternion [1]
+    Scalar turn2_x;  ///< component of a unit quaternion [1]
+    Scalar turn2_y;  ///< component of a unit quaternion [1]
+    Scalar turn2_z;  ///< component of a unit quaternion [1]
+    static constexpr int size = 14;
+    TORSOR_DEVICE Scalar& operator[](int i_) noexcept { return this->*member_(i_); }
+    TORSOR_DEVICE const Scalar& operator[](int i_) const noexcept { return this->*member_(i_); }
+
+   private:
+    TORSOR_DEVICE static constexpr Scalar Coordinates::*member_(int i_) noexcept {
+      constexpr Scalar Coordinates::*members_[] = {&Coordinates::x, &Coordinates::y, &Coordinates::z,
+          &Coordinates::turn_w, &Coordinates::turn_x, &Coordinates::turn_y, &Coordinates::turn_z, &Coordinates::x2,
+          &Coordinates::y2, &Coordinates::z2, &Coordinates::turn2_w, &Coordinates::turn2_x, &Coordinates::turn2_y,
+          &Coordinates::turn2_z};
+      return members_[i_];
+    }
+  };
+
+  /// Generalised velocities v; coordinate_rates gives dq/dt.
+  struct Velocities {
+    Scalar x;  ///< its rate [m/s]
+    Scalar y;  ///< its rate [m/s]
+    Scalar z;  ///< its rate [m/s]
+    Scalar turn_omega_x;  ///< angular velocity, in moving axes [rad/s]
+    Scalar turn_omega_y;  ///< angular velocity, in moving axes [rad/s]
+    Scalar turn_omega_z;  ///< angular velocity, in moving axes [rad/s]
+    Scalar x2;  ///< its rate [m/s]
+    Scalar y2;  ///< its rate [m/s]
+    Scalar z2;  ///< its rate [m/s]
+    Scalar turn2_omega_x;  ///< angular velocity, in moving axes [rad/s]
+    Scalar turn2_omega_y;  ///< angular velocity, in moving axes [rad/s]
+    Scalar turn2_omega_z;  ///< angular velocity, in moving axes [rad/s]
+    static constexpr int size = 12;
+    TORSOR_DEVICE Scalar& operator[](int i_) noexcept { return this->*member_(i_); }
+    TORSOR_DEVICE const Scalar& operator[](int i_) const noexcept { return this->*member_(i_); }
+
+   private:
+    TORSOR_DEVICE static constexpr Scalar Velocities::*member_(int i_) noexcept {
+      constexpr Scalar Velocities::*members_[] = {&Velocities::x, &Velocities::y, &Velocities::z,
+          &Velocities::turn_omega_x, &Velocities::turn_omega_y, &Velocities::turn_omega_z, &Velocities::x2,
+          &Velocities::y2, &Velocities::z2, &Velocities::turn2_omega_x, &Velocities::turn2_omega_y,
+          &Velocities::turn2_omega_z};
+      return members_[i_];
+    }
+  };
+
+  /// Generalised accelerations dv/dt.
+  struct Accelerations {
+    Scalar x;  ///< its second rate [m/s^2]
+    Scalar y;  ///< its second rate [m/s^2]
+    Scalar z;  ///< its second rate [m/s^2]
+    Scalar turn_omega_x;  ///< its rate [rad/s^2]
+    Scalar turn_omega_y;  ///< its rate [rad/s^2]
+    Scalar turn_omega_z;  ///< its rate [rad/s^2]
+    Scalar x2;  ///< its second rate [m/s^2]
+    Scalar y2;  ///< its second rate [m/s^2]
+    Scalar z2;  ///< its second rate [m/s^2]
+    Scalar turn2_omega_x;  ///< its rate [rad/s^2]
+    Scalar turn2_omega_y;  ///< its rate [rad/s^2]
+    Scalar turn2_omega_z;  ///< its rate [rad/s^2]
+    static constexpr int size = 12;
+    TORSOR_DEVICE Scalar& operator[](int i_) noexcept { return this->*member_(i_); }
+    TORSOR_DEVICE const Scalar& operator[](int i_) const noexcept { return this->*member_(i_); }
+
+   private:
+    TORSOR_DEVICE static constexpr Scalar Accelerations::*member_(int i_) noexcept {
+      constexpr Scalar Accelerations::*members_[] = {&Accelerations::x, &Accelerations::y, &Accelerations::z,
+          &Accelerations::turn_omega_x, &Accelerations::turn_omega_y, &Accelerations::turn_omega_z, &Accelerations::x2,
+          &Accelerations::y2, &Accelerations::z2, &Accelerations::turn2_omega_x, &Accelerations::turn2_omega_y,
+          &Accelerations::turn2_omega_z};
+      return members_[i_];
+    }
+  };
+
+  /// Generalised forces, one along each coordinate.
+  struct GeneralizedForces {
+    Scalar x;  ///< works with the rate of x [N]
+    Scalar y;  ///< works with the rate of y [N]
+    Scalar z;  ///< works with the rate of z [N]
+    Scalar turn_omega_x;  ///< works with turn_omega_x [N m]
+    Scalar turn_omega_y;  ///< works with turn_omega_y [N m]
+    Scalar turn_omega_z;  ///< works with turn_omega_z [N m]
+    Scalar x2;  ///< works with the rate of x2 [N]
+    Scalar y2;  ///< works with the rate of y2 [N]
+    Scalar z2;  ///< works with the rate of z2 [N]
+    Scalar turn2_omega_x;  ///< works with turn2_omega_x [N m]
+    Scalar turn2_omega_y;  ///< works with turn2_omega_y [N m]
+    Scalar turn2_omega_z;  ///< works with turn2_omega_z [N m]
+    static constexpr int size = 12;
+    TORSOR_DEVICE Scalar& operator[](int i_) noexcept { return this->*member_(i_); }
+    TORSOR_DEVICE const Scalar& operator[](int i_) const noexcept { return this->*member_(i_); }
+
+   private:
+    TORSOR_DEVICE static constexpr Scalar GeneralizedForces::*member_(int i_) noexcept {
+      constexpr Scalar GeneralizedForces::*members_[] = {&GeneralizedForces::x, &GeneralizedForces::y,
+          &GeneralizedForces::z, &GeneralizedForces::turn_omega_x, &GeneralizedForces::turn_omega_y,
+          &GeneralizedForces::turn_omega_z, &GeneralizedForces::x2, &GeneralizedForces::y2, &GeneralizedForces::z2,
+          &GeneralizedForces::turn2_omega_x, &GeneralizedForces::turn2_omega_y, &GeneralizedForces::turn2_omega_z};
+      return members_[i_];
+    }
+  };
+
+  /// Forces and torques of motors, set at each call.
+  struct Inputs : torsor::NoMembers<Scalar> {};
+
+  /// Multipliers of the constraints, or the reactions that enforce them.
+  struct Multipliers : torsor::NoMembers<Scalar> {};
+
+  /// Time [s], coordinates and velocities.
+  struct State {
+    Scalar time;
+    Coordinates q;
+    Velocities v;
+  };
+
+  /// Parameters and what depends on them only: built once for each set of parameters.
+  struct Precomputed {
+    Parameters parameters;
+  };
+
+  /// Values of the scene.
+  TORSOR_DEVICE static Parameters default_parameters() noexcept {
+    Parameters parameters{};
+    const Scalar n0_2 = traits::constant(0.2, 0.2f, "1/5");
+    const Scalar n0_93 = traits::constant(0.93, 0.93f, "93/100");
+    const Scalar n0_06 = traits::constant(0.06, 0.06f, "3/50");
+    parameters.f = n0_2;
+    parameters.e = n0_93;
+    parameters.f_between = n0_06;
+    return parameters;
+  }
+
+  /// To be called again when a parameter changes.
+  TORSOR_DEVICE static Precomputed precompute(const Parameters& parameters) noexcept {
+    Precomputed precomputed{};
+    precomputed.parameters = parameters;
+    return precomputed;
+  }
+
+  /// The state the scene starts from, for these parameters.
+  TORSOR_DEVICE static State initial_state(const Parameters&) noexcept {
+    State state{};
+    const Scalar n0 = traits::constant(0.0, 0.0f, "0/1");
+    const Scalar k1 = traits::constant(0.04949335182628067, 0.04949335f, "0;0;1143/40000;0");
+    const Scalar k2 = traits::constant(0.028575, 0.028575f, "1143/40000");
+    const Scalar n1 = traits::constant(1.0, 1.0f, "1/1");
+    const Scalar n2 = traits::constant(2.0, 2.0f, "2/1");
+    state.time = n0;
+    state.q.x = -k1;
+    state.q.y = -k2;
+    state.q.z = k2;
+    state.q.turn_w = n1;
+    state.q.turn_x = n0;
+    state.q.turn_y = n0;
+    state.q.turn_z = n0;
+    state.q.x2 = n0;
+    state.q.y2 = n0;
+    state.q.z2 = k2;
+    state.q.turn2_w = n1;
+    state.q.turn2_x = n0;
+    state.q.turn2_y = n0;
+    state.q.turn2_z = n0;
+    state.v.x = n2;
+    state.v.y = n0;
+    state.v.z = n0;
+    state.v.turn_omega_x = n0;
+    state.v.turn_omega_y = n0;
+    state.v.turn_omega_z = n0;
+    state.v.x2 = n0;
+    state.v.y2 = n0;
+    state.v.z2 = n0;
+    state.v.turn2_omega_x = n0;
+    state.v.turn2_omega_y = n0;
+    state.v.turn2_omega_z = n0;
+    return state;
+  }
+  TORSOR_DEVICE static State initial_state() noexcept { return initial_state(default_parameters()); }
+
+  /// Energies of the mechanism.
+  struct Energy {
+    Scalar kinetic;  ///< kinetic energy T [J]
+    Scalar force_function;  ///< force function U of gravity and springs [J]
+    Scalar power;  ///< power of dampers, given forces and motors [W]
+    static constexpr int size = 3;
+    TORSOR_DEVICE Scalar& operator[](int i_) noexcept { return this->*member_(i_); }
+    TORSOR_DEVICE const Scalar& operator[](int i_) const noexcept { return this->*member_(i_); }
+
+   private:
+    TORSOR_DEVICE static constexpr Scalar Energy::*member_(int i_) noexcept {
+      constexpr Scalar Energy::*members_[] = {&Energy::kinetic, &Energy::force_function, &Energy::power};
+      return members_[i_];
+    }
+  };
+
+  /// Gaps of contacts, and what they may do along their normals and tangents.
+  struct Contacts {
+    std::array<Scalar, 3> gap;  ///< of each contact, falls to 0 where it closes; 0 of dry friction
+    std::array<Scalar, 9> rate;  ///< w, of normals d(gap)/dt, of tangents the slip
+    std::array<Scalar, 108> jacobian;  ///< J, stored column by column (9 x 12)
+    std::array<Scalar, 9> drift;  ///< dw/dt at zero accelerations
+  };
+  /// Contacts, and their rows.
+  static constexpr int contact_count = 3;
+  static constexpr int contact_row_count = 9;
+  /// How many normals and tangents each contact has: dry friction has no normal.
+  static constexpr int contact_normals[] = {1, 1, 1};
+  static constexpr int contact_tangents[] = {2, 2, 2};
+
+  /// Coefficients of contacts.
+  struct ContactCoefficients {
+    std::array<Scalar, 3> friction;  ///< f [1]
+    std::array<Scalar, 3> static_friction;  ///< f_s [1]
+    std::array<Scalar, 3> restitution;  ///< e [1]
+    std::array<Scalar, 3> bound;  ///< b of dry friction, 0 of others
+    std::array<Scalar, 3> static_bound;  ///< b_s of dry friction, 0 of others
+  };
+
+  /// dq/dt from v: the velocity itself for a coordinate, 1/2 e (0, omega) for a unit quaternion e with the angular
+  /// velocity omega in moving axes.
+  TORSOR_DEVICE static void coordinate_rates(const Precomputed&, const State& state,
+      std::array<Scalar, 14>& rates) noexcept {
+    const Scalar n0_5 = traits::constant(0.5, 0.5f, "1/2");
+    const Scalar v_x = state.v.x;
+    const Scalar v_y = state.v.y;
+    const Scalar v_z = state.v.z;
+    const Scalar q_turn_y = state.q.turn_y;
+    const Scalar q_turn_z = state.q.turn_z;
+    const Scalar q_turn_x = state.q.turn_x;
+    const Scalar q_turn_w = state.q.turn_w;
+    const Scalar v_turn_omega_x = state.v.turn_omega_x;
+    const Scalar v_turn_omega_y = state.v.turn_omega_y;
+    const Scalar v_turn_omega_z = state.v.turn_omega_z;
+    const Scalar v_x2 = state.v.x2;
+    const Scalar v_y2 = state.v.y2;
+    const Scalar v_z2 = state.v.z2;
+    const Scalar q_turn2_y = state.q.turn2_y;
+    const Scalar q_turn2_z = state.q.turn2_z;
+    const Scalar q_turn2_x = state.q.turn2_x;
+    const Scalar q_turn2_w = state.q.turn2_w;
+    const Scalar v_turn2_omega_x = state.v.turn2_omega_x;
+    const Scalar v_turn2_omega_y = state.v.turn2_omega_y;
+    const Scalar v_turn2_omega_z = state.v.turn2_omega_z;
+    const Scalar z0 = n0_5 * (q_turn_y * v_turn_omega_y + q_turn_z * v_turn_omega_z + q_turn_x * v_turn_omega_x);
+    const Scalar z1 = n0_5 * (q_turn_y * v_turn_omega_z - q_turn_z * v_turn_omega_y + q_turn_w * v_turn_omega_x);
+    const Scalar z2 = n0_5 * (q_turn_z * v_turn_omega_x - q_turn_x * v_turn_omega_z + q_turn_w * v_turn_omega_y);
+    const Scalar z3 = n0_5 * (q_turn_y * v_turn_omega_x - q_turn_x * v_turn_omega_y - q_turn_w * v_turn_omega_z);
+    const Scalar z4 = n0_5 * (q_turn2_y * v_turn2_omega_y + q_turn2_z * v_turn2_omega_z + q_turn2_x * v_turn2_omega_x);
+    const Scalar z5 = n0_5 * (q_turn2_y * v_turn2_omega_z - q_turn2_z * v_turn2_omega_y + q_turn2_w * v_turn2_omega_x);
+    const Scalar z6 = n0_5 * (q_turn2_z * v_turn2_omega_x - q_turn2_x * v_turn2_omega_z + q_turn2_w * v_turn2_omega_y);
+    const Scalar z7 = n0_5 * (q_turn2_y * v_turn2_omega_x - q_turn2_x * v_turn2_omega_y - q_turn2_w * v_turn2_omega_z);
+    rates[0] = v_x;
+    rates[1] = v_y;
+    rates[2] = v_z;
+    rates[3] = -z0;
+    rates[4] = z1;
+    rates[5] = z2;
+    rates[6] = -z3;
+    rates[7] = v_x2;
+    rates[8] = v_y2;
+    rates[9] = v_z2;
+    rates[10] = -z4;
+    rates[11] = z5;
+    rates[12] = z6;
+    rates[13] = -z7;
+  }
+
+  /// Mass matrix M(q), symmetric, stored column by column: T2 = 1/2 v' M v.
+  TORSOR_DEVICE static void mass_matrix(const Precomputed&, const State&, std::array<Scalar, 144>& mass) noexcept {
+    const Scalar n0_17 = traits::constant(0.17, 0.17f, "17/100");
+    const Scalar n0 = traits::constant(0.0, 0.0f, "0/1");
+    const Scalar k2 = traits::constant(5.55240825e-05, 5.5524084e-05f, "22209633/400000000000");
+    mass[0] = n0_17;
+    mass[1] = n0;
+    mass[2] = n0;
+    mass[3] = n0;
+    mass[4] = n0;
+    mass[5] = n0;
+    mass[6] = n0;
+    mass[7] = n0;
+    mass[8] = n0;
+    mass[9] = n0;
+    mass[10] = n0;
+    mass[11] = n0;
+    mass[12] = n0;
+    mass[13] = n0_17;
+    mass[14] = n0;
+    mass[15] = n0;
+    mass[16] = n0;
+    mass[17] = n0;
+    mass[18] = n0;
+    mass[19] = n0;
+    mass[20] = n0;
+    mass[21] = n0;
+    mass[22] = n0;
+    mass[23] = n0;
+    mass[24] = n0;
+    mass[25] = n0;
+    mass[26] = n0_17;
+    mass[27] = n0;
+    mass[28] = n0;
+    mass[29] = n0;
+    mass[30] = n0;
+    mass[31] = n0;
+    mass[32] = n0;
+    mass[33] = n0;
+    mass[34] = n0;
+    mass[35] = n0;
+    mass[36] = n0;
+    mass[37] = n0;
+    mass[38] = n0;
+    mass[39] = k2;
+    mass[40] = n0;
+    mass[41] = n0;
+    mass[42] = n0;
+    mass[43] = n0;
+    mass[44] = n0;
+    mass[45] = n0;
+    mass[46] = n0;
+    mass[47] = n0;
+    mass[48] = n0;
+    mass[49] = n0;
+    mass[50] = n0;
+    mass[51] = n0;
+    mass[52] = k2;
+    mass[53] = n0;
+    mass[54] = n0;
+    mass[55] = n0;
+    mass[56] = n0;
+    mass[57] = n0;
+    mass[58] = n0;
+    mass[59] = n0;
+    mass[60] = n0;
+    mass[61] = n0;
+    mass[62] = n0;
+    mass[63] = n0;
+    mass[64] = n0;
+    mass[65] = k2;
+    mass[66] = n0;
+    mass[67] = n0;
+    mass[68] = n0;
+    mass[69] = n0;
+    mass[70] = n0;
+    mass[71] = n0;
+    mass[72] = n0;
+    mass[73] = n0;
+    mass[74] = n0;
+    mass[75] = n0;
+    mass[76] = n0;
+    mass[77] = n0;
+    mass[78] = n0_17;
+    mass[79] = n0;
+    mass[80] = n0;
+    mass[81] = n0;
+    mass[82] = n0;
+    mass[83] = n0;
+    mass[84] = n0;
+    mass[85] = n0;
+    mass[86] = n0;
+    mass[87] = n0;
+    mass[88] = n0;
+    mass[89] = n0;
+    mass[90] = n0;
+    mass[91] = n0_17;
+    mass[92] = n0;
+    mass[93] = n0;
+    mass[94] = n0;
+    mass[95] = n0;
+    mass[96] = n0;
+    mass[97] = n0;
+    mass[98] = n0;
+    mass[99] = n0;
+    mass[100] = n0;
+    mass[101] = n0;
+    mass[102] = n0;
+    mass[103] = n0;
+    mass[104] = n0_17;
+    mass[105] = n0;
+    mass[106] = n0;
+    mass[107] = n0;
+    mass[108] = n0;
+    mass[109] = n0;
+    mass[110] = n0;
+    mass[111] = n0;
+    mass[112] = n0;
+    mass[113] = n0;
+    mass[114] = n0;
+    mass[115] = n0;
+    mass[116] = n0;
+    mass[117] = k2;
+    mass[118] = n0;
+    mass[119] = n0;
+    mass[120] = n0;
+    mass[121] = n0;
+    mass[122] = n0;
+    mass[123] = n0;
+    mass[124] = n0;
+    mass[125] = n0;
+    mass[126] = n0;
+    mass[127] = n0;
+    mass[128] = n0;
+    mass[129] = n0;
+    mass[130] = k2;
+    mass[131] = n0;
+    mass[132] = n0;
+    mass[133] = n0;
+    mass[134] = n0;
+    mass[135] = n0;
+    mass[136] = n0;
+    mass[137] = n0;
+    mass[138] = n0;
+    mass[139] = n0;
+    mass[140] = n0;
+    mass[141] = n0;
+    mass[142] = n0;
+    mass[143] = k2;
+  }
+
+  /// Bias h(q, v, t): inverse dynamics at zero acceleration without inputs and multipliers; gravity and passive
+  /// actions included. M a + h = E u + A' lambda.
+  TORSOR_DEVICE static void bias(const Precomputed&, const State& state, GeneralizedForces& forces) noexcept {
+    const Scalar n2 = traits::constant(2.0, 2.0f, "2/1");
+    const Scalar n1 = traits::constant(1.0, 1.0f, "1/1");
+    const Scalar n9_81 = traits::constant(9.81, 9.81f, "981/100");
+    const Scalar n0_17 = traits::constant(0.17, 0.17f, "17/100");
+    const Scalar n0 = traits::constant(0.0, 0.0f, "0/1");
+    const Scalar q_turn_y = state.q.turn_y;
+    const Scalar q_turn_z = state.q.turn_z;
+    const Scalar q_turn_x = state.q.turn_x;
+    const Scalar q_turn_w = state.q.turn_w;
+    const Scalar q_turn2_y = state.q.turn2_y;
+    const Scalar q_turn2_z = state.q.turn2_z;
+    const Scalar q_turn2_x = state.q.turn2_x;
+    const Scalar q_turn2_w = state.q.turn2_w;
+    const Scalar z0 = n2 * q_turn_y;
+    const Scalar z1 = n2 * q_turn_x;
+    const Scalar z2 = n2 * q_turn2_y;
+    const Scalar z3 = n2 * q_turn2_x;
+    const Scalar z4 = q_turn_y * z0;
+    const Scalar z5 = q_turn_x * z1;
+    const Scalar z6 = q_turn_z * z0;
+    const Scalar z7 = q_turn_w * z1;
+    const Scalar z8 = q_turn2_y * z2;
+    const Scalar z9 = q_turn2_z * z2;
+    const Scalar z10 = q_turn2_w * z3;
+    const Scalar z11 = q_turn2_x * z3;
+    const Scalar z12 = z6 + z7;
+    const Scalar z13 = z9 + z10;
+    const Scalar z14 = n1 - z4 - z5;
+    const Scalar z15 = n1 - z8 - z11;
+    const Scalar z16 = n9_81 * z12;
+    const Scalar z17 = n9_81 * z13;
+    const Scalar z18 = q_turn_z * z1;
+    const Scalar z19 = q_turn_w * z0;
+    const Scalar z20 = q_turn2_z * z3;
+    const Scalar z21 = q_turn2_w * z2;
+    const Scalar z22 = n9_81 * z14;
+    const Scalar z23 = n9_81 * z15;
+    const Scalar z24 = n0_17 * z17;  // force on ball2, y
+    const Scalar z25 = n0_17 * z16;  // force on ball, y
+    const Scalar z26 = z18 - z19;
+    const Scalar z27 = z20 - z21;
+    const Scalar z28 = n0_17 * z23;  // force on ball2, z
+    const Scalar z29 = n0_17 * z22;  // force on ball, z
+    const Scalar z30 = n9_81 * z26;
+    const Scalar z31 = n9_81 * z27;
+    const Scalar z32 = n0_17 * z30;  // force on ball, x
+    const Scalar z33 = n0_17 * z31;  // force on ball2, x
+    const Scalar z34 = z12 * z25 + z14 * z29 + z26 * z32;
+    const Scalar z35 = z13 * z24 + z15 * z28 + z27 * z33;
+    forces.x = n0;
+    forces.y = n0;
+    forces.z = z34;
+    forces.turn_omega_x = n0;
+    forces.turn_omega_y = n0;
+    forces.turn_omega_z = n0;
+    forces.x2 = n0;
+    forces.y2 = n0;
+    forces.z2 = z35;
+    forces.turn2_omega_x = n0;
+    forces.turn2_omega_y = n0;
+    forces.turn2_omega_z = n0;
+  }
+
+  /// Kinetic energy, force function (potential energy = -U) and power of what has no force function.
+  TORSOR_DEVICE static void energy(const Precomputed&, const State& state, const Inputs&, Energy& result) noexcept {
+    const Scalar n2 = traits::constant(2.0, 2.0f, "2/1");
+    const Scalar n1 = traits::constant(1.0, 1.0f, "1/1");
+    const Scalar k2 = traits::constant(2.776204125e-05, 2.7762042e-05f, "22209633/800000000000");
+    const Scalar n0_085 = traits::constant(0.085, 0.085f, "17/200");
+    const Scalar n1_6677 = traits::constant(1.6677, 1.6677f, "16677/10000");
+    const Scalar n0 = traits::constant(0.0, 0.0f, "0/1");
+    const Scalar v_x = state.v.x;
+    const Scalar v_y = state.v.y;
+    const Scalar q_z = state.q.z;
+    const Scalar v_z = state.v.z;
+    const Scalar q_turn_y = state.q.turn_y;
+    const Scalar q_turn_z = state.q.turn_z;
+    const Scalar q_turn_x = state.q.turn_x;
+    const Scalar q_turn_w = state.q.turn_w;
+    const Scalar v_turn_omega_x = state.v.turn_omega_x;
+    const Scalar v_turn_omega_y = state.v.turn_omega_y;
+    const Scalar v_turn_omega_z = state.v.turn_omega_z;
+    const Scalar v_x2 = state.v.x2;
+    const Scalar v_y2 = state.v.y2;
+    const Scalar q_z2 = state.q.z2;
+    const Scalar v_z2 = state.v.z2;
+    const Scalar q_turn2_y = state.q.turn2_y;
+    const Scalar q_turn2_z = state.q.turn2_z;
+    const Scalar q_turn2_x = state.q.turn2_x;
+    const Scalar q_turn2_w = state.q.turn2_w;
+    const Scalar v_turn2_omega_x = state.v.turn2_omega_x;
+    const Scalar v_turn2_omega_y = state.v.turn2_omega_y;
+    const Scalar v_turn2_omega_z = state.v.turn2_omega_z;
+    const Scalar z0 = n2 * q_turn_y;
+    const Scalar z1 = n2 * q_turn_z;
+    const Scalar z2 = n2 * q_turn2_y;
+    const Scalar z3 = n2 * q_turn2_z;
+    const Scalar z4 = n2 * q_turn_x;
+    const Scalar z5 = n2 * q_turn2_x;
+    const Scalar z6 = q_turn_z * z1;
+    const Scalar z7 = q_turn_x * z0;
+    const Scalar z8 = q_turn_w * z1;
+    const Scalar z9 = q_turn_x * z1;
+    const Scalar z10 = q_turn_w * z0;
+    const Scalar z11 = q_turn2_z * z3;
+    const Scalar z12 = q_turn2_x * z2;
+    const Scalar z13 = q_turn2_w * z3;
+    const Scalar z14 = q_turn2_x * z3;
+    const Scalar z15 = q_turn2_w * z2;
+    const Scalar z16 = z7 - z8;
+    const Scalar z17 = z7 + z8;
+    const Scalar z18 = q_turn_x * z4;
+    const Scalar z19 = q_turn_z * z0;
+    const Scalar z20 = q_turn_w * z4;
+    const Scalar z21 = z9 + z10;
+    const Scalar z22 = z12 - z13;
+    const Scalar z23 = z12 + z13;
+    const Scalar z24 = q_turn2_x * z5;
+    const Scalar z25 = q_turn2_z * z2;
+    const Scalar z26 = q_turn2_w * z5;
+    const Scalar z27 = z14 + z15;
+    const Scalar z28 = z9 - z10;
+    const Scalar z29 = q_turn_y * z0;
+    const Scalar z30 = q_turn2_y * z2;
+    const Scalar z31 = n1 - z6 - z18;
+    const Scalar z32 = z14 - z15;
+    const Scalar z33 = z19 - z20;
+    const Scalar z34 = z19 + z20;
+    const Scalar z35 = n1 - z11 - z24;
+    const Scalar z36 = v_x * z16 + v_y * z31 + v_z * z34;
+    const Scalar z37 = z25 - z26;
+    const Scalar z38 = n1 - z29 - z6;
+    const Scalar z39 = n1 - z29 - z18;
+    const Scalar z40 = n1 - z30 - z11;
+    const Scalar z41 = z25 + z26;
+    const Scalar z42 = n1 - z30 - z24;
+    const Scalar z43 = v_y * z17 + v_z * z28 + v_x * z38;
+    const Scalar z44 = v_x * z21 + v_y * z33 + v_z * z39;
+    const Scalar z45 = v_y2 * z23 + v_z2 * z32 + v_x2 * z40;
+    const Scalar z46 = v_x2 * z22 + v_y2 * z35 + v_z2 * z41;
+    const Scalar z47 = v_x2 * z27 + v_y2 * z37 + v_z2 * z42;
+    result.kinetic = k2 * (v_turn_omega_x * v_turn_omega_x + v_turn_omega_y * v_turn_omega_y + v_turn_omega_z
+        * v_turn_omega_z + v_turn2_omega_x * v_turn2_omega_x + v_turn2_omega_y * v_turn2_omega_y + v_turn2_omega_z
+        * v_turn2_omega_z) + n0_085 * (z43 * z43 + z36 * z36 + z44 * z44 + z45 * z45 + z46 * z46 + z47 * z47);
+    result.force_function = -n1_6677 * (q_z + q_z2);
+    result.power = n0;
+  }
+
+  /// The same for this mechanism, which has nothing in the arguments left out.
+  TORSOR_DEVICE static void energy(const Precomputed& precomputed, const State& state, Energy& result) noexcept {
+    Mechanism::energy(precomputed, state, Inputs(), result);
+  }
+
+  /// Contacts that open and close, in the order cloth, cloth2, balls.
+  /// Rows are contact by contact, the normal first (n from the second body to the first, so that w > 0 opens), then
+  /// the tangents: w = J v + b, dw/dt = J a + drift. M a + h = E u + A' lambda + J' r with the reactions r.
+  TORSOR_DEVICE static void contacts(const Precomputed&, const State& state, Contacts& result) noexcept {
+    const Scalar n0_5 = traits::constant(0.5, 0.5f, "1/2");
+    const Scalar n2 = traits::constant(2.0, 2.0f, "2/1");
+    const Scalar n1 = traits::constant(1.0, 1.0f, "1/1");
+    const Scalar n4 = traits::constant(4.0, 4.0f, "4/1");
+    const Scalar k4 = traits::constant(0.028575, 0.028575f, "1143/40000");
+    const Scalar k5 = traits::constant(0.05715, 0.05715f, "1143/20000");
+    const Scalar n0 = traits::constant(0.0, 0.0f, "0/1");
+    const Scalar q_x = state.q.x;
+    const Scalar v_x = state.v.x;
+    const Scalar q_y = state.q.y;
+    const Scalar v_y = state.v.y;
+    const Scalar q_z = state.q.z;
+    const Scalar v_z = state.v.z;
+    const Scalar q_turn_y = state.q.turn_y;
+    const Scalar q_turn_z = state.q.turn_z;
+    const Scalar q_turn_x = state.q.turn_x;
+    const Scalar q_turn_w = state.q.turn_w;
+    const Scalar v_turn_omega_x = state.v.turn_omega_x;
+    const Scalar v_turn_omega_y = state.v.turn_omega_y;
+    const Scalar v_turn_omega_z = state.v.turn_omega_z;
+    const Scalar q_x2 = state.q.x2;
+    const Scalar v_x2 = state.v.x2;
+    const Scalar q_y2 = state.q.y2;
+    const Scalar v_y2 = state.v.y2;
+    const Scalar q_z2 = state.q.z2;
+    const Scalar v_z2 = state.v.z2;
+    const Scalar q_turn2_y = state.q.turn2_y;
+    const Scalar q_turn2_z = state.q.turn2_z;
+    const Scalar q_turn2_x = state.q.turn2_x;
+    const Scalar q_turn2_w = state.q.turn2_w;
+    const Scalar v_turn2_omega_x = state.v.turn2_omega_x;
+    const Scalar v_turn2_omega_y = state.v.turn2_omega_y;
+    const Scalar v_turn2_omega_z = state.v.turn2_omega_z;
+    const Scalar z0 = n0_5 * (q_turn_y * v_turn_omega_z - q_turn_z * v_turn_omega_y + q_turn_w * v_turn_omega_x);
+    const Scalar z1 = n0_5 * (q_turn_y * v_turn_omega_y + q_turn_z * v_turn_omega_z + q_turn_x * v_turn_omega_x);
+    const Scalar z2 = n2 * q_turn_y;
+    const Scalar z3 = n2 * q_turn_z;
+    const Scalar z4 = n0_5 * (q_turn_z * v_turn_omega_x - q_turn_x * v_turn_omega_z + q_turn_w * v_turn_omega_y);
+    const Scalar z5 = n0_5 * (q_turn_y * v_turn_omega_x - q_turn_x * v_turn_omega_y - q_turn_w * v_turn_omega_z);
+    const Scalar z6 = q_turn_y * z2;
+    const Scalar z7 = q_turn_x * z2;
+    const Scalar z8 = q_turn_w * z3;
+    const Scalar z9 = q_turn_z * z3;
+    const Scalar z10 = n2 * q_turn_x;
+    const Scalar z11 = z7 + z8;
+    const Scalar z12 = q_turn_x * z3;
+    const Scalar z13 = q_turn_w * z2;
+    const Scalar z14 = q_turn_x * z10;
+    const Scalar z15 = n2 * (q_turn_y * z0 + q_turn_x * z4);
+    const Scalar z16 = n2 * (q_turn_z * z1 + q_turn_w * z5);
+    const Scalar z17 = n1 - z6 - z9;
+    const Scalar z18 = z12 - z13;
+    const Scalar z19 = q_turn_z * z2;
+    const Scalar z20 = q_turn_w * z10;
+    const Scalar z21 = n1 - z9 - z14;
+    const Scalar z22 = z15 - z16;
+    const Scalar z23 = n4 * q_turn_z * z5;
+    const Scalar z24 = z7 - z8;
+    const Scalar z25 = n4 * q_turn_x * z0;
+    const Scalar z26 = n1 - z6 - z14;
+    const Scalar z27 = n2 * (q_turn_z * z0 - q_turn_x * z5);
+    const Scalar z28 = z15 + z16;
+    const Scalar z29 = n2 * (q_turn_y * z1 - q_turn_w * z4);
+    const Scalar z30 = n2 * (q_turn_x * z1 - q_turn_w * z0);
+    const Scalar z31 = n4 * q_turn_y * z4;
+    const Scalar z32 = n2 * (q_turn_y * z5 - q_turn_z * z4);
+    const Scalar z33 = n2 * q_turn2_y;
+    const Scalar z34 = z12 + z13;
+    const Scalar z35 = n2 * q_turn2_z;
+    const Scalar z36 = z19 + z20;
+    const Scalar z37 = z19 - z20;
+    const Scalar z38 = n0_5 * (q_turn2_z * v_turn2_omega_x - q_turn2_x * v_turn2_omega_z + q_turn2_w * v_turn2_omega_y);
+    const Scalar z39 = z23 - z25;
+    const Scalar z40 = z23 - z31;
+    const Scalar z41 = q_turn2_y * z33;
+    const Scalar z42 = n0_5 * (q_turn2_y * v_turn2_omega_z - q_turn2_z * v_turn2_omega_y + q_turn2_w * v_turn2_omega_x);
+    const Scalar z43 = q_turn2_x * z33;
+    const Scalar z44 = q_turn2_w * z35;
+    const Scalar z45 = q_turn2_z * z35;
+    const Scalar z46 = q_turn2_x * z35;
+    const Scalar z47 = n0_5 * (q_turn2_y * v_turn2_omega_y + q_turn2_z * v_turn2_omega_z + q_turn2_x * v_turn2_omega_x);
+    const Scalar z48 = n0_5 * (q_turn2_y * v_turn2_omega_x - q_turn2_x * v_turn2_omega_y - q_turn2_w * v_turn2_omega_z);
+    const Scalar z49 = n2 * q_turn2_x;
+    const Scalar z50 = z43 + z44;
+    const Scalar z51 = z43 - z44;
+    const Scalar z52 = q_turn2_w * z33;
+    const Scalar z53 = q_turn2_z * z33;
+    const Scalar z54 = n2 * (q_turn2_y * z42 + q_turn2_x * z38);
+    const Scalar z55 = n2 * (q_turn2_z * z47 + q_turn2_w * z48);
+    const Scalar z56 = q_turn2_x * z49;
+    const Scalar z57 = q_turn2_w * z49;
+    const Scalar z58 = z32 - z30;
+    const Scalar z59 = n1 - z41 - z45;
+    const Scalar z60 = n1 - z45 - z56;
+    const Scalar z61 = n1 - z41 - z56;
+    const Scalar z62 = z46 - z52;
+    const Scalar z63 = z46 + z52;
+    const Scalar z64 = z54 - z55;
+    const Scalar z65 = n4 * q_turn2_z * z48;
+    const Scalar z66 = n4 * q_turn2_x * z42;
+    const Scalar z67 = n4 * q_turn2_y * z38;
+    const Scalar z68 = z53 + z57;
+    const Scalar z69 = z53 - z57;
+    const Scalar z70 = z54 + z55;
+    const Scalar z71 = q_x - q_x2;
+    const Scalar z72 = q_y - q_y2;
+    const Scalar z73 = n2 * (q_turn2_z * z42 - q_turn2_x * z48);
+    const Scalar z74 = n2 * (q_turn2_y * z48 - q_turn2_z * z38);
+    const Scalar z75 = n2 * (q_turn2_y * z47 - q_turn2_w * z38);
+    const Scalar z76 = n2 * (q_turn2_x * z47 - q_turn2_w * z42);
+    const Scalar z77 = z65 - z66;
+    const Scalar z78 = z65 - z67;
+    const Scalar z79 = z27 - z29;
+    const Scalar z80 = z74 - z76;
+    const Scalar z81 = z73 - z75;
+    const Scalar z82 = k4 - q_z;
+    const Scalar z83 = q_z + z82;
+    const Scalar z84 = q_z - q_z2;
+    const Scalar z85 = z71 * z71 + z72 * z72 + z84 * z84;
+    const Scalar z86 = k4 - q_z2;
+    const Scalar z87 = q_z2 + z86;
+    const Scalar z88 = z11 * z83;
+    const Scalar z89 = traits::sqrt(z85);
+    const Scalar z90 = z24 * z83;
+    const Scalar z91 = z21 * z83;
+    const Scalar z92 = z34 * z83;
+    const Scalar z93 = z50 * z87;
+    const Scalar z94 = z51 * z87;
+    const Scalar z95 = z60 * z87;
+    const Scalar z96 = z63 * z87;
+    const Scalar z97 = z17 * z83;
+    const Scalar z98 = v_y + v_turn_omega_y * z90 + v_turn_omega_z * z92 + v_turn_omega_x * z97;
+    const Scalar z99 = z37 * z83;
+    const Scalar z100 = v_x - v_turn_omega_x * z88 - v_turn_omega_y * z91 - v_turn_omega_z * z99;
+    const Scalar z101 = v_x - v_x2;
+    const Scalar z102 = v_y - v_y2;
+    const Scalar z103 = v_z - v_z2;
+    const Scalar z104 = n2 * (z71 * z101 + z72 * z102 + z84 * z103);
+    const Scalar z105 = n2 * (z101 * z101 + z102 * z102 + z103 * z103);
+    const Scalar z106 = k5 - z89;
+    const Scalar z107 = z84 / z89;
+    const Scalar z108 = z72 / z89;
+    const Scalar z109 = z71 / z89;
+    const Scalar z110 = n2 * z71;
+    const Scalar z111 = n0_5 * z110 / z89;
+    const Scalar z112 = n2 * z72;
+    const Scalar z113 = n0_5 * z112 / z89;
+    const Scalar z114 = n2 * z84;
+    const Scalar z115 = n0_5 * z114 / z89;
+    const Scalar z116 = z59 * z87;
+    const Scalar z117 = v_y2 + v_turn2_omega_y * z94 + v_turn2_omega_z * z96 + v_turn2_omega_x * z116;
+    const Scalar z118 = z69 * z87;
+    const Scalar z119 = v_x2 - v_turn2_omega_x * z93 - v_turn2_omega_y * z95 - v_turn2_omega_z * z118;
+    const Scalar z120 = z27 + z29;
+    const Scalar z121 = n0_5 * z104 / z89;
+    const Scalar z122 = z32 + z30;
+    const Scalar z123 = q_z - k4 * z107;
+    const Scalar z124 = n1 + z107;
+    const Scalar z125 = q_y - k4 * z108;
+    const Scalar z126 = q_z - z123;
+    const Scalar z127 = q_z2 - z123;
+    const Scalar z128 = q_x - k4 * z109;
+    const Scalar z129 = q_y - z125;
+    const Scalar z130 = q_y2 - z125;
+    const Scalar z131 = q_x - z128;
+    const Scalar z132 = q_x2 - z128;
+    const Scalar z133 = z11 * z126 - z18 * z129;
+    const Scalar z134 = n0_5 * (z104 * z121 / (z89 * z89) - z105 / z89);
+    const Scalar z135 = z84 * z121 / (z89 * z89) - z103 / z89;
+    const Scalar z136 = z72 * z121 / (z89 * z89) - z102 / z89;
+    const Scalar z137 = z25 + z31;
+    const Scalar z138 = z73 + z75;
+    const Scalar z139 = z74 + z76;
+    const Scalar z140 = z66 + z67;
+    const Scalar z141 = z17 * z126 - z18 * z131;
+    const Scalar z142 = z21 * z126 - z36 * z129;
+    const Scalar z143 = z17 * z129 - z11 * z131;
+    const Scalar z144 = z71 * z121 / (z89 * z89) - z101 / z89;
+    const Scalar z145 = z24 * z126 - z36 * z131;
+    const Scalar z146 = v_z + k4 * z135;
+    const Scalar z147 = v_y + k4 * z136;
+    const Scalar z148 = z37 * z126 - z26 * z129;
+    const Scalar z149 = z135 / (z124 * z124);
+    const Scalar z150 = v_z - z146;
+    const Scalar z151 = v_z2 - z146;
+    const Scalar z152 = v_y - z147;
+    const Scalar z153 = v_y2 - z147;
+    const Scalar z154 = z24 * z129 - z21 * z131;
+    const Scalar z155 = v_x + k4 * z144;
+    const Scalar z156 = z26 * z131 - z34 * z126;
+    const Scalar z157 = v_x - z155;
+    const Scalar z158 = z50 * z127 - z62 * z130;
+    const Scalar z159 = z22 * z126 - z129 * z120 + z11 * z150 - z18 * z152;
+    const Scalar z160 = n1 / z124;
+    const Scalar z161 = z37 * z131 - z34 * z129;
+    const Scalar z162 = z40 * z126 - z131 * z120 + z17 * z150 - z18 * z157;
+    const Scalar z163 = v_x2 - z155;
+    const Scalar z164 = z59 * z127 - z62 * z132;
+    const Scalar z165 = z39 * z126 + z129 * z122 + z21 * z150 - z36 * z152;
+    const Scalar z166 = z28 * z126 + z131 * z122 + z24 * z150 - z36 * z157;
+    const Scalar z167 = z60 * z127 - z68 * z130;
+    const Scalar z168 = z109 * z149 - z160 * z144;
+    const Scalar z169 = z59 * z130 - z50 * z132;
+    const Scalar z170 = z51 * z127 - z68 * z132;
+    const Scalar z171 = z129 * z137 - z58 * z126 + z37 * z150 - z26 * z152;
+    const Scalar z172 = z26 * z157 - z34 * z150 - z79 * z126 - z131 * z137;
+    const Scalar z173 = z69 * z127 - z61 * z130;
+    const Scalar z174 = z109 * z160;
+    const Scalar z175 = z108 * z160;
+    const Scalar z176 = z51 * z130 - z60 * z132;
+    const Scalar z177 = z40 * z129 - z22 * z131 + z17 * z152 - z11 * z157;
+    const Scalar z178 = z28 * z129 - z39 * z131 + z24 * z152 - z21 * z157;
+    const Scalar z179 = z61 * z132 - z63 * z127;
+    const Scalar z180 = z37 * z157 - z34 * z152 - z58 * z131 - z79 * z129;
+    const Scalar z181 = z64 * z127 - z130 * z138 + z50 * z151 - z62 * z153;
+    const Scalar z182 = z78 * z127 - z132 * z138 + z59 * z151 - z62 * z163;
+    const Scalar z183 = v_x - v_x2 - v_turn_omega_x * z133 - v_turn_omega_y * z142 - v_turn_omega_z * z148
+        + v_turn2_omega_x * z158 + v_turn2_omega_y * z167 + v_turn2_omega_z * z173;
+    const Scalar z184 = z109 * z168 - z174 * z144;
+    const Scalar z185 = z69 * z132 - z63 * z130;
+    const Scalar z186 = z78 * z130 - z64 * z132 + z59 * z153 - z50 * z163;
+    const Scalar z187 = v_y - v_y2 + v_turn_omega_x * z141 + v_turn_omega_y * z145 - v_turn_omega_z * z156
+        - v_turn2_omega_x * z164 - v_turn2_omega_y * z170 + v_turn2_omega_z * z179;
+    const Scalar z188 = z77 * z127 + z130 * z139 + z60 * z151 - z68 * z153;
+    const Scalar z189 = z70 * z127 + z132 * z139 + z51 * z151 - z68 * z163;
+    const Scalar z190 = z70 * z130 - z77 * z132 + z51 * z153 - z60 * z163;
+    const Scalar z191 = z108 * z168 - z174 * z136;
+    const Scalar z192 = v_z - v_z2 - v_turn_omega_x * z143 - v_turn_omega_y * z154 + v_turn_omega_z * z161
+        + v_turn2_omega_x * z169 + v_turn2_omega_y * z176 - v_turn2_omega_z * z185;
+    const Scalar z193 = z124 * z168 - z174 * z135;
+    const Scalar z194 = z130 * z140 - z80 * z127 + z69 * z151 - z61 * z153;
+    const Scalar z195 = v_turn_omega_x * z159 + v_turn_omega_y * z165 + v_turn_omega_z * z171 - v_turn2_omega_x * z181
+        - v_turn2_omega_y * z188 - v_turn2_omega_z * z194;
+    const Scalar z196 = z61 * z163 - z63 * z151 - z81 * z127 - z132 * z140;
+    const Scalar z197 = z69 * z163 - z63 * z153 - z80 * z132 - z81 * z130;
+    const Scalar z198 = v_turn_omega_x * z162 + v_turn_omega_y * z166 - v_turn_omega_z * z172 - v_turn2_omega_x * z182
+        - v_turn2_omega_y * z189 + v_turn2_omega_z * z196;
+    const Scalar z199 = v_turn_omega_x * z177 + v_turn_omega_y * z178 - v_turn_omega_z * z180 - v_turn2_omega_x * z186
+        - v_turn2_omega_y * z190 + v_turn2_omega_z * z197;
+    const Scalar z200 = n1 - z109 * z174;
+    const Scalar z201 = z109 * z175;
+    const Scalar z202 = z108 * z174;
+    const Scalar z203 = z124 * z174;
+    const Scalar z204 = z183 * z184 + z187 * z191 + z192 * z193 + z200 * z195 + z202 * z198 - z203 * z199;
+    const Scalar z205 = z183 * z200 - z187 * z202 - z192 * z203;
+    const Scalar z206 = z141 * z202 - z143 * z203 + z133 * z200;
+    const Scalar z207 = z145 * z202 - z154 * z203 + z142 * z200;
+    const Scalar z208 = z161 * z203 - z156 * z202 + z148 * z200;
+    const Scalar z209 = z164 * z202 - z169 * z203 + z158 * z200;
+    const Scalar z210 = z170 * z202 - z176 * z203 + z167 * z200;
+    const Scalar z211 = z185 * z203 - z179 * z202 + z173 * z200;
+    const Scalar z212 = n1 - z108 * z175;
+    const Scalar z213 = z124 * z175;
+    const Scalar z214 = z133 * z201 + z141 * z212 + z143 * z213;
+    const Scalar z215 = z142 * z201 + z145 * z212 + z154 * z213;
+    const Scalar z216 = z148 * z201 - z156 * z212 - z161 * z213;
+    const Scalar z217 = z158 * z201 + z164 * z212 + z169 * z213;
+    const Scalar z218 = z167 * z201 + z170 * z212 + z176 * z213;
+    const Scalar z219 = z173 * z201 - z179 * z212 - z185 * z213;
+    const Scalar z220 = z108 * z149 - z160 * z136;
+    const Scalar z221 = z109 * z220 - z175 * z144;
+    const Scalar z222 = z108 * z220 - z175 * z136;
+    const Scalar z223 = z124 * z220 - z175 * z135;
+    const Scalar z224 = z183 * z201 - z187 * z212 + z192 * z213;
+    const Scalar z225 = z183 * z221 + z187 * z222 + z192 * z223 - z201 * z195 - z212 * z198 - z213 * z199;
+    result.gap[0] = -z82;
+    result.rate[0] = v_z;
+    result.drift[0] = n0;
+    result.rate[1] = z100;
+    result.drift[1] = n0;
+    result.rate[2] = z98;
+    result.drift[2] = n0;
+    result.gap[1] = -z86;
+    result.rate[3] = v_z2;
+    result.drift[3] = n0;
+    result.rate[4] = z119;
+    result.drift[4] = n0;
+    result.rate[5] = z117;
+    result.drift[5] = n0;
+    result.gap[2] = -z106;
+    result.rate[6] = z121;
+    result.drift[6] = -z134;
+    result.rate[7] = z205;
+    result.drift[7] = -z204;
+    result.rate[8] = -z224;
+    result.drift[8] = -z225;
+    result.jacobian[0] = n0;
+    result.jacobian[1] = n1;
+    result.jacobian[2] = n0;
+    result.jacobian[3] = n0;
+    result.jacobian[4] = n0;
+    result.jacobian[5] = n0;
+    result.jacobian[6] = z111;
+    result.jacobian[7] = z200;
+    result.jacobian[8] = -z201;
+    result.jacobian[9] = n0;
+    result.jacobian[10] = n0;
+    result.jacobian[11] = n1;
+    result.jacobian[12] = n0;
+    result.jacobian[13] = n0;
+    result.jacobian[14] = n0;
+    result.jacobian[15] = z113;
+    result.jacobian[16] = -z202;
+    result.jacobian[17] = z212;
+    result.jacobian[18] = n1;
+    result.jacobian[19] = n0;
+    result.jacobian[20] = n0;
+    result.jacobian[21] = n0;
+    result.jacobian[22] = n0;
+    result.jacobian[23] = n0;
+    result.jacobian[24] = z115;
+    result.jacobian[25] = -z203;
+    result.jacobian[26] = -z213;
+    result.jacobian[27] = n0;
+    result.jacobian[28] = -z88;
+    result.jacobian[29] = z97;
+    result.jacobian[30] = n0;
+    result.jacobian[31] = n0;
+    result.jacobian[32] = n0;
+    result.jacobian[33] = n0;
+    result.jacobian[34] = -z206;
+    result.jacobian[35] = z214;
+    result.jacobian[36] = n0;
+    result.jacobian[37] = -z91;
+    result.jacobian[38] = z90;
+    result.jacobian[39] = n0;
+    result.jacobian[40] = n0;
+    result.jacobian[41] = n0;
+    result.jacobian[42] = n0;
+    result.jacobian[43] = -z207;
+    result.jacobian[44] = z215;
+    result.jacobian[45] = n0;
+    result.jacobian[46] = -z99;
+    result.jacobian[47] = z92;
+    result.jacobian[48] = n0;
+    result.jacobian[49] = n0;
+    result.jacobian[50] = n0;
+    result.jacobian[51] = n0;
+    result.jacobian[52] = -z208;
+    result.jacobian[53] = z216;
+    result.jacobian[54] = n0;
+    result.jacobian[55] = n0;
+    result.jacobian[56] = n0;
+    result.jacobian[57] = n0;
+    result.jacobian[58] = n1;
+    result.jacobian[59] = n0;
+    result.jacobian[60] = -z111;
+    result.jacobian[61] = -z200;
+    result.jacobian[62] = z201;
+    result.jacobian[63] = n0;
+    result.jacobian[64] = n0;
+    result.jacobian[65] = n0;
+    result.jacobian[66] = n0;
+    result.jacobian[67] = n0;
+    result.jacobian[68] = n1;
+    result.jacobian[69] = -z113;
+    result.jacobian[70] = z202;
+    result.jacobian[71] = -z212;
+    result.jacobian[72] = n0;
+    result.jacobian[73] = n0;
+    result.jacobian[74] = n0;
+    result.jacobian[75] = n1;
+    result.jacobian[76] = n0;
+    result.jacobian[77] = n0;
+    result.jacobian[78] = -z115;
+    result.jacobian[79] = z203;
+    result.jacobian[80] = z213;
+    result.jacobian[81] = n0;
+    result.jacobian[82] = n0;
+    result.jacobian[83] = n0;
+    result.jacobian[84] = n0;
+    result.jacobian[85] = -z93;
+    result.jacobian[86] = z116;
+    result.jacobian[87] = n0;
+    result.jacobian[88] = z209;
+    result.jacobian[89] = -z217;
+    result.jacobian[90] = n0;
+    result.jacobian[91] = n0;
+    result.jacobian[92] = n0;
+    result.jacobian[93] = n0;
+    result.jacobian[94] = -z95;
+    result.jacobian[95] = z94;
+    result.jacobian[96] = n0;
+    result.jacobian[97] = z210;
+    result.jacobian[98] = -z218;
+    result.jacobian[99] = n0;
+    result.jacobian[100] = n0;
+    result.jacobian[101] = n0;
+    result.jacobian[102] = n0;
+    result.jacobian[103] = -z118;
+    result.jacobian[104] = z96;
+    result.jacobian[105] = n0;
+    result.jacobian[106] = z211;
+    result.jacobian[107] = -z219;
+  }
+
+  /// What the surfaces of each contact are made of, in the order cloth, cloth2, balls:
+  /// |T| <= f N + b while it slides, f_s and b_s while it sticks.
+  TORSOR_DEVICE static void contact_coefficients(const Precomputed& precomputed, const State&,
+      ContactCoefficients& result) noexcept {
+    const Scalar n0 = traits::constant(0.0, 0.0f, "0/1");
+    const Scalar p_f = precomputed.parameters.f;
+    const Scalar p_f_between = precomputed.parameters.f_between;
+    const Scalar p_e = precomputed.parameters.e;
+    result.friction[0] = p_f;
+    result.static_friction[0] = p_f;
+    result.restitution[0] = n0;
+    result.bound[0] = n0;
+    result.static_bound[0] = n0;
+    result.friction[1] = p_f;
+    result.static_friction[1] = p_f;
+    result.restitution[1] = n0;
+    result.bound[1] = n0;
+    result.static_bound[1] = n0;
+    result.friction[2] = p_f_between;
+    result.static_friction[2] = p_f_between;
+    result.restitution[2] = p_e;
+    result.bound[2] = n0;
+    result.static_bound[2] = n0;
+  }
+
+  /// A kernel with all its arguments.
+  template <class Code, class... Arguments>
+  using KernelFunction = Code (*)(const Precomputed&, const State&, Arguments...) noexcept;
+
+  /// Calls visitor(description, function) for each kernel: whatever walks them meets a new one by itself.
+  template <class Visitor>
+  static constexpr void for_each_kernel(Visitor&& visitor) {
+    static_cast<void>(visitor);
+    visitor(Description::kernels[0], KernelFunction<void, std::array<Scalar, 14>&>(coordinate_rates));
+    visitor(Description::kernels[1], KernelFunction<void, std::array<Scalar, 144>&>(mass_matrix));
+    visitor(Description::kernels[2], KernelFunction<void, GeneralizedForces&>(bias));
+    visitor(Description::kernels[3], KernelFunction<void, const Inputs&, Energy&>(energy));
+    visitor(Description::kernels[4], KernelFunction<void, Contacts&>(contacts));
+    visitor(Description::kernels[5], KernelFunction<void, ContactCoefficients&>(contact_coefficients));
+  }
+};
+
+}  // namespace billiard_two_balls

@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "generator/dynamics/equations/contact_checks.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "generator/base/error.hpp"
+#include "generator/dynamics/forces/contacts.hpp"
+#include "generator/mechanics/parameter_value.hpp"
+#include "generator/program/evaluation.hpp"
+
+namespace torsor {
+namespace {
+
+class SurfaceCheck {
+ public:
+  SurfaceCheck(const SceneContent& scene, const ContactContent& contact) : scene_(scene), contact_(contact) {}
+
+  void run() {
+    at_least(contact_.friction, "friction", Expression(0), "a surface never pushes along the slip");
+    at_least(contact_.static_friction, "static friction", contact_.friction,
+             "it must not be below the friction while sliding");
+    at_least(contact_.restitution, "restitution", Expression(0), "it must lie between 0 and 1");
+    const auto e = known(contact_.restitution);
+    if (e && *e > Real(1)) refuse("restitution", contact_.restitution, *e, "it must lie between 0 and 1");
+    std::visit(*this, contact_.geometry);
+  }
+
+  void operator()(const PointOnPlane&) {}
+  void operator()(const Stop&) {}
+  void operator()(const SphereOnSphere& spheres) {
+    for (const Expression& radius : {spheres.radius_a, spheres.radius_b}) {
+      at_least(radius, "radius", Expression(0), "give the sphere's size");
+    }
+    const auto a = known(spheres.radius_a), b = known(spheres.radius_b);
+    if (spheres.hollow && a && b && !(*a < *b)) {
+      refuse("radius", spheres.radius_a, *a, "the sphere must be smaller than the hollow one around it");
+    }
+  }
+  void operator()(const FrictionAlong& friction) {
+    at_least(friction.bound, "bound", Expression(0), "friction never pushes along the motion");
+    at_least(friction.static_bound, "static bound", friction.bound, "it must not be below the bound while moving");
+  }
+
+ private:
+  /// Nothing where the formula needs parameters without a value; what is more than parameters is refused elsewhere.
+  std::optional<Real> known(const Expression& formula) const {
+    try {
+      return parameter_value(scene_, formula);
+    } catch (const SceneError&) {
+      return std::nullopt;
+    }
+  }
+  void at_least(const Expression& formula, const char* what, const Expression& least, const char* remedy) const {
+    const auto value = known(formula), bound = known(least);
+    if (value && bound && *value < *bound) refuse(what, formula, *value, remedy);
+  }
+  [[noreturn]] void refuse(const char* what, const Expression& formula, const Real& value, const char* remedy) const {
+    throw SceneError(fmt::format("contact '{}' has the {} {} = {:.6g}: {}", contact_.name, what, formula.to_string(),
+                                 value.to_double(), remedy));
+  }
+
+  const SceneContent& scene_;
+  const ContactContent& contact_;
+};
+
+/// The lower stop of the same coordinate; null: there is none.
+const ContactContent* lower_stop_of(const SceneContent& scene, const Stop& upper) {
+  for (const ContactContent& contact : scene.contacts) {
+    const auto* stop = std::get_if<Stop>(&contact.geometry);
+    if (stop != nullptr && stop->sign > 0 && stop->displacement.as_symbol() == upper.displacement.as_symbol())
+      return &contact;
+  }
+  return nullptr;
+}
+
+}  // namespace
+
+void check_surfaces(const SceneContent& scene) {
+  for (const ContactContent& contact : scene.contacts) SurfaceCheck(scene, contact).run();
+  if (!scene.contacts.empty() && !scene.frictions.empty()) {
+    throw SceneError(fmt::format("friction '{}' assumes that its contact slides, and contact '{}' may open and close: give "
+                                 "all frictions of the scene with contacts",
+                                 scene.frictions[0].name, scene.contacts[0].name));
+  }
+}
+
+void check_contacts(const Equations& equations) {
+  const SceneContent& scene = equations.scene().content();
+  if (scene.contacts.empty()) return;
+  const std::vector<ContactRows> contacts = contact_rows(equations.model());
+  const auto valued = [](const ParameterContent& parameter) { return parameter.value.has_value(); };
+  if (!std::all_of(scene.parameters.begin(), scene.parameters.end(), valued)) return;
+  Evaluator<Real> start(equations.program(), [&scene](const SymbolPointer& symbol) { return initial_value(scene, symbol); });
+  for (const ContactContent& contact : scene.contacts) {
+    const auto* upper = std::get_if<Stop>(&contact.geometry);
+    if (upper == nullptr || upper->sign > 0) continue;
+    const ContactContent* other = lower_stop_of(scene, *upper);
+    if (other == nullptr) continue;
+    const Expression& lower = std::get<Stop>(other->geometry).at;
+    const Real low = start(equations.program().lower(lower)), high = start(equations.program().lower(upper->at));
+    if (low < high || lower.to_string() == upper->at.to_string()) continue;
+    throw SceneError(fmt::format("the stop '{}' at {} = {:.6g} is not below '{}' at {} = {:.6g}: exchange them", other->name,
+                                 lower.to_string(), low.to_double(), contact.name, upper->at.to_string(),
+                                 high.to_double()));
+  }
+  for (const ContactRows& contact : contacts) {
+    if (!contact.normal) continue;
+    // Decimals given for irrational positions carry some twelve digits.
+    constexpr double tolerance = 1e-9;
+    const double gap = start(contact.gap).to_double();
+    const Unit& unit = contact.gap.unit();
+    if (std::isnan(gap)) {
+      throw SceneError(fmt::format("contact '{}' has no gap at t = 0: its point of contact is not defined there (a disc "
+                                   "that lies flat); correct initial(...)",
+                                   contact.name));
+    }
+    if (gap >= -tolerance) continue;
+    throw SceneError(fmt::format("contact '{}' starts penetrating: its gap is {:.6g}{} at t = 0 and must not be negative; "
+                                 "correct initial(...) of the coordinates that it depends on",
+                                 contact.name, gap, unit.is_dimensionless() ? "" : " " + unit.to_string()));
+  }
+}
+
+void refuse_contacts(const Scene& scene, const std::string& user) {
+  if (scene.content().contacts.empty()) return;
+  throw SceneError(fmt::format("{} of the scene '{}' does not watch its contact '{}', and bodies would pass through each "
+                               "other: generate mass_matrix, bias, contacts and contact_coefficients and move it by "
+                               "runtime/contacts (docs/contacts.md)",
+                               user, scene.name(), scene.content().contacts[0].name));
+}
+
+}  // namespace torsor

@@ -1,0 +1,191 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "generator/dynamics/forces/contacts.hpp"
+
+#include <algorithm>
+#include <optional>
+
+#include <fmt/format.h>
+
+#include "generator/base/error.hpp"
+#include "generator/dynamics/motion/relative_motion.hpp"
+#include "generator/program/derivative.hpp"
+#include "generator/program/identically_zero.hpp"
+
+namespace torsor {
+namespace {
+
+class ContactBuilder {
+ public:
+  ContactBuilder(const Model& model, const ContactContent& contact, Derivation& at_constant_velocity)
+      : model_(model),
+        program_(model.program()),
+        contact_(contact),
+        user_("contact '" + contact.name + "'"),
+        at_constant_velocity_(at_constant_velocity) {
+    rows_.name = contact.name;
+  }
+
+  void operator()(const PointOnPlane& on) {
+    const FramePlace& plane = model_.place(on.plane, user_);
+    const int axes = plane.link;
+    const Vector normal = bound(program_, model_.express(axis::z, on.plane, axes, user_));
+    // Not bound: from the centre of a round body its way to the point is then a constant, not a difference of places.
+    const Vector point = model_.locate(on.point, axes, user_);
+    const SceneContent& scene = model_.scene();
+    const PointContent& content = scene.points[static_cast<std::size_t>(scene.point_index(on.point, user_))];
+    if (content.lowest) {
+      if (scene.frame_index(content.lowest->plane, user_) != scene.frame_index(on.plane, user_)) {
+        throw SceneError(fmt::format("{} is between the point '{}', which is the lowest over another plane, and this one: "
+                                     "declare the point of contact for the plane that it touches",
+                                     user_, content.name));
+      }
+      opens(model_.lowest_height(content, axes, user_));
+    } else {
+      const Vector height = bound(program_, point - plane.origin);
+      opens(dot(height, normal));
+    }
+    if (!has_friction()) return;
+    const int link = model_.place(content.frame, user_).link;
+    const RelativeMotion motion(model_, link, axes, point, axes);
+    const std::array<Vector, 2> tangents{bound(program_, model_.express(axis::x, on.plane, axes, user_)),
+                                         bound(program_, model_.express(axis::y, on.plane, axes, user_))};
+    for (std::size_t k = 0; k < 2; ++k) slips(motion, tangents[k], program_.lower(on.belt[k]));
+  }
+
+  void operator()(const SphereOnSphere& spheres) {
+    const FramePlace& at_a = model_.place(spheres.a, user_);
+    const FramePlace& at_b = model_.place(spheres.b, user_);
+    const Vector a = bound(program_, model_.locate(at_a.origin, at_a.link, 0));
+    const Vector b = bound(program_, model_.locate(at_b.origin, at_b.link, 0));
+    const Vector apart = bound(program_, spheres.hollow ? b - a : a - b);
+    const Value radius_a = program_.lower(spheres.radius_a), radius_b = program_.lower(spheres.radius_b);
+    Value square = dot(apart, apart);
+    // A pin in the middle of its hole has no normal: of the order of 1e-40 of the radius nothing but 0/0 changes.
+    if (spheres.hollow) square += program_.number(Number(10).pow(-80)) * (radius_b * radius_b);
+    const Value distance = program_.sqrt(square);
+    Value gap = distance - radius_a - radius_b;
+    if (spheres.hollow) gap = radius_b - radius_a - distance;
+    opens(gap);
+    if (!has_friction()) return;
+    const Vector n = bound(program_, pow(distance, -1) * apart);
+    const Vector point = a - radius_a * n;
+    const RelativeMotion motion(model_, at_a.link, at_b.link, point, 0);
+    for (const Vector& tangent : tangents_across(n)) slips(motion, tangent, {});
+  }
+
+  void operator()(const Stop& stop) {
+    const Value displacement = model_.of_configuration(stop.displacement, user_);
+    const Value at = model_.of_configuration(stop.at, user_);
+    opens(Number(stop.sign) * (displacement - at));
+  }
+
+  void operator()(const FrictionAlong& friction) {
+    rows_.normal = false;
+    add(program_.bind(time_derivative(model_.of_configuration(friction.displacement, user_))),
+        model_.partials(friction.displacement));
+  }
+
+  ContactRows take() { return std::move(rows_); }
+
+ private:
+  bool has_friction() const { return !contact_.friction.is_zero() || !contact_.static_friction.is_zero(); }
+
+  void opens(const Value& gap) {
+    rows_.gap = program_.bind(gap);
+    std::vector<Value> jacobian;
+    for (int i = 0; i < model_.unknown_count(); ++i) {
+      Derivation along = model_.along(i);
+      jacobian.push_back(program_.bind(along(rows_.gap)));
+    }
+    add(program_.bind(time_derivative(rows_.gap)), std::move(jacobian));
+    if (can_move(rows_.rows[0])) return;
+    throw SceneError(fmt::format("{} involves no coordinate: nothing can open or close it; name bodies that move on each "
+                                 "other",
+                                 user_));
+  }
+
+  void slips(const RelativeMotion& motion, const Vector& tangent, const Value& belt) {
+    const Value rate = program_.bind(dot(motion.twist().linear, tangent));
+    add(belt.is_zero() ? rate : program_.bind(rate - belt), motion.generalised_forces({tangent, Vector()}));
+    if (!can_move(rows_.rows.back())) rows_.rows.pop_back();
+  }
+
+  void add(Value rate, std::vector<Value> jacobian) {
+    jacobian.resize(static_cast<std::size_t>(model_.unknown_count()));
+    clear_identically_zero(jacobian);
+    const Value drift = program_.bind(at_constant_velocity_(rate));
+    rows_.rows.push_back({std::move(rate), std::move(jacobian), drift});
+  }
+
+  static bool can_move(const ContactRow& row) {
+    return std::any_of(row.jacobian.begin(), row.jacobian.end(), [](const Value& entry) { return !entry.is_zero(); });
+  }
+
+  std::vector<Vector> tangents_across(const Vector& n) const {
+    const auto basis = [this](int i) {
+      Vector e;
+      e[i] = program_.number(Number(1));
+      return e;
+    };
+    for (const int i : {1, 2, 0}) {
+      if (!identically_zero(n[i])) continue;
+      const Vector in_plane = bound(program_, cross(basis(i), n));
+      return {in_plane, basis(i)};
+    }
+    const Vector half = bound(program_, n + basis(2));
+    const Value scale = program_.bind(pow(half[2], -1));
+    std::vector<Vector> tangents;
+    for (const int i : {0, 1}) {
+      const Value part = program_.bind(scale * n[i]);
+      tangents.push_back(bound(program_, basis(i) - part * half));
+    }
+    return tangents;
+  }
+
+  const Model& model_;
+  Program& program_;
+  const ContactContent& contact_;
+  std::string user_;
+  Derivation& at_constant_velocity_;
+  ContactRows rows_;
+};
+
+}  // namespace
+
+std::vector<ContactRows> contact_rows(const Model& model) {
+  Program& program = model.program();
+  Derivation at_constant_velocity(
+      program,
+      [&program](const SymbolPointer& symbol) -> Value {
+        if (symbol->kind == SymbolKind::time) return program.number(Number(1));
+        if (symbol->kind == SymbolKind::coordinate) return rate_of(program, symbol);
+        return {};
+      },
+      units::second);
+  std::vector<ContactRows> all;
+  for (const ContactContent& contact : model.scene().contacts) {
+    ContactBuilder builder(model, contact, at_constant_velocity);
+    std::visit(builder, contact.geometry);
+    all.push_back(builder.take());
+  }
+  return all;
+}
+
+std::vector<ContactCoefficients> contact_coefficients(const Model& model) {
+  Program& program = model.program();
+  std::vector<ContactCoefficients> all;
+  for (const ContactContent& contact : model.scene().contacts) {
+    ContactCoefficients coefficients;
+    coefficients.friction = program.lower(contact.friction);
+    coefficients.static_friction = program.lower(contact.static_friction);
+    coefficients.restitution = program.lower(contact.restitution);
+    if (const auto* friction = std::get_if<FrictionAlong>(&contact.geometry)) {
+      coefficients.bound = program.lower(friction->bound);
+      coefficients.static_bound = program.lower(friction->static_bound);
+    }
+    all.push_back(std::move(coefficients));
+  }
+  return all;
+}
+
+}  // namespace torsor

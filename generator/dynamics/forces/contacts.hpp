@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "generator/dynamics/motion/model.hpp"
+
+namespace torsor {
+
+/// A direction of a contact: w = Σ J_i v_i + b, dw/dt = Σ J_i v̇_i + drift.
+struct ContactRow {
+  Value rate;                   ///< w [m/s], or the rate of a displacement
+  std::vector<Value> jacobian;  ///< J_i, of the unknowns
+  Value drift;                  ///< dw/dt at zero accelerations
+};
+
+/// A contact of the scene: what opens it first, then along what it slips.
+struct ContactRows {
+  std::string name;
+  bool normal = true;  ///< false: dry friction alone
+  Value gap;           ///< [m], or in the unit of a stopped coordinate; its rate is that of the first row
+  std::vector<ContactRow> rows;
+
+  std::size_t tangents() const { return rows.size() - (normal ? 1 : 0); }
+};
+
+/// Rows for all contacts of the scene, in the order of declaration. n points from the second body to the first, and slip
+/// is that of the first on the second: V(P ∈ first/second) · t. Of a contact without friction there is no tangent, nor
+/// one along which nothing can slip.
+///
+/// Tangents at a plane are the axes x, y of its frame. Between spheres, with p the axis of the ground that n has no
+/// component along (the first of y, z, x), there is one in a plane mechanism: p ∧ n. Elsewhere there are two:
+/// t_x = e_x − n_x (n + e_z)/(1 + n_z) and the same of y, smooth but where n = −e_z.
+/// Throws SceneError where a contact involves no coordinate.
+std::vector<ContactRows> contact_rows(const Model& model);
+
+/// f, f_s, e and the bounds b, b_s of dry friction, formulas of parameters.
+struct ContactCoefficients { Value friction, static_friction, restitution, bound, static_bound; };
+std::vector<ContactCoefficients> contact_coefficients(const Model& model);
+
+}  // namespace torsor

@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "generator/kernels/kernel_contacts.hpp"
+
+#include <fmt/format.h>
+
+#include "generator/dynamics/forces/contacts.hpp"
+#include "generator/kernels/kernel_parts.hpp"
+
+namespace torsor {
+namespace {
+
+/// "ball_on_cloth, ball_on_ball".
+std::string names_of(const Equations& equations) {
+  std::vector<std::string> names;
+  for (const ContactContent& contact : equations.scene().content().contacts) names.push_back(contact.name);
+  return fmt::format("{}", fmt::join(names, ", "));
+}
+
+}  // namespace
+
+std::string no_contacts(const Equations& equations) {
+  return equations.scene().content().contacts.empty() ? "the scene has no contacts that open and close" : "";
+}
+
+Kernel make_contacts(const Equations& equations) {
+  const std::vector<ContactRows> contacts = contact_rows(equations.model());
+  const std::size_t n = unknowns(equations);
+  Kernel kernel;
+  kernel.results = {{"Contacts", "result"}};
+  std::vector<std::size_t> normals, tangents;
+  ValueMatrix jacobian;
+  for (std::size_t k = 0; k < contacts.size(); ++k) {
+    const ContactRows& contact = contacts[k];
+    normals.push_back(contact.normal ? 1 : 0);
+    tangents.push_back(contact.tangents());
+    kernel.assignments.push_back({{"result", "gap", k}, contact.gap});
+    for (const ContactRow& row : contact.rows) {
+      kernel.assignments.push_back({{"result", "rate", jacobian.size()}, row.rate});
+      kernel.assignments.push_back({{"result", "drift", jacobian.size()}, row.drift});
+      jacobian.push_back(row.jacobian);
+    }
+  }
+  const std::size_t rows = jacobian.size();
+  kernel.documentation =
+      "Contacts that open and close, in the order " + names_of(equations) +
+      ".\nRows are contact by contact, the normal first (n from the second body to the first, so that w > 0 opens), then\n"
+      "the tangents: w = J v + b, dw/dt = J a + drift. M a + h = E u + A' lambda + J' r with the reactions r.";
+  kernel.structures = {
+      {"Contacts",
+       "Gaps of contacts, and what they may do along their normals and tangents.",
+       {matrix_member("gap", contacts.size(), 1, "of each contact, falls to 0 where it closes; 0 of dry friction"),
+        matrix_member("rate", rows, 1, "w, of normals d(gap)/dt, of tangents the slip"),
+        matrix_member("jacobian", rows, n, "J, stored column by column"),
+        matrix_member("drift", rows, 1, "dw/dt at zero accelerations")},
+       {{"contact_count", contacts.size(), "Contacts, and their rows."},
+        {"contact_row_count", rows},
+        {"contact_normals", normals, "How many normals and tangents each contact has: dry friction has no normal."},
+        {"contact_tangents", tangents}}}};
+  assign_matrix(kernel, {"result", "jacobian"}, jacobian, n);
+  return kernel;
+}
+
+Kernel make_contact_coefficients(const Equations& equations) {
+  const std::vector<ContactCoefficients> contacts = contact_coefficients(equations.model());
+  const std::size_t count = contacts.size();
+  Kernel kernel;
+  kernel.documentation = "What the surfaces of each contact are made of, in the order " + names_of(equations) +
+                         ":\n|T| <= f N + b while it slides, f_s and b_s while it sticks.";
+  kernel.results = {{"ContactCoefficients", "result"}};
+  kernel.structures = {{"ContactCoefficients",
+                        "Coefficients of contacts.",
+                        {matrix_member("friction", count, 1, "f [1]"),
+                         matrix_member("static_friction", count, 1, "f_s [1]"),
+                         matrix_member("restitution", count, 1, "e [1]"),
+                         matrix_member("bound", count, 1, "b of dry friction, 0 of others"),
+                         matrix_member("static_bound", count, 1, "b_s of dry friction, 0 of others")}}};
+  for (std::size_t k = 0; k < count; ++k) {
+    kernel.assignments.push_back({{"result", "friction", k}, contacts[k].friction});
+    kernel.assignments.push_back({{"result", "static_friction", k}, contacts[k].static_friction});
+    kernel.assignments.push_back({{"result", "restitution", k}, contacts[k].restitution});
+    kernel.assignments.push_back({{"result", "bound", k}, contacts[k].bound});
+    kernel.assignments.push_back({{"result", "static_bound", k}, contacts[k].static_bound});
+  }
+  return kernel;
+}
+
+}  // namespace torsor

@@ -1,0 +1,179 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+#include <vector>
+
+#include "generated/billiard.hpp"
+#include "generated/billiard_two_balls.hpp"
+#include "runtime/contacts/integrate_contacts.hpp"
+#include "runtime/contacts/mechanism_with_contacts.hpp"
+
+namespace torsor::billiard_test {
+namespace {
+
+using namespace torsor::runtime;
+using Triple = std::array<double, 3>;
+using Ball = MechanismWithContacts<billiard::Mechanism<double>>;
+using TwoBalls = MechanismWithContacts<billiard_two_balls::Mechanism<double>>;
+
+// The sheets give twenty digits. A motion has some tens of steps at a tolerance of 1e-13, and its events are located to
+// that of its states: 1e-12 of the sizes.
+constexpr double allowed = 1e-12;
+constexpr double R = 0.028575, g = 9.81;
+
+/// An angular velocity given along the axes that turn with the ball, in those of the ground: q ω q*.
+Triple in_ground(const double* q, const double* w) {
+  const double a = q[0], b = q[1], c = q[2], d = q[3];
+  return {(a * a + b * b - c * c - d * d) * w[0] + 2 * (b * c - a * d) * w[1] + 2 * (b * d + a * c) * w[2],
+          2 * (b * c + a * d) * w[0] + (a * a - b * b + c * c - d * d) * w[1] + 2 * (c * d - a * b) * w[2],
+          2 * (b * d - a * c) * w[0] + 2 * (c * d + a * b) * w[1] + (a * a - b * b - c * c + d * d) * w[2]};
+}
+
+struct Moment {
+  ContactEventKind kind;
+  int contact;
+  double time;
+  std::vector<double> y, impulses;
+  double energy_lost;
+};
+
+template <class S>
+struct Motion {
+  std::vector<Moment> events;
+  ContactResult result;
+  typename S::State y;
+
+  Motion(const S& system, const typename S::State& start, double end) : y(start) {
+    const auto log = [this](const ContactEvent<ContactMotion<S>>& e) {
+      events.push_back({e.kind,
+                        e.contact,
+                        e.time,
+                        {e.state.begin(), e.state.end()},
+                        {e.impulses.data(), e.impulses.data() + e.impulses.size()},
+                        e.energy_lost});
+    };
+    result = integrate_contacts(system, y, 0, end,
+                                DormandPrince853{.relative_tolerance = 1e-13, .absolute_tolerance = 1e-13}, {}, log);
+    EXPECT_TRUE(result) << describe(result.status);
+    EXPECT_LE(result.worst_residual, 1e-13);
+  }
+
+  const Moment& the(ContactEventKind kind, int contact = 0) const {
+    for (const Moment& each : events) {
+      if (each.kind == kind && each.contact == contact) return each;
+    }
+    ADD_FAILURE() << "no such event of contact " << contact;
+    return events.at(0);
+  }
+};
+
+// y = (x, y, z, quaternion, velocities, turning): the first ball's velocities come first.
+Ball::State ball_at(const Triple& V, const Triple& W) { return {0, 0, R, 1, 0, 0, 0, V[0], V[1], V[2], W[0], W[1], W[2]}; }
+
+Triple velocity(const std::vector<double>& y) { return {y[7], y[8], y[9]}; }
+Triple turning(const std::vector<double>& y) { return in_ground(&y[3], &y[10]); }
+
+void expect_near(const Triple& found, const Triple& expected, double size) {
+  for (std::size_t k = 0; k < 3; ++k) EXPECT_NEAR(found[k], expected[k], allowed * size) << "component " << k;
+}
+
+// Exercise 3 of the course: the slip keeps its direction, G goes along a parabola, then straight on.
+TEST(Billiard, SlidesAlongAParabolaThenRollsInALine) {
+  const double f = 0.2;
+  for (const auto& [V, W] : {std::pair(Triple{2, 0, 0}, Triple{0, 0, 0}), std::pair(Triple{3, 0, 0}, Triple{-126, 42, -94})}) {
+    const Triple slip{V[0] - R * W[1], V[1] + R * W[0], 0};
+    const double size = std::hypot(slip[0], slip[1]), tau = 2 * size / (7 * f * g);
+    const Ball ball;
+    const Motion<Ball> motion(ball, ball_at(V, W), tau + 0.5);
+    const Moment& end = motion.the(ContactEventKind::slip_ends);
+    EXPECT_NEAR(end.time, tau, allowed * tau);
+    for (std::size_t k = 0; k < 2; ++k) {
+      const double way = V[k] * tau - f * g * tau * tau / 2 * slip[k] / size, rolling = V[k] - 2 * slip[k] / 7;
+      EXPECT_NEAR(end.y[k], way, allowed);
+      EXPECT_NEAR(end.y[7 + k], rolling, allowed * size);
+      EXPECT_NEAR(motion.y[k], way + 0.5 * rolling, allowed);
+    }
+    EXPECT_NEAR(turning(end.y)[2], W[2], allowed * 100);
+    EXPECT_NEAR(motion.y[2], R, 1e-16);
+  }
+}
+
+// Follow, stop and draw: v_final = 5/7 V0 + 2/7 R w0, which does not depend on f.
+TEST(Billiard, FollowsStopsOrComesBackByItsSpin) {
+  for (const double spin : {1.0, -2.5, -4.0}) {
+    for (const double f : {0.1, 0.3}) {
+      const Ball ball({.f = f, .e = 0});
+      const Motion<Ball> motion(ball, ball_at({2, 0, 0}, {0, spin * 2 / R, 0}), 5);
+      EXPECT_NEAR(motion.y[7], 10.0 / 7 + 4 * spin / 7, allowed * 10);
+    }
+  }
+}
+
+// billiard_cue_masse.md, A: the cue's impulse drives the ball into the cloth; whatever friction does in that impact, the
+// ball ends with one velocity.
+TEST(Billiard, MasseEndsWithOneVelocityWhateverTheImpactDoes) {
+  const Triple W{-125.9842519685039370078740157, 41.99475065616797900262467192, -94.48818897637795275590551181};
+  const Triple W1{-35.9955005624296962879640045, 86.98912635920509936257967754, -94.48818897637795275590551181};
+  const Ball cloth;
+  const Motion<Ball> smooth(cloth, ball_at({3, 0, 0}, W), 1);
+  const Moment& a1 = smooth.the(ContactEventKind::slip_ends);
+  EXPECT_NEAR(a1.time, 0.5861252889907705626236366104, allowed);
+  expect_near({a1.y[0], a1.y[1], a1.y[2]}, {1.607657935517542114624831846, 0.3014358629095391464921559711, R}, 1);
+  expect_near(velocity(a1.y), {17.4 / 7, 7.2 / 7, 0}, 4);
+  expect_near(turning(a1.y), W1, 100);
+
+  const Motion<Ball> rough(cloth, ball_at({3, 0, -4}, W), 1);
+  const Moment& a2 = rough.the(ContactEventKind::slip_ends);
+  EXPECT_NEAR(a2.time, 0.1783780922527465281367278160192, allowed);
+  expect_near({a2.y[0], a2.y[1], a2.y[2]}, {0.4573563812667707285749781835, 0.155555790982947362016939748, R}, 1);
+  expect_near(velocity(a2.y), {17.4 / 7, 7.2 / 7, 0}, 4);
+  expect_near(turning(a2.y), W1, 100);
+}
+
+TwoBalls::State two_balls(double z, const Triple& V, const Triple& W) {
+  TwoBalls::State y = TwoBalls().initial();
+  y[2] = y[9] = z;
+  for (std::size_t k = 0; k < 3; ++k) {
+    y[14 + k] = V[k];
+    y[17 + k] = W[k];
+  }
+  return y;
+}
+
+// billiard_cue_masse.md, C1: one ball strikes the other in the air, so that no cloth holds it.
+TEST(BilliardTwoBalls, ExchangeTheImpulseOfTheSheetInTheAir) {
+  const TwoBalls balls;
+  const Motion<TwoBalls> motion(balls, two_balls(1, {2, 0, 0}, {0, 2 / R, 0}), 1e-9);
+  const auto& y = motion.y;
+  const double fall = g * 1e-9;
+  expect_near({y[14], y[15], y[16] + fall}, {0.5274285645604405011761902142, -0.7922895146519832941269928598, 0.08685}, 2);
+  expect_near({y[20], y[21], y[22] + fall}, {1.472571435439559498823809786, 0.7922895146519832941269928598, -0.08685}, 2);
+  // In 1e-9 s the axes of the ball that spins at 70 rad/s turn by 7e-8 of the components.
+  const Triple W1 = in_ground(&y[3], &y[17]), W2 = in_ground(&y[10], &y[23]);
+  expect_near(W1, {3.799212598425196850393700787, 63.41082184438508342332201598, 4.386952832818809942923847033}, 70);
+  expect_near(W2, {3.799212598425196850393700787, -6.580429249228214914385770549, 4.386952832818809942923847033}, 70);
+}
+
+// C2: side spin throws the second ball off the line of centres, and both slide on over the cloth until they roll.
+TEST(BilliardTwoBalls, ThrowsTheSecondBallBySideSpin) {
+  const TwoBalls balls;
+  const Motion<TwoBalls> motion(balls, two_balls(R, {2, 0, 0}, {0, 0, 30}), 0.4);
+  const Moment& first = motion.the(ContactEventKind::slip_ends, 0);
+  EXPECT_NEAR(first.time, 0.1429272029101368472398554318, allowed);
+  const double x0 = -2 * R * std::cos(std::acos(-1.0) / 6), y0 = -R;
+  EXPECT_NEAR(first.y[0] - x0, 0.06643708507425427119123218787, allowed);
+  EXPECT_NEAR(first.y[1] - y0, -0.1002189762306007748145501952, allowed);
+  EXPECT_NEAR(first.y[14], 0.3873596938775510204081632653, allowed);
+  EXPECT_NEAR(first.y[15], -0.5843241302218014736799416873, allowed);
+  const Moment& second = motion.the(ContactEventKind::slip_ends, 1);
+  EXPECT_NEAR(second.time, 0.2434182947115099356406689464, allowed);
+  EXPECT_NEAR(second.y[7], 0.3041399818713561360655629607, allowed);
+  EXPECT_NEAR(second.y[8], 0.1706822200048526767407133615, allowed);
+  EXPECT_NEAR(second.y[20], 1.041211734693877551020408163, allowed);
+  EXPECT_NEAR(second.y[21], 0.5843241302218014736799416873, allowed);
+}
+
+}  // namespace
+}  // namespace torsor::billiard_test
