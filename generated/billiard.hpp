@@ -13,7 +13,7 @@
 //   mass_matrix                   0                0          0             0                  0       0      0       0
 //   bias                          6               17          0             0                  0       0     23      27
 //   energy                       23               30          0             0                  0       0     53      63
-//   contacts                     16               24          0             0                  0       0     40      46
+//   contacts                     15               24          0             0                  0       0     39      45
 //   contact_coefficients          0                0          0             0                  0       0      0       0
 //
 // Not computed because this mechanism does not need it:
@@ -63,7 +63,7 @@ struct Mechanism {
 
   static constexpr const char* name = "billiard";
   /// 64 bits (FNV-1a) of this file from "#pragma once" on, with zeros in their own place: another mechanism, other bits.
-  static constexpr unsigned long long fingerprint = 0xb67781f76167ccecULL ^ torsor::support_fingerprint;
+  static constexpr unsigned long long fingerprint = 0x21fb75349768a88bULL ^ torsor::support_fingerprint;
   static constexpr int coordinate_count = 7;
   static constexpr int velocity_count = 6;
   static constexpr int input_count = 0;
@@ -454,36 +454,35 @@ struct Mechanism {
     const Scalar v_turn_omega_z = state.v.turn_omega_z;
     const Scalar z0 = n2 * q_turn_y;
     const Scalar z1 = n2 * q_turn_z;
-    const Scalar z2 = k1 - q_z;
-    const Scalar z3 = n2 * q_turn_x;
+    const Scalar z2 = n2 * q_turn_x;
+    const Scalar z3 = k1 - q_z;
     const Scalar z4 = q_turn_y * z0;
     const Scalar z5 = q_turn_z * z1;
     const Scalar z6 = q_turn_x * z0;
     const Scalar z7 = q_turn_w * z1;
-    const Scalar z8 = q_z + z2;
-    const Scalar z9 = q_turn_x * z3;
-    const Scalar z10 = q_turn_x * z1;
-    const Scalar z11 = q_turn_w * z0;
+    const Scalar z8 = q_turn_x * z2;
+    const Scalar z9 = q_turn_x * z1;
+    const Scalar z10 = q_turn_w * z0;
+    const Scalar z11 = q_turn_z * z0;
     const Scalar z12 = z6 - z7;
     const Scalar z13 = z6 + z7;
-    const Scalar z14 = n1 - z5 - z9;
-    const Scalar z15 = z10 + z11;
-    const Scalar z16 = q_turn_z * z0;
-    const Scalar z17 = z13 * z8;
-    const Scalar z18 = z12 * z8;
-    const Scalar z19 = q_turn_w * z3;
-    const Scalar z20 = z15 * z8;
-    const Scalar z21 = n1 - z4 - z5;
-    const Scalar z22 = z14 * z8;
-    const Scalar z23 = z16 - z19;
-    const Scalar z24 = z21 * z8;
-    const Scalar z25 = z23 * z8;
-    const Scalar z26 = v_y + v_turn_omega_y * z18 + v_turn_omega_z * z20 + v_turn_omega_x * z24;
-    const Scalar z27 = v_x - v_turn_omega_x * z17 - v_turn_omega_y * z22 - v_turn_omega_z * z25;
-    result.gap[0] = -z2;
+    const Scalar z14 = n1 - z5 - z8;
+    const Scalar z15 = z9 + z10;
+    const Scalar z16 = q_turn_w * z2;
+    const Scalar z17 = k1 * z13;
+    const Scalar z18 = k1 * z12;
+    const Scalar z19 = k1 * z15;
+    const Scalar z20 = n1 - z4 - z5;
+    const Scalar z21 = z11 - z16;
+    const Scalar z22 = k1 * z14;
+    const Scalar z23 = k1 * z20;
+    const Scalar z24 = k1 * z21;
+    const Scalar z25 = v_x - v_turn_omega_x * z17 - v_turn_omega_y * z22 - v_turn_omega_z * z24;
+    const Scalar z26 = v_y + v_turn_omega_y * z18 + v_turn_omega_z * z19 + v_turn_omega_x * z23;
+    result.gap[0] = -z3;
     result.rate[0] = v_z;
     result.drift[0] = n0;
-    result.rate[1] = z27;
+    result.rate[1] = z25;
     result.drift[1] = n0;
     result.rate[2] = z26;
     result.drift[2] = n0;
@@ -498,13 +497,13 @@ struct Mechanism {
     result.jacobian[8] = n0;
     result.jacobian[9] = n0;
     result.jacobian[10] = -z17;
-    result.jacobian[11] = z24;
+    result.jacobian[11] = z23;
     result.jacobian[12] = n0;
     result.jacobian[13] = -z22;
     result.jacobian[14] = z18;
     result.jacobian[15] = n0;
-    result.jacobian[16] = -z25;
-    result.jacobian[17] = z20;
+    result.jacobian[16] = -z24;
+    result.jacobian[17] = z19;
   }
 
   /// What the surfaces of each contact are made of, in the order cloth:

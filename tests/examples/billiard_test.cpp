@@ -18,9 +18,9 @@ using Triple = std::array<double, 3>;
 using Ball = MechanismWithContacts<billiard::Mechanism<double>>;
 using TwoBalls = MechanismWithContacts<billiard_two_balls::Mechanism<double>>;
 
-// The sheets give twenty digits. A motion has some tens of steps at a tolerance of 1e-13, and its events are located to
-// that of its states: 1e-12 of the sizes.
-constexpr double allowed = 1e-12;
+// The sheets give twenty digits. A motion has up to a hundred steps, each within 1e-13 of places and velocities, and its
+// events are located to that of its states.
+constexpr double allowed = 1e-11;
 constexpr double R = 0.028575, g = 9.81;
 
 /// An angular velocity given along the axes that turn with the ball, in those of the ground: q ω q*.
@@ -86,14 +86,14 @@ TEST(Billiard, SlidesAlongAParabolaThenRollsInALine) {
     const Triple slip{V[0] - R * W[1], V[1] + R * W[0], 0};
     const double size = std::hypot(slip[0], slip[1]), tau = 2 * size / (7 * f * g);
     const Ball ball;
-    const Motion<Ball> motion(ball, ball_at(V, W), tau + 0.5);
+    const Motion<Ball> motion(ball, ball_at(V, W), tau + 0.1);
     const Moment& end = motion.the(ContactEventKind::slip_ends);
     EXPECT_NEAR(end.time, tau, allowed * tau);
     for (std::size_t k = 0; k < 2; ++k) {
       const double way = V[k] * tau - f * g * tau * tau / 2 * slip[k] / size, rolling = V[k] - 2 * slip[k] / 7;
       EXPECT_NEAR(end.y[k], way, allowed);
       EXPECT_NEAR(end.y[7 + k], rolling, allowed * size);
-      EXPECT_NEAR(motion.y[k], way + 0.5 * rolling, allowed);
+      EXPECT_NEAR(motion.y[k], way + 0.1 * rolling, allowed);
     }
     EXPECT_NEAR(turning(end.y)[2], W[2], allowed * 100);
     EXPECT_NEAR(motion.y[2], R, 1e-16);
@@ -103,10 +103,11 @@ TEST(Billiard, SlidesAlongAParabolaThenRollsInALine) {
 // Follow, stop and draw: v_final = 5/7 V0 + 2/7 R w0, which does not depend on f.
 TEST(Billiard, FollowsStopsOrComesBackByItsSpin) {
   for (const double spin : {1.0, -2.5, -4.0}) {
-    for (const double f : {0.1, 0.3}) {
+    for (const double f : {0.2, 0.6}) {
+      const double V = 0.5, tau = 2 * V * (1 - spin) / (7 * f * g);
       const Ball ball({.f = f, .e = 0});
-      const Motion<Ball> motion(ball, ball_at({2, 0, 0}, {0, spin * 2 / R, 0}), 5);
-      EXPECT_NEAR(motion.y[7], 10.0 / 7 + 4 * spin / 7, allowed * 10);
+      const Motion<Ball> motion(ball, ball_at({V, 0, 0}, {0, spin * V / R, 0}), 1.01 * tau + 0.01);
+      EXPECT_NEAR(motion.y[7], V * (5 + 2 * spin) / 7, allowed);
     }
   }
 }
@@ -117,19 +118,31 @@ TEST(Billiard, MasseEndsWithOneVelocityWhateverTheImpactDoes) {
   const Triple W{-125.9842519685039370078740157, 41.99475065616797900262467192, -94.48818897637795275590551181};
   const Triple W1{-35.9955005624296962879640045, 86.98912635920509936257967754, -94.48818897637795275590551181};
   const Ball cloth;
-  const Motion<Ball> smooth(cloth, ball_at({3, 0, 0}, W), 1);
+  const Motion<Ball> smooth(cloth, ball_at({3, 0, 0}, W), 0.6);
   const Moment& a1 = smooth.the(ContactEventKind::slip_ends);
   EXPECT_NEAR(a1.time, 0.5861252889907705626236366104, allowed);
   expect_near({a1.y[0], a1.y[1], a1.y[2]}, {1.607657935517542114624831846, 0.3014358629095391464921559711, R}, 1);
   expect_near(velocity(a1.y), {17.4 / 7, 7.2 / 7, 0}, 4);
   expect_near(turning(a1.y), W1, 100);
 
-  const Motion<Ball> rough(cloth, ball_at({3, 0, -4}, W), 1);
+  const Motion<Ball> rough(cloth, ball_at({3, 0, -4}, W), 0.2);
   const Moment& a2 = rough.the(ContactEventKind::slip_ends);
   EXPECT_NEAR(a2.time, 0.1783780922527465281367278160192, allowed);
   expect_near({a2.y[0], a2.y[1], a2.y[2]}, {0.4573563812667707285749781835, 0.155555790982947362016939748, R}, 1);
   expect_near(velocity(a2.y), {17.4 / 7, 7.2 / 7, 0}, 4);
   expect_near(turning(a2.y), W1, 100);
+}
+
+// contact_zeno_billiard_grazing.md (1): dropped from 1 m its bounces end at t = sqrt(2 h/g) (1 + e)/(1 - e), and it rests.
+// The gap is known to a rounding of the height, 1e-16 m: the end to 1e-10 s (docs/contacts.md).
+TEST(Billiard, BouncesToRest) {
+  const Ball ball({.f = 0.2, .e = 0.5});
+  Ball::State y = ball_at({}, {});
+  y[2] += 1;
+  const Motion<Ball> motion(ball, y, 1.5);
+  EXPECT_NEAR(motion.the(ContactEventKind::accumulation).time, 1.354570922957192713352433, 1e-10);
+  EXPECT_NEAR(motion.y[2], R, 1e-16);
+  EXPECT_EQ(motion.y[9], 0.0);
 }
 
 TwoBalls::State two_balls(double z, const Triple& V, const Triple& W) {
@@ -159,7 +172,7 @@ TEST(BilliardTwoBalls, ExchangeTheImpulseOfTheSheetInTheAir) {
 // C2: side spin throws the second ball off the line of centres, and both slide on over the cloth until they roll.
 TEST(BilliardTwoBalls, ThrowsTheSecondBallBySideSpin) {
   const TwoBalls balls;
-  const Motion<TwoBalls> motion(balls, two_balls(R, {2, 0, 0}, {0, 0, 30}), 0.4);
+  const Motion<TwoBalls> motion(balls, two_balls(R, {2, 0, 0}, {0, 0, 30}), 0.25);
   const Moment& first = motion.the(ContactEventKind::slip_ends, 0);
   EXPECT_NEAR(first.time, 0.1429272029101368472398554318, allowed);
   const double x0 = -2 * R * std::cos(std::acos(-1.0) / 6), y0 = -R;

@@ -51,8 +51,6 @@ TEST(StruckMechanism, ExchangesTheImpulsesOfTheSheet) {
     Rod::State y = rod.initial();
     y[1] -= gap;
     const Blow<Rod> blow(rod, y, gap);
-    // 1e-9 s before and after the impact rounding of the ball's place, 1e-16 m, is 1e-7 of its way: velocities feel
-    // gravity's moment on a rod turned by 1e-9 rad, 1e-8 rad/s^2, over 1e-9 s.
     EXPECT_NEAR(blow.impulse, exact.P / 401, rounding);
     EXPECT_NEAR(blow.change[0], exact.omega / 401, rounding);
     EXPECT_NEAR(blow.change[1], exact.ball / 401 - 4, rounding);

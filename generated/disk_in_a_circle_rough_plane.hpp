@@ -1,0 +1,536 @@
+// SPDX-License-Identifier: MIT
+// disk_in_a_circle_rough_plane: Disk in a circle on a plane whose friction may not suffice
+// Made by torsor 0.1.0; change the scene and write the file again, do not edit it.
+// Free to embed under the MIT licence.
+//
+// Kernels: mass_matrix, bias, energy, contacts, contact_coefficients
+// Parameters set at run time: f
+//
+// Operations in the text of each function (a sine-cosine pair counts 2 in the total; not in it is what a Status
+// costs, one multiplication for each result and for each pivot tested); before: without products that sums
+// share, factoring, and what is done once for a set of parameters:
+//   function              additions  multiplications  divisions  square roots  sine-cosine pairs  others  total  before
+//   mass_matrix                   1                2          0             0                  1       0      5       5
+//   bias                          4               13          0             0                  1       0     19      19
+//   energy                       14               26          0             0                  3       0     46      50
+//   contacts                     53              115          6             1                  2       0    179     193
+//   contact_coefficients          0                0          0             0                  0       0      0       0
+//
+// Not computed because this mechanism does not need it:
+//   mass_matrix: of 36 results 28 vanish identically, 1 repeat another up to sign
+//   bias: of 6 results 2 vanish identically
+//   energy: of 3 results 1 vanish identically
+//   contacts: of 25 results 8 vanish identically
+//   contact_coefficients: of 5 results 3 vanish identically, 1 repeat another up to sign
+//
+// To write this file again:
+//   disk_in_a_circle_rough_plane_scene generate --kernels mass_matrix,bias,energy,contacts,contact_coefficients --support torsor_support.hpp --output disk_in_a_circle_rough_plane.hpp
+#pragma once
+
+#include <array>
+#include <cmath>
+
+#include "torsor_support.hpp"
+namespace disk_in_a_circle_rough_plane {
+
+/// What vectors hold, with units, and what kernels read and write: data that cost nothing where nobody looks at them.
+struct Description {
+  static constexpr std::array<torsor::QuantityDescription, 6> coordinates{{{"x", "m"}, {"y", "m"}, {"z", "m"}, {"psi",
+      "rad"}, {"theta", "rad"}, {"phi", "rad"}}};
+  static constexpr std::array<torsor::QuantityDescription, 6> velocities{{{"x", "m/s"}, {"y", "m/s"}, {"z", "m/s"},
+      {"psi", "rad/s"}, {"theta", "rad/s"}, {"phi", "rad/s"}}};
+  static constexpr std::array<torsor::QuantityDescription, 0> inputs{};
+  static constexpr std::array<torsor::QuantityDescription, 0> multipliers{};
+  static constexpr std::array<torsor::QuantityDescription, 1> parameters{{{"f", "1"}}};
+  static constexpr std::array<torsor::ResultDescription, 14> results{{{"mass", "", 6, 6}, {"forces", "", 6, 1},
+      {"result", "kinetic", 1, 1}, {"result", "force_function", 1, 1}, {"result", "power", 1, 1}, {"result", "gap", 1,
+      1}, {"result", "rate", 3, 1}, {"result", "jacobian", 3, 6}, {"result", "drift", 3, 1}, {"result", "friction", 1,
+      1}, {"result", "static_friction", 1, 1}, {"result", "restitution", 1, 1}, {"result", "bound", 1, 1}, {"result",
+      "static_bound", 1, 1}}};
+  static constexpr std::array<torsor::KernelDescription, 5> kernels{{{"mass_matrix", false, false, false, false,
+      results.data() + 0, 1}, {"bias", false, false, false, false, results.data() + 1, 1}, {"energy", false, false,
+      true, false, results.data() + 2, 3}, {"contacts", false, false, false, false, results.data() + 5, 4},
+      {"contact_coefficients", false, false, false, false, results.data() + 9, 5}}};
+};
+
+/// Every function is pure: it reads constant arguments and writes its results. Matrices are stored column by column.
+/// M a + h = E u + A' lambda and A a + gamma = 0, with a the accelerations and u the inputs; units are SI.
+template <class Scalar>
+struct Mechanism {
+  using traits = torsor::scalar_traits<Scalar>;
+  using Description = ::disk_in_a_circle_rough_plane::Description;
+
+  static constexpr const char* name = "disk_in_a_circle_rough_plane";
+  /// 64 bits (FNV-1a) of this file from "#pragma once" on, with zeros in their own place: another mechanism, other bits.
+  static constexpr unsigned long long fingerprint = 0x0410e472f8e1d931ULL ^ torsor::support_fingerprint;
+  static constexpr int coordinate_count = 6;
+  static constexpr int velocity_count = 6;
+  static constexpr int input_count = 0;
+  static constexpr int parameter_count = 1;
+  static constexpr int multiplier_count = 0;
+  static constexpr int first_integral_count = 0;
+
+  /// Parameters that are set at run time.
+  struct Parameters {
+    Scalar f;  ///< parameter [1]
+    static constexpr int size = 1;
+    TORSOR_DEVICE Scalar& operator[](int i_) noexcept { return this->*member_(i_); }
+    TORSOR_DEVICE const Scalar& operator[](int i_) const noexcept { return this->*member_(i_); }
+
+   private:
+    TORSOR_DEVICE static constexpr Scalar Parameters::*member_(int i_) noexcept {
+      constexpr Scalar Parameters::*members_[] = {&Parameters::f};
+      return members_[i_];
+    }
+  };
+
+  /// Generalised coordinates q.
+  struct Coordinates {
+    Scalar x;  ///< coordinate [m]
+    Scalar y;  ///< coordinate [m]
+    Scalar z;  ///< coordinate [m]
+    Scalar psi;  ///< coordinate [rad]
+    Scalar theta;  ///< coordinate [rad]
+    Scalar phi;  ///< coordinate [rad]
+    static constexpr int size = 6;
+    TORSOR_DEVICE Scalar& operator[](int i_) noexcept { return this->*member_(i_); }
+    TORSOR_DEVICE const Scalar& operator[](int i_) const noexcept { return this->*member_(i_); }
+
+   private:
+    TORSOR_DEVICE static constexpr Scalar Coordinates::*member_(int i_) noexcept {
+      constexpr Scalar Coordinates::*members_[] = {&Coordinates::x, &Coordinates::y, &Coordinates::z, &Coordinates::psi,
+          &Coordinates::theta, &Coordinates::phi};
+      return members_[i_];
+    }
+  };
+
+  /// Generalised velocities v = dq/dt.
+  struct Velocities {
+    Scalar x;  ///< its rate [m/s]
+    Scalar y;  ///< its rate [m/s]
+    Scalar z;  ///< its rate [m/s]
+    Scalar psi;  ///< its rate [rad/s]
+    Scalar theta;  ///< its rate [rad/s]
+    Scalar phi;  ///< its rate [rad/s]
+    static constexpr int size = 6;
+    TORSOR_DEVICE Scalar& operator[](int i_) noexcept { return this->*member_(i_); }
+    TORSOR_DEVICE const Scalar& operator[](int i_) const noexcept { return this->*member_(i_); }
+
+   private:
+    TORSOR_DEVICE static constexpr Scalar Velocities::*member_(int i_) noexcept {
+      constexpr Scalar Velocities::*members_[] = {&Velocities::x, &Velocities::y, &Velocities::z, &Velocities::psi,
+          &Velocities::theta, &Velocities::phi};
+      return members_[i_];
+    }
+  };
+
+  /// Generalised accelerations dv/dt.
+  struct Accelerations {
+    Scalar x;  ///< its second rate [m/s^2]
+    Scalar y;  ///< its second rate [m/s^2]
+    Scalar z;  ///< its second rate [m/s^2]
+    Scalar psi;  ///< its second rate [rad/s^2]
+    Scalar theta;  ///< its second rate [rad/s^2]
+    Scalar phi;  ///< its second rate [rad/s^2]
+    static constexpr int size = 6;
+    TORSOR_DEVICE Scalar& operator[](int i_) noexcept { return this->*member_(i_); }
+    TORSOR_DEVICE const Scalar& operator[](int i_) const noexcept { return this->*member_(i_); }
+
+   private:
+    TORSOR_DEVICE static constexpr Scalar Accelerations::*member_(int i_) noexcept {
+      constexpr Scalar Accelerations::*members_[] = {&Accelerations::x, &Accelerations::y, &Accelerations::z,
+          &Accelerations::psi, &Accelerations::theta, &Accelerations::phi};
+      return members_[i_];
+    }
+  };
+
+  /// Generalised forces, one along each coordinate.
+  struct GeneralizedForces {
+    Scalar x;  ///< works with the rate of x [N]
+    Scalar y;  ///< works with the rate of y [N]
+    Scalar z;  ///< works with the rate of z [N]
+    Scalar psi;  ///< works with the rate of psi [N m]
+    Scalar theta;  ///< works with the rate of theta [N m]
+    Scalar phi;  ///< works with the rate of phi [N m]
+    static constexpr int size = 6;
+    TORSOR_DEVICE Scalar& operator[](int i_) noexcept { return this->*member_(i_); }
+    TORSOR_DEVICE const Scalar& operator[](int i_) const noexcept { return this->*member_(i_); }
+
+   private:
+    TORSOR_DEVICE static constexpr Scalar GeneralizedForces::*member_(int i_) noexcept {
+      constexpr Scalar GeneralizedForces::*members_[] = {&GeneralizedForces::x, &GeneralizedForces::y,
+          &GeneralizedForces::z, &GeneralizedForces::psi, &GeneralizedForces::theta, &GeneralizedForces::phi};
+      return members_[i_];
+    }
+  };
+
+  /// Forces and torques of motors, set at each call.
+  struct Inputs : torsor::NoMembers<Scalar> {};
+
+  /// Multipliers of the constraints, or the reactions that enforce them.
+  struct Multipliers : torsor::NoMembers<Scalar> {};
+
+  /// Time [s], coordinates and velocities.
+  struct State {
+    Scalar time;
+    Coordinates q;
+    Velocities v;
+  };
+
+  /// Parameters and what depends on them only: built once for each set of parameters.
+  struct Precomputed {
+    Parameters parameters;
+  };
+
+  /// Values of the scene.
+  TORSOR_DEVICE static Parameters default_parameters() noexcept {
+    Parameters parameters{};
+    const Scalar n1_2 = traits::constant(1.2, 1.2f, "6/5");
+    parameters.f = n1_2;
+    return parameters;
+  }
+
+  /// To be called again when a parameter changes.
+  TORSOR_DEVICE static Precomputed precompute(const Parameters& parameters) noexcept {
+    Precomputed precomputed{};
+    precomputed.parameters = parameters;
+    return precomputed;
+  }
+
+  /// The state the scene starts from, for these parameters.
+  TORSOR_DEVICE static State initial_state(const Parameters&) noexcept {
+    State state{};
+    const Scalar k0 = traits::constant(1.1009787104087196, 1.1009787f, "-9/275;0;36/55;0");
+    const Scalar n0 = traits::constant(0.0, 0.0f, "0/1");
+    const Scalar n10 = traits::constant(10.0, 10.0f, "10/1");
+    const Scalar n1 = traits::constant(1.0, 1.0f, "1/1");
+    const Scalar n1_over_6 = traits::constant(0.16666666666666666, 0.16666667f, "1/6");
+    const Scalar k5 = traits::constant(5.866025403784438, 5.8660254f, "5;0;1/2;0");
+    const Scalar pi = traits::pi();
+    const Scalar z0 = k0;
+    const Scalar z1 = traits::formula(1.0492753263127461, 1.0492753f, [&]() -> Scalar {
+      return traits::sqrt(z0);
+    });
+    state.time = n0;
+    state.q.x = n0;
+    state.q.y = -n10;
+    state.q.z = n1;
+    state.q.psi = n0;
+    state.q.theta = n1_over_6 * pi;
+    state.q.phi = n0;
+    state.v.x = n10 * z1;
+    state.v.y = n0;
+    state.v.z = n0;
+    state.v.psi = z1;
+    state.v.theta = n0;
+    state.v.phi = -k5 * z1;
+    return state;
+  }
+  TORSOR_DEVICE static State initial_state() noexcept { return initial_state(default_parameters()); }
+
+  /// Energies of the mechanism.
+  struct Energy {
+    Scalar kinetic;  ///< kinetic energy T [J]
+    Scalar force_function;  ///< force function U of gravity and springs [J]
+    Scalar power;  ///< power of dampers, given forces and motors [W]
+    static constexpr int size = 3;
+    TORSOR_DEVICE Scalar& operator[](int i_) noexcept { return this->*member_(i_); }
+    TORSOR_DEVICE const Scalar& operator[](int i_) const noexcept { return this->*member_(i_); }
+
+   private:
+    TORSOR_DEVICE static constexpr Scalar Energy::*member_(int i_) noexcept {
+      constexpr Scalar Energy::*members_[] = {&Energy::kinetic, &Energy::force_function, &Energy::power};
+      return members_[i_];
+    }
+  };
+
+  /// Gaps of contacts, and what they may do along their normals and tangents.
+  struct Contacts {
+    std::array<Scalar, 1> gap;  ///< of each contact, falls to 0 where it closes; 0 of dry friction
+    std::array<Scalar, 3> rate;  ///< w, of normals d(gap)/dt, of tangents the slip
+    std::array<Scalar, 18> jacobian;  ///< J, stored column by column (3 x 6)
+    std::array<Scalar, 3> drift;  ///< dw/dt at zero accelerations
+  };
+  /// Contacts, and their rows.
+  static constexpr int contact_count = 1;
+  static constexpr int contact_row_count = 3;
+  /// How many normals and tangents each contact has: dry friction has no normal.
+  static constexpr int contact_normals[] = {1};
+  static constexpr int contact_tangents[] = {2};
+
+  /// Coefficients of contacts.
+  struct ContactCoefficients {
+    std::array<Scalar, 1> friction;  ///< f [1]
+    std::array<Scalar, 1> static_friction;  ///< f_s [1]
+    std::array<Scalar, 1> restitution;  ///< e [1]
+    std::array<Scalar, 1> bound;  ///< b of dry friction, 0 of others
+    std::array<Scalar, 1> static_bound;  ///< b_s of dry friction, 0 of others
+  };
+
+  /// Mass matrix M(q), symmetric, stored column by column: T2 = 1/2 v' M v.
+  TORSOR_DEVICE static void mass_matrix(const Precomputed&, const State& state, std::array<Scalar, 36>& mass) noexcept {
+    const Scalar n2 = traits::constant(2.0, 2.0f, "2/1");
+    const Scalar n1 = traits::constant(1.0, 1.0f, "1/1");
+    const Scalar n0 = traits::constant(0.0, 0.0f, "0/1");
+    const Scalar q_theta = state.q.theta;
+    Scalar s_theta, c_theta;
+    traits::sincos(q_theta, s_theta, c_theta);
+    const Scalar z0 = n2 * c_theta;
+    const Scalar z1 = n1 + c_theta * c_theta;
+    mass[0] = n1;
+    mass[1] = n0;
+    mass[2] = n0;
+    mass[3] = n0;
+    mass[4] = n0;
+    mass[5] = n0;
+    mass[6] = n0;
+    mass[7] = n1;
+    mass[8] = n0;
+    mass[9] = n0;
+    mass[10] = n0;
+    mass[11] = n0;
+    mass[12] = n0;
+    mass[13] = n0;
+    mass[14] = n1;
+    mass[15] = n0;
+    mass[16] = n0;
+    mass[17] = n0;
+    mass[18] = n0;
+    mass[19] = n0;
+    mass[20] = n0;
+    mass[21] = z1;
+    mass[22] = n0;
+    mass[23] = z0;
+    mass[24] = n0;
+    mass[25] = n0;
+    mass[26] = n0;
+    mass[27] = n0;
+    mass[28] = n1;
+    mass[29] = n0;
+    mass[30] = n0;
+    mass[31] = n0;
+    mass[32] = n0;
+    mass[33] = z0;
+    mass[34] = n0;
+    mass[35] = n2;
+  }
+
+  /// Bias h(q, v, t): inverse dynamics at zero acceleration without inputs and multipliers; gravity and passive
+  /// actions included. M a + h = E u + A' lambda.
+  TORSOR_DEVICE static void bias(const Precomputed&, const State& state, GeneralizedForces& forces) noexcept {
+    const Scalar n2 = traits::constant(2.0, 2.0f, "2/1");
+    const Scalar n0 = traits::constant(0.0, 0.0f, "0/1");
+    const Scalar n9_81 = traits::constant(9.81, 9.81f, "981/100");
+    const Scalar v_psi = state.v.psi;
+    const Scalar q_theta = state.q.theta;
+    const Scalar v_theta = state.v.theta;
+    const Scalar v_phi = state.v.phi;
+    Scalar s_theta, c_theta;
+    traits::sincos(q_theta, s_theta, c_theta);
+    const Scalar z0 = v_psi * c_theta;
+    const Scalar z1 = v_psi * s_theta;
+    const Scalar z2 = v_theta * z0;  // angular acceleration of disk.2, y
+    const Scalar z3 = v_theta * z1;  // angular acceleration of disk.2, z
+    const Scalar z4 = v_phi + z0;  // angular velocity of disk, z
+    const Scalar z5 = z1 * z0;
+    const Scalar z6 = z1 * z4;
+    const Scalar z7 = v_theta * z4;
+    const Scalar z8 = n2 * z3;  // moment on disk, z
+    const Scalar z9 = n2 * z2;
+    const Scalar z10 = n2 * z6;  // moment on disk, x
+    const Scalar z11 = n2 * z7;  // moment on disk, y
+    const Scalar z12 = z10 - z5;  // moment on disk.2, x
+    const Scalar z13 = z11 - z9;  // moment on disk.2, y
+    const Scalar z14 = c_theta * z8 + s_theta * z13;
+    forces.x = n0;
+    forces.y = n0;
+    forces.z = n9_81;
+    forces.psi = -z14;
+    forces.theta = z12;
+    forces.phi = -z8;
+  }
+
+  /// Kinetic energy, force function (potential energy = -U) and power of what has no force function.
+  TORSOR_DEVICE static void energy(const Precomputed&, const State& state, const Inputs&, Energy& result) noexcept {
+    const Scalar n0_5 = traits::constant(0.5, 0.5f, "1/2");
+    const Scalar n9_81 = traits::constant(9.81, 9.81f, "981/100");
+    const Scalar n0 = traits::constant(0.0, 0.0f, "0/1");
+    const Scalar v_x = state.v.x;
+    const Scalar v_y = state.v.y;
+    const Scalar q_z = state.q.z;
+    const Scalar v_z = state.v.z;
+    const Scalar q_psi = state.q.psi;
+    const Scalar v_psi = state.v.psi;
+    const Scalar q_theta = state.q.theta;
+    const Scalar v_theta = state.v.theta;
+    const Scalar q_phi = state.q.phi;
+    const Scalar v_phi = state.v.phi;
+    const Scalar angles_[] = {q_psi, q_theta, q_phi};
+    Scalar sines_[3], cosines_[3];
+    torsor::sines_and_cosines(angles_, sines_, cosines_);
+    const Scalar s_psi = sines_[0], c_psi = cosines_[0];
+    const Scalar s_theta = sines_[1], c_theta = cosines_[1];
+    const Scalar s_phi = sines_[2], c_phi = cosines_[2];
+    const Scalar z0 = v_x * s_psi - v_y * c_psi;
+    const Scalar z1 = v_x * c_psi + v_y * s_psi;
+    const Scalar z2 = v_psi * s_theta;
+    const Scalar z3 = v_psi * c_theta;
+    const Scalar z4 = v_theta * c_phi + s_phi * z2;
+    const Scalar z5 = v_theta * s_phi - c_phi * z2;
+    const Scalar z6 = v_phi + z3;  // angular velocity of disk, z
+    const Scalar z7 = v_z * s_theta - c_theta * z0;
+    const Scalar z8 = v_z * c_theta + s_theta * z0;
+    const Scalar z9 = c_phi * z1 + s_phi * z7;
+    const Scalar z10 = s_phi * z1 - c_phi * z7;
+    result.kinetic = z6 * z6 + n0_5 * (z4 * z4 + z5 * z5 + z8 * z8 + z9 * z9 + z10 * z10);
+    result.force_function = -n9_81 * q_z;
+    result.power = n0;
+  }
+
+  /// The same for this mechanism, which has nothing in the arguments left out.
+  TORSOR_DEVICE static void energy(const Precomputed& precomputed, const State& state, Energy& result) noexcept {
+    Mechanism::energy(precomputed, state, Inputs(), result);
+  }
+
+  /// Contacts that open and close, in the order plane.
+  /// Rows are contact by contact, the normal first (n from the second body to the first, so that w > 0 opens), then
+  /// the tangents: w = J v + b, dw/dt = J a + drift. M a + h = E u + A' lambda + J' r with the reactions r.
+  TORSOR_DEVICE static void contacts(const Precomputed&, const State& state, Contacts& result) noexcept {
+    const Scalar n1 = traits::constant(1.0, 1.0f, "1/1");
+    const Scalar n2 = traits::constant(2.0, 2.0f, "2/1");
+    const Scalar n0_5 = traits::constant(0.5, 0.5f, "1/2");
+    const Scalar n0 = traits::constant(0.0, 0.0f, "0/1");
+    const Scalar v_x = state.v.x;
+    const Scalar v_y = state.v.y;
+    const Scalar q_z = state.q.z;
+    const Scalar v_z = state.v.z;
+    const Scalar q_psi = state.q.psi;
+    const Scalar v_psi = state.v.psi;
+    const Scalar q_theta = state.q.theta;
+    const Scalar v_theta = state.v.theta;
+    const Scalar v_phi = state.v.phi;
+    const Scalar angles_[] = {q_psi, q_theta};
+    Scalar sines_[2], cosines_[2];
+    torsor::sines_and_cosines(angles_, sines_, cosines_);
+    const Scalar s_psi = sines_[0], c_psi = cosines_[0];
+    const Scalar s_theta = sines_[1], c_theta = cosines_[1];
+    const Scalar z0 = s_psi * s_theta;
+    const Scalar z1 = n1 - c_theta * c_theta;
+    const Scalar z2 = v_theta * c_theta;
+    const Scalar z3 = c_psi * s_theta;
+    const Scalar z4 = v_psi * c_psi;
+    const Scalar z5 = v_psi * s_psi;
+    const Scalar z6 = n2 * c_theta;
+    const Scalar z7 = v_theta * s_theta;
+    const Scalar z8 = s_psi * c_theta;
+    const Scalar z9 = c_psi * c_theta;
+    const Scalar z10 = c_theta * z0;
+    const Scalar z11 = c_theta * z3;
+    const Scalar z12 = s_theta * z0 - c_theta * z8;
+    const Scalar z13 = s_theta * z3 - c_theta * z9;
+    const Scalar z14 = s_theta * z6;
+    const Scalar z15 = s_psi * z2 + s_theta * z4;
+    const Scalar z16 = c_psi * z2 - s_theta * z5;
+    const Scalar z17 = z6 * z7;
+    const Scalar z18 = v_theta * z7;
+    const Scalar z19 = v_psi * z5;
+    const Scalar z20 = n2 * z2;
+    const Scalar z21 = v_theta * z2;
+    const Scalar z22 = n2 * z7;
+    const Scalar z23 = v_psi * z4;
+    const Scalar z24 = z1 * z1 + z10 * z10 + z11 * z11;
+    const Scalar z25 = s_psi * z18 + s_theta * z19 - z4 * z20;
+    const Scalar z26 = c_psi * z18 + s_theta * z23 + z5 * z20;
+    const Scalar z27 = n2 * (c_theta * z21 - z7 * z7);
+    const Scalar z28 = n2 * (z10 * z12 + z11 * z13 - z1 * z14);
+    const Scalar z29 = c_theta * z15 - z0 * z7;
+    const Scalar z30 = c_theta * z16 - z3 * z7;
+    const Scalar z31 = traits::sqrt(z24);
+    const Scalar z32 = n2 * (z1 * z17 + z10 * z29 + z11 * z30);
+    const Scalar z33 = z0 * z21 + z15 * z22 + c_theta * z25;
+    const Scalar z34 = z3 * z21 + z16 * z22 + c_theta * z26;
+    const Scalar z35 = n2 * (z10 * z33 + z11 * z34 - z1 * z27 - z29 * z29 - z30 * z30 - z17 * z17);
+    const Scalar z36 = n2 / z31;
+    const Scalar z37 = q_z - n2 * z31;
+    const Scalar z38 = n0_5 * z28 / z31;
+    const Scalar z39 = n0_5 * z32 / z31;
+    const Scalar z40 = n2 * z38;
+    const Scalar z41 = v_z - n2 * z39;
+    const Scalar z42 = z10 * z36;
+    const Scalar z43 = z11 * z36;
+    const Scalar z44 = z1 * z36;
+    const Scalar z45 = n2 * z39 / (z31 * z31);
+    const Scalar z46 = n0_5 * (z32 * z39 / (z31 * z31) + z35 / z31);
+    const Scalar z47 = s_psi * z44;
+    const Scalar z48 = c_psi * z44;
+    const Scalar z49 = c_theta * z43 + z3 * z44;
+    const Scalar z50 = c_theta * z42 + z0 * z44;
+    const Scalar z51 = v_x + v_psi * z43 - v_theta * z47 + v_phi * z49;
+    const Scalar z52 = v_y + v_psi * z42 + v_theta * z48 + v_phi * z50;
+    const Scalar z53 = z11 * z45 - z36 * z30;
+    const Scalar z54 = z1 * z45 - z36 * z17;
+    const Scalar z55 = z10 * z45 - z36 * z29;
+    const Scalar z56 = n2 * z46;
+    const Scalar z57 = s_psi * z54 - z4 * z44;
+    const Scalar z58 = z7 * z43 - z16 * z44 + c_theta * z53 + z3 * z54;
+    const Scalar z59 = z5 * z44 + c_psi * z54;
+    const Scalar z60 = z7 * z42 - z15 * z44 + c_theta * z55 + z0 * z54;
+    const Scalar z61 = v_psi * z53 - v_theta * z57 + v_phi * z58;
+    const Scalar z62 = v_psi * z55 + v_theta * z59 + v_phi * z60;
+    result.gap[0] = z37;
+    result.rate[0] = z41;
+    result.drift[0] = z56;
+    result.rate[1] = z51;
+    result.drift[1] = -z61;
+    result.rate[2] = z52;
+    result.drift[2] = -z62;
+    result.jacobian[0] = n0;
+    result.jacobian[1] = n1;
+    result.jacobian[2] = n0;
+    result.jacobian[3] = n0;
+    result.jacobian[4] = n0;
+    result.jacobian[5] = n1;
+    result.jacobian[6] = n1;
+    result.jacobian[7] = n0;
+    result.jacobian[8] = n0;
+    result.jacobian[9] = n0;
+    result.jacobian[10] = z43;
+    result.jacobian[11] = z42;
+    result.jacobian[12] = z40;
+    result.jacobian[13] = -z47;
+    result.jacobian[14] = z48;
+    result.jacobian[15] = n0;
+    result.jacobian[16] = z49;
+    result.jacobian[17] = z50;
+  }
+
+  /// What the surfaces of each contact are made of, in the order plane:
+  /// |T| <= f N + b while it slides, f_s and b_s while it sticks.
+  TORSOR_DEVICE static void contact_coefficients(const Precomputed& precomputed, const State&,
+      ContactCoefficients& result) noexcept {
+    const Scalar n0 = traits::constant(0.0, 0.0f, "0/1");
+    const Scalar p_f = precomputed.parameters.f;
+    result.friction[0] = p_f;
+    result.static_friction[0] = p_f;
+    result.restitution[0] = n0;
+    result.bound[0] = n0;
+    result.static_bound[0] = n0;
+  }
+
+  /// A kernel with all its arguments.
+  template <class Code, class... Arguments>
+  using KernelFunction = Code (*)(const Precomputed&, const State&, Arguments...) noexcept;
+
+  /// Calls visitor(description, function) for each kernel: whatever walks them meets a new one by itself.
+  template <class Visitor>
+  static constexpr void for_each_kernel(Visitor&& visitor) {
+    static_cast<void>(visitor);
+    visitor(Description::kernels[0], KernelFunction<void, std::array<Scalar, 36>&>(mass_matrix));
+    visitor(Description::kernels[1], KernelFunction<void, GeneralizedForces&>(bias));
+    visitor(Description::kernels[2], KernelFunction<void, const Inputs&, Energy&>(energy));
+    visitor(Description::kernels[3], KernelFunction<void, Contacts&>(contacts));
+    visitor(Description::kernels[4], KernelFunction<void, ContactCoefficients&>(contact_coefficients));
+  }
+};
+
+}  // namespace disk_in_a_circle_rough_plane
