@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// hostile_headers FOLDER BATCH [ROLE...] < NAMES: every name in every role of a scene, or in those, so many in one. Writes headers and, for each of them, a
-// source that instantiates it; prints the sources and the names that were refused, with their role.
+// hostile_headers FOLDER BATCH [ROLE...] < NAMES: every name in every role of a scene, or in those, so many in one. Writes
+// headers and, for each of them, a source that instantiates it, the same in C, and a module of JavaScript; prints these
+// files and the names that were refused, with their role.
 #include <algorithm>
 #include <cstdio>
 #include <fstream>
@@ -10,7 +11,9 @@
 #include <vector>
 
 #include "generator/base/error.hpp"
+#include "generator/emission/c_header.hpp"
 #include "generator/emission/header.hpp"
+#include "generator/emission/javascript_module.hpp"
 #include "generator/mechanics/scene.hpp"
 
 namespace {
@@ -21,6 +24,16 @@ using Names = std::vector<std::string>;
 const Names all_roles{"coordinate", "parameter", "input", "multiplier", "point", "attitude", "body", "scene"};
 const Names kernels{"kinematics",  "mass_matrix", "bias",            "inverse_dynamics", "forward_dynamics",
                     "energy",      "constraints", "first_integrals", "residual",         "jets"};
+
+/// A mechanism in all languages.
+struct Texts {
+  std::string cpp, c, javascript;
+};
+
+Texts texts_of(const Scene& scene, const Names& asked) {
+  const MechanismListing mechanism = lower_mechanism(scene, asked);
+  return {emit_header(mechanism), emit_c(mechanism).header, emit_javascript(mechanism)};
+}
 
 /// A coordinate, at first an angle and then a length in turn, with a body of that mass and a spring.
 class Builder {
@@ -55,7 +68,7 @@ class Builder {
     }
   }
 
-  std::string header(const Names& asked) const { return emit_header(scene_, asked); }
+  Texts texts(const Names& asked) const { return texts_of(scene_, asked); }
 
  private:
   Expression moving(const std::string& name, const std::string& frame, const std::string& body, const Expression& mass) {
@@ -76,17 +89,17 @@ class Builder {
   bool angle_ = true, is_angle_ = true;
 };
 
-std::string header_of(const std::string& role, const Names& names, const Names& asked) {
+Texts texts_of(const std::string& role, const Names& names, const Names& asked) {
   Builder builder;
   for (const std::string& name : names) builder.add(role, name);
-  return builder.header(asked);
+  return builder.texts(asked);
 }
 
 /// Those of the names that a scene takes in the role, all in one: halves of what it refuses are tried again.
 Names accepted(const std::string& role, const Names& names) {
   if (names.empty()) return names;
   try {
-    static_cast<void>(header_of(role, names, {"mass_matrix", "kinematics"}));
+    static_cast<void>(texts_of(role, names, {"mass_matrix", "kinematics"}));
     return names;
   } catch (const Error& refusal) {
     if (names.size() == 1) {
@@ -115,7 +128,7 @@ class Writer {
     // Two that are good alone may meet in one structure.
     while (!all.empty()) {
       try {
-        put(role, header_of(role, all, kernels), "hostile");
+        put(role, texts_of(role, all, kernels), "hostile");
         return;
       } catch (const Error& refusal) {
         std::printf("refused %s %s: %s\n", role.c_str(), all.back().c_str(), refusal.what());
@@ -124,35 +137,43 @@ class Writer {
     }
   }
 
-  /// The names of scenes: namespaces in one file, below one support.
+  /// The names of scenes: namespaces in one file, below one support; in C prefixes of one file each, included together.
   void write_scenes(const Names& names) {
-    std::string all, instances;
+    Texts all;
+    std::string instances;
     for (const std::string& name : names) {
       try {
         Scene scene(name);
         const Expression x = scene.coordinate("x", "m");
         scene.body("block", scene.prismatic("slide", scene.ground(), axis::x, x), Inertia::point(Expression::quantity("1", "kg")));
-        const std::string text = emit_header(scene, {"mass_matrix"});
-        all += all.empty() ? text : text.substr(text.find("\nnamespace " + name + " {"));
+        const Texts texts = texts_of(scene, {"mass_matrix"});
+        all.cpp += all.cpp.empty() ? texts.cpp : texts.cpp.substr(texts.cpp.find("\nnamespace " + name + " {"));
+        const std::string file = "scene_of_" + std::to_string(scenes_++) + ".h";
+        write(folder_ + "/" + file, texts.c);
+        all.c += "#include \"" + file + "\"\n";
+        all.javascript = texts.javascript;  // modules stand alone: the last one is checked
         instances += "template struct " + name + "::Mechanism<double>;\n";
       } catch (const Error&) {
         std::printf("refused scene %s\n", name.c_str());
       }
     }
-    if (!all.empty()) put("scene", all, "", instances);
+    if (!all.cpp.empty()) put("scene", all, "", instances);
   }
 
  private:
-  void put(const std::string& role, const std::string& header, const std::string& scene, std::string instances = {}) {
+  void put(const std::string& role, const Texts& texts, const std::string& scene, std::string instances = {}) {
     const std::string name = role + std::to_string(number_++);
     if (instances.empty()) instances = "template struct " + scene + "::Mechanism<double>;\ntemplate struct " + scene + "::Mechanism<float>;\n";
-    write(folder_ + "/" + name + ".hpp", header);
+    write(folder_ + "/" + name + ".hpp", texts.cpp);
     write(folder_ + "/" + name + ".cpp", "#include \"" + name + ".hpp\"\n" + instances);
-    std::printf("source %s.cpp\n", name.c_str());
+    write(folder_ + "/" + name + ".h", texts.c);
+    write(folder_ + "/" + name + ".c", "#include \"" + name + ".h\"\n");
+    write(folder_ + "/" + name + ".mjs", texts.javascript);
+    for (const char* extension : {"cpp", "c", "mjs"}) std::printf("source %s.%s\n", name.c_str(), extension);
   }
 
   std::string folder_;
-  int number_ = 0;
+  int number_ = 0, scenes_ = 0;
 };
 
 }  // namespace
