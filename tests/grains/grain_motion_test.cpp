@@ -143,7 +143,9 @@ TEST(NeighbourGrid, FindsEveryPairOnce) {
   std::set<std::pair<std::size_t, std::size_t>> found, all;
   for (std::size_t i = 0; i < grains.count(); ++i) {
     grid.visit_later(i, [&](std::size_t j) {
-      if ((grains.x[i] - grains.x[j]).norm() < width) EXPECT_TRUE(found.insert({i, j}).second);
+      if ((grains.x[i] - grains.x[j]).norm() < width) {
+        EXPECT_TRUE(found.insert({i, j}).second);
+      }
     });
     for (std::size_t j = i + 1; j < grains.count(); ++j) {
       if ((grains.x[i] - grains.x[j]).norm() < width) all.insert({i, j});
