@@ -412,6 +412,25 @@ TEST_F(SceneExamples, OfALawOfFriction) {
   stands();
 }
 
+TEST_F(SceneExamples, OfContactsThatOpenAndClose) {
+  const Expression x = scene.coordinate("x", "m"), z = scene.coordinate("z", "m"), theta = scene.coordinate("theta", "rad");
+  const FrameHandle slide = scene.prismatic("slide", "ground", axis::x, x);
+  const FrameHandle lift = scene.prismatic("lift", slide, axis::z, z);
+  const FrameHandle ball = scene.revolute("ball", lift, axis::y, theta);
+  scene.body("ball", ball, Inertia::solid_sphere(m, r));
+  scene.initial(z, h);
+  // example: contact
+  scene.contact("floor", shape::Sphere{.frame = ball, .radius = r}, shape::Plane{.frame = "ground"}, {.restitution = 0.8_r});
+  // end
+  // example: stop
+  scene.stop(x, -l, l);
+  // end
+  // example: dry_friction
+  scene.dry_friction("bearing", theta, {.bound = scene.parameter("bound", "N m", 0.01_r)});
+  // end
+  stands();
+}
+
 TEST_F(SceneExamples, OfConstraints) {
   const Expression x = scene.coordinate("x", "m"), y = scene.coordinate("y", "m"), z = scene.coordinate("z", "m");
   const Expression u = scene.coordinate("u", "m"), w = scene.coordinate("w", "m"), phi = scene.coordinate("phi", "rad");
