@@ -13,7 +13,8 @@
 #ifndef TORSOR_DEVICE
 #define TORSOR_DEVICE
 #endif
-// Define TORSOR_STD_SINCOS before the first generated header, alike in the whole program, for std::sin and std::cos.
+// Define TORSOR_STD_SINCOS before the first generated header, alike in the whole program, for std::sin and std::cos, or
+// TORSOR_SMALL for one function of an angle that is called for each sine, where room counts more than time.
 
 // Sine and cosine in one, of one angle or of several at once, with an error of at most 1 ulp (of some more where the
 // processor is set to round up, down or towards zero). With rounding to nearest:
@@ -34,6 +35,13 @@
 #else
 #define TORSOR_INLINED inline __attribute__((always_inline))
 #define TORSOR_OUTLINED __attribute__((noinline, cold))
+#endif
+#if !defined(TORSOR_SMALL)
+#define TORSOR_ONE_SINE inline
+#elif defined(_MSC_VER)
+#define TORSOR_ONE_SINE inline __declspec(noinline)
+#else
+#define TORSOR_ONE_SINE inline __attribute__((noinline))
 #endif
 
 namespace torsor {
@@ -207,19 +215,75 @@ TORSOR_OUTLINED inline void sincos_far(double x, double& sine, double& cosine) n
   cosine = quarter == 0 ? c : quarter == 1 ? -s : quarter == 2 ? -c : s;
   sine = x < 0 ? -turned : turned;
 }
+/// In float, by integers of 32 bits and their products: angles that wheels have turned by cost a controller without
+/// registers of doubles no more than some 300 instructions. 1/(2 pi) to 2^-72 of a turn; no float comes nearer to a
+/// multiple of pi/2 than 2^-32 of a turn.
 TORSOR_OUTLINED inline void sincos_far(float x, float& sine, float& cosine) noexcept {
-  double s = 0, c = 0;
-  if (std::abs(x) <= static_cast<float>(SineCosine<double, false>::bound) && !rounds_to_one_side(x))
-    SineCosine<double, false>::core(static_cast<double>(x), s, c);
-  else
-    sincos_far(static_cast<double>(x), s, c);
-  sine = static_cast<float>(s);
-  cosine = static_cast<float>(c);
+  using Word = unsigned long;  // of which 32 bits are used
+  using Product = unsigned long long;
+  constexpr Word mask = 0xffffffffu;
+  // 1/(2 pi) behind 32 zeros
+  static constexpr unsigned long turns[] = {0u,          0x28be60dbu, 0x9391054au, 0x7f09d5f4u,
+                                            0x7d4d3770u, 0x36d8a566u, 0x4f10e410u, 0x7f9458eau};
+  if (!(std::abs(x) <= 0x1.fffffep+127f)) {
+    sine = cosine = x - x;
+    return;
+  }
+  if (std::abs(x) <= 0.5f) {
+    SineCosine<float, true>::of_reduced(x, 0.0f, sine, cosine);
+    return;
+  }
+  int exponent = 0;
+  const float mantissa = std::frexp(std::abs(x), &exponent);
+  const Word integer = static_cast<Word>(mantissa * 0x1p24f);  // |x| = integer 2^(exponent - 24)
+  const int position = exponent + 8;                           // of the digits that give less than a turn
+  const int skipped = position / 32, shift = position % 32;
+
+  // The fraction of the product with three words of 1/(2 pi), the highest word first
+  const auto word = [&](int k) {
+    return ((turns[skipped + k] << shift) | ((turns[skipped + k + 1] >> 1) >> (31 - shift))) & mask;
+  };
+  const Product lowest = Product{integer} * word(2);
+  const Product middle = Product{integer} * word(1) + (lowest >> 32);
+  Word turn[3] = {(integer * word(0) + static_cast<Word>(middle >> 32)) & mask, static_cast<Word>(middle & mask),
+                  static_cast<Word>(lowest & mask)};
+  // Quarters of a turn, to nearest; what is left, |rest| <= 1/8, and its sign
+  const Word quarter = ((turn[0] + 0x20000000u) & mask) >> 30;
+  turn[0] = (turn[0] - (quarter << 30)) & mask;
+  const bool negative = (turn[0] >> 31) != 0;
+  if (negative) {
+    Product carry = 1;
+    for (int k = 2; k >= 0; --k) {
+      carry += ~turn[k] & mask;
+      turn[k] = static_cast<Word>(carry & mask);
+      carry >>= 32;
+    }
+  }
+  // Its 64 leading bits, the first of which is in the first word, and these times pi/4
+  int zeros = 0;
+  for (int step = 16; step > 0; step /= 2) {
+    if ((turn[0] >> (32 - step)) != 0) continue;
+    turn[0] = (turn[0] << step) | (turn[1] >> (32 - step));
+    turn[1] = ((turn[1] << step) & mask) | (turn[2] >> (32 - step));
+    turn[2] = (turn[2] << step) & mask;
+    zeros += step;
+  }
+  const float unit = static_cast<float>(0x80000000u >> zeros) * 0x1p-60f;
+  const Product product = Product{turn[0]} * 0xc90fdaa2u + ((Product{turn[0]} * 0x2168c234u) >> 32) +
+                          ((Product{turn[1]} * 0xc90fdaa2u) >> 32);
+  // At least 0.39: 24 bits, and 24 more
+  const float high = static_cast<float>(static_cast<Word>(product >> 40)) * (unit * 0x1p8f);
+  const float low = static_cast<float>(static_cast<Word>((product >> 16) & 0xffffffu)) * (unit * 0x1p-16f);
+  float s = 0, c = 0;
+  SineCosine<float, true>::of_reduced(negative ? -high : high, negative ? low : -low, s, c);
+  const float turned = quarter == 0 ? s : quarter == 1 ? c : quarter == 2 ? -s : -c;
+  cosine = quarter == 0 ? c : quarter == 1 ? -s : quarter == 2 ? -c : s;
+  sine = x < 0 ? -turned : turned;
 }
 
 /// Of one angle, in float or double.
 template <class Scalar>
-TORSOR_DEVICE inline void sincos_of_one(const Scalar& angle, Scalar& sine, Scalar& cosine) noexcept {
+TORSOR_DEVICE TORSOR_ONE_SINE void sincos_of_one(const Scalar& angle, Scalar& sine, Scalar& cosine) noexcept {
 #if defined(__CUDA_ARCH__)
   if constexpr (sizeof(Scalar) == sizeof(float))
     ::sincosf(angle, &sine, &cosine);
@@ -238,10 +302,13 @@ TORSOR_DEVICE inline void sincos_of_one(const Scalar& angle, Scalar& sine, Scala
 }
 
 }  // namespace torsor
-// Sines and cosines of several angles at once, in vector registers where GNU C++ has types for them: of 32 bytes with
-// AVX, else of 16.
+// Sines and cosines of several angles at once, in vector registers where GNU C++ has types for them and the processor has
+// registers of two doubles: of 32 bytes with AVX, else of 16.
 #if defined(__GNUC__) && !defined(__CUDACC__)
 #define TORSOR_VECTOR_TYPES
+#if defined(__SSE2__) || (defined(__aarch64__) && defined(__ARM_NEON))
+#define TORSOR_VECTOR_REGISTERS
+#endif
 #endif
 
 namespace torsor {
@@ -383,7 +450,7 @@ TORSOR_INLINED Number sincos_in_registers(const Number (&angles)[N], Number (&si
 template <class Scalar, int N>
 TORSOR_DEVICE TORSOR_INLINED void sincos_of_several(const Scalar (&angles)[N], Scalar (&sines)[N],
                                                     Scalar (&cosines)[N]) noexcept {
-#if defined(TORSOR_VECTOR_TYPES) && !defined(TORSOR_STD_SINCOS)
+#if defined(TORSOR_VECTOR_REGISTERS) && !defined(TORSOR_STD_SINCOS) && !defined(TORSOR_SMALL)
   constexpr bool at_once = N > 1;
 #else
   constexpr bool at_once = false;
@@ -700,7 +767,7 @@ class Convolutions {
 namespace torsor {
 
 /// 64 bits (FNV-1a) of this file from "#pragma once" on, with zeros in their own place.
-inline constexpr unsigned long long support_fingerprint = 0x201122447bb129a7ULL;
+inline constexpr unsigned long long support_fingerprint = 0x647092cd37598905ULL;
 
 }  // namespace torsor
 #endif

@@ -172,10 +172,12 @@ requires(M::multiplier_count > 0) struct ConstraintKinds {
           Scalar by_others = Scalar(0);
           for (std::size_t k = 0; k < nv; ++k) by_others += before[k] ? usual[k * m + i] * reach[k] : Scalar(0);
           const Scalar ratio = by_others / usual[j * m + i];
-          if (ratio > Scalar(0) && std::isfinite(ratio)) ratios[count++] = ratio;
+          if (!(ratio > Scalar(0)) || !std::isfinite(ratio)) continue;
+          std::size_t place = count++;  // in order of size
+          for (; place > 0 && ratios[place - 1] > ratio; --place) ratios[place] = ratios[place - 1];
+          ratios[place] = ratio;
         }
         if (count == 0) continue;
-        std::sort(ratios.begin(), ratios.begin() + static_cast<std::ptrdiff_t>(count));
         reach[j] = ratios[(count - 1) / 2];
         known[j] = more = true;
       }

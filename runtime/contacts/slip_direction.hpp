@@ -49,7 +49,10 @@ template <int most>
     if (off <= 1e-16 * size || (off <= 1e-13 * size && off >= last)) return true;
     last = off;
     Few turn = -slopes.partialPivLu().solve(across);
-    const double largest = turn.cwiseAbs().maxCoeff();
+    double largest = 0;
+    for (int k = 0; k < sought; ++k) {
+      if (!(std::abs(turn(k)) <= largest)) largest = std::abs(turn(k));  // what is no number too
+    }
     if (!std::isfinite(largest)) return false;
     if (largest > 0.5) turn *= 0.5 / largest;
     for (int k = 0; k < sought; ++k) {
