@@ -19,7 +19,7 @@ foreach(name IN LISTS names)
   if(text MATCHES "\\)torsor_template\"")
     message(FATAL_ERROR "${TEMPLATES}/${name}: the text )torsor_template\" ends the string it is embedded in; reword it")
   endif()
-  string(APPEND entries "    Entry{\"${name}\", R\"torsor_template(${text})torsor_template\"},\n")
+  string(APPEND entries "    Entry{\"${name}\", whole(R\"torsor_template(${text})torsor_template\")},\n")
   math(EXPR count "${count} + 1")
 endforeach()
 
@@ -28,6 +28,7 @@ file(WRITE "${OUTPUT}.new" "// SPDX-License-Identifier: GPL-3.0-or-later
 #include \"generator/emission/${FUNCTION}s.hpp\"
 
 #include <array>
+#include <cstddef>
 #include <string>
 
 #include \"generator/base/error.hpp\"
@@ -39,6 +40,12 @@ struct Entry {
   std::string_view name;
   std::string_view text;
 };
+
+// Its size is known: a compiler that counted the characters would give up.
+template <std::size_t size>
+constexpr std::string_view whole(const char (&text)[size]) {
+  return {text, size - 1};
+}
 
 constexpr std::array<Entry, ${count}> entries{
 ${entries}};
