@@ -13,6 +13,7 @@
 #include "generator/cli/command_set.hpp"
 #include "generator/cli/compiled_library.hpp"
 #include "generator/cli/kernel_options.hpp"
+#include "generator/dynamics/equations/contact_checks.hpp"
 #include "generator/emission/library_sources.hpp"
 
 namespace torsor {
@@ -44,6 +45,7 @@ std::string bytes_of(const std::string& path) {
 }
 
 CommandResult build(const Scene& scene, const BuildRequest& request, const std::string& output) {
+  refuse_contacts(scene, "a library, which integrates motions,");
   const MechanismListing mechanism = lower_mechanism(scene, request.names(), request.model(scene));
   if (!request.sources.empty()) {
     if (output != "-")

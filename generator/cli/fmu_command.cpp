@@ -18,6 +18,8 @@
 #include "generator/cli/command_set.hpp"
 #include "generator/cli/compiler.hpp"
 #include "generator/cli/kernel_options.hpp"
+#include "generator/dynamics/equations/contact_checks.hpp"
+#include "generator/dynamics/equations/contact_checks.hpp"
 #include "generator/emission/fmi_description.hpp"
 
 namespace torsor {
@@ -75,6 +77,7 @@ std::string compiled_unit(const std::vector<SourceFile>& sources, const std::str
 
 CommandResult make_unit(const Scene& scene, const UnitRequest& request, const std::string& output) {
   if (output == "-") throw UsageError("a unit of FMI is a file: give --output x.fmu");
+  refuse_contacts(scene, "a unit of FMI");
   const MechanismListing mechanism = lower_mechanism(scene, fmi_kernels(scene), request.model(scene));
   std::vector<ArchivedFile> archive = {{"modelDescription.xml", fmi_description(mechanism)}};
   const std::vector<SourceFile> sources = fmi_sources(mechanism);

@@ -18,6 +18,10 @@ std::vector<std::string> write_new_project(const std::string& name) {
   if (const char* reason = reserved_in_headers(name, true)) {
     throw SceneError(fmt::format("the name '{}' of a project {}: choose another", name, reason));
   }
+  for (const char* target : {"all", "clean", "edit_cache", "help", "install", "package", "page", "test"}) {
+    if (name != target) continue;
+    throw SceneError(fmt::format("the name '{}' of a project is that of a target of every build: choose another", name));
+  }
   if (std::filesystem::exists(name)) {
     throw FileError(fmt::format("'{}' exists already: give another name, or move it away", name));
   }

@@ -15,7 +15,7 @@ from ._mechanism import Mechanism
 _SCENE_PROJECT = """cmake_minimum_required(VERSION 3.22)
 project(scene CXX)
 find_package(torsor REQUIRED COMPONENTS generator)
-add_executable(scene "{source}")
+add_executable(scene "${SCENE}")
 target_link_libraries(scene PRIVATE torsor::generator)
 """
 
@@ -60,9 +60,9 @@ def scene_program(path: str) -> str:
         return program
     with tempfile.TemporaryDirectory(dir=_cache()) as folder:
         with open(os.path.join(folder, "CMakeLists.txt"), "w", encoding="utf-8") as file:
-            file.write(_SCENE_PROJECT.format(source=os.path.abspath(path).replace("\\", "/")))
+            file.write(_SCENE_PROJECT)
         build = os.path.join(folder, "build")
-        _run(["cmake", "-S", folder, "-B", build])
+        _run(["cmake", "-S", folder, "-B", build, "-DSCENE:FILEPATH=" + os.path.abspath(path).replace("\\", "/")])
         _run(["cmake", "--build", build])
         os.replace(os.path.join(build, "scene"), program)
     return program
@@ -77,7 +77,7 @@ class Source:
         if path.endswith((".cpp", ".cc", ".cxx")):
             self._start, self._target = [scene_program(path)], list(options)
         else:
-            self._start, self._target = [tool()], [path, *options]
+            self._start, self._target = [tool()], [os.path.abspath(path), *options]
 
     def run(self, command: str, *arguments: str) -> str:
         return _run([*self._start, command, *self._target, *arguments])

@@ -350,8 +350,8 @@ class Mechanism(Displayed):
     def equilibria(self, q: ArrayLike | None = None, *, inputs: ArrayLike | None = None, time: float | None = None,
                    tolerance: float = 1e-12, steps: int = 50, parameters: Mapping[str, float] | None = None) -> Equilibrium:
         """The equilibrium that Newton's method finds from q (the scene's start when absent): no velocity, no acceleration,
-        no generalised force left above `tolerance` of the largest that acts on it. Raises TorsorError where it finds
-        none. Constraints are met, with their multipliers."""
+        no generalised force left above `tolerance` of the largest stiffness, or of 1 in SI units. Raises TorsorError where
+        it finds none. Constraints are met, with their multipliers."""
         scene = self.initial_state(parameters)
         at = scene.time if time is None else time
         q = as_columns("q", scene.q if q is None else q, self._sizes["q"]).copy()

@@ -29,6 +29,10 @@ class ContactRun {
 
   ContactResult run(double t0, double t1) {
     result_.time = t0;
+    if (!(t1 >= t0)) {  // what is no number too
+      result_.status = ContactStatus::integration_failed;
+      return result_;
+    }
     if (!valid_rules() || !begin(t0)) return result_;
     int stuck = 0;
     while (result_.status == ContactStatus::reached_end && result_.time < t1) {

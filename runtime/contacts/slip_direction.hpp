@@ -27,13 +27,13 @@ template <int most>
   for (int i = 0; i < problem.count; ++i) {
     if (begins[at(i)]) who[at(sought++)] = i;
   }
-  double last = INFINITY;
+  double last = INFINITY, size = 0;
   for (int step = 0; step < 30; ++step) {
     RegimeSystem<most> system(problem, regimes);
     if (!system.solve() || system.kernel().cols() > 0) return false;
     const auto r = system.reactions();
     const typename ContactProblem<most>::Vector u = problem.W * r + problem.q;
-    const double size = (problem.W.cwiseAbs() * r.cwiseAbs() + problem.q.cwiseAbs()).maxCoeff();
+    size = (problem.W.cwiseAbs() * r.cwiseAbs() + problem.q.cwiseAbs()).maxCoeff();
     Few across(sought);
     Small slopes(sought, sought);
     for (int j = 0; j < sought; ++j) {
@@ -62,7 +62,7 @@ template <int most>
       d = {x / length, y / length};
     }
   }
-  return last <= 1e-9;
+  return last <= 1e-9 * size;
 }
 
 }  // namespace torsor::runtime

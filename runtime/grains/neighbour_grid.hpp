@@ -29,7 +29,7 @@ class NeighbourGrid {
     for (std::size_t i = 0; i < count; ++i) {
       for (std::size_t k = 0; k < dim; ++k) {
         const double place = std::floor(points[i](static_cast<Eigen::Index>(k)) / width);
-        cells_[i][k] = static_cast<std::int32_t>(std::clamp(place, -2e9, 2e9));
+        cells_[i][k] = std::isfinite(place) ? static_cast<std::int32_t>(std::clamp(place, -2e9, 2e9)) : 0;
       }
       ++first_[place_of(cells_[i]) + 1];
     }
