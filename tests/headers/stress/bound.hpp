@@ -71,7 +71,7 @@ inline double motion_condition(const Results& at, std::size_t n, std::size_t m) 
   if (mass == nullptr || (m > 0 && rows == nullptr)) return infinite;
   std::vector<std::size_t> kept;
   for (std::size_t k = 0; k < m; ++k) {
-    if (multiplier[k] != 0.0) kept.push_back(k);
+    if (multiplier == nullptr || multiplier[k] != 0.0) kept.push_back(k);  // without forward dynamics all of them
   }
   const std::size_t size = n + kept.size();
   Values K(size * size, 0.0);
