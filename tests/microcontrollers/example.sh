@@ -18,4 +18,4 @@ if arm-none-eabi-nm "$folder/controller" | grep -E '__aeabi_(d[a-z0-9]*|[a-z0-9]
   echo "the image calls for doubles"
   exit 1
 fi
-timeout 100 qemu-system-arm -M mps2-an386 -nographic -semihosting -kernel "$folder/controller" 2>&1 < /dev/null
+timeout 300 qemu-system-arm -M mps2-an386 -nographic -semihosting -kernel "$folder/controller" 2>&1 < /dev/null

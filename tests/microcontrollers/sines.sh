@@ -27,4 +27,4 @@ arm-none-eabi-g++ "${core[@]}" -std=c++17 -fno-exceptions -fno-rtti -fno-threads
 arm-none-eabi-gcc "${core[@]}" -c "$repository/examples/cortex_m/start.c" -o "$folder/start.o"
 arm-none-eabi-g++ "${core[@]}" -nostartfiles --specs=nano.specs -T "$repository/examples/cortex_m/board.ld" \
   "$folder/sines.o" "$folder/sine.o" "$folder/start.o" -o "$folder/sines.elf"
-timeout 100 qemu-system-arm -M mps2-an386 -icount shift=0 -nographic -semihosting -kernel "$folder/sines.elf" 2>&1 < /dev/null
+timeout 300 qemu-system-arm -M mps2-an386 -icount shift=0 -nographic -semihosting -kernel "$folder/sines.elf" 2>&1 < /dev/null
