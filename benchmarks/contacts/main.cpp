@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Discs that settle in a box: milliseconds of the processor a step, sweeps, and the residual reached.
 #include <chrono>
+#include <cmath>
 #include <cstdio>
 #include <cstdlib>
 #include <ctime>
 
+#include "benchmarks/contacts/box_of_discs.hpp"
 #include "runtime/grains/grain_motion.hpp"
 
 namespace {
@@ -12,24 +14,6 @@ namespace {
 using namespace torsor::runtime;
 
 double processor_seconds() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
-
-/// Discs of radii from 8 to 12 mm in columns, a little apart, in a box of three walls.
-Grains<2> box_of_discs(int count) {
-  Grains<2> grains;
-  const int columns = static_cast<int>(1.5 * std::sqrt(count));
-  unsigned long long state = 1;
-  for (int i = 0; i < count; ++i) {
-    state = state * 6364136223846793005ULL + 1442695040888963407ULL;
-    const double R = 0.008 + 0.004 * static_cast<double>(state >> 40) / static_cast<double>(1 << 24);
-    grains.add({0.0125 + 0.025 * (i % columns), 0.0125 + 0.025 * (i / columns)}, R, 3000 * R * R);
-  }
-  GrainWall<2> left, right, floor;
-  left.normal = {1, 0};
-  right.normal = {-1, 0};
-  right.point = {0.025 * columns, 0};
-  grains.walls = {floor, left, right};
-  return grains;
-}
 
 }  // namespace
 
@@ -42,7 +26,7 @@ int main(int argc, char** argv) {
     std::fprintf(stderr, "usage: contacts [discs [steps [tolerance [threads]]]]\n");
     return 2;
   }
-  Grains<2> grains = box_of_discs(count);
+  Grains<2> grains = box_of_discs(count, static_cast<int>(1.5 * std::sqrt(count)));
   GrainMotion<2> motion(grains, {.tolerance = tolerance, .threads = threads});
   std::printf("%8s %9s %7s %9s %9s %10s\n", "step", "contacts", "sweeps", "residual", "depth/mm", "ms a step");
   const double start = processor_seconds();

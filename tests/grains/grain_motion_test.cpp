@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "runtime/grains/grain_motion.hpp"
+#include "benchmarks/contacts/box_of_discs.hpp"
 
 #include <gtest/gtest.h>
 
@@ -80,25 +80,8 @@ TEST(PileOfDiscs, OfThreeRestsAboveTheTangentOfFifteenDegrees) {
   }
 }
 
-/// Discs of different sizes that fall into a box.
-Grains<2> falling(int count, int columns = 10) {
-  Grains<2> grains;
-  std::size_t state = 1;
-  for (int i = 0; i < count; ++i) {
-    state = state * 6364136223846793005ULL + 1442695040888963407ULL;
-    const double R = 0.008 + 0.004 * static_cast<double>(state >> 40) / static_cast<double>(1 << 24);
-    grains.add({0.0125 + 0.025 * (i % columns), 0.0125 + 0.025 * (i / columns)}, R, 3000 * R * R);
-  }
-  GrainWall<2> left, right, floor;
-  left.normal = {1, 0};
-  right.normal = {-1, 0};
-  right.point = {0.025 * columns, 0};
-  grains.walls = {floor, left, right};
-  return grains;
-}
-
 TEST(GrainMotion, IsTheSameOnAnyNumberOfThreads) {
-  Grains<2> one = falling(700, 100), four = falling(700, 100);
+  Grains<2> one = box_of_discs(700, 100), four = box_of_discs(700, 100);
   one.gravity = four.gravity = {0, -100};  // so that many touch soon
   GrainMotion<2> on_one(one, {.tolerance = 1e-2, .sweeps = 24}),
       on_four(four, {.tolerance = 1e-2, .sweeps = 24, .threads = 3});
@@ -114,7 +97,7 @@ TEST(GrainMotion, IsTheSameOnAnyNumberOfThreads) {
 }
 
 TEST(GrainMotion, LosesEnergyKeepsGrainsApartAndAllocatesNothing) {
-  Grains<2> grains = falling(200);
+  Grains<2> grains = box_of_discs(200, 10);
   GrainMotion<2> motion(grains, {.tolerance = 1e-4});
   for (int k = 0; k < 150; ++k) (void)motion.step(1e-3);
   double before = grains.energy(), deepest = 0;
@@ -136,7 +119,7 @@ TEST(GrainMotion, LosesEnergyKeepsGrainsApartAndAllocatesNothing) {
 
 // The grid finds the pairs that trying all finds.
 TEST(NeighbourGrid, FindsEveryPairOnce) {
-  const Grains<2> grains = falling(300);
+  const Grains<2> grains = box_of_discs(300, 10);
   NeighbourGrid<2> grid;
   constexpr double width = 0.03;
   grid.sort(grains.x, width);
