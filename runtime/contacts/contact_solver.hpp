@@ -112,16 +112,54 @@ class ContactIteration {
   Vector r_;
 };
 
+/// The same problem with room for another number of contacts, not below `problem.count`.
+template <int room, int most>
+[[nodiscard]] ContactProblem<room> with_room(const ContactProblem<most>& problem) noexcept {
+  ContactProblem<room> other;
+  other.count = problem.count;
+  std::copy_n(problem.laws.begin(), problem.count, other.laws.begin());
+  other.W = problem.W;
+  other.q = problem.q;
+  return other;
+}
+
+template <int room, int most>
+[[nodiscard]] ContactAnswer<room> with_room(const ContactAnswer<most>& answer, int contacts) noexcept {
+  ContactAnswer<room> other;
+  other.verdict = answer.verdict;
+  other.count = answer.count;
+  for (std::size_t k = 0; k < answer.count; ++k) {
+    const ContactSolution<most>& from = answer.solutions[k];
+    ContactSolution<room>& to = other.solutions[k];
+    to.r = from.r;
+    to.u = from.u;
+    std::copy_n(from.regimes.begin(), contacts, to.regimes.begin());
+    to.residual = from.residual;
+    to.indeterminate = from.indeterminate;
+  }
+  return other;
+}
+
+/// The library has the solver for up to eight contacts: programs with no more need not compile it.
+inline constexpr int library_room = 8;
+
 /// Solves a problem: by trying every regime up to `options.enumerated` contacts, by iteration beyond and where no
 /// regime that was tried fits.
 template <int most>
 [[nodiscard]] ContactAnswer<most> solve_contacts(const ContactProblem<most>& problem,
                                                  const ContactSolverOptions& options = {}) noexcept {
-  if (problem.count <= options.enumerated) {
-    ContactAnswer<most> answer = RegimeEnumeration<most>(problem).run();
-    if (answer) return answer;
+  if constexpr (most < library_room) {
+    return with_room<most>(solve_contacts(with_room<library_room>(problem), options), problem.count);
+  } else {
+    if (problem.count <= options.enumerated) {
+      ContactAnswer<most> answer = RegimeEnumeration<most>(problem).run();
+      if (answer) return answer;
+    }
+    return ContactIteration<most>(problem, options).run();
   }
-  return ContactIteration<most>(problem, options).run();
 }
+
+extern template ContactAnswer<library_room> solve_contacts(const ContactProblem<library_room>&,
+                                                           const ContactSolverOptions&) noexcept;
 
 }  // namespace torsor::runtime
