@@ -301,7 +301,7 @@ TEST(ConstraintRank, FindsAWayOnWhereManyLoopsBranchAtOnce) {
   }
 }
 
-Scene two_laws(const Expression& second, bool as_rate) {
+Scene two_laws(const Expression& second, bool as_rate, const Expression& factor = Expression(1)) {
   Scene scene("laws");
   const Expression x = scene.coordinate("x", "m"), y = scene.coordinate("y", "m");
   const FrameHandle cart = scene.prismatic("cart", scene.prismatic("slide", scene.ground(), axis::x, x), axis::y, y);
@@ -311,9 +311,9 @@ Scene two_laws(const Expression& second, bool as_rate) {
   scene.holonomic("first", law);
   const Expression more = second * t * t * t;
   if (as_rate)
-    scene.nonholonomic("second", rate(x) - unit("2", "m/s") + second * t * t);
+    scene.nonholonomic("second", factor * (rate(x) - unit("2", "m/s") + second * t * t));
   else
-    scene.holonomic("second", Expression(3) * law + more);
+    scene.holonomic("second", factor * (Expression(3) * law + more));
   return scene;
 }
 
@@ -330,6 +330,17 @@ TEST(ConstraintRank, RefusesConstraintsThatContradictEachOther) {
       error_of<SceneError>([&] { constraint_rank(two_laws(some, true)); }),
       "constraint 'second' asks for a velocity that contradicts the constraints it depends on: no motion satisfies "
       "them all; drop it or correct its law of time");
+}
+
+// A constraint may be written in any unit: what it says, and so what it contradicts, is the same.
+TEST(ConstraintRank, JudgesContradictionsInAnyUnit) {
+  const Expression none = unit("0", "m/s^3"), some = unit("0.5", "m/s^3");
+  for (const Expression& factor : {1e-9_r, Expression(1), Expression(1000000000)}) {
+    for (const bool as_rate : {false, true}) {
+      EXPECT_EQ(constraint_rank(two_laws(none, as_rate, factor)).dropped, (Indices{1})) << factor.to_string();
+      EXPECT_THROW(constraint_rank(two_laws(some, as_rate, factor)), SceneError) << factor.to_string() << ' ' << as_rate;
+    }
+  }
 }
 
 TEST(ConstraintRank, RefusesAPinThatMissesThePlaneOfItsLoop) {

@@ -181,6 +181,26 @@ TEST_F(ConstrainedPair, MustStartOnItsConstraintsInPositionAndInVelocity) {
   EXPECT_EQ(state[3].to_double(), 0.25);
 }
 
+// A millimetre too much is one whatever the constraint is multiplied by; twelve decimals are enough for any.
+TEST(Validation, JudgesTheStartInAnyUnitOfAConstraint) {
+  for (const Expression& factor : {1e-6_r, Expression(1), Expression(1000000)}) {
+    const auto refused = [&factor](const Expression& at, const Expression& rate) {
+      Scene scene("pendulum");
+      const Expression a = scene.coordinate("a", "rad"), y = scene.coordinate("y", "m"), l = scene.parameter("l", "m", 2);
+      const FrameHandle rod = scene.revolute("rod", scene.ground(), axis::z, a);
+      scene.body("rod", rod, Inertia::rod(kilograms("1"), l, 0).at({l / 2, 0, 0}));
+      scene.body("block", scene.prismatic("block", scene.ground(), axis::y, y), Inertia::point(kilograms("1")));
+      scene.holonomic("level", factor * (y - l * sin(a)));
+      scene.initial(y, at, rate);
+      return refusal(scene);
+    };
+    EXPECT_EQ(refused(0, 0), "no error");
+    EXPECT_EQ(refused(1e-12_r, 1e-12_r), "no error");
+    EXPECT_TRUE(refused(0.001_r, 0).starts_with("inconsistent initial state: constraint 'level' has the value"));
+    EXPECT_TRUE(refused(0, 0.001_r).starts_with("inconsistent initial state: constraint 'level' has the rate"));
+  }
+}
+
 TEST(InitialState, EvaluatesFormulasOfParameters) {
   Scene scene = pendulum();
   const Expression l = scene.parameter("l", "m", 3);

@@ -8,6 +8,7 @@
 
 #include "generator/base/error.hpp"
 #include "generator/dynamics/equations/configuration_sample.hpp"
+#include "generator/dynamics/equations/constraint_sizes.hpp"
 #include "generator/dynamics/equations/row_basis.hpp"
 #include "generator/dynamics/forces/constraints.hpp"
 #include "generator/dynamics/forces/virtual_power.hpp"
@@ -24,7 +25,8 @@ Real tolerance() { return Real::from_double(ConstraintRank::tolerance); }
 class RankFinder {
  public:
   RankFinder(const Scene& scene, const ModelOptions& options)
-      : program_(Model::resolver(scene, options)), model_(scene, program_, options), rows_(constraint_rows(model_)), here_(model_) {
+      : program_(Model::resolver(scene, options)), model_(scene, program_, options), rows_(constraint_rows(model_)),
+        sizes_(constraint_sizes(model_, rows_)), here_(model_) {
     n_ = static_cast<std::size_t>(model_.unknown_count());
     const std::vector<std::vector<Value>> mass = mass_matrix(model_.regrouped());
     for (std::size_t i = 0; i < n_; ++i) {
@@ -126,32 +128,29 @@ class RankFinder {
     for (int iteration = 0; iteration < 15; ++iteration) {
       RowBasis rows(n_, Real(0), tolerance());
       std::vector<Real> wanted;
-      Real worst(0);
       for (const std::size_t j : held) {
         const Row entries = row(at, j);
-        const Real size = length(entries);
         const Real f = at(rows_[j].value);
-        if (size.is_nan() || f.is_nan() || !rows.add(j, entries)) return false;
+        if (length(entries).is_nan() || f.is_nan() || !rows.add(j, entries)) return false;
         wanted.push_back(-f);
-        worst = std::max(worst, abs(f) / size);
       }
       const Row delta = rows.least(wanted);
       move(at, delta, Real(1));
       Real longest(0);
-      for (std::size_t i = 0; i < n_; ++i) longest = std::max(longest, abs(delta[i] * metric_[i]));
+      for (std::size_t i = 0; i < n_; ++i) longest = std::max(longest, abs(delta[i] * metric_[i]) / sizes_.reach[i]);
       if (longest > Real(1000)) return false;
       if (longest < decimal("1e-25")) return true;  // quadratic: the error left is its square
     }
     return false;
   }
 
-  /// Whether every holonomic row holds, up to `part` of the displacement (in the metric).
+  /// Whether every holonomic row holds, up to a small part of its usual size or of the displacement (in the metric).
   bool closed(ConfigurationSample& at, const Real& displacement) const {
     for (std::size_t k = 0; k < holonomic_count_; ++k) {
       const std::size_t j = order_[k];
       const Real size = length(row(at, j));
       const Real f = abs(at(rows_[j].value));
-      const Real allowed = std::max(tolerance(), size * displacement * decimal("1e-7"));
+      const Real allowed = std::max(tolerance() * sizes_.size[j], size * displacement * decimal("1e-7"));
       if (f > allowed) return false;
     }
     return true;
@@ -290,7 +289,7 @@ class RankFinder {
       difference -= part;
       size += abs(part);
     }
-    if (!(abs(difference) > size * decimal("1e-7")) || !(abs(difference) > tolerance())) return;
+    if (!(abs(difference) > size * decimal("1e-7")) || !(abs(difference) > tolerance() * sizes_.size[index])) return;
     throw SceneError(
         fmt::format("constraint '{}' asks for a velocity that contradicts the constraints it depends on: "
                     "no motion satisfies them all; drop it or correct its law of time",
@@ -336,7 +335,7 @@ class RankFinder {
       const std::vector<std::size_t> counting = basis(other, order_.size()).independent();
       for (const std::size_t j : rank.dropped) {
         if (std::find(counting.begin(), counting.end(), j) != counting.end()) return j;
-        if (rows_[j].holonomic && abs(other(rows_[j].value)) > tolerance() * length(row(other, j))) return j;
+        if (rows_[j].holonomic && abs(other(rows_[j].value)) > tolerance() * sizes_.size[j]) return j;
       }
       return std::nullopt;
     }
@@ -356,6 +355,7 @@ class RankFinder {
   Program program_;
   Model model_;
   std::vector<ConstraintRow> rows_;
+  ConstraintSizes sizes_;
   ConfigurationSample here_;
   std::size_t n_ = 0, holonomic_count_ = 0;
   std::vector<Real> metric_;

@@ -4,11 +4,13 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <tuple>
 
 #include <fmt/format.h>
 
 #include "generator/base/as_index.hpp"
 #include "generator/base/error.hpp"
+#include "generator/dynamics/equations/constraint_sizes.hpp"
 #include "generator/dynamics/equations/contact_checks.hpp"
 #include "generator/dynamics/equations/dependence_checks.hpp"
 #include "generator/dynamics/equations/equations.hpp"
@@ -192,14 +194,23 @@ void check_initial_state(const Equations& equations) {
   Evaluator<Real> evaluate(equations.program(), [&equations](const SymbolPointer& symbol) {
     return initial_value(equations.scene().content(), symbol);
   });
-  for (const ConstraintRow& row : equations.constraints()) {
+  const std::vector<ConstraintRow>& rows = equations.constraints();
+  const ConstraintSizes sizes = constraint_sizes(equations.model(), rows);
+  // Reaches a second; 1 at least, so that a rate of rounding is none where nothing moves.
+  Real speed(1);
+  for (std::size_t i = 0; i < sizes.reach.size(); ++i)
+    speed = std::max(speed, abs(initial_value(equations.scene().content(), equations.model().coordinates()[i].v)) / sizes.reach[i]);
+  for (std::size_t j = 0; j < rows.size(); ++j) {
+    const ConstraintRow& row = rows[j];
     // Decimals given for irrational positions carry some twelve digits.
-    constexpr double tolerance = 1e-9;
-    const std::array<std::pair<const Value*, const char*>, 2> residuals{{{&row.value, "value"}, {&row.rate, "rate"}}};
-    for (const auto& [residual, what] : residuals) {
-      const double size = evaluate(*residual).to_double();
-      if (std::abs(size) <= tolerance) continue;
-      if (std::isnan(size)) {
+    const Real small = Real::from_double(1e-9) * sizes.size[j];
+    const std::array<std::tuple<const Value*, Real, const char*>, 2> residuals{
+        {{&row.value, small, "value"}, {&row.rate, small * speed, "rate"}}};
+    for (const auto& [residual, tolerance, what] : residuals) {
+      const Real off = evaluate(*residual);
+      if (abs(off) <= tolerance) continue;
+      const double size = off.to_double();
+      if (off.is_nan()) {
         throw SceneError(fmt::format("constraint '{}' has no {} at t = 0{}; correct initial(...), or give the orientation "
                                      "by attitude(...)",
                                      row.name, what, why_undefined(equations.scene().content(), row)));
