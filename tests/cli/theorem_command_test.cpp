@@ -185,6 +185,14 @@ TEST(StaticsCommand, WritesTheRelativeEquilibriaOfTheGovernor) {
             "  With the scene's values: unstable, for a coefficient is negative, if this is a rest.\n");
 }
 
+TEST(StaticsCommand, SetsParametersOnly) {
+  EXPECT_EQ(section(run(watt_governor_scene, {"statics", "--set", "omega=0"}).out, "Equations of equilibrium"),
+            "  -(U + T0) = -2 g (m + M) L cos(theta)    (in J)\n"
+            "  theta:  0 = 2 g (m + M) L sin(theta)");
+  expect_failure(run(watt_governor_scene, {"statics", "--set", "theta=0"}), 2,
+                 "--set takes parameters, e.g. m=0, and 'theta' is none: name a state by --about");
+}
+
 TEST(StaticsCommand, TellsStableFromUnstableAndFromWhatItCannotConclude) {
   const std::string bottom = run(air_damped, {"statics", "--about", "theta=0"}).out;
   EXPECT_EQ(

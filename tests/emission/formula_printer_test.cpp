@@ -68,6 +68,19 @@ TEST_F(FormulaPrinterText, PutsParenthesesWhereTheTreeNeedsThem) {
   EXPECT_EQ(print(x_ * y_ + x_ * k_), "q_x * (q_y + p_k)");
 }
 
+TEST_F(FormulaPrinterText, KeepsSumsInsideSumsAndSignsOfNumbers) {
+  Formula outer;
+  outer.kind = Formula::Kind::sum;
+  outer.children = {factored(k_.polynomial()), factored((x_ + y_).polynomial())};
+  outer.negative = {false, true};
+  EXPECT_EQ(printer().print(outer), "p_k - (q_x + q_y)");
+  Formula quotient;
+  quotient.kind = Formula::Kind::quotient;
+  quotient.children = {factored((x_ + y_).polynomial()), factored((x_ * k_).polynomial())};
+  EXPECT_EQ(printer().print(quotient), "(q_x + q_y) / (q_x * p_k)");
+  EXPECT_EQ(printer().print(Formula::of_number(Number(-2))), "-n2");
+}
+
 TEST_F(FormulaPrinterText, TurnsTheSignsOfASumRoundInsteadOfNegatingIt) {
   FormulaPrinter printer = this->printer();
   EXPECT_EQ(printer.print_negated(factored((x_ - y_).polynomial())), "-q_x + q_y");

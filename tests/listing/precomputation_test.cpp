@@ -50,6 +50,12 @@ TEST_F(PutTogether, NamesAMemberAfterItsFormulaWhicheverOthersThereAre) {
   EXPECT_NE(names(behind).at(0), names(behind).at(1));
 }
 
+TEST_F(PutTogether, LeavesOutWhatTakesNoOperation) {
+  Program program;
+  const std::vector<Value> results{program.lower(a_), program.lower(a_ + b_)};
+  EXPECT_EQ(make_schedule(program, results).results.sums().size(), 1u);
+}
+
 TEST_F(PutTogether, TakesASineThatAnotherFunctionLacked) {
   Precomputation all;
   all.add(once({sin(a_) + 1, cos(b_)}));
