@@ -109,6 +109,11 @@ TEST(ReadableForms, TakeSquaresOfWhatIsKnownToBePositiveOutOfRoots) {
               return sqrt(c * c + 2 * c * d + d * d);
             }),
             "k (c + d) x");
+  EXPECT_EQ(with_root([](Scene& s, const Expression&) {
+              const Expression c = s.parameter("c", "m", 2), d = s.parameter("d", "m", 3);
+              return sqrt(c * c - 2 * c * d + d * d);
+            }),
+            "k |c - d| x");
   // What a run may set, what is negative, and what follows from either, may have any sign.
   EXPECT_EQ(with_root([](Scene& s, const Expression&) {
               const Expression c = s.run_time_parameter("c", "m", 2);
