@@ -2,14 +2,19 @@
 #include "generator/cli/simulate.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <memory>
 
 #include <fmt/format.h>
 
+#include "generator/base/did_you_mean.hpp"
 #include "generator/base/error.hpp"
 #include "generator/dynamics/equations/contact_checks.hpp"
 #include "generator/program/written_unit.hpp"
 #include "generator/verification/dormand_prince_853.hpp"
+#include "generator/verification/gauss_collocation.hpp"
+#include "generator/verification/radau_iia_5.hpp"
 
 namespace torsor {
 namespace {
@@ -21,7 +26,44 @@ void check_options(const SimulationOptions& options) {
   require(options.duration > 0 && std::isfinite(options.duration), "--to must be a time above 0");
   require(options.step > 0 && options.duration / options.step <= 1e7,
           "--step must be a time above 0 that gives at most ten million rows");
+  require(options.method_step == 0.0 || (options.method_step > 0 && options.duration / options.method_step <= 1e9),
+          "--method-step must be a time above 0 that gives at most 1e9 steps");
   require(options.tolerance >= 1e-14 && options.tolerance <= 0.1, "--tolerance must lie between 1e-14 and 0.1");
+}
+
+struct Method {
+  const char* name;
+  const char* words;
+};
+constexpr std::array<Method, 3> methods{{{"dp853", "Dormand and Prince's method of order 8"},
+                                         {"radau", "Radau's method IIA of order 5"},
+                                         {"gauss", "Gauss collocation of order 6"}}};
+
+const Method& method_named(const std::string& name) {
+  std::vector<std::string> known;
+  for (const Method& method : methods) {
+    if (name == method.name) return method;
+    known.emplace_back(method.name);
+  }
+  throw UsageError(fmt::format("unknown method '{}' in --method: {}use {}", name, did_you_mean(name, known), fmt::join(known, ", ")));
+}
+
+double method_step(const SimulationOptions& options) { return options.method_step > 0 ? options.method_step : options.step; }
+
+std::unique_ptr<MotionIntegrator> make_integrator(const SimulationOptions& options, MotionIntegrator::Slope slope,
+                                                  MotionIntegrator::Settle settle, std::vector<double> y) {
+  const std::string method = method_named(options.method).name;
+  if (method == "radau") return std::make_unique<RadauIia5>(std::move(slope), std::move(settle), std::move(y), options.tolerance);
+  if (method == "gauss") {
+    return std::make_unique<GaussCollocation6>(std::move(slope), std::move(settle), std::move(y), method_step(options));
+  }
+  return std::make_unique<DormandPrince853>(std::move(slope), std::move(settle), std::move(y), options.tolerance);
+}
+
+std::string method_text(const SimulationOptions& options) {
+  const Method& method = method_named(options.method);
+  return method.name == std::string("gauss") ? fmt::format("{}, steps of {:g} s", method.words, method_step(options))
+                                             : fmt::format("{}, tolerance {:g}", method.words, options.tolerance);
 }
 
 }  // namespace
@@ -46,39 +88,58 @@ Simulation simulate(const Scene& scene, const SimulationOptions& options) {
     throw Error(fmt::format("the constraints of '{}' cannot be closed near the initial state: give other values by --initial",
                             scene.name()));
   }
-  DormandPrince853::Settle settle;
+  MotionIntegrator::Settle settle;
   if (motion.needs_settling() && options.project) {
     settle = [&motion](double t, std::vector<double>& at) { return motion.settle(t, at); };
   }
-  DormandPrince853 integrator(
+  std::unique_ptr<MotionIntegrator> integrator = make_integrator(
+      options,
       [&motion](double t, const std::vector<double>& at, std::vector<double>& rates) { return motion.slope(t, at, rates); },
-      settle, y, options.tolerance);
-  const auto write = [&](double t) {
+      settle, y);
+  WatchedEvents watched(scene, motion, options.events);
+  const auto write = [&] {
+    const double t = integrator->time();
     std::vector<double> row{t};
-    row.insert(row.end(), integrator.state().begin(), integrator.state().end());
-    const std::vector<double> observed = motion.observe(t, integrator.state());
+    row.insert(row.end(), integrator->state().begin(), integrator->state().end());
+    const std::vector<double> observed = motion.observe(t, integrator->state());
     row.insert(row.end(), observed.begin(), observed.end());
     result.rows.push_back(std::move(row));
   };
-  write(0.0);
+  /// Rows at the events since the row before; true where one of them ends the motion.
+  const auto meet = [&](const MotionIntegrator& before) {
+    const std::unique_ptr<MotionIntegrator> after = integrator->copy();
+    for (MetEvent& event : watched.between(before, *after)) {
+      result.events.push_back(fmt::format("{} at t = {:.15g} s", event.name, event.time));
+      integrator = std::move(event.motion);
+      if (event.ends) return true;
+      if (event.time < after->time()) write();
+    }
+    integrator = after->copy();
+    return false;
+  };
+  write();
   const auto last = static_cast<long>(std::ceil(options.duration / options.step * (1 - 1e-12)));
-  for (long k = 1; k <= last && integrator.status().empty(); ++k) {
+  for (long k = 1; k <= last && integrator->status().empty(); ++k) {
     const double t = k == last ? options.duration : static_cast<double>(k) * options.step;
-    if (!integrator.advance(t)) break;
-    write(t);
+    const std::unique_ptr<MotionIntegrator> before = watched.empty() ? nullptr : integrator->copy();
+    if (!integrator->advance(t)) break;
+    const bool ends = before && meet(*before);
+    write();
+    if (ends) break;
     if (options.progress) options.progress(t / options.duration);
   }
-  result.steps = integrator.steps();
-  if (!integrator.status().empty()) {
-    result.status = fmt::format("{} at t = {:.9g} s", integrator.status(), integrator.time());
+  result.steps = integrator->steps();
+  if (!integrator->status().empty()) {
+    result.status = fmt::format("{} at t = {:.9g} s", integrator->status(), integrator->time());
   }
   return result;
 }
 
 std::string simulation_csv(const Scene& scene, const SimulationOptions& options, const Simulation& motion) {
   std::string text = fmt::format(
-      "# Motion of the scene {} by Dormand and Prince's method of order 8, tolerance {:g}, {} steps.\n# Units: {}\n",
-      scene.name(), options.tolerance, motion.steps, fmt::join(motion.units, ", "));
+      "# Motion of the scene {} by {}, {} steps.\n# Units: {}\n", scene.name(), method_text(options), motion.steps,
+      fmt::join(motion.units, ", "));
+  for (const std::string& event : motion.events) text += fmt::format("# Event: {}\n", event);
   if (!motion.status.empty()) text += fmt::format("# It ends before {:g} s: {}\n", options.duration, motion.status);
   text += fmt::format("{}\n", fmt::join(motion.names, ","));
   for (const std::vector<double>& row : motion.rows) {

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "generator/cli/watched_events.hpp"
 #include "generator/verification/evaluated_motion.hpp"
 
 namespace torsor {
@@ -14,6 +15,9 @@ struct SimulationOptions {
   double duration = 10.0, step = 0.01;  ///< [s]; a row for each multiple of the step, and one for the end
   double tolerance = 1e-10;             ///< errors of a step stay below tolerance · (1 + |y_i|)
   bool project = true;                  ///< onto the constraints, after each step
+  std::string method = "dp853";         ///< dp853, radau or gauss
+  double method_step = 0.0;             ///< of gauss [s]; 0: `step`
+  std::vector<EventRequest> events;
   NamedNumbers initial, parameters, inputs;
   std::function<void(double share)> progress = {};
 };
@@ -22,7 +26,8 @@ struct SimulationOptions {
 struct Simulation {
   std::vector<std::string> names, units;  ///< of the columns: time, positions, velocities, energies, first integrals
   std::vector<std::vector<double>> rows;
-  std::string status;                     ///< empty: the end was reached
+  std::string status;                     ///< empty: the end was reached, or an event that ends the motion
+  std::vector<std::string> events;        ///< what was met, a line each
   long steps = 0;
 };
 

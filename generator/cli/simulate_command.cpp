@@ -20,6 +20,8 @@ namespace {
 struct SimulationRequest : KernelOptions {
   SimulationOptions options;
   std::vector<std::string> plot;
+  std::vector<std::string> events;
+  std::string until;
   bool no_projection = false;
 };
 
@@ -45,6 +47,8 @@ CommandResult run_simulation(const Scene& scene, SimulationRequest request) {
   SimulationOptions& options = request.options;
   options.model = request.model(scene);
   options.project = !request.no_projection;
+  for (const std::string& event : request.events) options.events.push_back({event, false});
+  if (!request.until.empty()) options.events.push_back({request.until, true});
   options.progress = Progress();
   if (!request.plot.empty() && !request.plot[0].ends_with(".svg")) {
     throw UsageError(fmt::format("--plot writes SVG: end the name '{}' in .svg", request.plot[0]));
@@ -59,6 +63,7 @@ CommandResult run_simulation(const Scene& scene, SimulationRequest request) {
     }
     write_file_if_changed(request.plot[0], simulation_svg(scene, motion, columns));
   }
+  for (const std::string& event : motion.events) result.notes.push_back("event: " + event);
   if (!motion.status.empty()) result.notes.push_back(fmt::format("the motion ends: {}", motion.status));
   return result;
 }
@@ -92,6 +97,14 @@ void add_simulate_command(CommandSet& commands) {
   command.add_option("--to", options.duration, "end of the motion [s]")->capture_default_str();
   command.add_option("--step", options.step, "time between rows [s]; the method chooses its own steps")->capture_default_str();
   command.add_option("--tolerance", options.tolerance, "largest error of one step, as a part of 1 + |y|")->capture_default_str();
+  command.add_option("--method", options.method, "dp853; radau for stiff motions; gauss, of fixed steps, for long ones")
+      ->capture_default_str();
+  command.add_option("--method-step", options.method_step, "step of gauss [s]; that of the rows when absent");
+  command
+      .add_option("--events", request->events,
+                  "rows where a formula passes through zero: \"NAME: FORMULA\", or \"x = 0.5\"; may be given again")
+      ->allow_extra_args(false);
+  command.add_option("--until", request->until, "end the motion where a formula passes through zero, e.g. \"theta = 0\"");
   if (command.get_option_no_throw("--initial") == nullptr) {  // the tool for files has it already, for the scene it makes
     add_numbers(command, "--initial", options.initial, "start values, NAME=NUMBER, rates NAME'=NUMBER; comma-separated");
   }

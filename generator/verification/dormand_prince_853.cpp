@@ -22,15 +22,10 @@ double factor_for(double error) {
 }  // namespace
 
 DormandPrince853::DormandPrince853(Slope slope, Settle settle, std::vector<double> y, double tolerance)
-    : slope_(std::move(slope)), settle_(std::move(settle)), tolerance_(tolerance), y_(std::move(y)) {
+    : MotionIntegrator(std::move(slope), std::move(settle), std::move(y)), tolerance_(tolerance) {
   trial_ = next_ = y_;
   for (std::vector<double>& each : slopes_) each.resize(y_.size());
   if (!slope_(t_, y_, slopes_[0])) fail("there is no acceleration");
-}
-
-bool DormandPrince853::fail(std::string status) {
-  status_ = std::move(status);
-  return false;
 }
 
 bool DormandPrince853::advance(double end) {

@@ -284,6 +284,21 @@ bool EvaluatedMotion::settle(double t, std::vector<double>& y) {
   return finite(y) && open(all_, true) <= closed * largest(position_count_, y.size());
 }
 
+Value EvaluatedMotion::watched(const Expression& formula, const std::string& text) {
+  for (const CoordinateContent& c : equations_.scene().content().coordinates) {
+    if (!formula.depends_on(c.a)) continue;
+    throw UsageError(fmt::format("the formula '{}' has the acceleration {}: what is watched is a formula of coordinates, rates "
+                                 "and time",
+                                 text, c.a->name));
+  }
+  return equations_.program().lower(formula);
+}
+
+double EvaluatedMotion::value(double t, const std::vector<double>& y, const Value& formula) {
+  move_to(t, y);
+  return here_(formula);
+}
+
 std::vector<std::string> EvaluatedMotion::observed_names() const {
   std::vector<std::string> names{"kinetic_energy", "potential_energy", "mechanical_energy"};
   if (integrals_.skipped.empty()) {

@@ -44,6 +44,10 @@ class EvaluatedMotion {
   bool settle(double t, std::vector<double>& y);
   bool needs_settling() const { return !rows_.empty() || !quaternions_.empty(); }
 
+  /// A formula of coordinates, rates, parameters and time, for `value`. Throws UsageError where it has an acceleration.
+  Value watched(const Expression& formula, const std::string& text);
+  double value(double t, const std::vector<double>& y, const Value& formula);
+
   /// T, −U, T − U [J], then the first integrals.
   std::vector<std::string> observed_names() const;
   std::vector<double> observe(double t, const std::vector<double>& y);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <fstream>
@@ -86,6 +87,52 @@ TEST(Simulate, RefusesWhatMakesNoSense) {
     const Outcome outcome = run(pendulum, arguments);
     EXPECT_EQ(outcome.code, 2) << words[0] << " " << words[1];
     EXPECT_EQ(outcome.out, "");
+  }
+}
+
+TEST(Simulate, HasSeveralMethods) {
+  const auto end = [](const std::string& method) {
+    const Outcome outcome = run(pendulum, {"simulate", "--to", "1", "--step", "0.1", "--method", method, "--method-step", "0.01"});
+    EXPECT_EQ(outcome.code, 0) << outcome.err;
+    return table(outcome.out).second.back()[1];
+  };
+  const double theta = end("dp853");
+  EXPECT_NEAR(end("gauss"), theta, 1e-10);
+  EXPECT_NEAR(end("radau"), theta, 1e-8);
+  const Outcome unknown = run(pendulum, {"simulate", "--method", "raday"});
+  EXPECT_EQ(unknown.code, 2);
+  EXPECT_NE(unknown.err.find("did you mean 'radau'"), std::string::npos) << unknown.err;
+}
+
+// A pendulum is at its lowest after a quarter of its period, and as fast as from the other side after three.
+TEST(Simulate, EndsWhereAFormulaPassesThroughZero) {
+  const Outcome outcome = run(pendulum, {"simulate", "--to", "10", "--until", "theta = 0"});
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  const auto rows = table(outcome.out).second;
+  EXPECT_NEAR(rows.back()[1], 0.0, 1e-13);
+  // T/4 = K(sin(θ0/2)) √(l/g).
+  EXPECT_NEAR(rows.back()[0], std::comp_ellint_1(std::sin(0.25)) * std::sqrt(1.5 / 9.81), 1e-9);
+  EXPECT_NE(outcome.out.find("# Event: theta = 0 at t = "), std::string::npos);
+}
+
+TEST(Simulate, HasARowForEachEvent) {
+  const Outcome met = run(pendulum, {"simulate", "--to", "5", "--step", "0.5", "--events", "lowest: theta", "--events", "turn: theta'"});
+  ASSERT_EQ(met.code, 0) << met.err;
+  const auto rows = table(met.out).second;
+  const double quarter = std::comp_ellint_1(std::sin(0.25)) * std::sqrt(1.5 / 9.81);
+  const auto has = [&](double t, std::size_t column) {
+    return std::any_of(rows.begin(), rows.end(), [&](const auto& row) {
+      return std::abs(row[0] - t) < 1e-8 && std::abs(row[column]) < 1e-12;
+    });
+  };
+  for (int k = 1; k < 8; ++k) EXPECT_TRUE(has(k * quarter, k % 2 == 1 ? 1 : 2)) << k;
+  EXPECT_TRUE(std::is_sorted(rows.begin(), rows.end(), [](const auto& a, const auto& b) { return a[0] < b[0]; }));
+  EXPECT_EQ(rows.size(), 11U + static_cast<std::size_t>(5 / quarter));
+}
+
+TEST(Simulate, RefusesEventsThatMakeNoSense) {
+  for (const char* event : {"theta''", "thetta", ": theta", "a,b: theta", "theta = = 2"}) {
+    EXPECT_EQ(run(pendulum, {"simulate", "--events", event}).code, 2) << event;
   }
 }
 

@@ -8,6 +8,8 @@
 
 #include "generator/base/error.hpp"
 #include "generator/verification/dormand_prince_853.hpp"
+#include "generator/verification/gauss_collocation.hpp"
+#include "generator/verification/radau_iia_5.hpp"
 
 namespace torsor::evaluated_motion_test {
 namespace {
@@ -41,6 +43,49 @@ TEST(DormandPrince853, SaysWhereASolutionEnds) {
   EXPECT_FALSE(motion.advance(2.0));
   EXPECT_NEAR(motion.time(), 1.0, 1e-6);
   EXPECT_NE(motion.status(), "");
+}
+
+// The same circle: steps of 0.05 of a method of order 6 leave some 10 · 0.05⁶ / 2000; the radius stays, for circles are
+// quadratic invariants.
+TEST(GaussCollocation6, FollowsACircleAndKeepsItsRadius) {
+  const auto off = [](double step) {
+    GaussCollocation6 motion(
+        [](double, const std::vector<double>& y, std::vector<double>& rates) {
+          rates = {y[1], -y[0]};
+          return true;
+        },
+        {}, {1.0, 0.0}, step);
+    EXPECT_TRUE(motion.advance(10.0));
+    EXPECT_NEAR(std::hypot(motion.state()[0], motion.state()[1]), 1.0, 1e-13);
+    return std::abs(motion.state()[1] + std::sin(10.0));
+  };
+  EXPECT_LT(off(0.1), 1e-8);
+  EXPECT_NEAR(std::log2(off(0.4) / off(0.2)), 6.0, 0.1);
+}
+
+// y' = −λ (y − cos t) − sin t has the solution cos t; an explicit method would need some λ · 10/6 steps.
+TEST(RadauIia5, FollowsWhatIsSlowInAStiffMotion) {
+  constexpr double lambda = 1e6;
+  RadauIia5 motion(
+      [](double t, const std::vector<double>& y, std::vector<double>& rates) {
+        rates = {-lambda * (y[0] - std::cos(t)) - std::sin(t)};
+        return true;
+      },
+      {}, {1.0}, 1e-8);
+  ASSERT_TRUE(motion.advance(10.0)) << motion.status();
+  EXPECT_NEAR(motion.state()[0], std::cos(10.0), 2e-8 * static_cast<double>(motion.steps()));  // of each step
+  EXPECT_LT(motion.steps(), 2000);
+}
+
+TEST(RadauIia5, FollowsACircle) {
+  RadauIia5 motion(
+      [](double, const std::vector<double>& y, std::vector<double>& rates) {
+        rates = {y[1], -y[0]};
+        return true;
+      },
+      {}, {1.0, 0.0}, 1e-10);
+  ASSERT_TRUE(motion.advance(10.0)) << motion.status();
+  EXPECT_NEAR(motion.state()[0], std::cos(10.0), 1e-8);
 }
 
 /// Two bars and a slider on the line y = 0: the coordinates of a crank with the closure of a loop.
