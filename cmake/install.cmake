@@ -57,7 +57,7 @@ set(pc_dir "${CMAKE_INSTALL_DATADIR}/pkgconfig")  # as libraries are in no folde
 file(RELATIVE_PATH pc_to_prefix "/prefix/${pc_dir}" "/prefix")
 string(REGEX REPLACE "/$" "" pc_to_prefix "${pc_to_prefix}")
 set(pc_libraries "")
-foreach(library IN ITEMS "${TORSOR_ARB_LIBRARY}" "${TORSOR_FLINT_LIBRARY}")
+foreach(library IN ITEMS "${TORSOR_ARB_LIBRARY}" "${TORSOR_FLINT_LIBRARY}" "${TORSOR_ASSIMP_LIBRARY}")
   if(library)
     cmake_path(GET library STEM library)
     string(REGEX REPLACE "^lib" " -l" library "${library}")

@@ -57,6 +57,26 @@ torsor::Scene graham_variator_scene() {
   scene.reaction(at_A[1], "T_A", {.body = S2, .contact = A, .direction = axis::z, .axes = S1, .other = S4});
   scene.reaction(at_E[1], "T_E", {.body = S2, .contact = E, .direction = axis::z, .axes = S1, .other = S3});
 
+  // For pictures: the carrier, the cone with its pinion, spokes of S3 in the plane of E, the ring S4 in the plane of A.
+  const Placement along_x{{0, 0, 0}, Rotation::about(1, 6)};  // z of a form along x
+  const Expression length = 3 * d / 2, thin = c / 40;
+  scene.show({.frame = S1, .form = form::Segment{{0, 0, 0}, {0, c, 0}, thin}});
+  scene.show({.frame = S2,
+              .form = form::Cone{length * tan(delta), length},
+              .placement = {{-length, 0, 0}, along_x.rotation},
+              .colour = Colour{0.85, 0.6, 0.2}});
+  scene.show({.frame = S2, .form = form::Cylinder{p, p / 2}, .placement = {{-l, 0, 0}, along_x.rotation}});
+  const Expression at_E_x = -l * cos(delta) - p * sin(delta), at_A_x = -d / cos(delta);
+  for (int k = 0; k < 4; ++k) {
+    const Expression angle = pi() / 4 * k;
+    const Triple end{at_E_x, r3 * cos(angle), r3 * sin(angle)};
+    scene.show({.frame = S3, .form = form::Segment{{at_E_x, -end[1], -end[2]}, end, thin}});
+  }
+  for (int k = 0; k < 24; ++k) {
+    const auto rim = [&](int i) { return Triple{at_A_x, c * cos(pi() / 12 * i), c * sin(pi() / 12 * i)}; };
+    scene.show({.frame = S4, .form = form::Segment{rim(k), rim(k + 1), thin}});
+  }
+
   scene.gravity({0, -g, 0});
   scene.motor("C1", alpha);
   scene.motor("C3", gamma);

@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include "generator/base/base64.hpp"
 #include "generator/base/error.hpp"
 #include "generator/cli/command_texts.hpp"
 #include "generator/cli/katex.hpp"
@@ -29,20 +30,13 @@ std::string part(std::string_view name) {
   return std::string(text.substr(text.find('\n') + 1));
 }
 
-std::string base64(std::string_view hexadecimal) {
-  static constexpr std::string_view letters = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+std::string bytes_of(std::string_view hexadecimal) {
   const auto digit = [](char c) { return static_cast<unsigned>(c <= '9' ? c - '0' : c - 'a' + 10); };
-  std::string result;
-  for (std::size_t i = 0; i < hexadecimal.size(); i += 6) {  // three bytes, four letters
-    unsigned bits = 0;
-    const std::size_t bytes = std::min<std::size_t>(3, (hexadecimal.size() - i) / 2);
-    for (std::size_t k = 0; k < 3; ++k) {
-      const std::size_t at = i + 2 * k;
-      bits = bits << 8 | (k < bytes ? digit(hexadecimal[at]) << 4 | digit(hexadecimal[at + 1]) : 0U);
-    }
-    for (std::size_t k = 0; k < 4; ++k) result += k <= bytes ? letters[bits >> (18 - 6 * k) & 63U] : '=';
+  std::string bytes;
+  for (std::size_t i = 0; i + 1 < hexadecimal.size(); i += 2) {
+    bytes += static_cast<char>(digit(hexadecimal[i]) << 4 | digit(hexadecimal[i + 1]));
   }
-  return result;
+  return bytes;
 }
 
 /// KaTeX's rules without its own font faces, and those fonts that the page carries.
@@ -58,7 +52,7 @@ std::string formula_style() {
         "@font-face{{font-family:KaTeX_{};font-weight:{};font-style:{};src:url(data:font/woff2;base64,{}) "
         "format('woff2')}}\n",
         family, name.find("Bold") == std::string::npos ? 400 : 700,
-        name.find("Italic") == std::string::npos ? "normal" : "italic", base64(font.digits));
+        name.find("Italic") == std::string::npos ? "normal" : "italic", base64(bytes_of(font.digits)));
   }
   return style;
 }
@@ -210,6 +204,9 @@ std::string report_html(const Scene& scene, const ReportOptions& options) {
   scripts += script("mechanism", "globalThis.torsorMechanism = " + motion.module + ";\n");
   scripts += fmt::format("<script id=\"scene\" type=\"application/json\">{}</script>\n",
                          inside_json(report_data(scene, options.duration)));
+  if (options.meshes) {
+    scripts += fmt::format("<script id=\"meshes\" type=\"application/json\">{}</script>\n", report_meshes(content));
+  }
   for (const char* name : {"integrator", "projection", "motion", "modes", "vectors", "shapes", "viewer", "plots", "formulas", "page"}) {
     scripts += script(name, part(fmt::format("{}.js", name)));
   }

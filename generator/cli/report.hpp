@@ -14,6 +14,7 @@ struct ReportOptions {
   ModelOptions model;                                      ///< how the kernels of the motion are derived
   std::vector<std::pair<std::string, std::string>> about;  ///< state of the linearisation
   double duration = 10.0;                                  ///< of the motion [s]
+  bool meshes = false;                                     ///< put the triangles of meshes into the page
 };
 
 /// A scene as one HTML file that needs no other: what the mechanism is, its graphs, equations and theorems, and its motion,
@@ -31,5 +32,7 @@ std::string inside_script(const std::string& text);
 std::string inside_json(const std::string& text);
 /// What a viewer needs to know of the scene beside its kernels.
 std::string report_data(const Scene& scene, double duration);
+/// The meshes that the scene shows, made small enough for a page, and which of its forms has which. Throws FileError.
+std::string report_meshes(const SceneContent& scene);
 
 }  // namespace torsor

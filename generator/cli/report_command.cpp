@@ -13,6 +13,7 @@ namespace {
 struct ReportRequest : KernelOptions {
   About about;
   double duration = 10.0;
+  bool meshes = false;
 };
 
 }  // namespace
@@ -21,13 +22,15 @@ void add_report_command(CommandSet& commands) {
   const auto request = std::make_shared<ReportRequest>();
   CLI::App& command = commands.add(
       "report", "write one HTML file: the mechanism, its equations and its motion", [request](const Scene& scene) {
-        return CommandResult{report_html(scene, {request->model(scene), request->about, request->duration})};
+        return CommandResult{report_html(scene, {request->model(scene), request->about, request->duration, request->meshes})};
       });
   command.add_option("--run-time", request->run_time,
                      "parameters that the reader of the page can change, comma-separated, or all; when absent, all that can be");
   command.add_option("--to", request->duration, "length of the motion [s]")
       ->capture_default_str()
       ->check(CLI::Range(1e-6, 1e6));
+  command.add_flag("--meshes", request->meshes,
+                   "draw the meshes (STL, OBJ, Collada) that the scene or its URDF file shows, made small enough for the page");
   add_about(command, request->about, "state of the linearisation, NAME=VALUE, e.g. theta=0; repeatable");
 }
 

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <array>
 #include <variant>
 
 #include <nlohmann/json.hpp>
@@ -59,6 +60,27 @@ Json links_json(const SceneContent& content) {
   return list;
 }
 
+const char* word_of(const Form& form) {
+  static constexpr std::array<const char*, 6> words{"box", "cylinder", "cone", "sphere", "segment", "mesh"};
+  return words[form.index()];
+}
+
+/// What the author of the scene shows; the kernel `poses` has the lengths.
+Json forms_json(const SceneContent& content) {
+  Json list = Json::array();
+  for (const Shown& shown : content.shown) {
+    Json each{{"kind", word_of(shown.form)}, {"frame", content.frame_index(shown.frame, "what is shown")}};
+    if (shown.colour) each["colour"] = {shown.colour->red, shown.colour->green, shown.colour->blue};
+    Json axes = Json::array();
+    for (int j = 0; j < 3; ++j) {
+      for (int i = 0; i < 3; ++i) axes.push_back(shown.placement.rotation(i, j).to_double());
+    }
+    each["rotation"] = std::move(axes);
+    list.push_back(std::move(each));
+  }
+  return list;
+}
+
 }  // namespace
 
 std::string report_data(const Scene& scene, double duration) {
@@ -69,7 +91,8 @@ std::string report_data(const Scene& scene, double duration) {
             {"frames", frames_json(scene)},
             {"points", Json::array()},
             {"bodies", Json::array()},
-            {"links", links_json(content)}};
+            {"links", links_json(content)},
+            {"forms", forms_json(content)}};
   for (const PointContent& point : content.points) {
     Json each{{"name", printable(point.name)},
               {"frame", content.frame_index(point.frame, "point '" + point.name + "'")}};

@@ -35,7 +35,7 @@ std::string options_text(const MjcfOptions& options) {
 
 SceneOrigin mjcf_origin(const MjcfModel& model, const MjcfOptions& options, const MjcfHead& head) {
   const std::string file = name_of_file(model.file);
-  SceneOrigin origin{printable(file), file_word(file) + options_text(options), {}};
+  SceneOrigin origin{printable(file), file_word(file) + options_text(options), {}, model.file, {}};
   append_notes(origin.notes, "Names that became identifiers:", head.renamed);
   append_notes(origin.notes, "Angles and axes that were made exact:", head.changed);
   append_notes(origin.notes, "Stated, in SI, and not in the kernels:", head.data);

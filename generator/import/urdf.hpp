@@ -36,6 +36,7 @@ struct UrdfOptions {
   std::string name;  ///< of the scene; the robot's when empty
   /// What else the command line says of the file, as it is written there: " --arg prefix:=left_".
   std::string file_arguments;
+  std::vector<std::string> package_folders;  ///< of packages of ROS that meshes name
   /// Links whose origins become points of the scene, <link>_origin: the kernel kinematics has their Jacobians.
   std::vector<std::string> points;
   /// State at t = 0 where it is not zero, by set_initial: {"elbow", "0.3"}, {"elbow'", "1"}, {"base_attitude_w",

@@ -58,7 +58,7 @@ std::string data_line(const UrdfJointData& data) {
 
 SceneOrigin urdf_origin(const UrdfRobot& robot, const UrdfOptions& options, const std::vector<UrdfJointData>& joints,
                         const std::vector<std::string>& renamed) {
-  SceneOrigin origin{printable(name_of_file(robot.file)), arguments(robot, options), {}};
+  SceneOrigin origin{printable(name_of_file(robot.file)), arguments(robot, options), {}, robot.file, options.package_folders};
   append_notes(origin.notes, "Noted while reading (--strict refuses it):", robot.notes.lines());
   append_notes(origin.notes, "Understood while reading:", robot.remarks);
   append_notes(origin.notes, "Names that became identifiers:", renamed);

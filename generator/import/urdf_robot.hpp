@@ -12,6 +12,7 @@
 #include "generator/geometry/rotation.hpp"
 #include "generator/import/exact_direction.hpp"
 #include "generator/import/reading_notes.hpp"
+#include "generator/import/urdf_visuals.hpp"
 #include "generator/import/xml_element.hpp"
 
 namespace torsor {
@@ -103,6 +104,7 @@ struct UrdfRobot {
   std::string exact_together;                ///< what they add up to, a line for the notes; empty where it is rounding of doubles
   std::vector<std::string> remarks;  ///< what was understood beyond the letter, a line each
   std::vector<std::string> without_effect;  ///< what is read of joints and used nowhere, a line each
+  std::vector<UrdfVisual> visuals;
   std::vector<std::string> almost;  ///< angles that look like a multiple of π/12 and are beyond the tolerance
 };
 

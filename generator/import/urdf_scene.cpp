@@ -73,6 +73,9 @@ class SceneBuilder {
     for (const UrdfJoint& joint : robot_.joints) add_actions(joint);
     scene_.gravity(quantities(options_.gravity, units::metre_per_second_squared));
     add_points();
+    for (const UrdfVisual& visual : robot_.visuals) {
+      scene_.show({.frame = frames_.at(visual.link), .form = visual.form, .placement = visual.placement, .colour = visual.colour});
+    }
     set_initial(scene_, options_.initial);
     scene_.keep_massless();
     ImportedRobot imported{std::move(scene_), std::move(data_), robot_.notes.lines()};

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "generator/kernels/kernel_poses.hpp"
 
+#include <array>
+
 #include "generator/dynamics/motion/ground_motion.hpp"
 #include "generator/kernels/kernel_parts.hpp"
 
@@ -17,6 +19,8 @@ class PosesBuilder {
     frames();
     points();
     bodies();
+    forms();
+    reactions();
     member("gravity", 3, 1, "acceleration of gravity [m/s^2]");
     vector("gravity", 0, lower(program_, scene_.gravity));
     Kernel kernel;
@@ -87,6 +91,69 @@ class PosesBuilder {
            {inertia.xx, inertia.yy, inertia.zz, inertia.xy, inertia.xz, inertia.yz}) {
         assign("inertias", entry++, program_.lower(moment));
       }
+    }
+  }
+
+  /// What is shown stays where it is in its frame: its lengths are all that a picture cannot know by itself.
+  void forms() {
+    const std::size_t count = scene_.shown.size();
+    if (count == 0) return;
+    member("form_origins", 3, count, "origins of the forms that are shown, in their frames [m]");
+    member("form_lengths", 4, count, "edges; radius, length; radius; a segment's vector, radius [m]");
+    for (std::size_t k = 0; k < count; ++k) {
+      const auto [origin, lengths] = std::visit([](const auto& form) { return measures(form); }, scene_.shown[k].form);
+      const Placement& placement = scene_.shown[k].placement;
+      const Matrix turn = constant_matrix(program_, placement.rotation);
+      vector("form_origins", k, lower(program_, placement.origin) + bound(program_, turn * lower(program_, origin)));
+      for (std::size_t i = 0; i < 4; ++i) assign("form_lengths", 4 * k + i, program_.lower(lengths[i]));
+    }
+  }
+
+  using Measures = std::pair<Triple, std::array<Expression, 4>>;
+  static Measures measures(const form::Box& box) { return {none(), {box.edges[0], box.edges[1], box.edges[2], 0}}; }
+  static Measures measures(const form::Cylinder& cylinder) { return {none(), {cylinder.radius, cylinder.length, 0, 0}}; }
+  static Measures measures(const form::Cone& cone) { return {none(), {cone.radius, cone.length, 0, 0}}; }
+  static Measures measures(const form::Sphere& sphere) { return {none(), {sphere.radius, 0, 0, 0}}; }
+  static Measures measures(const form::Segment& segment) {
+    const Triple &a = segment.from, &b = segment.to;
+    return {a, {b[0] - a[0], b[1] - a[1], b[2] - a[2], segment.radius}};
+  }
+  static Measures measures(const form::Mesh&) { return {none(), {0, 0, 0, 0}}; }
+  static Triple none() { return {Expression(0), Expression(0), Expression(0)}; }
+
+  /// Forces of constraints: where they act, and what they are for a unit multiplier. Couples, and constraints that say of no
+  /// force where it acts, have none.
+  void reactions() {
+    const std::size_t count = scene_.constraints.size();
+    if (count == 0) return;
+    member("reaction_points", 3, count, "points where forces of constraints act on the bodies that they are named on [m]");
+    member("reaction_forces", 3, count, "these forces for a unit multiplier; 0 for a couple and where none is said");
+    for (std::size_t k = 0; k < count; ++k) {
+      const ConstraintContent& constraint = scene_.constraints[k];
+      const std::string user = "constraint '" + constraint.name + "'";
+      Vector at, force;
+      const auto act = [&](const PointReference& point, const Triple& direction, const FrameReference& axes) {
+        const int link = model_.place(scene_.points[static_cast<std::size_t>(scene_.point_index(point, user))].frame, user).link;
+        at = place(link, model_.locate(point, link, user));
+        force = turned(model_.place(axes, user), lower(program_, direction));
+      };
+      if (constraint.reaction) {
+        act(constraint.reaction->contact, constraint.reaction->direction, constraint.reaction->axes);
+      } else if (const auto* no_slip = std::get_if<NoSlip>(&constraint.law)) {
+        act(no_slip->contact, no_slip->direction, no_slip->axes);
+      } else if (const auto* in_plane = std::get_if<PointInPlane>(&constraint.law)) {
+        act(in_plane->point, axis::z, in_plane->plane);
+      } else if (const auto* closure = std::get_if<Closure>(&constraint.law)) {
+        act(closure->b, closure->direction, "ground");
+      } else if (const auto* joint = std::get_if<JointClosure>(&constraint.law); joint && joint->kind == JointClosure::Kind::offset) {
+        static const std::array<const Triple*, 3> axes{&axis::x, &axis::y, &axis::z};
+        const FramePlace& end = model_.place(joint->b, user);
+        at = place(end.link, end.origin);
+        force = turned(model_.place(joint->a, user), lower(program_, *axes.at(static_cast<std::size_t>(joint->i))));
+        if (joint->sign < 0) force = -force;
+      }
+      vector("reaction_points", k, at);
+      vector("reaction_forces", k, force);
     }
   }
 

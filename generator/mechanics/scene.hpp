@@ -276,6 +276,14 @@ class Scene {
   /// `direction` (components in `axes`), and the opposite on `other`. The multiplier is then that intensity [N].
   void reaction(const ConstraintHandle& constraint, const std::string& name, const PointReaction& reaction);
 
+  // --- pictures -----------------------------------------------------------------------------------------------------
+  /// Draws a form on a frame in reports. It replaces what the report would draw of the frame's body, and changes no
+  /// equation. Lengths [m] are formulas; sliders of the report change them. The forms are form::Box{edges},
+  /// form::Cylinder{radius, length} and form::Sphere{radius}, which are centred, form::Cone{radius, length} with its base
+  /// in z = 0, form::Segment{from, to, radius}, and form::Mesh{file} for `report --meshes`. The axis is z.
+  void show(const Shown& shown);
+
+  // --- further choices ----------------------------------------------------------------------------------------------
   /// Names coordinates that shall be independent where constraints are eliminated (linearisation), the most wanted
   /// first. Those that the constraints allow stay; the generator chooses the rest. An attitude's freedoms cannot be
   /// named.

@@ -115,6 +115,32 @@ struct DryFriction {
   std::optional<Expression> static_bound = std::nullopt;
 };
 
+// --- pictures -------------------------------------------------------------------------------------------------------
+/// What a picture shows: lengths [m] along the axes of a placed frame.
+namespace form {
+/// Centred.
+struct Box { Triple edges; };
+/// Centred, about z.
+struct Cylinder { Expression radius, length; };
+/// About z, the centre of its base at the origin, its tip at z = length.
+struct Cone { Expression radius, length; };
+/// Centred.
+struct Sphere { Expression radius; };
+/// A round bar between two points.
+struct Segment { Triple from, to; Expression radius; };
+/// The triangles of a file (`report --meshes`), times the scale.
+struct Mesh { std::string file; std::array<double, 3> scale{1, 1, 1}; };
+}  // namespace form
+using Form = std::variant<form::Box, form::Cylinder, form::Cone, form::Sphere, form::Segment, form::Mesh>;
+/// Shares of light, each from 0 to 1.
+struct Colour { double red, green, blue; };
+struct Shown {
+  FrameReference frame;
+  Form form;
+  Placement placement{};                        ///< in the frame
+  std::optional<Colour> colour = std::nullopt;  ///< without one that of the body
+};
+
 // --- constraints ----------------------------------------------------------------------------------------------------
 struct NoSlip {
   FrameReference body;

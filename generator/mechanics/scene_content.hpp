@@ -195,6 +195,8 @@ struct SceneOrigin {
   std::string file;                ///< its name, without any folder
   std::string arguments;           ///< of every command of the tool torsor: the file and how it was read
   std::vector<std::string> notes;  ///< what the reader of a header should know, a line each
+  std::string path;                ///< of the file, as it was given
+  std::vector<std::string> package_folders;  ///< where packages of ROS were looked for
 };
 
 struct SceneContent {
@@ -215,6 +217,7 @@ struct SceneContent {
   std::vector<ContactFriction> frictions;
   std::vector<ConstraintContent> constraints;
   std::vector<ContactContent> contacts;  ///< that open and close, stops and dry frictions
+  std::vector<Shown> shown;
   std::vector<SymbolPointer> independent;  ///< coordinates wanted independent, the most wanted first
   Triple gravity{Expression(0), Expression(0), Expression(0)};
   /// Coordinates that move no mass are kept: kernels that solve with the mass matrix are then absent. Otherwise they are

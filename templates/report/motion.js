@@ -87,6 +87,12 @@ class Motion {
     return result;
   }
 
+  /// The multipliers of the constraints at sample k.
+  reactions(k) {
+    this.slope(k * this.interval, this.samples[k], new Float64Array(this.samples[k].length));
+    return Array.from(this.multipliers);
+  }
+
   members(name, t, y) {
     const kernel = this.mechanism.kernels.find((each) => each.name === name);
     if (!kernel) return null;

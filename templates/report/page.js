@@ -223,6 +223,7 @@ function show(fresh) {
       if (rates) seen.shapes.push(...picture.velocities(here, rates));
     }
     if (element("weights").checked) seen.shapes.push(...picture.weights(here));
+    if (element("reactions")?.checked) seen.shapes.push(...picture.reactions(here, motion.reactions(sampleAt(now))));
     viewer.draw(seen);
   }
   const state = motion.status !== "ok" ? `The motion ends: ${motion.status}.`
@@ -237,14 +238,17 @@ function start() {
   restart();
   buildSliders();
   try {
-    const first = motion.evaluate("poses", 0);
+    const first = motion.evaluate("poses", 0), triangles = element("meshes");
+    const meshes = triangles ? torsorReport.readMeshes(scene, JSON.parse(triangles.textContent)) : [];
     picture = new Picture(scene, first);
+    if (!first.reaction_forces?.some((value) => value !== 0)) element("reactions").parentElement.remove();
     const ready = performance.now() + 120;  // what the beginning of the motion reaches is in the first view
     while (motion.time < until - 1e-9 && performance.now() < ready && motion.extend());
     const step = Math.max(1, Math.floor(motion.samples.length / 40)), seen = [];
     for (let k = 0; k < motion.samples.length; k += step) seen.push(motion.evaluate("poses", k));
     picture.frameAll(seen);
     viewer = new Viewer(element("view"));
+    meshes.forEach((each) => viewer.mesh(...each));
     viewer.home(picture.camera(first));
     element("view").setAttribute("aria-label", `${scene.bodies.length} bodies in three dimensions: ${scene.bodies.slice(0, 12).map((each) => each.name).join(", ")}. ` +
       "Arrow keys turn the picture, plus and minus come nearer and go away, 0 is the first view.");
@@ -258,7 +262,7 @@ function start() {
   if (!playing) element("play").textContent = "Play";
   element("find-rest").addEventListener("click", findRest);
   element("time").addEventListener("input", () => { mode = null; now = Math.min(Number(element("time").value), motion.time); pause(); });
-  for (const id of ["traces", "velocities", "weights"]) element(id).addEventListener("change", () => { if (viewer) viewer.changed = true; });
+  for (const id of ["traces", "velocities", "weights", "reactions"]) element(id)?.addEventListener("change", () => { if (viewer) viewer.changed = true; });
   element("portraits")?.addEventListener("toggle", () => { if (viewer) viewer.changed = true; else show(false); });
   element("until").addEventListener("change", () => {
     const wanted = Number(element("until").value);

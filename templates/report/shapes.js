@@ -26,16 +26,22 @@ function arrow(from, vector, radius, colour) {
   const neck = add(from, vector, 1 - (7 * radius) / far);
   return [cylinder(from, neck, radius, colour), cylinder(neck, add(from, vector), 2.6 * radius, colour, "cone")];
 }
-const arrowColours = { velocities: [0.1, 0.6, 0.3], weights: [0.75, 0.2, 0.2] };
+const arrowColours = { velocities: [0.1, 0.6, 0.3], weights: [0.75, 0.2, 0.2], reactions: [0.85, 0.45, 0.05] };
 
 /// What is drawn of a scene, decided once at its first pose: sizes, and which places of a body are joined by rods.
 class Picture {
   constructor(scene, poses) {
     this.scene = scene;
+    this.shown = scene.forms.map((form, k) => ({ ...form, k })).filter((form) => form.kind !== "mesh" || form.mesh);
     const places = [];
     scene.frames.forEach((_, k) => places.push(column(poses.origins, k), column(poses.anchors, k)));
     scene.bodies.forEach((_, k) => places.push(column(poses.centres, k)));
     scene.points.forEach((_, k) => places.push(column(poses.points, k)));
+    this.ofAuthor = new Set(this.shown.map((form) => scene.frames[form.frame].body));  // bodies that the author draws
+    for (const { mesh, x, y, z, origin, extent = 1 } of this.forms(poses)) {
+      const ends = mesh === "cylinder" || mesh === "cone" ? [0, 1] : [-extent, extent];
+      for (const a of [-extent, extent]) for (const b of [-extent, extent]) for (const c of ends) places.push(add(add(add(origin, x, a), y, b), z, c));
+    }
     const low = [0, 1, 2].map((i) => Math.min(...places.map((p) => p[i])));
     const high = [0, 1, 2].map((i) => Math.max(...places.map((p) => p[i])));
     this.middle = scaled(add(low, high), 0.5);
@@ -75,7 +81,7 @@ class Picture {
     this.rods = [];
     this.linked = new Set();  // bodies whose rods lead from joint to joint: they need no ellipsoid
     for (const [body, list] of this.ofBody) {
-      if (body === 0) continue;
+      if (body === 0 || this.ofAuthor.has(body)) continue;
       const main = list[list.length - 1], start = column(poses.origins, main), taken = [start];
       const join = (member, k, thick) => {
         const place = column(poses[member], k);
@@ -166,6 +172,22 @@ class Picture {
       arrow(column(poses.centres, k), scaled(gravity, (0.5 * this.size * poses.masses[k]) / greatest), 0.01 * this.size, arrowColours.weights));
   }
 
+  /// Forces of constraints by their multipliers, those at one place added; the greatest that has been met is as long as a
+  /// quarter of the picture.
+  reactions(poses, multipliers) {
+    const found = [];
+    multipliers.forEach((multiplier, k) => {
+      const force = scaled(column(poses.reaction_forces, k), multiplier), place = column(poses.reaction_points, k);
+      if (!(length(force) > 0)) return;
+      const there = found.find((each) => length(add(each.place, place, -1)) < 1e-9 * this.size);
+      if (there) there.force = add(there.force, force);
+      else found.push({ place, force });
+    });
+    this.strongest = Math.max(this.strongest ?? 0, ...found.map(({ force }) => length(force)));
+    if (!(this.strongest > 0)) return [];
+    return found.flatMap(({ place, force }) => arrow(place, scaled(force, (0.5 * this.size) / this.strongest), 0.01 * this.size, arrowColours.reactions));
+  }
+
   /// Shapes and lines of one pose; `traces` are lists of places.
   at(poses, traces, target = this.middle) {
     const { scene, size } = this, shapes = [], lines = [];
@@ -175,6 +197,7 @@ class Picture {
       if (length(add(to, from, -1)) > 1e-9 * size) shapes.push(cylinder(from, to, (rod.thick ? 0.02 : 0.008) * size, colourOf(rod.body)));
       if (rod.member === "points") shapes.push(ball(to, 0.018 * size, colourOf(rod.body)));
     }
+    shapes.push(...this.forms(poses));
     scene.bodies.forEach((each, k) => this.inertia(each, k, poses, shapes));
     scene.points.forEach((each, k) => each.lowest && this.rim(each, k, poses, shapes, lines));
     for (const link of scene.links) this.link(link, poses, shapes, lines);
@@ -183,9 +206,31 @@ class Picture {
     return { shapes, lines };
   }
 
+  /// What the author of the scene shows.
+  forms(poses) {
+    return this.shown.flatMap((form) => {
+      const { frame, kind, rotation, k } = form, colour = form.colour ?? colourOf(this.scene.frames[frame].body);
+      const axes = [0, 1, 2].map((j) => column(poses.rotations, 3 * frame + j));
+      const inGround = (v) => add(add(scaled(axes[0], v[0]), axes[1], v[1]), axes[2], v[2]);
+      const [x, y, z] = [0, 1, 2].map((j) => inGround(column(rotation, j)));
+      const turned = (v) => add(add(scaled(x, v[0]), y, v[1]), z, v[2]);
+      const origin = add(column(poses.origins, frame), inGround(column(poses.form_origins, k)));
+      const [a, b, c, d] = poses.form_lengths.subarray(4 * k, 4 * k + 4);
+      if (kind === "box") return [{ mesh: "box", x: scaled(x, a / 2), y: scaled(y, b / 2), z: scaled(z, c / 2), origin, colour }];
+      if (kind === "sphere") return [ball(origin, a, colour)];
+      if (kind === "segment") return length([a, b, c]) > 0 ? [cylinder(origin, add(origin, turned([a, b, c])), d, colour)] : [];
+      if (kind === "mesh") {
+        const [p, q, r] = form.scale;
+        return [{ mesh: form.mesh, x: scaled(x, p), y: scaled(y, q), z: scaled(z, r), origin, colour, extent: form.extent }];
+      }
+      return [{ mesh: kind, x: scaled(x, a), y: scaled(y, a), z: scaled(z, b), origin: kind === "cylinder" ? add(origin, z, -b / 2) : origin, colour }];
+    });
+  }
+
   joints(poses, shapes) {
     const { size } = this;
     for (const [body, list] of this.ofBody) {
+      if (this.ofAuthor.has(body)) continue;
       for (const k of list) {
         const frame = this.scene.frames[k], origin = column(poses.origins, k), axis = column(poses.axes, k);
         if (frame.joint === "revolute" && list.length <= 3) {
@@ -205,6 +250,7 @@ class Picture {
   inertia(body, k, poses, shapes) {
     const rigid = this.scene.frames[body.frame].body, colour = colourOf(rigid), centre = column(poses.centres, k);
     const m = poses.masses[k];
+    if (this.ofAuthor.has(rigid)) return;
     if (this.round.get(body.frame) || !(m > 0)) return;
     const { values, axes } = principal(poses.inertias.subarray(6 * k, 6 * k + 6));
     const trace = values[0] + values[1] + values[2];
@@ -280,6 +326,26 @@ class Picture {
   }
 }
 
+/// Tells the forms of a scene which mesh each is, and returns the corners of the meshes with their normals, by name.
+function readMeshes(scene, { meshes, forms }) {
+  forms.forEach((each, k) => each && Object.assign(scene.forms[k], { mesh: `mesh ${each.mesh}`, scale: each.scale, extent: Math.max(...[...meshes[each.mesh].low, ...meshes[each.mesh].high].map(Math.abs)) }));
+  const numbers = (text) => {
+    const bytes = Uint8Array.from(atob(text), (letter) => letter.charCodeAt(0));
+    return Array.from({ length: bytes.length / 2 }, (_, i) => bytes[2 * i] + 256 * bytes[2 * i + 1]);
+  };
+  return meshes.map(({ low, high, corners, triangles }, m) => {
+    const shares = numbers(corners), flat = [];
+    const corner = (k) => low.map((from, i) => from + ((high[i] - from) * shares[3 * k + i]) / 65535);
+    const order = numbers(triangles);
+    for (let k = 0; k < order.length; k += 3) {
+      const [a, b, c] = [corner(order[k]), corner(order[k + 1]), corner(order[k + 2])];
+      const across = cross(add(b, a, -1), add(c, a, -1)), normal = length(across) > 0 ? unit(across) : [0, 0, 1];
+      flat.push(...a, ...normal, ...b, ...normal, ...c, ...normal);
+    }
+    return [`mesh ${m}`, new Float32Array(flat)];
+  });
+}
+
 function circle(origin, u, v) {
   const points = [];
   for (let i = 0; i <= 48; ++i) points.push(...add(add(origin, u, Math.cos((Math.PI * i) / 24)), v, Math.sin((Math.PI * i) / 24)));
@@ -292,5 +358,5 @@ function niceStep(wanted) {
   return power * (rest < 1.5 ? 1 : rest < 3.5 ? 2 : rest < 7.5 ? 5 : 10);
 }
 
-Object.assign(torsorReport, { Picture, column, niceStep, palette });
+Object.assign(torsorReport, { Picture, readMeshes, column, niceStep, palette });
 })();

@@ -94,15 +94,18 @@ class Viewer {
     gl.enableVertexAttribArray(this.position);
     gl.enable(gl.DEPTH_TEST);
     this.buffers = {};
-    for (const [name, make] of Object.entries(meshes)) {
-      const corners = make(), buffer = gl.createBuffer();
-      gl.bindBuffer(gl.ARRAY_BUFFER, buffer);
-      gl.bufferData(gl.ARRAY_BUFFER, corners, gl.STATIC_DRAW);
-      this.buffers[name] = { buffer, count: corners.length / 6 };
-    }
+    for (const [name, make] of Object.entries(meshes)) this.mesh(name, make());
     this.lineBuffer = gl.createBuffer();
     this.home({ target: [0, 0, 0], up: [0, 0, 1], from: [1, -1, 0.6], size: 1 });
     this.listen();
+  }
+
+  /// Makes a mesh known: corners of triangles, each with its normal.
+  mesh(name, corners) {
+    const { gl } = this, buffer = gl.createBuffer();
+    gl.bindBuffer(gl.ARRAY_BUFFER, buffer);
+    gl.bufferData(gl.ARRAY_BUFFER, corners, gl.STATIC_DRAW);
+    this.buffers[name] = { buffer, count: corners.length / 6 };
   }
 
   /// Where the camera stands first, and where `reset` brings it back to.

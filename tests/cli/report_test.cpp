@@ -4,9 +4,17 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
+#include <fstream>
 #include <string>
 
+#include <fmt/format.h>
+
+#include "generator/base/base64.hpp"
+#include "generator/base/error.hpp"
 #include "generator/cli/katex.hpp"
+#include "generator/dynamics/equations/validation.hpp"
+#include "generator/import/mesh_file.hpp"
 #include "generator/printing/html_text.hpp"
 #include "tests/cli/scene_runner.hpp"
 
@@ -59,6 +67,109 @@ TEST(Report, LetsTheReaderChangeParameters) {
   ReportOptions options;
   options.model.run_time = {"length"};
   EXPECT_FALSE(contains(report_html(pendulum(), options), R"({"name":"mass","unit":"kg"})"));
+}
+
+// Lengths come from the kernel, so that sliders change them; what stays is data.
+TEST(Report, DrawsWhatTheSceneShows) {
+  Scene scene = pendulum();
+  const Expression length = Expression::quantity("1.5", "m");
+  scene.show({.frame = "arm", .form = form::Cylinder{length / 30, length}, .placement = {{0, 0, -length / 2}, {}}});
+  scene.show({.frame = "ground", .form = form::Box{{length, length, length / 10}}, .colour = Colour{0.5, 0.25, 1}});
+  const std::string page = report_html(scene, {});
+  EXPECT_TRUE(contains(page, R"("forms":[{"kind":"cylinder","frame":1,"rotation":[1.0,0.0,0.0,0.0,1.0,0.0,0.0,0.0,1.0]},)"));
+  EXPECT_TRUE(contains(page, R"({"kind":"box","frame":0,"colour":[0.5,0.25,1.0],)"));
+  EXPECT_TRUE(contains(page, "form_lengths"));
+  EXPECT_FALSE(contains(report_html(pendulum(), {}), "form_lengths\""));
+}
+
+TEST(Report, RefusesWhatCannotBeShown) {
+  const auto message = [](const Shown& shown) -> std::string {
+    try {
+      Scene scene = pendulum();
+      scene.show(shown);
+      validate(scene);
+    } catch (const Error& error) {
+      return error.what();
+    }
+    return "";
+  };
+  const Expression metre = Expression::quantity("1", "m");
+  EXPECT_TRUE(contains(message({.frame = "arm", .form = form::Sphere{Expression::quantity("1", "kg")}}), "radius of a sphere"));
+  EXPECT_TRUE(contains(message({.frame = "rot", .form = form::Sphere{metre}}), "'rot'"));
+  EXPECT_TRUE(contains(message({.frame = "arm", .form = form::Cone{metre, -metre}}), "length of the cone that is shown on frame 'arm'"));
+  EXPECT_TRUE(contains(message({.frame = "arm", .form = form::Sphere{metre}, .colour = Colour{2, 0, 0}}), "share 2"));
+  EXPECT_EQ(message({.frame = "arm", .form = form::Sphere{metre}}), "");
+}
+
+/// A tetrahedron in a file of its own, and one of its faces cut into many.
+std::string obj_file(int parts) {
+  const std::string path = testing::TempDir() + fmt::format("/torsor_mesh_{}.obj", parts);
+  std::ofstream file(path);
+  file << "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 2\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n";
+  for (int i = 0; i <= parts; ++i) {
+    for (int j = 0; j <= parts; ++j) file << fmt::format("v {} {} 0\n", 1.0 * i / parts, 1.0 * j / parts);
+  }
+  for (int i = 0; i < parts; ++i) {
+    for (int j = 0; j < parts; ++j) {
+      const int a = 5 + i * (parts + 1) + j;
+      file << fmt::format("f {} {} {} {}\n", a, a + 1, a + parts + 2, a + parts + 1);
+    }
+  }
+  return path;
+}
+
+TEST(Report, HasMeshesWhereTheyAreAskedFor) {
+  Scene scene = pendulum();
+  scene.show({.frame = "arm", .form = form::Mesh{obj_file(2)}});
+  EXPECT_FALSE(contains(report_html(scene, {}), "<script id=\"meshes\""));
+  ReportOptions options;
+  options.meshes = true;
+  try {
+    const std::string page = report_html(scene, options);
+    EXPECT_TRUE(contains(page, R"("high":[1.0,1.0,2.0])"));
+    EXPECT_TRUE(contains(page, R"("forms":[{"mesh":0,"scale":[1.0,1.0,1.0]}])"));
+  } catch (const FileError& error) {
+    EXPECT_TRUE(contains(error.what(), "install libassimp-dev")) << error.what();
+    GTEST_SKIP() << error.what();
+  }
+  scene.show({.frame = "arm", .form = form::Mesh{"lost.stl"}});
+  EXPECT_THROW(report_html(scene, options), FileError);
+}
+
+// As many triangles as are allowed, no hole in the plane, all of the box.
+TEST(Report, MakesMeshesSmaller) {
+  TriangleMesh mesh;
+  constexpr std::uint32_t n = 60;
+  for (std::uint32_t i = 0; i <= n; ++i) {
+    for (std::uint32_t j = 0; j <= n; ++j) mesh.corners.push_back({static_cast<float>(i), static_cast<float>(j), 1.0F});
+  }
+  for (std::uint32_t i = 0; i < n; ++i) {
+    for (std::uint32_t j = 0; j < n; ++j) {
+      const std::uint32_t a = i * (n + 1) + j;
+      mesh.triangles.push_back({a, a + 1, a + n + 2});
+      mesh.triangles.push_back({a, a + n + 2, a + n + 1});
+    }
+  }
+  EXPECT_EQ(simplified(mesh, 7200).triangles.size(), 7200U);
+  const TriangleMesh small = simplified(mesh, 500);
+  EXPECT_LE(small.triangles.size(), 500U);
+  EXPECT_GE(small.triangles.size(), 200U);
+  double area = 0;
+  for (const auto& [a, b, c] : small.triangles) {
+    const auto &p = small.corners[a], &q = small.corners[b], &r = small.corners[c];
+    area += 0.5 * std::abs((q[0] - p[0]) * (r[1] - p[1]) - (q[1] - p[1]) * (r[0] - p[0]));
+  }
+  // Cells at the rim shrink to their means, half a cell at most on each side.
+  EXPECT_GT(area, 0.8 * n * n);
+  EXPECT_LE(area, 1.001 * n * n);
+}
+
+TEST(Report, EncodesBytesAsOthersDo) {  // RFC 4648, section 10
+  EXPECT_EQ(base64(""), "");
+  EXPECT_EQ(base64("f"), "Zg==");
+  EXPECT_EQ(base64("fo"), "Zm8=");
+  EXPECT_EQ(base64("foo"), "Zm9v");
+  EXPECT_EQ(base64("foobar"), "Zm9vYmFy");
 }
 
 Scene hostile() {

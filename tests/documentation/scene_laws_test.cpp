@@ -223,6 +223,10 @@ TEST_F(SceneExamples, OfNoSlip) {
   const PointHandle blade = scene.point("blade", sleigh, {-l, 0, 0});
   scene.no_slip("knife_edge", {.body = sleigh, .contact = blade, .direction = axis::y, .axes = sleigh});
   // end
+  // example: show
+  scene.show({.frame = sleigh, .form = form::Box{{2 * l, l, l / 4}}, .colour = Colour{0.6, 0.4, 0.2}});
+  scene.show({.frame = sleigh, .form = form::Segment{.from = {-l, 0, 0}, .to = {-l, 0, -l}, .radius = l / 50}});
+  // end
   // example: keep_massless
   scene.keep_massless();
   // end

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // page.mjs BROWSER KATEX FOLDER PROGRAM...: reports of scene programs (or of "torsor FILE") as a browser sees them: no
 // complaint, no request, every formula typeset (where KATEX is 1), a motion that a slider changes, everything within
-// reach of the keyboard.
+// reach of the keyboard. Where TORSOR_AXE names axe.min.js of axe-core, it finds nothing that keeps people out.
 import { execFileSync } from "node:child_process";
-import { mkdirSync, statSync } from "node:fs";
+import { mkdirSync, readFileSync, statSync } from "node:fs";
 import { basename, join } from "node:path";
 import { Browser } from "./browser.mjs";
 
@@ -88,9 +88,18 @@ for (const scene of scenes) {
   })()`);
   // Over 2e-5 s; the fastest motions, of the squeezer, turn at some 1e4 rad/s: (0.1)^2/6 is 0.2 %, twice.
   expect(arrows < 0.01, `velocities are off by ${arrows}`);
-  for (const id of ["velocities", "weights"]) await browser.evaluate(`document.getElementById("${id}").click()`);
+  for (const id of ["velocities", "weights", "reactions"]) await browser.evaluate(`document.getElementById("${id}")?.click()`);
   await browser.evaluate("document.getElementById('portraits') && (document.getElementById('portraits').open = true)");
   await browser.evaluate("new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done)))");
+
+  if (process.env.TORSOR_AXE) {
+    await browser.evaluate("shut = [...document.querySelectorAll('details:not([open])')]; shut.forEach((each) => { each.open = true; }); 0");
+    await browser.evaluate(`${readFileSync(process.env.TORSOR_AXE, "utf8")}; 0`);
+    const found = await browser.evaluate(`axe.run(document, { resultTypes: ["violations"] }).then(({ violations }) =>
+      violations.filter(({ impact }) => impact === "serious" || impact === "critical").map(({ id, nodes }) => id + ": " + nodes[0].html.slice(0, 120)))`);
+    await browser.evaluate("shut.forEach((each) => { each.open = false; }); 0");
+    expect(found.length === 0, `axe-core finds ${found.join("; ")}`);
+  }
 
   // Tab reaches the picture, the buttons and the first slider.
   const focused = new Set();

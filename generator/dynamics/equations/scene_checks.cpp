@@ -85,6 +85,30 @@ void check_friction_coefficients(const SceneContent& scene) {
   }
 }
 
+void check_shown_forms(const SceneContent& scene) {
+  for (const Shown& shown : scene.shown) {
+    const std::string frame = name_of_frame(scene, shown.frame, "what is shown");
+    std::vector<std::pair<const char*, const Expression*>> lengths;
+    if (const auto* box = std::get_if<form::Box>(&shown.form)) {
+      for (const Expression& edge : box->edges) lengths.emplace_back("edge of the box", &edge);
+    } else if (const auto* cylinder = std::get_if<form::Cylinder>(&shown.form)) {
+      lengths = {{"radius of the cylinder", &cylinder->radius}, {"length of the cylinder", &cylinder->length}};
+    } else if (const auto* cone = std::get_if<form::Cone>(&shown.form)) {
+      lengths = {{"radius of the cone", &cone->radius}, {"length of the cone", &cone->length}};
+    } else if (const auto* sphere = std::get_if<form::Sphere>(&shown.form)) {
+      lengths = {{"radius of the sphere", &sphere->radius}};
+    } else if (const auto* segment = std::get_if<form::Segment>(&shown.form)) {
+      lengths = {{"radius of the segment", &segment->radius}};
+    }
+    for (const auto& [what, length] : lengths) {
+      const std::optional<Real> value = value_if_known(scene, *length);
+      if (!value || *value > Real(0)) continue;
+      throw SceneError(fmt::format("the {} that is shown on frame '{}' is {} = {:.6g} m and must be above 0", what, frame,
+                                   length->to_string(), value->to_double()));
+    }
+  }
+}
+
 void check_slipping_bodies(const Model& model) {
   const SceneContent& scene = model.scene();
   for (const ConstraintContent& constraint : scene.constraints) {

@@ -15,6 +15,9 @@ void check_universal_joints(const SceneContent& scene);
 /// have values.
 void check_friction_coefficients(const SceneContent& scene);
 
+/// What is shown is shown on a frame of the scene, and its lengths are above 0, as far as they are known.
+void check_shown_forms(const SceneContent& scene);
+
 /// Support functions of contacts are those of convex bodies: homogeneous of degree 1, and, where all parameters have
 /// values, with radii of curvature that are nowhere negative (48 directions are looked at).
 void check_support_functions(const Model& model);

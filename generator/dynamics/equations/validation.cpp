@@ -230,6 +230,7 @@ void validate(const Scene& scene) {
   check_coordinates(scene);
   for (const BodyContent& body : scene.content().bodies) check_inertia(scene.content(), body);
   check_universal_joints(scene.content());
+  check_shown_forms(scene.content());
   check_friction_coefficients(scene.content());
   check_surfaces(scene.content());
   check_dependences(scene);

@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "generator/import/urdf_visuals.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <sstream>
+#include <utility>
+
+#include "generator/base/decimal.hpp"
+#include "generator/import/exact_rotation.hpp"
+
+namespace torsor {
+namespace {
+
+std::optional<XmlElement> first(const XmlElement& element, const char* name) {
+  const std::vector<XmlElement> found = element.children(name);
+  return found.empty() ? std::nullopt : std::optional<XmlElement>(found.front());
+}
+
+/// That many numbers of a moderate size; none where the attribute holds anything else.
+template <std::size_t count>
+std::optional<std::array<double, count>> numbers(const XmlElement& element, const char* attribute) {
+  if (!element.has(attribute)) return std::nullopt;
+  std::istringstream stream(element.value(attribute));
+  stream.imbue(std::locale::classic());
+  std::array<double, count> values{};
+  for (double& value : values) {
+    if (!(stream >> value) || !(std::abs(value) < 1e6)) return std::nullopt;
+  }
+  std::string rest;
+  if (stream >> rest) return std::nullopt;
+  return values;
+}
+
+Expression metres(double value) { return Expression::quantity(from_double(value), units::metre); }
+Triple metres(const std::array<double, 3>& v) { return {metres(v[0]), metres(v[1]), metres(v[2])}; }
+
+/// Rz(yaw) Ry(pitch) Rx(roll), exactly a rotation.
+Rotation rotation(const std::array<double, 3>& rpy) {
+  const auto half = [&rpy](std::size_t i) { return std::pair(std::cos(rpy[i] / 2), std::sin(rpy[i] / 2)); };
+  const auto [cr, sr] = half(0);
+  const auto [cp, sp] = half(1);
+  const auto [cy, sy] = half(2);
+  return exact_rotation({from_double(cr * cp * cy + sr * sp * sy), from_double(sr * cp * cy - cr * sp * sy),
+                         from_double(cr * sp * cy + sr * cp * sy), from_double(cr * cp * sy - sr * sp * cy)},
+                        Number())
+      .rotation;
+}
+
+std::optional<Placement> placement(const XmlElement& visual) {
+  Placement placement;
+  const auto origin = first(visual, "origin");
+  if (!origin) return placement;
+  if (origin->has("xyz")) {
+    const auto xyz = numbers<3>(*origin, "xyz");
+    if (!xyz) return std::nullopt;
+    placement.origin = metres(*xyz);
+  }
+  if (origin->has("rpy")) {
+    const auto rpy = numbers<3>(*origin, "rpy");
+    if (!rpy) return std::nullopt;
+    placement.rotation = rotation(*rpy);
+  }
+  return placement;
+}
+
+std::optional<double> length(const XmlElement& element, const char* attribute) {
+  const auto value = numbers<1>(element, attribute);
+  return value && (*value)[0] > 0 ? std::optional<double>((*value)[0]) : std::nullopt;
+}
+
+std::optional<Form> form_of(const XmlElement& geometry) {
+  if (const auto box = first(geometry, "box")) {
+    const auto size = numbers<3>(*box, "size");
+    if (size && std::all_of(size->begin(), size->end(), [](double edge) { return edge > 0; })) return form::Box{metres(*size)};
+  } else if (const auto cylinder = first(geometry, "cylinder")) {
+    const auto radius = length(*cylinder, "radius"), height = length(*cylinder, "length");
+    if (radius && height) return form::Cylinder{metres(*radius), metres(*height)};
+  } else if (const auto sphere = first(geometry, "sphere")) {
+    if (const auto radius = length(*sphere, "radius")) return form::Sphere{metres(*radius)};
+  } else if (const auto mesh = first(geometry, "mesh")) {
+    if (!mesh->has("filename") || mesh->value("filename").empty()) return std::nullopt;
+    return form::Mesh{mesh->value("filename"), numbers<3>(*mesh, "scale").value_or(std::array<double, 3>{1, 1, 1})};
+  }
+  return std::nullopt;
+}
+
+std::optional<Colour> colour_of(const XmlElement& material) {
+  const auto colour = first(material, "color");
+  const auto rgba = colour ? numbers<4>(*colour, "rgba") : std::nullopt;
+  if (!rgba) return std::nullopt;
+  const auto share = [&rgba](std::size_t i) { return std::clamp((*rgba)[i], 0.0, 1.0); };
+  return Colour{share(0), share(1), share(2)};
+}
+
+std::string name_of(const XmlElement& element) { return element.has("name") ? element.value("name") : std::string(); }
+
+}  // namespace
+
+std::vector<UrdfVisual> read_visuals(const XmlElement& robot) {
+  std::map<std::string, Colour> materials;  // a name may be declared in one link and used in another
+  const auto declare = [&materials](const XmlElement& material) {
+    if (const auto colour = colour_of(material)) materials.emplace(name_of(material), *colour);
+  };
+  for (const XmlElement& material : robot.children("material")) declare(material);
+  for (const XmlElement& link : robot.children("link")) {
+    for (const XmlElement& visual : link.children("visual")) {
+      if (const auto material = first(visual, "material"); material && !name_of(*material).empty()) declare(*material);
+    }
+  }
+  std::vector<UrdfVisual> visuals;
+  for (const XmlElement& link : robot.children("link")) {
+    for (const XmlElement& visual : link.children("visual")) {
+      const auto geometry = first(visual, "geometry");
+      const auto form = geometry ? form_of(*geometry) : std::nullopt;
+      const auto place = placement(visual);
+      if (!form || !place) continue;
+      std::optional<Colour> colour;
+      if (const auto material = first(visual, "material")) {
+        colour = colour_of(*material);
+        const auto named = materials.find(name_of(*material));
+        if (!colour && named != materials.end()) colour = named->second;
+      }
+      visuals.push_back({name_of(link), *form, *place, colour});
+    }
+  }
+  return visuals;
+}
+
+}  // namespace torsor

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "generator/import/xml_element.hpp"
+#include "generator/mechanics/scene_arguments.hpp"
+
+namespace torsor {
+
+/// A form that a URDF file shows of a link.
+struct UrdfVisual {
+  std::string link;
+  Form form;
+  Placement placement;  ///< in the link
+  std::optional<Colour> colour;
+};
+
+/// The <visual> elements of a robot. A picture decides nothing about the motion: whatever of it cannot be read is left out
+/// without a word.
+std::vector<UrdfVisual> read_visuals(const XmlElement& robot);
+
+}  // namespace torsor

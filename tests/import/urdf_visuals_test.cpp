@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "generator/import/urdf_visuals.hpp"
+
+#include <gtest/gtest.h>
+
+#include "generator/import/urdf.hpp"
+
+namespace torsor::urdf_visuals_test {
+namespace {
+
+std::string robot(const std::string& visuals) {
+  return R"(<robot name="r"><material name="red"><color rgba="1 0 0 1"/></material>
+    <link name="base"/>
+    <link name="arm"><inertial><mass value="1"/><inertia ixx="1" iyy="1" izz="1" ixy="0" ixz="0" iyz="0"/></inertial>)" +
+         visuals + R"(</link>
+    <joint name="turn" type="continuous"><parent link="base"/><child link="arm"/><axis xyz="0 0 1"/></joint></robot>)";
+}
+
+std::vector<Shown> shown(const std::string& visuals) {
+  return read_urdf_text(robot(visuals), "r.urdf", {}, {}).scene.content().shown;
+}
+
+double metres(const Expression& length) { return std::stod(length.to_string()); }
+
+TEST(UrdfVisuals, AreShownOnTheirLinks) {
+  const auto all = shown(R"(
+    <visual><origin xyz="1 2 3" rpy="0 0 1.5707963267948966"/><geometry><box size="1 2 3"/></geometry><material name="red"/></visual>
+    <visual><geometry><cylinder radius="0.5" length="4"/></geometry>
+      <material name="own"><color rgba="0 0.5 2 1"/></material></visual>
+    <visual><geometry><sphere radius="2"/></geometry><material name="own"/></visual>
+    <visual><geometry><mesh filename="package://p/a.stl" scale="1 2 3"/></geometry></visual>)");
+  ASSERT_EQ(all.size(), 4U);
+  EXPECT_EQ(metres(std::get<form::Box>(all[0].form).edges[2]), 3.0);
+  EXPECT_EQ(metres(all[0].placement.origin[1]), 2.0);
+  EXPECT_NEAR(all[0].placement.rotation(1, 0).to_double(), 1.0, 1e-12);  // x of the box along y of the link
+  EXPECT_EQ(all[0].colour->red, 1.0);
+  EXPECT_EQ(metres(std::get<form::Cylinder>(all[1].form).length), 4.0);
+  EXPECT_EQ(all[1].colour->green, 0.5);
+  EXPECT_EQ(all[1].colour->blue, 1.0);  // no more than all light
+  EXPECT_EQ(all[2].colour->green, 0.5);
+  EXPECT_EQ(std::get<form::Mesh>(all[3].form).file, "package://p/a.stl");
+  EXPECT_EQ(std::get<form::Mesh>(all[3].form).scale[1], 2.0);
+  EXPECT_FALSE(all[3].colour);
+}
+
+// A picture decides nothing: what is wrong in it makes no robot unreadable.
+TEST(UrdfVisuals, AreLeftOutWhereTheyCannotBeRead) {
+  for (const char* visual :
+       {"<visual/>", "<visual><geometry/></visual>", "<visual><geometry><box/></geometry></visual>",
+        "<visual><geometry><box size=\"1 2\"/></geometry></visual>", "<visual><geometry><box size=\"1 2 x\"/></geometry></visual>",
+        "<visual><geometry><sphere radius=\"-1\"/></geometry></visual>", "<visual><geometry><sphere radius=\"nan\"/></geometry></visual>",
+        "<visual><geometry><cylinder radius=\"1\" length=\"1e300\"/></geometry></visual>",
+        "<visual><origin rpy=\"a b c\"/><geometry><sphere radius=\"1\"/></geometry></visual>",
+        "<visual><geometry><mesh/></geometry></visual>", "<visual><geometry><capsule/></geometry></visual>"}) {
+    EXPECT_TRUE(shown(visual).empty()) << visual;
+  }
+}
+
+}  // namespace
+}  // namespace torsor::urdf_visuals_test
