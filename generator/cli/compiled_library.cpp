@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "generator/cli/compiled_library.hpp"
 
-#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <system_error>
@@ -16,6 +15,7 @@
 #include "generator/base/fnv.hpp"
 #include "generator/base/output_file.hpp"
 #include "generator/base/process.hpp"
+#include "generator/cli/compile_cache.hpp"
 #include "generator/cli/compiler.hpp"
 #include "generator/emission/library_sources.hpp"
 
@@ -29,27 +29,6 @@ namespace {
 namespace fs = std::filesystem;
 using Words = std::vector<std::string>;
 
-std::string environment(const char* name) {
-  const char* const value = std::getenv(name);
-  return value == nullptr ? "" : value;
-}
-
-fs::path cache_folder() {
-  std::string folder = environment("TORSOR_CACHE");
-  if (folder.empty()) {
-    const std::string cache = environment("XDG_CACHE_HOME"), home = environment("HOME");
-    if (cache.empty() && home.empty()) {
-      throw FileError("no folder to keep compiled mechanisms in: set TORSOR_CACHE, XDG_CACHE_HOME or HOME");
-    }
-    folder = cache.empty() ? home + "/.cache/torsor" : cache + "/torsor";
-  }
-  std::error_code failure;
-  fs::create_directories(folder, failure);
-  if (failure)
-    throw FileError(fmt::format("cannot make the folder '{}': {}; set TORSOR_CACHE", folder, failure.message()));
-  return fs::absolute(folder);
-}
-
 /// What -march=native means here: a folder may be shared by machines.
 std::string processor() {
   std::ifstream file("/proc/cpuinfo");
@@ -60,27 +39,6 @@ std::string processor() {
   }
   return text;
 }
-
-/// Removed with all that is in it.
-class WorkFolder {
- public:
-  explicit WorkFolder(fs::path path) : path_(std::move(path)) {
-    std::error_code failure;
-    fs::remove_all(path_, failure);
-    fs::create_directories(path_, failure);
-    if (failure) throw FileError(fmt::format("cannot make the folder '{}': {}", path_.string(), failure.message()));
-  }
-  WorkFolder(const WorkFolder&) = delete;
-  WorkFolder& operator=(const WorkFolder&) = delete;
-  ~WorkFolder() {
-    std::error_code ignored;
-    fs::remove_all(path_, ignored);
-  }
-  const fs::path& path() const { return path_; }
-
- private:
-  fs::path path_;
-};
 
 Words compiler_options(const MechanismListing& mechanism, const LibraryOptions& options) {
   Words words = {"-std=c++20", "-shared", "-fPIC", "-fvisibility=hidden", "-pthread"};

@@ -1,10 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "generator/cli/torsor_program.hpp"
 
+#include <cerrno>
 #include <cstdio>
+#include <cstring>
 #include <string>
 #include <utility>
 #include <vector>
+
+#include <unistd.h>
 
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
@@ -16,6 +20,7 @@
 #include "generator/base/printable.hpp"
 #include "generator/cli/command_line.hpp"
 #include "generator/cli/new_project.hpp"
+#include "generator/cli/scene_file.hpp"
 #include "generator/import/mechanism_file.hpp"
 
 namespace torsor {
@@ -55,7 +60,7 @@ void add_options(CLI::App& command, FileRequest& request) {
       ->allow_extra_args(false);
   command
       .add_option("--package-path", request.package_folders,
-                  "folders of packages that $(find ...) names, colon-separated; looked at before ROS_PACKAGE_PATH")
+                  "folders of packages that $(find ...) and meshes name, colon-separated; looked at before ROS_PACKAGE_PATH")
       ->delimiter(':');
   command.add_option("--depfile", request.dependency_file,
                      "write the files that were read as a rule of make; the target is this name without its .d");
@@ -110,6 +115,7 @@ UrdfOptions urdf_options(const FileRequest& request) {
   options.fix = request.fix;
   options.name = request.name;
   options.points = request.points;
+  options.package_folders = request.package_folders;
   for (const std::string& assignment : request.initial) {
     const std::vector<std::string> parts = split(assignment, '=');
     if (parts.size() != 2) {
@@ -157,6 +163,23 @@ Scene read_scene(const FileRequest& request, MjcfReader mjcf_reader) {
   return std::move(scene);
 }
 
+/// torsor SCENE.cpp COMMAND, torsor COMMAND SCENE.cpp: this process becomes the scene's program, named as its file is.
+int become_scene_program(int argc, const char* const* argv, int file) {
+  try {
+    const std::string program = scene_file_program(argv[file]);
+    std::vector<char*> arguments{const_cast<char*>(argv[file])};
+    for (int i = 1; i < argc; ++i) {
+      if (i != file) arguments.push_back(const_cast<char*>(argv[i]));
+    }
+    arguments.push_back(nullptr);
+    ::execv(program.c_str(), arguments.data());
+    throw FileError(fmt::format("cannot run '{}': {}", program, std::strerror(errno)));
+  } catch (const Error& error) {
+    std::fprintf(stderr, "%s\n", printable(fmt::format("{}: {}", argv[0], error.what())).c_str());
+    return 3;
+  }
+}
+
 /// torsor new NAME
 int begin_project(int argc, const char* const* argv) {
   const auto fail = [argv](const std::string& message, int code) {
@@ -178,10 +201,14 @@ int begin_project(int argc, const char* const* argv) {
 
 int run_torsor(int argc, const char* const* argv, MjcfReader mjcf_reader) {
   if (argc > 1 && std::string(argv[1]) == "new") return begin_project(argc, argv);
+  for (int i = 1; i < argc && i < 3; ++i) {
+    if (names_scene_file(argv[i])) return become_scene_program(argc, argv, i);
+  }
   FileRequest request;
   return run_commands(argc, argv,
                       {"Equations of motion and specialised kernels of the robot of a URDF, xacro or MJCF file. "
-                       "torsor new NAME begins a project with a scene of your own.",
+                       "torsor SCENE.cpp COMMAND compiles a scene in C++ and runs the command. torsor new NAME begins a "
+                       "project with a scene of your own.",
                        [&request](CLI::App& command) { add_options(command, request); },
                        [&] { return read_scene(request, mjcf_reader); }, [&request] { return request.quiet; }});
 }
