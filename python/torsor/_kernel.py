@@ -83,12 +83,21 @@ def as_columns(name: str, value: ArrayLike, size: int) -> np.ndarray:
     return array
 
 
-def view_of(array: np.ndarray, batch: tuple[int, ...], tail: int) -> tuple[_abi.View, np.ndarray]:
+def note_copy(copied: list[tuple[np.ndarray, np.ndarray]], read: np.ndarray, given: Any) -> None:
+    """Remembers that ``read`` holds the numbers of an array elsewhere."""
+    if isinstance(given, np.ndarray) and not np.may_share_memory(read, given):
+        copied.append((read, given))
+
+
+def view_of(array: np.ndarray, batch: tuple[int, ...], tail: int,
+            copied: list[tuple[np.ndarray, np.ndarray]] | None = None) -> tuple[_abi.View, np.ndarray]:
     """A view of an array whose last ``tail`` dimensions belong to a state, broadcast to a batch, and what keeps its
-    numbers alive."""
+    numbers alive. A batch of several dimensions that no single step goes through is copied, and noted in ``copied``."""
     own = array.shape[array.ndim - tail:]
     wide = np.broadcast_to(array, batch + own)
     flat = wide if len(batch) == 1 else wide.reshape((-1,) + own)
+    if copied is not None and flat is not wide and not np.may_share_memory(flat, array):
+        copied.append((flat.reshape(wide.shape), array))
     steps = flat.strides[1:] + (0, 0)
     return _abi.View(flat.ctypes.data, flat.strides[0], steps[0], steps[1]), flat
 
@@ -105,7 +114,7 @@ class Bound:
 
     __slots__ = ("result", "statuses", "arguments", "_run", "_alive", "__weakref__")
 
-    def __init__(self, run: Callable[[], Any], result: Any, statuses: np.ndarray, arguments: Mapping[str, np.ndarray],
+    def __init__(self, run: Callable[..., Any], result: Any, statuses: np.ndarray, arguments: Mapping[str, np.ndarray],
                  alive: Any):
         self._run = run
         self.result = result
@@ -169,12 +178,13 @@ class Kernel:
 
     def __call__(self, q: ArrayLike, *arguments: ArrayLike | None, out: Any = None, threads: int = 1, time: ArrayLike = 0.0,
                  order: int = 12, parameters: Mapping[str, float] | None = None, **named: ArrayLike) -> Any:
-        bound = self._bind(q, arguments, named, time, order, parameters, out, threads)
-        return bound()
+        return self._bind(q, arguments, named, time, order, parameters, out, threads)._run(False)
 
     def bind(self, q: ArrayLike, *arguments: ArrayLike | None, out: Any = None, threads: int = 1, time: ArrayLike = 0.0,
              order: int = 12, parameters: Mapping[str, float] | None = None, **named: ArrayLike) -> Bound:
-        """The call with these arguments, to be made again and again: arrays of doubles are read where they are."""
+        """The call with these arguments, to be made again and again for what the arrays hold then. Arrays of doubles are
+        read where they are; those of other types, and those that no single step goes through, are copied at each call.
+        Lists and numbers are read once."""
         return self._bind(q, arguments, named, time, order, parameters, out, threads)
 
     def _given(self, q: ArrayLike, arguments: Sequence[ArrayLike | None], named: Mapping[str, ArrayLike]) -> dict[str, Any]:
@@ -223,15 +233,18 @@ class Kernel:
         m = self._mechanism
         given = self._given(q, positional, named)
         arrays: dict[str, np.ndarray] = {}
+        copied: list[tuple[np.ndarray, np.ndarray]] = []  # what is read instead of what was given
         for name, size in self.arguments.items():
             value = given.get(name)
             if value is not None:
                 arrays[name] = as_columns(name, value, size)
+                note_copy(copied, arrays[name], value)
             elif name == "v":
                 arrays[name] = np.zeros(size)
         times = np.asarray(time)
         if times.dtype != np.float64:
             times = times.astype(np.float64, casting="same_kind")
+        note_copy(copied, times, time)
         batch = np.broadcast_shapes(times.shape, *(array.shape[:-1] for array in arrays.values()))
         count = int(np.prod(batch)) if batch else 1
         outputs = self._outputs(out, batch, order)
@@ -239,6 +252,7 @@ class Kernel:
             for name, array in arrays.items():
                 if any(np.may_share_memory(array, each) for each in outputs):
                     arrays[name] = array.copy()
+                    copied.append((arrays[name], array))
         statuses = np.zeros(batch, dtype=np.int32)
 
         alive: list[Any] = [statuses]
@@ -250,11 +264,11 @@ class Kernel:
         call.threads = threads
         call.order = order
         for name, array in arrays.items():
-            view, flat = view_of(array, batch or (1,), 1)
+            view, flat = view_of(array, batch or (1,), 1, copied)
             setattr(call, name, view)
             alive.append(flat)
-        if times.ndim > 0 or times != 0.0:
-            view, flat = view_of(times[..., None], batch or (1,), 1)
+        if isinstance(time, np.ndarray) or times.ndim > 0 or times != 0.0:
+            view, flat = view_of(times[..., None], batch or (1,), 1, copied)
             call.time = view
             alive.append(flat)
         views = (_abi.View * max(1, len(outputs)))()
@@ -300,7 +314,10 @@ class Kernel:
                 each[bad] = np.nan
             results.ok = ~bad
 
-        def run() -> Any:
+        def run(again: bool = True) -> Any:
+            if again:
+                for into, array in copied:
+                    into[...] = array
             failed = evaluate(pointer)
             for array, flat in scattered:
                 array[...] = flat.reshape(array.shape)

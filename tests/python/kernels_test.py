@@ -10,6 +10,7 @@ import pytest
 import torsor
 
 from conftest import SOURCES
+from torsor._load import scene_program
 
 N = 41  # some packs, and one that is not full
 
@@ -106,6 +107,20 @@ def test_bound_call_reads_what_the_arrays_hold_now(panda):
     q[2] = np.nan
     with pytest.raises(ValueError, match="infs or NaNs"):
         call()
+
+
+def test_bound_call_reads_arrays_that_it_must_copy(panda):
+    """A batch of two dimensions without a single step through it, whole numbers, a result in an argument's place."""
+    q, v, a = states(7)
+    wide, single, over = np.zeros((5, 7)), np.zeros((3, 1, 7), dtype=np.float32), np.zeros((3, 5, 7))
+    time = np.zeros(5, dtype=np.float32)
+    call = panda.inverse_dynamics.bind(wide, single, over, out=over, time=time)
+    bias = panda.bias.bind(wide[::2], single)
+    for k in range(2):
+        wide[:], single[:], over[:] = q[k:k + 5], v[k:k + 3, None], a[k]
+        assert np.array_equal(bias(), panda.bias(wide[::2], single.astype(float)))
+        expected = panda.inverse_dynamics(q[k:k + 5], single.astype(float), a[k])
+        assert call() is over and np.array_equal(over, expected)
 
 
 @pytest.mark.parametrize("bad, error, words", [
@@ -207,3 +222,24 @@ def test_a_notebook_shows_the_equations(tmp_path):
     assert "hinge" in rod._repr_latex_()
     assert rod._repr_html_().startswith("<iframe srcdoc=") and "canvas" in rod._repr_html_()
     assert torsor.open(rod.path)._repr_html_() is None
+
+
+def test_a_scene_is_built_again_when_what_it_includes_changes(tmp_path, monkeypatch):
+    """Neither its own text nor its path changes; then it does not, and nothing is built."""
+    monkeypatch.setenv("TORSOR_CACHE", str(tmp_path / "cache"))
+    (tmp_path / "scene.cpp").write_text("""#include <iostream>
+#include "what.hpp"
+int main() { std::cout << WHAT << std::endl; }
+""")
+
+    def says(what):
+        (tmp_path / "what.hpp").write_text(f"#define WHAT \"{what}\"\n")
+        program = scene_program(str(tmp_path / "scene.cpp"))
+        return program, subprocess.run([program], capture_output=True, text=True, check=True).stdout.strip()
+
+    first, said = says("one")
+    assert said == "one"
+    second, said = says("two")
+    assert said == "two" and second != first
+    built = os.stat(first).st_mtime_ns
+    assert says("one") == (first, "one") and os.stat(first).st_mtime_ns == built
