@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <memory>
 #include <system_error>
 
@@ -12,6 +10,7 @@
 #include "generator/base/output_file.hpp"
 #include "generator/cli/command_set.hpp"
 #include "generator/cli/compiled_library.hpp"
+#include "generator/cli/compiler.hpp"
 #include "generator/cli/kernel_options.hpp"
 #include "generator/dynamics/equations/contact_checks.hpp"
 #include "generator/emission/library_sources.hpp"
@@ -36,14 +35,6 @@ void write_sources(const MechanismListing& mechanism, const std::string& folder)
   }
 }
 
-std::string bytes_of(const std::string& path) {
-  std::ifstream file(path, std::ios::binary);
-  std::string bytes((std::istreambuf_iterator<char>(file)), std::istreambuf_iterator<char>());
-  if (!file)
-    throw FileError(fmt::format("cannot read '{}', which was just written; is another program at work there?", path));
-  return bytes;
-}
-
 CommandResult build(const Scene& scene, const BuildRequest& request, const std::string& output) {
   refuse_contacts(scene, "a library, which integrates motions,");
   const MechanismListing mechanism = lower_mechanism(scene, request.names(), request.model(scene));
@@ -54,7 +45,7 @@ CommandResult build(const Scene& scene, const BuildRequest& request, const std::
     return {(fs::path(request.sources) / "library.cpp").string() + "\n"};
   }
   const std::string library = compiled_library(mechanism, request.library);
-  return {output == "-" ? library + "\n" : bytes_of(library)};
+  return {output == "-" ? library + "\n" : compiled_bytes(library)};
 }
 
 }  // namespace

@@ -56,6 +56,25 @@ std::string described(const CLI::App& app) {
 
 std::string words(const std::vector<std::string>& all) { return fmt::format("{}", fmt::join(all, " ")); }
 
+/// One word of a shell, whatever it holds.
+std::string shell_quoted(const std::string& word) {
+  std::string quoted = "'";
+  for (const char c : word) {
+    if (c == '\'')
+      quoted += "'\\''";
+    else
+      quoted += c;
+  }
+  return quoted + "'";
+}
+
+/// Of one line, so that it can stand in a comment.
+std::string on_one_line(std::string text) {
+  std::replace_if(
+      text.begin(), text.end(), [](unsigned char c) { return c < 0x20; }, '?');
+  return text;
+}
+
 std::vector<std::string> option_names(const CLI::App& app) {
   std::vector<std::string> all;
   for (const CLI::Option* option : app.get_options()) {
@@ -98,7 +117,7 @@ std::string bash_completion(const CLI::App& app, const std::string& program) {
     cases += fmt::format("    {}) words='{}' ;;\n", command->get_name(), words(option_names(*command)));
   }
   return fmt::format(
-      R"(# bash completion of {0}, made by {0} --bash-completion
+      R"(# bash completion of {4}, made by {4} --bash-completion
 {1}() {{
   local words='' current="${{COMP_WORDS[COMP_CWORD]}}"
   COMPREPLY=()
@@ -113,9 +132,9 @@ std::string bash_completion(const CLI::App& app, const std::string& program) {
     *) compopt -o filenames; mapfile -t COMPREPLY < <(compgen -f -- "$current") ;;
   esac
 }}
-complete -F {1} {0}
+complete -F {1} -- {0}
 )",
-      program, function, words(first), cases);
+      shell_quoted(program), function, words(first), cases, on_one_line(program));
 }
 
 void add_tree_texts(CLI::App& app, const std::string& program) {

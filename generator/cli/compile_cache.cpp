@@ -3,7 +3,6 @@
 
 #include <cstdlib>
 #include <system_error>
-#include <utility>
 
 #include <fmt/format.h>
 
@@ -32,18 +31,6 @@ fs::path cache_folder() {
   if (failure)
     throw FileError(fmt::format("cannot make the folder '{}': {}; set TORSOR_CACHE", folder, failure.message()));
   return fs::absolute(folder);
-}
-
-WorkFolder::WorkFolder(fs::path path) : path_(std::move(path)) {
-  std::error_code failure;
-  fs::remove_all(path_, failure);
-  fs::create_directories(path_, failure);
-  if (failure) throw FileError(fmt::format("cannot make the folder '{}': {}", path_.string(), failure.message()));
-}
-
-WorkFolder::~WorkFolder() {
-  std::error_code ignored;
-  fs::remove_all(path_, ignored);
 }
 
 }  // namespace torsor

@@ -13,17 +13,4 @@ std::string environment(const char* name);
 /// missing. Throws FileError where it cannot be.
 std::filesystem::path cache_folder();
 
-/// A folder of this process, made empty, and removed with all that is in it.
-class WorkFolder {
- public:
-  explicit WorkFolder(std::filesystem::path path);
-  WorkFolder(const WorkFolder&) = delete;
-  WorkFolder& operator=(const WorkFolder&) = delete;
-  ~WorkFolder();
-  const std::filesystem::path& path() const { return path_; }
-
- private:
-  std::filesystem::path path_;
-};
-
 }  // namespace torsor

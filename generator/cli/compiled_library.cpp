@@ -6,8 +6,6 @@
 #include <system_error>
 #include <vector>
 
-#include <unistd.h>
-
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -15,6 +13,7 @@
 #include "generator/base/fnv.hpp"
 #include "generator/base/output_file.hpp"
 #include "generator/base/process.hpp"
+#include "generator/base/temporary_folder.hpp"
 #include "generator/cli/compile_cache.hpp"
 #include "generator/cli/compiler.hpp"
 #include "generator/emission/library_sources.hpp"
@@ -50,7 +49,7 @@ Words compiler_options(const MechanismListing& mechanism, const LibraryOptions& 
 
 void compile(const Compiler& compiler, const Words& options, const std::vector<SourceFile>& sources,
              const MechanismListing& mechanism, const fs::path& library) {
-  const WorkFolder folder(fmt::format("{}.{}.sources", library.string(), ::getpid()));
+  const TemporaryFolder folder(library.parent_path(), library.stem().string() + "-");
   for (const SourceFile& source : sources) {
     const fs::path path = folder.path() / source.path;
     fs::create_directories(path.parent_path());

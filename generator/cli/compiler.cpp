@@ -2,6 +2,8 @@
 #include "generator/cli/compiler.hpp"
 
 #include <cstdlib>
+#include <fstream>
+#include <iterator>
 #include <sstream>
 #include <utility>
 
@@ -40,6 +42,27 @@ Compiler found_compiler(const std::string& variable, const std::vector<std::stri
                               chosen ? fmt::format("{}, which is '{}', does not run", variable, named)
                                      : fmt::format("none of {} runs", fmt::join(candidates, ", ")),
                               variable, language));
+}
+
+std::string predefined_macros(const Compiler& compiler, const std::vector<std::string>& flags) {
+  std::vector<std::string> command = compiler.words;
+  command.insert(command.end(), flags.begin(), flags.end());
+  command.insert(command.end(), {"-dM", "-E", "-x", "c", "-"});  // the standard input is empty
+  ProcessResult said = run_process(command);
+  if (said.code != 0) {
+    throw FileError(fmt::format("the compiler '{}' does not say what it predefines: {}", fmt::join(compiler.words, " "),
+                                compiler_errors(said.output)));
+  }
+  return std::move(said.output);
+}
+
+std::string compiled_bytes(const std::string& path) {
+  std::ifstream file(path, std::ios::binary);
+  std::string bytes((std::istreambuf_iterator<char>(file)), std::istreambuf_iterator<char>());
+  if (!file || bytes.empty()) {
+    throw FileError(fmt::format("cannot read '{}', which was just written; is another program at work there?", path));
+  }
+  return bytes;
 }
 
 std::string compiler_errors(const std::string& output) {

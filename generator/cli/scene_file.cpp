@@ -7,14 +7,13 @@
 #include <system_error>
 #include <vector>
 
-#include <unistd.h>
-
 #include <fmt/format.h>
 
 #include "generator/base/error.hpp"
 #include "generator/base/fnv.hpp"
 #include "generator/base/output_file.hpp"
 #include "generator/base/process.hpp"
+#include "generator/base/temporary_folder.hpp"
 #include "generator/cli/compile_cache.hpp"
 #include "generator/cli/compiler.hpp"
 #include "generator/emission/embedded_templates.hpp"
@@ -123,7 +122,7 @@ void run_cmake(const std::vector<std::string>& words, const std::string& path) {
 }
 
 void build(const std::string& path, const fs::path& program, const fs::path& record) {
-  const WorkFolder folder(fmt::format("{}.{}.build", program.string(), ::getpid()));
+  const TemporaryFolder folder(program.parent_path(), program.filename().string() + "-");
   const fs::path tree = folder.path() / "tree";
   write_file_if_changed((folder.path() / "CMakeLists.txt").string(),
                         std::string(embedded_template("scene_file/CMakeLists.txt.in")));

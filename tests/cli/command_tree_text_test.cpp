@@ -1,11 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Manual page and completion are made of what the program declares: every command and every option of --help is in
 // both.
+#include "generator/cli/command_tree_text.hpp"
+
 #include <gtest/gtest.h>
 
 #include <regex>
 #include <set>
 #include <string>
+
+#include <CLI/CLI.hpp>
 
 #include "generator/mechanics/scene.hpp"
 #include "tests/cli/scene_runner.hpp"
@@ -62,6 +66,14 @@ TEST(CommandTree, WritesNoLineThatRoffWouldObey) {
     EXPECT_TRUE(request == ".SH" || request == ".SS" || request == ".TP" || request == ".B") << request;
   }
   EXPECT_EQ(page.rfind(".TH \"SCENE\" 1", 0), 0U);
+}
+
+TEST(CommandTree, QuotesTheNameOfTheProgramForTheShell) {
+  CLI::App app;
+  app.add_subcommand("build", "text");
+  const std::string script = bash_completion(app, "it's a $(touch x)\nscene");
+  EXPECT_NE(script.find("complete -F _it_s_a___touch_x__scene -- 'it'\\''s a $(touch x)\nscene'\n"), std::string::npos) << script;
+  EXPECT_EQ(script.rfind("# bash completion of it's a $(touch x)?scene, made by", 0), 0U);
 }
 
 }  // namespace
