@@ -12,10 +12,21 @@ SOURCES = os.environ["TORSOR_SOURCE_DIR"]
 PROGRAMS = os.environ["TORSOR_PROGRAM_DIR"]
 
 
+FILES = {"cart_pole": ["tests/python/cart_pole.urdf", "--initial", "hinge=0.3"],
+         "quadruped": ["examples/quadruped/quadruped.urdf", "--base", "floating"]}
+
+
+def command(name, what, *options):
+    """The words that do something with an example: by its own program, or with a robot's file."""
+    if name not in FILES:
+        return [os.path.join(PROGRAMS, f"{name}_scene"), what, *options]
+    file, *rest = FILES[name]
+    return [os.environ["TORSOR"], what, os.path.join(SOURCES, file), *rest, "--quiet", *options]
+
+
 def scene(name, *options):
-    """An example, built by its own program."""
-    command = [os.path.join(PROGRAMS, f"{name}_scene"), "build", "--flags=-O1", *options]
-    return torsor.open(subprocess.run(command, capture_output=True, text=True, check=True).stdout.strip())
+    words = command(name, "build", "--flags=-O1", *options)
+    return torsor.open(subprocess.run(words, capture_output=True, text=True, check=True).stdout.strip())
 
 
 @pytest.fixture(scope="session")
@@ -45,3 +56,15 @@ def top():
 def body():
     """Free of torque, its attitude by a quaternion."""
     return scene("torque_free_body", "--run-time", "all")
+
+
+@pytest.fixture(scope="session")
+def cart():
+    """A motor pushes a cart with a pole."""
+    return scene("cart_pole", "--run-time", "all", "--kernels", "forward_dynamics,energy")
+
+
+@pytest.fixture(scope="session")
+def quadruped():
+    """Twelve joints on a body that floats."""
+    return scene("quadruped", "--kernels", "forward_dynamics,energy")

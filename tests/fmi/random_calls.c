@@ -1,0 +1,93 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Sequences of random calls of one unit of FMI, with good and bad arguments, in every order. Each call is answered as the
+ * standard's state machine says; the sanitizers that this is compiled with see to the rest.
+ *   cc -DUNIT='"NAME_fmi3.c"' -DCALLS='"calls3.h"' -DTOKEN='"{...}"' random_calls.c; ./a.out SEQUENCES */
+#include UNIT
+#include <stdio.h>
+
+enum { ok = 0, discarded = 2, refused = 3, any_mode = 127, begins = -1 };
+
+static void* instance;
+static void* saved; /* a state of the unit, and the mode it was saved in */
+static int saved_mode, mode, exchanging;
+static double numbers[4 * NX + NU + NL + 64];
+static size_t sizes[2];
+static unsigned char bytes[sizeof(torsor_fmi_memory) + 8];
+
+static unsigned long long seed = 88172645463325252ull;
+static unsigned pick(unsigned below) { /* Marsaglia 2003, xorshift64 */
+  seed ^= seed << 13;
+  seed ^= seed >> 7;
+  seed ^= seed << 17;
+  return (unsigned)(seed >> 33) % below;
+}
+
+/* Something finite, mostly; with bad numbers now and then. */
+static double number(void) {
+  static const double odd[] = {0.0, -1.0, 1e-300, 1e300, -1e308};
+  const unsigned k = pick(40);
+  if (k == 0) return HUGE_VAL;
+  if (k == 1) return HUGE_VAL - HUGE_VAL;
+  if (k < 7) return odd[k - 2];
+  return (int)pick(2001) / 1000.0 - 1.0;
+}
+
+static const unsigned* references(unsigned from, unsigned below, unsigned count) {
+  static unsigned vr[8];
+  unsigned i;
+  for (i = 0; i < count; ++i) vr[i] = from + pick(below);
+  return vr;
+}
+
+static const double* some(unsigned count) {
+  static double values[NX + 8];
+  unsigned i;
+  for (i = 0; i < count; ++i) values[i] = number();
+  return values;
+}
+
+typedef struct {
+  const char* name;
+  int (*call)(void);
+  int exchange, simulation; /* modes in which it is allowed */
+  int next;                 /* mode after it; 0: as before; begins: the first one of a simulation */
+} Call;
+
+/* Whether a call may be refused though it is allowed: its arguments may be bad. */
+static int may_refuse;
+
+#include CALLS
+
+int main(int count, char** words) {
+  const long sequences = count > 1 ? atol(words[1]) : 1000;
+  long done, answers[4] = {0};
+  int k;
+  for (done = 0; done < sequences; ++done) {
+    exchanging = (int)pick(2);
+    instance = make(exchanging);
+    if (instance == NULL) return fprintf(stderr, "no instance\n"), 1;
+    mode = instantiated;
+    for (k = 0; k < 60; ++k) {
+      /* Half of the calls are those that lead on: few sequences would get anywhere else. */
+      const unsigned n = sizeof(calls) / sizeof(calls[0]);
+      const Call* const each = &calls[pick(2) ? pick(n) : pick(leading)];
+      const int allowed_now = ((exchanging ? each->exchange : each->simulation) & mode) != 0;
+      int status;
+      may_refuse = 0;
+      status = each->call();
+      if (status != ok && status != discarded && status != refused) {
+        return fprintf(stderr, "%s answers %d\n", each->name, status), 1;
+      }
+      if (!allowed_now ? status != refused : status == refused && !may_refuse) {
+        return fprintf(stderr, "%s answers %d in mode %d of %s\n", each->name, status, mode, exchanging ? "ME" : "CS"), 1;
+      }
+      if (status == ok && each->next > 0) mode = each->next;
+      if (status == ok && each->next == begins) mode = exchanging ? event_mode : step_complete;
+      ++answers[status];
+    }
+    free_saved();
+    release();
+  }
+  printf("%ld sequences: %ld calls ok, %ld discarded, %ld refused\n", done, answers[ok], answers[discarded], answers[refused]);
+  return answers[ok] > 0 && answers[refused] > 0 ? 0 : 1;
+}

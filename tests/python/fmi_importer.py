@@ -1,0 +1,237 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""An importer of FMI 2.0 and of FMI 3.0 of our own: a unit's description, its binary, and instances of it."""
+
+import ctypes
+import subprocess
+import xml.etree.ElementTree as ElementTree
+import zipfile
+from ctypes import POINTER, byref, c_bool, c_char_p, c_double, c_int, c_size_t, c_uint, c_void_p
+
+import numpy as np
+
+from conftest import command
+
+OK, DISCARD, ERROR = 0, 2, 3
+MODEL_EXCHANGE, CO_SIMULATION = 0, 1
+
+
+def doubles(values):
+    values = np.ascontiguousarray(values, dtype=float)
+    return values.ctypes.data_as(POINTER(c_double)), values
+
+
+class Unit:
+    """What both versions have; components are addresses, answers those of the unit."""
+
+    def __init__(self, name, folder, *options):
+        path = folder / f"{name}.fmu"
+        subprocess.run(command(name, "fmu", "--fmi", str(self.version), *options, "-o", path), check=True)
+        with zipfile.ZipFile(path) as archive:
+            assert archive.testzip() is None
+            archive.extractall(folder)
+            self.names = archive.namelist()
+        self.folder = folder
+        self.description = ElementTree.parse(folder / "modelDescription.xml").getroot()
+        binary, = [each for each in self.names if each.startswith("binaries/")]
+        self.library = ctypes.CDLL(str(folder / binary))
+        self.variables = self.read_variables()
+        self.reference = {v["name"]: int(v["valueReference"]) for v in self.variables}
+        self.states = [self.state_of(v) for v in self.variables if "derivative" in v]
+        self.derivatives = [i for i, v in enumerate(self.variables) if "derivative" in v]
+        self.n = len(self.states)
+        self.messages = []
+
+    def __getattr__(self, name):
+        function = getattr(self.library, f"fmi{self.version}{name}")
+        return lambda component, *arguments: function(c_void_p(component), *arguments)
+
+    def log(self, status, message):
+        self.messages.append((status, message))
+
+    def references(self, names):
+        return (c_uint * len(names))(*[self.reference[n] if isinstance(n, str) else n for n in names])
+
+    def initialised(self, kind, start=0.0, tolerance=None):
+        component = self.instantiate(kind)
+        assert component
+        assert self.initialise(component, start, tolerance) == OK
+        assert self.ExitInitializationMode(component) == OK
+        return component
+
+    def continuous(self, tolerance=None):
+        component = self.initialised(MODEL_EXCHANGE, tolerance=tolerance)
+        assert not self.update(component)
+        assert self.EnterContinuousTimeMode(component) == OK
+        return component
+
+    def right_side(self, component, time, y):
+        assert self.SetTime(component, c_double(time)) == OK
+        assert self.SetContinuousStates(component, doubles(y)[0], c_size_t(self.n)) == OK
+        pointer, values = doubles(np.zeros(self.n))
+        assert self.get_derivatives(component, pointer) == OK
+        return values
+
+    def state(self, component):
+        pointer, values = doubles(np.zeros(self.n))
+        assert self.GetContinuousStates(component, pointer, c_size_t(self.n)) == OK
+        return values
+
+    def get(self, component, names):
+        pointer, values = doubles(np.zeros(len(names)))
+        assert self.get_numbers(component, self.references(names), len(names), pointer) == OK
+        return values
+
+    def set(self, component, names, given):
+        return self.set_numbers(component, self.references(names), len(names), doubles(given)[0])
+
+
+class EventInfo(ctypes.Structure):
+    _fields_ = [(name, c_int) for name in ("needed", "terminate", "nominals", "values", "defined")] + [("next", c_double)]
+
+
+class Unit2(Unit):
+    version = 2
+    LOGGER = ctypes.CFUNCTYPE(None, c_void_p, c_char_p, c_int, c_char_p, c_char_p, c_char_p, c_char_p)
+
+    class Callbacks(ctypes.Structure):
+        _fields_ = [("logger", c_void_p), ("allocate", c_void_p), ("free", c_void_p), ("finished", c_void_p),
+                    ("environment", c_void_p)]
+
+    def __init__(self, *arguments):
+        super().__init__(*arguments)
+        # Variadic, with the function and what it says of it.
+        self.logger = self.LOGGER(lambda _, __, status, ___, ____, function, what: self.log(status, function + b": " + what))
+        self.callbacks = self.Callbacks(ctypes.cast(self.logger, c_void_p).value)
+        self.outputs = self.listed("Outputs")
+        self.initial_unknowns = self.listed("InitialUnknowns")
+        self.listed_derivatives = self.listed("Derivatives")
+        self.token = self.description.attrib["guid"]
+
+    def read_variables(self):
+        return [v.attrib | v.find("Real").attrib for v in self.description.iter("ScalarVariable")]
+
+    def state_of(self, variable):
+        return int(variable["derivative"]) - 1
+
+    def listed(self, tag):
+        return [int(u.attrib["index"]) - 1 for u in self.description.find("ModelStructure").find(tag) or []]
+
+    def instantiate(self, kind, token=None, logging=True):
+        function = self.library.fmi2Instantiate
+        function.restype = c_void_p
+        function.argtypes = [c_char_p, c_int, c_char_p, c_char_p, c_void_p, c_int, c_int]
+        return function(b"one", kind, (token or self.token).encode(), None, ctypes.addressof(self.callbacks), 0, int(logging))
+
+    def initialise(self, component, start=0.0, tolerance=None):
+        answer = self.SetupExperiment(component, int(tolerance is not None), c_double(tolerance or 0), c_double(start), 0,
+                                      c_double(0))
+        return answer or self.EnterInitializationMode(component)
+
+    def update(self, component):
+        """Whether values of states changed."""
+        info = EventInfo()
+        assert self.NewDiscreteStates(component, byref(info)) == OK
+        return bool(info.values)
+
+    def complete_step(self, component):
+        enter, terminate = c_int(7), c_int(7)
+        answer = self.CompletedIntegratorStep(component, 1, byref(enter), byref(terminate))
+        return answer, bool(enter.value)
+
+    def step(self, component, time, size):
+        return self.DoStep(component, c_double(time), c_double(size), 1)
+
+    def get_derivatives(self, component, pointer):
+        return self.GetDerivatives(component, pointer, c_size_t(self.n))
+
+    def get_numbers(self, component, references, count, pointer):
+        return self.GetReal(component, references, c_size_t(count), pointer)
+
+    def set_numbers(self, component, references, count, pointer):
+        return self.SetReal(component, references, c_size_t(count), pointer)
+
+    def directional(self, component, unknown, known, seed, pointer):
+        return self.GetDirectionalDerivative(component, self.references(unknown), c_size_t(len(unknown)), self.references(known),
+                                             c_size_t(len(known)), doubles(seed)[0], pointer)
+
+    memory = {"get": "GetFMUstate", "set": "SetFMUstate", "free": "FreeFMUstate", "size": "SerializedFMUstateSize",
+              "write": "SerializeFMUstate", "read": "DeSerializeFMUstate"}
+
+
+class Unit3(Unit):
+    version = 3
+    LOGGER = ctypes.CFUNCTYPE(None, c_void_p, c_int, c_char_p, c_char_p)
+
+    def __init__(self, *arguments):
+        super().__init__(*arguments)
+        self.logger = self.LOGGER(lambda _, status, __, message: self.log(status, message))
+        self.outputs = self.listed("Output")
+        self.initial_unknowns = self.listed("InitialUnknown")
+        self.listed_derivatives = self.listed("ContinuousStateDerivative")
+        self.token = self.description.attrib["instantiationToken"]
+
+    def read_variables(self):
+        return [v.attrib for v in self.description.find("ModelVariables")]
+
+    def state_of(self, variable):
+        return int(variable["derivative"])
+
+    def listed(self, tag):
+        return [int(u.attrib["valueReference"]) for u in self.description.find("ModelStructure").findall(tag)]
+
+    def instantiate(self, kind, token=None, logging=True, events=False, intermediate=0):
+        token = (token or self.token).encode()
+        if kind == MODEL_EXCHANGE:
+            function = self.library.fmi3InstantiateModelExchange
+            function.restype = c_void_p
+            return function(b"one", token, None, c_bool(False), c_bool(logging), None, self.logger)
+        function = self.library.fmi3InstantiateCoSimulation
+        function.restype = c_void_p
+        return function(b"one", token, None, c_bool(False), c_bool(logging), c_bool(events), c_bool(True), None,
+                        c_size_t(intermediate), None, self.logger, None)
+
+    def initialise(self, component, start=0.0, tolerance=None):
+        return self.EnterInitializationMode(component, c_bool(tolerance is not None), c_double(tolerance or 0), c_double(start),
+                                            c_bool(False), c_double(0))
+
+    def update(self, component):
+        flags, time = (c_bool * 5)(*[True] * 5), c_double()
+        assert self.UpdateDiscreteStates(component, *[byref(flags, k) for k in range(5)], byref(time)) == OK
+        assert not (flags[0] or flags[1] or flags[2] or flags[4])
+        return flags[3]
+
+    def complete_step(self, component):
+        flags = (c_bool * 2)(True, True)
+        answer = self.CompletedIntegratorStep(component, c_bool(True), byref(flags), byref(flags, 1))
+        return answer, flags[0]
+
+    def step(self, component, time, size):
+        flags, reached = (c_bool * 3)(True, True, True), c_double(-1)
+        answer = self.DoStep(component, c_double(time), c_double(size), c_bool(True), *[byref(flags, k) for k in range(3)],
+                             byref(reached))
+        if answer == OK:
+            assert not any(flags) and reached.value == time + size
+        self.reached = reached.value
+        return answer
+
+    def get_derivatives(self, component, pointer):
+        return self.GetContinuousStateDerivatives(component, pointer, c_size_t(self.n))
+
+    def get_numbers(self, component, references, count, pointer):
+        return self.GetFloat64(component, references, c_size_t(count), pointer, c_size_t(count))
+
+    def set_numbers(self, component, references, count, pointer):
+        return self.SetFloat64(component, references, c_size_t(count), pointer, c_size_t(count))
+
+    def directional(self, component, unknown, known, seed, pointer):
+        return self.GetDirectionalDerivative(component, self.references(unknown), c_size_t(len(unknown)), self.references(known),
+                                             c_size_t(len(known)), doubles(seed)[0], c_size_t(len(known)), pointer,
+                                             c_size_t(len(unknown)))
+
+    def adjoint(self, component, unknown, known, seed, pointer):
+        return self.GetAdjointDerivative(component, self.references(unknown), c_size_t(len(unknown)), self.references(known),
+                                         c_size_t(len(known)), doubles(seed)[0], c_size_t(len(unknown)), pointer,
+                                         c_size_t(len(known)))
+
+    memory = {"get": "GetFMUState", "set": "SetFMUState", "free": "FreeFMUState", "size": "SerializedFMUStateSize",
+              "write": "SerializeFMUState", "read": "DeserializeFMUState"}
