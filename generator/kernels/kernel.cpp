@@ -14,6 +14,7 @@
 #include "generator/dynamics/theorems/painleve.hpp"
 #include "generator/kernels/kernel_contacts.hpp"
 #include "generator/kernels/kernel_derivatives.hpp"
+#include "generator/kernels/kernel_frames.hpp"
 #include "generator/kernels/kernel_jets.hpp"
 #include "generator/kernels/kernel_kinematics.hpp"
 #include "generator/kernels/kernel_linearisation.hpp"
@@ -255,6 +256,8 @@ const std::vector<Entry>& entries() {
       {"forward_dynamics_sensitivities", make_forward_dynamics_sensitivities, no_sensitivities, true, true},
       {"gravity", make_gravity, no_gravity, false, true},
       {"centroidal_momentum", make_centroidal_momentum, no_moving_mass, false, true},
+      {"frames", make_frames, no_points, false, true},
+      {"operational_inertia", make_operational_inertia, no_points, true, true},
       {"poses", make_poses, never, false, true}};
   return all;
 }

@@ -306,7 +306,8 @@ TEST(SceneProgram, NamesAnUnknownKernelAndTheKnownOnes) {
         "inverse_dynamics_derivatives, "
                   "forward_dynamics_derivatives, regressor, jets, sparse_constraint_jacobian, residual, residual_jacobian, "
                   "inverse_dynamics_second_derivatives, forward_dynamics_second_derivatives, "
-                  "inverse_dynamics_sensitivities, forward_dynamics_sensitivities, gravity, centroidal_momentum, poses, "
+                  "inverse_dynamics_sensitivities, forward_dynamics_sensitivities, gravity, centroidal_momentum, frames, "
+                  "operational_inertia, poses, "
                   "or all");
   }
 }

@@ -93,4 +93,15 @@ std::vector<Vector> GroundMotion::partial_velocities(int link, const Vector& arm
   return partials;
 }
 
+std::vector<Vector> GroundMotion::partial_angular_velocities(int link) const {
+  std::vector<Vector> partials(model_->coordinates().size());
+  for (int k = link; k > 0; k = model_->links()[static_cast<std::size_t>(k)].parent) {
+    const Link& joint = model_->links()[static_cast<std::size_t>(k)];
+    if (joint.joint != JointKind::revolute) continue;
+    for (const auto& [i, partial] : joint.partials) partials[static_cast<std::size_t>(i)] += partial * at(k).axis;
+  }
+  for (Vector& partial : partials) partial = bound(model_->program(), partial);
+  return partials;
+}
+
 }  // namespace torsor

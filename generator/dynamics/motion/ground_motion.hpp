@@ -23,10 +23,15 @@ class GroundMotion {
   const Vector& angular(int link) const { return at(link).angular; }    ///< [rad/s]
   const Vector& linear(int link) const { return at(link).linear; }      ///< of the link's origin [m/s]
 
+  const Vector& axis(int link) const { return at(link).axis; }                ///< of the link's joint
+  const Vector& from_parent(int link) const { return at(link).from_parent; }  ///< from the parent's origin [m]
+
   /// Velocity of the link's own point at `place` from its origin, in the link's axes; the velocity in the ground's.
   Vector velocity(int link, const Vector& place) const;
   /// ∂V/∂v_i of the point at `arm` from the link's origin, for every coordinate; all in the axes of the ground.
   std::vector<Vector> partial_velocities(int link, const Vector& arm) const;
+  /// ∂Ω/∂v_i of the link, for every coordinate.
+  std::vector<Vector> partial_angular_velocities(int link) const;
 
  private:
   struct Place {
