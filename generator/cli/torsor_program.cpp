@@ -33,10 +33,11 @@ struct FileRequest {
   std::string gravity;
   std::string angle_tolerance = "1e-9";
   std::string name;
-  std::vector<std::string> points, initial, fix, arguments, package_folders;
+  std::vector<std::string> points, initial, fix, armature, friction, arguments, package_folders;
   std::string dependency_file;
   bool no_dampers = false;
   bool no_motors = false;
+  bool run_time_gravity = false;
   bool accept_inertia = false;  ///< void
   bool strict = false;
   bool quiet = false;
@@ -68,6 +69,15 @@ void add_options(CLI::App& command, FileRequest& request) {
   command.add_flag("--no-motors", request.no_motors, "leave out the input torques and forces of the joints");
   command.add_option("--fix", request.fix, "joints that become fixed, comma-separated, or massless: those that move no mass")
       ->delimiter(',');
+  command.add_option("--armature", request.armature,
+                     "reflected inertia of rotors, JOINT=NUMBER in kg m^2 (kg where the joint slides); comma-separated")
+      ->delimiter(',');
+  command.add_option("--friction", request.friction,
+                     "dry friction in joints, JOINT=NUMBER in N m (N where the joint slides), or file: that of <dynamics "
+                     "friction>; comma-separated")
+      ->delimiter(',');
+  command.add_flag("--run-time-gravity", request.run_time_gravity,
+                   "make the components of gravity the run-time parameters gravity_x, gravity_y, gravity_z");
   command.add_flag("--strict", request.strict, "make the first note an error: elements that cannot act, inertia that no matter has");
   command.add_flag("--quiet", request.quiet, "print no notes on the standard error; headers quote them all the same");
   command.add_flag("--accept-inertia", request.accept_inertia,
@@ -93,6 +103,15 @@ std::vector<std::string> split(const std::string& text, char separator) {
   return parts;
 }
 
+/// JOINT=NUMBER
+std::pair<std::string, Number> joint_number(const std::string& option, const std::string& assignment) {
+  const std::vector<std::string> parts = split(assignment, '=');
+  if (parts.size() != 2) {
+    throw UsageError(fmt::format("{} takes JOINT=NUMBER, e.g. elbow=0.1, and got '{}'", option, assignment));
+  }
+  return {parts[0], option_number(option, parts[1])};
+}
+
 UrdfOptions urdf_options(const FileRequest& request) {
   UrdfOptions options;
   if (request.base == "floating") {
@@ -113,6 +132,15 @@ UrdfOptions urdf_options(const FileRequest& request) {
   options.motors = !request.no_motors;
   options.strict = request.strict;
   options.fix = request.fix;
+  options.run_time_gravity = request.run_time_gravity;
+  for (const std::string& word : request.armature) options.armature.push_back(joint_number("--armature", word));
+  for (const std::string& word : request.friction) {
+    if (word == "file") {
+      options.friction_of_file = true;
+    } else {
+      options.friction.push_back(joint_number("--friction", word));
+    }
+  }
   options.name = request.name;
   options.points = request.points;
   options.package_folders = request.package_folders;

@@ -27,6 +27,10 @@ MechanismFile read_mjcf_file(const std::string& path, const MechanismFileOptions
   if (!given.fix.empty()) {
     throw UsageError(fmt::format("--fix is for URDF; take the <joint> of '{}' out of its body in '{}'", given.fix.front(), path));
   }
+  if (!given.armature.empty() || !given.friction.empty() || given.friction_of_file || given.run_time_gravity) {
+    throw UsageError(fmt::format(
+        "--armature, --friction and --run-time-gravity are for URDF; in '{}' armature is an attribute of <joint>", path));
+  }
   if (options.mjcf_reader == nullptr) {
     throw FileError(
         fmt::format("{}: is MJCF, which this program was built without; install libmujoco-dev and build torsor "

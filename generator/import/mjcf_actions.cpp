@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "generator/import/mjcf_builder.hpp"
+#include "generator/import/rotor.hpp"
 
 namespace torsor {
 
@@ -14,17 +15,6 @@ bool MjcfBuilder::moves(int body) const {
     }
   }
   return false;
-}
-
-/// A rotor at rest in the ground but for the displacement: T = ½ a ė². Along a slide it is a wheel of radius 1 m, which
-/// has no weight.
-void MjcfBuilder::add_rotor(const std::string& name, const Expression& displacement, bool turns,
-                            const Expression& armature) {
-  const std::string frame = frame_names_.take(name + "_rotor", "joint");
-  const Expression angle = turns ? displacement : displacement / Expression::quantity(Number(1), units::metre);
-  const Expression moment = turns ? armature : armature * Expression::quantity(Number(1), units::metre * units::metre);
-  const FrameHandle rotor = scene_.revolute(frame, scene_.ground(), axis::z, angle);
-  scene_.body(frame, rotor, Inertia::general(0, 0, 0, moment));
 }
 
 void MjcfBuilder::add_joint_actions(std::size_t i) {
@@ -55,7 +45,7 @@ void MjcfBuilder::add_scalar_actions(std::size_t i) {
   }
   if (joint.armature != 0) {
     const Expression a = parameter(name + "_armature", turns ? "kg m^2" : "kg", from_double(joint.armature));
-    add_rotor(name, q, turns, a);
+    add_rotor(scene_, frame_names_.take(name + "_rotor", "joint"), q, turns, a);
   }
   if (joint.limited && followed_.contains(i)) {
     data_.push_back(
@@ -97,7 +87,7 @@ void MjcfBuilder::add_free_actions(std::size_t i) {
   const Expression a = parameter(parts.name + "_armature", "kg m^2", from_double(joint.armature));
   scene_.body(frame_names_.take(parts.name + "_rotor", "joint"), body, Inertia::general(0, a, a, a));
   for (std::size_t k = 0; is_free && k < 3; ++k) {
-    add_rotor(parts.name + axes.at(k), parts.place[k], false,
+    add_rotor(scene_, frame_names_.take(parts.name + axes.at(k) + "_rotor", "joint"), parts.place[k], false,
               a / Expression::quantity(Number(1), units::metre * units::metre));
   }
 }

@@ -64,7 +64,6 @@ class MjcfBuilder {
   void add_joint_actions(std::size_t joint);
   void add_scalar_actions(std::size_t joint);
   void add_free_actions(std::size_t joint);
-  void add_rotor(const std::string& name, const Expression& displacement, bool turns, const Expression& armature);
   void add_tendons();
   void add_motors();
   void add_motor(const MjcfActuator& actuator);

@@ -39,6 +39,12 @@ struct UrdfOptions {
   std::vector<std::string> package_folders;  ///< of packages of ROS that meshes name
   /// Links whose origins become points of the scene, <link>_origin: the kernel kinematics has their Jacobians.
   std::vector<std::string> points;
+  /// Reflected inertia of the rotors that drive joints, {joint, number} [kg m², kg]: ½ a q̇² beside the links.
+  std::vector<std::pair<std::string, Number>> armature;
+  /// Dry friction in joints, {joint, the largest effort} [N m, N]: kernels `contacts` and `contact_coefficients`.
+  std::vector<std::pair<std::string, Number>> friction;
+  bool friction_of_file = false;  ///< <dynamics friction="b"> acts so too, where `friction` says nothing else
+  bool run_time_gravity = false;  ///< its components are the run-time parameters gravity_x, gravity_y, gravity_z
   /// State at t = 0 where it is not zero, by set_initial: {"elbow", "0.3"}, {"elbow'", "1"}, {"base_attitude_w",
   /// "0.6"}.
   std::vector<std::pair<std::string, std::string>> initial;
@@ -52,7 +58,8 @@ struct UrdfJointData {
   std::optional<Number> lower, upper, velocity, effort;
   std::optional<Number> damping;   ///< c of the effort −c q̇
   bool damping_acts = false;       ///< by a damper of the scene
-  std::optional<Number> friction;  ///< Coulomb's, which no scene of torsor has in a joint
+  std::optional<Number> friction;  ///< the bound of dry friction
+  bool friction_acts = false;      ///< as dry friction of the scene
 };
 
 struct ImportedRobot {

@@ -29,6 +29,13 @@ std::string arguments(const UrdfRobot& robot, const UrdfOptions& options) {
   }
   if (!options.dampers) text += " --no-dampers";
   if (!options.motors) text += " --no-motors";
+  if (options.run_time_gravity) text += " --run-time-gravity";
+  const auto assignments = [&text](const char* option, const std::vector<std::pair<std::string, Number>>& values, std::string words) {
+    for (const auto& [joint, value] : values) words += (words.empty() ? "" : ",") + joint + "=" + number_word(value);
+    if (!words.empty()) text += fmt::format(" {} {}", option, shell_word(words));
+  };
+  assignments("--armature", options.armature, "");
+  assignments("--friction", options.friction, options.friction_of_file ? "file" : "");
   if (!options.fix.empty()) text += " --fix " + shell_word(fmt::format("{}", fmt::join(options.fix, ",")));
   if (!options.name.empty()) text += " --name " + shell_word(options.name);
   if (!options.points.empty()) text += " --points " + shell_word(fmt::format("{}", fmt::join(options.points, ",")));
@@ -50,7 +57,7 @@ std::string data_line(const UrdfJointData& data) {
   if (data.damping && !data.damping->is_zero() && !data.damping_acts) {
     parts.push_back("damping " + decimal(*data.damping));
   }
-  if (data.friction && !data.friction->is_zero()) parts.push_back("friction " + decimal(*data.friction));
+  if (data.friction && !data.friction->is_zero() && !data.friction_acts) parts.push_back("friction " + decimal(*data.friction));
   return parts.empty() ? "" : fmt::format("{}: {}", data.joint, fmt::join(parts, ", "));
 }
 

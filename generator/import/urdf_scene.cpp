@@ -8,9 +8,11 @@
 
 #include "generator/base/did_you_mean.hpp"
 #include "generator/base/error.hpp"
+#include "generator/base/decimal.hpp"
 #include "generator/base/high_precision.hpp"
 #include "generator/dynamics/equations/massless.hpp"
 #include "generator/import/identifiers.hpp"
+#include "generator/import/rotor.hpp"
 #include "generator/import/urdf.hpp"
 #include "generator/import/urdf_base.hpp"
 #include "generator/import/urdf_displacement.hpp"
@@ -61,6 +63,9 @@ class SceneBuilder {
     }
     std::string base_name;
     if (root_.base == UrdfBase::floating) base_ = free_joint(root_.root, "link", base_name);
+    const Triple weight = gravity();
+    check_joints("--armature", options_.armature);
+    check_joints("--friction", options_.friction);
     for (const UrdfJoint& joint : robot_.joints) {
       const std::size_t before = scene_.content().coordinates.size();
       declare(joint);
@@ -71,7 +76,7 @@ class SceneBuilder {
     for (const UrdfJoint& joint : robot_.joints) place(joint);
     for (const UrdfLink& link : robot_.links) add_body(link);
     for (const UrdfJoint& joint : robot_.joints) add_actions(joint);
-    scene_.gravity(quantities(options_.gravity, units::metre_per_second_squared));
+    scene_.gravity(weight);
     add_points();
     for (const UrdfVisual& visual : robot_.visuals) {
       scene_.show({.frame = frames_.at(visual.link), .form = visual.form, .placement = visual.placement, .colour = visual.colour});
@@ -142,10 +147,43 @@ class SceneBuilder {
     return options_.dampers && follows(joint) && joint.damping && !joint.damping->is_zero();
   }
 
+  static std::optional<Number> given(const std::vector<std::pair<std::string, Number>>& values, const std::string& joint) {
+    for (const auto& [name, value] : values) {
+      if (name == joint) return value;
+    }
+    return std::nullopt;
+  }
+
+  /// The bound of its dry friction, where there is any.
+  std::optional<Number> friction_of(const UrdfJoint& joint) const {
+    if (!follows(joint)) return std::nullopt;
+    std::optional<Number> bound = given(options_.friction, joint.name);
+    if (!bound && options_.friction_of_file) bound = joint.friction;
+    return bound && !bound->is_zero() ? bound : std::nullopt;
+  }
+
+  /// Throws where an option names a joint that does not turn or slide.
+  void check_joints(const char* option, const std::vector<std::pair<std::string, Number>>& values) const {
+    std::vector<std::string> known;
+    for (const UrdfJoint& joint : robot_.joints) {
+      if (follows(joint)) known.push_back(joint.name);
+    }
+    for (const auto& [name, value] : values) {
+      if (std::find(known.begin(), known.end(), name) == known.end()) {
+        throw UsageError(fmt::format("unknown joint '{}' in {}: {}those that turn or slide are {}", name, option,
+                                     did_you_mean(name, known), fmt::join(known, ", ")));
+      }
+      if (value.sign() < 0) {
+        throw UsageError(fmt::format("{} of the joint '{}' is {}; it is never negative", option, name,
+                                     shortest(value.to_double())));
+      }
+    }
+  }
+
   void declare(const UrdfJoint& joint) {
     if (joint.type == UrdfJointType::fixed) return;
     UrdfJointData data{joint.name,    {},          joint.lower,   joint.upper, joint.velocity, joint.effort,
-                       joint.damping, acts(joint), joint.friction};
+                       joint.damping, acts(joint), joint.friction, friction_of(joint).has_value()};
     if (joint.type == UrdfJointType::floating) {
       free_[joint.name] = free_joint(joint.name, "joint", names_[joint.name]);
     } else if (joint.type == UrdfJointType::planar) {
@@ -162,7 +200,7 @@ class SceneBuilder {
       free_[joint.name].attitude = scene_.attitude(word + "_attitude");
     } else if (!joint.mimic) {
       const std::string effort = joint.turns() ? "_torque" : "_force";
-      data.coordinate = take(symbols_, joint.name, "joint", {"", effort, "_damping"});
+      data.coordinate = take(symbols_, joint.name, "joint", {"", effort, "_damping", "_armature", "_friction"});
       names_[joint.name] = data.coordinate;
       const Expression q = scene_.coordinate(data.coordinate, joint.turns() ? "rad" : "m");
       displacements_[joint.name] = q;
@@ -170,7 +208,7 @@ class SceneBuilder {
         scene_.limits(q, {data.lower, data.upper, data.velocity, data.effort});
       }
     } else {
-      names_[joint.name] = take(symbols_, joint.name, "joint", {"", "_damping"});
+      names_[joint.name] = take(symbols_, joint.name, "joint", {"", "_damping", "_armature", "_friction"});
     }
     data_.push_back(std::move(data));
   }
@@ -254,6 +292,18 @@ class SceneBuilder {
     return scene_.parameter(name, unit, Expression::quantity(value, Unit::parse(unit)));
   }
 
+  /// Its components as numbers, or as parameters of their own.
+  Triple gravity() {
+    Triple components = quantities(options_.gravity, units::metre_per_second_squared);
+    if (!options_.run_time_gravity) return components;
+    for (std::size_t i = 0; i < 3; ++i) {
+      const std::string name = take(symbols_, fmt::format("gravity_{}", axis_names.at(i)), "parameter");
+      components[i] = scene_.run_time_parameter(
+          name, "m/s^2", Expression::quantity(options_.gravity[i], units::metre_per_second_squared));
+    }
+    return components;
+  }
+
   void add_body(const UrdfLink& link) {
     if (!link.inertial || link.inertial->is_zero()) return;
     const UrdfInertial& inertial = *link.inertial;
@@ -294,6 +344,15 @@ class SceneBuilder {
       const std::string parameter_name = name + "_damping";
       scene_.damper(name + "_damper", displacement(joint),
                     parameter(parameter_name, joint.turns() ? "N m s" : "N s/m", *joint.damping));
+    }
+    const std::optional<Number> armature = given(options_.armature, joint.name);
+    if (armature && !armature->is_zero()) {
+      add_rotor(scene_, frame_names_.take(name + "_rotor", "joint"), displacement(joint), joint.turns(),
+                parameter(name + "_armature", joint.turns() ? "kg m^2" : "kg", *armature));
+    }
+    if (const std::optional<Number> bound = friction_of(joint)) {
+      scene_.dry_friction(name + "_dry_friction", displacement(joint),
+                          {parameter(name + "_friction", joint.turns() ? "N m" : "N", *bound)});
     }
   }
 

@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "generator/import/rotor.hpp"
+
+namespace torsor {
+
+void add_rotor(Scene& scene, const std::string& frame, const Expression& displacement, bool turns, const Expression& armature) {
+  const Expression angle = turns ? displacement : displacement / Expression::quantity(Number(1), units::metre);
+  const Expression moment = turns ? armature : armature * Expression::quantity(Number(1), units::metre * units::metre);
+  const FrameHandle rotor = scene.revolute(frame, scene.ground(), axis::z, angle);
+  scene.body(frame, rotor, Inertia::general(0, 0, 0, moment));
+}
+
+}  // namespace torsor
