@@ -2,6 +2,7 @@
 #include "generator/emission/fmi_description.hpp"
 
 #include <algorithm>
+#include <vector>
 
 #include <fmt/format.h>
 
@@ -96,8 +97,12 @@ std::string structure_of_3(const UnknownPlaces& structure) {
 
 std::string fmi_token(const MechanismListing& mechanism, FmiVersion version) {
   Fnv interface;
-  for (const char* file : {"fmi/model.h.in", "fmi/motion.h.in"}) interface.add(embedded_template(file));
-  interface.add(embedded_template(version == FmiVersion::two ? "fmi/fmi2.c.in" : "fmi/fmi3.c.in"));
+  using Files = std::vector<const char*>;
+  for (const char* file : version == FmiVersion::two
+                              ? Files{"fmi/model.h.in", "fmi/motion.h.in", "fmi/fmi2.c.in"}
+                              : Files{"fmi/model.h.in", "fmi/motion.h.in", "fmi/fmi3.c.in", "fmi/fmi3_types.h.in", "fmi/fmi3_absent.h.in"}) {
+    interface.add(embedded_template(file));
+  }
   return fmt::format("{{{:016x}-{:016x}}}", header_fingerprint(mechanism), interface.value());
 }
 

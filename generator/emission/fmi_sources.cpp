@@ -47,14 +47,21 @@ std::vector<SourceFile> fmi_sources(const MechanismListing& mechanism, FmiVersio
     texts.insert({{"name", name}, {"version", TORSOR_VERSION}});
     return fill_template(file, embedded_template(file), texts);
   };
-  return {{source_name(mechanism, version), filled(version == FmiVersion::two ? "fmi/fmi2.c.in" : "fmi/fmi3.c.in",
-                                                   {{"token", fmi_token(mechanism, version)}})},
-          {"fmi_model.h", filled("fmi/model.h.in", {{"has_rates", flag(has_rates)},
-                                                    {"has_inputs", flag(!mechanism.layout.inputs.empty())},
-                                                    {"has_multipliers", has_multipliers}})},
-          {"fmi_motion.h", filled("fmi/motion.h.in", {{"has_multipliers", has_multipliers},
-                                                      {"holonomic", holonomic_rows(mechanism)}})},
-          {name + ".h", emit_c(mechanism).header}};
+  const bool two = version == FmiVersion::two;
+  std::vector<SourceFile> sources = {
+      {source_name(mechanism, version),
+       filled(two ? "fmi/fmi2.c.in" : "fmi/fmi3.c.in", {{"token", fmi_token(mechanism, version)}})},
+      {"fmi_model.h", filled("fmi/model.h.in", {{"has_rates", flag(has_rates)},
+                                                {"has_inputs", flag(!mechanism.layout.inputs.empty())},
+                                                {"has_multipliers", has_multipliers}})},
+      {"fmi_motion.h",
+       filled("fmi/motion.h.in", {{"has_multipliers", has_multipliers}, {"holonomic", holonomic_rows(mechanism)}})},
+      {name + ".h", emit_c(mechanism).header}};
+  for (const char* file : {"fmi3_types.h", "fmi3_absent.h"}) {
+    const std::string of = fmt::format("fmi/{}.in", file);
+    if (!two) sources.push_back({file, fill_template(of, embedded_template(of), {{"version", TORSOR_VERSION}})});
+  }
+  return sources;
 }
 
 std::string fmi_build_description(const MechanismListing& mechanism) {
