@@ -34,6 +34,21 @@ class GrainContacts {
   using Contact = GrainContact<dim>;
   static constexpr std::size_t colours = 64;
 
+  /// As many contacts as discs or spheres of similar size have when they lie close.
+  [[nodiscard]] static constexpr std::size_t usual(std::size_t count) noexcept {
+    return (dim == 2 ? 4 : 8) * count + 64;
+  }
+
+  void reserve(std::size_t count) {
+    contacts_.reserve(usual(count));
+    before_.reserve(usual(count));
+    order_.reserve(usual(count));
+    colour_.reserve(usual(count));
+    used_.reserve(count);
+    first_.reserve(count + 1);
+    first_before_.reserve(count + 1);
+  }
+
   /// Contacts with gaps up to `reach` at the places `x`.
   void find(const Grains<dim>& grains, const std::vector<Vector>& x, double reach) {
     std::swap(contacts_, before_);
@@ -70,7 +85,36 @@ class GrainContacts {
     }
     first_.push_back(static_cast<std::uint32_t>(contacts_.size()));
     keep_impulses();
-    colour(count);
+  }
+
+  /// Gives colours to the contacts in which a grain is awake.
+  template <class Asleep>
+  void colour(std::uint32_t count, const Asleep& asleep) {
+    used_.assign(count, 0);
+    colour_.resize(contacts_.size());
+    first_of_.fill(0);
+    std::size_t awake = 0;
+    for (std::size_t k = 0; k < contacts_.size(); ++k) {
+      const Contact& c = contacts_[k];
+      const bool pair = c.b < count;
+      if (asleep(c.a) && (!pair || asleep(c.b))) {
+        colour_[k] = none;
+        continue;
+      }
+      const std::uint64_t used = used_[c.a] | (pair ? used_[c.b] : 0);
+      const auto free = std::min<std::size_t>(static_cast<std::size_t>(std::countr_one(used)), colours - 1);
+      colour_[k] = static_cast<std::uint8_t>(free);
+      used_[c.a] |= std::uint64_t{1} << free;
+      if (pair) used_[c.b] |= std::uint64_t{1} << free;
+      ++first_of_[free + 1];
+      ++awake;
+    }
+    for (std::size_t k = 0; k < colours; ++k) first_of_[k + 1] += first_of_[k];
+    order_.resize(awake);
+    auto next = first_of_;
+    for (std::size_t k = 0; k < contacts_.size(); ++k) {
+      if (colour_[k] != none) order_[next[colour_[k]]++] = static_cast<std::uint32_t>(k);
+    }
   }
 
   [[nodiscard]] std::vector<Contact>& all() noexcept { return contacts_; }
@@ -109,25 +153,7 @@ class GrainContacts {
     }
   }
 
-  void colour(std::uint32_t count) {
-    used_.assign(count, 0);
-    colour_.resize(contacts_.size());
-    order_.resize(contacts_.size());
-    first_of_.fill(0);
-    for (std::size_t k = 0; k < contacts_.size(); ++k) {
-      const Contact& c = contacts_[k];
-      const bool pair = c.b < count;
-      const std::uint64_t used = used_[c.a] | (pair ? used_[c.b] : 0);
-      const auto free = std::min<std::size_t>(static_cast<std::size_t>(std::countr_one(used)), colours - 1);
-      colour_[k] = static_cast<std::uint8_t>(free);
-      used_[c.a] |= std::uint64_t{1} << free;
-      if (pair) used_[c.b] |= std::uint64_t{1} << free;
-      ++first_of_[free + 1];
-    }
-    for (std::size_t k = 0; k < colours; ++k) first_of_[k + 1] += first_of_[k];
-    auto next = first_of_;
-    for (std::size_t k = 0; k < contacts_.size(); ++k) order_[next[colour_[k]]++] = static_cast<std::uint32_t>(k);
-  }
+  static constexpr std::uint8_t none = 255;
 
   NeighbourGrid<dim> grid_;
   std::vector<Contact> contacts_, before_;

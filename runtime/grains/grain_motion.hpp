@@ -7,7 +7,8 @@
 #include <vector>
 
 #include "runtime/batch/thread_team.hpp"
-#include "runtime/grains/grain_contacts.hpp"
+#include "runtime/grains/grain_islands.hpp"
+#include "runtime/grains/grain_solver.hpp"
 
 namespace torsor::runtime {
 
@@ -16,6 +17,7 @@ struct GrainOptions {
   int sweeps = 2000;        ///< at most, in a step
   int projections = 20;     ///< sweeps that put overlaps back, at most
   unsigned threads = 1;
+  double rest = 1e-3;  ///< islands no faster than this part of h |gravity| fall asleep; 0: none does
 };
 
 /// What a step found.
@@ -25,16 +27,18 @@ struct GrainStep {
   double residual = 0;
   double deepest = 0;  ///< overlap at the middle of the step [m]
   std::size_t contacts = 0;
+  std::size_t asleep = 0;  ///< grains
+  bool ambiguous = false;  ///< the grains rest from now on, but another solution of the laws moves them
 };
 
 /// Moves grains by the scheme of Moreau and Jean with θ = 1/2:
 ///   x_m = x + h v/2;  v+ = v + h g + M^-1 J^T P;  0 <= w_N+ + e w_N-, P_N >= 0, |P_T| <= f P_N;  x+ = x_m + h v+/2,
 /// contacts being those whose gap at x_m is closed; where e = 0 also those that would close by x+, 0 <= w_N+ + 2 g/h.
-/// P by sweeps of Gauss and Seidel in which each contact is solved
-/// exactly, with Coulomb's disc, from the impulses of the last step; sweeps are combined as conjugate gradients are
-/// (Silcowitz-Hansen, Niebe & Erleben 2010). W is never assembled: its blocks are read from the graph of contacts.
-/// Overlaps are put back by displacements that do not become velocities. The bits do not depend on the number of
-/// threads. Nothing is allocated once the vectors have their size. Source: Acary & Brogliato 2008, chapter 10.
+/// P by sweeps (`GrainSolver`) from the impulses of the last step. Grains that stand keep standing where impulses exist
+/// that hold them, and islands that have not moved for a while sleep (`GrainIslands`). Overlaps are put back by
+/// displacements that do not become velocities. The bits do not depend on the number of threads. Nothing is allocated
+/// after the first step while contacts are few enough (`GrainContacts::usual`). Source: Acary & Brogliato 2008,
+/// chapter 10.
 template <int dim>
 class GrainMotion {
  public:
@@ -47,6 +51,7 @@ class GrainMotion {
 
   GrainStep step(double h) {
     const std::size_t count = grains_.count();
+    look_for_changes();
     double least = INFINITY;
     for (const double R : grains_.radius) least = std::min(least, R);
     for (std::size_t i = 0; i < count; ++i) {
@@ -58,9 +63,12 @@ class GrainMotion {
     for (const Vector& v : grains_.v) fastest = std::max(fastest, v.squaredNorm());
     contacts_.find(grains_, grains_.x, 1e-9 * least + std::min(least, h * std::sqrt(fastest)));
     auto& all = contacts_.all();
+    islands_.wake(grains_, all);
+    contacts_.colour(static_cast<std::uint32_t>(count), [this](std::uint32_t i) { return islands_.asleep(i); });
     GrainStep result;
     result.contacts = all.size();
-    for (Contact& c : all) {
+    for (const std::uint32_t k : contacts_.order()) {
+      Contact& c = all[k];
       result.deepest = std::max(result.deepest, -c.gap);
       // The velocity of separation asked for: e times that of approach; without restitution one that closes what is
       // left of the gap is let pass.
@@ -69,19 +77,26 @@ class GrainMotion {
       } else {
         c.bounce = c.bounce > 0 ? -never : -2 * c.gap / h;
       }
-      const double normal = std::max(0.0, c.P.dot(c.n));
-      const Vector tangent = c.P - c.P.dot(c.n) * c.n;
-      const double length = tangent.norm(), bound = c.friction * normal;
-      c.P = normal * c.n + (length > bound ? bound / length : 1.0) * tangent;
     }
-    for (std::size_t i = 0; i < count; ++i) grains_.v[i] += h * grains_.gravity;
-    for (const Contact& c : all) apply(c, c.P);
-    solve(result);
+    const bool at_rest = options_.rest > 0 && stands(all);
+    for (std::size_t i = 0; i < count; ++i) {
+      if (!islands_.asleep(i)) grains_.v[i] += h * grains_.gravity;
+    }
+    const bool stays = at_rest && rests(h, result);
+    if (!stays) {
+      const auto solved = solver_.solve(grains_, contacts_, options_.tolerance, options_.sweeps, team_);
+      result.converged = solved.converged;
+      result.sweeps += solved.sweeps;
+      result.residual = solved.residual;
+    }
+    rested_ = stays;
     project(count, result);
     for (std::size_t i = 0; i < count; ++i) {
       grains_.x[i] += h / 2 * grains_.v[i];
       grains_.turned[i] += h / 2 * grains_.w[i];
     }
+    if (options_.rest > 0) islands_.settle(grains_, all, options_.rest * h * grains_.gravity.norm());
+    result.asleep = islands_.sleepers();
     return result;
   }
 
@@ -89,6 +104,53 @@ class GrainMotion {
 
  private:
   static constexpr double never = 1e300;  // a velocity of approach
+
+  // Whether no grain moves, and no wall that one touches.
+  [[nodiscard]] bool stands(const std::vector<Contact>& contacts) const noexcept {
+    for (std::size_t i = 0; i < grains_.count(); ++i) {
+      if (!grains_.v[i].isZero(0) || !grains_.w[i].isZero(0)) return false;
+    }
+    for (const Contact& c : contacts) {
+      if (c.b >= grains_.count() && !c.surface.isZero(0)) return false;
+    }
+    return !contacts.empty();
+  }
+
+  // Rest persists where it can: grains that stand stay where impulses exist that hold them all. Whether they could move
+  // as well is asked when they begin to rest.
+  [[nodiscard]] bool rests(double h, GrainStep& result) {
+    const double slow = std::min(options_.rest, 1e3 * options_.tolerance) * h * grains_.gravity.norm();
+    const std::size_t count = grains_.count();
+    if (!rested_)
+      result.ambiguous = solver_.moves(grains_, contacts_, options_.tolerance, options_.sweeps, slow, team_);
+    const auto found = solver_.rest(grains_, contacts_, options_.tolerance, options_.sweeps, slow, team_);
+    result.sweeps = found.sweeps;
+    result.ambiguous = result.ambiguous && found.converged;
+    if (!found.converged) return false;
+    result.converged = true;
+    result.residual = found.residual;
+    for (std::size_t i = 0; i < count; ++i) {
+      grains_.v[i].setZero();
+      grains_.w[i].setZero();
+    }
+    return true;
+  }
+
+  // What sleeps under other conditions wakes.
+  void look_for_changes() {
+    const bool same = known_.size() == grains_.walls.size() && gravity_ == grains_.gravity &&
+                      friction_ == grains_.friction && known_count_ == grains_.count() &&
+                      std::equal(known_.begin(), known_.end(), grains_.walls.begin());
+    if (same) return;
+    known_ = grains_.walls;
+    gravity_ = grains_.gravity;
+    friction_ = grains_.friction;
+    known_count_ = grains_.count();
+    contacts_.reserve(known_count_);
+    solver_.reserve(known_count_);
+    shift_.reserve(known_count_);
+    islands_.wake_all(known_count_);
+  }
 
   // w_a - w_b of the points that touch, the wall's surface included.
   [[nodiscard]] Vector relative_velocity(const Contact& c) const noexcept {
@@ -101,26 +163,6 @@ class GrainMotion {
       u -= c.surface;
     }
     return u - turn(spin, c.n);
-  }
-
-  void apply(const Contact& c, const Vector& P) noexcept {
-    const Spin twist = moment(c.n, P);
-    grains_.v[c.a] += grains_.inverse_mass[c.a] * P;
-    grains_.w[c.a] -= grains_.radius[c.a] * grains_.inverse_inertia[c.a] * twist;
-    if (c.b < grains_.count()) {
-      grains_.v[c.b] -= grains_.inverse_mass[c.b] * P;
-      grains_.w[c.b] -= grains_.radius[c.b] * grains_.inverse_inertia[c.b] * twist;
-    }
-  }
-
-  // The impulse that fulfils the laws of one contact with the others held: W is diagonal, so that it is in closed form.
-  [[nodiscard]] Vector solved(const Contact& c, const Vector& u) const noexcept {
-    const double uN = u.dot(c.n), PN = c.P.dot(c.n);
-    const double normal = std::max(0.0, PN - (uN - c.bounce) / c.normal_weight);
-    Vector tangent = (c.P - PN * c.n) - (u - uN * c.n) / c.tangent_weight;
-    const double bound = c.friction * normal, length = tangent.norm();
-    if (length > bound) tangent *= bound / length;
-    return normal * c.n + tangent;
   }
 
   template <class Work>
@@ -140,103 +182,12 @@ class GrainMotion {
     }
   }
 
-  // Sum over pieces of a fixed length, whatever the number of threads.
-  template <class Term>
-  [[nodiscard]] double sum_of(std::size_t count, const Term& term) {
-    constexpr std::size_t piece = 256;
-    parts_.resize((count + piece - 1) / piece);
-    team_.run(count, [&](std::size_t first, std::size_t end) {
-      // Ranges are rounded to pieces, each of which has one thread.
-      for (std::size_t p = (first + piece - 1) / piece; p * piece < end; ++p) {
-        double sum = 0;
-        for (std::size_t i = p * piece; i < std::min(count, (p + 1) * piece); ++i) sum += term(i);
-        parts_[p] = sum;
-      }
-    });
-    double sum = 0;
-    for (const double part : parts_) sum += part;
-    return sum;
-  }
-
-  void solve(GrainStep& result) {
-    auto& all = contacts_.all();
-    const std::size_t count = grains_.count();
-    before_.resize(all.size());
-    along_.assign(all.size(), Vector::Zero());
-    v_along_.assign(count, Vector::Zero());
-    w_along_.assign(count, Spin::Zero());
-    v_before_.resize(count);
-    w_before_.resize(count);
-    double last = 0;
-    for (result.sweeps = 0; result.sweeps < options_.sweeps;) {
-      if (result.sweeps % 8 == 0) {
-        result.residual = residual();
-        result.converged = result.residual <= options_.tolerance;
-        if (result.converged) return;
-      }
-      for (std::size_t i = 0; i < all.size(); ++i) before_[i] = all[i].P;
-      v_before_ = grains_.v;
-      w_before_ = grains_.w;
-      in_colours([&](Contact& c) {
-        const Vector P = solved(c, relative_velocity(c));
-        apply(c, P - c.P);
-        c.P = P;
-      });
-      ++result.sweeps;
-      const double size = sum_of(all.size(), [&](std::size_t i) { return (all[i].P - before_[i]).squaredNorm(); });
-      const double beta = last > 0 ? size / last : 0;
-      last = size;
-      // Not before a residual is looked at: an impulse then fulfils its bounds.
-      const bool restarts = beta > 1 || result.sweeps % 8 == 0;
-      team_.run(all.size(), [&](std::size_t first, std::size_t end) {
-        for (std::size_t i = first; i < end; ++i) {
-          const Vector change = all[i].P - before_[i];
-          if (restarts) {
-            along_[i].setZero();
-          } else {
-            all[i].P += beta * along_[i];
-            along_[i] = beta * along_[i] + change;
-          }
-        }
-      });
-      team_.run(count, [&](std::size_t first, std::size_t end) {
-        for (std::size_t i = first; i < end; ++i) {
-          const Vector change = grains_.v[i] - v_before_[i];
-          const Spin turning = grains_.w[i] - w_before_[i];
-          if (restarts) {
-            v_along_[i].setZero();
-            w_along_[i].setZero();
-          } else {
-            grains_.v[i] += beta * v_along_[i];
-            grains_.w[i] += beta * w_along_[i];
-            v_along_[i] = beta * v_along_[i] + change;
-            w_along_[i] = beta * w_along_[i] + turning;
-          }
-        }
-      });
-      if (beta > 1) last = 0;
-    }
-    result.residual = residual();
-    result.converged = result.residual <= options_.tolerance;
-  }
-
-  // The largest defect of the laws over the largest impulse.
-  [[nodiscard]] double residual() noexcept {
-    double defect = 0, size = 0;
-    for (const Contact& c : contacts_.all()) {
-      const double off = (solved(c, relative_velocity(c)) - c.P).squaredNorm();
-      if (!(off <= defect)) defect = off;  // what is no number too
-      size = std::max(size, c.P.squaredNorm());
-    }
-    if (!std::isfinite(defect)) return defect;
-    return size > 0 ? std::sqrt(defect / size) : defect > 0 ? 1.0 : 0.0;
-  }
-
   // Displacements M^-1 J_N^T s, s >= 0, after which no gap is negative, by sweeps.
   void project(std::size_t count, const GrainStep& result) {
     if (!(result.deepest > 0)) return;
     shift_.assign(count, Vector::Zero());
-    for (Contact& c : contacts_.all()) {
+    for (const std::uint32_t k : contacts_.order()) {
+      Contact& c = contacts_.all()[k];
       if (c.gap < 0) {
         shift(c, c.push);
       } else {
@@ -263,9 +214,14 @@ class GrainMotion {
   const GrainOptions options_;
   ThreadTeam team_;
   GrainContacts<dim> contacts_;
-  std::vector<Vector> before_, along_, v_along_, v_before_, shift_;
-  std::vector<Spin> w_along_, w_before_;
-  std::vector<double> parts_;
+  GrainSolver<dim> solver_;
+  GrainIslands<dim> islands_;
+  std::vector<GrainWall<dim>> known_;
+  Vector gravity_ = Vector::Zero();
+  double friction_ = 0;
+  std::size_t known_count_ = 0;
+  bool rested_ = false;
+  std::vector<Vector> shift_;
 };
 
 }  // namespace torsor::runtime

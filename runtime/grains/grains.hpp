@@ -21,6 +21,8 @@ struct GrainWall {
   double radius = 0, spin = 0;            ///< of the drum [m], [rad/s]: positive from x to the last axis
   Vector velocity = Vector::Zero();       ///< of the surface [m/s]: a belt
   double friction = 0.5, restitution = 0;
+
+  [[nodiscard]] bool operator==(const GrainWall&) const = default;
 };
 
 /// Discs (dim = 2) or spheres (dim = 3), walls, and what their contacts obey. Lengths in m, masses in kg; in the plane
