@@ -6,13 +6,14 @@
 
 #include <fmt/format.h>
 
+#include "generator/base/linear_algebra/lu_factorisation.hpp"
+#include "generator/base/linear_algebra/symmetric_pivots.hpp"
 #include "generator/dynamics/theorems/painleve.hpp"
 #include "generator/program/derivative.hpp"
 #include "generator/verification/check_constraints.hpp"
 #include "generator/verification/check_contacts.hpp"
 #include "generator/verification/check_jets.hpp"
 #include "generator/verification/check_kernels.hpp"
-#include "generator/verification/dense_linear.hpp"
 #include "generator/verification/lagrange_derivation.hpp"
 #include "generator/verification/random_state.hpp"
 #include "generator/verification/worst.hpp"
@@ -61,22 +62,6 @@ std::vector<std::vector<Real>> without(std::vector<std::vector<Real>> m, const s
     for (std::vector<Real>& row : m) row.erase(row.begin() + *index);
   }
   return m;
-}
-
-/// Smallest pivot of a symmetric matrix relative to its diagonal entry; positive when it is positive definite.
-double smallest_relative_pivot(std::vector<std::vector<Real>> m) {
-  double smallest = 1;
-  const std::size_t n = m.size();
-  for (std::size_t k = 0; k < n; ++k) {
-    const double relative = (m[k][k]).to_double();
-    if (!(relative > 0)) return relative;
-    for (std::size_t i = k + 1; i < n; ++i) {
-      const Real factor = m[i][k] / m[k][k];
-      for (std::size_t j = k; j < n; ++j) m[i][j] -= factor * m[k][j];
-    }
-    smallest = std::min(smallest, relative);
-  }
-  return smallest;
 }
 
 class SceneCheck {
@@ -147,7 +132,7 @@ class SceneCheck {
           symmetry_.compare(m[i][j], m[j][i], scale);
         }
       }
-      if (!(smallest_relative_pivot(without(m, massless)) > 0)) ++not_positive_;
+      if (!SymmetricPivots(without(m, massless), Real(0)).all_positive()) ++not_positive_;
 
       // 3. Forward dynamics put back into the equations: M a + h − E u − Aᵀλ = 0 and A a + γ = 0. Where M is singular any
       // accelerations and multipliers are those of a motion, under the forces of inverse dynamics in place of E u.

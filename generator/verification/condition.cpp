@@ -2,9 +2,8 @@
 #include "generator/verification/condition.hpp"
 
 #include <algorithm>
-#include <cmath>
 
-#include "generator/verification/dense_linear.hpp"
+#include "generator/base/linear_algebra/lu_factorisation.hpp"
 
 namespace torsor {
 namespace {
@@ -20,32 +19,17 @@ struct Square {
 };
 
 Square inverse(const Square& matrix) {
-  const std::size_t n = matrix.size;
-  const LuFactorisation lu(matrix.entries, static_cast<int>(n));
-  Square result(n);
-  for (std::size_t j = 0; j < n; ++j) {
-    std::vector<Real> unit(n, Real(0));
-    unit[j] = Real(1);
-    const std::vector<Real> column = lu.solve(unit);
-    for (std::size_t i = 0; i < n; ++i) result(i, j) = column[i];
-  }
+  Square result(matrix.size);
+  result.entries = LuFactorisation(matrix.entries, static_cast<int>(matrix.size)).inverse();
   return result;
 }
 
 /// Of the columns from the first one given.
-double last_norm(const Square& matrix, std::size_t first) {
-  double largest = 0;
-  for (std::size_t j = first; j < matrix.size; ++j) {
-    double column = 0;
-    for (std::size_t i = 0; i < matrix.size; ++i) column += std::abs(matrix(i, j).to_double());
-    largest = std::max(largest, column);
-  }
-  return largest;
+double norm(const Square& matrix, std::size_t first = 0) { return norm_of_columns(matrix.entries, matrix.size, first); }
+
+double condition_number(const Square& matrix) {
+  return torsor::condition_number(matrix.entries, static_cast<int>(matrix.size));
 }
-
-double norm(const Square& matrix) { return last_norm(matrix, 0); }
-
-double condition_number(const Square& matrix) { return norm(matrix) * norm(inverse(matrix)); }
 
 /// M and the constraints kept, at one state and in the metric of the diagonal of M.
 class Scaled {
@@ -148,7 +132,7 @@ double reduction_condition(const Equations& equations, const IndependentFreedoms
   }
   const double of_velocities = std::max(norm(of_rows) * norm(right), norm(of_columns) * norm(left));
   // Nᵀ M N may be small beside the products it is the sum of: |N|² |M| in the place of its own norm.
-  const double of_state = last_norm(left, m) * scaled.mass_norm() * last_norm(right, m) * norm(inverse(reduced));
+  const double of_state = norm(left, m) * scaled.mass_norm() * norm(right, m) * norm(inverse(reduced));
   return condition_number(of_coordinates) * of_velocities * of_state;
 }
 

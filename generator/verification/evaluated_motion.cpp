@@ -12,6 +12,7 @@
 
 #include "generator/base/did_you_mean.hpp"
 #include "generator/base/error.hpp"
+#include "generator/base/linear_algebra/cholesky.hpp"
 #include "generator/dynamics/equations/massless.hpp"
 
 namespace torsor {
@@ -37,24 +38,11 @@ void require_known(const NamedNumbers& given, const std::vector<std::string>& kn
   }
 }
 
-/// Lower Cholesky factor of a symmetric matrix, that of 1 where it is not positive.
-std::vector<std::vector<double>> metric_factor(std::vector<std::vector<double>> m) {
+/// Of a symmetric matrix, that of 1 where it is not positive.
+Cholesky<double> metric_factor(Rows<double> m) {
   const std::size_t n = m.size();
-  bool positive = true;
-  const auto original = m;
-  for (std::size_t j = 0; j < n && positive; ++j) {
-    for (std::size_t k = 0; k < j; ++k) {
-      for (std::size_t i = j; i < n; ++i) m[i][j] -= m[i][k] * m[j][k];
-    }
-    positive = m[j][j] > 1e-14 * std::abs(original[j][j]);
-    if (!positive) break;
-    const double root = std::sqrt(m[j][j]);
-    for (std::size_t i = j; i < n; ++i) m[i][j] /= root;
-  }
-  for (std::size_t i = 0; i < n && !positive; ++i) {
-    for (std::size_t j = 0; j < n; ++j) m[i][j] = i == j ? 1.0 : 0.0;
-  }
-  return m;
+  const Cholesky<double> factor(std::move(m), 1e-14);
+  return factor.positive() ? factor : Cholesky<double>(beside_identity(Rows<double>(n), 0));
 }
 
 double euclidean(const std::vector<double>& a, const std::vector<double>& b) {
@@ -185,23 +173,16 @@ void EvaluatedMotion::displace(double t, std::vector<double>& y, const std::vect
 std::vector<double> EvaluatedMotion::least_change(const std::vector<std::size_t>& rows,
                                                   const std::vector<double>& right) {
   const std::size_t n = velocity_count();
-  std::vector<std::vector<double>> mass(n, std::vector<double>(n));
-  for (std::size_t i = 0; i < n; ++i) {
-    for (std::size_t j = 0; j < n; ++j) mass[i][j] = here_(equations_.mass()[i][j]);
-  }
-  const auto factor = metric_factor(std::move(mass));
+  Rows<double> mass;
+  for (const std::vector<Value>& row : equations_.mass()) mass.push_back(here_(row));
+  const Cholesky<double> factor = metric_factor(std::move(mass));
   struct Row {
     std::vector<double> direction;  // of A L⁻ᵀ
     double right, size;
   };
   std::vector<Row> left;
   for (std::size_t k = 0; k < rows.size(); ++k) {
-    std::vector<double> b(n);
-    for (std::size_t j = 0; j < n; ++j) {
-      b[j] = here_(rows_[rows[k]].jacobian[j]);
-      for (std::size_t i = 0; i < j; ++i) b[j] -= factor[j][i] * b[i];
-      b[j] /= factor[j][j];
-    }
+    std::vector<double> b = factor.forward(here_(rows_[rows[k]].jacobian));
     const double size = std::sqrt(euclidean(b, b));
     if (size > 0) left.push_back({std::move(b), right[k], size});
   }
@@ -230,11 +211,7 @@ std::vector<double> EvaluatedMotion::least_change(const std::vector<std::size_t>
     }
     basis.push_back(std::move(row.direction));
   }
-  for (std::size_t j = n; j-- > 0;) {
-    for (std::size_t k = j + 1; k < n; ++k) change[j] -= factor[k][j] * change[k];
-    change[j] /= factor[j][j];
-  }
-  return change;
+  return factor.backward(std::move(change));
 }
 
 double EvaluatedMotion::open(const std::vector<std::size_t>& rows, bool rates) {

@@ -7,12 +7,12 @@
 
 #include "generator/base/decimal.hpp"
 #include "generator/base/error.hpp"
+#include "generator/base/linear_algebra/lu_factorisation.hpp"
 #include "generator/dynamics/equations/contact_checks.hpp"
 #include "generator/dynamics/equations/massless.hpp"
 #include "generator/dynamics/equations/validation.hpp"
 #include "generator/mechanics/parameter_value.hpp"
 #include "generator/program/evaluation.hpp"
-#include "generator/verification/dense_linear.hpp"
 #include "generator/verification/extrapolation.hpp"
 #include "generator/verification/lagrange_derivation.hpp"
 

@@ -4,9 +4,10 @@
 #include <cstddef>
 #include <vector>
 
+#include "generator/base/linear_algebra/lu_factorisation.hpp"
 #include "generator/dynamics/equations/equations.hpp"
+#include "generator/dynamics/equations/independent_freedoms.hpp"
 #include "generator/program/evaluation.hpp"
-#include "generator/verification/dense_linear.hpp"
 
 namespace torsor::testing_mechanisms {
 
@@ -110,6 +111,19 @@ class ConstrainedMotion {
     for (const std::size_t j : rows) right_side.push_back(-here(equations_.constraints()[j].rate));
     const std::vector<Real> v = solve_dense(matrix, right_side);
     for (std::size_t k = 0; k < v.size(); ++k) state.v[dependent_v[k]] = v[k];
+  }
+
+  /// For the freedoms that depend on others.
+  void satisfy(State& state, const IndependentFreedoms& freedoms) const {
+    std::vector<std::size_t> rows, dependent;
+    for (const IndependentFreedoms::Pivot& pivot : freedoms.pivots) {
+      rows.push_back(pivot.row);
+      dependent.push_back(pivot.column);
+    }
+    const auto first = [&](const std::vector<std::size_t>& all) {
+      return std::vector<std::size_t>(all.begin(), all.begin() + static_cast<std::ptrdiff_t>(freedoms.holonomic));
+    };
+    satisfy(state, first(rows), first(dependent), rows, dependent);
   }
 
   /// Rate of the deviation from `from` along each freedom, at a neighbouring state: q̇ of a coordinate; of an attitude

@@ -45,20 +45,12 @@ bool expect_the_flow(const Scene& scene, State state) {
   } else {
     freedoms = independent_freedoms(equations);
   }
-  std::vector<std::size_t> rows, holonomic, dependent_q, dependent_v;
-  for (std::size_t k = 0; k < freedoms.pivots.size(); ++k) {
-    rows.push_back(freedoms.pivots[k].row);
-    dependent_v.push_back(freedoms.pivots[k].freedom);
-    if (k >= freedoms.holonomic) continue;
-    holonomic.push_back(freedoms.pivots[k].row);
-    dependent_q.push_back(freedoms.pivots[k].freedom);
-  }
   state.q.resize(motion.positions().size(), Real(0));
   state.v.resize(n, Real(0));
   state.u.resize(equations.model().inputs().size(), Real(0));
-  motion.satisfy(state, holonomic, dependent_q, rows, dependent_v);
+  motion.satisfy(state, freedoms);
   Evaluator<Real> here = motion.at(state);
-  for (const std::size_t j : rows) {
+  for (const auto& [j, freedom] : freedoms.pivots) {
     for (const Value& residual : {equations.constraints()[j].value, equations.constraints()[j].rate}) {
       if (!(abs(here(residual)) < power_of_ten(-50))) return false;
     }
@@ -82,7 +74,7 @@ bool expect_the_flow(const Scene& scene, State state) {
     for (const Real& step : {h, -h}) {
       State moved = state;
       move(moved, step);
-      motion.satisfy(moved, holonomic, dependent_q, rows, dependent_v);
+      motion.satisfy(moved, freedoms);
       sides.push_back(flow(moved));
     }
     for (std::size_t i = 0; i < k + p; ++i) {
@@ -103,7 +95,7 @@ bool expect_the_flow(const Scene& scene, State state) {
     compare("B", j, [&](State& s, const Real& step) { s.u[j] += step; });
   }
   for (std::size_t i = 0; i < p; ++i) {
-    EXPECT_LT(relative_difference(linear(entry(kernel, rows.empty() ? "F" : "F_r", p, i, 0)), Real(0)), 1e-40)
+    EXPECT_LT(relative_difference(linear(entry(kernel, freedoms.pivots.empty() ? "F" : "F_r", p, i, 0)), Real(0)), 1e-40)
         << "F of the motion itself";
   }
   return true;

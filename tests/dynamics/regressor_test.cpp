@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "benchmarks/model_counts/models.hpp"
-#include "generator/base/real_elimination.hpp"
+#include "generator/base/linear_algebra/real_rows.hpp"
 #include "generator/dynamics/recursions/base_parameters.hpp"
 #include "generator/import/exact_direction.hpp"
 #include "generator/kernels/kernel.hpp"

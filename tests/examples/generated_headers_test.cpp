@@ -20,6 +20,7 @@
 #include "generated/rolling_hoop_contact_forces.hpp"
 #include "generated/satellite_arms.hpp"
 #include "generated/vibration_absorber.hpp"
+#include "generator/base/linear_algebra/lu_factorisation.hpp"
 #include "generator/base/number.hpp"
 #include "tests/examples/kernel_comparison.hpp"
 
@@ -58,7 +59,7 @@ void expect_close_to_real() {
       const std::string name = Mechanism<Scalar>::name;
       std::string where;
       EXPECT_LE(worst_difference(found.direct, truth.direct, where), 1e-13 * rounding) << name << ", " << where;
-      const double cond = examples::condition(truth.mass, Mechanism<Scalar>::velocity_count);
+      const double cond = condition_number(truth.mass, Mechanism<Scalar>::velocity_count);
       EXPECT_LE(worst_difference(found.solved, truth.solved, where), 1e-14 * rounding * cond)
           << name << ", " << where << ", condition " << cond;
     }
@@ -81,7 +82,7 @@ TEST(GeneratedHeaders, FollowThePrecisionOfReal) {
       const auto coarse = at(50, seed), fine = at(70, seed);
       std::string where;
       EXPECT_LE(worst_difference(coarse.direct, fine.direct, where), 1e-48) << Mechanism<Real>::name << ", " << where;
-      const double cond = examples::condition(fine.mass, Mechanism<Real>::velocity_count);
+      const double cond = condition_number(fine.mass, Mechanism<Real>::velocity_count);
       EXPECT_LE(worst_difference(coarse.solved, fine.solved, where), 1e-48 * cond)
           << Mechanism<Real>::name << ", " << where;
     }

@@ -16,7 +16,6 @@
 #include <vector>
 
 #include "generator/base/high_precision.hpp"
-#include "generator/verification/dense_linear.hpp"
 #include "generator/verification/real_scalar_traits.hpp"
 #include "generator/verification/worst.hpp"
 
@@ -239,25 +238,6 @@ inline double worst_difference(const Results& results, const Results& truth, std
     }
   }
   return worst;
-}
-
-/// Condition number of a square matrix in the 1-norm, its inverse column by column.
-inline double condition(const std::vector<Real>& matrix, int size) {
-  const torsor::LuFactorisation factorisation(matrix, size);
-  double norm = 0.0, norm_of_inverse = 0.0;
-  for (int j = 0; j < size; ++j) {
-    std::vector<Real> unit(static_cast<std::size_t>(size), Real(0));
-    unit[static_cast<std::size_t>(j)] = Real(1);
-    const std::vector<Real> column = factorisation.solve(unit);
-    double sum = 0.0, sum_of_inverse = 0.0;
-    for (int i = 0; i < size; ++i) {
-      sum += std::abs(matrix[static_cast<std::size_t>(i + size * j)].to_double());
-      sum_of_inverse += std::abs(column[static_cast<std::size_t>(i)].to_double());
-    }
-    norm = std::max(norm, sum);
-    norm_of_inverse = std::max(norm_of_inverse, sum_of_inverse);
-  }
-  return norm * norm_of_inverse;
 }
 
 }  // namespace examples

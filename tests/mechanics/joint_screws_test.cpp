@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "generator/base/real_elimination.hpp"
+#include "generator/base/linear_algebra/real_rows.hpp"
 #include "generator/program/evaluation.hpp"
 #include "tests/program/test_symbols.hpp"
 

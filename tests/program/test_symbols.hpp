@@ -8,7 +8,7 @@
 
 #include "generator/base/error.hpp"
 #include "generator/base/high_precision.hpp"
-#include "generator/base/real_elimination.hpp"
+#include "generator/base/linear_algebra/real_rows.hpp"
 #include "generator/expression/symbol.hpp"
 #include "generator/program/evaluation.hpp"
 

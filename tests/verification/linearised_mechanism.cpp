@@ -218,7 +218,7 @@ class LinearisationComparison {
     Direction draw;
     if (part != 0) displace(state, draw.next(n_), Real(1) / Real(part));
     try {
-      satisfy(reduced.freedoms, state);
+      motion_.satisfy(state, reduced.freedoms);
     } catch (const Error&) {
       return std::nullopt;  // no step of Newton's method: too far from where the mechanism can be assembled
     }
@@ -235,18 +235,6 @@ class LinearisationComparison {
       if (!(at(square).to_double() > 1e-6 * at(whole).to_double())) return std::nullopt;
     }
     return state;
-  }
-
-  void satisfy(const IndependentFreedoms& freedoms, State& state) const {
-    std::vector<std::size_t> rows, holonomic, dependent_q, dependent_v;
-    for (std::size_t k = 0; k < freedoms.pivots.size(); ++k) {
-      rows.push_back(freedoms.pivots[k].row);
-      dependent_v.push_back(freedoms.pivots[k].freedom);
-      if (k >= freedoms.holonomic) continue;
-      holonomic.push_back(freedoms.pivots[k].row);
-      dependent_q.push_back(freedoms.pivots[k].freedom);
-    }
-    motion_.satisfy(state, holonomic, dependent_q, rows, dependent_v);
   }
 
   void compare_reduced(const ReducedLinearisation& reduced, const State& state) {
@@ -266,7 +254,7 @@ class LinearisationComparison {
       for (std::size_t j = 0; j < e.size(); ++j) motion_.displace(moved, coordinates[j], step * e[j]);
       for (std::size_t j = 0; j < w.size(); ++j) moved.v[velocities[j]] += step * w[j];
       for (std::size_t k = 0; k < du.size(); ++k) moved.u[k] += step * du[k];
-      satisfy(reduced.freedoms, moved);
+      motion_.satisfy(moved, reduced.freedoms);
       const std::vector<Real> rates = motion_.rates_of_deviation(state, moved);
       beside_.move_to(motion_.reader(moved));
       const std::vector<Real> accelerations = beside_(equations_.forward().accelerations);

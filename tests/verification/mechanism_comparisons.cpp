@@ -6,10 +6,10 @@
 
 #include <fmt/format.h>
 
+#include "generator/base/linear_algebra/lu_factorisation.hpp"
 #include "generator/dynamics/theorems/painleve.hpp"
 #include "generator/program/derivative.hpp"
 #include "generator/verification/check.hpp"
-#include "generator/verification/dense_linear.hpp"
 #include "generator/verification/random_state.hpp"
 #include "tests/verification/linearised_mechanism.hpp"
 

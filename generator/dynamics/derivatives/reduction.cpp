@@ -75,7 +75,7 @@ class DependentFreedoms {
       std::vector<Value> column;
       for (std::size_t k = 0; k < count_; ++k) column.push_back(-right_side[freedoms_.pivots[k].row][j]);
       const std::vector<Value> x = lu_.solve(column);
-      for (std::size_t k = 0; k < count_; ++k) result[freedoms_.pivots[k].freedom][j] = x[k];
+      for (std::size_t k = 0; k < count_; ++k) result[freedoms_.pivots[k].column][j] = x[k];
     }
     return result;
   }
@@ -95,7 +95,7 @@ class DependentFreedoms {
   static ValueMatrix square(const ValueMatrix& rows, const IndependentFreedoms& freedoms, std::size_t count) {
     ValueMatrix matrix = zeros(count, count);
     for (std::size_t k = 0; k < count; ++k) {
-      for (std::size_t l = 0; l < count; ++l) matrix[k][l] = rows[freedoms.pivots[k].row][freedoms.pivots[l].freedom];
+      for (std::size_t l = 0; l < count; ++l) matrix[k][l] = rows[freedoms.pivots[k].row][freedoms.pivots[l].column];
     }
     return matrix;
   }

@@ -7,16 +7,16 @@
 #include <fmt/format.h>
 
 #include "generator/base/error.hpp"
+#include "generator/base/linear_algebra/cholesky.hpp"
+#include "generator/base/linear_algebra/orthonormal_rows.hpp"
 #include "generator/dynamics/equations/configuration_sample.hpp"
 #include "generator/dynamics/equations/constraint_sizes.hpp"
-#include "generator/dynamics/equations/row_basis.hpp"
 #include "generator/dynamics/forces/constraints.hpp"
 #include "generator/dynamics/forces/virtual_power.hpp"
 
 namespace torsor {
 namespace {
 
-constexpr int constraint_digits = 50;
 using Row = RealRow;
 
 Real decimal(const char* text) { return Real::parse(text); }
@@ -54,7 +54,7 @@ class RankFinder {
       away = displaced(held);
     else
       away.scatter();
-    const RowBasis generic = basis(away, order_.size());
+    const OrthonormalRows generic = basis(away, order_.size());
     result.kept = generic.independent();
     std::sort(result.kept.begin(), result.kept.end());
     result.determinate.assign(rows_.size(), true);
@@ -104,14 +104,14 @@ class RankFinder {
   }
 
   /// The first rows of the order (holonomic ones come first).
-  RowBasis basis(ConfigurationSample& at, std::size_t count) const {
+  OrthonormalRows basis(ConfigurationSample& at, std::size_t count) const {
     Real largest = *std::max_element(metric_.begin(), metric_.end());
     std::vector<Row> rows;
     for (std::size_t k = 0; k < count; ++k) {
       rows.push_back(row(at, order_[k]));
       largest = std::max(largest, length(rows.back()));
     }
-    RowBasis result(n_, largest * decimal("1e-25"), tolerance());  // a row of rounding errors is null
+    OrthonormalRows result(n_, largest * zero_tests::constraint_rows.bound(), tolerance());  // a row of rounding errors is null
     for (std::size_t k = 0; k < count; ++k) result.add(order_[k], rows[k]);
     return result;
   }
@@ -126,7 +126,7 @@ class RankFinder {
   bool restore(ConfigurationSample& at, const std::vector<std::size_t>& held) const {
     if (held.empty()) return true;
     for (int iteration = 0; iteration < 15; ++iteration) {
-      RowBasis rows(n_, Real(0), tolerance());
+      OrthonormalRows rows(n_, Real(0), tolerance());
       std::vector<Real> wanted;
       for (const std::size_t j : held) {
         const Row entries = row(at, j);
@@ -159,7 +159,7 @@ class RankFinder {
   /// A neighbour of the initial configuration that no accident distinguishes, and a later time.
   ConfigurationSample displaced(const std::vector<std::size_t>& held) const {
     ConfigurationSample start = here_;
-    const RowBasis normal = basis(start, holonomic_count_);
+    const OrthonormalRows normal = basis(start, holonomic_count_);
     unsigned long long random = 20061;
     const Row direction = random_direction(normal, random);
     // A twentieth of a radian, or of the extent of the mechanism when nothing turns.
@@ -214,11 +214,11 @@ class RankFinder {
   }
 
   /// A pseudo-random direction in the metric along which none of those rows changes.
-  Row random_direction(const RowBasis& normal, unsigned long long& random) const {
+  Row random_direction(const OrthonormalRows& normal, unsigned long long& random) const {
     Row direction;
     for (std::size_t i = 0; i < n_; ++i) {
       random = (random * 1103515245ULL + 12345ULL) % 2147483648ULL;
-      direction.push_back(Real(Number::rational(static_cast<int>(random % 2001ULL) - 1000, 1000), constraint_digits));
+      direction.push_back(Real(Number::rational(static_cast<int>(random % 2001ULL) - 1000, 1000), zero_tests::constraint_rows.digits));
     }
     for (const Row& n : normal.directions()) {
       const Real part = product(direction, n);
@@ -257,7 +257,7 @@ class RankFinder {
         for (std::size_t l = 0; l <= k; ++l) normal_equations[k][l] = product(jacobian[k], jacobian[l]);
         normal_equations[k][k] += off * off;
       }
-      const Row multipliers = solve_positive(std::move(normal_equations), std::move(f));
+      const Row multipliers = Cholesky<Real>(std::move(normal_equations)).solve(std::move(f));
       Row delta(n_, Real(0));
       for (std::size_t k = 0; k < m; ++k) {
         for (std::size_t i = 0; i < n_; ++i) delta[i] -= jacobian[k][i] * multipliers[k];
@@ -269,7 +269,7 @@ class RankFinder {
 
   /// Beside the initial configuration no other satisfies all holonomic constraints: right if they leave no freedom.
   void refuse_rigid(ConfigurationSample& start) const {
-    const RowBasis holonomic = basis(start, holonomic_count_);
+    const OrthonormalRows holonomic = basis(start, holonomic_count_);
     if (holonomic.combinations().empty()) return;
     const std::string& name = rows_[holonomic.combinations().front().first].name;
     throw SceneError(fmt::format(
@@ -365,7 +365,7 @@ class RankFinder {
 }  // namespace
 
 ConstraintRank constraint_rank(const Scene& scene, const ModelOptions& options) {
-  const WorkingDigits precision(constraint_digits);
+  const WorkingDigits precision(zero_tests::constraint_rows.digits);
   return RankFinder(scene, options).find();
 }
 

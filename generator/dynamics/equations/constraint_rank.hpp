@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "generator/base/high_precision.hpp"
+#include "generator/base/linear_algebra/tolerances.hpp"
 #include "generator/dynamics/motion/model.hpp"
 
 namespace torsor {
@@ -21,7 +22,7 @@ namespace torsor {
 /// Those of dropped rows are taken as zero; they and the ones they are combined of are indeterminate, their joint
 /// effect on the motion is not.
 struct ConstraintRank {
-  static constexpr double tolerance = 1e-9;
+  static constexpr double tolerance = zero_tests::constraint_part;
 
   std::vector<std::size_t> kept;           ///< a maximal independent set, by index of constraint
   std::vector<std::size_t> dropped;        ///< the others

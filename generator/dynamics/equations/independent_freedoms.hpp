@@ -4,16 +4,15 @@
 #include <cstddef>
 #include <vector>
 
+#include "generator/base/linear_algebra/row_reduction.hpp"
 #include "generator/dynamics/equations/equations.hpp"
 
 namespace torsor {
 
 /// A choice of independent freedoms where constraints tie them, and the order in which the dependent ones are
-/// eliminated: pivot k solves constraint `pivots[k].row` for freedom `pivots[k].freedom`.
+/// eliminated: pivot k solves constraint `pivots[k].row` for freedom `pivots[k].column`.
 struct IndependentFreedoms {
-  struct Pivot {
-    std::size_t row, freedom;
-  };
+  using Pivot = RowReduction<Real>::Pivot;
   std::vector<Pivot> pivots;             ///< holonomic constraints first
   std::size_t holonomic = 0;             ///< how many of the pivots are of holonomic constraints
   std::vector<std::size_t> coordinates;  ///< independent ones: n less the holonomic constraints

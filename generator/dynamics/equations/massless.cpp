@@ -6,45 +6,30 @@
 #include <fmt/format.h>
 
 #include "generator/base/error.hpp"
-#include "generator/base/high_precision.hpp"
+#include "generator/base/linear_algebra/symmetric_pivots.hpp"
+#include "generator/base/linear_algebra/tolerances.hpp"
 #include "generator/program/evaluation.hpp"
 #include "generator/program/generic_state.hpp"
 
 namespace torsor {
 namespace {
 
-constexpr int massless_digits = 80;
 constexpr int massless_trials = 3;
-
-/// Marks the unknowns whose pivot is not small at this state; one that is small is left out of what follows.
-void mark_regular(std::vector<std::vector<Real>> m, std::vector<bool>& regular) {
-  const Real least(Number(10).pow(-50), massless_digits);
-  std::vector<Real> diagonal;
-  for (std::size_t k = 0; k < m.size(); ++k) diagonal.push_back(abs(m[k][k]));
-  for (std::size_t k = 0; k < m.size(); ++k) {
-    if (!(abs(m[k][k]) > diagonal[k] * least)) continue;
-    regular[k] = true;
-    for (std::size_t i = k + 1; i < m.size(); ++i) {
-      if (m[i][k] == Real(0)) continue;
-      const Real factor = m[i][k] / m[k][k];
-      for (std::size_t j = k; j < m.size(); ++j) m[i][j] -= factor * m[k][j];
-    }
-  }
-}
 
 }  // namespace
 
 std::vector<int> massless_coordinates(const Equations& equations) {
-  const WorkingDigits precision(massless_digits);
+  const WorkingDigits precision(zero_tests::masses.digits);
   const ValueMatrix& mass = equations.mass();
   std::vector<bool> regular(mass.size(), false);
   for (int trial = 0; trial < massless_trials; ++trial) {
     Evaluator<Real> evaluate(equations.program(), [trial](const SymbolPointer& symbol) {
       return at_unit_quaternions(symbol, [trial](const SymbolPointer& each) { return generic_value(each, trial); });
     });
-    std::vector<std::vector<Real>> m;
+    RealRows m;
     for (const std::vector<Value>& row : mass) m.push_back(evaluate(row));
-    mark_regular(std::move(m), regular);
+    const SymmetricPivots pivots(std::move(m), zero_tests::masses.bound());
+    for (std::size_t k = 0; k < regular.size(); ++k) regular[k] = regular[k] || !pivots.is_small(k);
     if (std::find(regular.begin(), regular.end(), false) == regular.end()) break;
   }
   std::vector<int> massless;

@@ -10,6 +10,8 @@
 
 #include "generator/base/as_index.hpp"
 #include "generator/base/error.hpp"
+#include "generator/base/linear_algebra/symmetric_pivots.hpp"
+#include "generator/base/linear_algebra/tolerances.hpp"
 #include "generator/dynamics/equations/constraint_sizes.hpp"
 #include "generator/dynamics/equations/contact_checks.hpp"
 #include "generator/dynamics/equations/dependence_checks.hpp"
@@ -108,26 +110,16 @@ Evaluator<Real>::SymbolValue tried_state(const SceneContent& scene, int trial) {
 /// inertia along a coordinate leaves when those before it give way, no more than the diagonal entry and zero wherever
 /// the matrix is singular at all states.
 std::size_t regular_pivots(const Equations& equations) {
-  constexpr int digits = 80;
-  const WorkingDigits precision(digits);
+  const WorkingDigits precision(zero_tests::masses.digits);
   const ValueMatrix& mass = equations.mass();
   const std::size_t n = mass.size();
   std::size_t regular = 0;
   for (int trial = 0; trial < 5 && regular < n; ++trial) {
     Evaluator<Real> evaluate(equations.program(), tried_state(equations.scene().content(), trial));
-    std::vector<std::vector<Real>> m;
+    RealRows m;
     for (const auto& row : mass) m.push_back(evaluate(row));
-    for (std::size_t k = 0; k < n; ++k) {
-      // A pivot that vanishes is some rounding errors of 10^-80 of the entry; bodies differ by less than 10^50.
-      const Real rounding = abs(evaluate(mass[k][k])) * Real(Number(10).pow(-50), digits);
-      // Invented moments of inertia may be those of no matter, and the matrix indefinite.
-      if (!(abs(m[k][k]) > rounding)) break;
-      regular = std::max(regular, k + 1);
-      for (std::size_t i = k + 1; i < n; ++i) {
-        const Real factor = m[i][k] / m[k][k];
-        for (std::size_t j = k; j < n; ++j) m[i][j] -= factor * m[k][j];
-      }
-    }
+    // Invented moments of inertia may be those of no matter, and the matrix indefinite.
+    regular = std::max(regular, SymmetricPivots(std::move(m), zero_tests::masses.bound()).first_small());
   }
   return regular;
 }

@@ -2,7 +2,6 @@
 #include "generator/dynamics/recursions/base_parameters.hpp"
 
 #include <algorithm>
-#include <array>
 #include <optional>
 #include <random>
 #include <unordered_map>
@@ -11,6 +10,8 @@
 #include <fmt/format.h>
 
 #include "generator/base/error.hpp"
+#include "generator/base/linear_algebra/real_rows.hpp"
+#include "generator/base/linear_algebra/tolerances.hpp"
 #include "generator/mechanics/parameter_value.hpp"
 #include "generator/program/evaluation.hpp"
 #include "generator/program/generic_state.hpp"
@@ -18,17 +19,7 @@
 namespace torsor {
 namespace {
 
-using Column = std::vector<Real>;
-
-/// Digits to work in, and the part of a column's size that is nothing in them.
-struct Arithmetic {
-  int digits;
-  double negligible;
-};
-
-/// Lengths and angles that are small, and products of them, make columns nearly dependent: what 50 digits do not tell from
-/// rounding, the further ones do.
-constexpr std::array<Arithmetic, 2> arithmetics{{{50, BaseParameters::tolerance}, {200, 1e-90}}};
+using Column = RealRow;
 
 enum class Parameters { as_given, varied };
 
@@ -103,82 +94,30 @@ class RegressorSamples {
   bool has_parameters_ = false;
 };
 
-/// Gaussian elimination by columns, each against those kept before it, pivots the largest entries left.
-class ColumnElimination {
- public:
-  ColumnElimination(std::size_t rows, Real negligible) : negligible_(std::move(negligible)), taken_(rows, false) {}
-
-  /// Keeps an independent column; of a dependent one, returns false and leaves its coefficients on the kept ones.
-  bool add(Column column) {
-    coefficients_.assign(kept_.size(), Real(0));
+/// Columns divided by their largest entries, each against those kept before it.
+BaseParameters eliminate(const std::vector<Column>& columns, const Real& negligible) {
+  std::vector<Real> sizes;
+  RealRows scaled;
+  for (const Column& column : columns) {
     Real size(0);
     for (const Real& entry : column) size = std::max(size, abs(entry));
-    if (size.is_zero()) return false;
-    for (Real& entry : column) entry /= size;
-    Column upper;
-    for (const Kept& other : kept_) {
-      const Real factor = column[other.pivot];
-      upper.push_back(factor);
-      if (factor.is_zero()) continue;
-      for (const auto& [row, entry] : other.lower) column[row] -= factor * entry;
-    }
-    std::size_t pivot = column.size();
-    for (std::size_t r = 0; r < column.size(); ++r) {
-      if (!taken_[r] && (pivot == column.size() || abs(column[r]) > abs(column[pivot]))) pivot = r;
-    }
-    if (pivot == column.size() || !(abs(column[pivot]) > negligible_)) {
-      solve(upper, size);
-      return false;
-    }
-    taken_[pivot] = true;
-    Kept kept{pivot, size, column[pivot], {}, std::move(upper)};
-    for (std::size_t r = 0; r < column.size(); ++r) {
-      if (!taken_[r] && !column[r].is_zero()) kept.lower.emplace_back(r, column[r] / kept.diagonal);
-    }
-    kept_.push_back(std::move(kept));
-    return true;
+    sizes.push_back(size.is_zero() ? Real(1) : size);
+    scaled.push_back(column);
+    for (Real& entry : scaled.back()) entry /= sizes.back();
   }
-
-  const std::vector<Real>& coefficients() const { return coefficients_; }
-
- private:
-  struct Kept {
-    std::size_t pivot;
-    Real size, diagonal;
-    std::vector<std::pair<std::size_t, Real>> lower;  ///< (row, entry) under a pivot of one
-    Column upper;                                     ///< on the columns kept before
-  };
-
-  void solve(Column& upper, const Real& size) {
-    for (std::size_t k = kept_.size(); k-- > 0;) {
-      const Real factor = upper[k] / kept_[k].diagonal;
-      if (!(abs(factor) > negligible_)) continue;
-      for (std::size_t i = 0; i < k; ++i) upper[i] -= factor * kept_[k].upper[i];
-      coefficients_[k] = factor * size / kept_[k].size;
-    }
-  }
-
-  Real negligible_;
-  std::vector<bool> taken_;
-  std::vector<Kept> kept_;
-  std::vector<Real> coefficients_;
-};
-
-BaseParameters eliminate(const std::vector<Column>& columns, const Real& negligible) {
+  RowReduction<Real> reduction(transposed(scaled, columns.front().size()), columns.size());
+  reduction.take_in_order(in_order(columns.size()), negligible);
   BaseParameters result;
-  ColumnElimination elimination(columns.front().size(), negligible);
-  std::vector<std::vector<Real>> found;
   for (std::size_t c = 0; c < columns.size(); ++c) {
-    if (elimination.add(columns[c])) {
-      result.independent.push_back(c);
-    } else {
-      result.dependent.push_back(c);
-      found.push_back(elimination.coefficients());
-    }
+    (reduction.has_pivot(c) ? result.independent : result.dependent).push_back(c);
   }
-  result.combination.assign(result.independent.size(), std::vector<Real>(found.size(), Real(0)));
-  for (std::size_t d = 0; d < found.size(); ++d) {
-    for (std::size_t b = 0; b < found[d].size(); ++b) result.combination[b][d] = found[d][b];
+  const RealRows reduced = reduction.reduced();  // in the order of the columns
+  for (std::size_t b = 0; b < reduced.size(); ++b) {
+    result.combination.emplace_back();
+    for (const std::size_t d : result.dependent) {
+      const Real part = abs(reduced[b][d]) > negligible ? reduced[b][d] : Real(0);
+      result.combination.back().push_back(part * sizes[d] / sizes[result.independent[b]]);
+    }
   }
   return result;
 }
@@ -202,9 +141,9 @@ bool holds(const BaseParameters& base, const std::vector<Column>& columns, const
 }
 
 /// What holds in that arithmetic, nothing where none holds.
-std::optional<BaseParameters> base_parameters_in(const Arithmetic& arithmetic, const Model& model, const ValueMatrix& y) {
+std::optional<BaseParameters> base_parameters_in(const ZeroTest& arithmetic, const Model& model, const ValueMatrix& y) {
   const WorkingDigits precision(arithmetic.digits);
-  const Real negligible = Real::from_double(arithmetic.negligible);
+  const Real negligible = arithmetic.bound();
   const std::size_t count = y.front().size();
   RegressorSamples samples(model, y, arithmetic.digits);
   std::vector<Column> columns(count);
@@ -235,13 +174,14 @@ std::optional<BaseParameters> base_parameters_in(const Arithmetic& arithmetic, c
 
 BaseParameters base_parameters(const Model& model, const ValueMatrix& y) {
   if (y.empty() || y.front().empty()) return {};
-  for (const Arithmetic& arithmetic : arithmetics) {
+  constexpr ZeroTest arithmetics[] = {zero_tests::regressor, zero_tests::regressor_of_small_lengths};
+  for (const ZeroTest& arithmetic : arithmetics) {
     if (std::optional<BaseParameters> base = base_parameters_in(arithmetic, model, y)) return *std::move(base);
   }
   throw Error(
-      fmt::format("no relations between the {} inertial parameters hold at further states to {}: lengths of the "
+      fmt::format("no relations between the {} inertial parameters hold at further states to 1e-{}: lengths of the "
                   "mechanism differ too much in size; leave the kernel 'regressor' out",
-                  y.front().size(), arithmetics.back().negligible));
+                  y.front().size(), zero_tests::regressor_of_small_lengths.exponent));
 }
 
 }  // namespace torsor

@@ -20,8 +20,6 @@ namespace torsor {
 /// Constraints are not used: on a closed loop v and a are taken as free, although a motion that respects it could tell
 /// fewer parameters apart.
 struct BaseParameters {
-  static constexpr double tolerance = 1e-20;  ///< of a column's size, in 50 digits: less is nothing where relations hold so
-
   std::vector<std::size_t> independent, dependent;  ///< columns, ascending
   std::vector<std::vector<Real>> combination;       ///< K, row by row: [independent][dependent]
   bool at_any_parameters = true;  ///< K holds when run-time parameters change; else at their values in the scene only

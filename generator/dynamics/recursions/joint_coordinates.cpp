@@ -3,35 +3,22 @@
 
 #include <utility>
 
+#include "generator/base/linear_algebra/row_reduction.hpp"
+
 namespace torsor {
 namespace {
 
-using NumberMatrix = std::vector<std::vector<Number>>;
+using NumberMatrix = Rows<Number>;
 
-/// Gauss and Jordan, exact. Nothing where the matrix is singular.
-std::optional<NumberMatrix> inverted(NumberMatrix matrix) {
+/// Nothing where the matrix is singular.
+std::optional<NumberMatrix> inverted(const NumberMatrix& matrix) {
   const std::size_t n = matrix.size();
-  NumberMatrix inverse(n, std::vector<Number>(n));
-  for (std::size_t i = 0; i < n; ++i) inverse[i][i] = Number(1);
-  for (std::size_t column = 0; column < n; ++column) {
-    std::size_t pivot = column;
-    while (pivot < n && matrix[pivot][column].is_zero()) ++pivot;
-    if (pivot == n) return std::nullopt;
-    std::swap(matrix[pivot], matrix[column]);
-    std::swap(inverse[pivot], inverse[column]);
-    const Number scale = matrix[column][column].pow(-1);
-    for (std::size_t j = 0; j < n; ++j) {
-      matrix[column][j] *= scale;
-      inverse[column][j] *= scale;
-    }
-    for (std::size_t i = 0; i < n; ++i) {
-      const Number factor = matrix[i][column];
-      if (i == column || factor.is_zero()) continue;
-      for (std::size_t j = 0; j < n; ++j) {
-        matrix[i][j] -= factor * matrix[column][j];
-        inverse[i][j] -= factor * inverse[column][j];
-      }
-    }
+  RowReduction<Number> reduction(beside_identity(matrix, n), 2 * n);
+  reduction.take_in_order(in_order(n));
+  if (reduction.rank() < n) return std::nullopt;
+  NumberMatrix inverse;
+  for (const std::vector<Number>& row : reduction.reduced()) {  // the pivots' columns are in order
+    inverse.emplace_back(row.begin() + static_cast<std::ptrdiff_t>(n), row.end());
   }
   return inverse;
 }
@@ -59,7 +46,7 @@ std::optional<JointCoordinates> joint_coordinates(const BodyTree& tree) {
     partials.push_back(std::move(row));
   }
   if (partials.size() != n) return std::nullopt;
-  std::optional<NumberMatrix> inverse = inverted(std::move(partials));
+  std::optional<NumberMatrix> inverse = inverted(partials);
   if (!inverse) return std::nullopt;
   result.inverse = std::move(*inverse);
   return result;

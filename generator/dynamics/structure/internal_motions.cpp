@@ -80,8 +80,8 @@ RealRows without_columns(const RealRows& matrix, const std::vector<bool>& marked
   return result;
 }
 
-int inner_count(const std::vector<bool>& marked) {
-  return static_cast<int>(std::count(marked.begin(), marked.end(), false));
+std::size_t inner_count(const std::vector<bool>& marked) {
+  return static_cast<std::size_t>(std::count(marked.begin(), marked.end(), false));
 }
 
 void describe_internal_motions(Mobility& mobility, const std::vector<TwistEdge>& edges) {
@@ -93,9 +93,9 @@ void describe_internal_motions(Mobility& mobility, const std::vector<TwistEdge>&
       if (!edge.outside) names.push_back(edge.name + ": " + name);
     }
   }
-  const int columns = inner_count(blocked);
+  const std::size_t columns = inner_count(blocked);
   const RealRows closure = without_columns(closure_matrix(edges, mobility.loops), blocked);
-  const RealRows motions = kernel(closure, columns, twist_tolerance());
+  const RealRows motions = null_space(closure, columns, twist_tolerance());
   if (motions.empty()) return;
   for (std::size_t c = 0; c < names.size(); ++c) {
     if (std::any_of(motions.begin(), motions.end(), [c](const RealRow& x) { return !is_small(x[c]); })) {
@@ -111,8 +111,8 @@ void describe_internal_motions(Mobility& mobility, const std::vector<TwistEdge>&
       if (other != body) resting.insert(resting.end(), twists[other].begin(), twists[other].end());
     }
     RealRows own;
-    for (const RealRow& x : kernel(resting, columns, twist_tolerance())) own.push_back(times(twists[body], x));
-    const int freedoms = rank(own, 6, twist_tolerance());
+    for (const RealRow& x : null_space(resting, columns, twist_tolerance())) own.push_back(times(twists[body], x));
+    const auto freedoms = static_cast<int>(rank(own, 6, twist_tolerance()));
     if (freedoms == 0) continue;
     alone_of[body] = freedoms;
     alone += freedoms;
@@ -125,17 +125,15 @@ void describe_internal_motions(Mobility& mobility, const std::vector<TwistEdge>&
     RealRows all;
     for (const RealRow& x : motions) all.push_back(times(twists[body], x));
     // What it cannot do alone, it does with others.
-    if (rank(all, 6, twist_tolerance()) > alone_of[body]) rest.bodies.push_back(mobility.graph.bodies[body].name);
+    if (static_cast<int>(rank(all, 6, twist_tolerance())) > alone_of[body]) rest.bodies.push_back(mobility.graph.bodies[body].name);
   }
   mobility.internal.push_back(std::move(rest));
 }
 
 void describe_indeterminate(Mobility& mobility, const std::vector<TwistEdge>& edges, const JointSpace& space) {
   const RealRows matrix = closure_matrix(edges, mobility.loops);
-  const int equations = static_cast<int>(matrix.size());
-  if (equations == 0) return;
-  const std::size_t columns = matrix[0].size();
-  const RealRows stresses = kernel(transposed(matrix, static_cast<int>(columns)), equations, twist_tolerance());
+  if (matrix.empty()) return;
+  const RealRows stresses = null_space(transposed(matrix, matrix[0].size()), matrix.size(), twist_tolerance());
   if (stresses.empty()) return;
   for (std::size_t e = 0; e < matrix.size(); ++e) {
     if (std::all_of(stresses.begin(), stresses.end(), [e](const RealRow& y) { return is_small(y[e]); })) continue;

@@ -9,7 +9,7 @@ namespace torsor {
 
 /// The columns of an array that are not marked, and how many those are.
 RealRows without_columns(const RealRows& matrix, const std::vector<bool>& marked);
-int inner_count(const std::vector<bool>& marked);
+std::size_t inner_count(const std::vector<bool>& marked);
 
 /// Fills `internal` and `internal_freedoms`: first the motions that one body can do alone while all others rest, then
 /// those of several together.

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "generator/base/as_index.hpp"
+#include "generator/dynamics/structure/twist_space.hpp"
 #include "generator/mechanics/joint_screws.hpp"
 
 namespace torsor {
@@ -45,9 +46,8 @@ RealRotation rotation_of(const std::array<Real, 4>& e) {
 
 std::string direction_text(const RealVector& direction) {
   const RealVector unit = (Real(1) / norm(direction)) * direction;
-  const Real small = power_of_ten(-20);
   for (std::size_t i = 0; i < 3; ++i) {
-    if (abs(unit[(i + 1) % 3]) <= small && abs(unit[(i + 2) % 3]) <= small) return std::string(1, "xyz"[i]);
+    if (is_small(unit[(i + 1) % 3]) && is_small(unit[(i + 2) % 3])) return std::string(1, "xyz"[i]);
   }
   return fmt::format("({:.3g}, {:.3g}, {:.3g})", unit[0].to_double(), unit[1].to_double(), unit[2].to_double());
 }
@@ -198,7 +198,7 @@ std::vector<JointTwists> JointSpace::twists() const {
       const bool slide = norm(angular).is_zero();
       const RealVector direction = slide ? RealVector{twist[3], twist[4], twist[5]} : angular;
       here.twists.push_back(twist);
-      const bool screw = abs(dot(angular, RealVector{twist[3], twist[4], twist[5]})) > power_of_ten(-20);
+      const bool screw = !is_small(dot(angular, RealVector{twist[3], twist[4], twist[5]}));
       here.names.push_back((slide   ? "slide along "
                             : screw ? "screw along "
                                     : "turn about ") +
@@ -301,17 +301,14 @@ RealRows JointSpace::closure_jacobian() const {
   return jacobian;
 }
 
-bool JointSpace::close(int largest_rank, const Real& small) {
+bool JointSpace::close(std::size_t largest_rank, const Real& small) {
   const JointSpace before = *this;
-  const Real tolerance = power_of_ten(-20);
   const Real longest(Number::rational(1, 2), Real::working_digits());  // a turn of half a radian
   for (int iteration = 0; iteration < 100; ++iteration) {
     const RealRow errors = closure_errors();
     if (std::all_of(errors.begin(), errors.end(), [&](const Real& e) { return abs(e) <= small; })) return true;
-    RealRow step = least_norm_solution(closure_jacobian(), errors, variables_, tolerance, largest_rank);
-    Real size;
-    for (const Real& entry : step) size += entry * entry;
-    size = sqrt(size);
+    RealRow step = least_norm_solution(closure_jacobian(), errors, as_index(variables_), twist_tolerance(), largest_rank);
+    const Real size = torsor::length(step);
     if (size.is_nan()) break;
     const Real scale = size > longest ? longest / size : Real(1);
     for (Real& entry : step) entry = -(scale * entry);

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "generator/base/real_elimination.hpp"
+#include "generator/base/linear_algebra/real_rows.hpp"
 #include "generator/dynamics/motion/initial_numbers.hpp"
 #include "generator/geometry/real_vector.hpp"
 #include "generator/mechanics/structure_graph.hpp"
@@ -50,9 +50,8 @@ class JointSpace {
   /// variables.
   RealRow closure_errors() const;
   RealRows closure_jacobian() const;
-  /// Newton's method on the closures from here, each step the smallest on `largest_rank` independent conditions (all
-  /// when negative). True when all conditions hold to `small`; else the configuration is left where it was.
-  bool close(int largest_rank, const Real& small);
+  /// Newton's method on the closures from here, each step the smallest on `largest_rank` independent conditions. True when all conditions hold to `small`; else the configuration is left where it was.
+  bool close(std::size_t largest_rank, const Real& small);
 
  private:
   struct Frame {

@@ -66,8 +66,8 @@ bool close_initially(JointSpace& space) {
   const Real small = power_of_ten(-40);
   const RealRow errors = space.closure_errors();
   if (std::all_of(errors.begin(), errors.end(), [&](const Real& e) { return abs(e) <= small; })) return false;
-  const int most = std::min(static_cast<int>(errors.size()), space.variable_count());
-  for (int conditions = most; conditions > 0; --conditions) {
+  const std::size_t most = std::min(errors.size(), as_index(space.variable_count()));
+  for (std::size_t conditions = most; conditions > 0; --conditions) {
     if (space.close(conditions, small)) return true;
   }
   const auto worst =
@@ -81,29 +81,30 @@ bool close_initially(JointSpace& space) {
 /// A configuration near the given one, reached along its freedoms, that has the rank of almost all configurations.
 /// Nothing when none is found.
 std::optional<JointSpace> generic_near(const JointSpace& given, std::uint64_t seed) {
+  const auto variables = as_index(given.variable_count());
   const RealRows jacobian = given.closure_jacobian();
-  const RealRows freedoms = kernel(jacobian, given.variable_count(), twist_tolerance());
+  const RealRows freedoms = null_space(jacobian, variables, twist_tolerance());
   if (freedoms.empty()) return given;
-  const int rank_here = given.variable_count() - static_cast<int>(freedoms.size());
-  const int most = std::min(static_cast<int>(jacobian.size()), given.variable_count());
+  const std::size_t rank_here = variables - freedoms.size();
+  const std::size_t most = std::min(jacobian.size(), variables);
   std::optional<JointSpace> best;
-  int best_rank = -1;
+  std::size_t best_rank = 0;
   std::mt19937_64 random(seed);
   for (int attempt = 0; attempt < 4; ++attempt) {
-    RealRow by(as_index(given.variable_count()), Real(0));
+    RealRow by(variables, Real(0));
     for (const RealRow& freedom : freedoms) {
       const long parts = static_cast<long>(random() % 2001U) - 1000;
       const Real amount(Number::rational(parts, attempt < 2 ? 4000 : 40000), mobility_digits);
       for (std::size_t v = 0; v < by.size(); ++v) by[v] += amount * freedom[v];
     }
-    for (int conditions = rank_here; conditions <= most; ++conditions) {
+    for (std::size_t conditions = rank_here; conditions <= most; ++conditions) {
       JointSpace moved = given;
       moved.move(by);
       if (!moved.close(conditions, power_of_ten(-40))) continue;
       // Newton's method creeps back to where nothing can move: half as far at each step, so to the root of its bound.
       if (moved.distance_from(given) < power_of_ten(-10)) continue;
-      const int rank_there = rank(moved.closure_jacobian(), moved.variable_count(), twist_tolerance());
-      if (rank_there > best_rank) best = moved, best_rank = rank_there;
+      const std::size_t rank_there = rank(moved.closure_jacobian(), variables, twist_tolerance());
+      if (!best || rank_there > best_rank) best = moved, best_rank = rank_there;
       break;
     }
   }
@@ -169,11 +170,11 @@ MobilityCount count_mobility(int bodies, const std::vector<TwistEdge>& edges) {
   count.loops = static_cast<int>(loops.size());
   count.parameters = static_cast<int>(outside.size());
   count.equations = 6 * count.loops;
-  count.rank = rank(matrix, count.parameters, twist_tolerance());
+  count.rank = static_cast<int>(rank(matrix, as_index(count.parameters), twist_tolerance()));
   count.mobility = count.parameters - count.rank;
   count.redundancy = count.equations - count.rank;
   count.internal =
-      static_cast<int>(kernel(without_columns(matrix, outside), inner_count(outside), twist_tolerance()).size());
+      static_cast<int>(null_space(without_columns(matrix, outside), inner_count(outside), twist_tolerance()).size());
   count.useful = count.mobility - count.internal;
   return count;
 }
@@ -221,7 +222,8 @@ SceneFreedoms scene_freedoms(const Scene& scene, const std::vector<std::string>&
   };
   for (const ConstraintRow& row : constraint_rows(model)) add(row.jacobian);
   result.constraints = static_cast<int>(rows.size());
-  result.rank = rank(rows, result.coordinates, twist_tolerance());
+  const auto columns = as_index(result.coordinates);
+  result.rank = static_cast<int>(rank(rows, columns, twist_tolerance()));
   for (const ConstraintContent& constraint : scene.content().constraints) {
     if (!std::holds_alternative<JointClosure>(constraint.law)) result.no_joints.push_back(constraint.name);
   }
@@ -231,7 +233,7 @@ SceneFreedoms scene_freedoms(const Scene& scene, const std::vector<std::string>&
     if (!outside[j]) continue;
     for (const std::vector<Value>& row : relative_motion_rows(model, graph, graph.joints[j])) add(row);
   }
-  result.internal = static_cast<int>(kernel(rows, result.coordinates, twist_tolerance()).size());
+  result.internal = static_cast<int>(null_space(rows, columns, twist_tolerance()).size());
   return result;
 }
 

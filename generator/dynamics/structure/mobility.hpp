@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "generator/base/linear_algebra/tolerances.hpp"
 #include "generator/dynamics/structure/joint_space.hpp"
 #include "generator/dynamics/structure/twist_space.hpp"
 #include "generator/mechanics/structure_graph.hpp"
@@ -13,7 +14,7 @@
 namespace torsor {
 
 /// Digits in which ranks of mechanisms are decided.
-constexpr int mobility_digits = 50;
+constexpr int mobility_digits = zero_tests::twists.digits;
 
 /// A joint of a graph with the twists it allows, whatever it is made of.
 struct TwistEdge {

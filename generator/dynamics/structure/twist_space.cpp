@@ -5,12 +5,13 @@
 
 #include <fmt/format.h>
 
+#include "generator/base/linear_algebra/tolerances.hpp"
 #include "generator/dynamics/structure/joint_space.hpp"
 
 namespace torsor {
 namespace {
 
-constexpr int six = 6;
+constexpr std::size_t six = 6;
 
 RealVector first(const RealRow& screw) { return {screw[0], screw[1], screw[2]}; }
 RealVector last(const RealRow& screw) { return {screw[3], screw[4], screw[5]}; }
@@ -30,7 +31,7 @@ RealRows chopped(RealRows rows) {
   return rows;
 }
 
-RealRows independent(const RealRows& rows) { return chopped(eliminate(rows, six, twist_tolerance()).reduced); }
+RealRows independent(const RealRows& rows) { return chopped(reduced_by_size(rows, six, twist_tolerance()).reduced()); }
 
 /// A space of screws {S, T_O}, S the part that is the same at every point (the turn, or the force).
 struct Screws {
@@ -41,13 +42,9 @@ struct Screws {
   explicit Screws(const RealRows& rows) : all(independent(rows)) {
     RealRows heads;
     for (const RealRow& row : all) heads.push_back(as_row(first(row)));
-    directions = eliminate(heads, 3, twist_tolerance()).reduced;
-    for (const RealRow& weights : kernel(transposed(heads, 3), static_cast<int>(heads.size()), twist_tolerance())) {
-      RealRow sum(six, Real(0));
-      for (std::size_t k = 0; k < all.size(); ++k) {
-        for (std::size_t i = 0; i < six; ++i) sum[i] += weights[k] * all[k][i];
-      }
-      pure.push_back(std::move(sum));
+    directions = reduced_by_size(heads, 3, twist_tolerance()).reduced();
+    for (const RealRow& weights : null_space(transposed(heads, 3), heads.size(), twist_tolerance())) {
+      pure.push_back(combination(weights, all, six));
     }
   }
 
@@ -138,7 +135,7 @@ TwistClass five_freedoms(const Screws& wrenches) {
 
 }  // namespace
 
-Real twist_tolerance() { return power_of_ten(-20); }
+Real twist_tolerance() { return zero_tests::twists.bound(); }
 bool is_small(const Real& entry) { return abs(entry) <= twist_tolerance(); }
 
 RealRows span_of(const RealRows& a, const RealRows& b) {
@@ -156,19 +153,15 @@ RealRows intersection_of(const RealRows& a, const RealRows& b) {
     for (Real& entry : both.back()) entry = -entry;
   }
   RealRows common;
-  for (const RealRow& weights : kernel(transposed(both, six), static_cast<int>(both.size()), twist_tolerance())) {
-    RealRow sum(six, Real(0));
-    for (std::size_t k = 0; k < own.size(); ++k) {
-      for (std::size_t i = 0; i < six; ++i) sum[i] += weights[k] * own[k][i];
-    }
-    common.push_back(std::move(sum));
+  for (const RealRow& weights : null_space(transposed(both, six), both.size(), twist_tolerance())) {
+    common.push_back(combination(weights, own, six));
   }
   return independent(chopped(common));
 }
 
 RealRows reciprocal_to(const RealRows& twists) {
   RealRows wrenches;
-  for (const RealRow& x : kernel(twists, six, twist_tolerance())) {
+  for (const RealRow& x : null_space(twists, six, twist_tolerance())) {
     wrenches.push_back({x[3], x[4], x[5], x[0], x[1], x[2]});  // what multiplies V is the force
   }
   return wrenches;

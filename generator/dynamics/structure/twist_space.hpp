@@ -4,7 +4,7 @@
 #include <optional>
 #include <string>
 
-#include "generator/base/real_elimination.hpp"
+#include "generator/base/linear_algebra/real_rows.hpp"
 #include "generator/geometry/real_vector.hpp"
 #include "generator/mechanics/joint.hpp"
 

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "generator/base/as_index.hpp"
+#include "generator/base/linear_algebra/row_reduction.hpp"
 #include "generator/dynamics/forces/constraint_wrench.hpp"
 
 namespace torsor {
@@ -14,37 +15,18 @@ namespace {
 
 using Numbers = std::vector<Number>;
 
-/// For each row k of a matrix some v with S v = e_k, where there is one: [S | 1] in row echelon form.
-std::vector<std::optional<Numbers>> unit_solutions(std::vector<Numbers> rows, std::size_t columns) {
-  const std::size_t count = rows.size();
-  for (std::size_t k = 0; k < count; ++k) {
-    rows[k].resize(columns + count);
-    rows[k][columns + k] = Number(1);
-  }
-  std::vector<std::size_t> pivots;
-  for (std::size_t column = 0; column < columns && pivots.size() < count; ++column) {
-    const std::size_t done = pivots.size();
-    std::size_t best = done;
-    while (best < count && rows[best][column].is_zero()) ++best;
-    if (best == count) continue;
-    std::swap(rows[done], rows[best]);
-    const Number pivot = rows[done][column];
-    for (Number& entry : rows[done]) entry /= pivot;
-    for (std::size_t i = 0; i < count; ++i) {
-      if (i == done || rows[i][column].is_zero()) continue;
-      const Number factor = rows[i][column];
-      for (std::size_t j = column; j < columns + count; ++j) rows[i][j] -= factor * rows[done][j];
-    }
-    pivots.push_back(column);
-  }
-  std::vector<std::optional<Numbers>> solutions;
-  for (std::size_t k = 0; k < count; ++k) {
-    bool solvable = true;
-    for (std::size_t i = pivots.size(); i < count; ++i) solvable = solvable && rows[i][columns + k].is_zero();
-    solutions.emplace_back();
-    if (!solvable) continue;
-    solutions.back().emplace(columns);
-    for (std::size_t i = 0; i < pivots.size(); ++i) (*solutions.back())[pivots[i]] = rows[i][columns + k];
+/// For each row k of a matrix some v with S v = e_k, where there is one: [S | 1] reduced.
+std::vector<std::optional<Numbers>> unit_solutions(const std::vector<Numbers>& rows, std::size_t columns) {
+  RowReduction<Number> reduction(beside_identity(rows, columns), columns + rows.size());
+  reduction.take_in_order(in_order(columns));
+  const Rows<Number> reduced = reduction.reduced();
+  const std::vector<std::size_t> left = reduction.rows_left();
+  std::vector<std::optional<Numbers>> solutions(rows.size());
+  for (std::size_t k = 0; k < rows.size(); ++k) {
+    const auto holds = [&](std::size_t row) { return reduction(row, columns + k).is_zero(); };
+    if (!std::all_of(left.begin(), left.end(), holds)) continue;
+    solutions[k].emplace(columns);
+    for (std::size_t i = 0; i < reduced.size(); ++i) (*solutions[k])[reduction.pivots()[i].column] = reduced[i][columns + k];
   }
   return solutions;
 }

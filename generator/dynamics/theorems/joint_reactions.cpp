@@ -5,45 +5,21 @@
 
 #include <fmt/format.h>
 
+#include "generator/base/linear_algebra/real_rows.hpp"
+#include "generator/base/linear_algebra/tolerances.hpp"
 #include "generator/program/generic_state.hpp"
 
 namespace torsor {
 namespace {
 
-constexpr int digits = 50;
-using Row = std::vector<Real>;
+using Row = RealRow;
 
 /// Basis of {x : rows x = 0}, one vector for each column without a pivot, 1 there and 0 at the others; pivots are
 /// sought in the columns in the given order.
-std::vector<Row> null_space(std::vector<Row> rows, const std::vector<std::size_t>& columns) {
-  std::vector<std::size_t> pivots;
-  std::size_t done = 0;
-  for (const std::size_t column : columns) {
-    std::size_t best = done;
-    for (std::size_t i = done; i < rows.size(); ++i) {
-      if (abs(rows[i][column]) > abs(rows[best][column])) best = i;
-    }
-    if (done == rows.size() || is_negligible(rows[best][column])) continue;
-    std::swap(rows[done], rows[best]);
-    const Real pivot = rows[done][column];
-    for (Real& entry : rows[done]) entry = entry / pivot;
-    for (std::size_t i = 0; i < rows.size(); ++i) {
-      if (i == done) continue;
-      const Real factor = rows[i][column];
-      for (std::size_t j = 0; j < rows[i].size(); ++j) rows[i][j] -= factor * rows[done][j];
-    }
-    pivots.push_back(column);
-    ++done;
-  }
-  std::vector<Row> basis;
-  for (std::size_t free = 0; free < columns.size(); ++free) {
-    if (std::find(pivots.begin(), pivots.end(), free) != pivots.end()) continue;
-    Row vector(columns.size(), Real(0));
-    vector[free] = Real(1);
-    for (std::size_t k = 0; k < pivots.size(); ++k) vector[pivots[k]] = -rows[k][free];
-    basis.push_back(std::move(vector));
-  }
-  return basis;
+RealRows motions_without(const RealRows& rows, const std::vector<std::size_t>& columns) {
+  RowReduction<Real> reduction(rows, columns.size());
+  reduction.take_in_order(columns, zero_tests::reactions.bound());
+  return reduction.null_space();
 }
 
 std::string name_of(const Row& component) {
@@ -140,17 +116,15 @@ class Finder {
   std::vector<ReactionComponent> components(const std::vector<int>& chain) {
     const int top = chain.front();
     const Vector at = bound(program_, model_.locate(Vector(), chain.back(), top));
-    std::vector<Row> own;
+    RealRows own;
     for (const int link : chain) own.push_back(twist_of(link, at, top));
     // Virtual motions in which no other joint moves, and the twists they give the body.
-    std::vector<Row> others;
+    RealRows others;
     for (std::size_t k = 1; k < partials_.size(); ++k) {
       if (std::find(chain.begin(), chain.end(), static_cast<int>(k)) == chain.end()) others.push_back(partials_[k]);
     }
-    std::vector<std::size_t> order(static_cast<std::size_t>(model_.unknown_count()));
-    for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
-    std::vector<Row> twists;
-    for (const Row& motion : null_space(others, order)) {
+    RealRows twists;
+    for (const Row& motion : motions_without(others, in_order(static_cast<std::size_t>(model_.unknown_count())))) {
       Row twist(6, Real(0));
       for (std::size_t c = 0; c < chain.size(); ++c) {
         Real rate(0);
@@ -162,7 +136,7 @@ class Finder {
     }
     // R·V + M·Ω = 0; moments are expressed by forces where a twist ties both (helical joints).
     std::vector<ReactionComponent> result;
-    for (const Row& wrench : null_space(twists, {3, 4, 5, 0, 1, 2})) {
+    for (const Row& wrench : motions_without(twists, {3, 4, 5, 0, 1, 2})) {
       ReactionComponent component{name_of(wrench), {}};
       std::copy(wrench.begin(), wrench.end(), component.direction.begin());
       result.push_back(std::move(component));
@@ -184,10 +158,10 @@ Evaluator<Real> at_generic_state(const Equations& equations) {
   return {equations.program(), [](const SymbolPointer& symbol) { return generic_value(symbol, 0); }};
 }
 
-bool is_negligible(const Real& x) { return abs(x) < Real(Number(10).pow(-30), digits); }
+bool is_negligible(const Real& x) { return abs(x) < zero_tests::reactions.bound(); }
 
 std::vector<Connection> connections(const Equations& equations) {
-  const WorkingDigits precision(digits);
+  const WorkingDigits precision(zero_tests::reactions.digits);
   return Finder(equations).all();
 }
 

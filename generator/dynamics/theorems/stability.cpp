@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "generator/base/error.hpp"
+#include "generator/base/linear_algebra/symmetric_pivots.hpp"
 #include "generator/dynamics/theorems/flat_polynomials.hpp"
 
 namespace torsor {
@@ -35,24 +36,15 @@ LejeuneDirichlet lejeune_dirichlet(const Equations& equations, const Equilibrium
     report.reason = "cannot conclude: " + statics.remarks.front();
     return report;
   }
-  const std::size_t n = statics.hessian.size();
-  std::vector<std::vector<Real>> h;
-  for (const std::vector<Value>& row : statics.hessian) h.push_back(evaluate(row));
-  const std::vector<std::vector<Real>> given = h;
-  for (std::size_t k = 0; k < n; ++k) {
-    const Real pivot = h[k][k];
-    report.pivots.push_back(pivot);
-    const Real least = Real(static_cast<int>(n)) * abs(given[k][k]) * pivot.epsilon();
-    if (!(pivot > least)) {
-      const bool zero = abs(pivot) <= least;
-      report.reason = fmt::format("cannot conclude: pivot {} of the Hessian of -(U + T0) is {}{}", k + 1,
-                                  pivot.to_string(6), zero ? ", zero within rounding" : ", not a minimum");
-      return report;
-    }
-    for (std::size_t i = k + 1; i < n; ++i) {
-      const Real factor = h[i][k] / pivot;
-      for (std::size_t j = k + 1; j < n; ++j) h[i][j] -= factor * h[k][j];
-    }
+  RealRows hessian;
+  for (const std::vector<Value>& row : statics.hessian) hessian.push_back(evaluate(row));
+  const SymmetricPivots pivots(hessian, Real(hessian.size()) * Real(1).epsilon());
+  for (std::size_t k = 0; k < pivots.size(); ++k) {
+    report.pivots.push_back(pivots[k]);
+    if (pivots[k] > Real(0) && !pivots.is_small(k)) continue;
+    report.reason = fmt::format("cannot conclude: pivot {} of the Hessian of -(U + T0) is {}{}", k + 1,
+                                pivots[k].to_string(6), pivots.is_small(k) ? ", zero within rounding" : ", not a minimum");
+    return report;
   }
   report.stable = true;
   report.reason = "stable: -(U + T0) has a strict minimum";

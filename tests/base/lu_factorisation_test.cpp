@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "generator/verification/dense_linear.hpp"
+#include "generator/base/linear_algebra/lu_factorisation.hpp"
 
 #include <gtest/gtest.h>
 
@@ -8,7 +8,7 @@
 
 #include "generator/base/error.hpp"
 
-namespace torsor::dense_linear_test {
+namespace torsor::lu_factorisation_test {
 namespace {
 
 std::string error_of(const auto& action) {
@@ -26,7 +26,7 @@ std::vector<Real> reals(const std::vector<int>& values) {
   return result;
 }
 
-TEST(DenseLinear, SolvesRandomSystemsToItsPrecision) {
+TEST(LuFactorisation, SolvesRandomSystemsToItsPrecision) {
   std::mt19937_64 engine(11);
   std::uniform_int_distribution<long> part(-1000, 1000);
   for (int size = 0; size <= 8; ++size) {
@@ -47,7 +47,7 @@ TEST(DenseLinear, SolvesRandomSystemsToItsPrecision) {
   }
 }
 
-TEST(DenseLinear, SolvesTheHilbertMatrixExactlyAsItsInverseSays) {
+TEST(LuFactorisation, SolvesTheHilbertMatrixExactlyAsItsInverseSays) {
   // The inverse of the 4×4 Hilbert matrix has integer entries; its first column is 16, −120, 240, −140.
   // Condition 1.6e4.
   std::vector<Real> hilbert;
@@ -61,7 +61,7 @@ TEST(DenseLinear, SolvesTheHilbertMatrixExactlyAsItsInverseSays) {
   }
 }
 
-TEST(DenseLinear, PivotsWhereTheDiagonalVanishes) {
+TEST(LuFactorisation, PivotsWhereTheDiagonalVanishes) {
   // Columns (0, 1, 0), (0, 0, 3), (2, 0, 0): a permutation with factors.
   const std::vector<Real> unknowns = solve_dense(reals({0, 1, 0, 0, 0, 3, 2, 0, 0}), reals({4, 5, 6}));
   EXPECT_EQ(unknowns[0], Real(5));
@@ -69,7 +69,7 @@ TEST(DenseLinear, PivotsWhereTheDiagonalVanishes) {
   EXPECT_EQ(unknowns[2], Real(2));
 }
 
-TEST(DenseLinear, IsNotFooledByRowsOfVeryDifferentUnits) {
+TEST(LuFactorisation, IsNotFooledByRowsOfVeryDifferentUnits) {
   // Rows 10^60·(1, 1) and (1, 2): regular, though its second pivot looks like nothing beside 10^60.
   const Real big(Number(10).pow(60), 50);
   const std::vector<Real> unknowns = solve_dense({big, Real(1), big, Real(2)}, {big * Real(3), Real(5)});
@@ -77,7 +77,7 @@ TEST(DenseLinear, IsNotFooledByRowsOfVeryDifferentUnits) {
   EXPECT_LT(abs(unknowns[1] - Real(2)), Real(Number(10).pow(-48), 50));
 }
 
-TEST(DenseLinear, NamesThePivotOfASingularMatrix) {
+TEST(LuFactorisation, NamesThePivotOfASingularMatrix) {
   const std::string message = error_of([] { LuFactorisation(reals({1, 2, 3, 2, 4, 6, 0, 1, 5}), 3); });
   EXPECT_EQ(message.substr(0, 55), "a linear system of size 3 is singular: pivot 1 is 0.00;") << message;
   EXPECT_NE(error_of([] { LuFactorisation(reals({0}), 1); }).find("pivot 0 is"), std::string::npos);
@@ -89,7 +89,7 @@ TEST(DenseLinear, NamesThePivotOfASingularMatrix) {
             std::string::npos);
 }
 
-TEST(DenseLinear, RefusesShapesThatDoNotMatch) {
+TEST(LuFactorisation, RefusesShapesThatDoNotMatch) {
   EXPECT_EQ(error_of([] {
               LuFactorisation(reals({1, 2, 3}), 2);
             }),
@@ -102,4 +102,4 @@ TEST(DenseLinear, RefusesShapesThatDoNotMatch) {
 }
 
 }  // namespace
-}  // namespace torsor::dense_linear_test
+}  // namespace torsor::lu_factorisation_test

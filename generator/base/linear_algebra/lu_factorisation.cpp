@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "generator/verification/dense_linear.hpp"
+#include "generator/base/linear_algebra/lu_factorisation.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <string>
 #include <utility>
 
@@ -85,6 +86,32 @@ std::vector<Real> LuFactorisation::solve(const std::vector<Real>& right_side) co
     unknowns[row] /= factors_[row + row * size];
   }
   return unknowns;
+}
+
+std::vector<Real> LuFactorisation::inverse() const {
+  std::vector<Real> entries;
+  for (int j = 0; j < size_; ++j) {
+    std::vector<Real> unit(static_cast<std::size_t>(size_), Real(0));
+    unit[static_cast<std::size_t>(j)] = Real(1);
+    const std::vector<Real> column = solve(unit);
+    entries.insert(entries.end(), column.begin(), column.end());
+  }
+  return entries;
+}
+
+double norm_of_columns(const std::vector<Real>& column_major, std::size_t rows, std::size_t first) {
+  double largest = 0;
+  for (std::size_t k = first * rows; k < column_major.size(); k += rows) {
+    double column = 0;
+    for (std::size_t i = 0; i < rows; ++i) column += std::abs(column_major[k + i].to_double());
+    largest = std::max(largest, column);
+  }
+  return largest;
+}
+
+double condition_number(const std::vector<Real>& column_major, int size) {
+  const auto rows = static_cast<std::size_t>(size);
+  return norm_of_columns(column_major, rows) * norm_of_columns(LuFactorisation(column_major, size).inverse(), rows);
 }
 
 std::vector<Real> solve_dense(std::vector<Real> column_major, const std::vector<Real>& right_side) {

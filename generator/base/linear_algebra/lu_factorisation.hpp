@@ -18,6 +18,8 @@ class LuFactorisation {
 
   /// x with A x = right_side. Throws Error when the lengths differ.
   std::vector<Real> solve(const std::vector<Real>& right_side) const;
+  /// Column by column.
+  std::vector<Real> inverse() const;
 
  private:
   int size_;
@@ -26,7 +28,13 @@ class LuFactorisation {
   std::vector<int> permutation_;    // row k of the factors is row permutation_[k] of A
 };
 
+/// Its condition number in the 1-norm.
+double condition_number(const std::vector<Real>& column_major, int size);
+
 /// x with A x = b for one right-hand side; errors as above.
 std::vector<Real> solve_dense(std::vector<Real> column_major, const std::vector<Real>& right_side);
+
+/// Largest of the sums of absolute values of a matrix' columns, `rows` entries each.
+double norm_of_columns(const std::vector<Real>& column_major, std::size_t rows, std::size_t first = 0);
 
 }  // namespace torsor
