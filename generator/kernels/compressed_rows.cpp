@@ -21,16 +21,15 @@ CompressedRows::CompressedRows(const ValueMatrix& matrix) {
   }
 }
 
-void CompressedRows::assign(Kernel& kernel, const std::string& result) const {
-  for (std::size_t k = 0; k < values.size(); ++k) {
-    kernel.assignments.push_back({{result, "values", k}, values[k]});
-  }
-}
-
-std::vector<ConstantTable> CompressedRows::tables(const std::string& name, const std::string& documentation) const {
-  return {{name + "_nonzeros", values.size(), documentation},
-          {name + "_row_start", row_starts},
-          {name + "_column", columns}};
+void CompressedRows::give_to(Kernel& kernel, const Texts& texts) const {
+  assign_vector(kernel, {"result", "values"}, values, values.size());
+  kernel.structures = {{texts.structure,
+                        texts.documentation,
+                        {matrix_member("values", values.size(), 1, texts.entries)},
+                        {{texts.tables + "_nonzeros", values.size(), texts.places},
+                         {texts.tables + "_row_start", row_starts},
+                         {texts.tables + "_column", columns}}}};
+  kernel.results = {{texts.structure, "result"}};
 }
 
 }  // namespace torsor

@@ -17,10 +17,15 @@ struct CompressedRows {
 
   /// What vanishes is decided in sixty digits at random states (identically_zero.hpp), so that the pattern is a constant.
   explicit CompressedRows(const ValueMatrix& matrix);
-  /// `result.values[k] = ...` of a kernel, in the order of the rows.
-  void assign(Kernel& kernel, const std::string& result) const;
-  /// `<name>_nonzeros`, `<name>_row_start[]` and `<name>_column[]`.
-  std::vector<ConstantTable> tables(const std::string& name, const std::string& documentation) const;
+
+  /// What the structure of the values is called, and the tables beside it: `<tables>_nonzeros`, `<tables>_row_start[]`
+  /// and `<tables>_column[]`.
+  struct Texts {
+    std::string structure, documentation, entries;
+    std::string tables, places;
+  };
+  /// The result of a kernel: `result.values[k] = ...`, in the order of the rows.
+  void give_to(Kernel& kernel, const Texts& texts) const;
 };
 
 }  // namespace torsor

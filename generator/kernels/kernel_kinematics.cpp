@@ -49,46 +49,34 @@ class KinematicsBuilder {
     }
     const auto n = static_cast<std::size_t>(model_.unknown_count());
     const std::string member = point.name + "_jacobian";
-    structure_.members.push_back({member, 3, static_cast<int>(n), "partial velocities of " + point.name, false});
+    result_.member(member, 3, n, "partial velocities of " + point.name);
     const std::vector<Vector> columns = motion_.partial_velocities(link, arm);
     for (int i = 0; i < 3; ++i) {
-      for (std::size_t j = 0; j < n; ++j) assign(member, 3 * j + static_cast<std::size_t>(i), columns[j][i]);
+      for (std::size_t j = 0; j < n; ++j) result_.assign(member, 3 * j + static_cast<std::size_t>(i), columns[j][i]);
     }
   }
 
   Kernel take() {
-    Kernel kernel;
-    kernel.documentation =
+    return result_.take(
         "Poses and twists of all bodies, positions, velocities and Jacobians of named points, in ground axes;\n"
-        "matrices column by column.";
-    kernel.structures = {structure_};
-    kernel.results = {{"Kinematics", "result"}};
-    kernel.assignments = assignments_;
-    return kernel;
+        "matrices column by column.");
   }
 
  private:
-  void assign(const std::string& member, std::size_t index, const Value& value) {
-    assignments_.push_back({{"result", member, index}, value});
-  }
-
   void add_vector(const std::string& name, const std::string& text, const Vector& v) {
-    structure_.members.push_back({name, 3, 1, text, false});
-    for (int i = 0; i < 3; ++i) assign(name, static_cast<std::size_t>(i), v[i]);
+    result_.member(name, 3, 1, text);
+    result_.vector(name, 0, v);
   }
 
   void add_rotation(const std::string& name, const std::string& text, const Matrix& m) {
-    structure_.members.push_back({name, 3, 3, text, false});
-    for (int j = 0; j < 3; ++j) {
-      for (int i = 0; i < 3; ++i) assign(name, static_cast<std::size_t>(3 * j + i), m(i, j));
-    }
+    result_.member(name, 3, 3, text);
+    result_.matrix(name, 0, m);
   }
 
   const Model& model_;
   Program& program_;
   GroundMotion motion_;
-  Structure structure_{"Kinematics", "Poses, twists and named points in ground axes.", {}};
-  std::vector<Assignment> assignments_;
+  StructureBuilder result_{"Kinematics", "Poses, twists and named points in ground axes."};
 };
 
 }  // namespace

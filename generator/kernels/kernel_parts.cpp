@@ -23,4 +23,23 @@ std::size_t unknowns(const Equations& equations) {
   return static_cast<std::size_t>(equations.model().unknown_count());
 }
 
+void StructureBuilder::vector(const std::string& name, std::size_t k, const Vector& v) {
+  for (int i = 0; i < 3; ++i) assign(name, 3 * k + static_cast<std::size_t>(i), v[i]);
+}
+
+void StructureBuilder::matrix(const std::string& name, std::size_t k, const Matrix& m) {
+  for (int j = 0; j < 3; ++j) {
+    for (int i = 0; i < 3; ++i) assign(name, 9 * k + static_cast<std::size_t>(3 * j + i), m(i, j));
+  }
+}
+
+Kernel StructureBuilder::take(std::string documentation) {
+  Kernel kernel;
+  kernel.documentation = std::move(documentation);
+  kernel.results = {{structure_.name, "result"}};
+  kernel.structures = {std::move(structure_)};
+  kernel.assignments = std::move(assignments_);
+  return kernel;
+}
+
 }  // namespace torsor

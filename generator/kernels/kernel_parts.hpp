@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "generator/geometry/vector.hpp"
 #include "generator/kernels/kernel.hpp"
 
 // What the builders of kernels share.
@@ -19,5 +20,29 @@ void assign_matrix(Kernel& kernel, const Target& target, const ValueMatrix& matr
 void assign_vector(Kernel& kernel, const Target& target, const std::vector<Value>& values, std::size_t n);
 
 std::size_t unknowns(const Equations& equations);
+
+/// Fills the structure `result` of a kernel; entry 3 k + i of a member is component i of its vector k.
+class StructureBuilder {
+ public:
+  StructureBuilder(std::string name, std::string documentation)
+      : structure_{std::move(name), std::move(documentation), {}} {}
+
+  void member(const std::string& name, std::size_t rows, std::size_t columns, const std::string& text) {
+    structure_.members.push_back(matrix_member(name, rows, columns, text));
+  }
+  void assign(const std::string& name, std::size_t index, const Value& value) {
+    assignments_.push_back({{"result", name, index}, value});
+  }
+  void vector(const std::string& name, std::size_t k, const Vector& v);
+  /// Column by column.
+  void matrix(const std::string& name, std::size_t k, const Matrix& m);
+
+  /// The kernel that gives the structure.
+  Kernel take(std::string documentation);
+
+ private:
+  Structure structure_;
+  std::vector<Assignment> assignments_;
+};
 
 }  // namespace torsor

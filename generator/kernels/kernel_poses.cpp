@@ -9,7 +9,6 @@
 namespace torsor {
 namespace {
 
-/// Fills the structure `Poses`; entry 3 k + i of a member is component i of its vector k.
 class PosesBuilder {
  public:
   explicit PosesBuilder(const Equations& equations)
@@ -21,75 +20,68 @@ class PosesBuilder {
     bodies();
     forms();
     reactions();
-    member("gravity", 3, 1, "acceleration of gravity [m/s^2]");
-    vector("gravity", 0, lower(program_, scene_.gravity));
-    Kernel kernel;
-    kernel.documentation =
+    result_.member("gravity", 3, 1, "acceleration of gravity [m/s^2]");
+    result_.vector("gravity", 0, lower(program_, scene_.gravity));
+    return result_.take(
         "What a picture of the mechanism needs, in ground axes: one column for each frame, point and body of the scene, "
-        "in\nthe order of their declaration, the ground first.";
-    kernel.structures = {structure_};
-    kernel.results = {{"Poses", "result"}};
-    kernel.assignments = assignments_;
-    return kernel;
+        "in\nthe order of their declaration, the ground first.");
   }
 
  private:
   void frames() {
     const std::size_t count = scene_.frames.size();
-    member("origins", 3, count, "origins of the frames [m]");
-    member("rotations", 9, count, "from the axes of each frame to the ground's, column by column");
-    member("anchors", 3, count, "places of the joints in the frames' parents [m]");
-    member("axes", 3, count, "axes of turning and sliding joints; 0 elsewhere");
+    result_.member("origins", 3, count, "origins of the frames [m]");
+    result_.member("rotations", 9, count, "from the axes of each frame to the ground's, column by column");
+    result_.member("anchors", 3, count, "places of the joints in the frames' parents [m]");
+    result_.member("axes", 3, count, "axes of turning and sliding joints; 0 elsewhere");
     for (std::size_t k = 0; k < count; ++k) {
       const FrameContent& frame = scene_.frames[k];
       const FramePlace& at = model_.place(FrameHandle{static_cast<int>(k)}, "frame '" + frame.name + "'");
       const Vector origin = place(at.link, at.origin);
-      vector("origins", k, origin);
+      result_.vector("origins", k, origin);
       const Matrix turn = bound(program_, motion_.rotation(at.link) * constant_matrix(program_, at.rotation));
-      for (int j = 0; j < 3; ++j) {
-        for (int i = 0; i < 3; ++i) assign("rotations", 9 * k + static_cast<std::size_t>(3 * j + i), turn(i, j));
-      }
-      vector("anchors", k, frame.parent ? anchor(frame) : origin);
+      result_.matrix("rotations", k, turn);
+      result_.vector("anchors", k, frame.parent ? anchor(frame) : origin);
       const bool has_axis = frame.joint == JointKind::revolute || frame.joint == JointKind::prismatic;
       const Link& link = model_.links()[static_cast<std::size_t>(at.link)];
-      vector("axes", k, has_axis ? bound(program_, motion_.rotation(at.link) * link.axis) : Vector());
+      result_.vector("axes", k, has_axis ? bound(program_, motion_.rotation(at.link) * link.axis) : Vector());
     }
   }
 
   void points() {
     const std::size_t count = scene_.points.size();
     if (count == 0) return;
-    member("points", 3, count, "named points [m]");
-    member("rims", 3, count, "axes of the discs whose lowest point is meant; 0 for other points");
-    member("radii", 1, count, "radii of the discs and spheres whose lowest point is meant; 0 for other points [m]");
+    result_.member("points", 3, count, "named points [m]");
+    result_.member("rims", 3, count, "axes of the discs whose lowest point is meant; 0 for other points");
+    result_.member("radii", 1, count, "radii of the discs and spheres whose lowest point is meant; 0 for other points [m]");
     for (std::size_t k = 0; k < count; ++k) {
       const PointContent& point = scene_.points[k];
       const std::string user = "point '" + point.name + "'";
       const FramePlace& at = model_.place(point.frame, user);
-      vector("points", k, place(at.link, model_.locate(PointHandle{static_cast<int>(k)}, at.link, user)));
+      result_.vector("points", k, place(at.link, model_.locate(PointHandle{static_cast<int>(k)}, at.link, user)));
       const bool rim = point.lowest && point.lowest->axis;
-      vector("rims", k, rim ? turned(at, lower(program_, *point.lowest->axis)) : Vector());
+      result_.vector("rims", k, rim ? turned(at, lower(program_, *point.lowest->axis)) : Vector());
       const bool round = point.lowest && !point.lowest->support;
-      assign("radii", k, round ? program_.lower(point.lowest->radius) : Value());
+      result_.assign("radii", k, round ? program_.lower(point.lowest->radius) : Value());
     }
   }
 
   void bodies() {
     const std::size_t count = scene_.bodies.size();
     if (count == 0) return;
-    member("centres", 3, count, "centres of mass [m]");
-    member("masses", 1, count, "masses [kg]");
-    member("inertias", 6, count, "xx, yy, zz, xy, xz, yz about the centre of mass along the axes of its frame [kg m^2]");
+    result_.member("centres", 3, count, "centres of mass [m]");
+    result_.member("masses", 1, count, "masses [kg]");
+    result_.member("inertias", 6, count, "xx, yy, zz, xy, xz, yz about the centre of mass along the axes of its frame [kg m^2]");
     for (std::size_t k = 0; k < count; ++k) {
       const BodyContent& body = scene_.bodies[k];
       const FramePlace& at = model_.place(body.frame, "body '" + body.name + "'");
       const Inertia& inertia = body.inertia;
-      vector("centres", k, place(at.link, bound(program_, at.origin + at.rotation * lower(program_, inertia.center))));
-      assign("masses", k, program_.lower(inertia.mass));
+      result_.vector("centres", k, place(at.link, bound(program_, at.origin + at.rotation * lower(program_, inertia.center))));
+      result_.assign("masses", k, program_.lower(inertia.mass));
       std::size_t entry = 6 * k;
       for (const Expression& moment :
            {inertia.xx, inertia.yy, inertia.zz, inertia.xy, inertia.xz, inertia.yz}) {
-        assign("inertias", entry++, program_.lower(moment));
+        result_.assign("inertias", entry++, program_.lower(moment));
       }
     }
   }
@@ -98,14 +90,14 @@ class PosesBuilder {
   void forms() {
     const std::size_t count = scene_.shown.size();
     if (count == 0) return;
-    member("form_origins", 3, count, "origins of the forms that are shown, in their frames [m]");
-    member("form_lengths", 4, count, "edges; radius, length; radius; a segment's vector, radius [m]");
+    result_.member("form_origins", 3, count, "origins of the forms that are shown, in their frames [m]");
+    result_.member("form_lengths", 4, count, "edges; radius, length; radius; a segment's vector, radius [m]");
     for (std::size_t k = 0; k < count; ++k) {
       const auto [origin, lengths] = std::visit([](const auto& form) { return measures(form); }, scene_.shown[k].form);
       const Placement& placement = scene_.shown[k].placement;
       const Matrix turn = constant_matrix(program_, placement.rotation);
-      vector("form_origins", k, lower(program_, placement.origin) + bound(program_, turn * lower(program_, origin)));
-      for (std::size_t i = 0; i < 4; ++i) assign("form_lengths", 4 * k + i, program_.lower(lengths[i]));
+      result_.vector("form_origins", k, lower(program_, placement.origin) + bound(program_, turn * lower(program_, origin)));
+      for (std::size_t i = 0; i < 4; ++i) result_.assign("form_lengths", 4 * k + i, program_.lower(lengths[i]));
     }
   }
 
@@ -126,8 +118,8 @@ class PosesBuilder {
   void reactions() {
     const std::size_t count = scene_.constraints.size();
     if (count == 0) return;
-    member("reaction_points", 3, count, "points where forces of constraints act on the bodies that they are named on [m]");
-    member("reaction_forces", 3, count, "these forces for a unit multiplier; 0 for a couple and where none is said");
+    result_.member("reaction_points", 3, count, "points where forces of constraints act on the bodies that they are named on [m]");
+    result_.member("reaction_forces", 3, count, "these forces for a unit multiplier; 0 for a couple and where none is said");
     for (std::size_t k = 0; k < count; ++k) {
       const ConstraintContent& constraint = scene_.constraints[k];
       const std::string user = "constraint '" + constraint.name + "'";
@@ -152,8 +144,8 @@ class PosesBuilder {
         force = turned(model_.place(joint->a, user), lower(program_, *axes.at(static_cast<std::size_t>(joint->i))));
         if (joint->sign < 0) force = -force;
       }
-      vector("reaction_points", k, at);
-      vector("reaction_forces", k, force);
+      result_.vector("reaction_points", k, at);
+      result_.vector("reaction_forces", k, force);
     }
   }
 
@@ -173,22 +165,11 @@ class PosesBuilder {
     return bound(program_, motion_.rotation(at.link) * in_link);
   }
 
-  void member(const std::string& name, std::size_t rows, std::size_t columns, const std::string& text) {
-    structure_.members.push_back(matrix_member(name, rows, columns, text));
-  }
-  void vector(const std::string& name, std::size_t k, const Vector& v) {
-    for (int i = 0; i < 3; ++i) assign(name, 3 * k + static_cast<std::size_t>(i), v[i]);
-  }
-  void assign(const std::string& name, std::size_t index, const Value& value) {
-    assignments_.push_back({{"result", name, index}, value});
-  }
-
   const Model& model_;
   const SceneContent& scene_;
   Program& program_;
   GroundMotion motion_;
-  Structure structure_{"Poses", "Places and axes in ground axes.", {}};
-  std::vector<Assignment> assignments_;
+  StructureBuilder result_{"Poses", "Places and axes in ground axes."};
 };
 
 }  // namespace

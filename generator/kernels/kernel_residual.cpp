@@ -79,22 +79,17 @@ Kernel make_residual_jacobian(const Equations& equations) {
   }
   for (const std::size_t k : equations.redundancy().dropped) jacobian[n + k][3 * n + k] = program.number(Number(1));
   Kernel kernel;
-  const CompressedRows rows(jacobian);
-  rows.assign(kernel, "result");
   kernel.documentation = "Derivatives of residual by (q, v, a, lambda) without those that vanish identically: `values` of\n"
                          "compressed rows. " + rows_of(equations) + ".";
   if (has_quaternions(equations.model())) {
     kernel.documentation += "\nAlong an attitude q_j is a turn about its moving axis j.";
   }
   kernel.arguments = {Argument::accelerations, Argument::multipliers, Argument::inputs};
-  Structure structure{"ResidualJacobian", "Derivatives of the residual in compressed rows.", {}};
-  structure.members = {matrix_member("values", rows.values.size(), 1, "entries, row by row")};
-  structure.tables = rows.tables(
-      "residual_jacobian",
-      "Where the values of ResidualJacobian stand: those of row i from row_start[i] to row_start[i + 1], each in its\n"
-      "column: of unknown j by position j, by velocity n + j, by acceleration 2 n + j, by multiplier k 3 n + k.");
-  kernel.structures = {structure};
-  kernel.results = {{"ResidualJacobian", "result"}};
+  CompressedRows(jacobian).give_to(
+      kernel, {"ResidualJacobian", "Derivatives of the residual in compressed rows.", "entries, row by row",
+               "residual_jacobian",
+               "Where the values of ResidualJacobian stand: those of row i from row_start[i] to row_start[i + 1], each in its\n"
+               "column: of unknown j by position j, by velocity n + j, by acceleration 2 n + j, by multiplier k 3 n + k."});
   return kernel;
 }
 

@@ -2,7 +2,6 @@
 #include "generator/kernels/kernel_sparse_jacobian.hpp"
 
 #include "generator/kernels/compressed_rows.hpp"
-#include "generator/kernels/kernel_parts.hpp"
 
 namespace torsor {
 
@@ -25,18 +24,13 @@ std::string no_sparse_constraint_jacobian(const Equations& equations) {
 
 Kernel make_sparse_constraint_jacobian(const Equations& equations) {
   Kernel kernel;
-  const CompressedRows rows = rows_of_jacobian(equations);
-  rows.assign(kernel, "result");
   kernel.documentation =
       "Jacobian A(q, t) of the constraints without the entries that vanish identically: `values` of compressed rows.";
-  Structure structure{"SparseConstraintJacobian", "Entries of A in compressed rows.", {}};
-  structure.members = {matrix_member("values", rows.values.size(), 1, "entries of A, row by row")};
-  structure.tables = rows.tables(
-      "constraint_jacobian",
-      "Where the values of SparseConstraintJacobian stand: those of row i, in the order of the multipliers, from\n"
-      "row_start[i] to row_start[i + 1], each in its column, an index in v.");
-  kernel.structures = {structure};
-  kernel.results = {{"SparseConstraintJacobian", "result"}};
+  rows_of_jacobian(equations).give_to(
+      kernel, {"SparseConstraintJacobian", "Entries of A in compressed rows.", "entries of A, row by row",
+               "constraint_jacobian",
+               "Where the values of SparseConstraintJacobian stand: those of row i, in the order of the multipliers, from\n"
+               "row_start[i] to row_start[i + 1], each in its column, an index in v."});
   return kernel;
 }
 
