@@ -39,8 +39,11 @@ class ListingBuilder {
   ValueNumber place_of(const SymbolPointer& symbol);  ///< an argument
   ValueNumber read(Table table, std::size_t index);   ///< where it stands
   ValueNumber add_local(const std::string& name) { return add({Table::local, locals_++, name}); }
-  void assign(ValueNumber quantity, Formula right) {
+  /// A new local quantity.
+  ValueNumber assign(const std::string& name, Formula right) {
+    const ValueNumber quantity = add_local(name);
     listing_.statements.emplace_back(Assigned{quantity, std::move(right), {}});
+    return quantity;
   }
   Listing& listing() { return listing_; }
 

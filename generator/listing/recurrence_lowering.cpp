@@ -6,10 +6,11 @@
 
 #include <fmt/format.h>
 
-#include "generator/listing/formula_parts.hpp"
+#include "generator/program/formula_parts.hpp"
 
 namespace torsor {
 
+using formula_parts::add;
 using formula_parts::difference;
 using formula_parts::number;
 using formula_parts::product;
@@ -115,9 +116,7 @@ RecurrenceLowering::Optional RecurrenceLowering::factor(const Polynomial& coeffi
     return Formula::of_value_number(builder_.place_of(positive.terms()[0].monomial[0].value_number));
   const auto [index, added] = factors_.add(positive);
   if (added) {
-    Formula right = builder_.formula_of(positive);
-    factor_places_.push_back(builder_.add_local(fmt::format("f{}", index)));
-    builder_.assign(factor_places_.back(), std::move(right));
+    factor_places_.push_back(builder_.assign(fmt::format("f{}", index), builder_.formula_of(positive)));
   }
   return Formula::of_value_number(factor_places_[index]);
 }
@@ -141,29 +140,17 @@ RecurrenceLowering::Optional RecurrenceLowering::with_terms(Optional before, con
   std::vector<SeriesForm::Term> terms = form.terms;  // what is known last is added last
   std::stable_sort(terms.begin(), terms.end(),
                    [this](const auto& a, const auto& b) { return is_deeper(b.node, a.node); });
-  Formula all;
-  all.kind = Formula::Kind::sum;
-  const auto add = [&all](Formula part, bool negative) {
-    const bool whole = all.children.empty() && part.kind == Formula::Kind::sum && !negative;
-    if (whole) {
-      all = std::move(part);
-      return;
-    }
-    all.children.push_back(std::move(part));
-    all.negative.push_back(negative);
-  };
-  if (before) add(std::move(*before), false);
+  Formula all = sum({});
+  if (before) add(all, std::move(*before), false);
   for (const SeriesForm::Term& term : terms) {
     Optional value = operand(term.node);
     if (!value) continue;
     bool negative = false;
     const Optional size = factor(term.coefficient, negative);
-    add(size ? product({*size, *value}) : *value, negative);
+    add(all, size ? product({*size, *value}) : *value, negative);
   }
   if (all.children.empty()) return std::nullopt;
-  if (all.children.size() != 1 || all.negative[0]) return all;
-  Formula only = std::move(all.children[0]);
-  return only;
+  return formula_parts::collapsed(std::move(all));
 }
 
 /// A node's value at the start; what is not known yet is computed.
@@ -200,10 +187,8 @@ Formula RecurrenceLowering::begin(int id) {
     default:
       break;
   }
-  const ValueNumber made = builder_.add_local(fmt::format("b{}", id));
-  builder_.assign(made, std::move(right));
-  begin_[place(id)] = made;
-  return Formula::of_value_number(made);
+  begin_[place(id)] = builder_.assign(fmt::format("b{}", id), std::move(right));
+  return Formula::of_value_number(*begin_[place(id)]);
 }
 
 /// What a quotient, a square root or a logarithm is multiplied by at each order, computed when it is first asked for.
@@ -214,10 +199,8 @@ Formula RecurrenceLowering::inverse(int id) {
   Formula value = begin(divisor);
   Formula right =
       quotient(each.kind == Kind::square_root ? number(Number::rational(1, 2)) : number(Number(1)), std::move(value));
-  const ValueNumber made = builder_.add_local(fmt::format("i{}", id));
-  builder_.assign(made, std::move(right));
-  inverse_[place(id)] = made;
-  return Formula::of_value_number(made);
+  inverse_[place(id)] = builder_.assign(fmt::format("i{}", id), std::move(right));
+  return Formula::of_value_number(*inverse_[place(id)]);
 }
 
 ValueNumber RecurrenceLowering::step(const std::string& name, Formula right, const std::string& meaning) {
@@ -247,9 +230,8 @@ Formula RecurrenceLowering::selected(const SeriesNode& each, int id) {
   const auto of = [&](int operand) { return operand < 0 ? number(Number()) : x(operand); };
   Formula condition = argument(0);
   if (call.function == Function::maximum) {
-    const ValueNumber difference_of = builder_.add_local(fmt::format("c{}", id));
-    builder_.assign(difference_of, difference(std::move(condition), argument(1)));
-    condition = Formula::of_value_number(difference_of);
+    Formula apart = difference(std::move(condition), argument(1));
+    condition = Formula::of_value_number(builder_.assign(fmt::format("c{}", id), std::move(apart)));
   }
   Formula choice;
   choice.kind = Formula::Kind::function;
@@ -301,8 +283,7 @@ void RecurrenceLowering::write_order(int id) {
         right = product({difference(x(each.left), sum({sum_of(id), of_divisor})), factor});
       } else {
         Formula top = difference(x(each.left), sum_of(id));
-        top.children.push_back(of_divisor);
-        top.negative.push_back(true);
+        add(top, of_divisor, true);
         right = product({std::move(top), factor});
       }
       break;

@@ -4,11 +4,12 @@
 
 #include <fmt/format.h>
 
-#include "generator/listing/formula_parts.hpp"
+#include "generator/program/formula_parts.hpp"
 #include "generator/listing/recurrence_lowering.hpp"
 
 namespace torsor {
 
+using formula_parts::add;
 using formula_parts::number;
 using formula_parts::product;
 using formula_parts::sum;
@@ -113,17 +114,9 @@ void RecurrenceLowering::write_accelerations() {
     if (coefficient.is_zero() || !value) return;
     bool negative = false;
     const Optional size = factor(coefficient, negative);
-    Formula part = size ? product({*size, *value}) : *value;
-    Formula all;
-    all.kind = Formula::Kind::sum;
-    if (from && from->kind == Formula::Kind::sum) {
-      all = std::move(*from);
-    } else if (from) {
-      all.children.push_back(std::move(*from));
-      all.negative.push_back(false);
-    }
-    all.children.push_back(std::move(part));
-    all.negative.push_back(!negative);
+    Formula all = sum({});
+    if (from) add(all, std::move(*from), false);
+    add(all, size ? product({*size, *value}) : *value, !negative);
     from = std::move(all);
   };
   for (std::size_t k = n; k-- > 0;) {
@@ -132,11 +125,8 @@ void RecurrenceLowering::write_accelerations() {
     });
     Optional right;
     if (left) {  // minus all of it, rounded as it is
-      Formula minus;
-      minus.kind = Formula::Kind::sum;
-      minus.children.push_back(std::move(*left));
-      minus.negative.push_back(true);
-      right = std::move(minus);
+      right = sum({});
+      add(*right, std::move(*left), true);
     }
     for (std::size_t i = n; i-- > k + 1;) subtract(right, i, k, rest[i]);
     if (right) rest[k] = Formula::of_value_number(step(fmt::format("r{}", k), std::move(*right)));

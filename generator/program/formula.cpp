@@ -7,6 +7,7 @@
 #include <unordered_map>
 #include <utility>
 
+#include "generator/program/formula_parts.hpp"
 #include "generator/program/sum_table.hpp"
 
 namespace torsor {
@@ -14,27 +15,18 @@ namespace {
 
 /// coefficient · monomial as a product, or a quotient when value numbers divide.
 Formula of_term(const Monomial& monomial, const Number& size) {
-  Formula numerator;
-  numerator.kind = Formula::Kind::product;
-  Formula denominator = numerator;
-  if (!size.is_one()) numerator.children.push_back(Formula::of_number(size));
+  std::vector<Formula> numerator, denominator;
+  if (!size.is_one()) numerator.push_back(Formula::of_number(size));
   for (const Factor& factor : monomial) {
-    Formula& side = factor.exponent > 0 ? numerator : denominator;
-    for (int k = 0; k < std::abs(factor.exponent); ++k)
-      side.children.push_back(Formula::of_value_number(factor.value_number));
+    std::vector<Formula>& side = factor.exponent > 0 ? numerator : denominator;
+    for (int k = 0; k < std::abs(factor.exponent); ++k) side.push_back(Formula::of_value_number(factor.value_number));
   }
-  const auto collapse = [](Formula product) {
-    if (product.children.empty()) return Formula::of_number(Number(1));
-    if (product.children.size() != 1) return product;
-    Formula only = std::move(product.children[0]);
-    return only;
+  const auto collapse = [](std::vector<Formula> factors) {
+    if (factors.empty()) return Formula::of_number(Number(1));
+    return factors.size() == 1 ? std::move(factors[0]) : formula_parts::product(std::move(factors));
   };
-  if (denominator.children.empty()) return collapse(std::move(numerator));
-  Formula quotient;
-  quotient.kind = Formula::Kind::quotient;
-  quotient.children.push_back(collapse(std::move(numerator)));
-  quotient.children.push_back(collapse(std::move(denominator)));
-  return quotient;
+  Formula top = collapse(std::move(numerator));
+  return denominator.empty() ? std::move(top) : formula_parts::quotient(std::move(top), collapse(std::move(denominator)));
 }
 
 /// The value number that stands, with a positive exponent, in most terms; at least in two. Ties go to the earliest value number.
@@ -71,9 +63,7 @@ std::optional<Number> most_shared_size(const Polynomial& polynomial, int& uses) 
 }
 
 Formula multiplied(const Formula& factor, Formula rest) {
-  Formula product;
-  product.kind = Formula::Kind::product;
-  product.children.push_back(factor);
+  Formula product = formula_parts::product({factor});
   if (rest.kind == Formula::Kind::product) {
     product.children.insert(product.children.end(), std::make_move_iterator(rest.children.begin()),
                             std::make_move_iterator(rest.children.end()));
@@ -116,10 +106,8 @@ Formula negated(Formula formula) {
     formula.negative.flip();
     return formula;
   }
-  Formula sum;
-  sum.kind = Formula::Kind::sum;
-  sum.children.push_back(std::move(formula));
-  sum.negative.push_back(true);
+  Formula sum = formula_parts::sum({});
+  formula_parts::add(sum, std::move(formula), true);
   return sum;
 }
 
@@ -128,8 +116,7 @@ Formula factored(const Polynomial& polynomial) {
   if (terms.empty()) return Formula::of_number(Number());
   if (terms.size() == 1 && terms[0].coefficient.sign() > 0) return of_term(terms[0].monomial, terms[0].coefficient);
 
-  Formula sum;
-  sum.kind = Formula::Kind::sum;
+  Formula sum = formula_parts::sum({});
   int value_number_uses = 0;
   int size_uses = 0;
   const std::optional<ValueNumber> value_number = most_shared_value_number(polynomial, value_number_uses);
@@ -162,21 +149,16 @@ Formula factored(const Polynomial& polynomial) {
       append(sum, of_term(term.monomial, term.coefficient.abs()), term.coefficient.sign() < 0);
     }
   }
-  if (sum.children.size() != 1 || sum.negative[0]) return sum;
-  Formula only = std::move(sum.children[0]);
-  return only;
+  return formula_parts::collapsed(std::move(sum));
 }
 
 Formula expanded(const Polynomial& polynomial) {
   if (polynomial.is_zero()) return Formula::of_number(Number());
-  Formula sum;
-  sum.kind = Formula::Kind::sum;
+  Formula sum = formula_parts::sum({});
   for (const Term& term : polynomial.terms()) {
     append(sum, of_term(term.monomial, term.coefficient.abs()), term.coefficient.sign() < 0);
   }
-  if (sum.children.size() != 1 || sum.negative[0]) return sum;
-  Formula only = std::move(sum.children[0]);
-  return only;
+  return formula_parts::collapsed(std::move(sum));
 }
 
 Formula formula(const Program& program, const Polynomial& sum) {
