@@ -4,26 +4,16 @@
 #include <algorithm>
 
 #include "generator/dynamics/forces/constraint_wrench.hpp"
-#include "generator/verification/moving_state.hpp"
+#include "generator/verification/motion_check.hpp"
 #include "generator/verification/posed_constraints.hpp"
-#include "generator/verification/worst.hpp"
 
 namespace torsor {
 namespace {
 
-class ConstraintCheck {
+class ConstraintCheck : MotionCheck {
  public:
   ConstraintCheck(const Scene& scene, const CheckOptions& options)
-      : scene_(scene),
-        options_(options),
-        // A quotient of second order with the step h has errors of h² and 10^-(working digits)/h²: half the digits and
-        // ten more for h leave 20 digits of both below the digits asked for.
-        precision_(2 * options.digits + 50),
-        h_(pow(Real(10), -options.digits / 2 - 10)),
-        program_(Model::resolver(scene, {})),
-        model_(scene, program_),
-        rows_(constraint_rows(model_)),
-        poses_(model_) {
+      : MotionCheck(scene, options), rows_(constraint_rows(model_)), poses_(model_) {
     for (std::size_t j = 0; j < rows_.size(); ++j) {
       // A reaction with a name acts where the scene says, on other bodies perhaps than those that the law names: what
       // it does along the coordinates is compared with the gradient elsewhere.
@@ -34,42 +24,30 @@ class ConstraintCheck {
 
   std::vector<CheckResult> run() {
     for (int k = 0; k < options_.states; ++k) {
-      const RandomState state(scene_, static_cast<std::uint64_t>(k) + 1);
-      const MovingState motion(scene_, state);
-      Evaluator<Real> here(program_, motion.at(Real(0))), before(program_, motion.at(-h_)),
-          after(program_, motion.at(h_));
-      for (std::size_t j = 0; j < rows_.size(); ++j) differentiate(rows_[j], before, here, after);
-      const Poses middle = poses_.at(here), earlier = poses_.at(before), later = poses_.at(after);
+      Moment at(*this, k + 1);
+      for (const ConstraintRow& row : rows_) differentiate(row, at);
+      const Poses middle = poses_.at(at.here), earlier = poses_.at(at.before), later = poses_.at(at.after);
       for (std::size_t j = 0; j < rows_.size(); ++j) {
         if (!wrenches_[j]) continue;
         const auto& law = scene_.content().constraints[j].law;
         if (rows_[j].holonomic) {
-          displace(j, law, middle, here);
+          displace(j, law, middle, at.here);
         } else if (std::holds_alternative<NoSlip>(law)) {
-          const Real power = power_in_motion(*wrenches_[j], earlier, middle, later, here);
-          keep(power - here(rows_[j].rate), sum_of_terms(rows_[j], here), wrench_);
+          const Real power = power_in_motion(*wrenches_[j], earlier, middle, later, at.here);
+          keep(power - at.here(rows_[j].rate), sum_of_terms(rows_[j], at.here), wrench_);
         }
       }
     }
-    const double bound = pow(Real(10), 5 - options_.digits).to_double();
     std::vector<CheckResult> results{
-        {"constraint_motion", "constraints differentiated along a motion against a and gamma", motion_, bound}};
+        {"constraint_motion", "constraints differentiated along a motion against a and gamma", motion_, bound()}};
     if (std::any_of(wrenches_.begin(), wrenches_.end(), [](const auto& each) { return each.has_value(); })) {
       results.push_back(
-          {"constraint_wrenches", "wrenches of constraints against virtual displacements of bodies", wrench_, bound});
+          {"constraint_wrenches", "wrenches of constraints against virtual displacements of bodies", wrench_, bound()});
     }
     return results;
   }
 
  private:
-  /// |difference| over a scale. Numbers of the state are about 1: where all terms vanish identically, errors of the
-  /// quotient are left, h² times a higher derivative, and no scale for them.
-  void keep(const Real& difference, const Real& scale, double& worst) const {
-    if (abs(difference) < pow(Real(10), -options_.digits - 5)) return;
-    const double relative = (abs(difference) / scale).to_double();
-    if (is_worse(relative, worst)) worst = relative;
-  }
-
   Real sum_of_terms(const ConstraintRow& row, Evaluator<Real>& here) const {
     Real sum = abs(here(row.rate));
     for (int i = 0; i < model_.unknown_count(); ++i) {
@@ -78,20 +56,11 @@ class ConstraintCheck {
     return sum;
   }
 
-  void differentiate(const ConstraintRow& row, Evaluator<Real>& before, Evaluator<Real>& here, Evaluator<Real>& after) {
-    const Value& f = row.holonomic ? row.value : row.rate;
-    const Real earlier = before(f), middle = here(f), later = after(f);
-    const Real slope = (later - earlier) / (Real(2) * h_);
-    Real acceleration = here(row.gamma);
-    Real size = abs(acceleration);
-    for (int i = 0; i < model_.unknown_count(); ++i) {
-      const Real term = here(row.jacobian[static_cast<std::size_t>(i)]) * here(model_.a(i));
-      acceleration += term;
-      size += abs(term);
-    }
-    if (!row.holonomic) return keep(slope - acceleration, size, motion_);
-    keep(slope - here(row.rate), sum_of_terms(row, here), motion_);
-    keep((later - middle - middle + earlier) / (h_ * h_) - acceleration, size, motion_);
+  void differentiate(const ConstraintRow& row, Moment& at) {
+    const auto [acceleration, size] = this->acceleration(row.jacobian, row.gamma, at.here);
+    if (!row.holonomic) return keep(slope(row.rate, at) - acceleration, size, motion_);
+    keep(slope(row.value, at) - at.here(row.rate), sum_of_terms(row, at.here), motion_);
+    keep(curvature(row.value, at) - acceleration, size, motion_);
   }
 
   static std::array<Real, 6> evaluated(const Wrench& wrench, Evaluator<Real>& here) {
@@ -142,12 +111,6 @@ class ConstraintCheck {
     return sum;
   }
 
-  const Scene& scene_;
-  CheckOptions options_;
-  WorkingDigits precision_;
-  Real h_;
-  Program program_;
-  Model model_;
   std::vector<ConstraintRow> rows_;
   PosedScene poses_;
   std::vector<std::optional<WrenchOnLinks>> wrenches_;

@@ -7,8 +7,8 @@
 
 #include "generator/kernels/kernel_jets.hpp"
 #include "generator/program/derivative.hpp"
-#include "generator/program/series_evaluation.hpp"
 #include "generator/verification/condition.hpp"
+#include "generator/verification/kernel_text.hpp"
 #include "generator/verification/random_state.hpp"
 #include "generator/verification/worst.hpp"
 
@@ -48,16 +48,6 @@ std::vector<Value> rates_of(const Equations& equations, const std::vector<Symbol
   return rates;
 }
 
-template <class Scalar>
-std::vector<std::vector<Scalar>> coefficients_of(const SeriesResult& series, Evaluator<Scalar>& here) {
-  SeriesEvaluation<Scalar> evaluation(series.program, series.state, here);
-  if (series.solve) {
-    const SeriesSolve& solve = *series.solve;
-    evaluation.solve_for(solve.unknowns, solve.start, solve.lower, solve.inverse_pivots);
-  }
-  return evaluation(degree + 1);
-}
-
 class JetCheck {
  public:
   explicit JetCheck(const Scene& scene)
@@ -75,7 +65,7 @@ class JetCheck {
   void at(const RandomState& state) {
     const SeriesResult& series = *kernel_.series;
     Evaluator<Real> exact(equations_.program(), state.in_real());
-    const Coefficients c = coefficients_of(series, exact);
+    const Coefficients c = taylor_coefficients(series, exact, degree + 1);
     const double rho = growth(c);
     const double size = std::max(1.0, largest(c[0]));
     compare_in_double(state, c, rho, size, exact);
@@ -111,7 +101,7 @@ class JetCheck {
                          Evaluator<Real>& here) {
     const SeriesResult& series = *kernel_.series;
     Evaluator<double> fast(equations_.program(), state.in_double());
-    const auto c = coefficients_of(series, fast);
+    const auto c = taylor_coefficients(series, fast, degree + 1);
     const double allowance = std::max(1.0, motion_condition(equations_, here) / 10);
     for (std::size_t k = 1; k < c.size(); ++k) {
       for (std::size_t i = 0; i < c[k].size(); ++i) {

@@ -9,42 +9,16 @@
 #include <fmt/format.h>
 
 #include "generator/base/error.hpp"
-#include "generator/emission/mechanism_listing.hpp"
-#include "generator/listing/generation_constant.hpp"
-#include "generator/listing/listing_evaluator.hpp"
-#include "generator/program/evaluation.hpp"
-#include "generator/program/series_evaluation.hpp"
 #include "generator/verification/ball.hpp"
+#include "generator/verification/kernel_text.hpp"
 #include "generator/verification/running_error.hpp"
 #include "generator/verification/sensitivity.hpp"
 
 namespace torsor {
 namespace {
 
-std::vector<Kernel> present_kernels(const Equations& equations, const std::vector<std::string>& names) {
-  std::vector<Kernel> kernels;
-  for (const std::string& name : names) {
-    Kernel kernel = make_kernel(name, equations);
-    if (kernel.skipped.empty()) kernels.push_back(std::move(kernel));
-  }
-  return kernels;
-}
-
 /// Of mass[2]: "mass"
 std::string result_name(const Target& target) { return Target{target.result, target.member}.to_string(); }
-
-/// Coefficients of the orders 1 to jet_orders, one order after the other.
-template <class Scalar>
-std::vector<Scalar> coefficients(const SeriesResult& series, Evaluator<Scalar>& here) {
-  std::vector<Scalar> all;
-  SeriesEvaluation<Scalar> evaluation(series.program, series.state, here);
-  if (const auto& solve = series.solve) {
-    evaluation.solve_for(solve->unknowns, solve->start, solve->lower, solve->inverse_pivots);
-  }
-  const auto by_order = evaluation(jet_orders);
-  for (std::size_t k = 1; k < by_order.size(); ++k) all.insert(all.end(), by_order[k].begin(), by_order[k].end());
-  return all;
-}
 
 /// (name, unit) of each result; no name for one that is a constant of the header.
 std::vector<std::pair<std::string, Unit>> results_of(const Kernel& kernel) {
@@ -65,12 +39,12 @@ std::vector<std::pair<std::string, Unit>> results_of(const Kernel& kernel) {
   return results;
 }
 
-std::vector<OutputGroup> groups_of(const std::vector<Kernel>& kernels) {
+std::vector<OutputGroup> groups_of(const std::vector<OwnKernel>& kernels) {
   std::vector<OutputGroup> groups;
   for (std::size_t k = 0; k < kernels.size(); ++k) {
     std::vector<std::pair<std::string, Unit>> keys;
     const std::size_t first = groups.size();
-    const std::vector<std::pair<std::string, Unit>> results = results_of(kernels[k]);
+    const std::vector<std::pair<std::string, Unit>> results = results_of(kernels[k].kernel);
     for (std::size_t i = 0; i < results.size(); ++i) {
       const std::pair<std::string, Unit>& key = results[i];
       if (key.first.empty()) continue;
@@ -101,60 +75,62 @@ typename Evaluator<Scalar>::SymbolValue symbol_values(Scalar pi, Of of) {
   return [pi, of](const SymbolPointer& symbol) { return symbol->kind == SymbolKind::pi ? pi : of(symbol); };
 }
 
-/// The same results with every parameter that has a name as a symbol: a program of its own, for derivatives. Numbers
-/// that the scene gives without a name are parameters too; ± 1 is none, so that in 1 - cos x nothing but x is data.
-class Conditions {
+/// Symbols that values depend on; of a series its state is among them.
+std::vector<SymbolPointer> symbols_of(const OwnKernel& own, std::vector<Value> values) {
+  Program& program = own.equations->program();
+  if (own.kernel.series) {
+    for (const SymbolPointer& symbol : own.kernel.series->state) values.push_back(program.symbol(symbol));
+  }
+  std::vector<SymbolPointer> symbols;
+  for (const ValueNumber value_number : program.live(values)) {
+    const SymbolPointer& symbol = program[value_number].symbol;
+    if (symbol && symbol->kind != SymbolKind::pi) symbols.push_back(symbol);
+  }
+  return symbols;
+}
+
+/// The results of a kernel with every parameter that has a name as a symbol: equations of their own, for derivatives.
+/// Numbers that the scene gives without a name are parameters too; ± 1 is none, so that in 1 - cos x nothing but x is
+/// data.
+class Condition {
  public:
-  Conditions(const Scene& scene, const ModelOptions& options, const std::vector<std::string>& names,
-             const std::vector<Kernel>& emitted)
-      : scene_(scene), equations_(scene, options), evaluate_(equations_.program(), {}) {
+  Condition(const Scene& scene, OwnKernel own, const Kernel& emitted)
+      : scene_(scene), own_(std::move(own)), evaluate_(own_.equations->program(), {}) {
+    // Patterns and base parameters are those of the scene's values: elsewhere results may stand at other places.
+    const bool alike = std::equal(own_.kernel.assignments.begin(), own_.kernel.assignments.end(),
+                                  emitted.assignments.begin(), emitted.assignments.end(),
+                                  [](const Assignment& a, const Assignment& b) { return a.target == b.target; });
+    if (!alike) throw Error(fmt::format("the kernel '{}' with parameters as symbols has other results", emitted.name));
+    // A definition of its own for each: its formula is then made once and not at each state.
+    for (Assignment& each : own_.kernel.assignments) each.value = own_.equations->program().bind(each.value);
     evaluate_.set_constants([this](const Number& number) {
       const Elasticity constant = Elasticity::of_number(number);
       return number.abs().is_one() ? constant : elasticity_input(constant.value(), input_count_++);
     });
-    std::map<std::pair<std::string, Target>, Value> values;
-    std::vector<Kernel> known = present_kernels(equations_, names);
-    for (std::size_t k = 0; k < std::min(known.size(), emitted.size()); ++k) {
-      // Patterns and base parameters are those of the scene's values: elsewhere results may stand at other places.
-      if (known[k].assignments.size() == emitted[k].assignments.size()) continue;
-      throw Error(fmt::format("the kernel '{}' with parameters as symbols has other results", emitted[k].name));
-    }
-    for (Kernel& kernel : known) {
-      for (const Assignment& a : kernel.assignments) values.emplace(std::pair(kernel.name, a.target), a.value);
-      if (kernel.series) series_.emplace(kernel.name, std::move(*kernel.series));
-    }
-    for (const Kernel& kernel : emitted) {
-      names_.push_back(kernel.name);
-      values_.emplace_back();
-      for (const Assignment& a : kernel.assignments) {
-        const auto place = values.find({kernel.name, a.target});
-        if (place == values.end()) {
-          throw Error(fmt::format("the kernel '{}' with parameters as symbols has no '{}'", kernel.name, a.target.to_string()));
-        }
-        values_.back().push_back(equations_.program().bind(place->second));
-      }
-    }
   }
+  Condition(const Condition&) = delete;
+  Condition& operator=(const Condition&) = delete;
 
   void move_to(const StressState& state) {
     known_parameters_.clear();
-    known_series_.clear();
-    evaluate_.move_to(symbol_values<Elasticity>(Elasticity(3.14159265358979323846264338327950288L),
-                                                [this, &state](const SymbolPointer& symbol) {
-                                                  return elasticity_input(value(symbol, state), number(symbol));
-                                                }));
+    coefficients_.clear();
+    evaluate_.move_to(symbol_values<Elasticity>(pi, [this, &state](const SymbolPointer& symbol) {
+      return elasticity_input(value(symbol, state), number(symbol));
+    }));
   }
 
-  /// Of one result of a kernel: an assignment, or a coefficient.
-  Elasticity operator()(std::size_t kernel, std::size_t result) {
-    const auto series = series_.find(names_[kernel]);
-    if (series == series_.end()) return evaluate_(values_[kernel][result]);
-    std::vector<Elasticity>& known = known_series_[kernel];
-    if (known.empty()) known = coefficients(series->second, evaluate_);
-    return known[result];
+  /// Of one result: an assignment, or a coefficient.
+  Elasticity operator()(std::size_t result) {
+    if (!own_.kernel.series) return evaluate_(own_.kernel.assignments[result].value);
+    if (coefficients_.empty()) {
+      coefficients_ = from_order_one(taylor_coefficients(*own_.kernel.series, evaluate_, jet_orders));
+    }
+    return coefficients_[result];
   }
 
  private:
+  static inline const Elasticity pi{3.14159265358979323846264338327950288L};
+
   std::size_t number(const SymbolPointer& symbol) {
     const auto [place, added] = numbers_.emplace(symbol.get(), input_count_);
     if (added) ++input_count_;
@@ -168,31 +144,38 @@ class Conditions {
     for (const ParameterContent& parameter : scene_.content().parameters) {
       if (parameter.symbol != symbol || !parameter.value) continue;
       Program formula;
-      Evaluator<Elasticity> evaluate(
-          formula, symbol_values<Elasticity>(
-                       Elasticity(3.14159265358979323846264338327950288L),
-                       [&](const SymbolPointer& inner) { return Elasticity(value(inner, state)); }));
+      Evaluator<Elasticity> evaluate(formula, symbol_values<Elasticity>(pi, [&](const SymbolPointer& inner) {
+                                       return Elasticity(value(inner, state));
+                                     }));
       return known_parameters_[symbol.get()] = evaluate(formula.lower(*parameter.value)).value();
     }
     throw Error(fmt::format("no value for the symbol '{}' at a state of verify", symbol->name));
   }
 
   const Scene& scene_;
-  Equations equations_;
+  OwnKernel own_;
   Evaluator<Elasticity> evaluate_;
-  std::vector<std::string> names_;          ///< by kernel
-  std::vector<std::vector<Value>> values_;  ///< by kernel and assignment
-  std::map<std::string, SeriesResult> series_;
-  std::map<std::size_t, std::vector<Elasticity>> known_series_;
+  std::vector<Elasticity> coefficients_;
   std::size_t input_count_ = 0;
-  std::map<const Symbol*, std::size_t> numbers_;                // looked up only, and so the next one
+  std::map<const Symbol*, std::size_t> numbers_;  // looked up only, and so the next one
   std::map<const Symbol*, long double> known_parameters_;
 };
 
+using Conditions = std::vector<std::unique_ptr<Condition>>;  ///< by kernel
+
+Conditions conditions_of(const Scene& scene, const ModelOptions& options, const std::vector<OwnKernel>& emitted) {
+  Conditions conditions;
+  for (const OwnKernel& each : emitted) {
+    std::vector<OwnKernel> own = make_own_kernels(scene, options, {each.kernel.name});
+    if (own.empty()) throw Error(fmt::format("there is no kernel '{}' with parameters as symbols", each.kernel.name));
+    conditions.push_back(std::make_unique<Condition>(scene, std::move(own.front()), each.kernel));
+  }
+  return conditions;
+}
+
 /// Some scenes are possible with the values of their parameters only (constraints that repeat others): their folded
 /// parameters are among the plain numbers then.
-std::unique_ptr<Conditions> make_conditions(const Scene& scene, ModelOptions options,
-                                            const std::vector<std::string>& names, const std::vector<Kernel>& emitted) {
+Conditions make_conditions(const Scene& scene, ModelOptions options, const std::vector<OwnKernel>& emitted) {
   if (!options.sensitive_to) {
     options.sensitive_to.emplace();
     for (const SymbolPointer& symbol : run_time_parameters(scene, options)) options.sensitive_to->insert(symbol->name);
@@ -200,63 +183,62 @@ std::unique_ptr<Conditions> make_conditions(const Scene& scene, ModelOptions opt
   const ModelOptions folded = options;
   options.all_run_time = true;
   try {
-    return std::make_unique<Conditions>(scene, options, names, emitted);
+    return conditions_of(scene, options, emitted);
   } catch (const Error&) {
-    return std::make_unique<Conditions>(scene, folded, names, emitted);
+    return conditions_of(scene, folded, emitted);
   }
 }
 
 template <class Float>
 class AccuracyIn final : public KernelAccuracy {
  public:
-  AccuracyIn(const Scene& scene, const ModelOptions& options, const std::vector<std::string>& names) {
-    for (OwnKernel& each : make_own_kernels(scene, options, names)) {
-      const Layout layout = layout_of(*each.equations, run_time_parameters(scene, options));
-      texts_.emplace_back(lower_kernel(each.equations->program(), each.kernel, layout), layout);
-      equations_.push_back(std::move(each.equations));
-      kernels_.push_back(std::move(each.kernel));
-      prepare(kernels_.size() - 1);
+  AccuracyIn(const Scene& scene, const ModelOptions& options, const std::vector<std::string>& names)
+      : kernels_(make_own_kernels(scene, options, names)),
+        groups_(groups_of(kernels_)),
+        conditions_(make_conditions(scene, options, kernels_)) {
+    for (OwnKernel& own : kernels_) {
+      texts_.emplace_back(scene, options, own, numbers(), jet_orders);
+      // A definition of its own for each result: its formula is then made once and not at each state.
+      Program& program = own.equations->program();
+      for (Assignment& assignment : own.kernel.assignments) assignment.value = program.bind(assignment.value);
+      for (auto& [pivot, diagonal] : own.kernel.pivots) pivot = program.bind(pivot), diagonal = program.bind(diagonal);
+      for (const SymbolPointer& symbol : symbols_of(own, own.kernel.values())) {
+        if (std::find(symbols_.begin(), symbols_.end(), symbol) == symbols_.end()) symbols_.push_back(symbol);
+      }
     }
-    time_ = scene.time().as_symbol();
-    groups_ = groups_of(kernels_);
-    conditions_ = make_conditions(scene, options, names, kernels_);
     for (const OutputGroup& group : groups_) {
-      const Kernel& kernel = kernels_[group.kernel];
-      Program& program = equations_[group.kernel]->program();
-      std::vector<Value> values = kernel.series ? kernel.values() : std::vector<Value>();
-      if (kernel.series) {
-        for (const SymbolPointer& symbol : kernel.series->state) values.push_back(program.symbol(symbol));
-      } else {
-        for (const std::size_t i : group.members) values.push_back(kernel.assignments[i].value);
+      const OwnKernel& own = kernels_[group.kernel];
+      std::vector<Value> values = own.kernel.series ? own.kernel.values() : std::vector<Value>();
+      for (const std::size_t i : group.members) {
+        if (!own.kernel.series) values.push_back(own.kernel.assignments[i].value);
       }
-      group_symbols_.emplace_back();
-      for (const ValueNumber value_number : program.live(values)) {
-        const SymbolPointer& symbol = program[value_number].symbol;
-        if (symbol && symbol->kind != SymbolKind::pi) group_symbols_.back().push_back(symbol);
-      }
+      group_symbols_.push_back(symbols_of(own, std::move(values)));
     }
   }
 
-  const std::vector<Kernel>& kernels() const override { return kernels_; }
+  const std::vector<OwnKernel>& kernels() const override { return kernels_; }
   const std::vector<OutputGroup>& groups() const override { return groups_; }
   const std::vector<SymbolPointer>& symbols(std::size_t group) const override { return group_symbols_[group]; }
   const std::vector<SymbolPointer>& symbols() const override { return symbols_; }
 
   void move_to(const StressState& state) override {
     state_ = &state;
-    for (Text& text : texts_) text.results.clear();
-    conditions_->move_to(state);
+    for (KernelText<Running<Float>>& text : texts_) {
+      text.move_to([this](const SymbolPointer& symbol) {
+        return Running<Float>(static_cast<Float>(state_->value(symbol)));
+      });
+    }
+    for (const auto& condition : conditions_) condition->move_to(state);
   }
 
   std::vector<double> computed(std::size_t kernel) override {
     std::vector<double> values;
-    const std::size_t count = results_of(kernels_[kernel]).size();
-    for (std::size_t i = 0; i < count; ++i) values.push_back(static_cast<double>(computed_result(kernel, i).value()));
+    for (const Running<Float>& result : texts_[kernel].results()) values.push_back(static_cast<double>(result.value()));
     return values;
   }
 
   Accuracy estimate(std::size_t group) override {
-    return measure(group, [&](std::size_t kernel, std::size_t i) { return (*conditions_)(kernel, i).value(); });
+    return measure(group, [&](std::size_t i) { return (*conditions_[groups_[group].kernel])(i).value(); });
   }
 
   Accuracy certify(std::size_t group, int digits) override {
@@ -268,64 +250,6 @@ class AccuracyIn final : public KernelAccuracy {
   }
 
  private:
-  void prepare(std::size_t place) {
-    Program& program = equations_[place]->program();
-    Kernel& kernel = kernels_[place];
-    // A definition of its own for each result: its formula is then made once and not at each state.
-    for (Assignment& assignment : kernel.assignments) assignment.value = program.bind(assignment.value);
-    for (auto& [pivot, diagonal] : kernel.pivots) pivot = program.bind(pivot), diagonal = program.bind(diagonal);
-    std::vector<Value> all = kernel.values();
-    if (kernel.series) {
-      for (const SymbolPointer& symbol : kernel.series->state) all.push_back(program.symbol(symbol));
-    }
-    for (const ValueNumber value_number : program.live(all)) {
-      const Definition& definition = program[value_number];
-      const bool known = std::find(symbols_.begin(), symbols_.end(), definition.symbol) != symbols_.end();
-      if (definition.symbol && definition.symbol->kind != SymbolKind::pi && !known) symbols_.push_back(definition.symbol);
-    }
-  }
-
-  /// A kernel as it is emitted, and what it gives at the state.
-  struct Text {
-    Text(LoweredKernel lowered, Layout arguments)
-        : layout(std::move(arguments)),
-          kernel(std::make_unique<const LoweredKernel>(std::move(lowered))),
-          once(kernel->once, numbers()),
-          compute(kernel->listing, numbers()) {}
-    Layout layout;
-    std::unique_ptr<const LoweredKernel> kernel;
-    ListingEvaluator<Running<Float>> once, compute;
-    std::vector<Running<Float>> results{};  ///< none: not yet computed at this state
-    bool regular = true;                    ///< as traits::regular of the header
-  };
-
-  const Text& text(std::size_t kernel) {
-    Text& text = texts_[kernel];
-    if (!text.results.empty()) return text;
-    const auto argument = [&](Table table, std::size_t place) {
-      const SymbolPointer symbol = table == Table::time ? time_ : text.layout.of(table)[place];
-      return Running<Float>(static_cast<Float>(state_->value(symbol)));
-    };
-    text.once(argument);
-    const auto with_precomputed = [&](Table table, std::size_t place) {
-      return table == Table::precomputed ? text.once.outputs()[place] : argument(table, place);
-    };
-    text.compute(with_precomputed, jet_orders);
-    if (text.kernel->listing.recurrence) {
-      const auto& by_order = text.compute.coefficients();
-      for (std::size_t k = 1; k < by_order.size(); ++k) {
-        text.results.insert(text.results.end(), by_order[k].begin(), by_order[k].end());
-      }
-    } else {
-      text.results = text.compute.outputs();
-    }
-    const auto& pivots = text.compute.pivots();
-    text.regular = std::all_of(pivots.begin(), pivots.end(), [](const auto& each) {
-      return each.first.value() > std::numeric_limits<Float>::epsilon() * std::abs(each.second.value());
-    });
-    return text;
-  }
-
   static NumbersOf<Running<Float>> numbers() {
     return {[](const Number& number) { return Running<Float>::of_number(number); },
             [](const RoundedConstant& constant) { return Running<Float>::rounded_literal(literal(constant)); },
@@ -339,8 +263,6 @@ class AccuracyIn final : public KernelAccuracy {
       return constant.in_double;
     }
   }
-
-  Running<Float> computed_result(std::size_t kernel, std::size_t result) { return text(kernel).results[result]; }
 
   /// With as many digits as the error depends on.
   template <class Exact>
@@ -359,15 +281,15 @@ class AccuracyIn final : public KernelAccuracy {
   template <class Exact>
   Accuracy against(std::size_t group, int digits) {
     const WorkingDigits precision(digits);
-    Evaluator<Exact> exact(equations_[groups_[group].kernel]->program(), symbol_values<Exact>(Exact::pi(), [this](const SymbolPointer& symbol) {
+    const OwnKernel& own = kernels_[groups_[group].kernel];
+    Evaluator<Exact> exact(own.equations->program(), symbol_values<Exact>(Exact::pi(), [this](const SymbolPointer& symbol) {
                              return Exact::from_double(state_->value(symbol));
                            }));
-    const Kernel& kernel = kernels_[groups_[group].kernel];
-    if (kernel.series) {
-      const std::vector<Exact> all = coefficients(*kernel.series, exact);
-      return measure(group, [&](std::size_t, std::size_t i) { return all[i]; });
+    if (own.kernel.series) {
+      const std::vector<Exact> all = from_order_one(taylor_coefficients(*own.kernel.series, exact, jet_orders));
+      return measure(group, [&](std::size_t i) { return all[i]; });
     }
-    return measure(group, [&](std::size_t, std::size_t i) { return exact(kernel.assignments[i].value); });
+    return measure(group, [&](std::size_t i) { return exact(own.kernel.assignments[i].value); });
   }
 
   static long double difference(Float computed, long double truth) { return computed - truth; }
@@ -386,15 +308,19 @@ class AccuracyIn final : public KernelAccuracy {
   template <class Truth>
   Accuracy measure(std::size_t index, const Truth& truth_of) {
     const OutputGroup& group = groups_[index];
-    const Kernel& kernel = kernels_[group.kernel];
+    const Kernel& kernel = kernels_[group.kernel].kernel;
+    KernelText<Running<Float>>& text = texts_[group.kernel];
     Accuracy result;
-    if (!text(group.kernel).regular) return result;
+    const bool regular = text.is_regular([](const Running<Float>& pivot, const Running<Float>& diagonal) {
+      return pivot.value() > std::numeric_limits<Float>::epsilon() * std::abs(diagonal.value());
+    });
+    if (!regular) return result;
     long double error = 0, norm = 0, bound = 0;
     std::vector<long double> squares;
     for (const std::size_t i : group.members) {
-      const Running<Float> computed = computed_result(group.kernel, i);
+      const Running<Float> computed = text.results()[i];
       if (!kernel.pivots.empty() && !std::isfinite(computed.value())) return result;
-      const auto truth = truth_of(group.kernel, i);
+      const auto truth = truth_of(i);
       if (!std::isfinite(size(truth))) {
         result.undefined = kernel.pivots.empty();
         return result;
@@ -403,7 +329,7 @@ class AccuracyIn final : public KernelAccuracy {
       error += off * off;
       norm += size(truth) * size(truth);
       bound += static_cast<long double>(computed.bound()) * computed.bound();
-      const Elasticity elasticity = (*conditions_)(group.kernel, i);
+      const Elasticity elasticity = (*conditions_[group.kernel])(i);
       const std::vector<long double>& moved_by = elasticity.slopes().by_input;
       squares.resize(std::max(squares.size(), moved_by.size()), 0);
       for (std::size_t j = 0; j < moved_by.size(); ++j) squares[j] += moved_by[j] * moved_by[j];
@@ -429,14 +355,12 @@ class AccuracyIn final : public KernelAccuracy {
     return result;
   }
 
-  std::vector<std::unique_ptr<const Equations>> equations_;  ///< by kernel, and so the next two
-  std::vector<Kernel> kernels_;
-  std::vector<Text> texts_;
+  std::vector<OwnKernel> kernels_;
   std::vector<OutputGroup> groups_;
-  std::unique_ptr<Conditions> conditions_;
+  Conditions conditions_;                            ///< by kernel, and so the next
+  std::vector<KernelText<Running<Float>>> texts_;
   std::vector<SymbolPointer> symbols_;
   std::vector<std::vector<SymbolPointer>> group_symbols_;
-  SymbolPointer time_;
   const StressState* state_ = nullptr;
 };
 

@@ -45,7 +45,7 @@ class KernelAccuracy {
  public:
   virtual ~KernelAccuracy() = default;
 
-  virtual const std::vector<Kernel>& kernels() const = 0;
+  virtual const std::vector<OwnKernel>& kernels() const = 0;
   virtual const std::vector<OutputGroup>& groups() const = 0;
   /// What a group depends on.
   virtual const std::vector<SymbolPointer>& symbols(std::size_t group) const = 0;

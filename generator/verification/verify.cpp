@@ -168,7 +168,7 @@ std::vector<VerifyRow> verify_scene(const Scene& scene, const VerifyOptions& opt
     for (std::size_t g = 0; g < records.size(); ++g) {
       const OutputGroup& group = accuracy->groups()[g];
       VerifyRow row;
-      row.kernel = accuracy->kernels()[group.kernel].name;
+      row.kernel = accuracy->kernels()[group.kernel].kernel.name;
       row.group = group.name;
       row.scalar = precision == Precision::in_double ? "double" : "float";
       row.states = records[g].states;

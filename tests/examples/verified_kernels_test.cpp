@@ -29,10 +29,10 @@ class Comparison {
  public:
   Comparison(KernelAccuracy& accuracy, const std::string& kernel) : name_(kernel) {
     const auto& kernels = accuracy.kernels();
-    const auto place = std::find_if(kernels.begin(), kernels.end(), [&](const Kernel& k) { return k.name == kernel; });
+    const auto place = std::find_if(kernels.begin(), kernels.end(), [&](const OwnKernel& k) { return k.kernel.name == kernel; });
     EXPECT_NE(place, kernels.end()) << kernel;
     const std::vector<double> values = accuracy.computed(static_cast<std::size_t>(place - kernels.begin()));
-    for (std::size_t i = 0; i < values.size(); ++i) expected_.emplace_back(place->assignments[i].target.to_string(), values[i]);
+    for (std::size_t i = 0; i < values.size(); ++i) expected_.emplace_back(place->kernel.assignments[i].target.to_string(), values[i]);
   }
 
   template <class Scalar>

@@ -115,7 +115,7 @@ struct Mechanism {
 /// A kernel's number among those of the mechanism.
 std::size_t number_of(const KernelAccuracy& accuracy, const std::string& name) {
   const auto& all = accuracy.kernels();
-  const auto place = std::find_if(all.begin(), all.end(), [&name](const Kernel& kernel) { return kernel.name == name; });
+  const auto place = std::find_if(all.begin(), all.end(), [&name](const OwnKernel& each) { return each.kernel.name == name; });
   return static_cast<std::size_t>(place - all.begin());
 }
 
@@ -153,7 +153,7 @@ class ExtremeParameters {
       if (!found.counted) continue;
       // `long double` errs by 2^-11 of what double does.
       EXPECT_LE(found.error, found.bound * 1.001) << name(g);
-      if (accuracy_->kernels()[group.kernel].pivots.empty() && !cancels(g)) {
+      if (accuracy_->kernels()[group.kernel].kernel.pivots.empty() && !cancels(g)) {
         EXPECT_LE(found.scaled, accuracy_bar) << name(g);
       }
       if (!worst_[g] || found.scaled > worst_[g]->first) worst_[g].emplace(found.scaled, state);
@@ -192,7 +192,7 @@ class ExtremeParameters {
 
   std::string name(std::size_t g) const {
     const OutputGroup& group = accuracy_->groups()[g];
-    return accuracy_->kernels()[group.kernel].name + " " + group.name;
+    return accuracy_->kernels()[group.kernel].kernel.name + " " + group.name;
   }
 
   const Mechanism& mechanism_;
