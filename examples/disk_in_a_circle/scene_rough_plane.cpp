@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-#include "generator/torsor.hpp"
+#include "examples/disk_in_a_circle/disk.hpp"
 
-/// The disk of disk_in_a_circle on a plane of friction f, and nothing assumed of the contact: it rolls round its circle
-/// while f suffices, slips where it does not, and leaves the plane where that does not press.
+/// The disk on a plane of friction f, and nothing assumed of the contact: it rolls round its circle while f suffices,
+/// slips where it does not, and leaves the plane where that does not press.
 torsor::Scene disk_in_a_circle_rough_plane_scene() {
   using namespace torsor;
   using namespace torsor::literals;
@@ -12,28 +12,7 @@ torsor::Scene disk_in_a_circle_rough_plane_scene() {
   const Expression m = scene.parameter("m", "kg", 1);
   const Expression g = scene.parameter("g", "m/s^2", 9.81_r);
   const Expression f = scene.run_time_parameter("f", "1", 1.2_r);
-
-  const Expression x = scene.coordinate("x", "m");
-  const Expression y = scene.coordinate("y", "m");
-  const Expression z = scene.coordinate("z", "m");
-  const Expression psi = scene.coordinate("psi", "rad");
-  const Expression theta = scene.coordinate("theta", "rad");
-  const Expression phi = scene.coordinate("phi", "rad");
-
-  const Expression R = Expression::quantity("10", "m");
-  const Expression lean = pi() / 6;
-  const Expression h = rho * sin(lean), d = rho * cos(lean);
-  const Expression turning = sqrt(4 * g * d / (h * (6 * R + d)));
-  scene.initial(x, 0, R * turning);
-  scene.initial(y, -R);
-  scene.initial(z, h);
-  scene.initial(psi, 0, turning);
-  scene.initial(theta, lean);
-  scene.initial(phi, 0, -turning * (R + d) / rho);
-
-  const FrameHandle disk = scene.free("disk", scene.ground(), AngleSequence::euler, {x, y, z}, {psi, theta, phi});
-  scene.body("disk", disk, Inertia::disk(m, rho, 2));
-  scene.gravity({0, 0, -g});
+  const FrameHandle disk = disk_scenes::add_disk(scene, {rho, m, g});
   scene.contact("plane", shape::Disc{.frame = disk, .axis = axis::z, .radius = rho}, shape::Plane{.frame = scene.ground()},
                 {.friction = f});
   return scene;
