@@ -73,7 +73,7 @@ void add_kernel_options(CLI::App& command, KernelOptions& options) {
                   "sums_of_squares")
       ->capture_default_str();
   std::string passes;
-  for (const PassName& pass : pass_names()) passes += fmt::format("{}{}", passes.empty() ? "" : ", ", pass.name);
+  for (const Pass& pass : all_passes()) passes += fmt::format("{}{}", passes.empty() ? "" : ", ", pass.name);
   command.add_option("--without", options.without, "passes to leave out, comma-separated: " + passes);
 }
 

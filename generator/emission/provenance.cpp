@@ -66,7 +66,7 @@ std::string regeneration_command(const Provenance& provenance) {
   if (provenance.options.forward == ForwardMethod::articulated_body) command += " --forward articulated_body";
   if (provenance.options.forward == ForwardMethod::sums_of_squares) command += " --forward sums_of_squares";
   std::string without;
-  for (const PassName& pass : pass_names()) {
+  for (const Pass& pass : all_passes()) {
     if (!(provenance.options.passes.*(pass.on))) without += (without.empty() ? " --without " : ",") + std::string(pass.name);
   }
   command += without;

@@ -127,7 +127,7 @@ PassReport report_passes(const Scene& scene, const std::vector<std::string>& nam
     report.kernels.push_back({present[k], {whole.operations(k), whole.cycles(k), 0, error_of(errors, present[k])}, {}});
   }
   const std::vector<Results> exact = results_of(scene, whole, asked);
-  for (const PassName& pass : pass_names()) {
+  for (const Pass& pass : all_passes()) {
     if (!(options.passes.*(pass.on))) continue;
     report.passes.emplace_back(pass.name);
     ModelOptions fewer = options;

@@ -21,8 +21,8 @@ int operations(const Equations& equations) {
 }
 
 const PassEffect& without(const KernelPasses& kernel, bool Passes::*pass) {
-  const auto& names = pass_names();
-  const auto place = std::find_if(names.begin(), names.end(), [pass](const PassName& name) { return name.on == pass; });
+  const auto& names = all_passes();
+  const auto place = std::find_if(names.begin(), names.end(), [pass](const Pass& each) { return each.on == pass; });
   return kernel.without.at(static_cast<std::size_t>(place - names.begin()));
 }
 
@@ -68,7 +68,7 @@ TEST(PassReport, FindsThatNoPassChangesAResultOfRandomMechanisms) {
   for (unsigned seed = 900; seed < 903; ++seed) {
     const Scene scene = random_mechanism(seed);
     const PassReport report = report_passes(scene, {"mass_matrix", "inverse_dynamics", "energy"}, {}, {.states = 2});
-    ASSERT_EQ(report.passes.size(), pass_names().size());
+    ASSERT_EQ(report.passes.size(), all_passes().size());
     EXPECT_TRUE(report.equal()) << "seed " << seed;
     for (const KernelPasses& kernel : report.kernels) {
       // Factoring, sharing and common products never cost anything; what moves inertia may, for one kernel.
