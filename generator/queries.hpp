@@ -9,6 +9,7 @@
 #include "generator/dynamics/derivatives/linearisation.hpp"           // linearisation: M, C, K about a state
 #include "generator/dynamics/motion/body_screws.hpp"                  // momentum_screw, dynamic_screw, kinetic_energy of bodies
 #include "generator/dynamics/motion/contact_motion.hpp"               // contact_motion: sliding, rolling, spinning
+#include "generator/dynamics/motion/frame_motion.hpp"                 // relative_twist, derivative_in, body_motion, recognise_motion
 #include "generator/dynamics/motion/inertia_wrench.hpp"               // transport and Coriolis inertia wrenches
 #include "generator/dynamics/structure/mobility.hpp"                  // analyse_mobility, scene_freedoms
 #include "generator/dynamics/theorems/energy_theorem.hpp"             // energy_theorem, action_power
@@ -28,5 +29,6 @@
 #include "generator/mechanics/central_axis.hpp"                       // central_axis of a screw
 #include "generator/mechanics/inertia_operations.hpp"                 // operator_about, assembly, bodies cut out of others
 #include "generator/mechanics/inertia_symmetry.hpp"                   // with_symmetry, is_spherical, is_of_revolution, is_principal
+#include "generator/mechanics/joint_screws.hpp"                       // allowed_twists and ideal_wrenches of joints
 #include "generator/mechanics/rigid_motion.hpp"                       // twist_of_velocities, recognise
 #include "generator/mechanics/sliding_vector.hpp"                     // screws of sets of sliding vectors and of densities

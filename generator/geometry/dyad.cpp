@@ -24,19 +24,4 @@ Matrix cross_operator(const Vector& a) {
   return m;
 }
 
-Vector axial_vector(const Matrix& m) {
-  Vector w;
-  for (int i = 0; i < 3; ++i) {
-    const int j = (i + 1) % 3;
-    const int k = (i + 2) % 3;
-    w[i] = Number::rational(1, 2) * (m(k, j) - m(j, k));
-  }
-  return w;
-}
-
-Matrix unit_inertia(Program& program, const Vector& place) {
-  const Matrix diagonal = dot(place, place) * identity(program);
-  return diagonal - dyad(place, place);
-}
-
 }  // namespace torsor

@@ -99,11 +99,6 @@ std::uint64_t reference_digest(const Scene& scene, const ReferenceOptions& optio
   return digest.value();
 }
 
-std::string cached_reference_csv(const Scene& scene, const ReferenceOptions& options, const std::string& folder) {
-  const ReferenceResult motion = integrate_cached_reference(scene, options, folder);
-  return motion.shortfalls.empty() ? motion.text : reference_csv(scene, options);
-}
-
 ReferenceResult integrate_cached_reference(const Scene& scene, const ReferenceOptions& options, const std::string& folder) {
   const std::string path = fmt::format("{}/{}-{:016x}.csv", folder, scene.name(), reference_digest(scene, options));
   if (const auto known = kept(path)) return {*known, {}};

@@ -13,10 +13,9 @@ namespace torsor {
 /// question the same on every machine.
 std::uint64_t reference_digest(const Scene& scene, const ReferenceOptions& options);
 
-/// reference_csv, kept in <folder>/<scene>-<digest>.csv, which is made where it is absent: a reference is not
+/// The reference, kept in <folder>/<scene>-<digest>.csv, which is made where it is absent: a reference is not
 /// integrated twice. A kept file ends with a digest of its own text: one that was cut or changed is integrated again.
 /// Throws FileError where the folder cannot be written.
 ReferenceResult integrate_cached_reference(const Scene& scene, const ReferenceOptions& options, const std::string& folder);
-std::string cached_reference_csv(const Scene& scene, const ReferenceOptions& options, const std::string& folder);
 
 }  // namespace torsor

@@ -127,7 +127,7 @@ TEST_P(RandomRegressor, HasIndependentBaseColumnsThatGiveAllForces) {
       rows.push_back(std::move(kept));
     }
   }
-  const int count = static_cast<int>(base.independent.size());
+  const std::size_t count = base.independent.size();
   EXPECT_EQ(rank(rows, count, power_of_ten(-25)), count);
 }
 

@@ -81,8 +81,8 @@ TEST_P(JointScrews, AreIndependent) {
     return all;
   };
   const Real tolerance(Number(10).pow(-40), 50);
-  EXPECT_EQ(rank(rows(twists), 6, tolerance), freedom_count(GetParam()));
-  EXPECT_EQ(rank(rows(wrenches), 6, tolerance), 6 - freedom_count(GetParam()));
+  EXPECT_EQ(rank(rows(twists), 6, tolerance), twists.size());
+  EXPECT_EQ(rank(rows(wrenches), 6, tolerance), wrenches.size());
 }
 
 // The course's list of ideal wrenches (§6.2.3), at B on the joint's axis.

@@ -5,6 +5,9 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <fstream>
+#include <iterator>
+#include <string>
 #include <vector>
 
 #include "generator/base/error.hpp"
@@ -32,6 +35,19 @@ TEST(Passes, LeavesOutThoseOfAList) {
   EXPECT_FALSE(passes.length_unit);
   EXPECT_TRUE(passes.sharing);
   EXPECT_TRUE(passes_without("").factoring);
+}
+
+// On the page that tells where each stands, and on the one that tells what each saves.
+TEST(Passes, AreAllInTheManual) {
+  for (const char* page : {"/docs/architecture.md", "/docs/kernels.md"}) {
+    std::ifstream file(std::string(TORSOR_SOURCE_DIR) + page);
+    const std::string text{std::istreambuf_iterator<char>(file), {}};
+    for (const Pass& pass : all_passes()) {
+      const std::string name = pass.name;
+      EXPECT_TRUE(text.find("`" + name + "`") != std::string::npos || text.find("**" + name + "**") != std::string::npos)
+          << name << " is not on " << page;
+    }
+  }
 }
 
 TEST(Passes, RefusesAnUnknownOneAndListsTheKnownOnes) {

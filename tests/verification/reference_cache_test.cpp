@@ -61,26 +61,29 @@ TEST(ReferenceCache, KeepsWhatWasIntegratedAndDistrustsWhatWasChanged) {
   std::filesystem::remove_all(folder);
   const ReferenceOptions options{20, {"1"}};
   const std::string text = reference_csv(block("4", "1.5"), options);
-  EXPECT_EQ(cached_reference_csv(block("4", "1.5"), options, folder.string()), text);
+  const auto cached = [&](const char* stiffness) {
+    return integrate_cached_reference(block(stiffness, "1.5"), options, folder.string()).text;
+  };
+  EXPECT_EQ(cached("4"), text);
   ASSERT_EQ(std::distance(std::filesystem::directory_iterator(folder), {}), 1);
   const std::filesystem::path file = std::filesystem::directory_iterator(folder)->path();
   const std::string kept = read(file);
   EXPECT_TRUE(kept.starts_with(text));
 
-  EXPECT_EQ(cached_reference_csv(block("4", "1.5"), options, folder.string()), text);
+  EXPECT_EQ(cached("4"), text);
   for (const std::string& damaged : {kept.substr(0, kept.size() / 2), "x" + kept}) {
     std::ofstream(file) << damaged;
-    EXPECT_EQ(cached_reference_csv(block("4", "1.5"), options, folder.string()), text);
+    EXPECT_EQ(cached("4"), text);
     EXPECT_EQ(read(file), kept);
   }
   // It is the file that answers: one that is whole but of another question would be believed.
-  const std::string other = cached_reference_csv(block("5", "1.5"), options, folder.string());
+  const std::string other = cached("5");
   for (const auto& entry : std::filesystem::directory_iterator(folder)) {
     const auto replaced = std::filesystem::copy_options::overwrite_existing;
     if (entry.path() != file) std::filesystem::copy_file(entry.path(), file, replaced);
   }
   EXPECT_NE(other, text);
-  EXPECT_EQ(cached_reference_csv(block("4", "1.5"), options, folder.string()), other);
+  EXPECT_EQ(cached("4"), other);
   std::filesystem::remove_all(folder);
 }
 

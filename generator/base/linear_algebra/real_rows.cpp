@@ -61,7 +61,8 @@ RealRow least_norm_solution(const RealRows& rows, const RealRow& right_side, std
                             std::size_t largest_rank) {
   OrthonormalRows independent(columns, Real(0), Real(0));  // the pivots have told which rows those are
   RealRow wanted;
-  for (const auto& [row, column] : reduced_by_size(rows, columns, tolerance, largest_rank).pivots()) {
+  const RowReduction<Real> reduction = reduced_by_size(rows, columns, tolerance, largest_rank);
+  for (const auto& [row, column] : reduction.pivots()) {
     independent.add(row, rows[row]);
     wanted.push_back(right_side[row]);
   }
