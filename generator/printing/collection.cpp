@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
+#include <iterator>
 #include <optional>
 #include <tuple>
 
@@ -87,9 +88,44 @@ std::optional<Sum> take_elongation(Sum& rest) {
   return best;
 }
 
-/// Groups by what depends on the configuration, constants first. `one_term`: a lone sum of parameters is to be a
-/// factor.
-Written by_groups(const Sum& sum, bool one_term) {
+/// The root of a product; nothing where a power would not be whole.
+std::optional<Product> root_of(Product product) {
+  for (Power& power : product) {
+    if (power.halves % 4 != 0) return std::nullopt;
+    power.halves /= 2;
+  }
+  return product;
+}
+
+/// Takes k P² ± 2 k P Q + k Q² out of a longer sum: k (P ± Q)² is read sooner.
+std::optional<Sum> take_square(Sum& rest) {
+  constexpr std::size_t most = 60;  // terms: those of longer sums are named rather than read
+  if (rest.size() > most) return std::nullopt;
+  for (auto first = rest.terms().begin(); first != rest.terms().end(); ++first) {
+    for (auto second = std::next(first); second != rest.terms().end(); ++second) {
+      const std::optional<Product> middle = root_of(first->first * second->first);
+      const auto cross = middle ? rest.terms().find(*middle) : rest.terms().end();
+      if (cross == rest.terms().end()) continue;
+      if (!(cross->second * cross->second - Number(4) * first->second * second->second).is_zero()) continue;
+      Sum square;
+      for (const auto& term : {first, second, cross}) square.add(term->first, term->second);
+      rest += Number(-1) * square;
+      return square;
+    }
+  }
+  return std::nullopt;
+}
+
+/// Groups by what depends on the configuration, constants first, squares last. `one_term`: a lone sum of parameters is to
+/// be a factor.
+Written by_groups(Sum sum, bool one_term) {
+  Written squares;
+  while (const std::optional<Sum> square = take_square(sum)) squares.push_back(as_term(*square));
+  if (!squares.empty()) {
+    Written result = sum.is_zero() ? Written() : by_groups(sum, false);
+    result.insert(result.end(), squares.begin(), squares.end());
+    return result;
+  }
   Groups groups = by_configuration(sum);
   Written result;
   const auto constant = groups.find(Product());

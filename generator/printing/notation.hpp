@@ -20,7 +20,7 @@ std::string latex(const Written& written);
 /// begin with `indent`.
 std::string text_lines(const Written& written, std::size_t first_column, const std::string& indent, std::size_t width);
 /// For an align environment: lines of about `width` characters of plain text, broken between terms; a term that no line
-/// can hold is broken inside its parentheses.
+/// can hold is broken inside its parentheses, a root as a power 1/2 of them.
 std::string latex_lines(const Written& written, std::size_t width);
 
 /// theta_1' as \dot{\theta}_{1}: Greek letters by name, underscores and trailing digits as subscripts, primes as dots;

@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include "generator/printing/notation.hpp"
+#include "generator/printing/notation_latex.hpp"
 #include "generator/program/written_unit.hpp"
 
 namespace torsor::printing {
@@ -85,6 +86,8 @@ std::string call_latex(const WrittenFactor& factor) {
              : fmt::format("\\operatorname{{{}}}\\left({}\\right)", name, inside);
 }
 
+}  // namespace
+
 std::string factor_latex(const WrittenFactor& factor, int halves) {
   const bool call = factor.base && factor.base->kind == Base::Kind::function;
   const std::string exponent = halves == 2 || halves == 1 ? ""
@@ -142,87 +145,11 @@ std::string sign_latex(const WrittenTerm& term, bool first) {
   return negative ? "- " : "+ ";
 }
 
-}  // namespace
-
 std::string latex(const Written& written) {
   std::string result;
   for (const WrittenTerm& term : written) {
     if (!result.empty()) result += " ";
     result += sign_latex(term, result.empty()) + term_latex(term);
-  }
-  return result.empty() ? "0" : result;
-}
-
-namespace {
-
-/// What a line break does not part: its LaTeX, and its length as plain text, which is about what LaTeX sets.
-struct Piece {
-  std::string latex;
-  std::size_t size = 0;
-};
-
-/// The factor that is a sum in parentheses and may be written on several lines.
-std::size_t breakable_factor(const WrittenTerm& term) {
-  std::size_t best = term.factors.size(), most = 1;
-  for (std::size_t i = 0; i < term.factors.size(); ++i) {
-    const WrittenFactor& factor = term.factors[i];
-    const bool sum = !factor.base && !factor.size && factor.halves > 0 && factor.halves % 2 == 0;
-    if (!sum || factor.inside.size() <= most) continue;
-    best = i;
-    most = factor.inside.size();
-  }
-  return best;
-}
-
-void add_pieces(const Written& written, std::size_t width, bool first, std::vector<Piece>& pieces);
-
-/// A term, in several pieces where one line cannot hold it.
-void add_term(const WrittenTerm& term, bool first, std::size_t width, std::vector<Piece>& pieces) {
-  const std::size_t size = text({term}).size(), broken = breakable_factor(term);
-  if (size <= width || broken == term.factors.size()) {
-    pieces.push_back({sign_latex(term, first) + term_latex(term), size});
-    return;
-  }
-  // Numbers, denominators and what stands before the sum; the sum; what stands after it.
-  WrittenTerm before{term.coefficient.abs(), {}}, after{Number(1), {}};
-  for (std::size_t i = 0; i < term.factors.size(); ++i) {
-    if (i == broken) continue;
-    (i < broken || term.factors[i].halves < 0 ? before : after).factors.push_back(term.factors[i]);
-  }
-  std::string head = sign_latex(term, first);
-  if (!before.coefficient.is_one() || !before.factors.empty()) head += term_latex(before) + " ";
-  const std::size_t begin = pieces.size();
-  const WrittenFactor& sum = term.factors[broken];
-  add_pieces(sum.inside, width, true, pieces);
-  pieces[begin].latex = head + "\\bigl(" + pieces[begin].latex;
-  pieces[begin].size += text({before}).size() + 2;
-  std::string tail = "\\bigr)";
-  if (sum.halves > 2) tail += fmt::format("^{{{}}}", sum.halves / 2);
-  if (!after.factors.empty()) tail += " " + term_latex(after);
-  pieces.back().latex += tail;
-  pieces.back().size += 1 + (after.factors.empty() ? 0 : text({after}).size());
-}
-
-void add_pieces(const Written& written, std::size_t width, bool first, std::vector<Piece>& pieces) {
-  for (const WrittenTerm& term : written) {
-    add_term(term, first, width, pieces);
-    first = false;
-  }
-}
-
-}  // namespace
-
-std::string latex_lines(const Written& written, std::size_t width) {
-  std::vector<Piece> pieces;
-  add_pieces(written, width, true, pieces);
-  std::string result;
-  std::size_t column = 0;
-  for (const Piece& piece : pieces) {
-    const bool first = result.empty();
-    const bool fits = first || column + piece.size <= width;
-    if (!first) result += fits ? " " : " \\\\\n  &\\qquad {}";  // the empty group keeps the space around a sign
-    column = fits ? column + piece.size + 3 : piece.size;
-    result += piece.latex;
   }
   return result.empty() ? "0" : result;
 }

@@ -12,7 +12,7 @@
 namespace torsor::printing {
 namespace {
 
-constexpr std::size_t line_of_page = 100;  // characters of plain text on a line
+constexpr std::size_t line_of_page = 92;  // characters of plain text on a line, in print too
 
 std::string number_or(const Written& value, std::string (*write)(const Written&)) {
   const bool number = value.size() == 1 && value[0].factors.empty() && value[0].coefficient.is_rational();
@@ -58,14 +58,17 @@ class HtmlPage final : public Page {
     if (left_size + text(right).size() <= line_of_page) {
       body = fmt::format("{} &= {}", latex(left), latex(right));
     } else if (left_size < 20) {
-      body = fmt::format("{} &= {}", latex(left), latex_lines(right, line_of_page));
+      body = fmt::format("{} &= {}", latex(left), latex_lines(right, line_of_page - left_size));
     } else {
       body = fmt::format("&{} \\\\\n&\\quad = {}", latex_lines(left, line_of_page), latex_lines(right, line_of_page));
     }
     display("\\begin{aligned}" + body + "\\end{aligned}", text(left) + " = " + text(right), label, remark);
   }
   void stated(const Spelling& left, const Written& right, const std::string& remark) override {
-    display(fmt::format("\\begin{{aligned}}{} &= {}\\end{{aligned}}", left.latex, latex_lines(right, line_of_page)),
+    constexpr std::size_t long_left = 30;
+    const std::string form = left.plain.size() < long_left ? "\\begin{{aligned}}{} &= {}\\end{{aligned}}"
+                                                           : "\\begin{{aligned}}&{} \\\\\n&\\quad = {}\\end{{aligned}}";
+    display(fmt::format(fmt::runtime(form), left.latex, latex_lines(right, line_of_page)),
             left.plain + " = " + text(right), "", remark);
   }
   void matrix(const Spelling& name, const std::string& entry, const WrittenMatrix& rows) override {

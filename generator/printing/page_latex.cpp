@@ -62,7 +62,7 @@ class LatexPage final : public Page {
     if (!broken) {
       row(fmt::format("{} &= {}{}", latex(left), latex(right), end));
     } else if (left_size < 20) {
-      row(fmt::format("{} &= {}{}", latex(left), latex_lines(right, line_width), end));
+      row(fmt::format("{} &= {}{}", latex(left), latex_lines(right, line_width - left_size), end));
     } else {
       row(fmt::format("&{} \\\\\n  &\\quad = {}{}", latex_lines(left, line_width), latex_lines(right, line_width),
                       end));

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "generator/printing/print_equations.hpp"
 
+#include <algorithm>
 #include <memory>
 #include <optional>
 
@@ -12,6 +13,7 @@
 #include "generator/mechanics/freedom_positions.hpp"
 #include "generator/printing/definitions_view.hpp"
 #include "generator/printing/derivation.hpp"
+#include "generator/printing/eliminated_multipliers.hpp"
 #include "generator/printing/first_integrals.hpp"
 #include "generator/printing/lagrange_equations.hpp"
 #include "generator/printing/linearised_equations.hpp"
@@ -47,6 +49,7 @@ class Printer {
     }
     lagrange();
     constraints();
+    equations_without_multipliers();
     write_first_integrals(equations_.definitions(), {options_.terms, options_.expansion}, page_);
     if (derivation) derivation->reactions();
     if (options_.linearisation) linearisation();
@@ -199,6 +202,25 @@ class Printer {
       if (!constraint.left.sum) say_too_long("The constraint " + constraint.name + " is", constraint.left);
       page_.equation("", written(constraint.left), {},
                      constraint.name + (constraint.holonomic ? ", holonomic" : ", non-holonomic"));
+    }
+  }
+
+  void equations_without_multipliers() {
+    const std::optional<FreeEquations> free = without_multipliers(equations_);
+    if (!free) return;
+    page_.section("Equations without multipliers");
+    page_.note(fmt::format("The multipliers from the equation{} of {}, put into the other{}:", free->dependent.size() == 1 ? "" : "s",
+                           fmt::join(free->dependent, ", "), free->equations.size() == 1 ? "" : "s"));
+    for (const FreeEquation& equation : free->equations) {
+      Sum left, right;
+      for (const auto& [product, coefficient] : equation.residual.terms()) {
+        const bool accelerates = std::any_of(product.begin(), product.end(), [](const Power& power) {
+          return power.base->level == Level::acceleration;
+        });
+        if (accelerates) left.add(product, coefficient);
+        else right.add(product, -coefficient);
+      }
+      page_.equation(equation.coordinate.q->name, collected(left, {equation.coordinate.a}), collected(right), "");
     }
   }
 

@@ -108,7 +108,7 @@ class StaticsWriter {
 
   void equilibrium() {
     page_.section("Equations of equilibrium");
-    if (statics_.from_potential) page_.equation("", potential_name(), statics_.potential, "in J");
+    if (statics_.from_potential) page_.stated({potential_name(), statics_.driven ? "-(U + T_{0})" : "-U"}, statics_.potential, "in J");
     for (const std::string& remark : statics_.remarks) page_.note(remark + ".");
     for (std::size_t i = 0; i < statics_.rows.size(); ++i) {
       page_.equation(name_of(statics_.freedoms[i]), Value(), statics_.rows[i]);

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "generator/printing/lagrange_equations.hpp"
+
+namespace torsor::printing {
+
+/// An equation of motion that holds no multiplier: `residual` = 0.
+struct FreeEquation {
+  CoordinateContent coordinate;
+  Sum residual;
+};
+
+/// What is left of Lagrange's equations when those of `dependent` have given the multipliers.
+struct FreeEquations {
+  std::vector<FreeEquation> equations;
+  std::vector<std::string> dependent;  ///< coordinates
+};
+
+/// P_i − Q_i − c_i C⁻¹ (P − Q)_dependent, c_i and C the columns of the multipliers. Nothing where there are no constraints,
+/// more than three, as many as coordinates, repeated ones, or equations that are too long to be read.
+std::optional<FreeEquations> without_multipliers(LagrangeEquations& equations);
+
+}  // namespace torsor::printing
