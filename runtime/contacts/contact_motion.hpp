@@ -57,24 +57,22 @@ class ContactMotion {
     return evaluation;
   }
 
-  /// Gaps of closed contacts, their velocities and those of sticking ones back to zero.
+  /// Loops, gaps of closed contacts, their velocities and those of sticking ones back to zero.
   [[nodiscard]] Evaluation project(double t, Vector& y) noexcept {
-    bool any = false;
+    bool any = Reading::constraints > 0;
     for (int i = 0; i < contacts; ++i) any = any || at(i).touches;
     if (!any) return Evaluation::ok;
     for (int step = 0; step < 3; ++step) {
       if (!read(t, y)) return Evaluation::singular;
-      bool gaps = false;
-      double worst = 0;
+      double worst = dynamics_.closing.cwiseAbs().maxCoeff();
       select([&](int i, int row, bool normal) {
         if (!normal) return false;
-        gaps = true;
         worst = std::max(worst, std::abs(reading_.gap[as(i)]));
-        right_(row) = -reading_.gap[as(i)];
+        right_(row) = -reading_.gap[as(i)] - reading_.J.row(row).dot(dynamics_.closing);
         return true;
       });
-      if (!gaps || !(worst > 0)) break;
-      const Velocity change = least_change();
+      if (!(worst > 0)) break;
+      const Velocity change = dynamics_.closing + least_change();
       Vector there = y;
       for (std::size_t i = 0; i < nv; ++i) there[nq + i] = change(static_cast<Eigen::Index>(i));
       std::array<double, nq> moved{};
@@ -91,10 +89,10 @@ class ContactMotion {
     if constexpr (requires { system_.normalise(y); }) system_.normalise(y);
     if (!read(t, y)) return Evaluation::singular;
     select([&](int i, int row, bool normal) {
-      right_(row) = -reading_.w(row);
+      right_(row) = -reading_.w(row) - reading_.J.row(row).dot(dynamics_.closing_rate);
       return normal || at(i).regime == ContactRegime::sticks;
     });
-    const Velocity change = least_change();
+    const Velocity change = dynamics_.closing_rate + least_change();
     for (std::size_t i = 0; i < nv; ++i) y[nq + i] += change(static_cast<Eigen::Index>(i));
     known_ = false;
     if (!read(t, y)) return Evaluation::singular;
@@ -158,6 +156,7 @@ class ContactMotion {
     for (int i = 0; i < contacts; ++i) {
       const ContactRule rule = system_.rule(i);
       problem.laws[as(i)] = {.normal = rule.normal,
+                             .pressed_by = rule.pressed_by,
                              .tangents = rule.tangents,
                              .friction = rule.friction,
                              .static_friction = rule.sticking(),
@@ -250,7 +249,8 @@ class ContactMotion {
   [[nodiscard]] double margin(int i) const noexcept {
     const ContactRule rule = system_.rule(i);
     const int t = tangent_row(i);
-    const double N = rule.normal ? r_(normal_row(i)) : 0;
+    const int by = carrier(i);
+    const double N = by < 0 ? 0 : r_(normal_row(by));
     double length = 0;
     for (int k = 0; k < rule.tangents; ++k) length = std::hypot(length, r_(t + k));
     return rule.sticking() * N + rule.sticking_bound() - length;
@@ -275,6 +275,11 @@ class ContactMotion {
     return std::numeric_limits<double>::epsilon() * sum;
   }
 
+  /// The contact whose gap decides whether this one touches: itself, or the one that rolls; -1: it always does.
+  [[nodiscard]] int carrier(int contact) const noexcept {
+    const ContactRule rule = system_.rule(contact);
+    return rule.normal ? contact : rule.pressed_by;
+  }
   [[nodiscard]] int rows() const noexcept { return normal_row(contacts); }
   [[nodiscard]] int normal_row(int contact) const noexcept {
     int row = 0;

@@ -28,9 +28,11 @@ enum class ContactRegime : unsigned char { open, sticks, slides };
 /// are both velocities and impulses, or accelerations and forces:
 ///   0 <= N, 0 <= u_N, N u_N = 0;  sticks: u_T = 0, |T| <= f_s N + b_s;  slides: T = -(f N + b) d, u_T = s d, s >= 0.
 /// In space T lies in a disc, in the plane between two signs. Sources: Pommier, Dynamique des systèmes de solides,
-/// §6.2.3; Glocker, Set-Valued Force Laws.
+/// §6.2.3; Glocker, Set-Valued Force Laws. Resistance to rolling and to spinning is a contact without a normal of its
+/// own, `pressed_by` the contact that rolls: T is a moment, u_T a part of the angular velocity, f a length.
 struct ContactLaw {
-  bool normal = true;                ///< false: dry friction alone, whose T is bounded by b; it never opens
+  bool normal = true;                ///< false: dry friction alone, whose T is bounded by f N + b; it never opens
+  int pressed_by = -1;               ///< without a normal: the contact, earlier in order, whose N it is; -1: N = 0
   int tangents = 2;                  ///< 0: a stop, 1: in the plane, 2: in space
   double friction = 0;               ///< f, while it slides
   double static_friction = 0;        ///< f_s, while it sticks; at least f
@@ -74,6 +76,16 @@ struct ContactProblem {
   [[nodiscard]] int tangent_row(int contact) const noexcept {
     return first_row(contact) + (law(contact).normal ? 1 : 0);
   }
+  /// Row of the normal force that presses a contact; -1 where there is none.
+  [[nodiscard]] int pressing_row(int contact) const noexcept {
+    const int by = law(contact).normal ? contact : law(contact).pressed_by;
+    return by < 0 ? -1 : first_row(by);
+  }
+  /// That force.
+  [[nodiscard]] double pressing(int contact, const Vector& r) const noexcept {
+    const int row = pressing_row(contact);
+    return row < 0 ? 0 : r(row);
+  }
 };
 
 /// Reactions and motion that fulfil all laws.
@@ -113,10 +125,9 @@ template <int most>
   for (int i = 0; i < problem.count; ++i) {
     const ContactLaw& law = problem.law(i);
     const int n = problem.first_row(i), t = problem.tangent_row(i);
-    double N = 0;
+    const double N = problem.pressing(i, s.r);
     const auto rate = [&](int row) { return problem.W(row, row) > 0 ? 1 / problem.W(row, row) : 1.0; };
     if (law.normal) {
-      N = s.r(n);
       const double rho = rate(n);
       defect = std::max(defect, std::abs(N - std::max(0.0, N - rho * s.u(n))));
       size = std::max(size, std::abs(N) + rho * std::abs(s.u(n)));

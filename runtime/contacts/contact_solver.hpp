@@ -57,6 +57,13 @@ class ContactIteration {
       ContactProblem<1> one;
       one.count = 1;
       one.laws[0] = problem_.law(i);
+      if (one.laws[0].pressed_by >= 0) {  // by a force that is held, too
+        const double N = problem_.pressing(i, r_);
+        one.laws[0].pressed_by = -1;
+        one.laws[0].bound += one.laws[0].friction * N;
+        one.laws[0].static_bound += one.laws[0].static_friction * N;
+        one.laws[0].friction = one.laws[0].static_friction = 0;
+      }
       one.W = problem_.W.block(first, first, rows, rows);
       one.q =
           problem_.q.segment(first, rows) + problem_.W.middleRows(first, rows) * r_ - one.W * r_.segment(first, rows);
@@ -77,14 +84,15 @@ class ContactIteration {
     for (int i = 0; i < problem_.count; ++i) {
       const ContactLaw& law = problem_.law(i);
       AssumedRegime& regime = regimes[as(i)];
-      const int n = problem_.first_row(i), t = problem_.tangent_row(i);
+      const int t = problem_.tangent_row(i);
       double N = 0;
-      if (law.normal) {
-        const double W = problem_.W(n, n);
-        N = std::max(0.0, W > 0 ? r_(n) - u(n) / W : r_(n));
-        regime.pressed = N > 0;
+      if (const int pressing = problem_.pressing_row(i); pressing >= 0) {
+        const double W = problem_.W(pressing, pressing);
+        N = std::max(0.0, W > 0 ? r_(pressing) - u(pressing) / W : r_(pressing));
+        regime.pressed = law.normal && N > 0;
       }
-      if (!law.rubs() || (law.normal && !regime.pressed && !(law.bound > 0 || law.static_bound > 0))) continue;
+      const double bound = std::max(law.friction * N + law.bound, law.static_friction * N + law.static_bound);
+      if (!(law.tangents > 0 && bound > 0)) continue;
       if (law.slips) {
         regime.friction = Friction::slides;
         regime.direction = law.slip;

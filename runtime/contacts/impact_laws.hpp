@@ -92,11 +92,10 @@ template <int most>
     ContactProblem<most> expansion = problem;
     Vector given = Vector::Zero(problem.rows());
     for (int i = 0; i < problem.count; ++i) {
-      if (!problem.law(i).normal) continue;
       const int n = problem.first_row(i);
-      given(n) = restitution[at(i)] * Pc(n);
-      expansion.laws[at(i)].bound += problem.law(i).friction * given(n);
-      expansion.laws[at(i)].static_bound += problem.law(i).static_friction * given(n);
+      if (problem.law(i).normal) given(n) = restitution[at(i)] * Pc(n);
+      expansion.laws[at(i)].bound += problem.law(i).friction * problem.pressing(i, given);
+      expansion.laws[at(i)].static_bound += problem.law(i).static_friction * problem.pressing(i, given);
     }
     expansion.q = compression.best().u + problem.W * given;
     const ContactAnswer<most> answer = solve_contacts(expansion);
@@ -114,22 +113,39 @@ template <int most>
       if (problem.law(i).normal && result.w(n) < -1e-15 * size) next = i;
     }
     if (next < 0) break;
-    const int first = problem.first_row(next), rows = problem.law(next).rows();
-    ContactProblem<1> one;
-    one.count = 1;
-    one.laws[0] = problem.law(next);
-    one.W = problem.W.block(first, first, rows, rows);
-    one.q = result.w.segment(first, rows);
-    const ImpactResult<1> alone = impact<1>(one, {restitution[at(next)]});
+    // That contact, and what resists to its rolling and spinning.
+    ContactProblem<most> one;
+    std::array<int, static_cast<std::size_t>(most)> who{};
+    std::array<int, static_cast<std::size_t>(3 * most)> row{};
+    int rows = 0;
+    for (int i = next; i < problem.count; ++i) {
+      if (i != next && problem.law(i).pressed_by != next) continue;
+      for (int k = 0; k < problem.law(i).rows(); ++k) row[at(rows++)] = problem.first_row(i) + k;
+      who[at(one.count)] = i;
+      one.laws[at(one.count)] = problem.law(i);
+      if (i != next) one.laws[at(one.count)].pressed_by = 0;
+      ++one.count;
+    }
+    one.W.resize(rows, rows);
+    one.q.resize(rows);
+    for (int i = 0; i < rows; ++i) {
+      one.q(i) = result.w(row[at(i)]);
+      for (int j = 0; j < rows; ++j) one.W(i, j) = problem.W(row[at(i)], row[at(j)]);
+    }
+    std::array<double, static_cast<std::size_t>(most)> e{};
+    e[0] = restitution[at(next)];
+    const ImpactResult<most> alone = impact<most>(one, e);
     if (alone.verdict == ContactVerdict::none) {
       result.verdict = ContactVerdict::none;
       return result;
     }
-    result.P.segment(first, rows) += alone.P;
-    result.w += problem.W.middleCols(first, rows) * alone.P;
-    result.w.segment(first, rows) = alone.w;
+    for (int i = 0; i < rows; ++i) {
+      result.P(row[at(i)]) += alone.P(i);
+      result.w += problem.W.col(row[at(i)]) * alone.P(i);
+    }
+    for (int i = 0; i < rows; ++i) result.w(row[at(i)]) = alone.w(i);
     result.residual = std::max(result.residual, alone.residual);
-    result.sticks[at(next)] = alone.sticks[0];
+    for (int k = 0; k < one.count; ++k) result.sticks[at(who[at(k)])] = alone.sticks[at(k)];
   }
   for (int i = 0; i < problem.count; ++i) {
     result.closed[at(i)] = problem.law(i).normal && std::abs(result.w(problem.first_row(i))) <= 1e-15;

@@ -16,7 +16,8 @@
 
 namespace torsor::runtime {
 
-/// Event-driven motion of a mechanism with contacts.
+/// Event-driven motion of a mechanism with contacts, which may be taken from time to time: `start` at t0, then `advance`
+/// to later and later times. What it knows of regimes, slips and bounces is kept in between.
 template <ContactSystem S, class Method, class Observer>
 class ContactRun {
  public:
@@ -27,25 +28,28 @@ class ContactRun {
   ContactRun(const S& system, Vector& y, const Method& method, const ContactOptions& options, Observer& observer)
       : motion_(system), y_(y), method_(method), options_(options), observer_(observer) {}
 
-  ContactResult run(double t0, double t1) {
+  /// Puts the state on its constraints and decides the first regimes; false where the motion cannot begin.
+  bool start(double t0) {
     result_.time = t0;
-    if (!(t1 >= t0)) {  // what is no number too
-      result_.status = ContactStatus::integration_failed;
-      return result_;
-    }
-    if (!valid_rules() || !begin(t0)) return result_;
+    return valid_rules() && begin(t0);
+  }
+
+  /// Goes on to t1, which is not before; false where the motion ends earlier.
+  bool advance(double t1) {
+    if (!(t1 >= result_.time)) return end(ContactStatus::integration_failed, -1);
     int stuck = 0;
     while (result_.status == ContactStatus::reached_end && result_.time < t1) {
       const double before = result_.time;
-      if (!advance(t1)) break;
+      if (!advance_to_event(t1)) break;
       // Regimes that alternate at one time come to no end.
       stuck = result_.time > before ? 0 : stuck + 1;
       if (stuck > 100 || result_.events > options_.event_limit) result_.status = ContactStatus::too_many_events;
     }
-    return result_;
+    return result_.status == ContactStatus::reached_end;
   }
 
-  [[nodiscard]] const Motion& motion() const noexcept { return motion_; }
+  [[nodiscard]] const ContactResult& result() const noexcept { return result_; }
+  [[nodiscard]] Motion& motion() noexcept { return motion_; }
 
  private:
   enum class Watched { gap_or_pressure, slip_or_margin, youth };
@@ -87,11 +91,7 @@ class ContactRun {
 
   [[nodiscard]] bool valid_rules() noexcept {
     for (int i = 0; i < contacts; ++i) {
-      const ContactRule rule = motion_.system().rule(i);
-      const bool valid = rule.friction >= 0 && rule.sticking() >= rule.friction && rule.bound >= 0 &&
-                         rule.sticking_bound() >= rule.bound && rule.restitution >= 0 && rule.restitution <= 1 &&
-                         rule.tangents >= 0 && rule.tangents <= 2 && rule.rows() > 0;
-      if (!valid) return end(ContactStatus::invalid_rule, i);
+      if (!motion_.system().rule(i).valid(i)) return end(ContactStatus::invalid_rule, i);
     }
     return true;
   }
@@ -103,14 +103,15 @@ class ContactRun {
   }
 
   bool begin(double t) {
-    if (!motion_.read(t, y_)) return end(ContactStatus::integration_failed, -1);
+    if (motion_.project(t, y_) != Evaluation::ok || !motion_.read(t, y_)) {
+      return end(ContactStatus::integration_failed, -1);
+    }
     bool approaches = false;
     int first = 0;
     for (int i = contacts; i-- > 0;) {
       const ContactRule rule = motion_.system().rule(i);
-      const double gap = motion_.reading().gap[as(i)];
-      if (rule.normal && gap < -options_.touch) return end(ContactStatus::penetrates, i);
-      touching_[as(i)] = !rule.normal || gap <= options_.touch;
+      if (rule.normal && motion_.reading().gap[as(i)] < -options_.touch) return end(ContactStatus::penetrates, i);
+      touching_[as(i)] = near(i);
       if (rule.normal && touching_[as(i)] && motion_.reading().w(motion_.normal_row(i)) < -options_.at_rest) {
         approaches = true;
         first = i;
@@ -118,13 +119,19 @@ class ContactRun {
     }
     if (approaches) return collide(first, false);
     for (int i = 0; i < contacts; ++i) {
-      const ContactRule rule = motion_.system().rule(i);
       ContactState& state = motion_.states[as(i)];
+      const int by = motion_.carrier(i);
       state.touches =
-          touching_[as(i)] && (!rule.normal || motion_.reading().w(motion_.normal_row(i)) <= options_.at_rest);
+          touching_[as(i)] && (by < 0 || motion_.reading().w(motion_.normal_row(by)) <= options_.at_rest);
       set_by_slip(i, options_.at_rest);
     }
     return decide(-1, Cause::none);
+  }
+
+  // Whether the gap is closed, as near as other contacts ask.
+  [[nodiscard]] bool near(int i) const noexcept {
+    const int by = motion_.carrier(i);
+    return by < 0 || motion_.reading().gap[as(by)] <= options_.touch;
   }
 
   // Sticking or sliding by the velocity of slip; one that sticks is free to begin to slide.
@@ -156,13 +163,15 @@ class ContactRun {
     const auto& reading = motion_.reading();
     const auto whole = motion_.problem_of(reading.J * motion_.dynamics().a0 + reading.drift);
     typename Motion::Problem problem;
-    std::array<int, S::contacts> who{};
+    std::array<int, S::contacts> who{}, place{};
     std::array<int, static_cast<std::size_t>(3 * contacts)> row{};
     int rows = 0;
     for (int i = 0; i < contacts; ++i) {
       const ContactState& state = motion_.states[as(i)];
-      if (!state.touches || (cause == Cause::opens && i == forced)) continue;
+      if (!state.touches || (cause == Cause::opens && motion_.carrier(i) == forced)) continue;
       ContactLaw law = whole.law(i);
+      place[as(i)] = problem.count;
+      if (law.pressed_by >= 0) law.pressed_by = place[as(law.pressed_by)];
       const bool slid = state.regime == ContactRegime::slides && law.tangents > 0;
       const bool slides = slid && !(state.begins && motion_.slip(i) <= 16 * motion_.least_slip(i));
       const bool loose = cause == Cause::slips && i == forced;
@@ -192,13 +201,17 @@ class ContactRun {
     if (answer.best().indeterminate) ++result_.indeterminate;
     residual_ = std::max(residual_, answer.best().residual);
     result_.worst_residual = std::max(result_.worst_residual, residual_);
-    if (cause == Cause::opens) motion_.states[as(forced)] = {};
+    for (int i = 0; i < contacts && cause == Cause::opens; ++i) {
+      if (motion_.carrier(i) == forced) motion_.states[as(i)] = {};
+    }
     for (int k = 0; k < problem.count; ++k) {
       const int i = who[as(k)];
       ContactState& state = motion_.states[as(i)];
       const ContactSolution<contacts>& s = answer.best();
       const int n = problem.first_row(k), t = problem.tangent_row(k);
-      if (problem.law(k).normal && s.u(n) > 0) {
+      const int by = motion_.carrier(i);
+      const bool opens = problem.law(k).normal ? s.u(n) > 0 : by >= 0 && !motion_.states[as(by)].touches;
+      if (opens) {
         state = {};
         continue;
       }
@@ -228,7 +241,7 @@ class ContactRun {
         double T = 0;
         for (int j = 0; j < problem.law(k).tangents; ++j) T = std::hypot(T, s.r(t + j));
         left = std::min(
-            left, problem.law(k).static_friction * s.r(n) * problem.law(k).normal + problem.law(k).static_bound - T);
+            left, problem.law(k).static_friction * problem.pressing(k, s.r) + problem.law(k).static_bound - T);
       }
       state.force_slack = left <= 1e-10 * force ? 4e-12 * force : 0;
     }
@@ -260,13 +273,15 @@ class ContactRun {
     const auto whole = motion_.problem_of(reading.w);
     typename Motion::Problem problem;
     std::array<double, S::contacts> restitution{};
-    std::array<int, S::contacts> who{};
+    std::array<int, S::contacts> who{}, place{};
     std::array<int, static_cast<std::size_t>(3 * contacts)> row{};
     int rows = 0;
     for (int i = 0; i < contacts; ++i) {
       const ContactRule rule = motion_.system().rule(i);
-      if (!touching_[as(i)] || !rule.normal) continue;
+      if (!touching_[as(i)] || motion_.carrier(i) < 0) continue;
       ContactLaw law = whole.law(i);
+      place[as(i)] = problem.count;
+      if (law.pressed_by >= 0) law.pressed_by = place[as(law.pressed_by)];
       law.static_friction = law.friction;
       law.bound = law.static_bound = 0;  // bounded forces give no impulse
       for (int k = 0; k < law.rows(); ++k) row[as(rows++)] = whole.first_row(i) + k;
@@ -304,19 +319,19 @@ class ContactRun {
       const int i = who[as(k)];
       ContactState& state = motion_.states[as(i)];
       // What is left of an accumulation's velocity is rounding: projection takes it away.
-      state.touches = shock.closed[as(k)] || (rests && accumulating(i));
+      const int by = motion_.carrier(i);
+      state.touches = by != i ? motion_.states[as(by)].touches : shock.closed[as(k)] || (rests && accumulating(i));
       set_by_slip(i, shock.sticks[as(k)] ? std::numeric_limits<double>::infinity() : 0);
     }
     for (int i = 0; i < contacts; ++i) {
-      const ContactRule rule = motion_.system().rule(i);
-      if (rule.normal) continue;
+      if (motion_.carrier(i) >= 0) continue;
       motion_.states[as(i)].touches = true;
       set_by_slip(i, 64 * motion_.rounding_of(motion_.tangent_row(i)));
     }
     return decide(-1, Cause::none);
   }
 
-  bool advance(double t1) {
+  bool advance_to_event(double t1) {
     const auto watch_all = [&]<std::size_t... k>(std::index_sequence<k...>) {
       return EventArray<Watch, 3 * S::contacts>({watch(static_cast<int>(k / 3), static_cast<Watched>(k % 3))...});
     };
@@ -397,8 +412,7 @@ class ContactRun {
         told = limits_[as(contact)](std::max(result_.time, alone ? limit : all_.limit()), result_.time);
       }
       for (int i = 0; i < contacts; ++i) {
-        touching_[as(i)] =
-            i == contact || motion_.states[as(i)].touches || motion_.reading().gap[as(i)] <= options_.touch;
+        touching_[as(i)] = motion_.carrier(i) == contact || motion_.states[as(i)].touches || near(i);
       }
       last_speed_[as(contact)] = speed;
       done = collide(contact, rests);
@@ -469,7 +483,10 @@ ContactResult integrate_contacts(const S& system, std::array<double, S::nq + S::
                                  const Method& method = Method{.relative_tolerance = 1e-13,
                                                                .absolute_tolerance = 1e-13},
                                  const ContactOptions& options = {}, Observer&& observer = Observer{}) {
-  return ContactRun<S, Method, std::remove_reference_t<Observer>>(system, y, method, options, observer).run(t0, t1);
+  if (!(t1 >= t0)) return {.status = ContactStatus::integration_failed, .time = t0};  // what is no number too
+  ContactRun<S, Method, std::remove_reference_t<Observer>> run(system, y, method, options, observer);
+  if (run.start(t0)) run.advance(t1);
+  return run.result();
 }
 
 }  // namespace torsor::runtime

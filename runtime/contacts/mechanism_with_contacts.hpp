@@ -58,6 +58,9 @@ requires(HasMassMatrixAndBias<M> && (M::multiplier_count == 0 || HasConstraints<
                    .bound = of.bound[i],
                    .static_bound = of.static_bound[i],
                    .restitution = of.restitution[i]};
+      if constexpr (requires { M::contact_pressed_by; }) {
+        rules_[i].pressed_by = static_cast<int>(M::contact_pressed_by[i]) - 1;
+      }
     }
   }
 
@@ -113,10 +116,14 @@ requires(HasMassMatrixAndBias<M> && (M::multiplier_count == 0 || HasConstraints<
     constexpr auto m = static_cast<std::size_t>(M::multiplier_count);
     typename M::Constraints now;
     M::constraints(precomputed_, state, now);
+    reading.A.resize(constraints, Eigen::NoChange);
+    for (auto* each : {&reading.gamma, &reading.value, &reading.rate}) each->resize(constraints);
     Eigen::Index row = 0;
     for (std::size_t k = 0; k < m; ++k) {
       if (repeats_others(k)) continue;
       reading.gamma(row) = now.gamma[k];
+      reading.value(row) = now.value[k];
+      reading.rate(row) = now.rate[k];
       for (std::size_t j = 0; j < nv; ++j) reading.A(row, at(j)) = now.jacobian[j * m + k];
       ++row;
     }

@@ -27,7 +27,14 @@ class MoreauJean {
   using Forces = typename Problem::Vector;
 
   explicit MoreauJean(const S& system, double theta = 0.5) noexcept : system_(system), theta_(theta) {
-    for (int i = 0; i < contacts; ++i) rows_ += system.rule(i).rows();
+    for (int i = 0; i < contacts; ++i) {
+      if (!system.rule(i).valid(i)) {
+        status_ = ContactStatus::invalid_rule;
+        contact_ = i;
+        return;
+      }
+      rows_ += system.rule(i).rows();
+    }
     reading_.J.resize(rows_, Eigen::NoChange);
     reading_.w.resize(rows_);
     reading_.drift.resize(rows_);
@@ -36,13 +43,19 @@ class MoreauJean {
 
   /// One step of length h > 0 from (t, y). False with a status where it cannot be made.
   bool step(double t, double h, Vector& y) noexcept {
+    if (status_ == ContactStatus::invalid_rule) return false;
     Vector middle = y;
     move(t, middle, (1 - theta_) * h);
     const double there = t + (1 - theta_) * h;
     if (!read(there, middle)) return end(ContactStatus::integration_failed);
-    Chosen chosen = choose([&](int i) { return !system_.rule(i).normal || reading_.gap[as(i)] <= 0; });
-    const Velocity v_free = velocity(y) + h * dynamics_.a0;
-    const Forces w_free = reading_.w + h * (reading_.J * dynamics_.a0);
+    Chosen chosen = choose([&](int i) {
+      const int by = system_.rule(i).normal ? i : system_.rule(i).pressed_by;
+      return by < 0 || reading_.gap[as(by)] <= 0;
+    });
+    // Loops are held as contacts are, by their velocities at q_m.
+    const Velocity change = dynamics_.closing_rate + h * (dynamics_.K * reading_.F);
+    const Velocity v_free = velocity(y) + change;
+    const Forces w_free = reading_.w + reading_.J * change;
     fill(chosen, w_free);
     Forces start(chosen.rows);
     for (int k = 0; k < chosen.rows; ++k) start(k) = impulses_(chosen.row[as(k)]);
@@ -76,6 +89,8 @@ class MoreauJean {
 
   [[nodiscard]] ContactStatus status() const noexcept { return status_; }
   [[nodiscard]] double residual() const noexcept { return residual_; }         ///< certificate of the last step
+  [[nodiscard]] double depth() const noexcept { return depth_; }  ///< [m] below zero before its end put it back
+  [[nodiscard]] int contact() const noexcept { return contact_; }  ///< the one whose rule is invalid; else -1
   [[nodiscard]] const Forces& impulses() const noexcept { return impulses_; }  ///< of the last step, all rows
 
  private:
@@ -105,13 +120,16 @@ class MoreauJean {
   template <class Wanted>
   [[nodiscard]] Chosen choose(const Wanted& wanted) const noexcept {
     Chosen chosen;
+    std::array<int, S::contacts> place{};
     int first = 0;
     for (int i = 0; i < contacts; ++i) {
       const ContactRule rule = system_.rule(i);
       if (wanted(i)) {
         for (int k = 0; k < rule.rows(); ++k) chosen.row[as(chosen.rows++)] = first + k;
         chosen.who[as(chosen.problem.count)] = i;
+        place[as(i)] = chosen.problem.count;
         chosen.problem.laws[as(chosen.problem.count++)] = {.normal = rule.normal,
+                                                           .pressed_by = rule.pressed_by < 0 ? -1 : place[as(rule.pressed_by)],
                                                            .tangents = rule.tangents,
                                                            .friction = rule.friction,
                                                            .static_friction = rule.sticking(),
@@ -133,8 +151,8 @@ class MoreauJean {
     }
   }
 
-  // The least displacement, in the metric of the masses, after which no gap is negative: contacts without friction,
-  // whose reactions are displacements.
+  // The least displacement, in the metric of the masses, after which no gap is negative and loops are closed: contacts
+  // without friction, whose reactions are displacements.
   bool put_back(double t, Vector& y) noexcept {
     if constexpr (requires { system_.normalise(y); }) system_.normalise(y);
     for (int repeat = 0; repeat < 3; ++repeat) {
@@ -143,12 +161,14 @@ class MoreauJean {
       for (int i = 0; i < contacts; ++i) {
         if (system_.rule(i).normal) deepest = std::max(deepest, -reading_.gap[as(i)]);
       }
-      if (!(deepest > 1e-14)) return true;
+      if (repeat == 0) depth_ = deepest;
+      if (!(deepest > 1e-14 || dynamics_.closing.cwiseAbs().maxCoeff() > 1e-14)) return true;
       Chosen chosen = choose([&](int i) { return system_.rule(i).normal; });
       Forces gaps = Forces::Zero(rows_);
       for (int k = 0; k < chosen.problem.count; ++k) {
         const int n = chosen.problem.first_row(k);
-        gaps(chosen.row[as(n)]) = reading_.gap[as(chosen.who[as(k)])];
+        const int row = chosen.row[as(n)];
+        gaps(row) = reading_.gap[as(chosen.who[as(k)])] + reading_.J.row(row).dot(dynamics_.closing);
         chosen.problem.laws[as(k)] = {.tangents = chosen.problem.law(k).tangents};
       }
       fill(chosen, gaps);
@@ -157,7 +177,7 @@ class MoreauJean {
       if (!answer) return true;  // contacts that exclude each other
       Forces r = Forces::Zero(rows_);
       for (int k = 0; k < chosen.rows; ++k) r(chosen.row[as(k)]) = answer.best().r(k);
-      const Velocity change = dynamics_.KJ * r;
+      const Velocity change = dynamics_.closing + dynamics_.KJ * r;
       Vector there = y;
       for (std::size_t i = 0; i < nv; ++i) there[nq + i] = change(static_cast<Eigen::Index>(i));
       std::array<double, nq> moved{};
@@ -174,7 +194,8 @@ class MoreauJean {
   ContactDynamics<typename S::Reading> dynamics_;
   Forces impulses_;
   ContactStatus status_ = ContactStatus::reached_end;
-  double residual_ = 0;
+  double residual_ = 0, depth_ = 0;
+  int contact_ = -1;
 };
 
 /// Steps of equal length from t0 to t1, `steps` of them; the status of the last one. integration_failed where t1 < t0 or

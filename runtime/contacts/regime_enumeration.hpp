@@ -264,7 +264,7 @@ class RegimeEnumeration {
         r(n) = assumed.pressed ? std::max(0.0, r(n)) : 0.0;
         u(n) = assumed.pressed ? 0.0 : std::max(0.0, u(n));
       }
-      const double N = law.normal ? r(n) : 0;
+      const double N = problem_.pressing(i, r);
       if (assumed.friction == Friction::sticks) {
         const double radius = law.static_friction * N + law.static_bound;
         double length = 0;

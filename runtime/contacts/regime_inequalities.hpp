@@ -55,7 +55,7 @@ class RegimeInequalities {
       const int n = problem_.first_row(i), t = problem_.tangent_row(i);
       if (law.normal && !(assumed.pressed ? r(n) >= -force : u(n) >= -motion)) return false;
       if (assumed.friction == Friction::sticks) {
-        const double N = law.normal ? r(n) : 0;
+        const double N = problem_.pressing(i, r);
         double length = 0;
         for (int k = 0; k < law.tangents; ++k) length = std::hypot(length, r(t + k));
         if (!(length <= law.static_friction * N + law.static_bound + force)) return false;
@@ -107,11 +107,12 @@ class RegimeInequalities {
         if (assumed.friction == Friction::sticks) {
           double length = 0;
           for (int j = 0; j < law.tangents; ++j) length = std::hypot(length, r(t + j));
-          const double N = law.normal ? r(k) : 0;
+          const int pressing = problem_.pressing_row(i);
+          const double N = problem_.pressing(i, r);
           const double missing = margin - (law.static_friction * N + law.static_bound - length) / force;
           if (!(missing > 0)) continue;
           Vector row = Vector::Zero(n);
-          if (law.normal) row += law.static_friction * R.row(k).transpose() / force;
+          if (pressing >= 0) row += law.static_friction * R.row(pressing).transpose() / force;
           for (int j = 0; j < law.tangents && length > 0; ++j)
             row -= r(t + j) / length * R.row(t + j).transpose() / force;
           add(missing, row);

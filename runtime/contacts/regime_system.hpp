@@ -42,16 +42,22 @@ class RegimeSystem {
     c_.setZero(rows);
     rows_.fill(0);
     int column = 0;
+    std::array<int, static_cast<std::size_t>(most)> normal_column{};
     for (int i = 0; i < problem.count; ++i) {
       const ContactLaw& law = problem.law(i);
       const AssumedRegime& assumed = at(i);
       const int t = problem.tangent_row(i);
-      const bool slides = assumed.friction == Friction::slides;
-      for (int k = 0; slides && k < law.tangents; ++k) c_(t + k) = -law.bound * assumed.direction[as(k)];
+      normal_column[as(i)] = -1;
       if (assumed.pressed) {
         B_(problem.first_row(i), column) = 1;
-        for (int k = 0; slides && k < law.tangents; ++k) B_(t + k, column) = -law.friction * assumed.direction[as(k)];
+        normal_column[as(i)] = column;
         rows_[as(column++)] = problem.first_row(i);
+      }
+      const int by = law.normal ? i : law.pressed_by;
+      const int pressing = by < 0 ? -1 : normal_column[as(by)];
+      for (int k = 0; assumed.friction == Friction::slides && k < law.tangents; ++k) {
+        c_(t + k) = -law.bound * assumed.direction[as(k)];
+        if (pressing >= 0) B_(t + k, pressing) = -law.friction * assumed.direction[as(k)];
       }
       for (int k = 0; assumed.friction == Friction::sticks && k < law.tangents; ++k) {
         B_(t + k, column) = 1;
@@ -108,7 +114,7 @@ class RegimeSystem {
     const ContactLaw& law = problem_.law(i);
     const int t = problem_.tangent_row(i);
     const Vector r = reactions();
-    const double pull = law.friction * (law.normal ? r(problem_.first_row(i)) : 0.0) + law.bound;
+    const double pull = law.friction * problem_.pressing(i, r) + law.bound;
     Vector dr = Vector::Zero(problem_.rows());
     dr(t) = pull * at(i).direction[1];
     dr(t + 1) = -pull * at(i).direction[0];

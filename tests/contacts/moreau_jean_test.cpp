@@ -75,5 +75,30 @@ TEST(MoreauJean, LetsNothingSink) {
   EXPECT_NEAR(carried, g, 2 * g * 1e-3);
 }
 
+TEST(MoreauJean, SaysHowDeepAStepWentBeforeItWasPutBack) {
+  const auto system = ball(0);
+  std::array<double, 2> y{0.5 * 1e-3, -1};
+  MoreauJean<std::remove_const_t<decltype(system)>> scheme(system, 1);
+  ASSERT_TRUE(scheme.step(0, 1e-3, y));
+  // Closed at the start of the step only: it falls through by the half of what it moves, and a g h².
+  EXPECT_NEAR(scheme.depth(), 0.5e-3 + g * 1e-6, 1e-15);
+  EXPECT_NEAR(y[0], 0, 1e-15);
+}
+
+TEST(MoreauJean, RefusesImpossibleRules) {
+  for (const ContactRule& wrong :
+       {ContactRule{.friction = -0.1}, ContactRule{.friction = 0.3, .static_friction = 0.2}, ContactRule{.restitution = 1.5},
+        ContactRule{.bound = -1}, ContactRule{.restitution = NAN}}) {
+    auto system = block_on_plane(0.3);
+    system.rules[0] = wrong;
+    std::array<double, 6> y{0, 0, 0, 1, 0, 0};
+    MoreauJean<decltype(system)> scheme(system);
+    EXPECT_FALSE(scheme.step(0, 1e-3, y));
+    EXPECT_EQ(scheme.status(), ContactStatus::invalid_rule);
+    EXPECT_EQ(scheme.contact(), 0);
+    EXPECT_EQ(y[3], 1);
+  }
+}
+
 }  // namespace
 }  // namespace moreau_jean_test

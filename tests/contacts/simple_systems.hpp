@@ -88,6 +88,41 @@ inline ByHand<3, 6, 1> billiard_ball(double m, double R, double f, double e) {
           }};
 }
 
+/// The same ball, of which the table resists the rolling by h N and the spinning by k N.
+inline ByHand<3, 6, 3> ball_on_soft_table(double m, double R, double f, double e, double h, double k) {
+  const auto table = billiard_ball(m, R, f, e);
+  return {{table.rules[0], ContactRule{.tangents = 2, .normal = false, .pressed_by = 0, .friction = h},
+           ContactRule{.tangents = 1, .normal = false, .pressed_by = 0, .friction = k}},
+          [=](double, const auto& y, auto& r) {
+            r.M.setIdentity();
+            r.M *= m;
+            for (int i = 3; i < 6; ++i) r.M(i, i) = 0.4 * m * R * R;
+            r.F << 0, 0, -m * g, 0, 0, 0;
+            r.gap[0] = y[2] - R;
+            r.J.setZero();
+            r.J(0, 2) = r.J(1, 0) = r.J(2, 1) = 1;
+            r.J(1, 4) = -R;
+            r.J(2, 3) = R;
+            r.J(3, 3) = r.J(4, 4) = r.J(5, 5) = 1;
+            r.w << y[5], y[3] - R * y[7], y[4] + R * y[6], y[6], y[7], y[8];
+            r.drift.setZero();
+          }};
+}
+
+/// A disc of mass 1 on a slope, x down it, that resists its rolling by h N: q = (x, z, φ), φ' > 0 rolls down.
+inline ByHand<3, 3, 2> disc_on_soft_slope(double slope, double f, double R, double h) {
+  return {{ContactRule{.tangents = 1, .friction = f}, ContactRule{.tangents = 1, .normal = false, .pressed_by = 0, .friction = h}},
+          [=](double, const auto& y, auto& r) {
+            r.M.setIdentity();
+            r.M(2, 2) = 0.5 * R * R;
+            r.F << g * std::sin(slope), -g * std::cos(slope), 0;
+            r.gap[0] = y[1] - R;
+            r.J << 0, 1, 0, 1, 0, -R, 0, 0, 1;
+            r.w << y[4], y[3] - R * y[5], y[5];
+            r.drift.setZero();
+          }};
+}
+
 /// A pendulum of length and mass 1, q = θ from the downward vertical, with a stop sign (θ - at) >= 0.
 inline ByHand<1, 1, 1> pendulum_with_stop(double at, double sign, double e) {
   return {{ContactRule{.tangents = 0, .restitution = e}}, [=](double, const auto& y, auto& r) {
