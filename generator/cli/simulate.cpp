@@ -10,7 +10,7 @@
 
 #include "generator/base/did_you_mean.hpp"
 #include "generator/base/error.hpp"
-#include "generator/dynamics/equations/contact_checks.hpp"
+#include "generator/cli/contact_simulation.hpp"
 #include "generator/program/written_unit.hpp"
 #include "generator/verification/dormand_prince_853.hpp"
 #include "generator/verification/gauss_collocation.hpp"
@@ -70,7 +70,7 @@ std::string method_text(const SimulationOptions& options) {
 
 Simulation simulate(const Scene& scene, const SimulationOptions& options) {
   check_options(options);
-  refuse_contacts(scene, "a simulation");
+  if (has_contacts(scene)) return simulate_contacts(scene, options);
   EvaluatedMotion motion(scene, options.model, options.parameters, options.inputs);
   Simulation result;
   result.names = {"time"};
@@ -140,6 +140,7 @@ std::string simulation_csv(const Scene& scene, const SimulationOptions& options,
       "# Motion of the scene {} by {}, {} steps.\n# Units: {}\n", scene.name(), method_text(options), motion.steps,
       fmt::join(motion.units, ", "));
   for (const std::string& event : motion.events) text += fmt::format("# Event: {}\n", event);
+  for (const std::string& remark : motion.remarks) text += fmt::format("# Note: {}\n", remark);
   if (!motion.status.empty()) text += fmt::format("# It ends before {:g} s: {}\n", options.duration, motion.status);
   text += fmt::format("{}\n", fmt::join(motion.names, ","));
   for (const std::vector<double>& row : motion.rows) {

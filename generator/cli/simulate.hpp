@@ -28,10 +28,11 @@ struct Simulation {
   std::vector<std::vector<double>> rows;
   std::string status;                     ///< empty: the end was reached, or an event that ends the motion
   std::vector<std::string> events;        ///< what was met, a line each
+  std::vector<std::string> remarks;       ///< of the whole motion
   long steps = 0;
 };
 
-/// The motion of a scene, evaluated from its program. Throws UsageError for names and numbers that make no sense, Error
+/// The motion of a scene, evaluated from its program; with contacts it goes from event to event of theirs. Throws UsageError for names and numbers that make no sense, Error
 /// where the constraints cannot be closed at the start.
 Simulation simulate(const Scene& scene, const SimulationOptions& options);
 

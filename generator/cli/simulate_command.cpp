@@ -64,6 +64,7 @@ CommandResult run_simulation(const Scene& scene, SimulationRequest request) {
     write_file_if_changed(request.plot[0], simulation_svg(scene, motion, columns));
   }
   for (const std::string& event : motion.events) result.notes.push_back("event: " + event);
+  result.notes.insert(result.notes.end(), motion.remarks.begin(), motion.remarks.end());
   if (!motion.status.empty()) result.notes.push_back(fmt::format("the motion ends: {}", motion.status));
   return result;
 }

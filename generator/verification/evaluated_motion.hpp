@@ -34,6 +34,12 @@ class EvaluatedMotion {
   /// UsageError for an unknown name.
   std::vector<double> start(const NamedNumbers& replaced);
 
+  /// Moves to a state, where `value` then evaluates.
+  void move_to(double t, const std::vector<double>& y);
+  double value(const Value& of) { return here_(of); }
+  void normalise(std::vector<double>& y) const;  ///< quaternions to norm 1
+  double position_rate(std::size_t i) { return here_(position_rates_[i]); }
+
   /// dy/dt; false where a pivot is not positive beyond rounding, or a number is none.
   bool slope(double t, const std::vector<double>& y, std::vector<double>& rates);
 
@@ -53,8 +59,6 @@ class EvaluatedMotion {
   std::vector<double> observe(double t, const std::vector<double>& y);
 
  private:
-  void move_to(double t, const std::vector<double>& y);
-  void normalise(std::vector<double>& y) const;
   void displace(double t, std::vector<double>& y, const std::vector<double>& change);
   /// The least change δv with A δv = right for these rows, in the metric of the masses at the state moved to.
   std::vector<double> least_change(const std::vector<std::size_t>& rows, const std::vector<double>& right);

@@ -1,0 +1,185 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "generator/cli/contact_simulation.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "generator/base/error.hpp"
+#include "generator/cli/evaluated_contacts.hpp"
+#include "generator/program/written_unit.hpp"
+#include "runtime/contacts/integrate_contacts.hpp"
+
+namespace torsor {
+namespace {
+
+using runtime::ContactEventKind;
+using runtime::ContactRegime;
+using runtime::ContactStatus;
+
+const char* word_of(ContactEventKind kind) {
+  switch (kind) {
+    case ContactEventKind::impact: return "impact of";
+    case ContactEventKind::opens: return "opens:";
+    case ContactEventKind::slips: return "begins to slide:";
+    case ContactEventKind::slip_ends: return "stops sliding:";
+    case ContactEventKind::accumulation: return "end of the bounces of";
+  }
+  return "";
+}
+
+/// Moves a scene whose numbers of freedoms, contacts and constraints fit into those of `System`.
+template <class System>
+class ContactSimulation {
+ public:
+  ContactSimulation(EvaluatedContacts& contacts, const SimulationOptions& options, Simulation& result)
+      : contacts_(contacts), options_(options), result_(result), system_(contacts) {}
+
+  void run(std::vector<double> start) {
+    typename System::State y{};
+    contacts_.copy(start, y, System::nq);
+    // Components that are there for room make the norm of the error smaller.
+    const double share = std::sqrt(static_cast<double>(start.size()) / static_cast<double>(y.size()));
+    const double tolerance = std::max(options_.tolerance * share, 1e-15);
+    const runtime::DormandPrince853 method{.relative_tolerance = tolerance, .absolute_tolerance = tolerance};
+    Watch watch{*this};
+    const runtime::ContactOptions usual;
+    runtime::ContactRun<System, runtime::DormandPrince853, Watch> motion(system_, y, method, usual, watch);
+    if (motion.start(0.0)) write(motion, 0.0, y);
+    const auto last = static_cast<long>(std::ceil(options_.duration / options_.step * (1 - 1e-12)));
+    for (long k = 1; k <= last && motion.result(); ++k) {
+      const double t = k == last ? options_.duration : static_cast<double>(k) * options_.step;
+      if (motion.advance(t)) write(motion, t, y);
+      if (options_.progress) options_.progress(t / options_.duration);
+    }
+    const runtime::ContactResult& end = motion.result();
+    result_.remarks.push_back(fmt::format("worst certificate of the contact solves {:.1g}", end.worst_residual));
+    if (!end) {
+      result_.status = fmt::format("{}{} at t = {:.9g} s", describe(end.status), of_contact(end), end.time);
+    }
+    if (end.ambiguous > 0) {
+      result_.remarks.push_back(fmt::format("at {} events several motions fulfil the laws of contact: the one of least "
+                                            "motion was taken",
+                                            end.ambiguous));
+    }
+    if (end.indeterminate > 0) {
+      result_.remarks.push_back(fmt::format("at {} events reactions are indeterminate: other ones give the same motion",
+                                            end.indeterminate));
+    }
+  }
+
+ private:
+  using Motion = runtime::ContactMotion<System>;
+  struct Watch {
+    ContactSimulation& simulation;
+    bool operator()(double, const typename System::State&) const {
+      ++simulation.result_.steps;
+      return true;
+    }
+    bool operator()(const runtime::ContactEvent<Motion>& event) const {
+      simulation.tell(event);
+      return true;
+    }
+  };
+
+  std::string of_contact(const runtime::ContactResult& end) const {
+    std::string text;
+    if (end.status == ContactStatus::integration_failed) text = fmt::format(": {}", describe(end.integration.status));
+    if (end.contact < 0 || end.contact >= contacts_.count()) return text;
+    return fmt::format("{}; contact '{}'", text, contacts_.name(end.contact));
+  }
+
+  void tell(const runtime::ContactEvent<Motion>& event) {
+    std::string text = fmt::format("{} {} at t = {:.15g} s", word_of(event.kind), contacts_.name(event.contact), event.time);
+    if (event.energy_lost != 0) text += fmt::format(", energy lost {:.6g} J", event.energy_lost);
+    std::vector<std::string> regimes;
+    for (int i = 0; i < contacts_.count(); ++i) {
+      const runtime::ContactState& state = event.contacts[static_cast<std::size_t>(i)];
+      if (state.touches) regimes.push_back(fmt::format("{} {}", contacts_.name(i), contacts_.regime(i, state.regime)));
+    }
+    text += regimes.empty() ? "; then all are open" : fmt::format("; then {}", fmt::join(regimes, ", "));
+    result_.events.push_back(std::move(text));
+  }
+
+  template <class Run>
+  void write(Run& motion, double t, const typename System::State& y) {
+    const std::vector<double> state = contacts_.of(y, System::nq);
+    std::vector<double> row{t};
+    row.insert(row.end(), state.begin(), state.end());
+    const std::vector<double> observed = contacts_.motion().observe(t, state);
+    row.insert(row.end(), observed.begin(), observed.end());
+    const bool solved = motion.motion().solve(t, y) == runtime::Evaluation::ok;
+    int first = 0;
+    for (int i = 0; i < contacts_.count(); ++i) {
+      const runtime::ContactRule rule = system_.rule(i);
+      if (rule.normal) row.push_back(motion.motion().reading().gap[static_cast<std::size_t>(i)]);
+      for (int k = 0; k < rule.rows(); ++k) row.push_back(solved ? motion.motion().reactions()(first + k) : std::nan(""));
+      first += rule.rows();
+    }
+    result_.rows.push_back(std::move(row));
+  }
+
+  EvaluatedContacts& contacts_;
+  const SimulationOptions& options_;
+  Simulation& result_;
+  const System system_;
+};
+
+void add_columns(EvaluatedContacts& contacts, Simulation& result) {
+  const auto add = [&](const std::string& name, const std::string& unit) {
+    result.names.push_back(name);
+    result.units.push_back(unit);
+  };
+  EvaluatedMotion& motion = contacts.motion();
+  add("time", "s");
+  for (const SymbolPointer& symbol : motion.symbols()) add(symbol->name, written_unit(*symbol));
+  for (const std::string& name : motion.observed_names()) {
+    add(name, result.names.size() <= motion.symbols().size() + 3 ? "J" : "SI");
+  }
+  for (int i = 0; i < contacts.count(); ++i) {
+    const std::string name = contacts.name(i);
+    const runtime::ContactRule rule = contacts.rule(i);
+    if (rule.normal) add(name + "_gap", contacts.gap_unit(i));
+    if (rule.normal) add(name + "_N", contacts.force_unit(i));
+    for (int k = 0; k < rule.tangents; ++k) {
+      add(rule.tangents == 1 ? name + "_T" : fmt::format("{}_T{}", name, k + 1), contacts.force_unit(i));
+    }
+  }
+}
+
+}  // namespace
+
+bool has_contacts(const Scene& scene) { return !scene.content().contacts.empty(); }
+
+Simulation simulate_contacts(const Scene& scene, const SimulationOptions& options) {
+  if (!options.project) {
+    throw UsageError("--no-projection is for motions without contacts: those with contacts are put back on them");
+  }
+  if (options.method != "dp853" || !options.events.empty()) {
+    throw UsageError("--events, --until and --method are for motions without contacts: those with contacts have events of "
+                     "their own, between which dp853 moves them");
+  }
+  EvaluatedContacts contacts(scene, options.model, options.parameters, options.inputs);
+  Simulation result;
+  add_columns(contacts, result);
+  EvaluatedMotion& motion = contacts.motion();
+  std::vector<double> y = motion.start(options.initial);
+  if (motion.needs_settling() && !motion.settle(0.0, y)) {
+    throw Error(fmt::format("the constraints of '{}' cannot be closed near the initial state: give other values by --initial",
+                            scene.name()));
+  }
+  using Room = RoomForContacts<28, 24, 12, 24>;
+  if (!contacts.fits<Room>()) {
+    throw UsageError(fmt::format(
+        "the scene '{}' has {} freedoms, {} contacts and {} constraints, and simulate moves scenes with contacts up to "
+        "{}, {} and {}: generate its header and move it by runtime/contacts (docs/contacts.md)",
+        scene.name(), motion.velocity_count(), contacts.count(), contacts.constraint_count(), Room::nv, Room::contacts,
+        Room::constraints));
+  }
+  ContactSimulation<Room>(contacts, options, result).run(std::move(y));
+  return result;
+}
+
+}  // namespace torsor

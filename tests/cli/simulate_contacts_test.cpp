@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <map>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "tests/cli/scene_runner.hpp"
+
+namespace torsor::simulate_contacts_test {
+namespace {
+
+using testing_programs::Outcome;
+using testing_programs::run;
+
+/// A ball dropped on a floor from 1 m.
+Scene dropped() {
+  Scene scene("dropped", "");
+  const Expression e = scene.run_time_parameter("e", "1", Expression(Number::rational(1, 2)));
+  const Expression z = scene.coordinate("z", "m");
+  const FrameHandle ball = scene.prismatic("ball", scene.ground(), axis::z, z);
+  scene.body("ball", ball, Inertia::point(Expression::quantity("2", "kg")));
+  scene.gravity({0, 0, Expression::quantity("-9.81", "m/s^2")});
+  scene.initial(z, Expression::quantity("1", "m"));
+  scene.contact("floor", shape::Sphere{.frame = ball, .radius = Expression::quantity("0", "m")},
+                shape::Plane{.frame = scene.ground()}, {.restitution = e});
+  return scene;
+}
+
+/// A parallelogram as a loop, whose crank falls onto a stop, with dry friction in its first joint.
+Scene stopped_loop() {
+  Scene scene("stopped_loop", "");
+  const Expression a = scene.coordinate("a", "rad");
+  const Expression b = scene.coordinate("b", "rad");
+  const Expression c = scene.coordinate("c", "rad");
+  scene.initial(a, Expression(Number::rational(6, 5)));
+  scene.initial(b, Expression(Number::rational(-6, 5)));
+  scene.initial(c, Expression(Number::rational(6, 5)));
+  const FrameHandle crank = scene.revolute("crank", scene.ground(), axis::y, a);
+  const Expression l = Expression::quantity("1", "m");
+  const FrameHandle at_tip = scene.weld("tip", crank, {.origin = {0, 0, l}});
+  const FrameHandle coupler = scene.revolute("coupler", at_tip, axis::y, b);
+  const FrameHandle base = scene.weld("base", scene.ground(), {.origin = {2 * l, 0, 0}});
+  const FrameHandle rocker = scene.revolute("rocker", base, axis::y, c);
+  scene.body("crank", crank, Inertia::point(Expression::quantity("1", "kg")).at({0, 0, l}));
+  scene.body("coupler", coupler, Inertia::point(Expression::quantity("1", "kg")).at({l, 0, 0}));
+  scene.body("rocker", rocker, Inertia::point(Expression::quantity("1", "kg")).at({0, 0, l}));
+  scene.gravity({0, 0, Expression::quantity("-9.81", "m/s^2")});
+  const PointHandle p = scene.point("P", coupler, {2 * l, 0, 0});
+  const PointHandle q = scene.point("Q", rocker, {0, 0, l});
+  scene.closure("close_x", p, q, axis::x);
+  scene.closure("close_z", p, q, axis::z);
+  scene.stop(a, std::nullopt, Expression(Number::rational(7, 5)), {.restitution = Expression(Number::rational(1, 4))});
+  scene.dry_friction("bearing", a, {.bound = Expression::quantity("0.5", "N m")});
+  return scene;
+}
+
+struct Table {
+  std::map<std::string, std::size_t> column;
+  std::vector<std::vector<double>> rows;
+  std::vector<std::string> notes;
+  double at(std::size_t row, const std::string& name) const { return rows.at(row).at(column.at(name)); }
+  double end(const std::string& name) const { return at(rows.size() - 1, name); }
+};
+
+Table table(const std::string& csv) {
+  Table result;
+  std::istringstream lines(csv);
+  for (std::string line; std::getline(lines, line);) {
+    if (line.starts_with("# ")) {
+      result.notes.push_back(line);
+      continue;
+    }
+    std::istringstream cells(line);
+    std::vector<double> row;
+    const bool names = result.column.empty();
+    for (std::string cell; std::getline(cells, cell, ',');) {
+      if (names) result.column.emplace(cell, result.column.size());
+      else row.push_back(std::stod(cell));
+    }
+    if (!names) result.rows.push_back(row);
+  }
+  return result;
+}
+
+// contact_zeno_billiard_grazing.md (1): the bounces end at sqrt(2 h/g) (1 + e)/(1 - e), then it rests with N = m g.
+TEST(SimulateContacts, BouncesTillItRests) {
+  const Outcome outcome = run(dropped, {"simulate", "--to", "1.5"});
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  const Table motion = table(outcome.out);
+  EXPECT_EQ(motion.rows.size(), 151U);
+  EXPECT_NEAR(motion.end("z"), 0, 1e-15);
+  EXPECT_NEAR(motion.end("z'"), 0, 1e-15);
+  EXPECT_NEAR(motion.end("floor_N"), 2 * 9.81, 1e-12);
+  EXPECT_EQ(motion.at(0, "floor_N"), 0);
+  EXPECT_EQ(motion.at(0, "floor_gap"), 1);
+  for (const auto& row : motion.rows) EXPECT_GE(row.at(motion.column.at("floor_gap")), -1e-15);
+  // First impact at sqrt(2/g), then the end.
+  int impacts = 0;
+  double last = 0;
+  for (const std::string& note : motion.notes) {
+    const std::size_t at = note.find(" at t = ");
+    if (!note.starts_with("# Event: ") || at == std::string::npos) continue;
+    last = std::stod(note.substr(at + 8));
+    if (impacts++ == 0) {
+      EXPECT_NEAR(last, 0.451523640985730904, 1e-9);
+      EXPECT_NE(note.find(", energy lost 14.715 J; then all are open"), std::string::npos) << note;
+    }
+  }
+  EXPECT_GT(impacts, 5);
+  EXPECT_NEAR(last, 1.354570922957192713, 1e-8);
+}
+
+// The loop stays closed to rounding although nothing but its rates is integrated.
+TEST(SimulateContacts, KeepsALoopClosedBetweenAndAtImpacts) {
+  const Outcome outcome = run(stopped_loop, {"simulate", "--to", "3", "--step", "0.05"});
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  const Table motion = table(outcome.out);
+  for (std::size_t k = 0; k < motion.rows.size(); ++k) {
+    EXPECT_NEAR(motion.at(k, "a") + motion.at(k, "b"), 0, 1e-14);
+    EXPECT_NEAR(motion.at(k, "c"), motion.at(k, "a"), 1e-14);
+    EXPECT_LE(motion.at(k, "a"), 1.4 + 1e-14);
+    const std::size_t before = k == 0 ? 0 : k - 1;
+    EXPECT_LE(motion.at(k, "mechanical_energy"), motion.at(before, "mechanical_energy") + 1e-9);
+  }
+  EXPECT_NEAR(motion.end("a"), 1.4, 1e-14);
+  // Three weights, each at 1 m sin(1.4), press on the stop; what of it dry friction carries is its own affair.
+  EXPECT_NEAR(motion.end("a_upper_N") - motion.end("bearing_T"), 3 * 9.81 * std::sin(1.4), 1e-9);
+}
+
+TEST(SimulateContacts, NamesTheContactThatEndsIt) {
+  const Outcome below = run(dropped, {"simulate", "--initial", "z=-0.5"});
+  EXPECT_EQ(below.code, 1);
+  EXPECT_NE(below.err.find("starts below its surface"), std::string::npos) << below.err;
+  EXPECT_NE(below.err.find("contact 'floor' at t = 0 s"), std::string::npos) << below.err;
+  const Outcome lively = run(dropped, {"simulate", "--run-time", "e=1.5"});
+  EXPECT_EQ(lively.code, 1);
+  EXPECT_NE(lively.err.find("restitution from 0 to 1"), std::string::npos) << lively.err;
+  EXPECT_EQ(run(dropped, {"simulate", "--no-projection"}).code, 2);
+  EXPECT_EQ(run(dropped, {"simulate", "--until", "z = 0.5"}).code, 2);
+  EXPECT_EQ(run(dropped, {"simulate", "--method", "radau"}).code, 2);
+}
+
+}  // namespace
+}  // namespace torsor::simulate_contacts_test
