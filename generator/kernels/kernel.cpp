@@ -257,7 +257,7 @@ const std::vector<Entry>& entries() {
       {"gravity", make_gravity, no_gravity, false, true},
       {"centroidal_momentum", make_centroidal_momentum, no_moving_mass, false, true},
       {"frames", make_frames, no_points, false, true},
-      {"operational_inertia", make_operational_inertia, no_points, true, true},
+      {"operational_inertia", make_operational_inertia, no_operational_inertia, true, true},
       {"poses", make_poses, never, false, true}};
   return all;
 }

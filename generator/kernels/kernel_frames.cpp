@@ -134,4 +134,11 @@ std::string no_points(const Equations& equations) {
   return equations.model().scene().points.empty() ? "the scene has no named point (point, or --points)" : "";
 }
 
+std::string no_operational_inertia(const Equations& equations) {
+  if (!equations.scene().content().frictions.empty()) {
+    return "friction in proportion to a reaction: what an impulse changes is then not symmetric";
+  }
+  return no_points(equations);
+}
+
 }  // namespace torsor

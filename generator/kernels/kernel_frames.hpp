@@ -13,5 +13,6 @@ Kernel make_frames(const Equations& equations);
 Kernel make_operational_inertia(const Equations& equations);
 
 std::string no_points(const Equations& equations);
+std::string no_operational_inertia(const Equations& equations);
 
 }  // namespace torsor

@@ -176,5 +176,21 @@ TEST(Frames, AreAbsentWithoutPoints) {
   EXPECT_EQ(why_absent("operational_inertia", Equations(scene)), "the scene has no named point (point, or --points)");
 }
 
+TEST(Frames, HaveNoOperationalInertiaWhereFrictionFollowsAReaction) {
+  using namespace literals;
+  Scene scene("block");
+  const Expression x = scene.coordinate("x", "m"), z = scene.coordinate("z", "m");
+  const FrameHandle block = scene.prismatic("block", scene.prismatic("along", scene.ground(), axis::x, x), axis::z, z);
+  scene.body("block", block, Inertia::point(kilograms("2")));
+  const PointHandle contact = scene.point("I", block, {0, 0, 0});
+  const ConstraintHandle floor = scene.holonomic("floor", z);
+  scene.reaction(floor, "N", {.body = block, .contact = contact, .direction = axis::z, .axes = scene.ground()});
+  EXPECT_EQ(why_absent("operational_inertia", Equations(scene)), "");
+  scene.sliding_friction("slide", floor, {.coefficient = 0.25_r, .body = block, .point = contact, .direction = {rate(x), 0, 0}, .axes = scene.ground()});
+  EXPECT_EQ(why_absent("operational_inertia", Equations(scene)),
+            "friction in proportion to a reaction: what an impulse changes is then not symmetric");
+  EXPECT_EQ(why_absent("frames", Equations(scene)), "");
+}
+
 }  // namespace
 }  // namespace torsor::kernel_frames_test
