@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <fstream>
 #include <sstream>
+#include <string_view>
 #include <system_error>
 #include <vector>
 
@@ -87,11 +88,33 @@ std::vector<std::string> prerequisites(const std::string& rule) {
 /// What the build read: the files of its rules, and the library that it linked.
 std::vector<std::string> inputs_of(const fs::path& build) {
   std::vector<std::string> files{text_of(build / "library.txt")};
-  for (const fs::directory_entry& entry : fs::recursive_directory_iterator(build / "CMakeFiles" / "scene.dir")) {
-    if (entry.path().extension() != ".d" || entry.path().filename().string().find(".o") == std::string::npos) continue;
-    for (std::string& file : prerequisites(text_of(entry.path()))) files.push_back(std::move(file));
+  try {
+    for (const fs::directory_entry& entry : fs::recursive_directory_iterator(build / "CMakeFiles" / "scene.dir")) {
+      if (entry.path().extension() != ".d" || entry.path().filename().string().find(".o") == std::string::npos) continue;
+      for (std::string& file : prerequisites(text_of(entry.path()))) files.push_back(std::move(file));
+    }
+  } catch (const fs::filesystem_error&) {
+    return {};
   }
   return files;
+}
+
+/// Whether none was written since: what the compiler read is then what they hold now.
+bool all_older(const std::vector<std::string>& files, fs::file_time_type moment) {
+  for (const std::string& file : files) {
+    std::error_code failure;
+    const fs::file_time_type written = fs::last_write_time(file, failure);
+    if (failure || written >= moment) return false;
+  }
+  return true;
+}
+
+bool misses_main(const std::string& output) {
+  constexpr std::string_view symbol = "undefined symbol: main";
+  const std::size_t at = output.find(symbol);
+  const std::size_t end = at + symbol.size();
+  if (at != std::string::npos && (end == output.size() || output[end] == '\n' || output[end] == '\r')) return true;
+  return output.find("undefined reference to `main'") != std::string::npos;
 }
 
 [[noreturn]] void fail_to_build(const std::string& path, const std::string& output) {
@@ -101,7 +124,7 @@ std::vector<std::string> inputs_of(const fs::path& build) {
                                 "where torsor was installed or built",
                                 path));
   }
-  if (output.find("undefined") != std::string::npos && output.find("main") != std::string::npos) {
+  if (misses_main(output)) {
     throw FileError(fmt::format("the scene '{}' has no program: end it with TORSOR_SCENE(function), where the function "
                                 "returns the scene",
                                 path));
@@ -131,14 +154,18 @@ void build(const std::string& path, const fs::path& program, const fs::path& rec
   if (environment("torsor_ROOT").empty() && environment("torsor_DIR").empty()) {
     words.push_back("-Dtorsor_ROOT:PATH=" + own_prefix().string());
   }
+  const fs::file_time_type begun = fs::file_time_type::clock::now();
   run_cmake(words, path);
   run_cmake({"--build", tree.string()}, path);
-  const std::string states = states_of(inputs_of(tree));
+  const std::vector<std::string> inputs = inputs_of(tree);
+  // A file that was saved meanwhile may be newer than the program: without a record the next command builds again.
+  const bool recorded = all_older(inputs, begun);
+  const std::string states = states_of(inputs);
   std::error_code failure;
   fs::remove(record, failure);  // it must never tell of another program
   fs::rename(tree / "scene", program, failure);
   if (failure) throw FileError(fmt::format("cannot write '{}': {}", program.string(), failure.message()));
-  write_file_if_changed(record.string(), states);
+  if (recorded) write_file_if_changed(record.string(), states);
 }
 
 }  // namespace
