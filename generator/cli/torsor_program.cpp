@@ -103,13 +103,18 @@ std::vector<std::string> split(const std::string& text, char separator) {
   return parts;
 }
 
-/// JOINT=NUMBER
-std::pair<std::string, Number> joint_number(const std::string& option, const std::string& assignment) {
+using JointNumbers = std::vector<std::pair<std::string, Number>>;
+
+/// JOINT=NUMBER, each joint once.
+void add_joint_number(JointNumbers& all, const std::string& option, const std::string& assignment) {
   const std::vector<std::string> parts = split(assignment, '=');
   if (parts.size() != 2) {
     throw UsageError(fmt::format("{} takes JOINT=NUMBER, e.g. elbow=0.1, and got '{}'", option, assignment));
   }
-  return {parts[0], option_number(option, parts[1])};
+  for (const auto& [joint, number] : all) {
+    if (joint == parts[0]) throw UsageError(fmt::format("{} names the joint '{}' twice: give it one number", option, joint));
+  }
+  all.emplace_back(parts[0], option_number(option, parts[1]));
 }
 
 UrdfOptions urdf_options(const FileRequest& request) {
@@ -133,12 +138,12 @@ UrdfOptions urdf_options(const FileRequest& request) {
   options.strict = request.strict;
   options.fix = request.fix;
   options.run_time_gravity = request.run_time_gravity;
-  for (const std::string& word : request.armature) options.armature.push_back(joint_number("--armature", word));
+  for (const std::string& word : request.armature) add_joint_number(options.armature, "--armature", word);
   for (const std::string& word : request.friction) {
     if (word == "file") {
       options.friction_of_file = true;
     } else {
-      options.friction.push_back(joint_number("--friction", word));
+      add_joint_number(options.friction, "--friction", word);
     }
   }
   options.name = request.name;
@@ -230,7 +235,7 @@ int begin_project(int argc, const char* const* argv) {
 int run_torsor(int argc, const char* const* argv, MjcfReader mjcf_reader) {
   if (argc > 1 && std::string(argv[1]) == "new") return begin_project(argc, argv);
   for (int i = 1; i < argc && i < 3; ++i) {
-    if (names_scene_file(argv[i])) return become_scene_program(argc, argv, i);
+    if (argv[i][0] != '-' && names_scene_file(argv[i])) return become_scene_program(argc, argv, i);
   }
   FileRequest request;
   return run_commands(argc, argv,

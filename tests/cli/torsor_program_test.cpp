@@ -194,7 +194,17 @@ TEST(TorsorTool, TellsWhatIsWrongOnOneLine) {
          "--initial j0: cannot read \"up\" as a number: write a decimal such as -1.5e-3 or a quotient such as 3/4");
   expect(torsor_tool({"list", arm, "--points", "hand"}), 2,
          "unknown link 'hand' in --points: the robot has base, carriage, rod");
+  expect(torsor_tool({"list", arm, "--armature", "turn=1,turn=2"}), 2,
+         "--armature names the joint 'turn' twice: give it one number");
+  expect(torsor_tool({"list", arm, "--friction", "turn=1,turn=1"}), 2,
+         "--friction names the joint 'turn' twice: give it one number");
   EXPECT_EQ(torsor_tool({"counts", ur5, "--kernels", "speed"}).code, 2);
+}
+
+TEST(TorsorTool, TakesNoOptionForASceneFile) {
+  const Outcome outcome = torsor_tool({"list", "--output=lost.cpp"});
+  EXPECT_EQ(outcome.code, 2);
+  EXPECT_EQ(outcome.err.find("lost.cpp"), std::string::npos) << outcome.err;
 }
 
 }  // namespace
