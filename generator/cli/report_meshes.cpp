@@ -58,7 +58,7 @@ std::string report_meshes(const SceneContent& scene) {
   std::size_t left = most_triangles;
   for (std::size_t k = 0; k < by_size.size(); ++k) {
     *by_size[k] = simplified(*by_size[k], left / (by_size.size() - k));
-    left -= by_size[k]->triangles.size();
+    left -= std::min(left, by_size[k]->triangles.size());
   }
   auto json = nlohmann::ordered_json::array();
   std::map<std::string, int> numbers;

@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <limits>
 #include <map>
+#include <optional>
 #include <set>
 #include <string_view>
 
@@ -37,6 +38,28 @@ std::string path_in_package(const SceneOrigin& origin, const std::string& name) 
                                 name, package, packages.described()));
   }
   return *folder + name.substr(slash);
+}
+
+bool fits(const TriangleMesh& mesh, std::size_t most_triangles) {
+  return mesh.triangles.size() <= most_triangles && mesh.corners.size() <= most_corners;
+}
+
+/// Without the corners that no triangle has.
+TriangleMesh without_unused_corners(const TriangleMesh& mesh) {
+  TriangleMesh result;
+  std::vector<std::optional<std::uint32_t>> numbers(mesh.corners.size());
+  for (std::array<std::uint32_t, 3> triangle : mesh.triangles) {
+    for (std::uint32_t& corner : triangle) {
+      std::optional<std::uint32_t>& number = numbers[corner];
+      if (!number) {
+        number = static_cast<std::uint32_t>(result.corners.size());
+        result.corners.push_back(mesh.corners[corner]);
+      }
+      corner = *number;
+    }
+    result.triangles.push_back(triangle);
+  }
+  return result;
 }
 
 /// Corners by the cells of a grid of that many cells along the longest edge of their box.
@@ -83,7 +106,7 @@ TriangleMesh clustered(const TriangleMesh& mesh, double cells) {
     std::sort(sorted.begin(), sorted.end());
     if (seen.insert(sorted).second) result.triangles.push_back(corners);
   }
-  return result;
+  return without_unused_corners(result);
 }
 
 }  // namespace
@@ -110,8 +133,12 @@ TriangleMesh read_mesh(const std::string& path) {
   // Robots' files mean the axes of a Collada file as they are.
   importer.SetPropertyBool(AI_CONFIG_IMPORT_COLLADA_IGNORE_UP_DIRECTION, true);
   importer.SetPropertyInteger(AI_CONFIG_PP_SBP_REMOVE, aiPrimitiveType_POINT | aiPrimitiveType_LINE);
-  const aiScene* read = importer.ReadFile(path, aiProcess_Triangulate | aiProcess_PreTransformVertices |
-                                                    aiProcess_JoinIdenticalVertices | aiProcess_SortByPType);
+  // Corners of one place are joined only if nothing else tells them apart.
+  importer.SetPropertyInteger(AI_CONFIG_PP_RVC_FLAGS, aiComponent_NORMALS | aiComponent_TANGENTS_AND_BITANGENTS |
+                                                          aiComponent_COLORS | aiComponent_TEXCOORDS);
+  const aiScene* read =
+      importer.ReadFile(path, aiProcess_RemoveComponent | aiProcess_Triangulate | aiProcess_PreTransformVertices |
+                                  aiProcess_JoinIdenticalVertices | aiProcess_SortByPType);
   if (read == nullptr) throw FileError(fmt::format("cannot read the mesh '{}': {}", path, importer.GetErrorString()));
   TriangleMesh mesh;
   for (unsigned m = 0; m < read->mNumMeshes; ++m) {
@@ -142,12 +169,13 @@ TriangleMesh read_mesh(const std::string& path) {
 }
 #endif
 
-TriangleMesh simplified(const TriangleMesh& mesh, std::size_t most_triangles) {
-  if (mesh.triangles.size() <= most_triangles) return mesh;
+TriangleMesh simplified(const TriangleMesh& whole, std::size_t most_triangles) {
+  const TriangleMesh mesh = without_unused_corners(whole);
+  if (fits(mesh, most_triangles)) return mesh;
   double fewer = 1.0, more = 1024.0;
   for (int step = 0; step < 12; ++step) {
     const double middle = std::sqrt(fewer * more);
-    (clustered(mesh, middle).triangles.size() <= most_triangles ? fewer : more) = middle;
+    (fits(clustered(mesh, middle), most_triangles) ? fewer : more) = middle;
   }
   return clustered(mesh, fewer);
 }

@@ -26,7 +26,10 @@ std::string mesh_path(const SceneOrigin& origin, const std::string& name);
 /// Assimp.
 TriangleMesh read_mesh(const std::string& path);
 
-/// The mesh with at most that many triangles: corners in one cell of a grid become their mean, the grid being the finest
+/// Numbers of corners have 16 bits in a page.
+constexpr std::size_t most_corners = 65'536;
+
+/// The mesh with at most that many triangles and `most_corners` corners, those of no triangle left out: corners in one cell of a grid become their mean, the grid being the finest
 /// that leaves so few. Source: Rossignac & Borrel, Multi-resolution 3D approximations for rendering complex scenes, 1993.
 TriangleMesh simplified(const TriangleMesh& mesh, std::size_t most_triangles);
 

@@ -164,6 +164,24 @@ TEST(Report, MakesMeshesSmaller) {
   EXPECT_LE(area, 1.001 * n * n);
 }
 
+// Numbers of corners have 16 bits in the page.
+TEST(Report, KeepsAsManyCornersAsItCanNumber) {
+  TriangleMesh mesh;
+  for (std::uint32_t i = 0; i < 3 * 22'000; ++i) {
+    const float angle = 0.001F * static_cast<float>(i);
+    mesh.corners.push_back({std::cos(angle), std::sin(angle), static_cast<float>(i)});
+    if (i % 3 == 2) mesh.triangles.push_back({i - 2, i - 1, i});
+  }
+  ASSERT_GT(mesh.corners.size(), most_corners);
+  const TriangleMesh small = simplified(mesh, mesh.triangles.size());
+  EXPECT_LE(small.corners.size(), most_corners);
+  for (const auto& triangle : small.triangles) {
+    for (const std::uint32_t corner : triangle) EXPECT_LT(corner, small.corners.size());
+  }
+  mesh.triangles.resize(1);
+  EXPECT_EQ(simplified(mesh, 1).corners.size(), 3U);
+}
+
 TEST(Report, EncodesBytesAsOthersDo) {  // RFC 4648, section 10
   EXPECT_EQ(base64(""), "");
   EXPECT_EQ(base64("f"), "Zg==");
