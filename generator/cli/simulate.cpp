@@ -26,6 +26,8 @@ void check_options(const SimulationOptions& options) {
   require(options.duration > 0 && std::isfinite(options.duration), "--to must be a time above 0");
   require(options.step > 0 && options.duration / options.step <= 1e7,
           "--step must be a time above 0 that gives at most ten million rows");
+  require(options.method_step == 0.0 || options.method == "gauss",
+          "--method-step is for --method gauss; the other methods choose their steps by --tolerance");
   require(options.method_step == 0.0 || (options.method_step > 0 && options.duration / options.method_step <= 1e9),
           "--method-step must be a time above 0 that gives at most 1e9 steps");
   require(options.tolerance >= 1e-14 && options.tolerance <= 0.1, "--tolerance must lie between 1e-14 and 0.1");
@@ -122,10 +124,10 @@ Simulation simulate(const Scene& scene, const SimulationOptions& options) {
   for (long k = 1; k <= last && integrator->status().empty(); ++k) {
     const double t = k == last ? options.duration : static_cast<double>(k) * options.step;
     const std::unique_ptr<MotionIntegrator> before = watched.empty() ? nullptr : integrator->copy();
-    if (!integrator->advance(t)) break;
+    const bool reached = integrator->advance(t);  // if not, events may lie before the end of the motion
     const bool ends = before && meet(*before);
-    write();
-    if (ends) break;
+    if (reached || ends) write();
+    if (!reached || ends) break;
     if (options.progress) options.progress(t / options.duration);
   }
   result.steps = integrator->steps();

@@ -23,6 +23,7 @@ struct SimulationRequest : KernelOptions {
   std::vector<std::string> events;
   std::string until;
   bool no_projection = false;
+  const CLI::Option* tolerance = nullptr;
 };
 
 /// A share of a long run on the standard error, where a person looks at it.
@@ -53,9 +54,12 @@ CommandResult run_simulation(const Scene& scene, SimulationRequest request) {
   if (!request.plot.empty() && !request.plot[0].ends_with(".svg")) {
     throw UsageError(fmt::format("--plot writes SVG: end the name '{}' in .svg", request.plot[0]));
   }
+  if (options.method == "gauss" && request.tolerance->count() > 0) {
+    throw UsageError("--tolerance is for methods that choose their steps, and gauss does not: give --method-step");
+  }
   const Simulation motion = simulate(scene, options);
   CommandResult result{simulation_csv(scene, options, motion), motion.status.empty()};
-  if (!request.plot.empty()) {
+  if (!request.plot.empty() && !motion.rows.empty()) {
     std::vector<std::string> columns(1);
     for (const char c : request.plot[1]) {
       if (c == ',') columns.emplace_back();
@@ -97,7 +101,7 @@ void add_simulate_command(CommandSet& commands) {
   SimulationOptions& options = request->options;
   command.add_option("--to", options.duration, "end of the motion [s]")->capture_default_str();
   command.add_option("--step", options.step, "time between rows [s]; the method chooses its own steps")->capture_default_str();
-  command.add_option("--tolerance", options.tolerance, "largest error of one step, as a part of 1 + |y|")->capture_default_str();
+  request->tolerance = command.add_option("--tolerance", options.tolerance, "largest error of one step, as a part of 1 + |y|")->capture_default_str();
   command.add_option("--method", options.method, "dp853; radau for stiff motions; gauss, of fixed steps, for long ones")
       ->capture_default_str();
   command.add_option("--method-step", options.method_step, "step of gauss [s]; that of the rows when absent");

@@ -37,20 +37,32 @@ WatchedEvents::WatchedEvents(const Scene& scene, EvaluatedMotion& motion, const 
   }
 }
 
+double WatchedEvents::value(const Watched& watched, const MotionIntegrator& at) const {
+  const double number = motion_.value(at.time(), at.state(), watched.formula);
+  if (std::isnan(number)) throw Error(fmt::format("the formula of the event '{}' is no number at t = {:.9g} s", watched.name, at.time()));
+  return number;
+}
+
 std::vector<MetEvent> WatchedEvents::between(const MotionIntegrator& before, const MotionIntegrator& after) {
   std::vector<MetEvent> met;
   for (const Watched& watched : watched_) {
     const double first = value(watched, before), last = value(watched, after);
-    if ((first > 0 && last <= 0) || (first < 0 && last >= 0)) met.push_back(located(watched, before, after));
+    if (!((first > 0 && last <= 0) || (first < 0 && last >= 0))) continue;
+    if (std::optional<MetEvent> event = located(watched, before, after)) met.push_back(std::move(*event));
   }
   std::stable_sort(met.begin(), met.end(), [](const MetEvent& a, const MetEvent& b) { return a.time < b.time; });
   return met;
 }
 
 /// By the Illinois method: the false position, with the weight of an end halved that stays twice. The motion goes on from
-/// the row before each time, by the method itself.
-MetEvent WatchedEvents::located(const Watched& watched, const MotionIntegrator& before, const MotionIntegrator& after) const {
+/// the row before each time, by the method itself. Nothing where the formula changes its sign by a pole: it is then larger
+/// there than at both ends.
+std::optional<MetEvent> WatchedEvents::located(const Watched& watched, const MotionIntegrator& before, const MotionIntegrator& after) const {
   double low = before.time(), high = after.time(), at_low = value(watched, before), at_high = value(watched, after);
+  double largest = 0.0;
+  for (const double end : {at_low, at_high}) {
+    if (std::isfinite(end)) largest = std::max(largest, std::abs(end));
+  }
   std::unique_ptr<MotionIntegrator> beyond = after.copy();
   int side = 0;
   constexpr int patience = 60;
@@ -58,7 +70,9 @@ MetEvent WatchedEvents::located(const Watched& watched, const MotionIntegrator& 
     double t = (low * at_high - high * at_low) / (at_high - at_low);
     if (!(t > low && t < high)) t = 0.5 * (low + high);
     std::unique_ptr<MotionIntegrator> there = before.copy();
-    if (!there->advance(t)) break;
+    if (!there->advance(t)) {
+      throw Error(fmt::format("the event '{}' near t = {:.9g} s cannot be located: {}", watched.name, t, there->status()));
+    }
     const double now = value(watched, *there);
     if (now != 0.0 && (now > 0) == (at_low > 0)) {
       low = t;
@@ -73,7 +87,9 @@ MetEvent WatchedEvents::located(const Watched& watched, const MotionIntegrator& 
       side = 1;
     }
   }
-  return {watched.name, beyond->time(), watched.ends, std::move(beyond)};
+  if (!(std::abs(value(watched, *beyond)) <= largest)) return std::nullopt;
+  const double time = beyond->time();
+  return MetEvent{watched.name, time, watched.ends, std::move(beyond)};
 }
 
 }  // namespace torsor

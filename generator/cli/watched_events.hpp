@@ -33,7 +33,7 @@ class WatchedEvents {
 
   bool empty() const { return watched_.empty(); }
   /// The events after `before` and until `after`, in time. A formula that is zero at the start has its first event when it
-  /// is zero again; two zeros between rows are none.
+  /// is zero again; two zeros between rows are none, and a pole is none. Throws Error where a formula is no number.
   std::vector<MetEvent> between(const MotionIntegrator& before, const MotionIntegrator& after);
 
  private:
@@ -42,10 +42,8 @@ class WatchedEvents {
     Value formula;
     bool ends;
   };
-  double value(const Watched& watched, const MotionIntegrator& at) const {
-    return motion_.value(at.time(), at.state(), watched.formula);
-  }
-  MetEvent located(const Watched& watched, const MotionIntegrator& before, const MotionIntegrator& after) const;
+  double value(const Watched& watched, const MotionIntegrator& at) const;
+  std::optional<MetEvent> located(const Watched& watched, const MotionIntegrator& before, const MotionIntegrator& after) const;
 
   EvaluatedMotion& motion_;
   std::vector<Watched> watched_;

@@ -92,7 +92,9 @@ TEST(Simulate, RefusesWhatMakesNoSense) {
 
 TEST(Simulate, HasSeveralMethods) {
   const auto end = [](const std::string& method) {
-    const Outcome outcome = run(pendulum, {"simulate", "--to", "1", "--step", "0.1", "--method", method, "--method-step", "0.01"});
+    std::vector<std::string> words{"simulate", "--to", "1", "--step", "0.1", "--method", method};
+    if (method == "gauss") words.insert(words.end(), {"--method-step", "0.01"});
+    const Outcome outcome = run(pendulum, words);
     EXPECT_EQ(outcome.code, 0) << outcome.err;
     return table(outcome.out).second.back()[1];
   };
@@ -102,6 +104,12 @@ TEST(Simulate, HasSeveralMethods) {
   const Outcome unknown = run(pendulum, {"simulate", "--method", "raday"});
   EXPECT_EQ(unknown.code, 2);
   EXPECT_NE(unknown.err.find("did you mean 'radau'"), std::string::npos) << unknown.err;
+  const Outcome steps = run(pendulum, {"simulate", "--method-step", "0.01"});
+  EXPECT_EQ(steps.code, 2);
+  EXPECT_NE(steps.err.find("--method-step is for --method gauss"), std::string::npos) << steps.err;
+  const Outcome tolerance = run(pendulum, {"simulate", "--method", "gauss", "--tolerance", "1e-9"});
+  EXPECT_EQ(tolerance.code, 2);
+  EXPECT_NE(tolerance.err.find("--tolerance is for methods that choose"), std::string::npos) << tolerance.err;
 }
 
 // A pendulum is at its lowest after a quarter of its period, and as fast as from the other side after three.
@@ -128,6 +136,14 @@ TEST(Simulate, HasARowForEachEvent) {
   for (int k = 1; k < 8; ++k) EXPECT_TRUE(has(k * quarter, k % 2 == 1 ? 1 : 2)) << k;
   EXPECT_TRUE(std::is_sorted(rows.begin(), rows.end(), [](const auto& a, const auto& b) { return a[0] < b[0]; }));
   EXPECT_EQ(rows.size(), 11U + static_cast<std::size_t>(5 / quarter));
+}
+
+// The pendulum passes theta = 0 between 0 and 1 s: 1/theta changes its sign there without a zero.
+TEST(Simulate, TakesNoPoleForAnEvent) {
+  const Outcome outcome = run(pendulum, {"simulate", "--to", "1", "--events", "pole: 1/theta", "--events", "zero: theta"});
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_EQ(outcome.out.find("# Event: pole"), std::string::npos);
+  EXPECT_NE(outcome.out.find("# Event: zero"), std::string::npos);
 }
 
 TEST(Simulate, RefusesEventsThatMakeNoSense) {

@@ -135,6 +135,10 @@ TEST(SimulateContacts, NamesTheContactThatEndsIt) {
   EXPECT_EQ(below.code, 1);
   EXPECT_NE(below.err.find("starts below its surface"), std::string::npos) << below.err;
   EXPECT_NE(below.err.find("contact 'floor' at t = 0 s"), std::string::npos) << below.err;
+  const std::string picture = testing::TempDir() + "below.svg";
+  const Outcome drawn = run(dropped, {"simulate", "--initial", "z=-0.5", "--plot", picture, "z"});
+  EXPECT_EQ(drawn.code, 1);
+  EXPECT_NE(drawn.err.find("starts below its surface"), std::string::npos) << drawn.err;
   const Outcome lively = run(dropped, {"simulate", "--run-time", "e=1.5"});
   EXPECT_EQ(lively.code, 1);
   EXPECT_NE(lively.err.find("restitution from 0 to 1"), std::string::npos) << lively.err;
