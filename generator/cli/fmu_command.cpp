@@ -36,7 +36,7 @@ ArchivedFile compiled_unit(const std::string& name, const std::vector<SourceFile
   const TemporaryFolder folder(folder_of_temporary_files(), "torsor-fmu-");
   const auto file = [&folder](const std::string& of) { return (folder.path() / of).string(); };
   for (const SourceFile& source : sources) write_file_if_changed(file(source.path), source.text);
-  const std::string made = file("unit");
+  const std::string made = file("unit" + platform.suffix);
   std::vector<std::string> command = compiler.words;
   for (const char* word : {"-std=c99", "-shared", "-fPIC", "-fvisibility=hidden", "-ffp-contract=off"})
     command.push_back(word);
