@@ -24,8 +24,14 @@ set(CPACK_COMPONENT_TOOL_DESCRIPTION "Equations of motion of mechanisms, as code
  writes them as one C++ or C header, or as one JavaScript module.")
 set(CPACK_DEBIAN_GENERATOR-DEV_PACKAGE_NAME "libtorsor-generator-dev")
 set(CPACK_DEBIAN_GENERATOR-DEV_PACKAGE_SECTION "libdevel")
-set(CPACK_DEBIAN_GENERATOR-DEV_PACKAGE_DEPENDS
-  "torsor (= ${PROJECT_VERSION}), libginac-dev, libcln-dev, libfmt-dev, libtinyxml2-dev")
+set(generator_needs "torsor (= ${PROJECT_VERSION}), libginac-dev, libcln-dev, libfmt-dev, libtinyxml2-dev")
+if(TORSOR_ARB_INCLUDE_DIR AND TORSOR_ARB_LIBRARY AND TORSOR_FLINT_LIBRARY)
+  string(APPEND generator_needs ", libflint-arb-dev, libflint-dev")
+endif()
+if(TORSOR_ASSIMP_INCLUDE_DIR AND TORSOR_ASSIMP_LIBRARY)
+  string(APPEND generator_needs ", libassimp-dev")
+endif()
+set(CPACK_DEBIAN_GENERATOR-DEV_PACKAGE_DEPENDS "${generator_needs}")
 set(CPACK_COMPONENT_GENERATOR-DEV_DESCRIPTION "Mechanisms described in C++, for torsor
  The library that a scene is written with, and that derives its equations.")
 set(CPACK_DEBIAN_RUNTIME-DEV_PACKAGE_NAME "libtorsor-runtime-dev")
