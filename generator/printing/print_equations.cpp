@@ -11,6 +11,7 @@
 #include "generator/base/error.hpp"
 #include "generator/dynamics/equations/validation.hpp"
 #include "generator/mechanics/freedom_positions.hpp"
+#include "generator/printing/contact_laws.hpp"
 #include "generator/printing/definitions_view.hpp"
 #include "generator/printing/derivation.hpp"
 #include "generator/printing/eliminated_multipliers.hpp"
@@ -50,6 +51,7 @@ class Printer {
     lagrange();
     constraints();
     equations_without_multipliers();
+    write_contacts(equations_.definitions(), {options_.terms, options_.expansion}, page_);
     write_first_integrals(equations_.definitions(), {options_.terms, options_.expansion}, page_);
     if (derivation) derivation->reactions();
     if (options_.linearisation) linearisation();

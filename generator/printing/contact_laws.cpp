@@ -1,0 +1,176 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "generator/printing/contact_laws.hpp"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "generator/dynamics/forces/contacts.hpp"
+#include "generator/printing/notation.hpp"
+
+namespace torsor::printing {
+namespace {
+
+class ContactPage {
+ public:
+  ContactPage(const Equations& equations, const InlineLimits& limits, Page& page)
+      : equations_(equations),
+        contacts_(contact_rows(equations.model())),
+        coefficients_(contact_coefficients(equations.model())),
+        view_(equations.program(), limits, positive_parameters(equations.scene().content())),
+        page_(page) {
+    for (const ContactRows& contact : contacts_) {
+      normals_ = normals_ || contact.normal;
+      tangents_ = tangents_ || contact.tangents() > 0;
+    }
+  }
+
+  void write() {
+    page_.section("Contacts that open and close");
+    page_.note(normals_ ? "g is the gap and w its rate (N) or a slip (T), of the first body on the second."
+                        : "w is the slip.");
+    for (std::size_t k = 0; k < contacts_.size(); ++k) geometry(k);
+    forces();
+    laws();
+    percussions();
+    page_.note("What follows of first integrals and small motions is that of the mechanism on which no contact acts.");
+  }
+
+ private:
+  /// "T1" of two tangents, "T" of one, "N".
+  static std::string component(const ContactRows& contact, std::size_t row) {
+    if (contact.normal && row == 0) return "N";
+    return contact.tangents() == 1 ? "T" : fmt::format("T{}", row + (contact.normal ? 0 : 1));
+  }
+
+  void stated(const Spelling& left, const Value& value, const std::string& remark = {}) {
+    const std::optional<Sum> sum = value.is_zero() ? Sum() : view_.sum(value);
+    if (sum) {
+      page_.stated(left, collected(*sum), remark);
+    } else {
+      page_.note(fmt::format("{} is too long to be written out; the kernel contacts computes it.", left.plain));
+    }
+  }
+
+  void geometry(std::size_t k) {
+    const ContactRows& contact = contacts_[k];
+    const std::string who = named_object(contact.name).latex;
+    const auto spelled = [&](const char* plain, const char* latex) {
+      return Spelling{fmt::format("{}({})", plain, contact.name), fmt::format("{}({})", latex, who)};
+    };
+    page_.note(fmt::format("{}{}:", contact.name, contact.normal ? "" : ", dry friction alone"));
+    if (contact.normal) stated(spelled("g", "g"), contact.gap);
+    for (std::size_t row = 0; row < contact.rows.size(); ++row) {
+      const std::string which = component(contact, row);
+      stated(spelled(("w_" + which).c_str(), ("w_{" + which + "}").c_str()), contact.rows[row].rate);
+    }
+    const ContactCoefficients& of = coefficients_[k];
+    if (!contact.normal) {
+      stated(spelled("b", "b"), of.bound, "while it slides");
+      stated(spelled("b_s", "b_s"), of.static_bound, "while it sticks");
+      return;
+    }
+    if (contact.tangents() > 0) {
+      stated(spelled("f", "f"), of.friction, "while it slides");
+      stated(spelled("f_s", "f_s"), of.static_friction, "while it sticks");
+    }
+    stated(spelled("e", "e"), of.restitution, "restitution");
+  }
+
+  /// Q_i = Σ_k J_ki r_k, of all contacts together.
+  void forces() {
+    page_.formula("Their reactions add Q_i = sum r dw/dq_i' to the right of Lagrange's equations, r = N or T of each w:",
+                  "Their reactions add $Q_i = \\sum r\\, \\frac{\\partial w}{\\partial \\dot{q}_i}$ to the right of "
+                  "Lagrange's equations, $r = N$ or $T$ of each $w$:");
+    const auto& coordinates = equations_.model().coordinates();
+    for (std::size_t i = 0; i < static_cast<std::size_t>(equations_.model().unknown_count()); ++i) {
+      Sum sum;
+      bool too_long = false;
+      for (const ContactRows& contact : contacts_) {
+        for (std::size_t row = 0; row < contact.rows.size(); ++row) {
+          const Value& entry = contact.rows[row].jacobian[i];
+          if (entry.is_zero()) continue;
+          const std::optional<Sum> factor = view_.sum(entry);
+          too_long = too_long || !factor;
+          if (factor) sum += *factor * Sum::symbol(reaction(contact, row));
+        }
+      }
+      const std::string& q = coordinates[i].attitude ? coordinates[i].v->name : coordinates[i].q->name;
+      if (too_long) {
+        page_.note(fmt::format("Q_{} is too long to be written out; the kernel contacts computes it.", q));
+      } else if (!sum.is_zero()) {
+        page_.stated({"Q_" + q, fmt::format("Q_{{{}}}", latex_name(q))}, collected(sum), "");
+      }
+    }
+  }
+
+  SymbolPointer reaction(const ContactRows& contact, std::size_t row) {
+    const std::string name = fmt::format("{}_{}", component(contact, row), contact.name);
+    for (const SymbolPointer& known : reactions_) {
+      if (known->name == name) return known;
+    }
+    const int index = 1'000'000 + static_cast<int>(reactions_.size());
+    reactions_.push_back(std::make_shared<const Symbol>(Symbol{name, Unit(), SymbolKind::parameter, index, nullptr}));
+    return reactions_.back();
+  }
+
+  void laws() {
+    page_.section("Laws of contact");
+    if (normals_) {
+      page_.formula("Signorini: 0 <= g, 0 <= N, N g = 0; while g = 0 and w_N = 0: 0 <= dw_N/dt, 0 <= N, N dw_N/dt = 0.",
+                    "Signorini: $0 \\le g$, $0 \\le N$, $N g = 0$; while $g = 0$ and $w_N = 0$: $0 \\le \\dot{w}_N$, $0 \\le "
+                    "N$, $N \\dot{w}_N = 0$.");
+      page_.formula("Open: g > 0, N = 0, T = 0.", "Open: $g > 0$, $N = 0$, $T = 0$.");
+    }
+    if (!tangents_) return;
+    const bool bounds = std::any_of(contacts_.begin(), contacts_.end(), [](const ContactRows& c) { return !c.normal; });
+    const std::string and_bound = bounds ? " (b_s of dry friction alone)" : "";
+    const std::string and_bound_latex = bounds ? " ($b_s$ of dry friction alone)" : "";
+    page_.formula(fmt::format("Sticks: w_T = 0, |T| <= f_s N{}.", and_bound),
+                  fmt::format("Sticks: $w_T = 0$, $|T| \\le f_s N${}.", and_bound_latex));
+    page_.formula(fmt::format("Slides: T = -f N w_T/|w_T|{}; where a slip begins, along dw_T/dt in the place of w_T.",
+                              bounds ? ", b in the place of f N for dry friction alone" : ""),
+                  fmt::format("Slides: $T = -f N \\frac{{w_T}}{{|w_T|}}${}; where a slip begins, along $\\dot{{w}}_T$ in the "
+                              "place of $w_T$.",
+                              bounds ? ", $b$ in the place of $f N$ for dry friction alone" : ""));
+  }
+
+  void percussions() {
+    if (!normals_) return;
+    const bool multipliers = !equations_.constraints().empty();
+    page_.section("Percussions");
+    page_.formula(fmt::format("[[X]] = X+ - X- at an impact: [[dT/dq_i']] = sum P dw/dq_i'{}, P = P_N or P_T of each w.",
+                              multipliers ? " + sum_j Lambda_j a_ji" : ""),
+                  fmt::format("$[\\![X]\\!] = X^+ - X^-$ at an impact: $\\left[\\!\\left[\\frac{{\\partial T}}{{\\partial "
+                              "\\dot{{q}}_i}}\\right]\\!\\right] = \\sum P\\, \\frac{{\\partial w}}{{\\partial \\dot{{q}}_i}}"
+                              "{}$, $P = P_N$ or $P_T$ of each $w$.",
+                              multipliers ? " + \\sum_j \\Lambda_j a_{ji}" : ""));
+    page_.note("Impulses stand where reactions stand above; bounded forces have none.");
+    page_.formula("Newton-Moreau: 0 <= w_N+ + e w_N-, 0 <= P_N, P_N (w_N+ + e w_N-) = 0.",
+                  "Newton-Moreau: $0 \\le w_N^+ + e\\, w_N^-$, $0 \\le P_N$, $P_N (w_N^+ + e\\, w_N^-) = 0$.");
+    if (tangents_) {
+      page_.formula("Friction: |P_T| <= f P_N where w_T+ = 0, P_T = -f P_N w_T+/|w_T+| elsewhere.",
+                    "Friction: $|P_T| \\le f P_N$ where $w_T^+ = 0$, $P_T = -f P_N \\frac{w_T^+}{|w_T^+|}$ elsewhere.");
+    }
+    page_.formula("Carnot's loss: T- - T+ = -1/2 sum P (w+ + w-); of one contact without friction -1/2 (1 - e) P_N w_N- >= 0.",
+                  "Carnot's loss: $T^- - T^+ = -\\frac{1}{2} \\sum P\\,(w^+ + w^-)$; of one contact without friction "
+                  "$-\\frac{1}{2} (1 - e) P_N w_N^- \\ge 0$.");
+  }
+
+  const Equations& equations_;
+  const std::vector<ContactRows> contacts_;
+  const std::vector<ContactCoefficients> coefficients_;
+  InlineView view_;
+  Page& page_;
+  std::vector<SymbolPointer> reactions_;
+  bool normals_ = false, tangents_ = false;
+};
+
+}  // namespace
+
+void write_contacts(const Equations& equations, const InlineLimits& limits, Page& page) {
+  if (equations.scene().content().contacts.empty()) return;
+  ContactPage(equations, limits, page).write();
+}
+
+}  // namespace torsor::printing

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <gtest/gtest.h>
+
+#include <string>
+
+#include "generator/mechanics/scene.hpp"
+#include "generator/printing/print_equations.hpp"
+
+namespace torsor::contact_laws_test {
+namespace {
+
+/// A disc that falls on a floor and rolls along it, with dry friction in what guides it.
+Scene disc_on_a_floor() {
+  Scene scene("disc_on_a_floor", "");
+  const Expression r = scene.parameter("r", "m", Expression(Number::rational(1, 10)));
+  const Expression m = scene.parameter("m", "kg", 2);
+  const Expression f = scene.parameter("f", "1", Expression(Number::rational(1, 5)));
+  const Expression e = scene.parameter("e", "1", Expression(Number::rational(1, 2)));
+  const Expression b = scene.parameter("b", "N", 3);
+  const Expression x = scene.coordinate("x", "m");
+  const Expression z = scene.coordinate("z", "m");
+  const Expression a = scene.coordinate("a", "rad");
+  scene.initial(z, 2 * r);
+  const FrameHandle slide = scene.prismatic("slide", scene.ground(), axis::x, x);
+  const FrameHandle lift = scene.prismatic("lift", slide, axis::z, z);
+  const FrameHandle disc = scene.revolute("disc", lift, axis::y, a);
+  scene.body("disc", disc, Inertia::disk(m, r, 1));
+  scene.contact("floor", shape::Sphere{.frame = disc, .radius = r}, shape::Plane{.frame = scene.ground()},
+                {.friction = f, .restitution = e});
+  scene.dry_friction("guide", x, {.bound = b});
+  return scene;
+}
+
+void expect_lines(const std::string& page, std::initializer_list<const char*> lines) {
+  for (const char* line : lines) EXPECT_NE(page.find(line), std::string::npos) << line << "\nis not in\n" << page;
+}
+
+TEST(ContactLaws, ArePrintedWithGapsSlipsForcesRegimesAndJumps) {
+  expect_lines(print_equations(disc_on_a_floor(), Format::text),
+               {"Contacts that open and close\n", "  g(floor) = -r + z\n", "  w_N(floor) = z'\n", "  f(floor) = f    (while it slides)\n",
+                "  e(floor) = e    (restitution)\n", "  guide, dry friction alone:\n", "  w_T(guide) = x'\n",
+                "  b(guide) = b    (while it slides)\n", "  Q_z = N_floor\n",
+                "Signorini: 0 <= g, 0 <= N, N g = 0;", "Open: g > 0, N = 0, T = 0.", "Sticks: w_T = 0, |T| <= f_s N",
+                "Slides: T = -f N w_T/|w_T|", "[[dT/dq_i']] = sum P dw/dq_i'", "0 <= w_N+ + e w_N-",
+                "Carnot's loss: T- - T+ = -1/2 sum P (w+ + w-)"});
+}
+
+TEST(ContactLaws, ArePrintedInLatexToo) {
+  expect_lines(print_equations(disc_on_a_floor(), Format::latex),
+               {"N \\dot{w}_N = 0$", "$|T| \\le f_s N$", "\\left[\\!\\left[\\frac{\\partial T}{\\partial \\dot{q}_i}\\right]\\!\\right]",
+                "-\\frac{1}{2} (1 - e) P_N w_N^- \\ge 0$", "g(\\mathrm{floor}) &= -r + z"});
+}
+
+TEST(ContactLaws, AreLeftOutOfASceneWithoutContacts) {
+  Scene scene("free", "");
+  const Expression x = scene.coordinate("x", "m");
+  const FrameHandle slide = scene.prismatic("slide", scene.ground(), axis::x, x);
+  scene.body("point", slide, Inertia::point(Expression::quantity("1", "kg")));
+  EXPECT_EQ(print_equations(scene, Format::text).find("Signorini"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace torsor::contact_laws_test
