@@ -34,7 +34,7 @@ std::map<std::string, Value> results_of(const Kernel& kernel) {
   return all;
 }
 
-class RandomFrames : public ::testing::TestWithParam<unsigned> {
+class FramesOfRandomMechanisms : public ::testing::TestWithParam<unsigned> {
  protected:
   /// Numbers are of order one to 1e4: 50 digits leave 1e-44.
   static void expect_derivatives_of_poses(const Scene& scene) {
@@ -132,15 +132,15 @@ class RandomFrames : public ::testing::TestWithParam<unsigned> {
   }
 };
 
-TEST_P(RandomFrames, HaveTwistsJacobiansAndDriftsOfTheirPoses) {
+TEST_P(FramesOfRandomMechanisms, HaveTwistsJacobiansAndDriftsOfTheirPoses) {
   expect_derivatives_of_poses(with_tools({.actions = false, .constraints = false}, GetParam()));
   expect_derivatives_of_poses(with_tools({.actions = false, .constraints = false, .joints = true}, GetParam()));
 }
-TEST_P(RandomFrames, AnswerToImpulses) {
+TEST_P(FramesOfRandomMechanisms, AnswerToImpulses) {
   expect_answers_to_impulses(with_tools({.actions = false, .constraints = false, .most_bodies = 3}, GetParam(), true));
   expect_answers_to_impulses(with_tools({.actions = false, .joints = true, .most_bodies = 3}, GetParam(), true));
 }
-INSTANTIATE_TEST_SUITE_P(Seeds, RandomFrames, ::testing::Range(1U, 7U));
+INSTANTIATE_TEST_SUITE_P(Seeds, FramesOfRandomMechanisms, ::testing::Range(1U, 7U));
 
 /// A bar that turns: the drift of its tip is the centripetal acceleration, J M⁻¹ Jᵀ that of one degree of freedom.
 TEST(Frames, AreThoseOfATurningBar) {

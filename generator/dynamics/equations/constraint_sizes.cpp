@@ -46,9 +46,12 @@ Real reach_of(const Unit& unit, const Model& model, const std::vector<Reals>& us
   for (const Reals& row : usual) {
     Real turned(0);
     for (std::size_t i = 0; i < row.size(); ++i) turned += turns(model, i) ? row[i] : Real(0);
+    Real largest(0);
+    for (const Real& entry : row) largest = std::max(largest, entry);
+    const Real rounding = largest * Real::parse("1e-30");
     for (std::size_t i = 0; i < row.size(); ++i) {
       const bool of_unit = !turns(model, i) && model.coordinates()[i].q->unit == unit;
-      if (of_unit && !row[i].is_zero() && !turned.is_zero()) levers.push_back(turned / row[i]);
+      if (of_unit && row[i] > rounding && turned > rounding) levers.push_back(turned / row[i]);
     }
   }
   if (!levers.empty()) {

@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "generator/base/high_precision.hpp"
 #include "generator/dynamics/forces/constraints.hpp"
 #include "generator/dynamics/motion/model.hpp"
 
