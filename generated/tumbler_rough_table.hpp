@@ -10,16 +10,17 @@
 // costs, one multiplication for each result and for each pivot tested); before: without products that sums
 // share, factoring, and what is done once for a set of parameters:
 //   function              additions  multiplications  divisions  square roots  sine-cosine pairs  others  total  before
-//   mass_matrix                   1                9          0             0                  2       0     14      14
-//   bias                         11               30          0             0                  2       0     45      45
-//   energy                       19               38          0             0                  3       0     63      66
-//   contacts                      9               25          0             0                  2       0     38      38
+//   mass_matrix                   1                3          0             0                  1       0      6       6
+//   bias                          4               15          0             0                  1       0     21      21
+//   energy                       14               28          0             0                  3       0     48      51
+//   contacts                     38               52          0             0                  2       0     94      94
 //   contact_coefficients          0                0          0             0                  0       0      0       0
 //
 // Not computed because this mechanism does not need it:
-//   mass_matrix: of 36 results 18 vanish identically, 6 repeat another up to sign
+//   mass_matrix: of 36 results 28 vanish identically, 1 repeat another up to sign
+//   bias: of 6 results 2 vanish identically
 //   energy: of 3 results 1 vanish identically
-//   contacts: of 25 results 12 vanish identically
+//   contacts: of 25 results 8 vanish identically
 //   contact_coefficients: of 5 results 3 vanish identically, 1 repeat another up to sign
 //
 // To write this file again:
@@ -61,7 +62,7 @@ struct Mechanism {
 
   static constexpr const char* name = "tumbler_rough_table";
   /// 64 bits (FNV-1a) of this file from "#pragma once" on, with zeros in their own place: another mechanism, other bits.
-  static constexpr unsigned long long fingerprint = 0x8d63761490924a7fULL ^ torsor::support_fingerprint;
+  static constexpr unsigned long long fingerprint = 0xa9205b012faf02a6ULL ^ torsor::support_fingerprint;
   static constexpr int coordinate_count = 6;
   static constexpr int velocity_count = 6;
   static constexpr int input_count = 0;
@@ -201,8 +202,9 @@ struct Mechanism {
     State state{};
     const Scalar n1 = traits::constant(1.0, 1.0f, "1/1");
     const Scalar n0 = traits::constant(0.0, 0.0f, "0/1");
+    const Scalar n0_02 = traits::constant(0.02, 0.02f, "1/50");
     const Scalar n0_05 = traits::constant(0.05, 0.05f, "1/20");
-    const Scalar n0_15 = traits::constant(0.15, 0.15f, "3/20");
+    const Scalar n0_25 = traits::constant(0.25, 0.25f, "1/4");
     const Scalar n5 = traits::constant(5.0, 5.0f, "5/1");
     const Scalar n3 = traits::constant(3.0, 3.0f, "3/1");
     const Scalar z0 = n1;
@@ -211,14 +213,19 @@ struct Mechanism {
       traits::sincos(z0, sine, cosine);
       return sine;
     });
+    const Scalar z2 = traits::formula(0.5403023058681398, 0.5403023f, [&]() -> Scalar {
+      Scalar sine, cosine;
+      traits::sincos(z0, sine, cosine);
+      return cosine;
+    });
     state.time = n0;
     state.q.x = n0;
-    state.q.y = n0;
-    state.q.z = n0_05;
+    state.q.y = n0_02 * z1;
+    state.q.z = n0_05 - n0_02 * z2;
     state.q.psi = n0;
     state.q.theta = n1;
     state.q.phi = n0;
-    state.v.x = -n0_15 * z1;
+    state.v.x = -n0_25 * z1;
     state.v.y = n0;
     state.v.z = n0;
     state.v.psi = n5;
@@ -269,130 +276,98 @@ struct Mechanism {
 
   /// Mass matrix M(q), symmetric, stored column by column: T2 = 1/2 v' M v.
   TORSOR_DEVICE static void mass_matrix(const Precomputed&, const State& state, std::array<Scalar, 36>& mass) noexcept {
-    const Scalar k0 = traits::constant(0.00013, 0.00013f, "13/100000");
-    const Scalar n0_004 = traits::constant(0.004, 0.004f, "1/250");
-    const Scalar k2 = traits::constant(0.00015, 0.00015f, "3/20000");
+    const Scalar k0 = traits::constant(5e-05, 5e-05f, "1/20000");
+    const Scalar k1 = traits::constant(0.00015, 0.00015f, "3/20000");
     const Scalar n0_2 = traits::constant(0.2, 0.2f, "1/5");
     const Scalar n0 = traits::constant(0.0, 0.0f, "0/1");
-    const Scalar k5 = traits::constant(0.00028, 0.00028f, "7/25000");
-    const Scalar q_psi = state.q.psi;
+    const Scalar n0_0002 = traits::constant(2e-04, 2e-04f, "1/5000");
     const Scalar q_theta = state.q.theta;
-    const Scalar angles_[] = {q_psi, q_theta};
-    Scalar sines_[2], cosines_[2];
-    torsor::sines_and_cosines(angles_, sines_, cosines_);
-    const Scalar s_psi = sines_[0], c_psi = cosines_[0];
-    const Scalar s_theta = sines_[1], c_theta = cosines_[1];
+    Scalar s_theta, c_theta;
+    traits::sincos(q_theta, s_theta, c_theta);
     const Scalar z0 = k0 * s_theta;
-    const Scalar z1 = n0_004 * c_theta;
-    const Scalar z2 = n0_004 * s_theta;
-    const Scalar z3 = k2 * c_theta;
-    const Scalar z4 = s_psi * z1;
-    const Scalar z5 = c_psi * z1;
-    const Scalar z6 = k2 + s_theta * z0;
-    const Scalar z7 = c_psi * z2;
-    const Scalar z8 = s_psi * z2;
+    const Scalar z1 = k1 * c_theta;
+    const Scalar z2 = k1 + s_theta * z0;
     mass[0] = n0_2;
     mass[1] = n0;
     mass[2] = n0;
-    mass[3] = -z7;
-    mass[4] = -z4;
+    mass[3] = n0;
+    mass[4] = n0;
     mass[5] = n0;
     mass[6] = n0;
     mass[7] = n0_2;
     mass[8] = n0;
-    mass[9] = -z8;
-    mass[10] = z5;
+    mass[9] = n0;
+    mass[10] = n0;
     mass[11] = n0;
     mass[12] = n0;
     mass[13] = n0;
     mass[14] = n0_2;
     mass[15] = n0;
-    mass[16] = z2;
+    mass[16] = n0;
     mass[17] = n0;
-    mass[18] = -z7;
-    mass[19] = -z8;
+    mass[18] = n0;
+    mass[19] = n0;
     mass[20] = n0;
-    mass[21] = z6;
+    mass[21] = z2;
     mass[22] = n0;
-    mass[23] = z3;
-    mass[24] = -z4;
-    mass[25] = z5;
-    mass[26] = z2;
+    mass[23] = z1;
+    mass[24] = n0;
+    mass[25] = n0;
+    mass[26] = n0;
     mass[27] = n0;
-    mass[28] = k5;
+    mass[28] = n0_0002;
     mass[29] = n0;
     mass[30] = n0;
     mass[31] = n0;
     mass[32] = n0;
-    mass[33] = z3;
+    mass[33] = z1;
     mass[34] = n0;
-    mass[35] = k2;
+    mass[35] = k1;
   }
 
   /// Bias h(q, v, t): inverse dynamics at zero acceleration without inputs and multipliers; gravity and passive
   /// actions included. M a + h = E u + A' lambda.
   TORSOR_DEVICE static void bias(const Precomputed&, const State& state, GeneralizedForces& forces) noexcept {
-    const Scalar n9_81 = traits::constant(9.81, 9.81f, "981/100");
-    const Scalar k1 = traits::constant(0.00015, 0.00015f, "3/20000");
+    const Scalar k0 = traits::constant(0.00015, 0.00015f, "3/20000");
     const Scalar n2 = traits::constant(2.0, 2.0f, "2/1");
-    const Scalar n0_004 = traits::constant(0.004, 0.004f, "1/250");
-    const Scalar k4 = traits::constant(0.00028, 0.00028f, "7/25000");
+    const Scalar n0_0002 = traits::constant(2e-04, 2e-04f, "1/5000");
+    const Scalar n0 = traits::constant(0.0, 0.0f, "0/1");
     const Scalar n1_962 = traits::constant(1.962, 1.962f, "981/500");
-    const Scalar q_psi = state.q.psi;
     const Scalar v_psi = state.v.psi;
     const Scalar q_theta = state.q.theta;
     const Scalar v_theta = state.v.theta;
     const Scalar v_phi = state.v.phi;
-    const Scalar angles_[] = {q_psi, q_theta};
-    Scalar sines_[2], cosines_[2];
-    torsor::sines_and_cosines(angles_, sines_, cosines_);
-    const Scalar s_psi = sines_[0], c_psi = cosines_[0];
-    const Scalar s_theta = sines_[1], c_theta = cosines_[1];
-    const Scalar z0 = v_psi * s_theta;
-    const Scalar z1 = v_psi * c_theta;
-    const Scalar z2 = v_theta * v_theta;
-    const Scalar z3 = n9_81 * s_theta;
-    const Scalar z4 = v_theta * z1;  // angular acceleration of tumbler.2, y
-    const Scalar z5 = v_theta * z0;  // angular acceleration of tumbler.2, z
-    const Scalar z6 = v_phi + z1;  // angular velocity of tumbler, z
-    const Scalar z7 = z0 * z1;
-    const Scalar z8 = z0 * z0;
-    const Scalar z9 = z0 * z6;
-    const Scalar z10 = v_theta * z6;
-    const Scalar z11 = k1 * z5;  // moment on tumbler, z
-    const Scalar z12 = n2 * z4;
-    const Scalar z13 = z2 + z8;
-    const Scalar z14 = n0_004 * z7;  // force on tumbler.2, y
-    const Scalar z15 = k1 * z9;  // moment on tumbler, x
-    const Scalar z16 = k1 * z10;  // moment on tumbler, y
-    const Scalar z17 = n0_004 * z12;  // force on tumbler.2, x
-    const Scalar z18 = n0_004 * z13;  // force on tumbler.2, z
-    const Scalar z19 = n0_004 * z3 + z15 - k4 * z7;  // moment on tumbler.2, x
-    const Scalar z20 = z16 - k4 * z12;  // moment on tumbler.2, y
-    const Scalar z21 = c_theta * z14 + s_theta * z18;
-    const Scalar z22 = s_theta * z14 - c_theta * z18;
-    const Scalar z23 = c_theta * z11 + s_theta * z20;
-    const Scalar z24 = s_psi * z21 - c_psi * z17;
-    const Scalar z25 = s_psi * z17 + c_psi * z21;
-    const Scalar z26 = n1_962 - z22;  // force on tumbler.z, z
-    forces.x = z24;
-    forces.y = -z25;
-    forces.z = z26;
-    forces.psi = -z23;
-    forces.theta = z19;
-    forces.phi = -z11;
+    Scalar s_theta, c_theta;
+    traits::sincos(q_theta, s_theta, c_theta);
+    const Scalar z0 = v_psi * c_theta;
+    const Scalar z1 = v_psi * s_theta;
+    const Scalar z2 = v_theta * z0;  // angular acceleration of tumbler.2, y
+    const Scalar z3 = v_theta * z1;  // angular acceleration of tumbler.2, z
+    const Scalar z4 = v_phi + z0;  // angular velocity of tumbler, z
+    const Scalar z5 = z1 * z0;
+    const Scalar z6 = z1 * z4;
+    const Scalar z7 = v_theta * z4;
+    const Scalar z8 = k0 * z3;  // moment on tumbler, z
+    const Scalar z9 = n2 * z2;
+    const Scalar z10 = k0 * z6;  // moment on tumbler, x
+    const Scalar z11 = k0 * z7;  // moment on tumbler, y
+    const Scalar z12 = z10 - n0_0002 * z5;  // moment on tumbler.2, x
+    const Scalar z13 = z11 - n0_0002 * z9;  // moment on tumbler.2, y
+    const Scalar z14 = c_theta * z8 + s_theta * z13;
+    forces.x = n0;
+    forces.y = n0;
+    forces.z = n1_962;
+    forces.psi = -z14;
+    forces.theta = z12;
+    forces.phi = -z8;
   }
 
   /// Kinetic energy, force function (potential energy = -U) and power of what has no force function.
   TORSOR_DEVICE static void energy(const Precomputed&, const State& state, const Inputs&, Energy& result) noexcept {
-    const Scalar n0_004 = traits::constant(0.004, 0.004f, "1/250");
-    const Scalar n0_2 = traits::constant(0.2, 0.2f, "1/5");
-    const Scalar k2 = traits::constant(0.00028, 0.00028f, "7/25000");
-    const Scalar k3 = traits::constant(7.5e-05, 7.5e-05f, "3/40000");
+    const Scalar k0 = traits::constant(7.5e-05, 7.5e-05f, "3/40000");
+    const Scalar n0_0001 = traits::constant(1e-04, 1e-04f, "1/10000");
     const Scalar n0_1 = traits::constant(0.1, 0.1f, "1/10");
-    const Scalar n0_5 = traits::constant(0.5, 0.5f, "1/2");
     const Scalar n1_962 = traits::constant(1.962, 1.962f, "981/500");
-    const Scalar n9_81 = traits::constant(9.81, 9.81f, "981/100");
     const Scalar n0 = traits::constant(0.0, 0.0f, "0/1");
     const Scalar v_x = state.v.x;
     const Scalar v_y = state.v.y;
@@ -414,20 +389,15 @@ struct Mechanism {
     const Scalar z1 = v_x * c_psi + v_y * s_psi;
     const Scalar z2 = v_psi * s_theta;
     const Scalar z3 = v_psi * c_theta;
-    const Scalar z4 = n0_004 * c_theta;
-    const Scalar z5 = v_theta * c_phi + s_phi * z2;
-    const Scalar z6 = v_theta * s_phi - c_phi * z2;
-    const Scalar z7 = v_phi + z3;  // angular velocity of tumbler, z
-    const Scalar z8 = v_z * s_theta - c_theta * z0;
-    const Scalar z9 = v_z * c_theta + s_theta * z0;
-    const Scalar z10 = c_phi * z1 + s_phi * z8;
-    const Scalar z11 = s_phi * z1 - c_phi * z8;
-    const Scalar z12 = n0_004 * z6 + n0_2 * z10;
-    const Scalar z13 = n0_004 * z5 - n0_2 * z11;
-    const Scalar z14 = k2 * z5 - n0_004 * z11;
-    const Scalar z15 = k2 * z6 + n0_004 * z10;
-    result.kinetic = k3 * z7 * z7 + n0_1 * z9 * z9 + n0_5 * (z5 * z14 + z6 * z15 + z10 * z12 - z11 * z13);
-    result.force_function = -n1_962 * q_z + n9_81 * z4;
+    const Scalar z4 = v_theta * c_phi + s_phi * z2;
+    const Scalar z5 = v_theta * s_phi - c_phi * z2;
+    const Scalar z6 = v_phi + z3;  // angular velocity of tumbler, z
+    const Scalar z7 = v_z * s_theta - c_theta * z0;
+    const Scalar z8 = v_z * c_theta + s_theta * z0;
+    const Scalar z9 = c_phi * z1 + s_phi * z7;
+    const Scalar z10 = s_phi * z1 - c_phi * z7;
+    result.kinetic = k0 * z6 * z6 + n0_0001 * (z4 * z4 + z5 * z5) + n0_1 * (z8 * z8 + z9 * z9 + z10 * z10);
+    result.force_function = -n1_962 * q_z;
     result.power = n0;
   }
 
@@ -440,10 +410,13 @@ struct Mechanism {
   /// Rows are contact by contact, the normal first (n from the second body to the first, so that w > 0 opens), then
   /// the tangents: w = J v + b, dw/dt = J a + drift. M a + h = E u + A' lambda + J' r with the reactions r.
   TORSOR_DEVICE static void contacts(const Precomputed&, const State& state, Contacts& result) noexcept {
+    const Scalar n0_02 = traits::constant(0.02, 0.02f, "1/50");
     const Scalar n0_05 = traits::constant(0.05, 0.05f, "1/20");
     const Scalar n0 = traits::constant(0.0, 0.0f, "0/1");
     const Scalar n1 = traits::constant(1.0, 1.0f, "1/1");
+    const Scalar q_x = state.q.x;
     const Scalar v_x = state.v.x;
+    const Scalar q_y = state.q.y;
     const Scalar v_y = state.v.y;
     const Scalar q_z = state.q.z;
     const Scalar v_z = state.v.z;
@@ -457,33 +430,56 @@ struct Mechanism {
     torsor::sines_and_cosines(angles_, sines_, cosines_);
     const Scalar s_psi = sines_[0], c_psi = cosines_[0];
     const Scalar s_theta = sines_[1], c_theta = cosines_[1];
-    const Scalar z0 = v_theta * c_theta;
-    const Scalar z1 = v_psi * c_psi;
-    const Scalar z2 = v_psi * s_psi;
-    const Scalar z3 = n0_05 * s_psi;
-    const Scalar z4 = n0_05 * c_psi;
-    const Scalar z5 = s_psi * s_theta;
+    const Scalar z0 = n0_02 * s_theta;
+    const Scalar z1 = v_theta * c_theta;
+    const Scalar z2 = v_psi * c_psi;
+    const Scalar z3 = n0_02 * c_theta;
+    const Scalar z4 = v_theta * s_theta;
+    const Scalar z5 = v_psi * s_psi;
     const Scalar z6 = c_psi * s_theta;
-    const Scalar z7 = n0_05 - q_z;
-    const Scalar z8 = n0_05 * z6;
-    const Scalar z9 = n0_05 * z5;
-    const Scalar z10 = n0_05 * z1;
-    const Scalar z11 = c_psi * z0 - s_theta * z2;
-    const Scalar z12 = n0_05 * z2;
-    const Scalar z13 = s_psi * z0 + s_theta * z1;
-    const Scalar z14 = v_x - v_theta * z3 + v_phi * z8;
-    const Scalar z15 = v_y + v_theta * z4 + v_phi * z9;
-    const Scalar z16 = n0_05 * z11;
-    const Scalar z17 = n0_05 * z13;
-    const Scalar z18 = v_theta * z10 - v_phi * z16;
-    const Scalar z19 = v_theta * z12 - v_phi * z17;
-    result.gap[0] = -z7;
-    result.rate[0] = v_z;
-    result.drift[0] = n0;
-    result.rate[1] = z14;
-    result.drift[1] = -z18;
-    result.rate[2] = z15;
-    result.drift[2] = -z19;
+    const Scalar z7 = s_psi * s_theta;
+    const Scalar z8 = s_psi * z0;
+    const Scalar z9 = c_psi * z0;
+    const Scalar z10 = q_z + z3;
+    const Scalar z11 = n0_02 * z4;
+    const Scalar z12 = v_theta * z1;
+    const Scalar z13 = n0_02 * z1;
+    const Scalar z14 = c_psi * z1 - s_theta * z5;
+    const Scalar z15 = s_psi * z1 + s_theta * z2;
+    const Scalar z16 = q_y - z9;
+    const Scalar z17 = q_x + z8;
+    const Scalar z18 = n0_05 - z10;
+    const Scalar z19 = v_z - z11;
+    const Scalar z20 = n0_02 * z12;
+    const Scalar z21 = n0_05 + q_z - z10;
+    const Scalar z22 = c_psi * z13 - z0 * z5;
+    const Scalar z23 = z0 * z2 + s_psi * z13;
+    const Scalar z24 = q_x - z17;
+    const Scalar z25 = q_y - z16;
+    const Scalar z26 = s_psi * z21;
+    const Scalar z27 = c_psi * z21;
+    const Scalar z28 = v_z - z19;
+    const Scalar z29 = v_x + z23;
+    const Scalar z30 = z21 * z6 + c_theta * z25;
+    const Scalar z31 = c_theta * z24 - z21 * z7;
+    const Scalar z32 = z21 * z2 + s_psi * z28;
+    const Scalar z33 = c_psi * z28 - z21 * z5;
+    const Scalar z34 = v_y - z22;
+    const Scalar z35 = v_x - z29;
+    const Scalar z36 = v_x + v_psi * z25 - v_theta * z26 + v_phi * z30;
+    const Scalar z37 = v_y - z34;
+    const Scalar z38 = c_theta * z35 - z4 * z24 - z21 * z15 - z7 * z28;
+    const Scalar z39 = v_y - v_psi * z24 + v_theta * z27 - v_phi * z31;
+    const Scalar z40 = z21 * z14 - z4 * z25 + z6 * z28 + c_theta * z37;
+    const Scalar z41 = v_psi * z37 - v_theta * z32 + v_phi * z40;
+    const Scalar z42 = v_psi * z35 - v_theta * z33 + v_phi * z38;
+    result.gap[0] = -z18;
+    result.rate[0] = z19;
+    result.drift[0] = -z20;
+    result.rate[1] = z36;
+    result.drift[1] = z41;
+    result.rate[2] = z39;
+    result.drift[2] = -z42;
     result.jacobian[0] = n0;
     result.jacobian[1] = n1;
     result.jacobian[2] = n0;
@@ -494,14 +490,14 @@ struct Mechanism {
     result.jacobian[7] = n0;
     result.jacobian[8] = n0;
     result.jacobian[9] = n0;
-    result.jacobian[10] = n0;
-    result.jacobian[11] = n0;
-    result.jacobian[12] = n0;
-    result.jacobian[13] = -z3;
-    result.jacobian[14] = z4;
+    result.jacobian[10] = z25;
+    result.jacobian[11] = -z24;
+    result.jacobian[12] = -z0;
+    result.jacobian[13] = -z26;
+    result.jacobian[14] = z27;
     result.jacobian[15] = n0;
-    result.jacobian[16] = z8;
-    result.jacobian[17] = z9;
+    result.jacobian[16] = z30;
+    result.jacobian[17] = -z31;
   }
 
   /// What the surfaces of each contact are made of, in the order table:

@@ -20,6 +20,21 @@ using Tumbler = MechanismWithContacts<tumbler_rough_table::Mechanism<double>>;
 constexpr double end = 0.5;
 constexpr DormandPrince853 precise{.relative_tolerance = 1e-13, .absolute_tolerance = 1e-13};
 
+/// The state with the centre of the sphere in the place of the centre of mass, which is 2 cm below it.
+StateVector<Assumed> of_the_sphere(const Tumbler::State& y) {
+  constexpr double a = 0.02;
+  const double psi = y[3], theta = y[4], psi_rate = y[9], theta_rate = y[10];
+  StateVector<Assumed> other{};
+  std::copy(y.begin(), y.end(), other.begin());
+  other[0] += a * std::sin(psi) * std::sin(theta);
+  other[1] -= a * std::cos(psi) * std::sin(theta);
+  other[2] += a * std::cos(theta);
+  other[6] += a * (std::cos(psi) * std::sin(theta) * psi_rate + std::sin(psi) * std::cos(theta) * theta_rate);
+  other[7] += a * (std::sin(psi) * std::sin(theta) * psi_rate - std::cos(psi) * std::cos(theta) * theta_rate);
+  other[8] -= a * std::sin(theta) * theta_rate;
+  return other;
+}
+
 /// The page's motion, which assumes that it rolls: its state at the end, and the most friction that it needs until
 /// then.
 StateVector<Assumed> assumed_motion(double& needed) {
@@ -59,7 +74,8 @@ TEST(TumblerRoughTable, RollsWhereFrictionSufficesAndSlipsWhereItDoesNot) {
     ASSERT_TRUE(result) << describe(result.status);
     EXPECT_LE(result.worst_residual, 1e-13);
     double apart = 0;
-    for (std::size_t i = 0; i < y.size(); ++i) apart = std::max(apart, std::abs(y[i] - rolled[i]));
+    const StateVector<Assumed> sphere = of_the_sphere(y);
+    for (std::size_t i = 0; i < y.size(); ++i) apart = std::max(apart, std::abs(sphere[i] - rolled[i]));
     if (part > 1) {
       EXPECT_EQ(slips, 0);
       // Hundreds of steps within 1e-13 of rates up to some 10 rad/s.
