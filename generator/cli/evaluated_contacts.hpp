@@ -75,7 +75,7 @@ class RoomForContacts {
   using Reading = runtime::ContactReading<static_cast<int>(nv), static_cast<int>(contacts), constraints>;
   using State = std::array<double, nq + nv>;
 
-  explicit RoomForContacts(EvaluatedContacts& contacts) : contacts_(contacts) {}
+  explicit RoomForContacts(EvaluatedContacts& evaluated) : contacts_(evaluated) {}
 
   runtime::ContactRule rule(int i) const {
     return i < contacts_.count() ? contacts_.rule(i) : runtime::ContactRule{.tangents = 0};

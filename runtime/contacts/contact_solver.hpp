@@ -6,6 +6,9 @@
 #include <cstddef>
 
 #include "runtime/contacts/regime_enumeration.hpp"
+#ifndef TORSOR_CONTACTS_IN_PLACE
+#include "runtime/library.hpp"
+#endif
 
 namespace torsor::runtime {
 
@@ -148,7 +151,8 @@ template <int room, int most>
   return other;
 }
 
-/// The library has the solver for up to eight contacts: programs with no more need not compile it.
+/// The library has the solver for up to eight contacts: programs with no more need not compile it. One that does not link
+/// the library defines TORSOR_CONTACTS_IN_PLACE.
 inline constexpr int library_room = 8;
 
 /// Solves a problem: by trying every regime up to `options.enumerated` contacts, by iteration beyond and where no
@@ -167,7 +171,9 @@ template <int most>
   }
 }
 
+#ifndef TORSOR_CONTACTS_IN_PLACE
 extern template ContactAnswer<library_room> solve_contacts(const ContactProblem<library_room>&,
                                                            const ContactSolverOptions&) noexcept;
+#endif
 
 }  // namespace torsor::runtime
