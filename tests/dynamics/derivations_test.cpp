@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <gtest/gtest.h>
 
+#include <cstdlib>
+
 #include "generator/verification/check.hpp"
 #include "tests/dynamics/random_mechanism.hpp"
 
@@ -25,7 +27,9 @@ TEST_P(RandomMechanism, HasOneSetOfEquationsByEveryDerivation) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Seeds, RandomMechanism, ::testing::Range(1U, 81U));
+// Some take a minute; a quarter of them by default.
+INSTANTIATE_TEST_SUITE_P(Seeds, RandomMechanism,
+                         ::testing::Range(1U, 81U, std::getenv("TORSOR_LONG_TESTS") != nullptr ? 1U : 4U));
 
 }  // namespace
 }  // namespace torsor::derivations_test
