@@ -67,7 +67,8 @@ void show(const PlotFolder& plots) {
     Table motion({"t", "rate"});
     for (int i = 0; i <= 600; ++i) {
       motion.add({scientific(0.005 * i, 6), scientific(y[5], 8)});
-      (void)integrate_contacts(wheel, y, 0.005 * i, 0.005 * (i + 1), precise);
+      const auto result = integrate_contacts(wheel, y, 0.005 * i, 0.005 * (i + 1), precise);
+      if (!result) throw FileError("the wheel stopped: " + std::string(describe(result.status)));
     }
     const std::filesystem::path csv =
         plots.file("rimless_wheel_from_" + std::string(rate > 1.5 ? "fast" : "slow") + ".csv");

@@ -20,7 +20,7 @@ using Block = MechanismWithContacts<stick_slip_belt::Mechanism<double>>;
 constexpr DormandPrince853 precise{.relative_tolerance = 1e-13, .absolute_tolerance = 1e-13};
 constexpr double m = 2, k = 50, N = 2 * 9.81;
 
-/// Where the block slips, where it sticks again, and how long it does each, in its third round.
+/// Where the block slips, where it sticks again, and how long it does each, in its fourth round.
 struct Round {
   double slips_at = 0, sticks_at = 0, sticking = 0, slipping = 0;
 };
@@ -30,7 +30,7 @@ Round round_of(const Block& block, double v0) {
   Round round;
   double slipped = 0, stuck = 0;
   int rounds = 0;
-  integrate_contacts(block, y, 0, 100, precise, {}, [&](const ContactEvent<ContactMotion<Block>>& event) {
+  const auto result = integrate_contacts(block, y, 0, 100, precise, {}, [&](const ContactEvent<ContactMotion<Block>>& event) {
     if (event.kind == ContactEventKind::slips) {
       round.slips_at = event.state[0];
       round.sticking = event.time - stuck;
@@ -43,6 +43,8 @@ Round round_of(const Block& block, double v0) {
     }
     return true;
   });
+  if (result.status != ContactStatus::stopped_by_observer)
+    throw FileError("the block has no fourth round: " + std::string(describe(result.status)));
   return round;
 }
 
