@@ -33,6 +33,13 @@ struct ContactRule {
   [[nodiscard]] double sticking_bound() const noexcept { return static_bound < 0 ? bound : static_bound; }
 };
 
+/// Whether the rule of a contact is possible, and what presses it a contact with a normal force.
+template <class S>
+[[nodiscard]] bool valid_rule(const S& system, int contact) noexcept {
+  const ContactRule rule = system.rule(contact);
+  return rule.valid(contact) && (rule.pressed_by < 0 || system.rule(rule.pressed_by).normal);
+}
+
 /// A mechanism with contacts at one state: M a = F + J^T r + A^T λ, w = J v + b, dw/dt = J a + drift, A a + γ = 0. The
 /// rows of J are contact by contact, the normal first (n from the other body to this one, so that w_N > 0 opens), then
 /// the tangents. Of each constraint too: f(q, t), 0 where it is not holonomic, and its rate A v - b.

@@ -91,7 +91,7 @@ class ContactRun {
 
   [[nodiscard]] bool valid_rules() noexcept {
     for (int i = 0; i < contacts; ++i) {
-      if (!motion_.system().rule(i).valid(i)) return end(ContactStatus::invalid_rule, i);
+      if (!valid_rule(motion_.system(), i)) return end(ContactStatus::invalid_rule, i);
     }
     return true;
   }

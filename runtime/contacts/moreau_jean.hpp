@@ -28,7 +28,7 @@ class MoreauJean {
 
   explicit MoreauJean(const S& system, double theta = 0.5) noexcept : system_(system), theta_(theta) {
     for (int i = 0; i < contacts; ++i) {
-      if (!system.rule(i).valid(i)) {
+      if (!valid_rule(system, i)) {
         status_ = ContactStatus::invalid_rule;
         contact_ = i;
         return;
