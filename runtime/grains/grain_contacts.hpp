@@ -20,6 +20,7 @@ struct GrainContact {
   std::uint32_t a = 0, b = 0;
   Vector n, surface = Vector::Zero();            ///< the wall's own velocity there
   double gap = 0, friction = 0, bounce = 0;      ///< bounce: the velocity of separation asked for, -e w_N-
+  bool open = false;                             ///< takes no part in this step: P = 0
   double normal_weight = 0, tangent_weight = 0;  ///< the diagonal of W: N, T
   Vector P = Vector::Zero();                     ///< impulse on a [N s]
   double push = 0;                               ///< of the gap's projection [kg m]
@@ -87,9 +88,9 @@ class GrainContacts {
     keep_impulses();
   }
 
-  /// Gives colours to the contacts in which a grain is awake.
-  template <class Asleep>
-  void colour(std::uint32_t count, const Asleep& asleep) {
+  /// Gives colours to the contacts in which a grain takes part.
+  template <class TakesPart>
+  void colour(std::uint32_t count, const TakesPart& takes_part) {
     used_.assign(count, 0);
     colour_.resize(contacts_.size());
     first_of_.fill(0);
@@ -97,7 +98,7 @@ class GrainContacts {
     for (std::size_t k = 0; k < contacts_.size(); ++k) {
       const Contact& c = contacts_[k];
       const bool pair = c.b < count;
-      if (asleep(c.a) && (!pair || asleep(c.b))) {
+      if (!takes_part(c.a) && (!pair || !takes_part(c.b))) {
         colour_[k] = none;
         continue;
       }

@@ -7,28 +7,23 @@
 #include <vector>
 
 #include "runtime/batch/thread_team.hpp"
+#include "runtime/grains/grain_check.hpp"
 #include "runtime/grains/grain_islands.hpp"
 #include "runtime/grains/grain_solver.hpp"
 
 namespace torsor::runtime {
 
-struct GrainOptions {
-  double tolerance = 1e-6;  ///< of the natural map, over the largest impulse
-  int sweeps = 2000;        ///< at most, in a step
-  int projections = 20;     ///< sweeps that put overlaps back, at most
-  unsigned threads = 1;
-  double rest = 1e-3;  ///< islands no faster than this part of h |gravity| fall asleep; 0: none does
-};
-
 /// What a step found.
 struct GrainStep {
-  bool converged = false;  ///< the residual is below the tolerance
+  GrainStatus status = GrainStatus::ok;
+  GrainFault fault;        ///< what is refused where the status is `invalid`
+  bool converged = false;  ///< the status is `ok`
   int sweeps = 0;
   double residual = 0;
   double deepest = 0;  ///< overlap at the middle of the step [m]
   std::size_t contacts = 0;
   std::size_t asleep = 0;  ///< grains
-  bool ambiguous = false;  ///< the grains rest from now on, but another solution of the laws moves them
+  bool ambiguous = false;  ///< grains rest from now on, but another solution of the laws moves them
 };
 
 /// Moves grains by the scheme of Moreau and Jean with θ = 1/2:
@@ -50,8 +45,16 @@ class GrainMotion {
       : grains_(grains), options_(options), team_(options.threads) {}
 
   GrainStep step(double h) {
+    GrainStep result;
+    result.fault = fault_of(grains_, options_, h);
+    if (result.fault) {
+      result.status = GrainStatus::invalid;
+      result.residual = NAN;
+      return result;
+    }
     const std::size_t count = grains_.count();
     look_for_changes();
+    islands_.wake_touched(grains_, contacts_.all());
     double least = INFINITY;
     for (const double R : grains_.radius) least = std::min(least, R);
     for (std::size_t i = 0; i < count; ++i) {
@@ -61,41 +64,34 @@ class GrainMotion {
     // No further than two grains may come nearer in half a step.
     double fastest = 0;
     for (const Vector& v : grains_.v) fastest = std::max(fastest, v.squaredNorm());
-    contacts_.find(grains_, grains_.x, 1e-9 * least + std::min(least, h * std::sqrt(fastest)));
-    auto& all = contacts_.all();
-    islands_.wake(grains_, all);
-    contacts_.colour(static_cast<std::uint32_t>(count), [this](std::uint32_t i) { return islands_.asleep(i); });
-    GrainStep result;
-    result.contacts = all.size();
-    for (const std::uint32_t k : contacts_.order()) {
-      Contact& c = all[k];
-      result.deepest = std::max(result.deepest, -c.gap);
-      // The velocity of separation asked for: e times that of approach; without restitution one that closes what is
-      // left of the gap is let pass.
-      if (c.gap <= 0) {
-        c.bounce *= -std::min(0.0, relative_velocity(c).dot(c.n));
-      } else {
-        c.bounce = c.bounce > 0 ? -never : -2 * c.gap / h;
-      }
-    }
-    const bool at_rest = options_.rest > 0 && stands(all);
+    const double touch = 1e-9 * least;  // gaps up to it are closed: rounding decides nothing
+    contacts_.find(grains_, grains_.x, touch + std::min(least, h * std::sqrt(fastest)));
+    islands_.wake(grains_, contacts_.all());
+    prepare(h, touch, result);
+    hold_what_rests(h, result);
     for (std::size_t i = 0; i < count; ++i) {
-      if (!islands_.asleep(i)) grains_.v[i] += h * grains_.gravity;
+      if (takes_part(i)) grains_.v[i] += h * grains_.gravity;
     }
-    const bool stays = at_rest && rests(h, result);
-    if (!stays) {
-      const auto solved = solver_.solve(grains_, contacts_, options_.tolerance, options_.sweeps, team_);
-      result.converged = solved.converged;
-      result.sweeps += solved.sweeps;
-      result.residual = solved.residual;
+    contacts_.colour(static_cast<std::uint32_t>(count), [this](std::uint32_t i) { return takes_part(i); });
+    const auto solved = solver_.solve(grains_, contacts_, options_.tolerance, options_.sweeps, team_);
+    result.sweeps += solved.sweeps;
+    result.residual = std::max(solved.residual, result.residual);
+    result.converged = solved.converged;
+    result.status = solved.converged                 ? GrainStatus::ok
+                    : std::isfinite(solved.residual) ? GrainStatus::not_converged
+                                                     : GrainStatus::not_finite;
+    if (std::find(held_.begin(), held_.end(), 1) != held_.end()) {
+      contacts_.colour(static_cast<std::uint32_t>(count), [this](std::uint32_t i) { return !islands_.asleep(i); });
     }
-    rested_ = stays;
     project(count, result);
     for (std::size_t i = 0; i < count; ++i) {
       grains_.x[i] += h / 2 * grains_.v[i];
       grains_.turned[i] += h / 2 * grains_.w[i];
     }
-    if (options_.rest > 0) islands_.settle(grains_, all, options_.rest * h * grains_.gravity.norm());
+    if (options_.rest > 0) {
+      const double unit = h * grains_.gravity.norm();
+      islands_.settle(grains_, contacts_.all(), options_.rest * unit, 10 * options_.tolerance * unit);
+    }
     result.asleep = islands_.sleepers();
     return result;
   }
@@ -103,52 +99,102 @@ class GrainMotion {
   [[nodiscard]] const GrainContacts<dim>& contacts() const noexcept { return contacts_; }
 
  private:
-  static constexpr double never = 1e300;  // a velocity of approach
+  // Neither asleep nor held at rest in this step.
+  [[nodiscard]] bool takes_part(std::size_t i) const noexcept { return !islands_.asleep(i) && held_[i] == 0; }
 
-  // Whether no grain moves, and no wall that one touches.
-  [[nodiscard]] bool stands(const std::vector<Contact>& contacts) const noexcept {
-    for (std::size_t i = 0; i < grains_.count(); ++i) {
-      if (!grains_.v[i].isZero(0) || !grains_.w[i].isZero(0)) return false;
+  // The velocity of separation that contacts ask for: e times that of approach; without restitution one that closes
+  // what is left of the gap is let pass.
+  void prepare(double h, double touch, GrainStep& result) noexcept {
+    const std::size_t count = grains_.count();
+    result.contacts = contacts_.all().size();
+    for (Contact& c : contacts_.all()) {
+      if (islands_.asleep(c.a) && (c.b >= count || islands_.asleep(c.b))) continue;
+      result.deepest = std::max(result.deepest, -c.gap);
+      if (c.gap <= touch) {
+        c.bounce *= -std::min(0.0, relative_velocity(c).dot(c.n));
+        continue;
+      }
+      c.open = c.bounce > 0;
+      c.bounce = c.open ? 0 : -2 * c.gap / h;
+      if (c.open) c.P.setZero();
     }
-    for (const Contact& c : contacts) {
-      if (c.b >= grains_.count() && !c.surface.isZero(0)) return false;
-    }
-    return !contacts.empty();
   }
 
-  // Rest persists where it can: grains that stand stay where impulses exist that hold them all. Whether they could move
-  // as well is asked when they begin to rest.
-  [[nodiscard]] bool rests(double h, GrainStep& result) {
-    const double slow = std::min(options_.rest, 1e3 * options_.tolerance) * h * grains_.gravity.norm();
+  [[nodiscard]] bool still(std::size_t i) const noexcept { return grains_.v[i].isZero(0) && grains_.w[i].isZero(0); }
+
+  // Rest persists where it can: islands whose grains all stand, on walls that do, stay where impulses exist that hold
+  // them. What is elsewhere does not matter. Whether they could move as well is asked when they begin to rest.
+  void hold_what_rests(double h, GrainStep& result) {
     const std::size_t count = grains_.count();
-    if (!rested_)
-      result.ambiguous = solver_.moves(grains_, contacts_, options_.tolerance, options_.sweeps, slow, team_);
-    const auto found = solver_.rest(grains_, contacts_, options_.tolerance, options_.sweeps, slow, team_);
-    result.sweeps = found.sweeps;
-    result.ambiguous = result.ambiguous && found.converged;
-    if (!found.converged) return false;
-    result.converged = true;
-    result.residual = found.residual;
+    rested_.swap(held_);
+    rested_.resize(count);
+    held_.assign(count, 0);
+    stands_.resize(count);
+    bool any = false;
     for (std::size_t i = 0; i < count; ++i) {
-      grains_.v[i].setZero();
-      grains_.w[i].setZero();
+      stands_[i] = options_.rest > 0 && !islands_.asleep(i) && still(i);
+      any = any || stands_[i] != 0;
     }
-    return true;
+    if (!any) return;
+    find_standing_islands();
+    for (std::size_t i = 0; i < count; ++i) {
+      if (stands_[i] != 0) grains_.v[i] = h * grains_.gravity;
+    }
+    contacts_.colour(static_cast<std::uint32_t>(count), [this](std::uint32_t i) { return stands_[i] != 0; });
+    if (!contacts_.order().empty()) {
+      const auto found =
+          solver_.rest(grains_, contacts_, options_.tolerance, options_.sweeps, team_, groups_, stands_, held_);
+      result.sweeps += found.sweeps;
+      bool holds = false, begins = false;
+      for (std::size_t i = 0; i < count; ++i) {
+        holds = holds || held_[i] != 0;
+        begins = begins || (held_[i] != 0 && rested_[i] == 0);
+      }
+      if (holds) result.residual = found.residual;
+      result.ambiguous = begins && solver_.moves(grains_, contacts_, options_.tolerance, options_.sweeps, team_, held_);
+    }
+    for (std::size_t i = 0; i < count; ++i) {
+      if (stands_[i] != 0) grains_.v[i].setZero();
+    }
+  }
+
+  // Of grains that stand those are left whose whole island does: all that they touch, one by the other.
+  void find_standing_islands() {
+    const std::size_t count = grains_.count();
+    groups_.reset(count);
+    restless_.assign(count, 0);
+    for (const Contact& c : contacts_.all()) {
+      if (!c.open && c.b < count && !islands_.asleep(c.a)) groups_.join(c.a, c.b);
+    }
+    for (std::uint32_t i = 0; i < count; ++i) {
+      if (stands_[i] == 0) restless_[groups_.root(i)] = 1;
+    }
+    for (const Contact& c : contacts_.all()) {
+      if (c.b >= count && !c.surface.isZero(0)) restless_[groups_.root(c.a)] = 1;
+    }
+    for (std::uint32_t i = 0; i < count; ++i) {
+      if (restless_[groups_.root(i)] != 0) stands_[i] = 0;
+    }
   }
 
   // What sleeps under other conditions wakes.
   void look_for_changes() {
     const bool same = known_.size() == grains_.walls.size() && gravity_ == grains_.gravity &&
-                      friction_ == grains_.friction && known_count_ == grains_.count() &&
+                      friction_ == grains_.friction && restitution_ == grains_.restitution &&
+                      known_count_ == grains_.count() &&
                       std::equal(known_.begin(), known_.end(), grains_.walls.begin());
     if (same) return;
     known_ = grains_.walls;
     gravity_ = grains_.gravity;
     friction_ = grains_.friction;
+    restitution_ = grains_.restitution;
     known_count_ = grains_.count();
     contacts_.reserve(known_count_);
     solver_.reserve(known_count_);
     shift_.reserve(known_count_);
+    for (auto* all : {&stands_, &held_, &rested_, &restless_}) all->reserve(known_count_);
+    groups_.reset(known_count_);
+    held_.assign(known_count_, 0);
     islands_.wake_all(known_count_);
   }
 
@@ -218,9 +264,10 @@ class GrainMotion {
   GrainIslands<dim> islands_;
   std::vector<GrainWall<dim>> known_;
   Vector gravity_ = Vector::Zero();
-  double friction_ = 0;
+  double friction_ = 0, restitution_ = 0;
   std::size_t known_count_ = 0;
-  bool rested_ = false;
+  GrainGroups groups_;
+  std::vector<std::uint8_t> stands_, held_, rested_, restless_;  // of grains, in a step
   std::vector<Vector> shift_;
 };
 

@@ -16,41 +16,57 @@ namespace torsor::runtime {
 /// fulfilled too: rest.
 enum class GrainLaw { coulomb, cone };
 
+/// What a contact's row is in the plane and in space alike: who takes part, and how far impulses move them. W has the
+/// diagonal 1/N_step, 1/T_step. A contact that takes no part has steps of zero, so that its impulse stays zero.
+struct GrainRowBase {
+  static constexpr std::uint32_t wall = std::numeric_limits<std::uint32_t>::max();
+
+  std::uint32_t a = 0, b = wall;
+  double friction = 0, N_step = 0, T_step = 0;
+  double mobility_a = 0, mobility_b = 0, spin_a = 0, spin_b = 0;  // 1/m, R²/J
+
+  GrainRowBase() = default;
+  template <int dim>
+  GrainRowBase(const Grains<dim>& grains, const GrainContact<dim>& c) noexcept
+      : a(c.a), friction(c.friction), mobility_a(grains.inverse_mass[c.a]), spin_a(spin_of(grains, c.a)) {
+    if (!c.open) {
+      N_step = 1 / c.normal_weight;
+      T_step = 1 / c.tangent_weight;
+    }
+    if (c.b >= grains.count()) return;
+    b = c.b;
+    mobility_b = grains.inverse_mass[b];
+    spin_b = spin_of(grains, b);
+  }
+
+ private:
+  template <int dim>
+  static double spin_of(const Grains<dim>& grains, std::uint32_t i) noexcept {
+    return grains.radius[i] * grains.radius[i] * grains.inverse_inertia[i];
+  }
+};
+
 /// A contact as a sweep needs it, beside numbers v and s = R ω of all grains, `stride` of them for each. Its relative
-/// velocity is w = v_a - v_b - (s_a + s_b) × n; W has the diagonal 1/N_step, 1/T_step.
+/// velocity is w = v_a - v_b - (s_a + s_b) × n. What is no number stays so: limits compare it second.
 template <int dim>
 struct GrainRow;
 
 /// In the plane impulses and velocities are (N, T): along n and along n turned by a quarter.
 template <>
-struct GrainRow<2> {
+struct GrainRow<2> : GrainRowBase {
   using Local = Eigen::Vector2d;
   static constexpr std::size_t stride = 3;
-  static constexpr std::uint32_t wall = std::numeric_limits<std::uint32_t>::max();
 
-  std::uint32_t a = 0, b = wall;
   double nx = 0, ny = 0;
   double N_given = 0, T_given = 0;  // w - given fulfils the laws
-  double friction = 0, N_step = 0, T_step = 0;
-  double mobility_a = 0, mobility_b = 0, spin_a = 0, spin_b = 0;  // 1/m, R²/J
 
   GrainRow() = default;
-  GrainRow(const Grains<2>& grains, const GrainContact<2>& c)
-      : a(c.a),
+  GrainRow(const Grains<2>& grains, const GrainContact<2>& c) noexcept
+      : GrainRowBase(grains, c),
         nx(c.n(0)),
         ny(c.n(1)),
         N_given(c.bounce + c.surface.dot(c.n)),
-        T_given(nx * c.surface(1) - ny * c.surface(0)),
-        friction(c.friction),
-        N_step(1 / c.normal_weight),
-        T_step(1 / c.tangent_weight),
-        mobility_a(grains.inverse_mass[a]),
-        spin_a(grains.radius[a] * grains.radius[a] * grains.inverse_inertia[a]) {
-    if (c.b >= grains.count()) return;
-    b = c.b;
-    mobility_b = grains.inverse_mass[b];
-    spin_b = grains.radius[b] * grains.radius[b] * grains.inverse_inertia[b];
-  }
+        T_given(nx * c.surface(1) - ny * c.surface(0)) {}
 
   static Local local(const GrainContact<2>& c, const Eigen::Vector2d& P) noexcept {
     return {P.dot(c.n), c.n(0) * P(1) - c.n(1) * P(0)};
@@ -71,21 +87,19 @@ struct GrainRow<2> {
   template <GrainLaw law = GrainLaw::coulomb>
   [[nodiscard]] Local bounded(double N, double T) const noexcept {
     if constexpr (law == GrainLaw::coulomb) {
-      N = std::max(0.0, N);
-    } else if (std::abs(T) > friction * N) {
+      N = std::max(N, 0.0);
+    } else if (!(std::abs(T) <= friction * N)) {
       const double f = friction * N_step;  // weights 1/N_step of N, 1/T_step of T, times both steps
-      N = std::max(0.0, (N * T_step + f * std::abs(T)) / (T_step + f * friction));
+      N = std::max((N * T_step + f * std::abs(T)) / (T_step + f * friction), 0.0);
     }
     const double bound = friction * N;
-    return {N, std::min(bound, std::max(-bound, T))};
+    return {N, std::min(std::max(T, -bound), bound)};
   }
 
   [[nodiscard]] Local start(const Local& P) const noexcept { return bounded(P(0), P(1)); }
-  static double speed(const double* at) noexcept { return std::max(std::hypot(at[0], at[1]), std::abs(at[2])); }
 
-  /// The impulse that fulfils the laws with the other contacts held.
-  template <GrainLaw law>
-  [[nodiscard]] Local solved(const double* velocities, const Local& P) const noexcept {
+  /// w - given.
+  [[nodiscard]] Local velocity(const double* velocities) const noexcept {
     const double* va = velocities + stride * a;
     double x = va[0], y = va[1], s = va[2];
     if (b != wall) {
@@ -94,16 +108,25 @@ struct GrainRow<2> {
       y -= vb[1];
       s += vb[2];
     }
-    return bounded<law>(P(0) - N_step * (nx * x + ny * y - N_given), P(1) - T_step * (nx * y - ny * x - s - T_given));
+    return {nx * x + ny * y - N_given, nx * y - ny * x - s - T_given};
+  }
+  static double normal_part(const Local& u) noexcept { return u(0); }
+  static double tangent_part(const Local& u) noexcept { return std::abs(u(1)); }
+
+  /// The impulse that fulfils the laws with the other contacts held.
+  template <GrainLaw law>
+  [[nodiscard]] Local solved(const double* velocities, const Local& P) const noexcept {
+    const Local u = velocity(velocities);
+    return bounded<law>(P(0) - N_step * u(0), P(1) - T_step * u(1));
   }
 
   /// Solves the contact with the others held: P, its change, and the velocities after. All is read before it is
   /// written.
   template <GrainLaw law>
   void solve(double* velocities, Local& P, Local& change) const noexcept {
-    double* const va = velocities + stride * a;
-    double* const vb = velocities + stride * b;
     const bool pair = b != wall;
+    double* const va = velocities + stride * a;
+    double* const vb = pair ? velocities + stride * b : va;
     const double ax = va[0], ay = va[1], as = va[2];
     const double bx = pair ? vb[0] : 0.0, by = pair ? vb[1] : 0.0, bs = pair ? vb[2] : 0.0;
     const double cx = nx, cy = ny, x = ax - bx, y = ay - by, N_before = P(0), T_before = P(1);
@@ -139,31 +162,15 @@ struct GrainRow<2> {
 
 /// In space impulses and velocities are vectors.
 template <>
-struct GrainRow<3> {
+struct GrainRow<3> : GrainRowBase {
   using Local = Eigen::Vector3d;
   static constexpr std::size_t stride = 6;
-  static constexpr std::uint32_t wall = std::numeric_limits<std::uint32_t>::max();
 
-  std::uint32_t a = 0, b = wall;
   Local n, given;
-  double friction = 0, N_step = 0, T_step = 0;
-  double mobility_a = 0, mobility_b = 0, spin_a = 0, spin_b = 0;
 
   GrainRow() = default;
-  GrainRow(const Grains<3>& grains, const GrainContact<3>& c)
-      : a(c.a),
-        n(c.n),
-        given(c.surface + c.bounce * c.n),
-        friction(c.friction),
-        N_step(1 / c.normal_weight),
-        T_step(1 / c.tangent_weight),
-        mobility_a(grains.inverse_mass[a]),
-        spin_a(grains.radius[a] * grains.radius[a] * grains.inverse_inertia[a]) {
-    if (c.b >= grains.count()) return;
-    b = c.b;
-    mobility_b = grains.inverse_mass[b];
-    spin_b = grains.radius[b] * grains.radius[b] * grains.inverse_inertia[b];
-  }
+  GrainRow(const Grains<3>& grains, const GrainContact<3>& c) noexcept
+      : GrainRowBase(grains, c), n(c.n), given(c.surface + c.bounce * c.n) {}
 
   static const Local& local(const GrainContact<3>&, const Local& P) noexcept { return P; }
   static const Local& global(const GrainContact<3>&, const Local& P) noexcept { return P; }
@@ -180,24 +187,19 @@ struct GrainRow<3> {
   [[nodiscard]] Local bounded(const Local& P) const noexcept {
     const double along = P.dot(n);
     Local T = P - along * n;
-    double N = std::max(0.0, along);
+    double N = std::max(along, 0.0);
     const double length2 = T.squaredNorm();
     if (length2 <= friction * friction * N * N) return N * n + T;
     const double length = std::sqrt(length2);
     if constexpr (law == GrainLaw::cone) {
       const double f = friction * N_step;
-      N = std::max(0.0, (along * T_step + f * length) / (T_step + f * friction));
+      N = std::max((along * T_step + f * length) / (T_step + f * friction), 0.0);
     }
     return N * n + friction * N / length * T;
   }
 
   [[nodiscard]] Local start(const Local& P) const noexcept { return bounded(P); }
-  static double speed(const double* at) noexcept {
-    return std::max(Eigen::Map<const Local>(at).norm(), Eigen::Map<const Local>(at + 3).norm());
-  }
-
-  template <GrainLaw law>
-  [[nodiscard]] Local solved(const double* velocities, const Local& P) const noexcept {
+  [[nodiscard]] Local velocity(const double* velocities) const noexcept {
     const double* va = velocities + stride * a;
     Local u = Eigen::Map<const Local>(va) - given, s = Eigen::Map<const Local>(va + 3);
     if (b != wall) {
@@ -205,7 +207,14 @@ struct GrainRow<3> {
       u -= Eigen::Map<const Local>(vb);
       s += Eigen::Map<const Local>(vb + 3);
     }
-    u -= s.cross(n);
+    return u - s.cross(n);
+  }
+  [[nodiscard]] double normal_part(const Local& u) const noexcept { return u.dot(n); }
+  [[nodiscard]] double tangent_part(const Local& u) const noexcept { return (u - u.dot(n) * n).norm(); }
+
+  template <GrainLaw law>
+  [[nodiscard]] Local solved(const double* velocities, const Local& P) const noexcept {
+    const Local u = velocity(velocities);
     return bounded<law>(P - T_step * u - ((N_step - T_step) * u.dot(n)) * n);
   }
 

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "runtime/batch/thread_team.hpp"
+#include "runtime/grains/grain_groups.hpp"
 #include "runtime/grains/grain_row.hpp"
 
 namespace torsor::runtime {
@@ -24,6 +25,7 @@ class GrainSolver {
  public:
   using Row = GrainRow<dim>;
   using Local = typename Row::Local;
+  using Vector = typename Grains<dim>::Vector;
 
   struct Outcome {
     bool converged = false;
@@ -37,32 +39,57 @@ class GrainSolver {
     for (auto* all : {&P_, &change_, &along_}) all->reserve(contacts);
     for (auto* all : {&v_, &v_before_, &v_along_}) all->reserve(stride * count);
     parts_.reserve(contacts / piece + 1);
+    verdicts_.reserve(count);
   }
 
-  /// Velocities that know nothing of the contacts' impulses, where sweeps start, become those after the step.
+  /// Velocities that know nothing of the contacts' impulses, where sweeps start, become those after the step,
+  /// unless numbers overflowed.
   Outcome solve(Grains<dim>& grains, GrainContacts<dim>& contacts, double tolerance, int most, ThreadTeam& team) {
     load(grains, contacts, true);
-    const Outcome outcome = iterate<GrainLaw::coulomb>(contacts, tolerance, most, team);
-    store(grains, contacts);
+    const Outcome outcome = iterate<GrainLaw::coulomb>(grains, contacts, tolerance, most, team);
+    if (std::isfinite(outcome.residual)) store(grains, contacts);
     return outcome;
   }
 
-  /// Rest, where impulses exist that keep all grains from moving faster than `slow`: a convex problem, so that sweeps
-  /// find them. Else nothing is changed.
-  Outcome rest(Grains<dim>& grains, GrainContacts<dim>& contacts, double tolerance, int most, double slow,
-               ThreadTeam& team) {
+  /// Which of the islands that stand rest. Impulses in the cones are looked for that hold all their grains: the least
+  /// |v| in the metric of the masses, a convex problem, so that sweeps find them. An island
+  /// * rests where they leave no grain more momentum than the tolerance allows defects of impulses;
+  /// * moves where v itself proves it: vᵀ M v_free = |v|² - Σ w · P is the power of the load on a motion that no
+  ///   contact resists, w_N >= f |w_T|. What is missing there, d, counts with ten times the largest impulse;
+  /// * is taken to move where the sweeps end before either is seen.
+  /// `rests` gets 1 for each grain of an island that rests; the contacts get its impulses.
+  Outcome rest(const Grains<dim>& grains, GrainContacts<dim>& contacts, double tolerance, int most, ThreadTeam& team,
+               GrainGroups& islands, const std::vector<std::uint8_t>& stands, std::vector<std::uint8_t>& rests) {
     load(grains, contacts, true);
-    Outcome outcome = iterate<GrainLaw::cone>(contacts, tolerance, most, team);
-    outcome.converged = outcome.converged && fastest() <= slow;
-    if (outcome.converged) store(grains, contacts);
+    Outcome outcome;
+    for (double goal = tolerance;; goal /= 10) {
+      const Outcome part = iterate<GrainLaw::cone>(grains, contacts, goal, most - outcome.sweeps, team);
+      outcome.sweeps += part.sweeps;
+      outcome.residual = part.residual;
+      const bool decided = judge(grains, tolerance, islands, stands);
+      if (decided || !part.converged || outcome.sweeps >= most || goal < 1e-15) break;
+    }
+    rests.assign(grains.count(), 0);
+    for (std::uint32_t i = 0; i < grains.count(); ++i) rests[i] = stands[i] != 0 && verdicts_[islands.root(i)].rests;
+    for (std::size_t k = 0; k < rows_.size(); ++k) {
+      GrainContact<dim>& c = contacts.all()[contacts.order()[k]];
+      if (rests[c.a] != 0) c.P = Row::global(c, P_[k]);
+    }
     return outcome;
   }
 
-  /// Whether sweeps that start without impulses find a motion faster than `slow`. Changes nothing.
-  bool moves(const Grains<dim>& grains, const GrainContacts<dim>& contacts, double tolerance, int most, double slow,
-             ThreadTeam& team) {
+  /// Whether sweeps that start without impulses find a motion in which a grain that rests gets more momentum than a
+  /// thousand times what the tolerance allows defects of impulses. Changes nothing.
+  bool moves(const Grains<dim>& grains, const GrainContacts<dim>& contacts, double tolerance, int most,
+             ThreadTeam& team, const std::vector<std::uint8_t>& rests) {
     load(grains, contacts, false);
-    return iterate<GrainLaw::coulomb>(contacts, tolerance, most, team).converged && fastest() > slow;
+    if (!iterate<GrainLaw::coulomb>(grains, contacts, tolerance, most, team).converged) return false;
+    double largest2 = 0;
+    for (const Local& P : P_) largest2 = std::max(largest2, P.squaredNorm());
+    for (std::size_t i = 0; i < grains.count(); ++i) {
+      if (rests[i] != 0 && momentum2(grains, i) > 1e6 * tolerance * tolerance * largest2) return true;
+    }
+    return false;
   }
 
  private:
@@ -71,8 +98,7 @@ class GrainSolver {
 
   void load(const Grains<dim>& grains, const GrainContacts<dim>& contacts, bool warm) {
     const std::size_t count = grains.count();
-    v_.assign(stride * count, 0.0);
-    for (std::size_t i = 0; i < count; ++i) Row::put(&v_[stride * i], grains.v[i], grains.radius[i] * grains.w[i]);
+    v_.resize(stride * count);
     rows_.resize(contacts.order().size());
     P_.resize(rows_.size());
     change_.resize(rows_.size());
@@ -80,18 +106,66 @@ class GrainSolver {
       const GrainContact<dim>& c = contacts.all()[contacts.order()[k]];
       rows_[k] = Row(grains, c);
       P_[k] = warm ? rows_[k].start(Row::local(c, c.P)) : Local(Local::Zero());
-      rows_[k].apply(v_.data(), P_[k]);
     }
     along_.assign(rows_.size(), Local::Zero());
     v_along_.assign(v_.size(), 0.0);
+    move(grains);
+  }
+
+  // v = v_free + M^-1 J^T P anew: sweeps add up rounding.
+  void move(const Grains<dim>& grains) noexcept {
+    for (std::size_t i = 0; i < grains.count(); ++i) {
+      Row::put(&v_[stride * i], grains.v[i], grains.radius[i] * grains.w[i]);
+    }
+    for (std::size_t k = 0; k < rows_.size(); ++k) rows_[k].apply(v_.data(), P_[k]);
     v_before_ = v_;
   }
 
-  // |v| or R |ω|, whichever is most.
-  [[nodiscard]] double fastest() const noexcept {
-    double most = 0;
-    for (std::size_t i = 0; i < v_.size(); i += stride) most = std::max(most, Row::speed(&v_[i]));
-    return most;
+  // What tells whether an island rests: its largest momentum and impulse (squared), the power of the load on the
+  // motion found, and the sum of what that motion lacks of w_N >= f |w_T|.
+  struct Verdict {
+    double momentum2 = 0, impulse2 = 0, power = 0, missing = 0;
+    bool rests = false;
+  };
+
+  // The larger of |m v|² and |J ω/R|².
+  [[nodiscard]] double momentum2(const Grains<dim>& grains, std::size_t i) const noexcept {
+    Vector v;
+    typename Grains<dim>::Spin w;
+    Row::take(&v_[stride * i], grains.radius[i], v, w);
+    const double m = 1 / grains.inverse_mass[i], turning = 1 / (grains.inverse_inertia[i] * grains.radius[i]);
+    return std::max(m * m * v.squaredNorm(), turning * turning * w.squaredNorm());
+  }
+
+  // Whether all is decided.
+  [[nodiscard]] bool judge(const Grains<dim>& grains, double tolerance, GrainGroups& islands,
+                           const std::vector<std::uint8_t>& stands) {
+    verdicts_.assign(grains.count(), Verdict());
+    for (std::uint32_t i = 0; i < grains.count(); ++i) {
+      if (stands[i] == 0) continue;
+      Verdict& island = verdicts_[islands.root(i)];
+      Vector v;
+      typename Grains<dim>::Spin w;
+      Row::take(&v_[stride * i], grains.radius[i], v, w);
+      island.momentum2 = std::max(island.momentum2, momentum2(grains, i));
+      island.power += v.dot(grains.v[i]) / grains.inverse_mass[i] + w.dot(grains.w[i]) / grains.inverse_inertia[i];
+    }
+    for (std::size_t k = 0; k < rows_.size(); ++k) {
+      if (stands[rows_[k].a] == 0) continue;
+      Verdict& island = verdicts_[islands.root(rows_[k].a)];
+      const Local u = rows_[k].velocity(v_.data());
+      island.impulse2 = std::max(island.impulse2, P_[k].squaredNorm());
+      island.missing += std::max(rows_[k].friction * rows_[k].tangent_part(u) - rows_[k].normal_part(u), 0.0);
+    }
+    bool decided = true;
+    for (std::uint32_t i = 0; i < grains.count(); ++i) {
+      if (stands[i] == 0 || islands.root(i) != i) continue;
+      Verdict& island = verdicts_[i];
+      island.rests = island.momentum2 <= tolerance * tolerance * island.impulse2;
+      const bool moves = island.power > 10 * std::sqrt(island.impulse2) * island.missing;
+      decided = decided && (island.rests || moves);
+    }
+    return decided;
   }
 
   void store(Grains<dim>& grains, GrainContacts<dim>& contacts) const {
@@ -104,24 +178,23 @@ class GrainSolver {
   }
 
   template <GrainLaw law>
-  Outcome iterate(const GrainContacts<dim>& contacts, double tolerance, int most, ThreadTeam& team) {
+  Outcome iterate(const Grains<dim>& grains, const GrainContacts<dim>& contacts, double tolerance, int most,
+                  ThreadTeam& team) {
     Outcome outcome;
-    double largest = 0, last = 0;
-    outcome.residual = residual<law>(largest, team);
-    while (!(outcome.converged = outcome.residual <= tolerance) && outcome.sweeps < most) {
-      for (;;) {
+    for (outcome.residual = residual<law>(team);; outcome.residual = residual<law>(team)) {
+      outcome.converged = outcome.residual <= tolerance;
+      if (outcome.converged || !std::isfinite(outcome.residual) || outcome.sweeps >= most) return outcome;
+      for (double last = 0;;) {
         sweep<law>(contacts, team);
         const Size size = size_of_change(team);
         ++outcome.sweeps;
-        if (size.most <= tolerance * tolerance * largest || outcome.sweeps == most) break;
+        if (!(size.most > tolerance * tolerance * size.largest) || outcome.sweeps >= most) break;
         const double beta = last > 0 ? size.sum / last : 0.0;
         last = beta > 1 ? 0.0 : size.sum;
         go_on(beta > 1 ? 0.0 : beta, team);
       }
-      outcome.residual = residual<law>(largest, team);
-      last = 0;
+      move(grains);
     }
-    return outcome;
   }
 
   template <GrainLaw law>
@@ -179,50 +252,56 @@ class GrainSolver {
   }
 
   struct Size {
-    double sum = 0, most = 0;  // of squares
+    double sum = 0, most = 0, largest = 0;  // of squares: changes or defects, and the largest impulse
   };
-  [[nodiscard]] Size size_of_change(ThreadTeam& team) {
-    parts_.resize((rows_.size() + piece - 1) / piece);
-    in_pieces(rows_.size(), team, [&](std::size_t p, std::size_t first, std::size_t count) {
-      const auto change = part(change_, first, count);
-      const double most = change.matrix().template lpNorm<Eigen::Infinity>();
-      parts_[p] = {change.matrix().squaredNorm(), most * most};
-    });
+  [[nodiscard]] Size collected() const noexcept {
     Size size;
     for (const Size& each : parts_) {
       size.sum += each.sum;
       if (!(each.most <= size.most)) size.most = each.most;  // what is no number too
+      size.largest = std::max(size.largest, each.largest);
     }
     return size;
   }
 
-  // Here most is that of the defects, sum the largest impulse.
+  [[nodiscard]] Size size_of_change(ThreadTeam& team) {
+    parts_.resize((rows_.size() + piece - 1) / piece);
+    in_pieces(rows_.size(), team, [&](std::size_t p, std::size_t first, std::size_t count) {
+      Size size;
+      for (std::size_t i = first; i < first + count; ++i) {
+        const double change = change_[i].squaredNorm();
+        size.sum += change;
+        if (!(change <= size.most)) size.most = change;
+        size.largest = std::max(size.largest, P_[i].squaredNorm());
+      }
+      parts_[p] = size;
+    });
+    return collected();
+  }
+
+  // The largest defect over the largest impulse.
   template <GrainLaw law>
-  [[nodiscard]] double residual(double& largest, ThreadTeam& team) {
+  [[nodiscard]] double residual(ThreadTeam& team) {
     parts_.resize((rows_.size() + piece - 1) / piece);
     in_pieces(rows_.size(), team, [&](std::size_t p, std::size_t first, std::size_t count) {
       Size size;
       for (std::size_t i = first; i < first + count; ++i) {
         const double defect = (rows_[i].template solved<law>(v_.data(), P_[i]) - P_[i]).squaredNorm();
         if (!(defect <= size.most)) size.most = defect;
-        size.sum = std::max(size.sum, P_[i].squaredNorm());
+        size.largest = std::max(size.largest, P_[i].squaredNorm());
       }
       parts_[p] = size;
     });
-    double defect = 0;
-    largest = 0;
-    for (const Size& each : parts_) {
-      if (!(each.most <= defect)) defect = each.most;
-      largest = std::max(largest, each.sum);
-    }
-    if (!std::isfinite(defect)) return defect;
-    return largest > 0 ? std::sqrt(defect / largest) : defect > 0 ? 1.0 : 0.0;
+    const Size size = collected();
+    if (!std::isfinite(size.most)) return size.most;
+    return size.largest > 0 ? std::sqrt(size.most / size.largest) : size.most > 0 ? 1.0 : 0.0;
   }
 
   std::vector<Row> rows_;
   std::vector<Local> P_, change_, along_;
   std::vector<double> v_, v_before_, v_along_;
   std::vector<Size> parts_;
+  std::vector<Verdict> verdicts_;
 };
 
 }  // namespace torsor::runtime

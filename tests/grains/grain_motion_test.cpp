@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <cstdlib>
@@ -145,6 +146,64 @@ TEST(GrainMotion, LetsAHeapSleepAndWakesIt) {
   }
 }
 
+// What is written to while it sleeps wakes, and so does all that it bore: here the top of a heap falls when the discs
+// below are taken away, by their places, by a velocity that takes them out of reach, or by their size.
+TEST(GrainMotion, WakesAHeapWhoseGrainsAreMovedByHand) {
+  for (const int how : {0, 1, 2}) {
+    Grains<2> grains = pile(2, 0.5);
+    GrainMotion<2> motion(grains, {.tolerance = 1e-12, .sweeps = 100000});
+    for (int k = 0; k < 40; ++k) (void)motion.step(0.01);
+    ASSERT_EQ(motion.step(0.01).asleep, 3U);
+    for (const std::size_t lower : {0U, 1U}) {
+      if (how == 0) grains.x[lower](0) += lower == 0 ? -30 : 30;
+      if (how == 1) grains.v[lower] = {lower == 0 ? -1000 : 1000, 0};
+      if (how == 2) grains.radius[lower] = 0.4;
+    }
+    EXPECT_EQ(motion.step(0.01).asleep, 0U) << how;
+    for (int k = 0; k < 10; ++k) (void)motion.step(0.01);
+    EXPECT_LT(grains.v[2](1), -0.01) << how;
+  }
+}
+
+// A ball on a slope of 2e-5 rolls off, slow as it is: 2/3 of the slope times g.
+TEST(GrainMotion, LetsNothingSleepThatGainsSpeed) {
+  Grains<2> grains;
+  constexpr double slope = 2e-5, h = 1e-3;
+  grains.walls.push_back({.normal = {std::sin(slope), std::cos(slope)}});
+  grains.add(0.01 * grains.walls[0].normal, 0.01, 1);
+  GrainMotion<2> motion(grains);
+  for (int k = 0; k < 1000; ++k) (void)motion.step(h);
+  const double expected = 2.0 / 3 * slope * 9.81 * 1000 * h;
+  // Residuals of 1e-6 of m h g in each of 1000 steps.
+  EXPECT_NEAR(grains.v[0](0), expected, 1e-6 * 9.81 * 1000 * h);
+}
+
+// The impulses account for the velocities, however coarse the sweeps: momentum is exact.
+TEST(GrainSolver, GivesEachGrainTheMomentumOfItsImpulses) {
+  for (const double tolerance : {0.3, 0.1, 1e-3}) {
+    Grains<2> grains = box_of_discs(200, 10);
+    grains.gravity = {0, -100};
+    GrainMotion<2> motion(grains, {.tolerance = tolerance, .sweeps = 500, .rest = 0});
+    constexpr double h = 1e-3;
+    for (int k = 0; k < 60; ++k) {
+      std::vector<Eigen::Vector2d> change;
+      for (const auto& v : grains.v) change.push_back(-v - h * grains.gravity);
+      const GrainStep step = motion.step(h);
+      double largest = 0;
+      for (const auto& c : motion.contacts().all()) {
+        largest = std::max(largest, c.P.norm());
+        change[c.a] -= grains.inverse_mass[c.a] * c.P;
+        if (c.b < grains.count()) change[c.b] += grains.inverse_mass[c.b] * c.P;
+      }
+      // Rounding: m = 0.3 kg.
+      for (std::size_t i = 0; i < grains.count(); ++i) {
+        ASSERT_NEAR((change[i] + grains.v[i]).norm(), 0, 1e-13 * (1 + largest / 0.19))
+            << "grain " << i << ", step " << k << ", tolerance " << tolerance << ", sweeps " << step.sweeps;
+      }
+    }
+  }
+}
+
 // The grid finds the pairs that trying all finds.
 TEST(NeighbourGrid, FindsEveryPairOnce) {
   const Grains<2> grains = box_of_discs(300, 10);
@@ -193,6 +252,41 @@ TEST(Spheres, KeepMomentumInTheirCollisions) {
   // Linear momentum to rounding; the impulses act at points an overlap of 2 v h apart.
   for (int i = 0; i < 3; ++i) EXPECT_NEAR(momentum()(i), before(i), 1e-14);
   for (int i = 3; i < 6; ++i) EXPECT_NEAR(momentum()(i), before(i), 4 * 2e-3);
+}
+
+// A ball that loses nothing leaves the floor as fast as it came, less what gravity does within a step.
+TEST(Spheres, BounceAsFastAsTheyCame) {
+  Grains<3> grains;
+  grains.walls.push_back({.restitution = 1});
+  constexpr double h = 1e-3, R = 0.1;
+  grains.add({0, 0, R + 0.5}, R, 1);
+  GrainMotion<3> motion(grains);
+  double fastest_up = 0;
+  for (int k = 0; k < 500; ++k) {
+    (void)motion.step(h);
+    fastest_up = std::max(fastest_up, grains.v[0](2));
+  }
+  EXPECT_NEAR(fastest_up, std::sqrt(2 * 9.81 * 0.5), 2 * 9.81 * h);
+}
+
+// Beside contacts that restitution keeps open a sphere rests in a groove as it must: N = m g/(2 cos 45 deg).
+TEST(Spheres, RestInAGrooveBesideOpenContacts) {
+  Grains<3> grains;
+  grains.friction = grains.restitution = 0.5;
+  const double half = std::sqrt(0.5), R = 0.1, gap = 5e-11;
+  for (const double side : {-1.0, 1.0}) {
+    grains.walls.push_back({.normal = {side * half * 0.6, side * half * 0.8, half}, .restitution = 0.5});
+  }
+  grains.add({0, 0, (R + gap) / half}, R, 1);
+  GrainMotion<3> motion(grains, {.tolerance = 1e-10});
+  for (int k = 0; k < 3; ++k) {
+    ASSERT_EQ(motion.step(1e-3).status, GrainStatus::ok);
+    EXPECT_TRUE(grains.v[0].isZero(0));
+    for (const auto& c : motion.contacts().all()) EXPECT_TRUE(c.P.allFinite());
+  }
+  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+  for (const auto& c : motion.contacts().all()) sum += c.P;
+  EXPECT_NEAR((sum - Eigen::Vector3d(0, 0, 9.81e-3)).norm(), 0, 1e-11);
 }
 
 }  // namespace
