@@ -23,7 +23,7 @@ constexpr double cost_of_term = 0.12, cost_of_second_pass = 0.25;
 /// constraints) or cost more than the forward dynamics.
 std::optional<SeriesResult> by_inverse_dynamics(const Equations& equations, const std::vector<SymbolPointer>& state,
                                                 const std::vector<Value>& rates, int convolutions) {
-  if (!equations.constraints().empty()) return std::nullopt;
+  if (!equations.constraints().empty() || equations.differentiates_squares()) return std::nullopt;
   Program& program = equations.program();
   const ForwardSolution& solution = equations.forward();
   const std::size_t n = solution.accelerations.size();

@@ -5,10 +5,12 @@
 #include <gtest/gtest.h>
 
 #include "generator/base/error.hpp"
+#include "generator/dynamics/derivatives/forward_derivatives.hpp"
 #include "generator/dynamics/equations/equations.hpp"
 #include "generator/dynamics/equations/forward_choice.hpp"
 #include "generator/program/evaluation.hpp"
 #include "generator/verification/random_state.hpp"
+#include "tests/dynamics/central_differences.hpp"
 #include "tests/dynamics/random_mechanism.hpp"
 
 namespace torsor::factored_bodies_test {
@@ -61,7 +63,7 @@ TEST(FactoredBodies, GiveTheAccelerationsOfTheFactorisedMassMatrix) {
 }
 
 // Several bodies on a link, masses at run time, a link without matter, absolute angles, a slider, wrenches, a branch.
-TEST(FactoredBodies, KnowAbsoluteAnglesSeveralBodiesAndLinksWithoutMatter) {
+Scene tree() {
   Scene s("tree");
   const Expression a = s.coordinate("a", "rad"), b = s.coordinate("b", "rad"), c = s.coordinate("c", "rad");
   const Expression x = s.coordinate("x", "m"), d = s.coordinate("d", "rad");
@@ -87,10 +89,14 @@ TEST(FactoredBodies, KnowAbsoluteAnglesSeveralBodiesAndLinksWithoutMatter) {
                       .stiffness = quantity("40", "N/m"),
                       .rest = quantity("0.2", "m")});
   s.motor("u", c);
-  for (std::uint64_t seed = 1; seed <= 10; ++seed) EXPECT_LT(difference(s, seed), rounding) << seed;
+  return s;
 }
 
-TEST(FactoredBodies, CarryAFreeBodyWithAnArm) {
+TEST(FactoredBodies, KnowAbsoluteAnglesSeveralBodiesAndLinksWithoutMatter) {
+  for (std::uint64_t seed = 1; seed <= 10; ++seed) EXPECT_LT(difference(tree(), seed), rounding) << seed;
+}
+
+Scene satellite() {
   Scene s("satellite");
   std::vector<Expression> place;
   for (const char* name : {"x", "y", "z"}) place.push_back(s.coordinate(name, "m"));
@@ -105,7 +111,30 @@ TEST(FactoredBodies, CarryAFreeBodyWithAnArm) {
   const FrameHandle arm = s.revolute("arm", frame, axis::x, s.coordinate("q", "rad"), {.origin = {quantity("0.4", "m"), 0, 0}});
   s.body("arm", arm, block("0.8"));
   s.gravity({0, 0, quantity("-9.81", "m/s^2")});
-  for (std::uint64_t seed = 1; seed <= 5; ++seed) EXPECT_LT(difference(s, seed), rounding) << seed;
+  return s;
+}
+
+TEST(FactoredBodies, CarryAFreeBodyWithAnArm) {
+  for (std::uint64_t seed = 1; seed <= 5; ++seed) EXPECT_LT(difference(satellite(), seed), rounding) << seed;
+}
+
+// Definition by definition against the equations, differentiated and solved.
+TEST(FactoredBodies, HaveTheDerivativesOfTheFactorisedMassMatrix) {
+  const WorkingDigits precision(60);
+  for (const Scene& scene : {tree(), satellite(), random_mechanism(302, {.motors = true, .constraints = false})}) {
+    const Equations squares(scene, by(ForwardMethod::sums_of_squares)), factored(scene, by(ForwardMethod::factorisation));
+    const ForwardDerivatives one = forward_derivatives(squares), other = forward_derivatives(factored);
+    EXPECT_EQ(one.method, "differentiating articulated bodies as sums of squares");
+    const RandomState state(scene, 3);
+    Evaluator<Real> first(squares.program(), state.in_real()), second(factored.program(), state.in_real());
+    using Of = ForwardDerivatives::Of;
+    for (const auto matrix : {&Of::by_position, &Of::by_velocity, &Of::by_force, &Of::by_input}) {
+      EXPECT_LT(largest_difference(first(flattened(one.accelerations.*matrix)),
+                                   second(flattened(other.accelerations.*matrix))),
+                rounding * 1e5)  // the condition once more
+          << scene.name();
+    }
+  }
 }
 
 void expect_refused(const Scene& scene) {

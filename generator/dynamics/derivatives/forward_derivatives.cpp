@@ -2,7 +2,10 @@
 #include "generator/dynamics/derivatives/forward_derivatives.hpp"
 
 #include <algorithm>
+#include <memory>
 #include <optional>
+
+#include <fmt/format.h>
 
 #include "generator/dynamics/derivatives/articulated_derivatives.hpp"
 #include "generator/dynamics/derivatives/linearisation.hpp"
@@ -161,6 +164,45 @@ ForwardDerivatives solved_derivatives(const Equations& equations) {
   return by_residual;
 }
 
+/// Of the motion by sums of squares, definition by definition: nothing of it is a difference of large inertias, and so no
+/// derivative of it divides by one. By an added force, the accelerations are linear in it.
+ForwardDerivatives differentiated_squares(const Equations& equations) {
+  Program& program = equations.program();
+  const Model& model = equations.model();
+  const auto n = static_cast<std::size_t>(model.unknown_count());
+  const ForwardSolution motion = equations.forward();
+  ForwardDerivatives result;
+  result.method = "differentiating articulated bodies as sums of squares";
+  result.pivots = motion.pivots;
+  ForwardDerivatives::Of& of = result.accelerations;
+  of.by_position.assign(n, std::vector<Value>(n));
+  of.by_velocity = of.by_force = of.by_position;
+  const std::vector<SymbolPointer> inputs = model.inputs();
+  of.by_input.assign(n, std::vector<Value>(inputs.size()));
+  const auto fill = [](ValueMatrix& matrix, std::size_t column, const std::vector<Value>& values, Derivation by) {
+    for (std::size_t i = 0; i < values.size(); ++i) matrix[i][column] = by(values[i]);
+  };
+  std::vector<SymbolPointer> added;
+  std::vector<Value> forces;
+  for (std::size_t j = 0; j < n; ++j) {
+    const CoordinateContent& coordinate = model.coordinates()[j];
+    fill(of.by_position, j, motion.accelerations, model.along(static_cast<int>(j)));
+    fill(of.by_velocity, j, motion.accelerations, partial_derivation(program, coordinate.v));
+    Symbol force;
+    force.name = fmt::format("force {}", j);
+    force.unit = units::watt / coordinate.v->unit;
+    force.index = static_cast<int>(j);
+    added.push_back(std::make_shared<const Symbol>(force));
+    forces.push_back(program.symbol(added.back()));
+  }
+  for (std::size_t k = 0; k < inputs.size(); ++k) {
+    fill(of.by_input, k, motion.accelerations, partial_derivation(program, inputs[k]));
+  }
+  const std::vector<Value> pushed = equations.accelerations_by_squares(forces);
+  for (std::size_t j = 0; j < n; ++j) fill(of.by_force, j, pushed, partial_derivation(program, added[j]));
+  return result;
+}
+
 }  // namespace
 
 ForwardDerivatives forward_derivatives_by_factorisation(const Equations& equations) {
@@ -169,6 +211,7 @@ ForwardDerivatives forward_derivatives_by_factorisation(const Equations& equatio
 
 ForwardDerivatives forward_derivatives(const Equations& equations) {
   const ForwardMethod method = equations.model().options().forward;
+  if (equations.differentiates_squares()) return differentiated_squares(equations);
   std::optional<ForwardDerivatives> articulated;
   if (method != ForwardMethod::factorisation && fits_articulated_derivatives(equations)) {
     articulated = articulated_derivatives(equations);

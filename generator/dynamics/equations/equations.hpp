@@ -45,6 +45,11 @@ class Equations {
   /// Unknowns only: by the method that the options ask for, or the cheapest, unless that loses digits where a light link
   /// carries a heavy one (forward_choice.hpp). Throws SceneError that names the massless coordinates when there are any.
   const ForwardSolution& forward() const;
+  /// Whether what is differentiated or expanded further shall be `forward` by sums of squares too: with L D Lᵀ of M the
+  /// digits would be lost there. Of more than four unknowns that takes ten times the operations, and must be asked for.
+  bool differentiates_squares() const;
+  /// The accelerations by sums of squares with these generalised forces beside those of `forward`, unknowns only.
+  std::vector<Value> accelerations_by_squares(const std::vector<Value>& added) const;
   /// L D Lᵀ of the mass matrix or the articulated-body recursion, whichever has fewer operations; of eight and more
   /// unknowns within 5 % the recursion, which is more accurate.
   ForwardSolution cheapest_forward() const;

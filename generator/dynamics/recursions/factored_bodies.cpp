@@ -65,7 +65,7 @@ class FactoredRecursion {
         done_(tree.links().size()) {}
 
   ForwardSolution run() {
-    solution_.method = "articulated bodies as sums of squares";
+    solution_.method = name_of_squares;
     for (std::size_t k = links_.size(); k-- > 1;) hand_over(k);
     accelerate();
     return std::move(solution_);

@@ -10,6 +10,9 @@
 
 namespace torsor {
 
+/// The method of a solution by `factored_forward`, in words.
+inline constexpr const char* name_of_squares = "articulated bodies as sums of squares";
+
 /// Accelerations by articulated bodies (Featherstone, Rigid Body Dynamics Algorithms, 2008, §7.3) whose inertias are
 /// sums of squares: a body answers a motion X = {Ω, V} of its origin by Σ_r d_r c_r c_rᵀ X, with weights d_r > 0. A link
 /// adds those of its matter (velocities of centres of mass, principal rotations) to those that it carries, and nothing is
