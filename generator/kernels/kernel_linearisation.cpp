@@ -2,9 +2,11 @@
 #include "generator/kernels/kernel_linearisation.hpp"
 
 #include <algorithm>
+#include <tuple>
 
 #include <fmt/format.h>
 
+#include "generator/dynamics/derivatives/forward_derivatives.hpp"
 #include "generator/dynamics/derivatives/reduction.hpp"
 #include "generator/kernels/kernel_kinematics.hpp"
 #include "generator/kernels/kernel_parts.hpp"
@@ -75,6 +77,25 @@ std::pair<ValueMatrix, ValueMatrix> state_matrices(const Solver& mass, const Val
   return {a, b};
 }
 
+/// M⁻¹ where L D Lᵀ of M loses digits.
+class InverseBySquares {
+ public:
+  InverseBySquares(Program& program, const ForwardDerivatives& motion) : program_(program), motion_(motion) {}
+  std::vector<Value> solve(const std::vector<Value>& force) const {
+    std::vector<Value> all;
+    for (const auto& row : motion_.accelerations.by_force) {
+      Value sum;
+      for (std::size_t j = 0; j < force.size(); ++j) sum += row[j] * force[j];
+      all.push_back(program_.bind(sum));
+    }
+    return all;
+  }
+
+ private:
+  Program& program_;
+  const ForwardDerivatives& motion_;
+};
+
 std::string names(const Model& model, const std::vector<std::size_t>& freedoms) {
   std::string text;
   for (const std::size_t i : freedoms) text += (text.empty() ? "" : ", ") + model.coordinates()[i].q->name;
@@ -98,7 +119,6 @@ Kernel unconstrained(const Equations& equations) {
   Structure structure{"Linearisation", "Matrices of the linearised equations, stored column by column.", {}};
   assign_equations(kernel, structure, "", "", linear.M, linear.C, linear.K, linear.F, linear.E);
   Program& program = equations.program();
-  const Factorisation factorisation(program, linear.M);
   ValueMatrix e_rates_e(n, std::vector<Value>(n));
   ValueMatrix e_rates_w = e_rates_e;
   for (std::size_t j = 0; j < n; ++j) e_rates_w[j][j] = program.number(Number(1));
@@ -106,10 +126,26 @@ Kernel unconstrained(const Equations& equations) {
     const std::vector<Value> turned = turned_row(model, i, e_rates_w);
     for (std::size_t j = 0; j < n; ++j) e_rates_e[i][j] = -turned[j];
   }
-  const auto [a, b] = state_matrices(factorisation, e_rates_e, e_rates_w, linear.C, linear.K, linear.E);
+  const auto state = [&](const auto& mass) {
+    return state_matrices(mass, e_rates_e, e_rates_w, linear.C, linear.K, linear.E);
+  };
+  ValueMatrix a, b;
+  if (equations.differentiates_squares()) {
+    // −M⁻¹ C and M⁻¹ E are what the accelerations change by, whatever these are.
+    const ForwardDerivatives motion = forward_derivatives(equations);
+    std::tie(a, b) = state(InverseBySquares(program, motion));
+    for (std::size_t i = 0; i < n; ++i) {
+      std::copy_n(motion.accelerations.by_velocity[i].begin(), n, a[n + i].begin() + static_cast<std::ptrdiff_t>(n));
+      b[n + i] = motion.accelerations.by_input[i];
+    }
+    kernel.pivots = motion.pivots;
+  } else {
+    const Factorisation factorisation(program, linear.M);
+    std::tie(a, b) = state(factorisation);
+    kernel.pivots = factorisation.pivots();
+  }
   assign_state_matrices(kernel, structure, a, b,
                         turning ? "x = (e, w): x' = A x + B du" : "x = (e, e'): x' = A x + B du");
-  kernel.pivots = factorisation.pivots();
   kernel.structures = {structure};
   return kernel;
 }

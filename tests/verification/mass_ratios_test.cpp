@@ -139,6 +139,14 @@ TEST(MassRatios, OfLongerChainsCostTheRootOfTheRatioAtMostBySumsOfSquares) {
   }
 }
 
+// State matrices, about any accelerations: solved with M they lose 1e4 to 1e6 times the bar.
+TEST(MassRatios, OfThreeLinksCostTheRootOfTheRatioAtMostInLinearisations) {
+  const double allowed = accuracy_bar + 0.5 * std::sqrt(1e6);
+  for (const Chain& chain : formulations({{-6, -6, 0}})) {
+    EXPECT_LE(worst_of(scene_of(chain), ForwardMethod::cheapest, 16, "linearisation"), allowed) << name_of(chain);
+  }
+}
+
 // What is chosen is the most accurate where that matters, and the cheapest where it does not.
 TEST(MassRatios, DecideWhichMethodIsTaken) {
   const auto method_of = [](const Chain& chain) { return Equations(scene_of(chain)).forward().method; };
