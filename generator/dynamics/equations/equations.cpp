@@ -205,7 +205,8 @@ const ForwardSolution& Equations::forward() const {
 
 bool Equations::differentiates_squares() const {
   const bool asked = model_.options().forward == ForwardMethod::sums_of_squares;
-  return (asked || model_.unknown_count() <= most_differentiated) && forward().method == name_of_squares;
+  const bool may = model_.unknown_count() <= most_differentiated && light_may_carry_heavy(model_);
+  return (asked || may) && forward().method == name_of_squares;
 }
 
 std::vector<Value> Equations::accelerations_by_squares(const std::vector<Value>& added) const {
