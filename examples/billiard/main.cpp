@@ -26,7 +26,7 @@ struct End { double time = 0, x = 0, y = 0, vx = 0, vy = 0; };
 template <class S>
 End end_of_sliding(const S& system, typename S::State y, int contact, std::size_t q, std::size_t v, double until) {
   End end;
-  integrate_contacts(system, y, 0, until, precise, {}, [&](const ContactEvent<ContactMotion<S>>& event) {
+  integrate_contacts(system, y, 0, until, precise, {}, [&](const ContactEvent& event) {
     if (event.kind != ContactEventKind::slip_ends || event.contact != contact) return true;
     end = {event.time, event.state[q], event.state[q + 1], event.state[v], event.state[v + 1]};
     return false;

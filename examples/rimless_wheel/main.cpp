@@ -30,7 +30,7 @@ Walk walk(double slope, double rate, double end) {
   Wheel::State y = wheel.initial();
   for (std::size_t i = Wheel::nq; i < y.size(); ++i) y[i] *= rate;  // the scene's is 1 rad/s
   Walk walk;
-  walk.result = integrate_contacts(wheel, y, 0, end, precise, {}, [&](const ContactEvent<ContactMotion<Wheel>>& event) {
+  walk.result = integrate_contacts(wheel, y, 0, end, precise, {}, [&](const ContactEvent& event) {
     if (event.kind == ContactEventKind::impact) walk.rates.push_back(event.state[5]);
     return true;
   });

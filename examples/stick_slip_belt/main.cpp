@@ -30,7 +30,7 @@ Round round_of(const Block& block, double v0) {
   Round round;
   double slipped = 0, stuck = 0;
   int rounds = 0;
-  const auto result = integrate_contacts(block, y, 0, 100, precise, {}, [&](const ContactEvent<ContactMotion<Block>>& event) {
+  const auto result = integrate_contacts(block, y, 0, 100, precise, {}, [&](const ContactEvent& event) {
     if (event.kind == ContactEventKind::slips) {
       round.slips_at = event.state[0];
       round.sticking = event.time - stuck;

@@ -26,7 +26,7 @@ struct Blow {
   Blow(const S& system, std::size_t ball) {
     typename S::State y = system.initial();
     y[ball] -= 1e-9;
-    integrate_contacts(system, y, 0, 1e-3, DormandPrince853{}, {}, [&](const ContactEvent<ContactMotion<S>>& event) {
+    integrate_contacts(system, y, 0, 1e-3, DormandPrince853{}, {}, [&](const ContactEvent& event) {
       impulse = event.impulses(0);
       energy_lost = event.energy_lost;
       for (std::size_t i = 0; i < S::nv; ++i) change[i] = event.state[S::nq + i] - event.before[S::nq + i];

@@ -30,31 +30,35 @@ const char* word_of(ContactEventKind kind) {
   return "";
 }
 
-/// Moves a scene whose numbers of freedoms, contacts and constraints fit into those of `System`.
-template <class System>
+/// Moves a scene, whose state has room for more in an array of fixed size: what is more stays zero.
 class ContactSimulation {
  public:
-  ContactSimulation(EvaluatedContacts& contacts, const SimulationOptions& options, Simulation& result)
-      : contacts_(contacts), options_(options), result_(result), system_(contacts) {}
+  static constexpr std::size_t most_numbers = 128;
+  static constexpr auto most_contacts = static_cast<std::size_t>(runtime::most_contacts);
+  using State = std::array<double, most_numbers>;
 
-  void run(std::vector<double> start) {
-    typename System::State y{};
-    contacts_.copy(start, y, System::nq);
+  ContactSimulation(EvaluatedContacts& contacts, const SimulationOptions& options, Simulation& result)
+      : contacts_(contacts), options_(options), result_(result), mechanism_(contacts) {}
+
+  void run(const std::vector<double>& start) {
+    State y{};
+    std::copy(start.begin(), start.end(), y.begin());
     // Components that are there for room make the norm of the error smaller.
     const double share = std::sqrt(static_cast<double>(start.size()) / static_cast<double>(y.size()));
     const double tolerance = std::max(options_.tolerance * share, 1e-15);
     const runtime::DormandPrince853 method{.relative_tolerance = tolerance, .absolute_tolerance = tolerance};
     Watch watch{*this};
-    const runtime::ContactOptions usual;
-    runtime::ContactRun<System, runtime::DormandPrince853, Watch> motion(system_, y, method, usual, watch);
-    if (motion.start(0.0)) write(motion, 0.0, y);
+    runtime::ContactRun<most_numbers, most_contacts, runtime::DormandPrince853, Watch> motion(mechanism_, y, method, {},
+                                                                                            watch);
+    if (motion.start(0.0)) write(motion.motion(), 0.0, y, start.size());
     const auto last = static_cast<long>(std::ceil(options_.duration / options_.step * (1 - 1e-12)));
     for (long k = 1; k <= last && motion.result(); ++k) {
       const double t = k == last ? options_.duration : static_cast<double>(k) * options_.step;
-      if (motion.advance(t)) write(motion, t, y);
+      if (motion.advance(t)) write(motion.motion(), t, y, start.size());
       if (options_.progress) options_.progress(t / options_.duration);
     }
     const runtime::ContactResult& end = motion.result();
+    result_.steps = static_cast<decltype(result_.steps)>(end.integration.statistics.accepted);
     result_.remarks.push_back(fmt::format("worst certificate of the contact solves {:.1g}", end.worst_residual));
     if (!end) {
       result_.status = fmt::format("{}{} at t = {:.9g} s", describe(end.status), of_contact(end), end.time);
@@ -71,14 +75,9 @@ class ContactSimulation {
   }
 
  private:
-  using Motion = runtime::ContactMotion<System>;
   struct Watch {
     ContactSimulation& simulation;
-    bool operator()(double, const typename System::State&) const {
-      ++simulation.result_.steps;
-      return true;
-    }
-    bool operator()(const runtime::ContactEvent<Motion>& event) const {
+    bool operator()(const runtime::ContactEvent& event) const {
       simulation.tell(event);
       return true;
     }
@@ -86,12 +85,14 @@ class ContactSimulation {
 
   std::string of_contact(const runtime::ContactResult& end) const {
     std::string text;
-    if (end.status == ContactStatus::integration_failed) text = fmt::format(": {}", describe(end.integration.status));
+    if (end.status == ContactStatus::integration_failed) {
+      text = fmt::format(": {}, {}", describe(end.integration_event), describe(end.integration.status));
+    }
     if (end.contact < 0 || end.contact >= contacts_.count()) return text;
     return fmt::format("{}; contact '{}'", text, contacts_.name(end.contact));
   }
 
-  void tell(const runtime::ContactEvent<Motion>& event) {
+  void tell(const runtime::ContactEvent& event) {
     std::string text = fmt::format("{} {} at t = {:.15g} s", word_of(event.kind), contacts_.name(event.contact), event.time);
     if (event.energy_lost != 0) text += fmt::format(", energy lost {:.6g} J", event.energy_lost);
     std::vector<std::string> regimes;
@@ -103,20 +104,18 @@ class ContactSimulation {
     result_.events.push_back(std::move(text));
   }
 
-  template <class Run>
-  void write(Run& motion, double t, const typename System::State& y) {
-    const std::vector<double> state = contacts_.of(y, System::nq);
+  void write(runtime::ContactMotion& motion, double t, const State& y, std::size_t size) {
+    const std::vector<double> state(y.begin(), y.begin() + static_cast<std::ptrdiff_t>(size));
     std::vector<double> row{t};
     row.insert(row.end(), state.begin(), state.end());
     const std::vector<double> observed = contacts_.motion().observe(t, state);
     row.insert(row.end(), observed.begin(), observed.end());
-    const bool solved = motion.motion().solve(t, y) == runtime::Evaluation::ok;
-    int first = 0;
-    for (int i = 0; i < contacts_.count(); ++i) {
-      const runtime::ContactRule rule = system_.rule(i);
-      if (rule.normal) row.push_back(motion.motion().reading().gap[static_cast<std::size_t>(i)]);
-      for (int k = 0; k < rule.rows(); ++k) row.push_back(solved ? motion.motion().reactions()(first + k) : std::nan(""));
-      first += rule.rows();
+    const bool solved = motion.solve(t, y) == runtime::Evaluation::ok;
+    for (int i = 0; i < motion.count(); ++i) {
+      if (motion.rule(i).normal) row.push_back(motion.reading().gap[static_cast<std::size_t>(i)]);
+      for (int k = motion.first_row(i); k < motion.first_row(i + 1); ++k) {
+        row.push_back(solved ? motion.reactions()(k) : std::nan(""));
+      }
     }
     result_.rows.push_back(std::move(row));
   }
@@ -124,7 +123,7 @@ class ContactSimulation {
   EvaluatedContacts& contacts_;
   const SimulationOptions& options_;
   Simulation& result_;
-  const System system_;
+  const EvaluatedMechanism mechanism_;
 };
 
 void add_columns(EvaluatedContacts& contacts, Simulation& result) {
@@ -170,15 +169,14 @@ Simulation simulate_contacts(const Scene& scene, const SimulationOptions& option
     throw Error(fmt::format("the constraints of '{}' cannot be closed near the initial state: give other values by --initial",
                             scene.name()));
   }
-  using Room = RoomForContacts<28, 24, 12, 24>;
-  if (!contacts.fits<Room>()) {
+  if (y.size() > ContactSimulation::most_numbers ||
+      static_cast<std::size_t>(contacts.count()) > ContactSimulation::most_contacts) {
     throw UsageError(fmt::format(
-        "the scene '{}' has {} freedoms, {} contacts and {} constraints, and simulate moves scenes with contacts up to "
-        "{}, {} and {}: generate its header and move it by runtime/contacts (docs/contacts.md)",
-        scene.name(), motion.velocity_count(), contacts.count(), contacts.constraint_count(), Room::nv, Room::contacts,
-        Room::constraints));
+        "the scene '{}' has {} coordinates and velocities and {} contacts, and simulate moves scenes with contacts up to "
+        "{} and {}: generate its header and move it by runtime/contacts (docs/contacts.md)",
+        scene.name(), y.size(), contacts.count(), ContactSimulation::most_numbers, ContactSimulation::most_contacts));
   }
-  ContactSimulation<Room>(contacts, options, result).run(std::move(y));
+  ContactSimulation(contacts, options, result).run(y);
   return result;
 }
 

@@ -30,4 +30,63 @@ std::string EvaluatedContacts::regime(int contact, runtime::ContactRegime regime
   return rule(contact).tangents == 0 ? "is closed" : std::string(describe(regime));
 }
 
+EvaluatedMechanism::EvaluatedMechanism(EvaluatedContacts& evaluated)
+    : ContactMechanism({static_cast<int>(evaluated.motion().position_count()),
+                        static_cast<int>(evaluated.motion().velocity_count()), evaluated.count(),
+                        evaluated.constraint_count()}),
+      contacts_(evaluated) {}
+
+runtime::Evaluation EvaluatedMechanism::read(double t, std::span<const double> y,
+                                             runtime::ContactReading& reading) const {
+  EvaluatedMotion& motion = contacts_.motion();
+  const auto at = [](std::size_t i) { return static_cast<Eigen::Index>(i); };
+  const std::size_t n = motion.velocity_count();
+  const std::vector<double> now = state(y);
+  std::vector<double> rates(now.size());
+  if (!contacts_.read(t, now, rates)) return runtime::Evaluation::singular;
+  for (std::size_t i = 0; i < n; ++i) {
+    for (std::size_t j = 0; j < n; ++j) reading.M(at(i), at(j)) = contacts_.mass(i, j);
+  }
+  // Accelerations hold the constraints already.
+  Eigen::VectorXd a(at(n));
+  for (std::size_t i = 0; i < n; ++i) a(at(i)) = rates[motion.position_count() + i];
+  reading.F.noalias() = reading.M * a;
+  for (std::size_t k = 0; k < static_cast<std::size_t>(contacts_.constraint_count()); ++k) {
+    const ConstraintRow& row = contacts_.constraint(k);
+    for (std::size_t j = 0; j < n; ++j) reading.A(at(k), at(j)) = motion.value(row.jacobian[j]);
+    reading.value(at(k)) = row.holonomic ? motion.value(row.value) : 0.0;
+    reading.rate(at(k)) = motion.value(row.rate);
+  }
+  reading.gamma.noalias() = -reading.A * a;
+  Eigen::Index next = 0;
+  for (std::size_t i = 0; i < contacts_.rows().size(); ++i) {
+    const ContactRows& contact = contacts_.rows()[i];
+    reading.gap[i] = contact.normal ? motion.value(contact.gap) : 0.0;
+    for (const ContactRow& row : contact.rows) {
+      for (std::size_t j = 0; j < n; ++j) reading.J(next, at(j)) = motion.value(row.jacobian[j]);
+      reading.w(next) = motion.value(row.rate);
+      reading.drift(next++) = motion.value(row.drift);
+    }
+  }
+  return runtime::Evaluation::ok;
+}
+
+void EvaluatedMechanism::coordinate_rates(double t, std::span<const double> y, std::span<double> rates) const {
+  EvaluatedMotion& motion = contacts_.motion();
+  motion.move_to(t, state(y));
+  for (std::size_t i = 0; i < motion.position_count(); ++i) rates[i] = motion.position_rate(i);
+}
+
+void EvaluatedMechanism::normalise(std::span<double> y) const {
+  std::vector<double> now = state(y);
+  contacts_.motion().normalise(now);
+  for (std::size_t i = 0; i < now.size(); ++i) y[i] = now[i];
+}
+
+// A state may have room for more.
+std::vector<double> EvaluatedMechanism::state(std::span<const double> y) const {
+  const auto some = y.first(static_cast<std::size_t>(sizes().coordinates + sizes().velocities));
+  return {some.begin(), some.end()};
+}
+
 }  // namespace torsor

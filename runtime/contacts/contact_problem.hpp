@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <Eigen/Core>
-#include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstddef>
 #include <string_view>
+
+#include "runtime/library.hpp"
 
 namespace torsor::runtime {
 
@@ -52,17 +52,21 @@ struct ContactLaw {
   return {.tangents = tangents, .friction = friction, .static_friction = friction};
 }
 
-/// u = W r + q for up to `most` contacts, rows contact by contact, N first: the problem of one instant.
-template <int most>
-struct ContactProblem {
-  static constexpr int capacity = 3 * most;
-  using Vector = Eigen::Matrix<double, Eigen::Dynamic, 1, Eigen::ColMajor, capacity, 1>;
-  using Matrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::ColMajor, capacity, capacity>;
+/// Room for the contacts of one mechanism and for their rows. Vectors and matrices of a problem have it within, so that
+/// nothing is allocated however many contacts take part.
+inline constexpr int most_contacts = 32, most_rows = 3 * most_contacts;
+using ContactVector = Eigen::Matrix<double, Eigen::Dynamic, 1, Eigen::ColMajor, most_rows, 1>;
+using ContactMatrix =
+    Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::ColMajor, most_rows, most_rows>;
+template <class T>
+using PerContact = std::array<T, static_cast<std::size_t>(most_contacts)>;
 
+/// u = W r + q, rows contact by contact, N first: the problem of one instant.
+struct ContactProblem {
   int count = 0;
-  std::array<ContactLaw, static_cast<std::size_t>(most)> laws{};
-  Matrix W;  ///< Delassus' matrix J M^-1 J^T, symmetric, positive semidefinite
-  Vector q;  ///< u without reactions
+  PerContact<ContactLaw> laws{};
+  ContactMatrix W;  ///< Delassus' matrix J M^-1 J^T, symmetric, positive semidefinite
+  ContactVector q;  ///< u without reactions
 
   [[nodiscard]] const ContactLaw& law(int contact) const noexcept { return laws[static_cast<std::size_t>(contact)]; }
   [[nodiscard]] int rows() const noexcept { return first_row(count); }
@@ -82,17 +86,16 @@ struct ContactProblem {
     return by < 0 ? -1 : first_row(by);
   }
   /// That force.
-  [[nodiscard]] double pressing(int contact, const Vector& r) const noexcept {
+  [[nodiscard]] double pressing(int contact, const ContactVector& r) const noexcept {
     const int row = pressing_row(contact);
     return row < 0 ? 0 : r(row);
   }
 };
 
 /// Reactions and motion that fulfil all laws.
-template <int most>
 struct ContactSolution {
-  typename ContactProblem<most>::Vector r, u;
-  std::array<ContactRegime, static_cast<std::size_t>(most)> regimes{};
+  ContactVector r, u;
+  PerContact<ContactRegime> regimes{};
   double residual = 0;         ///< of the natural map, see below
   bool indeterminate = false;  ///< other reactions give the same motion
 };
@@ -114,42 +117,20 @@ enum class ContactVerdict { unique, indeterminate, several, none };
   return "unknown verdict";
 }
 
+/// The solutions that were found, the one of least motion first: rest persists where it can.
+struct ContactAnswer {
+  static constexpr std::size_t kept = 8;
+  ContactVerdict verdict = ContactVerdict::none;
+  std::array<ContactSolution, kept> solutions{};
+  std::size_t count = 0;
+  [[nodiscard]] const ContactSolution& best() const noexcept { return solutions[0]; }
+  [[nodiscard]] explicit operator bool() const noexcept { return count > 0; }
+};
+
 /// Certificate: the largest defect of the fixed points N = max(0, N - ρ u_N) and T = projection of T - ρ u_T on the
 /// disc of radius f N + b, with ρ = 1/W_ii, over the largest |r| + ρ |u|: 0 for a solution, a number without unit. A
 /// contact that slips in a given direction has the defect of T = -(f N + b) d. Source: Alart & Curnier 1991; Acary &
 /// Brogliato 2008.
-template <int most>
-[[nodiscard]] double natural_map_residual(const ContactProblem<most>& problem,
-                                          const ContactSolution<most>& s) noexcept {
-  double defect = 0, size = 0;
-  for (int i = 0; i < problem.count; ++i) {
-    const ContactLaw& law = problem.law(i);
-    const int n = problem.first_row(i), t = problem.tangent_row(i);
-    const double N = problem.pressing(i, s.r);
-    const auto rate = [&](int row) { return problem.W(row, row) > 0 ? 1 / problem.W(row, row) : 1.0; };
-    if (law.normal) {
-      const double rho = rate(n);
-      defect = std::max(defect, std::abs(N - std::max(0.0, N - rho * s.u(n))));
-      size = std::max(size, std::abs(N) + rho * std::abs(s.u(n)));
-    }
-    const bool sticks = s.regimes[static_cast<std::size_t>(i)] == ContactRegime::sticks;
-    const double radius =
-        std::max(0.0, sticks ? law.static_friction * N + law.static_bound : law.friction * N + law.bound);
-    if (law.tangents == 0) continue;
-    double rho = rate(t);
-    if (law.tangents == 2) rho = std::min(rho, rate(t + 1));
-    double length = 0, off = 0;
-    for (int k = 0; k < law.tangents; ++k) length = std::hypot(length, s.r(t + k) - rho * s.u(t + k));
-    for (int k = 0; k < law.tangents; ++k) {
-      const double trial = s.r(t + k) - rho * s.u(t + k);
-      const double given = -radius * law.slip[static_cast<std::size_t>(k)];
-      const double shrunk = length > radius ? radius / length * trial : trial;
-      off = std::hypot(off, s.r(t + k) - (law.slips ? given : shrunk));
-      size = std::max(size, std::abs(s.r(t + k)) + (law.slips ? 0 : rho * std::abs(s.u(t + k))));
-    }
-    defect = std::max(defect, off);
-  }
-  return size > 0 ? defect / size : defect;
-}
+[[nodiscard]] double natural_map_residual(const ContactProblem& problem, const ContactSolution& solution) noexcept;
 
 }  // namespace torsor::runtime

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <cstdint>
+#include <span>
 #include <string_view>
 
+#include "runtime/contacts/contact_state.hpp"
 #include "runtime/contacts/impact_laws.hpp"
 #include "runtime/events/event_memory.hpp"
 #include "runtime/integration/integrate.hpp"
@@ -16,9 +18,11 @@ enum class ContactStatus : int {
   no_solution,    ///< no regimes fulfil the laws (Painlevé)
   energy_gained,  ///< T+ > T- at an impact
   penetrates,     ///< a gap is negative at the start
+  open_loops,     ///< constraints cannot be closed near the start
   invalid_rule,   ///< f < 0, f_s < f, b < 0, or e outside [0, 1]
   too_many_events,
   integration_failed,
+  not_started,  ///< ContactRun::start was not called
 };
 
 [[nodiscard]] constexpr std::string_view describe(ContactStatus status) noexcept {
@@ -33,6 +37,8 @@ enum class ContactStatus : int {
       return "the impact law gave energy: choose another, or a smaller restitution";
     case ContactStatus::penetrates:
       return "a contact starts below its surface: begin where every gap is at least zero";
+    case ContactStatus::open_loops:
+      return "the loops cannot be closed near the start: begin nearer to a state in which they are";
     case ContactStatus::invalid_rule:
       return "a contact's rule is impossible: friction and bounds at least 0, static ones at least those of sliding, "
              "restitution from 0 to 1";
@@ -40,6 +46,8 @@ enum class ContactStatus : int {
       return "the limit of events was met: raise it, or look for regimes that alternate without end";
     case ContactStatus::integration_failed:
       return "the integration between events failed, see its own status";
+    case ContactStatus::not_started:
+      return "the motion was not started: call start first";
   }
   return "unknown contact status";
 }
@@ -47,18 +55,16 @@ enum class ContactStatus : int {
 enum class ContactEventKind { impact, opens, slips, slip_ends, accumulation };
 
 /// What the observer is told after it happened.
-template <class Motion>
 struct ContactEvent {
   ContactEventKind kind;
   double time;  ///< of an accumulation, the limit of its impacts
   int contact;  ///< the one that caused it
-  const typename Motion::Vector& before;
-  const typename Motion::Vector& state;
-  const typename Motion::States& contacts;  ///< regimes after
-  const typename Motion::Forces& impulses;  ///< of impacts and accumulations
-  double energy_lost;                       ///< T- - T+
-  double residual;                          ///< certificate, the larger of impact and regimes
-  ContactVerdict verdict;                   ///< of the decision of regimes
+  std::span<const double> before, state;
+  std::span<const ContactState> contacts;  ///< regimes after
+  const ContactVector& impulses;           ///< of impacts and accumulations, all rows
+  double energy_lost;                      ///< T- - T+
+  double residual;                         ///< certificate, the larger of impact and regimes
+  ContactVerdict verdict;                  ///< of the decision of regimes
 };
 
 struct ContactOptions {
@@ -79,7 +85,7 @@ struct ContactResult {
   std::int64_t indeterminate = 0;  ///< decisions that left reactions indeterminate
   double worst_residual = 0;
   EventStatus integration_event = EventStatus::reached_end;
-  Result<double> integration{};
+  Result<double> integration{};  ///< of the last smooth piece, its statistics those of all
   [[nodiscard]] explicit operator bool() const noexcept { return status == ContactStatus::reached_end; }
 };
 

@@ -1,9 +1,123 @@
 // SPDX-License-Identifier: MIT
 #include "runtime/contacts/contact_solver.hpp"
 
-namespace torsor::runtime {
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
 
-template ContactAnswer<library_room> solve_contacts(const ContactProblem<library_room>&,
-                                                    const ContactSolverOptions&) noexcept;
+#include "runtime/contacts/regime_enumeration.hpp"
+
+namespace torsor::runtime {
+namespace {
+
+class ContactIteration {
+ public:
+  using Regimes = RegimeSystem::Regimes;
+  using Friction = AssumedRegime::Friction;
+
+  ContactIteration(const ContactProblem& problem, const ContactVector& start, const ContactSolverOptions& options) noexcept
+      : problem_(problem), options_(options), r_(start) {}
+
+  [[nodiscard]] ContactAnswer run() noexcept {
+    RegimeEnumeration regimes(problem_);
+    for (int attempt = 0; attempt < options_.attempts; ++attempt) {
+      for (int sweep = 0; sweep < options_.sweeps; ++sweep) {
+        if (!(this->sweep() > 1e-15)) break;
+      }
+      if (!r_.allFinite()) r_.setZero();
+      if (regimes.try_from(proposed())) break;
+    }
+    return regimes.finish();
+  }
+
+ private:
+  static std::size_t as(int i) noexcept { return static_cast<std::size_t>(i); }
+
+  // Each contact in turn; the largest change over the largest reaction.
+  double sweep() noexcept {
+    double change = 0, size = 0;
+    for (int i = 0; i < problem_.count; ++i) {
+      const int first = problem_.first_row(i), rows = problem_.law(i).rows();
+      ContactProblem one;
+      one.count = 1;
+      one.laws[0] = problem_.law(i);
+      if (one.laws[0].pressed_by >= 0) {  // by a force that is held, too
+        const double N = problem_.pressing(i, r_);
+        one.laws[0].pressed_by = -1;
+        one.laws[0].bound += one.laws[0].friction * N;
+        one.laws[0].static_bound += one.laws[0].static_friction * N;
+        one.laws[0].friction = one.laws[0].static_friction = 0;
+      }
+      one.W = problem_.W.block(first, first, rows, rows);
+      one.q =
+          problem_.q.segment(first, rows) + problem_.W.middleRows(first, rows) * r_ - one.W * r_.segment(first, rows);
+      const ContactAnswer answer = RegimeEnumeration(one).run();
+      if (!answer) continue;
+      const auto& r = answer.best().r;
+      change = std::max(change, (r - r_.segment(first, rows)).cwiseAbs().maxCoeff());
+      r_.segment(first, rows) = r;
+      size = std::max(size, r.cwiseAbs().maxCoeff());
+    }
+    return size > 0 ? change / size : change;
+  }
+
+  // What the natural map says of each contact at the present reactions.
+  [[nodiscard]] Regimes proposed() const noexcept {
+    Regimes regimes{};
+    const ContactVector u = problem_.W * r_ + problem_.q;
+    for (int i = 0; i < problem_.count; ++i) {
+      const ContactLaw& law = problem_.law(i);
+      AssumedRegime& regime = regimes[as(i)];
+      const int t = problem_.tangent_row(i);
+      double N = 0;
+      if (const int pressing = problem_.pressing_row(i); pressing >= 0) {
+        const double W = problem_.W(pressing, pressing);
+        N = std::max(0.0, W > 0 ? r_(pressing) - u(pressing) / W : r_(pressing));
+        regime.pressed = law.normal && N > 0;
+      }
+      const double bound = std::max(law.friction * N + law.bound, law.static_friction * N + law.static_bound);
+      if (!(law.tangents > 0 && bound > 0)) continue;
+      if (law.slips) {
+        regime.friction = Friction::slides;
+        regime.direction = law.slip;
+        regime.direction_given = true;
+        continue;
+      }
+      double largest = problem_.W(t, t);
+      if (law.tangents == 2) largest = std::max(largest, problem_.W(t + 1, t + 1));
+      std::array<double, 2> trial{};
+      for (int k = 0; k < law.tangents; ++k) trial[as(k)] = r_(t + k) - (largest > 0 ? u(t + k) / largest : 0);
+      const double length = std::hypot(trial[0], trial[1]);
+      if (length <= law.static_friction * N + law.static_bound || !(length > 0)) {
+        regime.friction = Friction::sticks;
+      } else {
+        regime.friction = Friction::slides;
+        regime.direction = {-trial[0] / length, -trial[1] / length};
+        regime.direction_sought = law.tangents == 2;
+      }
+    }
+    return regimes;
+  }
+
+  const ContactProblem& problem_;
+  const ContactSolverOptions options_;
+  ContactVector r_;
+};
+
+}  // namespace
+
+ContactAnswer iterate_contacts(const ContactProblem& problem, const ContactVector& start,
+                               const ContactSolverOptions& options) noexcept {
+  return ContactIteration(problem, start, options).run();
+}
+
+ContactAnswer solve_contacts(const ContactProblem& problem, const ContactSolverOptions& options) noexcept {
+  if (problem.count <= options.enumerated) {
+    ContactAnswer answer = RegimeEnumeration(problem).run();
+    if (answer) return answer;
+  }
+  return iterate_contacts(problem, ContactVector::Zero(problem.rows()), options);
+}
 
 }  // namespace torsor::runtime

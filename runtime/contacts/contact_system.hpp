@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-#include <Eigen/Cholesky>
-#include <Eigen/LU>
+#include <Eigen/Core>
 #include <array>
 #include <concepts>
 #include <cstddef>
+#include <span>
+#include <vector>
 
 #include "runtime/contacts/contact_problem.hpp"
 #include "runtime/status.hpp"
@@ -29,87 +30,114 @@ struct ContactRule {
            restitution <= 1 && tangents >= 0 && tangents <= 2 && rows() > 0 &&
            (pressed_by < 0 || (!normal && pressed_by < contact));
   }
+  /// Its law of forces while it does not slip already.
+  [[nodiscard]] ContactLaw law() const noexcept {
+    return {.normal = normal,
+            .pressed_by = pressed_by,
+            .tangents = tangents,
+            .friction = friction,
+            .static_friction = sticking(),
+            .bound = bound,
+            .static_bound = sticking_bound()};
+  }
   [[nodiscard]] double sticking() const noexcept { return static_friction < 0 ? friction : static_friction; }
   [[nodiscard]] double sticking_bound() const noexcept { return static_bound < 0 ? bound : static_bound; }
 };
 
-/// Whether the rule of a contact is possible, and what presses it a contact with a normal force.
-template <class S>
-[[nodiscard]] bool valid_rule(const S& system, int contact) noexcept {
-  const ContactRule rule = system.rule(contact);
-  return rule.valid(contact) && (rule.pressed_by < 0 || system.rule(rule.pressed_by).normal);
+/// Whether the rule of a contact among all is possible, and what presses it a contact with a normal force.
+[[nodiscard]] inline bool valid_rule(std::span<const ContactRule> rules, int contact) noexcept {
+  const ContactRule& rule = rules[static_cast<std::size_t>(contact)];
+  return rule.valid(contact) && (rule.pressed_by < 0 || rules[static_cast<std::size_t>(rule.pressed_by)].normal);
 }
+
+/// Numbers of coordinates, velocities, contacts and constraints that repeat no other.
+struct ContactSizes {
+  int coordinates = 0, velocities = 0, contacts = 0, constraints = 0;
+};
 
 /// A mechanism with contacts at one state: M a = F + J^T r + A^T λ, w = J v + b, dw/dt = J a + drift, A a + γ = 0. The
 /// rows of J are contact by contact, the normal first (n from the other body to this one, so that w_N > 0 opens), then
-/// the tangents. Of each constraint too: f(q, t), 0 where it is not holonomic, and its rate A v - b.
-template <int nv_, int contacts, int constraints_ = 0>
+/// the tangents. Of each constraint too: f(q, t), 0 where it is not holonomic, and its rate A v - b. All have their sizes
+/// before a mechanism fills them.
 struct ContactReading {
-  static constexpr int nv = nv_, rows = 3 * contacts, constraints = constraints_;  ///< of each the most there may be
-  static constexpr int held = constraints > 0 ? constraints : 1;
-  Eigen::Matrix<double, nv, nv> M;
-  Eigen::Matrix<double, nv, 1> F;
-  std::array<double, static_cast<std::size_t>(contacts)> gap{};
-  Eigen::Matrix<double, Eigen::Dynamic, nv, nv == 1 ? Eigen::ColMajor : Eigen::RowMajor, rows, nv> J;
-  Eigen::Matrix<double, Eigen::Dynamic, 1, Eigen::ColMajor, rows, 1> w, drift;
-  Eigen::Matrix<double, Eigen::Dynamic, nv, nv == 1 ? Eigen::ColMajor : Eigen::RowMajor, held, nv> A;
-  Eigen::Matrix<double, Eigen::Dynamic, 1, Eigen::ColMajor, held, 1> gamma, value, rate;
+  Eigen::MatrixXd M;
+  Eigen::VectorXd F;
+  std::vector<double> gap;
+  Eigen::MatrixXd J;
+  Eigen::VectorXd w, drift;
+  Eigen::MatrixXd A;
+  Eigen::VectorXd gamma, value, rate;
+
+  ContactReading() = default;
+  ContactReading(const ContactSizes& sizes, int rows);
 };
 
-/// What the non-smooth layer asks of a mechanism: sizes, rules, and its reading at a state y = [q; v].
+/// What the non-smooth layer asks of a mechanism, whatever its type. A state y has the coordinates, then the velocities.
+class ContactMechanism {
+ public:
+  explicit ContactMechanism(const ContactSizes& sizes) noexcept : sizes_(sizes) {}
+  ContactMechanism(const ContactMechanism&) = delete;
+  ContactMechanism& operator=(const ContactMechanism&) = delete;
+  virtual ~ContactMechanism() = default;
+
+  [[nodiscard]] const ContactSizes& sizes() const noexcept { return sizes_; }
+  [[nodiscard]] virtual ContactRule rule(int contact) const = 0;
+  [[nodiscard]] virtual Evaluation read(double t, std::span<const double> y, ContactReading& reading) const = 0;
+  virtual void coordinate_rates(double t, std::span<const double> y, std::span<double> rates) const = 0;
+  /// Puts quaternions back to the norm 1.
+  virtual void normalise(std::span<double>) const {}
+
+ private:
+  ContactSizes sizes_;
+};
+
+/// A type of mechanism whose sizes are known at compile time.
 template <class S>
 concept ContactSystem = requires(const S& system, double t, const std::array<double, S::nq + S::nv>& y,
-                                 std::array<double, S::nq>& rates, typename S::Reading& reading) {
+                                 std::array<double, S::nq>& rates, ContactReading& reading) {
+  requires S::contacts > 0 && S::contacts <= static_cast<std::size_t>(most_contacts);
   { system.rule(0) } -> std::convertible_to<ContactRule>;
   { system.read(t, y, reading) } -> std::same_as<Evaluation>;
   system.coordinate_rates(t, y, rates);
 };
 
-/// Accelerations without reactions and answers to impulses, loop constraints held: a = a0 + K J^T r,
-/// K = M^-1 - M^-1 A^T (A M^-1 A^T)^-1 A M^-1. What puts the loops back on their constraints with the least change, in
-/// the metric of the masses: closing = -M^-1 A^T (A M^-1 A^T)^-1 f, and the same of the velocities.
-template <class Reading>
-class ContactDynamics {
+/// Such a mechanism, which must live as long, without its type.
+template <ContactSystem S>
+class ContactMechanismOf final : public ContactMechanism {
  public:
-  static constexpr int nv = Reading::nv, constraints = Reading::constraints;
-  using Velocity = Eigen::Matrix<double, nv, 1>;
+  explicit ContactMechanismOf(const S& system) noexcept : ContactMechanism(sizes_of_type()), system_(system) {}
 
-  template <int most>
-  using Wide = Eigen::Matrix<double, nv, Eigen::Dynamic, nv == 1 ? Eigen::RowMajor : Eigen::ColMajor, nv, most>;
-
-  /// False where the mass matrix or the constraints have lost rank.
-  [[nodiscard]] bool compute(const Reading& reading) noexcept {
-    const Eigen::LLT<Eigen::Matrix<double, nv, nv>> mass(reading.M);
-    if (mass.info() != Eigen::Success) return false;
-    K.setIdentity();
-    mass.solveInPlace(K);
-    a0 = mass.solve(reading.F);
-    closing.setZero();
-    closing_rate.setZero();
-    if constexpr (constraints > 0) {
-      using Square = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::ColMajor, constraints, constraints>;
-      using Few = Eigen::Matrix<double, Eigen::Dynamic, 1, Eigen::ColMajor, constraints, 1>;
-      if (reading.A.rows() > 0) {
-        const Wide<constraints> Y = mass.solve(reading.A.transpose());
-        const Square S = reading.A * Y;
-        const Eigen::LLT<Square> schur(S);
-        if (schur.info() != Eigen::Success) return false;
-        const Few off = reading.A * a0 + reading.gamma;
-        a0 -= Y * schur.solve(off);
-        K -= Y * schur.solve(Y.transpose());
-        closing = -Y * schur.solve(reading.value);
-        closing_rate = -Y * schur.solve(reading.rate);
-      }
+  [[nodiscard]] ContactRule rule(int contact) const override { return system_.rule(contact); }
+  [[nodiscard]] Evaluation read(double t, std::span<const double> y, ContactReading& reading) const override {
+    return system_.read(t, state(y), reading);
+  }
+  void coordinate_rates(double t, std::span<const double> y, std::span<double> rates) const override {
+    std::array<double, S::nq> values{};
+    system_.coordinate_rates(t, state(y), values);
+    for (std::size_t i = 0; i < S::nq; ++i) rates[i] = values[i];
+  }
+  void normalise(std::span<double> y) const override {
+    if constexpr (requires(State& whole) { system_.normalise(whole); }) {
+      State whole = state(y);
+      system_.normalise(whole);
+      for (std::size_t i = 0; i < whole.size(); ++i) y[i] = whole[i];
     }
-    KJ = K * reading.J.transpose();
-    W = reading.J * KJ;
-    return a0.allFinite() && W.allFinite();
   }
 
-  Eigen::Matrix<double, nv, nv> K;
-  Velocity a0, closing, closing_rate;
-  Wide<Reading::rows> KJ;
-  Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::ColMajor, Reading::rows, Reading::rows> W;
+ private:
+  using State = std::array<double, S::nq + S::nv>;
+  static constexpr ContactSizes sizes_of_type() noexcept {
+    ContactSizes sizes{static_cast<int>(S::nq), static_cast<int>(S::nv), static_cast<int>(S::contacts), 0};
+    if constexpr (requires { S::constraints; }) sizes.constraints = static_cast<int>(S::constraints);
+    return sizes;
+  }
+  [[nodiscard]] static State state(std::span<const double> y) noexcept {
+    State whole;
+    for (std::size_t i = 0; i < whole.size(); ++i) whole[i] = y[i];
+    return whole;
+  }
+
+  const S& system_;
 };
 
 }  // namespace torsor::runtime

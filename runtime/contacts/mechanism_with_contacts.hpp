@@ -41,7 +41,6 @@ requires(HasMassMatrixAndBias<M> && (M::multiplier_count == 0 || HasConstraints<
   static constexpr std::size_t contacts = static_cast<std::size_t>(M::contact_count);
   static constexpr int constraints = kept_constraints<M>();
   using Mechanism = M;
-  using Reading = ContactReading<static_cast<int>(nv), static_cast<int>(contacts), constraints>;
   using State = StateVector<M>;
 
   /// Coefficients are those of these parameters.
@@ -58,15 +57,12 @@ requires(HasMassMatrixAndBias<M> && (M::multiplier_count == 0 || HasConstraints<
                    .bound = of.bound[i],
                    .static_bound = of.static_bound[i],
                    .restitution = of.restitution[i]};
-      if constexpr (requires { M::contact_pressed_by; }) {
-        rules_[i].pressed_by = static_cast<int>(M::contact_pressed_by[i]) - 1;
-      }
     }
   }
 
   [[nodiscard]] ContactRule rule(int i) const noexcept { return rules_[static_cast<std::size_t>(i)]; }
 
-  [[nodiscard]] Evaluation read(double t, const State& y, Reading& reading) const noexcept {
+  [[nodiscard]] Evaluation read(double t, const State& y, ContactReading& reading) const noexcept {
     constexpr std::size_t rows = static_cast<std::size_t>(M::contact_row_count);
     const typename M::State state = unpack<M>(t, y);
     std::array<double, nv * nv> mass;
@@ -112,12 +108,10 @@ requires(HasMassMatrixAndBias<M> && (M::multiplier_count == 0 || HasConstraints<
     return false;
   }
 
-  void read_constraints(const typename M::State& state, Reading& reading) const noexcept {
+  void read_constraints(const typename M::State& state, ContactReading& reading) const noexcept {
     constexpr auto m = static_cast<std::size_t>(M::multiplier_count);
     typename M::Constraints now;
     M::constraints(precomputed_, state, now);
-    reading.A.resize(constraints, Eigen::NoChange);
-    for (auto* each : {&reading.gamma, &reading.value, &reading.rate}) each->resize(constraints);
     Eigen::Index row = 0;
     for (std::size_t k = 0; k < m; ++k) {
       if (repeats_others(k)) continue;
@@ -129,7 +123,7 @@ requires(HasMassMatrixAndBias<M> && (M::multiplier_count == 0 || HasConstraints<
     }
   }
 
-  [[nodiscard]] Evaluation read_forces(const typename M::State& state, Reading& reading) const noexcept {
+  [[nodiscard]] Evaluation read_forces(const typename M::State& state, ContactReading& reading) const noexcept {
     if constexpr (M::input_count > 0 && !std::is_same_v<InputLaw, NoInputs<M>>) {
       static_assert(HasForwardDynamics<M>, "a law of inputs needs the kernel forward_dynamics");
       typename M::Accelerations a{};
@@ -138,7 +132,7 @@ requires(HasMassMatrixAndBias<M> && (M::multiplier_count == 0 || HasConstraints<
       if (evaluation != Evaluation::ok) return evaluation;
       Eigen::Matrix<double, static_cast<int>(nv), 1> acceleration;
       for (std::size_t i = 0; i < nv; ++i) acceleration(at(i)) = a[static_cast<int>(i)];
-      reading.F = reading.M * acceleration;
+      reading.F.noalias() = reading.M * acceleration;
       if constexpr (constraints > 0) {
         Eigen::Index row = 0;
         for (int k = 0; k < M::multiplier_count; ++k) {

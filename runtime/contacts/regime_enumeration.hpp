@@ -1,312 +1,46 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-#include <algorithm>
-#include <array>
-#include <cmath>
 #include <cstddef>
-#include <numbers>
 
-#include "runtime/contacts/circle_roots.hpp"
-#include "runtime/contacts/regime_inequalities.hpp"
 #include "runtime/contacts/regime_system.hpp"
 
 namespace torsor::runtime {
-
-/// The solutions that were found, the one of least motion first: rest persists where it can.
-template <int most>
-struct ContactAnswer {
-  static constexpr std::size_t kept = 8;
-  ContactVerdict verdict = ContactVerdict::none;
-  std::array<ContactSolution<most>, kept> solutions{};
-  std::size_t count = 0;
-  [[nodiscard]] const ContactSolution<most>& best() const noexcept { return solutions[0]; }
-  [[nodiscard]] explicit operator bool() const noexcept { return count > 0; }
-};
 
 /// Tries every combination of regimes: open, sticking, sliding; in the plane to either side. In space the direction of
 /// a slip that begins is found too: all directions where one contact begins to slide, by a trigonometric polynomial;
 /// where several do, those that Newton's method reaches from four directions of each of two contacts, three of each of
 /// more.
-template <int most>
 class RegimeEnumeration {
  public:
-  using Problem = ContactProblem<most>;
-  using System = RegimeSystem<most>;
-  using Vector = typename Problem::Vector;
-  using Regimes = typename System::Regimes;
+  using Regimes = RegimeSystem::Regimes;
   using Friction = AssumedRegime::Friction;
 
-  explicit RegimeEnumeration(const Problem& problem) noexcept : problem_(problem) {}
+  explicit RegimeEnumeration(const ContactProblem& problem) noexcept : problem_(problem) {}
 
-  [[nodiscard]] ContactAnswer<most> run() noexcept {
-    std::array<int, static_cast<std::size_t>(most)> choice{};
-    for (bool more = true; more;) {
-      Regimes regimes{};
-      for (int i = 0; i < problem_.count; ++i) regimes[as(i)] = choose(problem_.law(i), choice[as(i)]);
-      try_regimes(regimes);
-      more = false;
-      for (int i = 0; i < problem_.count && !more; ++i) {
-        more = ++choice[as(i)] < choices(problem_.law(i));
-        if (!more) choice[as(i)] = 0;
-      }
-    }
-    return finish();
-  }
+  [[nodiscard]] ContactAnswer run() noexcept;
 
   /// One combination; directions that are sought start from those given. For solvers that know where to look.
-  bool try_from(Regimes regimes) noexcept {
-    const std::size_t before = answer_.count;
-    const int sought = count_sought(regimes);
-    if (sought == 0) {
-      try_regimes(regimes);
-    } else if (turn_to_slip(regimes)) {
-      accept(regimes);
-    }
-    return answer_.count > before;
-  }
+  bool try_from(Regimes regimes) noexcept;
 
-  [[nodiscard]] ContactAnswer<most> finish() noexcept {
-    auto& found = answer_.solutions;
-    // The sizes of two motions that differ by rounding are equal: then the order of regimes decides.
-    const auto motion = [](const ContactSolution<most>& s) { return s.u.size() > 0 ? s.u.norm() : 0.0; };
-    for (std::size_t i = 1; i < answer_.count; ++i) {
-      for (std::size_t j = i; j > 0 && motion(found[j]) < motion(found[j - 1]) * (1 - 1e-9); --j) {
-        std::swap(found[j], found[j - 1]);
-      }
-    }
-    if (answer_.count == 0) {
-      answer_.verdict = ContactVerdict::none;
-    } else if (answer_.count > 1 || moves_) {
-      answer_.verdict = ContactVerdict::several;
-    } else {
-      answer_.verdict = found[0].indeterminate ? ContactVerdict::indeterminate : ContactVerdict::unique;
-    }
-    return answer_;
-  }
+  [[nodiscard]] ContactAnswer finish() noexcept;
 
  private:
   static std::size_t as(int i) noexcept { return static_cast<std::size_t>(i); }
 
-  [[nodiscard]] static bool open_rubs(const ContactLaw& law) noexcept {
-    return law.tangents > 0 && (law.bound > 0 || law.static_bound > 0);
-  }
-  // What friction may do: nothing; sliding as given; sticking and sliding, in the plane to either side.
-  [[nodiscard]] static int frictions(const ContactLaw& law) noexcept {
-    if (!law.rubs() || law.slips) return 1;
-    return law.tangents == 1 ? 3 : 2;
-  }
-  [[nodiscard]] static int choices(const ContactLaw& law) noexcept {
-    if (!law.normal) return frictions(law);
-    return frictions(law) + (open_rubs(law) ? frictions(law) : 1);
-  }
-  [[nodiscard]] static AssumedRegime choose(const ContactLaw& law, int choice) noexcept {
-    AssumedRegime regime;
-    regime.pressed = law.normal && choice < frictions(law);
-    const bool rubs = law.rubs() && (!law.normal || regime.pressed || open_rubs(law));
-    if (!rubs) return regime;
-    const int friction = choice % frictions(law);
-    if (law.slips) {
-      regime.friction = Friction::slides;
-      regime.direction = law.slip;
-      regime.direction_given = true;
-    } else if (friction == 0) {
-      regime.friction = Friction::sticks;
-    } else {
-      regime.friction = Friction::slides;
-      regime.direction = {friction == 1 ? 1.0 : -1.0, 0.0};
-      regime.direction_sought = law.tangents == 2;
-    }
-    return regime;
-  }
+  [[nodiscard]] static bool open_rubs(const ContactLaw& law) noexcept;
+  [[nodiscard]] static int frictions(const ContactLaw& law) noexcept;
+  [[nodiscard]] static int choices(const ContactLaw& law) noexcept;
+  [[nodiscard]] static AssumedRegime choose(const ContactLaw& law, int choice) noexcept;
+  [[nodiscard]] int count_sought(const Regimes& regimes) const noexcept;
+  void try_regimes(Regimes& regimes) noexcept;
+  void try_all_directions(Regimes& regimes) noexcept;
+  [[nodiscard]] bool turn_to_slip(Regimes& regimes) noexcept;
+  void accept(const Regimes& regimes) noexcept;
+  void tidy(const Regimes& regimes, ContactVector& r, ContactVector& u, ContactSolution& solution) const noexcept;
+  void add(const ContactSolution& solution) noexcept;
 
-  [[nodiscard]] int count_sought(const Regimes& regimes) const noexcept {
-    int sought = 0;
-    for (int i = 0; i < problem_.count; ++i) sought += regimes[as(i)].direction_sought ? 1 : 0;
-    return sought;
-  }
-
-  void try_regimes(Regimes& regimes) noexcept {
-    const int sought = count_sought(regimes);
-    if (sought == 0) return accept(regimes);
-    if (sought == 1) return try_all_directions(regimes);
-    const int starts = sought == 2 ? 4 : 3;
-    int total = 1;
-    for (int i = 0; i < sought; ++i) total *= starts;
-    for (int start = 0; start < total; ++start) {
-      int digits = start;
-      for (int i = 0; i < problem_.count; ++i) {
-        if (!regimes[as(i)].direction_sought) continue;
-        const double angle = 0.3 + 2 * std::numbers::pi * (digits % starts) / starts;
-        digits /= starts;
-        regimes[as(i)].direction = {std::cos(angle), std::sin(angle)};
-      }
-      if (turn_to_slip(regimes)) accept(regimes);
-    }
-  }
-
-  // u_T across the direction, times det E, is a trigonometric polynomial of degree 3 in the direction's angle.
-  void try_all_directions(Regimes& regimes) noexcept {
-    int contact = 0;
-    while (!regimes[as(contact)].direction_sought) ++contact;
-    auto& direction = regimes[as(contact)].direction;
-    const int t = problem_.tangent_row(contact);
-    std::array<double, 8> values{};
-    for (std::size_t j = 0; j < values.size(); ++j) {
-      const double angle = std::numbers::pi / 4 * static_cast<double>(j);
-      direction = {std::cos(angle), std::sin(angle)};
-      System system(problem_, regimes);
-      if (!system.solve() || system.kernel().cols() > 0) {
-        // E is singular in this very direction: others do as well, turned by Newton's method.
-        for (int k = 0; k < 8; ++k) {
-          const double start = 0.3 + std::numbers::pi / 4 * k;
-          direction = {std::cos(start), std::sin(start)};
-          if (turn_to_slip(regimes)) accept(regimes);
-        }
-        return;
-      }
-      const Vector u = system.motion();
-      values[j] = system.determinant() * (direction[0] * u(t + 1) - direction[1] * u(t));
-    }
-    const CircleRoots roots(values);
-    for (std::size_t i = 0; i < roots.count(); ++i) {
-      direction = {std::cos(roots[i]), std::sin(roots[i])};
-      if (turn_to_slip(regimes)) accept(regimes);
-    }
-  }
-
-  // Newton's method for u_T across d = 0 in all directions sought.
-  [[nodiscard]] bool turn_to_slip(Regimes& regimes) noexcept {
-    constexpr int room = most < 2 ? 2 : most;
-    using Small = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::ColMajor, room, room>;
-    using Few = Eigen::Matrix<double, Eigen::Dynamic, 1, Eigen::ColMajor, room, 1>;
-    const int sought = count_sought(regimes);
-    std::array<int, static_cast<std::size_t>(most)> who{};
-    for (int i = 0, k = 0; i < problem_.count; ++i) {
-      if (regimes[as(i)].direction_sought) who[as(k++)] = i;
-    }
-    double last = INFINITY;
-    for (int step = 0; step < 40; ++step) {
-      System system(problem_, regimes);
-      if (!system.solve()) return false;
-      const Vector u = system.motion();
-      const double size = RegimeInequalities<most>(problem_, system).sizes(system.reactions()).motion;
-      Few across(sought);
-      Small slopes(sought, sought);
-      for (int j = 0; j < sought; ++j) {
-        const Vector du = system.motion_by_turning(who[as(j)]);
-        for (int k = 0; k < sought; ++k) {
-          const int t = problem_.tangent_row(who[as(k)]);
-          const auto& d = regimes[as(who[as(k)])].direction;
-          if (j == 0) across(k) = d[0] * u(t + 1) - d[1] * u(t);
-          slopes(k, j) = d[0] * du(t + 1) - d[1] * du(t) - (j == k ? d[0] * u(t) + d[1] * u(t + 1) : 0);
-        }
-      }
-      const double off = across.cwiseAbs().maxCoeff();
-      // Down to rounding, or as far as it falls.
-      if (off <= 1e-15 * size || (off <= 1e-12 * size && off >= last)) return true;
-      last = off;
-      Few turn = slopes.partialPivLu().solve(across);
-      const double largest = turn.cwiseAbs().maxCoeff();
-      if (!std::isfinite(largest)) return false;
-      if (largest > 0.7) turn *= 0.7 / largest;
-      for (int k = 0; k < sought; ++k) {
-        auto& d = regimes[as(who[as(k)])].direction;
-        const double c = std::cos(turn(k)), s = -std::sin(turn(k));
-        const double x = d[0] * c - d[1] * s, y = d[0] * s + d[1] * c, length = std::hypot(x, y);
-        d = {x / length, y / length};
-      }
-    }
-    return false;
-  }
-
-  void accept(const Regimes& regimes) noexcept {
-    System system(problem_, regimes);
-    if (!system.solve()) return;
-    const RegimeInequalities<most> inequalities(problem_, system);
-    Vector r = system.reactions(), u = problem_.W * r + problem_.q;
-    constexpr double slack = 1e-12;
-    bool indeterminate = false, moves = false;
-    if (system.kernel().cols() > 0) {
-      // Reactions inside all bounds leave room for others; where only the bounds fit, they are taken as they are.
-      const Vector start = system.x();
-      for (const double margin : {1e-2, 1e-5, 0.0}) {
-        system.x() = start;
-        if (inequalities.find(system, margin)) {
-          indeterminate = margin > 0;
-          r = system.reactions();
-          const Vector one = problem_.W * r + problem_.q;
-          const typename Problem::Matrix change = problem_.W * (system.B() * system.kernel());
-          const double size = problem_.W.cwiseAbs().maxCoeff() * system.kernel().cwiseAbs().maxCoeff();
-          moves = indeterminate && change.cwiseAbs().maxCoeff() > 1e-9 * size;
-          u = one;
-          break;
-        }
-      }
-    }
-    if (!inequalities.hold(r, u, slack)) return;
-    ContactSolution<most> solution;
-    solution.indeterminate = indeterminate;
-    tidy(regimes, r, u, solution);
-    if (!(solution.residual <= 1e-9)) return;
-    moves_ = moves_ || moves;
-    add(solution);
-  }
-
-  // What the laws give without rounding is put in place: no negative force, none outside its bound, u = 0 where it
-  // sticks.
-  void tidy(const Regimes& regimes, Vector& r, Vector& u, ContactSolution<most>& solution) const noexcept {
-    for (int i = 0; i < problem_.count; ++i) {
-      const ContactLaw& law = problem_.law(i);
-      const AssumedRegime& assumed = regimes[as(i)];
-      const int n = problem_.first_row(i), t = problem_.tangent_row(i);
-      solution.regimes[as(i)] = assumed.regime();
-      if (law.normal) {
-        r(n) = assumed.pressed ? std::max(0.0, r(n)) : 0.0;
-        u(n) = assumed.pressed ? 0.0 : std::max(0.0, u(n));
-      }
-      const double N = problem_.pressing(i, r);
-      if (assumed.friction == Friction::sticks) {
-        const double radius = law.static_friction * N + law.static_bound;
-        double length = 0;
-        for (int k = 0; k < law.tangents; ++k) length = std::hypot(length, r(t + k));
-        for (int k = 0; k < law.tangents; ++k) {
-          u(t + k) = 0;
-          if (length > radius) r(t + k) *= radius / length;
-        }
-      }
-      if (assumed.friction == Friction::slides) {
-        for (int k = 0; k < law.tangents; ++k) r(t + k) = -(law.friction * N + law.bound) * assumed.direction[as(k)];
-      }
-    }
-    solution.r = r;
-    solution.u = u;
-    solution.residual = natural_map_residual(problem_, solution);
-  }
-
-  void add(const ContactSolution<most>& solution) noexcept {
-    if (problem_.rows() == 0) {
-      answer_.solutions[0] = solution;
-      answer_.count = 1;
-      return;
-    }
-    const double size = (problem_.W.cwiseAbs() * solution.r.cwiseAbs() + problem_.q.cwiseAbs()).maxCoeff();
-    const double force = solution.r.cwiseAbs().maxCoeff();
-    for (std::size_t i = 0; i < answer_.count; ++i) {
-      auto& known = answer_.solutions[i];
-      if ((known.u - solution.u).cwiseAbs().maxCoeff() > 1e-9 * size) continue;
-      const double far = (known.r - solution.r).cwiseAbs().maxCoeff();
-      if (far > 1e-9 * std::max(force, known.r.cwiseAbs().maxCoeff())) {
-        known.indeterminate = true;
-      } else {
-        known.indeterminate = known.indeterminate || solution.indeterminate;
-      }
-      return;
-    }
-    if (answer_.count < answer_.kept) answer_.solutions[answer_.count++] = solution;
-  }
-
-  const Problem& problem_;
-  ContactAnswer<most> answer_;
+  const ContactProblem& problem_;
+  ContactAnswer answer_;
   bool moves_ = false;  ///< reactions that fit give different motions without end
 };
 

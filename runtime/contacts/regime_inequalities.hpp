@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-#include <Eigen/Cholesky>
-#include <algorithm>
-#include <cmath>
+#include <cstddef>
 
 #include "runtime/contacts/regime_system.hpp"
 
@@ -11,152 +9,33 @@ namespace torsor::runtime {
 /// What assumed regimes ask besides their equations, each as a number >= 0: N of pressed contacts, u_N of those that
 /// are not, d · u_T of those that begin to slide, and f_s N + b_s - |T| of those that stick. Forces count over the
 /// largest force, motions over the largest motion of the problem.
-template <int most>
 class RegimeInequalities {
  public:
-  using System = RegimeSystem<most>;
-  using Problem = ContactProblem<most>;
-  using Vector = typename Problem::Vector;
   using Friction = AssumedRegime::Friction;
 
-  RegimeInequalities(const Problem& problem, const System& system) noexcept : problem_(problem), system_(system) {}
+  RegimeInequalities(const ContactProblem& problem, const RegimeSystem& system) noexcept : problem_(problem), system_(system) {}
 
   /// The largest force, and the largest sum of terms of a motion.
   struct Sizes {
     double force, motion;
   };
-  [[nodiscard]] Sizes sizes(const Vector& r) const noexcept {
-    const double force = r.size() > 0 ? r.cwiseAbs().maxCoeff() : 0;
-    const Vector terms = problem_.W.cwiseAbs() * r.cwiseAbs() + problem_.q.cwiseAbs();
-    return {force, terms.size() > 0 ? terms.maxCoeff() : 0};
-  }
+  [[nodiscard]] Sizes sizes(const ContactVector& r) const noexcept;
 
   /// The largest of q and of what bounded friction adds: of the motions that the problem starts from.
-  [[nodiscard]] double given_motion() const noexcept {
-    Vector terms = problem_.q.cwiseAbs();
-    for (int i = 0; i < problem_.count; ++i) {
-      const ContactLaw& law = problem_.law(i);
-      const int t = problem_.tangent_row(i);
-      const double bound = std::max(law.bound, law.static_bound);
-      for (int k = 0; k < law.tangents; ++k) terms += bound * problem_.W.col(t + k).cwiseAbs();
-    }
-    return terms.size() > 0 ? terms.maxCoeff() : 0;
-  }
+  [[nodiscard]] double given_motion() const noexcept;
 
   /// Whether all hold but for rounding: `slack` of the sizes.
-  [[nodiscard]] bool hold(const Vector& r, const Vector& u, double slack) const noexcept {
-    const Sizes size = sizes(r);
-    // Where terms cancel to a part in 1e8 the motion is no longer known: forces that run away solve nothing.
-    if (!(size.motion <= 1e8 * given_motion())) return false;
-    const double force = slack * size.force, motion = slack * size.motion;
-    for (int i = 0; i < problem_.count; ++i) {
-      const ContactLaw& law = problem_.law(i);
-      const AssumedRegime& assumed = system_.at(i);
-      const int n = problem_.first_row(i), t = problem_.tangent_row(i);
-      if (law.normal && !(assumed.pressed ? r(n) >= -force : u(n) >= -motion)) return false;
-      if (assumed.friction == Friction::sticks) {
-        const double N = problem_.pressing(i, r);
-        double length = 0;
-        for (int k = 0; k < law.tangents; ++k) length = std::hypot(length, r(t + k));
-        if (!(length <= law.static_friction * N + law.static_bound + force)) return false;
-      }
-      if (assumed.friction == Friction::slides && !assumed.direction_given) {
-        double along = 0, across = 0;
-        for (int k = 0; k < law.tangents; ++k) along += assumed.direction[as(k)] * u(t + k);
-        if (law.tangents == 2) across = assumed.direction[0] * u(t + 1) - assumed.direction[1] * u(t);
-        if (!(along >= -motion && std::abs(across) <= 64 * motion)) return false;
-      }
-    }
-    return true;
-  }
+  [[nodiscard]] bool hold(const ContactVector& r, const ContactVector& u, double slack) const noexcept;
 
   /// Looks for x + Z z where all hold, Z the kernel of the system: least sum of the squares of what is missing, convex
   /// in z, by Newton's method with halved steps. `margin` asks for more than 0, as a part of the sizes. True when
   /// found; the system then holds that x.
-  [[nodiscard]] bool find(System& system, double margin) const noexcept {
-    const auto& Z = system.kernel();
-    const int n = static_cast<int>(Z.cols());
-    const Vector start = system.x();
-    const typename Problem::Matrix R = system.B() * Z, U = problem_.W * R;
-    Vector z = Vector::Zero(n);
-    const Sizes size = sizes(system.reactions());
-    const double force = std::max(size.force, 1e-300), motion = std::max(size.motion, 1e-300);
-    Vector gradient(n);
-    typename Problem::Matrix hessian(n, n);
-    const auto value = [&](const Vector& at, bool slopes) {
-      system.x() = start + Z * at;
-      const Vector r = system.reactions(), u = problem_.W * r + problem_.q;
-      double sum = 0;
-      if (slopes) {
-        gradient.setZero(n);
-        hessian.setZero(n, n);
-      }
-      const auto add = [&](double missing, const Vector& row) {
-        if (!(missing > 0)) return;
-        sum += missing * missing / 2;
-        if (!slopes) return;
-        gradient -= missing * row;
-        hessian += row * row.transpose();
-      };
-      for (int i = 0; i < problem_.count; ++i) {
-        const ContactLaw& law = problem_.law(i);
-        const AssumedRegime& assumed = system.at(i);
-        const int k = problem_.first_row(i), t = problem_.tangent_row(i);
-        if (law.normal && assumed.pressed) add(margin - r(k) / force, R.row(k).transpose() / force);
-        if (law.normal && !assumed.pressed) add(margin - u(k) / motion, U.row(k).transpose() / motion);
-        if (assumed.friction == Friction::sticks) {
-          double length = 0;
-          for (int j = 0; j < law.tangents; ++j) length = std::hypot(length, r(t + j));
-          const int pressing = problem_.pressing_row(i);
-          const double N = problem_.pressing(i, r);
-          const double missing = margin - (law.static_friction * N + law.static_bound - length) / force;
-          if (!(missing > 0)) continue;
-          Vector row = Vector::Zero(n);
-          if (pressing >= 0) row += law.static_friction * R.row(pressing).transpose() / force;
-          for (int j = 0; j < law.tangents && length > 0; ++j)
-            row -= r(t + j) / length * R.row(t + j).transpose() / force;
-          add(missing, row);
-          if (slopes && law.tangents == 2 && length > 0) {
-            const Vector across = (r(t) * R.row(t + 1) - r(t + 1) * R.row(t)).transpose() / length;
-            hessian += missing / (length * force) * across * across.transpose();
-          }
-        }
-        if (assumed.friction == Friction::slides && !assumed.direction_given) {
-          double along = 0;
-          Vector row = Vector::Zero(n);
-          for (int j = 0; j < law.tangents; ++j) {
-            along += assumed.direction[as(j)] * u(t + j);
-            row += assumed.direction[as(j)] * U.row(t + j).transpose() / motion;
-          }
-          add(margin - along / motion, row);
-        }
-      }
-      return sum;
-    };
-    double now = value(z, true);
-    for (int step = 0; step < 60 && now > 0; ++step) {
-      hessian.diagonal().array() += 1e-12 * (hessian.trace() + 1e-300);
-      const Vector change = hessian.ldlt().solve(gradient);
-      const double slope = gradient.dot(change);
-      if (!(slope > 0) || !change.allFinite()) break;
-      double part = 1, next = value(z - change, false);
-      while (part > 1e-8 && !(next <= now - 0.25 * part * slope)) {
-        part /= 2;
-        next = value(z - part * change, false);
-      }
-      if (!(next < now)) break;
-      z -= part * change;
-      now = value(z, true);
-    }
-    system.x() = start + Z * z;
-    const Vector r = system.reactions();
-    return hold(r, problem_.W * r + problem_.q, 1e-12);
-  }
+  [[nodiscard]] bool find(RegimeSystem& system, double margin) const noexcept;
 
  private:
   static std::size_t as(int i) noexcept { return static_cast<std::size_t>(i); }
-  const Problem& problem_;
-  const System& system_;
+  const ContactProblem& problem_;
+  const RegimeSystem& system_;
 };
 
 }  // namespace torsor::runtime

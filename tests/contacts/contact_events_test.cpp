@@ -23,10 +23,9 @@ struct Told {
 };
 
 // What happened, and the least gap of the first coordinate.
-template <class S>
 struct Log {
   std::vector<Told>& events;
-  bool operator()(const ContactEvent<ContactMotion<S>>& e) const {
+  bool operator()(const ContactEvent& e) const {
     EXPECT_LE(e.residual, 1e-13);
     EXPECT_GE(e.energy_lost, -1e-13);
     events.push_back({e.kind, e.time, {e.state.begin(), e.state.end()}, e.contacts[0].regime});
@@ -51,7 +50,7 @@ constexpr DormandPrince853 precise{.relative_tolerance = 1e-13, .absolute_tolera
 template <class S, std::size_t size>
 Motion move(const S& system, std::array<double, size>& y, double end, bool reaches = true) {
   Motion motion;
-  motion.result = integrate_contacts(system, y, 0, end, precise, {}, Log<S>{motion.events});
+  motion.result = integrate_contacts(system, y, 0, end, precise, {}, Log{motion.events});
   EXPECT_TRUE(motion.result || !reaches) << describe(motion.result.status);
   EXPECT_LE(motion.result.worst_residual, 1e-13);
   return motion;

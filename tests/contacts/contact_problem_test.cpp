@@ -39,8 +39,8 @@ const Known known[] = {
      {0, -0.05107347379181596387363632, 0.09916611135456665052239}},
 };
 
-ContactProblem<1> in_space() {
-  ContactProblem<1> problem;
+ContactProblem in_space() {
+  ContactProblem problem;
   problem.count = 1;
   problem.W.resize(3, 3);
   problem.W << 2, 0.3, -0.1, 0.3, 3, 0.4, -0.1, 0.4, 2.5;
@@ -50,7 +50,7 @@ ContactProblem<1> in_space() {
 
 TEST(OneContact, HasTheReactionOfCoulombsDisc) {
   for (const Known& k : known) {
-    ContactProblem<1> problem = in_space();
+    ContactProblem problem = in_space();
     problem.laws[0] = coulomb(2, k.friction);
     for (int i = 0; i < 3; ++i) problem.q(i) = k.q[static_cast<std::size_t>(i)];
     const auto answer = solve_contacts(problem);
@@ -66,7 +66,7 @@ TEST(OneContact, HasTheReactionOfCoulombsDisc) {
 }
 
 TEST(OneContact, SaysThatForcesOfPainleveDoNotExistOrAreTwo) {
-  ContactProblem<1> problem;
+  ContactProblem problem;
   problem.count = 1;
   problem.laws[0] = coulomb(1, 1.5);
   problem.laws[0].slips = true;  // to the positive side
@@ -88,7 +88,7 @@ TEST(OneContact, SaysThatForcesOfPainleveDoNotExistOrAreTwo) {
 }
 
 TEST(OneContact, StartsToSlideByTheLesserCoefficientAndSaysThatItCouldStick) {
-  ContactProblem<1> problem;
+  ContactProblem problem;
   problem.count = 1;
   problem.laws[0] = {.tangents = 1, .friction = 0.2, .static_friction = 0.5};
   problem.W = Eigen::Matrix2d::Identity();
@@ -105,7 +105,7 @@ TEST(OneContact, StartsToSlideByTheLesserCoefficientAndSaysThatItCouldStick) {
 }
 
 TEST(OneContact, OfDryFrictionAloneIsBoundedByItsForce) {
-  ContactProblem<1> problem;
+  ContactProblem problem;
   problem.count = 1;
   problem.laws[0] = {.normal = false, .tangents = 1, .bound = 0.8, .static_bound = 0.8};
   problem.W.resize(1, 1);
@@ -121,7 +121,7 @@ TEST(OneContact, OfDryFrictionAloneIsBoundedByItsForce) {
 
 // A plank on three supports in the plane, of which two would do: forces are one freedom too many.
 TEST(ManySupports, LeaveReactionsIndeterminate) {
-  ContactProblem<3> problem;
+  ContactProblem problem;
   problem.count = 3;
   Eigen::Matrix<double, 3, 2> J;
   J << 1, -1, 1, 0, 1, 1;  // height and turn
@@ -138,7 +138,7 @@ TEST(ManySupports, LeaveReactionsIndeterminate) {
 // Beyond six contacts no regime is guessed: a row of masses on a floor, pulled aside by forces that some withstand.
 TEST(ManyContacts, AreSolvedByIteration) {
   constexpr int n = 12;
-  ContactProblem<n> problem;
+  ContactProblem problem;
   problem.count = n;
   problem.W = Eigen::MatrixXd::Identity(2 * n, 2 * n);
   problem.q.resize(2 * n);

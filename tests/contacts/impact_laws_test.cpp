@@ -22,7 +22,7 @@ struct Row {
 
 struct After {
   std::vector<double> v;
-  ImpactResult<4> result;
+  ImpactResult result;
 };
 
 After strike(const Row& row, const Restitutions& e, ImpactLaw law, bool reversed = false) {
@@ -39,12 +39,12 @@ After strike(const Row& row, const Restitutions& e, ImpactLaw law, bool reversed
     if (upper > 0) J(c, upper - 1) = -1;
   }
   if (reversed) J = J.colwise().reverse().eval();
-  ContactProblem<4> problem;
+  ContactProblem problem;
   problem.count = contacts;
   problem.laws.fill(coulomb(0, 0));
   problem.W = J * inverse * J.transpose();
   problem.q = J * v;
-  const ImpactResult<4> result = impact(problem, e, law);
+  const ImpactResult result = impact(problem, e, law);
   const Eigen::VectorXd after = v + inverse * J.transpose() * result.P;
   return {{after.data(), after.data() + n}, result};
 }
@@ -99,7 +99,7 @@ TEST(ImpactLaw, OfSequencesCollidesTwoByTwo) {
 // A ball of 0.3 kg at 4 m/s strikes a hinged rod 0.9 m below its hinge; J = 0.96 kg m² (percussions, course §7.6).
 TEST(ImpactLaw, LosesTheEnergyOfCarnot) {
   for (const double e : {0.0, 0.5, 1.0}) {
-    ContactProblem<1> problem;
+    ContactProblem problem;
     problem.count = 1;
     problem.laws[0] = coulomb(0, 0);
     problem.W.resize(1, 1);
@@ -107,7 +107,7 @@ TEST(ImpactLaw, LosesTheEnergyOfCarnot) {
     problem.q.resize(1);
     problem.q << -4;
     for (const ImpactLaw law : {ImpactLaw::newton_moreau, ImpactLaw::poisson, ImpactLaw::sequential}) {
-      const auto result = impact<1>(problem, {e}, law);
+      const auto result = impact(problem, std::array{e}, law);
       EXPECT_NEAR(result.P(0), (1 + e) * 384 / 401, 1e-15) << describe(law);
       const double lost = -result.P(0) * (problem.q(0) + result.w(0)) / 2;
       EXPECT_NEAR(lost, (1 - e * e) * 768 / 401, 4e-15);

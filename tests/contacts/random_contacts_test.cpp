@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <gtest/gtest.h>
 
+#include <Eigen/LU>
 #include <Eigen/QR>
 #include <algorithm>
 #include <array>
@@ -22,13 +23,12 @@ using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
 constexpr int most = 4;
-using Problem = ContactProblem<most>;
 
 // u = J v of a mechanism of 2 to 7 freedoms with unit masses: few freedoms make reactions indeterminate. Some contacts
 // slide already: then motions may be several or none.
-Problem random_problem(std::mt19937& source, int tangents) {
+ContactProblem random_problem(std::mt19937& source, int tangents) {
   std::normal_distribution<double> normal;
-  Problem problem;
+  ContactProblem problem;
   problem.count = 1 + static_cast<int>(source() % most);
   const int rows = problem.count * (1 + tangents), freedoms = 2 + static_cast<int>(source() % 6);
   MatrixXd J(rows, freedoms);
@@ -56,7 +56,7 @@ Problem random_problem(std::mt19937& source, int tangents) {
 // vertices and extreme rays by trying which inequalities hold as equations.
 class Polyhedra {
  public:
-  explicit Polyhedra(const Problem& problem) : problem_(problem), n_(2 * problem.count) {
+  explicit Polyhedra(const ContactProblem& problem) : problem_(problem), n_(2 * problem.count) {
     std::vector<int> piece(static_cast<std::size_t>(problem.count), 0);
     for (bool more = true; more;) {
       visit(piece);
@@ -167,7 +167,7 @@ class Polyhedra {
     rays_.clear();
   }
 
-  const Problem& problem_;
+  const ContactProblem& problem_;
   const Eigen::Index n_;
   std::vector<VectorXd> rays_;
   bool ray_ = false, moving_ray_ = false;
@@ -175,7 +175,7 @@ class Polyhedra {
 
 int wanted(int usual, int many) { return std::getenv("TORSOR_LONG_TESTS") == nullptr ? usual : many; }
 
-void expect_lawful(const Problem& problem, const ContactSolution<most>& s) {
+void expect_lawful(const ContactProblem& problem, const ContactSolution& s) {
   EXPECT_LE(s.residual, 1e-13);
   for (int i = 0; i < problem.count; ++i) {
     const ContactLaw& law = problem.law(i);
@@ -196,7 +196,7 @@ TEST(RandomContacts, InThePlaneHaveTheVerdictOfAllTheirPolyhedra) {
   std::mt19937 source(20261122);
   std::array<int, 4> seen{};
   for (int k = 0; k < wanted(1000, 100000); ++k) {
-    const Problem problem = random_problem(source, 1);
+    const ContactProblem problem = random_problem(source, 1);
     const Polyhedra truth(problem);
     const auto answer = solve_contacts(problem);
     ASSERT_EQ(answer.verdict, truth.verdict()) << "problem " << k << " with " << problem.count << " contacts";
@@ -215,16 +215,14 @@ TEST(RandomContacts, InSpaceHaveNoMotionThatWasNotFound) {
   std::normal_distribution<double> normal;
   int moving = 0, compared = 0;
   for (int k = 0; k < wanted(100, 2000); ++k) {
-    const Problem problem = random_problem(source, 2);
+    const ContactProblem problem = random_problem(source, 2);
     if (problem.count > 2) continue;
     const auto answer = solve_contacts(problem);
     for (std::size_t i = 0; i < answer.count; ++i) expect_lawful(problem, answer.solutions[i]);
     for (int start = 0; start < 6; ++start) {
-      ContactIteration<most> iteration(problem, {.sweeps = 20, .attempts = 6});
-      Problem::Vector r(problem.rows());
+      ContactVector r(problem.rows());
       for (int i = 0; i < r.size(); ++i) r(i) = normal(source);
-      iteration.start_from(r);
-      const auto other = iteration.run();
+      const auto other = iterate_contacts(problem, r, {.sweeps = 20, .attempts = 6});
       if (!other) continue;
       ++compared;
       bool found = false;
@@ -245,7 +243,7 @@ TEST(RandomContacts, AloneInSpaceHaveAsManySlipsAsAScanOfDirectionsFinds) {
   std::normal_distribution<double> normal;
   int several = 0;
   for (int k = 0; k < wanted(100, 2000); ++k) {
-    ContactProblem<1> problem;
+    ContactProblem problem;
     problem.count = 1;
     Eigen::Matrix3d J;
     for (int i = 0; i < 9; ++i) J(i / 3, i % 3) = normal(source);

@@ -34,7 +34,7 @@ struct Pin { int a, b; Vector2 on_a, on_b; };  ///< closes a loop
 class RandomScene {
  public:
   static constexpr std::size_t nq = 12, nv = 12, contacts = 8;
-  using Reading = ContactReading<12, 8, 4>;
+  static constexpr int constraints = 4;  ///< at most: a reading has as many rows as there are
   using State = std::array<double, nq + nv>;
   static constexpr double g = 9.81;
 
@@ -50,7 +50,7 @@ class RandomScene {
     return {.tangents = touch.friction > 0 ? 1 : 0, .friction = touch.friction, .restitution = touch.restitution};
   }
 
-  [[nodiscard]] Evaluation read(double, const State& y, Reading& reading) const {
+  [[nodiscard]] Evaluation read(double, const State& y, ContactReading& reading) const {
     const std::vector<Place> places = places_of(y);
     reading.M.setIdentity();
     reading.F.setZero();
@@ -64,7 +64,7 @@ class RandomScene {
       reading.M(at.angle, at.angle) += bodies[k].inertia;
       reading.F += m * at.J.transpose() * (Vector2(0, -g) - at.bias);
     }
-    reading.gap.fill(1);
+    std::fill(reading.gap.begin(), reading.gap.end(), 1.0);
     reading.J.setZero();
     reading.w.setZero();
     reading.drift.setZero();
@@ -148,7 +148,7 @@ class RandomScene {
     return places;
   }
 
-  void read_contact(const Touch& touch, const std::vector<Place>& places, Reading& reading, int i, int& row) const {
+  void read_contact(const Touch& touch, const std::vector<Place>& places, ContactReading& reading, int i, int& row) const {
     const Disc& disc = discs[static_cast<std::size_t>(touch.disc)];
     const Place a = at_point(places, disc.body, disc.centre);
     Place b;
@@ -183,17 +183,14 @@ class RandomScene {
   }
 
  public:
-  [[nodiscard]] Reading reading_at(const State& y) const {
-    Reading reading;
-    reading.J.resize(3 * static_cast<Eigen::Index>(contacts), Eigen::NoChange);
-    reading.w.resize(3 * static_cast<Eigen::Index>(contacts));
-    reading.drift.resize(3 * static_cast<Eigen::Index>(contacts));
+  [[nodiscard]] ContactReading reading_at(const State& y) const {
+    ContactReading reading({static_cast<int>(nq), static_cast<int>(nv), static_cast<int>(contacts), constraints}, 3 * static_cast<int>(contacts));
     (void)read(0, y, reading);
     return reading;
   }
   /// The gaps of all contacts that there are.
   [[nodiscard]] std::vector<double> gaps(const State& y) const {
-    const Reading reading = reading_at(y);
+    const ContactReading reading = reading_at(y);
     return {reading.gap.begin(), reading.gap.begin() + static_cast<std::ptrdiff_t>(touches.size())};
   }
   /// Where a loop that these bodies close may be pinned: the point of b that lies on that of a.

@@ -21,7 +21,7 @@ struct Moment { ContactEventKind kind; int contact; double time; std::vector<dou
 template <class S>
 std::vector<Moment> events_of(const S& system, typename S::State& y, double end) {
   std::vector<Moment> events;
-  const auto log = [&](const ContactEvent<ContactMotion<S>>& e) {
+  const auto log = [&](const ContactEvent& e) {
     events.push_back({e.kind, e.contact, e.time, {e.state.begin(), e.state.end()}, e.residual});
   };
   const ContactResult result = integrate_contacts(system, y, 0, end, precise, {}, log);

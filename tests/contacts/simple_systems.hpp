@@ -16,14 +16,13 @@ using namespace torsor::runtime;
 template <std::size_t q_count, std::size_t v_count, std::size_t contact_count>
 struct ByHand {
   static constexpr std::size_t nq = q_count, nv = v_count, contacts = contact_count;
-  using Reading = ContactReading<static_cast<int>(nv), static_cast<int>(contacts)>;
   using State = std::array<double, nq + nv>;
 
   std::array<ContactRule, contacts> rules;
-  std::function<void(double, const State&, Reading&)> fill;
+  std::function<void(double, const State&, ContactReading&)> fill;
 
   [[nodiscard]] ContactRule rule(int i) const { return rules[static_cast<std::size_t>(i)]; }
-  [[nodiscard]] Evaluation read(double t, const State& y, Reading& reading) const {
+  [[nodiscard]] Evaluation read(double t, const State& y, ContactReading& reading) const {
     fill(t, y, reading);
     return Evaluation::ok;
   }
@@ -71,41 +70,34 @@ inline ByHand<3, 3, 1> sphere_on_slope(double slope, double f, double e, double 
           }};
 }
 
-/// A ball on a table in space: q = place of its centre, v = (V, W).
+/// A ball on a table in space: q = place of its centre, v = (V, W). The contact's three rows come first.
+inline void fill_billiard_ball(double m, double R, const std::array<double, 9>& y, ContactReading& r) {
+  r.M.setIdentity();
+  r.M *= m;
+  for (int i = 3; i < 6; ++i) r.M(i, i) = 0.4 * m * R * R;
+  r.F << 0, 0, -m * g, 0, 0, 0;
+  r.gap[0] = y[2] - R;
+  r.J.setZero();
+  r.J(0, 2) = r.J(1, 0) = r.J(2, 1) = 1;
+  r.J(1, 4) = -R;
+  r.J(2, 3) = R;
+  r.w.head(3) << y[5], y[3] - R * y[7], y[4] + R * y[6];
+  r.drift.setZero();
+}
 inline ByHand<3, 6, 1> billiard_ball(double m, double R, double f, double e) {
-  return {{ContactRule{.tangents = 2, .friction = f, .restitution = e}}, [=](double, const auto& y, auto& r) {
-            r.M.setIdentity();
-            r.M *= m;
-            for (int i = 3; i < 6; ++i) r.M(i, i) = 0.4 * m * R * R;
-            r.F << 0, 0, -m * g, 0, 0, 0;
-            r.gap[0] = y[2] - R;
-            r.J.setZero();
-            r.J(0, 2) = r.J(1, 0) = r.J(2, 1) = 1;
-            r.J(1, 4) = -R;
-            r.J(2, 3) = R;
-            r.w << y[5], y[3] - R * y[7], y[4] + R * y[6];
-            r.drift.setZero();
-          }};
+  return {{ContactRule{.tangents = 2, .friction = f, .restitution = e}},
+          [=](double, const auto& y, auto& r) { fill_billiard_ball(m, R, y, r); }};
 }
 
 /// The same ball, of which the table resists the rolling by h N and the spinning by k N.
 inline ByHand<3, 6, 3> ball_on_soft_table(double m, double R, double f, double e, double h, double k) {
-  const auto table = billiard_ball(m, R, f, e);
-  return {{table.rules[0], ContactRule{.tangents = 2, .normal = false, .pressed_by = 0, .friction = h},
+  return {{ContactRule{.tangents = 2, .friction = f, .restitution = e},
+           ContactRule{.tangents = 2, .normal = false, .pressed_by = 0, .friction = h},
            ContactRule{.tangents = 1, .normal = false, .pressed_by = 0, .friction = k}},
           [=](double, const auto& y, auto& r) {
-            r.M.setIdentity();
-            r.M *= m;
-            for (int i = 3; i < 6; ++i) r.M(i, i) = 0.4 * m * R * R;
-            r.F << 0, 0, -m * g, 0, 0, 0;
-            r.gap[0] = y[2] - R;
-            r.J.setZero();
-            r.J(0, 2) = r.J(1, 0) = r.J(2, 1) = 1;
-            r.J(1, 4) = -R;
-            r.J(2, 3) = R;
+            fill_billiard_ball(m, R, y, r);
             r.J(3, 3) = r.J(4, 4) = r.J(5, 5) = 1;
-            r.w << y[5], y[3] - R * y[7], y[4] + R * y[6], y[6], y[7], y[8];
-            r.drift.setZero();
+            r.w.tail(3) << y[6], y[7], y[8];
           }};
 }
 

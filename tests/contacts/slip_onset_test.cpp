@@ -21,10 +21,9 @@ struct Told {
   double time;
 };
 
-template <class S>
 struct Log {
   std::vector<Told>& events;
-  bool operator()(const ContactEvent<ContactMotion<S>>& e) const {
+  bool operator()(const ContactEvent& e) const {
     events.push_back({e.kind, e.time});
     return true;
   }
@@ -33,7 +32,7 @@ struct Log {
 template <class S, std::size_t size>
 std::vector<Told> move(const S& system, std::array<double, size>& y, double from, double to) {
   std::vector<Told> events;
-  const auto result = integrate_contacts(system, y, from, to, precise, {}, Log<S>{events});
+  const auto result = integrate_contacts(system, y, from, to, precise, {}, Log{events});
   EXPECT_TRUE(result) << describe(result.status) << " at " << result.time << ": " << describe(result.integration_event)
                       << ", " << describe(result.integration.status);
   EXPECT_LE(result.worst_residual, 1e-13);
@@ -59,8 +58,7 @@ ByHand<3, 3, 1> particle_on_turntable(double alpha, double f, double f_static) {
 template <class S, std::size_t size>
 std::array<double, size> slide_from(const S& system, std::array<double, size> y, const std::array<double, 3>& slip,
                                     double from, double to) {
-  typename S::Reading r;
-  r.J.resize(3, Eigen::NoChange), r.w.resize(3), r.drift.resize(3);
+  ContactReading r({static_cast<int>(S::nq), static_cast<int>(S::nv), 1, 0}, 3);
   const auto slides = [&](double t, const std::array<double, size>& at, std::array<double, size>& dydt) {
     const Evaluation evaluation = system.read(t, at, r);
     const Eigen::Vector3d pull(1, -system.rule(0).friction * r.w(1) / std::hypot(r.w(1), r.w(2)),
@@ -135,7 +133,6 @@ TEST(SlipOnset, WithLessFrictionThanBeforeBeginsAtOnce) {
 /// A thin disk on a level plane: q = (x, y, z, ψ, θ, φ), Euler's angles about z, x1, z2; v = (V, ω along x1, y2, z2).
 struct Disk {
   static constexpr std::size_t nq = 6, nv = 6, contacts = 1;
-  using Reading = ContactReading<6, 1>;
   using State = std::array<double, 12>;
   double rho, f, f_static;
 
@@ -144,7 +141,7 @@ struct Disk {
     const double turning = y[10] / std::sin(y[4]);
     rates = {y[6], y[7], y[8], turning, y[9], y[11] - turning * std::cos(y[4])};
   }
-  [[nodiscard]] Evaluation read(double, const State& y, Reading& r) const {
+  [[nodiscard]] Evaluation read(double, const State& y, ContactReading& r) const {
     const double A = rho * rho / 4, C = rho * rho / 2;
     const double c = std::cos(y[3]), s = std::sin(y[3]), ct = std::cos(y[4]), st = std::sin(y[4]);
     const double w1 = y[9], w2 = y[10], w3 = y[11], turning = w2 / st, W3 = turning * ct;

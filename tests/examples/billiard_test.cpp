@@ -46,7 +46,7 @@ struct Motion {
   typename S::State y;
 
   Motion(const S& system, const typename S::State& start, double end) : y(start) {
-    const auto log = [this](const ContactEvent<ContactMotion<S>>& e) {
+    const auto log = [this](const ContactEvent& e) {
       events.push_back({e.kind,
                         e.contact,
                         e.time,

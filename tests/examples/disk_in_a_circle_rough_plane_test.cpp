@@ -25,7 +25,8 @@ TEST(DiskInACircleRoughPlane, RollsWhereFrictionSufficesAndSlipsWhereItDoesNot) 
                                            DormandPrince853{.relative_tolerance = 1e-13, .absolute_tolerance = 1e-13});
     ASSERT_TRUE(result) << describe(result.status);
     EXPECT_LE(result.worst_residual, 1e-13);
-    ContactMotion<Disk> motion(system);
+    const ContactMechanismOf<Disk> mechanism(system);
+    ContactMotion motion(mechanism);
     ASSERT_TRUE(motion.read(0.05, y));
     const double slip = std::hypot(motion.reading().w(1), motion.reading().w(2));
     // It does not sink: a gap is a difference of lengths of 1 m.

@@ -30,7 +30,7 @@ TEST(RimlessWheel, StepsAsTheReturnMapSaysToItsLimitCycle) {
       std::vector<double> rates;
       const auto result = integrate_contacts(wheel, y, 0, 12,
                                              DormandPrince853{.relative_tolerance = 1e-13, .absolute_tolerance = 1e-13},
-                                             {}, [&](const ContactEvent<ContactMotion<Wheel>>& event) {
+                                             {}, [&](const ContactEvent& event) {
                                                if (event.kind == ContactEventKind::impact)
                                                  rates.push_back(event.state[5]);
                                                return true;

@@ -30,7 +30,7 @@ TEST(StickSlipBelt, IsOnItsCycleFromTheFirstSticking) {
   Block::State y = block.initial();
   std::vector<Switch> switches;
   const auto result =
-      integrate_contacts(block, y, 0, 6, precise, {}, [&](const ContactEvent<ContactMotion<Block>>& event) {
+      integrate_contacts(block, y, 0, 6, precise, {}, [&](const ContactEvent& event) {
         switches.push_back({event.kind, event.time, event.state[0]});
         return true;
       });

@@ -26,7 +26,7 @@ struct Blow {
   std::array<double, S::nv> change{};  ///< of velocities
 
   Blow(const S& system, const typename S::State& start, double end) : y(start) {
-    const auto log = [&](const ContactEvent<ContactMotion<S>>& e) {
+    const auto log = [&](const ContactEvent& e) {
       if (e.kind != ContactEventKind::impact) return;
       impulse = e.impulses(0);
       energy_lost = e.energy_lost;

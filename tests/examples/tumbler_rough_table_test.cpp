@@ -67,7 +67,7 @@ TEST(TumblerRoughTable, RollsWhereFrictionSufficesAndSlipsWhereItDoesNot) {
     Tumbler::State y = system.initial();
     int slips = 0;
     const auto result =
-        integrate_contacts(system, y, 0, end, precise, {}, [&](const ContactEvent<ContactMotion<Tumbler>>& event) {
+        integrate_contacts(system, y, 0, end, precise, {}, [&](const ContactEvent& event) {
           slips += event.kind == ContactEventKind::slips ? 1 : 0;
           return true;
         });

@@ -1,0 +1,392 @@
+// SPDX-License-Identifier: MIT
+#include "runtime/contacts/contact_automaton.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "runtime/contacts/contact_solver.hpp"
+
+namespace torsor::runtime {
+
+ContactAutomaton::ContactAutomaton(const ContactMechanism& mechanism, const ContactOptions& options)
+    : motion_(mechanism), options_(options),
+      before_(as(mechanism.sizes().coordinates + mechanism.sizes().velocities)), bounces_(as(mechanism.sizes().contacts)) {
+  result_.status = ContactStatus::not_started;
+  impulses_.setZero(motion_.rows());
+}
+
+bool ContactAutomaton::start(double t0, std::span<double> y) {
+  result_ = {};
+  result_.time = t0;
+  y_ = y;
+  residual_ = 0;
+  return valid_rules() && begin(t0);
+}
+
+double ContactAutomaton::guard(std::size_t index, double t, std::span<const double> y) {
+  constexpr double none = std::numeric_limits<double>::quiet_NaN();
+  if (index >= guards * bounces_.size()) return 1;
+  const int contact = static_cast<int>(index / guards);
+  const auto watched = static_cast<Watched>(index % guards);
+  const ContactState& state = motion_.states[as(contact)];
+  const ContactRule& rule = motion_.rule(contact);
+  if (!motion_.read(t, y)) return none;
+  if (watched == Watched::gap_or_pressure) {
+    if (!rule.normal) return 1;
+    if (!state.touches) return motion_.reading().gap[as(contact)];
+    if (motion_.solve(t, y) != Evaluation::ok) return none;
+    return motion_.reactions()(motion_.first_row(contact)) + state.force_slack;
+  }
+  if (!state.touches || rule.tangents == 0 || state.regime == ContactRegime::open) return 1;
+  if (watched == Watched::youth) {
+    if (state.regime != ContactRegime::slides) return 1;
+    if (!state.begins && (state.fades || rule.tangents < 2)) return 1;
+    if (state.begins && motion_.solve(t, y) != Evaluation::ok) return none;
+    return motion_.youth(contact, t);
+  }
+  // What starts from zero is watched from a little above, so that it is seen to fall.
+  if (state.regime == ContactRegime::slides) {
+    return motion_.slip(contact) + (state.begins && !state.fades ? motion_.least_slip(contact) : 0);
+  }
+  if (motion_.solve(t, y) != Evaluation::ok) return none;
+  return motion_.margin(contact) + state.force_slack;
+}
+
+bool ContactAutomaton::barrier(std::size_t index) const {
+  return index < guards * bounces_.size() && static_cast<Watched>(index % guards) == Watched::gap_or_pressure &&
+         !motion_.states[index / guards].touches;
+}
+
+ContactEvent ContactAutomaton::event() const noexcept {
+  return {kind_,     told_,        contact_,  before_, y_, std::span(motion_.states).first(bounces_.size()),
+          impulses_, energy_lost_, residual_, verdict_};
+}
+
+bool ContactAutomaton::end(ContactStatus status, int contact) noexcept {
+  result_.status = status;
+  result_.contact = contact;
+  return false;
+}
+
+bool ContactAutomaton::valid_rules() noexcept {
+  for (int i = 0; i < count(); ++i) {
+    if (!valid_rule(motion_.rules(), i)) return end(ContactStatus::invalid_rule, i);
+  }
+  return true;
+}
+
+bool ContactAutomaton::begin(double t) {
+  if (!motion_.read(t, y_)) return end(ContactStatus::integration_failed, -1);
+  const double off = motion_.loops_off();
+  if (motion_.project(t, y_, 30) != Evaluation::ok || !motion_.read(t, y_)) {
+    return end(ContactStatus::integration_failed, -1);
+  }
+  if (!motion_.loops_closed(off)) return end(ContactStatus::open_loops, -1);
+  bool approaches = false;
+  int first = 0;
+  for (int i = count(); i-- > 0;) {
+    const bool normal = motion_.rule(i).normal;
+    if (normal && !(motion_.reading().gap[as(i)] >= -options_.touch)) return end(ContactStatus::penetrates, i);
+    touching_[as(i)] = near(i);
+    if (normal && touching_[as(i)] && motion_.reading().w(motion_.first_row(i)) < -options_.at_rest) {
+      approaches = true;
+      first = i;
+    }
+  }
+  if (approaches) return collide(first, false);
+  for (int i = 0; i < count(); ++i) {
+    const int by = motion_.carrier(i);
+    motion_.states[as(i)].touches =
+        touching_[as(i)] && (by < 0 || motion_.reading().w(motion_.first_row(by)) <= options_.at_rest);
+    set_by_slip(i, options_.at_rest);
+  }
+  return decide(-1, Cause::none);
+}
+
+// Whether the gap is closed, as near as other contacts ask.
+bool ContactAutomaton::near(int i) const noexcept {
+  const int by = motion_.carrier(i);
+  return by < 0 || motion_.reading().gap[as(by)] <= options_.touch;
+}
+
+// Sticking or sliding by the velocity of slip; one that sticks is free to begin to slide.
+void ContactAutomaton::set_by_slip(int i, double at_rest) noexcept {
+  ContactState& state = motion_.states[as(i)];
+  state.regime = ContactRegime::open;
+  state.fastest = 0;
+  state.begins = state.fades = false;
+  if (!state.touches) return;
+  state.regime = ContactRegime::slides;
+  const int tangents = motion_.rule(i).tangents, t = motion_.tangent_row(i);
+  if (tangents == 0) return;
+  const double length = motion_.slip_speed(i);
+  if (length <= at_rest) {
+    state.regime = ContactRegime::sticks;
+    return;
+  }
+  for (int k = 0; k < tangents; ++k) state.direction[as(k)] = motion_.reading().w(t + k) / length;
+}
+
+// The law by which the regime that follows is decided: a slip has its direction, one that begins has none yet.
+ContactLaw ContactAutomaton::law_after(int i, int forced, Cause cause) const noexcept {
+  const ContactState& state = motion_.states[as(i)];
+  ContactLaw law = motion_.rule(i).law();
+  const bool slid = state.regime == ContactRegime::slides && law.tangents > 0;
+  const bool slides = slid && !(state.begins && motion_.slip(i) <= 16 * motion_.least_slip(i));
+  const bool loose = cause == Cause::slips && i == forced;
+  const bool falls = law.static_friction > law.friction || law.static_bound > law.bound;
+  // Where friction falls as a slip begins, its direction is that of its acceleration; else that against T.
+  if (slides || (loose && !falls)) {
+    law.slips = true;
+    law.slip = slides ? motion_.velocity_direction(i) : state.direction;
+  } else if (slid || loose) {
+    law.static_friction = law.friction;
+    law.static_bound = law.bound;
+  }
+  return law;
+}
+
+// Which regimes follow: all that are consistent are sought, and the one of least motion is taken. The contact that had
+// an event is not left to rounding: what the event says of it is given.
+bool ContactAutomaton::decide(int forced, Cause cause) {
+  if (!motion_.read(result_.time, y_)) return end(ContactStatus::integration_failed, forced);
+  ContactSelection chosen;
+  for (int i = 0; i < count(); ++i) {
+    if (!motion_.states[as(i)].touches || (cause == Cause::opens && motion_.carrier(i) == forced)) continue;
+    chosen.add(i, law_after(i, forced, cause), motion_.first_row(i));
+  }
+  ContactVector free = motion_.reading().drift;
+  free.noalias() += motion_.reading().J * motion_.dynamics().a0;
+  chosen.fill(motion_.W(), free);
+  const ContactAnswer answer = solve_contacts(chosen.problem);
+  result_.verdict = verdict_ = answer.verdict;
+  if (!answer) return end(ContactStatus::no_solution, forced >= 0 ? forced : chosen.who[0]);
+  if (answer.verdict == ContactVerdict::several) ++result_.ambiguous;
+  if (answer.best().indeterminate) ++result_.indeterminate;
+  residual_ = std::max(residual_, answer.best().residual);
+  result_.worst_residual = std::max(result_.worst_residual, residual_);
+  for (int i = 0; i < count() && cause == Cause::opens; ++i) {
+    if (motion_.carrier(i) == forced) motion_.states[as(i)] = {};
+  }
+  for (int k = 0; k < chosen.problem.count; ++k) take_regime(chosen, k, answer.best());
+  motion_.changed();
+  return motion_.project(result_.time, y_) == Evaluation::ok || end(ContactStatus::integration_failed, forced);
+}
+
+void ContactAutomaton::take_regime(const ContactSelection& chosen, int k, const ContactSolution& s) {
+  const ContactProblem& problem = chosen.problem;
+  const ContactLaw& law = problem.law(k);
+  const int i = chosen.who[as(k)], by = motion_.carrier(i);
+  const int n = problem.first_row(k), t = problem.tangent_row(k);
+  ContactState& state = motion_.states[as(i)];
+  const bool opens = law.normal ? s.u(n) > 0 : by >= 0 && !motion_.states[as(by)].touches;
+  if (opens) {
+    state = {};
+    return;
+  }
+  const bool slid = state.regime == ContactRegime::slides && !state.begins;
+  if (!slid) {
+    state.fastest = 0;
+    state.fades = false;
+  }
+  const auto length_of = [&](const ContactVector& rows) {
+    double length = 0;
+    for (int j = 0; j < law.tangents; ++j) length = std::hypot(length, rows(t + j));
+    return length;
+  };
+  if (law.slips) {
+    state.regime = ContactRegime::slides;
+    state.direction = law.slip;
+  } else if (s.regimes[as(k)] == ContactRegime::sticks) {
+    state.regime = ContactRegime::sticks;
+  } else {
+    state.regime = ContactRegime::slides;
+    const double length = length_of(s.u);
+    for (int j = 0; j < law.tangents && length > 0; ++j) state.direction[as(j)] = s.u(t + j) / length;
+  }
+  state.begins = state.regime == ContactRegime::slides && !slid && law.tangents > 0 &&
+                 motion_.slip(i) <= 1e4 * motion_.least_slip(i);
+  if (state.begins) state.begun = result_.time;
+  // N, or what is left of the bound of T, that is zero to rounding may fall from there.
+  const double force = s.r.cwiseAbs().maxCoeff();
+  double left = law.normal ? s.r(n) : force;
+  if (state.regime == ContactRegime::sticks) {
+    left = std::min(left, law.static_friction * problem.pressing(k, s.r) + law.static_bound - length_of(s.r));
+  }
+  state.force_slack = left <= 1e-10 * force ? 4e-12 * force : 0;
+}
+
+// When the bounces of one contact end: each is ρ times as long as the one before, ρ the ratio of the last two speeds of
+// approach, and the next one lasts 2 ρ w/a, a the acceleration towards the contact. Rounding of late impacts counts once
+// here, and their intervals need not shrink evenly before.
+double ContactAutomaton::end_of_bounces(int i, double speed) const noexcept {
+  const int n = motion_.first_row(i);
+  const double a = -(motion_.reading().J.row(n).dot(motion_.dynamics().a0) + motion_.reading().drift(n));
+  const double last = bounces_[as(i)].speed, ratio = last > 0 ? speed / last : 1;
+  if (!(a > 0 && ratio < 1)) return result_.time;
+  return result_.time + 2 * ratio * speed / (a * (1 - ratio));
+}
+
+// Whether a contact takes part in the accumulation: of one contact, or of those of the last seventeen impacts.
+bool ContactAutomaton::accumulating(int i) const noexcept {
+  if (alone_) return i == cause_;
+  return bounces_[as(i)].last > 0 && bounces_[as(i)].last + 17 > impact_number_;
+}
+
+// An impact of all contacts that touch; `rests` makes it completely inelastic, the end of an accumulation.
+bool ContactAutomaton::collide(int cause, bool rests) {
+  if (!motion_.read(result_.time, y_)) return end(ContactStatus::integration_failed, cause);
+  ContactSelection chosen;
+  PerContact<double> restitution{};
+  for (int i = 0; i < count(); ++i) {
+    if (!touching_[as(i)] || motion_.carrier(i) < 0) continue;
+    ContactLaw law = motion_.rule(i).law();
+    law.static_friction = law.friction;
+    law.bound = law.static_bound = 0;  // bounded forces give no impulse
+    restitution[as(chosen.problem.count)] = rests ? 0 : motion_.rule(i).restitution;
+    chosen.add(i, law, motion_.first_row(i));
+  }
+  chosen.fill(motion_.W(), motion_.reading().w);
+  const ContactProblem& problem = chosen.problem;
+  const ImpactResult shock = impact(problem, restitution, rests ? ImpactLaw::newton_moreau : options_.law);
+  result_.verdict = shock.verdict;
+  if (shock.verdict == ContactVerdict::none) return end(ContactStatus::no_solution, cause);
+  residual_ = shock.residual;
+  result_.worst_residual = std::max(result_.worst_residual, residual_);
+  impulses_ = chosen.spread(shock.P, motion_.rows());
+  // T- - T+ = -P · (w- + w+)/2.
+  energy_lost_ = 0;
+  double terms = 0;
+  for (int i = 0; i < chosen.rows; ++i) {
+    energy_lost_ -= shock.P(i) * (problem.q(i) + shock.w(i)) / 2;
+    terms += std::abs(shock.P(i) * problem.q(i));
+  }
+  if (energy_lost_ < -1e-12 * terms) return end(ContactStatus::energy_gained, cause);
+  // What rounding leaves of a slip that the impact ends is a part of the velocities before.
+  PerContact<double> rounding{};
+  for (int i = 0; i < count(); ++i) {
+    if (motion_.carrier(i) >= 0) continue;
+    const int t = motion_.tangent_row(i);
+    const double change = motion_.W().row(t).cwiseAbs().dot(impulses_.cwiseAbs());
+    rounding[as(i)] = motion_.rounding_of(t) + std::numeric_limits<double>::epsilon() * change;
+  }
+  motion_.add_answer(impulses_, y_);
+  ++result_.impacts;
+  if (!motion_.read(result_.time, y_)) return end(ContactStatus::integration_failed, cause);
+  for (int k = 0; k < problem.count; ++k) {
+    const int i = chosen.who[as(k)], by = motion_.carrier(i);
+    // What is left of an accumulation's velocity is rounding: projection takes it away.
+    motion_.states[as(i)].touches =
+        by != i ? motion_.states[as(by)].touches : shock.closed[as(k)] || (rests && accumulating(i));
+    set_by_slip(i, shock.sticks[as(k)] ? std::numeric_limits<double>::infinity() : 0);
+  }
+  for (int i = 0; i < count(); ++i) {
+    if (motion_.carrier(i) >= 0) continue;
+    motion_.states[as(i)].touches = true;
+    set_by_slip(i, 64 * rounding[as(i)]);
+  }
+  return decide(-1, Cause::none);
+}
+
+bool ContactAutomaton::pass(std::size_t index, double t, std::span<double> y) {
+  result_.time = t;
+  y_ = y;
+  has_event_ = false;
+  const int contact = static_cast<int>(index / guards);
+  const auto watched = static_cast<Watched>(index % guards);
+  if (watched != Watched::youth && !still_slips(contact, watched)) {
+    return has_event_ = happened(contact, watched == Watched::gap_or_pressure);
+  }
+  // The slip goes on, with the direction that it has got: no event.
+  if (!motion_.read(t, y)) return end(ContactStatus::integration_failed, contact);
+  if (watched == Watched::youth && !motion_.states[as(contact)].begins) {
+    motion_.fade(contact, t, y);
+  } else {
+    motion_.take_direction(contact);
+  }
+  return true;
+}
+
+// In space the slip may turn round quickly without an end: it passes zero at a distance.
+bool ContactAutomaton::still_slips(int contact, Watched watched) {
+  const ContactState& state = motion_.states[as(contact)];
+  return watched == Watched::slip_or_margin && state.touches && state.regime == ContactRegime::slides && !state.begins &&
+         motion_.read(result_.time, y_) && motion_.slips_across(contact);
+}
+
+bool ContactAutomaton::happened(int contact, bool normal) {
+  ++result_.events;
+  std::copy_n(y_.begin(), before_.size(), before_.begin());
+  ContactState& state = motion_.states[as(contact)];
+  residual_ = energy_lost_ = 0;
+  impulses_.setZero(motion_.rows());
+  contact_ = contact;
+  told_ = result_.time;
+  if (normal && !state.touches) return strike(contact);
+  if (normal) {
+    kind_ = ContactEventKind::opens;
+    return decide(contact, Cause::opens);
+  }
+  if (state.regime != ContactRegime::slides) return begin_to_slide(contact);
+  kind_ = ContactEventKind::slip_ends;
+  state.regime = ContactRegime::sticks;  // or whatever the laws say from rest
+  state.begins = state.fades = false;
+  motion_.changed();
+  return decide(contact, Cause::none);
+}
+
+// A gap has fallen to zero: an impact, or the last one of bounces that accumulate.
+bool ContactAutomaton::strike(int contact) {
+  if (!motion_.read(result_.time, y_)) return end(ContactStatus::integration_failed, contact);
+  Bounces& bounces = bounces_[as(contact)];
+  const double speed = std::abs(motion_.reading().w(motion_.first_row(contact)));
+  const double rounding = motion_.rounding_of_gap(contact);
+  // Where the flights left rise by less than 1e6 roundings of the gap, the next impacts are known less well.
+  const double unresolved = speed > 0 ? 1e6 * rounding / speed : 0;
+  const double limit = end_of_bounces(contact, speed);
+  bounces.slower = limit > result_.time ? bounces.slower + 1 : 0;
+  bounces.limit(result_.time, speed, rounding);
+  const bool fades = bounces.slower >= 3 && limit - result_.time <= unresolved;
+  const bool alone = bounces.watch(result_.time, options_.accumulation) || fades;
+  const bool together = all_(result_.time, std::max(options_.accumulation, unresolved));
+  const bool rests = alone || together;
+  bounces.last = ++impact_number_;
+  alone_ = alone;
+  cause_ = contact;
+  kind_ = ContactEventKind::impact;
+  if (rests) {
+    kind_ = ContactEventKind::accumulation;
+    ++result_.accumulations;
+    // The contact is closed from now on: until the limit the impulses of all bounces and of rest are the same.
+    told_ = bounces.limit(std::max(result_.time, alone ? limit : all_.limit()), result_.time);
+  }
+  for (int i = 0; i < count(); ++i) {
+    touching_[as(i)] = motion_.carrier(i) == contact || motion_.states[as(i)].touches || near(i);
+  }
+  bounces.speed = speed;
+  const bool done = collide(contact, rests);
+  if (rests) {
+    for (Bounces& each : bounces_) {
+      const std::int64_t last = each.last;
+      each = {};
+      each.last = last;
+    }
+    all_ = {};
+  }
+  return done;
+}
+
+// Friction has reached its bound: the slip begins against it.
+bool ContactAutomaton::begin_to_slide(int contact) {
+  kind_ = ContactEventKind::slips;
+  if (motion_.solve(result_.time, y_) != Evaluation::ok) return end(ContactStatus::integration_failed, contact);
+  const int t = motion_.tangent_row(contact);
+  const double length = motion_.friction_force(contact);
+  for (int k = 0; k < motion_.rule(contact).tangents; ++k) {
+    motion_.states[as(contact)].direction[as(k)] = -motion_.reactions()(t + k) / length;
+  }
+  return decide(contact, Cause::slips);
+}
+
+}  // namespace torsor::runtime

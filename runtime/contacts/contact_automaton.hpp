@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "runtime/contacts/bounce_limit.hpp"
+#include "runtime/contacts/contact_motion.hpp"
+#include "runtime/contacts/contact_result.hpp"
+#include "runtime/contacts/contact_selection.hpp"
+#include "runtime/events/event_memory.hpp"
+
+namespace torsor::runtime {
+
+/// Regimes of all contacts of a motion, and what changes them: the guards that end a smooth piece, the impacts there and
+/// the decision which regimes follow. It moves nothing by itself: `ContactRun` integrates between its events.
+class ContactAutomaton {
+ public:
+  /// Three guards watch each contact, in its order: gap or pressure, slip or margin, and what a slip that begins or
+  /// ends asks for.
+  static constexpr std::size_t guards = 3;
+
+  ContactAutomaton(const ContactMechanism& mechanism, const ContactOptions& options);
+
+  /// Puts the state on its constraints and decides the first regimes; false where the motion cannot begin.
+  bool start(double t0, std::span<double> y);
+
+  /// Falls through zero where the present regimes end.
+  [[nodiscard]] double guard(std::size_t index, double t, std::span<const double> y);
+  /// Whether what it watches must not be below zero: a gap.
+  [[nodiscard]] bool barrier(std::size_t index) const;
+
+  /// A smooth piece has ended at a guard, at this time: the regimes that follow. False where the motion ends.
+  bool pass(std::size_t index, double t, std::span<double> y);
+  /// Whether that was an event that the observer is told of.
+  [[nodiscard]] bool has_event() const noexcept { return has_event_; }
+  [[nodiscard]] ContactEvent event() const noexcept;
+
+  bool end(ContactStatus status, int contact) noexcept;
+  [[nodiscard]] ContactResult& result() noexcept { return result_; }
+  [[nodiscard]] const ContactResult& result() const noexcept { return result_; }
+  [[nodiscard]] ContactMotion& motion() noexcept { return motion_; }
+  [[nodiscard]] const ContactOptions& options() const noexcept { return options_; }
+
+ private:
+  enum class Watched { gap_or_pressure, slip_or_margin, youth };
+  enum class Cause { none, opens, slips };
+  /// What is known of the impacts of one contact.
+  struct Bounces {
+    AccumulationWatch<double> watch{};
+    BounceLimit limit{};
+    std::int64_t last = 0;  ///< number of its last impact among all; 0: none yet
+    int slower = 0;         ///< impacts in succession that were slower than the one before
+    double speed = 0;       ///< of approach at its last impact [m/s]
+  };
+
+  static constexpr std::size_t as(int i) noexcept { return static_cast<std::size_t>(i); }
+  [[nodiscard]] int count() const noexcept { return motion_.count(); }
+  [[nodiscard]] bool valid_rules() noexcept;
+  bool begin(double t);
+  [[nodiscard]] bool near(int i) const noexcept;
+  void set_by_slip(int i, double at_rest) noexcept;
+  bool decide(int forced, Cause cause);
+  [[nodiscard]] ContactLaw law_after(int i, int forced, Cause cause) const noexcept;
+  void take_regime(const ContactSelection& chosen, int k, const ContactSolution& solution);
+  [[nodiscard]] double end_of_bounces(int i, double speed) const noexcept;
+  [[nodiscard]] bool accumulating(int i) const noexcept;
+  bool collide(int cause, bool rests);
+  bool strike(int contact);
+  bool begin_to_slide(int contact);
+  [[nodiscard]] bool still_slips(int contact, Watched watched);
+  bool happened(int contact, bool normal);
+
+  ContactMotion motion_;
+  const ContactOptions options_;
+  ContactResult result_;
+  std::span<double> y_;  ///< of the call that is under way
+  std::vector<double> before_;
+  std::vector<Bounces> bounces_;
+  PerContact<bool> touching_{};
+  AccumulationWatch<double> all_{};
+  std::int64_t impact_number_ = 0;
+  bool alone_ = false;  ///< the accumulation is that of one contact, `cause_`
+  int cause_ = 0;
+  bool has_event_ = false;
+  ContactEventKind kind_ = ContactEventKind::impact;
+  double told_ = 0;
+  int contact_ = 0;
+  ContactVector impulses_;
+  double energy_lost_ = 0, residual_ = 0;
+  ContactVerdict verdict_ = ContactVerdict::unique;
+};
+
+}  // namespace torsor::runtime

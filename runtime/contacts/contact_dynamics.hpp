@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <Eigen/Cholesky>
+
+#include "runtime/contacts/contact_system.hpp"
+
+namespace torsor::runtime {
+
+/// Accelerations without reactions and answers to impulses, loop constraints held: a = a0 + K J^T r,
+/// K = M^-1 - M^-1 A^T (A M^-1 A^T)^-1 A M^-1. What puts the loops back on their constraints with the least change, in
+/// the metric of the masses: closing = -M^-1 A^T (A M^-1 A^T)^-1 f, and the same of the velocities. Nothing is allocated
+/// after the first reading.
+class ContactDynamics {
+ public:
+  /// Accelerations and closing; false where the mass matrix or the constraints have lost rank.
+  [[nodiscard]] bool compute(const ContactReading& reading);
+  /// Answers to impulses at the reading computed last; false where they are not finite.
+  [[nodiscard]] bool respond(const ContactReading& reading);
+
+  Eigen::VectorXd a0;       ///< without reactions
+  Eigen::VectorXd KF;       ///< the same where constraints hold velocities: a0 but for γ
+  Eigen::VectorXd closing, closing_rate;
+  Eigen::MatrixXd KJ;       ///< K J^T
+  Eigen::MatrixXd W;        ///< Delassus' matrix J K J^T
+
+ private:
+  Eigen::LLT<Eigen::MatrixXd> mass_, schur_;
+  Eigen::MatrixXd Y_, S_, AKJ_;  ///< M^-1 A^T and A M^-1 A^T
+  Eigen::VectorXd right_;
+};
+
+}  // namespace torsor::runtime

@@ -1,0 +1,341 @@
+// SPDX-License-Identifier: MIT
+#include "runtime/contacts/contact_motion.hpp"
+
+#include <Eigen/LU>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "runtime/contacts/slip_direction.hpp"
+
+namespace torsor::runtime {
+
+ContactMotion::ContactMotion(const ContactMechanism& mechanism) : mechanism_(mechanism), sizes_(mechanism.sizes()) {
+  for (int i = 0; i < count(); ++i) {
+    rules_[as(i)] = mechanism.rule(i);
+    first_row_[as(i) + 1] = first_row_[as(i)] + rule(i).rows();
+  }
+  reading_ = later_reading_ = ContactReading(sizes_, rows());
+  a_.setZero(sizes_.velocities);
+  change_.setZero(sizes_.velocities);
+  r_.setZero(rows());
+  there_.resize(static_cast<std::size_t>(sizes_.coordinates + sizes_.velocities));
+  y_ = there_;
+  rates_.resize(static_cast<std::size_t>(sizes_.coordinates));
+}
+
+Evaluation ContactMotion::slope(double t, std::span<const double> y, std::span<double> dydt) {
+  const Evaluation evaluation = solve(t, y);
+  const auto nq = as(sizes_.coordinates);
+  mechanism_.coordinate_rates(t, y, dydt.first(nq));
+  for (int i = 0; i < sizes_.velocities; ++i) dydt[nq + as(i)] = a_(i);
+  return evaluation;
+}
+
+bool ContactMotion::any_touches() const noexcept {
+  for (int i = 0; i < count(); ++i) {
+    if (at(i).touches) return true;
+  }
+  return false;
+}
+
+Evaluation ContactMotion::project(double t, std::span<double> y, int steps) {
+  const bool touches = any_touches(), any = sizes_.constraints > 0 || touches;
+  for (int step = 0; any && step < steps; ++step) {
+    if (!read(t, y) || (touches && !respond())) return Evaluation::singular;
+    double worst = loops_off();
+    select([&](int i, int row, bool normal) {
+      if (!normal) return false;
+      worst = std::max(worst, std::abs(reading_.gap[as(i)]));
+      right_(row) = -reading_.gap[as(i)] - reading_.J.row(row).dot(dynamics_.closing);
+      return true;
+    });
+    if (!(worst > 0)) break;
+    change_ = dynamics_.closing;
+    add_least_change();
+    there_.assign(y.begin(), y.end());
+    for (int i = 0; i < sizes_.velocities; ++i) there_[as(sizes_.coordinates + i)] = change_(i);
+    mechanism_.coordinate_rates(t, there_, rates_);
+    double largest = 0, place = 0;
+    for (std::size_t i = 0; i < rates_.size(); ++i) {
+      y[i] += rates_[i];
+      largest = std::max(largest, std::abs(rates_[i]));
+      place = std::max(place, std::abs(y[i]));
+    }
+    if (largest <= 4 * std::numeric_limits<double>::epsilon() * place) break;
+  }
+  mechanism_.normalise(y);
+  if (!any) return Evaluation::ok;
+  if (!read(t, y) || (touches && !respond())) return Evaluation::singular;
+  select([&](int i, int row, bool normal) {
+    right_(row) = -reading_.w(row) - reading_.J.row(row).dot(dynamics_.closing_rate);
+    return normal || at(i).regime == ContactRegime::sticks;
+  });
+  change_ = dynamics_.closing_rate;
+  add_least_change();
+  for (int i = 0; i < sizes_.velocities; ++i) y[as(sizes_.coordinates + i)] += change_(i);
+  if (!read(t, y)) return Evaluation::singular;
+  follow_directions();
+  changed();
+  return Evaluation::ok;
+}
+
+double ContactMotion::loops_off() const {
+  return sizes_.constraints > 0 ? dynamics_.closing.cwiseAbs().maxCoeff() : 0;
+}
+
+bool ContactMotion::loops_closed(double first) const {
+  double place = 0;
+  for (int i = 0; i < sizes_.coordinates; ++i) place = std::max(place, std::abs(y_[as(i)]));
+  return loops_off() <= std::max(1e-6 * first, 1e-12 * place);
+}
+
+bool ContactMotion::read(double t, std::span<const double> y) {
+  if (known_ && t == t_ && std::equal(y_.begin(), y_.end(), y.begin())) return true;
+  known_ = responded_ = solved_ = false;
+  if (mechanism_.read(t, y, reading_) != Evaluation::ok || !dynamics_.compute(reading_)) return false;
+  t_ = t;
+  std::copy_n(y.begin(), y_.size(), y_.begin());
+  return known_ = true;
+}
+
+bool ContactMotion::respond() {
+  if (!responded_) responded_ = dynamics_.respond(reading_);
+  return responded_;
+}
+
+const Eigen::MatrixXd& ContactMotion::W() {
+  if (!respond()) dynamics_.W.setZero();
+  return dynamics_.W;
+}
+
+void ContactMotion::add_answer(const ContactVector& impulses, std::span<double> y) {
+  change_.noalias() = dynamics_.KJ * impulses;
+  for (int i = 0; i < sizes_.velocities; ++i) y[as(sizes_.coordinates + i)] += change_(i);
+}
+
+bool ContactMotion::follows_forces(int i) const noexcept {
+  return at(i).touches && at(i).regime == ContactRegime::slides && at(i).begins && rule(i).tangents == 2;
+}
+
+Evaluation ContactMotion::solve(double t, std::span<const double> y) {
+  if (!read(t, y)) return Evaluation::singular;
+  if (solved_) return Evaluation::ok;
+  if (!any_touches()) {
+    r_.setZero(rows());
+    a_ = dynamics_.a0;
+    solved_ = true;
+    return Evaluation::ok;
+  }
+  if (!respond()) return Evaluation::singular;
+  ContactProblem problem = problem_of(reading_, dynamics_);
+  Regimes regimes{};
+  PerContact<bool> begins{};
+  bool any = false;
+  for (int i = 0; i < count(); ++i) {
+    const ContactState& state = at(i);
+    AssumedRegime& regime = regimes[as(i)];
+    if (!state.touches) continue;
+    regime.pressed = problem.law(i).normal;
+    if (problem.law(i).tangents == 0 || state.regime == ContactRegime::open) continue;
+    regime.friction =
+        state.regime == ContactRegime::sticks ? AssumedRegime::Friction::sticks : AssumedRegime::Friction::slides;
+    regime.direction = direction(i);
+    begins[as(i)] = follows_forces(i);
+    any = any || begins[as(i)];
+  }
+  if (any) {
+    const Evaluation aligned = align(t, y, problem, regimes, begins);
+    if (aligned != Evaluation::ok) return aligned;
+  }
+  RegimeSystem equations(problem, regimes);
+  if (!equations.solve()) return Evaluation::singular;
+  r_ = equations.reactions();
+  a_ = dynamics_.a0;
+  a_.noalias() += dynamics_.KJ * r_;
+  solved_ = true;
+  return a_.allFinite() ? Evaluation::ok : Evaluation::not_finite;
+}
+
+// Of accelerations, all contacts taking part.
+ContactProblem ContactMotion::problem_of(const ContactReading& reading, const ContactDynamics& dynamics) const {
+  ContactProblem problem;
+  problem.count = count();
+  for (int i = 0; i < count(); ++i) problem.laws[as(i)] = rule(i).law();
+  problem.W = dynamics.W;
+  problem.q = reading.drift;
+  problem.q.noalias() += reading.J * dynamics.a0;
+  return problem;
+}
+
+std::array<double, 2> ContactMotion::direction(int i) const noexcept {
+  const auto& last = at(i).direction;
+  if (rule(i).tangents < 2 || at(i).begins) return last;
+  const int t = tangent_row(i);
+  const double x = reading_.w(t), y = reading_.w(t + 1), length = slip_speed(i);
+  if (!(length > std::max(64 * rounding_of(t), 1e-12 * at(i).fastest))) return last;
+  const double sign = x * last[0] + y * last[1] < 0 ? -1 : 1;
+  return {sign * x / length, sign * y / length};
+}
+
+std::array<double, 2> ContactMotion::velocity_direction(int i) const noexcept {
+  const int t = tangent_row(i);
+  const double length = slip_speed(i);
+  if (rule(i).tangents < 2 || !(length > least_slip(i))) return at(i).direction;
+  return {reading_.w(t) / length, reading_.w(t + 1) / length};
+}
+
+void ContactMotion::fade(int i, double t, std::span<const double> y) {
+  ContactState& state = states[as(i)];
+  state.fades = state.begins = true;
+  state.begun = t;
+  changed();
+  state.begins = solve(t, y) == Evaluation::ok && stiff_[as(i)];
+  changed();
+}
+
+void ContactMotion::take_direction(int i) noexcept {
+  ContactState& state = states[as(i)];
+  state.direction = velocity_direction(i);
+  state.begins = false;
+  state.fastest = std::max(state.fastest, slip(i));
+  changed();
+}
+
+bool ContactMotion::slips_across(int i) const noexcept {
+  return rule(i).tangents == 2 && slip_speed(i) > std::max(4 * least_slip(i), 1e-11 * at(i).fastest);
+}
+
+double ContactMotion::slip(int i) const noexcept {
+  const int t = tangent_row(i);
+  double sum = 0;
+  for (int k = 0; k < rule(i).tangents; ++k) sum += at(i).direction[as(k)] * reading_.w(t + k);
+  return sum;
+}
+
+double ContactMotion::slip_speed(int i) const noexcept {
+  double length = 0;
+  for (int k = 0; k < rule(i).tangents; ++k) length = std::hypot(length, reading_.w(tangent_row(i) + k));
+  return length;
+}
+
+double ContactMotion::least_slip(int i) const noexcept {
+  double largest = 0;
+  for (int k = 0; k < rule(i).tangents; ++k) largest = std::max(largest, rounding_of(tangent_row(i) + k));
+  return 256 * largest;
+}
+
+double ContactMotion::youth(int i, double t) const noexcept {
+  const double s = slip(i), short_of = 1e4 * least_slip(i) - s;
+  if (!at(i).begins) return s - 1e-6 * at(i).fastest;
+  if (at(i).fades) return 4e-6 * at(i).fastest - s;
+  if (rule(i).tangents < 2) return short_of;
+  const double gone = across_[as(i)] * lag_[as(i)] * (t - at(i).begun) / 5;
+  return std::max(1e-15 - std::abs(gone), short_of);
+}
+
+double ContactMotion::margin(int i) const noexcept {
+  const int by = carrier(i);
+  const double N = by < 0 ? 0 : r_(first_row(by));
+  return rule(i).sticking() * N + rule(i).sticking_bound() - friction_force(i);
+}
+
+double ContactMotion::friction_force(int i) const noexcept {
+  double length = 0;
+  for (int k = 0; k < rule(i).tangents; ++k) length = std::hypot(length, r_(tangent_row(i) + k));
+  return length;
+}
+
+double ContactMotion::rounding_of(int row) const noexcept {
+  double sum = 0;
+  for (int j = 0; j < sizes_.velocities; ++j) sum += std::abs(reading_.J(row, j) * y_[as(sizes_.coordinates + j)]);
+  return std::numeric_limits<double>::epsilon() * (sum + std::abs(reading_.w(row)));
+}
+
+double ContactMotion::rounding_of_gap(int i) const noexcept {
+  const bool each = sizes_.coordinates == sizes_.velocities;  // coordinate j moves with velocity j
+  double sum = 0, largest = 0;
+  for (int j = 0; j < sizes_.coordinates; ++j) largest = std::max(largest, std::abs(y_[as(j)]));
+  for (int j = 0; j < sizes_.velocities; ++j) {
+    sum += std::abs(reading_.J(first_row(i), j)) * (each ? std::abs(y_[as(j)]) : largest);
+  }
+  return std::numeric_limits<double>::epsilon() * sum;
+}
+
+// Directions of slips that have just begun, to first order in the slip: the rate of those of order zero is taken over a
+// microsecond of the motion, long against rounding and short against the motion.
+Evaluation ContactMotion::align(double t, std::span<const double> y, const ContactProblem& problem, Regimes& regimes,
+                                const PerContact<bool>& begins) {
+  PerContact<double> across{};
+  if (!align_slips(problem, regimes, begins, across)) return Evaluation::singular;
+  RegimeSystem equations(problem, regimes);
+  if (!equations.solve()) return Evaluation::singular;
+  change_ = dynamics_.a0;
+  change_.noalias() += dynamics_.KJ * equations.reactions();
+  const ContactVector u = equations.motion();
+  constexpr double later = 1e-6;
+  there_.assign(y.begin(), y.end());
+  mechanism_.coordinate_rates(t, y, rates_);
+  for (std::size_t i = 0; i < rates_.size(); ++i) there_[i] += later * rates_[i];
+  for (int i = 0; i < sizes_.velocities; ++i) there_[as(sizes_.coordinates + i)] += later * change_(i);
+  if (mechanism_.read(t + later, there_, later_reading_) != Evaluation::ok) return Evaluation::singular;
+  if (!later_dynamics_.compute(later_reading_) || !later_dynamics_.respond(later_reading_)) return Evaluation::singular;
+  Regimes turned = regimes;
+  if (!align_slips(problem_of(later_reading_, later_dynamics_), turned, begins, across)) return Evaluation::singular;
+  for (int i = 0; i < count(); ++i) {
+    if (!begins[as(i)]) continue;
+    const auto& d = regimes[as(i)].direction;
+    const auto& e = turned[as(i)].direction;
+    const int k = tangent_row(i);
+    const double s = d[0] * reading_.w(k) + d[1] * reading_.w(k + 1);
+    across[as(i)] = across_[as(i)] = s * (d[0] * e[1] - d[1] * e[0]) / later;
+    // s κ over the force that turns the slip back: the angle by which it lags.
+    const ContactVector du = equations.motion_by_turning(i);
+    const double stiffness = d[0] * (u(k) - du(k + 1)) + d[1] * (u(k + 1) + du(k));
+    lag_[as(i)] = stiffness > 0 ? across_[as(i)] / stiffness : 1;
+    stiff_[as(i)] = stiffness > 8 * std::abs(d[0] * u(k) + d[1] * u(k + 1));
+  }
+  return align_slips(problem, regimes, begins, across) ? Evaluation::ok : Evaluation::singular;
+}
+
+void ContactMotion::follow_directions() noexcept {
+  for (int i = 0; i < count(); ++i) {
+    if (!at(i).touches || at(i).regime != ContactRegime::slides || rule(i).tangents < 2) continue;
+    ContactState& state = states[as(i)];
+    const double now = slip(i);
+    state.fastest = std::max(state.fastest, now);
+    // Near its end the slip has no direction of its own that is worth following.
+    if (now > 1e-6 * state.fastest && !state.begins) state.direction = direction(i);
+  }
+}
+
+// Rows of touching contacts for which `wanted` says so.
+template <class Wanted>
+void ContactMotion::select(const Wanted& wanted) {
+  chosen_ = 0;
+  right_.setZero(rows());
+  for (int i = 0; i < count(); ++i) {
+    if (!at(i).touches) continue;
+    for (int k = 0; k < rule(i).rows(); ++k) {
+      const int row = first_row(i) + k;
+      if (wanted(i, row, rule(i).normal && k == 0)) row_[as(chosen_++)] = row;
+    }
+  }
+}
+
+// The least change of velocity, in the metric of the masses, that adds `right_` to the rows selected.
+void ContactMotion::add_least_change() {
+  if (chosen_ == 0) return;
+  ContactMatrix W(chosen_, chosen_);
+  ContactVector b(chosen_);
+  for (int i = 0; i < chosen_; ++i) {
+    b(i) = right_(row_[as(i)]);
+    for (int j = 0; j < chosen_; ++j) W(i, j) = dynamics_.W(row_[as(i)], row_[as(j)]);
+  }
+  Eigen::FullPivLU<ContactMatrix> lu(W);
+  lu.setThreshold(1e-11);
+  const ContactVector P = lu.solve(b);
+  for (int i = 0; i < chosen_; ++i) change_ += dynamics_.KJ.col(row_[as(i)]) * P(i);
+}
+
+}  // namespace torsor::runtime

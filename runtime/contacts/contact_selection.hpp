@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <array>
+#include <cstddef>
+
+#include "runtime/contacts/contact_problem.hpp"
+
+namespace torsor::runtime {
+
+/// The problem of some contacts out of many, and which contacts and rows of the many are in it.
+struct ContactSelection {
+  ContactProblem problem;
+  PerContact<int> who{};                                   ///< each contact of the problem among the many
+  std::array<int, static_cast<std::size_t>(most_rows)> row{};  ///< each row among theirs
+  int rows = 0;
+
+  /// A contact, the first of whose rows among the many is given, in their order. What it is pressed by came before.
+  void add(int contact, ContactLaw law, int first_row) noexcept {
+    if (law.pressed_by >= 0) law.pressed_by = place_[at(law.pressed_by)];
+    place_[at(contact)] = problem.count;
+    who[at(problem.count)] = contact;
+    for (int k = 0; k < law.rows(); ++k) row[at(rows++)] = first_row + k;
+    problem.laws[at(problem.count++)] = law;
+  }
+
+  /// Takes W and q of the rows selected.
+  template <class Square, class Right>
+  void fill(const Square& W, const Right& q) noexcept {
+    problem.W.resize(rows, rows);
+    problem.q.resize(rows);
+    for (int i = 0; i < rows; ++i) {
+      problem.q(i) = q(row[at(i)]);
+      for (int j = 0; j < rows; ++j) problem.W(i, j) = W(row[at(i)], row[at(j)]);
+    }
+  }
+
+  /// Numbers of the rows selected among those of `count` rows, the others zero.
+  [[nodiscard]] ContactVector spread(const ContactVector& some, int count) const noexcept {
+    ContactVector all = ContactVector::Zero(count);
+    for (int i = 0; i < rows; ++i) all(row[at(i)]) = some(i);
+    return all;
+  }
+
+ private:
+  static constexpr std::size_t at(int i) noexcept { return static_cast<std::size_t>(i); }
+  PerContact<int> place_{};
+};
+
+}  // namespace torsor::runtime

@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: MIT
+#include "runtime/contacts/impact_laws.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+
+#include "runtime/contacts/contact_selection.hpp"
+#include "runtime/contacts/contact_solver.hpp"
+
+namespace torsor::runtime {
+namespace {
+
+constexpr std::size_t at(int i) noexcept { return static_cast<std::size_t>(i); }
+
+// After one solve: which contacts are left closed and sticking, the worst certificate and verdict.
+bool take(const ContactAnswer& answer, const ContactProblem& solved, ImpactResult& result) noexcept {
+  result.verdict = std::max(result.verdict, answer.verdict);
+  if (!answer) return false;
+  const ContactSolution& s = answer.best();
+  result.residual = std::max(result.residual, s.residual);
+  for (int i = 0; i < solved.count; ++i) {
+    result.closed[at(i)] = solved.law(i).normal && s.u(solved.first_row(i)) == 0;
+    result.sticks[at(i)] = s.regimes[at(i)] == ContactRegime::sticks;
+  }
+  return true;
+}
+
+void newton_moreau(const ContactProblem& problem, std::span<const double> restitution, ImpactResult& result) noexcept {
+  ContactProblem shifted = problem;
+  const auto approaches = [&](int i) { return problem.law(i).normal && problem.q(problem.first_row(i)) < 0; };
+  for (int i = 0; i < problem.count; ++i) {
+    if (approaches(i)) shifted.q(problem.first_row(i)) *= 1 + restitution[at(i)];
+  }
+  const ContactAnswer answer = solve_contacts(shifted);
+  if (!take(answer, shifted, result)) return;
+  result.P = answer.best().r;
+  result.w = answer.best().u;
+  for (int i = 0; i < problem.count; ++i) {
+    if (!approaches(i)) continue;
+    const int n = problem.first_row(i);
+    result.w(n) -= restitution[at(i)] * problem.q(n);
+    if (restitution[at(i)] > 0) result.closed[at(i)] = false;
+  }
+}
+
+void poisson(const ContactProblem& problem, std::span<const double> restitution, ImpactResult& result) noexcept {
+  const ContactAnswer compression = solve_contacts(problem);
+  if (!take(compression, problem, result)) return;
+  const ContactVector& Pc = compression.best().r;
+  // P_N = e P_c + N with N >= 0, so that the disc's radius is f N + f e P_c.
+  ContactProblem expansion = problem;
+  ContactVector given = ContactVector::Zero(problem.rows());
+  for (int i = 0; i < problem.count; ++i) {
+    const int n = problem.first_row(i);
+    if (problem.law(i).normal) given(n) = restitution[at(i)] * Pc(n);
+    expansion.laws[at(i)].bound += problem.law(i).friction * problem.pressing(i, given);
+    expansion.laws[at(i)].static_bound += problem.law(i).static_friction * problem.pressing(i, given);
+  }
+  expansion.q = compression.best().u + problem.W * given;
+  const ContactAnswer answer = solve_contacts(expansion);
+  if (!take(answer, expansion, result)) return;
+  result.P = Pc + given + answer.best().r;
+  result.w = answer.best().u;
+}
+
+// The first contact in order that still closes; -1: none.
+int next_to_close(const ContactProblem& problem, const ContactVector& w) noexcept {
+  const double size = problem.q.cwiseAbs().maxCoeff();
+  for (int i = 0; i < problem.count; ++i) {
+    if (problem.law(i).normal && w(problem.first_row(i)) < -1e-15 * size) return i;
+  }
+  return -1;
+}
+
+void sequential(const ContactProblem& problem, std::span<const double> restitution, ImpactResult& result) noexcept {
+  for (; result.collisions < 100000; ++result.collisions) {
+    const int next = next_to_close(problem, result.w);
+    if (next < 0) break;
+    // That contact, and what resists to its rolling and spinning.
+    ContactSelection one;
+    for (int i = next; i < problem.count; ++i) {
+      if (i == next || problem.law(i).pressed_by == next) one.add(i, problem.law(i), problem.first_row(i));
+    }
+    one.fill(problem.W, result.w);
+    PerContact<double> e{};
+    e[0] = restitution[at(next)];
+    ImpactResult alone;
+    alone.verdict = ContactVerdict::unique;
+    newton_moreau(one.problem, e, alone);
+    if (alone.verdict == ContactVerdict::none) {
+      result.verdict = ContactVerdict::none;
+      return;
+    }
+    const ContactVector P = one.spread(alone.P, problem.rows());
+    result.P += P;
+    result.w += problem.W * P;
+    for (int i = 0; i < one.rows; ++i) result.w(one.row[at(i)]) = alone.w(i);
+    result.residual = std::max(result.residual, alone.residual);
+    for (int k = 0; k < one.problem.count; ++k) result.sticks[at(one.who[at(k)])] = alone.sticks[at(k)];
+  }
+  for (int i = 0; i < problem.count; ++i) {
+    result.closed[at(i)] = problem.law(i).normal && std::abs(result.w(problem.first_row(i))) <= 1e-15;
+  }
+}
+
+}  // namespace
+
+ImpactResult impact(const ContactProblem& problem, std::span<const double> restitution, ImpactLaw law) noexcept {
+  ImpactResult result;
+  result.P = ContactVector::Zero(problem.rows());
+  result.w = problem.q;
+  result.verdict = ContactVerdict::unique;
+  switch (law) {
+    case ImpactLaw::newton_moreau:
+      newton_moreau(problem, restitution, result);
+      break;
+    case ImpactLaw::poisson:
+      poisson(problem, restitution, result);
+      break;
+    case ImpactLaw::sequential:
+      sequential(problem, restitution, result);
+      break;
+  }
+  return result;
+}
+
+}  // namespace torsor::runtime

@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: MIT
+#include "runtime/contacts/moreau_jean.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "runtime/contacts/contact_solver.hpp"
+
+namespace torsor::runtime {
+
+MoreauJean::MoreauJean(std::unique_ptr<const ContactMechanism> mechanism, double theta)
+    : mechanism_(std::move(mechanism)), theta_(theta) {
+  for (int i = 0; i < count(); ++i) {
+    rules_[as(i)] = mechanism_->rule(i);
+    first_row_[as(i) + 1] = first_row_[as(i)] + rules_[as(i)].rows();
+  }
+  const ContactSizes& sizes = mechanism_->sizes();
+  middle_.resize(as(sizes.coordinates + sizes.velocities));
+  rates_.resize(as(sizes.coordinates));
+  for (int i = 0; i < count(); ++i) {
+    if (valid_rule(std::span(rules_).first(as(count())), i)) continue;
+    status_ = ContactStatus::invalid_rule;
+    contact_ = i;
+    return;
+  }
+  reading_ = ContactReading(sizes, rows());
+  impulses_.setZero(rows());
+}
+
+bool MoreauJean::end(ContactStatus status) noexcept {
+  status_ = status;
+  return false;
+}
+
+bool MoreauJean::step(double t, double h, std::span<double> y) {
+  if (status_ == ContactStatus::invalid_rule) return false;
+  status_ = ContactStatus::reached_end;
+  std::copy_n(y.begin(), middle_.size(), middle_.begin());
+  move(t, middle_, (1 - theta_) * h);
+  const double there = t + (1 - theta_) * h;
+  if (!read(there, middle_)) return end(ContactStatus::integration_failed);
+  // Loops are held as contacts are, by their velocities at q_m.
+  change_ = dynamics_.closing_rate + h * dynamics_.KF;
+  v_ = change_;
+  const auto nq = rates_.size();
+  for (int i = 0; i < mechanism_->sizes().velocities; ++i) v_(i) += y[nq + as(i)];
+  ContactVector w_free = reading_.w;
+  w_free.noalias() += reading_.J * change_;
+  ContactSelection chosen;
+  for (int i = 0; i < count(); ++i) {
+    const ContactRule& rule = rules_[as(i)];
+    const int by = rule.normal ? i : rule.pressed_by;
+    if (by >= 0 && !(reading_.gap[as(by)] <= 0)) continue;
+    ContactLaw law = rule.law();
+    law.bound *= h;  // bounded forces, as impulses of the step
+    law.static_bound *= h;
+    const double before = reading_.w(first_row_[as(i)]);
+    if (rule.normal && before < 0) w_free(first_row_[as(i)]) += rule.restitution * before;
+    chosen.add(i, law, first_row_[as(i)]);
+  }
+  chosen.fill(dynamics_.W, w_free);
+  ContactVector start(chosen.rows);
+  for (int k = 0; k < chosen.rows; ++k) start(k) = impulses_(chosen.row[as(k)]);
+  impulses_.setZero(rows());
+  residual_ = 0;
+  if (chosen.problem.count > 0) {
+    ContactAnswer answer = iterate_contacts(chosen.problem, start);
+    if (!answer && chosen.problem.count <= 6) answer = solve_contacts(chosen.problem);
+    if (!answer) return end(ContactStatus::no_solution);
+    residual_ = answer.best().residual;
+    impulses_ = chosen.spread(answer.best().r, rows());
+    v_.noalias() += dynamics_.KJ * impulses_;
+  }
+  for (int i = 0; i < mechanism_->sizes().velocities; ++i) middle_[nq + as(i)] = v_(i);
+  move(there, middle_, theta_ * h);
+  std::copy(middle_.begin(), middle_.end(), y.begin());
+  return put_back(t + h, y);
+}
+
+void MoreauJean::move(double t, std::span<double> y, double h) {
+  mechanism_->coordinate_rates(t, y, rates_);
+  for (std::size_t i = 0; i < rates_.size(); ++i) y[i] += h * rates_[i];
+}
+
+bool MoreauJean::read(double t, std::span<const double> y) {
+  return mechanism_->read(t, y, reading_) == Evaluation::ok && dynamics_.compute(reading_) &&
+         dynamics_.respond(reading_);
+}
+
+// The least displacement, in the metric of the masses, after which no gap is negative and loops are closed: contacts
+// without friction, whose reactions are displacements.
+bool MoreauJean::put_back(double t, std::span<double> y) {
+  mechanism_->normalise(y);
+  for (int repeat = 0; repeat < 3; ++repeat) {
+    if (!read(t, y)) return end(ContactStatus::integration_failed);
+    double deepest = 0;
+    for (int i = 0; i < count(); ++i) {
+      if (rules_[as(i)].normal) deepest = std::max(deepest, -reading_.gap[as(i)]);
+    }
+    if (repeat == 0) depth_ = deepest;
+    if (!(deepest > 1e-14 || dynamics_.closing.cwiseAbs().maxCoeff() > 1e-14)) return true;
+    ContactVector gaps = ContactVector::Zero(rows());
+    ContactSelection chosen;
+    for (int i = 0; i < count(); ++i) {
+      if (!rules_[as(i)].normal) continue;
+      const int n = first_row_[as(i)];
+      gaps(n) = reading_.gap[as(i)] + reading_.J.row(n).dot(dynamics_.closing);
+      chosen.add(i, {.tangents = rules_[as(i)].tangents}, n);
+    }
+    chosen.fill(dynamics_.W, gaps);
+    const ContactAnswer answer = iterate_contacts(chosen.problem, ContactVector::Zero(chosen.rows));
+    if (!answer) return true;  // contacts that exclude each other
+    change_ = dynamics_.closing;
+    change_.noalias() += dynamics_.KJ * chosen.spread(answer.best().r, rows());
+    std::copy_n(y.begin(), middle_.size(), middle_.begin());
+    for (int i = 0; i < mechanism_->sizes().velocities; ++i) middle_[rates_.size() + as(i)] = change_(i);
+    mechanism_->coordinate_rates(t, middle_, rates_);
+    for (std::size_t i = 0; i < rates_.size(); ++i) y[i] += rates_[i];
+  }
+  return true;
+}
+
+}  // namespace torsor::runtime

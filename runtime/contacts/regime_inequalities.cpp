@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: MIT
+#include "runtime/contacts/regime_inequalities.hpp"
+
+#include <Eigen/Cholesky>
+#include <algorithm>
+#include <cmath>
+
+namespace torsor::runtime {
+
+RegimeInequalities::Sizes RegimeInequalities::sizes(const ContactVector& r) const noexcept {
+  const double force = r.size() > 0 ? r.cwiseAbs().maxCoeff() : 0;
+  const ContactVector terms = problem_.W.cwiseAbs() * r.cwiseAbs() + problem_.q.cwiseAbs();
+  return {force, terms.size() > 0 ? terms.maxCoeff() : 0};
+}
+
+double RegimeInequalities::given_motion() const noexcept {
+  ContactVector terms = problem_.q.cwiseAbs();
+  for (int i = 0; i < problem_.count; ++i) {
+    const ContactLaw& law = problem_.law(i);
+    const int t = problem_.tangent_row(i);
+    const double bound = std::max(law.bound, law.static_bound);
+    for (int k = 0; k < law.tangents; ++k) terms += bound * problem_.W.col(t + k).cwiseAbs();
+  }
+  return terms.size() > 0 ? terms.maxCoeff() : 0;
+}
+
+bool RegimeInequalities::hold(const ContactVector& r, const ContactVector& u, double slack) const noexcept {
+  const Sizes size = sizes(r);
+  // Where terms cancel to a part in 1e8 the motion is no longer known: forces that run away solve nothing.
+  if (!(size.motion <= 1e8 * given_motion())) return false;
+  const double force = slack * size.force, motion = slack * size.motion;
+  for (int i = 0; i < problem_.count; ++i) {
+    const ContactLaw& law = problem_.law(i);
+    const AssumedRegime& assumed = system_.at(i);
+    const int n = problem_.first_row(i), t = problem_.tangent_row(i);
+    if (law.normal && !(assumed.pressed ? r(n) >= -force : u(n) >= -motion)) return false;
+    if (assumed.friction == Friction::sticks) {
+      const double N = problem_.pressing(i, r);
+      double length = 0;
+      for (int k = 0; k < law.tangents; ++k) length = std::hypot(length, r(t + k));
+      if (!(length <= law.static_friction * N + law.static_bound + force)) return false;
+    }
+    if (assumed.friction == Friction::slides && !assumed.direction_given) {
+      double along = 0, across = 0;
+      for (int k = 0; k < law.tangents; ++k) along += assumed.direction[as(k)] * u(t + k);
+      if (law.tangents == 2) across = assumed.direction[0] * u(t + 1) - assumed.direction[1] * u(t);
+      if (!(along >= -motion && std::abs(across) <= 64 * motion)) return false;
+    }
+  }
+  return true;
+}
+
+bool RegimeInequalities::find(RegimeSystem& system, double margin) const noexcept {
+  const auto& Z = system.kernel();
+  const int n = static_cast<int>(Z.cols());
+  const ContactVector start = system.x();
+  const ContactMatrix R = system.B() * Z, U = problem_.W * R;
+  ContactVector z = ContactVector::Zero(n);
+  const Sizes size = sizes(system.reactions());
+  const double force = std::max(size.force, 1e-300), motion = std::max(size.motion, 1e-300);
+  ContactVector gradient(n);
+  ContactMatrix hessian(n, n);
+  const auto value = [&](const ContactVector& at, bool slopes) {
+    system.x() = start + Z * at;
+    const ContactVector r = system.reactions(), u = problem_.W * r + problem_.q;
+    double sum = 0;
+    if (slopes) {
+      gradient.setZero(n);
+      hessian.setZero(n, n);
+    }
+    const auto add = [&](double missing, const ContactVector& row) {
+      if (!(missing > 0)) return;
+      sum += missing * missing / 2;
+      if (!slopes) return;
+      gradient -= missing * row;
+      hessian += row * row.transpose();
+    };
+    for (int i = 0; i < problem_.count; ++i) {
+      const ContactLaw& law = problem_.law(i);
+      const AssumedRegime& assumed = system.at(i);
+      const int k = problem_.first_row(i), t = problem_.tangent_row(i);
+      if (law.normal && assumed.pressed) add(margin - r(k) / force, R.row(k).transpose() / force);
+      if (law.normal && !assumed.pressed) add(margin - u(k) / motion, U.row(k).transpose() / motion);
+      if (assumed.friction == Friction::sticks) {
+        double length = 0;
+        for (int j = 0; j < law.tangents; ++j) length = std::hypot(length, r(t + j));
+        const int pressing = problem_.pressing_row(i);
+        const double N = problem_.pressing(i, r);
+        const double missing = margin - (law.static_friction * N + law.static_bound - length) / force;
+        if (!(missing > 0)) continue;
+        ContactVector row = ContactVector::Zero(n);
+        if (pressing >= 0) row += law.static_friction * R.row(pressing).transpose() / force;
+        for (int j = 0; j < law.tangents && length > 0; ++j)
+          row -= r(t + j) / length * R.row(t + j).transpose() / force;
+        add(missing, row);
+        if (slopes && law.tangents == 2 && length > 0) {
+          const ContactVector across = (r(t) * R.row(t + 1) - r(t + 1) * R.row(t)).transpose() / length;
+          hessian += missing / (length * force) * across * across.transpose();
+        }
+      }
+      if (assumed.friction == Friction::slides && !assumed.direction_given) {
+        double along = 0;
+        ContactVector row = ContactVector::Zero(n);
+        for (int j = 0; j < law.tangents; ++j) {
+          along += assumed.direction[as(j)] * u(t + j);
+          row += assumed.direction[as(j)] * U.row(t + j).transpose() / motion;
+        }
+        add(margin - along / motion, row);
+      }
+    }
+    return sum;
+  };
+  double now = value(z, true);
+  for (int step = 0; step < 60 && now > 0; ++step) {
+    hessian.diagonal().array() += 1e-12 * (hessian.trace() + 1e-300);
+    const ContactVector change = hessian.ldlt().solve(gradient);
+    const double slope = gradient.dot(change);
+    if (!(slope > 0) || !change.allFinite()) break;
+    double part = 1, next = value(z - change, false);
+    while (part > 1e-8 && !(next <= now - 0.25 * part * slope)) {
+      part /= 2;
+      next = value(z - part * change, false);
+    }
+    if (!(next < now)) break;
+    z -= part * change;
+    now = value(z, true);
+  }
+  system.x() = start + Z * z;
+  const ContactVector r = system.reactions();
+  return hold(r, problem_.W * r + problem_.q, 1e-12);
+}
+
+}  // namespace torsor::runtime
