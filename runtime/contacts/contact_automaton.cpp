@@ -36,7 +36,8 @@ double ContactAutomaton::guard(std::size_t index, double t, std::span<const doub
     if (!rule.normal) return 1;
     if (!state.touches) return motion_.reading().gap[as(contact)];
     if (motion_.solve(t, y) != Evaluation::ok) return none;
-    return motion_.reactions()(motion_.first_row(contact)) + state.force_slack;
+    const int n = motion_.first_row(contact);
+    return motion_.reactions()(n) + state.force_slack + (state.idle ? 4e-12 * fastest_ / motion_.W()(n, n) : 0);
   }
   if (!state.touches || rule.tangents == 0 || state.regime == ContactRegime::open) return 1;
   if (watched == Watched::youth) {
@@ -56,6 +57,12 @@ double ContactAutomaton::guard(std::size_t index, double t, std::span<const doub
 bool ContactAutomaton::barrier(std::size_t index) const {
   return index < guards * bounces_.size() && static_cast<Watched>(index % guards) == Watched::gap_or_pressure &&
          !motion_.states[index / guards].touches;
+}
+
+bool ContactAutomaton::falls_within_rounding(std::size_t index, double t, std::span<const double> y) {
+  if (!barrier(index) || !motion_.read(t, y)) return false;
+  const int i = static_cast<int>(index / guards);
+  return motion_.reading().gap[as(i)] <= 16 * motion_.rounding_of_gap(i) && motion_.reading().w(motion_.first_row(i)) < 0;
 }
 
 ContactEvent ContactAutomaton::event() const noexcept {
@@ -83,12 +90,20 @@ bool ContactAutomaton::begin(double t) {
     return end(ContactStatus::integration_failed, -1);
   }
   if (!motion_.loops_closed(off)) return end(ContactStatus::open_loops, -1);
+  for (int i = 0; i < count(); ++i) {
+    if (motion_.rule(i).normal && !(motion_.reading().gap[as(i)] >= -options_.touch)) {
+      return end(ContactStatus::penetrates, i);
+    }
+    touching_[as(i)] = motion_.states[as(i)].touches = near(i);
+  }
+  // A gap that is closed as nearly as is asked is closed, which one below zero could not be left.
+  if (motion_.project_positions(t, y_, 3) != Evaluation::ok || !motion_.read(t, y_)) {
+    return end(ContactStatus::integration_failed, -1);
+  }
   bool approaches = false;
   int first = 0;
   for (int i = count(); i-- > 0;) {
     const bool normal = motion_.rule(i).normal;
-    if (normal && !(motion_.reading().gap[as(i)] >= -options_.touch)) return end(ContactStatus::penetrates, i);
-    touching_[as(i)] = near(i);
     if (normal && touching_[as(i)] && motion_.reading().w(motion_.first_row(i)) < -options_.at_rest) {
       approaches = true;
       first = i;
@@ -151,6 +166,9 @@ ContactLaw ContactAutomaton::law_after(int i, int forced, Cause cause) const noe
 // an event is not left to rounding: what the event says of it is given.
 bool ContactAutomaton::decide(int forced, Cause cause) {
   if (!motion_.read(result_.time, y_)) return end(ContactStatus::integration_failed, forced);
+  for (int i = 0; i < count(); ++i) {
+    if (motion_.rule(i).normal) fastest_ = std::max(fastest_, motion_.acceleration_terms(i));
+  }
   ContactSelection chosen;
   for (int i = 0; i < count(); ++i) {
     if (!motion_.states[as(i)].touches || (cause == Cause::opens && motion_.carrier(i) == forced)) continue;
@@ -180,11 +198,14 @@ void ContactAutomaton::take_regime(const ContactSelection& chosen, int k, const 
   const int i = chosen.who[as(k)], by = motion_.carrier(i);
   const int n = problem.first_row(k), t = problem.tangent_row(k);
   ContactState& state = motion_.states[as(i)];
-  const bool opens = law.normal ? s.u(n) > 0 : by >= 0 && !motion_.states[as(by)].touches;
+  // Two that neither press nor part, as pendulums of one length side by side, would else part and strike without end.
+  const double none = law.normal ? 1e-12 * (fastest_ + problem.W.row(n).cwiseAbs().dot(s.r.cwiseAbs())) : 0;
+  const bool opens = law.normal ? s.u(n) > none : by >= 0 && !motion_.states[as(by)].touches;
   if (opens) {
     state = {};
     return;
   }
+  state.idle = law.normal && s.r(n) * problem.W(n, n) <= none;
   const bool slid = state.regime == ContactRegime::slides && !state.begins;
   if (!slid) {
     state.fastest = 0;
@@ -220,18 +241,20 @@ void ContactAutomaton::take_regime(const ContactSelection& chosen, int k, const 
 // When the bounces of one contact end: each is ρ times as long as the one before, ρ the ratio of the last two speeds of
 // approach, and the next one lasts 2 ρ w/a, a the acceleration towards the contact. Rounding of late impacts counts once
 // here, and their intervals need not shrink evenly before.
-double ContactAutomaton::end_of_bounces(int i, double speed) const noexcept {
-  const int n = motion_.first_row(i);
-  const double a = -(motion_.reading().J.row(n).dot(motion_.dynamics().a0) + motion_.reading().drift(n));
+double ContactAutomaton::end_of_bounces(int i, double speed, double a) const noexcept {
   const double last = bounces_[as(i)].speed, ratio = last > 0 ? speed / last : 1;
   if (!(a > 0 && ratio < 1)) return result_.time;
   return result_.time + 2 * ratio * speed / (a * (1 - ratio));
 }
 
-// Whether a contact takes part in the accumulation: of one contact, or of those of the last seventeen impacts.
+// Whether a contact takes part in the accumulation: of one contact, or of those of the last seventeen impacts. Two that
+// strike in turn, each impact some hundred times weaker, get to flights within rounding after few impacts.
 bool ContactAutomaton::accumulating(int i) const noexcept {
-  if (alone_) return i == cause_;
-  return bounces_[as(i)].last > 0 && bounces_[as(i)].last + 17 > impact_number_;
+  if (alone_ && i == cause_) return true;
+  const bool recent = bounces_[as(i)].last > 0 && bounces_[as(i)].last + 17 > impact_number_;
+  if (!alone_ || !recent || !buried_) return !alone_ && recent;
+  const double w = motion_.reading().w(motion_.first_row(i));
+  return w * w <= 2 * motion_.acceleration_terms(i) * motion_.rounding_of_gap(i);
 }
 
 // An impact of all contacts that touch; `rests` makes it completely inelastic, the end of an accumulation.
@@ -247,7 +270,13 @@ bool ContactAutomaton::collide(int cause, bool rests) {
     restitution[as(chosen.problem.count)] = rests ? 0 : motion_.rule(i).restitution;
     chosen.add(i, law, motion_.first_row(i));
   }
-  chosen.fill(motion_.W(), motion_.reading().w);
+  ContactVector before = motion_.reading().w;
+  for (int k = 0; k < chosen.problem.count; ++k) {
+    const int n = motion_.first_row(chosen.who[as(k)]);
+    // One that rests does not strike by what rounding leaves of its velocity.
+    if (chosen.problem.law(k).normal && std::abs(before(n)) <= 64 * motion_.rounding_of(n)) before(n) = 0;
+  }
+  chosen.fill(motion_.W(), before);
   const ContactProblem& problem = chosen.problem;
   const ImpactResult shock = impact(problem, restitution, rests ? ImpactLaw::newton_moreau : options_.law);
   result_.verdict = shock.verdict;
@@ -338,21 +367,24 @@ bool ContactAutomaton::happened(int contact, bool normal) {
 
 // A gap has fallen to zero: an impact, or the last one of bounces that accumulate.
 bool ContactAutomaton::strike(int contact) {
-  if (!motion_.read(result_.time, y_)) return end(ContactStatus::integration_failed, contact);
+  if (motion_.solve(result_.time, y_) != Evaluation::ok) return end(ContactStatus::integration_failed, contact);
   Bounces& bounces = bounces_[as(contact)];
   const double speed = std::abs(motion_.reading().w(motion_.first_row(contact)));
   const double rounding = motion_.rounding_of_gap(contact);
   // Where the flights left rise by less than 1e6 roundings of the gap, the next impacts are known less well.
   const double unresolved = speed > 0 ? 1e6 * rounding / speed : 0;
-  const double limit = end_of_bounces(contact, speed);
+  const double a = -motion_.gap_acceleration(contact), limit = end_of_bounces(contact, speed, a);
+  // The next flight would not leave the rounding of the gap.
+  const bool buried = a > 0 && speed * speed <= 2 * a * rounding;
   bounces.slower = limit > result_.time ? bounces.slower + 1 : 0;
   bounces.limit(result_.time, speed, rounding);
   const bool fades = bounces.slower >= 3 && limit - result_.time <= unresolved;
-  const bool alone = bounces.watch(result_.time, options_.accumulation) || fades;
+  const bool alone = bounces.watch(result_.time, options_.accumulation) || fades || buried;
   const bool together = all_(result_.time, std::max(options_.accumulation, unresolved));
   const bool rests = alone || together;
   bounces.last = ++impact_number_;
   alone_ = alone;
+  buried_ = buried;
   cause_ = contact;
   kind_ = ContactEventKind::impact;
   if (rests) {

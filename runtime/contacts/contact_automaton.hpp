@@ -31,6 +31,8 @@ class ContactAutomaton {
   /// Whether what it watches must not be below zero: a gap.
   [[nodiscard]] bool barrier(std::size_t index) const;
 
+  /// Whether a gap that falls is zero to rounding: after a flight that short it cannot be followed to its zero.
+  [[nodiscard]] bool falls_within_rounding(std::size_t index, double t, std::span<const double> y);
   /// A smooth piece has ended at a guard, at this time: the regimes that follow. False where the motion ends.
   bool pass(std::size_t index, double t, std::span<double> y);
   /// Whether that was an event that the observer is told of.
@@ -64,7 +66,7 @@ class ContactAutomaton {
   bool decide(int forced, Cause cause);
   [[nodiscard]] ContactLaw law_after(int i, int forced, Cause cause) const noexcept;
   void take_regime(const ContactSelection& chosen, int k, const ContactSolution& solution);
-  [[nodiscard]] double end_of_bounces(int i, double speed) const noexcept;
+  [[nodiscard]] double end_of_bounces(int i, double speed, double a) const noexcept;
   [[nodiscard]] bool accumulating(int i) const noexcept;
   bool collide(int cause, bool rests);
   bool strike(int contact);
@@ -80,8 +82,10 @@ class ContactAutomaton {
   std::vector<Bounces> bounces_;
   PerContact<bool> touching_{};
   AccumulationWatch<double> all_{};
+  double fastest_ = 0;  ///< the largest terms of a normal acceleration at any event so far
   std::int64_t impact_number_ = 0;
   bool alone_ = false;  ///< the accumulation is that of one contact, `cause_`
+  bool buried_ = false;  ///< the next flight would not leave rounding
   int cause_ = 0;
   bool has_event_ = false;
   ContactEventKind kind_ = ContactEventKind::impact;

@@ -39,9 +39,9 @@ bool ContactMotion::any_touches() const noexcept {
   return false;
 }
 
-Evaluation ContactMotion::project(double t, std::span<double> y, int steps) {
-  const bool touches = any_touches(), any = sizes_.constraints > 0 || touches;
-  for (int step = 0; any && step < steps; ++step) {
+Evaluation ContactMotion::project_positions(double t, std::span<double> y, int steps) {
+  const bool touches = any_touches();
+  for (int step = 0; step < steps; ++step) {
     if (!read(t, y) || (touches && !respond())) return Evaluation::singular;
     double worst = loops_off();
     select([&](int i, int row, bool normal) {
@@ -65,7 +65,17 @@ Evaluation ContactMotion::project(double t, std::span<double> y, int steps) {
     if (largest <= 4 * std::numeric_limits<double>::epsilon() * place) break;
   }
   mechanism_.normalise(y);
-  if (!any) return Evaluation::ok;
+  return Evaluation::ok;
+}
+
+Evaluation ContactMotion::project(double t, std::span<double> y, int steps) {
+  const bool touches = any_touches();
+  if (sizes_.constraints == 0 && !touches) {
+    mechanism_.normalise(y);
+    return Evaluation::ok;
+  }
+  const Evaluation placed = project_positions(t, y, steps);
+  if (placed != Evaluation::ok) return placed;
   if (!read(t, y) || (touches && !respond())) return Evaluation::singular;
   select([&](int i, int row, bool normal) {
     right_(row) = -reading_.w(row) - reading_.J.row(row).dot(dynamics_.closing_rate);
@@ -250,6 +260,17 @@ double ContactMotion::rounding_of(int row) const noexcept {
   double sum = 0;
   for (int j = 0; j < sizes_.velocities; ++j) sum += std::abs(reading_.J(row, j) * y_[as(sizes_.coordinates + j)]);
   return std::numeric_limits<double>::epsilon() * (sum + std::abs(reading_.w(row)));
+}
+
+double ContactMotion::gap_acceleration(int i) const noexcept {
+  return reading_.J.row(first_row(i)).dot(a_) + reading_.drift(first_row(i));
+}
+
+double ContactMotion::acceleration_terms(int i) const noexcept {
+  const int n = first_row(i);
+  double sum = std::abs(reading_.drift(n));
+  for (int j = 0; j < sizes_.velocities; ++j) sum += std::abs(reading_.J(n, j) * dynamics_.a0(j));
+  return sum;
 }
 
 double ContactMotion::rounding_of_gap(int i) const noexcept {

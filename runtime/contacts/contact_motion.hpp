@@ -31,6 +31,8 @@ class ContactMotion {
   /// Loops, gaps of closed contacts, their velocities and those of sticking ones back to zero, in at most `steps` steps
   /// of Newton's method.
   [[nodiscard]] Evaluation project(double t, std::span<double> y, int steps = 3);
+  /// The same of loops and gaps alone.
+  [[nodiscard]] Evaluation project_positions(double t, std::span<double> y, int steps);
 
   /// Whether the state read last is on its loops, where they were once off by `first` [coordinates]: what closes them is
   /// rounding, or a millionth of that.
@@ -76,6 +78,10 @@ class ContactMotion {
 
   /// What rounding may make of a velocity: some parts of its terms.
   [[nodiscard]] double rounding_of(int row) const noexcept;
+  /// d²g/dt² of a gap in the present regimes, solved last.
+  [[nodiscard]] double gap_acceleration(int i) const noexcept;
+  /// The terms of a normal acceleration at the state read last, of which rounding is a part.
+  [[nodiscard]] double acceleration_terms(int i) const noexcept;
   /// What rounding may make of a gap, of the coordinates that it depends on.
   [[nodiscard]] double rounding_of_gap(int i) const noexcept;
 

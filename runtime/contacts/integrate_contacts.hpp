@@ -95,7 +95,9 @@ class ContactRun {
     result.integration_event = piece.status;
     if (piece.status == EventStatus::reached_end) return true;
     if (piece.status == EventStatus::stopped_by_observer) return automaton_.end(ContactStatus::stopped_by_observer, -1);
-    if (piece.status != EventStatus::stopped_at_event) {
+    const bool here = piece.status == EventStatus::guard_not_followed &&
+                      automaton_.falls_within_rounding(piece.guard, piece.time, y_);
+    if (piece.status != EventStatus::stopped_at_event && !here) {
       return automaton_.end(ContactStatus::integration_failed, static_cast<int>(piece.guard / ContactAutomaton::guards));
     }
     if (!automaton_.pass(piece.guard, piece.time, y_)) return false;

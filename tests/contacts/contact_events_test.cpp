@@ -315,6 +315,47 @@ TEST(BlockOnABelt, IsCarriedAlongOrLeftBehindByItsState) {
   EXPECT_NEAR(moving[0], 1.6, 1e-13);
 }
 
+/// Equal balls on threads of 1 m, side by side at rest: q = angles. Newton's cradle.
+ByHand<3, 3, 2> cradle() {
+  constexpr double apart = 0.1;
+  return {{ContactRule{.tangents = 0, .restitution = 1}, ContactRule{.tangents = 0, .restitution = 1}},
+          [](double, const auto& y, auto& r) {
+            r.M.setIdentity();
+            r.J.setZero();
+            for (int i = 0; i < 3; ++i) r.F(i) = -g * std::sin(y[static_cast<std::size_t>(i)]);
+            for (int c = 0; c < 2; ++c) {
+              const auto k = static_cast<std::size_t>(c);
+              const Eigen::Vector2d a(std::cos(y[k]), std::sin(y[k])), b(std::cos(y[k + 1]), std::sin(y[k + 1]));
+              const Eigen::Vector2d line(apart + b.y() - a.y(), a.x() - b.x()), n = line.normalized();
+              const Eigen::Vector2d u = y[4 + k] * b - y[3 + k] * a;
+              const auto turned = [](const Eigen::Vector2d& e) { return Eigen::Vector2d(-e.y(), e.x()); };
+              r.gap[k] = line.norm() - apart;
+              r.J(c, c) = -n.dot(a);
+              r.J(c, c + 1) = n.dot(b);
+              r.w(c) = n.dot(u);
+              r.drift(c) = n.dot(y[4 + k] * y[4 + k] * turned(b) - y[3 + k] * y[3 + k] * turned(a)) +
+                           (u.squaredNorm() - r.w(c) * r.w(c)) / line.norm();
+            }
+          }};
+}
+
+// The two that hang at rest touch without a force, and swing together without one: they must neither part nor strike
+// for ever. Also where they begin a little within each other.
+TEST(NewtonsCradle, SwingsWithTwoBallsThatTouchWithoutAForce) {
+  const double bottom = std::sqrt(2 * g * (1 - std::cos(0.3)));
+  for (const double within : {0.0, 1e-12}) {
+    std::array<double, 6> y{-0.3, within, 0, 0, 0, 0};
+    const Motion motion = move(cradle(), y, 3);
+    const auto impacts = motion.all(ContactEventKind::impact);
+    ASSERT_EQ(motion.events.size(), impacts.size());  // none opens
+    ASSERT_EQ(impacts.size(), 3U);
+    // Newton's law for all contacts at once (sheet of multiple impacts): v (-1/3, 2/3, 2/3).
+    EXPECT_NEAR(impacts[0].state[3], -bottom / 3, 1e-11);
+    EXPECT_NEAR(impacts[0].state[4], 2 * bottom / 3, 1e-11);
+    EXPECT_NEAR(impacts[0].state[5], 2 * bottom / 3, 1e-11);
+  }
+}
+
 TEST(ContactStatus, SaysWhatIsWrongAndWhere) {
   // Painlevé: M^-1 = [[1, 0.9], [0.9, 1]], f = 1.5, slip to the positive side, pressed by 1.
   ByHand<3, 3, 1> system = sphere_on_slope(0, 1.5, 0, 1);
