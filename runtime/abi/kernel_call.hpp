@@ -19,7 +19,20 @@ struct StatesOfBlock {
   std::size_t first, count;
 };
 
-/// Reads columns of `rows` numbers into packs, a state in each lane. Absent: zeros. `all`: states of the whole call.
+/// Reads columns of `rows` numbers into packs, a state in each lane.
+template <std::size_t rows, std::size_t lanes>
+void read_any_columns(const torsor_view& from, StatesOfBlock states, double* to) noexcept {
+  const char* const first =
+      static_cast<const char*>(from.data) + static_cast<std::ptrdiff_t>(states.first) * from.state;
+  for (std::size_t lane = 0; lane < lanes; ++lane) {
+    const char* const column = first + static_cast<std::ptrdiff_t>(std::min(lane, states.count - 1)) * from.state;
+    for (std::size_t k = 0; k < rows; ++k) {
+      std::memcpy(to + k * lanes + lane, column + static_cast<std::ptrdiff_t>(k) * from.row, sizeof(double));
+    }
+  }
+}
+
+/// The same, through registers where that is possible. Absent: zeros. `all`: states of the whole call.
 template <std::size_t rows, std::size_t lanes>
 void read_columns(const torsor_view& from, StatesOfBlock states, [[maybe_unused]] std::size_t all,
                   double* to) noexcept {
@@ -29,6 +42,12 @@ void read_columns(const torsor_view& from, StatesOfBlock states, [[maybe_unused]
   }
   const char* const first =
       static_cast<const char*>(from.data) + static_cast<std::ptrdiff_t>(states.first) * from.state;
+  if (from.state == sizeof(double) && states.count == lanes) {  // packs already
+    for (std::size_t k = 0; k < rows; ++k) {
+      std::memcpy(to + k * lanes, first + static_cast<std::ptrdiff_t>(k) * from.row, lanes * sizeof(double));
+    }
+    return;
+  }
   if constexpr (lanes > 1 && Tile<lanes>::in_registers) {
     if (from.row == sizeof(double) && states.count == lanes) {
       // Behind a column are those of later states, each a number at least, as long as there are enough of them.
@@ -37,12 +56,7 @@ void read_columns(const torsor_view& from, StatesOfBlock states, [[maybe_unused]
       return columns_to_packs<rows, lanes>(first, from.state, beyond, to);
     }
   }
-  for (std::size_t lane = 0; lane < lanes; ++lane) {
-    const char* const column = first + static_cast<std::ptrdiff_t>(std::min(lane, states.count - 1)) * from.state;
-    for (std::size_t k = 0; k < rows; ++k) {
-      std::memcpy(to + k * lanes + lane, column + static_cast<std::ptrdiff_t>(k) * from.row, sizeof(double));
-    }
-  }
+  read_any_columns<rows, lanes>(from, states, to);
 }
 
 /// Writes a matrix of each of some states from packs that hold it column by column, the first in the first lane.
@@ -50,22 +64,6 @@ template <std::size_t lanes>
 void write_matrices(const double* from, std::size_t rows, std::size_t columns, StatesOfBlock states,
                     const torsor_view& to) noexcept {
   char* const data = static_cast<char*>(to.data) + static_cast<std::ptrdiff_t>(states.first) * to.state;
-  if constexpr (lanes > 1 && Tile<lanes>::in_registers) {
-    constexpr auto number = static_cast<std::ptrdiff_t>(sizeof(double));
-    const bool by_columns =
-        (rows == 1 || to.row == number) && (columns == 1 || to.column == static_cast<std::ptrdiff_t>(rows) * number);
-    const bool by_rows =
-        (columns == 1 || to.column == number) && (rows == 1 || to.row == static_cast<std::ptrdiff_t>(columns) * number);
-    if (by_columns) {
-      return packs_to_states<lanes>(
-          from, rows * columns, [](std::size_t k) { return k; }, data, to.state, states.count);
-    }
-    if (by_rows) {
-      return packs_to_states<lanes>(
-          from, rows * columns, [=](std::size_t k) { return k % columns * rows + k / columns; }, data, to.state,
-          states.count);
-    }
-  }
   for (std::size_t lane = 0; lane < states.count; ++lane) {
     char* const matrix = data + static_cast<std::ptrdiff_t>(lane) * to.state;
     for (std::size_t j = 0; j < columns; ++j) {
@@ -77,36 +75,80 @@ void write_matrices(const double* from, std::size_t rows, std::size_t columns, S
   }
 }
 
+/// The same for a shape that is known when this is compiled: through registers where matrices have no gaps.
+template <std::size_t lanes, std::size_t rows, std::size_t columns>
+void write_matrices_of(const double* from, StatesOfBlock states, const torsor_view& to) noexcept {
+  if constexpr (lanes > 1 && Tile<lanes>::in_registers) {
+    constexpr auto number = static_cast<std::ptrdiff_t>(sizeof(double));
+    constexpr std::size_t numbers = rows * columns;
+    if (states.count == lanes) {
+      char* const data = static_cast<char*>(to.data) + static_cast<std::ptrdiff_t>(states.first) * to.state;
+      if (to.state == number && numbers > 1) {  // packs already
+        for (std::size_t k = 0; k < numbers; ++k) {
+          std::memcpy(
+              data + static_cast<std::ptrdiff_t>(k % rows) * to.row + static_cast<std::ptrdiff_t>(k / rows) * to.column,
+              from + k * lanes, lanes * sizeof(double));
+        }
+        return;
+      }
+      if ((rows == 1 || to.row == number) &&
+          (columns == 1 || to.column == static_cast<std::ptrdiff_t>(rows) * number)) {
+        return packs_to_states<numbers, lanes>(
+            from, [](std::size_t k) { return k; }, data, to.state);
+      }
+      if (to.column == number && to.row == static_cast<std::ptrdiff_t>(columns) * number) {
+        return packs_to_states<numbers, lanes>(
+            from, [](std::size_t k) { return k % columns * rows + k / columns; }, data, to.state);
+      }
+    }
+  }
+  write_matrices<lanes>(from, rows, columns, states, to);
+}
+
 /// Asks for the columns of a later block, so that they are there when it is read: what a kernel needs all at once
-/// before it can begin would be waited for.
+/// before it can begin would be waited for. Inlined: g++ drops calls of functions that only fetch.
 template <std::size_t rows, std::size_t lanes>
-void fetch_columns(const torsor_view& from, std::size_t first, std::size_t states) noexcept {
+TORSOR_SIMD_INLINED void fetch_columns(const torsor_view& from, std::size_t first, std::size_t states) noexcept {
 #if defined(__GNUC__)
-  constexpr std::ptrdiff_t line = 64;
+  constexpr std::ptrdiff_t line = 64, size = rows * sizeof(double);
   if (from.data == nullptr || from.row != sizeof(double) || from.state == 0 || first + lanes > states) return;
   const char* column = static_cast<const char*>(from.data) + static_cast<std::ptrdiff_t>(first) * from.state;
-  for (std::size_t lane = 0; lane < lanes; ++lane, column += from.state) {
-    for (std::ptrdiff_t at = 0; at < static_cast<std::ptrdiff_t>(rows * sizeof(double)); at += line) {
+  if (from.state == size) {
+    for (std::ptrdiff_t at = 0; at < static_cast<std::ptrdiff_t>(lanes) * size; at += line)
       __builtin_prefetch(column + at);
-    }
+    return;
+  }
+  for (std::size_t lane = 0; lane < lanes; ++lane, column += from.state) {
+    for (std::ptrdiff_t at = 0; at < size; at += line) __builtin_prefetch(column + at);
   }
 #endif
 }
 
+/// Adds the numbers of each lane: the sum is finite only where all of them are.
+template <class Scalar>
+void add_numbers(const Scalar* numbers, std::size_t count, Scalar& sum) noexcept {
+  for (std::size_t k = 0; k < count; ++k) sum = sum + numbers[k];
+}
+
 /// Whether all numbers of a lane are finite: x - x is 0, or not a number.
 template <std::size_t lanes>
-void add_not_finite(const double* numbers, std::size_t count, std::array<double, lanes>& difference) noexcept {
+void find_not_finite(const double* numbers, std::size_t count, std::array<bool, lanes>& finite) noexcept {
   for (std::size_t k = 0; k < count; ++k) {
     for (std::size_t lane = 0; lane < lanes; ++lane) {
-      difference[lane] += numbers[k * lanes + lane] - numbers[k * lanes + lane];
+      const double number = numbers[k * lanes + lane];
+      finite[lane] = finite[lane] && number - number == 0.0;
     }
   }
 }
+
+/// Writes a result of packs.
+using ResultWriter = void (*)(const double* from, StatesOfBlock states, const torsor_view& to) noexcept;
 
 /// What the description says of a kernel, for its calls.
 struct KernelShape {
   bool reads_accelerations = false, reads_multipliers = false, reads_inputs = false;
   const torsor_abi_result* results = nullptr;
+  const ResultWriter* writers = nullptr;  ///< of packs, one for each result; null: its shape depends on the order
   std::size_t result_count = 0;
 };
 
@@ -124,14 +166,15 @@ class BlockCall {
 
   /// Reads, evaluates and says which lanes have numbers that are not finite among their arguments.
   int operator()(StatesOfBlock states, std::array<bool, lanes>& finite) noexcept {
-    std::array<double, lanes> difference{};
-    read(call_.time, operands_.state.time, states, difference);
-    read(call_.q, operands_.state.q, states, difference);
-    read(call_.v, operands_.state.v, states, difference);
-    if (shape_.reads_accelerations) read(call_.accelerations, operands_.accelerations, states, difference);
-    if (shape_.reads_multipliers) read(call_.multipliers, operands_.multipliers, states, difference);
-    if (shape_.reads_inputs) read(call_.inputs, operands_.inputs, states, difference);
-    for (std::size_t lane = 0; lane < lanes; ++lane) finite[lane] = difference[lane] == 0.0;
+    finite.fill(true);
+    const Scalar sum = each_argument([&](const torsor_view& from, auto& to) { return read(from, to, states); });
+    if (!(sum - sum >= Scalar(0.0))) {  // some number is not finite, or the sum alone
+      each_argument([&](const torsor_view&, auto& to) {
+        using Structure = std::remove_reference_t<decltype(to)>;
+        find_not_finite<lanes>(reinterpret_cast<const double*>(&to), scalars_in<Structure, Scalar>, finite);
+        return Scalar(0.0);
+      });
+    }
     return kernel_.call(kernel_.function, precomputed_, operands_, results_);
   }
 
@@ -142,23 +185,42 @@ class BlockCall {
       const torsor_abi_result& result = shape_.results[r];
       const auto rows = static_cast<std::size_t>(result.rows);
       const auto columns = static_cast<std::size_t>(result.columns == 0 ? call_.order + 1 : result.columns);
-      if (rows > 0 && call_.results[r].data != nullptr)
-        write_matrices<lanes>(from, rows, columns, states, call_.results[r]);
+      if (rows > 0 && call_.results[r].data != nullptr) {
+        if (lanes > 1 && shape_.writers[r] != nullptr) {
+          shape_.writers[r](from, states, call_.results[r]);
+        } else {
+          write_matrices<lanes>(from, rows, columns, states, call_.results[r]);
+        }
+      }
       from += rows * columns * lanes;
     }
   }
 
  private:
+  using Scalar = ScalarOf<M>;
+
+  /// Of what `work` gives for each argument that the kernel reads, the sum.
+  template <class Work>
+  Scalar each_argument(const Work& work) noexcept {
+    const Scalar state =
+        work(call_.time, operands_.state.time) + work(call_.q, operands_.state.q) + work(call_.v, operands_.state.v);
+    Scalar others(0.0);
+    if (shape_.reads_accelerations) others = work(call_.accelerations, operands_.accelerations);
+    if (shape_.reads_multipliers) others = others + work(call_.multipliers, operands_.multipliers);
+    if (shape_.reads_inputs) others = others + work(call_.inputs, operands_.inputs);
+    return state + others;
+  }
+
   template <class Structure>
-  void read(const torsor_view& from, Structure& to, StatesOfBlock states,
-            std::array<double, lanes>& difference) noexcept {
-    constexpr std::size_t rows = scalars_in<Structure, ScalarOf<M>>;
+  Scalar read(const torsor_view& from, Structure& to, StatesOfBlock states) noexcept {
+    Scalar sum(0.0);
+    constexpr std::size_t rows = scalars_in<Structure, Scalar>;
     if constexpr (rows > 0) {
-      double* const numbers = reinterpret_cast<double*>(&to);
-      read_columns<rows, lanes>(from, states, call_.states, numbers);
+      read_columns<rows, lanes>(from, states, call_.states, reinterpret_cast<double*>(&to));
       if constexpr (lanes > 1) fetch_columns<rows, lanes>(from, states.first + 2 * lanes, call_.states);
-      add_not_finite<lanes>(numbers, rows, difference);
+      add_numbers(reinterpret_cast<const Scalar*>(&to), rows, sum);
     }
+    return sum;
   }
 
   const AnyKernel<M>& kernel_;

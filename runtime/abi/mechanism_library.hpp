@@ -98,7 +98,7 @@ class MechanismLibrary {
       const auto& kernel = Description::kernels[k];
       add_kernel(k, kernel.name,
                  {kernel.reads_accelerations, kernel.reads_multipliers, kernel.reads_inputs, results_.data() + first,
-                  static_cast<std::size_t>(kernel.result_count)},
+                  writers.data() + first, static_cast<std::size_t>(kernel.result_count)},
                  kernel.has_status);
       first += static_cast<std::size_t>(kernel.result_count);
     }
@@ -108,7 +108,8 @@ class MechanismLibrary {
     Packed::for_each_kernel([&](const auto&, auto* function) { calls()[k++].packed = any_kernel<Packed>(function); });
     if constexpr (moves) {
       results_[first] = {"derivative", Single::coordinate_count + Single::velocity_count, 1};
-      add_kernel(described, "state_derivative", {false, false, true, results_.data() + first, 1}, true);
+      add_kernel(described, "state_derivative",
+                 {false, false, true, results_.data() + first, writers.data() + first, 1}, true);
       calls()[described].single = any_kernel<Single>(&derivative<Single>);
       calls()[described].packed = any_kernel<Packed>(&derivative<Packed>);
     }
@@ -148,6 +149,23 @@ class MechanismLibrary {
     const Model& model = *reinterpret_cast<const Model*>(call->model);
     return calls()[k](model.single, model.packed, *call);
   }
+
+  /// How results are written from packs, in the order of the description.
+  template <int rows, int columns>
+  static constexpr ResultWriter writer() noexcept {
+    if constexpr (rows > 0 && columns > 0) {
+      return write_matrices_of<native_lanes<double>, static_cast<std::size_t>(rows), static_cast<std::size_t>(columns)>;
+    } else {
+      return nullptr;
+    }
+  }
+  static constexpr std::array<ResultWriter, result_count> writers = []<std::size_t... r>(std::index_sequence<r...>) {
+    std::array<ResultWriter, result_count> all{
+        writer<Description::results[r].rows, Description::results[r].columns>()...};
+    if (moves) all.back() = writer<Single::coordinate_count + Single::velocity_count, 1>();
+    return all;
+  }
+  (std::make_index_sequence<Description::results.size()>{});
 
   using Calls = std::array<KernelCall<Single, Packed>, kernel_count>;
   static Calls& calls() noexcept {

@@ -1,0 +1,17 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: GPL-3.0-or-later
+# tiles.sh CXX SOURCE FOLDER: tiles.cpp for each set of vector registers that this processor has.
+set -euo pipefail
+cxx="$1" source="$2" folder="$3"
+rm -rf "$folder"
+mkdir -p "$folder"
+has() { grep -qw "$1" /proc/cpuinfo 2> /dev/null; }
+sets=("")
+if has avx2; then sets+=("-mavx2"); fi
+if has avx512f; then sets+=("-mavx512f"); fi
+for registers in "${sets[@]}"; do
+  # shellcheck disable=SC2086  # an option, or none
+  "$cxx" -std=c++20 -O2 -fsanitize=address -Wall -Wextra -Wpedantic -Wconversion -Wshadow -Werror $registers -I"$source" \
+    "$source/tests/abi/tiles.cpp" -o "$folder/tiles"
+  "$folder/tiles"
+done
