@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""batch.py [STATES]: panda's inverse dynamics from numpy beside the C++ batch, compiled alike, and one call with bound
-arrays. Processor time of this thread, in turns, the best of each: other programs then hardly count.
+"""batch.py [STATES]: panda's inverse dynamics from numpy beside the C++ batch, compiled alike, beside MuJoCo where it is
+installed, and one call with bound arrays. Processor time of this thread, in turns, the best of each: other programs then hardly count.
 
 TORSOR names the program torsor where it is not on the path; PYTHONPATH the package. Fails above 1.3 times the batch, or
 2 us a call."""
@@ -31,6 +31,24 @@ def batch_of_cpp(folder, contract):
     loaded = ctypes.CDLL(library)
     loaded.make_problem.restype = ctypes.c_void_p
     return loaded
+
+
+def mujoco(folder, states):
+    """Seconds for all states and the forces, or None where MuJoCo is not installed."""
+    library = os.path.join(folder, "mujoco.so")
+    done = subprocess.run([os.environ.get("CXX", "c++"), "-std=c++20", "-O3", "-march=native", "-shared", "-fPIC",
+                           os.path.join(SOURCE, "benchmarks/python/mujoco.cpp"), "-o", library, "-lmujoco"], capture_output=True, check=False)
+    if done.returncode != 0:
+        return None
+    loaded = ctypes.CDLL(library)
+    loaded.make_mujoco.restype = ctypes.c_void_p
+    made = ctypes.c_void_p(loaded.make_mujoco(ROBOT.encode()))
+    if not made:
+        return None
+    forces = np.empty_like(states[0])
+    pointers = [x.ctypes.data_as(ctypes.c_void_p) for x in (*states, forces)]
+    count = ctypes.c_size_t(len(forces))
+    return min(seconds(lambda: loaded.evaluate_mujoco(made, count, *pointers)) for _ in range(5)), forces
 
 
 def seconds(function):
@@ -68,6 +86,11 @@ def main():
             whole = min(seconds(lambda: [arm.inverse_dynamics(q[0], v[0], a[0]) for _ in range(100)]) for _ in range(TURNS)) / 100
             print(f"  one call       {one * 1e6:7.2f} us with bound arrays, {whole * 1e6:.1f} us with new ones")
             good = good and one <= 2e-6
+        peer = mujoco(folder, (q, v, a))
+        if peer is None:
+            print("MuJoCo is not installed")
+        else:
+            print(f"MuJoCo in a loop of C++ {peer[0] / n * 1e9:7.1f} ns a state, forces up to {np.abs(peer[1] - out).max():.1e} N m apart")
     return 0 if good else 1
 
 

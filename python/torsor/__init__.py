@@ -16,6 +16,8 @@ from ._kernel import Bound, Kernel, NotFiniteError, Results, SingularError, Tors
 from ._load import LoadError, load
 from ._mechanism import Equilibrium, Mechanism, Modes, Motion, State
 
+__version__ = "0.1.0"
+
 __all__ = ["Bound", "Equilibrium", "Kernel", "LoadError", "Mechanism", "Modes", "Motion", "NotFiniteError", "Results",
            "SingularError", "State", "TorsorError", "load", "open"]
 

@@ -59,18 +59,28 @@ class Results(tuple):
 
 
 class ResultShape(NamedTuple):
-    """Shape of one result for one state: () for a number, (rows,) or (rows, columns); columns 0: one for each order."""
+    """Shape of one result for one state: () for a number, (rows,) or (rows, columns); columns 0: one for each order. A
+    vector stays one, and a matrix, where the mechanism has a single coordinate, input or constraint."""
 
     name: str
     rows: int
     columns: int
+    dimensions: int
 
     def shape(self, order: int) -> tuple[int, ...]:
-        if self.columns == 0:
-            return (self.rows, order + 1)
-        if self.columns > 1:
-            return (self.rows, self.columns)
-        return (self.rows,)
+        columns = order + 1 if self.columns == 0 else self.columns
+        return (self.rows, columns)[:self.dimensions]
+
+
+def _dimensions(kernel: str, result: str, rows: int, columns: int) -> int:
+    """0 of a number, 1 of a vector, 2 of a matrix. A library tells rows and columns only."""
+    matrices = ("mass_matrix", "regressor", "operational_inertia")
+    matrix = (columns != 1 or kernel in matrices or "derivatives" in kernel or "sensitivities" in kernel
+              or (kernel == "linearisation" and not result.startswith("F"))
+              or result in ("matrix", "columns") or result.endswith("jacobian"))
+    if matrix:
+        return 2
+    return 0 if rows == 1 and kernel in ("energy", "first_integrals", "reactions") else 1
 
 
 def as_columns(name: str, value: ArrayLike, size: int) -> np.ndarray:
@@ -138,8 +148,8 @@ class Kernel:
         reads = {"accelerations": entry.reads_accelerations, "multipliers": entry.reads_multipliers,
                  "inputs": entry.reads_inputs}
         self.arguments: dict[str, int] = {name: sizes[name] for name in _ARGUMENTS if reads.get(name, True)}
-        self.results = tuple(ResultShape(r.name.decode(), r.rows, r.columns)
-                             for r in entry.results[:entry.result_count])
+        described = [(r.name.decode(), r.rows, r.columns) for r in entry.results[:entry.result_count]]
+        self.results = tuple(ResultShape(*each, _dimensions(self.name, *each)) for each in described)
         self.has_status = bool(entry.has_status)
         self.takes_order = bool(entry.takes_order)
         self.__doc__ = self._documentation()
@@ -158,9 +168,8 @@ class Kernel:
             lines.append(f"    {name}: (..., {size}){default}{what}")
         lines += ["    time: (...) [s]", "", "Gives:"]
         for result in self.results:
-            numbers = ", ".join(["..."] + (["order + 1" if n == 0 else str(n) for n in
-                                            ((result.rows, result.columns) if result.columns != 1 else
-                                             (result.rows,))] if (result.rows, result.columns) != (1, 1) else []))
+            sizes = ["order + 1" if n == 0 and result.columns == 0 else str(n) for n in (result.rows, result.columns)]
+            numbers = ", ".join(["...", *sizes[:result.dimensions]])
             lines.append(f"    {result.name}: ({numbers})")
         if self.has_status:
             lines += ["", "Raises SingularError or NotFiniteError for one state; of many, `ok` of the results tells those",
@@ -220,7 +229,7 @@ class Kernel:
                 raise TypeError("return arrays must be of ArrayType")
             if given.dtype != np.float64 or not given.dtype.isnative:
                 raise TypeError(f"out: cannot cast {result.name} from dtype('float64') to {given.dtype!r}")
-            if given.shape != shape and given.shape + (1,) != shape:
+            if given.shape != shape:
                 raise ValueError(f"non-broadcastable output operand with shape {given.shape} doesn't match the broadcast "
                                  f"shape {shape} of {result.name}")
             if not given.flags.writeable:
@@ -273,10 +282,8 @@ class Kernel:
             alive.append(flat)
         views = (_abi.View * max(1, len(outputs)))()
         scattered: list[tuple[np.ndarray, np.ndarray]] = []
-        for k, (array, result) in enumerate(zip(outputs, self.results)):
-            tail = len(result.shape(order))
-            flat = (array.reshape(array.shape + (1,)) if array.ndim < len(batch) + tail else array)
-            flat = flat.reshape((count,) + flat.shape[len(batch):])
+        for k, array in enumerate(outputs):
+            flat = array.reshape((count,) + array.shape[len(batch):])
             if array.size > 0 and not np.may_share_memory(flat, array):  # gaps that no single step crosses
                 flat = np.empty(flat.shape)
                 scattered.append((array, flat))
@@ -288,14 +295,10 @@ class Kernel:
         alive += [call, views, arrays, times, outputs]
 
         results: Any
-        shaped = [o[..., 0] if (r.rows, r.columns) == (1, 1) and o.ndim == len(batch) + 1 else o
-                  for o, r in zip(outputs, self.results)]
-        if out is not None and self.unwrapped:
+        if self.unwrapped:
             results = outputs[0]
-        elif self.unwrapped:
-            results = shaped[0]
         else:
-            results = Results([r.name for r in self.results], shaped, statuses)
+            results = Results([r.name for r in self.results], outputs, statuses)
         evaluate, pointer = self._evaluate, ctypes.addressof(call)
 
         def complain(failed: int) -> None:

@@ -36,6 +36,16 @@ def panda():
 
 
 @pytest.fixture(scope="session")
+def rod(tmp_path_factory):
+    """2 kg on a hinge, the centre of mass 0.5 m below it."""
+    source = tmp_path_factory.mktemp("rod") / "rod.urdf"
+    source.write_text("""<robot name="rod"><link name="ground"/><link name="rod"><inertial><origin xyz="0 0 -0.5"/>
+      <mass value="2"/><inertia ixx="0.1" iyy="0.1" izz="0.1" ixy="0" ixz="0" iyz="0"/></inertial></link>
+      <joint name="hinge" type="continuous"><parent link="ground"/><child link="rod"/><axis xyz="0 1 0"/></joint></robot>""")
+    return torsor.load(source, flags="-O1")
+
+
+@pytest.fixture(scope="session")
 def pendulum():
     """Two masses on rods; all parameters can be changed."""
     return scene("double_pendulum", "--run-time", "all")

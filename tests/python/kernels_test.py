@@ -10,7 +10,6 @@ import pytest
 import torsor
 
 from conftest import SOURCES
-from torsor._load import scene_program
 
 N = 41  # some packs, and one that is not full
 
@@ -213,33 +212,7 @@ def test_opens_what_is_a_library_only(tmp_path):
         torsor.load(os.path.join(SOURCES, "tests/reference/urdf/panda.urdf"), kernels=["biass"])
 
 
-def test_a_notebook_shows_the_equations(tmp_path):
-    source = tmp_path / "rod.urdf"
-    source.write_text("""<robot name="rod"><link name="ground"/><link name="rod"><inertial><origin xyz="0 0 -0.5"/>
-      <mass value="2"/><inertia ixx="0.1" iyy="0.1" izz="0.1" ixy="0" ixz="0" iyz="0"/></inertial></link>
-      <joint name="hinge" type="continuous"><parent link="ground"/><child link="rod"/><axis xyz="0 1 0"/></joint></robot>""")
-    rod = torsor.load(source, kernels="energy,mass_matrix", flags="-O1")
+def test_a_notebook_shows_the_equations(rod):
     assert "hinge" in rod._repr_latex_()
     assert rod._repr_html_().startswith("<iframe srcdoc=") and "canvas" in rod._repr_html_()
     assert torsor.open(rod.path)._repr_html_() is None
-
-
-def test_a_scene_is_built_again_when_what_it_includes_changes(tmp_path, monkeypatch):
-    """Neither its own text nor its path changes; then it does not, and nothing is built."""
-    monkeypatch.setenv("TORSOR_CACHE", str(tmp_path / "cache"))
-    (tmp_path / "scene.cpp").write_text("""#include <iostream>
-#include "what.hpp"
-int main() { std::cout << WHAT << std::endl; }
-""")
-
-    def says(what):
-        (tmp_path / "what.hpp").write_text(f"#define WHAT \"{what}\"\n")
-        program = scene_program(str(tmp_path / "scene.cpp"))
-        return program, subprocess.run([program], capture_output=True, text=True, check=True).stdout.strip()
-
-    first, said = says("one")
-    assert said == "one"
-    second, said = says("two")
-    assert said == "two" and second != first
-    built = os.stat(first).st_mtime_ns
-    assert says("one") == (first, "one") and os.stat(first).st_mtime_ns == built

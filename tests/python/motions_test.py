@@ -96,3 +96,23 @@ def test_small_oscillations_of_a_double_pendulum(pendulum):
     expected = np.sqrt((2 + np.array([-1, -1, 1, 1]) * np.sqrt(2)) * 9.81)
     np.testing.assert_allclose(modes.frequencies, expected, rtol=1e-9)  # eigenvalues of 4 x 4: some 1e-15, the angle 1e-9
     np.testing.assert_allclose(modes.damping, 0.0, atol=1e-9)
+
+
+def test_one_coordinate_alone_has_vectors_and_matrices_too(rod):
+    """m g l = 9.81 N m, I = 0.1 + 2 0.5^2 = 0.6 kg m^2: exact to a few roundings."""
+    q = np.linspace(-1.0, 1.0, 5)[:, None]
+    held = rod.inverse_dynamics(q, np.zeros(1), np.zeros(1))
+    assert held.shape == (5, 1)
+    np.testing.assert_allclose(held, 9.81 * np.sin(q), rtol=0, atol=1e-14)
+    assert rod.mass_matrix(q).shape == (5, 1, 1) and rod.mass_matrix(q[0]).shape == (1, 1)
+    assert rod.energy(q, q).kinetic.shape == (5,) and rod.energy(q[0], q[0]).kinetic.shape == ()
+    assert rod.forward_dynamics(q, q).accelerations.shape == (5, 1)
+    linear = rod.linearise(q[0], np.zeros(1))
+    assert linear.K.shape == (1, 1) and linear.F.shape == (1,) and linear.A.shape == (2, 2) and linear.B.shape == (2, 1)
+    found = rod.equilibria([0.2])
+    np.testing.assert_allclose(found.q, [0.0], atol=1e-9)
+    np.testing.assert_allclose(rod.modes(found.q).frequencies, np.sqrt(9.81 / 0.6), rtol=1e-12)
+    assert "forces: (..., 1)" in rod.inverse_dynamics.__doc__ and "mass: (..., 1, 1)" in rod.mass_matrix.__doc__
+    assert "kinetic: (...)" in rod.energy.__doc__
+    out = np.zeros((5, 1))
+    assert rod.inverse_dynamics(q, np.zeros(1), np.zeros(1), out=out) is out and np.array_equal(out, held)

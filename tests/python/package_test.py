@@ -1,0 +1,47 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The package as others get it: a wheel, and a notebook."""
+
+import importlib.util
+import json
+import os
+import shutil
+import subprocess
+import sys
+import zipfile
+
+import pytest
+
+from conftest import SOURCES
+
+
+def test_a_wheel_holds_all_that_the_package_needs(tmp_path):
+    """Built without the network from a copy of the sources, unpacked into an empty folder, imported from there."""
+    for module in ("pip", "setuptools", "wheel"):
+        if importlib.util.find_spec(module) is None:
+            pytest.skip(f"no {module} (Debian: python3-{module})")
+    shutil.copytree(os.path.join(SOURCES, "python"), tmp_path / "source")
+    pip = [sys.executable, "-m", "pip", "--disable-pip-version-check", "--no-cache-dir"]
+    subprocess.run([*pip, "wheel", "--quiet", "--no-build-isolation", "--no-deps", "--no-index", "--wheel-dir", tmp_path / "wheels",
+                    tmp_path / "source"], check=True)
+    wheel, = (tmp_path / "wheels").iterdir()
+    assert wheel.name.endswith("-py3-none-any.whl")
+    inside = {name for name in zipfile.ZipFile(wheel).namelist() if name.startswith("torsor/")}
+    folder = os.path.join(SOURCES, "python", "torsor")
+    assert inside == {f"torsor/{name}" for name in os.listdir(folder) if name.endswith((".py", ".typed"))}
+    subprocess.run([*pip, "install", "--quiet", "--no-deps", "--no-index", "--target", tmp_path / "target", wheel], check=True)
+    said = subprocess.run([sys.executable, "-c", "import torsor; print(torsor.__file__, torsor.__version__)"], check=True, text=True,
+                          capture_output=True, cwd=tmp_path, env={**os.environ, "PYTHONPATH": str(tmp_path / "target")}).stdout
+    assert said.startswith(str(tmp_path / "target"))
+    tool = subprocess.run([os.environ["TORSOR"], "--version"], check=True, text=True, capture_output=True).stdout
+    assert said.split()[1] == wheel.name.split("-")[1] == tool.split()[1]
+
+
+def test_a_notebook_runs_from_its_first_to_its_last_cell(tmp_path):
+    pytest.importorskip("nbconvert", reason="no nbconvert (Debian: python3-nbconvert)")
+    pytest.importorskip("ipykernel", reason="no kernel of Jupyter (Debian: python3-ipykernel)")
+    shutil.copy(os.path.join(SOURCES, "python", "notebooks", "pendulum.ipynb"), tmp_path)
+    subprocess.run([sys.executable, "-m", "nbconvert", "--to", "notebook", "--execute", "--inplace", "pendulum.ipynb"],
+                   cwd=tmp_path, check=True, env={**os.environ, "HOME": str(tmp_path)})
+    cells = json.loads((tmp_path / "pendulum.ipynb").read_text())["cells"]
+    shown = {kind for cell in cells for output in cell.get("outputs", ()) for kind in output.get("data", ())}
+    assert {"text/latex", "text/html", "text/plain"} <= shown
