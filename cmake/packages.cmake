@@ -1,17 +1,30 @@
 # SPDX-License-Identifier: MIT
-# Packages by `cpack -G DEB` or `cpack -G TGZ` in a build folder: the tool, and what programs link to.
+# Packages by `cpack -G DEB` or `cpack -G TGZ` in a build folder: the tool, what programs link to, the package of Python.
+# Who makes them is DEBFULLNAME and DEBEMAIL, as Debian's own tools read them.
 if(NOT PROJECT_IS_TOP_LEVEL OR NOT TORSOR_INSTALL)
   return()
 endif()
 set(CPACK_PACKAGE_VENDOR "torsor")
-set(CPACK_PACKAGE_CONTACT "The developers of torsor <torsor@localhost>")
+set(TORSOR_PACKAGER "" CACHE STRING "who makes packages, Name <address>; DEBFULLNAME and DEBEMAIL when empty")
+mark_as_advanced(TORSOR_PACKAGER)
+set(CPACK_PACKAGE_CONTACT "${TORSOR_PACKAGER}")
+if(NOT CPACK_PACKAGE_CONTACT AND NOT "$ENV{DEBEMAIL}" STREQUAL "")
+  set(packager "$ENV{DEBFULLNAME}")
+  if(packager STREQUAL "")
+    set(packager "The packager of torsor")
+  endif()
+  set(CPACK_PACKAGE_CONTACT "${packager} <$ENV{DEBEMAIL}>")
+endif()
+if(NOT CPACK_PACKAGE_CONTACT)  # good on this machine only
+  set(CPACK_PACKAGE_CONTACT "The developers of torsor <torsor@localhost>")
+endif()
 set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "${PROJECT_DESCRIPTION}")
 set(CPACK_PACKAGE_FILE_NAME "torsor-${PROJECT_VERSION}-${CMAKE_SYSTEM_NAME}-${CMAKE_SYSTEM_PROCESSOR}")
 set(CPACK_RESOURCE_FILE_LICENSE "${PROJECT_SOURCE_DIR}/LICENSES/GPL-3.0-or-later.txt")
 set(CPACK_STRIP_FILES ON)
 set(CMAKE_SKIP_INSTALL_ALL_DEPENDENCY ON)  # what was built is packed
 set(CPACK_GENERATOR DEB TGZ)
-set(CPACK_COMPONENTS_ALL tool generator-dev runtime-dev)
+set(CPACK_COMPONENTS_ALL tool generator-dev runtime-dev python)
 
 set(CPACK_PACKAGING_INSTALL_PREFIX "/usr")
 set(CPACK_DEB_COMPONENT_INSTALL ON)
@@ -39,6 +52,19 @@ set(CPACK_DEBIAN_RUNTIME-DEV_PACKAGE_SECTION "libdevel")
 set(CPACK_DEBIAN_RUNTIME-DEV_PACKAGE_DEPENDS "torsor (= ${PROJECT_VERSION}), libeigen3-dev")
 set(CPACK_COMPONENT_RUNTIME-DEV_DESCRIPTION "Motions of the mechanisms that torsor generates
  Integrators, events, equilibria and comparisons for generated headers (MIT).")
+# In Debian's folder of modules, which belongs to no other prefix: a component of packages only.
+set(CPACK_DEBIAN_PYTHON_PACKAGE_NAME "python3-torsor")
+set(CPACK_DEBIAN_PYTHON_PACKAGE_ARCHITECTURE "all")
+set(CPACK_DEBIAN_PYTHON_PACKAGE_SECTION "python")
+set(CPACK_DEBIAN_PYTHON_PACKAGE_DEPENDS "python3 (>= 3.9), python3-numpy")
+set(CPACK_DEBIAN_PYTHON_PACKAGE_RECOMMENDS "torsor (= ${PROJECT_VERSION}), g++")
+set(CPACK_COMPONENT_PYTHON_DESCRIPTION "Kernels of mechanisms on numpy arrays, from torsor
+ Opens the libraries of `torsor build`, or makes them from robots' files (MIT).")
+set(CPACK_DEBIAN_PYTHON_PACKAGE_CONTROL_EXTRA  # compile modules, and take them away again
+  "${PROJECT_SOURCE_DIR}/cmake/python3-torsor/postinst" "${PROJECT_SOURCE_DIR}/cmake/python3-torsor/prerm")
+set(CPACK_DEBIAN_PYTHON_PACKAGE_CONTROL_STRICT_PERMISSION TRUE)
+install(DIRECTORY python/torsor DESTINATION lib/python3/dist-packages COMPONENT python EXCLUDE_FROM_ALL
+  FILES_MATCHING PATTERN "*.py" PATTERN "py.typed" PATTERN "__pycache__" EXCLUDE)
 
 # Copyright and changelog, as Debian wants them in each package.
 file(STRINGS "${PROJECT_SOURCE_DIR}/LICENSES/MIT.txt" mit_lines)
@@ -66,9 +92,13 @@ if(TORSOR_GZIP)
   execute_process(COMMAND "${TORSOR_GZIP}" -9nkf "${PROJECT_BINARY_DIR}/texts/changelog" COMMAND_ERROR_IS_FATAL ANY)
   list(APPEND package_texts "${PROJECT_BINARY_DIR}/texts/changelog.gz")
 endif()
-foreach(component tool generator-dev runtime-dev)
+foreach(component tool generator-dev runtime-dev python)
+  set(only_packages "")
+  if(component STREQUAL "python")
+    set(only_packages EXCLUDE_FROM_ALL)
+  endif()
   string(TOUPPER "${component}" upper)
   install(FILES ${package_texts} DESTINATION "${CMAKE_INSTALL_DATADIR}/doc/${CPACK_DEBIAN_${upper}_PACKAGE_NAME}"
-    COMPONENT ${component})
+    COMPONENT ${component} ${only_packages})
 endforeach()
 include(CPack)
