@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include "generated/billiard.hpp"
+#include "generated/billiard_soft_cloth.hpp"
 #include "generated/billiard_two_balls.hpp"
 #include "runtime/contacts/integrate_contacts.hpp"
 #include "runtime/contacts/mechanism_with_contacts.hpp"
@@ -15,6 +16,7 @@ namespace {
 
 using namespace torsor::runtime;
 using Ball = MechanismWithContacts<billiard::Mechanism<double>>;
+using SoftCloth = MechanismWithContacts<billiard_soft_cloth::Mechanism<double>>;
 using TwoBalls = MechanismWithContacts<billiard_two_balls::Mechanism<double>>;
 using Triple = std::array<double, 3>;
 constexpr double R = 0.028575, g = 9.81, f = 0.2;
@@ -63,7 +65,16 @@ void show() {
     two.add({std::to_string(i + 1), scientific(end.time, 10), scientific(end.x, 10), scientific(end.y, 10),
              scientific(end.vx, 10), scientific(end.vy, 10)});
   }
-  std::cout << two;
+  std::cout << two << "\nOn a cloth that resists rolling by 0.5 mm N it does not roll for ever: with the follow of the table above\n\n";
+  Table soft({"what ends", "t [s]", "x [m]", "y [m]", "vx [m/s]", "vy [m/s]"});
+  const SoftCloth cloth;
+  const std::array<const char*, 3> names{"sliding", "rolling", "spinning"};
+  for (int i = 0; i < 3; ++i) {
+    const End end = end_of_sliding(cloth, {0, 0, R, 1, 0, 0, 0, 2, 0, 0, 0, 2 * 2 / R, 40}, i, 0, 7, 30);
+    soft.add({names[static_cast<std::size_t>(i)], scientific(end.time, 10), scientific(end.x, 10), scientific(end.y, 10),
+              scientific(end.vx, 10), scientific(end.vy, 10)});
+  }
+  std::cout << soft;
 }
 
 }  // namespace

@@ -14,6 +14,7 @@ EvaluatedContacts::EvaluatedContacts(const Scene& scene, const ModelOptions& opt
     const ContactRows& rows = rows_[rules_.size()];
     rules_.push_back({.tangents = static_cast<int>(rows.tangents()),
                       .normal = rows.normal,
+                      .pressed_by = rows.pressed_by ? static_cast<int>(*rows.pressed_by) : -1,
                       .friction = motion_.value(of.friction),
                       .static_friction = motion_.value(of.static_friction),
                       .bound = motion_.value(of.bound),

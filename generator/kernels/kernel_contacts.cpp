@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "generator/kernels/kernel_contacts.hpp"
 
+#include <algorithm>
+#include <variant>
+
 #include <fmt/format.h>
 
 #include "generator/dynamics/forces/contacts.hpp"
@@ -27,12 +30,15 @@ Kernel make_contacts(const Equations& equations) {
   const std::size_t n = unknowns(equations);
   Kernel kernel;
   kernel.results = {{"Contacts", "result"}};
-  std::vector<std::size_t> normals, tangents;
+  std::vector<std::size_t> normals, tangents, pressed_by;
+  bool turns = false;
   ValueMatrix jacobian;
   for (std::size_t k = 0; k < contacts.size(); ++k) {
     const ContactRows& contact = contacts[k];
     normals.push_back(contact.normal ? 1 : 0);
     tangents.push_back(contact.tangents());
+    pressed_by.push_back(contact.pressed_by ? *contact.pressed_by + 1 : 0);
+    turns = turns || contact.pressed_by;
     kernel.assignments.push_back({{"result", "gap", k}, contact.gap});
     for (const ContactRow& row : contact.rows) {
       kernel.assignments.push_back({{"result", "rate", jacobian.size()}, row.rate});
@@ -56,6 +62,10 @@ Kernel make_contacts(const Equations& equations) {
         {"contact_row_count", rows},
         {"contact_normals", normals, "How many normals and tangents each contact has: dry friction has no normal."},
         {"contact_tangents", tangents}}}};
+  if (turns) {
+    kernel.structures[0].tables.push_back(
+        {"contact_pressed_by", pressed_by, "Of a turn that is resisted the contact whose N bounds the moment, from 1; else 0."});
+  }
   assign_matrix(kernel, {"result", "jacobian"}, jacobian, n);
   return kernel;
 }
@@ -63,14 +73,18 @@ Kernel make_contacts(const Equations& equations) {
 Kernel make_contact_coefficients(const Equations& equations) {
   const std::vector<ContactCoefficients> contacts = contact_coefficients(equations.model());
   const std::size_t count = contacts.size();
+  const auto& geometries = equations.scene().content().contacts;
+  const bool turns = std::any_of(geometries.begin(), geometries.end(), [](const ContactContent& contact) {
+    return std::holds_alternative<TurnOnContact>(contact.geometry);
+  });
   Kernel kernel;
   kernel.documentation = "What the surfaces of each contact are made of, in the order " + names_of(equations) +
                          ":\n|T| <= f N + b while it slides, f_s and b_s while it sticks.";
   kernel.results = {{"ContactCoefficients", "result"}};
   kernel.structures = {{"ContactCoefficients",
                         "Coefficients of contacts.",
-                        {matrix_member("friction", count, 1, "f [1]"),
-                         matrix_member("static_friction", count, 1, "f_s [1]"),
+                        {matrix_member("friction", count, 1, turns ? "f [1]; of turns h [m]" : "f [1]"),
+                         matrix_member("static_friction", count, 1, turns ? "f_s [1]; of turns h [m]" : "f_s [1]"),
                          matrix_member("restitution", count, 1, "e [1]"),
                          matrix_member("bound", count, 1, "b of dry friction, 0 of others"),
                          matrix_member("static_bound", count, 1, "b_s of dry friction, 0 of others")}}};

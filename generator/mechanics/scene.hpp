@@ -237,7 +237,9 @@ class Scene {
   /// impact the normal velocity is reversed times the restitution. A plane takes any other shape, in any order; a sphere
   /// takes a sphere or a hollow sphere. The normal n points from the second body (the plane, the hollow one) to the
   /// first, and slip is that of the first on the second. Tangents are x and y of the plane; one along which nothing can
-  /// slip is left out, so that a plane mechanism has one. A round shape makes the point <name>_point, a box the contacts
+  /// slip is left out, so that a plane mechanism has one. Resistance to rolling and to spinning makes the contacts
+  /// <name>_rolling and <name>_spinning, whose moments work with the angular velocity of the first body on the second. A
+  /// round shape makes the point <name>_point, a box the contacts
   /// <name>_1, _2 and so on with their points.
   void contact(const std::string& name, const ContactShape& shape, const ContactShape& other, const SurfaceLaw& law = {});
   /// Stops of a coordinate, the contacts <coordinate>_lower and <coordinate>_upper: lower ≤ q ≤ upper, each a formula of

@@ -102,11 +102,14 @@ struct Plane { FrameReference frame; std::array<Expression, 2> belt{}; };
 }  // namespace shape
 using ContactShape = std::variant<shape::Point, shape::Sphere, shape::HollowSphere, shape::Disc, shape::Torus,
                                   shape::Ellipsoid, shape::Convex, shape::Box, shape::Plane>;
-/// What two surfaces do to each other: plain numbers, formulas of parameters. Without a `static_friction` it is `friction`.
+/// What two surfaces do to each other, formulas of parameters: plain numbers, without a `static_friction` it is `friction`;
+/// and lengths h [m] with which they resist rolling and spinning by moments up to h N.
 struct SurfaceLaw {
   Expression friction = 0;
   std::optional<Expression> static_friction = std::nullopt;
   Expression restitution = 0;
+  Expression rolling = 0;
+  Expression spinning = 0;
 };
 struct StopLaw { Expression restitution = 0; };
 /// Coulomb's bound of a joint's dry friction [J over the unit of its displacement]; without a `static_bound` it is `bound`.

@@ -92,8 +92,19 @@ void Scene::contact(const std::string& name, const ContactShape& shape, const Co
   require_number(law.friction, "friction");
   require_number(static_friction, "static friction");
   require_number(law.restitution, "restitution");
+  const std::pair<const char*, const Expression*> turns[] = {{"rolling", &law.rolling}, {"spinning", &law.spinning}};
+  for (const auto& [what, length] : turns) {
+    if (length->is_zero()) continue;
+    require_unit(*length, units::metre, fmt::format("the resistance to {} of the contact '{}'", what, name));
+    refuse_measured(*length, fmt::format("the resistance to {} of the contact '{}'", what, name));
+  }
   const auto add = [&](const std::string& who, ContactGeometry geometry) {
+    const std::size_t number = content_.contacts.size();
     add_contact({who, std::move(geometry), law.friction, static_friction, law.restitution});
+    for (const auto& [what, length] : turns) {
+      if (length->is_zero()) continue;
+      add_contact({fmt::format("{}_{}", who, what), TurnOnContact{number, length == &law.spinning}, *length, *length});
+    }
   };
   const auto* plane = std::get_if<shape::Plane>(&other);
   const auto* first = std::get_if<shape::Plane>(&shape);
@@ -108,6 +119,11 @@ void Scene::contact(const std::string& name, const ContactShape& shape, const Co
     }
     const std::vector<PointHandle> points = touching_points(name, over, under.frame);
     const bool box = std::holds_alternative<shape::Box>(over);
+    if (box && !(law.rolling.is_zero() && law.spinning.is_zero())) {
+      throw SceneError(fmt::format("the contact '{}' resists rolling or spinning, and a box has corners that do neither: "
+                                   "leave both lengths out",
+                                   name));
+    }
     if (box) claim(name, "contact");
     for (std::size_t k = 0; k < points.size(); ++k) {
       add(box ? fmt::format("{}_{}", name, k + 1) : name, PointOnPlane{points[k], under.frame, under.belt});

@@ -175,11 +175,14 @@ struct SphereOnSphere { FrameReference a, b; Expression radius_a, radius_b; bool
 struct Stop { Expression displacement, at; int sign = 1; };
 /// Dry friction that works with a displacement and is always there.
 struct FrictionAlong { Expression displacement, bound, static_bound; };
-using ContactGeometry = std::variant<PointOnPlane, SphereOnSphere, Stop, FrictionAlong>;
+/// What resists a turn of the bodies of a contact, in proportion to its normal force: to rolling about its tangents, or
+/// to spinning about its normal. `contact` is its place among the scene's.
+struct TurnOnContact { std::size_t contact = 0; bool spinning = false; };
+using ContactGeometry = std::variant<PointOnPlane, SphereOnSphere, Stop, FrictionAlong, TurnOnContact>;
 struct ContactContent {
   std::string name;
   ContactGeometry geometry;
-  Expression friction{}, static_friction{}, restitution{};  ///< formulas of parameters
+  Expression friction{}, static_friction{}, restitution{};  ///< formulas of parameters; of turns lengths [m]
 };
 
 using ReactionContent = Named<PointReaction>;

@@ -21,7 +21,8 @@ class ContactPage {
         page_(page) {
     for (const ContactRows& contact : contacts_) {
       normals_ = normals_ || contact.normal;
-      tangents_ = tangents_ || contact.tangents() > 0;
+      turns_ = turns_ || contact.pressed_by;
+      tangents_ = tangents_ || (contact.tangents() > 0 && !contact.pressed_by);
     }
   }
 
@@ -58,13 +59,18 @@ class ContactPage {
     const auto spelled = [&](const char* plain, const char* latex) {
       return Spelling{fmt::format("{}({})", plain, contact.name), fmt::format("{}({})", latex, who)};
     };
-    page_.note(fmt::format("{}{}:", contact.name, contact.normal ? "" : ", dry friction alone"));
+    const bool turn = contact.pressed_by.has_value();
+    page_.note(fmt::format("{}{}:", contact.name,
+                           contact.normal ? ""
+                           : turn ? fmt::format(", w an angular velocity, pressed by {}", contacts_[*contact.pressed_by].name)
+                                  : ", dry friction alone"));
     if (contact.normal) stated(spelled("g", "g"), contact.gap);
     for (std::size_t row = 0; row < contact.rows.size(); ++row) {
       const std::string which = component(contact, row);
       stated(spelled(("w_" + which).c_str(), ("w_{" + which + "}").c_str()), contact.rows[row].rate);
     }
     const ContactCoefficients& of = coefficients_[k];
+    if (turn) return stated(spelled("h", "h"), of.friction, "a length");
     if (!contact.normal) {
       stated(spelled("b", "b"), of.bound, "while it slides");
       stated(spelled("b_s", "b_s"), of.static_bound, "while it sticks");
@@ -122,8 +128,15 @@ class ContactPage {
                     "N$, $N \\dot{w}_N = 0$.");
       page_.formula("Open: g > 0, N = 0, T = 0.", "Open: $g > 0$, $N = 0$, $T = 0$.");
     }
+    if (turns_) {
+      page_.formula("Resistance to rolling and spinning: |T| <= h N while w_T = 0, T = -h N w_T/|w_T| while it turns, T a "
+                    "moment, N that of the contact that presses.",
+                    "Resistance to rolling and spinning: $|T| \\le h N$ while $w_T = 0$, $T = -h N \\frac{w_T}{|w_T|}$ while "
+                    "it turns, $T$ a moment, $N$ that of the contact that presses.");
+    }
     if (!tangents_) return;
-    const bool bounds = std::any_of(contacts_.begin(), contacts_.end(), [](const ContactRows& c) { return !c.normal; });
+    const bool bounds = std::any_of(contacts_.begin(), contacts_.end(),
+                                    [](const ContactRows& c) { return !c.normal && !c.pressed_by; });
     const std::string and_bound = bounds ? " (b_s of dry friction alone)" : "";
     const std::string and_bound_latex = bounds ? " ($b_s$ of dry friction alone)" : "";
     page_.formula(fmt::format("Sticks: w_T = 0, |T| <= f_s N{}.", and_bound),
@@ -163,7 +176,7 @@ class ContactPage {
   InlineView view_;
   Page& page_;
   std::vector<SymbolPointer> reactions_;
-  bool normals_ = false, tangents_ = false;
+  bool normals_ = false, tangents_ = false, turns_ = false;
 };
 
 }  // namespace

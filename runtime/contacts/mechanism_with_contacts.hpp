@@ -57,6 +57,9 @@ requires(HasMassMatrixAndBias<M> && (M::multiplier_count == 0 || HasConstraints<
                    .bound = of.bound[i],
                    .static_bound = of.static_bound[i],
                    .restitution = of.restitution[i]};
+      if constexpr (requires { M::contact_pressed_by; }) {
+        rules_[i].pressed_by = static_cast<int>(M::contact_pressed_by[i]) - 1;
+      }
     }
   }
 

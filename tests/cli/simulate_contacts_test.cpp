@@ -130,6 +130,35 @@ TEST(SimulateContacts, KeepsALoopClosedBetweenAndAtImpacts) {
   EXPECT_NEAR(motion.end("a_upper_N") - motion.end("bearing_T"), 3 * 9.81 * std::sin(1.4), 1e-9);
 }
 
+/// A solid sphere that rolls over a floor which resists by h N.
+Scene rolling_ball() {
+  Scene scene("rolling_ball", "");
+  const Expression R = Expression::quantity("0.1", "m");
+  const Expression x = scene.coordinate("x", "m"), z = scene.coordinate("z", "m"), a = scene.coordinate("a", "rad");
+  scene.initial(x, 0, 1);
+  scene.initial(z, R);
+  scene.initial(a, 0, 10);
+  const FrameHandle slide = scene.prismatic("slide", scene.ground(), axis::x, x);
+  const FrameHandle ball = scene.revolute("ball", scene.prismatic("lift", slide, axis::z, z), axis::y, a);
+  scene.body("ball", ball, Inertia::solid_sphere(Expression::quantity("1", "kg"), R));
+  scene.gravity({0, 0, Expression::quantity("-9.81", "m/s^2")});
+  scene.contact("floor", shape::Sphere{.frame = ball, .radius = R}, shape::Plane{.frame = scene.ground()},
+                {.friction = Expression(Number::rational(1, 2)), .rolling = Expression::quantity("0.01", "m")});
+  return scene;
+}
+
+// It slows down by 5/7 h g/R, and rests after v^2/2 over that.
+TEST(SimulateContacts, BringsABallThatRollsToRest) {
+  const Outcome outcome = run(rolling_ball, {"simulate", "--to", "2", "--step", "0.1"});
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  const Table motion = table(outcome.out);
+  const double slows = 5.0 / 7 * 0.01 * 9.81 / 0.1;
+  EXPECT_NEAR(motion.at(10, "x'"), 1 - slows, 1e-9);
+  EXPECT_NEAR(motion.at(10, "floor_rolling_T"), -0.01 * 9.81, 1e-9);
+  EXPECT_NEAR(motion.end("x"), 1 / (2 * slows), 1e-8);
+  EXPECT_NEAR(motion.end("x'"), 0, 1e-12);
+}
+
 TEST(SimulateContacts, NamesTheContactThatEndsIt) {
   const Outcome below = run(dropped, {"simulate", "--initial", "z=-0.5"});
   EXPECT_EQ(below.code, 1);

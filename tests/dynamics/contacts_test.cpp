@@ -116,6 +116,33 @@ TEST(Contacts, InAPlaneHaveOneTangent) {
   expect_consistent(s.scene);
 }
 
+TEST(Contacts, ThatResistTurnsHaveRowsOfAngularVelocities) {
+  const SurfaceLaw soft{.friction = 0.3_r, .rolling = 0.01_r * metre, .spinning = 0.002_r * metre};
+  InSpace s;
+  s.scene.contact("sphere", shape::Sphere{.frame = s.body, .radius = 0.5_r * metre}, shape::Plane{.frame = s.table}, soft);
+  s.scene.contact("spheres", shape::Sphere{.frame = s.body, .radius = 0.5_r * metre},
+                  shape::Sphere{.frame = s.table, .radius = 0.2_r * metre}, soft);
+  const std::vector<Shape> rows = shapes_of(s.scene);
+  ASSERT_EQ(rows.size(), 6U);
+  EXPECT_EQ(rows[1].name, "sphere_rolling");
+  EXPECT_EQ(rows[1].tangents, 2U);
+  EXPECT_EQ(rows[5].name, "spheres_spinning");
+  EXPECT_EQ(rows[5].tangents, 1U);
+  EXPECT_FALSE(rows[5].normal);
+  expect_consistent(s.scene);
+
+  InPlane flat;
+  flat.scene.contact("circle", shape::Sphere{.frame = flat.body, .radius = 0.5_r * metre},
+                     shape::Plane{.frame = flat.scene.ground()}, {.friction = 0.3_r, .rolling = 0.01_r * metre});
+  ASSERT_EQ(shapes_of(flat.scene).size(), 2U);
+  EXPECT_EQ(shapes_of(flat.scene)[1].tangents, 1U);
+  expect_consistent(flat.scene);
+  const Equations equations(flat.scene);
+  const ConstantTable pressed_by = make_kernel("contacts", equations).structures[0].tables.back();
+  EXPECT_EQ(pressed_by.name, "contact_pressed_by");
+  EXPECT_EQ(std::get<ConstantTable::Indices>(pressed_by.value), (ConstantTable::Indices{0, 1}));
+}
+
 TEST(Contacts, AreAbsentFromKernelsOfAMechanismWithoutAny) {
   const InPlane s;
   EXPECT_EQ(why_absent("contacts", Equations(s.scene)), "the scene has no contacts that open and close");
@@ -143,6 +170,15 @@ TEST(Contacts, ThatNoSurfaceCanHaveAreRefused) {
   expect_error(law({.friction = 0.5_r, .static_friction = 0.4_r}), "contact 'floor' has the static friction");
   expect_error(law({.restitution = 1.1_r}), "contact 'floor' has the restitution");
   expect_error(law({.restitution = -0.1_r}), "contact 'floor' has the restitution");
+  expect_error(law({.friction = 0.3_r, .rolling = -1 * metre}), "contact 'floor_rolling' has the length");
+  expect_error(law({.friction = 0.3_r, .rolling = 0.1_r}), "the resistance to rolling of the contact 'floor'");
+  expect_error(law({.friction = 0.3_r, .spinning = metre}), "contact 'floor_spinning' resists a turn that nothing can make");
+  expect_error(
+      [](InPlane& s) {
+        s.scene.contact("floor", shape::Box{.frame = s.body, .half_edges = {metre, 0, metre}}, shape::Plane{.frame = s.scene.ground()},
+                        {.rolling = metre});
+      },
+      "a box has corners");
   expect_error(law({.friction = metre}), "the friction of the contact 'floor'");
   expect_error(
       [](InPlane& s) {

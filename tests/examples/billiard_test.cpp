@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "generated/billiard.hpp"
+#include "generated/billiard_soft_cloth.hpp"
 #include "generated/billiard_two_balls.hpp"
 #include "runtime/contacts/integrate_contacts.hpp"
 #include "runtime/contacts/mechanism_with_contacts.hpp"
@@ -16,6 +17,7 @@ namespace {
 using namespace torsor::runtime;
 using Triple = std::array<double, 3>;
 using Ball = MechanismWithContacts<billiard::Mechanism<double>>;
+using SoftCloth = MechanismWithContacts<billiard_soft_cloth::Mechanism<double>>;
 using TwoBalls = MechanismWithContacts<billiard_two_balls::Mechanism<double>>;
 
 // The sheets give twenty digits. A motion has up to a hundred steps, each within 1e-13 of places and velocities, and its
@@ -153,6 +155,20 @@ TwoBalls::State two_balls(double z, const Triple& V, const Triple& W) {
     y[17 + k] = W[k];
   }
   return y;
+}
+
+// The same stroke on a cloth that resists rolling and spinning (B): it slides, rolls on slower and slower, and rests.
+TEST(BilliardSoftCloth, BringsTheBallToRest) {
+  const SoftCloth cloth;
+  const Motion motion(cloth, {0, 0, R, 1, 0, 0, 0, 2, 0, 0, 0, 52.4934383202099737532808399, -69.99125109361329833770778653}, 16);
+  const Moment& rolls = motion.the(ContactEventKind::slip_ends, 0);
+  EXPECT_NEAR(rolls.time, 0.07766548558051587005524645644, allowed);
+  EXPECT_NEAR(rolls.y[0], 0.149413650135933110629547259, allowed);
+  EXPECT_NEAR(rolls.y[7], 1.847620317291027862951606452, allowed);
+  EXPECT_NEAR(motion.the(ContactEventKind::slip_ends, 2).time, 11.65137614678899082568807339, allowed);
+  EXPECT_NEAR(motion.the(ContactEventKind::slip_ends, 1).time, 15.14678899082568807339449541, allowed);
+  EXPECT_NEAR(motion.y[0], 14.07042302616531863029883477, 20 * allowed);  // after some hundred steps
+  for (std::size_t i = 7; i < 13; ++i) EXPECT_NEAR(motion.y[i], 0, 1e-13);
 }
 
 // billiard_cue_masse.md, C1: one ball strikes the other in the air, so that no cloth holds it.

@@ -51,6 +51,24 @@ TEST(ContactLaws, ArePrintedInLatexToo) {
                 "-\\frac{1}{2} (1 - e) P_N w_N^- \\ge 0$", "g(\\mathrm{floor}) &= -r + z"});
 }
 
+TEST(ContactLaws, SayWhatResistsRolling) {
+  Scene scene("soft", "");
+  const Expression r = scene.parameter("r", "m", Expression(Number::rational(1, 10)));
+  const Expression h = scene.parameter("h", "m", Expression(Number::rational(1, 1000)));
+  const Expression x = scene.coordinate("x", "m");
+  const Expression z = scene.coordinate("z", "m");
+  const Expression a = scene.coordinate("a", "rad");
+  scene.initial(z, 2 * r);
+  const FrameHandle slide = scene.prismatic("slide", scene.ground(), axis::x, x);
+  const FrameHandle disc = scene.revolute("disc", scene.prismatic("lift", slide, axis::z, z), axis::y, a);
+  scene.body("disc", disc, Inertia::disk(Expression::quantity("2", "kg"), r, 1));
+  scene.contact("floor", shape::Sphere{.frame = disc, .radius = r}, shape::Plane{.frame = scene.ground()},
+                {.friction = Expression(Number::rational(1, 5)), .rolling = h});
+  expect_lines(print_equations(scene, Format::text),
+               {"floor_rolling, w an angular velocity, pressed by floor:", "w_T(floor_rolling) = a'", "h(floor_rolling) = h    (a length)",
+                "Q_a = -r T_floor + T_floor_rolling", "Resistance to rolling and spinning: |T| <= h N while w_T = 0"});
+}
+
 TEST(ContactLaws, AreLeftOutOfASceneWithoutContacts) {
   Scene scene("free", "");
   const Expression x = scene.coordinate("x", "m");

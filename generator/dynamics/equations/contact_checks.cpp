@@ -19,6 +19,9 @@ class SurfaceCheck {
   SurfaceCheck(const SceneContent& scene, const ContactContent& contact) : scene_(scene), contact_(contact) {}
 
   void run() {
+    if (std::holds_alternative<TurnOnContact>(contact_.geometry)) {
+      return at_least(contact_.friction, "length", Expression(0), "a resistance never drives a turn");
+    }
     at_least(contact_.friction, "friction", Expression(0), "a surface never pushes along the slip");
     at_least(contact_.static_friction, "static friction", contact_.friction,
              "it must not be below the friction while sliding");
@@ -30,6 +33,7 @@ class SurfaceCheck {
 
   void operator()(const PointOnPlane&) {}
   void operator()(const Stop&) {}
+  void operator()(const TurnOnContact&) {}
   void operator()(const SphereOnSphere& spheres) {
     for (const Expression& radius : {spheres.radius_a, spheres.radius_b}) {
       at_least(radius, "radius", Expression(0), "give the sphere's size");

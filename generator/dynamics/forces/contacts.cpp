@@ -45,32 +45,19 @@ class ContactBuilder {
       opens(dot(height, normal));
     }
     if (!has_friction()) return;
-    const int link = model_.place(content.frame, user_).link;
-    const RelativeMotion motion(model_, link, axes, point, axes);
-    const std::array<Vector, 2> tangents{bound(program_, model_.express(axis::x, on.plane, axes, user_)),
-                                         bound(program_, model_.express(axis::y, on.plane, axes, user_))};
-    for (std::size_t k = 0; k < 2; ++k) slips(motion, tangents[k], program_.lower(on.belt[k]));
+    const Surfaces at = surfaces(on);
+    for (std::size_t k = 0; k < 2; ++k) slips(at.motion, at.tangents[k], program_.lower(on.belt[k]));
   }
 
   void operator()(const SphereOnSphere& spheres) {
-    const FramePlace& at_a = model_.place(spheres.a, user_);
-    const FramePlace& at_b = model_.place(spheres.b, user_);
-    const Vector a = bound(program_, model_.locate(at_a.origin, at_a.link, 0));
-    const Vector b = bound(program_, model_.locate(at_b.origin, at_b.link, 0));
-    const Vector apart = bound(program_, spheres.hollow ? b - a : a - b);
     const Value radius_a = program_.lower(spheres.radius_a), radius_b = program_.lower(spheres.radius_b);
-    Value square = dot(apart, apart);
-    // A pin in the middle of its hole has no normal: of the order of 1e-40 of the radius nothing but 0/0 changes.
-    if (spheres.hollow) square += program_.number(Number(10).pow(-80)) * (radius_b * radius_b);
-    const Value distance = program_.sqrt(square);
+    const Value distance = line(spheres).second;
     Value gap = distance - radius_a - radius_b;
     if (spheres.hollow) gap = radius_b - radius_a - distance;
     opens(gap);
     if (!has_friction()) return;
-    const Vector n = bound(program_, pow(distance, -1) * apart);
-    const Vector point = a - radius_a * n;
-    const RelativeMotion motion(model_, at_a.link, at_b.link, point, 0);
-    for (const Vector& tangent : tangents_across(n)) slips(motion, tangent, {});
+    const Surfaces at = surfaces(spheres);
+    for (const Vector& tangent : at.tangents) slips(at.motion, tangent, {});
   }
 
   void operator()(const Stop& stop) {
@@ -85,10 +72,63 @@ class ContactBuilder {
         model_.partials(friction.displacement));
   }
 
+  void operator()(const TurnOnContact& turn) {
+    rows_.normal = false;
+    rows_.pressed_by = turn.contact;
+    const ContactGeometry& geometry = model_.scene().contacts[turn.contact].geometry;
+    const auto* on = std::get_if<PointOnPlane>(&geometry);
+    const Surfaces at = on != nullptr ? surfaces(*on) : surfaces(std::get<SphereOnSphere>(geometry));
+    for (const Vector& about : turn.spinning ? std::vector<Vector>{at.normal} : at.tangents) {
+      add(program_.bind(dot(at.motion.twist().angular, about)), at.motion.generalised_forces({Vector(), about}));
+      if (!can_move(rows_.rows.back())) rows_.rows.pop_back();
+    }
+    if (!rows_.rows.empty()) return;
+    throw SceneError(fmt::format("{} resists a turn that nothing can make: leave its length out", user_));
+  }
+
   ContactRows take() { return std::move(rows_); }
 
  private:
   bool has_friction() const { return !contact_.friction.is_zero() || !contact_.static_friction.is_zero(); }
+
+  /// Two surfaces at the point where they touch, in the axes of the motion.
+  struct Surfaces {
+    RelativeMotion motion;
+    Vector normal;
+    std::vector<Vector> tangents;
+  };
+  Surfaces surfaces(const PointOnPlane& on) const {
+    const int axes = model_.place(on.plane, user_).link;
+    const SceneContent& scene = model_.scene();
+    const PointContent& content = scene.points[static_cast<std::size_t>(scene.point_index(on.point, user_))];
+    const int link = model_.place(content.frame, user_).link;
+    return {RelativeMotion(model_, link, axes, model_.locate(on.point, axes, user_), axes),
+            bound(program_, model_.express(axis::z, on.plane, axes, user_)),
+            {bound(program_, model_.express(axis::x, on.plane, axes, user_)),
+             bound(program_, model_.express(axis::y, on.plane, axes, user_))}};
+  }
+  Surfaces surfaces(const SphereOnSphere& spheres) const {
+    const FramePlace& at_a = model_.place(spheres.a, user_);
+    const Vector a = bound(program_, model_.locate(at_a.origin, at_a.link, 0));
+    const auto [apart, distance] = line(spheres);
+    const Vector n = bound(program_, pow(distance, -1) * apart);
+    const Vector point = a - program_.lower(spheres.radius_a) * n;
+    return {RelativeMotion(model_, at_a.link, model_.place(spheres.b, user_).link, point, 0), n, tangents_across(n)};
+  }
+
+  /// From the centre of the second sphere to that of the first, back where it is hollow, and the distance.
+  std::pair<Vector, Value> line(const SphereOnSphere& spheres) const {
+    const FramePlace& at_a = model_.place(spheres.a, user_);
+    const FramePlace& at_b = model_.place(spheres.b, user_);
+    const Vector a = bound(program_, model_.locate(at_a.origin, at_a.link, 0));
+    const Vector b = bound(program_, model_.locate(at_b.origin, at_b.link, 0));
+    const Vector apart = bound(program_, spheres.hollow ? b - a : a - b);
+    const Value radius_b = program_.lower(spheres.radius_b);
+    Value square = dot(apart, apart);
+    // A pin in the middle of its hole has no normal: of the order of 1e-40 of the radius nothing but 0/0 changes.
+    if (spheres.hollow) square += program_.number(Number(10).pow(-80)) * (radius_b * radius_b);
+    return {apart, program_.sqrt(square)};
+  }
 
   void opens(const Value& gap) {
     rows_.gap = program_.bind(gap);

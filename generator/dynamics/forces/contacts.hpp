@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -10,7 +11,7 @@ namespace torsor {
 
 /// A direction of a contact: w = Σ J_i v_i + b, dw/dt = Σ J_i v̇_i + drift.
 struct ContactRow {
-  Value rate;                   ///< w [m/s], or the rate of a displacement
+  Value rate;                   ///< w [m/s], the rate of a displacement, or an angular velocity
   std::vector<Value> jacobian;  ///< J_i, of the unknowns
   Value drift;                  ///< dw/dt at zero accelerations
 };
@@ -18,7 +19,8 @@ struct ContactRow {
 /// A contact of the scene: what opens it first, then along what it slips.
 struct ContactRows {
   std::string name;
-  bool normal = true;  ///< false: dry friction alone
+  bool normal = true;  ///< false: dry friction alone, or resistance to a turn
+  std::optional<std::size_t> pressed_by = std::nullopt;  ///< of a turn: the contact whose N bounds its moment
   Value gap;           ///< [m], or in the unit of a stopped coordinate; its rate is that of the first row
   std::vector<ContactRow> rows;
 
@@ -32,6 +34,9 @@ struct ContactRows {
 /// Tangents at a plane are the axes x, y of its frame. Between spheres, with p the axis of the ground that n has no
 /// component along (the first of y, z, x), there is one in a plane mechanism: p ∧ n. Elsewhere there are two:
 /// t_x = e_x − n_x (n + e_z)/(1 + n_z) and the same of y, smooth but where n = −e_z.
+///
+/// Rows of a turn are Ω(first/second) · t of both tangents (rolling) or Ω · n (spinning), but for those about which nothing
+/// can turn.
 /// Throws SceneError where a contact involves no coordinate.
 std::vector<ContactRows> contact_rows(const Model& model);
 
