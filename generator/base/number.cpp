@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "generator/base/number.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <cstdlib>
 #include <sstream>
 
 #include <cln/integer_io.h>
@@ -209,7 +211,24 @@ Number& Number::operator/=(const Number& other) {
   return *this /= norm;
 }
 
+namespace {
+
+/// Of 10^±40000 and beyond nothing is computed: the largest exponent of a decimal is 10000.
+constexpr long most_bits = 133000;
+
+}  // namespace
+
 Number Number::pow(int exponent) const {
+  long bits = 0;
+  for (const cln::cl_RA& part : parts_) {
+    for (const cln::cl_I& integer : {cln::numerator(part), cln::denominator(part)}) {
+      bits = std::max(bits, static_cast<long>(cln::integer_length(integer)));
+    }
+  }
+  if (bits > 1 && bits > most_bits / std::max(1L, std::abs(static_cast<long>(exponent)))) {
+    throw Error("a number of " + std::to_string(bits) + " bits to the power " + std::to_string(exponent) +
+                " is beyond 10^40000: write smaller numbers");
+  }
   if (exponent < 0 && is_zero()) {
     throw Error("zero to the power " + std::to_string(exponent) + " has no value: the base must not vanish");
   }

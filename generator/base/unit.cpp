@@ -12,6 +12,9 @@ namespace {
 
 constexpr std::array<const char*, Unit::base_count> base_names{"kg", "m", "s", "A", "K", "mol", "cd"};
 constexpr int largest_half_exponent = 126;
+/// No unit has more; a stack has an end.
+constexpr int deepest = 20;
+constexpr std::size_t longest_quoted = 200;
 
 struct NamedUnit {
   std::string_view name;
@@ -106,7 +109,9 @@ class UnitReader {
 
  private:
   [[noreturn]] void refuse(const std::string& reason) const {
-    throw UnitError("cannot read the unit \"" + std::string(text_) + "\": " + reason);
+    const bool whole = text_.size() <= longest_quoted;
+    throw UnitError("cannot read the unit \"" + std::string(text_.substr(0, longest_quoted)) + (whole ? "\": " : "...\": ") +
+                    reason);
   }
 
   void skip_spaces() {
@@ -143,8 +148,10 @@ class UnitReader {
   Unit read_power() {
     Unit base;
     if (take("(")) {
+      if (++depth_ > deepest) refuse("parentheses are nested more than 20 deep");
       base = read_product();
       if (!take(")")) refuse("a closing parenthesis is missing");
+      --depth_;
     } else {
       base = read_name();
     }
@@ -194,6 +201,7 @@ class UnitReader {
 
   std::string_view text_;
   std::string_view rest_;
+  int depth_ = 0;  ///< of parentheses
 };
 
 }  // namespace

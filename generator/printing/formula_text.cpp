@@ -16,6 +16,10 @@ namespace {
 bool is_letter(char c) { return std::isalpha(static_cast<unsigned char>(c)) != 0; }
 bool is_digit(char c) { return std::isdigit(static_cast<unsigned char>(c)) != 0; }
 
+/// What a person writes stays far below these; a stack has an end, for reading and for all that follows.
+constexpr std::size_t longest = 4000;
+constexpr int deepest = 100;
+
 /// Recursive descent over  sum = product {+- product},  product = sign {*/ sign},  sign = [+-] power,
 /// power = primary [^ integer].
 class Parser {
@@ -23,6 +27,10 @@ class Parser {
   Parser(const std::string& text, const Scene& scene) : text_(text), scene_(scene) {}
 
   Expression parse() {
+    if (text_.size() > longest) {
+      throw UsageError(fmt::format("cannot read the formula '{}...': it has {} characters, and {} are the most",
+                                   text_.substr(0, 40), text_.size(), longest));
+    }
     const Expression result = sum();
     if (peek() != '\0') fail("an operator is missing");
     return result;
@@ -42,7 +50,22 @@ class Parser {
     throw UsageError(fmt::format("cannot read the formula '{}' at '{}': {}", text_, text_.substr(at_), reason));
   }
 
+  /// One level of parentheses or signs deeper.
+  class Nested {
+   public:
+    explicit Nested(Parser& parser) : parser_(parser) {
+      if (++parser_.depth_ > deepest) parser_.fail(fmt::format("formulas are nested at most {} deep", deepest));
+    }
+    Nested(const Nested&) = delete;
+    Nested& operator=(const Nested&) = delete;
+    ~Nested() { --parser_.depth_; }
+
+   private:
+    Parser& parser_;
+  };
+
   Expression sum() {
+    const Nested nested(*this);
     Expression result = product();
     for (;;) {
       if (take('+')) {
@@ -67,7 +90,10 @@ class Parser {
     }
   }
   Expression sign() {
-    if (take('-')) return -sign();
+    if (take('-')) {
+      const Nested nested(*this);
+      return -sign();
+    }
     take('+');
     return power();
   }
@@ -154,6 +180,7 @@ class Parser {
   const std::string& text_;
   const Scene& scene_;
   std::size_t at_ = 0;
+  int depth_ = 0;
 };
 
 }  // namespace

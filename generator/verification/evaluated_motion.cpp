@@ -214,6 +214,29 @@ std::vector<double> EvaluatedMotion::least_change(const std::vector<std::size_t>
   return factor.backward(std::move(change));
 }
 
+double EvaluatedMotion::independence(double t, const std::vector<double>& y) {
+  move_to(t, y);
+  Rows<double> mass;
+  for (const std::vector<Value>& row : equations_.mass()) mass.push_back(here_(row));
+  const Cholesky<double> factor = metric_factor(std::move(mass));
+  double least = 1.0;
+  std::vector<std::vector<double>> basis;
+  for (const std::size_t j : equations_.redundancy().kept) {
+    std::vector<double> row = factor.forward(here_(rows_[j].jacobian));
+    const double size = std::sqrt(euclidean(row, row));
+    for (const std::vector<double>& e : basis) {
+      const double along = euclidean(row, e);
+      for (std::size_t i = 0; i < row.size(); ++i) row[i] -= along * e[i];
+    }
+    const double left = std::sqrt(euclidean(row, row));
+    if (!(left > 0)) return 0.0;
+    least = std::min(least, left / size);
+    for (double& entry : row) entry /= left;
+    basis.push_back(std::move(row));
+  }
+  return least;
+}
+
 double EvaluatedMotion::open(const std::vector<std::size_t>& rows, bool rates) {
   double most = 0.0;
   for (const std::size_t j : rows) {

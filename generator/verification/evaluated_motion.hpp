@@ -48,6 +48,9 @@ class EvaluatedMotion {
   /// F the rows of holonomic constraints; rows that repeat others are left out. False where they cannot be closed.
   /// Source: Hairer-Wanner II, VII.2; Lubich, Engstler, Nowak & Poehle 1995.
   bool settle(double t, std::vector<double>& y);
+  /// What a row of the constraints keeps beside the others, at least: 1 where they are orthogonal in the metric of the
+  /// masses, near 0 at a change point. Rows that repeat others everywhere do not count.
+  double independence(double t, const std::vector<double>& y);
   bool needs_settling() const { return !rows_.empty() || !quaternions_.empty(); }
 
   /// A formula of coordinates, rates, parameters and time, for `value`. Throws UsageError where it has an acceleration.

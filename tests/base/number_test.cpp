@@ -203,6 +203,19 @@ TEST(Number, RefusesATextThatIsNotExact) {
   }
 }
 
+// ((2^99)^99)^99 took minutes and gigabytes.
+TEST(Number, RefusesPowersBeyondAllUse) {
+  EXPECT_EQ(Number(10).pow(10000).pow(2), Number(10).pow(20000));
+  EXPECT_EQ(Number(1).pow(2000000000), Number(1));
+  EXPECT_EQ(Number(-1).pow(2000000001), Number(-1));
+  EXPECT_EQ(Number(0).pow(2000000000), Number(0));
+  const Number large = Number(2).pow(99).pow(99);
+  EXPECT_THROW(static_cast<void>(large.pow(99)), Error);
+  EXPECT_THROW(static_cast<void>(large.pow(-99)), Error);
+  EXPECT_THROW(static_cast<void>((Number(1) / large).pow(99)), Error);
+  EXPECT_THROW(static_cast<void>(Number(2).pow(2000000000)), Error);
+}
+
 TEST(Number, RefusesToDivideByZero) {
   EXPECT_EQ(error_of([] { Number::rational(3, 0); }),
             "the fraction 3/0 has no value: give a denominator other than zero");

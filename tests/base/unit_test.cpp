@@ -121,6 +121,17 @@ TEST(Unit, RefusesATextItCannotReadInOneWay) {
   EXPECT_NE(reason("m^1.5").find("other: "), 0u);
 }
 
+// Each level takes a part of the stack.
+TEST(Unit, RefusesParenthesesThatAreNestedTooDeeply) {
+  std::string deep;
+  for (int i = 0; i < 100000; ++i) deep += "kg(";
+  const std::string message = error_of([&deep] { Unit::parse(deep); });
+  EXPECT_NE(message.find("parentheses are nested more than 20 deep"), std::string::npos) << message.substr(0, 500);
+  EXPECT_LT(message.size(), 400U);
+  EXPECT_EQ(Unit::parse("((((((((m))))))))"), units::metre);
+  EXPECT_EQ(Unit::parse("(m)(m)(m)(m)(m)(m)(m)(m)(m)(m)(m)(m)(m)(m)(m)(m)(m)(m)(m)(m)(m)(m)"), units::metre.pow(22));
+}
+
 TEST(Unit, RefusesExponentsBeyondItsRange) {
   EXPECT_EQ(
       error_of([] { static_cast<void>(units::metre.pow(63) * units::metre); }),

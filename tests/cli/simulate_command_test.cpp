@@ -163,6 +163,32 @@ Scene impossible() {
   return scene;
 }
 
+/// A parallelogram that turns; at 0 and π its rows of constraints are parallel.
+Scene parallelogram() {
+  Scene scene("parallelogram");
+  const auto length = [](int value) { return value * Expression::quantity("1", "m"); };
+  const Expression a = scene.coordinate("a", "rad"), b = scene.coordinate("b", "rad"), c = scene.coordinate("c", "rad");
+  const FrameHandle crank = scene.revolute("crank", scene.ground(), axis::z, a);
+  const FrameHandle coupler = scene.revolute("coupler", crank, axis::z, b - a, {.origin = {length(1), 0, 0}});
+  const FrameHandle rocker = scene.revolute("rocker", scene.ground(), axis::z, c, {.origin = {length(2), 0, 0}});
+  const Expression kilogram = Expression::quantity("1", "kg");
+  scene.body("crank", crank, Inertia::rod(kilogram, length(1), 0).at({length(1) / 2, 0, 0}));
+  scene.body("coupler", coupler, Inertia::rod(2 * kilogram, length(2), 0).at({length(1), 0, 0}));
+  scene.body("rocker", rocker, Inertia::rod(kilogram, length(1), 0).at({length(1) / 2, 0, 0}));
+  scene.holonomic("x", cos(a) + 2 * cos(b) - cos(c) - 2);
+  scene.holonomic("y", sin(a) + 2 * sin(b) - sin(c));
+  scene.initial(a, 1, 3);
+  scene.initial(c, 1, 3);
+  return scene;
+}
+
+TEST(Simulate, NamesTheChangePointWhereItEnds) {
+  const Outcome at = run(parallelogram, {"simulate", "--to", "1", "--initial", "a=0,c=0"});
+  EXPECT_NE((at.out + at.err).find("a change point"), std::string::npos) << at.out << at.err;
+  const Outcome elsewhere = run(parallelogram, {"simulate", "--to", "0.3"});
+  EXPECT_EQ((elsewhere.out + elsewhere.err).find("change point"), std::string::npos) << elsewhere.out << elsewhere.err;
+}
+
 TEST(Simulate, SaysThatConstraintsCannotBeClosed) {
   const Outcome outcome = run(impossible, {"simulate"});
   EXPECT_NE(outcome.code, 0);

@@ -13,6 +13,7 @@
 #include "generator/import/xacro.hpp"
 #include "generator/import/xacro_expression.hpp"
 #include "generator/import/yaml_subset.hpp"
+#include "generator/printing/formula_text.hpp"
 #include "generator/verification/verify.hpp"
 #include "tests/fuzz/target.hpp"
 #include "tests/fuzz/text_rules.hpp"
@@ -84,6 +85,22 @@ void read_unit(std::string_view input) {
     const Unit unit = Unit::parse(input);
     if (!(Unit::parse(unit.to_string()) == unit))
       throw std::logic_error("a unit is not read back as it is written: " + unit.to_string());
+  } catch (const Error& refusal) {
+    expect_message(refusal.what());
+  }
+}
+
+void read_formula(std::string_view input) {
+  static const Scene scene = [] {
+    Scene made("pendulum");
+    made.parameter("k", "N/m", 2);
+    made.coordinate("theta", "rad");
+    made.coordinate("x", "m");
+    return made;
+  }();
+  try {
+    Program program;
+    static_cast<void>(program.lower(parse_formula(std::string(input), scene)));
   } catch (const Error& refusal) {
     expect_message(refusal.what());
   }

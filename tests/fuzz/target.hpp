@@ -18,6 +18,7 @@ void read_yaml(std::string_view input);
 void read_exceptions(std::string_view input);  ///< of accuracy
 void read_decimal(std::string_view input);     ///< what is written comes back as it was read
 void read_unit(std::string_view input);        ///< likewise
+void read_formula(std::string_view input);     ///< of a command line, as a program's definitions
 void name_everything(std::string_view input);  ///< names and texts of a scene, up to the header, the page and the graph
 void read_record_file(std::string_view input);
 void read_reference_file(std::string_view input);

@@ -33,5 +33,30 @@ TEST(FormulaText, SaysWhereItStopsUnderstanding) {
   }
 }
 
+// Each level takes a part of the stack, and so does each term of a sum that is as long as a command line may be.
+TEST(FormulaText, RefusesWhatHasNoEnd) {
+  const Scene scene = test::absorber();
+  const auto repeated = [](const std::string& text, int times) {
+    std::string all;
+    for (int i = 0; i < times; ++i) all += text;
+    return all;
+  };
+  const auto refusal = [&scene](const std::string& text) -> std::string {
+    try {
+      parse_formula(text, scene);
+    } catch (const UsageError& error) {
+      return error.what();
+    }
+    return "";
+  };
+  for (const char* level : {"(", "-", "sin(", "(-", "min(d, "}) {
+    EXPECT_NE(refusal(repeated(level, 500)).find("nested at most 100 deep"), std::string::npos) << level;
+    EXPECT_NE(refusal(repeated(level, 60000)).find("4000 are the most"), std::string::npos) << level;
+  }
+  EXPECT_LT(refusal(repeated("d + ", 60000)).size(), 200U);
+  EXPECT_EQ(refusal(repeated("d + ", 900) + "d"), "");
+  EXPECT_EQ(refusal(repeated("(", 90) + "d" + repeated(")", 90)), "");
+}
+
 }  // namespace
 }  // namespace torsor::formula_text_test
