@@ -56,6 +56,8 @@ typedef struct {
 /* Whether a call may be refused though it is allowed: its arguments may be bad. */
 static int may_refuse;
 
+enum { evaluable = initialization | event_mode | continuous_time | step_complete | terminated | failed };
+
 #include CALLS
 
 int main(int count, char** words) {
