@@ -133,6 +133,7 @@ class Bound:
         self._alive = alive
 
     def __call__(self) -> Any:
+        """`result`, for what the arrays hold now. Raises as the kernel itself does."""
         return self._run()
 
 
@@ -171,6 +172,7 @@ class Kernel:
             sizes = ["order + 1" if n == 0 and result.columns == 0 else str(n) for n in (result.rows, result.columns)]
             numbers = ", ".join(["...", *sizes[:result.dimensions]])
             lines.append(f"    {result.name}: ({numbers})")
+        lines.append("Units are SI, angles in rad.")
         if self.has_status:
             lines += ["", "Raises SingularError or NotFiniteError for one state; of many, `ok` of the results tells those",
                       "that could be evaluated."]
@@ -187,6 +189,11 @@ class Kernel:
 
     def __call__(self, q: ArrayLike, *arguments: ArrayLike | None, out: Any = None, threads: int = 1, time: ArrayLike = 0.0,
                  order: int = 12, parameters: Mapping[str, float] | None = None, **named: ArrayLike) -> Any:
+        """The results for these arguments, by position or by name; ``__doc__`` of each kernel has shapes and units.
+
+        time: (...) [s]. order: the highest, of Taylor coefficients. parameters: of those set at run time, by name.
+        out: arrays to write to, one, a sequence or a mapping. threads: for many states; 0: as many as there are cores.
+        """
         return self._bind(q, arguments, named, time, order, parameters, out, threads)._run(False)
 
     def bind(self, q: ArrayLike, *arguments: ArrayLike | None, out: Any = None, threads: int = 1, time: ArrayLike = 0.0,

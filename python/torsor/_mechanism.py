@@ -62,10 +62,12 @@ class Modes(NamedTuple):
 
 
 class Equilibrium(NamedTuple):
+    """A rest: coordinates (nq,), multipliers of constraints (nm,)."""
+
     q: np.ndarray
     multipliers: np.ndarray
     residual: float
-    """Largest generalised force that is left."""
+    """Largest generalised force that is left [N, N m]."""
 
 
 class _Model:
@@ -103,11 +105,26 @@ class Mechanism(Displayed):
         first_integrals: Kernel
         constraints: Kernel
         reactions: Kernel
+        contacts: Kernel
+        contact_coefficients: Kernel
         linearisation: Kernel
         inverse_dynamics_derivatives: Kernel
         forward_dynamics_derivatives: Kernel
         regressor: Kernel
         jets: Kernel
+        sparse_constraint_jacobian: Kernel
+        residual: Kernel
+        residual_jacobian: Kernel
+        inverse_dynamics_second_derivatives: Kernel
+        forward_dynamics_second_derivatives: Kernel
+        inverse_dynamics_sensitivities: Kernel
+        forward_dynamics_sensitivities: Kernel
+        gravity: Kernel
+        centroidal_momentum: Kernel
+        frames: Kernel
+        operational_inertia: Kernel
+        poses: Kernel
+        coordinate_rates: Kernel
         state_derivative: Kernel
 
     def __init__(self, path: str | os.PathLike[str], source: Any = None):

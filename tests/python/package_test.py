@@ -1,15 +1,20 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The package as others get it: a wheel, and a notebook."""
 
+import ast
 import importlib.util
+import inspect
 import json
 import os
 import shutil
 import subprocess
 import sys
+import typing
 import zipfile
 
 import pytest
+
+import torsor
 
 from conftest import SOURCES
 
@@ -45,3 +50,29 @@ def test_a_notebook_runs_from_its_first_to_its_last_cell(tmp_path):
     cells = json.loads((tmp_path / "pendulum.ipynb").read_text())["cells"]
     shown = {kind for cell in cells for output in cell.get("outputs", ()) for kind in output.get("data", ())}
     assert {"text/latex", "text/html", "text/plain"} <= shown
+
+
+def test_all_that_is_public_is_annotated_and_described():
+    for name in torsor.__all__:
+        public = getattr(torsor, name)
+        assert public.__doc__, name
+        functions = [public]
+        if inspect.isclass(public):
+            functions = [f for key, f in vars(public).items()
+                         if inspect.isfunction(f) and (key == "__call__" or not key.startswith("_"))]
+        for function in functions:
+            assert function.__doc__, function
+            hints = typing.get_type_hints(function)
+            assert {*inspect.signature(function).parameters} - {"self"} <= set(hints), function
+            assert "return" in hints, function
+
+
+def test_type_checkers_know_every_kernel():
+    """They are attributes at run time only; the annotations are those of a class that no interpreter sees."""
+    folder = os.path.join(SOURCES, "python", "torsor")
+    with open(os.path.join(folder, "_mechanism.py"), encoding="utf-8") as file:
+        annotated = {node.target.id for node in ast.walk(ast.parse(file.read()))
+                     if isinstance(node, ast.AnnAssign) and isinstance(node.annotation, ast.Name) and node.annotation.id == "Kernel"}
+    said = subprocess.run([os.environ["TORSOR"], "build", "--help"], check=True, text=True, capture_output=True).stdout
+    listed = said.split("comma-separated list of ")[1].split("; or all")[0].replace(" ", "").replace("\n", "").split(",")
+    assert {*listed, "coordinate_rates", "state_derivative"} == annotated
