@@ -256,17 +256,19 @@ TEST(Spheres, KeepMomentumInTheirCollisions) {
 
 // A ball that loses nothing leaves the floor as fast as it came, less what gravity does within a step.
 TEST(Spheres, BounceAsFastAsTheyCame) {
-  Grains<3> grains;
-  grains.walls.push_back({.restitution = 1});
   constexpr double h = 1e-3, R = 0.1;
-  grains.add({0, 0, R + 0.5}, R, 1);
-  GrainMotion<3> motion(grains);
-  double fastest_up = 0;
-  for (int k = 0; k < 500; ++k) {
-    (void)motion.step(h);
-    fastest_up = std::max(fastest_up, grains.v[0](2));
+  for (const double height : {0.5, 0.5005, 0.501, 0.5015, 0.502, 0.5025}) {  // they arrive at other parts of a step
+    Grains<3> grains;
+    grains.walls.push_back({.restitution = 1});
+    grains.add({0, 0, R + height}, R, 1);
+    GrainMotion<3> motion(grains);
+    double fastest_up = 0;
+    for (int k = 0; k < 500; ++k) {
+      (void)motion.step(h);
+      fastest_up = std::max(fastest_up, grains.v[0](2));
+    }
+    EXPECT_NEAR(fastest_up, std::sqrt(2 * 9.81 * height), 2 * 9.81 * h) << height;
   }
-  EXPECT_NEAR(fastest_up, std::sqrt(2 * 9.81 * 0.5), 2 * 9.81 * h);
 }
 
 // Beside contacts that restitution keeps open a sphere rests in a groove as it must: N = m g/(2 cos 45 deg).
