@@ -17,6 +17,12 @@ std::string figure(double value) {
   return value < 1e5 ? fmt::format("{:.2f}", value) : fmt::format("{:.1e}", value);
 }
 
+/// Of the bound; an infinite one says nothing.
+std::string share_of_bound(const VerifyRow& row) {
+  if (!std::isfinite(row.worst.bound)) return "none";
+  return fmt::format("{:.3f}", row.worst.bound == 0 ? 0 : row.worst.error / row.worst.bound);
+}
+
 const char* verdict(const VerifyRow& row) {
   if (!row.worst.counted) return "NONE";
   if (!row.bounded()) return "BOUND";
@@ -49,10 +55,9 @@ std::string verify_table(const std::string& scene, const std::vector<VerifyRow>&
                   scene, accuracy_bar, "", "scalar", "kernel", "group", "error", "condition", "scaled", "of bound",
                   "at most", "seed");
   for (const VerifyRow& row : rows) {
-    const double of_bound = row.worst.bound == 0 ? 0 : row.worst.error / row.worst.bound;
-    text += fmt::format("{:<6}{:<7}{:<37}{:<44}{:>9}{:>10}{:>9}{:>9.3f}{:>9}  {}{}\n", verdict(row), row.scalar,
+    text += fmt::format("{:<6}{:<7}{:<37}{:<44}{:>9}{:>10}{:>9}{:>9}{:>9}  {}{}\n", verdict(row), row.scalar,
                         row.kernel, row.group, figure(row.worst.error), figure(row.worst.condition),
-                        figure(row.worst.scaled), of_bound, figure(row.potential), row.seed,
+                        figure(row.worst.scaled), share_of_bound(row), figure(row.potential), row.seed,
                         row.searched ? " searched" : "");
     if (layout.with_states || !row.passed()) text += fmt::format("      at {}\n", row.state);
     if (row.undefined > 0) {
@@ -86,8 +91,8 @@ std::string verify_markdown(const std::string& scene, const std::vector<VerifyRo
       text += " | | |";
       continue;
     }
-    text += fmt::format(" {} {} | {} | {:.3f} |", worst->kernel, worst->group, figure(worst->worst.scaled),
-                        worst->worst.bound == 0 ? 0 : worst->worst.error / worst->worst.bound);
+    text += fmt::format(" {} {} | {} | {} |", worst->kernel, worst->group, figure(worst->worst.scaled),
+                        share_of_bound(*worst));
   }
   return text + "\n";
 }

@@ -51,6 +51,21 @@ TEST(VerifyCommand, NamesAGroupThatIsNoNumberAsTheWorst) {
   EXPECT_EQ(verify_table("scene", rows, {}).find("group_3"), std::string::npos);
 }
 
+// inf/inf was printed as -nan.
+TEST(VerifyCommand, SaysWhereThereIsNoBound) {
+  std::vector<VerifyRow> rows(1);
+  rows[0].kernel = "energy";
+  rows[0].group = "group";
+  rows[0].scalar = "double";
+  rows[0].worst.counted = true;
+  rows[0].worst.scaled = rows[0].worst.error = rows[0].worst.bound = HUGE_VAL;
+  EXPECT_NE(verify_markdown("scene", rows).find("| energy group | >1e17 | none |"), std::string::npos);
+  EXPECT_EQ(verify_table("scene", rows, {}).find("nan"), std::string::npos);
+  rows[0].worst.bound = 4;
+  rows[0].worst.error = rows[0].worst.scaled = 1;
+  EXPECT_NE(verify_markdown("scene", rows).find("| energy group | 1.00 | 0.250 |"), std::string::npos);
+}
+
 TEST(VerifyCommand, RefusesWhatItCannotDo) {
   EXPECT_EQ(run(pendulum, {"verify", "--scalar", "quad"}).code, 2);
   EXPECT_EQ(run(pendulum, {"verify", "--kernels", "no_such_kernel"}).code, 2);
