@@ -8,6 +8,12 @@ namespace torsor {
 EvaluatedContacts::EvaluatedContacts(const Scene& scene, const ModelOptions& options, const NamedNumbers& parameters,
                                      const NamedNumbers& inputs)
     : motion_(scene, options, parameters, inputs), rows_(contact_rows(motion_.equations().model())) {
+  Program& program = motion_.equations().program();
+  for (ContactRows& contact : rows_) {
+    for (ContactRow& row : contact.rows) {
+      for (Value& entry : row.jacobian) entry = program.bind(entry);
+    }
+  }
   if (!motion_.equations().constraints().empty()) kept_ = motion_.equations().redundancy().kept;
   motion_.move_to(0.0, {});
   for (const ContactCoefficients& of : contact_coefficients(motion_.equations().model())) {

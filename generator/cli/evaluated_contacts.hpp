@@ -31,9 +31,9 @@ class EvaluatedContacts {
 
   /// Accelerations without contacts and all that belongs to a state; false where they are not determined.
   bool read(double t, const std::vector<double>& y, std::vector<double>& rates) { return motion_.slope(t, y, rates); }
-  double mass(std::size_t i, std::size_t j) { return motion_.value(motion_.equations().mass()[i][j]); }
+  double mass(std::size_t i, std::size_t j) { return motion_.mass(i, j); }
   const std::vector<ContactRows>& rows() const { return rows_; }
-  const ConstraintRow& constraint(std::size_t k) const { return motion_.equations().constraints()[kept_[k]]; }
+  const ConstraintRow& constraint(std::size_t k) const { return motion_.constraint(kept_[k]); }
 
  private:
   const ContactRows& at(int contact) const { return rows_[static_cast<std::size_t>(contact)]; }

@@ -100,7 +100,25 @@ EvaluatedMotion::EvaluatedMotion(const Scene& scene, const ModelOptions& options
   forward_ = make_kernel("forward_dynamics", equations_);
   energy_ = make_kernel("energy", equations_);
   integrals_ = make_kernel("first_integrals", equations_);
+  // The formula of a definition is made once, of any other value at each state.
+  for (auto& [pivot, diagonal] : forward_.pivots) {
+    pivot = program.bind(pivot);
+    diagonal = program.bind(diagonal);
+  }
+  for (Kernel* kernel : {&forward_, &energy_, &integrals_}) {
+    for (Assignment& each : kernel->assignments) each.value = program.bind(each.value);
+  }
+  for (const std::vector<Value>& row : equations_.mass()) {
+    mass_.emplace_back();
+    for (const Value& entry : row) mass_.back().push_back(program.bind(entry));
+  }
+  for (Value& rate : position_rates_) rate = program.bind(rate);
   rows_ = equations_.constraints();
+  for (ConstraintRow& row : rows_) {
+    row.value = program.bind(row.value);
+    row.rate = program.bind(row.rate);
+    for (Value& entry : row.jacobian) entry = program.bind(entry);
+  }
   for (std::size_t j = 0; j < rows_.size(); ++j) {
     all_.push_back(j);
     if (rows_[j].holonomic) holonomic_.push_back(j);
@@ -174,7 +192,7 @@ std::vector<double> EvaluatedMotion::least_change(const std::vector<std::size_t>
                                                   const std::vector<double>& right) {
   const std::size_t n = velocity_count();
   Rows<double> mass;
-  for (const std::vector<Value>& row : equations_.mass()) mass.push_back(here_(row));
+  for (const std::vector<Value>& row : mass_) mass.push_back(here_(row));
   const Cholesky<double> factor = metric_factor(std::move(mass));
   struct Row {
     std::vector<double> direction;  // of A L⁻ᵀ

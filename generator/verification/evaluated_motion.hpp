@@ -39,6 +39,8 @@ class EvaluatedMotion {
   double value(const Value& of) { return here_(of); }
   void normalise(std::vector<double>& y) const;  ///< quaternions to norm 1
   double position_rate(std::size_t i) { return here_(position_rates_[i]); }
+  double mass(std::size_t i, std::size_t j) { return here_(mass_[i][j]); }
+  const ConstraintRow& constraint(std::size_t j) const { return rows_[j]; }
 
   /// dy/dt; false where a pivot is not positive beyond rounding, or a number is none.
   bool slope(double t, const std::vector<double>& y, std::vector<double>& rates);
@@ -75,6 +77,7 @@ class EvaluatedMotion {
   Evaluator<double> here_;
   Kernel forward_, energy_, integrals_;
   std::vector<Value> position_rates_;
+  std::vector<std::vector<Value>> mass_;
   std::vector<ConstraintRow> rows_;
   std::vector<std::size_t> holonomic_, all_;
 };
