@@ -213,8 +213,8 @@ Number& Number::operator/=(const Number& other) {
 
 namespace {
 
-/// Of 10^±40000 and beyond nothing is computed: the largest exponent of a decimal is 10000.
-constexpr long most_bits = 133000;
+/// Of 10^±80000 and beyond nothing is computed: the largest exponent of a decimal is 10000, and its square is needed.
+constexpr long most_bits = 266000;
 
 }  // namespace
 
@@ -227,7 +227,7 @@ Number Number::pow(int exponent) const {
   }
   if (bits > 1 && bits > most_bits / std::max(1L, std::abs(static_cast<long>(exponent)))) {
     throw Error("a number of " + std::to_string(bits) + " bits to the power " + std::to_string(exponent) +
-                " is beyond 10^40000: write smaller numbers");
+                " is beyond 10^80000: write smaller numbers");
   }
   if (exponent < 0 && is_zero()) {
     throw Error("zero to the power " + std::to_string(exponent) + " has no value: the base must not vanish");
