@@ -35,9 +35,14 @@ void add_assignments(CLI::App& command, const std::string& name, About& assignme
       text);
 }
 
+void add_language(CLI::App& command, std::string& language) {
+  command.add_option("--language", language, "of the sentences: en (English) or fr (French)")->capture_default_str();
+}
+
 void add_format(CLI::App& command, PageRequest& request) {
   command.add_option("--format", request.format, "text or latex")->capture_default_str();
   command.add_flag("--document", request.document, "LaTeX: a whole document");
+  add_language(command, request.language);
 }
 
 }  // namespace torsor

@@ -62,12 +62,15 @@ void add_about(CLI::App& command, About& about, const std::string& text);
 /// The same for --NAME.
 void add_assignments(CLI::App& command, const std::string& name, About& assignments, const std::string& text);
 
-/// Adds --format and --document.
 struct PageRequest {
   std::string format = "text";
   bool document = false;
-  PageStyle style() const { return {parse_format(format), document}; }
+  std::string language = "en";
+  PageStyle style() const { return {parse_format(format), document, NaturalLanguage::named(language)}; }
 };
+/// Adds --language.
+void add_language(CLI::App& command, std::string& language);
+/// Adds --format, --document and --language.
 void add_format(CLI::App& command, PageRequest& request);
 
 }  // namespace torsor

@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "generator/base/natural_language.hpp"
 #include "generator/dynamics/equations/equations.hpp"
 #include "generator/program/formula.hpp"
 #include "generator/verification/check.hpp"
@@ -54,11 +55,11 @@ std::string list_json(const Scene& scene, const std::vector<std::string>& kernel
 
 /// Loops, ranks, mobility, redundancy, internal motions, indeterminate reactions and the reduced graph of the scene's
 /// joints. `inputs_outputs` names the joints that count as those with the outside; empty: those of the ground.
-std::string structure_text(const Scene& scene, const std::vector<std::string>& inputs_outputs);
+std::string structure_text(const Scene& scene, const std::vector<std::string>& inputs_outputs, const NaturalLanguage& say = {});
 std::string structure_json(const Scene& scene, const std::vector<std::string>& inputs_outputs);
 
 /// The graph of kind structure, analysis or reduced, as dot or svg; any other word is a UsageError.
 std::string graph_text(const Scene& scene, const std::string& format, const std::string& kind,
-                       const std::vector<std::string>& inputs_outputs);
+                       const std::vector<std::string>& inputs_outputs, const NaturalLanguage& say = {});
 
 }  // namespace torsor

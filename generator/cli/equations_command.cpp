@@ -21,6 +21,7 @@ void add_equations_command(CommandSet& commands) {
       "equations", "print T, U, Lagrange's equations, constraints, linearisation", [request](const Scene& scene) {
         PrintOptions options = request->options;
         options.document = request->document;
+        options.language = NaturalLanguage::named(request->language);
         return CommandResult{print_equations(scene, parse_format(request->format), options)};
       });
   add_format(command, *request);

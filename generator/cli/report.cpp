@@ -25,9 +25,9 @@ namespace torsor {
 namespace {
 
 /// A template without the line that names its licence, which the page says once.
-std::string part(std::string_view name) {
+std::string part(std::string_view name, const NaturalLanguage& say) {
   const std::string_view text = embedded_template(fmt::format("report/{}", name));
-  return std::string(text.substr(text.find('\n') + 1));
+  return say.said_in(text.substr(text.find('\n') + 1));
 }
 
 std::string bytes_of(std::string_view hexadecimal) {
@@ -117,12 +117,12 @@ std::string markup(const Say& say) {
   }
 }
 
-std::string picture(const Scene& scene, const std::string& kind) {
-  return markup([&] { return graph_text(scene, "svg", kind, {}); });
+std::string picture(const Scene& scene, const std::string& kind, const NaturalLanguage& say) {
+  return markup([&] { return graph_text(scene, "svg", kind, {}, say); });
 }
 
 /// Sections that would fill more than a reader reads are left out, and the page says so.
-std::string without_long_sections(const std::string& sections, const std::string& command) {
+std::string without_long_sections(const std::string& sections, const std::string& command, const NaturalLanguage& say) {
   constexpr std::size_t most = 120'000;  // characters
   static constexpr std::string_view begin = "<details", title_end = "</summary>\n", end = "</details>\n";
   std::string result;
@@ -131,16 +131,16 @@ std::string without_long_sections(const std::string& sections, const std::string
     const std::size_t body = sections.find(title_end, at) + title_end.size(), close = sections.find(end, body);
     const bool too_long = close - body > most;
     result += sections.substr(done, (too_long ? body : close) - done);
-    if (too_long) result += fmt::format("<p>Too long for a page: the command {} prints it.</p>\n", command);
+    if (too_long) result += "<p>" + html_escaped(say("Too long for a page: the command {} prints it.", command)) + "</p>\n";
     done = close;
   }
   return result + sections.substr(done);
 }
 
-std::string unknowns_page(const Scene& scene) {
+std::string unknowns_page(const Scene& scene, const NaturalLanguage& say) {
   ModelOptions options;
   options.symbolic_parameters = true;
-  return printing::words_as_page(unknowns_report(Equations(scene, options)), scene.content(), {Format::html});
+  return printing::words_as_page(unknowns_report(Equations(scene, options), say), scene.content(), {Format::html, false, say});
 }
 
 /// The same with sections that are folded at first.
@@ -151,6 +151,8 @@ std::string closed(std::string sections) {
   }
   return sections;
 }
+
+std::string note(const std::string& sentence) { return fmt::format("<p class=\"note\">{}</p>\n", html_escaped(sentence)); }
 
 std::string script(std::string_view id, const std::string& text) {
   return fmt::format("<script id=\"{}\">\n{}</script>\n", id, inside_script(text));
@@ -194,12 +196,14 @@ std::string inside_json(const std::string& text) {
 std::string report_html(const Scene& scene, const ReportOptions& options) {
   refuse_contacts(scene, "the motion in a report");
   const SceneContent& content = scene.content();
+  const NaturalLanguage& say = options.language;
   const Motion motion = motion_of(scene, options.model);
   PrintOptions print;
   print.about = options.about;
   print.derivation = true;
+  print.language = say;
   const std::string equations =
-      without_long_sections(markup([&] { return print_equations(scene, Format::html, print); }), "equations");
+      without_long_sections(markup([&] { return print_equations(scene, Format::html, print); }), "equations", say);
   std::string scripts;
   scripts += script("mechanism", "globalThis.torsorMechanism = " + motion.module + ";\n");
   scripts += fmt::format("<script id=\"scene\" type=\"application/json\">{}</script>\n",
@@ -208,27 +212,28 @@ std::string report_html(const Scene& scene, const ReportOptions& options) {
     scripts += fmt::format("<script id=\"meshes\" type=\"application/json\">{}</script>\n", report_meshes(content));
   }
   for (const char* name : {"integrator", "projection", "motion", "modes", "vectors", "shapes", "viewer", "plots", "formulas", "page"}) {
-    scripts += script(name, part(fmt::format("{}.js", name)));
+    scripts += script(name, part(fmt::format("{}.js", name), say));
   }
   const bool with_katex = !katex_script().empty();
   const std::string title = content.title.empty() ? content.name : content.title;
   return fill_template(
-      "report/report.html", embedded_template("report/report.html"),
+      "report/report.html", say.said_in(embedded_template("report/report.html")),
       {{"title", html_escaped(title)},
        {"name", html_escaped(content.name)},
        {"version", TORSOR_VERSION},
-       {"style", part("style.css")},
+       {"language", std::string(say.code())},
+       {"style", part("style.css", say)},
        {"formula_style", formula_style()},
-       {"structure_graph", picture(scene, "structure")},
-       {"analysis_graph", picture(scene, "analysis")},
-       {"structure_words", html_lines(words([&] { return structure_text(scene, {}); }))},
+       {"structure_graph", picture(scene, "structure", say)},
+       {"analysis_graph", picture(scene, "analysis", say)},
+       {"structure_words", html_lines(words([&] { return structure_text(scene, {}, say); }))},
        {"equations", equations},
-       {"further", closed(markup([&] { return unknowns_page(scene); }))},
-       {"statics", closed(without_long_sections(markup([&] { return statics_text(scene, options.about, {}, {Format::html}); }), "statics"))},
-       {"formula_note", with_katex ? "" : "<p class=\"note\">Formulas are shown as text: KaTeX was not there when torsor was built.</p>\n"},
-       {"motion_note", motion.remark.empty() ? ""
-                                             : fmt::format("<p class=\"note\">There is no motion: {}.</p>\n",
-                                                           html_escaped(motion.remark))},
+       {"further", closed(markup([&] { return unknowns_page(scene, say); }))},
+       {"statics", closed(without_long_sections(
+                       markup([&] { return statics_text(scene, options.about, {}, {Format::html, false, say}); }), "statics", say))},
+       {"formula_note",
+        with_katex ? "" : note(say("Formulas are shown as text: KaTeX was not there when torsor was built."))},
+       {"motion_note", motion.remark.empty() ? "" : note(say("There is no motion: {}.", motion.remark))},
        {"katex", with_katex ? script("katex", std::string(katex_script()) + "\n") : ""},
        {"scripts", scripts}});
 }

@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "generator/base/natural_language.hpp"
 #include "generator/dynamics/motion/model.hpp"
 #include "generator/mechanics/scene.hpp"
 
@@ -15,6 +16,7 @@ struct ReportOptions {
   std::vector<std::pair<std::string, std::string>> about;  ///< state of the linearisation
   double duration = 10.0;                                  ///< of the motion [s]
   bool meshes = false;                                     ///< put the triangles of meshes into the page
+  NaturalLanguage language{};                              ///< of every fixed phrase
 };
 
 /// A scene as one HTML file that needs no other: what the mechanism is, its graphs, equations and theorems, and its motion,

@@ -14,6 +14,7 @@ struct ReportRequest : KernelOptions {
   About about;
   double duration = 10.0;
   bool meshes = false;
+  std::string language = "en";
 };
 
 }  // namespace
@@ -22,7 +23,8 @@ void add_report_command(CommandSet& commands) {
   const auto request = std::make_shared<ReportRequest>();
   CLI::App& command = commands.add(
       "report", "write one HTML file: the mechanism, its equations and its motion", [request](const Scene& scene) {
-        return CommandResult{report_html(scene, {request->model(scene), request->about, request->duration, request->meshes})};
+        return CommandResult{report_html(scene, {request->model(scene), request->about, request->duration, request->meshes,
+                                                 NaturalLanguage::named(request->language)})};
       });
   command.add_option("--run-time", request->run_time,
                      "parameters that the reader of the page can change, comma-separated, or all; when absent, all that can be");
@@ -31,6 +33,7 @@ void add_report_command(CommandSet& commands) {
       ->check(CLI::Range(1e-6, 1e6));
   command.add_flag("--meshes", request->meshes,
                    "draw the meshes (STL, OBJ, Collada) that the scene or its URDF file shows, made small enough for the page");
+  add_language(command, request->language);
   add_about(command, request->about, "state of the linearisation, NAME=VALUE, e.g. theta=0; repeatable");
 }
 

@@ -38,9 +38,9 @@ CommandResult unknowns(const Scene& scene, const UnknownsRequest& request) {
   ModelOptions options;
   options.symbolic_parameters = true;
   const Equations equations(scene, options);
-  std::string text = unknowns_report(equations);
-  if (!request.bodies.empty()) text += isolation_report(equations, request.bodies, {Scene::point(request.point), request.axes}).text;
   const PageStyle style = request.style();
+  std::string text = unknowns_report(equations, style.language);
+  if (!request.bodies.empty()) text += isolation_report(equations, request.bodies, {Scene::point(request.point), request.axes}).text;
   return {style.format == Format::text ? text : printing::words_as_page(text, scene.content(), style)};
 }
 

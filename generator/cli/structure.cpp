@@ -14,20 +14,21 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-std::string type_text(const GraphJoint& joint) {
-  return joint.type ? std::string(to_string(*joint.type)) : "no joint of the table";
+std::string type_text(const GraphJoint& joint, const NaturalLanguage& say = {}) {
+  return joint.type ? name_of(*joint.type, say) : say("no joint of the table");
 }
 
 std::string joined(const std::vector<std::string>& names) { return fmt::format("{}", fmt::join(names, ", ")); }
 
-std::string count_text(const MobilityCount& count) {
-  return fmt::format(
-      "  bodies {}, joints {}: independent loops mu = {}\n"
-      "  freedoms of the joints n_p = {}, closure equations 6 mu = {} of rank r = {}\n"
-      "  mobility m = n_p - r = {}: {} useful, {} internal\n"
-      "  degree of redundancy h = 6 mu - r = {}\n",
-      count.bodies, count.joints, count.loops, count.parameters, count.equations, count.rank, count.mobility,
-      count.useful, count.internal, count.redundancy);
+/// A line below a heading.
+std::string line(const std::string& sentence) { return "  " + sentence + "\n"; }
+
+std::string count_text(const MobilityCount& count, const NaturalLanguage& say) {
+  return line(say("bodies {}, joints {}: independent loops mu = {}", count.bodies, count.joints, count.loops)) +
+         line(say("freedoms of the joints n_p = {}, closure equations 6 mu = {} of rank r = {}", count.parameters,
+                  count.equations, count.rank)) +
+         line(say("mobility m = n_p - r = {}: {} useful, {} internal", count.mobility, count.useful, count.internal)) +
+         line(say("degree of redundancy h = 6 mu - r = {}", count.redundancy));
 }
 
 Json count_json(const MobilityCount& count) {
@@ -37,99 +38,107 @@ Json count_json(const MobilityCount& count) {
           {"redundancy", count.redundancy}};
 }
 
-std::string freedoms_text(const SceneFreedoms& scene) {
-  return fmt::format("{} freedom{}: {} useful, {} internal", scene.freedoms(), scene.freedoms() == 1 ? "" : "s",
-                     scene.useful(), scene.internal);
+std::string freedoms_text(const SceneFreedoms& scene, const NaturalLanguage& say) {
+  return say("{} freedom{}: {} useful, {} internal", scene.freedoms(), scene.freedoms() == 1 ? "" : "s", scene.useful(),
+             scene.internal);
 }
 
 /// Constraints that are no joints tie what the graph counts as free.
-std::string beside_joints(const SceneFreedoms& scene) {
-  if (scene.no_joints.empty()) return "";
-  return fmt::format("  that is the joints alone: {} constraint{} beside them ({}), with which the scene has {}\n",
-                     scene.no_joints.size(), scene.no_joints.size() == 1 ? " is no joint" : "s are no joints",
-                     joined(scene.no_joints), freedoms_text(scene));
+std::string beside_joints(const SceneFreedoms& scene, const NaturalLanguage& say) {
+  const std::size_t count = scene.no_joints.size();
+  if (count == 0) return "";
+  const std::string names = joined(scene.no_joints), freedoms = freedoms_text(scene, say);
+  return line(
+      count == 1
+          ? say("that is the joints alone: {} constraint is no joint beside them ({}), with which the scene has {}", count, names,
+                freedoms)
+          : say("that is the joints alone: {} constraints are no joints beside them ({}), with which the scene has {}", count,
+                names, freedoms));
 }
 
-std::string scene_text(const SceneFreedoms& own) {
-  return fmt::format(
-      "\nThe scene as it is written: {} unknown coordinate{}, {} driven, {} constraint{} of rank {} at the "
-      "initial configuration: {}\n",
-      own.coordinates, own.coordinates == 1 ? "" : "s", own.driven, own.constraints, own.constraints == 1 ? "" : "s",
-      own.rank, freedoms_text(own));
+std::string scene_text(const SceneFreedoms& own, const NaturalLanguage& say) {
+  return "\n" +
+         say("The scene as it is written: {} unknown coordinate{}, {} driven, {} constraint{} of rank {} at the "
+             "initial configuration: {}",
+             own.coordinates, own.coordinates == 1 ? "" : "s", own.driven, own.constraints, own.constraints == 1 ? "" : "s",
+             own.rank, freedoms_text(own, say)) +
+         "\n";
 }
 
 }  // namespace
 
-std::string structure_text(const Scene& scene, const std::vector<std::string>& inputs_outputs) {
-  const Mobility mobility = analyse_mobility(scene, {inputs_outputs});
+std::string structure_text(const Scene& scene, const std::vector<std::string>& inputs_outputs, const NaturalLanguage& say) {
+  const Mobility mobility = analyse_mobility(scene, {.inputs_outputs = inputs_outputs, .language = say});
   const StructureGraph& graph = mobility.graph;
   std::string text = scene.content().title.empty() ? scene.name() + "\n"
                                                    : fmt::format("{}: {}\n", scene.name(), scene.content().title);
-  text += "\nJoints (* with the outside)\n";
+  text += "\n" + say("Joints (* with the outside)") + "\n";
   for (std::size_t j = 0; j < graph.joints.size(); ++j) {
     const GraphJoint& joint = graph.joints[j];
     const auto& names = (mobility.singular ? mobility.generic_edges : mobility.given_edges)[j].motion.names;
-    text += fmt::format("  {}{:<16}{} - {}: {}, {} freedom{}{}{}\n", mobility.outside[j] ? "*" : " ", joint.name,
+    text += fmt::format("  {}{:<16}{} - {}: {}, {}{}{}\n", mobility.outside[j] ? "*" : " ", joint.name,
                         graph.bodies[static_cast<std::size_t>(joint.a)].name,
-                        graph.bodies[static_cast<std::size_t>(joint.b)].name, type_text(joint), joint.freedoms,
-                        joint.freedoms == 1 ? "" : "s", names.empty() ? "" : " (" + joined(names) + ")",
-                        joint.closes_loop ? ", closes a loop" : "");
+                        graph.bodies[static_cast<std::size_t>(joint.b)].name, type_text(joint, say),
+                        say("{} freedom{}", joint.freedoms, joint.freedoms == 1 ? "" : "s"),
+                        names.empty() ? "" : " (" + joined(names) + ")", joint.closes_loop ? say(", closes a loop") : "");
   }
   const SceneFreedoms own = scene_freedoms(scene, inputs_outputs);
-  text +=
-      "\nStructure graph\n" + count_text(mobility.singular ? mobility.generic : mobility.given) + beside_joints(own);
+  text += "\n" + say("Structure graph") + "\n" + count_text(mobility.singular ? mobility.generic : mobility.given, say) +
+          beside_joints(own, say);
   if (mobility.moved_to_close)
-    text += "  (the initial values do not close the loops exactly: taken from the nearest ones that do)\n";
+    text += line(say("(the initial values do not close the loops exactly: taken from the nearest ones that do)"));
   if (mobility.singular) {
-    text += fmt::format("  warning: the initial configuration is singular: r = {}, m = {}, h = {} there\n",
-                        mobility.given.rank, mobility.given.mobility, mobility.given.redundancy);
+    text += line(say("warning: the initial configuration is singular: r = {}, m = {}, h = {} there", mobility.given.rank,
+                     mobility.given.mobility, mobility.given.redundancy));
   }
   if (mobility.immobile) {
-    text +=
-        "  warning: no other configuration was found near the initial one: its freedoms may be infinitesimal only\n";
+    text += line(say(
+        "warning: no other configuration was found near the initial one: its freedoms may be infinitesimal only"));
   }
   for (const InternalMotion& motion : mobility.internal) {
-    text += fmt::format("  internal: {} {}{}\n", joined(motion.bodies), motion.text,
-                        motion.freedoms == 1 ? "" : fmt::format(" ({} freedoms)", motion.freedoms));
+    text += line(say("internal: {} {}{}", joined(motion.bodies), motion.text,
+                     motion.freedoms == 1 ? "" : say(" ({} freedoms)", motion.freedoms)));
   }
   if (!mobility.internal_freedoms.empty()) {
-    text += fmt::format("  freedoms in internal motions: {}\n", joined(mobility.internal_freedoms));
+    text += line(say("freedoms in internal motions: {}", joined(mobility.internal_freedoms)));
   }
-  if (!mobility.loops.empty()) text += "\nClosures (P(b/a): components along a into components along b)\n";
+  if (!mobility.loops.empty()) {
+    text += "\n" + say("Closures (P(b/a): components along a into components along b)") + "\n";
+  }
   for (std::size_t l = 0; l < mobility.loops.size(); ++l) {
     std::vector<std::string> names;
     for (const auto& [joint, sense] : mobility.loops[l].joints)
       names.push_back(graph.joints[static_cast<std::size_t>(joint)].name);
-    text += fmt::format("  loop {} ({})\n    {}\n    {}\n    {}\n", l + 1, joined(names),
-                        orientation_closure(graph, mobility.loops[l]), position_closure(graph, mobility.loops[l]),
+    text += line(say("loop {} ({})", l + 1, joined(names)));
+    text += fmt::format("    {}\n    {}\n    {}\n", orientation_closure(graph, mobility.loops[l]), position_closure(graph, mobility.loops[l]),
                         twist_closure(graph, mobility.loops[l]));
   }
   if (!mobility.redundant.empty()) {
-    text += fmt::format("  redundant, each on its own: {}\n", joined(mobility.redundant));
-    text += "\nReactions that equilibrium does not determine (components along the joint's axes)\n";
+    text += line(say("redundant, each on its own: {}", joined(mobility.redundant)));
+    text += "\n" + say("Reactions that equilibrium does not determine (components along the joint's axes)") + "\n";
     for (const IndeterminateReaction& reaction : mobility.indeterminate) {
       text += fmt::format("  {:<16}{}\n", reaction.joint, joined(reaction.components));
     }
   } else if (!mobility.loops.empty()) {
-    text += "\nEquilibrium determines all reactions of the joints\n";
+    text += "\n" + say("Equilibrium determines all reactions of the joints") + "\n";
   }
-  const ReducedGraph reduced = reduced_graph(mobility);
+  const ReducedGraph reduced = reduced_graph(mobility, say);
   if (!reduced.steps.empty()) {
-    text += "\nReduced graph\n";
+    text += "\n" + say("Reduced graph") + "\n";
     for (const ReductionStep& step : reduced.steps) {
       text += fmt::format("  {}{}{}\n", step.text,
-                          step.redundant > 0 ? fmt::format("; redundant equations: {} fewer", step.redundant) : "",
-                          step.internal > 0 ? fmt::format("; internal freedoms: {} fewer", step.internal) : "");
+                          step.redundant > 0 ? say("; redundant equations: {} fewer", step.redundant) : "",
+                          step.internal > 0 ? say("; internal freedoms: {} fewer", step.internal) : "");
     }
-    text += count_text(reduced.count);
+    text += count_text(reduced.count, say);
     for (const EquivalentJoint& joint : reduced.joints) {
       text +=
           fmt::format("  {:<17}{} - {}: {}\n", joint.edge.name, reduced.bodies[static_cast<std::size_t>(joint.edge.a)],
-                      reduced.bodies[static_cast<std::size_t>(joint.edge.b)], joint.allows.text());
+                      reduced.bodies[static_cast<std::size_t>(joint.edge.b)], joint.allows.text(say));
     }
-    if (reduced.special) text += "  (at a generic configuration: the initial one is special)\n";
+    if (reduced.special) text += line(say("(at a generic configuration: the initial one is special)"));
   }
-  return text + scene_text(own);
+  return text + scene_text(own, say);
 }
 
 std::string structure_json(const Scene& scene, const std::vector<std::string>& inputs_outputs) {
@@ -189,18 +198,18 @@ std::string structure_json(const Scene& scene, const std::vector<std::string>& i
 }
 
 std::string graph_text(const Scene& scene, const std::string& format, const std::string& kind,
-                       const std::vector<std::string>& inputs_outputs) {
+                       const std::vector<std::string>& inputs_outputs, const NaturalLanguage& say) {
   if (format != "dot" && format != "svg") {
     throw UsageError(fmt::format("unknown format '{}' of a graph: use dot (Graphviz draws it) or svg", format));
   }
   GraphDrawing drawing;
   if (kind == "structure") {
-    drawing = draw_structure(scene, structure_graph(scene));
+    drawing = draw_structure(scene, structure_graph(scene), say);
   } else if (kind == "analysis") {
     const StructureGraph graph = structure_graph(scene);
-    drawing = draw_analysis(scene, graph, analysis_links(scene, graph));
+    drawing = draw_analysis(scene, graph, analysis_links(scene, graph, say), say);
   } else if (kind == "reduced") {
-    drawing = draw_reduced(scene, reduced_graph(analyse_mobility(scene, {inputs_outputs})));
+    drawing = draw_reduced(scene, reduced_graph(analyse_mobility(scene, {inputs_outputs})), say);
   } else {
     throw UsageError(fmt::format("unknown graph '{}': {}use structure, analysis or reduced", kind,
                                  did_you_mean(kind, {"structure", "analysis", "reduced"})));

@@ -10,10 +10,10 @@ namespace {
 
 using Line = GraphDrawing::Line;
 
-std::string freedoms_text(int freedoms) { return fmt::format("{} freedom{}", freedoms, freedoms == 1 ? "" : "s"); }
+std::string freedoms_text(int freedoms, const NaturalLanguage& say) { return say("{} freedom{}", freedoms, freedoms == 1 ? "" : "s"); }
 
-std::string what(const GraphJoint& joint) {
-  return joint.type ? std::string(to_string(*joint.type)) : freedoms_text(joint.freedoms);
+std::string what(const GraphJoint& joint, const NaturalLanguage& say) {
+  return joint.type ? name_of(*joint.type, say) : freedoms_text(joint.freedoms, say);
 }
 
 std::string quoted(const std::string& text) {
@@ -39,16 +39,17 @@ const char* style(Line line) {
 
 }  // namespace
 
-GraphDrawing draw_structure(const Scene& scene, const StructureGraph& graph) {
-  GraphDrawing drawing{scene.name(), "structure graph of " + scene.name(), {}, {}};
+GraphDrawing draw_structure(const Scene& scene, const StructureGraph& graph, const NaturalLanguage& say) {
+  GraphDrawing drawing{scene.name(), say("structure graph of {}", scene.name()), {}, {}};
   for (const GraphBody& body : graph.bodies) drawing.nodes.push_back({body.name, drawing.nodes.empty()});
-  for (const GraphJoint& joint : graph.joints) drawing.edges.push_back({joint.a, joint.b, joint.name, what(joint)});
+  for (const GraphJoint& joint : graph.joints) drawing.edges.push_back({joint.a, joint.b, joint.name, what(joint, say)});
   return drawing;
 }
 
-GraphDrawing draw_analysis(const Scene& scene, const StructureGraph& graph, const std::vector<AnalysisLink>& links) {
-  GraphDrawing drawing = draw_structure(scene, graph);
-  drawing.title = "analysis graph of " + scene.name();
+GraphDrawing draw_analysis(const Scene& scene, const StructureGraph& graph, const std::vector<AnalysisLink>& links,
+                           const NaturalLanguage& say) {
+  GraphDrawing drawing = draw_structure(scene, graph, say);
+  drawing.title = say("analysis graph of {}", scene.name());
   for (const AnalysisLink& link : links) {
     const Line line = link.kind == AnalysisLink::Kind::action ? Line::action : Line::constraint;
     const std::string name = link.name == link.what ? "" : link.name;
@@ -63,12 +64,12 @@ GraphDrawing draw_analysis(const Scene& scene, const StructureGraph& graph, cons
   return drawing;
 }
 
-GraphDrawing draw_reduced(const Scene& scene, const ReducedGraph& graph) {
-  GraphDrawing drawing{scene.name(), "reduced structure graph of " + scene.name(), {}, {}};
+GraphDrawing draw_reduced(const Scene& scene, const ReducedGraph& graph, const NaturalLanguage& say) {
+  GraphDrawing drawing{scene.name(), say("reduced structure graph of {}", scene.name()), {}, {}};
   for (const std::string& body : graph.bodies) drawing.nodes.push_back({body, drawing.nodes.empty()});
   for (const EquivalentJoint& joint : graph.joints) {
     const std::string type =
-        joint.allows.type ? std::string(to_string(*joint.allows.type)) : freedoms_text(joint.allows.freedoms);
+        joint.allows.type ? name_of(*joint.allows.type, say) : freedoms_text(joint.allows.freedoms, say);
     drawing.edges.push_back({joint.edge.a, joint.edge.b, joint.edge.name, type});
   }
   return drawing;

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "generator/base/natural_language.hpp"
 #include "generator/dynamics/structure/mobility.hpp"
 #include "generator/dynamics/structure/reduced_graph.hpp"
 #include "generator/mechanics/analysis_graph.hpp"
@@ -31,9 +32,10 @@ struct GraphDrawing {
   std::vector<Edge> edges;
 };
 
-GraphDrawing draw_structure(const Scene& scene, const StructureGraph& graph);
-GraphDrawing draw_analysis(const Scene& scene, const StructureGraph& graph, const std::vector<AnalysisLink>& links);
-GraphDrawing draw_reduced(const Scene& scene, const ReducedGraph& graph);
+GraphDrawing draw_structure(const Scene& scene, const StructureGraph& graph, const NaturalLanguage& say = {});
+GraphDrawing draw_analysis(const Scene& scene, const StructureGraph& graph, const std::vector<AnalysisLink>& links,
+                           const NaturalLanguage& say = {});
+GraphDrawing draw_reduced(const Scene& scene, const ReducedGraph& graph, const NaturalLanguage& say = {});
 
 /// Text of Graphviz's language.
 std::string graph_dot(const GraphDrawing& drawing);

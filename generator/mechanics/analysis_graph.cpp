@@ -13,7 +13,8 @@ namespace {
 
 class Linker {
  public:
-  Linker(const Scene& scene, const StructureGraph& graph) : scene_(scene.content()), graph_(graph) {}
+  Linker(const Scene& scene, const StructureGraph& graph, const NaturalLanguage& language)
+      : say(language), scene_(scene.content()), graph_(graph) {}
 
   std::vector<AnalysisLink> all() {
     for (const ConstraintContent& constraint : scene_.constraints) {
@@ -24,12 +25,12 @@ class Linker {
       std::set<int> heavy;
       for (const BodyContent& body : scene_.bodies) heavy.insert(body_of(body.frame));
       heavy.erase(0);
-      for (const int body : heavy) add(AnalysisLink::Kind::action, "gravity", "gravity", {0, body});
+      for (const int body : heavy) add(AnalysisLink::Kind::action, say("gravity"), say("gravity"), {0, body});
     }
     for (const ActionContent& action : scene_.actions)
       std::visit([this](const auto& content) { tie(content); }, action);
     for (const ContactFriction& friction : scene_.frictions) {
-      add(AnalysisLink::Kind::action, friction.name, friction.point ? "friction" : "resistance to turning",
+      add(AnalysisLink::Kind::action, friction.name, friction.point ? say("friction") : say("resistance to turning"),
           {body_of(friction.body), body_of(friction.other)});
     }
     drives();
@@ -58,7 +59,7 @@ class Linker {
   }
 
   void impose(const std::string& name, std::vector<int> bodies) {
-    const std::string what = "imposes " + name + "(t)";
+    const std::string what = say("imposes {}(t)", name);
     if (!bodies.empty()) action(what, what, std::move(bodies));
   }
 
@@ -88,28 +89,28 @@ class Linker {
     return body_of(scene_.points[as_index(scene_.point_index(point, "the analysis graph"))].frame);
   }
 
-  void tie(const HolonomicFormula& law) { constraint("holonomic relation", moved_by(law.f)); }
-  void tie(const NonholonomicFormula& law) { constraint("non-holonomic relation", moved_by(law.left_side)); }
-  void tie(const NoSlip& law) { constraint("no slip", {body_of(law.body), body_of(law.on)}); }
-  void tie(const Closure& law) { constraint("closure of points", {body_of(law.a), body_of(law.b)}); }
-  void tie(const PointInPlane& law) { constraint("point in plane", {body_of(law.point), body_of(law.plane)}); }
+  void tie(const HolonomicFormula& law) { constraint(say("holonomic relation"), moved_by(law.f)); }
+  void tie(const NonholonomicFormula& law) { constraint(say("non-holonomic relation"), moved_by(law.left_side)); }
+  void tie(const NoSlip& law) { constraint(say("no slip"), {body_of(law.body), body_of(law.on)}); }
+  void tie(const Closure& law) { constraint(say("closure of points"), {body_of(law.a), body_of(law.b)}); }
+  void tie(const PointInPlane& law) { constraint(say("point in plane"), {body_of(law.point), body_of(law.plane)}); }
   void tie(const JointClosure&) {}
 
-  void tie(const ElongationSpring& a) { action(a.name, "spring", displaced_by(a.elongation)); }
-  void tie(const ElongationDamper& a) { action(a.name, "damper", displaced_by(a.elongation)); }
-  void tie(const PointSpring& a) { action(a.name, "spring", {body_of(a.a), body_of(a.b)}); }
-  void tie(const PointDamper& a) { action(a.name, "damper", {body_of(a.a), body_of(a.b)}); }
-  void tie(const Motor& a) { action(a.name, "motor", displaced_by(a.displacement)); }
-  void tie(const GivenForce& a) { action(a.name, "force", {0, body_of(a.body)}); }
-  void tie(const GivenTorque& a) { action(a.name, "torque", {0, body_of(a.body)}); }
-  void tie(const GivenForceFunction& a) { action(a.name, "force function", moved_by(a.force_function)); }
-  void tie(const GeneralisedForce& a) { action(a.name, "generalised force", displaced_by(a.displacement)); }
-  void tie(const Gravitation& a) { action(a.name, "gravitation", {body_of(a.a), body_of(a.b)}); }
-  void tie(const GivenWrench& a) { action(a.name, "wrench", {0, body_of(a.body)}); }
-  void tie(const Drag& a) { action(a.name, "drag", {body_of(a.body), body_of(a.relative_to)}); }
-  void tie(const RotationalDrag& a) { action(a.name, "rotational drag", {body_of(a.body), body_of(a.relative_to)}); }
+  void tie(const ElongationSpring& a) { action(a.name, say("spring"), displaced_by(a.elongation)); }
+  void tie(const ElongationDamper& a) { action(a.name, say("damper"), displaced_by(a.elongation)); }
+  void tie(const PointSpring& a) { action(a.name, say("spring"), {body_of(a.a), body_of(a.b)}); }
+  void tie(const PointDamper& a) { action(a.name, say("damper"), {body_of(a.a), body_of(a.b)}); }
+  void tie(const Motor& a) { action(a.name, say("motor"), displaced_by(a.displacement)); }
+  void tie(const GivenForce& a) { action(a.name, say("force"), {0, body_of(a.body)}); }
+  void tie(const GivenTorque& a) { action(a.name, say("torque"), {0, body_of(a.body)}); }
+  void tie(const GivenForceFunction& a) { action(a.name, say("force function"), moved_by(a.force_function)); }
+  void tie(const GeneralisedForce& a) { action(a.name, say("generalised force"), displaced_by(a.displacement)); }
+  void tie(const Gravitation& a) { action(a.name, say("gravitation"), {body_of(a.a), body_of(a.b)}); }
+  void tie(const GivenWrench& a) { action(a.name, say("wrench"), {0, body_of(a.body)}); }
+  void tie(const Drag& a) { action(a.name, say("drag"), {body_of(a.body), body_of(a.relative_to)}); }
+  void tie(const RotationalDrag& a) { action(a.name, say("rotational drag"), {body_of(a.body), body_of(a.relative_to)}); }
   void tie(const MutualAction& a) {
-    action(a.name, a.point ? "mutual force" : "mutual torque", {body_of(a.a), body_of(a.b)});
+    action(a.name, a.point ? say("mutual force") : say("mutual torque"), {body_of(a.a), body_of(a.b)});
   }
 
   /// The frame that moves with a body, and those it hangs on.
@@ -173,6 +174,7 @@ class Linker {
     return moved_by(formula);
   }
 
+  const NaturalLanguage& say;
   const SceneContent& scene_;
   const StructureGraph& graph_;
   std::string name_;
@@ -181,8 +183,8 @@ class Linker {
 
 }  // namespace
 
-std::vector<AnalysisLink> analysis_links(const Scene& scene, const StructureGraph& graph) {
-  return Linker(scene, graph).all();
+std::vector<AnalysisLink> analysis_links(const Scene& scene, const StructureGraph& graph, const NaturalLanguage& say) {
+  return Linker(scene, graph, say).all();
 }
 
 }  // namespace torsor

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "generator/base/natural_language.hpp"
 #include "generator/mechanics/structure_graph.hpp"
 
 namespace torsor {
@@ -23,6 +24,6 @@ struct AnalysisLink {
 /// Otherwise it is tied to all bodies that the formula's coordinates move in their joints. The same holds for a law
 /// of time on a coordinate, or on a joint whose displacement is a formula of time. A `closure` of two points and a
 /// `point_in_plane` are constraints; the joints that close loops belong to the structure graph.
-std::vector<AnalysisLink> analysis_links(const Scene& scene, const StructureGraph& graph);
+std::vector<AnalysisLink> analysis_links(const Scene& scene, const StructureGraph& graph, const NaturalLanguage& say = {});
 
 }  // namespace torsor

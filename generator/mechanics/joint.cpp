@@ -7,7 +7,7 @@ namespace torsor {
 namespace {
 
 struct Row {
-  std::string_view name;
+  Phrase name;
   int freedoms;
 };
 
@@ -29,6 +29,7 @@ const Row& row(JointType type) { return table[static_cast<std::size_t>(type)]; }
 }  // namespace
 
 int freedom_count(JointType type) { return row(type).freedoms; }
-std::string_view to_string(JointType type) { return row(type).name; }
+std::string_view to_string(JointType type) { return row(type).name.english; }
+std::string name_of(JointType type, const NaturalLanguage& say) { return say(row(type).name); }
 
 }  // namespace torsor

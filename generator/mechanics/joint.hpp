@@ -4,6 +4,8 @@
 #include <string>
 #include <string_view>
 
+#include "generator/base/natural_language.hpp"
+
 namespace torsor {
 
 /// Ideal joints between two frames a and b (the standard table of mechanical joints). Axes are those of frame a unless
@@ -26,5 +28,7 @@ enum class JointType {
 /// Degrees of freedom f of the joint; the ideal wrench it transmits has 6 − f independent components.
 int freedom_count(JointType type);
 std::string_view to_string(JointType type);
+/// The same in the language.
+std::string name_of(JointType type, const NaturalLanguage& say);
 
 }  // namespace torsor

@@ -18,7 +18,8 @@ class ContactPage {
         contacts_(contact_rows(equations.model())),
         coefficients_(contact_coefficients(equations.model())),
         view_(equations.program(), limits, positive_parameters(equations.scene().content())),
-        page_(page) {
+        page_(page),
+        say(page.say) {
     for (const ContactRows& contact : contacts_) {
       normals_ = normals_ || contact.normal;
       turns_ = turns_ || contact.pressed_by;
@@ -27,14 +28,14 @@ class ContactPage {
   }
 
   void write() {
-    page_.section("Contacts that open and close");
-    page_.note(normals_ ? "g is the gap and w its rate (N) or a slip (T), of the first body on the second."
-                        : "w is the slip.");
+    page_.section(say("Contacts that open and close"));
+    page_.note(normals_ ? say("g is the gap and w its rate (N) or a slip (T), of the first body on the second.")
+                        : say("w is the slip."));
     for (std::size_t k = 0; k < contacts_.size(); ++k) geometry(k);
     forces();
     laws();
     percussions();
-    page_.note("What follows of first integrals and small motions is that of the mechanism on which no contact acts.");
+    page_.note(say("What follows of first integrals and small motions is that of the mechanism on which no contact acts."));
   }
 
  private:
@@ -49,7 +50,7 @@ class ContactPage {
     if (sum) {
       page_.stated(left, collected(*sum), remark);
     } else {
-      page_.note(fmt::format("{} is too long to be written out; the kernel contacts computes it.", left.plain));
+      page_.note(say("{} is too long to be written out; the kernel contacts computes it.", left.plain));
     }
   }
 
@@ -60,34 +61,33 @@ class ContactPage {
       return Spelling{fmt::format("{}({})", plain, contact.name), fmt::format("{}({})", latex, who)};
     };
     const bool turn = contact.pressed_by.has_value();
-    page_.note(fmt::format("{}{}:", contact.name,
-                           contact.normal ? ""
-                           : turn ? fmt::format(", w an angular velocity, pressed by {}", contacts_[*contact.pressed_by].name)
-                                  : ", dry friction alone"));
+    page_.note(contact.normal ? say("{}:", contact.name)
+               : turn ? say("{}, w an angular velocity, pressed by {}:", contact.name, contacts_[*contact.pressed_by].name)
+                      : say("{}, dry friction alone:", contact.name));
     if (contact.normal) stated(spelled("g", "g"), contact.gap);
     for (std::size_t row = 0; row < contact.rows.size(); ++row) {
       const std::string which = component(contact, row);
       stated(spelled(("w_" + which).c_str(), ("w_{" + which + "}").c_str()), contact.rows[row].rate);
     }
     const ContactCoefficients& of = coefficients_[k];
-    if (turn) return stated(spelled("h", "h"), of.friction, "a length");
+    if (turn) return stated(spelled("h", "h"), of.friction, say("a length"));
     if (!contact.normal) {
-      stated(spelled("b", "b"), of.bound, "while it slides");
-      stated(spelled("b_s", "b_s"), of.static_bound, "while it sticks");
+      stated(spelled("b", "b"), of.bound, say("while it slides"));
+      stated(spelled("b_s", "b_s"), of.static_bound, say("while it sticks"));
       return;
     }
     if (contact.tangents() > 0) {
-      stated(spelled("f", "f"), of.friction, "while it slides");
-      stated(spelled("f_s", "f_s"), of.static_friction, "while it sticks");
+      stated(spelled("f", "f"), of.friction, say("while it slides"));
+      stated(spelled("f_s", "f_s"), of.static_friction, say("while it sticks"));
     }
-    stated(spelled("e", "e"), of.restitution, "restitution");
+    stated(spelled("e", "e"), of.restitution, say("restitution"));
   }
 
   /// Q_i = Σ_k J_ki r_k, of all contacts together.
   void forces() {
-    page_.formula("Their reactions add Q_i = sum r dw/dq_i' to the right of Lagrange's equations, r = N or T of each w:",
-                  "Their reactions add $Q_i = \\sum r\\, \\frac{\\partial w}{\\partial \\dot{q}_i}$ to the right of "
-                  "Lagrange's equations, $r = N$ or $T$ of each $w$:");
+    page_.formula(say("Their reactions add Q_i = sum r dw/dq_i' to the right of Lagrange's equations, r = N or T of each w:"),
+                  say("Their reactions add $Q_i = \\sum r\\, \\frac{\\partial w}{\\partial \\dot{q}_i}$ to the right of "
+                  "Lagrange's equations, $r = N$ or $T$ of each $w$:"));
     const auto& coordinates = equations_.model().coordinates();
     for (std::size_t i = 0; i < static_cast<std::size_t>(equations_.model().unknown_count()); ++i) {
       Sum sum;
@@ -103,7 +103,7 @@ class ContactPage {
       }
       const std::string& q = coordinates[i].attitude ? coordinates[i].v->name : coordinates[i].q->name;
       if (too_long) {
-        page_.note(fmt::format("Q_{} is too long to be written out; the kernel contacts computes it.", q));
+        page_.note(say("{} is too long to be written out; the kernel contacts computes it.", "Q_" + q));
       } else if (!sum.is_zero()) {
         page_.stated({"Q_" + q, fmt::format("Q_{{{}}}", latex_name(q))}, collected(sum), "");
       }
@@ -121,53 +121,53 @@ class ContactPage {
   }
 
   void laws() {
-    page_.section("Laws of contact");
+    page_.section(say("Laws of contact"));
     if (normals_) {
-      page_.formula("Signorini: 0 <= g, 0 <= N, N g = 0; while g = 0 and w_N = 0: 0 <= dw_N/dt, 0 <= N, N dw_N/dt = 0.",
-                    "Signorini: $0 \\le g$, $0 \\le N$, $N g = 0$; while $g = 0$ and $w_N = 0$: $0 \\le \\dot{w}_N$, $0 \\le "
-                    "N$, $N \\dot{w}_N = 0$.");
-      page_.formula("Open: g > 0, N = 0, T = 0.", "Open: $g > 0$, $N = 0$, $T = 0$.");
+      page_.formula(say("Signorini: 0 <= g, 0 <= N, N g = 0; while g = 0 and w_N = 0: 0 <= dw_N/dt, 0 <= N, N dw_N/dt = 0."),
+                    say("Signorini: $0 \\le g$, $0 \\le N$, $N g = 0$; while $g = 0$ and $w_N = 0$: $0 \\le \\dot{w}_N$, $0 \\le "
+                    "N$, $N \\dot{w}_N = 0$."));
+      page_.formula(say("Open: g > 0, N = 0, T = 0."), say("Open: $g > 0$, $N = 0$, $T = 0$."));
     }
     if (turns_) {
-      page_.formula("Resistance to rolling and spinning: |T| <= h N while w_T = 0, T = -h N w_T/|w_T| while it turns, T a "
-                    "moment, N that of the contact that presses.",
-                    "Resistance to rolling and spinning: $|T| \\le h N$ while $w_T = 0$, $T = -h N \\frac{w_T}{|w_T|}$ while "
-                    "it turns, $T$ a moment, $N$ that of the contact that presses.");
+      page_.formula(say("Resistance to rolling and spinning: |T| <= h N while w_T = 0, T = -h N w_T/|w_T| while it turns, T a "
+                        "moment, N that of the contact that presses."),
+                    say("Resistance to rolling and spinning: $|T| \\le h N$ while $w_T = 0$, $T = -h N \\frac{w_T}{|w_T|}$ while "
+                        "it turns, $T$ a moment, $N$ that of the contact that presses."));
     }
     if (!tangents_) return;
     const bool bounds = std::any_of(contacts_.begin(), contacts_.end(),
                                     [](const ContactRows& c) { return !c.normal && !c.pressed_by; });
-    const std::string and_bound = bounds ? " (b_s of dry friction alone)" : "";
-    const std::string and_bound_latex = bounds ? " ($b_s$ of dry friction alone)" : "";
-    page_.formula(fmt::format("Sticks: w_T = 0, |T| <= f_s N{}.", and_bound),
-                  fmt::format("Sticks: $w_T = 0$, $|T| \\le f_s N${}.", and_bound_latex));
-    page_.formula(fmt::format("Slides: T = -f N w_T/|w_T|{}; where a slip begins, along dw_T/dt in the place of w_T.",
-                              bounds ? ", b in the place of f N for dry friction alone" : ""),
-                  fmt::format("Slides: $T = -f N \\frac{{w_T}}{{|w_T|}}${}; where a slip begins, along $\\dot{{w}}_T$ in the "
+    const std::string and_bound = bounds ? say(" (b_s of dry friction alone)") : "";
+    const std::string and_bound_latex = bounds ? say(" ($b_s$ of dry friction alone)") : "";
+    page_.formula(say("Sticks: w_T = 0, |T| <= f_s N{}.", and_bound),
+                  say("Sticks: $w_T = 0$, $|T| \\le f_s N${}.", and_bound_latex));
+    page_.formula(say("Slides: T = -f N w_T/|w_T|{}; where a slip begins, along dw_T/dt in the place of w_T.",
+                              bounds ? say(", b in the place of f N for dry friction alone") : ""),
+                  say("Slides: $T = -f N \\frac{{w_T}}{{|w_T|}}${}; where a slip begins, along $\\dot{{w}}_T$ in the "
                               "place of $w_T$.",
-                              bounds ? ", $b$ in the place of $f N$ for dry friction alone" : ""));
+                              bounds ? say(", $b$ in the place of $f N$ for dry friction alone") : ""));
   }
 
   void percussions() {
     if (!normals_) return;
     const bool multipliers = !equations_.constraints().empty();
-    page_.section("Percussions");
-    page_.formula(fmt::format("[[X]] = X+ - X- at an impact: [[dT/dq_i']] = sum P dw/dq_i'{}, P = P_N or P_T of each w.",
+    page_.section(say("Percussions"));
+    page_.formula(say("[[X]] = X+ - X- at an impact: [[dT/dq_i']] = sum P dw/dq_i'{}, P = P_N or P_T of each w.",
                               multipliers ? " + sum_j Lambda_j a_ji" : ""),
-                  fmt::format("$[\\![X]\\!] = X^+ - X^-$ at an impact: $\\left[\\!\\left[\\frac{{\\partial T}}{{\\partial "
+                  say("$[\\![X]\\!] = X^+ - X^-$ at an impact: $\\left[\\!\\left[\\frac{{\\partial T}}{{\\partial "
                               "\\dot{{q}}_i}}\\right]\\!\\right] = \\sum P\\, \\frac{{\\partial w}}{{\\partial \\dot{{q}}_i}}"
                               "{}$, $P = P_N$ or $P_T$ of each $w$.",
                               multipliers ? " + \\sum_j \\Lambda_j a_{ji}" : ""));
-    page_.note("Impulses stand where reactions stand above; bounded forces have none.");
-    page_.formula("Newton-Moreau: 0 <= w_N+ + e w_N-, 0 <= P_N, P_N (w_N+ + e w_N-) = 0.",
-                  "Newton-Moreau: $0 \\le w_N^+ + e\\, w_N^-$, $0 \\le P_N$, $P_N (w_N^+ + e\\, w_N^-) = 0$.");
+    page_.note(say("Impulses stand where reactions stand above; bounded forces have none."));
+    page_.formula(say("Newton-Moreau: 0 <= w_N+ + e w_N-, 0 <= P_N, P_N (w_N+ + e w_N-) = 0."),
+                  say("Newton-Moreau: $0 \\le w_N^+ + e\\, w_N^-$, $0 \\le P_N$, $P_N (w_N^+ + e\\, w_N^-) = 0$."));
     if (tangents_) {
-      page_.formula("Friction: |P_T| <= f P_N where w_T+ = 0, P_T = -f P_N w_T+/|w_T+| elsewhere.",
-                    "Friction: $|P_T| \\le f P_N$ where $w_T^+ = 0$, $P_T = -f P_N \\frac{w_T^+}{|w_T^+|}$ elsewhere.");
+      page_.formula(say("Friction: |P_T| <= f P_N where w_T+ = 0, P_T = -f P_N w_T+/|w_T+| elsewhere."),
+                    say("Friction: $|P_T| \\le f P_N$ where $w_T^+ = 0$, $P_T = -f P_N \\frac{w_T^+}{|w_T^+|}$ elsewhere."));
     }
-    page_.formula("Carnot's loss: T- - T+ = -1/2 sum P (w+ + w-); of one contact without friction -1/2 (1 - e) P_N w_N- >= 0.",
-                  "Carnot's loss: $T^- - T^+ = -\\frac{1}{2} \\sum P\\,(w^+ + w^-)$; of one contact without friction "
-                  "$-\\frac{1}{2} (1 - e) P_N w_N^- \\ge 0$.");
+    page_.formula(say("Carnot's loss: T- - T+ = -1/2 sum P (w+ + w-); of one contact without friction -1/2 (1 - e) P_N w_N- >= 0."),
+                  say("Carnot's loss: $T^- - T^+ = -\\frac{1}{2} \\sum P\\,(w^+ + w^-)$; of one contact without friction "
+                  "$-\\frac{1}{2} (1 - e) P_N w_N^- \\ge 0$."));
   }
 
   const Equations& equations_;
@@ -175,6 +175,7 @@ class ContactPage {
   const std::vector<ContactCoefficients> coefficients_;
   InlineView view_;
   Page& page_;
+  const NaturalLanguage& say;
   std::vector<SymbolPointer> reactions_;
   bool normals_ = false, tangents_ = false, turns_ = false;
 };

@@ -36,4 +36,14 @@ Sum DefinitionsView::of_polynomial(const Polynomial& polynomial) const {
   return sum;
 }
 
+std::string meaning_of(const DefinitionsView::Line& line, const NaturalLanguage& say) {
+  // Programs name their definitions in English, "WHAT of WHOM, x"; WHOM is a name of the scene.
+  static constexpr std::string_view of = " of ", joint = "acceleration of joint ";
+  if (say.is_english()) return line.name;
+  if (line.name.starts_with(joint)) return say("acceleration of joint {}", line.name.substr(joint.size()));
+  const std::size_t at = line.name.find(of);
+  if (at == std::string::npos) return say.known(line.name);
+  return say("{} of {}", say.known(line.name.substr(0, at)), line.name.substr(at + of.size()));
+}
+
 }  // namespace torsor::printing

@@ -5,6 +5,7 @@
 #include <unordered_map>
 #include <vector>
 
+#include "generator/base/natural_language.hpp"
 #include "generator/printing/written.hpp"
 #include "generator/program/program.hpp"
 
@@ -19,7 +20,7 @@ class DefinitionsView {
   struct Line {
     int number = 0;
     Written right;
-    std::string meaning;  ///< e.g. "velocity of forearm, x"; may be empty
+    std::string name;  ///< e.g. "velocity of forearm, x"; may be empty
   };
   const std::vector<Line>& lines() const { return lines_; }
 
@@ -32,5 +33,8 @@ class DefinitionsView {
   std::unordered_map<ValueNumber, Sum> value_numbers_;  ///< looked up, never iterated
   std::vector<Line> lines_;
 };
+
+/// What a definition is, for a reader; empty where it has no name.
+std::string meaning_of(const DefinitionsView::Line& line, const NaturalLanguage& say);
 
 }  // namespace torsor::printing

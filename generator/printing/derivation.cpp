@@ -62,7 +62,7 @@ Derivation::Derivation(const Scene& scene, const InlineLimits& limits, Page& pag
 
 bool Derivation::too_many(std::size_t count, std::size_t most, const std::string& what) {
   if (count <= most) return false;
-  page_.note(fmt::format("Not written one by one: there are {} {}, and a page is for {} at most.", count, what, most));
+  page_.note(page_.say("Not written one by one: there are {} {}, and a page is for {} at most.", count, what, most));
   return true;
 }
 
@@ -105,7 +105,7 @@ void Derivation::vector(const Spelling& name, const std::string& entry, const Ve
   for (int i = 0; i < 3; ++i) {
     const std::optional<Sum> sum = vector[i].is_zero() ? Sum() : view_.sum(vector[i]);
     if (!sum) {
-      page_.note(fmt::format("{} is too long to be written out.", name.plain));
+      page_.note(page_.say("{} is too long to be written out.", name.plain));
       return;
     }
     rows.push_back({collected(*sum)});
@@ -118,38 +118,38 @@ void Derivation::formula(const Spelling& left, const Value& value, const std::st
   if (sum) {
     page_.stated(left, collected(*sum), remark);
   } else {
-    page_.note(fmt::format("{} is too long to be written out.", left.plain));
+    page_.note(page_.say("{} is too long to be written out.", left.plain));
   }
 }
 
 void Derivation::screws() {
-  page_.step("Twist and momentum screw of each body at its centre of mass");
+  page_.step(page_.say("Twist and momentum screw of each body at its centre of mass"));
   const std::vector<BodyContent>& bodies = scene_.content().bodies;
-  if (too_many(bodies.size(), most_bodies, "bodies")) return;
-  page_.formula("{Omega; V(G)} and {m V(G); sigma_G}, sigma_G = J_G Omega.",
-                "$\\left\\{\\vec{\\Omega}\\,;\\ \\vec{V}(G)\\right\\}$ and $\\left\\{m \\vec{V}(G)\\,;\\ "
-                "\\vec{\\sigma}_G\\right\\}$, $\\vec{\\sigma}_G = J_G\\,\\vec{\\Omega}$.");
+  if (too_many(bodies.size(), most_bodies, page_.say("bodies"))) return;
+  page_.formula(page_.say("{Omega; V(G)} and {m V(G); sigma_G}, sigma_G = J_G Omega."),
+                page_.say("$\\left\\{\\vec{\\Omega}\\,;\\ \\vec{V}(G)\\right\\}$ and $\\left\\{m \\vec{V}(G)\\,;\\ "
+                          "\\vec{\\sigma}_G\\right\\}$, $\\vec{\\sigma}_G = J_G\\,\\vec{\\Omega}$."));
   const Model& model = equations_.model();
   for (std::size_t k = 0; k < bodies.size(); ++k) {
     const std::string& name = bodies[k].name;
     BodyAtCentre body{name, model.place(bodies[k].frame, "body '" + name + "'").link, {centres_[k], "ground", "ground"}, {}};
     choose_axes(body, bodies[k].frame);
-    page_.note(fmt::format("{}, along the axes of {}:", name, body.axes));
+    page_.note(page_.say("{}, along the axes of {}:", name, body.axes));
     const Twist twist = as_asked(model, relative_twist(model, body.link, 0), body.link, body.query);
     const MomentumScrew momentum = momentum_screw(model, {name}, body.query);
     const std::string who = named_object(name).latex;
     vector({fmt::format("Omega({})", name), fmt::format("\\vec{{\\Omega}}({})", who)}, entry_of("Omega", name), twist.angular);
-    vector({fmt::format("V(G of {})", name), fmt::format("\\vec{{V}}(G_{{{}}})", who)}, entry_of("V", name), twist.linear);
+    vector({page_.say("V(G of {})", name), fmt::format("\\vec{{V}}(G_{{{}}})", who)}, entry_of("V", name), twist.linear);
     vector({fmt::format("sigma_G({})", name), fmt::format("\\vec{{\\sigma}}_G({})", who)}, entry_of("sigma", name), momentum.moment);
   }
 }
 
 void Derivation::kinetic_energies() {
-  page_.step("Kinetic energy, body by body");
+  page_.step(page_.say("Kinetic energy, body by body"));
   const std::vector<BodyContent>& bodies = scene_.content().bodies;
-  if (too_many(bodies.size(), most_bodies, "bodies")) return;
-  page_.formula("T = 1/2 (m V(G)^2 + sigma_G . Omega), in J.",
-                "$T = \\frac{1}{2}\\left(m \\vec{V}(G)^2 + \\vec{\\sigma}_G \\cdot \\vec{\\Omega}\\right)$, in J.");
+  if (too_many(bodies.size(), most_bodies, page_.say("bodies"))) return;
+  page_.formula(page_.say("T = 1/2 (m V(G)^2 + sigma_G . Omega), in J."),
+                page_.say("$T = \\frac{1}{2}\\left(m \\vec{V}(G)^2 + \\vec{\\sigma}_G \\cdot \\vec{\\Omega}\\right)$, in J."));
   for (const BodyContent& body : bodies) {
     formula({fmt::format("T({})", body.name), fmt::format("T({})", named_object(body.name).latex)},
             kinetic_energy(equations_.model(), {body.name}));
@@ -157,7 +157,7 @@ void Derivation::kinetic_energies() {
 }
 
 void Derivation::partial_derivatives(const std::vector<LagrangeEquation>& equations) {
-  page_.step("Partial derivatives of the kinetic energy");
+  page_.step(page_.say("Partial derivatives of the kinetic energy"));
   bool left_out = false;
   const auto write = [&](const Spelling& left, const std::optional<Sum>& sum, const Layout& layout) {
     if (sum) page_.stated(left, collected(*sum, layout), "");
@@ -173,22 +173,24 @@ void Derivation::partial_derivatives(const std::vector<LagrangeEquation>& equati
     if (equation.coordinate.attitude) continue;
     write({fmt::format("dT/d({})", q.plain), fmt::format("\\frac{{\\partial T}}{{\\partial {}}}", q.latex)}, steps.along, {});
   }
-  if (left_out) page_.note("Those that are missing are too long to be written out.");
+  if (left_out) page_.note(page_.say("Those that are missing are too long to be written out."));
 }
 
 void Derivation::forces() {
-  page_.step("Generalised forces, action by action");
+  page_.step(page_.say("Generalised forces, action by action"));
   const Model& model = equations_.model();
   const SceneContent& content = scene_.content();
   std::vector<std::string> names;
-  if (!gravity_force_function(model).is_zero()) names.emplace_back("gravity");
+  const bool weighs = !gravity_force_function(model).is_zero();
+  if (weighs) names.emplace_back("gravity");
   for (const ActionContent& action : content.actions) names.push_back(name_of(action));
-  if (names.empty()) page_.note("No action works.");
-  if (too_many(names.size(), most_actions, "actions")) return;
+  if (names.empty()) page_.note(page_.say("No action works."));
+  if (too_many(names.size(), most_actions, page_.say("actions"))) return;
   for (const std::string& name : names) {
     const SelectedActions selected = selected_actions(model, {{name}, {}});
     const bool none = std::all_of(selected.forces.begin(), selected.forces.end(), [](const Value& q) { return q.is_zero(); });
-    page_.note(fmt::format("{}{}", name, none ? ": no coordinate that is free makes it work." : ":"));
+    const std::string who = name == "gravity" && weighs ? page_.say("gravity") : name;
+    page_.note(none ? page_.say("{}: no coordinate that is free makes it work.", who) : page_.say("{}:", who));
     if (!selected.force_function.is_zero()) formula({"U", "U"}, selected.force_function);
     for (std::size_t i = 0; i < selected.forces.size(); ++i) {
       if (selected.forces[i].is_zero()) continue;
@@ -197,21 +199,21 @@ void Derivation::forces() {
     }
   }
   for (const ContactFriction& friction : content.frictions) {
-    page_.note(fmt::format("{}: friction, in proportion to the multiplier of its contact.", friction.name));
+    page_.note(page_.say("{}: friction, in proportion to the multiplier of its contact.", friction.name));
   }
 }
 
 void Derivation::reactions() {
-  page_.step("What joints transmit");
+  page_.step(page_.say("What joints transmit"));
   const std::vector<Connection> joints = connections(equations_);
-  if (too_many(joints.size(), most_bodies, "joints")) return;
+  if (too_many(joints.size(), most_bodies, page_.say("joints"))) return;
   page_.note(
-      "By Newton-Euler for what hangs on the joint: force R [N] and moment M [N m] on the body, at the origin of its frame, "
-      "along its axes. Motors and springs in the joint are part of them.");
+      page_.say("By Newton-Euler for what hangs on the joint: force R [N] and moment M [N m] on the body, at the origin of its "
+                "frame, along its axes. Motors and springs in the joint are part of them."));
   const std::vector<Wrench> transmitted = transmitted_wrenches(equations_);
   for (const Connection& joint : joints) {
     const std::string& body = equations_.model().links()[as_index(joint.bottom)].name;
-    page_.note(fmt::format("{}, on {}:", joint.name, body));
+    page_.note(page_.say("{}, on {}:", joint.name, body));
     const std::string who = named_object(joint.name).latex;
     const Wrench& wrench = transmitted[as_index(joint.bottom)];
     vector({fmt::format("R({})", joint.name), fmt::format("\\vec{{R}}({})", who)}, entry_of("R", joint.name), wrench.resultant);

@@ -23,8 +23,7 @@ std::vector<NamedProduct> disc_products(const Model& model) {
     const int index = scene.symbol_count + static_cast<int>(model.coordinates().size() + products.size());
     const SymbolPointer symbol =
         std::make_shared<const Symbol>(Symbol{"n.k_" + point.name, Unit(), SymbolKind::coordinate, index, nullptr});
-    products.push_back({symbol, along,
-                        fmt::format("normal of the plane times axis of the disc at {}", point.name)});
+    products.push_back({symbol, along, point.name});
   }
   return products;
 }

@@ -11,7 +11,7 @@ namespace torsor::printing {
 struct NamedProduct {
   SymbolPointer symbol;  ///< "n.k_P"
   Value value;
-  std::string meaning;
+  std::string point;  ///< of the disc that touches the plane
 };
 
 /// n·k of every point where a disc touches a plane, n the normal of the plane and k the axis of the disc: the height of

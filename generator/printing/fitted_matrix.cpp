@@ -44,11 +44,11 @@ FittedMatrix with_names(const std::string& entry, const WrittenMatrix& rows, std
 
 }  // namespace
 
-FittedMatrix fitted(const std::string& entry, const WrittenMatrix& rows, std::size_t width) {
+FittedMatrix fitted(const std::string& entry, const WrittenMatrix& rows, std::size_t width, const NaturalLanguage& say) {
   if (width_of(rows) <= width) return {rows, {}};
-  FittedMatrix list{{}, {}, "entries that are not zero"};
+  FittedMatrix list{{}, {}, say("entries that are not zero")};
   if (rows[0].size() == 1) {  // a column of names says nothing
-    list.instead = "by components";
+    list.instead = say("by components");
     for (std::size_t i = 0; i < rows.size(); ++i) list.named.emplace_back(entry_name(entry, rows, i, 0), rows[i][0]);
     return list;
   }

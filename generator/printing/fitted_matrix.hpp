@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "generator/base/natural_language.hpp"
 #include "generator/printing/written.hpp"
 
 namespace torsor::printing {
@@ -17,11 +18,11 @@ struct FittedMatrix {
   WrittenMatrix rows;
   std::vector<std::pair<std::string, Written>> named;
   /// Empty, or why there are no rows and what `named` has instead: "by components" of a column, else "entries that are
-  /// not zero" of what is too wide even with names.
+  /// not zero" of what is too wide even with names, in the language that is asked for.
   std::string instead = {};
 };
 
 /// `width`: of a line, in characters of plain text. `entry`: the name of the matrix. An empty entry is zero.
-FittedMatrix fitted(const std::string& entry, const WrittenMatrix& rows, std::size_t width);
+FittedMatrix fitted(const std::string& entry, const WrittenMatrix& rows, std::size_t width, const NaturalLanguage& say = {});
 
 }  // namespace torsor::printing

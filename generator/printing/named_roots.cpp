@@ -23,7 +23,7 @@ bool is_root(const WrittenFactor& factor) { return !factor.base && !factor.size 
 /// Keeps what is written until all of it is known.
 class RootPage final : public Page {
  public:
-  explicit RootPage(std::unique_ptr<Page> page) : page_(std::move(page)) {}
+  explicit RootPage(std::unique_ptr<Page> page) : Page(page->say), page_(std::move(page)) {}
 
   void title(const SceneContent& scene) override {
     lines_.emplace_back([this, &scene] { page_->title(scene); });
@@ -77,7 +77,7 @@ class RootPage final : public Page {
       if (root.count > 1) root.name = fmt::format("root_{}", ++number);
     }
     for (const auto& line : lines_) line();
-    if (number > 0) page_->section("Roots");
+    if (number > 0) page_->section(say("Roots"));
     for (const std::string& radicand : in_order_) {
       const Root& root = roots_.at(radicand);
       if (root.name.empty()) continue;
@@ -160,9 +160,9 @@ std::string words_as_page(const std::string& text, const SceneContent& scene, co
 }
 
 std::unique_ptr<Page> page_of(const PageStyle& style) {
-  return with_named_roots(style.format == Format::text    ? text_page()
-                          : style.format == Format::latex ? latex_page(style.document)
-                                                          : html_page());
+  return with_named_roots(style.format == Format::text    ? text_page(style.language)
+                          : style.format == Format::latex ? latex_page(style.document, style.language)
+                                                          : html_page(style.language));
 }
 
 }  // namespace torsor::printing

@@ -20,10 +20,11 @@ Spelling bold(const std::string& name);
 /// The name of a body, a joint or an action, which is data: an identifier as a symbol, anything else as escaped text.
 Spelling named_object(const std::string& name);
 
-/// Where equations are written: one implementation per format. Sentences are plain ASCII; `$...$` never occurs in them.
+/// Where equations are written: one implementation per format. English sentences are plain ASCII; `$...$` never
+/// occurs in them.
 class Page {
  public:
-  Page() = default;
+  explicit Page(const NaturalLanguage& language = {}) : say(language) {}
   Page(const Page&) = delete;
   Page& operator=(const Page&) = delete;
   virtual ~Page() = default;
@@ -48,6 +49,8 @@ class Page {
   virtual void matrix(const Spelling& name, const std::string& entry,
                       const std::vector<std::vector<Written>>& rows) = 0;
   virtual std::string finish() = 0;
+
+  const NaturalLanguage say;  ///< the language in which sentences are given to it
 };
 
 /// Lines of words as a page: one that is not indented begins a section.
@@ -56,11 +59,11 @@ std::string words_as_page(const std::string& text, const SceneContent& scene, co
 /// A page in the format, which names roots that it meets several times.
 std::unique_ptr<Page> page_of(const PageStyle& style);
 
-std::unique_ptr<Page> text_page();
-std::unique_ptr<Page> latex_page(bool document);
+std::unique_ptr<Page> text_page(const NaturalLanguage& language);
+std::unique_ptr<Page> latex_page(bool document, const NaturalLanguage& language);
 /// Folded sections of HTML without a title: every formula as text, with its LaTeX in the attribute data-latex. Whatever
 /// comes from a scene is escaped.
-std::unique_ptr<Page> html_page();
+std::unique_ptr<Page> html_page(const NaturalLanguage& language);
 
 /// A one-letter name such as T or z12 as a sum.
 Written named(const std::string& name);

@@ -29,6 +29,7 @@ std::string unit_of(const Symbol& symbol) {
 
 class HtmlPage final : public Page {
  public:
+  using Page::Page;
   void title(const SceneContent&) override {}
   void section(const std::string& heading) override { begin(heading, " open"); }
   void step(const std::string& heading) override { begin(heading, ""); }
@@ -73,7 +74,7 @@ class HtmlPage final : public Page {
   }
   void matrix(const Spelling& name, const std::string& entry, const WrittenMatrix& rows) override {
     if (rows.empty() || rows[0].empty()) return;
-    const FittedMatrix matrix = fitted(entry, rows, line_of_page);
+    const FittedMatrix matrix = fitted(entry, rows, line_of_page, say);
     if (!matrix.instead.empty()) {
       display(fmt::format("{}\\text{{, {}:}}", name.latex, matrix.instead),
               fmt::format("{}, {}:", name.plain, matrix.instead), "", "");
@@ -128,6 +129,6 @@ class HtmlPage final : public Page {
 
 }  // namespace
 
-std::unique_ptr<Page> html_page() { return std::make_unique<HtmlPage>(); }
+std::unique_ptr<Page> html_page(const NaturalLanguage& language) { return std::make_unique<HtmlPage>(language); }
 
 }  // namespace torsor::printing

@@ -19,7 +19,7 @@ std::string value_latex(const Written& value) {
 
 class LatexPage final : public Page {
  public:
-  explicit LatexPage(bool document) : document_(document) {
+  LatexPage(bool document, const NaturalLanguage& language) : Page(language), document_(document) {
     if (!document) return;
     out_ =
         "\\documentclass{article}\n"
@@ -67,15 +67,15 @@ class LatexPage final : public Page {
       row(fmt::format("&{} \\\\\n  &\\quad = {}{}", latex_lines(left, line_width), latex_lines(right, line_width),
                       end));
     }
-    say(remark);
+    put(remark);
   }
   void stated(const Spelling& left, const Written& right, const std::string& remark) override {
     row(fmt::format("{} &= {}", left.latex, latex_lines(right, line_width)));
-    say(remark);
+    put(remark);
   }
   void matrix(const Spelling& name, const std::string& entry, const WrittenMatrix& rows) override {
     if (rows.empty() || rows[0].empty()) return;
-    const FittedMatrix matrix = fitted(entry, rows, line_width);
+    const FittedMatrix matrix = fitted(entry, rows, line_width, say);
     if (!matrix.instead.empty()) {
       formula({}, fmt::format("${}$, {}:", name.latex, matrix.instead));
     } else {
@@ -101,7 +101,7 @@ class LatexPage final : public Page {
 
  private:
   /// A remark on the equation before it: a line of its own, so that it cannot fall off the page.
-  void say(const std::string& remark) {
+  void put(const std::string& remark) {
     if (remark.empty()) return;
     close();
     out_ += fmt::format("\\hfill{{\\small ({})}}\\par\n", latex_escaped(accented(remark)));
@@ -125,6 +125,8 @@ class LatexPage final : public Page {
 
 }  // namespace
 
-std::unique_ptr<Page> latex_page(bool document) { return std::make_unique<LatexPage>(document); }
+std::unique_ptr<Page> latex_page(bool document, const NaturalLanguage& language) {
+  return std::make_unique<LatexPage>(document, language);
+}
 
 }  // namespace torsor::printing

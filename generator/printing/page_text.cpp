@@ -21,6 +21,7 @@ std::string value_text(const Written& value) {
 
 class TextPage final : public Page {
  public:
+  using Page::Page;
   void title(const SceneContent& scene) override {
     out_ += scene.title.empty() ? fmt::format("{}\n", scene.name) : fmt::format("{}: {}\n", scene.name, scene.title);
   }
@@ -57,7 +58,7 @@ class TextPage final : public Page {
   }
   void matrix(const Spelling& name, const std::string& entry, const WrittenMatrix& rows) override {
     if (rows.empty() || rows[0].empty()) return;
-    const FittedMatrix matrix = fitted(entry, rows, page_width);
+    const FittedMatrix matrix = fitted(entry, rows, page_width, say);
     if (!matrix.instead.empty()) note(fmt::format("{}, {}:", name.plain, matrix.instead));
     std::vector<std::size_t> widths(matrix.instead.empty() ? rows[0].size() : 0, 0);
     for (std::size_t j = 0; j < widths.size(); ++j) {
@@ -83,7 +84,7 @@ class TextPage final : public Page {
 
 }  // namespace
 
-std::unique_ptr<Page> text_page() { return std::make_unique<TextPage>(); }
+std::unique_ptr<Page> text_page(const NaturalLanguage& language) { return std::make_unique<TextPage>(language); }
 
 Spelling bold(const std::string& name) { return {name, fmt::format("\\mathbf{{{}}}", name)}; }
 

@@ -28,7 +28,7 @@ namespace {
 class Printer {
  public:
   Printer(const Scene& scene, const PrintOptions& options, Page& page)
-      : scene_(scene), options_(options), page_(page), equations_(scene, {options.terms, options.expansion}, options.derivation) {
+      : scene_(scene), options_(options), page_(page), say(page.say), equations_(scene, {options.terms, options.expansion}, options.derivation) {
     gather_long_results();
   }
 
@@ -82,14 +82,14 @@ class Printer {
 
   void say_too_long(const std::string& what, const Quantity& quantity) {
     page_.note(
-        fmt::format("{} too long to be written out (up to {:.2g} terms before anything cancels; limits: {} of "
-                    "those, {} to be read): named definitions are at the end.",
-                    what, quantity.terms, options_.expansion, options_.terms));
+        say("{} too long to be written out (up to {:.2g} terms before anything cancels; limits: {} of "
+            "those, {} to be read): named definitions are at the end.",
+            what, quantity.terms, options_.expansion, options_.terms));
   }
 
   void parameters() {
     if (scene_.content().parameters.empty()) return;
-    page_.section("Parameters");
+    page_.section(say("Parameters"));
     for (const ParameterContent& parameter : scene_.content().parameters) {
       const std::optional<Sum> value =
           parameter.value ? equations_.view().sum(equations_.program().lower(*parameter.value)) : std::nullopt;
@@ -97,22 +97,22 @@ class Printer {
         const bool number = level(*value) <= Level::constant;
         page_.value(*parameter.symbol, collected(*value), number);
       } else {
-        page_.symbol(*parameter.symbol, parameter.value ? "" : "given at run time");
+        page_.symbol(*parameter.symbol, parameter.value ? "" : say("given at run time"));
       }
     }
   }
 
   void coordinates() {
     const SceneContent& scene = scene_.content();
-    page_.section("Coordinates");
+    page_.section(say("Coordinates"));
     for (const CoordinateContent& c : scene.coordinates) {
       if (c.law) continue;
       if (!c.attitude) {
-        page_.symbol(*c.q, c.released ? "released: held at zero by the joint, its reaction is asked for" : "");
+        page_.symbol(*c.q, c.released ? say("released: held at zero by the joint, its reaction is asked for") : "");
         continue;
       }
-      for (const SymbolPointer& e : positions_with(scene, c)) page_.symbol(*e, "component of a unit quaternion");
-      page_.symbol(*c.v, "angular velocity in moving axes");
+      for (const SymbolPointer& e : positions_with(scene, c)) page_.symbol(*e, say("component of a unit quaternion"));
+      page_.symbol(*c.v, say("angular velocity in moving axes"));
     }
     for (const CoordinateContent& c : scene.coordinates) {
       if (!c.law) continue;
@@ -120,15 +120,15 @@ class Printer {
       if (law) page_.value(*c.q, collected(*law), level(*law) <= Level::constant);
     }
     const std::vector<SymbolPointer> inputs = equations_.definitions().model().inputs();
-    if (!inputs.empty()) page_.section("Inputs");
+    if (!inputs.empty()) page_.section(say("Inputs"));
     for (const SymbolPointer& input : inputs) page_.symbol(*input, "");
-    if (!equations_.constraints().empty()) page_.section("Multipliers");
+    if (!equations_.constraints().empty()) page_.section(say("Multipliers"));
     for (const ConstraintEquation& constraint : equations_.constraints()) {
-      page_.symbol(*constraint.multiplier, "of the constraint " + constraint.name);
+      page_.symbol(*constraint.multiplier, say("of the constraint {}", constraint.name));
     }
     const Equations& equations = equations_.definitions();
     if (equations.constraints().empty()) return;
-    for (const std::string& sentence : notes(equations.redundancy(), scene_)) page_.note(sentence);
+    for (const std::string& sentence : notes(equations.redundancy(), scene_, say)) page_.note(sentence);
   }
 
   void energies() {
@@ -138,8 +138,8 @@ class Printer {
       if (!quantity.sum) say_too_long(sentence, quantity);
       page_.equation("", named(name), written(quantity), "");
     };
-    print("Kinetic energy [J]", "T", "The kinetic energy is", equations_.kinetic_energy());
-    print("Force function [J]", "U", "The force function is", equations_.force_function());
+    print(say("Kinetic energy [J]"), "T", say("The kinetic energy is"), equations_.kinetic_energy());
+    print(say("Force function [J]"), "U", say("The force function is"), equations_.force_function());
   }
 
   /// Σ_k ∂e_k/∂q_i u_k and the reaction: what stands on the right of an equation given by definitions.
@@ -156,28 +156,28 @@ class Printer {
   }
 
   void lagrange() {
-    page_.section("Lagrange's equations");
+    page_.section(say("Lagrange's equations"));
     const bool multipliers = !equations_.constraints().empty();
     page_.formula(
-        fmt::format("P_i = d/dt(dT/dq_i') - dT/dq_i on the left, the generalised forces Q_i{} on the right.",
+        say("P_i = d/dt(dT/dq_i') - dT/dq_i on the left, the generalised forces Q_i{} on the right.",
                     multipliers ? " + sum_j lambda_j a_ji" : ""),
-        fmt::format("$P_i = \\frac{{\\mathrm{{d}}}}{{\\mathrm{{d}}t}}\\frac{{\\partial T}}{{\\partial \\dot{{q}}_i}} - "
+        say("$P_i = \\frac{{\\mathrm{{d}}}}{{\\mathrm{{d}}t}}\\frac{{\\partial T}}{{\\partial \\dot{{q}}_i}} - "
                     "\\frac{{\\partial T}}{{\\partial q_i}}$ on the left, the generalised forces $Q_i{}$ on the right.",
                     multipliers ? " + \\sum_j \\lambda_j a_{ji}" : ""));
     if (!scene_.content().attitudes.empty()) {
       page_.formula(
-          "Along the angular velocity w of an attitude, P = d/dt(dT/dw) + w x dT/dw, less the derivative of T along the "
-          "same turn.",
-          "Along the angular velocity $\\omega$ of an attitude, $P = \\frac{\\mathrm{d}}{\\mathrm{d}t}\\frac{\\partial "
-          "T}{\\partial \\omega} + \\omega \\wedge \\frac{\\partial T}{\\partial \\omega}$, less the derivative of "
-          "$T$ along the same turn.");
+          say("Along the angular velocity w of an attitude, P = d/dt(dT/dw) + w x dT/dw, less the derivative of T along the "
+              "same turn."),
+          say("Along the angular velocity $\\omega$ of an attitude, $P = \\frac{\\mathrm{d}}{\\mathrm{d}t}\\frac{\\partial "
+              "T}{\\partial \\omega} + \\omega \\wedge \\frac{\\partial T}{\\partial \\omega}$, less the derivative of "
+              "$T$ along the same turn."));
     }
     bool said = false;
     for (std::size_t i = 0; i < equations_.equations().size(); ++i) {
       const LagrangeEquation& equation = equations_.equations()[i];
       if (equation.written_out() || said) continue;
       said = true;
-      say_too_long("Equations below with everything but the inputs on the left are", equation.inertia);
+      say_too_long(say("Equations below with everything but the inputs on the left are"), equation.inertia);
     }
     for (std::size_t i = 0; i < equations_.equations().size(); ++i) {
       const LagrangeEquation& equation = equations_.equations()[i];
@@ -194,25 +194,29 @@ class Printer {
 
   void constraints() {
     if (equations_.constraints().empty()) return;
-    page_.section("Constraints");
+    page_.section(say("Constraints"));
     for (const ConstraintEquation& constraint : equations_.constraints()) {
       if (constraint.left.sum && constraint.left.sum->is_zero()) {
-        page_.note(fmt::format("{} ({}) holds whatever the motion: it is no equation, and its multiplier is 0.",
-                               constraint.name, constraint.holonomic ? "holonomic" : "non-holonomic"));
+        page_.note(say("{} ({}) holds whatever the motion: it is no equation, and its multiplier is 0.", constraint.name,
+                       constraint.holonomic ? say("holonomic") : say("non-holonomic")));
         continue;
       }
-      if (!constraint.left.sum) say_too_long("The constraint " + constraint.name + " is", constraint.left);
+      if (!constraint.left.sum) say_too_long(say("The constraint {} is", constraint.name), constraint.left);
       page_.equation("", written(constraint.left), {},
-                     constraint.name + (constraint.holonomic ? ", holonomic" : ", non-holonomic"));
+                     constraint.holonomic ? say("{}, holonomic", constraint.name) : say("{}, non-holonomic", constraint.name));
     }
   }
 
   void equations_without_multipliers() {
     const std::optional<FreeEquations> free = without_multipliers(equations_);
     if (!free) return;
-    page_.section("Equations without multipliers");
-    page_.note(fmt::format("The multipliers from the equation{} of {}, put into the other{}:", free->dependent.size() == 1 ? "" : "s",
-                           fmt::join(free->dependent, ", "), free->equations.size() == 1 ? "" : "s"));
+    page_.section(say("Equations without multipliers"));
+    const std::string from = fmt::format("{}", fmt::join(free->dependent, ", "));
+    const bool one = free->dependent.size() == 1, one_left = free->equations.size() == 1;
+    page_.note(one ? one_left ? say("The multipliers from the equation of {}, put into the other:", from)
+                              : say("The multipliers from the equation of {}, put into the others:", from)
+               : one_left ? say("The multipliers from the equations of {}, put into the other:", from)
+                          : say("The multipliers from the equations of {}, put into the others:", from));
     for (const FreeEquation& equation : free->equations) {
       Sum left, right;
       for (const auto& [product, coefficient] : equation.residual.terms()) {
@@ -227,37 +231,32 @@ class Printer {
   }
 
   void linearisation() {
-    page_.section("Linearised equations");
+    page_.section(say("Linearised equations"));
     if (!equations_.written_out()) {
       page_.note(
-          "Not printed, because the equations are too long to be written out: generate the kernel linearisation.");
+          say("Not printed, because the equations are too long to be written out: generate the kernel linearisation."));
       return;
     }
     std::size_t terms = 0;
     for (const LagrangeEquation& equation : equations_.equations()) terms += equation.inertia.sum->size();
     if (options_.about.empty() && static_cast<int>(terms) > options_.terms) {
       page_.note(
-          fmt::format("Not printed about any state, because the equations have {} terms together (limit {}): name "
-                      "a state, or generate the kernel linearisation.",
-                      terms, options_.terms));
+          say("Not printed about any state, because the equations have {} terms together (limit {}): name "
+              "a state, or generate the kernel linearisation.",
+              terms, options_.terms));
       return;
     }
     const LinearisedEquations linear = linearised(equations_, scene_, options_.about);
-    page_.formula("M e'' + C e' + K e = F + E u, e the deviation from the state, in the order of the coordinates.",
-                  "$\\mathbf{M} \\ddot{\\varepsilon} + \\mathbf{C} \\dot{\\varepsilon} + \\mathbf{K} \\varepsilon = "
+    page_.formula(say("M e'' + C e' + K e = F + E u, e the deviation from the state, in the order of the coordinates."),
+                  say("$\\mathbf{M} \\ddot{\\varepsilon} + \\mathbf{C} \\dot{\\varepsilon} + \\mathbf{K} \\varepsilon = "
                   "\\mathbf{F} + \\mathbf{E} u$, $\\varepsilon$ the "
-                  "deviation from the state, in the order of the coordinates.");
-    std::string state = "About any state without acceleration.";
-    if (!options_.about.empty()) {
-      state = "About";
-      for (const auto& [name, formula] : options_.about) {
-        state += fmt::format("{} {} = {}", state == "About" ? "" : ",", name, formula);
-      }
-      state += "; velocities and accelerations not named are zero.";
-    }
-    page_.note(state);
+                  "deviation from the state, in the order of the coordinates."));
+    std::string state;
+    for (const auto& [name, formula] : options_.about) state += fmt::format("{}{} = {}", state.empty() ? "" : ", ", name, formula);
+    page_.note(state.empty() ? say("About any state without acceleration.")
+                             : say("About {}; velocities and accelerations not named are zero.", state));
     if (!equations_.constraints().empty()) {
-      page_.note("At fixed multipliers, in all coordinates: A' dlambda and the linearised constraints come beside it.");
+      page_.note(say("At fixed multipliers, in all coordinates: A' dlambda and the linearised constraints come beside it."));
     }
     matrix("M", linear.M);
     matrix("C", linear.C);
@@ -281,19 +280,20 @@ class Printer {
   void definitions() {
     const auto products = equations_.named_products();
     if (!definitions_ && products.empty()) return;
-    page_.section("Definitions");
+    page_.section(say("Definitions"));
     for (const auto& [product, sum] : products) {
-      page_.equation("", named(product.symbol->name), collected(sum), product.meaning);
+      page_.equation("", named(product.symbol->name), collected(sum), say("normal of the plane times axis of the disc at {}", product.point));
     }
     if (!definitions_) return;
     for (const DefinitionsView::Line& line : definitions_->lines()) {
-      page_.equation("", collected(Sum::definition(line.number)), line.right, line.meaning);
+      page_.equation("", collected(Sum::definition(line.number)), line.right, meaning_of(line, say));
     }
   }
 
   const Scene& scene_;
   const PrintOptions& options_;
   Page& page_;
+  const NaturalLanguage& say;
   LagrangeEquations equations_;
   std::optional<DefinitionsView> definitions_;
 };
@@ -303,7 +303,7 @@ class Printer {
 
 std::string print_equations(const Scene& scene, Format format, const PrintOptions& options) {
   validate(scene);
-  const std::unique_ptr<printing::Page> page = printing::page_of({format, options.document});
+  const std::unique_ptr<printing::Page> page = printing::page_of({format, options.document, options.language});
   printing::Printer(scene, options, *page).print();
   return page->finish();
 }

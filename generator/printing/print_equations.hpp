@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "generator/base/natural_language.hpp"
 #include "generator/mechanics/scene.hpp"
 
 namespace torsor {
@@ -19,6 +20,7 @@ enum class Format {
 struct PageStyle {
   Format format = Format::text;
   bool document = false;  ///< LaTeX: a whole document instead of a fragment
+  NaturalLanguage language{};
 };
 
 struct PrintOptions {
@@ -33,6 +35,7 @@ struct PrintOptions {
   std::vector<std::pair<std::string, std::string>> about{};
   int terms = 400;        ///< what has more terms is given by named definitions instead
   int expansion = 20000;  ///< what would have more terms before anything cancels is not even multiplied out
+  NaturalLanguage language{};
 };
 
 /// The equations a person reads: symbols with units and values, T, U, one Lagrange equation per coordinate with inertia

@@ -54,16 +54,15 @@ std::string ReadablePage::finish(const SceneContent& scene, const PageStyle& sty
   if (!long_results_.empty()) {
     definitions_.emplace(*program_, long_results_);
     page->note(
-        fmt::format("What has more than {} terms, or more than {} before anything cancels, is given by the named "
-                    "definitions at the "
-                    "end.",
-                    view_.limits().terms, view_.limits().expansion));
+        page->say("What has more than {} terms, or more than {} before anything cancels, is given by the named definitions at the "
+                  "end.",
+                  view_.limits().terms, view_.limits().expansion));
   }
   for (const auto& line : lines_) line(*page);
   if (definitions_) {
-    page->section("Definitions");
+    page->section(page->say("Definitions"));
     for (const DefinitionsView::Line& line : definitions_->lines()) {
-      page->equation("", collected(Sum::definition(line.number)), line.right, line.meaning);
+      page->equation("", collected(Sum::definition(line.number)), line.right, meaning_of(line, page->say));
     }
   }
   return page->finish();

@@ -31,11 +31,12 @@ class StaticsWriter {
   StaticsWriter(const Scene& scene, const About& about, const About& set, const PageStyle& style)
       : scene_(scene),
         equations_(scene, symbolic()),
-        statics_(equilibrium_equations(equations_)),
+        statics_(equilibrium_equations(equations_, style.language)),
         page_(equations_.program(), scene.content()),
         about_(about),
         set_(named(set)),
-        style_(style) {
+        style_(style),
+        say(style_.language) {
     if (set_.empty()) return;
     std::string values;
     for (std::size_t k = 0; k < set.size(); ++k) {
@@ -50,13 +51,13 @@ class StaticsWriter {
     statics_.conditions = with_values(statics_.conditions);
     if (statics_.from_potential) statics_.potential = with_values(statics_.potential);
     statics_.hessian = with_values(statics_.hessian);
-    page_.note("With " + values + ".");
+    page_.note(say("With {}.", values));
   }
 
   std::string write() {
     equilibrium();
     if (about_.empty()) {
-      second_derivatives(statics_.hessian, "at any configuration");
+      second_derivatives(statics_.hessian);
       return finish();
     }
     const AtState at(equations_, state());
@@ -107,63 +108,62 @@ class StaticsWriter {
   std::string potential_name() const { return statics_.driven ? "-(U + T0)" : "-U"; }
 
   void equilibrium() {
-    page_.section("Equations of equilibrium");
-    if (statics_.from_potential) page_.stated({potential_name(), statics_.driven ? "-(U + T_{0})" : "-U"}, statics_.potential, "in J");
+    page_.section(say("Equations of equilibrium"));
+    if (statics_.from_potential) page_.stated({potential_name(), statics_.driven ? "-(U + T_{0})" : "-U"}, statics_.potential, say("in J"));
     for (const std::string& remark : statics_.remarks) page_.note(remark + ".");
     for (std::size_t i = 0; i < statics_.rows.size(); ++i) {
       page_.equation(name_of(statics_.freedoms[i]), Value(), statics_.rows[i]);
     }
-    for (const Value& condition : statics_.conditions) page_.equation("", Value(), condition, "constraint");
+    for (const Value& condition : statics_.conditions) page_.equation("", Value(), condition, say("constraint"));
   }
 
-  void second_derivatives(const ValueMatrix& hessian, const std::string& where) {
-    page_.section("Second derivatives of " + potential_name() + " " + where);
+  void second_derivatives(const ValueMatrix& hessian) {
+    page_.section(say("Second derivatives of {} at any configuration", potential_name()));
     if (!may_conclude()) return;
     page_.matrix("H", hessian);
     page_.note(
-        "Where it is positive definite a rest is stable (Lejeune-Dirichlet); elsewhere the criterion cannot "
-        "conclude. Name a rest by --about for the conditions there.");
+        say("Where it is positive definite a rest is stable (Lejeune-Dirichlet); elsewhere the criterion cannot "
+            "conclude. Name a rest by --about for the conditions there."));
   }
 
   bool may_conclude() {
     if (!equations_.constraints().empty()) {
       page_.note(
-          "Lejeune-Dirichlet cannot conclude: the scene has constraints; describe it with independent coordinates, "
-          "or let the runtime project the second derivatives on the tangent space.");
+          say("Lejeune-Dirichlet cannot conclude: the scene has constraints; describe it with independent coordinates, "
+              "or let the runtime project the second derivatives on the tangent space."));
       return false;
     }
     if (!statics_.from_potential) {
-      page_.note("Lejeune-Dirichlet cannot conclude: " + statics_.remarks.front() + ".");
+      page_.note(say("Lejeune-Dirichlet cannot conclude: {}.", statics_.remarks.front()));
       return false;
     }
     return true;
   }
 
   void rest(const AtState& at) {
-    page_.section("At " + state_text());
+    page_.section(say("At {}", state_text()));
     bool balanced = true;
     const auto left_over = [&](const std::string& label, const Value& value) {
       if (value.is_zero() || identically_zero(value)) return;
       balanced = false;
-      page_.equation(label, Value(), value, "must hold for a rest");
+      page_.equation(label, Value(), value, say("must hold for a rest"));
     };
     const std::vector<Value> rows = at(statics_.rows), conditions = at(statics_.conditions);
     for (std::size_t i = 0; i < rows.size(); ++i) left_over(name_of(statics_.freedoms[i]), rows[i]);
     for (const Value& condition : conditions) left_over("", condition);
-    if (balanced) page_.note("Every equation of equilibrium holds: a rest, whatever the parameters.");
+    if (balanced) page_.note(say("Every equation of equilibrium holds: a rest, whatever the parameters."));
   }
 
   void lejeune_dirichlet_criterion(const AtState& at) {
-    page_.section("Lejeune-Dirichlet");
+    page_.section(say("Lejeune-Dirichlet"));
     if (!may_conclude()) return;
     const ValueMatrix hessian = at(statics_.hessian);
     page_.matrix("H", hessian);
-    page_.note("H: second derivatives of " + potential_name() + " there.");
+    page_.note(say("H: second derivatives of {} there.", potential_name()));
     if (hessian.size() <= most_freedoms) {
       write_conditions(
-          "Stable where H is positive definite, else it cannot conclude (a condition that always holds is left "
-          "out):",
-          sylvester_conditions(equations_.program(), hessian), "H is positive definite");
+          say("Stable where H is positive definite, else it cannot conclude (a condition that always holds is left out):"),
+          sylvester_conditions(equations_.program(), hessian), say("H is positive definite"));
     }
     const auto values = scene_values(hessian);
     if (!values) return;
@@ -171,29 +171,29 @@ class StaticsWriter {
     EquilibriumEquations there = statics_;
     there.rows = at(statics_.rows);
     there.hessian = hessian;
-    const LejeuneDirichlet verdict = lejeune_dirichlet(equations_, there, *values);
+    const LejeuneDirichlet verdict = lejeune_dirichlet(equations_, there, *values, say);
     const bool rest =
         std::all_of(verdict.residual.begin(), verdict.residual.end(), [](const Real& r) { return is_negligible(r); });
     if (!rest) {
-      page_.note("With the scene's values this is no rest: nothing is concluded.");
+      page_.note(say("With the scene's values this is no rest: nothing is concluded."));
       return;
     }
-    page_.note("With the scene's values: " + verdict.reason + ".");
+    page_.note(say("With the scene's values: {}.", verdict.reason));
   }
 
   void hurwitz(const AtState& at) {
-    page_.section("Routh and Hurwitz, linearised equations");
+    page_.section(say("Routh and Hurwitz, linearised equations"));
     if (!equations_.constraints().empty()) {
       page_.note(
-          "Cannot conclude here: the scene has constraints; the kernel linearisation reduces them, and the runtime "
-          "finds the eigenvalues.");
+          say("Cannot conclude here: the scene has constraints; the kernel linearisation reduces them, and the runtime "
+              "finds the eigenvalues."));
       return;
     }
     const std::size_t n = statics_.rows.size();
     if (n > most_freedoms) {
       page_.note(
-          fmt::format("Not written: {} freedoms, and formulas are for {} at most; the runtime finds the eigenvalues.",
-                      n, most_freedoms));
+          say("Not written: {} freedoms, and formulas are for {} at most; the runtime finds the eigenvalues.", n,
+              most_freedoms));
       return;
     }
     const Linearisation linear = linearisation(equations_);
@@ -204,10 +204,10 @@ class StaticsWriter {
       polynomial = characteristic_polynomial(program, M, C, K);
       conditions = hurwitz_conditions(program, polynomial);
     } catch (const UsageError& error) {
-      page_.note(fmt::format("Not written: {}.", error.what()));
+      page_.note(say("Not written: {}.", error.what()));
       return;
     }
-    page_.note("det(M s^2 + C s + K) has the coefficients");
+    page_.note(say("det(M s^2 + C s + K) has the coefficients"));
     for (std::size_t k = 0; k < polynomial.size(); ++k) {
       page_.equation("", fmt::format("a{}", polynomial.size() - 1 - k), polynomial[k]);
     }
@@ -215,13 +215,13 @@ class StaticsWriter {
                                   [](const Value& c) { return c.is_zero() || identically_zero(c); });
     if (zero) {
       page_.note(
-          "Cannot conclude that it is stable: a determinant of Hurwitz vanishes whatever the parameters, so that "
-          "some root has Re s >= 0.");
+          say("Cannot conclude that it is stable: a determinant of Hurwitz vanishes whatever the parameters, so that "
+              "some root has Re s >= 0."));
       report_negative_coefficient(polynomial);
       return;
     }
-    write_conditions("All roots have Re s < 0, and the rest is asymptotically stable, exactly where", conditions,
-                     "all roots have Re s < 0");
+    write_conditions(say("All roots have Re s < 0, and the rest is asymptotically stable, exactly where"), conditions,
+                     say("all roots have Re s < 0"));
     const auto values = scene_values({conditions});
     if (!values) return;
     const WorkingDigits precision(digits);
@@ -232,11 +232,9 @@ class StaticsWriter {
       marginal = marginal || size == Real(0);
       stable = stable && size > Real(0);
     }
-    page_.note(std::string("With the scene's values: ") +
-               (marginal ? "cannot conclude, a condition is an equality"
-                : stable ? "asymptotically stable"
-                         : "unstable, a root has Re s > 0") +
-               ", if this is a rest.");
+    page_.note(marginal ? say("With the scene's values: cannot conclude, a condition is an equality, if this is a rest.")
+               : stable ? say("With the scene's values: asymptotically stable, if this is a rest.")
+                        : say("With the scene's values: unstable, a root has Re s > 0, if this is a rest."));
   }
 
   /// Where all roots have Re s <= 0, no coefficient is negative.
@@ -248,19 +246,19 @@ class StaticsWriter {
     const bool negative = std::any_of(polynomial.begin(), polynomial.end(), [&](const Value& coefficient) {
       return !coefficient.is_zero() && evaluate(coefficient) < Real(0);
     });
-    if (negative) page_.note("With the scene's values: unstable, for a coefficient is negative, if this is a rest.");
+    if (negative) page_.note(say("With the scene's values: unstable, for a coefficient is negative, if this is a rest."));
   }
 
   /// "12 k m > 0" a line, or that they hold.
   void write_conditions(const std::string& heading, const std::vector<Value>& conditions, const std::string& holds) {
     if (std::any_of(conditions.begin(), conditions.end(),
                     [](const Value& c) { return c.is_zero() || identically_zero(c); })) {
-      page_.note("Cannot conclude: a condition reads 0 > 0 whatever the parameters.");
+      page_.note(say("Cannot conclude: a condition reads 0 > 0 whatever the parameters."));
       return;
     }
     const std::string text = readable_conditions(conditions);
     if (text.empty()) {
-      page_.note("Whatever the parameters, " + holds + ".");
+      page_.note(say("Whatever the parameters, {}.", holds));
       return;
     }
     page_.note(heading);
@@ -299,6 +297,7 @@ class StaticsWriter {
   const About& about_;
   AtState::Named set_;
   PageStyle style_;
+  const NaturalLanguage& say;
 };
 
 }  // namespace

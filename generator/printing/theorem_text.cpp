@@ -47,21 +47,21 @@ PointReference point_at(Scene& scene, const std::string& name) {
   return scene.point(free, FrameHandle{static_cast<int>(frame - frames.begin())}, {0, 0, 0});
 }
 
-void report_unknowns(printing::ReadablePage& page, const TheoremEquation& equation) {
+void report_unknowns(printing::ReadablePage& page, const TheoremEquation& equation, const NaturalLanguage& say) {
   std::vector<std::string> names;
   for (const SymbolPointer& unknown : equation.unknowns) names.push_back(unknown->name);
   for (const SymbolPointer& multiplier : equation.multipliers) names.push_back(multiplier->name);
   if (names.empty()) {
-    page.note("No unknown of a joint enters: an equation of motion.");
+    page.note(say("No unknown of a joint enters: an equation of motion."));
     return;
   }
-  page.note(fmt::format("Unknown: {}.", fmt::join(names, ", ")));
+  page.note(say("Unknown: {}.", fmt::join(names, ", ")));
   if (!equation.unknowns.empty()) {
     page.note(
-        "[joint X], Y, Z, L, M, N: force and moment on the body that the joint carries, at the origin of that "
-        "body's frame, along the axes of the joint's first frame that moves.");
+        say("[joint X], Y, Z, L, M, N: force and moment on the body that the joint carries, at the origin of that "
+            "body's frame, along the axes of the joint's first frame that moves."));
   }
-  if (!equation.multipliers.empty()) page.note("Multipliers are those of the scene's constraints.");
+  if (!equation.multipliers.empty()) page.note(say("Multipliers are those of the scene's constraints."));
   for (const std::string& remark : equation.remarks) page.note(remark + ".");
 }
 
@@ -78,6 +78,7 @@ std::string theorem_text(const Scene& given, const TheoremRequest& request, cons
     throw UsageError(
         "a theorem of moment needs the point at which moments are taken: --at POINT, or a frame's name for its origin");
   }
+  const NaturalLanguage& say = style.language;
   Scene scene = given;
   const PointReference point = point_at(scene, request.point.empty() ? scene.content().frames[0].name : request.point);
   const Triple direction = direction_of(request.direction, scene);
@@ -86,24 +87,24 @@ std::string theorem_text(const Scene& given, const TheoremRequest& request, cons
   const Equations equations(scene, options);
   const BodyNames bodies = request.bodies.empty() ? all_bodies(equations.model()) : request.bodies;
   const std::string whom = fmt::format("{}", fmt::join(bodies, ", "));
-  const std::string seen = request.observer == "ground" ? "" : ", seen from " + request.observer;
+  const std::string seen = request.observer == "ground" ? "" : say(", seen from {}", request.observer);
   printing::ReadablePage page(equations.program(), scene.content());
   if (energy) {
-    const EnergyEquation theorem = energy_equation(equations, bodies, request.observer);
-    page.section(fmt::format("Energy theorem for {}{}", whom, seen));
-    page.equation("", "T", theorem.kinetic_energy, "in J");
-    page.equation("", "P_ext", theorem.external_power, "power of the actions from outside, in W");
-    page.equation("", "P_int", theorem.internal_power, "power of the actions between the bodies, in W");
+    const EnergyEquation theorem = energy_equation(equations, bodies, request.observer, say);
+    page.section(say("Energy theorem for {}{}", whom, seen));
+    page.equation("", "T", theorem.kinetic_energy, say("in J"));
+    page.equation("", "P_ext", theorem.external_power, say("power of the actions from outside, in W"));
+    page.equation("", "P_int", theorem.internal_power, say("power of the actions between the bodies, in W"));
     page.equation("dT/dt = P_ext + P_int", theorem.equation.left, theorem.equation.right);
-    report_unknowns(page, theorem.equation);
+    report_unknowns(page, theorem.equation, say);
     return page.finish(given.content(), style);
   }
   const TheoremEquation theorem = theorem_equation(equations, bodies, {point, request.axes, request.observer},
-                                                   moment ? Theorem::moment : Theorem::resultant, direction);
-  page.section(fmt::format("Newton-Euler for {}: {}{} along {} of {}{}", whom, request.kind,
-                           moment ? " at " + request.point : "", request.direction, request.axes, seen));
+                                                   moment ? Theorem::moment : Theorem::resultant, direction, say);
+  page.section(say("Newton-Euler for {}: {}{} along {} of {}{}", whom, moment ? say("moment") : say("resultant"),
+                   moment ? say(" at {}", request.point) : "", request.direction, request.axes, seen));
   page.equation("", theorem.left, theorem.right);
-  report_unknowns(page, theorem);
+  report_unknowns(page, theorem, say);
   return page.finish(given.content(), style);
 }
 
@@ -112,6 +113,7 @@ std::string screw_text(const Scene& given, const ScrewRequest& request, const Pa
   if (request.point.empty()) {
     throw UsageError("a screw needs the point at which it is reduced: --at POINT, or a frame's name for its origin");
   }
+  const NaturalLanguage& say = style.language;
   Scene scene = given;
   const ScrewQuery query{point_at(scene, request.point), request.axes, request.observer};
   ModelOptions options;
@@ -124,25 +126,25 @@ std::string screw_text(const Scene& given, const ScrewRequest& request, const Pa
   const auto column = [&](const printing::Spelling& name, const std::string& entry, const Vector& vector) {
     page.matrix(name, entry, {{vector[0]}, {vector[1]}, {vector[2]}});
   };
-  page.section(fmt::format("Screws of {} at {} along the axes of {}{}", fmt::join(bodies, ", "), request.point, request.axes,
-                           request.observer == "ground" ? "" : ", seen from " + request.observer));
+  page.section(say("Screws of {} at {} along the axes of {}{}", fmt::join(bodies, ", "), request.point, request.axes,
+                   request.observer == "ground" ? "" : say(", seen from {}", request.observer)));
   const MomentumScrew momentum = momentum_screw(model, bodies, query);
   const DynamicScrew dynamic = dynamic_screw(model, bodies, query);
   if (bodies.size() == 1) {
     const BodyContent& body = scene.content().bodies[as_index(body_indices(model, bodies, "a screw")[0])];
     const int link = model.place(body.frame, "a screw").link;
     const Twist twist = as_asked(model, relative_twist(model, link, model.place(query.observer, "a screw").link), link, query);
-    page.note("Twist: angular velocity [rad/s], velocity of the body's own point [m/s].");
+    page.note(say("Twist: angular velocity [rad/s], velocity of the body's own point [m/s]."));
     column({"Omega", "\\vec{\\Omega}"}, "Omega", twist.angular);
     column({fmt::format("V({})", at.plain), fmt::format("\\vec{{V}}({})", at.latex)}, "V", twist.linear);
   }
-  page.note("Momentum screw: [kg m/s], [N m s].");
+  page.note(say("Momentum screw: [kg m/s], [N m s]."));
   column({"m V_G", "m \\vec{V}_G"}, "p", momentum.resultant);
   column({fmt::format("sigma({})", at.plain), fmt::format("\\vec{{\\sigma}}({})", at.latex)}, "sigma", momentum.moment);
-  page.note("Dynamic screw: [N], [N m].");
+  page.note(say("Dynamic screw: [N], [N m]."));
   column({"m Gamma_G", "m \\vec{\\Gamma}_G"}, "D", dynamic.resultant);
   column({fmt::format("delta({})", at.plain), fmt::format("\\vec{{\\delta}}({})", at.latex)}, "delta", dynamic.moment);
-  page.note("Kinetic energy [J].");
+  page.note(say("Kinetic energy [J]."));
   page.equation("", "T", kinetic_energy(model, bodies, query.observer));
   return page.finish(given.content(), style);
 }

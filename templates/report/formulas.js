@@ -27,7 +27,7 @@ function typeset(element) {
     if (latex !== undefined && element.scrollWidth > element.clientWidth + 1) {
       element.tabIndex = 0;
       element.setAttribute("role", "group");
-      element.setAttribute("aria-label", "Formula");
+      element.setAttribute("aria-label", "«Formula»");
     }
   } catch (error) {
     element.textContent = text;
@@ -44,7 +44,7 @@ function start() {
     button.type = "button";
     button.className = "copy";
     button.textContent = "LaTeX";
-    button.setAttribute("aria-label", "Show the LaTeX of this formula");
+    button.setAttribute("aria-label", "«Show the LaTeX of this formula»");
     button.addEventListener("click", () => {
       const shown = each.parentElement.querySelector("textarea");
       if (shown) return shown.remove();

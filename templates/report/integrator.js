@@ -75,7 +75,7 @@ class Integrator {
     this.trial = new Float64Array(y.length);
     this.next = new Float64Array(y.length);
     this.memory = 1e-4;
-    if (!f(t, this.y, this.slopes[0])) this.status = "no acceleration at the start";
+    if (!f(t, this.y, this.slopes[0])) this.status = "«no acceleration at the start»";
   }
 
   /// Goes on to the time `end`; false, with a status, where the motion cannot.
@@ -89,22 +89,22 @@ class Integrator {
       if (!(error <= 1)) {
         ++this.rejected;
         this.h = h * (Number.isFinite(error) ? Math.max(0.3, 0.8 * error ** -0.125) : 0.3);
-        if (++rejections > 60 || this.h < 1e-14 * Math.max(1, Math.abs(this.t))) return this.fail("steps became too short");
+        if (++rejections > 60 || this.h < 1e-14 * Math.max(1, Math.abs(this.t))) return this.fail("«steps became too short»");
         continue;
       }
       const reached = h === end - this.t ? end : this.t + h;
       if (this.settle && !this.settle(reached, this.next)) {
         this.h = h * 0.3;
-        if (++rejections > 60) return this.fail("the constraints could not be closed");
+        if (++rejections > 60) return this.fail("«the constraints could not be closed»");
         continue;
       }
       this.t = reached;
       this.y.set(this.next);
-      if (!this.f(this.t, this.y, this.slopes[0])) return this.fail("no acceleration here");
+      if (!this.f(this.t, this.y, this.slopes[0])) return this.fail("«no acceleration here»");
       const wanted = h * (error > 0 ? Math.min(6, Math.max(0.3, 0.8 * error ** -0.125)) : 6);
       this.h = rejections > 0 ? Math.min(wanted, h) : h < 0.99 * this.h ? Math.max(wanted, this.h) : wanted;
       rejections = 0;
-      if (++this.steps > this.stepLimit) return this.fail("too many steps");
+      if (++this.steps > this.stepLimit) return this.fail("«too many steps»");
     }
     return true;
   }

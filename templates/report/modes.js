@@ -29,10 +29,10 @@ class SmallMotions {
   constructor(motion, q) {
     Object.assign(this, { motion, n: motion.nv, q: Float64Array.from(q), modes: [], why: "" });
     const { mechanism } = motion;
-    if (mechanism.multipliers.length > 0) this.why = "the mechanism has constraints";
-    else if (mechanism.quaternions.length > 0) this.why = "an attitude is a quaternion";
-    else if (!mechanism.mass_matrix || !mechanism.forward_dynamics) this.why = "the page has no mass matrix";
-    else if (this.driven()) this.why = "the mechanism is driven";
+    if (mechanism.multipliers.length > 0) this.why = "«the mechanism has constraints»";
+    else if (mechanism.quaternions.length > 0) this.why = "«an attitude is a quaternion»";
+    else if (!mechanism.mass_matrix || !mechanism.forward_dynamics) this.why = "«the page has no mass matrix»";
+    else if (this.driven()) this.why = "«the mechanism is driven»";
     else this.search();
   }
 
@@ -108,7 +108,7 @@ class SmallMotions {
     for (let tries = 0; tries < 60; ++tries) {
       const { rows, skew } = this.stiffness(), modes = this.pencil(rows), forces = this.forces(this.q);
       if (!modes || modes.some(({ square }) => !Number.isFinite(square))) {
-        this.why = "the masses are not positive there";
+        this.why = "«the masses are not positive there»";
         return;
       }
       const largest = Math.max(...modes.map(({ square }) => Math.abs(square)));
@@ -122,20 +122,20 @@ class SmallMotions {
       if (length < least) {
         const left = forces.map((force, i) => force - rows[i].reduce((sum, k, j) => sum + k * step[j], 0));
         if (Math.max(...left.map(Math.abs)) > 1e-6 * (1 + Math.max(...rows.map((row, i) => Math.abs(row[i]))))) break;
-        if (skew > 1e-4) this.why = "the forces there have no potential energy";
+        if (skew > 1e-4) this.why = "«the forces there have no potential energy»";
         else this.modes = modes.map((mode) => ({ ...mode, neutral: !firm.includes(mode) }));
         return;
       }
       this.q.forEach((value, i) => { this.q[i] = value + step[i] * Math.min(1, 0.5 / length); });
     }
-    this.why = "no rest was found near this state";
+    this.why = "«no rest was found near this state»";
   }
 
   /// In words: its frequency, or how fast it leaves.
   static words({ square, neutral }) {
-    if (neutral) return "neutral: no force brings it back";
+    if (neutral) return "«neutral: no force brings it back»";
     const rate = Math.sqrt(Math.abs(square));
-    return square > 0 ? `${(rate / (2 * Math.PI)).toPrecision(4)} Hz (${rate.toPrecision(5)} rad/s)` : `leaves the rest as exp(${rate.toPrecision(4)} t)`;
+    return square > 0 ? `${(rate / (2 * Math.PI)).toPrecision(4)} Hz (${rate.toPrecision(5)} rad/s)` : `«leaves the rest as exp(${rate.toPrecision(4)} t)»`;
   }
 }
 

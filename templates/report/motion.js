@@ -30,10 +30,11 @@ class Motion {
     this.start = Float64Array.from(y);
     this.samples = [];
     this.status = "ok";
-    if (!settle(0, y)) this.status = "the constraints could not be closed at the start";
-    else if (!mechanism.forward_dynamics) this.status = "the mechanism's accelerations are not determined";
+    const closed = settle(0, y);
+    if (!closed) this.status = "«the constraints could not be closed at the start»";
+    else if (!mechanism.forward_dynamics) this.status = "«the mechanism's accelerations are not determined»";
     if (this.status !== "ok") {
-      this.samples.push(this.status.startsWith("the mech") ? y : this.start);
+      this.samples.push(closed ? y : this.start);
       return;
     }
     const needsSettling = mechanism.multipliers.length > 0 || mechanism.quaternions.length > 0;
@@ -65,7 +66,7 @@ class Motion {
   extend() {
     if (this.status !== "ok") return false;
     if (!this.integrator.advance(this.samples.length * this.interval)) {
-      this.status = `${this.integrator.status} at t = ${this.integrator.t.toPrecision(6)} s`;
+      this.status = `${this.integrator.status}« at t = »${this.integrator.t.toPrecision(6)} s`;
       return false;
     }
     this.samples.push(Float64Array.from(this.integrator.y));

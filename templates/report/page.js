@@ -31,7 +31,7 @@ function row(parent, { name, unit, value, low, high, change }) {
   Object.assign(slider, { type: "range", min: low, max: high, step: "any", value });
   Object.assign(number, { type: "number", step: "any", value: Number(value.toPrecision(8)) });
   slider.setAttribute("aria-label", `${name} [${unit}]`);
-  number.setAttribute("aria-label", `${name} [${unit}], as a number`);
+  number.setAttribute("aria-label", `${name} [${unit}]«, as a number»`);
   const set = (next, from) => {
     if (!Number.isFinite(next)) return;
     if (from !== slider) slider.value = next;
@@ -70,11 +70,11 @@ function buildSliders() {
       row(parent, { name: shown(symbol), unit: symbol.unit, value, low, high, change: (next) => { store[symbol.name] = next; } });
     });
   };
-  add(mechanism.parameters, "Parameters", (i) => first.parameters[i], chosen.parameters, range);
-  add(mechanism.inputs, "Inputs, constant in time", () => 0, chosen.inputs, () => [-10, 10]);
+  add(mechanism.parameters, "«Parameters»", (i) => first.parameters[i], chosen.parameters, range);
+  add(mechanism.inputs, "«Inputs, constant in time»", () => 0, chosen.inputs, () => [-10, 10]);
   const spread = (value, unit) => (unit === "rad" ? range(value, unit) : [Math.min(-1, 2 * value), Math.max(1, 2 * value)]);
-  add(mechanism.coordinates, "Start: coordinates", (i) => first.start[i], chosen.start, spread);
-  add(mechanism.velocities, "Start: velocities", (i) => first.start[first.nq + i], chosen.speeds,
+  add(mechanism.coordinates, "«Start: coordinates»", (i) => first.start[i], chosen.start, spread);
+  add(mechanism.velocities, "«Start: velocities»", (i) => first.start[first.nq + i], chosen.speeds,
       (value) => [Math.min(-10, 2 * value), Math.max(10, 2 * value)]);
 }
 
@@ -85,7 +85,7 @@ function buildPortraits() {
     const j = mechanism.velocities.findIndex((other) => other.name === each.name);
     if (j < 0 || plots.filter((plot) => plot instanceof Portrait).length >= most) return;
     const unit = (of) => (of === "1" ? "" : ` [${of}]`);
-    plots.push(new Portrait(element("portrait-list"), `${each.name}' over ${each.name}`, each.name + unit(each.unit), `${each.name}'` + unit(mechanism.velocities[j].unit),
+    plots.push(new Portrait(element("portrait-list"), `${each.name}'« over »${each.name}`, each.name + unit(each.unit), `${each.name}'` + unit(mechanism.velocities[j].unit),
                             { x: (k) => motion.samples[k][i], y: (k) => motion.samples[k][nq + j] }));
   });
   if (!plots.some((plot) => plot instanceof Portrait)) element("portraits").remove();
@@ -100,7 +100,7 @@ function buildPlots() {
   });
   const goTo = (t) => { now = Math.max(0, Math.min(motion.time, t)); pause(); };
   const add = (title, unit, curves) => { for (let i = 0; i < curves.length; i += 8) plots.push(new Plot(parent, title, unit, curves.slice(i, i + 8), goTo)); };
-  for (const [unit, curves] of groups) add("Coordinates", unit === "1" ? "" : unit, curves);
+  for (const [unit, curves] of groups) add("«Coordinates»", unit === "1" ? "" : unit, curves);
   buildPortraits();
   const remember = (name) => {
     let at = -1, of = null, result = null;
@@ -112,7 +112,7 @@ function buildPlots() {
   const has = (name) => mechanism.kernels.some((each) => each.name === name);
   if (has("energy")) {
     const energy = remember("energy");
-    add("Energy", "J", [{ name: "T", value: (k) => energy(k).kinetic[0] },
+    add("«Energy»", "J", [{ name: "T", value: (k) => energy(k).kinetic[0] },
                         { name: "-U", value: (k) => -energy(k).force_function[0] },
                         { name: "T - U", value: (k) => energy(k).kinetic[0] - energy(k).force_function[0] }]);
   }
@@ -124,13 +124,13 @@ function buildPlots() {
       if (of !== motion) [of, first] = [motion, motion.evaluate("first_integrals", 0)];
       return integrals(k)[name][0] - first[name][0];
     };
-    add("First integrals: change since the start (what rounding and steps leave)", "SI", names.map((name) => ({ name, value: change(name) })));
+    add("«First integrals: change since the start (what rounding and steps leave)»", "SI", names.map((name) => ({ name, value: change(name) })));
   }
 }
 
 function pause() {
   playing = false;
-  element("play").textContent = "Play";
+  element("play").textContent = "«Play»";
   plots.forEach((plot) => plot.describe());
   if (viewer) viewer.changed = true;
 }
@@ -138,7 +138,7 @@ function play() {
   mode = null;
   if (now >= until - 1e-9) now = 0;
   playing = true;
-  element("play").textContent = "Pause";
+  element("play").textContent = "«Pause»";
 }
 
 const sampleAt = (t) => Math.min(motion.samples.length - 1, Math.max(0, Math.round(t / motion.interval)));
@@ -150,17 +150,17 @@ function findRest() {
   mode = null;
   buttons.replaceChildren();
   if (small.why) {
-    element("rest").textContent = `No modes: ${small.why}.`;
+    element("rest").textContent = `«No modes: ${small.why}.»`;
     return;
   }
   const stable = small.modes.every(({ square, neutral }) => neutral || square > 0);
   const place = mechanism.coordinates.map((each, i) => `${each.name} = ${label(small.q[i])}`).join(", ");
-  element("rest").textContent = `A rest, ${stable ? "where the potential energy has a minimum along all that is not neutral" : "unstable without gyroscopic forces"}: ${place}. ` +
-    "Modes leave damping and gyroscopic forces out.";
+  element("rest").textContent = `«A rest, »${stable ? "«where the potential energy has a minimum along all that is not neutral»" : "«unstable without gyroscopic forces»"}: ${place}. ` +
+    "«Modes leave damping and gyroscopic forces out.»";
   small.modes.forEach((each, i) => {
     const button = document.createElement("button");
     button.type = "button";
-    button.textContent = `Mode ${i + 1}: ${SmallMotions.words(each)}`;
+    button.textContent = `«Mode ${i + 1}: »${SmallMotions.words(each)}`;
     button.addEventListener("click", () => {
       pause();
       // Seen at a pace that the eye follows: at most two swings a second. The largest angle is 0.4 rad.
@@ -181,7 +181,7 @@ function showMode(passed) {
   const here = motion.members("poses", 0, y);
   viewer.target = picture.followed(here, viewer.target);
   viewer.draw(picture.at(here, [], viewer.target));
-  element("clock").textContent = `Mode ${mode.number}`;
+  element("clock").textContent = `«Mode ${mode.number}»`;
 }
 
 function addTraces() {
@@ -226,9 +226,9 @@ function show(fresh) {
     if (element("reactions")?.checked) seen.shapes.push(...picture.reactions(here, motion.reactions(sampleAt(now))));
     viewer.draw(seen);
   }
-  const state = motion.status !== "ok" ? `The motion ends: ${motion.status}.`
-    : motion.time < until - 1e-9 ? `Integrated until ${motion.time.toFixed(1)} s`
-    : `Integrated until ${until} s in ${motion.integrator.steps} steps.`;
+  const state = motion.status !== "ok" ? `«The motion ends: ${motion.status}.»`
+    : motion.time < until - 1e-9 ? `«Integrated until ${motion.time.toFixed(1)} s»`
+    : `«Integrated until ${until} s in ${motion.integrator.steps} steps.»`;
   if (state !== told) element("status").textContent = told = state;
 }
 
@@ -250,16 +250,16 @@ function start() {
     viewer = new Viewer(element("view"));
     meshes.forEach((each) => viewer.mesh(...each));
     viewer.home(picture.camera(first));
-    element("view").setAttribute("aria-label", `${scene.bodies.length} bodies in three dimensions: ${scene.bodies.slice(0, 12).map((each) => each.name).join(", ")}. ` +
-      "Arrow keys turn the picture, plus and minus come nearer and go away, 0 is the first view.");
+    element("view").setAttribute("aria-label", `${scene.bodies.length}« bodies in three dimensions: »${scene.bodies.slice(0, 12).map((each) => each.name).join(", ")}. ` +
+      "«Arrow keys turn the picture, plus and minus come nearer and go away, 0 is the first view.»");
     traces = picture.traced.map(() => []);
   } catch (error) {
     viewer = null;
-    element("view").replaceWith(Object.assign(document.createElement("p"), { className: "note", textContent: `No picture: ${error.message}.` }));
+    element("view").replaceWith(Object.assign(document.createElement("p"), { className: "note", textContent: `«No picture: ${error.message}.»` }));
   }
   buildPlots();
   element("play").addEventListener("click", () => (playing ? pause() : play()));
-  if (!playing) element("play").textContent = "Play";
+  if (!playing) element("play").textContent = "«Play»";
   element("find-rest").addEventListener("click", findRest);
   element("time").addEventListener("input", () => { mode = null; now = Math.min(Number(element("time").value), motion.time); pause(); });
   for (const id of ["traces", "velocities", "weights", "reactions"]) element(id)?.addEventListener("change", () => { if (viewer) viewer.changed = true; });

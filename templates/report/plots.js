@@ -19,7 +19,7 @@ class Plot {
     this.canvas = document.createElement("canvas");
     this.canvas.className = "plot";
     this.canvas.setAttribute("role", "img");
-    this.canvas.setAttribute("aria-label", `${caption.textContent} over time: ${curves.map((curve) => curve.name).join(", ")}`);
+    this.canvas.setAttribute("aria-label", `${caption.textContent}« over time: »${curves.map((curve) => curve.name).join(", ")}`);
     this.legend = document.createElement("ul");
     this.legend.className = "legend";
     this.values = curves.map((curve, i) => {
@@ -106,9 +106,9 @@ class Plot {
     const ranges = this.curves.map((curve, i) => {
       const data = this.data[i].filter(Number.isFinite);
       const [low, high] = data.reduce(([a, b], v) => [Math.min(a, v), Math.max(b, v)], [Infinity, -Infinity]);
-      return `${curve.name} between ${label(low)} and ${label(high)}`;
+      return `${curve.name} «between ${label(low)} and ${label(high)}»`;
     });
-    this.canvas.setAttribute("aria-label", `${this.title} over time: ${ranges.join("; ")} ${this.unit}`);
+    this.canvas.setAttribute("aria-label", `${this.title}« over time: »${ranges.join("; ")} ${this.unit}`);
   }
 }
 
@@ -121,7 +121,7 @@ class Portrait {
     this.canvas = document.createElement("canvas");
     this.canvas.className = "plot";
     this.canvas.setAttribute("role", "img");
-    this.canvas.setAttribute("aria-label", `Phase portrait, ${title}`);
+    this.canvas.setAttribute("aria-label", `«Phase portrait, »${title}`);
     figure.append(caption, this.canvas);
     parent.append(figure);
   }
@@ -177,8 +177,8 @@ class Portrait {
   }
 
   describe() {
-    const range = (data) => data.reduce(([a, b], v) => [Math.min(a, v), Math.max(b, v)], [Infinity, -Infinity]).map(label).join(" and ");
-    this.canvas.setAttribute("aria-label", `Phase portrait: ${this.acrossName} between ${range(this.data[0])}, ${this.upName} between ${range(this.data[1])}`);
+    const range = (data) => data.reduce(([a, b], v) => [Math.min(a, v), Math.max(b, v)], [Infinity, -Infinity]).map(label).join("« and »");
+    this.canvas.setAttribute("aria-label", `«Phase portrait: »${this.acrossName}« between »${range(this.data[0])}, ${this.upName}« between »${range(this.data[1])}`);
   }
 }
 

@@ -76,7 +76,7 @@ class Viewer {
   constructor(canvas) {
     this.canvas = canvas;
     const gl = canvas.getContext("webgl", { antialias: true, alpha: true, preserveDrawingBuffer: true });
-    if (!gl) throw new Error("this browser has no WebGL");
+    if (!gl) throw new Error("«this browser has no WebGL»");
     this.gl = gl;
     const program = gl.createProgram();
     for (const [type, text] of [[gl.VERTEX_SHADER, vertexShader], [gl.FRAGMENT_SHADER, fragmentShader]]) {

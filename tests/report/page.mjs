@@ -42,7 +42,7 @@ for (const scene of scenes) {
     return { words: document.getElementById("rest").textContent, count: buttons.length };
   })()`);
   expect(modes !== null && modes.words.length > 10, "a search for a rest says nothing");
-  expect(modes === null || modes.count > 0 || /^No modes: /.test(modes.words), `no modes and no reason: ${modes?.words}`);
+  expect(modes === null || modes.count > 0 || /^(No modes|Pas de modes propres) ?: /.test(modes.words), `no modes and no reason: ${modes?.words}`);
   await browser.evaluate("new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done)))");
   await browser.evaluate("document.getElementById('play').click()");
 
@@ -112,6 +112,15 @@ for (const scene of scenes) {
   const unnamed = await browser.evaluate(`[...document.querySelectorAll("canvas, input, button, select")]
     .filter((each) => !each.getAttribute("aria-label") && !each.labels?.length && !each.textContent.trim()).map((each) => each.id || each.type)`);
   expect(unnamed.length === 0, `without words: ${unnamed.join(", ")}`);
+
+  // On a French page, what the scripts say is French too; titles and names are the scene's.
+  const english = await browser.evaluate(`(() => {
+    if (document.documentElement.lang !== "fr") return [];
+    document.querySelectorAll("details").forEach((each) => { each.open = true; });
+    const said = document.querySelector("main").innerText.split("\\n").concat([...document.querySelectorAll("[aria-label]")].map((each) => each.getAttribute("aria-label")));
+    return said.filter((line) => !line.includes(document.title) && /(^|[ (])(the|of|is|and|with|between|until|over|start|steps?)([ ,.:;)]|$)/i.test(line));
+  })()`);
+  expect(english.length === 0, `English on a French page: ${english.slice(0, 5).join("; ")}`);
 
   const stuck = await browser.evaluate(`[...document.querySelectorAll("pre, .formula")].filter((each) => each.scrollWidth > each.clientWidth + 1 && each.tabIndex < 0).length`);
   expect(stuck === 0, `${stuck} texts scroll, but not by the keyboard`);

@@ -369,7 +369,7 @@ ConstraintRank constraint_rank(const Scene& scene, const ModelOptions& options) 
   return RankFinder(scene, options).find();
 }
 
-std::vector<std::string> notes(const ConstraintRank& rank, const Scene& scene) {
+std::vector<std::string> notes(const ConstraintRank& rank, const Scene& scene, const NaturalLanguage& say) {
   const SceneContent& content = scene.content();
   std::vector<std::string> sentences;
   if (rank.redundant()) {
@@ -384,18 +384,18 @@ std::vector<std::string> notes(const ConstraintRank& rank, const Scene& scene) {
       if (c.released && !c.law && !rank.determinate_released[released++]) add(reactions, c.q->name);
     }
     sentences.push_back(
-        fmt::format("Constraints that repeat others are left out, their multipliers are 0: {}.", dropped));
+        say("Constraints that repeat others are left out, their multipliers are 0: {}.", dropped));
     if (!shared.empty()) {
       sentences.push_back(
-          fmt::format("Indeterminate, as they are shared with those in a way that no motion tells: {}.", shared));
+          say("Indeterminate, as they are shared with those in a way that no motion tells: {}.", shared));
     }
     if (!reactions.empty())
-      sentences.push_back(fmt::format("Indeterminate reactions for the same reason: {}.", reactions));
+      sentences.push_back(say("Indeterminate reactions for the same reason: {}.", reactions));
   }
   if (rank.singular_start()) {
     sentences.push_back(
-        fmt::format("The initial configuration is singular: {} of {} constraints are independent there.",
-                    rank.rank_at_start, rank.kept.size()));
+        say("The initial configuration is singular: {} of {} constraints are independent there.",
+            rank.rank_at_start, rank.kept.size()));
   }
   return sentences;
 }

@@ -7,6 +7,7 @@
 
 #include "generator/base/high_precision.hpp"
 #include "generator/base/linear_algebra/tolerances.hpp"
+#include "generator/base/natural_language.hpp"
 #include "generator/dynamics/motion/model.hpp"
 
 namespace torsor {
@@ -46,6 +47,6 @@ struct ConstraintRank {
 ConstraintRank constraint_rank(const Scene& scene, const ModelOptions& options = {});
 
 /// What a reader of the equations must know about it, a sentence each; none where all is regular and determinate.
-std::vector<std::string> notes(const ConstraintRank& rank, const Scene& scene);
+std::vector<std::string> notes(const ConstraintRank& rank, const Scene& scene, const NaturalLanguage& say = {});
 
 }  // namespace torsor

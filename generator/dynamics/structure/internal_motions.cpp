@@ -50,20 +50,20 @@ RealRow times(const RealRows& rows, const RealRow& x) {
   return result;
 }
 
-std::string motion_text(const RealRows& twists) {
+std::string motion_text(const RealRows& twists, const NaturalLanguage& say) {
   const TwistClass found = recognise_twists(twists);
-  if (!found.type) return fmt::format("moves with {} freedoms", found.freedoms);
+  if (!found.type) return say("moves with {} freedoms", found.freedoms);
   switch (*found.type) {
     case JointType::revolute:
-      return "turns about " + direction_text(*found.direction);
+      return say("turns about {}", direction_text(*found.direction));
     case JointType::prismatic:
-      return "slides along " + direction_text(*found.direction);
+      return say("slides along {}", direction_text(*found.direction));
     case JointType::helical:
-      return "screws along " + direction_text(*found.direction);
+      return say("screws along {}", direction_text(*found.direction));
     case JointType::spherical:
-      return "turns about a point";
+      return say("turns about a point");
     default:
-      return fmt::format("moves as in a joint: {}", found.text());
+      return say("moves as in a joint: {}", found.text(say));
   }
 }
 
@@ -84,7 +84,7 @@ std::size_t inner_count(const std::vector<bool>& marked) {
   return static_cast<std::size_t>(std::count(marked.begin(), marked.end(), false));
 }
 
-void describe_internal_motions(Mobility& mobility, const std::vector<TwistEdge>& edges) {
+void describe_internal_motions(Mobility& mobility, const std::vector<TwistEdge>& edges, const NaturalLanguage& say) {
   std::vector<bool> blocked;
   std::vector<std::string> names;
   for (const TwistEdge& edge : edges) {
@@ -116,11 +116,11 @@ void describe_internal_motions(Mobility& mobility, const std::vector<TwistEdge>&
     if (freedoms == 0) continue;
     alone_of[body] = freedoms;
     alone += freedoms;
-    mobility.internal.push_back({{mobility.graph.bodies[body].name}, freedoms, motion_text(own)});
+    mobility.internal.push_back({{mobility.graph.bodies[body].name}, freedoms, motion_text(own, say)});
   }
   const int together = static_cast<int>(motions.size()) - alone;
   if (together == 0) return;
-  InternalMotion rest{{}, together, "move together"};
+  InternalMotion rest{{}, together, say("move together")};
   for (std::size_t body = 1; body < twists.size(); ++body) {
     RealRows all;
     for (const RealRow& x : motions) all.push_back(times(twists[body], x));
@@ -130,14 +130,15 @@ void describe_internal_motions(Mobility& mobility, const std::vector<TwistEdge>&
   mobility.internal.push_back(std::move(rest));
 }
 
-void describe_indeterminate(Mobility& mobility, const std::vector<TwistEdge>& edges, const JointSpace& space) {
+void describe_indeterminate(Mobility& mobility, const std::vector<TwistEdge>& edges, const JointSpace& space,
+                            const NaturalLanguage& say) {
   const RealRows matrix = closure_matrix(edges, mobility.loops);
   if (matrix.empty()) return;
   const RealRows stresses = null_space(transposed(matrix, matrix[0].size()), matrix.size(), twist_tolerance());
   if (stresses.empty()) return;
   for (std::size_t e = 0; e < matrix.size(); ++e) {
     if (std::all_of(stresses.begin(), stresses.end(), [e](const RealRow& y) { return is_small(y[e]); })) continue;
-    mobility.redundant.push_back(fmt::format("loop {}: {}", e / 6 + 1, twist_components[e % 6]));
+    mobility.redundant.push_back(say("loop {}: {}", e / 6 + 1, twist_components[e % 6]));
   }
   for (std::size_t j = 0; j < edges.size(); ++j) {
     const RealPose place = space.place(mobility.graph.joints[j]);

@@ -52,8 +52,8 @@ std::string direction_text(const RealVector& direction) {
   return fmt::format("({:.3g}, {:.3g}, {:.3g})", unit[0].to_double(), unit[1].to_double(), unit[2].to_double());
 }
 
-JointSpace::JointSpace(const Scene& scene, const StructureGraph& graph)
-    : scene_(&scene.content()), graph_(&graph), length_(1) {
+JointSpace::JointSpace(const Scene& scene, const StructureGraph& graph, const NaturalLanguage& language)
+    : say_(language), scene_(&scene.content()), graph_(&graph), length_(1) {
   InitialNumbers number(scene);
   const auto numbers = [&number](const Triple& triple) {
     const Real x = number(triple[0]);
@@ -193,16 +193,16 @@ std::vector<JointTwists> JointSpace::twists() const {
   std::vector<JointTwists> all;
   for (const GraphJoint& joint : graph_->joints) {
     JointTwists here;
-    const auto add = [&here](const RealRow& twist) {
+    const auto add = [&here, this](const RealRow& twist) {
       const RealVector angular = angular_of(twist);
       const bool slide = norm(angular).is_zero();
       const RealVector direction = slide ? RealVector{twist[3], twist[4], twist[5]} : angular;
       here.twists.push_back(twist);
       const bool screw = !is_small(dot(angular, RealVector{twist[3], twist[4], twist[5]}));
-      here.names.push_back((slide   ? "slide along "
-                            : screw ? "screw along "
-                                    : "turn about ") +
-                           direction_text(direction));
+      const std::string along = direction_text(direction);
+      here.names.push_back(slide   ? say_("slide along {}", along)
+                           : screw ? say_("screw along {}", along)
+                                   : say_("turn about {}", along));
     };
     std::optional<int> last;
     for (const int f : joint.frames) {

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "generator/base/linear_algebra/real_rows.hpp"
+#include "generator/base/natural_language.hpp"
 #include "generator/dynamics/motion/initial_numbers.hpp"
 #include "generator/geometry/real_vector.hpp"
 #include "generator/mechanics/structure_graph.hpp"
@@ -31,7 +32,7 @@ struct JointTwists {
 class JointSpace {
  public:
   /// At the initial configuration.
-  JointSpace(const Scene& scene, const StructureGraph& graph);
+  JointSpace(const Scene& scene, const StructureGraph& graph, const NaturalLanguage& language = {});
 
   const Real& length() const { return length_; }
   int variable_count() const { return variables_; }
@@ -72,6 +73,7 @@ class JointSpace {
   RealRow variable_twist(int variable) const;
   RealRow closure_row(const Closure& law) const;
 
+  NaturalLanguage say_;
   const SceneContent* scene_;
   const StructureGraph* graph_;
   Real length_;

@@ -187,7 +187,7 @@ Mobility analyse_mobility(const Scene& scene, const MobilityOptions& options) {
   const int bodies = static_cast<int>(graph.bodies.size());
   result.loops = independent_loops(bodies, graph.edges());
   result.outside = outside_joints(graph, options.inputs_outputs);
-  JointSpace space(scene, graph);
+  JointSpace space(scene, graph, options.language);
   result.moved_to_close = close_initially(space);
   result.given_edges = edges_at(space, graph, result.outside);
   result.given = count_mobility(bodies, result.given_edges);
@@ -198,8 +198,8 @@ Mobility analyse_mobility(const Scene& scene, const MobilityOptions& options) {
   result.singular = result.given.rank < result.generic.rank;
   result.immobile = !elsewhere;
   const std::vector<TwistEdge>& named = result.singular ? result.generic_edges : result.given_edges;
-  describe_internal_motions(result, named);
-  describe_indeterminate(result, named, result.singular ? generic : space);
+  describe_internal_motions(result, named, options.language);
+  describe_indeterminate(result, named, result.singular ? generic : space, options.language);
   return result;
 }
 

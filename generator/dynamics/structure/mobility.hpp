@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "generator/base/linear_algebra/tolerances.hpp"
+#include "generator/base/natural_language.hpp"
 #include "generator/dynamics/structure/joint_space.hpp"
 #include "generator/dynamics/structure/twist_space.hpp"
 #include "generator/mechanics/structure_graph.hpp"
@@ -59,6 +60,7 @@ struct IndeterminateReaction {
 struct MobilityOptions {
   std::vector<std::string> inputs_outputs;  ///< joints that count as those with the outside; empty: those of the ground
   std::uint64_t seed = 1;                   ///< of the generic configuration
+  NaturalLanguage language{};               ///< of the texts
 };
 
 struct Mobility {

@@ -2,6 +2,7 @@
 #include "generator/dynamics/structure/reduced_graph.hpp"
 
 #include <algorithm>
+#include <functional>
 
 #include <fmt/format.h>
 
@@ -16,8 +17,8 @@ std::string in_brackets(const std::string& name) {
 
 class Reduction {
  public:
-  Reduction(const std::vector<std::string>& bodies, const std::vector<TwistEdge>& edges)
-      : bodies_(bodies), alive_(bodies.size(), true) {
+  Reduction(const std::vector<std::string>& bodies, const std::vector<TwistEdge>& edges, const NaturalLanguage& language)
+      : say(language), bodies_(bodies), alive_(bodies.size(), true) {
     for (const TwistEdge& edge : edges) joints_.push_back({edge, recognise_twists(edge.motion.twists), true});
   }
 
@@ -53,11 +54,11 @@ class Reduction {
       joints_.erase(joints_.begin() + static_cast<std::ptrdiff_t>(j));
       if (gone == keep) {
         steps_.push_back(
-            {ReductionStep::Kind::weld, fmt::format("{} holds {} to itself", name, bodies_[as_index(keep)]), 6, 0});
+            {ReductionStep::Kind::weld, say("{} holds {} to itself", name, bodies_[as_index(keep)]), 6, 0});
         return true;
       }
       steps_.push_back({ReductionStep::Kind::weld,
-                        fmt::format("{} holds {} to {}: one body", name, bodies_[as_index(gone)], bodies_[as_index(keep)]), 0,
+                        say("{} holds {} to {}: one body", name, bodies_[as_index(gone)], bodies_[as_index(keep)]), 0,
                         0});
       alive_[as_index(gone)] = false;
       for (EquivalentJoint& joint : joints_) {
@@ -79,8 +80,8 @@ class Reduction {
         const RealRows common = intersection_of(first.motion.twists, second.motion.twists);
         const RealRows together = span_of(first.motion.twists, second.motion.twists);
         merge(i, j, common, "//", ReductionStep::Kind::parallel,
-              fmt::format("{} and {} in parallel between {} and {}", first.name, second.name, bodies_[as_index(first.a)],
-                          bodies_[as_index(first.b)]),
+              [&, a = bodies_[as_index(first.a)], b = bodies_[as_index(first.b)], one = first.name, two = second.name](
+                  const std::string& joint) { return say("{} and {} in parallel between {} and {}: {}", one, two, a, b, joint); },
               6 - static_cast<int>(together.size()), 0);
         return true;
       }
@@ -106,7 +107,10 @@ class Reduction {
       const int from = first.a == number ? first.b : first.a, to = second.a == number ? second.b : second.a;
       alive_[body] = false;
       merge(here[0], here[1], all, "-", ReductionStep::Kind::series,
-            fmt::format("{} and {} in series through {}", first.name, second.name, bodies_[body]), 0, lost);
+            [&](const std::string& joint) {
+              return say("{} and {} in series through {}: {}", first.name, second.name, bodies_[body], joint);
+            },
+            0, lost);
       joints_[here[0]].edge.a = from;
       joints_[here[0]].edge.b = to;
       return true;
@@ -116,7 +120,7 @@ class Reduction {
 
   /// Puts the equivalent joint in the place of the first.
   void merge(std::size_t i, std::size_t j, const RealRows& twists, const std::string& sign, ReductionStep::Kind kind,
-             const std::string& text, int redundant, int internal) {
+             const std::function<std::string(const std::string&)>& text, int redundant, int internal) {
     EquivalentJoint& joint = joints_[i];
     const bool outside = joint.edge.outside || joints_[j].edge.outside;
     joint.edge.name = in_brackets(joint.edge.name) + sign + in_brackets(joints_[j].edge.name);
@@ -124,7 +128,7 @@ class Reduction {
     joint.edge.motion = {twists, std::vector<std::string>(twists.size())};
     joint.allows = recognise_twists(twists);
     joint.made_of_one = false;
-    steps_.push_back({kind, text + ": " + joint.allows.text(), redundant, internal});
+    steps_.push_back({kind, text(joint.allows.text(say)), redundant, internal});
     joints_.erase(joints_.begin() + static_cast<std::ptrdiff_t>(j));
   }
 
@@ -138,6 +142,7 @@ class Reduction {
     return in_loop;
   }
 
+  const NaturalLanguage& say;
   std::vector<std::string> bodies_;
   std::vector<bool> alive_;
   std::vector<EquivalentJoint> joints_;
@@ -158,16 +163,16 @@ bool same_joints(const ReducedGraph& a, const ReducedGraph& b) {
 
 }  // namespace
 
-ReducedGraph reduce(const std::vector<std::string>& bodies, const std::vector<TwistEdge>& edges) {
-  return Reduction(bodies, edges).run();
+ReducedGraph reduce(const std::vector<std::string>& bodies, const std::vector<TwistEdge>& edges, const NaturalLanguage& say) {
+  return Reduction(bodies, edges, say).run();
 }
 
-ReducedGraph reduced_graph(const Mobility& mobility) {
+ReducedGraph reduced_graph(const Mobility& mobility, const NaturalLanguage& say) {
   const WorkingDigits precision(mobility_digits);
   std::vector<std::string> bodies;
   for (const GraphBody& body : mobility.graph.bodies) bodies.push_back(body.name);
-  ReducedGraph given = reduce(bodies, mobility.given_edges);
-  ReducedGraph generic = reduce(bodies, mobility.generic_edges);
+  ReducedGraph given = reduce(bodies, mobility.given_edges, say);
+  ReducedGraph generic = reduce(bodies, mobility.generic_edges, say);
   if (same_joints(given, generic)) return given;
   generic.special = true;
   return generic;

@@ -37,9 +37,9 @@ struct ReducedGraph {
 /// what both allow; joints in series become one that allows the sum of what they allow, where a body in a loop has just
 /// these two and none of them is a joint with the outside (those stay, so that inputs and outputs can be read off).
 /// Mobility less the internal freedoms that are named lost in series stays the same; all at one configuration.
-ReducedGraph reduce(const std::vector<std::string>& bodies, const std::vector<TwistEdge>& edges);
+ReducedGraph reduce(const std::vector<std::string>& bodies, const std::vector<TwistEdge>& edges, const NaturalLanguage& say = {});
 
 /// At the given configuration where its reduction is the generic one, else at the generic configuration.
-ReducedGraph reduced_graph(const Mobility& mobility);
+ReducedGraph reduced_graph(const Mobility& mobility, const NaturalLanguage& say = {});
 
 }  // namespace torsor

@@ -187,13 +187,13 @@ TwistClass recognise_twists(const RealRows& rows) {
   }
 }
 
-std::string TwistClass::text() const {
-  if (!type) return fmt::format("{} freedoms, no joint of the table", freedoms);
-  std::string text(to_string(*type));
-  if (!direction) return text;
+std::string TwistClass::text(const NaturalLanguage& say) const {
+  if (!type) return say("{} freedoms, no joint of the table", freedoms);
+  const std::string name = name_of(*type, say);
+  if (!direction) return name;
   const bool normal = *type == JointType::planar || *type == JointType::line_contact ||
                       *type == JointType::point_contact || *type == JointType::universal;
-  return text + (normal ? " of normal " : " along ") + direction_text(*direction);
+  return normal ? say("{} of normal {}", name, direction_text(*direction)) : say("{} along {}", name, direction_text(*direction));
 }
 
 }  // namespace torsor

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "generator/base/linear_algebra/real_rows.hpp"
+#include "generator/base/natural_language.hpp"
 #include "generator/geometry/real_vector.hpp"
 #include "generator/mechanics/joint.hpp"
 
@@ -34,7 +35,7 @@ struct TwistClass {
   std::optional<RealVector> point;      ///< the centre, or the point of the axis nearest to the origin
 
   /// "prismatic along z", "spherical", "2 freedoms, no joint of the table"
-  std::string text() const;
+  std::string text(const NaturalLanguage& say = {}) const;
 };
 
 /// Recognises the joint of the table that allows exactly these twists: from its translations, its directions of turning

@@ -17,24 +17,24 @@ namespace {
 bool zero_at_rest(SymbolKind kind) { return kind == SymbolKind::velocity || kind == SymbolKind::acceleration; }
 
 /// Why the forces at rest have no force function, or what else must be known before Lejeune-Dirichlet is believed.
-std::vector<std::string> remarks_on(const Equations& equations, bool from_potential) {
+std::vector<std::string> remarks_on(const Equations& equations, bool from_potential, const NaturalLanguage& say) {
   std::vector<std::string> remarks;
   std::string names;
   for (const std::string& name : equations.actions().without_force_function) {
     names += (names.empty() ? "'" : ", '") + name + "'";
   }
   if (!from_potential) {
-    remarks.push_back(names.empty() ? "the forces at rest do not derive from U + T0: T depends on time explicitly"
-                                    : "the forces at rest do not derive from U + T0: " + names + " act at rest");
+    remarks.push_back(names.empty() ? say("the forces at rest do not derive from U + T0: T depends on time explicitly")
+                                    : say("the forces at rest do not derive from U + T0: {} act at rest", names));
   } else if (!names.empty()) {
-    remarks.push_back("Lejeune-Dirichlet presupposes that " + names + " dissipate and that inputs are zero");
+    remarks.push_back(say("Lejeune-Dirichlet presupposes that {} dissipate and that inputs are zero", names));
   }
   return remarks;
 }
 
 }  // namespace
 
-EquilibriumEquations equilibrium_equations(const Equations& equations) {
+EquilibriumEquations equilibrium_equations(const Equations& equations, const NaturalLanguage& say) {
   const Model& model = equations.model();
   Program& program = model.program();
   const auto n = static_cast<std::size_t>(model.unknown_count());
@@ -90,7 +90,7 @@ EquilibriumEquations equilibrium_equations(const Equations& equations) {
   }
   const std::vector<bool> same = identically_zero_entries(differences);
   result.from_potential = std::all_of(same.begin(), same.end(), [](bool each) { return each; });
-  result.remarks = remarks_on(equations, result.from_potential);
+  result.remarks = remarks_on(equations, result.from_potential, say);
   return result;
 }
 

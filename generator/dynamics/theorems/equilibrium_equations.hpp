@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "generator/base/natural_language.hpp"
 #include "generator/dynamics/equations/equations.hpp"
 
 namespace torsor {
@@ -25,7 +26,7 @@ struct EquilibriumEquations {
 };
 
 /// Throws what the derivation of the equations throws.
-EquilibriumEquations equilibrium_equations(const Equations& equations);
+EquilibriumEquations equilibrium_equations(const Equations& equations, const NaturalLanguage& say = {});
 
 /// The equations as a person reads them, multiplied out, one "0 = ..." a line with the coordinate's name before it;
 /// first −(U + T0) where it exists. Make the equations with ModelOptions::symbolic_parameters.

@@ -33,8 +33,8 @@ std::vector<std::optional<Numbers>> unit_solutions(const std::vector<Numbers>& r
 
 class Namer {
  public:
-  explicit Namer(const Equations& equations)
-      : equations_(equations), model_(equations.model()), program_(equations.program()) {
+  Namer(const Equations& equations, const NaturalLanguage& language)
+      : say(language), equations_(equations), model_(equations.model()), program_(equations.program()) {
     next_index_ = model_.scene().symbol_count;
     find_forces();
     find_efforts();
@@ -54,7 +54,7 @@ class Namer {
       }
       for (const std::size_t e : entries) given[e] = false;
       if (entries.size() > 1) {
-        result.remarks.push_back(fmt::format("of joint {} only {} is unknown: what works in the joint gives the rest",
+        result.remarks.push_back(say("of joint {} only {} is unknown: what works in the joint gives the rest",
                                              connection.name, component.name));
       }
     }
@@ -72,7 +72,7 @@ class Namer {
     }
     if (named_freedom) {
       result.remarks.push_back(
-          fmt::format("what motors, springs and dampers do along the freedoms of joint {} is in its named components",
+          say("what motors, springs and dampers do along the freedoms of joint {} is in its named components",
                       connection.name));
     }
     return result;
@@ -177,6 +177,7 @@ class Namer {
     return found;
   }
 
+  const NaturalLanguage& say;
   const Equations& equations_;
   const Model& model_;
   Program& program_;
@@ -189,9 +190,9 @@ class Namer {
 
 }  // namespace
 
-std::vector<JointAction> joint_actions(const Equations& equations) {
+std::vector<JointAction> joint_actions(const Equations& equations, const NaturalLanguage& say) {
   std::vector<JointAction> result;
-  Namer namer(equations);
+  Namer namer(equations, say);
   for (const Connection& connection : connections(equations)) result.push_back(namer.action(connection));
   return result;
 }

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "generator/base/natural_language.hpp"
 #include "generator/dynamics/motion/body_screws.hpp"
 #include "generator/dynamics/theorems/joint_reactions.hpp"
 
@@ -23,7 +24,7 @@ struct JointAction {
 /// and the virtual motion v in which s_k alone changes, at unit rate. Where the displacements of the joints are no sums
 /// of coordinates with constant factors, or several turns of one joint make its twist depend on the configuration, a
 /// component along a freedom gets a name too, unless nothing works in the joints; a remark says so.
-std::vector<JointAction> joint_actions(const Equations& equations);
+std::vector<JointAction> joint_actions(const Equations& equations, const NaturalLanguage& say = {});
 
 /// The wrench reduced and written as asked.
 Wrench as_asked(const Model& model, const JointAction& action, const ScrewQuery& query);

@@ -77,7 +77,7 @@ std::vector<std::string> working_actions(const Equations& asked) {
 /// Momenta of cyclic coordinates, as rows of M v: there what a body's own axes mix has fallen out already, so that
 /// rounding is that of the terms which matter. `at_rest` are the momenta where every v is zero (driven mechanisms).
 void add_momenta(const Equations& equations, const std::vector<Value>& momenta, const std::vector<Value>& along_q,
-                 Substitution& at_rest, PainleveReport& report) {
+                 Substitution& at_rest, const NaturalLanguage& say, PainleveReport& report) {
   const Model& model = equations.model();
   const std::vector<Value> applied = applied_forces(model, equations.actions());
   const Value gravity = gravity_force_function(model);
@@ -97,8 +97,8 @@ void add_momenta(const Equations& equations, const std::vector<Value>& momenta, 
     if (!identically_zero(force)) continue;
     const Unit unit = units::joule / model.coordinates()[i].v->unit;
     const std::string meaning = !model.coordinates()[i].attitude
-                                    ? fmt::format("dT/d{}' of the cyclic coordinate '{}'", q->name, q->name)
-                                    : fmt::format("dT/d{}, constant in the moving axes", q->name);
+                                    ? say("dT/d{}' of the cyclic coordinate '{}'", q->name, q->name)
+                                    : say("dT/d{}, constant in the moving axes", q->name);
     Value momentum = at_rest(momenta[i]);
     for (int j = 0; j < model.unknown_count(); ++j) {
       momentum += equations.mass()[i][static_cast<std::size_t>(j)] * model.v(j);
@@ -110,7 +110,7 @@ void add_momenta(const Equations& equations, const std::vector<Value>& momenta, 
 
 }  // namespace
 
-PainleveReport painleve(const Equations& equations) {
+PainleveReport painleve(const Equations& equations, const NaturalLanguage& say) {
   const Model& model = equations.model();
   Program& program = model.program();
   const Value t = kinetic_energy(model);
@@ -120,7 +120,7 @@ PainleveReport painleve(const Equations& equations) {
   }
   PainleveReport report;
   if (t.is_zero()) {
-    report.failing_conditions.push_back("nothing has mass");
+    report.failing_conditions.push_back(say("nothing has mass"));
     return report;
   }
   const std::vector<Value> momenta = gradient(t, velocities);
@@ -145,16 +145,16 @@ PainleveReport painleve(const Equations& equations) {
   u += equations.actions().spring_force_function;
   const std::vector<std::string> working = working_actions(equations);
   if (!working.empty()) {
-    report.failing_conditions.push_back(
-        fmt::format("{} {} no force function", joined(working), working.size() == 1 ? "has" : "have"));
+    report.failing_conditions.push_back(working.size() == 1 ? say("{} has no force function", joined(working))
+                                                            : say("{} have no force function", joined(working)));
   }
-  if (!identically_zero(report.explicit_rate)) report.failing_conditions.emplace_back("T depends on time explicitly");
+  if (!identically_zero(report.explicit_rate)) report.failing_conditions.push_back(say("T depends on time explicitly"));
   if (!u.is_zero() && !identically_zero(by_time(u))) {
-    report.failing_conditions.emplace_back("the force function U depends on time explicitly");
+    report.failing_conditions.push_back(say("the force function U depends on time explicitly"));
   }
   for (const ConstraintRow& row : equations.constraints()) {
     if (identically_zero(at_rest(row.rate))) continue;
-    report.failing_conditions.push_back(fmt::format("constraint '{}' imposes a velocity (b is not zero)", row.name));
+    report.failing_conditions.push_back(say("constraint '{}' imposes a velocity (b is not zero)", row.name));
   }
   if (report.failing_conditions.empty()) {
     Value integral = report.t2_minus_t0;
@@ -162,11 +162,12 @@ PainleveReport painleve(const Equations& equations) {
     report.first_integrals.push_back(driven ? FirstIntegral{"painleve", "T2 - T0 - U [J]", integral}
                                             : FirstIntegral{"energy", "T - U [J]", integral});
   }
-  add_momenta(equations, momenta, along_q, at_rest, report);
+  add_momenta(equations, momenta, along_q, at_rest, say, report);
   return report;
 }
 
-std::vector<MissingMomentum> missing_momenta(const Equations& equations, const PainleveReport& report) {
+std::vector<MissingMomentum> missing_momenta(const Equations& equations, const PainleveReport& report,
+                                             const NaturalLanguage& say) {
   const Model& model = equations.model();
   const auto n = static_cast<std::size_t>(model.unknown_count());
   std::vector<SymbolPointer> velocities;
@@ -196,10 +197,10 @@ std::vector<MissingMomentum> missing_momenta(const Equations& equations, const P
     if (std::any_of(found.begin(), found.end(), [&](const auto& each) { return each.name == "momentum_" + name; }))
       continue;
     MissingMomentum each{name, {}};
-    if (momenta[i].is_zero()) each.reasons.emplace_back("T has no momentum along it");
-    if (is_there(along_q[i])) each.reasons.emplace_back("T depends on it");
-    if (is_there(turning[i])) each.reasons.emplace_back("its axes turn with the body");
-    if (!u.is_zero() && is_there(model.along(static_cast<int>(i))(u))) each.reasons.emplace_back("U depends on it");
+    if (momenta[i].is_zero()) each.reasons.push_back(say("T has no momentum along it"));
+    if (is_there(along_q[i])) each.reasons.push_back(say("T depends on it"));
+    if (is_there(turning[i])) each.reasons.push_back(say("its axes turn with the body"));
+    if (!u.is_zero() && is_there(model.along(static_cast<int>(i))(u))) each.reasons.push_back(say("U depends on it"));
     std::vector<std::string> working;
     for (const auto& [action, force] : forces) {
       if (is_there(force[i])) working.push_back(action);
@@ -208,9 +209,9 @@ std::vector<MissingMomentum> missing_momenta(const Equations& equations, const P
       if (is_there(row.column[i])) working.push_back(row.name);
     }
     if (!working.empty()) {
-      each.reasons.push_back(fmt::format("{} act{} along it", joined(working), working.size() == 1 ? "s" : ""));
+      each.reasons.push_back(working.size() == 1 ? say("{} acts along it", joined(working)) : say("{} act along it", joined(working)));
     }
-    if (each.reasons.empty()) each.reasons.emplace_back("what stands against it vanishes for unit quaternions only");
+    if (each.reasons.empty()) each.reasons.push_back(say("what stands against it vanishes for unit quaternions only"));
     missing.push_back(std::move(each));
   }
   return missing;

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "generator/base/natural_language.hpp"
 #include "generator/dynamics/equations/equations.hpp"
 
 namespace torsor {
@@ -27,7 +28,7 @@ struct PainleveReport {
 /// U do not depend on time explicitly and every constraint is homogeneous in the velocities (b_j = 0). It is the energy
 /// T − U when nothing is driven. A coordinate that appears neither in T nor in a constraint and has Q_i = 0 gives the
 /// momentum ∂T/∂q̇_i.
-PainleveReport painleve(const Equations& equations);
+PainleveReport painleve(const Equations& equations, const NaturalLanguage& say = {});
 
 /// A coordinate without a momentum integral, and what stands against it.
 struct MissingMomentum {
@@ -38,6 +39,7 @@ struct MissingMomentum {
 /// Every unknown coordinate whose ∂T/∂q̇_i is not among the first integrals, with all the terms of
 /// d(∂T/∂q̇_i)/dt = ∂T/∂q_i + Q_i + Σ λ_j a_ji (less ω ∧ ∂T/∂ω of an attitude) that do not vanish. Apart from
 /// `painleve`, which kernels are made with: it adds definitions to the program that only a reader wants.
-std::vector<MissingMomentum> missing_momenta(const Equations& equations, const PainleveReport& report);
+std::vector<MissingMomentum> missing_momenta(const Equations& equations, const PainleveReport& report,
+                                             const NaturalLanguage& say = {});
 
 }  // namespace torsor

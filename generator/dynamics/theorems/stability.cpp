@@ -22,7 +22,7 @@ std::vector<Value> sylvester_conditions(Program& program, const ValueMatrix& mat
 }
 
 LejeuneDirichlet lejeune_dirichlet(const Equations& equations, const EquilibriumEquations& statics,
-                                   const Evaluator<Real>::SymbolValue& state) {
+                                   const Evaluator<Real>::SymbolValue& state, const NaturalLanguage& say) {
   if (!equations.constraints().empty()) {
     throw UsageError(
         fmt::format("Lejeune-Dirichlet is asked of '{}', which has constraints: describe it with independent "
@@ -33,7 +33,7 @@ LejeuneDirichlet lejeune_dirichlet(const Equations& equations, const Equilibrium
   LejeuneDirichlet report;
   report.residual = evaluate(statics.rows);
   if (!statics.from_potential) {
-    report.reason = "cannot conclude: " + statics.remarks.front();
+    report.reason = say("cannot conclude: {}", statics.remarks.front());
     return report;
   }
   RealRows hessian;
@@ -42,12 +42,12 @@ LejeuneDirichlet lejeune_dirichlet(const Equations& equations, const Equilibrium
   for (std::size_t k = 0; k < pivots.size(); ++k) {
     report.pivots.push_back(pivots[k]);
     if (pivots[k] > Real(0) && !pivots.is_small(k)) continue;
-    report.reason = fmt::format("cannot conclude: pivot {} of the Hessian of -(U + T0) is {}{}", k + 1,
-                                pivots[k].to_string(6), pivots.is_small(k) ? ", zero within rounding" : ", not a minimum");
+    report.reason = say("cannot conclude: pivot {} of the Hessian of -(U + T0) is {}{}", k + 1, pivots[k].to_string(6),
+                        pivots.is_small(k) ? say(", zero within rounding") : say(", not a minimum"));
     return report;
   }
   report.stable = true;
-  report.reason = "stable: -(U + T0) has a strict minimum";
+  report.reason = say("stable: -(U + T0) has a strict minimum");
   if (!statics.remarks.empty()) report.reason += "; " + statics.remarks.front();
   return report;
 }

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "generator/base/natural_language.hpp"
 #include "generator/dynamics/theorems/equilibrium_equations.hpp"
 #include "generator/program/evaluation.hpp"
 
@@ -26,6 +27,6 @@ struct LejeuneDirichlet {
 /// parameters that are symbols, time, inputs). A pivot below n roundings of its diagonal entry counts as zero. Throws
 /// UsageError for a scene with constraints: reduce it to independent coordinates, or use the runtime's search.
 LejeuneDirichlet lejeune_dirichlet(const Equations& equations, const EquilibriumEquations& statics,
-                                   const Evaluator<Real>::SymbolValue& state);
+                                   const Evaluator<Real>::SymbolValue& state, const NaturalLanguage& say = {});
 
 }  // namespace torsor

@@ -39,13 +39,13 @@ void name_unknowns(TheoremEquation& equation, const Equations& equations, const 
 }  // namespace
 
 TheoremEquation theorem_equation(const Equations& equations, const BodyNames& bodies, const ScrewQuery& query,
-                                 Theorem theorem, const Triple& direction) {
+                                 Theorem theorem, const Triple& direction, const NaturalLanguage& say) {
   const Model& model = equations.model();
   Program& program = equations.program();
   const std::vector<bool> inside = isolated_links(model, bodies, "Newton-Euler's theorem");
   const NewtonEulerEquation known = newton_euler(equations, bodies, query, theorem, direction);
   const Vector u = lower(program, direction);
-  const std::vector<JointAction> joints = joint_actions(equations);
+  const std::vector<JointAction> joints = joint_actions(equations, say);
   TheoremEquation equation;
   equation.left = known.dynamic;
   equation.right = known.known + known.constraints;
@@ -66,7 +66,8 @@ TheoremEquation theorem_equation(const Equations& equations, const BodyNames& bo
   return equation;
 }
 
-EnergyEquation energy_equation(const Equations& equations, const BodyNames& bodies, const FrameReference& observer) {
+EnergyEquation energy_equation(const Equations& equations, const BodyNames& bodies, const FrameReference& observer,
+                               const NaturalLanguage& say) {
   const Model& model = equations.model();
   Program& program = equations.program();
   const std::string user = "the energy theorem";
@@ -78,7 +79,7 @@ EnergyEquation energy_equation(const Equations& equations, const BodyNames& bodi
   result.equation.left = without_joints.kinetic_rate;
   result.external_power = without_joints.external_power;
   result.internal_power = without_joints.internal_power;
-  const std::vector<JointAction> joints = joint_actions(equations);
+  const std::vector<JointAction> joints = joint_actions(equations, say);
   std::vector<const JointAction*> concerned;
   for (const JointAction& joint : joints) {
     const int top = joint.connection.top, bottom = joint.connection.bottom, from = joint.connection.from;

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "generator/base/natural_language.hpp"
 #include "generator/dynamics/theorems/energy_theorem.hpp"
 #include "generator/dynamics/theorems/newton_euler.hpp"
 
@@ -23,7 +24,7 @@ struct TheoremEquation {
 
 /// Newton-Euler's theorem for bodies along `direction`, components along the query's axes. Throws as `newton_euler`.
 TheoremEquation theorem_equation(const Equations& equations, const BodyNames& bodies, const ScrewQuery& query,
-                                 Theorem theorem, const Triple& direction);
+                                 Theorem theorem, const Triple& direction, const NaturalLanguage& say = {});
 
 /// dT/dt on the left, P_ext + P_int on the right.
 struct EnergyEquation {
@@ -32,6 +33,6 @@ struct EnergyEquation {
   Value external_power, internal_power;
 };
 EnergyEquation energy_equation(const Equations& equations, const BodyNames& bodies,
-                               const FrameReference& observer = "ground");
+                               const FrameReference& observer = "ground", const NaturalLanguage& say = {});
 
 }  // namespace torsor

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "generator/base/natural_language.hpp"
 #include "generator/dynamics/theorems/newton_euler.hpp"
 
 namespace torsor {
@@ -26,6 +27,6 @@ IsolationReport isolation_report(const Equations& equations, const BodyNames& bo
 
 /// Count of unknowns (coordinates, reactions, multipliers) against equations and the choice it leaves (course, §6.5.5),
 /// as text.
-std::string unknowns_report(const Equations& equations);
+std::string unknowns_report(const Equations& equations, const NaturalLanguage& say = {});
 
 }  // namespace torsor
