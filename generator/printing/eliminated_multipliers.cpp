@@ -8,7 +8,7 @@ namespace {
 
 using Rows = std::vector<unsigned>;
 
-/// The columns of the multipliers in those rows.
+/// The columns of the multipliers, as they stand on the right, in those rows.
 GiNaC::matrix rows_of(const GiNaC::matrix& columns, const Rows& rows) {
   GiNaC::matrix square(static_cast<unsigned>(rows.size()), columns.cols());
   for (unsigned i = 0; i < rows.size(); ++i) {
@@ -32,6 +32,14 @@ std::vector<Rows> choices(unsigned n, unsigned count) {
 
 }  // namespace
 
+bool FreeEquations::can_fail() const {
+  if (determinant.size() != 1) return true;
+  const Product& product = determinant.terms().begin()->first;
+  return std::any_of(product.begin(), product.end(), [](const Power& power) {
+    return power.base->kind != Base::Kind::symbol || power.base->level > Level::parameter;
+  });
+}
+
 std::optional<FreeEquations> without_multipliers(LagrangeEquations& equations) {
   constexpr std::size_t most_constraints = 3, most_coordinates = 8;
   const std::vector<LagrangeEquation>& rows = equations.equations();
@@ -51,22 +59,23 @@ std::optional<FreeEquations> without_multipliers(LagrangeEquations& equations) {
     const GiNaC::ex residual = view.expression(*rows[i].inertia.sum) - view.expression(*rows[i].force.sum);
     for (unsigned j = 0; j < m; ++j) {
       const GiNaC::ex multiplier = view.symbol(multipliers[j]);
-      columns(i, j) = residual.diff(GiNaC::ex_to<GiNaC::symbol>(multiplier));
+      columns(i, j) = -residual.diff(GiNaC::ex_to<GiNaC::symbol>(multiplier));
     }
     residuals.push_back(residual.subs(without));
   }
   // The rows with the shortest determinant that is not zero.
   std::optional<Rows> dependent;
-  std::size_t shortest = 0;
+  Sum of_dependent;
   for (const Rows& choice : choices(static_cast<unsigned>(n), static_cast<unsigned>(m))) {
     const Sum determinant = view.sum(rows_of(columns, choice).determinant());
-    if (determinant.is_zero() || (dependent && determinant.size() >= shortest)) continue;
+    if (determinant.is_zero() || (dependent && determinant.size() >= of_dependent.size())) continue;
     dependent = choice;
-    shortest = determinant.size();
+    of_dependent = determinant;
   }
   if (!dependent) return std::nullopt;
   const GiNaC::matrix inverse = rows_of(columns, *dependent).inverse();
   FreeEquations result;
+  result.determinant = of_dependent;
   for (const unsigned i : *dependent) result.dependent.push_back(rows[i].coordinate.q->name);
   for (unsigned i = 0; i < n; ++i) {
     if (std::find(dependent->begin(), dependent->end(), i) != dependent->end()) continue;

@@ -19,6 +19,10 @@ struct FreeEquation {
 struct FreeEquations {
   std::vector<FreeEquation> equations;
   std::vector<std::string> dependent;  ///< coordinates
+  Sum determinant;  ///< of C: where it is zero, the multipliers cannot be taken from those equations
+
+  /// Whether the determinant may be zero: it is no number and no product of parameters.
+  bool can_fail() const;
 };
 
 /// P_i − Q_i − c_i C⁻¹ (P − Q)_dependent, c_i and C the columns of the multipliers. Nothing where there are no constraints,

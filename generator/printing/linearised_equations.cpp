@@ -27,8 +27,7 @@ SymbolPointer state_symbol(const Scene& scene, const std::string& name) {
 }
 
 /// What replaces the symbols of the state; accelerations vanish unless they are given.
-GiNaC::exmap state(LagrangeEquations& equations, const Scene& scene,
-                   const std::vector<std::pair<std::string, std::string>>& about) {
+GiNaC::exmap state(LagrangeEquations& equations, const Scene& scene, const About& about) {
   InlineView& view = equations.view();
   GiNaC::exmap map;
   for (const CoordinateContent& c : scene.content().coordinates) {
@@ -36,6 +35,18 @@ GiNaC::exmap state(LagrangeEquations& equations, const Scene& scene,
     map[view.symbol(c.a)] = 0;
     if (!about.empty()) map[view.symbol(c.v)] = 0;
   }
+  for (const auto& [symbol, value] : named_state(scene, about)) {
+    const std::optional<GiNaC::ex> written = view.expression(equations.program().lower(value));
+    if (!written) throw UsageError(fmt::format("the state {} = {} is too long to be written out", symbol->name, value.to_string()));
+    map[view.symbol(symbol)] = *written;
+  }
+  return map;
+}
+
+}  // namespace
+
+std::vector<std::pair<SymbolPointer, Expression>> named_state(const Scene& scene, const About& about) {
+  std::vector<std::pair<SymbolPointer, Expression>> state;
   for (const auto& [name, formula] : about) {
     const SymbolPointer symbol = state_symbol(scene, name);
     const Expression parsed = parse_formula(formula, scene);
@@ -44,17 +55,12 @@ GiNaC::exmap state(LagrangeEquations& equations, const Scene& scene,
       throw UnitError(fmt::format("the state {} = {} has the unit {} and must be in {}", name, formula,
                                   parsed.unit().to_string(), symbol->unit.to_string()));
     }
-    const std::optional<GiNaC::ex> value = view.expression(equations.program().lower(parsed));
-    if (!value) throw UsageError(fmt::format("the state {} = {} is too long to be written out", name, formula));
-    map[view.symbol(symbol)] = *value;
+    state.emplace_back(symbol, number && !(symbol->unit == Unit()) ? parsed * Expression::quantity(Number(1), symbol->unit) : parsed);
   }
-  return map;
+  return state;
 }
 
-}  // namespace
-
-LinearisedEquations linearised(LagrangeEquations& equations, const Scene& scene,
-                               const std::vector<std::pair<std::string, std::string>>& about) {
+LinearisedEquations linearised(LagrangeEquations& equations, const Scene& scene, const About& about) {
   InlineView& view = equations.view();
   const GiNaC::exmap at = state(equations, scene, about);
   GiNaC::exmap without_inputs;

@@ -19,6 +19,7 @@
 #include "generator/printing/lagrange_equations.hpp"
 #include "generator/printing/linearised_equations.hpp"
 #include "generator/printing/page.hpp"
+#include "generator/printing/reduced_equations.hpp"
 
 namespace torsor {
 namespace printing {
@@ -228,6 +229,9 @@ class Printer {
       }
       page_.equation(equation.coordinate.q->name, collected(left, {equation.coordinate.a}), collected(right), "");
     }
+    if (!free->can_fail()) return;
+    page_.note(say("They hold where det C is not zero, C the factors of the multipliers in the equations that gave them:"));
+    page_.stated({"det C", "\\det \\mathbf{C}"}, collected(free->determinant), "");
   }
 
   void linearisation() {
@@ -261,20 +265,69 @@ class Printer {
     matrix("M", linear.M);
     matrix("C", linear.C);
     matrix("K", linear.K);
-    std::vector<std::vector<Sum>> force;
-    for (const Sum& sum : linear.F) force.push_back({sum});
-    matrix("F", force);
+    matrix("F", column(linear.F));
     matrix("E", linear.E);
+    if (!equations_.constraints().empty()) reduced_linearisation();
   }
 
-  void matrix(const std::string& name, const SumMatrix& matrix) {
+  static SumMatrix column(const std::vector<Sum>& entries) {
+    SumMatrix rows;
+    for (const Sum& sum : entries) rows.push_back({sum});
+    return rows;
+  }
+
+  /// In independent freedoms, without multipliers' deviations.
+  void reduced_linearisation() {
+    page_.section(say("Linearised equations in independent freedoms"));
+    std::optional<ReducedEquations> reduced;
+    try {
+      // Entries are quotients: what is longer than a fifth of an equation nobody reads.
+      reduced = reduced_equations(scene_, {options_.terms / 5, options_.expansion}, options_.about);
+    } catch (const SceneError& error) {
+      page_.note(say("Not reduced: {}.", error.what()));
+      return;
+    }
+    if (!reduced) {
+      page_.note(options_.about.empty() ? say("Too long to be written out, or none is left: name a state, or generate the kernel linearisation.")
+                                        : say("Too long to be written out, or none is left: generate the kernel linearisation."));
+      return;
+    }
+    const std::string coordinates = fmt::format("{}", fmt::join(reduced->coordinates, ", "));
+    const std::string velocities = fmt::format("{}", fmt::join(reduced->velocities, ", "));
+    if (reduced->rates_are_velocities()) {
+      page_.formula(say("M_r e'' + C_r e' + K_r e = F_r + E_r u, e the deviations of the freedoms below; the others follow."),
+                    say("$\\mathbf{M}_r \\ddot{e} + \\mathbf{C}_r \\dot{e} + \\mathbf{K}_r e = \\mathbf{F}_r + \\mathbf{E}_r u$, $e$ "
+                        "the deviations of the freedoms below; the others follow."));
+      page_.note(say("Independent: {}. Multipliers are those of the state.", coordinates));
+    } else {
+      page_.formula(say("M_r w' + C_r w + K_r e = F_r + E_r u, e' = D e + N w, e and w the deviations below; the others follow."),
+                    say("$\\mathbf{M}_r \\dot{w} + \\mathbf{C}_r w + \\mathbf{K}_r e = \\mathbf{F}_r + \\mathbf{E}_r u$, $\\dot{e} = "
+                        "\\mathbf{D} e + \\mathbf{N} w$, $e$ and $w$ the deviations below; the others follow."));
+      page_.note(say("e: of {}; w: of the rates of {}. Multipliers are those of the state.", coordinates, velocities));
+    }
+    const auto write = [this](const std::string& name, const SumMatrix& entries) {
+      matrix({name + "_r", fmt::format("\\mathbf{{{}}}_r", name)}, name + "_r", entries);
+    };
+    write("M", reduced->M);
+    write("C", reduced->C);
+    write("K", reduced->K);
+    write("F", column(reduced->F));
+    write("E", reduced->E);
+    if (reduced->rates_are_velocities()) return;
+    matrix("D", reduced->D);
+    matrix("N", reduced->N);
+  }
+
+  void matrix(const std::string& name, const SumMatrix& entries) { matrix(bold(name), name, entries); }
+
+  void matrix(const Spelling& name, const std::string& entry, const SumMatrix& matrix) {
     std::vector<std::vector<Written>> rows;
     for (const auto& row : matrix) {
       std::vector<Written> entries;
       for (const Sum& sum : row) entries.push_back(collected(sum));
       rows.push_back(std::move(entries));
     }
-    page_.matrix(bold(name), name, rows);
+    page_.matrix(name, entry, rows);
   }
 
   void definitions() {

@@ -70,6 +70,9 @@ constexpr Translation french_of_equations[] = {
      "Les multiplicateurs tirés des équations de {}, reportés dans l'autre :"},
     {"The multipliers from the equations of {}, put into the others:",
      "Les multiplicateurs tirés des équations de {}, reportés dans les autres :"},
+    {"They hold where det C is not zero, C the factors of the multipliers in the equations that gave them:",
+     "Elles valent là où det C n'est pas nul, C étant la matrice des coefficients des multiplicateurs dans les équations qui les "
+     "ont donnés :"},
     // Derivation
     {"bodies", "solides"},
     {"actions", "actions"},
@@ -140,6 +143,27 @@ constexpr Translation french_of_equations[] = {
      "Autour de {} ; vitesses et accélérations non nommées sont nulles."},
     {"At fixed multipliers, in all coordinates: A' dlambda and the linearised constraints come beside it.",
      "À multiplicateurs fixés, pour tous les paramètres : A' dlambda et les équations de liaison linéarisées s'y ajoutent."},
+    {"Linearised equations in independent freedoms", "Équations linéarisées en paramètres indépendants"},
+    {"Not reduced: {}.", "Non réduites : {}."},
+    {"Too long to be written out, or none is left: name a state, or generate the kernel linearisation.",
+     "D'écriture trop longue, ou aucun ne reste : nommer un état, ou engendrer le noyau linearisation."},
+    {"Too long to be written out, or none is left: generate the kernel linearisation.",
+     "D'écriture trop longue, ou aucun ne reste : engendrer le noyau linearisation."},
+    {"M_r e'' + C_r e' + K_r e = F_r + E_r u, e the deviations of the freedoms below; the others follow.",
+     "M_r e'' + C_r e' + K_r e = F_r + E_r u, e les écarts des paramètres ci-dessous ; les autres suivent."},
+    {"$\\mathbf{M}_r \\ddot{e} + \\mathbf{C}_r \\dot{e} + \\mathbf{K}_r e = \\mathbf{F}_r + \\mathbf{E}_r u$, $e$ the deviations of "
+     "the freedoms below; the others follow.",
+     "$\\mathbf{M}_r \\ddot{e} + \\mathbf{C}_r \\dot{e} + \\mathbf{K}_r e = \\mathbf{F}_r + \\mathbf{E}_r u$, $e$ les écarts des "
+     "paramètres ci-dessous ; les autres suivent."},
+    {"Independent: {}. Multipliers are those of the state.", "Indépendants : {}. Les multiplicateurs sont ceux de l'état."},
+    {"M_r w' + C_r w + K_r e = F_r + E_r u, e' = D e + N w, e and w the deviations below; the others follow.",
+     "M_r w' + C_r w + K_r e = F_r + E_r u, e' = D e + N w, e et w les écarts ci-dessous ; les autres suivent."},
+    {"$\\mathbf{M}_r \\dot{w} + \\mathbf{C}_r w + \\mathbf{K}_r e = \\mathbf{F}_r + \\mathbf{E}_r u$, $\\dot{e} = \\mathbf{D} e + "
+     "\\mathbf{N} w$, $e$ and $w$ the deviations below; the others follow.",
+     "$\\mathbf{M}_r \\dot{w} + \\mathbf{C}_r w + \\mathbf{K}_r e = \\mathbf{F}_r + \\mathbf{E}_r u$, $\\dot{e} = \\mathbf{D} e + "
+     "\\mathbf{N} w$, $e$ et $w$ les écarts ci-dessous ; les autres suivent."},
+    {"e: of {}; w: of the rates of {}. Multipliers are those of the state.",
+     "e : de {} ; w : des vitesses de {}. Les multiplicateurs sont ceux de l'état."},
     // Painlevé and first integrals
     {"Painleve's equation and first integrals", "Équation de Painlevé et intégrales premières"},
     {"d(T2 - T0)/dt + dT/dt = sum_i Q_i q_i'{}, dT/dt at constant q and q'.",

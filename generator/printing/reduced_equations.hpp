@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "generator/printing/linearised_equations.hpp"
+
+namespace torsor::printing {
+
+/// The linearised equations of a constrained scene in independent freedoms, written out:
+///   M ẇ + C w + K e = F + E u,   ė = D e + N w,
+/// e the deviations of `coordinates`, w of the rates of `velocities` (generator/dynamics/derivatives/reduction.hpp).
+struct ReducedEquations {
+  std::vector<std::string> coordinates, velocities;
+  SumMatrix M, C, K, E, D, N;
+  std::vector<Sum> F;
+
+  /// Whether ė = w: where all constraints are holonomic and no freedom is that of an attitude.
+  bool rates_are_velocities() const;
+};
+
+/// Parameters and multipliers are symbols, accelerations zero; with a state `about` velocities too, as far as it does not name
+/// them. Nothing where an entry has more terms than `limits` allows, or no freedom is left. Throws SceneError where the freedoms
+/// cannot be chosen, as the kernel does.
+std::optional<ReducedEquations> reduced_equations(const Scene& scene, const InlineLimits& limits, const About& about);
+
+}  // namespace torsor::printing
