@@ -4,6 +4,18 @@
 "use strict";
 const options = { throwOnError: true, trust: false, strict: "ignore", maxExpand: 100000 };
 
+/// On paper nothing scrolls: what would be wider than a line of A4 is set smaller there, by --on-paper in style.css. Widths are
+/// compared in units of the letters', so that the width of the screen does not matter.
+function fitToPaper(element) {
+  const line = 674, letter = 13.6, short = 100;  // pixels of A4 between margins; KaTeX's em in print, 1.21 times 0.7 rem; characters
+  if (element.dataset.latex.length < short) return;
+  const html = element.querySelector(".katex-html"), label = element.parentElement.querySelector(".label");
+  if (!html) return;
+  const width = [...html.children].reduce((sum, part) => sum + part.getBoundingClientRect().width, 0) / parseFloat(getComputedStyle(html).fontSize);
+  const room = (line - Math.max(24, label ? label.getBoundingClientRect().width : 0)) / letter;
+  if (width > room) element.style.setProperty("--on-paper", Math.floor((1000 * room) / width) / 1000);
+}
+
 function typeset(element) {
   const { latex, inline, mixed } = element.dataset;
   if (element.dataset.done) return;
@@ -23,6 +35,7 @@ function typeset(element) {
       });
       element.replaceChildren(...parts);
     }
+    if (latex !== undefined) fitToPaper(element);
     // What is wider than the page is scrolled, by the keyboard too.
     if (latex !== undefined && element.scrollWidth > element.clientWidth + 1) {
       element.tabIndex = 0;
