@@ -2,6 +2,7 @@
 #include "generator/mechanics/inertia_operations.hpp"
 
 #include "generator/base/error.hpp"
+#include "generator/program/identically_zero.hpp"
 #include "tests/mechanics/inertia_points.hpp"
 #include "tests/program/test_symbols.hpp"
 
