@@ -33,11 +33,13 @@ struct FileRequest {
   std::string gravity;
   std::string angle_tolerance = "1e-9";
   std::string name;
-  std::vector<std::string> points, initial, fix, armature, friction, arguments, package_folders;
+  std::vector<std::string> points, initial, fix, armature, friction, ground, arguments, package_folders;
+  std::string ground_friction = "0.5", ground_restitution = "0";
   std::string dependency_file;
   bool no_dampers = false;
   bool no_motors = false;
   bool run_time_gravity = false;
+  bool limits = false;
   bool accept_inertia = false;  ///< void
   bool strict = false;
   bool quiet = false;
@@ -76,6 +78,14 @@ void add_options(CLI::App& command, FileRequest& request) {
                      "dry friction in joints, JOINT=NUMBER in N m (N where the joint slides), or file: that of <dynamics "
                      "friction>; comma-separated")
       ->delimiter(',');
+  command.add_flag("--limits", request.limits, "make <limit lower upper> of the joints stops");
+  command.add_option("--ground", request.ground,
+                     "links whose <collision> spheres, boxes and cylinders touch the ground z = 0; comma-separated")
+      ->delimiter(',');
+  command.add_option("--ground-friction", request.ground_friction, "value of the run-time parameter ground_friction")
+      ->capture_default_str();
+  command.add_option("--ground-restitution", request.ground_restitution, "value of the run-time parameter ground_restitution")
+      ->capture_default_str();
   command.add_flag("--run-time-gravity", request.run_time_gravity,
                    "make the components of gravity the run-time parameters gravity_x, gravity_y, gravity_z");
   command.add_flag("--strict", request.strict, "make the first note an error: elements that cannot act, inertia that no matter has");
@@ -146,6 +156,10 @@ UrdfOptions urdf_options(const FileRequest& request) {
       add_joint_number(options.friction, "--friction", word);
     }
   }
+  options.limits = request.limits;
+  options.ground = request.ground;
+  options.ground_friction = option_number("--ground-friction", request.ground_friction);
+  options.ground_restitution = option_number("--ground-restitution", request.ground_restitution);
   options.name = request.name;
   options.points = request.points;
   options.package_folders = request.package_folders;

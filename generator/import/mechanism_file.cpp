@@ -31,6 +31,9 @@ MechanismFile read_mjcf_file(const std::string& path, const MechanismFileOptions
     throw UsageError(fmt::format(
         "--armature, --friction and --run-time-gravity are for URDF; in '{}' armature is an attribute of <joint>", path));
   }
+  if (!given.ground.empty() || given.limits) {
+    throw UsageError(fmt::format("--ground and --limits are for URDF; '{}' is MJCF", path));
+  }
   if (options.mjcf_reader == nullptr) {
     throw FileError(
         fmt::format("{}: is MJCF, which this program was built without; install libmujoco-dev and build torsor "

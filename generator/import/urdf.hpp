@@ -44,6 +44,11 @@ struct UrdfOptions {
   /// Dry friction in joints, {joint, the largest effort} [N m, N]: kernels `contacts` and `contact_coefficients`.
   std::vector<std::pair<std::string, Number>> friction;
   bool friction_of_file = false;  ///< <dynamics friction="b"> acts so too, where `friction` says nothing else
+  bool limits = false;  ///< <limit lower upper> are stops, without restitution
+  /// Links whose <collision> spheres, boxes and cylinders' rims touch the ground z = 0, and what it is made of: the values
+  /// of the run-time parameters ground_friction and ground_restitution.
+  std::vector<std::string> ground;
+  Number ground_friction = Number::rational(1, 2), ground_restitution;
   bool run_time_gravity = false;  ///< its components are the run-time parameters gravity_x, gravity_y, gravity_z
   /// State at t = 0 where it is not zero, by set_initial: {"elbow", "0.3"}, {"elbow'", "1"}, {"base_attitude_w",
   /// "0.6"}.

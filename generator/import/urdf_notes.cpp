@@ -36,6 +36,14 @@ std::string arguments(const UrdfRobot& robot, const UrdfOptions& options) {
   };
   assignments("--armature", options.armature, "");
   assignments("--friction", options.friction, options.friction_of_file ? "file" : "");
+  if (options.limits) text += " --limits";
+  if (!options.ground.empty()) {
+    text += " --ground " + shell_word(fmt::format("{}", fmt::join(options.ground, ",")));
+    if (!(options.ground_friction == defaults.ground_friction)) {
+      text += " --ground-friction " + number_word(options.ground_friction);
+    }
+    if (!options.ground_restitution.is_zero()) text += " --ground-restitution " + number_word(options.ground_restitution);
+  }
   if (!options.fix.empty()) text += " --fix " + shell_word(fmt::format("{}", fmt::join(options.fix, ",")));
   if (!options.name.empty()) text += " --name " + shell_word(options.name);
   if (!options.points.empty()) text += " --points " + shell_word(fmt::format("{}", fmt::join(options.points, ",")));

@@ -258,6 +258,7 @@ UrdfRobot read_robot(std::string_view text, const std::string& file, const Numbe
     kept = largest_deviation(robot, all);
   }
   robot.visuals = read_visuals(root);
+  robot.collisions = read_collisions(root);
   constexpr double of_doubles = 1e-15;  // a few angles with all digits of a double
   if (kept.sum > of_doubles) {
     robot.exact_together =

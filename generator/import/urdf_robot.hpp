@@ -105,6 +105,7 @@ struct UrdfRobot {
   std::vector<std::string> remarks;  ///< what was understood beyond the letter, a line each
   std::vector<std::string> without_effect;  ///< what is read of joints and used nowhere, a line each
   std::vector<UrdfVisual> visuals;
+  std::vector<UrdfCollision> collisions;
   std::vector<std::string> almost;  ///< angles that look like a multiple of π/12 and are beyond the tolerance
 };
 

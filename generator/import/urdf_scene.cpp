@@ -16,6 +16,7 @@
 #include "generator/import/urdf.hpp"
 #include "generator/import/urdf_base.hpp"
 #include "generator/import/urdf_displacement.hpp"
+#include "generator/import/urdf_ground.hpp"
 #include "generator/import/urdf_initial.hpp"
 #include "generator/import/urdf_notes.hpp"
 #include "generator/import/urdf_robot.hpp"
@@ -78,6 +79,9 @@ class SceneBuilder {
     for (const UrdfJoint& joint : robot_.joints) add_actions(joint);
     scene_.gravity(weight);
     add_points();
+    add_ground(scene_, robot_, options_, frames_, [this](const std::string& name, const std::string& kind) {
+      return take(kind == "frame" ? frame_names_ : symbols_, name, kind);
+    });
     for (const UrdfVisual& visual : robot_.visuals) {
       scene_.show({.frame = frames_.at(visual.link), .form = visual.form, .placement = visual.placement, .colour = visual.colour});
     }
@@ -200,7 +204,7 @@ class SceneBuilder {
       free_[joint.name].attitude = scene_.attitude(word + "_attitude");
     } else if (!joint.mimic) {
       const std::string effort = joint.turns() ? "_torque" : "_force";
-      data.coordinate = take(symbols_, joint.name, "joint", {"", effort, "_damping", "_armature", "_friction"});
+      data.coordinate = take(symbols_, joint.name, "joint", {"", effort, "_damping", "_armature", "_friction", "_lower", "_upper"});
       names_[joint.name] = data.coordinate;
       const Expression q = scene_.coordinate(data.coordinate, joint.turns() ? "rad" : "m");
       displacements_[joint.name] = q;
@@ -344,6 +348,13 @@ class SceneBuilder {
       const std::string parameter_name = name + "_damping";
       scene_.damper(name + "_damper", displacement(joint),
                     parameter(parameter_name, joint.turns() ? "N m s" : "N s/m", *joint.damping));
+    }
+    if (options_.limits && !joint.mimic && (joint.lower || joint.upper)) {
+      const Unit unit = joint.turns() ? units::radian : units::metre;
+      const auto place = [&unit](const std::optional<Number>& at) {
+        return at ? std::optional<Expression>(Expression::quantity(*at, unit)) : std::nullopt;
+      };
+      scene_.stop(displacements_.at(joint.name), place(joint.lower), place(joint.upper));
     }
     const std::optional<Number> armature = given(options_.armature, joint.name);
     if (armature && !armature->is_zero()) {

@@ -128,4 +128,15 @@ std::vector<UrdfVisual> read_visuals(const XmlElement& robot) {
   return visuals;
 }
 
+std::vector<UrdfCollision> read_collisions(const XmlElement& robot) {
+  std::vector<UrdfCollision> collisions;
+  for (const XmlElement& link : robot.children("link")) {
+    for (const XmlElement& collision : link.children("collision")) {
+      const auto geometry = first(collision, "geometry");
+      collisions.push_back({collision.place(), name_of(link), geometry ? form_of(*geometry) : std::nullopt, placement(collision)});
+    }
+  }
+  return collisions;
+}
+
 }  // namespace torsor

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -20,5 +21,14 @@ struct UrdfVisual {
 /// The <visual> elements of a robot. A picture decides nothing about the motion: whatever of it cannot be read is left out
 /// without a word.
 std::vector<UrdfVisual> read_visuals(const XmlElement& robot);
+
+/// A <collision> element: what a link touches others with. A form or a placement that cannot be read is none.
+struct UrdfCollision {
+  XmlPlace place;
+  std::string link;
+  std::optional<Form> form;
+  std::optional<Placement> placement;  ///< in the link
+};
+std::vector<UrdfCollision> read_collisions(const XmlElement& robot);
 
 }  // namespace torsor
