@@ -21,7 +21,7 @@ namespace torsor::runtime {
 /// has a speed: equations with d = w_T/|w_T| are too stiff before.
 class ContactMotion {
  public:
-  /// The mechanism has at most `most_contacts` contacts and must live as long.
+  /// The mechanism must live as long.
   explicit ContactMotion(const ContactMechanism& mechanism);
 
   PerContact<ContactState> states{};
@@ -86,6 +86,7 @@ class ContactMotion {
   [[nodiscard]] double rounding_of_gap(int i) const noexcept;
 
   [[nodiscard]] std::span<const ContactRule> rules() const noexcept { return std::span(rules_).first(as(count())); }
+  [[nodiscard]] const ContactSizes& sizes() const noexcept { return sizes_; }
   [[nodiscard]] int count() const noexcept { return sizes_.contacts; }
   [[nodiscard]] const ContactRule& rule(int i) const noexcept { return rules_[as(i)]; }
   /// The contact whose gap decides whether this one touches: itself, or the one that rolls; -1: it always does.

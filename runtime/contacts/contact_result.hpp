@@ -23,6 +23,7 @@ enum class ContactStatus : int {
   too_many_events,
   integration_failed,
   not_started,  ///< ContactRun::start was not called
+  no_room,      ///< ContactRun has room for fewer numbers or contacts than the mechanism has
 };
 
 [[nodiscard]] constexpr std::string_view describe(ContactStatus status) noexcept {
@@ -46,6 +47,8 @@ enum class ContactStatus : int {
       return "the limit of events was met: raise it, or look for regimes that alternate without end";
     case ContactStatus::integration_failed:
       return "the integration between events failed, see its own status";
+    case ContactStatus::no_room:
+      return "the mechanism has more numbers or contacts than there is room for: give ContactRun more";
     case ContactStatus::not_started:
       return "the motion was not started: call start first";
   }

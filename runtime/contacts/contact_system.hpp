@@ -75,7 +75,8 @@ struct ContactReading {
 /// What the non-smooth layer asks of a mechanism, whatever its type. A state y has the coordinates, then the velocities.
 class ContactMechanism {
  public:
-  explicit ContactMechanism(const ContactSizes& sizes) noexcept : sizes_(sizes) {}
+  /// Throws std::length_error for more contacts than `most_contacts`.
+  explicit ContactMechanism(const ContactSizes& sizes);
   ContactMechanism(const ContactMechanism&) = delete;
   ContactMechanism& operator=(const ContactMechanism&) = delete;
   virtual ~ContactMechanism() = default;
@@ -105,7 +106,7 @@ concept ContactSystem = requires(const S& system, double t, const std::array<dou
 template <ContactSystem S>
 class ContactMechanismOf final : public ContactMechanism {
  public:
-  explicit ContactMechanismOf(const S& system) noexcept : ContactMechanism(sizes_of_type()), system_(system) {}
+  explicit ContactMechanismOf(const S& system) : ContactMechanism(sizes_of_type()), system_(system) {}
 
   [[nodiscard]] ContactRule rule(int contact) const override { return system_.rule(contact); }
   [[nodiscard]] Evaluation read(double t, std::span<const double> y, ContactReading& reading) const override {

@@ -27,7 +27,14 @@ class ContactRun {
   ContactRun& operator=(const ContactRun&) = delete;
 
   /// Puts the state on its constraints and decides the first regimes; false where the motion cannot begin.
-  bool start(double t0) { return automaton_.start(t0, y_); }
+  bool start(double t0) {
+    const ContactSizes& sizes = automaton_.motion().sizes();
+    if (static_cast<std::size_t>(sizes.coordinates + sizes.velocities) > size ||
+        static_cast<std::size_t>(sizes.contacts) > contacts) {
+      return automaton_.end(ContactStatus::no_room, -1);
+    }
+    return automaton_.start(t0, y_);
+  }
 
   /// Goes on to t1, which is not before; false where the motion ends earlier.
   bool advance(double t1) {

@@ -6,6 +6,8 @@
 #include <cstddef>
 #include <limits>
 #include <numbers>
+#include <span>
+#include <stdexcept>
 #include <vector>
 
 #include "tests/contacts/simple_systems.hpp"
@@ -354,6 +356,63 @@ TEST(NewtonsCradle, SwingsWithTwoBallsThatTouchWithoutAForce) {
     EXPECT_NEAR(impacts[0].state[4], 2 * bottom / 3, 1e-11);
     EXPECT_NEAR(impacts[0].state[5], 2 * bottom / 3, 1e-11);
   }
+}
+
+/// A mechanism of that many balls, each with a floor of its own, that is never moved.
+class ManyBalls final : public ContactMechanism {
+ public:
+  explicit ManyBalls(int count) : ContactMechanism({count, count, count, 0}) {}
+  [[nodiscard]] ContactRule rule(int) const override { return {.tangents = 0}; }
+  [[nodiscard]] Evaluation read(double, std::span<const double>, ContactReading&) const override { return Evaluation::singular; }
+  void coordinate_rates(double, std::span<const double>, std::span<double>) const override {}
+};
+
+TEST(ContactStatus, SaysThatThereIsNoRoomOrNoStart) {
+  EXPECT_THROW(ManyBalls(33), std::length_error);
+  const ManyBalls three(3);
+  std::array<double, 6> y{};
+  IgnoreSteps none;
+  ContactRun<6, 2, DormandPrince853, IgnoreSteps> narrow(three, y, precise, {}, none);
+  EXPECT_FALSE(narrow.start(0));
+  EXPECT_EQ(narrow.result().status, ContactStatus::no_room);
+  std::array<double, 5> shorter{};
+  ContactRun<5, 3, DormandPrince853, IgnoreSteps> low(three, shorter, precise, {}, none);
+  EXPECT_FALSE(low.start(0));
+  EXPECT_EQ(low.result().status, ContactStatus::no_room);
+  ContactRun<6, 3, DormandPrince853, IgnoreSteps> idle(three, y, precise, {}, none);
+  EXPECT_FALSE(idle.advance(1));
+  EXPECT_EQ(idle.result().status, ContactStatus::not_started);
+}
+
+/// A particle whose x is held by x^2 + apart = 0, over a floor.
+struct HeldParticle {
+  static constexpr std::size_t nq = 2, nv = 2, contacts = 1;
+  static constexpr int constraints = 1;
+  double apart;
+  [[nodiscard]] ContactRule rule(int) const { return {.tangents = 0}; }
+  [[nodiscard]] Evaluation read(double, const std::array<double, 4>& y, ContactReading& r) const {
+    r.M.setIdentity();
+    r.F << 0, -g;
+    r.gap[0] = y[1] + 2;
+    r.J << 0, 1;
+    r.w << y[3];
+    r.drift.setZero();
+    r.A << 2 * y[0], 0;
+    r.value << y[0] * y[0] + apart;
+    r.rate << 2 * y[0] * y[2];
+    r.gamma << 2 * y[2] * y[2];
+    return Evaluation::ok;
+  }
+  void coordinate_rates(double, const std::array<double, 4>& y, std::array<double, 2>& rates) const { rates = {y[2], y[3]}; }
+};
+
+TEST(ContactStatus, SaysThatLoopsCannotBeClosed) {
+  std::array<double, 4> y{0.7, 0, 0, 0};
+  const ContactResult result = integrate_contacts(HeldParticle{1}, y, 0, 0.1, precise);
+  EXPECT_EQ(result.status, ContactStatus::open_loops) << describe(result.status);
+  std::array<double, 4> closed{0.7, 0, 0, 0};
+  EXPECT_TRUE(integrate_contacts(HeldParticle{-0.25}, closed, 0, 0.1, precise));
+  EXPECT_NEAR(closed[0], 0.5, 1e-15);
 }
 
 TEST(ContactStatus, SaysWhatIsWrongAndWhere) {
