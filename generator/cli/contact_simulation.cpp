@@ -86,7 +86,9 @@ class ContactSimulation {
   std::string of_contact(const runtime::ContactResult& end) const {
     std::string text;
     if (end.status == ContactStatus::integration_failed) {
-      text = fmt::format(": {}, {}", describe(end.integration_event), describe(end.integration.status));
+      text = end.integration_event == runtime::EventStatus::integration_failed
+                 ? fmt::format(": {}", describe(end.integration.status))
+                 : fmt::format(": {}", describe(end.integration_event));
     }
     if (end.contact < 0 || end.contact >= contacts_.count()) return text;
     return fmt::format("{}; contact '{}'", text, contacts_.name(end.contact));

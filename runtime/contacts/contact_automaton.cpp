@@ -20,7 +20,12 @@ bool ContactAutomaton::start(double t0, std::span<double> y) {
   result_ = {};
   result_.time = t0;
   y_ = y;
-  residual_ = 0;
+  motion_.forget();
+  bounces_.assign(bounces_.size(), {});
+  all_ = {};
+  fastest_ = residual_ = 0;
+  impact_number_ = 0;
+  has_event_ = false;
   return valid_rules() && begin(t0);
 }
 
@@ -37,7 +42,7 @@ double ContactAutomaton::guard(std::size_t index, double t, std::span<const doub
     if (!state.touches) return motion_.reading().gap[as(contact)];
     if (motion_.solve(t, y) != Evaluation::ok) return none;
     const int n = motion_.first_row(contact);
-    return motion_.reactions()(n) + state.force_slack + (state.idle ? 4e-12 * fastest_ / motion_.W()(n, n) : 0);
+    return motion_.reactions()(n) + state.force_slack + idle_slack(contact, n);
   }
   if (!state.touches || rule.tangents == 0 || state.regime == ContactRegime::open) return 1;
   if (watched == Watched::youth) {
@@ -51,7 +56,14 @@ double ContactAutomaton::guard(std::size_t index, double t, std::span<const doub
     return motion_.slip(contact) + (state.begins && !state.fades ? motion_.least_slip(contact) : 0);
   }
   if (motion_.solve(t, y) != Evaluation::ok) return none;
-  return motion_.margin(contact) + state.force_slack;
+  return motion_.margin(contact) + state.force_slack + idle_slack(contact, motion_.tangent_row(contact));
+}
+
+// What rounding may make of a force in a row of a contact that has none.
+double ContactAutomaton::idle_slack(int contact, int row) {
+  if (!motion_.states[as(contact)].idle) return 0;
+  const double own = motion_.W()(row, row);
+  return own > 0 ? 4e-12 * fastest_ / own : 0;
 }
 
 bool ContactAutomaton::barrier(std::size_t index) const {
@@ -96,7 +108,7 @@ bool ContactAutomaton::begin(double t) {
     }
     touching_[as(i)] = motion_.states[as(i)].touches = near(i);
   }
-  // A gap that is closed as nearly as is asked is closed, which one below zero could not be left.
+  // Gaps up to `touch` are closed: one that is left below zero would sink.
   if (motion_.project_positions(t, y_, 3) != Evaluation::ok || !motion_.read(t, y_)) {
     return end(ContactStatus::integration_failed, -1);
   }
@@ -109,7 +121,13 @@ bool ContactAutomaton::begin(double t) {
       first = i;
     }
   }
-  if (approaches) return collide(first, false);
+  if (approaches) {
+    std::copy_n(y_.begin(), before_.size(), before_.begin());
+    kind_ = ContactEventKind::impact;
+    contact_ = first;
+    told_ = t;
+    return has_event_ = collide(first, false);
+  }
   for (int i = 0; i < count(); ++i) {
     const int by = motion_.carrier(i);
     motion_.states[as(i)].touches =
@@ -166,9 +184,11 @@ ContactLaw ContactAutomaton::law_after(int i, int forced, Cause cause) const noe
 // an event is not left to rounding: what the event says of it is given.
 bool ContactAutomaton::decide(int forced, Cause cause) {
   if (!motion_.read(result_.time, y_)) return end(ContactStatus::integration_failed, forced);
+  double most = 0;
   for (int i = 0; i < count(); ++i) {
-    if (motion_.rule(i).normal) fastest_ = std::max(fastest_, motion_.acceleration_terms(i));
+    if (motion_.rule(i).normal) most = std::max(most, motion_.acceleration_terms(i));
   }
+  fastest_ = std::max(most, fastest_ / 2);  // a blow long ago says nothing of rounding now
   ContactSelection chosen;
   for (int i = 0; i < count(); ++i) {
     if (!motion_.states[as(i)].touches || (cause == Cause::opens && motion_.carrier(i) == forced)) continue;
@@ -250,9 +270,10 @@ double ContactAutomaton::end_of_bounces(int i, double speed, double a) const noe
 // Whether a contact takes part in the accumulation: of one contact, or of those of the last seventeen impacts. Two that
 // strike in turn, each impact some hundred times weaker, get to flights within rounding after few impacts.
 bool ContactAutomaton::accumulating(int i) const noexcept {
-  if (alone_ && i == cause_) return true;
   const bool recent = bounces_[as(i)].last > 0 && bounces_[as(i)].last + 17 > impact_number_;
-  if (!alone_ || !recent || !buried_) return !alone_ && recent;
+  if (!alone_) return recent;
+  if (i == cause_) return true;
+  if (!buried_ || !recent) return false;
   const double w = motion_.reading().w(motion_.first_row(i));
   return w * w <= 2 * motion_.acceleration_terms(i) * motion_.rounding_of_gap(i);
 }
@@ -267,7 +288,7 @@ bool ContactAutomaton::collide(int cause, bool rests) {
     ContactLaw law = motion_.rule(i).law();
     law.static_friction = law.friction;
     law.bound = law.static_bound = 0;  // bounded forces give no impulse
-    restitution[as(chosen.problem.count)] = rests ? 0 : motion_.rule(i).restitution;
+    restitution[as(chosen.problem.count)] = rests && accumulating(i) ? 0 : motion_.rule(i).restitution;
     chosen.add(i, law, motion_.first_row(i));
   }
   ContactVector before = motion_.reading().w;
@@ -291,7 +312,7 @@ bool ContactAutomaton::collide(int cause, bool rests) {
     energy_lost_ -= shock.P(i) * (problem.q(i) + shock.w(i)) / 2;
     terms += std::abs(shock.P(i) * problem.q(i));
   }
-  if (energy_lost_ < -1e-12 * terms) return end(ContactStatus::energy_gained, cause);
+  if (!(energy_lost_ >= -1e-12 * terms)) return end(ContactStatus::energy_gained, cause);
   // What rounding leaves of a slip that the impact ends is a part of the velocities before.
   PerContact<double> rounding{};
   for (int i = 0; i < count(); ++i) {
@@ -399,10 +420,11 @@ bool ContactAutomaton::strike(int contact) {
   bounces.speed = speed;
   const bool done = collide(contact, rests);
   if (rests) {
-    for (Bounces& each : bounces_) {
-      const std::int64_t last = each.last;
-      each = {};
-      each.last = last;
+    for (int i = 0; i < count(); ++i) {
+      if (!accumulating(i)) continue;
+      const std::int64_t last = bounces_[as(i)].last;
+      bounces_[as(i)] = {};
+      bounces_[as(i)].last = last;
     }
     all_ = {};
   }

@@ -60,6 +60,7 @@ class ContactAutomaton {
   static constexpr std::size_t as(int i) noexcept { return static_cast<std::size_t>(i); }
   [[nodiscard]] int count() const noexcept { return motion_.count(); }
   [[nodiscard]] bool valid_rules() noexcept;
+  [[nodiscard]] double idle_slack(int contact, int row);
   bool begin(double t);
   [[nodiscard]] bool near(int i) const noexcept;
   void set_by_slip(int i, double at_rest) noexcept;
@@ -82,7 +83,7 @@ class ContactAutomaton {
   std::vector<Bounces> bounces_;
   PerContact<bool> touching_{};
   AccumulationWatch<double> all_{};
-  double fastest_ = 0;  ///< the largest terms of a normal acceleration at any event so far
+  double fastest_ = 0;  ///< the largest terms of a normal acceleration at recent events
   std::int64_t impact_number_ = 0;
   bool alone_ = false;  ///< the accumulation is that of one contact, `cause_`
   bool buried_ = false;  ///< the next flight would not leave rounding

@@ -25,7 +25,7 @@ class ContactDynamics {
 
  private:
   Eigen::LLT<Eigen::MatrixXd> mass_, schur_;
-  Eigen::MatrixXd Y_, S_, AKJ_;  ///< M^-1 A^T and A M^-1 A^T
+  Eigen::MatrixXd Y_, S_, AKJ_;  ///< M^-1 A^T, A M^-1 A^T, and what is left of A M^-1 J^T
   Eigen::VectorXd right_;
 };
 

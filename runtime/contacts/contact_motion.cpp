@@ -13,7 +13,7 @@ namespace torsor::runtime {
 ContactMotion::ContactMotion(const ContactMechanism& mechanism) : mechanism_(mechanism), sizes_(mechanism.sizes()) {
   for (int i = 0; i < count(); ++i) {
     rules_[as(i)] = mechanism.rule(i);
-    first_row_[as(i) + 1] = first_row_[as(i)] + rule(i).rows();
+    first_row_[as(i) + 1] = first_row_[as(i)] + std::clamp(rule(i).rows(), 0, 3);  // a rule may be impossible
   }
   reading_ = later_reading_ = ContactReading(sizes_, rows());
   a_.setZero(sizes_.velocities);
@@ -22,6 +22,14 @@ ContactMotion::ContactMotion(const ContactMechanism& mechanism) : mechanism_(mec
   there_.resize(static_cast<std::size_t>(sizes_.coordinates + sizes_.velocities));
   y_ = there_;
   rates_.resize(static_cast<std::size_t>(sizes_.coordinates));
+}
+
+void ContactMotion::forget() noexcept {
+  states.fill({});
+  across_.fill(0);
+  lag_.fill(0);
+  stiff_.fill(false);
+  known_ = responded_ = solved_ = false;
 }
 
 Evaluation ContactMotion::slope(double t, std::span<const double> y, std::span<double> dydt) {

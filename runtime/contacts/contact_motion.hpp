@@ -100,6 +100,8 @@ class ContactMotion {
   /// Adds the answer to impulses to the velocities of a state; the state read last is that before.
   void add_answer(const ContactVector& impulses, std::span<double> y);
   [[nodiscard]] const ContactVector& reactions() const noexcept { return r_; }
+  /// Back to what a motion knows before it starts.
+  void forget() noexcept;
   /// Regimes were changed: what was solved is no longer valid.
   void changed() noexcept { solved_ = false; }
 

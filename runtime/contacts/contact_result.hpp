@@ -17,9 +17,9 @@ enum class ContactStatus : int {
   stopped_by_observer,
   no_solution,    ///< no regimes fulfil the laws (Painlevé)
   energy_gained,  ///< T+ > T- at an impact
-  penetrates,     ///< a gap is negative at the start
+  penetrates,     ///< a gap is below -touch at the start
   open_loops,     ///< constraints cannot be closed near the start
-  invalid_rule,   ///< f < 0, f_s < f, b < 0, or e outside [0, 1]
+  invalid_rule,   ///< f < 0, f_s < f, b < 0, e outside [0, 1], or tangents and presser that cannot be
   too_many_events,
   integration_failed,
   not_started,  ///< ContactRun::start was not called
@@ -41,8 +41,8 @@ enum class ContactStatus : int {
     case ContactStatus::open_loops:
       return "the loops cannot be closed near the start: begin nearer to a state in which they are";
     case ContactStatus::invalid_rule:
-      return "a contact's rule is impossible: friction and bounds at least 0, static ones at least those of sliding, "
-             "restitution from 0 to 1";
+      return "a contact's rule is impossible: friction and bounds finite and at least 0, static ones at least those of "
+             "sliding, restitution from 0 to 1, at most two tangents, pressed by an earlier contact with a normal";
     case ContactStatus::too_many_events:
       return "the limit of events was met: raise it, or look for regimes that alternate without end";
     case ContactStatus::integration_failed:

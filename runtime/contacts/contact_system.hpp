@@ -2,6 +2,7 @@
 #pragma once
 #include <Eigen/Core>
 #include <array>
+#include <cmath>
 #include <concepts>
 #include <cstddef>
 #include <span>
@@ -26,8 +27,8 @@ struct ContactRule {
   [[nodiscard]] int rows() const noexcept { return (normal ? 1 : 0) + tangents; }
   /// Whether the rule of a contact, by its place among all, says what is possible; a number that is none is not.
   [[nodiscard]] bool valid(int contact) const noexcept {
-    return friction >= 0 && sticking() >= friction && bound >= 0 && sticking_bound() >= bound && restitution >= 0 &&
-           restitution <= 1 && tangents >= 0 && tangents <= 2 && rows() > 0 &&
+    return friction >= 0 && sticking() >= friction && bound >= 0 && sticking_bound() >= bound &&
+           std::isfinite(sticking() + sticking_bound()) && restitution >= 0 && restitution <= 1 && tangents >= 0 && tangents <= 2 && rows() > 0 &&
            (pressed_by < 0 || (!normal && pressed_by < contact));
   }
   /// Its law of forces while it does not slip already.
@@ -106,6 +107,7 @@ concept ContactSystem = requires(const S& system, double t, const std::array<dou
 template <ContactSystem S>
 class ContactMechanismOf final : public ContactMechanism {
  public:
+  explicit ContactMechanismOf(const S&&) = delete;  ///< a temporary system does not live as long
   explicit ContactMechanismOf(const S& system) : ContactMechanism(sizes_of_type()), system_(system) {}
 
   [[nodiscard]] ContactRule rule(int contact) const override { return system_.rule(contact); }

@@ -99,9 +99,11 @@ void sequential(const ContactProblem& problem, std::span<const double> restituti
     result.residual = std::max(result.residual, alone.residual);
     for (int k = 0; k < one.problem.count; ++k) result.sticks[at(one.who[at(k)])] = alone.sticks[at(k)];
   }
+  const double size = problem.q.cwiseAbs().maxCoeff();
   for (int i = 0; i < problem.count; ++i) {
-    result.closed[at(i)] = problem.law(i).normal && std::abs(result.w(problem.first_row(i))) <= 1e-15;
+    result.closed[at(i)] = problem.law(i).normal && std::abs(result.w(problem.first_row(i))) <= 1e-15 * size;
   }
+  if (next_to_close(problem, result.w) >= 0) result.verdict = ContactVerdict::none;  // no end of collisions
 }
 
 }  // namespace

@@ -33,7 +33,7 @@ class ContactRun {
         static_cast<std::size_t>(sizes.contacts) > contacts) {
       return automaton_.end(ContactStatus::no_room, -1);
     }
-    return automaton_.start(t0, y_);
+    return automaton_.start(t0, y_) && told();
   }
 
   /// Goes on to t1, which is not before; false where the motion ends earlier.
@@ -62,7 +62,7 @@ class ContactRun {
       dydt.fill(0);
       return motion.slope(t, y, dydt);
     }
-    [[nodiscard]] Evaluation project(double t, Vector& y) const noexcept { return motion.project(t, y); }
+    [[nodiscard]] Evaluation project(double t, Vector& y) const { return motion.project(t, y); }
   };
   struct Value {
     ContactAutomaton* automaton;
@@ -86,7 +86,7 @@ class ContactRun {
     std::array<Watch, Watches::count> watches;
     for (std::size_t i = 0; i < watches.size(); ++i) {
       const Response response = automaton_.barrier(i) ? Response::barrier : Response::stop;
-      watches[i] = {Value{&automaton_, i}, Crossing::falling, response, End{}};
+      watches[i] = {Value{&automaton_, i}, Crossing::falling, response, End{}, true};
     }
     Watches events(watches);
     events.options.by_stepping = true;
@@ -105,9 +105,14 @@ class ContactRun {
     const bool here = piece.status == EventStatus::guard_not_followed &&
                       automaton_.falls_within_rounding(piece.guard, piece.time, y_);
     if (piece.status != EventStatus::stopped_at_event && !here) {
-      return automaton_.end(ContactStatus::integration_failed, static_cast<int>(piece.guard / ContactAutomaton::guards));
+      const bool of_a_guard = piece.status == EventStatus::guard_not_followed || piece.status == EventStatus::beyond_barrier;
+      const auto contact = static_cast<int>(piece.guard / ContactAutomaton::guards);
+      return automaton_.end(ContactStatus::integration_failed, of_a_guard ? contact : -1);
     }
-    if (!automaton_.pass(piece.guard, piece.time, y_)) return false;
+    return automaton_.pass(piece.guard, piece.time, y_) && told();
+  }
+
+  bool told() {
     if constexpr (std::is_invocable_v<Observer&, const ContactEvent&>) {
       if (automaton_.has_event() && !notify(observer_, automaton_.event())) {
         return automaton_.end(ContactStatus::stopped_by_observer, automaton_.event().contact);

@@ -13,10 +13,11 @@ MoreauJean::MoreauJean(std::unique_ptr<const ContactMechanism> mechanism, double
     : mechanism_(std::move(mechanism)), theta_(theta) {
   for (int i = 0; i < count(); ++i) {
     rules_[as(i)] = mechanism_->rule(i);
-    first_row_[as(i) + 1] = first_row_[as(i)] + rules_[as(i)].rows();
+    first_row_[as(i) + 1] = first_row_[as(i)] + std::clamp(rules_[as(i)].rows(), 0, 3);  // a rule may be impossible
   }
   const ContactSizes& sizes = mechanism_->sizes();
   middle_.resize(as(sizes.coordinates + sizes.velocities));
+  before_ = middle_;
   rates_.resize(as(sizes.coordinates));
   for (int i = 0; i < count(); ++i) {
     if (valid_rule(std::span(rules_).first(as(count())), i)) continue;
@@ -35,7 +36,15 @@ bool MoreauJean::end(ContactStatus status) noexcept {
 
 bool MoreauJean::step(double t, double h, std::span<double> y) {
   if (status_ == ContactStatus::invalid_rule) return false;
+  if (!(h > 0 && theta_ >= 0 && theta_ <= 1)) return end(ContactStatus::integration_failed);
   status_ = ContactStatus::reached_end;
+  before_.assign(y.begin(), y.end());
+  if (move_through(t, h, y)) return true;
+  std::copy(before_.begin(), before_.end(), y.begin());
+  return false;
+}
+
+bool MoreauJean::move_through(double t, double h, std::span<double> y) {
   std::copy_n(y.begin(), middle_.size(), middle_.begin());
   move(t, middle_, (1 - theta_) * h);
   const double there = t + (1 - theta_) * h;
@@ -66,7 +75,7 @@ bool MoreauJean::step(double t, double h, std::span<double> y) {
   residual_ = 0;
   if (chosen.problem.count > 0) {
     ContactAnswer answer = iterate_contacts(chosen.problem, start);
-    if (!answer && chosen.problem.count <= 6) answer = solve_contacts(chosen.problem);
+    if (!answer && chosen.problem.count <= ContactSolverOptions{}.enumerated) answer = solve_contacts(chosen.problem);
     if (!answer) return end(ContactStatus::no_solution);
     residual_ = answer.best().residual;
     impulses_ = chosen.spread(answer.best().r, rows());

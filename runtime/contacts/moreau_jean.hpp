@@ -24,9 +24,11 @@ class MoreauJean {
   template <ContactSystem S>
   explicit MoreauJean(const S& system, double theta = 0.5)
       : MoreauJean(std::make_unique<ContactMechanismOf<S>>(system), theta) {}
+  template <ContactSystem S>
+  explicit MoreauJean(const S&&, double = 0.5) = delete;  ///< a temporary system does not live as long
   explicit MoreauJean(std::unique_ptr<const ContactMechanism> mechanism, double theta = 0.5);
 
-  /// One step of length h > 0 from (t, y). False with a status where it cannot be made.
+  /// One step of length h > 0 from (t, y), 0 <= θ <= 1. False with a status where it cannot be made; y is then as before.
   bool step(double t, double h, std::span<double> y);
 
   [[nodiscard]] ContactStatus status() const noexcept { return status_; }
@@ -42,6 +44,7 @@ class MoreauJean {
   [[nodiscard]] int rows() const noexcept { return first_row_[as(count())]; }
   void move(double t, std::span<double> y, double h);
   [[nodiscard]] bool read(double t, std::span<const double> y);
+  bool move_through(double t, double h, std::span<double> y);
   bool put_back(double t, std::span<double> y);
 
   std::unique_ptr<const ContactMechanism> mechanism_;
@@ -51,7 +54,7 @@ class MoreauJean {
   ContactReading reading_;
   ContactDynamics dynamics_;
   Eigen::VectorXd change_, v_;
-  std::vector<double> middle_, rates_;
+  std::vector<double> middle_, before_, rates_;
   ContactVector impulses_;
   ContactStatus status_ = ContactStatus::reached_end;
   double residual_ = 0, depth_ = 0;

@@ -35,7 +35,9 @@ class EventWatch {
     start_ = t;
     y_start_ = y;
     has_slope_ = restarts_ = false;
-    for (std::size_t i = 0; i < count; ++i) memory_[i].start_anew(set_.response(i) == Response::barrier);
+    for (std::size_t i = 0; i < count; ++i) {
+      memory_[i].start_anew(set_.response(i) == Response::barrier || set_.from_above(i));
+    }
   }
 
   /// A state was set anew at `time`: the integration goes on from `state`.
@@ -134,6 +136,7 @@ class EventWatch {
     if (memory.fresh) {
       band = band_at(i, step, from);
       if (memory.side > Scalar(0) && values[0] < -band) {
+        if (set_.from_above(i)) return {true, true, from, from, Scalar(0), from};
         result_.status = EventStatus::beyond_barrier;
         return none;
       }

@@ -24,25 +24,26 @@ struct Guard {
   Crossing crossing = Crossing::either;
   Response response = Response::note;
   Reset reset;
+  bool from_above = false;  ///< it was positive before the start: zero or less there is a crossing
 };
 
 /// The observer is told of the crossing, and the integration goes on.
 template <class Function>
 [[nodiscard]] constexpr Guard<Function> note(Function function, Crossing crossing = Crossing::either) {
-  return {std::move(function), crossing, Response::note, {}};
+  return {std::move(function), crossing, Response::note, {}, false};
 }
 
 /// The integration ends at the crossing.
 template <class Function>
 [[nodiscard]] constexpr Guard<Function> stop_at(Function function, Crossing crossing = Crossing::either) {
-  return {std::move(function), crossing, Response::stop, {}};
+  return {std::move(function), crossing, Response::stop, {}, false};
 }
 
 /// `reset(t, y)` changes the state at the crossing; one that returns false ends the integration there. A guard that the
 /// reset leaves at zero is then on the side to which it goes from there.
 template <class Function, class Reset>
 [[nodiscard]] constexpr Guard<Function, Reset> reset_at(Function function, Crossing crossing, Reset reset) {
-  return {std::move(function), crossing, Response::reset, std::move(reset)};
+  return {std::move(function), crossing, Response::reset, std::move(reset), false};
 }
 
 /// A unilateral condition g >= 0: where g would fall below zero, `reset(t, y)` changes the state (an impact). A motion
@@ -50,7 +51,7 @@ template <class Function, class Reset>
 /// an accumulation of events.
 template <class Function, class Reset>
 [[nodiscard]] constexpr Guard<Function, Reset> barrier(Function function, Reset reset) {
-  return {std::move(function), Crossing::falling, Response::barrier, std::move(reset)};
+  return {std::move(function), Crossing::falling, Response::barrier, std::move(reset), false};
 }
 
 /// How events are told from rounding. Rounding of a guard is estimated, where it is near zero, as
@@ -90,6 +91,12 @@ class Events {
   [[nodiscard]] Crossing crossing(std::size_t index) const {
     Crossing result{};
     visit(index, [&](const auto& guard) { result = guard.crossing; });
+    return result;
+  }
+  /// Whether a guard is on its positive side before the start, whatever rounding says there.
+  [[nodiscard]] bool from_above(std::size_t index) const {
+    bool result = false;
+    visit(index, [&](const auto& guard) { result = guard.from_above; });
     return result;
   }
   [[nodiscard]] Response response(std::size_t index) const {
@@ -144,6 +151,7 @@ class EventArray {
   }
   [[nodiscard]] Crossing crossing(std::size_t index) const { return guards_[index].crossing; }
   [[nodiscard]] Response response(std::size_t index) const { return guards_[index].response; }
+  [[nodiscard]] bool from_above(std::size_t index) const { return guards_[index].from_above; }
   template <class Scalar, std::size_t size>
   [[nodiscard]] bool reset(std::size_t index, const Scalar& t, std::array<Scalar, size>& y) const {
     return Events<G>::reset_by(guards_[index], t, y);

@@ -92,6 +92,14 @@ TEST(RandomMotions, NeverGainEnergyAndNeverSink) {
   EXPECT_LE(ended, numbers.size() / 20);
 }
 
+// Scene 38: four bodies in a loop, of which several contacts strike at once with friction. Newton's law would give energy.
+TEST(RandomMotions, EndWhereTheLawOfImpactWouldGiveEnergy) {
+  auto [scene, y] = random_start(38);
+  const ContactResult result = integrate_contacts(scene, y, 0, 1, precise);
+  EXPECT_EQ(result.status, ContactStatus::energy_gained);
+  EXPECT_GE(result.contact, 0);
+}
+
 // Steps of Moreau and Jean, fifty times as short, come at least five times as near to the motion from event to event.
 TEST(RandomMotions, AreWhatStepsTendTo) {
   int compared = 0;

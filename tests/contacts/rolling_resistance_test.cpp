@@ -83,6 +83,23 @@ TEST(RollingResistance, HoldsADiscOnASlopeUpToItsAngle) {
   }
 }
 
+// A disc on a level floor is pulled by a force that grows, p t: it begins to roll where p t R = h N, and goes on with
+// (p t - h N/R) 2/3.
+TEST(RollingResistance, BeginsToRollWhereTheMomentReachesItsBound) {
+  constexpr double radius = 0.1, length = 0.01, pull = 2;
+  auto disc = disc_on_soft_slope(0, 0.5, radius, length);
+  const auto still = disc.fill;
+  disc.fill = [still](double t, const auto& y, ContactReading& r) {
+    still(t, y, r);
+    r.F(0) += pull * t;
+  };
+  std::array<double, 6> y{0, radius, 0, 0, 0, 0};
+  const auto events = events_of(disc, y, 1);
+  const double onset = length * g / (radius * pull), later = 1 - onset;
+  EXPECT_NEAR(the(events, ContactEventKind::slips, 1).time, onset, 1e-12);
+  EXPECT_NEAR(y[3], 2.0 / 3 * pull * later * later / 2, 1e-12);
+}
+
 // Thrown up a slope that is steep enough it comes back, on one that is not it stays where it stops.
 TEST(RollingResistance, TurnsRoundOrStays) {
   constexpr double radius = 0.1, length = 0.01;
