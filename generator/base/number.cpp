@@ -225,6 +225,7 @@ Number Number::pow(int exponent) const {
       bits = std::max(bits, static_cast<long>(cln::integer_length(integer)));
     }
   }
+  if (!is_rational()) bits += 2;  // (1 + √2)^n grows although its parts are small
   if (bits > 1 && bits > most_bits / std::max(1L, std::abs(static_cast<long>(exponent)))) {
     throw Error("a number of " + std::to_string(bits) + " bits to the power " + std::to_string(exponent) +
                 " is beyond 10^80000: write smaller numbers");

@@ -34,7 +34,7 @@ struct FileRequest {
   std::string angle_tolerance = "1e-9";
   std::string name;
   std::vector<std::string> points, initial, fix, armature, friction, ground, arguments, package_folders;
-  std::string ground_friction = "0.5", ground_restitution = "0";
+  std::string ground_friction, ground_restitution;
   std::string dependency_file;
   bool no_dampers = false;
   bool no_motors = false;
@@ -82,10 +82,10 @@ void add_options(CLI::App& command, FileRequest& request) {
   command.add_option("--ground", request.ground,
                      "links whose <collision> spheres, boxes and cylinders touch the ground z = 0; comma-separated")
       ->delimiter(',');
-  command.add_option("--ground-friction", request.ground_friction, "value of the run-time parameter ground_friction")
-      ->capture_default_str();
-  command.add_option("--ground-restitution", request.ground_restitution, "value of the run-time parameter ground_restitution")
-      ->capture_default_str();
+  command.add_option("--ground-friction", request.ground_friction,
+                     "value of the run-time parameter ground_friction; 0.5 when absent");
+  command.add_option("--ground-restitution", request.ground_restitution,
+                     "value of the run-time parameter ground_restitution; 0 when absent");
   command.add_flag("--run-time-gravity", request.run_time_gravity,
                    "make the components of gravity the run-time parameters gravity_x, gravity_y, gravity_z");
   command.add_flag("--strict", request.strict, "make the first note an error: elements that cannot act, inertia that no matter has");
@@ -158,8 +158,13 @@ UrdfOptions urdf_options(const FileRequest& request) {
   }
   options.limits = request.limits;
   options.ground = request.ground;
-  options.ground_friction = option_number("--ground-friction", request.ground_friction);
-  options.ground_restitution = option_number("--ground-restitution", request.ground_restitution);
+  const std::pair<const char*, const std::string*> surface[] = {{"--ground-friction", &request.ground_friction},
+                                                                {"--ground-restitution", &request.ground_restitution}};
+  for (const auto& [option, text] : surface) {
+    if (text->empty()) continue;
+    if (options.ground.empty()) throw UsageError(fmt::format("{} is of the links in --ground: name them", option));
+    (text == &request.ground_friction ? options.ground_friction : options.ground_restitution) = option_number(option, *text);
+  }
   options.name = request.name;
   options.points = request.points;
   options.package_folders = request.package_folders;

@@ -88,6 +88,11 @@ class SceneBuilder {
     set_initial(scene_, options_.initial);
     scene_.keep_massless();
     ImportedRobot imported{std::move(scene_), std::move(data_), robot_.notes.lines()};
+    for (const UrdfJoint& joint : robot_.joints) {
+      if (!options_.limits || !joint.mimic || !(joint.lower || joint.upper)) continue;
+      imported.notes.push_back(fmt::format("joint '{}' follows '{}': its limits are no stops, those of '{}' are", joint.name,
+                                           joint.mimic->joint, joint.mimic->joint));
+    }
     imported.scene.came_from(urdf_origin(robot_, options_, imported.joints, renamed_));
     return imported;
   }

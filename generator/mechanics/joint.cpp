@@ -3,6 +3,8 @@
 
 #include <array>
 
+#include "generator/base/natural_language.hpp"
+
 namespace torsor {
 namespace {
 

@@ -4,9 +4,9 @@
 #include <string>
 #include <string_view>
 
-#include "generator/base/natural_language.hpp"
-
 namespace torsor {
+
+class NaturalLanguage;
 
 /// Ideal joints between two frames a and b (the standard table of mechanical joints). Axes are those of frame a unless
 /// said otherwise; "locked" directions transmit force or moment, free ones transmit none.

@@ -235,7 +235,7 @@ std::vector<double> EvaluatedMotion::least_change(const std::vector<std::size_t>
 double EvaluatedMotion::independence(double t, const std::vector<double>& y) {
   move_to(t, y);
   Rows<double> mass;
-  for (const std::vector<Value>& row : equations_.mass()) mass.push_back(here_(row));
+  for (const std::vector<Value>& row : mass_) mass.push_back(here_(row));
   const Cholesky<double> factor = metric_factor(std::move(mass));
   double least = 1.0;
   std::vector<std::vector<double>> basis;

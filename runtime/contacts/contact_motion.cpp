@@ -183,6 +183,13 @@ ContactProblem ContactMotion::problem_of(const ContactReading& reading, const Co
   problem.W = dynamics.W;
   problem.q = reading.drift;
   problem.q.noalias() += reading.J * dynamics.a0;
+  double terms = 0;
+  for (int i = 0; i < rows(); ++i) {
+    double sum = std::abs(reading.drift(i));
+    for (int j = 0; j < sizes_.velocities; ++j) sum += std::abs(reading.J(i, j) * dynamics.a0(j));
+    terms = std::max(terms, sum);
+  }
+  problem.noise = 1e-13 * terms;
   return problem;
 }
 

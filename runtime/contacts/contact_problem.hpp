@@ -67,6 +67,7 @@ struct ContactProblem {
   PerContact<ContactLaw> laws{};
   ContactMatrix W;  ///< Delassus' matrix J M^-1 J^T, symmetric, positive semidefinite
   ContactVector q;  ///< u without reactions
+  double noise = 0;  ///< what of q rounding may be: equations that depend on each other hold to no less
 
   [[nodiscard]] const ContactLaw& law(int contact) const noexcept { return laws[static_cast<std::size_t>(contact)]; }
   [[nodiscard]] int rows() const noexcept { return first_row(count); }

@@ -63,7 +63,7 @@ bool RegimeSystem::solve() noexcept {
     kernel_ = lu_.kernel();
     const ContactVector left = E_ * x_ - e_;
     const double size = E_.cwiseAbs().maxCoeff() * x_.cwiseAbs().maxCoeff() + e_.cwiseAbs().maxCoeff();
-    return left.cwiseAbs().maxCoeff() <= 1e-10 * size;
+    return left.cwiseAbs().maxCoeff() <= 1e-10 * size + problem_.noise;
   }
   return x_.allFinite();
 }

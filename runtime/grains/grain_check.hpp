@@ -104,10 +104,10 @@ template <int dim>
   if (!finite(grains.v[i])) return refused("the sum of its velocities", grains.v[i].sum(), "give finite ones");
   if (!finite(grains.w[i])) return refused("its angular velocity", grains.w[i].sum(), "give a finite one");
   if (!positive(grains.radius[i])) return refused("radius", grains.radius[i], "give a length above 0");
-  if (!positive(grains.inverse_mass[i])) {
+  if (!positive(grains.inverse_mass[i]) || !positive(1 / grains.inverse_mass[i])) {
     return refused("the inverse of its mass", grains.inverse_mass[i], "give a finite mass above 0");
   }
-  if (!positive(grains.inverse_inertia[i])) {
+  if (!positive(grains.inverse_inertia[i]) || !positive(1 / grains.inverse_inertia[i])) {
     return refused("the inverse of its inertia", grains.inverse_inertia[i], "give a finite inertia above 0");
   }
   return {};

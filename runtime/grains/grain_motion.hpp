@@ -75,11 +75,12 @@ class GrainMotion {
     contacts_.colour(static_cast<std::uint32_t>(count), [this](std::uint32_t i) { return takes_part(i); });
     const auto solved = solver_.solve(grains_, contacts_, options_.tolerance, options_.sweeps, team_);
     result.sweeps += solved.sweeps;
-    result.residual = std::max(solved.residual, result.residual);
-    result.converged = solved.converged;
-    result.status = solved.converged                 ? GrainStatus::ok
-                    : std::isfinite(solved.residual) ? GrainStatus::not_converged
-                                                     : GrainStatus::not_finite;
+    const bool finite = std::isfinite(solved.residual) && std::isfinite(result.residual);
+    result.residual = finite ? std::max(solved.residual, result.residual) : NAN;
+    result.converged = finite && solved.converged;
+    result.status = !finite            ? GrainStatus::not_finite
+                    : solved.converged ? GrainStatus::ok
+                                       : GrainStatus::not_converged;
     if (std::find(held_.begin(), held_.end(), 1) != held_.end()) {
       contacts_.colour(static_cast<std::uint32_t>(count), [this](std::uint32_t i) { return !islands_.asleep(i); });
     }
@@ -150,7 +151,7 @@ class GrainMotion {
         holds = holds || held_[i] != 0;
         begins = begins || (held_[i] != 0 && rested_[i] == 0);
       }
-      if (holds) result.residual = found.residual;
+      if (holds || !std::isfinite(found.residual)) result.residual = found.residual;
       result.ambiguous = begins && solver_.moves(grains_, contacts_, options_.tolerance, options_.sweeps, team_, held_);
     }
     for (std::size_t i = 0; i < count; ++i) {

@@ -189,8 +189,8 @@ struct GrainRow<3> : GrainRowBase {
     Local T = P - along * n;
     double N = std::max(along, 0.0);
     const double length2 = T.squaredNorm();
-    if (length2 <= friction * friction * N * N) return N * n + T;
     const double length = std::sqrt(length2);
+    if (length <= friction * N) return N * n + T;
     if constexpr (law == GrainLaw::cone) {
       const double f = friction * N_step;
       N = std::max((along * T_step + f * length) / (T_step + f * friction), 0.0);

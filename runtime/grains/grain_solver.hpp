@@ -96,6 +96,11 @@ class GrainSolver {
   static constexpr std::size_t piece = 256;
   static constexpr std::size_t stride = Row::stride;
 
+  // The larger one, or what is no number for good.
+  static void grow(double& most, double value) noexcept {
+    if (!(value <= most) && !std::isnan(most)) most = value;
+  }
+
   void load(const Grains<dim>& grains, const GrainContacts<dim>& contacts, bool warm) {
     const std::size_t count = grains.count();
     v_.resize(stride * count);
@@ -134,7 +139,9 @@ class GrainSolver {
     typename Grains<dim>::Spin w;
     Row::take(&v_[stride * i], grains.radius[i], v, w);
     const double m = 1 / grains.inverse_mass[i], turning = 1 / (grains.inverse_inertia[i] * grains.radius[i]);
-    return std::max(m * m * v.squaredNorm(), turning * turning * w.squaredNorm());
+    double most = m * m * v.squaredNorm();
+    grow(most, turning * turning * w.squaredNorm());
+    return most;
   }
 
   // Whether all is decided.
@@ -147,21 +154,22 @@ class GrainSolver {
       Vector v;
       typename Grains<dim>::Spin w;
       Row::take(&v_[stride * i], grains.radius[i], v, w);
-      island.momentum2 = std::max(island.momentum2, momentum2(grains, i));
+      grow(island.momentum2, momentum2(grains, i));
       island.power += v.dot(grains.v[i]) / grains.inverse_mass[i] + w.dot(grains.w[i]) / grains.inverse_inertia[i];
     }
     for (std::size_t k = 0; k < rows_.size(); ++k) {
       if (stands[rows_[k].a] == 0) continue;
       Verdict& island = verdicts_[islands.root(rows_[k].a)];
       const Local u = rows_[k].velocity(v_.data());
-      island.impulse2 = std::max(island.impulse2, P_[k].squaredNorm());
+      grow(island.impulse2, P_[k].squaredNorm());
       island.missing += std::max(rows_[k].friction * rows_[k].tangent_part(u) - rows_[k].normal_part(u), 0.0);
     }
     bool decided = true;
     for (std::uint32_t i = 0; i < grains.count(); ++i) {
       if (stands[i] == 0 || islands.root(i) != i) continue;
       Verdict& island = verdicts_[i];
-      island.rests = island.momentum2 <= tolerance * tolerance * island.impulse2;
+      const bool finite = std::isfinite(island.momentum2 + island.impulse2);
+      island.rests = finite && island.momentum2 <= tolerance * tolerance * island.impulse2;
       const bool moves = island.power > 10 * std::sqrt(island.impulse2) * island.missing;
       decided = decided && (island.rests || moves);
     }
@@ -258,8 +266,8 @@ class GrainSolver {
     Size size;
     for (const Size& each : parts_) {
       size.sum += each.sum;
-      if (!(each.most <= size.most)) size.most = each.most;  // what is no number too
-      size.largest = std::max(size.largest, each.largest);
+      grow(size.most, each.most);
+      grow(size.largest, each.largest);
     }
     return size;
   }
@@ -271,8 +279,8 @@ class GrainSolver {
       for (std::size_t i = first; i < first + count; ++i) {
         const double change = change_[i].squaredNorm();
         size.sum += change;
-        if (!(change <= size.most)) size.most = change;
-        size.largest = std::max(size.largest, P_[i].squaredNorm());
+        grow(size.most, change);
+        grow(size.largest, P_[i].squaredNorm());
       }
       parts_[p] = size;
     });
@@ -287,13 +295,13 @@ class GrainSolver {
       Size size;
       for (std::size_t i = first; i < first + count; ++i) {
         const double defect = (rows_[i].template solved<law>(v_.data(), P_[i]) - P_[i]).squaredNorm();
-        if (!(defect <= size.most)) size.most = defect;
-        size.largest = std::max(size.largest, P_[i].squaredNorm());
+        grow(size.most, defect);
+        grow(size.largest, P_[i].squaredNorm());
       }
       parts_[p] = size;
     });
     const Size size = collected();
-    if (!std::isfinite(size.most)) return size.most;
+    if (!std::isfinite(size.most + size.largest)) return NAN;
     return size.largest > 0 ? std::sqrt(size.most / size.largest) : size.most > 0 ? 1.0 : 0.0;
   }
 

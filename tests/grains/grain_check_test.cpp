@@ -109,12 +109,35 @@ TEST(GrainCheck, TellsOfNumbersThatOverflow) {
   plane.v[0] = {0, -1e308};
   plane.walls[0].velocity = {1e308, 0};
   const GrainStep in_plane = GrainMotion<2>(plane).step(1e-3);
-  EXPECT_NE(in_plane.status, GrainStatus::ok);
+  EXPECT_EQ(in_plane.status, GrainStatus::not_finite);
   Grains<3> space = two<3>();
   space.v[0] = {0, 0, -1e308};
   space.walls[0].velocity = {1e308, 0, 0};
   const GrainStep in_space = GrainMotion<3>(space).step(1e-3);
-  EXPECT_NE(in_space.status, GrainStatus::ok);
+  EXPECT_EQ(in_space.status, GrainStatus::not_finite);
+}
+
+// What stands is not held by impulses that overflow, and what comes first is not forgotten for what comes last.
+template <int dim>
+void tells_of_what_overflows_at_rest() {
+  for (const bool first : {true, false}) {
+    Grains<dim> heavy = two<dim>();
+    heavy.x[1] *= 4;  // apart
+    heavy.inverse_mass[first ? 0 : 1] = 1e-300;
+    heavy.inverse_inertia[first ? 0 : 1] = 1e-300;
+    if (!first) std::swap(heavy.x[0], heavy.x[1]);
+    EXPECT_EQ(GrainMotion<dim>(heavy).step(1e-3).status, GrainStatus::not_finite) << first;
+  }
+}
+TEST(GrainCheck, TellsOfWhatOverflowsAtRestInThePlane) { tells_of_what_overflows_at_rest<2>(); }
+TEST(GrainCheck, TellsOfWhatOverflowsAtRestInSpace) { tells_of_what_overflows_at_rest<3>(); }
+
+TEST(GrainCheck, MovesWithAnyFiniteFrictionOfAWall) {
+  Grains<3> grains = two<3>();
+  grains.walls[0].friction = 1e200;
+  GrainMotion<3> motion(grains);
+  for (int k = 0; k < 3; ++k) ASSERT_EQ(motion.step(1e-3).status, GrainStatus::ok);
+  EXPECT_TRUE(grains.x[0].allFinite());
 }
 
 // What is no number is not brought into bounds, in the plane as little as in space.

@@ -71,14 +71,14 @@ constexpr Translation french_of_equations[] = {
     {"The multipliers from the equations of {}, put into the others:",
      "Les multiplicateurs tirés des équations de {}, reportés dans les autres :"},
     {"They hold where det C is not zero, C the factors of the multipliers in the equations that gave them:",
-     "Elles valent là où det C n'est pas nul, C étant la matrice des coefficients des multiplicateurs dans les équations qui les "
+     "Elles sont valables là où det C n'est pas nul, C étant la matrice des coefficients des multiplicateurs dans les équations qui les "
      "ont donnés :"},
     // Derivation
     {"bodies", "solides"},
     {"actions", "actions"},
     {"joints", "liaisons"},
     {"Not written one by one: there are {} {}, and a page is for {} at most.",
-     "Non écrit un par un : il y a {} {}, et une page en présente {} au plus."},
+     "Le détail n'est pas écrit : il y a {} {}, et une page en présente {} au plus."},
     {"{} is too long to be written out.", "{} est d'écriture trop longue."},
     {"Twist and momentum screw of each body at its centre of mass",
      "Torseur cinématique et torseur cinétique de chaque solide en son centre d'inertie"},
@@ -146,9 +146,9 @@ constexpr Translation french_of_equations[] = {
     {"Linearised equations in independent freedoms", "Équations linéarisées en paramètres indépendants"},
     {"Not reduced: {}.", "Non réduites : {}."},
     {"Too long to be written out, or none is left: name a state, or generate the kernel linearisation.",
-     "D'écriture trop longue, ou aucun ne reste : nommer un état, ou engendrer le noyau linearisation."},
+     "D'écriture trop longue, ou il ne reste aucun paramètre indépendant : nommer un état, ou engendrer le noyau linearisation."},
     {"Too long to be written out, or none is left: generate the kernel linearisation.",
-     "D'écriture trop longue, ou aucun ne reste : engendrer le noyau linearisation."},
+     "D'écriture trop longue, ou il ne reste aucun paramètre indépendant : engendrer le noyau linearisation."},
     {"M_r e'' + C_r e' + K_r e = F_r + E_r u, e the deviations of the freedoms below; the others follow.",
      "M_r e'' + C_r e' + K_r e = F_r + E_r u, e les écarts des paramètres ci-dessous ; les autres suivent."},
     {"$\\mathbf{M}_r \\ddot{e} + \\mathbf{C}_r \\dot{e} + \\mathbf{K}_r e = \\mathbf{F}_r + \\mathbf{E}_r u$, $e$ the deviations of "
@@ -176,7 +176,7 @@ constexpr Translation french_of_equations[] = {
     {"T2 - T0 - U is not conserved: {}.", "T2 - T0 - U ne se conserve pas : {}."},
     {"constant", "constante"},
     {"\\text{constant}", "\\text{constante}"},
-    {"No momentum integral along {}: {}.", "Pas d'intégrale première de quantité de mouvement suivant {} : {}."},
+    {"No momentum integral along {}: {}.", "Pas d'intégrale première du moment conjugué suivant {} : {}."},
     {"nothing has mass", "rien n'a de masse"},
     {"{} has no force function", "{} ne dérive pas d'une fonction de force"},
     {"{} have no force function", "{} ne dérivent pas d'une fonction de force"},

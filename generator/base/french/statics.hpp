@@ -25,7 +25,7 @@ constexpr Translation french_of_statics[] = {
     {"Lejeune-Dirichlet cannot conclude: the scene has constraints; describe it with independent coordinates, or let the runtime "
      "project the second derivatives on the tangent space.",
      "Le théorème de Lejeune-Dirichlet ne conclut pas : il reste des équations de liaison ; prendre des paramètres indépendants, "
-     "ou laisser l'exécution projeter les dérivées secondes sur l'espace tangent."},
+     "ou laisser la bibliothèque d'exécution projeter les dérivées secondes sur l'espace tangent."},
     {"Lejeune-Dirichlet cannot conclude: {}.", "Le théorème de Lejeune-Dirichlet ne conclut pas : {}."},
     {"At {}", "En {}"},
     {"must hold for a rest", "nécessaire à l'équilibre"},
@@ -48,10 +48,10 @@ constexpr Translation french_of_statics[] = {
     {"Routh and Hurwitz, linearised equations", "Routh et Hurwitz, équations linéarisées"},
     {"Cannot conclude here: the scene has constraints; the kernel linearisation reduces them, and the runtime finds the "
      "eigenvalues.",
-     "On ne conclut pas ici : il reste des équations de liaison ; le noyau linearisation les réduit, et l'exécution trouve les "
+     "On ne conclut pas ici : il reste des équations de liaison ; le noyau linearisation les réduit, et la bibliothèque d'exécution trouve les "
      "valeurs propres."},
     {"Not written: {} freedoms, and formulas are for {} at most; the runtime finds the eigenvalues.",
-     "Non écrit : {} degrés de liberté, et les formules vont jusqu'à {} ; l'exécution trouve les valeurs propres."},
+     "Non écrit : {} degrés de liberté, et les formules vont jusqu'à {} ; la bibliothèque d'exécution trouve les valeurs propres."},
     {"Not written: {}.", "Non écrit : {}."},
     {"det(M s^2 + C s + K) has the coefficients", "det(M s^2 + C s + K) a pour coefficients"},
     {"Cannot conclude that it is stable: a determinant of Hurwitz vanishes whatever the parameters, so that some root has Re s >= "
@@ -78,7 +78,7 @@ constexpr Translation french_of_statics[] = {
     {", seen from {}", ", vu de {}"},
     {" at {}", " en {}"},
     {"Energy theorem for {}{}", "Théorème de l'énergie cinétique pour {}{}"},
-    {"power of the actions from outside, in W", "puissance galiléenne des efforts extérieurs, en W"},
+    {"power of the actions from outside, in W", "puissance des efforts extérieurs, en W"},
     {"power of the actions between the bodies, in W", "puissance des efforts intérieurs, en W"},
     {"Newton-Euler for {}: {}{} along {} of {}{}", "Principe fondamental pour {} : {}{} suivant {} de {}{}"},
     {"No unknown of a joint enters: an equation of motion.", "Aucune inconnue de liaison n'intervient : une équation du mouvement."},

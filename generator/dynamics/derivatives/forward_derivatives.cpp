@@ -191,7 +191,7 @@ ForwardDerivatives differentiated_squares(const Equations& equations) {
     Symbol force;
     force.name = fmt::format("force {}", j);
     force.unit = units::watt / coordinate.v->unit;
-    force.index = static_cast<int>(j);
+    force.index = model.scene().symbol_count + static_cast<int>(j);
     added.push_back(std::make_shared<const Symbol>(force));
     forces.push_back(program.symbol(added.back()));
   }
