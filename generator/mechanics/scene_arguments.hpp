@@ -102,8 +102,8 @@ struct Plane { FrameReference frame; std::array<Expression, 2> belt{}; };
 }  // namespace shape
 using ContactShape = std::variant<shape::Point, shape::Sphere, shape::HollowSphere, shape::Disc, shape::Torus,
                                   shape::Ellipsoid, shape::Convex, shape::Box, shape::Plane>;
-/// What two surfaces do to each other, formulas of parameters: plain numbers, without a `static_friction` it is `friction`;
-/// and lengths h [m] with which they resist rolling and spinning by moments up to h N.
+/// What two surfaces do to each other: formulas of parameters. Friction and restitution are plain numbers; without a
+/// `static_friction` it is `friction`. Rolling and spinning are lengths h [m]: moments up to h N resist these turns.
 struct SurfaceLaw {
   Expression friction = 0;
   std::optional<Expression> static_friction = std::nullopt;
