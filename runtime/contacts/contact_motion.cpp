@@ -9,6 +9,16 @@
 #include "runtime/contacts/slip_direction.hpp"
 
 namespace torsor::runtime {
+namespace {
+
+// The terms of an acceleration along a row of J, without reactions.
+double terms_of(const ContactReading& reading, const ContactDynamics& dynamics, int row) noexcept {
+  double sum = std::abs(reading.drift(row));
+  for (Eigen::Index j = 0; j < dynamics.a0.size(); ++j) sum += std::abs(reading.J(row, j) * dynamics.a0(j));
+  return sum;
+}
+
+}  // namespace
 
 ContactMotion::ContactMotion(const ContactMechanism& mechanism) : mechanism_(mechanism), sizes_(mechanism.sizes()) {
   for (int i = 0; i < count(); ++i) {
@@ -184,11 +194,7 @@ ContactProblem ContactMotion::problem_of(const ContactReading& reading, const Co
   problem.q = reading.drift;
   problem.q.noalias() += reading.J * dynamics.a0;
   double terms = 0;
-  for (int i = 0; i < rows(); ++i) {
-    double sum = std::abs(reading.drift(i));
-    for (int j = 0; j < sizes_.velocities; ++j) sum += std::abs(reading.J(i, j) * dynamics.a0(j));
-    terms = std::max(terms, sum);
-  }
+  for (int row = 0; row < rows(); ++row) terms = std::max(terms, terms_of(reading, dynamics, row));
   problem.noise = 1e-13 * terms;
   return problem;
 }
@@ -282,10 +288,7 @@ double ContactMotion::gap_acceleration(int i) const noexcept {
 }
 
 double ContactMotion::acceleration_terms(int i) const noexcept {
-  const int n = first_row(i);
-  double sum = std::abs(reading_.drift(n));
-  for (int j = 0; j < sizes_.velocities; ++j) sum += std::abs(reading_.J(n, j) * dynamics_.a0(j));
-  return sum;
+  return terms_of(reading_, dynamics_, first_row(i));
 }
 
 double ContactMotion::rounding_of_gap(int i) const noexcept {

@@ -10,6 +10,7 @@
 
 #include "runtime/contacts/circle_roots.hpp"
 #include "runtime/contacts/regime_inequalities.hpp"
+#include "runtime/contacts/slip_direction.hpp"
 
 namespace torsor::runtime {
 
@@ -161,31 +162,12 @@ bool RegimeEnumeration::turn_to_slip(Regimes& regimes) noexcept {
     if (!system.solve()) return false;
     const ContactVector u = system.motion();
     const double size = RegimeInequalities(problem_, system).sizes(system.reactions()).motion;
-    ContactVector across(sought);
-    ContactMatrix slopes(sought, sought);
-    for (int j = 0; j < sought; ++j) {
-      const ContactVector du = system.motion_by_turning(who[as(j)]);
-      for (int k = 0; k < sought; ++k) {
-        const int t = problem_.tangent_row(who[as(k)]);
-        const auto& d = regimes[as(who[as(k)])].direction;
-        if (j == 0) across(k) = d[0] * u(t + 1) - d[1] * u(t);
-        slopes(k, j) = d[0] * du(t + 1) - d[1] * du(t) - (j == k ? d[0] * u(t) + d[1] * u(t + 1) : 0);
-      }
-    }
-    const double off = across.cwiseAbs().maxCoeff();
+    const SlipsAcross slips(problem_, system, u, who, sought);
+    const double off = slips.across.cwiseAbs().maxCoeff();
     // Down to rounding, or as far as it falls.
     if (off <= 1e-15 * size || (off <= 1e-12 * size && off >= last)) return true;
     last = off;
-    ContactVector turn = slopes.partialPivLu().solve(across);
-    const double largest = turn.cwiseAbs().maxCoeff();
-    if (!std::isfinite(largest)) return false;
-    if (largest > 0.7) turn *= 0.7 / largest;
-    for (int k = 0; k < sought; ++k) {
-      auto& d = regimes[as(who[as(k)])].direction;
-      const double c = std::cos(turn(k)), s = -std::sin(turn(k));
-      const double x = d[0] * c - d[1] * s, y = d[0] * s + d[1] * c, length = std::hypot(x, y);
-      d = {x / length, y / length};
-    }
+    if (!turn_slips(regimes, who, -slips.slopes.partialPivLu().solve(slips.across), 0.7)) return false;
   }
   return false;
 }

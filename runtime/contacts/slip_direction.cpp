@@ -7,6 +7,34 @@
 
 namespace torsor::runtime {
 
+SlipsAcross::SlipsAcross(const ContactProblem& problem, const RegimeSystem& system, const ContactVector& motion,
+                         const PerContact<int>& who, int count) noexcept
+    : across(count), slopes(count, count) {
+  const auto at = [](int i) { return static_cast<std::size_t>(i); };
+  for (int j = 0; j < count; ++j) {
+    const ContactVector du = system.motion_by_turning(who[at(j)]);
+    for (int k = 0; k < count; ++k) {
+      const int t = problem.tangent_row(who[at(k)]);
+      const auto& d = system.at(who[at(k)]).direction;
+      across(k) = d[0] * motion(t + 1) - d[1] * motion(t);
+      slopes(k, j) = d[0] * du(t + 1) - d[1] * du(t) - (j == k ? d[0] * motion(t) + d[1] * motion(t + 1) : 0);
+    }
+  }
+}
+
+bool turn_slips(RegimeSystem::Regimes& regimes, const PerContact<int>& who, ContactVector angles, double most) noexcept {
+  if (!angles.allFinite()) return false;
+  const double largest = angles.cwiseAbs().maxCoeff();
+  if (largest > most) angles *= most / largest;
+  for (int k = 0; k < angles.size(); ++k) {
+    auto& d = regimes[static_cast<std::size_t>(who[static_cast<std::size_t>(k)])].direction;
+    const double c = std::cos(angles(k)), s = std::sin(angles(k));
+    const double x = d[0] * c - d[1] * s, y = d[0] * s + d[1] * c, length = std::hypot(x, y);
+    d = {x / length, y / length};
+  }
+  return true;
+}
+
 bool align_slips(const ContactProblem& problem, RegimeSystem::Regimes& regimes, const PerContact<bool>& begins,
                  const PerContact<double>& across_wanted) noexcept {
   const auto at = [](int i) { return static_cast<std::size_t>(i); };
@@ -22,33 +50,12 @@ bool align_slips(const ContactProblem& problem, RegimeSystem::Regimes& regimes, 
     const auto r = system.reactions();
     const ContactVector u = problem.W * r + problem.q;
     size = (problem.W.cwiseAbs() * r.cwiseAbs() + problem.q.cwiseAbs()).maxCoeff();
-    ContactVector across(sought);
-    ContactMatrix slopes(sought, sought);
-    for (int j = 0; j < sought; ++j) {
-      const auto du = system.motion_by_turning(who[at(j)]);
-      for (int k = 0; k < sought; ++k) {
-        const int t = problem.tangent_row(who[at(k)]);
-        const auto& d = regimes[at(who[at(k)])].direction;
-        if (j == 0) across(k) = d[0] * u(t + 1) - d[1] * u(t) - across_wanted[at(who[at(k)])];
-        slopes(k, j) = d[0] * du(t + 1) - d[1] * du(t) - (j == k ? d[0] * u(t) + d[1] * u(t + 1) : 0);
-      }
-    }
-    const double off = across.cwiseAbs().maxCoeff();
+    SlipsAcross slips(problem, system, u, who, sought);
+    for (int k = 0; k < sought; ++k) slips.across(k) -= across_wanted[at(who[at(k)])];
+    const double off = slips.across.cwiseAbs().maxCoeff();
     if (off <= 1e-16 * size || (off <= 1e-13 * size && off >= last)) return true;
     last = off;
-    ContactVector turn = -slopes.partialPivLu().solve(across);
-    double largest = 0;
-    for (int k = 0; k < sought; ++k) {
-      if (!(std::abs(turn(k)) <= largest)) largest = std::abs(turn(k));  // what is no number too
-    }
-    if (!std::isfinite(largest)) return false;
-    if (largest > 0.5) turn *= 0.5 / largest;
-    for (int k = 0; k < sought; ++k) {
-      auto& d = regimes[at(who[at(k)])].direction;
-      const double c = std::cos(turn(k)), s = std::sin(turn(k));
-      const double x = d[0] * c - d[1] * s, y = d[0] * s + d[1] * c, length = std::hypot(x, y);
-      d = {x / length, y / length};
-    }
+    if (!turn_slips(regimes, who, -slips.slopes.partialPivLu().solve(slips.across), 0.5)) return false;
   }
   return last <= 1e-9 * size;
 }

@@ -4,6 +4,19 @@
 
 namespace torsor::runtime {
 
+/// Motions across the directions of `count` slips, the contacts `who`, and their slopes as these directions turn.
+struct SlipsAcross {
+  SlipsAcross(const ContactProblem& problem, const RegimeSystem& system, const ContactVector& motion,
+              const PerContact<int>& who, int count) noexcept;
+  ContactVector across;
+  ContactMatrix slopes;
+};
+
+/// Turns these directions by angles, of which none is larger than `most`: if one is, all shrink alike. False where an
+/// angle is no number.
+[[nodiscard]] bool turn_slips(RegimeSystem::Regimes& regimes, const PerContact<int>& who, ContactVector angles,
+                              double most) noexcept;
+
 /// Directions of slips that have just begun, in space. With the slip w_T = s d, d = (cos θ, sin θ), and the
 /// acceleration w'_T(θ) = W r + q,
 ///   s' = d · w'_T,   s θ' = d × w'_T.
