@@ -25,6 +25,9 @@ set(CPACK_STRIP_FILES ON)
 set(CMAKE_SKIP_INSTALL_ALL_DEPENDENCY ON)  # what was built is packed
 set(CPACK_GENERATOR DEB TGZ)
 set(CPACK_COMPONENTS_ALL tool generator-dev runtime-dev python)
+if(TARGET torsor_scene)
+  list(APPEND CPACK_COMPONENTS_ALL python-scene)
+endif()
 
 set(CPACK_PACKAGING_INSTALL_PREFIX "/usr")
 set(CPACK_DEB_COMPONENT_INSTALL ON)
@@ -65,6 +68,20 @@ set(CPACK_DEBIAN_PYTHON_PACKAGE_CONTROL_EXTRA  # compile modules, and take them 
 set(CPACK_DEBIAN_PYTHON_PACKAGE_CONTROL_STRICT_PERMISSION TRUE)
 install(DIRECTORY python/torsor DESTINATION lib/python3/dist-packages COMPONENT python EXCLUDE_FROM_ALL
   FILES_MATCHING PATTERN "*.py" PATTERN "py.typed" PATTERN "__pycache__" EXCLUDE)
+if(TARGET torsor_scene)
+  set(CPACK_DEBIAN_PYTHON-SCENE_PACKAGE_NAME "python3-torsor-scene")
+  set(CPACK_DEBIAN_PYTHON-SCENE_PACKAGE_SECTION "python")
+  set(CPACK_DEBIAN_PYTHON-SCENE_PACKAGE_SHLIBDEPS ON)
+  math(EXPR next_minor "${Python3_VERSION_MINOR} + 1")
+  set(CPACK_DEBIAN_PYTHON-SCENE_PACKAGE_DEPENDS
+    "python3-torsor (= ${PROJECT_VERSION}), python3 (>= 3.${Python3_VERSION_MINOR}), python3 (<< 3.${next_minor})")
+  set(CPACK_COMPONENT_PYTHON-SCENE_DESCRIPTION "Mechanisms described in Python, for torsor
+ The module under torsor.scene: frames, bodies, joints, actions and constraints,
+ with the equations and the generated code of scenes in C++.")
+  install(TARGETS torsor_scene LIBRARY DESTINATION lib/python3/dist-packages COMPONENT python-scene EXCLUDE_FROM_ALL)
+  install(DIRECTORY python/scene/_torsor_scene DESTINATION lib/python3/dist-packages COMPONENT python-scene EXCLUDE_FROM_ALL
+    FILES_MATCHING PATTERN "*.pyi")
+endif()
 
 # Copyright and changelog, as Debian wants them in each package.
 file(STRINGS "${PROJECT_SOURCE_DIR}/LICENSES/MIT.txt" mit_lines)
@@ -92,9 +109,9 @@ if(TORSOR_GZIP)
   execute_process(COMMAND "${TORSOR_GZIP}" -9nkf "${PROJECT_BINARY_DIR}/texts/changelog" COMMAND_ERROR_IS_FATAL ANY)
   list(APPEND package_texts "${PROJECT_BINARY_DIR}/texts/changelog.gz")
 endif()
-foreach(component tool generator-dev runtime-dev python)
+foreach(component IN LISTS CPACK_COMPONENTS_ALL)
   set(only_packages "")
-  if(component STREQUAL "python")
+  if(component MATCHES "^python")
     set(only_packages EXCLUDE_FROM_ALL)
   endif()
   string(TOUPPER "${component}" upper)

@@ -3,6 +3,7 @@
 
 #include <functional>
 #include <string>
+#include <vector>
 
 #include "generator/mechanics/scene.hpp"
 
@@ -22,5 +23,16 @@ struct SceneSource {
 
 /// The command line of every program (scene_program.hpp) on that source.
 int run_commands(int argc, const char* const* argv, const SceneSource& source);
+
+/// What one command leaves where no program prints it.
+struct CommandOutcome {
+  std::string text;  ///< empty when it was written to the file of --output
+  bool passed = true;  ///< false: what was checked does not hold
+  std::vector<std::string> notes;
+};
+
+/// One command of a scene program, its words without the program's name: {"equations", "--format", "latex"}. Files are
+/// written as programs do. Throws what programs print: UsageError for words that are not understood, any other Error.
+CommandOutcome run_command(const std::vector<std::string>& words, const Scene& scene);
 
 }  // namespace torsor

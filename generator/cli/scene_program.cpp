@@ -3,8 +3,10 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <optional>
 #include <sstream>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <fmt/format.h>
@@ -23,6 +25,7 @@
 namespace torsor {
 namespace {
 
+constexpr const char* scene_program_description = "Equations of motion and specialised kernels of one mechanism.";
 constexpr int check_failed = 1;
 constexpr int bad_usage = 2;
 constexpr int bad_scene_or_file = 3;
@@ -67,22 +70,21 @@ std::string likely_options(const CLI::App& app, int argc, const char* const* arg
   return {};
 }
 
-/// Reads the command line. True: the chosen command is to be run; false: help was asked for and is written.
-bool read_command_line(CLI::App& app, int argc, const char* const* argv) {
+/// Reads the command line. Nothing: the chosen command is to be run; else the help that was asked for.
+std::optional<std::string> read_command_line(CLI::App& app, int argc, const char* const* argv) {
   check_command_name(app, argc, argv);
   try {
     app.parse(argc, argv);
   } catch (const CLI::Success& help) {
     std::ostringstream text;
     app.exit(help, text, text);
-    write("-", text.str());
-    return false;
+    return text.str();
   } catch (const CLI::ExtrasError& error) {
     throw UsageError(fmt::format("{}{}; see --help", error.what(), likely_options(app, argc, argv)));
   } catch (const CLI::ParseError& error) {
     throw UsageError(fmt::format("{}; see --help", error.what()));
   }
-  return true;
+  return std::nullopt;
 }
 
 /// What is remarkable about the scene may be why a command fails: the error says it too.
@@ -97,7 +99,13 @@ CommandResult run_with_remarks(const CommandSet& commands, const Scene& scene, c
   }
 }
 
-int run(int argc, const char* const* argv, const SceneSource& source) {
+/// What the chosen command leaves, and where its text goes; nothing when help was asked for, which is the text then.
+struct Ran {
+  CommandResult result;
+  std::string output = "-";
+};
+
+Ran run(int argc, const char* const* argv, const SceneSource& source) {
   CLI::App app{source.description};
   app.require_subcommand(1);
   app.set_version_flag("--version", "torsor " TORSOR_VERSION, "print the version of torsor and exit");
@@ -113,18 +121,14 @@ int run(int argc, const char* const* argv, const SceneSource& source) {
   add_structure_commands(commands);
   add_report_command(commands);
   add_simulate_command(commands);
-  if (!read_command_line(app, argc, argv)) return 0;
+  if (const std::optional<std::string> help = read_command_line(app, argc, argv)) return {{.text = *help}};
   const Scene scene = source.make();
   validate(scene);
   const std::vector<std::string> remarks = singular_start(scene);
   CommandResult result = run_with_remarks(commands, scene, remarks);
   result.notes.insert(result.notes.end(), remarks.begin(), remarks.end());
   for (const FurtherFile& file : result.files) write_file_if_changed(file.path, file.text);
-  write(commands.output(), result.text);
-  if (!source.quiet || !source.quiet()) {
-    for (const std::string& note : result.notes) std::fprintf(stderr, "note: %s\n", printable(note).c_str());
-  }
-  return result.passed ? 0 : check_failed;
+  return {std::move(result), commands.output()};
 }
 
 }  // namespace
@@ -135,7 +139,12 @@ int run_commands(int argc, const char* const* argv, const SceneSource& source) {
     return code;
   };
   try {
-    return run(argc, argv, source);
+    const Ran ran = run(argc, argv, source);
+    write(ran.output, ran.result.text);
+    if (!source.quiet || !source.quiet()) {
+      for (const std::string& note : ran.result.notes) std::fprintf(stderr, "note: %s\n", printable(note).c_str());
+    }
+    return ran.result.passed ? 0 : check_failed;
   } catch (const UsageError& error) {
     return fail(error.what(), bad_usage);
   } catch (const Error& error) {
@@ -145,8 +154,21 @@ int run_commands(int argc, const char* const* argv, const SceneSource& source) {
   }
 }
 
+CommandOutcome run_command(const std::vector<std::string>& words, const Scene& scene) {
+  std::vector<const char*> arguments{scene.name().c_str()};
+  for (const std::string& word : words) arguments.push_back(word.c_str());
+  Ran ran = run(static_cast<int>(arguments.size()), arguments.data(), {scene_program_description, {}, [&scene] { return scene; }, {}});
+  CommandOutcome outcome{{}, ran.result.passed, std::move(ran.result.notes)};
+  if (ran.output == "-") {
+    outcome.text = std::move(ran.result.text);
+  } else {
+    write(ran.output, ran.result.text);
+  }
+  return outcome;
+}
+
 int run_scene_program(int argc, const char* const* argv, Scene (*make_scene)()) {
-  return run_commands(argc, argv, {"Equations of motion and specialised kernels of one mechanism.", {}, make_scene, {}});
+  return run_commands(argc, argv, {scene_program_description, {}, make_scene, {}});
 }
 
 }  // namespace torsor

@@ -28,12 +28,12 @@ class Displayed:
     def _repr_latex_(self) -> str | None:
         try:
             return self.latex()
-        except (LookupError, OSError, RuntimeError):
+        except (LookupError, OSError, RuntimeError, ValueError):
             return None
 
     def _repr_html_(self) -> str | None:
         try:
             page = self.report()
-        except (LookupError, OSError, RuntimeError):
+        except (LookupError, OSError, RuntimeError, ValueError):
             return None
         return f'<iframe srcdoc="{html.escape(page)}" width="100%" height="640" style="border: 0"></iframe>'

@@ -6,7 +6,7 @@ from __future__ import annotations
 import os
 import shutil
 import subprocess
-from typing import Iterable, Sequence
+from typing import Any, Iterable, Sequence
 
 from ._mechanism import Mechanism
 
@@ -43,18 +43,19 @@ class Source:
         return _run([self._start, command, *self._target, *arguments])
 
 
-def load(path: str | os.PathLike[str], *, kernels: Iterable[str] | str = "all", run_time: Iterable[str] | str = (),
+def load(path: Any, *, kernels: Iterable[str] | str = "all", run_time: Iterable[str] | str = (),
          fused: bool = False, flags: str | None = None, options: Sequence[str] = ()) -> Mechanism:
-    """The mechanism of a URDF, xacro or MJCF file, or of a scene in C++.
+    """The mechanism of a URDF, xacro or MJCF file, of a scene in C++, or of a torsor.scene.Scene.
 
     kernels: names, or "all". run_time: parameters that can be changed later, or "all". fused: let the compiler fuse
     products with sums, which is faster and changes last digits. flags: of the compiler, instead of "-O3 -march=native".
     options: further ones of `torsor build`, e.g. ("--base", "floating").
 
     The first call compiles, which takes from seconds to minutes; later ones find the library in the cache.
-    Raises LoadError with what torsor or the compiler say, FileNotFoundError where file or program are missing.
+    Raises LoadError with what torsor or the compiler say, FileNotFoundError where file or program are missing; for a
+    Scene its own errors.
     """
-    source = Source(os.fspath(path), options)
+    source = path if hasattr(path, "equations") else Source(os.fspath(path), options)
     words = ["--kernels", kernels if isinstance(kernels, str) else ",".join(kernels)]
     names = run_time if isinstance(run_time, str) else ",".join(run_time)
     if names:
@@ -63,4 +64,6 @@ def load(path: str | os.PathLike[str], *, kernels: Iterable[str] | str = "all", 
         words.append("--fused")
     if flags is not None:
         words.append(f"--flags={flags}")
+    if source is path:
+        words += options
     return Mechanism(source.run("build", *words).strip(), source)

@@ -55,6 +55,16 @@ if(without_numpy EQUAL 0)
     /usr/bin/python3 -c "print(__import__('torsor').__file__)")
   expect("${output}" "^${FOLDER}/unpacked_python")
 endif()
+# Beside it, where it was built: the module of scenes, for the one version of Python that it was compiled for.
+file(GLOB scenes "${FOLDER}/packages/python3-torsor-scene_*.deb")
+if(scenes AND without_numpy EQUAL 0)
+  field(python3-torsor-scene Depends depends)
+  expect("${depends}" "python3-torsor \\(= .*python3 \\(<< 3\\.[0-9]+\\).*libcln6|libcln6.*python3-torsor \\(= .*python3 \\(<< 3")
+  step(dpkg-deb --extract "${scenes}" "${FOLDER}/unpacked_python")
+  step("${CMAKE_COMMAND}" -E env "PYTHONPATH=${FOLDER}/unpacked_python/usr/lib/python3/dist-packages" PYTHONDONTWRITEBYTECODE=1
+    /usr/bin/python3 "${TORSOR_SOURCE}/examples/double_pendulum/scene.py" equations)
+  expect("${output}" "theta_1''")
+endif()
 # Whose address it is depends on who makes the packages (cmake/packages.cmake).
 find_program(LINTIAN lintian)
 if(LINTIAN)

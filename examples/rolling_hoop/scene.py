@@ -1,0 +1,41 @@
+# SPDX-License-Identifier: MIT
+"""Hoop (or disc) rolling without slipping on a horizontal plane (Pommier, §6.5.5), with coordinates compatible with the
+contact: z = R sin(theta) is built in, and two multipliers hold the point of contact along x1 and y1. Euler's angles psi, theta,
+phi about z, x1, z2; the axis of the hoop is z2, the contact lies at -R y2 from its centre G."""
+from torsor.scene import Inertia, Moments, Scene, axis, cos, euler, quantity, sin
+
+scene = Scene("rolling_hoop", "Hoop rolling without slipping: five coordinates, two multipliers")
+
+m = scene.parameter("m", "kg", 1)
+R = scene.parameter("R", "m", 1)
+g = scene.parameter("g", "m/s^2", 9.81)
+# Moments of inertia about a diameter and about the axis: of a hoop as they stand; of a disc m R^2/4 and m R^2/2.
+A = scene.run_time_parameter("A", "kg m^2", m * R * R / 2)
+C = scene.run_time_parameter("C", "kg m^2", m * R * R)
+
+x = scene.coordinate("x", "m")
+y = scene.coordinate("y", "m")
+psi = scene.coordinate("psi", "rad")
+theta = scene.coordinate("theta", "rad")
+phi = scene.coordinate("phi", "rad")
+
+# Touches the origin, rolls along x and begins to turn; x' and y' are what rolling demands.
+lean = 1.2
+psi_rate = quantity("0.5", "rad/s")
+theta_rate = quantity("-0.3", "rad/s")
+phi_rate = quantity("-4", "rad/s")
+scene.initial(x, 0, -R * (phi_rate + psi_rate * cos(lean)))
+scene.initial(y, R * cos(lean), -R * theta_rate * sin(lean))
+scene.initial(psi, 0, psi_rate)
+scene.initial(theta, lean, theta_rate)
+scene.initial(phi, 0, phi_rate)
+
+hoop = scene.free("hoop", scene.ground, euler, (x, y, R * sin(theta)), (psi, theta, phi))
+contact = scene.point("I", "hoop.2", (0, -R, 0))
+scene.body("hoop", hoop, Inertia.general(m, A, A, C))
+scene.gravity((0, 0, -g))
+scene.no_slip("along_x1", body=hoop, contact=contact, direction=axis.x, axes="hoop.1")
+scene.no_slip("along_y1", body=hoop, contact=contact, direction=axis.y, axes="hoop.1")
+
+if __name__ == "__main__":
+    scene.main()

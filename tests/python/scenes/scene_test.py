@@ -1,0 +1,197 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Scenes in Python: exact numbers, units, errors in the words of C++, commands, compiled kernels."""
+
+import fractions
+import math
+import os
+import subprocess
+import sys
+from decimal import Decimal
+
+import numpy as np
+import pytest
+
+import torsor
+from torsor import scene as ts
+from torsor.scene import Inertia, Rotation, Scene, axis, cos, piecewise, quantity, sin, sqrt
+
+
+def crane():
+    """A trolley with a pendulum, and a motor that pushes it: the README's."""
+    scene = Scene("crane", "A trolley with a load")
+    M, m = scene.parameter("M", "kg", 4), scene.parameter("m", "kg", 1)
+    l, g = scene.run_time_parameter("l", "m", "0.5"), scene.parameter("g", "m/s^2", 9.81)
+    x, theta = scene.coordinate("x", "m"), scene.coordinate("theta", "rad")
+    trolley = scene.prismatic("trolley", scene.ground, axis.x, x)
+    rod = scene.revolute("rod", trolley, axis.y, theta)
+    scene.body("trolley", trolley, Inertia.point(M))
+    scene.body("rod", rod, Inertia.rod(m, l, 2).at((0, 0, -l / 2)))
+    scene.gravity((0, 0, -g))
+    scene.motor("drive", x)
+    scene.initial(x, 1)
+    return scene
+
+
+@pytest.fixture
+def scene():
+    return Scene("rod")
+
+
+# Numbers
+
+@pytest.mark.parametrize("number, exact", [
+    (3, "3"), ("1/3", "1/3"), ("9.81", "981/100"), (0.1, "1/10"), (fractions.Fraction(2, 7), "2/7"), (Decimal("1E+2"), "100"),
+    (-1.5e-3, "-3/2000"), (10**40, str(10**40)), (np.float64(0.25), "1/4"), (np.int64(-7), "-7"), (1e300, str(10**300)), (0.0, "0")])
+def test_numbers_are_exact(number, exact):
+    assert str(ts.Expression(number)) == exact
+
+
+@pytest.mark.parametrize("rounded", [1 / 3, 0.1 + 0.2, math.pi, math.sqrt(2), np.float64(2) / 3])
+def test_a_float_that_nobody_wrote_is_refused_unless_it_is_meant(rounded, scene):
+    with pytest.raises(ts.Error, match="rounded number"):
+        scene.parameter("a", "1", rounded)
+    assert str(quantity(rounded)) == str(fractions.Fraction(repr(float(rounded))))
+
+
+@pytest.mark.parametrize("wrong, words", [("abc", "cannot read"), ("1/0", "denominator"), (math.nan, "finite"), (math.inf, "finite"),
+                                          (Decimal("NaN"), "cannot read")])
+def test_what_is_no_number_is_refused(wrong, words):
+    with pytest.raises(ts.Error, match=words):
+        ts.Expression(wrong)
+
+
+@pytest.mark.parametrize("wrong", [True, None, [1], 1j, np.float32(1), np.array([1.0])])
+def test_other_objects_are_no_formulas(wrong):
+    with pytest.raises(TypeError):
+        ts.Expression(wrong)
+
+
+def test_numpys_numbers_and_text_may_stand_on_the_left(scene):
+    x = scene.coordinate("x", "m")
+    for product in (2 * x, np.float64(2) * x, np.int64(2) * x, "2" * x, fractions.Fraction(2) * x):
+        assert str(product) == "2*x"
+        assert product.unit == "m"
+
+
+# Units
+
+def test_units_are_checked_where_a_sum_is_written(scene):
+    x, theta = scene.coordinate("x", "m"), scene.coordinate("theta", "rad")
+    with pytest.raises(ts.UnitError, match="m"):
+        x + theta
+    with pytest.raises(ts.UnitError):
+        sin(x)
+    with pytest.raises(ts.UnitError, match="mm"):
+        quantity(1, "mm")
+    assert (quantity("9.81", "m/s^2") * x).unit == "m^2 s^-2"
+    assert sqrt(x * x).unit == "m"
+
+
+# Errors
+
+def test_errors_have_the_words_of_cpp(scene):
+    scene.coordinate("x", "m")
+    with pytest.raises(ts.SceneError, match="duplicate name 'x'"):
+        scene.coordinate("x", "m")
+    assert issubclass(ts.SceneError, ts.Error) and issubclass(ts.Error, ValueError)
+    with pytest.raises(TypeError, match="revolute"):
+        scene.revolute("rod", scene.ground)
+
+
+def test_handles_of_another_scene_are_refused(scene):
+    other = Scene("other")
+    frame = other.weld("far", other.ground)
+    point = other.point("tip", frame)
+    with pytest.raises(ts.SceneError, match="'far' belongs to another scene than 'rod'"):
+        scene.body("rod", frame, Inertia.point(1))
+    with pytest.raises(ts.SceneError, match="'tip' belongs to another"):
+        scene.point_in_plane("floor", point, scene.ground)
+    with pytest.raises(ts.SceneError, match="another scene"):
+        scene.contact("floor", ts.shape.Sphere(frame, 1), ts.shape.Plane(scene.ground))
+    with pytest.raises(ts.SceneError, match="another scene"):
+        scene.spherical("ball", scene.ground, other.attitude("e"))
+
+
+def test_a_condition_is_for_piecewise_only(scene):
+    x = scene.coordinate("x", "m")
+    with pytest.raises(TypeError, match="piecewise"):
+        if x < quantity(1, "m"):
+            pass
+    assert piecewise([(x < quantity(1, "m"), x)], quantity(2, "m")).unit == "m"
+
+
+def test_types_of_joints_that_close_loops(scene):
+    with pytest.raises(ts.SceneError, match="point_contact"):
+        scene.loop_joint("pin", type="hinge", a=scene.ground, b=scene.ground)
+
+
+def test_rotations_are_exact():
+    quarter = Rotation.matrix([[0, -1, 0], [1, 0, 0], [0, 0, 1]])
+    a, b = crane(), crane()
+    a.weld("w", "rod", rotation=quarter)
+    b.weld("w", "rod", rotation=Rotation.about(2, 3) * Rotation.about(2, 3))
+    assert a.generate(kernels="kinematics") == b.generate(kernels="kinematics")
+    with pytest.raises(ts.SceneError):
+        Rotation.matrix([[0.6, -0.8, 0], [0.8, 0.6, 0], [0, 0, 2]])
+
+
+# Commands
+
+def test_equations_are_those_of_the_readme():
+    text = crane().equations()
+    assert "(M + m) x'' - 1/2 m l cos(theta) theta'' + 1/2 m l sin(theta) theta'^2 = drive" in text
+    assert r"\cos" in crane().equations(format="latex")
+    assert r"\cos" in crane()._repr_latex_()
+
+
+def test_every_command_of_a_program_is_there(tmp_path):
+    scene = crane()
+    assert scene.run("check", digits=30, states=3).startswith("crane")
+    assert "<svg" in scene.report(1) or "<canvas" in scene.report(1)
+    with pytest.raises(ts.UsageError, match="unknown command 'equation'.*equations"):
+        scene.run("equation")
+    with pytest.raises(ts.UsageError, match="no_such_kernel"):
+        scene.generate(kernels=["no_such_kernel"])
+    path = tmp_path / "crane.hpp"
+    assert scene.generate(path, kernels=["energy", "bias"]) == ""
+    assert "bias" in path.read_text() and "mass_matrix" not in path.read_text()
+    with pytest.raises(ts.FileError):
+        scene.generate(tmp_path / "no" / "folder" / "crane.hpp", kernels="energy")
+    assert "usage" in scene.run("fmu", "--help").lower()
+
+
+def test_simulates_from_the_scene_itself():
+    scene = Scene("ball")
+    z = scene.coordinate("z", "m")
+    ball = scene.prismatic("ball", scene.ground, axis.z, z)
+    scene.body("ball", ball, Inertia.point(quantity(1, "kg")))
+    scene.gravity((0, 0, quantity(-10, "m/s^2")))
+    scene.contact("floor", ts.shape.Point(scene.point("foot", ball)), ts.shape.Plane(scene.ground), restitution="1/2")
+    motion = scene.simulate(1.0, step=0.25, initial={"z": 0.8})
+    assert motion["time"][-1] == 1.0
+    # It falls 0.8 m in 0.4 s and leaves at 2 m/s, for 0.4 s: at 0.75 s the height is 2 * 0.35 - 5 * 0.35^2.
+    at = motion[np.isclose(motion["time"], 0.75)][0]
+    assert at["z"] == pytest.approx(2 * 0.35 - 5 * 0.35**2, abs=1e-8)
+
+
+def test_a_loaded_scene_has_kernels():
+    scene = crane()
+    mechanism = torsor.load(scene, kernels=["mass_matrix"], run_time="all", flags="-O0")
+    # (M + m), -m l/2 cos, m l^2/3
+    assert mechanism.mass_matrix([0.0, 0.0]) == pytest.approx(np.array([[5, -0.25], [-0.25, 1 / 12]]), rel=1e-15)
+    assert "theta" in mechanism._repr_latex_()
+    with pytest.raises(ts.UsageError):
+        torsor.load(scene, kernels=["no_such_kernel"])
+
+
+def test_a_file_of_python_is_a_program(tmp_path):
+    file = os.path.join(os.environ["TORSOR_SOURCE_DIR"], "examples/double_pendulum/scene.py")
+
+    def run(*words):
+        return subprocess.run([sys.executable, file, *words], capture_output=True, text=True, check=False)
+
+    assert run("equations").stdout == subprocess.run(
+        [os.path.join(os.environ["TORSOR_PROGRAM_DIR"], "double_pendulum_scene"), "equations"], capture_output=True, text=True,
+        check=True).stdout
+    assert run("equation").returncode == 2
+    assert run("generate", "-o", str(tmp_path / "no" / "x.hpp")).returncode == 3
