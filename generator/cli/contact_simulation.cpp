@@ -30,6 +30,18 @@ const char* word_of(ContactEventKind kind) {
   return "";
 }
 
+ContactRecord::EventKind kind_of(ContactEventKind kind) {
+  using Kind = ContactRecord::EventKind;
+  switch (kind) {
+    case ContactEventKind::impact: return Kind::impact;
+    case ContactEventKind::opens: return Kind::opens;
+    case ContactEventKind::slips: return Kind::slips;
+    case ContactEventKind::slip_ends: return Kind::slip_ends;
+    case ContactEventKind::accumulation: return Kind::accumulation;
+  }
+  return Kind::impact;
+}
+
 /// Moves a scene, whose state has room for more in an array of fixed size: what is more stays zero.
 class ContactSimulation {
  public:
@@ -37,8 +49,8 @@ class ContactSimulation {
   static constexpr auto most_contacts = static_cast<std::size_t>(runtime::most_contacts);
   using State = std::array<double, most_numbers>;
 
-  ContactSimulation(EvaluatedContacts& contacts, const SimulationOptions& options, Simulation& result)
-      : contacts_(contacts), options_(options), result_(result), mechanism_(contacts) {}
+  ContactSimulation(EvaluatedContacts& contacts, const SimulationOptions& options, ContactRecord& record)
+      : contacts_(contacts), options_(options), record_(record), result_(record.motion), mechanism_(contacts) {}
 
   void run(const std::vector<double>& start) {
     State y{};
@@ -97,6 +109,8 @@ class ContactSimulation {
   void tell(const runtime::ContactEvent& event) {
     std::string text = fmt::format("{} {} at t = {:.15g} s", word_of(event.kind), contacts_.name(event.contact), event.time);
     if (event.energy_lost != 0) text += fmt::format(", energy lost {:.6g} J", event.energy_lost);
+    record_.events.push_back({kind_of(event.kind), event.time, static_cast<std::size_t>(event.contact), event.energy_lost,
+                              letters([&event](std::size_t i) { return event.contacts[i]; })});
     std::vector<std::string> regimes;
     for (int i = 0; i < contacts_.count(); ++i) {
       const runtime::ContactState& state = event.contacts[static_cast<std::size_t>(i)];
@@ -104,6 +118,19 @@ class ContactSimulation {
     }
     text += regimes.empty() ? "; then all are open" : fmt::format("; then {}", fmt::join(regimes, ", "));
     result_.events.push_back(std::move(text));
+  }
+
+  template <class StateOf>
+  ContactRecord::Regimes letters(const StateOf& state_of) const {
+    ContactRecord::Regimes regimes;
+    for (int i = 0; i < contacts_.count(); ++i) {
+      const runtime::ContactState& state = state_of(static_cast<std::size_t>(i));
+      if (!state.touches) regimes += 'o';
+      else if (contacts_.rule(i).tangents == 0) regimes += 'c';
+      else if (state.regime == ContactRegime::open) regimes += 'o';
+      else regimes += state.regime == ContactRegime::slides ? 'd' : 's';
+    }
+    return regimes;
   }
 
   void write(runtime::ContactMotion& motion, double t, const State& y, std::size_t size) {
@@ -120,15 +147,18 @@ class ContactSimulation {
       }
     }
     result_.rows.push_back(std::move(row));
+    record_.regimes.push_back(letters([&motion](std::size_t i) { return motion.states[i]; }));
   }
 
   EvaluatedContacts& contacts_;
   const SimulationOptions& options_;
+  ContactRecord& record_;
   Simulation& result_;
   const EvaluatedMechanism mechanism_;
 };
 
-void add_columns(EvaluatedContacts& contacts, Simulation& result) {
+void add_columns(EvaluatedContacts& contacts, ContactRecord& record) {
+  Simulation& result = record.motion;
   const auto add = [&](const std::string& name, const std::string& unit) {
     result.names.push_back(name);
     result.units.push_back(unit);
@@ -139,14 +169,17 @@ void add_columns(EvaluatedContacts& contacts, Simulation& result) {
   for (const std::string& name : motion.observed_names()) {
     add(name, result.names.size() <= motion.symbols().size() + 3 ? "J" : "SI");
   }
+  record.numbers = motion.symbols().size();
   for (int i = 0; i < contacts.count(); ++i) {
-    const std::string name = contacts.name(i);
     const runtime::ContactRule rule = contacts.rule(i);
-    if (rule.normal) add(name + "_gap", contacts.gap_unit(i));
-    if (rule.normal) add(name + "_N", contacts.force_unit(i));
-    for (int k = 0; k < rule.tangents; ++k) {
-      add(rule.tangents == 1 ? name + "_T" : fmt::format("{}_T{}", name, k + 1), contacts.force_unit(i));
+    ContactRecord::Contact contact{contacts.name(i), rule.normal, {}, contacts.gap_unit(i), contacts.force_unit(i)};
+    if (rule.normal) {
+      add(contact.name + "_gap", contact.gap_unit);
+      contact.reactions.emplace_back("N");
     }
+    for (int k = 0; k < rule.tangents; ++k) contact.reactions.push_back(rule.tangents == 1 ? "T" : fmt::format("T{}", k + 1));
+    for (const std::string& reaction : contact.reactions) add(fmt::format("{}_{}", contact.name, reaction), contact.unit);
+    record.contacts.push_back(std::move(contact));
   }
 }
 
@@ -154,7 +187,7 @@ void add_columns(EvaluatedContacts& contacts, Simulation& result) {
 
 bool has_contacts(const Scene& scene) { return !scene.content().contacts.empty(); }
 
-Simulation simulate_contacts(const Scene& scene, const SimulationOptions& options) {
+ContactRecord record_contacts(const Scene& scene, const SimulationOptions& options) {
   if (!options.project) {
     throw UsageError("--no-projection is for motions without contacts: those with contacts are put back on them");
   }
@@ -163,8 +196,8 @@ Simulation simulate_contacts(const Scene& scene, const SimulationOptions& option
                      "their own, between which dp853 moves them");
   }
   EvaluatedContacts contacts(scene, options.model, options.parameters, options.inputs);
-  Simulation result;
-  add_columns(contacts, result);
+  ContactRecord record;
+  add_columns(contacts, record);
   EvaluatedMotion& motion = contacts.motion();
   std::vector<double> y = motion.start(options.initial);
   if (motion.needs_settling() && !motion.settle(0.0, y)) {
@@ -178,8 +211,12 @@ Simulation simulate_contacts(const Scene& scene, const SimulationOptions& option
         "{} and {}: generate its header and move it by runtime/contacts (docs/contacts.md)",
         scene.name(), y.size(), contacts.count(), ContactSimulation::most_numbers, ContactSimulation::most_contacts));
   }
-  ContactSimulation(contacts, options, result).run(y);
-  return result;
+  ContactSimulation(contacts, options, record).run(y);
+  return record;
+}
+
+Simulation simulate_contacts(const Scene& scene, const SimulationOptions& options) {
+  return record_contacts(scene, options).motion;
 }
 
 }  // namespace torsor

@@ -2,6 +2,7 @@
 #include "generator/cli/evaluated_contacts.hpp"
 
 #include "generator/dynamics/equations/constraint_rank.hpp"
+#include "generator/program/written_unit.hpp"
 
 namespace torsor {
 
@@ -29,8 +30,13 @@ EvaluatedContacts::EvaluatedContacts(const Scene& scene, const ModelOptions& opt
   }
 }
 
+std::string EvaluatedContacts::gap_unit(int contact) const {
+  const Unit& unit = at(contact).gap.unit();
+  return unit.is_dimensionless() ? "rad" : written_unit(unit);
+}
+
 std::string EvaluatedContacts::force_unit(int contact) const {
-  return (units::joule / (at(contact).rows[0].rate.unit() * units::second)).to_string();
+  return written_unit(units::joule / (at(contact).rows[0].rate.unit() * units::second));
 }
 
 std::string EvaluatedContacts::regime(int contact, runtime::ContactRegime regime) const {

@@ -23,7 +23,7 @@ class EvaluatedContacts {
   int constraint_count() const { return static_cast<int>(kept_.size()); }
   const std::string& name(int contact) const { return at(contact).name; }
   const runtime::ContactRule& rule(int contact) const { return rules_[static_cast<std::size_t>(contact)]; }
-  std::string gap_unit(int contact) const { return at(contact).gap.unit().to_string(); }
+  std::string gap_unit(int contact) const;
   /// That of N: a force over the unit of the gap's metre.
   std::string force_unit(int contact) const;
   /// "sticks"; of a contact without friction "closed".

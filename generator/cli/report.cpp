@@ -11,7 +11,6 @@
 #include "generator/base/error.hpp"
 #include "generator/cli/command_texts.hpp"
 #include "generator/cli/katex.hpp"
-#include "generator/dynamics/equations/contact_checks.hpp"
 #include "generator/dynamics/theorems/unknowns_report.hpp"
 #include "generator/emission/embedded_templates.hpp"
 #include "generator/emission/javascript_module.hpp"
@@ -77,12 +76,34 @@ ModelOptions options_of_motion(const Scene& scene, const ModelOptions& given) {
 
 struct Motion {
   std::string module = "null";
-  std::string remark;  ///< why there is none
+  std::string remark;     ///< why there is none
+  std::string recording;  ///< JSON, of a motion that the page plays back
 };
 
-Motion motion_of(const Scene& scene, const ModelOptions& given) {
-  std::vector<std::string> names{"forward_dynamics", "energy", "first_integrals", "poses"};
+/// The page cannot solve contacts: it plays back what was moved here.
+Motion recorded_motion(const Scene& scene, const ReportOptions& options) {
+  Motion motion;
+  for (const ParameterContent& parameter : scene.content().parameters) {
+    if (parameter.value) continue;
+    motion.remark = options.language("the parameter '{}' has no value, and a page that plays a motion back needs one: give it in the scene",
+                                     parameter.symbol->name);
+    return motion;
+  }
+  try {
+    motion.recording = report_recording(scene, options.model, options.duration);
+    motion.module = module_as_object(emit_javascript(lower_mechanism(scene, {"energy", "first_integrals", "poses"}, options.model)));
+  } catch (const Error& error) {
+    motion.recording.clear();
+    motion.remark = error.what();
+  }
+  return motion;
+}
+
+Motion motion_of(const Scene& scene, const ReportOptions& options) {
   const SceneContent& content = scene.content();
+  if (!content.contacts.empty()) return recorded_motion(scene, options);
+  const ModelOptions& given = options.model;
+  std::vector<std::string> names{"forward_dynamics", "energy", "first_integrals", "poses"};
   const bool constrained = !content.constraints.empty();
   constexpr std::size_t most = 12;  // coordinates whose modes a reader looks at one by one
   if (constrained) names.emplace_back("constraints");  // and M: projection in its metric
@@ -154,6 +175,14 @@ std::string closed(std::string sections) {
 
 std::string note(const std::string& sentence) { return fmt::format("<p class=\"note\">{}</p>\n", html_escaped(sentence)); }
 
+std::string motion_note(const Motion& motion, const NaturalLanguage& say) {
+  if (!motion.remark.empty()) return note(say("There is no motion: {}.", motion.remark));
+  if (motion.recording.empty()) return "";
+  return note(say("This motion is recorded: torsor moved the mechanism from event to event of its contacts when it wrote this page, "
+                  "and the page plays that back. Parameters and start values cannot be changed here. The commands report and "
+                  "simulate move the mechanism again."));
+}
+
 std::string script(std::string_view id, const std::string& text) {
   return fmt::format("<script id=\"{}\">\n{}</script>\n", id, inside_script(text));
 }
@@ -194,10 +223,9 @@ std::string inside_json(const std::string& text) {
 }
 
 std::string report_html(const Scene& scene, const ReportOptions& options) {
-  refuse_contacts(scene, "the motion in a report");
   const SceneContent& content = scene.content();
   const NaturalLanguage& say = options.language;
-  const Motion motion = motion_of(scene, options.model);
+  const Motion motion = motion_of(scene, options);
   PrintOptions print;
   print.about = options.about;
   print.derivation = true;
@@ -211,8 +239,11 @@ std::string report_html(const Scene& scene, const ReportOptions& options) {
   if (options.meshes) {
     scripts += fmt::format("<script id=\"meshes\" type=\"application/json\">{}</script>\n", report_meshes(content));
   }
-  for (const char* name : {"integrator", "projection", "motion", "modes", "vectors", "shapes", "viewer", "plots", "formulas", "page"}) {
-    scripts += script(name, part(fmt::format("{}.js", name), say));
+  if (!motion.recording.empty()) {
+    scripts += fmt::format("<script id=\"recording\" type=\"application/json\">{}</script>\n", inside_json(motion.recording));
+  }
+  for (const char* name : {"integrator", "projection", "motion", "playback", "modes", "vectors", "shapes", "viewer", "plots", "formulas", "page"}) {
+    scripts += script(fmt::format("script-{}", name), part(fmt::format("{}.js", name), say));
   }
   const bool with_katex = !katex_script().empty();
   const std::string title = content.title.empty() ? content.name : content.title;
@@ -233,7 +264,11 @@ std::string report_html(const Scene& scene, const ReportOptions& options) {
                        markup([&] { return statics_text(scene, options.about, {}, {Format::html, false, say}); }), "statics", say))},
        {"formula_note",
         with_katex ? "" : note(say("Formulas are shown as text: KaTeX was not there when torsor was built."))},
-       {"motion_note", motion.remark.empty() ? "" : note(say("There is no motion: {}.", motion.remark))},
+       {"motion_note", motion_note(motion, say)},
+       {"origin_of_motion",
+        html_escaped(motion.recording.empty() ? say("The motion is integrated here by the kernels that torsor generates, with Dormand and "
+                                                    "Prince's method of order 8.")
+                                              : say("The motion was recorded when torsor wrote this page."))},
        {"katex", with_katex ? script("katex", std::string(katex_script()) + "\n") : ""},
        {"scripts", scripts}});
 }

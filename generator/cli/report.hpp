@@ -20,7 +20,7 @@ struct ReportOptions {
 };
 
 /// A scene as one HTML file that needs no other: what the mechanism is, its graphs, equations and theorems, and its motion,
-/// which the JavaScript kernels in it integrate. The same bytes for the same scene. Names, units and titles are data: no
+/// which the JavaScript kernels in it integrate; a motion with contacts is recorded and played back. The same bytes for the same scene. Names, units and titles are data: no
 /// text of a scene becomes HTML, JavaScript, LaTeX or SVG.
 ///
 /// All parameters become run-time parameters, which the reader can change, unless the options name some, there are more
@@ -34,6 +34,9 @@ std::string inside_script(const std::string& text);
 std::string inside_json(const std::string& text);
 /// What a viewer needs to know of the scene beside its kernels.
 std::string report_data(const Scene& scene, double duration);
+/// The motion of a scene with contacts from event to event, for a page that plays it back: samples, regimes and events.
+/// Throws as `simulate`.
+std::string report_recording(const Scene& scene, const ModelOptions& model, double duration);
 /// The meshes that the scene shows, made small enough for a page, and which of its forms has which. Throws FileError.
 std::string report_meshes(const SceneContent& scene);
 

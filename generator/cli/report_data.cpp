@@ -60,6 +60,23 @@ Json links_json(const SceneContent& content) {
   return list;
 }
 
+/// What contacts are between. Their points, forces and radii come from the kernel `poses`.
+Json contacts_json(const SceneContent& content) {
+  Json list = Json::array();
+  for (const ContactContent& contact : content.contacts) {
+    const std::string user = "contact '" + contact.name + "'";
+    Json each{{"name", printable(contact.name)}};
+    if (const auto* on = std::get_if<PointOnPlane>(&contact.geometry)) {
+      each["plane"] = content.frame_index(on->plane, user);
+    } else if (const auto* spheres = std::get_if<SphereOnSphere>(&contact.geometry)) {
+      each["spheres"] = {content.frame_index(spheres->a, user), content.frame_index(spheres->b, user)};
+      each["hollow"] = spheres->hollow;
+    }
+    list.push_back(std::move(each));
+  }
+  return list;
+}
+
 const char* word_of(const Form& form) {
   static constexpr std::array<const char*, 6> words{"box", "cylinder", "cone", "sphere", "segment", "mesh"};
   return words[form.index()];
@@ -92,7 +109,8 @@ std::string report_data(const Scene& scene, double duration) {
             {"points", Json::array()},
             {"bodies", Json::array()},
             {"links", links_json(content)},
-            {"forms", forms_json(content)}};
+            {"forms", forms_json(content)},
+            {"contacts", contacts_json(content)}};
   for (const PointContent& point : content.points) {
     Json each{{"name", printable(point.name)},
               {"frame", content.frame_index(point.frame, "point '" + point.name + "'")}};

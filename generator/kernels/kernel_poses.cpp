@@ -3,6 +3,7 @@
 
 #include <array>
 
+#include "generator/dynamics/forces/contacts.hpp"
 #include "generator/dynamics/motion/ground_motion.hpp"
 #include "generator/kernels/kernel_parts.hpp"
 
@@ -20,6 +21,7 @@ class PosesBuilder {
     bodies();
     forms();
     reactions();
+    contacts();
     result_.member("gravity", 3, 1, "acceleration of gravity [m/s^2]");
     result_.vector("gravity", 0, lower(program_, scene_.gravity));
     return result_.take(
@@ -146,6 +148,27 @@ class PosesBuilder {
       }
       result_.vector("reaction_points", k, at);
       result_.vector("reaction_forces", k, force);
+    }
+  }
+
+  /// Where contacts that open and close act, and along what.
+  void contacts() {
+    const std::size_t count = scene_.contacts.size();
+    if (count == 0) return;
+    const std::vector<ContactPlace> places = contact_places(model_);
+    std::size_t rows = 0;
+    for (const ContactPlace& each : places) rows += each.directions.size();
+    result_.member("contact_points", 3, count, "points of contact [m]; 0 of what acts along a coordinate");
+    result_.member("contact_directions", 3, rows,
+                   "forces on the first bodies for unit reactions, N before T; 0 of what acts along a coordinate and of moments");
+    result_.member("contact_radii", 2, count, "radii of the two spheres of a contact; 0 elsewhere [m]");
+    std::size_t row = 0;
+    for (std::size_t k = 0; k < count; ++k) {
+      result_.vector("contact_points", k, places[k].point);
+      for (const Vector& direction : places[k].directions) result_.vector("contact_directions", row++, direction);
+      const auto* spheres = std::get_if<SphereOnSphere>(&scene_.contacts[k].geometry);
+      result_.assign("contact_radii", 2 * k, spheres != nullptr ? program_.lower(spheres->radius_a) : Value());
+      result_.assign("contact_radii", 2 * k + 1, spheres != nullptr ? program_.lower(spheres->radius_b) : Value());
     }
   }
 

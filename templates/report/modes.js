@@ -29,7 +29,8 @@ class SmallMotions {
   constructor(motion, q) {
     Object.assign(this, { motion, n: motion.nv, q: Float64Array.from(q), modes: [], why: "" });
     const { mechanism } = motion;
-    if (mechanism.multipliers.length > 0) this.why = "«the mechanism has constraints»";
+    if (motion.recorded) this.why = "«the mechanism has contacts»";
+    else if (mechanism.multipliers.length > 0) this.why = "«the mechanism has constraints»";
     else if (mechanism.quaternions.length > 0) this.why = "«an attitude is a quaternion»";
     else if (!mechanism.mass_matrix || !mechanism.forward_dynamics) this.why = "«the page has no mass matrix»";
     else if (this.driven()) this.why = "«the mechanism is driven»";

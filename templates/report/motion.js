@@ -4,94 +4,38 @@
 "use strict";
 const { Integrator, Projection } = torsorReport;
 
-class Motion {
-  /// Values by name: parameters, inputs, start values of coordinates (`start`) and velocities (`speeds`, which have their
-  /// coordinates' names). What is not named has the value of the scene, or 1 for a parameter without one.
-  constructor(mechanism, { parameters = {}, inputs = {}, start = {}, speeds = {}, interval = 1 / 60, tolerance = 1e-12 } = {}) {
-    Object.assign(this, { mechanism, interval });
-    this.parameters = mechanism.defaultParameters();
-    mechanism.parameters.forEach((each, i) => {
-      if (each.name in parameters) this.parameters[i] = parameters[each.name];
-      else if (Number.isNaN(this.parameters[i])) this.parameters[i] = 1;
-    });
-    this.precomputed = mechanism.precompute(this.parameters);
-    this.inputs = Float64Array.from(mechanism.inputs, (each) => inputs[each.name] ?? 0);
+/// States of a mechanism at times k · interval, and what its kernels say of them.
+class Samples {
+  constructor(mechanism, interval) {
+    Object.assign(this, { mechanism, interval, samples: [], status: "ok" });
     this.nq = mechanism.coordinates.length;
     this.nv = mechanism.velocities.length;
-    this.accelerations = new Float64Array(this.nv);
-    this.multipliers = new Float64Array(mechanism.multipliers.length);
-    this.state = mechanism.initialState(this.parameters);
-    const y = this.state.slice(1);
-    mechanism.coordinates.forEach((each, i) => { y[i] = start[each.name] ?? y[i]; });
-    mechanism.velocities.forEach((each, i) => { y[this.nq + i] = speeds[each.name] ?? y[this.nq + i]; });
     this.rates = mechanism.coordinate_rates ? new Float64Array(this.nq) : null;
-    this.projection = new Projection(mechanism, this.precomputed);
-    const settle = (t, at) => this.projection.settle(t, at);
-    this.start = Float64Array.from(y);
-    this.samples = [];
-    this.status = "ok";
-    const closed = settle(0, y);
-    if (!closed) this.status = "«the constraints could not be closed at the start»";
-    else if (!mechanism.forward_dynamics) this.status = "«the mechanism's accelerations are not determined»";
-    if (this.status !== "ok") {
-      this.samples.push(closed ? y : this.start);
-      return;
-    }
-    const needsSettling = mechanism.multipliers.length > 0 || mechanism.quaternions.length > 0;
-    this.integrator = new Integrator((t, at, slope) => this.slope(t, at, slope), 0, y,
-                                     { tolerance, settle: needsSettling ? settle : null, stepLimit: 2e6 });
-    this.status = this.integrator.status;
-    this.samples.push(Float64Array.from(y));
-  }
-
-  slope(t, y, slope) {
-    const { mechanism, state, nq, nv } = this;
-    state[0] = t;
-    state.set(y, 1);
-    const status = mechanism.forward_dynamics(this.precomputed, state, this.inputs, this.accelerations, this.multipliers);
-    if (this.rates) {
-      mechanism.coordinate_rates(this.precomputed, state, this.rates);
-      slope.set(this.rates);
-    } else {
-      for (let i = 0; i < nq; ++i) slope[i] = y[nq + i];
-    }
-    slope.set(this.accelerations, nq);
-    return status === mechanism.Status.ok;
+    this.state = new Float64Array(mechanism.stateSize);
   }
 
   /// The time that has been reached.
   get time() { return (this.samples.length - 1) * this.interval; }
 
-  /// One sample more; false, with a status, where the motion cannot go on.
-  extend() {
-    if (this.status !== "ok") return false;
-    if (!this.integrator.advance(this.samples.length * this.interval)) {
-      this.status = `${this.integrator.status}« at t = »${this.integrator.t.toPrecision(6)} s`;
-      return false;
-    }
-    this.samples.push(Float64Array.from(this.integrator.y));
-    return true;
+  /// dq/dt.
+  coordinateRates(t, y) {
+    if (!this.rates) return y.subarray(this.nq, 2 * this.nq);
+    this.state[0] = t;
+    this.state.set(y, 1);
+    this.mechanism.coordinate_rates(this.precomputed, this.state, this.rates);
+    return this.rates;
   }
 
   /// What a kernel without arguments but the inputs says of sample k.
   evaluate(name, k) { return this.members(name, k * this.interval, this.samples[k]); }
 
-  /// How fast that changes along the motion: a central difference, off by some h^2.
+  /// How fast that changes along the motion, of what the configuration determines: a central difference, off by some h^2.
   change(name, k) {
-    const h = 1e-5, t = k * this.interval, y = this.samples[k], slope = new Float64Array(y.length);
-    if (!this.mechanism.forward_dynamics) return null;
-    this.slope(t, y, slope);
-    const after = this.members(name, t + h, y.map((value, i) => value + h * slope[i]));
-    const before = this.members(name, t - h, y.map((value, i) => value - h * slope[i]));
-    const result = {};
+    const h = 1e-5, t = k * this.interval, y = this.samples[k], rates = this.coordinateRates(t, y);
+    const moved = (by) => y.map((value, i) => (i < this.nq ? value + by * rates[i] : value));
+    const after = this.members(name, t + h, moved(h)), before = this.members(name, t - h, moved(-h)), result = {};
     for (const [member, values] of Object.entries(after)) result[member] = values.map((value, i) => (value - before[member][i]) / (2 * h));
     return result;
-  }
-
-  /// The multipliers of the constraints at sample k.
-  reactions(k) {
-    this.slope(k * this.interval, this.samples[k], new Float64Array(this.samples[k].length));
-    return Array.from(this.multipliers);
   }
 
   members(name, t, y) {
@@ -111,5 +55,69 @@ class Motion {
   }
 }
 
-torsorReport.Motion = Motion;
+/// Samples that the generated kernels give.
+class Motion extends Samples {
+  /// Values by name: parameters, inputs, start values of coordinates (`start`) and velocities (`speeds`, which have their
+  /// coordinates' names). What is not named has the value of the scene, or 1 for a parameter without one.
+  constructor(mechanism, { parameters = {}, inputs = {}, start = {}, speeds = {}, interval = 1 / 60, tolerance = 1e-12 } = {}) {
+    super(mechanism, interval);
+    this.parameters = mechanism.defaultParameters();
+    mechanism.parameters.forEach((each, i) => {
+      if (each.name in parameters) this.parameters[i] = parameters[each.name];
+      else if (Number.isNaN(this.parameters[i])) this.parameters[i] = 1;
+    });
+    this.precomputed = mechanism.precompute(this.parameters);
+    this.inputs = Float64Array.from(mechanism.inputs, (each) => inputs[each.name] ?? 0);
+    this.accelerations = new Float64Array(this.nv);
+    this.multipliers = new Float64Array(mechanism.multipliers.length);
+    this.state = mechanism.initialState(this.parameters);
+    const y = this.state.slice(1);
+    mechanism.coordinates.forEach((each, i) => { y[i] = start[each.name] ?? y[i]; });
+    mechanism.velocities.forEach((each, i) => { y[this.nq + i] = speeds[each.name] ?? y[this.nq + i]; });
+    this.projection = new Projection(mechanism, this.precomputed);
+    const settle = (t, at) => this.projection.settle(t, at);
+    this.start = Float64Array.from(y);
+    const closed = settle(0, y);
+    if (!closed) this.status = "«the constraints could not be closed at the start»";
+    else if (!mechanism.forward_dynamics) this.status = "«the mechanism's accelerations are not determined»";
+    if (this.status !== "ok") {
+      this.samples.push(closed ? y : this.start);
+      return;
+    }
+    const needsSettling = mechanism.multipliers.length > 0 || mechanism.quaternions.length > 0;
+    this.integrator = new Integrator((t, at, slope) => this.slope(t, at, slope), 0, y,
+                                     { tolerance, settle: needsSettling ? settle : null, stepLimit: 2e6 });
+    this.status = this.integrator.status;
+    this.samples.push(Float64Array.from(y));
+  }
+
+  slope(t, y, slope) {
+    const { mechanism, state } = this;
+    state[0] = t;
+    state.set(y, 1);
+    const status = mechanism.forward_dynamics(this.precomputed, state, this.inputs, this.accelerations, this.multipliers);
+    slope.set(this.coordinateRates(t, y));
+    slope.set(this.accelerations, this.nq);
+    return status === mechanism.Status.ok;
+  }
+
+  /// One sample more; false, with a status, where the motion cannot go on.
+  extend() {
+    if (this.status !== "ok") return false;
+    if (!this.integrator.advance(this.samples.length * this.interval)) {
+      this.status = `${this.integrator.status}« at t = »${this.integrator.t.toPrecision(6)} s`;
+      return false;
+    }
+    this.samples.push(Float64Array.from(this.integrator.y));
+    return true;
+  }
+
+  /// The multipliers of the constraints at sample k.
+  reactions(k) {
+    this.slope(k * this.interval, this.samples[k], new Float64Array(this.samples[k].length));
+    return Array.from(this.multipliers);
+  }
+}
+
+Object.assign(torsorReport, { Samples, Motion });
 })();

@@ -3,9 +3,10 @@
 (() => {
 "use strict";
 if (typeof document === "undefined") return;
-const { Motion, Picture, Viewer, Plot, Portrait, SmallMotions, column, label } = torsorReport;
+const { Motion, Playback, Picture, Viewer, Plot, Portrait, SmallMotions, column, label } = torsorReport;
 const mechanism = globalThis.torsorMechanism, scene = JSON.parse(document.getElementById("scene").textContent);
 const element = (id) => document.getElementById(id);
+const recording = element("recording") ? JSON.parse(element("recording").textContent) : null;
 const still = window.matchMedia("(prefers-reduced-motion: reduce)").matches;
 
 const chosen = { parameters: {}, inputs: {}, start: {}, speeds: {} };
@@ -13,7 +14,7 @@ let mode = null, until = scene.duration, motion = null, picture = null, viewer =
 
 function restart(keepTime) {
   mode = null;
-  motion = new Motion(mechanism, chosen);
+  motion = recording ? new Playback(mechanism, recording) : new Motion(mechanism, chosen);
   torsorReport.current = motion;
   if (!keepTime) now = 0;
   told = "";
@@ -102,6 +103,7 @@ function buildPlots() {
   const add = (title, unit, curves) => { for (let i = 0; i < curves.length; i += 8) plots.push(new Plot(parent, title, unit, curves.slice(i, i + 8), goTo)); };
   for (const [unit, curves] of groups) add("«Coordinates»", unit === "1" ? "" : unit, curves);
   buildPortraits();
+  if (recording) buildContactPlots(add);
   const remember = (name) => {
     let at = -1, of = null, result = null;
     return (k) => {
@@ -124,8 +126,47 @@ function buildPlots() {
       if (of !== motion) [of, first] = [motion, motion.evaluate("first_integrals", 0)];
       return integrals(k)[name][0] - first[name][0];
     };
-    add("«First integrals: change since the start (what rounding and steps leave)»", "SI", names.map((name) => ({ name, value: change(name) })));
+    add(recording ? "«First integrals of the mechanism on which no contact acts: change since the start»"
+                  : "«First integrals: change since the start (what rounding and steps leave)»", "SI", names.map((name) => ({ name, value: change(name) })));
   }
+}
+
+/// Gaps and reactions, those of one unit together.
+function buildContactPlots(add) {
+  const gaps = new Map(), forces = new Map();
+  const put = (groups, unit, curve) => groups.set(unit, [...(groups.get(unit) ?? []), curve]);
+  motion.contacts.forEach((each, c) => {
+    if (each.normal) put(gaps, each.gapUnit, { name: each.name, value: (k) => motion.ofContacts[k][each.gap] });
+    each.reactions.forEach((which, i) => put(forces, each.unit, { name: `${which}(${each.name})`, value: (k) => motion.reactionsOf(c, k)[i] }));
+  });
+  for (const [unit, curves] of gaps) add("«Gaps of contacts»", unit, curves);
+  for (const [unit, curves] of forces) add("«Reactions of contacts»", unit, curves);
+}
+
+/// Events as buttons that go there; a page has room for some.
+function buildEvents() {
+  const most = 300, list = element("event-list"), { events } = motion;
+  if (events.length === 0) return;
+  element("contact-events").hidden = false;
+  for (const each of events.slice(0, most)) {
+    const item = document.createElement("li"), button = document.createElement("button"), text = document.createElement("span");
+    Object.assign(button, { type: "button", textContent: `t = ${each.time.toPrecision(6)} s` });
+    button.addEventListener("click", () => { now = Math.min(each.time, motion.time); pause(); });
+    text.textContent = ` ${motion.eventInWords(each)}; ${motion.regimesInWords(each.after)}`;
+    item.append(button, text);
+    list.append(item);
+  }
+  if (motion.eventCount > most) {
+    list.after(Object.assign(document.createElement("p"), { textContent: `«The first ${most} of ${motion.eventCount} events.»` }));
+  }
+}
+
+/// What cannot be changed on a page that plays a motion back.
+function buildPlayback() {
+  until = motion.time;
+  for (const id of ["until", "restart"]) element(id).closest("label, button").remove();
+  element("regimes").hidden = motion.contacts.length === 0;
+  buildEvents();
 }
 
 function pause() {
@@ -208,7 +249,7 @@ function frame(stamp) {
 
 function show(fresh) {
   if (fresh || plots.length && plots[0].data[0].length === 0) plots.forEach((plot) => plot.read(motion.samples.length));
-  plots.forEach((plot) => plot.draw(motion.interval, until, now));
+  plots.forEach((plot) => plot.draw(motion.interval, until, now, motion.events ?? []));
   element("time").max = until;
   element("time").value = now;
   element("clock").textContent = `t = ${now.toFixed(2)} s`;
@@ -223,25 +264,36 @@ function show(fresh) {
       if (rates) seen.shapes.push(...picture.velocities(here, rates));
     }
     if (element("weights").checked) seen.shapes.push(...picture.weights(here));
-    if (element("reactions")?.checked) seen.shapes.push(...picture.reactions(here, motion.reactions(sampleAt(now))));
+    if (element("reactions")?.checked) {
+      const k = sampleAt(now);
+      seen.shapes.push(...(recording ? picture.contactForces(here, motion.contacts, (c) => motion.reactionsOf(c, k)) : picture.reactions(here, motion.reactions(k))));
+    }
     viewer.draw(seen);
   }
-  const state = motion.status !== "ok" ? `«The motion ends: ${motion.status}.»`
+  if (recording) element("regimes").textContent = motion.regimesInWords(motion.regimesAt(sampleAt(now)));
+  const state = recording ? recordedState() : motion.status !== "ok" ? `«The motion ends: ${motion.status}.»`
     : motion.time < until - 1e-9 ? `«Integrated until ${motion.time.toFixed(1)} s»`
     : `«Integrated until ${until} s in ${motion.integrator.steps} steps.»`;
   if (state !== told) element("status").textContent = told = state;
+}
+
+function recordedState() {
+  const end = `«Recorded until ${label(until)} s, ${motion.eventCount} events of contacts.»`;
+  return motion.stopped ? `${end} «The motion ends: ${motion.stopped}.»` : end;
 }
 
 function start() {
   if (!mechanism) return;
   element("until").value = until;
   restart();
-  buildSliders();
+  if (recording) buildPlayback();
+  else buildSliders();
   try {
     const first = motion.evaluate("poses", 0), triangles = element("meshes");
     const meshes = triangles ? torsorReport.readMeshes(scene, JSON.parse(triangles.textContent)) : [];
     picture = new Picture(scene, first);
-    if (!first.reaction_forces?.some((value) => value !== 0)) element("reactions").parentElement.remove();
+    const forces = recording ? first.contact_directions : first.reaction_forces;
+    if (!forces?.some((value) => value !== 0)) element("reactions").parentElement.remove();
     const ready = performance.now() + 120;  // what the beginning of the motion reaches is in the first view
     while (motion.time < until - 1e-9 && performance.now() < ready && motion.extend());
     const step = Math.max(1, Math.floor(motion.samples.length / 40)), seen = [];
@@ -264,12 +316,12 @@ function start() {
   element("time").addEventListener("input", () => { mode = null; now = Math.min(Number(element("time").value), motion.time); pause(); });
   for (const id of ["traces", "velocities", "weights", "reactions"]) element(id)?.addEventListener("change", () => { if (viewer) viewer.changed = true; });
   element("portraits")?.addEventListener("toggle", () => { if (viewer) viewer.changed = true; else show(false); });
-  element("until").addEventListener("change", () => {
+  element("until")?.addEventListener("change", () => {
     const wanted = Number(element("until").value);
     if (wanted > 0) [until, told] = [wanted, ""];
     if (viewer) viewer.changed = true;
   });
-  element("restart").addEventListener("click", () => {
+  element("restart")?.addEventListener("click", () => {
     for (const each of Object.values(chosen)) for (const name of Object.keys(each)) delete each[name];
     buildSliders();
     restart();

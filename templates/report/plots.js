@@ -3,6 +3,7 @@
 (() => {
 "use strict";
 const colours = ["#2266bb", "#cc4b33", "#33935a", "#985bb3", "#c98f10", "#1a94a6", "#c65a8c", "#72802f"];
+const eventColour = "#c03070";
 
 function label(value) {
   if (value === 0) return "0";
@@ -52,7 +53,8 @@ class Plot {
     });
   }
 
-  draw(interval, end, now) {
+  /// `events`: [{time}], marked on the axis of time.
+  draw(interval, end, now, events = []) {
     this.end = end;
     const { canvas } = this, ratio = Math.min(window.devicePixelRatio || 1, 2), box = [canvas.clientWidth, canvas.clientHeight];
     if (box[0] === 0) return;
@@ -81,6 +83,8 @@ class Plot {
       line(context, x(t), top, x(t), bottom);
       context.fillText(label(t), x(t), bottom + 13);
     }
+    context.strokeStyle = eventColour;
+    for (const { time } of events) line(context, x(time), bottom - 7, x(time), bottom);
     context.lineWidth = 1.6;
     this.data.forEach((data, i) => {
       context.strokeStyle = colours[i % colours.length];

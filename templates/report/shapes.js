@@ -19,12 +19,12 @@ function ball(origin, radius, colour) {
   return { mesh: "sphere", x: [radius, 0, 0], y: [0, radius, 0], z: [0, 0, radius], origin, colour };
 }
 
-/// An arrow whose shaft has this radius; nothing where it would be shorter than its head.
+/// An arrow in front of all else, whose shaft has this radius; nothing where it would be shorter than its head.
 function arrow(from, vector, radius, colour) {
   const far = length(vector);
   if (!(far > 7 * radius)) return [];
   const neck = add(from, vector, 1 - (7 * radius) / far);
-  return [cylinder(from, neck, radius, colour), cylinder(neck, add(from, vector), 2.6 * radius, colour, "cone")];
+  return [cylinder(from, neck, radius, colour), cylinder(neck, add(from, vector), 2.6 * radius, colour, "cone")].map((shape) => ({ ...shape, above: true }));
 }
 const arrowColours = { velocities: [0.1, 0.6, 0.3], weights: [0.75, 0.2, 0.2], reactions: [0.85, 0.45, 0.05] };
 
@@ -49,7 +49,7 @@ class Picture {
       const m = poses.masses[k], trace = poses.inertias[6 * k] + poses.inertias[6 * k + 1] + poses.inertias[6 * k + 2];
       return m > 0 && trace > 0 ? Math.sqrt((1.5 * trace) / m) : 0;
     });
-    const radii = scene.points.map((_, k) => poses.radii[k]);
+    const radii = [...scene.points.map((_, k) => poses.radii[k]), ...scene.contacts.flatMap((each, c) => (each.spheres ? [...poses.contact_radii.subarray(2 * c, 2 * c + 2)] : []))];
     this.size = Math.max(length(add(high, low, -1)) / 2, 0.9 * Math.max(0, ...extents), 1.4 * Math.max(0, ...radii)) || 1;
     this.low = low;
     const gravity = column(poses.gravity, 0);
@@ -60,6 +60,7 @@ class Picture {
     this.round = new Map();  // body -> frames that carry a disc or a sphere
     scene.points.forEach((point) => point.lowest && this.round.set(point.frame, true));
     this.sortFrames();
+    this.findTranslations();
     this.findRods(poses);
     this.findTraces();
   }
@@ -74,6 +75,18 @@ class Picture {
       this.ofBody.get(frame.body).push(k);
     });
     for (const list of this.ofBody.values()) list.sort((a, b) => depth(a) - depth(b));
+  }
+
+  /// Slides that follow each other without a mass between them are coordinates of one translation: they have no rails.
+  findTranslations() {
+    const { frames, bodies } = this.scene, slides = (k) => frames[k].joint === "prismatic" && frames[k].parent >= 0;
+    this.massless = new Set(frames.map((frame) => frame.body));
+    bodies.forEach((each) => this.massless.delete(frames[each.frame].body));
+    this.translations = new Set();
+    frames.forEach((frame, k) => {
+      const before = slides(k) ? frames.findIndex((each, j) => slides(j) && each.body === frames[frame.parent].body) : -1;
+      if (before >= 0 && this.massless.has(frames[before].body)) this.translations.add(k).add(before);
+    });
   }
 
   findRods(poses) {
@@ -124,21 +137,23 @@ class Picture {
       low = low.map((v, i) => Math.min(v, place[i]));
       high = high.map((v, i) => Math.max(v, place[i]));
     };
+    const half = () => length(add(high, low, -1)) / 2, apart = this.scene.bodies.length > 1 ? 2.5 : 4;
     for (const poses of allPoses) {
       this.scene.bodies.forEach((_, k) => include(column(poses.centres, k)));
       this.scene.frames.forEach((_, k) => include(column(poses.anchors, k)));
       this.traced.forEach((each) => include(column(poses[each.member], each.k)));
+      if (apart < 4 && half() > apart * this.size) break;  // bodies that part: their beginning
     }
-    const half = length(add(high, low, -1)) / 2;
-    if (!(half < 4 * this.size)) return;
-    this.reach = Math.max(half, this.size);
+    if (!(half() < 4 * this.size)) return;
+    this.reach = Math.max(half(), this.size);
     this.middle = scaled(add(low, high), 0.5);
   }
 
-  /// Where the camera looks: it follows a mechanism that leaves the view.
+  /// Where the camera looks: it follows a mechanism that leaves the view, without what has left it.
   followed(poses, target) {
-    const places = this.scene.bodies.map((_, k) => column(poses.centres, k));
-    if (places.length === 0) return target;
+    const all = this.scene.bodies.map((_, k) => column(poses.centres, k)), near = 3 * (this.reach ?? this.size);
+    if (all.length === 0) return target;
+    const together = all.filter((place) => length(add(place, target, -1)) < near), places = together.length > 0 ? together : all;
     const away = add(scaled(places.reduce((sum, place) => add(sum, place)), 1 / places.length), target, -1);
     const free = 0.8 * (this.reach ?? this.size), distance = length(away);
     return distance > free ? add(target, away, 1 - free / distance) : target;
@@ -188,6 +203,16 @@ class Picture {
     return found.flatMap(({ place, force }) => arrow(place, scaled(force, (0.5 * this.size) / this.strongest), 0.01 * this.size, arrowColours.reactions));
   }
 
+  /// Forces N n + T t of contacts on the first of their bodies, at the points of contact; the same scale.
+  contactForces(poses, contacts, reactionsOf) {
+    const found = contacts.map(({ row }, c) => {
+      const force = Array.from(reactionsOf(c)).reduce((sum, value, i) => add(sum, column(poses.contact_directions, row + i), value), [0, 0, 0]);
+      return { place: column(poses.contact_points, c), force };
+    }).filter(({ force }) => length(force) > 0);
+    this.strongest = Math.max(this.strongest ?? 0, ...found.map(({ force }) => length(force)));
+    return found.flatMap(({ place, force }) => arrow(place, scaled(force, (0.5 * this.size) / this.strongest), 0.01 * this.size, arrowColours.reactions));
+  }
+
   /// Shapes and lines of one pose; `traces` are lists of places.
   at(poses, traces, target = this.middle) {
     const { scene, size } = this, shapes = [], lines = [];
@@ -200,6 +225,7 @@ class Picture {
     shapes.push(...this.forms(poses));
     scene.bodies.forEach((each, k) => this.inertia(each, k, poses, shapes));
     scene.points.forEach((each, k) => each.lowest && this.rim(each, k, poses, shapes, lines));
+    scene.contacts.forEach((contact, c) => contact.spheres && this.spheres(contact, c, poses, shapes, lines));
     for (const link of scene.links) this.link(link, poses, shapes, lines);
     this.grid(poses, lines, target);
     traces.forEach((points, i) => points.length > 3 && lines.push({ points, colour: scaled(add([0.25, 0.25, 0.25], colourOf(this.traced[i].body), 0.75), 1) }));
@@ -236,9 +262,9 @@ class Picture {
         if (frame.joint === "revolute" && list.length <= 3) {
           shapes.push(cylinder(add(origin, axis, -0.045 * size), add(origin, axis, 0.045 * size), 0.028 * size, steel));
         } else if (frame.joint === "prismatic" && list.length <= 2) {
-          const anchor = column(poses.anchors, k), [x, y] = triad(axis), half = 0.05 * size;
-          shapes.push(cylinder(add(anchor, axis, -0.9 * size), add(anchor, axis, 0.9 * size), 0.008 * size, steel));
-          shapes.push({ mesh: "box", x: scaled(x, half), y: scaled(y, half), z: scaled(axis, 1.5 * half), origin, colour: colourOf(body) });
+          const anchor = column(poses.anchors, k), [x, y] = triad(axis), half = 0.05 * size, alone = !this.translations.has(k);
+          if (alone) shapes.push(cylinder(add(anchor, axis, -0.9 * size), add(anchor, axis, 0.9 * size), 0.008 * size, steel));
+          if (alone || !this.massless.has(body)) shapes.push({ mesh: "box", x: scaled(x, half), y: scaled(y, half), z: scaled(axis, 1.5 * half), origin, colour: colourOf(body) });
         } else if (frame.joint === "attitude") {
           shapes.push(ball(origin, 0.035 * size, steel));
         }
@@ -287,6 +313,19 @@ class Picture {
     }
   }
 
+  /// Two spheres that touch, but for what is drawn already; of a hollow one three circles.
+  spheres({ spheres, hollow }, c, poses, shapes, lines) {
+    spheres.forEach((frame, i) => {
+      const radius = poses.contact_radii[2 * c + i], body = this.scene.frames[frame].body, origin = column(poses.origins, frame);
+      const drawn = this.ofAuthor.has(body) || this.round.get(frame);
+      const first = this.scene.contacts.findIndex((each) => each.spheres?.includes(frame)) === c;
+      if (drawn || !first || !(radius > 0)) return;
+      if (!(hollow && i === 1)) return void shapes.push(ball(origin, radius, colourOf(body)));
+      const [x, y, z] = [0, 1, 2].map((j) => scaled(column(poses.rotations, 3 * frame + j), radius));
+      for (const [u, v] of [[x, y], [y, z], [z, x]]) lines.push({ points: circle(origin, u, v), colour: colourOf(body) });
+    });
+  }
+
   link(link, poses, shapes, lines) {
     const a = column(poses.points, link.a), b = column(poses.points, link.b), along = add(b, a, -1), far = length(along);
     if (!(far > 1e-9 * this.size)) return;
@@ -306,7 +345,8 @@ class Picture {
 
   /// A floor across gravity below the first pose, or the planes on which the mechanism rolls.
   grid(poses, lines, target) {
-    const planes = [...new Set(this.scene.points.filter((each) => each.lowest).map((each) => each.plane))];
+    const { frames, points, contacts } = this.scene;
+    const planes = [...new Set([...points.filter((each) => each.lowest), ...contacts.filter((each) => each.plane !== undefined)].map((each) => each.plane))];
     const put = (origin, x, y) => {
       const points = [], step = niceStep((this.reach ?? this.size) / 2.5), count = 6;
       for (const axis of [x, y]) {  // under the camera's target, on lines of the same grid
@@ -319,10 +359,30 @@ class Picture {
       }
       lines.push({ points, colour: [0.62, 0.64, 0.67], pairs: true });
     };
-    for (const plane of planes) put(column(poses.origins, plane), column(poses.rotations, 3 * plane), column(poses.rotations, 3 * plane + 1));
-    if (planes.length > 0) return;
+    const fixed = planes.filter((plane) => frames[plane].body === 0);
+    for (const plane of fixed) put(column(poses.origins, plane), column(poses.rotations, 3 * plane), column(poses.rotations, 3 * plane + 1));
+    for (const plane of planes) if (!fixed.includes(plane)) this.patch(plane, poses, lines);
+    if (fixed.length > 0) return;
     const [x, y] = triad(this.up), down = add(this.middle, this.up, -1.05 * this.size);
     put(down, x, y);
+  }
+
+  /// A piece of a plane that moves with a body, as far as its contacts reach at first.
+  patch(plane, poses, lines) {
+    const origin = column(poses.origins, plane), [x, y] = [0, 1].map((j) => column(poses.rotations, 3 * plane + j)), points = [];
+    this.patches ??= new Map();
+    if (!this.patches.has(plane)) {
+      const reaches = this.scene.contacts.map((each, c) => (each.plane === plane ? length(add(column(poses.contact_points, c), origin, -1)) : 0));
+      this.patches.set(plane, Math.min(this.size, 1.2 * Math.max(0.25 * this.size, ...reaches)));
+    }
+    const half = this.patches.get(plane), count = 4;
+    for (let i = -count; i <= count; ++i) {
+      for (const [u, v] of [[x, y], [y, x]]) {
+        const from = add(origin, u, (i * half) / count);
+        points.push(...add(from, v, -half), ...add(from, v, half));
+      }
+    }
+    lines.push({ points, colour: [0.62, 0.64, 0.67], pairs: true });
   }
 }
 

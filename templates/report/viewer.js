@@ -42,13 +42,13 @@ function revolved(profile, parts = 24) {
 }
 
 function sphere() {
-  const profile = [], parts = 14;
+  const profile = [], parts = 20;
   const at = (k) => {
     const angle = -Math.PI / 2 + (Math.PI * k) / parts;
     return [Math.cos(angle), Math.sin(angle), Math.cos(angle), Math.sin(angle)];
   };
   for (let k = 0; k < parts; ++k) profile.push(at(k), at(k + 1));
-  return revolved(profile);
+  return revolved(profile, 40);
 }
 
 function box() {
@@ -169,7 +169,7 @@ class Viewer {
     });
   }
 
-  /// Draws shapes {mesh, x, y, z, origin, colour} and lines {points, colour, pairs}.
+  /// Draws shapes {mesh, x, y, z, origin, colour, above} and lines {points, colour, pairs}; what is `above` hides all else.
   draw({ shapes, lines }) {
     const { gl, canvas, at } = this, ratio = Math.min(window.devicePixelRatio || 1, 2);
     const width = Math.max(1, Math.round(canvas.clientWidth * ratio)), height = Math.max(1, Math.round(canvas.clientHeight * ratio));
@@ -183,6 +183,15 @@ class Viewer {
     const seen = looking(eye, this.target, this.up);
     gl.uniformMatrix4fv(at.view, false, product(perspective(0.7, width / height, this.distance / 100, this.distance * 30), seen));
     gl.uniform3fv(at.light, unit(add(add(view, this.up, 0.6), cross(this.up, view), 0.4)));
+    this.drawShapes(shapes.filter((shape) => !shape.above));
+    this.drawLines(lines);
+    gl.clear(gl.DEPTH_BUFFER_BIT);
+    this.drawShapes(shapes.filter((shape) => shape.above));
+    this.changed = false;
+  }
+
+  drawShapes(shapes) {
+    const { gl, at } = this;
     gl.uniform1f(at.shaded, 1);
     gl.enableVertexAttribArray(this.normal);
     let bound = null;
@@ -201,6 +210,10 @@ class Viewer {
       gl.uniform4fv(at.colour, [...shape.colour, 1]);
       gl.drawArrays(gl.TRIANGLES, 0, count);
     }
+  }
+
+  drawLines(lines) {
+    const { gl, at } = this;
     gl.uniform1f(at.shaded, 0);
     gl.uniformMatrix4fv(at.place, false, affine([1, 0, 0], [0, 1, 0], [0, 0, 1], [0, 0, 0]));
     gl.disableVertexAttribArray(this.normal);
@@ -212,7 +225,6 @@ class Viewer {
       gl.uniform4fv(at.colour, [...line.colour, 1]);
       gl.drawArrays(line.pairs ? gl.LINES : gl.LINE_STRIP, 0, line.points.length / 3);
     }
-    this.changed = false;
   }
 }
 

@@ -190,6 +190,49 @@ TEST(Report, EncodesBytesAsOthersDo) {  // RFC 4648, section 10
   EXPECT_EQ(base64("foobar"), "Zm9vYmFy");
 }
 
+/// A ball that falls on the ground.
+Scene dropped(const std::string& contact = "floor") {
+  Scene scene("dropped", "");
+  const Expression z = scene.coordinate("z", "m");
+  const FrameHandle ball = scene.prismatic("ball", scene.ground(), axis::z, z);
+  scene.body("ball", ball, Inertia::point(Expression::quantity("2", "kg")));
+  scene.gravity({0, 0, Expression::quantity("-9.81", "m/s^2")});
+  scene.initial(z, Expression::quantity("1", "m"));
+  scene.contact(contact, shape::Sphere{.frame = ball, .radius = Expression::quantity("0.1", "m")},
+                shape::Plane{.frame = scene.ground()}, {.restitution = Expression(Number::rational(1, 2))});
+  return scene;
+}
+
+// The page cannot solve contacts: it has what was moved here, and says so.
+TEST(Report, PlaysBackAMotionWithContacts) {
+  ReportOptions options;
+  options.duration = 1.0;
+  const std::string page = own_text(report_html(dropped(), options));
+  EXPECT_TRUE(contains(page, "<script id=\"recording\" type=\"application/json\">{\"interval\":0.0016666666666666668,\"count\":601,"));
+  EXPECT_TRUE(contains(page, "This motion is recorded: torsor moved the mechanism"));
+  EXPECT_TRUE(contains(page, R"("contacts":[{"name":"floor","plane":0}])"));
+  EXPECT_TRUE(contains(page, R"("regimes":[[0,"o"])"));
+  EXPECT_FALSE(contains(page, "function forward_dynamics"));
+  EXPECT_FALSE(contains(page, "There is no motion"));
+  EXPECT_EQ(report_html(dropped(), options), report_html(dropped(), options));
+  EXPECT_FALSE(contains(report_html(pendulum(), {}), "<script id=\"recording\""));
+}
+
+// A long motion has fewer samples a second.
+TEST(Report, KeepsRecordedMotionsSmall) {
+  ReportOptions options;
+  options.duration = 400.0;
+  EXPECT_LT(report_html(dropped(), options).size(), 1'200'000U);
+}
+
+TEST(Report, SaysWhyAMotionWithContactsIsMissing) {
+  Scene scene = dropped();
+  scene.parameter("W", "N");
+  const std::string page = report_html(scene, {});
+  EXPECT_TRUE(contains(page, "There is no motion: the parameter &#39;W&#39; has no value, and a page that plays a motion back needs one: give it in the scene."))
+      << page.substr(page.find("There is no motion"), 200);
+}
+
 Scene hostile() {
   const std::string bad = "</script><script>hacked()</script><!--\"' onload=x \\href{javascript:x} $(x) */ ]]>";
   Scene scene("hostile", bad);

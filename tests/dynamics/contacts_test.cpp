@@ -8,9 +8,11 @@
 #include "generator/base/error.hpp"
 #include "generator/dynamics/equations/validation.hpp"
 #include "generator/dynamics/forces/contacts.hpp"
+#include "generator/dynamics/motion/ground_motion.hpp"
 #include "generator/kernels/kernel.hpp"
 #include "generator/mechanics/scene.hpp"
 #include "generator/verification/check_contacts.hpp"
+#include "generator/verification/random_state.hpp"
 
 namespace torsor::contacts_test {
 namespace {
@@ -92,6 +94,54 @@ TEST(Contacts, OfEveryShapeWithAMovingPlaneAreConsistent) {
                   shape::Sphere{.frame = s.body, .radius = 0.5_r * metre}, rough);
   for (const Shape& contact : shapes_of(s.scene)) EXPECT_EQ(contact.tangents, 2U) << contact.name;
   expect_consistent(s.scene);
+}
+
+/// A unit reaction of a row, put on the first body at the contact's point and taken from the second, has the row's generalised forces.
+void expect_places_of_rows(const Scene& scene, const std::vector<std::pair<FrameHandle, FrameHandle>>& bodies) {
+  const WorkingDigits precision(50);
+  Program program(Model::resolver(scene, {}));
+  const Model model(scene, program);
+  const GroundMotion motion(model);
+  const std::vector<ContactRows> rows = contact_rows(model);
+  const std::vector<ContactPlace> places = contact_places(model);
+  const RandomState state(scene, 7);
+  ASSERT_EQ(places.size(), rows.size());
+  for (std::size_t k = 0; k < bodies.size(); ++k) {
+    ASSERT_EQ(places[k].directions.size(), rows[k].rows.size());
+    const auto partials = [&](const FrameHandle& body) {
+      const int link = model.place(body, "test").link;
+      return motion.partial_velocities(link, bound(program, places[k].point - motion.origin(link)));
+    };
+    const std::vector<Vector> first = partials(bodies[k].first), second = partials(bodies[k].second);
+    for (std::size_t row = 0; row < rows[k].rows.size(); ++row) {
+      for (std::size_t i = 0; i < rows[k].rows[row].jacobian.size(); ++i) {
+        const Value force = program.bind(dot(places[k].directions[row], bound(program, first[i] - second[i])));
+        Evaluator<Real> at(program, state.in_real());
+        // Numbers of order one to 1e2 in 50 digits.
+        EXPECT_LE(abs(at(force) - at(rows[k].rows[row].jacobian[i])).to_double(), 1e-44) << rows[k].name << " " << row << " " << i;
+      }
+    }
+  }
+}
+
+TEST(Contacts, HaveForcesAtTheirPoints) {
+  InSpace s;
+  const shape::Plane plane{.frame = s.table, .belt = {Expression::quantity("0.2", "m/s"), Expression(0)}};
+  s.scene.contact("point", shape::Point{s.scene.point("tip", s.body, {0.1_r * metre, 0.2_r * metre, -0.3_r * metre})}, plane, rough);
+  s.scene.contact("sphere", plane, shape::Sphere{.frame = s.body, .radius = 0.5_r * metre}, rough);
+  s.scene.contact("disc", shape::Disc{.frame = s.body, .axis = axis::y, .radius = 0.5_r * metre}, plane, rough);
+  s.scene.contact("spheres", shape::Sphere{.frame = s.body, .radius = 0.5_r * metre},
+                  shape::Sphere{.frame = s.table, .radius = 0.2_r * metre}, rough);
+  s.scene.contact("bowl", shape::HollowSphere{.frame = s.table, .radius = 20 * metre},
+                  shape::Sphere{.frame = s.body, .radius = 0.5_r * metre}, rough);
+  expect_places_of_rows(s.scene, std::vector<std::pair<FrameHandle, FrameHandle>>(5, {s.body, s.table}));
+
+  InPlane flat;
+  flat.scene.contact("circle", shape::Sphere{.frame = flat.body, .radius = 0.5_r * metre},
+                     shape::Plane{.frame = flat.scene.ground()}, rough);
+  flat.scene.contact("drum", shape::Sphere{.frame = flat.body, .radius = 0.5_r * metre},
+                     shape::HollowSphere{.frame = flat.scene.ground(), .radius = 20 * metre}, rough);
+  expect_places_of_rows(flat.scene, {{flat.body, flat.scene.ground()}, {flat.body, flat.scene.ground()}});
 }
 
 TEST(Contacts, InAPlaneHaveOneTangent) {

@@ -12,6 +12,38 @@ mkdirSync(folder, { recursive: true });
 const browser = await Browser.start(program);
 let failed = false;
 
+/// A motion with contacts is what `simulate` says, to the last digit; the page says that it is recorded, and tells its events.
+async function expectPlayback(tool, files, expect) {
+  const page = await browser.evaluate(`(() => {
+    const { current } = torsorReport, buttons = [...document.querySelectorAll("#event-list button")], at = Number(document.getElementById("time").value);
+    document.getElementById("contact-events").open = true;
+    buttons.at(-1)?.click();
+    return { interval: current.interval, samples: current.samples.map((each) => [...each]), ofContacts: current.ofContacts.map((each) => [...each]),
+             events: current.events.map(({ time }) => time), buttons: buttons.length, sliders: document.querySelectorAll("#sliders *").length,
+             regimes: document.getElementById("regimes").textContent, note: document.querySelector("#motion .note")?.textContent ?? "" };
+  })()`);
+  await browser.evaluate("new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done)))");
+  const last = page.events[Math.min(page.events.length, page.buttons) - 1];
+  const shown = await browser.evaluate("Number(document.getElementById('time').value)");
+  expect(last === undefined || Math.abs(shown - last) < 1e-9, `a click on an event goes to ${shown} instead of ${last}`);
+  expect(/recorded|enregistré/.test(page.note), "the page does not say that its motion is recorded");
+  expect(page.sliders === 0, "there are sliders that change nothing");
+  expect(/: (open|closed|sticks|slides|ouvert|fermé|adhère|glisse)/.test(page.regimes), `regimes: ${page.regimes}`);
+  const to = page.interval * (page.samples.length - 1);
+  const table = execFileSync(tool, ["simulate", ...files.filter((each) => !each.startsWith("--")), "--to", String(to), "--step", String(page.interval)],
+                             { encoding: "utf8", stdio: ["ignore", "pipe", "ignore"], maxBuffer: 1e8 });
+  const [names, ...rows] = table.split("\n").filter((line) => line && !line.startsWith("#")).map((line) => line.split(","));
+  const width = page.samples[0].length, ofContacts = page.ofContacts[0].length;
+  expect(rows.length === page.samples.length, `${page.samples.length} samples, and simulate has ${rows.length} rows`);
+  const wrong = rows.findIndex((row, k) => {
+    const numbers = row.map(Number);
+    const same = (a, b) => a.length === b.length && a.every((value, i) => value === b[i] || Number.isNaN(value) && b[i] === null);
+    return !same(numbers.slice(1, 1 + width), page.samples[k]) || !same(numbers.slice(names.length - ofContacts), page.ofContacts[k]);
+  });
+  expect(wrong < 0, `sample ${wrong} is not that of simulate`);
+  expect((table.match(/^# Event: /gm) ?? []).length === page.events.length, "events are not those of simulate");
+}
+
 for (const scene of scenes) {
   const [tool, ...files] = scene.split(" "), failures = [];
   const file = join(folder, `${basename(files[0] ?? tool)}.html`);
@@ -19,6 +51,10 @@ for (const scene of scenes) {
   const expect = (holds, text) => { if (!holds) failures.push(text); };
   await browser.open(file);
 
+  const recorded = await browser.evaluate("document.getElementById('recording') !== null");
+  const twice = await browser.evaluate(`[...document.querySelectorAll("[id]")].map((each) => each.id).filter((id, i, all) => all.indexOf(id) !== i)`);
+  expect(twice.length === 0, `ids stand twice: ${twice.join(", ")}`);
+  expect(await browser.evaluate("[...document.scripts].every((each) => getComputedStyle(each).display === 'none')"), "a script is shown as text");
   expect(await browser.evaluate("typeof hacked") === "undefined", "a name of the scene became a script");
   expect(await browser.evaluate("document.querySelectorAll('img, iframe, object, embed, link, base, form').length") === 0, "there are elements that no report has");
   const formulas = await browser.evaluate(`(() => {
@@ -73,6 +109,7 @@ for (const scene of scenes) {
 
   // Arrows: a velocity is how far a place goes in a small time, over that time.
   const arrows = await browser.evaluate(`(() => {
+    if (!globalThis.torsorMechanism.forward_dynamics) return 0;
     const motion = new torsorReport.Motion(globalThis.torsorMechanism, { interval: 1e-5 });
     for (let k = 0; k < 4; ++k) motion.extend();
     if (motion.status !== "ok") return 0;
@@ -108,7 +145,8 @@ for (const scene of scenes) {
     for (const type of ["rawKeyDown", "keyUp"]) await browser.send("Input.dispatchKeyEvent", { type, key: "Tab", code: "Tab", windowsVirtualKeyCode: 9 });
     focused.add(await browser.evaluate("document.activeElement.id || document.activeElement.type || document.activeElement.tagName"));
   }
-  for (const id of ["view", "play", "time", "speed", "traces", "velocities", "weights", "until"]) expect(focused.has(id), `the keyboard does not reach ${id}`);
+  const within = ["view", "play", "time", "speed", "traces", "velocities", "weights", ...(recorded ? ["view-home"] : ["until"])];
+  for (const id of within) expect(focused.has(id), `the keyboard does not reach ${id}`);
   const unnamed = await browser.evaluate(`[...document.querySelectorAll("canvas, input, button, select")]
     .filter((each) => !each.getAttribute("aria-label") && !each.labels?.length && !each.textContent.trim()).map((each) => each.id || each.type)`);
   expect(unnamed.length === 0, `without words: ${unnamed.join(", ")}`);
@@ -124,6 +162,8 @@ for (const scene of scenes) {
 
   const stuck = await browser.evaluate(`[...document.querySelectorAll("pre, .formula")].filter((each) => each.scrollWidth > each.clientWidth + 1 && each.tabIndex < 0).length`);
   expect(stuck === 0, `${stuck} texts scroll, but not by the keyboard`);
+
+  if (recorded) await expectPlayback(tool, files, expect);
 
   expect(browser.complaints().length === 0, `complaints: ${browser.complaints().join("; ")}`);
   expect(browser.requests().length === 0, `requests: ${browser.requests().join(", ")}`);

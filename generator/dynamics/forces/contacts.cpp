@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <optional>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -46,7 +47,7 @@ class ContactBuilder {
     }
     if (!has_friction()) return;
     const Surfaces at = surfaces(on);
-    for (std::size_t k = 0; k < 2; ++k) slips(at.motion, at.tangents[k], program_.lower(on.belt[k]));
+    for (std::size_t k = 0; k < 2; ++k) slips(at.motion, at.tangents, k, program_.lower(on.belt[k]));
   }
 
   void operator()(const SphereOnSphere& spheres) {
@@ -57,7 +58,7 @@ class ContactBuilder {
     opens(gap);
     if (!has_friction()) return;
     const Surfaces at = surfaces(spheres);
-    for (const Vector& tangent : at.tangents) slips(at.motion, tangent, {});
+    for (std::size_t k = 0; k < at.tangents.size(); ++k) slips(at.motion, at.tangents, k, {});
   }
 
   void operator()(const Stop& stop) {
@@ -88,6 +89,20 @@ class ContactBuilder {
 
   ContactRows take() { return std::move(rows_); }
 
+  ContactPlace place() const {
+    ContactPlace result;
+    result.directions.resize(rows_.rows.size());
+    const auto* on = std::get_if<PointOnPlane>(&contact_.geometry);
+    const auto* spheres = std::get_if<SphereOnSphere>(&contact_.geometry);
+    if (on == nullptr && spheres == nullptr) return result;
+    const Surfaces at = on != nullptr ? surfaces(*on, 0) : surfaces(*spheres);
+    result.point = at.point;
+    for (std::size_t row = 0; row < rows_.rows.size(); ++row) {
+      result.directions[row] = row == 0 ? at.normal : at.tangents[rows_.rows[row].tangent];
+    }
+    return result;
+  }
+
  private:
   bool has_friction() const { return !contact_.friction.is_zero() || !contact_.static_friction.is_zero(); }
 
@@ -96,16 +111,20 @@ class ContactBuilder {
     RelativeMotion motion;
     Vector normal;
     std::vector<Vector> tangents;
+    Vector point;
   };
-  Surfaces surfaces(const PointOnPlane& on) const {
-    const int axes = model_.place(on.plane, user_).link;
+  Surfaces surfaces(const PointOnPlane& on) const { return surfaces(on, model_.place(on.plane, user_).link); }
+  Surfaces surfaces(const PointOnPlane& on, int axes) const {
+    const int plane = model_.place(on.plane, user_).link;
     const SceneContent& scene = model_.scene();
     const PointContent& content = scene.points[static_cast<std::size_t>(scene.point_index(on.point, user_))];
     const int link = model_.place(content.frame, user_).link;
-    return {RelativeMotion(model_, link, axes, model_.locate(on.point, axes, user_), axes),
+    const Vector point = model_.locate(on.point, axes, user_);
+    return {RelativeMotion(model_, link, plane, point, axes),
             bound(program_, model_.express(axis::z, on.plane, axes, user_)),
             {bound(program_, model_.express(axis::x, on.plane, axes, user_)),
-             bound(program_, model_.express(axis::y, on.plane, axes, user_))}};
+             bound(program_, model_.express(axis::y, on.plane, axes, user_))},
+            point};
   }
   Surfaces surfaces(const SphereOnSphere& spheres) const {
     const FramePlace& at_a = model_.place(spheres.a, user_);
@@ -113,7 +132,7 @@ class ContactBuilder {
     const auto [apart, distance] = line(spheres);
     const Vector n = bound(program_, pow(distance, -1) * apart);
     const Vector point = a - program_.lower(spheres.radius_a) * n;
-    return {RelativeMotion(model_, at_a.link, model_.place(spheres.b, user_).link, point, 0), n, tangents_across(n)};
+    return {RelativeMotion(model_, at_a.link, model_.place(spheres.b, user_).link, point, 0), n, tangents_across(n), point};
   }
 
   /// From the centre of the second sphere to that of the first, back where it is hollow, and the distance.
@@ -144,9 +163,10 @@ class ContactBuilder {
                                  user_));
   }
 
-  void slips(const RelativeMotion& motion, const Vector& tangent, const Value& belt) {
-    const Value rate = program_.bind(dot(motion.twist().linear, tangent));
-    add(belt.is_zero() ? rate : program_.bind(rate - belt), motion.generalised_forces({tangent, Vector()}));
+  void slips(const RelativeMotion& motion, const std::vector<Vector>& tangents, std::size_t k, const Value& belt) {
+    const Value rate = program_.bind(dot(motion.twist().linear, tangents[k]));
+    add(belt.is_zero() ? rate : program_.bind(rate - belt), motion.generalised_forces({tangents[k], Vector()}));
+    rows_.rows.back().tangent = k;
     if (!can_move(rows_.rows.back())) rows_.rows.pop_back();
   }
 
@@ -154,7 +174,7 @@ class ContactBuilder {
     jacobian.resize(static_cast<std::size_t>(model_.unknown_count()));
     clear_identically_zero(jacobian);
     const Value drift = program_.bind(at_constant_velocity_(rate));
-    rows_.rows.push_back({std::move(rate), std::move(jacobian), drift});
+    rows_.rows.push_back({std::move(rate), std::move(jacobian), drift, 0});
   }
 
   static bool can_move(const ContactRow& row) {
@@ -190,9 +210,9 @@ class ContactBuilder {
   ContactRows rows_;
 };
 
-}  // namespace
-
-std::vector<ContactRows> contact_rows(const Model& model) {
+/// What `take` makes of each contact of the scene.
+template <class Take>
+auto of_contacts(const Model& model, const Take& take) {
   Program& program = model.program();
   Derivation at_constant_velocity(
       program,
@@ -202,13 +222,23 @@ std::vector<ContactRows> contact_rows(const Model& model) {
         return {};
       },
       units::second);
-  std::vector<ContactRows> all;
+  std::vector<decltype(take(std::declval<ContactBuilder&>()))> all;
   for (const ContactContent& contact : model.scene().contacts) {
     ContactBuilder builder(model, contact, at_constant_velocity);
     std::visit(builder, contact.geometry);
-    all.push_back(builder.take());
+    all.push_back(take(builder));
   }
   return all;
+}
+
+}  // namespace
+
+std::vector<ContactRows> contact_rows(const Model& model) {
+  return of_contacts(model, [](ContactBuilder& builder) { return builder.take(); });
+}
+
+std::vector<ContactPlace> contact_places(const Model& model) {
+  return of_contacts(model, [](ContactBuilder& builder) { return builder.place(); });
 }
 
 std::vector<ContactCoefficients> contact_coefficients(const Model& model) {

@@ -14,6 +14,7 @@ struct ContactRow {
   Value rate;                   ///< w [m/s], the rate of a displacement, or an angular velocity
   std::vector<Value> jacobian;  ///< J_i, of the unknowns
   Value drift;                  ///< dw/dt at zero accelerations
+  std::size_t tangent = 0;      ///< of a slip or a roll: which of the two tangents
 };
 
 /// A contact of the scene: what opens it first, then along what it slips.
@@ -39,6 +40,15 @@ struct ContactRows {
 /// can turn.
 /// Throws SceneError where a contact involves no coordinate.
 std::vector<ContactRows> contact_rows(const Model& model);
+
+/// What a picture of a contact needs, in the axes of the ground.
+struct ContactPlace {
+  Vector point;                    ///< where the surfaces are nearest to each other, from the ground's origin [m]
+  std::vector<Vector> directions;  ///< of each row: its reaction r is the force r · direction on the first body
+};
+/// Those of all contacts, in the order of their rows. What works with a coordinate (a stop, dry friction) or is a moment has no
+/// force at a point: its directions are zero.
+std::vector<ContactPlace> contact_places(const Model& model);
 
 /// f, f_s, e and the bounds b, b_s of dry friction, formulas of parameters.
 struct ContactCoefficients { Value friction, static_friction, restitution, bound, static_bound; };
