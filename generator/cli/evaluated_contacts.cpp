@@ -11,8 +11,11 @@ EvaluatedContacts::EvaluatedContacts(const Scene& scene, const ModelOptions& opt
     : motion_(scene, options, parameters, inputs), rows_(contact_rows(motion_.equations().model())) {
   Program& program = motion_.equations().program();
   for (ContactRows& contact : rows_) {
+    if (contact.normal) contact.gap = program.bind(contact.gap);
     for (ContactRow& row : contact.rows) {
       for (Value& entry : row.jacobian) entry = program.bind(entry);
+      row.rate = program.bind(row.rate);
+      row.drift = program.bind(row.drift);
     }
   }
   if (!motion_.equations().constraints().empty()) kept_ = motion_.equations().redundancy().kept;

@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstdint>
 #include <functional>
 #include <optional>
 #include <unordered_map>
 #include <vector>
 
 #include "generator/base/high_precision.hpp"
-#include "generator/program/formula.hpp"
+#include "generator/program/formula_code.hpp"
 #include "generator/program/function_values.hpp"
 #include "generator/program/program.hpp"
 
@@ -27,7 +28,7 @@ class Evaluator {
 
   void move_to(SymbolValue symbol_value) {
     symbol_value_ = std::move(symbol_value);
-    known_.assign(known_.size(), std::nullopt);
+    ++state_;
   }
 
   /// What a number is to the scalar, in place of `of_number`; asked once for each. To be set before any evaluation.
@@ -39,7 +40,9 @@ class Evaluator {
   Scalar operator()(const Value& value) {
     grow();
     const std::optional<ValueNumber> value_number = value.value_number();
-    return value_number ? of_value_number(*value_number) : of_formula(formula(*program_, value.polynomial()));
+    if (!value_number) return of_part(without_number(value.polynomial()));
+    know(*value_number);
+    return *known_[static_cast<std::size_t>(*value_number)].value;
   }
 
   /// All of them, in order.
@@ -51,84 +54,110 @@ class Evaluator {
   }
 
  private:
-  Scalar constant(const Number& number) {
-    if constexpr (std::is_same_v<Scalar, Real>) {
-      const int digits = Real::working_digits();
-      if (number.is_rational()) return Real(number, digits);  // one division
-      if (constant_digits_ != digits) constants_.clear();
-      constant_digits_ = digits;
-      if (const auto place = constants_.find(number); place != constants_.end()) return place->second;
-      return constants_.emplace(number, Real(number, digits)).first->second;
-    } else {
-      if (const auto place = constants_.find(number); place != constants_.end()) return place->second;
-      if (of_number_) return constants_.emplace(number, of_number_(number)).first->second;
-      if constexpr (requires { Scalar::of_number(number); }) {
-        return constants_.emplace(number, Scalar::of_number(number)).first->second;
-      } else {
-        return constants_.emplace(number, number.to_double()).first->second;
-      }
-    }
-  }
+  struct Known {
+    std::optional<Scalar> value;
+    std::uint64_t state = 0;  ///< where it was computed
+  };
 
   void grow() {
     known_.resize(program_->size());
-    formulas_.resize(program_->size());
+    parts_.resize(program_->size());
+    if constexpr (std::is_same_v<Scalar, Real>) {
+      if (constant_digits_ == Real::working_digits()) return;
+      constant_digits_ = Real::working_digits();
+      constants_.clear();
+    }
   }
 
-  Scalar of_formula(const Formula& formula) {
-    switch (formula.kind) {
-      case Formula::Kind::constant: return constant(formula.number);
-      case Formula::Kind::value_number: return of_value_number(formula.value_number);
-      case Formula::Kind::function: {
-        std::vector<Scalar> arguments;
-        arguments.reserve(formula.children.size());
-        for (const Formula& child : formula.children) arguments.push_back(of_value_number(child.value_number));
-        return value_of_call(formula.function, arguments);
-      }
-      case Formula::Kind::quotient: {
-        const Scalar numerator = of_formula(formula.children[0]);
-        return numerator / of_formula(formula.children[1]);
-      }
-      case Formula::Kind::sum:
-      case Formula::Kind::product: break;
-    }
-    const bool sum = formula.kind == Formula::Kind::sum;
-    Scalar result = of_formula(formula.children[0]);
-    if (sum && formula.negative[0]) result = -result;
-    for (std::size_t i = 1; i < formula.children.size(); ++i) {
-      const Scalar next = of_formula(formula.children[i]);
-      if (!sum) {
-        result = result * next;
+  Scalar rounded(const Number& number) const {
+    if constexpr (std::is_same_v<Scalar, Real>) {
+      return Real(number, constant_digits_);
+    } else {
+      if (of_number_) return of_number_(number);
+      if constexpr (requires { Scalar::of_number(number); }) {
+        return Scalar::of_number(number);
       } else {
-        result = formula.negative[i] ? result - next : result + next;
+        return number.to_double();
       }
     }
-    return result;
   }
 
-  Scalar of_value_number(ValueNumber value_number) {
+  const Scalar& constant(std::size_t place) {
+    if (place >= constants_.size()) constants_.resize(code_.constants().size());
+    std::optional<Scalar>& known = constants_[place];
+    if (!known) known = rounded(code_.constants()[place]);
+    return *known;
+  }
+
+  const FormulaCode::Part& without_number(const Polynomial& sum) {
+    const auto known = without_number_.find(sum);
+    if (known != without_number_.end()) return known->second;
+    return without_number_.emplace(sum, code_.add(formula(*program_, sum))).first->second;
+  }
+
+  const Scalar& of(const FormulaCode::Operand& operand) {
+    switch (operand.kind) {
+      case FormulaCode::Operand::Kind::value_number: return *known_[operand.index].value;
+      case FormulaCode::Operand::Kind::constant: return constant(operand.index);
+      case FormulaCode::Operand::Kind::result: break;
+    }
+    return registers_[operand.index];
+  }
+
+  Scalar called(const FormulaCode::Operation& each) {
+    arguments_.clear();
+    for (std::size_t i = 0; i < each.right.index; ++i) {
+      arguments_.push_back(*known_[static_cast<std::size_t>(code_.needs()[each.left.index + i])].value);
+    }
+    return value_of_call(each.function, arguments_);
+  }
+
+  const Scalar& of_part(const FormulaCode::Part part) {
+    for (std::size_t i = part.first_need; i < part.last_need; ++i) know(code_.needs()[i]);
+    if (registers_.size() < code_.registers()) registers_.resize(code_.registers());
+    for (std::size_t i = part.first; i < part.last; ++i) {
+      using Kind = FormulaCode::Operation::Kind;
+      const FormulaCode::Operation& each = code_.operations()[i];
+      Scalar& result = registers_[each.result];
+      switch (each.kind) {
+        case Kind::negate: result = -of(each.left); break;
+        case Kind::add: result = of(each.left) + of(each.right); break;
+        case Kind::subtract: result = of(each.left) - of(each.right); break;
+        case Kind::multiply: result = of(each.left) * of(each.right); break;
+        case Kind::divide: result = of(each.left) / of(each.right); break;
+        case Kind::call: result = called(each); break;
+      }
+    }
+    return of(part.result);
+  }
+
+  void know(ValueNumber value_number) {
     const auto index = static_cast<std::size_t>(value_number);
-    if (known_[index]) return *known_[index];
+    if (known_[index].state == state_) return;
     const Definition& definition = (*program_)[value_number];
     if (definition.symbol) {
-      known_[index] = symbol_value_(definition.symbol);
+      known_[index].value = symbol_value_(definition.symbol);
     } else if (const auto fixed = fixed_.find(value_number); fixed != fixed_.end()) {
-      known_[index] = fixed->second;
+      known_[index].value = fixed->second;
     } else {
-      if (!formulas_[index]) formulas_[index] = formula(*program_, definition);
-      known_[index] = of_formula(*formulas_[index]);
+      if (!parts_[index]) parts_[index] = code_.add(formula(*program_, definition));
+      known_[index].value = of_part(*parts_[index]);
     }
-    return *known_[index];
+    known_[index].state = state_;
   }
 
   const Program* program_;
   SymbolValue symbol_value_;
-  std::vector<std::optional<Scalar>> known_;
-  std::vector<std::optional<Formula>> formulas_;
-  std::unordered_map<ValueNumber, Scalar> fixed_;        // looked up only, and so the next one
+  std::uint64_t state_ = 1;
+  std::vector<Known> known_;
+  FormulaCode code_;
+  std::vector<std::optional<FormulaCode::Part>> parts_;  ///< of definitions
+  std::unordered_map<Polynomial, FormulaCode::Part, HashOfPolynomial> without_number_;  ///< looked up only
+  std::vector<std::optional<Scalar>> constants_;  ///< rounding an exact number takes longer than using it
+  std::unordered_map<ValueNumber, Scalar> fixed_;        ///< looked up only
   std::function<Scalar(const Number&)> of_number_;
-  std::unordered_map<Number, Scalar> constants_;  // rounding an exact number takes longer than using it
-  int constant_digits_ = 0;                       // of Real: those that the constants were rounded to
+  int constant_digits_ = 0;  ///< of Real: those that the constants were rounded to
+  std::vector<Scalar> registers_, arguments_;
 };
 
 extern template class Evaluator<double>;

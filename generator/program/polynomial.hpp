@@ -63,4 +63,8 @@ class Polynomial {
   std::vector<Term> terms_;
 };
 
+struct HashOfPolynomial {
+  std::size_t operator()(const Polynomial& polynomial) const { return polynomial.hash(); }
+};
+
 }  // namespace torsor
