@@ -14,10 +14,10 @@ namespace torsor::runtime {
 
 struct GrainOptions {
   double tolerance = 1e-6;  ///< of the natural map, over the largest impulse
-  int sweeps = 2000;        ///< at most, in a step
+  int sweeps = 2000;        ///< at most, for each question of a step: what rests, whether it could move, how all moves
   int projections = 20;     ///< sweeps that put overlaps back, at most
   unsigned threads = 1;
-  double rest = 1e-3;  ///< islands no faster than this part of h |gravity| fall asleep; 0: none does
+  double rest = 1e-3;  ///< islands no faster than this part of h |gravity| fall asleep; 0: none does, and rest is not held
 };
 
 /// How a step ended.

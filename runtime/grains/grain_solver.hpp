@@ -57,7 +57,8 @@ class GrainSolver {
   /// * moves where v itself proves it: vᵀ M v_free = |v|² - Σ w · P is the power of the load on a motion that no
   ///   contact resists, w_N >= f |w_T|. What is missing there, d, counts with ten times the largest impulse;
   /// * is taken to move where the sweeps end before either is seen.
-  /// `rests` gets 1 for each grain of an island that rests; the contacts get its impulses.
+  /// `rests` gets 1 for each grain of an island that rests; the contacts get its impulses. The residual is the largest
+  /// momentum left to a grain that rests, over the largest impulse of its island.
   Outcome rest(const Grains<dim>& grains, GrainContacts<dim>& contacts, double tolerance, int most, ThreadTeam& team,
                GrainGroups& islands, const std::vector<std::uint8_t>& stands, std::vector<std::uint8_t>& rests) {
     load(grains, contacts, true);
@@ -70,7 +71,12 @@ class GrainSolver {
       if (decided || !part.converged || outcome.sweeps >= most || goal < 1e-15) break;
     }
     rests.assign(grains.count(), 0);
-    for (std::uint32_t i = 0; i < grains.count(); ++i) rests[i] = stands[i] != 0 && verdicts_[islands.root(i)].rests;
+    if (std::isfinite(outcome.residual)) outcome.residual = 0;
+    for (std::uint32_t i = 0; i < grains.count(); ++i) {
+      const Verdict& island = verdicts_[islands.root(i)];
+      rests[i] = stands[i] != 0 && island.rests;
+      if (rests[i] != 0 && island.momentum2 > 0) grow(outcome.residual, std::sqrt(island.momentum2 / island.impulse2));
+    }
     for (std::size_t k = 0; k < rows_.size(); ++k) {
       GrainContact<dim>& c = contacts.all()[contacts.order()[k]];
       if (rests[c.a] != 0) c.P = Row::global(c, P_[k]);
@@ -158,7 +164,7 @@ class GrainSolver {
       island.power += v.dot(grains.v[i]) / grains.inverse_mass[i] + w.dot(grains.w[i]) / grains.inverse_inertia[i];
     }
     for (std::size_t k = 0; k < rows_.size(); ++k) {
-      if (stands[rows_[k].a] == 0) continue;
+      if (stands[rows_[k].a] == 0 || rows_[k].N_step == 0) continue;
       Verdict& island = verdicts_[islands.root(rows_[k].a)];
       const Local u = rows_[k].velocity(v_.data());
       grow(island.impulse2, P_[k].squaredNorm());
