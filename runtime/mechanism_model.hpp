@@ -106,6 +106,10 @@ concept HasMassMatrixAndBias = MechanismModel<M> &&
   M::bias(precomputed, state, h);
 };
 
+/// All that a solution by matrices needs: constraints too where there are multipliers.
+template <class M>
+concept HasDynamicsMatrices = HasMassMatrixAndBias<M> &&(M::multiplier_count == 0 || HasConstraints<M>);
+
 /// y = [q; v], the unknown of y' = f(t, y).
 template <MechanismModel M>
 using StateVector = std::array<ScalarOf<M>, coordinates_of<M> + velocities_of<M>>;

@@ -18,10 +18,6 @@
 #include "generator/cli/compiler.hpp"
 #include "generator/emission/library_sources.hpp"
 
-#ifndef TORSOR_EIGEN_DIR
-#define TORSOR_EIGEN_DIR "/usr/include/eigen3"
-#endif
-
 namespace torsor {
 namespace {
 
@@ -39,11 +35,10 @@ std::string processor() {
   return text;
 }
 
-Words compiler_options(const MechanismListing& mechanism, const LibraryOptions& options) {
+Words compiler_options(const LibraryOptions& options) {
   Words words = {"-std=c++20", "-shared", "-fPIC", "-fvisibility=hidden", "-pthread"};
   for (const std::string& flag : separate_words(options.flags)) words.push_back(flag);
   words.push_back(options.fused ? "-ffp-contract=fast" : "-ffp-contract=off");
-  if (needs_eigen(mechanism)) words.insert(words.end(), {"-isystem", TORSOR_EIGEN_DIR});
   return words;
 }
 
@@ -64,11 +59,8 @@ void compile(const Compiler& compiler, const Words& options, const std::vector<S
   }
   const ProcessResult said = run_process(command);
   if (said.code != 0) {
-    const char* remedy = needs_eigen(mechanism) && said.output.find("Eigen") != std::string::npos
-                             ? "; a mechanism with constraints needs Eigen 3 (Debian: libeigen3-dev)"
-                             : "";
-    throw FileError(fmt::format("the compiler '{}' fails for '{}': {}{}", fmt::join(compiler.words, " "),
-                                mechanism.scene().name(), compiler_errors(said.output), remedy));
+    throw FileError(fmt::format("the compiler '{}' fails for '{}': {}", fmt::join(compiler.words, " "),
+                                mechanism.scene().name(), compiler_errors(said.output)));
   }
   std::error_code failure;
   fs::rename(made, library, failure);
@@ -80,7 +72,7 @@ void compile(const Compiler& compiler, const Words& options, const std::vector<S
 std::string compiled_library(const MechanismListing& mechanism, const LibraryOptions& options) {
   const Compiler compiler = found_compiler("CXX", {"c++", "g++", "clang++"}, "C++20");
   const std::vector<SourceFile> sources = library_sources(mechanism);
-  const Words words = compiler_options(mechanism, options);
+  const Words words = compiler_options(options);
   Fnv key;
   for (const SourceFile& source : sources) key.add(source.path).add(source.text);
   for (const std::string& word : compiler.words) key.add(word).add(" ");

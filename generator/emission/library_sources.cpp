@@ -18,11 +18,12 @@ bool has_kernel(const MechanismListing& mechanism, const std::string& name) {
                      [&name](const KernelListing& each) { return each.kernel.name == name; });
 }
 
-}  // namespace
-
-bool needs_eigen(const MechanismListing& mechanism) {
+/// Whether it has motions that are held on constraints.
+bool holds_constraints(const MechanismListing& mechanism) {
   return !mechanism.layout.multipliers.empty() && has_kernel(mechanism, "forward_dynamics");
 }
+
+}  // namespace
 
 std::vector<SourceFile> library_sources(const MechanismListing& mechanism) {
   const std::string name = mechanism.scene().name();
@@ -32,7 +33,7 @@ std::vector<SourceFile> library_sources(const MechanismListing& mechanism) {
        fill_template("library.cpp.in", embedded_template("library.cpp.in"),
                      {{"version", TORSOR_VERSION},
                       {"name", name},
-                      {"constraints", needs_eigen(mechanism) ? "#define TORSOR_ABI_WITH_CONSTRAINTS\n" : ""}})});
+                      {"constraints", holds_constraints(mechanism) ? "#define TORSOR_ABI_WITH_CONSTRAINTS\n" : ""}})});
   files.push_back({name + ".hpp", emit_header(mechanism)});
   for (const std::string_view header : embedded_runtime_text_names()) {
     files.push_back({fmt::format("runtime/{}", header), std::string(embedded_runtime_text(header))});

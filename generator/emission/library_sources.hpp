@@ -17,7 +17,4 @@ struct SourceFile {
 /// which comes first, the generated header, and headers of the runtime, all found from one folder.
 std::vector<SourceFile> library_sources(const MechanismListing& mechanism);
 
-/// Whether compiling them takes Eigen: motions of mechanisms with constraints are held on them.
-bool needs_eigen(const MechanismListing& mechanism);
-
 }  // namespace torsor

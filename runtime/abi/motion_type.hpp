@@ -3,7 +3,7 @@
 
 #include "runtime/equations_of_motion.hpp"
 #ifdef TORSOR_ABI_WITH_CONSTRAINTS
-#include "runtime/mechanism.hpp"  // and Eigen, which a library without constraints is compiled without
+#include "runtime/mechanism.hpp"
 #endif
 
 namespace torsor::runtime::abi {

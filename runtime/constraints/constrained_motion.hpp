@@ -8,7 +8,6 @@
 #include "runtime/constraints/change_point.hpp"
 #include "runtime/constraints/independent_constraints.hpp"
 #include "runtime/mechanism.hpp"
-#include "runtime/numerics/linear_solve.hpp"
 #include "runtime/status.hpp"
 
 namespace torsor::runtime {
@@ -122,7 +121,7 @@ class ConstrainedMotion {
           -constraints.gamma[j] - Scalar(2) * alpha * constraints.rate[j] - beta * beta * constraints.value[j];
     }
     factor.solve(r, wanted, acceleration, multipliers);
-    if (!acceleration.allFinite() || !multipliers.allFinite()) return Evaluation::not_finite;
+    if (!all_finite(acceleration.entries) || !all_finite(multipliers.entries)) return Evaluation::not_finite;
     for (int i = 0; i < static_cast<int>(nv); ++i) a[i] = acceleration(i);
     for (int j = 0; j < static_cast<int>(m); ++j) lambda[j] = multipliers(j);
     return Evaluation::ok;

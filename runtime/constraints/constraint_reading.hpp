@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-#include <Eigen/Core>
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -9,6 +8,7 @@
 
 #include "runtime/constraints/constraint_kinds.hpp"
 #include "runtime/mechanism_model.hpp"
+#include "runtime/numerics/small_matrix.hpp"
 
 namespace torsor::runtime {
 
@@ -26,7 +26,7 @@ class ConstraintReading {
   using Scalar = ScalarOf<M>;
   using Kinds = ConstraintKinds<M>;
   static constexpr std::size_t nv = velocities_of<M>, m = static_cast<std::size_t>(M::multiplier_count);
-  using Residual = Eigen::Matrix<Scalar, static_cast<int>(m), 1>;
+  using Residual = SmallMatrix<Scalar, m>;
   using Rows = std::array<Scalar, m>;
 
   /// False where something is not finite.

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-#include <Eigen/Core>
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -8,6 +7,7 @@
 #include <limits>
 #include <utility>
 
+#include "runtime/numerics/small_matrix.hpp"
 #include "runtime/status.hpp"
 
 namespace torsor::runtime {
@@ -36,9 +36,8 @@ template <class Scalar, std::size_t nv, std::size_t m>
 class IndependentConstraints {
  public:
   static constexpr int n = static_cast<int>(nv), rows = static_cast<int>(m);
-  using Column = Eigen::Matrix<Scalar, n, 1>;
-  using Residual = Eigen::Matrix<Scalar, rows, 1>;
-  using Jacobian = Eigen::Matrix<Scalar, rows, n, rows == 1 ? Eigen::RowMajor : Eigen::ColMajor>;
+  using Column = SmallMatrix<Scalar, nv>;
+  using Residual = SmallMatrix<Scalar, m>;
 
   /// M is nv x nv, A is m x nv, both stored column by column. `usual` are sizes that the entries of A have elsewhere (see
   /// ConstraintKinds): the size of a constraint is that of D⁻¹ Aᵀ, by these or by A, whichever is larger. Without them a
@@ -47,25 +46,31 @@ class IndependentConstraints {
                                      const std::array<Scalar, m * nv>& jacobian,
                                      Scalar rank_tolerance = usual_rank_tolerance<Scalar>(),
                                      const std::array<Scalar, m * nv>& usual = {}) noexcept {
-    const Eigen::Map<const Eigen::Matrix<Scalar, n, n>> M(mass.data());
-    A_ = Eigen::Map<const Jacobian>(jacobian.data());
-    if (!M.allFinite() || !A_.allFinite()) return Evaluation::not_finite;
+    A_.entries = jacobian;
+    if (!are_finite(mass) || !are_finite(jacobian)) return Evaluation::not_finite;
     for (int i = 0; i < n; ++i) {
-      if (!(M(i, i) > Scalar(0))) return Evaluation::singular;
-      scale_(i) = Scalar(1) / std::sqrt(M(i, i));
+      const Scalar diagonal = mass[static_cast<std::size_t>(i) * (nv + 1)];
+      if (!(diagonal > Scalar(0))) return Evaluation::singular;
+      scale_(i) = Scalar(1) / std::sqrt(diagonal);
     }
-    factor_ = scale_.asDiagonal() * M * scale_.asDiagonal();
+    factor_.entries = mass;
     for (int k = 0; k < n; ++k) {
-      for (int j = 0; j < k; ++j) factor_.col(k).tail(n - k) -= factor_(k, j) * factor_.col(j).tail(n - k);
+      for (int i = k; i < n; ++i) factor_(i, k) *= scale_(i) * scale_(k);
+      for (int j = 0; j < k; ++j) {
+        for (int i = k; i < n; ++i) factor_(i, k) -= factor_(k, j) * factor_(i, j);
+      }
       const Scalar pivot = factor_(k, k);
       if (!(pivot > static_cast<Scalar>(n) * std::numeric_limits<Scalar>::epsilon())) return Evaluation::singular;
-      factor_.col(k).tail(n - k) /= std::sqrt(pivot);
+      const Scalar root = std::sqrt(pivot);
+      for (int i = k; i < n; ++i) factor_(i, k) /= root;
     }
-    Q_ = scale_.asDiagonal() * A_.transpose();
+    for (int j = 0; j < rows; ++j) {
+      for (int i = 0; i < n; ++i) Q_(i, j) = scale_(i) * A_(j, i);
+    }
     find_sizes(usual);
     for (int j = 0; j < rows; ++j) {
-      Q_.col(j) *= over_[static_cast<std::size_t>(j)];
       for (int i = 0; i < n; ++i) {
+        Q_(i, j) *= over_[static_cast<std::size_t>(j)];
         for (int k = 0; k < i; ++k) Q_(i, j) -= factor_(i, k) * Q_(k, j);
         Q_(i, j) /= factor_(i, i);
       }
@@ -94,7 +99,7 @@ class IndependentConstraints {
   /// The x of least xᵀ M x with A x = c, as far as the independent constraints go.
   [[nodiscard]] Column least_change(const Residual& c) noexcept {
     const Residual w = along(c);
-    Column x = Q_.leftCols(rank_).lazyProduct(w.head(rank_));
+    Column x = combined(w);
     back_substitute(x);
     return x;
   }
@@ -114,18 +119,22 @@ class IndependentConstraints {
 
   /// Accelerations and multipliers of M a - Aᵀ λ = r, A a = c; the multipliers of constraints that repeat others are 0.
   void solve(const Column& r, const Residual& c, Column& a, Residual& lambda) noexcept {
-    Column free = scale_.asDiagonal() * r;
+    Column free;
     for (int i = 0; i < n; ++i) {
+      free(i) = scale_(i) * r(i);
       for (int k = 0; k < i; ++k) free(i) -= factor_(i, k) * free(k);
       free(i) /= factor_(i, i);
     }
     back_substitute(free);
-    const Residual wanted = c - A_.lazyProduct(free);
+    Residual wanted = c;
+    for (int j = 0; j < n; ++j) {
+      for (int i = 0; i < rows; ++i) wanted(i) -= A_(i, j) * free(j);
+    }
     const Residual w = along(wanted);
-    a = Q_.leftCols(rank_).lazyProduct(w.head(rank_));
+    a = combined(w);
     back_substitute(a);
-    a += free;
-    lambda.setZero();
+    for (int i = 0; i < n; ++i) a(i) += free(i);
+    lambda = Residual{};
     for (int k = rank_ - 1; k >= 0; --k) {
       Scalar sum = w(k);
       for (int j = k + 1; j < rank_; ++j) sum -= R_(k, j) * mu_[static_cast<std::size_t>(j)];
@@ -135,6 +144,25 @@ class IndependentConstraints {
   }
 
  private:
+  template <class Numbers>
+  [[nodiscard]] static bool are_finite(const Numbers& numbers) noexcept {
+    return std::all_of(numbers.begin(), numbers.end(), [](Scalar number) { return std::isfinite(number); });
+  }
+  [[nodiscard]] Scalar dot(int j, int k) const noexcept {
+    Scalar sum = Scalar(0);
+    for (int i = 0; i < n; ++i) sum += Q_(i, j) * Q_(i, k);
+    return sum;
+  }
+  [[nodiscard]] Scalar length(int j) const noexcept { return std::sqrt(dot(j, j)); }
+  // Q w, of the independent constraints.
+  [[nodiscard]] Column combined(const Residual& w) const noexcept {
+    Column x{};
+    for (int k = 0; k < rank_; ++k) {
+      for (int i = 0; i < n; ++i) x(i) += Q_(i, k) * w(k);
+    }
+    return x;
+  }
+
   // One over the size of the k-th constraint in order of independence.
   [[nodiscard]] Scalar over(int k) const noexcept { return over_[static_cast<std::size_t>(constraint(k))]; }
 
@@ -145,44 +173,44 @@ class IndependentConstraints {
         const Scalar entry = usual[i * m + j] * scale_(static_cast<int>(i));
         square += entry * entry;
       }
-      const Scalar elsewhere = std::sqrt(square), size = std::max(elsewhere, Q_.col(static_cast<int>(j)).norm());
+      const Scalar elsewhere = std::sqrt(square), size = std::max(elsewhere, length(static_cast<int>(j)));
       over_[j] = size > Scalar(0) ? Scalar(1) / size : Scalar(1);
       usual_size_[j] = elsewhere > Scalar(0) ? elsewhere : Scalar(1);
     }
   }
 
   void orthogonalise(Scalar rank_tolerance) noexcept {
-    R_.setZero();
+    R_ = {};
     Scalar longest = Scalar(1);
     for (int j = 0; j < rows; ++j) {
       order_[static_cast<std::size_t>(j)] = j;
-      longest = std::max(longest, Q_.col(j).norm());
+      longest = std::max(longest, length(j));
     }
     for (rank_ = 0; rank_ < rows && rank_ < n; ++rank_) {
       int pivot = rank_;
-      for (int j = rank_ + 1; j < rows; ++j) pivot = Q_.col(j).norm() > Q_.col(pivot).norm() ? j : pivot;
+      for (int j = rank_ + 1; j < rows; ++j) pivot = dot(j, j) > dot(pivot, pivot) ? j : pivot;
       if (pivot != rank_) {
-        Q_.col(rank_).swap(Q_.col(pivot));
-        R_.col(rank_).swap(R_.col(pivot));
+        for (int i = 0; i < n; ++i) std::swap(Q_(i, rank_), Q_(i, pivot));
+        for (int i = 0; i < rows; ++i) std::swap(R_(i, rank_), R_(i, pivot));
         std::swap(order_[static_cast<std::size_t>(rank_)], order_[static_cast<std::size_t>(pivot)]);
       }
       for (int k = 0; k < rank_; ++k) take_out(k, rank_);
-      const Scalar norm = Q_.col(rank_).norm();
+      const Scalar norm = length(rank_);
       if (!(norm > rank_tolerance * longest)) return;
       R_(rank_, rank_) = norm;
-      Q_.col(rank_) /= norm;
+      for (int i = 0; i < n; ++i) Q_(i, rank_) /= norm;
       for (int j = rank_ + 1; j < rows; ++j) take_out(rank_, j);
     }
   }
   void take_out(int k, int j) noexcept {
-    const Scalar part = Q_.col(k).dot(Q_.col(j));
+    const Scalar part = dot(k, j);
     R_(k, j) += part;
-    Q_.col(j) -= part * Q_.col(k);
+    for (int i = 0; i < n; ++i) Q_(i, j) -= part * Q_(i, k);
   }
 
   // R11ᵀ w = the independent ones of c, over their sizes.
   [[nodiscard]] Residual along(const Residual& c) const noexcept {
-    Residual w = Residual::Zero();
+    Residual w{};
     for (int k = 0; k < rank_; ++k) {
       Scalar sum = c(constraint(k)) * over(k);
       for (int j = 0; j < k; ++j) sum -= R_(j, k) * w(j);
@@ -196,14 +224,14 @@ class IndependentConstraints {
       for (int k = i + 1; k < n; ++k) x(i) -= factor_(k, i) * x(k);
       x(i) /= factor_(i, i);
     }
-    x = scale_.asDiagonal() * x;
+    for (int i = 0; i < n; ++i) x(i) *= scale_(i);
   }
 
-  Jacobian A_;
+  SmallMatrix<Scalar, m, nv> A_;
   Column scale_;
-  Eigen::Matrix<Scalar, n, n> factor_;
-  Eigen::Matrix<Scalar, n, rows> Q_;
-  Eigen::Matrix<Scalar, rows, rows> R_;
+  SmallMatrix<Scalar, nv, nv> factor_;
+  SmallMatrix<Scalar, nv, m> Q_;
+  SmallMatrix<Scalar, m, m> R_;
   std::array<int, m> order_{};
   std::array<Scalar, m> mu_{};
   std::array<Scalar, m> over_{}, usual_size_{};  // one over the size of each constraint

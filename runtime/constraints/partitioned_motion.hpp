@@ -180,7 +180,7 @@ class PartitionedMotion {
     contents.velocities = factor.content();
     const auto change = factor.least_change(-read(here.constraints.rate));
     for (std::size_t j = 0; j < nv; ++j) y[nv + j] += change(static_cast<int>(j));
-    return change.allFinite() ? Evaluation::ok : Evaluation::not_finite;
+    return all_finite(change.entries) ? Evaluation::ok : Evaluation::not_finite;
   }
 
   // Newton's method along the dependent coordinates: one step more than to rounding of the terms of f, or until it is no
@@ -195,7 +195,7 @@ class PartitionedMotion {
       for (std::size_t j = 0; j < nv; ++j) trial[j] += change(static_cast<int>(j));
       if (here.position_is_rounding(lengths_)) {
         y = trial;
-        return change.allFinite() ? Evaluation::ok : Evaluation::not_finite;
+        return all_finite(change.entries) ? Evaluation::ok : Evaluation::not_finite;
       }
       Reading there;
       if (!there.read(motion_.precomputed(), kinds_, t, trial)) return Evaluation::not_finite;
@@ -213,7 +213,7 @@ class PartitionedMotion {
   }
 
   static typename Factor::Residual read(const std::array<Scalar, m>& values) noexcept {
-    return Eigen::Map<const typename Factor::Residual>(values.data());
+    return {values};
   }
 
   // A without the rows of constraints on velocities alone.

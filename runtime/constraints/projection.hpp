@@ -80,7 +80,7 @@ class ProjectionOnConstraints {
   }
 
  private:
-  using Column = Eigen::Matrix<Scalar, static_cast<int>(nv), 1>;
+  using Column = SmallMatrix<Scalar, nv>;
   static constexpr Scalar epsilon = std::numeric_limits<Scalar>::epsilon();
 
   bool fail(Evaluation evaluation) noexcept {

@@ -158,10 +158,6 @@ template <class Scalar, std::size_t nv, std::size_t m, std::size_t nv_squared, s
   return Evaluation::ok;
 }
 
-/// All that `solve_dynamics` needs: constraints too where there are multipliers.
-template <class M>
-concept HasDynamicsMatrices = HasMassMatrixAndBias<M> &&(M::multiplier_count == 0 || HasConstraints<M>);
-
 /// Accelerations and multipliers of a mechanism under given generalised forces Q, from its matrices rather than from
 /// the kernel `forward_dynamics`: the same unknowns by another method.
 template <HasDynamicsMatrices M>

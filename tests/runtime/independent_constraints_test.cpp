@@ -33,7 +33,7 @@ TEST(IndependentConstraints, MeetRowsThatAreNearlyParallelToRoundings) {
   const std::array<std::array<double, 3>, 3> rows{{{1, 0.7, 0.3}, {1, 0.7001, 0.3}, {1.0001, 0.7, 0.30013}}};
   auto factor = factor_of(rows);
   ASSERT_EQ(factor.rank(), 3);
-  const IndependentConstraints<double, 3, 3>::Residual wanted(1.0, -1.0, 0.5);
+  const IndependentConstraints<double, 3, 3>::Residual wanted{{1.0, -1.0, 0.5}};
   const auto x = factor.least_change(wanted);
   for (std::size_t i = 0; i < 3; ++i) {
     double sum = 0.0, size = 0.0;
@@ -56,12 +56,12 @@ TEST(IndependentConstraints, AreContradictedOnlyByWhatRepeatsThemOtherwise) {
   const std::array<double, 3> lengths{std::sqrt(5.0), std::sqrt(2.0), std::sqrt(14.0)};
   for (const double a : {-3.0, 0.5}) {
     for (const double b : {2.0, 7.0}) {
-      EXPECT_NEAR(factor.contradiction(Residual(a, b, 2 * a - b)), 0.0, 32 * epsilon);
+      EXPECT_NEAR(factor.contradiction(Residual{{a, b, 2 * a - b}}), 0.0, 32 * epsilon);
       // One row is not met by what it should be, whichever was left out: of a residual along the rows' dependence
       // (2, -1, -1), the one left out keeps its component's share.
       const int left_out = factor.constraint(2);
       const double length = lengths[static_cast<std::size_t>(left_out)];
-      const double off = factor.contradiction(Residual(a, b, 2 * a - b + 0.5)) * length;
+      const double off = factor.contradiction(Residual{{a, b, 2 * a - b + 0.5}}) * length;
       EXPECT_NEAR(off, left_out == 0 ? 0.25 : 0.5, 64 * epsilon);
     }
   }
