@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: GPL-3.0-or-later
 # same_from_both_compilers.sh FIRST KERNELS FOLDER SECOND...: the program FIRST and the command SECOND write the same
-# header of all kernels, the same default counts, and the same equations in both forms. Exits with 77 when the first is not there.
+# header of all kernels, the same counts, and the same equations in both forms. Exits with 77 when the first is not there.
 set -euo pipefail
 first="$1" kernels="$2" folder="$3"
 shift 3
