@@ -19,6 +19,7 @@
 #include "generator/kernels/kernel_kinematics.hpp"
 #include "generator/kernels/kernel_linearisation.hpp"
 #include "generator/kernels/kernel_parts.hpp"
+#include "generator/kernels/kernel_percussions.hpp"
 #include "generator/kernels/kernel_poses.hpp"
 #include "generator/kernels/kernel_regressor.hpp"
 #include "generator/kernels/kernel_residual.hpp"
@@ -258,6 +259,8 @@ const std::vector<Entry>& entries() {
       {"centroidal_momentum", make_centroidal_momentum, no_moving_mass, false, true},
       {"frames", make_frames, no_points, false, true},
       {"operational_inertia", make_operational_inertia, no_operational_inertia, true, true},
+      {"delassus", make_delassus, no_contacts, true, true},
+      {"impact", make_impact, no_contacts, true, true},
       {"poses", make_poses, never, false, true}};
   return all;
 }

@@ -14,6 +14,7 @@
 #include "generator/verification/check_contacts.hpp"
 #include "generator/verification/check_jets.hpp"
 #include "generator/verification/check_kernels.hpp"
+#include "generator/verification/check_percussions.hpp"
 #include "generator/verification/lagrange_derivation.hpp"
 #include "generator/verification/random_state.hpp"
 #include "generator/verification/worst.hpp"
@@ -314,6 +315,7 @@ std::vector<CheckResult> check_derivations(const Scene& scene, const CheckOption
   std::vector<CheckResult> results = SceneCheck(scene, options).run();
   for (CheckResult& result : check_constraints(scene, options)) results.push_back(std::move(result));
   for (CheckResult& result : check_contacts(scene, options)) results.push_back(std::move(result));
+  for (CheckResult& result : check_percussions(scene, options)) results.push_back(std::move(result));
   return results;
 }
 

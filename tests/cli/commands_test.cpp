@@ -34,7 +34,8 @@ TEST(SceneProgram, ListsWhatTheSceneContains) {
     const bool absent = kernel.at("name") == "constraints" || kernel.at("name") == "reactions" ||
                         kernel.at("name") == "first_integrals" || kernel.at("name") == "sparse_constraint_jacobian" ||
                         kernel.at("name") == "contacts" || kernel.at("name") == "contact_coefficients" ||
-                        kernel.at("name") == "frames" || kernel.at("name") == "operational_inertia";
+                        kernel.at("name") == "frames" || kernel.at("name") == "operational_inertia" ||
+                        kernel.at("name") == "delassus" || kernel.at("name") == "impact";
     EXPECT_EQ(kernel.at("available"), !absent) << kernel;
     EXPECT_EQ(kernel.contains("why_not"), absent) << kernel;
   }
@@ -308,7 +309,7 @@ TEST(SceneProgram, NamesAnUnknownKernelAndTheKnownOnes) {
                   "forward_dynamics_derivatives, regressor, jets, sparse_constraint_jacobian, residual, residual_jacobian, "
                   "inverse_dynamics_second_derivatives, forward_dynamics_second_derivatives, "
                   "inverse_dynamics_sensitivities, forward_dynamics_sensitivities, gravity, centroidal_momentum, frames, "
-                  "operational_inertia, poses, "
+                  "operational_inertia, delassus, impact, poses, "
                   "or all");
   }
 }

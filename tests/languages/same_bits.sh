@@ -5,7 +5,7 @@
 set -euo pipefail
 node="$1" program="$2" name="$3" states="$4" folder="$5" run_time="$6"
 shift 6
-kernels=all,gravity,centroidal_momentum,frames,operational_inertia
+kernels=all,gravity,centroidal_momentum,frames,operational_inertia,delassus,impact
 mkdir -p "$folder/apart"
 for language in c++:hpp c99:h javascript:mjs; do
   "$program" generate --kernels $kernels ${run_time:+--run-time "$run_time"} --language "${language%:*}" --output "$folder/$name.${language#*:}"
