@@ -126,7 +126,7 @@ bool ContactAutomaton::begin(double t) {
     kind_ = ContactEventKind::impact;
     contact_ = first;
     told_ = t;
-    return has_event_ = collide(first, false);
+    return has_event_ = collide(first, false, options_.law);
   }
   for (int i = 0; i < count(); ++i) {
     const int by = motion_.carrier(i);
@@ -199,6 +199,9 @@ bool ContactAutomaton::decide(int forced, Cause cause) {
   chosen.fill(motion_.W(), free);
   const ContactAnswer answer = solve_contacts(chosen.problem);
   result_.verdict = verdict_ = answer.verdict;
+  if (!answer && options_.impact_without_collision && chosen.problem.count == 1 && chosen.problem.law(0).slips) {
+    return jam(chosen);
+  }
   if (!answer) return end(ContactStatus::no_solution, forced >= 0 ? forced : chosen.who[0]);
   if (answer.verdict == ContactVerdict::several) ++result_.ambiguous;
   if (answer.best().indeterminate) ++result_.indeterminate;
@@ -208,6 +211,7 @@ bool ContactAutomaton::decide(int forced, Cause cause) {
     if (motion_.carrier(i) == forced) motion_.states[as(i)] = {};
   }
   for (int k = 0; k < chosen.problem.count; ++k) take_regime(chosen, k, answer.best());
+  motion_.lean_on(chosen.spread(answer.best().r, motion_.rows()));
   motion_.changed();
   return motion_.project(result_.time, y_) == Evaluation::ok || end(ContactStatus::integration_failed, forced);
 }
@@ -243,8 +247,10 @@ void ContactAutomaton::take_regime(const ContactSelection& chosen, int k, const 
     state.regime = ContactRegime::sticks;
   } else {
     state.regime = ContactRegime::slides;
-    const double length = length_of(s.u);
-    for (int j = 0; j < law.tangents && length > 0; ++j) state.direction[as(j)] = s.u(t + j) / length;
+    // T = -(f N + b) d; the acceleration may be rounding where the slip begins.
+    const ContactVector against = length_of(s.r) > 0 ? ContactVector(-s.r) : s.u;
+    const double length = length_of(against);
+    for (int j = 0; j < law.tangents && length > 0; ++j) state.direction[as(j)] = against(t + j) / length;
   }
   state.begins = state.regime == ContactRegime::slides && !slid && law.tangents > 0 &&
                  motion_.slip(i) <= 1e4 * motion_.least_slip(i);
@@ -256,6 +262,19 @@ void ContactAutomaton::take_regime(const ContactSelection& chosen, int k, const 
     left = std::min(left, law.static_friction * problem.pressing(k, s.r) + law.static_bound - length_of(s.r));
   }
   state.force_slack = left <= 1e-10 * force ? 4e-12 * force : 0;
+}
+
+// No regimes exist while one contact slips (Painlevé): its impulse grows until the slip has ended, and the contact opens
+// or sticks.
+bool ContactAutomaton::jam(const ContactSelection& chosen) {
+  const int contact = chosen.who[0];
+  if (!has_event_) std::copy_n(y_.begin(), before_.size(), before_.begin());
+  has_event_ = true;
+  contact_ = contact;
+  told_ = result_.time;
+  kind_ = ContactEventKind::impact;
+  for (int i = 0; i < count(); ++i) touching_[as(i)] = i == contact;
+  return collide(contact, false, ImpactLaw::energetic);
 }
 
 // When the bounces of one contact end: each is ρ times as long as the one before, ρ the ratio of the last two speeds of
@@ -279,7 +298,7 @@ bool ContactAutomaton::accumulating(int i) const noexcept {
 }
 
 // An impact of all contacts that touch; `rests` makes it completely inelastic, the end of an accumulation.
-bool ContactAutomaton::collide(int cause, bool rests) {
+bool ContactAutomaton::collide(int cause, bool rests, ImpactLaw impact_law) {
   if (!motion_.read(result_.time, y_)) return end(ContactStatus::integration_failed, cause);
   ContactSelection chosen;
   PerContact<double> restitution{};
@@ -299,8 +318,9 @@ bool ContactAutomaton::collide(int cause, bool rests) {
   }
   chosen.fill(motion_.W(), before);
   const ContactProblem& problem = chosen.problem;
-  const ImpactResult shock = impact(problem, restitution, rests ? ImpactLaw::newton_moreau : options_.law);
+  const ImpactResult shock = impact(problem, restitution, impact_law);
   result_.verdict = shock.verdict;
+  if (!shock.applies) return end(ContactStatus::law_of_one_contact, cause);
   if (shock.verdict == ContactVerdict::none) return end(ContactStatus::no_solution, cause);
   residual_ = shock.residual;
   result_.worst_residual = std::max(result_.worst_residual, residual_);
@@ -346,7 +366,8 @@ bool ContactAutomaton::pass(std::size_t index, double t, std::span<double> y) {
   const int contact = static_cast<int>(index / guards);
   const auto watched = static_cast<Watched>(index % guards);
   if (watched != Watched::youth && !still_slips(contact, watched)) {
-    return has_event_ = happened(contact, watched == Watched::gap_or_pressure);
+    has_event_ = true;
+    return happened(contact, watched == Watched::gap_or_pressure);
   }
   // The slip goes on, with the direction that it has got: no event.
   if (!motion_.read(t, y)) return end(ContactStatus::integration_failed, contact);
@@ -366,14 +387,19 @@ bool ContactAutomaton::still_slips(int contact, Watched watched) {
 }
 
 bool ContactAutomaton::happened(int contact, bool normal) {
-  ++result_.events;
   std::copy_n(y_.begin(), before_.size(), before_.begin());
   ContactState& state = motion_.states[as(contact)];
   residual_ = energy_lost_ = 0;
   impulses_.setZero(motion_.rows());
   contact_ = contact;
   told_ = result_.time;
-  if (normal && !state.touches) return strike(contact);
+  if (normal && !state.touches) {
+    ++result_.events;
+    return strike(contact);
+  }
+  if (motion_.solve(result_.time, y_) != Evaluation::ok) return end(ContactStatus::integration_failed, contact);
+  if (motion_.undetermined(contact) && (normal || state.regime == ContactRegime::sticks)) return pass_on(normal);
+  ++result_.events;
   if (normal) {
     kind_ = ContactEventKind::opens;
     return decide(contact, Cause::opens);
@@ -384,6 +410,21 @@ bool ContactAutomaton::happened(int contact, bool normal) {
   state.begins = state.fades = false;
   motion_.changed();
   return decide(contact, Cause::none);
+}
+
+// The force of a contact has come to its bound, but reactions are not unique. As long as others hold the contacts as they
+// are, nothing happens: rest persists where it can.
+bool ContactAutomaton::pass_on(bool normal) {
+  const PerContact<ContactState> before = motion_.states;
+  kind_ = normal ? ContactEventKind::opens : ContactEventKind::slips;
+  if (!decide(-1, Cause::none)) return false;
+  has_event_ = false;
+  for (int i = 0; i < count(); ++i) {
+    const ContactState& now = motion_.states[as(i)];
+    has_event_ = has_event_ || now.touches != before[as(i)].touches || now.regime != before[as(i)].regime;
+  }
+  if (has_event_) ++result_.events;
+  return true;
 }
 
 // A gap has fallen to zero: an impact, or the last one of bounces that accumulate.
@@ -418,7 +459,7 @@ bool ContactAutomaton::strike(int contact) {
     touching_[as(i)] = motion_.carrier(i) == contact || motion_.states[as(i)].touches || near(i);
   }
   bounces.speed = speed;
-  const bool done = collide(contact, rests);
+  const bool done = collide(contact, rests, rests ? ImpactLaw::newton_moreau : options_.law);
   if (rests) {
     for (int i = 0; i < count(); ++i) {
       if (!accumulating(i)) continue;

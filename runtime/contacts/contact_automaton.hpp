@@ -69,11 +69,13 @@ class ContactAutomaton {
   void take_regime(const ContactSelection& chosen, int k, const ContactSolution& solution);
   [[nodiscard]] double end_of_bounces(int i, double speed, double a) const noexcept;
   [[nodiscard]] bool accumulating(int i) const noexcept;
-  bool collide(int cause, bool rests);
+  bool collide(int cause, bool rests, ImpactLaw impact_law);
+  bool jam(const ContactSelection& chosen);
   bool strike(int contact);
   bool begin_to_slide(int contact);
   [[nodiscard]] bool still_slips(int contact, Watched watched);
   bool happened(int contact, bool normal);
+  bool pass_on(bool normal);
 
   ContactMotion motion_;
   const ContactOptions options_;

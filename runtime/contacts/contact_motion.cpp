@@ -29,6 +29,7 @@ ContactMotion::ContactMotion(const ContactMechanism& mechanism) : mechanism_(mec
   a_.setZero(sizes_.velocities);
   change_.setZero(sizes_.velocities);
   r_.setZero(rows());
+  held_ = r_;
   there_.resize(static_cast<std::size_t>(sizes_.coordinates + sizes_.velocities));
   y_ = there_;
   rates_.resize(static_cast<std::size_t>(sizes_.coordinates));
@@ -39,6 +40,8 @@ void ContactMotion::forget() noexcept {
   across_.fill(0);
   lag_.fill(0);
   stiff_.fill(false);
+  undetermined_.fill(false);
+  held_.setZero(rows());
   known_ = responded_ = solved_ = false;
 }
 
@@ -149,6 +152,7 @@ bool ContactMotion::follows_forces(int i) const noexcept {
 Evaluation ContactMotion::solve(double t, std::span<const double> y) {
   if (!read(t, y)) return Evaluation::singular;
   if (solved_) return Evaluation::ok;
+  undetermined_.fill(false);
   if (!any_touches()) {
     r_.setZero(rows());
     a_ = dynamics_.a0;
@@ -178,11 +182,26 @@ Evaluation ContactMotion::solve(double t, std::span<const double> y) {
   }
   RegimeSystem equations(problem, regimes);
   if (!equations.solve()) return Evaluation::singular;
+  equations.approach(held_);
+  note_undetermined(equations);
   r_ = equations.reactions();
   a_ = dynamics_.a0;
   a_.noalias() += dynamics_.KJ * r_;
   solved_ = true;
   return a_.allFinite() ? Evaluation::ok : Evaluation::not_finite;
+}
+
+// A contact counts where its force, or the normal force that presses it, may be another.
+void ContactMotion::note_undetermined(const RegimeSystem& equations) noexcept {
+  if (equations.kernel().cols() == 0) return;
+  const ContactMatrix others = equations.B() * equations.kernel();
+  const double least = 1e-9 * others.cwiseAbs().maxCoeff();
+  for (int i = 0; i < count(); ++i) {
+    const auto differs = [&](int row) { return others.row(row).cwiseAbs().maxCoeff() > least; };
+    bool any = rule(i).pressed_by >= 0 && differs(first_row(rule(i).pressed_by));
+    for (int k = 0; k < rule(i).rows(); ++k) any = any || differs(first_row(i) + k);
+    undetermined_[as(i)] = any;
+  }
 }
 
 // Of accelerations, all contacts taking part.
@@ -204,7 +223,7 @@ std::array<double, 2> ContactMotion::direction(int i) const noexcept {
   if (rule(i).tangents < 2 || at(i).begins) return last;
   const int t = tangent_row(i);
   const double x = reading_.w(t), y = reading_.w(t + 1), length = slip_speed(i);
-  if (!(length > std::max(64 * rounding_of(t), 1e-12 * at(i).fastest))) return last;
+  if (!(length > std::max({64 * rounding_of(t), 1e-12 * at(i).fastest, at(i).fades ? blur(i) : 0}))) return last;
   const double sign = x * last[0] + y * last[1] < 0 ? -1 : 1;
   return {sign * x / length, sign * y / length};
 }
@@ -234,7 +253,7 @@ void ContactMotion::take_direction(int i) noexcept {
 }
 
 bool ContactMotion::slips_across(int i) const noexcept {
-  return rule(i).tangents == 2 && slip_speed(i) > std::max(4 * least_slip(i), 1e-11 * at(i).fastest);
+  return rule(i).tangents == 2 && slip_speed(i) > std::max({4 * least_slip(i), 1e-11 * at(i).fastest, 2 * blur(i)});
 }
 
 double ContactMotion::slip(int i) const noexcept {
@@ -256,10 +275,16 @@ double ContactMotion::least_slip(int i) const noexcept {
   return 256 * largest;
 }
 
+// Some hundred errors of the integration: a slip slower than that, once it fades, keeps its direction.
+double ContactMotion::blur(int i) const noexcept { return 100 * (absolute_ + relative_ * at(i).fastest); }
+
+// Where a slip that had a speed nears its end.
+double ContactMotion::slow(int i) const noexcept { return std::max(1e-6 * at(i).fastest, 16 * blur(i)); }
+
 double ContactMotion::youth(int i, double t) const noexcept {
   const double s = slip(i), short_of = 1e4 * least_slip(i) - s;
-  if (!at(i).begins) return s - 1e-6 * at(i).fastest;
-  if (at(i).fades) return 4e-6 * at(i).fastest - s;
+  if (!at(i).begins) return s - slow(i);
+  if (at(i).fades) return 4 * slow(i) - s;
   if (rule(i).tangents < 2) return short_of;
   const double gone = across_[as(i)] * lag_[as(i)] * (t - at(i).begun) / 5;
   return std::max(1e-15 - std::abs(gone), short_of);
@@ -306,9 +331,10 @@ double ContactMotion::rounding_of_gap(int i) const noexcept {
 Evaluation ContactMotion::align(double t, std::span<const double> y, const ContactProblem& problem, Regimes& regimes,
                                 const PerContact<bool>& begins) {
   PerContact<double> across{};
-  if (!align_slips(problem, regimes, begins, across)) return Evaluation::singular;
+  if (!align_slips(problem, regimes, begins, across, held_)) return Evaluation::singular;
   RegimeSystem equations(problem, regimes);
   if (!equations.solve()) return Evaluation::singular;
+  equations.approach(held_);
   change_ = dynamics_.a0;
   change_.noalias() += dynamics_.KJ * equations.reactions();
   const ContactVector u = equations.motion();
@@ -320,7 +346,7 @@ Evaluation ContactMotion::align(double t, std::span<const double> y, const Conta
   if (mechanism_.read(t + later, there_, later_reading_) != Evaluation::ok) return Evaluation::singular;
   if (!later_dynamics_.compute(later_reading_) || !later_dynamics_.respond(later_reading_)) return Evaluation::singular;
   Regimes turned = regimes;
-  if (!align_slips(problem_of(later_reading_, later_dynamics_), turned, begins, across)) return Evaluation::singular;
+  if (!align_slips(problem_of(later_reading_, later_dynamics_), turned, begins, across, held_)) return Evaluation::singular;
   for (int i = 0; i < count(); ++i) {
     if (!begins[as(i)]) continue;
     const auto& d = regimes[as(i)].direction;
@@ -334,7 +360,7 @@ Evaluation ContactMotion::align(double t, std::span<const double> y, const Conta
     lag_[as(i)] = stiffness > 0 ? across_[as(i)] / stiffness : 1;
     stiff_[as(i)] = stiffness > 8 * std::abs(d[0] * u(k) + d[1] * u(k + 1));
   }
-  return align_slips(problem, regimes, begins, across) ? Evaluation::ok : Evaluation::singular;
+  return align_slips(problem, regimes, begins, across, held_) ? Evaluation::ok : Evaluation::singular;
 }
 
 void ContactMotion::follow_directions() noexcept {
@@ -344,7 +370,7 @@ void ContactMotion::follow_directions() noexcept {
     const double now = slip(i);
     state.fastest = std::max(state.fastest, now);
     // Near its end the slip has no direction of its own that is worth following.
-    if (now > 1e-6 * state.fastest && !state.begins) state.direction = direction(i);
+    if (now > slow(i) && !state.begins) state.direction = direction(i);
   }
 }
 

@@ -100,6 +100,15 @@ class ContactMotion {
   /// Adds the answer to impulses to the velocities of a state; the state read last is that before.
   void add_answer(const ContactVector& impulses, std::span<double> y);
   [[nodiscard]] const ContactVector& reactions() const noexcept { return r_; }
+  /// Where reactions are not unique, those nearest to these, of all rows, are taken from now on.
+  void lean_on(const ContactVector& reactions) noexcept { held_ = reactions; }
+  /// Whether others than the reactions of a contact solved last give the same motion.
+  [[nodiscard]] bool undetermined(int i) const noexcept { return undetermined_[as(i)]; }
+  /// Errors of the integration: what they leave of a slip that ends, across its direction, has no direction.
+  void tolerate(double absolute, double relative) noexcept {
+    absolute_ = absolute;
+    relative_ = relative;
+  }
   /// Back to what a motion knows before it starts.
   void forget() noexcept;
   /// Regimes were changed: what was solved is no longer valid.
@@ -116,6 +125,9 @@ class ContactMotion {
                                  const PerContact<bool>& begins);
   [[nodiscard]] ContactProblem problem_of(const ContactReading& reading, const ContactDynamics& dynamics) const;
   void follow_directions() noexcept;
+  [[nodiscard]] double blur(int i) const noexcept;
+  [[nodiscard]] double slow(int i) const noexcept;
+  void note_undetermined(const RegimeSystem& equations) noexcept;
   template <class Wanted>
   void select(const Wanted& wanted);
   void add_least_change();
@@ -127,12 +139,12 @@ class ContactMotion {
   ContactReading reading_, later_reading_;
   ContactDynamics dynamics_, later_dynamics_;
   Eigen::VectorXd a_, change_;
-  ContactVector r_, right_;
+  ContactVector r_, right_, held_;
   PerContact<double> across_{}, lag_{};  ///< s κ and the angle of lag of slips that begin
-  PerContact<bool> stiff_{};
+  PerContact<bool> stiff_{}, undetermined_{};
   std::array<int, static_cast<std::size_t>(most_rows)> row_{};
   int chosen_ = 0;
-  double t_ = 0;
+  double t_ = 0, absolute_ = 1e-13, relative_ = 1e-13;
   std::vector<double> y_, there_, rates_;
   bool known_ = false, responded_ = false, solved_ = false;
 };

@@ -23,6 +23,7 @@ enum class ContactStatus : int {
   too_many_events,
   integration_failed,
   not_started,  ///< ContactRun::start was not called
+  law_of_one_contact,  ///< the energetic law of impact, and several contacts struck at once
   no_room,      ///< ContactRun has room for fewer numbers or contacts than the mechanism has
 };
 
@@ -47,6 +48,8 @@ enum class ContactStatus : int {
       return "the limit of events was met: raise it, or look for regimes that alternate without end";
     case ContactStatus::integration_failed:
       return "the integration between events failed, see its own status";
+    case ContactStatus::law_of_one_contact:
+      return "the energetic law of impact is one of a single contact, and several touch: choose another law";
     case ContactStatus::no_room:
       return "the mechanism has more numbers or contacts than there is room for: give ContactRun more";
     case ContactStatus::not_started:
@@ -72,6 +75,7 @@ struct ContactEvent {
 
 struct ContactOptions {
   ImpactLaw law = ImpactLaw::newton_moreau;
+  bool impact_without_collision = false;  ///< where one contact slips and no regimes exist, by the energetic law
   double touch = 1e-10;     ///< [m] gaps up to it are closed when another contact has an event
   double at_rest = 1e-10;   ///< [m/s] velocities up to it are zero at the start
   double accumulation = 0;  ///< [s] impacts whose predicted remaining time is at most this are an accumulation

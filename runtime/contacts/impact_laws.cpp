@@ -7,6 +7,7 @@
 
 #include "runtime/contacts/contact_selection.hpp"
 #include "runtime/contacts/contact_solver.hpp"
+#include "runtime/contacts/energetic_impact.hpp"
 
 namespace torsor::runtime {
 namespace {
@@ -64,6 +65,23 @@ void poisson(const ContactProblem& problem, std::span<const double> restitution,
   result.w = answer.best().u;
 }
 
+void energetic(const ContactProblem& problem, std::span<const double> restitution, ImpactResult& result) noexcept {
+  result.applies = problem.count == 1 && problem.law(0).normal;
+  if (!result.applies) {
+    result.verdict = ContactVerdict::none;
+    return;
+  }
+  const EnergeticImpact found = energetic_impact(problem, restitution[0]);
+  if (!found.ended) {
+    result.verdict = ContactVerdict::none;
+    return;
+  }
+  result.P = found.P;
+  result.w = found.w;
+  result.closed[0] = found.w(0) == 0;
+  result.sticks[0] = found.sticks;
+}
+
 // The first contact in order that still closes; -1: none.
 int next_to_close(const ContactProblem& problem, const ContactVector& w) noexcept {
   const double size = problem.q.cwiseAbs().maxCoeff();
@@ -119,6 +137,9 @@ ImpactResult impact(const ContactProblem& problem, std::span<const double> resti
       break;
     case ImpactLaw::poisson:
       poisson(problem, restitution, result);
+      break;
+    case ImpactLaw::energetic:
+      energetic(problem, restitution, result);
       break;
     case ImpactLaw::sequential:
       sequential(problem, restitution, result);

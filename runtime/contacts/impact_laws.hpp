@@ -11,6 +11,7 @@ namespace torsor::runtime {
 enum class ImpactLaw {
   newton_moreau,  ///< all contacts at once: 0 <= w_N+ + e w_N-, P_N >= 0, one of them zero
   poisson,        ///< compression to w_N = 0 with the impulse P_c, then P_N >= e P_c of restitution
+  energetic,      ///< of one contact: restitution gives back e² of the work of compression (energetic_impact.hpp)
   sequential,     ///< one contact after the other by Newton's law, in the order of declaration, until none closes
 };
 
@@ -20,6 +21,8 @@ enum class ImpactLaw {
       return "Newton-Moreau";
     case ImpactLaw::poisson:
       return "Poisson";
+    case ImpactLaw::energetic:
+      return "energetic";
     case ImpactLaw::sequential:
       return "sequential";
   }
@@ -33,11 +36,12 @@ struct ImpactResult {
   PerContact<bool> sticks{};  ///< w_T = 0 after
   ContactVerdict verdict = ContactVerdict::none;
   double residual = 0;
-  int collisions = 0;  ///< of the sequential law
+  int collisions = 0;   ///< of the sequential law
+  bool applies = true;  ///< false: the energetic law of one contact, and several strike at once
 };
 
 /// Solves an impact. `problem` holds W, the laws with f, and in q the velocities w-; e is the restitution of each
-/// contact. Sources: Moreau 1988; Glocker & Pfeiffer 1995 (Poisson); Pommier §7.6 (percussions).
+/// contact. Sources: Moreau 1988; Glocker & Pfeiffer 1995 (Poisson); Stronge 1990 (energetic); Pommier §7.6 (percussions).
 [[nodiscard]] ImpactResult impact(const ContactProblem& problem, std::span<const double> restitution,
                                   ImpactLaw law = ImpactLaw::newton_moreau) noexcept;
 

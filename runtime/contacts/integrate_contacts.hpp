@@ -22,7 +22,11 @@ class ContactRun {
   /// The mechanism, the state and the observer must live as long.
   ContactRun(const ContactMechanism& mechanism, Vector& y, const Method& method, const ContactOptions& options,
              Observer& observer)
-      : automaton_(mechanism, options), y_(y), method_(method), observer_(observer) {}
+      : automaton_(mechanism, options), y_(y), method_(method), observer_(observer) {
+    if constexpr (requires { method.absolute_tolerance, method.relative_tolerance; }) {
+      automaton_.motion().tolerate(method.absolute_tolerance, method.relative_tolerance);
+    }
+  }
   ContactRun(const ContactRun&) = delete;
   ContactRun& operator=(const ContactRun&) = delete;
 

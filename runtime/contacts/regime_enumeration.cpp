@@ -180,20 +180,26 @@ void RegimeEnumeration::accept(const Regimes& regimes) noexcept {
   constexpr double slack = 1e-12;
   bool indeterminate = false, moves = false;
   if (system.kernel().cols() > 0) {
-    // Reactions inside all bounds leave room for others; where only the bounds fit, they are taken as they are.
+    // Reactions inside all bounds leave room for others; where only the bounds fit, they are taken as they are. Those
+    // farthest inside are looked for: they will do for longest.
     const ContactVector start = system.x();
-    for (const double margin : {1e-2, 1e-5, 0.0}) {
+    const auto inside = [&](double margin) {
       system.x() = start;
-      if (inequalities.find(system, margin)) {
-        indeterminate = margin > 0;
-        r = system.reactions();
-        const ContactVector one = problem_.W * r + problem_.q;
-        const ContactMatrix change = problem_.W * (system.B() * system.kernel());
-        const double size = problem_.W.cwiseAbs().maxCoeff() * system.kernel().cwiseAbs().maxCoeff();
-        moves = indeterminate && change.cwiseAbs().maxCoeff() > 1e-9 * size;
-        u = one;
-        break;
-      }
+      return inequalities.find(system, margin);
+    };
+    bool found = inside(1e-2);
+    double margin = found ? 1e-2 : 0;
+    if (!found && inside(0)) {
+      for (margin = 1e-3; margin > 1e-12 && !inside(margin);) margin /= 10;
+      found = margin > 1e-12 || inside(margin = 0);
+    }
+    if (found) {
+      indeterminate = margin >= 1e-5;
+      r = system.reactions();
+      u = problem_.W * r + problem_.q;
+      const ContactMatrix change = problem_.W * (system.B() * system.kernel());
+      const double size = problem_.W.cwiseAbs().maxCoeff() * system.kernel().cwiseAbs().maxCoeff();
+      moves = indeterminate && change.cwiseAbs().maxCoeff() > 1e-9 * size;
     }
   }
   if (!inequalities.hold(r, u, slack)) return;

@@ -68,6 +68,15 @@ bool RegimeSystem::solve() noexcept {
   return x_.allFinite();
 }
 
+void RegimeSystem::approach(const ContactVector& reactions) noexcept {
+  if (kernel_.cols() == 0) return;
+  ContactVector missing = -x_;
+  for (int i = 0; i < static_cast<int>(missing.size()); ++i) missing(i) += reactions(rows_[as(i)]);
+  const ContactMatrix square = kernel_.transpose() * kernel_;
+  const ContactVector right = kernel_.transpose() * missing;
+  x_ += kernel_ * square.partialPivLu().solve(right);
+}
+
 ContactVector RegimeSystem::motion_by_turning(int i) const noexcept {
   const ContactLaw& law = problem_.law(i);
   const int t = problem_.tangent_row(i);

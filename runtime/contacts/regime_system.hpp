@@ -38,6 +38,8 @@ class RegimeSystem {
   [[nodiscard]] bool solve() noexcept;
 
   [[nodiscard]] const ContactMatrix& kernel() const noexcept { return kernel_; }
+  /// Adds of the kernel what brings the reactions nearest to given ones, where they are not unique.
+  void approach(const ContactVector& reactions) noexcept;
   [[nodiscard]] ContactVector& x() noexcept { return x_; }
   [[nodiscard]] ContactVector reactions() const noexcept { return B_ * x_ + c_; }
   [[nodiscard]] ContactVector motion() const noexcept { return problem_.W * reactions() + problem_.q; }

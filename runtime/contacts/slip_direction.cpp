@@ -36,7 +36,7 @@ bool turn_slips(RegimeSystem::Regimes& regimes, const PerContact<int>& who, Cont
 }
 
 bool align_slips(const ContactProblem& problem, RegimeSystem::Regimes& regimes, const PerContact<bool>& begins,
-                 const PerContact<double>& across_wanted) noexcept {
+                 const PerContact<double>& across_wanted, const ContactVector& held) noexcept {
   const auto at = [](int i) { return static_cast<std::size_t>(i); };
   PerContact<int> who{};
   int sought = 0;
@@ -46,7 +46,8 @@ bool align_slips(const ContactProblem& problem, RegimeSystem::Regimes& regimes, 
   double last = INFINITY, size = 0;
   for (int step = 0; step < 30; ++step) {
     RegimeSystem system(problem, regimes);
-    if (!system.solve() || system.kernel().cols() > 0) return false;
+    if (!system.solve()) return false;
+    system.approach(held);
     const auto r = system.reactions();
     const ContactVector u = problem.W * r + problem.q;
     size = (problem.W.cwiseAbs() * r.cwiseAbs() + problem.q.cwiseAbs()).maxCoeff();

@@ -22,8 +22,9 @@ struct SlipsAcross {
 ///   s' = d · w'_T,   s θ' = d × w'_T.
 /// While s is small, θ follows the zero of d × w'_T within a time s/(f N W), so that d is known from forces alone, to
 /// first order in s, from d × w'_T = s κ, κ the rate at which that zero turns. Newton's method for all such contacts at
-/// once starts from the directions given; false where it finds none.
+/// once starts from the directions given; false where it finds none. Reactions that are not unique are those nearest to
+/// `held`.
 [[nodiscard]] bool align_slips(const ContactProblem& problem, RegimeSystem::Regimes& regimes, const PerContact<bool>& begins,
-                               const PerContact<double>& across_wanted) noexcept;
+                               const PerContact<double>& across_wanted, const ContactVector& held) noexcept;
 
 }  // namespace torsor::runtime

@@ -315,8 +315,8 @@ TEST(NewtonsCradle, SwingsWithTwoBallsThatTouchWithoutAForce) {
   }
 }
 
-TEST(ContactStatus, SaysWhatIsWrongAndWhere) {
-  // Painlevé: M^-1 = [[1, 0.9], [0.9, 1]], f = 1.5, slip to the positive side, pressed by 1.
+// Painlevé: M^-1 = [[1, 0.9], [0.9, 1]], f = 1.5, pressed by 1.
+ByHand<3, 3, 1> pressed_down_by_its_slip() {
   ByHand<3, 3, 1> system = sphere_on_slope(0, 1.5, 0, 1);
   system.fill = [](double, const auto& y, auto& r) {
     r.M.setIdentity();
@@ -329,6 +329,27 @@ TEST(ContactStatus, SaysWhatIsWrongAndWhere) {
     r.w << y[3], y[4];
     r.drift.setZero();
   };
+  return system;
+}
+
+// The slip 1 ends at p = 5/3, where w_N = -7/12; then it sticks, with dw_N/dp = 0.19.
+TEST(ContactStatus, IsThatOfAMotionWhereImpactsWithoutCollisionAreAskedFor) {
+  const auto system = pressed_down_by_its_slip();
+  std::array<double, 6> y{0, 0, 0, 0, 1, 0};
+  int impacts = 0;
+  const auto result = integrate_contacts(system, y, 0, 1, precise, {.impact_without_collision = true}, [&](const ContactEvent& event) {
+    EXPECT_EQ(event.kind, ContactEventKind::impact);
+    EXPECT_NEAR(event.impulses(0), 5.0 / 3 + 7 / (12 * 0.19), 1e-14);
+    EXPECT_NEAR(event.energy_lost, 0.5 / (1 - 0.81), 1e-14);  // all that there was: M_yy/2
+    ++impacts;
+  });
+  EXPECT_TRUE(result) << describe(result.status);
+  EXPECT_EQ(impacts, 1);
+  for (const double each : y) EXPECT_NEAR(each, 0, 1e-14);
+}
+
+TEST(ContactStatus, SaysWhatIsWrongAndWhere) {
+  const auto system = pressed_down_by_its_slip();  // it slips to the positive side
   std::array<double, 6> y{0, 0, 0, 0, 1, 0};
   const Motion none = move(system, y, 1, false);
   EXPECT_EQ(none.result.status, ContactStatus::no_solution);

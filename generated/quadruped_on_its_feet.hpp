@@ -1,0 +1,4580 @@
+// SPDX-License-Identifier: MIT
+// quadruped_on_its_feet
+// Made by torsor 0.1.0 from quadruped.urdf; change that and write the file again, do not edit it.
+// Free to embed under the MIT licence.
+//
+// Kernels: mass_matrix, bias, forward_dynamics, energy, contacts, contact_coefficients
+// Parameters set at run time: ground_friction, ground_restitution
+//
+// Operations in the text of each function (a sine-cosine pair counts 2 in the total; not in it is what a Status
+// costs, one multiplication for each result and for each pivot tested); before: without products that sums
+// share, factoring, and what is done once for a set of parameters:
+//   function              additions  multiplications  divisions  square roots  sine-cosine pairs  others  total  before
+//   mass_matrix                 307              402          0             0                 12       0    733     747
+//   bias                        388              512          0             0                 12       0    924     942
+//   forward_dynamics            946             1176         14             0                 12       0   2160    2202
+//   energy                      352              469          0             0                 16       0    853     980
+//   contacts                   1096             1273          0             0                 12       0   2393    2526
+//   contact_coefficients          0                0          0             0                  0       0      0       0
+//
+// Not computed because this mechanism does not need it:
+//   mass_matrix: of 324 results 114 vanish identically, 96 repeat another up to sign
+//   contacts: of 244 results 132 vanish identically
+//   contact_coefficients: of 20 results 8 vanish identically, 10 repeat another up to sign
+//
+// Angles and axes that were made exact:
+//   1.5707963267948966 is pi/2: link front_left_thigh_link (rpy), link front_right_thigh_link (rpy), link rear_left_thigh_link (rpy), link rear_right_thigh_link (rpy)
+//
+// To write this file again:
+//   torsor generate quadruped.urdf --base floating --ground front_left_foot,front_right_foot,rear_left_foot,rear_right_foot --ground-friction 0.6 --name quadruped_on_its_feet --initial 'trunk_z=0.45,trunk_x'\''=0.5,front_left_thigh=0.7,front_left_knee=-1.4,front_right_thigh=0.7,front_right_knee=-1.4,rear_left_thigh=0.7,rear_left_knee=-1.4,rear_right_thigh=0.7,rear_right_knee=-1.4' --kernels mass_matrix,bias,forward_dynamics,energy,contacts,contact_coefficients --support torsor_support.hpp --output quadruped_on_its_feet.hpp
+#pragma once
+
+#include <array>
+#include <cmath>
+
+#include "torsor_support.hpp"
+namespace quadruped_on_its_feet {
+
+/// What vectors hold, with units, and what kernels read and write: data that cost nothing where nobody looks at them.
+struct Description {
+  static constexpr std::array<torsor::QuantityDescription, 19> coordinates{{{"trunk_x", "m"}, {"trunk_y", "m"},
+      {"trunk_z", "m"}, {"trunk_attitude_w", "1"}, {"trunk_attitude_x", "1"}, {"trunk_attitude_y", "1"},
+      {"trunk_attitude_z", "1"}, {"front_left_hip", "rad"}, {"front_left_thigh", "rad"}, {"front_left_knee", "rad"},
+      {"front_right_hip", "rad"}, {"front_right_thigh", "rad"}, {"front_right_knee", "rad"}, {"rear_left_hip", "rad"},
+      {"rear_left_thigh", "rad"}, {"rear_left_knee", "rad"}, {"rear_right_hip", "rad"}, {"rear_right_thigh", "rad"},
+      {"rear_right_knee", "rad"}}};
+  static constexpr std::array<torsor::QuantityDescription, 18> velocities{{{"trunk_x", "m/s"}, {"trunk_y", "m/s"},
+      {"trunk_z", "m/s"}, {"trunk_attitude_omega_x", "rad/s"}, {"trunk_attitude_omega_y", "rad/s"},
+      {"trunk_attitude_omega_z", "rad/s"}, {"front_left_hip", "rad/s"}, {"front_left_thigh", "rad/s"},
+      {"front_left_knee", "rad/s"}, {"front_right_hip", "rad/s"}, {"front_right_thigh", "rad/s"}, {"front_right_knee",
+      "rad/s"}, {"rear_left_hip", "rad/s"}, {"rear_left_thigh", "rad/s"}, {"rear_left_knee", "rad/s"},
+      {"rear_right_hip", "rad/s"}, {"rear_right_thigh", "rad/s"}, {"rear_right_knee", "rad/s"}}};
+  static constexpr std::array<torsor::QuantityDescription, 12> inputs{{{"front_left_hip_torque", "N m"},
+      {"front_left_thigh_torque", "N m"}, {"front_left_knee_torque", "N m"}, {"front_right_hip_torque", "N m"},
+      {"front_right_thigh_torque", "N m"}, {"front_right_knee_torque", "N m"}, {"rear_left_hip_torque", "N m"},
+      {"rear_left_thigh_torque", "N m"}, {"rear_left_knee_torque", "N m"}, {"rear_right_hip_torque", "N m"},
+      {"rear_right_thigh_torque", "N m"}, {"rear_right_knee_torque", "N m"}}};
+  static constexpr std::array<torsor::QuantityDescription, 0> multipliers{};
+  static constexpr std::array<torsor::QuantityDescription, 2> parameters{{{"ground_friction", "1"},
+      {"ground_restitution", "1"}}};
+  static constexpr std::array<torsor::ResultDescription, 17> results{{{"rates", "", 19, 1}, {"mass", "", 18, 18},
+      {"forces", "", 18, 1}, {"accelerations", "", 18, 1}, {"multipliers", "", 0, 1}, {"result", "kinetic", 1, 1},
+      {"result", "force_function", 1, 1}, {"result", "power", 1, 1}, {"result", "gap", 4, 1}, {"result", "rate", 12, 1},
+      {"result", "jacobian", 12, 18}, {"result", "drift", 12, 1}, {"result", "friction", 4, 1}, {"result",
+      "static_friction", 4, 1}, {"result", "restitution", 4, 1}, {"result", "bound", 4, 1}, {"result", "static_bound",
+      4, 1}}};
+  static constexpr std::array<torsor::KernelDescription, 7> kernels{{{"coordinate_rates", false, false, false, false,
+      results.data() + 0, 1}, {"mass_matrix", false, false, false, false, results.data() + 1, 1}, {"bias", false, false,
+      false, false, results.data() + 2, 1}, {"forward_dynamics", false, false, true, true, results.data() + 3, 2},
+      {"energy", false, false, true, false, results.data() + 5, 3}, {"contacts", false, false, false, false,
+      results.data() + 8, 4}, {"contact_coefficients", false, false, false, false, results.data() + 12, 5}}};
+};
+
+/// Every function is pure: it reads constant arguments and writes its results. Matrices are stored column by column.
+/// M a + h = E u + A' lambda and A a + gamma = 0, with a the accelerations and u the inputs; units are SI.
+template <class Scalar>
+struct Mechanism {
+  using traits = torsor::scalar_traits<Scalar>;
+  using Description = ::quadruped_on_its_feet::Description;
+
+  static constexpr const char* name = "quadruped_on_its_feet";
+  /// 64 bits (FNV-1a) of this file from "#pragma once" on, with zeros in their own place: another mechanism, other bits.
+  static constexpr unsigned long long fingerprint = 0x52ac30f5408261a9ULL ^ torsor::support_fingerprint;
+  static constexpr int coordinate_count = 19;
+  static constexpr int velocity_count = 18;
+  static constexpr int input_count = 12;
+  static constexpr int parameter_count = 2;
+  static constexpr int multiplier_count = 0;
+  static constexpr int first_integral_count = 0;
+  /// Indices in q of the first components (w) of the unit quaternions (w, x, y, z).
+  static constexpr int quaternion_count = 1;
+  static constexpr int quaternions[] = {3};
+  /// Range of each freedom, largest rate and largest effort, by its index in v; infinite where the scene states none.
+  /// Data: no kernel looks at them.
+  struct Limits { double lower, upper, velocity, effort; };
+  static constexpr Limits limits[] = {
+      {-HUGE_VAL, HUGE_VAL, HUGE_VAL, HUGE_VAL},  // trunk_x
+      {-HUGE_VAL, HUGE_VAL, HUGE_VAL, HUGE_VAL},  // trunk_y
+      {-HUGE_VAL, HUGE_VAL, HUGE_VAL, HUGE_VAL},  // trunk_z
+      {-HUGE_VAL, HUGE_VAL, HUGE_VAL, HUGE_VAL},  // trunk_attitude_omega_x
+      {-HUGE_VAL, HUGE_VAL, HUGE_VAL, HUGE_VAL},  // trunk_attitude_omega_y
+      {-HUGE_VAL, HUGE_VAL, HUGE_VAL, HUGE_VAL},  // trunk_attitude_omega_z
+      {-0.8, 0.8, 20.0, 25.0},  // front_left_hip
+      {-1.5, 3.0, 20.0, 25.0},  // front_left_thigh
+      {-2.7, -0.3, 20.0, 40.0},  // front_left_knee
+      {-0.8, 0.8, 20.0, 25.0},  // front_right_hip
+      {-1.5, 3.0, 20.0, 25.0},  // front_right_thigh
+      {-2.7, -0.3, 20.0, 40.0},  // front_right_knee
+      {-0.8, 0.8, 20.0, 25.0},  // rear_left_hip
+      {-1.5, 3.0, 20.0, 25.0},  // rear_left_thigh
+      {-2.7, -0.3, 20.0, 40.0},  // rear_left_knee
+      {-0.8, 0.8, 20.0, 25.0},  // rear_right_hip
+      {-1.5, 3.0, 20.0, 25.0},  // rear_right_thigh
+      {-2.7, -0.3, 20.0, 40.0},  // rear_right_knee
+  };
+
+  /// Parameters that are set at run time.
+  struct Parameters {
+    Scalar ground_friction;  ///< parameter [1]
+    Scalar ground_restitution;  ///< parameter [1]
+    static constexpr int size = 2;
+    TORSOR_DEVICE Scalar& operator[](int i_) noexcept { return this->*member_(i_); }
+    TORSOR_DEVICE const Scalar& operator[](int i_) const noexcept { return this->*member_(i_); }
+
+   private:
+    TORSOR_DEVICE static constexpr Scalar Parameters::*member_(int i_) noexcept {
+      constexpr Scalar Parameters::*members_[] = {&Parameters::ground_friction, &Parameters::ground_restitution};
+      return members_[i_];
+    }
+  };
+
+  /// Generalised coordinates q.
+  struct Coordinates {
+    Scalar trunk_x;  ///< coordinate [m]
+    Scalar trunk_y;  ///< coordinate [m]
+    Scalar trunk_z;  ///< coordinate [m]
+    Scalar trunk_attitude_w;  ///< component of a unit quaternion [1]
+    Scalar trunk_attitude_x;  ///< component of a unit quaternion [1]
+    Scalar trunk_attitude_y;  ///< component of a unit quaternion [1]
+    Scalar trunk_attitude_z;  ///< component of a unit quaternion [1]
+    Scalar front_left_hip;  ///< coordinate [rad]
+    Scalar front_left_thigh;  ///< coordinate [rad]
+    Scalar front_left_knee;  ///< coordinate [rad]
+    Scalar front_right_hip;  ///< coordinate [rad]
+    Scalar front_right_thigh;  ///< coordinate [rad]
+    Scalar front_right_knee;  ///< coordinate [rad]
+    Scalar rear_left_hip;  ///< coordinate [rad]
+    Scalar rear_left_thigh;  ///< coordinate [rad]
+    Scalar rear_left_knee;  ///< coordinate [rad]
+    Scalar rear_right_hip;  ///< coordinate [rad]
+    Scalar rear_right_thigh;  ///< coordinate [rad]
+    Scalar rear_right_knee;  ///< coordinate [rad]
+    static constexpr int size = 19;
+    TORSOR_DEVICE Scalar& operator[](int i_) noexcept { return this->*member_(i_); }
+    TORSOR_DEVICE const Scalar& operator[](int i_) const noexcept { return this->*member_(i_); }
+
+   private:
+    TORSOR_DEVICE static constexpr Scalar Coordinates::*member_(int i_) noexcept {
+      constexpr Scalar Coordinates::*members_[] = {&Coordinates::trunk_x, &Coordinates::trunk_y, &Coordinates::trunk_z,
+          &Coordinates::trunk_attitude_w, &Coordinates::trunk_attitude_x, &Coordinates::trunk_attitude_y,
+          &Coordinates::trunk_attitude_z, &Coordinates::front_left_hip, &Coordinates::front_left_thigh,
+          &Coordinates::front_left_knee, &Coordinates::front_right_hip, &Coordinates::front_right_thigh,
+          &Coordinates::front_right_knee, &Coordinates::rear_left_hip, &Coordinates::rear_left_thigh,
+          &Coordinates::rear_left_knee, &Coordinates::rear_right_hip, &Coordinates::rear_right_thigh,
+          &Coordinates::rear_right_knee};
+      return members_[i_];
+    }
+  };
+
+  /// Generalised velocities v; coordinate_rates gives dq/dt.
+  struct Velocities {
+    Scalar trunk_x;  ///< its rate [m/s]
+    Scalar trunk_y;  ///< its rate [m/s]
+    Scalar trunk_z;  ///< its rate [m/s]
+    Scalar trunk_attitude_omega_x;  ///< angular velocity, in moving axes [rad/s]
+    Scalar trunk_attitude_omega_y;  ///< angular velocity, in moving axes [rad/s]
+    Scalar trunk_attitude_omega_z;  ///< angular velocity, in moving axes [rad/s]
+    Scalar front_left_hip;  ///< its rate [rad/s]
+    Scalar front_left_thigh;  ///< its rate [rad/s]
+    Scalar front_left_knee;  ///< its rate [rad/s]
+    Scalar front_right_hip;  ///< its rate [rad/s]
+    Scalar front_right_thigh;  ///< its rate [rad/s]
+    Scalar front_right_knee;  ///< its rate [rad/s]
+    Scalar rear_left_hip;  ///< its rate [rad/s]
+    Scalar rear_left_thigh;  ///< its rate [rad/s]
+    Scalar rear_left_knee;  ///< its rate [rad/s]
+    Scalar rear_right_hip;  ///< its rate [rad/s]
+    Scalar rear_right_thigh;  ///< its rate [rad/s]
+    Scalar rear_right_knee;  ///< its rate [rad/s]
+    static constexpr int size = 18;
+    TORSOR_DEVICE Scalar& operator[](int i_) noexcept { return this->*member_(i_); }
+    TORSOR_DEVICE const Scalar& operator[](int i_) const noexcept { return this->*member_(i_); }
+
+   private:
+    TORSOR_DEVICE static constexpr Scalar Velocities::*member_(int i_) noexcept {
+      constexpr Scalar Velocities::*members_[] = {&Velocities::trunk_x, &Velocities::trunk_y, &Velocities::trunk_z,
+          &Velocities::trunk_attitude_omega_x, &Velocities::trunk_attitude_omega_y, &Velocities::trunk_attitude_omega_z,
+          &Velocities::front_left_hip, &Velocities::front_left_thigh, &Velocities::front_left_knee,
+          &Velocities::front_right_hip, &Velocities::front_right_thigh, &Velocities::front_right_knee,
+          &Velocities::rear_left_hip, &Velocities::rear_left_thigh, &Velocities::rear_left_knee,
+          &Velocities::rear_right_hip, &Velocities::rear_right_thigh, &Velocities::rear_right_knee};
+      return members_[i_];
+    }
+  };
+
+  /// Generalised accelerations dv/dt.
+  struct Accelerations {
+    Scalar trunk_x;  ///< its second rate [m/s^2]
+    Scalar trunk_y;  ///< its second rate [m/s^2]
+    Scalar trunk_z;  ///< its second rate [m/s^2]
+    Scalar trunk_attitude_omega_x;  ///< its rate [rad/s^2]
+    Scalar trunk_attitude_omega_y;  ///< its rate [rad/s^2]
+    Scalar trunk_attitude_omega_z;  ///< its rate [rad/s^2]
+    Scalar front_left_hip;  ///< its second rate [rad/s^2]
+    Scalar front_left_thigh;  ///< its second rate [rad/s^2]
+    Scalar front_left_knee;  ///< its second rate [rad/s^2]
+    Scalar front_right_hip;  ///< its second rate [rad/s^2]
+    Scalar front_right_thigh;  ///< its second rate [rad/s^2]
+    Scalar front_right_knee;  ///< its second rate [rad/s^2]
+    Scalar rear_left_hip;  ///< its second rate [rad/s^2]
+    Scalar rear_left_thigh;  ///< its second rate [rad/s^2]
+    Scalar rear_left_knee;  ///< its second rate [rad/s^2]
+    Scalar rear_right_hip;  ///< its second rate [rad/s^2]
+    Scalar rear_right_thigh;  ///< its second rate [rad/s^2]
+    Scalar rear_right_knee;  ///< its second rate [rad/s^2]
+    static constexpr int size = 18;
+    TORSOR_DEVICE Scalar& operator[](int i_) noexcept { return this->*member_(i_); }
+    TORSOR_DEVICE const Scalar& operator[](int i_) const noexcept { return this->*member_(i_); }
+
+   private:
+    TORSOR_DEVICE static constexpr Scalar Accelerations::*member_(int i_) noexcept {
+      constexpr Scalar Accelerations::*members_[] = {&Accelerations::trunk_x, &Accelerations::trunk_y,
+          &Accelerations::trunk_z, &Accelerations::trunk_attitude_omega_x, &Accelerations::trunk_attitude_omega_y,
+          &Accelerations::trunk_attitude_omega_z, &Accelerations::front_left_hip, &Accelerations::front_left_thigh,
+          &Accelerations::front_left_knee, &Accelerations::front_right_hip, &Accelerations::front_right_thigh,
+          &Accelerations::front_right_knee, &Accelerations::rear_left_hip, &Accelerations::rear_left_thigh,
+          &Accelerations::rear_left_knee, &Accelerations::rear_right_hip, &Accelerations::rear_right_thigh,
+          &Accelerations::rear_right_knee};
+      return members_[i_];
+    }
+  };
+
+  /// Generalised forces, one along each coordinate.
+  struct GeneralizedForces {
+    Scalar trunk_x;  ///< works with the rate of trunk_x [N]
+    Scalar trunk_y;  ///< works with the rate of trunk_y [N]
+    Scalar trunk_z;  ///< works with the rate of trunk_z [N]
+    Scalar trunk_attitude_omega_x;  ///< works with trunk_attitude_omega_x [N m]
+    Scalar trunk_attitude_omega_y;  ///< works with trunk_attitude_omega_y [N m]
+    Scalar trunk_attitude_omega_z;  ///< works with trunk_attitude_omega_z [N m]
+    Scalar front_left_hip;  ///< works with the rate of front_left_hip [N m]
+    Scalar front_left_thigh;  ///< works with the rate of front_left_thigh [N m]
+    Scalar front_left_knee;  ///< works with the rate of front_left_knee [N m]
+    Scalar front_right_hip;  ///< works with the rate of front_right_hip [N m]
+    Scalar front_right_thigh;  ///< works with the rate of front_right_thigh [N m]
+    Scalar front_right_knee;  ///< works with the rate of front_right_knee [N m]
+    Scalar rear_left_hip;  ///< works with the rate of rear_left_hip [N m]
+    Scalar rear_left_thigh;  ///< works with the rate of rear_left_thigh [N m]
+    Scalar rear_left_knee;  ///< works with the rate of rear_left_knee [N m]
+    Scalar rear_right_hip;  ///< works with the rate of rear_right_hip [N m]
+    Scalar rear_right_thigh;  ///< works with the rate of rear_right_thigh [N m]
+    Scalar rear_right_knee;  ///< works with the rate of rear_right_knee [N m]
+    static constexpr int size = 18;
+    TORSOR_DEVICE Scalar& operator[](int i_) noexcept { return this->*member_(i_); }
+    TORSOR_DEVICE const Scalar& operator[](int i_) const noexcept { return this->*member_(i_); }
+
+   private:
+    TORSOR_DEVICE static constexpr Scalar GeneralizedForces::*member_(int i_) noexcept {
+      constexpr Scalar GeneralizedForces::*members_[] = {&GeneralizedForces::trunk_x, &GeneralizedForces::trunk_y,
+          &GeneralizedForces::trunk_z, &GeneralizedForces::trunk_attitude_omega_x,
+          &GeneralizedForces::trunk_attitude_omega_y, &GeneralizedForces::trunk_attitude_omega_z,
+          &GeneralizedForces::front_left_hip, &GeneralizedForces::front_left_thigh, &GeneralizedForces::front_left_knee,
+          &GeneralizedForces::front_right_hip, &GeneralizedForces::front_right_thigh,
+          &GeneralizedForces::front_right_knee, &GeneralizedForces::rear_left_hip, &GeneralizedForces::rear_left_thigh,
+          &GeneralizedForces::rear_left_knee, &GeneralizedForces::rear_right_hip, &GeneralizedForces::rear_right_thigh,
+          &GeneralizedForces::rear_right_knee};
+      return members_[i_];
+    }
+  };
+
+  /// Forces and torques of motors, set at each call.
+  struct Inputs {
+    Scalar front_left_hip_torque;  ///< motor [N m]
+    Scalar front_left_thigh_torque;  ///< motor [N m]
+    Scalar front_left_knee_torque;  ///< motor [N m]
+    Scalar front_right_hip_torque;  ///< motor [N m]
+    Scalar front_right_thigh_torque;  ///< motor [N m]
+    Scalar front_right_knee_torque;  ///< motor [N m]
+    Scalar rear_left_hip_torque;  ///< motor [N m]
+    Scalar rear_left_thigh_torque;  ///< motor [N m]
+    Scalar rear_left_knee_torque;  ///< motor [N m]
+    Scalar rear_right_hip_torque;  ///< motor [N m]
+    Scalar rear_right_thigh_torque;  ///< motor [N m]
+    Scalar rear_right_knee_torque;  ///< motor [N m]
+    static constexpr int size = 12;
+    TORSOR_DEVICE Scalar& operator[](int i_) noexcept { return this->*member_(i_); }
+    TORSOR_DEVICE const Scalar& operator[](int i_) const noexcept { return this->*member_(i_); }
+
+   private:
+    TORSOR_DEVICE static constexpr Scalar Inputs::*member_(int i_) noexcept {
+      constexpr Scalar Inputs::*members_[] = {&Inputs::front_left_hip_torque, &Inputs::front_left_thigh_torque,
+          &Inputs::front_left_knee_torque, &Inputs::front_right_hip_torque, &Inputs::front_right_thigh_torque,
+          &Inputs::front_right_knee_torque, &Inputs::rear_left_hip_torque, &Inputs::rear_left_thigh_torque,
+          &Inputs::rear_left_knee_torque, &Inputs::rear_right_hip_torque, &Inputs::rear_right_thigh_torque,
+          &Inputs::rear_right_knee_torque};
+      return members_[i_];
+    }
+  };
+
+  /// Multipliers of the constraints, or the reactions that enforce them.
+  struct Multipliers : torsor::NoMembers<Scalar> {};
+
+  /// Time [s], coordinates and velocities.
+  struct State {
+    Scalar time;
+    Coordinates q;
+    Velocities v;
+  };
+
+  /// Parameters and what depends on them only: built once for each set of parameters.
+  struct Precomputed {
+    Parameters parameters;
+  };
+
+  /// Values of the scene.
+  TORSOR_DEVICE static Parameters default_parameters() noexcept {
+    Parameters parameters{};
+    const Scalar n0_6 = traits::constant(0.6, 0.6f, "3/5");
+    const Scalar n0 = traits::constant(0.0, 0.0f, "0/1");
+    parameters.ground_friction = n0_6;
+    parameters.ground_restitution = n0;
+    return parameters;
+  }
+
+  /// To be called again when a parameter changes.
+  TORSOR_DEVICE static Precomputed precompute(const Parameters& parameters) noexcept {
+    Precomputed precomputed{};
+    precomputed.parameters = parameters;
+    return precomputed;
+  }
+
+  /// The state the scene starts from, for these parameters.
+  TORSOR_DEVICE static State initial_state(const Parameters&) noexcept {
+    State state{};
+    const Scalar n0 = traits::constant(0.0, 0.0f, "0/1");
+    const Scalar n0_45 = traits::constant(0.45, 0.45f, "9/20");
+    const Scalar n1 = traits::constant(1.0, 1.0f, "1/1");
+    const Scalar n0_7 = traits::constant(0.7, 0.7f, "7/10");
+    const Scalar n1_4 = traits::constant(1.4, 1.4f, "7/5");
+    const Scalar n0_5 = traits::constant(0.5, 0.5f, "1/2");
+    state.time = n0;
+    state.q.trunk_x = n0;
+    state.q.trunk_y = n0;
+    state.q.trunk_z = n0_45;
+    state.q.trunk_attitude_w = n1;
+    state.q.trunk_attitude_x = n0;
+    state.q.trunk_attitude_y = n0;
+    state.q.trunk_attitude_z = n0;
+    state.q.front_left_hip = n0;
+    state.q.front_left_thigh = n0_7;
+    state.q.front_left_knee = -n1_4;
+    state.q.front_right_hip = n0;
+    state.q.front_right_thigh = n0_7;
+    state.q.front_right_knee = -n1_4;
+    state.q.rear_left_hip = n0;
+    state.q.rear_left_thigh = n0_7;
+    state.q.rear_left_knee = -n1_4;
+    state.q.rear_right_hip = n0;
+    state.q.rear_right_thigh = n0_7;
+    state.q.rear_right_knee = -n1_4;
+    state.v.trunk_x = n0_5;
+    state.v.trunk_y = n0;
+    state.v.trunk_z = n0;
+    state.v.trunk_attitude_omega_x = n0;
+    state.v.trunk_attitude_omega_y = n0;
+    state.v.trunk_attitude_omega_z = n0;
+    state.v.front_left_hip = n0;
+    state.v.front_left_thigh = n0;
+    state.v.front_left_knee = n0;
+    state.v.front_right_hip = n0;
+    state.v.front_right_thigh = n0;
+    state.v.front_right_knee = n0;
+    state.v.rear_left_hip = n0;
+    state.v.rear_left_thigh = n0;
+    state.v.rear_left_knee = n0;
+    state.v.rear_right_hip = n0;
+    state.v.rear_right_thigh = n0;
+    state.v.rear_right_knee = n0;
+    return state;
+  }
+  TORSOR_DEVICE static State initial_state() noexcept { return initial_state(default_parameters()); }
+
+  /// Energies of the mechanism.
+  struct Energy {
+    Scalar kinetic;  ///< kinetic energy T [J]
+    Scalar force_function;  ///< force function U of gravity and springs [J]
+    Scalar power;  ///< power of dampers, given forces and motors [W]
+    static constexpr int size = 3;
+    TORSOR_DEVICE Scalar& operator[](int i_) noexcept { return this->*member_(i_); }
+    TORSOR_DEVICE const Scalar& operator[](int i_) const noexcept { return this->*member_(i_); }
+
+   private:
+    TORSOR_DEVICE static constexpr Scalar Energy::*member_(int i_) noexcept {
+      constexpr Scalar Energy::*members_[] = {&Energy::kinetic, &Energy::force_function, &Energy::power};
+      return members_[i_];
+    }
+  };
+
+  /// Gaps of contacts, and what they may do along their normals and tangents.
+  struct Contacts {
+    std::array<Scalar, 4> gap;  ///< of each contact, falls to 0 where it closes; 0 of dry friction
+    std::array<Scalar, 12> rate;  ///< w, of normals d(gap)/dt, of tangents the slip
+    std::array<Scalar, 216> jacobian;  ///< J, stored column by column (12 x 18)
+    std::array<Scalar, 12> drift;  ///< dw/dt at zero accelerations
+  };
+  /// Contacts, and their rows.
+  static constexpr int contact_count = 4;
+  static constexpr int contact_row_count = 12;
+  /// How many normals and tangents each contact has: dry friction has no normal.
+  static constexpr int contact_normals[] = {1, 1, 1, 1};
+  static constexpr int contact_tangents[] = {2, 2, 2, 2};
+
+  /// Coefficients of contacts.
+  struct ContactCoefficients {
+    std::array<Scalar, 4> friction;  ///< f [1]
+    std::array<Scalar, 4> static_friction;  ///< f_s [1]
+    std::array<Scalar, 4> restitution;  ///< e [1]
+    std::array<Scalar, 4> bound;  ///< b of dry friction, 0 of others
+    std::array<Scalar, 4> static_bound;  ///< b_s of dry friction, 0 of others
+  };
+
+  /// dq/dt from v: the velocity itself for a coordinate, 1/2 e (0, omega) for a unit quaternion e with the angular
+  /// velocity omega in moving axes.
+  TORSOR_DEVICE static void coordinate_rates(const Precomputed&, const State& state,
+      std::array<Scalar, 19>& rates) noexcept {
+    const Scalar n0_5 = traits::constant(0.5, 0.5f, "1/2");
+    const Scalar v_trunk_x = state.v.trunk_x;
+    const Scalar v_trunk_y = state.v.trunk_y;
+    const Scalar v_trunk_z = state.v.trunk_z;
+    const Scalar q_trunk_attitude_y = state.q.trunk_attitude_y;
+    const Scalar q_trunk_attitude_z = state.q.trunk_attitude_z;
+    const Scalar q_trunk_attitude_x = state.q.trunk_attitude_x;
+    const Scalar q_trunk_attitude_w = state.q.trunk_attitude_w;
+    const Scalar v_trunk_attitude_omega_x = state.v.trunk_attitude_omega_x;
+    const Scalar v_trunk_attitude_omega_y = state.v.trunk_attitude_omega_y;
+    const Scalar v_trunk_attitude_omega_z = state.v.trunk_attitude_omega_z;
+    const Scalar v_front_left_hip = state.v.front_left_hip;
+    const Scalar v_front_left_thigh = state.v.front_left_thigh;
+    const Scalar v_front_left_knee = state.v.front_left_knee;
+    const Scalar v_front_right_hip = state.v.front_right_hip;
+    const Scalar v_front_right_thigh = state.v.front_right_thigh;
+    const Scalar v_front_right_knee = state.v.front_right_knee;
+    const Scalar v_rear_left_hip = state.v.rear_left_hip;
+    const Scalar v_rear_left_thigh = state.v.rear_left_thigh;
+    const Scalar v_rear_left_knee = state.v.rear_left_knee;
+    const Scalar v_rear_right_hip = state.v.rear_right_hip;
+    const Scalar v_rear_right_thigh = state.v.rear_right_thigh;
+    const Scalar v_rear_right_knee = state.v.rear_right_knee;
+    const Scalar z0 = n0_5 * (q_trunk_attitude_y * v_trunk_attitude_omega_y + q_trunk_attitude_z
+        * v_trunk_attitude_omega_z + q_trunk_attitude_x * v_trunk_attitude_omega_x);
+    const Scalar z1 = n0_5 * (q_trunk_attitude_y * v_trunk_attitude_omega_z - q_trunk_attitude_z
+        * v_trunk_attitude_omega_y + q_trunk_attitude_w * v_trunk_attitude_omega_x);
+    const Scalar z2 = n0_5 * (q_trunk_attitude_z * v_trunk_attitude_omega_x - q_trunk_attitude_x
+        * v_trunk_attitude_omega_z + q_trunk_attitude_w * v_trunk_attitude_omega_y);
+    const Scalar z3 = n0_5 * (q_trunk_attitude_y * v_trunk_attitude_omega_x - q_trunk_attitude_x
+        * v_trunk_attitude_omega_y - q_trunk_attitude_w * v_trunk_attitude_omega_z);
+    rates[0] = v_trunk_x;
+    rates[1] = v_trunk_y;
+    rates[2] = v_trunk_z;
+    rates[3] = -z0;
+    rates[4] = z1;
+    rates[5] = z2;
+    rates[6] = -z3;
+    rates[7] = v_front_left_hip;
+    rates[8] = v_front_left_thigh;
+    rates[9] = v_front_left_knee;
+    rates[10] = v_front_right_hip;
+    rates[11] = v_front_right_thigh;
+    rates[12] = v_front_right_knee;
+    rates[13] = v_rear_left_hip;
+    rates[14] = v_rear_left_thigh;
+    rates[15] = v_rear_left_knee;
+    rates[16] = v_rear_right_hip;
+    rates[17] = v_rear_right_thigh;
+    rates[18] = v_rear_right_knee;
+  }
+
+  /// Mass matrix M(q), symmetric, stored column by column: T2 = 1/2 v' M v.
+  TORSOR_DEVICE static void mass_matrix(const Precomputed&, const State& state,
+      std::array<Scalar, 324>& mass) noexcept {
+    const Scalar k0 = traits::constant(0.00507, 0.00507f, "507/100000");
+    const Scalar n0_032 = traits::constant(0.032, 0.032f, "4/125");
+    const Scalar n2 = traits::constant(2.0, 2.0f, "2/1");
+    const Scalar n1 = traits::constant(1.0, 1.0f, "1/1");
+    const Scalar k4 = traits::constant(0.0051096, 0.0051096f, "6387/1250000");
+    const Scalar n0_2 = traits::constant(0.2, 0.2f, "1/5");
+    const Scalar n0_4 = traits::constant(0.4, 0.4f, "2/5");
+    const Scalar n0_124 = traits::constant(0.124, 0.124f, "31/250");
+    const Scalar k8 = traits::constant(0.01968, 0.01968f, "123/6250");
+    const Scalar n0_08 = traits::constant(0.08, 0.08f, "2/25");
+    const Scalar k10 = traits::constant(0.01928, 0.01928f, "241/12500");
+    const Scalar n0_1048 = traits::constant(0.1048, 0.1048f, "131/1250");
+    const Scalar n0_05 = traits::constant(0.05, 0.05f, "1/20");
+    const Scalar k13 = traits::constant(0.0082236, 0.0082236f, "20559/2500000");
+    const Scalar k14 = traits::constant(0.0086236, 0.0086236f, "21559/2500000");
+    const Scalar n0_1 = traits::constant(0.1, 0.1f, "1/10");
+    const Scalar n0_0406 = traits::constant(0.0406, 0.0406f, "203/5000");
+    const Scalar n0_3362 = traits::constant(0.3362, 0.3362f, "1681/5000");
+    const Scalar n0_3668 = traits::constant(0.3668, 0.3668f, "917/2500");
+    const Scalar n12_24 = traits::constant(12.24, 12.24f, "306/25");
+    const Scalar n0 = traits::constant(0.0, 0.0f, "0/1");
+    const Scalar q_trunk_attitude_y = state.q.trunk_attitude_y;
+    const Scalar q_trunk_attitude_z = state.q.trunk_attitude_z;
+    const Scalar q_trunk_attitude_x = state.q.trunk_attitude_x;
+    const Scalar q_trunk_attitude_w = state.q.trunk_attitude_w;
+    const Scalar q_front_left_hip = state.q.front_left_hip;
+    const Scalar q_front_left_thigh = state.q.front_left_thigh;
+    const Scalar q_front_left_knee = state.q.front_left_knee;
+    const Scalar q_front_right_hip = state.q.front_right_hip;
+    const Scalar q_front_right_thigh = state.q.front_right_thigh;
+    const Scalar q_front_right_knee = state.q.front_right_knee;
+    const Scalar q_rear_left_hip = state.q.rear_left_hip;
+    const Scalar q_rear_left_thigh = state.q.rear_left_thigh;
+    const Scalar q_rear_left_knee = state.q.rear_left_knee;
+    const Scalar q_rear_right_hip = state.q.rear_right_hip;
+    const Scalar q_rear_right_thigh = state.q.rear_right_thigh;
+    const Scalar q_rear_right_knee = state.q.rear_right_knee;
+    const Scalar angles_[] = {q_front_left_hip, q_front_left_thigh, q_front_left_knee, q_front_right_hip,
+        q_front_right_thigh, q_front_right_knee, q_rear_left_hip, q_rear_left_thigh, q_rear_left_knee, q_rear_right_hip,
+        q_rear_right_thigh, q_rear_right_knee};
+    Scalar sines_[12], cosines_[12];
+    torsor::sines_and_cosines(angles_, sines_, cosines_);
+    const Scalar s_front_left_hip = sines_[0], c_front_left_hip = cosines_[0];
+    const Scalar s_front_left_thigh = sines_[1], c_front_left_thigh = cosines_[1];
+    const Scalar s_front_left_knee = sines_[2], c_front_left_knee = cosines_[2];
+    const Scalar s_front_right_hip = sines_[3], c_front_right_hip = cosines_[3];
+    const Scalar s_front_right_thigh = sines_[4], c_front_right_thigh = cosines_[4];
+    const Scalar s_front_right_knee = sines_[5], c_front_right_knee = cosines_[5];
+    const Scalar s_rear_left_hip = sines_[6], c_rear_left_hip = cosines_[6];
+    const Scalar s_rear_left_thigh = sines_[7], c_rear_left_thigh = cosines_[7];
+    const Scalar s_rear_left_knee = sines_[8], c_rear_left_knee = cosines_[8];
+    const Scalar s_rear_right_hip = sines_[9], c_rear_right_hip = cosines_[9];
+    const Scalar s_rear_right_thigh = sines_[10], c_rear_right_thigh = cosines_[10];
+    const Scalar s_rear_right_knee = sines_[11], c_rear_right_knee = cosines_[11];
+    const Scalar z0 = k0 * c_rear_right_knee;
+    const Scalar z1 = n0_032 * c_rear_right_knee;
+    const Scalar z2 = k0 * s_rear_right_knee;
+    const Scalar z3 = n0_032 * s_rear_right_knee;
+    const Scalar z4 = n2 * q_trunk_attitude_y;
+    const Scalar z5 = n2 * q_trunk_attitude_z;
+    const Scalar z6 = q_trunk_attitude_y * z4;
+    const Scalar z7 = q_trunk_attitude_z * z5;
+    const Scalar z8 = q_trunk_attitude_x * z4;
+    const Scalar z9 = q_trunk_attitude_w * z5;
+    const Scalar z10 = n2 * q_trunk_attitude_x;
+    const Scalar z11 = q_trunk_attitude_x * z5;
+    const Scalar z12 = q_trunk_attitude_w * z4;
+    const Scalar z13 = n1 - z6 - z7;
+    const Scalar z14 = z8 + z9;
+    const Scalar z15 = q_trunk_attitude_x * z10;
+    const Scalar z16 = q_trunk_attitude_z * z4;
+    const Scalar z17 = q_trunk_attitude_w * z10;
+    const Scalar z18 = z11 - z12;
+    const Scalar z19 = z8 - z9;
+    const Scalar z20 = n1 - z7 - z15;
+    const Scalar z21 = z16 + z17;
+    const Scalar z22 = n1 - z6 - z15;
+    const Scalar z23 = z16 - z17;
+    const Scalar z24 = z11 + z12;
+    const Scalar z25 = k4 + n0_2 * z1;
+    const Scalar z26 = s_rear_right_thigh * z3;
+    const Scalar z27 = c_rear_right_thigh * z3;
+    const Scalar z28 = c_rear_right_knee * z0;
+    const Scalar z29 = s_rear_right_knee * z2;
+    const Scalar z30 = s_rear_right_knee * z0;
+    const Scalar z31 = k4 + n0_4 * z1;
+    const Scalar z32 = n0_124 + z1;
+    const Scalar z33 = c_rear_right_thigh * z1 - z26;
+    const Scalar z34 = s_rear_right_thigh * z1 + z27;
+    const Scalar z35 = n0_4 * z1 + z28;
+    const Scalar z36 = n0_2 * z3 + z30;
+    const Scalar z37 = c_rear_right_thigh * z32 - z26;
+    const Scalar z38 = s_rear_right_thigh * z32 + z27;
+    const Scalar z39 = k8 + z31;
+    const Scalar z40 = n0_08 * z34;
+    const Scalar z41 = n0_08 * z33;
+    const Scalar z42 = s_rear_right_hip * z34;
+    const Scalar z43 = c_rear_right_hip * z34;
+    const Scalar z44 = k10 + z35;
+    const Scalar z45 = n0_08 * z38;
+    const Scalar z46 = n0_08 * z37;
+    const Scalar z47 = s_rear_right_hip * z38;
+    const Scalar z48 = c_rear_right_hip * z38;
+    const Scalar z49 = n2 * z36;
+    const Scalar z50 = n0_1048 * s_rear_right_hip + c_rear_right_hip * z37;
+    const Scalar z51 = s_rear_right_hip * z37 - n0_1048 * c_rear_right_hip;
+    const Scalar z52 = c_rear_right_hip * z25 + s_rear_right_hip * z41;
+    const Scalar z53 = s_rear_right_hip * z25 - c_rear_right_hip * z41;
+    const Scalar z54 = z40 + n0_05 * z43;
+    const Scalar z55 = z13 * z33 + z19 * z42 - z24 * z43;
+    const Scalar z56 = z14 * z33 + z20 * z42 - z23 * z43;
+    const Scalar z57 = z18 * z33 + z21 * z42 - z22 * z43;
+    const Scalar z58 = c_rear_right_hip * z39 + s_rear_right_hip * z46;
+    const Scalar z59 = s_rear_right_hip * z39 - c_rear_right_hip * z46;
+    const Scalar z60 = z45 + n0_05 * z48;
+    const Scalar z61 = z13 * z37 + z19 * z47 - z24 * z48;
+    const Scalar z62 = z14 * z37 + z20 * z47 - z23 * z48;
+    const Scalar z63 = z18 * z37 + z21 * z47 - z22 * z48;
+    const Scalar z64 = z29 - z44;
+    const Scalar z65 = s_rear_right_thigh * z64 - c_rear_right_thigh * z49;
+    const Scalar z66 = n0_05 * z33 - z53 - n0_2 * z42;
+    const Scalar z67 = n0_05 * z37 - z59 - n0_2 * z47;
+    const Scalar z68 = n0_2 * z43 + z52;
+    const Scalar z69 = n0_2 * z48 + z58;
+    const Scalar z70 = k0 * c_rear_left_knee;
+    const Scalar z71 = c_rear_right_thigh * z65 + z36;
+    const Scalar z72 = s_rear_right_thigh * z65;
+    const Scalar z73 = z19 * z50 + z24 * z51;
+    const Scalar z74 = z29 - z72;
+    const Scalar z75 = z44 + z72;
+    const Scalar z76 = n0_032 * c_rear_left_knee;
+    const Scalar z77 = z20 * z50 + z23 * z51;
+    const Scalar z78 = k13 + z74;
+    const Scalar z79 = k14 + z75;
+    const Scalar z80 = z21 * z50 + z22 * z51;
+    const Scalar z81 = z79 - n0_05 * z51;
+    const Scalar z82 = z79 - n0_1 * z51;
+    const Scalar z83 = c_rear_left_knee * z70;
+    const Scalar z84 = n0_4 * z76 + z83;
+    const Scalar z85 = s_rear_left_knee * z70;
+    const Scalar z86 = n0_0406 + z82;
+    const Scalar z87 = k0 * s_rear_left_knee;
+    const Scalar z88 = s_rear_left_knee * z87;
+    const Scalar z89 = n0_032 * s_rear_left_knee;
+    const Scalar z90 = n0_2 * z89 + z85;
+    const Scalar z91 = k10 + z84;
+    const Scalar z92 = s_rear_left_thigh * z89;
+    const Scalar z93 = c_rear_left_thigh * z89;
+    const Scalar z94 = n0_124 + z76;
+    const Scalar z95 = c_rear_left_thigh * z94 - z92;
+    const Scalar z96 = s_rear_left_thigh * z94 + z93;
+    const Scalar z97 = c_rear_left_thigh * z76 - z92;
+    const Scalar z98 = s_rear_left_thigh * z76 + z93;
+    const Scalar z99 = z39 - z78;
+    const Scalar z100 = k4 + n0_4 * z76;
+    const Scalar z101 = k8 + z100;
+    const Scalar z102 = k4 + n0_2 * z76;
+    const Scalar z103 = n0_08 * z95;
+    const Scalar z104 = n2 * z46;
+    const Scalar z105 = s_rear_right_hip * z99 - c_rear_right_hip * z104;
+    const Scalar z106 = n0_08 * z96;
+    const Scalar z107 = c_rear_right_hip * z45 + s_rear_right_hip * z71;
+    const Scalar z108 = s_rear_right_hip * z45 - c_rear_right_hip * z71;
+    const Scalar z109 = c_rear_right_hip * z105 + z46;
+    const Scalar z110 = s_rear_right_hip * z105;
+    const Scalar z111 = n0_2 * z50 + z108;
+    const Scalar z112 = z78 + z110;
+    const Scalar z113 = z39 - z110;
+    const Scalar z114 = n0_05 * z50 - z109;
+    const Scalar z115 = n0_2 * z51 - z107;
+    const Scalar z116 = n0_4 * z38 + z113;
+    const Scalar z117 = z112 + n0_4 * z38 - n0_1 * z51;
+    const Scalar z118 = z107 + n0_05 * z38 - n0_2 * z51;
+    const Scalar z119 = n0_3362 + z116;
+    const Scalar z120 = z88 - z91;
+    const Scalar z121 = n2 * z90;
+    const Scalar z122 = s_rear_left_thigh * z120 - c_rear_left_thigh * z121;
+    const Scalar z123 = n0_3668 + z117;
+    const Scalar z124 = n2 * z103;
+    const Scalar z125 = n0_1048 * s_rear_left_hip - c_rear_left_hip * z95;
+    const Scalar z126 = n0_1048 * c_rear_left_hip + s_rear_left_hip * z95;
+    const Scalar z127 = z19 * z125 - z24 * z126;
+    const Scalar z128 = c_rear_left_thigh * z122 + z90;
+    const Scalar z129 = s_rear_left_thigh * z122;
+    const Scalar z130 = z20 * z125 - z23 * z126;
+    const Scalar z131 = z88 - z129;
+    const Scalar z132 = z91 + z129;
+    const Scalar z133 = z21 * z125 - z22 * z126;
+    const Scalar z134 = k13 + z131;
+    const Scalar z135 = k14 + z132;
+    const Scalar z136 = s_rear_left_hip * z128 - c_rear_left_hip * z106;
+    const Scalar z137 = s_rear_left_hip * z106 + c_rear_left_hip * z128;
+    const Scalar z138 = n0_2 * z125 + z137;
+    const Scalar z139 = z135 + n0_05 * z126;
+    const Scalar z140 = n0_2 * z126 - z136;
+    const Scalar z141 = z101 - z134;
+    const Scalar z142 = c_rear_left_hip * z124 + s_rear_left_hip * z141;
+    const Scalar z143 = n0_08 * z97;
+    const Scalar z144 = s_rear_left_hip * z98;
+    const Scalar z145 = s_rear_left_hip * z102 + c_rear_left_hip * z143;
+    const Scalar z146 = s_rear_left_hip * z143 - c_rear_left_hip * z102;
+    const Scalar z147 = s_rear_left_hip * z142;
+    const Scalar z148 = z145 + n0_05 * z97 + n0_2 * z144;
+    const Scalar z149 = s_rear_left_hip * z96;
+    const Scalar z150 = s_rear_left_hip * z101 + c_rear_left_hip * z103;
+    const Scalar z151 = z150 + n0_05 * z95 + n0_2 * z149;
+    const Scalar z152 = n0_08 * z98;
+    const Scalar z153 = z134 + z147;
+    const Scalar z154 = z101 - z147;
+    const Scalar z155 = c_rear_left_hip * z142 - z103;
+    const Scalar z156 = s_rear_left_hip * z103 - c_rear_left_hip * z101;
+    const Scalar z157 = c_rear_left_hip * z98;
+    const Scalar z158 = z152 + n0_05 * z157;
+    const Scalar z159 = n0_2 * z157 - z146;
+    const Scalar z160 = z38 + z96;
+    const Scalar z161 = z135 + n0_1 * z126;
+    const Scalar z162 = n0_05 * z96 - z136 + n0_2 * z126;
+    const Scalar z163 = n0_4 * z96 + z154;
+    const Scalar z164 = n0_05 * z125 - z155;
+    const Scalar z165 = z153 + n0_4 * z96 + n0_1 * z126;
+    const Scalar z166 = c_rear_left_hip * z96;
+    const Scalar z167 = z106 + n0_05 * z166;
+    const Scalar z168 = n0_2 * z166 - z156;
+    const Scalar z169 = z13 * z97 + z19 * z144 - z24 * z157;
+    const Scalar z170 = z51 + z126;
+    const Scalar z171 = z14 * z97 + z20 * z144 - z23 * z157;
+    const Scalar z172 = z18 * z97 + z21 * z144 - z22 * z157;
+    const Scalar z173 = z50 - z125;
+    const Scalar z174 = z86 + z161;
+    const Scalar z175 = z118 - z162;
+    const Scalar z176 = z119 + z163;
+    const Scalar z177 = z111 - z138;
+    const Scalar z178 = z114 + z164;
+    const Scalar z179 = z123 + z165;
+    const Scalar z180 = z13 * z95 + z19 * z149 - z24 * z166;
+    const Scalar z181 = z14 * z95 + z20 * z149 - z23 * z166;
+    const Scalar z182 = z18 * z95 + z21 * z149 - z22 * z166;
+    const Scalar z183 = k0 * c_front_right_knee;
+    const Scalar z184 = n0_032 * c_front_right_knee;
+    const Scalar z185 = c_front_right_knee * z183;
+    const Scalar z186 = s_front_right_knee * z183;
+    const Scalar z187 = k0 * s_front_right_knee;
+    const Scalar z188 = s_front_right_knee * z187;
+    const Scalar z189 = n0_032 * s_front_right_knee;
+    const Scalar z190 = n0_4 * z184 + z185;
+    const Scalar z191 = n0_2 * z189 + z186;
+    const Scalar z192 = s_front_right_thigh * z189;
+    const Scalar z193 = c_front_right_thigh * z189;
+    const Scalar z194 = n0_124 + z184;
+    const Scalar z195 = k4 + n0_4 * z184;
+    const Scalar z196 = k10 + z190;
+    const Scalar z197 = k8 + z195;
+    const Scalar z198 = n2 * z191;
+    const Scalar z199 = c_front_right_thigh * z194 - z192;
+    const Scalar z200 = s_front_right_thigh * z194 + z193;
+    const Scalar z201 = c_front_right_thigh * z184 - z192;
+    const Scalar z202 = s_front_right_thigh * z184 + z193;
+    const Scalar z203 = k4 + n0_2 * z184;
+    const Scalar z204 = z188 - z196;
+    const Scalar z205 = s_front_right_thigh * z204 - c_front_right_thigh * z198;
+    const Scalar z206 = n0_08 * z199;
+    const Scalar z207 = n2 * z206;
+    const Scalar z208 = n0_08 * z200;
+    const Scalar z209 = n0_1048 * s_front_right_hip + c_front_right_hip * z199;
+    const Scalar z210 = n0_08 * z201;
+    const Scalar z211 = s_front_right_hip * z199 - n0_1048 * c_front_right_hip;
+    const Scalar z212 = z19 * z209 + z24 * z211;
+    const Scalar z213 = c_front_right_thigh * z205 + z191;
+    const Scalar z214 = s_front_right_thigh * z205;
+    const Scalar z215 = z20 * z209 + z23 * z211;
+    const Scalar z216 = z188 - z214;
+    const Scalar z217 = z196 + z214;
+    const Scalar z218 = z21 * z209 + z22 * z211;
+    const Scalar z219 = k13 + z216;
+    const Scalar z220 = k14 + z217;
+    const Scalar z221 = c_front_right_hip * z208 + s_front_right_hip * z213;
+    const Scalar z222 = s_front_right_hip * z208 - c_front_right_hip * z213;
+    const Scalar z223 = n0_2 * z209 - z222;
+    const Scalar z224 = z220 - n0_05 * z211;
+    const Scalar z225 = n0_2 * z211 + z221;
+    const Scalar z226 = z197 - z219;
+    const Scalar z227 = s_front_right_hip * z226 - c_front_right_hip * z207;
+    const Scalar z228 = s_front_right_hip * z202;
+    const Scalar z229 = s_front_right_hip * z203 - c_front_right_hip * z210;
+    const Scalar z230 = c_front_right_hip * z203 + s_front_right_hip * z210;
+    const Scalar z231 = n0_05 * z201 - z229 + n0_2 * z228;
+    const Scalar z232 = s_front_right_hip * z227;
+    const Scalar z233 = s_front_right_hip * z200;
+    const Scalar z234 = s_front_right_hip * z197 - c_front_right_hip * z206;
+    const Scalar z235 = n0_05 * z199 - z234 + n0_2 * z233;
+    const Scalar z236 = n0_08 * z202;
+    const Scalar z237 = z219 + z232;
+    const Scalar z238 = z197 - z232;
+    const Scalar z239 = c_front_right_hip * z227 + z206;
+    const Scalar z240 = c_front_right_hip * z197 + s_front_right_hip * z206;
+    const Scalar z241 = c_front_right_hip * z202;
+    const Scalar z242 = z236 + n0_05 * z241;
+    const Scalar z243 = n0_2 * z241 - z230;
+    const Scalar z244 = z160 + z200;
+    const Scalar z245 = z220 - n0_1 * z211;
+    const Scalar z246 = z221 + n0_05 * z200 + n0_2 * z211;
+    const Scalar z247 = n0_4 * z200 - z238;
+    const Scalar z248 = n0_05 * z209 - z239;
+    const Scalar z249 = n0_4 * z200 - z237 + n0_1 * z211;
+    const Scalar z250 = c_front_right_hip * z200;
+    const Scalar z251 = z208 + n0_05 * z250;
+    const Scalar z252 = n0_2 * z250 - z240;
+    const Scalar z253 = z13 * z201 + z19 * z228 - z24 * z241;
+    const Scalar z254 = z170 + z211;
+    const Scalar z255 = z14 * z201 + z20 * z228 - z23 * z241;
+    const Scalar z256 = z18 * z201 + z21 * z228 - z22 * z241;
+    const Scalar z257 = z173 + z209;
+    const Scalar z258 = z174 + z245;
+    const Scalar z259 = z175 + z246;
+    const Scalar z260 = z176 - z247;
+    const Scalar z261 = z177 - z223;
+    const Scalar z262 = z178 + z248;
+    const Scalar z263 = z179 - z249;
+    const Scalar z264 = z13 * z199 + z19 * z233 - z24 * z250;
+    const Scalar z265 = z14 * z199 + z20 * z233 - z23 * z250;
+    const Scalar z266 = z18 * z199 + z21 * z233 - z22 * z250;
+    const Scalar z267 = k0 * c_front_left_knee;
+    const Scalar z268 = n0_032 * c_front_left_knee;
+    const Scalar z269 = c_front_left_knee * z267;
+    const Scalar z270 = s_front_left_knee * z267;
+    const Scalar z271 = k0 * s_front_left_knee;
+    const Scalar z272 = s_front_left_knee * z271;
+    const Scalar z273 = n0_032 * s_front_left_knee;
+    const Scalar z274 = n0_4 * z268 + z269;
+    const Scalar z275 = n0_2 * z273 + z270;
+    const Scalar z276 = s_front_left_thigh * z273;
+    const Scalar z277 = c_front_left_thigh * z273;
+    const Scalar z278 = n0_124 + z268;
+    const Scalar z279 = c_front_left_thigh * z278 - z276;
+    const Scalar z280 = k10 + z274;
+    const Scalar z281 = s_front_left_thigh * z278 + z277;
+    const Scalar z282 = c_front_left_thigh * z268 - z276;
+    const Scalar z283 = s_front_left_thigh * z268 + z277;
+    const Scalar z284 = z272 - z280;
+    const Scalar z285 = n2 * z275;
+    const Scalar z286 = k4 + n0_4 * z268;
+    const Scalar z287 = s_front_left_thigh * z284 - c_front_left_thigh * z285;
+    const Scalar z288 = k8 + z286;
+    const Scalar z289 = k4 + n0_2 * z268;
+    const Scalar z290 = n0_08 * z279;
+    const Scalar z291 = n2 * z290;
+    const Scalar z292 = n0_08 * z281;
+    const Scalar z293 = n0_08 * z282;
+    const Scalar z294 = n0_1048 * s_front_left_hip - c_front_left_hip * z279;
+    const Scalar z295 = s_front_left_hip * z283;
+    const Scalar z296 = c_front_left_thigh * z287 + z275;
+    const Scalar z297 = s_front_left_thigh * z287;
+    const Scalar z298 = s_front_left_hip * z289 + c_front_left_hip * z293;
+    const Scalar z299 = s_front_left_hip * z293 - c_front_left_hip * z289;
+    const Scalar z300 = z298 + n0_05 * z282 - n0_2 * z295;
+    const Scalar z301 = z272 - z297;
+    const Scalar z302 = z280 + z297;
+    const Scalar z303 = k13 + z301;
+    const Scalar z304 = k14 + z302;
+    const Scalar z305 = s_front_left_hip * z296 - c_front_left_hip * z292;
+    const Scalar z306 = s_front_left_hip * z292 + c_front_left_hip * z296;
+    const Scalar z307 = n0_2 * z294 - z306;
+    const Scalar z308 = z288 - z303;
+    const Scalar z309 = c_front_left_hip * z291 + s_front_left_hip * z308;
+    const Scalar z310 = s_front_left_hip * z281;
+    const Scalar z311 = s_front_left_hip * z288 + c_front_left_hip * z290;
+    const Scalar z312 = z311 + n0_05 * z279 - n0_2 * z310;
+    const Scalar z313 = s_front_left_hip * z309;
+    const Scalar z314 = n0_1048 * c_front_left_hip + s_front_left_hip * z279;
+    const Scalar z315 = z304 + n0_05 * z314;
+    const Scalar z316 = n0_2 * z314 + z305;
+    const Scalar z317 = z19 * z294 - z24 * z314;
+    const Scalar z318 = z20 * z294 - z23 * z314;
+    const Scalar z319 = z21 * z294 - z22 * z314;
+    const Scalar z320 = n0_08 * z283;
+    const Scalar z321 = z303 + z313;
+    const Scalar z322 = z288 - z313;
+    const Scalar z323 = c_front_left_hip * z309 - z290;
+    const Scalar z324 = s_front_left_hip * z290 - c_front_left_hip * z288;
+    const Scalar z325 = c_front_left_hip * z283;
+    const Scalar z326 = z320 + n0_05 * z325;
+    const Scalar z327 = n0_2 * z325 + z299;
+    const Scalar z328 = z244 + z281;
+    const Scalar z329 = z304 + n0_1 * z314;
+    const Scalar z330 = n0_05 * z281 - z305 - n0_2 * z314;
+    const Scalar z331 = n0_4 * z281 - z322;
+    const Scalar z332 = n0_05 * z294 - z323;
+    const Scalar z333 = n0_4 * z281 - z321 - n0_1 * z314;
+    const Scalar z334 = c_front_left_hip * z281;
+    const Scalar z335 = z292 + n0_05 * z334;
+    const Scalar z336 = n0_2 * z334 + z324;
+    const Scalar z337 = z13 * z282 + z19 * z295 - z24 * z325;
+    const Scalar z338 = z254 + z314;
+    const Scalar z339 = z14 * z282 + z20 * z295 - z23 * z325;
+    const Scalar z340 = z18 * z282 + z21 * z295 - z22 * z325;
+    const Scalar z341 = z258 + z329;
+    const Scalar z342 = z259 - z330;
+    const Scalar z343 = z260 - z331;
+    const Scalar z344 = z261 + z307;
+    const Scalar z345 = z262 + z332;
+    const Scalar z346 = z257 - z294;
+    const Scalar z347 = z13 * z279 + z19 * z310 - z24 * z334;
+    const Scalar z348 = z14 * z279 + z20 * z310 - z23 * z334;
+    const Scalar z349 = z18 * z279 + z21 * z310 - z22 * z334;
+    const Scalar z350 = z263 - z333;
+    const Scalar z351 = z19 * z328 + z13 * z338;
+    const Scalar z352 = z20 * z328 + z14 * z338;
+    const Scalar z353 = z21 * z328 + z18 * z338;
+    const Scalar z354 = z13 * z346 - z24 * z328;
+    const Scalar z355 = z14 * z346 - z23 * z328;
+    const Scalar z356 = z22 * z328 - z18 * z346;
+    const Scalar z357 = z19 * z346 + z24 * z338;
+    const Scalar z358 = z20 * z346 + z23 * z338;
+    const Scalar z359 = z21 * z346 + z22 * z338;
+    mass[0] = n12_24;
+    mass[1] = n0;
+    mass[2] = n0;
+    mass[3] = z357;
+    mass[4] = -z354;
+    mass[5] = -z351;
+    mass[6] = -z317;
+    mass[7] = -z347;
+    mass[8] = -z337;
+    mass[9] = z212;
+    mass[10] = -z264;
+    mass[11] = -z253;
+    mass[12] = -z127;
+    mass[13] = -z180;
+    mass[14] = -z169;
+    mass[15] = z73;
+    mass[16] = -z61;
+    mass[17] = -z55;
+    mass[18] = n0;
+    mass[19] = n12_24;
+    mass[20] = n0;
+    mass[21] = z358;
+    mass[22] = -z355;
+    mass[23] = -z352;
+    mass[24] = -z318;
+    mass[25] = -z348;
+    mass[26] = -z339;
+    mass[27] = z215;
+    mass[28] = -z265;
+    mass[29] = -z255;
+    mass[30] = -z130;
+    mass[31] = -z181;
+    mass[32] = -z171;
+    mass[33] = z77;
+    mass[34] = -z62;
+    mass[35] = -z56;
+    mass[36] = n0;
+    mass[37] = n0;
+    mass[38] = n12_24;
+    mass[39] = z359;
+    mass[40] = z356;
+    mass[41] = -z353;
+    mass[42] = -z319;
+    mass[43] = -z349;
+    mass[44] = -z340;
+    mass[45] = z218;
+    mass[46] = -z266;
+    mass[47] = -z256;
+    mass[48] = -z133;
+    mass[49] = -z182;
+    mass[50] = -z172;
+    mass[51] = z80;
+    mass[52] = -z63;
+    mass[53] = -z57;
+    mass[54] = z357;
+    mass[55] = z358;
+    mass[56] = z359;
+    mass[57] = z341;
+    mass[58] = -z342;
+    mass[59] = -z344;
+    mass[60] = z315;
+    mass[61] = z335;
+    mass[62] = z326;
+    mass[63] = z224;
+    mass[64] = -z251;
+    mass[65] = -z242;
+    mass[66] = z139;
+    mass[67] = z167;
+    mass[68] = z158;
+    mass[69] = z81;
+    mass[70] = -z60;
+    mass[71] = -z54;
+    mass[72] = -z354;
+    mass[73] = -z355;
+    mass[74] = z356;
+    mass[75] = -z342;
+    mass[76] = z343;
+    mass[77] = -z345;
+    mass[78] = -z316;
+    mass[79] = -z336;
+    mass[80] = -z327;
+    mass[81] = -z225;
+    mass[82] = -z252;
+    mass[83] = -z243;
+    mass[84] = z140;
+    mass[85] = z168;
+    mass[86] = z159;
+    mass[87] = z115;
+    mass[88] = z69;
+    mass[89] = z68;
+    mass[90] = -z351;
+    mass[91] = -z352;
+    mass[92] = -z353;
+    mass[93] = -z344;
+    mass[94] = -z345;
+    mass[95] = z350;
+    mass[96] = -z307;
+    mass[97] = z312;
+    mass[98] = z300;
+    mass[99] = z223;
+    mass[100] = -z235;
+    mass[101] = -z231;
+    mass[102] = z138;
+    mass[103] = z151;
+    mass[104] = z148;
+    mass[105] = -z111;
+    mass[106] = -z67;
+    mass[107] = -z66;
+    mass[108] = -z317;
+    mass[109] = -z318;
+    mass[110] = -z319;
+    mass[111] = z315;
+    mass[112] = -z316;
+    mass[113] = -z307;
+    mass[114] = z304;
+    mass[115] = z292;
+    mass[116] = z320;
+    mass[117] = n0;
+    mass[118] = n0;
+    mass[119] = n0;
+    mass[120] = n0;
+    mass[121] = n0;
+    mass[122] = n0;
+    mass[123] = n0;
+    mass[124] = n0;
+    mass[125] = n0;
+    mass[126] = -z347;
+    mass[127] = -z348;
+    mass[128] = -z349;
+    mass[129] = z335;
+    mass[130] = -z336;
+    mass[131] = z312;
+    mass[132] = z292;
+    mass[133] = z288;
+    mass[134] = z289;
+    mass[135] = n0;
+    mass[136] = n0;
+    mass[137] = n0;
+    mass[138] = n0;
+    mass[139] = n0;
+    mass[140] = n0;
+    mass[141] = n0;
+    mass[142] = n0;
+    mass[143] = n0;
+    mass[144] = -z337;
+    mass[145] = -z339;
+    mass[146] = -z340;
+    mass[147] = z326;
+    mass[148] = -z327;
+    mass[149] = z300;
+    mass[150] = z320;
+    mass[151] = z289;
+    mass[152] = k4;
+    mass[153] = n0;
+    mass[154] = n0;
+    mass[155] = n0;
+    mass[156] = n0;
+    mass[157] = n0;
+    mass[158] = n0;
+    mass[159] = n0;
+    mass[160] = n0;
+    mass[161] = n0;
+    mass[162] = z212;
+    mass[163] = z215;
+    mass[164] = z218;
+    mass[165] = z224;
+    mass[166] = -z225;
+    mass[167] = z223;
+    mass[168] = n0;
+    mass[169] = n0;
+    mass[170] = n0;
+    mass[171] = z220;
+    mass[172] = -z208;
+    mass[173] = -z236;
+    mass[174] = n0;
+    mass[175] = n0;
+    mass[176] = n0;
+    mass[177] = n0;
+    mass[178] = n0;
+    mass[179] = n0;
+    mass[180] = -z264;
+    mass[181] = -z265;
+    mass[182] = -z266;
+    mass[183] = -z251;
+    mass[184] = -z252;
+    mass[185] = -z235;
+    mass[186] = n0;
+    mass[187] = n0;
+    mass[188] = n0;
+    mass[189] = -z208;
+    mass[190] = z197;
+    mass[191] = z203;
+    mass[192] = n0;
+    mass[193] = n0;
+    mass[194] = n0;
+    mass[195] = n0;
+    mass[196] = n0;
+    mass[197] = n0;
+    mass[198] = -z253;
+    mass[199] = -z255;
+    mass[200] = -z256;
+    mass[201] = -z242;
+    mass[202] = -z243;
+    mass[203] = -z231;
+    mass[204] = n0;
+    mass[205] = n0;
+    mass[206] = n0;
+    mass[207] = -z236;
+    mass[208] = z203;
+    mass[209] = k4;
+    mass[210] = n0;
+    mass[211] = n0;
+    mass[212] = n0;
+    mass[213] = n0;
+    mass[214] = n0;
+    mass[215] = n0;
+    mass[216] = -z127;
+    mass[217] = -z130;
+    mass[218] = -z133;
+    mass[219] = z139;
+    mass[220] = z140;
+    mass[221] = z138;
+    mass[222] = n0;
+    mass[223] = n0;
+    mass[224] = n0;
+    mass[225] = n0;
+    mass[226] = n0;
+    mass[227] = n0;
+    mass[228] = z135;
+    mass[229] = z106;
+    mass[230] = z152;
+    mass[231] = n0;
+    mass[232] = n0;
+    mass[233] = n0;
+    mass[234] = -z180;
+    mass[235] = -z181;
+    mass[236] = -z182;
+    mass[237] = z167;
+    mass[238] = z168;
+    mass[239] = z151;
+    mass[240] = n0;
+    mass[241] = n0;
+    mass[242] = n0;
+    mass[243] = n0;
+    mass[244] = n0;
+    mass[245] = n0;
+    mass[246] = z106;
+    mass[247] = z101;
+    mass[248] = z102;
+    mass[249] = n0;
+    mass[250] = n0;
+    mass[251] = n0;
+    mass[252] = -z169;
+    mass[253] = -z171;
+    mass[254] = -z172;
+    mass[255] = z158;
+    mass[256] = z159;
+    mass[257] = z148;
+    mass[258] = n0;
+    mass[259] = n0;
+    mass[260] = n0;
+    mass[261] = n0;
+    mass[262] = n0;
+    mass[263] = n0;
+    mass[264] = z152;
+    mass[265] = z102;
+    mass[266] = k4;
+    mass[267] = n0;
+    mass[268] = n0;
+    mass[269] = n0;
+    mass[270] = z73;
+    mass[271] = z77;
+    mass[272] = z80;
+    mass[273] = z81;
+    mass[274] = z115;
+    mass[275] = -z111;
+    mass[276] = n0;
+    mass[277] = n0;
+    mass[278] = n0;
+    mass[279] = n0;
+    mass[280] = n0;
+    mass[281] = n0;
+    mass[282] = n0;
+    mass[283] = n0;
+    mass[284] = n0;
+    mass[285] = z79;
+    mass[286] = -z45;
+    mass[287] = -z40;
+    mass[288] = -z61;
+    mass[289] = -z62;
+    mass[290] = -z63;
+    mass[291] = -z60;
+    mass[292] = z69;
+    mass[293] = -z67;
+    mass[294] = n0;
+    mass[295] = n0;
+    mass[296] = n0;
+    mass[297] = n0;
+    mass[298] = n0;
+    mass[299] = n0;
+    mass[300] = n0;
+    mass[301] = n0;
+    mass[302] = n0;
+    mass[303] = -z45;
+    mass[304] = z39;
+    mass[305] = z25;
+    mass[306] = -z55;
+    mass[307] = -z56;
+    mass[308] = -z57;
+    mass[309] = -z54;
+    mass[310] = z68;
+    mass[311] = -z66;
+    mass[312] = n0;
+    mass[313] = n0;
+    mass[314] = n0;
+    mass[315] = n0;
+    mass[316] = n0;
+    mass[317] = n0;
+    mass[318] = n0;
+    mass[319] = n0;
+    mass[320] = n0;
+    mass[321] = -z40;
+    mass[322] = z25;
+    mass[323] = k4;
+  }
+
+  /// Bias h(q, v, t): inverse dynamics at zero acceleration without inputs and multipliers; gravity and passive
+  /// actions included. M a + h = E u + A' lambda.
+  TORSOR_DEVICE static void bias(const Precomputed&, const State& state, GeneralizedForces& forces) noexcept {
+    const Scalar n2 = traits::constant(2.0, 2.0f, "2/1");
+    const Scalar n1 = traits::constant(1.0, 1.0f, "1/1");
+    const Scalar n9_81 = traits::constant(9.81, 9.81f, "981/100");
+    const Scalar n0_2 = traits::constant(0.2, 0.2f, "1/5");
+    const Scalar n0_05 = traits::constant(0.05, 0.05f, "1/20");
+    const Scalar n0_08 = traits::constant(0.08, 0.08f, "2/25");
+    const Scalar k6 = traits::constant(0.0051096, 0.0051096f, "6387/1250000");
+    const Scalar k7 = traits::constant(0.00507, 0.00507f, "507/100000");
+    const Scalar n0_032 = traits::constant(0.032, 0.032f, "4/125");
+    const Scalar k9 = traits::constant(1.98e-05, 1.98e-05f, "99/5000000");
+    const Scalar k10 = traits::constant(0.0050898, 0.0050898f, "25449/5000000");
+    const Scalar k11 = traits::constant(0.01968, 0.01968f, "123/6250");
+    const Scalar k12 = traits::constant(0.01928, 0.01928f, "241/12500");
+    const Scalar n0_124 = traits::constant(0.124, 0.124f, "31/250");
+    const Scalar n0_0002 = traits::constant(2e-04, 2e-04f, "1/5000");
+    const Scalar k15 = traits::constant(0.01948, 0.01948f, "487/25000");
+    const Scalar n0_1048 = traits::constant(0.1048, 0.1048f, "131/1250");
+    const Scalar k17 = traits::constant(0.0082038, 0.0082038f, "41019/5000000");
+    const Scalar k18 = traits::constant(0.0080038, 0.0080038f, "40019/5000000");
+    const Scalar n12_24 = traits::constant(12.24, 12.24f, "306/25");
+    const Scalar n0_0306 = traits::constant(0.0306, 0.0306f, "153/5000");
+    const Scalar n0_3254 = traits::constant(0.3254, 0.3254f, "1627/5000");
+    const Scalar n0_2948 = traits::constant(0.2948, 0.2948f, "737/2500");
+    const Scalar q_trunk_attitude_y = state.q.trunk_attitude_y;
+    const Scalar q_trunk_attitude_z = state.q.trunk_attitude_z;
+    const Scalar q_trunk_attitude_x = state.q.trunk_attitude_x;
+    const Scalar q_trunk_attitude_w = state.q.trunk_attitude_w;
+    const Scalar v_trunk_attitude_omega_x = state.v.trunk_attitude_omega_x;
+    const Scalar v_trunk_attitude_omega_y = state.v.trunk_attitude_omega_y;
+    const Scalar v_trunk_attitude_omega_z = state.v.trunk_attitude_omega_z;
+    const Scalar q_front_left_hip = state.q.front_left_hip;
+    const Scalar v_front_left_hip = state.v.front_left_hip;
+    const Scalar q_front_left_thigh = state.q.front_left_thigh;
+    const Scalar v_front_left_thigh = state.v.front_left_thigh;
+    const Scalar q_front_left_knee = state.q.front_left_knee;
+    const Scalar v_front_left_knee = state.v.front_left_knee;
+    const Scalar q_front_right_hip = state.q.front_right_hip;
+    const Scalar v_front_right_hip = state.v.front_right_hip;
+    const Scalar q_front_right_thigh = state.q.front_right_thigh;
+    const Scalar v_front_right_thigh = state.v.front_right_thigh;
+    const Scalar q_front_right_knee = state.q.front_right_knee;
+    const Scalar v_front_right_knee = state.v.front_right_knee;
+    const Scalar q_rear_left_hip = state.q.rear_left_hip;
+    const Scalar v_rear_left_hip = state.v.rear_left_hip;
+    const Scalar q_rear_left_thigh = state.q.rear_left_thigh;
+    const Scalar v_rear_left_thigh = state.v.rear_left_thigh;
+    const Scalar q_rear_left_knee = state.q.rear_left_knee;
+    const Scalar v_rear_left_knee = state.v.rear_left_knee;
+    const Scalar q_rear_right_hip = state.q.rear_right_hip;
+    const Scalar v_rear_right_hip = state.v.rear_right_hip;
+    const Scalar q_rear_right_thigh = state.q.rear_right_thigh;
+    const Scalar v_rear_right_thigh = state.v.rear_right_thigh;
+    const Scalar q_rear_right_knee = state.q.rear_right_knee;
+    const Scalar v_rear_right_knee = state.v.rear_right_knee;
+    const Scalar angles_[] = {q_front_left_hip, q_front_left_thigh, q_front_left_knee, q_front_right_hip,
+        q_front_right_thigh, q_front_right_knee, q_rear_left_hip, q_rear_left_thigh, q_rear_left_knee, q_rear_right_hip,
+        q_rear_right_thigh, q_rear_right_knee};
+    Scalar sines_[12], cosines_[12];
+    torsor::sines_and_cosines(angles_, sines_, cosines_);
+    const Scalar s_front_left_hip = sines_[0], c_front_left_hip = cosines_[0];
+    const Scalar s_front_left_thigh = sines_[1], c_front_left_thigh = cosines_[1];
+    const Scalar s_front_left_knee = sines_[2], c_front_left_knee = cosines_[2];
+    const Scalar s_front_right_hip = sines_[3], c_front_right_hip = cosines_[3];
+    const Scalar s_front_right_thigh = sines_[4], c_front_right_thigh = cosines_[4];
+    const Scalar s_front_right_knee = sines_[5], c_front_right_knee = cosines_[5];
+    const Scalar s_rear_left_hip = sines_[6], c_rear_left_hip = cosines_[6];
+    const Scalar s_rear_left_thigh = sines_[7], c_rear_left_thigh = cosines_[7];
+    const Scalar s_rear_left_knee = sines_[8], c_rear_left_knee = cosines_[8];
+    const Scalar s_rear_right_hip = sines_[9], c_rear_right_hip = cosines_[9];
+    const Scalar s_rear_right_thigh = sines_[10], c_rear_right_thigh = cosines_[10];
+    const Scalar s_rear_right_knee = sines_[11], c_rear_right_knee = cosines_[11];
+    const Scalar z0 = n2 * q_trunk_attitude_y;
+    const Scalar z1 = n2 * q_trunk_attitude_x;
+    const Scalar z2 = n2 * q_trunk_attitude_z;
+    const Scalar z3 = v_trunk_attitude_omega_x * v_trunk_attitude_omega_y;
+    const Scalar z4 = v_trunk_attitude_omega_y * v_trunk_attitude_omega_y;
+    const Scalar z5 = v_trunk_attitude_omega_z * v_trunk_attitude_omega_z;
+    const Scalar z6 = q_trunk_attitude_y * z0;
+    const Scalar z7 = q_trunk_attitude_z * z0;
+    const Scalar z8 = q_trunk_attitude_w * z1;
+    const Scalar z9 = q_trunk_attitude_x * z1;
+    const Scalar z10 = q_trunk_attitude_x * z2;
+    const Scalar z11 = q_trunk_attitude_w * z0;
+    const Scalar z12 = z7 + z8;
+    const Scalar z13 = n1 - z6 - z9;
+    const Scalar z14 = z10 - z11;
+    const Scalar z15 = v_trunk_attitude_omega_x * v_trunk_attitude_omega_x;
+    const Scalar z16 = v_trunk_attitude_omega_x * v_trunk_attitude_omega_z;
+    const Scalar z17 = n9_81 * z12;
+    const Scalar z18 = n9_81 * z14;
+    const Scalar z19 = z4 + z5;
+    const Scalar z20 = z5 + z15;
+    const Scalar z21 = v_trunk_attitude_omega_y * v_trunk_attitude_omega_z;
+    const Scalar z22 = v_trunk_attitude_omega_x + v_front_left_hip;  // angular velocity of front_left_hip_link, x
+    const Scalar z23 = n9_81 * z13;
+    const Scalar z24 = z7 - z8;
+    const Scalar z25 = v_trunk_attitude_omega_y * s_front_left_hip - v_trunk_attitude_omega_z * c_front_left_hip;
+    const Scalar z26 = z10 + z11;
+    const Scalar z27 = v_trunk_attitude_omega_y * c_front_left_hip + v_trunk_attitude_omega_z * s_front_left_hip;
+    const Scalar z28 = q_trunk_attitude_x * z0;
+    const Scalar z29 = z23 + n0_2 * z16 + n0_05 * z21;
+    const Scalar z30 = z17 + n0_2 * z3 - n0_05 * z20;
+    const Scalar z31 = z22 * z22;
+    const Scalar z32 = z18 - n0_2 * z19 + n0_05 * z3;
+    const Scalar z33 = s_front_left_hip * z29 + c_front_left_hip * z30;
+    const Scalar z34 = s_front_left_hip * z30 - c_front_left_hip * z29;
+    const Scalar z35 = q_trunk_attitude_z * z2;
+    const Scalar z36 = q_trunk_attitude_w * z2;
+    const Scalar z37 = n1 - z6 - z35;
+    const Scalar z38 = n1 - z35 - z9;
+    const Scalar z39 = z28 + z36;
+    const Scalar z40 = z28 - z36;
+    const Scalar z41 = n0_05 * v_front_left_hip;
+    const Scalar z42 = n0_05 * v_front_left_thigh;
+    const Scalar z43 = n0_05 * v_front_left_knee;
+    const Scalar z44 = n0_05 * v_front_right_hip;
+    const Scalar z45 = n0_05 * v_front_right_thigh;
+    const Scalar z46 = n0_05 * v_front_right_knee;
+    const Scalar z47 = n0_05 * v_rear_left_hip;
+    const Scalar z48 = n0_05 * v_rear_left_thigh;
+    const Scalar z49 = n0_05 * v_rear_left_knee;
+    const Scalar z50 = n0_05 * v_rear_right_hip;
+    const Scalar z51 = v_trunk_attitude_omega_y * c_front_right_hip + v_trunk_attitude_omega_z * s_front_right_hip;
+    const Scalar z52 = n0_05 * v_rear_right_thigh;
+    const Scalar z53 = v_trunk_attitude_omega_y * s_front_right_hip - v_trunk_attitude_omega_z * c_front_right_hip;
+    const Scalar z54 = n0_05 * v_rear_right_knee;
+    const Scalar z55 = v_trunk_attitude_omega_x + v_front_right_hip;  // angular velocity of front_right_hip_link, x
+    const Scalar z56 = z17 + n0_2 * z3 + n0_05 * z20;
+    const Scalar z57 = z23 + n0_2 * z16 - n0_05 * z21;
+    const Scalar z58 = z18 - n0_2 * z19 - n0_05 * z3;
+    const Scalar z59 = z55 * z55;
+    const Scalar z60 = s_front_right_hip * z56 - c_front_right_hip * z57;
+    const Scalar z61 = s_front_right_hip * z57 + c_front_right_hip * z56;
+    const Scalar z62 = v_front_left_hip * z25;  // angular acceleration of front_left_hip_link, y
+    const Scalar z63 = v_front_left_hip * z27;  // angular acceleration of front_left_hip_link, z
+    const Scalar z64 = z27 * z22;
+    const Scalar z65 = z25 * z25;
+    const Scalar z66 = z27 * z25;
+    const Scalar z67 = v_front_left_thigh + z27;  // angular velocity of front_left_thigh_link, y
+    const Scalar z68 = v_front_right_hip * z51;  // angular acceleration of front_right_hip_link, z
+    const Scalar z69 = c_front_right_thigh * z55 + s_front_right_thigh * z53;
+    const Scalar z70 = s_front_right_thigh * z55 - c_front_right_thigh * z53;
+    const Scalar z71 = z65 + z31;
+    const Scalar z72 = z63 + z64;
+    const Scalar z73 = c_front_left_thigh * z22 + s_front_left_thigh * z25;
+    const Scalar z74 = z33 - n0_08 * z71;
+    const Scalar z75 = s_front_left_thigh * z22 - c_front_left_thigh * z25;
+    const Scalar z76 = s_front_right_thigh * z68;
+    const Scalar z77 = v_front_right_thigh * z70 - z76;  // angular acceleration of front_right_thigh_link, x
+    const Scalar z78 = z51 * z55;
+    const Scalar z79 = z68 + z78;
+    const Scalar z80 = c_front_right_thigh * z68;
+    const Scalar z81 = v_front_right_thigh * z69 - z80;  // angular acceleration of front_right_thigh_link, z
+    const Scalar z82 = s_front_left_thigh * z63;
+    const Scalar z83 = c_front_left_thigh * z63;
+    const Scalar z84 = v_front_left_thigh * z75 - z82;  // angular acceleration of front_left_thigh_link, x
+    const Scalar z85 = v_front_left_thigh * z73 - z83;  // angular acceleration of front_left_thigh_link, z
+    const Scalar z86 = v_front_right_thigh + z51;  // angular velocity of front_right_thigh_link, y
+    const Scalar z87 = z51 * z53;
+    const Scalar z88 = z53 * z53;
+    const Scalar z89 = z88 + z59;
+    const Scalar z90 = s_front_left_knee * z75 - c_front_left_knee * z73;
+    const Scalar z91 = s_front_left_knee * z73 + c_front_left_knee * z75;
+    const Scalar z92 = z61 + n0_08 * z89;
+    const Scalar z93 = v_front_right_hip * z53;  // angular acceleration of front_right_hip_link, y
+    const Scalar z94 = z58 - n0_08 * z79;
+    const Scalar z95 = v_front_left_knee + z67;  // angular velocity of front_left_shank_link, y
+    const Scalar z96 = z70 * z86;
+    const Scalar z97 = z77 + z96;
+    const Scalar z98 = z60 - n0_08 * z87;
+    const Scalar z99 = z75 * z67;
+    const Scalar z100 = z84 + z99;
+    const Scalar z101 = z73 * z75;
+    const Scalar z102 = z69 * z69;
+    const Scalar z103 = z86 * z86;
+    const Scalar z104 = s_front_left_knee * z84 - c_front_left_knee * z85;
+    const Scalar z105 = s_front_left_knee * z85 + c_front_left_knee * z84;
+    const Scalar z106 = v_front_left_knee * z90 + z104;  // angular acceleration of front_left_shank_link, z
+    const Scalar z107 = v_front_left_knee * z91 + z105;  // angular acceleration of front_left_shank_link, x
+    const Scalar z108 = z32 + n0_08 * z72;
+    const Scalar z109 = z102 + z103;
+    const Scalar z110 = s_front_right_knee * z70 - c_front_right_knee * z69;
+    const Scalar z111 = s_front_right_thigh * z94 - c_front_right_thigh * z98;
+    const Scalar z112 = s_front_right_thigh * z98 + c_front_right_thigh * z94;
+    const Scalar z113 = z69 * z70;
+    const Scalar z114 = z34 + n0_08 * z66;
+    const Scalar z115 = s_front_right_knee * z69 + c_front_right_knee * z70;
+    const Scalar z116 = z73 * z73;
+    const Scalar z117 = z67 * z67;
+    const Scalar z118 = z116 + z117;
+    const Scalar z119 = z93 - z113;
+    const Scalar z120 = z74 - n0_2 * z100;
+    const Scalar z121 = s_front_left_thigh * z108 - c_front_left_thigh * z114;
+    const Scalar z122 = s_front_left_thigh * z114 + c_front_left_thigh * z108;
+    const Scalar z123 = z111 + n0_2 * z109;
+    const Scalar z124 = z121 + n0_2 * z118;
+    const Scalar z125 = s_front_right_knee * z77 - c_front_right_knee * z81;
+    const Scalar z126 = s_front_right_knee * z81 + c_front_right_knee * z77;
+    const Scalar z127 = z92 - n0_2 * z97;
+    const Scalar z128 = z112 + n0_2 * z119;
+    const Scalar z129 = s_front_right_knee * z123 - c_front_right_knee * z128;
+    const Scalar z130 = z62 - z101;
+    const Scalar z131 = v_front_right_knee * z110 + z125;  // angular acceleration of front_right_shank_link, z
+    const Scalar z132 = v_front_right_knee * z115 + z126;  // angular acceleration of front_right_shank_link, x
+    const Scalar z133 = v_trunk_attitude_omega_y * s_rear_left_hip - v_trunk_attitude_omega_z * c_rear_left_hip;
+    const Scalar z134 = v_trunk_attitude_omega_y * c_rear_left_hip + v_trunk_attitude_omega_z * s_rear_left_hip;
+    const Scalar z135 = z17 - n0_2 * z3 - n0_05 * z20;
+    const Scalar z136 = z23 - n0_2 * z16 + n0_05 * z21;
+    const Scalar z137 = z18 + n0_2 * z19 + n0_05 * z3;
+    const Scalar z138 = v_front_right_knee + z86;  // angular velocity of front_right_shank_link, y
+    const Scalar z139 = s_rear_left_hip * z135 - c_rear_left_hip * z136;
+    const Scalar z140 = s_rear_left_hip * z136 + c_rear_left_hip * z135;
+    const Scalar z141 = z122 + n0_2 * z130;
+    const Scalar z142 = s_front_left_knee * z124 - c_front_left_knee * z141;
+    const Scalar z143 = z17 - n0_2 * z3 + n0_05 * z20;
+    const Scalar z144 = z18 + n0_2 * z19 - n0_05 * z3;
+    const Scalar z145 = v_trunk_attitude_omega_x + v_rear_right_hip;  // angular velocity of rear_right_hip_link, x
+    const Scalar z146 = v_trunk_attitude_omega_y * c_rear_right_hip + v_trunk_attitude_omega_z * s_rear_right_hip;
+    const Scalar z147 = v_trunk_attitude_omega_x + v_rear_left_hip;  // angular velocity of rear_left_hip_link, x
+    const Scalar z148 = v_trunk_attitude_omega_y * s_rear_right_hip - v_trunk_attitude_omega_z * c_rear_right_hip;
+    const Scalar z149 = v_rear_right_hip * z146;  // angular acceleration of rear_right_hip_link, z
+    const Scalar z150 = c_rear_right_thigh * z145 + s_rear_right_thigh * z148;
+    const Scalar z151 = s_rear_right_thigh * z145 - c_rear_right_thigh * z148;
+    const Scalar z152 = s_rear_right_thigh * z149;
+    const Scalar z153 = c_rear_left_thigh * z147 + s_rear_left_thigh * z133;
+    const Scalar z154 = s_rear_left_thigh * z147 - c_rear_left_thigh * z133;
+    const Scalar z155 = z23 - n0_2 * z16 - n0_05 * z21;
+    const Scalar z156 = z146 * z145;
+    const Scalar z157 = z149 + z156;
+    const Scalar z158 = c_rear_right_thigh * z149;
+    const Scalar z159 = v_rear_left_hip * z134;  // angular acceleration of rear_left_hip_link, z
+    const Scalar z160 = z148 * z148;
+    const Scalar z161 = z145 * z145;
+    const Scalar z162 = z160 + z161;
+    const Scalar z163 = s_rear_left_thigh * z159;
+    const Scalar z164 = s_rear_right_hip * z143 - c_rear_right_hip * z155;
+    const Scalar z165 = s_rear_right_hip * z155 + c_rear_right_hip * z143;
+    const Scalar z166 = v_rear_left_thigh * z154 - z163;  // angular acceleration of rear_left_thigh_link, x
+    const Scalar z167 = z165 + n0_08 * z162;
+    const Scalar z168 = z146 * z148;
+    const Scalar z169 = v_rear_left_thigh + z134;  // angular velocity of rear_left_thigh_link, y
+    const Scalar z170 = s_rear_left_knee * z154 - c_rear_left_knee * z153;
+    const Scalar z171 = s_rear_left_knee * z153 + c_rear_left_knee * z154;
+    const Scalar z172 = z144 - n0_08 * z157;
+    const Scalar z173 = z134 * z147;
+    const Scalar z174 = z159 + z173;
+    const Scalar z175 = c_rear_left_thigh * z159;
+    const Scalar z176 = v_rear_left_thigh * z153 - z175;  // angular acceleration of rear_left_thigh_link, z
+    const Scalar z177 = z134 * z133;
+    const Scalar z178 = v_rear_right_hip * z148;  // angular acceleration of rear_right_hip_link, y
+    const Scalar z179 = v_rear_left_hip * z133;  // angular acceleration of rear_left_hip_link, y
+    const Scalar z180 = v_rear_right_thigh + z146;  // angular velocity of rear_right_thigh_link, y
+    const Scalar z181 = v_rear_left_knee + z169;  // angular velocity of rear_left_shank_link, y
+    const Scalar z182 = z164 - n0_08 * z168;
+    const Scalar z183 = z133 * z133;
+    const Scalar z184 = v_rear_right_thigh * z151 - z152;  // angular acceleration of rear_right_thigh_link, x
+    const Scalar z185 = z147 * z147;
+    const Scalar z186 = z183 + z185;
+    const Scalar z187 = v_rear_right_thigh * z150 - z158;  // angular acceleration of rear_right_thigh_link, z
+    const Scalar z188 = z151 * z180;
+    const Scalar z189 = z184 + z188;
+    const Scalar z190 = z150 * z150;
+    const Scalar z191 = z140 - n0_08 * z186;
+    const Scalar z192 = z180 * z180;
+    const Scalar z193 = s_rear_right_thigh * z172 - c_rear_right_thigh * z182;
+    const Scalar z194 = s_rear_right_thigh * z182 + c_rear_right_thigh * z172;
+    const Scalar z195 = z150 * z151;
+    const Scalar z196 = z137 + n0_08 * z174;
+    const Scalar z197 = z190 + z192;
+    const Scalar z198 = s_rear_right_knee * z151 - c_rear_right_knee * z150;
+    const Scalar z199 = z154 * z169;
+    const Scalar z200 = z166 + z199;
+    const Scalar z201 = z153 * z154;
+    const Scalar z202 = s_rear_left_knee * z166 - c_rear_left_knee * z176;
+    const Scalar z203 = s_rear_left_knee * z176 + c_rear_left_knee * z166;
+    const Scalar z204 = v_rear_left_knee * z170 + z202;  // angular acceleration of rear_left_shank_link, z
+    const Scalar z205 = v_rear_left_knee * z171 + z203;  // angular acceleration of rear_left_shank_link, x
+    const Scalar z206 = z178 - z195;
+    const Scalar z207 = z139 + n0_08 * z177;
+    const Scalar z208 = s_rear_right_knee * z150 + c_rear_right_knee * z151;
+    const Scalar z209 = z153 * z153;
+    const Scalar z210 = z169 * z169;
+    const Scalar z211 = z209 + z210;
+    const Scalar z212 = s_rear_left_thigh * z196 - c_rear_left_thigh * z207;
+    const Scalar z213 = s_rear_left_thigh * z207 + c_rear_left_thigh * z196;
+    const Scalar z214 = z193 + n0_2 * z197;
+    const Scalar z215 = z212 + n0_2 * z211;
+    const Scalar z216 = s_rear_right_knee * z184 - c_rear_right_knee * z187;
+    const Scalar z217 = s_rear_right_knee * z187 + c_rear_right_knee * z184;
+    const Scalar z218 = z167 - n0_2 * z189;
+    const Scalar z219 = z194 + n0_2 * z206;
+    const Scalar z220 = s_rear_right_knee * z214 - c_rear_right_knee * z219;
+    const Scalar z221 = z191 - n0_2 * z200;
+    const Scalar z222 = z179 - z201;
+    const Scalar z223 = v_rear_right_knee * z198 + z216;  // angular acceleration of rear_right_shank_link, z
+    const Scalar z224 = v_rear_right_knee * z208 + z217;  // angular acceleration of rear_right_shank_link, x
+    const Scalar z225 = v_rear_right_knee + z180;  // angular velocity of rear_right_shank_link, y
+    const Scalar z226 = z198 * z208;
+    const Scalar z227 = z208 * z225;
+    const Scalar z228 = z178 + z226;
+    const Scalar z229 = z198 * z198;
+    const Scalar z230 = z225 * z225;
+    const Scalar z231 = z213 + n0_2 * z222;
+    const Scalar z232 = z198 * z225;
+    const Scalar z233 = z229 + z230;
+    const Scalar z234 = z223 + z232;
+    const Scalar z235 = z224 + z227;
+    const Scalar z236 = s_rear_left_knee * z215 - c_rear_left_knee * z231;
+    const Scalar z237 = z150 * z180;
+    const Scalar z238 = z187 + z237;
+    const Scalar z239 = k6 * z178 + k7 * z226 - n0_032 * z220;  // moment on rear_right_shank_link, y
+    const Scalar z240 = z148 * z145;
+    const Scalar z241 = z153 * z169;
+    const Scalar z242 = z176 + z241;
+    const Scalar z243 = n0_032 * z228;  // force on rear_right_shank_link, x
+    const Scalar z244 = n0_032 * z233;  // force on rear_right_shank_link, z
+    const Scalar z245 = k9 * z234;  // moment on rear_right_shank_link, z
+    const Scalar z246 = n0_032 * z218 - k10 * z235;  // moment on rear_right_shank_link, x
+    const Scalar z247 = n0_032 * z235;  // force on rear_right_shank_link, y
+    const Scalar z248 = z133 * z147;
+    const Scalar z249 = z178 + z240;
+    const Scalar z250 = z170 * z171;
+    const Scalar z251 = z171 * z181;
+    const Scalar z252 = z205 + z251;
+    const Scalar z253 = k6 * z179 + k7 * z250 - n0_032 * z236;  // moment on rear_left_shank_link, y
+    const Scalar z254 = z179 + z250;
+    const Scalar z255 = n0_032 * z254;  // force on rear_left_shank_link, x
+    const Scalar z256 = n0_032 * z221 - k10 * z252;  // moment on rear_left_shank_link, x
+    const Scalar z257 = n0_032 * z252;  // force on rear_left_shank_link, y
+    const Scalar z258 = z170 * z170;
+    const Scalar z259 = z170 * z181;
+    const Scalar z260 = z204 + z259;
+    const Scalar z261 = z181 * z181;
+    const Scalar z262 = z258 + z261;
+    const Scalar z263 = s_rear_right_knee * z243 - c_rear_right_knee * z244;
+    const Scalar z264 = s_rear_right_knee * z244 + c_rear_right_knee * z243;
+    // moment on rear_right_thigh_link, y
+    const Scalar z265 = k11 * z178 - k12 * z195 + n0_124 * z194 + n0_2 * z264 + z239;
+    const Scalar z266 = n0_124 * z197 - z263;  // force on rear_right_thigh_link, z
+    const Scalar z267 = n0_124 * z206 + z264;  // force on rear_right_thigh_link, x
+    const Scalar z268 = n0_032 * z262;  // force on rear_left_shank_link, z
+    const Scalar z269 = k9 * z260;  // moment on rear_left_shank_link, z
+    const Scalar z270 = z265 + n0_0002 * z249;  // moment on rear_right_hip_link, y
+    const Scalar z271 = z179 + z248;
+    const Scalar z272 = s_rear_left_knee * z255 - c_rear_left_knee * z268;
+    const Scalar z273 = s_rear_left_knee * z268 + c_rear_left_knee * z255;
+    const Scalar z274 = n0_124 * z211 - z272;  // force on rear_left_thigh_link, z
+    const Scalar z275 = s_rear_right_knee * z245 - c_rear_right_knee * z246;
+    // moment on rear_left_thigh_link, y
+    const Scalar z276 = k11 * z179 - k12 * z201 + n0_124 * z213 + n0_2 * z273 + z253;
+    const Scalar z277 = c_rear_right_knee * z245 + s_rear_right_knee * z246;
+    const Scalar z278 = n0_124 * z167 - k15 * z189 - n0_2 * z247 - z275;  // moment on rear_right_thigh_link, x
+    const Scalar z279 = n0_124 * z222 + z273;  // force on rear_left_thigh_link, x
+    const Scalar z280 = n0_124 * z189 + z247;  // force on rear_right_thigh_link, y
+    const Scalar z281 = z277 - n0_0002 * z238;  // moment on rear_right_thigh_link, z
+    const Scalar z282 = n0_1048 * z162 - z280;  // force on rear_right_hip_link, y
+    const Scalar z283 = z276 + n0_0002 * z271;  // moment on rear_left_hip_link, y
+    const Scalar z284 = z110 * z115;
+    const Scalar z285 = s_rear_right_thigh * z266 + c_rear_right_thigh * z267;
+    const Scalar z286 = s_rear_right_thigh * z267 - c_rear_right_thigh * z266;
+    const Scalar z287 = z115 * z138;
+    const Scalar z288 = z93 + z284;
+    const Scalar z289 = s_rear_left_knee * z269 - c_rear_left_knee * z256;
+    const Scalar z290 = c_rear_left_knee * z269 + s_rear_left_knee * z256;
+    const Scalar z291 = n0_124 * z191 - k15 * z200 - n0_2 * z257 - z289;  // moment on rear_left_thigh_link, x
+    const Scalar z292 = n0_124 * z200 + z257;  // force on rear_left_thigh_link, y
+    const Scalar z293 = z290 - n0_0002 * z242;  // moment on rear_left_thigh_link, z
+    const Scalar z294 = n0_1048 * z186 + z292;  // force on rear_left_hip_link, y
+    const Scalar z295 = s_rear_left_thigh * z274 + c_rear_left_thigh * z279;
+    const Scalar z296 = s_rear_left_thigh * z279 - c_rear_left_thigh * z274;
+    const Scalar z297 = s_rear_right_thigh * z278 + c_rear_right_thigh * z281;
+    const Scalar z298 = n0_1048 * z144 - k17 * z157 + n0_08 * z285 - z297;  // moment on rear_right_hip_link, z
+    const Scalar z299 = n0_1048 * z157 - z285;  // force on rear_right_hip_link, x
+    const Scalar z300 = s_rear_right_thigh * z281 - c_rear_right_thigh * z278;
+    const Scalar z301 = z132 + z287;
+    const Scalar z302 = n0_1048 * z164 - k18 * z168 + n0_08 * z286 - z300;  // moment on rear_right_hip_link, x
+    const Scalar z303 = n0_1048 * z168 - z286;  // force on rear_right_hip_link, z
+    const Scalar z304 = n0_032 * z288;  // force on front_right_shank_link, x
+    const Scalar z305 = n0_032 * z127 - k10 * z301;  // moment on front_right_shank_link, x
+    const Scalar z306 = n0_032 * z301;  // force on front_right_shank_link, y
+    const Scalar z307 = z110 * z110;
+    const Scalar z308 = z110 * z138;
+    const Scalar z309 = z131 + z308;
+    const Scalar z310 = z138 * z138;
+    const Scalar z311 = z307 + z310;
+    const Scalar z312 = n0_1048 * z174 + z295;  // force on rear_left_hip_link, x
+    const Scalar z313 = s_rear_right_hip * z282 + c_rear_right_hip * z303;
+    const Scalar z314 = s_rear_right_hip * z303 - c_rear_right_hip * z282;
+    const Scalar z315 = k6 * z93 + k7 * z284 - n0_032 * z129;  // moment on front_right_shank_link, y
+    const Scalar z316 = n0_032 * z311;  // force on front_right_shank_link, z
+    const Scalar z317 = k9 * z309;  // moment on front_right_shank_link, z
+    const Scalar z318 = s_rear_right_hip * z270 - c_rear_right_hip * z298;
+    const Scalar z319 = c_rear_right_hip * z270 + s_rear_right_hip * z298;
+    const Scalar z320 = z69 * z86;
+    const Scalar z321 = z81 + z320;
+    const Scalar z322 = z53 * z55;
+    const Scalar z323 = z93 + z322;
+    const Scalar z324 = z90 * z91;
+    const Scalar z325 = z91 * z95;
+    const Scalar z326 = z62 + z324;
+    const Scalar z327 = s_front_right_knee * z304 - c_front_right_knee * z316;
+    const Scalar z328 = s_front_right_knee * z316 + c_front_right_knee * z304;
+    // moment on front_right_thigh_link, y
+    const Scalar z329 = k11 * z93 - k12 * z113 + n0_124 * z112 + n0_2 * z328 + z315;
+    const Scalar z330 = n0_124 * z109 - z327;  // force on front_right_thigh_link, z
+    const Scalar z331 = n0_124 * z119 + z328;  // force on front_right_thigh_link, x
+    const Scalar z332 = s_front_right_knee * z317 - c_front_right_knee * z305;
+    const Scalar z333 = c_front_right_knee * z317 + s_front_right_knee * z305;
+    const Scalar z334 = n0_124 * z92 - k15 * z97 - n0_2 * z306 - z332;  // moment on front_right_thigh_link, x
+    const Scalar z335 = n0_124 * z97 + z306;  // force on front_right_thigh_link, y
+    const Scalar z336 = z333 - n0_0002 * z321;  // moment on front_right_thigh_link, z
+    const Scalar z337 = n0_1048 * z89 - z335;  // force on front_right_hip_link, y
+    const Scalar z338 = z329 + n0_0002 * z323;  // moment on front_right_hip_link, y
+    const Scalar z339 = s_front_right_thigh * z330 + c_front_right_thigh * z331;
+    const Scalar z340 = s_front_right_thigh * z331 - c_front_right_thigh * z330;
+    const Scalar z341 = n0_1048 * z79 - z339;  // force on front_right_hip_link, x
+    const Scalar z342 = n0_1048 * z177 + z296;  // force on rear_left_hip_link, z
+    const Scalar z343 = s_rear_left_thigh * z291 + c_rear_left_thigh * z293;
+    const Scalar z344 = n0_1048 * z137 + k17 * z174 + n0_08 * z295 + z343;  // moment on rear_left_hip_link, z
+    const Scalar z345 = s_rear_left_thigh * z293 - c_rear_left_thigh * z291;
+    const Scalar z346 = n0_1048 * z139 + k18 * z177 + n0_08 * z296 + z345;  // moment on rear_left_hip_link, x
+    const Scalar z347 = z107 + z325;
+    const Scalar z348 = n0_032 * z326;  // force on front_left_shank_link, x
+    const Scalar z349 = n0_032 * z120 - k10 * z347;  // moment on front_left_shank_link, x
+    const Scalar z350 = n0_032 * z347;  // force on front_left_shank_link, y
+    const Scalar z351 = z90 * z90;
+    const Scalar z352 = z90 * z95;
+    const Scalar z353 = z106 + z352;
+    const Scalar z354 = z95 * z95;
+    const Scalar z355 = z351 + z354;
+    const Scalar z356 = s_front_right_thigh * z334 + c_front_right_thigh * z336;
+    const Scalar z357 = n0_1048 * z58 - k17 * z79 + n0_08 * z339 - z356;  // moment on front_right_hip_link, z
+    const Scalar z358 = s_front_right_thigh * z336 - c_front_right_thigh * z334;
+    const Scalar z359 = n0_1048 * z60 - k18 * z87 + n0_08 * z340 - z358;  // moment on front_right_hip_link, x
+    const Scalar z360 = n0_1048 * z87 - z340;  // force on front_right_hip_link, z
+    const Scalar z361 = n0_032 * z355;  // force on front_left_shank_link, z
+    const Scalar z362 = s_rear_left_hip * z294 + c_rear_left_hip * z342;
+    const Scalar z363 = s_rear_left_hip * z342 - c_rear_left_hip * z294;
+    const Scalar z364 = k6 * z62 + k7 * z324 - n0_032 * z142;  // moment on front_left_shank_link, y
+    const Scalar z365 = k9 * z353;  // moment on front_left_shank_link, z
+    const Scalar z366 = s_front_right_hip * z337 + c_front_right_hip * z360;
+    const Scalar z367 = s_front_right_hip * z360 - c_front_right_hip * z337;
+    const Scalar z368 = s_rear_left_hip * z283 + c_rear_left_hip * z344;
+    const Scalar z369 = s_rear_left_hip * z344 - c_rear_left_hip * z283;
+    const Scalar z370 = z45 - z329;
+    const Scalar z371 = z46 - z315;
+    const Scalar z372 = z73 * z67;
+    const Scalar z373 = z85 + z372;
+    const Scalar z374 = z25 * z22;
+    const Scalar z375 = z43 - z364;
+    const Scalar z376 = z44 + z359;
+    const Scalar z377 = z62 + z374;
+    const Scalar z378 = s_front_left_knee * z348 - c_front_left_knee * z361;
+    const Scalar z379 = s_front_left_knee * z361 + c_front_left_knee * z348;
+    // moment on front_left_thigh_link, y
+    const Scalar z380 = k11 * z62 - k12 * z101 + n0_124 * z122 + n0_2 * z379 + z364;
+    const Scalar z381 = n0_124 * z118 - z378;  // force on front_left_thigh_link, z
+    const Scalar z382 = n0_124 * z130 + z379;  // force on front_left_thigh_link, x
+    const Scalar z383 = s_front_left_knee * z365 - c_front_left_knee * z349;
+    const Scalar z384 = c_front_left_knee * z365 + s_front_left_knee * z349;
+    const Scalar z385 = n0_124 * z74 - k15 * z100 - n0_2 * z350 - z383;  // moment on front_left_thigh_link, x
+    const Scalar z386 = n0_124 * z100 + z350;  // force on front_left_thigh_link, y
+    const Scalar z387 = z384 - n0_0002 * z373;  // moment on front_left_thigh_link, z
+    const Scalar z388 = n0_1048 * z71 + z386;  // force on front_left_hip_link, y
+    const Scalar z389 = z42 - z380;
+    const Scalar z390 = z380 + n0_0002 * z377;  // moment on front_left_hip_link, y
+    const Scalar z391 = s_front_left_thigh * z381 + c_front_left_thigh * z382;
+    const Scalar z392 = s_front_left_thigh * z382 - c_front_left_thigh * z381;
+    const Scalar z393 = n0_1048 * z72 + z391;  // force on front_left_hip_link, x
+    const Scalar z394 = s_front_left_thigh * z385 + c_front_left_thigh * z387;
+    const Scalar z395 = n0_1048 * z32 + k17 * z72 + n0_08 * z391 + z394;  // moment on front_left_hip_link, z
+    const Scalar z396 = s_front_left_thigh * z387 - c_front_left_thigh * z385;
+    const Scalar z397 = n0_1048 * z34 + k18 * z66 + n0_08 * z392 + z396;  // moment on front_left_hip_link, x
+    const Scalar z398 = n0_1048 * z66 + z392;  // force on front_left_hip_link, z
+    const Scalar z399 = z41 - z397;
+    const Scalar z400 = n12_24 * z18 - z299 + z312 - z341 + z393;  // force on trunk, x
+    const Scalar z401 = c_front_right_hip * z338 + s_front_right_hip * z357;
+    const Scalar z402 = s_front_right_hip * z338 - c_front_right_hip * z357;
+    const Scalar z403 = z48 - z276;
+    const Scalar z404 = z49 - z253;
+    const Scalar z405 = z52 - z265;
+    const Scalar z406 = z54 - z239;
+    const Scalar z407 = z47 - z346;
+    const Scalar z408 = z50 + z302;
+    const Scalar z409 = s_front_left_hip * z388 + c_front_left_hip * z398;
+    // moment on trunk, x
+    const Scalar z410 = n0_0306 * z21 + z302 - z346 + z359 - z397 - n0_05 * (z313 + z362 + z366 + z409);
+    const Scalar z411 = s_front_left_hip * z398 - c_front_left_hip * z388;
+    const Scalar z412 = n12_24 * z23 + z313 - z362 + z366 - z409;  // force on trunk, z
+    const Scalar z413 = n12_24 * z17 - z314 + z363 - z367 + z411;  // force on trunk, y
+    const Scalar z414 = z37 * z400 + z26 * z412 + z40 * z413;
+    const Scalar z415 = z39 * z400 + z24 * z412 + z38 * z413;
+    const Scalar z416 = z14 * z400 + z13 * z412 + z12 * z413;
+    const Scalar z417 = s_front_left_hip * z395 - c_front_left_hip * z390;
+    // moment on trunk, y
+    const Scalar z418 = n0_3254 * z16 + z319 + z401 - z369 - z417 - n0_2 * (z313 - z362 - z366 + z409);
+    const Scalar z419 = s_front_left_hip * z390 + c_front_left_hip * z395;
+    // moment on trunk, z
+    const Scalar z420 = n0_2948 * z3 - z318 - n0_05 * (z299 + z312 + z341 + z393) - z368 - z402 - z419 + n0_2 * (z314
+        - z363 - z367 + z411);
+    forces.trunk_x = z414;
+    forces.trunk_y = z415;
+    forces.trunk_z = z416;
+    forces.trunk_attitude_omega_x = z410;
+    forces.trunk_attitude_omega_y = -z418;
+    forces.trunk_attitude_omega_z = z420;
+    forces.front_left_hip = z399;
+    forces.front_left_thigh = z389;
+    forces.front_left_knee = z375;
+    forces.front_right_hip = z376;
+    forces.front_right_thigh = z370;
+    forces.front_right_knee = z371;
+    forces.rear_left_hip = z407;
+    forces.rear_left_thigh = z403;
+    forces.rear_left_knee = z404;
+    forces.rear_right_hip = z408;
+    forces.rear_right_thigh = z405;
+    forces.rear_right_knee = z406;
+  }
+
+  /// Forward dynamics: accelerations a and multipliers lambda from M a + h = E u + A' lambda, A a + gamma = 0, by
+  /// the articulated-body recursion. Returns singular when a pivot is not
+  /// positive relative to its diagonal entry.
+  TORSOR_DEVICE static torsor::Status forward_dynamics(const Precomputed&, const State& state, const Inputs& inputs,
+      Accelerations& accelerations, Multipliers&) noexcept {
+    const Scalar k0 = traits::constant(0.00507, 0.00507f, "507/100000");
+    const Scalar n0_032 = traits::constant(0.032, 0.032f, "4/125");
+    const Scalar n2 = traits::constant(2.0, 2.0f, "2/1");
+    const Scalar n1 = traits::constant(1.0, 1.0f, "1/1");
+    const Scalar n0_124 = traits::constant(0.124, 0.124f, "31/250");
+    const Scalar n0_4 = traits::constant(0.4, 0.4f, "2/5");
+    const Scalar n0_2 = traits::constant(0.2, 0.2f, "1/5");
+    const Scalar k7 = traits::constant(0.01928, 0.01928f, "241/12500");
+    const Scalar n0_05 = traits::constant(0.05, 0.05f, "1/20");
+    const Scalar k9 = traits::constant(0.20040707687490214, 0.20040707f, "1280/6387");
+    const Scalar k10 = traits::constant(0.01968, 0.01968f, "123/6250");
+    const Scalar n0_08 = traits::constant(0.08, 0.08f, "2/25");
+    const Scalar n0_1048 = traits::constant(0.1048, 0.1048f, "131/1250");
+    const Scalar k13 = traits::constant(0.0086236, 0.0086236f, "21559/2500000");
+    const Scalar k14 = traits::constant(0.0082236, 0.0082236f, "20559/2500000");
+    const Scalar n12_24 = traits::constant(12.24, 12.24f, "306/25");
+    const Scalar n0_3668 = traits::constant(0.3668, 0.3668f, "917/2500");
+    const Scalar n0_3362 = traits::constant(0.3362, 0.3362f, "1681/5000");
+    const Scalar n0_0406 = traits::constant(0.0406, 0.0406f, "203/5000");
+    const Scalar n9_81 = traits::constant(9.81, 9.81f, "981/100");
+    const Scalar k20 = traits::constant(1.98e-05, 1.98e-05f, "99/5000000");
+    const Scalar k21 = traits::constant(0.0050898, 0.0050898f, "25449/5000000");
+    const Scalar k22 = traits::constant(6.262721152340692, 6.262721f, "40000/6387");
+    const Scalar k23 = traits::constant(195.71003601064663, 195.71004f, "1250000/6387");
+    const Scalar n0_0002 = traits::constant(2e-04, 2e-04f, "1/5000");
+    const Scalar k25 = traits::constant(0.01948, 0.01948f, "487/25000");
+    const Scalar k26 = traits::constant(0.0080038, 0.0080038f, "40019/5000000");
+    const Scalar k27 = traits::constant(0.0082038, 0.0082038f, "41019/5000000");
+    const Scalar n0_2948 = traits::constant(0.2948, 0.2948f, "737/2500");
+    const Scalar n0_0306 = traits::constant(0.0306, 0.0306f, "153/5000");
+    const Scalar n0_3254 = traits::constant(0.3254, 0.3254f, "1627/5000");
+    const Scalar n0 = traits::constant(0.0, 0.0f, "0/1");
+    const Scalar q_trunk_attitude_y = state.q.trunk_attitude_y;
+    const Scalar q_trunk_attitude_z = state.q.trunk_attitude_z;
+    const Scalar q_trunk_attitude_x = state.q.trunk_attitude_x;
+    const Scalar q_trunk_attitude_w = state.q.trunk_attitude_w;
+    const Scalar v_trunk_attitude_omega_x = state.v.trunk_attitude_omega_x;
+    const Scalar v_trunk_attitude_omega_y = state.v.trunk_attitude_omega_y;
+    const Scalar v_trunk_attitude_omega_z = state.v.trunk_attitude_omega_z;
+    const Scalar q_front_left_hip = state.q.front_left_hip;
+    const Scalar v_front_left_hip = state.v.front_left_hip;
+    const Scalar q_front_left_thigh = state.q.front_left_thigh;
+    const Scalar v_front_left_thigh = state.v.front_left_thigh;
+    const Scalar q_front_left_knee = state.q.front_left_knee;
+    const Scalar v_front_left_knee = state.v.front_left_knee;
+    const Scalar q_front_right_hip = state.q.front_right_hip;
+    const Scalar v_front_right_hip = state.v.front_right_hip;
+    const Scalar q_front_right_thigh = state.q.front_right_thigh;
+    const Scalar v_front_right_thigh = state.v.front_right_thigh;
+    const Scalar q_front_right_knee = state.q.front_right_knee;
+    const Scalar v_front_right_knee = state.v.front_right_knee;
+    const Scalar q_rear_left_hip = state.q.rear_left_hip;
+    const Scalar v_rear_left_hip = state.v.rear_left_hip;
+    const Scalar q_rear_left_thigh = state.q.rear_left_thigh;
+    const Scalar v_rear_left_thigh = state.v.rear_left_thigh;
+    const Scalar q_rear_left_knee = state.q.rear_left_knee;
+    const Scalar v_rear_left_knee = state.v.rear_left_knee;
+    const Scalar q_rear_right_hip = state.q.rear_right_hip;
+    const Scalar v_rear_right_hip = state.v.rear_right_hip;
+    const Scalar q_rear_right_thigh = state.q.rear_right_thigh;
+    const Scalar v_rear_right_thigh = state.v.rear_right_thigh;
+    const Scalar q_rear_right_knee = state.q.rear_right_knee;
+    const Scalar v_rear_right_knee = state.v.rear_right_knee;
+    const Scalar u_front_left_hip_torque = inputs.front_left_hip_torque;
+    const Scalar u_front_left_thigh_torque = inputs.front_left_thigh_torque;
+    const Scalar u_front_left_knee_torque = inputs.front_left_knee_torque;
+    const Scalar u_front_right_hip_torque = inputs.front_right_hip_torque;
+    const Scalar u_front_right_thigh_torque = inputs.front_right_thigh_torque;
+    const Scalar u_front_right_knee_torque = inputs.front_right_knee_torque;
+    const Scalar u_rear_left_hip_torque = inputs.rear_left_hip_torque;
+    const Scalar u_rear_left_thigh_torque = inputs.rear_left_thigh_torque;
+    const Scalar u_rear_left_knee_torque = inputs.rear_left_knee_torque;
+    const Scalar u_rear_right_hip_torque = inputs.rear_right_hip_torque;
+    const Scalar u_rear_right_thigh_torque = inputs.rear_right_thigh_torque;
+    const Scalar u_rear_right_knee_torque = inputs.rear_right_knee_torque;
+    const Scalar angles_[] = {q_front_left_hip, q_front_left_thigh, q_front_left_knee, q_front_right_hip,
+        q_front_right_thigh, q_front_right_knee, q_rear_left_hip, q_rear_left_thigh, q_rear_left_knee, q_rear_right_hip,
+        q_rear_right_thigh, q_rear_right_knee};
+    Scalar sines_[12], cosines_[12];
+    torsor::sines_and_cosines(angles_, sines_, cosines_);
+    const Scalar s_front_left_hip = sines_[0], c_front_left_hip = cosines_[0];
+    const Scalar s_front_left_thigh = sines_[1], c_front_left_thigh = cosines_[1];
+    const Scalar s_front_left_knee = sines_[2], c_front_left_knee = cosines_[2];
+    const Scalar s_front_right_hip = sines_[3], c_front_right_hip = cosines_[3];
+    const Scalar s_front_right_thigh = sines_[4], c_front_right_thigh = cosines_[4];
+    const Scalar s_front_right_knee = sines_[5], c_front_right_knee = cosines_[5];
+    const Scalar s_rear_left_hip = sines_[6], c_rear_left_hip = cosines_[6];
+    const Scalar s_rear_left_thigh = sines_[7], c_rear_left_thigh = cosines_[7];
+    const Scalar s_rear_left_knee = sines_[8], c_rear_left_knee = cosines_[8];
+    const Scalar s_rear_right_hip = sines_[9], c_rear_right_hip = cosines_[9];
+    const Scalar s_rear_right_thigh = sines_[10], c_rear_right_thigh = cosines_[10];
+    const Scalar s_rear_right_knee = sines_[11], c_rear_right_knee = cosines_[11];
+    const Scalar z0 = k0 * c_rear_right_knee;
+    const Scalar z1 = k0 * c_rear_left_knee;
+    const Scalar z2 = n0_032 * c_rear_right_knee;
+    const Scalar z3 = n0_032 * c_rear_left_knee;
+    const Scalar z4 = k0 * s_rear_right_knee;
+    const Scalar z5 = n0_032 * s_rear_right_knee;
+    const Scalar z6 = k0 * s_rear_left_knee;
+    const Scalar z7 = n0_032 * s_rear_left_knee;
+    const Scalar z8 = n2 * q_trunk_attitude_y;
+    const Scalar z9 = n2 * q_trunk_attitude_x;
+    const Scalar z10 = q_trunk_attitude_y * z8;
+    const Scalar z11 = n0_032 * c_front_right_knee;
+    const Scalar z12 = q_trunk_attitude_z * z8;
+    const Scalar z13 = q_trunk_attitude_w * z9;
+    const Scalar z14 = n2 * q_trunk_attitude_z;
+    const Scalar z15 = n0_032 * s_front_right_knee;
+    const Scalar z16 = q_trunk_attitude_x * z9;
+    const Scalar z17 = z12 + z13;
+    const Scalar z18 = q_trunk_attitude_x * z14;
+    const Scalar z19 = q_trunk_attitude_w * z8;
+    const Scalar z20 = n1 - z10 - z16;
+    const Scalar z21 = z12 - z13;
+    const Scalar z22 = z18 - z19;
+    const Scalar z23 = z18 + z19;
+    const Scalar z24 = q_trunk_attitude_z * z14;
+    const Scalar z25 = q_trunk_attitude_x * z8;
+    const Scalar z26 = q_trunk_attitude_w * z14;
+    const Scalar z27 = n1 - z24 - z16;
+    const Scalar z28 = n1 - z10 - z24;
+    const Scalar z29 = k0 * c_front_right_knee;
+    const Scalar z30 = k0 * s_front_right_knee;
+    const Scalar z31 = z25 + z26;
+    const Scalar z32 = z25 - z26;
+    const Scalar z33 = k0 * c_front_left_knee;
+    const Scalar z34 = n0_032 * c_front_left_knee;
+    const Scalar z35 = k0 * s_front_left_knee;
+    const Scalar z36 = n0_032 * s_front_left_knee;
+    const Scalar z37 = c_rear_right_knee * z0;
+    const Scalar z38 = s_rear_right_knee * z4;
+    const Scalar z39 = s_rear_right_knee * z0;
+    const Scalar z40 = n0_124 + z2;
+    const Scalar z41 = c_rear_left_knee * z1;
+    const Scalar z42 = s_rear_left_knee * z6;
+    const Scalar z43 = s_rear_left_knee * z1;
+    const Scalar z44 = n0_124 + z3;
+    const Scalar z45 = c_front_right_knee * z29;
+    const Scalar z46 = s_front_right_knee * z30;
+    const Scalar z47 = s_front_right_knee * z29;
+    const Scalar z48 = n0_124 + z11;
+    const Scalar z49 = c_front_left_knee * z33;
+    const Scalar z50 = s_front_left_knee * z35;
+    const Scalar z51 = s_front_left_knee * z33;
+    const Scalar z52 = n0_4 * z2 + z37;
+    const Scalar z53 = n0_2 * z5 + z39;
+    const Scalar z54 = n0_124 + z34;
+    const Scalar z55 = s_rear_right_thigh * z5 - c_rear_right_thigh * z40;
+    const Scalar z56 = c_rear_right_thigh * z5 + s_rear_right_thigh * z40;
+    const Scalar z57 = n0_4 * z3 + z41;
+    const Scalar z58 = n0_2 * z7 + z43;
+    const Scalar z59 = s_rear_left_thigh * z7 - c_rear_left_thigh * z44;
+    const Scalar z60 = c_rear_left_thigh * z7 + s_rear_left_thigh * z44;
+    const Scalar z61 = n0_4 * z11 + z45;
+    const Scalar z62 = n0_2 * z15 + z47;
+    const Scalar z63 = s_front_right_thigh * z15 - c_front_right_thigh * z48;
+    const Scalar z64 = c_front_right_thigh * z15 + s_front_right_thigh * z48;
+    const Scalar z65 = n0_4 * z34 + z49;
+    const Scalar z66 = n0_2 * z36 + z51;
+    const Scalar z67 = k7 + z52;
+    const Scalar z68 = s_front_left_thigh * z36 - c_front_left_thigh * z54;
+    const Scalar z69 = c_front_left_thigh * z36 + s_front_left_thigh * z54;
+    const Scalar z70 = n2 * z53;
+    const Scalar z71 = k7 + z57;
+    const Scalar z72 = n2 * z58;
+    const Scalar z73 = k7 + z61;
+    const Scalar z74 = n2 * z62;
+    const Scalar z75 = k7 + z65;
+    const Scalar z76 = z38 - z67;
+    const Scalar z77 = n2 * z66;
+    const Scalar z78 = z42 - z71;
+    const Scalar z79 = z46 - z73;
+    const Scalar z80 = z50 - z75;
+    const Scalar z81 = s_rear_right_thigh * z76 - c_rear_right_thigh * z70;
+    const Scalar z82 = s_rear_left_thigh * z78 - c_rear_left_thigh * z72;
+    const Scalar z83 = s_front_right_thigh * z79 - c_front_right_thigh * z74;
+    const Scalar z84 = s_front_left_thigh * z80 - c_front_left_thigh * z77;
+    const Scalar z85 = s_rear_right_thigh * z81;
+    const Scalar z86 = c_rear_right_thigh * z81 + z53;
+    const Scalar z87 = s_rear_left_thigh * z82;
+    const Scalar z88 = c_rear_left_thigh * z82 + z58;
+    const Scalar z89 = s_front_right_thigh * z83;
+    const Scalar z90 = c_front_right_thigh * z83 + z62;
+    const Scalar z91 = s_front_left_thigh * z84;
+    const Scalar z92 = z38 - z85;
+    const Scalar z93 = z67 + z85;
+    const Scalar z94 = c_front_left_thigh * z84 + z66;
+    const Scalar z95 = n0_05 * v_rear_right_knee;
+    const Scalar z96 = n0_05 * v_rear_left_knee;
+    const Scalar z97 = n0_05 * v_front_right_knee;
+    const Scalar z98 = n0_05 * v_front_left_knee;
+    const Scalar z99 = u_front_left_knee_torque - z98;
+    const Scalar z100 = n0_05 * v_rear_right_thigh;
+    const Scalar z101 = n0_05 * v_rear_left_thigh;
+    const Scalar z102 = n0_05 * v_front_right_thigh;
+    const Scalar z103 = z71 + z87;
+    const Scalar z104 = z42 - z87;
+    const Scalar z105 = z73 + z89;
+    const Scalar z106 = z46 - z89;
+    const Scalar z107 = z75 + z91;
+    const Scalar z108 = z50 - z91;
+    const Scalar z109 = u_rear_right_knee_torque - z95;
+    const Scalar z110 = u_rear_left_knee_torque - z96;
+    const Scalar z111 = u_front_right_knee_torque - z97;
+    const Scalar z112 = u_rear_right_thigh_torque - z100;
+    const Scalar z113 = u_rear_left_thigh_torque - z101;
+    const Scalar z114 = u_front_right_thigh_torque - z102;
+    const Scalar z115 = k9 * c_rear_right_knee;
+    const Scalar z116 = c_rear_right_knee * z115;
+    const Scalar z117 = s_rear_right_knee * z115;
+    const Scalar z118 = k9 * s_rear_right_knee;
+    const Scalar z119 = s_rear_right_knee * z118;
+    const Scalar z120 = n0_05 * v_front_left_thigh;
+    const Scalar z121 = u_front_left_thigh_torque - z120;
+    const Scalar z122 = n0_2 * z116;
+    const Scalar z123 = n0_2 * z117;
+    const Scalar z124 = n0_05 * v_rear_right_hip;
+    const Scalar z125 = u_rear_right_hip_torque - z124;
+    const Scalar z126 = n0_05 * v_rear_left_hip;
+    const Scalar z127 = u_rear_left_hip_torque - z126;
+    const Scalar z128 = n0_2 * z122;
+    const Scalar z129 = n0_124 - z122;
+    const Scalar z130 = n0_05 * v_front_right_hip;
+    const Scalar z131 = u_front_right_hip_torque - z130;
+    const Scalar z132 = n0_05 * v_front_left_hip;
+    const Scalar z133 = u_front_left_hip_torque - z132;
+    const Scalar z134 = k10 - z128;
+    const Scalar z135 = n1 / z134;
+    const Scalar z136 = z129 * z135;
+    const Scalar z137 = z123 * z135;
+    const Scalar z138 = z116 + z129 * z136;
+    const Scalar z139 = z117 - z129 * z137;
+    const Scalar z140 = z119 + z123 * z137;
+    const Scalar z141 = z138 - z140;
+    const Scalar z142 = n2 * z139;
+    const Scalar z143 = s_rear_right_thigh * z141 + c_rear_right_thigh * z142;
+    const Scalar z144 = s_rear_right_thigh * z143;
+    const Scalar z145 = c_rear_right_thigh * z143 - z139;
+    const Scalar z146 = z140 + z144;
+    const Scalar z147 = z138 - z144;
+    const Scalar z148 = n0_08 * z145;
+    const Scalar z149 = n0_08 * z146;
+    const Scalar z150 = n0_08 * z147;
+    const Scalar z151 = z86 - n0_08 * z148;
+    const Scalar z152 = z93 - n0_08 * z149;
+    const Scalar z153 = z92 - n0_08 * z150;
+    const Scalar z154 = n0_1048 - z149;
+    const Scalar z155 = n0_1048 - z150;
+    const Scalar z156 = k13 + z152;
+    const Scalar z157 = k9 * s_rear_left_knee;
+    const Scalar z158 = k14 + z153;
+    const Scalar z159 = s_rear_left_knee * z157;
+    const Scalar z160 = k9 * c_rear_left_knee;
+    const Scalar z161 = c_rear_left_knee * z160;
+    const Scalar z162 = n1 / z156;
+    const Scalar z163 = s_rear_left_knee * z160;
+    const Scalar z164 = z151 * z162;
+    const Scalar z165 = n0_2 * z161;
+    const Scalar z166 = z148 * z162;
+    const Scalar z167 = n0_2 * z163;
+    const Scalar z168 = z55 * z162;
+    const Scalar z169 = n0_2 * z165;
+    const Scalar z170 = z154 * z162;
+    const Scalar z171 = k10 - z169;
+    const Scalar z172 = z147 + z148 * z166;
+    const Scalar z173 = n0_124 - z165;
+    const Scalar z174 = z148 * z168;
+    const Scalar z175 = n1 / z171;
+    const Scalar z176 = z55 * z168;
+    const Scalar z177 = z173 * z175;
+    const Scalar z178 = z148 * z164 + z155;
+    const Scalar z179 = z167 * z175;
+    const Scalar z180 = z145 - z148 * z170;
+    const Scalar z181 = z161 + z173 * z177;
+    const Scalar z182 = z55 * z164 - z56;
+    const Scalar z183 = z163 - z173 * z179;
+    const Scalar z184 = z55 * z170;
+    const Scalar z185 = z159 + z167 * z179;
+    const Scalar z186 = z148 + z154 * z164;
+    const Scalar z187 = z181 - z185;
+    const Scalar z188 = z151 * z164 - z158;
+    const Scalar z189 = n2 * z183;
+    const Scalar z190 = z146 + z154 * z170;
+    const Scalar z191 = s_rear_left_thigh * z187 + c_rear_left_thigh * z189;
+    const Scalar z192 = n2 * z184;
+    const Scalar z193 = s_rear_right_hip * z188;
+    const Scalar z194 = s_rear_right_hip * z178;
+    const Scalar z195 = c_rear_right_hip * z178;
+    const Scalar z196 = s_rear_right_hip * z186 - c_rear_right_hip * z182;
+    const Scalar z197 = z176 - z190;
+    const Scalar z198 = c_rear_right_hip * z174 + s_rear_right_hip * z180;
+    const Scalar z199 = s_rear_right_hip * z174 - c_rear_right_hip * z180;
+    const Scalar z200 = n12_24 - z172;
+    const Scalar z201 = s_rear_left_thigh * z191;
+    const Scalar z202 = s_rear_right_hip * z193;
+    const Scalar z203 = c_rear_right_hip * z193;
+    const Scalar z204 = c_rear_right_hip * z192 + s_rear_right_hip * z197;
+    const Scalar z205 = z185 + z201;
+    const Scalar z206 = z188 - z202;
+    const Scalar z207 = c_rear_left_thigh * z191 - z183;
+    const Scalar z208 = z181 - z201;
+    const Scalar z209 = n0_08 * z207;
+    const Scalar z210 = n0_05 * z199;
+    const Scalar z211 = z194 + n0_2 * z199;
+    const Scalar z212 = n0_05 * z172 - z195 - n0_2 * z198;
+    const Scalar z213 = n0_08 * z205;
+    const Scalar z214 = n0_08 * z208;
+    const Scalar z215 = s_rear_right_hip * z196;
+    const Scalar z216 = c_rear_right_hip * z196 + z182;
+    const Scalar z217 = c_rear_right_hip * z196;
+    const Scalar z218 = s_rear_right_hip * z204;
+    const Scalar z219 = c_rear_right_hip * z204 - z184;
+    const Scalar z220 = z103 - n0_08 * z213;
+    const Scalar z221 = z186 - z215;
+    const Scalar z222 = n0_1048 - z213;
+    const Scalar z223 = z88 - n0_08 * z209;
+    const Scalar z224 = z104 - n0_08 * z214;
+    const Scalar z225 = n0_1048 - z214;
+    const Scalar z226 = z176 - z218;
+    const Scalar z227 = z190 + z218;
+    const Scalar z228 = n0_05 * z219;
+    const Scalar z229 = z215 - n0_2 * z219;
+    const Scalar z230 = z221 + n0_2 * z219 - z210;
+    const Scalar z231 = k13 + z220;
+    const Scalar z232 = k14 + z224;
+    const Scalar z233 = n0_05 * z227;
+    const Scalar z234 = z216 + n0_2 * z227;
+    const Scalar z235 = n12_24 - z227;
+    const Scalar z236 = n1 / z231;
+    const Scalar z237 = z217 + n0_05 * z198 - n0_2 * z226;
+    const Scalar z238 = z203 - n0_05 * z211 + n0_2 * (z221 - z229);
+    const Scalar z239 = z206 - n0_05 * (z195 - z212) - n0_2 * (z217 + z237);
+    const Scalar z240 = n0_2 * (z216 + z234) + z202;
+    const Scalar z241 = n0_05 * z216 + n0_2 * z233;
+    const Scalar z242 = n0_3668 - z239;
+    const Scalar z243 = n0_3362 - z240;
+    const Scalar z244 = n0_05 * (z221 - z210) + n0_2 * z228;
+    const Scalar z245 = n12_24 - z226;
+    const Scalar z246 = z222 * z236;
+    const Scalar z247 = z59 * z236;
+    const Scalar z248 = z223 * z236;
+    const Scalar z249 = z223 * z248 - z232;
+    const Scalar z250 = z205 + z222 * z246;
+    const Scalar z251 = z209 + z222 * z248;
+    const Scalar z252 = z209 * z248 + z225;
+    const Scalar z253 = z207 - z209 * z246;
+    const Scalar z254 = z59 * z248 - z60;
+    const Scalar z255 = z59 * z247;
+    const Scalar z256 = z59 * z246;
+    const Scalar z257 = z209 * z236;
+    const Scalar z258 = z208 + z209 * z257;
+    const Scalar z259 = z209 * z247;
+    const Scalar z260 = n0_05 * z233;
+    const Scalar z261 = n0_0406 - z260;
+    const Scalar z262 = k9 * c_front_right_knee;
+    const Scalar z263 = c_front_right_knee * z262;
+    const Scalar z264 = k9 * s_front_right_knee;
+    const Scalar z265 = s_front_right_knee * z264;
+    const Scalar z266 = z200 - z258;
+    const Scalar z267 = z255 - z250;
+    const Scalar z268 = n2 * z256;
+    const Scalar z269 = s_rear_left_hip * z267 - c_rear_left_hip * z268;
+    const Scalar z270 = c_rear_left_hip * z252;
+    const Scalar z271 = s_rear_left_hip * z252;
+    const Scalar z272 = s_rear_left_hip * z251 + c_rear_left_hip * z254;
+    const Scalar z273 = c_rear_left_hip * z272 - z254;
+    const Scalar z274 = c_rear_left_hip * z272;
+    const Scalar z275 = s_rear_left_hip * z272;
+    const Scalar z276 = s_rear_left_hip * z253 - c_rear_left_hip * z259;
+    const Scalar z277 = s_rear_left_hip * z259 + c_rear_left_hip * z253;
+    const Scalar z278 = n0_05 * z258 - z270 + n0_2 * z276;
+    const Scalar z279 = c_rear_left_hip * z269 + z256;
+    const Scalar z280 = s_rear_left_hip * z269;
+    const Scalar z281 = z255 - z280;
+    const Scalar z282 = z250 + z280;
+    const Scalar z283 = z271 + n0_2 * z277;
+    const Scalar z284 = z251 - z275;
+    const Scalar z285 = z275 + n0_2 * z279;
+    const Scalar z286 = z229 - z285;
+    const Scalar z287 = z245 - z281;
+    const Scalar z288 = z274 + n0_05 * z276 + n0_2 * z281;
+    const Scalar z289 = z198 + z276;
+    const Scalar z290 = z237 - z288;
+    const Scalar z291 = z219 + z279;
+    const Scalar z292 = z235 - z282;
+    const Scalar z293 = z211 - z283;
+    const Scalar z294 = z212 - z278;
+    const Scalar z295 = z199 - z277;
+    const Scalar z296 = n0_05 * z277;
+    const Scalar z297 = z210 + z296;
+    const Scalar z298 = s_rear_left_hip * z249;
+    const Scalar z299 = s_front_right_knee * z262;
+    const Scalar z300 = s_rear_left_hip * z298;
+    const Scalar z301 = c_rear_left_hip * z298;
+    const Scalar z302 = n0_2 * z263;
+    const Scalar z303 = z273 - n0_2 * z282;
+    const Scalar z304 = z301 - n0_05 * z283 - n0_2 * (z284 - z285);
+    const Scalar z305 = z249 - z300;
+    const Scalar z306 = z305 - n0_05 * (z270 - z278) + n0_2 * (z274 + z288);
+    const Scalar z307 = z300 - n0_2 * (z273 + z303);
+    const Scalar z308 = z243 - z307;
+    const Scalar z309 = z238 + z304;
+    const Scalar z310 = z234 - z303;
+    const Scalar z311 = n0_05 * z282;
+    const Scalar z312 = n0_05 * z273 - n0_2 * z311;
+    const Scalar z313 = z242 - z306;
+    const Scalar z314 = z233 - z311;
+    const Scalar z315 = n0_05 * z311;
+    const Scalar z316 = z261 - z315;
+    const Scalar z317 = n0_2 * z302;
+    const Scalar z318 = z241 + z312;
+    const Scalar z319 = k10 - z317;
+    const Scalar z320 = n0_124 - z302;
+    const Scalar z321 = n0_2 * z299;
+    const Scalar z322 = n0_05 * z279;
+    const Scalar z323 = z296 + z284 - n0_2 * z279;
+    const Scalar z324 = n0_05 * (z284 + z296) - n0_2 * z322;
+    const Scalar z325 = z228 - z322;
+    const Scalar z326 = z244 + z324;
+    const Scalar z327 = z230 - z323;
+    const Scalar z328 = n1 / z319;
+    const Scalar z329 = z320 * z328;
+    const Scalar z330 = z321 * z328;
+    const Scalar z331 = z263 + z320 * z329;
+    const Scalar z332 = z299 - z320 * z330;
+    const Scalar z333 = z265 + z321 * z330;
+    const Scalar z334 = z331 - z333;
+    const Scalar z335 = n2 * z332;
+    const Scalar z336 = s_front_right_thigh * z334 + c_front_right_thigh * z335;
+    const Scalar z337 = s_front_right_thigh * z336;
+    const Scalar z338 = c_front_right_thigh * z336 - z332;
+    const Scalar z339 = z333 + z337;
+    const Scalar z340 = z331 - z337;
+    const Scalar z341 = n0_08 * z338;
+    const Scalar z342 = n0_08 * z339;
+    const Scalar z343 = n0_08 * z340;
+    const Scalar z344 = z90 - n0_08 * z341;
+    const Scalar z345 = z105 - n0_08 * z342;
+    const Scalar z346 = z106 - n0_08 * z343;
+    const Scalar z347 = n0_1048 - z342;
+    const Scalar z348 = n0_1048 - z343;
+    const Scalar z349 = k13 + z345;
+    const Scalar z350 = k14 + z346;
+    const Scalar z351 = n1 / z349;
+    const Scalar z352 = z344 * z351;
+    const Scalar z353 = z341 * z351;
+    const Scalar z354 = z63 * z351;
+    const Scalar z355 = z347 * z351;
+    const Scalar z356 = z340 + z341 * z353;
+    const Scalar z357 = z341 * z354;
+    const Scalar z358 = z63 * z354;
+    const Scalar z359 = z341 * z352 + z348;
+    const Scalar z360 = z338 - z341 * z355;
+    const Scalar z361 = z63 * z352 - z64;
+    const Scalar z362 = z63 * z355;
+    const Scalar z363 = k9 * s_front_left_knee;
+    const Scalar z364 = z341 + z347 * z352;
+    const Scalar z365 = k9 * c_front_left_knee;
+    const Scalar z366 = z344 * z352 - z350;
+    const Scalar z367 = c_front_left_knee * z365;
+    const Scalar z368 = z339 + z347 * z355;
+    const Scalar z369 = s_front_left_knee * z363;
+    const Scalar z370 = n2 * z362;
+    const Scalar z371 = s_front_right_hip * z366;
+    const Scalar z372 = s_front_left_knee * z365;
+    const Scalar z373 = s_front_right_hip * z359;
+    const Scalar z374 = c_front_right_hip * z359;
+    const Scalar z375 = s_front_right_hip * z364 - c_front_right_hip * z361;
+    const Scalar z376 = z358 - z368;
+    const Scalar z377 = c_front_right_hip * z357 + s_front_right_hip * z360;
+    const Scalar z378 = s_front_right_hip * z357 - c_front_right_hip * z360;
+    const Scalar z379 = z266 - z356;
+    const Scalar z380 = s_front_right_hip * z371;
+    const Scalar z381 = n0_2 * z367;
+    const Scalar z382 = c_front_right_hip * z371;
+    const Scalar z383 = c_front_right_hip * z370 + s_front_right_hip * z376;
+    const Scalar z384 = z366 - z380;
+    const Scalar z385 = n0_2 * z381;
+    const Scalar z386 = k10 - z385;
+    const Scalar z387 = n0_124 - z381;
+    const Scalar z388 = n0_2 * z372;
+    const Scalar z389 = n1 / z386;
+    const Scalar z390 = n0_05 * z378;
+    const Scalar z391 = z373 - n0_2 * z378;
+    const Scalar z392 = n0_05 * z356 - z374 + n0_2 * z377;
+    const Scalar z393 = z289 + z377;
+    const Scalar z394 = z295 + z378;
+    const Scalar z395 = s_front_right_hip * z375;
+    const Scalar z396 = z387 * z389;
+    const Scalar z397 = c_front_right_hip * z375 + z361;
+    const Scalar z398 = c_front_right_hip * z375;
+    const Scalar z399 = s_front_right_hip * z383;
+    const Scalar z400 = c_front_right_hip * z383 - z362;
+    const Scalar z401 = z297 + z390;
+    const Scalar z402 = z364 - z395;
+    const Scalar z403 = z367 + z387 * z396;
+    const Scalar z404 = z388 * z389;
+    const Scalar z405 = z372 - z387 * z404;
+    const Scalar z406 = z369 + z388 * z404;
+    const Scalar z407 = z293 + z391;
+    const Scalar z408 = z294 + z392;
+    const Scalar z409 = z403 - z406;
+    const Scalar z410 = n2 * z405;
+    const Scalar z411 = z358 - z399;
+    const Scalar z412 = z368 + z399;
+    const Scalar z413 = n0_05 * z400;
+    const Scalar z414 = z395 + n0_2 * z400;
+    const Scalar z415 = z402 - n0_2 * z400 - z390;
+    const Scalar z416 = z291 + z400;
+    const Scalar z417 = s_front_left_thigh * z409 + c_front_left_thigh * z410;
+    const Scalar z418 = n0_05 * z412;
+    const Scalar z419 = z397 - n0_2 * z412;
+    const Scalar z420 = z398 + n0_05 * z377 + n0_2 * z411;
+    const Scalar z421 = z287 - z411;
+    const Scalar z422 = z292 - z412;
+    const Scalar z423 = n0_05 * (z402 - z390) - n0_2 * z413;
+    const Scalar z424 = z382 - n0_05 * z391 - n0_2 * (z402 - z414);
+    const Scalar z425 = z384 - n0_05 * (z374 - z392) + n0_2 * (z398 + z420);
+    const Scalar z426 = z326 + z423;
+    const Scalar z427 = z309 + z424;
+    const Scalar z428 = z325 + z413;
+    const Scalar z429 = z286 + z414;
+    const Scalar z430 = z290 + z420;
+    const Scalar z431 = z313 - z425;
+    const Scalar z432 = z327 + z415;
+    const Scalar z433 = c_front_left_thigh * z417 - z405;
+    const Scalar z434 = s_front_left_thigh * z417;
+    const Scalar z435 = z406 + z434;
+    const Scalar z436 = z403 - z434;
+    const Scalar z437 = z380 - n0_2 * (z397 + z419);
+    const Scalar z438 = z308 - z437;
+    const Scalar z439 = z310 + z419;
+    const Scalar z440 = n0_05 * z397 - n0_2 * z418;
+    const Scalar z441 = z318 + z440;
+    const Scalar z442 = z314 + z418;
+    const Scalar z443 = n0_05 * z418;
+    const Scalar z444 = z316 - z443;
+    const Scalar z445 = n0_08 * z435;
+    const Scalar z446 = z107 - n0_08 * z445;
+    const Scalar z447 = n0_1048 - z445;
+    const Scalar z448 = n0_08 * z433;
+    const Scalar z449 = z94 - n0_08 * z448;
+    const Scalar z450 = n0_08 * z436;
+    const Scalar z451 = z108 - n0_08 * z450;
+    const Scalar z452 = k13 + z446;
+    const Scalar z453 = n0_1048 - z450;
+    const Scalar z454 = n1 / z452;
+    const Scalar z455 = k14 + z451;
+    const Scalar z456 = z449 * z454;
+    const Scalar z457 = z448 * z454;
+    const Scalar z458 = z68 * z454;
+    const Scalar z459 = z447 * z454;
+    const Scalar z460 = z436 + z448 * z457;
+    const Scalar z461 = z448 * z458;
+    const Scalar z462 = z68 * z458;
+    const Scalar z463 = z448 * z456 + z453;
+    const Scalar z464 = z433 - z448 * z459;
+    const Scalar z465 = z68 * z456 - z69;
+    const Scalar z466 = z68 * z459;
+    const Scalar z467 = z448 + z447 * z456;
+    const Scalar z468 = z449 * z456 - z455;
+    const Scalar z469 = z435 + z447 * z459;
+    const Scalar z470 = n2 * z466;
+    const Scalar z471 = s_front_left_hip * z468;
+    const Scalar z472 = s_front_left_hip * z463;
+    const Scalar z473 = c_front_left_hip * z463;
+    const Scalar z474 = s_front_left_hip * z467 + c_front_left_hip * z465;
+    const Scalar z475 = z462 - z469;
+    const Scalar z476 = s_front_left_hip * z464 - c_front_left_hip * z461;
+    const Scalar z477 = s_front_left_hip * z461 + c_front_left_hip * z464;
+    const Scalar z478 = z379 - z460;
+    const Scalar z479 = s_front_left_hip * z471;
+    const Scalar z480 = c_front_left_hip * z471;
+    const Scalar z481 = s_front_left_hip * z475 - c_front_left_hip * z470;
+    const Scalar z482 = z468 - z479;
+    const Scalar z483 = n0_05 * z477;
+    const Scalar z484 = z472 - n0_2 * z477;
+    const Scalar z485 = z394 - z477;
+    const Scalar z486 = s_front_left_hip * z474;
+    const Scalar z487 = c_front_left_hip * z474 - z465;
+    const Scalar z488 = c_front_left_hip * z474;
+    const Scalar z489 = n0_05 * z460 - z473 - n0_2 * z476;
+    const Scalar z490 = z393 + z476;
+    const Scalar z491 = z401 + z483;
+    const Scalar z492 = z467 - z486;
+    const Scalar z493 = s_front_left_hip * z481;
+    const Scalar z494 = c_front_left_hip * z481 + z466;
+    const Scalar z495 = z407 - z484;
+    const Scalar z496 = z408 - z489;
+    const Scalar z497 = z462 - z493;
+    const Scalar z498 = z469 + z493;
+    const Scalar z499 = n0_05 * z494;
+    const Scalar z500 = z486 - n0_2 * z494;
+    const Scalar z501 = z483 + z492 + n0_2 * z494;
+    const Scalar z502 = z416 + z494;
+    const Scalar z503 = n0_05 * z498;
+    const Scalar z504 = z487 + n0_2 * z498;
+    const Scalar z505 = z422 - z498;
+    const Scalar z506 = z488 + n0_05 * z476 - n0_2 * z497;
+    const Scalar z507 = z480 - n0_05 * z484 + n0_2 * (z492 - z500);
+    const Scalar z508 = z482 - n0_05 * (z473 - z489) - n0_2 * (z488 + z506);
+    const Scalar z509 = n0_05 * (z492 + z483) + n0_2 * z499;
+    const Scalar z510 = z427 + z507;
+    const Scalar z511 = z431 - z508;
+    const Scalar z512 = z426 + z509;
+    const Scalar z513 = z428 - z499;
+    const Scalar z514 = z429 - z500;
+    const Scalar z515 = z430 - z506;
+    const Scalar z516 = z432 - z501;
+    const Scalar z517 = z421 - z497;
+    const Scalar z518 = n0_2 * (z487 + z504) + z479;
+    const Scalar z519 = z438 - z518;
+    const Scalar z520 = z439 - z504;
+    const Scalar z521 = n1 / z511;
+    const Scalar z522 = n0_05 * z487 + n0_2 * z503;
+    const Scalar z523 = z441 + z522;
+    const Scalar z524 = z442 - z503;
+    const Scalar z525 = n0_05 * z503;
+    const Scalar z526 = z444 - z525;
+    const Scalar z527 = z512 * z521;
+    const Scalar z528 = z510 * z521;
+    const Scalar z529 = z496 * z521;
+    const Scalar z530 = z515 * z521;
+    const Scalar z531 = z516 * z521;
+    const Scalar z532 = z491 - z496 * z527;
+    const Scalar z533 = z526 - z512 * z527;
+    const Scalar z534 = z496 * z529 - z478;
+    const Scalar z535 = z513 - z515 * z527;
+    const Scalar z536 = z524 + z516 * z527;
+    const Scalar z537 = z495 - z496 * z528;
+    const Scalar z538 = n9_81 * z22;
+    const Scalar z539 = z519 - z510 * z528;
+    const Scalar z540 = z523 + z512 * z528;
+    const Scalar z541 = z514 + z515 * z528;
+    const Scalar z542 = z515 * z530 - z517;
+    const Scalar z543 = z515 * z531 - z502;
+    const Scalar z544 = n1 / z539;
+    const Scalar z545 = z520 + z516 * z528;
+    const Scalar z546 = z516 * z531 - z505;
+    const Scalar z547 = z496 * z530 + z490;
+    const Scalar z548 = z496 * z531 - z485;
+    const Scalar z549 = n9_81 * z17;
+    const Scalar z550 = v_trunk_attitude_omega_x * v_trunk_attitude_omega_y;
+    const Scalar z551 = v_trunk_attitude_omega_y * v_trunk_attitude_omega_y;
+    const Scalar z552 = v_trunk_attitude_omega_z * v_trunk_attitude_omega_z;
+    const Scalar z553 = z551 + z552;
+    const Scalar z554 = v_trunk_attitude_omega_x * v_trunk_attitude_omega_x;
+    const Scalar z555 = z552 + z554;
+    const Scalar z556 = n9_81 * z20;
+    const Scalar z557 = v_trunk_attitude_omega_x * v_trunk_attitude_omega_z;
+    const Scalar z558 = v_trunk_attitude_omega_y * v_trunk_attitude_omega_z;
+    const Scalar z559 = z540 * z544;
+    const Scalar z560 = v_trunk_attitude_omega_y * c_front_left_hip + v_trunk_attitude_omega_z * s_front_left_hip;
+    const Scalar z561 = z537 * z544;
+    const Scalar z562 = v_trunk_attitude_omega_y * s_front_left_hip - v_trunk_attitude_omega_z * c_front_left_hip;
+    const Scalar z563 = z541 * z544;
+    const Scalar z564 = z538 - n0_2 * z553 + n0_05 * z550;
+    const Scalar z565 = z533 - z540 * z559;
+    const Scalar z566 = z535 - z541 * z559;
+    const Scalar z567 = z536 + z545 * z559;
+    const Scalar z568 = n1 / z565;
+    const Scalar z569 = z541 * z563 + z542;
+    const Scalar z570 = z532 + z537 * z559;
+    const Scalar z571 = z537 * z563 - z547;
+    const Scalar z572 = z534 + z537 * z561;
+    const Scalar z573 = z545 * z544;
+    const Scalar z574 = z541 * z573 + z543;
+    const Scalar z575 = z545 * z573 + z546;
+    const Scalar z576 = z537 * z573 - z548;
+    const Scalar z577 = v_trunk_attitude_omega_x + v_front_left_hip;  // angular velocity of front_left_hip_link, x
+    const Scalar z578 = z549 + n0_2 * z550 - n0_05 * z555;
+    const Scalar z579 = v_front_left_hip * z560;  // angular acceleration of front_left_hip_link, z
+    const Scalar z580 = z560 * z577;
+    const Scalar z581 = z579 + z580;
+    const Scalar z582 = z556 + n0_2 * z557 + n0_05 * z558;
+    const Scalar z583 = s_front_left_hip * z578 - c_front_left_hip * z582;
+    const Scalar z584 = s_front_left_hip * z582 + c_front_left_hip * z578;
+    const Scalar z585 = z562 * z562;
+    const Scalar z586 = z577 * z577;
+    const Scalar z587 = z585 + z586;
+    const Scalar z588 = z566 * z568;
+    const Scalar z589 = z566 * z588 + z569;
+    const Scalar z590 = z570 * z588 - z571;
+    const Scalar z591 = z567 * z568;
+    const Scalar z592 = z566 * z591 - z574;
+    const Scalar z593 = z567 * z591 + z575;
+    const Scalar z594 = z570 * z591 + z576;
+    const Scalar z595 = z570 * z568;
+    const Scalar z596 = z570 * z595 + z572;
+    const Scalar z597 = z584 - n0_08 * z587;
+    const Scalar z598 = z560 * z562;
+    const Scalar z599 = z564 + n0_08 * z581;
+    const Scalar z600 = c_front_left_thigh * z577 + s_front_left_thigh * z562;
+    const Scalar z601 = z583 + n0_08 * z598;
+    const Scalar z602 = s_front_left_thigh * z577 - c_front_left_thigh * z562;
+    const Scalar z603 = s_front_left_thigh * z579;
+    const Scalar z604 = c_front_left_thigh * z579;
+    const Scalar z605 = s_front_left_thigh * z601 + c_front_left_thigh * z599;
+    const Scalar z606 = z17 * z589 + z20 * z592 + z22 * z590;
+    const Scalar z607 = z17 * z592 + z20 * z593 + z22 * z594;
+    const Scalar z608 = z17 * z590 + z20 * z594 + z22 * z596;
+    const Scalar z609 = z17 * z606 + z20 * z607 + z22 * z608;
+    const Scalar z610 = v_front_left_hip * z562;  // angular acceleration of front_left_hip_link, y
+    const Scalar z611 = z31 * z590 + z27 * z589 + z21 * z592;
+    const Scalar z612 = z28 * z590 + z32 * z589 + z23 * z592;
+    const Scalar z613 = n1 / z609;
+    const Scalar z614 = z31 * z596 + z27 * z590 + z21 * z594;
+    const Scalar z615 = z28 * z596 + z32 * z590 + z23 * z594;
+    const Scalar z616 = s_front_left_thigh * z599 - c_front_left_thigh * z601;
+    const Scalar z617 = v_front_left_thigh + z560;  // angular velocity of front_left_thigh_link, y
+    const Scalar z618 = z31 * z594 + z27 * z592 + z21 * z593;
+    const Scalar z619 = z28 * z594 + z32 * z592 + z23 * z593;
+    const Scalar z620 = v_front_left_thigh * z602 - z603;  // angular acceleration of front_left_thigh_link, x
+    const Scalar z621 = v_front_left_thigh * z600 - z604;  // angular acceleration of front_left_thigh_link, z
+    const Scalar z622 = z600 * z600;
+    const Scalar z623 = z617 * z617;
+    const Scalar z624 = z600 * z602;
+    const Scalar z625 = z602 * z617;
+    const Scalar z626 = z620 + z625;
+    const Scalar z627 = z17 * z611 + z20 * z618 + z22 * z614;
+    const Scalar z628 = z31 * z614 + z27 * z611 + z21 * z618;
+    const Scalar z629 = z28 * z614 + z32 * z611 + z23 * z618;
+    const Scalar z630 = z627 * z613;
+    const Scalar z631 = z628 - z627 * z630;
+    const Scalar z632 = z17 * z612 + z20 * z619 + z22 * z615;
+    const Scalar z633 = z28 * z615 + z32 * z612 + z23 * z619;
+    const Scalar z634 = z622 + z623;
+    const Scalar z635 = z632 * z630 - z629;
+    const Scalar z636 = n1 / z631;
+    const Scalar z637 = z605 - n0_2 * z624;
+    const Scalar z638 = s_front_left_knee * z602 - c_front_left_knee * z600;
+    const Scalar z639 = s_front_left_knee * z600 + c_front_left_knee * z602;
+    const Scalar z640 = s_front_left_knee * z620 - c_front_left_knee * z621;
+    const Scalar z641 = s_front_left_knee * z621 + c_front_left_knee * z620;
+    const Scalar z642 = z597 - n0_2 * z626;
+    const Scalar z643 = z632 * z613;
+    const Scalar z644 = z633 - z632 * z643;
+    const Scalar z645 = z616 + n0_2 * z634;
+    const Scalar z646 = s_front_left_knee * z645 - c_front_left_knee * z637;
+    const Scalar z647 = v_front_left_knee * z638 + z640;  // angular acceleration of front_left_shank_link, z
+    const Scalar z648 = v_front_left_knee * z639 + z641;  // angular acceleration of front_left_shank_link, x
+    const Scalar z649 = v_trunk_attitude_omega_y * c_front_right_hip + v_trunk_attitude_omega_z * s_front_right_hip;
+    const Scalar z650 = v_front_left_knee + z617;  // angular velocity of front_left_shank_link, y
+    const Scalar z651 = z635 * z636;
+    const Scalar z652 = z644 - z635 * z651;
+    const Scalar z653 = v_trunk_attitude_omega_y * s_front_right_hip - v_trunk_attitude_omega_z * c_front_right_hip;
+    const Scalar z654 = z538 - n0_2 * z553 - n0_05 * z550;
+    const Scalar z655 = n1 / z652;
+    const Scalar z656 = v_trunk_attitude_omega_y * c_rear_left_hip + v_trunk_attitude_omega_z * s_rear_left_hip;
+    const Scalar z657 = v_trunk_attitude_omega_x + v_rear_left_hip;  // angular velocity of rear_left_hip_link, x
+    const Scalar z658 = z549 - n0_2 * z550 - n0_05 * z555;
+    const Scalar z659 = v_trunk_attitude_omega_x + v_front_right_hip;  // angular velocity of front_right_hip_link, x
+    const Scalar z660 = v_rear_left_hip * z656;  // angular acceleration of rear_left_hip_link, z
+    const Scalar z661 = z656 * z657;
+    const Scalar z662 = z660 + z661;
+    const Scalar z663 = z549 + n0_2 * z550 + n0_05 * z555;
+    const Scalar z664 = z556 - n0_2 * z557 + n0_05 * z558;
+    const Scalar z665 = v_front_right_hip * z649;  // angular acceleration of front_right_hip_link, z
+    const Scalar z666 = z649 * z659;
+    const Scalar z667 = z665 + z666;
+    const Scalar z668 = v_trunk_attitude_omega_y * s_rear_left_hip - v_trunk_attitude_omega_z * c_rear_left_hip;
+    const Scalar z669 = z538 + n0_2 * z553 + n0_05 * z550;
+    const Scalar z670 = z556 + n0_2 * z557 - n0_05 * z558;
+    const Scalar z671 = s_rear_left_hip * z658 - c_rear_left_hip * z664;
+    const Scalar z672 = s_rear_left_hip * z664 + c_rear_left_hip * z658;
+    const Scalar z673 = z656 * z668;
+    const Scalar z674 = c_rear_left_thigh * z657 + s_rear_left_thigh * z668;
+    const Scalar z675 = s_front_right_hip * z663 - c_front_right_hip * z670;
+    const Scalar z676 = s_front_right_hip * z670 + c_front_right_hip * z663;
+    const Scalar z677 = z669 + n0_08 * z662;
+    const Scalar z678 = z649 * z653;
+    const Scalar z679 = v_front_right_thigh + z649;  // angular velocity of front_right_thigh_link, y
+    const Scalar z680 = z654 - n0_08 * z667;
+    const Scalar z681 = z671 + n0_08 * z673;
+    const Scalar z682 = c_front_right_thigh * z659 + s_front_right_thigh * z653;
+    const Scalar z683 = z675 - n0_08 * z678;
+    const Scalar z684 = z682 * z682;
+    const Scalar z685 = z679 * z679;
+    const Scalar z686 = s_rear_left_thigh * z657 - c_rear_left_thigh * z668;
+    const Scalar z687 = z684 + z685;
+    const Scalar z688 = s_rear_left_thigh * z660;
+    const Scalar z689 = c_rear_left_thigh * z660;
+    const Scalar z690 = s_front_right_thigh * z659 - c_front_right_thigh * z653;
+    const Scalar z691 = s_front_right_thigh * z665;
+    const Scalar z692 = c_front_right_thigh * z665;
+    const Scalar z693 = v_front_right_thigh * z690 - z691;  // angular acceleration of front_right_thigh_link, x
+    const Scalar z694 = v_front_right_thigh * z682 - z692;  // angular acceleration of front_right_thigh_link, z
+    const Scalar z695 = s_front_right_thigh * z680 - c_front_right_thigh * z683;
+    const Scalar z696 = s_front_right_thigh * z683 + c_front_right_thigh * z680;
+    const Scalar z697 = z695 + n0_2 * z687;
+    const Scalar z698 = z682 * z690;
+    const Scalar z699 = z668 * z668;
+    const Scalar z700 = z657 * z657;
+    const Scalar z701 = z699 + z700;
+    const Scalar z702 = z653 * z653;
+    const Scalar z703 = z659 * z659;
+    const Scalar z704 = z702 + z703;
+    const Scalar z705 = z696 - n0_2 * z698;
+    const Scalar z706 = s_front_right_knee * z697 - c_front_right_knee * z705;
+    const Scalar z707 = z672 - n0_08 * z701;
+    const Scalar z708 = z676 + n0_08 * z704;
+    const Scalar z709 = z690 * z679;
+    const Scalar z710 = z693 + z709;
+    const Scalar z711 = s_front_right_knee * z690 - c_front_right_knee * z682;
+    const Scalar z712 = s_front_right_knee * z682 + c_front_right_knee * z690;
+    const Scalar z713 = s_front_right_knee * z693 - c_front_right_knee * z694;
+    const Scalar z714 = s_front_right_knee * z694 + c_front_right_knee * z693;
+    const Scalar z715 = v_front_right_knee * z711 + z713;  // angular acceleration of front_right_shank_link, z
+    const Scalar z716 = v_front_right_knee * z712 + z714;  // angular acceleration of front_right_shank_link, x
+    const Scalar z717 = v_front_right_knee + z679;  // angular velocity of front_right_shank_link, y
+    const Scalar z718 = z708 - n0_2 * z710;
+    const Scalar z719 = v_rear_left_hip * z668;  // angular acceleration of rear_left_hip_link, y
+    const Scalar z720 = v_front_right_hip * z653;  // angular acceleration of front_right_hip_link, y
+    const Scalar z721 = z549 - n0_2 * z550 + n0_05 * z555;
+    const Scalar z722 = z538 + n0_2 * z553 - n0_05 * z550;
+    const Scalar z723 = v_rear_left_thigh + z656;  // angular velocity of rear_left_thigh_link, y
+    const Scalar z724 = v_rear_left_thigh * z686 - z688;  // angular acceleration of rear_left_thigh_link, x
+    const Scalar z725 = v_rear_left_thigh * z674 - z689;  // angular acceleration of rear_left_thigh_link, z
+    const Scalar z726 = v_trunk_attitude_omega_y * c_rear_right_hip + v_trunk_attitude_omega_z * s_rear_right_hip;
+    const Scalar z727 = v_trunk_attitude_omega_x + v_rear_right_hip;  // angular velocity of rear_right_hip_link, x
+    const Scalar z728 = v_rear_right_hip * z726;  // angular acceleration of rear_right_hip_link, z
+    const Scalar z729 = z726 * z727;
+    const Scalar z730 = z556 - n0_2 * z557 - n0_05 * z558;
+    const Scalar z731 = z728 + z729;
+    const Scalar z732 = v_trunk_attitude_omega_y * s_rear_right_hip - v_trunk_attitude_omega_z * c_rear_right_hip;
+    const Scalar z733 = s_rear_right_hip * z721 - c_rear_right_hip * z730;
+    const Scalar z734 = s_rear_right_hip * z730 + c_rear_right_hip * z721;
+    const Scalar z735 = z726 * z732;
+    const Scalar z736 = v_rear_right_thigh + z726;  // angular velocity of rear_right_thigh_link, y
+    const Scalar z737 = z722 - n0_08 * z731;
+    const Scalar z738 = c_rear_right_thigh * z727 + s_rear_right_thigh * z732;
+    const Scalar z739 = z733 - n0_08 * z735;
+    const Scalar z740 = z738 * z738;
+    const Scalar z741 = z736 * z736;
+    const Scalar z742 = s_rear_right_thigh * z727 - c_rear_right_thigh * z732;
+    const Scalar z743 = z740 + z741;
+    const Scalar z744 = s_rear_right_thigh * z728;
+    const Scalar z745 = c_rear_right_thigh * z728;
+    const Scalar z746 = v_rear_right_thigh * z742 - z744;  // angular acceleration of rear_right_thigh_link, x
+    const Scalar z747 = v_rear_right_thigh * z738 - z745;  // angular acceleration of rear_right_thigh_link, z
+    const Scalar z748 = s_rear_right_thigh * z737 - c_rear_right_thigh * z739;
+    const Scalar z749 = s_rear_right_thigh * z739 + c_rear_right_thigh * z737;
+    const Scalar z750 = z674 * z674;
+    const Scalar z751 = z723 * z723;
+    const Scalar z752 = z750 + z751;
+    const Scalar z753 = z738 * z742;
+    const Scalar z754 = s_rear_left_thigh * z677 - c_rear_left_thigh * z681;
+    const Scalar z755 = s_rear_left_thigh * z681 + c_rear_left_thigh * z677;
+    const Scalar z756 = z748 + n0_2 * z743;
+    const Scalar z757 = z754 + n0_2 * z752;
+    const Scalar z758 = z732 * z732;
+    const Scalar z759 = z727 * z727;
+    const Scalar z760 = z758 + z759;
+    const Scalar z761 = z674 * z686;
+    const Scalar z762 = z749 - n0_2 * z753;
+    const Scalar z763 = s_rear_right_knee * z756 - c_rear_right_knee * z762;
+    const Scalar z764 = z734 + n0_08 * z760;
+    const Scalar z765 = z742 * z736;
+    const Scalar z766 = z746 + z765;
+    const Scalar z767 = z755 - n0_2 * z761;
+    const Scalar z768 = s_rear_left_knee * z757 - c_rear_left_knee * z767;
+    const Scalar z769 = s_rear_right_knee * z742 - c_rear_right_knee * z738;
+    const Scalar z770 = s_rear_right_knee * z738 + c_rear_right_knee * z742;
+    const Scalar z771 = s_rear_right_knee * z746 - c_rear_right_knee * z747;
+    const Scalar z772 = s_rear_right_knee * z747 + c_rear_right_knee * z746;
+    const Scalar z773 = v_rear_right_knee * z770 + z772;  // angular acceleration of rear_right_shank_link, x
+    const Scalar z774 = v_rear_right_knee + z736;  // angular velocity of rear_right_shank_link, y
+    const Scalar z775 = z686 * z723;
+    const Scalar z776 = v_rear_right_knee * z769 + z771;  // angular acceleration of rear_right_shank_link, z
+    const Scalar z777 = z724 + z775;
+    const Scalar z778 = z769 * z770;
+    const Scalar z779 = z770 * z774;
+    const Scalar z780 = z773 + z779;
+    const Scalar z781 = s_rear_left_knee * z686 - c_rear_left_knee * z674;
+    const Scalar z782 = s_rear_left_knee * z674 + c_rear_left_knee * z686;
+    const Scalar z783 = s_rear_left_knee * z724 - c_rear_left_knee * z725;
+    const Scalar z784 = s_rear_left_knee * z725 + c_rear_left_knee * z724;
+    const Scalar z785 = v_rear_left_knee * z781 + z783;  // angular acceleration of rear_left_shank_link, z
+    const Scalar z786 = v_rear_left_knee * z782 + z784;  // angular acceleration of rear_left_shank_link, x
+    const Scalar z787 = z769 * z774;
+    const Scalar z788 = z776 + z787;
+    const Scalar z789 = z769 * z769;
+    const Scalar z790 = z774 * z774;
+    const Scalar z791 = z789 + z790;
+    const Scalar z792 = v_rear_left_knee + z723;  // angular velocity of rear_left_shank_link, y
+    const Scalar z793 = z764 - n0_2 * z766;
+    const Scalar z794 = z707 - n0_2 * z777;
+    const Scalar z795 = z738 * z736;
+    const Scalar z796 = z747 + z795;
+    const Scalar z797 = n0_032 * z763 - k0 * z778;
+    const Scalar z798 = n0_032 * z778;
+    const Scalar z799 = k20 * z788;
+    const Scalar z800 = z109 - z797;
+    const Scalar z801 = n0_032 * z791;
+    const Scalar z802 = n0_032 * z793 - k21 * z780;
+    const Scalar z803 = z798 - k22 * z800;
+    const Scalar z804 = n0_032 * z780;
+    const Scalar z805 = k23 * z800;
+    const Scalar z806 = c_rear_right_knee * z799 + s_rear_right_knee * z802;
+    const Scalar z807 = s_rear_right_knee * z799 - c_rear_right_knee * z802;
+    const Scalar z808 = s_rear_right_knee * z801 + c_rear_right_knee * z803;
+    const Scalar z809 = s_rear_right_knee * z803 - c_rear_right_knee * z801;
+    const Scalar z810 = v_rear_right_hip * z732;  // angular acceleration of rear_right_hip_link, y
+    const Scalar z811 = z674 * z723;
+    const Scalar z812 = z806 - n0_0002 * z796;
+    const Scalar z813 = z725 + z811;
+    const Scalar z814 = z109 - n0_124 * z749 + k7 * z753 - n0_2 * z808;
+    const Scalar z815 = n0_124 * z764 - k25 * z766 - n0_2 * z804 - z807;
+    const Scalar z816 = n0_124 * z753 - z808;
+    const Scalar z817 = n0_124 * z743 - z809;
+    const Scalar z818 = z732 * z727;
+    const Scalar z819 = n0_124 * z766 + z804;
+    const Scalar z820 = n0_1048 * z760 - z819;
+    const Scalar z821 = z112 - z814;
+    const Scalar z822 = z136 * z821 + z816;
+    const Scalar z823 = z137 * z821 - z817;
+    const Scalar z824 = z135 * z821;
+    const Scalar z825 = z668 * z657;
+    const Scalar z826 = z810 + z818;
+    const Scalar z827 = z112 - n0_0002 * z826;
+    const Scalar z828 = z781 * z782;
+    const Scalar z829 = z782 * z792;
+    const Scalar z830 = z786 + z829;
+    const Scalar z831 = n0_032 * z768 - k0 * z828;
+    const Scalar z832 = n0_032 * z828;
+    const Scalar z833 = z781 * z792;
+    const Scalar z834 = z785 + z833;
+    const Scalar z835 = z781 * z781;
+    const Scalar z836 = z792 * z792;
+    const Scalar z837 = z835 + z836;
+    const Scalar z838 = z110 - z831;
+    const Scalar z839 = n0_032 * z794 - k21 * z830;
+    const Scalar z840 = k20 * z834;
+    const Scalar z841 = n0_032 * z837;
+    const Scalar z842 = z832 - k22 * z838;
+    const Scalar z843 = n0_032 * z830;
+    const Scalar z844 = k23 * z838;
+    const Scalar z845 = c_rear_left_knee * z840 + s_rear_left_knee * z839;
+    const Scalar z846 = s_rear_left_knee * z840 - c_rear_left_knee * z839;
+    const Scalar z847 = s_rear_left_knee * z841 + c_rear_left_knee * z842;
+    const Scalar z848 = s_rear_left_knee * z842 - c_rear_left_knee * z841;
+    const Scalar z849 = z845 - n0_0002 * z813;
+    const Scalar z850 = n0_124 * z707 - k25 * z777 - n0_2 * z843 - z846;
+    const Scalar z851 = z110 - n0_124 * z755 + k7 * z761 - n0_2 * z847;
+    const Scalar z852 = n0_124 * z761 - z847;
+    const Scalar z853 = n0_124 * z752 - z848;
+    const Scalar z854 = n0_124 * z777 + z843;
+    const Scalar z855 = z113 - z851;
+    const Scalar z856 = z177 * z855 + z852;
+    const Scalar z857 = z179 * z855 - z853;
+    const Scalar z858 = z175 * z855;
+    const Scalar z859 = s_rear_right_thigh * z812 - c_rear_right_thigh * z815;
+    const Scalar z860 = s_rear_right_thigh * z815 + c_rear_right_thigh * z812;
+    const Scalar z861 = s_rear_left_thigh * z849 - c_rear_left_thigh * z850;
+    const Scalar z862 = s_rear_left_thigh * z850 + c_rear_left_thigh * z849;
+    const Scalar z863 = s_rear_right_thigh * z822 - c_rear_right_thigh * z823;
+    const Scalar z864 = s_rear_right_thigh * z823 + c_rear_right_thigh * z822;
+    const Scalar z865 = n0_1048 * z733 - z859 - k26 * z735 - n0_08 * z863;
+    const Scalar z866 = n0_1048 * z722 - z860 - k27 * z731 - n0_08 * z864;
+    const Scalar z867 = n0_1048 * z735 + z863;
+    const Scalar z868 = n0_1048 * z701 + z854;
+    const Scalar z869 = n0_1048 * z731 + z864;
+    const Scalar z870 = z125 - z865;
+    const Scalar z871 = z719 + z825;
+    const Scalar z872 = z113 - n0_0002 * z871;
+    const Scalar z873 = z164 * z870 + z866;
+    const Scalar z874 = z168 * z870 - z820;
+    const Scalar z875 = z170 * z870 - z867;
+    const Scalar z876 = z166 * z870 + z869;
+    const Scalar z877 = z162 * z870;
+    const Scalar z878 = z711 * z712;
+    const Scalar z879 = s_rear_left_thigh * z856 - c_rear_left_thigh * z857;
+    const Scalar z880 = s_rear_left_thigh * z857 + c_rear_left_thigh * z856;
+    const Scalar z881 = z861 + n0_1048 * z671 + k26 * z673 - n0_08 * z879;
+    const Scalar z882 = z862 + n0_1048 * z669 + k27 * z662 - n0_08 * z880;
+    const Scalar z883 = n0_1048 * z673 - z879;
+    const Scalar z884 = n0_1048 * z662 - z880;
+    const Scalar z885 = z127 + z881;
+    const Scalar z886 = z248 * z885 - z882;
+    const Scalar z887 = z247 * z885 + z868;
+    const Scalar z888 = z246 * z885 - z883;
+    const Scalar z889 = z257 * z885 + z884;
+    const Scalar z890 = z236 * z885;
+    const Scalar z891 = s_rear_right_hip * z827 + c_rear_right_hip * z873;
+    const Scalar z892 = s_rear_right_hip * z873 - c_rear_right_hip * z827;
+    const Scalar z893 = s_rear_left_hip * z872 + c_rear_left_hip * z886;
+    const Scalar z894 = s_rear_left_hip * z886 - c_rear_left_hip * z872;
+    const Scalar z895 = s_rear_right_hip * z875 - c_rear_right_hip * z874;
+    const Scalar z896 = s_rear_right_hip * z874 + c_rear_right_hip * z875;
+    const Scalar z897 = z682 * z679;
+    const Scalar z898 = z694 + z897;
+    const Scalar z899 = z653 * z659;
+    const Scalar z900 = z712 * z717;
+    const Scalar z901 = z716 + z900;
+    const Scalar z902 = n0_032 * z706 - k0 * z878;
+    const Scalar z903 = n0_032 * z878;
+    const Scalar z904 = z111 - z902;
+    const Scalar z905 = n0_032 * z718 - k21 * z901;
+    const Scalar z906 = n0_032 * z901;
+    const Scalar z907 = z903 - k22 * z904;
+    const Scalar z908 = z720 + z899;
+    const Scalar z909 = z114 - n0_0002 * z908;
+    const Scalar z910 = k23 * z904;
+    const Scalar z911 = z711 * z717;
+    const Scalar z912 = z715 + z911;
+    const Scalar z913 = z711 * z711;
+    const Scalar z914 = z717 * z717;
+    const Scalar z915 = z913 + z914;
+    const Scalar z916 = z638 * z639;
+    const Scalar z917 = n0_124 * z710 + z906;
+    const Scalar z918 = n0_1048 * z704 - z917;
+    const Scalar z919 = k20 * z912;
+    const Scalar z920 = n0_032 * z915;
+    const Scalar z921 = s_rear_left_hip * z888 + c_rear_left_hip * z887;
+    const Scalar z922 = s_rear_left_hip * z887 - c_rear_left_hip * z888;
+    const Scalar z923 = z600 * z617;
+    const Scalar z924 = z639 * z650;
+    const Scalar z925 = z648 + z924;
+    const Scalar z926 = n0_032 * z646 - k0 * z916;
+    const Scalar z927 = n0_032 * z916;
+    const Scalar z928 = z99 - z926;
+    const Scalar z929 = n0_032 * z642 - k21 * z925;
+    const Scalar z930 = n0_032 * z925;
+    const Scalar z931 = z927 - k22 * z928;
+    const Scalar z932 = k23 * z928;
+    const Scalar z933 = z638 * z650;
+    const Scalar z934 = z647 + z933;
+    const Scalar z935 = z638 * z638;
+    const Scalar z936 = z650 * z650;
+    const Scalar z937 = z935 + z936;
+    const Scalar z938 = c_front_right_knee * z919 + s_front_right_knee * z905;
+    const Scalar z939 = s_front_right_knee * z919 - c_front_right_knee * z905;
+    const Scalar z940 = n0_124 * z708 - k25 * z710 - n0_2 * z906 - z939;
+    const Scalar z941 = z938 - n0_0002 * z898;
+    const Scalar z942 = k20 * z934;
+    const Scalar z943 = n0_032 * z937;
+    const Scalar z944 = s_front_right_knee * z920 + c_front_right_knee * z907;
+    const Scalar z945 = z621 + z923;
+    const Scalar z946 = z111 - n0_124 * z696 + k7 * z698 - n0_2 * z944;
+    const Scalar z947 = s_front_right_knee * z907 - c_front_right_knee * z920;
+    const Scalar z948 = n0_124 * z698 - z944;
+    const Scalar z949 = z114 - z946;
+    const Scalar z950 = n0_124 * z687 - z947;
+    const Scalar z951 = z329 * z949 + z948;
+    const Scalar z952 = z328 * z949;
+    const Scalar z953 = z330 * z949 - z950;
+    const Scalar z954 = z562 * z577;
+    const Scalar z955 = c_front_left_knee * z942 + s_front_left_knee * z929;
+    const Scalar z956 = s_front_left_knee * z942 - c_front_left_knee * z929;
+    const Scalar z957 = z955 - n0_0002 * z945;
+    const Scalar z958 = n0_124 * z597 - k25 * z626 - n0_2 * z930 - z956;
+    const Scalar z959 = n0_124 * z626 + z930;
+    const Scalar z960 = s_front_left_knee * z943 + c_front_left_knee * z931;
+    const Scalar z961 = z99 - n0_124 * z605 + k7 * z624 - n0_2 * z960;
+    const Scalar z962 = s_front_left_knee * z931 - c_front_left_knee * z943;
+    const Scalar z963 = n0_124 * z624 - z960;
+    const Scalar z964 = n0_124 * z634 - z962;
+    const Scalar z965 = z121 - z961;
+    const Scalar z966 = z396 * z965 + z963;
+    const Scalar z967 = z389 * z965;
+    const Scalar z968 = z404 * z965 - z964;
+    const Scalar z969 = s_front_right_thigh * z941 - c_front_right_thigh * z940;
+    const Scalar z970 = s_front_right_thigh * z940 + c_front_right_thigh * z941;
+    const Scalar z971 = s_front_left_thigh * z957 - c_front_left_thigh * z958;
+    const Scalar z972 = s_front_left_thigh * z958 + c_front_left_thigh * z957;
+    const Scalar z973 = s_front_right_thigh * z951 - c_front_right_thigh * z953;
+    const Scalar z974 = s_front_right_thigh * z953 + c_front_right_thigh * z951;
+    const Scalar z975 = n0_1048 * z675 - z969 - k26 * z678 - n0_08 * z973;
+    const Scalar z976 = n0_1048 * z654 - z970 - k27 * z667 - n0_08 * z974;
+    const Scalar z977 = n0_1048 * z678 + z973;
+    const Scalar z978 = n0_1048 * z667 + z974;
+    const Scalar z979 = n0_1048 * z587 + z959;
+    const Scalar z980 = z131 - z975;
+    const Scalar z981 = z610 + z954;
+    const Scalar z982 = z121 - n0_0002 * z981;
+    const Scalar z983 = z352 * z980 + z976;
+    const Scalar z984 = z354 * z980 - z918;
+    const Scalar z985 = z355 * z980 - z977;
+    const Scalar z986 = z353 * z980 + z978;
+    const Scalar z987 = z351 * z980;
+    const Scalar z988 = s_front_left_thigh * z966 - c_front_left_thigh * z968;
+    const Scalar z989 = s_front_left_thigh * z968 + c_front_left_thigh * z966;
+    const Scalar z990 = z971 + n0_1048 * z583 + k26 * z598 - n0_08 * z988;
+    const Scalar z991 = z972 + n0_1048 * z564 + k27 * z581 - n0_08 * z989;
+    const Scalar z992 = n0_1048 * z598 - z988;
+    const Scalar z993 = n0_1048 * z581 - z989;
+    const Scalar z994 = z133 + z990;
+    const Scalar z995 = z456 * z994 - z991;
+    const Scalar z996 = z458 * z994 + z979;
+    const Scalar z997 = z459 * z994 - z992;
+    const Scalar z998 = z457 * z994 + z993;
+    const Scalar z999 = z454 * z994;
+    const Scalar z1000 = n12_24 * z538 - z876 + z889 - z986 + z998;
+    const Scalar z1001 = s_front_right_hip * z909 + c_front_right_hip * z983;
+    const Scalar z1002 = s_front_right_hip * z983 - c_front_right_hip * z909;
+    const Scalar z1003 = s_front_left_hip * z982 + c_front_left_hip * z995;
+    const Scalar z1004 = s_front_left_hip * z995 - c_front_left_hip * z982;
+    const Scalar z1005 = s_front_right_hip * z985 - c_front_right_hip * z984;
+    const Scalar z1006 = s_front_right_hip * z984 + c_front_right_hip * z985;
+    const Scalar z1007 = s_front_left_hip * z997 + c_front_left_hip * z996;
+    const Scalar z1008 = n0_2948 * z550 + z891 + z893 + z1001 + z1003 - n0_05 * (z876 + z889 + z986 + z998) - n0_2
+        * (z895 - z921 - z1005 + z1007);
+    const Scalar z1009 = n12_24 * z549 + z895 - z921 + z1005 - z1007;
+    const Scalar z1010 = s_front_left_hip * z996 - c_front_left_hip * z997;
+    const Scalar z1011 = n0_0306 * z558 + z133 + z131 + z127 + z125 + n0_05 * (z896 - z922 + z1006 - z1010);
+    const Scalar z1012 = n0_3254 * z557 + z892 + z894 + z1002 + z1004 + n0_2 * (z896 + z922 - z1006 - z1010);
+    const Scalar z1013 = n12_24 * z556 - z896 - z922 - z1006 - z1010;
+    const Scalar z1014 = z527 * z1008 + z1011;
+    const Scalar z1015 = z528 * z1008 + z1012;
+    const Scalar z1016 = z529 * z1008 + z1000;
+    const Scalar z1017 = z530 * z1008 + z1009;
+    const Scalar z1018 = z531 * z1008 - z1013;
+    const Scalar z1019 = z521 * z1008;
+    const Scalar z1020 = z559 * z1015 + z1014;
+    const Scalar z1021 = z561 * z1015 - z1016;
+    const Scalar z1022 = z563 * z1015 + z1017;
+    const Scalar z1023 = z573 * z1015 + z1018;
+    const Scalar z1024 = z544 * z1015;
+    const Scalar z1025 = z595 * z1020 + z1021;
+    const Scalar z1026 = z588 * z1020 - z1022;
+    const Scalar z1027 = z591 * z1020 + z1023;
+    const Scalar z1028 = z568 * z1020;
+    const Scalar z1029 = z28 * z1025 + z32 * z1026 + z23 * z1027;
+    const Scalar z1030 = z31 * z1025 + z27 * z1026 + z21 * z1027;
+    const Scalar z1031 = z17 * z1026 + z20 * z1027 + z22 * z1025;
+    const Scalar z1032 = z613 * z1031;
+    const Scalar z1033 = z643 * z1031 - z1029;
+    const Scalar z1034 = z630 * z1031 - z1030;
+    const Scalar z1035 = z636 * z1034;
+    const Scalar z1036 = z651 * z1034 + z1033;
+    const Scalar z1037 = z655 * z1036;
+    const Scalar z1038 = z651 * z1037 + z1035;
+    const Scalar z1039 = z1032 + z643 * z1037 + z630 * z1038;
+    const Scalar z1040 = z28 * z1037 + z31 * z1038 - z22 * z1039;
+    const Scalar z1041 = z32 * z1037 + z27 * z1038 - z17 * z1039;
+    const Scalar z1042 = z23 * z1037 + z21 * z1038 - z20 * z1039;
+    const Scalar z1043 = z1028 + z595 * z1040 + z588 * z1041 + z591 * z1042;
+    const Scalar z1044 = z1024 + z561 * z1040 - z563 * z1041 + z573 * z1042 + z559 * z1043;
+    const Scalar z1045 = z1019 - z529 * z1040 - z530 * z1041 + z531 * z1042 + z527 * z1043 + z528 * z1044;
+    const Scalar z1046 = z1042 - n0_05 * z1043 - n0_2 * z1044;
+    const Scalar z1047 = z1042 + n0_05 * z1043 - n0_2 * z1044;
+    const Scalar z1048 = z1042 - n0_05 * z1043 + n0_2 * z1044;
+    const Scalar z1049 = z1042 + n0_05 * z1043 + n0_2 * z1044;
+    const Scalar z1050 = z1040 + n0_05 * z1045;
+    const Scalar z1051 = z1041 - n0_2 * z1045;
+    const Scalar z1052 = s_front_left_hip * z1045 - c_front_left_hip * z1044;
+    const Scalar z1053 = s_front_left_hip * z1044 + c_front_left_hip * z1045;
+    const Scalar z1054 = z1040 - n0_05 * z1045;
+    const Scalar z1055 = s_front_right_hip * z1045 - c_front_right_hip * z1044;
+    const Scalar z1056 = s_front_right_hip * z1044 + c_front_right_hip * z1045;
+    const Scalar z1057 = z1041 + n0_2 * z1045;
+    const Scalar z1058 = s_rear_left_hip * z1045 - c_rear_left_hip * z1044;
+    const Scalar z1059 = s_rear_left_hip * z1044 + c_rear_left_hip * z1045;
+    const Scalar z1060 = s_rear_right_hip * z1044 + c_rear_right_hip * z1045;
+    const Scalar z1061 = s_rear_right_hip * z1045 - c_rear_right_hip * z1044;
+    const Scalar z1062 = s_front_left_hip * z1046 + c_front_left_hip * z1051;
+    const Scalar z1063 = s_front_left_hip * z1051 - c_front_left_hip * z1046;
+    const Scalar z1064 = s_front_right_hip * z1047 + c_front_right_hip * z1051;
+    const Scalar z1065 = s_front_right_hip * z1051 - c_front_right_hip * z1047;
+    const Scalar z1066 = z999 + z456 * z1053 - z457 * z1050 + z458 * z1062 + z459 * z1063;
+    const Scalar z1067 = z987 + z352 * z1056 + z353 * z1054 + z354 * z1064 - z355 * z1065;
+    const Scalar z1068 = z1050 + n0_08 * z1053;
+    const Scalar z1069 = z1054 - n0_08 * z1056;
+    const Scalar z1070 = z1063 - n0_08 * z1066;
+    const Scalar z1071 = z1043 + z1066;
+    const Scalar z1072 = z1065 + n0_08 * z1067;
+    const Scalar z1073 = z1043 + z1067;
+    const Scalar z1074 = s_rear_left_hip * z1048 + c_rear_left_hip * z1057;
+    const Scalar z1075 = s_rear_left_hip * z1057 - c_rear_left_hip * z1048;
+    const Scalar z1076 = z890 + z248 * z1059 - z257 * z1050 + z247 * z1074 + z246 * z1075;
+    const Scalar z1077 = z1050 + n0_08 * z1059;
+    const Scalar z1078 = s_rear_right_hip * z1049 + c_rear_right_hip * z1057;
+    const Scalar z1079 = s_rear_right_hip * z1057 - c_rear_right_hip * z1049;
+    const Scalar z1080 = z877 + z164 * z1060 + z166 * z1054 + z168 * z1078 - z170 * z1079;
+    const Scalar z1081 = z1054 - n0_08 * z1060;
+    const Scalar z1082 = z1075 - n0_08 * z1076;
+    const Scalar z1083 = z1043 + z1076;
+    const Scalar z1084 = z1043 + z1080;
+    const Scalar z1085 = z1079 + n0_08 * z1080;
+    const Scalar z1086 = c_front_left_thigh * z1068 + s_front_left_thigh * z1070;
+    const Scalar z1087 = s_front_left_thigh * z1068 - c_front_left_thigh * z1070;
+    const Scalar z1088 = z967 + z396 * z1086 + z404 * z1087;
+    const Scalar z1089 = c_front_right_thigh * z1069 + s_front_right_thigh * z1072;
+    const Scalar z1090 = s_front_right_thigh * z1069 - c_front_right_thigh * z1072;
+    const Scalar z1091 = z952 + z329 * z1089 + z330 * z1090;
+    const Scalar z1092 = z1086 - n0_2 * z1088;
+    const Scalar z1093 = z1052 + z1088;
+    const Scalar z1094 = c_rear_left_thigh * z1077 + s_rear_left_thigh * z1082;
+    const Scalar z1095 = z610 + z1093;  // acceleration of joint front_left_thigh_link
+    const Scalar z1096 = s_rear_left_thigh * z1077 - c_rear_left_thigh * z1082;
+    const Scalar z1097 = z858 + z177 * z1094 + z179 * z1096;
+    const Scalar z1098 = s_front_left_knee * z1087 - c_front_left_knee * z1092;
+    const Scalar z1099 = z932 - k22 * z1098;
+    const Scalar z1100 = z1089 - n0_2 * z1091;
+    const Scalar z1101 = s_front_right_knee * z1090 - c_front_right_knee * z1100;
+    const Scalar z1102 = z1094 - n0_2 * z1097;
+    const Scalar z1103 = z1088 - z1099;
+    const Scalar z1104 = c_rear_right_thigh * z1081 + s_rear_right_thigh * z1085;
+    const Scalar z1105 = s_rear_right_thigh * z1081 - c_rear_right_thigh * z1085;
+    const Scalar z1106 = z824 + z136 * z1104 + z137 * z1105;
+    const Scalar z1107 = s_rear_left_knee * z1096 - c_rear_left_knee * z1102;
+    const Scalar z1108 = z1055 + z1091;
+    const Scalar z1109 = z910 - k22 * z1101;
+    const Scalar z1110 = z1058 + z1097;
+    const Scalar z1111 = z844 - k22 * z1107;
+    const Scalar z1112 = z1104 - n0_2 * z1106;
+    const Scalar z1113 = z1061 + z1106;
+    const Scalar z1114 = z720 + z1108;  // acceleration of joint front_right_thigh_link
+    const Scalar z1115 = z1091 - z1109;
+    const Scalar z1116 = z719 + z1110;  // acceleration of joint rear_left_thigh_link
+    const Scalar z1117 = z1097 - z1111;
+    const Scalar z1118 = z810 + z1113;  // acceleration of joint rear_right_thigh_link
+    const Scalar z1119 = s_rear_right_knee * z1105 - c_rear_right_knee * z1112;
+    const Scalar z1120 = z805 - k22 * z1119;
+    const Scalar z1121 = z1106 - z1120;
+    accelerations.trunk_x = z1037;
+    accelerations.trunk_y = z1038;
+    accelerations.trunk_z = -z1039;
+    accelerations.trunk_attitude_omega_x = -z1043;
+    accelerations.trunk_attitude_omega_y = z1044;
+    accelerations.trunk_attitude_omega_z = -z1045;
+    accelerations.front_left_hip = z1071;
+    accelerations.front_left_thigh = z1095;
+    accelerations.front_left_knee = -z1103;
+    accelerations.front_right_hip = z1073;
+    accelerations.front_right_thigh = z1114;
+    accelerations.front_right_knee = -z1115;
+    accelerations.rear_left_hip = z1083;
+    accelerations.rear_left_thigh = z1116;
+    accelerations.rear_left_knee = -z1117;
+    accelerations.rear_right_hip = z1084;
+    accelerations.rear_right_thigh = z1118;
+    accelerations.rear_right_knee = -z1121;
+    if (!(traits::regular(z134, z134) && traits::regular(z156, z156) && traits::regular(z171, z171)
+        && traits::regular(z231, z231) && traits::regular(z319, z319) && traits::regular(z349, z349)
+        && traits::regular(z386, z386) && traits::regular(z452, z452) && traits::regular(z511, z511)
+        && traits::regular(z539, z539) && traits::regular(z565, z565) && traits::regular(-z609, -z609)
+        && traits::regular(-z631, -z631) && traits::regular(-z652, -z652))) return torsor::Status::singular;
+    // 0 x is 0 for every finite x and not a number for any other.
+    const Scalar zero = (n0 * accelerations.trunk_x * accelerations.trunk_y * accelerations.trunk_z
+        * accelerations.trunk_attitude_omega_x * accelerations.trunk_attitude_omega_y
+        * accelerations.trunk_attitude_omega_z * accelerations.front_left_hip * accelerations.front_left_thigh
+        * accelerations.front_left_knee) * (n0 * accelerations.front_right_hip * accelerations.front_right_thigh
+        * accelerations.front_right_knee * accelerations.rear_left_hip * accelerations.rear_left_thigh
+        * accelerations.rear_left_knee * accelerations.rear_right_hip * accelerations.rear_right_thigh
+        * accelerations.rear_right_knee);
+    if (!traits::regular(n1, zero)) return torsor::Status::not_finite;
+    return torsor::Status::ok;
+  }
+
+  /// The same for this mechanism, which has nothing in the arguments left out.
+  TORSOR_DEVICE static torsor::Status forward_dynamics(const Precomputed& precomputed, const State& state,
+      const Inputs& inputs, Accelerations& accelerations) noexcept {
+    Multipliers multipliers{};
+    return Mechanism::forward_dynamics(precomputed, state, inputs, accelerations, multipliers);
+  }
+
+  /// Kinetic energy, force function (potential energy = -U) and power of what has no force function.
+  TORSOR_DEVICE static void energy(const Precomputed&, const State& state, const Inputs& inputs,
+      Energy& result) noexcept {
+    const Scalar n2 = traits::constant(2.0, 2.0f, "2/1");
+    const Scalar n0_05 = traits::constant(0.05, 0.05f, "1/20");
+    const Scalar n1 = traits::constant(1.0, 1.0f, "1/1");
+    const Scalar n0_2 = traits::constant(0.2, 0.2f, "1/5");
+    const Scalar n0_08 = traits::constant(0.08, 0.08f, "2/25");
+    const Scalar n0_5 = traits::constant(0.5, 0.5f, "1/2");
+    const Scalar n0_02 = traits::constant(0.02, 0.02f, "1/50");
+    const Scalar n0_0014 = traits::constant(0.0014, 0.0014f, "7/5000");
+    const Scalar n0_8 = traits::constant(0.8, 0.8f, "4/5");
+    const Scalar n0_072 = traits::constant(0.072, 0.072f, "9/125");
+    const Scalar k10 = traits::constant(0.00928, 0.00928f, "29/3125");
+    const Scalar n0_032 = traits::constant(0.032, 0.032f, "4/125");
+    const Scalar n0_26 = traits::constant(0.26, 0.26f, "13/50");
+    const Scalar k13 = traits::constant(0.0051096, 0.0051096f, "6387/1250000");
+    const Scalar n0_0125 = traits::constant(0.0125, 0.0125f, "1/80");
+    const Scalar n0_0425 = traits::constant(0.0425, 0.0425f, "17/400");
+    const Scalar n3 = traits::constant(3.0, 3.0f, "3/1");
+    const Scalar n0_25 = traits::constant(0.25, 0.25f, "1/4");
+    const Scalar n0_4 = traits::constant(0.4, 0.4f, "2/5");
+    const Scalar k19 = traits::constant(1.98e-05, 1.98e-05f, "99/5000000");
+    const Scalar n0_0002 = traits::constant(2e-04, 2e-04f, "1/5000");
+    const Scalar n0_13 = traits::constant(0.13, 0.13f, "13/100");
+    const Scalar n58_86 = traits::constant(58.86, 58.86f, "2943/50");
+    const Scalar n4_905 = traits::constant(4.905, 4.905f, "981/200");
+    const Scalar n7_848 = traits::constant(7.848, 7.848f, "981/125");
+    const Scalar n2_5506 = traits::constant(2.5506, 2.5506f, "12753/5000");
+    const Scalar n9_81 = traits::constant(9.81, 9.81f, "981/100");
+    const Scalar v_trunk_x = state.v.trunk_x;
+    const Scalar v_trunk_y = state.v.trunk_y;
+    const Scalar q_trunk_z = state.q.trunk_z;
+    const Scalar v_trunk_z = state.v.trunk_z;
+    const Scalar q_trunk_attitude_y = state.q.trunk_attitude_y;
+    const Scalar q_trunk_attitude_z = state.q.trunk_attitude_z;
+    const Scalar q_trunk_attitude_x = state.q.trunk_attitude_x;
+    const Scalar q_trunk_attitude_w = state.q.trunk_attitude_w;
+    const Scalar v_trunk_attitude_omega_x = state.v.trunk_attitude_omega_x;
+    const Scalar v_trunk_attitude_omega_y = state.v.trunk_attitude_omega_y;
+    const Scalar v_trunk_attitude_omega_z = state.v.trunk_attitude_omega_z;
+    const Scalar q_front_left_hip = state.q.front_left_hip;
+    const Scalar v_front_left_hip = state.v.front_left_hip;
+    const Scalar q_front_left_thigh = state.q.front_left_thigh;
+    const Scalar v_front_left_thigh = state.v.front_left_thigh;
+    const Scalar q_front_left_knee = state.q.front_left_knee;
+    const Scalar v_front_left_knee = state.v.front_left_knee;
+    const Scalar q_front_right_hip = state.q.front_right_hip;
+    const Scalar v_front_right_hip = state.v.front_right_hip;
+    const Scalar q_front_right_thigh = state.q.front_right_thigh;
+    const Scalar v_front_right_thigh = state.v.front_right_thigh;
+    const Scalar q_front_right_knee = state.q.front_right_knee;
+    const Scalar v_front_right_knee = state.v.front_right_knee;
+    const Scalar q_rear_left_hip = state.q.rear_left_hip;
+    const Scalar v_rear_left_hip = state.v.rear_left_hip;
+    const Scalar q_rear_left_thigh = state.q.rear_left_thigh;
+    const Scalar v_rear_left_thigh = state.v.rear_left_thigh;
+    const Scalar q_rear_left_knee = state.q.rear_left_knee;
+    const Scalar v_rear_left_knee = state.v.rear_left_knee;
+    const Scalar q_rear_right_hip = state.q.rear_right_hip;
+    const Scalar v_rear_right_hip = state.v.rear_right_hip;
+    const Scalar q_rear_right_thigh = state.q.rear_right_thigh;
+    const Scalar v_rear_right_thigh = state.v.rear_right_thigh;
+    const Scalar q_rear_right_knee = state.q.rear_right_knee;
+    const Scalar v_rear_right_knee = state.v.rear_right_knee;
+    const Scalar u_front_left_hip_torque = inputs.front_left_hip_torque;
+    const Scalar u_front_left_thigh_torque = inputs.front_left_thigh_torque;
+    const Scalar u_front_left_knee_torque = inputs.front_left_knee_torque;
+    const Scalar u_front_right_hip_torque = inputs.front_right_hip_torque;
+    const Scalar u_front_right_thigh_torque = inputs.front_right_thigh_torque;
+    const Scalar u_front_right_knee_torque = inputs.front_right_knee_torque;
+    const Scalar u_rear_left_hip_torque = inputs.rear_left_hip_torque;
+    const Scalar u_rear_left_thigh_torque = inputs.rear_left_thigh_torque;
+    const Scalar u_rear_left_knee_torque = inputs.rear_left_knee_torque;
+    const Scalar u_rear_right_hip_torque = inputs.rear_right_hip_torque;
+    const Scalar u_rear_right_thigh_torque = inputs.rear_right_thigh_torque;
+    const Scalar u_rear_right_knee_torque = inputs.rear_right_knee_torque;
+    const Scalar z0 = q_front_left_thigh + q_front_left_knee;
+    const Scalar z1 = q_front_right_thigh + q_front_right_knee;
+    const Scalar z2 = q_rear_left_thigh + q_rear_left_knee;
+    const Scalar z3 = q_rear_right_thigh + q_rear_right_knee;
+    const Scalar angles_[] = {q_front_left_hip, q_front_left_thigh, q_front_left_knee, q_front_right_hip,
+        q_front_right_thigh, q_front_right_knee, q_rear_left_hip, q_rear_left_thigh, q_rear_left_knee, q_rear_right_hip,
+        q_rear_right_thigh, q_rear_right_knee, z0, z1, z2, z3};
+    Scalar sines_[16], cosines_[16];
+    torsor::sines_and_cosines(angles_, sines_, cosines_);
+    const Scalar s_front_left_hip = sines_[0], c_front_left_hip = cosines_[0];
+    const Scalar s_front_left_thigh = sines_[1], c_front_left_thigh = cosines_[1];
+    const Scalar s_front_left_knee = sines_[2], c_front_left_knee = cosines_[2];
+    const Scalar s_front_right_hip = sines_[3], c_front_right_hip = cosines_[3];
+    const Scalar s_front_right_thigh = sines_[4], c_front_right_thigh = cosines_[4];
+    const Scalar s_front_right_knee = sines_[5], c_front_right_knee = cosines_[5];
+    const Scalar s_rear_left_hip = sines_[6], c_rear_left_hip = cosines_[6];
+    const Scalar s_rear_left_thigh = sines_[7], c_rear_left_thigh = cosines_[7];
+    const Scalar s_rear_left_knee = sines_[8], c_rear_left_knee = cosines_[8];
+    const Scalar s_rear_right_hip = sines_[9], c_rear_right_hip = cosines_[9];
+    const Scalar s_rear_right_thigh = sines_[10], c_rear_right_thigh = cosines_[10];
+    const Scalar s_rear_right_knee = sines_[11], c_rear_right_knee = cosines_[11];
+    const Scalar z4 = sines_[12], z5 = cosines_[12];
+    const Scalar z6 = sines_[13], z7 = cosines_[13];
+    const Scalar z8 = sines_[14], z9 = cosines_[14];
+    const Scalar z10 = sines_[15], z11 = cosines_[15];
+    const Scalar z12 = n2 * q_trunk_attitude_y;
+    const Scalar z13 = n2 * q_trunk_attitude_z;
+    const Scalar z14 = n2 * q_trunk_attitude_x;
+    const Scalar z15 = n0_05 * v_trunk_attitude_omega_z;
+    const Scalar z16 = v_trunk_attitude_omega_x + v_front_left_hip;  // angular velocity of front_left_hip_link, x
+    const Scalar z17 = v_trunk_attitude_omega_x + v_front_right_hip;  // angular velocity of front_right_hip_link, x
+    const Scalar z18 = q_trunk_attitude_x * z13;
+    const Scalar z19 = q_trunk_attitude_w * z12;
+    const Scalar z20 = q_trunk_attitude_z * z13;
+    const Scalar z21 = q_trunk_attitude_x * z12;
+    const Scalar z22 = q_trunk_attitude_w * z13;
+    const Scalar z23 = q_trunk_attitude_z * z12;
+    const Scalar z24 = q_trunk_attitude_w * z14;
+    const Scalar z25 = z18 + z19;
+    const Scalar z26 = q_trunk_attitude_y * z12;
+    const Scalar z27 = z21 - z22;
+    const Scalar z28 = q_trunk_attitude_x * z14;
+    const Scalar z29 = z23 - z24;
+    const Scalar z30 = n1 - z20 - z28;
+    const Scalar z31 = n1 - z26 - z28;
+    const Scalar z32 = z23 + z24;
+    const Scalar z33 = z21 + z22;
+    const Scalar z34 = v_trunk_x * z27 + v_trunk_y * z30 + v_trunk_z * z32;
+    const Scalar z35 = v_trunk_x * z25 + v_trunk_y * z29 + v_trunk_z * z31;
+    const Scalar z36 = z18 - z19;
+    const Scalar z37 = n1 - z26 - z20;
+    const Scalar z38 = v_trunk_y * z33 + v_trunk_z * z36 + v_trunk_x * z37;
+    const Scalar z39 = n0_2 * v_trunk_attitude_omega_z + z34;
+    const Scalar z40 = n0_2 * v_trunk_attitude_omega_z - z34;
+    const Scalar z41 = z35 + n0_05 * v_trunk_attitude_omega_x - n0_2 * v_trunk_attitude_omega_y;
+    const Scalar z42 = n0_05 * v_trunk_attitude_omega_x - z35 + n0_2 * v_trunk_attitude_omega_y;
+    const Scalar z43 = z35 + n0_05 * v_trunk_attitude_omega_x + n0_2 * v_trunk_attitude_omega_y;
+    const Scalar z44 = s_front_left_hip * z39 - c_front_left_hip * z41;
+    const Scalar z45 = s_front_right_hip * z39 + c_front_right_hip * z42;
+    const Scalar z46 = s_rear_left_hip * z40 + c_rear_left_hip * z43;
+    const Scalar z47 = v_trunk_attitude_omega_x + v_rear_left_hip;  // angular velocity of rear_left_hip_link, x
+    const Scalar z48 = z38 - z15;
+    const Scalar z49 = v_trunk_attitude_omega_y * s_front_left_hip - v_trunk_attitude_omega_z * c_front_left_hip;
+    const Scalar z50 = z38 + z15;
+    const Scalar z51 = v_trunk_attitude_omega_y * s_front_right_hip - v_trunk_attitude_omega_z * c_front_right_hip;
+    const Scalar z52 = v_trunk_attitude_omega_y * s_rear_left_hip - v_trunk_attitude_omega_z * c_rear_left_hip;
+    const Scalar z53 = s_front_left_hip * z41 + c_front_left_hip * z39;
+    const Scalar z54 = s_front_right_hip * z42 - c_front_right_hip * z39;
+    const Scalar z55 = v_trunk_attitude_omega_y * c_front_left_hip + v_trunk_attitude_omega_z * s_front_left_hip;
+    const Scalar z56 = n0_05 * v_trunk_attitude_omega_x - z35 - n0_2 * v_trunk_attitude_omega_y;
+    const Scalar z57 = s_rear_left_hip * z43 - c_rear_left_hip * z40;
+    const Scalar z58 = v_trunk_attitude_omega_y * s_rear_right_hip - v_trunk_attitude_omega_z * c_rear_right_hip;
+    const Scalar z59 = v_trunk_attitude_omega_y * c_front_right_hip + v_trunk_attitude_omega_z * s_front_right_hip;
+    const Scalar z60 = v_trunk_attitude_omega_y * c_rear_left_hip + v_trunk_attitude_omega_z * s_rear_left_hip;
+    const Scalar z61 = v_front_left_thigh + z55;  // angular velocity of front_left_thigh_link, y
+    const Scalar z62 = v_front_right_thigh + z59;  // angular velocity of front_right_thigh_link, y
+    const Scalar z63 = v_rear_left_thigh + z60;  // angular velocity of rear_left_thigh_link, y
+    const Scalar z64 = z44 - n0_08 * z16;
+    const Scalar z65 = z45 + n0_08 * z17;
+    const Scalar z66 = z46 + n0_08 * z47;
+    const Scalar z67 = z48 + n0_08 * z49;
+    const Scalar z68 = s_rear_right_hip * z40 - c_rear_right_hip * z56;
+    const Scalar z69 = s_rear_right_hip * z56 + c_rear_right_hip * z40;
+    const Scalar z70 = v_trunk_attitude_omega_x + v_rear_right_hip;  // angular velocity of rear_right_hip_link, x
+    const Scalar z71 = z50 - n0_08 * z51;
+    const Scalar z72 = z48 + n0_08 * z52;
+    const Scalar z73 = v_trunk_attitude_omega_y * c_rear_right_hip + v_trunk_attitude_omega_z * s_rear_right_hip;
+    const Scalar z74 = s_front_left_thigh * z64 + c_front_left_thigh * z67;
+    const Scalar z75 = s_front_left_thigh * z67 - c_front_left_thigh * z64;
+    const Scalar z76 = s_front_right_thigh * z65 + c_front_right_thigh * z71;
+    const Scalar z77 = s_front_right_thigh * z71 - c_front_right_thigh * z65;
+    const Scalar z78 = s_rear_left_thigh * z66 - c_rear_left_thigh * z72;
+    const Scalar z79 = s_rear_left_thigh * z72 + c_rear_left_thigh * z66;
+    const Scalar z80 = c_front_left_thigh * z16 + s_front_left_thigh * z49;
+    const Scalar z81 = z50 - n0_08 * z58;
+    const Scalar z82 = s_front_left_thigh * z16 - c_front_left_thigh * z49;
+    const Scalar z83 = s_front_left_knee * z80 + c_front_left_knee * z82;
+    const Scalar z84 = s_front_left_knee * z82 - c_front_left_knee * z80;
+    const Scalar z85 = z68 - n0_08 * z70;
+    const Scalar z86 = s_rear_right_thigh * z85 - c_rear_right_thigh * z81;
+    const Scalar z87 = c_front_right_thigh * z17 + s_front_right_thigh * z51;
+    const Scalar z88 = s_front_right_thigh * z17 - c_front_right_thigh * z51;
+    const Scalar z89 = s_front_right_knee * z87 + c_front_right_knee * z88;
+    const Scalar z90 = s_front_right_knee * z88 - c_front_right_knee * z87;
+    const Scalar z91 = c_rear_left_thigh * z47 + s_rear_left_thigh * z52;
+    const Scalar z92 = s_rear_left_thigh * z47 - c_rear_left_thigh * z52;
+    const Scalar z93 = s_rear_left_knee * z91 + c_rear_left_knee * z92;
+    const Scalar z94 = s_rear_left_knee * z92 - c_rear_left_knee * z91;
+    const Scalar z95 = c_rear_right_thigh * z70 + s_rear_right_thigh * z58;
+    const Scalar z96 = s_rear_right_thigh * z70 - c_rear_right_thigh * z58;
+    const Scalar z97 = z74 - n0_2 * z61;
+    const Scalar z98 = s_rear_right_thigh * z81 + c_rear_right_thigh * z85;
+    const Scalar z99 = c_front_left_knee * z75 + s_front_left_knee * z97;
+    const Scalar z100 = s_front_left_knee * z75 - c_front_left_knee * z97;
+    const Scalar z101 = z76 - n0_2 * z62;
+    const Scalar z102 = c_front_right_knee * z77 + s_front_right_knee * z101;
+    const Scalar z103 = s_front_right_knee * z77 - c_front_right_knee * z101;
+    const Scalar z104 = z78 + n0_2 * z63;
+    const Scalar z105 = s_rear_left_knee * z104 - c_rear_left_knee * z79;
+    const Scalar z106 = s_rear_left_knee * z79 + c_rear_left_knee * z104;
+    const Scalar z107 = z53 + n0_2 * z80;
+    const Scalar z108 = v_rear_right_thigh + z73;  // angular velocity of rear_right_thigh_link, y
+    const Scalar z109 = s_rear_right_knee * z95 + c_rear_right_knee * z96;
+    const Scalar z110 = s_rear_right_knee * z96 - c_rear_right_knee * z95;
+    const Scalar z111 = z86 + n0_2 * z108;
+    const Scalar z112 = v_front_left_knee + z61;  // angular velocity of front_left_shank_link, y
+    const Scalar z113 = s_rear_right_knee * z111 - c_rear_right_knee * z98;
+    const Scalar z114 = s_rear_right_knee * z98 + c_rear_right_knee * z111;
+    const Scalar z115 = n0_5 * z44 - n0_02 * z16;
+    const Scalar z116 = n0_02 * z44 - n0_0014 * z16;
+    const Scalar z117 = n0_8 * z74 - n0_072 * z61;
+    const Scalar z118 = n0_072 * z74 - k10 * z61;
+    const Scalar z119 = n0_8 * z53 + n0_072 * z80;
+    const Scalar z120 = n0_072 * z53 + k10 * z80;
+    const Scalar z121 = n0_032 * z112 + n0_26 * z100;
+    const Scalar z122 = n0_26 * z107 - n0_032 * z84;
+    const Scalar z123 = n0_032 * z107 - k13 * z84;
+    const Scalar z124 = z54 - n0_2 * z87;
+    const Scalar z125 = k13 * z112 + n0_032 * z100;
+    const Scalar z126 = n0_02 * z17 + n0_5 * z45;
+    const Scalar z127 = n0_0014 * z17 + n0_02 * z45;
+    const Scalar z128 = v_front_right_knee + z62;  // angular velocity of front_right_shank_link, y
+    const Scalar z129 = n0_8 * z76 - n0_072 * z62;
+    const Scalar z130 = n0_072 * z76 - k10 * z62;
+    const Scalar z131 = n0_8 * z54 - n0_072 * z87;
+    const Scalar z132 = n0_072 * z54 - k10 * z87;
+    const Scalar z133 = n0_032 * z128 + n0_26 * z103;
+    const Scalar z134 = k13 * z128 + n0_032 * z103;
+    const Scalar z135 = n0_26 * z124 + n0_032 * z90;
+    const Scalar z136 = n0_032 * z124 + k13 * z90;
+    const Scalar z137 = n0_02 * z47 + n0_5 * z46;
+    const Scalar z138 = n0_0014 * z47 + n0_02 * z46;
+    const Scalar z139 = n0_072 * z63 + n0_8 * z78;
+    const Scalar z140 = n0_8 * z57 + n0_072 * z91;
+    const Scalar z141 = z57 + n0_2 * z91;
+    const Scalar z142 = n0_072 * z57 + k10 * z91;
+    const Scalar z143 = k10 * z63 + n0_072 * z78;
+    const Scalar z144 = v_rear_left_knee + z63;  // angular velocity of rear_left_shank_link, y
+    const Scalar z145 = n0_032 * z144 + n0_26 * z106;
+    const Scalar z146 = k13 * z144 + n0_032 * z106;
+    const Scalar z147 = n0_2 * z36;
+    const Scalar z148 = n0_26 * z141 - n0_032 * z94;
+    const Scalar z149 = n0_032 * z141 - k13 * z94;
+    const Scalar z150 = z69 - n0_2 * z95;
+    const Scalar z151 = n0_08 * c_front_left_hip;
+    const Scalar z152 = n0_5 * z68 - n0_02 * z70;
+    const Scalar z153 = n0_02 * z68 - n0_0014 * z70;
+    const Scalar z154 = v_rear_right_knee + z108;  // angular velocity of rear_right_shank_link, y
+    const Scalar z155 = n0_08 * s_front_left_hip;
+    const Scalar z156 = n0_072 * z108 + n0_8 * z86;
+    const Scalar z157 = k10 * z108 + n0_072 * z86;
+    const Scalar z158 = n0_02 * c_front_left_hip;
+    const Scalar z159 = n0_5 * z48;
+    const Scalar z160 = n0_02 * z48;
+    const Scalar z161 = n0_02 * z49 + z159;
+    const Scalar z162 = n0_0014 * z49 + z160;
+    const Scalar z163 = n0_2 * s_front_left_thigh;
+    const Scalar z164 = n0_02 * z52 + z159;
+    const Scalar z165 = n0_2 * c_front_left_thigh;
+    const Scalar z166 = n0_0014 * z52 + z160;
+    const Scalar z167 = n0_072 * c_front_left_thigh;
+    const Scalar z168 = n0_2 - z163;
+    const Scalar z169 = s_front_left_hip * z167;
+    const Scalar z170 = c_front_left_hip * z167;
+    const Scalar z171 = n0_8 * z69 - n0_072 * z95;
+    const Scalar z172 = n0_072 * z69 - k10 * z95;
+    const Scalar z173 = c_front_left_hip * z165 - z155;
+    const Scalar z174 = s_front_left_hip * z165 + z151;
+    const Scalar z175 = n0_05 + z151;
+    const Scalar z176 = n0_05 + z174;
+    const Scalar z177 = n0_5 * z50;
+    const Scalar z178 = z147 + z31 * z155 + z32 * z175;
+    const Scalar z179 = n0_02 * z50;
+    const Scalar z180 = n0_02 * s_front_left_hip;
+    const Scalar z181 = z36 * z168 - z31 * z173 + z32 * z176;
+    const Scalar z182 = n0_072 * s_front_left_thigh;
+    const Scalar z183 = n0_05 * z32 + z147;
+    const Scalar z184 = z32 * z169 - z31 * z170 - z36 * z182;
+    const Scalar z185 = n0_02 * z51 - z177;
+    const Scalar z186 = n0_032 * z5;
+    const Scalar z187 = s_front_left_hip * z186;
+    const Scalar z188 = n0_032 * z4;
+    const Scalar z189 = z32 * z158 + z31 * z180;
+    const Scalar z190 = n0_0014 * z51 - z179;
+    const Scalar z191 = n0_08 * s_front_right_hip;
+    const Scalar z192 = n0_2 * c_front_right_thigh;
+    const Scalar z193 = n0_08 * c_front_right_hip;
+    const Scalar z194 = n0_02 * z58 - z177;
+    const Scalar z195 = n0_072 * c_front_right_thigh;
+    const Scalar z196 = n0_0014 * z58 - z179;
+    const Scalar z197 = n0_2 * s_front_right_thigh;
+    const Scalar z198 = c_front_right_hip * z192 + z191;
+    const Scalar z199 = q_trunk_z + z178;
+    const Scalar z200 = n0_032 * z7;
+    const Scalar z201 = q_trunk_z + z181;
+    const Scalar z202 = s_front_right_hip * z195;
+    const Scalar z203 = n0_2 - z197;
+    const Scalar z204 = s_front_right_hip * z192 - z193;
+    const Scalar z205 = c_front_left_hip * z186;
+    const Scalar z206 = z32 * z187 - z31 * z205 - z36 * z188;
+    const Scalar z207 = s_front_right_hip * z200;
+    const Scalar z208 = c_front_right_hip * z195;
+    const Scalar z209 = c_front_right_hip * z200;
+    const Scalar z210 = n0_02 * c_front_right_hip;
+    const Scalar z211 = n0_05 + z193;
+    const Scalar z212 = n0_05 - z204;
+    const Scalar z213 = n0_02 * s_front_right_hip;
+    const Scalar z214 = z31 * z198 - z36 * z203 + z32 * z212;
+    const Scalar z215 = n0_072 * s_front_right_thigh;
+    const Scalar z216 = n0_032 * z6;
+    const Scalar z217 = z32 * z202 - z31 * z208 - z36 * z215;
+    const Scalar z218 = n0_05 * z32 - z147;
+    const Scalar z219 = z31 * z191 - z147 + z32 * z211;
+    const Scalar z220 = n0_032 * z154 + n0_26 * z114;
+    const Scalar z221 = n0_26 * z150 + n0_032 * z110;
+    const Scalar z222 = n0_032 * z150 + k13 * z110;
+    const Scalar z223 = n0_02 * c_rear_left_hip;
+    const Scalar z224 = k13 * z154 + n0_032 * z114;
+    const Scalar z225 = n0_08 * c_rear_left_hip;
+    const Scalar z226 = n0_02 * s_rear_left_hip;
+    const Scalar z227 = q_trunk_z + z183;
+    const Scalar z228 = n0_2 * c_rear_left_thigh;
+    const Scalar z229 = s_rear_left_hip * z228 + z225;
+    const Scalar z230 = n0_08 * s_rear_left_hip;
+    const Scalar z231 = n0_08 * s_rear_right_hip;
+    const Scalar z232 = z32 * z207 - z31 * z209 - z36 * z216;
+    const Scalar z233 = n0_072 * c_rear_left_thigh;
+    const Scalar z234 = n0_05 + z229;
+    const Scalar z235 = n0_032 * z9;
+    const Scalar z236 = n0_08 * c_rear_right_hip;
+    const Scalar z237 = z32 * z210 + z31 * z213;
+    const Scalar z238 = s_rear_left_hip * z233;
+    const Scalar z239 = c_rear_left_hip * z228 - z230;
+    const Scalar z240 = s_rear_left_hip * z235;
+    const Scalar z241 = z32 * z223 + z31 * z226;
+    const Scalar z242 = n0_2 * s_rear_left_thigh;
+    const Scalar z243 = c_rear_left_hip * z233;
+    const Scalar z244 = c_rear_left_hip * z235;
+    const Scalar z245 = n0_05 + z225;
+    const Scalar z246 = n0_2 + z242;
+    const Scalar z247 = n0_02 * c_rear_right_hip;
+    const Scalar z248 = z31 * z230 - z147 + z32 * z245;
+    const Scalar z249 = n0_072 * s_rear_left_thigh;
+    const Scalar z250 = z32 * z238 - z31 * z243 - z36 * z249;
+    const Scalar z251 = n0_032 * z8;
+    const Scalar z252 = n0_02 * s_rear_right_hip;
+    const Scalar z253 = z32 * z234 - z31 * z239 - z36 * z246;
+    const Scalar z254 = q_trunk_z - z218;
+    const Scalar z255 = n0_072 * c_rear_right_thigh;
+    const Scalar z256 = s_rear_right_hip * z255;
+    const Scalar z257 = c_rear_right_hip * z255;
+    const Scalar z258 = n0_05 + z236;
+    const Scalar z259 = z32 * z240 - z31 * z244 - z36 * z251;
+    const Scalar z260 = n0_072 * s_rear_right_thigh;
+    const Scalar z261 = z147 + z31 * z231 + z32 * z258;
+    const Scalar z262 = q_trunk_z - z219;
+    const Scalar z263 = n0_2 * s_rear_right_thigh;
+    const Scalar z264 = n0_2 * c_rear_right_thigh;
+    const Scalar z265 = n0_2 + z263;
+    const Scalar z266 = n0_032 * z11;
+    const Scalar z267 = c_rear_right_hip * z264 + z231;
+    const Scalar z268 = s_rear_right_hip * z266;
+    const Scalar z269 = z32 * z256 - z31 * z257 - z36 * z260;
+    const Scalar z270 = s_rear_right_hip * z264 - z236;
+    const Scalar z271 = c_rear_right_hip * z266;
+    const Scalar z272 = n0_05 - z270;
+    const Scalar z273 = n0_032 * z10;
+    const Scalar z274 = q_trunk_z - z214;
+    const Scalar z275 = q_trunk_z + z218;
+    const Scalar z276 = q_trunk_z + z248;
+    const Scalar z277 = z36 * z265 + z31 * z267 + z32 * z272;
+    const Scalar z278 = q_trunk_z + z253;
+    const Scalar z279 = q_trunk_z - z183;
+    const Scalar z280 = z32 * z247 + z31 * z252;
+    const Scalar z281 = q_trunk_z - z261;
+    const Scalar z282 = q_trunk_z - z277;
+    const Scalar z283 = z32 * z268 - z31 * z271 - z36 * z273;
+    const Scalar z284 = n0_05 * v_front_left_hip;
+    const Scalar z285 = n0_05 * v_front_left_thigh;
+    const Scalar z286 = n0_05 * v_front_left_knee;
+    const Scalar z287 = n0_05 * v_front_right_hip;
+    const Scalar z288 = n0_05 * v_front_right_thigh;
+    const Scalar z289 = n0_05 * v_front_right_knee;
+    const Scalar z290 = n0_05 * v_rear_left_hip;
+    const Scalar z291 = n0_05 * v_rear_left_thigh;
+    const Scalar z292 = n0_05 * v_rear_left_knee;
+    const Scalar z293 = n0_05 * v_rear_right_hip;
+    const Scalar z294 = n0_05 * v_rear_right_thigh;
+    const Scalar z295 = n0_05 * v_rear_right_knee;
+    result.kinetic = n0_0125 * v_trunk_attitude_omega_x * v_trunk_attitude_omega_x + n0_0425 * v_trunk_attitude_omega_y
+        * v_trunk_attitude_omega_y + v_trunk_attitude_omega_z * z15 + n3 * (z38 * z38 + z34 * z34 + z35 * z35) + n0_25
+        * (z53 * z53 + z54 * z54 + z57 * z57 + z69 * z69) + n0_4 * (z75 * z75 + z77 * z77 + z79 * z79 + z98 * z98) + k19
+        * (z83 * z83 + z89 * z89 + z93 * z93 + z109 * z109) + n0_0002 * (z55 * z55 + z59 * z59 + z60 * z60 + z73 * z73
+        + z82 * z82 + z88 * z88 + z92 * z92 + z96 * z96) + n0_13 * (z99 * z99 + z102 * z102 + z105 * z105 + z113 * z113)
+        + n0_5 * (z49 * z162 + z51 * z190 + z45 * z126 + z17 * z127 + z52 * z166 + z46 * z137 + z47 * z138 + z58 * z196
+        + z48 * (z161 + z164) - z50 * (z185 + z194) + z44 * z115 - z16 * z116 + z68 * z152 - z70 * z153 + z53 * z119
+        + z80 * z120 + z54 * z131 - z87 * z132 + z57 * z140 + z91 * z142 + z69 * z171 - z95 * z172 + z107 * z122 - z84
+        * z123 + z124 * z135 + z90 * z136 + z78 * z139 + z63 * z143 + z141 * z148 - z94 * z149 + z86 * z156 + z108
+        * z157 + z150 * z221 + z110 * z222 + z74 * z117 - z61 * z118 + z76 * z129 - z62 * z130 + z100 * z121 + z112
+        * z125 + z103 * z133 + z128 * z134 + z106 * z145 + z144 * z146 + z114 * z220 + z154 * z224);
+    result.force_function = -n58_86 * q_trunk_z - n4_905 * (z227 + z254 + z275 + z279) - n7_848 * (z199 + z262 + z276
+        + z281) - n2_5506 * (z201 + z282 + z274 + z278) - n9_81 * (z189 - z237 + z241 - z280 + z184 + z217 + z250 + z269
+        + z206 + z232 + z259 + z283);
+    result.power = v_front_left_hip * (u_front_left_hip_torque - z284) + v_front_left_thigh * (u_front_left_thigh_torque
+        - z285) + v_front_left_knee * (u_front_left_knee_torque - z286) + v_front_right_hip * (u_front_right_hip_torque
+        - z287) + v_front_right_thigh * (u_front_right_thigh_torque - z288) + v_front_right_knee
+        * (u_front_right_knee_torque - z289) + v_rear_left_hip * (u_rear_left_hip_torque - z290) + v_rear_left_thigh
+        * (u_rear_left_thigh_torque - z291) + v_rear_left_knee * (u_rear_left_knee_torque - z292) + v_rear_right_hip
+        * (u_rear_right_hip_torque - z293) + v_rear_right_thigh * (u_rear_right_thigh_torque - z294) + v_rear_right_knee
+        * (u_rear_right_knee_torque - z295);
+  }
+
+  /// Contacts that open and close, in the order front_left_foot_ground, front_right_foot_ground, rear_left_foot_ground, rear_right_foot_ground.
+  /// Rows are contact by contact, the normal first (n from the second body to the first, so that w > 0 opens), then
+  /// the tangents: w = J v + b, dw/dt = J a + drift. M a + h = E u + A' lambda + J' r with the reactions r.
+  TORSOR_DEVICE static void contacts(const Precomputed&, const State& state, Contacts& result) noexcept {
+    const Scalar n0_2 = traits::constant(0.2, 0.2f, "1/5");
+    const Scalar n2 = traits::constant(2.0, 2.0f, "2/1");
+    const Scalar n0_08 = traits::constant(0.08, 0.08f, "2/25");
+    const Scalar n1 = traits::constant(1.0, 1.0f, "1/1");
+    const Scalar n0_5 = traits::constant(0.5, 0.5f, "1/2");
+    const Scalar n4 = traits::constant(4.0, 4.0f, "4/1");
+    const Scalar n0_05 = traits::constant(0.05, 0.05f, "1/20");
+    const Scalar n0_02 = traits::constant(0.02, 0.02f, "1/50");
+    const Scalar n0 = traits::constant(0.0, 0.0f, "0/1");
+    const Scalar q_trunk_x = state.q.trunk_x;
+    const Scalar v_trunk_x = state.v.trunk_x;
+    const Scalar q_trunk_y = state.q.trunk_y;
+    const Scalar v_trunk_y = state.v.trunk_y;
+    const Scalar q_trunk_z = state.q.trunk_z;
+    const Scalar v_trunk_z = state.v.trunk_z;
+    const Scalar q_trunk_attitude_y = state.q.trunk_attitude_y;
+    const Scalar q_trunk_attitude_z = state.q.trunk_attitude_z;
+    const Scalar q_trunk_attitude_x = state.q.trunk_attitude_x;
+    const Scalar q_trunk_attitude_w = state.q.trunk_attitude_w;
+    const Scalar v_trunk_attitude_omega_x = state.v.trunk_attitude_omega_x;
+    const Scalar v_trunk_attitude_omega_y = state.v.trunk_attitude_omega_y;
+    const Scalar v_trunk_attitude_omega_z = state.v.trunk_attitude_omega_z;
+    const Scalar q_front_left_hip = state.q.front_left_hip;
+    const Scalar v_front_left_hip = state.v.front_left_hip;
+    const Scalar q_front_left_thigh = state.q.front_left_thigh;
+    const Scalar v_front_left_thigh = state.v.front_left_thigh;
+    const Scalar q_front_left_knee = state.q.front_left_knee;
+    const Scalar v_front_left_knee = state.v.front_left_knee;
+    const Scalar q_front_right_hip = state.q.front_right_hip;
+    const Scalar v_front_right_hip = state.v.front_right_hip;
+    const Scalar q_front_right_thigh = state.q.front_right_thigh;
+    const Scalar v_front_right_thigh = state.v.front_right_thigh;
+    const Scalar q_front_right_knee = state.q.front_right_knee;
+    const Scalar v_front_right_knee = state.v.front_right_knee;
+    const Scalar q_rear_left_hip = state.q.rear_left_hip;
+    const Scalar v_rear_left_hip = state.v.rear_left_hip;
+    const Scalar q_rear_left_thigh = state.q.rear_left_thigh;
+    const Scalar v_rear_left_thigh = state.v.rear_left_thigh;
+    const Scalar q_rear_left_knee = state.q.rear_left_knee;
+    const Scalar v_rear_left_knee = state.v.rear_left_knee;
+    const Scalar q_rear_right_hip = state.q.rear_right_hip;
+    const Scalar v_rear_right_hip = state.v.rear_right_hip;
+    const Scalar q_rear_right_thigh = state.q.rear_right_thigh;
+    const Scalar v_rear_right_thigh = state.v.rear_right_thigh;
+    const Scalar q_rear_right_knee = state.q.rear_right_knee;
+    const Scalar v_rear_right_knee = state.v.rear_right_knee;
+    const Scalar angles_[] = {q_front_left_hip, q_front_left_thigh, q_front_left_knee, q_front_right_hip,
+        q_front_right_thigh, q_front_right_knee, q_rear_left_hip, q_rear_left_thigh, q_rear_left_knee, q_rear_right_hip,
+        q_rear_right_thigh, q_rear_right_knee};
+    Scalar sines_[12], cosines_[12];
+    torsor::sines_and_cosines(angles_, sines_, cosines_);
+    const Scalar s_front_left_hip = sines_[0], c_front_left_hip = cosines_[0];
+    const Scalar s_front_left_thigh = sines_[1], c_front_left_thigh = cosines_[1];
+    const Scalar s_front_left_knee = sines_[2], c_front_left_knee = cosines_[2];
+    const Scalar s_front_right_hip = sines_[3], c_front_right_hip = cosines_[3];
+    const Scalar s_front_right_thigh = sines_[4], c_front_right_thigh = cosines_[4];
+    const Scalar s_front_right_knee = sines_[5], c_front_right_knee = cosines_[5];
+    const Scalar s_rear_left_hip = sines_[6], c_rear_left_hip = cosines_[6];
+    const Scalar s_rear_left_thigh = sines_[7], c_rear_left_thigh = cosines_[7];
+    const Scalar s_rear_left_knee = sines_[8], c_rear_left_knee = cosines_[8];
+    const Scalar s_rear_right_hip = sines_[9], c_rear_right_hip = cosines_[9];
+    const Scalar s_rear_right_thigh = sines_[10], c_rear_right_thigh = cosines_[10];
+    const Scalar s_rear_right_knee = sines_[11], c_rear_right_knee = cosines_[11];
+    const Scalar z0 = n0_2 * s_front_left_knee;
+    const Scalar z1 = n0_2 * c_front_left_knee;
+    const Scalar z2 = n2 * q_trunk_attitude_y;
+    const Scalar z3 = n0_08 * c_front_left_hip;
+    const Scalar z4 = n2 * q_trunk_attitude_z;
+    const Scalar z5 = n2 * q_trunk_attitude_x;
+    const Scalar z6 = q_trunk_attitude_y * z2;
+    const Scalar z7 = q_trunk_attitude_z * z4;
+    const Scalar z8 = n0_08 * s_front_left_hip;
+    const Scalar z9 = q_trunk_attitude_z * z2;
+    const Scalar z10 = q_trunk_attitude_w * z5;
+    const Scalar z11 = q_trunk_attitude_x * z5;
+    const Scalar z12 = n1 - z6 - z7;
+    const Scalar z13 = q_trunk_attitude_x * z4;
+    const Scalar z14 = q_trunk_attitude_w * z2;
+    const Scalar z15 = z9 + z10;
+    const Scalar z16 = q_trunk_attitude_x * z2;
+    const Scalar z17 = q_trunk_attitude_w * z4;
+    const Scalar z18 = n1 - z6 - z11;
+    const Scalar z19 = z13 - z14;
+    const Scalar z20 = z16 + z17;
+    const Scalar z21 = z13 + z14;
+    const Scalar z22 = z9 - z10;
+    const Scalar z23 = z16 - z17;
+    const Scalar z24 = n0_5 * (q_trunk_attitude_y * v_trunk_attitude_omega_x - q_trunk_attitude_x
+        * v_trunk_attitude_omega_y - q_trunk_attitude_w * v_trunk_attitude_omega_z);
+    const Scalar z25 = n0_5 * (q_trunk_attitude_y * v_trunk_attitude_omega_z - q_trunk_attitude_z
+        * v_trunk_attitude_omega_y + q_trunk_attitude_w * v_trunk_attitude_omega_x);
+    const Scalar z26 = n0_5 * (q_trunk_attitude_y * v_trunk_attitude_omega_y + q_trunk_attitude_z
+        * v_trunk_attitude_omega_z + q_trunk_attitude_x * v_trunk_attitude_omega_x);
+    const Scalar z27 = n0_5 * (q_trunk_attitude_z * v_trunk_attitude_omega_x - q_trunk_attitude_x
+        * v_trunk_attitude_omega_z + q_trunk_attitude_w * v_trunk_attitude_omega_y);
+    const Scalar z28 = n2 * (q_trunk_attitude_y * z24 - q_trunk_attitude_z * z27);
+    const Scalar z29 = n2 * (q_trunk_attitude_x * z26 - q_trunk_attitude_w * z25);
+    const Scalar z30 = n1 - z7 - z11;
+    const Scalar z31 = v_front_left_thigh * c_front_left_thigh;
+    const Scalar z32 = v_front_left_knee * c_front_left_knee;
+    const Scalar z33 = v_front_left_thigh * s_front_left_thigh;
+    const Scalar z34 = v_front_left_knee * s_front_left_knee;
+    const Scalar z35 = z28 + z29;
+    const Scalar z36 = v_front_left_hip * s_front_left_hip;
+    const Scalar z37 = v_front_left_hip * c_front_left_hip;
+    const Scalar z38 = q_trunk_attitude_y * q_trunk_attitude_y;
+    const Scalar z39 = q_trunk_attitude_z * q_trunk_attitude_z;
+    const Scalar z40 = q_trunk_attitude_x * q_trunk_attitude_x;
+    const Scalar z41 = z39 - z40;
+    const Scalar z42 = z38 - z39;
+    const Scalar z43 = q_trunk_attitude_w * q_trunk_attitude_w - z38;
+    const Scalar z44 = q_trunk_attitude_w * q_trunk_attitude_w - z40;
+    const Scalar z45 = z41 + z43;
+    const Scalar z46 = q_trunk_attitude_y * q_trunk_attitude_w - q_trunk_attitude_z * q_trunk_attitude_x;
+    const Scalar z47 = z42 - z44;
+    const Scalar z48 = n2 * z46;
+    const Scalar z49 = q_trunk_attitude_y * q_trunk_attitude_z + q_trunk_attitude_x * q_trunk_attitude_w;
+    const Scalar z50 = n2 * z49;
+    const Scalar z51 = n0_2 + z1;
+    const Scalar z52 = c_front_left_thigh * z0;
+    const Scalar z53 = s_front_left_thigh * z0;
+    const Scalar z54 = n0_2 * z32;
+    const Scalar z55 = n0_2 * z34;
+    const Scalar z56 = n0_08 * z36;
+    const Scalar z57 = s_front_left_thigh * z51 + z52;
+    const Scalar z58 = n4 * q_trunk_attitude_y * z27;
+    const Scalar z59 = n4 * q_trunk_attitude_x * z25;
+    const Scalar z60 = c_front_left_thigh * z51 - z53;
+    const Scalar z61 = z58 + z59;
+    const Scalar z62 = n0_08 * z37;
+    const Scalar z63 = s_front_left_thigh * z1 + z52;
+    const Scalar z64 = c_front_left_thigh * z1 - z53;
+    const Scalar z65 = z0 * z31 + s_front_left_thigh * z54 + c_front_left_thigh * z55 + z51 * z33;
+    const Scalar z66 = s_front_left_hip * z60 + z3;
+    const Scalar z67 = n2 * (q_trunk_attitude_z * z25 - q_trunk_attitude_x * z24);
+    const Scalar z68 = n0_2 - z57;
+    const Scalar z69 = n0_05 + z66;
+    const Scalar z70 = c_front_left_hip * z60 - z8;
+    const Scalar z71 = z68 * z45 + z19 * z70;
+    const Scalar z72 = z68 * z50 + z69 * z48;
+    const Scalar z73 = n2 * (q_trunk_attitude_y * z26 - q_trunk_attitude_w * z27);
+    const Scalar z74 = z67 + z73;
+    const Scalar z75 = z0 * z33 + s_front_left_thigh * z55 - c_front_left_thigh * z54 - z51 * z31;
+    const Scalar z76 = z56 - z60 * z37 + s_front_left_hip * z65;
+    const Scalar z77 = z12 * z68 - z21 * z70 + z23 * z69;
+    const Scalar z78 = q_trunk_x + z77;
+    const Scalar z79 = z19 * z68 - z18 * z70 + z15 * z69;
+    const Scalar z80 = q_trunk_z + z79;
+    const Scalar z81 = z20 * z68 - z22 * z70 + z30 * z69;
+    const Scalar z82 = q_trunk_y + z81;
+    const Scalar z83 = v_front_left_knee * z32;
+    const Scalar z84 = n0_2 * z83;
+    const Scalar z85 = v_front_left_knee * z34;
+    const Scalar z86 = n0_2 * z85;
+    const Scalar z87 = n0_02 - z80;
+    const Scalar z88 = v_front_left_thigh * z31;
+    const Scalar z89 = v_front_left_thigh * z33;
+    const Scalar z90 = z62 + z60 * z36 + c_front_left_hip * z65;
+    const Scalar z91 = n2 * z65;
+    const Scalar z92 = z69 * z35 - z68 * z74 - z70 * z61 - z19 * z75 + z15 * z76 - z18 * z90;
+    const Scalar z93 = v_trunk_z - z92;
+    const Scalar z94 = v_front_left_hip * z36;
+    const Scalar z95 = v_front_left_hip * z37;
+    const Scalar z96 = z0 * z89 - z51 * z88 + s_front_left_thigh * z86 - c_front_left_thigh * z84 - n2 * (z31 * z54
+        - z33 * z55);
+    const Scalar z97 = s_front_left_hip * z57;
+    const Scalar z98 = c_front_left_hip * z57;
+    const Scalar z99 = z19 * z60 + z15 * z97 - z18 * z98;
+    const Scalar z100 = s_front_left_hip * z63;
+    const Scalar z101 = c_front_left_hip * z63;
+    const Scalar z102 = z19 * z64 + z15 * z100 - z18 * z101;
+    const Scalar z103 = z15 * z70;
+    const Scalar z104 = z18 * z66 + z103;
+    const Scalar z105 = z69 * z47 - z103;
+    const Scalar z106 = z0 * z88 + z51 * z89 + s_front_left_thigh * z84 + c_front_left_thigh * z86 + n2 * (z31 * z55
+        + z54 * z33);
+    const Scalar z107 = n0_2 * s_front_left_thigh;
+    const Scalar z108 = n0_2 * z19;
+    const Scalar z109 = n0_2 * c_front_left_thigh;
+    const Scalar z110 = n0_2 * z12;
+    const Scalar z111 = n0_05 * z15 + z108;
+    const Scalar z112 = n0_05 * z23;
+    const Scalar z113 = n0_5 * (v_trunk_attitude_omega_x * z26 - v_trunk_attitude_omega_y * z24
+        - v_trunk_attitude_omega_z * z27);
+    const Scalar z114 = n0_5 * (v_trunk_attitude_omega_x * z27 - v_trunk_attitude_omega_y * z25
+        + v_trunk_attitude_omega_z * z26);
+    const Scalar z115 = n0_5 * (v_trunk_attitude_omega_x * z25 + v_trunk_attitude_omega_y * z27
+        - v_trunk_attitude_omega_z * z24);
+    const Scalar z116 = n0_2 * z20;
+    const Scalar z117 = q_trunk_z + z111;
+    const Scalar z118 = n0_02 + z117 - z80;
+    const Scalar z119 = n0_05 + z3;
+    const Scalar z120 = n0_5 * (v_trunk_attitude_omega_x * z24 + v_trunk_attitude_omega_y * z26
+        + v_trunk_attitude_omega_z * z25);
+    const Scalar z121 = q_trunk_x - z78;
+    const Scalar z122 = n0_02 + q_trunk_z - z80;
+    const Scalar z123 = n0_2 * z12 + z112;
+    const Scalar z124 = n4 * z25;
+    const Scalar z125 = n4 * z27;
+    const Scalar z126 = z110 + z21 * z8 + z23 * z119;
+    const Scalar z127 = q_trunk_x + z126;
+    const Scalar z128 = z108 + z18 * z8 + z15 * z119;
+    const Scalar z129 = q_trunk_z + z128;
+    const Scalar z130 = z78 - z127;
+    const Scalar z131 = q_trunk_y - z82;
+    const Scalar z132 = q_trunk_x + z123;
+    const Scalar z133 = z78 - z132;
+    const Scalar z134 = z24 * z124 + n2 * (q_trunk_attitude_z * z113 + q_trunk_attitude_x * z114);
+    const Scalar z135 = z24 * z125 + n2 * (q_trunk_attitude_y * z114 + q_trunk_attitude_z * z120);
+    const Scalar z136 = z26 * z125 + n2 * (q_trunk_attitude_y * z115 + q_trunk_attitude_w * z120);
+    const Scalar z137 = z26 * z124 + n2 * (q_trunk_attitude_x * z115 + q_trunk_attitude_w * z113);
+    const Scalar z138 = z134 - z136;
+    const Scalar z139 = z135 + z137;
+    const Scalar z140 = n0_02 + z129 - z80;
+    const Scalar z141 = n4 * (q_trunk_attitude_y * z120 - z27 * z27);
+    const Scalar z142 = n4 * (q_trunk_attitude_x * z113 - z25 * z25);
+    const Scalar z143 = z141 + z142;
+    const Scalar z144 = z116 + z22 * z8 + z30 * z119;
+    const Scalar z145 = q_trunk_y + z144;
+    const Scalar z146 = n0_05 * z30 + z116;
+    const Scalar z147 = z20 * z122 - z19 * z131;
+    const Scalar z148 = z82 - z145;
+    const Scalar z149 = z12 * z122 - z19 * z121;
+    const Scalar z150 = s_front_left_hip * z21 + c_front_left_hip * z23;
+    const Scalar z151 = q_trunk_y + z146;
+    const Scalar z152 = z82 - z151;
+    const Scalar z153 = z30 * z122 - z15 * z131;
+    const Scalar z154 = z23 * z122 - z15 * z121;
+    const Scalar z155 = s_front_left_hip * z18 + c_front_left_hip * z15;
+    const Scalar z156 = z22 * z122 - z18 * z131;
+    const Scalar z157 = z18 * z121 - z21 * z122;
+    const Scalar z158 = s_front_left_hip * z22 + c_front_left_hip * z30;
+    const Scalar z159 = z20 * z118 + z19 * z152;
+    const Scalar z160 = z12 * z118 + z19 * z133;
+    const Scalar z161 = n0_08 * z94 - z60 * z95 + z36 * z91 + c_front_left_hip * z96;
+    const Scalar z162 = s_front_left_hip * z96 - z60 * z94 - z37 * z91 - n0_08 * z95;
+    const Scalar z163 = z19 * z106 - z68 * z138 - z70 * z143 - z69 * z139 + n2 * (z74 * z75 + z35 * z76 - z61 * z90)
+        - z18 * z161 + z15 * z162;
+    const Scalar z164 = n2 * (q_trunk_attitude_y * z25 + q_trunk_attitude_x * z27);
+    const Scalar z165 = z28 - z29;
+    const Scalar z166 = n2 * (q_trunk_attitude_z * z26 + q_trunk_attitude_w * z24);
+    const Scalar z167 = n4 * q_trunk_attitude_z * z24;
+    const Scalar z168 = z59 - z167;
+    const Scalar z169 = n0_2 * z31;
+    const Scalar z170 = n0_2 - z107;
+    const Scalar z171 = n0_2 * z33;
+    const Scalar z172 = s_front_left_hip * z109 + z3;
+    const Scalar z173 = n0_05 + z172;
+    const Scalar z174 = z164 - z166;
+    const Scalar z175 = n0_2 * z74;
+    const Scalar z176 = c_front_left_hip * z109 - z8;
+    const Scalar z177 = n0_2 * z174;
+    const Scalar z178 = z68 * z174 + z70 * z165 - z69 * z168 + z20 * z75 - z30 * z76 + z22 * z90;
+    const Scalar z179 = n0_05 * z35 - z175;
+    const Scalar z180 = n0_05 * z168;
+    const Scalar z181 = z56 + s_front_left_hip * z171 - z37 * z109;
+    const Scalar z182 = z62 + z36 * z109 + c_front_left_hip * z171;
+    const Scalar z183 = z12 * z170 - z21 * z176 + z23 * z173;
+    const Scalar z184 = q_trunk_x + z183;
+    const Scalar z185 = z19 * z170 - z18 * z176 + z15 * z173;
+    const Scalar z186 = z78 - z184;
+    const Scalar z187 = q_trunk_z + z185;
+    const Scalar z188 = v_trunk_z - z93;
+    const Scalar z189 = v_trunk_z - z179;
+    const Scalar z190 = z93 - z189;
+    const Scalar z191 = s_front_left_hip * z61 + c_front_left_hip * z35 + z15 * z36 - z18 * z37;
+    const Scalar z192 = n0_02 + z187 - z80;
+    const Scalar z193 = v_trunk_y + z178;
+    const Scalar z194 = v_trunk_y - z193;
+    const Scalar z195 = z177 - z180;
+    const Scalar z196 = z8 * z61 - z175 + z15 * z56 - z18 * z62 + z35 * z119;
+    const Scalar z197 = v_trunk_z - z196;
+    const Scalar z198 = v_trunk_y + z195;
+    const Scalar z199 = z193 - z198;
+    const Scalar z200 = z19 * z169 - z74 * z170 - z61 * z176 + z35 * z173 + z15 * z181 - z18 * z182;
+    const Scalar z201 = z20 * z190 - z19 * z199 - z74 * z152 - z118 * z174;
+    const Scalar z202 = z93 - z197;
+    const Scalar z203 = v_trunk_z - z200;
+    const Scalar z204 = z93 - z203;
+    const Scalar z205 = z20 * z170 - z22 * z176 + z30 * z173;
+    const Scalar z206 = q_trunk_y + z205;
+    const Scalar z207 = z122 * z174 - z74 * z131 - z19 * z194 + z20 * z188;
+    const Scalar z208 = z82 - z206;
+    const Scalar z209 = z8 * z165 - z177 + z30 * z56 - z22 * z62 + z119 * z168;
+    const Scalar z210 = v_trunk_y - z209;
+    const Scalar z211 = z35 * z131 - z122 * z168 - z15 * z194 + z30 * z188;
+    const Scalar z212 = z61 * z131 - z122 * z165 - z18 * z194 + z22 * z188;
+    const Scalar z213 = z193 - z210;
+    const Scalar z214 = s_front_left_hip * z165 + c_front_left_hip * z168 + z30 * z36 - z22 * z37;
+    const Scalar z215 = z148 * z191 + z140 * z214 - z155 * z213 + z158 * z202;
+    const Scalar z216 = z158 * z140 + z155 * z148;
+    const Scalar z217 = z20 * z169 - z170 * z174 - z176 * z165 + z173 * z168 + z30 * z181 - z22 * z182;
+    const Scalar z218 = z150 * z140 + z155 * z130;
+    const Scalar z219 = z58 - z167;
+    const Scalar z220 = z164 + z166;
+    const Scalar z221 = z67 - z73;
+    const Scalar z222 = z69 * z220 - z68 * z219 - z70 * z221 + z12 * z75 - z23 * z76 + z21 * z90;
+    const Scalar z223 = v_trunk_y - z217;
+    const Scalar z224 = z193 - z223;
+    const Scalar z225 = n0_2 * z219;
+    const Scalar z226 = n0_05 * z220 - z225;
+    const Scalar z227 = z158 * z192 + z155 * z208;
+    const Scalar z228 = v_trunk_x - v_trunk_attitude_omega_x * z147 - v_trunk_attitude_omega_y * z153
+        - v_trunk_attitude_omega_z * z156 - v_front_left_hip * z159 - v_front_left_thigh * z216 - v_front_left_knee
+        * z227;
+    const Scalar z229 = z208 * z191 + z192 * z214 - z155 * z224 + z158 * z204;
+    const Scalar z230 = v_trunk_attitude_omega_x * z207 + v_trunk_attitude_omega_y * z211 + v_trunk_attitude_omega_z
+        * z212 - v_front_left_hip * z201 - v_front_left_thigh * z215 - v_front_left_knee * z229;
+    const Scalar z231 = v_trunk_x + z222;
+    const Scalar z232 = v_trunk_x + z226;
+    const Scalar z233 = z231 - z232;
+    const Scalar z234 = v_trunk_x - z231;
+    const Scalar z235 = z150 * z192 + z155 * z186;
+    const Scalar z236 = v_trunk_y + v_trunk_attitude_omega_x * z149 + v_trunk_attitude_omega_y * z154
+        - v_trunk_attitude_omega_z * z157 + v_front_left_hip * z160 + v_front_left_thigh * z218 + v_front_left_knee
+        * z235;
+    const Scalar z237 = z12 * z169 + z170 * z219 + z176 * z221 - z173 * z220 + z23 * z181 - z21 * z182;
+    const Scalar z238 = z225 - z8 * z221 + z23 * z56 - z21 * z62 - z119 * z220;
+    const Scalar z239 = z118 * z219 - z74 * z133 + z12 * z190 - z19 * z233;
+    const Scalar z240 = s_front_left_hip * z221 + c_front_left_hip * z220 - z23 * z36 + z21 * z37;
+    const Scalar z241 = v_trunk_x - z238;
+    const Scalar z242 = z231 - z241;
+    const Scalar z243 = v_trunk_x - z237;
+    const Scalar z244 = z231 - z243;
+    const Scalar z245 = n0_2 * s_front_right_knee;
+    const Scalar z246 = v_front_right_thigh * c_front_right_thigh;
+    const Scalar z247 = v_front_right_knee * c_front_right_knee;
+    const Scalar z248 = z130 * z191 - z140 * z240 + z150 * z202 - z155 * z242;
+    const Scalar z249 = z186 * z191 - z192 * z240 + z150 * z204 - z155 * z244;
+    const Scalar z250 = n0_2 * z247;
+    const Scalar z251 = v_front_right_thigh * s_front_right_thigh;
+    const Scalar z252 = v_front_right_knee * s_front_right_knee;
+    const Scalar z253 = n0_2 * z252;
+    const Scalar z254 = n0_2 * c_front_right_knee;
+    const Scalar z255 = n0_2 + z254;
+    const Scalar z256 = c_front_right_thigh * z245;
+    const Scalar z257 = v_front_right_hip * s_front_right_hip;
+    const Scalar z258 = s_front_right_thigh * z245;
+    const Scalar z259 = v_front_right_hip * c_front_right_hip;
+    const Scalar z260 = n0_08 * s_front_right_hip;
+    const Scalar z261 = z245 * z246 + s_front_right_thigh * z250 + c_front_right_thigh * z253 + z255 * z251;
+    const Scalar z262 = s_front_right_thigh * z255 + z256;
+    const Scalar z263 = s_front_right_thigh * z254 + z256;
+    const Scalar z264 = c_front_right_thigh * z254 - z258;
+    const Scalar z265 = c_front_right_thigh * z255 - z258;
+    const Scalar z266 = n0_08 * c_front_right_hip;
+    const Scalar z267 = n0_2 - z262;
+    const Scalar z268 = c_front_right_hip * z265 + z260;
+    const Scalar z269 = s_front_right_hip * z265 - z266;
+    const Scalar z270 = z35 * z121 + z122 * z220 + z23 * z188 - z15 * z234;
+    const Scalar z271 = z45 * z267 + z19 * z268;
+    const Scalar z272 = n0_05 - z269;
+    const Scalar z273 = z48 * z272 - z50 * z267;
+    const Scalar z274 = z12 * z267 - z21 * z268 - z23 * z272;
+    const Scalar z275 = q_trunk_x + z274;
+    const Scalar z276 = z18 * z268 - z19 * z267 + z15 * z272;
+    const Scalar z277 = q_trunk_z - z276;
+    const Scalar z278 = z20 * z267 - z22 * z268 - z30 * z272;
+    const Scalar z279 = q_trunk_y + z278;
+    const Scalar z280 = n0_02 - z277;
+    const Scalar z281 = z12 * z188 - z19 * z234 - z74 * z121 - z122 * z219;
+    const Scalar z282 = z18 * z234 - z21 * z188 - z61 * z121 - z122 * z221;
+    const Scalar z283 = v_trunk_attitude_omega_y * z270 - v_front_left_hip * z239 - v_front_left_thigh * z248
+        - v_front_left_knee * z249 + v_trunk_attitude_omega_x * z281 - v_trunk_attitude_omega_z * z282;
+    const Scalar z284 = z112 - z110;
+    const Scalar z285 = v_front_right_knee * z247;
+    const Scalar z286 = n0_2 * z285;
+    const Scalar z287 = v_front_right_knee * z252;
+    const Scalar z288 = n0_2 * z287;
+    const Scalar z289 = n0_08 * z257;
+    const Scalar z290 = n0_08 * z259;
+    const Scalar z291 = z245 * z251 + s_front_right_thigh * z253 - c_front_right_thigh * z250 - z255 * z246;
+    const Scalar z292 = s_front_right_hip * z261 - z289 - z265 * z259;
+    const Scalar z293 = z265 * z257 - z290 + c_front_right_hip * z261;
+    const Scalar z294 = n2 * z261;
+    const Scalar z295 = n0_05 * z15 - z108;
+    const Scalar z296 = q_trunk_z - z295;
+    const Scalar z297 = q_trunk_x - z275;
+    const Scalar z298 = n0_02 + q_trunk_z - z277;
+    const Scalar z299 = n0_05 * z30 - z116;
+    const Scalar z300 = v_front_right_thigh * z246;
+    const Scalar z301 = q_trunk_y - z279;
+    const Scalar z302 = q_trunk_x - z284;
+    const Scalar z303 = z275 - z302;
+    const Scalar z304 = q_trunk_y - z299;
+    const Scalar z305 = z15 * z292 - z18 * z293 - z19 * z291 - z35 * z272 - z61 * z268 - z74 * z267;
+    const Scalar z306 = z279 - z304;
+    const Scalar z307 = v_front_right_thigh * z251;
+    const Scalar z308 = z18 * z297 - z21 * z298;
+    const Scalar z309 = v_front_right_hip * z259;
+    const Scalar z310 = v_front_right_hip * z257;
+    const Scalar z311 = z245 * z300 + z255 * z307 + s_front_right_thigh * z286 + c_front_right_thigh * z288 + n2 * (z246
+        * z253 + z250 * z251);
+    const Scalar z312 = z245 * z307 - z255 * z300 + s_front_right_thigh * z288 - c_front_right_thigh * z286 - n2 * (z246
+        * z250 - z251 * z253);
+    const Scalar z313 = v_trunk_z - z305;
+    const Scalar z314 = z20 * z298 - z19 * z301;
+    const Scalar z315 = s_front_right_hip * z262;
+    const Scalar z316 = c_front_right_hip * z262;
+    const Scalar z317 = z19 * z265 + z15 * z315 - z18 * z316;
+    const Scalar z318 = s_front_right_hip * z263;
+    const Scalar z319 = c_front_right_hip * z263;
+    const Scalar z320 = z19 * z264 + z15 * z318 - z18 * z319;
+    const Scalar z321 = n0_08 * z309 - z265 * z310 - z259 * z294 + s_front_right_hip * z312;
+    const Scalar z322 = z257 * z294 - n0_08 * z310 - z265 * z309 + c_front_right_hip * z312;
+    const Scalar z323 = z139 * z272 - z138 * z267 - z143 * z268 + z19 * z311 + n2 * (z74 * z291 - z61 * z293 + z35
+        * z292) + z15 * z321 - z18 * z322;
+    const Scalar z324 = z12 * z298 - z19 * z297;
+    const Scalar z325 = z30 * z298 - z15 * z301;
+    const Scalar z326 = z15 * z268;
+    const Scalar z327 = z18 * z269 + z326;
+    const Scalar z328 = z47 * z272 + z326;
+    const Scalar z329 = n0_02 + z296 - z277;
+    const Scalar z330 = n0_2 * z174 + z180;
+    const Scalar z331 = n0_2 * s_front_right_thigh;
+    const Scalar z332 = n0_2 - z331;
+    const Scalar z333 = n0_2 * c_front_right_thigh;
+    const Scalar z334 = c_front_right_hip * z333 + z260;
+    const Scalar z335 = n0_05 + z266;
+    const Scalar z336 = s_front_right_hip * z333 - z266;
+    const Scalar z337 = z21 * z260 - z110 + z23 * z335;
+    const Scalar z338 = n0_05 - z336;
+    const Scalar z339 = z18 * z260 - z108 + z15 * z335;
+    const Scalar z340 = q_trunk_z - z339;
+    const Scalar z341 = q_trunk_x - z337;
+    const Scalar z342 = z174 * z267 + z165 * z268 + z168 * z272 + z20 * z291 + z22 * z293 - z30 * z292;
+    const Scalar z343 = v_trunk_y + z342;
+    const Scalar z344 = z275 - z341;
+    const Scalar z345 = n0_02 + z340 - z277;
+    const Scalar z346 = n0_05 * z35 + z175;
+    const Scalar z347 = z22 * z260 - z116 + z30 * z335;
+    const Scalar z348 = q_trunk_y - z347;
+    const Scalar z349 = z12 * z332 - z21 * z334 - z23 * z338;
+    const Scalar z350 = q_trunk_x + z349;
+    const Scalar z351 = z279 - z348;
+    const Scalar z352 = z18 * z334 - z19 * z332 + z15 * z338;
+    const Scalar z353 = z275 - z350;
+    const Scalar z354 = q_trunk_z - z352;
+    const Scalar z355 = v_trunk_y - z343;
+    const Scalar z356 = v_trunk_z + z346;
+    const Scalar z357 = z313 - z356;
+    const Scalar z358 = z20 * z332 - z22 * z334 - z30 * z338;
+    const Scalar z359 = n0_02 + z354 - z277;
+    const Scalar z360 = q_trunk_y + z358;
+    const Scalar z361 = s_front_right_hip * z18 + c_front_right_hip * z15;
+    const Scalar z362 = z279 - z360;
+    const Scalar z363 = v_trunk_z - z313;
+    const Scalar z364 = v_trunk_y + z330;
+    const Scalar z365 = z19 * z306 + z20 * z329;
+    const Scalar z366 = s_front_right_hip * z22 + c_front_right_hip * z30;
+    const Scalar z367 = z174 * z298 - z74 * z301 - z19 * z355 + z20 * z363;
+    const Scalar z368 = z19 * z303 + z12 * z329;
+    const Scalar z369 = s_front_right_hip * z21 + c_front_right_hip * z23;
+    const Scalar z370 = z361 * z351 + z366 * z345;
+    const Scalar z371 = z35 * z301 - z168 * z298 - z15 * z355 + z30 * z363;
+    const Scalar z372 = z61 * z301 - z165 * z298 - z18 * z355 + z22 * z363;
+    const Scalar z373 = z22 * z298 - z18 * z301;
+    const Scalar z374 = z361 * z344 + z369 * z345;
+    const Scalar z375 = z361 * z362 + z366 * z359;
+    const Scalar z376 = v_trunk_x - v_front_right_hip * z365 - v_front_right_thigh * z370 - v_front_right_knee * z375
+        - v_trunk_attitude_omega_x * z314 - v_trunk_attitude_omega_y * z325 - v_trunk_attitude_omega_z * z373;
+    const Scalar z377 = z361 * z353 + z369 * z359;
+    const Scalar z378 = z23 * z298 - z15 * z297;
+    const Scalar z379 = v_trunk_y - v_trunk_attitude_omega_z * z308 + v_front_right_hip * z368 + v_front_right_thigh
+        * z374 + v_front_right_knee * z377 + v_trunk_attitude_omega_x * z324 + v_trunk_attitude_omega_y * z378;
+    const Scalar z380 = z12 * z291 - z219 * z267 - z221 * z268 - z220 * z272 + z21 * z293 - z23 * z292;
+    const Scalar z381 = n0_2 * z246;
+    const Scalar z382 = n0_2 * z251;
+    const Scalar z383 = v_trunk_x + z380;
+    const Scalar z384 = z343 - z364;
+    const Scalar z385 = z20 * z357 - z19 * z384 - z74 * z306 - z174 * z329;
+    const Scalar z386 = n0_2 * s_rear_left_knee;
+    const Scalar z387 = n0_2 * c_rear_left_knee;
+    const Scalar z388 = n0_2 + z387;
+    const Scalar z389 = c_rear_left_thigh * z386;
+    const Scalar z390 = s_rear_left_thigh * z386;
+    const Scalar z391 = n0_08 * c_rear_left_hip;
+    const Scalar z392 = n0_08 * s_rear_left_hip;
+    const Scalar z393 = s_front_right_hip * z382 - z289 - z259 * z333;
+    const Scalar z394 = z257 * z333 - z290 + c_front_right_hip * z382;
+    const Scalar z395 = s_rear_left_thigh * z388 + z389;
+    const Scalar z396 = c_rear_left_thigh * z388 - z390;
+    const Scalar z397 = n0_2 + z395;
+    const Scalar z398 = s_rear_left_hip * z396 + z391;
+    const Scalar z399 = c_rear_left_hip * z396 - z392;
+    const Scalar z400 = n0_05 * z220 + z225;
+    const Scalar z401 = s_front_right_hip * z61 + c_front_right_hip * z35 + z15 * z257 - z18 * z259;
+    const Scalar z402 = n0_05 + z398;
+    const Scalar z403 = z12 * z397 + z21 * z399 - z23 * z402;
+    const Scalar z404 = z15 * z402 - z18 * z399 - z19 * z397;
+    const Scalar z405 = z20 * z397 + z22 * z399 - z30 * z402;
+    const Scalar z406 = q_trunk_x - z403;
+    const Scalar z407 = q_trunk_y - z405;
+    const Scalar z408 = v_trunk_x - z383;
+    const Scalar z409 = v_trunk_x - z400;
+    const Scalar z410 = z383 - z409;
+    const Scalar z411 = z23 * z289 - z225 - z221 * z260 - z21 * z290 - z220 * z335;
+    const Scalar z412 = z219 * z329 - z74 * z303 - z19 * z410 + z12 * z357;
+    const Scalar z413 = q_trunk_z + z404;
+    const Scalar z414 = v_trunk_x + z411;
+    const Scalar z415 = z383 - z414;
+    const Scalar z416 = s_front_right_hip * z221 + c_front_right_hip * z220 - z23 * z257 + z21 * z259;
+    const Scalar z417 = s_front_right_hip * z165 + c_front_right_hip * z168 + z30 * z257 - z22 * z259;
+    const Scalar z418 = n0_02 - z413;
+    const Scalar z419 = z175 + z61 * z260 + z15 * z289 - z18 * z290 + z35 * z335;
+    const Scalar z420 = z177 + z165 * z260 + z30 * z289 - z22 * z290 + z168 * z335;
+    const Scalar z421 = v_trunk_z + z419;
+    const Scalar z422 = z313 - z421;
+    const Scalar z423 = v_trunk_y + z420;
+    const Scalar z424 = z19 * z399 - z45 * z397;
+    const Scalar z425 = z343 - z423;
+    const Scalar z426 = z344 * z401 - z345 * z416 - z361 * z415 + z369 * z422;
+    const Scalar z427 = z351 * z401 + z345 * z417 - z361 * z425 + z366 * z422;
+    const Scalar z428 = s_rear_left_thigh * z387 + z389;
+    const Scalar z429 = c_rear_left_thigh * z387 - z390;
+    const Scalar z430 = z48 * z402 - z50 * z397;
+    const Scalar z431 = z12 * z381 + z219 * z332 + z221 * z334 + z220 * z338 + z23 * z393 - z21 * z394;
+    const Scalar z432 = v_trunk_x - z431;
+    const Scalar z433 = z35 * z297 + z220 * z298 - z15 * z408 + z23 * z363;
+    const Scalar z434 = z383 - z432;
+    const Scalar z435 = z19 * z381 - z74 * z332 - z61 * z334 - z35 * z338 + z15 * z393 - z18 * z394;
+    const Scalar z436 = z20 * z381 - z174 * z332 - z165 * z334 - z168 * z338 + z30 * z393 - z22 * z394;
+    const Scalar z437 = v_trunk_z - z435;
+    const Scalar z438 = z313 - z437;
+    const Scalar z439 = v_trunk_y - z436;
+    const Scalar z440 = v_rear_left_thigh * c_rear_left_thigh;
+    const Scalar z441 = v_rear_left_knee * c_rear_left_knee;
+    const Scalar z442 = n0_2 * z441;
+    const Scalar z443 = z343 - z439;
+    const Scalar z444 = z353 * z401 - z359 * z416 - z361 * z434 + z369 * z438;
+    const Scalar z445 = z362 * z401 + z359 * z417 - z361 * z443 + z366 * z438;
+    const Scalar z446 = v_rear_left_thigh * s_rear_left_thigh;
+    const Scalar z447 = v_rear_left_knee * s_rear_left_knee;
+    const Scalar z448 = v_rear_left_hip * c_rear_left_hip;
+    const Scalar z449 = z18 * z408 - z61 * z297 - z221 * z298 - z21 * z363;
+    const Scalar z450 = v_trunk_attitude_omega_x * z367 + v_trunk_attitude_omega_y * z371 + v_trunk_attitude_omega_z
+        * z372 - v_front_right_hip * z385 - v_front_right_thigh * z427 - v_front_right_knee * z445;
+    const Scalar z451 = z12 * z363 - z19 * z408 - z74 * z297 - z219 * z298;
+    const Scalar z452 = v_trunk_attitude_omega_y * z433 - v_front_right_hip * z412 - v_front_right_thigh * z426
+        - v_front_right_knee * z444 - v_trunk_attitude_omega_z * z449 + v_trunk_attitude_omega_x * z451;
+    const Scalar z453 = q_trunk_z + z295;
+    const Scalar z454 = q_trunk_x + z284;
+    const Scalar z455 = n0_02 + z453 - z413;
+    const Scalar z456 = q_trunk_y + z299;
+    const Scalar z457 = z406 - z454;
+    const Scalar z458 = v_rear_left_knee * z441;
+    const Scalar z459 = z407 - z456;
+    const Scalar z460 = n0_2 * z458;
+    const Scalar z461 = n0_2 * z447;
+    const Scalar z462 = v_rear_left_knee * z447;
+    const Scalar z463 = n0_2 * z462;
+    const Scalar z464 = v_rear_left_hip * s_rear_left_hip;
+    const Scalar z465 = n0_08 * z464;
+    const Scalar z466 = z386 * z440 + s_rear_left_thigh * z442 + c_rear_left_thigh * z461 + z388 * z446;
+    const Scalar z467 = n0_08 * z448;
+    const Scalar z468 = z386 * z446 + s_rear_left_thigh * z461 - c_rear_left_thigh * z442 - z388 * z440;
+    const Scalar z469 = z465 - z396 * z448 + s_rear_left_hip * z466;
+    const Scalar z470 = z467 + z396 * z464 + c_rear_left_hip * z466;
+    const Scalar z471 = n2 * z466;
+    const Scalar z472 = v_rear_left_thigh * z446;
+    const Scalar z473 = q_trunk_x - z406;
+    const Scalar z474 = n0_02 + q_trunk_z - z413;
+    const Scalar z475 = z74 * z397 - z61 * z399 + z35 * z402 - z19 * z468 + z15 * z469 - z18 * z470;
+    const Scalar z476 = v_rear_left_thigh * z440;
+    const Scalar z477 = q_trunk_y - z407;
+    const Scalar z478 = z18 * z473 - z21 * z474;
+    const Scalar z479 = v_trunk_z - z475;
+    const Scalar z480 = z19 * z459 + z20 * z455;
+    const Scalar z481 = v_rear_left_hip * z464;
+    const Scalar z482 = v_rear_left_hip * z448;
+    const Scalar z483 = z19 * z457 + z12 * z455;
+    const Scalar z484 = z386 * z472 - z388 * z476 + s_rear_left_thigh * z463 - c_rear_left_thigh * z460 - n2 * (z440
+        * z442 - z446 * z461);
+    const Scalar z485 = z386 * z476 + z388 * z472 + s_rear_left_thigh * z460 + c_rear_left_thigh * z463 + n2 * (z440
+        * z461 + z442 * z446);
+    const Scalar z486 = z20 * z474 - z19 * z477;
+    const Scalar z487 = s_rear_left_hip * z395;
+    const Scalar z488 = c_rear_left_hip * z395;
+    const Scalar z489 = z19 * z396 + z15 * z487 - z18 * z488;
+    const Scalar z490 = s_rear_left_hip * z428;
+    const Scalar z491 = c_rear_left_hip * z428;
+    const Scalar z492 = z19 * z429 + z15 * z490 - z18 * z491;
+    const Scalar z493 = n0_08 * z481 - z396 * z482 + z464 * z471 + c_rear_left_hip * z484;
+    const Scalar z494 = s_rear_left_hip * z484 - z396 * z481 - z448 * z471 - n0_08 * z482;
+    const Scalar z495 = z138 * z397 - z143 * z399 - z139 * z402 + z19 * z485 + n2 * (z74 * z468 + z35 * z469 - z61
+        * z470) - z18 * z493 + z15 * z494;
+    const Scalar z496 = z12 * z474 - z19 * z473;
+    const Scalar z497 = z30 * z474 - z15 * z477;
+    const Scalar z498 = z15 * z399;
+    const Scalar z499 = z18 * z398 + z498;
+    const Scalar z500 = z47 * z402 - z498;
+    const Scalar z501 = v_trunk_z - z346;
+    const Scalar z502 = z479 - z501;
+    const Scalar z503 = v_trunk_y - z330;
+    const Scalar z504 = n0_2 * c_rear_left_thigh;
+    const Scalar z505 = n0_2 * s_rear_left_thigh;
+    const Scalar z506 = n0_2 + z505;
+    const Scalar z507 = s_rear_left_hip * z504 + z391;
+    const Scalar z508 = n0_05 + z391;
+    const Scalar z509 = c_rear_left_hip * z504 - z392;
+    const Scalar z510 = z21 * z392 - z110 + z23 * z508;
+    const Scalar z511 = n0_05 + z507;
+    const Scalar z512 = z18 * z392 - z108 + z15 * z508;
+    const Scalar z513 = q_trunk_z + z512;
+    const Scalar z514 = q_trunk_x + z510;
+    const Scalar z515 = z22 * z392 - z116 + z30 * z508;
+    const Scalar z516 = z406 - z514;
+    const Scalar z517 = q_trunk_y + z515;
+    const Scalar z518 = n0_02 + z513 - z413;
+    const Scalar z519 = z12 * z506 + z21 * z509 - z23 * z511;
+    const Scalar z520 = q_trunk_x - z519;
+    const Scalar z521 = z407 - z517;
+    const Scalar z522 = z15 * z511 - z18 * z509 - z19 * z506;
+    const Scalar z523 = z406 - z520;
+    const Scalar z524 = q_trunk_z + z522;
+    const Scalar z525 = z165 * z399 - z174 * z397 - z168 * z402 + z20 * z468 - z30 * z469 + z22 * z470;
+    const Scalar z526 = n0_02 + z524 - z413;
+    const Scalar z527 = v_trunk_y + z525;
+    const Scalar z528 = v_trunk_z - z479;
+    const Scalar z529 = z175 + z61 * z392 + z15 * z465 - z18 * z467 + z35 * z508;
+    const Scalar z530 = v_trunk_z - z529;
+    const Scalar z531 = z527 - z503;
+    const Scalar z532 = z20 * z502 - z19 * z531 - z74 * z459 - z174 * z455;
+    const Scalar z533 = z20 * z506 + z22 * z509 - z30 * z511;
+    const Scalar z534 = q_trunk_y - z533;
+    const Scalar z535 = s_rear_left_hip * z18 + c_rear_left_hip * z15;
+    const Scalar z536 = v_trunk_y - z527;
+    const Scalar z537 = s_rear_left_hip * z21 + c_rear_left_hip * z23;
+    const Scalar z538 = z407 - z534;
+    const Scalar z539 = s_rear_left_hip * z22 + c_rear_left_hip * z30;
+    const Scalar z540 = z174 * z474 - z74 * z477 + z20 * z528 - z19 * z536;
+    const Scalar z541 = z535 * z521 + z539 * z518;
+    const Scalar z542 = z35 * z477 - z168 * z474 + z30 * z528 - z15 * z536;
+    const Scalar z543 = z61 * z477 - z165 * z474 + z22 * z528 - z18 * z536;
+    const Scalar z544 = z22 * z474 - z18 * z477;
+    const Scalar z545 = s_rear_left_hip * z165 + c_rear_left_hip * z168 + z30 * z464 - z22 * z448;
+    const Scalar z546 = z535 * z516 + z537 * z518;
+    const Scalar z547 = z535 * z538 + z539 * z526;
+    const Scalar z548 = v_trunk_x - v_rear_left_hip * z480 - v_rear_left_thigh * z541 - v_rear_left_knee * z547
+        - v_trunk_attitude_omega_x * z486 - v_trunk_attitude_omega_y * z497 - v_trunk_attitude_omega_z * z544;
+    const Scalar z549 = z535 * z523 + z537 * z526;
+    const Scalar z550 = z23 * z474 - z15 * z473;
+    const Scalar z551 = v_trunk_y - v_trunk_attitude_omega_z * z478 + v_rear_left_hip * z483 + v_rear_left_thigh * z546
+        + v_rear_left_knee * z549 + v_trunk_attitude_omega_x * z496 + v_trunk_attitude_omega_y * z550;
+    const Scalar z552 = z219 * z397 - z221 * z399 + z220 * z402 + z12 * z468 - z23 * z469 + z21 * z470;
+    const Scalar z553 = n0_2 * z440;
+    const Scalar z554 = n0_2 * z446;
+    const Scalar z555 = v_trunk_x + z552;
+    const Scalar z556 = v_trunk_x + z400;
+    const Scalar z557 = z479 - z530;
+    const Scalar z558 = n0_2 * s_rear_right_knee;
+    const Scalar z559 = z555 - z556;
+    const Scalar z560 = n0_2 * c_rear_right_knee;
+    const Scalar z561 = n0_2 + z560;
+    const Scalar z562 = c_rear_right_thigh * z558;
+    const Scalar z563 = s_rear_right_thigh * z558;
+    const Scalar z564 = n0_08 * s_rear_right_hip;
+    const Scalar z565 = z219 * z455 - z74 * z457 + z12 * z502 - z19 * z559;
+    const Scalar z566 = s_rear_right_thigh * z561 + z562;
+    const Scalar z567 = c_rear_right_thigh * z561 - z563;
+    const Scalar z568 = n0_08 * c_rear_right_hip;
+    const Scalar z569 = n0_2 + z566;
+    const Scalar z570 = c_rear_right_hip * z567 + z564;
+    const Scalar z571 = s_rear_right_hip * z567 - z568;
+    const Scalar z572 = z465 + s_rear_left_hip * z554 - z448 * z504;
+    const Scalar z573 = z467 + z464 * z504 + c_rear_left_hip * z554;
+    const Scalar z574 = z19 * z570 - z45 * z569;
+    const Scalar z575 = n0_05 - z571;
+    const Scalar z576 = z50 * z569 + z48 * z575;
+    const Scalar z577 = z12 * z569 + z21 * z570 + z23 * z575;
+    const Scalar z578 = z19 * z569 + z18 * z570 + z15 * z575;
+    const Scalar z579 = q_trunk_z - z578;
+    const Scalar z580 = q_trunk_x - z577;
+    const Scalar z581 = z20 * z569 + z22 * z570 + z30 * z575;
+    const Scalar z582 = q_trunk_y - z581;
+    const Scalar z583 = n0_02 - z579;
+    const Scalar z584 = s_rear_left_hip * z61 + c_rear_left_hip * z35 + z15 * z464 - z18 * z448;
+    const Scalar z585 = s_rear_left_hip * z221 + c_rear_left_hip * z220 - z23 * z464 + z21 * z448;
+    const Scalar z586 = v_trunk_x - z555;
+    const Scalar z587 = z19 * z553 + z74 * z506 - z61 * z509 + z35 * z511 + z15 * z572 - z18 * z573;
+    const Scalar z588 = v_trunk_z - z587;
+    const Scalar z589 = z23 * z465 - z225 - z221 * z392 - z21 * z467 - z220 * z508;
+    const Scalar z590 = z177 + z165 * z392 + z30 * z465 - z22 * z467 + z168 * z508;
+    const Scalar z591 = z479 - z588;
+    const Scalar z592 = v_trunk_x - z589;
+    const Scalar z593 = z555 - z592;
+    const Scalar z594 = v_trunk_y - z590;
+    const Scalar z595 = z35 * z473 + z220 * z474 + z23 * z528 - z15 * z586;
+    const Scalar z596 = z516 * z584 - z518 * z585 + z537 * z557 - z535 * z593;
+    const Scalar z597 = z527 - z594;
+    const Scalar z598 = z521 * z584 + z518 * z545 + z539 * z557 - z535 * z597;
+    const Scalar z599 = s_rear_right_thigh * z560 + z562;
+    const Scalar z600 = c_rear_right_thigh * z560 - z563;
+    const Scalar z601 = v_rear_right_thigh * c_rear_right_thigh;
+    const Scalar z602 = v_rear_right_knee * c_rear_right_knee;
+    const Scalar z603 = v_rear_right_hip * c_rear_right_hip;
+    const Scalar z604 = z12 * z553 - z219 * z506 + z221 * z509 - z220 * z511 + z23 * z572 - z21 * z573;
+    const Scalar z605 = z20 * z553 + z174 * z506 - z165 * z509 + z168 * z511 + z30 * z572 - z22 * z573;
+    const Scalar z606 = v_trunk_x - z604;
+    const Scalar z607 = z555 - z606;
+    const Scalar z608 = v_trunk_y - z605;
+    const Scalar z609 = v_rear_right_thigh * s_rear_right_thigh;
+    const Scalar z610 = n0_2 * z602;
+    const Scalar z611 = z12 * z528 - z19 * z586 - z74 * z473 - z219 * z474;
+    const Scalar z612 = z523 * z584 - z526 * z585 + z537 * z591 - z535 * z607;
+    const Scalar z613 = z18 * z586 - z21 * z528 - z61 * z473 - z221 * z474;
+    const Scalar z614 = v_trunk_attitude_omega_y * z595 - v_rear_left_hip * z565 - v_rear_left_thigh * z596
+        - v_rear_left_knee * z612 + v_trunk_attitude_omega_x * z611 - v_trunk_attitude_omega_z * z613;
+    const Scalar z615 = z527 - z608;
+    const Scalar z616 = z538 * z584 + z526 * z545 + z539 * z591 - z535 * z615;
+    const Scalar z617 = v_rear_right_knee * s_rear_right_knee;
+    const Scalar z618 = v_trunk_attitude_omega_x * z540 + v_trunk_attitude_omega_y * z542 + v_trunk_attitude_omega_z
+        * z543 - v_rear_left_hip * z532 - v_rear_left_thigh * z598 - v_rear_left_knee * z616;
+    const Scalar z619 = q_trunk_z - z111;
+    const Scalar z620 = q_trunk_x - z123;
+    const Scalar z621 = n0_02 + z619 - z579;
+    const Scalar z622 = z580 - z620;
+    const Scalar z623 = v_rear_right_knee * z602;
+    const Scalar z624 = n0_2 * z623;
+    const Scalar z625 = q_trunk_y - z146;
+    const Scalar z626 = z582 - z625;
+    const Scalar z627 = n0_2 * z617;
+    const Scalar z628 = v_rear_right_knee * z617;
+    const Scalar z629 = n0_2 * z628;
+    const Scalar z630 = v_rear_right_hip * s_rear_right_hip;
+    const Scalar z631 = n0_08 * z603;
+    const Scalar z632 = z558 * z601 + s_rear_right_thigh * z610 + c_rear_right_thigh * z627 + z561 * z609;
+    const Scalar z633 = n0_08 * z630;
+    const Scalar z634 = z558 * z609 + s_rear_right_thigh * z627 - c_rear_right_thigh * z610 - z561 * z601;
+    const Scalar z635 = z567 * z630 - z631 + c_rear_right_hip * z632;
+    const Scalar z636 = s_rear_right_hip * z632 - z633 - z567 * z603;
+    const Scalar z637 = n2 * z632;
+    const Scalar z638 = q_trunk_x - z580;
+    const Scalar z639 = n0_02 + q_trunk_z - z579;
+    const Scalar z640 = v_rear_right_thigh * z601;
+    const Scalar z641 = z74 * z569 - z61 * z570 - z35 * z575 - z19 * z634 - z18 * z635 + z15 * z636;
+    const Scalar z642 = q_trunk_y - z582;
+    const Scalar z643 = v_rear_right_thigh * z609;
+    const Scalar z644 = z20 * z639 - z19 * z642;
+    const Scalar z645 = v_trunk_z - z641;
+    const Scalar z646 = z12 * z639 - z19 * z638;
+    const Scalar z647 = v_rear_right_hip * z603;
+    const Scalar z648 = v_rear_right_hip * z630;
+    const Scalar z649 = z30 * z639 - z15 * z642;
+    const Scalar z650 = z23 * z639 - z15 * z638;
+    const Scalar z651 = z558 * z640 + z561 * z643 + s_rear_right_thigh * z624 + c_rear_right_thigh * z629 + n2 * (z601
+        * z627 + z610 * z609);
+    const Scalar z652 = z558 * z643 - z561 * z640 + s_rear_right_thigh * z629 - c_rear_right_thigh * z624 - n2 * (z601
+        * z610 - z609 * z627);
+    const Scalar z653 = z22 * z639 - z18 * z642;
+    const Scalar z654 = z18 * z638 - z21 * z639;
+    const Scalar z655 = z20 * z621 + z19 * z626;
+    const Scalar z656 = z12 * z621 + z19 * z622;
+    const Scalar z657 = s_rear_right_hip * z566;
+    const Scalar z658 = c_rear_right_hip * z566;
+    const Scalar z659 = z19 * z567 + z15 * z657 - z18 * z658;
+    const Scalar z660 = s_rear_right_hip * z599;
+    const Scalar z661 = c_rear_right_hip * z599;
+    const Scalar z662 = z19 * z600 + z15 * z660 - z18 * z661;
+    const Scalar z663 = n0_08 * z647 - z567 * z648 - z603 * z637 + s_rear_right_hip * z652;
+    const Scalar z664 = z630 * z637 - n0_08 * z648 - z567 * z647 + c_rear_right_hip * z652;
+    const Scalar z665 = z138 * z569 - z143 * z570 + z139 * z575 + z19 * z651 + n2 * (z74 * z634 - z61 * z635 + z35
+        * z636) + z15 * z663 - z18 * z664;
+    const Scalar z666 = z15 * z570;
+    const Scalar z667 = z47 * z575 + z666;
+    const Scalar z668 = z18 * z571 + z666;
+    const Scalar z669 = n0_2 * z601;
+    const Scalar z670 = n0_2 * z609;
+    const Scalar z671 = v_trunk_z + z179;
+    const Scalar z672 = z645 - z671;
+    const Scalar z673 = v_trunk_y - z195;
+    const Scalar z674 = n0_2 * s_rear_right_thigh;
+    const Scalar z675 = n0_2 + z674;
+    const Scalar z676 = n0_2 * c_rear_right_thigh;
+    const Scalar z677 = c_rear_right_hip * z676 + z564;
+    const Scalar z678 = n0_05 + z568;
+    const Scalar z679 = s_rear_right_hip * z676 - z568;
+    const Scalar z680 = z110 + z21 * z564 + z23 * z678;
+    const Scalar z681 = n0_05 - z679;
+    const Scalar z682 = z108 + z18 * z564 + z15 * z678;
+    const Scalar z683 = q_trunk_z - z682;
+    const Scalar z684 = q_trunk_x - z680;
+    const Scalar z685 = z61 * z564 - z175 + z15 * z633 - z18 * z631 + z35 * z678;
+    const Scalar z686 = z580 - z684;
+    const Scalar z687 = z116 + z22 * z564 + z30 * z678;
+    const Scalar z688 = n0_02 + z683 - z579;
+    const Scalar z689 = v_trunk_z + z685;
+    const Scalar z690 = q_trunk_y - z687;
+    const Scalar z691 = z645 - z689;
+    const Scalar z692 = z165 * z564 - z177 + z30 * z633 - z22 * z631 + z168 * z678;
+    const Scalar z693 = z582 - z690;
+    const Scalar z694 = v_trunk_y + z692;
+    const Scalar z695 = s_rear_right_hip * z670 - z633 - z603 * z676;
+    const Scalar z696 = z630 * z676 - z631 + c_rear_right_hip * z670;
+    const Scalar z697 = z12 * z675 + z21 * z677 + z23 * z681;
+    const Scalar z698 = q_trunk_x - z697;
+    const Scalar z699 = z19 * z675 + z18 * z677 + z15 * z681;
+    const Scalar z700 = z580 - z698;
+    const Scalar z701 = q_trunk_z - z699;
+    const Scalar z702 = z165 * z570 - z174 * z569 + z168 * z575 + z20 * z634 + z22 * z635 - z30 * z636;
+    const Scalar z703 = n0_02 + z701 - z579;
+    const Scalar z704 = v_trunk_y + z702;
+    const Scalar z705 = v_trunk_z - z645;
+    const Scalar z706 = s_rear_right_hip * z61 + c_rear_right_hip * z35 + z15 * z630 - z18 * z603;
+    const Scalar z707 = z704 - z673;
+    const Scalar z708 = z20 * z672 - z19 * z707 - z74 * z626 - z174 * z621;
+    const Scalar z709 = z704 - z694;
+    const Scalar z710 = v_trunk_y - z704;
+    const Scalar z711 = z19 * z669 + z74 * z675 - z61 * z677 - z35 * z681 + z15 * z695 - z18 * z696;
+    const Scalar z712 = z20 * z675 + z22 * z677 + z30 * z681;
+    const Scalar z713 = q_trunk_y - z712;
+    const Scalar z714 = s_rear_right_hip * z21 + c_rear_right_hip * z23;
+    const Scalar z715 = v_trunk_z - z711;
+    const Scalar z716 = z174 * z639 - z74 * z642 + z20 * z705 - z19 * z710;
+    const Scalar z717 = z582 - z713;
+    const Scalar z718 = s_rear_right_hip * z18 + c_rear_right_hip * z15;
+    const Scalar z719 = z35 * z642 - z168 * z639 + z30 * z705 - z15 * z710;
+    const Scalar z720 = z61 * z642 - z165 * z639 + z22 * z705 - z18 * z710;
+    const Scalar z721 = s_rear_right_hip * z165 + c_rear_right_hip * z168 + z30 * z630 - z22 * z603;
+    const Scalar z722 = s_rear_right_hip * z22 + c_rear_right_hip * z30;
+    const Scalar z723 = z219 * z569 - z221 * z570 - z220 * z575 + z12 * z634 + z21 * z635 - z23 * z636;
+    const Scalar z724 = z20 * z669 + z174 * z675 - z165 * z677 - z168 * z681 + z30 * z695 - z22 * z696;
+    const Scalar z725 = z645 - z715;
+    const Scalar z726 = v_trunk_x + z723;
+    const Scalar z727 = v_trunk_y - z724;
+    const Scalar z728 = z693 * z706 + z688 * z721 + z722 * z691 - z718 * z709;
+    const Scalar z729 = z704 - z727;
+    const Scalar z730 = z722 * z688 + z718 * z693;
+    const Scalar z731 = z717 * z706 + z703 * z721 + z722 * z725 - z718 * z729;
+    const Scalar z732 = v_trunk_attitude_omega_x * z716 + v_trunk_attitude_omega_y * z719 + v_trunk_attitude_omega_z
+        * z720 - v_rear_right_hip * z708 - v_rear_right_thigh * z728 - v_rear_right_knee * z731;
+    const Scalar z733 = z722 * z703 + z718 * z717;
+    const Scalar z734 = v_trunk_x - v_trunk_attitude_omega_x * z644 - v_trunk_attitude_omega_y * z649
+        - v_trunk_attitude_omega_z * z653 - v_rear_right_hip * z655 - v_rear_right_thigh * z730 - v_rear_right_knee
+        * z733;
+    const Scalar z735 = v_trunk_x - z226;
+    const Scalar z736 = v_trunk_x - z726;
+    const Scalar z737 = z35 * z638 + z220 * z639 + z23 * z705 - z15 * z736;
+    const Scalar z738 = z18 * z736 - z21 * z705 - z61 * z638 - z221 * z639;
+    const Scalar z739 = z12 * z705 - z19 * z736 - z74 * z638 - z219 * z639;
+    const Scalar z740 = z714 * z688 + z718 * z686;
+    const Scalar z741 = z12 * z669 - z219 * z675 + z221 * z677 + z220 * z681 + z23 * z695 - z21 * z696;
+    const Scalar z742 = z225 - z221 * z564 + z23 * z633 - z21 * z631 - z220 * z678;
+    const Scalar z743 = s_rear_right_hip * z221 + c_rear_right_hip * z220 - z23 * z630 + z21 * z603;
+    const Scalar z744 = z726 - z735;
+    const Scalar z745 = z219 * z621 - z74 * z622 + z12 * z672 - z19 * z744;
+    const Scalar z746 = v_trunk_x + z742;
+    const Scalar z747 = z726 - z746;
+    const Scalar z748 = v_trunk_x - z741;
+    const Scalar z749 = z726 - z748;
+    const Scalar z750 = z714 * z703 + z718 * z700;
+    const Scalar z751 = v_trunk_y + v_trunk_attitude_omega_x * z646 + v_trunk_attitude_omega_y * z650
+        - v_trunk_attitude_omega_z * z654 + v_rear_right_hip * z656 + v_rear_right_thigh * z740 + v_rear_right_knee
+        * z750;
+    const Scalar z752 = z686 * z706 - z688 * z743 + z714 * z691 - z718 * z747;
+    const Scalar z753 = z700 * z706 - z703 * z743 + z714 * z725 - z718 * z749;
+    const Scalar z754 = v_trunk_attitude_omega_y * z737 - v_rear_right_hip * z745 - v_rear_right_thigh * z752
+        - v_rear_right_knee * z753 + v_trunk_attitude_omega_x * z739 - v_trunk_attitude_omega_z * z738;
+    result.gap[0] = -z87;
+    result.rate[0] = z93;
+    result.drift[0] = z163;
+    result.rate[1] = z228;
+    result.drift[1] = -z230;
+    result.rate[2] = z236;
+    result.drift[2] = z283;
+    result.gap[1] = -z280;
+    result.rate[3] = z313;
+    result.drift[3] = z323;
+    result.rate[4] = z376;
+    result.drift[4] = -z450;
+    result.rate[5] = z379;
+    result.drift[5] = z452;
+    result.gap[2] = -z418;
+    result.rate[6] = z479;
+    result.drift[6] = z495;
+    result.rate[7] = z548;
+    result.drift[7] = -z618;
+    result.rate[8] = z551;
+    result.drift[8] = z614;
+    result.gap[3] = -z583;
+    result.rate[9] = z645;
+    result.drift[9] = z665;
+    result.rate[10] = z734;
+    result.drift[10] = -z732;
+    result.rate[11] = z751;
+    result.drift[11] = z754;
+    result.jacobian[0] = n0;
+    result.jacobian[1] = n1;
+    result.jacobian[2] = n0;
+    result.jacobian[3] = n0;
+    result.jacobian[4] = n1;
+    result.jacobian[5] = n0;
+    result.jacobian[6] = n0;
+    result.jacobian[7] = n1;
+    result.jacobian[8] = n0;
+    result.jacobian[9] = n0;
+    result.jacobian[10] = n1;
+    result.jacobian[11] = n0;
+    result.jacobian[12] = n0;
+    result.jacobian[13] = n0;
+    result.jacobian[14] = n1;
+    result.jacobian[15] = n0;
+    result.jacobian[16] = n0;
+    result.jacobian[17] = n1;
+    result.jacobian[18] = n0;
+    result.jacobian[19] = n0;
+    result.jacobian[20] = n1;
+    result.jacobian[21] = n0;
+    result.jacobian[22] = n0;
+    result.jacobian[23] = n1;
+    result.jacobian[24] = n1;
+    result.jacobian[25] = n0;
+    result.jacobian[26] = n0;
+    result.jacobian[27] = n1;
+    result.jacobian[28] = n0;
+    result.jacobian[29] = n0;
+    result.jacobian[30] = n1;
+    result.jacobian[31] = n0;
+    result.jacobian[32] = n0;
+    result.jacobian[33] = n1;
+    result.jacobian[34] = n0;
+    result.jacobian[35] = n0;
+    result.jacobian[36] = -z105;
+    result.jacobian[37] = -z147;
+    result.jacobian[38] = z149;
+    result.jacobian[39] = z328;
+    result.jacobian[40] = -z314;
+    result.jacobian[41] = z324;
+    result.jacobian[42] = -z500;
+    result.jacobian[43] = -z486;
+    result.jacobian[44] = z496;
+    result.jacobian[45] = z667;
+    result.jacobian[46] = -z644;
+    result.jacobian[47] = z646;
+    result.jacobian[48] = -z71;
+    result.jacobian[49] = -z153;
+    result.jacobian[50] = z154;
+    result.jacobian[51] = -z271;
+    result.jacobian[52] = -z325;
+    result.jacobian[53] = z378;
+    result.jacobian[54] = -z424;
+    result.jacobian[55] = -z497;
+    result.jacobian[56] = z550;
+    result.jacobian[57] = -z574;
+    result.jacobian[58] = -z649;
+    result.jacobian[59] = z650;
+    result.jacobian[60] = z72;
+    result.jacobian[61] = -z156;
+    result.jacobian[62] = -z157;
+    result.jacobian[63] = -z273;
+    result.jacobian[64] = -z373;
+    result.jacobian[65] = -z308;
+    result.jacobian[66] = z430;
+    result.jacobian[67] = -z544;
+    result.jacobian[68] = -z478;
+    result.jacobian[69] = -z576;
+    result.jacobian[70] = -z653;
+    result.jacobian[71] = -z654;
+    result.jacobian[72] = z104;
+    result.jacobian[73] = -z159;
+    result.jacobian[74] = z160;
+    result.jacobian[75] = n0;
+    result.jacobian[76] = n0;
+    result.jacobian[77] = n0;
+    result.jacobian[78] = n0;
+    result.jacobian[79] = n0;
+    result.jacobian[80] = n0;
+    result.jacobian[81] = n0;
+    result.jacobian[82] = n0;
+    result.jacobian[83] = n0;
+    result.jacobian[84] = -z99;
+    result.jacobian[85] = -z216;
+    result.jacobian[86] = z218;
+    result.jacobian[87] = n0;
+    result.jacobian[88] = n0;
+    result.jacobian[89] = n0;
+    result.jacobian[90] = n0;
+    result.jacobian[91] = n0;
+    result.jacobian[92] = n0;
+    result.jacobian[93] = n0;
+    result.jacobian[94] = n0;
+    result.jacobian[95] = n0;
+    result.jacobian[96] = -z102;
+    result.jacobian[97] = -z227;
+    result.jacobian[98] = z235;
+    result.jacobian[99] = n0;
+    result.jacobian[100] = n0;
+    result.jacobian[101] = n0;
+    result.jacobian[102] = n0;
+    result.jacobian[103] = n0;
+    result.jacobian[104] = n0;
+    result.jacobian[105] = n0;
+    result.jacobian[106] = n0;
+    result.jacobian[107] = n0;
+    result.jacobian[108] = n0;
+    result.jacobian[109] = n0;
+    result.jacobian[110] = n0;
+    result.jacobian[111] = z327;
+    result.jacobian[112] = -z365;
+    result.jacobian[113] = z368;
+    result.jacobian[114] = n0;
+    result.jacobian[115] = n0;
+    result.jacobian[116] = n0;
+    result.jacobian[117] = n0;
+    result.jacobian[118] = n0;
+    result.jacobian[119] = n0;
+    result.jacobian[120] = n0;
+    result.jacobian[121] = n0;
+    result.jacobian[122] = n0;
+    result.jacobian[123] = -z317;
+    result.jacobian[124] = -z370;
+    result.jacobian[125] = z374;
+    result.jacobian[126] = n0;
+    result.jacobian[127] = n0;
+    result.jacobian[128] = n0;
+    result.jacobian[129] = n0;
+    result.jacobian[130] = n0;
+    result.jacobian[131] = n0;
+    result.jacobian[132] = n0;
+    result.jacobian[133] = n0;
+    result.jacobian[134] = n0;
+    result.jacobian[135] = -z320;
+    result.jacobian[136] = -z375;
+    result.jacobian[137] = z377;
+    result.jacobian[138] = n0;
+    result.jacobian[139] = n0;
+    result.jacobian[140] = n0;
+    result.jacobian[141] = n0;
+    result.jacobian[142] = n0;
+    result.jacobian[143] = n0;
+    result.jacobian[144] = n0;
+    result.jacobian[145] = n0;
+    result.jacobian[146] = n0;
+    result.jacobian[147] = n0;
+    result.jacobian[148] = n0;
+    result.jacobian[149] = n0;
+    result.jacobian[150] = z499;
+    result.jacobian[151] = -z480;
+    result.jacobian[152] = z483;
+    result.jacobian[153] = n0;
+    result.jacobian[154] = n0;
+    result.jacobian[155] = n0;
+    result.jacobian[156] = n0;
+    result.jacobian[157] = n0;
+    result.jacobian[158] = n0;
+    result.jacobian[159] = n0;
+    result.jacobian[160] = n0;
+    result.jacobian[161] = n0;
+    result.jacobian[162] = -z489;
+    result.jacobian[163] = -z541;
+    result.jacobian[164] = z546;
+    result.jacobian[165] = n0;
+    result.jacobian[166] = n0;
+    result.jacobian[167] = n0;
+    result.jacobian[168] = n0;
+    result.jacobian[169] = n0;
+    result.jacobian[170] = n0;
+    result.jacobian[171] = n0;
+    result.jacobian[172] = n0;
+    result.jacobian[173] = n0;
+    result.jacobian[174] = -z492;
+    result.jacobian[175] = -z547;
+    result.jacobian[176] = z549;
+    result.jacobian[177] = n0;
+    result.jacobian[178] = n0;
+    result.jacobian[179] = n0;
+    result.jacobian[180] = n0;
+    result.jacobian[181] = n0;
+    result.jacobian[182] = n0;
+    result.jacobian[183] = n0;
+    result.jacobian[184] = n0;
+    result.jacobian[185] = n0;
+    result.jacobian[186] = n0;
+    result.jacobian[187] = n0;
+    result.jacobian[188] = n0;
+    result.jacobian[189] = z668;
+    result.jacobian[190] = -z655;
+    result.jacobian[191] = z656;
+    result.jacobian[192] = n0;
+    result.jacobian[193] = n0;
+    result.jacobian[194] = n0;
+    result.jacobian[195] = n0;
+    result.jacobian[196] = n0;
+    result.jacobian[197] = n0;
+    result.jacobian[198] = n0;
+    result.jacobian[199] = n0;
+    result.jacobian[200] = n0;
+    result.jacobian[201] = -z659;
+    result.jacobian[202] = -z730;
+    result.jacobian[203] = z740;
+    result.jacobian[204] = n0;
+    result.jacobian[205] = n0;
+    result.jacobian[206] = n0;
+    result.jacobian[207] = n0;
+    result.jacobian[208] = n0;
+    result.jacobian[209] = n0;
+    result.jacobian[210] = n0;
+    result.jacobian[211] = n0;
+    result.jacobian[212] = n0;
+    result.jacobian[213] = -z662;
+    result.jacobian[214] = -z733;
+    result.jacobian[215] = z750;
+  }
+
+  /// What the surfaces of each contact are made of, in the order front_left_foot_ground, front_right_foot_ground, rear_left_foot_ground, rear_right_foot_ground:
+  /// |T| <= f N + b while it slides, f_s and b_s while it sticks.
+  TORSOR_DEVICE static void contact_coefficients(const Precomputed& precomputed, const State&,
+      ContactCoefficients& result) noexcept {
+    const Scalar n0 = traits::constant(0.0, 0.0f, "0/1");
+    const Scalar p_ground_friction = precomputed.parameters.ground_friction;
+    const Scalar p_ground_restitution = precomputed.parameters.ground_restitution;
+    result.friction[0] = p_ground_friction;
+    result.static_friction[0] = p_ground_friction;
+    result.restitution[0] = p_ground_restitution;
+    result.bound[0] = n0;
+    result.static_bound[0] = n0;
+    result.friction[1] = p_ground_friction;
+    result.static_friction[1] = p_ground_friction;
+    result.restitution[1] = p_ground_restitution;
+    result.bound[1] = n0;
+    result.static_bound[1] = n0;
+    result.friction[2] = p_ground_friction;
+    result.static_friction[2] = p_ground_friction;
+    result.restitution[2] = p_ground_restitution;
+    result.bound[2] = n0;
+    result.static_bound[2] = n0;
+    result.friction[3] = p_ground_friction;
+    result.static_friction[3] = p_ground_friction;
+    result.restitution[3] = p_ground_restitution;
+    result.bound[3] = n0;
+    result.static_bound[3] = n0;
+  }
+
+  /// A kernel with all its arguments.
+  template <class Code, class... Arguments>
+  using KernelFunction = Code (*)(const Precomputed&, const State&, Arguments...) noexcept;
+
+  /// Calls visitor(description, function) for each kernel: whatever walks them meets a new one by itself.
+  template <class Visitor>
+  static constexpr void for_each_kernel(Visitor&& visitor) {
+    static_cast<void>(visitor);
+    visitor(Description::kernels[0], KernelFunction<void, std::array<Scalar, 19>&>(coordinate_rates));
+    visitor(Description::kernels[1], KernelFunction<void, std::array<Scalar, 324>&>(mass_matrix));
+    visitor(Description::kernels[2], KernelFunction<void, GeneralizedForces&>(bias));
+    visitor(Description::kernels[3],
+        KernelFunction<torsor::Status, const Inputs&, Accelerations&, Multipliers&>(forward_dynamics));
+    visitor(Description::kernels[4], KernelFunction<void, const Inputs&, Energy&>(energy));
+    visitor(Description::kernels[5], KernelFunction<void, Contacts&>(contacts));
+    visitor(Description::kernels[6], KernelFunction<void, ContactCoefficients&>(contact_coefficients));
+  }
+};
+
+}  // namespace quadruped_on_its_feet
