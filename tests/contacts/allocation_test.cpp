@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <cstdlib>
 #include <new>
@@ -81,6 +82,18 @@ TEST(ContactAllocations, AreNoneInStepsOfAMotionWhoseContactOpensAndCloses) {
 TEST(ContactAllocations, AreNoneInStepsOfABlockThatSticksAndSlides) {
   const Events events = expect_none(block_on_belt(1, 100, 0.5, 10, 0.5, 0.3), std::array{0.0, 0.5}, 20'000);
   EXPECT_GT(events.slips, 100);
+}
+
+// Its slip begins, turns and ends in space: a block on a plane, pushed round by a force on an ellipse.
+TEST(ContactAllocations, AreNoneInStepsOfABlockThatIsPushedRound) {
+  auto block = block_on_plane(0.4);
+  block.fill = [still = block.fill](double t, const auto& y, auto& r) {
+    still(t, y, r);
+    r.F(0) = 5 * std::cos(3 * t);
+    r.F(1) = 2 * std::sin(3 * t);
+  };
+  const Events events = expect_none(block, std::array<double, 6>{}, 20'000);
+  EXPECT_GT(events.slips, 20);
 }
 
 TEST(ContactAllocations, AreNoneInStepsOfEqualLength) {
