@@ -49,6 +49,32 @@ int main() {
         assert np.array_equal(panda.inverse_dynamics(q[i], v[i], a[i]), expected[i, :7])
 
 
+def test_matrices_of_many_states_are_those_of_each_alone(pendulum):
+    """None of these is symmetric: rows taken for columns would show."""
+    q, v, a = states(2)
+    among = pendulum.linearisation(q, v, a)
+    for i in (0, 8, N - 1):
+        alone = pendulum.linearisation(q[i], v[i], a[i])
+        for name in ("C", "K", "A"):
+            matrix = getattr(alone, name)
+            assert not np.array_equal(matrix, matrix.T)
+            assert np.array_equal(getattr(among, name)[i], matrix)
+    by_columns = tuple(np.zeros((N, *part.shape[:0:-1])).swapaxes(1, 2) if part.ndim == 3 else np.zeros(part.shape) for part in among)
+    pendulum.linearisation(q, v, a, out=by_columns)
+    for written, expected in zip(by_columns, among):
+        assert np.array_equal(written, expected)
+
+
+def test_multipliers_are_beside_accelerations(hoop):
+    """Both together make the forces of the equations vanish."""
+    begin = hoop.initial_state()
+    for q, v in ((begin.q, begin.v), (np.tile(begin.q, (9, 1)), np.tile(begin.v, (9, 1)))):
+        a, multipliers = hoop.forward_dynamics(q, v)
+        assert np.abs(multipliers).max() > 0.1
+        # Terms of some 10 N, a hundred operations.
+        np.testing.assert_allclose(hoop.inverse_dynamics(q, v, a, multipliers), 0, atol=1e-12)
+
+
 def test_broadcasts_like_numpy(panda):
     q, v, a = states(7)
     grid = panda.inverse_dynamics(q[:5, None], v[None, :3], a[0])

@@ -61,11 +61,25 @@ def test_inputs_held_and_by_a_law(panda):
     by_law = panda.simulate([0.2], q, np.zeros(7), inputs=lambda t, q, v: u)
     assert np.array_equal(by_law.states, still.states)
 
+    # Of many motions each has its own: the second falls.
+    both = panda.simulate([0.2], q, np.zeros(7), inputs=np.stack([u, np.zeros(7)]))
+    assert np.array_equal(both.states[0], still.states)
+    assert np.array_equal(both.states[1], panda.simulate([0.2], q, np.zeros(7), inputs=np.zeros(7)).states)
+    assert np.abs(both.q[1] - q).max() > 1e-3
+
     def broken(t, q, v):
         raise RuntimeError("no torque today")
 
     with pytest.raises(RuntimeError, match="no torque today"):
         panda.simulate([0.2], q, np.zeros(7), inputs=broken)
+
+
+def test_what_was_not_reached_is_no_number(pendulum):
+    """One hangs at rest and needs few steps, the other swings through."""
+    many = pendulum.simulate([0.01, 20.0], [[0.0, 0.0], [2.0, 1.0]], np.zeros(2), step_limit=60)
+    assert list(many.ok) == [True, False]
+    assert np.isfinite(many.states[0]).all() and np.isfinite(many.states[1, 0]).all()
+    assert np.isnan(many.states[1, 1]).all()
 
 
 def test_refuses_what_makes_no_sense(pendulum):
