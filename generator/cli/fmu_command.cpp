@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <filesystem>
 #include <memory>
 
 #include <fmt/format.h>
@@ -11,10 +12,10 @@
 #include "generator/base/temporary_folder.hpp"
 #include "generator/base/zip_archive.hpp"
 #include "generator/cli/command_set.hpp"
+#include "generator/cli/compiled_library.hpp"
 #include "generator/cli/compiler.hpp"
 #include "generator/cli/fmi_platform.hpp"
 #include "generator/cli/kernel_options.hpp"
-#include "generator/dynamics/equations/contact_checks.hpp"
 #include "generator/emission/fmi_sources.hpp"
 
 namespace torsor {
@@ -28,38 +29,63 @@ struct UnitRequest : KernelOptions {
   FmiVersion version() const { return fmi == 2 ? FmiVersion::two : FmiVersion::three; }
 };
 
+void write_sources(const std::filesystem::path& folder, const std::vector<SourceFile>& sources) {
+  for (const SourceFile& source : sources) {
+    const std::filesystem::path path = folder / source.path;
+    std::filesystem::create_directories(path.parent_path());
+    write_file_if_changed(path.string(), source.text);
+  }
+}
+
+void compile(const Compiler& compiler, const std::vector<std::string>& flags, const std::vector<std::string>& words) {
+  std::vector<std::string> command = compiler.words;
+  command.insert(command.end(), {"-fPIC", "-fvisibility=hidden", "-ffp-contract=off"});
+  command.insert(command.end(), flags.begin(), flags.end());
+  command.insert(command.end(), words.begin(), words.end());
+  const ProcessResult said = run_process(command);
+  if (said.code == 0) return;
+  const bool eigen = said.output.find("Eigen") != std::string::npos;
+  throw FileError(fmt::format("the compiler '{}' fails: {}{}", fmt::join(compiler.words, " "), compiler_errors(said.output),
+                              eigen ? "; a unit with contacts needs Eigen 3 (Debian: libeigen3-dev)" : ""));
+}
+
 /// A binary, and where in a unit it belongs.
-ArchivedFile compiled_unit(const std::string& name, const std::vector<SourceFile>& sources, const UnitRequest& request) {
+ArchivedFile compiled_unit(const MechanismListing& mechanism, const std::vector<SourceFile>& sources,
+                           const UnitRequest& request) {
+  const std::string& name = mechanism.scene().name();
   const Compiler compiler = found_compiler("CC", {"cc", "gcc", "clang"}, "C99");
   const std::vector<std::string> flags = separate_words(request.flags);
   const FmiPlatform platform = fmi_platform(predefined_macros(compiler, flags), request.version());
   const TemporaryFolder folder(folder_of_temporary_files(), "torsor-fmu-");
   const auto file = [&folder](const std::string& of) { return (folder.path() / of).string(); };
-  for (const SourceFile& source : sources) write_file_if_changed(file(source.path), source.text);
+  write_sources(folder.path(), sources);
   const std::string made = file("unit" + platform.suffix);
-  std::vector<std::string> command = compiler.words;
-  for (const char* word : {"-std=c99", "-shared", "-fPIC", "-fvisibility=hidden", "-ffp-contract=off"})
-    command.push_back(word);
-  command.insert(command.end(), flags.begin(), flags.end());
-  for (const std::string& word : {std::string("-o"), made, file(sources.front().path), std::string("-lm")}) {
-    command.push_back(word);
-  }
-  const ProcessResult said = run_process(command);
-  if (said.code != 0) {
-    throw FileError(
-        fmt::format("the compiler '{}' fails: {}", fmt::join(compiler.words, " "), compiler_errors(said.output)));
+  if (mechanism.scene().content().contacts.empty()) {
+    compile(compiler, flags, {"-std=c99", "-shared", "-o", made, file(sources.front().path), "-lm"});
+  } else {
+    compile(compiler, flags, {"-std=c99", "-c", "-o", file("unit.o"), file(sources.front().path)});
+    const std::vector<SourceFile> moving = fmi_contact_sources(mechanism);
+    write_sources(folder.path(), moving);
+    compile(found_compiler("CXX", {"c++", "g++", "clang++"}, "C++20"), flags,
+            {"-std=c++20", "-shared", "-isystem", eigen_folder(), "-I", folder.path().string(), "-o", made,
+             file(moving.front().path), file("unit.o"), "-lm"});
   }
   return {fmt::format("binaries/{}/{}{}", platform.folder, name, platform.suffix), compiled_bytes(made)};
 }
 
 CommandResult make_unit(const Scene& scene, const UnitRequest& request, const std::string& output) {
   if (output == "-") throw UsageError("a unit of FMI is a file: give --output x.fmu");
-  refuse_contacts(scene, "a unit of FMI");
+  const bool contacts = !scene.content().contacts.empty();
+  if (contacts && request.sources_only) {
+    throw UsageError(fmt::format("the scene '{}' has contacts, which are not moved by sources in C99: leave --sources-only out",
+                                 scene.name()));
+  }
   const FmiVersion version = request.version();
   const MechanismListing mechanism = lower_mechanism(scene, fmi_kernels(scene), request.model(scene));
   std::vector<ArchivedFile> archive = {{"modelDescription.xml", fmi_description(mechanism, version)}};
   const std::vector<SourceFile> sources = fmi_sources(mechanism, version);
-  if (!request.sources_only) archive.push_back(compiled_unit(scene.name(), sources, request));
+  if (!request.sources_only) archive.push_back(compiled_unit(mechanism, sources, request));
+  if (contacts) return {zip_archive(archive)};
   for (const SourceFile& source : sources) archive.push_back({"sources/" + source.path, source.text});
   if (version == FmiVersion::three) {
     archive.push_back({"sources/buildDescription.xml", fmi_build_description(mechanism)});

@@ -6,7 +6,8 @@
 
 namespace torsor {
 
-/// A header of runtime/, by its path below that folder: those that shared libraries of mechanisms are compiled with.
+/// A file of runtime/, by its path below that folder: headers that shared libraries of mechanisms are compiled with, and
+/// with contacts/ those of units of FMI with contacts.
 /// Throws Error for a name that is none.
 std::string_view embedded_runtime_text(std::string_view name);
 

@@ -56,6 +56,21 @@ std::string numbers_of(const FmiVariable& variable, std::size_t place, std::size
   return text;
 }
 
+constexpr const char* both_kinds_of_2 =
+    R"(  <ModelExchange modelIdentifier="{0}" canGetAndSetFMUstate="true" canSerializeFMUstate="true" providesDirectionalDerivative="true">
+    <SourceFiles><File name="{0}_fmi2.c"/></SourceFiles>
+  </ModelExchange>
+  <CoSimulation modelIdentifier="{0}" canHandleVariableCommunicationStepSize="true" canGetAndSetFMUstate="true" canSerializeFMUstate="true" providesDirectionalDerivative="true">
+    <SourceFiles><File name="{0}_fmi2.c"/></SourceFiles>
+  </CoSimulation>)";
+constexpr const char* co_simulation_of_2 =
+    R"(  <CoSimulation modelIdentifier="{0}" canHandleVariableCommunicationStepSize="true" canGetAndSetFMUstate="true" canSerializeFMUstate="true"/>)";
+constexpr const char* both_kinds_of_3 =
+    R"(  <ModelExchange modelIdentifier="{0}" canGetAndSetFMUState="true" canSerializeFMUState="true" providesDirectionalDerivatives="true" providesAdjointDerivatives="true" needsCompletedIntegratorStep="true"/>
+  <CoSimulation modelIdentifier="{0}" canGetAndSetFMUState="true" canSerializeFMUState="true" providesDirectionalDerivatives="true" providesAdjointDerivatives="true" canHandleVariableCommunicationStepSize="true"/>)";
+constexpr const char* co_simulation_of_3 =
+    R"(  <CoSimulation modelIdentifier="{0}" canGetAndSetFMUState="true" canSerializeFMUState="true" canHandleVariableCommunicationStepSize="true"/>)";
+
 struct UnknownPlaces {
   std::vector<std::size_t> outputs, derivatives;
 };
@@ -99,23 +114,27 @@ std::string fmi_token(const MechanismListing& mechanism, FmiVersion version) {
   Fnv interface;
   using Files = std::vector<const char*>;
   for (const char* file : version == FmiVersion::two
-                              ? Files{"fmi/model.h.in", "fmi/motion.h.in", "fmi/fmi2.c.in"}
-                              : Files{"fmi/model.h.in", "fmi/motion.h.in", "fmi/fmi3.c.in", "fmi/fmi3_types.h.in", "fmi/fmi3_absent.h.in"}) {
+                              ? Files{"fmi/fmi2.c.in"}
+                              : Files{"fmi/fmi3.c.in", "fmi/fmi3_types.h.in", "fmi/fmi3_absent.h.in"}) {
     interface.add(embedded_template(file));
   }
+  for (const char* file : {"fmi/model.h.in", "fmi/motion.h.in", "fmi/contacts.cpp.in"}) interface.add(embedded_template(file));
   return fmt::format("{{{:016x}-{:016x}}}", header_fingerprint(mechanism), interface.value());
 }
 
 std::string fmi_description(const MechanismListing& mechanism, FmiVersion version) {
   require_kernels(mechanism);
   const bool two = version == FmiVersion::two;
+  // What changes at the events of contacts has no derivatives: co-simulation alone, by a binary alone.
+  const bool contacts = !mechanism.scene().content().contacts.empty();
   const std::vector<FmiVariable> variables = fmi_variables(mechanism);
   const std::size_t states = mechanism.layout.coordinates.size() + mechanism.layout.velocities.size();
-  const bool can_be_put_back = !mechanism.layout.multipliers.empty() ||
-                               mechanism.layout.coordinates.size() > mechanism.layout.velocities.size();
+  const bool can_be_put_back = !contacts && (!mechanism.layout.multipliers.empty() ||
+                               mechanism.layout.coordinates.size() > mechanism.layout.velocities.size());
   std::string list;
   for (std::size_t i = 0; i < variables.size(); ++i) {
     const FmiVariable& v = variables[i];
+    if (contacts && (v.role == FmiVariable::Role::derivative || v.role == FmiVariable::Role::output)) continue;
     const std::string numbers = numbers_of(v, i, states, two ? 1 : 0, can_be_put_back);
     list += two ? fmt::format("    <ScalarVariable name=\"{}\" valueReference=\"{}\" {}><Real{}/></ScalarVariable>\n", v.name,
                               i, kind_of(v), numbers)
@@ -129,12 +148,15 @@ std::string fmi_description(const MechanismListing& mechanism, FmiVersion versio
   std::vector<FmiVariable> measured = variables;
   if (!two) measured.push_back({"time", "s", FmiVariable::Role::local, {}});
   const char* const file = two ? "fmi/modelDescription2.xml.in" : "fmi/modelDescription3.xml.in";
-  const UnknownPlaces structure = unknowns_of(variables);
+  const UnknownPlaces structure = contacts ? UnknownPlaces{} : unknowns_of(variables);
+  const char* const kinds = two ? (contacts ? co_simulation_of_2 : both_kinds_of_2)
+                                : (contacts ? co_simulation_of_3 : both_kinds_of_3);
   return fill_template(file, embedded_template(file),
                        {{"name", mechanism.scene().name()},
                         {"title", xml_escaped(mechanism.scene().content().title)},
                         {"version", TORSOR_VERSION},
                         {"token", fmi_token(mechanism, version)},
+                        {"kinds", fmt::format(fmt::runtime(kinds), mechanism.scene().name())},
                         {"units", fmi_unit_definitions(measured)},
                         {"variables", list},
                         {"structure", two ? structure_of_2(structure) : structure_of_3(structure)}});

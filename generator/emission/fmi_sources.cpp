@@ -7,7 +7,9 @@
 #include <fmt/format.h>
 
 #include "generator/emission/c_header.hpp"
+#include "generator/emission/embedded_runtime_texts.hpp"
 #include "generator/emission/embedded_templates.hpp"
+#include "generator/emission/header.hpp"
 #include "generator/emission/text_template.hpp"
 
 namespace torsor {
@@ -31,8 +33,26 @@ std::string holonomic_rows(const MechanismListing& mechanism) {
 
 std::vector<std::string> fmi_kernels(const Scene& scene) {
   std::vector<std::string> names = {"forward_dynamics", "energy", "forward_dynamics_derivatives"};
-  if (!scene.content().constraints.empty()) names.insert(names.end(), {"mass_matrix", "constraints"});
+  const bool contacts = !scene.content().contacts.empty();
+  if (contacts || !scene.content().constraints.empty()) names.push_back("mass_matrix");
+  if (!scene.content().constraints.empty()) names.push_back("constraints");
+  if (contacts) names.insert(names.end(), {"bias", "contacts", "contact_coefficients"});
   return names;
+}
+
+std::vector<SourceFile> fmi_contact_sources(const MechanismListing& mechanism) {
+  const std::string& name = mechanism.scene().name();
+  std::vector<SourceFile> files;
+  std::string sources;
+  for (const std::string_view text : embedded_runtime_text_names()) {
+    files.push_back({fmt::format("runtime/{}", text), std::string(embedded_runtime_text(text))});
+    if (text.ends_with(".cpp")) sources += fmt::format("#include \"runtime/{}\"\n", text);
+  }
+  files.push_back({name + ".hpp", emit_header(mechanism)});
+  files.insert(files.begin(), {name + "_contacts.cpp",
+                               fill_template("fmi/contacts.cpp.in", embedded_template("fmi/contacts.cpp.in"),
+                                             {{"name", name}, {"version", TORSOR_VERSION}, {"sources", sources}})});
+  return files;
 }
 
 std::vector<SourceFile> fmi_sources(const MechanismListing& mechanism, FmiVersion version) {
@@ -42,6 +62,7 @@ std::vector<SourceFile> fmi_sources(const MechanismListing& mechanism, FmiVersio
       std::any_of(mechanism.kernels.begin(), mechanism.kernels.end(),
                   [](const KernelListing& each) { return each.kernel.name == "coordinate_rates"; });
   using Texts = std::map<std::string, std::string>;
+  const std::string has_contacts = flag(!mechanism.scene().content().contacts.empty());
   const std::string has_multipliers = flag(!mechanism.layout.multipliers.empty());
   const auto filled = [&name](const std::string& file, Texts texts) {
     texts.insert({{"name", name}, {"version", TORSOR_VERSION}});
@@ -52,10 +73,13 @@ std::vector<SourceFile> fmi_sources(const MechanismListing& mechanism, FmiVersio
       {source_name(mechanism, version),
        filled(two ? "fmi/fmi2.c.in" : "fmi/fmi3.c.in", {{"token", fmi_token(mechanism, version)}})},
       {"fmi_model.h", filled("fmi/model.h.in", {{"has_rates", flag(has_rates)},
+                                                {"has_contacts", has_contacts},
                                                 {"has_inputs", flag(!mechanism.layout.inputs.empty())},
                                                 {"has_multipliers", has_multipliers}})},
       {"fmi_motion.h",
-       filled("fmi/motion.h.in", {{"has_multipliers", has_multipliers}, {"holonomic", holonomic_rows(mechanism)}})},
+       filled("fmi/motion.h.in", {{"has_multipliers", has_multipliers},
+                                  {"has_contacts", has_contacts},
+                                  {"holonomic", holonomic_rows(mechanism)}})},
       {name + ".h", emit_c(mechanism).header}};
   for (const char* file : {"fmi3_types.h", "fmi3_absent.h"}) {
     const std::string of = fmt::format("fmi/{}.in", file);

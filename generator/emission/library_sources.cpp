@@ -36,6 +36,7 @@ std::vector<SourceFile> library_sources(const MechanismListing& mechanism) {
                       {"constraints", holds_constraints(mechanism) ? "#define TORSOR_ABI_WITH_CONSTRAINTS\n" : ""}})});
   files.push_back({name + ".hpp", emit_header(mechanism)});
   for (const std::string_view header : embedded_runtime_text_names()) {
+    if (header.starts_with("contacts/") || header.starts_with("events/") || header.starts_with("library.")) continue;
     files.push_back({fmt::format("runtime/{}", header), std::string(embedded_runtime_text(header))});
   }
   return files;

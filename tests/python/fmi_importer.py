@@ -122,9 +122,9 @@ class Unit2(Unit):
         function.argtypes = [c_char_p, c_int, c_char_p, c_char_p, c_void_p, c_int, c_int]
         return function(b"one", kind, (token or self.token).encode(), None, ctypes.addressof(self.callbacks), 0, int(logging))
 
-    def initialise(self, component, start=0.0, tolerance=None):
-        answer = self.SetupExperiment(component, int(tolerance is not None), c_double(tolerance or 0), c_double(start), 0,
-                                      c_double(0))
+    def initialise(self, component, start=0.0, tolerance=None, stop=None):
+        answer = self.SetupExperiment(component, int(tolerance is not None), c_double(tolerance or 0), c_double(start),
+                                      int(stop is not None), c_double(stop or 0))
         return answer or self.EnterInitializationMode(component)
 
     def update(self, component):
@@ -190,9 +190,9 @@ class Unit3(Unit):
         return function(b"one", token, None, c_bool(False), c_bool(logging), c_bool(events), c_bool(True), None,
                         c_size_t(intermediate), None, self.logger, None)
 
-    def initialise(self, component, start=0.0, tolerance=None):
+    def initialise(self, component, start=0.0, tolerance=None, stop=None):
         return self.EnterInitializationMode(component, c_bool(tolerance is not None), c_double(tolerance or 0), c_double(start),
-                                            c_bool(False), c_double(0))
+                                            c_bool(stop is not None), c_double(stop or 0))
 
     def update(self, component):
         flags, time = (c_bool * 5)(*[True] * 5), c_double()

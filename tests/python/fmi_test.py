@@ -235,7 +235,10 @@ def test_states_are_restored_and_serialised(unit):
     assert call["write"](component, state, bytes_, size) == OK
     unit.step(component, 0.1, 0.1)
     after = unit.get(component, unit.states)
+    tuned = [v["name"] for v in unit.variables if v["causality"] == "parameter"]
     for restore in (state, None):
+        # Parameters belong to a state, and what is computed of them.
+        assert unit.set(component, tuned, 1.25 * unit.get(component, tuned)) == OK
         if restore is None:
             restore = c_void_p()
             assert call["read"](component, bytes_, size, byref(restore)) == OK
@@ -278,6 +281,31 @@ def test_refuses_what_is_not_allowed(unit):
     assert unit.step(component, 5, 0.1) == ERROR
     assert [text for _, text in unit.messages] == [f"fmi{unit.version}DoStep: another time than that reached".encode()]
     assert unit.step(component, 0, -0.1) == ERROR
+    unit.FreeInstance(component)
+
+
+def test_derivatives_follow_what_is_set_and_parameters_wait_for_events(unit):
+    component = unit.continuous()
+    before = unit.get(component, unit.derivatives)
+    inputs = [v["name"] for v in unit.variables if v["causality"] == "input"]
+    assert unit.set(component, inputs, np.ones(len(inputs))) == OK
+    assert np.array_equal(unit.get(component, unit.derivatives), before) == (not inputs)
+    tuned = [v["name"] for v in unit.variables if v["causality"] == "parameter"][:1]
+    assert unit.set(component, tuned, [2.0] * len(tuned)) == (ERROR if tuned else OK)
+    assert unit.EnterEventMode(component) == OK
+    assert unit.set(component, tuned, [2.0] * len(tuned)) == OK
+    unit.FreeInstance(component)
+
+
+def test_no_step_goes_beyond_the_stop_time(unit):
+    component = unit.instantiate(CO_SIMULATION)
+    assert unit.initialise(component, stop=0.3) == OK
+    assert unit.ExitInitializationMode(component) == OK
+    assert unit.step(component, 0, 0.2) == OK
+    unit.messages.clear()
+    assert unit.step(component, 0.2, 0.2) == ERROR
+    assert b"a step beyond the stop time" in unit.messages[0][1]
+    assert unit.step(component, 0.2, 0.1) == OK
     unit.FreeInstance(component)
 
 
