@@ -69,8 +69,6 @@ void compile(const Compiler& compiler, const Words& options, const std::vector<S
 
 }  // namespace
 
-std::string eigen_folder() { return TORSOR_EIGEN_DIR; }
-
 std::string compiled_library(const MechanismListing& mechanism, const LibraryOptions& options) {
   const Compiler compiler = found_compiler("CXX", {"c++", "g++", "clang++"}, "C++20");
   const std::vector<SourceFile> sources = library_sources(mechanism);

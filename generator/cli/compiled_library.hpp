@@ -18,7 +18,4 @@ struct LibraryOptions {
 /// Throws FileError where there is no compiler, or where it fails, with what it said.
 std::string compiled_library(const MechanismListing& mechanism, const LibraryOptions& options);
 
-/// Where Eigen was found when torsor was built.
-std::string eigen_folder();
-
 }  // namespace torsor

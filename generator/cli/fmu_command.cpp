@@ -12,11 +12,14 @@
 #include "generator/base/temporary_folder.hpp"
 #include "generator/base/zip_archive.hpp"
 #include "generator/cli/command_set.hpp"
-#include "generator/cli/compiled_library.hpp"
 #include "generator/cli/compiler.hpp"
 #include "generator/cli/fmi_platform.hpp"
 #include "generator/cli/kernel_options.hpp"
 #include "generator/emission/fmi_sources.hpp"
+
+#ifndef TORSOR_EIGEN_DIR
+#define TORSOR_EIGEN_DIR "/usr/include/eigen3"
+#endif
 
 namespace torsor {
 namespace {
@@ -67,7 +70,7 @@ ArchivedFile compiled_unit(const MechanismListing& mechanism, const std::vector<
     const std::vector<SourceFile> moving = fmi_contact_sources(mechanism);
     write_sources(folder.path(), moving);
     compile(found_compiler("CXX", {"c++", "g++", "clang++"}, "C++20"), flags,
-            {"-std=c++20", "-shared", "-isystem", eigen_folder(), "-I", folder.path().string(), "-o", made,
+            {"-std=c++20", "-shared", "-isystem", TORSOR_EIGEN_DIR, "-I", folder.path().string(), "-o", made,
              file(moving.front().path), file("unit.o"), "-lm"});
   }
   return {fmt::format("binaries/{}/{}{}", platform.folder, name, platform.suffix), compiled_bytes(made)};
