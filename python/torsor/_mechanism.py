@@ -107,6 +107,8 @@ class Mechanism(Displayed):
         reactions: Kernel
         contacts: Kernel
         contact_coefficients: Kernel
+        delassus: Kernel
+        impact: Kernel
         linearisation: Kernel
         inverse_dynamics_derivatives: Kernel
         forward_dynamics_derivatives: Kernel
