@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
 
 #include <fmt/format.h>
 
@@ -42,6 +43,8 @@ ContactRecord::EventKind kind_of(ContactEventKind kind) {
   return Kind::impact;
 }
 
+std::string events_in_words(std::int64_t count) { return count == 1 ? "one event" : fmt::format("{} events", count); }
+
 /// Moves a scene, whose state has room for more in an array of fixed size: what is more stays zero.
 class ContactSimulation {
  public:
@@ -76,13 +79,12 @@ class ContactSimulation {
       result_.status = fmt::format("{}{} at t = {:.9g} s", describe(end.status), of_contact(end), end.time);
     }
     if (end.ambiguous > 0) {
-      result_.remarks.push_back(fmt::format("at {} events several motions fulfil the laws of contact: the one of least "
-                                            "motion was taken",
-                                            end.ambiguous));
+      result_.remarks.push_back(fmt::format("at {} several motions fulfil the laws of contact: the one of least motion was taken",
+                                            events_in_words(end.ambiguous)));
     }
     if (end.indeterminate > 0) {
-      result_.remarks.push_back(fmt::format("at {} events reactions are indeterminate: other ones give the same motion",
-                                            end.indeterminate));
+      result_.remarks.push_back(fmt::format("at {} reactions are indeterminate: other ones give the same motion",
+                                            events_in_words(end.indeterminate)));
     }
   }
 

@@ -40,7 +40,7 @@ CommandResult unknowns(const Scene& scene, const UnknownsRequest& request) {
   const Equations equations(scene, options);
   const PageStyle style = request.style();
   std::string text = unknowns_report(equations, style.language);
-  if (!request.bodies.empty()) text += isolation_report(equations, request.bodies, {Scene::point(request.point), request.axes}).text;
+  if (!request.bodies.empty()) text += isolation_report(equations, request.bodies, {Scene::point(request.point), request.axes}, style.language).text;
   return {style.format == Format::text ? text : printing::words_as_page(text, scene.content(), style)};
 }
 

@@ -16,6 +16,7 @@ struct StructureRequest {
   KernelOptions kernels;
   std::string graph = "structure";
   std::string graph_format = "dot";
+  std::string language = "en";
 };
 
 void add_inputs_outputs(CLI::App& command, StructureRequest& request) {
@@ -33,19 +34,22 @@ void add_structure_commands(CommandSet& commands) {
       "structure", "count loops, mobility and redundancy; name what is internal or indeterminate",
       [request](const Scene& scene) {
         return CommandResult{request->json ? structure_json(scene, request->inputs_outputs)
-                                           : structure_text(scene, request->inputs_outputs)};
+                                           : structure_text(scene, request->inputs_outputs, NaturalLanguage::named(request->language))};
       });
   add_inputs_outputs(structure, *request);
   structure.add_flag("--json", request->json, "print JSON");
+  add_language(structure, request->language);
 
   CLI::App& graph = commands.add(
       "graph", "draw the graph of bodies and joints", [request](const Scene& scene) {
-        return CommandResult{graph_text(scene, request->graph_format, request->graph, request->inputs_outputs)};
+        return CommandResult{graph_text(scene, request->graph_format, request->graph, request->inputs_outputs,
+                                        NaturalLanguage::named(request->language))};
       });
   add_inputs_outputs(graph, *request);
   graph.add_option("--format", request->graph_format, "dot (for Graphviz) or svg")->capture_default_str();
   graph.add_option("--of", request->graph, "structure, analysis (with constraints and actions) or reduced")
       ->capture_default_str();
+  add_language(graph, request->language);
 
   CLI::App& list = commands.add(
       "list", "print what the scene contains and the kernels it offers",

@@ -64,6 +64,7 @@ Scene driven() {
   s.body("bras", arm, Inertia::point(m).at({0, 0, -l}));
   s.gravity({0, 0, -g});
   s.motor("moteur", q);
+  s.point("P", arm, {0, 0, -l});
   return s;
 }
 
@@ -228,7 +229,9 @@ TEST(French, KeepsFormulas) {
 
 TEST(French, IsSpokenByCommands) {
   for (const std::vector<std::string>& command :
-       std::vector<std::vector<std::string>>{{"equations"}, {"statics"}, {"theorem"}, {"theorem", "--kind", "energy"}, {"unknowns"}}) {
+       std::vector<std::vector<std::string>>{{"equations"}, {"statics"}, {"theorem"}, {"theorem", "--kind", "energy"}, {"unknowns"},
+                                             {"structure"}, {"graph", "--of", "analysis"},
+                                             {"unknowns", "--isolate", "bras", "--at", "P"}}) {
     std::vector<std::string> french = command, named = command;
     french.insert(french.end(), {"--language", "fr"});
     named.insert(named.end(), {"--language", "en"});
@@ -245,7 +248,7 @@ TEST(French, IsSpokenByCommands) {
 }
 
 TEST(French, IsTheOnlyOtherLanguage) {
-  for (const char* command : {"report", "equations", "statics", "unknowns", "theorem"}) {
+  for (const char* command : {"report", "equations", "statics", "unknowns", "theorem", "structure", "graph"}) {
     expect_failure(run(driven, {command, "--language", "de"}), 2, "unknown language 'de': use en (English) or fr (French)");
   }
 }

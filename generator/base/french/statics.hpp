@@ -7,6 +7,19 @@ namespace torsor {
 
 /// Equilibrium, theorems, screws, unknowns.
 constexpr Translation french_of_statics[] = {
+    {"Newton-Euler for {} at {} along the axes of {}", "Newton-Euler pour {} en {} suivant les axes de {}"},
+    {"joint {}: {}", "liaison {} : {}"},
+    {"transmits nothing unknown", "ne transmet rien d'inconnu"},
+    {"constraint {}: a formula; its force is counted with the joints",
+     "équation de liaison {} : une formule ; son effort est compté avec les liaisons"},
+    {"constraint {}: {}", "équation de liaison {} : {}"},
+    {"resultant, x", "résultante, x"},
+    {"resultant, y", "résultante, y"},
+    {"resultant, z", "résultante, z"},
+    {"moment, x", "moment, x"},
+    {"moment, y", "moment, y"},
+    {"moment, z", "moment, z"},
+    {"no unknown component, an equation of motion", "aucune inconnue, une équation du mouvement"},
     // Equilibrium
     {"With {}.", "Avec {}."},
     {"Equations of equilibrium", "Équations d'équilibre"},

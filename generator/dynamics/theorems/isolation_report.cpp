@@ -61,7 +61,8 @@ std::string name_of(const FrameReference& frame, const Model& model) {
 
 }  // namespace
 
-IsolationReport isolation_report(const Equations& equations, const BodyNames& bodies, const ScrewQuery& query) {
+IsolationReport isolation_report(const Equations& equations, const BodyNames& bodies, const ScrewQuery& query,
+                                 const NaturalLanguage& say) {
   const WorkingDigits precision(50);
   const Model& model = equations.model();
   const std::vector<bool> inside = isolated_links(model, bodies, "a report on isolated bodies");
@@ -70,8 +71,8 @@ IsolationReport isolation_report(const Equations& equations, const BodyNames& bo
   IsolationReport report;
   const PointContent& point =
       model.scene().points[static_cast<std::size_t>(model.scene().point_index(query.point, "a report"))];
-  report.text = fmt::format("Newton-Euler for {} at {} along the axes of {}\n", fmt::join(bodies, ", "), point.name,
-                            name_of(query.axes, model));
+  report.text = say("Newton-Euler for {} at {} along the axes of {}", fmt::join(bodies, ", "), point.name,
+                    name_of(query.axes, model)) + "\n";
   for (const Connection& connection : connections(equations)) {
     if (is_inside(connection.bottom) == is_inside(connection.from)) continue;
     const ComponentRows rows(model, evaluate, connection, query);
@@ -82,14 +83,14 @@ IsolationReport isolation_report(const Equations& equations, const BodyNames& bo
       const std::string name = sum ? "(" + component.name + ")" : component.name;
       report.unknowns.push_back(named(connection.name + " " + name, rows.of(component)));
     }
-    report.text += fmt::format("  joint {}: {}\n", connection.name,
-                               names.empty() ? "transmits nothing unknown" : fmt::format("{}", fmt::join(names, ", ")));
+    report.text += "  " + say("joint {}: {}", connection.name,
+                              names.empty() ? say("transmits nothing unknown") : fmt::format("{}", fmt::join(names, ", "))) + "\n";
   }
   for (std::size_t j = 0; j < equations.constraints().size(); ++j) {
     const ConstraintRow& row = equations.constraints()[j];
     const auto unit = constraint_wrench(model, static_cast<int>(j));
     if (!unit) {
-      report.text += fmt::format("  constraint {}: a formula; its force is counted with the joints\n", row.name);
+      report.text += "  " + say("constraint {}: a formula; its force is counted with the joints", row.name) + "\n";
       continue;
     }
     const auto crosses = [&](const auto& entry) { return is_inside(entry.first); };
@@ -100,10 +101,10 @@ IsolationReport isolation_report(const Equations& equations, const BodyNames& bo
       if (is_inside(link)) sum = sum + as_asked(model, wrench, link, query);
     }
     report.unknowns.push_back(named(row.multiplier->name, evaluated(evaluate, sum)));
-    report.text += fmt::format("  constraint {}: {}\n", row.name, row.multiplier->name);
+    report.text += "  " + say("constraint {}: {}", row.name, row.multiplier->name) + "\n";
   }
-  static constexpr const char* equations_names[6] = {"resultant, x", "resultant, y", "resultant, z",
-                                                     "moment, x",    "moment, y",    "moment, z"};
+  const std::array<std::string, 6> equations_names{say("resultant, x"), say("resultant, y"), say("resultant, z"),
+                                                   say("moment, x"),    say("moment, y"),    say("moment, z")};
   for (std::size_t i = 0; i < 6; ++i) {
     std::vector<std::string> names;
     for (const IsolationUnknown& unknown : report.unknowns) {
@@ -111,7 +112,7 @@ IsolationReport isolation_report(const Equations& equations, const BodyNames& bo
     }
     report.text += fmt::format(
         "  {}: {}\n", equations_names[i],
-        names.empty() ? "no unknown component, an equation of motion" : fmt::format("{}", fmt::join(names, ", ")));
+        names.empty() ? say("no unknown component, an equation of motion") : fmt::format("{}", fmt::join(names, ", ")));
   }
   return report;
 }

@@ -23,7 +23,8 @@ struct IsolationReport {
   std::vector<IsolationUnknown> unknowns;
   std::string text;
 };
-IsolationReport isolation_report(const Equations& equations, const BodyNames& bodies, const ScrewQuery& query);
+IsolationReport isolation_report(const Equations& equations, const BodyNames& bodies, const ScrewQuery& query,
+                                 const NaturalLanguage& say = {});
 
 /// Count of unknowns (coordinates, reactions, multipliers) against equations and the choice it leaves (course, §6.5.5),
 /// as text.
