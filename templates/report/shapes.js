@@ -63,6 +63,18 @@ class Picture {
     this.findTranslations();
     this.findRods(poses);
     this.findTraces();
+    this.bulks = scene.bodies.map((each, k) => this.bulk(each, k, poses));
+    this.frameAll([poses]);
+  }
+
+  /// How far a body is drawn around its centre of mass.
+  bulk(body, k, poses) {
+    const rigid = this.scene.frames[body.frame].body, m = poses.masses[k], moments = poses.inertias.subarray(6 * k, 6 * k + 6);
+    const discs = this.scene.points.map((point, i) => (point.lowest && this.scene.frames[point.frame].body === rigid ? poses.radii[i] : 0));
+    if (this.ofAuthor.has(rigid) || this.linked.has(rigid) || !(m > 0) || this.round.get(body.frame)) return Math.max(0, ...discs);
+    const trace = moments[0] + moments[1] + moments[2], { values } = principal(moments);
+    const halves = values.map((value) => Math.sqrt(Math.max(0, (1.5 * (trace - 2 * value)) / m)));
+    return Math.max(...discs, Math.min(1.2 * this.size, Math.max(...halves)));
   }
 
   /// Frames that move, by the rigid body at their end, outermost last.
@@ -139,7 +151,7 @@ class Picture {
     };
     const half = () => length(add(high, low, -1)) / 2, apart = this.scene.bodies.length > 1 ? 2.5 : 4;
     for (const poses of allPoses) {
-      this.scene.bodies.forEach((_, k) => include(column(poses.centres, k)));
+      this.scene.bodies.forEach((_, k) => [-1, 1].forEach((sign) => include(column(poses.centres, k).map((v) => v + sign * this.bulks[k]))));
       this.scene.frames.forEach((_, k) => include(column(poses.anchors, k)));
       this.traced.forEach((each) => include(column(poses[each.member], each.k)));
       if (apart < 4 && half() > apart * this.size) break;  // bodies that part: their beginning
@@ -155,7 +167,7 @@ class Picture {
     if (all.length === 0) return target;
     const together = all.filter((place) => length(add(place, target, -1)) < near), places = together.length > 0 ? together : all;
     const away = add(scaled(places.reduce((sum, place) => add(sum, place)), 1 / places.length), target, -1);
-    const free = 0.8 * (this.reach ?? this.size), distance = length(away);
+    const reach = this.reach ?? this.size, distance = length(away), free = Math.max(0.1 * reach, 0.8 * (reach - Math.max(...this.bulks)));
     return distance > free ? add(target, away, 1 - free / distance) : target;
   }
 

@@ -13,7 +13,7 @@ execFileSync(program, ["report", "--output", file]);
 const page = readFileSync(file, "utf8");
 
 const context = vm.createContext({});
-for (const id of ["mechanism", "script-integrator", "script-projection", "script-motion", "script-modes"]) {
+for (const id of ["mechanism", "script-integrator", "script-projection", "script-motion", "script-modes", "script-vectors", "script-shapes"]) {
   vm.runInContext(new RegExp(`<script id="${id}">\n([^]*?)</script>`).exec(page)[1], context);
 }
 const { torsorMechanism: mechanism, torsorReport } = context;
@@ -62,6 +62,14 @@ if (name === "double_pendulum") {
     if (!(Math.abs(slow[1] / slow[0] - Math.SQRT2) < 1e-8)) failures.push(`the slow mode is ${slow}`);
   }
 }
+// The first view holds every ellipsoid of inertia, disc and ball: a camera at 3.1 · 1.1 reaches with 0.7 rad sees 1.24 of them.
+const poses = new torsorReport.Motion(mechanism).evaluate("poses", 0);
+const picture = new torsorReport.Picture(JSON.parse(/<script id="scene" type="application\/json">(.*?)<\/script>/.exec(page)[1]), poses);
+for (const { mesh, origin, x, y, z } of picture.at(poses, []).shapes.filter((each) => each.mesh === "sphere")) {
+  const far = Math.hypot(...origin.map((value, i) => value - picture.middle[i])) + Math.max(...[x, y, z].map((axis) => Math.hypot(...axis)));
+  if (!(far < 1.24 * (picture.reach ?? picture.size))) failures.push(`a ${mesh} reaches ${far} from the middle, and the picture ${picture.reach}`);
+}
+
 if (page.length > 1.2e6) failures.push(`the page has ${page.length} characters`);
 console.log(`${name}: ${rows.length} times, off by ${worst}, ${motion.integrator.steps} steps, ${page.length} characters`);
 for (const each of failures) console.error(each);
