@@ -242,6 +242,10 @@ std::string report_html(const Scene& scene, const ReportOptions& options) {
   if (!motion.recording.empty()) {
     scripts += fmt::format("<script id=\"recording\" type=\"application/json\">{}</script>\n", inside_json(motion.recording));
   }
+  if (!options.reference.empty()) {
+    scripts += fmt::format("<script id=\"reference\" type=\"application/json\">{}</script>\n",
+                           inside_json(report_reference(content, options.reference)));
+  }
   for (const char* name : {"integrator", "projection", "motion", "playback", "modes", "vectors", "shapes", "viewer", "plots", "formulas", "page"}) {
     scripts += script(fmt::format("script-{}", name), part(fmt::format("{}.js", name), say));
   }

@@ -16,6 +16,7 @@ struct ReportOptions {
   std::vector<std::pair<std::string, std::string>> about;  ///< state of the linearisation
   double duration = 10.0;                                  ///< of the motion [s]
   bool meshes = false;                                     ///< put the triangles of meshes into the page
+  std::string reference;                                   ///< file of a reference trajectory; empty: none
   NaturalLanguage language{};                              ///< of every fixed phrase
 };
 
@@ -37,6 +38,8 @@ std::string report_data(const Scene& scene, double duration);
 /// The motion of a scene with contacts from event to event, for a page that plays it back: samples, regimes and events.
 /// Throws as `simulate`.
 std::string report_recording(const Scene& scene, const ModelOptions& model, double duration);
+/// A reference trajectory (the command `reference`) for dots beside the motion. Throws FileError, also for one of another scene.
+std::string report_reference(const SceneContent& scene, const std::string& path);
 /// The meshes that the scene shows, made small enough for a page, and which of its forms has which. Throws FileError.
 std::string report_meshes(const SceneContent& scene);
 

@@ -5,15 +5,23 @@
 const options = { throwOnError: true, trust: false, strict: "ignore", maxExpand: 100000 };
 
 /// On paper nothing scrolls: what would be wider than a line of A4 is set smaller there, by --on-paper in style.css. Widths are
-/// compared in units of the letters', so that the width of the screen does not matter.
-function fitToPaper(element) {
+/// compared in units of the letters', so that the width of the screen does not matter. Below half the size nobody reads: such a
+/// formula stands there as its text, which breaks anywhere.
+function fitToPaper(element, text) {
   const line = 674, letter = 13.6, short = 100;  // pixels of A4 between margins; KaTeX's em in print, 1.21 times 0.7 rem; characters
+  const least = 0.5;
   if (element.dataset.latex.length < short) return;
   const html = element.querySelector(".katex-html"), label = element.parentElement.querySelector(".label");
   if (!html) return;
   const width = [...html.children].reduce((sum, part) => sum + part.getBoundingClientRect().width, 0) / parseFloat(getComputedStyle(html).fontSize);
   const room = (line - Math.max(24, label ? label.getBoundingClientRect().width : 0)) / letter;
-  if (width > room) element.style.setProperty("--on-paper", Math.floor((1000 * room) / width) / 1000);
+  const share = Math.floor((1000 * room) / width) / 1000;
+  if (share >= 1) return;
+  element.style.setProperty("--on-paper", Math.max(share, least));
+  if (share >= least) return;
+  element.classList.add("not-on-paper");
+  const plain = Object.assign(document.createElement("pre"), { className: "on-paper", textContent: text });
+  element.after(plain, Object.assign(document.createElement("p"), { className: "remark on-paper", textContent: "«Too wide for a line of A4: as text.»" }));
 }
 
 function typeset(element) {
@@ -35,7 +43,7 @@ function typeset(element) {
       });
       element.replaceChildren(...parts);
     }
-    if (latex !== undefined) fitToPaper(element);
+    if (latex !== undefined) fitToPaper(element, text);
     // What is wider than the page is scrolled, by the keyboard too.
     if (latex !== undefined && element.scrollWidth > element.clientWidth + 1) {
       element.tabIndex = 0;

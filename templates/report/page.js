@@ -6,7 +6,8 @@ if (typeof document === "undefined") return;
 const { Motion, Playback, Picture, Viewer, Plot, Portrait, SmallMotions, column, label } = torsorReport;
 const mechanism = globalThis.torsorMechanism, scene = JSON.parse(document.getElementById("scene").textContent);
 const element = (id) => document.getElementById(id);
-const recording = element("recording") ? JSON.parse(element("recording").textContent) : null;
+const read = (node) => (node ? JSON.parse(node.textContent) : null);
+const reference = read(element("reference")), recording = read(element("recording"));
 const still = window.matchMedia("(prefers-reduced-motion: reduce)").matches;
 
 const chosen = { parameters: {}, inputs: {}, start: {}, speeds: {} };
@@ -21,6 +22,28 @@ function restart(keepTime) {
   traces = picture ? picture.traced.map(() => []) : [];
   plots.forEach((plot) => plot.clear());
   if (viewer) viewer.changed = true;
+}
+
+/// Whether the motion is the one that the scene states.
+const asStated = () => Object.values(chosen).every((each) => Object.keys(each).length === 0);
+
+/// How far the motion is from the reference at times of samples, when it has passed them all.
+function agreement() {
+  const words = element("agreement"), shown = reference && asStated();
+  words.hidden = !shown;
+  plots.forEach((plot) => { plot.withDots = shown; });
+  if (!shown) return;
+  let worst = 0, count = 0;
+  for (const each of reference.rows) {
+    const k = Math.round(each[0] / motion.interval);
+    if (Math.abs(k * motion.interval - each[0]) > 1e-12 * Math.max(1, each[0]) || k >= motion.samples.length) continue;
+    ++count;
+    mechanism.coordinates.forEach((of, i) => {
+      const value = each[reference.names.indexOf(of.name)];
+      if (value !== undefined) worst = Math.max(worst, Math.abs(motion.samples[k][i] - value) / (1 + Math.abs(value)));
+    });
+  }
+  words.textContent = `«Dots: the reference trajectory, derived and integrated a second time in many digits. At ${count} of its ${reference.rows.length} times the motion is off by ${worst.toPrecision(2)} at most, as a part of 1 + |q|.»`;
 }
 
 function row(parent, { name, unit, value, low, high, change }) {
@@ -97,7 +120,8 @@ function buildPlots() {
   mechanism.coordinates.forEach((each, i) => {
     if (mechanism.quaternions.some((first) => i >= first && i < first + 4)) return;
     if (!groups.has(each.unit)) groups.set(each.unit, []);
-    groups.get(each.unit).push({ name: each.name, value: (k) => motion.samples[k][i] });
+    const at = reference ? reference.names.indexOf(each.name) : -1;
+    groups.get(each.unit).push({ name: each.name, value: (k) => motion.samples[k][i], dots: at < 0 ? [] : reference.rows.map((numbers) => [numbers[0], numbers[at]]) });
   });
   const goTo = (t) => { now = Math.max(0, Math.min(motion.time, t)); pause(); };
   const add = (title, unit, curves) => { for (let i = 0; i < curves.length; i += 8) plots.push(new Plot(parent, title, unit, curves.slice(i, i + 8), goTo)); };
@@ -249,6 +273,7 @@ function frame(stamp) {
 
 function show(fresh) {
   if (fresh || plots.length && plots[0].data[0].length === 0) plots.forEach((plot) => plot.read(motion.samples.length));
+  if (reference) agreement();
   plots.forEach((plot) => plot.draw(motion.interval, until, now, motion.events ?? []));
   element("time").max = until;
   element("time").value = now;

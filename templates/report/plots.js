@@ -96,12 +96,29 @@ class Plot {
       }
       context.stroke();
     });
+    if (this.withDots) this.drawDots(context, x, y, style.getPropertyValue("--back"));
     context.strokeStyle = style.color;
     context.lineWidth = 1;
     line(context, x(now), top, x(now), bottom);
     const k = Math.round(now / interval);
     this.values.forEach((value, i) => {
       value.textContent = k < this.data[i].length ? label(this.data[i][k]) : "";
+    });
+  }
+
+  /// The reference trajectory's.
+  drawDots(context, x, y, edge) {
+    this.curves.forEach(({ dots = [] }, i) => {
+      for (const [t, value] of dots) {
+        if (t > this.end) continue;
+        context.beginPath();
+        context.arc(x(t), y(value), 4, 0, 2 * Math.PI);
+        context.fillStyle = colours[i % colours.length];
+        context.strokeStyle = edge;
+        context.lineWidth = 1.5;
+        context.fill();
+        context.stroke();
+      }
     });
   }
 

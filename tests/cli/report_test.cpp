@@ -225,6 +225,32 @@ TEST(Report, KeepsRecordedMotionsSmall) {
   EXPECT_LT(report_html(dropped(), options).size(), 1'200'000U);
 }
 
+TEST(Report, TakesAReferenceOfItsSceneAlone) {
+  const std::string path = testing::TempDir() + "/reference.csv";
+  const auto page_of = [&](const std::string& text) {
+    std::ofstream(path) << text;
+    ReportOptions options;
+    options.reference = path;
+    return report_html(pendulum(), options);
+  };
+  const auto message = [&](const std::string& text) -> std::string {
+    try {
+      page_of(text);
+    } catch (const FileError& error) {
+      return error.what();
+    }
+    return "";
+  };
+  EXPECT_TRUE(contains(page_of("# a comment\ntime,theta,theta'\n1,0.125000000000000000000000000000000000001,-2e-3\n"),
+                       R"({"names":["time","theta","theta'"],"rows":[[1.0,0.125,-0.002]]})"));
+  EXPECT_TRUE(contains(message("time,phi\n1,2\n"), "has no column 'theta': it is of another scene than"));
+  EXPECT_TRUE(contains(message("time,theta\n1,2,3\n"), ":2: 3 numbers for 2 columns"));
+  EXPECT_TRUE(contains(message("time,theta\n1,abc\n"), ":2: 'abc' is no number"));
+  EXPECT_TRUE(contains(message("time,theta\n1,nan\n"), ":2: 'nan' is no number"));
+  EXPECT_TRUE(contains(message("theta\n1\n"), "is no reference"));
+  EXPECT_TRUE(contains(message("time,theta\n"), "is no reference"));
+}
+
 TEST(Report, SaysWhyAMotionWithContactsIsMissing) {
   Scene scene = dropped();
   scene.parameter("W", "N");

@@ -12,6 +12,26 @@ mkdirSync(folder, { recursive: true });
 const browser = await Browser.start(program);
 let failed = false;
 
+/// The motion that the scene states meets its reference; another one is not compared with it.
+async function expectReference(expect) {
+  const words = await browser.evaluate(`new Promise((done) => {
+    document.getElementById("restart").click();
+    const agreement = document.getElementById("agreement"), last = JSON.parse(document.getElementById("reference").textContent).rows.at(-1)[0];
+    const wait = () => (torsorReport.current.time >= Math.min(last, 9) && !agreement.hidden && agreement.textContent ? done(agreement.textContent) : setTimeout(wait, 50));
+    wait();
+  })`);
+  const [, met, all, off] = /(\d+) \D+ (\d+) \D+ ([\d.e-]+) /.exec(words) ?? [];
+  expect(Number(met) > 0 && Number(met) <= Number(all), `the reference is met at no time: ${words}`);
+  expect(Number(off) < 1e-9, `the motion is off its reference: ${words}`);
+  const hidden = await browser.evaluate(`new Promise((done) => {
+    const slider = document.querySelector("#sliders input[type=range]");
+    slider.value = Number(slider.value) + 0.01 * (slider.max - slider.min);
+    slider.dispatchEvent(new Event("input"));
+    requestAnimationFrame(() => requestAnimationFrame(() => requestAnimationFrame(() => done(document.getElementById("agreement").hidden))));
+  })`);
+  expect(hidden, "a motion with another parameter is compared with the reference");
+}
+
 /// A motion with contacts is what `simulate` says, to the last digit; the page says that it is recorded, and tells its events.
 async function expectPlayback(tool, files, expect) {
   const page = await browser.evaluate(`(() => {
@@ -30,7 +50,7 @@ async function expectPlayback(tool, files, expect) {
   expect(page.sliders === 0, "there are sliders that change nothing");
   expect(/: (open|closed|sticks|slides|ouvert|fermé|adhère|glisse)/.test(page.regimes), `regimes: ${page.regimes}`);
   const to = page.interval * (page.samples.length - 1);
-  const table = execFileSync(tool, ["simulate", ...files.filter((each) => !each.startsWith("--")), "--to", String(to), "--step", String(page.interval)],
+  const table = execFileSync(tool, ["simulate", ...files.filter((each) => !/^--(language|reference)/.test(each)), "--to", String(to), "--step", String(page.interval)],
                              { encoding: "utf8", stdio: ["ignore", "pipe", "ignore"], maxBuffer: 1e8 });
   const [names, ...rows] = table.split("\n").filter((line) => line && !line.startsWith("#")).map((line) => line.split(","));
   const width = page.samples[0].length, ofContacts = page.ofContacts[0].length;
@@ -163,6 +183,7 @@ for (const scene of scenes) {
   const stuck = await browser.evaluate(`[...document.querySelectorAll("pre, .formula")].filter((each) => each.scrollWidth > each.clientWidth + 1 && each.tabIndex < 0).length`);
   expect(stuck === 0, `${stuck} texts scroll, but not by the keyboard`);
 
+  if (await browser.evaluate("document.getElementById('reference') !== null")) await expectReference(expect);
   if (recorded) await expectPlayback(tool, files, expect);
 
   expect(browser.complaints().length === 0, `complaints: ${browser.complaints().join("; ")}`);

@@ -31,6 +31,10 @@ for (const scene of scenes) {
     });
     return cut.map((each) => each.className + " " + each.tagName + " by " + Math.round(Math.max(each.scrollWidth - each.clientWidth, each.getBoundingClientRect().right - edge)) + " px: " + (each.dataset.latex ?? seen(each)).slice(0, 200));
   })()`);
+  // Smaller letters than half their size nobody reads; what would need them is there as text.
+  const tiny = await browser.evaluate(`[...document.querySelectorAll(".formula")].filter((each) => each.style.getPropertyValue("--on-paper") && (Number(each.style.getPropertyValue("--on-paper")) < 0.5 ||
+    each.classList.contains("not-on-paper") && (each.offsetWidth > 0 || !(each.parentElement.querySelector("pre.on-paper")?.offsetWidth > 0)))).length`);
+  if (tiny > 0) wide.push(`${tiny} formulas in letters that nobody reads`);
   const { data } = await browser.send("Page.printToPDF", { paperWidth: 8.27, paperHeight: 11.69, marginTop: margin, marginBottom: margin, marginLeft: margin, marginRight: margin });
   writeFileSync(join(folder, `${name}.pdf`), Buffer.from(data, "base64"));
   await browser.send("Emulation.setEmulatedMedia", { media: "" });

@@ -61,6 +61,11 @@ constexpr Translation french_of_report[] = {
     {"The motion ends: ${motion.stopped}.", "Le mouvement s'arrête : ${motion.stopped}."},
     {"the parameter '{}' has no value, and a page that plays a motion back needs one: give it in the scene",
      "le paramètre '{}' n'a pas de valeur, et une page qui rejoue un mouvement en a besoin : donnez-la dans le modèle"},
+    {"Dots: the reference trajectory, derived and integrated a second time in many digits. At ${count} of its "
+     "${reference.rows.length} times the motion is off by ${worst.toPrecision(2)} at most, as a part of 1 + |q|.",
+     "Points : la trajectoire de référence, établie et intégrée une seconde fois avec beaucoup de chiffres. À ${count} de ses "
+     "${reference.rows.length} instants l'écart du mouvement est au plus ${worst.toPrecision(2)}, en part de 1 + |q|."},
+    {"Too wide for a line of A4: as text.", "Trop large pour une ligne A4 : en texte."},
     {"open", "ouvert"},
     {"closed", "fermé"},
     {"sticks", "adhère"},
