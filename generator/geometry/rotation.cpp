@@ -31,6 +31,9 @@ Rotation Rotation::matrix(const std::array<Number, 9>& row_major) {
 }
 
 Rotation Rotation::about(int axis, int twelfths_of_pi) {
+  if (axis < 0 || axis > 2) {
+    throw SceneError(fmt::format("there is no axis {} to rotate about: give 0, 1 or 2 for x, y or z", axis));
+  }
   const auto [sine, cosine] = *sin_cos_of_pi_twelfths(Number(twelfths_of_pi));
   Rotation rotation;
   const auto at = [&rotation](int row, int column) -> Number& {

@@ -59,5 +59,9 @@ TEST(Rotation, IsBuiltFromExactlyOrthonormalColumnsOnly) {
   }
 }
 
+TEST(Rotation, IsAboutNoOtherAxisThanThree) {
+  for (const int axis : {-2000000, -1, 3, 2000000}) EXPECT_THROW(Rotation::about(axis, 1), SceneError) << axis;
+}
+
 }  // namespace
 }  // namespace torsor::rotation_test

@@ -16,6 +16,7 @@
 #include "generator/dynamics/equations/contact_checks.hpp"
 #include "generator/dynamics/equations/dependence_checks.hpp"
 #include "generator/dynamics/equations/equations.hpp"
+#include "generator/dynamics/equations/ownership_checks.hpp"
 #include "generator/dynamics/equations/scene_checks.hpp"
 #include "generator/mechanics/inertia_validity.hpp"
 #include "generator/mechanics/parameter_value.hpp"
@@ -219,6 +220,7 @@ void check_initial_state(const Equations& equations) {
 
 void validate(const Scene& scene) {
   const WorkingDigits precision(generic_digits);
+  check_ownership(scene);
   check_coordinates(scene);
   for (const BodyContent& body : scene.content().bodies) check_inertia(scene.content(), body);
   check_universal_joints(scene.content());

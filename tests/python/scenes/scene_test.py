@@ -112,6 +112,15 @@ def test_handles_of_another_scene_are_refused(scene):
         scene.spherical("ball", scene.ground, other.attitude("e"))
 
 
+def test_formulas_of_another_scene_are_refused(scene):
+    """The name is that of a coordinate of this scene too: without a check the equations were wrong without a word."""
+    q, q2 = scene.coordinate("q", "m"), Scene("other").coordinate("q", "m")
+    scene.body("b", scene.prismatic("b", scene.ground, axis.x, q), Inertia.point(1))
+    scene.spring("sp", q2, quantity(1, "N/m"))
+    with pytest.raises(ts.SceneError, match="'q' belongs to another scene than 'rod', whose action 'sp'"):
+        scene.equations()
+
+
 def test_a_condition_is_for_piecewise_only(scene):
     x = scene.coordinate("x", "m")
     with pytest.raises(TypeError, match="piecewise"):
@@ -133,6 +142,9 @@ def test_rotations_are_exact():
     assert a.generate(kernels="kinematics") == b.generate(kernels="kinematics")
     with pytest.raises(ts.SceneError):
         Rotation.matrix([[0.6, -0.8, 0], [0.8, 0.6, 0], [0, 0, 2]])
+    for no_axis in (-2000000, -1, 3):
+        with pytest.raises(ts.SceneError, match="no axis"):
+            Rotation.about(no_axis, 1)
 
 
 # Commands
