@@ -79,7 +79,7 @@ class ContactSimulation {
       result_.status = fmt::format("{}{} at t = {:.9g} s", describe(end.status), of_contact(end), end.time);
     }
     if (end.ambiguous > 0) {
-      result_.remarks.push_back(fmt::format("at {} several motions fulfil the laws of contact: the one of least motion was taken",
+      result_.remarks.push_back(fmt::format("at {} several motions fulfil the laws of contact: one was taken",
                                             events_in_words(end.ambiguous)));
     }
     if (end.indeterminate > 0) {

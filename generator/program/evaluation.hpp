@@ -40,7 +40,7 @@ class Evaluator {
   Scalar operator()(const Value& value) {
     grow();
     const std::optional<ValueNumber> value_number = value.value_number();
-    if (!value_number) return of_part(without_number(value.polynomial()));
+    if (!value_number) return of_sum(value.polynomial());
     know(*value_number);
     return *known_[static_cast<std::size_t>(*value_number)].value;
   }
@@ -87,6 +87,21 @@ class Evaluator {
     std::optional<Scalar>& known = constants_[place];
     if (!known) known = rounded(code_.constants()[place]);
     return *known;
+  }
+
+  // Most entries of a Jacobian are zero, or minus a definition: neither is looked up.
+  Scalar of_sum(const Polynomial& sum) {
+    const std::vector<Term>& terms = sum.terms();
+    if (terms.empty() && zero_) return *zero_;
+    if (terms.size() == 1 && terms[0].monomial.size() == 1 && terms[0].monomial[0].exponent == 1 &&
+        terms[0].coefficient == minus_one_) {
+      const ValueNumber of = terms[0].monomial[0].value_number;
+      know(of);
+      return -*known_[static_cast<std::size_t>(of)].value;
+    }
+    const Scalar& result = of_part(without_number(sum));
+    if (terms.empty()) zero_ = result;
+    return result;
   }
 
   const FormulaCode::Part& without_number(const Polynomial& sum) {
@@ -156,6 +171,8 @@ class Evaluator {
   std::vector<std::optional<Scalar>> constants_;  ///< rounding an exact number takes longer than using it
   std::unordered_map<ValueNumber, Scalar> fixed_;        ///< looked up only
   std::function<Scalar(const Number&)> of_number_;
+  const Number minus_one_ = Number(-1);
+  std::optional<Scalar> zero_;
   int constant_digits_ = 0;  ///< of Real: those that the constants were rounded to
   std::vector<Scalar> registers_, arguments_;
 };

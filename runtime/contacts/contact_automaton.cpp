@@ -71,10 +71,16 @@ bool ContactAutomaton::barrier(std::size_t index) const {
          !motion_.states[index / guards].touches;
 }
 
-bool ContactAutomaton::falls_within_rounding(std::size_t index, double t, std::span<const double> y) {
-  if (!barrier(index) || !motion_.read(t, y)) return false;
+bool ContactAutomaton::ends_unfollowed(std::size_t index, double t, std::span<const double> y) {
+  if (index >= guards * bounces_.size() || !motion_.read(t, y)) return false;
   const int i = static_cast<int>(index / guards);
-  return motion_.reading().gap[as(i)] <= 16 * motion_.rounding_of_gap(i) && motion_.reading().w(motion_.first_row(i)) < 0;
+  if (barrier(index)) {
+    return motion_.reading().gap[as(i)] <= 16 * motion_.rounding_of_gap(i) &&
+           motion_.reading().w(motion_.first_row(i)) < 0;
+  }
+  const ContactState& state = motion_.states[as(i)];
+  return static_cast<Watched>(index % guards) == Watched::slip_or_margin && state.touches && state.fades &&
+         motion_.slip_speed(i) <= motion_.slow(i);
 }
 
 ContactEvent ContactAutomaton::event() const noexcept {
@@ -166,7 +172,7 @@ ContactLaw ContactAutomaton::law_after(int i, int forced, Cause cause) const noe
   const ContactState& state = motion_.states[as(i)];
   ContactLaw law = motion_.rule(i).law();
   const bool slid = state.regime == ContactRegime::slides && law.tangents > 0;
-  const bool slides = slid && !(state.begins && motion_.slip(i) <= 16 * motion_.least_slip(i));
+  const bool slides = slid && !(state.begins && motion_.slip(i) <= 16 * motion_.least_slip(i)) && !motion_.ends_too(i);
   const bool loose = cause == Cause::slips && i == forced;
   const bool falls = law.static_friction > law.friction || law.static_bound > law.bound;
   // Where friction falls as a slip begins, its direction is that of its acceleration; else that against T.
@@ -230,7 +236,7 @@ void ContactAutomaton::take_regime(const ContactSelection& chosen, int k, const 
     return;
   }
   state.idle = law.normal && s.r(n) * problem.W(n, n) <= none;
-  const bool slid = state.regime == ContactRegime::slides && !state.begins;
+  const bool slid = law.slips && state.regime == ContactRegime::slides && !state.begins;
   if (!slid) {
     state.fastest = 0;
     state.fades = false;

@@ -31,8 +31,9 @@ class ContactAutomaton {
   /// Whether what it watches must not be below zero: a gap.
   [[nodiscard]] bool barrier(std::size_t index) const;
 
-  /// Whether a gap that falls is zero to rounding: after a flight that short it cannot be followed to its zero.
-  [[nodiscard]] bool falls_within_rounding(std::size_t index, double t, std::span<const double> y);
+  /// Whether what a step lost sight of ends there: a gap that falls and is zero to rounding, after a flight too short to
+  /// be followed; or a slip near its end, smaller than what the method's errors leave of it.
+  [[nodiscard]] bool ends_unfollowed(std::size_t index, double t, std::span<const double> y);
   /// A smooth piece has ended at a guard, at this time: the regimes that follow. False where the motion ends.
   bool pass(std::size_t index, double t, std::span<double> y);
   /// Whether that was an event that the observer is told of.

@@ -278,16 +278,16 @@ double ContactMotion::least_slip(int i) const noexcept {
 // Some hundred errors of the integration: a slip slower than that, once it fades, keeps its direction.
 double ContactMotion::blur(int i) const noexcept { return 100 * (absolute_ + relative_ * at(i).fastest); }
 
-// Where a slip that had a speed nears its end.
 double ContactMotion::slow(int i) const noexcept { return std::max(1e-6 * at(i).fastest, 16 * blur(i)); }
 
 double ContactMotion::youth(int i, double t) const noexcept {
-  const double s = slip(i), short_of = 1e4 * least_slip(i) - s;
+  const double s = slip(i), enough = 1e4 * least_slip(i);
   if (!at(i).begins) return s - slow(i);
   if (at(i).fades) return 4 * slow(i) - s;
-  if (rule(i).tangents < 2) return short_of;
-  const double gone = across_[as(i)] * lag_[as(i)] * (t - at(i).begun) / 5;
-  return std::max(1e-15 - std::abs(gone), short_of);
+  if (rule(i).tangents < 2) return enough - s;
+  // Both as parts of their bounds: rounding is then alike on either side of where they are equal.
+  const double turned = across_[as(i)] * lag_[as(i)] * (t - at(i).begun) / 5;
+  return 1 - std::min(std::abs(turned) / 1e-15, s / enough);
 }
 
 double ContactMotion::margin(int i) const noexcept {

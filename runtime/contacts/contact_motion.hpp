@@ -67,6 +67,10 @@ class ContactMotion {
   [[nodiscard]] double slip_speed(int i) const noexcept;
   /// A slip below which a contact that begins to slide is as good as at rest: some hundred roundings.
   [[nodiscard]] double least_slip(int i) const noexcept;
+  /// Whether the slip of a contact that fades is no more than errors of the integration: it ends with that of another.
+  [[nodiscard]] bool ends_too(int i) const noexcept { return at(i).fades && slip_speed(i) <= blur(i) / 8; }
+  /// A slip below which one that had a speed nears its end.
+  [[nodiscard]] double slow(int i) const noexcept;
   /// Falls through zero where a slip that began has got a speed from which equations with d = w_T/|w_T| go on: where
   /// second order in s would have turned it by more than 10⁻¹⁵ m/s since. Falls through zero too where a slip that had a
   /// speed nears its end, or has got one again.
@@ -126,7 +130,6 @@ class ContactMotion {
   [[nodiscard]] ContactProblem problem_of(const ContactReading& reading, const ContactDynamics& dynamics) const;
   void follow_directions() noexcept;
   [[nodiscard]] double blur(int i) const noexcept;
-  [[nodiscard]] double slow(int i) const noexcept;
   void note_undetermined(const RegimeSystem& equations) noexcept;
   template <class Wanted>
   void select(const Wanted& wanted);

@@ -99,6 +99,7 @@ struct ContactSolution {
   PerContact<ContactRegime> regimes{};
   double residual = 0;         ///< of the natural map, see below
   bool indeterminate = false;  ///< other reactions give the same motion
+  bool moves = false;          ///< other reactions of these regimes give other motions
 };
 
 /// How many solutions a problem has.

@@ -107,7 +107,7 @@ class ContactRun {
     if (piece.status == EventStatus::reached_end) return true;
     if (piece.status == EventStatus::stopped_by_observer) return automaton_.end(ContactStatus::stopped_by_observer, -1);
     const bool here = piece.status == EventStatus::guard_not_followed &&
-                      automaton_.falls_within_rounding(piece.guard, piece.time, y_);
+                      automaton_.ends_unfollowed(piece.guard, piece.time, y_);
     if (piece.status != EventStatus::stopped_at_event && !here) {
       const bool of_a_guard = piece.status == EventStatus::guard_not_followed || piece.status == EventStatus::beyond_barrier;
       const auto contact = static_cast<int>(piece.guard / ContactAutomaton::guards);

@@ -49,6 +49,10 @@ ContactAnswer RegimeEnumeration::finish() noexcept {
       std::swap(found[j], found[j - 1]);
     }
   }
+  // Of motions without a gap between them one inside is taken, not an end, where a contact that closes does not press.
+  for (std::size_t j = 1; j < answer_.count; ++j) {
+    if (motion(found[0]) > 0 && found[j].moves && ends(found[0], found[j])) std::swap(found[0], found[j]);
+  }
   if (answer_.count == 0) {
     answer_.verdict = ContactVerdict::none;
   } else if (answer_.count > 1 || moves_) {
@@ -57,6 +61,15 @@ ContactAnswer RegimeEnumeration::finish() noexcept {
     answer_.verdict = found[0].indeterminate ? ContactVerdict::indeterminate : ContactVerdict::unique;
   }
   return answer_;
+}
+
+// Whether one has the regimes of the other but for contacts that are open.
+bool RegimeEnumeration::ends(const ContactSolution& one, const ContactSolution& other) const noexcept {
+  for (int i = 0; i < problem_.count; ++i) {
+    const ContactRegime regime = one.regimes[as(i)];
+    if (regime != other.regimes[as(i)] && regime != ContactRegime::open) return false;
+  }
+  return true;
 }
 
 bool RegimeEnumeration::open_rubs(const ContactLaw& law) noexcept {
@@ -205,6 +218,7 @@ void RegimeEnumeration::accept(const Regimes& regimes) noexcept {
   if (!inequalities.hold(r, u, slack)) return;
   ContactSolution solution;
   solution.indeterminate = indeterminate;
+  solution.moves = moves;
   tidy(regimes, r, u, solution);
   if (!(solution.residual <= 1e-9)) return;
   moves_ = moves_ || moves;

@@ -25,6 +25,7 @@ class RegimeEnumeration {
   [[nodiscard]] ContactAnswer finish() noexcept;
 
  private:
+  [[nodiscard]] bool ends(const ContactSolution& one, const ContactSolution& other) const noexcept;
   static std::size_t as(int i) noexcept { return static_cast<std::size_t>(i); }
 
   [[nodiscard]] static bool open_rubs(const ContactLaw& law) noexcept;
