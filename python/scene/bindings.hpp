@@ -133,6 +133,17 @@ class type_caster<torsor::Expression> : public type_caster_base<torsor::Expressi
   torsor::Expression number_;
 };
 
+/// Text is no sequence of numbers: "123" is not the vector (1, 2, 3).
+template <std::size_t n>
+class type_caster<std::array<torsor::Expression, n>>
+    : public array_caster<std::array<torsor::Expression, n>, torsor::Expression, false, n> {
+ public:
+  bool load(handle source, bool convert) {
+    if (PyUnicode_Check(source.ptr()) != 0 || PyBytes_Check(source.ptr()) != 0 || PyByteArray_Check(source.ptr()) != 0) return false;
+    return array_caster<std::array<torsor::Expression, n>, torsor::Expression, false, n>::load(source, convert);
+  }
+};
+
 template <>
 class type_caster<torsor::python::ExactNumber> {
  public:

@@ -11,8 +11,9 @@
 namespace torsor::python {
 namespace {
 
-/// The most digits of a decimal that a person writes; 1/3 and 0.1 + 0.2 have more.
-constexpr std::size_t written_digits = 15;
+/// The most digits of a decimal that a person writes; 1/3 and 0.1 + 0.2 have more. Shortest decimals of rounded numbers
+/// have 16 or 17 digits, and each digit less is ten times rarer: a guard against chance, no proof.
+constexpr std::size_t written_digits = 12;
 
 std::size_t significant_digits(const std::string& text) {
   std::string digits;
@@ -35,6 +36,23 @@ Number written_decimal(double value) {
 }
 
 std::string text_of(py::handle object) { return py::str(object).cast<std::string>(); }
+
+/// The decimal digits of an integer, also of one whose class prints otherwise.
+std::string digits_of(py::handle integer) {
+  PyObject* const digits = PyNumber_ToBase(integer.ptr(), 10);
+  if (digits == nullptr) throw py::error_already_set();
+  return text_of(py::reinterpret_steal<py::object>(digits));
+}
+
+/// Text of Python may hold halves of characters, which no UTF-8 has.
+Number number_of_text(py::handle text) {
+  Py_ssize_t size = 0;
+  if (const char* const bytes = PyUnicode_AsUTF8AndSize(text.ptr(), &size)) {
+    return parse_decimal(std::string(bytes, static_cast<std::size_t>(size)));
+  }
+  PyErr_Clear();
+  throw Error(fmt::format("cannot read {} as a number: give digits, e.g. \"9.81\" or \"1/3\"", text_of(py::repr(text))));
+}
 
 /// A quotient, e.g. fractions.Fraction. numpy's integers too say that they are rational.
 bool is_rational(py::handle object) {
@@ -74,6 +92,12 @@ void bind_expression(py::module_& module) {
   expression.def("__abs__", [](C a) { return abs(a); });
   expression.def("__lt__", [](C a, C b) { return a < b; }, op).def("__le__", [](C a, C b) { return a <= b; }, op);
   expression.def("__gt__", [](C a, C b) { return a > b; }, op).def("__ge__", [](C a, C b) { return a >= b; }, op);
+  const auto compared = [](C, const py::object&) -> bool {
+    throw py::type_error("whether two formulas are equal is not known from how they are written: ask whether their difference "
+                         "is below a bound by piecewise, or compare their texts by str; `is` compares objects");
+  };
+  expression.def("__eq__", compared, "other"_a).def("__ne__", compared, "other"_a);
+  expression.attr("__hash__") = py::module_::import("builtins").attr("object").attr("__hash__");
   // numpy's numbers leave the operation to the formula, and arrays of formulas are not made by chance.
   expression.attr("__array_ufunc__") = py::none();
   py::class_<Condition>(module, "Condition", "An inequality between two quantities of one unit, for piecewise.")
@@ -109,11 +133,11 @@ void bind_functions(py::module_& module) {
 std::optional<Number> exact_number(py::handle object) {
   PyObject* const raw = object.ptr();
   if (PyBool_Check(raw) != 0) return std::nullopt;
-  if (PyUnicode_Check(raw) != 0) return parse_decimal(object.cast<std::string>());
+  if (PyUnicode_Check(raw) != 0) return number_of_text(object);
   if (PyFloat_Check(raw) != 0) return written_decimal(object.cast<double>());
-  if (PyLong_Check(raw) != 0) return parse_decimal(text_of(object));
+  if (PyLong_Check(raw) != 0) return parse_decimal(digits_of(object));
   if (is_decimal(object)) return parse_decimal(text_of(object));
-  if (is_rational(object)) return parse_decimal(text_of(object.attr("numerator")) + "/" + text_of(object.attr("denominator")));
+  if (is_rational(object)) return parse_decimal(digits_of(object.attr("numerator")) + "/" + digits_of(object.attr("denominator")));
   return std::nullopt;
 }
 

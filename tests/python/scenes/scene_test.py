@@ -2,8 +2,11 @@
 """Scenes in Python: exact numbers, units, errors in the words of C++, commands, compiled kernels."""
 
 import fractions
+import functools
 import math
 import os
+import pathlib
+import re
 import subprocess
 import sys
 from decimal import Decimal
@@ -46,6 +49,17 @@ def test_numbers_are_exact(number, exact):
     assert str(ts.Expression(number)) == exact
 
 
+def test_rounded_floats_are_refused_and_written_ones_are_not():
+    """Of sqrt(k) and 1/k only those with a finite decimal pass: 1/2, 1/5, 1/256."""
+    for k in range(1, 500):
+        for value, exact in ((math.sqrt(k), math.isqrt(k) ** 2 == k), (1 / k, fractions.Fraction(repr(1 / k)) * k == 1)):
+            if exact:
+                assert str(ts.Expression(value)) == str(fractions.Fraction(repr(value)))
+            else:
+                with pytest.raises(ts.Error, match="rounded number"):
+                    ts.Expression(value)
+
+
 @pytest.mark.parametrize("rounded", [1 / 3, 0.1 + 0.2, math.pi, math.sqrt(2), np.float64(2) / 3])
 def test_a_float_that_nobody_wrote_is_refused_unless_it_is_meant(rounded, scene):
     with pytest.raises(ts.Error, match="rounded number"):
@@ -54,7 +68,7 @@ def test_a_float_that_nobody_wrote_is_refused_unless_it_is_meant(rounded, scene)
 
 
 @pytest.mark.parametrize("wrong, words", [("abc", "cannot read"), ("1/0", "denominator"), (math.nan, "finite"), (math.inf, "finite"),
-                                          (Decimal("NaN"), "cannot read")])
+                                          (Decimal("NaN"), "cannot read"), ("\udc80", r"cannot read '\\udc80'")])
 def test_what_is_no_number_is_refused(wrong, words):
     with pytest.raises(ts.Error, match=words):
         ts.Expression(wrong)
@@ -64,6 +78,33 @@ def test_what_is_no_number_is_refused(wrong, words):
 def test_other_objects_are_no_formulas(wrong):
     with pytest.raises(TypeError):
         ts.Expression(wrong)
+
+
+def test_integers_are_read_by_their_value_and_not_by_how_they_print():
+    class Named(int):
+        def __str__(self):
+            return "7"
+
+        __repr__ = __str__
+
+    assert str(ts.Expression(Named(3))) == "3"
+    assert str(ts.Expression(fractions.Fraction(Named(3), 4))) == "3/4"
+
+
+def test_text_is_no_vector(scene):
+    angle = scene.coordinate("q", "rad")
+    for text in ("123", b"123", bytearray(b"123")):
+        with pytest.raises(TypeError, match="revolute"):
+            scene.revolute("r", scene.ground, text, angle)
+    scene.revolute("r", scene.ground, ["0", "3/5", "4/5"], angle)
+
+
+def test_formulas_are_not_compared_by_chance(scene):
+    q = scene.coordinate("q", "m")
+    for compare in (lambda: q == q, lambda: q != 2, lambda: q == scene.coordinate("x", "m")):
+        with pytest.raises(TypeError, match="equal"):
+            compare()
+    assert {q: "kept"}[q] == "kept"
 
 
 def test_numpys_numbers_and_text_may_stand_on_the_left(scene):
@@ -159,7 +200,8 @@ def test_equations_are_those_of_the_readme():
 def test_every_command_of_a_program_is_there(tmp_path):
     scene = crane()
     assert scene.run("check", digits=30, states=3).startswith("crane")
-    assert "<svg" in scene.report(1) or "<canvas" in scene.report(1)
+    page = scene.report(1)
+    assert "A trolley with a load" in page and "function poses(precomputed" in page
     with pytest.raises(ts.UsageError, match="unknown command 'equation'.*equations"):
         scene.run("equation")
     with pytest.raises(ts.UsageError, match="no_such_kernel"):
@@ -186,6 +228,21 @@ def test_simulates_from_the_scene_itself():
     assert at["z"] == pytest.approx(2 * 0.35 - 5 * 0.35**2, abs=1e-8)
 
 
+def test_a_motion_that_ends_early_has_its_rows():
+    """x' = x^2 from x = 1 is 1 / (1 - t): it reaches every bound before 1 s."""
+    scene = Scene("blow_up")
+    x = scene.coordinate("x", "m")
+    scene.body("b", scene.prismatic("b", scene.ground, axis.x, x), Inertia.point(quantity(1, "kg")))
+    scene.generalised_force("push", x, quantity(2, "N/m^3") * x * x * x)
+    scene.initial(x, 1, 1)
+    with pytest.raises(ts.CheckError, match=r"^It ends before 2 s: [^\n]*$") as early:
+        scene.simulate(2.0, step=0.125)
+    assert early.value.text.startswith("# Motion of the scene blow_up")
+    assert early.value.motion["x"][4] == pytest.approx(2, rel=1e-8)
+    with pytest.raises(ts.UsageError, match="drop output"):
+        scene.simulate(1.0, output="motion.csv")
+
+
 def test_a_loaded_scene_has_kernels():
     scene = crane()
     mechanism = torsor.load(scene, kernels=["mass_matrix"], run_time="all", flags="-O0")
@@ -199,11 +256,37 @@ def test_a_loaded_scene_has_kernels():
 def test_a_file_of_python_is_a_program(tmp_path):
     file = os.path.join(os.environ["TORSOR_SOURCE_DIR"], "examples/double_pendulum/scene.py")
 
-    def run(*words):
-        return subprocess.run([sys.executable, file, *words], capture_output=True, text=True, check=False)
+    def run(*words, **options):
+        return subprocess.run([sys.executable, file, *words], **{"capture_output": True, "text": True, "check": False, **options})
 
     assert run("equations").stdout == subprocess.run(
         [os.path.join(os.environ["TORSOR_PROGRAM_DIR"], "double_pendulum_scene"), "equations"], capture_output=True, text=True,
         check=True).stdout
     assert run("equation").returncode == 2
     assert run("generate", "-o", str(tmp_path / "no" / "x.hpp")).returncode == 3
+    with open("/dev/full", "w", encoding="utf-8") as full:
+        told = run("equations", capture_output=False, stdout=full, stderr=subprocess.PIPE)
+    assert told.returncode == 3 and "cannot write the output" in told.stderr and "Traceback" not in told.stderr
+    told = run("equations", "--language", b"\xff")
+    assert told.returncode in (2, 3) and "Traceback" not in told.stderr
+    ascii_only = {**os.environ, "LC_ALL": "C", "PYTHONUTF8": "0", "PYTHONCOERCECLOCALE": "0"}
+    told = run("report", "--to", "0.1", text=False, env=ascii_only)
+    assert told.returncode == 0 and not told.stdout.isascii() and told.stdout.decode().rstrip().endswith("</html>")
+
+
+def test_the_snippet_of_the_documentation_runs_where_it_is_copied(tmp_path, monkeypatch):
+    text = (pathlib.Path(os.environ["TORSOR_SOURCE_DIR"]) / "docs/python.md").read_text(encoding="utf-8")
+    snippet = re.search(r"## Scenes in Python.*?```python\n(.*?)```", text, re.S)[1]
+    monkeypatch.chdir(tmp_path)
+    monkeypatch.setattr(torsor, "load", functools.partial(torsor.load, flags="-O0"))
+    names = {}
+    exec(snippet, names)
+    assert names["motion"]["theta"][0] == 0.3 and (tmp_path / "crane.hpp").stat().st_size > 1000
+    assert names["crane"].mass_matrix([0.0, 0.0]).shape == (2, 2)
+
+
+def test_the_snippet_of_the_docstring_runs(monkeypatch):
+    monkeypatch.setattr(torsor, "load", functools.partial(torsor.load, flags="-O0"))
+    names = {}
+    exec("\n".join(re.findall(r"^>>> (.*)", ts.__doc__, re.M)), names)
+    assert names["arm"].mass_matrix([0.0]).shape == (1, 1)
