@@ -79,7 +79,7 @@ struct ContactOptions {
   double touch = 1e-10;     ///< [m] gaps up to it are closed when another contact has an event
   double at_rest = 1e-10;   ///< [m/s] velocities up to it are zero at the start
   double accumulation = 0;  ///< [s] impacts whose predicted remaining time is at most this are an accumulation
-  long long event_limit = 1'000'000;
+  long long event_limit = 1'000'000;  ///< of events, and of smooth pieces that end without one
 };
 
 struct ContactResult {

@@ -51,7 +51,8 @@ class ContactRun {
       if (!advance_to_event(t1)) break;
       // Regimes that alternate at one time come to no end.
       stuck = result.time > before ? 0 : stuck + 1;
-      if (stuck > 100 || result.events > automaton_.options().event_limit) result.status = ContactStatus::too_many_events;
+      if (result.time < t1) ++pieces_;  // some end without an event
+      if (stuck > 100 || pieces_ > automaton_.options().event_limit) result.status = ContactStatus::too_many_events;
     }
     return result.status == ContactStatus::reached_end;
   }
@@ -129,6 +130,7 @@ class ContactRun {
   Vector& y_;
   const Method method_;
   Observer& observer_;
+  long long pieces_ = 0;
 };
 
 /// Integrates a mechanism with contacts from t0 to t1 >= t0: smooth pieces by a method, between events that are

@@ -48,6 +48,15 @@ ByHand<2, 2, 2> two_blocks() {
           }};
 }
 
+// A ball that bounces without loss ends with the limit of events, not with the time.
+TEST(EventLimit, EndsAMotion) {
+  std::array<double, 2> y{1, 0};
+  const auto result = integrate_contacts(ball(1), y, 0.0, 100.0, DormandPrince853{}, {.event_limit = 5});
+  EXPECT_EQ(result.status, ContactStatus::too_many_events);
+  EXPECT_EQ(result.events, 6);
+  EXPECT_NEAR(result.time, std::sqrt(2 / g) * 11, 1e-6);
+}
+
 // Slips that end at one time are two events: no block is driven by its own friction.
 TEST(TwoSlips, ThatEndAtOneTimeBothEnd) {
   for (const double second : {2.0, -2.0, 2 * (1 + epsilon), 2 * (1 - epsilon)}) {
