@@ -2,6 +2,7 @@
 #include "generator/cli/report.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <string_view>
 
@@ -223,6 +224,7 @@ std::string inside_json(const std::string& text) {
 }
 
 std::string report_html(const Scene& scene, const ReportOptions& options) {
+  if (!(options.duration > 0 && std::isfinite(options.duration))) throw UsageError("--to must be a time above 0");
   const SceneContent& content = scene.content();
   const NaturalLanguage& say = options.language;
   const Motion motion = motion_of(scene, options);

@@ -36,9 +36,10 @@ std::string inside_json(const std::string& text);
 /// What a viewer needs to know of the scene beside its kernels.
 std::string report_data(const Scene& scene, double duration);
 /// The motion of a scene with contacts from event to event, for a page that plays it back: samples, regimes and events.
-/// Throws as `simulate`.
+/// Throws as `simulate`, and Error where the motion cannot start.
 std::string report_recording(const Scene& scene, const ModelOptions& model, double duration);
-/// A reference trajectory (the command `reference`) for dots beside the motion. Throws FileError, also for one of another scene.
+/// A reference trajectory (the command `reference`) for dots beside the motion. Throws FileError, also for one of another scene, and
+/// UsageError for a scene with contacts.
 std::string report_reference(const SceneContent& scene, const std::string& path);
 /// The meshes that the scene shows, made small enough for a page, and which of its forms has which. Throws FileError.
 std::string report_meshes(const SceneContent& scene);

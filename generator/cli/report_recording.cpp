@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "generator/base/base64.hpp"
+#include "generator/base/error.hpp"
 #include "generator/base/printable.hpp"
 #include "generator/cli/contact_simulation.hpp"
 #include "generator/cli/report.hpp"
@@ -56,6 +57,7 @@ std::string report_recording(const Scene& scene, const ModelOptions& model, doub
   options.step = interval_of(duration, std::max<std::size_t>(1, numbers));
   const ContactRecord record = record_contacts(scene, options);
   const Simulation& motion = record.motion;
+  if (motion.rows.empty()) throw Error(motion.status);
   std::size_t of_contacts = 0;
   Json contacts = Json::array();
   for (const ContactRecord::Contact& contact : record.contacts) {

@@ -26,13 +26,19 @@ std::vector<std::string> cells_of(const std::string& line) {
 }  // namespace
 
 std::string report_reference(const SceneContent& scene, const std::string& path) {
+  if (!scene.contacts.empty()) {
+    throw UsageError(fmt::format("'{}' has contacts, and a reference is of a motion without: leave --reference out", scene.name));
+  }
   std::ifstream file(path);
   if (!file) throw FileError(fmt::format("cannot read the reference '{}': write one by the command reference", path));
   std::vector<std::string> names;
   nlohmann::ordered_json rows = nlohmann::ordered_json::array(), printed = nlohmann::ordered_json::array();
+  const std::string title = fmt::format("# Reference motion of the scene {}:", scene.name);
+  bool titled = false;
   int number = 0;
   for (std::string line; std::getline(file, line);) {
     ++number;
+    titled = titled || line.starts_with(title);
     if (line.empty() || line[0] == '#') continue;
     const std::vector<std::string> cells = cells_of(line);
     if (names.empty()) {
@@ -55,6 +61,10 @@ std::string report_reference(const SceneContent& scene, const std::string& path)
   }
   if (names.empty() || names[0] != "time" || rows.empty()) {
     throw FileError(fmt::format("'{}' is no reference: its first column must be time, with rows below; the command reference writes one", path));
+  }
+  if (!titled) {
+    throw FileError(fmt::format("'{}' does not say that it is of '{}', by the line '{}': the command reference writes it", path,
+                                scene.name, title));
   }
   for (const CoordinateContent& coordinate : scene.coordinates) {
     if (!coordinate.unknown() || std::find(names.begin(), names.end(), coordinate.q->name) != names.end()) continue;

@@ -30,20 +30,23 @@ const asStated = () => Object.values(chosen).every((each) => Object.keys(each).l
 /// How far the motion is from the reference at times of samples, when it has passed them all.
 function agreement() {
   const words = element("agreement"), shown = reference && asStated();
-  words.hidden = !shown;
   plots.forEach((plot) => { plot.withDots = shown; });
+  words.hidden = true;
   if (!shown) return;
-  let worst = 0, count = 0;
+  let worst = 0, count = 0, last = 0;
   for (const each of reference.rows) {
     const k = Math.round(each[0] / motion.interval);
     if (Math.abs(k * motion.interval - each[0]) > 1e-12 * Math.max(1, each[0]) || k >= motion.samples.length) continue;
     ++count;
+    last = Math.max(last, each[0]);
     mechanism.coordinates.forEach((of, i) => {
       const value = each[reference.names.indexOf(of.name)];
       if (value !== undefined) worst = Math.max(worst, Math.abs(motion.samples[k][i] - value) / (1 + Math.abs(value)));
     });
   }
-  words.textContent = `«Dots: the reference trajectory, derived and integrated a second time in many digits. At ${count} of its ${reference.rows.length} times the motion is off by ${worst.toPrecision(2)} at most, as a part of 1 + |q|.»`;
+  words.hidden = last === 0;  // at its start a motion meets every reference
+  const text = `«Dots: the reference trajectory, derived and integrated a second time in many digits. At ${count} of its ${reference.rows.length} times the motion is off by ${worst.toPrecision(2)} at most, as a part of 1 + |q|.»`;
+  if (last > 0 && text !== words.textContent) words.textContent = text;
 }
 
 function row(parent, { name, unit, value, low, high, change }) {
@@ -187,7 +190,7 @@ function buildEvents() {
 
 /// What cannot be changed on a page that plays a motion back.
 function buildPlayback() {
-  until = motion.time;
+  until = motion.time || motion.interval;  // one that ends before its second sample has an axis of time all the same
   for (const id of ["until", "restart"]) element(id).closest("label, button").remove();
   element("regimes").hidden = motion.contacts.length === 0;
   buildEvents();
@@ -263,7 +266,7 @@ function frame(stamp) {
   while (motion.time < until - 1e-9 && performance.now() < budget && motion.extend());
   if (playing) {
     now = Math.min(now + passed * Number(element("speed").value), motion.time, until);
-    if (now >= until - 1e-9 || motion.status !== "ok" && now >= motion.time - 1e-9) pause();
+    if (now >= until - 1e-9 || (recording || motion.status !== "ok") && now >= motion.time - 1e-9) pause();
   }
   const fresh = motion.samples.length !== before;
   if (mode && viewer) showMode(passed);

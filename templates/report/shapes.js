@@ -424,8 +424,9 @@ function circle(origin, u, v) {
   return points;
 }
 
-/// 1, 2 or 5 times a power of ten, near the given length.
+/// 1, 2 or 5 times a power of ten, near the given length. Along nothing there is no second line: the step is infinite.
 function niceStep(wanted) {
+  if (!(wanted > 0)) return Infinity;
   const power = 10 ** Math.floor(Math.log10(wanted)), rest = wanted / power;
   return power * (rest < 1.5 ? 1 : rest < 3.5 ? 2 : rest < 7.5 ? 5 : 10);
 }

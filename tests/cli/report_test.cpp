@@ -241,14 +241,40 @@ TEST(Report, TakesAReferenceOfItsSceneAlone) {
     }
     return "";
   };
-  EXPECT_TRUE(contains(page_of("# a comment\ntime,theta,theta'\n1,0.125000000000000000000000000000000000001,-2e-3\n"),
+  const std::string title = fmt::format("# Reference motion of the scene {}: by another way\n", pendulum().name());
+  EXPECT_TRUE(contains(page_of(title + "# a comment\ntime,theta,theta'\n1,0.125000000000000000000000000000000000001,-2e-3\n"),
                        R"({"names":["time","theta","theta'"],"rows":[[1.0,0.125,-0.002]]})"));
-  EXPECT_TRUE(contains(message("time,phi\n1,2\n"), "has no column 'theta': it is of another scene than"));
+  EXPECT_TRUE(contains(message(title + "time,phi\n1,2\n"), "has no column 'theta': it is of another scene than"));
   EXPECT_TRUE(contains(message("time,theta\n1,2,3\n"), ":2: 3 numbers for 2 columns"));
   EXPECT_TRUE(contains(message("time,theta\n1,abc\n"), ":2: 'abc' is no number"));
   EXPECT_TRUE(contains(message("time,theta\n1,nan\n"), ":2: 'nan' is no number"));
   EXPECT_TRUE(contains(message("theta\n1\n"), "is no reference"));
   EXPECT_TRUE(contains(message("time,theta\n"), "is no reference"));
+  // What simulate writes is no second derivation, nor is the reference of another pendulum.
+  EXPECT_TRUE(contains(message("time,theta\n1,0.1\n"), "does not say that it is of"));
+  EXPECT_TRUE(contains(message("# Reference motion of the scene another: by another way\ntime,theta\n1,0.1\n"), "does not say that it is of"));
+  std::ofstream(path) << "# Reference motion of the scene dropped: by another way\ntime,z\n1,0.1\n";
+  ReportOptions options;
+  options.reference = path;
+  EXPECT_THROW(report_html(dropped(), options), UsageError);
+}
+
+// The page has no samples to show: it says why.
+TEST(Report, SaysWhyAMotionWithContactsCannotStart) {
+  Scene scene("sunk", "");
+  const Expression z = scene.coordinate("z", "m");
+  const FrameHandle ball = scene.prismatic("ball", scene.ground(), axis::z, z);
+  scene.body("ball", ball, Inertia::point(Expression::quantity("2", "kg")));
+  scene.stop(z, Expression::quantity("1", "m"), std::nullopt, {});
+  const std::string page = own_text(report_html(scene, {}));
+  EXPECT_TRUE(contains(page, "There is no motion: a contact starts below its surface"));
+  EXPECT_FALSE(contains(page, "<script id=\"recording\""));
+}
+
+TEST(Report, RefusesALengthThatIsNoTime) {
+  for (const char* to : {"nan", "inf", "0", "-1"}) {
+    EXPECT_EQ(run(pendulum, {"report", "--to", to}).code, 2) << to;
+  }
 }
 
 TEST(Report, SaysWhyAMotionWithContactsIsMissing) {

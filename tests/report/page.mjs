@@ -2,7 +2,7 @@
 // page.mjs BROWSER KATEX FOLDER PROGRAM...: reports of scene programs (or of "torsor FILE") as a browser sees them: no
 // complaint, no request, every formula typeset (where KATEX is 1), a motion that a slider changes, everything within
 // reach of the keyboard. Where TORSOR_AXE names axe.min.js of axe-core, it finds nothing that keeps people out.
-import { execFileSync } from "node:child_process";
+import { execFileSync, spawnSync } from "node:child_process";
 import { mkdirSync, readFileSync, statSync } from "node:fs";
 import { basename, join } from "node:path";
 import { Browser } from "./browser.mjs";
@@ -49,9 +49,9 @@ async function expectPlayback(tool, files, expect) {
   expect(/recorded|enregistré/.test(page.note), "the page does not say that its motion is recorded");
   expect(page.sliders === 0, "there are sliders that change nothing");
   expect(/: (open|closed|sticks|slides|ouvert|fermé|adhère|glisse)/.test(page.regimes), `regimes: ${page.regimes}`);
-  const to = page.interval * (page.samples.length - 1);
-  const table = execFileSync(tool, ["simulate", ...files.filter((each) => !/^--(language|reference)/.test(each)), "--to", String(to), "--step", String(page.interval)],
-                             { encoding: "utf8", stdio: ["ignore", "pipe", "ignore"], maxBuffer: 1e8 });
+  const to = page.interval * Math.max(1, page.samples.length - 1);
+  const { stdout: table } = spawnSync(tool, ["simulate", ...files.filter((each) => !/^--(language|reference|to)/.test(each)), "--to", String(to), "--step", String(page.interval)],
+                                      { encoding: "utf8", stdio: ["ignore", "pipe", "ignore"], maxBuffer: 1e8 });
   const [names, ...rows] = table.split("\n").filter((line) => line && !line.startsWith("#")).map((line) => line.split(","));
   const width = page.samples[0].length, ofContacts = page.ofContacts[0].length;
   expect(rows.length === page.samples.length, `${page.samples.length} samples, and simulate has ${rows.length} rows`);
@@ -104,7 +104,7 @@ for (const scene of scenes) {
 
   // The motion, before and after the first slider is moved.
   const end = "Array.from(torsorReport.current.samples.at(-1))";
-  const reached = `new Promise((done) => { const wait = () => torsorReport.current.samples.length > 6 || torsorReport.current.status !== "ok" ? done(torsorReport.current.status) : setTimeout(wait, 50); wait(); })`;
+  const reached = `new Promise((done) => { const wait = () => torsorReport.current.samples.length > 6 || torsorReport.current.recorded || torsorReport.current.status !== "ok" ? done(torsorReport.current.status) : setTimeout(wait, 50); wait(); })`;
   expect(await browser.evaluate(reached) === "ok", "the motion fails at its beginning");
   const moved = await browser.evaluate(`(async () => {
     const slider = document.querySelector("#sliders input[type=range]");
