@@ -43,7 +43,21 @@ ContactRecord::EventKind kind_of(ContactEventKind kind) {
   return Kind::impact;
 }
 
-std::string events_in_words(std::int64_t count) { return count == 1 ? "one event" : fmt::format("{} events", count); }
+std::string events_in_words(std::int64_t count, const NaturalLanguage& say) {
+  return count == 1 ? say("one event") : say("{} events", count);
+}
+
+/// Why a motion ended.
+std::string reason_of(const runtime::ContactResult& end, const NaturalLanguage& say) {
+  const auto known = [&say](std::string_view words) { return say.known(std::string(words)); };
+  if (end.status != ContactStatus::integration_failed) return known(describe(end.status));
+  if (end.integration_event != runtime::EventStatus::integration_failed && end.integration_event != runtime::EventStatus::reached_end) {
+    return say("the integration between events failed: {}", known(describe(end.integration_event)));
+  }
+  // No integration failed: the mechanism could not be evaluated at its start or at an event.
+  if (end.integration) return say("the accelerations, or positions that fulfil the constraints, could not be found");
+  return say("the integration between events failed: {}", known(describe(end.integration.status)));
+}
 
 /// Moves a scene, whose state has room for more in an array of fixed size: what is more stays zero.
 class ContactSimulation {
@@ -52,8 +66,9 @@ class ContactSimulation {
   static constexpr auto most_contacts = static_cast<std::size_t>(runtime::most_contacts);
   using State = std::array<double, most_numbers>;
 
-  ContactSimulation(EvaluatedContacts& contacts, const SimulationOptions& options, ContactRecord& record)
-      : contacts_(contacts), options_(options), record_(record), result_(record.motion), mechanism_(contacts) {}
+  ContactSimulation(EvaluatedContacts& contacts, const SimulationOptions& options, ContactRecord& record,
+                    const NaturalLanguage& say)
+      : contacts_(contacts), options_(options), record_(record), result_(record.motion), mechanism_(contacts), say_(say) {}
 
   void run(const std::vector<double>& start) {
     State y{};
@@ -74,17 +89,17 @@ class ContactSimulation {
     }
     const runtime::ContactResult& end = motion.result();
     result_.steps = static_cast<decltype(result_.steps)>(end.integration.statistics.accepted);
-    result_.remarks.push_back(fmt::format("worst certificate of the contact solves {:.1g}", end.worst_residual));
+    result_.remarks.push_back(say_("worst certificate of the contact solves {:.1g}", end.worst_residual));
     if (!end) {
-      result_.status = fmt::format("{}{} at t = {:.9g} s", describe(end.status), of_contact(end), end.time);
+      result_.status = say_("{} at t = {:.9g} s", reason_of(end, say_) + of_contact(end), end.time);
     }
     if (end.ambiguous > 0) {
-      result_.remarks.push_back(fmt::format("at {} several motions fulfil the laws of contact: one was taken",
-                                            events_in_words(end.ambiguous)));
+      result_.remarks.push_back(say_("at {} several motions fulfil the laws of contact: one was taken",
+                                     events_in_words(end.ambiguous, say_)));
     }
     if (end.indeterminate > 0) {
-      result_.remarks.push_back(fmt::format("at {} reactions are indeterminate: other ones give the same motion",
-                                            events_in_words(end.indeterminate)));
+      result_.remarks.push_back(say_("at {} reactions are indeterminate: other ones give the same motion",
+                                     events_in_words(end.indeterminate, say_)));
     }
   }
 
@@ -98,14 +113,8 @@ class ContactSimulation {
   };
 
   std::string of_contact(const runtime::ContactResult& end) const {
-    std::string text;
-    if (end.status == ContactStatus::integration_failed) {
-      text = end.integration_event == runtime::EventStatus::integration_failed
-                 ? fmt::format(": {}", describe(end.integration.status))
-                 : fmt::format(": {}", describe(end.integration_event));
-    }
-    if (end.contact < 0 || end.contact >= contacts_.count()) return text;
-    return fmt::format("{}; contact '{}'", text, contacts_.name(end.contact));
+    if (end.contact < 0 || end.contact >= contacts_.count()) return "";
+    return fmt::format("; contact '{}'", contacts_.name(end.contact));
   }
 
   void tell(const runtime::ContactEvent& event) {
@@ -157,6 +166,7 @@ class ContactSimulation {
   ContactRecord& record_;
   Simulation& result_;
   const EvaluatedMechanism mechanism_;
+  const NaturalLanguage& say_;
 };
 
 void add_columns(EvaluatedContacts& contacts, ContactRecord& record) {
@@ -189,7 +199,7 @@ void add_columns(EvaluatedContacts& contacts, ContactRecord& record) {
 
 bool has_contacts(const Scene& scene) { return !scene.content().contacts.empty(); }
 
-ContactRecord record_contacts(const Scene& scene, const SimulationOptions& options) {
+ContactRecord record_contacts(const Scene& scene, const SimulationOptions& options, const NaturalLanguage& say) {
   if (!options.project) {
     throw UsageError("--no-projection is for motions without contacts: those with contacts are put back on them");
   }
@@ -213,7 +223,7 @@ ContactRecord record_contacts(const Scene& scene, const SimulationOptions& optio
         "{} and {}: generate its header and move it by runtime/contacts (docs/contacts.md)",
         scene.name(), y.size(), contacts.count(), ContactSimulation::most_numbers, ContactSimulation::most_contacts));
   }
-  ContactSimulation(contacts, options, record).run(y);
+  ContactSimulation(contacts, options, record, say).run(y);
   return record;
 }
 

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "generator/base/natural_language.hpp"
 #include "generator/cli/simulate.hpp"
 
 namespace torsor {
@@ -40,6 +41,7 @@ struct ContactRecord {
   std::vector<Event> events;
   std::vector<Regimes> regimes;  ///< of each row
 };
-ContactRecord record_contacts(const Scene& scene, const SimulationOptions& options);
+/// Its status and remarks are said in a language.
+ContactRecord record_contacts(const Scene& scene, const SimulationOptions& options, const NaturalLanguage& say = {});
 
 }  // namespace torsor

@@ -91,7 +91,7 @@ Motion recorded_motion(const Scene& scene, const ReportOptions& options) {
     return motion;
   }
   try {
-    motion.recording = report_recording(scene, options.model, options.duration);
+    motion.recording = report_recording(scene, options.model, options.duration, options.language);
     motion.module = module_as_object(emit_javascript(lower_mechanism(scene, {"energy", "first_integrals", "poses"}, options.model)));
   } catch (const Error& error) {
     motion.recording.clear();

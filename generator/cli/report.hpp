@@ -37,7 +37,7 @@ std::string inside_json(const std::string& text);
 std::string report_data(const Scene& scene, double duration);
 /// The motion of a scene with contacts from event to event, for a page that plays it back: samples, regimes and events.
 /// Throws as `simulate`, and Error where the motion cannot start.
-std::string report_recording(const Scene& scene, const ModelOptions& model, double duration);
+std::string report_recording(const Scene& scene, const ModelOptions& model, double duration, const NaturalLanguage& say);
 /// A reference trajectory (the command `reference`) for dots beside the motion. Throws FileError, also for one of another scene, and
 /// UsageError for a scene with contacts.
 std::string report_reference(const SceneContent& scene, const std::string& path);

@@ -48,14 +48,14 @@ int number_of(ContactRecord::EventKind kind) { return static_cast<int>(kind); }
 
 }  // namespace
 
-std::string report_recording(const Scene& scene, const ModelOptions& model, double duration) {
+std::string report_recording(const Scene& scene, const ModelOptions& model, double duration, const NaturalLanguage& say) {
   const SceneContent& content = scene.content();
   std::size_t numbers = 2 * content.coordinates.size() + 8 * content.attitudes.size() + 4 * content.contacts.size();
   SimulationOptions options;
   options.model = model;
   options.duration = duration;
   options.step = interval_of(duration, std::max<std::size_t>(1, numbers));
-  const ContactRecord record = record_contacts(scene, options);
+  const ContactRecord record = record_contacts(scene, options, say);
   const Simulation& motion = record.motion;
   if (motion.rows.empty()) throw Error(motion.status);
   std::size_t of_contacts = 0;

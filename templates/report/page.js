@@ -193,6 +193,8 @@ function buildPlayback() {
   until = motion.time || motion.interval;  // one that ends before its second sample has an axis of time all the same
   for (const id of ["until", "restart"]) element(id).closest("label, button").remove();
   element("regimes").hidden = motion.contacts.length === 0;
+  element("remarks").hidden = recording.remarks.length === 0;
+  element("remarks").append(...recording.remarks.map((text) => Object.assign(document.createElement("li"), { textContent: text })));
   buildEvents();
 }
 

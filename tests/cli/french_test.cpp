@@ -2,6 +2,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <fstream>
+#include <iterator>
 #include <map>
 #include <regex>
 #include <set>
@@ -14,6 +16,7 @@
 #include "generator/emission/embedded_templates.hpp"
 #include "generator/printing/html_text.hpp"
 #include "generator/printing/print_equations.hpp"
+#include "runtime/events/event_memory.hpp"
 #include "tests/cli/scene_runner.hpp"
 
 namespace torsor::french_test {
@@ -250,6 +253,32 @@ TEST(French, IsSpokenByCommands) {
 TEST(French, IsTheOnlyOtherLanguage) {
   for (const char* command : {"report", "equations", "statics", "unknowns", "theorem", "structure", "graph"}) {
     expect_failure(run(driven, {command, "--language", "de"}), 2, "unknown language 'de': use en (English) or fr (French)");
+  }
+}
+
+// What ends a motion is said by the runtime: a status without French would be English on a French page.
+TEST(French, KnowsEachReasonWhyAMotionEnds) {
+  const NaturalLanguage say = NaturalLanguage::named("fr");
+  const auto expect_known = [&say](std::string_view words) {
+    EXPECT_FALSE(words.starts_with("unknown")) << words;
+    EXPECT_NE(say.known(std::string(words)), words);
+  };
+  std::ifstream file(TORSOR_SOURCE_DIR "/runtime/contacts/contact_result.hpp");  // its enumeration would need Eigen here
+  const std::string source(std::istreambuf_iterator<char>(file), {});
+  static const std::regex returned(R"re(return "([^;]*)";)re"), joint(R"("\s+")");
+  int statuses = 0;
+  for (std::sregex_iterator at(source.begin(), source.end(), returned), end; at != end; ++at) {
+    const std::string words = std::regex_replace((*at)[1].str(), joint, "");
+    if (words.starts_with("unknown")) continue;
+    expect_known(words);
+    ++statuses;
+  }
+  EXPECT_EQ(statuses, 12);
+  for (int i = 0; i <= static_cast<int>(runtime::IntegrationStatus::unsuitable_model); ++i) {
+    expect_known(describe(static_cast<runtime::IntegrationStatus>(i)));
+  }
+  for (int i = 0; i <= static_cast<int>(runtime::EventStatus::integration_failed); ++i) {
+    expect_known(describe(static_cast<runtime::EventStatus>(i)));
   }
 }
 

@@ -5,6 +5,7 @@
 #include <span>
 #include <string_view>
 
+#include "generator/base/french/contacts.hpp"
 #include "generator/base/french/equations.hpp"
 #include "generator/base/french/report.hpp"
 #include "generator/base/french/statics.hpp"
@@ -13,8 +14,8 @@
 namespace torsor {
 
 /// The table of phrases, in the words of S. Pommier's course, Dynamique des systèmes de solides.
-constexpr std::array<std::span<const Translation>, 4> french_parts{french_of_equations, french_of_statics, french_of_structure,
-                                                                   french_of_report};
+constexpr std::array<std::span<const Translation>, 5> french_parts{french_of_equations, french_of_statics, french_of_structure,
+                                                                   french_of_report, french_of_contacts};
 
 /// Empty where there is none.
 constexpr std::string_view find_french(std::string_view english) {

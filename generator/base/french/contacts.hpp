@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "generator/base/french/translation.hpp"
+
+namespace torsor {
+
+/// Why a motion with contacts ended, and what there is to say of it.
+constexpr Translation french_of_contacts[] = {
+    {"stopped because the observer returned false", "arrêté par l'observateur"},
+    {"no regimes fulfil the laws of contact: the equations of rigid bodies have no solution here (Painlevé)",
+     "aucun régime ne vérifie les lois de contact : les équations des solides rigides n'ont pas de solution ici (Painlevé)"},
+    {"the impact law gave energy: choose another, or a smaller restitution",
+     "la loi de choc a fourni de l'énergie : en choisir une autre, ou une restitution plus petite"},
+    {"a contact starts below its surface: begin where every gap is at least zero",
+     "un contact part de dessous sa surface : partir d'un état où aucune distance n'est négative"},
+    {"the loops cannot be closed near the start: begin nearer to a state in which they are",
+     "les boucles ne peuvent pas être fermées près du départ : partir plus près d'un état où elles le sont"},
+    {"a contact's rule is impossible: friction and bounds finite and at least 0, static ones at least those of sliding, "
+     "restitution from 0 to 1, at most two tangents, pressed by an earlier contact with a normal",
+     "la loi d'un contact est impossible : frottements et bornes sont finis et non négatifs, ceux d'adhérence au moins égaux à "
+     "ceux de glissement, la restitution est entre 0 et 1, il y a deux tangentes au plus, et un contact antérieur avec une "
+     "normale le presse"},
+    {"the limit of events was met: raise it, or look for regimes that alternate without end",
+     "la limite du nombre d'événements est atteinte : l'augmenter, ou chercher des régimes qui alternent sans fin"},
+    {"the integration between events failed, see its own status",
+     "l'intégration entre événements a échoué, voir son propre état"},
+    {"the energetic law of impact is one of a single contact, and several touch: choose another law",
+     "la loi de choc énergétique est celle d'un seul contact, et plusieurs se touchent : choisir une autre loi"},
+    {"the mechanism has more numbers or contacts than there is room for: give ContactRun more",
+     "le mécanisme a plus de nombres ou de contacts que la place prévue : en donner plus à ContactRun"},
+    {"the motion was not started: call start first", "le mouvement n'a pas commencé : appeler start d'abord"},
+    {"reached the end time", "a atteint l'instant final"},
+    {"the integration between events failed: {}", "l'intégration entre événements a échoué : {}"},
+    {"the accelerations, or positions that fulfil the constraints, could not be found",
+     "ni accélérations ni positions qui vérifient les liaisons n'ont pu être trouvées"},
+    {"unusable options: times and the state at the start must be finite, a fixed step positive, tolerances not negative, not "
+     "both zero, and a relative tolerance at least four roundings of the scalar",
+     "options inutilisables : instants et état initial sont finis, un pas fixe est positif, les tolérances ne sont pas "
+     "négatives, ni nulles toutes deux, et la tolérance relative vaut au moins quatre arrondis du nombre"},
+    {"the step fell below the resolution of time: loosen the tolerances, look for a discontinuity, or take an implicit method "
+     "where a mode is fast",
+     "le pas est tombé sous la résolution du temps : relâcher les tolérances, chercher une discontinuité, ou prendre une "
+     "méthode implicite si un mode est rapide"},
+    {"the step limit was met: raise it or loosen the tolerances",
+     "la limite du nombre de pas est atteinte : l'augmenter ou relâcher les tolérances"},
+    {"the model could not be evaluated", "le modèle n'a pas pu être évalué"},
+    {"the equations of an implicit step did not converge: reduce the step, or choose Newton's method for them",
+     "les équations d'un pas implicite n'ont pas convergé : réduire le pas, ou choisir la méthode de Newton"},
+    {"the model lacks the structure that the method asks for (see the method's documentation)",
+     "le modèle n'a pas la structure que demande la méthode (voir la documentation de la méthode)"},
+    {"stopped at an event", "arrêté à un événement"},
+    {"the events of a guard accumulate at a finite time: go on from there with the equations of rest on it",
+     "les événements d'un indicateur s'accumulent en un temps fini : continuer de là avec les équations de repos"},
+    {"the state lies beyond a barrier at the start or after a reset: begin where its guard is not negative",
+     "l'état est au-delà d'une barrière au départ ou après un saut : partir d'un état où l'indicateur n'est pas négatif"},
+    {"a guard is not finite, oscillates too fast within a step, or crosses zero on the method's interpolant but not on its "
+     "steps: limit the step",
+     "un indicateur n'est pas fini, oscille trop vite dans un pas, ou passe par zéro entre les pas de la méthode mais pas à leurs "
+     "bouts : borner le pas"},
+    {"the limit of events was met: raise it", "la limite du nombre d'événements est atteinte : l'augmenter"},
+    {"{} at t = {:.9g} s", "{} à t = {:.9g} s"},
+    {"worst certificate of the contact solves {:.1g}", "pire certificat des résolutions de contact : {:.1g}"},
+    {"one event", "un événement"},
+    {"{} events", "{} événements"},
+    {"at {} several motions fulfil the laws of contact: one was taken",
+     "à {}, plusieurs mouvements vérifient les lois de contact : l'un d'eux est pris"},
+    {"at {} reactions are indeterminate: other ones give the same motion",
+     "à {}, des réactions sont indéterminées : d'autres donnent le même mouvement"},
+};
+
+}  // namespace torsor
