@@ -21,8 +21,8 @@ constexpr int trials_of_forms = 16;
 struct Sized {
   Real value, size;
 
-  /// Sizes that multiply along a long elimination leave even CLN's exponents; nothing asks how far beyond one they are.
   Sized() = default;
+  /// Sizes that multiply along a long elimination leave even CLN's exponents; nothing asks how far beyond one they are.
   Sized(Real v, Real s) : value(std::move(v)), size(huge() < s ? huge() : std::move(s)) {}
   explicit Sized(const Real& v) : value(v), size(abs(v)) {}
   static Sized of_number(const Number& number) { return Sized(Real(number, digits)); }

@@ -10,14 +10,14 @@
 #include "runtime/contacts/integrate_contacts.hpp"
 #include "runtime/contacts/moreau_jean.hpp"
 #include "tests/contacts/random_scenes.hpp"
+#include "tests/contacts/random_watch.hpp"
 
 namespace random_motions_test {
 namespace {
 
 using namespace random_scenes;
+using namespace random_watch;
 using State = RandomScene::State;
-
-constexpr DormandPrince853 precise{.relative_tolerance = 1e-12, .absolute_tolerance = 1e-12};
 
 unsigned scenes() { return std::getenv("TORSOR_LONG_TESTS") == nullptr ? 20 : 300; }
 
@@ -25,12 +25,6 @@ ContactResult move(const RandomScene& scene, State& y, double end) {
   const ContactResult result = integrate_contacts(scene, y, 0, end, precise);
   EXPECT_LE(result.worst_residual, 1e-13);
   return result;
-}
-
-double distance(const State& a, const State& b) {
-  double most = 0;
-  for (std::size_t i = 0; i < a.size(); ++i) most = std::max(most, std::abs(a[i] - b[i]));
-  return most;
 }
 
 // The order of declaration moves a motion less than other starts, 1e-11 away, do.
@@ -58,19 +52,6 @@ TEST(RandomMotions, AreTheSameWhateverTheOrderOfDeclaration) {
   EXPECT_GE(compared, static_cast<int>(scenes() / 2));
 }
 
-// What happens along a motion: energy that comes from nowhere, and the deepest gap.
-struct Along {
-  const RandomScene& scene;
-  double energy = INFINITY, gained = 0, deepest = 0;
-  bool operator()(double, const State& y) {
-    const auto [kinetic, potential] = scene.energies(y);
-    gained = std::max(gained, kinetic + potential - energy);
-    energy = kinetic + potential;
-    for (const double gap : scene.gaps(y)) deepest = std::max(deepest, -gap);
-    return true;
-  }
-};
-
 // Newton's law with friction may give energy where several contacts strike at once: then the motion ends and says so.
 // In three scenes contacts of two bodies strike in turn until no flight leaves the rounding of its gap.
 TEST(RandomMotions, NeverGainEnergyAndNeverSink) {
@@ -80,13 +61,7 @@ TEST(RandomMotions, NeverGainEnergyAndNeverSink) {
   for (const unsigned k : numbers) {
     SCOPED_TRACE(testing::Message() << "scene " << k);
     auto [scene, y] = random_start(k);
-    Along along{scene};
-    const ContactResult result = integrate_contacts(scene, y, 0, 1, precise, {}, along);
-    EXPECT_TRUE(result || result.status == ContactStatus::energy_gained)
-        << describe(result.status) << ": " << describe(result.integration_event) << " at " << result.time;
-    EXPECT_LE(result.worst_residual, 1e-13);
-    EXPECT_LE(along.gained, 1e-10);  // some hundred steps within 1e-12 of energies of some 10 J
-    EXPECT_LE(along.deepest, 1e-14);
+    const ContactResult result = move_watched(scene, y, 1);
     ended += result ? 0 : 1;
   }
   EXPECT_LE(ended, numbers.size() / 20);
