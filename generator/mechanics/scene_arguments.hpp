@@ -89,6 +89,7 @@ struct Sphere { FrameReference frame; Expression radius; };
 struct HollowSphere { FrameReference frame; Expression radius; };
 /// The rim of a thin disc centred at the origin of the frame.
 struct Disc { FrameReference frame; Triple axis; Expression radius; };
+/// A tube around a circle about `axis`, centred at the origin of the frame; its convex hull touches.
 struct Torus { FrameReference frame; Triple axis; Expression circle_radius, tube_radius; };
 /// Semi-axes [m] along those of the frame, centred at its origin.
 struct Ellipsoid { FrameReference frame; Triple semi_axes; };
