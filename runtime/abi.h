@@ -63,7 +63,8 @@ enum {
   torsor_call_without_model = -1,
   torsor_call_without_argument = -2, /* q, v or what else the kernel reads has no data */
   torsor_call_without_memory = -3,
-  torsor_call_bad_order = -4
+  torsor_call_bad_order = -4,
+  torsor_call_without_kernels = -5 /* the library lacks kernels that a motion needs */
 };
 
 /* One call of a kernel for one state or many. */
@@ -121,7 +122,7 @@ typedef struct torsor_motion {
   int64_t* calls;     /* out: evaluations of the equations, or NULL */
 } torsor_motion;
 
-/* Why a motion ended. */
+/* Why a motion ended; with contacts for these reasons too. */
 enum {
   torsor_motion_reached_end = 0,
   torsor_motion_stopped = 1,
@@ -130,13 +131,81 @@ enum {
   torsor_motion_too_many_steps = 4,
   torsor_motion_model_failure = 5,
   torsor_motion_no_convergence = 6,
-  torsor_motion_unsuitable_model = 7
+  torsor_motion_unsuitable_model = 7,
+  torsor_motion_no_regimes = 8,         /* no regimes of contacts fulfil their laws (Painleve) */
+  torsor_motion_energy_gained = 9,      /* by the law of impact */
+  torsor_motion_penetrates = 10,        /* a contact starts below its surface */
+  torsor_motion_open_loops = 11,        /* constraints cannot be closed near the start */
+  torsor_motion_impossible_surface = 12, /* coefficients that no surface has */
+  torsor_motion_too_many_events = 13,
+  torsor_motion_event_not_followed = 14,
+  torsor_motion_law_of_one_contact = 15, /* the energetic law of impact, and several contacts struck at once */
+  torsor_motion_without_memory = 16
 };
 
 typedef struct torsor_method {
   const char* name;
   int32_t fixed_step; /* reads `step`; else tolerances */
 } torsor_method;
+
+/* A contact that opens and closes, a stop, or dry friction. */
+typedef struct torsor_abi_contact {
+  const char* name;
+  const char* gap_unit;      /* "m", or "rad" where an angle has a stop */
+  const char* reaction_unit; /* of its reactions and, times s, of its impulses */
+  int32_t normal;            /* 0: it has no gap, and is always closed: dry friction, resistance to turning */
+  int32_t tangents;          /* rows of its reactions beside the normal one, which is the first */
+} torsor_abi_contact;
+
+/* What a contact does. Without friction a closed contact slides. */
+enum { torsor_contact_open = 0, torsor_contact_sticks = 1, torsor_contact_slides = 2 };
+
+enum {
+  torsor_event_impact = 0,
+  torsor_event_opens = 1,
+  torsor_event_slips = 2,
+  torsor_event_slip_ends = 3,
+  torsor_event_accumulation = 4 /* bounces without end are over; the time is that to which they tend */
+};
+
+/* What happened to contacts. Arrays last as long as the call of the observer. */
+typedef struct torsor_contact_event {
+  size_t motion; /* which of the motions */
+  int32_t kind;
+  int32_t contact; /* the one that caused it */
+  double time;
+  const double *before, *after; /* y on either side */
+  const int32_t* regimes;       /* of each contact, afterwards */
+  const double* impulses;       /* of each row; zero but of impacts and accumulations */
+  double energy_lost;           /* T- - T+ */
+} torsor_contact_event;
+
+/* Returns 0 to go on; else the motion ends as stopped. With threads it is called from several at once. */
+typedef int32_t torsor_contact_observer(void* context, const torsor_contact_event* event);
+
+/* How velocities after an impact follow from those before: docs/contacts.md. */
+enum {
+  torsor_impact_newton_moreau = 0,
+  torsor_impact_poisson = 1,
+  torsor_impact_energetic = 2,
+  torsor_impact_sequential = 3
+};
+
+/* Motions from event to event of contacts. What is zero takes the runtime's own choice. */
+typedef struct torsor_contact_motion {
+  torsor_motion motion; /* times that rise, by a method with tolerances; constraints and contacts are held */
+  int32_t impact_law;
+  int32_t impact_without_collision; /* not 0: where one contact slips and no regimes exist, by the energetic law */
+  double touch;                     /* [m] gaps up to it are closed when another contact has an event */
+  double at_rest;                   /* [m/s] velocities up to it are zero at the start */
+  double accumulation;              /* [s] bounces whose remaining time is at most this are over */
+  int64_t event_limit;
+  torsor_contact_observer* observer; /* or NULL */
+  void* observer_context;
+  int32_t* regimes;  /* out: of contact k of motion s at time i at [(s * time_count + i) * contact_count + k], or NULL; -1
+                        where a time was not reached */
+  int32_t* contacts; /* out: for each motion the contact that ended it, or -1; or NULL */
+} torsor_contact_motion;
 
 typedef struct torsor_abi {
   uint32_t version; /* TORSOR_ABI_VERSION of the library */
@@ -162,6 +231,12 @@ typedef struct torsor_abi {
   /* Returns how many motions did not reach the last time, or a negative number as above. What was not reached is not a
    * number. */
   int64_t (*integrate)(const torsor_motion* motion);
+
+  /* Contacts. Kernels are those of the mechanism with its contacts open; `integrate` moves it from event to event, as
+   * integrate_contacts does by the runtime's own choices. */
+  int32_t contact_count, contact_row_count;
+  const torsor_abi_contact* contacts;
+  int64_t (*integrate_contacts)(const torsor_contact_motion* motion); /* NULL without contacts */
 } torsor_abi;
 
 #ifndef TORSOR_ABI_EXPORT

@@ -12,7 +12,6 @@
 #include "generator/cli/compiled_library.hpp"
 #include "generator/cli/compiler.hpp"
 #include "generator/cli/kernel_options.hpp"
-#include "generator/dynamics/equations/contact_checks.hpp"
 #include "generator/emission/library_sources.hpp"
 
 namespace torsor {
@@ -36,7 +35,6 @@ void write_sources(const MechanismListing& mechanism, const std::string& folder)
 }
 
 CommandResult build(const Scene& scene, const BuildRequest& request, const std::string& output) {
-  refuse_contacts(scene, "a library, which integrates motions,");
   const MechanismListing mechanism = lower_mechanism(scene, request.names(), request.model(scene));
   if (!request.sources.empty()) {
     if (output != "-")

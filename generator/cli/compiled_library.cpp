@@ -35,10 +35,11 @@ std::string processor() {
   return text;
 }
 
-Words compiler_options(const LibraryOptions& options) {
+Words compiler_options(const MechanismListing& mechanism, const LibraryOptions& options) {
   Words words = {"-std=c++20", "-shared", "-fPIC", "-fvisibility=hidden", "-pthread"};
   for (const std::string& flag : separate_words(options.flags)) words.push_back(flag);
   words.push_back(options.fused ? "-ffp-contract=fast" : "-ffp-contract=off");
+  if (!mechanism.scene().content().contacts.empty()) words.insert(words.end(), {"-isystem", eigen_folder()});
   return words;
 }
 
@@ -59,8 +60,8 @@ void compile(const Compiler& compiler, const Words& options, const std::vector<S
   }
   const ProcessResult said = run_process(command);
   if (said.code != 0) {
-    throw FileError(fmt::format("the compiler '{}' fails for '{}': {}", fmt::join(compiler.words, " "),
-                                mechanism.scene().name(), compiler_errors(said.output)));
+    throw FileError(fmt::format("the compiler '{}' fails for '{}': {}{}", fmt::join(compiler.words, " "),
+                                mechanism.scene().name(), compiler_errors(said.output), eigen_remedy(said.output)));
   }
   std::error_code failure;
   fs::rename(made, library, failure);
@@ -72,7 +73,7 @@ void compile(const Compiler& compiler, const Words& options, const std::vector<S
 std::string compiled_library(const MechanismListing& mechanism, const LibraryOptions& options) {
   const Compiler compiler = found_compiler("CXX", {"c++", "g++", "clang++"}, "C++20");
   const std::vector<SourceFile> sources = library_sources(mechanism);
-  const Words words = compiler_options(options);
+  const Words words = compiler_options(mechanism, options);
   Fnv key;
   for (const SourceFile& source : sources) key.add(source.path).add(source.text);
   for (const std::string& word : compiler.words) key.add(word).add(" ");

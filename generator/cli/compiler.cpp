@@ -13,7 +13,17 @@
 #include "generator/base/error.hpp"
 #include "generator/base/process.hpp"
 
+#ifndef TORSOR_EIGEN_DIR
+#define TORSOR_EIGEN_DIR "/usr/include/eigen3"
+#endif
+
 namespace torsor {
+
+std::string eigen_folder() { return TORSOR_EIGEN_DIR; }
+
+std::string eigen_remedy(const std::string& output) {
+  return output.find("Eigen/") == std::string::npos ? "" : "; what moves contacts needs Eigen 3 (Debian: libeigen3-dev)";
+}
 
 std::vector<std::string> separate_words(const std::string& text) {
   std::istringstream stream(text);

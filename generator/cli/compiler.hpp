@@ -20,6 +20,12 @@ Compiler found_compiler(const std::string& variable, const std::vector<std::stri
 /// Of what a compiler said, the first lines that name an error.
 std::string compiler_errors(const std::string& output);
 
+/// Where what moves contacts finds Eigen.
+std::string eigen_folder();
+
+/// What a person is told where a compiler does not find it; else nothing.
+std::string eigen_remedy(const std::string& output);
+
 /// What it predefines with these flags, one "#define NAME VALUE" a line. Throws FileError where it does not run.
 std::string predefined_macros(const Compiler& compiler, const std::vector<std::string>& flags);
 

@@ -17,10 +17,6 @@
 #include "generator/cli/kernel_options.hpp"
 #include "generator/emission/fmi_sources.hpp"
 
-#ifndef TORSOR_EIGEN_DIR
-#define TORSOR_EIGEN_DIR "/usr/include/eigen3"
-#endif
-
 namespace torsor {
 namespace {
 
@@ -47,9 +43,8 @@ void compile(const Compiler& compiler, const std::vector<std::string>& flags, co
   command.insert(command.end(), words.begin(), words.end());
   const ProcessResult said = run_process(command);
   if (said.code == 0) return;
-  const bool eigen = said.output.find("Eigen") != std::string::npos;
-  throw FileError(fmt::format("the compiler '{}' fails: {}{}", fmt::join(compiler.words, " "), compiler_errors(said.output),
-                              eigen ? "; a unit with contacts needs Eigen 3 (Debian: libeigen3-dev)" : ""));
+  throw FileError(fmt::format("the compiler '{}' fails: {}{}", fmt::join(compiler.words, " "),
+                              compiler_errors(said.output), eigen_remedy(said.output)));
 }
 
 /// A binary, and where in a unit it belongs.
@@ -70,7 +65,7 @@ ArchivedFile compiled_unit(const MechanismListing& mechanism, const std::vector<
     const std::vector<SourceFile> moving = fmi_contact_sources(mechanism);
     write_sources(folder.path(), moving);
     compile(found_compiler("CXX", {"c++", "g++", "clang++"}, "C++20"), flags,
-            {"-std=c++20", "-shared", "-isystem", TORSOR_EIGEN_DIR, "-I", folder.path().string(), "-o", made,
+            {"-std=c++20", "-shared", "-isystem", eigen_folder(), "-I", folder.path().string(), "-o", made,
              file(moving.front().path), file("unit.o"), "-lm"});
   }
   return {fmt::format("binaries/{}/{}{}", platform.folder, name, platform.suffix), compiled_bytes(made)};

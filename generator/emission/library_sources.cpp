@@ -5,10 +5,12 @@
 
 #include <fmt/format.h>
 
+#include "generator/dynamics/forces/contacts.hpp"
 #include "generator/emission/embedded_runtime_texts.hpp"
 #include "generator/emission/embedded_templates.hpp"
 #include "generator/emission/header.hpp"
 #include "generator/emission/text_template.hpp"
+#include "generator/program/written_unit.hpp"
 
 namespace torsor {
 namespace {
@@ -23,22 +25,45 @@ bool holds_constraints(const MechanismListing& mechanism) {
   return !mechanism.layout.multipliers.empty() && has_kernel(mechanism, "forward_dynamics");
 }
 
+/// The table of contacts, as runtime/abi.h has them: `{"foot", "m", "N", 1, 2}`.
+std::string contact_table(const MechanismListing& mechanism) {
+  if (mechanism.scene().content().contacts.empty()) return {};
+  std::string entries;
+  for (const ContactRows& contact : contact_rows(mechanism.equations->model())) {
+    const Unit& gap = contact.gap.unit();
+    const std::string gap_unit = !contact.normal ? "" : gap.is_dimensionless() ? "rad" : written_unit(gap);
+    entries += fmt::format("{}\n      {{\"{}\", \"{}\", \"{}\", {}, {}}}", entries.empty() ? "" : ",", contact.name,
+                           gap_unit,
+                           written_unit(units::joule / (contact.rows[0].rate.unit() * units::second)),
+                           contact.normal ? 1 : 0, contact.tangents());
+  }
+  return "{" + entries + "}";
+}
+
 }  // namespace
 
 std::vector<SourceFile> library_sources(const MechanismListing& mechanism) {
   const std::string name = mechanism.scene().name();
+  const std::size_t contacts = mechanism.scene().content().contacts.size();
   std::vector<SourceFile> files;
-  files.push_back(
-      {"library.cpp",
-       fill_template("library.cpp.in", embedded_template("library.cpp.in"),
-                     {{"version", TORSOR_VERSION},
-                      {"name", name},
-                      {"constraints", holds_constraints(mechanism) ? "#define TORSOR_ABI_WITH_CONSTRAINTS\n" : ""}})});
   files.push_back({name + ".hpp", emit_header(mechanism)});
-  for (const std::string_view header : embedded_runtime_text_names()) {
-    if (header.starts_with("contacts/") || header.starts_with("events/") || header.starts_with("library.")) continue;
-    files.push_back({fmt::format("runtime/{}", header), std::string(embedded_runtime_text(header))});
+  std::string sources;
+  for (const std::string_view text : embedded_runtime_text_names()) {
+    const bool of_contacts = text.starts_with("contacts/") || text.starts_with("events/") || text.starts_with("library.") ||
+                             text == "abi/contact_call.hpp";
+    if (of_contacts && contacts == 0) continue;
+    files.push_back({fmt::format("runtime/{}", text), std::string(embedded_runtime_text(text))});
+    if (text.ends_with(".cpp")) sources += fmt::format("#include \"runtime/{}\"\n", text);
   }
+  const std::string definitions = std::string(holds_constraints(mechanism) ? "#define TORSOR_ABI_WITH_CONSTRAINTS\n" : "") +
+                                  (contacts > 0 ? "#define TORSOR_ABI_WITH_CONTACTS\n" : "");
+  files.insert(files.begin(), {"library.cpp", fill_template("library.cpp.in", embedded_template("library.cpp.in"),
+                                                            {{"version", TORSOR_VERSION},
+                                                             {"name", name},
+                                                             {"definitions", definitions},
+                                                             {"sources", sources},
+                                                             {"contact_count", std::to_string(contacts)},
+                                                             {"contacts", contact_table(mechanism)}})});
   return files;
 }
 

@@ -12,14 +12,15 @@ from __future__ import annotations
 
 import os
 
+from ._contacts import Contact, ContactEvent
 from ._kernel import Bound, Kernel, NotFiniteError, Results, SingularError, TorsorError
 from ._load import LoadError, load
 from ._mechanism import Equilibrium, Mechanism, Modes, Motion, State
 
 __version__ = "0.1.0"
 
-__all__ = ["Bound", "Equilibrium", "Kernel", "LoadError", "Mechanism", "Modes", "Motion", "NotFiniteError", "Results",
-           "SingularError", "State", "TorsorError", "load", "open"]
+__all__ = ["Bound", "Contact", "ContactEvent", "Equilibrium", "Kernel", "LoadError", "Mechanism", "Modes", "Motion",
+           "NotFiniteError", "Results", "SingularError", "State", "TorsorError", "load", "open"]
 
 
 def open(path: str | os.PathLike[str]) -> Mechanism:  # noqa: A001 - torsor.open("libarm.so")

@@ -54,6 +54,27 @@ class Method(Structure):
     _fields_ = [("name", c_char_p), ("fixed_step", c_int32)]
 
 
+class ContactEntry(Structure):
+    _fields_ = [("name", c_char_p), ("gap_unit", c_char_p), ("reaction_unit", c_char_p), ("normal", c_int32),
+                ("tangents", c_int32)]
+
+
+class ContactEventEntry(Structure):
+    _fields_ = [("motion", c_size_t), ("kind", c_int32), ("contact", c_int32), ("time", c_double),
+                ("before", POINTER(c_double)), ("after", POINTER(c_double)), ("regimes", POINTER(c_int32)),
+                ("impulses", POINTER(c_double)), ("energy_lost", c_double)]
+
+
+ContactObserver = CFUNCTYPE(c_int32, c_void_p, POINTER(ContactEventEntry))
+
+
+class ContactMotion(Structure):
+    _fields_ = [("motion", Motion), ("impact_law", c_int32), ("impact_without_collision", c_int32), ("touch", c_double),
+                ("at_rest", c_double), ("accumulation", c_double), ("event_limit", c_int64),
+                ("observer", ContactObserver), ("observer_context", c_void_p), ("regimes", c_void_p),
+                ("contacts", c_void_p)]
+
+
 class Table(Structure):
     _fields_ = [("version", c_uint32), ("size", c_uint32), ("name", c_char_p), ("fingerprint", c_uint64),
                 ("lanes", c_uint32), ("coordinate_count", c_int32), ("velocity_count", c_int32),
@@ -65,7 +86,8 @@ class Table(Structure):
                 ("method_count", c_int32), ("methods", POINTER(Method)),
                 ("create", CFUNCTYPE(c_void_p, POINTER(c_double))), ("destroy", CFUNCTYPE(None, c_void_p)),
                 ("initial_state", CFUNCTYPE(None, c_void_p, POINTER(c_double), POINTER(c_double), POINTER(c_double))),
-                ("integrate", CFUNCTYPE(c_int64, c_void_p))]
+                ("integrate", CFUNCTYPE(c_int64, c_void_p)), ("contact_count", c_int32), ("contact_row_count", c_int32),
+                ("contacts", POINTER(ContactEntry)), ("integrate_contacts", CFUNCTYPE(c_int64, c_void_p))]
 
 
 def open_library(path: str) -> tuple[CDLL, Table]:

@@ -13,13 +13,20 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from . import _abi
+from ._contacts import IMPACT_LAWS, Contact, ContactEvent, Told
 from ._display import Displayed
 from ._kernel import Kernel, NotFiniteError, Results, SingularError, TorsorError, as_columns, require_finite, view_of
 
 MOTION_STATUSES = ("reached the end time", "stopped", "unusable options: times, tolerances or steps",
                    "the step fell below the resolution of time", "the step limit was met",
                    "the model could not be evaluated", "an implicit step did not converge",
-                   "the method does not suit the model")
+                   "the method does not suit the model",
+                   "no regimes fulfil the laws of contact: rigid bodies have no motion here (Painleve)",
+                   "the impact law gave energy: choose another, or a smaller restitution",
+                   "a contact starts below its surface", "the loops cannot be closed near the start",
+                   "a contact has coefficients that no surface has", "the limit of events was met",
+                   "an event of a contact could not be followed",
+                   "the energetic law of impact is one of a single contact, and several touch", "no memory")
 
 
 class State(NamedTuple):
@@ -43,6 +50,11 @@ class Motion(NamedTuple):
     status: Any
     calls: Any
     """Evaluations of the equations of motion."""
+    events: Any = ()
+    """What happened to contacts: a tuple of ContactEvent; with many motions an array of such tuples."""
+    regimes: np.ndarray | None = None
+    """Of contacts, (..., times, contacts), in the order of `Mechanism.contact_descriptions`: 0 open, 1 sticks, 2 slides; -1
+    where a time was not reached."""
 
     @property
     def states(self) -> np.ndarray:
@@ -92,7 +104,9 @@ def _quantities(entries: Any, count: int) -> Mapping[str, str]:
 class Mechanism(Displayed):
     """A mechanism from a shared library. Its kernels are its attributes: ``arm.inverse_dynamics(q, v, a)``.
 
-    ``coordinates``, ``velocities``, ``inputs``, ``multipliers`` give names with units; ``parameters`` names with values.
+    ``coordinates``, ``velocities``, ``inputs``, ``multipliers`` give names with units; ``parameters`` names with values;
+    ``contact_descriptions`` the contacts that `simulate` moves it by from event to event. Kernels are those of the mechanism
+    with its contacts open, and so is `ode`.
     """
 
     if TYPE_CHECKING:
@@ -141,6 +155,9 @@ class Mechanism(Displayed):
         self.inputs = _quantities(table.inputs, table.input_count)
         self.multipliers = _quantities(table.multipliers, table.multiplier_count)
         self.parameter_units = _quantities(table.parameters, table.parameter_count)
+        self.contact_descriptions: Mapping[str, Contact] = MappingProxyType(
+            {c.name.decode(): Contact(c.gap_unit.decode(), c.reaction_unit.decode(), c.normal + c.tangents)
+             for c in table.contacts[:table.contact_count]})
         self.quaternions = tuple(table.quaternions[:table.quaternion_count])
         self._sizes = {"q": table.coordinate_count, "v": table.velocity_count, "accelerations": table.velocity_count,
                        "multipliers": table.multiplier_count, "inputs": table.input_count}
@@ -235,13 +252,16 @@ class Mechanism(Displayed):
                  inputs: ArrayLike | Callable[[float, np.ndarray, np.ndarray], ArrayLike] | None = None,
                  method: str = "dormand_prince_853", relative_tolerance: float = 1e-9, absolute_tolerance: float = 1e-12,
                  step: float | None = None, first_step: float = 0.0, largest_step: float = 0.0, step_limit: int = 0,
-                 project: bool = True, parameters: Mapping[str, float] | None = None, threads: int = 1) -> Motion:
+                 project: bool = True, impact_law: str = "newton_moreau",
+                 parameters: Mapping[str, float] | None = None, threads: int = 1) -> Motion:
         """Integrates motions from (q, v) at `start_time`; what is absent is that of the scene. Constraints are held.
+        With contacts it goes from event to event, and `events` of the result tells of each.
 
         times: (T,) [s], in one direction; a number: 1,001 equal times up to it.
         q, v: (nq,), (nv,), or (..., nq), (..., nv): as many motions, on `threads` threads.
         inputs: (..., inputs), constant along a motion; or a function of t, q (nq,), v (nv,).
         method: one of `methods`; `step` is for those with a fixed step, tolerances for the others.
+        impact_law: of contacts; "newton_moreau", "poisson", "energetic" (of one contact) or "sequential".
 
         One motion that fails raises TorsorError; of many, `ok` tells those that reached the end.
         """
@@ -255,6 +275,11 @@ class Mechanism(Displayed):
         if grid.ndim != 1:
             raise ValueError(f"times: shape {grid.shape} is not (T,)")
         grid = np.ascontiguousarray(grid)
+        if not self.methods:
+            raise ValueError(f"{self.name} cannot be integrated: it lacks kernels; build it with "
+                             f"{', '.join(self._kernels_of_motion())}")
+        if impact_law not in IMPACT_LAWS:
+            raise ValueError(f"no impact law {impact_law!r}; there are {', '.join(IMPACT_LAWS)}")
         if method not in self.methods:
             raise ValueError(f"no method {method!r}; there are {', '.join(self.methods)}")
         if method in self._fixed_step and step is None:
@@ -272,7 +297,8 @@ class Mechanism(Displayed):
         states = np.empty((count, len(grid), n))
         statuses, calls = np.zeros(count, dtype=np.int32), np.zeros(count, dtype=np.int64)
 
-        motion, model = _abi.Motion(), self._model(parameters)
+        whole, model = _abi.ContactMotion(), self._model(parameters)
+        motion = whole.motion  # the same bytes
         motion.model, motion.motions, motion.threads = model.address, count, threads
         motion.method, motion.unprojected = self.methods.index(method), 0 if project else 1
         motion.step = 0.0 if step is None else step
@@ -292,15 +318,43 @@ class Mechanism(Displayed):
         motion.times, motion.time_count = grid.ctypes.data, len(grid)
         motion.states = _abi.View(states.ctypes.data, *states.strides)
         motion.statuses, motion.calls = statuses.ctypes.data, calls.ctypes.data
-        failed = self._table.integrate(ctypes.addressof(motion))
+        names = tuple(self.contact_descriptions)
+        told = Told(self, count, raised)
+        regimes, ended = np.empty((count, len(grid), len(names)), dtype=np.int32), np.full(count, -1, dtype=np.int32)
+        if names:
+            whole.impact_law, whole.observer = IMPACT_LAWS.index(impact_law), told.observer
+            whole.regimes, whole.contacts = regimes.ctypes.data, ended.ctypes.data
+            failed = self._table.integrate_contacts(ctypes.addressof(whole))
+        else:
+            failed = self._table.integrate(ctypes.addressof(motion))
         if raised:
             raise raised[0]
         if failed < 0:
-            raise ValueError(f"{self.name} cannot be integrated: it has no kernel forward_dynamics")
+            raise TorsorError(f"{self.name}: the library refuses the call: {failed}")
         if not batch and failed:
-            raise TorsorError(f"{self.name}: the motion ends early: {MOTION_STATUSES[statuses[0]]}")
-        return self._motion(grid, states.reshape(batch + states.shape[1:]), statuses.reshape(batch),
-                            calls.reshape(batch), parameters)
+            at = f"; contact {names[ended[0]]}" if ended[0] >= 0 else ""
+            raise TorsorError(f"{self.name}: the motion ends early: {MOTION_STATUSES[statuses[0]]}{at}")
+        result = self._motion(grid, states.reshape(batch + states.shape[1:]), statuses.reshape(batch),
+                              calls.reshape(batch), parameters)
+        if not names:
+            return result
+        return result._replace(events=self._events(told, batch), regimes=regimes.reshape(batch + regimes.shape[1:]))
+
+    def _kernels_of_motion(self) -> list[str]:
+        constraints = ["constraints"] if self.multipliers else []
+        if not self.contact_descriptions:
+            return ["forward_dynamics", *(["mass_matrix"] if constraints else []), *constraints]
+        return ["mass_matrix", "bias", "contacts", "contact_coefficients", *constraints,
+                *(["forward_dynamics"] if self.inputs else [])]
+
+    @staticmethod
+    def _events(told: Told, batch: tuple[int, ...]) -> Any:
+        if not batch:
+            return tuple(told.events[0])
+        events = np.empty(len(told.events), dtype=object)
+        for k, each in enumerate(told.events):
+            events[k] = tuple(each)
+        return events.reshape(batch)
 
     def _motion(self, grid: np.ndarray, states: np.ndarray, statuses: np.ndarray, calls: np.ndarray,
                 parameters: Mapping[str, float] | None) -> Motion:

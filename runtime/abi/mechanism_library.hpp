@@ -13,17 +13,32 @@
 #include "runtime/abi/motion_call.hpp"
 #include "runtime/abi/operands.hpp"
 #include "runtime/batch/simd.hpp"
+#ifdef TORSOR_ABI_WITH_CONTACTS
+#include "runtime/abi/contact_call.hpp"
+#endif
 
 namespace torsor::runtime::abi {
 
-/// The table of runtime/abi.h for one generated mechanism.
-template <template <class> class Mechanism>
+struct NoContacts {
+  static constexpr std::array<torsor_abi_contact, 0> contacts{};
+};
+
+/// The table of runtime/abi.h for one generated mechanism, and for the contacts of its scene. Whoever compiles a
+/// mechanism with contacts defines TORSOR_ABI_WITH_CONTACTS.
+template <template <class> class Mechanism, class Contacts = NoContacts>
 class MechanismLibrary {
   using Single = Mechanism<double>;
   using Packed = Mechanism<NativeSimd<double>>;
   using Description = typename Single::Description;
 
   static constexpr bool moves = HasForwardDynamics<Single>;
+  static constexpr bool touches = !Contacts::contacts.empty();
+#ifdef TORSOR_ABI_WITH_CONTACTS
+  static constexpr bool moves_contacts = touches && MovesContacts<Single>;
+#else
+  static constexpr bool moves_contacts = false;
+  static_assert(!touches, "a mechanism with contacts is compiled with TORSOR_ABI_WITH_CONTACTS");
+#endif
   static constexpr std::size_t described = Description::kernels.size();
   static constexpr std::size_t kernel_count = described + (moves ? 1 : 0);
   static constexpr std::size_t result_count = Description::results.size() + (moves ? 1 : 0);
@@ -74,12 +89,23 @@ class MechanismLibrary {
     }
     abi_.kernel_count = static_cast<std::int32_t>(kernel_count);
     abi_.kernels = kernels_.data();
-    abi_.method_count = moves ? static_cast<std::int32_t>(methods.size()) : 0;
+    abi_.method_count = method_count();
     abi_.methods = methods.data();
     abi_.create = create;
     abi_.destroy = destroy;
     abi_.initial_state = initial_state;
     abi_.integrate = integrate;
+    abi_.contact_count = static_cast<std::int32_t>(Contacts::contacts.size());
+    for (const torsor_abi_contact& each : Contacts::contacts) abi_.contact_row_count += each.normal + each.tangents;
+    abi_.contacts = Contacts::contacts.data();
+    if (touches) abi_.integrate_contacts = integrate_contacts;
+  }
+
+  static constexpr std::int32_t method_count() noexcept {
+#ifdef TORSOR_ABI_WITH_CONTACTS
+    if (touches) return moves_contacts ? static_cast<std::int32_t>(contact_methods) : 0;
+#endif
+    return moves ? static_cast<std::int32_t>(methods.size()) : 0;
   }
 
   template <class Quantities, std::size_t size>
@@ -204,12 +230,26 @@ class MechanismLibrary {
   }
 
   static std::int64_t integrate(const torsor_motion* motion) {
-    if (motion->model == nullptr) return torsor_call_without_model;
-    if constexpr (moves) {
+    if constexpr (touches) {
+      torsor_contact_motion with_contacts{};
+      with_contacts.motion = *motion;
+      return integrate_contacts(&with_contacts);
+    } else if constexpr (moves) {
+      if (motion->model == nullptr) return torsor_call_without_model;
       return MotionCall<Single>(reinterpret_cast<const Model*>(motion->model)->parameters, *motion)();
     } else {
-      return torsor_call_without_argument;
+      return motion->model == nullptr ? torsor_call_without_model : torsor_call_without_kernels;
     }
+  }
+
+  static std::int64_t integrate_contacts(const torsor_contact_motion* motion) {
+    if (motion->motion.model == nullptr) return torsor_call_without_model;
+#ifdef TORSOR_ABI_WITH_CONTACTS
+    if constexpr (moves_contacts) {
+      return ContactCall<Single>(reinterpret_cast<const Model*>(motion->motion.model)->parameters, *motion)();
+    }
+#endif
+    return torsor_call_without_kernels;
   }
 
   template <class Quantities>

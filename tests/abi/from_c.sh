@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: GPL-3.0-or-later
-# from_c.sh CC CXX SCENE_PROGRAM KERNELS SOURCE FOLDER: builds a library of the scene twice, the second time without a
-# compiler's work; without a compiler it is one error. load.c opens it.
+# from_c.sh CC CXX SCENE_PROGRAM KERNELS SOURCE FOLDER [USER]...: builds a library of the scene twice, the second time
+# without a compiler's work; without a compiler it is one error. load.c opens it, and so does each USER.c.
 set -euo pipefail
 cc="$1" cxx="$2" program="$3" kernels="$4" source="$5" folder="$6"
 rm -rf "$folder"
@@ -27,6 +27,9 @@ if [ "$(uname -m)" = x86_64 ] && ! objdump -d "$folder/lib.so" | grep -c prefetc
   exit 1
 fi
 
-"$cc" -std=c99 -pedantic -Wall -Wextra -Wconversion -Werror -D_GNU_SOURCE -O1 -I"$source" "$source/tests/abi/load.c" \
-  -o "$folder/load" -ldl -lm
-"$folder/load" "$folder/lib.so"
+shift 6
+for user in load "$@"; do
+  "$cc" -std=c99 -pedantic -Wall -Wextra -Wconversion -Werror -D_GNU_SOURCE -O1 -I"$source" "$source/tests/abi/$user.c" \
+    -o "$folder/$user" -ldl -lm
+  "$folder/$user" "$folder/lib.so"
+done

@@ -219,6 +219,7 @@ int main(int count, char** words) {
   expect(model != NULL && same != NULL, "a model is made", m->name);
   arguments x = make_arguments(m, model);
   expect(m->kernel_count > 0, "there are kernels", m->name);
+  expect((m->contact_count > 0) == (m->integrate_contacts != NULL), "what has contacts moves them", m->name);
   for (int k = 0; k < m->kernel_count; ++k) check_kernel(m, &m->kernels[k], k % 2 == 0 ? model : same, &x);
   check_motion(m, model);
   m->destroy(model);

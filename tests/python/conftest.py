@@ -13,7 +13,13 @@ PROGRAMS = os.environ["TORSOR_PROGRAM_DIR"]
 
 
 FILES = {"cart_pole": ["tests/python/cart_pole.urdf", "--initial", "hinge=0.3"],
-         "quadruped": ["examples/quadruped/quadruped.urdf", "--base", "floating"]}
+         "quadruped": ["examples/quadruped/quadruped.urdf", "--base", "floating"],
+         "quadruped_on_its_feet": [
+             "examples/quadruped/quadruped.urdf", "--base", "floating", "--name", "quadruped_on_its_feet", "--ground",
+             ",".join(f"{end}_{side}_foot" for end in ("front", "rear") for side in ("left", "right")), "--ground-friction", "0.6",
+             "--initial", ",".join(["trunk_z=0.45", "trunk_x'=0.5"] + [
+                 f"{end}_{side}_{joint}" for end in ("front", "rear") for side in ("left", "right")
+                 for joint in ("thigh=0.7", "knee=-1.4")])]}
 
 
 def command(name, what, *options):
