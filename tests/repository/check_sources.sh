@@ -47,11 +47,13 @@ awk '
     spdx = ""
     while ((getline line < file) > 0) {
       ++number
+      # REUSE-IgnoreStart
       if (number <= 3 && line ~ /SPDX-License-Identifier: /) {
         spdx = line
         sub(/^.*SPDX-License-Identifier: */, "", spdx)
         sub(/[ \t*\/#>-]*$/, "", spdx)
       }
+      # REUSE-IgnoreEnd
       path = code ? included(line) : ""
       if (path == "") continue
       split(path, piece, "/")

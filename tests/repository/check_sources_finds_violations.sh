@@ -7,6 +7,7 @@ tree="$(mktemp -d)"
 trap 'rm -rf "$tree"' EXIT
 cd "$tree"
 
+# REUSE-IgnoreStart
 gpl='// SPDX-License-Identifier: GPL-3.0-or-later'
 mit='// SPDX-License-Identifier: MIT'
 put() {  # put FILE LINE...
@@ -49,3 +50,4 @@ expect 'must read GPL-3.0-or-later' scripts/run '#!/bin/sh'
 mapfile -t long < <(yes 'int x;' | head -n 500)
 expect '501 lines' generator/cli/long.cpp "$gpl" "${long[@]}"
 echo "each violation was found"
+# REUSE-IgnoreEnd
