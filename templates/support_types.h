@@ -26,6 +26,14 @@ typedef double torsor_real;
 #else
 #define TORSOR_UNUSED
 #endif
+// What hardly any call needs stays out of the functions that may need it, and out of their registers.
+#if defined(__GNUC__)
+#define TORSOR_APART __attribute__((unused, noinline, cold)) static
+#elif defined(_MSC_VER)
+#define TORSOR_APART __declspec(noinline) static
+#else
+#define TORSOR_APART static
+#endif
 #if defined(TORSOR_SMALL) && defined(__GNUC__)
 #define TORSOR_ONE_SINE __attribute__((unused, noinline)) static
 #elif defined(TORSOR_SMALL) && defined(_MSC_VER)
