@@ -12,6 +12,7 @@
 #include "generator/base/error.hpp"
 #include "generator/cli/command_texts.hpp"
 #include "generator/cli/katex.hpp"
+#include "generator/dynamics/equations/massless.hpp"
 #include "generator/dynamics/theorems/unknowns_report.hpp"
 #include "generator/emission/embedded_templates.hpp"
 #include "generator/emission/javascript_module.hpp"
@@ -113,7 +114,9 @@ Motion motion_of(const Scene& scene, const ReportOptions& options) {
   const MechanismListing mechanism = lower_mechanism(scene, names, options_of_motion(scene, given));
   Motion motion;
   for (const AskedKernel& kernel : mechanism.asked) {
-    if (kernel.name == "forward_dynamics") motion.remark = kernel.skipped;
+    if (kernel.name == "forward_dynamics" && !kernel.skipped.empty()) {
+      motion.remark = lack_of_mass(*mechanism.equations, options.language);
+    }
   }
   motion.module = module_as_object(emit_javascript(mechanism));
   return motion;
@@ -248,7 +251,7 @@ std::string report_html(const Scene& scene, const ReportOptions& options) {
     scripts += fmt::format("<script id=\"reference\" type=\"application/json\">{}</script>\n",
                            inside_json(report_reference(content, options.reference)));
   }
-  for (const char* name : {"integrator", "projection", "motion", "playback", "modes", "vectors", "shapes", "viewer", "plots", "formulas", "page"}) {
+  for (const char* name : {"integrator", "projection", "motion", "playback", "modes", "vectors", "surfaces", "shapes", "viewer", "plots", "formulas", "page"}) {
     scripts += script(fmt::format("script-{}", name), part(fmt::format("{}.js", name), say));
   }
   const bool with_katex = !katex_script().empty();

@@ -5,6 +5,8 @@
 #include <utility>
 #include <vector>
 
+#include <nlohmann/json_fwd.hpp>
+
 #include "generator/base/natural_language.hpp"
 #include "generator/dynamics/motion/model.hpp"
 #include "generator/mechanics/scene.hpp"
@@ -35,6 +37,8 @@ std::string inside_script(const std::string& text);
 std::string inside_json(const std::string& text);
 /// What a viewer needs to know of the scene beside its kernels.
 std::string report_data(const Scene& scene, double duration);
+/// Surfaces of the scene's convex bodies and tori that touch a plane, at the values of its parameters.
+nlohmann::ordered_json report_surfaces(const SceneContent& scene);
 /// The motion of a scene with contacts from event to event, for a page that plays it back: samples, regimes and events.
 /// Throws as `simulate`, and Error where the motion cannot start.
 std::string report_recording(const Scene& scene, const ModelOptions& model, double duration, const NaturalLanguage& say);

@@ -77,6 +77,17 @@ Json contacts_json(const SceneContent& content) {
   return list;
 }
 
+/// Boxes of which corners touch something.
+Json boxes_json(const SceneContent& content) {
+  Json list = Json::array();
+  for (const std::vector<PointHandle>& corners : content.boxes) {
+    Json points = Json::array();
+    for (const PointHandle& corner : corners) points.push_back(corner.index);
+    list.push_back(std::move(points));
+  }
+  return list;
+}
+
 const char* word_of(const Form& form) {
   static constexpr std::array<const char*, 6> words{"box", "cylinder", "cone", "sphere", "segment", "mesh"};
   return words[form.index()];
@@ -110,7 +121,9 @@ std::string report_data(const Scene& scene, double duration) {
             {"bodies", Json::array()},
             {"links", links_json(content)},
             {"forms", forms_json(content)},
-            {"contacts", contacts_json(content)}};
+            {"contacts", contacts_json(content)},
+            {"boxes", boxes_json(content)},
+            {"surfaces", report_surfaces(content)}};
   for (const PointContent& point : content.points) {
     Json each{{"name", printable(point.name)},
               {"frame", content.frame_index(point.frame, "point '" + point.name + "'")}};

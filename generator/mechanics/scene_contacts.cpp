@@ -79,6 +79,7 @@ std::vector<PointHandle> Scene::touching_points(const std::string& name, const C
   for (const Triple& corner : corners) {
     points.push_back(this->point(fmt::format("{}_{}_point", name, points.size() + 1), box->frame, corner));
   }
+  content_.boxes.push_back(points);
   return points;
 }
 

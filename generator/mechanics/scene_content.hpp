@@ -221,6 +221,7 @@ struct SceneContent {
   std::vector<ConstraintContent> constraints;
   std::vector<ContactContent> contacts;  ///< that open and close, stops and dry frictions
   std::vector<Shown> shown;
+  std::vector<std::vector<PointHandle>> boxes;  ///< corners of each box that touches a plane: what a picture draws
   std::vector<SymbolPointer> independent;  ///< coordinates wanted independent, the most wanted first
   Triple gravity{Expression(0), Expression(0), Expression(0)};
   /// Coordinates that move no mass are kept: kernels that solve with the mass matrix are then absent. Otherwise they are

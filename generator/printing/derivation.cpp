@@ -210,6 +210,9 @@ void Derivation::reactions() {
   page_.note(
       page_.say("By Newton-Euler for what hangs on the joint: force R [N] and moment M [N m] on the body, at the origin of its "
                 "frame, along its axes. Motors and springs in the joint are part of them."));
+  if (!scene_.content().contacts.empty()) {
+    page_.note(page_.say("Every contact is taken to be open here: reactions of closed contacts are not counted."));
+  }
   const std::vector<Wrench> transmitted = transmitted_wrenches(equations_);
   for (const Connection& joint : joints) {
     const std::string& body = equations_.model().links()[as_index(joint.bottom)].name;

@@ -109,6 +109,7 @@ class StaticsWriter {
 
   void equilibrium() {
     page_.section(say("Equations of equilibrium"));
+    if (!scene_.content().contacts.empty()) page_.note(say("Every contact is taken to be open here: reactions of closed contacts are not counted."));
     if (statics_.from_potential) page_.stated({potential_name(), statics_.driven ? "-(U + T_{0})" : "-U"}, statics_.potential, say("in J"));
     for (const std::string& remark : statics_.remarks) page_.note(remark + ".");
     for (std::size_t i = 0; i < statics_.rows.size(); ++i) {

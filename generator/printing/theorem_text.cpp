@@ -47,6 +47,11 @@ PointReference point_at(Scene& scene, const std::string& name) {
   return scene.point(free, FrameHandle{static_cast<int>(frame - frames.begin())}, {0, 0, 0});
 }
 
+void report_contacts(printing::ReadablePage& page, const Scene& scene, const NaturalLanguage& say) {
+  if (scene.content().contacts.empty()) return;
+  page.note(say("Every contact is taken to be open here: reactions of closed contacts are not counted."));
+}
+
 void report_unknowns(printing::ReadablePage& page, const TheoremEquation& equation, const NaturalLanguage& say) {
   std::vector<std::string> names;
   for (const SymbolPointer& unknown : equation.unknowns) names.push_back(unknown->name);
@@ -97,6 +102,7 @@ std::string theorem_text(const Scene& given, const TheoremRequest& request, cons
     page.equation("", "P_int", theorem.internal_power, say("power of the actions between the bodies, in W"));
     page.equation("dT/dt = P_ext + P_int", theorem.equation.left, theorem.equation.right);
     report_unknowns(page, theorem.equation, say);
+    report_contacts(page, given, say);
     return page.finish(given.content(), style);
   }
   const TheoremEquation theorem = theorem_equation(equations, bodies, {point, request.axes, request.observer},
@@ -105,6 +111,7 @@ std::string theorem_text(const Scene& given, const TheoremRequest& request, cons
                    moment ? say(" at {}", request.point) : "", request.direction, request.axes, seen));
   page.equation("", theorem.left, theorem.right);
   report_unknowns(page, theorem, say);
+  report_contacts(page, given, say);
   return page.finish(given.content(), style);
 }
 

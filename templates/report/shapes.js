@@ -3,6 +3,7 @@
 (() => {
 "use strict";
 const { add, scaled, dot, cross, length, unit, triad, principal } = torsorReport.vectors;
+const { convex, torus, boxAround } = torsorReport.surfaces;
 
 const palette = [[0.55, 0.57, 0.6], [0.13, 0.4, 0.75], [0.8, 0.3, 0.2], [0.2, 0.58, 0.35], [0.6, 0.36, 0.7],
                  [0.83, 0.6, 0.12], [0.1, 0.58, 0.65], [0.78, 0.35, 0.55], [0.45, 0.5, 0.2], [0.5, 0.35, 0.25]];
@@ -38,9 +39,9 @@ class Picture {
     scene.bodies.forEach((_, k) => places.push(column(poses.centres, k)));
     scene.points.forEach((_, k) => places.push(column(poses.points, k)));
     this.ofAuthor = new Set(this.shown.map((form) => scene.frames[form.frame].body));  // bodies that the author draws
-    for (const { mesh, x, y, z, origin, extent = 1 } of this.forms(poses)) {
-      const ends = mesh === "cylinder" || mesh === "cone" ? [0, 1] : [-extent, extent];
-      for (const a of [-extent, extent]) for (const b of [-extent, extent]) for (const c of ends) places.push(add(add(add(origin, x, a), y, b), z, c));
+    for (const { mesh, x, y, z, origin, ends } of this.forms(poses)) {
+      const [as, bs, cs] = ends ?? [[-1, 1], [-1, 1], mesh === "cylinder" || mesh === "cone" ? [0, 1] : [-1, 1]];
+      for (const a of as) for (const b of bs) for (const c of cs) places.push(add(add(add(origin, x, a), y, b), z, c));
     }
     const low = [0, 1, 2].map((i) => Math.min(...places.map((p) => p[i])));
     const high = [0, 1, 2].map((i) => Math.max(...places.map((p) => p[i])));
@@ -49,7 +50,9 @@ class Picture {
       const m = poses.masses[k], trace = poses.inertias[6 * k] + poses.inertias[6 * k + 1] + poses.inertias[6 * k + 2];
       return m > 0 && trace > 0 ? Math.sqrt((1.5 * trace) / m) : 0;
     });
-    const radii = [...scene.points.map((_, k) => poses.radii[k]), ...scene.contacts.flatMap((each, c) => (each.spheres ? [...poses.contact_radii.subarray(2 * c, 2 * c + 2)] : []))];
+    this.corners = new Set(scene.boxes.flat());
+    this.surfaces = scene.surfaces.map((each, k) => ({ mesh: `surface ${k}`, point: each.point, ...(each.tube ? torus(poses.radii[each.point], each.tube) : convex(each)) }));
+    const radii = [...this.surfaces.map((each) => each.extent), ...scene.points.map((_, k) => poses.radii[k]), ...scene.contacts.flatMap((each, c) => (each.spheres ? [...poses.contact_radii.subarray(2 * c, 2 * c + 2)] : []))];
     this.size = Math.max(length(add(high, low, -1)) / 2, 0.9 * Math.max(0, ...extents), 1.4 * Math.max(0, ...radii)) || 1;
     this.low = low;
     const gravity = column(poses.gravity, 0);
@@ -57,8 +60,8 @@ class Picture {
     const planar = axes.length > 0 && axes.every((axis) => Math.abs(dot(axis, axes[0])) > 0.999);
     this.across = planar ? axes[0] : null;  // the direction about which all joints turn
     this.up = length(gravity) > 0 ? unit(scaled(gravity, -1)) : planar && Math.abs(axes[0][2]) > 0.9 ? [0, 1, 0] : [0, 0, 1];
-    this.round = new Map();  // body -> frames that carry a disc or a sphere
-    scene.points.forEach((point) => point.lowest && this.round.set(point.frame, true));
+    this.round = new Map();  // frames that carry a disc, a sphere or another body that touches a plane
+    scene.points.forEach((point, k) => (point.lowest || this.corners.has(k)) && this.round.set(point.frame, true));
     this.sortFrames();
     this.findTranslations();
     this.findRods(poses);
@@ -70,7 +73,10 @@ class Picture {
   /// How far a body is drawn around its centre of mass.
   bulk(body, k, poses) {
     const rigid = this.scene.frames[body.frame].body, m = poses.masses[k], moments = poses.inertias.subarray(6 * k, 6 * k + 6);
-    const discs = this.scene.points.map((point, i) => (point.lowest && this.scene.frames[point.frame].body === rigid ? poses.radii[i] : 0));
+    const own = (point) => this.scene.frames[this.scene.points[point].frame].body === rigid;
+    const discs = this.scene.points.map((point, i) => (point.lowest && own(i) ? poses.radii[i] : 0));
+    discs.push(...this.surfaces.filter(({ point }) => own(point)).map((each) => each.extent));
+    for (const i of this.corners) if (own(i)) discs.push(length(add(column(poses.points, i), column(poses.centres, k), -1)));
     if (this.ofAuthor.has(rigid) || this.linked.has(rigid) || !(m > 0) || this.round.get(body.frame)) return Math.max(0, ...discs);
     const trace = moments[0] + moments[1] + moments[2], { values } = principal(moments);
     const halves = values.map((value) => Math.sqrt(Math.max(0, (1.5 * (trace - 2 * value)) / m)));
@@ -122,7 +128,7 @@ class Picture {
         if (frame.joint === "weld" && frame.body === body) join("origins", k, true);
       });
       scene.bodies.forEach((each, k) => frames[each.frame].body === body && join("centres", k, true));
-      scene.points.forEach((each, k) => frames[each.frame].body === body && !each.lowest && join("points", k, false));
+      scene.points.forEach((each, k) => frames[each.frame].body === body && !each.lowest && !this.corners.has(k) && join("points", k, false));
     }
   }
 
@@ -130,7 +136,7 @@ class Picture {
   findTraces() {
     const { scene } = this, { frames } = scene;
     this.traced = scene.points.map((point, k) => ({ member: "points", k, body: frames[point.frame].body }))
-      .filter((each) => each.body !== 0);
+      .filter((each) => each.body !== 0 && !this.corners.has(each.k));
     if (this.traced.length === 0) {
       const inner = new Set(frames.filter((frame) => frame.parent >= 0 && frames[frame.parent].body !== frame.body)
         .map((frame) => frames[frame.parent].body));
@@ -237,6 +243,8 @@ class Picture {
     shapes.push(...this.forms(poses));
     scene.bodies.forEach((each, k) => this.inertia(each, k, poses, shapes));
     scene.points.forEach((each, k) => each.lowest && this.rim(each, k, poses, shapes, lines));
+    this.surfaces.forEach((each) => this.surface(each, poses, shapes, lines));
+    scene.boxes.forEach((corners) => this.box(corners, poses, shapes));
     scene.contacts.forEach((contact, c) => contact.spheres && this.spheres(contact, c, poses, shapes, lines));
     for (const link of scene.links) this.link(link, poses, shapes, lines);
     this.grid(poses, lines, target);
@@ -259,7 +267,7 @@ class Picture {
       if (kind === "segment") return length([a, b, c]) > 0 ? [cylinder(origin, add(origin, turned([a, b, c])), d, colour)] : [];
       if (kind === "mesh") {
         const [p, q, r] = form.scale;
-        return [{ mesh: form.mesh, x: scaled(x, p), y: scaled(y, q), z: scaled(z, r), origin, colour, extent: form.extent }];
+        return [{ mesh: form.mesh, x: scaled(x, p), y: scaled(y, q), z: scaled(z, r), origin, colour, ends: form.ends }];
       }
       return [{ mesh: kind, x: scaled(x, a), y: scaled(y, a), z: scaled(z, b), origin: kind === "cylinder" ? add(origin, z, -b / 2) : origin, colour }];
     });
@@ -323,6 +331,24 @@ class Picture {
     for (const [u, v] of [[spoke, other], [other, spoke]]) {
       shapes.push({ mesh: "box", x: scaled(u, 0.96 * radius), y: scaled(v, 0.02 * radius), z: scaled(n, 1.6 * half), origin, colour: steel });
     }
+  }
+
+  /// A convex body or a torus that touches a plane, and lines on it, which show how it turns.
+  surface({ mesh, point, lines: drawn }, poses, shapes, lines) {
+    const { frame } = this.scene.points[point], rigid = this.scene.frames[frame].body, origin = column(poses.origins, frame);
+    if (this.ofAuthor.has(rigid)) return;
+    const rim = column(poses.rims, point);
+    const [x, y, z] = length(rim) > 0 ? triad(rim) : [0, 1, 2].map((j) => column(poses.rotations, 3 * frame + j));
+    shapes.push({ mesh, x, y, z, origin, colour: colourOf(rigid) });
+    for (const line of drawn) lines.push({ points: line.flatMap((v) => add(add(add(origin, x, v[0]), y, v[1]), z, v[2])), colour: steel });
+  }
+
+  /// A box of which corners touch a plane.
+  box(corners, poses, shapes) {
+    const { frame } = this.scene.points[corners[0]], rigid = this.scene.frames[frame].body;
+    if (this.ofAuthor.has(rigid)) return;
+    const axes = [0, 1, 2].map((j) => column(poses.rotations, 3 * frame + j));
+    shapes.push({ ...boxAround(corners.map((k) => column(poses.points, k)), axes, 0.01 * this.size), colour: colourOf(rigid) });
   }
 
   /// Two spheres that touch, but for what is drawn already; of a hollow one three circles.
@@ -400,7 +426,7 @@ class Picture {
 
 /// Tells the forms of a scene which mesh each is, and returns the corners of the meshes with their normals, by name.
 function readMeshes(scene, { meshes, forms }) {
-  forms.forEach((each, k) => each && Object.assign(scene.forms[k], { mesh: `mesh ${each.mesh}`, scale: each.scale, extent: Math.max(...[...meshes[each.mesh].low, ...meshes[each.mesh].high].map(Math.abs)) }));
+  forms.forEach((each, k) => each && Object.assign(scene.forms[k], { mesh: `mesh ${each.mesh}`, scale: each.scale, ends: [0, 1, 2].map((i) => [meshes[each.mesh].low[i], meshes[each.mesh].high[i]]) }));
   const numbers = (text) => {
     const bytes = Uint8Array.from(atob(text), (letter) => letter.charCodeAt(0));
     return Array.from({ length: bytes.length / 2 }, (_, i) => bytes[2 * i] + 256 * bytes[2 * i + 1]);

@@ -9,6 +9,7 @@
 #include <string>
 
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
 #include "generator/base/base64.hpp"
 #include "generator/base/error.hpp"
@@ -216,6 +217,68 @@ TEST(Report, PlaysBackAMotionWithContacts) {
   EXPECT_FALSE(contains(page, "There is no motion"));
   EXPECT_EQ(report_html(dropped(), options), report_html(dropped(), options));
   EXPECT_FALSE(contains(report_html(pendulum(), {}), "<script id=\"recording\""));
+}
+
+/// A box and a stone on the floor; a page of it moves nothing for long.
+Scene stones() {
+  Scene scene("stones", "");
+  const auto metres = [](const char* number) { return Expression::quantity(number, "m"); };
+  const Expression m = Expression::quantity("2", "kg");
+  const shape::Plane floor{.frame = scene.ground()};
+  const auto loose = [&](const std::string& name) {
+    const auto place = [&](const char* axis) { return scene.coordinate(name + axis, "m"); };
+    const FrameHandle frame = scene.free(name, scene.ground(), {place("_x"), place("_y"), place("_z")}, scene.attitude(name + "_e"));
+    scene.body(name, frame, Inertia::solid_sphere(m, metres("0.1")));
+    return frame;
+  };
+  scene.contact("edges", shape::Box{.frame = loose("box"), .half_edges = {metres("0.3"), metres("0.2"), metres("0.1")}}, floor);
+  scene.contact("pebble", shape::Ellipsoid{.frame = loose("stone"), .semi_axes = {metres("0.3"), metres("0.2"), metres("0.1")}}, floor);
+  scene.contact("tread", shape::Torus{.frame = loose("tyre"), .axis = axis::y, .circle_radius = metres("0.4"), .tube_radius = metres("0.05")}, floor);
+  return scene;
+}
+
+// What touches is drawn as it is: of a box its corners are known, of a convex body points of its surface.
+TEST(Report, DrawsBodiesThatTouchAPlane) {
+  const nlohmann::json data = nlohmann::json::parse(report_data(stones(), 1.0));
+  ASSERT_EQ(data["boxes"], nlohmann::json::parse("[[0,1,2,3,4,5,6,7]]"));
+  ASSERT_EQ(data["surfaces"].size(), 2U);
+  const nlohmann::json& stone = data["surfaces"][0];
+  EXPECT_EQ(stone["point"], 8);
+  const std::vector<double> places = stone["places"];
+  ASSERT_EQ(places.size(), 3 * stone["rows"].get<std::size_t>() * stone["columns"].get<std::size_t>());
+  double top = 0;
+  for (std::size_t k = 0; k < places.size(); k += 3) {
+    const double x = places[k] / 0.3, y = places[k + 1] / 0.2, z = places[k + 2] / 0.1;
+    // Rounded to 1e-5: half of that over the least semi-axis, three times, twice for the squares.
+    EXPECT_NEAR(x * x + y * y + z * z, 1.0, 3e-4);
+    top = std::max(top, places[k + 2]);
+  }
+  EXPECT_EQ(top, 0.1);
+  EXPECT_EQ(data["surfaces"][1], nlohmann::json::parse(R"({"point":9,"tube":0.05})"));
+}
+
+// Statics and forces in joints count no reaction of a contact, and say so where there are contacts.
+TEST(Report, SaysWhatLeavesContactsOut) {
+  ReportOptions options;
+  options.duration = 0.1;
+  const std::string open = "Every contact is taken to be open here: reactions of closed contacts are not counted.";
+  EXPECT_EQ(count(report_html(dropped(), options), open), 2U);
+  EXPECT_EQ(count(report_html(pendulum(), options), open), 0U);
+  const auto theorem = run([] { return dropped(); }, {"theorem", "--bodies", "ball", "--direction", "z"});
+  EXPECT_TRUE(contains(theorem.out, open)) << theorem.out << theorem.err;
+}
+
+// Reasons of kernels that are absent are in the page's language.
+TEST(Report, SaysInFrenchWhyThereIsNoMotion) {
+  Scene scene = pendulum();
+  const FrameHandle bare = scene.revolute("bare", "arm", axis::y, scene.coordinate("phi", "rad"));
+  scene.weld("end", bare, {});
+  scene.keep_massless();
+  ReportOptions options;
+  options.language = NaturalLanguage::named("fr");
+  const std::string page = report_html(scene, options);
+  EXPECT_TRUE(contains(page, "Il n&#39;y a pas de mouvement : la matrice de masse est singulière dans tout état, car le paramètre &#39;phi&#39; ne déplace"))
+      << page.substr(std::min(page.size(), page.find("class=\"note\"")), 300);
 }
 
 // A long motion has fewer samples a second.

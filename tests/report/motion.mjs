@@ -13,7 +13,7 @@ execFileSync(program, ["report", "--output", file]);
 const page = readFileSync(file, "utf8");
 
 const context = vm.createContext({});
-for (const id of ["mechanism", "script-integrator", "script-projection", "script-motion", "script-modes", "script-vectors", "script-shapes"]) {
+for (const id of ["mechanism", "script-integrator", "script-projection", "script-motion", "script-modes", "script-vectors", "script-surfaces", "script-shapes"]) {
   vm.runInContext(new RegExp(`<script id="${id}">\n([^]*?)</script>`).exec(page)[1], context);
 }
 const { torsorMechanism: mechanism, torsorReport } = context;

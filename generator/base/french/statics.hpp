@@ -24,6 +24,8 @@ constexpr Translation french_of_statics[] = {
     {"With {}.", "Avec {}."},
     {"Equations of equilibrium", "Équations d'équilibre"},
     {"constraint", "équation de liaison"},
+    {"Every contact is taken to be open here: reactions of closed contacts are not counted.",
+     "Tous les contacts sont supposés ouverts ici : les réactions des contacts fermés ne sont pas comptées."},
     {"the forces at rest do not derive from U + T0: T depends on time explicitly",
      "les efforts au repos ne dérivent pas de U + T0 : T dépend explicitement du temps"},
     {"the forces at rest do not derive from U + T0: {} act at rest",

@@ -39,15 +39,18 @@ std::vector<int> massless_coordinates(const Equations& equations) {
   return massless;
 }
 
-std::string lack_of_mass(const Equations& equations) {
+std::string lack_of_mass(const Equations& equations, const NaturalLanguage& say) {
   const std::vector<int>& massless = equations.massless();
   if (massless.empty()) return "";
   std::vector<std::string> names;
   for (const int k : massless) names.push_back(equations.model().coordinates()[static_cast<std::size_t>(k)].q->name);
-  return fmt::format("the mass matrix is singular at every state, because {} '{}' {} no mass; give the links mass, or fix "
-                     "the joints: --fix {}, or --fix massless",
-                     names.size() == 1 ? "the coordinate" : "the coordinates", fmt::join(names, "', '"),
-                     names.size() == 1 ? "moves" : "move", fmt::join(names, ","));
+  const std::string quoted = fmt::format("{}", fmt::join(names, "', '")), fixed = fmt::format("{}", fmt::join(names, ","));
+  return names.size() == 1 ? say("the mass matrix is singular at every state, because the coordinate '{}' moves no mass; give the "
+                                 "links mass, or fix the joints: --fix {}, or --fix massless",
+                                 quoted, fixed)
+                           : say("the mass matrix is singular at every state, because the coordinates '{}' move no mass; give the "
+                                 "links mass, or fix the joints: --fix {}, or --fix massless",
+                                 quoted, fixed);
 }
 
 void require_mass(const Equations& equations) {

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "generator/base/natural_language.hpp"
 #include "generator/dynamics/equations/equations.hpp"
 
 namespace torsor {
@@ -15,7 +16,7 @@ std::vector<int> massless_coordinates(const Equations& equations);
 
 /// Why kernels that solve with the mass matrix are absent: names the coordinates that move no mass, and the remedy.
 /// Empty when there is none.
-std::string lack_of_mass(const Equations& equations);
+std::string lack_of_mass(const Equations& equations, const NaturalLanguage& say = {});
 
 /// Throws SceneError with that reason when a coordinate moves no mass.
 void require_mass(const Equations& equations);
