@@ -5,13 +5,6 @@
 namespace torsor::python {
 namespace {
 
-using E = const Expression&;
-using T = const Triple&;
-using F = const FrameArgument&;
-using P = const PointArgument&;
-using S = BoundScene&;
-using Name = const std::string&;
-
 void bind_springs(SceneClass& scene) {
   scene.def("spring", [](S s, Name n, E elongation, E stiffness, E rest) { s.scene.spring(n, elongation, stiffness, rest); },
             "name"_a, "elongation"_a, "stiffness"_a, "rest"_a = 0, comment_of("spring"));

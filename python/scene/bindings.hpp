@@ -97,6 +97,15 @@ class BoundScene {
 
 using SceneClass = py::class_<BoundScene>;
 
+// What an operation of a scene is bound with, each on a line of its own: the scene, a name, and its arguments.
+using S = BoundScene&;
+using Name = const std::string&;
+using E = const Expression&;
+using T = const Triple&;
+using R = const Rotation&;
+using F = const FrameArgument&;
+using P = const PointArgument&;
+
 /// The exact value of a number of Python, nothing for any other object. Throws Error for text that is no number, and for
 /// a float that nobody wrote as a decimal.
 std::optional<Number> exact_number(py::handle object);

@@ -8,13 +8,6 @@
 namespace torsor::python {
 namespace {
 
-using E = const Expression&;
-using T = const Triple&;
-using F = const FrameArgument&;
-using P = const PointArgument&;
-using S = BoundScene&;
-using Name = const std::string&;
-
 JointType joint_type(Name name) {
   std::string known;
   for (int i = 0; i <= static_cast<int>(JointType::free); ++i) {

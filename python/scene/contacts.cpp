@@ -5,13 +5,7 @@
 namespace torsor::python {
 namespace {
 
-using E = const Expression&;
-using T = const Triple&;
-using F = const FrameArgument&;
-using P = const PointArgument&;
-using S = BoundScene&;
 using N = const Constraint&;
-using Name = const std::string&;
 using Maybe = const std::optional<Expression>&;
 
 void bind_assumed(SceneClass& scene) {

@@ -5,8 +5,6 @@
 namespace torsor::python {
 namespace {
 
-using E = const Expression&;
-
 void bind_rotations(py::module_& module) {
   py::class_<Rotation>(module, "Rotation", "A constant rotation with exact entries: v_outer = R v_inner.")
       .def(py::init<>())

@@ -5,13 +5,6 @@
 namespace torsor::python {
 namespace {
 
-using E = const Expression&;
-using T = const Triple&;
-using F = const FrameArgument&;
-using R = const Rotation&;
-using S = BoundScene&;
-using Name = const std::string&;
-
 py::arg_v origin_keyword() { return "origin"_a = Triple{}; }
 py::arg_v rotation_keyword() { return py::arg_v("rotation", Rotation(), "Rotation()"); }
 
@@ -27,52 +20,52 @@ void joint(SceneClass& scene, const char* name, Make make, const Keywords&... ke
 }
 
 using Parent = const FrameReference&;
-using P = const Placement&;
+using At = const Placement&;
 
 void bind_of_one_freedom(SceneClass& scene) {
-  joint<>(scene, "weld", [](S s, Name n, Parent f, P p) { return s.scene.weld(n, f, p); });
-  joint<T, E>(scene, "revolute", [](S s, Name n, Parent f, P p, T axis, E q) { return s.scene.revolute(n, f, axis, q, p); },
+  joint<>(scene, "weld", [](S s, Name n, Parent f, At p) { return s.scene.weld(n, f, p); });
+  joint<T, E>(scene, "revolute", [](S s, Name n, Parent f, At p, T axis, E q) { return s.scene.revolute(n, f, axis, q, p); },
               "axis"_a, "angle"_a);
-  joint<T, E>(scene, "prismatic", [](S s, Name n, Parent f, P p, T axis, E q) { return s.scene.prismatic(n, f, axis, q, p); },
+  joint<T, E>(scene, "prismatic", [](S s, Name n, Parent f, At p, T axis, E q) { return s.scene.prismatic(n, f, axis, q, p); },
               "axis"_a, "displacement"_a);
   joint<T, E, E>(
       scene, "helical",
-      [](S s, Name n, Parent f, P p, T axis, E angle, E pitch) { return s.scene.helical(n, f, {axis, angle, pitch}, p); },
+      [](S s, Name n, Parent f, At p, T axis, E angle, E pitch) { return s.scene.helical(n, f, {axis, angle, pitch}, p); },
       "axis"_a, "angle"_a, "pitch"_a);
 }
 
 void bind_of_more_freedoms(SceneClass& scene) {
   joint<T, E, E>(
       scene, "cylindrical",
-      [](S s, Name n, Parent f, P p, T axis, E x, E angle) { return s.scene.cylindrical(n, f, {axis, x, angle}, p); },
+      [](S s, Name n, Parent f, At p, T axis, E x, E angle) { return s.scene.cylindrical(n, f, {axis, x, angle}, p); },
       "axis"_a, "displacement"_a, "angle"_a);
   joint<T, E, T, E>(
       scene, "universal",
-      [](S s, Name n, Parent f, P p, T a, E alpha, T b, E beta) { return s.scene.universal(n, f, {a, alpha, b, beta}, p); },
+      [](S s, Name n, Parent f, At p, T a, E alpha, T b, E beta) { return s.scene.universal(n, f, {a, alpha, b, beta}, p); },
       "first"_a, "first_angle"_a, "second"_a, "second_angle"_a);
   joint<const AngleSequence&, T>(
       scene, "spherical",
-      [](S s, Name n, Parent f, P p, const AngleSequence& by, T angles) { return s.scene.spherical(n, f, by, angles, p); },
+      [](S s, Name n, Parent f, At p, const AngleSequence& by, T angles) { return s.scene.spherical(n, f, by, angles, p); },
       "sequence"_a, "angles"_a);
   joint<const Attitude&>(
-      scene, "spherical", [](S s, Name n, Parent f, P p, const Attitude& a) { return s.scene.spherical(n, f, s.of(a), p); },
+      scene, "spherical", [](S s, Name n, Parent f, At p, const Attitude& a) { return s.scene.spherical(n, f, s.of(a), p); },
       "attitude"_a);
   joint<E, E, E>(
-      scene, "planar", [](S s, Name n, Parent f, P p, E x, E y, E angle) { return s.scene.planar(n, f, {x, y, angle}, p); },
+      scene, "planar", [](S s, Name n, Parent f, At p, E x, E y, E angle) { return s.scene.planar(n, f, {x, y, angle}, p); },
       "x"_a, "y"_a, "angle"_a);
   joint<E, E, E, E>(
       scene, "line_contact",
-      [](S s, Name n, Parent f, P p, E x, E y, E yaw, E roll) { return s.scene.line_contact(n, f, {x, y, yaw, roll}, p); },
+      [](S s, Name n, Parent f, At p, E x, E y, E yaw, E roll) { return s.scene.line_contact(n, f, {x, y, yaw, roll}, p); },
       "x"_a, "y"_a, "yaw"_a, "roll"_a);
   joint<T, E, const Turn&>(
       scene, "sphere_in_cylinder",
-      [](S s, Name n, Parent f, P p, T axis, E x, const Turn& turn) {
+      [](S s, Name n, Parent f, At p, T axis, E x, const Turn& turn) {
         return s.scene.sphere_in_cylinder(n, f, {axis, x, s.of(turn)}, p);
       },
       "axis"_a, "displacement"_a, "turn"_a);
   joint<E, E, const Turn&>(
       scene, "point_contact",
-      [](S s, Name n, Parent f, P p, E x, E y, const Turn& turn) { return s.scene.point_contact(n, f, {x, y, s.of(turn)}, p); },
+      [](S s, Name n, Parent f, At p, E x, E y, const Turn& turn) { return s.scene.point_contact(n, f, {x, y, s.of(turn)}, p); },
       "x"_a, "y"_a, "turn"_a);
 }
 

@@ -5,13 +5,6 @@
 namespace torsor::python {
 namespace {
 
-using E = const Expression&;
-using T = const Triple&;
-using F = const FrameArgument&;
-using P = const PointArgument&;
-using S = BoundScene&;
-using Name = const std::string&;
-
 void bind_contact_points(SceneClass& scene) {
   scene.def(
       "disc_contact",

@@ -4,9 +4,6 @@
 
 namespace torsor::python {
 
-using E = const Expression&;
-using S = BoundScene&;
-using Name = const std::string&;
 
 void bind_quantities(SceneClass& scene) {
   scene.def_property_readonly("name", [](S s) { return s.scene.name(); });

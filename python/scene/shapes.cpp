@@ -14,9 +14,6 @@ Shape shape_of(const Argument<Reference>& at, Further&&... further) {
 void bind_contact_shapes(py::module_& parent) {
   py::class_<Shape>(parent, "Shape", "What a body touches others with.");
   py::module_ module = parent.def_submodule("shape", "What a body touches others with: torsor::shape of C++.");
-  using F = const FrameArgument&;
-  using E = const Expression&;
-  using T = const Triple&;
   module.def("Point", [](const PointArgument& point) { return shape_of<shape::Point>(point); }, "point"_a,
              "A point of a body, or a point of contact that was declared for the same plane.");
   module.def("Sphere", [](F frame, E radius) { return shape_of<shape::Sphere>(frame, radius); }, "frame"_a, "radius"_a,
@@ -43,8 +40,6 @@ void bind_contact_shapes(py::module_& parent) {
 void bind_forms(py::module_& parent) {
   py::class_<BoundForm>(parent, "Form", "What a picture shows.");
   py::module_ module = parent.def_submodule("form", "What a picture shows, in m along the axes of a frame.");
-  using E = const Expression&;
-  using T = const Triple&;
   module.def("Box", [](T edges) { return BoundForm{form::Box{edges}}; }, "edges"_a, "Centred.");
   module.def("Cylinder", [](E radius, E length) { return BoundForm{form::Cylinder{radius, length}}; }, "radius"_a, "length"_a,
              "Centred, about z.");
