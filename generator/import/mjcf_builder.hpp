@@ -74,7 +74,15 @@ class MjcfBuilder {
   void choose_followers();
   void add_equalities();
   void add_points_together(const MjcfEquality& equality, const std::string& name);
-  std::string frame_at(int body, const std::string& name, const std::array<double, 3>& point, const Rotation& turned);
+  /// A place in a body, exactly.
+  struct ExactPlace {
+    std::array<Number, 3> point;
+    Rotation turned;
+  };
+  ExactPlace in_parent(int body, const ExactPlace& place) const;
+  std::optional<ExactPlace> in_second_body(const MjcfEquality& equality, const ExactPlace& in_first) const;
+  ExactPlace closing_place(const MjcfEquality& equality, const ExactPlace& in_first) const;
+  std::string frame_at(int body, const std::string& name, const ExactPlace& place);
 
   const MjcfModel& model_;
   const MjcfOptions& options_;
