@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <map>
+#include <sstream>
 #include <vector>
 
 #include <fmt/format.h>
@@ -63,6 +64,19 @@ bool contains(const Words& words, const std::string& word) {
   return std::find(words.begin(), words.end(), word) != words.end();
 }
 
+/// Decimals of value zero, one or more: of zeros, signs, points and spaces, with exponents.
+bool all_zero(const std::string& text) {
+  std::istringstream words(text);
+  std::string word;
+  bool any = false;
+  while (words >> word) {
+    const std::string digits = word.substr(0, word.find_first_of("eE"));
+    if (digits.find('0') == std::string::npos || digits.find_first_not_of("+-.0") != std::string::npos) return false;
+    any = true;
+  }
+  return any;
+}
+
 class Check {
  public:
   Check(const XmlElement& element, const std::string& part, ReadingNotes& notes)
@@ -90,7 +104,9 @@ class Check {
                                 attribute, place->second));
     }
     const auto elsewhere = places_of_attributes().find(attribute);
-    if (elsewhere != places_of_attributes().end()) {
+    // Exporters write <axis rpy="0 0 0">, which says nothing wherever it stands; a multiplier of zero would say much.
+    const bool nothing = attribute != "multiplier" && all_zero(element_.value(attribute.c_str()));
+    if (elsewhere != places_of_attributes().end() && !nothing) {
       element_.fail(fmt::format("has an attribute {}, which belongs to <{}> and would be ignored here; move it there",
                                 attribute, elsewhere->second));
     }

@@ -71,6 +71,25 @@ TEST(UrdfReading, NotesWhatCannotActOneLineForEachKind) {
   for (std::size_t i = 0; i < expected.size(); ++i) EXPECT_EQ(head[i + 1], "  " + expected[i]);
 }
 
+// <axis rpy="0 0 0"> of exporters: wherever it belongs, a zero moves nothing. Another number would.
+TEST(UrdfReading, NotesZerosThatStandInAnotherPlace) {
+  const std::string links = base + link("arm");
+  const auto with = [&](const std::string& rpy) {
+    return links + joint("hinge", "revolute", "base", "arm", "<axis rpy=\"" + rpy + "\" xyz=\"0 1 0\"/>");
+  };
+  for (const std::string zeros : {"0 0 0", "0.0 -0 0e3", " 0\t+.0 0. "}) {
+    const ImportedRobot robot = imported(with(zeros));
+    EXPECT_EQ(robot.notes, Lines{"attribute rpy of <axis> is not read: joint hinge"}) << zeros;
+    expect_same(accelerations(robot.scene, at, moving), accelerations(read(arm), at, moving), fifty_digits);
+  }
+  for (const std::string other : {"0 0 1", "1e-9 0 0", "", "0 x 0"}) {
+    EXPECT_NE(refusal(with(other), {}).find("has an attribute rpy, which belongs to <origin>"), std::string::npos) << other;
+  }
+  const std::string multiplier = "<axis multiplier=\"0\" xyz=\"0 1 0\"/>";
+  EXPECT_NE(refusal(links + joint("hinge", "revolute", "base", "arm", multiplier), {}).find("belongs to <mimic>"),
+            std::string::npos);
+}
+
 TEST(UrdfReading, PassesOverPicturesShapesAndMaterials) {
   const ImportedRobot robot =
       imported(base + "<material name=\"red\"><color rgba=\"1 0 0 1\"/></material><link name=\"arm\">" + inertial +
