@@ -18,13 +18,20 @@ EvaluatedContacts::EvaluatedContacts(const Scene& scene, const ModelOptions& opt
       row.drift = program.bind(row.drift);
     }
   }
+  std::vector<int> components;
+  for (std::vector<BearingReaction>& of_contact : bearing_reactions(motion_.equations())) {
+    components.push_back(static_cast<int>(of_contact.size()));
+    for (BearingReaction& component : of_contact) bearings_.push_back(std::move(component));
+  }
   if (!motion_.equations().constraints().empty()) kept_ = motion_.equations().redundancy().kept;
   motion_.move_to(0.0, {});
   for (const ContactCoefficients& of : contact_coefficients(motion_.equations().model())) {
-    const ContactRows& rows = rows_[rules_.size()];
+    const std::size_t contact = rules_.size();
+    const ContactRows& rows = rows_[contact];
     rules_.push_back({.tangents = static_cast<int>(rows.tangents()),
                       .normal = rows.normal,
                       .pressed_by = rows.pressed_by ? static_cast<int>(*rows.pressed_by) : -1,
+                      .bearing = components[contact],
                       .friction = motion_.value(of.friction),
                       .static_friction = motion_.value(of.static_friction),
                       .bound = motion_.value(of.bound),
@@ -82,6 +89,19 @@ runtime::Evaluation EvaluatedMechanism::read(double t, std::span<const double> y
       for (std::size_t j = 0; j < n; ++j) reading.J(next, at(j)) = motion.value(row.jacobian[j]);
       reading.w(next) = motion.value(row.rate);
       reading.drift(next++) = motion.value(row.drift);
+    }
+  }
+  for (std::size_t k = 0; k < contacts_.bearings().size(); ++k) {
+    const BearingReaction& bearing = contacts_.bearings()[k];
+    reading.R0(at(k)) = motion.value(bearing.rest);
+    for (std::size_t j = 0; j < n; ++j) reading.B(at(k), at(j)) = motion.value(bearing.by_accelerations[j]);
+    for (std::size_t j = 0; j < bearing.by_reactions.size(); ++j) {
+      reading.C(at(k), at(j)) = motion.value(bearing.by_reactions[j]);
+    }
+    for (std::size_t j = 0; j < static_cast<std::size_t>(contacts_.constraint_count()); ++j) {
+      reading.D(at(k), at(j)) = motion.value(bearing.by_multipliers[contacts_.kept(j)]);
+      // F has the multipliers of these accelerations in it.
+      reading.R0(at(k)) += reading.D(at(k), at(j)) * contacts_.multiplier(j);
     }
   }
   return runtime::Evaluation::ok;

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "generator/dynamics/forces/contacts.hpp"
+#include "generator/dynamics/theorems/bearing_reactions.hpp"
 #include "generator/verification/evaluated_motion.hpp"
 #include "runtime/contacts/contact_system.hpp"
 
@@ -33,6 +34,10 @@ class EvaluatedContacts {
   bool read(double t, const std::vector<double>& y, std::vector<double>& rates) { return motion_.slope(t, y, rates); }
   double mass(std::size_t i, std::size_t j) { return motion_.mass(i, j); }
   const std::vector<ContactRows>& rows() const { return rows_; }
+  const std::vector<BearingReaction>& bearings() const { return bearings_; }
+  /// λ of a constraint in the accelerations without contacts.
+  double multiplier(std::size_t k) { return motion_.value(motion_.equations().forward().multipliers[kept_[k]]); }
+  std::size_t kept(std::size_t k) const { return kept_[k]; }
   const ConstraintRow& constraint(std::size_t k) const { return motion_.constraint(kept_[k]); }
 
  private:
@@ -40,6 +45,7 @@ class EvaluatedContacts {
 
   EvaluatedMotion motion_;
   std::vector<ContactRows> rows_;
+  std::vector<BearingReaction> bearings_;
   std::vector<runtime::ContactRule> rules_;
   std::vector<std::size_t> kept_;  ///< constraints that repeat no other
 };

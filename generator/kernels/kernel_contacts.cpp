@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "generator/dynamics/forces/contacts.hpp"
+#include "generator/dynamics/theorems/bearing_reactions.hpp"
 #include "generator/kernels/kernel_parts.hpp"
 
 namespace torsor {
@@ -17,6 +18,37 @@ std::string names_of(const Equations& equations) {
   std::vector<std::string> names;
   for (const ContactContent& contact : equations.scene().content().contacts) names.push_back(contact.name);
   return fmt::format("{}", fmt::join(names, ", "));
+}
+
+/// R = B a + C r + D λ + R0 of joints whose friction is in proportion to it.
+void add_bearings(const Equations& equations, std::size_t rows, Kernel& kernel) {
+  const std::size_t n = unknowns(equations), m = equations.constraints().size();
+  std::vector<std::size_t> counts;
+  std::vector<BearingReaction> all;
+  for (std::vector<BearingReaction>& components : bearing_reactions(equations)) {
+    counts.push_back(components.size());
+    for (BearingReaction& component : components) all.push_back(std::move(component));
+  }
+  if (all.empty()) return;
+  Structure& structure = kernel.structures[0];
+  structure.members.push_back(matrix_member("bearing", all.size(), 1, "R0 [N]"));
+  structure.members.push_back(matrix_member("bearing_by_accelerations", all.size(), n, "B, stored column by column"));
+  structure.members.push_back(matrix_member("bearing_by_reactions", all.size(), rows, "C, stored column by column"));
+  if (m > 0) structure.members.push_back(matrix_member("bearing_by_multipliers", all.size(), m, "D, stored column by column"));
+  structure.tables.push_back({"contact_bearings", counts,
+                              "How many components of a joint's reaction each contact has, by which its friction is bounded."});
+  ValueMatrix by_accelerations, by_reactions, by_multipliers;
+  for (std::size_t k = 0; k < all.size(); ++k) {
+    kernel.assignments.push_back({{"result", "bearing", k}, all[k].rest});
+    by_accelerations.push_back(std::move(all[k].by_accelerations));
+    by_reactions.push_back(std::move(all[k].by_reactions));
+    by_multipliers.push_back(std::move(all[k].by_multipliers));
+  }
+  assign_matrix(kernel, {"result", "bearing_by_accelerations"}, by_accelerations, n);
+  assign_matrix(kernel, {"result", "bearing_by_reactions"}, by_reactions, rows);
+  if (m > 0) assign_matrix(kernel, {"result", "bearing_by_multipliers"}, by_multipliers, m);
+  kernel.documentation +=
+      "\nWhat joints with friction in proportion to it transmit across their axes: R = B a + C r + D lambda + R0.";
 }
 
 }  // namespace
@@ -67,6 +99,7 @@ Kernel make_contacts(const Equations& equations) {
         {"contact_pressed_by", pressed_by, "Of a turn that is resisted the contact whose N bounds the moment, from 1; else 0."});
   }
   assign_matrix(kernel, {"result", "jacobian"}, jacobian, n);
+  add_bearings(equations, rows, kernel);
   return kernel;
 }
 
@@ -75,7 +108,8 @@ Kernel make_contact_coefficients(const Equations& equations) {
   const std::size_t count = contacts.size();
   const auto& geometries = equations.scene().content().contacts;
   const bool turns = std::any_of(geometries.begin(), geometries.end(), [](const ContactContent& contact) {
-    return std::holds_alternative<TurnOnContact>(contact.geometry);
+    const auto* joint = std::get_if<FrictionInJoint>(&contact.geometry);
+    return std::holds_alternative<TurnOnContact>(contact.geometry) || (joint != nullptr && !joint->radius.is_zero());
   });
   Kernel kernel;
   kernel.documentation = "What the surfaces of each contact are made of, in the order " + names_of(equations) +

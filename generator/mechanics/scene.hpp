@@ -249,6 +249,10 @@ class Scene {
   /// Dry friction in a joint: a force or torque of at most `bound` that works with the displacement, opposes its rate
   /// while that is not zero, and holds it at rest where it can.
   void dry_friction(const std::string& name, const Expression& displacement, const DryFriction& friction);
+  /// Dry friction of the prismatic or revolute joint that carries `frame`, in proportion to the resultant R that the joint
+  /// transmits across its axis: a force of at most f |R|, or of a journal with the given radius r a torque of at most
+  /// f r |R|. Moments that the joint transmits and a thrust along a revolute joint's axis add nothing.
+  void joint_friction(const std::string& name, const FrameReference& frame, const JointFriction& friction);
 
   // --- constraints --------------------------------------------------------------------------------------------------
   /// A holonomic constraint f(q, t) = 0. Its multiplier λ gives Q_i = λ ∂f/∂q_i.

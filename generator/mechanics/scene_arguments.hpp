@@ -118,6 +118,13 @@ struct DryFriction {
   Expression bound;
   std::optional<Expression> static_bound = std::nullopt;
 };
+/// Coulomb's friction of a joint in proportion to what it transmits. Of a revolute joint a `radius` [m] must be given, that of
+/// its journal; a prismatic joint has none. Without a `static_friction` it is `friction`.
+struct JointFriction {
+  Expression friction;
+  std::optional<Expression> static_friction = std::nullopt;
+  Expression radius = 0;
+};
 
 // --- pictures -------------------------------------------------------------------------------------------------------
 /// What a picture shows: lengths [m] along the axes of a placed frame.

@@ -173,4 +173,30 @@ void Scene::dry_friction(const std::string& name, const Expression& displacement
   add_contact({name, FrictionAlong{displacement, friction.bound, static_bound}});
 }
 
+void Scene::joint_friction(const std::string& name, const FrameReference& frame, const JointFriction& friction) {
+  const std::string user = fmt::format("the friction '{}'", name);
+  const FrameContent& carried = content_.frames[static_cast<std::size_t>(content_.frame_index(frame, user))];
+  const bool turns = carried.joint == JointKind::revolute;
+  if (!turns && carried.joint != JointKind::prismatic) {
+    throw SceneError(fmt::format("{} acts in the joint that carries '{}', which is neither prismatic nor revolute: name a "
+                                 "frame that such a joint carries",
+                                 user, carried.name));
+  }
+  const Expression static_friction = friction.static_friction.value_or(friction.friction);
+  for (const auto& [coefficient, what] : {std::pair(&friction.friction, "coefficient"), std::pair(&static_friction, "static coefficient")}) {
+    require_unit(*coefficient, Unit(), fmt::format("the {} of {}", what, user));
+    refuse_measured(*coefficient, fmt::format("the {} of {}", what, user));
+  }
+  if (turns == friction.radius.is_zero()) {
+    throw SceneError(turns ? fmt::format("{} acts in the revolute joint of '{}': give the radius of its journal", user, carried.name)
+                           : fmt::format("{} acts in the prismatic joint of '{}', which has no journal: leave the radius out",
+                                         user, carried.name));
+  }
+  if (turns) {
+    require_unit(friction.radius, units::metre, fmt::format("the radius of {}", user));
+    refuse_measured(friction.radius, fmt::format("the radius of {}", user));
+  }
+  add_contact({name, FrictionInJoint{frame, friction.radius}, friction.friction, static_friction});
+}
+
 }  // namespace torsor

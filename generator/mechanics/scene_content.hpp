@@ -175,10 +175,13 @@ struct SphereOnSphere { FrameReference a, b; Expression radius_a, radius_b; bool
 struct Stop { Expression displacement, at; int sign = 1; };
 /// Dry friction that works with a displacement and is always there.
 struct FrictionAlong { Expression displacement, bound, static_bound; };
+/// Dry friction in the joint that carries a frame, of the coefficients times its reaction across the axis; times the radius
+/// too where the joint turns.
+struct FrictionInJoint { FrameReference frame; Expression radius; };
 /// What resists a turn of the bodies of a contact, in proportion to its normal force: to rolling about its tangents, or
 /// to spinning about its normal. `contact` is its place among the scene's.
 struct TurnOnContact { std::size_t contact = 0; bool spinning = false; };
-using ContactGeometry = std::variant<PointOnPlane, SphereOnSphere, Stop, FrictionAlong, TurnOnContact>;
+using ContactGeometry = std::variant<PointOnPlane, SphereOnSphere, Stop, FrictionAlong, FrictionInJoint, TurnOnContact>;
 struct ContactContent {
   std::string name;
   ContactGeometry geometry;

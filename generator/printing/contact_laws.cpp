@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "generator/dynamics/forces/contacts.hpp"
+#include "generator/dynamics/theorems/bearing_reactions.hpp"
 #include "generator/printing/notation.hpp"
 
 namespace torsor::printing {
@@ -17,13 +18,15 @@ class ContactPage {
       : equations_(equations),
         contacts_(contact_rows(equations.model())),
         coefficients_(contact_coefficients(equations.model())),
+        bearings_(bearing_reactions(equations)),
         view_(equations.program(), limits, positive_parameters(equations.scene().content())),
         page_(page),
         say(page.say) {
     for (const ContactRows& contact : contacts_) {
       normals_ = normals_ || contact.normal;
       turns_ = turns_ || contact.pressed_by;
-      tangents_ = tangents_ || (contact.tangents() > 0 && !contact.pressed_by);
+      joints_ = joints_ || contact.joint;
+      tangents_ = tangents_ || (contact.tangents() > 0 && !contact.pressed_by && !contact.joint);
     }
   }
 
@@ -62,6 +65,7 @@ class ContactPage {
     };
     const bool turn = contact.pressed_by.has_value();
     page_.note(contact.normal ? say("{}:", contact.name)
+               : contact.joint ? say("{}, friction of a joint, pressed by what it transmits across its axis:", contact.name)
                : turn ? say("{}, w an angular velocity, pressed by {}:", contact.name, contacts_[*contact.pressed_by].name)
                       : say("{}, dry friction alone:", contact.name));
     if (contact.normal) stated(spelled("g", "g"), contact.gap);
@@ -70,6 +74,7 @@ class ContactPage {
       stated(spelled(("w_" + which).c_str(), ("w_{" + which + "}").c_str()), contact.rows[row].rate);
     }
     const ContactCoefficients& of = coefficients_[k];
+    if (contact.joint) return bearing(k, spelled);
     if (turn) return stated(spelled("h", "h"), of.friction, say("a length"));
     if (!contact.normal) {
       stated(spelled("b", "b"), of.bound, say("while it slides"));
@@ -81,6 +86,34 @@ class ContactPage {
       stated(spelled("f_s", "f_s"), of.static_friction, say("while it sticks"));
     }
     stated(spelled("e", "e"), of.restitution, say("restitution"));
+  }
+
+  /// R of a joint in its components, and the coefficients: lengths where it turns.
+  template <class Spelled>
+  void bearing(std::size_t k, const Spelled& spelled) {
+    for (std::size_t c = 0; c < bearings_[k].size(); ++c) {
+      const std::string which = bearings_[k].size() == 1 ? "R" : fmt::format("R{}", c + 1);
+      const BearingReaction& component = bearings_[k][c];
+      const Spelling name = spelled(which.c_str(), bearings_[k].size() == 1 ? "R" : fmt::format("R_{}", c + 1).c_str());
+      std::optional<Sum> sum = component.without_contacts.is_zero() ? Sum() : view_.sum(component.without_contacts);
+      std::size_t row = 0;
+      for (const ContactRows& contact : contacts_) {
+        for (std::size_t own = 0; own < contact.rows.size(); ++own, ++row) {
+          if (component.by_reactions[row].is_zero() || !sum) continue;
+          const std::optional<Sum> factor = view_.sum(component.by_reactions[row]);
+          if (factor) *sum += *factor * Sum::symbol(reaction(contact, own));
+          if (!factor) sum.reset();
+        }
+      }
+      if (sum) {
+        page_.stated(name, collected(*sum), "");
+      } else {
+        page_.note(say("{} is too long to be written out; the kernel contacts computes it.", name.plain));
+      }
+    }
+    const bool turns = !coefficients_[k].friction.unit().is_dimensionless();
+    stated(turns ? spelled("h", "h") : spelled("f", "f"), coefficients_[k].friction, say("while it slides"));
+    stated(turns ? spelled("h_s", "h_s") : spelled("f_s", "f_s"), coefficients_[k].static_friction, say("while it sticks"));
   }
 
   /// Q_i = Σ_k J_ki r_k, of all contacts together.
@@ -134,9 +167,16 @@ class ContactPage {
                     say("Resistance to rolling and spinning: $|T| \\le h N$ while $w_T = 0$, $T = -h N \\frac{w_T}{|w_T|}$ while "
                         "it turns, $T$ a moment, $N$ that of the contact that presses."));
     }
+    if (joints_) {
+      page_.formula(say("Friction of joints: |T| <= f_s |R| while w_T = 0, T = -f |R| w_T/|w_T| while they slide, h_s and h in "
+                        "the place of f_s and f where they turn, R what the joint transmits across its axis."),
+                    say("Friction of joints: $|T| \\le f_s |R|$ while $w_T = 0$, $T = -f |R| \\frac{w_T}{|w_T|}$ while they "
+                        "slide, $h_s$ and $h$ in the place of $f_s$ and $f$ where they turn, $R$ what the joint transmits across "
+                        "its axis."));
+    }
     if (!tangents_) return;
     const bool bounds = std::any_of(contacts_.begin(), contacts_.end(),
-                                    [](const ContactRows& c) { return !c.normal && !c.pressed_by; });
+                                    [](const ContactRows& c) { return !c.normal && !c.pressed_by && !c.joint; });
     const std::string and_bound = bounds ? say(" (b_s of dry friction alone)") : "";
     const std::string and_bound_latex = bounds ? say(" ($b_s$ of dry friction alone)") : "";
     page_.formula(say("Sticks: w_T = 0, |T| <= f_s N{}.", and_bound),
@@ -161,6 +201,7 @@ class ContactPage {
     page_.note(say("Impulses stand where reactions stand above; bounded forces have none."));
     page_.formula(say("Newton-Moreau: 0 <= w_N+ + e w_N-, 0 <= P_N, P_N (w_N+ + e w_N-) = 0."),
                   say("Newton-Moreau: $0 \\le w_N^+ + e\\, w_N^-$, $0 \\le P_N$, $P_N (w_N^+ + e\\, w_N^-) = 0$."));
+    if (joints_) page_.note(say("Joints rub by |P_T| <= f |P_R|, P_R the impulse that they transmit."));
     if (tangents_) {
       page_.formula(say("Friction: |P_T| <= f P_N where w_T+ = 0, P_T = -f P_N w_T+/|w_T+| elsewhere."),
                     say("Friction: $|P_T| \\le f P_N$ where $w_T^+ = 0$, $P_T = -f P_N \\frac{w_T^+}{|w_T^+|}$ elsewhere."));
@@ -173,11 +214,12 @@ class ContactPage {
   const Equations& equations_;
   const std::vector<ContactRows> contacts_;
   const std::vector<ContactCoefficients> coefficients_;
+  const std::vector<std::vector<BearingReaction>> bearings_;
   InlineView view_;
   Page& page_;
   const NaturalLanguage& say;
   std::vector<SymbolPointer> reactions_;
-  bool normals_ = false, tangents_ = false, turns_ = false;
+  bool normals_ = false, tangents_ = false, turns_ = false, joints_ = false;
 };
 
 }  // namespace

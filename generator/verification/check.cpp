@@ -10,6 +10,7 @@
 #include "generator/base/linear_algebra/symmetric_pivots.hpp"
 #include "generator/dynamics/theorems/painleve.hpp"
 #include "generator/program/derivative.hpp"
+#include "generator/verification/check_bearings.hpp"
 #include "generator/verification/check_constraints.hpp"
 #include "generator/verification/check_contacts.hpp"
 #include "generator/verification/check_jets.hpp"
@@ -315,6 +316,7 @@ std::vector<CheckResult> check_derivations(const Scene& scene, const CheckOption
   std::vector<CheckResult> results = SceneCheck(scene, options).run();
   for (CheckResult& result : check_constraints(scene, options)) results.push_back(std::move(result));
   for (CheckResult& result : check_contacts(scene, options)) results.push_back(std::move(result));
+  for (CheckResult& result : check_bearings(scene, options)) results.push_back(std::move(result));
   for (CheckResult& result : check_percussions(scene, options)) results.push_back(std::move(result));
   return results;
 }

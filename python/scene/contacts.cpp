@@ -58,6 +58,13 @@ void bind_contacts(SceneClass& scene) {
       "dry_friction",
       [](S s, Name n, E displacement, E bound, Maybe static_bound) { s.scene.dry_friction(n, displacement, {bound, static_bound}); },
       "name"_a, "displacement"_a, py::kw_only(), "bound"_a, "static_bound"_a = py::none(), comment_of("dry_friction"));
+  scene.def(
+      "joint_friction",
+      [](S s, Name n, F frame, E friction, Maybe static_friction, E radius) {
+        s.scene.joint_friction(n, s.of(frame), {friction, static_friction, radius});
+      },
+      "name"_a, "frame"_a, py::kw_only(), "friction"_a, "static_friction"_a = py::none(), "radius"_a = 0,
+      comment_of("joint_friction"));
 }
 
 }  // namespace torsor::python

@@ -198,14 +198,15 @@ bool ContactAutomaton::decide(int forced, Cause cause) {
   ContactSelection chosen;
   for (int i = 0; i < count(); ++i) {
     if (!motion_.states[as(i)].touches || (cause == Cause::opens && motion_.carrier(i) == forced)) continue;
-    chosen.add(i, law_after(i, forced, cause), motion_.first_row(i));
+    chosen.add(i, law_after(i, forced, cause), motion_.first_row(i), motion_.first_bearing(i));
   }
   ContactVector free = motion_.reading().drift;
   free.noalias() += motion_.reading().J * motion_.dynamics().a0;
-  chosen.fill(motion_.W(), free);
+  chosen.fill(motion_.W(), free, motion_.dynamics().S, motion_.dynamics().R_free);
   const ContactAnswer answer = solve_contacts(chosen.problem);
   result_.verdict = verdict_ = answer.verdict;
-  if (!answer && options_.impact_without_collision && chosen.problem.count == 1 && chosen.problem.law(0).slips) {
+  if (!answer && options_.impact_without_collision && chosen.problem.count == 1 && chosen.problem.law(0).normal &&
+      chosen.problem.law(0).slips) {
     return jam(chosen);
   }
   if (!answer) return end(ContactStatus::no_solution, forced >= 0 ? forced : chosen.who[0]);
@@ -235,6 +236,7 @@ void ContactAutomaton::take_regime(const ContactSelection& chosen, int k, const 
     state = {};
     return;
   }
+  if (law.bearing > 0) motion_.press_along(i, problem.bearing(k, s.r));
   state.idle = law.normal && s.r(n) * problem.W(n, n) <= none;
   const bool slid = law.slips && state.regime == ContactRegime::slides && !state.begins;
   if (!slid) {
@@ -309,12 +311,12 @@ bool ContactAutomaton::collide(int cause, bool rests, ImpactLaw impact_law) {
   ContactSelection chosen;
   PerContact<double> restitution{};
   for (int i = 0; i < count(); ++i) {
-    if (!touching_[as(i)] || motion_.carrier(i) < 0) continue;
+    if (!touching_[as(i)] || (motion_.carrier(i) < 0 && motion_.rule(i).bearing == 0)) continue;
     ContactLaw law = motion_.rule(i).law();
     law.static_friction = law.friction;
     law.bound = law.static_bound = 0;  // bounded forces give no impulse
     restitution[as(chosen.problem.count)] = rests && accumulating(i) ? 0 : motion_.rule(i).restitution;
-    chosen.add(i, law, motion_.first_row(i));
+    chosen.add(i, law, motion_.first_row(i), motion_.first_bearing(i));
   }
   ContactVector before = motion_.reading().w;
   for (int k = 0; k < chosen.problem.count; ++k) {
@@ -322,7 +324,7 @@ bool ContactAutomaton::collide(int cause, bool rests, ImpactLaw impact_law) {
     // One that rests does not strike by what rounding leaves of its velocity.
     if (chosen.problem.law(k).normal && std::abs(before(n)) <= 64 * motion_.rounding_of(n)) before(n) = 0;
   }
-  chosen.fill(motion_.W(), before);
+  chosen.fill(motion_.W(), before, motion_.dynamics().S, Eigen::VectorXd::Zero(motion_.first_bearing(count())));
   const ContactProblem& problem = chosen.problem;
   const ImpactResult shock = impact(problem, restitution, impact_law);
   result_.verdict = shock.verdict;
@@ -350,8 +352,11 @@ bool ContactAutomaton::collide(int cause, bool rests, ImpactLaw impact_law) {
   motion_.add_answer(impulses_, y_);
   ++result_.impacts;
   if (!motion_.read(result_.time, y_)) return end(ContactStatus::integration_failed, cause);
+  PerContact<bool> held{};  // joints that stick
   for (int k = 0; k < problem.count; ++k) {
     const int i = chosen.who[as(k)], by = motion_.carrier(i);
+    held[as(i)] = shock.sticks[as(k)];
+    if (by < 0) continue;
     // What is left of an accumulation's velocity is rounding: projection takes it away.
     motion_.states[as(i)].touches =
         by != i ? motion_.states[as(by)].touches : shock.closed[as(k)] || (rests && accumulating(i));
@@ -360,7 +365,7 @@ bool ContactAutomaton::collide(int cause, bool rests, ImpactLaw impact_law) {
   for (int i = 0; i < count(); ++i) {
     if (motion_.carrier(i) >= 0) continue;
     motion_.states[as(i)].touches = true;
-    set_by_slip(i, 64 * rounding[as(i)]);
+    set_by_slip(i, held[as(i)] ? std::numeric_limits<double>::infinity() : 64 * rounding[as(i)]);
   }
   return decide(-1, Cause::none);
 }

@@ -12,6 +12,8 @@ bool ContactDynamics::compute(const ContactReading& reading) {
   closing_rate.setZero(reading.F.size());
   if (reading.A.rows() == 0) {
     a0 = KF;
+    R_free = reading.R0;
+    R_free.noalias() += reading.B * a0;
     return a0.allFinite();
   }
   Y_ = reading.A.transpose();
@@ -24,9 +26,14 @@ bool ContactDynamics::compute(const ContactReading& reading) {
   schur_.solveInPlace(right_);
   KF.noalias() -= Y_ * right_;
   a0 = KF;
+  lambda_ = -right_;
   right_ = reading.gamma;
   schur_.solveInPlace(right_);
+  lambda_ -= right_;
   a0.noalias() -= Y_ * right_;
+  R_free = reading.R0;
+  R_free.noalias() += reading.B * a0;
+  R_free.noalias() += reading.D * lambda_;
   right_ = reading.value;
   schur_.solveInPlace(right_);
   closing.noalias() -= Y_ * right_;
@@ -45,6 +52,11 @@ bool ContactDynamics::respond(const ContactReading& reading) {
     KJ.noalias() -= Y_ * AKJ_;
   }
   W.noalias() = reading.J * KJ;
+  if (reading.R0.size() > 0) {
+    S = reading.C;
+    S.noalias() += reading.B * KJ;
+    if (reading.A.rows() > 0) S.noalias() -= reading.D * AKJ_;
+  }
   return W.allFinite();
 }
 

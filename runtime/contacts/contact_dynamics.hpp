@@ -22,11 +22,13 @@ class ContactDynamics {
   Eigen::VectorXd closing, closing_rate;
   Eigen::MatrixXd KJ;       ///< K J^T
   Eigen::MatrixXd W;        ///< Delassus' matrix J K J^T
+  Eigen::MatrixXd S;        ///< reactions of joints are R = S r + R_free
+  Eigen::VectorXd R_free;
 
  private:
   Eigen::LLT<Eigen::MatrixXd> mass_, schur_;
   Eigen::MatrixXd Y_, S_, AKJ_;  ///< M^-1 A^T, A M^-1 A^T, and what is left of A M^-1 J^T
-  Eigen::VectorXd right_;
+  Eigen::VectorXd right_, lambda_;  ///< λ without reactions of contacts
 };
 
 }  // namespace torsor::runtime

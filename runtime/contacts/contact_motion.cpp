@@ -24,8 +24,9 @@ ContactMotion::ContactMotion(const ContactMechanism& mechanism) : mechanism_(mec
   for (int i = 0; i < count(); ++i) {
     rules_[as(i)] = mechanism.rule(i);
     first_row_[as(i) + 1] = first_row_[as(i)] + std::clamp(rule(i).rows(), 0, 3);  // a rule may be impossible
+    first_bearing_[as(i) + 1] = first_bearing_[as(i)] + std::clamp(rule(i).bearing, 0, 2);
   }
-  reading_ = later_reading_ = ContactReading(sizes_, rows());
+  reading_ = later_reading_ = ContactReading(sizes_, rows(), first_bearing(count()));
   a_.setZero(sizes_.velocities);
   change_.setZero(sizes_.velocities);
   r_.setZero(rows());
@@ -41,6 +42,7 @@ void ContactMotion::forget() noexcept {
   lag_.fill(0);
   stiff_.fill(false);
   undetermined_.fill(false);
+  along_.fill({});
   held_.setZero(rows());
   known_ = responded_ = solved_ = false;
 }
@@ -173,6 +175,7 @@ Evaluation ContactMotion::solve(double t, std::span<const double> y) {
     regime.friction =
         state.regime == ContactRegime::sticks ? AssumedRegime::Friction::sticks : AssumedRegime::Friction::slides;
     regime.direction = direction(i);
+    regime.along = along_[as(i)];
     begins[as(i)] = follows_forces(i);
     any = any || begins[as(i)];
   }
@@ -184,6 +187,9 @@ Evaluation ContactMotion::solve(double t, std::span<const double> y) {
   if (!equations.solve()) return Evaluation::singular;
   equations.approach(held_);
   note_undetermined(equations);
+  for (int i = 0; i < count(); ++i) {
+    if (rule(i).bearing > 0) along_[as(i)] = equations.along(i);
+  }
   r_ = equations.reactions();
   a_ = dynamics_.a0;
   a_.noalias() += dynamics_.KJ * r_;
@@ -199,6 +205,10 @@ void ContactMotion::note_undetermined(const RegimeSystem& equations) noexcept {
   for (int i = 0; i < count(); ++i) {
     const auto differs = [&](int row) { return others.row(row).cwiseAbs().maxCoeff() > least; };
     bool any = rule(i).pressed_by >= 0 && differs(first_row(rule(i).pressed_by));
+    for (int k = first_bearing(i); k < first_bearing(i + 1); ++k) {
+      const ContactVector change = (dynamics_.S.row(k) * others).transpose();
+      any = any || change.cwiseAbs().maxCoeff() > 1e-9 * dynamics_.S.row(k).cwiseAbs().maxCoeff() * others.cwiseAbs().maxCoeff();
+    }
     for (int k = 0; k < rule(i).rows(); ++k) any = any || differs(first_row(i) + k);
     undetermined_[as(i)] = any;
   }
@@ -212,6 +222,10 @@ ContactProblem ContactMotion::problem_of(const ContactReading& reading, const Co
   problem.W = dynamics.W;
   problem.q = reading.drift;
   problem.q.noalias() += reading.J * dynamics.a0;
+  if (first_bearing(count()) > 0) {
+    problem.S = dynamics.S;
+    problem.c = dynamics.R_free;
+  }
   double terms = 0;
   for (int row = 0; row < rows(); ++row) terms = std::max(terms, terms_of(reading, dynamics, row));
   problem.noise = 1e-13 * terms;
@@ -290,9 +304,20 @@ double ContactMotion::youth(int i, double t) const noexcept {
   return 1 - std::min(std::abs(turned) / 1e-15, s / enough);
 }
 
-double ContactMotion::margin(int i) const noexcept {
+double ContactMotion::pressing(int i) const noexcept {
+  if (rule(i).bearing > 0) {
+    double length = 0;
+    for (int k = first_bearing(i); k < first_bearing(i + 1); ++k) {
+      length = std::hypot(length, dynamics_.S.row(k).dot(r_) + dynamics_.R_free(k));
+    }
+    return length;
+  }
   const int by = carrier(i);
-  const double N = by < 0 ? 0 : r_(first_row(by));
+  return by < 0 ? 0 : r_(first_row(by));
+}
+
+double ContactMotion::margin(int i) const noexcept {
+  const double N = pressing(i);
   return rule(i).sticking() * N + rule(i).sticking_bound() - friction_force(i);
 }
 

@@ -75,6 +75,8 @@ class ContactMotion {
   /// second order in s would have turned it by more than 10⁻¹⁵ m/s since. Falls through zero too where a slip that had a
   /// speed nears its end, or has got one again.
   [[nodiscard]] double youth(int i, double t) const noexcept;
+  /// N that presses a contact, or |R| of its joint.
+  [[nodiscard]] double pressing(int i) const noexcept;
   /// f_s N + b_s - |T| of a sticking contact.
   [[nodiscard]] double margin(int i) const noexcept;
   /// |T|.
@@ -98,12 +100,16 @@ class ContactMotion {
   [[nodiscard]] int rows() const noexcept { return first_row_[as(count())]; }
   [[nodiscard]] int first_row(int i) const noexcept { return first_row_[as(i)]; }
   [[nodiscard]] int tangent_row(int i) const noexcept { return first_row(i) + (rule(i).normal ? 1 : 0); }
+  /// First component of the reaction of its joint.
+  [[nodiscard]] int first_bearing(int i) const noexcept { return first_bearing_[as(i)]; }
 
   [[nodiscard]] const ContactReading& reading() const noexcept { return reading_; }
   [[nodiscard]] const ContactDynamics& dynamics() const noexcept { return dynamics_; }
   /// Adds the answer to impulses to the velocities of a state; the state read last is that before.
   void add_answer(const ContactVector& impulses, std::span<double> y);
   [[nodiscard]] const ContactVector& reactions() const noexcept { return r_; }
+  /// From which direction of a joint's reaction the next one is sought.
+  void press_along(int i, const std::array<double, 2>& reaction) noexcept { along_[as(i)] = reaction; }
   /// Where reactions are not unique, those nearest to these, of all rows, are taken from now on.
   void lean_on(const ContactVector& reactions) noexcept { held_ = reactions; }
   /// Whether others than the reactions of a contact solved last give the same motion.
@@ -138,13 +144,14 @@ class ContactMotion {
   const ContactMechanism& mechanism_;
   ContactSizes sizes_;
   PerContact<ContactRule> rules_{};
-  std::array<int, static_cast<std::size_t>(most_contacts) + 1> first_row_{};
+  std::array<int, static_cast<std::size_t>(most_contacts) + 1> first_row_{}, first_bearing_{};
   ContactReading reading_, later_reading_;
   ContactDynamics dynamics_, later_dynamics_;
   Eigen::VectorXd a_, change_;
   ContactVector r_, right_, held_;
   PerContact<double> across_{}, lag_{};  ///< s κ and the angle of lag of slips that begin
   PerContact<bool> stiff_{}, undetermined_{};
+  PerContact<std::array<double, 2>> along_{};  ///< directions of the reactions of joints, from which the next are sought
   std::array<int, static_cast<std::size_t>(most_rows)> row_{};
   int chosen_ = 0;
   double t_ = 0, absolute_ = 1e-13, relative_ = 1e-13;

@@ -2,6 +2,7 @@
 #pragma once
 #include <Eigen/Core>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <string_view>
 
@@ -29,10 +30,12 @@ enum class ContactRegime : unsigned char { open, sticks, slides };
 ///   0 <= N, 0 <= u_N, N u_N = 0;  sticks: u_T = 0, |T| <= f_s N + b_s;  slides: T = -(f N + b) d, u_T = s d, s >= 0.
 /// In space T lies in a disc, in the plane between two signs. Sources: Pommier, Dynamique des systèmes de solides,
 /// §6.2.3; Glocker, Set-Valued Force Laws. Resistance to rolling and to spinning is a contact without a normal of its
-/// own, `pressed_by` the contact that rolls: T is a moment, u_T a part of the angular velocity, f a length.
+/// own, `pressed_by` the contact that rolls: T is a moment, u_T a part of the angular velocity, f a length. Friction of a
+/// joint that its own reaction presses has a `bearing`: N stands for |R|, R what the joint transmits across its freedom.
 struct ContactLaw {
   bool normal = true;                ///< false: dry friction alone, whose T is bounded by f N + b; it never opens
   int pressed_by = -1;               ///< without a normal: the contact, earlier in order, whose N it is; -1: N = 0
+  int bearing = 0;                   ///< without a normal: 1 or 2 components of a joint's reaction R, N = |R|; 0: none
   int tangents = 2;                  ///< 0: a stop, 1: in the plane, 2: in space
   double friction = 0;               ///< f, while it slides
   double static_friction = 0;        ///< f_s, while it sticks; at least f
@@ -60,6 +63,10 @@ using ContactMatrix =
     Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::ColMajor, most_rows, most_rows>;
 template <class T>
 using PerContact = std::array<T, static_cast<std::size_t>(most_contacts)>;
+/// Reactions of joints, of which each contact has two components at most.
+using BearingMatrix =
+    Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::ColMajor, 2 * most_contacts, most_rows>;
+using BearingVector = Eigen::Matrix<double, Eigen::Dynamic, 1, Eigen::ColMajor, 2 * most_contacts, 1>;
 
 /// u = W r + q, rows contact by contact, N first: the problem of one instant.
 struct ContactProblem {
@@ -68,6 +75,8 @@ struct ContactProblem {
   ContactMatrix W;  ///< Delassus' matrix J M^-1 J^T, symmetric, positive semidefinite
   ContactVector q;  ///< u without reactions
   double noise = 0;  ///< what of q rounding may be: equations that depend on each other hold to no less
+  BearingMatrix S;   ///< reactions of joints are R = S r + c, in the order of the contacts that have a bearing
+  BearingVector c;
 
   [[nodiscard]] const ContactLaw& law(int contact) const noexcept { return laws[static_cast<std::size_t>(contact)]; }
   [[nodiscard]] int rows() const noexcept { return first_row(count); }
@@ -86,8 +95,26 @@ struct ContactProblem {
     const int by = law(contact).normal ? contact : law(contact).pressed_by;
     return by < 0 ? -1 : first_row(by);
   }
-  /// That force.
+  /// First row of S and c of a contact with a bearing.
+  [[nodiscard]] int bearing_row(int contact) const noexcept {
+    int row = 0;
+    for (int i = 0; i < contact; ++i) row += law(i).bearing;
+    return row;
+  }
+  /// The reaction of its joint.
+  [[nodiscard]] std::array<double, 2> bearing(int contact, const ContactVector& r) const noexcept {
+    std::array<double, 2> R{};
+    for (int k = 0, row = bearing_row(contact); k < law(contact).bearing; ++k, ++row) {
+      R[static_cast<std::size_t>(k)] = S.row(row).dot(r) + c(row);
+    }
+    return R;
+  }
+  /// That force, or |R| of a contact with a bearing.
   [[nodiscard]] double pressing(int contact, const ContactVector& r) const noexcept {
+    if (law(contact).bearing > 0) {
+      const auto R = bearing(contact, r);
+      return std::hypot(R[0], R[1]);
+    }
     const int row = pressing_row(contact);
     return row < 0 ? 0 : r(row);
   }

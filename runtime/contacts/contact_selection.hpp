@@ -12,10 +12,13 @@ struct ContactSelection {
   ContactProblem problem;
   PerContact<int> who{};                                   ///< each contact of the problem among the many
   std::array<int, static_cast<std::size_t>(most_rows)> row{};  ///< each row among theirs
-  int rows = 0;
+  std::array<int, 2 * static_cast<std::size_t>(most_contacts)> bearing{};  ///< each row of reactions of joints
+  int rows = 0, bearings = 0;
 
-  /// A contact, the first of whose rows among the many is given, in their order. What it is pressed by came before.
-  void add(int contact, ContactLaw law, int first_row) noexcept {
+  /// A contact, the first of whose rows among the many is given, in their order, and that of its joint's reaction. What it
+  /// is pressed by came before.
+  void add(int contact, ContactLaw law, int first_row, int first_bearing = 0) noexcept {
+    for (int k = 0; k < law.bearing; ++k) bearing[at(bearings++)] = first_bearing + k;
     if (law.pressed_by >= 0) law.pressed_by = place_[at(law.pressed_by)];
     place_[at(contact)] = problem.count;
     who[at(problem.count)] = contact;
@@ -23,7 +26,7 @@ struct ContactSelection {
     problem.laws[at(problem.count++)] = law;
   }
 
-  /// Takes W and q of the rows selected.
+  /// Takes W and q of the rows selected;
   template <class Square, class Right>
   void fill(const Square& W, const Right& q) noexcept {
     problem.W.resize(rows, rows);
@@ -32,6 +35,17 @@ struct ContactSelection {
       problem.q(i) = q(row[at(i)]);
       for (int j = 0; j < rows; ++j) problem.W(i, j) = W(row[at(i)], row[at(j)]);
     }
+  }
+  /// S and c of reactions of joints too.
+  template <class Square, class Right, class Bearings, class Free>
+  void fill(const Square& W, const Right& q, const Bearings& S, const Free& c) noexcept {
+    problem.S.resize(bearings, rows);
+    problem.c.resize(bearings);
+    for (int i = 0; i < bearings; ++i) {
+      problem.c(i) = c(bearing[at(i)]);
+      for (int j = 0; j < rows; ++j) problem.S(i, j) = S(bearing[at(i)], row[at(j)]);
+    }
+    fill(W, q);
   }
 
   /// Numbers of the rows selected among those of `count` rows, the others zero.

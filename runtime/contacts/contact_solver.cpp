@@ -42,9 +42,10 @@ class ContactIteration {
       ContactProblem one;
       one.count = 1;
       one.laws[0] = problem_.law(i);
-      if (one.laws[0].pressed_by >= 0) {  // by a force that is held, too
+      if (one.laws[0].pressed_by >= 0 || one.laws[0].bearing > 0) {  // by a force that is held, too
         const double N = problem_.pressing(i, r_);
         one.laws[0].pressed_by = -1;
+        one.laws[0].bearing = 0;
         one.laws[0].bound += one.laws[0].friction * N;
         one.laws[0].static_bound += one.laws[0].static_friction * N;
         one.laws[0].friction = one.laws[0].static_friction = 0;
@@ -75,6 +76,10 @@ class ContactIteration {
         const double W = problem_.W(pressing, pressing);
         N = std::max(0.0, W > 0 ? r_(pressing) - u(pressing) / W : r_(pressing));
         regime.pressed = law.normal && N > 0;
+      }
+      if (law.bearing > 0) {
+        N = problem_.pressing(i, r_);
+        regime.along = problem_.bearing(i, r_);
       }
       const double bound = std::max(law.friction * N + law.bound, law.static_friction * N + law.static_bound);
       if (!(law.tangents > 0 && bound > 0)) continue;

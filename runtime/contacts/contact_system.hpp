@@ -18,6 +18,7 @@ struct ContactRule {
   int tangents = 2;             ///< 0: a stop, 1: in the plane, 2: in space
   bool normal = true;           ///< false: dry friction in a joint, bounded by `bound`, or resistance to rolling
   int pressed_by = -1;          ///< of resistance to rolling or spinning: the contact, earlier in order, that rolls
+  int bearing = 0;              ///< of friction in proportion to a joint's reaction: how many components that has
   double friction = 0;          ///< f while it slides; of resistance to rolling a length [m]
   double static_friction = -1;  ///< f_s while it sticks; below 0: f
   double bound = 0;             ///< b [N]: |T| <= f N + b
@@ -29,12 +30,14 @@ struct ContactRule {
   [[nodiscard]] bool valid(int contact) const noexcept {
     return friction >= 0 && sticking() >= friction && bound >= 0 && sticking_bound() >= bound &&
            std::isfinite(sticking() + sticking_bound()) && restitution >= 0 && restitution <= 1 && tangents >= 0 && tangents <= 2 && rows() > 0 &&
-           (pressed_by < 0 || (!normal && pressed_by < contact));
+           (pressed_by < 0 || (!normal && pressed_by < contact)) && bearing >= 0 && bearing <= 2 &&
+           (bearing == 0 || (!normal && pressed_by < 0 && tangents == 1));
   }
   /// Its law of forces while it does not slip already.
   [[nodiscard]] ContactLaw law() const noexcept {
     return {.normal = normal,
             .pressed_by = pressed_by,
+            .bearing = bearing,
             .tangents = tangents,
             .friction = friction,
             .static_friction = sticking(),
@@ -60,6 +63,9 @@ struct ContactSizes {
 /// rows of J are contact by contact, the normal first (n from the other body to this one, so that w_N > 0 opens), then
 /// the tangents. Of each constraint too: f(q, t), 0 where it is not holonomic, and its rate A v - b. All have their sizes
 /// before a mechanism fills them.
+///
+/// Of joints whose friction is in proportion to their reactions, those: R = B a + C r + D λ + R0, in the order of the
+/// contacts that have a `bearing`.
 struct ContactReading {
   Eigen::MatrixXd M;
   Eigen::VectorXd F;
@@ -68,9 +74,11 @@ struct ContactReading {
   Eigen::VectorXd w, drift;
   Eigen::MatrixXd A;
   Eigen::VectorXd gamma, value, rate;
+  Eigen::MatrixXd B, C, D;
+  Eigen::VectorXd R0;
 
   ContactReading() = default;
-  ContactReading(const ContactSizes& sizes, int rows);
+  ContactReading(const ContactSizes& sizes, int rows, int bearings = 0);
 };
 
 /// What the non-smooth layer asks of a mechanism, whatever its type. A state y has the coordinates, then the velocities.

@@ -55,6 +55,10 @@ void poisson(const ContactProblem& problem, std::span<const double> restitution,
   for (int i = 0; i < problem.count; ++i) {
     const int n = problem.first_row(i);
     if (problem.law(i).normal) given(n) = restitution[at(i)] * Pc(n);
+  }
+  if (problem.S.rows() > 0) expansion.c = problem.S * given;
+  for (int i = 0; i < problem.count; ++i) {
+    if (problem.law(i).bearing > 0) continue;
     expansion.laws[at(i)].bound += problem.law(i).friction * problem.pressing(i, given);
     expansion.laws[at(i)].static_bound += problem.law(i).static_friction * problem.pressing(i, given);
   }
@@ -95,14 +99,16 @@ void sequential(const ContactProblem& problem, std::span<const double> restituti
   for (; result.collisions < 100000; ++result.collisions) {
     const int next = next_to_close(problem, result.w);
     if (next < 0) break;
-    // That contact, and what resists to its rolling and spinning.
+    // That contact, what resists to its rolling and spinning, and the joints.
     ContactSelection one;
-    for (int i = next; i < problem.count; ++i) {
-      if (i == next || problem.law(i).pressed_by == next) one.add(i, problem.law(i), problem.first_row(i));
-    }
-    one.fill(problem.W, result.w);
     PerContact<double> e{};
-    e[0] = restitution[at(next)];
+    for (int i = 0; i < problem.count; ++i) {
+      const ContactLaw& law = problem.law(i);
+      if (i != next && law.pressed_by != next && law.bearing == 0) continue;
+      if (i == next) e[at(one.problem.count)] = restitution[at(next)];
+      one.add(i, law, problem.first_row(i), problem.bearing_row(i));
+    }
+    one.fill(problem.W, result.w, problem.S, problem.c);
     ImpactResult alone;
     alone.verdict = ContactVerdict::unique;
     newton_moreau(one.problem, e, alone);

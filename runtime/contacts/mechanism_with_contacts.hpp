@@ -60,6 +60,7 @@ requires(HasMassMatrixAndBias<M> && (M::multiplier_count == 0 || HasConstraints<
       if constexpr (requires { M::contact_pressed_by; }) {
         rules_[i].pressed_by = static_cast<int>(M::contact_pressed_by[i]) - 1;
       }
+      if constexpr (requires { M::contact_bearings; }) rules_[i].bearing = static_cast<int>(M::contact_bearings[i]);
     }
   }
 
@@ -82,6 +83,7 @@ requires(HasMassMatrixAndBias<M> && (M::multiplier_count == 0 || HasConstraints<
       for (std::size_t k = 0; k < rows; ++k) reading.J(at(k), at(j)) = now.jacobian[j * rows + k];
     }
     if constexpr (constraints > 0) read_constraints(state, reading);
+    if constexpr (requires { M::contact_bearings; }) read_bearings(now, reading);
     return read_forces(state, reading);
   }
 
@@ -123,6 +125,20 @@ requires(HasMassMatrixAndBias<M> && (M::multiplier_count == 0 || HasConstraints<
       reading.rate(row) = now.rate[k];
       for (std::size_t j = 0; j < nv; ++j) reading.A(row, at(j)) = now.jacobian[j * m + k];
       ++row;
+    }
+  }
+
+  static void read_bearings(const typename M::Contacts& now, ContactReading& reading) noexcept {
+    constexpr auto rows = static_cast<std::size_t>(M::contact_row_count), m = static_cast<std::size_t>(M::multiplier_count);
+    const auto count = static_cast<std::size_t>(reading.R0.size());
+    for (std::size_t k = 0; k < count; ++k) {
+      reading.R0(at(k)) = now.bearing[k];
+      for (std::size_t j = 0; j < nv; ++j) reading.B(at(k), at(j)) = now.bearing_by_accelerations[j * count + k];
+      for (std::size_t j = 0; j < rows; ++j) reading.C(at(k), at(j)) = now.bearing_by_reactions[j * count + k];
+      Eigen::Index column = 0;
+      for (std::size_t j = 0; j < m; ++j) {
+        if (!repeats_others(j)) reading.D(at(k), column++) = now.bearing_by_multipliers[j * count + k];
+      }
     }
   }
 

@@ -14,6 +14,7 @@ MoreauJean::MoreauJean(std::unique_ptr<const ContactMechanism> mechanism, double
   for (int i = 0; i < count(); ++i) {
     rules_[as(i)] = mechanism_->rule(i);
     first_row_[as(i) + 1] = first_row_[as(i)] + std::clamp(rules_[as(i)].rows(), 0, 3);  // a rule may be impossible
+    first_bearing_[as(i) + 1] = first_bearing_[as(i)] + std::clamp(rules_[as(i)].bearing, 0, 2);
   }
   const ContactSizes& sizes = mechanism_->sizes();
   middle_.resize(as(sizes.coordinates + sizes.velocities));
@@ -25,7 +26,7 @@ MoreauJean::MoreauJean(std::unique_ptr<const ContactMechanism> mechanism, double
     contact_ = i;
     return;
   }
-  reading_ = ContactReading(sizes, rows());
+  reading_ = ContactReading(sizes, rows(), first_bearing_[as(count())]);
   impulses_.setZero(rows());
 }
 
@@ -66,9 +67,9 @@ bool MoreauJean::move_through(double t, double h, std::span<double> y) {
     law.static_bound *= h;
     const double before = reading_.w(first_row_[as(i)]);
     if (rule.normal && before < 0) w_free(first_row_[as(i)]) += rule.restitution * before;
-    chosen.add(i, law, first_row_[as(i)]);
+    chosen.add(i, law, first_row_[as(i)], first_bearing_[as(i)]);
   }
-  chosen.fill(dynamics_.W, w_free);
+  chosen.fill(dynamics_.W, w_free, dynamics_.S, h * dynamics_.R_free);
   ContactVector start(chosen.rows);
   for (int k = 0; k < chosen.rows; ++k) start(k) = impulses_(chosen.row[as(k)]);
   impulses_.setZero(rows());

@@ -50,7 +50,7 @@ class MoreauJean {
   std::unique_ptr<const ContactMechanism> mechanism_;
   const double theta_;
   PerContact<ContactRule> rules_{};
-  std::array<int, static_cast<std::size_t>(most_contacts) + 1> first_row_{};
+  std::array<int, static_cast<std::size_t>(most_contacts) + 1> first_row_{}, first_bearing_{};
   ContactReading reading_;
   ContactDynamics dynamics_;
   Eigen::VectorXd change_, v_;

@@ -76,18 +76,21 @@ bool RegimeEnumeration::open_rubs(const ContactLaw& law) noexcept {
   return law.tangents > 0 && (law.bound > 0 || law.static_bound > 0);
 }
 
-// What friction may do: nothing; sliding as given; sticking and sliding, in the plane to either side.
-int RegimeEnumeration::frictions(const ContactLaw& law) noexcept {
-  if (!law.rubs() || law.slips) return 1;
-  return law.tangents == 1 ? 3 : 2;
+// What friction may do: nothing; sliding as given; sticking and sliding, in the plane to either side. Sliding in a bearing
+// may have R on either side too.
+int RegimeEnumeration::frictions(const ContactLaw& law) const noexcept {
+  const int sides = law.bearing > 0 && bearings_ <= 3 ? 2 : 1;
+  if (!law.rubs()) return 1;
+  if (law.slips) return sides;
+  return law.tangents == 1 ? 1 + 2 * sides : 2;
 }
 
-int RegimeEnumeration::choices(const ContactLaw& law) noexcept {
+int RegimeEnumeration::choices(const ContactLaw& law) const noexcept {
   if (!law.normal) return frictions(law);
   return frictions(law) + (open_rubs(law) ? frictions(law) : 1);
 }
 
-AssumedRegime RegimeEnumeration::choose(const ContactLaw& law, int choice) noexcept {
+AssumedRegime RegimeEnumeration::choose(const ContactLaw& law, int choice) const noexcept {
   AssumedRegime regime;
   regime.pressed = law.normal && choice < frictions(law);
   const bool rubs = law.rubs() && (!law.normal || regime.pressed || open_rubs(law));
@@ -97,11 +100,13 @@ AssumedRegime RegimeEnumeration::choose(const ContactLaw& law, int choice) noexc
     regime.friction = Friction::slides;
     regime.direction = law.slip;
     regime.direction_given = true;
+    regime.reversed = friction == 1;
   } else if (friction == 0) {
     regime.friction = Friction::sticks;
   } else {
     regime.friction = Friction::slides;
-    regime.direction = {friction == 1 ? 1.0 : -1.0, 0.0};
+    regime.direction = {friction % 2 == 1 ? 1.0 : -1.0, 0.0};
+    regime.reversed = friction > 2;
     regime.direction_sought = law.tangents == 2;
   }
   return regime;
@@ -132,7 +137,8 @@ void RegimeEnumeration::try_regimes(Regimes& regimes) noexcept {
   }
 }
 
-// u_T across the direction, times det E, is a trigonometric polynomial of degree 3 in the direction's angle.
+// u_T across the direction, times det E, is a trigonometric polynomial of degree 3 in the direction's angle, unless a
+// joint's reaction changes its direction with it.
 void RegimeEnumeration::try_all_directions(Regimes& regimes) noexcept {
   int contact = 0;
   while (!regimes[as(contact)].direction_sought) ++contact;
@@ -143,7 +149,7 @@ void RegimeEnumeration::try_all_directions(Regimes& regimes) noexcept {
     const double angle = std::numbers::pi / 4 * static_cast<double>(j);
     direction = {std::cos(angle), std::sin(angle)};
     RegimeSystem system(problem_, regimes);
-    if (!system.solve() || system.kernel().cols() > 0) {
+    if (!system.solve() || system.kernel().cols() > 0 || bearings_ > 0) {
       // E is singular in this very direction: others do as well, turned by Newton's method.
       for (int k = 0; k < 8; ++k) {
         const double start = 0.3 + std::numbers::pi / 4 * k;

@@ -9,13 +9,15 @@ namespace torsor::runtime {
 /// Tries every combination of regimes: open, sticking, sliding; in the plane to either side. In space the direction of
 /// a slip that begins is found too: all directions where one contact begins to slide, by a trigonometric polynomial;
 /// where several do, those that Newton's method reaches from four directions of each of two contacts, three of each of
-/// more.
+/// more. The directions of the reactions that press joints are found from c and, of up to three joints, from -c too.
 class RegimeEnumeration {
  public:
   using Regimes = RegimeSystem::Regimes;
   using Friction = AssumedRegime::Friction;
 
-  explicit RegimeEnumeration(const ContactProblem& problem) noexcept : problem_(problem) {}
+  explicit RegimeEnumeration(const ContactProblem& problem) noexcept : problem_(problem) {
+    for (int i = 0; i < problem.count; ++i) bearings_ += problem.law(i).bearing > 0 ? 1 : 0;
+  }
 
   [[nodiscard]] ContactAnswer run() noexcept;
 
@@ -29,9 +31,9 @@ class RegimeEnumeration {
   static std::size_t as(int i) noexcept { return static_cast<std::size_t>(i); }
 
   [[nodiscard]] static bool open_rubs(const ContactLaw& law) noexcept;
-  [[nodiscard]] static int frictions(const ContactLaw& law) noexcept;
-  [[nodiscard]] static int choices(const ContactLaw& law) noexcept;
-  [[nodiscard]] static AssumedRegime choose(const ContactLaw& law, int choice) noexcept;
+  [[nodiscard]] int frictions(const ContactLaw& law) const noexcept;
+  [[nodiscard]] int choices(const ContactLaw& law) const noexcept;
+  [[nodiscard]] AssumedRegime choose(const ContactLaw& law, int choice) const noexcept;
   [[nodiscard]] int count_sought(const Regimes& regimes) const noexcept;
   void try_regimes(Regimes& regimes) noexcept;
   void try_all_directions(Regimes& regimes) noexcept;
@@ -42,6 +44,7 @@ class RegimeEnumeration {
 
   const ContactProblem& problem_;
   ContactAnswer answer_;
+  int bearings_ = 0;
   bool moves_ = false;  ///< reactions that fit give different motions without end
 };
 

@@ -18,7 +18,8 @@ double RegimeInequalities::given_motion() const noexcept {
   for (int i = 0; i < problem_.count; ++i) {
     const ContactLaw& law = problem_.law(i);
     const int t = problem_.tangent_row(i);
-    const double bound = std::max(law.bound, law.static_bound);
+    double bound = std::max(law.bound, law.static_bound);
+    if (law.bearing > 0) bound += std::max(law.friction, law.static_friction) * problem_.pressing(i, ContactVector::Zero(problem_.rows()));
     for (int k = 0; k < law.tangents; ++k) terms += bound * problem_.W.col(t + k).cwiseAbs();
   }
   return terms.size() > 0 ? terms.maxCoeff() : 0;
@@ -90,6 +91,10 @@ bool RegimeInequalities::find(RegimeSystem& system, double margin) const noexcep
         if (!(missing > 0)) continue;
         ContactVector row = ContactVector::Zero(n);
         if (pressing >= 0) row += law.static_friction * R.row(pressing).transpose() / force;
+        const auto bearing = problem_.bearing(i, r);
+        for (int j = 0, own = problem_.bearing_row(i); j < law.bearing && N > 0; ++j, ++own) {
+          row += law.static_friction * bearing[as(j)] / N * (problem_.S.row(own) * R).transpose() / force;
+        }
         for (int j = 0; j < law.tangents && length > 0; ++j)
           row -= r(t + j) / length * R.row(t + j).transpose() / force;
         add(missing, row);

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "runtime/contacts/regime_system.hpp"
 
+#include <algorithm>
+#include <cmath>
+
 namespace torsor::runtime {
 
 RegimeSystem::RegimeSystem(const ContactProblem& problem, const Regimes& regimes) noexcept
@@ -23,6 +26,13 @@ RegimeSystem::RegimeSystem(const ContactProblem& problem, const Regimes& regimes
     }
     const int by = law.normal ? i : law.pressed_by;
     const int pressing = by < 0 ? -1 : normal_column[as(by)];
+    if (slides_in_bearing(i)) {
+      bearings_ = true;
+      for (int k = 0; k < law.tangents; ++k) B_(t + k, column) = -assumed.direction[as(k)];
+      column_[as(i)] = column;
+      rows_[as(column++)] = -1;
+      continue;
+    }
     for (int k = 0; assumed.friction == Friction::slides && k < law.tangents; ++k) {
       c_(t + k) = -law.bound * assumed.direction[as(k)];
       if (pressing >= 0) B_(t + k, pressing) = -law.friction * assumed.direction[as(k)];
@@ -37,6 +47,7 @@ RegimeSystem::RegimeSystem(const ContactProblem& problem, const Regimes& regimes
   E_.resize(column, column);
   e_.resize(column);
   for (int i = 0; i < column; ++i) {
+    if (rows_[as(i)] < 0) continue;
     E_.row(i) = WB.row(rows_[as(i)]);
     e_(i) = -rest(rows_[as(i)]);
   }
@@ -45,12 +56,77 @@ RegimeSystem::RegimeSystem(const ContactProblem& problem, const Regimes& regimes
 int RegimeSystem::unknowns() const noexcept {
   int n = 0;
   for (int i = 0; i < problem_.count; ++i) {
-    n += (at(i).pressed ? 1 : 0) + (at(i).friction == Friction::sticks ? problem_.law(i).tangents : 0);
+    n += (at(i).pressed ? 1 : 0) + (at(i).friction == Friction::sticks ? problem_.law(i).tangents : 0) +
+         (slides_in_bearing(i) ? 1 : 0);
   }
   return n;
 }
 
 bool RegimeSystem::solve() noexcept {
+  if (!bearings_) return solve_linear();
+  start_along();
+  double last = INFINITY;
+  for (int step = 0; step < 50; ++step) {
+    equate_bearings();
+    if (!solve_linear()) return false;
+    const double turned = turn_bearings();
+    if (turned <= 4e-16 || (turned <= 1e-13 && turned >= last)) return true;
+    last = turned;
+  }
+  return false;
+}
+
+void RegimeSystem::start_along() noexcept {
+  const ContactVector none = ContactVector::Zero(problem_.rows());
+  for (int i = 0; i < problem_.count; ++i) {
+    if (!slides_in_bearing(i)) continue;
+    auto along = at(i).along;
+    if (along[0] == 0 && along[1] == 0) along = problem_.bearing(i, none);
+    const double length = std::hypot(along[0], along[1]), side = at(i).reversed ? -1 : 1;
+    along_[as(i)] = {side, 0};
+    if (length > 0) along_[as(i)] = {side * along[0] / length, side * along[1] / length};
+  }
+}
+
+ContactVector RegimeSystem::pull_of_bearing(int i) const noexcept {
+  ContactVector pull = ContactVector::Zero(problem_.rows());
+  for (int k = 0, row = problem_.bearing_row(i); k < problem_.law(i).bearing; ++k, ++row) {
+    pull += problem_.law(i).friction * along_[as(i)][as(k)] * problem_.S.row(row).transpose();
+  }
+  return pull;
+}
+
+void RegimeSystem::equate_bearings() noexcept {
+  for (int i = 0; i < problem_.count; ++i) {
+    if (!slides_in_bearing(i)) continue;
+    const ContactLaw& law = problem_.law(i);
+    const ContactVector pull = pull_of_bearing(i);
+    const int column = column_[as(i)];
+    E_.row(column) = -pull.transpose() * B_;
+    E_(column, column) += 1;
+    e_(column) = law.bound + pull.dot(c_);
+    for (int k = 0, row = problem_.bearing_row(i); k < law.bearing; ++k, ++row) {
+      e_(column) += law.friction * along_[as(i)][as(k)] * problem_.c(row);
+    }
+  }
+}
+
+double RegimeSystem::turn_bearings() noexcept {
+  const ContactVector r = reactions();
+  double turned = 0;
+  for (int i = 0; i < problem_.count; ++i) {
+    if (!slides_in_bearing(i)) continue;
+    const auto R = problem_.bearing(i, r);
+    const double length = std::hypot(R[0], R[1]);
+    if (!(length > 0)) continue;
+    auto& along = along_[as(i)];
+    turned = std::max({turned, std::abs(R[0] / length - along[0]), std::abs(R[1] / length - along[1])});
+    along = {R[0] / length, R[1] / length};
+  }
+  return turned;
+}
+
+bool RegimeSystem::solve_linear() noexcept {
   const int n = static_cast<int>(E_.cols());
   kernel_.resize(n, 0);
   x_.setZero(n);
@@ -71,7 +147,14 @@ bool RegimeSystem::solve() noexcept {
 void RegimeSystem::approach(const ContactVector& reactions) noexcept {
   if (kernel_.cols() == 0) return;
   ContactVector missing = -x_;
-  for (int i = 0; i < static_cast<int>(missing.size()); ++i) missing(i) += reactions(rows_[as(i)]);
+  for (int i = 0; i < static_cast<int>(missing.size()); ++i) {
+    if (rows_[as(i)] >= 0) missing(i) += reactions(rows_[as(i)]);
+  }
+  for (int i = 0; i < problem_.count && bearings_; ++i) {
+    if (!slides_in_bearing(i)) continue;
+    const int t = problem_.tangent_row(i);
+    for (int k = 0; k < problem_.law(i).tangents; ++k) missing(column_[as(i)]) -= at(i).direction[as(k)] * reactions(t + k);
+  }
   const ContactMatrix square = kernel_.transpose() * kernel_;
   const ContactVector right = kernel_.transpose() * missing;
   x_ += kernel_ * square.partialPivLu().solve(right);
@@ -89,7 +172,10 @@ ContactVector RegimeSystem::motion_by_turning(int i) const noexcept {
   const int n = static_cast<int>(E_.cols());
   if (n == 0) return du;
   ContactVector right(n);
-  for (int k = 0; k < n; ++k) right(k) = -du(rows_[as(k)]);
+  for (int k = 0; k < n; ++k) right(k) = rows_[as(k)] < 0 ? 0 : -du(rows_[as(k)]);
+  for (int j = 0; j < problem_.count && bearings_; ++j) {
+    if (slides_in_bearing(j)) right(column_[as(j)]) = pull_of_bearing(j).dot(dr);
+  }
   const ContactVector dx = lu_.solve(right);
   return du + problem_.W * (B_ * dx);
 }

@@ -16,6 +16,8 @@ struct AssumedRegime {
   std::array<double, 2> direction{1, 0};  ///< of slip, where it slides
   bool direction_given = false;           ///< by the law: the contact slips already
   bool direction_sought = false;          ///< in space: u_T along it is a condition of its own
+  std::array<double, 2> along{0, 0};      ///< of a bearing: where the direction of R is looked for from; 0, 0: from c
+  bool reversed = false;                  ///< from there to the other side
 
   [[nodiscard]] ContactRegime regime() const noexcept {
     if (friction == Friction::sticks) return ContactRegime::sticks;
@@ -25,6 +27,9 @@ struct AssumedRegime {
 
 /// The equations of assumed regimes. Reactions are r = B x + c in the unknowns x (N of pressed contacts, T of sticking
 /// ones), and E x = e says that u_N = 0 where a contact is pressed and u_T = 0 where it sticks.
+///
+/// A contact with a bearing that slides has the unknown |T| too, and |T| = f |R| + b. With ρ = R/|R| that is linear,
+/// |T| - f ρ · S r = f ρ · c + b, and putting the ρ of the solution in is Newton's method, for d|R| = ρ · dR.
 class RegimeSystem {
  public:
   using Regimes = PerContact<AssumedRegime>;
@@ -34,7 +39,8 @@ class RegimeSystem {
 
   [[nodiscard]] int unknowns() const noexcept;
 
-  /// Solves E x = e; false where there is no solution. `kernel()` then holds what may be added to x.
+  /// Solves E x = e; false where there is no solution, or none that Newton's method finds. `kernel()` then holds what may
+  /// be added to x.
   [[nodiscard]] bool solve() noexcept;
 
   [[nodiscard]] const ContactMatrix& kernel() const noexcept { return kernel_; }
@@ -51,12 +57,28 @@ class RegimeSystem {
   [[nodiscard]] ContactVector motion_by_turning(int i) const noexcept;
 
   [[nodiscard]] const AssumedRegime& at(int contact) const noexcept { return regimes_[as(contact)]; }
+  /// ρ of a bearing, where R was not zero.
+  [[nodiscard]] const std::array<double, 2>& along(int contact) const noexcept { return along_[as(contact)]; }
 
  private:
   static std::size_t as(int i) noexcept { return static_cast<std::size_t>(i); }
 
+  [[nodiscard]] bool slides_in_bearing(int contact) const noexcept {
+    return at(contact).friction == Friction::slides && problem_.law(contact).bearing > 0;
+  }
+  void start_along() noexcept;
+  /// f ρ · S of a bearing.
+  [[nodiscard]] ContactVector pull_of_bearing(int contact) const noexcept;
+  void equate_bearings() noexcept;
+  /// Takes the ρ of the solution; by how much that differs from the last one.
+  [[nodiscard]] double turn_bearings() noexcept;
+  [[nodiscard]] bool solve_linear() noexcept;
+
   const ContactProblem& problem_;
   const Regimes& regimes_;
+  PerContact<std::array<double, 2>> along_{};
+  PerContact<int> column_{};  ///< of |T| of a bearing that slides
+  bool bearings_ = false;     ///< whether one slides
   ContactMatrix B_, E_, kernel_;
   ContactVector c_, e_, x_;
   std::array<int, static_cast<std::size_t>(most_rows)> rows_{};

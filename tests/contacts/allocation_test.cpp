@@ -72,6 +72,11 @@ Events expect_none(const S& system, std::array<double, size> y, std::int64_t ste
   return events;
 }
 
+TEST(ContactAllocations, AreNoneWhereAJointRubsByItsOwnReaction) {
+  const Events events = expect_none(pendulum_in_a_journal(0.3, 5), std::array{0.5, 0.0}, 2'000);
+  EXPECT_GT(events.slips, 10);
+}
+
 TEST(ContactAllocations, AreNoneInStepsOfAMotionWhoseContactOpensAndCloses) {
   constexpr double A = 0.04, w = 20;
   const Events events = expect_none(ball_on_table(0.3, A, w), std::array{0.0, A * w}, 100'000);

@@ -138,6 +138,20 @@ inline ByHand<1, 1, 1> pendulum_with_friction(double torque) {
           }};
 }
 
+/// The same pendulum, whose journal rubs by h |R|, R its reaction along the rod and across; a torque A cos(3 t) may drive it.
+inline ByHand<1, 1, 1> pendulum_in_a_journal(double h, double A = 0) {
+  return {{ContactRule{.tangents = 1, .normal = false, .bearing = 2, .friction = h}}, [A](double t, const auto& y, auto& r) {
+            r.M(0, 0) = 1;
+            r.F(0) = A * std::cos(3 * t) - g * std::sin(y[0]);
+            r.J(0, 0) = 1;
+            r.w(0) = y[1];
+            r.drift(0) = 0;
+            r.B << 0, 1;
+            r.C.setZero();
+            r.R0 << y[1] * y[1] + g * std::cos(y[0]), g * std::sin(y[0]);
+          }};
+}
+
 /// A block on a moving belt, held by a spring: q = x; the normal force N presses it.
 inline ByHand<1, 1, 1> block_on_belt(double m, double k, double speed, double N, double f_static, double f,
                                      double push = 0) {

@@ -147,6 +147,10 @@ TEST_F(SceneExamples, OfContactsThatOpenAndClose) {
   // example: dry_friction
   scene.dry_friction("bearing", theta, {.bound = scene.parameter("bound", "N m", 0.01_r)});
   // end
+  // example: joint_friction
+  scene.joint_friction("guide", slide, {.friction = 0.1_r});
+  scene.joint_friction("journal", ball, {.friction = 0.2_r, .radius = scene.parameter("journal_radius", "m", 0.01_r)});
+  // end
   stands();
 }
 

@@ -203,6 +203,18 @@ constexpr Translation french_of_equations[] = {
      "{} est d'écriture trop longue ; le noyau contacts le calcule."},
     {"{}, dry friction alone:", "{}, frottement sec seul :"},
     {"{}, w an angular velocity, pressed by {}:", "{}, w une vitesse de rotation, pressé par {} :"},
+    {"{}, friction of a joint, pressed by what it transmits across its axis:",
+     "{}, frottement d'une liaison, pressé par ce qu'elle transmet perpendiculairement à son axe :"},
+    {"Friction of joints: |T| <= f_s |R| while w_T = 0, T = -f |R| w_T/|w_T| while they slide, h_s and h in the place of f_s and "
+     "f where they turn, R what the joint transmits across its axis.",
+     "Frottement des liaisons : |T| <= f_s |R| tant que w_T = 0, T = -f |R| w_T/|w_T| pendant le glissement, h_s et h au lieu de f_s "
+     "et f en rotation, R ce que la liaison transmet perpendiculairement à son axe."},
+    {"Friction of joints: $|T| \\le f_s |R|$ while $w_T = 0$, $T = -f |R| \\frac{w_T}{|w_T|}$ while they slide, $h_s$ and $h$ in "
+     "the place of $f_s$ and $f$ where they turn, $R$ what the joint transmits across its axis.",
+     "Frottement des liaisons : $|T| \\le f_s |R|$ tant que $w_T = 0$, $T = -f |R| \\frac{w_T}{|w_T|}$ pendant le glissement, $h_s$ "
+     "et $h$ au lieu de $f_s$ et $f$ en rotation, $R$ ce que la liaison transmet perpendiculairement à son axe."},
+    {"Joints rub by |P_T| <= f |P_R|, P_R the impulse that they transmit.",
+     "Les liaisons frottent par |P_T| <= f |P_R|, P_R la percussion qu'elles transmettent."},
     {"a length", "une longueur"},
     {"Resistance to rolling and spinning: |T| <= h N while w_T = 0, T = -h N w_T/|w_T| while it turns, T a moment, N that of the "
      "contact that presses.",

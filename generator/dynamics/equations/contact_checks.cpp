@@ -43,6 +43,9 @@ class SurfaceCheck {
       refuse("radius", spheres.radius_a, *a, "the sphere must be smaller than the hollow one around it");
     }
   }
+  void operator()(const FrictionInJoint& friction) {
+    at_least(friction.radius, "radius", Expression(0), "give the size of the journal");
+  }
   void operator()(const FrictionAlong& friction) {
     at_least(friction.bound, "bound", Expression(0), "friction never pushes along the motion");
     at_least(friction.static_bound, "static bound", friction.bound, "it must not be below the bound while moving");

@@ -153,6 +153,10 @@ class DependenceCheck {
     require("the static bound of " + user_, friction.static_bound, Allowed::parameters);
   }
 
+  void operator()(const FrictionInJoint& friction) {
+    require("the radius of " + user_, friction.radius, Allowed::parameters);
+  }
+
   /// Others look at their formulas themselves, or have none.
   template <class Other>
   void operator()(const Other&) {}

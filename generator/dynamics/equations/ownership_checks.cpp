@@ -101,6 +101,7 @@ class OwnershipCheck {
   void operator()(const SphereOnSphere& s) { look(s.radius_a), look(s.radius_b); }
   void operator()(const Stop& s) { look(s.displacement), look(s.at); }
   void operator()(const FrictionAlong& f) { look(f.displacement), look(f.bound), look(f.static_bound); }
+  void operator()(const FrictionInJoint& f) { look(f.radius); }
   void operator()(const TurnOnContact&) {}
   // --- pictures ---
   void operator()(const form::Box& box) { look(box.edges); }

@@ -73,6 +73,19 @@ class ContactBuilder {
         model_.partials(friction.displacement));
   }
 
+  void operator()(const FrictionInJoint& friction) {
+    rows_.normal = false;
+    rows_.joint = model_.place(friction.frame, user_).link;
+    const Link& link = model_.links()[static_cast<std::size_t>(*rows_.joint)];
+    std::vector<Value> partials(static_cast<std::size_t>(model_.unknown_count()));
+    for (const auto& [i, partial] : link.partials) {
+      if (i < model_.unknown_count()) partials[static_cast<std::size_t>(i)] = partial;
+    }
+    add(link.rate, std::move(partials));
+    if (can_move(rows_.rows[0])) return;
+    throw SceneError(fmt::format("{} is in a joint that no coordinate moves: nothing can slide in it", user_));
+  }
+
   void operator()(const TurnOnContact& turn) {
     rows_.normal = false;
     rows_.pressed_by = turn.contact;
@@ -252,6 +265,11 @@ std::vector<ContactCoefficients> contact_coefficients(const Model& model) {
     if (const auto* friction = std::get_if<FrictionAlong>(&contact.geometry)) {
       coefficients.bound = program.lower(friction->bound);
       coefficients.static_bound = program.lower(friction->static_bound);
+    }
+    if (const auto* joint = std::get_if<FrictionInJoint>(&contact.geometry); joint != nullptr && !joint->radius.is_zero()) {
+      const Value radius = program.lower(joint->radius);
+      coefficients.friction = program.bind(radius * coefficients.friction);
+      coefficients.static_friction = program.bind(radius * coefficients.static_friction);
     }
     all.push_back(std::move(coefficients));
   }

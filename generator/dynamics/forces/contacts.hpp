@@ -22,6 +22,7 @@ struct ContactRows {
   std::string name;
   bool normal = true;  ///< false: dry friction alone, or resistance to a turn
   std::optional<std::size_t> pressed_by = std::nullopt;  ///< of a turn: the contact whose N bounds its moment
+  std::optional<int> joint = std::nullopt;  ///< of friction in proportion to a joint's reaction: the link that it carries
   Value gap;           ///< [m], or in the unit of a stopped coordinate; its rate is that of the first row
   std::vector<ContactRow> rows;
 
@@ -50,7 +51,8 @@ struct ContactPlace {
 /// force at a point: its directions are zero.
 std::vector<ContactPlace> contact_places(const Model& model);
 
-/// f, f_s, e and the bounds b, b_s of dry friction, formulas of parameters.
+/// f, f_s, e and the bounds b, b_s of dry friction, formulas of parameters. Of a turn, and of a joint that turns, f and f_s
+/// are lengths [m].
 struct ContactCoefficients { Value friction, static_friction, restitution, bound, static_bound; };
 std::vector<ContactCoefficients> contact_coefficients(const Model& model);
 

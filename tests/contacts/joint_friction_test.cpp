@@ -1,0 +1,184 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <vector>
+
+#include "runtime/contacts/contact_solver.hpp"
+#include "runtime/contacts/moreau_jean.hpp"
+#include "tests/contacts/told_motion.hpp"
+
+// Friction of joints in proportion to what they transmit.
+namespace joint_friction_test {
+namespace {
+
+using namespace told_motion;
+
+/// θ'² at θ after a start from rest at θ0, as it swings to the side s: with sin φ = h the line of R touches a circle of
+/// radius h, so that θ'' = -g sin θ - s tan φ (θ'² + g cos θ), linear in θ'².
+double square_of_rate(double theta, double start, double s, double h) {
+  const double a = s * std::tan(std::asin(h)), A = 2 * g * (1 - 2 * a * a) / (1 + 4 * a * a), B = -6 * a * g / (1 + 4 * a * a);
+  const auto forced = [&](double at) { return A * std::cos(at) + B * std::sin(at); };
+  return forced(theta) - forced(start) * std::exp(-2 * a * (theta - start));
+}
+
+double turning_point(double start, double s, double h) {
+  double moving = start + s * 1e-3, stopped = -start * 1.0001;
+  for (int i = 0; i < 200; ++i) {
+    const double middle = (moving + stopped) / 2;
+    (square_of_rate(middle, start, s, h) > 0 ? moving : stopped) = middle;
+  }
+  return (moving + stopped) / 2;
+}
+
+TEST(FrictionOfAJournal, TurnsAPendulumWhereItsCircleOfFrictionSays) {
+  const double h = 0.08;
+  std::array<double, 2> y{1.2, 0};
+  const Motion motion = move(pendulum_in_a_journal(h), y, 20);
+  const auto stops = motion.all(ContactEventKind::slip_ends);
+  double from = 1.2, s = -1;
+  std::size_t count = 0;
+  // It stays where the weight alone, whose line passes within the circle, cannot move it: |sin θ| <= h.
+  for (; std::abs(std::sin(from)) > h; ++count, s = -s) {
+    from = turning_point(from, s, h);
+    ASSERT_LT(count, stops.size());
+    EXPECT_NEAR(stops[count].state[0], from, 1e-12);
+  }
+  EXPECT_EQ(stops.size(), count);
+  EXPECT_GE(count, 3U);
+  EXPECT_EQ(stops.back().regime, ContactRegime::sticks);
+  EXPECT_EQ(y[1], 0.0);
+}
+
+TEST(FrictionOfAJournal, HoldsAPendulumUpToItsCircleOfFriction) {
+  const double h = 0.3;
+  for (const double part : {0.999999, 1.000001}) {
+    std::array<double, 2> y{std::asin(h) * part, 0};
+    const auto start = y;
+    move(pendulum_in_a_journal(h), y, 0.5);
+    EXPECT_EQ(y == start, part < 1);
+  }
+}
+
+// Steps of first order: the error falls as the step does.
+TEST(FrictionOfAJournal, MovesByStepsAsFromEventToEvent) {
+  std::array<double, 2> exact{1.2, 0};
+  ASSERT_TRUE(integrate_contacts(pendulum_in_a_journal(0.2), exact, 0, 0.9, precise));
+  const auto error = [&](long steps) {
+    std::array<double, 2> y{1.2, 0};
+    EXPECT_EQ(step_contacts(pendulum_in_a_journal(0.2), y, 0, 0.9, steps), ContactStatus::reached_end);
+    return std::hypot(y[0] - exact[0], y[1] - exact[1]);
+  };
+  const double coarse = error(900), fine = error(3600);
+  EXPECT_LT(coarse, 0.02);
+  EXPECT_LT(fine, coarse / 2);
+}
+
+/// The same with a stop at θ = 0, which is a couple and does not press the journal.
+ByHand<1, 1, 2> that_strikes(double h, double e) {
+  return {{ContactRule{.tangents = 0, .restitution = e},
+           ContactRule{.tangents = 1, .normal = false, .bearing = 2, .friction = h}},
+          [](double, const auto& y, auto& r) {
+            r.M(0, 0) = 1;
+            r.F(0) = -g * std::sin(y[0]);
+            r.gap[0] = y[0];
+            r.J << 1, 1;
+            r.w << y[1], y[1];
+            r.drift.setZero();
+            r.B << 0, 1;
+            r.C.setZero();
+            r.R0 << y[1] * y[1] + g * std::cos(y[0]), g * std::sin(y[0]);
+          }};
+}
+
+// The journal transmits the change of momentum, (1 + e) |w|, and its impulse opposes the slip after the impact.
+TEST(FrictionOfAJournal, TakesItsShareOfAnImpact) {
+  const double h = 0.2, e = 0.5;
+  std::array<double, 2> y{0.8, 0};
+  std::vector<double> impulses;
+  double before = 0;
+  const auto watch = [&](const ContactEvent& event) {
+    if (event.kind != ContactEventKind::impact) return true;
+    before = event.before[1];
+    impulses.assign(event.impulses.data(), event.impulses.data() + event.impulses.size());
+    return false;
+  };
+  static_cast<void>(integrate_contacts(that_strikes(h, e), y, 0, 5, precise, {}, watch));
+  ASSERT_EQ(impulses.size(), 2U);
+  const double change = -(1 + e) * before;
+  EXPECT_NEAR(y[1], -e * before, 1e-13);
+  EXPECT_NEAR(impulses[1], -h * change, 1e-13);
+  EXPECT_NEAR(impulses[0], change * (1 + h), 1e-13);
+}
+
+/// |T| = f |c + s T| of a joint that slides to the side 1, with u = T + q.
+ContactProblem pressed(double f, double s, double c) {
+  ContactProblem problem;
+  problem.count = 1;
+  problem.laws[0] = {.normal = false, .bearing = 1, .tangents = 1, .friction = f, .static_friction = f};
+  problem.W.setConstant(1, 1, 1);
+  problem.q.setConstant(1, 0.0);
+  problem.S.setConstant(1, 1, s);
+  problem.c.setConstant(1, c);
+  return problem;
+}
+
+TEST(FrictionOfAGuide, HasTheForceThatItsOwnReactionAllows) {
+  ContactProblem problem = pressed(0.5, 0.4, 3);
+  problem.q(0) = 5;  // T = -0.5 (3 + 0.4 T)
+  const ContactAnswer answer = solve_contacts(problem);
+  ASSERT_EQ(answer.verdict, ContactVerdict::unique);
+  EXPECT_EQ(answer.best().regimes[0], ContactRegime::slides);
+  EXPECT_NEAR(answer.best().r(0), -1.5 / 1.2, 1e-15);
+  EXPECT_LE(answer.best().residual, 1e-15);
+  problem.q(0) = 1;  // T = -1 holds it: 0.5 (3 - 0.4) is more
+  const ContactAnswer rest = solve_contacts(problem);
+  ASSERT_EQ(rest.verdict, ContactVerdict::unique);
+  EXPECT_EQ(rest.best().regimes[0], ContactRegime::sticks);
+  EXPECT_NEAR(rest.best().r(0), -1, 1e-15);
+}
+
+// While it slides to the side 1 the force t = -T has t = f |c - s t|: two solutions where f s > 1, none where f s < -1.
+TEST(FrictionOfAGuide, MayHaveTwoForcesOrNone) {
+  ContactProblem two = pressed(0.5, 4, 3);
+  two.laws[0].slips = true;
+  two.q(0) = -10;
+  const ContactAnswer both = solve_contacts(two);
+  EXPECT_EQ(both.verdict, ContactVerdict::several);
+  ASSERT_EQ(both.count, 2U);
+  EXPECT_NEAR(both.solutions[0].r(0) + both.solutions[1].r(0), -0.5 - 1.5, 1e-14);
+  ContactProblem none = pressed(0.5, -4, 3);
+  none.laws[0].slips = true;
+  EXPECT_EQ(solve_contacts(none).verdict, ContactVerdict::none);
+}
+
+// Of several joints, each pressed by what the others do too: the laws are put back.
+TEST(FrictionOfSeveralJoints, FulfilsTheLawOfEach) {
+  ContactProblem problem;
+  problem.count = 2;
+  problem.W.resize(2, 2);
+  problem.W << 2, 0.3, 0.3, 1.5;
+  problem.q.resize(2);
+  problem.q << 9, -7;
+  problem.S.resize(4, 2);
+  problem.S << 0.4, -0.2, 0.1, 0.5, -0.3, 0.2, 0.6, -0.1;
+  problem.c.resize(4);
+  problem.c << 1, -2, 3, 0.5;
+  for (std::size_t i = 0; i < 2; ++i) {
+    problem.laws[i] = {.normal = false, .bearing = 2, .tangents = 1, .friction = 0.3, .static_friction = 0.3};
+  }
+  const ContactAnswer answer = solve_contacts(problem);
+  ASSERT_EQ(answer.verdict, ContactVerdict::unique);
+  const ContactVector& r = answer.best().r;
+  const auto length = [&](int k) { return std::hypot(problem.S.row(k).dot(r) + problem.c(k), problem.S.row(k + 1).dot(r) + problem.c(k + 1)); };
+  EXPECT_NEAR(r(0), -0.3 * length(0), 1e-15);
+  EXPECT_NEAR(r(1), 0.3 * length(2), 1e-15);
+  const ContactAnswer swept = iterate_contacts(problem, ContactVector::Zero(2));
+  ASSERT_TRUE(swept);
+  EXPECT_NEAR((swept.best().r - r).norm(), 0, 1e-14);
+}
+
+}  // namespace
+}  // namespace joint_friction_test
