@@ -39,10 +39,7 @@ class Picture {
     scene.bodies.forEach((_, k) => places.push(column(poses.centres, k)));
     scene.points.forEach((_, k) => places.push(column(poses.points, k)));
     this.ofAuthor = new Set(this.shown.map((form) => scene.frames[form.frame].body));  // bodies that the author draws
-    for (const { mesh, x, y, z, origin, ends } of this.forms(poses)) {
-      const [as, bs, cs] = ends ?? [[-1, 1], [-1, 1], mesh === "cylinder" || mesh === "cone" ? [0, 1] : [-1, 1]];
-      for (const a of as) for (const b of bs) for (const c of cs) places.push(add(add(add(origin, x, a), y, b), z, c));
-    }
+    places.push(...this.formCorners(poses));
     const low = [0, 1, 2].map((i) => Math.min(...places.map((p) => p[i])));
     const high = [0, 1, 2].map((i) => Math.max(...places.map((p) => p[i])));
     this.middle = scaled(add(low, high), 0.5);
@@ -68,6 +65,16 @@ class Picture {
     this.findTraces();
     this.bulks = scene.bodies.map((each, k) => this.bulk(each, k, poses));
     this.frameAll([poses]);
+  }
+
+  /// Corners of boxes around what the author of the scene shows.
+  formCorners(poses) {
+    const corners = [];
+    for (const { mesh, x, y, z, origin, ends } of this.forms(poses)) {
+      const [as, bs, cs] = ends ?? [[-1, 1], [-1, 1], mesh === "cylinder" || mesh === "cone" ? [0, 1] : [-1, 1]];
+      for (const a of as) for (const b of bs) for (const c of cs) corners.push(add(add(add(origin, x, a), y, b), z, c));
+    }
+    return corners;
   }
 
   /// How far a body is drawn around its centre of mass.
@@ -148,23 +155,28 @@ class Picture {
     this.traced = this.traced.slice(0, 8);
   }
 
-  /// The middle and the size of everything in some poses, unless it runs away.
+  /// The middle of everything in some poses and how far it reaches from there, unless it runs away.
   frameAll(allPoses) {
-    let low = [Infinity, Infinity, Infinity], high = low.map((v) => -v);
-    const include = (place) => {
-      low = low.map((v, i) => Math.min(v, place[i]));
-      high = high.map((v, i) => Math.max(v, place[i]));
+    let low = [Infinity, Infinity, Infinity], high = low.map((v) => -v), reach = 0;
+    const places = [], apart = this.scene.bodies.length > 1 ? 2.5 : 4;
+    const include = (place, radius = 0) => {
+      places.push([place, radius]);
+      low = low.map((v, i) => Math.min(v, place[i] - radius));
+      high = high.map((v, i) => Math.max(v, place[i] + radius));
     };
-    const half = () => length(add(high, low, -1)) / 2, apart = this.scene.bodies.length > 1 ? 2.5 : 4;
     for (const poses of allPoses) {
-      this.scene.bodies.forEach((_, k) => [-1, 1].forEach((sign) => include(column(poses.centres, k).map((v) => v + sign * this.bulks[k]))));
+      this.scene.bodies.forEach((_, k) => include(column(poses.centres, k), this.bulks[k]));
       this.scene.frames.forEach((_, k) => include(column(poses.anchors, k)));
+      this.scene.points.forEach((_, k) => include(column(poses.points, k)));
+      this.formCorners(poses).forEach((place) => include(place));
       this.traced.forEach((each) => include(column(poses[each.member], each.k)));
-      if (apart < 4 && half() > apart * this.size) break;  // bodies that part: their beginning
+      if (apart < 4 && length(add(high, low, -1)) / 2 > apart * this.size) break;  // bodies that part: their beginning
     }
-    if (!(half() < 4 * this.size)) return;
-    this.reach = Math.max(half(), this.size);
-    this.middle = scaled(add(low, high), 0.5);
+    const middle = scaled(add(low, high), 0.5);
+    for (const [place, radius] of places) reach = Math.max(reach, length(add(place, middle, -1)) + radius);
+    if (!(reach < 4 * this.size)) return;
+    this.reach = Math.max(reach, 0.3 * this.size, 1.3 * Math.max(0, ...this.bulks));  // what rolls needs its plane beside it
+    this.middle = middle;
   }
 
   /// Where the camera looks: it follows a mechanism that leaves the view, without what has left it.

@@ -44,10 +44,10 @@ export class Browser {
     else done(message.result);
   }
 
-  send(method, params = {}) {
+  /// To the page once there is one; to the browser itself with an empty `sessionId`.
+  send(method, params = {}, sessionId = this.session) {
     const id = ++this.number;
-    const session = this.session ? { sessionId: this.session } : {};
-    this.process.stdio[3].write(JSON.stringify({ id, method, params, ...session }) + "\0");
+    this.process.stdio[3].write(JSON.stringify({ id, method, params, ...(sessionId ? { sessionId } : {}) }) + "\0");
     return new Promise((done, fail) => this.waiting.set(id, { done, fail }));
   }
 
