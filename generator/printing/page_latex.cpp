@@ -22,7 +22,8 @@ class LatexPage final : public Page {
   LatexPage(bool document, const NaturalLanguage& language) : Page(language), document_(document) {
     if (!document) return;
     out_ =
-        "\\documentclass{article}\n"
+        "\\documentclass[a4paper]{article}\n"
+        "\\usepackage[margin=2cm]{geometry}\n"
         "\\usepackage[utf8]{inputenc}\n"
         "\\usepackage{amsmath}\n"
         "\\allowdisplaybreaks\n"
@@ -63,9 +64,11 @@ class LatexPage final : public Page {
       row(fmt::format("{} &= {}{}", latex(left), latex(right), end));
     } else if (left_size < 20) {
       row(fmt::format("{} &= {}{}", latex(left), latex_lines(right, line_width - left_size), end));
-    } else {
+    } else {  // apart: its lines begin at the margin, not below the = of its neighbours
+      close();
       row(fmt::format("&{} \\\\\n  &\\quad = {}{}", latex_lines(left, line_width), latex_lines(right, line_width),
                       end));
+      close();
     }
     put(remark);
   }

@@ -159,7 +159,8 @@ class Picture {
   frameAll(allPoses) {
     let low = [Infinity, Infinity, Infinity], high = low.map((v) => -v), reach = 0;
     const places = [], apart = this.scene.bodies.length > 1 ? 2.5 : 4;
-    const include = (place, radius = 0) => {
+    const include = (place, bulk = 0) => {
+      const radius = Math.max(bulk, 0.08 * this.size);  // of pins and blocks
       places.push([place, radius]);
       low = low.map((v, i) => Math.min(v, place[i] - radius));
       high = high.map((v, i) => Math.max(v, place[i] + radius));
@@ -179,14 +180,16 @@ class Picture {
     this.middle = middle;
   }
 
-  /// Where the camera looks: it follows a mechanism that leaves the view, without what has left it.
+  /// Where the camera looks: it follows a mechanism that leaves the view as far as it must, without what has left it.
   followed(poses, target) {
-    const all = this.scene.bodies.map((_, k) => column(poses.centres, k)), near = 3 * (this.reach ?? this.size);
+    const reach = this.reach ?? this.size, all = this.scene.bodies.map((_, k) => ({ place: column(poses.centres, k), bulk: this.bulks[k] }));
     if (all.length === 0) return target;
-    const together = all.filter((place) => length(add(place, target, -1)) < near), places = together.length > 0 ? together : all;
-    const away = add(scaled(places.reduce((sum, place) => add(sum, place)), 1 / places.length), target, -1);
-    const reach = this.reach ?? this.size, distance = length(away), free = Math.max(0.1 * reach, 0.8 * (reach - Math.max(...this.bulks)));
-    return distance > free ? add(target, away, 1 - free / distance) : target;
+    const far = ({ place }) => length(add(place, target, -1)), together = all.filter((each) => far(each) < 3 * reach);
+    const seen = together.length > 0 ? together : all;
+    const beyond = Math.max(...seen.map((each) => far(each) + each.bulk)) - 1.05 * reach;
+    if (!(beyond > 0)) return target;
+    const away = add(scaled(seen.reduce((sum, { place }) => add(sum, place), [0, 0, 0]), 1 / seen.length), target, -1);
+    return add(target, away, Math.min(1, beyond / Math.max(length(away), 1e-300)));
   }
 
   /// Where a camera sees the most: across the axes where all joints turn about one direction.
