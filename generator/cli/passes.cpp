@@ -16,20 +16,6 @@ nlohmann::ordered_json to_json(const PassEffect& effect) {
           {"error", effect.error}};
 }
 
-const char* name_of(PassLevel level) {
-  switch (level) {
-    case PassLevel::program:
-      return "program";
-    case PassLevel::results:
-      return "results";
-    case PassLevel::listing:
-      return "listing";
-    case PassLevel::bodies:
-      break;
-  }
-  return "bodies";
-}
-
 }  // namespace
 
 std::string passes_table(const PassReport& report) {
@@ -59,7 +45,7 @@ std::string passes_table(const PassReport& report) {
   text += "what each pass works on, and what it does\n";
   for (const Pass& pass : all_passes()) {
     const bool reported = std::find(report.passes.begin(), report.passes.end(), pass.name) != report.passes.end();
-    if (reported) text += fmt::format("{:<12}{:<8}  {}\n", pass.name, name_of(pass.level), pass.effect);
+    if (reported) text += fmt::format("{:<12}{:<8}  {}\n", pass.name, pass.level(), pass.effect);
   }
   return text + (report.equal() ? "no pass changes a result\n" : "FAIL: a pass changes a result\n");
 }

@@ -40,10 +40,14 @@ AskedKernel as_asked(const Kernel& kernel) {
   return asked;
 }
 
-/// Operations before products that sums share, factoring, and what is done once for a set of parameters.
-std::optional<int> unoptimised(const Program& program, const Kernel& kernel) {
+/// Operations of what was derived, before products that sums share, factoring, and what is done once for a set of
+/// parameters. What vanishes in the end costs nothing.
+std::optional<int> unoptimised(const Program& program, std::vector<Value> derived, const Kernel& kernel) {
   if (kernel.series) return std::nullopt;
-  return count_unoptimised(program, kernel.values()).total();
+  for (std::size_t i = 0; i < kernel.assignments.size(); ++i) {
+    if (kernel.assignments[i].value.is_zero()) derived[i] = Value();
+  }
+  return count_unoptimised(program, derived).total();
 }
 
 class MechanismLowering {
@@ -52,8 +56,9 @@ class MechanismLowering {
 
   void add(Kernel kernel) {
     Program& program = mechanism_->equations->program();
-    const std::optional<int> before = unoptimised(program, kernel);
-    share_products(program, kernel);
+    std::vector<Value> derived = kernel.values();
+    run_passes(program.passes(), program, static_cast<Computation&>(kernel));
+    const std::optional<int> before = unoptimised(program, std::move(derived), kernel);
     auto [listing, once] = lower_kernel(program, kernel, mechanism_->layout);
     const std::vector<std::size_t> members = precomputation_.add(once);
     for (Quantity& quantity : listing.quantities) {
@@ -95,14 +100,9 @@ Layout layout_of(const Equations& equations, const std::vector<SymbolPointer>& p
 }
 
 LoweredKernel lower_kernel(Program& program, const Kernel& kernel, const Layout& all) {
-  Request request;
-  for (const Assignment& each : kernel.assignments) request.results.push_back({each.target, each.value});
-  request.pivots = kernel.pivots;
-  request.has_status = kernel.series || !kernel.pivots.empty();
-  if (kernel.series) request.series = &*kernel.series;
   const Layout layout = layout_of(all, kernel);
   const Schedule schedule = make_schedule(program, kernel.values());
-  Listing listing = lower(program, schedule.function, request, {&layout, &schedule, kernel.name});
+  Listing listing = lower(program, schedule.function, kernel, {&layout, &schedule, kernel.name});
   return {std::move(listing), lower_precompute(program, schedule, all)};
 }
 

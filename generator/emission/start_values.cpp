@@ -11,9 +11,9 @@
 namespace torsor {
 namespace {
 
-Block block_of(const Program& program, const std::vector<Wanted>& results) {
+Block block_of(const Program& program, const std::vector<Assignment>& results) {
   std::vector<Polynomial> sums;
-  for (const Wanted& each : results) sums.push_back(without_sign(each.value.polynomial()).first);
+  for (const Assignment& each : results) sums.push_back(without_sign(each.value.polynomial()).first);
   return whole_block(program, sums);
 }
 
@@ -33,7 +33,7 @@ Listing default_parameters(const Scene& scene, const std::vector<SymbolPointer>&
     if (found == all.end() || !found->value) return std::nullopt;
     return value_in_unit(*found);
   });
-  std::vector<Wanted> given;
+  std::vector<Assignment> given;
   std::vector<Target> missing;
   for (const SymbolPointer& symbol : parameters) {
     const Value value = program.symbol(symbol);
@@ -55,7 +55,7 @@ Listing default_parameters(const Scene& scene, const std::vector<SymbolPointer>&
 
 Listing initial_state(const Equations& equations, const ModelOptions& options, const Layout& layout) {
   Program program(Model::resolver(equations.scene(), options));
-  std::vector<Wanted> results{{{"state", "time"}, program.number(Number())}};
+  std::vector<Assignment> results{{{"state", "time"}, program.number(Number())}};
   const Model& model = equations.model();
   const SceneContent& content = equations.scene().content();
   const auto add = [&](const Target& target, const std::optional<Expression>& given) {

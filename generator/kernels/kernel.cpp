@@ -27,8 +27,6 @@
 #include "generator/kernels/kernel_second_derivatives.hpp"
 #include "generator/kernels/kernel_sensitivities.hpp"
 #include "generator/kernels/kernel_sparse_jacobian.hpp"
-#include "generator/listing/shared_products.hpp"
-#include "generator/program/identically_zero.hpp"
 
 namespace torsor {
 namespace {
@@ -188,15 +186,6 @@ Kernel make_reactions(const Equations& equations) {
   return kernel;
 }
 
-/// Results that vanish identically although their definitions do not show it (terms that cancel across definitions) are
-/// set to zero: they cost nothing and carry no rounding.
-void clear_identically_zero(Kernel& kernel) {
-  std::vector<Value> values;
-  for (const Assignment& assignment : kernel.assignments) values.push_back(assignment.value);
-  clear_identically_zero(values);
-  for (std::size_t i = 0; i < values.size(); ++i) kernel.assignments[i].value = std::move(values[i]);
-}
-
 // Why there is nothing to compute, found without deriving the kernel.
 std::string never(const Equations&) { return ""; }
 
@@ -285,24 +274,6 @@ const Entry& entry_of(const std::string& name) {
 
 }  // namespace
 
-std::vector<Value> Kernel::values() const {
-  std::vector<Value> all;
-  for (const Assignment& assignment : assignments) all.push_back(assignment.value);
-  for (const auto& [pivot, diagonal] : pivots) {
-    all.push_back(pivot);
-    all.push_back(diagonal);
-  }
-  if (series) {
-    const SeriesProgram& program = series->program;
-    const std::vector<Polynomial> roots = series->solve ? series->solve->coefficients : program.roots();
-    for (const Polynomial& root : roots) all.push_back(program.value(root));
-    if (series->solve) {
-      for (const Value& value : series->solve->at_start(program)) all.push_back(value);
-    }
-  }
-  return all;
-}
-
 const std::vector<std::string>& kernel_names() {
   static const std::vector<std::string> names = [] {
     std::vector<std::string> all;
@@ -334,24 +305,12 @@ Kernel derive_kernel(const std::string& name, const Equations& equations) {
   kernel.skipped = absence(entry, equations);
   if (kernel.skipped.empty()) kernel = entry.make(equations);
   kernel.name = name;
-  clear_identically_zero(kernel);
   return kernel;
-}
-
-void share_products(Program& program, Kernel& kernel) {
-  if (kernel.series) return;
-  std::vector<Value> values = with_shared_products(program, kernel.values());
-  auto value = values.begin();
-  for (Assignment& assignment : kernel.assignments) assignment.value = std::move(*value++);
-  for (auto& [pivot, diagonal] : kernel.pivots) {
-    pivot = std::move(*value++);
-    diagonal = std::move(*value++);
-  }
 }
 
 Kernel make_kernel(const std::string& name, const Equations& equations) {
   Kernel kernel = derive_kernel(name, equations);
-  share_products(equations.program(), kernel);
+  run_passes(equations.program().passes(), equations.program(), static_cast<Computation&>(kernel));
   return kernel;
 }
 

@@ -9,8 +9,7 @@
 #include <vector>
 
 #include "generator/dynamics/equations/equations.hpp"
-#include "generator/listing/series_result.hpp"
-#include "generator/listing/target.hpp"
+#include "generator/listing/computation.hpp"
 
 namespace torsor {
 
@@ -52,12 +51,6 @@ struct Result {
   std::size_t columns = 1;  ///< of an array that is a matrix
 };
 
-/// `target = value`. The same value may go to several targets.
-struct Assignment {
-  Target target;
-  Value value;
-};
-
 /// What a caller of a kernel must know.
 struct KernelSignature {
   std::string name;
@@ -68,13 +61,8 @@ struct KernelSignature {
 };
 
 /// A kernel as values of the equations' program: it is lowered to a listing, counted and evaluated.
-struct Kernel : KernelSignature {
-  std::vector<Assignment> assignments;
-  std::vector<std::pair<Value, Value>> pivots;  ///< (pivot, diagonal): not empty means the kernel returns a Status
-  std::optional<SeriesResult> series{};  ///< of a kernel that is written as recurrences, without assignments
+struct Kernel : KernelSignature, Computation {
   std::string skipped{};  ///< not empty: why there is nothing to compute; the kernel is absent from the header
-
-  std::vector<Value> values() const;  ///< everything that must be computed, pivots included
 };
 
 /// Names of all kernels, in the order of the header.
@@ -86,13 +74,12 @@ const std::vector<std::string>& usual_kernel_names();
 /// Whether the kernel solves with the mass matrix, and so is absent where joints move no mass.
 bool solves_with_mass_matrix(const std::string& name);
 
-/// Builds a kernel on the equations' program, as it is derived: terms that cancel are gone, nothing else is rearranged.
+/// Builds a kernel on the equations' program, as it is derived: no pass has been at its results.
 /// Throws UsageError naming an unknown kernel and listing the known ones.
 Kernel derive_kernel(const std::string& name, const Equations& equations);
 
-/// The same with products that its sums have in common computed once (shared_products.hpp).
+/// The same after the passes on results.
 Kernel make_kernel(const std::string& name, const Equations& equations);
-void share_products(Program& program, Kernel& kernel);
 
 /// A kernel with equations of its own: as it is emitted, whichever other kernels there are.
 struct OwnKernel {

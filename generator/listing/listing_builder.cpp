@@ -61,9 +61,9 @@ void ListingBuilder::compute(const Block& block) {
   for (const ValueNumber value_number : issue_order(*program_, starts_, left)) define(value_number);
 }
 
-void ListingBuilder::write(const Wanted& wanted) {
-  auto [value, repeats] = value_of(wanted.value, listing_.outputs.size());
-  listing_.outputs.push_back({wanted.target, std::move(value), !repeats && !wanted.value.is_constant(), {}});
+void ListingBuilder::write(const Assignment& assignment) {
+  auto [value, repeats] = value_of(assignment.value, listing_.outputs.size());
+  listing_.outputs.push_back({assignment.target, std::move(value), !repeats && !assignment.value.is_constant(), {}});
 }
 
 void ListingBuilder::write_member(const Target& target, ValueNumber value_number, const std::string& meaning) {

@@ -25,7 +25,7 @@ class ListingBuilder {
   /// Without a block: leaves of formulas are not placed, since only what they are of matters.
   void compute_nothing() { places_formulas_ = false; }
   void compute(const Block& block);
-  void write(const Wanted& wanted);
+  void write(const Assignment& assignment);
   void write(const Target& target, Formula value, const std::string& meaning = {}) {
     listing_.outputs.push_back({target, {std::move(value)}, false, meaning});
   }

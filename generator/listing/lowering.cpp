@@ -9,13 +9,13 @@
 
 namespace torsor {
 
-Listing lower(Program& program, const Block& block, const Request& request, const Surroundings& around) {
+Listing lower(Program& program, const Block& block, const Computation& computation, const Surroundings& around) {
   ListingBuilder builder(program, around);
   builder.compute(block);
-  if (request.series != nullptr) RecurrenceLowering(builder, program, *request.series, &block).run();
-  for (const Wanted& wanted : request.results) builder.write(wanted);
-  for (const auto& pivot : request.pivots) builder.measure(pivot);
-  return builder.take(request.has_status);
+  if (computation.series) RecurrenceLowering(builder, program, *computation.series, &block).run();
+  for (const Assignment& assignment : computation.assignments) builder.write(assignment);
+  for (const auto& pivot : computation.pivots) builder.measure(pivot);
+  return builder.take(computation.has_status());
 }
 
 std::vector<Polynomial> coefficients_read(Program& program, const SeriesResult& series) {

@@ -2,29 +2,14 @@
 #pragma once
 
 #include <string>
-#include <utility>
 #include <vector>
 
+#include "generator/listing/computation.hpp"
 #include "generator/listing/listing.hpp"
 #include "generator/listing/schedule.hpp"
-#include "generator/listing/series_result.hpp"
 #include "generator/program/program.hpp"
 
 namespace torsor {
-
-/// A result that is wanted of a function.
-struct Wanted {
-  Target target;
-  Value value;
-};
-
-/// What a function computes.
-struct Request {
-  std::vector<Wanted> results;
-  std::vector<std::pair<Value, Value>> pivots{};  ///< each with what it is measured against
-  bool has_status = false;
-  const SeriesResult* series = nullptr;  ///< of a function that gives Taylor coefficients
-};
 
 /// What stands ready for a function: its arguments, and those members of Precomputed that it has in its schedule. Null:
 /// none.
@@ -38,7 +23,7 @@ struct Surroundings {
 /// need no sine or cosine in one group, then those of angles that need these. What follows stands in the order of
 /// issue_order.hpp. Results that are equal up to sign are computed once.
 /// Throws Error naming a symbol that is not in the layout.
-Listing lower(Program& program, const Block& block, const Request& request, const Surroundings& around);
+Listing lower(Program& program, const Block& block, const Computation& computation, const Surroundings& around);
 
 /// Coefficients and constants that a function with a solve reads: not all that its program has, since the equations are
 /// solved without their terms in the accelerations themselves.

@@ -225,7 +225,6 @@ class ProductSharing {
 }  // namespace
 
 std::vector<Value> with_shared_products(Program& program, const std::vector<Value>& values) {
-  if (!program.passes().sharing || !program.passes().products) return values;
   return ProductSharing(program, values).run();
 }
 

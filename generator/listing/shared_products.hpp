@@ -15,8 +15,8 @@ namespace torsor {
 /// instructions, are known no later if their operands are when they were, and have the same factors taken out as
 /// before; and only where that saves operations in all, and no processor that fuses products with sums has an
 /// instruction more: a product that two sums fuse costs nothing in the second. Sums of several terms are not taken out:
-/// terms that do not belong together would be rounded together. Exact; nothing changes unless the passes `sharing` and
-/// `products` are both on.
+/// terms that do not belong together would be rounded together. Exact. The program must have the pass `sharing`, which
+/// finds a product again.
 std::vector<Value> with_shared_products(Program& program, const std::vector<Value>& values);
 
 }  // namespace torsor

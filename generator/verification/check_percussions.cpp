@@ -21,7 +21,7 @@ class PercussionCheck {
   PercussionCheck(const Scene& scene, const CheckOptions& options)
       : scene_(scene), options_(options), precision_(options.digits + 10), kernels_(scene), road_(scene) {
     for (const char* name : {"impact", "delassus"}) {
-      for (const Assignment& each : derive_kernel(name, kernels_).assignments) {
+      for (const Assignment& each : make_kernel(name, kernels_).assignments) {
         results_.emplace(each.target.member + fmt::format("[{}]", each.target.entry.value_or(0)), each.value);
       }
     }

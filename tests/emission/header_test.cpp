@@ -216,10 +216,8 @@ TEST(Header, RefusesAKernelThatReadsWhatItIsNotGiven) {
   const Kernel kernel = make_kernel("inverse_dynamics", equations);
   const Layout layout{equations.model().positions(), {}, {}, {}, {}, {}};
   const Schedule schedule = make_schedule(program, kernel.values());
-  Request request;
-  for (const Assignment& each : kernel.assignments) request.results.push_back({each.target, each.value});
   try {
-    lower(program, schedule.function, request, {&layout, &schedule, kernel.name});
+    lower(program, schedule.function, kernel, {&layout, &schedule, kernel.name});
     FAIL() << "the accelerations are not among the arguments";
   } catch (const Error& error) {
     EXPECT_NE(std::string(error.what()).find("the kernel 'inverse_dynamics' needs"), std::string::npos) << error.what();

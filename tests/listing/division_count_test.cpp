@@ -42,9 +42,9 @@ TEST(DivisionCount, IsThatOfTheOperations) {
   Program program;
   const Value quotient = program.lower(x / (1 + y * y));
   const Value other = program.lower(1 / (2 + cos(x)));
-  const Request request{{{{"r", "", 0}, quotient}, {{"r", "", 1}, other}, {{"r", "", 2}, program.lower(x * y)}}};
+  const Computation computation{{{{"r", "", 0}, quotient}, {{"r", "", 1}, other}, {{"r", "", 2}, program.lower(x * y)}}};
   const Schedule schedule = make_schedule(program, {quotient, other});
-  const Listing listing = lower(program, schedule.function, request, {&layout, &schedule, "divided"});
+  const Listing listing = lower(program, schedule.function, computation, {&layout, &schedule, "divided"});
   EXPECT_EQ(divisions(listing), 2);
   EXPECT_EQ(divisions(listing), count(listing).divisions);
 }

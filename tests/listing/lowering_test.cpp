@@ -11,12 +11,9 @@ namespace {
 
 class LoweredFunction : public testing::Test {
  protected:
-  Listing lowered(const Request& request) {
-    std::vector<Value> values;
-    for (const Wanted& each : request.results) values.push_back(each.value);
-    for (const auto& [pivot, diagonal] : request.pivots) values.push_back(pivot), values.push_back(diagonal);
-    schedule_ = make_schedule(program_, values);
-    return lower(program_, schedule_.function, request, {&layout_, &schedule_, "tested"});
+  Listing lowered(const Computation& computation) {
+    schedule_ = make_schedule(program_, computation.values());
+    return lower(program_, schedule_.function, computation, {&layout_, &schedule_, "tested"});
   }
   SymbolPointer symbol(const Expression& expression) { return expression.as_symbol(); }
 
@@ -69,8 +66,8 @@ TEST_F(LoweredFunction, ComputesWhatRepeatsUpToSignOnce) {
 
 TEST_F(LoweredFunction, LeavesWhatDependsOnParametersToPrecompute) {
   const Value product = program_.bind(program_.lower(a_ * b_ + a_));
-  const Request request{{{{"r", "", 0}, product * program_.lower(x_)}, {{"r", "", 1}, program_.lower(a_ * a_)}}};
-  const Listing listing = lowered(request);
+  const Computation computation{{{{"r", "", 0}, product * program_.lower(x_)}, {{"r", "", 1}, program_.lower(a_ * a_)}}};
+  const Listing listing = lowered(computation);
   EXPECT_TRUE(listing.reads(Table::precomputed));
   EXPECT_FALSE(listing.reads(Table::parameter));
   EXPECT_EQ(count(listing).total(), 1);
@@ -93,10 +90,9 @@ TEST_F(LoweredFunction, TakesSinesOfAnglesThatNeedNoneTogether) {
 
 TEST_F(LoweredFunction, MeasuresPivotsThatMayVanish) {
   const Value pivot = program_.lower(1 + x_ * x_), diagonal = program_.lower(2 + x_ * x_);
-  Request request{{{{"r", "", 0}, pivot}}};
-  request.pivots = {{pivot, diagonal}, {program_.number(Number(2)), program_.number(Number(3))}};
-  request.has_status = true;
-  const Listing listing = lowered(request);
+  Computation computation{{{{"r", "", 0}, pivot}}};
+  computation.pivots = {{pivot, diagonal}, {program_.number(Number(2)), program_.number(Number(3))}};
+  const Listing listing = lowered(computation);
   ASSERT_EQ(listing.pivots.size(), 1u) << "a positive number is regular whatever the state";
   EXPECT_EQ(listing.quantity(listing.pivots[0].pivot.formula.value_number).table, Table::output);
   EXPECT_EQ(listing.of_pivots.size(), 1u);
@@ -105,10 +101,9 @@ TEST_F(LoweredFunction, MeasuresPivotsThatMayVanish) {
 
 TEST_F(LoweredFunction, MeasuresPivotsThatAreNegativeNumbers) {
   const Value pivot = program_.lower(1 + x_ * x_);
-  Request request{{{{"r", "", 0}, pivot}}};
-  request.pivots = {{program_.number(Number(-2)), program_.number(Number(3))}};
-  request.has_status = true;
-  EXPECT_EQ(lowered(request).pivots.size(), 1u) << "no state makes it regular";
+  Computation computation{{{{"r", "", 0}, pivot}}};
+  computation.pivots = {{program_.number(Number(-2)), program_.number(Number(3))}};
+  EXPECT_EQ(lowered(computation).pivots.size(), 1u) << "no state makes it regular";
 }
 
 TEST_F(LoweredFunction, DropsWhatOnlyLiteralsRead) {

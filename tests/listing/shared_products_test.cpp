@@ -153,14 +153,6 @@ TEST_F(SharedProducts, KeepFunctionsOfWhatWasMadeAPureNumber) {
   EXPECT_EQ(operations(program, after), 2 + 1 + 2);
 }
 
-TEST_F(SharedProducts, StayWithoutTheirPass) {
-  Passes passes;
-  passes.products = false;
-  Program plain({}, passes);
-  const Value q = plain.symbol(TestCoordinate("q").q);
-  EXPECT_EQ(with_shared_products(plain, {pow(q, 4)})[0].polynomial(), pow(q, 4).polynomial());
-}
-
 /// Sums of products of symbols and of at most one definition before them, divided by a symbol at times; of some a
 /// function of what has no unit.
 std::vector<Value> random_values(Program& program, const std::vector<Value>& symbols, std::mt19937& random) {

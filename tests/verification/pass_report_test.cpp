@@ -12,6 +12,7 @@
 
 #include "generator/base/error.hpp"
 #include "generator/kernels/kernel.hpp"
+#include "generator/program/formula.hpp"
 #include "tests/dynamics/random_mechanism.hpp"
 
 namespace torsor::pass_report_test {

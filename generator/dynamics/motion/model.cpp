@@ -59,18 +59,10 @@ Model::Model(const Scene& scene, Program& program, const ModelOptions& options)
   add_coordinates();
   add_links();
   gather_bodies();
-  make_trees();
-}
-
-void Model::make_trees() {
-  const Passes& passes = options_.passes;
-  with_bodies_ = passes.reframing && !options_.symbolic_parameters ? reframed(*this) : BodyTree(*this);
-  regrouped_ = passes.regrouping ? torsor::regrouped(*with_bodies_) : *with_bodies_;
-  without_lines_ = passes.regrouping && passes.off_axis ? torsor::without_lines(*with_bodies_) : *regrouped_;
-  if (!passes.length_unit) return;
-  with_bodies_ = in_length_unit(*with_bodies_);
-  regrouped_ = in_length_unit(*regrouped_);
-  without_lines_ = in_length_unit(*without_lines_);
+  trees_.emplace(BodyTrees{*this, *this, *this});
+  Passes passes = options_.passes;
+  passes.reframing = passes.reframing && !options_.symbolic_parameters;
+  run_passes(passes, *trees_);
 }
 
 void Model::add_coordinates() {

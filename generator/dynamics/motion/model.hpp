@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "generator/dynamics/motion/body_tree.hpp"
+#include "generator/dynamics/motion/pass_table.hpp"
 #include "generator/mechanics/scene.hpp"
 #include "generator/program/derivative.hpp"
 #include "generator/program/program.hpp"
@@ -60,11 +61,11 @@ class Model : public BodyTree {
 
   /// The same mechanism in the frames and the unit of length that cost least, as passes allow: with the inertia of its
   /// bodies;
-  const BodyTree& with_bodies() const { return *with_bodies_; }
+  const BodyTree& with_bodies() const { return trees_->with_bodies; }
   /// regrouped, for composite and articulated inertias;
-  const BodyTree& regrouped() const { return *regrouped_; }
+  const BodyTree& regrouped() const { return trees_->regrouped; }
   /// without lines of mass, for wrenches of inertia.
-  const BodyTree& without_lines() const { return *without_lines_; }
+  const BodyTree& without_lines() const { return trees_->without_lines; }
 
   std::vector<SymbolPointer> inputs() const;
   /// What positions are functions of: the unknown coordinates, and the four components of each unit quaternion.
@@ -104,11 +105,10 @@ class Model : public BodyTree {
   std::pair<Value, Vector> supported(const PointContent& point, const Vector& down) const;
   Vector down_in(const PointContent& point, const FramePlace& at, const std::string& user) const;
   Vector lowest(const PointContent& point, int link, const std::string& user) const;
-  void make_trees();
 
   ModelOptions options_;
   std::map<int, Vector> measured_;  ///< by index of the measured vector
-  std::optional<BodyTree> with_bodies_, regrouped_, without_lines_;
+  std::optional<BodyTrees> trees_;
 };
 
 }  // namespace torsor

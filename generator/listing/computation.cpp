@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "generator/listing/computation.hpp"
+
+#include "generator/listing/shared_products.hpp"
+#include "generator/program/identically_zero.hpp"
+
+namespace torsor {
+
+std::vector<Value> Computation::values() const {
+  std::vector<Value> all;
+  for (const Assignment& assignment : assignments) all.push_back(assignment.value);
+  for (const auto& [pivot, diagonal] : pivots) {
+    all.push_back(pivot);
+    all.push_back(diagonal);
+  }
+  if (series) {
+    const SeriesProgram& program = series->program;
+    const std::vector<Polynomial> roots = series->solve ? series->solve->coefficients : program.roots();
+    for (const Polynomial& root : roots) all.push_back(program.value(root));
+    if (series->solve) {
+      for (const Value& value : series->solve->at_start(program)) all.push_back(value);
+    }
+  }
+  return all;
+}
+
+void clear_identically_zero(Program&, Computation& computation) {
+  std::vector<Value> values;
+  for (const Assignment& assignment : computation.assignments) values.push_back(assignment.value);
+  clear_identically_zero(values);
+  for (std::size_t i = 0; i < values.size(); ++i) computation.assignments[i].value = std::move(values[i]);
+}
+
+void share_products(Program& program, Computation& computation) {
+  if (computation.series) return;
+  std::vector<Value> values = with_shared_products(program, computation.values());
+  auto value = values.begin();
+  for (Assignment& assignment : computation.assignments) assignment.value = std::move(*value++);
+  for (auto& [pivot, diagonal] : computation.pivots) {
+    pivot = std::move(*value++);
+    diagonal = std::move(*value++);
+  }
+}
+
+}  // namespace torsor
