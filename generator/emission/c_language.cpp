@@ -79,28 +79,9 @@ std::string CLanguage::access(const Target& target) const {
 }
 
 std::string CLanguage::function(Function function) const {
-  switch (function) {
-    case Function::sqrt:
-      return "TORSOR_FUNCTION(sqrt)";
-    case Function::exp:
-      return "TORSOR_FUNCTION(exp)";
-    case Function::log:
-      return "TORSOR_FUNCTION(log)";
-    case Function::abs:
-      return "torsor_absolute";
-    case Function::sign:
-      return "torsor_sign";
-    case Function::maximum:
-      return "torsor_maximum";
-    case Function::atan2:
-      return "torsor_arctangent";
-    case Function::select:
-      return "torsor_chosen";
-    case Function::sin:
-    case Function::cos:
-      break;
-  }
-  throw Error("sines and cosines come in pairs");
+  const std::string name = traits_of(function).emitted.c;
+  if (name.empty()) throw Error("sines and cosines come in pairs");
+  return name;
 }
 
 std::vector<CodeLine> CLanguage::sines_and_cosines(const std::vector<AngleText>& angles, int group) const {

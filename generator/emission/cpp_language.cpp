@@ -63,7 +63,7 @@ std::string CppLanguage::access(const Target& target) const {
   return target.to_string();
 }
 
-std::string CppLanguage::function(Function function) const { return traits_of(function).emitted; }
+std::string CppLanguage::function(Function function) const { return traits_of(function).emitted.cpp; }
 
 std::vector<CodeLine> CppLanguage::sines_and_cosines(const std::vector<AngleText>& angles, int group) const {
   if (angles.size() == 1) {

@@ -117,28 +117,9 @@ std::string JavascriptLanguage::access(const Target& target) const {
 }
 
 std::string JavascriptLanguage::function(Function function) const {
-  switch (function) {
-    case Function::sqrt:
-      return "Math.sqrt";
-    case Function::exp:
-      return "Math.exp";
-    case Function::log:
-      return "Math.log";
-    case Function::abs:
-      return "absolute";
-    case Function::sign:
-      return "sign";
-    case Function::maximum:
-      return "maximum";
-    case Function::atan2:
-      return "arctangent";
-    case Function::select:
-      return "chosen";
-    case Function::sin:
-    case Function::cos:
-      break;
-  }
-  throw Error("sines and cosines come in pairs");
+  const std::string name = traits_of(function).emitted.javascript;
+  if (name.empty()) throw Error("sines and cosines come in pairs");
+  return name;
 }
 
 std::vector<CodeLine> JavascriptLanguage::sines_and_cosines(const std::vector<AngleText>& angles, int) const {

@@ -8,17 +8,23 @@
 namespace torsor {
 
 const std::vector<FunctionTraits>& functions() {
+  using enum UnitRule;
+  using enum Parity;
   static const std::vector<FunctionTraits> all{
-      {Function::sin, "sin", "traits::sin", 1, UnitRule::dimensionless, Parity::odd, false},
-      {Function::cos, "cos", "traits::cos", 1, UnitRule::dimensionless, Parity::even, false},
-      {Function::sqrt, "sqrt", "traits::sqrt", 1, UnitRule::root, Parity::none, false},
-      {Function::exp, "exp", "traits::exp", 1, UnitRule::dimensionless, Parity::none, false},
-      {Function::log, "log", "traits::log", 1, UnitRule::dimensionless, Parity::none, false},
-      {Function::abs, "abs", "torsor::Selections<Scalar>::absolute", 1, UnitRule::same, Parity::even, true},
-      {Function::sign, "sign", "torsor::Selections<Scalar>::sign", 1, UnitRule::ratio, Parity::odd, true},
-      {Function::maximum, "max", "torsor::Selections<Scalar>::maximum", 2, UnitRule::same, Parity::none, true},
-      {Function::atan2, "atan2", "torsor::Selections<Scalar>::arctangent", 2, UnitRule::ratio, Parity::odd, false},
-      {Function::select, "select", "torsor::Selections<Scalar>::chosen", 3, UnitRule::choice, Parity::none, true},
+      {Function::sin, "sin", {"traits::sin", "", ""}, 1, dimensionless, odd, false, 0},
+      {Function::cos, "cos", {"traits::cos", "", ""}, 1, dimensionless, even, false, 1},
+      {Function::sqrt, "sqrt", {"traits::sqrt", "TORSOR_FUNCTION(sqrt)", "Math.sqrt"}, 1, root, none, false, 0},
+      {Function::exp, "exp", {"traits::exp", "TORSOR_FUNCTION(exp)", "Math.exp"}, 1, dimensionless, none, false, 1},
+      {Function::log, "log", {"traits::log", "TORSOR_FUNCTION(log)", "Math.log"}, 1, dimensionless, none, false, {}},
+      {Function::abs, "abs", {"torsor::Selections<Scalar>::absolute", "torsor_absolute", "absolute"},
+       1, same, even, true, 0},
+      {Function::sign, "sign", {"torsor::Selections<Scalar>::sign", "torsor_sign", "sign"}, 1, ratio, odd, true, 0},
+      {Function::maximum, "max", {"torsor::Selections<Scalar>::maximum", "torsor_maximum", "maximum"},
+       2, same, none, true, {}},
+      {Function::atan2, "atan2", {"torsor::Selections<Scalar>::arctangent", "torsor_arctangent", "arctangent"},
+       2, ratio, odd, false, {}},
+      {Function::select, "select", {"torsor::Selections<Scalar>::chosen", "torsor_chosen", "chosen"},
+       3, choice, none, true, {}},
   };
   return all;
 }

@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <functional>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -11,9 +12,9 @@
 
 namespace torsor {
 
-/// Functions of a program. `functions()` tells all that is common to them; what only one of them has stands in
-/// derivative.cpp (its slope), function_values.hpp (its value), series_lowering.cpp (its Taylor series) and
-/// program.cpp (values of numbers, signs that leave it).
+/// Functions of a program. `functions()` tells all that is common to them, names in generated texts included; what only
+/// one of them has stands in derivative.cpp (its slope), function_values.hpp (its value) and series_lowering.cpp (its
+/// Taylor series).
 enum class Function { sin, cos, sqrt, exp, log, abs, sign, maximum, atan2, select };
 
 /// What the units of arguments and result must be.
@@ -28,14 +29,20 @@ enum class UnitRule {
 /// How signs leave a function's first argument.
 enum class Parity { none, odd, even };
 
+/// Names in generated texts; empty in languages in which sines and cosines come in pairs.
+struct EmittedNames {
+  const char *cpp, *c, *javascript;
+};
+
 struct FunctionTraits {
   Function function;
   const char* name;      ///< in formulas that a person reads or writes
-  const char* emitted;   ///< in generated headers
+  EmittedNames emitted;
   std::size_t arity;
   UnitRule units;
   Parity parity;
   bool selects;          ///< takes one of several forms, which meet at a kink or a jump: not analytic
+  std::optional<int> at_zero;  ///< of one argument: its value at zero, where it has one
 };
 
 /// In the order of the enumeration.

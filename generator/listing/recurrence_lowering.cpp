@@ -85,8 +85,7 @@ int RecurrenceLowering::depth_of(const SeriesNode& each) const {
   };
   for (const SeriesForm::Term& term : each.form.terms) wait_for(term.node);
   wait_for(each.left);
-  const bool paired = each.kind == Kind::sine || each.kind == Kind::cosine;
-  if (!paired) wait_for(each.right);
+  if (!has_slope(each)) wait_for(each.right);
   return depth + (each.kind == Kind::quotient ? 2 : 1);
 }
 
@@ -292,8 +291,8 @@ void RecurrenceLowering::write_order(int id) {
       right = product({difference(x(each.left), sum_of(id)), inverse(id)});
       break;
     case Kind::sine:
-    case Kind::exponential: {
-      const Formula slope = begin(each.kind == Kind::sine ? each.right : id);
+    case Kind::primitive: {
+      const Formula slope = begin(each.right);
       right = sum({product({order(OrderQuantity::inverse), sum_of(id)}), product({slope, x(each.left)})});
       break;
     }
@@ -311,7 +310,7 @@ void RecurrenceLowering::write_order(int id) {
   const std::string meaning =
       each.value_number >= 0 && each.kind != Kind::symbol ? program_[each.value_number].name : "";
   x_[place(id)] = step(fmt::format("x{}", id), std::move(right), meaning);
-  if (each.kind == Kind::sine || each.kind == Kind::exponential) weighted(each.left);
+  if (each.kind == Kind::sine || each.kind == Kind::primitive) weighted(each.left);
   if (each.kind == Kind::logarithm) weighted(id);
 }
 
@@ -327,9 +326,8 @@ std::pair<ValueNumber, ValueNumber> RecurrenceLowering::operands(int id) const {
       return {coefficient(id), coefficient(each.right)};
     case Kind::sine:
     case Kind::cosine:
+    case Kind::primitive:
       return {weighted(each.left), coefficient(each.right)};
-    case Kind::exponential:
-      return {weighted(each.left), coefficient(id)};
     case Kind::logarithm:
       return {weighted(id), coefficient(each.left)};
     default:

@@ -200,8 +200,7 @@ Sum Sum::function(Function function, const std::vector<Sum>& arguments) {
   if (function == Function::sqrt) return power(argument, 1);
   const Parity parity = traits_of(function).parity;
   if (argument.is_zero() && arguments.size() == 1) {
-    if (function == Function::cos || function == Function::exp) return Sum(Number(1));
-    if (parity == Parity::odd || function == Function::abs) return {};
+    if (const std::optional<int> value = traits_of(function).at_zero) return *value == 0 ? Sum() : Sum(Number(*value));
   }
   if (parity != Parity::none && !argument.is_zero() && argument.terms().begin()->second.sign() < 0) {
     std::vector<Sum> mirrored = arguments;

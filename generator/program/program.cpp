@@ -216,9 +216,9 @@ Value Program::apply_to_number(Function function, const Value& argument) {
   const Number value = argument.polynomial().constant();
   if (function == Function::abs) return number(value.abs(), argument.unit());
   if (function == Function::sign) return number(Number(value.sign()));
-  if (value.is_zero()) {
-    if (function == Function::sin || function == Function::sqrt) return number(Number(), argument.unit());
-    if (function == Function::cos || function == Function::exp) return number(Number(1));
+  const FunctionTraits& traits = traits_of(function);
+  if (value.is_zero() && traits.at_zero) {
+    return number(Number(*traits.at_zero), *traits.at_zero == 0 ? argument.unit() : Unit());
   }
   if (function == Function::sqrt) {
     if (value.sign() < 0) throw Error(fmt::format("square root of the negative number {}", value.to_string()));
@@ -227,8 +227,8 @@ Value Program::apply_to_number(Function function, const Value& argument) {
   if (function == Function::log && value.sign() <= 0) {
     throw Error(fmt::format("logarithm of {}: the argument must be positive", value.to_string()));
   }
-  if (value.sign() < 0 && function == Function::sin) return -apply(function, -argument);
-  if (value.sign() < 0 && function == Function::cos) return apply(function, -argument);
+  if (value.sign() < 0 && traits.parity == Parity::odd) return -apply(function, -argument);
+  if (value.sign() < 0 && traits.parity == Parity::even) return apply(function, -argument);
   const Unit unit = function == Function::sqrt ? argument.unit().root() : Unit();
   // A named definition of the generation stage: its function has no exact value.
   return {*this, Polynomial(function_value_number(function, {constant_value_number(argument)}, unit)), unit};

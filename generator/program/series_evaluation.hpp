@@ -139,11 +139,10 @@ class SeriesEvaluation {
       case Kind::square_root:
         return (at(node.left, k) - inner(own, own, k, false)) / (at(own, 0) + at(own, 0));
       case Kind::sine:
+      case Kind::primitive:
         return at(node.left, k) * at(node.right, 0) + inner(node.left, node.right, k, true) / Scalar(k);
       case Kind::cosine:
         return -(at(node.left, k) * at(node.right, 0) + inner(node.left, node.right, k, true) / Scalar(k));
-      case Kind::exponential:
-        return at(node.left, k) * at(own, 0) + inner(node.left, own, k, true) / Scalar(k);
       case Kind::logarithm:
         return (at(node.left, k) - inner(own, node.left, k, true) / Scalar(k)) / at(node.left, 0);
       case Kind::symbol:

@@ -136,9 +136,11 @@ void SeriesLowering::define_function(ValueNumber value_number) {
     case Function::sqrt:
       make(value_number, SeriesNode::Kind::square_root);
       return;
-    case Function::exp:
-      make(value_number, SeriesNode::Kind::exponential);
+    case Function::exp: {
+      const int own = make(value_number, SeriesNode::Kind::primitive);
+      nodes_[at(own)].right = own;
       return;
+    }
     case Function::log:
       make(value_number, SeriesNode::Kind::logarithm);
       return;
@@ -458,10 +460,13 @@ std::pair<std::vector<SeriesNode>, std::vector<SeriesForm>> SeriesLowering::take
     for (const SeriesForm::Term& term : form.terms) live[at(term.node)] = true;
   };
   for (const SeriesForm& output : outputs_) mark(output);
+  std::vector<int> slope_of(nodes_.size(), -1);  // a slope stands behind what it is one of, and so behind no user of that
+  for (std::size_t k = 0; k < nodes_.size(); ++k) {
+    if (has_slope(nodes_[k])) slope_of[at(nodes_[k].right)] = static_cast<int>(k);
+  }
   for (std::size_t k = nodes_.size(); k-- > 0;) {
     const SeriesNode& node = nodes_[k];
-    const bool paired = node.kind == SeriesNode::Kind::sine || node.kind == SeriesNode::Kind::cosine;
-    if (paired && live[at(node.right)]) live[k] = true;
+    if (slope_of[k] >= 0 && live[at(slope_of[k])]) live[k] = true;
     if (!live[k]) continue;
     mark(node.form);
     if (node.left >= 0) live[at(node.left)] = true;

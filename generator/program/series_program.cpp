@@ -167,6 +167,11 @@ bool is_nonlinear(const SeriesNode& node) {
   return node.kind >= SeriesNode::Kind::product;
 }
 
+bool has_slope(const SeriesNode& node) {
+  using Kind = SeriesNode::Kind;
+  return node.kind == Kind::sine || node.kind == Kind::cosine || node.kind == Kind::primitive;
+}
+
 Polynomial product_of(const Polynomial& a, const Polynomial& b) {
   Polynomial result;
   for (const Term& left : a.terms()) {

@@ -28,20 +28,23 @@ Polynomial product_of(const Polynomial& a, const Polynomial& b);
 /// A quantity that changes with time, with the recurrence its Taylor coefficients follow.
 struct SeriesNode {
   /// `weighted` is k x_k, the series of t dx/dt; `integrated` its inverse, x_k / k from the value of its value number on;
-  /// `selection` has the coefficients of one of two series, left or right (-1: of what does not change).
+  /// `selection` has the coefficients of one of two series, left or right (-1: of what does not change); `primitive`
+  /// follows y' = right · left', right being any later node or itself, as `sine` does with its cosine.
   enum class Kind {
     symbol, sum, weighted, integrated, selection,
-    product, quotient, square_root, sine, cosine, exponential, logarithm
+    product, quotient, square_root, sine, cosine, primitive, logarithm
   };
   Kind kind = Kind::symbol;
   ValueNumber value_number = -1;   ///< the value number of the program with just this value, if one is known; always for symbols and functions
   int left = -1;    ///< factor, dividend (-1: one), or argument of a function
-  int right = -1;   ///< factor, divisor, second form, or the cosine of a sine and the sine of a cosine
+  int right = -1;   ///< factor, divisor, second form, slope of a primitive, the cosine of a sine and the sine of a cosine
   SeriesForm form;  ///< of a sum
 };
 
 /// Whether the Taylor coefficients of a node take a convolution, k multiply-adds for the coefficient of order k.
 bool is_nonlinear(const SeriesNode& node);
+/// Whether its right node is its slope by the left one, up to sign.
+bool has_slope(const SeriesNode& node);
 
 /// The live part of a program as operations between Taylor series in time, with few that are not linear: sums of flat
 /// monomials are factored, factors times a sum take one product, a quotient is one operation and so is each reciprocal,

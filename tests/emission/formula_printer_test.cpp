@@ -40,7 +40,7 @@ class FormulaPrinterText : public testing::Test {
  protected:
   FormulaPrinter printer() {
     return {[this](ValueNumber value_number) { return local_name(program_, value_number); },
-            [](Function function) { return traits_of(function).emitted; }};
+            [](Function function) { return traits_of(function).emitted.cpp; }};
   }
   std::string print(const Value& value) {
     FormulaPrinter printer = this->printer();
