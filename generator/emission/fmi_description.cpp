@@ -2,6 +2,8 @@
 #include "generator/emission/fmi_description.hpp"
 
 #include <algorithm>
+#include <map>
+#include <string>
 #include <vector>
 
 #include <fmt/format.h>
@@ -63,22 +65,25 @@ constexpr const char* both_kinds_of_2 =
   <CoSimulation modelIdentifier="{0}" canHandleVariableCommunicationStepSize="true" canGetAndSetFMUstate="true" canSerializeFMUstate="true" providesDirectionalDerivative="true">
     <SourceFiles><File name="{0}_fmi2.c"/></SourceFiles>
   </CoSimulation>)";
-constexpr const char* co_simulation_of_2 =
-    R"(  <CoSimulation modelIdentifier="{0}" canHandleVariableCommunicationStepSize="true" canGetAndSetFMUstate="true" canSerializeFMUstate="true"/>)";
+constexpr const char* with_contacts_of_2 =
+    R"(  <ModelExchange modelIdentifier="{0}" canGetAndSetFMUstate="true" canSerializeFMUstate="true"/>
+  <CoSimulation modelIdentifier="{0}" canHandleVariableCommunicationStepSize="true" canGetAndSetFMUstate="true" canSerializeFMUstate="true"/>)";
 constexpr const char* both_kinds_of_3 =
     R"(  <ModelExchange modelIdentifier="{0}" canGetAndSetFMUState="true" canSerializeFMUState="true" providesDirectionalDerivatives="true" providesAdjointDerivatives="true" needsCompletedIntegratorStep="true"/>
   <CoSimulation modelIdentifier="{0}" canGetAndSetFMUState="true" canSerializeFMUState="true" providesDirectionalDerivatives="true" providesAdjointDerivatives="true" canHandleVariableCommunicationStepSize="true"/>)";
-constexpr const char* co_simulation_of_3 =
-    R"(  <CoSimulation modelIdentifier="{0}" canGetAndSetFMUState="true" canSerializeFMUState="true" canHandleVariableCommunicationStepSize="true"/>)";
+constexpr const char* with_contacts_of_3 =
+    R"(  <ModelExchange modelIdentifier="{0}" canGetAndSetFMUState="true" canSerializeFMUState="true" needsCompletedIntegratorStep="true"/>
+  <CoSimulation modelIdentifier="{0}" canGetAndSetFMUState="true" canSerializeFMUState="true" canHandleVariableCommunicationStepSize="true"/>)";
 
 struct UnknownPlaces {
-  std::vector<std::size_t> outputs, derivatives;
+  std::vector<std::size_t> outputs, derivatives, indicators;
 };
 
-UnknownPlaces unknowns_of(const std::vector<FmiVariable>& variables) {
+UnknownPlaces unknowns_of(const std::vector<FmiVariable>& variables, bool contacts) {
   UnknownPlaces structure;
   for (std::size_t i = 0; i < variables.size(); ++i) {
-    if (variables[i].role == FmiVariable::Role::output) structure.outputs.push_back(i);
+    if (variables[i].role == FmiVariable::Role::indicator) structure.indicators.push_back(i);
+    if (variables[i].role == FmiVariable::Role::output && !contacts) structure.outputs.push_back(i);
     if (variables[i].role == FmiVariable::Role::derivative) structure.derivatives.push_back(i);
   }
   return structure;
@@ -105,7 +110,8 @@ std::string structure_of_3(const UnknownPlaces& structure) {
     return text;
   };
   return list("Output", structure.outputs) + list("ContinuousStateDerivative", structure.derivatives) +
-         list("InitialUnknown", structure.derivatives) + list("InitialUnknown", structure.outputs);
+         list("InitialUnknown", structure.derivatives) + list("InitialUnknown", structure.outputs) +
+         list("EventIndicator", structure.indicators);
 }
 
 }  // namespace
@@ -125,16 +131,16 @@ std::string fmi_token(const MechanismListing& mechanism, FmiVersion version) {
 std::string fmi_description(const MechanismListing& mechanism, FmiVersion version) {
   require_kernels(mechanism);
   const bool two = version == FmiVersion::two;
-  // What changes at the events of contacts has no derivatives: co-simulation alone, by a binary alone.
+  // What changes at the events of contacts has no derivatives, and reactions of contacts change multipliers.
   const bool contacts = !mechanism.scene().content().contacts.empty();
   const std::vector<FmiVariable> variables = fmi_variables(mechanism);
   const std::size_t states = mechanism.layout.coordinates.size() + mechanism.layout.velocities.size();
-  const bool can_be_put_back = !contacts && (!mechanism.layout.multipliers.empty() ||
-                               mechanism.layout.coordinates.size() > mechanism.layout.velocities.size());
+  const bool can_be_put_back = contacts || !mechanism.layout.multipliers.empty() ||
+                               mechanism.layout.coordinates.size() > mechanism.layout.velocities.size();
   std::string list;
   for (std::size_t i = 0; i < variables.size(); ++i) {
     const FmiVariable& v = variables[i];
-    if (contacts && (v.role == FmiVariable::Role::derivative || v.role == FmiVariable::Role::output)) continue;
+    if (contacts && v.role == FmiVariable::Role::output) continue;
     const std::string numbers = numbers_of(v, i, states, two ? 1 : 0, can_be_put_back);
     list += two ? fmt::format("    <ScalarVariable name=\"{}\" valueReference=\"{}\" {}><Real{}/></ScalarVariable>\n", v.name,
                               i, kind_of(v), numbers)
@@ -148,18 +154,20 @@ std::string fmi_description(const MechanismListing& mechanism, FmiVersion versio
   std::vector<FmiVariable> measured = variables;
   if (!two) measured.push_back({"time", "s", FmiVariable::Role::local, {}});
   const char* const file = two ? "fmi/modelDescription2.xml.in" : "fmi/modelDescription3.xml.in";
-  const UnknownPlaces structure = contacts ? UnknownPlaces{} : unknowns_of(variables);
-  const char* const kinds = two ? (contacts ? co_simulation_of_2 : both_kinds_of_2)
-                                : (contacts ? co_simulation_of_3 : both_kinds_of_3);
-  return fill_template(file, embedded_template(file),
-                       {{"name", mechanism.scene().name()},
-                        {"title", xml_escaped(mechanism.scene().content().title)},
-                        {"version", TORSOR_VERSION},
-                        {"token", fmi_token(mechanism, version)},
-                        {"kinds", fmt::format(fmt::runtime(kinds), mechanism.scene().name())},
-                        {"units", fmi_unit_definitions(measured)},
-                        {"variables", list},
-                        {"structure", two ? structure_of_2(structure) : structure_of_3(structure)}});
+  const UnknownPlaces structure = unknowns_of(variables, contacts);
+  const char* const kinds = two ? (contacts ? with_contacts_of_2 : both_kinds_of_2)
+                                : (contacts ? with_contacts_of_3 : both_kinds_of_3);
+  std::map<std::string, std::string> texts = {
+      {"name", mechanism.scene().name()},
+      {"title", xml_escaped(mechanism.scene().content().title)},
+      {"version", TORSOR_VERSION},
+      {"token", fmi_token(mechanism, version)},
+      {"kinds", fmt::format(fmt::runtime(kinds), mechanism.scene().name())},
+      {"units", fmi_unit_definitions(measured)},
+      {"variables", list},
+      {"structure", two ? structure_of_2(structure) : structure_of_3(structure)}};
+  if (two) texts["indicators"] = std::to_string(structure.indicators.size());
+  return fill_template(file, embedded_template(file), texts);
 }
 
 }  // namespace torsor

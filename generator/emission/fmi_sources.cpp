@@ -9,6 +9,7 @@
 #include "generator/emission/c_header.hpp"
 #include "generator/emission/embedded_runtime_texts.hpp"
 #include "generator/emission/embedded_templates.hpp"
+#include "generator/emission/fmi_variables.hpp"
 #include "generator/emission/header.hpp"
 #include "generator/emission/text_template.hpp"
 
@@ -51,7 +52,10 @@ std::vector<SourceFile> fmi_contact_sources(const MechanismListing& mechanism) {
   files.push_back({name + ".hpp", emit_header(mechanism)});
   files.insert(files.begin(), {name + "_contacts.cpp",
                                fill_template("fmi/contacts.cpp.in", embedded_template("fmi/contacts.cpp.in"),
-                                             {{"name", name}, {"version", TORSOR_VERSION}, {"sources", sources}})});
+                                             {{"name", name},
+                                              {"version", TORSOR_VERSION},
+                                              {"has_inputs", mechanism.layout.inputs.empty() ? "0" : "1"},
+                                              {"sources", sources}})});
   return files;
 }
 
@@ -73,7 +77,7 @@ std::vector<SourceFile> fmi_sources(const MechanismListing& mechanism, FmiVersio
       {source_name(mechanism, version),
        filled(two ? "fmi/fmi2.c.in" : "fmi/fmi3.c.in", {{"token", fmi_token(mechanism, version)}})},
       {"fmi_model.h", filled("fmi/model.h.in", {{"has_rates", flag(has_rates)},
-                                                {"has_contacts", has_contacts},
+                                                {"indicators", std::to_string(fmi_indicators(mechanism).size())},
                                                 {"has_inputs", flag(!mechanism.layout.inputs.empty())},
                                                 {"has_multipliers", has_multipliers}})},
       {"fmi_motion.h",

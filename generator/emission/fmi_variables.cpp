@@ -44,6 +44,16 @@ std::string unit_definition(const std::string& text) {
 
 }  // namespace
 
+std::vector<std::string> fmi_indicators(const MechanismListing& mechanism) {
+  std::vector<std::string> names;
+  for (const ContactContent& contact : mechanism.scene().content().contacts) {
+    for (const char* what : {"opens_or_closes", "sticks_or_slips", "slip_begins_or_fades"}) {
+      names.push_back(fmt::format("indicator.{}.{}", contact.name, what));
+    }
+  }
+  return names;
+}
+
 std::vector<FmiVariable> fmi_variables(const MechanismListing& mechanism) {
   using Role = FmiVariable::Role;
   std::vector<FmiVariable> all;
@@ -75,6 +85,7 @@ std::vector<FmiVariable> fmi_variables(const MechanismListing& mechanism) {
   for (const char* kind : {"kinetic", "potential", "total"}) {
     all.push_back({fmt::format("energy.{}", kind), "J", Role::local, {}});
   }
+  for (const std::string& name : fmi_indicators(mechanism)) all.push_back({name, "1", Role::indicator, {}});
   return all;
 }
 

@@ -123,6 +123,8 @@ class ContactMotion {
   void forget() noexcept;
   /// Regimes were changed: what was solved is no longer valid.
   void changed() noexcept { solved_ = false; }
+  /// What the mechanism says at a state has changed: it is read again.
+  void renew() noexcept { known_ = false; }
 
  private:
   using Regimes = RegimeSystem::Regimes;

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Units of FMI whose bodies touch: for co-simulation, from event to event, against closed forms."""
+"""Units of FMI whose bodies touch: from event to event, of the unit or of the importer, against closed forms."""
 
 import subprocess
-from ctypes import byref, c_void_p
+from ctypes import byref, c_size_t, c_void_p
 
 import numpy as np
 import pytest
@@ -18,8 +18,8 @@ def unit(request, tmp_path_factory):
     return request.param("billiard", tmp_path_factory.mktemp("billiard"), "--flags=-O0", "--run-time", "all")
 
 
-def begun(unit, names=(), values=()):
-    component = unit.instantiate(CO_SIMULATION)
+def begun(unit, names=(), values=(), kind=CO_SIMULATION):
+    component = unit.instantiate(kind)
     assert component
     assert unit.initialise(component, 0.0, 1e-12) == OK
     assert unit.set(component, list(names), values) == OK
@@ -27,24 +27,34 @@ def begun(unit, names=(), values=()):
     return component
 
 
-def test_is_for_co_simulation_alone(unit):
-    assert unit.description.find("ModelExchange") is None
-    assert unit.description.find("CoSimulation") is not None
+def exchanged(unit, names=(), values=()):
+    component = begun(unit, names, values, MODEL_EXCHANGE)
+    unit.update(component)
+    assert unit.EnterContinuousTimeMode(component) == OK
+    return component
+
+
+def test_description_tells_of_indicators(unit):
+    kinds = [child.tag for child in unit.description][:2]
+    assert kinds == ["ModelExchange", "CoSimulation"]
+    assert not [k for kind in kinds for k in unit.description.find(kind).attrib if "Derivative" in k]
     assert [name.split("/")[0] for name in unit.names] == ["modelDescription.xml", "binaries"]
-    assert not [v["name"] for v in unit.variables if v["name"].startswith(("der(", "multiplier."))]
-    assert not unit.outputs + unit.listed_derivatives + unit.initial_unknowns
-    unit.messages.clear()
-    assert unit.instantiate(MODEL_EXCHANGE) is None
-    assert b"for co-simulation, not for model exchange" in unit.messages[0][1]
+    assert not [v["name"] for v in unit.variables if v["name"].startswith("multiplier.")] and not unit.outputs
+    assert unit.listed_derivatives == unit.initial_unknowns == unit.derivatives and unit.n == 13
+    indicators = [k for k, v in enumerate(unit.variables) if v["name"].startswith("indicator.cloth.")]
+    assert unit.indicator_count == len(indicators) == 3
+    if unit.version == 3:
+        assert unit.listed("EventIndicator") == indicators
+        assert [child.tag for child in unit.description.find("ModelStructure")][-3:] == ["EventIndicator"] * 3
+        count = c_size_t(7)
+        component = unit.instantiate(MODEL_EXCHANGE)
+        assert unit.GetNumberOfEventIndicators(component, byref(count)) == OK and count.value == 3
+        unit.FreeInstance(component)
 
 
-def test_has_no_value_of_what_is_not_described(unit):
+def test_has_no_derivatives_of_derivatives(unit):
     component = begun(unit)
-    numbers = len([v for v in unit.variables if v["name"].startswith(("q.", "v."))])
-    for reference in range(numbers, 2 * numbers):
-        assert reference not in unit.reference.values()
-        assert unit.get_numbers(component, unit.references([reference]), 1, doubles(np.zeros(1))[0]) == ERROR
-    assert unit.directional(component, [numbers], [0], [1.0], doubles(np.zeros(1))[0]) == ERROR
+    assert unit.directional(component, unit.derivatives[:1], [0], [1.0], doubles(np.zeros(1))[0]) == ERROR
     unit.FreeInstance(component)
 
 
@@ -63,6 +73,69 @@ def test_a_ball_slides_then_rolls(unit, f):
         # 1e-12 a step; events are located to rounding.
         np.testing.assert_allclose(unit.get(component, ["q.x", "v.x"]), slid(0.05 * (k + 1), f), rtol=0, atol=1e-10)
         np.testing.assert_allclose(unit.get(component, ["q.z"]), R, rtol=0, atol=1e-14)
+    unit.FreeInstance(component)
+
+
+@pytest.mark.parametrize("f", [F, 0.35])
+def test_an_importer_sees_it_slide_then_roll(unit, f):
+    component = exchanged(unit, ["parameter.f"], [f])
+    indicators = [v["name"] for v in unit.variables if v["name"].startswith("indicator.")]
+    # The force that presses is the weight, at an unknown mass; the slip is the velocity.
+    assert np.array_equal(unit.get(component, indicators), unit.indicators(component))
+    np.testing.assert_allclose(unit.indicators(component)[1], V, rtol=1e-12)
+    # Slope of a slip: - f g.
+    np.testing.assert_allclose(unit.get(component, ["der(v.x)", "der(q.x)"]), [-f * G, V], rtol=0, atol=1e-12)
+    end = 2 * V / (7 * f * G)
+    times = unit.integrated(component, 0.0, 1.5)
+    # 1e-12 a step; the last event is the end of the slip, after one where the slip nears it.
+    assert abs(times[-1] - end) < 1e-10 and len(times) <= 2
+    np.testing.assert_allclose(unit.get(component, ["q.x", "v.x"]), slid(1.5, f), rtol=0, atol=1e-10)
+    np.testing.assert_allclose(unit.get(component, ["q.z"]), R, rtol=0, atol=1e-12)
+    np.testing.assert_allclose(unit.get(component, ["der(v.x)"]), 0.0, atol=1e-12)
+    unit.FreeInstance(component)
+
+
+def test_an_importer_sees_bounces_come_to_an_end(unit):
+    component = exchanged(unit, ["q.z", "v.x", "parameter.e"], [R + 0.1, 0.0, 0.5])
+    fall = np.sqrt(2 * 0.1 / G)
+    times = unit.integrated(component, 0.0, 4 * fall)
+    np.testing.assert_allclose(times[:6], 3 * fall - 2 * fall * 0.5 ** np.arange(6), rtol=0, atol=1e-10)
+    # Flights that rise by less than 1e6 roundings of R + 0.1 m, 3e-11 m, are passed at once: 2 w/g = 5e-6 s are left of them.
+    assert abs(times[-1] - 3 * fall) < 1e-5
+    np.testing.assert_allclose(unit.get(component, ["q.z"]), R, rtol=0, atol=1e-10)
+    assert np.abs(unit.get(component, ["v.z"])).max() < 1e-12
+    unit.FreeInstance(component)
+
+
+def test_an_event_is_of_its_state(unit):
+    """A state that was kept in model exchange has its regimes again."""
+    component = exchanged(unit)
+    state, end = c_void_p(), 2 * V / (7 * F * G)
+    unit.integrated(component, 0.0, 0.5 * end)
+    assert getattr(unit, unit.memory["get"])(component, byref(state)) == OK
+    unit.integrated(component, 0.5 * end, 2 * end)
+    after = unit.get(component, ["q.x", "v.x"])
+    assert unit.EnterEventMode(component) == OK
+    assert unit.set(component, ["parameter.f"], [0.5]) == OK
+    assert getattr(unit, unit.memory["set"])(component, state) == OK
+    np.testing.assert_allclose(unit.get(component, ["der(v.x)"]), -F * G, rtol=0, atol=1e-12)
+    unit.integrated(component, 0.5 * end, 2 * end)
+    np.testing.assert_allclose(unit.get(component, ["q.x", "v.x"]), after, rtol=0, atol=1e-10)
+    getattr(unit, unit.memory["free"])(component, byref(state))
+    unit.FreeInstance(component)
+
+
+def test_a_parameter_of_a_surface_is_tuned_at_an_event(unit):
+    component = exchanged(unit)
+    assert unit.EnterEventMode(component) == OK
+    assert unit.set(component, ["parameter.f"], [0.5]) == OK
+    assert not unit.update(component)
+    np.testing.assert_allclose(unit.get(component, ["der(v.x)"]), -0.5 * G, rtol=0, atol=1e-12)
+    assert unit.set(component, ["parameter.f"], [-0.5]) == OK
+    unit.messages.clear()
+    with pytest.raises(AssertionError):
+        unit.update(component)
+    assert b"the motion ends" in unit.messages[0][1]
     unit.FreeInstance(component)
 
 
@@ -108,3 +181,46 @@ def test_sources_alone_are_refused(tmp_path):
     said = subprocess.run([*command("billiard", "fmu", "--sources-only", "-o", tmp_path / "x.fmu")], capture_output=True, text=True,
                           check=False)
     assert said.returncode == 2 and "'billiard' has contacts" in said.stderr
+
+
+@pytest.fixture(scope="module", params=(Unit2, Unit3), ids=("2", "3"))
+def cart(request, tmp_path_factory):
+    """A cart that a motor pushes, with stops at 10 m on either side, and a pole."""
+    return request.param("cart_pole", tmp_path_factory.mktemp("cart"), "--flags=-O0", "--limits")
+
+
+def test_a_stop_hears_of_inputs(cart):
+    """Two inputs at one time and one state: accelerations differ by their difference over the masses."""
+    run = exchanged(cart, ["input.slide_force"], [0.0])
+    found = []
+    for push in (0.0, 1.2):
+        assert cart.set(run, ["input.slide_force"], [push]) == OK
+        found.append(cart.get(run, ["der(v.slide)"])[0])
+    # The pole stands still at its start: 1 kg and 0.2 kg, less what the pole turns.
+    assert found[1] - found[0] > 1.0
+    cart.FreeInstance(run)
+
+
+def test_an_importer_reaches_the_state_of_the_runtime(cart):
+    """Pushed against its stop and held there: the pole swings on, and pulls the cart off again when the push ends."""
+    pushed = ["input.slide_force"]
+    moved, run = begun(cart, pushed, [20.0]), exchanged(cart, pushed, [20.0])
+    for k in range(8):
+        assert cart.step(moved, 0.25 * k, 0.25) == OK
+    events = cart.integrated(run, 0.0, 2.0)
+    names = ["q.slide", "q.hinge", "v.slide", "v.hinge"]
+    assert events and abs(cart.get(run, ["q.slide"])[0] - 10.0) < 1e-10
+    # 1e-12 a step and some hundred steps; errors grow by e^(4 t) at most.
+    np.testing.assert_allclose(cart.get(run, names), cart.get(moved, names), rtol=0, atol=1e-8)
+    assert cart.set(moved, pushed, [-1.0]) == OK
+    assert cart.EnterEventMode(run) == OK
+    assert cart.set(run, pushed, [-1.0]) == OK
+    assert not cart.update(run)
+    assert cart.EnterContinuousTimeMode(run) == OK
+    for k in range(4):
+        assert cart.step(moved, 2.0 + 0.25 * k, 0.25) == OK
+    cart.integrated(run, 2.0, 3.0)
+    assert cart.get(run, ["q.slide"])[0] < 9.9
+    np.testing.assert_allclose(cart.get(run, names), cart.get(moved, names), rtol=0, atol=1e-7)
+    cart.FreeInstance(moved)
+    cart.FreeInstance(run)

@@ -8,6 +8,7 @@ import zipfile
 from ctypes import POINTER, byref, c_bool, c_char_p, c_double, c_int, c_size_t, c_uint, c_void_p
 
 import numpy as np
+from scipy.integrate import DOP853
 
 from conftest import command
 
@@ -60,7 +61,7 @@ class Unit:
 
     def continuous(self, tolerance=None):
         component = self.initialised(MODEL_EXCHANGE, tolerance=tolerance)
-        assert not self.update(component)
+        assert not self.update(component)  # what the scene starts with fulfils its constraints
         assert self.EnterContinuousTimeMode(component) == OK
         return component
 
@@ -70,6 +71,47 @@ class Unit:
         pointer, values = doubles(np.zeros(self.n))
         assert self.get_derivatives(component, pointer) == OK
         return values
+
+    def indicators(self, component):
+        pointer, values = doubles(np.zeros(self.indicator_count))
+        assert self.GetEventIndicators(component, pointer, c_size_t(self.indicator_count)) == OK
+        return values
+
+    def integrated(self, component, time, end, tolerance=1e-12):
+        """Model exchange as an importer does it: scipy's steps, at the end of each the indicators, and where one has fallen
+        to zero or below, an event at the first such time by bisection of the step's interpolant. The events' times."""
+        def at(t, y):
+            self.right_side(component, t, y)
+            return self.indicators(component)
+
+        y, times = self.state(component), []
+        while time < end:
+            solver = DOP853(lambda t, y: self.right_side(component, t, y), time, y, end, rtol=tolerance, atol=tolerance)
+            event = False
+            while solver.status == "running" and not event:
+                solver.step()
+                time, y = solver.t, solver.y
+                if (at(time, y) <= 0).any():
+                    between, before = solver.dense_output(), solver.t_old
+                    while before < (middle := (before + time) / 2) < time:
+                        if (at(middle, between(middle)) <= 0).any():
+                            time = middle
+                        else:
+                            before = middle
+                    y, event = between(time) if time < solver.t else solver.y, True
+                    at(time, y)
+                answer, wanted = self.complete_step(component) if not event else (OK, False)
+                assert answer == OK
+                event = event or wanted
+            assert solver.status != "failed"
+            if event:
+                times.append(time)
+                assert self.EnterEventMode(component) == OK
+                self.update(component)
+                assert not self.update(component) and (self.indicators(component) > 0).all()
+                y = self.state(component)
+                assert self.EnterContinuousTimeMode(component) == OK
+        return times
 
     def state(self, component):
         pointer, values = doubles(np.zeros(self.n))
@@ -106,6 +148,7 @@ class Unit2(Unit):
         self.initial_unknowns = self.listed("InitialUnknowns")
         self.listed_derivatives = self.listed("Derivatives")
         self.token = self.description.attrib["guid"]
+        self.indicator_count = int(self.description.attrib["numberOfEventIndicators"])
 
     def read_variables(self):
         return [v.attrib | v.find("Real").attrib for v in self.description.iter("ScalarVariable")]
@@ -169,6 +212,7 @@ class Unit3(Unit):
         self.initial_unknowns = self.listed("InitialUnknown")
         self.listed_derivatives = self.listed("ContinuousStateDerivative")
         self.token = self.description.attrib["instantiationToken"]
+        self.indicator_count = len(self.listed("EventIndicator"))
 
     def read_variables(self):
         return [v.attrib for v in self.description.find("ModelVariables")]
