@@ -3,7 +3,7 @@
 # same_bits.sh HOST-COMPILER HEADER FOLDER TARGET...: every kernel of a generated header gives the bits of this machine on
 # each target, where no product is fused with a sum:
 #   cortex-m4   in float, in which nothing calls for a double, and cortex-m7 in double with TORSOR_SMALL, under QEMU
-#   aarch64     in float and in double, under qemu-user
+#   aarch64, riscv64   in float and in double, under qemu-user
 # Targets whose tools are not installed are left out with a note. Ends with 77 (skipped) where all are.
 set -euo pipefail
 host="$1" header="$2" folder="$3"
@@ -66,14 +66,14 @@ for target in "$@"; do
     cortex-m7)
       there arm-none-eabi-g++ qemu-system-arm || continue
       board cortex-m7 fpv5-d16 mps2-an500 double -DTORSOR_SMALL ;;
-    aarch64)
-      there aarch64-linux-gnu-g++ qemu-aarch64 || continue
+    aarch64 | riscv64)
+      there "$target-linux-gnu-g++" "qemu-$target" || continue
       for real in float double; do
-        aarch64-linux-gnu-g++ "${flags[@]}" -static -DREAL=$real "$here/kernels.cpp" -o "$folder/aarch64"
-        qemu-aarch64 "$folder/aarch64" > "$folder/aarch64.txt"
-        compare aarch64 $real
+        "$target-linux-gnu-g++" "${flags[@]}" -static -DREAL=$real "$here/kernels.cpp" -o "$folder/$target"
+        "qemu-$target" "$folder/$target" > "$folder/$target.txt"
+        compare "$target" $real
       done ;;
-    *) echo "same_bits.sh: no target is $target; the targets are cortex-m4, cortex-m7 and aarch64"; exit 2 ;;
+    *) echo "same_bits.sh: no target is $target; the targets are cortex-m4, cortex-m7, aarch64 and riscv64"; exit 2 ;;
   esac
   ran=$((ran + 1))
 done
