@@ -20,6 +20,7 @@ struct MeasuredVector {
   int frame = 0, point = 0, relative_to = 0;
   int axes = 0;   ///< whose axes the components are along
   Triple along{};
+  std::shared_ptr<const Symbol> time{};  ///< of the scene that was asked, and of no other
 };
 
 /// One component of it: what a symbol that is no variable stands for (Symbol::measure).

@@ -93,6 +93,7 @@ Triple Scene::measured(MeasuredVector vector, const std::string& name, const Uni
                        std::vector<SymbolPointer> made_of) {
   using Kind = MeasuredVector::Kind;
   vector.index = content_.measured_count++;
+  vector.time = content_.time;
   const bool of_places = vector.kind == Kind::direction || vector.kind == Kind::position;
   const auto shared = std::make_shared<const MeasuredVector>(std::move(vector));
   Triple components;

@@ -60,6 +60,20 @@ TEST(Ownership, IsLookedAtInEveryPartOfAScene) {
   }
 }
 
+TEST(Ownership, IsOfWhatAnotherSceneMeasuresToo) {
+  // The frame is welded to the ground: the direction is made of no coordinate of either scene.
+  const auto told = [](bool foreign) {
+    Scene other = pendulum(), scene = pendulum();
+    for (Scene* each : {&other, &scene}) each->weld("shelf", "ground", {});
+    const Triple along = (foreign ? other : scene).direction("shelf", {1, 0, 0}, "ground");
+    scene.torque("twist", "arm", {0, 0, along[0] * Expression::quantity("1", "N m")}, "ground");
+    return error_of<SceneError>([&] { validate(scene); });
+  };
+  EXPECT_EQ(told(true).substr(0, told(true).find(", whose")),
+            "'direction(shelf, ground).x' belongs to another scene than 'pendulum'");
+  EXPECT_EQ(told(false), "no error");
+}
+
 TEST(Ownership, LetsAnotherSceneOfTheSameNamesThrough) {
   const Scene first = pendulum(), second = pendulum();
   EXPECT_NO_THROW(check_ownership(first));

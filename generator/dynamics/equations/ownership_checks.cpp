@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "generator/base/error.hpp"
+#include "generator/mechanics/measure.hpp"
 
 namespace torsor {
 namespace {
@@ -121,6 +122,8 @@ class OwnershipCheck {
   void look(const Expression& formula) {
     for (const SymbolPointer& symbol : formula.symbols()) {
       if (symbol->measure) {
+        // Between frames that do not move against each other it is made of nothing.
+        if (symbol->measure->vector->time != scene_.time) refuse(*symbol, formula);
         for (const SymbolPointer& part : symbol->made_of) require_own(part, formula);
       } else {
         require_own(symbol, formula);
@@ -138,9 +141,12 @@ class OwnershipCheck {
 
   void require_own(const SymbolPointer& symbol, const Expression& formula) const {
     if (symbol->kind == SymbolKind::pi || own_.contains(symbol)) return;
+    refuse(*symbol, formula);
+  }
+  [[noreturn]] void refuse(const Symbol& symbol, const Expression& formula) const {
     throw SceneError(fmt::format("'{}' belongs to another scene than '{}', whose {} has the formula {}: take the symbols "
                                  "that this scene gave out",
-                                 symbol->name, scene_.name, user_, formula.to_string()));
+                                 symbol.name, scene_.name, user_, formula.to_string()));
   }
 
   const SceneContent& scene_;
