@@ -121,14 +121,28 @@ std::string factor_latex(const WrittenFactor& factor, int halves) {
   return halves == 1 ? fmt::format("\\sqrt{{{}}}", base) : base + exponent;
 }
 
+namespace {
+
+/// Whether a factor is a name of several letters, which needs room beside it: "edge height" is no product of ten letters.
+bool is_word(const std::string& factor) {
+  static constexpr std::array<std::string_view, 3> begins{"\\mathrm{", "\\dot{\\mathrm{", "\\ddot{\\mathrm{"};
+  return std::any_of(begins.begin(), begins.end(), [&factor](std::string_view begin) { return factor.starts_with(begin); });
+}
+
+}  // namespace
+
 std::string term_latex(const WrittenTerm& term) {
   const Number size = term.coefficient.abs();
   std::string numerator;
   std::string denominator;
+  std::array<std::string, 2> last;
   for (const WrittenFactor& factor : term.factors) {
     std::string& side = factor.halves > 0 ? numerator : denominator;
-    if (!side.empty()) side += " ";
-    side += factor_latex(factor, std::abs(factor.halves));
+    std::string& before = last[factor.halves > 0 ? 0U : 1U];
+    const std::string next = factor_latex(factor, std::abs(factor.halves));
+    if (!side.empty()) side += is_word(before) || is_word(next) ? "\\, " : " ";
+    side += next;
+    before = next;
   }
   std::string body = numerator;
   if (!denominator.empty()) {

@@ -27,6 +27,8 @@ class LatexPage final : public Page {
         "\\usepackage[utf8]{inputenc}\n"
         "\\usepackage{amsmath}\n"
         "\\allowdisplaybreaks\n"
+        "\\setlength{\\parindent}{0pt}\n"
+        "\\setlength{\\emergencystretch}{3em}\n"
         "\\setcounter{MaxMatrixCols}{64}\n"
         "\\begin{document}\n";
   }

@@ -130,7 +130,7 @@ TEST(ScrewCommand, WritesMomentumAndDynamicScrew) {
 TEST(TheoremCommand, IsSpelledInLatexAsOtherPagesAre) {
   const std::string latex = run(pendulum, {"theorem", "--kind", "energy", "--format", "latex", "--document"}).out;
   EXPECT_TRUE(latex.starts_with("\\documentclass")) << latex;
-  EXPECT_NE(latex.find("T &= \\frac{1}{2} \\mathrm{mass} \\mathrm{length}^{2} \\dot{\\theta}^{2}"), std::string::npos) << latex;
+  EXPECT_NE(latex.find("T &= \\frac{1}{2} \\mathrm{mass}\\, \\mathrm{length}^{2}\\, \\dot{\\theta}^{2}"), std::string::npos) << latex;
   const std::string statics = run(air_damped, {"statics", "--format", "latex"}).out;
   EXPECT_NE(statics.find("\\mathbf{H} &= \\begin{pmatrix}"), std::string::npos) << statics;
   const std::string unknowns = run(air_damped, {"unknowns", "--format", "latex"}).out;
