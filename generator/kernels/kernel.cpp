@@ -9,6 +9,7 @@
 #include "generator/base/did_you_mean.hpp"
 #include "generator/base/error.hpp"
 #include "generator/dynamics/derivatives/parameter_sensitivities.hpp"
+#include "generator/dynamics/equations/forward_choice.hpp"
 #include "generator/dynamics/equations/massless.hpp"
 #include "generator/dynamics/forces/energy.hpp"
 #include "generator/dynamics/theorems/painleve.hpp"
@@ -27,6 +28,7 @@
 #include "generator/kernels/kernel_second_derivatives.hpp"
 #include "generator/kernels/kernel_sensitivities.hpp"
 #include "generator/kernels/kernel_sparse_jacobian.hpp"
+#include "generator/program/paired_cosines.hpp"
 
 namespace torsor {
 namespace {
@@ -86,6 +88,18 @@ Kernel make_forward_dynamics(const Equations& equations) {
   return kernel;
 }
 
+struct Energies {
+  Value kinetic, gravity;
+};
+
+/// Where a light body may carry a heavy one, in forms that lose nothing of what is small beside it.
+Energies energies_of(const Equations& equations) {
+  const Model& model = equations.model();
+  if (!light_matter_may_carry_heavy(model)) return {kinetic_energy(model), gravity_force_function(model)};
+  const Value kinetic = kinetic_energy_about_centres(model);
+  return {kinetic, with_paired_cosines(equations.program(), gravity_force_function(model))};
+}
+
 Kernel make_energy(const Equations& equations) {
   Kernel kernel;
   kernel.documentation = "Kinetic energy, force function (potential energy = -U) and power of what has no force function.";
@@ -105,10 +119,10 @@ Kernel make_energy(const Equations& equations) {
                          {"force_function", 1, 1, u, true},
                          {"power", 1, 1, power, true}}}};
   kernel.results = {{"Energy", "result"}};
-  const Value kinetic = kinetic_energy(equations.model());
-  Value force_function = gravity_force_function(equations.model());
+  const Energies energies = energies_of(equations);
+  Value force_function = energies.gravity;
   force_function += equations.actions().spring_force_function;
-  kernel.assignments = {{{"result", "kinetic"}, kinetic},
+  kernel.assignments = {{{"result", "kinetic"}, energies.kinetic},
                         {{"result", "force_function"}, force_function},
                         {{"result", "power"}, equations.power()}};
   return kernel;
@@ -121,7 +135,12 @@ Kernel make_first_integrals(const Equations& equations) {
   Structure structure{"FirstIntegrals", "Quantities that every motion conserves.", {}};
   for (const FirstIntegral& integral : report.first_integrals) {
     structure.members.push_back({integral.name, 1, 1, integral.documentation, true});
-    kernel.assignments.push_back({{"result", integral.name}, integral.value});
+    Value value = integral.value;
+    if (integral.name == "energy") {  // T − U
+      const Energies energies = energies_of(equations);
+      value = energies.kinetic - energies.gravity - equations.actions().spring_force_function;
+    }
+    kernel.assignments.push_back({{"result", integral.name}, value});
   }
   kernel.structures = {structure};
   kernel.results = {{"FirstIntegrals", "result"}};

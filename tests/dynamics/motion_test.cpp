@@ -108,8 +108,10 @@ TEST_P(RandomMotion, HasTheSameKineticEnergyFromTwistsAndFromPositions) {
   Evaluator<Real> evaluate(equations.program(), state.in_real());
   const Real from_twists = evaluate(kinetic_energy(equations.model()));
   const Real from_positions = evaluate(kinetic_energy_from_positions(equations.model()));
+  const Real about_centres = evaluate(kinetic_energy_about_centres(equations.model()));
   EXPECT_GT(from_twists.to_double(), 0);
   EXPECT_LT(relative_difference(from_positions, from_twists), 1e-45);
+  EXPECT_LT(relative_difference(about_centres, from_twists), 1e-45);
 }
 
 INSTANTIATE_TEST_SUITE_P(Seeds, RandomMotion, ::testing::Range(100U, 115U));

@@ -127,6 +127,17 @@ TEST(MassRatios, OfTwoLinksCostNoDigitsOfDerivatives) {
   }
 }
 
+// A heavy body next to the first joint, at rest or not, has energies that are differences where they are found from the
+// origins of links and from one cosine after the other: 1e5 times the bar.
+TEST(MassRatios, OfTwoLinksCostNoDigitsOfEnergiesAndForces) {
+  for (const Chain& chain : formulations({{-6, 0}, {-3, 0}, {0, -6}, {6, 0}})) {
+    for (const char* kernel : {"energy", "first_integrals", "bias", "inverse_dynamics", "mass_matrix"}) {
+      const double worst = worst_of(scene_of(chain), ForwardMethod::cheapest, 48, kernel);
+      EXPECT_LE(worst, accuracy_bar) << kernel << " of " << name_of(chain);
+    }
+  }
+}
+
 // Of longer chains the rate of a joint is u − g A, with |g| up to half the root of the ratio of the masses where a light
 // link lies nearly in line with what it pulls (g = m s c/(m' + m s²), largest at s² = m'/m): that many times the last bit
 // of the parent's acceleration A. Differences of inertias lose the ratio itself, 1e6.
@@ -136,6 +147,18 @@ TEST(MassRatios, OfLongerChainsCostTheRootOfTheRatioAtMostBySumsOfSquares) {
     const bool boxes_in_space = chain.shape == Shape::box && chain.axes == Axes::crossed;
     if (boxes_in_space && chain.powers.size() > 3) continue;  // a second each
     EXPECT_LE(worst_of(scene_of(chain), ForwardMethod::sums_of_squares, 16), allowed) << name_of(chain);
+  }
+}
+
+// Of up to eight unknowns the method is chosen by a trial (forward_choice.hpp).
+TEST(MassRatios, OfUpToEightLinksCostTheRootOfTheRatioAtMostByTheMethodThatIsChosen) {
+  const double allowed = accuracy_bar + 0.5 * std::sqrt(1e6);
+  for (const std::vector<int>& powers :
+       {std::vector<int>{-6, -6, -6, -6, 0}, {0, -6, 0, -6, 0, 0}, {0, -6, 0, -6, 0, -6, 0, 0}}) {
+    for (const Angles angles : {Angles::relative, Angles::absolute}) {
+      const Chain chain{powers, angles};
+      EXPECT_LE(worst_of(scene_of(chain), ForwardMethod::cheapest, 16), allowed) << name_of(chain);
+    }
   }
 }
 

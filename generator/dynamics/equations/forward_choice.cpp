@@ -26,6 +26,7 @@ namespace {
 constexpr int most_unknowns = 8;   ///< of longer chains the trial takes seconds
 constexpr int any_masses = 4;      ///< unknowns up to which masses at run time are taken at any ratio
 constexpr double much_lighter = 10;
+constexpr double lighter_in_energies = 100;  ///< a sum loses that ratio at most, where a pivot loses it in each solve
 constexpr std::size_t trials = 32;
 constexpr int few_digits = 20, many_digits = 60;
 /// How much more than the most accurate method one may lose: the figure is the largest of all trials, and roundings fall
@@ -240,22 +241,34 @@ class Contest {
   double roundings_ = 8 * Real(Number(1), few_digits).epsilon().to_double();
 };
 
-}  // namespace
-
-bool light_may_carry_heavy(const Model& model) {
-  const int n = model.unknown_count();
-  if (n < 2 || n > most_unknowns || model.options().symbolic_parameters) return false;
+/// Whether a link, or with `empty_too` also one without matter, carries so many times its own; of few unknowns also
+/// where that depends on masses at run time.
+bool carries_more(const Model& model, double times, bool empty_too) {
   const auto& links = model.links();
   std::vector<double> carried(links.size(), 0);
   for (std::size_t k = links.size(); k-- > 1;) {
     const Value& mass = links[k].mass.mass;
     const bool fixed = mass.is_zero() || mass.is_constant();
     const std::optional<double> own = nominal_number(model.scene(), mass);
-    if (!own || (!fixed && n <= any_masses)) return true;
-    if (!links[k].partials.empty() && carried[k] > much_lighter * *own) return true;
-    carried[static_cast<std::size_t>(links[k].parent)] += carried[k] + *own;
+    if (empty_too || (!mass.is_zero() && carried[k] > 0)) {
+      if (!own || (!fixed && model.unknown_count() <= any_masses)) return true;
+      if (!links[k].partials.empty() && carried[k] > times * *own) return true;
+    }
+    carried[static_cast<std::size_t>(links[k].parent)] += carried[k] + own.value_or(1);
   }
   return false;
+}
+
+}  // namespace
+
+bool light_may_carry_heavy(const Model& model) {
+  const int n = model.unknown_count();
+  return n >= 2 && n <= most_unknowns && !model.options().symbolic_parameters &&
+         carries_more(model, much_lighter, true);
+}
+
+bool light_matter_may_carry_heavy(const Model& model) {
+  return !model.options().symbolic_parameters && carries_more(model, lighter_in_energies, false);
 }
 
 ForwardMethod forward_method_that_keeps_digits(const Scene& scene, const ModelOptions& options) {

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "generator/dynamics/forces/energy.hpp"
 
+#include "generator/dynamics/motion/central_bodies.hpp"
 #include "generator/program/derivative.hpp"
+#include "generator/program/paired_cosines.hpp"
 
 namespace torsor {
 
@@ -10,6 +12,21 @@ Value kinetic_energy(const Model& model) {
   Value doubled;
   for (std::size_t k = 1; k < all.size(); ++k) {
     doubled += reciprocal_product(momentum(model.links()[k].mass, all[k]), all[k]);
+  }
+  return Number::rational(1, 2) * doubled;
+}
+
+Value kinetic_energy_about_centres(const Model& model) {
+  Program& program = model.program();
+  const std::vector<Twist> all = twists(model);
+  Value doubled;
+  for (const CentralBody& body : central_bodies(model)) {
+    const Twist& twist = all[body.link];
+    Vector velocity = twist.linear + cross(twist.angular, body.center);
+    for (int i = 0; i < 3; ++i) velocity[i] = with_paired_cosines(program, velocity[i]);
+    velocity = bound(program, velocity);
+    doubled += body.mass * dot(velocity, velocity);
+    doubled += dot(twist.angular, bound(program, body.inertia * twist.angular));
   }
   return Number::rational(1, 2) * doubled;
 }

@@ -8,6 +8,11 @@ namespace torsor {
 /// T = ½ Σ_S (momentum screw of S · twist of S) [J], twists by composition along the chains.
 Value kinetic_energy(const Model& model);
 
+/// The same as sums of squares, T = ½ Σ_S (m V_G² + Ω · J_G Ω): nothing is subtracted. A heavy body that nearly stands
+/// still on a light link that turns fast keeps its digits, which m V_O² + 2 m V_O · (Ω ∧ OG) + Ω · J_O Ω loses to those
+/// of the origin O.
+Value kinetic_energy_about_centres(const Model& model);
+
 /// U of gravity: Σ m g · OG [J].
 Value gravity_force_function(const Model& model);
 

@@ -5,8 +5,8 @@
 #include <array>
 
 #include "generator/dynamics/forces/virtual_power.hpp"
+#include "generator/dynamics/motion/central_bodies.hpp"
 #include "generator/dynamics/recursions/articulated_bodies.hpp"
-#include "generator/dynamics/recursions/central_bodies.hpp"
 #include "generator/program/flattening.hpp"
 #include "generator/program/identically_zero.hpp"
 
