@@ -54,7 +54,8 @@ Scene trolley() {
   return scene;
 }
 
-/// A rod that falls along a vertical guide onto a smooth wedge of 45°, which it pushes aside over a smooth rail.
+/// A rod that falls along a vertical guide onto a smooth wedge of 45°, which it pushes aside over a smooth rail; 4 N press the
+/// rod against its guide.
 Scene rod_on_a_wedge() {
   Scene scene("rod_on_a_wedge", "");
   const Expression x = scene.coordinate("x", "m"), z = scene.coordinate("z", "m");
@@ -64,7 +65,9 @@ Scene rod_on_a_wedge() {
   scene.body("rod", rod, Inertia::point(Expression::quantity("2", "kg")));
   scene.gravity({0, 0, Expression::quantity("-9.81", "m/s^2")});
   const FrameHandle face = scene.weld("face", wedge, {.rotation = Rotation::about(1, 3)});
-  scene.contact("tip", shape::Point{scene.point("P", rod, {0, 0, 0})}, shape::Plane{.frame = face});
+  const PointHandle tip = scene.point("P", rod, {0, 0, 0});
+  scene.contact("tip", shape::Point{tip}, shape::Plane{.frame = face});
+  scene.force("push", {.body = rod, .point = tip, .components = {Expression::quantity("4", "N"), 0, 0}, .axes = scene.ground()});
   scene.joint_friction("guide", rod, {.friction = Expression(Number::rational(3, 10))});
   return scene;
 }
@@ -157,15 +160,15 @@ TEST(JointFriction, OfARailAndAHingeTogetherFulfilsNewtonsLaws) {
   EXPECT_GT(hinge, 0.05);
 }
 
-// With the normal force N on the rod along (1, 1)/√2: 3 x'' = -N/√2, 2 z'' = -2 g + N/√2 + f N/√2, z'' = x''.
+// With the normal force N on the rod along (1, 1)/√2: 3 x'' = -N/√2, 2 z'' = -2 g + N/√2 + f (N/√2 + 4), z'' = x''.
 TEST(JointFriction, IsPressedByContactsToo) {
   const Outcome outcome = run(rod_on_a_wedge, {"simulate", "--to", "0.2", "--step", "0.05"});
   ASSERT_EQ(outcome.code, 0) << outcome.err;
   const Table motion = table(outcome.out);
-  const double side = 2 * g / (1 + 0.3 + 2.0 / 3);  // N/√2
+  const double side = (2 * g - 0.3 * 4) / (1 + 0.3 + 2.0 / 3);  // N/√2
   for (std::size_t k = 1; k < motion.rows.size(); ++k) {
     EXPECT_NEAR(motion.at(k, "tip_N"), side * std::sqrt(2.0), 1e-11);
-    EXPECT_NEAR(motion.at(k, "guide_T"), 0.3 * side, 1e-11);
+    EXPECT_NEAR(motion.at(k, "guide_T"), 0.3 * (side + 4), 1e-11);
     EXPECT_NEAR(motion.at(k, "x"), -side / 6 * std::pow(motion.at(k, "time"), 2), 1e-12);
   }
 }
