@@ -26,12 +26,16 @@ bool ContactAutomaton::start(double t0, std::span<double> y) {
   fastest_ = residual_ = 0;
   impact_number_ = 0;
   has_event_ = false;
+  ends_too_.fill(false);
   return valid_rules() && begin(t0);
 }
 
 double ContactAutomaton::guard(std::size_t index, double t, std::span<const double> y) {
   constexpr double none = std::numeric_limits<double>::quiet_NaN();
-  if (index >= guards * bounces_.size()) return 1;
+  if (index == guards * bounces_.size()) {
+    return motion_.solve(t, y) == Evaluation::ok ? side_ * motion_.regularity() - 1e-8 : none;
+  }
+  if (index > guards * bounces_.size()) return 1;
   const int contact = static_cast<int>(index / guards);
   const auto watched = static_cast<Watched>(index % guards);
   const ContactState& state = motion_.states[as(contact)];
@@ -207,7 +211,7 @@ bool ContactAutomaton::decide(int forced, Cause cause) {
   result_.verdict = verdict_ = answer.verdict;
   if (!answer && options_.impact_without_collision && chosen.problem.count == 1 && chosen.problem.law(0).normal &&
       chosen.problem.law(0).slips) {
-    return jam(chosen);
+    return impact_of_slip(chosen.who[0]);
   }
   if (!answer) return end(ContactStatus::no_solution, forced >= 0 ? forced : chosen.who[0]);
   if (answer.verdict == ContactVerdict::several) ++result_.ambiguous;
@@ -220,7 +224,21 @@ bool ContactAutomaton::decide(int forced, Cause cause) {
   for (int k = 0; k < chosen.problem.count; ++k) take_regime(chosen, k, answer.best());
   motion_.lean_on(chosen.spread(answer.best().r, motion_.rows()));
   motion_.changed();
-  return motion_.project(result_.time, y_) == Evaluation::ok || end(ContactStatus::integration_failed, forced);
+  if (motion_.project(result_.time, y_) != Evaluation::ok) return end(ContactStatus::integration_failed, forced);
+  note_regularity();
+  return true;
+}
+
+// On which side of zero the regimes that begin are.
+void ContactAutomaton::note_regularity() {
+  side_ = motion_.solve(result_.time, y_) == Evaluation::ok && motion_.regularity() < 0 ? -1 : 1;
+}
+
+// The equations of the present regimes have become singular, to eight digits: beyond, steps shrink without end. Many
+// motions run into such a state, and many leave it: no decision there is more than rounding (Génot & Brogliato 1999).
+bool ContactAutomaton::pass_singular() {
+  if (motion_.solve(result_.time, y_) != Evaluation::ok) return end(ContactStatus::integration_failed, -1);
+  return end(ContactStatus::jams, motion_.busiest_slip());
 }
 
 void ContactAutomaton::take_regime(const ContactSelection& chosen, int k, const ContactSolution& s) {
@@ -272,108 +290,12 @@ void ContactAutomaton::take_regime(const ContactSelection& chosen, int k, const 
   state.force_slack = left <= 1e-10 * force ? 4e-12 * force : 0;
 }
 
-// No regimes exist while one contact slips (Painlevé): its impulse grows until the slip has ended, and the contact opens
-// or sticks.
-bool ContactAutomaton::jam(const ContactSelection& chosen) {
-  const int contact = chosen.who[0];
-  if (!has_event_) std::copy_n(y_.begin(), before_.size(), before_.begin());
-  has_event_ = true;
-  contact_ = contact;
-  told_ = result_.time;
-  kind_ = ContactEventKind::impact;
-  for (int i = 0; i < count(); ++i) touching_[as(i)] = i == contact;
-  return collide(contact, false, ImpactLaw::energetic);
-}
-
-// When the bounces of one contact end: each is ρ times as long as the one before, ρ the ratio of the last two speeds of
-// approach, and the next one lasts 2 ρ w/a, a the acceleration towards the contact. Rounding of late impacts counts once
-// here, and their intervals need not shrink evenly before.
-double ContactAutomaton::end_of_bounces(int i, double speed, double a) const noexcept {
-  const double last = bounces_[as(i)].speed, ratio = last > 0 ? speed / last : 1;
-  if (!(a > 0 && ratio < 1)) return result_.time;
-  return result_.time + 2 * ratio * speed / (a * (1 - ratio));
-}
-
-// Whether a contact takes part in the accumulation: of one contact, or of those of the last seventeen impacts. Two that
-// strike in turn, each impact some hundred times weaker, get to flights within rounding after few impacts.
-bool ContactAutomaton::accumulating(int i) const noexcept {
-  const bool recent = bounces_[as(i)].last > 0 && bounces_[as(i)].last + 17 > impact_number_;
-  if (!alone_) return recent;
-  if (i == cause_) return true;
-  if (!buried_ || !recent) return false;
-  const double w = motion_.reading().w(motion_.first_row(i));
-  return w * w <= 2 * motion_.acceleration_terms(i) * motion_.rounding_of_gap(i);
-}
-
-// An impact of all contacts that touch; `rests` makes it completely inelastic, the end of an accumulation.
-bool ContactAutomaton::collide(int cause, bool rests, ImpactLaw impact_law) {
-  if (!motion_.read(result_.time, y_)) return end(ContactStatus::integration_failed, cause);
-  ContactSelection chosen;
-  PerContact<double> restitution{};
-  for (int i = 0; i < count(); ++i) {
-    if (!touching_[as(i)] || (motion_.carrier(i) < 0 && motion_.rule(i).bearing == 0)) continue;
-    ContactLaw law = motion_.rule(i).law();
-    law.static_friction = law.friction;
-    law.bound = law.static_bound = 0;  // bounded forces give no impulse
-    restitution[as(chosen.problem.count)] = rests && accumulating(i) ? 0 : motion_.rule(i).restitution;
-    chosen.add(i, law, motion_.first_row(i), motion_.first_bearing(i));
-  }
-  ContactVector before = motion_.reading().w;
-  for (int k = 0; k < chosen.problem.count; ++k) {
-    const int n = motion_.first_row(chosen.who[as(k)]);
-    // One that rests does not strike by what rounding leaves of its velocity.
-    if (chosen.problem.law(k).normal && std::abs(before(n)) <= 64 * motion_.rounding_of(n)) before(n) = 0;
-  }
-  chosen.fill(motion_.W(), before, motion_.dynamics().S, Eigen::VectorXd::Zero(motion_.first_bearing(count())));
-  const ContactProblem& problem = chosen.problem;
-  const ImpactResult shock = impact(problem, restitution, impact_law);
-  result_.verdict = shock.verdict;
-  if (!shock.applies) return end(ContactStatus::law_of_one_contact, cause);
-  if (shock.verdict == ContactVerdict::none) return end(ContactStatus::no_solution, cause);
-  residual_ = shock.residual;
-  result_.worst_residual = std::max(result_.worst_residual, residual_);
-  impulses_ = chosen.spread(shock.P, motion_.rows());
-  // T- - T+ = -P · (w- + w+)/2.
-  energy_lost_ = 0;
-  double terms = 0;
-  for (int i = 0; i < chosen.rows; ++i) {
-    energy_lost_ -= shock.P(i) * (problem.q(i) + shock.w(i)) / 2;
-    terms += std::abs(shock.P(i) * problem.q(i));
-  }
-  if (!(energy_lost_ >= -1e-12 * terms)) return end(ContactStatus::energy_gained, cause);
-  // What rounding leaves of a slip that the impact ends is a part of the velocities before.
-  PerContact<double> rounding{};
-  for (int i = 0; i < count(); ++i) {
-    if (motion_.carrier(i) >= 0) continue;
-    const int t = motion_.tangent_row(i);
-    const double change = motion_.W().row(t).cwiseAbs().dot(impulses_.cwiseAbs());
-    rounding[as(i)] = motion_.rounding_of(t) + std::numeric_limits<double>::epsilon() * change;
-  }
-  motion_.add_answer(impulses_, y_);
-  ++result_.impacts;
-  if (!motion_.read(result_.time, y_)) return end(ContactStatus::integration_failed, cause);
-  PerContact<bool> held{};  // joints that stick
-  for (int k = 0; k < problem.count; ++k) {
-    const int i = chosen.who[as(k)], by = motion_.carrier(i);
-    held[as(i)] = shock.sticks[as(k)];
-    if (by < 0) continue;
-    // What is left of an accumulation's velocity is rounding: projection takes it away.
-    motion_.states[as(i)].touches =
-        by != i ? motion_.states[as(by)].touches : shock.closed[as(k)] || (rests && accumulating(i));
-    set_by_slip(i, shock.sticks[as(k)] ? std::numeric_limits<double>::infinity() : 0);
-  }
-  for (int i = 0; i < count(); ++i) {
-    if (motion_.carrier(i) >= 0) continue;
-    motion_.states[as(i)].touches = true;
-    set_by_slip(i, held[as(i)] ? std::numeric_limits<double>::infinity() : 64 * rounding[as(i)]);
-  }
-  return decide(-1, Cause::none);
-}
-
 bool ContactAutomaton::pass(std::size_t index, double t, std::span<double> y) {
   result_.time = t;
   y_ = y;
   has_event_ = false;
+  ends_too_.fill(false);
+  if (index == guards * bounces_.size()) return pass_singular();
   const int contact = static_cast<int>(index / guards);
   const auto watched = static_cast<Watched>(index % guards);
   if (watched != Watched::youth && !still_slips(contact, watched)) {
@@ -387,6 +309,7 @@ bool ContactAutomaton::pass(std::size_t index, double t, std::span<double> y) {
   } else {
     motion_.take_direction(contact);
   }
+  note_regularity();
   return true;
 }
 
@@ -415,12 +338,30 @@ bool ContactAutomaton::happened(int contact, bool normal) {
     kind_ = ContactEventKind::opens;
     return decide(contact, Cause::opens);
   }
-  if (state.regime != ContactRegime::slides) return begin_to_slide(contact);
+  return state.regime == ContactRegime::slides ? end_slips(contact) : begin_to_slide(contact);
+}
+
+// The slip of a contact has ended, and with it those of which errors of the integration are left: each is an event.
+bool ContactAutomaton::end_slips(int contact) {
   kind_ = ContactEventKind::slip_ends;
+  for (int i = 0; i < count(); ++i) {
+    const ContactState& state = motion_.states[as(i)];
+    ends_too_[as(i)] = i != contact && state.touches && state.regime == ContactRegime::slides && motion_.ends_too(i);
+    if (ends_too_[as(i)]) ++result_.events;
+  }
+  ContactState& state = motion_.states[as(contact)];
   state.regime = ContactRegime::sticks;  // or whatever the laws say from rest
   state.begins = state.fades = false;
   motion_.changed();
   return decide(contact, Cause::none);
+}
+
+void ContactAutomaton::next_event() noexcept {
+  const auto next = std::find(ends_too_.begin(), ends_too_.end(), true);
+  has_event_ = next != ends_too_.end();
+  if (!has_event_) return;
+  contact_ = static_cast<int>(next - ends_too_.begin());
+  *next = false;
 }
 
 // The force of a contact has come to its bound, but reactions are not unique. As long as others hold the contacts as they
@@ -436,51 +377,6 @@ bool ContactAutomaton::pass_on(bool normal) {
   }
   if (has_event_) ++result_.events;
   return true;
-}
-
-// A gap has fallen to zero: an impact, or the last one of bounces that accumulate.
-bool ContactAutomaton::strike(int contact) {
-  if (motion_.solve(result_.time, y_) != Evaluation::ok) return end(ContactStatus::integration_failed, contact);
-  Bounces& bounces = bounces_[as(contact)];
-  const double speed = std::abs(motion_.reading().w(motion_.first_row(contact)));
-  const double rounding = motion_.rounding_of_gap(contact);
-  // Where the flights left rise by less than 1e6 roundings of the gap, the next impacts are known less well.
-  const double unresolved = speed > 0 ? 1e6 * rounding / speed : 0;
-  const double a = -motion_.gap_acceleration(contact), limit = end_of_bounces(contact, speed, a);
-  // The next flight would not leave the rounding of the gap.
-  const bool buried = a > 0 && speed * speed <= 2 * a * rounding;
-  bounces.slower = limit > result_.time ? bounces.slower + 1 : 0;
-  bounces.limit(result_.time, speed, rounding);
-  const bool fades = bounces.slower >= 3 && limit - result_.time <= unresolved;
-  const bool alone = bounces.watch(result_.time, options_.accumulation) || fades || buried;
-  const bool together = all_(result_.time, std::max(options_.accumulation, unresolved));
-  const bool rests = alone || together;
-  bounces.last = ++impact_number_;
-  alone_ = alone;
-  buried_ = buried;
-  cause_ = contact;
-  kind_ = ContactEventKind::impact;
-  if (rests) {
-    kind_ = ContactEventKind::accumulation;
-    ++result_.accumulations;
-    // The contact is closed from now on: until the limit the impulses of all bounces and of rest are the same.
-    told_ = bounces.limit(std::max(result_.time, alone ? limit : all_.limit()), result_.time);
-  }
-  for (int i = 0; i < count(); ++i) {
-    touching_[as(i)] = motion_.carrier(i) == contact || motion_.states[as(i)].touches || near(i);
-  }
-  bounces.speed = speed;
-  const bool done = collide(contact, rests, rests ? ImpactLaw::newton_moreau : options_.law);
-  if (rests) {
-    for (int i = 0; i < count(); ++i) {
-      if (!accumulating(i)) continue;
-      const std::int64_t last = bounces_[as(i)].last;
-      bounces_[as(i)] = {};
-      bounces_[as(i)].last = last;
-    }
-    all_ = {};
-  }
-  return done;
 }
 
 // Friction has reached its bound: the slip begins against it.

@@ -18,7 +18,7 @@ namespace torsor::runtime {
 class ContactAutomaton {
  public:
   /// Three guards watch each contact, in its order: gap or pressure, slip or margin, and what a slip that begins or
-  /// ends asks for.
+  /// ends asks for. One more, after those of all contacts, watches whether slips jam.
   static constexpr std::size_t guards = 3;
 
   ContactAutomaton(const ContactMechanism& mechanism, const ContactOptions& options);
@@ -39,6 +39,8 @@ class ContactAutomaton {
   /// Whether that was an event that the observer is told of.
   [[nodiscard]] bool has_event() const noexcept { return has_event_; }
   [[nodiscard]] ContactEvent event() const noexcept;
+  /// Goes on to the next event of that time, if there is one: slips of other contacts that have ended too.
+  void next_event() noexcept;
 
   bool end(ContactStatus status, int contact) noexcept;
   [[nodiscard]] ContactResult& result() noexcept { return result_; }
@@ -71,7 +73,10 @@ class ContactAutomaton {
   [[nodiscard]] double end_of_bounces(int i, double speed, double a) const noexcept;
   [[nodiscard]] bool accumulating(int i) const noexcept;
   bool collide(int cause, bool rests, ImpactLaw impact_law);
-  bool jam(const ContactSelection& chosen);
+  bool end_slips(int contact);
+  bool pass_singular();
+  bool impact_of_slip(int contact);
+  void note_regularity();
   bool strike(int contact);
   bool begin_to_slide(int contact);
   [[nodiscard]] bool still_slips(int contact, Watched watched);
@@ -85,7 +90,9 @@ class ContactAutomaton {
   std::vector<double> before_;
   std::vector<Bounces> bounces_;
   PerContact<bool> touching_{};
+  PerContact<bool> ends_too_{};  ///< contacts whose slip has ended with that of `contact_`, to be told of
   AccumulationWatch<double> all_{};
+  double side_ = 1;  ///< of zero, on which the regularity of the present regimes began
   double fastest_ = 0;  ///< the largest terms of a normal acceleration at recent events
   std::int64_t impact_number_ = 0;
   bool alone_ = false;  ///< the accumulation is that of one contact, `cause_`

@@ -155,6 +155,7 @@ Evaluation ContactMotion::solve(double t, std::span<const double> y) {
   if (!read(t, y)) return Evaluation::singular;
   if (solved_) return Evaluation::ok;
   undetermined_.fill(false);
+  regularity_ = 1;
   if (!any_touches()) {
     r_.setZero(rows());
     a_ = dynamics_.a0;
@@ -191,10 +192,25 @@ Evaluation ContactMotion::solve(double t, std::span<const double> y) {
     if (rule(i).bearing > 0) along_[as(i)] = equations.along(i);
   }
   r_ = equations.reactions();
+  if (busiest_slip() >= 0 && equations.kernel().cols() == 0) regularity_ = equations.scaled_determinant();
   a_ = dynamics_.a0;
   a_.noalias() += dynamics_.KJ * r_;
   solved_ = true;
   return a_.allFinite() ? Evaluation::ok : Evaluation::not_finite;
+}
+
+int ContactMotion::busiest_slip() const noexcept {
+  int busiest = -1;
+  double most = -1;
+  for (int i = 0; i < count(); ++i) {
+    if (!at(i).touches || at(i).regime != ContactRegime::slides || rule(i).tangents == 0) continue;
+    const double power = friction_force(i) * slip_speed(i);
+    if (power > most) {
+      most = power;
+      busiest = i;
+    }
+  }
+  return busiest;
 }
 
 // A contact counts where its force, or the normal force that presses it, may be another.
@@ -294,6 +310,13 @@ double ContactMotion::blur(int i) const noexcept { return 100 * (absolute_ + rel
 
 double ContactMotion::slow(int i) const noexcept { return std::max(1e-6 * at(i).fastest, 16 * blur(i)); }
 
+// In space a slip has faded before. In the plane, where its direction cannot change, it has lost half of its speed: one that
+// has just begun is slow too.
+bool ContactMotion::ends_too(int i) const noexcept {
+  const bool late = rule(i).tangents == 1 ? !at(i).begins && slip_speed(i) <= at(i).fastest / 2 : at(i).fades;
+  return late && slip_speed(i) <= blur(i) / 8;
+}
+
 double ContactMotion::youth(int i, double t) const noexcept {
   const double s = slip(i), enough = 1e4 * least_slip(i);
   if (!at(i).begins) return s - slow(i);
@@ -390,12 +413,12 @@ Evaluation ContactMotion::align(double t, std::span<const double> y, const Conta
 
 void ContactMotion::follow_directions() noexcept {
   for (int i = 0; i < count(); ++i) {
-    if (!at(i).touches || at(i).regime != ContactRegime::slides || rule(i).tangents < 2) continue;
+    if (!at(i).touches || at(i).regime != ContactRegime::slides || rule(i).tangents == 0) continue;
     ContactState& state = states[as(i)];
     const double now = slip(i);
     state.fastest = std::max(state.fastest, now);
     // Near its end the slip has no direction of its own that is worth following.
-    if (now > slow(i) && !state.begins) state.direction = direction(i);
+    if (rule(i).tangents == 2 && now > slow(i) && !state.begins) state.direction = direction(i);
   }
 }
 

@@ -67,8 +67,8 @@ class ContactMotion {
   [[nodiscard]] double slip_speed(int i) const noexcept;
   /// A slip below which a contact that begins to slide is as good as at rest: some hundred roundings.
   [[nodiscard]] double least_slip(int i) const noexcept;
-  /// Whether the slip of a contact that fades is no more than errors of the integration: it ends with that of another.
-  [[nodiscard]] bool ends_too(int i) const noexcept { return at(i).fades && slip_speed(i) <= blur(i) / 8; }
+  /// Whether what is left of a slip is no more than errors of the integration: it ends with that of another.
+  [[nodiscard]] bool ends_too(int i) const noexcept;
   /// A slip below which one that had a speed nears its end.
   [[nodiscard]] double slow(int i) const noexcept;
   /// Falls through zero where a slip that began has got a speed from which equations with d = w_T/|w_T| go on: where
@@ -114,6 +114,11 @@ class ContactMotion {
   void lean_on(const ContactVector& reactions) noexcept { held_ = reactions; }
   /// Whether others than the reactions of a contact solved last give the same motion.
   [[nodiscard]] bool undetermined(int i) const noexcept { return undetermined_[as(i)]; }
+  /// Determinant of the equations of the regimes solved last, over that without friction. Where slips jam it passes zero:
+  /// beyond, there is no solution or one of several (Painlevé). 1 where nothing slides or reactions are not unique.
+  [[nodiscard]] double regularity() const noexcept { return regularity_; }
+  /// The sliding contact on whose friction most power is spent; -1: none slides.
+  [[nodiscard]] int busiest_slip() const noexcept;
   /// Errors of the integration: what they leave of a slip that ends, across its direction, has no direction.
   void tolerate(double absolute, double relative) noexcept {
     absolute_ = absolute;
@@ -156,6 +161,7 @@ class ContactMotion {
   PerContact<std::array<double, 2>> along_{};  ///< directions of the reactions of joints, from which the next are sought
   std::array<int, static_cast<std::size_t>(most_rows)> row_{};
   int chosen_ = 0;
+  double regularity_ = 1;
   double t_ = 0, absolute_ = 1e-13, relative_ = 1e-13;
   std::vector<double> y_, there_, rates_;
   bool known_ = false, responded_ = false, solved_ = false;

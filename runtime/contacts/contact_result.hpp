@@ -16,6 +16,7 @@ enum class ContactStatus : int {
   reached_end = 0,
   stopped_by_observer,
   no_solution,    ///< no regimes fulfil the laws (Painlevé)
+  jams,           ///< the equations of a slip become singular (Painlevé)
   energy_gained,  ///< T+ > T- at an impact
   penetrates,     ///< a gap is below -touch at the start
   open_loops,     ///< constraints cannot be closed near the start
@@ -35,6 +36,9 @@ enum class ContactStatus : int {
       return "stopped because the observer returned false";
     case ContactStatus::no_solution:
       return "no regimes fulfil the laws of contact: the equations of rigid bodies have no solution here (Painlevé)";
+    case ContactStatus::jams:
+      return "a contact that slides jams: the equations of rigid bodies become singular here, and what follows is not "
+             "determined (Painlevé)";
     case ContactStatus::energy_gained:
       return "the impact law gave energy: choose another, or a smaller restitution";
     case ContactStatus::penetrates:

@@ -78,7 +78,7 @@ class ContactRun {
     bool operator()(double, Vector&) const noexcept { return false; }
   };
   using Watch = Guard<Value, End>;
-  using Watches = EventArray<Watch, contacts * ContactAutomaton::guards>;
+  using Watches = EventArray<Watch, contacts * ContactAutomaton::guards + 1>;
   struct Steps {
     Observer& observer;
     bool operator()(const double& t, const Vector& y) const {
@@ -112,14 +112,16 @@ class ContactRun {
     if (piece.status != EventStatus::stopped_at_event && !here) {
       const bool of_a_guard = piece.status == EventStatus::guard_not_followed || piece.status == EventStatus::beyond_barrier;
       const auto contact = static_cast<int>(piece.guard / ContactAutomaton::guards);
-      return automaton_.end(ContactStatus::integration_failed, of_a_guard ? contact : -1);
+      const bool of_a_contact = of_a_guard && contact < automaton_.motion().count();
+      return automaton_.end(ContactStatus::integration_failed, of_a_contact ? contact : -1);
     }
     return automaton_.pass(piece.guard, piece.time, y_) && told();
   }
 
   bool told() {
     if constexpr (std::is_invocable_v<Observer&, const ContactEvent&>) {
-      if (automaton_.has_event() && !notify(observer_, automaton_.event())) {
+      for (; automaton_.has_event(); automaton_.next_event()) {
+        if (notify(observer_, automaton_.event())) continue;
         return automaton_.end(ContactStatus::stopped_by_observer, automaton_.event().contact);
       }
     }

@@ -144,6 +144,25 @@ bool RegimeSystem::solve_linear() noexcept {
   return x_.allFinite();
 }
 
+double RegimeSystem::scaled_determinant() const noexcept {
+  const int n = static_cast<int>(E_.cols());
+  if (n == 0) return 1;
+  ContactMatrix own(n, n);
+  for (int i = 0; i < n; ++i) {
+    for (int j = 0; j < n; ++j) {
+      const int row = rows_[as(i)], column = rows_[as(j)];
+      own(i, j) = row >= 0 && column >= 0 ? problem_.W(row, column) : i == j ? 1 : 0;  // |T| of a bearing is 0
+    }
+  }
+  const Eigen::FullPivLU<ContactMatrix> without_slips(own);
+  const auto sign = [](const Eigen::FullPivLU<ContactMatrix>& lu) {
+    return lu.permutationP().determinant() * lu.permutationQ().determinant();
+  };
+  double ratio = static_cast<double>(sign(lu_) * sign(without_slips));
+  for (int i = 0; i < n; ++i) ratio *= lu_.matrixLU()(i, i) / without_slips.matrixLU()(i, i);
+  return std::isfinite(ratio) ? ratio : 1;
+}
+
 void RegimeSystem::approach(const ContactVector& reactions) noexcept {
   if (kernel_.cols() == 0) return;
   ContactVector missing = -x_;

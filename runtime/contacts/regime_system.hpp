@@ -52,6 +52,8 @@ class RegimeSystem {
   [[nodiscard]] const ContactMatrix& B() const noexcept { return B_; }
 
   [[nodiscard]] double determinant() const noexcept { return E_.cols() == 0 ? 1.0 : lu_.determinant(); }
+  /// The determinant over that of the same rows of W: 1 without friction, below 0 where friction is beyond a jam (Painlevé).
+  [[nodiscard]] double scaled_determinant() const noexcept;
 
   /// du/dα where the direction of contact i turns by α: B and c turn with it, and x follows.
   [[nodiscard]] ContactVector motion_by_turning(int i) const noexcept;

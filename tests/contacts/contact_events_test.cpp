@@ -332,6 +332,36 @@ ByHand<3, 3, 1> pressed_down_by_its_slip() {
   return system;
 }
 
+// Painlevé's rod of half-length 1 and mass 1 slides on its foot with f = 2, leans after it and turns upwards: N grows as
+// the rod comes to 1 + 3 cos² θ = 3 f sin θ cos θ, tan θ = 3 - sqrt 5, where its equations are singular.
+TEST(ContactStatus, SaysThatARodJamsWhereItsEquationsBecomeSingular) {
+  const ByHand<3, 3, 1> rod{{ContactRule{.tangents = 1, .friction = 2}}, [](double, const auto& y, auto& r) {
+                              const double c = std::cos(y[2]), s = std::sin(y[2]), turning = y[5];
+                              r.M.setIdentity();
+                              r.M(2, 2) = 1.0 / 3;
+                              r.F << 0, -g, 0;
+                              r.gap[0] = y[1] - s;
+                              r.J << 0, 1, -c, 1, 0, s;
+                              r.w << y[4] - c * turning, y[3] + s * turning;
+                              r.drift << s * turning * turning, c * turning * turning;
+                            }};
+  for (const double turning : {2.0, 3.5}) {
+    for (const bool impact : {false, true}) {
+      const double start = 0.5;
+      std::array<double, 6> y{0, std::sin(start), start, -10 - std::sin(start) * turning, std::cos(start) * turning, turning};
+      const auto result = integrate_contacts(rod, y, 0, 2, precise, {.impact_without_collision = impact});
+      EXPECT_EQ(result.status, ContactStatus::jams);
+      EXPECT_EQ(result.contact, 0);
+      EXPECT_EQ(result.events, 0);
+      EXPECT_LT(result.integration.statistics.accepted, 1000);
+      // W_NN - f W_NT d over W_NN is 1e-8 there, and falls with θ at a rate above 1.5.
+      const double left = std::atan(3 - std::sqrt(5.0)) - y[2];
+      EXPECT_GT(left, 0);
+      EXPECT_LT(left, 1e-8);
+    }
+  }
+}
+
 // The slip 1 ends at p = 5/3, where w_N = -7/12; then it sticks, with dw_N/dp = 0.19.
 TEST(ContactStatus, IsThatOfAMotionWhereImpactsWithoutCollisionAreAskedFor) {
   const auto system = pressed_down_by_its_slip();

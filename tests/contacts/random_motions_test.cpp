@@ -67,6 +67,19 @@ TEST(RandomMotions, NeverGainEnergyAndNeverSink) {
   EXPECT_LE(ended, numbers.size() / 20);
 }
 
+TEST(RandomMotions, OfMassesFarApartNeverGainEnergyAndSayWhereTheyJam) {
+  int reached = 0, all = 0;
+  for (const double ratio : {1e-6, 1e-3, 1e3, 1e6}) {
+    for (unsigned k = 0; k < scenes() / 5; ++k, ++all) {
+      SCOPED_TRACE(testing::Message() << "scene " << k << ", ratio " << ratio);
+      auto [scene, y] = random_start(k);
+      make_uneven(scene, ratio);
+      reached += move_uneven(scene, y, 1) ? 1 : 0;
+    }
+  }
+  EXPECT_GE(reached, all * 9 / 10);
+}
+
 // Scene 38: four bodies in a loop, of which several contacts strike at once with friction. Newton's law would give energy.
 TEST(RandomMotions, EndWhereTheLawOfImpactWouldGiveEnergy) {
   auto [scene, y] = random_start(38);

@@ -74,6 +74,24 @@ TEST(RandomSpaceMotions, NeverGainEnergyAndNeverSink) {
   EXPECT_GE(impacts, static_cast<std::int64_t>(all.size()));
 }
 
+// Scene 1 with a ratio of a million has a light body that slides between heavy ones until it jams: forces grew without
+// bound, changed their sign unseen, and gave energy.
+TEST(RandomSpaceMotions, OfMassesFarApartNeverGainEnergyAndSayWhereTheyJam) {
+  auto [scene, y] = random_space_start(1);
+  make_uneven(scene, 1e6);
+  const ContactResult jammed = integrate_contacts(scene, y, 0, 1.5, precise);
+  EXPECT_EQ(jammed.status, ContactStatus::jams);
+  EXPECT_EQ(jammed.contact, 1);
+  for (const double ratio : {1e-6, 1e-3, 1e3, 1e6}) {
+    for (const unsigned k : numbers({})) {
+      SCOPED_TRACE(testing::Message() << "scene " << k << ", ratio " << ratio);
+      auto [uneven, start] = random_space_start(k);
+      make_uneven(uneven, ratio);
+      (void)move_uneven(uneven, start, 1.5);
+    }
+  }
+}
+
 // The order of declaration moves a motion less than other starts, 1e-11 away, do. Where contacts share friction, they let go
 // at 4e-12 of the largest force beyond their bounds, one order a little later than another.
 TEST(RandomSpaceMotions, AreTheSameWhateverTheOrderOfDeclaration) {

@@ -1,0 +1,162 @@
+// SPDX-License-Identifier: MIT
+// Impacts of a contact motion, and the accumulations that they end in.
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "runtime/contacts/contact_automaton.hpp"
+
+namespace torsor::runtime {
+
+// No regimes exist while one contact slips (Painlevé): its impulse grows until the slip has ended, and the contact opens
+// or sticks.
+bool ContactAutomaton::impact_of_slip(int contact) {
+  if (!has_event_) std::copy_n(y_.begin(), before_.size(), before_.begin());
+  has_event_ = true;
+  contact_ = contact;
+  told_ = result_.time;
+  kind_ = ContactEventKind::impact;
+  for (int i = 0; i < count(); ++i) touching_[as(i)] = i == contact;
+  return collide(contact, false, ImpactLaw::energetic);
+}
+
+// When the bounces of one contact end: each is ρ times as long as the one before, ρ the ratio of the last two speeds of
+// approach, and the next one lasts 2 ρ w/a, a the acceleration towards the contact. Rounding of late impacts counts once
+// here, and their intervals need not shrink evenly before.
+double ContactAutomaton::end_of_bounces(int i, double speed, double a) const noexcept {
+  const double last = bounces_[as(i)].speed, ratio = last > 0 ? speed / last : 1;
+  if (!(a > 0 && ratio < 1)) return result_.time;
+  return result_.time + 2 * ratio * speed / (a * (1 - ratio));
+}
+
+// Whether a contact takes part in the accumulation: of one contact, or of those of the last seventeen impacts. Two that
+// strike in turn, each impact some hundred times weaker, get to flights within rounding after few impacts.
+bool ContactAutomaton::accumulating(int i) const noexcept {
+  const bool recent = bounces_[as(i)].last > 0 && bounces_[as(i)].last + 17 > impact_number_;
+  if (!alone_) return recent;
+  if (i == cause_) return true;
+  if (!buried_ || !recent) return false;
+  const double w = motion_.reading().w(motion_.first_row(i));
+  return w * w <= 2 * motion_.acceleration_terms(i) * motion_.rounding_of_gap(i);
+}
+
+// An impact of all contacts that touch; `rests` makes it completely inelastic, the end of an accumulation.
+bool ContactAutomaton::collide(int cause, bool rests, ImpactLaw impact_law) {
+  if (!motion_.read(result_.time, y_)) return end(ContactStatus::integration_failed, cause);
+  ContactSelection chosen;
+  PerContact<double> restitution{};
+  for (int i = 0; i < count(); ++i) {
+    if (!touching_[as(i)] || (motion_.carrier(i) < 0 && motion_.rule(i).bearing == 0)) continue;
+    ContactLaw law = motion_.rule(i).law();
+    law.static_friction = law.friction;
+    law.bound = law.static_bound = 0;  // bounded forces give no impulse
+    restitution[as(chosen.problem.count)] = rests && accumulating(i) ? 0 : motion_.rule(i).restitution;
+    chosen.add(i, law, motion_.first_row(i), motion_.first_bearing(i));
+  }
+  ContactVector before = motion_.reading().w;
+  for (int k = 0; k < chosen.problem.count; ++k) {
+    const int n = motion_.first_row(chosen.who[as(k)]);
+    // One that rests does not strike by what rounding leaves of its velocity.
+    if (chosen.problem.law(k).normal && std::abs(before(n)) <= 64 * motion_.rounding_of(n)) before(n) = 0;
+  }
+  chosen.fill(motion_.W(), before, motion_.dynamics().S, Eigen::VectorXd::Zero(motion_.first_bearing(count())));
+  const ContactProblem& problem = chosen.problem;
+  const ImpactResult shock = impact(problem, restitution, impact_law);
+  result_.verdict = shock.verdict;
+  if (!shock.applies) return end(ContactStatus::law_of_one_contact, cause);
+  if (shock.verdict == ContactVerdict::none) return end(ContactStatus::no_solution, cause);
+  residual_ = shock.residual;
+  result_.worst_residual = std::max(result_.worst_residual, residual_);
+  impulses_ = chosen.spread(shock.P, motion_.rows());
+  // T- - T+ = -P · (w- + w+)/2.
+  energy_lost_ = 0;
+  double terms = 0;
+  for (int i = 0; i < chosen.rows; ++i) {
+    energy_lost_ -= shock.P(i) * (problem.q(i) + shock.w(i)) / 2;
+    terms += std::abs(shock.P(i) * problem.q(i));
+  }
+  if (!(energy_lost_ >= -1e-12 * terms)) return end(ContactStatus::energy_gained, cause);
+  // What rounding leaves of a slip that the impact ends is a part of the velocities before.
+  PerContact<double> rounding{};
+  for (int i = 0; i < count(); ++i) {
+    if (motion_.rule(i).tangents == 0) continue;
+    const int t = motion_.tangent_row(i);
+    const double change = motion_.W().row(t).cwiseAbs().dot(impulses_.cwiseAbs());
+    rounding[as(i)] = motion_.rounding_of(t) + std::numeric_limits<double>::epsilon() * change;
+  }
+  motion_.add_answer(impulses_, y_);
+  ++result_.impacts;
+  if (!motion_.read(result_.time, y_)) return end(ContactStatus::integration_failed, cause);
+  PerContact<bool> held{};  // joints that stick
+  for (int k = 0; k < problem.count; ++k) {
+    const int i = chosen.who[as(k)], by = motion_.carrier(i);
+    held[as(i)] = shock.sticks[as(k)];
+    if (by < 0) continue;
+    // What is left of an accumulation's velocity is rounding: projection takes it away.
+    motion_.states[as(i)].touches =
+        by != i ? motion_.states[as(by)].touches : shock.closed[as(k)] || (rests && accumulating(i));
+    set_by_slip(i, shock.sticks[as(k)] ? std::numeric_limits<double>::infinity() : 0);
+  }
+  if (rests) {
+    // That velocity leaves with it what slip it makes of contacts that do not stick.
+    motion_.changed();
+    if (motion_.project(result_.time, y_) != Evaluation::ok) return end(ContactStatus::integration_failed, cause);
+    for (int k = 0; k < problem.count; ++k) {
+      const int i = chosen.who[as(k)];
+      if (motion_.carrier(i) >= 0 && !shock.sticks[as(k)]) set_by_slip(i, 64 * rounding[as(i)]);
+    }
+  }
+  for (int i = 0; i < count(); ++i) {
+    if (motion_.carrier(i) >= 0) continue;
+    motion_.states[as(i)].touches = true;
+    set_by_slip(i, held[as(i)] ? std::numeric_limits<double>::infinity() : 64 * rounding[as(i)]);
+  }
+  return decide(-1, Cause::none);
+}
+
+// A gap has fallen to zero: an impact, or the last one of bounces that accumulate.
+bool ContactAutomaton::strike(int contact) {
+  if (motion_.solve(result_.time, y_) != Evaluation::ok) return end(ContactStatus::integration_failed, contact);
+  Bounces& bounces = bounces_[as(contact)];
+  const double speed = std::abs(motion_.reading().w(motion_.first_row(contact)));
+  const double rounding = motion_.rounding_of_gap(contact);
+  // Where the flights left rise by less than 1e6 roundings of the gap, the next impacts are known less well.
+  const double unresolved = speed > 0 ? 1e6 * rounding / speed : 0;
+  const double a = -motion_.gap_acceleration(contact), limit = end_of_bounces(contact, speed, a);
+  // The next flight would not leave the rounding of the gap.
+  const bool buried = a > 0 && speed * speed <= 2 * a * rounding;
+  bounces.slower = limit > result_.time ? bounces.slower + 1 : 0;
+  bounces.limit(result_.time, speed, rounding);
+  const bool fades = bounces.slower >= 3 && limit - result_.time <= unresolved;
+  const bool alone = bounces.watch(result_.time, options_.accumulation) || fades || buried;
+  const bool together = all_(result_.time, std::max(options_.accumulation, unresolved));
+  const bool rests = alone || together;
+  bounces.last = ++impact_number_;
+  alone_ = alone;
+  buried_ = buried;
+  cause_ = contact;
+  kind_ = ContactEventKind::impact;
+  if (rests) {
+    kind_ = ContactEventKind::accumulation;
+    ++result_.accumulations;
+    // The contact is closed from now on: until the limit the impulses of all bounces and of rest are the same.
+    told_ = bounces.limit(std::max(result_.time, alone ? limit : all_.limit()), result_.time);
+  }
+  for (int i = 0; i < count(); ++i) {
+    touching_[as(i)] = motion_.carrier(i) == contact || motion_.states[as(i)].touches || near(i);
+  }
+  bounces.speed = speed;
+  const bool done = collide(contact, rests, rests ? ImpactLaw::newton_moreau : options_.law);
+  if (rests) {
+    for (int i = 0; i < count(); ++i) {
+      if (!accumulating(i)) continue;
+      const std::int64_t last = bounces_[as(i)].last;
+      bounces_[as(i)] = {};
+      bounces_[as(i)].last = last;
+    }
+    all_ = {};
+  }
+  return done;
+}
+
+}  // namespace torsor::runtime
