@@ -32,8 +32,10 @@ bool ContactDynamics::compute(const ContactReading& reading) {
   lambda_ -= right_;
   a0.noalias() -= Y_ * right_;
   R_free = reading.R0;
-  R_free.noalias() += reading.B * a0;
-  R_free.noalias() += reading.D * lambda_;
+  if (R_free.size() > 0) {
+    R_free.noalias() += reading.B * a0;
+    R_free.noalias() += reading.D * lambda_;
+  }
   right_ = reading.value;
   schur_.solveInPlace(right_);
   closing.noalias() -= Y_ * right_;
