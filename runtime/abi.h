@@ -191,9 +191,9 @@ enum {
   torsor_impact_sequential = 3
 };
 
-/* Motions from event to event of contacts. What is zero takes the runtime's own choice. */
+/* Motions from event to event of contacts. What is zero takes the runtime's own choice, what is negative is refused. */
 typedef struct torsor_contact_motion {
-  torsor_motion motion; /* times that rise, by a method with tolerances; constraints and contacts are held */
+  torsor_motion motion; /* times that rise, by a method with tolerances; never unprojected */
   int32_t impact_law;
   int32_t impact_without_collision; /* not 0: where one contact slips and no regimes exist, by the energetic law */
   double touch;                     /* [m] gaps up to it are closed when another contact has an event */

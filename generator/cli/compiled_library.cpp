@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "generator/cli/compiled_library.hpp"
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
+#include <sstream>
 #include <system_error>
 #include <vector>
 
@@ -35,52 +37,77 @@ std::string processor() {
   return text;
 }
 
-Words compiler_options(const MechanismListing& mechanism, const LibraryOptions& options) {
-  Words words = {"-std=c++20", "-shared", "-fPIC", "-fvisibility=hidden", "-pthread"};
-  for (const std::string& flag : separate_words(options.flags)) words.push_back(flag);
-  words.push_back(options.fused ? "-ffp-contract=fast" : "-ffp-contract=off");
-  if (!mechanism.scene().content().contacts.empty()) words.insert(words.end(), {"-isystem", eigen_folder()});
-  return words;
+/// The file that says it: an object and a library that are linked must have been made with one Eigen.
+std::string eigen_version() {
+  std::ifstream file(fs::path(eigen_folder()) / "Eigen/src/Core/util/Macros.h", std::ios::binary);
+  std::ostringstream text;
+  text << file.rdbuf();
+  return text.str();
 }
 
-void compile(const Compiler& compiler, const Words& options, const std::vector<SourceFile>& sources,
-             const MechanismListing& mechanism, const fs::path& library) {
-  const TemporaryFolder folder(library.parent_path(), library.stem().string() + "-");
+/// Compiles the first of the sources, which includes the others. `user` is for the message.
+void compile(const Compiler& compiler, const Words& options, const Words& objects,
+             const std::vector<SourceFile>& sources, const std::string& user, const fs::path& target) {
+  const TemporaryFolder folder(target.parent_path(), target.stem().string() + "-");
   for (const SourceFile& source : sources) {
     const fs::path path = folder.path() / source.path;
     fs::create_directories(path.parent_path());
     write_file_if_changed(path.string(), source.text);
   }
-  const fs::path made = folder.path() / "library.so";
+  const fs::path made = folder.path() / ("made" + target.extension().string());
   Words command = compiler.words;
   command.insert(command.end(), options.begin(), options.end());
-  for (const std::string& word : {std::string("-I"), folder.path().string(), std::string("-o"), made.string(),
-                                  (folder.path() / sources.front().path).string()}) {
-    command.push_back(word);
-  }
+  const std::string first = (folder.path() / sources.front().path).string();
+  command.insert(command.end(), {"-I", folder.path().string(), "-o", made.string(), first});
+  command.insert(command.end(), objects.begin(), objects.end());
   const ProcessResult said = run_process(command);
   if (said.code != 0) {
-    throw FileError(fmt::format("the compiler '{}' fails for '{}': {}{}", fmt::join(compiler.words, " "),
-                                mechanism.scene().name(), compiler_errors(said.output), eigen_remedy(said.output)));
+    throw FileError(fmt::format("the compiler '{}' fails for '{}': {}{}", fmt::join(compiler.words, " "), user,
+                                compiler_errors(said.output), eigen_remedy(said.output)));
   }
   std::error_code failure;
-  fs::rename(made, library, failure);
-  if (failure) throw FileError(fmt::format("cannot write '{}': {}", library.string(), failure.message()));
+  fs::rename(made, target, failure);
+  if (failure) throw FileError(fmt::format("cannot write '{}': {}", target.string(), failure.message()));
+}
+
+/// Where the cache has what comes of these sources.
+fs::path kept(const std::string& name, const std::string& suffix, const Compiler& compiler, const Words& options,
+              const std::vector<SourceFile>& sources) {
+  Fnv key;
+  for (const SourceFile& source : sources) key.add(source.path).add(source.text);
+  for (const std::string& word : compiler.words) key.add(word).add(" ");
+  for (const std::string& word : options) key.add(word).add(" ");
+  key.add(compiler.version).add(processor());
+  if (std::find(options.begin(), options.end(), eigen_folder()) != options.end()) key.add(eigen_version());
+  return cache_folder() / fmt::format("{}-{:016x}{}", name, key.value(), suffix);
 }
 
 }  // namespace
 
+std::string compiled_contact_layer(const Compiler& compiler, const Words& options) {
+  Words words = {"-std=c++20", "-c", "-fPIC", "-fvisibility=hidden", "-isystem", eigen_folder()};
+  words.insert(words.end(), options.begin(), options.end());
+  const std::vector<SourceFile> sources = contact_layer_sources();
+  const fs::path object = kept("contact_layer", ".o", compiler, words, sources);
+  if (!fs::exists(object)) compile(compiler, words, {}, sources, "the contact layer", object);
+  return object.string();
+}
+
 std::string compiled_library(const MechanismListing& mechanism, const LibraryOptions& options) {
   const Compiler compiler = found_compiler("CXX", {"c++", "g++", "clang++"}, "C++20");
   const std::vector<SourceFile> sources = library_sources(mechanism);
-  const Words words = compiler_options(mechanism, options);
-  Fnv key;
-  for (const SourceFile& source : sources) key.add(source.path).add(source.text);
-  for (const std::string& word : compiler.words) key.add(word).add(" ");
-  for (const std::string& word : words) key.add(word).add(" ");
-  key.add(compiler.version).add(processor());
-  const fs::path library = cache_folder() / fmt::format("{}-{:016x}.so", mechanism.scene().name(), key.value());
-  if (!fs::exists(library)) compile(compiler, words, sources, mechanism, library);
+  const std::string& name = mechanism.scene().name();
+  const bool contacts = !mechanism.scene().content().contacts.empty();
+  Words flags = separate_words(options.flags);
+  flags.push_back(options.fused ? "-ffp-contract=fast" : "-ffp-contract=off");
+  Words words = {"-std=c++20", "-shared", "-fPIC", "-fvisibility=hidden", "-pthread"};
+  words.insert(words.end(), flags.begin(), flags.end());
+  if (contacts) words.insert(words.end(), {"-isystem", eigen_folder(), "-DTORSOR_CONTACT_LAYER_APART"});
+  const fs::path library = kept(name, ".so", compiler, words, sources);
+  if (!fs::exists(library)) {
+    const Words objects = contacts ? Words{compiled_contact_layer(compiler, flags)} : Words{};
+    compile(compiler, words, objects, sources, name, library);
+  }
   return library.string();
 }
 

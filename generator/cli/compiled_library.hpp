@@ -2,7 +2,9 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
+#include "generator/cli/compiler.hpp"
 #include "generator/emission/mechanism_listing.hpp"
 
 namespace torsor {
@@ -17,5 +19,9 @@ struct LibraryOptions {
 /// $XDG_CACHE_HOME, or ~/.cache/torsor. The compiler is $CXX, or the first of c++, g++ and clang++ on the PATH.
 /// Throws FileError where there is no compiler, or where it fails, with what it said.
 std::string compiled_library(const MechanismListing& mechanism, const LibraryOptions& options);
+
+/// The path of the runtime's contact layer as an object for position-independent code, compiled with these further
+/// options. It lies in the same cache: only the first mechanism with contacts waits for it. Throws as compiled_library.
+std::string compiled_contact_layer(const Compiler& compiler, const std::vector<std::string>& options);
 
 }  // namespace torsor

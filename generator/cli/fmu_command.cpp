@@ -12,6 +12,7 @@
 #include "generator/base/temporary_folder.hpp"
 #include "generator/base/zip_archive.hpp"
 #include "generator/cli/command_set.hpp"
+#include "generator/cli/compiled_library.hpp"
 #include "generator/cli/compiler.hpp"
 #include "generator/cli/fmi_platform.hpp"
 #include "generator/cli/kernel_options.hpp"
@@ -38,7 +39,7 @@ void write_sources(const std::filesystem::path& folder, const std::vector<Source
 
 void compile(const Compiler& compiler, const std::vector<std::string>& flags, const std::vector<std::string>& words) {
   std::vector<std::string> command = compiler.words;
-  command.insert(command.end(), {"-fPIC", "-fvisibility=hidden", "-ffp-contract=off"});
+  command.insert(command.end(), {"-fPIC", "-fvisibility=hidden"});
   command.insert(command.end(), flags.begin(), flags.end());
   command.insert(command.end(), words.begin(), words.end());
   const ProcessResult said = run_process(command);
@@ -52,7 +53,8 @@ ArchivedFile compiled_unit(const MechanismListing& mechanism, const std::vector<
                            const UnitRequest& request) {
   const std::string& name = mechanism.scene().name();
   const Compiler compiler = found_compiler("CC", {"cc", "gcc", "clang"}, "C99");
-  const std::vector<std::string> flags = separate_words(request.flags);
+  std::vector<std::string> flags = {"-ffp-contract=off"};
+  for (const std::string& flag : separate_words(request.flags)) flags.push_back(flag);
   const FmiPlatform platform = fmi_platform(predefined_macros(compiler, flags), request.version());
   const TemporaryFolder folder(folder_of_temporary_files(), "torsor-fmu-");
   const auto file = [&folder](const std::string& of) { return (folder.path() / of).string(); };
@@ -64,9 +66,10 @@ ArchivedFile compiled_unit(const MechanismListing& mechanism, const std::vector<
     compile(compiler, flags, {"-std=c99", "-c", "-o", file("unit.o"), file(sources.front().path)});
     const std::vector<SourceFile> moving = fmi_contact_sources(mechanism);
     write_sources(folder.path(), moving);
-    compile(found_compiler("CXX", {"c++", "g++", "clang++"}, "C++20"), flags,
+    const Compiler other = found_compiler("CXX", {"c++", "g++", "clang++"}, "C++20");
+    compile(other, flags,
             {"-std=c++20", "-shared", "-isystem", eigen_folder(), "-I", folder.path().string(), "-o", made,
-             file(moving.front().path), file("unit.o"), "-lm"});
+             file(moving.front().path), file("unit.o"), compiled_contact_layer(other, flags), "-lm"});
   }
   return {fmt::format("binaries/{}/{}{}", platform.folder, name, platform.suffix), compiled_bytes(made)};
 }

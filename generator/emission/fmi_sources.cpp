@@ -43,19 +43,15 @@ std::vector<std::string> fmi_kernels(const Scene& scene) {
 
 std::vector<SourceFile> fmi_contact_sources(const MechanismListing& mechanism) {
   const std::string& name = mechanism.scene().name();
-  std::vector<SourceFile> files;
-  std::string sources;
+  std::vector<SourceFile> files = {{name + "_contacts.cpp",
+                                    fill_template("fmi/contacts.cpp.in", embedded_template("fmi/contacts.cpp.in"),
+                                                  {{"name", name},
+                                                   {"version", TORSOR_VERSION},
+                                                   {"has_inputs", mechanism.layout.inputs.empty() ? "0" : "1"}})},
+                                   {name + ".hpp", emit_header(mechanism)}};
   for (const std::string_view text : embedded_runtime_text_names()) {
     files.push_back({fmt::format("runtime/{}", text), std::string(embedded_runtime_text(text))});
-    if (text.ends_with(".cpp")) sources += fmt::format("#include \"runtime/{}\"\n", text);
   }
-  files.push_back({name + ".hpp", emit_header(mechanism)});
-  files.insert(files.begin(), {name + "_contacts.cpp",
-                               fill_template("fmi/contacts.cpp.in", embedded_template("fmi/contacts.cpp.in"),
-                                             {{"name", name},
-                                              {"version", TORSOR_VERSION},
-                                              {"has_inputs", mechanism.layout.inputs.empty() ? "0" : "1"},
-                                              {"sources", sources}})});
   return files;
 }
 

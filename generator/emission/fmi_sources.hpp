@@ -15,7 +15,8 @@ std::vector<std::string> fmi_kernels(const Scene& scene);
 /// The C99 text of the unit, which binaries/ is compiled from: first the file that includes the others.
 std::vector<SourceFile> fmi_sources(const MechanismListing& mechanism, FmiVersion version);
 
-/// The C++ text that moves a unit with contacts, which is compiled beside that: first the file that includes the others.
+/// The C++ text that moves a unit with contacts, which is compiled beside that and linked with the contact layer: first the
+/// file that includes the others.
 std::vector<SourceFile> fmi_contact_sources(const MechanismListing& mechanism);
 
 /// How to compile them: sources/buildDescription.xml of FMI 3.0.

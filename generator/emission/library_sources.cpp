@@ -42,6 +42,22 @@ std::string contact_table(const MechanismListing& mechanism) {
 
 }  // namespace
 
+std::string contact_layer_includes() {
+  std::string text = "#ifndef TORSOR_CONTACT_LAYER_APART\n";
+  for (const std::string_view name : embedded_runtime_text_names()) {
+    if (name.ends_with(".cpp")) text += fmt::format("#include \"runtime/{}\"\n", name);
+  }
+  return text + "#endif\n";
+}
+
+std::vector<SourceFile> contact_layer_sources() {
+  std::vector<SourceFile> files = {{"contact_layer.cpp", contact_layer_includes()}};
+  for (const std::string_view name : embedded_runtime_text_names()) {
+    files.push_back({fmt::format("runtime/{}", name), std::string(embedded_runtime_text(name))});
+  }
+  return files;
+}
+
 std::vector<SourceFile> library_sources(const MechanismListing& mechanism) {
   const std::string name = mechanism.scene().name();
   const std::size_t contacts = mechanism.scene().content().contacts.size();
@@ -53,8 +69,8 @@ std::vector<SourceFile> library_sources(const MechanismListing& mechanism) {
                              text == "abi/contact_call.hpp";
     if (of_contacts && contacts == 0) continue;
     files.push_back({fmt::format("runtime/{}", text), std::string(embedded_runtime_text(text))});
-    if (text.ends_with(".cpp")) sources += fmt::format("#include \"runtime/{}\"\n", text);
   }
+  if (contacts > 0) sources = contact_layer_includes();
   const std::string definitions = std::string(holds_constraints(mechanism) ? "#define TORSOR_ABI_WITH_CONSTRAINTS\n" : "") +
                                   (contacts > 0 ? "#define TORSOR_ABI_WITH_CONTACTS\n" : "");
   files.insert(files.begin(), {"library.cpp", fill_template("library.cpp.in", embedded_template("library.cpp.in"),

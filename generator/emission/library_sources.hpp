@@ -13,6 +13,12 @@ struct SourceFile {
   std::string path, text;
 };
 
+/// The runtime's contact layer, the same for every mechanism: first the file that includes the others, `contact_layer.cpp`.
+std::vector<SourceFile> contact_layer_sources();
+
+/// Lines that make it a part of a file, unless TORSOR_CONTACT_LAYER_APART is defined: then it is linked.
+std::string contact_layer_includes();
+
 /// What a shared library of a mechanism with the interface of runtime/abi.h is compiled from, in C++20: `library.cpp`,
 /// which comes first, the generated header, and headers of the runtime, all found from one folder.
 std::vector<SourceFile> library_sources(const MechanismListing& mechanism);

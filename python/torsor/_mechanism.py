@@ -255,7 +255,7 @@ class Mechanism(Displayed):
                  project: bool = True, impact_law: str = "newton_moreau",
                  parameters: Mapping[str, float] | None = None, threads: int = 1) -> Motion:
         """Integrates motions from (q, v) at `start_time`; what is absent is that of the scene. Constraints are held.
-        With contacts it goes from event to event, and `events` of the result tells of each.
+        With contacts it goes from event to event, forward in time, and `events` of the result tells of each.
 
         times: (T,) [s], in one direction; a number: 1,001 equal times up to it.
         q, v: (nq,), (nv,), or (..., nq), (..., nv): as many motions, on `threads` threads.

@@ -126,7 +126,9 @@ class ContactCall {
     Law law{};
     if constexpr (M::input_count > 0) law = inputs_of<M>(call_.motion, i);
     const System system(parameters_, law);
-    if (call_.impact_law < 0 || call_.impact_law > torsor_impact_sequential) return torsor_motion_invalid_options;
+    const bool usable = call_.impact_law >= 0 && call_.impact_law <= torsor_impact_sequential && call_.touch >= 0 &&
+                        call_.at_rest >= 0 && call_.accumulation >= 0 && call_.event_limit >= 0 && !call_.motion.unprojected;
+    if (!usable) return torsor_motion_invalid_options;
     if (call_.motion.method == 0) return by(adaptive(call_.motion, DormandPrince54{}), system, i, result, reached);
     if (call_.motion.method == 1) return by(adaptive(call_.motion, DormandPrince853{}), system, i, result, reached);
     return torsor_motion_unsuitable_model;

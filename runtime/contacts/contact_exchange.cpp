@@ -47,7 +47,8 @@ bool ContactExchange::falls(std::size_t index, double t, std::span<const double>
   if (!automaton_.barrier(index)) return true;
   const int contact = static_cast<int>(index / ContactAutomaton::guards);
   const ContactMotion& motion = automaton_.motion();
-  return motion.reading().w(motion.first_row(contact)) < 0;
+  const int n = motion.first_row(contact);
+  return motion.reading().w(n) < -64 * motion.rounding_of(n);  // what an impact would take for rest strikes nothing
 }
 
 bool ContactExchange::update(double t, std::span<double> y) {

@@ -26,7 +26,7 @@ struct ContactSelection {
     problem.laws[at(problem.count++)] = law;
   }
 
-  /// Takes W and q of the rows selected;
+  /// Takes W and q of the rows selected.
   template <class Square, class Right>
   void fill(const Square& W, const Right& q) noexcept {
     problem.W.resize(rows, rows);

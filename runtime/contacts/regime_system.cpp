@@ -82,9 +82,18 @@ void RegimeSystem::start_along() noexcept {
     if (!slides_in_bearing(i)) continue;
     auto along = at(i).along;
     if (along[0] == 0 && along[1] == 0) along = problem_.bearing(i, none);
-    const double length = std::hypot(along[0], along[1]), side = at(i).reversed ? -1 : 1;
-    along_[as(i)] = {side, 0};
-    if (length > 0) along_[as(i)] = {side * along[0] / length, side * along[1] / length};
+    if (at(i).reversed) {
+      // |R| - |T|/f is convex in |T|: its two zeros lie on either side of a minimum. The other one is found from far away,
+      // where R is S of its own T alone.
+      std::array<double, 2> far{0, 0};
+      for (int k = 0, row = problem_.bearing_row(i), t = problem_.tangent_row(i); k < problem_.law(i).bearing; ++k, ++row) {
+        for (int j = 0; j < problem_.law(i).tangents; ++j) far[as(k)] -= problem_.S(row, t + j) * at(i).direction[as(j)];
+      }
+      along = far[0] != 0 || far[1] != 0 ? far : std::array<double, 2>{-along[0], -along[1]};
+    }
+    const double length = std::hypot(along[0], along[1]);
+    along_[as(i)] = {1, 0};
+    if (length > 0) along_[as(i)] = {along[0] / length, along[1] / length};
   }
 }
 
@@ -108,6 +117,8 @@ void RegimeSystem::equate_bearings() noexcept {
     for (int k = 0, row = problem_.bearing_row(i); k < law.bearing; ++k, ++row) {
       e_(column) += law.friction * along_[as(i)][as(k)] * problem_.c(row);
     }
+    E_.row(column) *= mobility(i);
+    e_(column) *= mobility(i);
   }
 }
 
@@ -118,7 +129,11 @@ double RegimeSystem::turn_bearings() noexcept {
     if (!slides_in_bearing(i)) continue;
     const auto R = problem_.bearing(i, r);
     const double length = std::hypot(R[0], R[1]);
-    if (!(length > 0)) continue;
+    double terms = 0;
+    for (int k = 0, row = problem_.bearing_row(i); k < problem_.law(i).bearing; ++k, ++row) {
+      terms += problem_.S.row(row).cwiseAbs().dot(r.cwiseAbs()) + std::abs(problem_.c(row));
+    }
+    if (!(length > 1e-14 * terms)) continue;  // rounding of a zero has no direction, and any ρ will do
     auto& along = along_[as(i)];
     turned = std::max({turned, std::abs(R[0] / length - along[0]), std::abs(R[1] / length - along[1])});
     along = {R[0] / length, R[1] / length};
@@ -148,10 +163,15 @@ double RegimeSystem::scaled_determinant() const noexcept {
   const int n = static_cast<int>(E_.cols());
   if (n == 0) return 1;
   ContactMatrix own(n, n);
+  std::array<double, static_cast<std::size_t>(most_rows)> sizes;
+  sizes.fill(1);
+  for (int i = 0; i < problem_.count && bearings_; ++i) {
+    if (slides_in_bearing(i)) sizes[as(column_[as(i)])] = mobility(i);
+  }
   for (int i = 0; i < n; ++i) {
     for (int j = 0; j < n; ++j) {
       const int row = rows_[as(i)], column = rows_[as(j)];
-      own(i, j) = row >= 0 && column >= 0 ? problem_.W(row, column) : i == j ? 1 : 0;  // |T| of a bearing is 0
+      own(i, j) = row >= 0 && column >= 0 ? problem_.W(row, column) : i == j ? sizes[as(i)] : 0;  // |T| of a bearing is 0
     }
   }
   const Eigen::FullPivLU<ContactMatrix> without_slips(own);
@@ -193,7 +213,7 @@ ContactVector RegimeSystem::motion_by_turning(int i) const noexcept {
   ContactVector right(n);
   for (int k = 0; k < n; ++k) right(k) = rows_[as(k)] < 0 ? 0 : -du(rows_[as(k)]);
   for (int j = 0; j < problem_.count && bearings_; ++j) {
-    if (slides_in_bearing(j)) right(column_[as(j)]) = pull_of_bearing(j).dot(dr);
+    if (slides_in_bearing(j)) right(column_[as(j)]) = mobility(j) * pull_of_bearing(j).dot(dr);
   }
   const ContactVector dx = lu_.solve(right);
   return du + problem_.W * (B_ * dx);

@@ -69,6 +69,11 @@ class RegimeSystem {
     return at(contact).friction == Friction::slides && problem_.law(contact).bearing > 0;
   }
   void start_along() noexcept;
+  /// What makes a velocity of |T|: all equations are measured alike.
+  [[nodiscard]] double mobility(int contact) const noexcept {
+    const int t = problem_.tangent_row(contact);
+    return problem_.W(t, t) > 0 ? problem_.W(t, t) : 1;
+  }
   /// f ρ · S of a bearing.
   [[nodiscard]] ContactVector pull_of_bearing(int contact) const noexcept;
   void equate_bearings() noexcept;

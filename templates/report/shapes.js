@@ -48,7 +48,7 @@ class Picture {
       return m > 0 && trace > 0 ? Math.sqrt((1.5 * trace) / m) : 0;
     });
     this.corners = new Set(scene.boxes.flat());
-    this.surfaces = scene.surfaces.map((each, k) => ({ mesh: `surface ${k}`, point: each.point, ...(each.tube ? torus(poses.radii[each.point], each.tube) : convex(each)) }));
+    this.surfaces = scene.surfaces.map((each, k) => ({ mesh: `surface ${k}`, point: each.point, ...("tube" in each ? torus(poses.radii[each.point], each.tube) : convex(each)) }));
     const radii = [...this.surfaces.map((each) => each.extent), ...scene.points.map((_, k) => poses.radii[k]), ...scene.contacts.flatMap((each, c) => (each.spheres ? [...poses.contact_radii.subarray(2 * c, 2 * c + 2)] : []))];
     this.size = Math.max(length(add(high, low, -1)) / 2, 0.9 * Math.max(0, ...extents), 1.4 * Math.max(0, ...radii)) || 1;
     this.low = low;

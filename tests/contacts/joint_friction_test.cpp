@@ -154,6 +154,69 @@ TEST(FrictionOfAGuide, MayHaveTwoForcesOrNone) {
   EXPECT_EQ(solve_contacts(none).verdict, ContactVerdict::none);
 }
 
+// R = (1 - 1.8 t, 1.6 t) with t = |T|: t = 0.5 |R| means 4 t² = 1 - 3.6 t + 5.8 t², so that t is 1/3 or 5/3.
+TEST(FrictionOfAGuide, MayHaveTwoForcesAcrossTwoDirections) {
+  ContactProblem problem;
+  problem.count = 1;
+  problem.laws[0] = {.normal = false, .bearing = 2, .tangents = 1, .friction = 0.5, .static_friction = 0.5, .slips = true};
+  problem.W.setConstant(1, 1, 1);
+  problem.q.setConstant(1, -10.0);
+  problem.S.resize(2, 1);
+  problem.S << 1.8, -1.6;
+  problem.c.resize(2);
+  problem.c << 1, 0;
+  const ContactAnswer both = solve_contacts(problem);
+  ASSERT_EQ(both.count, 2U);
+  // The derivative of t - 0.5 |R| at the zeros is ±0.8 and more: 4 roundings of R.
+  EXPECT_NEAR(std::min(-both.solutions[0].r(0), -both.solutions[1].r(0)), 1.0 / 3, 1e-15);
+  EXPECT_NEAR(std::max(-both.solutions[0].r(0), -both.solutions[1].r(0)), 5.0 / 3, 3e-15);
+}
+
+// Two joints that balance each other: R of the second is zero, which rounding gives any direction.
+TEST(FrictionOfSeveralJoints, IsNoneWhereTheReactionIsZero) {
+  for (int k = 0; k < 200; ++k) {
+    const double f = 0.1 + 0.002 * k, s = 0.9 - 0.003 * k, t = f * (1 + 0.1 * k);
+    ContactProblem problem;
+    problem.count = 2;
+    problem.W.resize(2, 2);
+    problem.W << 1, 0, 0, 1;
+    problem.q.resize(2);
+    problem.q << 50, 50;
+    problem.S.resize(2, 2);
+    problem.S << 0, 0, s, 0.3;
+    problem.c.resize(2);
+    problem.c << 1 + 0.1 * k, s * t;  // R of the first is 1 + 0.1 k, so that its T is -t
+    for (std::size_t i = 0; i < 2; ++i) {
+      problem.laws[i] = {.normal = false, .bearing = 1, .tangents = 1, .friction = f, .static_friction = f};
+    }
+    const ContactAnswer answer = solve_contacts(problem);
+    ASSERT_TRUE(answer) << k;
+    EXPECT_NEAR(answer.best().r(0), -t, 4e-15 * (1 + t)) << k;
+    EXPECT_NEAR(answer.best().r(1), 0, 1e-14 * (1 + t)) << k;
+  }
+}
+
+// A stop presses a guide, in units of mass that make W and S as far apart as numbers of a mechanism may be.
+TEST(FrictionOfSeveralJoints, DoesNotDependOnTheUnitOfMass) {
+  for (const double unit : {0x1p-48, 1.0, 0x1p48}) {
+    ContactProblem problem;
+    problem.count = 2;
+    problem.laws[0] = {.tangents = 0};
+    problem.laws[1] = {.normal = false, .bearing = 1, .tangents = 1, .friction = 0.5, .static_friction = 0.5};
+    problem.W.resize(2, 2);
+    problem.W << unit, 0, 0, unit;
+    problem.q.resize(2);
+    problem.q << -2, 50;
+    problem.S.resize(1, 2);
+    problem.S << 1, 0.4;
+    problem.c.setConstant(1, 1 / unit);
+    const ContactAnswer answer = solve_contacts(problem);
+    ASSERT_EQ(answer.verdict, ContactVerdict::unique) << unit;
+    EXPECT_EQ(answer.best().r(0) * unit, 2) << unit;
+    EXPECT_NEAR(answer.best().r(1) * unit, -1.5 / 1.2, 1e-15) << unit;  // T = -0.5 (2 + 1 + 0.4 T) in that unit
+  }
+}
+
 // Of several joints, each pressed by what the others do too: the laws are put back.
 TEST(FrictionOfSeveralJoints, FulfilsTheLawOfEach) {
   ContactProblem problem;

@@ -1,11 +1,15 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Motions from event to event of contacts, against closed forms: docs/contacts.md."""
 
+import csv
+import os
+import subprocess
+
 import numpy as np
 import pytest
 
 import torsor
-from conftest import scene
+from conftest import SOURCES, scene
 
 R, G, F, V, H = 0.028575, 9.81, 0.2, 2.0, 0.1  # of the example billiard; H is a height to fall from
 EXACT = {"relative_tolerance": 1e-13, "absolute_tolerance": 1e-13}
@@ -123,3 +127,19 @@ def test_a_robot_lands_on_its_feet():
 
 def failing(t, q, v):
     raise RuntimeError("no torque today")
+
+
+def test_joints_that_rub_move_as_the_evaluated_scene():
+    """The generated header against `simulate`, which evaluates the scene's formulas: two joints, one of them pressed in two
+    directions, and accelerations that press both."""
+    file = os.path.join(SOURCES, "tests/python/trolley.cpp")
+    car = torsor.load(file, flags="-O1", kernels=["mass_matrix", "bias", "energy", "contacts", "contact_coefficients"])
+    table = subprocess.run([os.environ["TORSOR"], file, "simulate", "--to=1.5", "--step=0.25", "--tolerance=1e-13"],
+                           capture_output=True, text=True, check=True).stdout
+    names, *rows = csv.reader(line for line in table.splitlines() if not line.startswith("#"))
+    rows = np.array(rows, float)
+    wanted = np.column_stack([rows[1:, names.index(name)] for name in ("x", "a", "x'", "a'")])
+    motion = car.simulate(rows[1:, names.index("time")], **EXACT)
+    # 1e-13 a step of both, some hundred steps.
+    np.testing.assert_allclose(np.hstack([motion.q, motion.v]), wanted, atol=1e-10)
+    assert motion.energy[-1] < motion.energy[0] - 1

@@ -10,8 +10,8 @@ namespace torsor {
 /// are set at run time, whatever they are. Of more than eight unknowns none is looked at.
 bool light_may_carry_heavy(const Model& model);
 
-/// Whether an energy may lose digits that way: a link with matter of its own carries a hundred times as much, or masses
-/// are set at run time. Links without matter only place others, and take nothing from an energy.
+/// Whether an energy may lose digits that way: a link with matter of its own carries a hundred times as much, or, of
+/// up to four unknowns, masses are set at run time. Links without matter only place others, and take nothing from an energy.
 bool light_matter_may_carry_heavy(const Model& model);
 
 /// The method of forward dynamics that loses no digits where a light link carries a heavy one. Each is evaluated in 20
