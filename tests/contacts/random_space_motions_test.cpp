@@ -82,8 +82,10 @@ TEST(RandomSpaceMotions, OfMassesFarApartNeverGainEnergyAndSayWhereTheyJam) {
   const ContactResult jammed = integrate_contacts(scene, y, 0, 1.5, precise);
   EXPECT_EQ(jammed.status, ContactStatus::jams);
   EXPECT_EQ(jammed.contact, 1);
+  const bool few = std::getenv("TORSOR_LONG_TESTS") == nullptr;  // then one scene for each ratio
+  unsigned next = 0;
   for (const double ratio : {1e-6, 1e-3, 1e3, 1e6}) {
-    for (const unsigned k : numbers({})) {
+    for (const unsigned k : few ? std::vector<unsigned>{next++} : numbers({})) {
       SCOPED_TRACE(testing::Message() << "scene " << k << ", ratio " << ratio);
       auto [uneven, start] = random_space_start(k);
       make_uneven(uneven, ratio);
