@@ -129,15 +129,18 @@ requires(HasMassMatrixAndBias<M> && (M::multiplier_count == 0 || HasConstraints<
   }
 
   static void read_bearings(const typename M::Contacts& now, ContactReading& reading) noexcept {
-    constexpr auto rows = static_cast<std::size_t>(M::contact_row_count), m = static_cast<std::size_t>(M::multiplier_count);
+    constexpr auto rows = static_cast<std::size_t>(M::contact_row_count);
     const auto count = static_cast<std::size_t>(reading.R0.size());
     for (std::size_t k = 0; k < count; ++k) {
       reading.R0(at(k)) = now.bearing[k];
       for (std::size_t j = 0; j < nv; ++j) reading.B(at(k), at(j)) = now.bearing_by_accelerations[j * count + k];
       for (std::size_t j = 0; j < rows; ++j) reading.C(at(k), at(j)) = now.bearing_by_reactions[j * count + k];
-      Eigen::Index column = 0;
-      for (std::size_t j = 0; j < m; ++j) {
-        if (!repeats_others(j)) reading.D(at(k), column++) = now.bearing_by_multipliers[j * count + k];
+      if constexpr (M::multiplier_count > 0) {
+        constexpr auto m = static_cast<std::size_t>(M::multiplier_count);
+        Eigen::Index column = 0;
+        for (std::size_t j = 0; j < m; ++j) {
+          if (!repeats_others(j)) reading.D(at(k), column++) = now.bearing_by_multipliers[j * count + k];
+        }
       }
     }
   }
