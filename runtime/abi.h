@@ -140,7 +140,8 @@ enum {
   torsor_motion_too_many_events = 13,
   torsor_motion_event_not_followed = 14,
   torsor_motion_law_of_one_contact = 15, /* the energetic law of impact, and several contacts struck at once */
-  torsor_motion_without_memory = 16
+  torsor_motion_without_memory = 16,
+  torsor_motion_jams = 17 /* a contact that slides: the equations become singular, and what follows is not determined */
 };
 
 typedef struct torsor_method {

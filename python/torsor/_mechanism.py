@@ -26,7 +26,8 @@ MOTION_STATUSES = ("reached the end time", "stopped", "unusable options: times, 
                    "a contact starts below its surface", "the loops cannot be closed near the start",
                    "a contact has coefficients that no surface has", "the limit of events was met",
                    "an event of a contact could not be followed",
-                   "the energetic law of impact is one of a single contact, and several touch", "no memory")
+                   "the energetic law of impact is one of a single contact, and several touch", "no memory",
+                   "a contact that slides jams: the equations become singular, and what follows is not determined")
 
 
 class State(NamedTuple):

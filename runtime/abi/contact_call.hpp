@@ -45,6 +45,7 @@ static_assert(static_cast<int>(ImpactLaw::newton_moreau) == torsor_impact_newton
     case ContactStatus::reached_end: return torsor_motion_reached_end;
     case ContactStatus::stopped_by_observer: return torsor_motion_stopped;
     case ContactStatus::no_solution: return torsor_motion_no_regimes;
+    case ContactStatus::jams: return torsor_motion_jams;
     case ContactStatus::energy_gained: return torsor_motion_energy_gained;
     case ContactStatus::penetrates: return torsor_motion_penetrates;
     case ContactStatus::open_loops: return torsor_motion_open_loops;

@@ -10,6 +10,9 @@ constexpr Translation french_of_contacts[] = {
     {"stopped because the observer returned false", "arrêté par l'observateur"},
     {"no regimes fulfil the laws of contact: the equations of rigid bodies have no solution here (Painlevé)",
      "aucun régime ne vérifie les lois de contact : les équations des solides rigides n'ont pas de solution ici (Painlevé)"},
+    {"a contact that slides jams: the equations of rigid bodies become singular here, and what follows is not determined (Painlevé)",
+     "un contact qui glisse s'arc-boute : les équations des solides rigides deviennent singulières ici, et la suite n'est pas "
+     "déterminée (Painlevé)"},
     {"the impact law gave energy: choose another, or a smaller restitution",
      "la loi de choc a fourni de l'énergie : en choisir une autre, ou une restitution plus petite"},
     {"a contact starts below its surface: begin where every gap is at least zero",
