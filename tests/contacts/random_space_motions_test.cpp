@@ -85,7 +85,7 @@ TEST(RandomSpaceMotions, OfMassesFarApartNeverGainEnergyAndSayWhereTheyJam) {
   const bool few = std::getenv("TORSOR_LONG_TESTS") == nullptr;  // then one scene for each ratio
   unsigned next = 0;
   for (const double ratio : {1e-6, 1e-3, 1e3, 1e6}) {
-    for (const unsigned k : few ? std::vector<unsigned>{next++} : numbers({})) {
+    for (const unsigned k : few ? std::vector<unsigned>{next++ % 3} : numbers({})) {
       SCOPED_TRACE(testing::Message() << "scene " << k << ", ratio " << ratio);
       auto [uneven, start] = random_space_start(k);
       make_uneven(uneven, ratio);
