@@ -15,7 +15,9 @@ cached="$(build)"
 before="$(stat -c %Y.%i "$cached" "$folder/lib.so")"
 build --output "$folder/lib.so"
 [ "$before" = "$(stat -c %Y.%i "$cached" "$folder/lib.so")" ] || { echo "what was there was compiled or written again"; exit 1; }
-[ "$(find "$TORSOR_CACHE" | wc -l)" = 2 ] || { echo "more than a library is left:"; find "$TORSOR_CACHE"; exit 1; }
+# And, where there are contacts, the object that moves those of every mechanism.
+left="$(find "$TORSOR_CACHE" -mindepth 1 ! -name 'contact_layer-*.o')"
+[ "$left" = "$cached" ] || { echo "more than a library is left:"; find "$TORSOR_CACHE"; exit 1; }
 
 code=0
 said="$(CXX="$folder/no_such_compiler" "$program" build --kernels energy 2>&1)" || code=$?
