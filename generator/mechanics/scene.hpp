@@ -250,8 +250,8 @@ class Scene {
   /// while that is not zero, and holds it at rest where it can.
   void dry_friction(const std::string& name, const Expression& displacement, const DryFriction& friction);
   /// Dry friction of the prismatic or revolute joint that carries `frame`, in proportion to the resultant R that the joint
-  /// transmits across its axis: a force of at most f |R|, or of a journal with the given radius r a torque of at most
-  /// f r |R|. Moments that the joint transmits and a thrust along a revolute joint's axis add nothing.
+  /// transmits across its axis. It is a force of at most f |R|, or of a journal with the given radius r a torque of at
+  /// most f r |R|. Moments that the joint transmits and a thrust along a revolute joint's axis add nothing.
   void joint_friction(const std::string& name, const FrameReference& frame, const JointFriction& friction);
 
   // --- constraints --------------------------------------------------------------------------------------------------
