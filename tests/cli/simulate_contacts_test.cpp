@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "tests/cli/motion_table.hpp"
 #include "tests/cli/scene_runner.hpp"
 
 namespace torsor::simulate_contacts_test {
@@ -14,6 +15,8 @@ namespace {
 
 using testing_programs::Outcome;
 using testing_programs::run;
+using testing_programs::Table;
+using testing_programs::table;
 
 /// A ball dropped on a floor from 1 m.
 Scene dropped() {
@@ -55,34 +58,6 @@ Scene stopped_loop() {
   scene.stop(a, std::nullopt, Expression(Number::rational(7, 5)), {.restitution = Expression(Number::rational(1, 4))});
   scene.dry_friction("bearing", a, {.bound = Expression::quantity("0.5", "N m")});
   return scene;
-}
-
-struct Table {
-  std::map<std::string, std::size_t> column;
-  std::vector<std::vector<double>> rows;
-  std::vector<std::string> notes;
-  double at(std::size_t row, const std::string& name) const { return rows.at(row).at(column.at(name)); }
-  double end(const std::string& name) const { return at(rows.size() - 1, name); }
-};
-
-Table table(const std::string& csv) {
-  Table result;
-  std::istringstream lines(csv);
-  for (std::string line; std::getline(lines, line);) {
-    if (line.starts_with("# ")) {
-      result.notes.push_back(line);
-      continue;
-    }
-    std::istringstream cells(line);
-    std::vector<double> row;
-    const bool names = result.column.empty();
-    for (std::string cell; std::getline(cells, cell, ',');) {
-      if (names) result.column.emplace(cell, result.column.size());
-      else row.push_back(std::stod(cell));
-    }
-    if (!names) result.rows.push_back(row);
-  }
-  return result;
 }
 
 // contact_zeno_billiard_grazing.md (1): the bounces end at sqrt(2 h/g) (1 + e)/(1 - e), then it rests with N = m g.

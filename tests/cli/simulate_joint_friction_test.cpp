@@ -10,6 +10,7 @@
 #include "generator/dynamics/equations/equations.hpp"
 #include "generator/dynamics/equations/validation.hpp"
 #include "generator/kernels/kernel.hpp"
+#include "tests/cli/motion_table.hpp"
 #include "tests/cli/scene_runner.hpp"
 
 namespace torsor::simulate_joint_friction_test {
@@ -17,6 +18,8 @@ namespace {
 
 using testing_programs::Outcome;
 using testing_programs::run;
+using testing_programs::Table;
+using testing_programs::table;
 
 constexpr double g = 9.81;
 
@@ -89,29 +92,6 @@ Scene crank_and_slot() {
   scene.closure("slot", pin, slot, {Expression(Number::rational(4, 5)), 0, Expression(Number::rational(3, 5))});
   scene.joint_friction("rail", slider, {.friction = Expression(Number::rational(1, 5))});
   return scene;
-}
-
-struct Table {
-  std::map<std::string, std::size_t> column;
-  std::vector<std::vector<double>> rows;
-  double at(std::size_t row, const std::string& name) const { return rows.at(row).at(column.at(name)); }
-};
-
-Table table(const std::string& csv) {
-  Table result;
-  std::istringstream lines(csv);
-  for (std::string line; std::getline(lines, line);) {
-    if (line.starts_with("# ")) continue;
-    std::istringstream cells(line);
-    std::vector<double> row;
-    const bool names = result.column.empty();
-    for (std::string cell; std::getline(cells, cell, ',');) {
-      if (names) result.column.emplace(cell, result.column.size());
-      else row.push_back(std::stod(cell));
-    }
-    if (!names) result.rows.push_back(row);
-  }
-  return result;
 }
 
 // Along the rod m s'' = 4/5 F - 3/5 m g - f |R|, R = 4/5 m g + 3/5 F across it; it stays if the rest is within f |R|.
