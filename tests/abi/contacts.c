@@ -2,9 +2,8 @@
 /* contacts LIBRARY: the example billiard as a library of `torsor build`, moved from event to event by a program in C. A
  * ball of radius R on a cloth, struck in its middle with V, slides for 2 V/(7 f g) and then rolls with 5/7 V; one that
  * falls from a height h with the restitution e strikes after T = sqrt(2 h/g), then in intervals 2 e T, 2 e^2 T ... */
-#include "runtime/abi.h"
+#include "tests/abi/open_library.h"
 
-#include <dlfcn.h>
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
@@ -208,15 +207,8 @@ static void check_refusals(const torsor_abi* m, const torsor_model* model) {
 
 int main(int count, char** words) {
   if (count != 2) return 2;
-  void* const library = dlopen(words[1], RTLD_NOW | RTLD_LOCAL);
-  if (library == NULL) {
-    printf("%s\n", dlerror());
-    return 2;
-  }
-  const torsor_abi* (*entry)(void);
-  void* const symbol = dlsym(library, "torsor_mechanism");
-  if (symbol == NULL) return 2;
-  memcpy(&entry, &symbol, sizeof(entry));
+  const torsor_mechanism_entry entry = opened(words[1]);
+  if (entry == NULL) return 2;
   const torsor_abi* const m = entry();
   if (m->coordinate_count != nq || m->velocity_count != n - nq || m->parameter_count != 2) return 2;
   const double given[2] = {f, e};

@@ -2,9 +2,8 @@
 /* load LIBRARY: opens a library of `torsor build` as a program in C would, and checks what runtime/abi.h promises of
  * every mechanism: every kernel over many states has the bits of the same states one by one, whatever the strides and
  * threads; what is not finite is told and harms no neighbour; misuse is refused; a motion arrives. */
-#include "runtime/abi.h"
+#include "tests/abi/open_library.h"
 
-#include <dlfcn.h>
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -201,15 +200,8 @@ static void check_motion(const torsor_abi* m, const torsor_model* model) {
 
 int main(int count, char** words) {
   if (count != 2) return 2;
-  void* const library = dlopen(words[1], RTLD_NOW | RTLD_LOCAL);
-  if (library == NULL) {
-    printf("%s\n", dlerror());
-    return 2;
-  }
-  const torsor_abi* (*entry)(void);
-  void* const symbol = dlsym(library, "torsor_mechanism");
-  if (symbol == NULL) return 2;
-  memcpy(&entry, &symbol, sizeof(entry));
+  const torsor_mechanism_entry entry = opened(words[1]);
+  if (entry == NULL) return 2;
   const torsor_abi* const m = entry();
   expect(m->version == TORSOR_ABI_VERSION && m->size == sizeof(torsor_abi), "the version is that of the header",
          m->name);
