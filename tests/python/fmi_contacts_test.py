@@ -2,7 +2,7 @@
 """Units of FMI whose bodies touch: from event to event, of the unit or of the importer, against closed forms."""
 
 import subprocess
-from ctypes import byref, c_size_t, c_void_p
+from ctypes import byref, c_bool, c_double, c_size_t, c_void_p
 
 import numpy as np
 import pytest
@@ -175,6 +175,49 @@ def test_states_are_restored(unit):
     assert np.array_equal(unit.get(component, names), after)
     getattr(unit, unit.memory["free"])(component, byref(state))
     unit.FreeInstance(component)
+
+
+def test_survives_calls_in_any_order(unit):
+    """Good and bad calls at random: each is answered, and an instance beside them moves as ever."""
+    random = np.random.default_rng(1)
+    state, info = c_void_p(), [v["name"] for v in unit.variables]
+    odd = [0.0, -1.0, 1e-300, 1e300, np.inf, np.nan]
+
+    def number():
+        return odd[random.integers(6)] if random.integers(10) == 0 else random.uniform(-1, 1)
+
+    def update(component):
+        try:
+            unit.update(component)
+        except AssertionError:  # the motion ends, or no event was on
+            pass
+        return OK
+
+    memory = {key: getattr(unit, name) for key, name in unit.memory.items()}
+    calls = [lambda c: unit.set(c, [info[random.integers(len(info))]], [number()]),
+             lambda c: unit.get_numbers(c, unit.references([info[random.integers(len(info))]]), 1, doubles(np.zeros(1))[0]),
+             lambda c: unit.SetTime(c, c_double(abs(number()))),
+             lambda c: unit.SetContinuousStates(c, doubles([R * number() for _ in range(unit.n)])[0], c_size_t(unit.n)),
+             lambda c: unit.SetContinuousStates(c, doubles(known)[0], c_size_t(unit.n)),
+             lambda c: unit.get_derivatives(c, doubles(np.zeros(unit.n))[0]),
+             lambda c: unit.GetEventIndicators(c, doubles(np.zeros(unit.indicator_count))[0], c_size_t(unit.indicator_count)),
+             lambda c: unit.complete_step(c)[0], update, lambda c: unit.EnterEventMode(c), lambda c: unit.EnterContinuousTimeMode(c),
+             lambda c: unit.DoStep(c, c_double(0), c_double(number()), *rest), lambda c: memory["get"](c, byref(state)),
+             lambda c: memory["set"](c, state) if state else OK, lambda c: unit.Terminate(c), lambda c: unit.Reset(c)]
+    rest = [1] if unit.version == 2 else [c_bool(True), *[byref(c_bool()) for _ in range(3)], byref(c_double())]
+    answers = {OK: 0, DISCARD: 0, ERROR: 0}
+    for _ in range(60):
+        kind = int(random.integers(2))
+        component = exchanged(unit) if kind == MODEL_EXCHANGE else begun(unit)
+        known = unit.state(component) if kind == MODEL_EXCHANGE else np.zeros(unit.n)
+        for _ in range(25):
+            answers[calls[random.integers(len(calls))](component)] += 1
+        if state:
+            assert memory["free"](component, byref(state)) in (OK, ERROR)
+            state = c_void_p()
+        unit.FreeInstance(component)
+    assert answers[OK] > 300 and answers[ERROR] > 300 and answers[DISCARD] > 0
+    test_a_ball_slides_then_rolls(unit, F)
 
 
 def test_sources_alone_are_refused(tmp_path):
