@@ -15,7 +15,7 @@ R, G, F, V = 0.028575, 9.81, 0.2, 2.0  # of the example billiard
 
 @pytest.fixture(scope="module", params=(Unit2, Unit3), ids=("2", "3"))
 def unit(request, tmp_path_factory):
-    return request.param("billiard", tmp_path_factory.mktemp("billiard"), "--flags=-O0", "--run-time", "all")
+    return request.param("billiard", tmp_path_factory.mktemp("billiard"), "--flags=-O1", "--run-time", "all")
 
 
 def begun(unit, names=(), values=(), kind=CO_SIMULATION):
@@ -229,7 +229,7 @@ def test_sources_alone_are_refused(tmp_path):
 @pytest.fixture(scope="module", params=(Unit2, Unit3), ids=("2", "3"))
 def cart(request, tmp_path_factory):
     """A cart that a motor pushes, with stops at 10 m on either side, and a pole."""
-    return request.param("cart_pole", tmp_path_factory.mktemp("cart"), "--flags=-O0", "--limits")
+    return request.param("cart_pole", tmp_path_factory.mktemp("cart"), "--flags=-O1", "--limits")
 
 
 def test_a_stop_hears_of_inputs(cart):
