@@ -5,6 +5,7 @@
 #include <cstdio>
 #include <cstring>
 #include <string>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -33,8 +34,8 @@ struct FileRequest {
   std::string gravity;
   std::string angle_tolerance = "1e-9";
   std::string name;
-  std::vector<std::string> points, initial, fix, armature, friction, ground, arguments, package_folders;
-  std::string ground_friction, ground_restitution;
+  std::vector<std::string> points, initial, fix, armature, friction, ground, contacts, arguments, package_folders;
+  std::string ground_friction, ground_restitution, contacts_friction, contacts_restitution;
   std::string dependency_file;
   bool no_dampers = false;
   bool no_motors = false;
@@ -86,6 +87,14 @@ void add_options(CLI::App& command, FileRequest& request) {
                      "value of the run-time parameter ground_friction; 0.5 when absent");
   command.add_option("--ground-restitution", request.ground_restitution,
                      "value of the run-time parameter ground_restitution; 0 when absent");
+  command.add_option("--contacts", request.contacts,
+                     "pairs of links whose <collision> spheres meet, A:B; A:B+z: those of A, and corners and rims, meet the "
+                     "plane of that face of B's box or cylinder; comma-separated")
+      ->delimiter(',');
+  command.add_option("--contacts-friction", request.contacts_friction,
+                     "value of the run-time parameter contacts_friction; 0.5 when absent");
+  command.add_option("--contacts-restitution", request.contacts_restitution,
+                     "value of the run-time parameter contacts_restitution; 0 when absent");
   command.add_flag("--run-time-gravity", request.run_time_gravity,
                    "make the components of gravity the run-time parameters gravity_x, gravity_y, gravity_z");
   command.add_flag("--strict", request.strict, "make the first note an error: elements that cannot act, inertia that no matter has");
@@ -127,6 +136,17 @@ void add_joint_number(JointNumbers& all, const std::string& option, const std::s
   all.emplace_back(parts[0], option_number(option, parts[1]));
 }
 
+/// The two coefficients of an option that names what touches.
+void read_surface(const std::string& friction, const std::string& restitution, const std::string& option, const char* what,
+                  const std::vector<std::string>& named, Number& to_friction, Number& to_restitution) {
+  for (const auto& [suffix, text, to] :
+       {std::tuple("-friction", &friction, &to_friction), std::tuple("-restitution", &restitution, &to_restitution)}) {
+    if (text->empty()) continue;
+    if (named.empty()) throw UsageError(fmt::format("{}{} is of the {} in {}: name them", option, suffix, what, option));
+    *to = option_number(option + suffix, *text);
+  }
+}
+
 UrdfOptions urdf_options(const FileRequest& request) {
   UrdfOptions options;
   if (request.base == "floating") {
@@ -158,13 +178,11 @@ UrdfOptions urdf_options(const FileRequest& request) {
   }
   options.limits = request.limits;
   options.ground = request.ground;
-  const std::pair<const char*, const std::string*> surface[] = {{"--ground-friction", &request.ground_friction},
-                                                                {"--ground-restitution", &request.ground_restitution}};
-  for (const auto& [option, text] : surface) {
-    if (text->empty()) continue;
-    if (options.ground.empty()) throw UsageError(fmt::format("{} is of the links in --ground: name them", option));
-    (text == &request.ground_friction ? options.ground_friction : options.ground_restitution) = option_number(option, *text);
-  }
+  options.contacts = request.contacts;
+  read_surface(request.ground_friction, request.ground_restitution, "--ground", "links", options.ground, options.ground_friction,
+               options.ground_restitution);
+  read_surface(request.contacts_friction, request.contacts_restitution, "--contacts", "pairs", options.contacts,
+               options.contacts_friction, options.contacts_restitution);
   options.name = request.name;
   options.points = request.points;
   options.package_folders = request.package_folders;

@@ -31,8 +31,8 @@ MechanismFile read_mjcf_file(const std::string& path, const MechanismFileOptions
     throw UsageError(fmt::format(
         "--armature, --friction and --run-time-gravity are for URDF; in '{}' armature is an attribute of <joint>", path));
   }
-  if (!given.ground.empty() || given.limits) {
-    throw UsageError(fmt::format("--ground and --limits are for URDF; '{}' is MJCF", path));
+  if (!given.ground.empty() || !given.contacts.empty() || given.limits) {
+    throw UsageError(fmt::format("--ground, --contacts and --limits are for URDF; '{}' is MJCF", path));
   }
   if (options.mjcf_reader == nullptr) {
     throw FileError(

@@ -49,6 +49,10 @@ struct UrdfOptions {
   /// of the run-time parameters ground_friction and ground_restitution.
   std::vector<std::string> ground;
   Number ground_friction = Number::rational(1, 2), ground_restitution;
+  /// Pairs of links whose <collision> elements meet, A:B: spheres with spheres. With a face behind one link, A:B+z, the
+  /// elements of the other meet its plane. Values of the run-time parameters contacts_friction and contacts_restitution.
+  std::vector<std::string> contacts;
+  Number contacts_friction = Number::rational(1, 2), contacts_restitution;
   bool run_time_gravity = false;  ///< its components are the run-time parameters gravity_x, gravity_y, gravity_z
   /// State at t = 0 where it is not zero, by set_initial: {"elbow", "0.3"}, {"elbow'", "1"}, {"base_attitude_w",
   /// "0.6"}.

@@ -1,21 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <functional>
 #include <map>
 #include <string>
 
 #include "generator/import/urdf.hpp"
-#include "generator/import/urdf_robot.hpp"
+#include "generator/import/urdf_collisions.hpp"
 
 namespace torsor {
 
 /// Contacts of the links that `options.ground` names with the ground's plane z = 0, from their <collision> elements:
-/// a sphere touches as it is, a box with its corners, a cylinder with its two rims. `frames` are the frames of links, and
-/// `take(name, kind)` makes an identifier of a frame or a symbol. Throws UsageError for a link that is unknown or has none,
-/// FileError for a form that cannot touch a plane.
+/// a sphere touches as it is, a box with its corners, a cylinder with its two rims. `frames` are the frames of links. Throws
+/// UsageError for a link that is unknown or has none, FileError for a form that cannot touch a plane.
 void add_ground(Scene& scene, const UrdfRobot& robot, const UrdfOptions& options,
-                const std::map<std::string, std::string>& frames,
-                const std::function<std::string(const std::string& name, const std::string& kind)>& take);
+                const std::map<std::string, std::string>& frames, const TakeName& take);
 
 }  // namespace torsor

@@ -37,13 +37,15 @@ std::string arguments(const UrdfRobot& robot, const UrdfOptions& options) {
   assignments("--armature", options.armature, "");
   assignments("--friction", options.friction, options.friction_of_file ? "file" : "");
   if (options.limits) text += " --limits";
-  if (!options.ground.empty()) {
-    text += " --ground " + shell_word(fmt::format("{}", fmt::join(options.ground, ",")));
-    if (!(options.ground_friction == defaults.ground_friction)) {
-      text += " --ground-friction " + number_word(options.ground_friction);
-    }
-    if (!options.ground_restitution.is_zero()) text += " --ground-restitution " + number_word(options.ground_restitution);
-  }
+  const auto surfaces = [&text](const char* option, const std::vector<std::string>& words, const Number& friction,
+                                const Number& usual_friction, const Number& restitution) {
+    if (words.empty()) return;
+    text += fmt::format(" {} {}", option, shell_word(fmt::format("{}", fmt::join(words, ","))));
+    if (!(friction == usual_friction)) text += fmt::format(" {}-friction {}", option, number_word(friction));
+    if (!restitution.is_zero()) text += fmt::format(" {}-restitution {}", option, number_word(restitution));
+  };
+  surfaces("--ground", options.ground, options.ground_friction, defaults.ground_friction, options.ground_restitution);
+  surfaces("--contacts", options.contacts, options.contacts_friction, defaults.contacts_friction, options.contacts_restitution);
   if (!options.fix.empty()) text += " --fix " + shell_word(fmt::format("{}", fmt::join(options.fix, ",")));
   if (!options.name.empty()) text += " --name " + shell_word(options.name);
   if (!options.points.empty()) text += " --points " + shell_word(fmt::format("{}", fmt::join(options.points, ",")));

@@ -15,6 +15,7 @@
 #include "generator/import/rotor.hpp"
 #include "generator/import/urdf.hpp"
 #include "generator/import/urdf_base.hpp"
+#include "generator/import/urdf_contacts.hpp"
 #include "generator/import/urdf_displacement.hpp"
 #include "generator/import/urdf_ground.hpp"
 #include "generator/import/urdf_initial.hpp"
@@ -79,9 +80,11 @@ class SceneBuilder {
     for (const UrdfJoint& joint : robot_.joints) add_actions(joint);
     scene_.gravity(weight);
     add_points();
-    add_ground(scene_, robot_, options_, frames_, [this](const std::string& name, const std::string& kind) {
-      return take(kind == "frame" ? frame_names_ : symbols_, name, kind);
-    });
+    const TakeName take_name = [this](const std::string& name, const std::string& kind, const std::vector<std::string>& suffixes) {
+      return take(kind == "frame" ? frame_names_ : symbols_, name, kind, suffixes);
+    };
+    add_ground(scene_, robot_, options_, frames_, take_name);
+    add_contacts(scene_, robot_, options_, frames_, take_name);
     for (const UrdfVisual& visual : robot_.visuals) {
       scene_.show({.frame = frames_.at(visual.link), .form = visual.form, .placement = visual.placement, .colour = visual.colour});
     }

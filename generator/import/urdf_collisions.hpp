@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <functional>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "generator/base/number.hpp"
+#include "generator/import/urdf_robot.hpp"
+#include "generator/mechanics/scene.hpp"
+
+namespace torsor {
+
+/// Makes an identifier of a frame or a symbol, such that none of it with each of the suffixes is taken; takes them.
+using TakeName =
+    std::function<std::string(const std::string& name, const std::string& kind, const std::vector<std::string>& suffixes)>;
+
+/// Makes contacts of the <collision> elements of links that an option names.
+class UrdfCollisions {
+ public:
+  /// `frames` are the frames of links. The law's coefficients are the run-time parameters <word>_friction and
+  /// <word>_restitution with these values.
+  UrdfCollisions(Scene& scene, const UrdfRobot& robot, const std::map<std::string, std::string>& frames,
+                 const TakeName& take, const std::string& word, const Number& friction, const Number& restitution);
+
+  /// The <collision> elements of a link, one at least, each a sphere, a box or a cylinder. `option` is the one that names the
+  /// link. Throws UsageError for a link that is unknown or has none, FileError for another form.
+  std::vector<const UrdfCollision*> of_link(const std::string& link, const std::string& option) const;
+
+  /// A sphere touches the plane as it is, a box with its corners, a cylinder with its two rims.
+  void touch_plane(const std::string& name, const UrdfCollision& collision, const FrameReference& plane) const;
+  void touch_each_other(const std::string& name, const UrdfCollision& sphere, const UrdfCollision& other) const;
+
+  const std::string& frame(const std::string& link) const { return frames_.at(link); }
+  /// A frame at a place of a link or of another frame.
+  FrameHandle at(const std::string& name, const FrameReference& parent, const Placement& placement) const;
+
+ private:
+  Scene& scene_;
+  const UrdfRobot& robot_;
+  const std::map<std::string, std::string>& frames_;
+  const TakeName& take_;
+  SurfaceLaw law_;
+};
+
+}  // namespace torsor
