@@ -341,18 +341,31 @@ bool ContactAutomaton::happened(int contact, bool normal) {
   return state.regime == ContactRegime::slides ? end_slips(contact) : begin_to_slide(contact);
 }
 
-// The slip of a contact has ended, and with it those of which errors of the integration are left: each is an event.
+// The slip of a contact has ended, and with it those of which errors of the integration are left: each is an event. What is
+// left of them is taken away before the regimes that follow are decided: a slip that began with it against its direction would
+// end at once, and begin again.
 bool ContactAutomaton::end_slips(int contact) {
   kind_ = ContactEventKind::slip_ends;
-  for (int i = 0; i < count(); ++i) {
-    const ContactState& state = motion_.states[as(i)];
-    ends_too_[as(i)] = i != contact && state.touches && state.regime == ContactRegime::slides && motion_.ends_too(i);
-    if (ends_too_[as(i)]) ++result_.events;
+  ends_too_[as(contact)] = true;
+  bool more = true;
+  while (more) {
+    for (int i = 0; i < count(); ++i) {
+      ContactState& state = motion_.states[as(i)];
+      if (!ends_too_[as(i)]) continue;
+      state.regime = ContactRegime::sticks;  // or whatever the laws say from rest
+      state.begins = state.fades = false;
+    }
+    motion_.changed();
+    if (motion_.project(result_.time, y_) != Evaluation::ok) return end(ContactStatus::integration_failed, contact);
+    more = false;
+    for (int i = 0; i < count(); ++i) {
+      const ContactState& state = motion_.states[as(i)];
+      if (!(state.touches && state.regime == ContactRegime::slides && motion_.ends_too(i))) continue;
+      ends_too_[as(i)] = more = true;
+      ++result_.events;
+    }
   }
-  ContactState& state = motion_.states[as(contact)];
-  state.regime = ContactRegime::sticks;  // or whatever the laws say from rest
-  state.begins = state.fades = false;
-  motion_.changed();
+  ends_too_[as(contact)] = false;  // it is told of first
   return decide(contact, Cause::none);
 }
 

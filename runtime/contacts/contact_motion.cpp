@@ -253,9 +253,15 @@ std::array<double, 2> ContactMotion::direction(int i) const noexcept {
   if (rule(i).tangents < 2 || at(i).begins) return last;
   const int t = tangent_row(i);
   const double x = reading_.w(t), y = reading_.w(t + 1), length = slip_speed(i);
-  if (!(length > std::max({64 * rounding_of(t), 1e-12 * at(i).fastest, at(i).fades ? blur(i) : 0}))) return last;
-  const double sign = x * last[0] + y * last[1] < 0 ? -1 : 1;
-  return {sign * x / length, sign * y / length};
+  const double none = std::max({64 * rounding_of(t), 1e-12 * at(i).fastest, at(i).fades ? blur(i) : 0});
+  if (!(length > none)) return last;
+  const double sign = (x * last[0] + y * last[1] < 0 ? -1 : 1) / length;
+  if (length >= 2 * none) return {sign * x, sign * y};
+  // In between it comes to the last one smoothly: no step could follow a jump.
+  const double part = length / none - 1, own = part * part * part * (10 - part * (15 - 6 * part));
+  const double mixed_x = own * sign * x + (1 - own) * last[0], mixed_y = own * sign * y + (1 - own) * last[1];
+  const double mixed = std::hypot(mixed_x, mixed_y);
+  return {mixed_x / mixed, mixed_y / mixed};
 }
 
 std::array<double, 2> ContactMotion::velocity_direction(int i) const noexcept {
