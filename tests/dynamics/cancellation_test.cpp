@@ -3,9 +3,11 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <string>
 
 #include "generator/dynamics/equations/equations.hpp"
 #include "tests/dynamics/simple_scenes.hpp"
+#include "tests/verification/right_to_rounding.hpp"
 
 namespace torsor::cancellation_test {
 namespace {
@@ -35,6 +37,7 @@ class Tops : public ::testing::TestWithParam<bool> {};
 /// M_αα = A cos²β + C sin²β: a sum of positive terms, each of four roundings at most, with sine and cosine of half an
 /// ulp: 4 ulp whatever the ratio of both moments.
 TEST_P(Tops, MomentsOfALongTopKeepTheirDigits) {
+  testing_rounding::RightToRounding check(testing_rounding::unit_of<double>);
   for (const bool is_long : {true, false}) {
     const char* const across = is_long ? "1024.3" : "0.3";
     const char* const along = is_long ? "0.3" : "1024.3";
@@ -48,9 +51,10 @@ TEST_P(Tops, MomentsOfALongTopKeepTheirDigits) {
       const double found = Evaluator<double>(equations.program(), number)(equations.mass()[0][0]);
       const long double s = std::sin(static_cast<long double>(beta)), c = std::cos(static_cast<long double>(beta));
       const long double true_moment = std::stod(across) * c * c + std::stod(along) * s * s;
-      EXPECT_NEAR(static_cast<double>((found - true_moment) / true_moment), 0.0, 4 * 0x1p-52) << across << " " << beta;
+      check.entry(std::string(across) + " at " + std::to_string(beta), found, true_moment, 8);
     }
   }
+  EXPECT_TRUE(check) << check;
 }
 
 /// Next to β = π/2 the axes of alpha and gamma meet and M is singular. Pivots cos²β alone: with the torque cos β about
@@ -61,6 +65,7 @@ TEST_P(Tops, AccelerationsNextToALockedAngleKeepTheirDigits) {
   const Factorisation factorisation(equations.program(), mass);
   const Value torque = equations.program().cos(equations.model().q(1));
   const Value alpha = factorisation.solve({torque, Value(), Value()})[0];
+  testing_rounding::RightToRounding check(testing_rounding::unit_of<double>);
   for (const double beta : {1.5, 1.57, 1.5707, 1.570796}) {
     const auto number = [&](const SymbolPointer& symbol) {
       if (symbol->name == "A") return 0.3;
@@ -69,8 +74,9 @@ TEST_P(Tops, AccelerationsNextToALockedAngleKeepTheirDigits) {
     };
     const double found = Evaluator<double>(equations.program(), number)(alpha);
     const long double expected = 1 / (0.3L * std::cos(static_cast<long double>(beta)));
-    EXPECT_NEAR(static_cast<double>(found / expected), 1.0, 6 * 0x1p-52) << beta;
+    check.entry(std::to_string(beta), found, expected, 12);
   }
+  EXPECT_TRUE(check) << check;
 }
 INSTANTIATE_TEST_SUITE_P(Parameters, Tops, ::testing::Bool());
 

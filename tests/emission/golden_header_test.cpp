@@ -11,6 +11,7 @@
 #include "generator/program/evaluation.hpp"
 #include "tests/emission/golden/pendulum.hpp.txt"
 #include "tests/emission/golden_scene.hpp"
+#include "tests/verification/right_to_rounding.hpp"
 
 #include "generator/verification/real_scalar_traits.hpp"
 
@@ -92,25 +93,21 @@ std::vector<Real> closed_form() {
   return {inertia, h, inertia * real(acceleration) + h, (real(torque) - h) / inertia};
 }
 
-TEST(GoldenHeader, ComputesTheEquationsOfThePendulumInHighPrecision) {
-  const std::vector<Real> results = computed<Real>();
+/// About 40 operations, the largest term some 10 times the smallest result: 40 · 10 roundings, in any precision.
+template <class Scalar>
+void expect_closed_form(double unit) {
+  const std::vector<Scalar> found = computed<Scalar>();
   const std::vector<Real> truth = closed_form();
-  // About 40 operations at 50 digits, the largest term some 10 times the smallest result: 40 · 10 · 1e-50.
-  for (std::size_t i = 0; i < truth.size(); ++i) {
-    EXPECT_LT((abs(results[i] - truth[i]) / abs(truth[i])).to_double(), 4e-48) << "result " << i;
-  }
+  testing_rounding::RightToRounding check(unit);
+  for (std::size_t i = 0; i < truth.size(); ++i) check.entry("result " + std::to_string(i), found[i], truth[i], 400);
+  EXPECT_TRUE(check) << check;
 }
 
+TEST(GoldenHeader, ComputesTheEquationsOfThePendulumInHighPrecision) { expect_closed_form<Real>(1e-50); }
+
 TEST(GoldenHeader, ComputesTheEquationsOfThePendulumInDoubleAndFloat) {
-  const std::vector<double> in_double = computed<double>();
-  const std::vector<float> in_float = computed<float>();
-  const std::vector<Real> truth = closed_form();
-  // The same bound, 40 · 10 roundings, of 2^-53 and 2^-24.
-  for (std::size_t i = 0; i < truth.size(); ++i) {
-    const double exact = truth[i].to_double();
-    EXPECT_NEAR(in_double[i], exact, 400 * 0x1p-53 * std::abs(exact)) << "result " << i;
-    EXPECT_NEAR(in_float[i], exact, 400 * 0x1p-24 * std::abs(exact)) << "result " << i;
-  }
+  expect_closed_form<double>(testing_rounding::unit_of<double>);
+  expect_closed_form<float>(testing_rounding::unit_of<float>);
 }
 
 TEST(GoldenHeader, StartsFromTheScenesStateForItsParameters) {

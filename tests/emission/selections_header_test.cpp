@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Selections and angles as headers compute them: the committed text is compiled into this test, for every scalar.
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdlib>
@@ -8,6 +9,7 @@
 #include <iterator>
 #include <limits>
 #include <random>
+#include <string>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -18,6 +20,7 @@
 #include "tests/emission/golden/selections.hpp.txt"
 #include "tests/emission/golden_scene.hpp"
 #include "tests/emission/selections_scene.hpp"
+#include "tests/verification/right_to_rounding.hpp"
 
 #include "generator/verification/real_scalar_traits.hpp"
 #include "runtime/batch/simd.hpp"
@@ -68,13 +71,6 @@ std::vector<Scalar> computed(const std::function<Scalar(std::size_t)>& component
   return all;
 }
 
-/// Values that both have in common, to a relative tolerance of what is larger, they or one.
-template <class Scalar>
-double gap(const Scalar& found, const Real& wanted) {
-  const Real size = abs(wanted) > Real(1) ? abs(wanted) : Real(1);
-  return (abs(Real::from_double(static_cast<double>(found)) - wanted) / size).to_double();
-}
-
 template <class Scalar>
 std::function<Scalar(std::size_t)> at(const State& state) {
   return [&state](std::size_t i) { return static_cast<Scalar>(state[i]); };
@@ -92,14 +88,20 @@ TEST(SelectionsHeader, ComputesTheSameInEveryScalar) {
       return pack;
     });
     const std::vector<double> other = computed<double>(at<double>(states[0]));
-    // Some hundred operations with errors of half a unit each, on terms up to a hundred times the result: 2^-53 and
-    // 2^-24 times 10^4.
+    // Some hundred operations with errors of half a unit each, on terms up to a hundred times the result or 1: 10^4
+    // roundings of 2^-53 and 2^-24.
+    testing_rounding::RightToRounding check(testing_rounding::unit_of<double>);
+    testing_rounding::RightToRounding check_float(testing_rounding::unit_of<float>);
     for (std::size_t i = 0; i < exact.size(); ++i) {
-      EXPECT_LT(gap(in_double[i], exact[i]), 1e-12) << i;
-      EXPECT_LT(gap(in_float[i], exact[i]), 6e-4) << i;
-      EXPECT_LT(gap(in_pack[i][2], exact[i]), 1e-12) << i;
-      EXPECT_LT(gap(in_pack[i][0], Real::from_double(other[i])), 1e-12) << i;
+      const std::string number = std::to_string(i);
+      const double size = std::max(1.0, std::abs(exact[i].to_double()));
+      check.entry("double " + number, in_double[i], exact[i], size, 1e4);
+      check_float.entry("float " + number, in_float[i], exact[i], size, 1e4);
+      check.entry("lane 2 of " + number, in_pack[i][2], exact[i], size, 1e4);
+      check.entry("lane 0 of " + number, in_pack[i][0], other[i], std::max(1.0, std::abs(other[i])), 1e4);
     }
+    EXPECT_TRUE(check) << check;
+    EXPECT_TRUE(check_float) << check_float;
   }
 }
 

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <cstddef>
 #include <random>
+#include <string>
 #include <tuple>
 #include <type_traits>
 
@@ -18,6 +19,7 @@
 #include "generator/base/high_precision.hpp"
 #include "generator/verification/real_scalar_traits.hpp"
 #include "runtime/mechanism.hpp"
+#include "tests/verification/right_to_rounding.hpp"
 
 namespace torsor::jets_accuracy_test {
 namespace {
@@ -138,13 +140,14 @@ void expect_near(unsigned seed) {
   const auto exact = Motion<Mechanism, Real>(seed).jets();
   const auto fast = Motion<Mechanism, double>(seed).jets();
   const NaturalSizes natural(exact);
+  testing_rounding::RightToRounding check(testing_rounding::unit_of<double>);
   for (std::size_t k = 1; k <= order; ++k) {
-    const double allowed = 10 * static_cast<double>(k) * 0x1p-53 * natural[k];
+    const double size = static_cast<double>(k) * natural[k];
     for (std::size_t i = 0; i < exact[k].size(); ++i) {
-      EXPECT_LE(abs(exact[k][i] - Real::from_double(fast[k][i])).to_double(), allowed)
-          << "seed " << seed << ", order " << k << ", component " << i;
+      check.entry("order " + std::to_string(k) + ", component " + std::to_string(i), fast[k][i], exact[k][i], size, 10);
     }
   }
+  EXPECT_TRUE(check) << "seed " << seed << ": " << check;
 }
 
 template <template <class> class Mechanism>

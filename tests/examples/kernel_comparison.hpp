@@ -17,10 +17,11 @@
 
 #include "generator/base/high_precision.hpp"
 #include "generator/verification/real_scalar_traits.hpp"
-#include "generator/verification/worst.hpp"
+#include "tests/verification/right_to_rounding.hpp"
 
 namespace examples {
 
+namespace testing_rounding = torsor::testing_rounding;
 using torsor::Real;
 
 template <class Scalar>
@@ -217,27 +218,10 @@ class Evaluated {
   typename M::Precomputed precomputed_{};
 };
 
-/// |x - truth| / |truth| of the worst group, in Euclid's norm; a group whose truth is 0 must be 0 exactly.
-inline double worst_difference(const Results& results, const Results& truth, std::string& where) {
-  double worst = 0.0;
-  for (const auto& [key, expected] : truth) {
-    const std::vector<Real>& found = results.at(key);
-    Real difference = Real(0), size = Real(0);
-    for (std::size_t i = 0; i < expected.size(); ++i) {
-      const Real d = found[i] - expected[i];
-      difference += d * d;
-      size += expected[i] * expected[i];
-    }
-    double relative = 0.0;
-    if (!difference.is_zero()) {
-      relative = size.is_zero() ? std::numeric_limits<double>::infinity() : sqrt(difference / size).to_double();
-    }
-    if (torsor::is_worse(relative, worst)) {
-      worst = relative;
-      where = key;
-    }
-  }
-  return worst;
+/// All groups against the truth: what is left of terms that cancel is some roundings of the group's own size.
+inline void compare(testing_rounding::RightToRounding& check, const Results& results, const Results& truth,
+                    double allowed) {
+  for (const auto& [key, expected] : truth) check.vector(key, results.at(key), expected, allowed);
 }
 
 }  // namespace examples

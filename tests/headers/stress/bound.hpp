@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "tests/headers/stress/kernels.hpp"
+#include "tests/verification/right_to_rounding.hpp"
 
 namespace worst_states {
 
@@ -135,10 +136,10 @@ class Bound {
   [[nodiscard]] double roundings(const Results& other, std::size_t kernel) const {
     double worst = 0.0;
     for (std::size_t j = nearest_.begin(kernel); j < nearest_.end(kernel); ++j) {
-      const double difference = std::abs(other.values[j] - nearest_.values[j]);
-      worst = std::isfinite(difference) ? std::max(worst, difference) : infinite;
+      using torsor::testing_rounding::roundings;
+      worst = std::max(worst, roundings(other.values[j], nearest_.values[j], condition_[kernel], epsilon));
     }
-    return worst > 0.0 ? worst / (epsilon * condition_[kernel]) : 0.0;
+    return worst;
   }
 
  private:
