@@ -43,7 +43,9 @@ Scene serial_chain(int joints) {
     const Expression xy = moment(-200, 200), xz = moment(-200, 200), yz = moment(-200, 200);
     const Expression x = random.between(-20000, 20000, units::metre), y = random.between(-20000, 20000, units::metre);
     const Expression z = random.between(110000, 140000, units::metre);
-    scene.body("link" + index, parent, Inertia::general(mass, xx, yy, zz, xy, xz, yz).at({x, y, z}));
+    scene.body(
+        "link" + index, parent,
+        Inertia::general({.mass = mass, .xx = xx, .yy = yy, .zz = zz, .xy = xy, .xz = xz, .yz = yz}).at({x, y, z}));
   }
   return scene;
 }

@@ -46,8 +46,9 @@ Scene chain(const Json& model, const Json& gravity) {
     const Expression q = scene.coordinate("q" + index, "rad");
     parent = scene.revolute("link" + index, parent, axis_of(joint.at("axis").get<std::string>()), q, placement);
     const auto entry = [&](std::size_t k) { return quantity(joint.at("inertia").at(k), units::kilogram_metre_squared); };
-    const Inertia central = Inertia::general(quantity(joint.at("mass"), units::kilogram), entry(0), entry(3), entry(5),
-                                             entry(1), entry(2), entry(4));
+    const Inertia central = Inertia::general({.mass = quantity(joint.at("mass"), units::kilogram), .xx = entry(0),
+                                              .yy = entry(3), .zz = entry(5), .xy = entry(1), .xz = entry(2),
+                                              .yz = entry(4)});
     scene.body("link" + index, parent, central.at(triple(joint.at("com"), units::metre)));
   }
   return scene;

@@ -26,10 +26,10 @@ torsor::Scene hoop_scene() {
   scene.initial(psi, 0, psi_rate);
   scene.initial(theta, lean);
   scene.initial(phi, 0, spin - psi_rate * cos(lean));
-  const FrameHandle hoop =
-      scene.free("hoop", scene.ground(), AngleSequence::euler, {x, y, r * sin(theta)}, {psi, theta, phi});
+  const FrameHandle hoop = scene.free("hoop", scene.ground(), {x, y, r * sin(theta)},
+                                      {.sequence = AngleSequence::euler, .angles = {psi, theta, phi}});
   const PointHandle contact = scene.point("I", "hoop.2", {0, -r, 0});
-  scene.body("hoop", hoop, Inertia::general(m, A, A, C));
+  scene.body("hoop", hoop, Inertia::general({.mass = m, .xx = A, .yy = A, .zz = C}));
   scene.gravity({0, 0, -g});
   scene.no_slip("along_x1", {.body = hoop, .contact = contact, .direction = axis::x, .axes = "hoop.1"});
   scene.no_slip("along_y1", {.body = hoop, .contact = contact, .direction = axis::y, .axes = "hoop.1"});

@@ -19,7 +19,8 @@ torsor::Scene links_scene() {
     const Expression angle = scene.coordinate("theta_" + number, "rad");
     const FrameHandle rod = i == 0 ? scene.revolute("rod_1", above, axis::z, angle)
                                    : scene.revolute("rod_" + number, above, axis::z, angle, {.origin = {0, -l, 0}});
-    scene.body("mass_" + number, rod, Inertia::general(m, m * l * l / 12, 0, m * l * l / 12).at({0, -l / 2, 0}));
+    scene.body("mass_" + number, rod,
+               Inertia::general({.mass = m, .xx = m * l * l / 12, .zz = m * l * l / 12}).at({0, -l / 2, 0}));
     above = rod;
   }
   scene.gravity({0, -g, 0});

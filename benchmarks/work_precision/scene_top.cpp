@@ -20,7 +20,7 @@ torsor::Scene top_scene() {
   const FrameHandle first = scene.revolute("first", scene.ground(), axis::z, phi);
   const FrameHandle second = scene.revolute("second", first, axis::x, theta);
   const FrameHandle top = scene.revolute("top", second, axis::z, psi);
-  scene.body("top", top, Inertia::general(m, A, A, C).at({0, 0, l}));
+  scene.body("top", top, Inertia::general({.mass = m, .xx = A, .yy = A, .zz = C}).at({0, 0, l}));
   scene.gravity({0, 0, -g});
   return scene;
 }

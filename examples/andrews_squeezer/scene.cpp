@@ -47,7 +47,7 @@ torsor::Scene andrews_squeezer_scene() {
                         const Expression& inertia, const Triple& center) {
     const Expression m = scene.parameter("m" + number, "kg", mass),
                      I = scene.parameter("I" + number, "kg m^2", inertia);
-    scene.body("S" + number, frame, Inertia::general(m, 0, 0, I).at(center));
+    scene.body("S" + number, frame, Inertia::general({.mass = m, .zz = I}).at(center));
   };
   body("1", K1, 0.04325_r, 0.000002194_r, {ra, 0, 0});
   body("2", K2, 0.00365_r, 0.000000441_r, {-da, 0, 0});

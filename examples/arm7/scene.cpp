@@ -74,8 +74,8 @@ torsor::Scene arm7_scene() {
                             {.origin = triple(segment.origin), .rotation = Rotation::about(0, segment.turn)});
     const auto moment = [&segment](std::size_t k) { return Expression::quantity(segment.inertia[k], "kg m^2"); };
     scene.body("link" + number, parent,
-               Inertia::general(Expression::quantity(segment.mass, "kg"), moment(0), moment(3), moment(5), moment(1),
-                                moment(2), moment(4))
+               Inertia::general({.mass = Expression::quantity(segment.mass, "kg"), .xx = moment(0), .yy = moment(3),
+                                 .zz = moment(5), .xy = moment(1), .xz = moment(2), .yz = moment(4)})
                    .at(triple(segment.center)));
     scene.motor("tau" + number, q);
   }

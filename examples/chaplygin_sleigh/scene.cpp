@@ -22,7 +22,7 @@ torsor::Scene chaplygin_sleigh_scene() {
   const FrameHandle sleigh = scene.revolute("sleigh", along_y, axis::z, phi);
   const PointHandle C = scene.point("C", sleigh, {0, 0, 0});
   // In a plane motion nothing but the moment about z matters.
-  scene.body("sleigh", sleigh, Inertia::general(m, 0, 0, J).at({a, 0, 0}));
+  scene.body("sleigh", sleigh, Inertia::general({.mass = m, .zz = J}).at({a, 0, 0}));
   const ConstraintHandle edge =
       scene.no_slip("knife_edge", {.body = sleigh, .contact = C, .direction = axis::y, .axes = sleigh});
   scene.reaction(edge, "N", {.body = sleigh, .contact = C, .direction = axis::y, .axes = sleigh});

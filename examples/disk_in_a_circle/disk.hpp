@@ -33,7 +33,8 @@ inline torsor::FrameHandle add_disk(torsor::Scene& scene, const Weight& disk) {
   scene.initial(theta, lean);
   scene.initial(phi, 0, -turning * (R + d) / rho);
 
-  const FrameHandle frame = scene.free("disk", scene.ground(), AngleSequence::euler, {x, y, z}, {psi, theta, phi});
+  const FrameHandle frame =
+      scene.free("disk", scene.ground(), {x, y, z}, {.sequence = AngleSequence::euler, .angles = {psi, theta, phi}});
   scene.body("disk", frame, Inertia::disk(m, rho, 2));
   scene.gravity({0, 0, -g});
   return frame;

@@ -57,7 +57,7 @@ torsor::Scene elastic_wing_scene() {
   }
   scene.point("tip", before, {0, length, 0});
   const FrameHandle engine = scene.revolute("engine", wing[0], axis::x, gamma, {.origin = {0, length, 0}});
-  scene.body("engine", engine, Inertia::general(m_engine, J_engine, 0, 0).at({0, 0, -hang}));
+  scene.body("engine", engine, Inertia::general({.mass = m_engine, .xx = J_engine}).at({0, 0, -hang}));
   scene.spring("pylon", gamma, k_engine);
   scene.damper("pylon_friction", gamma, delay * k_engine);
   return scene;

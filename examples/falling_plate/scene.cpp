@@ -39,7 +39,7 @@ torsor::Scene falling_plate_scene() {
   const FrameHandle foot = scene.prismatic("foot", turned, axis::y, -b * cos(beta));
   const FrameHandle tilted = scene.revolute("tilted", foot, axis::y, moment);
   const FrameHandle plate = scene.revolute("plate", tilted, axis::x, beta);
-  scene.body("plate", plate, Inertia::general(M, A, B, A + B, F).at({0, b, 0}));
+  scene.body("plate", plate, Inertia::general({.mass = M, .xx = A, .yy = B, .zz = A + B, .xy = F}).at({0, b, 0}));
   scene.gravity({0, 0, -g});
   return scene;
 }

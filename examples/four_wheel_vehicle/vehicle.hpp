@@ -51,7 +51,7 @@ inline Vehicle add_vehicle(torsor::Scene& scene, bool sliding) {
   scene.initial(psi, 0, rate);
 
   const FrameHandle S = scene.planar("S", scene.ground(), {.x = x, .y = y, .angle = psi}, {.origin = {0, 0, r}});
-  scene.body("chassis", S, Inertia::general(M, 0, 0, J));
+  scene.body("chassis", S, Inertia::general({.mass = M, .zz = J}));
   const std::array<std::array<Expression, 2>, 4> O{{{a, b}, {-a, b}, {-a, -b}, {a, -b}}};
   for (std::size_t i = 0; i < 4; ++i) vehicle.phi[i] = scene.coordinate("phi_" + std::to_string(i + 1), "rad");
   for (std::size_t i = 0; i < 4; ++i) {
@@ -63,7 +63,7 @@ inline Vehicle add_vehicle(torsor::Scene& scene, bool sliding) {
       vehicle.steered[i] = scene.prismatic("axle_" + number, vehicle.steered[i], axis::x, s);
     }
     vehicle.wheel[i] = scene.revolute("wheel_" + number, vehicle.steered[i], axis::x, vehicle.phi[i]);
-    scene.body("wheel_" + number, vehicle.wheel[i], Inertia::general(m, C, A, A));
+    scene.body("wheel_" + number, vehicle.wheel[i], Inertia::general({.mass = m, .xx = C, .yy = A, .zz = A}));
     vehicle.P[i] = scene.point("P" + number, vehicle.steered[i], {0, 0, -r});
     // V(Pi) . y_i = V(Oi) . y_i + r phi_i' = 0.
     const Expression along_x = rate * (I_y - O[i][1]), along_y = rate * (O[i][0] - I_x);

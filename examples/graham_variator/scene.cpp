@@ -44,9 +44,9 @@ torsor::Scene graham_variator_scene() {
   const FrameHandle S4 = scene.weld("S4", scene.ground(), {});
   // S1 and S3 are balanced: only their moments about (O, x0) matter.
   const Expression m = Expression::quantity("1", "kg");
-  scene.body("S1", S1, Inertia::general(m, A1, A1, A1));
-  scene.body("S2", S2, Inertia::general(m2, A2, B2, B2).at({-b, 0, 0}));
-  scene.body("S3", S3, Inertia::general(m, A3, A3, A3));
+  scene.body("S1", S1, Inertia::general({.mass = m, .xx = A1, .yy = A1, .zz = A1}));
+  scene.body("S2", S2, Inertia::general({.mass = m2, .xx = A2, .yy = B2, .zz = B2}).at({-b, 0, 0}));
+  scene.body("S3", S3, Inertia::general({.mass = m, .xx = A3, .yy = A3, .zz = A3}));
 
   // At A and E the bodies move across the plane x1, y1 only: along x1 the condition of rolling is an identity.
   const FrameHandle contacts = scene.weld("contacts", S1, {.rotation = Rotation::about(0, 6)});

@@ -31,7 +31,7 @@ torsor::Scene heavy_top_scene() {
   const FrameHandle first = scene.revolute("first", slanted, axis::x, alpha);
   const FrameHandle second = scene.revolute("second", first, axis::z, beta);
   const FrameHandle top = scene.revolute("top", second, axis::y, gamma);
-  scene.body("top", top, Inertia::general(m, A, C, A).at({0, l, 0}));
+  scene.body("top", top, Inertia::general({.mass = m, .xx = A, .yy = C, .zz = A}).at({0, l, 0}));
   scene.gravity({0, 0, -g});
   return scene;
 }

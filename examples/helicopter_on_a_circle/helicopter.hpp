@@ -72,7 +72,7 @@ inline void add_blade(torsor::Scene& scene, const Helicopter& helicopter, int i,
   const std::string name = "blade_" + std::to_string(i);
   const FrameHandle blade = scene.revolute(name, span, axis::x, angle);
   const Expression across = m * w * w / 12;
-  scene.body(name, blade, Inertia::general(0, across, 0, across));
+  scene.body(name, blade, Inertia::general({.mass = 0, .xx = across, .zz = across}));
 }
 
 }  // namespace helicopter_scenes

@@ -40,7 +40,7 @@ torsor::Scene loading_robot_scene() {
   scene.point("O2", S2, {0, 0, 0});
   // In a plane motion nothing but the moment about z matters, here moved to the centres of mass (Huygens).
   const auto plane = [](const Expression& mass, const Expression& about_z) {
-    return Inertia::general(mass, 0, 0, about_z);
+    return Inertia::general({.mass = mass, .zz = about_z});
   };
   scene.body("S1", S1, plane(m1, I1 - m1 * (L1 * L1 + h * h)).at({L1, h, 0}));
   scene.body("S2", S2, plane(m2, I2 - m2 * L2 * L2).at({L2, 0, 0}));

@@ -50,10 +50,10 @@ torsor::Scene model_making_press_scene() {
   scene.loop_joint("L3", {.type = JointType::planar, .a = lower_cup, .b = screw});
   scene.loop_joint("L5", {.type = JointType::planar, .a = upper_cup, .b = screw});
 
-  scene.body("traverse", traverse, Inertia::general(m10, C10, C10, C10));
-  scene.body("screw", screw, Inertia::general(m20, C20, C20, C20));
-  scene.body("lower_cup", lower_cup, Inertia::general(m30, C30, C30, C30));
-  scene.body("upper_cup", upper_cup, Inertia::general(m30, C30, C30, C30));
+  scene.body("traverse", traverse, Inertia::general({.mass = m10, .xx = C10, .yy = C10, .zz = C10}));
+  scene.body("screw", screw, Inertia::general({.mass = m20, .xx = C20, .yy = C20, .zz = C20}));
+  scene.body("lower_cup", lower_cup, Inertia::general({.mass = m30, .xx = C30, .yy = C30, .zz = C30}));
+  scene.body("upper_cup", upper_cup, Inertia::general({.mass = m30, .xx = C30, .yy = C30, .zz = C30}));
 
   scene.gravity({0, 0, -g});
   scene.spring("pressed", a_z, K);

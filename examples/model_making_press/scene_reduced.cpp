@@ -24,7 +24,7 @@ torsor::Scene model_making_press_reduced_scene() {
   scene.name_joint(screw, "LC");
   scene.loop_joint("LB", {.type = JointType::point_contact, .a = traverse, .b = screw});
   scene.body("traverse", traverse, Inertia::point(m10));
-  scene.body("screw", screw, Inertia::general(m20, C20, C20, C20));
+  scene.body("screw", screw, Inertia::general({.mass = m20, .xx = C20, .yy = C20, .zz = C20}));
 
   scene.gravity({0, 0, -g});
   scene.spring("pressed", a_z, K);

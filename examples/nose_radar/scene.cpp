@@ -33,8 +33,8 @@ torsor::Scene nose_radar_scene() {
   const FrameHandle hinge = scene.revolute("hinge", unit_1, axis::y, beta, {.origin = {h, 0, 0}});
   const FrameHandle antenna = scene.prismatic("antenna", hinge, axis::x, F_x2);
   scene.body("aircraft", aircraft, Inertia::point(M));
-  scene.body("unit_1", unit_1, Inertia::general(0, 0, 0, C1));
-  scene.body("antenna", antenna, Inertia::general(m, along, across, across).at({a, 0, 0}));
+  scene.body("unit_1", unit_1, Inertia::general({.mass = 0, .zz = C1}));
+  scene.body("antenna", antenna, Inertia::general({.mass = m, .xx = along, .yy = across, .zz = across}).at({a, 0, 0}));
   scene.motor("thrust", x);
   scene.motor("azimuth", alpha);
   scene.motor("elevation", beta);

@@ -39,8 +39,8 @@ torsor::Scene passenger_in_vehicle_scene() {
   const FrameHandle S1 = scene.revolute("S1", S0, axis::z, theta_1, {.origin = {a, b, 0}});
   const FrameHandle S2 = scene.revolute("S2", S1, axis::z, theta_2, {.origin = {0, l, 0}});
   // In a plane motion nothing but the moment about z matters.
-  scene.body("trunk", S1, Inertia::general(m1, 0, 0, J1).at({0, c1, 0}));
-  scene.body("head", S2, Inertia::general(m2, 0, 0, J2).at({0, c2, 0}));
+  scene.body("trunk", S1, Inertia::general({.mass = m1, .zz = J1}).at({0, c1, 0}));
+  scene.body("head", S2, Inertia::general({.mass = m2, .zz = J2}).at({0, c2, 0}));
   scene.point("I", S1, {0, 0, 0});
   scene.point("K", S2, {0, 0, 0});
 

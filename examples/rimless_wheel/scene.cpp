@@ -31,7 +31,7 @@ torsor::Scene rimless_wheel_scene() {
   const FrameHandle slide = scene.prismatic("slide", scene.ground(), axis::x, x);
   const FrameHandle lift = scene.prismatic("lift", slide, axis::z, z);
   const FrameHandle wheel = scene.revolute("wheel", lift, axis::y, phi);
-  scene.body("wheel", wheel, Inertia::general(m, J, J, J));
+  scene.body("wheel", wheel, Inertia::general({.mass = m, .xx = J, .yy = J, .zz = J}));
   scene.gravity({g * sin(slope), 0, -g * cos(slope)});
   for (int i = 0; i < spokes; ++i) {
     const Expression angle = pi() * (2 * i + 1) / spokes;

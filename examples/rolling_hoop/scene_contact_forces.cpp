@@ -34,9 +34,10 @@ torsor::Scene rolling_hoop_contact_forces_scene() {
   scene.initial(theta, lean, theta_rate);
   scene.initial(phi, 0, phi_rate);
 
-  const FrameHandle hoop = scene.free("hoop", scene.ground(), AngleSequence::euler, {x, y, z}, {psi, theta, phi});
+  const FrameHandle hoop =
+      scene.free("hoop", scene.ground(), {x, y, z}, {.sequence = AngleSequence::euler, .angles = {psi, theta, phi}});
   const PointHandle contact = scene.point("I", "hoop.2", {0, -R, 0});
-  scene.body("hoop", hoop, Inertia::general(m, A, A, C));
+  scene.body("hoop", hoop, Inertia::general({.mass = m, .xx = A, .yy = A, .zz = C}));
   scene.gravity({0, 0, -g});
   const ConstraintHandle along_x1 =
       scene.no_slip("along_x1", {.body = hoop, .contact = contact, .direction = axis::x, .axes = "hoop.1"});

@@ -48,9 +48,9 @@ torsor::Scene satellite_arms_scene() {
   scene.point("O", scene.ground(), {0, 0, 0});
   scene.point("O2", S2, {0, 0, 0});
   scene.point("O3", S3, {0, 0, 0});
-  scene.body("S1", S1, Inertia::general(m1, A1, B1, C1).at({0, 0, b1}));
-  scene.body("S2", S2, Inertia::general(m2, A2, B2, C2).at({0, 0, b2}));
-  scene.body("S3", S3, Inertia::general(m3, A3, B3, C3).at({0, 0, b3}));
+  scene.body("S1", S1, Inertia::general({.mass = m1, .xx = A1, .yy = B1, .zz = C1}).at({0, 0, b1}));
+  scene.body("S2", S2, Inertia::general({.mass = m2, .xx = A2, .yy = B2, .zz = C2}).at({0, 0, b2}));
+  scene.body("S3", S3, Inertia::general({.mass = m3, .xx = A3, .yy = B3, .zz = C3}).at({0, 0, b3}));
 
   scene.gravity({0, 0, -g});
   scene.spring("hinge_spring_2", theta_2, K2, pi() / 2);

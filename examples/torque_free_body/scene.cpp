@@ -17,7 +17,7 @@ torsor::Scene torque_free_body_scene() {
   scene.initial(e, {1, 0, 0, 0}, {rate, 0, rate});
 
   const FrameHandle body = scene.spherical("body", scene.ground(), e);
-  scene.body("body", body, Inertia::general(m, I1, I2, I3));
+  scene.body("body", body, Inertia::general({.mass = m, .xx = I1, .yy = I2, .zz = I3}));
   return scene;
 }
 

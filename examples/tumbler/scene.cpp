@@ -35,9 +35,10 @@ torsor::Scene tumbler_scene() {
   scene.initial(theta, lean);
   scene.initial(phi, 0, phi_rate);
 
-  const FrameHandle tumbler = scene.free("tumbler", scene.ground(), AngleSequence::euler, {x, y, z}, {psi, theta, phi});
+  const FrameHandle tumbler =
+      scene.free("tumbler", scene.ground(), {x, y, z}, {.sequence = AngleSequence::euler, .angles = {psi, theta, phi}});
   const PointHandle I = scene.sphere_contact("I", tumbler, R, scene.ground());
-  scene.body("tumbler", tumbler, Inertia::general(m, A, A, B).at({0, 0, -a}));
+  scene.body("tumbler", tumbler, Inertia::general({.mass = m, .xx = A, .yy = A, .zz = B}).at({0, 0, -a}));
   scene.gravity({0, 0, -g});
 
   const ConstraintHandle contact = scene.point_in_plane("contact", I, scene.ground());

@@ -35,8 +35,9 @@ torsor::Scene tumbler_rough_table_scene() {
   scene.initial(theta, lean);
   scene.initial(phi, 0, phi_rate);
 
-  const FrameHandle tumbler = scene.free("tumbler", scene.ground(), AngleSequence::euler, {x, y, z}, {psi, theta, phi});
-  scene.body("tumbler", tumbler, Inertia::general(m, A, A, B));
+  const FrameHandle tumbler =
+      scene.free("tumbler", scene.ground(), {x, y, z}, {.sequence = AngleSequence::euler, .angles = {psi, theta, phi}});
+  scene.body("tumbler", tumbler, Inertia::general({.mass = m, .xx = A, .yy = A, .zz = B}));
   scene.gravity({0, 0, -g});
   const FrameHandle sphere = scene.weld("sphere", tumbler, {.origin = {0, 0, a}});
   scene.contact("table", shape::Sphere{.frame = sphere, .radius = R}, shape::Plane{.frame = scene.ground()},

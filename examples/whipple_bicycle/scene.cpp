@@ -41,8 +41,8 @@ torsor::Scene whipple_bicycle_scene() {
   scene.initial(front, 0, -v / r_F);
 
   const FrameHandle road = scene.weld("road", scene.ground(), {{0, 0, 0}, Rotation::about(0, 12)});  // its z is up
-  const FrameHandle frame =
-      scene.free("frame", scene.ground(), AngleSequence{{2, 0, 1}}, {x, y, z}, {yaw, roll, pitch});
+  const FrameHandle frame = scene.free("frame", scene.ground(), {x, y, z},
+                                       {.sequence = AngleSequence{{2, 0, 1}}, .angles = {yaw, roll, pitch}});
   const FrameHandle rear_wheel = scene.revolute("rear_wheel", frame, axis::y, rear);
   // The steer axis meets the road a trail ahead of the front contact.
   const FrameHandle fork = scene.revolute("fork", frame, {sin(tilt), 0, cos(tilt)}, steer, {{w + c, 0, r_R}});
@@ -51,17 +51,20 @@ torsor::Scene whipple_bicycle_scene() {
 
   const Expression I_Rx = moment("I_Rxx", 0.0603_r), I_Fx = moment("I_Fxx", 0.1405_r);
   const Expression m_R = mass("m_R", 2), I_Ry = moment("I_Ryy", 0.12_r);
-  scene.body("R", rear_wheel, Inertia::general(m_R, I_Rx, I_Ry, I_Rx));
+  scene.body("R", rear_wheel, Inertia::general({.mass = m_R, .xx = I_Rx, .yy = I_Ry, .zz = I_Rx}));
   const Expression x_B = length("x_B", 0.3_r), z_B = length("z_B", -0.9_r);
   const Expression m_B = mass("m_B", 85), I_Bx = moment("I_Bxx", 9.2_r), I_By = moment("I_Byy", 11);
   const Expression I_Bz = moment("I_Bzz", 2.8_r), I_Bxz = moment("I_Bxz", 2.4_r);
-  scene.body("B", frame, Inertia::general(m_B, I_Bx, I_By, I_Bz, 0, I_Bxz).at({x_B, 0, z_B + r_R}));
+  scene.body("B", frame,
+             Inertia::general({.mass = m_B, .xx = I_Bx, .yy = I_By, .zz = I_Bz, .xz = I_Bxz}).at({x_B, 0, z_B + r_R}));
   const Expression x_H = length("x_H", 0.9_r), z_H = length("z_H", -0.7_r);
   const Expression m_H = mass("m_H", 4), I_Hx = moment("I_Hxx", 0.05892_r), I_Hy = moment("I_Hyy", 0.06_r);
   const Expression I_Hz = moment("I_Hzz", 0.00708_r), I_Hxz = moment("I_Hxz", -0.00756_r);
-  scene.body("H", fork, Inertia::general(m_H, I_Hx, I_Hy, I_Hz, 0, I_Hxz).at({x_H - w - c, 0, z_H}));
+  scene.body(
+      "H", fork,
+      Inertia::general({.mass = m_H, .xx = I_Hx, .yy = I_Hy, .zz = I_Hz, .xz = I_Hxz}).at({x_H - w - c, 0, z_H}));
   const Expression m_F = mass("m_F", 3), I_Fy = moment("I_Fyy", 0.28_r);
-  scene.body("F", front_wheel, Inertia::general(m_F, I_Fx, I_Fy, I_Fx));
+  scene.body("F", front_wheel, Inertia::general({.mass = m_F, .xx = I_Fx, .yy = I_Fy, .zz = I_Fx}));
   scene.gravity({0, 0, g});
 
   const PointHandle P = scene.disc_contact("P", {.frame = frame, .axis = axis::y, .radius = r_R, .plane = road});

@@ -35,8 +35,8 @@ torsor::Scene winder_scene() {
   scene.name_joint(sigma, "pivot_with_motor");
   const FrameHandle holder = scene.revolute("holder", sigma, axis::x, slope, {.origin = {b, 0, 0}});
   const FrameHandle bobbin = scene.cylindrical("S", holder, {.axis = axis::z, .displacement = lambda, .angle = phi});
-  scene.body("Sigma", sigma, Inertia::general(0, 0, 0, arm));
-  scene.body("S", bobbin, Inertia::general(m, A, A, C));
+  scene.body("Sigma", sigma, Inertia::general({.mass = 0, .zz = arm}));
+  scene.body("S", bobbin, Inertia::general({.mass = m, .xx = A, .yy = A, .zz = C}));
   const PointHandle G = scene.point("G", bobbin, {0, 0, 0});
   const PointHandle fixed = scene.point("fixed", sigma, {0, 0, a});
   scene.spring("thread", {.a = G, .b = fixed, .stiffness = m * k});

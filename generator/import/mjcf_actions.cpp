@@ -85,7 +85,8 @@ void MjcfBuilder::add_free_actions(std::size_t i) {
   }
   // ½ a Ω² of a body without mass whose moments are a about all axes.
   const Expression a = parameter(parts.name + "_armature", "kg m^2", from_double(joint.armature));
-  scene_.body(frame_names_.take(parts.name + "_rotor", "joint"), body, Inertia::general(0, a, a, a));
+  scene_.body(frame_names_.take(parts.name + "_rotor", "joint"), body,
+              Inertia::general({.mass = 0, .xx = a, .yy = a, .zz = a}));
   for (std::size_t k = 0; is_free && k < 3; ++k) {
     add_rotor(scene_, frame_names_.take(parts.name + axes.at(k) + "_rotor", "joint"), parts.place[k], false,
               a / Expression::quantity(Number(1), units::metre * units::metre));

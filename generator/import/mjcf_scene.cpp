@@ -291,7 +291,8 @@ void MjcfBuilder::add_inertia(std::size_t i) {
   }
   const Expression xx = stated(0, 0), yy = stated(1, 1), zz = stated(2, 2);
   const Expression xy = stated(0, 1), xz = stated(0, 2), yz = stated(1, 2);
-  scene_.body(frames_[i], frames_[i], Inertia::general(mass, xx, yy, zz, xy, xz, yz).at(center));
+  scene_.body(frames_[i], frames_[i],
+              Inertia::general({.mass = mass, .xx = xx, .yy = yy, .zz = zz, .xy = xy, .xz = xz, .yz = yz}).at(center));
   if (body.floats_weightless) notes_.push_back(fmt::format("body {}: gravcomp does not act", body.name));
 }
 

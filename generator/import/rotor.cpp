@@ -7,7 +7,7 @@ void add_rotor(Scene& scene, const std::string& frame, const Expression& displac
   const Expression angle = turns ? displacement : displacement / Expression::quantity(Number(1), units::metre);
   const Expression moment = turns ? armature : armature * Expression::quantity(Number(1), units::metre * units::metre);
   const FrameHandle rotor = scene.revolute(frame, scene.ground(), axis::z, angle);
-  scene.body(frame, rotor, Inertia::general(0, 0, 0, moment));
+  scene.body(frame, rotor, Inertia::general({.mass = 0, .zz = moment}));
 }
 
 }  // namespace torsor

@@ -337,7 +337,8 @@ class SceneBuilder {
     const Expression xy = moment(0, 1);
     const Expression xz = moment(0, 2);
     const Expression yz = moment(1, 2);
-    const Inertia inertia = Inertia::general(mass, xx, yy, zz, xy, xz, yz).at(center);
+    const Inertia inertia =
+        Inertia::general({.mass = mass, .xx = xx, .yy = yy, .zz = zz, .xy = xy, .xz = xz, .yz = yz}).at(center);
     try {
       check_inertia(scene_.content(), {frame, frame, inertia, Moments::as_read});
     } catch (const SceneError& error) {

@@ -36,18 +36,17 @@ Inertia of(const Expression& mass, const Triple& center, const Tableau& j) {
 /// A body of revolution about one axis of its frame.
 Inertia revolution(const Expression& mass, const Expression& across, const Expression& along, int axis) {
   require_axis(axis);
-  Inertia inertia = Inertia::general(mass, across, across, across);
+  Inertia inertia = Inertia::general({.mass = mass, .xx = across, .yy = across, .zz = across});
   (axis == 0 ? inertia.xx : axis == 1 ? inertia.yy : inertia.zz) = along;
   return inertia;
 }
 
 }  // namespace
 
-Inertia Inertia::point(const Expression& mass) { return general(mass, 0, 0, 0); }
+Inertia Inertia::point(const Expression& mass) { return general({.mass = mass}); }
 
-Inertia Inertia::general(const Expression& mass, const Expression& xx, const Expression& yy, const Expression& zz,
-                         const Expression& xy, const Expression& xz, const Expression& yz) {
-  return {mass, {0, 0, 0}, xx, yy, zz, xy, xz, yz};
+Inertia Inertia::general(const GeneralInertia& body) {
+  return {body.mass, {0, 0, 0}, body.xx, body.yy, body.zz, body.xy, body.xz, body.yz};
 }
 
 Inertia Inertia::rod(const Expression& mass, const Expression& length, int axis) {
@@ -65,11 +64,10 @@ Inertia Inertia::cylinder(const Expression& mass, const Expression& radius, cons
   const Expression across = fraction(1, 12) * mass * (3 * pow(radius, 2) + pow(height, 2));
   return revolution(mass, across, fraction(1, 2) * mass * pow(radius, 2), axis);
 }
-Inertia Inertia::hollow_cylinder(const Expression& mass, const Expression& outer_radius, const Expression& inner_radius,
-                                 const Expression& height, int axis) {
-  const Expression squares = pow(outer_radius, 2) + pow(inner_radius, 2);
-  const Expression across = fraction(1, 12) * mass * (3 * squares + pow(height, 2));
-  return revolution(mass, across, fraction(1, 2) * mass * squares, axis);
+Inertia Inertia::hollow_cylinder(const HollowCylinder& tube) {
+  const Expression squares = pow(tube.outer_radius, 2) + pow(tube.inner_radius, 2);
+  const Expression across = fraction(1, 12) * tube.mass * (3 * squares + pow(tube.height, 2));
+  return revolution(tube.mass, across, fraction(1, 2) * tube.mass * squares, tube.axis);
 }
 Inertia Inertia::cylindrical_shell(const Expression& mass, const Expression& radius, const Expression& height,
                                    int axis) {
@@ -87,19 +85,22 @@ Inertia Inertia::conical_shell(const Expression& mass, const Expression& base_ra
 }
 Inertia Inertia::solid_sphere(const Expression& mass, const Expression& radius) {
   const Expression any = fraction(2, 5) * mass * pow(radius, 2);
-  return general(mass, any, any, any);
+  return general({.mass = mass, .xx = any, .yy = any, .zz = any});
 }
 Inertia Inertia::hollow_sphere(const Expression& mass, const Expression& radius) {
   const Expression any = fraction(2, 3) * mass * pow(radius, 2);
-  return general(mass, any, any, any);
+  return general({.mass = mass, .xx = any, .yy = any, .zz = any});
 }
 Inertia Inertia::box(const Expression& mass, const Expression& a, const Expression& b, const Expression& c) {
   const Expression k = fraction(1, 12) * mass;
-  return general(mass, k * (pow(b, 2) + pow(c, 2)), k * (pow(a, 2) + pow(c, 2)), k * (pow(a, 2) + pow(b, 2)));
+  return general({.mass = mass,
+                  .xx = k * (pow(b, 2) + pow(c, 2)),
+                  .yy = k * (pow(a, 2) + pow(c, 2)),
+                  .zz = k * (pow(a, 2) + pow(b, 2))});
 }
 Inertia Inertia::plate(const Expression& mass, const Expression& a, const Expression& b) {
   const Expression k = fraction(1, 12) * mass;
-  return general(mass, k * pow(b, 2), k * pow(a, 2), k * (pow(a, 2) + pow(b, 2)));
+  return general({.mass = mass, .xx = k * pow(b, 2), .yy = k * pow(a, 2), .zz = k * (pow(a, 2) + pow(b, 2))});
 }
 
 Inertia Inertia::half_disk(const Expression& mass, const Expression& radius, int axis) {

@@ -7,6 +7,11 @@
 
 namespace torsor {
 
+/// Mass [kg], moments and products of inertia [kg m²] of any rigid body; those that are not given are zero.
+struct GeneralInertia { Expression mass, xx = 0, yy = 0, zz = 0, xy = 0, xz = 0, yz = 0; };
+/// A thick tube along axis 0, 1 or 2 [kg, m].
+struct HollowCylinder { Expression mass, outer_radius, inner_radius, height; int axis; };
+
 /// Mass [kg], centre of mass [m] and inertia operator about the centre of mass [kg m²], both in the axes of the frame
 /// the body is attached to. The operator is J = ∫ (GP² 1 − GP GPᵀ) dm, so products of inertia carry their minus sign:
 /// xy = −∫ x y dm.
@@ -18,8 +23,7 @@ struct Inertia {
   /// A point mass at the origin of the frame.
   static Inertia point(const Expression& mass);
   /// Any rigid body, given about its centre of mass at the origin; move it with `at`.
-  static Inertia general(const Expression& mass, const Expression& xx, const Expression& yy, const Expression& zz,
-                         const Expression& xy = 0, const Expression& xz = 0, const Expression& yz = 0);
+  static Inertia general(const GeneralInertia& body);
   /// Thin rod of length l along axis 0, 1 or 2, centred: m l²/12 across.
   static Inertia rod(const Expression& mass, const Expression& length, int axis);
   /// Thin disk of radius r, axis along 0, 1 or 2, centred: m r²/4, m r²/4, m r²/2.
@@ -29,8 +33,7 @@ struct Inertia {
   /// Solid cylinder: m (3 r² + h²)/12 across, m r²/2 along its axis.
   static Inertia cylinder(const Expression& mass, const Expression& radius, const Expression& height, int axis);
   /// Thick tube between the radii r < R: m (3 (R² + r²) + h²)/12 across, m (R² + r²)/2 along its axis.
-  static Inertia hollow_cylinder(const Expression& mass, const Expression& outer_radius, const Expression& inner_radius,
-                                 const Expression& height, int axis);
+  static Inertia hollow_cylinder(const HollowCylinder& tube);
   /// Thin cylindrical shell without its ends: m (6 r² + h²)/12 across, m r² along its axis.
   static Inertia cylindrical_shell(const Expression& mass, const Expression& radius, const Expression& height,
                                    int axis);

@@ -84,8 +84,8 @@ class Scene {
   FrameHandle universal(const std::string& name, const FrameReference& parent, const UniversalMotion& motion,
                         const Placement& placement = {});
   /// Three plane rotations about the joint's origin. Singular where the first and the last axis are parallel.
-  FrameHandle spherical(const std::string& name, const FrameReference& parent, const AngleSequence& sequence,
-                        const Triple& angles, const Placement& placement = {});
+  FrameHandle spherical(const std::string& name, const FrameReference& parent, const PlaneRotations& rotations,
+                        const Placement& placement = {});
   /// The same freedom without any singular orientation.
   FrameHandle spherical(const std::string& name, const FrameReference& parent, AttitudeHandle attitude,
                         const Placement& placement = {});
@@ -104,8 +104,8 @@ class Scene {
                             const Placement& placement = {});
   /// Six degrees of freedom: translation (x, y, z) in the parent's axes, then three plane rotations. The intermediate
   /// frames are named <name>.x, .y, .z, .1 and .2, e.g. "hoop.2" after two rotations of Euler's sequence.
-  FrameHandle free(const std::string& name, const FrameReference& parent, const AngleSequence& sequence,
-                   const Triple& position, const Triple& angles);
+  FrameHandle free(const std::string& name, const FrameReference& parent, const Triple& position,
+                   const PlaneRotations& rotations);
   FrameHandle free(const std::string& name, const FrameReference& parent, const Triple& position,
                    AttitudeHandle attitude);
   /// Gives the joint that moves a frame a name of its own in graphs; otherwise it has the name of the frame. A weld
@@ -317,7 +317,7 @@ class Scene {
   struct Step { std::string suffix; JointKind kind; Triple axis; Expression displacement; std::optional<int> attitude = std::nullopt; };
   FrameHandle add_joint(const std::string& name, JointType type, const FrameReference& parent,
                         const Placement& placement, const std::vector<Step>& steps);
-  static std::vector<Step> turns(const AngleSequence& sequence, const Triple& angles);
+  static std::vector<Step> turn(const PlaneRotations& rotations);
   static std::vector<Step> turn(AttitudeHandle attitude);
   static std::vector<Step> turn(const SphericalMotion& by);
   static std::vector<Step> slides(const std::vector<std::pair<Triple, Expression>>& slides,

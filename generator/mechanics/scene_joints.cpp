@@ -98,7 +98,8 @@ FrameHandle Scene::universal(const std::string& name, const FrameReference& pare
                     {"2", JointKind::revolute, motion.second, motion.second_angle}});
 }
 
-std::vector<Scene::Step> Scene::turns(const AngleSequence& sequence, const Triple& angles) {
+std::vector<Scene::Step> Scene::turn(const PlaneRotations& rotations) {
+  const auto& [sequence, angles] = rotations;
   std::vector<Step> steps;
   for (std::size_t k = 0; k < 3; ++k) {
     const int about = sequence.axes[k];
@@ -117,8 +118,7 @@ std::vector<Scene::Step> Scene::turn(AttitudeHandle attitude) {
 }
 
 std::vector<Scene::Step> Scene::turn(const SphericalMotion& by) {
-  if (const auto* rotations = std::get_if<PlaneRotations>(&by)) return turns(rotations->sequence, rotations->angles);
-  return turn(std::get<AttitudeHandle>(by));
+  return std::visit([](const auto& each) { return turn(each); }, by);
 }
 
 std::vector<Scene::Step> Scene::slides(const std::vector<std::pair<Triple, Expression>>& slides,
@@ -132,9 +132,9 @@ std::vector<Scene::Step> Scene::slides(const std::vector<std::pair<Triple, Expre
   return steps;
 }
 
-FrameHandle Scene::spherical(const std::string& name, const FrameReference& parent, const AngleSequence& sequence,
-                             const Triple& angles, const Placement& placement) {
-  return add_joint(name, JointType::spherical, parent, placement, turns(sequence, angles));
+FrameHandle Scene::spherical(const std::string& name, const FrameReference& parent, const PlaneRotations& rotations,
+                             const Placement& placement) {
+  return add_joint(name, JointType::spherical, parent, placement, turn(rotations));
 }
 FrameHandle Scene::spherical(const std::string& name, const FrameReference& parent, AttitudeHandle attitude,
                              const Placement& placement) {
@@ -168,11 +168,10 @@ FrameHandle Scene::point_contact(const std::string& name, const FrameReference& 
                    slides({{axis::x, motion.x}, {axis::y, motion.y}}, turn(motion.turn)));
 }
 
-FrameHandle Scene::free(const std::string& name, const FrameReference& parent, const AngleSequence& sequence,
-                        const Triple& position, const Triple& angles) {
-  return add_joint(
-      name, JointType::free, parent, {},
-      slides({{axis::x, position[0]}, {axis::y, position[1]}, {axis::z, position[2]}}, turns(sequence, angles)));
+FrameHandle Scene::free(const std::string& name, const FrameReference& parent, const Triple& position,
+                        const PlaneRotations& rotations) {
+  return add_joint(name, JointType::free, parent, {},
+                   slides({{axis::x, position[0]}, {axis::y, position[1]}, {axis::z, position[2]}}, turn(rotations)));
 }
 FrameHandle Scene::free(const std::string& name, const FrameReference& parent, const Triple& position,
                         AttitudeHandle attitude) {

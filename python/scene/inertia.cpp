@@ -45,12 +45,17 @@ void bind_inertia(py::module_& module) {
     inertia.def_static(name, make, arguments..., comment_of(name));
   };
   inertia.def_static("point", [](E mass) { return Inertia::point(mass); }, "mass"_a, "A point mass at the origin of the frame.");
-  shape("general", &Inertia::general, "mass"_a, "xx"_a, "yy"_a, "zz"_a, "xy"_a = 0, "xz"_a = 0, "yz"_a = 0);
+  shape(
+      "general", [](E mass, E xx, E yy, E zz, E xy, E xz, E yz) { return Inertia::general({mass, xx, yy, zz, xy, xz, yz}); },
+      "mass"_a, "xx"_a, "yy"_a, "zz"_a, "xy"_a = 0, "xz"_a = 0, "yz"_a = 0);
   shape("rod", &Inertia::rod, "mass"_a, "length"_a, "axis"_a);
   shape("disk", &Inertia::disk, "mass"_a, "radius"_a, "axis"_a);
   shape("ring", &Inertia::ring, "mass"_a, "radius"_a, "axis"_a);
   shape("cylinder", &Inertia::cylinder, "mass"_a, "radius"_a, "height"_a, "axis"_a);
-  shape("hollow_cylinder", &Inertia::hollow_cylinder, "mass"_a, "outer_radius"_a, "inner_radius"_a, "height"_a, "axis"_a);
+  shape(
+      "hollow_cylinder",
+      [](E mass, E outer, E inner, E height, int axis) { return Inertia::hollow_cylinder({mass, outer, inner, height, axis}); },
+      "mass"_a, "outer_radius"_a, "inner_radius"_a, "height"_a, "axis"_a);
   shape("cylindrical_shell", &Inertia::cylindrical_shell, "mass"_a, "radius"_a, "height"_a, "axis"_a);
   shape("cone", &Inertia::cone, "mass"_a, "base_radius"_a, "height"_a, "axis"_a);
   shape("conical_shell", &Inertia::conical_shell, "mass"_a, "base_radius"_a, "height"_a, "axis"_a);

@@ -45,7 +45,9 @@ void bind_of_more_freedoms(SceneClass& scene) {
       "first"_a, "first_angle"_a, "second"_a, "second_angle"_a);
   joint<const AngleSequence&, T>(
       scene, "spherical",
-      [](S s, Name n, Parent f, At p, const AngleSequence& by, T angles) { return s.scene.spherical(n, f, by, angles, p); },
+      [](S s, Name n, Parent f, At p, const AngleSequence& by, T angles) {
+        return s.scene.spherical(n, f, {.sequence = by, .angles = angles}, p);
+      },
       "sequence"_a, "angles"_a);
   joint<const Attitude&>(
       scene, "spherical", [](S s, Name n, Parent f, At p, const Attitude& a) { return s.scene.spherical(n, f, s.of(a), p); },
@@ -78,7 +80,7 @@ void bind_joints(SceneClass& scene) {
   scene.def(
       "free",
       [](S s, Name n, F parent, const AngleSequence& by, T position, T angles) {
-        return s.given(s.scene.free(n, s.of(parent), by, position, angles), n);
+        return s.given(s.scene.free(n, s.of(parent), position, {.sequence = by, .angles = angles}), n);
       },
       "name"_a, "parent"_a, "sequence"_a, "position"_a, "angles"_a, comment_of("free"));
   scene.def(

@@ -80,14 +80,15 @@ std::vector<double> antiresonances(const LinearSystem& system, const Eigen::Vect
 }
 
 std::vector<ResonancePeak> resonance_peaks(const LinearSystem& system, const Eigen::VectorXcd& force,
-                                           Eigen::Index coordinate, double from, double to, int samples) {
+                                           const PeakSearch& search) {
+  const auto [coordinate, from, to, samples] = search;
   const FrequencyResponse response(system, force);
   if (samples < 3 || !(from < to) || coordinate < 0 || coordinate >= system.size()) {
     throw std::invalid_argument("peaks need a coordinate of the system, an interval and at least three samples");
   }
   const auto height = [&](double omega) {
     const auto amplitude = response(omega);
-    return amplitude ? std::abs((*amplitude)(coordinate)) : std::numeric_limits<double>::infinity();
+    return amplitude ? std::abs((*amplitude)(search.coordinate)) : std::numeric_limits<double>::infinity();
   };
   const double step = (to - from) / (samples - 1);
   std::vector<double> heights;

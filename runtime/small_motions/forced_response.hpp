@@ -47,10 +47,16 @@ struct ResonancePeak {
   double amplitude = 0.0;
 };
 
+/// Of which coordinate, between which speeds [rad/s], and on a grid of how many points.
+struct PeakSearch {
+  Eigen::Index coordinate = 0;
+  double from = 0.0, to = 0.0;
+  int samples = 1000;
+};
+
 /// The maxima of |X_coordinate(ω)| between two speeds: those that a grid of `samples` points sees, each refined by
 /// golden section to 1e-9 of the interval. An undamped resonance that is met exactly counts as infinite.
 [[nodiscard]] std::vector<ResonancePeak> resonance_peaks(const LinearSystem& system, const Eigen::VectorXcd& force,
-                                                         Eigen::Index coordinate, double from, double to,
-                                                         int samples = 1000);
+                                                         const PeakSearch& search);
 
 }  // namespace torsor::runtime

@@ -102,7 +102,7 @@ Scene sliding_top() {
   const Expression z = scene.coordinate("z", "m"), y = scene.coordinate("y", "m");
   const Expression one = Expression::quantity("1", "kg m^2");
   const FrameHandle top = scene.free("top", scene.ground(), {x, y, z}, turn);
-  scene.body("top", top, Inertia::general(Expression::quantity("1", "kg"), one, one, one));
+  scene.body("top", top, Inertia::general({.mass = Expression::quantity("1", "kg"), .xx = one, .yy = one, .zz = one}));
   return scene;
 }
 

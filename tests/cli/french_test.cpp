@@ -52,7 +52,7 @@ Scene free_body() {
   Scene s("libre");
   const Expression m = s.parameter("m", "kg", 2), g = s.parameter("g", "m/s^2", 10), J = s.parameter("J", "kg m^2", 1);
   const FrameHandle body = s.free("corps", s.ground(), {s.coordinate("x", "m"), s.coordinate("y", "m"), s.coordinate("z", "m")}, s.attitude("e"));
-  s.body("corps", body, Inertia::general(m, J, 2 * J, 3 * J));
+  s.body("corps", body, Inertia::general({.mass = m, .xx = J, .yy = 2 * J, .zz = 3 * J}));
   s.gravity({0, 0, -g});
   return s;
 }
@@ -78,7 +78,7 @@ Scene sled() {
   const FrameHandle along = s.prismatic("long", s.ground(), axis::x, x);
   const FrameHandle across = s.prismatic("large", along, axis::y, y);
   const FrameHandle body = s.revolute("corps", across, axis::z, psi);
-  s.body("corps", body, Inertia::general(m, 0, 0, I));
+  s.body("corps", body, Inertia::general({.mass = m, .zz = I}));
   s.nonholonomic("lame", cos(psi) * rate(y) - sin(psi) * rate(x));
   return s;
 }

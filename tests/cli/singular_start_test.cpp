@@ -16,8 +16,11 @@ Scene free_body(const AngleSequence& sequence, const Expression& second) {
   const Expression psi = scene.coordinate("psi", "rad"), theta = scene.coordinate("theta", "rad");
   const Expression phi = scene.coordinate("phi", "rad");
   const auto moment = [](const char* size) { return Expression::quantity(size, "kg m^2"); };
-  const FrameHandle body = scene.free("body", scene.ground(), sequence, {x, y, z}, {psi, theta, phi});
-  scene.body("body", body, Inertia::general(Expression::quantity("1", "kg"), moment("3"), moment("4"), moment("5")));
+  const FrameHandle body =
+      scene.free("body", scene.ground(), {x, y, z}, {.sequence = sequence, .angles = {psi, theta, phi}});
+  scene.body("body", body,
+             Inertia::general({.mass = Expression::quantity("1", "kg"), .xx = moment("3"), .yy = moment("4"),
+                               .zz = moment("5")}));
   scene.initial(theta, second);
   return scene;
 }
@@ -42,7 +45,8 @@ TEST(SingularStart, OfAnAttitudeIsNone) {
   Scene scene("body");
   const auto moment = [](const char* size) { return Expression::quantity(size, "kg m^2"); };
   scene.body("body", scene.spherical("body", scene.ground(), scene.attitude("e")),
-             Inertia::general(Expression::quantity("1", "kg"), moment("3"), moment("4"), moment("5")));
+             Inertia::general({.mass = Expression::quantity("1", "kg"), .xx = moment("3"), .yy = moment("4"),
+                               .zz = moment("5")}));
   EXPECT_TRUE(singular_start(scene).empty());
   EXPECT_TRUE(singular_start(pendulum()).empty());
 }
@@ -78,7 +82,7 @@ TEST(SingularStart, OfADiscThatLiesFlatIsNamed) {
         const Expression theta = scene.coordinate("theta", "rad"), phi = scene.coordinate("phi", "rad");
         const Expression r = Expression::quantity("1", "m");
         const FrameHandle disc = scene.spherical("disc", scene.prismatic("lift", scene.ground(), axis::z, z),
-                                                 AngleSequence::euler, {psi, theta, phi});
+                                                 {.sequence = AngleSequence::euler, .angles = {psi, theta, phi}});
         scene.body("disc", disc, Inertia::disk(Expression::quantity("1", "kg"), r, 2));
         scene.point_in_plane(
             "touch", scene.disc_contact("C", {.frame = disc, .axis = axis::z, .radius = r, .plane = scene.ground()}),

@@ -20,7 +20,7 @@ Scene guided() {
   const FrameHandle column = scene.weld("column", scene.ground(), {{0, metre, 0}, {}});
   scene.loop_joint("guide", {.type = JointType::cylindrical, .a = column, .b = ring});
   const Expression J = Expression::quantity("1", "kg m^2");
-  scene.body("block", block, Inertia::general(kilogram, J, J, J));
+  scene.body("block", block, Inertia::general({.mass = kilogram, .xx = J, .yy = J, .zz = J}));
   return scene;
 }
 

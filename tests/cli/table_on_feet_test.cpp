@@ -24,7 +24,9 @@ Scene table_on_feet() {
   const FrameHandle above = scene.prismatic("above", across, axis::z, z);
   const FrameHandle top = scene.spherical("top", above, scene.attitude("e"));
   const auto inertia = [](const char* text) { return Expression::quantity(text, "kg m^2"); };
-  scene.body("top", top, Inertia::general(Expression::quantity("3", "kg"), inertia("0.04"), inertia("0.06"), inertia("0.09")));
+  scene.body("top", top,
+             Inertia::general({.mass = Expression::quantity("3", "kg"), .xx = inertia("0.04"), .yy = inertia("0.06"),
+                               .zz = inertia("0.09")}));
   scene.gravity({0, 0, Expression::quantity("-9.81", "m/s^2")});
   scene.initial(z, metres("0.11"));
   const char* const ends[] = {"-1", "1"};

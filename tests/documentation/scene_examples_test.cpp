@@ -94,7 +94,7 @@ TEST_F(SceneExamples, OfSphericalJoints) {
   // example: spherical
   const Expression psi = scene.coordinate("psi", "rad"), theta = scene.coordinate("theta", "rad");
   const Expression phi = scene.coordinate("phi", "rad");
-  scene.spherical("top", "ground", AngleSequence::euler, {psi, theta, phi});
+  scene.spherical("top", "ground", {.sequence = AngleSequence::euler, .angles = {psi, theta, phi}});
   scene.initial(theta, 1);  // Euler's angles are singular at theta = 0
   // end
   stands();
@@ -218,7 +218,7 @@ TEST_F(SceneExamples, OfInertias) {
   all.push_back(Inertia::point(m).at({l, 0, 0}));
   // end
   // example: Inertia::general
-  all.push_back(Inertia::general(m, J, J, 2 * J));
+  all.push_back(Inertia::general({.mass = m, .xx = J, .yy = J, .zz = 2 * J}));
   // end
   // example: Inertia::rod
   all.push_back(Inertia::rod(m, l, 0));  // along x
@@ -229,7 +229,7 @@ TEST_F(SceneExamples, OfInertias) {
   // end
   // example: Inertia::cylinder Inertia::hollow_cylinder Inertia::cylindrical_shell
   all.push_back(Inertia::cylinder(m, r, l, 2));
-  all.push_back(Inertia::hollow_cylinder(m, 2 * r, r, l, 2));
+  all.push_back(Inertia::hollow_cylinder({.mass = m, .outer_radius = 2 * r, .inner_radius = r, .height = l, .axis = 2}));
   all.push_back(Inertia::cylindrical_shell(m, r, l, 2));
   // end
   // example: Inertia::cone Inertia::conical_shell

@@ -78,7 +78,8 @@ Scene forking_tree() {
   for (const FrameHandle& frame : {trunk, slide, rotor, tip, branch, left, finger, right, hand}) {
     const auto j = [](const char* value) { return quantity(value, "kg m^2"); };
     s.body("body" + std::to_string(frame.index), frame,
-           Inertia::general(quantity("1.5", "kg"), j("0.3"), j("0.5"), j("0.4"), j("0.1"), j("-0.02"), j("0.03"))
+           Inertia::general({.mass = quantity("1.5", "kg"), .xx = j("0.3"), .yy = j("0.5"), .zz = j("0.4"),
+                             .xy = j("0.1"), .xz = j("-0.02"), .yz = j("0.03")})
                .at({quantity("-0.1", "m"), quantity("0.2", "m"), quantity("0.05", "m")}));
   }
   s.gravity({0, 0, quantity("-9.81", "m/s^2")});

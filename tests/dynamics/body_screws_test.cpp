@@ -108,7 +108,7 @@ struct EccentricDisk {
     const FrameHandle slide = scene.prismatic("slide", scene.ground(), axis::x, x, {.origin = {0, metre("0.5"), 0}});
     const FrameHandle disk = scene.revolute("disk", slide, axis::z, scene.coordinate("phi", "rad"));
     scene.body("disk", disk,
-               Inertia::general(Expression::quantity("3", "kg"), 0, 0, Expression::quantity("0.4", "kg m^2"))
+               Inertia::general({.mass = Expression::quantity("3", "kg"), .zz = Expression::quantity("0.4", "kg m^2")})
                    .at({metre("0.2"), 0, 0}));
     scene.point("I", scene.ground(), {x, 0, 0});
   }

@@ -28,7 +28,8 @@ Scene top(const char* across, const char* along, bool run_time) {
                    gamma = scene.coordinate("gamma", "rad");
   const FrameHandle first = scene.revolute("first", scene.ground(), axis::x, alpha);
   const FrameHandle second = scene.revolute("second", first, axis::z, beta);
-  scene.body("top", scene.revolute("top", second, axis::y, gamma), Inertia::general(kilograms("1"), a, c, a));
+  scene.body("top", scene.revolute("top", second, axis::y, gamma),
+             Inertia::general({.mass = kilograms("1"), .xx = a, .yy = c, .zz = a}));
   return scene;
 }
 

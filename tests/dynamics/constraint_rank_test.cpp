@@ -116,10 +116,10 @@ struct Door {
     const Expression x = scene.coordinate("x", "m"), y = scene.coordinate("y", "m"), z = scene.coordinate("z", "m");
     const Expression p = scene.coordinate("p", "rad"), r = scene.coordinate("r", "rad"),
                      q = scene.coordinate("q", "rad");
-    door = scene.free("door", scene.ground(), AngleSequence{{0, 1, 2}}, {x, y, z}, {p, r, q});
+    door = scene.free("door", scene.ground(), {x, y, z}, {.sequence = AngleSequence{{0, 1, 2}}, .angles = {p, r, q}});
     scene.body("door", door,
-               Inertia::general(kilograms("20"), unit("8", "kg m^2"), unit("7", "kg m^2"), unit("2", "kg m^2"),
-                                unit("0.2", "kg m^2"), unit("0.3", "kg m^2"))
+               Inertia::general({.mass = kilograms("20"), .xx = unit("8", "kg m^2"), .yy = unit("7", "kg m^2"),
+                                 .zz = unit("2", "kg m^2"), .xy = unit("0.2", "kg m^2"), .xz = unit("0.3", "kg m^2")})
                    .at({metres("0.4"), metres("0.1"), metres("0.9")}));
     scene.gravity({unit("3", "m/s^2"), unit("1", "m/s^2"), unit("-9", "m/s^2")});
     const Rotation x_up = Rotation::about(1, -6);

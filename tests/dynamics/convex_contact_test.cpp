@@ -39,7 +39,8 @@ struct Stone {
     plane = scene.weld("plane", scene.ground(), {{0, 0, 0}, slope});
     body = scene.free("body", plane, {x, y, z}, e);
     const auto moment = [](const char* value) { return Expression::quantity(value, "kg m^2"); };
-    scene.body("stone", body, Inertia::general(kilograms("2"), moment("0.5"), moment("1"), moment("1.3")));
+    scene.body("stone", body,
+               Inertia::general({.mass = kilograms("2"), .xx = moment("0.5"), .yy = moment("1"), .zz = moment("1.3")}));
     scene.gravity({0, 0, Expression::quantity("-9.81", "m/s^2")});
   }
   PointHandle ellipsoid() {

@@ -171,7 +171,8 @@ TEST(Equations, OfAPendulumWithEqualMomentsAcrossItsAxisHaveItsWeight) {
   Scene scene("pendulum");
   const Expression theta = scene.coordinate("theta", "rad");
   const auto moment = [](const char* value) { return Expression::quantity(value, "kg m^2"); };
-  const Inertia bob = Inertia::general(Expression::quantity("2", "kg"), moment("1"), moment("1.5"), moment("1"));
+  const Inertia bob = Inertia::general({.mass = Expression::quantity("2", "kg"), .xx = moment("1"), .yy = moment("1.5"),
+                                        .zz = moment("1")});
   scene.body("bob", scene.revolute("arm", scene.ground(), axis::z, theta),
              bob.at({0, Expression::quantity("-0.5", "m"), 0}));
   scene.gravity({0, Expression::quantity("-10", "m/s^2"), 0});

@@ -51,7 +51,8 @@ constexpr double rounding = 1e-48;
 
 Inertia block(const char* mass) {
   const auto j = [](const char* value) { return quantity(value, "kg m^2"); };
-  return Inertia::general(quantity(mass, "kg"), j("0.3"), j("0.5"), j("0.4"), j("0.1"), j("-0.02"), j("0.03"))
+  return Inertia::general({.mass = quantity(mass, "kg"), .xx = j("0.3"), .yy = j("0.5"), .zz = j("0.4"), .xy = j("0.1"),
+                           .xz = j("-0.02"), .yz = j("0.03")})
       .at({quantity("-0.1", "m"), quantity("0.2", "m"), quantity("0.05", "m")});
 }
 

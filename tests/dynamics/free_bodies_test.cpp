@@ -61,8 +61,9 @@ struct FreeBody {
     const Expression unit = Expression::quantity("1", "kg m^2");
     const auto scaled = [&](const Expression& moment) { return mass * size * size * (moment / unit); };
     const auto away = [&](const Expression& length) { return size * (length / metres("1")); };
-    const Inertia inertia = Inertia::general(mass, scaled(box.xx), scaled(box.yy), scaled(box.zz), scaled(box.xy),
-                                             scaled(box.xz), scaled(box.yz))
+    const Inertia inertia = Inertia::general({.mass = mass, .xx = scaled(box.xx), .yy = scaled(box.yy),
+                                              .zz = scaled(box.zz), .xy = scaled(box.xy), .xz = scaled(box.xz),
+                                              .yz = scaled(box.yz)})
                                 .at({away(center[0]), away(center[1]), away(center[2])});
     scene.body("body", body, inertia);
     if (with_arm) {
@@ -116,8 +117,8 @@ TEST(FreeBodies, ThatAreALineOfMassAreRefusedInEveryOrderOfDeclaration) {
     // J (1 − u uᵀ) with u = (3/5, 0, 4/5), the line through the origin and the centre of mass.
     const Expression along = Expression(Number::rational(16, 25)) * moment,
                      across = Expression(Number::rational(9, 25)) * moment;
-    const Inertia line =
-        Inertia::general(mass, along, moment, across, 0, Expression(Number::rational(-12, 25)) * moment);
+    const Inertia line = Inertia::general({.mass = mass, .xx = along, .yy = moment, .zz = across,
+                                           .xz = Expression(Number::rational(-12, 25)) * moment});
     scene.body("rod", rod, line.at({metres("0.3"), 0, metres("0.4")}));
     const std::string text = error_of([&] { validate(scene); });
     EXPECT_TRUE(text.starts_with("the mass matrix is singular at every state: coordinate 'e_omega_z'")) << text;

@@ -25,7 +25,8 @@ Scene flying_arm() {
   for (const FrameHandle& frame : {slide, trunk, arm, hand}) {
     const auto j = [](const char* value) { return quantity(value, "kg m^2"); };
     s.body("body" + std::to_string(frame.index), frame,
-           Inertia::general(quantity("1.2", "kg"), j("0.3"), j("0.4"), j("0.35"), j("0.05"), j("-0.02"), j("0.01"))
+           Inertia::general({.mass = quantity("1.2", "kg"), .xx = j("0.3"), .yy = j("0.4"), .zz = j("0.35"),
+                             .xy = j("0.05"), .xz = j("-0.02"), .yz = j("0.01")})
                .at({quantity("0.1", "m"), quantity("-0.2", "m"), quantity("0.15", "m")}));
   }
   s.gravity({0, quantity("1", "m/s^2"), quantity("-9.81", "m/s^2")});

@@ -36,7 +36,10 @@ void add_body(Scene& scene) {
   const auto kg = [](int n) { return Expression::quantity(Number::rational(n, 11), units::kilogram_metre_squared); };
   const auto metres = [](int numerator) { return Expression::quantity(Number::rational(numerator, 9), units::metre); };
   const Expression mass = Expression::quantity(Number::rational(13, 10), units::kilogram);
-  scene.body("body", "b", Inertia::general(mass, kg(20), kg(23), kg(29), kg(1), kg(-2), kg(3)).at({metres(1), metres(-2), metres(4)}));
+  scene.body(
+      "body", "b",
+      Inertia::general({.mass = mass, .xx = kg(20), .yy = kg(23), .zz = kg(29), .xy = kg(1), .xz = kg(-2), .yz = kg(3)})
+          .at({metres(1), metres(-2), metres(4)}));
   const auto gravity = [](int n) { return Expression::quantity(Number::rational(n, 3), units::metre_per_second_squared); };
   scene.gravity({gravity(2), gravity(-5), gravity(-27)});
 }
@@ -79,7 +82,7 @@ Scene tree(JointType type, bool moving) {
     case JointType::spherical: {
       const Expression a = angle("a");
       const Expression b = angle("b");
-      s.spherical("b", ground, AngleSequence{{2, 1, 0}}, {a, b, angle("c")}, at);
+      s.spherical("b", ground, {.sequence = AngleSequence{{2, 1, 0}}, .angles = {a, b, angle("c")}}, at);
       break;
     }
     case JointType::planar: {

@@ -23,7 +23,8 @@ struct LeaningDisc {
              heading = scene.coordinate("heading", "rad"), lean = scene.coordinate("lean", "rad"),
              spin = scene.coordinate("spin", "rad");
   FrameHandle plane = scene.weld("plane", scene.ground(), {{metres("1"), 0, metres("2")}, tilt()});
-  FrameHandle disc = scene.free("disc", plane, AngleSequence::euler, {x, y, z}, {heading, lean, spin});
+  FrameHandle disc =
+      scene.free("disc", plane, {x, y, z}, {.sequence = AngleSequence::euler, .angles = {heading, lean, spin}});
   PointHandle touch =
       scene.disc_contact("touch", {.frame = disc, .axis = axis::z, .radius = metres("1.5"), .plane = plane});
   PointHandle ball = scene.sphere_contact("ball", disc, metres("1.5"), plane);

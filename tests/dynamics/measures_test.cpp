@@ -37,8 +37,11 @@ struct Carried {
     arm = scene.revolute("arm", body, axis::y, phi, {{metres("0.2"), metres("0.5"), 0}, {}});
     tip = scene.point("tip", arm, {metres("0.7"), 0, metres("-0.1")});
     const auto moment = [](const char* value) { return Expression::quantity(value, "kg m^2"); };
-    scene.body("disc", table, Inertia::general(kilograms("3"), moment("1"), moment("2"), moment("2.5")));
-    scene.body("body", body, Inertia::general(kilograms("2"), moment("0.4"), moment("0.5"), moment("0.6")));
+    scene.body("disc", table,
+               Inertia::general({.mass = kilograms("3"), .xx = moment("1"), .yy = moment("2"), .zz = moment("2.5")}));
+    scene.body(
+        "body", body,
+        Inertia::general({.mass = kilograms("2"), .xx = moment("0.4"), .yy = moment("0.5"), .zz = moment("0.6")}));
     scene.body("stick", arm, Inertia::point(kilograms("0.5")).at({metres("0.4"), 0, 0}));
     scene.gravity({0, 0, Expression::quantity("-9.81", "m/s^2")});
   }
@@ -183,7 +186,8 @@ TEST(AttitudeComponents, StandInForceFunctions) {
   const AttitudeHandle e = scene.attitude("e");
   const FrameHandle body = scene.spherical("body", scene.ground(), e);
   const auto moment = [](const char* value) { return Expression::quantity(value, "kg m^2"); };
-  scene.body("body", body, Inertia::general(kilograms("1"), moment("1"), moment("2"), moment("2.5")));
+  scene.body("body", body,
+             Inertia::general({.mass = kilograms("1"), .xx = moment("1"), .yy = moment("2"), .zz = moment("2.5")}));
   const auto components = scene.attitude_components(e);
   const Expression k = Expression::quantity("5", "J");
   scene.force_function("field", k * pow(components[3], 2) + k * components[0] * components[1]);

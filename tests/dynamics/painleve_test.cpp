@@ -150,7 +150,7 @@ TEST(MissingMomenta, SayWhatStandsAgainstThem) {
   const Expression x = body.coordinate("x", "m"), y = body.coordinate("y", "m"), z = body.coordinate("z", "m");
   const auto moment = [](const char* size) { return Expression::quantity(size, "kg m^2"); };
   body.body("body", body.free("body", body.ground(), {x, y, z}, body.attitude("turn")),
-            Inertia::general(kilograms("1"), moment("3"), moment("4"), moment("5")));
+            Inertia::general({.mass = kilograms("1"), .xx = moment("3"), .yy = moment("4"), .zz = moment("5")}));
   body.gravity({0, Expression::quantity("-9.81", "m/s^2"), 0});
   EXPECT_EQ(missing(body),
             (Texts{"y: U depends on it.", "turn_omega_x: its axes turn with the body.",

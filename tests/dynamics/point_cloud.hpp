@@ -51,8 +51,8 @@ struct BodyOnCarrier {
     for (const char* name : {"x", "y", "z"}) frozen.push_back(scene.parameter(std::string("frozen_") + name, "m"));
     const Expression mass = Expression::quantity("2.5", "kg");
     const Expression a = m("0.2"), b = m("0.3"), c = m("0.5");
-    const Inertia cloud =
-        Inertia::general(mass, mass * (b * b + c * c), mass * (a * a + c * c), mass * (a * a + b * b));
+    const Inertia cloud = Inertia::general({.mass = mass, .xx = mass * (b * b + c * c), .yy = mass * (a * a + c * c),
+                                            .zz = mass * (a * a + b * b)});
     scene.body("cloud", S, cloud.at({m("0.1"), m("-0.2"), m("0.4")}));
     scene.body("weight", R, Inertia::point(Expression::quantity("0.7", "kg")).at({m("0.6"), 0, m("0.2")}));
     scene.point("X", R, {q4 + m("0.3"), m("0.2") * cos(q3), q1 - q4});

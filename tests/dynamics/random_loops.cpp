@@ -168,7 +168,8 @@ class ChainBuilder {
           const Expression first = angle(0);
           const Expression second = angle(1, -4, 4);  // away from the singular orientation of Cardan's angles
           const Expression third = angle(2);
-          add(name, scene_.spherical(name, last_, AngleSequence::cardan, {first, second, third}, at));
+          add(name,
+              scene_.spherical(name, last_, {.sequence = AngleSequence::cardan, .angles = {first, second, third}}, at));
         } else {
           add(name, scene_.spherical(name, last_, attitude(), at));
         }

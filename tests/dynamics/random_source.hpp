@@ -68,7 +68,9 @@ class RandomSource {
     const Expression c = quantity("m");
     const Inertia box = Inertia::box(mass, a, b, c);
     if (one_in(3)) {
-      return Inertia::general(mass, box.xx, box.yy, box.zz, box.xx / 7, -box.yy / 9, box.zz / 11).at(vector("m"));
+      return Inertia::general({.mass = mass, .xx = box.xx, .yy = box.yy, .zz = box.zz, .xy = box.xx / 7,
+                               .xz = -box.yy / 9, .yz = box.zz / 11})
+          .at(vector("m"));
     }
     return box.at(vector("m"));
   }

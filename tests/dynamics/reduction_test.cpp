@@ -166,7 +166,8 @@ TEST(Linearisation, AlongAnAttitudeIsTheDerivativeOfTheFlow) {
   const AttitudeHandle e = scene.attitude("e");
   const FrameHandle top = scene.spherical("top", scene.ground(), e);
   scene.body("top", top,
-             Inertia::general(kilograms("2"), unit("0.3", "kg m^2"), unit("0.4", "kg m^2"), unit("0.2", "kg m^2"))
+             Inertia::general({.mass = kilograms("2"), .xx = unit("0.3", "kg m^2"), .yy = unit("0.4", "kg m^2"),
+                               .zz = unit("0.2", "kg m^2")})
                  .at({metres("0.1"), metres("0.2"), metres("0.7")}));
   scene.gravity({0, 0, unit("-9.81", "m/s^2")});
   State state;

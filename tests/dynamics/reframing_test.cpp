@@ -35,7 +35,8 @@ Rotation turned(int w, int x, int y, int z) {
 void add_body(Scene& s, const std::string& name, FrameHandle frame) {
   const auto j = [](const char* value) { return quantity(value, "kg m^2"); };
   s.body(name, frame,
-         Inertia::general(quantity("1.5", "kg"), j("0.3"), j("0.5"), j("0.4"), j("0.1"), j("-0.02"), j("0.03"))
+         Inertia::general({.mass = quantity("1.5", "kg"), .xx = j("0.3"), .yy = j("0.5"), .zz = j("0.4"),
+                           .xy = j("0.1"), .xz = j("-0.02"), .yz = j("0.03")})
              .at(place("-0.1", "0.2", "0.05")));
 }
 

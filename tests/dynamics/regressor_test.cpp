@@ -32,8 +32,8 @@ Expression moment(const char* value) { return Expression::quantity(value, "kg m^
 
 /// A body without any symmetry.
 Inertia crooked_body() {
-  return Inertia::general(kilograms("1.2"), moment("0.3"), moment("0.5"), moment("0.7"), moment("0.02"),
-                          moment("-0.03"), moment("0.05"))
+  return Inertia::general({.mass = kilograms("1.2"), .xx = moment("0.3"), .yy = moment("0.5"), .zz = moment("0.7"),
+                           .xy = moment("0.02"), .xz = moment("-0.03"), .yz = moment("0.05")})
       .at({metres("0.1"), metres("-0.4"), metres("0.2")});
 }
 

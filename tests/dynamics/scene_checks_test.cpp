@@ -70,7 +70,8 @@ TEST(ReleasedCoordinate, HasNoInitialValue) {
 Scene on_a_universal_joint(const Triple& first, const Triple& second) {
   Scene scene("shaft");
   const Expression a = scene.coordinate("a", "rad"), b = scene.coordinate("b", "rad");
-  const Inertia rod = Inertia::general(kilograms("1"), unit("1", "kg m^2"), unit("1.5", "kg m^2"), unit("2", "kg m^2"));
+  const Inertia rod = Inertia::general({.mass = kilograms("1"), .xx = unit("1", "kg m^2"), .yy = unit("1.5", "kg m^2"),
+                                        .zz = unit("2", "kg m^2")});
   scene.body(
       "shaft",
       scene.universal("shaft", scene.ground(), {.first = first, .first_angle = a, .second = second, .second_angle = b}),
@@ -138,8 +139,10 @@ Scene held_lever(JointType type, int start, int placed, bool across) {
   scene.initial(a, Expression(start) * pi() / Expression(12));
   const FrameHandle lever = scene.revolute("lever", scene.ground(), axis::z, a);
   const FrameHandle arm = scene.revolute("arm", lever, axis::x, b);
-  scene.body("arm", arm,
-             Inertia::general(kilograms("1"), unit("1", "kg m^2"), unit("1.5", "kg m^2"), unit("2", "kg m^2")));
+  scene.body(
+      "arm", arm,
+      Inertia::general({.mass = kilograms("1"), .xx = unit("1", "kg m^2"), .yy = unit("1.5", "kg m^2"),
+                        .zz = unit("2", "kg m^2")}));
   const FrameHandle end = across ? scene.weld("end", arm, {{}, Rotation::about(1, -6)}) : arm;
   const Rotation turned = Rotation::about(2, placed);
   const FrameHandle seat = scene.weld("seat", scene.ground(), {{}, across ? turned * Rotation::about(1, -6) : turned});

@@ -43,7 +43,8 @@ inline Scene torque_free_body() {
   const AttitudeHandle e = scene.attitude("e");
   const FrameHandle body = scene.spherical("body", scene.ground(), e);
   const auto moment = [](const char* value) { return Expression::quantity(value, "kg m^2"); };
-  scene.body("body", body, Inertia::general(kilograms("1"), moment("1"), moment("2"), moment("3")));
+  scene.body("body", body,
+             Inertia::general({.mass = kilograms("1"), .xx = moment("1"), .yy = moment("2"), .zz = moment("3")}));
   return scene;
 }
 

@@ -55,7 +55,9 @@ TEST(Connection, TransmitsTheIdealWrenchOfItsJoint) {
                                  {.first = axis::x, .first_angle = q, .second = axis::y, .second_angle = a[1]});
             }),
             "X, Y, Z, N");
-  EXPECT_EQ(scene_with([&](Scene& s, E, E, Triple a) { return s.spherical("j", ground, AngleSequence::euler, a); }),
+  EXPECT_EQ(scene_with([&](Scene& s, E, E, Triple a) {
+              return s.spherical("j", ground, {.sequence = AngleSequence::euler, .angles = a});
+            }),
             "X, Y, Z");
   EXPECT_EQ(scene_with([&](Scene& s, E, E, Triple) { return s.spherical("j", ground, s.attitude("turn")); }),
             "X, Y, Z");
@@ -64,7 +66,8 @@ TEST(Connection, TransmitsTheIdealWrenchOfItsJoint) {
             }),
             "Z, L, M");
   EXPECT_EQ(scene_with([&](Scene& s, E, E x, Triple a) {
-              return s.free("j", ground, AngleSequence::cardan, {x, s.coordinate("y", "m"), s.coordinate("z", "m")}, a);
+              return s.free("j", ground, {x, s.coordinate("y", "m"), s.coordinate("z", "m")},
+                            {.sequence = AngleSequence::cardan, .angles = a});
             }),
             "");
   // A joint driven by a law of time transmits its motor's effort too.

@@ -50,7 +50,7 @@ TEST(Validation, NamesTheCoordinateThatMustAccelerateWithoutMass) {
 TEST(Validation, NamesTheBodyThatHasNoInertiaAboutItsAxis) {
   Scene scene = pendulum();
   const FrameHandle wheel = scene.revolute("wheel", "arm", axis::z, scene.coordinate("phi", "rad"));
-  scene.body("wheel", wheel, Inertia::general(0, 0, 0, 0));
+  scene.body("wheel", wheel, Inertia::general({.mass = 0}));
   EXPECT_EQ(refusal(scene),
             "coordinate 'phi' must accelerate but has no inertia: it moves body 'wheel' with zero mass; "
             "give a mass, or drive the coordinate by a law of time");

@@ -113,8 +113,8 @@ TEST(UrdfJoint, FixedWeldsItsLinkAndInertialOriginsTurnTheOperator) {
              0, pi() / 2);
   made.body("arm", arm, lump());
   made.body("tool", principal,
-            Inertia::general(number("1.5", "kg"), number("0.011", "kg m^2"), number("0.013", "kg m^2"),
-                             number("0.009", "kg m^2")));
+            Inertia::general({.mass = number("1.5", "kg"), .xx = number("0.011", "kg m^2"),
+                              .yy = number("0.013", "kg m^2"), .zz = number("0.009", "kg m^2")}));
   made = with_weight(made);
   const Values q{{"shoulder", "0.7"}}, v{{"shoulder", "2"}};
   expect_same(accelerations(imported, q, v), accelerations(made, q, v), rational_angles);

@@ -30,8 +30,9 @@ inline const char* inertial =
     "<inertia ixx=\"0.011\" ixy=\"0.001\" ixz=\"-0.002\" iyy=\"0.013\" iyz=\"0.0015\" izz=\"0.009\"/></inertial>";
 inline Inertia lump() {
   const auto moment = [](const char* value) { return number(value, "kg m^2"); };
-  return Inertia::general(number("1.5", "kg"), moment("0.011"), moment("0.013"), moment("0.009"), moment("0.001"),
-                          moment("-0.002"), moment("0.0015"))
+  return Inertia::general({.mass = number("1.5", "kg"), .xx = moment("0.011"), .yy = moment("0.013"),
+                           .zz = moment("0.009"), .xy = moment("0.001"), .xz = moment("-0.002"),
+                           .yz = moment("0.0015")})
       .at({number("0.02", "m"), number("-0.03", "m"), number("0.05", "m")});
 }
 

@@ -208,8 +208,10 @@ TEST(UrdfInertia, ThatNoMatterHasIsTakenAsGivenAndNamed) {
   const FrameHandle tool = made.revolute("tool", upper, axis::z, wrist);
   made.body("arm", upper, lump());
   const auto moment = [](const char* value) { return number(value, "kg m^2"); };
-  made.body("tool", tool, Inertia::general(number("2", "kg"), moment("0.99"), moment("1.02"), moment("3.03"), 0, 0, 0),
-            Moments::as_given);
+  made.body(
+      "tool", tool,
+      Inertia::general({.mass = number("2", "kg"), .xx = moment("0.99"), .yy = moment("1.02"), .zz = moment("3.03")}),
+      Moments::as_given);
   made = with_weight(made);
   const Values q{{"hinge", "0.3"}, {"wrist", "0.4"}}, v{{"hinge", "1"}, {"wrist", "-2"}}, u{};
   expect_same(accelerations(robot.scene, q, v, u), accelerations(made, q, v, u), fifty_digits);

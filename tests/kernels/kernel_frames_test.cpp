@@ -147,7 +147,7 @@ TEST(Frames, AreThoseOfATurningBar) {
   Scene scene("bar");
   const Expression q = scene.coordinate("q", "rad");
   const FrameHandle bar = scene.revolute("bar", scene.ground(), axis::z, q);
-  scene.body("bar", bar, Inertia::general(kilograms("3"), 0, 0, Expression::quantity("2", "kg m^2")));
+  scene.body("bar", bar, Inertia::general({.mass = kilograms("3"), .zz = Expression::quantity("2", "kg m^2")}));
   scene.point("tip", bar, {metres("2"), 0, 0});
   const Equations equations(scene);
   NamedState state(equations, {{"q", Real(0)}, {equations.model().coordinates()[0].v->name, Real(3)}});

@@ -111,7 +111,7 @@ TEST(InertiaOperations, AssembleBodiesAsTheirPoints) {
 }
 
 TEST(InertiaOperations, AddOperatorsWithoutMass) {
-  const Inertia flywheel = Inertia::general(0, 0, 0, Expression::quantity("0.3", "kg m^2"));
+  const Inertia flywheel = Inertia::general({.mass = 0, .zz = Expression::quantity("0.3", "kg m^2")});
   const Inertia body = Inertia::box(m, a, b, c).at(place);
   for (const Inertia& sum : {body + flywheel, flywheel + body}) {
     EXPECT_NEAR(in_double(sum.zz), in_double(body.zz) + 0.3, 1e-15);
@@ -127,7 +127,10 @@ TEST(InertiaOperations, CutAHole) {
   const auto mass_of = [&](const Expression& radius) { return density * pi() * pow(radius, 2) * c; };
   const Inertia tube =
       Inertia::cylinder(mass_of(b), b, c, 1).at(place) - Inertia::cylinder(mass_of(a), a, c, 1).at(place);
-  const Inertia expected = Inertia::hollow_cylinder(mass_of(b) - mass_of(a), b, a, c, 1).at(place);
+  const Inertia expected =
+      Inertia::hollow_cylinder(
+          {.mass = mass_of(b) - mass_of(a), .outer_radius = b, .inner_radius = a, .height = c, .axis = 1})
+          .at(place);
   Program program;
   for (const auto& [entry, value] : {std::pair(tube.mass, expected.mass), std::pair(tube.xx, expected.xx),
                                      std::pair(tube.yy, expected.yy), std::pair(tube.center[2], expected.center[2])}) {

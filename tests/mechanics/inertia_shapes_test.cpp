@@ -45,7 +45,9 @@ TEST(InertiaShapes, IntegrateAHollowCylinderAndACylindricalShell) {
         }
       }
     }
-    expect_body(Inertia::hollow_cylinder(m, r, in_unit(0.4, "m"), h, axis), of_mass(mass, thick));
+    expect_body(Inertia::hollow_cylinder(
+                    {.mass = m, .outer_radius = r, .inner_radius = in_unit(0.4, "m"), .height = h, .axis = axis}),
+                of_mass(mass, thick));
     expect_body(Inertia::cylindrical_shell(m, r, h, axis), of_mass(mass, thin));
   }
 }
@@ -116,7 +118,8 @@ TEST(InertiaShapes, GiveADiskEqualMomentsAcrossAndTwiceThatAlong) {
 TEST(InertiaShapes, HaveTheUnitsOfABody) {
   const Triple corner{r, 0, h};
   for (const Inertia& body :
-       {Inertia::cone(m, r, h, 0), Inertia::conical_shell(m, r, h, 1), Inertia::hollow_cylinder(m, r, h, h, 2),
+       {Inertia::cone(m, r, h, 0), Inertia::conical_shell(m, r, h, 1),
+        Inertia::hollow_cylinder({.mass = m, .outer_radius = r, .inner_radius = h, .height = h, .axis = 2}),
         Inertia::cylindrical_shell(m, r, h, 0), Inertia::half_disk(m, r, 1), Inertia::quarter_disk(m, r, 2),
         Inertia::triangle(m, {0, 0, 0}, corner, {h, 0, 0}).rotated({0, 1, 2}, Expression(0.3))}) {
     EXPECT_EQ(body.mass.unit(), units::kilogram);

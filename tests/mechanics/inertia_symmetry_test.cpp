@@ -55,7 +55,8 @@ TEST(InertiaSymmetry, KnowsSpheresAndBodiesOfRevolution) {
 
 TEST(InertiaSymmetry, SettlesTheEntriesThatVanish) {
   const auto moment = [](const char* name) { return Expression(testing_symbols::make_symbol(name, "kg m^2")); };
-  const Inertia any = Inertia::general(m, moment("A"), moment("B"), moment("C"), moment("F"), moment("E"), moment("D"))
+  const Inertia any = Inertia::general({.mass = m, .xx = moment("A"), .yy = moment("B"), .zz = moment("C"),
+                                        .xy = moment("F"), .xz = moment("E"), .yz = moment("D")})
                           .at({a, b, 2 * a});
   for (int axis = 0; axis < 3; ++axis) {
     for (const MaterialSymmetry symmetry : {plane, half_turn, revolution}) {

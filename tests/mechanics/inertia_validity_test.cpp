@@ -33,23 +33,28 @@ TEST(InertiaValidity, LetsTrueBodiesThrough) {
     EXPECT_EQ(refusal(body), "no error");
   }
   // Six figures of a flat plate, and plane motion where one moment alone matters.
-  EXPECT_EQ(refusal(Inertia::general(m, moment("0.333333"), moment("0.333333"), moment("0.666667"))), "no error");
-  EXPECT_EQ(refusal(Inertia::general(m, 0, 0, moment("4"))), "no error");
+  EXPECT_EQ(refusal(Inertia::general({.mass = m, .xx = moment("0.333333"), .yy = moment("0.333333"),
+                                      .zz = moment("0.666667")})),
+            "no error");
+  EXPECT_EQ(refusal(Inertia::general({.mass = m, .zz = moment("4")})), "no error");
 }
 
 TEST(InertiaValidity, NamesTheBodyWhoseMomentsNoMatterHas) {
   const std::string remedy =
       " kg m^2 about its centre of mass: of no matter is one larger than the sum of the others, or negative; check the "
       "entries, the sign of the products (xy = -int x y dm) and that the operator is about the centre of mass";
-  EXPECT_EQ(refusal(Inertia::general(kilogram("2"), moment("1"), moment("2"), moment("3.1"))),
-            "body 'plank' has the principal moments of inertia 1, 2 and 3.1" + remedy);
+  EXPECT_EQ(
+      refusal(Inertia::general({.mass = kilogram("2"), .xx = moment("1"), .yy = moment("2"), .zz = moment("3.1")})),
+      "body 'plank' has the principal moments of inertia 1, 2 and 3.1" + remedy);
   // Turned so that only the products show it: principal moments 1, 2, 3.1 at 45 degrees about x.
-  EXPECT_EQ(refusal(Inertia::general(kilogram("2"), moment("1"), moment("2"), moment("3.1"))
+  EXPECT_EQ(refusal(Inertia::general({.mass = kilogram("2"), .xx = moment("1"), .yy = moment("2"), .zz = moment("3.1")})
                         .rotated(axis::x, pi() / 4)
                         .rotated(Rotation::about(1, 3))),
             "body 'plank' has the principal moments of inertia 1, 2 and 3.1" + remedy);
-  EXPECT_EQ(refusal(Inertia::general(kilogram("2"), moment("1"), moment("1"), moment("1"), moment("-1.25"))),
-            "body 'plank' has the principal moments of inertia -0.25, 1 and 2.25" + remedy);
+  EXPECT_EQ(
+      refusal(Inertia::general({.mass = kilogram("2"), .xx = moment("1"), .yy = moment("1"), .zz = moment("1"),
+                                .xy = moment("-1.25")})),
+      "body 'plank' has the principal moments of inertia -0.25, 1 and 2.25" + remedy);
 }
 
 TEST(InertiaValidity, NamesANegativeMass) {
@@ -63,8 +68,8 @@ TEST(InertiaValidity, UsesTheValuesOfParameters) {
   Scene scene("scene");
   const Expression A = scene.parameter("A", "kg m^2", Expression::quantity("1"));
   const Expression C = scene.parameter("C", "kg m^2");
-  scene.body("known", scene.ground(), Inertia::general(kilogram("1"), A, A, 3 * A));
-  scene.body("unknown", scene.ground(), Inertia::general(kilogram("1"), A, A, 3 * A + C));
+  scene.body("known", scene.ground(), Inertia::general({.mass = kilogram("1"), .xx = A, .yy = A, .zz = 3 * A}));
+  scene.body("unknown", scene.ground(), Inertia::general({.mass = kilogram("1"), .xx = A, .yy = A, .zz = 3 * A + C}));
   const auto check = [&](std::size_t k) {
     return error_of<SceneError>([&] { check_inertia(scene.content(), scene.content().bodies[k]); });
   };

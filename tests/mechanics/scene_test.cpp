@@ -136,8 +136,8 @@ TEST(SceneFree, MovesInThreeDirectionsThenTurnsAboutThreeAxesOfItsSequence) {
     position[i] = scene.coordinate(std::string("p") + "xyz"[i], "m");
     angles[i] = scene.coordinate(std::string("a") + "123"[i], "rad");
   }
-  scene.free("euler", scene.ground(), AngleSequence::euler, position, angles);
-  scene.free("cardan", scene.ground(), AngleSequence::cardan, position, angles);
+  scene.free("euler", scene.ground(), position, {.sequence = AngleSequence::euler, .angles = angles});
+  scene.free("cardan", scene.ground(), position, {.sequence = AngleSequence::cardan, .angles = angles});
   const auto& frames = scene.content().frames;
   ASSERT_EQ(frames.size(), 13U);
   const auto axis_of = [&](std::size_t frame) {

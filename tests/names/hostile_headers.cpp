@@ -60,8 +60,9 @@ class Builder {
     } else if (role == "attitude") {
       const AttitudeHandle e = scene_.attitude(name);
       const Expression moment = Expression::quantity("2", "kg m^2");
-      scene_.body("own_body" + number, scene_.spherical("own_frame" + number, scene_.ground(), e),
-                  Inertia::general(Expression::quantity("1", "kg"), moment, moment, moment));
+      scene_.body(
+          "own_body" + number, scene_.spherical("own_frame" + number, scene_.ground(), e),
+          Inertia::general({.mass = Expression::quantity("1", "kg"), .xx = moment, .yy = moment, .zz = moment}));
     } else {
       const Expression q = moving("own_x" + number, name, name, Expression::quantity("2", "kg"));
       scene_.damper(name, q, scene_.parameter("own_d" + number, is_angle_ ? "N m s" : "N s/m", 1));

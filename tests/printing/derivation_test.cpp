@@ -35,7 +35,7 @@ Scene bar() {
                    g = scene.parameter("g", "m/s^2", 10), k = scene.parameter("k", "N m", 3), c = scene.parameter("c", "N m s", 4);
   const Expression theta = scene.coordinate("theta", "rad");
   const FrameHandle hinge = scene.revolute("hinge", scene.ground(), axis::z, theta);
-  scene.body("S", hinge, Inertia::general(m, J, J, J).at({0, -l, 0}));
+  scene.body("S", hinge, Inertia::general({.mass = m, .xx = J, .yy = J, .zz = J}).at({0, -l, 0}));
   scene.gravity({0, -g, 0});
   scene.spring("coil", theta, k, Expression(0));
   scene.damper("air", theta, c);

@@ -38,7 +38,7 @@ Scene wheel() {
   const Expression x = s.coordinate("x", "m"), phi = s.coordinate("phi", "rad");
   const FrameHandle axle = s.prismatic("axle", s.ground(), axis::x, x);
   const FrameHandle rim = s.revolute("rim", axle, axis::y, phi);
-  s.body("rim", rim, Inertia::general(m, 0, J, 0));
+  s.body("rim", rim, Inertia::general({.mass = m, .yy = J}));
   s.nonholonomic("rolls", rate(x) - r * rate(phi));
   return s;
 }

@@ -35,7 +35,8 @@ Scene free_body(bool offset) {
   const FrameHandle body = scene.free("body", scene.ground(), {x, y, z}, scene.attitude("e"));
   if (offset) {
     const auto moment = [](const char* size) { return Expression::quantity(size, "kg m^2"); };
-    scene.body("body", body, Inertia::general(m, moment("3"), moment("4"), moment("5")).at({R, 0, 0}));
+    scene.body("body", body,
+               Inertia::general({.mass = m, .xx = moment("3"), .yy = moment("4"), .zz = moment("5")}).at({R, 0, 0}));
   } else {
     scene.body("body", body, Inertia::solid_sphere(m, R));
   }
@@ -144,7 +145,8 @@ Scene disc(bool steered) {
   const Expression yaw = scene.coordinate("yaw", "rad"), roll = scene.coordinate("roll", "rad");
   const Expression pitch = scene.coordinate("pitch", "rad");
   const Expression m = scene.parameter("m", "kg", 2), r = scene.parameter("r", "m", 0.3_r);
-  FrameHandle body = scene.free("body", scene.ground(), AngleSequence{{2, 0, 1}}, {x, y, z}, {yaw, roll, pitch});
+  FrameHandle body = scene.free("body", scene.ground(), {x, y, z},
+                                {.sequence = AngleSequence{{2, 0, 1}}, .angles = {yaw, roll, pitch}});
   scene.body("body", body, Inertia::disk(m, r, 1));
   if (steered) {
     body = scene.revolute("fork", body, axis::z, scene.coordinate("delta", "rad"), {{scene.parameter("w", "m", 1), 0, 0}});

@@ -69,8 +69,8 @@ inline Scene satellite() {
   const Expression theta = s.coordinate("theta", "rad");
   const FrameHandle hub = s.revolute("hub", s.ground(), axis::z, psi);
   const FrameHandle arm = s.revolute("arm", hub, axis::y, theta, {.origin = {a, 0, 0}});
-  s.body("hub", hub, Inertia::general(m, C, C, C));
-  s.body("arm", arm, Inertia::general(m, A, B, 0).at({0, 0, b}));
+  s.body("hub", hub, Inertia::general({.mass = m, .xx = C, .yy = C, .zz = C}));
+  s.body("arm", arm, Inertia::general({.mass = m, .xx = A, .yy = B}).at({0, 0, b}));
   s.spring("hinge_spring", theta, k, pi() / 2);
   s.damper("hinge_friction", theta, c);
   s.motor("tau", theta);
@@ -126,7 +126,7 @@ inline Scene sled() {
   const FrameHandle along = s.prismatic("along", s.ground(), axis::x, x);
   const FrameHandle across = s.prismatic("across", along, axis::y, y);
   const FrameHandle body = s.revolute("body", across, axis::z, psi);
-  s.body("sled", body, Inertia::general(m, 0, 0, I));
+  s.body("sled", body, Inertia::general({.mass = m, .zz = I}));
   s.nonholonomic("edge", cos(psi) * rate(y) - sin(psi) * rate(x));
   return s;
 }
@@ -143,7 +143,9 @@ inline Scene chain(int joints) {
     const Expression m = s.parameter("m_" + k, "kg", 1);
     const Placement placement = i == 1 ? Placement{} : Placement{.origin = {0, -l, 0}};
     parent = s.revolute("link" + k, parent, i % 2 == 0 ? axis::x : axis::z, q, placement);
-    s.body("link" + k, parent, Inertia::general(m, m * l * l / 12, m * l * l / 100, m * l * l / 12).at({0, -l / 2, 0}));
+    s.body("link" + k, parent,
+           Inertia::general({.mass = m, .xx = m * l * l / 12, .yy = m * l * l / 100, .zz = m * l * l / 12})
+               .at({0, -l / 2, 0}));
   }
   s.gravity({0, -g, 0});
   return s;

@@ -80,12 +80,12 @@ TEST(FrequencyResponse, PassesThroughDenHartogsFixedPointsWhateverTheDamping) {
 
 TEST(ResonancePeaks, OfOneMassAreWhereTheTextbookHasThem) {
   const double zeta = 0.2;
-  const auto peaks = resonance_peaks(oscillator(zeta), VectorXcd::Constant(1, 1.0), 0, 0.1, 3.0, 100);
+  const auto peaks = resonance_peaks(oscillator(zeta), VectorXcd::Constant(1, 1.0), {.from = 0.1, .to = 3.0, .samples = 100});
   ASSERT_EQ(peaks.size(), 1U);
   // A maximum is known to the square root of rounding.
   EXPECT_NEAR(peaks[0].angular_frequency, std::sqrt(1 - 2 * zeta * zeta), 1e-7);
   EXPECT_NEAR(peaks[0].amplitude, 1 / (2 * zeta * std::sqrt(1 - zeta * zeta)), 1e-12);
-  EXPECT_TRUE(resonance_peaks(oscillator(0.8), VectorXcd::Constant(1, 1.0), 0, 0.01, 3.0).empty());
+  EXPECT_TRUE(resonance_peaks(oscillator(0.8), VectorXcd::Constant(1, 1.0), {.from = 0.01, .to = 3.0}).empty());
 }
 
 TEST(Antiresonances, OfTheAbsorberIsItsOwnFrequency) {
@@ -189,7 +189,7 @@ TEST(ResonancePeaks, AreFoundOnEitherSideOfTheHighestSample) {
   const LinearSystem system{Eigen::MatrixXd::Identity(1, 1), Eigen::MatrixXd::Constant(1, 1, 2 * damping),
                             Eigen::MatrixXd::Identity(1, 1), Eigen::VectorXd::Zero(1)};
   for (const double shift : {-0.05, -0.02, 0.0, 0.02, 0.05}) {
-    const auto peaks = resonance_peaks(system, Eigen::VectorXcd::Ones(1), 0, 0.5 + shift, 1.5 + shift, 11);
+    const auto peaks = resonance_peaks(system, Eigen::VectorXcd::Ones(1), {.from = 0.5 + shift, .to = 1.5 + shift, .samples = 11});
     ASSERT_EQ(peaks.size(), 1U);
     EXPECT_NEAR(peaks[0].angular_frequency, std::sqrt(1 - 2 * damping * damping), 1e-7) << shift;
   }

@@ -47,7 +47,9 @@ TEST(Check, MeasuresWhatVanishesIdenticallyAgainstItsNeighbours) {
   scene.initial(z, metres("0.5"));
   const PointHandle contact = scene.sphere_contact("contact", ball, metres("0.5"), scene.ground());
   const Expression moment = Expression::quantity("1", "kg m^2");
-  scene.body("ball", ball, Inertia::general(kilograms("2"), moment, moment, moment).at({0, 0, metres("0.1")}));
+  scene.body(
+      "ball", ball,
+      Inertia::general({.mass = kilograms("2"), .xx = moment, .yy = moment, .zz = moment}).at({0, 0, metres("0.1")}));
   scene.gravity({0, 0, Expression::quantity("-9.81", "m/s^2")});
   scene.point_in_plane("floor", contact, scene.ground());
   scene.rolling("rolling", {.body = ball, .on = scene.ground(), .contact = contact, .tangents = scene.ground()});
@@ -91,7 +93,8 @@ TEST(Check, PassesABodyThatNothingWorksOn) {
   Scene scene("free");
   const FrameHandle body = scene.spherical("body", scene.ground(), scene.attitude("e"));
   const auto moment = [](const char* value) { return Expression::quantity(value, "kg m^2"); };
-  scene.body("body", body, Inertia::general(kilograms("1"), moment("1"), moment("2"), moment("2.5")));
+  scene.body("body", body,
+             Inertia::general({.mass = kilograms("1"), .xx = moment("1"), .yy = moment("2"), .zz = moment("2.5")}));
   const std::vector<CheckResult> results = check_scene(scene, {.digits = 30, .states = 3});
   EXPECT_TRUE(named(results, "energy_theorem").passed()) << named(results, "energy_theorem").worst;
 }

@@ -131,7 +131,9 @@ TEST(EvaluatedMotion, TurnsAQuaternion) {
   Scene scene("free", "");
   const AttitudeHandle e = scene.attitude("e");
   const FrameHandle body = scene.spherical("body", scene.ground(), e);
-  scene.body("body", body, Inertia::general(unit("1", "kg"), unit("1", "kg m^2"), unit("2", "kg m^2"), unit("2.5", "kg m^2")));
+  scene.body("body", body,
+             Inertia::general({.mass = unit("1", "kg"), .xx = unit("1", "kg m^2"), .yy = unit("2", "kg m^2"),
+                               .zz = unit("2.5", "kg m^2")}));
   EvaluatedMotion motion(scene, {}, {}, {});
   EXPECT_TRUE(motion.needs_settling());
   DormandPrince853 integrator([&](double t, const std::vector<double>& at, std::vector<double>& rates) { return motion.slope(t, at, rates); },
