@@ -45,7 +45,10 @@ std::string passes_table(const PassReport& report) {
   text += "what each pass works on, and what it does\n";
   for (const Pass& pass : all_passes()) {
     const bool reported = std::find(report.passes.begin(), report.passes.end(), pass.name) != report.passes.end();
-    if (reported) text += fmt::format("{:<12}{:<8}  {}\n", pass.name, pass.level(), pass.effect);
+    if (!reported) continue;
+    text += fmt::format("{:<12}{:<8}  {}\n", pass.name, pass.level(), pass.effect);
+    const Rule* const rule = std::get_if<Rule>(&pass.function);
+    if (rule != nullptr) text += fmt::format("{:<22}a rule, not a function: {}\n", "", rule->why);
   }
   return text + (report.equal() ? "no pass changes a result\n" : "FAIL: a pass changes a result\n");
 }

@@ -30,15 +30,17 @@ void measure_lengths(BodyTrees& trees) {
 const std::vector<Pass>& all_passes() {
   static const std::vector<Pass> all{
       {"sharing", "a sum or product that is there already, up to sign, is not computed again", &Passes::sharing,
-       Rule::of_program},
-      {"identities", "sin^2 + cos^2 = 1", &Passes::identities, Rule::of_program},
+       Rule{"program", "what follows from two equal definitions has been derived twice by then"}},
+      {"identities", "sin^2 + cos^2 = 1", &Passes::identities,
+       Rule{"program", "by then other definitions have read the product whose terms cancel"}},
       {"zero_test", "what vanishes identically, although its terms do not show it, is zero", &Passes::zero_test,
        OnResults(clear_identically_zero)},
       {"products", "a product that stands in several sums of a kernel is computed once", &Passes::products,
        OnResults(share_products), &Passes::sharing},
-      {"factoring", "what terms of a sum share is multiplied once", &Passes::factoring, Rule::of_listing},
+      {"factoring", "what terms of a sum share is multiplied once", &Passes::factoring,
+       Rule{"listing", "a statement is a tree, and what terms share shows in the flat sum alone"}},
       {"hoisting", "what depends on parameters alone is computed once for a set of them", &Passes::hoisting,
-       Rule::of_listing},
+       Rule{"listing", "it divides definitions among two listings, before either is made"}},
       {"reframing", "links get frames in which turns and lengths cost least", &Passes::reframing, reframe},
       {"regrouping", "inertia moves across joints to where it has the same effect and costs less", &Passes::regrouping,
        regroup},
@@ -47,14 +49,14 @@ const std::vector<Pass>& all_passes() {
       {"length_unit", "lengths in units of the most frequent one, whose products vanish", &Passes::length_unit,
        measure_lengths},
       {"scheduling", "terms and definitions in an order in which a processor waits little", &Passes::scheduling,
-       Rule::of_listing}};
+       Rule{"listing", "statements are numbered in the order that it gives them"}}};
   return all;
 }
 
 const char* Pass::level() const {
   if (std::holds_alternative<OnBodies>(function)) return "bodies";
   if (std::holds_alternative<OnResults>(function)) return "results";
-  return std::get<Rule>(function) == Rule::of_program ? "program" : "listing";
+  return std::get<Rule>(function).level;
 }
 
 Passes passes_without(const std::string& list) {

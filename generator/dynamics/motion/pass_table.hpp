@@ -18,11 +18,14 @@ struct BodyTrees {
   BodyTree without_lines;  ///< for wrenches of inertia
 };
 
-/// What a pass is, by what it works on; docs/architecture.md says why it stands there.
+/// What a pass is, by what it works on.
 using OnBodies = void (*)(BodyTrees& trees);                              ///< links and inertia, before anything is derived
 using OnResults = void (*)(Program& program, Computation& computation);  ///< other definitions of the same results
-/// No function of its own: asked where definitions are made, or where they become a listing's statements.
-enum class Rule { of_program, of_listing };
+/// No function of its own: asked where the program makes definitions, or where these become a listing's statements.
+struct Rule {
+  const char* level;  ///< "program" or "listing"
+  const char* why;    ///< why no function can do the same to what has been made; a sentence
+};
 
 struct Pass {
   const char* name;
