@@ -8,7 +8,6 @@
 
 #include <fmt/format.h>
 
-#include "generator/listing/lowering.hpp"
 #include "generator/program/derivative.hpp"
 #include "generator/program/identically_zero.hpp"
 
@@ -45,7 +44,6 @@ std::optional<SeriesResult> by_inverse_dynamics(const Equations& equations, cons
   solve.lower = factors.lower();
   solve.inverse_pivots = factors.inverse_pivots();
   result.solve = std::move(solve);
-  result.solve->coefficients = coefficients_read(program, result);
   return result;
 }
 

@@ -18,7 +18,8 @@ Listing lower(Program& program, const Block& block, const Computation& computati
   return builder.take(computation.has_status());
 }
 
-std::vector<Polynomial> coefficients_read(Program& program, const SeriesResult& series) {
+std::vector<Polynomial> coefficients_read(const SeriesResult& series) {
+  Program& program = series.program.program();
   ListingBuilder nothing(program, {});
   nothing.compute_nothing();
   RecurrenceLowering lowering(nothing, program, series, nullptr);

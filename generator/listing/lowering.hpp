@@ -26,8 +26,8 @@ struct Surroundings {
 Listing lower(Program& program, const Block& block, const Computation& computation, const Surroundings& around);
 
 /// Coefficients and constants that a function with a solve reads: not all that its program has, since the equations are
-/// solved without their terms in the accelerations themselves.
-std::vector<Polynomial> coefficients_read(Program& program, const SeriesResult& series);
+/// solved without their terms in the accelerations themselves. The recurrence that reads them is lowered to find them.
+std::vector<Polynomial> coefficients_read(const SeriesResult& series);
 
 /// What the function has computed once: its outputs are the members of Precomputed that it reads, in its own order. The
 /// outputs' meanings are those of the members.

@@ -11,11 +11,10 @@ namespace torsor {
 /// Accelerations that are found order by order from equations linear in them, M a + ... = 0: coefficient k of a is -M⁻¹
 /// times coefficient k of the left side without it, M at the start.
 struct SeriesSolve {
-  std::vector<SymbolPointer> unknowns;     ///< accelerations
-  std::vector<Value> start;                ///< their values
-  std::vector<std::vector<Value>> lower;   ///< M = Lᵀ D L at the start: L below its diagonal of ones
-  std::vector<Value> inverse_pivots;       ///< 1/d_k
-  std::vector<Polynomial> coefficients{};  ///< of the program: those that are read
+  std::vector<SymbolPointer> unknowns;    ///< accelerations
+  std::vector<Value> start;               ///< their values
+  std::vector<std::vector<Value>> lower;  ///< M = Lᵀ D L at the start: L below its diagonal of ones
+  std::vector<Value> inverse_pivots;      ///< 1/d_k
 
   /// What must be known at the start besides the coefficients.
   std::vector<Value> at_start(const SeriesProgram& program) const;

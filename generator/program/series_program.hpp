@@ -65,6 +65,7 @@ class SeriesProgram {
   const std::vector<SeriesForm>& outputs() const { return outputs_; }  ///< one for each value, in their order
   /// What must be known of the program at the start: constants, coefficients, and functions of series.
   std::vector<Polynomial> roots() const;
+  Program& program() const { return *program_; }
   Value value(const Polynomial& root) const { return Value(*program_, root, Unit()); }
   Value symbol(const SymbolPointer& symbol) const { return program_->symbol(symbol); }
   /// Value numbers that the recurrence of a node starts from: a function, and what a selection chooses by.
