@@ -22,6 +22,7 @@
 namespace torsor::report_test {
 namespace {
 
+using testing_mechanisms::metres;
 using testing_programs::pendulum;
 using testing_programs::run;
 
@@ -222,7 +223,6 @@ TEST(Report, PlaysBackAMotionWithContacts) {
 /// A box and a stone on the floor; a page of it moves nothing for long.
 Scene stones() {
   Scene scene("stones", "");
-  const auto metres = [](const char* number) { return Expression::quantity(number, "m"); };
   const Expression m = Expression::quantity("2", "kg");
   const shape::Plane floor{.frame = scene.ground()};
   const auto loose = [&](const std::string& name) {

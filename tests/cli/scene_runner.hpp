@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include "generator/cli/scene_program.hpp"
+#include "tests/scenes/pendulums.hpp"
 
 namespace torsor::testing_programs {
 
@@ -52,18 +53,6 @@ inline void expect_failure_beginning(const Outcome& outcome, int code, const std
   EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
 }
 
-/// A pendulum with a motor.
-inline Scene pendulum() {
-  Scene scene("pendulum", "Pendulum with a motor");
-  const Expression mass = scene.parameter("mass", "kg", 2);
-  const Expression length = scene.run_time_parameter("length", "m", Expression::quantity("1.5", "m"));
-  const Expression theta = scene.coordinate("theta", "rad");
-  const FrameHandle arm = scene.revolute("arm", scene.ground(), axis::z, theta);
-  scene.body("bob", arm, Inertia::point(mass).at({0, -length, 0}));
-  scene.gravity({0, Expression::quantity("-9.81", "m/s^2"), 0});
-  scene.motor("torque", theta);
-  scene.initial(theta, Expression(Number::rational(1, 2)));
-  return scene;
-}
+inline Scene pendulum() { return testing_mechanisms::pendulum_with_motor(); }
 
 }  // namespace torsor::testing_programs

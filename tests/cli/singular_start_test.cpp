@@ -8,6 +8,7 @@ namespace torsor::singular_start_test {
 namespace {
 
 using namespace testing_programs;
+using testing_mechanisms::moment;
 
 /// A free body by three angles, which start at zero but for the second.
 Scene free_body(const AngleSequence& sequence, const Expression& second) {
@@ -15,7 +16,6 @@ Scene free_body(const AngleSequence& sequence, const Expression& second) {
   const Expression x = scene.coordinate("x", "m"), y = scene.coordinate("y", "m"), z = scene.coordinate("z", "m");
   const Expression psi = scene.coordinate("psi", "rad"), theta = scene.coordinate("theta", "rad");
   const Expression phi = scene.coordinate("phi", "rad");
-  const auto moment = [](const char* size) { return Expression::quantity(size, "kg m^2"); };
   const FrameHandle body =
       scene.free("body", scene.ground(), {x, y, z}, {.sequence = sequence, .angles = {psi, theta, phi}});
   scene.body("body", body,
@@ -42,12 +42,7 @@ TEST(SingularStart, OfEulersAnglesIsNoticed) {
 }
 
 TEST(SingularStart, OfAnAttitudeIsNone) {
-  Scene scene("body");
-  const auto moment = [](const char* size) { return Expression::quantity(size, "kg m^2"); };
-  scene.body("body", scene.spherical("body", scene.ground(), scene.attitude("e")),
-             Inertia::general({.mass = Expression::quantity("1", "kg"), .xx = moment("3"), .yy = moment("4"),
-                               .zz = moment("5")}));
-  EXPECT_TRUE(singular_start(scene).empty());
+  EXPECT_TRUE(singular_start(testing_mechanisms::torque_free_body()).empty());
   EXPECT_TRUE(singular_start(pendulum()).empty());
 }
 

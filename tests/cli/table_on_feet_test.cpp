@@ -7,26 +7,27 @@
 #include <vector>
 
 #include "tests/cli/scene_runner.hpp"
+#include "tests/scenes/bodies.hpp"
 
 namespace torsor::table_on_feet_test {
 namespace {
 
+using testing_mechanisms::metres;
+using testing_mechanisms::moment;
 using testing_programs::Outcome;
 using testing_programs::run;
 
 /// A table on four feet, thrown along a rough floor: the four normal forces are one more than equilibrium determines.
 Scene table_on_feet() {
   Scene scene("table", "");
-  const auto metres = [](const char* text) { return Expression::quantity(text, "m"); };
   const Expression x = scene.coordinate("x", "m"), y = scene.coordinate("y", "m"), z = scene.coordinate("z", "m");
   const FrameHandle along = scene.prismatic("along", scene.ground(), axis::x, x);
   const FrameHandle across = scene.prismatic("across", along, axis::y, y);
   const FrameHandle above = scene.prismatic("above", across, axis::z, z);
   const FrameHandle top = scene.spherical("top", above, scene.attitude("e"));
-  const auto inertia = [](const char* text) { return Expression::quantity(text, "kg m^2"); };
   scene.body("top", top,
-             Inertia::general({.mass = Expression::quantity("3", "kg"), .xx = inertia("0.04"), .yy = inertia("0.06"),
-                               .zz = inertia("0.09")}));
+             Inertia::general({.mass = testing_mechanisms::kilograms("3"), .xx = moment("0.04"), .yy = moment("0.06"),
+                               .zz = moment("0.09")}));
   scene.gravity({0, 0, Expression::quantity("-9.81", "m/s^2")});
   scene.initial(z, metres("0.11"));
   const char* const ends[] = {"-1", "1"};

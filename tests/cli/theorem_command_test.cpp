@@ -4,11 +4,16 @@
 #include "examples/watt_governor/scene.cpp"
 #include "examples/winder/scene.cpp"
 #include "tests/cli/scene_runner.hpp"
+#include "tests/scenes/sliding.hpp"
 
 namespace torsor::theorem_command_test {
 namespace {
 
 using namespace testing_programs;
+using testing_mechanisms::metres;
+using testing_mechanisms::nut_on_a_thread;
+using testing_mechanisms::SlidingPoint;
+using testing_mechanisms::quantity;
 
 /// What stands under the heading, without the lines of the unknowns.
 std::string theorem(Scene (*scene)(), std::vector<std::string> arguments) {
@@ -252,15 +257,11 @@ TEST(StaticsCommand, TakesValuesOfParameters) {
 }
 
 Scene on_a_circle() {
-  Scene scene("on_a_circle");
-  const Expression metre = Expression::quantity("1", "m");
-  const Expression x = scene.coordinate("x", "m"), y = scene.coordinate("y", "m");
-  scene.initial(y, -metre);
-  const FrameHandle along = scene.prismatic("along", scene.ground(), axis::x, x);
-  scene.body("point", scene.prismatic("up", along, axis::y, y), Inertia::point(Expression::quantity("1", "kg")));
-  scene.gravity({0, Expression::quantity("-10", "m/s^2"), 0});
-  scene.holonomic("circle", x * x + y * y - metre * metre);
-  return scene;
+  SlidingPoint it("on_a_circle");
+  it.scene.initial(it.y, metres("-1"));
+  it.scene.gravity({0, quantity("-10", "m/s^2"), 0});
+  it.scene.holonomic("circle", it.x * it.x + it.y * it.y - metres("1") * metres("1"));
+  return it.scene;
 }
 
 TEST(StaticsCommand, SaysWhyLejeuneDirichletDoesNotApply) {
@@ -269,18 +270,6 @@ TEST(StaticsCommand, SaysWhyLejeuneDirichletDoesNotApply) {
       section(text, "Second derivatives of -U at any configuration"),
       "  Lejeune-Dirichlet cannot conclude: the scene has constraints; describe it with independent coordinates, or "
       "let the runtime project the second derivatives on the tangent space.\n");
-}
-
-Scene nut_on_a_thread() {
-  Scene scene("nut");
-  const Expression x = scene.coordinate("x", "m"), q = scene.coordinate("q", "rad");
-  const FrameHandle slide = scene.prismatic("slide", scene.ground(), axis::x, x);
-  const FrameHandle nut = scene.revolute("nut", slide, axis::x, q);
-  const Expression radius = Expression::quantity("0.3", "m");
-  scene.body("nut", nut, Inertia::disk(Expression::quantity("2", "kg"), radius, 0));
-  scene.loop_joint(
-      "thread", {.type = JointType::helical, .a = scene.ground(), .b = nut, .pitch = Expression::quantity("0.1", "m")});
-  return scene;
 }
 
 // The thread's force along z, cos q sin q − sin q cos q times what it is, does not enter along y.

@@ -2,7 +2,8 @@
 #include <gtest/gtest.h>
 
 #include "generator/dynamics/theorems/painleve.hpp"
-#include "tests/dynamics/simple_scenes.hpp"
+#include "tests/dynamics/named_state.hpp"
+#include "tests/scenes/bodies.hpp"
 
 namespace torsor::actions_formula_test {
 namespace {

@@ -3,7 +3,8 @@
 
 #include <array>
 
-#include "tests/dynamics/simple_scenes.hpp"
+#include "tests/dynamics/named_state.hpp"
+#include "tests/scenes/bodies.hpp"
 
 namespace torsor::actions_mutual_test {
 namespace {

@@ -4,7 +4,8 @@
 #include <gtest/gtest.h>
 
 #include "generator/dynamics/derivatives/linearisation.hpp"
-#include "tests/dynamics/simple_scenes.hpp"
+#include "tests/dynamics/named_state.hpp"
+#include "tests/scenes/sliding.hpp"
 
 namespace torsor::actions_test {
 namespace {
@@ -13,16 +14,13 @@ using namespace testing_symbols;
 using namespace testing_mechanisms;
 
 /// A bob free in a plane, tied to the origin.
-class TiedBob : public ::testing::Test {
+class TiedBob : public ::testing::Test, public SlidingPoint {
  protected:
-  Scene scene{"tied_bob"};
-  Expression x = scene.coordinate("x", "m"), y = scene.coordinate("y", "m");
-  FrameHandle slide = scene.prismatic("slide", scene.ground(), axis::x, x);
-  FrameHandle bob = scene.prismatic("bob", slide, axis::y, y);
   PointHandle origin = scene.point("O", scene.ground(), {0, 0, 0});
-  PointHandle center = scene.point("G", bob, {0, 0, 0});
+  FrameHandle bob = point;
+  PointHandle center = place;
 
-  TiedBob() { scene.body("bob", bob, Inertia::point(kilograms("2"))); }
+  TiedBob() : SlidingPoint("tied_bob", "2") {}
   static Expression stiffness() { return Expression::quantity("5", "N/m"); }
 };
 

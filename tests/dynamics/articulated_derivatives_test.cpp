@@ -9,13 +9,14 @@
 #include "generator/program/formula.hpp"
 #include "generator/verification/random_state.hpp"
 #include "tests/dynamics/random_mechanism.hpp"
+#include "tests/scenes/trees.hpp"
 
 namespace torsor::articulated_derivatives_test {
 namespace {
 
-constexpr int digits = 60;
+using namespace testing_mechanisms;
 
-Expression quantity(const char* value, const char* unit) { return Expression::quantity(value, unit); }
+constexpr int digits = 60;
 
 ModelOptions by(ForwardMethod method) {
   ModelOptions options;
@@ -60,32 +61,18 @@ constexpr double bound = 1e-40;
 /// A trunk with two branches, one of which forks: skew, negative and slanted axes, slides, a driven joint, an
 /// attitude in the middle, springs, dampers, motors.
 Scene forking_tree() {
-  Scene s("forking_tree");
-  const auto turn = [&s](const char* name) { return s.coordinate(name, "rad"); };
-  const Expression a = turn("a"), b = s.coordinate("b", "m"), c = turn("c"), d = turn("d"), e = turn("e");
-  const Expression f = s.coordinate("f", "m"), g = turn("g"), driven = turn("driven");
-  s.drive(driven, pow(s.time() / quantity("1", "s"), 2));
-  const FrameHandle trunk = s.revolute("trunk", s.ground(), axis::z, a, {.origin = {quantity("0.1", "m"), 0, 0}});
-  const FrameHandle slide = s.prismatic("slide", trunk, {0, 1, 1}, b, {.rotation = Rotation::about(0, 2)});
-  const FrameHandle rotor = s.revolute("rotor", slide, axis::x, driven);
-  const FrameHandle tip = s.revolute("tip", rotor, {1, 2, 2}, c, {.origin = {0, 0, quantity("0.3", "m")}});
-  const FrameHandle branch = s.revolute("branch", trunk, -axis::y, d, {.origin = {0, quantity("0.2", "m"), 0}});
+  BranchingTree tree("forking_tree");
+  Scene& s = tree.scene;
+  const Expression e = s.coordinate("e", "rad"), f = s.coordinate("f", "m"), g = s.coordinate("g", "rad");
   const FrameHandle left =
-      s.spherical("left", branch, s.attitude("ball"), {.origin = {quantity("0.4", "m"), quantity("0.1", "m"), 0}});
-  const FrameHandle finger = s.revolute("finger", left, axis::x, e, {.origin = {0, quantity("0.2", "m"), 0}});
-  const FrameHandle right = s.prismatic("right", branch, -axis::z, f, {.origin = {0, quantity("0.1", "m"), 0}});
+      s.spherical("left", tree.branch, s.attitude("ball"), {.origin = {metres("0.4"), metres("0.1"), 0}});
+  const FrameHandle finger = s.revolute("finger", left, axis::x, e, {.origin = {0, metres("0.2"), 0}});
+  const FrameHandle right = s.prismatic("right", tree.branch, -axis::z, f, {.origin = {0, metres("0.1"), 0}});
   const FrameHandle hand = s.revolute("hand", right, axis::y, g, {.rotation = Rotation::about(2, 3)});
-  for (const FrameHandle& frame : {trunk, slide, rotor, tip, branch, left, finger, right, hand}) {
-    const auto j = [](const char* value) { return quantity(value, "kg m^2"); };
-    s.body("body" + std::to_string(frame.index), frame,
-           Inertia::general({.mass = quantity("1.5", "kg"), .xx = j("0.3"), .yy = j("0.5"), .zz = j("0.4"),
-                             .xy = j("0.1"), .xz = j("-0.02"), .yz = j("0.03")})
-               .at({quantity("-0.1", "m"), quantity("0.2", "m"), quantity("0.05", "m")}));
-  }
-  s.gravity({0, 0, quantity("-9.81", "m/s^2")});
-  s.spring("spring", c - 2 * g, quantity("40", "N m"));
-  s.damper("damper", c, quantity("0.3", "N m s"));
-  s.motor("u", b);
+  tree.add_bodies({left, finger, right, hand});
+  s.spring("spring", tree.c - 2 * g, quantity("40", "N m"));
+  s.damper("damper", tree.c, quantity("0.3", "N m s"));
+  s.motor("u", tree.b);
   s.motor("w", g);
   return s;
 }

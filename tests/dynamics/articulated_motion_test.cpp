@@ -8,37 +8,23 @@
 #include "generator/dynamics/equations/equations.hpp"
 #include "generator/program/evaluation.hpp"
 #include "generator/verification/random_state.hpp"
+#include "tests/scenes/trees.hpp"
 
 namespace torsor::articulated_motion_test {
 namespace {
 
-Expression quantity(const char* value, const char* unit) { return Expression::quantity(value, unit); }
+using namespace testing_mechanisms;
 
 /// A tree with two branches, a skew axis, prismatic and driven joints, springs, a damper, a motor, given wrenches.
 Scene branching_tree() {
-  Scene s("branching_tree");
-  const Expression a = s.coordinate("a", "rad"), b = s.coordinate("b", "m"), c = s.coordinate("c", "rad");
-  const Expression d = s.coordinate("d", "rad"), driven = s.coordinate("driven", "rad");
-  s.drive(driven, pow(s.time() / quantity("1", "s"), 2));
-  const FrameHandle trunk = s.revolute("trunk", s.ground(), axis::z, a, {.origin = {quantity("0.1", "m"), 0, 0}});
-  const FrameHandle slide = s.prismatic("slide", trunk, {0, 1, 1}, b, {.rotation = Rotation::about(0, 2)});
-  const FrameHandle rotor = s.revolute("rotor", slide, axis::x, driven);
-  const FrameHandle tip = s.revolute("tip", rotor, {1, 2, 2}, c, {.origin = {0, 0, quantity("0.3", "m")}});
-  const FrameHandle branch = s.revolute("branch", trunk, -axis::y, d, {.origin = {0, quantity("0.2", "m"), 0}});
-  for (const FrameHandle& frame : {trunk, slide, rotor, tip, branch}) {
-    const auto j = [](const char* value) { return quantity(value, "kg m^2"); };
-    s.body("body" + std::to_string(frame.index), frame,
-           Inertia::general({.mass = quantity("1.5", "kg"), .xx = j("0.3"), .yy = j("0.5"), .zz = j("0.4"),
-                             .xy = j("0.1"), .xz = j("-0.02"), .yz = j("0.03")})
-               .at({quantity("-0.1", "m"), quantity("0.2", "m"), quantity("0.05", "m")}));
-  }
-  s.gravity({0, 0, quantity("-9.81", "m/s^2")});
-  const PointHandle p = s.point("P", tip, {quantity("0.3", "m"), 0, 0});
+  BranchingTree tree("branching_tree");
+  Scene& s = tree.scene;
+  const PointHandle p = s.point("P", tree.tip, {quantity("0.3", "m"), 0, 0});
   const PointHandle q = s.point("Q", s.ground(), {0, quantity("1", "m"), 0});
   s.spring("spring", {.a = p, .b = q, .stiffness = quantity("40", "N/m"), .rest = quantity("0.2", "m")});
-  s.damper("damper", c, quantity("0.3", "N m s"));
-  s.motor("u", b);
-  s.force("force", {.body = branch, .point = p, .components = {0, quantity("3", "N"), 0}, .axes = s.ground()});
+  s.damper("damper", tree.c, quantity("0.3", "N m s"));
+  s.motor("u", tree.b);
+  s.force("force", {.body = tree.branch, .point = p, .components = {0, quantity("3", "N"), 0}, .axes = s.ground()});
   return s;
 }
 
@@ -69,11 +55,7 @@ TEST(ArticulatedBody, IsTakenForLongChainsAndTheFactorisationForShortOnes) {
       const std::string name = "q" + std::to_string(i);
       parent = s.revolute(name, parent, i % 2 == 0 ? axis::x : axis::y, s.coordinate(name, "rad"),
                           {.origin = {0, 0, quantity("0.25", "m")}});
-      const auto j = [](const char* value) { return quantity(value, "kg m^2"); };
-      s.body(name, parent,
-             Inertia::general({.mass = quantity("1", "kg"), .xx = j("0.3"), .yy = j("0.5"), .zz = j("0.4"),
-                               .xy = j("0.1"), .xz = j("0.02"), .yz = j("0.03")})
-                 .at({quantity("0.1", "m"), quantity("0.2", "m"), quantity("0.05", "m")}));
+      s.body(name, parent, generic_body("1"));
     }
     ModelOptions recursion;
     recursion.forward = ForwardMethod::articulated_body;

@@ -6,15 +6,13 @@
 #include <string>
 
 #include "generator/dynamics/equations/equations.hpp"
-#include "tests/dynamics/simple_scenes.hpp"
+#include "tests/scenes/bodies.hpp"
 #include "tests/verification/right_to_rounding.hpp"
 
 namespace torsor::cancellation_test {
 namespace {
 
 using namespace testing_mechanisms;
-
-Expression moment(const char* value) { return Expression::quantity(value, "kg m^2"); }
 
 /// A top of the moments A across and C along its axis y, by the angles alpha (x), beta (z), gamma (y).
 Scene top(const char* across, const char* along, bool run_time) {

@@ -7,8 +7,9 @@
 #include "generator/dynamics/motion/motion.hpp"
 #include "generator/kernels/kernel.hpp"
 #include "generator/verification/random_state.hpp"
+#include "tests/dynamics/named_state.hpp"
 #include "tests/dynamics/random_mechanism.hpp"
-#include "tests/dynamics/simple_scenes.hpp"
+#include "tests/scenes/bodies.hpp"
 
 namespace torsor::centroidal_momentum_test {
 namespace {

@@ -5,7 +5,8 @@
 
 #include <array>
 
-#include "tests/dynamics/simple_scenes.hpp"
+#include "tests/program/test_symbols.hpp"
+#include "tests/scenes/bodies.hpp"
 
 namespace torsor::configuration_sample_test {
 namespace {

@@ -5,8 +5,9 @@
 
 #include "generator/dynamics/equations/validation.hpp"
 #include "tests/dynamics/constrained_motion.hpp"
-#include "tests/dynamics/loop_mechanisms.hpp"
-#include "tests/dynamics/simple_scenes.hpp"
+#include "tests/program/test_symbols.hpp"
+#include "tests/scenes/loops.hpp"
+#include "tests/scenes/sliding.hpp"
 
 namespace torsor::constraint_rank_test {
 namespace {
@@ -22,43 +23,9 @@ constexpr double exact = 1e-45;
 
 Expression unit(const char* value, const char* name) { return Expression::quantity(value, name); }
 
-/// Crank, coupler and rocker of 1, 2 and 3/2 m over a base of 2 m, gravity in their plane.
-struct FourBar {
-  Scene scene;
-  Expression a, b, c;
-  FrameHandle crank, coupler, rocker;
-
-  explicit FourBar(const std::string& name)
-      : scene(name),
-        a(scene.coordinate("a", "rad")),
-        b(scene.coordinate("b", "rad")),
-        c(scene.coordinate("c", "rad")),
-        crank(scene.revolute("crank", scene.ground(), axis::z, a)),
-        coupler(scene.revolute("coupler", crank, axis::z, b, {{metres("1"), 0, 0}})),
-        rocker(scene.revolute("rocker", scene.ground(), axis::z, c, {{metres("2"), 0, 0}})) {
-    scene.body("crank", crank, Inertia::rod(kilograms("1"), metres("1"), 0).at({metres("0.5"), 0, 0}));
-    scene.body("coupler", coupler, Inertia::rod(kilograms("2"), metres("2"), 0).at({metres("1"), 0, 0}));
-    scene.body("rocker", rocker, Inertia::rod(kilograms("1.5"), metres("1.5"), 0).at({metres("0.75"), 0, 0}));
-    scene.gravity({0, unit("-9.81", "m/s^2"), 0});
-    scene.initial(a, 1);
-    scene.initial(b, unit("-0.701107141659005", "rad"));
-    scene.initial(c, unit("1.264965395965706", "rad"));
-  }
-
-  /// Frames at the ends of coupler and rocker whose x is along the pin.
-  std::pair<FrameHandle, FrameHandle> ends() {
-    const Rotation x_up = Rotation::about(1, -6);  // x of the frame along z of the link
-    return {scene.weld("tip", coupler, {{metres("2"), 0, 0}, x_up}),
-            scene.weld("end", rocker, {{metres("1.5"), 0, 0}, x_up})};
-  }
-};
-
 TEST(ConstraintRank, KeepsAllRowsOfALoopThatNeedsThem) {
   FourBar bars("planar");
-  const PointHandle tip = bars.scene.point("tip", bars.coupler, {metres("2"), 0, 0});
-  const PointHandle end = bars.scene.point("end", bars.rocker, {metres("1.5"), 0, 0});
-  bars.scene.closure("x", tip, end, axis::x);
-  bars.scene.closure("y", tip, end, axis::y);
+  bars.close();
   const ConstraintRank rank = constraint_rank(bars.scene);
   EXPECT_EQ(rank.kept, (Indices{0, 1}));
   EXPECT_FALSE(rank.redundant());
@@ -70,10 +37,7 @@ TEST(ConstraintRank, KeepsAllRowsOfALoopThatNeedsThem) {
 TEST(ConstraintRank, MovesFourBarsClosedByASpatialPinAsByAPlanarOne) {
   const WorkingDigits precision(60);
   FourBar planar("planar");
-  const PointHandle tip = planar.scene.point("tip", planar.coupler, {metres("2"), 0, 0});
-  const PointHandle end = planar.scene.point("end", planar.rocker, {metres("1.5"), 0, 0});
-  planar.scene.closure("x", tip, end, axis::x);
-  planar.scene.closure("y", tip, end, axis::y);
+  planar.close();
   FourBar spatial("spatial");
   const auto ends = spatial.ends();
   spatial.scene.loop_joint("pin", {.type = JointType::revolute, .a = ends.first, .b = ends.second});
@@ -185,30 +149,14 @@ TEST(ConstraintRank, FindsTheOneIndeterminateForceOfADoorOnTwoBalls) {
   EXPECT_TRUE(shared[3].is_zero());
 }
 
-/// Bennett's linkage: four links of lengths 1, 2, 1, 2 m between axes twisted by 30°, 90°, 30°, 90°, so that
-/// sin α / a is the same for all. Six times one freedom and a closed loop: it should not move, and does.
+/// Six times one freedom and a closed loop: it should not move, and does.
 TEST(ConstraintRank, MovesBennettsLinkage) {
   const WorkingDigits precision(60);
-  Scene scene("bennett");
-  const Expression q1 = scene.coordinate("q1", "rad"), q2 = scene.coordinate("q2", "rad"),
-                   q3 = scene.coordinate("q3", "rad");
-  const Expression a = metres("1"), b = metres("2");
-  const FrameHandle first = scene.revolute("first", scene.ground(), axis::z, q1);
-  const FrameHandle second = scene.revolute("second", first, axis::z, q2, {{a, 0, 0}, Rotation::about(0, 2)});
-  const FrameHandle third = scene.revolute("third", second, axis::z, q3, {{b, 0, 0}, Rotation::about(0, 6)});
-  const Rotation x_up = Rotation::about(1, -6);
-  const FrameHandle hand = scene.weld("hand", third, {{a, 0, 0}, Rotation::about(0, 2) * x_up});
-  const FrameHandle pin = scene.weld("pin", scene.ground(), {{-b, 0, 0}, Rotation::about(0, -6) * x_up});
-  for (const auto& [name, frame] :
-       std::vector<std::pair<std::string, FrameHandle>>{{"s1", first}, {"s2", second}, {"s3", third}}) {
-    scene.body(name, frame, Inertia::solid_sphere(kilograms("1"), metres("0.2")).at({metres("0.5"), metres("0.1"), 0}));
+  Scene scene = bennett();
+  for (const char* name : {"first", "second", "third"}) {
+    scene.body(name, name, Inertia::solid_sphere(kilograms("1"), metres("0.2")).at({metres("0.5"), metres("0.1"), 0}));
   }
   scene.gravity({0, unit("2", "m/s^2"), unit("-9", "m/s^2")});
-  scene.loop_joint("loop", {.type = JointType::revolute, .a = pin, .b = hand});
-  // tan(q1/2) tan(q2/2) = sin((β + α)/2) / sin((β − α)/2) = √3, q3 = −q1.
-  scene.initial(q1, pi() / 2);
-  scene.initial(q2, Expression(2) * pi() / 3);
-  scene.initial(q3, -pi() / 2);
   EXPECT_EQ(error_of([&] { validate(scene); }), "no error");
   const Equations equations(scene);
   EXPECT_EQ(equations.redundancy().kept.size(), 2U);
@@ -237,19 +185,7 @@ TEST(ConstraintRank, MovesBennettsLinkage) {
 
 // A parallelogram laid flat can go on as one or as a crossed one: a change point.
 TEST(ConstraintRank, ReportsAStartWhereTheLoopBranches) {
-  Scene scene("parallelogram");
-  const Expression a = scene.coordinate("a", "rad"), b = scene.coordinate("b", "rad"), c = scene.coordinate("c", "rad");
-  const FrameHandle crank = scene.revolute("crank", scene.ground(), axis::z, a);
-  const FrameHandle coupler = scene.revolute("coupler", crank, axis::z, b, {{metres("1"), 0, 0}});
-  const FrameHandle rocker = scene.revolute("rocker", scene.ground(), axis::z, c, {{metres("2"), 0, 0}});
-  for (const auto& [name, frame] :
-       std::vector<std::pair<std::string, FrameHandle>>{{"s1", crank}, {"s2", coupler}, {"s3", rocker}}) {
-    scene.body(name, frame, Inertia::rod(kilograms("1"), metres("1"), 0));
-  }
-  scene.closure("x", scene.point("tip", coupler, {metres("2"), 0, 0}), scene.point("end", rocker, {metres("1"), 0, 0}),
-                axis::x);
-  scene.closure("y", scene.point("tip"), scene.point("end"), axis::y);
-  const ConstraintRank rank = constraint_rank(scene);
+  const ConstraintRank rank = constraint_rank(parallelogram(Angle::of_the_joint, 0));
   EXPECT_EQ(rank.rank_at_start, 1U);
   EXPECT_EQ(rank.kept, (Indices{0, 1}));
   EXPECT_TRUE(rank.singular_start());
@@ -302,10 +238,9 @@ TEST(ConstraintRank, FindsAWayOnWhereManyLoopsBranchAtOnce) {
 }
 
 Scene two_laws(const Expression& second, bool as_rate, const Expression& factor = Expression(1)) {
-  Scene scene("laws");
-  const Expression x = scene.coordinate("x", "m"), y = scene.coordinate("y", "m");
-  const FrameHandle cart = scene.prismatic("cart", scene.prismatic("slide", scene.ground(), axis::x, x), axis::y, y);
-  scene.body("cart", cart, Inertia::point(kilograms("1")));
+  SlidingPoint it("laws");
+  Scene& scene = it.scene;
+  const Expression x = it.x;
   const Expression t = scene.time(), law = x - unit("2", "m/s") * t;
   scene.initial(x, 0, unit("2", "m/s"));
   scene.holonomic("first", law);

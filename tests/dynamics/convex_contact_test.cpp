@@ -13,7 +13,8 @@
 #include "generator/dynamics/forces/energy.hpp"
 #include "generator/verification/check.hpp"
 #include "tests/dynamics/all_checks.hpp"
-#include "tests/dynamics/simple_scenes.hpp"
+#include "tests/dynamics/named_state.hpp"
+#include "tests/scenes/sliding.hpp"
 
 namespace torsor::convex_contact_test {
 namespace {
@@ -38,7 +39,6 @@ struct Stone {
     const Rotation slope = tilted ? Rotation::matrix({i, o, o, o, c, -s, o, s, c}) : Rotation();
     plane = scene.weld("plane", scene.ground(), {{0, 0, 0}, slope});
     body = scene.free("body", plane, {x, y, z}, e);
-    const auto moment = [](const char* value) { return Expression::quantity(value, "kg m^2"); };
     scene.body("stone", body,
                Inertia::general({.mass = kilograms("2"), .xx = moment("0.5"), .yy = moment("1"), .zz = moment("1.3")}));
     scene.gravity({0, 0, Expression::quantity("-9.81", "m/s^2")});
@@ -221,23 +221,13 @@ TEST(RollingEllipsoid, KeepsItsEnergyAndItsContact) {
   EXPECT_LT(fine.second, 1e-6);
 }
 
-/// A block of 2 kg on a level floor.
-struct Block {
-  Scene scene{"block"};
-  Expression x = scene.coordinate("x", "m"), y = scene.coordinate("y", "m"), z = scene.coordinate("z", "m");
-  FrameHandle block = scene.prismatic(
-      "block", scene.prismatic("across", scene.prismatic("along", scene.ground(), axis::x, x), axis::y, y), axis::z, z);
-  PointHandle contact = scene.point("I", block, {0, 0, 0});
-  ConstraintHandle floor = scene.holonomic("floor", z);
-  Block() {
-    scene.body("block", block, Inertia::point(kilograms("2")));
-    scene.gravity({0, 0, -Expression::quantity("9.81", "m/s^2")});
-  }
+struct HeavyBlock : Block {
+  HeavyBlock() { scene.gravity({0, 0, quantity("-9.81", "m/s^2")}); }
 };
 
 TEST(FrictionLaw, IsMinusNPhiAlongTheSlip) {
   // φ(s) = 1/5 + 3/10 exp(-s/(2 m/s)): of a slip (3, -4) m/s, 5 m/s long.
-  Block it;
+  HeavyBlock it;
   it.scene.friction_law(
       "law", it.floor,
       {.law = [](const Expression& s) { return 0.2_r + 0.3_r * exp(-s / Expression::quantity("2", "m/s")); },
@@ -257,7 +247,7 @@ TEST(FrictionLaw, IsMinusNPhiAlongTheSlip) {
 }
 
 TEST(FrictionLaw, IsSmoothThroughRest) {
-  Block it;
+  HeavyBlock it;
   const Expression smoothing = Expression::quantity("0.01", "m/s");
   it.scene.friction_law("law", it.floor,
                         {.law = [](const Expression&) { return 0.5_r; },

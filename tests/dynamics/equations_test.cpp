@@ -7,12 +7,13 @@
 #include "generator/verification/random_state.hpp"
 #include "tests/dynamics/random_mechanism.hpp"
 #include "tests/program/test_symbols.hpp"
+#include "tests/scenes/rolling.hpp"
 
 namespace torsor::equations_test {
 namespace {
 
 using namespace testing_symbols;
-using testing_mechanisms::random_mechanism;
+using namespace testing_mechanisms;
 
 class RandomEquations : public ::testing::TestWithParam<unsigned> {
  protected:
@@ -99,7 +100,6 @@ TEST(Equations, PlaceWeldsInsideWelds) {
   const auto arm_with = [](bool in_two_steps) {
     Scene scene("arm");
     const FrameHandle arm = scene.revolute("arm", scene.ground(), {1, 2, 2}, scene.coordinate("q", "rad"));
-    const auto metres = [](const char* value) { return Expression::quantity(value, "m"); };
     const Rotation quarter = Rotation::about(2, 6), tilt = Rotation::about(0, 4);  // x to y; y towards z
     FrameHandle flange = arm;
     if (in_two_steps) {
@@ -144,16 +144,9 @@ TEST(Equations, KnowTheRatesOfADrivenCoordinate) {
 /// A ball of mass m that rolls without slip is pushed as if it had the mass 7 m/5, along x as along y.
 TEST(Equations, OfARollingBallHoldItsSpinInBothDirections) {
   Scene scene("ball");
-  const auto metres = [](const char* value) { return Expression::quantity(value, "m"); };
-  const Expression x = scene.coordinate("x", "m"), y = scene.coordinate("y", "m"), z = scene.coordinate("z", "m");
-  const FrameHandle ball = scene.free("ball", scene.ground(), {x, y, z}, scene.attitude("e"));
-  scene.initial(z, metres("0.5"));
-  scene.body("ball", ball, Inertia::solid_sphere(Expression::quantity("2", "kg"), metres("0.5")));
-  const PointHandle low = scene.sphere_contact("low", ball, metres("0.5"), scene.ground());
-  scene.point_in_plane("floor", low, scene.ground());
-  scene.rolling("rolling", {.body = ball, .on = scene.ground(), .contact = low, .tangents = scene.ground()});
-  scene.motor("along", x);
-  scene.motor("across", y);
+  add_rolling_ball(scene, scene.ground(), Inertia::solid_sphere(kilograms("2"), metres("0.5")));
+  scene.motor("along", Expression(scene.content().coordinates[0].q));
+  scene.motor("across", Expression(scene.content().coordinates[1].q));
   const Equations equations(scene);
   const WorkingDigits precision(50);
   Evaluator<Real> here(equations.program(), [](const SymbolPointer& symbol) {
@@ -170,7 +163,6 @@ TEST(Equations, OfARollingBallHoldItsSpinInBothDirections) {
 TEST(Equations, OfAPendulumWithEqualMomentsAcrossItsAxisHaveItsWeight) {
   Scene scene("pendulum");
   const Expression theta = scene.coordinate("theta", "rad");
-  const auto moment = [](const char* value) { return Expression::quantity(value, "kg m^2"); };
   const Inertia bob = Inertia::general({.mass = Expression::quantity("2", "kg"), .xx = moment("1"), .yy = moment("1.5"),
                                         .zz = moment("1")});
   scene.body("bob", scene.revolute("arm", scene.ground(), axis::z, theta),

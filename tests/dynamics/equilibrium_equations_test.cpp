@@ -6,7 +6,9 @@
 #include "generator/dynamics/derivatives/linearisation.hpp"
 #include "generator/dynamics/theorems/flat_polynomials.hpp"
 #include "generator/dynamics/theorems/stability.hpp"
-#include "tests/dynamics/simple_scenes.hpp"
+#include "tests/dynamics/named_state.hpp"
+#include "tests/scenes/pendulums.hpp"
+#include "tests/scenes/sliding.hpp"
 
 namespace torsor::equilibrium_equations_test {
 namespace {
@@ -112,14 +114,10 @@ TEST(EquilibriumEquations, CountInputsAndGivenForcesAndForgetDampers) {
 }
 
 TEST(EquilibriumEquations, OfAConstrainedSceneHaveMultipliersAndConditions) {
-  Scene scene("on_a_circle");
-  const Expression x = scene.coordinate("x", "m"), y = scene.coordinate("y", "m");
-  const FrameHandle along = scene.prismatic("along", scene.ground(), axis::x, x);
-  const FrameHandle up = scene.prismatic("up", along, axis::y, y);
-  scene.body("point", up, Inertia::point(kilograms("3")));
-  scene.gravity({0, Expression::quantity("-10", "m/s^2"), 0});
-  scene.holonomic("circle", x * x + y * y - Expression::quantity("4", "m^2"));
-  const Equations equations(scene);
+  SlidingPoint it("on_a_circle", "3");
+  it.scene.gravity({0, quantity("-10", "m/s^2"), 0});
+  it.scene.holonomic("circle", it.x * it.x + it.y * it.y - quantity("4", "m^2"));
+  const Equations equations(it.scene);
   const EquilibriumEquations statics = equilibrium_equations(equations);
   ASSERT_EQ(statics.conditions.size(), 1U);
   NamedState state(equations, {{"x", Real(3)}, {"y", Real(5)}, {"lambda_circle", Real(7)}});

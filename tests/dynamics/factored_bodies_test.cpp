@@ -16,13 +16,12 @@
 #include "generator/verification/random_state.hpp"
 #include "tests/dynamics/central_differences.hpp"
 #include "tests/dynamics/random_mechanism.hpp"
+#include "tests/scenes/bodies.hpp"
 
 namespace torsor::factored_bodies_test {
 namespace {
 
 using namespace testing_mechanisms;
-
-Expression quantity(const char* value, const char* unit) { return Expression::quantity(value, unit); }
 
 ModelOptions by(ForwardMethod method) {
   ModelOptions options;
@@ -49,13 +48,6 @@ double difference(const Scene& scene, std::uint64_t seed) {
 /// 60 digits less what a condition of M below 1e5 and a few hundred operations cost.
 constexpr double rounding = 1e-48;
 
-Inertia block(const char* mass) {
-  const auto j = [](const char* value) { return quantity(value, "kg m^2"); };
-  return Inertia::general({.mass = quantity(mass, "kg"), .xx = j("0.3"), .yy = j("0.5"), .zz = j("0.4"), .xy = j("0.1"),
-                           .xz = j("-0.02"), .yz = j("0.03")})
-      .at({quantity("-0.1", "m"), quantity("0.2", "m"), quantity("0.05", "m")});
-}
-
 TEST(FactoredBodies, GiveTheAccelerationsOfTheFactorisedMassMatrix) {
   int trees = 0;
   for (unsigned seed = 300; seed < 340; ++seed) {
@@ -80,12 +72,12 @@ Scene tree() {
   const FrameHandle slide = s.prismatic("slide", first, {0, 1, 1}, x, {.rotation = Rotation::about(0, 2)});
   const FrameHandle tip = s.revolute("tip", slide, {1, 2, 2}, d, {.origin = {0, 0, quantity("0.3", "m")}});
   s.body("one", first, Inertia::point(m).at({0, quantity("-0.5", "m"), 0}));
-  s.body("other", first, block("1.5"));
+  s.body("other", first, generic_body("1.5"));
   s.body("end", third, Inertia::rod(m, quantity("0.6", "m"), 1).at({0, quantity("-0.3", "m"), 0}));
   s.body("flange", s.weld("flange", third, {.origin = {0, 0, quantity("0.1", "m")}, .rotation = Rotation::about(1, 5)}),
-         block("0.6"));
-  s.body("block", tip, block("2"));
-  s.body("weight", tip, block("0.5"));
+         generic_body("0.6"));
+  s.body("block", tip, generic_body("2"));
+  s.body("weight", tip, generic_body("0.5"));
   s.gravity({0, quantity("-9.81", "m/s^2"), 0});
   const PointHandle p = s.point("P", tip, {quantity("0.3", "m"), 0, 0});
   s.force("force", {.body = tip, .point = p, .components = {0, quantity("3", "N"), 0}, .axes = s.ground()});
@@ -112,9 +104,9 @@ Scene satellite() {
     ++i;
   }
   frame = s.spherical("hull", frame, s.attitude("e"));
-  s.body("hull", frame, block("3"));
+  s.body("hull", frame, generic_body("3"));
   const FrameHandle arm = s.revolute("arm", frame, axis::x, s.coordinate("q", "rad"), {.origin = {quantity("0.4", "m"), 0, 0}});
-  s.body("arm", arm, block("0.8"));
+  s.body("arm", arm, generic_body("0.8"));
   s.gravity({0, 0, quantity("-9.81", "m/s^2")});
   return s;
 }
@@ -190,14 +182,14 @@ TEST(FactoredBodies, AreRefusedWhereTheyDoNotFit) {
   const Expression a = s.coordinate("a", "rad");
   const FrameHandle first = s.revolute("first", s.ground(), axis::z, a);
   const FrameHandle second = s.revolute("second", first, axis::z, 2 * a);
-  s.body("one", first, block("1"));
-  s.body("other", second, block("1"));
+  s.body("one", first, generic_body("1"));
+  s.body("other", second, generic_body("1"));
   expect_refused(s);
   // The acceleration of the joint has a part of time alone.
   Scene shaken("shaken");
   const Expression b = shaken.coordinate("b", "rad");
   const Expression law = Expression(Number::rational(1, 5)) * sin(quantity("3", "rad/s") * shaken.time());
-  shaken.body("one", shaken.revolute("first", shaken.ground(), axis::z, b + law), block("1"));
+  shaken.body("one", shaken.revolute("first", shaken.ground(), axis::z, b + law), generic_body("1"));
   expect_refused(shaken);
 }
 

@@ -5,7 +5,8 @@
 
 #include <array>
 
-#include "tests/dynamics/simple_scenes.hpp"
+#include "tests/dynamics/named_state.hpp"
+#include "tests/scenes/sliding.hpp"
 
 namespace torsor::force_function_test {
 namespace {
@@ -134,14 +135,8 @@ TEST(Weight, OfSomeBodiesIsTheirsAlone) {
 }
 
 /// A point free in a plane.
-struct FreePoint {
-  Scene scene{"free_point"};
-  Expression x = scene.coordinate("x", "m"), y = scene.coordinate("y", "m");
-  FrameHandle point = scene.prismatic("point", scene.prismatic("slide", scene.ground(), axis::x, x), axis::y, y);
-  FreePoint() {
-    scene.body("P", point, Inertia::point(kilograms("1")));
-    scene.point("P", point, {0, 0, 0});
-  }
+struct FreePoint : SlidingPoint {
+  FreePoint() : SlidingPoint("free_point") {}
   void force(const Expression& fx, const Expression& fy) {
     scene.force("field", {.body = point, .point = scene.point("P"), .components = {fx, fy, 0}, .axes = scene.ground()});
   }

@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "tests/dynamics/central_differences.hpp"
-#include "tests/dynamics/simple_scenes.hpp"
+#include "tests/scenes/bodies.hpp"
 
 namespace torsor::forward_derivatives_test {
 namespace {

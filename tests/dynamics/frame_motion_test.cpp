@@ -6,8 +6,9 @@
 #include "generator/dynamics/equations/equations.hpp"
 #include "generator/program/identically_zero.hpp"
 #include "generator/verification/random_state.hpp"
-#include "tests/dynamics/random_mechanism.hpp"
-#include "tests/dynamics/simple_scenes.hpp"
+#include "tests/dynamics/random_model.hpp"
+#include "tests/program/test_symbols.hpp"
+#include "tests/scenes/bodies.hpp"
 
 namespace torsor::frame_motion_test {
 namespace {
@@ -16,14 +17,10 @@ using namespace testing_symbols;
 using testing_mechanisms::metres;
 using testing_mechanisms::random_mechanism;
 
-class RandomFrames : public ::testing::TestWithParam<unsigned> {
+class RandomFrames : public testing_mechanisms::RandomModel {
  protected:
-  RandomFrames()
-      : scene(random_mechanism(GetParam(), {.actions = false, .constraints = false})),
-        equations(scene),
-        evaluate(equations.program(), state.in_real()) {}
+  RandomFrames() : RandomModel(11) {}
 
-  int links() const { return static_cast<int>(model.links().size()); }
   /// Components of order one that depend on time, coordinates and velocities.
   Vector moving_vector() {
     const Value q = model.q(0);
@@ -31,20 +28,6 @@ class RandomFrames : public ::testing::TestWithParam<unsigned> {
     const Value speed = model.v(0) / program.number(Number(1), model.v(0).unit());
     return {program.sin(angle), program.number(Number::rational(2, 3)), speed};
   }
-  /// |v| at the random state, where everything is of order one to a hundred: 50 digits leave 1e-45.
-  double size(const Vector& v) {
-    double sum = 0;
-    for (int i = 0; i < 3; ++i) sum += abs(evaluate(v[i])).to_double();
-    return sum;
-  }
-
-  const WorkingDigits precision{50};
-  Scene scene;
-  Equations equations;
-  const Model& model = equations.model();
-  Program& program = equations.program();
-  RandomState state{scene, 11};
-  Evaluator<Real> evaluate;
 };
 
 TEST_P(RandomFrames, DifferentiateAVectorAsItsComponentsChange) {

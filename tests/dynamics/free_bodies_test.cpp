@@ -10,7 +10,8 @@
 #include "generator/dynamics/equations/validation.hpp"
 #include "generator/program/generic_state.hpp"
 #include "tests/dynamics/random_source.hpp"
-#include "tests/dynamics/simple_scenes.hpp"
+#include "tests/program/test_symbols.hpp"
+#include "tests/scenes/bodies.hpp"
 
 namespace torsor::free_bodies_test {
 namespace {

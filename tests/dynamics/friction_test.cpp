@@ -8,7 +8,8 @@
 #include "generator/program/identically_zero.hpp"
 #include "generator/verification/check.hpp"
 #include "tests/dynamics/all_checks.hpp"
-#include "tests/dynamics/simple_scenes.hpp"
+#include "tests/dynamics/named_state.hpp"
+#include "tests/scenes/sliding.hpp"
 
 namespace torsor::friction_test {
 namespace {
@@ -23,30 +24,18 @@ constexpr double exact = 1e-45;
 Expression gravity() { return Expression::quantity("9.81", "m/s^2"); }
 const Real g = Real(Number::rational(981, 100), 50);
 
-/// A block of 2 kg on a smooth or rough plane z = 0, gravity along -z and along x as on a slope of 3 in 5.
-struct Block {
-  Scene scene{"block"};
-  Expression x = scene.coordinate("x", "m"), y = scene.coordinate("y", "m"), z = scene.coordinate("z", "m");
-  FrameHandle block = scene.prismatic(
-      "block", scene.prismatic("across", scene.prismatic("along", scene.ground(), axis::x, x), axis::y, y), axis::z, z);
-  PointHandle contact = scene.point("I", block, {0, 0, 0});
-  ConstraintHandle floor = scene.holonomic("floor", z);
-  Block() {
-    scene.body("block", block, Inertia::point(kilograms("2")));
+/// A block on a smooth or rough plane, gravity along -z and along x as on a slope of 3 in 5.
+struct BlockOnASlope : Block {
+  BlockOnASlope() {
     scene.gravity({gravity() * 3 / 5, 0, -gravity() * 4 / 5});
-    scene.reaction(floor, "N", {.body = block, .contact = contact, .direction = axis::z, .axes = scene.ground()});
+    name_the_normal_force();
   }
 };
 
 TEST(SlidingFriction, IsFTimesTheNormalForceAgainstTheSlipWhateverItsSpeed) {
   // T = −f N G/|G|: without the division a faster block would be braked more.
-  Block it;
-  it.scene.sliding_friction("slide", it.floor,
-                            {.coefficient = 0.25_r,
-                             .body = it.block,
-                             .point = it.contact,
-                             .direction = {rate(it.x), rate(it.y), 0},
-                             .axes = it.scene.ground()});
+  BlockOnASlope it;
+  it.slide(0.25_r, {rate(it.x), rate(it.y), 0});
   const Equations equations(it.scene);
   const Real normal = Real(2) * g * rational(4, 5);
   for (const long speed : {1L, 7L}) {
@@ -65,13 +54,8 @@ TEST(SlidingFriction, IsFTimesTheNormalForceAgainstTheSlipWhateverItsSpeed) {
 
 TEST(SlidingFriction, DampsWhatIsAcrossTheSlipWhenLinearised) {
   // −∂T_x/∂x' = f N y'²/|G|³ and −∂T_x/∂y' = −f N x' y'/|G|³ for T = −f N G/|G|.
-  Block it;
-  it.scene.sliding_friction("slide", it.floor,
-                            {.coefficient = 0.25_r,
-                             .body = it.block,
-                             .point = it.contact,
-                             .direction = {rate(it.x), rate(it.y), 0},
-                             .axes = it.scene.ground()});
+  BlockOnASlope it;
+  it.slide(0.25_r, {rate(it.x), rate(it.y), 0});
   const Equations equations(it.scene);
   const Linearisation linear = linearisation(equations);
   NamedState here(equations, {{"x'", Real(3)}, {"y'", Real(-4)}, {"N", Real(7)}});
@@ -81,14 +65,9 @@ TEST(SlidingFriction, DampsWhatIsAcrossTheSlipWhenLinearised) {
 
 TEST(SlidingFriction, OfAKnownDirectionTakesADirectionOfAnyLength) {
   for (const bool doubled : {false, true}) {
-    Block it;
+    BlockOnASlope it;
     const Triple direction{doubled ? 2 : 1, 0, 0};
-    it.scene.sliding_friction("slide", it.floor,
-                              {.coefficient = 0.5_r,
-                               .body = it.block,
-                               .point = it.contact,
-                               .direction = direction,
-                               .axes = it.scene.ground()});
+    it.slide(0.5_r, direction);
     const Equations equations(it.scene);
     NamedState here(equations, {{"x'", Real(3)}});
     EXPECT_LT(relative_difference(here(equations.forward().accelerations[0]), g * rational(1, 5)), exact);
@@ -97,10 +76,8 @@ TEST(SlidingFriction, OfAKnownDirectionTakesADirectionOfAnyLength) {
 }
 
 TEST(SlidingFriction, FailsTheConditionsOfPainleveByName) {
-  Block it;
-  it.scene.sliding_friction(
-      "slide", it.floor,
-      {.coefficient = 0.25_r, .body = it.block, .point = it.contact, .direction = axis::x, .axes = it.scene.ground()});
+  BlockOnASlope it;
+  it.slide(0.25_r, axis::x);
   const PainleveReport report = painleve(Equations(it.scene));
   EXPECT_EQ(report.failing_conditions, std::vector<std::string>{"'slide' has no force function"});
   ASSERT_EQ(report.first_integrals.size(), 1U);  // nothing acts across
@@ -304,7 +281,7 @@ TEST(SlidingFriction, ReportsPainlevesParadoxByAPivotThatIsNotPositive) {
 
 TEST(Friction, RefusesWhatIsNoContact) {
   const auto refusal = [](const auto& add) {
-    Block it;
+    BlockOnASlope it;
     return error_of([&] {
       add(it);
       Equations(it.scene).constraints();

@@ -8,8 +8,9 @@
 #include "generator/kernels/kernel.hpp"
 #include "generator/program/formula.hpp"
 #include "generator/verification/random_state.hpp"
+#include "tests/dynamics/named_state.hpp"
 #include "tests/dynamics/random_mechanism.hpp"
-#include "tests/dynamics/simple_scenes.hpp"
+#include "tests/scenes/bodies.hpp"
 
 namespace torsor::gravity_forces_test {
 namespace {

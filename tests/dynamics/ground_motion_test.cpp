@@ -8,7 +8,8 @@
 #include "generator/kernels/kernel.hpp"
 #include "generator/verification/random_state.hpp"
 #include "tests/dynamics/random_mechanism.hpp"
-#include "tests/dynamics/simple_scenes.hpp"
+#include "tests/program/test_symbols.hpp"
+#include "tests/scenes/bodies.hpp"
 
 namespace torsor::ground_motion_test {
 namespace {

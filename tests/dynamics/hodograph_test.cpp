@@ -4,8 +4,9 @@
 #include "generator/dynamics/equations/equations.hpp"
 #include "generator/dynamics/motion/point_motion.hpp"
 #include "generator/verification/random_state.hpp"
+#include "tests/dynamics/named_state.hpp"
 #include "tests/dynamics/random_mechanism.hpp"
-#include "tests/dynamics/simple_scenes.hpp"
+#include "tests/scenes/pendulums.hpp"
 
 namespace torsor::hodograph_test {
 namespace {

@@ -9,11 +9,12 @@
 #include "generator/program/evaluation.hpp"
 #include "generator/program/formula.hpp"
 #include "generator/verification/random_state.hpp"
+#include "tests/scenes/bodies.hpp"
 
 namespace torsor::inertia_slopes_test {
 namespace {
 
-Expression quantity(const char* value, const char* unit) { return Expression::quantity(value, unit); }
+using namespace testing_mechanisms;
 
 Scene flying_arm() {
   Scene s("flying_arm");
@@ -23,11 +24,7 @@ Scene flying_arm() {
   const FrameHandle arm = s.revolute("arm", trunk, {1, 2, 2}, a, {.origin = {quantity("0.2", "m"), 0, 0}});
   const FrameHandle hand = s.prismatic("hand", arm, -axis::y, y, {.origin = {0, 0, quantity("0.5", "m")}});
   for (const FrameHandle& frame : {slide, trunk, arm, hand}) {
-    const auto j = [](const char* value) { return quantity(value, "kg m^2"); };
-    s.body("body" + std::to_string(frame.index), frame,
-           Inertia::general({.mass = quantity("1.2", "kg"), .xx = j("0.3"), .yy = j("0.4"), .zz = j("0.35"),
-                             .xy = j("0.05"), .xz = j("-0.02"), .yz = j("0.01")})
-               .at({quantity("0.1", "m"), quantity("-0.2", "m"), quantity("0.15", "m")}));
+    s.body("body" + std::to_string(frame.index), frame, generic_body("1.2"));
   }
   s.gravity({0, quantity("1", "m/s^2"), quantity("-9.81", "m/s^2")});
   return s;

@@ -5,7 +5,8 @@
 #include <cmath>
 
 #include "generator/dynamics/motion/point_motion.hpp"
-#include "tests/dynamics/simple_scenes.hpp"
+#include "tests/dynamics/named_state.hpp"
+#include "tests/scenes/bodies.hpp"
 
 namespace torsor::lowest_point_test {
 namespace {

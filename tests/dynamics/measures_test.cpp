@@ -7,7 +7,8 @@
 #include "generator/verification/check.hpp"
 #include "generator/verification/random_state.hpp"
 #include "tests/dynamics/all_checks.hpp"
-#include "tests/dynamics/simple_scenes.hpp"
+#include "tests/dynamics/named_state.hpp"
+#include "tests/scenes/pendulums.hpp"
 
 namespace torsor::measures_test {
 namespace {
@@ -36,7 +37,6 @@ struct Carried {
     body = scene.free("body", table, {x, y, z}, e);
     arm = scene.revolute("arm", body, axis::y, phi, {{metres("0.2"), metres("0.5"), 0}, {}});
     tip = scene.point("tip", arm, {metres("0.7"), 0, metres("-0.1")});
-    const auto moment = [](const char* value) { return Expression::quantity(value, "kg m^2"); };
     scene.body("disc", table,
                Inertia::general({.mass = kilograms("3"), .xx = moment("1"), .yy = moment("2"), .zz = moment("2.5")}));
     scene.body(
@@ -185,7 +185,6 @@ TEST(AttitudeComponents, StandInForceFunctions) {
   Scene scene("magnet");
   const AttitudeHandle e = scene.attitude("e");
   const FrameHandle body = scene.spherical("body", scene.ground(), e);
-  const auto moment = [](const char* value) { return Expression::quantity(value, "kg m^2"); };
   scene.body("body", body,
              Inertia::general({.mass = kilograms("1"), .xx = moment("1"), .yy = moment("2"), .zz = moment("2.5")}));
   const auto components = scene.attitude_components(e);

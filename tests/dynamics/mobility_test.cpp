@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "generator/base/error.hpp"
-#include "tests/dynamics/loop_mechanisms.hpp"
+#include "tests/scenes/loops.hpp"
 
 namespace torsor::mobility_test {
 namespace {
@@ -37,7 +37,7 @@ using Names = std::vector<std::string>;
 
 // Three of six equations say again that the mechanism is plane.
 TEST(Mobility, OfThePlaneFourBarIsOneWithThreeRedundantEquations) {
-  const Scene scene = four_bar(1, 3, 2, 3, {0.5, 0.4, 1.9});
+  const Scene scene = four_links({.crank = 1, .coupler = 3, .rocker = 2, .ground = 3}, {0.5, 0.4, 1.9});
   const Mobility mobility = analyse_mobility(scene);
   EXPECT_TRUE(mobility.moved_to_close);
   EXPECT_FALSE(mobility.singular);
@@ -96,7 +96,8 @@ TEST(Mobility, TakesAnAttitudeAsTheSceneStarts) {
 
 // All links on one line: a parallelogram may leave that position as one, or crossed.
 TEST(Mobility, OfAFlatParallelogramIsSingular) {
-  const Mobility mobility = analyse_mobility(four_bar(1, 2, 1, 2, {0, 0, 0}));
+  const Mobility mobility =
+      analyse_mobility(four_links({.crank = 1, .coupler = 2, .rocker = 1, .ground = 2}, {0, 0, 0}));
   EXPECT_FALSE(mobility.moved_to_close);
   EXPECT_TRUE(mobility.singular);
   expect(mobility.given, {4, 4, 1, 4, 2, 2, 4});
@@ -105,7 +106,8 @@ TEST(Mobility, OfAFlatParallelogramIsSingular) {
 
 // 1 + 2 = 3: the links reach just so far, and what turns infinitesimally cannot turn further.
 TEST(Mobility, OfLinksThatOnlyJustReachIsInfinitesimal) {
-  const Mobility mobility = analyse_mobility(four_bar(1, 1, 1, 3, {0, 0, pi()}));
+  const Mobility mobility =
+      analyse_mobility(four_links({.crank = 1, .coupler = 1, .rocker = 1, .ground = 3}, {0, 0, pi()}));
   expect(mobility.given, {4, 4, 1, 4, 2, 2, 4});
   EXPECT_TRUE(mobility.immobile);
 }
@@ -179,13 +181,14 @@ TEST(Mobility, TellsMotionsOfOneBodyFromThoseOfSeveral) {
 // The same number by another derivation: rank of the constraints' Jacobian, which is derived from the closures as functions
 // of the coordinates, instead of twists around loops.
 TEST(Mobility, IsWhatTheConstraintsOfTheSceneLeave) {
-  for (const Scene& scene : {four_bar(1, 2, 1, 2, {0, 0, 0}), bennett(), sarrus()}) {
+  for (const Scene& scene :
+       {four_links({.crank = 1, .coupler = 2, .rocker = 1, .ground = 2}, {0, 0, 0}), bennett(), sarrus()}) {
     EXPECT_EQ(scene_freedoms(scene).freedoms(), analyse_mobility(scene).given.mobility) << scene.name();
   }
 }
 
 TEST(Mobility, RefusesLoopsThatCannotBeClosed) {
-  const Scene scene = four_bar(1, 1, 1, 9, {0.5, 0.4, 1.9});
+  const Scene scene = four_links({.crank = 1, .coupler = 1, .rocker = 1, .ground = 9}, {0.5, 0.4, 1.9});
   EXPECT_THROW(analyse_mobility(scene), SceneError);
 }
 

@@ -11,7 +11,8 @@
 #include "generator/dynamics/theorems/energy_theorem.hpp"
 #include "generator/dynamics/theorems/painleve.hpp"
 #include "generator/verification/check.hpp"
-#include "tests/dynamics/simple_scenes.hpp"
+#include "tests/dynamics/named_state.hpp"
+#include "tests/scenes/bodies.hpp"
 
 namespace torsor::moving_ends_test {
 namespace {

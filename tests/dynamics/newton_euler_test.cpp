@@ -4,9 +4,10 @@
 #include <gtest/gtest.h>
 
 #include "generator/dynamics/forces/constraint_wrench.hpp"
+#include "tests/dynamics/named_state.hpp"
 #include "tests/dynamics/point_cloud.hpp"
 #include "tests/dynamics/random_mechanism.hpp"
-#include "tests/dynamics/simple_scenes.hpp"
+#include "tests/scenes/pendulums.hpp"
 
 namespace torsor::newton_euler_test {
 namespace {

@@ -10,7 +10,8 @@
 #include <gtest/gtest.h>
 
 #include "generator/dynamics/equations/validation.hpp"
-#include "tests/dynamics/simple_scenes.hpp"
+#include "tests/program/test_symbols.hpp"
+#include "tests/scenes/pendulums.hpp"
 
 namespace torsor::ownership_checks_test {
 namespace {

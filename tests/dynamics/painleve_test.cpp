@@ -6,7 +6,8 @@
 #include <algorithm>
 
 #include "generator/verification/extrapolation.hpp"
-#include "tests/dynamics/simple_scenes.hpp"
+#include "tests/dynamics/named_state.hpp"
+#include "tests/scenes/pendulums.hpp"
 
 namespace torsor::painleve_test {
 namespace {
@@ -148,7 +149,6 @@ TEST(MissingMomenta, SayWhatStandsAgainstThem) {
   // Euler's equations of a free body of three different moments: only its weight, along y, holds the centre back.
   Scene body("body");
   const Expression x = body.coordinate("x", "m"), y = body.coordinate("y", "m"), z = body.coordinate("z", "m");
-  const auto moment = [](const char* size) { return Expression::quantity(size, "kg m^2"); };
   body.body("body", body.free("body", body.ground(), {x, y, z}, body.attitude("turn")),
             Inertia::general({.mass = kilograms("1"), .xx = moment("3"), .yy = moment("4"), .zz = moment("5")}));
   body.gravity({0, Expression::quantity("-9.81", "m/s^2"), 0});

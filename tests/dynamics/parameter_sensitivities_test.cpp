@@ -8,7 +8,7 @@
 #include "generator/kernels/kernel.hpp"
 #include "tests/dynamics/central_differences.hpp"
 #include "tests/dynamics/random_mechanism.hpp"
-#include "tests/dynamics/simple_scenes.hpp"
+#include "tests/scenes/pendulums.hpp"
 
 namespace torsor::parameter_sensitivities_test {
 namespace {

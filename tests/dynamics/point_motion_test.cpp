@@ -7,8 +7,9 @@
 #include "generator/dynamics/motion/contact_motion.hpp"
 #include "generator/program/identically_zero.hpp"
 #include "generator/verification/random_state.hpp"
-#include "tests/dynamics/random_mechanism.hpp"
-#include "tests/dynamics/simple_scenes.hpp"
+#include "tests/dynamics/random_model.hpp"
+#include "tests/program/test_symbols.hpp"
+#include "tests/scenes/bodies.hpp"
 
 namespace torsor::point_motion_test {
 namespace {
@@ -17,14 +18,10 @@ using namespace testing_symbols;
 using testing_mechanisms::metres;
 using testing_mechanisms::random_mechanism;
 
-class RandomPoint : public ::testing::TestWithParam<unsigned> {
+class RandomPoint : public testing_mechanisms::RandomModel {
  protected:
-  RandomPoint()
-      : scene(random_mechanism(GetParam(), {.actions = false, .constraints = false})),
-        equations(scene),
-        evaluate(equations.program(), state.in_real()) {}
+  RandomPoint() : RandomModel(5) {}
 
-  int links() const { return static_cast<int>(model.links().size()); }
   /// A point that moves in its link with the first coordinate, as contact points do.
   GeometricPoint moving_point(int link) {
     const Value one = program.number(Number(1), units::metre);
@@ -34,20 +31,6 @@ class RandomPoint : public ::testing::TestWithParam<unsigned> {
     const Value y = angle * one;
     return {link, {x, y * angle, program.number(Number::rational(2, 3), units::metre)}};
   }
-  /// |v| at the random state, where everything is of order one to a thousand: 50 digits leave 1e-44.
-  double size(const Vector& v) {
-    double sum = 0;
-    for (int i = 0; i < 3; ++i) sum += abs(evaluate(v[i])).to_double();
-    return sum;
-  }
-
-  const WorkingDigits precision{50};
-  Scene scene;
-  Equations equations;
-  const Model& model = equations.model();
-  Program& program = equations.program();
-  RandomState state{scene, 5};
-  Evaluator<Real> evaluate;
 };
 
 TEST_P(RandomPoint, MovesAsItsPositionDifferentiatedInTheFrameOfReference) {

@@ -6,7 +6,7 @@
 #include <fstream>
 #include <sstream>
 
-#include "tests/dynamics/simple_scenes.hpp"
+#include "tests/scenes/bodies.hpp"
 
 // From here to its closing brace the function is the example of docs/queries.md, word by word.
 std::string ask(const torsor::Scene& scene, const std::string& body, const std::string& hinge) {

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <gtest/gtest.h>
 
-#include "tests/dynamics/simple_scenes.hpp"
+#include "tests/dynamics/named_state.hpp"
+#include "tests/scenes/sliding.hpp"
 
 namespace torsor::reactions_test {
 namespace {
@@ -81,21 +82,16 @@ TEST(ReleasedCoordinate, GivesTheForceThatNewtonGivesForTheIsolatedChain) {
   }
 }
 
-Scene cartesian_pendulum() {
-  Scene scene("cartesian_pendulum");
-  const Expression x = scene.coordinate("x", "m");
-  const Expression y = scene.coordinate("y", "m");
-  const FrameHandle slide = scene.prismatic("slide", scene.ground(), axis::x, x);
-  const FrameHandle bob = scene.prismatic("bob", slide, axis::y, y);
-  scene.body("bob", bob, Inertia::point(kilograms("2")));
-  scene.gravity({0, Expression::quantity("-9.81", "m/s^2"), 0});
-  scene.holonomic("rod", metres("1.5") - sqrt(x * x + y * y));
-  return scene;
-}
+/// A bob of 2 kg at the length of its rod, placed by x and y.
+struct CartesianPendulum : SlidingPoint {
+  Expression r = sqrt(x * x + y * y);
+  ConstraintHandle rod = scene.holonomic("rod", metres("1.5") - r);
+  CartesianPendulum() : SlidingPoint("cartesian_pendulum", "2") { scene.gravity({0, quantity("-9.81", "m/s^2"), 0}); }
+};
 
 TEST(Multiplier, OfAUnitGradientIsTheForceItself) {
   // f = l − r has ∂f/∂(x, y) = −(x, y)/r: λ pulls inwards, so that λ is the tension.
-  const Equations equations(cartesian_pendulum());
+  const Equations equations(CartesianPendulum().scene);
   const Real angle = rational(4, 5);
   const Real rate = rational(3, 2);
   NamedState state(equations, {{"x", length * sin(angle)},
@@ -115,18 +111,11 @@ TEST(Multiplier, OfAUnitGradientIsTheForceItself) {
 
 TEST(Multiplier, IsTheIntensityOfItsNamedReaction) {
   // The same rod, its force named: unit vector from the bob to the pivot, so R = tension.
-  Scene scene("cartesian_pendulum");
-  const Expression x = scene.coordinate("x", "m");
-  const Expression y = scene.coordinate("y", "m");
-  const FrameHandle slide = scene.prismatic("slide", scene.ground(), axis::x, x);
-  const FrameHandle bob = scene.prismatic("bob", slide, axis::y, y);
-  scene.body("bob", bob, Inertia::point(kilograms("2")));
-  const PointHandle center = scene.point("G", bob, {0, 0, 0});
-  scene.gravity({0, Expression::quantity("-9.81", "m/s^2"), 0});
-  const Expression r = sqrt(x * x + y * y);
-  const ConstraintHandle rod = scene.holonomic("rod", metres("1.5") - r);
-  scene.reaction(rod, "R", {.body = bob, .contact = center, .direction = {-x / r, -y / r, 0}, .axes = scene.ground()});
-  const Equations equations(scene);
+  CartesianPendulum it;
+  it.scene.reaction(
+      it.rod, "R",
+      {.body = it.point, .contact = it.place, .direction = {-it.x / it.r, -it.y / it.r, 0}, .axes = it.scene.ground()});
+  const Equations equations(it.scene);
   const Real angle = rational(-6, 5);
   NamedState state(equations, {{"x", length * sin(angle)}, {"y", -length * cos(angle)}});
   EXPECT_LT(relative_difference(state(equations.forward().multipliers[0]), tension(angle, Real(0))), 1e-45);

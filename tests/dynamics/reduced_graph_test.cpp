@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "generator/mechanics/joint_screws.hpp"
-#include "tests/dynamics/loop_mechanisms.hpp"
+#include "tests/scenes/loops.hpp"
 
 namespace torsor::reduced_graph_test {
 namespace {
@@ -150,7 +150,8 @@ TEST_F(TwistSpace, OfMergedJointsSaysWhatDisappears) {
 
 // The coupler has two joints in series; crank and rocker keep theirs with the ground.
 TEST(ReducedGraph, KeepsTheJointsWithTheOutside) {
-  const Mobility mobility = analyse_mobility(four_bar(1, 3, 2, 3, {0.5, 0.4, 1.9}));
+  const Mobility mobility =
+      analyse_mobility(four_links({.crank = 1, .coupler = 3, .rocker = 2, .ground = 3}, {0.5, 0.4, 1.9}));
   const ReducedGraph reduced = reduced_graph(mobility);
   EXPECT_EQ(reduced.bodies, (std::vector<std::string>{"ground", "crank", "rocker"}));
   ASSERT_EQ(reduced.joints.size(), 3U);
@@ -169,7 +170,8 @@ TEST(ReducedGraph, LeavesAnOpenChainAsItIs) {
 
 // Every merger accounts for what it drops: mobility by internal freedoms, redundancy by equations.
 TEST(ReducedGraph, AccountsForWhatItDrops) {
-  for (const Scene& scene : {four_bar(1, 3, 2, 3, {0.5, 0.4, 1.9}), bennett(), sarrus(), isostatic_slider_crank()}) {
+  for (const Scene& scene : {four_links({.crank = 1, .coupler = 3, .rocker = 2, .ground = 3}, {0.5, 0.4, 1.9}),
+                             bennett(), sarrus(), isostatic_slider_crank()}) {
     const Mobility mobility = analyse_mobility(scene);
     const ReducedGraph reduced = reduced_graph(mobility);
     int internal = 0, redundant = 0;

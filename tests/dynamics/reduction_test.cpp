@@ -9,7 +9,10 @@
 #include "generator/kernels/kernel.hpp"
 #include "tests/dynamics/constrained_motion.hpp"
 #include "tests/dynamics/random_mechanism.hpp"
-#include "tests/dynamics/simple_scenes.hpp"
+#include "tests/program/test_symbols.hpp"
+#include "tests/scenes/loops.hpp"
+#include "tests/scenes/rolling.hpp"
+#include "tests/scenes/sliding.hpp"
 
 namespace torsor::reduction_test {
 namespace {
@@ -103,29 +106,14 @@ bool expect_the_flow(const Scene& scene, State state) {
 
 Expression unit(const char* value, const char* name) { return Expression::quantity(value, name); }
 
-/// Four bars in a plane with a spring, a damper and a motor; closed at the start only to twelve digits.
+/// Four bars with a spring, a damper and a motor.
 Scene four_bar() {
-  Scene scene("four_bar");
-  const Expression a = scene.coordinate("a", "rad"), b = scene.coordinate("b", "rad"), c = scene.coordinate("c", "rad");
-  const FrameHandle crank = scene.revolute("crank", scene.ground(), axis::z, a);
-  const FrameHandle coupler = scene.revolute("coupler", crank, axis::z, b, {{metres("1"), 0, 0}});
-  const FrameHandle rocker = scene.revolute("rocker", scene.ground(), axis::z, c, {{metres("2"), 0, 0}});
-  scene.body("crank", crank, Inertia::rod(kilograms("1"), metres("1"), 0).at({metres("0.5"), 0, 0}));
-  scene.body("coupler", coupler, Inertia::rod(kilograms("2"), metres("2"), 0).at({metres("1"), 0, 0}));
-  scene.body("rocker", rocker, Inertia::rod(kilograms("1.5"), metres("1.5"), 0).at({metres("0.75"), 0, 0}));
-  scene.gravity({0, unit("-9.81", "m/s^2"), 0});
-  const PointHandle tip = scene.point("tip", coupler, {metres("2"), 0, 0});
-  const PointHandle end = scene.point("end", rocker, {metres("1.5"), 0, 0});
-  scene.closure("x", tip, end, axis::x);
-  scene.closure("y", tip, end, axis::y);
-  scene.spring("spring", c, unit("3", "N m"), unit("1", "1"));
-  scene.damper("damper", b, unit("0.2", "N m s"));
-  scene.motor("u", a);
-  // The triangle over the crank by the cosine rule.
-  scene.initial(a, 1);
-  scene.initial(b, unit("-0.701107141659005", "rad"));
-  scene.initial(c, unit("1.264965395965706", "rad"));
-  return scene;
+  FourBar bars("four_bar");
+  bars.close();
+  bars.scene.spring("spring", bars.c, unit("3", "N m"), unit("1", "1"));
+  bars.scene.damper("damper", bars.b, unit("0.2", "N m s"));
+  bars.scene.motor("u", bars.a);
+  return bars.scene;
 }
 
 TEST(ReducedLinearisation, IsTheDerivativeOfTheFlowOfALoop) {
@@ -133,23 +121,11 @@ TEST(ReducedLinearisation, IsTheDerivativeOfTheFlowOfALoop) {
       four_bar(), {{rational(1, 1), rational(-3, 10), rational(17, 10)}, {rational(3, 2)}, {rational(2, 5)}}));
 }
 
-/// A thin disc free by a quaternion, touching and rolling; a torque about its axis.
+/// A torque acts on the disc, about its axis and across.
 Scene rolling_disc() {
-  Scene scene("rolling_disc");
-  const Expression x = scene.coordinate("x", "m"), y = scene.coordinate("y", "m"), z = scene.coordinate("z", "m");
-  const AttitudeHandle e = scene.attitude("e");
-  const FrameHandle disc = scene.free("disc", scene.ground(), {x, y, z}, e);
-  scene.body("disc", disc, Inertia::disk(kilograms("2"), metres("0.5"), 2));
-  scene.gravity({0, 0, unit("-9.81", "m/s^2")});
-  const PointHandle touch =
-      scene.disc_contact("touch", {.frame = disc, .axis = axis::z, .radius = metres("0.5"), .plane = scene.ground()});
-  scene.point_in_plane("touches", touch, scene.ground());
-  scene.rolling("rolls", {.body = disc, .on = scene.ground(), .contact = touch, .tangents = scene.ground()});
-  scene.torque("wind", disc, {unit("0.1", "N m"), 0, unit("0.3", "N m")}, disc);
-  // Upright: turned by a right angle about x.
-  scene.initial(e, {1, 1, 0, 0});
-  scene.initial(z, metres("0.5"));
-  return scene;
+  RollingDisc it;
+  it.scene.torque("wind", it.disc, {unit("0.1", "N m"), 0, unit("0.3", "N m")}, it.disc);
+  return it.scene;
 }
 
 TEST(ReducedLinearisation, IsTheDerivativeOfTheFlowOfARollingDiscByQuaternion) {
@@ -177,48 +153,39 @@ TEST(Linearisation, AlongAnAttitudeIsTheDerivativeOfTheFlow) {
   EXPECT_TRUE(expect_the_flow(scene, state));
 }
 
-/// A pendulum on a trolley that a law of time and a nonholonomic law drag along.
+/// A pendulum on a block that slides in a plane.
+struct HangingBob : SlidingPoint {
+  Expression q = scene.coordinate("q", "rad");
+  State state{{rational(2, 3), Real(0), rational(-5, 4)}, {rational(1, 2), rational(1, 7), rational(3, 2)}, {}};
+
+  HangingBob() : SlidingPoint("hanging_bob", "3") {
+    const FrameHandle arm = scene.revolute("arm", point, axis::z, q);
+    scene.body("bob", arm, Inertia::point(kilograms("2")).at({metres("1.5"), metres("0.2"), 0}));
+    scene.gravity({0, unit("-9.81", "m/s^2"), 0});
+  }
+};
+
+// A law of time and a nonholonomic law drag it along.
 TEST(ReducedLinearisation, FollowsLawsOfTime) {
-  Scene scene("dragged");
-  const Expression x = scene.coordinate("x", "m"), y = scene.coordinate("y", "m"), q = scene.coordinate("q", "rad");
-  const FrameHandle along = scene.prismatic("along", scene.ground(), axis::x, x);
-  const FrameHandle across = scene.prismatic("across", along, axis::y, y);
-  const FrameHandle arm = scene.revolute("arm", across, axis::z, q);
-  scene.body("trolley", across, Inertia::point(kilograms("3")));
-  scene.body("bob", arm, Inertia::point(kilograms("2")).at({metres("1.5"), metres("0.2"), 0}));
-  scene.gravity({0, unit("-9.81", "m/s^2"), 0});
-  const Expression metre = metres("1"), speed = unit("1", "m/s");
-  scene.holonomic("curve", y - metre * sin(x / metre) * cos(unit("2", "1/s") * scene.time()));
-  scene.nonholonomic(
-      "law", rate(x) - speed * cos(q) - unit("3", "m/s^2") * scene.time() * sin(y / metre) - rate(q) * metre / 5);
-  State state;
-  state.q = {rational(2, 3), Real(0), rational(-5, 4)};
-  state.v = {rational(1, 2), rational(1, 7), rational(3, 2)};
-  state.time = rational(3, 5);
-  EXPECT_TRUE(expect_the_flow(scene, state));
+  HangingBob it;
+  const Expression metre = metres("1"), speed = unit("1", "m/s"), t = it.scene.time();
+  it.scene.holonomic("curve", it.y - metre * sin(it.x / metre) * cos(unit("2", "1/s") * t));
+  it.scene.nonholonomic(
+      "law", rate(it.x) - speed * cos(it.q) - unit("3", "m/s^2") * t * sin(it.y / metre) - rate(it.q) * metre / 5);
+  it.state.time = rational(3, 5);
+  EXPECT_TRUE(expect_the_flow(it.scene, it.state));
 }
 
 TEST(ReducedLinearisation, TakesTheMultipliersOutWhereFrictionWorksWithThem) {
-  Scene scene("sliding");
-  const Expression x = scene.coordinate("x", "m"), y = scene.coordinate("y", "m"), q = scene.coordinate("q", "rad");
-  const FrameHandle along = scene.prismatic("along", scene.ground(), axis::x, x);
-  const FrameHandle across = scene.prismatic("across", along, axis::y, y);
-  const FrameHandle arm = scene.revolute("arm", across, axis::z, q);
-  scene.body("block", across, Inertia::point(kilograms("3")));
-  scene.body("bob", arm, Inertia::point(kilograms("2")).at({metres("1.5"), metres("0.2"), 0}));
-  scene.gravity({0, unit("-9.81", "m/s^2"), 0});
-  const PointHandle foot = scene.point("foot", across, {0, 0, 0});
-  const ConstraintHandle floor = scene.holonomic("floor", y - metres("0.3") * sin(x / metres("2")));
-  scene.sliding_friction("friction", floor,
-                         {.coefficient = Expression(1) / 5,
-                          .body = across,
-                          .point = foot,
-                          .direction = {rate(x), unit("0.1", "m/s") * q + rate(y), 0},
-                          .axes = scene.ground()});
-  State state;
-  state.q = {rational(2, 3), Real(0), rational(-5, 4)};
-  state.v = {rational(1, 2), rational(1, 7), rational(3, 2)};
-  EXPECT_TRUE(expect_the_flow(scene, state));
+  HangingBob it;
+  const ConstraintHandle floor = it.scene.holonomic("floor", it.y - metres("0.3") * sin(it.x / metres("2")));
+  it.scene.sliding_friction("friction", floor,
+                            {.coefficient = Expression(1) / 5,
+                             .body = it.point,
+                             .point = it.place,
+                             .direction = {rate(it.x), unit("0.1", "m/s") * it.q + rate(it.y), 0},
+                             .axes = it.scene.ground()});
+  EXPECT_TRUE(expect_the_flow(it.scene, it.state));
 }
 
 TEST(ReducedLinearisation, IsTheDerivativeOfTheFlowOfRandomMechanisms) {

@@ -14,11 +14,13 @@
 #include "generator/program/evaluation.hpp"
 #include "generator/program/formula.hpp"
 #include "generator/verification/random_state.hpp"
+#include "tests/scenes/bodies.hpp"
 
 namespace torsor::reframing_test {
 namespace {
 
-Expression quantity(const char* value, const char* unit) { return Expression::quantity(value, unit); }
+using namespace testing_mechanisms;
+
 Triple place(const char* x, const char* y, const char* z) {
   return {quantity(x, "m"), quantity(y, "m"), quantity(z, "m")};
 }
@@ -33,11 +35,7 @@ Rotation turned(int w, int x, int y, int z) {
 }
 
 void add_body(Scene& s, const std::string& name, FrameHandle frame) {
-  const auto j = [](const char* value) { return quantity(value, "kg m^2"); };
-  s.body(name, frame,
-         Inertia::general({.mass = quantity("1.5", "kg"), .xx = j("0.3"), .yy = j("0.5"), .zz = j("0.4"),
-                           .xy = j("0.1"), .xz = j("-0.02"), .yz = j("0.03")})
-             .at(place("-0.1", "0.2", "0.05")));
+  s.body(name, frame, generic_body());
 }
 
 enum class Base { fixed, quaternion };

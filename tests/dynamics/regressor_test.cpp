@@ -15,8 +15,8 @@
 #include "generator/kernels/kernel.hpp"
 #include "generator/verification/random_state.hpp"
 #include "tests/dynamics/random_mechanism.hpp"
-#include "tests/dynamics/simple_scenes.hpp"
 #include "tests/kernels/compressed_tables.hpp"
+#include "tests/scenes/bodies.hpp"
 
 namespace torsor::regressor_test {
 namespace {
@@ -25,10 +25,9 @@ using testing_headers::constant;
 using testing_headers::numbers;
 using testing_mechanisms::kilograms;
 using testing_mechanisms::metres;
+using testing_mechanisms::moment;
 using testing_mechanisms::random_mechanism;
 using Indices = std::vector<std::size_t>;
-
-Expression moment(const char* value) { return Expression::quantity(value, "kg m^2"); }
 
 /// A body without any symmetry.
 Inertia crooked_body() {

@@ -7,7 +7,7 @@
 
 #include "generator/dynamics/derivatives/linearisation.hpp"
 #include "generator/dynamics/theorems/equilibrium_equations.hpp"
-#include "tests/dynamics/simple_scenes.hpp"
+#include "tests/program/test_symbols.hpp"
 
 namespace torsor::routh_test {
 namespace {

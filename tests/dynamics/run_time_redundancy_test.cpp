@@ -4,7 +4,8 @@
 
 #include "generator/dynamics/equations/constraint_rank.hpp"
 #include "generator/dynamics/equations/validation.hpp"
-#include "tests/dynamics/simple_scenes.hpp"
+#include "tests/program/test_symbols.hpp"
+#include "tests/scenes/bodies.hpp"
 
 namespace torsor::run_time_redundancy_test {
 namespace {

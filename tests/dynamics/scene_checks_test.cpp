@@ -5,7 +5,9 @@
 #include <gtest/gtest.h>
 
 #include "generator/dynamics/equations/validation.hpp"
-#include "tests/dynamics/simple_scenes.hpp"
+#include "tests/program/test_symbols.hpp"
+#include "tests/scenes/pendulums.hpp"
+#include "tests/scenes/sliding.hpp"
 
 namespace torsor::scene_checks_test {
 namespace {
@@ -88,21 +90,15 @@ TEST(UniversalJoint, IsRefusedWithAxesThatAreNotPerpendicular) {
 }
 
 Scene sliding_block(const Expression& coefficient, bool rolls) {
-  Scene scene("block");
-  const Expression x = scene.coordinate("x", "m"), z = scene.coordinate("z", "m");
-  const FrameHandle block = scene.prismatic("block", scene.prismatic("along", scene.ground(), axis::x, x), axis::z, z);
-  scene.body("block", block, Inertia::point(kilograms("1")));
-  const PointHandle foot = scene.point("foot", block, {0, 0, 0});
-  const ConstraintHandle floor = scene.holonomic("floor", z);
-  if (rolls)
-    scene.rolling_resistance(
-        "friction", floor,
-        {.length = coefficient * metres("1"), .body = block, .direction = axis::y, .axes = scene.ground()});
-  else
-    scene.sliding_friction(
-        "friction", floor,
-        {.coefficient = coefficient, .body = block, .point = foot, .direction = axis::x, .axes = scene.ground()});
-  return scene;
+  Block it;
+  if (rolls) {
+    it.scene.rolling_resistance(
+        "friction", it.floor,
+        {.length = coefficient * metres("1"), .body = it.block, .direction = axis::y, .axes = it.scene.ground()});
+  } else {
+    it.slide(coefficient, axis::x, "friction");
+  }
+  return it.scene;
 }
 
 TEST(Friction, IsRefusedWithANegativeCoefficient) {

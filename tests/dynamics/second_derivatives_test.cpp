@@ -10,8 +10,9 @@
 #include "generator/kernels/kernel.hpp"
 #include "generator/program/formula.hpp"
 #include "tests/dynamics/central_differences.hpp"
+#include "tests/dynamics/named_state.hpp"
 #include "tests/dynamics/random_mechanism.hpp"
-#include "tests/dynamics/simple_scenes.hpp"
+#include "tests/scenes/pendulums.hpp"
 
 namespace torsor::second_derivatives_test {
 namespace {

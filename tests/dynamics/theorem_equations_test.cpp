@@ -8,8 +8,9 @@
 #include "generator/base/error.hpp"
 #include "generator/dynamics/theorems/joint_actions.hpp"
 #include "generator/verification/random_state.hpp"
+#include "tests/dynamics/named_state.hpp"
 #include "tests/dynamics/random_mechanism.hpp"
-#include "tests/dynamics/simple_scenes.hpp"
+#include "tests/scenes/bodies.hpp"
 
 namespace torsor::theorem_equations_test {
 namespace {

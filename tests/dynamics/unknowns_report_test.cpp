@@ -6,7 +6,8 @@
 #include "generator/dynamics/recursions/articulated_motion.hpp"
 #include "generator/dynamics/theorems/joint_reactions.hpp"
 #include "tests/dynamics/random_mechanism.hpp"
-#include "tests/dynamics/simple_scenes.hpp"
+#include "tests/program/test_symbols.hpp"
+#include "tests/scenes/sliding.hpp"
 
 namespace torsor::unknowns_report_test {
 namespace {
@@ -208,13 +209,7 @@ TEST(UnknownsReport, CountsUnknownsAgainstEquations) {
 
 // A nut on its thread, guided by slide and hinge already: four of the thread's five conditions repeat them.
 TEST(UnknownsReport, CountsConstraintsThatRepeatOthersOnce) {
-  Scene scene("nut");
-  const Expression x = scene.coordinate("x", "m"), q = scene.coordinate("q", "rad");
-  const FrameHandle slide = scene.prismatic("slide", scene.ground(), axis::x, x);
-  const FrameHandle nut = scene.revolute("nut", slide, axis::x, q);
-  scene.body("nut", nut, box());
-  scene.loop_joint("thread", {.type = JointType::helical, .a = scene.ground(), .b = nut, .pitch = metres("0.1")});
-  const std::string text = unknowns_report(Equations(scene));
+  const std::string text = unknowns_report(Equations(nut_on_a_thread()));
   for (const char* line : {
            "  constraints: 5 (thread_x; thread_y; thread_z; thread_ry; thread_rz)\n",
            "  of these, constraints that repeat others: 4 (thread_y, thread_z, thread_ry, thread_rz)\n",

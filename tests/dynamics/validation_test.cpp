@@ -3,7 +3,9 @@
 
 #include <gtest/gtest.h>
 
-#include "tests/dynamics/simple_scenes.hpp"
+#include "tests/dynamics/named_state.hpp"
+#include "tests/scenes/pendulums.hpp"
+#include "tests/scenes/sliding.hpp"
 
 namespace torsor::validation_test {
 namespace {
@@ -134,22 +136,17 @@ TEST(Validation, NamesAConstraintOnACoordinateThatIsHeldAtZero) {
 }
 
 TEST(Validation, NamesAReactionThatDoesNotEnforceItsConstraint) {
-  Scene scene("block");
-  const Expression x = scene.coordinate("x", "m");
-  const Expression y = scene.coordinate("y", "m");
-  const FrameHandle slide = scene.prismatic("slide", scene.ground(), axis::x, x);
-  const FrameHandle block = scene.prismatic("block", slide, axis::y, y);
-  scene.body("block", block, Inertia::point(kilograms("1")));
-  scene.point("P", block, {0, 0, 0});
-  Scene sloped = scene;
-  scene.reaction(scene.holonomic("floor", y), "N",
-                 {.body = block, .contact = scene.point("P"), .direction = axis::x, .axes = scene.ground()});
-  const std::string text = refusal(scene);
+  SlidingPoint it("block"), sloped("block");
+  it.scene.reaction(it.scene.holonomic("floor", it.y), "N",
+                    {.body = it.point, .contact = it.place, .direction = axis::x, .axes = it.scene.ground()});
+  const std::string text = refusal(it.scene);
   EXPECT_TRUE(text.starts_with("reaction 'N' does not enforce constraint 'floor': along coordinate 'x'")) << text;
   EXPECT_NE(text.find("check the point and the direction"), std::string::npos) << text;
-  sloped.reaction(sloped.holonomic("slope", x + y), "N",
-                  {.body = block, .contact = sloped.point("P"), .direction = axis::x, .axes = sloped.ground()});
-  EXPECT_TRUE(refusal(sloped).starts_with("reaction 'N' does not enforce constraint 'slope': along coordinate 'y'"));
+  sloped.scene.reaction(
+      sloped.scene.holonomic("slope", sloped.x + sloped.y), "N",
+      {.body = sloped.point, .contact = sloped.place, .direction = axis::x, .axes = sloped.scene.ground()});
+  EXPECT_TRUE(
+      refusal(sloped.scene).starts_with("reaction 'N' does not enforce constraint 'slope': along coordinate 'y'"));
 }
 
 class ConstrainedPair : public ::testing::Test {

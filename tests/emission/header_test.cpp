@@ -10,12 +10,11 @@
 #include "generator/base/error.hpp"
 #include "generator/kernels/kernel.hpp"
 #include "generator/program/formula.hpp"
-#include "tests/dynamics/simple_scenes.hpp"
 #include "tests/emission/golden_scene.hpp"
+#include "tests/scenes/bodies.hpp"
 
 namespace torsor::header_test {
 namespace {
-
 
 Scene spatial_arm() {
   using Q = Expression;

@@ -9,7 +9,7 @@
 #include "generated/rolling_hoop_contact_forces.hpp"
 #include "generated/vibration_absorber.hpp"
 #include "generator/dynamics/derivatives/linearisation.hpp"
-#include "tests/dynamics/simple_scenes.hpp"
+#include "tests/dynamics/named_state.hpp"
 #include "tests/examples/scenes.hpp"
 
 namespace torsor::misprints_test {

@@ -17,6 +17,7 @@
 #include "generator/cli/torsor_program.hpp"
 #include "tests/fuzz/target.hpp"
 #include "tests/fuzz/text_rules.hpp"
+#include "tests/scenes/pendulums.hpp"
 
 namespace torsor::fuzzing {
 namespace {
@@ -114,15 +115,8 @@ void run_program(const std::vector<std::string>& words, const Program& program) 
 
 /// A pendulum that names a few of all there is.
 Scene pendulum() {
-  Scene scene("pendulum", "Pendulum with a motor");
-  const Expression mass = scene.parameter("mass", "kg", 2);
-  const Expression length = scene.run_time_parameter("length", "m", 1);
-  const Expression theta = scene.coordinate("theta", "rad");
-  const FrameHandle arm = scene.revolute("arm", scene.ground(), axis::z, theta);
-  scene.body("bob", arm, Inertia::point(mass).at({0, -length, 0}));
-  scene.point("tip", arm, {0, -length, 0});
-  scene.gravity({0, Expression::quantity("-9.81", "m/s^2"), 0});
-  scene.motor("torque", theta);
+  Scene scene = testing_mechanisms::pendulum_with_motor();
+  scene.point("tip", "arm", {0, Expression::quantity("-1", "m"), 0});
   return scene;
 }
 

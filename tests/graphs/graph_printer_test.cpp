@@ -6,7 +6,7 @@
 #include <cmath>
 #include <sstream>
 
-#include "tests/dynamics/loop_mechanisms.hpp"
+#include "tests/scenes/bodies.hpp"
 
 namespace torsor::graph_printer_test {
 namespace {

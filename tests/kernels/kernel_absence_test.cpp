@@ -4,8 +4,8 @@
 
 #include "generator/import/urdf.hpp"
 #include "generator/kernels/kernel.hpp"
-#include "tests/dynamics/simple_scenes.hpp"
 #include "tests/import/urdf_motion.hpp"
+#include "tests/scenes/pendulums.hpp"
 
 namespace torsor::kernel_absence_test {
 namespace {

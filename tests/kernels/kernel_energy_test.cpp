@@ -4,7 +4,8 @@
 #include <algorithm>
 
 #include "generator/kernels/kernel.hpp"
-#include "tests/dynamics/simple_scenes.hpp"
+#include "tests/dynamics/named_state.hpp"
+#include "tests/scenes/bodies.hpp"
 
 namespace torsor::kernel_energy_test {
 namespace {

@@ -10,8 +10,10 @@
 
 #include "generator/program/derivative.hpp"
 #include "generator/verification/random_state.hpp"
+#include "tests/dynamics/named_state.hpp"
 #include "tests/dynamics/random_mechanism.hpp"
-#include "tests/dynamics/simple_scenes.hpp"
+#include "tests/scenes/pendulums.hpp"
+#include "tests/scenes/sliding.hpp"
 
 namespace torsor::kernel_frames_test {
 namespace {
@@ -178,18 +180,13 @@ TEST(Frames, AreAbsentWithoutPoints) {
 
 TEST(Frames, HaveNoOperationalInertiaWhereFrictionFollowsAReaction) {
   using namespace literals;
-  Scene scene("block");
-  const Expression x = scene.coordinate("x", "m"), z = scene.coordinate("z", "m");
-  const FrameHandle block = scene.prismatic("block", scene.prismatic("along", scene.ground(), axis::x, x), axis::z, z);
-  scene.body("block", block, Inertia::point(kilograms("2")));
-  const PointHandle contact = scene.point("I", block, {0, 0, 0});
-  const ConstraintHandle floor = scene.holonomic("floor", z);
-  scene.reaction(floor, "N", {.body = block, .contact = contact, .direction = axis::z, .axes = scene.ground()});
-  EXPECT_EQ(why_absent("operational_inertia", Equations(scene)), "");
-  scene.sliding_friction("slide", floor, {.coefficient = 0.25_r, .body = block, .point = contact, .direction = {rate(x), 0, 0}, .axes = scene.ground()});
-  EXPECT_EQ(why_absent("operational_inertia", Equations(scene)),
+  Block it;
+  it.name_the_normal_force();
+  EXPECT_EQ(why_absent("operational_inertia", Equations(it.scene)), "");
+  it.slide(0.25_r, {rate(it.x), 0, 0});
+  EXPECT_EQ(why_absent("operational_inertia", Equations(it.scene)),
             "friction in proportion to a reaction: what an impulse changes is then not symmetric");
-  EXPECT_EQ(why_absent("frames", Equations(scene)), "");
+  EXPECT_EQ(why_absent("frames", Equations(it.scene)), "");
 }
 
 }  // namespace

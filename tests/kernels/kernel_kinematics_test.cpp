@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "generator/program/identically_zero.hpp"
-#include "tests/dynamics/simple_scenes.hpp"
+#include "tests/scenes/bodies.hpp"
 
 namespace torsor::kernel_kinematics_test {
 namespace {

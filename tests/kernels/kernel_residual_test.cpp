@@ -5,10 +5,10 @@
 
 #include "generator/dynamics/derivatives/motion_changes.hpp"
 #include "tests/dynamics/central_differences.hpp"
-#include "tests/dynamics/loop_mechanisms.hpp"
+#include "tests/dynamics/named_state.hpp"
 #include "tests/dynamics/random_mechanism.hpp"
-#include "tests/dynamics/simple_scenes.hpp"
 #include "tests/kernels/compressed_tables.hpp"
+#include "tests/scenes/pendulums.hpp"
 
 namespace torsor::kernel_residual_test {
 namespace {

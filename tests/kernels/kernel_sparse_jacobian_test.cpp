@@ -5,8 +5,8 @@
 
 #include "generator/verification/random_state.hpp"
 #include "tests/dynamics/random_mechanism.hpp"
-#include "tests/dynamics/simple_scenes.hpp"
 #include "tests/kernels/compressed_tables.hpp"
+#include "tests/scenes/pendulums.hpp"
 
 namespace torsor::kernel_sparse_jacobian_test {
 namespace {

@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "generator/base/error.hpp"
-#include "tests/dynamics/loop_mechanisms.hpp"
+#include "tests/scenes/loops.hpp"
 
 namespace torsor::structure_graph_test {
 namespace {

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/printing/check_inline.hpp"
+#include "tests/scenes/with_parameters.hpp"
 
 #include <gtest/gtest.h>
-
-#include "tests/printing/scenes.hpp"
 
 namespace torsor::check_inline_test {
 namespace {
@@ -19,8 +18,8 @@ TEST_P(PrintedEquations, AgreeWithTheProgramAtFiftyDigits) {
   EXPECT_LT(check.worst, Real::parse("1e-45")) << check.worst_of;
 }
 
-Scene absolute() { return test::double_pendulum(true); }
-Scene relative() { return test::double_pendulum(false); }
+Scene absolute() { return test::double_pendulum({}); }
+Scene relative() { return test::double_pendulum({.second = test::Angle::of_the_joint}); }
 Scene chain_3() { return test::chain(3); }
 
 INSTANTIATE_TEST_SUITE_P(Scenes, PrintedEquations,

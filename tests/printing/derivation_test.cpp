@@ -14,7 +14,7 @@
 #include "generator/printing/notation.hpp"
 #include "generator/printing/page.hpp"
 #include "generator/printing/print_equations.hpp"
-#include "tests/printing/scenes.hpp"
+#include "tests/scenes/with_parameters.hpp"
 
 namespace torsor::derivation_test {
 namespace {

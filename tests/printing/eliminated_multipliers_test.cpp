@@ -12,7 +12,7 @@
 #include "generator/printing/notation.hpp"
 #include "generator/printing/print_equations.hpp"
 #include "generator/printing/written.hpp"
-#include "tests/printing/scenes.hpp"
+#include "tests/scenes/with_parameters.hpp"
 
 namespace torsor::printing::eliminated_multipliers_test {
 namespace {

@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "generator/base/error.hpp"
-#include "tests/printing/scenes.hpp"
+#include "tests/scenes/with_parameters.hpp"
 
 namespace torsor::formula_text_test {
 namespace {

@@ -6,7 +6,7 @@
 
 #include "generator/printing/notation.hpp"
 #include "generator/printing/print_equations.hpp"
-#include "tests/printing/scenes.hpp"
+#include "tests/scenes/with_parameters.hpp"
 
 namespace torsor::latex_test {
 namespace {
@@ -55,7 +55,7 @@ TEST(Latex, WritesTheAbsorbersEquation) {
 }
 
 TEST(Latex, IsBalancedForEveryKindOfScene) {
-  for (const Scene& scene : {test::absorber(), test::double_pendulum(true), test::satellite(), test::elastic_pendulum(),
+  for (const Scene& scene : {test::absorber(), test::double_pendulum({}), test::satellite(), test::elastic_pendulum(),
                              test::released_block(), test::sled(), test::chain(3), test::chain(7)}) {
     const std::string text = print(scene, {.document = true});
     EXPECT_EQ(imbalance(text), "") << scene.name();

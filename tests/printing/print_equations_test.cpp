@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "generator/base/error.hpp"
-#include "tests/dynamics/simple_scenes.hpp"
-#include "tests/printing/scenes.hpp"
+#include "tests/scenes/bodies.hpp"
+#include "tests/scenes/with_parameters.hpp"
 
 namespace torsor::print_equations_test {
 namespace {
@@ -125,7 +125,7 @@ TEST(PrintEquations, LinearisesMotorsOnTheRight) {
 }
 
 TEST(PrintEquations, UsesTheDifferenceOfAbsoluteAngles) {
-  const std::string text = print(test::double_pendulum(true), {.linearisation = false});
+  const std::string text = print(test::double_pendulum({}), {.linearisation = false});
   EXPECT_EQ(section(text, "Kinetic energy [J]"),
             "  T = 1/2 (m_1 + m_2) l_1^2 theta_1'^2 + m_2 l_1 l_2 cos(theta_1 - theta_2) theta_1' theta_2' + 1/2 m_2 "
             "l_2^2 theta_2'^2\n");
@@ -141,7 +141,7 @@ TEST(PrintEquations, UsesTheDifferenceOfAbsoluteAngles) {
 }
 
 TEST(PrintEquations, UsesTheSumOfRelativeAngles) {
-  EXPECT_EQ(section(print(test::double_pendulum(false)), "Force function [J]"),
+  EXPECT_EQ(section(print(test::double_pendulum({.second = test::Angle::of_the_joint})), "Force function [J]"),
             "  U = (m_1 + m_2) l_1 g cos(theta_1) + m_2 l_2 g cos(theta_1 + theta_2)\n");
 }
 
@@ -218,7 +218,7 @@ TEST(PrintEquations, TakesTheLimitsOfTheCaller) {
 }
 
 TEST(PrintEquations, TellsTheFirstIntegralOrTheConditionThatFails) {
-  const std::string pendulum = print(test::double_pendulum(true));
+  const std::string pendulum = print(test::double_pendulum({}));
   EXPECT_NE(pendulum.find("\n  constant = 1/2 (m_1 + m_2) l_1^2 theta_1'^2"), std::string::npos) << pendulum;
   const std::string absorber = print(test::absorber());
   EXPECT_NE(absorber.find("T2 - T0 - U is not conserved: T depends on time explicitly"), std::string::npos) << absorber;

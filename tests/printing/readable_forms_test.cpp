@@ -7,8 +7,8 @@
 #include "generator/printing/lagrange_equations.hpp"
 #include "generator/printing/notation.hpp"
 #include "generator/printing/print_equations.hpp"
-#include "tests/dynamics/simple_scenes.hpp"
 #include "tests/printing/check_inline.hpp"
+#include "tests/scenes/bodies.hpp"
 
 namespace torsor::readable_forms_test {
 namespace {
@@ -34,7 +34,6 @@ Scene free_body(bool offset) {
   const Expression m = scene.parameter("m", "kg", 2), R = scene.parameter("R", "m", 0.5_r);
   const FrameHandle body = scene.free("body", scene.ground(), {x, y, z}, scene.attitude("e"));
   if (offset) {
-    const auto moment = [](const char* size) { return Expression::quantity(size, "kg m^2"); };
     scene.body("body", body,
                Inertia::general({.mass = m, .xx = moment("3"), .yy = moment("4"), .zz = moment("5")}).at({R, 0, 0}));
   } else {

@@ -10,15 +10,15 @@
 #include "generator/dynamics/forces/constraint_wrench.hpp"
 #include "generator/verification/moving_state.hpp"
 #include "generator/verification/posed_constraints.hpp"
-#include "tests/dynamics/simple_scenes.hpp"
+#include "tests/dynamics/named_state.hpp"
+#include "tests/scenes/rolling.hpp"
+#include "tests/scenes/sliding.hpp"
 
 namespace torsor::check_constraints_test {
 namespace {
 
 using namespace testing_symbols;
 using namespace testing_mechanisms;
-
-Expression quantity(const char* value, const char* unit) { return Expression::quantity(value, unit); }
 
 void expect_passed(const Scene& scene, const std::vector<const char*>& wanted) {
   const std::vector<CheckResult> results = check_derivations(scene, {.states = 3});
@@ -31,14 +31,11 @@ void expect_passed(const Scene& scene, const std::vector<const char*>& wanted) {
 
 // x y = L² (cos wt − 1): the rate has y x' + x y' and a part of time alone, w L² sin wt, whose own rate γ must have.
 TEST(CheckConstraints, DifferentiatesAConditionThatIsNotLinearInTime) {
-  Scene scene("driven");
-  const Expression x = scene.coordinate("x", "m"), y = scene.coordinate("y", "m");
-  const FrameHandle across = scene.prismatic("across", scene.ground(), axis::x, x);
-  scene.body("bead", scene.prismatic("bead", across, axis::y, y), Inertia::point(kilograms("2")));
-  const Expression turns = cos(quantity("3", "rad/s") * scene.time());
-  scene.holonomic("driven", x * y - quantity("1", "m^2") * (turns - 1));
-  scene.initial(x, metres("1"));
-  expect_passed(scene, {"constraint_motion"});
+  SlidingPoint it("driven", "2");
+  const Expression turns = cos(quantity("3", "rad/s") * it.scene.time());
+  it.scene.holonomic("driven", it.x * it.y - quantity("1", "m^2") * (turns - 1));
+  it.scene.initial(it.x, metres("1"));
+  expect_passed(it.scene, {"constraint_motion"});
 }
 
 // A crank that follows a law of time closes a loop: the closure depends on time through its joint.
@@ -60,19 +57,7 @@ TEST(CheckConstraints, DifferentiatesALoopWhoseCrankFollowsALawOfTime) {
 
 // Rolling: a condition on velocities, with a point of contact that moves over the disc.
 TEST(CheckConstraints, DifferentiatesRollingAndFindsThePowerOfItsForces) {
-  Scene scene("disc");
-  const Expression x = scene.coordinate("x", "m"), y = scene.coordinate("y", "m"), z = scene.coordinate("z", "m");
-  const AttitudeHandle upright = scene.attitude("e");
-  scene.initial(upright, {1, 1, 0, 0});
-  scene.initial(z, metres("0.5"));
-  const FrameHandle disc = scene.free("disc", scene.ground(), {x, y, z}, upright);
-  const PointHandle low =
-      scene.disc_contact("low", {.frame = disc, .axis = axis::z, .radius = metres("0.5"), .plane = scene.ground()});
-  scene.body("disc", disc, Inertia::disk(kilograms("2"), metres("0.5"), 2));
-  scene.gravity({0, 0, quantity("-9.81", "m/s^2")});
-  scene.point_in_plane("floor", low, scene.ground());
-  scene.rolling("rolling", {.body = disc, .on = scene.ground(), .contact = low, .tangents = scene.ground()});
-  expect_passed(scene, {"constraint_motion", "constraint_wrenches"});
+  expect_passed(RollingDisc().scene, {"constraint_motion", "constraint_wrenches"});
 }
 
 // A ball rolls on a table that turns by a law of time on a carriage that is free to move: what rolls there slips by its
@@ -80,18 +65,12 @@ TEST(CheckConstraints, DifferentiatesRollingAndFindsThePowerOfItsForces) {
 TEST(CheckConstraints, DifferentiatesRollingOnABodyThatMoves) {
   Scene scene("ball_on_table");
   const Expression slide = scene.coordinate("slide", "m"), turn = scene.coordinate("turn", "rad");
-  const Expression x = scene.coordinate("x", "m"), y = scene.coordinate("y", "m"), z = scene.coordinate("z", "m");
   scene.drive(turn, quantity("2", "rad/s^2") * pow(scene.time(), 2) / 2);
   const FrameHandle carriage = scene.prismatic("carriage", scene.ground(), axis::x, slide);
   const FrameHandle table = scene.revolute("table", carriage, axis::z, turn);
   scene.body("table", table, Inertia::disk(kilograms("3"), metres("2"), 2));
-  const FrameHandle ball = scene.free("ball", scene.ground(), {x, y, z}, scene.attitude("e"));
-  scene.initial(z, metres("0.5"));
-  const PointHandle low = scene.sphere_contact("low", ball, metres("0.5"), table);
-  scene.body("ball", ball, Inertia::solid_sphere(kilograms("2"), metres("0.5")));
+  add_rolling_ball(scene, table, Inertia::solid_sphere(kilograms("2"), metres("0.5")));
   scene.gravity({0, 0, quantity("-9.81", "m/s^2")});
-  scene.point_in_plane("floor", low, table);
-  scene.rolling("rolling", {.body = ball, .on = table, .contact = low, .tangents = table});
   expect_passed(scene, {"constraint_motion", "constraint_wrenches"});
 }
 
@@ -174,13 +153,8 @@ TEST(ClosureWrench, OfAWeldAreUnitForcesAndCouples) {
 // down, m x'' = F + λ, and its moment turns it, J q'' = −p λ.
 TEST(ClosureWrench, OfAThreadPushesTheNutBackAndTurnsIt) {
   constexpr double m = 2, J = 0.09, p = 0.1, force = 3;
-  Scene scene("nut");
-  const Expression x = scene.coordinate("x", "m"), q = scene.coordinate("q", "rad");
-  const FrameHandle slide = scene.prismatic("slide", scene.ground(), axis::x, x);
-  const FrameHandle nut = scene.revolute("nut", slide, axis::x, q);
-  scene.body("nut", nut, Inertia::disk(kilograms("2"), metres("0.3"), 0));
-  scene.motor("push", x);
-  scene.loop_joint("thread", {.type = JointType::helical, .a = scene.ground(), .b = nut, .pitch = metres("0.1")});
+  Scene scene = nut_on_a_thread();
+  scene.motor("push", Expression(scene.content().coordinates[0].q));
   const Equations equations(scene);
   NamedState state(equations, {{"push", Real(3)}, {"x", rational(1, 5)}, {"q", Real(2)}});  // x = p q
   const double lambda = state.in_double(equations.forward().multipliers[0]);

@@ -12,7 +12,8 @@
 #include "generator/program/series_evaluation.hpp"
 #include "generator/verification/random_state.hpp"
 #include "tests/dynamics/random_mechanism.hpp"
-#include "tests/dynamics/simple_scenes.hpp"
+#include "tests/program/test_symbols.hpp"
+#include "tests/scenes/pendulums.hpp"
 
 namespace torsor::check_jets_test {
 namespace {

@@ -8,7 +8,9 @@
 #include <limits>
 
 #include "generator/verification/random_state.hpp"
-#include "tests/dynamics/simple_scenes.hpp"
+#include "tests/scenes/pendulums.hpp"
+#include "tests/scenes/rolling.hpp"
+#include "tests/scenes/sliding.hpp"
 
 namespace torsor::check_test {
 namespace {
@@ -42,17 +44,10 @@ TEST(Check, PassesAGoodSceneAtEveryPrecision) {
 // A sphere's contact with a plane: that z'' = 0 is nothing but rounding, and is measured against the rolling beside it.
 TEST(Check, MeasuresWhatVanishesIdenticallyAgainstItsNeighbours) {
   Scene scene("ball");
-  const Expression x = scene.coordinate("x", "m"), y = scene.coordinate("y", "m"), z = scene.coordinate("z", "m");
-  const FrameHandle ball = scene.free("ball", scene.ground(), {x, y, z}, scene.attitude("e"));
-  scene.initial(z, metres("0.5"));
-  const PointHandle contact = scene.sphere_contact("contact", ball, metres("0.5"), scene.ground());
-  const Expression moment = Expression::quantity("1", "kg m^2");
-  scene.body(
-      "ball", ball,
-      Inertia::general({.mass = kilograms("2"), .xx = moment, .yy = moment, .zz = moment}).at({0, 0, metres("0.1")}));
-  scene.gravity({0, 0, Expression::quantity("-9.81", "m/s^2")});
-  scene.point_in_plane("floor", contact, scene.ground());
-  scene.rolling("rolling", {.body = ball, .on = scene.ground(), .contact = contact, .tangents = scene.ground()});
+  add_rolling_ball(scene, scene.ground(),
+                   Inertia::general({.mass = kilograms("2"), .xx = moment("1"), .yy = moment("1"), .zz = moment("1")})
+                       .at({0, 0, metres("0.1")}));
+  scene.gravity({0, 0, quantity("-9.81", "m/s^2")});
   for (const CheckResult& result : check_scene(scene, {.digits = 30, .states = 3})) {
     EXPECT_TRUE(result.passed()) << result.name << ": " << result.worst;
   }
@@ -71,14 +66,7 @@ TEST(Check, ComparesEveryKernelInDoubleAndRepeatsItself) {
 /// At the first random state a spring is stretched by 1e-9 m only, the difference of two lengths of a metre: the
 /// roundings of these are no fault of the kernels.
 TEST(Check, MeasuresDoublesAgainstTheTermsThatCancel) {
-  const auto scale = [](const Expression& rest) {
-    Scene scene("scale");
-    const Expression x = scene.coordinate("x", "m");
-    const FrameHandle pan = scene.prismatic("pan", scene.ground(), axis::x, x);
-    scene.body("pan", pan, Inertia::point(kilograms("1")));
-    scene.spring("spring", x, Expression::quantity("1", "N/m"), rest);
-    return scene;
-  };
+  const auto scale = [](const Expression& rest) { return block_on_a_spring({.rest = rest}); };
   const Scene any = scale(Expression::quantity("1", "m"));
   const double x = RandomState(any, 1).value(any.content().coordinates[0].q);
   ASSERT_GT(std::abs(x), 0.01);
@@ -90,27 +78,16 @@ TEST(Check, MeasuresDoublesAgainstTheTermsThatCancel) {
 
 /// The powers of the three components cancel: what is left of them is rounding, and no failure of the energy theorem.
 TEST(Check, PassesABodyThatNothingWorksOn) {
-  Scene scene("free");
-  const FrameHandle body = scene.spherical("body", scene.ground(), scene.attitude("e"));
-  const auto moment = [](const char* value) { return Expression::quantity(value, "kg m^2"); };
-  scene.body("body", body,
-             Inertia::general({.mass = kilograms("1"), .xx = moment("1"), .yy = moment("2"), .zz = moment("2.5")}));
-  const std::vector<CheckResult> results = check_scene(scene, {.digits = 30, .states = 3});
+  const std::vector<CheckResult> results = check_scene(torque_free_body(), {.digits = 30, .states = 3});
   EXPECT_TRUE(named(results, "energy_theorem").passed()) << named(results, "energy_theorem").worst;
 }
 
 /// A reaction that pushes along the wrong direction is caught by the gradient of its constraint.
 TEST(Check, FailsWhereAReactionDoesNotEnforceItsConstraint) {
-  Scene scene("block");
-  const Expression x = scene.coordinate("x", "m");
-  const Expression y = scene.coordinate("y", "m");
-  const FrameHandle slide = scene.prismatic("slide", scene.ground(), axis::x, x);
-  const FrameHandle block = scene.prismatic("block", slide, axis::y, y);
-  scene.body("block", block, Inertia::point(kilograms("1")));
-  scene.point("P", block, {0, 0, 0});
-  scene.reaction(scene.holonomic("floor", y + x / 100), "N",
-                 {.body = block, .contact = scene.point("P"), .direction = axis::y, .axes = scene.ground()});
-  const std::vector<CheckResult> results = check_scene(scene, {.digits = 30, .states = 2});
+  SlidingPoint it("block");
+  it.scene.reaction(it.scene.holonomic("floor", it.y + it.x / 100), "N",
+                    {.body = it.point, .contact = it.place, .direction = axis::y, .axes = it.scene.ground()});
+  const std::vector<CheckResult> results = check_scene(it.scene, {.digits = 30, .states = 2});
   EXPECT_FALSE(named(results, "reactions").passed());
   EXPECT_GT(named(results, "reactions").worst, 1e-3);
 }

@@ -10,6 +10,7 @@
 #include "generator/verification/dormand_prince_853.hpp"
 #include "generator/verification/gauss_collocation.hpp"
 #include "generator/verification/radau_iia_5.hpp"
+#include "tests/scenes/bodies.hpp"
 
 namespace torsor::evaluated_motion_test {
 namespace {
@@ -128,13 +129,7 @@ TEST(EvaluatedMotion, KeepsEnergyOnConstraints) {
 
 // A free body that turns about a principal axis: its quaternion keeps norm 1 and turns by half the angle.
 TEST(EvaluatedMotion, TurnsAQuaternion) {
-  Scene scene("free", "");
-  const AttitudeHandle e = scene.attitude("e");
-  const FrameHandle body = scene.spherical("body", scene.ground(), e);
-  scene.body("body", body,
-             Inertia::general({.mass = unit("1", "kg"), .xx = unit("1", "kg m^2"), .yy = unit("2", "kg m^2"),
-                               .zz = unit("2.5", "kg m^2")}));
-  EvaluatedMotion motion(scene, {}, {}, {});
+  EvaluatedMotion motion(testing_mechanisms::torque_free_body(), {}, {}, {});
   EXPECT_TRUE(motion.needs_settling());
   DormandPrince853 integrator([&](double t, const std::vector<double>& at, std::vector<double>& rates) { return motion.slope(t, at, rates); },
                               [&](double t, std::vector<double>& at) { return motion.settle(t, at); },

@@ -17,7 +17,8 @@
 #include "generator/verification/ball.hpp"
 #include "generator/verification/condition.hpp"
 #include "generator/verification/verify.hpp"
-#include "tests/verification/extreme_scenes.hpp"
+#include "tests/scenes/at_run_time.hpp"
+#include "tests/scenes/pendulums.hpp"
 
 namespace torsor::extreme_parameters_test {
 namespace {
@@ -218,12 +219,12 @@ ModelOptions by(ForwardMethod method) {
 }
 
 TEST(ExtremeParameters, OfADoublePendulumWithJets) {
-  expect_within_bounds({extreme_pendulum(Angle::of_the_joint), {}, "", kernels}, 24);
+  expect_within_bounds({double_pendulum({.second = Angle::of_the_joint, .at_run_time = true}), {}, "", kernels}, 24);
 }
 
 // A force along an absolute angle is the difference of the moments in two joints.
 TEST(ExtremeParameters, OfADoublePendulumWithAbsoluteAngles) {
-  expect_within_bounds({extreme_pendulum(Angle::absolute), {}, "", kernels}, 24);
+  expect_within_bounds({double_pendulum({.at_run_time = true}), {}, "", kernels}, 24);
 }
 
 TEST(ExtremeParameters, OfAGimbalNearItsLock) { expect_within_bounds({extreme_gimbal(), {}, "q2", kernels}, 24); }

@@ -5,7 +5,8 @@
 
 #include <set>
 
-#include "tests/dynamics/simple_scenes.hpp"
+#include "tests/program/test_symbols.hpp"
+#include "tests/scenes/pendulums.hpp"
 
 namespace torsor::random_state_test {
 namespace {

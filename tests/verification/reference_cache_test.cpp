@@ -7,7 +7,7 @@
 #include <fstream>
 #include <iterator>
 
-#include "tests/dynamics/simple_scenes.hpp"
+#include "tests/scenes/sliding.hpp"
 
 namespace torsor::reference_cache_test {
 namespace {
@@ -16,12 +16,8 @@ using namespace testing_mechanisms;
 
 /// A block on a spring of that stiffness, starting half a metre from rest.
 Scene block(const char* stiffness, const char* start) {
-  Scene scene("block");
-  const Expression x = scene.coordinate("x", "m");
-  scene.body("block", scene.prismatic("slide", scene.ground(), axis::x, x), Inertia::point(kilograms("2")));
-  scene.spring("spring", x, Expression::quantity(stiffness, "N/m"), metres("1"));
-  scene.initial(x, metres(start));
-  return scene;
+  return block_on_a_spring({.mass = kilograms("2"), .stiffness = quantity(stiffness, "N/m"), .rest = metres("1"),
+                            .start = metres(start)});
 }
 
 std::string read(const std::filesystem::path& path) {

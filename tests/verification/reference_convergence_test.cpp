@@ -11,6 +11,8 @@
 #include "generator/base/error.hpp"
 #include "generator/verification/reference.hpp"
 #include "tests/cli/scene_runner.hpp"
+#include "tests/scenes/pendulums.hpp"
+#include "tests/scenes/sliding.hpp"
 
 namespace torsor::reference_convergence_test {
 namespace {
@@ -18,14 +20,7 @@ namespace {
 using namespace testing_programs;
 
 /// x = sin t.
-Scene swinging() {
-  Scene scene("swinging");
-  const Expression x = scene.coordinate("x", "m");
-  scene.body("mass", scene.prismatic("mass", scene.ground(), axis::x, x), Inertia::point(scene.parameter("m", "kg", 1)));
-  scene.spring("spring", x, Expression::quantity("1", "N/m"));
-  scene.initial(x, 0, 1);
-  return scene;
-}
+Scene swinging() { return testing_mechanisms::block_on_a_spring({.speed = Expression::quantity("1", "m/s")}); }
 
 /// x'' = 2 x³ from x = 1, x' = 1: x = 1/(1 − t), which ends at t = 1.
 Scene ending() {
@@ -38,17 +33,10 @@ Scene ending() {
 }
 
 /// Chaos: the double pendulum of the examples loses some four digits in 5 s.
-Scene double_pendulum() {
-  Scene scene("chaotic");
-  const Expression a = scene.coordinate("a", "rad"), b = scene.coordinate("b", "rad");
-  const Expression L = Expression::quantity("1", "m"), M = Expression::quantity("1", "kg");
-  const FrameHandle upper = scene.revolute("upper", scene.ground(), axis::z, a);
-  const FrameHandle lower = scene.revolute("lower", upper, axis::z, b - a, {{0, -L, 0}});
-  scene.body("upper", upper, Inertia::point(M).at({0, -L, 0}));
-  scene.body("lower", lower, Inertia::point(M).at({0, -L, 0}));
-  scene.gravity({0, Expression::quantity("-9.81", "m/s^2"), 0});
-  scene.initial(a, 2);
-  scene.initial(b, Expression(Number::rational(5, 2)));
+Scene chaotic() {
+  Scene scene = testing_mechanisms::double_pendulum({});
+  scene.initial(Expression(scene.content().coordinates[0].q), 2);
+  scene.initial(Expression(scene.content().coordinates[1].q), Expression(Number::rational(5, 2)));
   return scene;
 }
 
@@ -77,7 +65,7 @@ std::size_t digits_of(const std::string& number) {
 }
 
 TEST(ReferenceConvergence, WritesTheDigitsThatConvergedAndFailsTheCommand) {
-  const Outcome outcome = run(double_pendulum, {"reference", "--digits", "10", "--times", "0.5,5"});
+  const Outcome outcome = run(chaotic, {"reference", "--digits", "10", "--times", "0.5,5"});
   EXPECT_EQ(outcome.code, 1);
   const auto all = rows(outcome.out);
   ASSERT_EQ(all.size(), 2U) << outcome.out;
@@ -89,7 +77,7 @@ TEST(ReferenceConvergence, WritesTheDigitsThatConvergedAndFailsTheCommand) {
   EXPECT_NE(outcome.out.find("# that agree to the digits that are written, fewer than 10;"), std::string::npos);
   EXPECT_NE(outcome.out.find("# at t = 5 "), std::string::npos) << outcome.out;
   EXPECT_NE(outcome.err.find("note: at t = 5 "), std::string::npos) << outcome.err;
-  EXPECT_THROW(reference_csv(double_pendulum(), {10, {"0.5", "5"}}), Error);
+  EXPECT_THROW(reference_csv(chaotic(), {10, {"0.5", "5"}}), Error);
 }
 
 TEST(ReferenceConvergence, KeepsWhatIsBeforeASingularity) {

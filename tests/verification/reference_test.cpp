@@ -5,7 +5,9 @@
 
 #include <sstream>
 
-#include "tests/dynamics/simple_scenes.hpp"
+#include "tests/program/test_symbols.hpp"
+#include "tests/scenes/pendulums.hpp"
+#include "tests/scenes/sliding.hpp"
 
 namespace torsor::reference_test {
 namespace {
@@ -65,17 +67,13 @@ TEST(Reference, IsTheSameForTwoParametrisations) {
   const WorkingDigits precision(60);
   Scene angle = pendulum();
   angle.initial(Expression(angle.content().coordinates[0].q), pi() / 6);
-  Scene cartesian("cartesian");
-  const Expression x = cartesian.coordinate("x", "m");
-  const Expression y = cartesian.coordinate("y", "m");
-  const FrameHandle slide = cartesian.prismatic("slide", cartesian.ground(), axis::x, x);
-  cartesian.body("bob", cartesian.prismatic("bob", slide, axis::y, y), Inertia::point(kilograms("2")));
-  cartesian.gravity({0, Expression::quantity("-9.81", "m/s^2"), 0});
-  cartesian.holonomic("rod", x * x + y * y - Expression::quantity("2.25", "m^2"));
-  cartesian.initial(x, 0.75_r);
-  cartesian.initial(y, -0.75_r * sqrt(Expression(3)));
+  SlidingPoint cartesian("cartesian", "2");
+  cartesian.scene.gravity({0, quantity("-9.81", "m/s^2"), 0});
+  cartesian.scene.holonomic("rod", cartesian.x * cartesian.x + cartesian.y * cartesian.y - quantity("2.25", "m^2"));
+  cartesian.scene.initial(cartesian.x, 0.75_r);
+  cartesian.scene.initial(cartesian.y, -0.75_r * sqrt(Expression(3)));
   const Real theta = Real::parse(table(reference_csv(angle, {30, {"1.5"}}))[1][1]);
-  const std::vector<std::string> row = table(reference_csv(cartesian, {30, {"1.5"}}))[1];
+  const std::vector<std::string> row = table(reference_csv(cartesian.scene, {30, {"1.5"}}))[1];
   EXPECT_LT(relative_difference(Real::parse(row[1]), rational(3, 2) * sin(theta)), 1e-28);
   EXPECT_LT(relative_difference(Real::parse(row[2]), -rational(3, 2) * cos(theta)), 1e-28);
 }

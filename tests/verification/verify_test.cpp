@@ -10,7 +10,7 @@
 #include "generator/base/error.hpp"
 #include "generator/verification/ball.hpp"
 #include "tests/dynamics/random_mechanism.hpp"
-#include "tests/dynamics/simple_scenes.hpp"
+#include "tests/scenes/pendulums.hpp"
 
 namespace torsor::verify_test {
 namespace {

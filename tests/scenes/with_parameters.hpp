@@ -3,9 +3,13 @@
 
 #include <string>
 
-#include "generator/mechanics/scene.hpp"
+#include "tests/scenes/pendulums.hpp"
 
+// Mechanisms whose every quantity is a parameter, as equations are printed.
 namespace torsor::test {
+
+using testing_mechanisms::Angle;
+using testing_mechanisms::double_pendulum;
 
 /// Machine on a spring with a pendulum and a rotor of imposed speed; z points down.
 inline Scene absorber() {
@@ -32,25 +36,6 @@ inline Scene absorber() {
   s.body("unbalance", rotor, Inertia::point(M3).at({0, 0, R}));
   s.gravity({0, 0, g});
   s.spring("spring", X, K, X0);
-  return s;
-}
-
-/// Two point masses; the second angle is absolute or relative to the first rod.
-inline Scene double_pendulum(bool absolute) {
-  Scene s("double_pendulum");
-  const Expression m_1 = s.parameter("m_1", "kg", 1);
-  const Expression m_2 = s.parameter("m_2", "kg", 1);
-  const Expression l_1 = s.parameter("l_1", "m", 1);
-  const Expression l_2 = s.parameter("l_2", "m", 1);
-  const Expression g = s.parameter("g", "m/s^2", 9.81);
-  const Expression theta_1 = s.coordinate("theta_1", "rad");
-  const Expression theta_2 = s.coordinate("theta_2", "rad");
-  const FrameHandle upper = s.revolute("upper", s.ground(), axis::z, theta_1);
-  const FrameHandle lower =
-      s.revolute("lower", upper, axis::z, absolute ? theta_2 - theta_1 : theta_2, {.origin = {0, -l_1, 0}});
-  s.body("first", upper, Inertia::point(m_1).at({0, -l_1, 0}));
-  s.body("second", lower, Inertia::point(m_2).at({0, -l_2, 0}));
-  s.gravity({0, -g, 0});
   return s;
 }
 

@@ -9,27 +9,6 @@
 
 namespace torsor::testing_mechanisms {
 
-/// What the angle of the second rod is measured from.
-enum class Angle { of_the_joint, absolute };
-
-/// Two point masses m1, m2 on rods l1, l2 in a plane, angles q1, q2.
-inline Scene extreme_pendulum(Angle angle) {
-  Scene scene("extreme_pendulum");
-  const auto parameter = [&scene](const char* name, const char* unit) {
-    return scene.run_time_parameter(name, unit, Expression(1));
-  };
-  const Expression m1 = parameter("m1", "kg"), m2 = parameter("m2", "kg");
-  const Expression l1 = parameter("l1", "m"), l2 = parameter("l2", "m");
-  const Expression q1 = scene.coordinate("q1", "rad"), q2 = scene.coordinate("q2", "rad");
-  const FrameHandle upper = scene.revolute("upper", scene.ground(), axis::z, q1);
-  const Expression of_joint = angle == Angle::absolute ? q2 - q1 : q2;
-  const FrameHandle lower = scene.revolute("lower", upper, axis::z, of_joint, {.origin = {0, -l1, 0}});
-  scene.body("first", upper, Inertia::point(m1).at({0, -l1, 0}));
-  scene.body("second", lower, Inertia::point(m2).at({0, -l2, 0}));
-  scene.gravity({0, Expression::quantity("-9.81", "m/s^2"), 0});
-  return scene;
-}
-
 /// A chain of `joints` rods in space, m1, m2, … and l1, l2, …, the axis of each joint turned by the angle `tilt` from
 /// the one before about the rod between them; motors in all joints.
 inline Scene extreme_chain(int joints) {

@@ -1,18 +1,21 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "generator/mechanics/scene.hpp"
-#include "tests/dynamics/simple_scenes.hpp"
+#include <array>
+#include <string>
+#include <utility>
+
+#include "tests/scenes/pendulums.hpp"
 
 namespace torsor::testing_mechanisms {
 
 /// x along the old z, for joints whose axis x is to lie along z.
 inline Placement x_along_z(const Triple& origin) { return {origin, Rotation::about(1, -6)}; }
 
-/// Four links in a plane, revolute joints along z; lengths crank, coupler, rocker, ground in metres.
-inline Scene four_bar(int crank_length, int coupler_length, int rocker_length, int ground_length,
-                      const std::array<Expression, 3>& angles) {
-  Scene scene("four_bar");
+/// Four links without mass in a plane, revolute joints along z, their lengths in metres.
+struct LinkLengths { int crank, coupler, rocker, ground; };
+inline Scene four_links(const LinkLengths& lengths, const std::array<Expression, 3>& angles) {
+  Scene scene("four_links");
   const auto metre = [](int n) { return Expression::quantity(Number(n), units::metre); };
   std::array<Expression, 3> q;
   for (std::size_t i = 0; i < 3; ++i) {
@@ -20,12 +23,65 @@ inline Scene four_bar(int crank_length, int coupler_length, int rocker_length, i
     scene.initial(q[i], angles[i]);
   }
   const FrameHandle crank = scene.revolute("crank", scene.ground(), axis::z, q[0]);
-  const FrameHandle coupler = scene.revolute("coupler", crank, axis::z, q[1], {{metre(crank_length), 0, 0}, {}});
+  const FrameHandle coupler = scene.revolute("coupler", crank, axis::z, q[1], {{metre(lengths.crank), 0, 0}, {}});
   const FrameHandle rocker =
-      scene.revolute("rocker", scene.ground(), axis::z, q[2], {{metre(ground_length), 0, 0}, {}});
-  const FrameHandle end = scene.weld("coupler_end", coupler, x_along_z({metre(coupler_length), 0, 0}));
-  const FrameHandle rocker_end = scene.weld("rocker_end", rocker, x_along_z({metre(rocker_length), 0, 0}));
+      scene.revolute("rocker", scene.ground(), axis::z, q[2], {{metre(lengths.ground), 0, 0}, {}});
+  const FrameHandle end = scene.weld("coupler_end", coupler, x_along_z({metre(lengths.coupler), 0, 0}));
+  const FrameHandle rocker_end = scene.weld("rocker_end", rocker, x_along_z({metre(lengths.rocker), 0, 0}));
   scene.loop_joint("knee", {.type = JointType::revolute, .a = end, .b = rocker_end});
+  return scene;
+}
+
+/// Crank, coupler and rocker of 1, 2 and 3/2 m, rods of 1, 2 and 3/2 kg, over a base of 2 m, gravity in their plane.
+/// The start is that of the closed loop, to fifteen digits: the triangle over the crank by the cosine rule.
+struct FourBar {
+  Scene scene;
+  Expression a = scene.coordinate("a", "rad"), b = scene.coordinate("b", "rad"), c = scene.coordinate("c", "rad");
+  FrameHandle crank = scene.revolute("crank", scene.ground(), axis::z, a);
+  FrameHandle coupler = scene.revolute("coupler", crank, axis::z, b, {{metres("1"), 0, 0}});
+  FrameHandle rocker = scene.revolute("rocker", scene.ground(), axis::z, c, {{metres("2"), 0, 0}});
+
+  explicit FourBar(const std::string& name) : scene(name) {
+    scene.body("crank", crank, Inertia::rod(kilograms("1"), metres("1"), 0).at({metres("0.5"), 0, 0}));
+    scene.body("coupler", coupler, Inertia::rod(kilograms("2"), metres("2"), 0).at({metres("1"), 0, 0}));
+    scene.body("rocker", rocker, Inertia::rod(kilograms("1.5"), metres("1.5"), 0).at({metres("0.75"), 0, 0}));
+    scene.gravity({0, quantity("-9.81", "m/s^2"), 0});
+    scene.initial(a, 1);
+    scene.initial(b, quantity("-0.701107141659005", "rad"));
+    scene.initial(c, quantity("1.264965395965706", "rad"));
+  }
+  /// By two conditions in the plane.
+  void close() {
+    const PointHandle tip = scene.point("tip", coupler, {metres("2"), 0, 0});
+    const PointHandle end = scene.point("end", rocker, {metres("1.5"), 0, 0});
+    scene.closure("x", tip, end, axis::x);
+    scene.closure("y", tip, end, axis::y);
+  }
+  /// Frames at the ends of coupler and rocker whose x is along the pin.
+  std::pair<FrameHandle, FrameHandle> ends() {
+    return {scene.weld("tip", coupler, x_along_z({metres("2"), 0, 0})),
+            scene.weld("end", rocker, x_along_z({metres("1.5"), 0, 0}))};
+  }
+};
+
+/// Cranks of length 1 from pivots 2 apart and a coupler of length 2, at rest with the cranks turned by `start`.
+inline Scene parallelogram(Angle of_coupler, const Expression& start) {
+  Scene scene("parallelogram");
+  const Expression a = scene.coordinate("a", "rad"), b = scene.coordinate("b", "rad"), c = scene.coordinate("c", "rad");
+  const bool absolute = of_coupler == Angle::absolute;
+  const FrameHandle crank = scene.revolute("crank", scene.ground(), axis::z, a);
+  const FrameHandle coupler = scene.revolute("coupler", crank, axis::z, absolute ? b - a : b, {{metres("1"), 0, 0}});
+  const FrameHandle rocker = scene.revolute("rocker", scene.ground(), axis::z, c, {{metres("2"), 0, 0}});
+  for (const FrameHandle& frame : {crank, coupler, rocker}) {
+    scene.body("s" + std::to_string(frame.index), frame, Inertia::rod(kilograms("1"), metres("1"), 0));
+  }
+  scene.initial(a, start);
+  scene.initial(b, absolute ? 0 : -start);
+  scene.initial(c, start);
+  const PointHandle tip = scene.point("tip", coupler, {metres("2"), 0, 0});
+  const PointHandle end = scene.point("end", rocker, {metres("1"), 0, 0});
+  scene.closure("x", tip, end, axis::x);
+  scene.closure("y", tip, end, axis::y);
   return scene;
 }
 
