@@ -91,7 +91,7 @@ Scene by_hand() {
     const Expression m = scene.parameter(word + "_mass", "kg", number(mass, "kg"));
     const auto moment = [&](const char* axes) { return scene.parameter(word + "_inertia_" + axes, "kg m^2", number(inertia, "kg m^2")); };
     const Expression xx = moment("xx"), yy = moment("yy"), zz = moment("zz");
-    scene.body(name, frame, Inertia::general(m, xx, yy, zz));
+    scene.body(name, frame, Inertia::general({.mass = m, .xx = xx, .yy = yy, .zz = zz}));
   };
   body("left", left, "2", "0.008");
   body("right", right, "1", "0.009");
