@@ -47,6 +47,13 @@ torsor::Scene woodpecker_toy_scene() {
   scene.contact("peck", shape::Point{.point = beak}, shape::Plane{.frame = pole}, {.friction = f, .restitution = e});
   scene.contact("low", shape::Point{.point = lower}, shape::Plane{.frame = pole}, {.friction = f});
   scene.contact("high", shape::Point{.point = upper}, shape::Plane{.frame = pole}, {.friction = f});
+
+  const Expression thin = r_pole / 4;
+  scene.show({.frame = scene.ground(), .form = form::Cylinder{r_pole, 14 * h_sleeve}, .placement = {{0, 0, -4 * h_sleeve}}});
+  scene.show({.frame = sleeve, .form = form::Cylinder{r_sleeve, 2 * h_sleeve}});
+  scene.show({.frame = bird, .form = form::Segment{{0, 0, 0}, {l_bird, 0, 0}, thin}});
+  scene.show({.frame = bird, .form = form::Sphere{l_bird / 2}, .placement = {{l_bird, 0, 0}}});
+  scene.show({.frame = bird, .form = form::Segment{{l_bird, 0, 0}, {l_bird - l_beak, 0, h_beak}, 2 * thin}});
   return scene;
 }
 

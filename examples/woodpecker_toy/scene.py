@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 """A woodpecker on a sleeve that a spring joins it to slides down a pole. The sleeve is wider than the pole: it jams by
 friction where it tilts, and the nods of the bird free it. Numbers of Glocker (1995), who takes the tilt as small."""
-from torsor.scene import Inertia, Rotation, Scene, axis, quantity, shape
+from torsor.scene import Inertia, Rotation, Scene, axis, form, quantity, shape
 
 scene = Scene("woodpecker_toy", "A woodpecker slides down its pole in jerks")
 
@@ -44,6 +44,13 @@ upper = scene.point("upper_edge", sleeve, (r_sleeve, 0, h_sleeve))
 scene.contact("peck", shape.Point(beak), shape.Plane(pole), friction=f, restitution=e)
 scene.contact("low", shape.Point(lower), shape.Plane(pole), friction=f)
 scene.contact("high", shape.Point(upper), shape.Plane(pole), friction=f)
+
+thin = r_pole / 4
+scene.show(scene.ground, form.Cylinder(r_pole, 14 * h_sleeve), origin=(0, 0, -4 * h_sleeve))
+scene.show(sleeve, form.Cylinder(r_sleeve, 2 * h_sleeve))
+scene.show(bird, form.Segment((0, 0, 0), (l_bird, 0, 0), thin))
+scene.show(bird, form.Sphere(l_bird / 2), origin=(l_bird, 0, 0))
+scene.show(bird, form.Segment((l_bird, 0, 0), (l_bird - l_beak, 0, h_beak), 2 * thin))
 
 if __name__ == "__main__":
     scene.main()
