@@ -4,6 +4,7 @@
 #include <cmath>
 #include <string>
 
+#include "generator/dynamics/forces/bearing_loads.hpp"
 #include "generator/dynamics/forces/constraint_wrench.hpp"
 #include "generator/dynamics/forces/contacts.hpp"
 #include "generator/dynamics/motion/body_set.hpp"

@@ -11,7 +11,9 @@
 #include "generator/base/linear_algebra/orthonormal_rows.hpp"
 #include "generator/dynamics/equations/configuration_sample.hpp"
 #include "generator/dynamics/equations/constraint_sizes.hpp"
+#include "generator/dynamics/forces/bearing_loads.hpp"
 #include "generator/dynamics/forces/constraints.hpp"
+#include "generator/dynamics/forces/contacts.hpp"
 #include "generator/dynamics/forces/virtual_power.hpp"
 
 namespace torsor {
@@ -40,6 +42,9 @@ class RankFinder {
     }
     holonomic_count_ = static_cast<std::size_t>(
         std::count_if(rows_.begin(), rows_.end(), [](const ConstraintRow& row) { return row.holonomic; }));
+    for (const ContactRows& contact : contact_rows(model_)) {
+      if (contact.joint) rubbing_.push_back({contact.name, constraint_loads(model_, *contact.joint)});
+    }
   }
 
   ConstraintRank find() {
@@ -70,15 +75,10 @@ class RankFinder {
       }
       if (result.closed) refuse_contradiction(away, index, accepted, c);
       for (std::size_t r = n_; r < all; ++r) {
-        Real difference = away(rows_[index].column[r]);
-        Real size = abs(difference);
-        for (std::size_t k = 0; k < c.size(); ++k) {
-          const Real part = c[k] * away(rows_[accepted[k]].column[r]);
-          difference -= part;
-          size += abs(part);
-        }
-        if (abs(difference) > size * tolerance()) result.determinate_released[r - n_] = false;
+        const bool shared = sharing_changes(away, [&](std::size_t j) { return rows_[j].column[r]; }, index, accepted, c);
+        if (shared) result.determinate_released[r - n_] = false;
       }
+      refuse_joint_friction(away, index, accepted, c);
     }
     std::sort(result.dropped.begin(), result.dropped.end());
     refuse_friction(result);
@@ -279,6 +279,35 @@ class RankFinder {
         name));
   }
 
+  /// Whether what a unit multiplier of each constraint adds makes a sum that another sharing among them changes.
+  template <class Load>
+  bool sharing_changes(ConfigurationSample& at, const Load& load_of, std::size_t index, const std::vector<std::size_t>& accepted,
+                       const std::vector<Real>& c) const {
+    Real difference = at(load_of(index));
+    Real size = abs(difference);
+    for (std::size_t k = 0; k < c.size(); ++k) {
+      const Real part = c[k] * at(load_of(accepted[k]));
+      difference -= part;
+      size += abs(part);
+    }
+    return abs(difference) > size * tolerance();
+  }
+
+  /// Friction in proportion to what a joint transmits moves the mechanism by how constraints share their forces.
+  void refuse_joint_friction(ConfigurationSample& at, std::size_t index, const std::vector<std::size_t>& accepted,
+                             const std::vector<Real>& c) const {
+    for (const RubbingJoint& joint : rubbing_) {
+      for (const std::vector<Value>& loads : joint.loads) {
+        if (!sharing_changes(at, [&loads](std::size_t j) { return loads[j]; }, index, accepted, c)) continue;
+        throw SceneError(
+            fmt::format("the friction '{}' is in proportion to what its joint transmits, which is indeterminate, and the "
+                        "motion with it: constraint '{}' repeats others; leave out what repeats, or give the bound of a "
+                        "dry_friction",
+                        joint.name, rows_[index].name));
+      }
+    }
+  }
+
   void refuse_contradiction(ConfigurationSample& at, std::size_t index, const std::vector<std::size_t>& accepted,
                             const std::vector<Real>& c) const {
     // Σ a_i q̇_i = b: the same combination must hold for b, that is for minus the rate at rest.
@@ -360,6 +389,11 @@ class RankFinder {
   std::size_t n_ = 0, holonomic_count_ = 0;
   std::vector<Real> metric_;
   std::vector<std::size_t> order_;  ///< holonomic rows, then the others
+  struct RubbingJoint {
+    std::string name;                      ///< of the friction
+    std::vector<std::vector<Value>> loads;  ///< by direction across its axis, by constraint
+  };
+  std::vector<RubbingJoint> rubbing_;
 };
 
 }  // namespace

@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "generator/base/error.hpp"
+#include "generator/dynamics/forces/bearing_loads.hpp"
 #include "generator/dynamics/forces/contacts.hpp"
 #include "generator/dynamics/theorems/newton_euler.hpp"
 #include "generator/program/derivative.hpp"
@@ -121,34 +122,6 @@ std::vector<std::vector<BearingReaction>> bearing_reactions(const Equations& equ
     all[k] = reactions->of(contacts[k]);
   }
   return all;
-}
-
-std::vector<Vector> across_axis(Program& program, const Link& link) {
-  const auto basis = [&program](int i) {
-    Vector e;
-    e[i] = program.number(Number(1));
-    return e;
-  };
-  if (link.aligned >= 0) return {basis((link.aligned + 1) % 3), basis((link.aligned + 2) % 3)};
-  // e_x − n_x (n + e_z)/(1 + n_z) and the same of y: n is not along z.
-  const Vector half = bound(program, link.axis + basis(2));
-  const Value scale = program.bind(pow(half[2], -1));
-  std::vector<Vector> across;
-  for (const int i : {0, 1}) {
-    const Value part = program.bind(scale * link.axis[i]);
-    across.push_back(bound(program, basis(i) - part * half));
-  }
-  return across;
-}
-
-std::vector<bool> carried_links(const Model& model, int link) {
-  std::vector<bool> carried(model.links().size(), false);
-  carried[static_cast<std::size_t>(link)] = true;
-  for (std::size_t k = static_cast<std::size_t>(link) + 1; k < carried.size(); ++k) {
-    const int parent = model.links()[k].parent;
-    carried[k] = parent >= 0 && carried[static_cast<std::size_t>(parent)];
-  }
-  return carried;
 }
 
 }  // namespace torsor

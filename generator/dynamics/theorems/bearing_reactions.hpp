@@ -24,10 +24,4 @@ struct BearingReaction {
 /// Source: Newton's theorem for all that the joint carries (Pommier, Dynamique des systèmes de solides, §6.3).
 std::vector<std::vector<BearingReaction>> bearing_reactions(const Equations& equations);
 
-/// Two directions across the axis of a joint, in the axes of the link that it carries.
-std::vector<Vector> across_axis(Program& program, const Link& link);
-
-/// By link: whether the joint of `link` carries it.
-std::vector<bool> carried_links(const Model& model, int link);
-
 }  // namespace torsor
