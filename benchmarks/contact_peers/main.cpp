@@ -1,196 +1,100 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Discs that settle in a box and a pile of six discs that must collapse: ours beside Box2D and Chipmunk where they are
-// installed. Times are of the processor, in one run.
+// Motions with contacts, ours beside those of MuJoCo, Siconos, Simbody, Box2D and Chipmunk where they are installed:
+// time of the processor and error, in one run.
 #include <algorithm>
 #include <cmath>
-#include <cstddef>
 #include <cstdio>
-#include <cstdlib>
-#include <ctime>
 #include <functional>
-#include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
-#include "benchmarks/contacts/box_of_discs.hpp"
-#include "runtime/grains/grain_motion.hpp"
-#if defined(TORSOR_BOX2D)
-#include <box2d/box2d.h>
-#endif
-#if defined(TORSOR_CHIPMUNK)
-#include <chipmunk/chipmunk.h>
-#endif
+#include <CLI/CLI.hpp>
+
+#include "benchmarks/contact_peers/problems.hpp"
+
+// Of Siconos' linear algebra: threads that wait would count as time of the processor. Null without it.
+extern "C" void openblas_set_num_threads(int) __attribute__((weak));
 
 namespace {
 
-using namespace torsor::runtime;
+using namespace torsor::contact_peers;
 
-// Peers are made for bodies of some decimetres to metres: lengths and gravity are given to them in this unit.
-constexpr double unit = 0.02;
-
-/// Moves the grains by a step.
-using Stepper = std::function<void(double)>;
-
-#if defined(TORSOR_BOX2D)
-class Box2d {
- public:
-  Box2d(Grains<2>& grains, int iterations) : grains_(grains), iterations_(iterations), world_({0, 0}) {
-    world_.SetGravity({static_cast<float>(grains.gravity(0) / unit), static_cast<float>(grains.gravity(1) / unit)});
-    for (const auto& wall : grains.walls) {
-      b2BodyDef definition;
-      const Eigen::Vector2d along(-wall.normal(1), wall.normal(0)), a = (wall.point - 100 * along) / unit,
-                                                                    b = (wall.point + 100 * along) / unit;
-      b2EdgeShape edge;
-      edge.SetTwoSided({static_cast<float>(a(0)), static_cast<float>(a(1))},
-                       {static_cast<float>(b(0)), static_cast<float>(b(1))});
-      world_.CreateBody(&definition)->CreateFixture(&edge, 0)->SetFriction(static_cast<float>(wall.friction));
-    }
-    for (std::size_t i = 0; i < grains.count(); ++i) {
-      b2BodyDef definition;
-      definition.type = b2_dynamicBody;
-      definition.position = {static_cast<float>(grains.x[i](0) / unit), static_cast<float>(grains.x[i](1) / unit)};
-      b2CircleShape circle;
-      circle.m_radius = static_cast<float>(grains.radius[i] / unit);
-      b2FixtureDef fixture;
-      fixture.shape = &circle;
-      fixture.density = static_cast<float>(1 / grains.inverse_mass[i] / (b2_pi * circle.m_radius * circle.m_radius));
-      fixture.friction = static_cast<float>(grains.friction);
-      bodies_.push_back(world_.CreateBody(&definition));
-      bodies_.back()->CreateFixture(&fixture);
-    }
-  }
-  void operator()(double h) {
-    world_.Step(static_cast<float>(h), iterations_, std::max(3, iterations_ / 3));
-    for (std::size_t i = 0; i < bodies_.size(); ++i) {
-      const b2Vec2 x = bodies_[i]->GetPosition(), v = bodies_[i]->GetLinearVelocity();
-      grains_.x[i] = {unit * x.x, unit * x.y};
-      grains_.v[i] = {unit * v.x, unit * v.y};
-      grains_.w[i](0) = bodies_[i]->GetAngularVelocity();
-    }
-  }
-
- private:
-  Grains<2>& grains_;
-  int iterations_;
-  b2World world_;
-  std::vector<b2Body*> bodies_;
+struct Row {
+  double milliseconds, error;
 };
-#endif
 
-#if defined(TORSOR_CHIPMUNK)
-class Chipmunk {
- public:
-  Chipmunk(Grains<2>& grains, int iterations) : grains_(grains), space_(cpSpaceNew()) {
-    cpSpaceSetIterations(space_, iterations);
-    cpSpaceSetCollisionSlop(space_, 1e-4);
-    cpSpaceSetGravity(space_, cpv(grains.gravity(0) / unit, grains.gravity(1) / unit));
-    for (const auto& wall : grains.walls) {
-      const Eigen::Vector2d along(-wall.normal(1), wall.normal(0)), a = (wall.point - 100 * along) / unit,
-                                                                    b = (wall.point + 100 * along) / unit;
-      cpShape* shape =
-          cpSpaceAddShape(space_, cpSegmentShapeNew(cpSpaceGetStaticBody(space_), cpv(a(0), a(1)), cpv(b(0), b(1)), 0));
-      cpShapeSetFriction(shape, wall.friction / std::sqrt(grains.friction));  // the product of both is taken
-    }
-    for (std::size_t i = 0; i < grains.count(); ++i) {
-      const double m = 1 / grains.inverse_mass[i], R = grains.radius[i] / unit;
-      cpBody* body = cpSpaceAddBody(space_, cpBodyNew(m, cpMomentForCircle(m, 0, R, cpvzero)));
-      cpBodySetPosition(body, cpv(grains.x[i](0) / unit, grains.x[i](1) / unit));
-      cpShapeSetFriction(cpSpaceAddShape(space_, cpCircleShapeNew(body, R, cpvzero)), std::sqrt(grains.friction));
-      bodies_.push_back(body);
+/// Every way in turns, so that what else the machine does meets all alike; the median of the times.
+std::vector<Row> measure(const Problem& problem, int turns) {
+  std::vector<std::vector<double>> times(problem.ways.size());
+  std::vector<Row> rows(problem.ways.size());
+  for (int turn = 0; turn < turns; ++turn) {
+    for (std::size_t k = 0; k < rows.size(); ++k) {
+      const Outcome outcome = problem.ways[k].run();
+      times[k].push_back(1e3 * outcome.seconds);
+      rows[k].error = outcome.error;
     }
   }
-  void operator()(double h) {
-    cpSpaceStep(space_, h);
-    for (std::size_t i = 0; i < bodies_.size(); ++i) {
-      const cpVect x = cpBodyGetPosition(bodies_[i]), v = cpBodyGetVelocity(bodies_[i]);
-      grains_.x[i] = {unit * x.x, unit * x.y};
-      grains_.v[i] = {unit * v.x, unit * v.y};
-      grains_.w[i](0) = cpBodyGetAngularVelocity(bodies_[i]);
-    }
+  for (std::size_t k = 0; k < rows.size(); ++k) {
+    std::sort(times[k].begin(), times[k].end());
+    rows[k].milliseconds = times[k][times[k].size() / 2];
   }
-
- private:
-  Grains<2>& grains_;
-  cpSpace* space_;
-  std::vector<cpBody*> bodies_;
-};
-#endif
-
-double deepest(const Grains<2>& grains) {
-  double depth = 0;
-  for (std::size_t i = 0; i < grains.count(); ++i) {
-    for (std::size_t j = i + 1; j < grains.count(); ++j) {
-      depth = std::max(depth, grains.radius[i] + grains.radius[j] - (grains.x[i] - grains.x[j]).norm());
-    }
-    for (const auto& wall : grains.walls) depth = std::max(depth, -wall_gap(wall, grains.x[i], grains.radius[i]).gap);
-  }
-  return depth;
+  return rows;
 }
 
-/// Six discs of 1 m and 1 kg in a pile, f = 0.4, g = 1: the top one's acceleration is known (tests/grains).
-Grains<2> six_discs() {
-  Grains<2> grains;
-  grains.gravity = {0, -1};
-  grains.friction = 0.4;
-  grains.walls.push_back({.friction = 0.4});
-  for (int row = 0; row < 3; ++row) {
-    for (int i = 0; i < 3 - row; ++i) grains.add({i + 0.5 * row, 0.5 + row * std::sqrt(3.0) / 2}, 0.5, 1);
+/// How many times as long a way takes as the quickest of ours that is at least as exact.
+std::string ratio(const Problem& problem, const std::vector<Row>& rows, std::size_t k) {
+  double ours = INFINITY;
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    if (problem.ways[i].who == "torsor" && rows[i].error <= rows[k].error) ours = std::min(ours, rows[i].milliseconds);
   }
-  return grains;
-}
-
-void measure(const std::string& name, int count, int steps, const std::function<Stepper(Grains<2>&)>& with) {
-  Grains<2> grains = box_of_discs(count, static_cast<int>(1.5 * std::sqrt(count)));
-  const Stepper step = with(grains);
-  const std::clock_t start = std::clock();
-  for (int k = 0; k < steps; ++k) step(1e-3);
-  const double ms = 1e3 * static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC / steps;
-  Grains<2> pile = six_discs();
-  const Stepper once = with(pile);
-  constexpr double h = 0.01;
-  once(h);
-  std::printf("%-34s %10.3f %12.2e %14.2e %18.2e\n", name.c_str(), ms, 1e3 * deepest(grains), grains.kinetic_energy(),
-              std::abs(pile.v[5](1) / h + 0.0605946584846100378));
+  if (!std::isfinite(rows[k].error)) return "fails";
+  if (problem.ways[k].who == "torsor") return "";
+  if (!std::isfinite(ours)) return "not reached";
+  char text[32];
+  std::snprintf(text, sizeof text, "%.2g", rows[k].milliseconds / ours);
+  return text;
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
-  const int count = argc > 1 ? std::atoi(argv[1]) : 1000, steps = argc > 2 ? std::atoi(argv[2]) : 1000;
-  if (count < 1 || steps < 1 || argc > 3) {
-    std::fprintf(stderr, "usage: contact_peers [discs [steps]]\n");
-    return 2;
-  }
+  CLI::App app("Motions with contacts beside MuJoCo, Siconos, Simbody, Box2D and Chipmunk");
+  int turns = 3, discs = 400, steps = 600;
+  std::vector<std::string> names;
+  app.add_option("--turns", turns, "how often each way runs")->check(CLI::PositiveNumber)->capture_default_str();
+  app.add_option("--discs", discs, "discs that settle")->check(CLI::PositiveNumber)->capture_default_str();
+  app.add_option("--steps", steps, "steps of 1 ms in which they do")->check(CLI::PositiveNumber)->capture_default_str();
+  const std::vector<std::pair<std::string, std::function<Problem()>>> problems{
+      {"bouncing", bouncing_ball},
+      {"billiard", billiard_ball},
+      {"chain", chain_on_floor},
+      {"quadruped", quadruped},
+      {"spheres", spheres_in_a_box},
+      {"pile", six_discs},
+      {"discs", [&] { return discs_that_settle(discs, steps); }}};
+  std::vector<std::string> all;
+  for (const auto& [name, make] : problems) all.push_back(name);
+  app.add_option("--problems", names, "some only: bouncing, billiard, chain, quadruped, spheres, pile, discs")
+      ->delimiter(',')
+      ->check(CLI::IsMember(all));
+  CLI11_PARSE(app, argc, argv);
+  if (openblas_set_num_threads != nullptr) openblas_set_num_threads(1);
   std::setvbuf(stdout, nullptr, _IOLBF, 0);
-  std::printf("%d discs settle in %d steps of 1 ms; a pile of six\n\n%-34s %10s %12s %14s %18s\n", count, steps, "",
-              "ms a step", "overlap/mm", "energy left/J", "acceleration off");
-  for (const auto& options :
-       {GrainOptions{.tolerance = 1e-2, .sweeps = 30}, GrainOptions{.tolerance = 1e-4, .sweeps = 100},
-        GrainOptions{.tolerance = 1e-6, .sweeps = 300}}) {
-    char name[64];
-    std::snprintf(name, sizeof name, "torsor, %.0e, at most %d sweeps", options.tolerance, options.sweeps);
-    measure(name, count, steps, [&options](Grains<2>& grains) -> Stepper {
-      const auto motion = std::make_shared<GrainMotion<2>>(grains, options);
-      return [motion](double h) { (void)motion->step(h); };
-    });
+  std::printf(
+      "Milliseconds of the processor (median of %d); the last column: times as long as torsor takes for an error no "
+      "larger\n",
+      turns);
+  for (const auto& [name, make] : problems) {
+    if (!names.empty() && std::find(names.begin(), names.end(), name) == names.end()) continue;
+    const Problem problem = make();
+    const std::vector<Row> rows = measure(problem, turns);
+    std::printf("\n%s\n%-10s %-52s %12s %20s %12s\n", problem.name.c_str(), "", "", "ms", problem.error.c_str(),
+                "x torsor");
+    for (std::size_t k = 0; k < rows.size(); ++k) {
+      std::printf("%-10s %-52s %12.4g %20.1e %12s\n", problem.ways[k].who.c_str(), problem.ways[k].setting.c_str(),
+                  rows[k].milliseconds, rows[k].error, ratio(problem, rows, k).c_str());
+    }
   }
-#if defined(TORSOR_BOX2D)
-  for (const int iterations : {8, 30, 100}) {
-    measure("Box2D, " + std::to_string(iterations) + " iterations", count, steps,
-            [iterations](Grains<2>& grains) -> Stepper {
-              const auto peer = std::make_shared<Box2d>(grains, iterations);
-              return [peer](double h) { (*peer)(h); };
-            });
-  }
-#endif
-#if defined(TORSOR_CHIPMUNK)
-  for (const int iterations : {10, 30, 100}) {
-    measure("Chipmunk, " + std::to_string(iterations) + " iterations", count, steps,
-            [iterations](Grains<2>& grains) -> Stepper {
-              const auto peer = std::make_shared<Chipmunk>(grains, iterations);
-              return [peer](double h) { (*peer)(h); };
-            });
-  }
-#endif
   return 0;
 }
