@@ -50,18 +50,21 @@ std::vector<const UrdfCollision*> UrdfCollisions::of_link(const std::string& lin
   }
   for (const UrdfCollision* each : found) {
     if (each->form && each->placement && !std::holds_alternative<form::Mesh>(*each->form)) continue;
-    each->place.fail(fmt::format("the <collision> of the link '{}' is no sphere, box or cylinder with a size and an origin that "
-                                 "can be read, as {} asks: write one of these in its place",
-                                 link, option));
+    each->place.fail(
+        fmt::format("the <collision> of the link '{}' is no sphere, box or cylinder with a size and an origin that "
+                    "can be read, as {} asks: write one of these in its place",
+                    link, option));
   }
   return found;
 }
 
-FrameHandle UrdfCollisions::at(const std::string& name, const FrameReference& parent, const Placement& placement) const {
+FrameHandle UrdfCollisions::at(const std::string& name, const FrameReference& parent,
+                               const Placement& placement) const {
   return scene_.weld(take_(name, "frame", {""}), parent, placement);
 }
 
-void UrdfCollisions::touch_plane(const std::string& name, const UrdfCollision& collision, const FrameReference& plane) const {
+void UrdfCollisions::touch_plane(const std::string& name, const UrdfCollision& collision,
+                                 const FrameReference& plane) const {
   const auto touches = [&](const std::string& contact, const ContactShape& shape) {
     scene_.contact(take_(contact, "contact", suffixes(shape)), shape, shape::Plane{.frame = plane}, law_);
   };
@@ -79,7 +82,8 @@ void UrdfCollisions::touch_plane(const std::string& name, const UrdfCollision& c
   }
 }
 
-void UrdfCollisions::touch_each_other(const std::string& name, const UrdfCollision& sphere, const UrdfCollision& other) const {
+void UrdfCollisions::touch_each_other(const std::string& name, const UrdfCollision& sphere,
+                                      const UrdfCollision& other) const {
   const auto ball = [&](const UrdfCollision& collision, const char* suffix) {
     return shape::Sphere{.frame = at(name + suffix, frame(collision.link), *collision.placement),
                          .radius = std::get<form::Sphere>(*collision.form).radius};

@@ -13,8 +13,8 @@
 namespace torsor {
 
 /// Makes an identifier of a frame or a symbol, such that none of it with each of the suffixes is taken; takes them.
-using TakeName =
-    std::function<std::string(const std::string& name, const std::string& kind, const std::vector<std::string>& suffixes)>;
+using TakeName = std::function<std::string(const std::string& name, const std::string& kind,
+                                           const std::vector<std::string>& suffixes)>;
 
 /// Makes contacts of the <collision> elements of links that an option names.
 class UrdfCollisions {
@@ -24,8 +24,8 @@ class UrdfCollisions {
   UrdfCollisions(Scene& scene, const UrdfRobot& robot, const std::map<std::string, std::string>& frames,
                  const TakeName& take, const std::string& word, const Number& friction, const Number& restitution);
 
-  /// The <collision> elements of a link, one at least, each a sphere, a box or a cylinder. `option` is the one that names the
-  /// link. Throws UsageError for a link that is unknown or has none, FileError for another form.
+  /// The <collision> elements of a link, one at least, each a sphere, a box or a cylinder. `option` is the one that
+  /// names the link. Throws UsageError for a link that is unknown or has none, FileError for another form.
   std::vector<const UrdfCollision*> of_link(const std::string& link, const std::string& option) const;
 
   /// A sphere touches the plane as it is, a box with its corners, a cylinder with its two rims.

@@ -43,9 +43,10 @@ class Pairs {
     const auto of_a = collisions_.of_link(a.link, option_), of_b = collisions_.of_link(b.link, option_);
     check_links(a, b);
     if (a.face && b.face) {
-      throw UsageError(fmt::format("{} names two faces, which meet along edges: name one, and the corners or rims of the other "
-                                   "link touch it",
-                                   option_));
+      throw UsageError(
+          fmt::format("{} names two faces, which meet along edges: name one, and the corners or rims of the other "
+                      "link touch it",
+                      option_));
     }
     const std::string name = frames_.at(a.link) + "_" + frames_.at(b.link);
     std::optional<FrameHandle> plane;
@@ -86,8 +87,9 @@ class Pairs {
       (count == 2 ? known : count == 1 ? half_known : any).push_back(std::move(pair));
     }
     if (known.size() > 1) {
-      throw UsageError(fmt::format("{} can be read as several pairs of links, '{}' and '{}' or '{}' and '{}': rename a link", option_,
-                                   known[0].first.link, known[0].second.link, known[1].first.link, known[1].second.link));
+      throw UsageError(
+          fmt::format("{} can be read as several pairs of links, '{}' and '{}' or '{}' and '{}': rename a link",
+                      option_, known[0].first.link, known[0].second.link, known[1].first.link, known[1].second.link));
     }
     if (!known.empty()) return known.front();
     if (!half_known.empty()) return half_known.front();
@@ -97,20 +99,23 @@ class Pairs {
 
   void check_links(const Side& a, const Side& b) {
     if (a.link == b.link) {
-      throw UsageError(fmt::format("{} names the link '{}' twice, and a link does not meet itself: name two links", option_, a.link));
+      throw UsageError(fmt::format("{} names the link '{}' twice, and a link does not meet itself: name two links",
+                                   option_, a.link));
     }
     for (const UrdfJoint& joint : robot_.joints) {
       const bool shared = (joint.parent.link == a.link && joint.child.link == b.link) ||
                           (joint.parent.link == b.link && joint.child.link == a.link);
       if (!shared || joint.type == UrdfJointType::fixed) continue;
-      throw UsageError(fmt::format("the links '{}' and '{}' of {} share the joint '{}', where their shapes may overlap: leave the pair "
-                                   "out, or give the shape that shall meet the other to a link of its own with a fixed joint",
-                                   a.link, b.link, option_, joint.name));
+      throw UsageError(fmt::format(
+          "the links '{}' and '{}' of {} share the joint '{}', where their shapes may overlap: leave the pair "
+          "out, or give the shape that shall meet the other to a link of its own with a fixed joint",
+          a.link, b.link, option_, joint.name));
     }
     if (body(a.link) == body(b.link)) {
-      throw UsageError(fmt::format("the links '{}' and '{}' of {} are one body by fixed joints, and nothing can open or close "
-                                   "between them: leave the pair out",
-                                   a.link, b.link, option_));
+      throw UsageError(
+          fmt::format("the links '{}' and '{}' of {} are one body by fixed joints, and nothing can open or close "
+                      "between them: leave the pair out",
+                      a.link, b.link, option_));
     }
     const std::pair<std::string, std::string> first(a.link, a.face_word), second(b.link, b.face_word);
     if (seen_.insert(std::minmax(first, second)).second) return;
@@ -130,19 +135,22 @@ class Pairs {
     return link;
   }
 
-  FrameHandle face_of(const Side& of, const std::vector<const UrdfCollision*>& elements, const std::string& name) const {
+  FrameHandle face_of(const Side& of, const std::vector<const UrdfCollision*>& elements,
+                      const std::string& name) const {
     if (elements.size() > 1) {
-      throw UsageError(fmt::format("the link '{}' in {} has {} <collision> elements, and {} does not say of which: give the one with that "
-                                   "face to a link of its own with a fixed joint",
-                                   of.link, option_, elements.size(), of.face_word));
+      throw UsageError(fmt::format(
+          "the link '{}' in {} has {} <collision> elements, and {} does not say of which: give the one with that "
+          "face to a link of its own with a fixed joint",
+          of.link, option_, elements.size(), of.face_word));
     }
     const UrdfCollision& element = *elements.front();
     const auto* box = std::get_if<form::Box>(&*element.form);
     const auto* cylinder = std::get_if<form::Cylinder>(&*element.form);
     if (box == nullptr && (cylinder == nullptr || of.face->axis != 2)) {
-      throw UsageError(fmt::format("the <collision> of the link '{}' in {} is a {}, which has no plane face {}: a box has the faces +x, -x, "
-                                   "+y, -y, +z and -z, a cylinder +z and -z",
-                                   of.link, option_, form_name(element), of.face_word));
+      throw UsageError(fmt::format(
+          "the <collision> of the link '{}' in {} is a {}, which has no plane face {}: a box has the faces +x, -x, "
+          "+y, -y, +z and -z, a cylinder +z and -z",
+          of.link, option_, form_name(element), of.face_word));
     }
     const Expression height = (box != nullptr ? box->edges[of.face->axis] : cylinder->length) / 2;
     std::array<Number, 3> normal{};
@@ -154,12 +162,14 @@ class Pairs {
   }
 
   void meet(const std::string& name, const UrdfCollision& a, const UrdfCollision& b) const {
-    const bool round_a = std::holds_alternative<form::Sphere>(*a.form), round_b = std::holds_alternative<form::Sphere>(*b.form);
+    const bool round_a = std::holds_alternative<form::Sphere>(*a.form),
+               round_b = std::holds_alternative<form::Sphere>(*b.form);
     if (round_a && round_b) return collisions_.touch_each_other(name, a, b);
     const std::string hint = round_b ? fmt::format("{}+z:{}", a.link, b.link) : fmt::format("{}:{}+z", a.link, b.link);
-    throw UsageError(fmt::format("the {} of '{}' and the {} of '{}' in {} have no exact contact: write spheres in their place, or name a face "
-                                 "as in --contacts {}, which is then a plane without edges",
-                                 form_name(a), a.link, form_name(b), b.link, option_, hint));
+    throw UsageError(fmt::format(
+        "the {} of '{}' and the {} of '{}' in {} have no exact contact: write spheres in their place, or name a face "
+        "as in --contacts {}, which is then a plane without edges",
+        form_name(a), a.link, form_name(b), b.link, option_, hint));
   }
 
   const UrdfRobot& robot_;
@@ -174,7 +184,8 @@ class Pairs {
 void add_contacts(Scene& scene, const UrdfRobot& robot, const UrdfOptions& options,
                   const std::map<std::string, std::string>& frames, const TakeName& take) {
   if (options.contacts.empty()) return;
-  const UrdfCollisions collisions(scene, robot, frames, take, "contacts", options.contacts_friction, options.contacts_restitution);
+  const UrdfCollisions collisions(scene, robot, frames, take, "contacts", options.contacts_friction,
+                                  options.contacts_restitution);
   Pairs pairs(robot, collisions, frames);
   for (const std::string& word : options.contacts) pairs.add(word);
 }

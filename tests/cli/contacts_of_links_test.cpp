@@ -47,8 +47,8 @@ Outcome run(const std::string& command, const std::vector<std::string>& options)
 // The gap of 0.75 m closes at 0.25 s. With e = 1/2: v_left = (2·3 - 1·3/2)/3, v_right = (2·3 + 2·3/2)/3, and
 // (1/2) (2/3) (1 - e²) 3² J are lost.
 TEST(ContactsOfLinks, MoveTwoBallsByMomentumAndRestitution) {
-  const Outcome outcome = run("simulate", {"--contacts", "left:right", "--contacts-restitution", "0.5", "--initial", "a'=3", "--to",
-                                           "0.5", "--step", "0.25"});
+  const Outcome outcome = run("simulate", {"--contacts", "left:right", "--contacts-restitution", "0.5", "--initial",
+                                           "a'=3", "--to", "0.5", "--step", "0.25"});
   ASSERT_EQ(outcome.code, 0) << outcome.err;
   const Table motion = table(outcome.out);
   // Roundings of numbers up to 9.
@@ -58,14 +58,16 @@ TEST(ContactsOfLinks, MoveTwoBallsByMomentumAndRestitution) {
   EXPECT_NEAR(motion.end("b"), 0.25 * 3, 4e-15);
   EXPECT_NEAR(motion.at(0, "kinetic_energy") - motion.end("kinetic_energy"), 2.25, 1e-14);
   EXPECT_NEAR(motion.end("left_right_gap"), 0.25 * 1.5, 4e-15);
-  EXPECT_NE(outcome.out.find("# Event: impact of left_right at t = 0.25 s, energy lost 2.25 J"), std::string::npos) << outcome.out;
+  EXPECT_NE(outcome.out.find("# Event: impact of left_right at t = 0.25 s, energy lost 2.25 J"), std::string::npos)
+      << outcome.out;
 }
 
-// The right ball, struck elastically, comes to the plate's face -x: 2·3·2/3 = 4 m/s, over 3 - 0.1 - 1 - 0.15 m, and there
-// with e = 1: v_right = 4 (1 - 4)/5, v_plate = 2·4/5.
+// The right ball, struck elastically, comes to the plate's face -x: 2·3·2/3 = 4 m/s, over 3 - 0.1 - 1 - 0.15 m, and
+// there with e = 1: v_right = 4 (1 - 4)/5, v_plate = 2·4/5.
 TEST(ContactsOfLinks, MoveABallAgainstAFaceOfABox) {
-  const Outcome outcome = run("simulate", {"--contacts", "left:right", "--contacts", "right:plate-x", "--contacts-restitution", "1",
-                                           "--initial", "a'=3", "--to", "0.75", "--step", "0.25"});
+  const Outcome outcome =
+      run("simulate", {"--contacts", "left:right", "--contacts", "right:plate-x", "--contacts-restitution", "1",
+                       "--initial", "a'=3", "--to", "0.75", "--step", "0.25"});
   ASSERT_EQ(outcome.code, 0) << outcome.err;
   const Table motion = table(outcome.out);
   const double strikes = 0.25 + 1.75 / 4, after = 0.75 - strikes;
@@ -89,7 +91,9 @@ Scene by_hand() {
   const auto body = [&](const char* name, const FrameHandle& frame, const char* mass, const char* inertia) {
     const std::string word = name;
     const Expression m = scene.parameter(word + "_mass", "kg", number(mass, "kg"));
-    const auto moment = [&](const char* axes) { return scene.parameter(word + "_inertia_" + axes, "kg m^2", number(inertia, "kg m^2")); };
+    const auto moment = [&](const char* axes) {
+      return scene.parameter(word + "_inertia_" + axes, "kg m^2", number(inertia, "kg m^2"));
+    };
     const Expression xx = moment("xx"), yy = moment("yy"), zz = moment("zz");
     scene.body(name, frame, Inertia::general({.mass = m, .xx = xx, .yy = yy, .zz = zz}));
   };
@@ -115,7 +119,9 @@ TEST(ContactsOfLinks, AreThoseOfASceneThatSaysTheSame) {
   options.insert(options.end(), kernels.begin(), kernels.end());
   std::vector<std::string> of_scene{"generate"};
   of_scene.insert(of_scene.end(), kernels.begin(), kernels.end());
-  const auto code = [](const std::string& header) { return header.substr(std::min(header.find("#pragma once"), header.size())); };
+  const auto code = [](const std::string& header) {
+    return header.substr(std::min(header.find("#pragma once"), header.size()));
+  };
   const std::string text = code(run("generate", options).out);
   EXPECT_GT(text.size(), 1000U);
   EXPECT_TRUE(text == code(testing_programs::run(by_hand, of_scene).out));
@@ -123,16 +129,17 @@ TEST(ContactsOfLinks, AreThoseOfASceneThatSaysTheSame) {
 
 // Every command reads the option, and a header repeats it so that a shell reads it again.
 TEST(ContactsOfLinks, AreTakenByEveryCommand) {
-  const std::vector<std::string> options{"--contacts",         "left:right,right:plate-x", "--contacts-friction", "0.25",
-                                         "--contacts-restitution", "0.5"};
+  const std::vector<std::string> options{"--contacts", "left:right,right:plate-x", "--contacts-friction",
+                                         "0.25",       "--contacts-restitution",   "0.5"};
   const auto with = [&](std::vector<std::string> more) {
     more.insert(more.begin(), options.begin(), options.end());
     return more;
   };
   const Outcome header = run("generate", with({"--kernels", "contacts", "-o", "-"}));
   ASSERT_EQ(header.code, 0) << header.err;
-  EXPECT_NE(header.out.find("//   torsor generate balls.urdf --gravity 0,0,0 --no-motors --contacts 'left:right,right:plate-x' "
-                            "--contacts-friction 0.25 --contacts-restitution 0.5 --kernels contacts --output balls.hpp\n"),
+  EXPECT_NE(header.out.find(
+                "//   torsor generate balls.urdf --gravity 0,0,0 --no-motors --contacts 'left:right,right:plate-x' "
+                "--contacts-friction 0.25 --contacts-restitution 0.5 --kernels contacts --output balls.hpp\n"),
             std::string::npos)
       << header.out.substr(0, 3000);
   const Outcome list = run("list", options);
@@ -152,10 +159,12 @@ TEST(ContactsOfLinks, SayWhatIsMissing) {
     EXPECT_EQ(outcome.err, "torsor: " + message + "\n");
   };
   expect({"--contacts-friction", "1"}, 2, "--contacts-friction is of the pairs in --contacts: name them");
-  expect({"--contacts-restitution", "1", "--ground", "left"}, 2, "--contacts-restitution is of the pairs in --contacts: name them");
+  expect({"--contacts-restitution", "1", "--ground", "left"}, 2,
+         "--contacts-restitution is of the pairs in --contacts: name them");
   expect({"--ground-friction", "1"}, 2, "--ground-friction is of the links in --ground: name them");
   expect({"--contacts", "left:right", "--initial", "a=0.9"}, 3,
-         "contact 'left_right' starts penetrating: its gap is -0.15 m at t = 0 and must not be negative; correct initial(...) of the "
+         "contact 'left_right' starts penetrating: its gap is -0.15 m at t = 0 and must not be negative; correct "
+         "initial(...) of the "
          "coordinates that it depends on");
   expect({"--contacts", "left:right", "--contacts-restitution", "2"}, 3,
          "contact 'left_right' has the restitution contacts_restitution = 2: it must lie between 0 and 1");
