@@ -5,10 +5,9 @@
 #include <cmath>
 #include <map>
 #include <sstream>
-#include <utility>
 
 #include "generator/base/decimal.hpp"
-#include "generator/import/exact_rotation.hpp"
+#include "generator/import/exact_direction.hpp"
 
 namespace torsor {
 namespace {
@@ -36,16 +35,15 @@ std::optional<std::array<double, count>> numbers(const XmlElement& element, cons
 Expression metres(double value) { return Expression::quantity(from_double(value), units::metre); }
 Triple metres(const std::array<double, 3>& v) { return {metres(v[0]), metres(v[1]), metres(v[2])}; }
 
-/// Rz(yaw) Ry(pitch) Rx(roll), exactly a rotation.
+/// Rz(yaw) Ry(pitch) Rx(roll), exactly a rotation: shapes may touch, and zeros are to be zeros. Within 1e-9 of a multiple of
+/// π/12 an angle is that.
 Rotation rotation(const std::array<double, 3>& rpy) {
-  const auto half = [&rpy](std::size_t i) { return std::pair(std::cos(rpy[i] / 2), std::sin(rpy[i] / 2)); };
-  const auto [cr, sr] = half(0);
-  const auto [cp, sp] = half(1);
-  const auto [cy, sy] = half(2);
-  return exact_rotation({from_double(cr * cp * cy + sr * sp * sy), from_double(sr * cp * cy - cr * sp * sy),
-                         from_double(cr * sp * cy + sr * cp * sy), from_double(cr * cp * sy - sr * sp * cy)},
-                        Number())
-      .rotation;
+  static const Number tolerance = Number::rational(1, 1'000'000'000);
+  Rotation turned;
+  for (std::size_t i = 0; i < rpy.size(); ++i) {
+    turned = rotation_about(static_cast<int>(i), exact_angle(from_double(rpy[i]), tolerance)) * turned;
+  }
+  return turned;
 }
 
 std::optional<Placement> placement(const XmlElement& visual) {

@@ -32,7 +32,9 @@ TEST(UrdfVisuals, AreShownOnTheirLinks) {
   ASSERT_EQ(all.size(), 4U);
   EXPECT_EQ(metres(std::get<form::Box>(all[0].form).edges[2]), 3.0);
   EXPECT_EQ(metres(all[0].placement.origin[1]), 2.0);
-  EXPECT_NEAR(all[0].placement.rotation(1, 0).to_double(), 1.0, 1e-12);  // x of the box along y of the link
+  // x of the box along y of the link, exactly: a box may touch.
+  EXPECT_EQ(all[0].placement.rotation(1, 0).to_double(), 1.0);
+  EXPECT_TRUE(all[0].placement.rotation(0, 0).is_zero());
   EXPECT_EQ(all[0].colour->red, 1.0);
   EXPECT_EQ(metres(std::get<form::Cylinder>(all[1].form).length), 4.0);
   EXPECT_EQ(all[1].colour->green, 0.5);
