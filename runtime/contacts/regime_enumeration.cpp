@@ -122,7 +122,7 @@ void RegimeEnumeration::try_regimes(Regimes& regimes) noexcept {
   const int sought = count_sought(regimes);
   if (sought == 0) return accept(regimes);
   if (sought == 1) return try_all_directions(regimes);
-  const int starts = sought == 2 ? 4 : 3;
+  const int starts = sought == 2 ? 8 : 3;
   int total = 1;
   for (int i = 0; i < sought; ++i) total *= starts;
   for (int start = 0; start < total; ++start) {

@@ -8,7 +8,7 @@ namespace torsor::runtime {
 
 /// Tries every combination of regimes: open, sticking, sliding; in the plane to either side. In space the direction of
 /// a slip that begins is found too: all directions where one contact begins to slide, by a trigonometric polynomial;
-/// where several do, those that Newton's method reaches from four directions of each of two contacts, three of each of
+/// where several do, those that Newton's method reaches from eight directions of each of two contacts, three of each of
 /// more. The directions of the reactions that press joints are found from c and, of up to three joints, from -c too.
 class RegimeEnumeration {
  public:
