@@ -105,13 +105,13 @@ TEST_F(TiedBob, RefusesActionsThatCannotAct) {
             "action 'f' is applied to the ground, which it cannot move");
   EXPECT_EQ(refusal([&](Scene& s) {
               s.point("H", bob, {metres("1"), 0, 0});
-              s.spring("rigid", {.a = s.point("G"), .b = s.point("H"), .stiffness = stiffness()});
+              s.spring("rigid", {.a = s.point("P"), .b = s.point("H"), .stiffness = stiffness()});
             }),
             "spring 'rigid' ties two points of one rigid body: its length never changes");
   EXPECT_EQ(refusal([&](Scene& s) {
               s.spring("lost", {.a = s.point("O"), .b = s.point("nowhere"), .stiffness = stiffness()});
             }),
-            "unknown point 'nowhere' in spring 'lost': the scene has O, G");
+            "unknown point 'nowhere' in spring 'lost': the scene has P, O");
 }
 
 }  // namespace

@@ -242,10 +242,10 @@ TEST(ForceFunction, RefusesUnknownNamesAndActionsWithoutEnds) {
   EXPECT_EQ(error_of([&] {
               classify_force_function(equations, {{}, {"Q"}});
             }),
-            "unknown body 'Q' in a selection of actions: the scene has P");
+            "unknown body 'Q' in a selection of actions: the scene has point");
   EXPECT_EQ(
       error_of([&] {
-        classify_force_function(equations, {{"spring"}, {"P"}});
+        classify_force_function(equations, {{"spring"}, {"point"}});
       }),
       "the action 'spring' works on a formula, and its share on one body is not known: ask for it without bodies, "
       "or write it between points");
