@@ -17,14 +17,8 @@ namespace mechanisms {
 /// Its motion: cos θ + cos φ + cos θ cos φ = 0 for the angles θ, φ, θ, φ, θ (Chen, You & Tarnai, Int. J. Solids Struct.
 /// 42 (2005) 2287-2301, (7) with a twist of a quarter turn), θ between ±2π/3.
 struct Bricard : Contract<5, 5> {
-  static constexpr int nv = velocity_count, m = multiplier_count, parameter_count = 0;
+  static constexpr int nv = velocity_count, m = multiplier_count;
   static constexpr double rotor = 0.1;
-  using Parameters = Nothing;
-  struct Precomputed {
-    Parameters parameters;
-  };
-  static Parameters default_parameters() noexcept { return {}; }
-  static Precomputed precompute(const Parameters& p) noexcept { return {p}; }
   /// Both angles a quarter turn, θ' = 1: then φ' = -1, from sin θ θ' + sin φ φ' = 0 there.
   static State initial_state() noexcept {
     const double quarter = std::acos(0.0);

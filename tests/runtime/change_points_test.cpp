@@ -389,12 +389,6 @@ TEST(ChangePoints, AreNoticedWhereAConstraintVanishesAsAWhole) {
 /// they are parallel, where one of the two conditions is lost. Not holonomic.
 struct TwoSkates : mechanisms::Contract<4, 2> {
   [[maybe_unused]] static constexpr int parameter_count = 0;
-  using Parameters = mechanisms::Nothing;
-  struct Precomputed {
-    Parameters parameters;
-  };
-  static Parameters default_parameters() noexcept { return {}; }
-  static Precomputed precompute(const Parameters& p) noexcept { return {p}; }
   static State initial_state() noexcept { return {0.0, {{0.0, 0.0, 0.3, 1.5}}, {{0.0, 0.0, 0.25, -0.75}}}; }
   static void mass_matrix(const Precomputed&, const State&, std::array<double, 16>& mass) noexcept {
     mass.fill(0.0);

@@ -13,32 +13,10 @@ namespace mechanisms {
 /// starts at the end of crank 0 and meets that of crank k at the distance L_k: f_k = P_0 + L_k e(ψ) - P_k = 0.
 /// `Lengths` has arrays crank[count], base[count], coupler[count] (0 first) and masses; θ_0 and ω_0 start the motion.
 template <class Lengths>
-struct CrankLoop {
+struct CrankLoop : Contract<Lengths::cranks + 1, 2 * (Lengths::cranks - 1)> {
   static constexpr int cranks = Lengths::cranks, nv = cranks + 1, m = 2 * (cranks - 1);
-  static constexpr int coordinate_count = nv, velocity_count = nv, input_count = 0, parameter_count = 0,
-                       multiplier_count = m;
-  using Parameters = Nothing;
-  using Coordinates = Values<double, nv>;
-  using Velocities = Values<double, nv>;
-  using Accelerations = Values<double, nv>;
-  using GeneralizedForces = Values<double, nv>;
-  using Inputs = Nothing;
-  using Multipliers = Values<double, m>;
-  struct State {
-    double time;
-    Coordinates q;
-    Velocities v;
-  };
-  struct Precomputed {
-    Parameters parameters;
-  };
-  struct Constraints {
-    std::array<double, static_cast<std::size_t>(m)> value, rate;
-    std::array<double, static_cast<std::size_t>(m* nv)> jacobian;
-    std::array<double, static_cast<std::size_t>(m)> gamma;
-  };
-  static Parameters default_parameters() noexcept { return {}; }
-  static Precomputed precompute(const Parameters& p) noexcept { return {p}; }
+  using Base = Contract<nv, m>;
+  using typename Base::Constraints, typename Base::GeneralizedForces, typename Base::Precomputed, typename Base::State;
   static State initial_state() noexcept { return {0.0, {Lengths::start()}, {}}; }
   static void mass_matrix(const Precomputed&, const State&,
                           std::array<double, static_cast<std::size_t>(nv* nv)>& mass) noexcept {

@@ -22,14 +22,8 @@ using Hoop = rolling_hoop_contact_forces::Mechanism<double>;
 template <class Rows>
 struct Tied : mechanisms::Contract<Rows::n, Rows::m> {
   using Base = mechanisms::Contract<Rows::n, Rows::m>;
-  using typename Base::Constraints, typename Base::State, typename Base::GeneralizedForces;
+  using typename Base::Constraints, typename Base::State, typename Base::GeneralizedForces, typename Base::Precomputed;
   static constexpr std::size_t n = Rows::n, m = Rows::m;
-  using Parameters = mechanisms::Nothing;
-  struct Precomputed {
-    Parameters parameters;
-  };
-  static Parameters default_parameters() noexcept { return {}; }
-  static Precomputed precompute(const Parameters& p) noexcept { return {p}; }
   static void mass_matrix(const Precomputed&, const State&, std::array<double, n * n>& mass) noexcept {
     mass.fill(0);
     for (std::size_t i = 0; i < n; ++i) mass[i * (n + 1)] = 1;
@@ -144,12 +138,6 @@ TEST(Projection, RefusesCorrectionsThatGrow) {
 
 /// A crank of 0.3 m against a table that rises as 5 t²: f = 0.3 sin θ - z, and z = 5 t² + t.
 struct RisingTable : mechanisms::Contract<2, 2> {
-  using Parameters = mechanisms::Nothing;
-  struct Precomputed {
-    Parameters parameters;
-  };
-  static Parameters default_parameters() noexcept { return {}; }
-  static Precomputed precompute(const Parameters& p) noexcept { return {p}; }
   static void constraints(const Precomputed&, const State& s, Constraints& c) noexcept {
     c.value = {0.3 * std::sin(s.q[0]) - s.q[1], s.q[1] - (5 * s.time + 1) * s.time};
     c.jacobian = {0.3 * std::cos(s.q[0]), 0, -1, 1};

@@ -36,26 +36,11 @@ constexpr double epsilon = std::numeric_limits<double>::epsilon();
 constexpr double g = 9.81;
 
 /// The motion below as two unit masses, for the method that asks for their Lagrangian.
-struct UnitMasses {
-  [[maybe_unused]] static constexpr int coordinate_count = 2, velocity_count = 2, multiplier_count = 0, input_count = 0;
-  using Parameters = mechanisms::Nothing;
-  using Coordinates = mechanisms::Values<double, 2>;
-  using Velocities = Coordinates;
-  using Accelerations = Coordinates;
-  using GeneralizedForces = Coordinates;
-  using Inputs = mechanisms::Nothing;
-  using Multipliers = mechanisms::Nothing;
-  struct State {
-    double time;
-    Coordinates q;
-    Velocities v;
-  };
+struct UnitMasses : mechanisms::Contract<2, 0> {
   struct Precomputed {
     std::array<double, 2> a, k;
   };
-  static Parameters default_parameters() noexcept { return {}; }
   static Precomputed precompute(const Parameters&) noexcept { return {}; }
-  static State initial_state() noexcept { return {}; }
   static void mass_matrix(const Precomputed&, const State&, std::array<double, 4>& mass) noexcept {
     mass = {1.0, 0.0, 0.0, 1.0};
   }

@@ -2,6 +2,7 @@
 #pragma once
 #include <array>
 #include <cmath>
+#include <type_traits>
 
 // Mechanisms written by hand to the contract of generated headers, small enough to be read at a glance.
 namespace mechanisms {
@@ -19,55 +20,55 @@ struct Nothing {
   static constexpr int size = 0;
 };
 
-/// Sizes and structures of mechanisms in double without inputs: n velocities, m multipliers, nq coordinates.
-template <int n, int m, int nq = n>
-struct Contract {
-  static constexpr int coordinate_count = nq, velocity_count = n, multiplier_count = m, input_count = 0;
-  using Coordinates = Values<double, nq>;
-  using Velocities = Values<double, n>;
-  using Accelerations = Values<double, n>;
-  using GeneralizedForces = Values<double, n>;
+/// Sizes and structures of mechanisms without inputs and parameters: n velocities, m multipliers, nq coordinates. What a
+/// mechanism has besides takes the place of what is here.
+template <class Scalar, int n, int m, int nq = n>
+struct ContractOf {
+  static constexpr int coordinate_count = nq, velocity_count = n, multiplier_count = m, input_count = 0, parameter_count = 0;
+  using Coordinates = Values<Scalar, nq>;
+  using Velocities = Values<Scalar, n>;
+  using Accelerations = Values<Scalar, n>;
+  using GeneralizedForces = Values<Scalar, n>;
   using Inputs = Nothing;
-  using Multipliers = Values<double, m>;
+  using Multipliers = std::conditional_t<m == 0, Nothing, Values<Scalar, m>>;
+  using Parameters = Nothing;
+  struct Precomputed {
+    Parameters parameters;
+  };
   struct State {
-    double time;
+    Scalar time;
     Coordinates q;
     Velocities v;
   };
   struct Constraints {
-    std::array<double, static_cast<std::size_t>(m)> value, rate;
-    std::array<double, static_cast<std::size_t>(m* n)> jacobian;
-    std::array<double, static_cast<std::size_t>(m)> gamma;
+    std::array<Scalar, static_cast<std::size_t>(m)> value, rate;
+    std::array<Scalar, static_cast<std::size_t>(m* n)> jacobian;
+    std::array<Scalar, static_cast<std::size_t>(m)> gamma;
   };
   struct Linearisation {
-    std::array<double, static_cast<std::size_t>(n*n)> M, C, K;
-    std::array<double, static_cast<std::size_t>(n)> F;
+    std::array<Scalar, static_cast<std::size_t>(n*n)> M, C, K;
+    std::array<Scalar, static_cast<std::size_t>(n)> F;
   };
+  static Parameters default_parameters() noexcept { return {}; }
+  static Precomputed precompute(const Parameters& p) noexcept { return {p}; }
   static State initial_state() noexcept { return {}; }
 };
+template <int n, int m, int nq = n>
+using Contract = ContractOf<double, n, m, nq>;
 
 template <class Scalar>
 inline constexpr Scalar gravity = Scalar(9.81);
 
 /// m x'' = -k x + F, started at x = 1, x' = 0.
 template <class Scalar>
-struct Oscillator {
-  static constexpr int coordinate_count = 1, velocity_count = 1, input_count = 1, parameter_count = 2,
-                       multiplier_count = 0;
+struct Oscillator : ContractOf<Scalar, 1, 0> {
+  using Base = ContractOf<Scalar, 1, 0>;
+  using typename Base::Accelerations, typename Base::Multipliers, typename Base::State;
+  static constexpr int input_count = 1, parameter_count = 2;
+  using Inputs = Values<Scalar, 1>;
   struct Parameters {
     static constexpr int size = 2;
     Scalar mass, stiffness;
-  };
-  using Coordinates = Values<Scalar, 1>;
-  using Velocities = Values<Scalar, 1>;
-  using Accelerations = Values<Scalar, 1>;
-  using GeneralizedForces = Values<Scalar, 1>;
-  using Inputs = Values<Scalar, 1>;
-  using Multipliers = Nothing;
-  struct State {
-    Scalar time;
-    Coordinates q;
-    Velocities v;
   };
   struct Precomputed {
     Parameters parameters;
@@ -85,26 +86,10 @@ struct Oscillator {
 
 /// Simple pendulum of length 1, angle from the downward vertical, released at rest from 2 rad.
 template <class Scalar>
-struct Pendulum {
-  static constexpr int coordinate_count = 1, velocity_count = 1, input_count = 0, parameter_count = 0,
-                       multiplier_count = 0;
-  using Parameters = Nothing;
-  using Coordinates = Values<Scalar, 1>;
-  using Velocities = Values<Scalar, 1>;
-  using Accelerations = Values<Scalar, 1>;
-  using GeneralizedForces = Values<Scalar, 1>;
-  using Inputs = Nothing;
-  using Multipliers = Nothing;
-  struct State {
-    Scalar time;
-    Coordinates q;
-    Velocities v;
-  };
-  struct Precomputed {
-    Parameters parameters;
-  };
-  static Parameters default_parameters() noexcept { return {}; }
-  static Precomputed precompute(const Parameters& p) noexcept { return {p}; }
+struct Pendulum : ContractOf<Scalar, 1, 0> {
+  using Base = ContractOf<Scalar, 1, 0>;
+  using typename Base::Accelerations, typename Base::Inputs, typename Base::Multipliers, typename Base::Precomputed;
+  using typename Base::State, typename Base::GeneralizedForces;
   static State initial_state() noexcept { return {Scalar(0), {{Scalar(2)}}, {{Scalar(0)}}}; }
   static void mass_matrix(const Precomputed&, const State&, std::array<Scalar, 1>& mass) noexcept {
     mass[0] = Scalar(1);
@@ -122,31 +107,10 @@ struct Pendulum {
 /// The same pendulum (m = 1) in Cartesian coordinates, y upwards, with the constraint (x² + y² - 1)/2 = 0; benchmark
 /// A01's start: horizontal to the left, at rest. Singular at the origin, where the constraint has no gradient.
 template <class Scalar>
-struct CartesianPendulum {
-  static constexpr int coordinate_count = 2, velocity_count = 2, input_count = 0, parameter_count = 0,
-                       multiplier_count = 1;
-  using Parameters = Nothing;
-  using Coordinates = Values<Scalar, 2>;
-  using Velocities = Values<Scalar, 2>;
-  using Accelerations = Values<Scalar, 2>;
-  using GeneralizedForces = Values<Scalar, 2>;
-  using Inputs = Nothing;
-  using Multipliers = Values<Scalar, 1>;
-  struct State {
-    Scalar time;
-    Coordinates q;
-    Velocities v;
-  };
-  struct Precomputed {
-    Parameters parameters;
-  };
-  struct Constraints {
-    std::array<Scalar, 1> value, rate;
-    std::array<Scalar, 2> jacobian;
-    std::array<Scalar, 1> gamma;
-  };
-  static Parameters default_parameters() noexcept { return {}; }
-  static Precomputed precompute(const Parameters& p) noexcept { return {p}; }
+struct CartesianPendulum : ContractOf<Scalar, 2, 1> {
+  using Base = ContractOf<Scalar, 2, 1>;
+  using typename Base::Accelerations, typename Base::Inputs, typename Base::Multipliers, typename Base::Precomputed;
+  using typename Base::State, typename Base::GeneralizedForces, typename Base::Constraints;
   static State initial_state() noexcept { return {Scalar(0), {{Scalar(-1), Scalar(0)}}, {{Scalar(0), Scalar(0)}}}; }
   static void mass_matrix(const Precomputed&, const State&, std::array<Scalar, 4>& mass) noexcept {
     mass = {Scalar(1), Scalar(0), Scalar(0), Scalar(1)};
@@ -175,26 +139,10 @@ struct CartesianPendulum {
 
 /// A free turn told by (cos, sin) of its angle: two coordinates, one velocity, dq/dt is not v.
 template <class Scalar>
-struct TurnByCosineAndSine {
-  static constexpr int coordinate_count = 2, velocity_count = 1, input_count = 0, parameter_count = 0,
-                       multiplier_count = 0;
-  using Parameters = Nothing;
-  using Coordinates = Values<Scalar, 2>;
-  using Velocities = Values<Scalar, 1>;
-  using Accelerations = Values<Scalar, 1>;
-  using GeneralizedForces = Values<Scalar, 1>;
-  using Inputs = Nothing;
-  using Multipliers = Nothing;
-  struct State {
-    Scalar time;
-    Coordinates q;
-    Velocities v;
-  };
-  struct Precomputed {
-    Parameters parameters;
-  };
-  static Parameters default_parameters() noexcept { return {}; }
-  static Precomputed precompute(const Parameters& p) noexcept { return {p}; }
+struct TurnByCosineAndSine : ContractOf<Scalar, 1, 0, 2> {
+  using Base = ContractOf<Scalar, 1, 0, 2>;
+  using typename Base::Accelerations, typename Base::Inputs, typename Base::Multipliers, typename Base::Precomputed;
+  using typename Base::State;
   static State initial_state() noexcept { return {Scalar(0), {{Scalar(1), Scalar(0)}}, {{Scalar(2)}}}; }
   static void coordinate_rates(const Precomputed&, const State& s, std::array<Scalar, 2>& rates) noexcept {
     rates = {-s.q[1] * s.v[0], s.q[0] * s.v[0]};

@@ -333,12 +333,6 @@ TEST(Baumgarte, GivesTheResidualTheEquationOfADampedOscillator) {
 
 /// A point on a line that two guides push, at 1 m/s and at 2 m/s; they are at one place at t = 0 only.
 struct PushedTwice : mechanisms::Contract<1, 2> {
-  using Parameters = mechanisms::Nothing;
-  struct Precomputed {
-    Parameters parameters;
-  };
-  static Parameters default_parameters() noexcept { return {}; }
-  static Precomputed precompute(const Parameters& p) noexcept { return {p}; }
   static void mass_matrix(const Precomputed&, const State&, std::array<double, 1>& mass) noexcept { mass = {1.0}; }
   static void bias(const Precomputed&, const State&, GeneralizedForces& h) noexcept { h = {}; }
   static void constraints(const Precomputed&, const State& s, Constraints& c) noexcept {

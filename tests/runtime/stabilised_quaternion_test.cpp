@@ -31,12 +31,6 @@ template <class Hold>
 struct HeldFreely : Contract<6, 3, 7> {
   static constexpr int parameter_count = 0, quaternion_count = 1;
   static constexpr int quaternions[] = {3};
-  using Parameters = Nothing;
-  struct Precomputed {
-    Parameters parameters;
-  };
-  static Parameters default_parameters() noexcept { return {}; }
-  static Precomputed precompute(const Parameters& p) noexcept { return {p}; }
   static State initial_state() noexcept { return Hold::start(); }
   static void coordinate_rates(const Precomputed&, const State& s, std::array<double, 7>& rates) noexcept {
     const double w = s.q[3], x = s.q[4], y = s.q[5], z = s.q[6], a = s.v[3], b = s.v[4], c = s.v[5];

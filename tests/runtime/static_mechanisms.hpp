@@ -12,8 +12,7 @@ namespace mechanisms {
 /// theta from the downward vertical outwards: T0 = ½ ω² (a + sin θ)², U = g cos θ, friction c. a = 0 is a bead on a
 /// hoop.
 struct ArmPendulum : Contract<1, 0> {
-  static constexpr int input_count = 0, parameter_count = 3;
-  using Inputs = Nothing;
+  static constexpr int parameter_count = 3;
   struct Parameters {
     double omega, arm, friction;
   };
@@ -45,14 +44,6 @@ struct ArmPendulum : Contract<1, 0> {
 /// Without the kernel `linearisation`: the search takes central differences.
 template <class Curve>
 struct PointOnCurve : Contract<2, 1> {
-  static constexpr int input_count = 0, parameter_count = 0;
-  using Inputs = Nothing;
-  using Parameters = Nothing;
-  struct Precomputed {
-    Parameters parameters;
-  };
-  static Parameters default_parameters() noexcept { return {}; }
-  static Precomputed precompute(const Parameters& p) noexcept { return {p}; }
   static void constraints(const Precomputed&, const State& s, Constraints& c) noexcept {
     const auto d = Curve::derivatives(s.q[0], s.q[1]);
     c.value[0] = d.value;
@@ -88,25 +79,20 @@ struct LinearisedPointOnCurve : PointOnCurve<Curve> {
 /// The same held on its curve twice; the second multiplier is taken as zero.
 template <class Curve>
 struct TwiceOnCurve : Contract<2, 2> {
-  static constexpr int input_count = 0, parameter_count = 0, redundant_count = 1;
+  static constexpr int redundant_count = 1;
   static constexpr int redundant_multipliers[] = {1};
   using Once = PointOnCurve<Curve>;
-  using Inputs = Nothing;
-  using Parameters = Nothing;
-  using Precomputed = typename Once::Precomputed;
-  static Parameters default_parameters() noexcept { return {}; }
-  static Precomputed precompute(const Parameters& p) noexcept { return {p}; }
-  static void constraints(const Precomputed& p, const State& s, Constraints& c) noexcept {
+  static void constraints(const Precomputed&, const State& s, Constraints& c) noexcept {
     typename Once::Constraints once{};
-    Once::constraints(p, {s.time, s.q, s.v}, once);
+    Once::constraints({}, {s.time, s.q, s.v}, once);
     c.value.fill(once.value[0]);
     c.rate.fill(once.rate[0]);
     c.gamma.fill(once.gamma[0]);
     c.jacobian = {once.jacobian[0], once.jacobian[0], once.jacobian[1], once.jacobian[1]};
   }
-  static void inverse_dynamics(const Precomputed& p, const State& s, const Accelerations& a, const Multipliers& lambda,
+  static void inverse_dynamics(const Precomputed&, const State& s, const Accelerations& a, const Multipliers& lambda,
                                GeneralizedForces& r) noexcept {
-    Once::inverse_dynamics(p, {s.time, s.q, s.v}, a, {{lambda[0] + lambda[1]}}, r);
+    Once::inverse_dynamics({}, {s.time, s.q, s.v}, a, {{lambda[0] + lambda[1]}}, r);
   }
 };
 
@@ -152,27 +138,9 @@ struct TurningSlider : Contract<2, 0> {
 /// A body about a fixed point, its attitude a unit quaternion (body to ground axes), pulled by two constant fields:
 /// the body's z towards the ground's -z with the moment 3, its x towards the ground's x with the moment 1, so that
 /// U = x·R x − 3 z·R z. J = 1.
-struct HeldBody {
-  static constexpr int coordinate_count = 4, velocity_count = 3, multiplier_count = 0, input_count = 0,
-                       parameter_count = 0, quaternion_count = 1;
+struct HeldBody : Contract<3, 0, 4> {
+  static constexpr int quaternion_count = 1;
   static constexpr int quaternions[] = {0};
-  using Coordinates = Values<double, 4>;
-  using Velocities = Values<double, 3>;
-  using Accelerations = Values<double, 3>;
-  using GeneralizedForces = Values<double, 3>;
-  using Inputs = Nothing;
-  using Multipliers = Nothing;
-  using Parameters = Nothing;
-  struct State {
-    double time;
-    Coordinates q;
-    Velocities v;
-  };
-  struct Precomputed {
-    Parameters parameters;
-  };
-  static Parameters default_parameters() noexcept { return {}; }
-  static Precomputed precompute(const Parameters& p) noexcept { return {p}; }
   static State initial_state() noexcept { return {0, {{1, 0, 0, 0}}, {}}; }
   static void inverse_dynamics(const Precomputed&, const State& s, const Accelerations& a, const Multipliers&,
                                GeneralizedForces& r) noexcept {

@@ -44,32 +44,8 @@ struct RowsInUnits : M {
 /// θ = ψ = π/2 the second condition vanishes as a whole: the rod may go on with the slider at rest, or the slider with
 /// the rod. Written in the coordinates θ, ψ, and x in a unit of its own.
 template <int exponent, int unit_of_slider = 0>
-struct EqualSlider {
-  static constexpr int coordinate_count = 3, velocity_count = 3, input_count = 0, parameter_count = 0,
-                       multiplier_count = 2;
+struct EqualSlider : mechanisms::Contract<3, 2> {
   static constexpr double r = power_of_two(exponent), unit = power_of_two(unit_of_slider);
-  using Parameters = mechanisms::Nothing;
-  using Coordinates = mechanisms::Values<double, 3>;
-  using Velocities = Coordinates;
-  using Accelerations = Coordinates;
-  using GeneralizedForces = Coordinates;
-  using Inputs = mechanisms::Nothing;
-  using Multipliers = mechanisms::Values<double, 2>;
-  struct State {
-    double time;
-    Coordinates q;
-    Velocities v;
-  };
-  struct Precomputed {
-    Parameters parameters;
-  };
-  struct Constraints {
-    std::array<double, 2> value, rate;
-    std::array<double, 6> jacobian;
-    std::array<double, 2> gamma;
-  };
-  static Parameters default_parameters() noexcept { return {}; }
-  static Precomputed precompute(const Parameters& p) noexcept { return {p}; }
   static State initial_state() noexcept { return at(1.0, 1.5); }
   static State at(double angle, double rate) noexcept {
     return {0.0, {{angle, angle, 2 * r * std::cos(angle) / unit}}, {{rate, rate, -2 * r * std::sin(angle) * rate / unit}}};

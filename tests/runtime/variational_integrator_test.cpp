@@ -24,21 +24,9 @@ using DoublePendulum = double_pendulum::Mechanism<double>;
 
 /// A unit mass in polar coordinates r, θ, on a spring from the pole (rest length 1), with a drag proportional to its
 /// velocity: T = ½ (r'² + r² θ'²), whose mass matrix varies.
-struct PolarMass {
-  static constexpr int coordinate_count = 2, velocity_count = 2, input_count = 0, multiplier_count = 0;
-  using Coordinates = mechanisms::Values<double, 2>;
-  using Velocities = Coordinates;
-  using Accelerations = Coordinates;
-  using GeneralizedForces = Coordinates;
-  using Inputs = mechanisms::Nothing;
-  using Multipliers = mechanisms::Nothing;
+struct PolarMass : mechanisms::Contract<2, 0> {
   struct Parameters {
     double stiffness, drag;
-  };
-  struct State {
-    double time;
-    Coordinates q;
-    Velocities v;
   };
   struct Precomputed {
     Parameters parameters;
