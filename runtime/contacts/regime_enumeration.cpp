@@ -268,13 +268,17 @@ void RegimeEnumeration::add(const ContactSolution& solution) noexcept {
     answer_.count = 1;
     return;
   }
-  const double size = (problem_.W.cwiseAbs() * solution.r.cwiseAbs() + problem_.q.cwiseAbs()).maxCoeff();
-  const double force = solution.r.cwiseAbs().maxCoeff();
+  // The motion of the larger forces is known less well, whichever was found first.
+  const auto size_of = [this](const ContactSolution& s) {
+    return (problem_.W.cwiseAbs() * s.r.cwiseAbs() + problem_.q.cwiseAbs()).maxCoeff();
+  };
+  const double size = size_of(solution), force = solution.r.cwiseAbs().maxCoeff();
   for (std::size_t i = 0; i < answer_.count; ++i) {
     auto& known = answer_.solutions[i];
-    if ((known.u - solution.u).cwiseAbs().maxCoeff() > 1e-9 * size) continue;
+    if ((known.u - solution.u).cwiseAbs().maxCoeff() > 1e-9 * std::max(size, size_of(known))) continue;
     const double far = (known.r - solution.r).cwiseAbs().maxCoeff();
     if (far > 1e-9 * std::max(force, known.r.cwiseAbs().maxCoeff())) {
+      if (size_of(known) > 1e3 * size) known = solution;  // of forces without need
       known.indeterminate = true;
     } else {
       known.indeterminate = known.indeterminate || solution.indeterminate;
