@@ -13,11 +13,12 @@ namespace torsor::runtime {
 class CircleRoots {
  public:
   explicit CircleRoots(const std::array<double, 8>& values) noexcept {
+    constexpr double half = std::numbers::sqrt2 / 2;
+    constexpr std::array<double, 8> cosines{1, half, 0, -half, -1, -half, 0, half};
     for (std::size_t k = 0; k < 4; ++k) {
       for (std::size_t j = 0; j < 8; ++j) {
-        const double angle = std::numbers::pi / 4 * static_cast<double>(k * j % 8);
-        a_[k] += values[j] * std::cos(angle) / (k == 0 ? 8 : 4);
-        b_[k] += values[j] * std::sin(angle) / (k == 0 ? 8 : 4);
+        a_[k] += values[j] * cosines[k * j % 8] / (k == 0 ? 8 : 4);
+        b_[k] += values[j] * cosines[(k * j + 6) % 8] / (k == 0 ? 8 : 4);  // a sine is the cosine of a quarter turn less
       }
       const double size = std::hypot(a_[k], b_[k]), order = static_cast<double>(k);
       size_ += size;
@@ -34,10 +35,13 @@ class CircleRoots {
 
  private:
   [[nodiscard]] double value(double angle, int derivative = 0) const noexcept {
-    double sum = 0;
-    for (std::size_t k = 0; k < 4; ++k) {
-      const double order = static_cast<double>(k), c = std::cos(order * angle), s = std::sin(order * angle);
-      sum += derivative == 0 ? a_[k] * c + b_[k] * s : order * (b_[k] * c - a_[k] * s);
+    const double c = std::cos(angle), s = std::sin(angle);
+    double ck = 1, sk = 0, sum = derivative == 0 ? a_[0] : 0;  // cos kα, sin kα
+    for (std::size_t k = 1; k < 4; ++k) {
+      const double turned = c * ck - s * sk;
+      sk = s * ck + c * sk;
+      ck = turned;
+      sum += derivative == 0 ? a_[k] * ck + b_[k] * sk : static_cast<double>(k) * (b_[k] * ck - a_[k] * sk);
     }
     return sum;
   }

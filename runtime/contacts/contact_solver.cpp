@@ -21,6 +21,8 @@ class ContactIteration {
 
   [[nodiscard]] ContactAnswer run() noexcept {
     RegimeEnumeration regimes(problem_);
+    // What held in the step before holds in most.
+    if (!r_.isZero(0) && regimes.try_from(proposed())) return regimes.finish();
     for (int attempt = 0; attempt < options_.attempts; ++attempt) {
       for (int sweep = 0; sweep < options_.sweeps; ++sweep) {
         if (!(this->sweep() > 1e-15)) break;
