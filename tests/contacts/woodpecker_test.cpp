@@ -74,9 +74,11 @@ TEST(WoodpeckerToy, FindsItsPublishedCycle) {
   ASSERT_TRUE(found);
   const double part = (earlier[2] - phi) / (earlier[2] - y[2]);
   EXPECT_NEAR(y[1], -(r_M - r_O) / h_M, 1e-12);
-  // What a scheme of first order with steps of 1e-4 s gave: half a per cent.
-  EXPECT_NEAR(earlier[3] + part * (y[3] - earlier[3]), speed, 0.006 * -speed);
-  EXPECT_NEAR(earlier[5] + part * (y[5] - earlier[5]), rate, 0.006 * -rate);
+  // How far the published numbers can be trusted shows in the tilt of that state, which is known: the edge touches at
+  // -0.10345 rad. The two others may be off by some times that part.
+  constexpr double published_tilt = -0.1036, touching = -(r_M - r_O) / h_M, trusted = 4 * (published_tilt / touching - 1);
+  EXPECT_NEAR(earlier[3] + part * (y[3] - earlier[3]), speed, trusted * -speed);
+  EXPECT_NEAR(earlier[5] + part * (y[5] - earlier[5]), rate, trusted * -rate);
 }
 
 TEST(WoodpeckerToy, LosesEnergyAlone) {
