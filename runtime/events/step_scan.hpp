@@ -100,7 +100,9 @@ template <class Scalar, class Function>
     // A way out and back through zero may lie between the start and the first node beyond.
     bool positive = seen_positive;
     for (std::size_t j = 0; j < beyond && j < Polynomial::nodes; ++j) positive = positive || values[j] > Scalar(0);
-    if (beyond < Polynomial::nodes && ((one && positive) || shortest_part || beyond == 0)) {
+    // Nothing above the band up to there: it falls from the start, and where it leaves the band is not asked.
+    const bool falls = proven && !positive && polynomial.stays_above(Scalar(-1), band);
+    if (beyond < Polynomial::nodes && ((one && positive) || falls || shortest_part || beyond == 0)) {
       cross_before(beyond);
       return result;
     }

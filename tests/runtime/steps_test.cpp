@@ -301,5 +301,27 @@ TEST(FirstDeparture, IsTheLastZeroBeforeTheValueBeyondTheBand) {
   }
 }
 
+// A foot that starts at rest on the ground, with rounding of 1e-17, and falls: where it leaves the band is buried in its
+// noise, and every shortest part of that stretch was looked at once (22,528 values, five times over).
+TEST(FirstDeparture, IsTheStartForWhatFallsOutOfNoise) {
+  std::size_t calls = 0;
+  const auto f = [&](double t) {
+    ++calls;
+    const double since = t - 0.159;
+    return -500 * since * since - 1e-17 * (2 + std::sin(1e15 * t));
+  };
+  const double start = 0.159, end = 0.159168;
+  Polynomial::Values values;
+  for (std::size_t j = 0; j < Polynomial::samples; ++j) {
+    values[j] = f(start + static_cast<double>(Polynomial::places[j]) * (end - start));
+  }
+  calls = 0;
+  const auto departure = first_departure(f, start, end, 1e-14, values);
+  ASSERT_TRUE(departure.found && departure.finite);
+  EXPECT_EQ(departure.before, start);
+  EXPECT_EQ(departure.after, start);
+  EXPECT_EQ(calls, 0U);
+}
+
 }  // namespace
 }  // namespace steps_test
