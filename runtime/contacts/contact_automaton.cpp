@@ -16,7 +16,7 @@ ContactAutomaton::ContactAutomaton(const ContactMechanism& mechanism, const Cont
   impulses_.setZero(motion_.rows());
 }
 
-bool ContactAutomaton::start(double t0, std::span<double> y) {
+bool ContactAutomaton::start(double t0, std::span<double> y, Gaps gaps) {
   result_ = {};
   result_.time = t0;
   y_ = y;
@@ -27,7 +27,7 @@ bool ContactAutomaton::start(double t0, std::span<double> y) {
   impact_number_ = 0;
   has_event_ = false;
   ends_too_.fill(false);
-  return valid_rules() && begin(t0);
+  return valid_rules() && begin(t0, gaps);
 }
 
 double ContactAutomaton::guard(std::size_t index, double t, std::span<const double> y) {
@@ -105,7 +105,7 @@ bool ContactAutomaton::valid_rules() noexcept {
   return true;
 }
 
-bool ContactAutomaton::begin(double t) {
+bool ContactAutomaton::begin(double t, Gaps gaps) {
   if (!motion_.read(t, y_)) return end(ContactStatus::integration_failed, -1);
   const double off = motion_.loops_off();
   if (motion_.project(t, y_, 30) != Evaluation::ok || !motion_.read(t, y_)) {
@@ -113,10 +113,10 @@ bool ContactAutomaton::begin(double t) {
   }
   if (!motion_.loops_closed(off)) return end(ContactStatus::open_loops, -1);
   for (int i = 0; i < count(); ++i) {
-    if (motion_.rule(i).normal && !(motion_.reading().gap[as(i)] >= -options_.touch)) {
-      return end(ContactStatus::penetrates, i);
-    }
-    touching_[as(i)] = motion_.states[as(i)].touches = near(i);
+    const bool below = motion_.rule(i).normal && !(motion_.reading().gap[as(i)] >= -options_.touch);
+    if (below && gaps == Gaps::of_a_start) return end(ContactStatus::penetrates, i);
+    const bool has_struck = below && motion_.reading().w(motion_.first_row(i)) > options_.at_rest;
+    touching_[as(i)] = motion_.states[as(i)].touches = near(i) && !has_struck;
   }
   // Gaps up to `touch` are closed: one that is left below zero would sink.
   if (motion_.project_positions(t, y_, 3) != Evaluation::ok || !motion_.read(t, y_)) {

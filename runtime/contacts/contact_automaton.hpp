@@ -23,8 +23,11 @@ class ContactAutomaton {
 
   ContactAutomaton(const ContactMechanism& mechanism, const ContactOptions& options);
 
+  /// Whose the gaps below zero are: those of a start are refused. Those of a motion that was taken too far by another
+  /// have their event now where they fall, and have had it where they open.
+  enum class Gaps { of_a_start, of_a_late_event };
   /// Puts the state on its constraints and decides the first regimes; false where the motion cannot begin.
-  bool start(double t0, std::span<double> y);
+  bool start(double t0, std::span<double> y, Gaps gaps = Gaps::of_a_start);
 
   /// Falls through zero where the present regimes end.
   [[nodiscard]] double guard(std::size_t index, double t, std::span<const double> y);
@@ -64,7 +67,7 @@ class ContactAutomaton {
   [[nodiscard]] int count() const noexcept { return motion_.count(); }
   [[nodiscard]] bool valid_rules() noexcept;
   [[nodiscard]] double idle_slack(int contact, int row);
-  bool begin(double t);
+  bool begin(double t, Gaps gaps);
   [[nodiscard]] bool near(int i) const noexcept;
   void set_by_slip(int i, double at_rest) noexcept;
   bool decide(int forced, Cause cause);

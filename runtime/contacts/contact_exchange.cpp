@@ -21,8 +21,9 @@ ContactExchange::ContactExchange(const ContactMechanism& mechanism, const Contac
   automaton_.motion().tolerate(tolerance, tolerance);
 }
 
-bool ContactExchange::start(double t, std::span<double> y) {
-  if (!automaton_.start(t, y)) return false;
+bool ContactExchange::start(double t, std::span<double> y, bool again) {
+  using Gaps = ContactAutomaton::Gaps;
+  if (!automaton_.start(t, y, again ? Gaps::of_a_late_event : Gaps::of_a_start)) return false;
   lift(t, y);
   return true;
 }

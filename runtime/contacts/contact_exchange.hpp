@@ -19,8 +19,9 @@ class ContactExchange {
   [[nodiscard]] std::size_t indicator_count() const noexcept { return lifts_.size(); }
 
   /// Puts the state on its constraints and decides the first regimes, with an impact where contacts approach; false where
-  /// the motion cannot begin.
-  bool start(double t, std::span<double> y);
+  /// the motion cannot begin. `again`: in the middle of a motion, as after a parameter was set: a gap below zero is then
+  /// that of an event that was found late.
+  bool start(double t, std::span<double> y, bool again = false);
   /// What the mechanism says at a state has changed, as forces by its inputs do.
   void renew() noexcept { automaton_.motion().renew(); }
 

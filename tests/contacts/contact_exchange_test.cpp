@@ -194,6 +194,22 @@ TEST(ContactExchange, PassesAnEventThatIsToldLate) {
   EXPECT_NEAR(importer.state()[0], depth + 0.5 * strikes * flight - g * flight * flight / 2, 1e-12);
 }
 
+// A parameter is set at an event that was found late: regimes are decided anew, before the ball has struck or after.
+TEST(ContactExchange, BeginsAgainBelowTheFloor) {
+  const auto system = ball(0.5);
+  Importer falls(system, {-1e-3, -2.0}), rises(system, {-1e-3, 2.0});
+  EXPECT_FALSE(falls.began());
+  EXPECT_FALSE(rises.began());
+  ASSERT_TRUE(falls.unit().start(0, falls.state(), true));
+  EXPECT_EQ(falls.state()[1], 1.0);  // of e = 0.5
+  ASSERT_TRUE(rises.unit().start(0, rises.state(), true));
+  EXPECT_EQ(rises.state(), (std::array<double, 2>{-1e-3, 2.0}));
+  for (Importer<decltype(ball(0.5))>* importer : {&falls, &rises}) {
+    for (const double z : importer->indicators()) EXPECT_GT(z, 0);
+    EXPECT_EQ(importer->slope(0, importer->state())[1], -g);  // it flies
+  }
+}
+
 TEST(ContactExchange, RefusesAStartThatTheRuntimeRefuses) {
   const auto below = ball(0.5);
   Importer sunk(below, {-0.1, 0.0});

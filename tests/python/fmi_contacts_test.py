@@ -139,6 +139,28 @@ def test_a_parameter_of_a_surface_is_tuned_at_an_event(unit):
     unit.FreeInstance(component)
 
 
+def test_a_parameter_is_tuned_at_an_event_found_late(unit):
+    """A micrometre below the cloth, before the ball has struck it and after: the gap is not that of a start."""
+    component = exchanged(unit, ["q.z", "v.x"], [R + 0.1, 0.0])
+    kept = unit.state(component)
+    states = [unit.variables[unit.state_of(unit.variables[d])]["name"] for d in unit.derivatives]
+    z, rise = states.index("q.z"), states.index("v.z")
+    for speed, after in ((-1.0, 0.5), (1.0, 1.0)):
+        kept[z], kept[rise] = R - 1e-6, speed
+        assert unit.SetContinuousStates(component, doubles(kept)[0], c_size_t(unit.n)) == OK
+        assert unit.EnterEventMode(component) == OK
+        assert unit.set(component, ["parameter.e"], [0.5]) == OK
+        assert unit.update(component) == (speed < 0)  # it strikes, or has struck
+        np.testing.assert_allclose(unit.get(component, ["v.z", "der(v.z)"]), [after, -G], rtol=0, atol=1e-12)
+        assert unit.indicators(component).min() > 0
+        assert unit.EnterContinuousTimeMode(component) == OK
+    unit.FreeInstance(component)
+    below = begun(unit, ["q.z"], [R - 1e-6], MODEL_EXCHANGE)
+    with pytest.raises(AssertionError):
+        unit.update(below)
+    unit.FreeInstance(below)
+
+
 def test_bounces_come_to_an_end(unit):
     """From 0.1 m with e = 1/2: impacts at T, 2 T, 2.5 T and so on, T the time of the first fall, which tend to 3 T."""
     component = begun(unit, ["q.z", "v.x", "parameter.e"], [R + 0.1, 0.0, 0.5])

@@ -11,7 +11,7 @@ export class Browser {
     browser.folder = mkdtempSync(join(tmpdir(), "torsor-browser-"));
     browser.process = spawn(program, [
       "--headless=new", "--no-sandbox", "--disable-dev-shm-usage", "--use-gl=angle", "--use-angle=swiftshader",
-      "--enable-unsafe-swiftshader", "--disable-background-networking", "--disable-component-update", "--no-first-run",
+      "--enable-unsafe-swiftshader", "--disable-renderer-backgrounding", "--disable-backgrounding-occluded-windows", "--disable-background-networking", "--disable-component-update", "--no-first-run",
       `--window-size=${width},${height}`, `--user-data-dir=${browser.folder}`, "--remote-debugging-pipe", "about:blank",
     ], { stdio: ["ignore", "ignore", "ignore", "pipe", "pipe"] });
     browser.waiting = new Map();
@@ -54,11 +54,11 @@ export class Browser {
   async open(file) {
     this.seen = [];
     await this.send("Page.navigate", { url: `file://${resolve(file)}` });
-    for (let tries = 0; tries < 600; ++tries) {
+    for (let tries = 0; tries < 2400; ++tries) {
       if (this.seen.some((each) => each.method === "Page.loadEventFired")) return;
       await new Promise((done) => setTimeout(done, 50));
     }
-    throw new Error(`${file} did not load within 30 s`);
+    throw new Error(`${file} did not load within 120 s`);
   }
 
   /// The value of an expression in the page; a promise is waited for.
