@@ -24,6 +24,8 @@ torsor::Scene bead_on_hoop_scene() {
   const FrameHandle bead = scene.revolute("bead", hoop, axis::y, theta);
   scene.body("bead", bead, Inertia::point(m).at({0, 0, -R}));
   scene.gravity({0, 0, -g});
+  scene.show({.frame = hoop, .form = form::Torus{R, R / 60}, .placement = {{0, 0, 0}, Rotation::about(0, 6)}});
+  scene.show({.frame = hoop, .form = form::Segment{{0, 0, -6 * R / 5}, {0, 0, 6 * R / 5}, R / 90}});
   return scene;
 }
 

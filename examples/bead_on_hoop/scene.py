@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 """A bead slides without friction on a hoop that a motor turns about its vertical diameter at a constant rate. theta is measured
 from the lowest point. The motor's torque is asked for by releasing the motion it imposes."""
-from torsor.scene import Inertia, Scene, axis
+from torsor.scene import Inertia, Rotation, Scene, axis, form
 
 scene = Scene("bead_on_hoop", "Bead on a hoop that turns about its vertical diameter")
 
@@ -21,6 +21,8 @@ hoop = scene.revolute("hoop", axle, axis.z, psi)
 bead = scene.revolute("bead", hoop, axis.y, theta)
 scene.body("bead", bead, Inertia.point(m).at((0, 0, -R)))
 scene.gravity((0, 0, -g))
+scene.show(hoop, form.Torus(R, R / 60), rotation=Rotation.about(0, 6))
+scene.show(hoop, form.Segment((0, 0, -6 * R / 5), (0, 0, 6 * R / 5), R / 90))
 
 if __name__ == "__main__":
     scene.main()

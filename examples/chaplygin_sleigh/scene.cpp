@@ -26,6 +26,9 @@ torsor::Scene chaplygin_sleigh_scene() {
   const ConstraintHandle edge =
       scene.no_slip("knife_edge", {.body = sleigh, .contact = C, .direction = axis::y, .axes = sleigh});
   scene.reaction(edge, "N", {.body = sleigh, .contact = C, .direction = axis::y, .axes = sleigh});
+  // For pictures: the sleigh, and the blade below its end.
+  scene.show({.frame = sleigh, .form = form::Box{{2 * a, a, a / 6}}, .placement = {{3 * a / 4, 0, a / 4}}});
+  scene.show({.frame = sleigh, .form = form::Box{{a / 2, a / 40, a / 5}}, .placement = {{0, 0, a / 10}}});
   return scene;
 }
 

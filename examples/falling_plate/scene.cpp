@@ -41,6 +41,11 @@ torsor::Scene falling_plate_scene() {
   const FrameHandle plate = scene.revolute("plate", tilted, axis::x, beta);
   scene.body("plate", plate, Inertia::general({.mass = M, .xx = A, .yy = B, .zz = A + B, .xy = F}).at({0, b, 0}));
   scene.gravity({0, 0, -g});
+  // For pictures: the plate's edges. The right angle is at A.
+  const Triple at_A{-edge / 3, 0, 0}, at_B{2 * edge / 3, 0, 0}, top{-edge / 3, height, 0};
+  for (const auto& [from, to] : {std::pair{at_A, at_B}, std::pair{at_B, top}, std::pair{top, at_A}}) {
+    scene.show({.frame = plate, .form = form::Segment{from, to, edge / 60}});
+  }
   return scene;
 }
 

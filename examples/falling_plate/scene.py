@@ -4,7 +4,7 @@ vertical, beta about its edge: beta is the angle of its plane with the ground (o
 at HG = b y from the edge, at the height b sin(beta). x and y are the horizontal coordinates of G. The released coordinates lift
 the edge off the plane, and tilt it: the reactions are the force N of the plane and its moment about the horizontal through H
 normal to AB. As it stands, a right-angled triangle, its right angle at A."""
-from torsor.scene import Inertia, Scene, axis, cos
+from torsor.scene import Inertia, Scene, axis, cos, form
 
 scene = Scene("falling_plate", "A plate falls with its edge on a smooth plane")
 
@@ -37,6 +37,10 @@ tilted = scene.revolute("tilted", foot, axis.y, moment)
 plate = scene.revolute("plate", tilted, axis.x, beta)
 scene.body("plate", plate, Inertia.general(M, A, B, A + B, F).at((0, b, 0)))
 scene.gravity((0, 0, -g))
+# For pictures: the plate's edges. The right angle is at A.
+at_A, at_B, top = (-edge / 3, 0, 0), (2 * edge / 3, 0, 0), (-edge / 3, height, 0)
+for start, end in ((at_A, at_B), (at_B, top), (top, at_A)):
+    scene.show(plate, form.Segment(start, end, edge / 60))
 
 if __name__ == "__main__":
     scene.main()

@@ -35,6 +35,14 @@ torsor::Scene friction_wheels_scene() {
   scene.reaction(rolling[0], "T",
                  {.body = S1, .contact = I, .direction = axis::x, .axes = scene.ground(), .other = S2});
 
+  // For pictures: the wheels, each with a spoke.
+  for (const auto& [wheel, radius] : {std::pair{S1, r1}, std::pair{S2, r2}}) {
+    scene.show({.frame = wheel, .form = form::Cylinder{radius, r1 / 4}});
+    scene.show({.frame = wheel,
+                .form = form::Segment{{0, 0, r1 / 8}, {0, radius, r1 / 8}, r1 / 30},
+                .colour = Colour{0.9, 0.9, 0.9}});
+  }
+
   scene.motor("C1", theta_1);
   scene.rotational_drag("load", S2, c);
   return scene;

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 """Two friction wheels (Pommier, §3.4.4). S1 turns about (O, z), S2 about (A, z), OA = (r1 + r2) y; they roll on each other
 without slipping at I, OI = r1 y. A motor turns S1, a viscous load holds S2 back. T is the force of S2 on S1 along x."""
-from torsor.scene import Inertia, Rotation, Scene, axis, cos, quantity, sin
+from torsor.scene import Inertia, Rotation, Scene, axis, cos, form, quantity, sin
 
 scene = Scene("friction_wheels", "Two friction wheels rolling on each other without slipping")
 
@@ -29,6 +29,11 @@ scene.point("I2", S2, (-r2 * sin(theta_2), -r2 * cos(theta_2), 0))
 contact = scene.weld("contact", scene.ground, rotation=Rotation.about(0, -6))
 rolling = scene.rolling("rolling", body=S1, on=S2, contact=I, tangents=contact)
 scene.reaction(rolling[0], "T", body=S1, contact=I, direction=axis.x, axes=scene.ground, other=S2)
+
+# For pictures: the wheels, each with a spoke.
+for wheel, radius in ((S1, r1), (S2, r2)):
+    scene.show(wheel, form.Cylinder(radius, r1 / 4))
+    scene.show(wheel, form.Segment((0, 0, r1 / 8), (0, radius, r1 / 8), r1 / 30), colour=(0.9, 0.9, 0.9))
 
 scene.motor("C1", theta_1)
 scene.rotational_drag("load", S2, c)

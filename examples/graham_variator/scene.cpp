@@ -72,10 +72,7 @@ torsor::Scene graham_variator_scene() {
     const Triple end{at_E_x, r3 * cos(angle), r3 * sin(angle)};
     scene.show({.frame = S3, .form = form::Segment{{at_E_x, -end[1], -end[2]}, end, thin}});
   }
-  for (int k = 0; k < 24; ++k) {
-    const auto rim = [&](int i) { return Triple{at_A_x, c * cos(pi() / 12 * i), c * sin(pi() / 12 * i)}; };
-    scene.show({.frame = S4, .form = form::Segment{rim(k), rim(k + 1), thin}});
-  }
+  scene.show({.frame = S4, .form = form::Torus{c, thin}, .placement = {{at_A_x, 0, 0}, along_x.rotation}});
 
   scene.gravity({0, -g, 0});
   scene.motor("C1", alpha);

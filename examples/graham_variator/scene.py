@@ -66,14 +66,7 @@ at_A_x = -d / cos(delta)
 for k in range(4):
     y, z = r3 * cos(pi / 4 * k), r3 * sin(pi / 4 * k)
     scene.show(S3, form.Segment((at_E_x, -y, -z), (at_E_x, y, z), thin))
-
-
-def rim(i):
-    return at_A_x, c * cos(pi / 12 * i), c * sin(pi / 12 * i)
-
-
-for k in range(24):
-    scene.show(S4, form.Segment(rim(k), rim(k + 1), thin))
+scene.show(S4, form.Torus(c, thin), origin=(at_A_x, 0, 0), rotation=along_x)
 
 scene.gravity((0, -g, 0))
 scene.motor("C1", alpha)

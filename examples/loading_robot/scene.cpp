@@ -50,6 +50,12 @@ torsor::Scene loading_robot_scene() {
   scene.motor("C01", alpha);
   scene.motor("F12", x);
   scene.motor("C23", beta);
+  // For pictures: the column with its rail, the slide, the arm.
+  scene.show({.frame = S1, .form = form::Segment{{0, 0, 0}, {0, h, 0}, h / 12}});
+  scene.show({.frame = S1, .form = form::Segment{{-L1 / 2, h, 0}, {2 * L1, h, 0}, h / 30}});
+  scene.show({.frame = S2, .form = form::Segment{{0, 0, 0}, {2 * L2, 0, 0}, h / 20}});
+  scene.show({.frame = S3, .form = form::Segment{{0, 0, 0}, {-2 * L3, 0, 0}, h / 25}});
+  scene.show({.frame = S3, .form = form::Sphere{h / 12}});
   return scene;
 }
 

@@ -3,7 +3,7 @@
 torque C01; S2 slides along (O1, x1) by x, driven by the force F12; S3 turns about (O2, z0) by beta relative to S2, driven by
 the torque C23. Oo O1 = h y1, O1 G1 = L1 x1, O2 G2 = L2 x1, O2 G3 = -L3 x3. I1, I2, I3 are moments of inertia about (Oo, z0),
 (O2, z0), (O2, z0), as the exercise gives them."""
-from torsor.scene import Inertia, Scene, axis, quantity
+from torsor.scene import Inertia, Scene, axis, form, quantity
 
 scene = Scene("loading_robot", "Press-loading robot: motor actions and the transverse reaction Y12")
 
@@ -48,6 +48,12 @@ scene.gravity((0, -g, 0))
 scene.motor("C01", alpha)
 scene.motor("F12", x)
 scene.motor("C23", beta)
+# For pictures: the column with its rail, the slide, the arm.
+scene.show(S1, form.Segment((0, 0, 0), (0, h, 0), h / 12))
+scene.show(S1, form.Segment((-L1 / 2, h, 0), (2 * L1, h, 0), h / 30))
+scene.show(S2, form.Segment((0, 0, 0), (2 * L2, 0, 0), h / 20))
+scene.show(S3, form.Segment((0, 0, 0), (-2 * L3, 0, 0), h / 25))
+scene.show(S3, form.Sphere(h / 12))
 
 if __name__ == "__main__":
     scene.main()

@@ -40,6 +40,10 @@ torsor::Scene rolling_hoop_scene() {
   scene.gravity({0, 0, -g});
   scene.no_slip("along_x1", {.body = hoop, .contact = contact, .direction = axis::x, .axes = "hoop.1"});
   scene.no_slip("along_y1", {.body = hoop, .contact = contact, .direction = axis::y, .axes = "hoop.1"});
+  // For pictures: the hoop with two diameters, which show how it turns.
+  scene.show({.frame = hoop, .form = form::Torus{R, R / 30}});
+  scene.show({.frame = hoop, .form = form::Segment{{-R, 0, 0}, {R, 0, 0}, R / 80}});
+  scene.show({.frame = hoop, .form = form::Segment{{0, -R, 0}, {0, R, 0}, R / 80}});
   return scene;
 }
 

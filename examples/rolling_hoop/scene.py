@@ -2,7 +2,7 @@
 """Hoop (or disc) rolling without slipping on a horizontal plane (Pommier, §6.5.5), with coordinates compatible with the
 contact: z = R sin(theta) is built in, and two multipliers hold the point of contact along x1 and y1. Euler's angles psi, theta,
 phi about z, x1, z2; the axis of the hoop is z2, the contact lies at -R y2 from its centre G."""
-from torsor.scene import Inertia, Moments, Scene, axis, cos, euler, quantity, sin
+from torsor.scene import Inertia, Moments, Scene, axis, cos, euler, form, quantity, sin
 
 scene = Scene("rolling_hoop", "Hoop rolling without slipping: five coordinates, two multipliers")
 
@@ -36,6 +36,10 @@ scene.body("hoop", hoop, Inertia.general(m, A, A, C))
 scene.gravity((0, 0, -g))
 scene.no_slip("along_x1", body=hoop, contact=contact, direction=axis.x, axes="hoop.1")
 scene.no_slip("along_y1", body=hoop, contact=contact, direction=axis.y, axes="hoop.1")
+# For pictures: the hoop with two diameters, which show how it turns.
+scene.show(hoop, form.Torus(R, R / 30))
+scene.show(hoop, form.Segment((-R, 0, 0), (R, 0, 0), R / 80))
+scene.show(hoop, form.Segment((0, -R, 0), (0, R, 0), R / 80))
 
 if __name__ == "__main__":
     scene.main()

@@ -47,6 +47,10 @@ torsor::Scene rolling_hoop_contact_forces_scene() {
   scene.reaction(along_x1, "X_F", {.body = hoop, .contact = contact, .direction = axis::x, .axes = "hoop.1"});
   scene.reaction(along_y1, "Y_F", {.body = hoop, .contact = contact, .direction = axis::y, .axes = "hoop.1"});
   scene.reaction(touching, "N", {.body = hoop, .contact = contact, .direction = axis::z, .axes = scene.ground()});
+  // For pictures: the hoop with two diameters, which show how it turns.
+  scene.show({.frame = hoop, .form = form::Torus{R, R / 30}});
+  scene.show({.frame = hoop, .form = form::Segment{{-R, 0, 0}, {R, 0, 0}, R / 80}});
+  scene.show({.frame = hoop, .form = form::Segment{{0, -R, 0}, {0, R, 0}, R / 80}});
   return scene;
 }
 

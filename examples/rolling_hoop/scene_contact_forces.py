@@ -2,7 +2,7 @@
 """The rolling hoop of scene.cpp with a parametrisation that the contact does not allow (Pommier, §6.5.5, second illustration):
 six coordinates, z among them. The hoop may slip and leave the plane virtually, so the contact force X_F x1 + Y_F y1 + N z
 works, and its three components are unknowns beside the accelerations."""
-from torsor.scene import Inertia, Scene, axis, cos, euler, quantity, sin
+from torsor.scene import Inertia, Scene, axis, cos, euler, form, quantity, sin
 
 scene = Scene("rolling_hoop_contact_forces", "Hoop rolling without slipping: six coordinates, the three contact forces")
 
@@ -40,6 +40,10 @@ touching = scene.holonomic("touching", z - R * sin(theta))
 scene.reaction(along_x1, "X_F", body=hoop, contact=contact, direction=axis.x, axes="hoop.1")
 scene.reaction(along_y1, "Y_F", body=hoop, contact=contact, direction=axis.y, axes="hoop.1")
 scene.reaction(touching, "N", body=hoop, contact=contact, direction=axis.z, axes=scene.ground)
+# For pictures: the hoop with two diameters, which show how it turns.
+scene.show(hoop, form.Torus(R, R / 30))
+scene.show(hoop, form.Segment((-R, 0, 0), (R, 0, 0), R / 80))
+scene.show(hoop, form.Segment((0, -R, 0), (0, R, 0), R / 80))
 
 if __name__ == "__main__":
     scene.main()

@@ -28,6 +28,9 @@ torsor::Scene turning_slot_scene() {
   const ConstraintHandle slot = scene.holonomic("slot", y * cos(turn) - x * sin(turn));
   scene.reaction(slot, "N",
                  {.body = bead, .contact = center, .direction = {-sin(turn), cos(turn), 0}, .axes = scene.ground()});
+  const Expression end = Expression::quantity("1", "m");
+  scene.show({.frame = scene.ground(),
+              .form = form::Segment{{-end * cos(turn), -end * sin(turn), 0}, {end * cos(turn), end * sin(turn), 0}, end / 100}});
   return scene;
 }
 

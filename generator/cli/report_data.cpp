@@ -89,7 +89,7 @@ Json boxes_json(const SceneContent& content) {
 }
 
 const char* word_of(const Form& form) {
-  static constexpr std::array<const char*, 6> words{"box", "cylinder", "cone", "sphere", "segment", "mesh"};
+  static constexpr std::array<const char*, 7> words{"box", "cylinder", "cone", "sphere", "segment", "torus", "mesh"};
   return words[form.index()];
 }
 

@@ -93,7 +93,7 @@ class PosesBuilder {
     const std::size_t count = scene_.shown.size();
     if (count == 0) return;
     result_.member("form_origins", 3, count, "origins of the forms that are shown, in their frames [m]");
-    result_.member("form_lengths", 4, count, "edges; radius, length; radius; a segment's vector, radius [m]");
+    result_.member("form_lengths", 4, count, "edges; radius, length; radius; a segment's vector, radius; a ring's radius, its tube's [m]");
     for (std::size_t k = 0; k < count; ++k) {
       const auto [origin, lengths] = std::visit([](const auto& form) { return measures(form); }, scene_.shown[k].form);
       const Placement& placement = scene_.shown[k].placement;
@@ -112,6 +112,7 @@ class PosesBuilder {
     const Triple &a = segment.from, &b = segment.to;
     return {a, {b[0] - a[0], b[1] - a[1], b[2] - a[2], segment.radius}};
   }
+  static Measures measures(const form::Torus& torus) { return {none(), {torus.radius, torus.tube, 0, 0}}; }
   static Measures measures(const form::Mesh&) { return {none(), {0, 0, 0, 0}}; }
   static Triple none() { return {Expression(0), Expression(0), Expression(0)}; }
 

@@ -139,10 +139,12 @@ struct Cone { Expression radius, length; };
 struct Sphere { Expression radius; };
 /// A round bar between two points.
 struct Segment { Triple from, to; Expression radius; };
+/// A ring about z, centred: a circle of the radius with a tube around it, whose thickness for its size stays.
+struct Torus { Expression radius, tube; };
 /// The triangles of a file (`report --meshes`), times the scale.
 struct Mesh { std::string file; std::array<double, 3> scale{1, 1, 1}; };
 }  // namespace form
-using Form = std::variant<form::Box, form::Cylinder, form::Cone, form::Sphere, form::Segment, form::Mesh>;
+using Form = std::variant<form::Box, form::Cylinder, form::Cone, form::Sphere, form::Segment, form::Torus, form::Mesh>;
 /// Shares of light, each from 0 to 1.
 struct Colour { double red, green, blue; };
 struct Shown {

@@ -25,6 +25,10 @@ void require_lengths(const form::Segment& segment) {
   require_unit(segment.to, units::metre, "an end of a segment that is shown");
   require_unit(segment.radius, units::metre, "the radius of a segment that is shown");
 }
+void require_lengths(const form::Torus& torus) {
+  require_unit(torus.radius, units::metre, "the radius of a torus that is shown");
+  require_unit(torus.tube, units::metre, "the radius of the tube of a torus that is shown");
+}
 void require_lengths(const form::Mesh& mesh) {
   if (mesh.file.empty()) throw SceneError("a mesh that is shown has no file: name one, e.g. \"arm.stl\"");
 }

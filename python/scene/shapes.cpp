@@ -48,6 +48,8 @@ void bind_forms(py::module_& parent) {
   module.def("Sphere", [](E radius) { return BoundForm{form::Sphere{radius}}; }, "radius"_a, "Centred.");
   module.def("Segment", [](T from, T to, E radius) { return BoundForm{form::Segment{from, to, radius}}; }, "start"_a, "end"_a,
              "radius"_a, "A round bar between two points.");
+  module.def("Torus", [](E radius, E tube) { return BoundForm{form::Torus{radius, tube}}; }, "radius"_a, "tube"_a,
+             "A ring about z, centred, whose tube has this radius.");
   module.def("Mesh", [](const std::string& file, const std::array<double, 3>& scale) { return BoundForm{form::Mesh{file, scale}}; },
              "file"_a, "scale"_a = std::array<double, 3>{1, 1, 1}, "The triangles of a file, times the scale.");
 }

@@ -331,7 +331,7 @@ function start() {
     picture.frameAll(seen);
     viewer = new Viewer(element("view"));
     meshes.forEach((each) => viewer.mesh(...each));
-    picture.surfaces.forEach(({ mesh, corners }) => viewer.mesh(mesh, corners));
+    [...picture.surfaces, ...picture.rings].forEach(({ mesh, corners }) => viewer.mesh(mesh, corners));
     viewer.home(picture.camera(first));
     element("view").setAttribute("aria-label", `${scene.bodies.length}« bodies in three dimensions: »${scene.bodies.slice(0, 12).map((each) => each.name).join(", ")}. ` +
       "«Arrow keys turn the picture, plus and minus come nearer and go away, 0 is the first view.»");

@@ -39,6 +39,12 @@ class Picture {
     scene.bodies.forEach((_, k) => places.push(column(poses.centres, k)));
     scene.points.forEach((_, k) => places.push(column(poses.points, k)));
     this.ofAuthor = new Set(this.shown.map((form) => scene.frames[form.frame].body));  // bodies that the author draws
+    // A ring keeps the thickness for its size that it has at the parameters' values in the scene.
+    this.rings = this.shown.filter((form) => form.kind === "torus").map((form) => {
+      const [radius, tube] = poses.form_lengths.subarray(4 * form.k, 4 * form.k + 2), thickness = tube / radius, out = 1 + thickness;
+      Object.assign(form, { mesh: `torus ${form.k}`, ends: [[-out, out], [-out, out], [-thickness, thickness]] });
+      return { mesh: form.mesh, ...torus(1, thickness) };
+    });
     places.push(...this.formCorners(poses));
     const low = [0, 1, 2].map((i) => Math.min(...places.map((p) => p[i])));
     const high = [0, 1, 2].map((i) => Math.max(...places.map((p) => p[i])));
@@ -67,10 +73,10 @@ class Picture {
     this.frameAll([poses]);
   }
 
-  /// Corners of boxes around what the author of the scene shows.
-  formCorners(poses) {
+  /// Corners of boxes around what the author of the scene shows, or of one body only.
+  formCorners(poses, only = null) {
     const corners = [];
-    for (const { mesh, x, y, z, origin, ends } of this.forms(poses)) {
+    for (const { mesh, x, y, z, origin, ends } of this.forms(poses, only)) {
       const [as, bs, cs] = ends ?? [[-1, 1], [-1, 1], mesh === "cylinder" || mesh === "cone" ? [0, 1] : [-1, 1]];
       for (const a of as) for (const b of bs) for (const c of cs) corners.push(add(add(add(origin, x, a), y, b), z, c));
     }
@@ -84,6 +90,7 @@ class Picture {
     const discs = this.scene.points.map((point, i) => (point.lowest && own(i) ? poses.radii[i] : 0));
     discs.push(...this.surfaces.filter(({ point }) => own(point)).map((each) => each.extent));
     for (const i of this.corners) if (own(i)) discs.push(length(add(column(poses.points, i), column(poses.centres, k), -1)));
+    if (this.ofAuthor.has(rigid)) discs.push(...this.formCorners(poses, rigid).map((corner) => length(add(corner, column(poses.centres, k), -1))));
     if (this.ofAuthor.has(rigid) || this.linked.has(rigid) || !(m > 0) || this.round.get(body.frame)) return Math.max(0, ...discs);
     const trace = moments[0] + moments[1] + moments[2], { values } = principal(moments);
     const halves = values.map((value) => Math.sqrt(Math.max(0, (1.5 * (trace - 2 * value)) / m)));
@@ -184,11 +191,14 @@ class Picture {
   followed(poses, target) {
     const reach = this.reach ?? this.size, all = this.scene.bodies.map((_, k) => ({ place: column(poses.centres, k), bulk: this.bulks[k] }));
     if (all.length === 0) return target;
-    const far = ({ place }) => length(add(place, target, -1)), together = all.filter((each) => far(each) < 3 * reach);
-    const seen = together.length > 0 ? together : all;
+    const far = ({ place }) => length(add(place, target, -1));
+    const middle = (some) => scaled(some.reduce((sum, { place }) => add(sum, place), [0, 0, 0]), 1 / some.length);
+    const fit = (some) => some.every(({ place, bulk }) => length(add(place, middle(some), -1)) + bulk <= 1.05 * reach);
+    // Bodies that part do not fit the picture: those that are nearest stay in it.
+    const seen = all.sort((a, b) => far(a) - far(b)).reduce((some, each) => (some.length === 0 || fit([...some, each]) ? [...some, each] : some), []);
     const beyond = Math.max(...seen.map((each) => far(each) + each.bulk)) - 1.05 * reach;
     if (!(beyond > 0)) return target;
-    const away = add(scaled(seen.reduce((sum, { place }) => add(sum, place), [0, 0, 0]), 1 / seen.length), target, -1);
+    const away = add(middle(seen), target, -1);
     return add(target, away, Math.min(1, beyond / Math.max(length(away), 1e-300)));
   }
 
@@ -268,8 +278,9 @@ class Picture {
   }
 
   /// What the author of the scene shows.
-  forms(poses) {
-    return this.shown.flatMap((form) => {
+  forms(poses, only = null) {
+    const shown = this.shown.filter(({ frame }) => only === null || this.scene.frames[frame].body === only);
+    return shown.flatMap((form) => {
       const { frame, kind, rotation, k } = form, colour = form.colour ?? colourOf(this.scene.frames[frame].body);
       const axes = [0, 1, 2].map((j) => column(poses.rotations, 3 * frame + j));
       const inGround = (v) => add(add(scaled(axes[0], v[0]), axes[1], v[1]), axes[2], v[2]);
@@ -280,6 +291,7 @@ class Picture {
       if (kind === "box") return [{ mesh: "box", x: scaled(x, a / 2), y: scaled(y, b / 2), z: scaled(z, c / 2), origin, colour }];
       if (kind === "sphere") return [ball(origin, a, colour)];
       if (kind === "segment") return length([a, b, c]) > 0 ? [cylinder(origin, add(origin, turned([a, b, c])), d, colour)] : [];
+      if (kind === "torus") return [{ mesh: form.mesh, x: scaled(x, a), y: scaled(y, a), z: scaled(z, a), origin, colour, ends: form.ends }];
       if (kind === "mesh") {
         const [p, q, r] = form.scale;
         return [{ mesh: form.mesh, x: scaled(x, p), y: scaled(y, q), z: scaled(z, r), origin, colour, ends: form.ends }];

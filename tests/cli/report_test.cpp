@@ -99,6 +99,8 @@ TEST(Report, RefusesWhatCannotBeShown) {
   EXPECT_TRUE(contains(message({.frame = "arm", .form = form::Sphere{Expression::quantity("1", "kg")}}), "radius of a sphere"));
   EXPECT_TRUE(contains(message({.frame = "rot", .form = form::Sphere{metre}}), "'rot'"));
   EXPECT_TRUE(contains(message({.frame = "arm", .form = form::Cone{metre, -metre}}), "length of the cone that is shown on frame 'arm'"));
+  EXPECT_TRUE(contains(message({.frame = "arm", .form = form::Torus{metre, 0 * metre}}), "radius of the torus's tube that is shown on frame 'arm' is 0"));
+  EXPECT_TRUE(contains(message({.frame = "arm", .form = form::Torus{metre, 1}}), "radius of the tube of a torus"));
   EXPECT_TRUE(contains(message({.frame = "arm", .form = form::Sphere{metre}, .colour = Colour{2, 0, 0}}), "share 2"));
   EXPECT_EQ(message({.frame = "arm", .form = form::Sphere{metre}}), "");
 }

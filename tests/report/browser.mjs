@@ -61,6 +61,15 @@ export class Browser {
     throw new Error(`${file} did not load within 120 s`);
   }
 
+  /// Waits until a report has integrated its motion, if it has one.
+  async moved() {
+    await this.evaluate(`new Promise((done) => {
+      const until = Number(document.getElementById("until")?.value ?? 0), motion = () => window.torsorReport?.current;
+      const wait = () => (!motion() || motion().time >= until - 1e-9 || motion().status !== "ok" ? done(0) : setTimeout(wait, 50));
+      wait();
+    })`);
+  }
+
   /// The value of an expression in the page; a promise is waited for.
   async evaluate(expression) {
     const { result, exceptionDetails } = await this.send("Runtime.evaluate", { expression, awaitPromise: true, returnByValue: true });

@@ -22,11 +22,7 @@ for (const scene of scenes) {
   const [tool, ...files] = scene.split(" "), name = basename(files.find((each) => !each.startsWith("-")) ?? tool), file = join(folder, `${name}.html`);
   execFileSync(tool, ["report", ...files, "--output", file], { stdio: ["ignore", "ignore", "ignore"] });
   await browser.open(file);
-  await browser.evaluate(`new Promise((done) => {
-    const until = Number(document.getElementById("until")?.value ?? 0);
-    const wait = () => (torsorReport.current.time >= until - 1e-9 || torsorReport.current.status !== "ok" ? done(0) : setTimeout(wait, 50));
-    wait();
-  })`);
+  await browser.moved();
   const before = await processorTime();
   const [frames, seconds, bodies] = await browser.evaluate(`new Promise((done) => {
     const time = document.getElementById("time"), play = document.getElementById("play"), begin = performance.now();

@@ -110,6 +110,7 @@ class OwnershipCheck {
   void operator()(const form::Cone& c) { look(c.radius), look(c.length); }
   void operator()(const form::Sphere& s) { look(s.radius); }
   void operator()(const form::Segment& s) { look(s.from), look(s.to), look(s.radius); }
+  void operator()(const form::Torus& t) { look(t.radius), look(t.tube); }
   void operator()(const form::Mesh&) {}
 
  private:

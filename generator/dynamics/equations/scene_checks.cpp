@@ -99,6 +99,8 @@ void check_shown_forms(const SceneContent& scene) {
       lengths = {{"radius of the sphere", &sphere->radius}};
     } else if (const auto* segment = std::get_if<form::Segment>(&shown.form)) {
       lengths = {{"radius of the segment", &segment->radius}};
+    } else if (const auto* torus = std::get_if<form::Torus>(&shown.form)) {
+      lengths = {{"radius of the torus", &torus->radius}, {"radius of the torus's tube", &torus->tube}};
     }
     for (const auto& [what, length] : lengths) {
       const std::optional<Real> value = value_if_known(scene, *length);
