@@ -45,7 +45,7 @@ static int states(void) { return (int)fmi(GetContinuousStates)(instance, into, N
 static int nominals(void) { return (int)fmi(GetNominalsOfContinuousStates)(instance, into, NX); }
 static int indicators(void) {
   may_refuse = 1;
-  return (int)fmi(GetEventIndicators)(instance, into, pick(2));
+  return (int)fmi(GetEventIndicators)(instance, into, pick(2) ? NI : pick(2));
 }
 static int along(void) {
   const unsigned unknowns = pick(4), knowns = pick(4);

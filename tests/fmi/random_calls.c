@@ -80,11 +80,14 @@ int main(int count, char** words) {
       if (status != ok && status != discarded && status != refused) {
         return fprintf(stderr, "%s answers %d\n", each->name, status), 1;
       }
+      /* A motion with contacts may end, and then the unit says in which mode. */
+      if (HAS_CONTACTS) may_refuse = 1;
       if (!allowed_now ? status != refused : status == refused && !may_refuse) {
         return fprintf(stderr, "%s answers %d in mode %d of %s\n", each->name, status, mode, exchanging ? "ME" : "CS"), 1;
       }
       if (status == ok && each->next > 0) mode = each->next;
       if (status == ok && each->next == begins) mode = exchanging ? event_mode : step_complete;
+      if (HAS_CONTACTS && allowed_now && status == refused) mode = ((const unit*)instance)->m.now.mode;
       ++answers[status];
     }
     free_saved();
