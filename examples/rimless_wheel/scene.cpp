@@ -38,6 +38,7 @@ torsor::Scene rimless_wheel_scene() {
     const PointHandle foot = scene.point("foot" + std::to_string(i + 1), wheel, {-l * sin(angle), 0, -l * cos(angle)});
     scene.contact("step" + std::to_string(i + 1), shape::Point{.point = foot}, shape::Plane{.frame = scene.ground()},
                   {.friction = f});
+    scene.show({.frame = wheel, .form = form::Segment{{0, 0, 0}, {-l * sin(angle), 0, -l * cos(angle)}, l / 50}});
   }
   return scene;
 }

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 """A wheel of six spokes and no rim walks down a slope: each spoke in turn strikes the ground with its foot, without
 restitution, and the wheel turns about it until the next one strikes (McGeer 1990)."""
-from torsor.scene import Inertia, Scene, axis, cos, pi, quantity, shape, sin
+from torsor.scene import Inertia, Scene, axis, cos, form, pi, quantity, shape, sin
 
 scene = Scene("rimless_wheel", "Rimless wheel that walks down a slope")
 spokes = 6
@@ -32,6 +32,7 @@ for i in range(spokes):
     angle = pi * (2 * i + 1) / spokes
     foot = scene.point(f"foot{i + 1}", wheel, (-l * sin(angle), 0, -l * cos(angle)))
     scene.contact(f"step{i + 1}", shape.Point(foot), shape.Plane(scene.ground), friction=f)
+    scene.show(wheel, form.Segment((0, 0, 0), (-l * sin(angle), 0, -l * cos(angle)), l / 50))
 
 if __name__ == "__main__":
     scene.main()

@@ -5,6 +5,7 @@
 #include <cstdio>
 #include <cstring>
 #include <string>
+#include <string_view>
 #include <tuple>
 #include <utility>
 #include <vector>
@@ -267,6 +268,16 @@ int begin_project(int argc, const char* const* argv) {
   }
 }
 
+/// The file may stand before the command, as a scene's may.
+std::vector<const char*> command_first(int argc, const char* const* argv) {
+  std::vector<const char*> words(argv, argv + argc);
+  const auto names_robot = [](std::string_view word) {
+    return word.ends_with(".urdf") || word.ends_with(".xacro") || word.ends_with(".mjcf") || word.ends_with(".xml");
+  };
+  if (argc > 2 && argv[2][0] != '-' && names_robot(argv[1])) std::swap(words[1], words[2]);
+  return words;
+}
+
 }  // namespace
 
 int run_torsor(int argc, const char* const* argv, MjcfReader mjcf_reader) {
@@ -275,7 +286,8 @@ int run_torsor(int argc, const char* const* argv, MjcfReader mjcf_reader) {
     if (argv[i][0] != '-' && names_scene_file(argv[i])) return become_scene_program(argc, argv, i);
   }
   FileRequest request;
-  return run_commands(argc, argv,
+  const std::vector<const char*> words = command_first(argc, argv);
+  return run_commands(argc, words.data(),
                       {"Equations of motion and specialised kernels of the robot of a URDF, xacro or MJCF file. "
                        "torsor SCENE.cpp COMMAND compiles a scene in C++ and runs the command. torsor new NAME begins a "
                        "project with a scene of your own.",

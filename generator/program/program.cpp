@@ -44,8 +44,8 @@ Value Program::value_of_number(ValueNumber value_number) {
 Value Program::symbol(const SymbolPointer& symbol) {
   if (const auto known = symbols_.find(symbol.get()); known != symbols_.end()) return value_of_number(known->second);
   if (const auto known = resolved_.find(symbol.get()); known != resolved_.end()) return known->second.value;
-  if (symbol->measure && measurer_) {
-    const Value value = measurer_(*symbol);
+  if (symbol->measure && measurer_.value) {
+    const Value value = measurer_.value(*symbol);
     resolved_.emplace(symbol.get(), Resolved{value, size()});
     return value;
   }
@@ -88,6 +88,7 @@ void Program::truncate(std::size_t size) {
     functions_.pop_back();
   }
   std::erase_if(resolved_, [size](const auto& each) { return each.second.size > size; });
+  if (measurer_.forget) measurer_.forget(size);
 }
 
 Value Program::lower(const Expression& formula) {

@@ -78,14 +78,17 @@ class Program {
   /// Returns nothing for a symbol that stays.
   using Resolver = std::function<std::optional<Expression>(const SymbolPointer&)>;
 
-  /// The value of what is measured on the motion of frames (Symbol::measure).
-  using Measurer = std::function<Value(const Symbol&)>;
+  /// Who tells the values of what is measured on the motion of frames (Symbol::measure).
+  struct Measurer {
+    std::function<Value(const Symbol&)> value;
+    std::function<void(std::size_t size)> forget;  ///< what was made while the program was larger: it is truncated to this size
+  };
 
   explicit Program(Resolver resolver = {}, const Passes& passes = {});
   Program(const Program&) = delete;
   Program& operator=(const Program&) = delete;
 
-  /// Who tells the values of measured quantities; without one they are symbols like any other.
+  /// Without one, measured quantities are symbols like any other.
   void set_measurer(Measurer measurer) { measurer_ = std::move(measurer); }
 
   Value lower(const Expression& formula);

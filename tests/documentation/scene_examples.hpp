@@ -5,7 +5,9 @@
 
 #include "generator/dynamics/equations/equations.hpp"
 #include "generator/dynamics/equations/validation.hpp"
+#include "generator/emission/header.hpp"
 #include "generator/expression/piecewise.hpp"
+#include "generator/kernels/kernel.hpp"
 #include "generator/mechanics/inertia_operations.hpp"
 #include "generator/mechanics/scene.hpp"
 
@@ -26,6 +28,7 @@ class SceneExamples : public testing::Test {
     const Equations equations(scene);
     EXPECT_FALSE(equations.inverse_dynamics().empty());
     EXPECT_FALSE(equations.forward().accelerations.empty());
+    EXPECT_NO_THROW(emit_header(scene, parse_kernel_list("all")));
   }
 
   Scene scene{"example"};

@@ -109,6 +109,29 @@ TEST(Header, IsTheSameForTheSameScene) {
   EXPECT_EQ(first, header());
 }
 
+// What is measured was remembered in a program that had forgotten its definitions: a second kernel crashed.
+TEST(Header, HasTheSameFunctionsAloneWhereForcesMeasureTheMotion) {
+  Scene scene("swing");
+  const Expression m = scene.parameter("m", "kg", 1), l = scene.parameter("l", "m", 1);
+  const Expression c = scene.parameter("c", "N s^2/m^2", Number(1) / Number(10)), theta = scene.coordinate("theta", "rad");
+  const FrameHandle bar = scene.revolute("bar", scene.ground(), axis::y, theta);
+  scene.body("bar", bar, Inertia::rod(m, l, 2).at({0, 0, -l / 2}));
+  const PointHandle tip = scene.point("tip", bar, {0, 0, -l});
+  const Triple v = scene.velocity(tip, bar, "ground"), p = scene.position(tip, "ground");
+  scene.force("air", {.body = bar, .point = tip, .components = {-c * abs(v[0]) * v[0], 0, 0}, .axes = "ground"});
+  scene.force_function("elastic", -Expression::quantity("1", "N/m") * p[0] * p[0]);
+  const std::vector<std::string> names = parse_kernel_list("all");
+  const std::string together = emit_header(scene, names), backwards = emit_header(scene, {names.rbegin(), names.rend()});
+  std::size_t compared = 0;
+  for (const std::string& name : names) {
+    if (together.find(" " + name + "(const Precomputed&") == std::string::npos) continue;
+    EXPECT_EQ(body_of(together, name), body_of(emit_header(scene, {name}), name)) << name;
+    EXPECT_EQ(body_of(together, name), body_of(backwards, name)) << name;
+    ++compared;
+  }
+  EXPECT_GT(compared, 10U);
+}
+
 Scene block_of(const std::string& mass, const std::string& title) {
   Scene scene("block", title);
   scene.body("block", scene.prismatic("slide", scene.ground(), axis::x, scene.coordinate("x", "m")),

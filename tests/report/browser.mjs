@@ -61,9 +61,10 @@ export class Browser {
     throw new Error(`${file} did not load within 120 s`);
   }
 
-  /// Waits until a report has integrated its motion, if it has one.
-  async moved() {
+  /// Waits until a report has integrated its motion, if it has one, but not for longer.
+  async moved(seconds = 600) {
     await this.evaluate(`new Promise((done) => {
+      setTimeout(done, ${1000 * seconds}, 0);
       const until = Number(document.getElementById("until")?.value ?? 0), motion = () => window.torsorReport?.current;
       const wait = () => (!motion() || motion().time >= until - 1e-9 || motion().status !== "ok" ? done(0) : setTimeout(wait, 50));
       wait();

@@ -8,7 +8,7 @@ const [program, folder, ...names] = process.argv.slice(2);
 const browser = await Browser.start(program, { width: 900, height: 900 });
 for (const name of names) {
   await browser.open(join(folder, `${name}.html`));
-  await browser.moved();
+  await browser.moved(10);
   await new Promise((done) => setTimeout(done, 1500));
   const clip = await browser.evaluate(`(() => {
     const view = document.getElementById("view");

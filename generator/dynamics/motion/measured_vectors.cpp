@@ -40,9 +40,9 @@ Value Model::measured(const Symbol& symbol) {
   auto place = measured_.find(measure.vector->index);
   if (place == measured_.end()) {
     Vector vector = measured(*measure.vector);
-    place = measured_.emplace(measure.vector->index, std::move(vector)).first;
+    place = measured_.emplace(measure.vector->index, Measured{std::move(vector), program_->size()}).first;
   }
-  const Value& component = place->second[measure.component];
+  const Value& component = place->second.vector[measure.component];
   // A zero fits any unit and may belong to no program.
   return {*program_, component.polynomial(), symbol.unit};
 }

@@ -55,7 +55,8 @@ ModelOptions as_given(ModelOptions options) {
 
 Model::Model(const Scene& scene, Program& program, const ModelOptions& options)
     : BodyTree(scene.content(), program), options_(options) {
-  program.set_measurer([this](const Symbol& symbol) { return measured(symbol); });
+  program.set_measurer({[this](const Symbol& symbol) { return measured(symbol); },
+                        [this](std::size_t size) { std::erase_if(measured_, [size](const auto& each) { return each.second.size > size; }); }});
   add_coordinates();
   add_links();
   gather_bodies();

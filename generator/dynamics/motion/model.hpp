@@ -107,7 +107,11 @@ class Model : public BodyTree {
   Vector lowest(const PointContent& point, int link, const std::string& user) const;
 
   ModelOptions options_;
-  std::map<int, Vector> measured_;  ///< by index of the measured vector
+  struct Measured {
+    Vector vector;
+    std::size_t size;  ///< of the program when it was known
+  };
+  std::map<int, Measured> measured_;  ///< by index of the measured vector
   std::optional<BodyTrees> trees_;
 };
 
