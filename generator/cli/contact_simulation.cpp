@@ -182,6 +182,7 @@ void add_columns(EvaluatedContacts& contacts, ContactRecord& record) {
     add(name, result.names.size() <= motion.symbols().size() + 3 ? "J" : "SI");
   }
   record.numbers = motion.symbols().size();
+  for (const SymbolPointer& input : motion.equations().model().inputs()) record.inputs.push_back(input->name);
   for (int i = 0; i < contacts.count(); ++i) {
     const runtime::ContactRule rule = contacts.rule(i);
     ContactRecord::Contact contact{contacts.name(i), rule.normal, {}, contacts.gap_unit(i), contacts.force_unit(i)};

@@ -37,6 +37,7 @@ struct ContactRecord {
   };
   Simulation motion;        ///< its last columns are each contact's gap and reactions
   std::size_t numbers = 0;  ///< of a state: columns behind the time
+  std::vector<std::string> inputs;
   std::vector<Contact> contacts;
   std::vector<Event> events;
   std::vector<Regimes> regimes;  ///< of each row

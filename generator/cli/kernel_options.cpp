@@ -91,4 +91,29 @@ void add_state_options(CLI::App& command, StateOptions& options) {
   command.add_option("--seed", options.seed, "seed of the first state; the same seed gives the same states")->capture_default_str();
 }
 
+void add_numbers(CLI::App& command, const std::string& option, NamedNumbers& numbers, const std::string& text) {
+  command
+      .add_option_function<std::vector<std::string>>(
+          option,
+          [&numbers, option](const std::vector<std::string>& assignments) {
+            for (const std::string& assignment : assignments) {
+              const std::size_t equals = assignment.find('=');
+              double value = 0.0;
+              if (equals == std::string::npos || !CLI::detail::lexical_cast(assignment.substr(equals + 1), value)) {
+                throw UsageError(fmt::format("{} takes NAME=NUMBER, e.g. theta=0.5, and got '{}'", option, assignment));
+              }
+              numbers[assignment.substr(0, equals)] = value;
+            }
+          },
+          text)
+      ->delimiter(',');
+}
+
+void add_start_and_inputs(CLI::App& command, NamedNumbers& initial, NamedNumbers& inputs) {
+  if (command.get_option_no_throw("--initial") == nullptr) {  // the tool for files has it already, for the scene it makes
+    add_numbers(command, "--initial", initial, "start values, NAME=NUMBER, rates NAME'=NUMBER; comma-separated");
+  }
+  add_numbers(command, "--input", inputs, "constant inputs, NAME=NUMBER; comma-separated; 0 when absent");
+}
+
 }  // namespace torsor

@@ -7,6 +7,7 @@
 
 #include "generator/cli/command_line.hpp"
 #include "generator/dynamics/equations/equations.hpp"
+#include "generator/verification/evaluated_motion.hpp"
 
 namespace torsor {
 
@@ -21,6 +22,11 @@ struct KernelOptions {
   /// Throws UsageError for an unknown parameter, method or pass.
   ModelOptions model(const Scene& scene) const;
 };
+
+/// --NAME NAME=VALUE, comma-separated, repeatable.
+void add_numbers(CLI::App& command, const std::string& option, NamedNumbers& numbers, const std::string& text);
+/// --initial, which the tool for files has already for the scene that it makes, and --input.
+void add_start_and_inputs(CLI::App& command, NamedNumbers& initial, NamedNumbers& inputs);
 
 void add_kernel_list(CLI::App& command, KernelOptions& options);
 /// The list, and --run-time, --forward, --without.

@@ -80,6 +80,7 @@ struct Motion {
   std::string module = "null";
   std::string remark;     ///< why there is none
   std::string recording;  ///< JSON, of a motion that the page plays back
+  std::string given;      ///< JSON: start values and inputs that replace the scene's; empty: none
 };
 
 /// The page cannot solve contacts: it plays back what was moved here.
@@ -92,13 +93,29 @@ Motion recorded_motion(const Scene& scene, const ReportOptions& options) {
     return motion;
   }
   try {
-    motion.recording = report_recording(scene, options.model, options.duration, options.language);
+    motion.recording = report_recording(scene, options);
     motion.module = module_as_object(emit_javascript(lower_mechanism(scene, {"energy", "first_integrals", "poses"}, options.model)));
+  } catch (const UsageError&) {
+    throw;  // a name that the scene does not have
   } catch (const Error& error) {
     motion.recording.clear();
     motion.remark = error.what();
   }
   return motion;
+}
+
+std::string given_values(const Model& model, const ReportOptions& options) {
+  const auto names = [](const std::vector<SymbolPointer>& symbols) {
+    std::vector<std::string> all;
+    for (const SymbolPointer& symbol : symbols) all.push_back(symbol->name);
+    return all;
+  };
+  std::vector<std::string> known = names(model.positions());
+  for (int i = 0; i < model.unknown_count(); ++i) known.push_back(model.coordinates()[static_cast<std::size_t>(i)].v->name);
+  require_known(options.initial, known, "coordinate or rate", "--initial");
+  require_known(options.inputs, names(model.inputs()), "input", "--input");
+  if (options.initial.empty() && options.inputs.empty()) return {};
+  return nlohmann::ordered_json{{"initial", options.initial}, {"inputs", options.inputs}}.dump();
 }
 
 Motion motion_of(const Scene& scene, const ReportOptions& options) {
@@ -119,6 +136,7 @@ Motion motion_of(const Scene& scene, const ReportOptions& options) {
     }
   }
   motion.module = module_as_object(emit_javascript(mechanism));
+  motion.given = given_values(mechanism.equations->model(), options);
   return motion;
 }
 
@@ -243,6 +261,9 @@ std::string report_html(const Scene& scene, const ReportOptions& options) {
                          inside_json(report_data(scene, options.duration)));
   if (options.meshes) {
     scripts += fmt::format("<script id=\"meshes\" type=\"application/json\">{}</script>\n", report_meshes(content));
+  }
+  if (!motion.given.empty()) {
+    scripts += fmt::format("<script id=\"given\" type=\"application/json\">{}</script>\n", inside_json(motion.given));
   }
   if (!motion.recording.empty()) {
     scripts += fmt::format("<script id=\"recording\" type=\"application/json\">{}</script>\n", inside_json(motion.recording));

@@ -10,6 +10,7 @@
 #include "generator/base/natural_language.hpp"
 #include "generator/dynamics/motion/model.hpp"
 #include "generator/mechanics/scene.hpp"
+#include "generator/verification/evaluated_motion.hpp"
 
 namespace torsor {
 
@@ -18,6 +19,7 @@ struct ReportOptions {
   std::vector<std::pair<std::string, std::string>> about;  ///< state of the linearisation
   double duration = 10.0;                                  ///< of the motion [s]
   bool meshes = false;                                     ///< put the triangles of meshes into the page
+  NamedNumbers initial, inputs;                            ///< of the motion, in place of the scene's and of 0
   std::string reference;                                   ///< file of a reference trajectory; empty: none
   NaturalLanguage language{};                              ///< of every fixed phrase
 };
@@ -41,7 +43,7 @@ std::string report_data(const Scene& scene, double duration);
 nlohmann::ordered_json report_surfaces(const SceneContent& scene);
 /// The motion of a scene with contacts from event to event, for a page that plays it back: samples, regimes and events.
 /// Throws as `simulate`, and Error where the motion cannot start.
-std::string report_recording(const Scene& scene, const ModelOptions& model, double duration, const NaturalLanguage& say);
+std::string report_recording(const Scene& scene, const ReportOptions& given);
 /// A reference trajectory (the command `reference`) for dots beside the motion. Throws FileError, also for one of another scene, and
 /// UsageError for a scene with contacts.
 std::string report_reference(const SceneContent& scene, const std::string& path);

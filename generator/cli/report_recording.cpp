@@ -4,6 +4,8 @@
 #include <cmath>
 #include <cstdint>
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <nlohmann/json.hpp>
 
 #include "generator/base/base64.hpp"
@@ -48,15 +50,26 @@ int number_of(ContactRecord::EventKind kind) { return static_cast<int>(kind); }
 
 }  // namespace
 
-std::string report_recording(const Scene& scene, const ModelOptions& model, double duration, const NaturalLanguage& say) {
+std::string report_recording(const Scene& scene, const ReportOptions& given) {
   const SceneContent& content = scene.content();
   std::size_t numbers = 2 * content.coordinates.size() + 8 * content.attitudes.size() + 4 * content.contacts.size();
   SimulationOptions options;
-  options.model = model;
-  options.duration = duration;
-  options.step = interval_of(duration, std::max<std::size_t>(1, numbers));
-  const ContactRecord record = record_contacts(scene, options, say);
+  options.model = given.model;
+  options.duration = given.duration;
+  options.initial = given.initial;
+  options.inputs = given.inputs;
+  options.step = interval_of(given.duration, std::max<std::size_t>(1, numbers));
+  const ContactRecord record = record_contacts(scene, options, given.language);
   const Simulation& motion = record.motion;
+  std::vector<std::string> remarks = motion.remarks;
+  if (!record.inputs.empty()) {
+    std::vector<std::string> values;
+    for (const std::string& name : record.inputs) {
+      const auto value = given.inputs.find(name);
+      values.push_back(fmt::format("{} = {}", name, value == given.inputs.end() ? 0.0 : value->second));
+    }
+    remarks.insert(remarks.begin(), given.language("inputs are constant: {}", printable(fmt::format("{}", fmt::join(values, ", ")))));
+  }
   if (motion.rows.empty()) throw Error(motion.status);
   std::size_t of_contacts = 0;
   Json contacts = Json::array();
@@ -89,7 +102,7 @@ std::string report_recording(const Scene& scene, const ModelOptions& model, doub
               {"events", events},
               {"eventCount", record.events.size()},
               {"status", motion.status},
-              {"remarks", motion.remarks}}
+              {"remarks", remarks}}
       .dump();
 }
 

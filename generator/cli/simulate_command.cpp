@@ -73,25 +73,6 @@ CommandResult run_simulation(const Scene& scene, SimulationRequest request) {
   return result;
 }
 
-/// --NAME NAME=VALUE, comma-separated, repeatable.
-void add_numbers(CLI::App& command, const std::string& option, NamedNumbers& numbers, const std::string& text) {
-  command
-      .add_option_function<std::vector<std::string>>(
-          option,
-          [&numbers, option](const std::vector<std::string>& assignments) {
-            for (const std::string& assignment : assignments) {
-              const std::size_t equals = assignment.find('=');
-              double value = 0.0;
-              if (equals == std::string::npos || !CLI::detail::lexical_cast(assignment.substr(equals + 1), value)) {
-                throw UsageError(fmt::format("{} takes NAME=NUMBER, e.g. theta=0.5, and got '{}'", option, assignment));
-              }
-              numbers[assignment.substr(0, equals)] = value;
-            }
-          },
-          text)
-      ->delimiter(',');
-}
-
 }  // namespace
 
 void add_simulate_command(CommandSet& commands) {
@@ -110,11 +91,8 @@ void add_simulate_command(CommandSet& commands) {
                   "rows where a formula passes through zero: \"NAME: FORMULA\", or \"x = 0.5\"; may be given again")
       ->allow_extra_args(false);
   command.add_option("--until", request->until, "end the motion where a formula passes through zero, e.g. \"theta = 0\"");
-  if (command.get_option_no_throw("--initial") == nullptr) {  // the tool for files has it already, for the scene it makes
-    add_numbers(command, "--initial", options.initial, "start values, NAME=NUMBER, rates NAME'=NUMBER; comma-separated");
-  }
+  add_start_and_inputs(command, options.initial, options.inputs);
   add_numbers(command, "--run-time", options.parameters, "values of parameters, NAME=NUMBER; comma-separated");
-  add_numbers(command, "--input", options.inputs, "constant inputs, NAME=NUMBER; comma-separated; 0 when absent");
   command.add_flag("--no-projection", request->no_projection, "do not project steps onto the constraints: they drift");
   command
       .add_option("--plot", request->plot, "draw columns over time: a file, then names, comma-separated: motion.svg x,theta")

@@ -29,15 +29,6 @@ ModelOptions with_run_time(ModelOptions options, const NamedNumbers& parameters)
   return options;
 }
 
-void require_known(const NamedNumbers& given, const std::vector<std::string>& known, const std::string& what,
-                   const std::string& option) {
-  for (const auto& [name, value] : given) {
-    if (std::find(known.begin(), known.end(), name) != known.end()) continue;
-    throw UsageError(fmt::format("there is no {} '{}' for {}: {}there {}", what, name, option, did_you_mean(name, known),
-                                 known.empty() ? "are none" : fmt::format("are {}", fmt::join(known, ", "))));
-  }
-}
-
 /// Of a symmetric matrix, that of 1 where it is not positive.
 Cholesky<double> metric_factor(Rows<double> m) {
   const std::size_t n = m.size();
@@ -54,6 +45,15 @@ bool finite(const std::vector<double>& numbers) {
 }
 
 }  // namespace
+
+void require_known(const NamedNumbers& given, const std::vector<std::string>& known, const std::string& what,
+                   const std::string& option) {
+  for (const auto& [name, value] : given) {
+    if (std::find(known.begin(), known.end(), name) != known.end()) continue;
+    throw UsageError(fmt::format("there is no {} '{}' for {}: {}there {}", what, name, option, did_you_mean(name, known),
+                                 known.empty() ? "are none" : fmt::format("are {}", fmt::join(known, ", "))));
+  }
+}
 
 EvaluatedMotion::EvaluatedMotion(const Scene& scene, const ModelOptions& options, const NamedNumbers& parameters,
                                  const NamedNumbers& inputs)

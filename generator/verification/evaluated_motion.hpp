@@ -16,6 +16,10 @@ namespace torsor {
 /// Numbers that a command line gives by name.
 using NamedNumbers = std::map<std::string, double>;
 
+/// Throws UsageError where a name that an option gives is not known.
+void require_known(const NamedNumbers& given, const std::vector<std::string>& known, const std::string& what,
+                   const std::string& option);
+
 /// What moves a scene, evaluated in `double` from its program: kernels without a compiler. Inputs are constant in time.
 class EvaluatedMotion {
  public:

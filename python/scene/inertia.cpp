@@ -34,6 +34,27 @@ void bind_rotations(py::module_& module) {
       .value("as_given", Moments::as_given);
 }
 
+/// 0, 1 or 2, or a unit vector along an axis of the frame, as joints take it.
+int axis_number(const py::object& axis) {
+  if (py::isinstance<py::int_>(axis)) return axis.cast<int>();
+  if (py::isinstance<py::sequence>(axis) && py::len(axis) == 3) {
+    const py::sequence parts(axis);
+    for (int i = 0; i < 3; ++i) {
+      const auto is = [&](int k, int value) { return py::object(parts[static_cast<std::size_t>((i + k) % 3)]).equal(py::int_(value)); };
+      if (is(0, 1) && is(1, 0) && is(2, 0)) return i;
+    }
+  }
+  throw py::value_error("the axis is " + py::repr(axis).cast<std::string>() + " and must be axis.x, axis.y or axis.z (or 0, 1, 2)");
+}
+
+/// The same body for Python, whose axis may be a vector.
+auto about_axis(Inertia (*make)(E, E, int)) {
+  return [make](E mass, E a, const py::object& axis) { return make(mass, a, axis_number(axis)); };
+}
+auto about_axis(Inertia (*make)(E, E, E, int)) {
+  return [make](E mass, E a, E b, const py::object& axis) { return make(mass, a, b, axis_number(axis)); };
+}
+
 }  // namespace
 
 void bind_inertia(py::module_& module) {
@@ -47,24 +68,26 @@ void bind_inertia(py::module_& module) {
   inertia.def_static("point", [](E mass) { return Inertia::point(mass); }, "mass"_a, "A point mass at the origin of the frame.");
   shape(
       "general", [](E mass, E xx, E yy, E zz, E xy, E xz, E yz) { return Inertia::general({mass, xx, yy, zz, xy, xz, yz}); },
-      "mass"_a, "xx"_a, "yy"_a, "zz"_a, "xy"_a = 0, "xz"_a = 0, "yz"_a = 0);
-  shape("rod", &Inertia::rod, "mass"_a, "length"_a, "axis"_a);
-  shape("disk", &Inertia::disk, "mass"_a, "radius"_a, "axis"_a);
-  shape("ring", &Inertia::ring, "mass"_a, "radius"_a, "axis"_a);
-  shape("cylinder", &Inertia::cylinder, "mass"_a, "radius"_a, "height"_a, "axis"_a);
+      "mass"_a, "xx"_a = 0, "yy"_a = 0, "zz"_a = 0, "xy"_a = 0, "xz"_a = 0, "yz"_a = 0);
+  shape("rod", about_axis(&Inertia::rod), "mass"_a, "length"_a, "axis"_a);
+  shape("disk", about_axis(&Inertia::disk), "mass"_a, "radius"_a, "axis"_a);
+  shape("ring", about_axis(&Inertia::ring), "mass"_a, "radius"_a, "axis"_a);
+  shape("cylinder", about_axis(&Inertia::cylinder), "mass"_a, "radius"_a, "height"_a, "axis"_a);
   shape(
       "hollow_cylinder",
-      [](E mass, E outer, E inner, E height, int axis) { return Inertia::hollow_cylinder({mass, outer, inner, height, axis}); },
+      [](E mass, E outer, E inner, E height, const py::object& axis) {
+        return Inertia::hollow_cylinder({mass, outer, inner, height, axis_number(axis)});
+      },
       "mass"_a, "outer_radius"_a, "inner_radius"_a, "height"_a, "axis"_a);
-  shape("cylindrical_shell", &Inertia::cylindrical_shell, "mass"_a, "radius"_a, "height"_a, "axis"_a);
-  shape("cone", &Inertia::cone, "mass"_a, "base_radius"_a, "height"_a, "axis"_a);
-  shape("conical_shell", &Inertia::conical_shell, "mass"_a, "base_radius"_a, "height"_a, "axis"_a);
+  shape("cylindrical_shell", about_axis(&Inertia::cylindrical_shell), "mass"_a, "radius"_a, "height"_a, "axis"_a);
+  shape("cone", about_axis(&Inertia::cone), "mass"_a, "base_radius"_a, "height"_a, "axis"_a);
+  shape("conical_shell", about_axis(&Inertia::conical_shell), "mass"_a, "base_radius"_a, "height"_a, "axis"_a);
   shape("solid_sphere", &Inertia::solid_sphere, "mass"_a, "radius"_a);
   shape("hollow_sphere", &Inertia::hollow_sphere, "mass"_a, "radius"_a);
   shape("box", &Inertia::box, "mass"_a, "a"_a, "b"_a, "c"_a);
   shape("plate", &Inertia::plate, "mass"_a, "a"_a, "b"_a);
-  shape("half_disk", &Inertia::half_disk, "mass"_a, "radius"_a, "axis"_a);
-  shape("quarter_disk", &Inertia::quarter_disk, "mass"_a, "radius"_a, "axis"_a);
+  shape("half_disk", about_axis(&Inertia::half_disk), "mass"_a, "radius"_a, "axis"_a);
+  shape("quarter_disk", about_axis(&Inertia::quarter_disk), "mass"_a, "radius"_a, "axis"_a);
   shape("triangle", &Inertia::triangle, "mass"_a, "a"_a, "b"_a, "c"_a);
   inertia.def("at", &Inertia::at, "center"_a, comment_of("at"));
   inertia.def("rotated", py::overload_cast<const Rotation&>(&Inertia::rotated, py::const_), "rotation"_a, comment_of("rotated"));

@@ -11,20 +11,42 @@ The interface is that of runtime/abi.h: `torsor.open` takes any library made by 
 from __future__ import annotations
 
 import os
+from importlib import import_module
+from typing import TYPE_CHECKING, Any
 
-from ._contacts import Contact, ContactEvent
-from ._kernel import Bound, Kernel, NotFiniteError, Results, SingularError, TorsorError
-from ._load import LoadError, load
-from ._mechanism import Equilibrium, Mechanism, Modes, Motion, State
+if TYPE_CHECKING:
+    from ._contacts import Contact, ContactEvent
+    from ._kernel import Bound, Kernel, NotFiniteError, Results, SingularError, TorsorError
+    from ._load import LoadError, load
+    from ._mechanism import Equilibrium, Mechanism, Modes, Motion, State
 
 __version__ = "0.1.0"
 
 __all__ = ["Bound", "Contact", "ContactEvent", "Equilibrium", "Kernel", "LoadError", "Mechanism", "Modes", "Motion",
            "NotFiniteError", "Results", "SingularError", "State", "TorsorError", "load", "open"]
 
+_HOMES = {name: home for home, names in {
+    "_contacts": ("Contact", "ContactEvent"),
+    "_kernel": ("Bound", "Kernel", "NotFiniteError", "Results", "SingularError", "TorsorError"),
+    "_load": ("LoadError", "load"),
+    "_mechanism": ("Equilibrium", "Mechanism", "Modes", "Motion", "State")}.items() for name in names}
+
+
+def __getattr__(name: str) -> Any:
+    """Imported when it is asked for: `torsor.scene` needs no numpy."""
+    if name not in _HOMES:
+        raise AttributeError(f"module 'torsor' has no attribute '{name}'")
+    globals()[name] = value = getattr(import_module(f".{_HOMES[name]}", __name__), name)
+    return value
+
+
+def __dir__() -> list[str]:
+    return sorted(set(globals()) | set(__all__))
+
 
 def open(path: str | os.PathLike[str]) -> Mechanism:  # noqa: A001 - torsor.open("libarm.so")
     """The mechanism of a library made by `torsor build` or `torsor_add_mechanism(... SHARED)`.
 
     Raises OSError where the file is no such library, or has another version of the interface."""
+    from ._mechanism import Mechanism
     return Mechanism(path)

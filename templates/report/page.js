@@ -11,6 +11,17 @@ const reference = read(element("reference")), recording = read(element("recordin
 const still = window.matchMedia("(prefers-reduced-motion: reduce)").matches;
 
 const chosen = { parameters: {}, inputs: {}, start: {}, speeds: {} };
+/// What the page was made with, in place of the scene's start and of inputs that are zero.
+function asGiven() {
+  for (const each of Object.values(chosen)) for (const name of Object.keys(each)) delete each[name];
+  const { initial = {}, inputs = {} } = read(element("given")) ?? {}, coordinates = new Set(mechanism.coordinates.map((each) => each.name));
+  Object.assign(chosen.inputs, inputs);
+  for (const [name, value] of Object.entries(initial)) {
+    if (coordinates.has(name)) chosen.start[name] = value;
+    else chosen.speeds[name.endsWith("'") ? name.slice(0, -1) : name] = value;
+  }
+}
+if (mechanism) asGiven();
 let mode = null, until = scene.duration, motion = null, picture = null, viewer = null, plots = [], playing = !still, now = 0, last = 0, told = "", traces = [];
 
 function restart(keepTime) {
@@ -85,7 +96,7 @@ function heading(parent, text) {
 }
 
 function buildSliders() {
-  const parent = element("sliders"), first = new Motion(mechanism, {});
+  const parent = element("sliders"), first = new Motion(mechanism, chosen);
   parent.replaceChildren();
   const known = new Set(mechanism.coordinates.map((each) => each.name));
   const shown = (symbol) => (mechanism.velocities.includes(symbol) && known.has(symbol.name) ? `${symbol.name}'` : symbol.name);
@@ -98,7 +109,7 @@ function buildSliders() {
     });
   };
   add(mechanism.parameters, "«Parameters»", (i) => first.parameters[i], chosen.parameters, range);
-  add(mechanism.inputs, "«Inputs, constant in time»", () => 0, chosen.inputs, () => [-10, 10]);
+  add(mechanism.inputs, "«Inputs, constant in time»", (i) => first.inputs[i], chosen.inputs, (value) => [Math.min(-10, 2 * value), Math.max(10, 2 * value)]);
   const spread = (value, unit) => (unit === "rad" ? range(value, unit) : [Math.min(-1, 2 * value), Math.max(1, 2 * value)]);
   add(mechanism.coordinates, "«Start: coordinates»", (i) => first.start[i], chosen.start, spread);
   add(mechanism.velocities, "«Start: velocities»", (i) => first.start[first.nq + i], chosen.speeds,
@@ -353,7 +364,7 @@ function start() {
     if (viewer) viewer.changed = true;
   });
   element("restart")?.addEventListener("click", () => {
-    for (const each of Object.values(chosen)) for (const name of Object.keys(each)) delete each[name];
+    asGiven();
     buildSliders();
     restart();
   });

@@ -239,6 +239,33 @@ Scene stones() {
   return scene;
 }
 
+TEST(Report, BeginsWithTheStartAndTheInputsThatAreGiven) {
+  ReportOptions options;
+  options.initial = {{"theta", 0.25}};
+  EXPECT_TRUE(contains(report_html(pendulum(), options), R"(<script id="given" type="application/json">{"initial":{"theta":0.25},"inputs":{}})"));
+  EXPECT_FALSE(contains(report_html(pendulum(), {}), "id=\"given\""));
+  options.initial = {{"thetta", 0.25}};
+  EXPECT_THROW(report_html(pendulum(), options), UsageError);
+
+  Scene scene("pushed");  // its motion is recorded
+  const Expression x = scene.coordinate("x", "m");
+  const FrameHandle block = scene.prismatic("block", scene.ground(), axis::x, x);
+  scene.body("block", block, Inertia::point(Expression::quantity("1", "kg")));
+  scene.motor("push", x);
+  scene.stop(x, std::nullopt, Expression::quantity("5", "m"));
+  options = {};
+  options.duration = 0.5;
+  EXPECT_TRUE(contains(report_html(scene, options), "inputs are constant: push = 0"));
+  options.initial = {{"x", 1.0}};
+  options.inputs = {{"push", 3.0}};
+  const std::string page = report_html(scene, options), title = "\"states\":\"";
+  EXPECT_TRUE(contains(page, "inputs are constant: push = 3"));
+  // x = 1 and x' = 0 in little-endian doubles.
+  EXPECT_EQ(page.substr(page.find(title) + title.size(), 20), "AAAAAAAA8D8AAAAAAAAA");
+  options.inputs = {{"pull", 3.0}};
+  EXPECT_THROW(report_html(scene, options), UsageError);
+}
+
 // What touches is drawn as it is: of a box its corners are known, of a convex body points of its surface.
 TEST(Report, DrawsBodiesThatTouchAPlane) {
   const nlohmann::json data = nlohmann::json::parse(report_data(stones(), 1.0));

@@ -59,6 +59,7 @@ constexpr Translation french_of_report[] = {
     {"Recorded until ${label(until)} s, ${motion.eventCount} events of contacts.",
      "Enregistré jusqu'à ${label(until)} s, ${motion.eventCount} événements de contact."},
     {"The motion ends: ${motion.stopped}.", "Le mouvement s'arrête : ${motion.stopped}."},
+    {"inputs are constant: {}", "les entrées sont constantes : {}"},
     {"the parameter '{}' has no value, and a page that plays a motion back needs one: give it in the scene",
      "le paramètre '{}' n'a pas de valeur, et une page qui rejoue un mouvement en a besoin : donnez-la dans le modèle"},
     {"Dots: the reference trajectory, derived and integrated a second time in many digits. At ${count} of its "
