@@ -257,8 +257,8 @@ UrdfRobot read_robot(std::string_view text, const std::string& file, const Numbe
     robot = robot_of(root, file, each);
     kept = largest_deviation(robot, all);
   }
-  robot.visuals = read_visuals(root);
-  robot.collisions = read_collisions(root);
+  robot.visuals = read_visuals(root, angle_tolerance);
+  robot.collisions = read_collisions(root, angle_tolerance);
   constexpr double of_doubles = 1e-15;  // a few angles with all digits of a double
   if (kept.sum > of_doubles) {
     robot.exact_together =

@@ -35,10 +35,8 @@ std::optional<std::array<double, count>> numbers(const XmlElement& element, cons
 Expression metres(double value) { return Expression::quantity(from_double(value), units::metre); }
 Triple metres(const std::array<double, 3>& v) { return {metres(v[0]), metres(v[1]), metres(v[2])}; }
 
-/// Rz(yaw) Ry(pitch) Rx(roll), exactly a rotation: shapes may touch, and zeros are to be zeros. Within 1e-9 of a multiple of
-/// π/12 an angle is that.
-Rotation rotation(const std::array<double, 3>& rpy) {
-  static const Number tolerance = Number::rational(1, 1'000'000'000);
+/// Rz(yaw) Ry(pitch) Rx(roll), exactly a rotation: shapes may touch, and zeros are to be zeros.
+Rotation rotation(const std::array<double, 3>& rpy, const Number& tolerance) {
   Rotation turned;
   for (std::size_t i = 0; i < rpy.size(); ++i) {
     turned = rotation_about(static_cast<int>(i), exact_angle(from_double(rpy[i]), tolerance)) * turned;
@@ -46,7 +44,7 @@ Rotation rotation(const std::array<double, 3>& rpy) {
   return turned;
 }
 
-std::optional<Placement> placement(const XmlElement& visual) {
+std::optional<Placement> placement(const XmlElement& visual, const Number& tolerance) {
   Placement placement;
   const auto origin = first(visual, "origin");
   if (!origin) return placement;
@@ -58,7 +56,7 @@ std::optional<Placement> placement(const XmlElement& visual) {
   if (origin->has("rpy")) {
     const auto rpy = numbers<3>(*origin, "rpy");
     if (!rpy) return std::nullopt;
-    placement.rotation = rotation(*rpy);
+    placement.rotation = rotation(*rpy, tolerance);
   }
   return placement;
 }
@@ -96,7 +94,7 @@ std::string name_of(const XmlElement& element) { return element.has("name") ? el
 
 }  // namespace
 
-std::vector<UrdfVisual> read_visuals(const XmlElement& robot) {
+std::vector<UrdfVisual> read_visuals(const XmlElement& robot, const Number& angle_tolerance) {
   std::map<std::string, Colour> materials;  // a name may be declared in one link and used in another
   const auto declare = [&materials](const XmlElement& material) {
     if (const auto colour = colour_of(material)) materials.emplace(name_of(material), *colour);
@@ -112,7 +110,7 @@ std::vector<UrdfVisual> read_visuals(const XmlElement& robot) {
     for (const XmlElement& visual : link.children("visual")) {
       const auto geometry = first(visual, "geometry");
       const auto form = geometry ? form_of(*geometry) : std::nullopt;
-      const auto place = placement(visual);
+      const auto place = placement(visual, angle_tolerance);
       if (!form || !place) continue;
       std::optional<Colour> colour;
       if (const auto material = first(visual, "material")) {
@@ -126,12 +124,13 @@ std::vector<UrdfVisual> read_visuals(const XmlElement& robot) {
   return visuals;
 }
 
-std::vector<UrdfCollision> read_collisions(const XmlElement& robot) {
+std::vector<UrdfCollision> read_collisions(const XmlElement& robot, const Number& angle_tolerance) {
   std::vector<UrdfCollision> collisions;
   for (const XmlElement& link : robot.children("link")) {
     for (const XmlElement& collision : link.children("collision")) {
       const auto geometry = first(collision, "geometry");
-      collisions.push_back({collision.place(), name_of(link), geometry ? form_of(*geometry) : std::nullopt, placement(collision)});
+      collisions.push_back({collision.place(), name_of(link), geometry ? form_of(*geometry) : std::nullopt,
+                            placement(collision, angle_tolerance)});
     }
   }
   return collisions;

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "generator/base/number.hpp"
 #include "generator/import/xml_element.hpp"
 #include "generator/mechanics/scene_arguments.hpp"
 
@@ -19,8 +20,8 @@ struct UrdfVisual {
 };
 
 /// The <visual> elements of a robot. A picture decides nothing about the motion: whatever of it cannot be read is left out
-/// without a word.
-std::vector<UrdfVisual> read_visuals(const XmlElement& robot);
+/// without a word. Each angle within the tolerance of a multiple of π/12 is that multiple, here and in collisions.
+std::vector<UrdfVisual> read_visuals(const XmlElement& robot, const Number& angle_tolerance);
 
 /// A <collision> element: what a link touches others with. A form or a placement that cannot be read is none.
 struct UrdfCollision {
@@ -29,6 +30,6 @@ struct UrdfCollision {
   std::optional<Form> form;
   std::optional<Placement> placement;  ///< in the link
 };
-std::vector<UrdfCollision> read_collisions(const XmlElement& robot);
+std::vector<UrdfCollision> read_collisions(const XmlElement& robot, const Number& angle_tolerance);
 
 }  // namespace torsor

@@ -16,8 +16,8 @@ std::string robot(const std::string& visuals) {
     <joint name="turn" type="continuous"><parent link="base"/><child link="arm"/><axis xyz="0 0 1"/></joint></robot>)";
 }
 
-std::vector<Shown> shown(const std::string& visuals) {
-  return read_urdf_text(robot(visuals), "r.urdf", {}, {}).scene.content().shown;
+std::vector<Shown> shown(const std::string& visuals, const UrdfOptions& options = {}) {
+  return read_urdf_text(robot(visuals), "r.urdf", options).scene.content().shown;
 }
 
 double metres(const Expression& length) { return std::stod(length.to_string()); }
@@ -43,6 +43,15 @@ TEST(UrdfVisuals, AreShownOnTheirLinks) {
   EXPECT_EQ(std::get<form::Mesh>(all[3].form).file, "package://p/a.stl");
   EXPECT_EQ(std::get<form::Mesh>(all[3].form).scale[1], 2.0);
   EXPECT_FALSE(all[3].colour);
+}
+
+// 1.5708 is 3.7e-6 beyond π/2.
+TEST(UrdfVisuals, AreTurnedByExactAnglesWithinTheTolerance) {
+  const std::string box = R"(<visual><origin rpy="0 0 1.5708"/><geometry><box size="1 2 3"/></geometry></visual>)";
+  UrdfOptions coarse;
+  coarse.angle_tolerance = Number::rational(1, 100000);
+  EXPECT_FALSE(shown(box).at(0).placement.rotation(0, 0).is_zero());
+  EXPECT_TRUE(shown(box, coarse).at(0).placement.rotation(0, 0).is_zero());
 }
 
 // A picture decides nothing: what is wrong in it makes no robot unreadable.
