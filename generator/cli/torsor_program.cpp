@@ -6,7 +6,6 @@
 #include <cstring>
 #include <string>
 #include <string_view>
-#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -28,6 +27,12 @@
 namespace torsor {
 namespace {
 
+/// What touches, as it is written.
+struct SurfacesRequest {
+  std::vector<std::string> named;
+  std::string friction, restitution;
+};
+
 /// The options as they are written.
 struct FileRequest {
   std::string file;
@@ -35,8 +40,8 @@ struct FileRequest {
   std::string gravity;
   std::string angle_tolerance = "1e-9";
   std::string name;
-  std::vector<std::string> points, initial, fix, armature, friction, ground, contacts, arguments, package_folders;
-  std::string ground_friction, ground_restitution, contacts_friction, contacts_restitution;
+  std::vector<std::string> points, initial, fix, armature, friction, arguments, package_folders;
+  SurfacesRequest ground, contacts;
   std::string dependency_file;
   bool no_dampers = false;
   bool no_motors = false;
@@ -81,20 +86,20 @@ void add_options(CLI::App& command, FileRequest& request) {
                      "friction>; comma-separated")
       ->delimiter(',');
   command.add_flag("--limits", request.limits, "make <limit lower upper> of the joints stops");
-  command.add_option("--ground", request.ground,
+  command.add_option("--ground", request.ground.named,
                      "links whose <collision> spheres, boxes and cylinders touch the ground z = 0; comma-separated")
       ->delimiter(',');
-  command.add_option("--ground-friction", request.ground_friction,
+  command.add_option("--ground-friction", request.ground.friction,
                      "value of the run-time parameter ground_friction; 0.5 when absent");
-  command.add_option("--ground-restitution", request.ground_restitution,
+  command.add_option("--ground-restitution", request.ground.restitution,
                      "value of the run-time parameter ground_restitution; 0 when absent");
-  command.add_option("--contacts", request.contacts,
+  command.add_option("--contacts", request.contacts.named,
                      "pairs of links whose <collision> spheres meet, A:B; A:B+z: those of A, and corners and rims, meet the "
                      "plane of that face of B's box or cylinder; comma-separated")
       ->delimiter(',');
-  command.add_option("--contacts-friction", request.contacts_friction,
+  command.add_option("--contacts-friction", request.contacts.friction,
                      "value of the run-time parameter contacts_friction; 0.5 when absent");
-  command.add_option("--contacts-restitution", request.contacts_restitution,
+  command.add_option("--contacts-restitution", request.contacts.restitution,
                      "value of the run-time parameter contacts_restitution; 0 when absent");
   command.add_flag("--run-time-gravity", request.run_time_gravity,
                    "make the components of gravity the run-time parameters gravity_x, gravity_y, gravity_z");
@@ -137,15 +142,18 @@ void add_joint_number(JointNumbers& all, const std::string& option, const std::s
   all.emplace_back(parts[0], option_number(option, parts[1]));
 }
 
-/// The two coefficients of an option that names what touches.
-void read_surface(const std::string& friction, const std::string& restitution, const std::string& option, const char* what,
-                  const std::vector<std::string>& named, Number& to_friction, Number& to_restitution) {
-  for (const auto& [suffix, text, to] :
-       {std::tuple("-friction", &friction, &to_friction), std::tuple("-restitution", &restitution, &to_restitution)}) {
-    if (text->empty()) continue;
-    if (named.empty()) throw UsageError(fmt::format("{}{} is of the {} in {}: name them", option, suffix, what, option));
-    *to = option_number(option + suffix, *text);
-  }
+/// Of an option that names what touches.
+UrdfSurfaces surfaces(const SurfacesRequest& request, const std::string& option, const char* what) {
+  UrdfSurfaces all;
+  all.named = request.named;
+  const auto read = [&](const std::string& text, const std::string& suffix, Number& to) {
+    if (text.empty()) return;
+    if (all.named.empty()) throw UsageError(fmt::format("{}{} is of the {} in {}: name them", option, suffix, what, option));
+    to = option_number(option + suffix, text);
+  };
+  read(request.friction, "-friction", all.friction);
+  read(request.restitution, "-restitution", all.restitution);
+  return all;
 }
 
 UrdfOptions urdf_options(const FileRequest& request) {
@@ -178,12 +186,8 @@ UrdfOptions urdf_options(const FileRequest& request) {
     }
   }
   options.limits = request.limits;
-  options.ground = request.ground;
-  options.contacts = request.contacts;
-  read_surface(request.ground_friction, request.ground_restitution, "--ground", "links", options.ground, options.ground_friction,
-               options.ground_restitution);
-  read_surface(request.contacts_friction, request.contacts_restitution, "--contacts", "pairs", options.contacts,
-               options.contacts_friction, options.contacts_restitution);
+  options.ground = surfaces(request.ground, "--ground", "links");
+  options.contacts = surfaces(request.contacts, "--contacts", "pairs");
   options.name = request.name;
   options.points = request.points;
   options.package_folders = request.package_folders;

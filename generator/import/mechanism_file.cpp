@@ -31,7 +31,7 @@ MechanismFile read_mjcf_file(const std::string& path, const MechanismFileOptions
     throw UsageError(fmt::format(
         "--armature, --friction and --run-time-gravity are for URDF; in '{}' armature is an attribute of <joint>", path));
   }
-  if (!given.ground.empty() || !given.contacts.empty() || given.limits) {
+  if (!given.ground.named.empty() || !given.contacts.named.empty() || given.limits) {
     throw UsageError(fmt::format("--ground, --contacts and --limits are for URDF; '{}' is MJCF", path));
   }
   if (options.mjcf_reader == nullptr) {

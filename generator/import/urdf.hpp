@@ -20,6 +20,12 @@ enum class UrdfBase {
   floating,  ///< free: a position along the ground's axes and a unit quaternion
 };
 
+/// What touches by its <collision> elements, and what it is made of: the values of run-time parameters.
+struct UrdfSurfaces {
+  std::vector<std::string> named;  ///< links, or pairs of links
+  Number friction = Number::rational(1, 2), restitution;
+};
+
 /// How a URDF file becomes a scene.
 struct UrdfOptions {
   UrdfBase base = UrdfBase::fixed;
@@ -45,14 +51,12 @@ struct UrdfOptions {
   std::vector<std::pair<std::string, Number>> friction;
   bool friction_of_file = false;  ///< <dynamics friction="b"> acts so too, where `friction` says nothing else
   bool limits = false;  ///< <limit lower upper> are stops, without restitution
-  /// Links whose <collision> spheres, boxes and cylinders' rims touch the ground z = 0, and what it is made of: the values
-  /// of the run-time parameters ground_friction and ground_restitution.
-  std::vector<std::string> ground;
-  Number ground_friction = Number::rational(1, 2), ground_restitution;
+  /// Links whose <collision> spheres, boxes and cylinders' rims touch the ground z = 0. The run-time parameters are
+  /// ground_friction and ground_restitution.
+  UrdfSurfaces ground;
   /// Pairs of links whose <collision> elements meet, A:B: spheres with spheres. With a face behind one link, A:B+z, the
-  /// elements of the other meet its plane. Values of the run-time parameters contacts_friction and contacts_restitution.
-  std::vector<std::string> contacts;
-  Number contacts_friction = Number::rational(1, 2), contacts_restitution;
+  /// elements of the other meet its plane. The run-time parameters are contacts_friction and contacts_restitution.
+  UrdfSurfaces contacts;
   bool run_time_gravity = false;  ///< its components are the run-time parameters gravity_x, gravity_y, gravity_z
   /// State at t = 0 where it is not zero, by set_initial: {"elbow", "0.3"}, {"elbow'", "1"}, {"base_attitude_w",
   /// "0.6"}.

@@ -25,27 +25,25 @@ std::vector<std::string> suffixes(const ContactShape& shape) {
 
 }  // namespace
 
-UrdfCollisions::UrdfCollisions(Scene& scene, const UrdfRobot& robot, const std::map<std::string, std::string>& frames,
-                               const TakeName& take, const std::string& word, const Number& friction,
-                               const Number& restitution)
-    : scene_(scene), robot_(robot), frames_(frames), take_(take) {
+UrdfCollisions::UrdfCollisions(const UrdfContactScene& around, const std::string& word, const UrdfSurfaces& surfaces)
+    : around_(around) {
   const auto parameter = [&](const char* what, const Number& value) {
-    return scene.run_time_parameter(take(word + what, "parameter", {""}), "1", Expression(value));
+    return around.scene.run_time_parameter(around.take(word + what, "parameter", {""}), "1", Expression(value));
   };
-  law_.friction = parameter("_friction", friction);
-  law_.restitution = parameter("_restitution", restitution);
+  law_.friction = parameter("_friction", surfaces.friction);
+  law_.restitution = parameter("_restitution", surfaces.restitution);
 }
 
 std::vector<const UrdfCollision*> UrdfCollisions::of_link(const std::string& link, const std::string& option) const {
   std::vector<const UrdfCollision*> found;
   std::vector<std::string> able;
-  for (const UrdfCollision& each : robot_.collisions) {
+  for (const UrdfCollision& each : around_.robot.collisions) {
     if (each.link == link) found.push_back(&each);
     if (std::find(able.begin(), able.end(), each.link) == able.end()) able.push_back(each.link);
   }
   if (found.empty()) {
     throw UsageError(fmt::format("the link '{}' in {} {}: {}those with a <collision> are {}", link, option,
-                                 frames_.contains(link) ? "has no <collision>" : "is unknown", did_you_mean(link, able),
+                                 around_.frames.contains(link) ? "has no <collision>" : "is unknown", did_you_mean(link, able),
                                  able.empty() ? "none" : fmt::format("{}", fmt::join(able, ", "))));
   }
   for (const UrdfCollision* each : found) {
@@ -60,13 +58,13 @@ std::vector<const UrdfCollision*> UrdfCollisions::of_link(const std::string& lin
 
 FrameHandle UrdfCollisions::at(const std::string& name, const FrameReference& parent,
                                const Placement& placement) const {
-  return scene_.weld(take_(name, "frame", {""}), parent, placement);
+  return around_.scene.weld(around_.take(name, "frame", {""}), parent, placement);
 }
 
 void UrdfCollisions::touch_plane(const std::string& name, const UrdfCollision& collision,
                                  const FrameReference& plane) const {
   const auto touches = [&](const std::string& contact, const ContactShape& shape) {
-    scene_.contact(take_(contact, "contact", suffixes(shape)), shape, shape::Plane{.frame = plane}, law_);
+    around_.scene.contact(around_.take(contact, "contact", suffixes(shape)), shape, shape::Plane{.frame = plane}, law_);
   };
   const FrameHandle centre = at(name + "_centre", frame(collision.link), *collision.placement);
   if (const auto* sphere = std::get_if<form::Sphere>(&*collision.form)) {
@@ -89,7 +87,7 @@ void UrdfCollisions::touch_each_other(const std::string& name, const UrdfCollisi
                          .radius = std::get<form::Sphere>(*collision.form).radius};
   };
   const shape::Sphere first = ball(sphere, "_first"), second = ball(other, "_second");
-  scene_.contact(take_(name, "contact", {""}), first, second, law_);
+  around_.scene.contact(around_.take(name, "contact", {""}), first, second, law_);
 }
 
 }  // namespace torsor

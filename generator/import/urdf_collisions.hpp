@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "generator/base/number.hpp"
+#include "generator/import/urdf.hpp"
 #include "generator/import/urdf_robot.hpp"
 #include "generator/mechanics/scene.hpp"
 
@@ -16,13 +16,19 @@ namespace torsor {
 using TakeName = std::function<std::string(const std::string& name, const std::string& kind,
                                            const std::vector<std::string>& suffixes)>;
 
+/// Where contacts of a robot are made.
+struct UrdfContactScene {
+  Scene& scene;
+  const UrdfRobot& robot;
+  const std::map<std::string, std::string>& frames;  ///< of links
+  const TakeName& take;
+};
+
 /// Makes contacts of the <collision> elements of links that an option names.
 class UrdfCollisions {
  public:
-  /// `frames` are the frames of links. The law's coefficients are the run-time parameters <word>_friction and
-  /// <word>_restitution with these values.
-  UrdfCollisions(Scene& scene, const UrdfRobot& robot, const std::map<std::string, std::string>& frames,
-                 const TakeName& take, const std::string& word, const Number& friction, const Number& restitution);
+  /// The law's coefficients are the run-time parameters <word>_friction and <word>_restitution.
+  UrdfCollisions(const UrdfContactScene& around, const std::string& word, const UrdfSurfaces& surfaces);
 
   /// The <collision> elements of a link, one at least, each a sphere, a box or a cylinder. `option` is the one that
   /// names the link. Throws UsageError for a link that is unknown or has none, FileError for another form.
@@ -32,15 +38,12 @@ class UrdfCollisions {
   void touch_plane(const std::string& name, const UrdfCollision& collision, const FrameReference& plane) const;
   void touch_each_other(const std::string& name, const UrdfCollision& sphere, const UrdfCollision& other) const;
 
-  const std::string& frame(const std::string& link) const { return frames_.at(link); }
+  const std::string& frame(const std::string& link) const { return around_.frames.at(link); }
   /// A frame at a place of a link or of another frame.
   FrameHandle at(const std::string& name, const FrameReference& parent, const Placement& placement) const;
 
  private:
-  Scene& scene_;
-  const UrdfRobot& robot_;
-  const std::map<std::string, std::string>& frames_;
-  const TakeName& take_;
+  UrdfContactScene around_;
   SurfaceLaw law_;
 };
 

@@ -34,8 +34,8 @@ const char* form_name(const UrdfCollision& collision) {
 
 class Pairs {
  public:
-  Pairs(const UrdfRobot& robot, const UrdfCollisions& collisions, const std::map<std::string, std::string>& frames)
-      : robot_(robot), collisions_(collisions), frames_(frames) {}
+  Pairs(const UrdfContactScene& around, const UrdfCollisions& collisions)
+      : robot_(around.robot), frames_(around.frames), collisions_(collisions) {}
 
   void add(const std::string& word) {
     option_ = "--contacts " + word;
@@ -173,21 +173,19 @@ class Pairs {
   }
 
   const UrdfRobot& robot_;
-  const UrdfCollisions& collisions_;
   const std::map<std::string, std::string>& frames_;
+  const UrdfCollisions& collisions_;
   std::string option_;
   std::set<std::pair<std::pair<std::string, std::string>, std::pair<std::string, std::string>>> seen_;
 };
 
 }  // namespace
 
-void add_contacts(Scene& scene, const UrdfRobot& robot, const UrdfOptions& options,
-                  const std::map<std::string, std::string>& frames, const TakeName& take) {
-  if (options.contacts.empty()) return;
-  const UrdfCollisions collisions(scene, robot, frames, take, "contacts", options.contacts_friction,
-                                  options.contacts_restitution);
-  Pairs pairs(robot, collisions, frames);
-  for (const std::string& word : options.contacts) pairs.add(word);
+void add_contacts(const UrdfContactScene& around, const UrdfSurfaces& contacts) {
+  if (contacts.named.empty()) return;
+  const UrdfCollisions collisions(around, "contacts", contacts);
+  Pairs pairs(around, collisions);
+  for (const std::string& word : contacts.named) pairs.add(word);
 }
 
 }  // namespace torsor

@@ -1,18 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <map>
-#include <string>
-
-#include "generator/import/urdf.hpp"
 #include "generator/import/urdf_collisions.hpp"
 
 namespace torsor {
 
-/// Contacts of the links that `options.ground` names with the ground's plane z = 0, from their <collision> elements:
-/// a sphere touches as it is, a box with its corners, a cylinder with its two rims. `frames` are the frames of links. Throws
+/// Contacts of the links that `ground` names with the ground's plane z = 0, from their <collision> elements:
+/// a sphere touches as it is, a box with its corners, a cylinder with its two rims. Throws
 /// UsageError for a link that is unknown or has none, FileError for a form that cannot touch a plane.
-void add_ground(Scene& scene, const UrdfRobot& robot, const UrdfOptions& options,
-                const std::map<std::string, std::string>& frames, const TakeName& take);
+void add_ground(const UrdfContactScene& around, const UrdfSurfaces& ground);
 
 }  // namespace torsor

@@ -37,15 +37,14 @@ std::string arguments(const UrdfRobot& robot, const UrdfOptions& options) {
   assignments("--armature", options.armature, "");
   assignments("--friction", options.friction, options.friction_of_file ? "file" : "");
   if (options.limits) text += " --limits";
-  const auto surfaces = [&text](const char* option, const std::vector<std::string>& words, const Number& friction,
-                                const Number& usual_friction, const Number& restitution) {
-    if (words.empty()) return;
-    text += fmt::format(" {} {}", option, shell_word(fmt::format("{}", fmt::join(words, ","))));
-    if (!(friction == usual_friction)) text += fmt::format(" {}-friction {}", option, number_word(friction));
-    if (!restitution.is_zero()) text += fmt::format(" {}-restitution {}", option, number_word(restitution));
+  const auto surfaces = [&text](const char* option, const UrdfSurfaces& all) {
+    if (all.named.empty()) return;
+    text += fmt::format(" {} {}", option, shell_word(fmt::format("{}", fmt::join(all.named, ","))));
+    if (!(all.friction == UrdfSurfaces().friction)) text += fmt::format(" {}-friction {}", option, number_word(all.friction));
+    if (!all.restitution.is_zero()) text += fmt::format(" {}-restitution {}", option, number_word(all.restitution));
   };
-  surfaces("--ground", options.ground, options.ground_friction, defaults.ground_friction, options.ground_restitution);
-  surfaces("--contacts", options.contacts, options.contacts_friction, defaults.contacts_friction, options.contacts_restitution);
+  surfaces("--ground", options.ground);
+  surfaces("--contacts", options.contacts);
   if (!options.fix.empty()) text += " --fix " + shell_word(fmt::format("{}", fmt::join(options.fix, ",")));
   if (!options.name.empty()) text += " --name " + shell_word(options.name);
   if (!options.points.empty()) text += " --points " + shell_word(fmt::format("{}", fmt::join(options.points, ",")));

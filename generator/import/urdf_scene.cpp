@@ -83,8 +83,9 @@ class SceneBuilder {
     const TakeName take_name = [this](const std::string& name, const std::string& kind, const std::vector<std::string>& suffixes) {
       return take(kind == "frame" ? frame_names_ : symbols_, name, kind, suffixes);
     };
-    add_ground(scene_, robot_, options_, frames_, take_name);
-    add_contacts(scene_, robot_, options_, frames_, take_name);
+    const UrdfContactScene around{scene_, robot_, frames_, take_name};
+    add_ground(around, options_.ground);
+    add_contacts(around, options_.contacts);
     for (const UrdfVisual& visual : robot_.visuals) {
       scene_.show({.frame = frames_.at(visual.link), .form = visual.form, .placement = visual.placement, .colour = visual.colour});
     }

@@ -48,7 +48,7 @@ const std::string cell =
 
 UrdfOptions meeting(std::vector<std::string> contacts) {
   UrdfOptions options;
-  options.contacts = std::move(contacts);
+  options.contacts.named = std::move(contacts);
   return options;
 }
 
@@ -104,8 +104,8 @@ TEST(UrdfContacts, OfAFaceAreThoseOfItsPlane) {
 
 TEST(UrdfContacts, HaveTheirCoefficientsAsParameters) {
   UrdfOptions options = meeting({"ball:pair"});
-  options.contacts_friction = Number::rational(1, 4);
-  options.contacts_restitution = Number::rational(3, 4);
+  options.contacts.friction = Number::rational(1, 4);
+  options.contacts.restitution = Number::rational(3, 4);
   const Scene scene = read(cell, options);
   std::map<std::string, double> values;
   for (const ParameterContent& each : scene.content().parameters) {

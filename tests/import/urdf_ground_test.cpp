@@ -32,7 +32,7 @@ const std::string hopper =
 UrdfOptions floating(std::vector<std::string> ground, bool limits = false) {
   UrdfOptions options;
   options.base = UrdfBase::floating;
-  options.ground = std::move(ground);
+  options.ground.named = std::move(ground);
   options.limits = limits;
   options.initial = {{"trunk_z", "2"}};
   return options;
