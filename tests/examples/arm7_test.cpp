@@ -8,7 +8,6 @@
 #include <random>
 
 #include "runtime/mechanism.hpp"
-#include "runtime/records/reference.hpp"
 #include "tests/examples/motion.hpp"
 
 namespace torsor::arm7_test {
@@ -239,16 +238,8 @@ TEST(Arm7, KnowsWhereItsTipIsAndHowItMoves) {
 }
 
 TEST(Arm7, MeetsItsCommittedReference) {
-  const auto reference = read_reference<double>(TORSOR_SOURCE_DIR "/generated/arm7.reference.csv");
-  const auto motion = equations_of_motion<Arm>();
-  for (std::size_t row = 0; row < reference.rows(); ++row) {
-    const double time = reference.times[row];
-    const auto end = examples::state_at(motion, motion.initial(), 0.0, time,
-                                        DormandPrince54{.relative_tolerance = 1e-14, .absolute_tolerance = 1e-14});
-    // Some 300 steps whose roundings the mass matrix's condition multiplies, times what the flow amplifies.
-    const double allowed = 1e-13 * examples::amplification(motion, motion.initial(), 0.0, time);
-    EXPECT_LE(examples::largest_difference(end, reference.state<14>(row)), allowed) << "at t = " << time;
-  }
+  // Some 300 steps whose roundings the mass matrix's condition multiplies, times what the flow amplifies.
+  examples::expect_reference(equations_of_motion<Arm>(), "arm7", {.error = 1e-13});
 }
 
 }  // namespace

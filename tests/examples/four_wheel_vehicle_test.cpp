@@ -11,7 +11,6 @@
 #include "generated/four_wheel_vehicle_all_wheels.hpp"
 #include "runtime/mechanism.hpp"
 #include "runtime/numerics/decompositions.hpp"
-#include "runtime/records/reference.hpp"
 #include "tests/examples/energy_theorem.hpp"
 #include "tests/examples/motion.hpp"
 
@@ -195,15 +194,9 @@ TEST(FourWheelVehicle, GetsFromTheGroundTheForceThatItsAccelerationTakes) {
 }
 
 TEST(FourWheelVehicle, MeetsItsCommittedReference) {
-  const auto reference = read_reference<double>(TORSOR_SOURCE_DIR "/generated/four_wheel_vehicle.reference.csv");
-  const auto motion = equations_of_motion<Vehicle>();
-  for (std::size_t row = 0; row < reference.rows(); ++row) {
-    const double time = reference.times[row];
-    const State end = examples::state_at(motion, motion.initial(), 0.0, time, precise);
-    // A hundred steps of 1e-13 of coordinates of some 10.
-    const double allowed = 1e-10 * std::fmax(1.0, examples::amplification(motion, motion.initial(), 0.0, time));
-    EXPECT_LE(examples::largest_difference(end, reference.state<14>(row)), allowed);
-  }
+  // A hundred steps of 1e-13 of coordinates of some 10.
+  examples::expect_reference(equations_of_motion<Vehicle>(), "four_wheel_vehicle",
+                             {.error = 1e-10, .least_amplification = 1.0, .tolerance = 1e-13});
 }
 
 // With motors on the rear wheels, the bearings and what truncation leaves of the slip.

@@ -9,7 +9,6 @@
 #include <numbers>
 
 #include "runtime/mechanism.hpp"
-#include "runtime/records/reference.hpp"
 #include "tests/examples/energy_theorem.hpp"
 #include "tests/examples/motion.hpp"
 
@@ -145,15 +144,9 @@ TEST(GrahamVariator, MovesWithOneFreedom) {
 }
 
 TEST(GrahamVariator, MeetsItsCommittedReference) {
-  const auto reference = read_reference<double>(TORSOR_SOURCE_DIR "/generated/graham_variator.reference.csv");
-  const auto motion = equations_of_motion<Variator>();
-  for (std::size_t row = 0; row < reference.rows(); ++row) {
-    const double time = reference.times[row];
-    const State end = examples::state_at(motion, motion.initial(), 0.0, time, precise);
-    // A hundred steps of 1e-13 of rates up to 100.
-    const double allowed = 1e-10 * std::fmax(1.0, examples::amplification(motion, motion.initial(), 0.0, time));
-    EXPECT_LE(examples::largest_difference(end, reference.state<6>(row)), allowed);
-  }
+  // A hundred steps of 1e-13 of rates up to 100.
+  examples::expect_reference(equations_of_motion<Variator>(), "graham_variator",
+                             {.error = 1e-10, .least_amplification = 1.0, .tolerance = 1e-13});
 }
 
 TEST(GrahamVariator, ObeysTheEnergyTheorem) {

@@ -3,14 +3,11 @@
 
 #include <gtest/gtest.h>
 
-#include <array>
 #include <cmath>
-#include <random>
 #include <string>
 #include <vector>
 
 #include "runtime/mechanism.hpp"
-#include "runtime/records/reference.hpp"
 #include "tests/examples/motion.hpp"
 
 #include "generator/dynamics/theorems/unknowns_report.hpp"
@@ -74,24 +71,7 @@ Efforts by_newton_and_euler(const Robot::State& s, const Robot::Accelerations& a
   return efforts;
 }
 
-struct Sample {
-  Robot::State state{};
-  Robot::Accelerations a{};
-};
-
-std::array<Sample, 50> samples() {
-  std::mt19937 random(20);
-  std::uniform_real_distribution<double> uniform(-2.0, 2.0);
-  std::array<Sample, 50> all;
-  for (Sample& sample : all) {
-    for (int i = 0; i < 3; ++i) {
-      sample.state.q[i] = uniform(random);
-      sample.state.v[i] = uniform(random);
-      sample.a[i] = uniform(random);
-    }
-  }
-  return all;
-}
+auto samples() { return examples::random_samples<Robot>(20); }
 
 // Loads up to 60 m/s^2 on 93 kg with arms up to 3 m: terms below 2e4, of which some twenty roundings remain.
 constexpr double tolerance = 20 * 2e4 * 1.1e-16;
@@ -188,15 +168,7 @@ TEST(LoadingRobot, MovesAsItsMotorsDemand) {
 
 // Roundings of a thousand steps a second, times what the flow amplifies.
 TEST(LoadingRobot, MeetsItsCommittedReference) {
-  const auto reference = read_reference<double>(TORSOR_SOURCE_DIR "/generated/loading_robot.reference.csv");
-  const auto motion = equations_of_motion<Robot>();
-  for (std::size_t row = 0; row < reference.rows(); ++row) {
-    const double time = reference.times[row];
-    const auto end = examples::state_at(motion, motion.initial(), 0.0, time,
-                                        DormandPrince54{.relative_tolerance = 1e-14, .absolute_tolerance = 1e-14});
-    const double allowed = 1e-13 * examples::amplification(motion, motion.initial(), 0.0, time);
-    EXPECT_LE(examples::largest_difference(end, reference.state<6>(row)), allowed) << "at t = " << time;
-  }
+  examples::expect_reference(equations_of_motion<Robot>(), "loading_robot", {.error = 1e-13});
 }
 
 }  // namespace

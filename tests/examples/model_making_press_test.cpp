@@ -12,7 +12,6 @@
 #include "generated/model_making_press.hpp"
 #include "generated/model_making_press_reduced.hpp"
 #include "runtime/mechanism.hpp"
-#include "runtime/records/reference.hpp"
 #include "tests/examples/energy_theorem.hpp"
 #include "tests/examples/motion.hpp"
 
@@ -208,16 +207,7 @@ TEST(ModelMakingPress, KeepsTheEnergyTheoremWithAllItsJoints) {
 }
 
 TEST(ModelMakingPress, MeetsItsCommittedReference) {
-  const auto reference =
-      read_reference<double>(TORSOR_SOURCE_DIR "/generated/model_making_press_reduced.reference.csv");
-  const auto motion = equations_of_motion<Press>();
-  for (std::size_t row = 0; row < reference.rows(); ++row) {
-    const double time = reference.times[row];
-    const auto end = examples::state_at(motion, motion.initial(), 0.0, time,
-                                        DormandPrince54{.relative_tolerance = 1e-14, .absolute_tolerance = 1e-14});
-    const double allowed = 1e-13 * examples::amplification(motion, motion.initial(), 0.0, time);
-    EXPECT_LE(examples::largest_difference(end, reference.state<4>(row)), allowed) << "at t = " << time;
-  }
+  examples::expect_reference(equations_of_motion<Press>(), "model_making_press_reduced", {.error = 1e-13});
 }
 
 }  // namespace

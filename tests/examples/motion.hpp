@@ -5,9 +5,13 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <random>
+#include <string>
+#include <tuple>
 
 #include "runtime/integration/dormand_prince_54.hpp"
 #include "runtime/integration/integrate.hpp"
+#include "runtime/records/reference.hpp"
 #include "runtime/status.hpp"
 
 namespace examples {
@@ -46,6 +50,51 @@ template <std::size_t size>
   double largest = 0.0;
   for (std::size_t i = 0; i < size; ++i) largest = std::fmax(largest, std::abs(a[i] - b[i]));
   return largest;
+}
+
+/// How far a motion may be from its committed reference: an error times what the flow amplifies it by. Where the flow
+/// forgets errors, those of the last steps are left: it is then taken to amplify them by one at least.
+struct ReferenceBound {
+  double error;
+  double least_amplification = 0.0;
+  double tolerance = 1e-14;  ///< of a step
+};
+
+template <class Motion>
+void expect_reference(const Motion& motion, const std::string& name, const ReferenceBound& bound) {
+  using namespace torsor::runtime;
+  using Vector = typename Motion::Vector;
+  const auto reference = read_reference<double>(TORSOR_SOURCE_DIR "/generated/" + name + ".reference.csv");
+  const DormandPrince54 method{.relative_tolerance = bound.tolerance, .absolute_tolerance = bound.tolerance};
+  for (std::size_t row = 0; row < reference.rows(); ++row) {
+    const double time = reference.times[row];
+    const Vector end = state_at(motion, motion.initial(), 0.0, time, method);
+    const double by = std::fmax(bound.least_amplification, amplification(motion, motion.initial(), 0.0, time));
+    EXPECT_LE(largest_difference(end, reference.template state<std::tuple_size_v<Vector>>(row)), bound.error * by)
+        << name << " at t = " << time;
+  }
+}
+
+/// States and accelerations of a mechanism without constraints, each number within 2.
+template <class M>
+struct Sample {
+  typename M::State state{};
+  typename M::Accelerations a{};
+};
+
+template <class M>
+std::array<Sample<M>, 50> random_samples(unsigned seed) {
+  std::mt19937 random(seed);
+  std::uniform_real_distribution<double> uniform(-2.0, 2.0);
+  std::array<Sample<M>, 50> all{};
+  for (Sample<M>& sample : all) {
+    for (int i = 0; i < M::velocity_count; ++i) {
+      sample.state.q[i] = uniform(random);
+      sample.state.v[i] = uniform(random);
+      sample.a[i] = uniform(random);
+    }
+  }
+  return all;
 }
 
 }  // namespace examples

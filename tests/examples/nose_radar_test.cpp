@@ -6,10 +6,10 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <random>
 
 #include "runtime/mechanism.hpp"
 #include "tests/examples/energy_theorem.hpp"
+#include "tests/examples/motion.hpp"
 
 namespace torsor::nose_radar_test {
 namespace {
@@ -20,24 +20,7 @@ using Radar = nose_radar::Mechanism<double>;
 // The values of the scene.
 constexpr double h = 0.4, a = 0.25, m = 12.0, rounding = 1.1e-16;
 
-struct Sample {
-  Radar::State state{};
-  Radar::Accelerations rates{};
-};
-
-std::array<Sample, 50> samples() {
-  std::mt19937 random(3);
-  std::uniform_real_distribution<double> uniform(-2.0, 2.0);
-  std::array<Sample, 50> all{};
-  for (auto& [state, rates] : all) {
-    for (int i = 0; i < 3; ++i) {
-      state.q[i] = uniform(random);
-      state.v[i] = uniform(random);
-      rates[i] = uniform(random);
-    }
-  }
-  return all;
-}
+auto samples() { return examples::random_samples<Radar>(3); }
 
 struct Angles {
   double ca, sa, cb, sb;

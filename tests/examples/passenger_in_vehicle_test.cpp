@@ -7,7 +7,6 @@
 #include <cmath>
 
 #include "runtime/mechanism.hpp"
-#include "runtime/records/reference.hpp"
 #include "tests/examples/energy_theorem.hpp"
 #include "tests/examples/motion.hpp"
 
@@ -125,14 +124,8 @@ TEST(PassengerInVehicle, NodsTheSameAtAnySpeed) {
 
 // 1e-13 a step, a hundred steps, times what the flow amplifies.
 TEST(PassengerInVehicle, MeetsItsCommittedReference) {
-  const auto reference = read_reference<double>(TORSOR_SOURCE_DIR "/generated/passenger_in_vehicle.reference.csv");
-  const auto motion = equations_of_motion<Passenger>();
-  for (std::size_t row = 0; row < reference.rows(); ++row) {
-    const double time = reference.times[row];
-    const State end = examples::state_at(motion, motion.initial(), 0.0, time, precise);
-    const double allowed = 1e-11 * std::fmax(1.0, examples::amplification(motion, motion.initial(), 0.0, time));
-    EXPECT_LE(examples::largest_difference(end, reference.state<4>(row)), allowed);
-  }
+  examples::expect_reference(equations_of_motion<Passenger>(), "passenger_in_vehicle",
+                             {.error = 1e-11, .least_amplification = 1.0, .tolerance = 1e-13});
 }
 
 // T in the frame of the road: the seat works too. What holds the vehicle at its speed has the power V X, X the force

@@ -11,7 +11,6 @@
 #include "generated/rolling_hoop_contact_forces.hpp"
 #include "runtime/integration/runge_kutta_4.hpp"
 #include "runtime/mechanism.hpp"
-#include "runtime/records/reference.hpp"
 #include "runtime/small_motions/stability.hpp"
 #include "tests/examples/motion.hpp"
 
@@ -267,14 +266,7 @@ TEST(RollingDisc, MeetsItsIndependentUnsteadyReference) {
 // The tolerance is that of the test above. The committed reference comes from Lagrange's operator and an extrapolation
 // in high precision.
 TEST(RollingHoop, MeetsItsCommittedReference) {
-  const auto reference = read_reference<double>(TORSOR_SOURCE_DIR "/generated/rolling_hoop.reference.csv");
-  const auto motion = equations_of_motion<Hoop>();
-  for (std::size_t row = 0; row < reference.rows(); ++row) {
-    const double time = reference.times[row];
-    const State end = state_at(motion, motion.initial(), 0.0, time, tight);
-    const double tolerance = 1e-13 * amplification(motion, motion.initial(), 0.0, time);
-    EXPECT_LE(examples::largest_difference(end, reference.state<10>(row)), tolerance) << "at t = " << time;
-  }
+  examples::expect_reference(equations_of_motion<Hoop>(), "rolling_hoop", {.error = 1e-13});
 }
 
 // --- misprints of the course, each against its correction ----------------------------------------------------------

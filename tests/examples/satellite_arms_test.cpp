@@ -3,13 +3,10 @@
 
 #include <gtest/gtest.h>
 
-#include <array>
 #include <cmath>
 #include <numbers>
-#include <random>
 
 #include "runtime/mechanism.hpp"
-#include "runtime/records/reference.hpp"
 #include "tests/examples/motion.hpp"
 
 namespace torsor::satellite_arms_test {
@@ -57,24 +54,7 @@ double hinge_torque(const Arm& arm, double theta, double rate, double accelerati
          arm.K * (theta - arm.rest) + arm.v * rate;
 }
 
-struct Sample {
-  Satellite::State state{};
-  Satellite::Accelerations a{};
-};
-
-std::array<Sample, 50> samples() {
-  std::mt19937 random(5);
-  std::uniform_real_distribution<double> uniform(-2.0, 2.0);
-  std::array<Sample, 50> all;
-  for (Sample& sample : all) {
-    for (int i = 0; i < 3; ++i) {
-      sample.state.q[i] = uniform(random);
-      sample.state.v[i] = uniform(random);
-      sample.a[i] = uniform(random);
-    }
-  }
-  return all;
-}
+auto samples() { return examples::random_samples<Satellite>(5); }
 
 TEST(SatelliteArms, HaveTheEnergiesOfTheClosedForm) {
   for (const auto& [s, a] : samples()) {
@@ -135,15 +115,7 @@ TEST(SatelliteArms, KeepTheMomentumOfTheCyclicCoordinateWhateverTheMotorsDo) {
 }
 
 TEST(SatelliteArms, MeetTheirCommittedReference) {
-  const auto reference = read_reference<double>(TORSOR_SOURCE_DIR "/generated/satellite_arms.reference.csv");
-  const auto motion = equations_of_motion<Satellite>();
-  for (std::size_t row = 0; row < reference.rows(); ++row) {
-    const double time = reference.times[row];
-    const auto end = examples::state_at(motion, motion.initial(), 0.0, time,
-                                        DormandPrince54{.relative_tolerance = 1e-14, .absolute_tolerance = 1e-14});
-    const double allowed = 1e-13 * examples::amplification(motion, motion.initial(), 0.0, time);
-    EXPECT_LE(examples::largest_difference(end, reference.state<6>(row)), allowed) << "at t = " << time;
-  }
+  examples::expect_reference(equations_of_motion<Satellite>(), "satellite_arms", {.error = 1e-13});
 }
 
 }  // namespace

@@ -10,7 +10,6 @@
 #include "generated/shaker_free_support.hpp"
 #include "generated/shaker_from_mass.hpp"
 #include "runtime/mechanism.hpp"
-#include "runtime/records/reference.hpp"
 #include "tests/examples/energy_theorem.hpp"
 #include "tests/examples/motion.hpp"
 
@@ -188,17 +187,7 @@ TEST(Shaker, KeepsItsEnergyWhenItsSupportIsFree) {
 
 TEST(Shaker, MeetsItsCommittedReferences) {
   const auto meets = [](const auto& motion, const std::string& name) {
-    const auto reference = read_reference<double>(TORSOR_SOURCE_DIR "/generated/" + name + ".reference.csv");
-    for (std::size_t row = 0; row < reference.rows(); ++row) {
-      const double time = reference.times[row];
-      const auto end = examples::state_at(motion, motion.initial(), 0.0, time,
-                                          DormandPrince54{.relative_tolerance = 1e-14, .absolute_tolerance = 1e-14});
-      // A damped motion forgets errors, but not those of its last steps.
-      const double allowed = 1e-12 * std::fmax(1.0, examples::amplification(motion, motion.initial(), 0.0, time));
-      EXPECT_LE(examples::largest_difference(end, reference.template state<std::tuple_size_v<decltype(end)>>(row)),
-                allowed)
-          << name << " " << time;
-    }
+    examples::expect_reference(motion, name, {.error = 1e-12, .least_amplification = 1.0});
   };
   meets(equations_of_motion<Shaker>(), "shaker");
   meets(equations_of_motion<FromMass>(), "shaker_from_mass");

@@ -8,7 +8,6 @@
 #include <cmath>
 
 #include "runtime/mechanism.hpp"
-#include "runtime/records/reference.hpp"
 #include "tests/examples/energy_theorem.hpp"
 #include "tests/examples/motion.hpp"
 
@@ -179,15 +178,9 @@ TEST(Tumbler, RocksAtItsNaturalFrequency) {
 }
 
 TEST(Tumbler, MeetsItsCommittedReference) {
-  const auto reference = read_reference<double>(TORSOR_SOURCE_DIR "/generated/tumbler.reference.csv");
-  const auto motion = equations_of_motion<Tumbler>();
-  for (std::size_t row = 0; row < reference.rows(); ++row) {
-    const double time = reference.times[row];
-    const State end = examples::state_at(motion, motion.initial(), 0.0, time, precise);
-    // A hundred steps of 1e-13 of states below 10.
-    const double allowed = 1e-11 * std::fmax(1.0, examples::amplification(motion, motion.initial(), 0.0, time));
-    EXPECT_LE(examples::largest_difference(end, reference.state<12>(row)), allowed);
-  }
+  // A hundred steps of 1e-13 of states below 10.
+  examples::expect_reference(equations_of_motion<Tumbler>(), "tumbler",
+                             {.error = 1e-11, .least_amplification = 1.0, .tolerance = 1e-13});
 }
 
 TEST(Tumbler, ObeysTheEnergyTheorem) {

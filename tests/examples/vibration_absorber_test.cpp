@@ -10,7 +10,6 @@
 #include <vector>
 
 #include "runtime/mechanism.hpp"
-#include "runtime/records/reference.hpp"
 #include "runtime/small_motions/equilibrium_stability.hpp"
 #include "runtime/small_motions/forced_response.hpp"
 #include "runtime/small_motions/steady_states.hpp"
@@ -273,15 +272,7 @@ TEST(VibrationAbsorber, ObeysTheEnergyTheorem) {
 
 // Steps of 1.5 ms whose local errors, below 1e-14 (1 + |y|), and roundings add up; the flow amplifies them little.
 TEST(VibrationAbsorber, MeetsItsCommittedReference) {
-  const auto reference = read_reference<double>(TORSOR_SOURCE_DIR "/generated/vibration_absorber.reference.csv");
-  const auto motion = equations_of_motion<Absorber>();
-  for (std::size_t row = 0; row < reference.rows(); ++row) {
-    const double time = reference.times[row];
-    const auto end = examples::state_at(motion, motion.initial(), 0.0, time,
-                                        DormandPrince54{.relative_tolerance = 1e-14, .absolute_tolerance = 1e-14});
-    const double tolerance = 1e-13 * examples::amplification(motion, motion.initial(), 0.0, time);
-    EXPECT_LE(examples::largest_difference(end, reference.state<4>(row)), tolerance) << "at t = " << time;
-  }
+  examples::expect_reference(equations_of_motion<Absorber>(), "vibration_absorber", {.error = 1e-13});
 }
 
 }  // namespace
