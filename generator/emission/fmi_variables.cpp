@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "generator/base/entities.hpp"
 #include "generator/base/error.hpp"
 #include "generator/base/unit.hpp"
 #include "generator/emission/description.hpp"
@@ -100,27 +101,11 @@ std::string fmi_unit_definitions(const std::vector<FmiVariable>& variables) {
   return text;
 }
 
-std::string xml_escaped(const std::string& text) {
-  std::string out;
-  for (const char c : text) {
-    switch (c) {
-      case '&':
-        out += "&amp;";
-        break;
-      case '<':
-        out += "&lt;";
-        break;
-      case '>':
-        out += "&gt;";
-        break;
-      case '"':
-        out += "&quot;";
-        break;
-      default:
-        out += static_cast<unsigned char>(c) < 0x20 ? ' ' : c;
-    }
+std::string xml_escaped(std::string text) {
+  for (char& c : text) {
+    if (static_cast<unsigned char>(c) < 0x20) c = ' ';
   }
-  return out;
+  return with_entities(text, "&<>\"");
 }
 
 }  // namespace torsor

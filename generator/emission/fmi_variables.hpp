@@ -28,6 +28,6 @@ std::vector<FmiVariable> fmi_variables(const MechanismListing& mechanism);
 std::string fmi_unit_definitions(const std::vector<FmiVariable>& variables);
 
 /// As an attribute of XML.
-std::string xml_escaped(const std::string& text);
+std::string xml_escaped(std::string text);
 
 }  // namespace torsor

@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "generator/base/as_index.hpp"
+#include "generator/base/entities.hpp"
 #include "generator/base/printable.hpp"
 #include "generator/graphs/graph_printer.hpp"
 
@@ -80,11 +81,7 @@ const char* dashes(Line line) {
                                     : " stroke-dasharray=\"7 4\"";
 }
 
-std::string escaped(const std::string& text) {
-  std::string result;
-  for (const char c : printable(text)) result += c == '&' ? "&amp;" : c == '<' ? "&lt;" : c == '>' ? "&gt;" : std::string(1, c);
-  return result;
-}
+std::string escaped(const std::string& text) { return with_entities(printable(text), "&<>"); }
 
 long whole(double x) { return std::lround(x); }
 

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 #include <tinyxml2.h>
 
+#include "generator/base/entities.hpp"
 #include "generator/base/error.hpp"
 
 namespace torsor::xacro {
@@ -23,37 +24,7 @@ Node converted(const tinyxml2::XMLElement& element, const std::shared_ptr<const 
   return node;
 }
 
-std::string escaped(const std::string& text) {
-  std::string result;
-  for (const char c : text) {
-    switch (c) {
-      case '&':
-        result += "&amp;";
-        break;
-      case '<':
-        result += "&lt;";
-        break;
-      case '>':
-        result += "&gt;";
-        break;
-      case '"':
-        result += "&quot;";
-        break;
-      case '\n':
-        result += "&#10;";
-        break;
-      case '\r':
-        result += "&#13;";
-        break;
-      case '\t':
-        result += "&#9;";
-        break;
-      default:
-        result += c;
-    }
-  }
-  return result;
-}
+std::string escaped(const std::string& text) { return with_entities(text, "&<>\"\n\r\t"); }
 
 void write(const Node& node, int depth, std::string& text, std::vector<XmlLine>& lines) {
   const std::string indent(static_cast<std::size_t>(2 * depth), ' ');

@@ -3,35 +3,12 @@
 
 #include <algorithm>
 
+#include "generator/base/entities.hpp"
 #include "generator/base/printable.hpp"
 
 namespace torsor {
 
-std::string html_escaped(std::string_view text) {
-  std::string result;
-  for (const char c : printable(text)) {
-    switch (c) {
-      case '&':
-        result += "&amp;";
-        break;
-      case '<':
-        result += "&lt;";
-        break;
-      case '>':
-        result += "&gt;";
-        break;
-      case '"':
-        result += "&quot;";
-        break;
-      case '\'':
-        result += "&#39;";
-        break;
-      default:
-        result += c;
-    }
-  }
-  return result;
-}
+std::string html_escaped(std::string_view text) { return with_entities(printable(text), "&<>\"'"); }
 
 std::string html_lines(std::string_view text) {
   std::string result;
