@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "generator/listing/computation.hpp"
 
-#include "generator/listing/lowering.hpp"
 #include "generator/listing/shared_products.hpp"
 #include "generator/program/identically_zero.hpp"
 
@@ -16,8 +15,9 @@ std::vector<Value> Computation::values() const {
   }
   if (series) {
     const SeriesProgram& program = series->program;
-    const std::vector<Polynomial> roots = series->solve ? coefficients_read(*series) : program.roots();
-    for (const Polynomial& root : roots) all.push_back(program.value(root));
+    for (const Polynomial& root : series->solve ? series->solve->coefficients(program) : program.roots()) {
+      all.push_back(program.value(root));
+    }
     if (series->solve) {
       for (const Value& value : series->solve->at_start(program)) all.push_back(value);
     }

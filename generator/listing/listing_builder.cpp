@@ -118,7 +118,6 @@ std::pair<Table, std::size_t> ListingBuilder::argument(const SymbolPointer& symb
 }
 
 ValueNumber ListingBuilder::place_of(const SymbolPointer& symbol) {
-  if (!places_formulas_) return 0;
   const auto [table, index] = argument(symbol);
   return read(table, index);
 }
@@ -138,7 +137,6 @@ void ListingBuilder::read_member(ValueNumber value_number) {
 }
 
 ValueNumber ListingBuilder::place_of(ValueNumber value_number) const {
-  if (!places_formulas_) return 0;
   const auto place = places_.find(value_number);
   if (place != places_.end()) return place->second;
   throw Error(fmt::format("the kernel '{}' reads '{}' before it is computed", around_.function,

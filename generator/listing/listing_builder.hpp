@@ -22,8 +22,6 @@ class ListingBuilder {
   ListingBuilder(Program& program, const Surroundings& around)
       : program_(&program), starts_(program), around_(around) {}
 
-  /// Without a block: leaves of formulas are not placed, since only what they are of matters.
-  void compute_nothing() { places_formulas_ = false; }
   void compute(const Block& block);
   void write(const Assignment& assignment);
   void write(const Target& target, Formula value, const std::string& meaning = {}) {
@@ -65,7 +63,6 @@ class ListingBuilder {
   EarliestStarts starts_;
   Surroundings around_;
   Listing listing_;
-  bool places_formulas_ = true;
   std::unordered_map<ValueNumber, ValueNumber>
       places_;  ///< of the program's value numbers among the quantities; looked up only, as the next two
   std::unordered_set<ValueNumber> done_, live_;

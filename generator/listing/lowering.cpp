@@ -12,19 +12,10 @@ namespace torsor {
 Listing lower(Program& program, const Block& block, const Computation& computation, const Surroundings& around) {
   ListingBuilder builder(program, around);
   builder.compute(block);
-  if (computation.series) RecurrenceLowering(builder, program, *computation.series, &block).run();
+  if (computation.series) RecurrenceLowering(builder, program, *computation.series, block).run();
   for (const Assignment& assignment : computation.assignments) builder.write(assignment);
   for (const auto& pivot : computation.pivots) builder.measure(pivot);
   return builder.take(computation.has_status());
-}
-
-std::vector<Polynomial> coefficients_read(const SeriesResult& series) {
-  Program& program = series.program.program();
-  ListingBuilder nothing(program, {});
-  nothing.compute_nothing();
-  RecurrenceLowering lowering(nothing, program, series, nullptr);
-  lowering.run();
-  return lowering.read();
 }
 
 Listing lower_precompute(Program& program, const Schedule& schedule, const Layout& layout) {

@@ -25,10 +25,6 @@ struct Surroundings {
 /// Throws Error naming a symbol that is not in the layout.
 Listing lower(Program& program, const Block& block, const Computation& computation, const Surroundings& around);
 
-/// Coefficients and constants that a function with a solve reads: not all that its program has, since the equations are
-/// solved without their terms in the accelerations themselves. The recurrence that reads them is lowered to find them.
-std::vector<Polynomial> coefficients_read(const SeriesResult& series);
-
 /// What the function has computed once: its outputs are the members of Precomputed that it reads, in its own order. The
 /// outputs' meanings are those of the members.
 Listing lower_precompute(Program& program, const Schedule& schedule, const Layout& layout);

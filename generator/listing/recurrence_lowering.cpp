@@ -18,7 +18,7 @@ using formula_parts::quotient;
 using formula_parts::sum;
 
 RecurrenceLowering::RecurrenceLowering(ListingBuilder& builder, Program& program, const SeriesResult& series,
-                                       const Block* block)
+                                       const Block& block)
     : builder_(builder), program_(program), series_(series), nodes_(series.program.nodes()) {
   const std::size_t count = nodes_.size();
   begin_.resize(count);
@@ -35,8 +35,8 @@ RecurrenceLowering::RecurrenceLowering(ListingBuilder& builder, Program& program
   if (series.solve) {
     // Not all of the block: what it holds for the sake of coefficients depends on which of them are read.
     know(program.live(series.solve->at_start(series.program)));
-  } else if (block != nullptr) {
-    know(block->symbols), know(block->given), know(block->definitions);
+  } else {
+    know(block.symbols), know(block.given), know(block.definitions);
   }
   marked_ = series_.solve ? series_.program.depending_on(series_.solve->unknowns) : std::vector<bool>(count, false);
   for (const SeriesNode& each : nodes_) depth_.push_back(depth_of(each));
@@ -105,7 +105,6 @@ Formula RecurrenceLowering::order(OrderQuantity which) {
 
 /// The factor without its sign; nothing for one.
 RecurrenceLowering::Optional RecurrenceLowering::factor(const Polynomial& coefficient, bool& negative) {
-  read_.push_back(coefficient);
   auto [positive, minus] = without_sign(coefficient);
   negative = minus;
   if (positive.is_constant()) {

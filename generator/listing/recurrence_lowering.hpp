@@ -16,12 +16,10 @@ namespace torsor {
 /// what depends on the accelerations is added up twice: without those of order k, and with them.
 class RecurrenceLowering {
  public:
-  /// `block` is what has been computed; null: nothing is.
-  RecurrenceLowering(ListingBuilder& builder, Program& program, const SeriesResult& series, const Block* block);
+  /// `block` is what has been computed.
+  RecurrenceLowering(ListingBuilder& builder, Program& program, const SeriesResult& series, const Block& block);
 
   void run();
-  /// The coefficients that it reads, in this order and repeated.
-  const std::vector<Polynomial>& read() const { return read_; }
 
  private:
   using Kind = SeriesNode::Kind;
@@ -74,7 +72,6 @@ class RecurrenceLowering {
   std::vector<ValueNumber> rates_;        ///< of the accelerations: coefficients of order k
   SumTable factors_;
   std::vector<ValueNumber> factor_places_;
-  std::vector<Polynomial> read_;
 };
 
 }  // namespace torsor

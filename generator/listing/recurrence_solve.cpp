@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The part of recurrence_lowering.hpp that solves for accelerations.
+#include <algorithm>
 #include <utility>
 
 #include <fmt/format.h>
@@ -21,6 +22,52 @@ std::vector<Value> SeriesSolve::at_start(const SeriesProgram& program) const {
   for (const SeriesNode& node : program.nodes()) {
     for (const ValueNumber value_number : program.known_at_start(node))
       all.push_back(program.value(Polynomial(value_number)));
+  }
+  return all;
+}
+
+std::vector<bool> SeriesSolve::wanted(const SeriesProgram& program) const {
+  const std::vector<bool> marked = program.depending_on(unknowns);
+  std::vector<bool> wanted(marked.size(), false);
+  const auto want = [&](int id) {
+    if (id >= 0 && marked[static_cast<std::size_t>(id)]) wanted[static_cast<std::size_t>(id)] = true;
+  };
+  for (std::size_t id = marked.size(); id-- > 0;) {
+    const SeriesNode& each = program.nodes()[id];
+    if (is_nonlinear(each)) {
+      want(each.left);
+      want(each.right);
+      if (each.kind == SeriesNode::Kind::quotient) want(static_cast<int>(id));
+    }
+    if (!wanted[id]) continue;
+    for (const SeriesForm::Term& term : each.form.terms) want(term.node);
+  }
+  return wanted;
+}
+
+std::vector<Polynomial> SeriesSolve::coefficients(const SeriesProgram& program) const {
+  const std::vector<bool> marked = program.depending_on(unknowns), wanted = this->wanted(program);
+  const std::vector<ValueNumber> known = program.program().live(at_start(program));
+  std::vector<bool> part(marked.size());  // by node: whether anything of it does not come from the accelerations
+  std::vector<Polynomial> all;
+  const auto read = [&](const SeriesForm& form, bool value, bool whole) {
+    if (value) all.push_back(form.constant);
+    for (const SeriesForm::Term& term : form.terms) {
+      if (whole || part[static_cast<std::size_t>(term.node)]) all.push_back(term.coefficient);
+    }
+  };
+  for (std::size_t id = 0; id < marked.size(); ++id) {
+    const SeriesNode& node = program.nodes()[id];
+    const std::vector<SeriesForm::Term>& terms = node.form.terms;
+    const auto has_part = [&](const SeriesForm::Term& term) { return part[static_cast<std::size_t>(term.node)]; };
+    part[id] = !marked[id] || (node.kind == SeriesNode::Kind::sum ? std::any_of(terms.begin(), terms.end(), has_part)
+                                                                  : node.kind != SeriesNode::Kind::symbol);
+    read(node.form, !std::binary_search(known.begin(), known.end(), node.value_number), wanted[id]);
+  }
+  const std::vector<SeriesForm>& outputs = program.outputs();
+  for (std::size_t i = 0; i < outputs.size(); ++i) {
+    const bool rate = i + unknowns.size() < outputs.size();
+    read(outputs[i], rate, rate);
   }
   return all;
 }
@@ -53,20 +100,7 @@ void RecurrenceLowering::write_solve() {
     if (marked(id) && !is_unknown(id)) write_partial(id);
   }
   write_accelerations();
-  std::vector<bool> wanted(nodes_.size(), false);
-  const auto want = [&](int id) {
-    if (marked(id)) wanted[place(id)] = true;
-  };
-  for (int id = nodes; id-- > 0;) {
-    const SeriesNode& each = node(id);
-    if (is_nonlinear(each)) {
-      want(each.left);
-      want(each.right);
-      if (each.kind == Kind::quotient) want(id);
-    }
-    if (!wanted[place(id)]) continue;
-    for (const SeriesForm::Term& term : each.form.terms) want(term.node);
-  }
+  const std::vector<bool> wanted = series_.solve->wanted(series_.program);
   for (int id = 0; id < nodes; ++id) {
     if (is_unknown(id)) x_[place(id)] = rates_[unknown_of(id)];
     if (!wanted[place(id)] || is_unknown(id)) continue;

@@ -18,6 +18,11 @@ struct SeriesSolve {
 
   /// What must be known at the start besides the coefficients.
   std::vector<Value> at_start(const SeriesProgram& program) const;
+  /// Coefficients and constants that are read: not all that the program has, since the equations are solved without
+  /// their terms in the accelerations themselves, and sums that are known at the start are not added up again.
+  std::vector<Polynomial> coefficients(const SeriesProgram& program) const;
+  /// By node: whether coefficients of higher orders read it with the accelerations that were found.
+  std::vector<bool> wanted(const SeriesProgram& program) const;
 };
 
 /// A function that gives Taylor coefficients. The outputs of the program are the rates of the state, or, with a solve,
