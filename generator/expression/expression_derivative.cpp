@@ -5,6 +5,7 @@
 
 #include "generator/base/error.hpp"
 #include "generator/expression/expression_node.hpp"
+#include "generator/expression/function_slope.hpp"
 
 namespace torsor {
 namespace {
@@ -35,12 +36,18 @@ struct NodeDerivative {
     const Expression& x = apply.arguments.front();
     if (apply.function == Function::sin) return times(cos(x), of(x));
     if (apply.function == Function::cos) return times(-sin(x), of(x));
-    if (apply.function == Function::sqrt) return times(of(x), pow(2 * whole, -1));
-    if (apply.function == Function::exp) return times(whole, of(x));
-    if (apply.function == Function::log) return times(of(x), pow(x, -1));
-    throw SceneError(fmt::format("'{}' stands in {}, whose derivative by it is not known: write the displacement as a sum "
-                                 "of it and what does not depend on it",
-                                 symbol->name, whole.to_string()));
+    if (traits_of(apply.function).selects) {
+      throw SceneError(
+          fmt::format("'{}' stands in {}, whose derivative by it is not known: write the displacement as a sum "
+                      "of it and what does not depend on it",
+                      symbol->name, whole.to_string()));
+    }
+    const auto constant = [](const Number& number) { return Expression(number); };
+    Expression sum = 0;
+    for (std::size_t i = 0; i < apply.arguments.size(); ++i) {
+      sum = sum + times(slope_of(apply.function, whole, apply.arguments, i, constant), of(apply.arguments[i]));
+    }
+    return sum;
   }
   Expression operator()(const Node::Rate&) const { return 0; }
 };

@@ -13,7 +13,7 @@
 namespace torsor {
 
 /// Functions of a program. `functions()` tells all that is common to them, names in generated texts included; what only
-/// one of them has stands in derivative.cpp (its slope), function_values.hpp (its value) and series_lowering.cpp (its
+/// one of them has stands in function_slope.hpp (its slope), function_values.hpp (its value) and series_lowering.cpp (its
 /// Taylor series).
 enum class Function { sin, cos, sqrt, exp, log, abs, sign, maximum, atan2, select };
 

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "generator/base/error.hpp"
+#include "generator/expression/function_slope.hpp"
 
 namespace torsor {
 namespace {
@@ -28,20 +29,22 @@ Value slope(Program& program, ValueNumber value_number, std::size_t i) {
   switch (*definition.function) {
     case Function::sin: return program.value_of_number(definition.partner);
     case Function::cos: return -program.value_of_number(definition.partner);
-    case Function::exp: return self;
-    case Function::log: return pow(program.value_of_number(definition.arguments[0]), -1);
-    case Function::sqrt: return Number::rational(1, 2) * pow(self, -1);
     case Function::abs: return program.apply(Function::sign, program.value_of_number(definition.arguments[0]));
-    case Function::sign: return {};
-    case Function::atan2: {  // (x dy - y dx)/(x² + y²)
-      const Value y = without_unit(program.argument(definition, 0)), x = without_unit(program.argument(definition, 1));
-      const Value square = program.bind(x * x + y * y);
-      return i == 0 ? x / square : -(y / square);
-    }
+    case Function::sign:
     case Function::maximum:
-    case Function::select: break;  // see of_choice
+    case Function::select: return {};  // see choice_of
+    default: break;
   }
-  return {};
+  std::vector<Value> arguments;
+  if (definition.arguments.size() == 1) {
+    arguments.push_back(program.value_of_number(definition.arguments[0]));
+  } else {
+    for (std::size_t k = 0; k < definition.arguments.size(); ++k) {
+      arguments.push_back(without_unit(program.argument(definition, k)));
+    }
+  }
+  const auto number = [&program](const Number& value) { return program.number(value); };
+  return slope_of(*definition.function, self, arguments, i, number);
 }
 
 /// Condition and forms of a function that selects one of two: c, a where c >= 0, b elsewhere.
