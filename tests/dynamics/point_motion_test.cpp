@@ -162,11 +162,16 @@ class SphereOnAPlate : public ::testing::Test {
   Program& program = equations.program();
   const Model& model = equations.model();
   Value radius = program.lower(equations.scene().content().parameters[0].symbol);
+
+  ContactMotion at_contact(const Triple& normal) {
+    return contact_motion(model, {.body_1 = "sphere", .body_2 = "plate", .contact = Scene::point("I"), .normal = normal,
+                                  .normal_axes = "ground"});
+  }
 };
 
 TEST_F(SphereOnAPlate, SlidesRollsAndSpins) {
   // n = z from the plate to the sphere, given three times too long.
-  const ContactMotion contact = contact_motion(model, "sphere", "plate", Scene::point("I"), {0, 0, 3}, "ground");
+  const ContactMotion contact = at_contact({0, 0, 3});
   const Value psi = model.q(4);
   // Ω = psi' z + theta' u, u = (cos psi, sin psi, 0); V(I) = V(C) + Ω ∧ (−R z).
   const Vector u(program.cos(psi), program.sin(psi), Value());
@@ -182,8 +187,10 @@ TEST_F(SphereOnAPlate, SlidesRollsAndSpins) {
 }
 
 TEST_F(SphereOnAPlate, HasTheOppositeMotionOfThePlateOnTheSphere) {
-  const ContactMotion one = contact_motion(model, "sphere", "plate", Scene::point("I"), axis::z, "ground");
-  const ContactMotion other = contact_motion(model, "plate", "sphere", Scene::point("I"), -axis::z, "ground");
+  const ContactMotion one = at_contact(axis::z);
+  const ContactMotion other =
+      contact_motion(model, {.body_1 = "plate", .body_2 = "sphere", .contact = Scene::point("I"), .normal = -axis::z,
+                             .normal_axes = "ground"});
   EXPECT_TRUE(identically_zero(one.sliding + other.sliding));
   EXPECT_TRUE(identically_zero(one.rolling + other.rolling));
   EXPECT_TRUE(identically_zero(one.spinning - other.spinning));
@@ -192,7 +199,7 @@ TEST_F(SphereOnAPlate, HasTheOppositeMotionOfThePlateOnTheSphere) {
 
 /// V(I ∈ S1/S2) = V(I/S2) − V(I/S1), the geometric point's velocities seen from either body.
 TEST_F(SphereOnAPlate, SlidesWithTheDifferenceOfTheContactPointsVelocities) {
-  const ContactMotion contact = contact_motion(model, "sphere", "plate", Scene::point("I"), axis::z, "ground");
+  const ContactMotion contact = at_contact(axis::z);
   const Vector in_plate = point_motion(model, Scene::point("I"), "plate", "plate").relative_velocity;
   const Vector in_sphere = point_motion(model, Scene::point("I"), "sphere", "sphere").relative_velocity;
   const Vector whole = contact.sliding + contact.separation * contact.normal;
@@ -200,9 +207,7 @@ TEST_F(SphereOnAPlate, SlidesWithTheDifferenceOfTheContactPointsVelocities) {
 }
 
 TEST_F(SphereOnAPlate, NeedsANormal) {
-  EXPECT_EQ(error_of<SceneError>([&] {
-              contact_motion(model, "sphere", "plate", Scene::point("I"), {0, 0, 0}, "ground");
-            }),
+  EXPECT_EQ(error_of<SceneError>([&] { at_contact({0, 0, 0}); }),
             "the normal of a contact is the null vector: give the direction from S2 to S1");
 }
 

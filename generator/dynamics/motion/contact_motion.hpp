@@ -6,7 +6,7 @@
 namespace torsor {
 
 /// Motion of a body S1 on a body S2 at their contact I with the unit normal n from S2 to S1, split along n:
-/// V(I ∈ S1/S2) = sliding + separation n, Ω(S1/S2) = rolling + spinning n. Vectors in the axes asked for.
+/// V(I ∈ S1/S2) = sliding + separation n, Ω(S1/S2) = rolling + spinning n.
 struct ContactMotion {
   Vector normal;     ///< n
   Vector sliding;    ///< orthogonal to n [m/s]; null for rolling without slip
@@ -15,13 +15,15 @@ struct ContactMotion {
   Value spinning;    ///< n·Ω(S1/S2) [rad/s]
 };
 
-/// `body_1` and `body_2` are links, `contact` is given in any link; `normal` in the same link's axes, normalised here.
-/// Throws SceneError when the normal is null.
-ContactMotion contact_motion(const Model& model, int body_1, int body_2, const GeometricPoint& contact,
-                             const Vector& normal, int axes);
+/// Bodies by their frames, and a normal of any length along the axes of a frame.
+struct ContactBetween {
+  FrameReference body_1, body_2;
+  PointReference contact;
+  Triple normal;
+  FrameReference normal_axes;
+};
 
-/// For bodies' frames and a point of the scene, the normal along the axes of `normal_axes`, in the axes of the ground.
-ContactMotion contact_motion(const Model& model, const FrameReference& body_1, const FrameReference& body_2,
-                             const PointReference& contact, const Triple& normal, const FrameReference& normal_axes);
+/// In the axes of the ground. Throws SceneError when the normal is null.
+ContactMotion contact_motion(const Model& model, const ContactBetween& between);
 
 }  // namespace torsor
