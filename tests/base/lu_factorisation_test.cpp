@@ -6,19 +6,12 @@
 #include <random>
 #include <string>
 
-#include "generator/base/error.hpp"
+#include "tests/base/error_of.hpp"
 
 namespace torsor::lu_factorisation_test {
 namespace {
 
-std::string error_of(const auto& action) {
-  try {
-    action();
-  } catch (const Error& error) {
-    return error.what();
-  }
-  return "no error";
-}
+using testing_errors::error_of;
 
 std::vector<Real> reals(const std::vector<int>& values) {
   std::vector<Real> result;

@@ -13,7 +13,7 @@
 #include <cln/rational_io.h>
 
 #include "generator/base/decimal.hpp"
-#include "generator/base/error.hpp"
+#include "tests/base/error_of.hpp"
 
 namespace torsor::number_test {
 namespace {
@@ -36,14 +36,7 @@ class RandomNumbers {
   std::uniform_int_distribution<long> denominator_{1, 12};
 };
 
-std::string error_of(const auto& action) {
-  try {
-    action();
-  } catch (const Error& error) {
-    return error.what();
-  }
-  return "no error";
-}
+using testing_errors::error_of;
 
 TEST(Number, IsNotMadeFromFloatingPoint) {
   static_assert(std::is_convertible_v<int, Number> && std::is_convertible_v<long, Number>);

@@ -3,9 +3,7 @@
 
 #include <cstdlib>
 #include <filesystem>
-#include <fstream>
 #include <iostream>
-#include <iterator>
 #include <string>
 #include <thread>
 
@@ -15,35 +13,19 @@
 
 #include "generator/base/error.hpp"
 #include "tests/faults/full_disk.hpp"
+#include "tests/runtime/temporary_folder.hpp"
 
 namespace torsor::output_file_test {
 namespace {
 
 namespace fs = std::filesystem;
 
-class OutputFile : public testing::Test {
+class OutputFile : public ::TemporaryFolder {
  protected:
-  void SetUp() override { ASSERT_NE(mkdtemp(folder_.data()), nullptr); }
-  void TearDown() override { fs::remove_all(folder_); }
-
-  std::string path(const std::string& name) const { return folder_ + "/" + name; }
-  std::string text(const std::string& name) const {
-    std::ifstream file(path(name), std::ios::binary);
-    return {std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
-  }
-  /// Files in the folder: a temporary one would be seen.
-  long entries() const { return std::distance(fs::directory_iterator(folder_), fs::directory_iterator()); }
+  std::string text(const std::string& name) const { return contents(path(name)); }
   static std::string message_of(const std::string& path, std::string_view bytes = "x") {
-    try {
-      write_file_if_changed(path, bytes);
-    } catch (const FileError& error) {
-      return error.what();
-    }
-    return "no error";
+    return ::error_of<FileError>([&] { write_file_if_changed(path, bytes); });
   }
-
- private:
-  std::string folder_ = (fs::temp_directory_path() / "torsor_output_XXXXXX").string();
 };
 
 TEST_F(OutputFile, HasExactlyTheBytesGiven) {
@@ -52,7 +34,7 @@ TEST_F(OutputFile, HasExactlyTheBytesGiven) {
   EXPECT_EQ(text("new"), bytes);
   EXPECT_TRUE(write_file_if_changed(path("new"), "short"));
   EXPECT_EQ(text("new"), "short");
-  EXPECT_EQ(entries(), 1);
+  EXPECT_EQ(files(), 1U);
 }
 
 TEST_F(OutputFile, IsNotTouchedWhenItHasTheBytesAlready) {
@@ -118,7 +100,7 @@ TEST_F(OutputFile, LeavesNothingHalfWrittenWhenTheDiskIsFull) {
   EXPECT_EQ(over_old, "cannot write '" + path("kept") + "': File too large; make room, or choose another disk");
   EXPECT_EQ(anew, "cannot write '" + path("anew") + "': File too large; make room, or choose another disk");
   EXPECT_EQ(text("kept"), "old");
-  EXPECT_EQ(entries(), 1);
+  EXPECT_EQ(files(), 1U);
 }
 
 TEST_F(OutputFile, NamesAMissingFolder) {
@@ -147,7 +129,7 @@ TEST_F(OutputFile, RespectsPermissions) {
   EXPECT_EXIT(as_anybody("locked"), testing::ExitedWithCode(3), "locked.: " + refusal);
   EXPECT_EXIT(as_anybody("closed/new"), testing::ExitedWithCode(3), "closed/new.: " + refusal);
   EXPECT_EQ(text("locked"), "old");
-  EXPECT_EQ(entries(), 2);
+  EXPECT_EQ(files(), 2U);
 }
 
 }  // namespace

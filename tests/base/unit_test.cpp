@@ -5,17 +5,12 @@
 
 #include <random>
 
+#include "tests/base/error_of.hpp"
+
 namespace torsor::unit_test {
 namespace {
 
-std::string error_of(const auto& action) {
-  try {
-    action();
-  } catch (const UnitError& error) {
-    return error.what();
-  }
-  return "no error";
-}
+std::string error_of(const auto& action) { return testing_errors::error_of<UnitError>(action); }
 
 TEST(Unit, ReadsProductsQuotientsAndPowers) {
   const Unit torque(1, 2, -2);

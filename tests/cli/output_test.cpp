@@ -3,13 +3,13 @@
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
-#include <iterator>
 
 #include <fcntl.h>
 #include <sys/resource.h>
 #include <unistd.h>
 
 #include "tests/cli/scene_runner.hpp"
+#include "tests/runtime/temporary_folder.hpp"
 
 namespace torsor::output_test {
 namespace {
@@ -17,20 +17,9 @@ namespace {
 using namespace testing_programs;
 namespace fs = std::filesystem;
 
-class SceneProgramOutput : public testing::Test {
+class SceneProgramOutput : public ::TemporaryFolder {
  protected:
-  void SetUp() override { ASSERT_NE(mkdtemp(folder_.data()), nullptr); }
-  void TearDown() override { fs::remove_all(folder_); }
-
-  std::string path(const std::string& name) const { return folder_ + "/" + name; }
-  std::string text(const std::string& name) const {
-    std::ifstream file(path(name), std::ios::binary);
-    return {std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
-  }
-  /// Files in the folder: one half-written or temporary would be seen.
-  long entries() const { return std::distance(fs::directory_iterator(folder_), fs::directory_iterator()); }
-
-  std::string folder_ = (fs::temp_directory_path() / "torsor_cli_XXXXXX").string();
+  std::string text(const std::string& name) const { return contents(path(name)); }
 };
 
 TEST_F(SceneProgramOutput, IsTheSameInAFileAndOnTheStandardOutput) {
@@ -47,7 +36,7 @@ TEST_F(SceneProgramOutput, IsTheSameInAFileAndOnTheStandardOutput) {
     EXPECT_EQ(written.code, 0);
     EXPECT_EQ(written.out, "");
     EXPECT_EQ(text("file"), shown.out);
-    EXPECT_EQ(entries(), 1);
+    EXPECT_EQ(files(), 1U);
   }
 }
 
@@ -66,12 +55,12 @@ TEST_F(SceneProgramOutput, IntoAMissingFolderFails) {
   expect_failure(
       run(pendulum, {"generate", "--output", file}), 3,
       "cannot write '" + file + "': No such file or directory; create the folder first, or choose another one");
-  EXPECT_EQ(entries(), 0);
+  EXPECT_EQ(files(), 0U);
 }
 
 TEST_F(SceneProgramOutput, OntoAFolderFails) {
-  expect_failure(run(pendulum, {"generate", "--output", folder_}), 3,
-                 "cannot write '" + folder_ + "': Is a directory; name a file in it");
+  expect_failure(run(pendulum, {"generate", "--output", folder.string()}), 3,
+                 "cannot write '" + folder.string() + "': Is a directory; name a file in it");
 }
 
 TEST_F(SceneProgramOutput, OntoAFullDeviceFails) {
@@ -117,7 +106,7 @@ TEST_F(SceneProgramOutput, OnADiskThatFillsUpLeavesWhatWasThereAndNothingElse) {
   expect_failure(outcome, 3,
                  "cannot write '" + path("pendulum.hpp") + "': File too large; make room, or choose another disk");
   EXPECT_EQ(text("pendulum.hpp"), "old");
-  EXPECT_EQ(entries(), 1);
+  EXPECT_EQ(files(), 1U);
 }
 
 /// Another user than root for as long as this lives: permissions mean nothing to root.
@@ -137,19 +126,19 @@ class Unprivileged {
 };
 
 TEST_F(SceneProgramOutput, IntoAFolderThatMayNotBeWrittenFails) {
-  fs::permissions(folder_,
+  fs::permissions(folder.string(),
                   fs::perms::owner_read | fs::perms::owner_exec | fs::perms::others_read | fs::perms::others_exec);
   Outcome outcome;
   {
     const Unprivileged user;
-    if (::access(folder_.c_str(), W_OK) == 0 && ::geteuid() == 0) GTEST_SKIP() << "cannot give up being root here";
+    if (::access(folder.string().c_str(), W_OK) == 0 && ::geteuid() == 0) GTEST_SKIP() << "cannot give up being root here";
     outcome = run(pendulum, {"generate", "--output", path("pendulum.hpp")});
   }
   expect_failure(outcome, 3,
                  "cannot write '" + path("pendulum.hpp") +
                      "': Permission denied; ask for the right to write there, or choose another place");
-  EXPECT_EQ(entries(), 0);
-  fs::permissions(folder_, fs::perms::owner_all);
+  EXPECT_EQ(files(), 0U);
+  fs::permissions(folder.string(), fs::perms::owner_all);
 }
 
 }  // namespace

@@ -18,11 +18,7 @@ using namespace testing_mechanisms;
 
 constexpr int digits = 60;
 
-ModelOptions by(ForwardMethod method) {
-  ModelOptions options;
-  options.forward = method;
-  return options;
-}
+ModelOptions by(ForwardMethod method) { return {.forward = method}; }
 
 /// Largest difference over 1 + size, at a random state in sixty digits, and whether an attitude moved.
 struct Difference {

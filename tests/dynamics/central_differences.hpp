@@ -75,6 +75,12 @@ inline double largest_difference(const std::vector<Real>& x, const std::vector<R
   return largest;
 }
 
+inline std::vector<Value> column(const ValueMatrix& matrix, std::size_t k) {
+  std::vector<Value> all;
+  for (const auto& row : matrix) all.push_back(row[k]);
+  return all;
+}
+
 inline std::vector<Value> flattened(const ValueMatrix& matrix) {
   std::vector<Value> all;
   for (const auto& row : matrix) all.insert(all.end(), row.begin(), row.end());

@@ -21,8 +21,6 @@ using Flags = std::vector<bool>;
 // Values of sixty digits: what is equal is equal to 1e-45.
 constexpr double exact = 1e-45;
 
-Expression unit(const char* value, const char* name) { return Expression::quantity(value, name); }
-
 TEST(ConstraintRank, KeepsAllRowsOfALoopThatNeedsThem) {
   FourBar bars("planar");
   bars.close();
@@ -82,10 +80,10 @@ struct Door {
                      q = scene.coordinate("q", "rad");
     door = scene.free("door", scene.ground(), {x, y, z}, {.sequence = AngleSequence{{0, 1, 2}}, .angles = {p, r, q}});
     scene.body("door", door,
-               Inertia::general({.mass = kilograms("20"), .xx = unit("8", "kg m^2"), .yy = unit("7", "kg m^2"),
-                                 .zz = unit("2", "kg m^2"), .xy = unit("0.2", "kg m^2"), .xz = unit("0.3", "kg m^2")})
+               Inertia::general({.mass = kilograms("20"), .xx = moment("8"), .yy = moment("7"),
+                                 .zz = moment("2"), .xy = moment("0.2"), .xz = moment("0.3")})
                    .at({metres("0.4"), metres("0.1"), metres("0.9")}));
-    scene.gravity({unit("3", "m/s^2"), unit("1", "m/s^2"), unit("-9", "m/s^2")});
+    scene.gravity({quantity("3", "m/s^2"), quantity("1", "m/s^2"), quantity("-9", "m/s^2")});
     const Rotation x_up = Rotation::about(1, -6);
     const Triple high{0, 0, metres("2")};
     lower_frame = scene.weld("lower_frame", scene.ground(), {{0, 0, 0}, x_up});
@@ -94,7 +92,7 @@ struct Door {
     upper = scene.weld("upper", door, {high, x_up});
     scene.loop_joint("low", {.type = lower_type, .a = lower_frame, .b = lower});
     scene.loop_joint("high", {.type = upper_type, .a = upper_frame, .b = upper});
-    scene.initial(q, 0, unit("0.7", "rad/s"));
+    scene.initial(q, 0, quantity("0.7", "rad/s"));
   }
 };
 
@@ -156,7 +154,7 @@ TEST(ConstraintRank, MovesBennettsLinkage) {
   for (const char* name : {"first", "second", "third"}) {
     scene.body(name, name, Inertia::solid_sphere(kilograms("1"), metres("0.2")).at({metres("0.5"), metres("0.1"), 0}));
   }
-  scene.gravity({0, unit("2", "m/s^2"), unit("-9", "m/s^2")});
+  scene.gravity({0, quantity("2", "m/s^2"), quantity("-9", "m/s^2")});
   EXPECT_EQ(error_of([&] { validate(scene); }), "no error");
   const Equations equations(scene);
   EXPECT_EQ(equations.redundancy().kept.size(), 2U);
@@ -241,19 +239,19 @@ Scene two_laws(const Expression& second, bool as_rate, const Expression& factor 
   SlidingPoint it("laws");
   Scene& scene = it.scene;
   const Expression x = it.x;
-  const Expression t = scene.time(), law = x - unit("2", "m/s") * t;
-  scene.initial(x, 0, unit("2", "m/s"));
+  const Expression t = scene.time(), law = x - quantity("2", "m/s") * t;
+  scene.initial(x, 0, quantity("2", "m/s"));
   scene.holonomic("first", law);
   const Expression more = second * t * t * t;
   if (as_rate)
-    scene.nonholonomic("second", factor * (rate(x) - unit("2", "m/s") + second * t * t));
+    scene.nonholonomic("second", factor * (rate(x) - quantity("2", "m/s") + second * t * t));
   else
     scene.holonomic("second", factor * (Expression(3) * law + more));
   return scene;
 }
 
 TEST(ConstraintRank, RefusesConstraintsThatContradictEachOther) {
-  const Expression none = unit("0", "m/s^3"), some = unit("0.5", "m/s^3");
+  const Expression none = quantity("0", "m/s^3"), some = quantity("0.5", "m/s^3");
   EXPECT_EQ(constraint_rank(two_laws(none, false)).dropped, (Indices{1}));
   EXPECT_EQ(constraint_rank(two_laws(none, true)).dropped, (Indices{1}));
   EXPECT_EQ(
@@ -269,7 +267,7 @@ TEST(ConstraintRank, RefusesConstraintsThatContradictEachOther) {
 
 // A constraint may be written in any unit: what it says, and so what it contradicts, is the same.
 TEST(ConstraintRank, JudgesContradictionsInAnyUnit) {
-  const Expression none = unit("0", "m/s^3"), some = unit("0.5", "m/s^3");
+  const Expression none = quantity("0", "m/s^3"), some = quantity("0.5", "m/s^3");
   for (const Expression& factor : {1e-9_r, Expression(1), Expression(1000000000)}) {
     for (const bool as_rate : {false, true}) {
       EXPECT_EQ(constraint_rank(two_laws(none, as_rate, factor)).dropped, (Indices{1})) << factor.to_string();

@@ -23,11 +23,7 @@ namespace {
 
 using namespace testing_mechanisms;
 
-ModelOptions by(ForwardMethod method) {
-  ModelOptions options;
-  options.forward = method;
-  return options;
-}
+ModelOptions by(ForwardMethod method) { return {.forward = method}; }
 
 /// The largest difference of the accelerations by the two methods, relative to one and them.
 double difference(const Scene& scene, std::uint64_t seed) {

@@ -50,12 +50,6 @@ Scene bar_between_two_guides(Contact contact) {
   return scene;
 }
 
-std::vector<Value> column(const ValueMatrix& matrix, std::size_t k) {
-  std::vector<Value> all;
-  for (const auto& row : matrix) all.push_back(row[k]);
-  return all;
-}
-
 void expect_slopes(const Scene& scene, std::uint64_t seed) {
   const WorkingDigits precision(CentralDifferences::digits);
   const Equations one(scene), other(scene);

@@ -38,12 +38,6 @@ Scene sprung_chain() {
   return scene;
 }
 
-std::vector<Value> column(const ValueMatrix& matrix, std::size_t k) {
-  std::vector<Value> all;
-  for (const auto& row : matrix) all.push_back(row[k]);
-  return all;
-}
-
 void expect_slopes(Inputs act) {
   const WorkingDigits precision(CentralDifferences::digits);
   const Scene scene = sprung_chain();

@@ -14,19 +14,10 @@ namespace torsor::parameter_sensitivities_test {
 namespace {
 
 using testing_mechanisms::CentralDifferences;
+using testing_mechanisms::column;
 using testing_mechanisms::largest_difference;
 
-ModelOptions all_run_time() {
-  ModelOptions options;
-  options.all_run_time = true;
-  return options;
-}
-
-std::vector<Value> column(const ValueMatrix& matrix, std::size_t k) {
-  std::vector<Value> all;
-  for (const auto& row : matrix) all.push_back(row[k]);
-  return all;
-}
+ModelOptions all_run_time() { return {.all_run_time = true}; }
 
 /// Of inverse and forward dynamics, by every parameter; true where the scene has constraints.
 bool expect_slopes(const Scene& scene, std::uint64_t seed) {

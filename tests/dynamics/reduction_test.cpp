@@ -104,14 +104,12 @@ bool expect_the_flow(const Scene& scene, State state) {
   return true;
 }
 
-Expression unit(const char* value, const char* name) { return Expression::quantity(value, name); }
-
 /// Four bars with a spring, a damper and a motor.
 Scene four_bar() {
   FourBar bars("four_bar");
   bars.close();
-  bars.scene.spring("spring", bars.c, unit("3", "N m"), unit("1", "1"));
-  bars.scene.damper("damper", bars.b, unit("0.2", "N m s"));
+  bars.scene.spring("spring", bars.c, quantity("3", "N m"), quantity("1", "1"));
+  bars.scene.damper("damper", bars.b, quantity("0.2", "N m s"));
   bars.scene.motor("u", bars.a);
   return bars.scene;
 }
@@ -124,7 +122,7 @@ TEST(ReducedLinearisation, IsTheDerivativeOfTheFlowOfALoop) {
 /// A torque acts on the disc, about its axis and across.
 Scene rolling_disc() {
   RollingDisc it;
-  it.scene.torque("wind", it.disc, {unit("0.1", "N m"), 0, unit("0.3", "N m")}, it.disc);
+  it.scene.torque("wind", it.disc, {quantity("0.1", "N m"), 0, quantity("0.3", "N m")}, it.disc);
   return it.scene;
 }
 
@@ -142,10 +140,10 @@ TEST(Linearisation, AlongAnAttitudeIsTheDerivativeOfTheFlow) {
   const AttitudeHandle e = scene.attitude("e");
   const FrameHandle top = scene.spherical("top", scene.ground(), e);
   scene.body("top", top,
-             Inertia::general({.mass = kilograms("2"), .xx = unit("0.3", "kg m^2"), .yy = unit("0.4", "kg m^2"),
-                               .zz = unit("0.2", "kg m^2")})
+             Inertia::general({.mass = kilograms("2"), .xx = moment("0.3"), .yy = moment("0.4"),
+                               .zz = moment("0.2")})
                  .at({metres("0.1"), metres("0.2"), metres("0.7")}));
-  scene.gravity({0, 0, unit("-9.81", "m/s^2")});
+  scene.gravity({0, 0, quantity("-9.81", "m/s^2")});
   State state;
   const Real norm = sqrt(Real(30));
   state.q = {Real(4) / norm, Real(-3) / norm, Real(1) / norm, Real(2) / norm};
@@ -161,17 +159,17 @@ struct HangingBob : SlidingPoint {
   HangingBob() : SlidingPoint("hanging_bob", "3") {
     const FrameHandle arm = scene.revolute("arm", point, axis::z, q);
     scene.body("bob", arm, Inertia::point(kilograms("2")).at({metres("1.5"), metres("0.2"), 0}));
-    scene.gravity({0, unit("-9.81", "m/s^2"), 0});
+    scene.gravity({0, quantity("-9.81", "m/s^2"), 0});
   }
 };
 
 // A law of time and a nonholonomic law drag it along.
 TEST(ReducedLinearisation, FollowsLawsOfTime) {
   HangingBob it;
-  const Expression metre = metres("1"), speed = unit("1", "m/s"), t = it.scene.time();
-  it.scene.holonomic("curve", it.y - metre * sin(it.x / metre) * cos(unit("2", "1/s") * t));
+  const Expression metre = metres("1"), speed = quantity("1", "m/s"), t = it.scene.time();
+  it.scene.holonomic("curve", it.y - metre * sin(it.x / metre) * cos(quantity("2", "1/s") * t));
   it.scene.nonholonomic(
-      "law", rate(it.x) - speed * cos(it.q) - unit("3", "m/s^2") * t * sin(it.y / metre) - rate(it.q) * metre / 5);
+      "law", rate(it.x) - speed * cos(it.q) - quantity("3", "m/s^2") * t * sin(it.y / metre) - rate(it.q) * metre / 5);
   it.state.time = rational(3, 5);
   EXPECT_TRUE(expect_the_flow(it.scene, it.state));
 }
@@ -183,7 +181,7 @@ TEST(ReducedLinearisation, TakesTheMultipliersOutWhereFrictionWorksWithThem) {
                             {.coefficient = Expression(1) / 5,
                              .body = it.point,
                              .point = it.place,
-                             .direction = {rate(it.x), unit("0.1", "m/s") * it.q + rate(it.y), 0},
+                             .direction = {rate(it.x), quantity("0.1", "m/s") * it.q + rate(it.y), 0},
                              .axes = it.scene.ground()});
   EXPECT_TRUE(expect_the_flow(it.scene, it.state));
 }
@@ -228,7 +226,7 @@ TEST(IndependentFreedoms, AreThoseTheSceneWants) {
       "at the initial configuration; leave it out of independent(...)");
   Scene driven("driven");
   const Expression q = driven.coordinate("q", "rad");
-  driven.drive(q, driven.time() * unit("1", "rad/s"));
+  driven.drive(q, driven.time() * quantity("1", "rad/s"));
   EXPECT_EQ(error_of<SceneError>([&] { driven.independent({q}); }),
             "coordinate 'q' is driven and cannot be independent: name an unknown one");
 }

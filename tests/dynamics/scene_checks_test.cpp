@@ -20,27 +20,25 @@ std::string refusal(const Scene& scene) {
   return error_of([&] { validate(scene); });
 }
 
-Expression unit(const char* value, const char* name) { return Expression::quantity(value, name); }
-
 TEST(LawOfTime, IsRefusedWhenItDependsOnItsOwnCoordinate) {
   Scene scene = pendulum();
   const Expression phi = scene.coordinate("phi", "rad");
   EXPECT_EQ(
-      error_of<SceneError>([&] { scene.drive(phi, sin(phi) + unit("2", "rad/s") * scene.time()); }),
+      error_of<SceneError>([&] { scene.drive(phi, sin(phi) + quantity("2", "rad/s") * scene.time()); }),
       "coordinate 'phi' cannot follow the law (sin(phi) + 2*t): that depends on 'phi' itself; write the law without "
       "'phi', as a formula of time and of coordinates that do not follow it");
-  EXPECT_THROW(scene.drive(phi, rate(phi) * unit("1", "s")), SceneError);
+  EXPECT_THROW(scene.drive(phi, rate(phi) * quantity("1", "s")), SceneError);
 }
 
 TEST(LawOfTime, IsRefusedWhenLawsNameEachOther) {
   Scene scene = pendulum();
   const Expression a = scene.coordinate("a", "rad"), b = scene.coordinate("b", "rad"), c = scene.coordinate("c", "rad");
   scene.drive(a, 2 * b);
-  scene.drive(b, c + unit("1", "rad/s") * scene.time());
+  scene.drive(b, c + quantity("1", "rad/s") * scene.time());
   EXPECT_EQ(error_of<SceneError>([&] { scene.drive(c, -a); }),
             "coordinate 'c' cannot follow the law -a: that depends on 'a', whose law depends on 'b', whose law depends "
             "on 'c' itself; write the law without 'c', as a formula of time and of coordinates that do not follow it");
-  scene.drive(c, unit("3", "rad/s") * scene.time());  // a chain of laws is one of time
+  scene.drive(c, quantity("3", "rad/s") * scene.time());  // a chain of laws is one of time
   scene.body("wheel", scene.revolute("wheel", "arm", axis::z, a), Inertia::disk(kilograms("1"), metres("1"), 2));
   scene.body("second", scene.revolute("second", "arm", axis::z, b + c), Inertia::disk(kilograms("1"), metres("1"), 2));
   EXPECT_EQ(refusal(scene), "no error");
@@ -50,14 +48,14 @@ TEST(InitialAttitude, IsRefusedInAnotherUnit) {
   Scene scene("top");
   const AttitudeHandle e = scene.attitude("e");
   EXPECT_EQ(error_of<UnitError>([&] {
-              scene.initial(e, {1, 0, 0, 0}, {unit("3", "m/s"), 0, 0});
+              scene.initial(e, {1, 0, 0, 0}, {quantity("3", "m/s"), 0, 0});
             }),
             "initial angular velocity of 'e' is given in m s^-1 and must be in s^-1");
   EXPECT_EQ(error_of<UnitError>([&] {
               scene.initial(e, {metres("1"), 0, 0, 0});
             }),
             "initial quaternion of 'e' is given in m and must be in plain numbers");
-  EXPECT_EQ(error_of([&] { scene.initial(e, {2, 1, 0, 0}, {unit("3", "rad/s"), 1, 0}); }), "no error");
+  EXPECT_EQ(error_of([&] { scene.initial(e, {2, 1, 0, 0}, {quantity("3", "rad/s"), 1, 0}); }), "no error");
 }
 
 TEST(ReleasedCoordinate, HasNoInitialValue) {
@@ -72,8 +70,8 @@ TEST(ReleasedCoordinate, HasNoInitialValue) {
 Scene on_a_universal_joint(const Triple& first, const Triple& second) {
   Scene scene("shaft");
   const Expression a = scene.coordinate("a", "rad"), b = scene.coordinate("b", "rad");
-  const Inertia rod = Inertia::general({.mass = kilograms("1"), .xx = unit("1", "kg m^2"), .yy = unit("1.5", "kg m^2"),
-                                        .zz = unit("2", "kg m^2")});
+  const Inertia rod = Inertia::general({.mass = kilograms("1"), .xx = moment("1"), .yy = moment("1.5"),
+                                        .zz = moment("2")});
   scene.body(
       "shaft",
       scene.universal("shaft", scene.ground(), {.first = first, .first_angle = a, .second = second, .second_angle = b}),
@@ -137,8 +135,8 @@ Scene held_lever(JointType type, int start, int placed, bool across) {
   const FrameHandle arm = scene.revolute("arm", lever, axis::x, b);
   scene.body(
       "arm", arm,
-      Inertia::general({.mass = kilograms("1"), .xx = unit("1", "kg m^2"), .yy = unit("1.5", "kg m^2"),
-                        .zz = unit("2", "kg m^2")}));
+      Inertia::general({.mass = kilograms("1"), .xx = moment("1"), .yy = moment("1.5"),
+                        .zz = moment("2")}));
   const FrameHandle end = across ? scene.weld("end", arm, {{}, Rotation::about(1, -6)}) : arm;
   const Rotation turned = Rotation::about(2, placed);
   const FrameHandle seat = scene.weld("seat", scene.ground(), {{}, across ? turned * Rotation::about(1, -6) : turned});

@@ -3,20 +3,15 @@
 
 #include <gtest/gtest.h>
 
-#include "tests/program/test_symbols.hpp"
+#include "tests/geometry/symbolic_vectors.hpp"
 
 namespace torsor::dyad_test {
 namespace {
 
 using namespace testing_symbols;
 
-class Dyad : public ::testing::Test {
+class Dyad : public ::testing::Test, protected SymbolicVectors {
  protected:
-  Vector symbols(const std::string& name, const std::string& unit = "1") {
-    Vector v;
-    for (int i = 0; i < 3; ++i) v[i] = program.lower(make_symbol(name + "xyz"[i], unit));
-    return v;
-  }
   static bool all_zero(const Matrix& m) {
     for (int i = 0; i < 3; ++i) {
       if (!identically_zero(Vector(m(i, 0), m(i, 1), m(i, 2)))) return false;
@@ -24,7 +19,6 @@ class Dyad : public ::testing::Test {
     return true;
   }
 
-  Program program;
   Vector a = symbols("a"), b = symbols("b"), c = symbols("c");
 };
 

@@ -3,25 +3,18 @@
 
 #include <gtest/gtest.h>
 
-#include "tests/program/test_symbols.hpp"
+#include "tests/geometry/symbolic_vectors.hpp"
 
 namespace torsor::vector_division_test {
 namespace {
 
 using namespace testing_symbols;
 
-class VectorDivision : public ::testing::Test {
+class VectorDivision : public ::testing::Test, protected SymbolicVectors {
  protected:
-  Vector symbols(const std::string& name, const std::string& unit = "1") {
-    Vector v;
-    for (int i = 0; i < 3; ++i) v[i] = program.lower(make_symbol(name + "xyz"[i], unit));
-    return v;
-  }
   Vector numbers(int x, int y, int z) {
     return {program.number(Number(x)), program.number(Number(y)), program.number(Number(z))};
   }
-
-  Program program;
 };
 
 TEST_F(VectorDivision, FindsEverySolution) {

@@ -3,25 +3,19 @@
 
 #include <gtest/gtest.h>
 
-#include "tests/program/test_symbols.hpp"
+#include "tests/geometry/symbolic_vectors.hpp"
 
 namespace torsor::vector_test {
 namespace {
 
 using namespace testing_symbols;
 
-class VectorTest : public ::testing::Test {
+class VectorTest : public ::testing::Test, protected SymbolicVectors {
  protected:
-  Vector symbols(const std::string& name, const std::string& unit = "1") {
-    Vector v;
-    for (int i = 0; i < 3; ++i) v[i] = program.lower(make_symbol(name + "xyz"[i], unit));
-    return v;
-  }
   static bool all_zero(const Vector& v) {
     return identically_zero(v[0]) && identically_zero(v[1]) && identically_zero(v[2]);
   }
 
-  Program program;
   Vector a = symbols("a"), b = symbols("b"), c = symbols("c");
 };
 

@@ -6,7 +6,7 @@
 
 #include "generator/base/linear_algebra/real_rows.hpp"
 #include "generator/program/evaluation.hpp"
-#include "tests/program/test_symbols.hpp"
+#include "tests/geometry/symbolic_vectors.hpp"
 
 namespace torsor::joint_screws_test {
 namespace {
@@ -18,14 +18,8 @@ constexpr std::array<JointType, 12> table{
     JointType::cylindrical,  JointType::universal,          JointType::spherical,     JointType::planar,
     JointType::line_contact, JointType::sphere_in_cylinder, JointType::point_contact, JointType::free};
 
-class JointScrews : public ::testing::TestWithParam<JointType> {
+class JointScrews : public ::testing::TestWithParam<JointType>, protected SymbolicVectors {
  protected:
-  Vector symbols(const std::string& name, const std::string& unit) {
-    Vector v;
-    for (int i = 0; i < 3; ++i) v[i] = program.lower(make_symbol(name + "xyz"[i], unit));
-    return v;
-  }
-  Program program;
   Value pitch = program.lower(make_symbol("p", "m")), angle = program.lower(make_symbol("alpha", "rad"));
   Vector ab = symbols("b", "m");
   std::vector<Twist> twists = allowed_twists(program, GetParam(), Vector(), pitch, angle);

@@ -6,7 +6,7 @@
 #include "generator/mechanics/central_axis.hpp"
 #include "generator/mechanics/rigid_motion.hpp"
 #include "generator/mechanics/sliding_vector.hpp"
-#include "tests/program/test_symbols.hpp"
+#include "tests/geometry/symbolic_vectors.hpp"
 
 namespace torsor::screw_test {
 namespace {
@@ -28,18 +28,12 @@ static_assert(!Addable<Twist, Wrench> && !Addable<Wrench, Twist> && !Addable<Wre
 static_assert(!Addable<MomentumScrew, DynamicScrew> && !Addable<MomentumScrew, Wrench>);
 static_assert(Reciprocal<DynamicScrew, Twist> && !Reciprocal<Twist, Twist> && !Reciprocal<DynamicScrew, Wrench>);
 
-class ScrewTest : public ::testing::Test {
+class ScrewTest : public ::testing::Test, protected SymbolicVectors {
  protected:
-  Vector symbols(const std::string& name, const std::string& unit = "1") {
-    Vector v;
-    for (int i = 0; i < 3; ++i) v[i] = program.lower(make_symbol(name + "xyz"[i], unit));
-    return v;
-  }
   Vector numbers(const std::array<Number, 3>& v, const Unit& unit = Unit()) {
     return {program.number(v[0], unit), program.number(v[1], unit), program.number(v[2], unit)};
   }
 
-  Program program;
   Wrench wrench{symbols("R", "N"), symbols("M", "N m")};
   Twist twist{symbols("W", "rad/s"), symbols("V", "m/s")};
   Vector ab = symbols("b", "m"), ac = symbols("c", "m");

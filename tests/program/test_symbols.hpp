@@ -11,6 +11,7 @@
 #include "generator/base/linear_algebra/real_rows.hpp"
 #include "generator/expression/symbol.hpp"
 #include "generator/program/evaluation.hpp"
+#include "tests/base/error_of.hpp"
 
 namespace torsor::testing_symbols {
 
@@ -47,17 +48,6 @@ inline double relative_difference(const Real& x, const Real& y) {
   return (abs(x - y) / size).to_double();
 }
 
-/// The text of the error an action throws; says so when it throws none.
-template <class Expected = Error>
-std::string error_of(const auto& action) {
-  try {
-    action();
-  } catch (const Expected& error) {
-    return error.what();
-  } catch (const std::exception& error) {
-    return std::string("another kind of error: ") + error.what();
-  }
-  return "no error";
-}
+using testing_errors::error_of;
 
 }  // namespace torsor::testing_symbols

@@ -23,6 +23,8 @@ class TemporaryFolder : public testing::Test {
     return text.str();
   }
 
+  std::string path(const std::string& name) const { return (folder / name).string(); }
+
   std::filesystem::path put(const std::string& name, const std::string& text) const {
     std::ofstream(folder / name) << text;
     return folder / name;

@@ -5,7 +5,7 @@
 
 #include <string>
 
-#include "generator/base/error.hpp"
+#include "tests/base/error_of.hpp"
 
 namespace torsor::extrapolation_test {
 namespace {
@@ -15,14 +15,7 @@ using Vector = std::vector<Real>;
 Real decimal(const char* text) { return Real::parse(text, 60); }
 Real place(int digits) { return Real(Number(10).pow(-digits), 60); }
 
-std::string error_of(const auto& action) {
-  try {
-    action();
-  } catch (const Error& error) {
-    return error.what();
-  }
-  return "no error";
-}
+using testing_errors::error_of;
 
 Vector oscillator(const Real&, const Vector& y) { return {y[1], -y[0]}; }
 

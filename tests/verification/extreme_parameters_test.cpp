@@ -212,11 +212,7 @@ void expect_within_bounds(const Mechanism& mechanism, int states) {
   }
 }
 
-ModelOptions by(ForwardMethod method) {
-  ModelOptions options;
-  options.forward = method;
-  return options;
-}
+ModelOptions by(ForwardMethod method) { return {.forward = method}; }
 
 TEST(ExtremeParameters, OfADoublePendulumWithJets) {
   expect_within_bounds({double_pendulum({.second = Angle::of_the_joint, .at_run_time = true}), {}, "", kernels}, 24);

@@ -59,11 +59,7 @@ Scene scene_of(const Chain& chain) {
   return scene;
 }
 
-ModelOptions by(ForwardMethod method) {
-  ModelOptions options;
-  options.forward = method;
-  return options;
-}
+ModelOptions by(ForwardMethod method) { return {.forward = method}; }
 
 /// The worst scaled error of the accelerations, or of another kernel, in double at these many states, with CLN for the
 /// truth.

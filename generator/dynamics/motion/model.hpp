@@ -28,9 +28,9 @@ enum class ForwardMethod {
 struct ModelOptions {
   bool symbolic_parameters = false;       ///< keep every parameter as a symbol (printed equations)
   bool all_run_time = false;              ///< the same for kernels: `--run-time all`
-  std::set<std::string> run_time;         ///< further parameters that stay symbols
+  std::set<std::string> run_time{};       ///< further parameters that stay symbols
   bool hold_released = true;              ///< released coordinates and their rates are zero; off: they are coordinates
-  std::optional<std::set<std::string>> sensitive_to;  ///< parameters of sensitivities; without: those that stay symbols
+  std::optional<std::set<std::string>> sensitive_to{};  ///< parameters of sensitivities; without: those that stay symbols
   ForwardMethod forward = ForwardMethod::cheapest;
   Passes passes{};                        ///< what makes kernels cheap
 };
