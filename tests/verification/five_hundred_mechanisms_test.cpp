@@ -218,10 +218,10 @@ TEST(FiveHundredMechanismsTogether, KeepMomentaThatAreNoConstants) {
   EXPECT_GE(counts.momenta, 30);
 }
 
-// By default every second group of 25, and every seventh for differences, which take most of the time.
+// By default every fourth group of 25, and every tenth for differences, which take most of the time.
 unsigned step(unsigned by_default) { return std::getenv("TORSOR_LONG_TESTS") != nullptr ? 1 : by_default; }
-INSTANTIATE_TEST_SUITE_P(Seeds, FiveHundredMechanisms, ::testing::Range(0U, mechanisms / 25, step(2)));
-INSTANTIATE_TEST_SUITE_P(Seeds, LinearisedMechanisms, ::testing::Range(0U, mechanisms / 25, step(7)));
+INSTANTIATE_TEST_SUITE_P(Seeds, FiveHundredMechanisms, ::testing::Range(0U, mechanisms / 25, step(4)));
+INSTANTIATE_TEST_SUITE_P(Seeds, LinearisedMechanisms, ::testing::Range(0U, mechanisms / 25, step(10)));
 
 }  // namespace
 }  // namespace torsor::five_hundred_mechanisms_test
