@@ -9,7 +9,7 @@ import { Browser } from "./browser.mjs";
 
 const [program, katex, folder, ...scenes] = process.argv.slice(2);
 mkdirSync(folder, { recursive: true });
-const browser = await Browser.start(program);
+const browser = await Browser.start(program, { unseen: true });
 let failed = false;
 
 /// The motion that the scene states meets its reference; another one is not compared with it.

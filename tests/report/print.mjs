@@ -8,7 +8,7 @@ import { Browser } from "./browser.mjs";
 
 const [program, folder, ...scenes] = process.argv.slice(2);
 mkdirSync(folder, { recursive: true });
-const browser = await Browser.start(program);
+const browser = await Browser.start(program, { unseen: true });
 const margin = 0.4, width = Math.floor((8.27 - 2 * margin) * 96);  // inches; of the page's text in CSS pixels
 let failed = false;
 
