@@ -23,12 +23,13 @@ class ContactIteration {
     RegimeEnumeration regimes(problem_);
     // What held in the step before holds in most.
     if (!r_.isZero(0) && regimes.try_from(proposed())) return regimes.finish();
+    mark();
     for (int attempt = 0; attempt < options_.attempts; ++attempt) {
       for (int sweep = 0; sweep < options_.sweeps; ++sweep) {
         if (!(this->sweep() > 1e-15)) break;
       }
       if (!r_.allFinite()) r_.setZero();
-      if (regimes.try_from(proposed())) break;
+      if (regimes.try_from(proposed()) || stagnates()) break;
     }
     return regimes.finish();
   }
@@ -63,6 +64,25 @@ class ContactIteration {
       size = std::max(size, r.cwiseAbs().maxCoeff());
     }
     return size > 0 ? change / size : change;
+  }
+
+  void mark() noexcept {
+    marked_ = r_;
+    since_ = 0;
+  }
+
+  // Whether further sweeps propose nothing new. They are a map of the reactions alone: from where they have been they go the
+  // same way again, which marks at doubled distances notice whatever the length of the cycle (Brent). Reactions that run away
+  // until q is below the rounding of W r are multiplied by that map, and where their direction stays, it stays for ever.
+  bool stagnates() noexcept {
+    if (r_ == marked_) return true;
+    const double size = r_.cwiseAbs().maxCoeff(), before = marked_.cwiseAbs().maxCoeff();
+    const double least = problem_.W.diagonal().maxCoeff() * before, given = problem_.q.cwiseAbs().maxCoeff();
+    if (least * 1e-16 > given && size > 2 * before && (r_ / size - marked_ / before).cwiseAbs().maxCoeff() <= 1e-13) return true;
+    if (++since_ < distance_) return false;
+    distance_ *= 2;
+    mark();
+    return false;
   }
 
   // What the natural map says of each contact at the present reactions.
@@ -109,8 +129,19 @@ class ContactIteration {
 
   const ContactProblem& problem_;
   const ContactSolverOptions options_;
-  ContactVector r_;
+  ContactVector r_, marked_;
+  int since_ = 0, distance_ = 1;  ///< attempts since the mark, and until the next one
 };
+
+// Whether every motion has one of the regimes that are tried one by one: where no direction is sought, which Newton's method
+// may miss. Sweeps propose nothing else.
+bool tries_all(const ContactProblem& problem) noexcept {
+  for (int i = 0; i < problem.count; ++i) {
+    const ContactLaw& law = problem.law(i);
+    if (law.bearing > 0 || (law.tangents == 2 && law.rubs() && !law.slips)) return false;
+  }
+  return true;
+}
 
 }  // namespace
 
@@ -122,7 +153,7 @@ ContactAnswer iterate_contacts(const ContactProblem& problem, const ContactVecto
 ContactAnswer solve_contacts(const ContactProblem& problem, const ContactSolverOptions& options) noexcept {
   if (problem.count <= options.enumerated) {
     ContactAnswer answer = RegimeEnumeration(problem).run();
-    if (answer) return answer;
+    if (answer || tries_all(problem)) return answer;
   }
   return iterate_contacts(problem, ContactVector::Zero(problem.rows()), options);
 }

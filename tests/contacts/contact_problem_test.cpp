@@ -87,6 +87,28 @@ TEST(OneContact, SaysThatForcesOfPainleveDoNotExistOrAreTwo) {
   EXPECT_TRUE(solve_contacts(problem));
 }
 
+// A contact without a solution beside one that has one, three times: sweeps come to a stop, which is seen at once. A thousand
+// million attempts would take days.
+TEST(ManyContacts, SayWithoutEndlessSweepsThatThereIsNoSolution) {
+  ContactProblem problem;
+  problem.count = 6;
+  problem.W = ContactMatrix::Identity(12, 12);
+  problem.q = ContactVector::Zero(12);
+  for (int i = 0; i < problem.count; ++i) {
+    problem.laws[static_cast<std::size_t>(i)] = coulomb(1, 1.5);
+    problem.laws[static_cast<std::size_t>(i)].slips = i % 2 == 0;
+    problem.q(2 * i) = -1;
+    problem.q(2 * i + 1) = 0.3 * i;
+    if (i % 2 == 0) problem.W(2 * i, 2 * i + 1) = problem.W(2 * i + 1, 2 * i) = 0.9;
+  }
+  constexpr ContactSolverOptions patient{.attempts = 1'000'000'000};
+  EXPECT_EQ(solve_contacts(problem, patient).verdict, ContactVerdict::none);
+  EXPECT_EQ(iterate_contacts(problem, ContactVector::Zero(12), patient).verdict, ContactVerdict::none);
+  EXPECT_EQ(iterate_contacts(problem, ContactVector::Ones(12), patient).verdict, ContactVerdict::none);
+  for (int i = 0; i < problem.count; ++i) problem.laws[static_cast<std::size_t>(i)].slips = false;
+  EXPECT_TRUE(iterate_contacts(problem, ContactVector::Zero(12), patient));
+}
+
 TEST(OneContact, StartsToSlideByTheLesserCoefficientAndSaysThatItCouldStick) {
   ContactProblem problem;
   problem.count = 1;
