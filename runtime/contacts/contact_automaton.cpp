@@ -144,7 +144,7 @@ bool ContactAutomaton::begin(double t, Gaps gaps) {
         touching_[as(i)] && (by < 0 || motion_.reading().w(motion_.first_row(by)) <= options_.at_rest);
     set_by_slip(i, options_.at_rest);
   }
-  return decide(-1, Cause::none);
+  return settle(-1) && decide(-1, Cause::none);
 }
 
 // Whether the gap is closed, as near as other contacts ask.
@@ -159,6 +159,7 @@ void ContactAutomaton::set_by_slip(int i, double at_rest) noexcept {
   state.regime = ContactRegime::open;
   state.fastest = 0;
   state.begins = state.fades = false;
+  state.residue = 0;
   if (!state.touches) return;
   state.regime = ContactRegime::slides;
   const int tangents = motion_.rule(i).tangents, t = motion_.tangent_row(i);
@@ -169,6 +170,12 @@ void ContactAutomaton::set_by_slip(int i, double at_rest) noexcept {
     return;
   }
   for (int k = 0; k < tangents; ++k) state.direction[as(k)] = motion_.reading().w(t + k) / length;
+}
+
+// Contacts that stick have no velocity from now on: a slip that begins does so from rest.
+bool ContactAutomaton::settle(int contact) {
+  motion_.changed();
+  return motion_.project(result_.time, y_) == Evaluation::ok || end(ContactStatus::integration_failed, contact);
 }
 
 // The law by which the regime that follows is decided: a slip has its direction, one that begins has none yet.
@@ -221,10 +228,15 @@ bool ContactAutomaton::decide(int forced, Cause cause) {
   for (int i = 0; i < count() && cause == Cause::opens; ++i) {
     if (motion_.carrier(i) == forced) motion_.states[as(i)] = {};
   }
-  for (int k = 0; k < chosen.problem.count; ++k) take_regime(chosen, k, answer.best());
+  PerContact<bool> moved{};  // slips already
+  for (int k = 0; k < chosen.problem.count; ++k) moved[as(k)] = take_regime(chosen, k, answer.best());
   motion_.lean_on(chosen.spread(answer.best().r, motion_.rows()));
-  motion_.changed();
-  if (motion_.project(result_.time, y_) != Evaluation::ok) return end(ContactStatus::integration_failed, forced);
+  if (!settle(forced)) return false;
+  for (int k = 0; k < chosen.problem.count; ++k) {
+    const int i = chosen.who[as(k)];
+    ContactState& state = motion_.states[as(i)];
+    if (state.begins && !moved[as(k)]) state.residue = motion_.slip_speed(i);
+  }
   note_regularity();
   return true;
 }
@@ -241,7 +253,17 @@ bool ContactAutomaton::pass_singular() {
   return end(ContactStatus::jams, motion_.busiest_slip());
 }
 
-void ContactAutomaton::take_regime(const ContactSelection& chosen, int k, const ContactSolution& s) {
+// Where masses are far apart rounding of forces that have grown a thousand times and more may stop the steps before.
+bool ContactAutomaton::jams_nearly(double t, std::span<const double> y) {
+  if (motion_.solve(t, y) != Evaluation::ok) return false;
+  const int contact = motion_.busiest_slip();
+  if (contact < 0 || !(side_ * motion_.regularity() < 1e-3)) return false;
+  end(ContactStatus::jams, contact);
+  return true;
+}
+
+// Whether the contact slips as it did before.
+bool ContactAutomaton::take_regime(const ContactSelection& chosen, int k, const ContactSolution& s) {
   const ContactProblem& problem = chosen.problem;
   const ContactLaw& law = problem.law(k);
   const int i = chosen.who[as(k)], by = motion_.carrier(i);
@@ -252,11 +274,11 @@ void ContactAutomaton::take_regime(const ContactSelection& chosen, int k, const 
   const bool opens = law.normal ? s.u(n) > none : by >= 0 && !motion_.states[as(by)].touches;
   if (opens) {
     state = {};
-    return;
+    return false;
   }
   if (law.bearing > 0) motion_.press_along(i, problem.bearing(k, s.r));
   state.idle = law.normal && s.r(n) * problem.W(n, n) <= none;
-  const bool slid = law.slips && state.regime == ContactRegime::slides && !state.begins;
+  const bool moved = law.slips && state.regime == ContactRegime::slides, slid = moved && !state.begins;
   if (!slid) {
     state.fastest = 0;
     state.fades = false;
@@ -278,9 +300,11 @@ void ContactAutomaton::take_regime(const ContactSelection& chosen, int k, const 
     const double length = length_of(against);
     for (int j = 0; j < law.tangents && length > 0; ++j) state.direction[as(j)] = against(t + j) / length;
   }
+  // One that stuck has a slip from now on: what it has of a velocity, however small, has no direction of its own.
   state.begins = state.regime == ContactRegime::slides && !slid && law.tangents > 0 &&
-                 motion_.slip(i) <= 1e4 * motion_.least_slip(i);
+                 (!moved || motion_.slip(i) <= 1e4 * motion_.least_slip(i));
   if (state.begins) state.begun = result_.time;
+  if (!moved) state.residue = 0;
   // N, or what is left of the bound of T, that is zero to rounding may fall from there.
   const double force = s.r.cwiseAbs().maxCoeff();
   double left = law.normal ? s.r(n) : force;
@@ -288,6 +312,7 @@ void ContactAutomaton::take_regime(const ContactSelection& chosen, int k, const 
     left = std::min(left, law.static_friction * problem.pressing(k, s.r) + law.static_bound - length_of(s.r));
   }
   state.force_slack = left <= 1e-10 * force ? 4e-12 * force : 0;
+  return moved;
 }
 
 bool ContactAutomaton::pass(std::size_t index, double t, std::span<double> y) {
@@ -355,8 +380,7 @@ bool ContactAutomaton::end_slips(int contact) {
       state.regime = ContactRegime::sticks;  // or whatever the laws say from rest
       state.begins = state.fades = false;
     }
-    motion_.changed();
-    if (motion_.project(result_.time, y_) != Evaluation::ok) return end(ContactStatus::integration_failed, contact);
+    if (!settle(contact)) return false;
     more = false;
     for (int i = 0; i < count(); ++i) {
       const ContactState& state = motion_.states[as(i)];

@@ -37,6 +37,8 @@ class ContactAutomaton {
   /// Whether what a step lost sight of ends there: a gap that falls and is zero to rounding, after a flight too short to
   /// be followed; or a slip near its end, smaller than what the method's errors leave of it.
   [[nodiscard]] bool ends_unfollowed(std::size_t index, double t, std::span<const double> y);
+  /// Whether steps that fell below the resolution of time did so because slips jam: then the motion ends with `jams`.
+  [[nodiscard]] bool jams_nearly(double t, std::span<const double> y);
   /// A smooth piece has ended at a guard, at this time: the regimes that follow. False where the motion ends.
   bool pass(std::size_t index, double t, std::span<double> y);
   /// Whether that was an event that the observer is told of.
@@ -70,9 +72,10 @@ class ContactAutomaton {
   bool begin(double t, Gaps gaps);
   [[nodiscard]] bool near(int i) const noexcept;
   void set_by_slip(int i, double at_rest) noexcept;
+  bool settle(int contact);
   bool decide(int forced, Cause cause);
   [[nodiscard]] ContactLaw law_after(int i, int forced, Cause cause) const noexcept;
-  void take_regime(const ContactSelection& chosen, int k, const ContactSolution& solution);
+  bool take_regime(const ContactSelection& chosen, int k, const ContactSolution& solution);
   [[nodiscard]] double end_of_bounces(int i, double speed, double a) const noexcept;
   [[nodiscard]] bool accumulating(int i) const noexcept;
   bool collide(int cause, bool rests, ImpactLaw impact_law);

@@ -49,15 +49,15 @@ bool ContactDynamics::respond(const ContactReading& reading) {
   KJ = reading.J.transpose();
   mass_.solveInPlace(KJ);
   if (reading.A.rows() > 0) {
-    AKJ_.noalias() = reading.A * KJ;
-    schur_.solveInPlace(AKJ_);
-    KJ.noalias() -= Y_ * AKJ_;
+    AKJ.noalias() = reading.A * KJ;
+    schur_.solveInPlace(AKJ);
+    KJ.noalias() -= Y_ * AKJ;
   }
   W.noalias() = reading.J * KJ;
   if (reading.R0.size() > 0) {
     S = reading.C;
     S.noalias() += reading.B * KJ;
-    if (reading.A.rows() > 0) S.noalias() -= reading.D * AKJ_;
+    if (reading.A.rows() > 0) S.noalias() -= reading.D * AKJ;
   }
   return W.allFinite();
 }

@@ -22,12 +22,13 @@ class ContactDynamics {
   Eigen::VectorXd closing, closing_rate;
   Eigen::MatrixXd KJ;       ///< K J^T
   Eigen::MatrixXd W;        ///< Delassus' matrix J K J^T
+  Eigen::MatrixXd AKJ;      ///< (A M^-1 A^T)^-1 A M^-1 J^T: what closing a rate of the loops does to the rows of J
   Eigen::MatrixXd S;        ///< reactions of joints are R = S r + R_free
   Eigen::VectorXd R_free;
 
  private:
   Eigen::LLT<Eigen::MatrixXd> mass_, schur_;
-  Eigen::MatrixXd Y_, S_, AKJ_;  ///< M^-1 A^T, A M^-1 A^T, and what is left of A M^-1 J^T
+  Eigen::MatrixXd Y_, S_;  ///< M^-1 A^T and A M^-1 A^T
   Eigen::VectorXd right_, lambda_;  ///< λ without reactions of contacts
 };
 

@@ -53,13 +53,14 @@ bool ContactAutomaton::collide(int cause, bool rests, ImpactLaw impact_law) {
     restitution[as(chosen.problem.count)] = rests && accumulating(i) ? 0 : motion_.rule(i).restitution;
     chosen.add(i, law, motion_.first_row(i), motion_.first_bearing(i));
   }
+  const Eigen::MatrixXd& W = motion_.W();
   ContactVector before = motion_.reading().w;
   for (int k = 0; k < chosen.problem.count; ++k) {
     const int n = motion_.first_row(chosen.who[as(k)]);
     // One that rests does not strike by what rounding leaves of its velocity.
     if (chosen.problem.law(k).normal && std::abs(before(n)) <= 64 * motion_.rounding_of(n)) before(n) = 0;
   }
-  chosen.fill(motion_.W(), before, motion_.dynamics().S, Eigen::VectorXd::Zero(motion_.first_bearing(count())));
+  chosen.fill(W, before, motion_.dynamics().S, Eigen::VectorXd::Zero(motion_.first_bearing(count())));
   const ContactProblem& problem = chosen.problem;
   const ImpactResult shock = impact(problem, restitution, impact_law);
   result_.verdict = shock.verdict;
@@ -99,8 +100,7 @@ bool ContactAutomaton::collide(int cause, bool rests, ImpactLaw impact_law) {
   }
   if (rests) {
     // That velocity leaves with it what slip it makes of contacts that do not stick.
-    motion_.changed();
-    if (motion_.project(result_.time, y_) != Evaluation::ok) return end(ContactStatus::integration_failed, cause);
+    if (!settle(cause)) return false;
     for (int k = 0; k < problem.count; ++k) {
       const int i = chosen.who[as(k)];
       if (motion_.carrier(i) >= 0 && !shock.sticks[as(k)]) set_by_slip(i, 64 * rounding[as(i)]);
@@ -111,7 +111,7 @@ bool ContactAutomaton::collide(int cause, bool rests, ImpactLaw impact_law) {
     motion_.states[as(i)].touches = true;
     set_by_slip(i, held[as(i)] ? std::numeric_limits<double>::infinity() : 64 * rounding[as(i)]);
   }
-  return decide(-1, Cause::none);
+  return settle(cause) && decide(-1, Cause::none);
 }
 
 // A gap has fallen to zero: an impact, or the last one of bounces that accumulate.

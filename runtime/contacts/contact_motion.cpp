@@ -33,6 +33,7 @@ ContactMotion::ContactMotion(const ContactMechanism& mechanism) : mechanism_(mec
   held_ = r_;
   there_.resize(static_cast<std::size_t>(sizes_.coordinates + sizes_.velocities));
   y_ = there_;
+  loops_.setZero(sizes_.constraints);
   rates_.resize(static_cast<std::size_t>(sizes_.coordinates));
 }
 
@@ -129,11 +130,18 @@ bool ContactMotion::read(double t, std::span<const double> y) {
   if (mechanism_.read(t, y, reading_) != Evaluation::ok || !dynamics_.compute(reading_)) return false;
   t_ = t;
   std::copy_n(y.begin(), y_.size(), y_.begin());
+  // Rounding of rows asks for what loops do to them.
+  if (sizes_.constraints > 0 && any_touches() && !respond()) return false;
   return known_ = true;
 }
 
 bool ContactMotion::respond() {
-  if (!responded_) responded_ = dynamics_.respond(reading_);
+  if (responded_) return true;
+  responded_ = dynamics_.respond(reading_);
+  for (Eigen::Index k = 0; k < reading_.A.rows(); ++k) {
+    loops_(k) = 0;
+    for (int j = 0; j < sizes_.velocities; ++j) loops_(k) += std::abs(reading_.A(k, j) * y_[as(sizes_.coordinates + j)]);
+  }
   return responded_;
 }
 
@@ -306,7 +314,8 @@ double ContactMotion::slip_speed(int i) const noexcept {
 }
 
 double ContactMotion::least_slip(int i) const noexcept {
-  double largest = 0;
+  // Velocities that have been put to zero again and again have roundings far below what is left of them.
+  double largest = at(i).residue;
   for (int k = 0; k < rule(i).tangents; ++k) largest = std::max(largest, rounding_of(tangent_row(i) + k));
   return 256 * largest;
 }
@@ -359,6 +368,8 @@ double ContactMotion::friction_force(int i) const noexcept {
 double ContactMotion::rounding_of(int row) const noexcept {
   double sum = 0;
   for (int j = 0; j < sizes_.velocities; ++j) sum += std::abs(reading_.J(row, j) * y_[as(sizes_.coordinates + j)]);
+  // The rounding of a loop's rate, which moves all bodies of the loop when it is taken away.
+  for (Eigen::Index k = 0; responded_ && k < reading_.A.rows(); ++k) sum += std::abs(dynamics_.AKJ(k, row)) * loops_(k);
   return std::numeric_limits<double>::epsilon() * (sum + std::abs(reading_.w(row)));
 }
 

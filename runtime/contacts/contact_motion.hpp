@@ -155,6 +155,7 @@ class ContactMotion {
   ContactReading reading_, later_reading_;
   ContactDynamics dynamics_, later_dynamics_;
   Eigen::VectorXd a_, change_;
+  Eigen::VectorXd loops_;  ///< the terms of the rates of loops
   ContactVector r_, right_, held_;
   PerContact<double> across_{}, lag_{};  ///< s κ and the angle of lag of slips that begin
   PerContact<bool> stiff_{}, undetermined_{};

@@ -14,6 +14,7 @@ struct ContactState {
   double fastest = 0;                     ///< the largest slip since it slides [m/s]
   bool begins = false;                    ///< its slip has just begun: the direction follows from forces
   double begun = 0;                       ///< when [s]
+  double residue = 0;                     ///< what was left of w_T then, an error whatever its size [m/s]
   bool fades = false;                     ///< its slip has been near its end, and is followed through it
   bool idle = false;      ///< it neither presses nor opens, to rounding: closed until N is negative beyond that
   double force_slack = 0;                 ///< [N] it was decided with N, or what is left of its bound, zero to rounding

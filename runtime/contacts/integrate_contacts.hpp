@@ -110,6 +110,7 @@ class ContactRun {
     const bool here = piece.status == EventStatus::guard_not_followed &&
                       automaton_.ends_unfollowed(piece.guard, piece.time, y_);
     if (piece.status != EventStatus::stopped_at_event && !here) {
+      if (piece.integration.status == IntegrationStatus::step_too_small && automaton_.jams_nearly(piece.time, y_)) return false;
       const bool of_a_guard = piece.status == EventStatus::guard_not_followed || piece.status == EventStatus::beyond_barrier;
       const auto contact = static_cast<int>(piece.guard / ContactAutomaton::guards);
       const bool of_a_contact = of_a_guard && contact < automaton_.motion().count();

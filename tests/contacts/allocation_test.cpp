@@ -9,6 +9,7 @@
 #include <new>
 
 #include "runtime/contacts/moreau_jean.hpp"
+#include "tests/contacts/rod_over_table.hpp"
 #include "tests/contacts/simple_systems.hpp"
 
 namespace {
@@ -99,6 +100,13 @@ TEST(ContactAllocations, AreNoneInStepsOfABlockThatIsPushedRound) {
   };
   const Events events = expect_none(block, std::array<double, 6>{}, 20'000);
   EXPECT_GT(events.slips, 20);
+}
+
+// A closed loop, two contacts with two tangents each, which stick and slide in turn.
+TEST(ContactAllocations, AreNoneInStepsOfALoopOnAShakenTable) {
+  const rod_over_table::Rod rod;
+  const Events events = expect_none(rod, rod.above(0.3), 1'000);
+  EXPECT_GT(events.slips, 10);
 }
 
 TEST(ContactAllocations, AreNoneInStepsOfEqualLength) {
