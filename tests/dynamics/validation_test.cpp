@@ -58,6 +58,15 @@ TEST(Validation, NamesTheBodyThatHasNoInertiaAboutItsAxis) {
             "give a mass, or drive the coordinate by a law of time");
 }
 
+TEST(Validation, NamesTheBodyWhoseMassLiesOnItsAxis) {
+  Scene scene = pendulum();
+  const FrameHandle wheel = scene.revolute("wheel", "arm", axis::z, scene.coordinate("phi", "rad"));
+  scene.body("wheel", wheel, Inertia::point(Expression::quantity("1", "kg")).at({0, 0, Expression::quantity("1", "m")}));
+  EXPECT_EQ(refusal(scene),
+            "coordinate 'phi' must accelerate but has no inertia: it moves body 'wheel' whose mass lies on the axis; give a "
+            "moment of inertia about it, or drive the coordinate by a law of time");
+}
+
 TEST(Validation, NamesARedundantCoordinate) {
   Scene scene("redundant");
   const Expression x = scene.coordinate("x", "m");

@@ -76,17 +76,24 @@ void check_joints(const Model& model) {
 }
 
 /// Frames that move with a coordinate, and what is attached to them, for the message about missing mass.
-std::string moved_by(const Model& model, int coordinate) {
+std::vector<const BodyContent*> bodies_moved_by(const Model& model, int coordinate) {
   std::vector<bool> moved(model.links().size(), false);
-  std::string bodies;
   for (std::size_t k = 1; k < moved.size(); ++k) {
     const Link& link = model.links()[k];
     moved[k] = moved[static_cast<std::size_t>(link.parent)];
     for (const auto& [i, partial] : link.partials) moved[k] = moved[k] || i == coordinate;
   }
+  std::vector<const BodyContent*> bodies;
   for (const BodyContent& body : model.scene().bodies) {
-    if (!moved[static_cast<std::size_t>(model.place(body.frame, body.name).link)]) continue;
-    bodies += (bodies.empty() ? "body '" : ", '") + body.name + "'";
+    if (moved[static_cast<std::size_t>(model.place(body.frame, body.name).link)]) bodies.push_back(&body);
+  }
+  return bodies;
+}
+
+std::string moved_by(const Model& model, int coordinate) {
+  std::string bodies;
+  for (const BodyContent* body : bodies_moved_by(model, coordinate)) {
+    bodies += (bodies.empty() ? "body '" : ", '") + body->name + "'";
   }
   return bodies.empty() ? "frames without any body" : bodies;
 }
@@ -132,9 +139,15 @@ void check_masses(const Equations& equations) {
   const std::size_t n = mass.size();
   for (std::size_t i = 0; i < n; ++i) {
     if (!std::all_of(mass[i].begin(), mass[i].end(), [](const Value& m) { return identically_zero(m); })) continue;
-    throw SceneError(fmt::format("coordinate '{}' must accelerate but has no inertia: it moves {} with zero mass; give "
-                                 "a mass, or drive the coordinate by a law of time",
-                                 model.coordinates()[i].q->name, moved_by(model, static_cast<int>(i))));
+    const auto bodies = bodies_moved_by(model, static_cast<int>(i));
+    const bool on_axis = std::any_of(bodies.begin(), bodies.end(), [&](const BodyContent* body) {
+      return !identically_zero(model.program().lower(body->inertia.mass));
+    });
+    throw SceneError(fmt::format("coordinate '{}' must accelerate but has no inertia: it moves {} {}, or drive the "
+                                 "coordinate by a law of time",
+                                 model.coordinates()[i].q->name, moved_by(model, static_cast<int>(i)),
+                                 on_axis ? "whose mass lies on the axis; give a moment of inertia about it"
+                                         : "with zero mass; give a mass"));
   }
   const std::size_t k = regular_pivots(equations);
   if (k == n) return;
