@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "generator/cli/kernel_options.hpp"
 
+#include <cmath>
 #include <algorithm>
 
 #include <fmt/format.h>
@@ -102,7 +103,9 @@ void add_numbers(CLI::App& command, const std::string& option, NamedNumbers& num
               if (equals == std::string::npos || !CLI::detail::lexical_cast(assignment.substr(equals + 1), value)) {
                 throw UsageError(fmt::format("{} takes NAME=NUMBER, e.g. theta=0.5, and got '{}'", option, assignment));
               }
-              numbers[assignment.substr(0, equals)] = value;
+              const std::string name = assignment.substr(0, equals);
+              if (!std::isfinite(value)) throw UsageError(fmt::format("{} {} is not a finite number", option, name));
+              numbers[name] = value;
             }
           },
           text)

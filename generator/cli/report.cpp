@@ -95,9 +95,9 @@ Motion recorded_motion(const Scene& scene, const ReportOptions& options) {
   try {
     motion.recording = report_recording(scene, options);
     motion.module = module_as_object(emit_javascript(lower_mechanism(scene, {"energy", "first_integrals", "poses"}, options.model)));
-  } catch (const UsageError&) {
-    throw;  // a name that the scene does not have
   } catch (const Error& error) {
+    const bool asked = !options.initial.empty() || !options.inputs.empty();  // for names that the scene may not have
+    if (asked && dynamic_cast<const UsageError*>(&error) != nullptr) throw;
     motion.recording.clear();
     motion.remark = error.what();
   }

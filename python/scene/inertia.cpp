@@ -36,7 +36,7 @@ void bind_rotations(py::module_& module) {
 
 /// 0, 1 or 2, or a unit vector along an axis of the frame, as joints take it.
 int axis_number(const py::object& axis) {
-  if (py::isinstance<py::int_>(axis)) return axis.cast<int>();
+  if (PyIndex_Check(axis.ptr()) != 0) return axis.cast<int>();
   if (py::isinstance<py::sequence>(axis) && py::len(axis) == 3) {
     const py::sequence parts(axis);
     for (int i = 0; i < 3; ++i) {

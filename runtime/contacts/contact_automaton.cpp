@@ -243,7 +243,9 @@ bool ContactAutomaton::decide(int forced, Cause cause) {
 
 // On which side of zero the regimes that begin are.
 void ContactAutomaton::note_regularity() {
-  side_ = motion_.solve(result_.time, y_) == Evaluation::ok && motion_.regularity() < 0 ? -1 : 1;
+  const bool known = motion_.solve(result_.time, y_) == Evaluation::ok;
+  side_ = known && motion_.regularity() < 0 ? -1 : 1;
+  began_regular_ = known ? std::abs(motion_.regularity()) : 1;
 }
 
 // The equations of the present regimes have become singular, to eight digits: beyond, steps shrink without end. Many
@@ -253,11 +255,12 @@ bool ContactAutomaton::pass_singular() {
   return end(ContactStatus::jams, motion_.busiest_slip());
 }
 
-// Where masses are far apart rounding of forces that have grown a thousand times and more may stop the steps before.
+// Where masses are far apart, rounding of forces that have grown a thousand times since the regimes began may stop the steps
+// before the determinant is so small.
 bool ContactAutomaton::jams_nearly(double t, std::span<const double> y) {
   if (motion_.solve(t, y) != Evaluation::ok) return false;
   const int contact = motion_.busiest_slip();
-  if (contact < 0 || !(side_ * motion_.regularity() < 1e-3)) return false;
+  if (contact < 0 || !(side_ * motion_.regularity() < 1e-3 * began_regular_)) return false;
   end(ContactStatus::jams, contact);
   return true;
 }

@@ -99,6 +99,7 @@ class ContactAutomaton {
   PerContact<bool> ends_too_{};  ///< contacts whose slip has ended with that of `contact_`, to be told of
   AccumulationWatch<double> all_{};
   double side_ = 1;  ///< of zero, on which the regularity of the present regimes began
+  double began_regular_ = 1;  ///< its size there
   double fastest_ = 0;  ///< the largest terms of a normal acceleration at recent events
   std::int64_t impact_number_ = 0;
   bool alone_ = false;  ///< the accumulation is that of one contact, `cause_`

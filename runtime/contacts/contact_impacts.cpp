@@ -53,7 +53,7 @@ bool ContactAutomaton::collide(int cause, bool rests, ImpactLaw impact_law) {
     restitution[as(chosen.problem.count)] = rests && accumulating(i) ? 0 : motion_.rule(i).restitution;
     chosen.add(i, law, motion_.first_row(i), motion_.first_bearing(i));
   }
-  const Eigen::MatrixXd& W = motion_.W();
+  const Eigen::MatrixXd& W = motion_.W();  // asked for first: `rounding_of` takes what loops answer from it
   ContactVector before = motion_.reading().w;
   for (int k = 0; k < chosen.problem.count; ++k) {
     const int n = motion_.first_row(chosen.who[as(k)]);

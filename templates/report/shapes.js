@@ -193,7 +193,10 @@ class Picture {
     if (all.length === 0) return target;
     const far = ({ place }) => length(add(place, target, -1));
     const middle = (some) => scaled(some.reduce((sum, { place }) => add(sum, place), [0, 0, 0]), 1 / some.length);
-    const fit = (some) => some.every(({ place, bulk }) => length(add(place, middle(some), -1)) + bulk <= 1.05 * reach);
+    const fit = (some) => {
+      const centre = middle(some);
+      return some.every(({ place, bulk }) => length(add(place, centre, -1)) + bulk <= 1.05 * reach);
+    };
     // Bodies that part do not fit the picture: those that are nearest stay in it.
     const seen = all.sort((a, b) => far(a) - far(b)).reduce((some, each) => (some.length === 0 || fit([...some, each]) ? [...some, each] : some), []);
     const beyond = Math.max(...seen.map((each) => far(each) + each.bulk)) - 1.05 * reach;

@@ -202,6 +202,7 @@ TEST(ContactExchange, BeginsAgainBelowTheFloor) {
   EXPECT_FALSE(rises.began());
   ASSERT_TRUE(falls.unit().start(0, falls.state(), true));
   EXPECT_EQ(falls.state()[1], 1.0);  // of e = 0.5
+  EXPECT_NEAR(falls.state()[0], 0, 1e-15);  // put on the floor, from a millimetre below
   ASSERT_TRUE(rises.unit().start(0, rises.state(), true));
   EXPECT_EQ(rises.state(), (std::array<double, 2>{-1e-3, 2.0}));
   for (Importer<decltype(ball(0.5))>* importer : {&falls, &rises}) {

@@ -13,6 +13,7 @@ export class Browser {
     browser.folder = mkdtempSync(join(tmpdir(), "torsor-browser-"));
     browser.process = spawn(program, [
       "--headless=new", "--no-sandbox", "--disable-dev-shm-usage", "--use-gl=angle", "--use-angle=swiftshader",
+      // A page of which nobody sees a window would wait behind all other work of the machine.
       "--enable-unsafe-swiftshader", "--disable-renderer-backgrounding", "--disable-backgrounding-occluded-windows", "--disable-background-networking", "--disable-component-update", "--no-first-run",
       `--window-size=${width},${height}`, `--user-data-dir=${browser.folder}`, "--remote-debugging-pipe",
       ...(unseen ? ["--disable-gpu-compositing"] : []), "about:blank",
@@ -65,12 +66,12 @@ export class Browser {
     throw new Error(`${file} did not load within 120 s`);
   }
 
-  /// Waits until a report has integrated its motion, if it has one, but not for longer.
+  /// Waits until a report has integrated its motion, but not for longer: whether it has, or has none.
   async moved(seconds = 600) {
-    await this.evaluate(`new Promise((done) => {
-      setTimeout(done, ${1000 * seconds}, 0);
+    return this.evaluate(`new Promise((done) => {
+      setTimeout(done, ${1000 * seconds}, false);
       const until = Number(document.getElementById("until")?.value ?? 0), motion = () => window.torsorReport?.current;
-      const wait = () => (!motion() || motion().time >= until - 1e-9 || motion().status !== "ok" ? done(0) : setTimeout(wait, 50));
+      const wait = () => (!motion() || motion().time >= until - 1e-9 || motion().status !== "ok" ? done(true) : setTimeout(wait, 50));
       wait();
     })`);
   }

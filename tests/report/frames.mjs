@@ -22,7 +22,7 @@ for (const scene of scenes) {
   const [tool, ...files] = scene.split(" "), name = basename(files.find((each) => !each.startsWith("-")) ?? tool), file = join(folder, `${name}.html`);
   execFileSync(tool, ["report", ...files, "--output", file], { stdio: ["ignore", "ignore", "ignore"] });
   await browser.open(file);
-  await browser.moved();
+  if (!(await browser.moved())) throw new Error(`${name}: the motion is not known after ten minutes`);
   const before = await processorTime();
   const [frames, seconds, bodies] = await browser.evaluate(`new Promise((done) => {
     const time = document.getElementById("time"), play = document.getElementById("play"), begin = performance.now();

@@ -75,7 +75,7 @@ void check_joints(const Model& model) {
   }
 }
 
-/// Frames that move with a coordinate, and what is attached to them, for the message about missing mass.
+/// Bodies on frames that move with a coordinate.
 std::vector<const BodyContent*> bodies_moved_by(const Model& model, int coordinate) {
   std::vector<bool> moved(model.links().size(), false);
   for (std::size_t k = 1; k < moved.size(); ++k) {
@@ -90,6 +90,7 @@ std::vector<const BodyContent*> bodies_moved_by(const Model& model, int coordina
   return bodies;
 }
 
+/// The same for the message about missing mass.
 std::string moved_by(const Model& model, int coordinate) {
   std::string bodies;
   for (const BodyContent* body : bodies_moved_by(model, coordinate)) {
