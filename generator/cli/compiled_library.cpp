@@ -48,6 +48,7 @@ std::string eigen_version() {
 /// Compiles the first of the sources, which includes the others. `user` is for the message.
 void compile(const Compiler& compiler, const Words& options, const Words& objects,
              const std::vector<SourceFile>& sources, const std::string& user, const fs::path& target) {
+  tell_of_compiling(user, compiler);
   const TemporaryFolder folder(target.parent_path(), target.stem().string() + "-");
   for (const SourceFile& source : sources) {
     const fs::path path = folder.path() / source.path;

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "generator/cli/compiler.hpp"
 
+#include <unistd.h>
+
+#include <cstdio>
 #include <cstdlib>
 #include <fstream>
 #include <iterator>
@@ -11,6 +14,7 @@
 #include <fmt/ranges.h>
 
 #include "generator/base/error.hpp"
+#include "generator/base/printable.hpp"
 #include "generator/base/process.hpp"
 
 #ifndef TORSOR_EIGEN_DIR
@@ -64,6 +68,12 @@ std::string predefined_macros(const Compiler& compiler, const std::vector<std::s
                                 compiler_errors(said.output)));
   }
   return std::move(said.output);
+}
+
+void tell_of_compiling(const std::string& what, const Compiler& compiler) {
+  if (isatty(STDERR_FILENO) == 0) return;
+  const std::string text = fmt::format("compiling {} by {} (kept for the next time)", what, fmt::join(compiler.words, " "));
+  std::fprintf(stderr, "%s\n", printable(text).c_str());
 }
 
 std::string compiled_bytes(const std::string& path) {

@@ -29,6 +29,9 @@ std::string eigen_remedy(const std::string& output);
 /// What it predefines with these flags, one "#define NAME VALUE" a line. Throws FileError where it does not run.
 std::string predefined_macros(const Compiler& compiler, const std::vector<std::string>& flags);
 
+/// Says on the standard error what is compiled, where a person looks at it and would else wait in silence.
+void tell_of_compiling(const std::string& what, const Compiler& compiler);
+
 /// The bytes of what it made. Throws FileError where they cannot be read.
 std::string compiled_bytes(const std::string& path);
 

@@ -189,7 +189,10 @@ std::string scene_file_program(const std::string& path) {
   }
   const fs::path program = cache_folder() / fmt::format("scene-{:016x}", key.value());
   const fs::path record = program.string() + ".inputs";
-  if (!fs::exists(program) || !inputs_are_those_of(record)) build(whole.string(), program, record);
+  if (!fs::exists(program) || !inputs_are_those_of(record)) {
+    tell_of_compiling(path, compiler);
+    build(whole.string(), program, record);
+  }
   return program.string();
 }
 

@@ -6,6 +6,7 @@ from __future__ import annotations
 import os
 import shutil
 import subprocess
+import warnings
 from typing import Any, Iterable, Sequence
 
 from ._mechanism import Mechanism
@@ -14,11 +15,11 @@ class LoadError(RuntimeError):
     """The program torsor, or a compiler, refuses a file; its own words."""
 
 
-def _run(command: Sequence[str]) -> str:
+def _run(command: Sequence[str]) -> subprocess.CompletedProcess[str]:
     done = subprocess.run(list(command), capture_output=True, text=True, check=False)
     if done.returncode != 0:
         raise LoadError(done.stderr.strip() or done.stdout.strip() or f"{command[0]} fails: {done.returncode}")
-    return done.stdout
+    return done
 
 
 def tool() -> str:
@@ -40,7 +41,15 @@ class Source:
         self._start, self._target = tool(), [os.path.abspath(path), *options]
 
     def run(self, command: str, *arguments: str) -> str:
-        return _run([self._start, command, *self._target, *arguments])
+        return _run([self._start, command, *self._target, *arguments]).stdout
+
+    def build(self, *arguments: str) -> str:
+        """The path of the library. Notes, such as parts of a file that do not act, become warnings."""
+        built = _run([self._start, "build", *self._target, *arguments])
+        for line in built.stderr.splitlines():
+            if line.startswith("note: "):
+                warnings.warn(line.removeprefix("note: "), stacklevel=3)  # where load() was called
+        return built.stdout
 
 
 def load(path: Any, *, kernels: Iterable[str] | str = "all", run_time: Iterable[str] | str = (),
@@ -52,8 +61,8 @@ def load(path: Any, *, kernels: Iterable[str] | str = "all", run_time: Iterable[
     options: further ones of `torsor build`, e.g. ("--base", "floating").
 
     The first call compiles, which takes from seconds to minutes; later ones find the library in the cache.
-    Raises LoadError with what torsor or the compiler say, FileNotFoundError where file or program are missing; for a
-    Scene its own errors.
+    What a file says in vain is told by warnings. Raises LoadError with what torsor or the compiler say,
+    FileNotFoundError where file or program are missing; for a Scene its own errors.
     """
     source = path if hasattr(path, "equations") else Source(os.fspath(path), options)
     words = ["--kernels", kernels if isinstance(kernels, str) else ",".join(kernels)]
@@ -65,5 +74,5 @@ def load(path: Any, *, kernels: Iterable[str] | str = "all", run_time: Iterable[
     if flags is not None:
         words.append(f"--flags={flags}")
     if source is path:
-        words += options
-    return Mechanism(source.run("build", *words).strip(), source)
+        return Mechanism(source.run("build", *words, *options).strip(), source)
+    return Mechanism(source.build(*words).strip(), source)

@@ -50,3 +50,13 @@ def test_says_what_the_compiler_says(tmp_path, monkeypatch):
         torsor.load(tmp_path / "rod.cpp")
     with pytest.raises(FileNotFoundError):
         torsor.load(os.path.join(tmp_path, "nothing.cpp"))
+
+
+def test_warns_of_what_a_file_says_in_vain(tmp_path):
+    """What the program notes on its standard error reaches who calls from Python, at the call's own line."""
+    (tmp_path / "rod.urdf").write_text("""<robot name="rod"><link name="base"/><link name="rod"><inertial><origin xyz="0 0 1"/>
+      <mass value="1"/><inertia ixx="1" iyy="1" izz="1" ixy="0" ixz="0" iyz="0"/></inertial></link>
+      <joint name="hinge" type="continuous"><parent link="base"/><child link="rod"/><axis xyz="1 0 0"/></joint><thing/></robot>""")
+    with pytest.warns(UserWarning, match="<thing> in <robot> is not read") as told:
+        torsor.load(tmp_path / "rod.urdf", kernels=["energy"], flags="-O0")
+    assert told[0].filename == __file__

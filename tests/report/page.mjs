@@ -67,6 +67,31 @@ async function expectPlayback(tool, files, expect) {
   expect((table.match(/^# Event: /gm) ?? []).length === page.events.length, "events are not those of simulate");
 }
 
+/// A motion of given start values and inputs is what `simulate` makes of them; the button that starts anew goes back to them.
+async function expectGiven(tool, files, expect) {
+  const { stdout: table } = spawnSync(tool, ["simulate", ...files, "--to", "1", "--step", "1", "--tolerance", "1e-12"],
+                                      { encoding: "utf8", stdio: ["ignore", "pipe", "ignore"] });
+  const rows = table.split("\n").filter((line) => line && !line.startsWith("#")).map((line) => line.split(","));
+  const reached = async (how) => browser.evaluate(`new Promise((done) => {
+    ${how}
+    const { current } = torsorReport, wanted = Math.round(1 / current.interval);
+    while (current.samples.length <= wanted && current.status === "ok") current.extend();
+    done({ start: [...current.samples[0]], end: [...(current.samples[wanted] ?? [])], time: wanted * current.interval });
+  })`);
+  const slide = `for (const slider of document.querySelectorAll("#sliders input[type=range]")) {
+    slider.value = Number(slider.value) + 0.01 * (slider.max - slider.min);
+    slider.dispatchEvent(new Event("input"));
+  }`;
+  const again = "document.getElementById('restart').click();", off = (a, b) => Math.max(...a.map((value, i) => Math.abs(value - b[i]) / Math.max(1, Math.abs(value))));
+  const numbers = (row, width) => row.slice(1, 1 + width).map(Number);
+  const given = await reached(again), elsewhere = await reached(slide), back = await reached(again), width = given.start.length;
+  expect(rows.length === 3 && Math.abs(given.time - 1) < 1e-12, `simulate has ${rows.length - 1} rows, the page a sample at ${given.time}`);
+  expect(off(numbers(rows[1], width), given.start) === 0, `the page starts at ${given.start} instead of ${rows[1]}`);
+  expect(off(numbers(rows[2], width), given.end) < 1e-9, `the page reaches ${given.end} instead of ${rows[2]}`);
+  expect(off(elsewhere.end, given.end) > 1e-6, "sliders change nothing");
+  expect(off(back.start, given.start) === 0 && off(back.end, given.end) === 0, "starting anew forgets what was given");
+}
+
 for (const scene of scenes) {
   const [tool, ...files] = scene.split(" "), failures = [];
   const file = join(folder, `${basename(files[0] ?? tool)}.html`);
@@ -190,6 +215,7 @@ for (const scene of scenes) {
 
   if (await browser.evaluate("document.getElementById('reference') !== null")) await expectReference(expect);
   if (recorded) await expectPlayback(tool, files, expect);
+  if (files.some((each) => /^--(initial|input)/.test(each))) await expectGiven(tool, files, expect);
 
   expect(browser.complaints().length === 0, `complaints: ${browser.complaints().join("; ")}`);
   expect(browser.requests().length === 0, `requests: ${browser.requests().join(", ")}`);
