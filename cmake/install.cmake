@@ -38,6 +38,9 @@ foreach(folder generator runtime)
       FILES_MATCHING PATTERN "*.hpp")
   endif()
 endforeach()
+# What is C: the table of a mechanism's library, and its user in Octave and MATLAB, who compiles it.
+install(FILES runtime/abi.h DESTINATION "${TORSOR_INCLUDE_DIR}/runtime" COMPONENT runtime-dev)
+install(FILES runtime/octave/torsor_call.c DESTINATION "${CMAKE_INSTALL_DATADIR}/torsor/octave" COMPONENT runtime-dev)
 
 configure_package_config_file(cmake/torsorConfig.cmake.in "${PROJECT_BINARY_DIR}/torsorConfig.cmake"
   INSTALL_DESTINATION "${package_dir}")
