@@ -1,65 +1,134 @@
 // SPDX-License-Identifier: MIT
 #include "runtime/contacts/contact_dynamics.hpp"
 
+#include <cmath>
+#include <cstddef>
+#include <utility>
+
+#include "runtime/constraints/independent_constraints.hpp"
+
 namespace torsor::runtime {
 
 bool ContactDynamics::compute(const ContactReading& reading) {
   mass_.compute(reading.M);
   if (mass_.info() != Eigen::Success) return false;
+  const auto L = mass_.matrixL();
   KF = reading.F;
-  mass_.solveInPlace(KF);
+  L.solveInPlace(KF);
   closing.setZero(reading.F.size());
   closing_rate.setZero(reading.F.size());
-  if (reading.A.rows() == 0) {
+  if (reading.A.rows() > 0) {
+    if (!orthogonalise(reading.A)) return false;
+    // L^T a is L^-1 F without its part in Q, and -R^-T γ in Q.
+    lambda_.noalias() = Q_.transpose() * KF;
+    KF.noalias() -= Q_ * lambda_;
+    along(reading.gamma);
+    lambda_ = -lambda_ - w_;
     a0 = KF;
-    R_free = reading.R0;
-    R_free.noalias() += reading.B * a0;
-    return a0.allFinite();
+    a0.noalias() -= Q_ * w_;
+    mass_.matrixU().solveInPlace(a0);
+    least_change(reading.value, closing);
+    least_change(reading.rate, closing_rate);
+    R_.triangularView<Eigen::Upper>().solveInPlace(lambda_);
+  } else {
+    a0 = KF;
+    mass_.matrixU().solveInPlace(a0);
   }
-  Y_ = reading.A.transpose();
-  mass_.solveInPlace(Y_);
-  S_.noalias() = reading.A * Y_;
-  schur_.compute(S_);
-  if (schur_.info() != Eigen::Success) return false;
-  // Each asks for a change of velocity M^-1 A^T (A M^-1 A^T)^-1 times what it leaves of the constraints.
-  right_.noalias() = reading.A * KF;
-  schur_.solveInPlace(right_);
-  KF.noalias() -= Y_ * right_;
-  a0 = KF;
-  lambda_ = -right_;
-  right_ = reading.gamma;
-  schur_.solveInPlace(right_);
-  lambda_ -= right_;
-  a0.noalias() -= Y_ * right_;
+  mass_.matrixU().solveInPlace(KF);
   R_free = reading.R0;
   if (R_free.size() > 0) {
     R_free.noalias() += reading.B * a0;
-    R_free.noalias() += reading.D * lambda_;
+    for (Eigen::Index k = 0; k < reading.A.rows(); ++k) {
+      const int i = order_[static_cast<std::size_t>(k)];
+      R_free += reading.D.col(i) * (lambda_(k) * over_(i));
+    }
   }
-  right_ = reading.value;
-  schur_.solveInPlace(right_);
-  closing.noalias() -= Y_ * right_;
-  right_ = reading.rate;
-  schur_.solveInPlace(right_);
-  closing_rate.noalias() -= Y_ * right_;
   return a0.allFinite();
 }
 
 bool ContactDynamics::respond(const ContactReading& reading) {
   KJ = reading.J.transpose();
-  mass_.solveInPlace(KJ);
+  mass_.matrixL().solveInPlace(KJ);
   if (reading.A.rows() > 0) {
-    AKJ.noalias() = reading.A * KJ;
-    schur_.solveInPlace(AKJ);
-    KJ.noalias() -= Y_ * AKJ;
+    // Twice: what is left of a row that loops nearly hold has digits of its own.
+    part_.noalias() = Q_.transpose() * KJ;
+    KJ.noalias() -= Q_ * part_;
+    AKJ = part_;
+    part_.noalias() = Q_.transpose() * KJ;
+    KJ.noalias() -= Q_ * part_;
+    AKJ += part_;
+    R_.triangularView<Eigen::Upper>().solveInPlace(AKJ);
+    for (Eigen::Index k = 0; k < reading.A.rows(); ++k) {
+      part_.row(order_[static_cast<std::size_t>(k)]) = over_(order_[static_cast<std::size_t>(k)]) * AKJ.row(k);
+    }
+    AKJ = part_;
   }
-  W.noalias() = reading.J * KJ;
+  W.noalias() = KJ.transpose() * KJ;
+  mass_.matrixU().solveInPlace(KJ);
   if (reading.R0.size() > 0) {
     S = reading.C;
     S.noalias() += reading.B * KJ;
     if (reading.A.rows() > 0) S.noalias() -= reading.D * AKJ;
   }
   return W.allFinite();
+}
+
+// L^-1 A^T, each column over its length, with the longest of those that are left first: Gram-Schmidt, twice over. Source:
+// Golub-Van Loan, Matrix Computations, 5.2 and 5.4.
+bool ContactDynamics::orthogonalise(const Eigen::MatrixXd& A) {
+  const auto m = static_cast<int>(A.rows());
+  Q_ = A.transpose();
+  mass_.matrixL().solveInPlace(Q_);
+  R_.setZero(m, m);
+  w_.setZero(m);
+  over_.setZero(m);
+  order_.resize(static_cast<std::size_t>(m));
+  for (int j = 0; j < m; ++j) {
+    const double length = Q_.col(j).norm();
+    if (!(length > 0)) return false;
+    over_(j) = 1 / length;
+    Q_.col(j) *= over_(j);
+    order_[static_cast<std::size_t>(j)] = j;
+  }
+  for (int k = 0; k < m; ++k) {
+    int longest = k;
+    for (int j = k + 1; j < m; ++j) longest = Q_.col(j).squaredNorm() > Q_.col(longest).squaredNorm() ? j : longest;
+    if (longest != k) {
+      Q_.col(k).swap(Q_.col(longest));
+      R_.col(k).swap(R_.col(longest));
+      std::swap(order_[static_cast<std::size_t>(k)], order_[static_cast<std::size_t>(longest)]);
+    }
+    for (int i = 0; i < k; ++i) take_out(i, k);
+    const double length = Q_.col(k).norm();
+    if (!(length > usual_rank_tolerance<double>())) return false;
+    R_(k, k) = length;
+    Q_.col(k) /= length;
+    for (int j = k + 1; j < m; ++j) take_out(k, j);
+  }
+  return true;
+}
+
+void ContactDynamics::take_out(int k, int j) {
+  const double part = Q_.col(k).dot(Q_.col(j));
+  R_(k, j) += part;
+  Q_.col(j) -= part * Q_.col(k);
+}
+
+// R^T w = c, over the sizes of the constraints.
+void ContactDynamics::along(const Eigen::VectorXd& c) {
+  for (Eigen::Index k = 0; k < c.size(); ++k) {
+    const int i = order_[static_cast<std::size_t>(k)];
+    w_(k) = c(i) * over_(i);
+  }
+  R_.transpose().triangularView<Eigen::Lower>().solveInPlace(w_);
+}
+
+// The x of least x^T M x with A x = -c.
+void ContactDynamics::least_change(const Eigen::VectorXd& c, Eigen::VectorXd& x) {
+  along(c);
+  x.noalias() = Q_ * w_;
+  mass_.matrixU().solveInPlace(x);
+  x *= -1;
 }
 
 }  // namespace torsor::runtime

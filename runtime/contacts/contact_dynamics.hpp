@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <Eigen/Cholesky>
+#include <vector>
 
 #include "runtime/contacts/contact_system.hpp"
 
@@ -10,6 +11,9 @@ namespace torsor::runtime {
 /// K = M^-1 - M^-1 A^T (A M^-1 A^T)^-1 A M^-1. What puts the loops back on their constraints with the least change, in
 /// the metric of the masses: closing = -M^-1 A^T (A M^-1 A^T)^-1 f, and the same of the velocities. Nothing is allocated
 /// after the first reading.
+///
+/// With M = L L^T all comes from orthogonal factors L^-1 A^T = Q R and from L^-1 J^T without its part in Q. A M^-1 A^T would
+/// square what masses far apart do to the digits: of a light link between heavy ones it loses all of them.
 class ContactDynamics {
  public:
   /// Accelerations and closing; false where the mass matrix or the constraints have lost rank.
@@ -27,9 +31,16 @@ class ContactDynamics {
   Eigen::VectorXd R_free;
 
  private:
-  Eigen::LLT<Eigen::MatrixXd> mass_, schur_;
-  Eigen::MatrixXd Y_, S_;  ///< M^-1 A^T and A M^-1 A^T
-  Eigen::VectorXd right_, lambda_;  ///< λ without reactions of contacts
+  [[nodiscard]] bool orthogonalise(const Eigen::MatrixXd& A);
+  void take_out(int k, int j);
+  void along(const Eigen::VectorXd& c);
+  void least_change(const Eigen::VectorXd& c, Eigen::VectorXd& x);
+
+  Eigen::LLT<Eigen::MatrixXd> mass_;
+  Eigen::MatrixXd Q_, R_, part_;
+  std::vector<int> order_;      ///< of the columns of Q: which constraint
+  Eigen::VectorXd over_;        ///< one over the size of each constraint
+  Eigen::VectorXd w_, lambda_;  ///< λ without reactions of contacts
 };
 
 }  // namespace torsor::runtime
