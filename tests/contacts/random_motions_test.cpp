@@ -11,6 +11,7 @@
 
 #include "runtime/contacts/integrate_contacts.hpp"
 #include "runtime/contacts/moreau_jean.hpp"
+#include "tests/contacts/plane_truth.hpp"
 #include "tests/contacts/random_scenes.hpp"
 #include "tests/contacts/random_watch.hpp"
 
@@ -69,24 +70,70 @@ TEST(RandomMotions, NeverGainEnergyAndNeverSink) {
   EXPECT_LE(ended, numbers.size() / 20);
 }
 
-// Scene 29 with a ratio of a million has a light body that jams between a heavy one and a wall. At 1e-7 of the determinant
-// rounding of forces stops the steps.
-TEST(RandomMotions, OfMassesFarApartNeverGainEnergyAndSayWhereTheyJam) {
-  auto [heavy, start] = random_start(29);
-  make_uneven(heavy, 1e6);
-  const ContactResult jammed = integrate_contacts(heavy, start, 0, 1, precise);
-  EXPECT_EQ(jammed.status, ContactStatus::jams);
-  EXPECT_EQ(jammed.contact, 3);
+// A status that ends a motion is what the state there says, asked in another way.
+void judge(const RandomScene& scene, const State& end, const ContactResult& result) {
+  const plane_truth::PlaneTruth truth(scene, end);
+  switch (result.status) {
+    case ContactStatus::no_solution:
+      EXPECT_FALSE(truth.goes_on());
+      break;
+    case ContactStatus::energy_gained: {
+      const auto loss = truth.impact();
+      EXPECT_LT(loss.energy, -1e-12L * loss.terms);
+      break;
+    }
+    case ContactStatus::jams:
+      // A thousandth, of what it began with: friction makes that ten at most where f is below 0.4.
+      EXPECT_LT(std::abs(truth.regularity()), 1e-2L);
+      break;
+    default:
+      EXPECT_EQ(result.status, ContactStatus::reached_end) << describe(result.integration_event) << " at " << result.time;
+  }
+}
+
+// Forty scenes; in long tests ratios of a thousand too, and 300 scenes of each.
+TEST(RandomMotions, OfMassesFarApartNeverGainEnergyAndEndWhereTheirStateSaysSo) {
+  const bool few = std::getenv("TORSOR_LONG_TESTS") == nullptr;
   int reached = 0, all = 0;
-  for (const double ratio : {1e-6, 1e-3, 1e3, 1e6}) {
-    for (unsigned k = 0; k < scenes() / 5; ++k, ++all) {
+  for (const double ratio : few ? std::vector<double>{1e-6, 1e6} : std::vector<double>{1e-6, 1e-3, 1e3, 1e6}) {
+    for (unsigned k = 0; k < (few ? 20U : 300U); ++k, ++all) {
       SCOPED_TRACE(testing::Message() << "scene " << k << ", ratio " << ratio);
       auto [scene, y] = random_start(k);
       make_uneven(scene, ratio);
-      reached += move_uneven(scene, y, 1) ? 1 : 0;
+      const ContactResult result = move_uneven(scene, y, 1);
+      judge(scene, y, result);
+      reached += result ? 1 : 0;
     }
   }
-  EXPECT_GE(reached, all * 9 / 10);
+  EXPECT_GE(reached, all * 4 / 5);
+}
+
+// Scene 29 with a ratio of a million has a light body that jams between a heavy one and a wall. At 1e-7 of the determinant
+// rounding of forces stops the steps.
+TEST(RandomMotions, OfMassesFarApartSayWhereTheyJam) {
+  auto [scene, y] = random_start(29);
+  make_uneven(scene, 1e6);
+  const ContactResult jammed = integrate_contacts(scene, y, 0, 1, precise);
+  EXPECT_EQ(jammed.status, ContactStatus::jams);
+  EXPECT_EQ(jammed.contact, 3);
+  judge(scene, y, jammed);
+}
+
+// Scene 24 with a ratio of a million: two bodies on joints of a third slide on each other until their contact comes onto the
+// line of these joints, as teeth of wheels do at their pitch point. The rows of N and T are parallel there: the slip is zero,
+// no force stops it, and beyond it goes the other way, where friction draws the bodies into each other (f |W_NT| > W_NN).
+TEST(RandomMotions, HaveNoSolutionWhereASlipTurnsRoundAndFrictionDrawsIn) {
+  auto [scene, y] = random_start(24);
+  make_uneven(scene, 1e6);
+  const ContactResult result = integrate_contacts(scene, y, 0, 1, precise);
+  EXPECT_EQ(result.status, ContactStatus::no_solution);
+  EXPECT_EQ(result.contact, 0);
+  const plane_truth::PlaneTruth truth(scene, y);
+  ASSERT_EQ(truth.touches.size(), 1U);
+  const auto N = truth.J.row(0), T = truth.J.row(1);
+  EXPECT_LT((N * N.dot(T) - T * N.squaredNorm()).norm(), 1e-12L * N.squaredNorm() * T.norm());
+  EXPECT_GT(truth.touches[0].friction * std::abs(truth.W(0, 1)), 2 * truth.W(0, 0));
+  judge(scene, y, result);
 }
 
 // Scene 6: a body of 10^6 kg on a link of 1 kg, to which another one closes a loop. Whatever of the digits of accelerations
@@ -110,6 +157,7 @@ TEST(RandomMotions, EndWhereTheLawOfImpactWouldGiveEnergy) {
   const ContactResult result = integrate_contacts(scene, y, 0, 1, precise);
   EXPECT_EQ(result.status, ContactStatus::energy_gained);
   EXPECT_GE(result.contact, 0);
+  judge(scene, y, result);
 }
 
 // Steps of Moreau and Jean, fifty times as short, come at least five times as near to the motion from event to event.
