@@ -17,8 +17,8 @@ void MjcfBuilder::choose_followers() {
     const auto first = static_cast<std::size_t>(law.first);
     if (followed_.contains(first)) continue;
     bool circle = law.second == law.first;
-    for (int at = law.second; at >= 0 && !circle;) {
-      const auto next = followed_.find(static_cast<std::size_t>(at));
+    for (std::optional<int> at = law.second; at && !circle;) {
+      const auto next = followed_.find(static_cast<std::size_t>(*at));
       if (next == followed_.end()) break;
       at = model_.equalities[next->second].second;
       circle = at == law.first;
@@ -61,7 +61,7 @@ std::optional<MjcfBuilder::ExactPlace> MjcfBuilder::in_second_body(const MjcfEqu
     });
   };
   std::vector<int> down;  // from the second body to the ground
-  for (int body = equality.second; body > 0; body = parent(body)) down.push_back(body);
+  for (int body = *equality.second; body > 0; body = parent(body)) down.push_back(body);
   ExactPlace place = in_first;
   int body = equality.first;
   for (; body > 0 && std::find(down.begin(), down.end(), body) == down.end(); body = parent(body)) {
@@ -110,7 +110,7 @@ MjcfBuilder::ExactPlace MjcfBuilder::closing_place(const MjcfEquality& equality,
 }
 
 void MjcfBuilder::add_points_together(const MjcfEquality& equality, const std::string& name) {
-  if (!moves(equality.first) && !moves(equality.second)) {
+  if (!moves(equality.first) && !moves(*equality.second)) {
     notes_.push_back(fmt::format("equality constraint {} is between bodies that stand still", equality.name));
     return;
   }
@@ -119,7 +119,7 @@ void MjcfBuilder::add_points_together(const MjcfEquality& equality, const std::s
   for (std::size_t k = 0; k < 3; ++k) first.point[k] = from_double(equality.first_point[k]);
   if (weld) first.turned = rotation(equality.quaternion, "equality " + equality.name);
   const std::string a = frame_at(equality.first, name + "_first", first);
-  const std::string b = frame_at(equality.second, name + "_second", closing_place(equality, first));
+  const std::string b = frame_at(*equality.second, name + "_second", closing_place(equality, first));
   scene_.loop_joint(name, {.type = weld ? JointType::weld : JointType::spherical, .a = a, .b = b});
 }
 
@@ -145,8 +145,8 @@ void MjcfBuilder::add_equalities() {
         const MjcfTendon& tendon = model_.tendons[first];
         const std::optional<Expression> length = tendon_length(tendon);
         std::optional<Expression> other;
-        if (equality.second >= 0) other = tendon_length(model_.tendons[static_cast<std::size_t>(equality.second)]);
-        if (!length || (equality.second >= 0 && !other)) {
+        if (equality.second) other = tendon_length(model_.tendons[static_cast<std::size_t>(*equality.second)]);
+        if (!length || (equality.second && !other)) {
           notes_.push_back(fmt::format("equality constraint {} does not act: its tendon is spatial", equality.name));
           break;
         }
@@ -155,7 +155,7 @@ void MjcfBuilder::add_equalities() {
         Expression f = *length - metres(tendon.length_at_reference + equality.polynomial[0]);
         if (other) {
           const Expression moved =
-              *other - metres(model_.tendons[static_cast<std::size_t>(equality.second)].length_at_reference);
+              *other - metres(model_.tendons[static_cast<std::size_t>(*equality.second)].length_at_reference);
           Expression power = moved;
           Unit unit = units::metre;
           for (std::size_t k = 1; k < 5; ++k) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -80,7 +81,8 @@ enum class MjcfEqualityType { connect, weld, joint, tendon, other };
 struct MjcfEquality {
   std::string name;
   MjcfEqualityType type = MjcfEqualityType::connect;
-  int first = 0, second = -1;                           ///< bodies, joints or tendons; −1: none
+  int first = 0;                                        ///< a body, joint or tendon
+  std::optional<int> second;                            ///< another one
   std::array<double, 3> first_point{}, second_point{};  ///< of connect and weld: they coincide
   std::array<double, 4> quaternion{1, 0, 0, 0};         ///< weld: the second body in the first
   std::array<double, 5> polynomial{};                   ///< joint, tendon

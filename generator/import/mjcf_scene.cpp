@@ -183,8 +183,8 @@ Expression MjcfBuilder::polynomial(const MjcfEquality& law, std::size_t first) {
   const MjcfJoint& joint = model_.joints[first];
   const Unit unit = joint.type == MjcfJointType::hinge ? units::radian : units::metre;
   Expression sum = position_value(joint, joint.reference[0] + law.polynomial[0], "polycoef");
-  if (law.second < 0) return sum;
-  const auto second = static_cast<std::size_t>(law.second);
+  if (!law.second) return sum;
+  const auto second = static_cast<std::size_t>(*law.second);
   const MjcfJoint& other = model_.joints[second];
   const Unit other_unit = other.type == MjcfJointType::hinge ? units::radian : units::metre;
   const Expression moved = position(second) - position_value(other, other.reference[0], "ref");

@@ -287,7 +287,7 @@ class Compiled {
         continue;
       }
       equality.first = m_.eq_obj1id[i];
-      equality.second = m_.eq_obj2id[i];
+      if (m_.eq_obj2id[i] >= 0) equality.second = m_.eq_obj2id[i];
       const mjtNum* data = m_.eq_data + i * mjNEQDATA;
       switch (m_.eq_type[i]) {
         case mjEQ_CONNECT:

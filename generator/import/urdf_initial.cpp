@@ -17,7 +17,7 @@ std::vector<std::string> names_of_state(const SceneContent& content) {
   std::vector<std::string> names;
   for (const CoordinateContent& c : content.coordinates) {
     names.push_back(c.q->name);
-    if (c.attitude < 0) names.push_back(c.q->name + "'");
+    if (!c.attitude) names.push_back(c.q->name + "'");
   }
   for (const AttitudeContent& attitude : content.attitudes) {
     for (const SymbolPointer& component : attitude.symbols->e) names.push_back(component->name);
@@ -49,7 +49,7 @@ void set_initial(Scene& scene, const std::vector<std::pair<std::string, std::str
   };
   for (std::size_t i = 0; i < content.coordinates.size(); ++i) {
     const CoordinateContent& c = content.coordinates[i];
-    if (c.attitude >= 0) continue;
+    if (c.attitude) continue;
     const std::string& name = c.q->name;
     if (given.contains(name) || given.contains(name + "'")) scene.initial(c.q, value(name), value(name + "'"));
   }

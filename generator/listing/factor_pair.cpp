@@ -5,7 +5,6 @@
 #include <iterator>
 #include <map>
 #include <string>
-#include <tuple>
 #include <utility>
 
 namespace torsor {
@@ -28,7 +27,8 @@ bool has_inner_sum(const Formula& formula, bool multiplied = false) {
 class Shape {
  public:
   Shape(const FactorPair& pair, ValueNumber product) : product_(product) {
-    pair_ = {text(pair.first), pair.second < 0 ? pair.number.to_string() : text(pair.second)};
+    const ValueNumber* other = pair.other();
+    pair_ = {text(pair.first), other != nullptr ? text(*other) : std::get<Number>(pair.second).to_string()};
   }
 
   std::string operator()(const Formula& formula) const {
@@ -73,14 +73,10 @@ class Shape {
 
 }  // namespace
 
-std::strong_ordering operator<=>(const FactorPair& a, const FactorPair& b) {
-  return std::tie(a.first, a.second, a.number) <=> std::tie(b.first, b.second, b.number);
-}
-
 Polynomial FactorPair::product() const {
-  Monomial monomial{{first, 1}};
-  if (second >= 0) monomial = monomial * Monomial{{second, 1}};
-  return Polynomial(Term{std::move(monomial), number});
+  const Monomial single{{first, 1}};
+  if (other() != nullptr) return Polynomial(Term{single * Monomial{{*other(), 1}}, Number(1)});
+  return Polynomial(Term{single, std::get<Number>(second)});
 }
 
 Polynomial FactorPair::replaced(const Polynomial& sum, ValueNumber product) const {
@@ -89,14 +85,15 @@ Polynomial FactorPair::replaced(const Polynomial& sum, ValueNumber product) cons
     Monomial monomial = term.monomial;
     Number coefficient = term.coefficient;
     const int power = exponent_of(monomial, first);
-    int times = power;
-    if (second == first) times = power / 2;
-    if (second >= 0 && second != first) times = std::min(power, exponent_of(monomial, second));
-    if (second < 0) times = power > 0 && coefficient.abs() == number ? 1 : 0;
+    int times = 0;
+    if (other() == nullptr)
+      times = power > 0 && coefficient.abs() == std::get<Number>(second) ? 1 : 0;
+    else
+      times = *other() == first ? power / 2 : std::min(power, exponent_of(monomial, *other()));
     if (times > 0) {
       monomial = monomial * Monomial{{first, -times}} * Monomial{{product, times}};
-      if (second >= 0)
-        monomial = monomial * Monomial{{second, -times}};
+      if (other() != nullptr)
+        monomial = monomial * Monomial{{*other(), -times}};
       else
         coefficient = Number(coefficient.sign());
     }
@@ -111,11 +108,11 @@ std::optional<FactorPair> as_pair(const Polynomial& sum) {
   const bool plain = coefficient.is_one();
   if (monomial.size() == 1) {
     const auto& [value_number, exponent] = monomial[0];
-    if (plain && exponent == 2) return FactorPair{value_number, value_number, Number(1)};
-    if (!plain && exponent == 1 && coefficient.sign() > 0) return FactorPair{value_number, -1, coefficient};
+    if (plain && exponent == 2) return FactorPair{value_number, value_number};
+    if (!plain && exponent == 1 && coefficient.sign() > 0) return FactorPair{value_number, coefficient};
   }
   if (!plain || monomial.size() != 2 || monomial[0].exponent != 1 || monomial[1].exponent != 1) return std::nullopt;
-  return FactorPair{monomial[0].value_number, monomial[1].value_number, Number(1)};
+  return FactorPair{monomial[0].value_number, monomial[1].value_number};
 }
 
 void add_pairs(const Formula& formula, std::vector<FactorPair>& pairs) {
@@ -129,10 +126,9 @@ void add_pairs(const Formula& formula, std::vector<FactorPair>& pairs) {
   }
   for (auto one = powers.begin(); one != powers.end(); ++one) {
     const auto& [value_number, power] = *one;
-    if (number != nullptr) pairs.push_back({value_number, -1, *number});
-    for (int squares = power / 2; squares > 0; --squares) pairs.push_back({value_number, value_number, Number(1)});
-    for (auto other = std::next(one); other != powers.end(); ++other)
-      pairs.push_back({value_number, other->first, Number(1)});
+    if (number != nullptr) pairs.push_back({value_number, *number});
+    for (int squares = power / 2; squares > 0; --squares) pairs.push_back({value_number, value_number});
+    for (auto other = std::next(one); other != powers.end(); ++other) pairs.push_back({value_number, other->first});
   }
 }
 

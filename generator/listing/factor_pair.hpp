@@ -3,6 +3,7 @@
 
 #include <compare>
 #include <optional>
+#include <variant>
 #include <vector>
 
 #include "generator/base/number.hpp"
@@ -13,11 +14,14 @@ namespace torsor {
 
 /// Two factors of a product: a value number, and another (perhaps the same) or a positive number other than one.
 struct FactorPair {
-  ValueNumber first = -1, second = -1;  ///< in this order; second < 0: the number
-  Number number{1};
+  ValueNumber first;
+  std::variant<Number, ValueNumber> second;  ///< a value number is not before the first
 
-  friend std::strong_ordering operator<=>(const FactorPair& a, const FactorPair& b);
-  friend bool operator==(const FactorPair& a, const FactorPair& b) { return (a <=> b) == 0; }
+  /// The other value number, if there is one.
+  const ValueNumber* other() const { return std::get_if<ValueNumber>(&second); }
+
+  friend std::strong_ordering operator<=>(const FactorPair& a, const FactorPair& b) = default;
+  friend bool operator==(const FactorPair& a, const FactorPair& b) = default;
 
   Polynomial product() const;
   /// The sum with the value number `product` for the pair, wherever a term multiplies both.

@@ -183,7 +183,7 @@ void ListingBuilder::define_sines_and_cosines(const Block& block) {
     if (own > 0) depth.emplace(value_number, own);
     if (!counts) continue;
     std::vector<ValueNumber>& group = groups[own - 1];
-    const bool with_partner = std::find(group.begin(), group.end(), definition.partner) != group.end();
+    const bool with_partner = std::find(group.begin(), group.end(), *definition.partner) != group.end();
     if (!with_partner) group.push_back(value_number);
   }
   for (const std::vector<ValueNumber>& group : groups) {
@@ -209,7 +209,7 @@ void ListingBuilder::define_group(const std::vector<ValueNumber>& group) {
     SineCosinePair pair{place_of(definition.arguments[0]), {}, {}, definition.name};
     const bool sine = definition.function == Function::sin;
     for (const bool of_sine : {true, false}) {
-      const ValueNumber each = sine == of_sine ? value_number : definition.partner;
+      const ValueNumber each = sine == of_sine ? value_number : *definition.partner;
       done_.insert(each);
       if (group.size() > 1 && !live_.contains(each)) continue;  // a group of one gives both
       (of_sine ? pair.sine : pair.cosine) = add_local(each);

@@ -27,7 +27,7 @@ RecurrenceLowering::RecurrenceLowering(ListingBuilder& builder, Program& program
   x_.resize(count, 0);
   without_.resize(count);
   partial_.resize(count);
-  lanes_.resize(count, -1);
+  lanes_.resize(count);
   known_.resize(program.size(), false);
   const auto know = [this](const std::vector<ValueNumber>& value_numbers) {
     for (const ValueNumber value_number : value_numbers) known_[static_cast<std::size_t>(value_number)] = true;
@@ -73,30 +73,30 @@ void RecurrenceLowering::run() {
   }
   for (std::size_t i = 0; i < outputs.size(); ++i) builder_.write({"coefficients", "1", i}, std::move(first[i]));
   for (std::size_t id = 0; id < nodes_.size(); ++id) {
-    if (lanes_[id] >= 0) recurrence_.convolutions.push_back(operands(static_cast<int>(id)));
+    if (lanes_[id]) recurrence_.convolutions.push_back(operands(static_cast<int>(id)));
   }
   builder_.listing().recurrence = std::move(recurrence_);
 }
 
 int RecurrenceLowering::depth_of(const SeriesNode& each) const {
-  int depth = -1;
-  const auto wait_for = [&](int operand) {
-    if (operand >= 0) depth = std::max(depth, depth_[place(operand)]);
+  int depth = 0;
+  const auto wait_for = [&](std::optional<int> operand) {
+    if (operand) depth = std::max(depth, depth_[place(*operand)] + 1);
   };
   for (const SeriesForm::Term& term : each.form.terms) wait_for(term.node);
   wait_for(each.left);
   if (!has_slope(each)) wait_for(each.right);
-  return depth + (each.kind == Kind::quotient ? 2 : 1);
+  return depth + (each.kind == Kind::quotient ? 1 : 0);
 }
 
 std::size_t RecurrenceLowering::unknown_of(int id) const {
   const std::vector<SymbolPointer>& all = series_.solve->unknowns;
-  return static_cast<std::size_t>(std::find(all.begin(), all.end(), program_[node(id).value_number].symbol) -
+  return static_cast<std::size_t>(std::find(all.begin(), all.end(), program_[*node(id).value_number].symbol) -
                                   all.begin());
 }
 
 Formula RecurrenceLowering::sum_of(int id) {
-  return Formula::of_value_number(builder_.read(Table::convolution, static_cast<std::size_t>(lanes_[place(id)])));
+  return Formula::of_value_number(builder_.read(Table::convolution, static_cast<std::size_t>(*lanes_[place(id)])));
 }
 
 Formula RecurrenceLowering::order(OrderQuantity which) {
@@ -156,30 +156,30 @@ Formula RecurrenceLowering::begin(int id) {
   std::optional<ValueNumber>& known = begin_[place(id)];
   if (known) return Formula::of_value_number(*known);
   const SeriesNode& each = node(id);
-  if (each.value_number >= 0 && known_[static_cast<std::size_t>(each.value_number)]) {
-    known = builder_.place_of(each.value_number);
+  if (each.value_number && known_[static_cast<std::size_t>(*each.value_number)]) {
+    known = builder_.place_of(*each.value_number);
     return Formula::of_value_number(*known);
   }
   Formula right = number(Number());
   switch (each.kind) {
     case Kind::symbol:
       right = is_unknown(id) ? builder_.formula_of(series_.solve->start[unknown_of(id)].polynomial())
-                             : Formula::of_value_number(builder_.place_of(program_[each.value_number].symbol));
+                             : Formula::of_value_number(builder_.place_of(program_[*each.value_number].symbol));
       break;
     case Kind::sum:
       right = form(each.form, true);
       break;
     case Kind::product: {
-      Formula left = begin(each.left);  // in this order: compilers evaluate arguments in different ones
-      right = product({std::move(left), begin(each.right)});
+      Formula left = begin(*each.left);  // in this order: compilers evaluate arguments in different ones
+      right = product({std::move(left), begin(*each.right)});
       break;
     }
     case Kind::quotient:
-      if (each.left < 0) {
+      if (!each.left) {
         right = inverse(id);
       } else {
-        Formula top = begin(each.left);
-        right = quotient(std::move(top), begin(each.right));
+        Formula top = begin(*each.left);
+        right = quotient(std::move(top), begin(*each.right));
       }
       break;
     default:
@@ -193,7 +193,7 @@ Formula RecurrenceLowering::begin(int id) {
 Formula RecurrenceLowering::inverse(int id) {
   if (inverse_[place(id)]) return Formula::of_value_number(*inverse_[place(id)]);
   const SeriesNode& each = node(id);
-  const int divisor = each.kind == Kind::quotient ? each.right : each.kind == Kind::logarithm ? each.left : id;
+  const int divisor = each.kind == Kind::quotient ? *each.right : each.kind == Kind::logarithm ? *each.left : id;
   Formula value = begin(divisor);
   Formula right =
       quotient(each.kind == Kind::square_root ? number(Number::rational(1, 2)) : number(Number(1)), std::move(value));
@@ -215,7 +215,7 @@ ValueNumber RecurrenceLowering::weighted(int id) {
 }
 
 Formula RecurrenceLowering::symbol_of_order(const SeriesNode& each) {
-  const auto found = std::find(series_.state.begin(), series_.state.end(), program_[each.value_number].symbol);
+  const auto found = std::find(series_.state.begin(), series_.state.end(), program_[*each.value_number].symbol);
   if (found == series_.state.end()) return order(OrderQuantity::first);  // time
   return Formula::of_value_number(
       builder_.read(Table::coefficient, static_cast<std::size_t>(found - series_.state.begin())));
@@ -223,9 +223,9 @@ Formula RecurrenceLowering::symbol_of_order(const SeriesNode& each) {
 
 /// The coefficient of the form that a selection takes at the start.
 Formula RecurrenceLowering::selected(const SeriesNode& each, int id) {
-  const Definition& call = program_[each.value_number];
+  const Definition& call = program_[*each.value_number];
   const auto argument = [&](std::size_t i) { return Formula::of_value_number(builder_.place_of(call.arguments[i])); };
-  const auto of = [&](int operand) { return operand < 0 ? number(Number()) : x(operand); };
+  const auto of = [&](std::optional<int> operand) { return operand ? x(*operand) : number(Number()); };
   Formula condition = argument(0);
   if (call.function == Function::maximum) {
     Formula apart = difference(std::move(condition), argument(1));
@@ -234,7 +234,7 @@ Formula RecurrenceLowering::selected(const SeriesNode& each, int id) {
   Formula choice;
   choice.kind = Formula::Kind::function;
   choice.function = Function::select;
-  Formula second = call.function == Function::abs ? negated(x(each.left)) : of(each.right);
+  Formula second = call.function == Function::abs ? negated(x(*each.left)) : of(each.right);
   choice.children = {std::move(condition), of(each.left), std::move(second)};
   return choice;
 }
@@ -251,21 +251,21 @@ void RecurrenceLowering::write_order(int id) {
       right = form(each.form, false);
       break;
     case Kind::weighted:
-      right = product({order(OrderQuantity::number), x(each.left)});
+      right = product({order(OrderQuantity::number), x(*each.left)});
       break;
     case Kind::integrated:
-      right = product({order(OrderQuantity::inverse), x(each.left)});
+      right = product({order(OrderQuantity::inverse), x(*each.left)});
       break;
     case Kind::selection:
       right = selected(each, id);
       break;
     case Kind::product:
       if (each.left == each.right) {
-        const Formula b = begin(each.left);
-        right = sum({sum_of(id), product({sum({b, b}), x(each.left)})});
+        const Formula b = begin(*each.left);
+        right = sum({sum_of(id), product({sum({b, b}), x(*each.left)})});
       } else {
-        const bool left_first = is_deeper(each.right, each.left);
-        const auto [soon, late] = left_first ? std::pair(each.left, each.right) : std::pair(each.right, each.left);
+        const bool left_first = is_deeper(*each.right, *each.left);
+        const auto [soon, late] = left_first ? std::pair(*each.left, *each.right) : std::pair(*each.right, *each.left);
         const Formula a = begin(late);
         const Formula b = begin(soon);
         right = sum({sum_of(id), product({a, x(soon)}), product({b, x(late)})});
@@ -274,42 +274,43 @@ void RecurrenceLowering::write_order(int id) {
     case Kind::quotient: {
       const Formula q = begin(id);
       const Formula factor = inverse(id);
-      const Formula of_divisor = product({q, x(each.right)});
-      if (each.left < 0) {
+      const Formula of_divisor = product({q, x(*each.right)});
+      if (!each.left) {
         right = negated(product({sum({sum_of(id), of_divisor}), factor}));
-      } else if (is_deeper(each.left, each.right)) {
-        right = product({difference(x(each.left), sum({sum_of(id), of_divisor})), factor});
+      } else if (is_deeper(*each.left, *each.right)) {
+        right = product({difference(x(*each.left), sum({sum_of(id), of_divisor})), factor});
       } else {
-        Formula top = difference(x(each.left), sum_of(id));
+        Formula top = difference(x(*each.left), sum_of(id));
         add(top, of_divisor, true);
         right = product({std::move(top), factor});
       }
       break;
     }
     case Kind::square_root:
-      right = product({difference(x(each.left), sum_of(id)), inverse(id)});
+      right = product({difference(x(*each.left), sum_of(id)), inverse(id)});
       break;
     case Kind::sine:
     case Kind::primitive: {
-      const Formula slope = begin(each.right);
-      right = sum({product({order(OrderQuantity::inverse), sum_of(id)}), product({slope, x(each.left)})});
+      const Formula slope = begin(*each.right);
+      right = sum({product({order(OrderQuantity::inverse), sum_of(id)}), product({slope, x(*each.left)})});
       break;
     }
     case Kind::cosine: {
-      const Formula slope = begin(each.right);
-      right = difference(negated(product({order(OrderQuantity::inverse), sum_of(id)})), product({slope, x(each.left)}));
+      const Formula slope = begin(*each.right);
+      right =
+          difference(negated(product({order(OrderQuantity::inverse), sum_of(id)})), product({slope, x(*each.left)}));
       break;
     }
     case Kind::logarithm: {
       const Formula factor = inverse(id);
-      right = product({difference(x(each.left), product({order(OrderQuantity::inverse), sum_of(id)})), factor});
+      right = product({difference(x(*each.left), product({order(OrderQuantity::inverse), sum_of(id)})), factor});
       break;
     }
   }
   const std::string meaning =
-      each.value_number >= 0 && each.kind != Kind::symbol ? program_[each.value_number].name : "";
+      each.value_number && each.kind != Kind::symbol ? program_[*each.value_number].name : "";
   x_[place(id)] = step(fmt::format("x{}", id), std::move(right), meaning);
-  if (each.kind == Kind::sine || each.kind == Kind::primitive) weighted(each.left);
+  if (each.kind == Kind::sine || each.kind == Kind::primitive) weighted(*each.left);
   if (each.kind == Kind::logarithm) weighted(id);
 }
 
@@ -320,15 +321,15 @@ std::pair<ValueNumber, ValueNumber> RecurrenceLowering::operands(int id) const {
   const auto weighted = [this](int of) { return weighted_[place(of)].value(); };
   switch (each.kind) {
     case Kind::product:
-      return {coefficient(each.left), coefficient(each.right)};
+      return {coefficient(*each.left), coefficient(*each.right)};
     case Kind::quotient:
-      return {coefficient(id), coefficient(each.right)};
+      return {coefficient(id), coefficient(*each.right)};
     case Kind::sine:
     case Kind::cosine:
     case Kind::primitive:
-      return {weighted(each.left), coefficient(each.right)};
+      return {weighted(*each.left), coefficient(*each.right)};
     case Kind::logarithm:
-      return {weighted(id), coefficient(each.left)};
+      return {weighted(id), coefficient(*each.left)};
     default:
       return {coefficient(id), coefficient(id)};
   }

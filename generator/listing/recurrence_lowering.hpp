@@ -30,7 +30,7 @@ class RecurrenceLowering {
   bool is_deeper(int a, int b) const { return depth_[place(a)] > depth_[place(b)]; }
   static std::size_t place(int id) { return static_cast<std::size_t>(id); }
   const SeriesNode& node(int id) const { return nodes_[place(id)]; }
-  bool marked(int id) const { return id >= 0 && marked_[place(id)]; }
+  bool marked(std::optional<int> id) const { return id && marked_[place(*id)]; }
   bool is_unknown(int id) const { return marked(id) && node(id).kind == Kind::symbol; }
   std::size_t unknown_of(int id) const;
   std::size_t unknown_count() const { return series_.solve ? series_.solve->unknowns.size() : 0; }
@@ -65,7 +65,7 @@ class RecurrenceLowering {
   std::vector<std::optional<ValueNumber>> begin_, inverse_, weighted_;  ///< by node
   std::vector<ValueNumber> x_;                                          ///< by node: its coefficient of order k
   std::vector<int> depth_;         ///< by node: how many operations of one order follow one another up to it
-  std::vector<int> lanes_;         ///< by node: which convolution is its own
+  std::vector<std::optional<int>> lanes_;  ///< by node: which convolution is its own
   std::vector<bool> marked_;       ///< by node: depends on the accelerations that are solved for
   std::vector<Optional> without_;  ///< by marked node: what does not come from marked operands
   std::vector<Optional> partial_;  ///< by marked node: its coefficient without the accelerations

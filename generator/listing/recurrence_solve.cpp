@@ -29,8 +29,8 @@ std::vector<Value> SeriesSolve::at_start(const SeriesProgram& program) const {
 std::vector<bool> SeriesSolve::wanted(const SeriesProgram& program) const {
   const std::vector<bool> marked = program.depending_on(unknowns);
   std::vector<bool> wanted(marked.size(), false);
-  const auto want = [&](int id) {
-    if (id >= 0 && marked[static_cast<std::size_t>(id)]) wanted[static_cast<std::size_t>(id)] = true;
+  const auto want = [&](std::optional<int> id) {
+    if (id && marked[static_cast<std::size_t>(*id)]) wanted[static_cast<std::size_t>(*id)] = true;
   };
   for (std::size_t id = marked.size(); id-- > 0;) {
     const SeriesNode& each = program.nodes()[id];
@@ -62,7 +62,8 @@ std::vector<Polynomial> SeriesSolve::coefficients(const SeriesProgram& program) 
     const auto has_part = [&](const SeriesForm::Term& term) { return part[static_cast<std::size_t>(term.node)]; };
     part[id] = !marked[id] || (node.kind == SeriesNode::Kind::sum ? std::any_of(terms.begin(), terms.end(), has_part)
                                                                   : node.kind != SeriesNode::Kind::symbol);
-    read(node.form, !std::binary_search(known.begin(), known.end(), node.value_number), wanted[id]);
+    const bool is_known = node.value_number && std::binary_search(known.begin(), known.end(), *node.value_number);
+    read(node.form, !is_known, wanted[id]);
   }
   const std::vector<SeriesForm>& outputs = program.outputs();
   for (std::size_t i = 0; i < outputs.size(); ++i) {
@@ -74,7 +75,7 @@ std::vector<Polynomial> SeriesSolve::coefficients(const SeriesProgram& program) 
 
 /// The marked factor of a product and the other one.
 std::pair<int, int> RecurrenceLowering::factors_of(const SeriesNode& product) const {
-  return marked(product.left) ? std::pair(product.left, product.right) : std::pair(product.right, product.left);
+  return marked(product.left) ? std::pair(*product.left, *product.right) : std::pair(*product.right, *product.left);
 }
 
 /// What an operation is without marked operands, and these added as they are given; nothing if all is zero.
@@ -85,10 +86,9 @@ RecurrenceLowering::Optional RecurrenceLowering::with_marked(int id, const Opera
     return with_terms(alone, each.form, [&](int of) { return marked(of) ? operand(of) : std::nullopt; });
   }
   const bool is_product = each.kind == Kind::product;
-  const auto [with, other] = is_product ? factors_of(each) : std::pair(each.left, -1);
-  const Optional value = operand(with);
+  const Optional value = operand(is_product ? factors_of(each).first : *each.left);
   if (!value) return alone;
-  const Formula factor = is_product ? begin(other) : inverse(id);
+  const Formula factor = is_product ? begin(factors_of(each).second) : inverse(id);
   return sum({*alone, product({factor, *value})});
 }
 
@@ -124,7 +124,7 @@ void RecurrenceLowering::write_partial(int id) {
   } else {
     const Formula value = begin(id);
     const Formula factor = inverse(id);
-    alone = negated(product({sum({sum_of(id), product({value, x(each.right)})}), factor}));
+    alone = negated(product({sum({sum_of(id), product({value, x(*each.right)})}), factor}));
   }
   Optional& without = without_[place(id)];
   if (alone) without = Formula::of_value_number(step(fmt::format("o{}", id), std::move(*alone)));

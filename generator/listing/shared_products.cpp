@@ -105,7 +105,7 @@ class ProductSharing {
 
   bool is_early(const FactorPair& pair) const {
     return (*program_)[pair.first].stage <= Stage::parameters &&
-           (pair.second < 0 || (*program_)[pair.second].stage <= Stage::parameters);
+           (pair.other() == nullptr || (*program_)[*pair.other()].stage <= Stage::parameters);
   }
   ValueNumber product_of(const FactorPair& pair) {
     if (const auto known = products_.find(pair); known != products_.end()) return known->second;

@@ -27,8 +27,8 @@ Value slope(Program& program, ValueNumber value_number, std::size_t i) {
   const Definition definition = program[value_number];  // a copy: the program grows below
   const Value self = program.value_of_number(value_number);
   switch (*definition.function) {
-    case Function::sin: return program.value_of_number(definition.partner);
-    case Function::cos: return -program.value_of_number(definition.partner);
+    case Function::sin: return program.value_of_number(*definition.partner);
+    case Function::cos: return -program.value_of_number(*definition.partner);
     case Function::abs: return program.apply(Function::sign, program.value_of_number(definition.arguments[0]));
     case Function::sign:
     case Function::maximum:

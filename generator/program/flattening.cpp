@@ -170,14 +170,14 @@ Polynomial Flattening::shortest(Polynomial polynomial) const {
   for (const Term& term : polynomial.terms()) {
     for (const Factor& factor : term.monomial) {
       const Definition& definition = (*program_)[factor.value_number];
-      if (factor.exponent < 2 || definition.partner < 0) continue;
-      const ValueNumber sine = definition.function == Function::sin ? factor.value_number : definition.partner;
+      if (factor.exponent < 2 || !definition.partner) continue;
+      const ValueNumber sine = definition.function == Function::sin ? factor.value_number : *definition.partner;
       if (std::find(sines.begin(), sines.end(), sine) == sines.end()) sines.push_back(sine);
     }
   }
   std::sort(sines.begin(), sines.end());
   for (const ValueNumber sine : sines) {
-    const ValueNumber cosine = (*program_)[sine].partner;
+    const ValueNumber cosine = *(*program_)[sine].partner;
     const Polynomial before = polynomial;
     for (const bool by_sine : {true, false}) {
       const std::optional<Polynomial> other =

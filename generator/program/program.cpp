@@ -134,7 +134,7 @@ Value Program::bind(const Value& value, const std::string& name, bool shared) {
   const auto known = std::find_if(bucket.begin(), bucket.end(), [&](ValueNumber value_number) {
     return shared && (*this)[value_number].polynomial == positive;
   });
-  ValueNumber value_number = -1;
+  ValueNumber value_number{};
   if (known != bucket.end()) {
     value_number = *known;
   } else {
@@ -367,7 +367,7 @@ void Program::simplify(Polynomial& polynomial) const {
         const Definition& definition = (*this)[factor.value_number];
         if (factor.exponent < 2 || definition.function != Function::sin) continue;
         const Monomial common = term.monomial * Monomial{{factor.value_number, -2}};
-        const Monomial twin = common * Monomial{{definition.partner, 2}};
+        const Monomial twin = common * Monomial{{*definition.partner, 2}};
         const auto& terms = polynomial.terms();
         const auto found = std::find_if(terms.begin(), terms.end(), [&](const Term& other) {
           return other.monomial == twin && other.coefficient == term.coefficient;

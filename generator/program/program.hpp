@@ -60,7 +60,7 @@ struct Definition {
   Polynomial polynomial;             ///< set for sums
   std::optional<Function> function;  ///< set for functions, with
   std::vector<ValueNumber> arguments;       ///< the value numbers it is applied to
-  ValueNumber partner = -1;                 ///< cosine of the same argument for a sine, and the other way round
+  std::optional<ValueNumber> partner;       ///< cosine of the same argument for a sine, and the other way round
   Unit unit;
   Stage stage = Stage::generation;
   std::string name;                  ///< what it means, for the reader of the emitted text; may be empty

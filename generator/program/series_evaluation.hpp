@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <optional>
 #include <vector>
 
 #include "generator/program/evaluation.hpp"
@@ -106,45 +107,45 @@ class SeriesEvaluation {
       const auto place = std::find(state_.begin(), state_.end(), program_.symbol_of(node));
       if (place != state_.end())
         return y[static_cast<std::size_t>(k)][static_cast<std::size_t>(place - state_.begin())];
-      return k == 0 ? here_(program_.value(Polynomial(node.value_number))) : Scalar(k == 1 ? 1 : 0);
+      return k == 0 ? here_(program_.value(Polynomial(*node.value_number))) : Scalar(k == 1 ? 1 : 0);
     }
     if (node.kind == Kind::sum) return value(node.form, k);
     if (k == 0) {
       if (node.kind == Kind::weighted) return Scalar(0);
-      if (node.kind == Kind::product) return at(node.left, 0) * at(node.right, 0);
-      if (node.kind == Kind::quotient) return (node.left < 0 ? Scalar(1) : at(node.left, 0)) / at(node.right, 0);
-      return here_(program_.value(Polynomial(node.value_number)));
+      if (node.kind == Kind::product) return at(*node.left, 0) * at(*node.right, 0);
+      if (node.kind == Kind::quotient) return (node.left ? at(*node.left, 0) : Scalar(1)) / at(*node.right, 0);
+      return here_(program_.value(Polynomial(*node.value_number)));
     }
     switch (node.kind) {
       case Kind::weighted:
-        return Scalar(k) * at(node.left, k);
+        return Scalar(k) * at(*node.left, k);
       case Kind::integrated:
-        return at(node.left, k) / Scalar(k);
+        return at(*node.left, k) / Scalar(k);
       case Kind::selection: {
         const Definition& call = program_.call_of(node);
         const auto argument = [&](std::size_t i) { return here_(program_.value(Polynomial(call.arguments[i]))); };
-        const auto form = [&](int operand) { return operand < 0 ? Scalar(0) : at(operand, k); };
+        const auto form = [&](std::optional<int> operand) { return operand ? at(*operand, k) : Scalar(0); };
         const Scalar first = form(node.left);
         if (call.function == Function::abs) return select(argument(0), first, -first);
         if (call.function == Function::select) return select(argument(0), first, form(node.right));
         return select(argument(0) - argument(1), first, form(node.right));
       }
       case Kind::product:
-        return at(node.left, 0) * at(node.right, k) + at(node.left, k) * at(node.right, 0) +
-               inner(node.left, node.right, k, false);
+        return at(*node.left, 0) * at(*node.right, k) + at(*node.left, k) * at(*node.right, 0) +
+               inner(*node.left, *node.right, k, false);
       case Kind::quotient: {
-        const Scalar dividend = node.left < 0 ? Scalar(0) : at(node.left, k);
-        return (dividend - at(own, 0) * at(node.right, k) - inner(own, node.right, k, false)) / at(node.right, 0);
+        const Scalar dividend = node.left ? at(*node.left, k) : Scalar(0);
+        return (dividend - at(own, 0) * at(*node.right, k) - inner(own, *node.right, k, false)) / at(*node.right, 0);
       }
       case Kind::square_root:
-        return (at(node.left, k) - inner(own, own, k, false)) / (at(own, 0) + at(own, 0));
+        return (at(*node.left, k) - inner(own, own, k, false)) / (at(own, 0) + at(own, 0));
       case Kind::sine:
       case Kind::primitive:
-        return at(node.left, k) * at(node.right, 0) + inner(node.left, node.right, k, true) / Scalar(k);
+        return at(*node.left, k) * at(*node.right, 0) + inner(*node.left, *node.right, k, true) / Scalar(k);
       case Kind::cosine:
-        return -(at(node.left, k) * at(node.right, 0) + inner(node.left, node.right, k, true) / Scalar(k));
+        return -(at(*node.left, k) * at(*node.right, 0) + inner(*node.left, *node.right, k, true) / Scalar(k));
       case Kind::logarithm:
-        return (at(node.left, k) - inner(own, node.left, k, true) / Scalar(k)) / at(node.left, 0);
+        return (at(*node.left, k) - inner(own, *node.left, k, true) / Scalar(k)) / at(*node.left, 0);
       case Kind::symbol:
       case Kind::sum:
         break;

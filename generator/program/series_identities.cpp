@@ -45,7 +45,7 @@ void SeriesLowering::unite_squares(std::vector<Product>& products) const {
       if (power.exponent < 2 || node.kind != SeriesNode::Kind::sine) return std::nullopt;
       Product other = products[i];
       other.multiply(power.node, -2);
-      other.multiply(node.right, 2);
+      other.multiply(*node.right, 2);
       return other;
     };
     const auto is_there = [&](const Product& other) {
@@ -79,8 +79,8 @@ void SeriesLowering::multiply_by_factors(Product& result, int node, int exponent
     return result.multiply(node, exponent);
   }
   const bool divides = origin.kind == SeriesNode::Kind::quotient;
-  if (origin.left >= 0) multiply_by_factors(result, origin.left, exponent);
-  multiply_by_factors(result, origin.right, divides ? -exponent : exponent);
+  if (origin.left) multiply_by_factors(result, *origin.left, exponent);
+  multiply_by_factors(result, *origin.right, divides ? -exponent : exponent);
 }
 
 /// The same with what products and quotients among its factors are made of.
@@ -96,23 +96,23 @@ void SeriesLowering::unite_quotients(std::vector<Product>& products) const {
   if (!program_.passes().identities || products.size() < 2 || products.size() > longest_united) return;
   std::vector<Product> factored;
   for (const Product& each : products) factored.push_back(in_factors(each));
-  int divisor = -1;
+  std::optional<int> divisor;
   for (const Product& each : factored) {
     for (const Power& power : each.powers) {
       const bool sum = nodes_[static_cast<std::size_t>(power.node)].kind == SeriesNode::Kind::sum;
       if (power.exponent < 0 && sum) divisor = power.node;
     }
   }
-  if (divisor < 0) return;
-  const SeriesForm& form = nodes_[static_cast<std::size_t>(divisor)].form;
+  if (!divisor) return;
+  const SeriesForm& form = nodes_[static_cast<std::size_t>(*divisor)].form;
   std::vector<Product> dividend;
   for (const Product& each : factored) {
     const bool divided = std::any_of(each.powers.begin(), each.powers.end(), [divisor](const Power& power) {
-      return power.node == divisor && power.exponent < 0;
+      return power.node == *divisor && power.exponent < 0;
     });
     if (divided) {
       Product whole = each;
-      whole.multiply(divisor, 1);
+      whole.multiply(*divisor, 1);
       add(dividend, std::move(whole));
       continue;
     }
@@ -125,7 +125,7 @@ void SeriesLowering::unite_quotients(std::vector<Product>& products) const {
   }
   unite_squares(dividend);
   if (dividend.size() > 1) return;
-  if (!dividend.empty()) dividend[0].multiply(divisor, -1);
+  if (!dividend.empty()) dividend[0].multiply(*divisor, -1);
   products = std::move(dividend);
 }
 

@@ -74,7 +74,8 @@ void SeriesLowering::define(ValueNumber value_number) {
     constant_[at(value_number)] = kind != SymbolKind::time && kind != SymbolKind::coordinate &&
                                   kind != SymbolKind::velocity && kind != SymbolKind::acceleration;
     if (constant_[at(value_number)]) return;
-    expanded_[at(value_number)] = form_of_node(append({SeriesNode::Kind::symbol, value_number, -1, -1, {}}));
+    const int node = append({.kind = SeriesNode::Kind::symbol, .value_number = value_number});
+    expanded_[at(value_number)] = form_of_node(node);
     direct_[at(value_number)] = expanded_[at(value_number)];
     return;
   }
@@ -104,26 +105,26 @@ void SeriesLowering::define_function(ValueNumber value_number) {
     direct_[at(of)] = expanded_[at(of)];
     return node;
   };
-  // The series of an argument; -1 where it does not change, not even by its form (terms that cancel).
-  const auto series = [&](std::size_t i) {
+  // The series of an argument; none where it does not change, not even by its form (terms that cancel).
+  const auto series = [&](std::size_t i) -> std::optional<int> {
     const ValueNumber argument = definition.arguments[i];
-    if (constant_[at(argument)] || form_of(argument).terms.empty()) return -1;
+    if (constant_[at(argument)] || form_of(argument).terms.empty()) return std::nullopt;
     return exact(form_of(argument));
   };
   if (definition.function == Function::select || definition.function == Function::maximum) {
     const std::size_t first = definition.function == Function::select ? 1 : 0;
-    const int left = series(first);
-    const int right = series(first + 1);
-    keep(value_number, append({SeriesNode::Kind::selection, value_number, left, right, {}}));
+    const std::optional<int> left = series(first);
+    const std::optional<int> right = series(first + 1);
+    keep(value_number, append({SeriesNode::Kind::selection, value_number, left, right}));
     return;
   }
   if (definition.function == Function::atan2) {
-    const int y = series(0);
+    const std::optional<int> y = series(0);
     return define_arctangent(value_number, y, series(1));
   }
   const int argument = exact(form_of(definition.arguments[0]));
   const auto make = [&](ValueNumber of, SeriesNode::Kind kind) {
-    return keep(of, append({kind, of, argument, -1, {}}));
+    return keep(of, append({.kind = kind, .value_number = of, .left = argument}));
   };
   switch (*definition.function) {
     case Function::abs:
@@ -149,20 +150,20 @@ void SeriesLowering::define_function(ValueNumber value_number) {
       break;
   }
   const bool is_sine = definition.function == Function::sin;
-  const int sine = make(is_sine ? value_number : definition.partner, SeriesNode::Kind::sine);
-  const int cosine = make(is_sine ? definition.partner : value_number, SeriesNode::Kind::cosine);
+  const int sine = make(is_sine ? value_number : *definition.partner, SeriesNode::Kind::sine);
+  const int cosine = make(is_sine ? *definition.partner : value_number, SeriesNode::Kind::cosine);
   nodes_[at(sine)].right = cosine;
   nodes_[at(cosine)].right = sine;
 }
 
 /// θ = atan2(y, x) from (x² + y²) θ' = x y' − y x', every derivative times t: of a series x_k that is k x_k.
-void SeriesLowering::define_arctangent(ValueNumber value_number, int y, int x) {
-  const auto value = [&](std::size_t i, int node) {
+void SeriesLowering::define_arctangent(ValueNumber value_number, std::optional<int> y, std::optional<int> x) {
+  const auto value = [&](std::size_t i, std::optional<int> node) {
     Product product{unity(), {}};
     const Definition& constant = program_[program_[value_number].arguments[i]];
     const bool number = !constant.symbol && !constant.function && constant.polynomial.is_constant();
-    if (node >= 0) {
-      product.multiply(node, 1);
+    if (node) {
+      product.multiply(*node, 1);
     } else {
       product.coefficient = number ? constant.polynomial : Polynomial(program_[value_number].arguments[i]);
     }
@@ -175,10 +176,10 @@ void SeriesLowering::define_arctangent(ValueNumber value_number, int y, int x) {
   };
   const Product along = value(1, x), up = value(0, y);
   std::vector<Product> rise, square;
-  const auto add_change = [&](const Product& factor, int node, int sign) {
-    if (node < 0) return;
+  const auto add_change = [&](const Product& factor, std::optional<int> node, int sign) {
+    if (!node) return;
     Product change{Polynomial(Number(sign)), {}};
-    change.multiply(append({SeriesNode::Kind::weighted, -1, node, -1, {}}), 1);
+    change.multiply(append({.kind = SeriesNode::Kind::weighted, .left = node}), 1);
     add(rise, times(change, factor));
   };
   add_change(along, y, 1);
@@ -195,7 +196,8 @@ void SeriesLowering::define_arctangent(ValueNumber value_number, int y, int x) {
   const SeriesForm denominator = lowered(std::move(square));
   const int changing = exact(numerator);
   const int rate = quotient(changing, exact(denominator));
-  direct_[at(value_number)] = form_of_node(append({SeriesNode::Kind::integrated, value_number, rate, -1, {}}));
+  const int angle = append({.kind = SeriesNode::Kind::integrated, .value_number = value_number, .left = rate});
+  direct_[at(value_number)] = form_of_node(angle);
   expanded_[at(value_number)] = *direct_[at(value_number)];
 }
 
@@ -209,7 +211,7 @@ const SeriesForm& SeriesLowering::form_of(ValueNumber value_number) {
   if (form->terms.empty()) constant_[at(value_number)] = true;  // what changes with time has cancelled
   if (is_single(*form) && form->terms[0].coefficient == unity()) {
     SeriesNode& node = nodes_[at(form->terms[0].node)];
-    if (node.value_number < 0) node.value_number = value_number;
+    if (!node.value_number) node.value_number = value_number;
   }
   return *form;
 }
@@ -222,7 +224,7 @@ int SeriesLowering::exact(const SeriesForm& form) {
     if (nodes_[at(each->second)].form == form) return each->second;
   }
   const int first = form.terms[0].node;
-  const int node = append({SeriesNode::Kind::sum, -1, -1, -1, form});
+  const int node = append({.kind = SeriesNode::Kind::sum, .form = form});
   sums_.emplace(first, node);
   return node;
 }
@@ -241,20 +243,21 @@ int SeriesLowering::product(int left, int right) {
   const std::pair<int, int> key = std::minmax(left, right);
   const auto known = products_.find(key);
   if (known != products_.end()) return known->second;
-  return products_[key] = append({SeriesNode::Kind::product, -1, key.first, key.second, {}});
+  return products_[key] = append({.kind = SeriesNode::Kind::product, .left = key.first, .right = key.second});
 }
 
-int SeriesLowering::quotient(int dividend, int divisor) {
+int SeriesLowering::quotient(std::optional<int> dividend, int divisor) {
   const auto known = quotients_.find({dividend, divisor});
   if (known != quotients_.end()) return known->second;
-  return quotients_[{dividend, divisor}] = append({SeriesNode::Kind::quotient, -1, dividend, divisor, {}});
+  return quotients_[{dividend, divisor}] =
+             append({.kind = SeriesNode::Kind::quotient, .left = dividend, .right = divisor});
 }
 
 /// Multiplies by node^exponent; a reciprocal counts as what it is.
 void SeriesLowering::multiply_by_node(Product& result, int node, int exponent) const {
   const SeriesNode& origin = nodes_[at(node)];
-  if (origin.kind == SeriesNode::Kind::quotient && origin.left < 0) {
-    node = origin.right;
+  if (origin.kind == SeriesNode::Kind::quotient && !origin.left) {
+    node = *origin.right;
     exponent = -exponent;
   }
   result.multiply(node, exponent);
@@ -270,7 +273,7 @@ void SeriesLowering::multiply(Product& result, ValueNumber value_number, int exp
     if (piece.product.coefficient.terms().size() == 1) {
       by_constant(piece.product.coefficient);
       for (const Power& each : piece.product.powers) multiply_by_node(result, each.node, each.exponent * exponent);
-      if (piece.value_number >= 0) multiply(result, piece.value_number, exponent);
+      if (piece.value_number) multiply(result, *piece.value_number, exponent);
       return;
     }
   }
@@ -303,7 +306,7 @@ std::vector<SeriesLowering::Product> SeriesLowering::multiplied(const Term& term
         Product product = each;
         product.coefficient = product_of(product.coefficient, piece.product.coefficient);
         for (const Power& power : piece.product.powers) multiply_by_node(product, power.node, power.exponent);
-        if (piece.value_number >= 0) multiply(product, piece.value_number, 1);
+        if (piece.value_number) multiply(product, *piece.value_number, 1);
         longer.push_back(std::move(product));
       }
     }
@@ -315,23 +318,23 @@ std::vector<SeriesLowering::Product> SeriesLowering::multiplied(const Term& term
 std::vector<SeriesLowering::Piece> SeriesLowering::pieces_of(const Polynomial& polynomial) {
   std::vector<Piece> pieces;
   for (const Term& term : polynomial.terms()) {
-    ValueNumber alone = -1;
+    std::optional<ValueNumber> alone;
     int degree = 0;
     for (const Factor& factor : term.monomial) {
       if (constant_[at(factor.value_number)]) continue;
-      alone = factor.exponent == 1 ? factor.value_number : -1;
+      alone = factor.exponent == 1 ? std::optional(factor.value_number) : std::nullopt;
       ++degree;
     }
-    if (degree != 1) alone = -1;
+    if (degree != 1) alone.reset();
     Term rest = term;
     std::erase_if(rest.monomial, [alone](const Factor& factor) { return factor.value_number == alone; });
     for (Product& product : multiplied(rest, term.coefficient)) {
       if (product.coefficient.is_zero()) continue;
-      if (alone < 0 || !inlined_[at(alone)]) {
+      if (!alone || !inlined_[at(*alone)]) {
         pieces.push_back({std::move(product), alone});
         continue;
       }
-      for (Piece inner : pieces_[at(alone)]) {
+      for (Piece inner : pieces_[at(*alone)]) {
         inner.product.coefficient = product_of(inner.product.coefficient, product.coefficient);
         pieces.push_back(std::move(inner));
       }
@@ -344,12 +347,12 @@ SeriesForm SeriesLowering::lowered(const std::vector<Piece>& pieces, SeriesForm&
   SeriesForm direct;
   std::vector<Product> products;
   for (const Piece& piece : pieces) {
-    if (piece.value_number < 0) {
+    if (!piece.value_number) {
       products.push_back(piece.product);
       continue;
     }
-    const SeriesForm& form = form_of(piece.value_number);
-    expanded.add(expanded_[at(piece.value_number)], piece.product.coefficient);
+    const SeriesForm& form = form_of(*piece.value_number);
+    expanded.add(expanded_[at(*piece.value_number)], piece.product.coefficient);
     if (form.terms.size() <= 1) {
       direct.add(form, piece.product.coefficient);
     } else {
@@ -365,12 +368,12 @@ SeriesForm SeriesLowering::lowered(const std::vector<Piece>& pieces, SeriesForm&
 
 /// The node of a product of two that has been made already: using it costs nothing.
 std::optional<int> SeriesLowering::known_product(const std::vector<Power>& powers) const {
-  const auto find = [](const auto& table, int left, int right) -> std::optional<int> {
+  const auto find = [](const auto& table, const auto& left, int right) -> std::optional<int> {
     const auto known = table.find({left, right});
     return known == table.end() ? std::nullopt : std::optional<int>(known->second);
   };
   if (powers.size() == 1 && powers[0].exponent == 2) return find(products_, powers[0].node, powers[0].node);
-  if (powers.size() == 1 && powers[0].exponent == -1) return find(quotients_, -1, powers[0].node);
+  if (powers.size() == 1 && powers[0].exponent == -1) return find(quotients_, std::nullopt, powers[0].node);
   if (powers.size() != 2 || std::abs(powers[0].exponent) != 1 || std::abs(powers[1].exponent) != 1) return std::nullopt;
   const auto& [a, b] = std::pair(powers[0], powers[1]);
   if (a.exponent > 0 && b.exponent > 0) return find(products_, a.node, b.node);
@@ -379,18 +382,18 @@ std::optional<int> SeriesLowering::known_product(const std::vector<Power>& power
 }
 
 int SeriesLowering::value_of(const std::vector<Power>& powers) {
-  int value = -1;
+  std::optional<int> value;
   for (const Power& each : powers) {
     int base = each.node;
     for (int rest = each.exponent; rest > 0; rest /= 2) {
-      if (rest % 2 == 1) value = value < 0 ? base : product(value, base);
+      if (rest % 2 == 1) value = value ? product(*value, base) : base;
       if (rest > 1) base = product(base, base);
     }
   }
   for (const Power& each : powers) {
     for (int rest = each.exponent; rest < 0; ++rest) value = quotient(value, each.node);
   }
-  return value;
+  return *value;
 }
 
 /// Takes the factor that most products share out, again and again.
@@ -446,7 +449,7 @@ SeriesForm SeriesLowering::taken_out(std::pair<int, bool> factor, std::vector<Pr
   const SeriesForm sum = lowered(std::move(inside));
   SeriesForm form;
   if (sum.terms.empty()) {
-    if (!sum.constant.is_zero()) form.add(divides ? quotient(-1, node) : node, sum.constant);
+    if (!sum.constant.is_zero()) form.add(divides ? quotient(std::nullopt, node) : node, sum.constant);
     return form;
   }
   const Scaled other = scaled(sum);
@@ -460,32 +463,32 @@ std::pair<std::vector<SeriesNode>, std::vector<SeriesForm>> SeriesLowering::take
     for (const SeriesForm::Term& term : form.terms) live[at(term.node)] = true;
   };
   for (const SeriesForm& output : outputs_) mark(output);
-  std::vector<int> slope_of(nodes_.size(), -1);  // a slope stands behind what it is one of, and so behind no user of that
+  // A slope stands behind what it is one of, and so behind no user of that.
+  std::vector<std::optional<int>> slope_of(nodes_.size());
   for (std::size_t k = 0; k < nodes_.size(); ++k) {
-    if (has_slope(nodes_[k])) slope_of[at(nodes_[k].right)] = static_cast<int>(k);
+    if (has_slope(nodes_[k])) slope_of[at(*nodes_[k].right)] = static_cast<int>(k);
   }
   for (std::size_t k = nodes_.size(); k-- > 0;) {
     const SeriesNode& node = nodes_[k];
-    if (slope_of[k] >= 0 && live[at(slope_of[k])]) live[k] = true;
+    if (slope_of[k] && live[at(*slope_of[k])]) live[k] = true;
     if (!live[k]) continue;
     mark(node.form);
-    if (node.left >= 0) live[at(node.left)] = true;
-    if (node.right >= 0) live[at(node.right)] = true;
+    if (node.left) live[at(*node.left)] = true;
+    if (node.right) live[at(*node.right)] = true;
   }
-  std::vector<int> place(nodes_.size(), -1);
+  std::vector<int> place(nodes_.size());
   std::vector<SeriesNode> kept;
   for (std::size_t k = 0; k < nodes_.size(); ++k) {
     if (!live[k]) continue;
     place[k] = static_cast<int>(kept.size());
     kept.push_back(std::move(nodes_[k]));
   }
-  const auto moved = [&place](int node) { return node < 0 ? node : place[at(node)]; };
-  const auto move = [&moved](SeriesForm& form) {
-    for (SeriesForm::Term& term : form.terms) term.node = moved(term.node);
+  const auto move = [&place](SeriesForm& form) {
+    for (SeriesForm::Term& term : form.terms) term.node = place[at(term.node)];
   };
   for (SeriesNode& node : kept) {
-    node.left = moved(node.left);
-    node.right = moved(node.right);
+    if (node.left) node.left = place[at(*node.left)];
+    if (node.right) node.right = place[at(*node.right)];
     move(node.form);
   }
   for (SeriesForm& output : outputs_) move(output);

@@ -36,7 +36,7 @@ class SeriesLowering {
   /// coefficient · value number, if there is a value number, else a product.
   struct Piece {
     Product product;
-    ValueNumber value_number = -1;
+    std::optional<ValueNumber> value_number;
   };
   struct Scaled {
     Polynomial coefficient;
@@ -45,7 +45,7 @@ class SeriesLowering {
 
   void define(ValueNumber value_number);
   void define_function(ValueNumber value_number);
-  void define_arctangent(ValueNumber value_number, int y, int x);
+  void define_arctangent(ValueNumber value_number, std::optional<int> y, std::optional<int> x);
   bool is_constant(const Polynomial& polynomial) const;
   std::vector<Piece> pieces_of(const Polynomial& polynomial);
   std::vector<Product> multiplied(const Term& term, const Number& coefficient);
@@ -61,7 +61,7 @@ class SeriesLowering {
   Scaled scaled(const SeriesForm& form);
   int exact(const SeriesForm& form);
   int product(int left, int right);
-  int quotient(int dividend, int divisor);
+  int quotient(std::optional<int> dividend, int divisor);
   std::optional<int> known_product(const std::vector<Power>& powers) const;
   int value_of(const std::vector<Power>& powers);
   void multiply(Product& product, ValueNumber value_number, int exponent);
@@ -75,7 +75,8 @@ class SeriesLowering {
   std::vector<std::vector<Piece>> pieces_;         ///< by value number, of sums
   std::vector<std::optional<SeriesForm>> direct_;  ///< by value number: in terms of what it was written with
   std::vector<SeriesForm> expanded_;               ///< by value number: with sums put back, where that stays short
-  std::map<std::pair<int, int>, int> products_, quotients_;
+  std::map<std::pair<int, int>, int> products_;
+  std::map<std::pair<std::optional<int>, int>, int> quotients_;
   std::multimap<int, int> sums_;  ///< by first node, looked up only
   std::vector<SeriesNode> nodes_;
   std::vector<SeriesForm> outputs_;

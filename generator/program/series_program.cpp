@@ -204,7 +204,7 @@ SeriesProgram::SeriesProgram(Program& program, const std::vector<Value>& outputs
 
 std::vector<ValueNumber> SeriesProgram::known_at_start(const SeriesNode& node) const {
   if (!is_function(node.kind)) return {};
-  std::vector<ValueNumber> value_numbers = {node.value_number};
+  std::vector<ValueNumber> value_numbers = {*node.value_number};
   if (node.kind == SeriesNode::Kind::selection) {
     const std::vector<ValueNumber>& arguments = call_of(node).arguments;
     // The forms of a piecewise function are series of their own.
@@ -235,7 +235,7 @@ int SeriesProgram::nonlinear_count() const {
 
 std::vector<bool> SeriesProgram::depending_on(const std::vector<SymbolPointer>& symbols) const {
   std::vector<bool> marked(nodes_.size(), false);
-  const auto is_marked = [&marked](int node) { return node >= 0 && marked[static_cast<std::size_t>(node)]; };
+  const auto is_marked = [&marked](std::optional<int> node) { return node && marked[static_cast<std::size_t>(*node)]; };
   for (std::size_t id = 0; id < nodes_.size(); ++id) {
     const SeriesNode& node = nodes_[id];
     if (node.kind == SeriesNode::Kind::symbol) {
@@ -253,9 +253,9 @@ bool SeriesProgram::linear_in(const std::vector<bool>& marked) const {
   for (std::size_t id = 0; id < nodes_.size(); ++id) {
     if (!marked[id]) continue;
     const SeriesNode& node = nodes_[id];
-    const bool right = node.right >= 0 && marked[static_cast<std::size_t>(node.right)];
+    const bool right = node.right && marked[static_cast<std::size_t>(*node.right)];
     if (is_function(node.kind) || node.kind == SeriesNode::Kind::weighted || (node.kind == SeriesNode::Kind::quotient && right)) return false;
-    if (node.kind == SeriesNode::Kind::product && right && marked[static_cast<std::size_t>(node.left)]) return false;
+    if (node.kind == SeriesNode::Kind::product && right && marked[static_cast<std::size_t>(*node.left)]) return false;
   }
   return true;
 }

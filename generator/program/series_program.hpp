@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "generator/program/program.hpp"
@@ -28,17 +29,18 @@ Polynomial product_of(const Polynomial& a, const Polynomial& b);
 /// A quantity that changes with time, with the recurrence its Taylor coefficients follow.
 struct SeriesNode {
   /// `weighted` is k x_k, the series of t dx/dt; `integrated` its inverse, x_k / k from the value of its value number on;
-  /// `selection` has the coefficients of one of two series, left or right (-1: of what does not change); `primitive`
+  /// `selection` has the coefficients of one of two series, left or right (none: of what does not change); `primitive`
   /// follows y' = right · left', right being any later node or itself, as `sine` does with its cosine.
   enum class Kind {
     symbol, sum, weighted, integrated, selection,
     product, quotient, square_root, sine, cosine, primitive, logarithm
   };
   Kind kind = Kind::symbol;
-  ValueNumber value_number = -1;   ///< the value number of the program with just this value, if one is known; always for symbols and functions
-  int left = -1;    ///< factor, dividend (-1: one), or argument of a function
-  int right = -1;   ///< factor, divisor, second form, slope of a primitive, the cosine of a sine and the sine of a cosine
-  SeriesForm form;  ///< of a sum
+  std::optional<ValueNumber> value_number{};  ///< with just this value, if one is known; always for symbols and functions
+  std::optional<int> left{};   ///< factor, dividend (none: one), or argument of a function
+  /// Factor, divisor, second form, slope of a primitive, the cosine of a sine and the sine of a cosine.
+  std::optional<int> right{};
+  SeriesForm form{};           ///< of a sum
 };
 
 /// Whether the Taylor coefficients of a node take a convolution, k multiply-adds for the coefficient of order k.
@@ -71,8 +73,8 @@ class SeriesProgram {
   /// Value numbers that the recurrence of a node starts from: a function, and what a selection chooses by.
   std::vector<ValueNumber> known_at_start(const SeriesNode& node) const;
   /// The call that a selection stands for.
-  const Definition& call_of(const SeriesNode& node) const { return (*program_)[node.value_number]; }
-  const SymbolPointer& symbol_of(const SeriesNode& node) const { return (*program_)[node.value_number].symbol; }
+  const Definition& call_of(const SeriesNode& node) const { return (*program_)[*node.value_number]; }
+  const SymbolPointer& symbol_of(const SeriesNode& node) const { return (*program_)[*node.value_number].symbol; }
   int nonlinear_count() const;
   /// By node: whether it changes with these symbols.
   std::vector<bool> depending_on(const std::vector<SymbolPointer>& symbols) const;

@@ -11,7 +11,7 @@ std::vector<Vector> across_axis(Program& program, const Link& link) {
     e[i] = program.number(Number(1));
     return e;
   };
-  if (link.aligned >= 0) return {basis((link.aligned + 1) % 3), basis((link.aligned + 2) % 3)};
+  if (link.aligned) return {basis((*link.aligned + 1) % 3), basis((*link.aligned + 2) % 3)};
   const Value one = program.number(Number(1));
   const Value side = link.axis[2].is_zero() ? one : program.select(link.axis[2], one, -one);
   const Vector half = bound(program, link.axis + side * basis(2));
@@ -28,8 +28,7 @@ std::vector<bool> carried_links(const Model& model, int link) {
   std::vector<bool> carried(model.links().size(), false);
   carried[static_cast<std::size_t>(link)] = true;
   for (std::size_t k = static_cast<std::size_t>(link) + 1; k < carried.size(); ++k) {
-    const int parent = model.links()[k].parent;
-    carried[k] = parent >= 0 && carried[static_cast<std::size_t>(parent)];
+    carried[k] = carried[static_cast<std::size_t>(model.links()[k].parent)];
   }
   return carried;
 }

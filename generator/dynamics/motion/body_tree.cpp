@@ -29,7 +29,7 @@ Vector turn(Program& program, const AxisTurn& by, const Vector& v) {
 }
 
 AxisTurn turn_of(const Link& link, bool inverse) {
-  return {link.aligned, inverse ? -link.sine : link.sine, link.cosine};
+  return {*link.aligned, inverse ? -link.sine : link.sine, link.cosine};
 }
 
 /// R v for a rotation by the link's angle (its transpose for the inverse turn).
@@ -151,7 +151,7 @@ Vector BodyTree::from_parent(const Link& link, const Vector& v) const {
 
 Vector BodyTree::axis_in_parent(const Link& link) const {
   // Axes of a quaternion's links turn with them; any other turn leaves its axis alone.
-  const bool moves = link.turn == Turn::general && link.aligned >= 0;
+  const bool moves = link.turn == Turn::general && link.aligned;
   return moves ? to_parent(link, link.axis) : link.placement_rotation * link.axis;
 }
 

@@ -46,14 +46,14 @@ struct FramePlace {
 /// the three, so that d(ω_i n_i)/dt = ω̇_i n_i + ω_i Ω_p ∧ n_i with Ω_p of the parent of all three (`in_group` counts them).
 struct Link {
   std::string name;
-  int parent = -1;
+  int parent = 0;               ///< of the ground the ground itself
   Rotation placement_rotation;  ///< from the joint's fixed axes to the parent link's
   /// Turns about axes whose product, first to last, it is, where they are to be done one after the other; else none.
   std::vector<Rotation> placement_factors;
   Vector placement_origin;      ///< of the joint, in the parent link's axes
   JointKind joint = JointKind::weld;
   Vector axis;                  ///< unit vector, the same components on both sides of the joint
-  int aligned = -1;             ///< 0, 1, 2 when the axis is ± x, y, z, else -1
+  std::optional<int> aligned;   ///< 0, 1, 2: the axis is ± x, y, z
   Turn turn = Turn::none;
   int in_group = 0;             ///< 0, 1, 2 among the links of a quaternion, 0 of any other
   Value displacement, rate, acceleration;  ///< s [rad or m], ds/dt, d²s/dt²

@@ -42,7 +42,7 @@ Matrix GroundMotion::turned(const Link& link) const {
   while (link.turn == Turn::aligned && outer->placement_rotation.is_identity()) {
     const Link& next = links[static_cast<std::size_t>(outer->parent)];
     const bool same_axis = next.turn == Turn::aligned && next.aligned == link.aligned;
-    if (!same_axis && (next.turn != Turn::none || next.in_group > 0 || next.parent < 0)) break;
+    if (!same_axis && (next.turn != Turn::none || next.in_group > 0 || &next == &links.front())) break;
     if (same_axis) {
       angle = next.angle + angle;
       merged = true;
@@ -55,8 +55,8 @@ Matrix GroundMotion::turned(const Link& link) const {
   if (link.turn == Turn::general) return bound(program, carried * link.rotation);
   const Value sine = merged ? program.sin(angle) : link.sine;
   const Value cosine = merged ? program.cos(angle) : link.cosine;
-  const int x = (link.aligned + 1) % 3;
-  const int y = (link.aligned + 2) % 3;
+  const int x = (*link.aligned + 1) % 3;
+  const int y = (*link.aligned + 2) % 3;
   Matrix result = carried;
   for (int i = 0; i < 3; ++i) {
     result(i, x) = cosine * carried(i, x);

@@ -97,11 +97,11 @@ void Model::set_motion(Link& link, const FrameContent& frame) {
   link.rate = time_derivative(link.displacement.program() ? link.displacement : program.number(Number()));
   link.acceleration = time_derivative(link.rate);
   if (frame.joint == JointKind::revolute) {
-    link.turn = link.aligned < 0 ? Turn::general : Turn::aligned;
+    link.turn = link.aligned ? Turn::aligned : Turn::general;
     link.angle = Number(negative) * link.displacement;
     link.sine = program.sin(link.angle);
     link.cosine = program.cos(link.angle);
-    if (link.aligned < 0) {  // Rodrigues: R = c 1 + s [n] + (1 - c) n nᵀ
+    if (!link.aligned) {  // Rodrigues: R = c 1 + s [n] + (1 - c) n nᵀ
       const Value one = program.number(Number(1));
       for (int i = 0; i < 3; ++i) {
         for (int j = 0; j < 3; ++j) {

@@ -87,9 +87,9 @@ std::vector<Acceleration> recursion(const BodyTree& tree, JointMotion joints, co
   // Takes s̈ as minus what the axis' component is without it.
   const auto choose = [&](std::size_t k, Vector& angular) {
     const Link& link = tree.links()[k];
-    if (joints != JointMotion::reference || link.aligned < 0 || link.partials.empty()) return;
-    (*reference)[k] = program.bind(-(link.axis[link.aligned] * program.bind(angular[link.aligned])));
-    angular[link.aligned] = Value();
+    if (joints != JointMotion::reference || !link.aligned || link.partials.empty()) return;
+    (*reference)[k] = program.bind(-(link.axis[*link.aligned] * program.bind(angular[*link.aligned])));
+    angular[*link.aligned] = Value();
   };
   Vector carried;  // Ω of the parent of a quaternion's links, in their axes
   std::vector<Acceleration> all;

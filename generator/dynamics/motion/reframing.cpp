@@ -145,7 +145,7 @@ class FrameChoice {
 
   bool all_permutations() const {
     return std::all_of(links_.begin() + 1, links_.end(), [](const Link& link) {
-      const bool general = link.aligned < 0 && link.in_group == 0 && !link.axis.is_zero();
+      const bool general = !link.aligned && link.in_group == 0 && !link.axis.is_zero();
       return !general && (link.parent == 0 || is_permutation(link.placement_rotation));
     });
   }
@@ -360,7 +360,7 @@ class FrameChoice {
     const Link& link = links_[k];
     int cost = weight(k) * cost_of_turning(link.placement_rotation) + of_entry * entries(k, Rotation(), {});
     for (int i = 0; i < 3 && parent(k) != 0; ++i) cost += link.placement_origin[i].is_zero() ? 0 : of_component;
-    return moves(k) && link.aligned < 0 ? cost + of_general_axis : cost;
+    return moves(k) && !link.aligned ? cost + of_general_axis : cost;
   }
 
   int cost(std::size_t k) const {
@@ -372,8 +372,8 @@ class FrameChoice {
   }
 
   int entries(std::size_t k, const Rotation& rotation, const Triplet& origin) const {
-    const bool own = rotation.is_identity() && links_[k].aligned >= 0;
-    return inertia_entries(scene_, links_[k].mass, rotation, origin, own ? links_[k].aligned : 2);
+    const bool own = rotation.is_identity() && links_[k].aligned;
+    return inertia_entries(scene_, links_[k].mass, rotation, origin, own ? *links_[k].aligned : 2);
   }
 
   const SceneContent& scene_;

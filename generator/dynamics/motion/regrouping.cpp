@@ -38,7 +38,7 @@ void regroup(const BodyTree& tree, std::vector<Link>& links, Line wanted) {
     MassProperties moved;
     if (link.turn == Turn::aligned) {
       // Mass spread on the axis z: m, h_z and an equal amount of J_xx and J_yy feel no turn about z.
-      const int z = link.aligned;
+      const int z = *link.aligned;
       const int x = (z + 1) % 3;
       const int y = (z + 2) % 3;
       Value line = spread_along(tree, own.inertia, x, y);

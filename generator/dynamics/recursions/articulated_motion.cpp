@@ -126,7 +126,7 @@ Value joint_acceleration(Program& program, const Link& link, const ArticulatedJo
                          const AccelerationIncrement& before, AccelerationIncrement& after) {
   const bool revolute = link.joint == JointKind::revolute;
   after = before;
-  if (link.aligned < 0) {
+  if (!link.aligned) {
     Value rest = effort - dot(joint.gain.moment, before.angular);
     rest -= dot(joint.gain.resultant, before.linear);
     const Value acceleration = program.bind(rest);
@@ -140,9 +140,9 @@ Value joint_acceleration(Program& program, const Link& link, const ArticulatedJo
     if (!is_along_joint(link, i, false)) along -= joint.gain.resultant[i] * before.linear[i];
   }
   along = program.bind(along);
-  const Value& own_before = (revolute ? before.angular : before.linear)[link.aligned];
-  const Value sense = link.axis[link.aligned];
-  (revolute ? after.angular : after.linear)[link.aligned] = sense * along;
+  const Value& own_before = (revolute ? before.angular : before.linear)[*link.aligned];
+  const Value sense = link.axis[*link.aligned];
+  (revolute ? after.angular : after.linear)[*link.aligned] = sense * along;
   return program.bind(along - sense * own_before);
 }
 

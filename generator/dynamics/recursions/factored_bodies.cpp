@@ -41,7 +41,7 @@ struct Tip {
   std::size_t link = 0;  ///< whose origin it is; 0: the centre of mass of a body
   Vector arm;            ///< from the link's origin
   Vector velocity;       ///< per unit rate of the joint
-  int aligned = -1;      ///< the only component that this has
+  std::optional<int> aligned;  ///< the only component that this has
 };
 
 struct JointSolution {
@@ -190,7 +190,7 @@ class FactoredRecursion {
       ++count;
       tip.aligned = i;
     }
-    if (count != 1) tip.aligned = -1;
+    if (count != 1) tip.aligned.reset();
     return tip;
   }
 
@@ -216,7 +216,7 @@ class FactoredRecursion {
         const Value inverse = inverse_of(square);
         fix = -(dot(tip, joint.tip.velocity) * inverse);
         tip += fix * joint.tip.velocity;
-        if (joint.tip.aligned >= 0) tip[joint.tip.aligned] = Value();
+        if (joint.tip.aligned) tip[*joint.tip.aligned] = Value();
       } else if (turns) {
         fix = -dot(link.axis, twist.angular);
       }
@@ -423,9 +423,9 @@ class FactoredRecursion {
       }
       if (joint.tip.link == 0) continue;
       Vector there = linear[k] + cross(angular[k], joint.tip.arm);
-      if (is_free(link) && joint.tip.aligned >= 0) {
+      if (is_free(link) && joint.tip.aligned) {
         there = moving + cross(turning, joint.tip.arm);
-        there[joint.tip.aligned] = along * joint.tip.velocity[joint.tip.aligned];
+        there[*joint.tip.aligned] = along * joint.tip.velocity[*joint.tip.aligned];
       }
       at_tip[k] = bound(program_, there);
     }

@@ -34,7 +34,7 @@ class DerivativeRecursion {
     find_changes();
     slopes.own.resize(static_cast<std::size_t>(tree_.unknown_count()));
     for (std::size_t k = 1; k < links_.size(); ++k) {
-      if (is_unknown(k) && links_[k].aligned >= 0) slopes.own[unknown(k)] = leave_out_own(k);
+      if (is_unknown(k) && links_[k].aligned) slopes.own[unknown(k)] = leave_out_own(k);
     }
     carry();
     if (all_joints_are_free(tree_)) slopes.bias = bias();
@@ -61,8 +61,8 @@ class DerivativeRecursion {
   Value leave_out_own(std::size_t k) {
     const Link& link = links_[k];
     MotionChange& change = changes_[k][position];
-    Value& along = (link.joint == JointKind::revolute ? change.alpha : change.beta)[link.aligned];
-    const Value own = link.axis[link.aligned] * along;
+    Value& along = (link.joint == JointKind::revolute ? change.alpha : change.beta)[*link.aligned];
+    const Value own = link.axis[*link.aligned] * along;
     along = Value();
     return own;
   }

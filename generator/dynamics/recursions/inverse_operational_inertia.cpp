@@ -113,14 +113,14 @@ InverseOperationalInertia from_parent(const BodyTree& tree, const Link& link, co
 
 AccelerationIncrement reaction(Program& program, const Link& link, const ArticulatedJoint& joint,
                                const InverseOperationalInertia& before, const InverseOperationalInertia& after) {
-  if (link.aligned < 0) {
+  if (!link.aligned) {
     const AccelerationIncrement opposite = before * joint.gain;
     const Vector angular = bound(program, -opposite.angular);
     return {angular, bound(program, -opposite.linear)};
   }
   // C' has −Σ of the others in the joint's row, so that C g is the difference there.
-  const auto along = static_cast<std::size_t>(link.aligned + (link.joint == JointKind::revolute ? 0 : 3));
-  const Value& sense = link.axis[link.aligned];
+  const auto along = static_cast<std::size_t>(*link.aligned + (link.joint == JointKind::revolute ? 0 : 3));
+  const Value& sense = link.axis[*link.aligned];
   const Six gain = together(joint.gain.moment, joint.gain.resultant);
   const SixBySix c = together(before), with = together(after);
   Six answer;
@@ -141,9 +141,9 @@ InverseOperationalInertia with_joint(Program& program, const Link& link, const A
   SixBySix all = together(before);
   const Six gain = together(joint.gain.moment, joint.gain.resultant);
   const bool revolute = link.joint == JointKind::revolute;
-  if (link.aligned >= 0) {
-    const auto along = static_cast<std::size_t>(link.aligned + (revolute ? 0 : 3));
-    give_way(program, along, link.axis[link.aligned], gain, joint.inverse, all);
+  if (link.aligned) {
+    const auto along = static_cast<std::size_t>(*link.aligned + (revolute ? 0 : 3));
+    give_way(program, along, link.axis[*link.aligned], gain, joint.inverse, all);
   } else {
     const Six axis = revolute ? together(link.axis, Vector()) : together(Vector(), link.axis);
     give_way(program, axis, gain, joint.inverse, all);

@@ -81,7 +81,7 @@ class Finder {
 
   int child_of(int link) const {
     const auto& links = model_.links();
-    const auto child = std::find_if(links.begin(), links.end(), [link](const Link& l) { return l.parent == link; });
+    const auto child = std::find_if(links.begin() + 1, links.end(), [link](const Link& l) { return l.parent == link; });
     return static_cast<int>(child - links.begin());
   }
 
