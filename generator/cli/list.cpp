@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "generator/base/decimal.hpp"
 #include "generator/base/error.hpp"
 #include "generator/cli/command_texts.hpp"
 #include "generator/emission/description.hpp"
@@ -12,6 +13,7 @@
 #include "generator/kernels/kernel.hpp"
 #include "generator/mechanics/freedom_positions.hpp"
 #include "generator/mechanics/parameter_value.hpp"
+#include "generator/printing/notation.hpp"
 #include "generator/program/written_unit.hpp"
 
 namespace torsor {
@@ -123,6 +125,16 @@ Json content_json(const Scene& scene, const Equations& equations) {
   return json;
 }
 
+/// As a person writes it; what takes more digits than a double has, as turned inertias of a file do, rounded.
+std::string readable(const Equations& equations, const Expression& formula) {
+  const Value value = equations.program().lower(formula);
+  if (!formula.symbols().empty() || !value.is_constant()) return formula.to_string();
+  constexpr std::size_t longest = 24;  // 17 digits with a sign, a point and some zeros
+  const Number number = value.polynomial().constant();
+  const std::string exact = printing::decimal_text(number);
+  return exact.size() <= longest ? exact : "about " + shortest(number.to_double());
+}
+
 std::string line(const std::string& title, const Json& items, const std::function<std::string(const Json&)>& text) {
   std::string joined;
   for (const Json& item : items) joined += (joined.empty() ? "" : ", ") + text(item);
@@ -138,16 +150,19 @@ std::string list_json(const Scene& scene, const std::vector<std::string>& kernel
 }
 
 std::string list_text(const Scene& scene) {
-  const Json json = content_json(scene, Equations(scene));
+  const Equations equations(scene);
+  const Json json = content_json(scene, equations);
   const auto plain = [](const Json& item) { return item.get<std::string>(); };
   const auto text = [](const Json& value) { return value.get<std::string>(); };
   std::string out = scene.content().title.empty() ? scene.name() + "\n"
                                                   : fmt::format("{}: {}\n", scene.name(), scene.content().title);
-  out += line("parameters", json["parameters"], [&](const Json& p) {
-    const std::string value = p["value"].is_null() ? "given at run time" : text(p["value"]);
-    return fmt::format("{} = {} [{}]{}", text(p["name"]), value, text(p["unit"]),
-                       p["run_time"].get<bool>() && !p["value"].is_null() ? " (run time)" : "");
-  });
+  std::vector<std::string> parameters;
+  for (const ParameterContent& p : scene.content().parameters) {
+    const std::string value = p.value ? readable(equations, *p.value) : "given at run time";
+    parameters.push_back(fmt::format("{} = {} [{}]{}", p.symbol->name, value, written_unit(*p.symbol),
+                                     p.run_time && p.value ? " (run time)" : ""));
+  }
+  out += line("parameters", Json(parameters), plain);
   out += line("coordinates", json["coordinates"], [&](const Json& c) {
     return fmt::format("{} [{}]{}", text(c["name"]), text(c["unit"]),
                        c["role"] == "unknown" ? "" : " (" + text(c["role"]) + ")");

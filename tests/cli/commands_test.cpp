@@ -20,7 +20,7 @@ TEST(SceneProgram, ListsWhatTheSceneContains) {
   EXPECT_EQ(text.code, 0);
   EXPECT_EQ(text.err, "");
   EXPECT_NE(text.out.find("pendulum: Pendulum with a motor"), std::string::npos);
-  EXPECT_NE(text.out.find("length = 3/2 [m] (run time)"), std::string::npos) << text.out;
+  EXPECT_NE(text.out.find("length = 1.5 [m] (run time)"), std::string::npos) << text.out;
 
   const Outcome data = run(pendulum, {"list", "--json"});
   EXPECT_EQ(data.code, 0);

@@ -143,7 +143,7 @@ TEST(ContactsOfLinks, AreTakenByEveryCommand) {
             std::string::npos)
       << header.out.substr(0, 3000);
   const Outcome list = run("list", options);
-  EXPECT_NE(list.out.find("contacts_friction = 1/4 [1] (run time)"), std::string::npos) << list.out;
+  EXPECT_NE(list.out.find("contacts_friction = 0.25 [1] (run time)"), std::string::npos) << list.out;
   const Outcome check = run("check", with({"--digits", "30", "--states", "1"}));
   EXPECT_EQ(check.code, 0) << check.out;
   EXPECT_NE(check.out.find("contacts"), std::string::npos);

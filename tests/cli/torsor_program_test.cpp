@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <cmath>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
@@ -173,6 +174,22 @@ TEST(TorsorTool, KeepsJointsThatMoveNoMass) {
   EXPECT_EQ(moved.code, 3);
   EXPECT_EQ(moved.err, "torsor: 'hand' cannot be solved: " + why);
   EXPECT_EQ(torsor_tool({"list", path, "--accept-inertia"}).code, 0);
+}
+
+TEST(TorsorTool, ListsNumbersInDigitsThatAPersonReads) {
+  const std::string path = testing::TempDir() + "turned.urdf";
+  std::ofstream(path) << R"(<robot name="turned"><link name="base"/><link name="arm"><inertial><origin rpy="0 0 0.5"/>
+    <mass value="0.25"/><inertia ixx="0.01" ixy="0" ixz="0" iyy="0.02" iyz="0" izz="0.03"/></inertial></link>
+    <joint name="turn" type="revolute"><parent link="base"/><child link="arm"/></joint></robot>)";
+  const Outcome list = torsor_tool({"list", path});
+  EXPECT_EQ(list.code, 0) << list.err;
+  EXPECT_NE(list.out.find("arm_mass = 0.25 [kg], "), std::string::npos) << list.out;
+  EXPECT_NE(list.out.find("arm_inertia_zz = 0.03 [kg m^2]"), std::string::npos) << list.out;
+  const std::string turned = "arm_inertia_xx = about ";
+  const std::size_t place = list.out.find(turned);
+  ASSERT_NE(place, std::string::npos) << list.out;
+  // J_xx = 0.015 - 0.005 cos 2 psi: the digits of a double, and three roundings here, of at most 2^-59 each.
+  EXPECT_NEAR(std::stod(list.out.substr(place + turned.size())), 0.015 - 0.005 * std::cos(1.0), 8e-18);
 }
 
 TEST(TorsorTool, TellsWhatIsWrongOnOneLine) {
