@@ -18,6 +18,15 @@ CLI::App& CommandSet::add(const std::string& name, const std::string& text, Run 
   return *command;
 }
 
+void CommandSet::starts_from(CLI::App& command, const NamedNumbers& initial) { starts_.emplace_back(&command, &initial); }
+
+NamedNumbers CommandSet::start() const {
+  for (const auto& [command, initial] : starts_) {
+    if (command->parsed()) return *initial;
+  }
+  return {};
+}
+
 void add_about(CLI::App& command, About& about, const std::string& text) { add_assignments(command, "--about", about, text); }
 
 void add_assignments(CLI::App& command, const std::string& name, About& assignments, const std::string& text) {

@@ -6,10 +6,12 @@
 #include <cmath>
 #include <cstdint>
 
+#include <Eigen/Cholesky>
 #include <fmt/format.h>
 
 #include "generator/base/error.hpp"
 #include "generator/cli/evaluated_contacts.hpp"
+#include "generator/cli/start_state.hpp"
 #include "generator/program/written_unit.hpp"
 #include "runtime/contacts/integrate_contacts.hpp"
 
@@ -56,6 +58,9 @@ std::string reason_of(const runtime::ContactResult& end, const NaturalLanguage& 
   }
   // No integration failed: the mechanism could not be evaluated at its start or at an event.
   if (end.integration) return say("the accelerations, or positions that fulfil the constraints, could not be found");
+  if (end.integration.status == runtime::IntegrationStatus::model_failure) {
+    return say("the integration between events failed: {}", known(describe(end.integration.evaluation)));
+  }
   return say("the integration between events failed: {}", known(describe(end.integration.status)));
 }
 
@@ -89,9 +94,13 @@ class ContactSimulation {
     }
     const runtime::ContactResult& end = motion.result();
     result_.steps = static_cast<decltype(result_.steps)>(end.integration.statistics.accepted);
-    result_.remarks.push_back(say_("worst certificate of the contact solves {:.1g}", end.worst_residual));
+    result_.remarks.push_back(say_("forces and impulses of contacts fulfil the laws of contact to {:.1g} of the largest",
+                                   end.worst_residual));
     if (!end) {
-      result_.status = say_("{} at t = {:.9g} s", reason_of(end, say_) + of_contact(end), end.time);
+      const std::string dead = dead_centre(motion.motion(), end, y);
+      result_.status = say_("{} at t = {:.9g} s", dead.empty() ? reason_of(end, say_) + of_contact(end) : dead, end.time);
+      const std::vector<double> there(y.begin(), y.begin() + static_cast<std::ptrdiff_t>(start.size()));
+      result_.status += near_change_point(contacts_.motion(), end.time, there);
     }
     if (end.ambiguous > 0) {
       result_.remarks.push_back(say_("at {} several motions fulfil the laws of contact: one was taken",
@@ -115,6 +124,25 @@ class ContactSimulation {
   std::string of_contact(const runtime::ContactResult& end) const {
     if (end.contact < 0 || end.contact >= contacts_.count()) return "";
     return fmt::format("; contact '{}'", contacts_.name(end.contact));
+  }
+
+  /// A dead centre: what a contact acts along is held by the loops, whatever the mechanism does.
+  std::string dead_centre(runtime::ContactMotion& motion, const runtime::ContactResult& end, const State& y) const {
+    // W is a difference of terms as large as J M⁻¹ Jᵀ, whose rounding is some 1e-15. Below 1e-12 of these a force that holds
+    // the contact is known to less than three digits.
+    constexpr double dead = 1e-12;
+    if (end.status != ContactStatus::integration_failed || !motion.read(end.time, y)) return {};
+    const runtime::ContactReading& reading = motion.reading();
+    const Eigen::MatrixXd free = reading.J * reading.M.llt().solve(reading.J.transpose());
+    for (int i = 0; i < motion.count(); ++i) {
+      if (!motion.states[static_cast<std::size_t>(i)].touches) continue;
+      for (int row = motion.first_row(i); row < motion.first_row(i + 1); ++row) {
+        if (motion.W()(row, row) > dead * free(row, row)) continue;
+        return say_("the mechanism is at a dead centre of '{}', where the loops hold what it acts on and its force is not "
+                    "determined: end the motion before (--to), or start elsewhere (--initial);", contacts_.name(i));
+      }
+    }
+    return {};
   }
 
   void tell(const runtime::ContactEvent& event) {
@@ -212,11 +240,7 @@ ContactRecord record_contacts(const Scene& scene, const SimulationOptions& optio
   ContactRecord record;
   add_columns(contacts, record);
   EvaluatedMotion& motion = contacts.motion();
-  std::vector<double> y = motion.start(options.initial);
-  if (motion.needs_settling() && !motion.settle(0.0, y)) {
-    throw Error(fmt::format("the constraints of '{}' cannot be closed near the initial state: give other values by --initial",
-                            scene.name()));
-  }
+  const std::vector<double> y = closed_start(motion, options.initial);
   if (y.size() > ContactSimulation::most_numbers ||
       static_cast<std::size_t>(contacts.count()) > ContactSimulation::most_contacts) {
     throw UsageError(fmt::format(

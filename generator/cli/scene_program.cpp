@@ -19,7 +19,9 @@
 #include "generator/cli/command_line.hpp"
 #include "generator/cli/command_set.hpp"
 #include "generator/cli/command_tree_text.hpp"
+#include "generator/cli/start_state.hpp"
 #include "generator/dynamics/equations/singular_start.hpp"
+#include "generator/dynamics/equations/start_error.hpp"
 #include "generator/dynamics/equations/validation.hpp"
 
 namespace torsor {
@@ -99,6 +101,24 @@ CommandResult run_with_remarks(const CommandSet& commands, const Scene& scene, c
   }
 }
 
+/// The scene, which stands where the chosen command starts: at its own start, or at values that the command was given.
+Scene standing(const SceneSource& source, const NamedNumbers& start) {
+  const Scene scene = source.make();
+  try {
+    validate(scene);
+    return scene;
+  } catch (const StartError& error) {
+    if (start.empty()) throw SceneError(error.what() + nearest_closed_start(scene, static_cast<bool>(source.add_options)));
+  }
+  const Scene elsewhere = with_closed_start(scene, start);
+  try {
+    validate(elsewhere);
+  } catch (const StartError& error) {
+    throw SceneError(fmt::format("{}; the start is the one of --initial", error.what()));
+  }
+  return elsewhere;
+}
+
 /// What the chosen command leaves, and where its text goes; nothing when help was asked for, which is the text then.
 struct Ran {
   CommandResult result;
@@ -122,9 +142,9 @@ Ran run(int argc, const char* const* argv, const SceneSource& source) {
   add_report_command(commands);
   add_simulate_command(commands);
   if (const std::optional<std::string> help = read_command_line(app, argc, argv)) return {{.text = *help}};
-  const Scene scene = source.make();
-  validate(scene);
-  const std::vector<std::string> remarks = singular_start(scene);
+  const NamedNumbers start = commands.start();
+  const Scene scene = standing(source, start);
+  const std::vector<std::string> remarks = singular_start(with_start(scene, start));
   CommandResult result = run_with_remarks(commands, scene, remarks);
   result.notes.insert(result.notes.end(), remarks.begin(), remarks.end());
   for (const FurtherFile& file : result.files) write_file_if_changed(file.path, file.text);

@@ -11,6 +11,7 @@
 #include "generator/base/did_you_mean.hpp"
 #include "generator/base/error.hpp"
 #include "generator/cli/contact_simulation.hpp"
+#include "generator/cli/start_state.hpp"
 #include "generator/program/written_unit.hpp"
 #include "generator/verification/dormand_prince_853.hpp"
 #include "generator/verification/gauss_collocation.hpp"
@@ -68,9 +69,6 @@ std::string method_text(const SimulationOptions& options) {
                                              : fmt::format("{}, tolerance {:g}", method.words, options.tolerance);
 }
 
-/// Of rows of constraints, what is left of one beside the others: accelerations then lose half of their digits.
-constexpr double near_change_point = 1e-3;
-
 }  // namespace
 
 Simulation simulate(const Scene& scene, const SimulationOptions& options) {
@@ -88,11 +86,7 @@ Simulation simulate(const Scene& scene, const SimulationOptions& options) {
     result.names.push_back(name);
     result.units.emplace_back(result.names.size() <= motion.symbols().size() + 4 ? "J" : "SI");
   }
-  std::vector<double> y = motion.start(options.initial);
-  if (motion.needs_settling() && !motion.settle(0.0, y)) {
-    throw Error(fmt::format("the constraints of '{}' cannot be closed near the initial state: give other values by --initial",
-                            scene.name()));
-  }
+  const std::vector<double> y = closed_start(motion, options.initial);
   MotionIntegrator::Settle settle;
   if (motion.needs_settling() && options.project) {
     settle = [&motion](double t, std::vector<double>& at) { return motion.settle(t, at); };
@@ -136,11 +130,7 @@ Simulation simulate(const Scene& scene, const SimulationOptions& options) {
   result.steps = integrator->steps();
   if (!integrator->status().empty()) {
     result.status = fmt::format("{} at t = {:.9g} s", integrator->status(), integrator->time());
-    if (motion.independence(integrator->time(), integrator->state()) < near_change_point) {
-      result.status +=
-          ": the constraints nearly lose rank there, a change point, which this command does not pass. The motion of a compiled "
-          "header does (equations_of_motion; docs/constraints.md)";
-    }
+    result.status += near_change_point(motion, integrator->time(), integrator->state());
   }
   return result;
 }

@@ -255,15 +255,39 @@ double EvaluatedMotion::independence(double t, const std::vector<double>& y) {
   return least;
 }
 
+double EvaluatedMotion::open(const ConstraintRow& row, bool rates) {
+  double scale = std::numeric_limits<double>::min();
+  for (std::size_t i = 0; i < velocity_count(); ++i) scale += std::abs(here_(row.jacobian[i]));
+  const double value = std::abs(here_(rates ? row.rate : row.value)) / scale;
+  return std::isfinite(value) ? value : std::numeric_limits<double>::infinity();
+}
+
 double EvaluatedMotion::open(const std::vector<std::size_t>& rows, bool rates) {
   double most = 0.0;
-  for (const std::size_t j : rows) {
-    double scale = std::numeric_limits<double>::min();
-    for (std::size_t i = 0; i < velocity_count(); ++i) scale += std::abs(here_(rows_[j].jacobian[i]));
-    const double value = std::abs(here_(rates ? rows_[j].rate : rows_[j].value)) / scale;
-    most = std::isfinite(value) ? std::max(most, value) : std::numeric_limits<double>::infinity();
-  }
+  for (const std::size_t j : rows) most = std::max(most, open(rows_[j], rates));
   return most;
+}
+
+std::string EvaluatedMotion::most_open(double t, const std::vector<double>& y) {
+  move_to(t, y);
+  const ConstraintRow* worst = nullptr;
+  bool of_rates = false;
+  double most = 0.0;
+  // Rates come after positions: they can be closed wherever these are.
+  for (const bool rates : {false, true}) {
+    for (const std::size_t j : rates ? all_ : holonomic_) {
+      const double here = open(rows_[j], rates);
+      if ((rates && worst != nullptr && !of_rates) || !(here > most)) continue;
+      worst = &rows_[j];
+      of_rates = rates;
+      most = here;
+    }
+  }
+  if (worst == nullptr) return "no constraint is open";
+  const Value& left = of_rates ? worst->rate : worst->value;
+  const Unit& unit = left.unit();
+  return fmt::format("constraint '{}' has the {} {:.6g}{}", worst->name, of_rates ? "rate" : "value", here_(left),
+                     unit.is_dimensionless() ? "" : " " + unit.to_string());
 }
 
 bool EvaluatedMotion::settle(double t, std::vector<double>& y) {

@@ -57,6 +57,8 @@ class EvaluatedMotion {
   /// What a row of the constraints keeps beside the others, at least: 1 where they are orthogonal in the metric of the
   /// masses, near 0 at a change point. Rows that repeat others everywhere do not count.
   double independence(double t, const std::vector<double>& y);
+  /// The constraint that a state leaves open the most, beside its own size: "constraint 'pin' has the value 0.2 m".
+  std::string most_open(double t, const std::vector<double>& y);
   bool needs_settling() const { return !rows_.empty() || !quaternions_.empty(); }
 
   /// A formula of coordinates, rates, parameters and time, for `value`. Throws UsageError where it has an acceleration.
@@ -72,6 +74,7 @@ class EvaluatedMotion {
   /// The least change δv with A δv = right for these rows, in the metric of the masses at the state moved to.
   std::vector<double> least_change(const std::vector<std::size_t>& rows, const std::vector<double>& right);
   double open(const std::vector<std::size_t>& rows, bool rates);
+  double open(const ConstraintRow& row, bool rates);  ///< beside its own size
 
   Equations equations_;
   std::vector<SymbolPointer> symbols_;

@@ -63,7 +63,19 @@ constexpr Translation french_of_contacts[] = {
      "bouts : borner le pas"},
     {"the limit of events was met: raise it", "la limite du nombre d'événements est atteinte : l'augmenter"},
     {"{} at t = {:.9g} s", "{} à t = {:.9g} s"},
-    {"worst certificate of the contact solves {:.1g}", "pire certificat des résolutions de contact : {:.1g}"},
+    {"forces and impulses of contacts fulfil the laws of contact to {:.1g} of the largest",
+     "les forces et les percussions de contact vérifient les lois de contact à {:.1g} près de la plus grande"},
+    {"the mechanism is at a dead centre of '{}', where the loops hold what it acts on and its force is not determined: end the "
+     "motion before (--to), or start elsewhere (--initial);",
+     "le mécanisme est à un point mort de « {} », où les boucles retiennent ce sur quoi il agit et où sa force n'est pas "
+     "déterminée : arrêter le mouvement avant (--to), ou partir d'ailleurs (--initial) ;"},
+    {"the model was evaluated", "le modèle a été évalué"},
+    {"the model is singular: the mass matrix or the constraints lose rank (a change point, where branches of a closed loop meet; "
+     "angles at the singular position of their chart; a freedom without mass; see docs/constraints.md)",
+     "le modèle est singulier : la matrice de masse ou les liaisons perdent du rang (un point de bifurcation, où se rejoignent les "
+     "branches d'une boucle fermée ; des angles à la position singulière de leur carte ; une liberté sans masse ; voir "
+     "docs/constraints.md)"},
+    {"the model gives a value that is not finite", "le modèle donne une valeur qui n'est pas finie"},
     {"one event", "un événement"},
     {"{} events", "{} événements"},
     {"at {} several motions fulfil the laws of contact: one was taken",

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "generator/base/error.hpp"
+#include "generator/dynamics/equations/start_error.hpp"
 #include "generator/dynamics/forces/contacts.hpp"
 #include "generator/mechanics/parameter_value.hpp"
 #include "generator/program/evaluation.hpp"
@@ -120,12 +121,12 @@ void check_contacts(const Equations& equations) {
     const double gap = start(contact.gap).to_double();
     const Unit& unit = contact.gap.unit();
     if (std::isnan(gap)) {
-      throw SceneError(fmt::format("contact '{}' has no gap at t = 0: its point of contact is not defined there (a disc "
+      throw StartError(fmt::format("contact '{}' has no gap at t = 0: its point of contact is not defined there (a disc "
                                    "that lies flat); correct initial(...)",
                                    contact.name));
     }
     if (gap >= -tolerance) continue;
-    throw SceneError(fmt::format("contact '{}' starts penetrating: its gap is {:.6g}{} at t = 0 and must not be negative; "
+    throw StartError(fmt::format("contact '{}' starts penetrating: its gap is {:.6g}{} at t = 0 and must not be negative; "
                                  "correct initial(...) of the coordinates that it depends on",
                                  contact.name, gap, unit.is_dimensionless() ? "" : " " + unit.to_string()));
   }

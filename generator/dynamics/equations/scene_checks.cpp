@@ -10,6 +10,7 @@
 
 #include "generator/base/as_index.hpp"
 #include "generator/base/error.hpp"
+#include "generator/dynamics/equations/start_error.hpp"
 #include "generator/mechanics/parameter_value.hpp"
 #include "generator/mechanics/triple_algebra.hpp"
 #include "generator/program/evaluation.hpp"
@@ -140,7 +141,7 @@ void check_closing_joints(const Equations& equations) {
       Evaluator<Real> start(program, [&scene](const SymbolPointer& symbol) { return initial_value(scene, symbol); });
       const double value = start(cosine).to_double();
       if (value > 0.5) continue;  // 1 when assembled as it is meant to be
-      throw SceneError(fmt::format(
+      throw StartError(fmt::format(
           "joint '{}' is assembled the wrong way round: at the start axis {} of frame '{}' and "
           "that of frame '{}' have a cosine of {:.6g} and must have 1; correct initial(...) of "
           "the coordinates it ties, or the placement of one frame",

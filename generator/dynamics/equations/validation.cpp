@@ -18,6 +18,7 @@
 #include "generator/dynamics/equations/equations.hpp"
 #include "generator/dynamics/equations/ownership_checks.hpp"
 #include "generator/dynamics/equations/scene_checks.hpp"
+#include "generator/dynamics/equations/start_error.hpp"
 #include "generator/mechanics/inertia_validity.hpp"
 #include "generator/mechanics/parameter_value.hpp"
 #include "generator/program/evaluation.hpp"
@@ -218,12 +219,12 @@ void check_initial_state(const Equations& equations) {
       if (abs(off) <= tolerance) continue;
       const double size = off.to_double();
       if (off.is_nan()) {
-        throw SceneError(fmt::format("constraint '{}' has no {} at t = 0{}; correct initial(...), or give the orientation "
+        throw StartError(fmt::format("constraint '{}' has no {} at t = 0{}; correct initial(...), or give the orientation "
                                      "by attitude(...)",
                                      row.name, what, why_undefined(equations.scene().content(), row)));
       }
       const Unit& unit = residual->unit();
-      throw SceneError(fmt::format("inconsistent initial state: constraint '{}' has the {} {:.6g}{} at t = 0 and must "
+      throw StartError(fmt::format("inconsistent initial state: constraint '{}' has the {} {:.6g}{} at t = 0 and must "
                                    "have 0; correct initial(...) of the coordinates it ties",
                                    row.name, what, size, unit.is_dimensionless() ? "" : " " + unit.to_string()));
     }

@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "generator/cli/start_state.hpp"
+
+#include <array>
+#include <cmath>
+
+#include <Eigen/Cholesky>
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "generator/base/decimal.hpp"
+#include "generator/base/error.hpp"
+
+namespace torsor {
+namespace {
+
+/// The number given for a symbol, else what the scene says.
+Expression given_or(const NamedNumbers& values, const Symbol& symbol, const Expression& otherwise) {
+  const auto given = values.find(symbol.name);
+  return given == values.end() ? otherwise : Expression::quantity(from_double(given->second), symbol.unit);
+}
+
+bool any_given(const NamedNumbers& values, const std::vector<SymbolPointer>& symbols) {
+  for (const SymbolPointer& symbol : symbols) {
+    if (values.contains(symbol->name)) return true;
+  }
+  return false;
+}
+
+NamedNumbers numbers_of(const EvaluatedMotion& motion, const std::vector<double>& y) {
+  NamedNumbers numbers;
+  for (std::size_t i = 0; i < y.size(); ++i) numbers[motion.symbols()[i]->name] = y[i];
+  return numbers;
+}
+
+}  // namespace
+
+Scene with_start(Scene scene, const NamedNumbers& values) {
+  const SceneContent given = scene.content();
+  for (const CoordinateContent& c : given.coordinates) {
+    if (!c.unknown() || c.attitude || !any_given(values, {c.q, c.v})) continue;
+    scene.initial(Expression(c.q), given_or(values, *c.q, c.initial_value.value_or(Expression(0))),
+                  given_or(values, *c.v, c.initial_rate.value_or(Expression(0))));
+  }
+  for (std::size_t a = 0; a < given.attitudes.size(); ++a) {
+    const AttitudeContent& attitude = given.attitudes[a];
+    std::vector<SymbolPointer> symbols(attitude.symbols->e.begin(), attitude.symbols->e.end());
+    std::array<Expression, 4> e;
+    for (std::size_t k = 0; k < 4; ++k) e[k] = given_or(values, *symbols[k], initial_component(attitude, k));
+    Triple rates{Expression(0), Expression(0), Expression(0)};
+    std::size_t k = 0;
+    for (const CoordinateContent& c : given.coordinates) {
+      if (c.attitude != static_cast<int>(a)) continue;
+      symbols.push_back(c.v);
+      rates[k++] = given_or(values, *c.v, c.initial_rate.value_or(Expression(0)));
+    }
+    if (any_given(values, symbols)) scene.initial(AttitudeHandle{static_cast<int>(a)}, e, rates);
+  }
+  return scene;
+}
+
+std::vector<double> closed_start(EvaluatedMotion& motion, const NamedNumbers& replaced) {
+  const std::vector<double> given = motion.start(replaced);
+  std::vector<double> y = given;
+  if (!motion.needs_settling() || motion.settle(0.0, y)) return y;
+  throw Error(fmt::format("the constraints of '{}' cannot be closed near the start: {} there, and Newton's method finds no state "
+                          "nearby that closes all of them; give other values by --initial",
+                          motion.equations().scene().name(), motion.most_open(0.0, given)));
+}
+
+Scene with_closed_start(const Scene& scene, const NamedNumbers& values) {
+  EvaluatedMotion motion(scene, {}, {}, {});
+  return with_start(scene, numbers_of(motion, closed_start(motion, values)));
+}
+
+std::string nearest_closed_start(const Scene& scene, bool for_command_line) {
+  try {
+    EvaluatedMotion motion(scene, {}, {}, {});
+    const std::vector<double> given = motion.start({}), closed = closed_start(motion, {});
+    NamedNumbers changed;
+    for (std::size_t i = 0; i < given.size(); ++i) {
+      if (given[i] != closed[i]) changed[motion.symbols()[i]->name] = closed[i];
+    }
+    std::vector<std::string> words;
+    if (for_command_line) {
+      for (const auto& [name, value] : changed) words.push_back(name + "=" + shortest(value));
+      return words.empty() ? "" : fmt::format("; the nearest state that fulfils all: --initial \"{}\"", fmt::join(words, ","));
+    }
+    const NamedNumbers all = numbers_of(motion, closed);
+    const SceneContent& content = scene.content();
+    for (const CoordinateContent& c : content.coordinates) {
+      if (!c.unknown() || c.attitude || !any_given(changed, {c.q, c.v})) continue;
+      const double rate = all.at(c.v->name);
+      words.push_back(fmt::format("initial({}, {}{})", c.q->name, shortest(all.at(c.q->name)), rate == 0 ? "" : ", " + shortest(rate)));
+    }
+    for (std::size_t a = 0; a < content.attitudes.size(); ++a) {
+      std::vector<SymbolPointer> symbols(content.attitudes[a].symbols->e.begin(), content.attitudes[a].symbols->e.end());
+      for (const CoordinateContent& c : content.coordinates) {
+        if (c.attitude == static_cast<int>(a)) symbols.push_back(c.v);
+      }
+      if (!any_given(changed, symbols)) continue;
+      std::vector<std::string> numbers;
+      for (const SymbolPointer& symbol : symbols) numbers.push_back(shortest(all.at(symbol->name)));
+      words.push_back(fmt::format("initial({}, {{{}}}, {{{}}})", content.attitudes[a].name,
+                                  fmt::join(numbers.begin(), numbers.begin() + 4, ", "),
+                                  fmt::join(numbers.begin() + 4, numbers.end(), ", ")));
+    }
+    return words.empty() ? "" : fmt::format("; the nearest state that fulfils all: {}", fmt::join(words, ", "));
+  } catch (const Error&) {
+    return {};  // the error that led here says what is wrong
+  }
+}
+
+std::vector<std::string> at_dead_centre(EvaluatedMotion& motion, double t, const std::vector<double>& y) {
+  motion.move_to(t, y);
+  const auto n = static_cast<Eigen::Index>(motion.velocity_count());
+  const std::vector<std::size_t>& kept = motion.equations().redundancy().kept;
+  Eigen::MatrixXd M(n, n), A(static_cast<Eigen::Index>(kept.size()), n);
+  const auto at = [](Eigen::Index i) { return static_cast<std::size_t>(i); };
+  for (Eigen::Index i = 0; i < n; ++i) {
+    for (Eigen::Index j = 0; j < n; ++j) M(i, j) = motion.mass(at(i), at(j));
+    for (Eigen::Index k = 0; k < A.rows(); ++k) A(k, i) = motion.value(motion.constraint(kept[at(k)]).jacobian[at(i)]);
+  }
+  // What a force along a coordinate moves: without the constraints, and with them.
+  const Eigen::MatrixXd free = M.llt().solve(Eigen::MatrixXd::Identity(n, n)), answers = A * free;
+  const Eigen::MatrixXd held = free - answers.transpose() * (A * answers.transpose()).ldlt().solve(answers);
+  std::vector<std::string> names;
+  for (Eigen::Index i = 0; i < n; ++i) {
+    // It grows with the square of the distance from the dead centre.
+    if (!(held(i, i) < change_point_is_near * change_point_is_near * free(i, i))) continue;
+    names.push_back("'" + motion.equations().model().coordinates()[at(i)].q->name + "'");
+  }
+  return names;
+}
+
+std::string near_change_point(EvaluatedMotion& motion, double t, const std::vector<double>& y) {
+  if (!(motion.independence(t, y) < change_point_is_near)) return {};
+  return ": the constraints nearly lose rank there, a change point, which this command does not pass. The motion of a compiled "
+         "header does (equations_of_motion; docs/constraints.md)";
+}
+
+}  // namespace torsor

@@ -1,0 +1,155 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Starts that do not stand: what is said of them, and motions that start elsewhere.
+#include <array>
+#include <cmath>
+#include <cstdio>
+
+#include "tests/cli/motion_table.hpp"
+#include "tests/cli/scene_runner.hpp"
+#include "tests/scenes/loops.hpp"
+
+namespace torsor::start_state_test {
+namespace {
+
+using namespace testing_programs;
+
+/// A rod between two stops, which starts below the lower one.
+Scene beyond_its_stop() {
+  Scene scene("beyond_its_stop", "");
+  const Expression turn = scene.coordinate("turn", "rad");
+  const FrameHandle rod = scene.revolute("rod", scene.ground(), axis::z, turn);
+  scene.body("rod", rod, Inertia::rod(Expression::quantity("1", "kg"), Expression::quantity("1", "m"), 0));
+  scene.stop(turn, 1, 2);
+  return scene;
+}
+
+/// A slider-crank by two conditions, x along the slider, crank 0.2 m, rod 0.5 m.
+Scene slider_crank(const Expression& theta, const Expression& phi, const Expression& x) {
+  Scene scene("slider_crank", "");
+  const Expression r = scene.parameter("r", "m", Expression::quantity("0.2", "m")), l = scene.parameter("l", "m", Expression::quantity("0.5", "m"));
+  const Expression kg = Expression::quantity("1", "kg");
+  const Expression a = scene.coordinate("theta", "rad"), b = scene.coordinate("phi", "rad"), s = scene.coordinate("x", "m");
+  const FrameHandle crank = scene.revolute("crank", scene.ground(), axis::z, a);
+  const FrameHandle rod = scene.revolute("rod", crank, axis::z, b, {.origin = {r, 0, 0}});
+  const FrameHandle slider = scene.prismatic("slider", scene.ground(), axis::x, s);
+  scene.body("crank", crank, Inertia::rod(kg, r, 0).at({r / 2, 0, 0}));
+  scene.body("rod", rod, Inertia::rod(kg, l, 0).at({l / 2, 0, 0}));
+  scene.body("slider", slider, Inertia::point(2 * kg));
+  scene.gravity({Expression::quantity("9.81", "m/s^2"), 0, 0});
+  const PointHandle end = scene.point("rod_end", rod, {l, 0, 0}), pin = scene.point("pin", slider, {0, 0, 0});
+  scene.closure("close_x", end, pin, axis::x);
+  scene.closure("close_y", end, pin, axis::y);
+  scene.initial(a, theta);
+  scene.initial(b, phi);
+  scene.initial(s, x);
+  return scene;
+}
+
+Expression metres(const char* number) { return Expression::quantity(number, "m"); }
+
+Scene nearly_closed() { return slider_crank(0.1, -0.14, metres("0.7")); }
+
+Scene far_from_closed() {
+  Scene scene = slider_crank(0, 0, metres("0.7"));
+  const Expression x(scene.content().coordinates[2].q);
+  scene.holonomic("far", x - metres("5"));
+  return scene;
+}
+
+/// Hangs from a ball joint, its end in the plane 0.6 m below; starts with its end 1 m below.
+Scene ball_on_a_plane() {
+  Scene scene("ball_on_a_plane", "");
+  const AttitudeHandle e = scene.attitude("e");
+  const FrameHandle rod = scene.spherical("rod", scene.ground(), e);
+  const Expression kg = Expression::quantity("1", "kg");
+  scene.body("rod", rod, Inertia::general({.mass = kg, .xx = kg * metres("1") * metres("1"), .yy = kg * metres("1") * metres("1"),
+                                           .zz = kg * metres("1") * metres("1")}));
+  const FrameHandle plane = scene.weld("plane", scene.ground(), {.origin = {0, 0, metres("-0.6")}});
+  scene.point_in_plane("slide", scene.point("end", rod, {0, 0, metres("-1")}), plane);
+  scene.initial(e, {0.8, 0.1, 0, 0});
+  return scene;
+}
+
+TEST(StartState, OfASceneThatBeginsBeyondAStopMayBeGivenElsewhere) {
+  const Outcome own = run(beyond_its_stop, {"simulate", "--to", "0.1"});
+  expect_failure_beginning(own, 3, "contact 'turn_lower' starts penetrating: its gap is -1 at t = 0");
+  const Outcome inside = run(beyond_its_stop, {"simulate", "--to", "0.1", "--initial", "turn=1.5"});
+  ASSERT_EQ(inside.code, 0) << inside.err;
+  EXPECT_EQ(table(inside.out).at(0, "turn"), 1.5);
+  const Outcome outside = run(beyond_its_stop, {"simulate", "--to", "0.1", "--initial", "turn=2.5"});
+  expect_failure_beginning(outside, 3, "contact 'turn_upper' starts penetrating: its gap is -0.5 at t = 0");
+  EXPECT_NE(outside.err.find("; the start is the one of --initial"), std::string::npos) << outside.err;
+  EXPECT_EQ(run(beyond_its_stop, {"report", "--to", "0.1", "--initial", "turn=1.5"}).code, 0);
+}
+
+// What the message proposes is a start that stands: crank and rod close the loop where r sin θ + l sin(θ + φ) = 0 and
+// r cos θ + l cos(θ + φ) = x.
+TEST(StartState, ThatLeavesALoopOpenIsToldWithTheNearestClosedOne) {
+  const Outcome open = run(nearly_closed, {"equations"});
+  expect_failure_beginning(open, 3, "inconsistent initial state: constraint 'close_x' has the value");
+  double theta = 0, phi = 0, x = 0;
+  const std::size_t at = open.err.find("the nearest state that fulfils all: ");
+  ASSERT_NE(at, std::string::npos) << open.err;
+  ASSERT_EQ(std::sscanf(open.err.c_str() + at, "the nearest state that fulfils all: initial(theta, %lf), initial(phi, %lf), initial(x, %lf)",
+                        &theta, &phi, &x), 3) << open.err;
+  EXPECT_NEAR(0.2 * std::sin(theta) + 0.5 * std::sin(theta + phi), 0, 1e-14);  // some roundings of terms below 1
+  EXPECT_NEAR(0.2 * std::cos(theta) + 0.5 * std::cos(theta + phi), x, 1e-14);
+  EXPECT_NEAR(theta, 0.1, 0.01);  // the loop was open by 1 mm of 0.2 m
+  EXPECT_NEAR(phi, -0.14, 0.01);
+}
+
+TEST(StartState, OfAnOpenLoopMayBeGivenAndIsClosed) {
+  const Outcome outcome = run(nearly_closed, {"simulate", "--to", "0.1", "--initial", "theta=0.5"});
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  const Table motion = table(outcome.out);
+  const double theta = motion.at(0, "theta"), phi = motion.at(0, "phi");
+  EXPECT_NEAR(0.2 * std::sin(theta) + 0.5 * std::sin(theta + phi), 0, 1e-14);
+}
+
+TEST(StartState, ThatCannotBeClosedNamesTheConstraintThatStaysOpen) {
+  const Outcome outcome = run(far_from_closed, {"simulate", "--to", "0.1", "--initial", "theta=0.1"});
+  EXPECT_EQ(outcome.code, 3);
+  EXPECT_NE(outcome.err.find("cannot be closed near the start: constraint 'far' has the value -4.3 m there"), std::string::npos) << outcome.err;
+}
+
+TEST(StartState, OfAnAttitudeIsToldAsOne) {
+  const Outcome outcome = run(ball_on_a_plane, {"equations"});
+  std::array<double, 4> e{};
+  const std::size_t at = outcome.err.find("fulfils all: ");
+  ASSERT_NE(at, std::string::npos) << outcome.err;
+  ASSERT_EQ(std::sscanf(outcome.err.c_str() + at, "fulfils all: initial(e, {%lf, %lf, %lf, %lf}, {0, 0, 0})", &e[0], &e[1], &e[2], &e[3]), 4)
+      << outcome.err;
+  EXPECT_NEAR(1 - 2 * (e[1] * e[1] + e[2] * e[2]), 0.6, 1e-14);  // the component of the rod along z
+}
+
+// The motion dies away towards the dead centre, where the slider, and its friction with it, does not move.
+TEST(StartState, OfRestAtADeadCentreIsNamed) {
+  const auto with_friction = [] {
+    Scene scene = slider_crank(0, 0, metres("0.7"));
+    scene.dry_friction("slide", Expression(scene.content().coordinates[2].q), {.bound = Expression::quantity("5", "N")});
+    return scene;
+  };
+  const Outcome outcome = run(with_friction, {"simulate", "--to", "40", "--step", "1", "--initial", "theta'=3,phi'=-4.2"});
+  if (outcome.code == 0) return;  // it went on: nothing is to be said
+  EXPECT_EQ(outcome.code, 1);
+  EXPECT_NE(outcome.err.find("a dead centre of 'slide'"), std::string::npos) << outcome.err;
+  EXPECT_EQ(outcome.err.find("the model could not be evaluated at"), std::string::npos) << outcome.err;
+}
+
+// The slider's acceleration vanishes there with the crank's angle, although its terms do not.
+TEST(StartState, NearADeadCentreIsNamedByVerify) {
+  const Outcome outcome = run([] { return slider_crank(0, 0, metres("0.7")); },
+                              {"verify", "--scalar", "double", "--kernels", "forward_dynamics", "--states", "64"});
+  ASSERT_EQ(outcome.code, 1) << outcome.out;
+  EXPECT_NE(outcome.out.find("near a dead centre of 'x': the constraints hardly let it move there"), std::string::npos) << outcome.out;
+}
+
+TEST(StartState, NearAChangePointIsNamedByVerify) {
+  const Outcome outcome = run([] { return testing_mechanisms::parallelogram(testing_mechanisms::Angle::absolute, 1); },
+                              {"verify", "--scalar", "double", "--kernels", "forward_dynamics", "--states", "64"});
+  ASSERT_EQ(outcome.code, 1) << outcome.out;
+  EXPECT_NE(outcome.out.find("near a change point: of a row of the constraints the others leave"), std::string::npos) << outcome.out;
+}
+
+}  // namespace
+}  // namespace torsor::start_state_test
