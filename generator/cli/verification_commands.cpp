@@ -5,6 +5,7 @@
 #include <memory>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <CLI/CLI.hpp>
 
 #include "generator/base/decimal.hpp"
@@ -12,6 +13,7 @@
 #include "generator/cli/command_set.hpp"
 #include "generator/cli/command_texts.hpp"
 #include "generator/cli/kernel_options.hpp"
+#include "generator/cli/start_state.hpp"
 #include "generator/dynamics/equations/massless.hpp"
 #include "generator/kernels/kernel.hpp"
 #include "generator/verification/reference_cache.hpp"
@@ -56,6 +58,36 @@ std::string file_text(const std::string& path) {
   return {std::istreambuf_iterator<char>(stream), {}};
 }
 
+/// Says of groups that fail whether they do so near a change point, or near a dead centre of a coordinate.
+void name_special_places(const Scene& scene, const ModelOptions& model, std::vector<VerifyRow>& rows) {
+  if (scene.content().constraints.empty()) return;
+  for (VerifyRow& row : rows) {
+    if (row.passed() || !row.worst.counted) continue;
+    NamedNumbers parameters;
+    for (const ParameterContent& parameter : scene.content().parameters) {
+      const auto given = row.numbers.find(parameter.symbol->name);
+      if (given != row.numbers.end()) parameters.insert(*given);
+    }
+    try {
+      EvaluatedMotion motion(scene, model, parameters, {});
+      std::vector<double> y;
+      for (const SymbolPointer& symbol : motion.symbols()) {
+        const auto given = row.numbers.find(symbol->name);
+        y.push_back(given == row.numbers.end() ? 0.0 : given->second);  // the group does not depend on the others
+      }
+      const double kept = motion.independence(0.0, y);
+      if (kept < change_point_is_near) {
+        row.remark = fmt::format("near a change point: of a row of the constraints the others leave {:.1g}, and so few digits are "
+                                 "left of what they determine (docs/constraints.md)", kept);
+      } else if (const std::vector<std::string> dead = at_dead_centre(motion, 0.0, y); !dead.empty()) {
+        row.remark = fmt::format("near a dead centre of {}: the constraints hardly let it move there, and its acceleration is what "
+                                 "cancelling terms leave", fmt::join(dead, ", "));
+      }
+    } catch (const Error&) {  // a scene that cannot move says so elsewhere
+    }
+  }
+}
+
 CommandResult verify(const Scene& scene, const VerifyRequest& request) {
   VerifyOptions options;
   options.model = request.model(scene);
@@ -68,7 +100,8 @@ CommandResult verify(const Scene& scene, const VerifyRequest& request) {
   if (request.scalar == "double") options.precisions = {Precision::in_double};
   if (request.scalar == "float") options.precisions = {Precision::in_float};
   if (!request.exceptions.empty()) options.exceptions = parse_accuracy_exceptions(file_text(request.exceptions));
-  const std::vector<VerifyRow> rows = verify_scene(scene, options);
+  std::vector<VerifyRow> rows = verify_scene(scene, options);
+  name_special_places(scene, options.model, rows);
   CommandResult result;
   result.passed = std::all_of(rows.begin(), rows.end(), [](const VerifyRow& row) { return row.passed(); });
   result.text = request.json       ? verify_json(scene.name(), rows)

@@ -60,6 +60,7 @@ std::string verify_table(const std::string& scene, const std::vector<VerifyRow>&
                         figure(row.worst.scaled), share_of_bound(row), figure(row.potential), row.seed,
                         row.searched ? " searched" : "");
     if (layout.with_states || !row.passed()) text += fmt::format("      at {}\n", row.state);
+    if (!row.remark.empty()) text += fmt::format("      {}\n", row.remark);
     if (row.undefined > 0) {
       text += fmt::format("      without a result (0/0) and without a status at {} more states\n", row.undefined);
     }
@@ -120,6 +121,7 @@ std::string verify_json(const std::string& scene, const std::vector<VerifyRow>& 
                       {"state", row.state},
                       {"states", row.states},
                       {"undefined", row.undefined},
+                      {"remark", row.remark},
                       {"passed", row.passed()}});
   }
   const bool passed = std::all_of(rows.begin(), rows.end(), [](const VerifyRow& row) { return row.passed(); });

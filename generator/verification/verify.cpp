@@ -180,6 +180,7 @@ std::vector<VerifyRow> verify_scene(const Scene& scene, const VerifyOptions& opt
         row.seed = worst.seed;
         row.searched = worst.searched;
         row.state = worst.state->to_string(accuracy->symbols(g));
+        for (const SymbolPointer& symbol : accuracy->symbols(g)) row.numbers[symbol->name] = worst.state->value(symbol);
       }
       apply_exceptions(row, scene.name(), options.exceptions);
       rows.push_back(std::move(row));

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -42,6 +43,8 @@ struct VerifyRow {
   std::uint64_t seed = 0;    ///< of the state that it is, or that the search started from
   bool searched = false;
   std::string state;         ///< NAME=VALUE of what the group depends on
+  std::map<std::string, double> numbers{};  ///< the same
+  std::string remark{};      ///< why digits are lost there, where that is known
   double potential = 0;      ///< the largest bound of the scaled error at any state looked at [ulp]
   int states = 0;            ///< looked at, without those that the kernel reports itself
   int undefined = 0;         ///< further states where there is no result, and no status that says so: 0/0, NaN
