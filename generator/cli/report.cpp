@@ -174,7 +174,7 @@ std::string without_long_sections(const std::string& sections, const std::string
     const std::size_t body = sections.find(title_end, at) + title_end.size(), close = sections.find(end, body);
     const bool too_long = close - body > most;
     result += sections.substr(done, (too_long ? body : close) - done);
-    if (too_long) result += "<p>" + html_escaped(say("Too long for a page: the command {} prints it.", command)) + "</p>\n";
+    if (too_long) result += "<p>" + html_escaped(say("Too long for a page, above {} characters: the command {} prints it.", most, command)) + "</p>\n";
     done = close;
   }
   return result + sections.substr(done);

@@ -7,6 +7,7 @@
 
 #include "generator/dynamics/forces/contacts.hpp"
 #include "generator/dynamics/theorems/bearing_reactions.hpp"
+#include "generator/printing/limit_met.hpp"
 #include "generator/printing/notation.hpp"
 
 namespace torsor::printing {
@@ -53,7 +54,8 @@ class ContactPage {
     if (sum) {
       page_.stated(left, collected(*sum), remark);
     } else {
-      page_.note(say("{} is too long to be written out; the kernel contacts computes it.", left.plain));
+      page_.note(say("{} is too long to be written out ({}); the kernel contacts computes it.", left.plain,
+                     limit_met(view_, value, say)));
     }
   }
 
@@ -108,7 +110,8 @@ class ContactPage {
       if (sum) {
         page_.stated(name, collected(*sum), "");
       } else {
-        page_.note(say("{} is too long to be written out; the kernel contacts computes it.", name.plain));
+        page_.note(say("{} is too long to be written out ({}); the kernel contacts computes it.", name.plain,
+                       say("more than {} terms", view_.limits().terms)));
       }
     }
     const bool turns = !coefficients_[k].friction.unit().is_dimensionless();
@@ -136,7 +139,8 @@ class ContactPage {
       }
       const std::string& q = coordinates[i].attitude ? coordinates[i].v->name : coordinates[i].q->name;
       if (too_long) {
-        page_.note(say("{} is too long to be written out; the kernel contacts computes it.", "Q_" + q));
+        page_.note(say("{} is too long to be written out ({}); the kernel contacts computes it.", "Q_" + q,
+                       say("more than {} terms", view_.limits().terms)));
       } else if (!sum.is_zero()) {
         page_.stated({"Q_" + q, fmt::format("Q_{{{}}}", latex_name(q))}, collected(sum), "");
       }

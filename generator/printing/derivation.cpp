@@ -12,6 +12,7 @@
 #include "generator/dynamics/motion/frame_motion.hpp"
 #include "generator/dynamics/theorems/joint_reactions.hpp"
 #include "generator/dynamics/theorems/newton_euler.hpp"
+#include "generator/printing/limit_met.hpp"
 #include "generator/printing/notation.hpp"
 
 namespace torsor::printing {
@@ -105,7 +106,7 @@ void Derivation::vector(const Spelling& name, const std::string& entry, const Ve
   for (int i = 0; i < 3; ++i) {
     const std::optional<Sum> sum = vector[i].is_zero() ? Sum() : view_.sum(vector[i]);
     if (!sum) {
-      page_.note(page_.say("{} is too long to be written out.", name.plain));
+      page_.note(page_.say("{} is too long to be written out: {}.", name.plain, limit_met(view_, vector[i], page_.say)));
       return;
     }
     rows.push_back({collected(*sum)});
@@ -118,7 +119,7 @@ void Derivation::formula(const Spelling& left, const Value& value, const std::st
   if (sum) {
     page_.stated(left, collected(*sum), remark);
   } else {
-    page_.note(page_.say("{} is too long to be written out.", left.plain));
+    page_.note(page_.say("{} is too long to be written out: {}.", left.plain, limit_met(view_, value, page_.say)));
   }
 }
 
@@ -173,7 +174,7 @@ void Derivation::partial_derivatives(const std::vector<LagrangeEquation>& equati
     if (equation.coordinate.attitude) continue;
     write({fmt::format("dT/d({})", q.plain), fmt::format("\\frac{{\\partial T}}{{\\partial {}}}", q.latex)}, steps.along, {});
   }
-  if (left_out) page_.note(page_.say("Those that are missing are too long to be written out."));
+  if (left_out) page_.note(page_.say("Those that are missing are too long to be written out: more than {} terms.", view_.limits().terms));
 }
 
 void Derivation::forces() {

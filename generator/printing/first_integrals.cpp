@@ -6,6 +6,7 @@
 
 #include "generator/dynamics/forces/energy.hpp"
 #include "generator/dynamics/theorems/painleve.hpp"
+#include "generator/printing/limit_met.hpp"
 #include "generator/program/written_unit.hpp"
 
 namespace torsor::printing {
@@ -34,7 +35,8 @@ void write_first_integrals(const Equations& equations, const InlineLimits& limit
     if (const std::optional<Sum> sum = view.sum(value)) {
       page.stated(left, collected(*sum), remark);
     } else {
-      page.note(say("{}: {}, too long to be written out; kernels compute it.", left.plain, remark));
+      page.note(say("{}: {}, too long to be written out ({}); kernels compute it.", left.plain, remark,
+                    limit_met(view, value, say)));
     }
   };
   if (!report.failing_conditions.empty()) {

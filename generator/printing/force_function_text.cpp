@@ -6,6 +6,7 @@
 #include "generator/dynamics/equations/validation.hpp"
 #include "generator/dynamics/theorems/force_function.hpp"
 #include "generator/printing/inline_view.hpp"
+#include "generator/printing/limit_met.hpp"
 #include "generator/printing/notation.hpp"
 
 namespace torsor {
@@ -18,7 +19,8 @@ std::string listed(const std::vector<std::string>& names, const std::string& oth
 std::string written(printing::InlineView& view, const Value& value) {
   if (value.is_zero()) return "0";
   const std::optional<printing::Sum> sum = view.sum(value);
-  return sum ? printing::text(printing::collected(*sum)) : "... (too long to be written out)";
+  return sum ? printing::text(printing::collected(*sum)) : "... (too long to be written out: " + printing::limit_met(view, value, NaturalLanguage::named("en")) +
+               "; the kernels bias and energy compute it)";
 }
 
 }  // namespace

@@ -279,17 +279,22 @@ class Printer {
   /// In independent freedoms, without multipliers' deviations.
   void reduced_linearisation() {
     page_.section(say("Linearised equations in independent freedoms"));
+    // Entries are quotients: what is longer than a fifth of an equation nobody reads.
+    const int most = options_.terms / 5;
     std::optional<ReducedEquations> reduced;
     try {
-      // Entries are quotients: what is longer than a fifth of an equation nobody reads.
-      reduced = reduced_equations(scene_, {options_.terms / 5, options_.expansion}, options_.about);
+      reduced = reduced_equations(scene_, {most, options_.expansion}, options_.about);
     } catch (const SceneError& error) {
       page_.note(say("Not reduced: {}.", error.what()));
       return;
     }
     if (!reduced) {
-      page_.note(options_.about.empty() ? say("Too long to be written out, or none is left: name a state, or generate the kernel linearisation.")
-                                        : say("Too long to be written out, or none is left: generate the kernel linearisation."));
+      page_.note(options_.about.empty() ? say("An entry has more than {} terms: name a state, or generate the kernel linearisation.", most)
+                                        : say("An entry has more than {} terms: generate the kernel linearisation.", most));
+      return;
+    }
+    if (reduced->velocities.empty()) {
+      page_.note(say("None is left: the constraints determine all velocities."));
       return;
     }
     const std::string coordinates = fmt::format("{}", fmt::join(reduced->coordinates, ", "));

@@ -77,7 +77,7 @@ std::optional<ReducedEquations> reduced_equations(const Scene& scene, const Inli
   options.symbolic_parameters = true;
   const Equations equations(scene, options);
   const ReducedLinearisation linear = reduced_linearisation(equations);
-  if (linear.freedoms.velocities.empty()) return std::nullopt;
+  if (linear.freedoms.velocities.empty()) return ReducedEquations{};
   const auto names = [&](const std::vector<std::size_t>& freedoms, bool rates) {
     std::vector<std::string> list;
     for (const std::size_t i : freedoms) {

@@ -22,8 +22,8 @@ struct ReducedEquations {
 };
 
 /// Parameters and multipliers are symbols, accelerations zero; with a state `about` velocities too, as far as it does not name
-/// them. Nothing where an entry has more terms than `limits` allows, or no freedom is left. Throws SceneError where the freedoms
-/// cannot be chosen, as the kernel does.
+/// them. Nothing where an entry has more terms than `limits` allows; no velocities where no freedom is left. Throws SceneError where
+/// the freedoms cannot be chosen, as the kernel does.
 std::optional<ReducedEquations> reduced_equations(const Scene& scene, const InlineLimits& limits, const About& about);
 
 }  // namespace torsor::printing

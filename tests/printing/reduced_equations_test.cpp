@@ -95,6 +95,17 @@ TEST(ReducedEquations, AreWrittenWhereThereAreConstraints) {
   options.terms = 60;
   options.language = NaturalLanguage::named("fr");
   EXPECT_TRUE(contains(print_equations(test::sled(), Format::text, options), "Équations linéarisées en paramètres indépendants"));
+  const std::string page = print_equations(test::sled(), Format::text, {.terms = 5});
+  EXPECT_TRUE(contains(page, "An entry has more than 1 terms: name a state")) << page;
+}
+
+TEST(ReducedEquations, AreNoneWhereNothingIsLeftToMove) {
+  Scene scene("held");
+  const Expression x = scene.coordinate("x", "m");
+  scene.body("held", scene.prismatic("held", scene.ground(), axis::x, x), Inertia::point(scene.parameter("m", "kg", 2)));
+  scene.holonomic("hold", x);
+  const std::string page = print_equations(scene, Format::text);
+  EXPECT_TRUE(contains(page, "None is left: the constraints determine all velocities.")) << page;
 }
 
 }  // namespace

@@ -142,7 +142,8 @@ constexpr Translation french_of_report[] = {
      "la matrice de masse est singulière dans tout état, car les paramètres '{}' ne déplacent aucune masse ; donner une masse aux "
      "solides, ou fixer les liaisons : --fix {}, ou --fix massless"},
     {"There is no motion: {}.", "Il n'y a pas de mouvement : {}."},
-    {"Too long for a page: the command {} prints it.", "Trop long pour une page : la commande {} l'écrit."},
+    {"Too long for a page, above {} characters: the command {} prints it.",
+     "Trop long pour une page, au-delà de {} caractères : la commande {} l'écrit."},
 };
 
 }  // namespace torsor
