@@ -92,6 +92,7 @@ class SceneBuilder {
     set_initial(scene_, options_.initial);
     scene_.keep_massless();
     ImportedRobot imported{std::move(scene_), std::move(data_), robot_.notes.lines()};
+    note_almost_exact_angles(imported.notes);
     for (const UrdfJoint& joint : robot_.joints) {
       if (!options_.limits || !joint.mimic || !(joint.lower || joint.upper)) continue;
       imported.notes.push_back(fmt::format("joint '{}' follows '{}': its limits are no stops, those of '{}' are", joint.name,
@@ -374,6 +375,16 @@ class SceneBuilder {
     if (const std::optional<Number> bound = friction_of(joint)) {
       scene_.dry_friction(name + "_dry_friction", displacement(joint),
                           {parameter(name + "_friction", joint.turns() ? "N m" : "N", *bound)});
+    }
+  }
+
+  /// Who wrote pi/2 to five digits sees it while the file is read; the head of a header lists all of them.
+  void note_almost_exact_angles(std::vector<std::string>& notes) const {
+    constexpr std::size_t most = 3;
+    const std::vector<std::string>& all = robot_.almost;
+    for (std::size_t i = 0; i < std::min(most, all.size()); ++i) notes.push_back(all[i]);
+    if (all.size() > most) {
+      notes.push_back(fmt::format("{} more angles look exact and are not: the head of a generated header lists them", all.size() - most));
     }
   }
 

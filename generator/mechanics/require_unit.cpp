@@ -1,20 +1,34 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "generator/mechanics/require_unit.hpp"
 
+#include <vector>
+
 #include <fmt/format.h>
 
 #include "generator/base/error.hpp"
 
 namespace torsor {
+namespace {
+
+std::string wanted(const Unit& unit) { return unit.is_dimensionless() ? "plain numbers" : unit.to_string(); }
+
+}  // namespace
 
 void require_unit(const Expression& given, const Unit& unit, const std::string& whose) {
   if (given.is_zero() || given.unit() == unit) return;
   throw UnitError(fmt::format("{} is {} [{}] and must be in {}", whose, given.to_string(), given.unit().to_string(),
-                              unit.is_dimensionless() ? "plain numbers" : unit.to_string()));
+                              wanted(unit)));
 }
 
+// All at once: who wrote one without its unit wrote the others so too.
 void require_unit(const Triple& given, const Unit& unit, const std::string& whose) {
-  for (const Expression& component : given) require_unit(component, unit, whose);
+  std::vector<std::string> wrong;
+  for (const Expression& component : given) {
+    if (component.is_zero() || component.unit() == unit) continue;
+    wrong.push_back(fmt::format("{} [{}]", component.to_string(), component.unit().to_string()));
+  }
+  if (wrong.empty()) return;
+  throw UnitError(fmt::format("{} is {} and must be in {}", whose, fmt::join(wrong, ", another is "), wanted(unit)));
 }
 
 void require_one_unit(const Triple& given, const std::string& whose) {

@@ -89,6 +89,8 @@ TEST(UrdfData, OfJointsIsKeptAndTold) {
       "larger --angle-tolerance takes it as that",
       "Stated of joints, in SI, and not in the kernels:", "  hinge: friction 0.1"};
   EXPECT_EQ(robot.scene.content().origin.notes, expected);
+  // On the command line too, where it can still be mended.
+  EXPECT_EQ(robot.notes, std::vector<std::string>{expected[1].substr(2)});
   const std::vector<CoordinateContent>& coordinates = robot.scene.content().coordinates;
   ASSERT_TRUE(coordinates[0].limits && coordinates[1].limits);
   EXPECT_EQ(coordinates[0].limits->upper, Number(2));

@@ -93,6 +93,10 @@ TEST(QuantityUnits, OfGeometryAreRefusedByTheNameOfWhatIsPlaced) {
        },
        "a component of the point 'P' is 1 [1] and must be in m"},
       {[](Mechanism& m) {
+         m.scene.point("P", m.arm, {1, m.length, 2});
+       },
+       "a component of the point 'P' is 1 [1], another is 2 [1] and must be in m"},
+      {[](Mechanism& m) {
          m.scene.disc_contact("P", {.frame = m.arm, .axis = axis::y, .radius = m.mass, .plane = m.scene.ground()});
        },
        "the radius of the disc at 'P' is some_mass [kg] and must be in m"},
