@@ -42,6 +42,11 @@ __all__ = ["AngleSequence", "Attitude", "CheckError", "Condition", "Constraint",
            "UnitError", "UsageError", "atan2", "axis", "cardan", "cos", "euler", "exp", "form", "log", "maximum", "minimum", "pi",
            "piecewise", "quantity", "rate", "shape", "sign", "sin", "spline", "sqrt", "tan"]
 
+for _name in __all__:  # those of the module beneath are named as users import them
+    if getattr(globals().get(_name), "__module__", None) == "_torsor_scene" and isinstance(globals()[_name], type):
+        globals()[_name].__module__ = __name__
+del _name
+
 axis = SimpleNamespace(x=(1, 0, 0), y=(0, 1, 0), z=(0, 0, 1))
 """Unit vectors along the axes of a frame."""
 

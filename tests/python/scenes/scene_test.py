@@ -290,3 +290,8 @@ def test_the_snippet_of_the_docstring_runs(monkeypatch):
     names = {}
     exec("\n".join(re.findall(r"^>>> (.*)", ts.__doc__, re.M)), names)
     assert names["arm"].mass_matrix([0.0]).shape == (1, 1)
+
+
+def test_names_are_those_that_users_import():
+    for name in ("SceneError", "UnitError", "UsageError", "Expression", "Frame", "Inertia"):
+        assert getattr(ts, name).__module__ == "torsor.scene"
