@@ -87,6 +87,39 @@ long whole(double x) { return std::lround(x); }
 
 double text_width(std::size_t letters) { return 7.0 * static_cast<double>(letters); }
 
+/// What a text or a vertex covers.
+struct Box {
+  Place low, high;
+
+  double shared(const Box& other) const {
+    const double x = std::min(high.x, other.high.x) - std::max(low.x, other.low.x);
+    const double y = std::min(high.y, other.high.y) - std::max(low.y, other.low.y);
+    return x > 0 && y > 0 ? x * y : 0.0;
+  }
+};
+
+Box around(const Place& at, double aside, double above, double below) {
+  return {{at.x - aside, at.y - above}, {at.x + aside, at.y + below}};
+}
+
+/// The place on an edge where its text covers least of what is taken: the middle where nothing is in the way there.
+template <class On>
+Place free_place(const On& on, double aside, const std::vector<Box>& taken) {
+  Place best;
+  double least = -1;
+  for (const double t : {0.5, 0.44, 0.56, 0.38, 0.62, 0.32, 0.68, 0.26, 0.74}) {
+    const Place here = on(t);
+    double covered = 0;
+    for (const Box& box : taken) covered += around(here, aside, 14, 13).shared(box);
+    if (least < 0 || covered < least) {
+      least = covered;
+      best = here;
+    }
+    if (!(least > 0)) break;
+  }
+  return best;
+}
+
 std::string text_at(const Place& place, const std::string& text, const std::string& extra) {
   if (text.empty()) return "";
   return fmt::format("  <text x=\"{}\" y=\"{}\"{}>{}</text>\n", whole(place.x), whole(place.y), extra, escaped(text));
@@ -114,6 +147,10 @@ std::string graph_svg(const GraphDrawing& drawing) {
     low = {std::min(low.x, at.x - aside), std::min(low.y, at.y - above)};
     high = {std::max(high.x, at.x + aside), std::max(high.y, at.y + above)};
   };
+  std::vector<Box> taken;
+  for (std::size_t n = 0; n < count; ++n) {
+    taken.push_back(around(places[n], text_width(drawing.nodes[n].label.size()) / 2 + 11, 14, 14));
+  }
   std::string lines, labels;
   for (const auto& edge : drawing.edges) {
     const auto [from, to] = std::minmax(edge.a, edge.b);
@@ -127,10 +164,19 @@ std::string graph_svg(const GraphDrawing& drawing) {
     lines +=
         fmt::format("  <path d=\"M {} {} Q {} {} {} {}\" fill=\"none\" stroke=\"{}\"{}/>\n", whole(a.x), whole(a.y),
                     whole(control.x), whole(control.y), whole(b.x), whole(b.y), colour(edge.line), dashes(edge.line));
-    make_room(middle, text_width(std::max(edge.name.size(), edge.what.size())) / 2 + 5, 25);
+    const double wide = text_width(std::max(edge.name.size(), edge.what.size())) / 2;
+    const Place text = free_place(
+        [&](double t) {
+          const double u = 1 - t;
+          return Place{u * u * a.x + 2 * u * t * control.x + t * t * b.x, u * u * a.y + 2 * u * t * control.y + t * t * b.y};
+        },
+        wide, taken);
+    taken.push_back(around(text, wide, 14, 13));
+    make_room(middle, wide + 5, 25);
+    make_room(text, wide + 5, 25);
     const std::string fill = fmt::format(" class=\"edge\" fill=\"{}\"", colour(edge.line));
-    labels += text_at({middle.x, middle.y - 3}, edge.name, fill);
-    labels += text_at({middle.x, middle.y + 10}, edge.what, fill);
+    labels += text_at({text.x, text.y - 3}, edge.name, fill);
+    labels += text_at({text.x, text.y + 10}, edge.what, fill);
   }
   std::string bodies;
   for (std::size_t n = 0; n < count; ++n) {

@@ -4,7 +4,10 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstdio>
 #include <sstream>
+#include <string>
+#include <vector>
 
 #include "tests/scenes/bodies.hpp"
 
@@ -120,6 +123,34 @@ TEST(GraphPrinter, OrdersBodiesForFewestCrossings) {
     ++paths;
   }
   EXPECT_EQ(paths, 5);
+}
+
+// Four bodies each tied to the ground and to each other: in the middle of the circle texts would lie upon each other.
+TEST(GraphPrinter, KeepsTextsOfEdgesApart) {
+  GraphDrawing drawing{"crowd", "crowd", {{"ground", true}, {"frame"}, {"fork"}, {"rear"}, {"front"}}, {}};
+  for (const auto& [a, b] : {std::pair(1, 2), {1, 3}, {2, 4}, {0, 1}, {0, 1}, {0, 1}, {0, 2}, {0, 2}, {0, 3}, {0, 4}}) {
+    drawing.edges.push_back({a, b, "touches_ground", "point"});
+  }
+  struct Text {
+    double x = 0, y = 0;
+  };
+  std::vector<Text> names;
+  const std::string svg = graph_svg(drawing), end = ">touches_ground</text>";
+  for (std::size_t at = svg.find(end); at != std::string::npos; at = svg.find(end, at + 1)) {
+    Text text;
+    const std::size_t begin = svg.rfind("<text x=", at);
+    ASSERT_EQ(std::sscanf(svg.c_str() + begin, "<text x=\"%lf\" y=\"%lf\"", &text.x, &text.y), 2);
+    names.push_back(text);
+  }
+  ASSERT_EQ(names.size(), 10U);
+  // A letter of 11 px is some 6 wide; a name and what it is are two lines of 13 px.
+  const double width = 6 * 14, height = 26;
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    for (std::size_t j = 0; j < i; ++j) {
+      EXPECT_FALSE(std::abs(names[i].x - names[j].x) < width && std::abs(names[i].y - names[j].y) < height)
+          << "texts " << j << " and " << i << " overlap";
+    }
+  }
 }
 
 /// The text without what stands in quotes of dot, or empty where a quote is not closed.
