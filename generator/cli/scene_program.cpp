@@ -59,6 +59,7 @@ void check_command_name(const CLI::App& app, int argc, const char* const* argv) 
 
 /// "; did you mean '--output'?" for the first option on the command line that the chosen command does not know.
 std::string likely_options(const CLI::App& app, int argc, const char* const* argv) {
+  if (argv[1][0] == '-') return "; options of a command stand behind its name";
   std::vector<std::string> known;
   for (const CLI::Option* option : app.get_subcommand(argv[1])->get_options()) {
     for (const std::string& name : option->get_lnames()) known.push_back("--" + name);

@@ -45,6 +45,16 @@ TEST(DidYouMeanCommand, AnswersEveryMisspeltWord) {
   expect_suggestion({"structure", "--inputs-outputs", "amr"}, 2, "arm");
 }
 
+TEST(DidYouMeanCommand, SaysWhereOptionsStand) {
+  for (const std::vector<std::string>& words :
+       std::vector<std::vector<std::string>>{{"--json", "list"}, {"--inputs-outputs", "arm", "structure"}}) {
+    const Outcome outcome = run(named, words);
+    EXPECT_EQ(outcome.code, 2) << outcome.err;
+    EXPECT_NE(outcome.err.find("; options of a command stand behind its name; see --help"), std::string::npos)
+        << outcome.err;
+  }
+}
+
 TEST(DidYouMeanCommand, AnswersNamesInScenes) {
   const auto with = [](Scene (*make)(), const std::string& word) {
     const Outcome outcome = run(make, {"list"});
