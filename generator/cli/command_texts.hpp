@@ -58,8 +58,13 @@ std::string list_json(const Scene& scene, const std::vector<std::string>& kernel
 std::string structure_text(const Scene& scene, const std::vector<std::string>& inputs_outputs, const NaturalLanguage& say = {});
 std::string structure_json(const Scene& scene, const std::vector<std::string>& inputs_outputs);
 
-/// The graph of kind structure, analysis or reduced, as dot or svg; any other word is a UsageError.
-std::string graph_text(const Scene& scene, const std::string& format, const std::string& kind,
-                       const std::vector<std::string>& inputs_outputs, const NaturalLanguage& say = {});
+struct GraphRequest {
+  std::string kind = "structure";             ///< structure, analysis or reduced
+  std::string format = "dot";                 ///< dot or svg
+  std::vector<std::string> inputs_outputs{};  ///< of the reduced graph, as above
+};
+
+/// A graph of bodies and joints; a kind or format of another name is a UsageError.
+std::string graph_text(const Scene& scene, const GraphRequest& request, const NaturalLanguage& say = {});
 
 }  // namespace torsor

@@ -161,7 +161,7 @@ std::string markup(const Say& say) {
 }
 
 std::string picture(const Scene& scene, const std::string& kind, const NaturalLanguage& say) {
-  return markup([&] { return graph_text(scene, "svg", kind, {}, say); });
+  return markup([&] { return graph_text(scene, {.kind = kind, .format = "svg"}, say); });
 }
 
 /// Sections that would fill more than a reader reads are left out, and the page says so.

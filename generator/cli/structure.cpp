@@ -197,8 +197,8 @@ std::string structure_json(const Scene& scene, const std::vector<std::string>& i
   return json.dump(2) + "\n";
 }
 
-std::string graph_text(const Scene& scene, const std::string& format, const std::string& kind,
-                       const std::vector<std::string>& inputs_outputs, const NaturalLanguage& say) {
+std::string graph_text(const Scene& scene, const GraphRequest& request, const NaturalLanguage& say) {
+  const auto& [kind, format, inputs_outputs] = request;
   if (format != "dot" && format != "svg") {
     throw UsageError(fmt::format("unknown format '{}' of a graph: use dot (Graphviz draws it) or svg", format));
   }

@@ -11,17 +11,15 @@ namespace torsor {
 namespace {
 
 struct StructureRequest {
-  std::vector<std::string> inputs_outputs;
+  GraphRequest graph;
   bool json = false;
   KernelOptions kernels;
-  std::string graph = "structure";
-  std::string graph_format = "dot";
   std::string language = "en";
 };
 
 void add_inputs_outputs(CLI::App& command, StructureRequest& request) {
   command
-      .add_option("--inputs-outputs", request.inputs_outputs,
+      .add_option("--inputs-outputs", request.graph.inputs_outputs,
                   "joints that count as those with the outside, comma-separated; those of the ground when absent")
       ->delimiter(',');
 }
@@ -33,8 +31,9 @@ void add_structure_commands(CommandSet& commands) {
   CLI::App& structure = commands.add(
       "structure", "count loops, mobility and redundancy; name what is internal or indeterminate",
       [request](const Scene& scene) {
-        return CommandResult{request->json ? structure_json(scene, request->inputs_outputs)
-                                           : structure_text(scene, request->inputs_outputs, NaturalLanguage::named(request->language))};
+        return CommandResult{request->json ? structure_json(scene, request->graph.inputs_outputs)
+                                           : structure_text(scene, request->graph.inputs_outputs,
+                                                            NaturalLanguage::named(request->language))};
       });
   add_inputs_outputs(structure, *request);
   structure.add_flag("--json", request->json, "print JSON");
@@ -42,12 +41,11 @@ void add_structure_commands(CommandSet& commands) {
 
   CLI::App& graph = commands.add(
       "graph", "draw the graph of bodies and joints", [request](const Scene& scene) {
-        return CommandResult{graph_text(scene, request->graph_format, request->graph, request->inputs_outputs,
-                                        NaturalLanguage::named(request->language))};
+        return CommandResult{graph_text(scene, request->graph, NaturalLanguage::named(request->language))};
       });
   add_inputs_outputs(graph, *request);
-  graph.add_option("--format", request->graph_format, "dot (for Graphviz) or svg")->capture_default_str();
-  graph.add_option("--of", request->graph, "structure, analysis (with constraints and actions) or reduced")
+  graph.add_option("--format", request->graph.format, "dot (for Graphviz) or svg")->capture_default_str();
+  graph.add_option("--of", request->graph.kind, "structure, analysis (with constraints and actions) or reduced")
       ->capture_default_str();
   add_language(graph, request->language);
 

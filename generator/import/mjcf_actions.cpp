@@ -45,7 +45,7 @@ void MjcfBuilder::add_scalar_actions(std::size_t i) {
   }
   if (joint.armature != 0) {
     const Expression a = parameter(name + "_armature", turns ? "kg m^2" : "kg", from_double(joint.armature));
-    add_rotor(scene_, frame_names_.take(name + "_rotor", "joint"), q, turns, a);
+    add_rotor(scene_, frame_names_.take(name + "_rotor", "joint"), {.displacement = q, .turns = turns, .armature = a});
   }
   if (joint.limited && followed_.contains(i)) {
     data_.push_back(
@@ -88,8 +88,10 @@ void MjcfBuilder::add_free_actions(std::size_t i) {
   scene_.body(frame_names_.take(parts.name + "_rotor", "joint"), body,
               Inertia::general({.mass = 0, .xx = a, .yy = a, .zz = a}));
   for (std::size_t k = 0; is_free && k < 3; ++k) {
-    add_rotor(scene_, frame_names_.take(parts.name + axes.at(k) + "_rotor", "joint"), parts.place[k], false,
-              a / Expression::quantity(Number(1), units::metre * units::metre));
+    add_rotor(scene_, frame_names_.take(parts.name + axes.at(k) + "_rotor", "joint"),
+              {.displacement = parts.place[k],
+               .turns = false,
+               .armature = a / Expression::quantity(Number(1), units::metre * units::metre)});
   }
 }
 

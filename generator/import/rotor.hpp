@@ -7,8 +7,14 @@
 
 namespace torsor {
 
-/// A rotor at rest in the ground but for the displacement e of a joint: T = ½ a ė², reflected inertia a. Along a slide it is
-/// a wheel of radius 1 m, which has no weight.
-void add_rotor(Scene& scene, const std::string& frame, const Expression& displacement, bool turns, const Expression& armature);
+struct Rotor {
+  Expression displacement;  ///< e of the joint
+  bool turns = true;        ///< whether that is an angle
+  Expression armature;      ///< a, the reflected inertia [kg m², of a slide kg]
+};
+
+/// A rotor at rest in the ground but for the displacement e of a joint: T = ½ a ė². Along a slide it is a wheel of radius
+/// 1 m, which has no weight.
+void add_rotor(Scene& scene, const std::string& frame, const Rotor& rotor);
 
 }  // namespace torsor

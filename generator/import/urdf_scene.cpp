@@ -369,8 +369,10 @@ class SceneBuilder {
     }
     const std::optional<Number> armature = given(options_.armature, joint.name);
     if (armature && !armature->is_zero()) {
-      add_rotor(scene_, frame_names_.take(name + "_rotor", "joint"), displacement(joint), joint.turns(),
-                parameter(name + "_armature", joint.turns() ? "kg m^2" : "kg", *armature));
+      add_rotor(scene_, frame_names_.take(name + "_rotor", "joint"),
+                {.displacement = displacement(joint),
+                 .turns = joint.turns(),
+                 .armature = parameter(name + "_armature", joint.turns() ? "kg m^2" : "kg", *armature)});
     }
     if (const std::optional<Number> bound = friction_of(joint)) {
       scene_.dry_friction(name + "_dry_friction", displacement(joint),

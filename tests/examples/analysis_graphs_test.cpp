@@ -22,7 +22,7 @@ void expect_picture(const torsor::Scene& scene, const std::string& kind) {
   std::ifstream file(TORSOR_SOURCE_DIR "/examples/" + scene.name() + "/" + kind + ".svg");
   std::ostringstream text;
   text << file.rdbuf();
-  EXPECT_EQ(text.str(), torsor::graph_text(scene, "svg", kind, {})) << scene.name();
+  EXPECT_EQ(text.str(), torsor::graph_text(scene, {.kind = kind, .format = "svg"})) << scene.name();
 }
 
 /// Components of joints that enter one of the six theorems for isolated bodies, moments at a point along given axes.

@@ -50,8 +50,8 @@ void name_everything(std::string_view input) {
     expect_clean_text(json);
     if (nlohmann::json::parse(json)["title"] != scene.content().title) throw std::logic_error("JSON that is not read back");
     for (const char* kind : {"structure", "analysis", "reduced"}) {
-      expect_dot(graph_text(scene, "dot", kind, {}));
-      expect_xml(graph_text(scene, "svg", kind, {}));
+      expect_dot(graph_text(scene, {.kind = kind}));
+      expect_xml(graph_text(scene, {.kind = kind, .format = "svg"}));
     }
   } catch (const Error& refusal) {
     expect_message(refusal.what());
