@@ -93,7 +93,8 @@ ContactEvent ContactAutomaton::event() const noexcept {
 }
 
 bool ContactAutomaton::end(ContactStatus status, int contact) noexcept {
-  result_.status = status;
+  const bool lost = status == ContactStatus::integration_failed && motion_.near_change_point();
+  result_.status = lost ? ContactStatus::change_point : status;
   result_.contact = contact;
   return false;
 }
@@ -322,6 +323,7 @@ bool ContactAutomaton::pass(std::size_t index, double t, std::span<double> y) {
   result_.time = t;
   y_ = y;
   has_event_ = false;
+  motion_.leave_change_point();
   ends_too_.fill(false);
   if (index == guards * bounces_.size()) return pass_singular();
   const int contact = static_cast<int>(index / guards);

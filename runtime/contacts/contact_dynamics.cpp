@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "runtime/contacts/contact_dynamics.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <utility>
@@ -11,6 +12,7 @@ namespace torsor::runtime {
 
 bool ContactDynamics::compute(const ContactReading& reading) {
   mass_.compute(reading.M);
+  distance_ = 1;
   if (mass_.info() != Eigen::Success) return false;
   const auto L = mass_.matrixL();
   KF = reading.F;
@@ -73,7 +75,13 @@ bool ContactDynamics::respond(const ContactReading& reading) {
   return W.allFinite();
 }
 
-// L^-1 A^T, each column over its length, with the longest of those that are left first: Gram-Schmidt, twice over. Source:
+void ContactDynamics::forget() noexcept {
+  longest_.resize(0);
+  largest_pivot_ = 0;
+  distance_ = 1;
+}
+
+// L^-1 A^T, each column over its size, with the longest of those that are left first: Gram-Schmidt, twice over. Source:
 // Golub-Van Loan, Matrix Computations, 5.2 and 5.4.
 bool ContactDynamics::orthogonalise(const Eigen::MatrixXd& A) {
   const auto m = static_cast<int>(A.rows());
@@ -83,10 +91,13 @@ bool ContactDynamics::orthogonalise(const Eigen::MatrixXd& A) {
   w_.setZero(m);
   over_.setZero(m);
   order_.resize(static_cast<std::size_t>(m));
+  distance_ = 0;
+  if (longest_.size() != m) longest_.setZero(m);
   for (int j = 0; j < m; ++j) {
-    const double length = Q_.col(j).norm();
-    if (!(length > 0)) return false;
-    over_(j) = 1 / length;
+    // One that vanishes as a whole, as where a loop is laid flat, is noticed by the size that it had.
+    longest_(j) = std::max(longest_(j), Q_.col(j).norm());
+    if (!(longest_(j) > 0)) return false;
+    over_(j) = 1 / longest_(j);
     Q_.col(j) *= over_(j);
     order_[static_cast<std::size_t>(j)] = j;
   }
@@ -105,6 +116,8 @@ bool ContactDynamics::orthogonalise(const Eigen::MatrixXd& A) {
     Q_.col(k) /= length;
     for (int j = k + 1; j < m; ++j) take_out(k, j);
   }
+  largest_pivot_ = std::max(largest_pivot_, R_(m - 1, m - 1));
+  distance_ = R_(m - 1, m - 1) / largest_pivot_;
   return true;
 }
 

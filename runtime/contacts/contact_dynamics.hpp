@@ -20,6 +20,11 @@ class ContactDynamics {
   [[nodiscard]] bool compute(const ContactReading& reading);
   /// Answers to impulses at the reading computed last; false where they are not finite.
   [[nodiscard]] bool respond(const ContactReading& reading);
+  /// How far the reading computed last is from where constraints lose rank, as branches of a loop meet: the last pivot of
+  /// L^-1 A^T over the largest that was read, each constraint over its largest length. 1 where all is regular.
+  [[nodiscard]] double distance() const noexcept { return distance_; }
+  /// Back to what is known before the first reading.
+  void forget() noexcept;
 
   Eigen::VectorXd a0;       ///< without reactions
   Eigen::VectorXd KF;       ///< the same where constraints hold velocities: a0 but for γ
@@ -39,7 +44,8 @@ class ContactDynamics {
   Eigen::LLT<Eigen::MatrixXd> mass_;
   Eigen::MatrixXd Q_, R_, part_;
   std::vector<int> order_;      ///< of the columns of Q: which constraint
-  Eigen::VectorXd over_;        ///< one over the size of each constraint
+  Eigen::VectorXd longest_, over_;  ///< largest size of each constraint that was read, and one over it
+  double distance_ = 1, largest_pivot_ = 0;
   Eigen::VectorXd w_, lambda_;  ///< λ without reactions of contacts
 };
 

@@ -46,6 +46,9 @@ void ContactMotion::forget() noexcept {
   along_.fill({});
   held_.setZero(rows());
   known_ = responded_ = solved_ = false;
+  nearest_ = 1;
+  dynamics_.forget();
+  later_dynamics_.forget();
 }
 
 Evaluation ContactMotion::slope(double t, std::span<const double> y, std::span<double> dydt) {
@@ -127,7 +130,10 @@ bool ContactMotion::loops_closed(double first) const {
 bool ContactMotion::read(double t, std::span<const double> y) {
   if (known_ && t == t_ && std::equal(y_.begin(), y_.end(), y.begin())) return true;
   known_ = responded_ = solved_ = false;
-  if (mechanism_.read(t, y, reading_) != Evaluation::ok || !dynamics_.compute(reading_)) return false;
+  if (mechanism_.read(t, y, reading_) != Evaluation::ok) return false;
+  const bool regular = dynamics_.compute(reading_);
+  nearest_ = std::min(nearest_, dynamics_.distance());
+  if (!regular || dynamics_.distance() < 1.2e-4) return false;  // as ChangePoints has it
   t_ = t;
   std::copy_n(y.begin(), y_.size(), y_.begin());
   // Rounding of rows asks for what loops do to them.

@@ -40,7 +40,12 @@ class ContactMotion {
   /// The largest change of a coordinate that closes the loops at the state read last.
   [[nodiscard]] double loops_off() const;
 
-  /// Reads the mechanism at a state; false where it cannot be.
+  /// Whether the state read last is in the neighbourhood of a change point, where branches of a loop meet and constraints lose
+  /// rank, and one since the last event near it: errors e off the constraints come out as e/d² in accelerations, d the
+  /// distance. Both bounds are those of ChangePoints.
+  [[nodiscard]] bool near_change_point() const noexcept { return nearest_ < 0.015 && dynamics_.distance() < 0.3; }
+  /// Reads the mechanism at a state; false where it cannot be, and so near a change point that rounding of positions takes
+  /// half of the digits.
   [[nodiscard]] bool read(double t, std::span<const double> y);
 
   /// Accelerations and reactions of the present regimes.
@@ -128,6 +133,8 @@ class ContactMotion {
   void forget() noexcept;
   /// Regimes were changed: what was solved is no longer valid.
   void changed() noexcept { solved_ = false; }
+  /// An event begins: places that were passed before are forgotten.
+  void leave_change_point() noexcept { nearest_ = dynamics_.distance(); }
   /// What the mechanism says at a state has changed: it is read again.
   void renew() noexcept { known_ = false; }
 
@@ -166,6 +173,7 @@ class ContactMotion {
   double t_ = 0, absolute_ = 1e-13, relative_ = 1e-13;
   std::vector<double> y_, there_, rates_;
   bool known_ = false, responded_ = false, solved_ = false;
+  double nearest_ = 1;  ///< the least distance from a change point since the last event
 };
 
 }  // namespace torsor::runtime

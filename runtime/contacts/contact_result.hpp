@@ -26,6 +26,7 @@ enum class ContactStatus : int {
   not_started,  ///< ContactRun::start was not called
   law_of_one_contact,  ///< the energetic law of impact, and several contacts struck at once
   no_room,      ///< ContactRun has room for fewer numbers or contacts than the mechanism has
+  change_point,  ///< constraints of loops lose rank
 };
 
 [[nodiscard]] constexpr std::string_view describe(ContactStatus status) noexcept {
@@ -54,6 +55,9 @@ enum class ContactStatus : int {
       return "the integration between events failed, see its own status";
     case ContactStatus::law_of_one_contact:
       return "the energetic law of impact is one of a single contact, and several touch: choose another law";
+    case ContactStatus::change_point:
+      return "the constraints of loops lose rank here, a change point, where branches of a loop meet: the motion does not "
+             "pass it";
     case ContactStatus::no_room:
       return "the mechanism has more numbers or contacts than there is room for: give ContactRun more";
     case ContactStatus::not_started:

@@ -30,6 +30,9 @@ constexpr Translation french_of_contacts[] = {
      "l'intégration entre événements a échoué, voir son propre état"},
     {"the energetic law of impact is one of a single contact, and several touch: choose another law",
      "la loi de choc énergétique est celle d'un seul contact, et plusieurs se touchent : choisir une autre loi"},
+    {"the constraints of loops lose rank here, a change point, where branches of a loop meet: the motion does not pass it",
+     "les liaisons des boucles perdent leur rang ici, un point de bifurcation, où des branches d'une boucle se rencontrent : le mouvement ne "
+     "le passe pas"},
     {"the mechanism has more numbers or contacts than there is room for: give ContactRun more",
      "le mécanisme a plus de nombres ou de contacts que la place prévue : en donner plus à ContactRun"},
     {"the motion was not started: call start first", "le mouvement n'a pas commencé : appeler start d'abord"},
