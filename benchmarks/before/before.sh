@@ -37,7 +37,7 @@ for when in before now; do
   [ $when = now ] || program="$before"
   "$program" generate "$robot" --name "robot_$when" --kernels "$kernels" --output "$work/$when.hpp" --quiet
   "$program" counts "$robot" --kernels "$kernels" --json --quiet > "$work/$when.json"
-  # Support text of two revisions may differ: each has a name space of its own.
+  # Support text of two revisions may differ: each has a namespace of its own.
   # shellcheck disable=SC2086  # several options
   "${CXX:-g++}" -std=c++17 $options "-Dtorsor=support_of_$when" "-DROBOT=robot_$when" "-DWHEN=$when" -include "$work/$when.hpp" \
     -c "$here/calls.cpp" -o "$work/$when.o"

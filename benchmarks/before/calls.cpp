@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The kernels of one header, which is included before this file: ROBOT is its name space, WHEN ends the names that are exported.
+// The kernels of one header, which is included before this file: ROBOT is its namespace, WHEN ends the names that are exported.
 #include <array>
 #include <cstddef>
 

@@ -21,7 +21,10 @@ double nanoseconds(const Kernels& kernel) {
 }  // namespace
 
 int main() {
-  if (joints_before != joints_now) return 1;
+  if (joints_before != joints_now) {
+    std::fprintf(stderr, "the robots have %d and %d joints: compare one with itself\n", static_cast<int>(joints_before), static_cast<int>(joints_now));
+    return 1;
+  }
   std::mt19937 generator(1);
   std::vector<double> numbers(static_cast<std::size_t>(3 * joints_now * sample_count));
   for (double& number : numbers) number = 2 * (static_cast<double>(generator()) / 4294967296.0) - 1;

@@ -18,11 +18,11 @@ CLI::App& CommandSet::add(const std::string& name, const std::string& text, Run 
   return *command;
 }
 
-void CommandSet::starts_from(CLI::App& command, const NamedNumbers& initial) { starts_.emplace_back(&command, &initial); }
+void CommandSet::starts_from(CLI::App& command, std::function<GivenStart()> start) { starts_.emplace_back(&command, std::move(start)); }
 
-NamedNumbers CommandSet::start() const {
-  for (const auto& [command, initial] : starts_) {
-    if (command->parsed()) return *initial;
+GivenStart CommandSet::start() const {
+  for (const auto& [command, start] : starts_) {
+    if (command->parsed()) return start();
   }
   return {};
 }

@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "generator/cli/command_line.hpp"
+#include "generator/cli/start_state.hpp"
 #include "generator/printing/print_equations.hpp"
-#include "generator/verification/evaluated_motion.hpp"
 
 namespace torsor {
 
@@ -36,10 +36,10 @@ class CommandSet {
   CLI::App& add(const std::string& name, const std::string& text, Run run);
 
   /// Says that a command starts from values of its own.
-  void starts_from(CLI::App& command, const NamedNumbers& initial);
+  void starts_from(CLI::App& command, std::function<GivenStart()> start);
 
   /// Those of the command that the command line chose.
-  NamedNumbers start() const;
+  GivenStart start() const;
   const std::string& output() const { return output_; }  ///< a file's name, or - for the standard output
   /// Runs the command that the command line chose; to be called once it has been read.
   CommandResult run(const Scene& scene) const { return chosen_(scene); }
@@ -49,7 +49,7 @@ class CommandSet {
   const SceneSource& source_;
   std::string output_ = "-";
   Run chosen_;
-  std::vector<std::pair<const CLI::App*, const NamedNumbers*>> starts_;
+  std::vector<std::pair<const CLI::App*, std::function<GivenStart()>>> starts_;
 };
 
 // Each adds the commands of its file, with their options.

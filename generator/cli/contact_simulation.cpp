@@ -98,9 +98,7 @@ class ContactSimulation {
                                    end.worst_residual));
     if (!end) {
       const std::string dead = dead_centre(motion.motion(), end, y);
-      result_.status = say_("{} at t = {:.9g} s", dead.empty() ? reason_of(end, say_) + of_contact(end) : dead, end.time);
-      const std::vector<double> there(y.begin(), y.begin() + static_cast<std::ptrdiff_t>(start.size()));
-      result_.status += near_change_point(contacts_.motion(), end.time, there);
+      result_.status = dead.empty() ? say_("{} at t = {:.9g} s", reason_of(end, say_) + of_contact(end), end.time) : dead;
     }
     if (end.ambiguous > 0) {
       result_.remarks.push_back(say_("at {} several motions fulfil the laws of contact: one was taken",
@@ -128,8 +126,8 @@ class ContactSimulation {
 
   /// A dead centre: what a contact acts along is held by the loops, whatever the mechanism does.
   std::string dead_centre(runtime::ContactMotion& motion, const runtime::ContactResult& end, const State& y) const {
-    // W is a difference of terms as large as J M⁻¹ Jᵀ, whose rounding is some 1e-15. Below 1e-12 of these a force that holds
-    // the contact is known to less than three digits.
+    // What a contact acts along moves there by less than a millionth of what it would without the loops, since W has the
+    // square of that, and the force that holds it grows without bound.
     constexpr double dead = 1e-12;
     if (end.status != ContactStatus::integration_failed || !motion.read(end.time, y)) return {};
     const runtime::ContactReading& reading = motion.reading();
@@ -138,8 +136,8 @@ class ContactSimulation {
       if (!motion.states[static_cast<std::size_t>(i)].touches) continue;
       for (int row = motion.first_row(i); row < motion.first_row(i + 1); ++row) {
         if (motion.W()(row, row) > dead * free(row, row)) continue;
-        return say_("the mechanism is at a dead centre of '{}', where the loops hold what it acts on and its force is not "
-                    "determined: end the motion before (--to), or start elsewhere (--initial);", contacts_.name(i));
+        return say_("at t = {:.9g} s the mechanism is at a dead centre of '{}', where the loops hold what it acts on and its force is "
+                    "not determined: end the motion before (--to), or start elsewhere (--initial)", end.time, contacts_.name(i));
       }
     }
     return {};

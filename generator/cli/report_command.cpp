@@ -36,7 +36,7 @@ void add_report_command(CommandSet& commands) {
   command.add_flag("--meshes", request->meshes,
                    "draw the meshes (STL, OBJ, Collada) that the scene or its URDF file shows, made small enough for the page");
   add_start_and_inputs(command, request->initial, request->inputs);
-  commands.starts_from(command, request->initial);
+  commands.starts_from(command, [request] { return GivenStart{request->initial, {}, {}}; });
   command.add_option("--reference", request->reference, "CSV of the command reference: dots beside the curves of the motion");
   add_language(command, request->language);
   add_about(command, request->about, "state of the linearisation, NAME=VALUE, e.g. theta=0; repeatable");

@@ -103,21 +103,25 @@ CommandResult run_with_remarks(const CommandSet& commands, const Scene& scene, c
 }
 
 /// The scene, which stands where the chosen command starts: at its own start, or at values that the command was given.
-Scene standing(const SceneSource& source, const NamedNumbers& start) {
+Scene standing(const SceneSource& source, const GivenStart& start) {
   const Scene scene = source.make();
+  const bool elsewhere = !start.values.empty();
+  bool stands = true;
   try {
     validate(scene);
-    return scene;
   } catch (const StartError& error) {
-    if (start.empty()) throw SceneError(error.what() + nearest_closed_start(scene, static_cast<bool>(source.add_options)));
+    if (!elsewhere) throw SceneError(error.what() + nearest_closed_start(scene, static_cast<bool>(source.add_options)));
+    stands = false;
   }
-  const Scene elsewhere = with_closed_start(scene, start);
+  if (!elsewhere || (scene.content().constraints.empty() && scene.content().contacts.empty())) return scene;
+  const Scene moved = with_closed_start(scene, start);
   try {
-    validate(elsewhere);
+    // With other parameters the scene's own say nothing: the motion is what judges the start.
+    if (start.parameters.empty()) validate(moved);
   } catch (const StartError& error) {
     throw SceneError(fmt::format("{}; the start is the one of --initial", error.what()));
   }
-  return elsewhere;
+  return stands ? scene : moved;
 }
 
 /// What the chosen command leaves, and where its text goes; nothing when help was asked for, which is the text then.
@@ -143,9 +147,9 @@ Ran run(int argc, const char* const* argv, const SceneSource& source) {
   add_report_command(commands);
   add_simulate_command(commands);
   if (const std::optional<std::string> help = read_command_line(app, argc, argv)) return {{.text = *help}};
-  const NamedNumbers start = commands.start();
+  const GivenStart start = commands.start();
   const Scene scene = standing(source, start);
-  const std::vector<std::string> remarks = singular_start(with_start(scene, start));
+  const std::vector<std::string> remarks = singular_start(with_start(scene, start.values));
   CommandResult result = run_with_remarks(commands, scene, remarks);
   result.notes.insert(result.notes.end(), remarks.begin(), remarks.end());
   for (const FurtherFile& file : result.files) write_file_if_changed(file.path, file.text);

@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "generator/cli/start_state.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
+#include <set>
 
 #include <Eigen/Cholesky>
 #include <fmt/format.h>
@@ -10,6 +13,7 @@
 
 #include "generator/base/decimal.hpp"
 #include "generator/base/error.hpp"
+#include "generator/dynamics/equations/validation.hpp"
 
 namespace torsor {
 namespace {
@@ -68,15 +72,16 @@ std::vector<double> closed_start(EvaluatedMotion& motion, const NamedNumbers& re
                           motion.equations().scene().name(), motion.most_open(0.0, given)));
 }
 
-Scene with_closed_start(const Scene& scene, const NamedNumbers& values) {
-  EvaluatedMotion motion(scene, {}, {}, {});
-  return with_start(scene, numbers_of(motion, closed_start(motion, values)));
+Scene with_closed_start(const Scene& scene, const GivenStart& start) {
+  EvaluatedMotion motion(scene, start.model, start.parameters, {});
+  return with_start(scene, numbers_of(motion, closed_start(motion, start.values)));
 }
 
 std::string nearest_closed_start(const Scene& scene, bool for_command_line) {
   try {
     EvaluatedMotion motion(scene, {}, {}, {});
     const std::vector<double> given = motion.start({}), closed = closed_start(motion, {});
+    validate(with_start(scene, numbers_of(motion, closed)));  // a contact may be in the way
     NamedNumbers changed;
     for (std::size_t i = 0; i < given.size(); ++i) {
       if (given[i] != closed[i]) changed[motion.symbols()[i]->name] = closed[i];
@@ -84,7 +89,7 @@ std::string nearest_closed_start(const Scene& scene, bool for_command_line) {
     std::vector<std::string> words;
     if (for_command_line) {
       for (const auto& [name, value] : changed) words.push_back(name + "=" + shortest(value));
-      return words.empty() ? "" : fmt::format("; the nearest state that fulfils all: --initial \"{}\"", fmt::join(words, ","));
+      return words.empty() ? "" : fmt::format("; a state nearby that fulfils all: --initial \"{}\"", fmt::join(words, ","));
     }
     const NamedNumbers all = numbers_of(motion, closed);
     const SceneContent& content = scene.content();
@@ -105,13 +110,16 @@ std::string nearest_closed_start(const Scene& scene, bool for_command_line) {
                                   fmt::join(numbers.begin(), numbers.begin() + 4, ", "),
                                   fmt::join(numbers.begin() + 4, numbers.end(), ", ")));
     }
-    return words.empty() ? "" : fmt::format("; the nearest state that fulfils all: {}", fmt::join(words, ", "));
+    return words.empty() ? "" : fmt::format("; a state nearby that fulfils all: {}", fmt::join(words, ", "));
   } catch (const Error&) {
     return {};  // the error that led here says what is wrong
   }
 }
 
-std::vector<std::string> at_dead_centre(EvaluatedMotion& motion, double t, const std::vector<double>& y) {
+namespace {
+
+/// Coordinates that a force along them hardly moves at a state.
+std::set<std::string> held_coordinates(EvaluatedMotion& motion, double t, const std::vector<double>& y) {
   motion.move_to(t, y);
   const auto n = static_cast<Eigen::Index>(motion.velocity_count());
   const std::vector<std::size_t>& kept = motion.equations().redundancy().kept;
@@ -124,12 +132,22 @@ std::vector<std::string> at_dead_centre(EvaluatedMotion& motion, double t, const
   // What a force along a coordinate moves: without the constraints, and with them.
   const Eigen::MatrixXd free = M.llt().solve(Eigen::MatrixXd::Identity(n, n)), answers = A * free;
   const Eigen::MatrixXd held = free - answers.transpose() * (A * answers.transpose()).ldlt().solve(answers);
-  std::vector<std::string> names;
+  std::set<std::string> names;
   for (Eigen::Index i = 0; i < n; ++i) {
     // It grows with the square of the distance from the dead centre.
     if (!(held(i, i) < change_point_is_near * change_point_is_near * free(i, i))) continue;
-    names.push_back("'" + motion.equations().model().coordinates()[at(i)].q->name + "'");
+    names.insert("'" + motion.equations().model().coordinates()[at(i)].q->name + "'");
   }
+  return names;
+}
+
+}  // namespace
+
+std::vector<std::string> at_dead_centre(EvaluatedMotion& motion, double t, const std::vector<double>& y) {
+  // What is held at the start as well is held always.
+  const std::set<std::string> there = held_coordinates(motion, t, y), always = held_coordinates(motion, 0.0, closed_start(motion, {}));
+  std::vector<std::string> names;
+  std::set_difference(there.begin(), there.end(), always.begin(), always.end(), std::back_inserter(names));
   return names;
 }
 

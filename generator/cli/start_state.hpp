@@ -12,21 +12,27 @@ namespace torsor {
 /// left to the command that was given them.
 Scene with_start(Scene scene, const NamedNumbers& values);
 
-/// The same, put on the constraints. Throws Error where they cannot be closed near these values.
-Scene with_closed_start(const Scene& scene, const NamedNumbers& values);
+/// Where a command starts that was given values of its own: for coordinates and rates, and for parameters.
+struct GivenStart {
+  NamedNumbers values, parameters;
+  ModelOptions model;
+};
+
+/// The same, put on the constraints as they are with these parameters. Throws Error where they cannot be closed near there.
+Scene with_closed_start(const Scene& scene, const GivenStart& start);
 
 /// The start of a motion with some numbers replaced, put on the constraints. Throws Error naming the constraint that stays
 /// open, and UsageError for an unknown name.
 std::vector<double> closed_start(EvaluatedMotion& motion, const NamedNumbers& replaced);
 
-/// The nearest state that fulfils the constraints of a scene whose start does not, in words that can be pasted: into the
-/// scene, or behind --initial. Empty where none is found.
+/// A state that fulfils the constraints and contacts of a scene whose start does not, found from there by Newton's method, in
+/// words that can be pasted: into the scene, or behind --initial. Empty where none is found.
 std::string nearest_closed_start(const Scene& scene, bool for_command_line);
 
 /// What a row of constraints keeps beside the others near a change point: accelerations then lose half of their digits.
 constexpr double change_point_is_near = 1e-3;
 
-/// Coordinates that the constraints hardly let move there, as the slider of a crank at its dead centres.
+/// Coordinates that the constraints hardly let move there, and do elsewhere, as the slider of a crank at its dead centres.
 std::vector<std::string> at_dead_centre(EvaluatedMotion& motion, double t, const std::vector<double>& y);
 
 /// What to say of a motion that ends at, or near, a change point of its constraints; empty elsewhere.

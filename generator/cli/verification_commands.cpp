@@ -70,15 +70,15 @@ void name_special_places(const Scene& scene, const ModelOptions& model, std::vec
     }
     try {
       EvaluatedMotion motion(scene, model, parameters, {});
-      std::vector<double> y;
-      for (const SymbolPointer& symbol : motion.symbols()) {
-        const auto given = row.numbers.find(symbol->name);
-        y.push_back(given == row.numbers.end() ? 0.0 : given->second);  // the group does not depend on the others
+      std::vector<double> y = closed_start(motion, {});  // the group does not depend on those that have no number
+      for (std::size_t i = 0; i < y.size(); ++i) {
+        const auto given = row.numbers.find(motion.symbols()[i]->name);
+        if (given != row.numbers.end()) y[i] = given->second;
       }
       const double kept = motion.independence(0.0, y);
       if (kept < change_point_is_near) {
-        row.remark = fmt::format("near a change point: of a row of the constraints the others leave {:.1g}, and so few digits are "
-                                 "left of what they determine (docs/constraints.md)", kept);
+        row.remark = fmt::format("near a change point: the other constraints leave {:.1g} of one of them, and what depends on it "
+                                 "loses digits (docs/constraints.md)", kept);
       } else if (const std::vector<std::string> dead = at_dead_centre(motion, 0.0, y); !dead.empty()) {
         row.remark = fmt::format("near a dead centre of {}: the constraints hardly let it move there, and its acceleration is what "
                                  "cancelling terms leave", fmt::join(dead, ", "));

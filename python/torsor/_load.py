@@ -43,13 +43,10 @@ class Source:
     def run(self, command: str, *arguments: str) -> str:
         return _run([self._start, command, *self._target, *arguments]).stdout
 
-    def build(self, *arguments: str) -> str:
-        """The path of the library. Notes, such as parts of a file that do not act, become warnings."""
+    def build(self, *arguments: str) -> tuple[str, list[str]]:
+        """The path of the library, and the program's notes."""
         built = _run([self._start, "build", *self._target, *arguments])
-        for line in built.stderr.splitlines():
-            if line.startswith("note: "):
-                warnings.warn(line.removeprefix("note: "), stacklevel=3)  # where load() was called
-        return built.stdout
+        return built.stdout, [line.removeprefix("note: ") for line in built.stderr.splitlines() if line.startswith("note: ")]
 
 
 def load(path: Any, *, kernels: Iterable[str] | str = "all", run_time: Iterable[str] | str = (),
@@ -61,7 +58,7 @@ def load(path: Any, *, kernels: Iterable[str] | str = "all", run_time: Iterable[
     options: further ones of `torsor build`, e.g. ("--base", "floating").
 
     The first call compiles, which takes from seconds to minutes; later ones find the library in the cache.
-    What a file says in vain is told by warnings. Raises LoadError with what torsor or the compiler say,
+    Notes of the program become warnings. Raises LoadError with what torsor or the compiler say,
     FileNotFoundError where file or program are missing; for a Scene its own errors.
     """
     source = path if hasattr(path, "equations") else Source(os.fspath(path), options)
@@ -74,5 +71,10 @@ def load(path: Any, *, kernels: Iterable[str] | str = "all", run_time: Iterable[
     if flags is not None:
         words.append(f"--flags={flags}")
     if source is path:
-        return Mechanism(source.run("build", *words, *options).strip(), source)
-    return Mechanism(source.build(*words).strip(), source)
+        outcome = source.outcome("build", *words, *options)
+        library, notes = outcome.text, outcome.notes
+    else:
+        library, notes = source.build(*words)
+    for note in notes:
+        warnings.warn(note, stacklevel=2)
+    return Mechanism(library.strip(), source)

@@ -1,15 +1,17 @@
 /* SPDX-License-Identifier: MIT */
 /* A library of `torsor build` in GNU Octave (mkoctfile --mex torsor_call.c -I INCLUDE) or MATLAB (mex torsor_call.c ...).
  *
- *   arm = torsor_call("libarm.so")                           what it has: names, units, parameters, kernels, start
- *   tau = torsor_call("libarm.so", "inverse_dynamics", q, v, "accelerations", a)
- *   [y, ends] = torsor_call("libarm.so", "integrate", times, [q0; v0], "tolerance", 1e-10)
+ *   arm = torsor_call('./libarm.so')                         what it has: names, units, parameters, kernels, start
+ *   tau = torsor_call('./libarm.so', 'inverse_dynamics', q, v, 'accelerations', a)
+ *   [y, ends] = torsor_call('./libarm.so', 'integrate', times, [q0; v0], 'tolerance', 1e-10)
  *
  * Each column of q, v and of what is given by name is one state; a single column stands for all states. A result of r rows
  * and c columns is r x c, for n states r x c x n. Units are SI, angles in rad. docs/python.md, "Octave and MATLAB". */
+#define _XOPEN_SOURCE 700 /* realpath */
 #include <dlfcn.h>
 #include <stddef.h>
 #include <stdint.h>
+#include <stdlib.h>
 #include <string.h>
 
 #include "mex.h"
@@ -18,8 +20,7 @@
 /* A library stays open until the function is cleared, with one model of its own parameters. */
 enum { most_libraries = 64 };
 static struct {
-  char* path;
-  void* library;
+  void* library; /* one for each file, whatever path names it */
   const torsor_abi* abi;
   torsor_model* model;
 } opened[most_libraries];
@@ -29,14 +30,13 @@ static void close_all(void) {
   for (int i = 0; i < opened_count; ++i) {
     opened[i].abi->destroy(opened[i].model);
     dlclose(opened[i].library);
-    mxFree(opened[i].path);
   }
   opened_count = 0;
 }
 
 static char* text_of(const mxArray* value, const char* what) {
   char* const text = mxIsChar(value) ? mxArrayToString(value) : NULL;
-  if (text == NULL) mexErrMsgIdAndTxt("torsor:usage", "%s is a text", what);
+  if (text == NULL) mexErrMsgIdAndTxt("torsor:usage", "%s is a text in single quotes", what);
   return text;
 }
 
@@ -45,13 +45,21 @@ static int open_library(const mxArray* name) {
   typedef const torsor_abi* entry_point(void);
   char* const path = text_of(name, "the library's path");
   entry_point* entry = NULL;
-  void *library, *symbol;
+  /* The whole path: dlopen takes one that it knows for what it was in another folder. */
+  char* const whole_path = strchr(path, '/') == NULL ? NULL : realpath(path, NULL);
+  void* const library = dlopen(whole_path == NULL ? path : whole_path, RTLD_NOW | RTLD_LOCAL);
+  void* symbol;
+  free(whole_path);
+  if (library == NULL) mexErrMsgIdAndTxt("torsor:library", "%s%s", dlerror(), strchr(path, '/') == NULL ? "; begin with ./ for this folder" : "");
   for (int i = 0; i < opened_count; ++i) {
-    if (strcmp(opened[i].path, path) == 0) return i;
+    if (opened[i].library != library) continue;
+    dlclose(library); /* it was opened once more */
+    return i;
   }
-  if (opened_count == most_libraries) mexErrMsgIdAndTxt("torsor:library", "%d libraries are open: clear torsor_call", most_libraries);
-  library = dlopen(path, RTLD_NOW | RTLD_LOCAL);
-  if (library == NULL) mexErrMsgIdAndTxt("torsor:library", "%s", dlerror());
+  if (opened_count == most_libraries) {
+    dlclose(library);
+    mexErrMsgIdAndTxt("torsor:library", "%d libraries are open: clear torsor_call", most_libraries);
+  }
   symbol = dlsym(library, "torsor_mechanism");
   if (symbol != NULL) memcpy(&entry, &symbol, sizeof(entry));
   if (entry == NULL || entry()->version != TORSOR_ABI_VERSION) {
@@ -65,8 +73,6 @@ static int open_library(const mxArray* name) {
     mexErrMsgIdAndTxt("torsor:memory", "no memory");
   }
   opened[opened_count].library = library;
-  opened[opened_count].path = path;
-  mexMakeMemoryPersistent(path);
   mexAtExit(close_all);
   return opened_count++;
 }
@@ -153,8 +159,16 @@ static torsor_view columns(const mxArray* value, const char* name, int32_t rows,
 }
 
 static double scalar(const mxArray* value, const char* name) {
-  if (!mxIsDouble(value) || mxGetNumberOfElements(value) != 1) mexErrMsgIdAndTxt("torsor:argument", "%s is a number", name);
+  if (!mxIsDouble(value) || mxIsComplex(value) || mxIsSparse(value) || mxGetNumberOfElements(value) != 1)
+    mexErrMsgIdAndTxt("torsor:argument", "%s is a real number", name);
   return mxGetScalar(value);
+}
+
+static int32_t whole(const mxArray* value, const char* name, int32_t most) {
+  const double number = scalar(value, name);
+  if (!(number >= 0 && number <= most) || number != (double)(int32_t)number)
+    mexErrMsgIdAndTxt("torsor:argument", "%s is a whole number from 0 to %d", name, (int)most);
+  return (int32_t)number;
 }
 
 /* What is given by name, in pairs at the end; `known` says which names a call takes, and ends with NULL. */
@@ -233,8 +247,9 @@ static void evaluate(int place, const torsor_abi_kernel* kernel, int outputs, mx
     if (time != NULL) call.time = columns(time, "time", 1, &states);
   }
   call.states = states;
-  call.threads = threads == NULL ? 1 : (uint32_t)scalar(threads, "threads");
-  if (order != NULL) call.order = (int32_t)scalar(order, "order");
+  call.threads = threads == NULL ? 1 : (uint32_t)whole(threads, "threads", 1024);
+  if (order != NULL && !kernel->takes_order) mexErrMsgIdAndTxt("torsor:usage", "%s takes no order", kernel->name);
+  if (order != NULL) call.order = whole(order, "order", 1000);
   views = mxCalloc((size_t)kernel->result_count + 1, sizeof(*views));
   for (int32_t i = 0; i < kernel->result_count && (i < outputs || i == 0); ++i) {
     const torsor_abi_result* const result = &kernel->results[i];
@@ -278,7 +293,7 @@ static void integrate(int place, int outputs, mxArray** out, int count, const mx
   if (count < 2) mexErrMsgIdAndTxt("torsor:usage", "integrate takes times and the start [q; v]");
   if (outputs > 3) mexErrMsgIdAndTxt("torsor:usage", "integrate gives y, the time reached and a status");
   expect_known(count - 2, in + 2, known);
-  if (!mxIsDouble(in[0]) || mxIsComplex(in[0])) mexErrMsgIdAndTxt("torsor:argument", "times are real doubles");
+  if (!mxIsDouble(in[0]) || mxIsComplex(in[0]) || mxIsSparse(in[0])) mexErrMsgIdAndTxt("torsor:argument", "times are full real doubles");
   times = mxGetNumberOfElements(in[0]);
   if (mxGetN(matrix(in[1], "[q; v]", (size_t)size)) != 1) mexErrMsgIdAndTxt("torsor:argument", "[q; v] is one column");
   u = named(count - 2, in + 2, "inputs");
@@ -292,6 +307,7 @@ static void integrate(int place, int outputs, mxArray** out, int count, const mx
   motion.time.data = &begin;
   motion.start = columns(in[1], "[q; v]", size, &one);
   if (u != NULL) motion.inputs = columns(u, "inputs", abi->input_count, &one);
+  if (one != 1) mexErrMsgIdAndTxt("torsor:argument", "inputs of a motion are one column, and stay");
   motion.step = step == NULL ? 0.0 : scalar(step, "step");
   motion.relative_tolerance = motion.absolute_tolerance = tolerance == NULL ? 1e-9 : scalar(tolerance, "tolerance");
   if (method != NULL) {

@@ -29,24 +29,26 @@ M = torsor_call("./cart.so", "mass_matrix", q, v);
 b = torsor_call("./cart.so", "bias", q, v);
 expect(isequal(size(f), [2 4]) && isequal(size(M), [2 2 4]), "sizes");
 for s = 1:4
-  expect(norm(M(:, :, s) * a(:, s) + b(:, s) - f(:, s)) < 1e-13, "M a + b = f");
+  expect(norm(M(:, :, s) * a(:, s) + b(:, s) - f(:, s)) < 1e-13, "M a + b = f");  % some roundings of numbers below 20
   alone = torsor_call("./cart.so", "inverse_dynamics", q(:, s), v(:, s), "accelerations", a(:, s));
   expect(isequal(alone, f(:, s)), "a state alone has the bits it has among others");
 end
 back = torsor_call("./cart.so", "forward_dynamics", q, v, "inputs", f, "threads", 2);
-expect(norm(back - a) < 1e-12, "accelerations of the forces that give them");
+expect(norm(back - a) < 1e-12,  ...  % times the condition of M, below 10
+        "accelerations of the forces that give them");
 expect(isequal(torsor_call("./cart.so", "mass_matrix", q, v(:, 1)), M), "one column for all states");
 
 % A motion is the same by two methods, and ends where Octave's own method says; energy changes by the power of the damper.
 [y, reached] = torsor_call("./cart.so", "integrate", 0:0.01:1, [cart.q; cart.v], "tolerance", 1e-12, "method", "dormand_prince_853");
 other = torsor_call("./cart.so", "integrate", [0.5 1], [cart.q; cart.v], "tolerance", 1e-12, "method", "taylor");
-expect(reached == 1 && norm(other - y(:, [51 101])) < 1e-10, "two methods");
+expect(reached == 1 && norm(other - y(:, [51 101])) < 1e-10, "two methods");  % some 30 steps of 1e-12 each
 [T, U, power] = torsor_call("./cart.so", "energy", y(1:2, :), y(3:4, :));
 simpson = 0.01 / 3 * (power(1) + power(end) + 4 * sum(power(2:2:end)) + 2 * sum(power(3:2:end-1)));
 expect(abs(T(end) - U(end) - T(1) + U(1) - simpson) < 1e-6 * abs(simpson) && simpson < -1e-4, "energy");
 slope = @(t, y) torsor_call("./cart.so", "state_derivative", y(1:2), y(3:4));
 [t, path] = ode45(slope, [0 1], [cart.q; cart.v], odeset("RelTol", 1e-9, "AbsTol", 1e-9));
-expect(norm(path(end, :)' - y(:, end)) < 1e-6, "the end of ode45");
+expect(norm(path(end, :)' - y(:, end)) < 1e-6,  ...  % some hundred steps of 1e-9
+        "the end of ode45");
 
 % What is not possible is told in words; a state that fails harms no other.
 [M, status] = torsor_call("./cart.so", "mass_matrix", [NaN 0.2; 0 0.5], [0; 0]);
@@ -62,6 +64,24 @@ expect_refusal("in pairs", "./cart.so", "inverse_dynamics", q, v, "accelerations
 expect_refusal("no method 'euler'", "./cart.so", "integrate", 1, [cart.q; cart.v], "method", "euler");
 expect_refusal("the motion ends", "./cart.so", "integrate", 1, [cart.q; cart.v], "inputs", [1e308; 0]);
 expect_refusal("nothing.so", "./nothing.so");
+expect_refusal("full real", "./cart.so", "integrate", sparse([0 0 1]), [cart.q; cart.v]);
+expect_refusal("one column", "./cart.so", "integrate", 1, [cart.q; cart.v], "inputs", [1 2; 0 0]);
+expect_refusal("whole number", "./cart.so", "jets", q, v, "order", -2);
+expect_refusal("takes no order", "./cart.so", "mass_matrix", q, v, "order", 2);
+expect_refusal("begin with ./", "cart.so");
+
+% Inputs and parameters of a motion: a force of 2 N on the cart, which by itself would stay, pushes it along.
+pushed = torsor_call("./cart.so", "integrate", 0.1, [cart.q; cart.v], "inputs", [2; 0]);
+still = torsor_call("./cart.so", "integrate", 0.1, [cart.q; cart.v]);
+expect(pushed(1) - still(1) > 1e-3, "a force moves the cart");
+
+% In another folder the same path is another library.
+mkdir("other");
+copyfile("cart.so", "other/rod.so");
+here = cd("other");
+expect_refusal("cannot open", "./cart.so");
+expect(strcmp(torsor_call("./rod.so").name, "cart_pole"), "a path is that of the present folder");
+cd(here);
 clear torsor_call
 expect(isequal(torsor_call("./cart.so").q, cart.q), "a library that is opened again");
 printf("all of it holds\n");

@@ -68,10 +68,10 @@ constexpr Translation french_of_contacts[] = {
     {"{} at t = {:.9g} s", "{} à t = {:.9g} s"},
     {"forces and impulses of contacts fulfil the laws of contact to {:.1g} of the largest",
      "les forces et les percussions de contact vérifient les lois de contact à {:.1g} près de la plus grande"},
-    {"the mechanism is at a dead centre of '{}', where the loops hold what it acts on and its force is not determined: end the "
-     "motion before (--to), or start elsewhere (--initial);",
-     "le mécanisme est à un point mort de « {} », où les boucles retiennent ce sur quoi il agit et où sa force n'est pas "
-     "déterminée : arrêter le mouvement avant (--to), ou partir d'ailleurs (--initial) ;"},
+    {"at t = {:.9g} s the mechanism is at a dead centre of '{}', where the loops hold what it acts on and its force is not "
+     "determined: end the motion before (--to), or start elsewhere (--initial)",
+     "à t = {:.9g} s le mécanisme est à un point mort de « {} », où les boucles retiennent ce sur quoi il agit et où sa force n'est pas "
+     "déterminée : arrêter le mouvement avant (--to), ou partir d'ailleurs (--initial)"},
     {"the model was evaluated", "le modèle a été évalué"},
     {"the model is singular: the mass matrix or the constraints lose rank (a change point, where branches of a closed loop meet; "
      "angles at the singular position of their chart; a freedom without mass; see docs/constraints.md)",
