@@ -98,20 +98,25 @@ class ContactPage {
       const BearingReaction& component = bearings_[k][c];
       const Spelling name = spelled(which.c_str(), bearings_[k].size() == 1 ? "R" : fmt::format("R_{}", c + 1).c_str());
       std::optional<Sum> sum = component.without_contacts.is_zero() ? Sum() : view_.sum(component.without_contacts);
+      Value too_long = sum ? Value() : component.without_contacts;
       std::size_t row = 0;
       for (const ContactRows& contact : contacts_) {
         for (std::size_t own = 0; own < contact.rows.size(); ++own, ++row) {
           if (component.by_reactions[row].is_zero() || !sum) continue;
           const std::optional<Sum> factor = view_.sum(component.by_reactions[row]);
-          if (factor) *sum += *factor * Sum::symbol(reaction(contact, own));
-          if (!factor) sum.reset();
+          if (factor) {
+            *sum += *factor * Sum::symbol(reaction(contact, own));
+          } else {
+            sum.reset();
+            too_long = component.by_reactions[row];
+          }
         }
       }
       if (sum) {
         page_.stated(name, collected(*sum), "");
       } else {
         page_.note(say("{} is too long to be written out ({}); the kernel contacts computes it.", name.plain,
-                       say("more than {} terms", view_.limits().terms)));
+                       limit_met(view_, too_long, say)));
       }
     }
     const bool turns = !coefficients_[k].friction.unit().is_dimensionless();
@@ -127,20 +132,20 @@ class ContactPage {
     const auto& coordinates = equations_.model().coordinates();
     for (std::size_t i = 0; i < static_cast<std::size_t>(equations_.model().unknown_count()); ++i) {
       Sum sum;
-      bool too_long = false;
+      Value too_long;
       for (const ContactRows& contact : contacts_) {
         for (std::size_t row = 0; row < contact.rows.size(); ++row) {
           const Value& entry = contact.rows[row].jacobian[i];
           if (entry.is_zero()) continue;
           const std::optional<Sum> factor = view_.sum(entry);
-          too_long = too_long || !factor;
+          if (!factor) too_long = entry;
           if (factor) sum += *factor * Sum::symbol(reaction(contact, row));
         }
       }
       const std::string& q = coordinates[i].attitude ? coordinates[i].v->name : coordinates[i].q->name;
-      if (too_long) {
+      if (!too_long.is_zero()) {
         page_.note(say("{} is too long to be written out ({}); the kernel contacts computes it.", "Q_" + q,
-                       say("more than {} terms", view_.limits().terms)));
+                       limit_met(view_, too_long, say)));
       } else if (!sum.is_zero()) {
         page_.stated({"Q_" + q, fmt::format("Q_{{{}}}", latex_name(q))}, collected(sum), "");
       }
