@@ -93,7 +93,9 @@ ContactEvent ContactAutomaton::event() const noexcept {
 }
 
 bool ContactAutomaton::end(ContactStatus status, int contact) noexcept {
-  const bool lost = status == ContactStatus::integration_failed && motion_.near_change_point();
+  // A limit that the caller set is the caller's.
+  const bool lost = status == ContactStatus::integration_failed && motion_.near_change_point() &&
+                    result_.integration.status != IntegrationStatus::too_many_steps;
   result_.status = lost ? ContactStatus::change_point : status;
   result_.contact = contact;
   return false;
