@@ -22,7 +22,8 @@ double nanoseconds(const Kernels& kernel) {
 
 int main() {
   if (joints_before != joints_now) {
-    std::fprintf(stderr, "the robots have %d and %d joints: compare one with itself\n", static_cast<int>(joints_before), static_cast<int>(joints_now));
+    std::fprintf(stderr, "the robots have %d and %d joints: compare one with itself\n", static_cast<int>(joints_before),
+                 static_cast<int>(joints_now));
     return 1;
   }
   std::mt19937 generator(1);

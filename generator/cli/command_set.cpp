@@ -18,7 +18,9 @@ CLI::App& CommandSet::add(const std::string& name, const std::string& text, Run 
   return *command;
 }
 
-void CommandSet::starts_from(CLI::App& command, std::function<GivenStart()> start) { starts_.emplace_back(&command, std::move(start)); }
+void CommandSet::starts_from(CLI::App& command, std::function<GivenStart()> start) {
+  starts_.emplace_back(&command, std::move(start));
+}
 
 GivenStart CommandSet::start() const {
   for (const auto& [command, start] : starts_) {

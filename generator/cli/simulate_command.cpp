@@ -92,7 +92,9 @@ void add_simulate_command(CommandSet& commands) {
       ->allow_extra_args(false);
   command.add_option("--until", request->until, "end the motion where a formula passes through zero, e.g. \"theta = 0\"");
   add_start_and_inputs(command, options.initial, options.inputs);
-  commands.starts_from(command, [request] { return GivenStart{request->options.initial, request->options.parameters, request->options.model}; });
+  commands.starts_from(command, [request] {
+    return GivenStart{request->options.initial, request->options.parameters, request->options.model};
+  });
   add_numbers(command, "--run-time", options.parameters, "values of parameters, NAME=NUMBER; comma-separated");
   command.add_flag("--no-projection", request->no_projection, "do not project steps onto the constraints: they drift");
   command

@@ -50,7 +50,9 @@ static int open_library(const mxArray* name) {
   void* const library = dlopen(whole_path == NULL ? path : whole_path, RTLD_NOW | RTLD_LOCAL);
   void* symbol;
   free(whole_path);
-  if (library == NULL) mexErrMsgIdAndTxt("torsor:library", "%s%s", dlerror(), strchr(path, '/') == NULL ? "; begin with ./ for this folder" : "");
+  if (library == NULL) {
+    mexErrMsgIdAndTxt("torsor:library", "%s%s", dlerror(), strchr(path, '/') == NULL ? "; begin with ./ for this folder" : "");
+  }
   for (int i = 0; i < opened_count; ++i) {
     if (opened[i].library != library) continue;
     dlclose(library); /* it was opened once more */
@@ -293,7 +295,8 @@ static void integrate(int place, int outputs, mxArray** out, int count, const mx
   if (count < 2) mexErrMsgIdAndTxt("torsor:usage", "integrate takes times and the start [q; v]");
   if (outputs > 3) mexErrMsgIdAndTxt("torsor:usage", "integrate gives y, the time reached and a status");
   expect_known(count - 2, in + 2, known);
-  if (!mxIsDouble(in[0]) || mxIsComplex(in[0]) || mxIsSparse(in[0])) mexErrMsgIdAndTxt("torsor:argument", "times are full real doubles");
+  if (!mxIsDouble(in[0]) || mxIsComplex(in[0]) || mxIsSparse(in[0]))
+    mexErrMsgIdAndTxt("torsor:argument", "times are full real doubles");
   times = mxGetNumberOfElements(in[0]);
   if (mxGetN(matrix(in[1], "[q; v]", (size_t)size)) != 1) mexErrMsgIdAndTxt("torsor:argument", "[q; v] is one column");
   u = named(count - 2, in + 2, "inputs");
@@ -353,7 +356,8 @@ void mexFunction(int outputs, mxArray* out[], int count, const mxArray* in[]) {
   } else {
     const torsor_abi* const abi = opened[place].abi;
     while (k < abi->kernel_count && strcmp(abi->kernels[k].name, name) != 0) ++k;
-    if (k == abi->kernel_count) mexErrMsgIdAndTxt("torsor:usage", "%s has no kernel '%s': build --kernels names more", abi->name, name);
+    if (k == abi->kernel_count)
+      mexErrMsgIdAndTxt("torsor:usage", "%s has no kernel '%s': build --kernels names more", abi->name, name);
     evaluate(place, &abi->kernels[k], outputs, out, count - 2, in + 2);
   }
   mxFree(name);
