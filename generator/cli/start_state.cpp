@@ -144,8 +144,12 @@ std::set<std::string> held_coordinates(EvaluatedMotion& motion, double t, const 
 }  // namespace
 
 std::vector<std::string> at_dead_centre(EvaluatedMotion& motion, double t, const std::vector<double>& y) {
-  // What is held at the start as well is held always.
-  const std::set<std::string> there = held_coordinates(motion, t, y), always = held_coordinates(motion, 0.0, closed_start(motion, {}));
+  const std::set<std::string> there = held_coordinates(motion, t, y);
+  // What is held elsewhere too is held always. The start itself may be a dead centre.
+  std::vector<double> elsewhere = motion.start({});
+  for (std::size_t i = 0; i < elsewhere.size(); ++i) elsewhere[i] += 0.1 + 0.01 * static_cast<double>(i % 7);
+  std::set<std::string> always;
+  if (motion.settle(0.0, elsewhere)) always = held_coordinates(motion, 0.0, elsewhere);
   std::vector<std::string> names;
   std::set_difference(there.begin(), there.end(), always.begin(), always.end(), std::back_inserter(names));
   return names;

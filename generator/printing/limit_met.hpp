@@ -9,10 +9,6 @@
 namespace torsor::printing {
 
 /// Which limit a value meets that is not written out.
-inline std::string limit_met(InlineView& view, const Value& value, const NaturalLanguage& say) {
-  const double before = view.term_bound(value);
-  return before > view.limits().expansion ? say("up to {:.2g} terms before anything cancels, limit {}", before, view.limits().expansion)
-                                          : say("more than {} terms", view.limits().terms);
-}
+std::string limit_met(InlineView& view, const Value& value, const NaturalLanguage& say);
 
 }  // namespace torsor::printing

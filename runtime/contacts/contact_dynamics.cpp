@@ -52,6 +52,7 @@ bool ContactDynamics::respond(const ContactReading& reading) {
   KJ = reading.J.transpose();
   mass_.matrixL().solveInPlace(KJ);
   if (reading.A.rows() > 0) {
+    lengths_ = KJ.colwise().norm().transpose();
     // Twice: what is left of a row that loops nearly hold has digits of its own.
     part_.noalias() = Q_.transpose() * KJ;
     KJ.noalias() -= Q_ * part_;
@@ -64,6 +65,11 @@ bool ContactDynamics::respond(const ContactReading& reading) {
       part_.row(order_[static_cast<std::size_t>(k)]) = over_(order_[static_cast<std::size_t>(k)]) * AKJ.row(k);
     }
     AKJ = part_;
+    // At a dead centre the loops hold what a contact acts along, and an event falls beside it by rounding. To take away the slip
+    // that this leaves would stop the mechanism: in W, which has squares, such a row is zero to rounding.
+    for (Eigen::Index i = 0; i < KJ.cols(); ++i) {
+      if (KJ.col(i).norm() < 1e-8 * lengths_(i)) KJ.col(i).setZero();
+    }
   }
   W.noalias() = KJ.transpose() * KJ;
   mass_.matrixU().solveInPlace(KJ);

@@ -47,6 +47,7 @@ class ContactDynamics {
   Eigen::VectorXd longest_, over_;  ///< largest size of each constraint that was read, and one over it
   double distance_ = 1, largest_pivot_ = 0;
   Eigen::VectorXd w_, lambda_;  ///< λ without reactions of contacts
+  Eigen::VectorXd lengths_;     ///< of the columns of L^-1 J^T
 };
 
 }  // namespace torsor::runtime

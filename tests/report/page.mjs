@@ -48,7 +48,7 @@ async function expectPlayback(tool, files, expect) {
   expect(last === undefined || Math.abs(shown - last) < 1e-9, `a click on an event goes to ${shown} instead of ${last}`);
   expect(/recorded|enregistré/.test(page.note), "the page does not say that its motion is recorded");
   const remarks = await browser.evaluate("[...document.querySelectorAll('#remarks li')].map((each) => each.textContent).join('; ')");
-  expect(/certifica/.test(remarks), `remarks of the motion: ${remarks}`);
+  expect(/laws of contact|lois de contact/.test(remarks), `remarks of the motion: ${remarks}`);
   expect(page.sliders === 0, "there are sliders that change nothing");
   expect(/: (open|closed|sticks|slides|ouvert|fermé|adhère|glisse)/.test(page.regimes), `regimes: ${page.regimes}`);
   const reached = page.interval * Math.max(1, page.samples.length - 1);
