@@ -5,5 +5,5 @@ find_program(TORSOR_CCACHE ccache)
 mark_as_advanced(TORSOR_CCACHE)
 if(TORSOR_CCACHE AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
   set(CMAKE_CXX_COMPILER_LAUNCHER "${CMAKE_COMMAND}" -E env
-      CCACHE_SLOPPINESS=pch_defines,time_macros,include_file_mtime,include_file_ctime "${TORSOR_CCACHE}")
+      CCACHE_SLOPPINESS=pch_defines,time_macros "${TORSOR_CCACHE}")
 endif()
