@@ -55,7 +55,7 @@ class PlaneTruth {
     }
     Matrix answers = Matrix::Zero(n + m, size);
     answers.topRows(n) = J.transpose();
-    answers = lu.solve(answers).eval();
+    if (size > 0) answers = lu.solve(answers).eval();  // Eigen 3.4 adds to the null address of no columns
     W = J * answers.topRows(n);
     drift += J * free.head(n);
   }
