@@ -37,6 +37,23 @@ NamedNumbers numbers_of(const EvaluatedMotion& motion, const std::vector<double>
   return numbers;
 }
 
+/// The velocities that go with positions that are given, all three of a quaternion, and those that are given themselves.
+EvaluatedMotion::Kept kept_of(const EvaluatedMotion& motion, const NamedNumbers& given) {
+  EvaluatedMotion::Kept kept;
+  const std::vector<AttitudeContent>& attitudes = motion.equations().scene().content().attitudes;
+  for (std::size_t i = 0; i < motion.velocity_count(); ++i) {
+    const CoordinateContent& c = motion.equations().model().coordinates()[i];
+    std::vector<SymbolPointer> position{c.q};
+    if (c.attitude) {
+      const auto& e = attitudes[static_cast<std::size_t>(*c.attitude)].symbols->e;
+      position.assign(e.begin(), e.end());
+    }
+    if (any_given(given, position)) kept.positions.push_back(i);
+    if (any_given(given, {c.v})) kept.rates.push_back(i);
+  }
+  return kept;
+}
+
 }  // namespace
 
 Scene with_start(Scene scene, const NamedNumbers& values) {
@@ -66,7 +83,9 @@ Scene with_start(Scene scene, const NamedNumbers& values) {
 std::vector<double> closed_start(EvaluatedMotion& motion, const NamedNumbers& replaced) {
   const std::vector<double> given = motion.start(replaced);
   std::vector<double> y = given;
-  if (!motion.needs_settling() || motion.settle(0.0, y)) return y;
+  if (!motion.needs_settling() || motion.settle(0.0, y, kept_of(motion, replaced))) return y;
+  y = given;
+  if (motion.settle(0.0, y)) return y;  // what is given does not fit together by itself: it gives way as well
   throw Error(fmt::format("the constraints of '{}' cannot be closed near the start: {} there, and Newton's method finds no state "
                           "nearby that closes all of them; give other values by --initial",
                           motion.equations().scene().name(), motion.most_open(0.0, given)));

@@ -21,8 +21,8 @@ struct GivenStart {
 /// The same, put on the constraints as they are with these parameters. Throws Error where they cannot be closed near there.
 Scene with_closed_start(const Scene& scene, const GivenStart& start);
 
-/// The start of a motion with some numbers replaced, put on the constraints. Throws Error naming the constraint that stays
-/// open, and UsageError for an unknown name.
+/// The start of a motion with some numbers replaced, put on the constraints. What is replaced stays as it is given where the
+/// others can close the constraints. Throws Error naming the constraint that stays open, and UsageError for an unknown name.
 std::vector<double> closed_start(EvaluatedMotion& motion, const NamedNumbers& replaced);
 
 /// A state that fulfils the constraints and contacts of a scene whose start does not, found from there by Newton's method, in

@@ -188,11 +188,14 @@ void EvaluatedMotion::displace(double t, std::vector<double>& y, const std::vect
   move_to(t, y);
 }
 
-std::vector<double> EvaluatedMotion::least_change(const std::vector<std::size_t>& rows,
-                                                  const std::vector<double>& right) {
+std::vector<double> EvaluatedMotion::least_change(const std::vector<std::size_t>& rows, const std::vector<double>& right,
+                                                  const std::vector<std::size_t>& kept) {
   const std::size_t n = velocity_count();
   Rows<double> mass;
   for (const std::vector<Value>& row : mass_) mass.push_back(here_(row));
+  for (const std::size_t i : kept) {  // out of the problem: nothing couples with it, and no row acts on it
+    for (std::size_t j = 0; j < n; ++j) mass[i][j] = mass[j][i] = i == j ? 1.0 : 0.0;
+  }
   const Cholesky<double> factor = metric_factor(std::move(mass));
   struct Row {
     std::vector<double> direction;  // of A L⁻ᵀ
@@ -200,7 +203,9 @@ std::vector<double> EvaluatedMotion::least_change(const std::vector<std::size_t>
   };
   std::vector<Row> left;
   for (std::size_t k = 0; k < rows.size(); ++k) {
-    std::vector<double> b = factor.forward(here_(rows_[rows[k]].jacobian));
+    std::vector<double> a = here_(rows_[rows[k]].jacobian);
+    for (const std::size_t i : kept) a[i] = 0.0;
+    std::vector<double> b = factor.forward(std::move(a));
     const double size = std::sqrt(euclidean(b, b));
     if (size > 0) left.push_back({std::move(b), right[k], size});
   }
@@ -290,7 +295,7 @@ std::string EvaluatedMotion::most_open(double t, const std::vector<double>& y) {
                      unit.is_dimensionless() ? "" : " " + unit.to_string());
 }
 
-bool EvaluatedMotion::settle(double t, std::vector<double>& y) {
+bool EvaluatedMotion::settle(double t, std::vector<double>& y, const Kept& kept) {
   normalise(y);
   if (!finite(y)) return false;
   move_to(t, y);
@@ -314,12 +319,12 @@ bool EvaluatedMotion::settle(double t, std::vector<double>& y) {
     if (now <= rounding * positions || (now >= before / 2 && now <= may_be_rounding * positions)) break;
     if (round > 20 && !(now < before)) return false;
     before = now;
-    displace(t, y, least_change(holonomic_, opposite(holonomic_, false)));
+    displace(t, y, least_change(holonomic_, opposite(holonomic_, false), kept.positions));
     if (!finite(y)) return false;
   }
   if (!(open(holonomic_, false) <= closed * positions)) return false;
   for (int round = 0; round < 2; ++round) {
-    const std::vector<double> change = least_change(all_, opposite(all_, true));
+    const std::vector<double> change = least_change(all_, opposite(all_, true), kept.rates);
     for (std::size_t i = 0; i < change.size(); ++i) y[position_count_ + i] += change[i];
     move_to(t, y);
   }

@@ -49,11 +49,14 @@ class EvaluatedMotion {
   /// dy/dt; false where a pivot is not positive beyond rounding, or a number is none.
   bool slope(double t, const std::vector<double>& y, std::vector<double>& rates);
 
+  /// What `settle` must not change, by places among the velocities: positions that go with them, and velocities themselves.
+  struct Kept { std::vector<std::size_t> positions, rates; };
   /// Puts a state onto its constraints by the least change in the metric of the masses, quaternions to norm 1:
   ///   δq = −M⁻¹ Fᵀ (F M⁻¹ Fᵀ)⁺ f, repeated until f is down to rounding;   δv = −M⁻¹ Aᵀ (A M⁻¹ Aᵀ)⁺ (A v − b),
-  /// F the rows of holonomic constraints; rows that repeat others are left out. False where they cannot be closed.
+  /// F the rows of holonomic constraints; rows that repeat others are left out. Numbers of `kept` are left as they are: δq and
+  /// δv are then the least ones that are zero there. False where the constraints cannot be closed so.
   /// Source: Hairer-Wanner II, VII.2; Lubich, Engstler, Nowak & Poehle 1995.
-  bool settle(double t, std::vector<double>& y);
+  bool settle(double t, std::vector<double>& y, const Kept& kept = {});
   /// What a row of the constraints keeps beside the others, at least: 1 where they are orthogonal in the metric of the
   /// masses, near 0 at a change point. Rows that repeat others everywhere do not count.
   double independence(double t, const std::vector<double>& y);
@@ -71,8 +74,10 @@ class EvaluatedMotion {
 
  private:
   void displace(double t, std::vector<double>& y, const std::vector<double>& change);
-  /// The least change δv with A δv = right for these rows, in the metric of the masses at the state moved to.
-  std::vector<double> least_change(const std::vector<std::size_t>& rows, const std::vector<double>& right);
+  /// The least change δv with A δv = right for these rows and δv = 0 at the places kept, in the metric of the masses at the
+  /// state moved to.
+  std::vector<double> least_change(const std::vector<std::size_t>& rows, const std::vector<double>& right,
+                                   const std::vector<std::size_t>& kept);
   double open(const std::vector<std::size_t>& rows, bool rates);
   double open(const ConstraintRow& row, bool rates);  ///< beside its own size
 

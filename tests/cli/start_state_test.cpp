@@ -141,6 +141,30 @@ TEST(StartState, OfAnOpenLoopMayBeGivenAndIsClosed) {
   const Table motion = table(outcome.out);
   const double theta = motion.at(0, "theta"), phi = motion.at(0, "phi");
   EXPECT_NEAR(0.2 * std::sin(theta) + 0.5 * std::sin(theta + phi), 0, 1e-14);
+  EXPECT_EQ(theta, 0.5);
+}
+
+// A crank's angle and speed are given; rod and slider follow: r θ' cos θ + l (θ' + φ') cos(θ + φ) = 0.
+TEST(StartState, KeepsWhatIsGivenWhereTheOthersCanFollow) {
+  const Outcome outcome = run(nearly_closed, {"simulate", "--to", "0.1", "--initial", "theta=0.5,theta'=10"});
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  const Table motion = table(outcome.out);
+  const double theta = motion.at(0, "theta"), phi = motion.at(0, "phi");
+  EXPECT_EQ(theta, 0.5);
+  EXPECT_EQ(motion.at(0, "theta'"), 10);
+  EXPECT_NEAR(0.2 * 10 * std::cos(theta) + 0.5 * (10 + motion.at(0, "phi'")) * std::cos(theta + phi), 0, 1e-12);  // of terms of 10
+}
+
+// Crank, rod and slider are given, and do not meet: with the crank at 0.5 rad the slider is at 0.6662 m. Both give way.
+TEST(StartState, ChangesWhatIsGivenWhereItDoesNotFitTogether) {
+  const Outcome outcome = run(nearly_closed, {"simulate", "--to", "0.1", "--initial", "theta=0.5,phi=-0.7,x=0.65"});
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  const Table motion = table(outcome.out);
+  const double theta = motion.at(0, "theta"), phi = motion.at(0, "phi");
+  EXPECT_NEAR(0.2 * std::sin(theta) + 0.5 * std::sin(theta + phi), 0, 1e-14);
+  EXPECT_GT(theta, 0.5);
+  EXPECT_GT(motion.at(0, "x"), 0.65);
+  EXPECT_LT(motion.at(0, "x"), 0.6662);
 }
 
 TEST(StartState, ThatCannotBeClosedNamesTheConstraintThatStaysOpen) {
