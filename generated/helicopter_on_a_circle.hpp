@@ -17,7 +17,7 @@
 //   inverse_dynamics          0                1          0             0                  0       0      1       9
 //   forward_dynamics          0                1          0             0                  0       0      1      10
 //   energy                   13               23          0             0                  1       0     38      53
-//   reactions                35               50          0             0                  1       0     87     111
+//   reactions                35               50          0             0                  1       0     87     115
 //   linearisation             1                1          0             0                  0       0      2      11
 //
 // Not computed because this mechanism does not need it:
@@ -82,7 +82,7 @@ struct Mechanism {
 
   static constexpr const char* name = "helicopter_on_a_circle";
   /// 64 bits (FNV-1a) of this file from "#pragma once" on, with zeros in their own place: another mechanism, other bits.
-  static constexpr unsigned long long fingerprint = 0x53cfa7a8e027e1f2ULL ^ torsor::support_fingerprint;
+  static constexpr unsigned long long fingerprint = 0xec2e765b66b64f9aULL ^ torsor::support_fingerprint;
   static constexpr int coordinate_count = 1;
   static constexpr int velocity_count = 1;
   static constexpr int input_count = 1;
@@ -757,37 +757,33 @@ struct Mechanism {
     const Scalar z27 = z1 * z10;
     const Scalar z28 = z8 * z9;
     const Scalar z29 = z2 * z8;
-    const Scalar z30 = z21 - z23;
-    const Scalar z31 = n0_4 * (z7 - z22);  // moment on blade_4, x
-    const Scalar z32 = z20 - z25;
-    const Scalar z33 = n0_4 * (z6 - z24);  // moment on blade_3, x
-    const Scalar z34 = z19 + z27;
-    const Scalar z35 = n0_4 * (z7 + z26);  // moment on blade_2, x
-    const Scalar z36 = z18 + z29;
-    const Scalar z37 = n0_4 * (z6 + z28);  // moment on blade_1, x
-    const Scalar z38 = n0_4 * z30;  // moment on blade_4, z
-    const Scalar z39 = n0_4 * z32;  // moment on blade_3, z
-    const Scalar z40 = n0_4 * z34;  // moment on blade_2, z
-    const Scalar z41 = n0_4 * z36;  // moment on blade_1, z
-    const Scalar z42 = s_alpha * z38;
-    const Scalar z43 = c_alpha * z38;
-    const Scalar z44 = s_alpha * z39;
-    const Scalar z45 = c_alpha * z39;
-    const Scalar z46 = s_alpha * z40;
-    const Scalar z47 = c_alpha * z40;
-    const Scalar z48 = s_alpha * z41;
-    const Scalar z49 = c_alpha * z41;
-    const Scalar z50 = n1330 * z16 + z33 + z37 + z42 + z46;  // moment on rotor, x
-    const Scalar z51 = n1330 * z17 + z31 + z35 + z44 + z48;  // moment on rotor, y
-    const Scalar z52 = n1330 * a_phi + z43 - z45 - z47 + z49;  // moment on rotor, z
-    const Scalar z53 = s_phi * z50 + c_phi * z51;
-    const Scalar z54 = m5 - z53;  // moment on pitch, y
+    const Scalar z30 = n0_4 * (z7 - z22);  // moment on blade_4, x
+    const Scalar z31 = n0_4 * (z21 - z23);  // moment on blade_4, z
+    const Scalar z32 = n0_4 * (z6 - z24);  // moment on blade_3, x
+    const Scalar z33 = n0_4 * (z20 - z25);  // moment on blade_3, z
+    const Scalar z34 = n0_4 * (z7 + z26);  // moment on blade_2, x
+    const Scalar z35 = n0_4 * (z19 + z27);  // moment on blade_2, z
+    const Scalar z36 = n0_4 * (z6 + z28);  // moment on blade_1, x
+    const Scalar z37 = n0_4 * (z18 + z29);  // moment on blade_1, z
+    const Scalar z38 = s_alpha * z31;
+    const Scalar z39 = c_alpha * z31;
+    const Scalar z40 = s_alpha * z33;
+    const Scalar z41 = c_alpha * z33;
+    const Scalar z42 = s_alpha * z35;
+    const Scalar z43 = c_alpha * z35;
+    const Scalar z44 = s_alpha * z37;
+    const Scalar z45 = c_alpha * z37;
+    const Scalar z46 = n1330 * z16 + z32 + z36 + z38 + z42;  // moment on rotor, x
+    const Scalar z47 = n1330 * z17 + z30 + z34 + z40 + z44;  // moment on rotor, y
+    const Scalar z48 = n1330 * a_phi + z39 - z41 - z43 + z45;  // moment on rotor, z
+    const Scalar z49 = s_phi * z46 + c_phi * z47;
+    const Scalar z50 = m5 - z49;  // moment on pitch, y
     result.X = -m4;
     result.Y = n0;
     result.Z = n0;
     result.M_x = n0;
-    result.M_y = z54;
-    result.M_z = z52;
+    result.M_y = z50;
+    result.M_z = z48;
   }
 
   /// The same for this mechanism, which has nothing in the arguments left out.

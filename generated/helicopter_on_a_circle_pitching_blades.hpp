@@ -13,11 +13,11 @@
 //   precompute                0                9          0             0                  1       0     11       -
 //   kinematics               68              113          0             0                  6       0    193     198
 //   mass_matrix               4                8          0             0                  4       0     20      20
-//   bias                     56               69          0             0                  5       0    135     156
-//   inverse_dynamics         65               74          0             0                  5       0    149     170
-//   forward_dynamics         61               82          1             0                  5       0    154     175
+//   bias                     56               69          0             0                  5       0    135     160
+//   inverse_dynamics         65               74          0             0                  5       0    149     174
+//   forward_dynamics         61               82          1             0                  5       0    154     179
 //   energy                   40               53          0             0                  5       0    103     124
-//   reactions                48               65          0             0                  5       0    123     136
+//   reactions                48               65          0             0                  5       0    123     140
 //
 // Not computed because this mechanism does not need it:
 //   kinematics: of 165 results 25 vanish identically, 68 repeat another up to sign
@@ -77,7 +77,7 @@ struct Mechanism {
 
   static constexpr const char* name = "helicopter_on_a_circle_pitching_blades";
   /// 64 bits (FNV-1a) of this file from "#pragma once" on, with zeros in their own place: another mechanism, other bits.
-  static constexpr unsigned long long fingerprint = 0xf37dd8c3b00b8218ULL ^ torsor::support_fingerprint;
+  static constexpr unsigned long long fingerprint = 0x1f0d7dddc7207b1dULL ^ torsor::support_fingerprint;
   static constexpr int coordinate_count = 5;
   static constexpr int velocity_count = 5;
   static constexpr int input_count = 1;
@@ -786,31 +786,27 @@ struct Mechanism {
     const Scalar z50 = z21 * z22;
     const Scalar z51 = n0_4 * (z14 - z41);  // moment on blade_2, x
     const Scalar z52 = n0_4 * (z13 - z43);  // moment on blade_1, x
-    const Scalar z53 = z48 + z39;
-    const Scalar z54 = n0_4 * (z14 - z49);  // moment on blade_4, x
-    const Scalar z55 = z47 + z40;
-    const Scalar z56 = n0_4 * (z13 - z50);  // moment on blade_3, x
-    const Scalar z57 = z46 + z42;
-    const Scalar z58 = z45 + z44;
-    const Scalar z59 = n0_4 * z53;  // moment on blade_4, z
-    const Scalar z60 = n0_4 * z55;  // moment on blade_3, z
-    const Scalar z61 = n0_4 * z57;  // moment on blade_2, z
-    const Scalar z62 = n0_4 * z58;  // moment on blade_1, z
-    const Scalar z63 = z27 - z35 + z52;
-    const Scalar z64 = z28 + z36 - z51;
-    const Scalar z65 = c_alpha_4 * z59;
-    const Scalar z66 = c_alpha_3 * z60;
-    const Scalar z67 = c_alpha_2 * z61;
-    const Scalar z68 = c_alpha_1 * z62;
-    const Scalar z69 = z29 + z37 + z56;
-    const Scalar z70 = z30 - z38 - z54;
-    const Scalar z71 = z65 + z66 + z67 + z68;  // moment on rotor, z
-    const Scalar z72 = p_alpha_c * (s_phi * (z27 + z29 - z35 + z37) - c_phi * (z28 + z30 + z36 - z38)) + z71;
-    forces.phi = -z72;
-    forces.alpha_1 = -z63;
-    forces.alpha_2 = z64;
-    forces.alpha_3 = z69;
-    forces.alpha_4 = -z70;
+    const Scalar z53 = n0_4 * (z14 - z49);  // moment on blade_4, x
+    const Scalar z54 = n0_4 * (z48 + z39);  // moment on blade_4, z
+    const Scalar z55 = n0_4 * (z13 - z50);  // moment on blade_3, x
+    const Scalar z56 = n0_4 * (z47 + z40);  // moment on blade_3, z
+    const Scalar z57 = n0_4 * (z46 + z42);  // moment on blade_2, z
+    const Scalar z58 = n0_4 * (z45 + z44);  // moment on blade_1, z
+    const Scalar z59 = z27 - z35 + z52;
+    const Scalar z60 = z28 + z36 - z51;
+    const Scalar z61 = c_alpha_4 * z54;
+    const Scalar z62 = c_alpha_3 * z56;
+    const Scalar z63 = c_alpha_2 * z57;
+    const Scalar z64 = c_alpha_1 * z58;
+    const Scalar z65 = z29 + z37 + z55;
+    const Scalar z66 = z30 - z38 - z53;
+    const Scalar z67 = z61 + z62 + z63 + z64;  // moment on rotor, z
+    const Scalar z68 = p_alpha_c * (s_phi * (z27 + z29 - z35 + z37) - c_phi * (z28 + z30 + z36 - z38)) + z67;
+    forces.phi = -z68;
+    forces.alpha_1 = -z59;
+    forces.alpha_2 = z60;
+    forces.alpha_3 = z65;
+    forces.alpha_4 = -z66;
   }
 
   /// Inverse dynamics: the generalised forces M a + h - A' lambda that motors must supply for the accelerations a.
@@ -904,31 +900,27 @@ struct Mechanism {
     const Scalar z54 = n0_4 * (z32 + z47);  // moment on blade_1, x
     const Scalar z55 = v_alpha_4 * z24 - z37;  // angular acceleration of blade_4, z
     const Scalar z56 = z24 * z25;
-    const Scalar z57 = z55 + z43;
-    const Scalar z58 = z51 + z44;
-    const Scalar z59 = z50 + z46;
-    const Scalar z60 = z49 + z48;
+    const Scalar z57 = n0_4 * (z55 + z43);  // moment on blade_4, z
+    const Scalar z58 = n0_4 * (z51 + z44);  // moment on blade_3, z
+    const Scalar z59 = n0_4 * (z50 + z46);  // moment on blade_2, z
+    const Scalar z60 = n0_4 * (z49 + z48);  // moment on blade_1, z
     const Scalar z61 = n0_4 * (z38 - z56);  // moment on blade_4, x
-    const Scalar z62 = n0_4 * z57;  // moment on blade_4, z
-    const Scalar z63 = n0_4 * z58;  // moment on blade_3, z
-    const Scalar z64 = n0_4 * z59;  // moment on blade_2, z
-    const Scalar z65 = n0_4 * z60;  // moment on blade_1, z
-    const Scalar z66 = n0_4 * (z36 - z52);  // moment on blade_3, x
-    const Scalar z67 = c_alpha_4 * z62;
-    const Scalar z68 = c_alpha_3 * z63;
-    const Scalar z69 = c_alpha_2 * z64;
-    const Scalar z70 = c_alpha_1 * z65;
-    const Scalar z71 = z27 - z39 - z54;
-    const Scalar z72 = n1330 * a_phi - z67 - z68 - z69 - z70;  // moment on rotor, z
-    const Scalar z73 = z28 + z40 + z53;
-    const Scalar z74 = z29 + z41 + z66;
-    const Scalar z75 = z30 - z42 - z61;
-    const Scalar z76 = p_alpha_c * (s_phi * (z27 + z29 - z39 + z41) - c_phi * (z28 + z30 + z40 - z42)) - z72;
-    forces.phi = -z76;
-    forces.alpha_1 = -z71;
-    forces.alpha_2 = z73;
-    forces.alpha_3 = z74;
-    forces.alpha_4 = -z75;
+    const Scalar z62 = n0_4 * (z36 - z52);  // moment on blade_3, x
+    const Scalar z63 = c_alpha_4 * z57;
+    const Scalar z64 = c_alpha_3 * z58;
+    const Scalar z65 = c_alpha_2 * z59;
+    const Scalar z66 = c_alpha_1 * z60;
+    const Scalar z67 = z27 - z39 - z54;
+    const Scalar z68 = n1330 * a_phi - z63 - z64 - z65 - z66;  // moment on rotor, z
+    const Scalar z69 = z28 + z40 + z53;
+    const Scalar z70 = z29 + z41 + z62;
+    const Scalar z71 = z30 - z42 - z61;
+    const Scalar z72 = p_alpha_c * (s_phi * (z27 + z29 - z39 + z41) - c_phi * (z28 + z30 + z40 - z42)) - z68;
+    forces.phi = -z72;
+    forces.alpha_1 = -z67;
+    forces.alpha_2 = z69;
+    forces.alpha_3 = z70;
+    forces.alpha_4 = -z71;
   }
 
   /// The same for this mechanism, which has nothing in the arguments left out.
@@ -1009,17 +1001,17 @@ struct Mechanism {
     const Scalar z34 = s_alpha_4 * z13;
     const Scalar z35 = z9 * p_c;
     const Scalar z36 = p_c * z10;
-    const Scalar z37 = p_c * z11;
-    const Scalar z38 = n0_4 * c_alpha_4;
-    const Scalar z39 = c_alpha_4 * z38;
-    const Scalar z40 = n1330 + z39;
-    const Scalar z41 = p_c * z12;
-    const Scalar z42 = n0_4 * c_alpha_3;
-    const Scalar z43 = n0_4 * c_alpha_2;
-    const Scalar z44 = n0_4 * c_alpha_1;
-    const Scalar z45 = c_alpha_3 * z42;
-    const Scalar z46 = c_alpha_2 * z43;
-    const Scalar z47 = c_alpha_1 * z44;
+    const Scalar z37 = n0_4 * c_alpha_4;
+    const Scalar z38 = c_alpha_4 * z37;
+    const Scalar z39 = n1330 + z38;
+    const Scalar z40 = p_c * z11;
+    const Scalar z41 = n0_4 * c_alpha_3;
+    const Scalar z42 = n0_4 * c_alpha_2;
+    const Scalar z43 = c_alpha_3 * z41;
+    const Scalar z44 = p_c * z12;
+    const Scalar z45 = c_alpha_2 * z42;
+    const Scalar z46 = n0_4 * c_alpha_1;
+    const Scalar z47 = c_alpha_1 * z46;
     const Scalar z48 = z24 * z26;
     const Scalar z49 = z21 * z23;
     const Scalar z50 = z18 * z19;
@@ -1030,45 +1022,41 @@ struct Mechanism {
     const Scalar z55 = v_alpha_2 * z18 + z32;  // angular acceleration of blade_2, z
     const Scalar z56 = v_alpha_3 * z21 + z33;  // angular acceleration of blade_3, z
     const Scalar z57 = v_alpha_4 * z24 - z34;  // angular acceleration of blade_4, z
-    const Scalar z58 = z40 + z45;
+    const Scalar z58 = z39 + z43;
     const Scalar z59 = z24 * z25;
     const Scalar z60 = z21 * z22;
     const Scalar z61 = n0_4 * (z14 - z50);  // moment on blade_2, x
-    const Scalar z62 = z58 + z46;
+    const Scalar z62 = z58 + z45;
     const Scalar z63 = n0_4 * (z13 - z52);  // moment on blade_1, x
-    const Scalar z64 = z57 + z48;
-    const Scalar z65 = z56 + z49;
-    const Scalar z66 = z55 + z51;
-    const Scalar z67 = z54 + z53;
+    const Scalar z64 = n0_4 * (z57 + z48);  // moment on blade_4, z
+    const Scalar z65 = n0_4 * (z56 + z49);  // moment on blade_3, z
+    const Scalar z66 = n0_4 * (z55 + z51);  // moment on blade_2, z
+    const Scalar z67 = n0_4 * (z54 + z53);  // moment on blade_1, z
     const Scalar z68 = z62 + z47;
-    const Scalar z69 = n0_4 * z64;  // moment on blade_4, z
-    const Scalar z70 = n0_4 * z65;  // moment on blade_3, z
-    const Scalar z71 = n0_4 * z66;  // moment on blade_2, z
-    const Scalar z72 = n0_4 * z67;  // moment on blade_1, z
-    const Scalar z73 = n0_4 * (z14 - z59);  // moment on blade_4, x
-    const Scalar z74 = c_alpha_4 * z69;
-    const Scalar z75 = c_alpha_3 * z70;
-    const Scalar z76 = c_alpha_2 * z71;
-    const Scalar z77 = c_alpha_1 * z72;
-    const Scalar z78 = n0_4 * (z13 - z60);  // moment on blade_3, x
-    const Scalar z79 = z74 + z75 + z76 + z77;  // moment on rotor, z
-    const Scalar z80 = z27 - z35 + z63;
-    const Scalar z81 = z28 + z36 - z61;
-    const Scalar z82 = z29 + z37 + z78;
-    const Scalar z83 = z30 - z41 - z73;
-    const Scalar z84 = n1 / z68;
-    const Scalar z85 = n2_5 * z80;
-    const Scalar z86 = n2_5 * z81;
-    const Scalar z87 = n2_5 * z82;
-    const Scalar z88 = n2_5 * z83;
-    const Scalar z89 = p_alpha_c * (s_phi * (z27 + z29 - z35 + z37) - c_phi * (z28 + z30 + z36 - z41)) + z79;
-    const Scalar z90 = u_C + z89;
-    const Scalar z91 = z90 * z84;
-    accelerations.phi = z91;
-    accelerations.alpha_1 = z85;
-    accelerations.alpha_2 = -z86;
-    accelerations.alpha_3 = -z87;
-    accelerations.alpha_4 = z88;
+    const Scalar z69 = n0_4 * (z14 - z59);  // moment on blade_4, x
+    const Scalar z70 = c_alpha_4 * z64;
+    const Scalar z71 = c_alpha_3 * z65;
+    const Scalar z72 = c_alpha_2 * z66;
+    const Scalar z73 = c_alpha_1 * z67;
+    const Scalar z74 = n0_4 * (z13 - z60);  // moment on blade_3, x
+    const Scalar z75 = z70 + z71 + z72 + z73;  // moment on rotor, z
+    const Scalar z76 = z27 - z35 + z63;
+    const Scalar z77 = z28 + z36 - z61;
+    const Scalar z78 = z29 + z40 + z74;
+    const Scalar z79 = z30 - z44 - z69;
+    const Scalar z80 = n1 / z68;
+    const Scalar z81 = n2_5 * z76;
+    const Scalar z82 = n2_5 * z77;
+    const Scalar z83 = n2_5 * z78;
+    const Scalar z84 = n2_5 * z79;
+    const Scalar z85 = p_alpha_c * (s_phi * (z27 + z29 - z35 + z40) - c_phi * (z28 + z30 + z36 - z44)) + z75;
+    const Scalar z86 = u_C + z85;
+    const Scalar z87 = z86 * z80;
+    accelerations.phi = z87;
+    accelerations.alpha_1 = z81;
+    accelerations.alpha_2 = -z82;
+    accelerations.alpha_3 = -z83;
+    accelerations.alpha_4 = z84;
     if (!(traits::regular(z68, z68))) return torsor::Status::singular;
     // 0 x is 0 for every finite x and not a number for any other.
     const Scalar zero = n0 * accelerations.phi * accelerations.alpha_1 * accelerations.alpha_2 * accelerations.alpha_3
@@ -1227,34 +1215,30 @@ struct Mechanism {
     const Scalar z40 = n0_4 * (z20 + z31);  // moment on blade_1, x
     const Scalar z41 = n0_4 * (z26 - z37);  // moment on blade_4, x
     const Scalar z42 = n0_4 * (z24 - z38);  // moment on blade_3, x
-    const Scalar z43 = z36 + z27;
-    const Scalar z44 = z35 + z28;
-    const Scalar z45 = z34 + z30;
-    const Scalar z46 = z33 + z32;
-    const Scalar z47 = n0_4 * z43;  // moment on blade_4, z
-    const Scalar z48 = n0_4 * z44;  // moment on blade_3, z
-    const Scalar z49 = n0_4 * z45;  // moment on blade_2, z
-    const Scalar z50 = n0_4 * z46;  // moment on blade_1, z
-    const Scalar z51 = s_alpha_4 * z47;
-    const Scalar z52 = c_alpha_4 * z47;
-    const Scalar z53 = s_alpha_3 * z48;
-    const Scalar z54 = c_alpha_3 * z48;
-    const Scalar z55 = s_alpha_2 * z49;
-    const Scalar z56 = c_alpha_2 * z49;
-    const Scalar z57 = s_alpha_1 * z50;
-    const Scalar z58 = c_alpha_1 * z50;
-    const Scalar z59 = z40 - n1330 * z17 - z42 + z51 - z55;  // moment on rotor, x
-    const Scalar z60 = n1330 * z18 - z39 + z41 + z53 - z57;  // moment on rotor, y
-    const Scalar z61 = n1330 * a_phi - z52 - z54 - z56 - z58;  // moment on rotor, z
-    const Scalar z62 = s_phi * z60 + c_phi * z59;
-    const Scalar z63 = s_phi * z59 - c_phi * z60;
-    const Scalar z64 = m3 + z63;  // moment on pitch, y
+    const Scalar z43 = n0_4 * (z36 + z27);  // moment on blade_4, z
+    const Scalar z44 = n0_4 * (z35 + z28);  // moment on blade_3, z
+    const Scalar z45 = n0_4 * (z34 + z30);  // moment on blade_2, z
+    const Scalar z46 = n0_4 * (z33 + z32);  // moment on blade_1, z
+    const Scalar z47 = s_alpha_4 * z43;
+    const Scalar z48 = c_alpha_4 * z43;
+    const Scalar z49 = s_alpha_3 * z44;
+    const Scalar z50 = c_alpha_3 * z44;
+    const Scalar z51 = s_alpha_2 * z45;
+    const Scalar z52 = c_alpha_2 * z45;
+    const Scalar z53 = s_alpha_1 * z46;
+    const Scalar z54 = c_alpha_1 * z46;
+    const Scalar z55 = z40 - n1330 * z17 - z42 + z47 - z51;  // moment on rotor, x
+    const Scalar z56 = n1330 * z18 - z39 + z41 + z49 - z53;  // moment on rotor, y
+    const Scalar z57 = n1330 * a_phi - z48 - z50 - z52 - z54;  // moment on rotor, z
+    const Scalar z58 = s_phi * z56 + c_phi * z55;
+    const Scalar z59 = s_phi * z55 - c_phi * z56;
+    const Scalar z60 = m3 + z59;  // moment on pitch, y
     result.X = -m2;
     result.Y = n0;
     result.Z = n0;
-    result.M_x = z62;
-    result.M_y = z64;
-    result.M_z = z61;
+    result.M_x = z58;
+    result.M_y = z60;
+    result.M_z = z57;
   }
 
   /// The same for this mechanism, which has nothing in the arguments left out.

@@ -18,7 +18,7 @@
 //   forward_dynamics          4               16          1             0                  1       0     23      29
 //   energy                    3               12          0             0                  1       0     17      25
 //   first_integrals           6               18          0             0                  1       0     26      35
-//   reactions                 0                6          0             0                  1       0      8      10
+//   reactions                 0                5          0             0                  1       0      7      10
 //   linearisation            11               36          1             0                  1       0     50      61
 //
 // Not computed because this mechanism does not need it:
@@ -72,7 +72,7 @@ struct Mechanism {
 
   static constexpr const char* name = "watt_governor";
   /// 64 bits (FNV-1a) of this file from "#pragma once" on, with zeros in their own place: another mechanism, other bits.
-  static constexpr unsigned long long fingerprint = 0x51ddea41f9c5e633ULL ^ torsor::support_fingerprint;
+  static constexpr unsigned long long fingerprint = 0xd906ed1384cd6b78ULL ^ torsor::support_fingerprint;
   static constexpr int coordinate_count = 1;
   static constexpr int velocity_count = 1;
   static constexpr int input_count = 0;
@@ -583,16 +583,15 @@ struct Mechanism {
     const Scalar p_omega = precomputed.parameters.omega;
     const Scalar q_theta = state.q.theta;
     const Scalar v_theta = state.v.theta;
-    const Scalar m0 = precomputed.m_a7bd4253;
+    const Scalar m0 = precomputed.m_1f69d53f;
     Scalar s_theta, c_theta;
     traits::sincos(q_theta, s_theta, c_theta);
     const Scalar z0 = p_omega * c_theta;
     const Scalar z1 = v_theta * z0;  // angular acceleration of arm_1, x
-    const Scalar z2 = n2 * z1;
-    const Scalar z3 = m0 * z2;  // moment on arm_2, x
-    const Scalar z4 = s_theta * z3;
-    const Scalar z5 = n2 * z4;  // moment on shaft, z
-    result.motor = z5;
+    const Scalar z2 = m0 * z1;  // moment on arm_2, x
+    const Scalar z3 = s_theta * z2;
+    const Scalar z4 = n2 * z3;  // moment on shaft, z
+    result.motor = z4;
   }
 
   /// The same for this mechanism, which has nothing in the arguments left out.

@@ -192,6 +192,21 @@ TEST(TorsorTool, ListsNumbersInDigitsThatAPersonReads) {
   EXPECT_NEAR(std::stod(list.out.substr(place + turned.size())), 0.015 - 0.005 * std::cos(1.0), 8e-18);
 }
 
+TEST(TorsorTool, SavesOperationsByEachPassOnBodies) {
+  for (const char* robot : {"/tests/reference/urdf/ur5.urdf", "/examples/quadruped/quadruped.urdf"}) {
+    const auto operations = [&](const std::string& without) {
+      const Outcome outcome = torsor_tool({"counts", TORSOR_SOURCE_DIR + std::string(robot), "--base", "floating", "--json",
+                                           "--kernels", "inverse_dynamics", "--without", without});
+      EXPECT_EQ(outcome.code, 0) << outcome.err;
+      return nlohmann::json::parse(outcome.out).at("kernels").at("inverse_dynamics").at("total").get<int>();
+    };
+    const int all = operations("");
+    for (const char* pass : {"reframing", "regrouping", "off_axis", "length_unit"}) {
+      EXPECT_LE(all, operations(pass)) << robot << " without " << pass;
+    }
+  }
+}
+
 TEST(TorsorTool, TellsWhatIsWrongOnOneLine) {
   const auto expect = [](const Outcome& outcome, int code, const std::string& message) {
     EXPECT_EQ(outcome.code, code);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "generator/dynamics/motion/body_tree.hpp"
 
+#include <algorithm>
 #include <optional>
 
 #include "generator/dynamics/motion/nominal_number.hpp"
@@ -26,6 +27,21 @@ Value spread_along(const BodyTree& tree, const Matrix& inertia, int x, int y) {
   return across && along && *across < *along ? inertia(x, x) : inertia(y, y);
 }
 
+/// A link that carries nothing, whose matter leans along one axis across the joint and has no moment of inertia about that
+/// axis once `line` is moved: its angular acceleration about the axis is not asked for. All of a line would leave a moment.
+bool hides_an_acceleration(const std::vector<Link>& links, std::size_t k, const Value& line) {
+  const Link& link = links[k];
+  const bool carries = std::any_of(links.begin() + 1, links.end(),
+                                   [k](const Link& other) { return other.parent == static_cast<int>(k); });
+  const MassProperties& own = link.mass;
+  for (const int step : {1, 2}) {
+    const int x = (*link.aligned + step) % 3, y = (*link.aligned + 3 - step) % 3;
+    const bool apart = own.inertia(x, y).is_zero() && own.inertia(x, *link.aligned).is_zero();
+    if (!carries && apart && own.first_moment[y].is_zero() && (own.inertia(x, x) - line).is_zero()) return true;
+  }
+  return false;
+}
+
 /// How much of a line of mass on the axis goes to the parent.
 enum class Line { to_a_moment_of_zero, whole };
 
@@ -42,7 +58,7 @@ void regroup(const BodyTree& tree, std::vector<Link>& links, Line wanted) {
       const int x = (z + 1) % 3;
       const int y = (z + 2) % 3;
       Value line = spread_along(tree, own.inertia, x, y);
-      if (wanted == Line::whole && !is_symmetric_about(own.inertia, z)) {
+      if (wanted == Line::whole && !is_symmetric_about(own.inertia, z) && !hides_an_acceleration(links, k, line)) {
         line = own.inertia(x, x) + own.inertia(y, y);
         line = program.bind(Number::rational(1, 2) * program.bind(line - own.inertia(z, z)));
         link.without_line = z;
