@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "runtime/contacts/contact_scale.hpp"
 #include "runtime/contacts/contact_solver.hpp"
 
 namespace torsor::runtime {
@@ -312,7 +313,8 @@ bool ContactAutomaton::take_regime(const ContactSelection& chosen, int k, const 
   if (state.begins) state.begun = result_.time;
   if (!moved) state.residue = 0;
   // N, or what is left of the bound of T, that is zero to rounding may fall from there.
-  const double force = s.r.cwiseAbs().maxCoeff();
+  const ContactVector forces = ContactScale(problem).forces(s.r);
+  const double force = std::max(law.normal ? forces(n) : 0, size_along(forces, s.r, t, law.tangents));
   double left = law.normal ? s.r(n) : force;
   if (state.regime == ContactRegime::sticks) {
     left = std::min(left, law.static_friction * problem.pressing(k, s.r) + law.static_bound - length_of(s.r));

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "runtime/contacts/contact_scale.hpp"
 #include "runtime/contacts/slip_direction.hpp"
 
 namespace torsor::runtime {
@@ -230,14 +231,16 @@ int ContactMotion::busiest_slip() const noexcept {
 // A contact counts where its force, or the normal force that presses it, may be another.
 void ContactMotion::note_undetermined(const RegimeSystem& equations) noexcept {
   if (equations.kernel().cols() == 0) return;
-  const ContactMatrix others = equations.B() * equations.kernel();
-  const double least = 1e-9 * others.cwiseAbs().maxCoeff();
+  ContactMatrix others = equations.B() * equations.kernel();
+  ContactVector units(rows());
+  for (int row = 0; row < rows(); ++row) units(row) = unit_of_row(dynamics_.W(row, row));
+  for (Eigen::Index k = 0; k < others.cols(); ++k) others.col(k) /= others.col(k).cwiseProduct(units).cwiseAbs().maxCoeff();
   for (int i = 0; i < count(); ++i) {
-    const auto differs = [&](int row) { return others.row(row).cwiseAbs().maxCoeff() > least; };
+    const auto differs = [&](int row) { return units(row) * others.row(row).cwiseAbs().maxCoeff() > 1e-9; };
     bool any = rule(i).pressed_by >= 0 && differs(first_row(rule(i).pressed_by));
     for (int k = first_bearing(i); k < first_bearing(i + 1); ++k) {
       const ContactVector change = (dynamics_.S.row(k) * others).transpose();
-      any = any || change.cwiseAbs().maxCoeff() > 1e-9 * dynamics_.S.row(k).cwiseAbs().maxCoeff() * others.cwiseAbs().maxCoeff();
+      any = any || change.cwiseAbs().maxCoeff() > 1e-9 * dynamics_.S.row(k).transpose().cwiseQuotient(units).cwiseAbs().maxCoeff();
     }
     for (int k = 0; k < rule(i).rows(); ++k) any = any || differs(first_row(i) + k);
     undetermined_[as(i)] = any;
@@ -463,14 +466,16 @@ void ContactMotion::select(const Wanted& wanted) {
 void ContactMotion::add_least_change() {
   if (chosen_ == 0) return;
   ContactMatrix W(chosen_, chosen_);
-  ContactVector b(chosen_);
+  ContactVector b(chosen_), over(chosen_);
   for (int i = 0; i < chosen_; ++i) {
     b(i) = right_(row_[as(i)]);
     for (int j = 0; j < chosen_; ++j) W(i, j) = dynamics_.W(row_[as(i)], row_[as(j)]);
   }
-  Eigen::FullPivLU<ContactMatrix> lu(W);
+  // Rows without units: which of them depend on others is no matter of masses.
+  for (int i = 0; i < chosen_; ++i) over(i) = 1 / unit_of_row(W(i, i));
+  Eigen::FullPivLU<ContactMatrix> lu(over.asDiagonal() * W * over.asDiagonal());
   lu.setThreshold(1e-11);
-  const ContactVector P = lu.solve(b);
+  const ContactVector P = over.cwiseProduct(lu.solve(over.cwiseProduct(b)));
   for (int i = 0; i < chosen_; ++i) change_ += dynamics_.KJ.col(row_[as(i)]) * P(i);
 }
 

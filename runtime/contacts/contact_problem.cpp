@@ -4,10 +4,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include "runtime/contacts/contact_scale.hpp"
+
 namespace torsor::runtime {
 
 double natural_map_residual(const ContactProblem& problem, const ContactSolution& s) noexcept {
-  double defect = 0, size = 0;
+  ContactVector defect = ContactVector::Zero(problem.rows()), size = defect;
   for (int i = 0; i < problem.count; ++i) {
     const ContactLaw& law = problem.law(i);
     const int n = problem.first_row(i), t = problem.tangent_row(i);
@@ -15,8 +17,8 @@ double natural_map_residual(const ContactProblem& problem, const ContactSolution
     const auto rate = [&](int row) { return problem.W(row, row) > 0 ? 1 / problem.W(row, row) : 1.0; };
     if (law.normal) {
       const double rho = rate(n);
-      defect = std::max(defect, std::abs(N - std::max(0.0, N - rho * s.u(n))));
-      size = std::max(size, std::abs(N) + rho * std::abs(s.u(n)));
+      defect(n) = N - std::max(0.0, N - rho * s.u(n));
+      size(n) = std::abs(N) + rho * std::abs(s.u(n));
     }
     const bool sticks = s.regimes[static_cast<std::size_t>(i)] == ContactRegime::sticks;
     const double radius =
@@ -24,18 +26,17 @@ double natural_map_residual(const ContactProblem& problem, const ContactSolution
     if (law.tangents == 0) continue;
     double rho = rate(t);
     if (law.tangents == 2) rho = std::min(rho, rate(t + 1));
-    double length = 0, off = 0;
+    double length = 0;
     for (int k = 0; k < law.tangents; ++k) length = std::hypot(length, s.r(t + k) - rho * s.u(t + k));
     for (int k = 0; k < law.tangents; ++k) {
       const double trial = s.r(t + k) - rho * s.u(t + k);
       const double given = -radius * law.slip[static_cast<std::size_t>(k)];
       const double shrunk = length > radius ? radius / length * trial : trial;
-      off = std::hypot(off, s.r(t + k) - (law.slips ? given : shrunk));
-      size = std::max(size, std::abs(s.r(t + k)) + (law.slips ? 0 : rho * std::abs(s.u(t + k))));
+      defect(t) = std::hypot(defect(t), s.r(t + k) - (law.slips ? given : shrunk));
+      size(t + k) = std::abs(s.r(t + k)) + (law.slips ? 0 : rho * std::abs(s.u(t + k)));
     }
-    defect = std::max(defect, off);
   }
-  return size > 0 ? defect / size : defect;
+  return largest_part(defect, ContactScale(problem).forces(size));
 }
 
 }  // namespace torsor::runtime

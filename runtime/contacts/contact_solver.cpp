@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstddef>
 
+#include "runtime/contacts/contact_scale.hpp"
 #include "runtime/contacts/regime_enumeration.hpp"
 
 namespace torsor::runtime {
@@ -17,7 +18,7 @@ class ContactIteration {
   using Friction = AssumedRegime::Friction;
 
   ContactIteration(const ContactProblem& problem, const ContactVector& start, const ContactSolverOptions& options) noexcept
-      : problem_(problem), options_(options), r_(start) {}
+      : problem_(problem), scale_(problem), options_(options), r_(start) {}
 
   [[nodiscard]] ContactAnswer run() noexcept {
     RegimeEnumeration regimes(problem_);
@@ -37,9 +38,9 @@ class ContactIteration {
  private:
   static std::size_t as(int i) noexcept { return static_cast<std::size_t>(i); }
 
-  // Each contact in turn; the largest change over the largest reaction.
+  // Each contact in turn; the largest change over the largest reaction of its group.
   double sweep() noexcept {
-    double change = 0, size = 0;
+    const ContactVector before = r_;
     for (int i = 0; i < problem_.count; ++i) {
       const int first = problem_.first_row(i), rows = problem_.law(i).rows();
       ContactProblem one;
@@ -58,12 +59,9 @@ class ContactIteration {
           problem_.q.segment(first, rows) + problem_.W.middleRows(first, rows) * r_ - one.W * r_.segment(first, rows);
       const ContactAnswer answer = RegimeEnumeration(one).run();
       if (!answer) continue;
-      const auto& r = answer.best().r;
-      change = std::max(change, (r - r_.segment(first, rows)).cwiseAbs().maxCoeff());
-      r_.segment(first, rows) = r;
-      size = std::max(size, r.cwiseAbs().maxCoeff());
+      r_.segment(first, rows) = answer.best().r;
     }
-    return size > 0 ? change / size : change;
+    return largest_part(r_ - before, scale_.forces(r_));
   }
 
   void mark() noexcept {
@@ -76,9 +74,15 @@ class ContactIteration {
   // until q is below the rounding of W r are multiplied by that map, and where their direction stays, it stays for ever.
   bool stagnates() noexcept {
     if (r_ == marked_) return true;
-    const double size = r_.cwiseAbs().maxCoeff(), before = marked_.cwiseAbs().maxCoeff();
-    const double least = problem_.W.diagonal().maxCoeff() * before, given = problem_.q.cwiseAbs().maxCoeff();
-    if (least * 1e-16 > given && size > 2 * before && (r_ / size - marked_ / before).cwiseAbs().maxCoeff() <= 1e-13) return true;
+    ContactVector now = r_, before = marked_, given = problem_.q;
+    for (int i = 0; i < static_cast<int>(now.size()); ++i) {
+      now(i) *= scale_.unit(i);
+      before(i) *= scale_.unit(i);
+      given(i) /= scale_.unit(i);
+    }
+    const double size = now.cwiseAbs().maxCoeff(), least = before.cwiseAbs().maxCoeff();
+    const bool runs_away = least * 1e-16 > given.cwiseAbs().maxCoeff() && size > 2 * least;
+    if (runs_away && (now / size - before / least).cwiseAbs().maxCoeff() <= 1e-13) return true;
     if (++since_ < distance_) return false;
     distance_ *= 2;
     mark();
@@ -128,6 +132,7 @@ class ContactIteration {
   }
 
   const ContactProblem& problem_;
+  const ContactScale scale_;
   const ContactSolverOptions options_;
   ContactVector r_, marked_;
   int since_ = 0, distance_ = 1;  ///< attempts since the mark, and until the next one

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstddef>
 
+#include "runtime/contacts/contact_scale.hpp"
 #include "runtime/contacts/contact_selection.hpp"
 #include "runtime/contacts/contact_solver.hpp"
 #include "runtime/contacts/energetic_impact.hpp"
@@ -87,17 +88,18 @@ void energetic(const ContactProblem& problem, std::span<const double> restitutio
 }
 
 // The first contact in order that still closes; -1: none.
-int next_to_close(const ContactProblem& problem, const ContactVector& w) noexcept {
-  const double size = problem.q.cwiseAbs().maxCoeff();
+int next_to_close(const ContactProblem& problem, const ContactVector& sizes, const ContactVector& w) noexcept {
   for (int i = 0; i < problem.count; ++i) {
-    if (problem.law(i).normal && w(problem.first_row(i)) < -1e-15 * size) return i;
+    const int n = problem.first_row(i);
+    if (problem.law(i).normal && w(n) < -1e-15 * sizes(n)) return i;
   }
   return -1;
 }
 
 void sequential(const ContactProblem& problem, std::span<const double> restitution, ImpactResult& result) noexcept {
+  const ContactVector sizes = ContactScale(problem).motions(problem.q);
   for (; result.collisions < 100000; ++result.collisions) {
-    const int next = next_to_close(problem, result.w);
+    const int next = next_to_close(problem, sizes, result.w);
     if (next < 0) break;
     // That contact, what resists to its rolling and spinning, and the joints.
     ContactSelection one;
@@ -123,11 +125,11 @@ void sequential(const ContactProblem& problem, std::span<const double> restituti
     result.residual = std::max(result.residual, alone.residual);
     for (int k = 0; k < one.problem.count; ++k) result.sticks[at(one.who[at(k)])] = alone.sticks[at(k)];
   }
-  const double size = problem.q.cwiseAbs().maxCoeff();
   for (int i = 0; i < problem.count; ++i) {
-    result.closed[at(i)] = problem.law(i).normal && std::abs(result.w(problem.first_row(i))) <= 1e-15 * size;
+    const int n = problem.first_row(i);
+    result.closed[at(i)] = problem.law(i).normal && std::abs(result.w(n)) <= 1e-15 * sizes(n);
   }
-  if (next_to_close(problem, result.w) >= 0) result.verdict = ContactVerdict::none;  // no end of collisions
+  if (next_to_close(problem, sizes, result.w) >= 0) result.verdict = ContactVerdict::none;  // no end of collisions
 }
 
 }  // namespace

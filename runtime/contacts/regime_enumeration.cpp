@@ -43,7 +43,14 @@ bool RegimeEnumeration::try_from(Regimes regimes) noexcept {
 ContactAnswer RegimeEnumeration::finish() noexcept {
   auto& found = answer_.solutions;
   // The sizes of two motions that differ by rounding are equal: then the order of regimes decides.
-  const auto motion = [](const ContactSolution& s) { return s.u.size() > 0 ? s.u.norm() : 0.0; };
+  const ContactVector given = given_motions(problem_, scale_);
+  const auto motion = [&given](const ContactSolution& s) {
+    double squares = 0;
+    for (Eigen::Index i = 0; i < s.u.size(); ++i) {
+      if (s.u(i) != 0) squares += s.u(i) * s.u(i) / (given(i) * given(i));
+    }
+    return std::sqrt(squares);
+  };
   for (std::size_t i = 1; i < answer_.count; ++i) {
     for (std::size_t j = i; j > 0 && motion(found[j]) < motion(found[j - 1]) * (1 - 1e-9); --j) {
       std::swap(found[j], found[j - 1]);
@@ -180,11 +187,11 @@ bool RegimeEnumeration::turn_to_slip(Regimes& regimes) noexcept {
     RegimeSystem system(problem_, regimes);
     if (!system.solve()) return false;
     const ContactVector u = system.motion();
-    const double size = RegimeInequalities(problem_, system).sizes(system.reactions()).motion;
+    const ContactVector size = RegimeInequalities(problem_, scale_, system).sizes(system.reactions()).motion;
     const SlipsAcross slips(problem_, system, u, who, sought);
-    const double off = slips.across.cwiseAbs().maxCoeff();
+    const double off = slips.largest(problem_, size);
     // Down to rounding, or as far as it falls.
-    if (off <= 1e-15 * size || (off <= 1e-12 * size && off >= last)) return true;
+    if (off <= 1e-15 || (off <= 1e-12 && off >= last)) return true;
     last = off;
     if (!turn_slips(regimes, who, -slips.slopes.partialPivLu().solve(slips.across), 0.7)) return false;
   }
@@ -194,7 +201,7 @@ bool RegimeEnumeration::turn_to_slip(Regimes& regimes) noexcept {
 void RegimeEnumeration::accept(const Regimes& regimes) noexcept {
   RegimeSystem system(problem_, regimes);
   if (!system.solve()) return;
-  const RegimeInequalities inequalities(problem_, system);
+  const RegimeInequalities inequalities(problem_, scale_, system);
   ContactVector r = system.reactions(), u = problem_.W * r + problem_.q;
   constexpr double slack = 1e-12;
   bool indeterminate = false, moves = false;
@@ -217,8 +224,10 @@ void RegimeEnumeration::accept(const Regimes& regimes) noexcept {
       r = system.reactions();
       u = problem_.W * r + problem_.q;
       const ContactMatrix change = problem_.W * (system.B() * system.kernel());
-      const double size = problem_.W.cwiseAbs().maxCoeff() * system.kernel().cwiseAbs().maxCoeff();
-      moves = indeterminate && change.cwiseAbs().maxCoeff() > 1e-9 * size;
+      for (Eigen::Index k = 0; indeterminate && k < change.cols(); ++k) {
+        const ContactVector forces = system.B() * system.kernel().col(k);
+        moves = moves || largest_part(change.col(k), scale_.motions(problem_.W.cwiseAbs() * forces.cwiseAbs())) > 1e-9;
+      }
     }
   }
   if (!inequalities.hold(r, u, slack)) return;
@@ -270,15 +279,15 @@ void RegimeEnumeration::add(const ContactSolution& solution) noexcept {
   }
   // The motion of the larger forces is known less well, whichever was found first.
   const auto size_of = [this](const ContactSolution& s) {
-    return (problem_.W.cwiseAbs() * s.r.cwiseAbs() + problem_.q.cwiseAbs()).maxCoeff();
+    return scale_.motions(problem_.W.cwiseAbs() * s.r.cwiseAbs() + problem_.q.cwiseAbs());
   };
-  const double size = size_of(solution), force = solution.r.cwiseAbs().maxCoeff();
+  const ContactVector size = size_of(solution), force = scale_.forces(solution.r);
   for (std::size_t i = 0; i < answer_.count; ++i) {
     auto& known = answer_.solutions[i];
-    if ((known.u - solution.u).cwiseAbs().maxCoeff() > 1e-9 * std::max(size, size_of(known))) continue;
-    const double far = (known.r - solution.r).cwiseAbs().maxCoeff();
-    if (far > 1e-9 * std::max(force, known.r.cwiseAbs().maxCoeff())) {
-      if (size_of(known) > 1e3 * size) known = solution;  // of forces without need
+    const ContactVector size_of_known = size_of(known);
+    if (largest_part(known.u - solution.u, size.cwiseMax(size_of_known)) > 1e-9) continue;
+    if (largest_part(known.r - solution.r, force.cwiseMax(scale_.forces(known.r))) > 1e-9) {
+      if (largest_part(size_of_known, size) > 1e3) known = solution;  // of forces without need
       known.indeterminate = true;
     } else {
       known.indeterminate = known.indeterminate || solution.indeterminate;

@@ -2,6 +2,7 @@
 #pragma once
 #include <cstddef>
 
+#include "runtime/contacts/contact_scale.hpp"
 #include "runtime/contacts/regime_system.hpp"
 
 namespace torsor::runtime {
@@ -15,7 +16,7 @@ class RegimeEnumeration {
   using Regimes = RegimeSystem::Regimes;
   using Friction = AssumedRegime::Friction;
 
-  explicit RegimeEnumeration(const ContactProblem& problem) noexcept : problem_(problem) {
+  explicit RegimeEnumeration(const ContactProblem& problem) noexcept : problem_(problem), scale_(problem) {
     for (int i = 0; i < problem.count; ++i) bearings_ += problem.law(i).bearing > 0 ? 1 : 0;
   }
 
@@ -43,6 +44,7 @@ class RegimeEnumeration {
   void add(const ContactSolution& solution) noexcept;
 
   const ContactProblem& problem_;
+  const ContactScale scale_;
   ContactAnswer answer_;
   int bearings_ = 0;
   bool moves_ = false;  ///< reactions that fit give different motions without end

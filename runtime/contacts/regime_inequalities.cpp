@@ -7,45 +7,53 @@
 
 namespace torsor::runtime {
 
-RegimeInequalities::Sizes RegimeInequalities::sizes(const ContactVector& r) const noexcept {
-  const double force = r.size() > 0 ? r.cwiseAbs().maxCoeff() : 0;
-  const ContactVector terms = problem_.W.cwiseAbs() * r.cwiseAbs() + problem_.q.cwiseAbs();
-  return {force, terms.size() > 0 ? terms.maxCoeff() : 0};
+ContactVector given_motions(const ContactProblem& problem, const ContactScale& scale) noexcept {
+  ContactVector terms = problem.q.cwiseAbs();
+  for (int i = 0; i < problem.count; ++i) {
+    const ContactLaw& law = problem.law(i);
+    const int t = problem.tangent_row(i);
+    double bound = std::max(law.bound, law.static_bound);
+    if (law.bearing > 0) bound += std::max(law.friction, law.static_friction) * problem.pressing(i, ContactVector::Zero(problem.rows()));
+    for (int k = 0; k < law.tangents; ++k) terms += bound * problem.W.col(t + k).cwiseAbs();
+  }
+  return scale.motions(terms);
 }
 
-double RegimeInequalities::given_motion() const noexcept {
-  ContactVector terms = problem_.q.cwiseAbs();
-  for (int i = 0; i < problem_.count; ++i) {
-    const ContactLaw& law = problem_.law(i);
-    const int t = problem_.tangent_row(i);
-    double bound = std::max(law.bound, law.static_bound);
-    if (law.bearing > 0) bound += std::max(law.friction, law.static_friction) * problem_.pressing(i, ContactVector::Zero(problem_.rows()));
-    for (int k = 0; k < law.tangents; ++k) terms += bound * problem_.W.col(t + k).cwiseAbs();
+RegimeInequalities::Sizes RegimeInequalities::sizes(const ContactVector& r) const noexcept {
+  const ContactVector terms = problem_.W.cwiseAbs() * r.cwiseAbs() + problem_.q.cwiseAbs();
+  return {scale_.forces(r), scale_.motions(terms)};
+}
+
+double RegimeInequalities::of_friction(int contact, const ContactVector& sizes) const noexcept {
+  double largest = 0;
+  for (int k = 0, t = problem_.tangent_row(contact); k < problem_.law(contact).tangents; ++k) {
+    largest = std::max(largest, sizes(t + k));
   }
-  return terms.size() > 0 ? terms.maxCoeff() : 0;
+  return largest;
 }
 
 bool RegimeInequalities::hold(const ContactVector& r, const ContactVector& u, double slack) const noexcept {
   const Sizes size = sizes(r);
   // Where terms cancel to a part in 1e8 the motion is no longer known: forces that run away solve nothing.
-  if (!(size.motion <= 1e8 * given_motion())) return false;
-  const double force = slack * size.force, motion = slack * size.motion;
+  if (!(size.motion.array() <= 1e8 * given_motions(problem_, scale_).array()).all()) return false;
+  const ContactVector force = slack * size.force, motion = slack * size.motion;
   for (int i = 0; i < problem_.count; ++i) {
     const ContactLaw& law = problem_.law(i);
     const AssumedRegime& assumed = system_.at(i);
     const int n = problem_.first_row(i), t = problem_.tangent_row(i);
-    if (law.normal && !(assumed.pressed ? r(n) >= -force : u(n) >= -motion)) return false;
+    if (law.normal && !(assumed.pressed ? r(n) >= -force(n) : u(n) >= -motion(n))) return false;
     if (assumed.friction == Friction::sticks) {
       const double N = problem_.pressing(i, r);
       double length = 0;
       for (int k = 0; k < law.tangents; ++k) length = std::hypot(length, r(t + k));
-      if (!(length <= law.static_friction * N + law.static_bound + force)) return false;
+      if (!(length <= law.static_friction * N + law.static_bound + size_along(force, r, t, law.tangents))) return false;
     }
     if (assumed.friction == Friction::slides && !assumed.direction_given) {
       double along = 0, across = 0;
       for (int k = 0; k < law.tangents; ++k) along += assumed.direction[as(k)] * u(t + k);
       if (law.tangents == 2) across = assumed.direction[0] * u(t + 1) - assumed.direction[1] * u(t);
-      if (!(along >= -motion && std::abs(across) <= 64 * motion)) return false;
+      const double most = of_friction(i, motion);
+      if (!(along >= -most && std::abs(across) <= 64 * most)) return false;
     }
   }
   return true;
@@ -57,8 +65,9 @@ bool RegimeInequalities::find(RegimeSystem& system, double margin) const noexcep
   const ContactVector start = system.x();
   const ContactMatrix R = system.B() * Z, U = problem_.W * R;
   ContactVector z = ContactVector::Zero(n);
-  const Sizes size = sizes(system.reactions());
-  const double force = std::max(size.force, 1e-300), motion = std::max(size.motion, 1e-300);
+  // A group without forces keeps none: its conditions hold as they are.
+  const auto [force, motion] = sizes(system.reactions());
+  if (!(force.size() > 0 && force.maxCoeff() > 0)) return false;
   ContactVector gradient(n);
   ContactMatrix hessian(n, n);
   const auto value = [&](const ContactVector& at, bool slopes) {
@@ -69,8 +78,10 @@ bool RegimeInequalities::find(RegimeSystem& system, double margin) const noexcep
       gradient.setZero(n);
       hessian.setZero(n, n);
     }
-    const auto add = [&](double missing, const ContactVector& row) {
-      if (!(missing > 0)) return;
+    const auto add = [&](double given, double size, const ContactVector& slopes_of_it) {
+      const double missing = margin - given / size;
+      if (!(size > 0 && missing > 0)) return;
+      const ContactVector row = slopes_of_it / size;
       sum += missing * missing / 2;
       if (!slopes) return;
       gradient -= missing * row;
@@ -80,27 +91,27 @@ bool RegimeInequalities::find(RegimeSystem& system, double margin) const noexcep
       const ContactLaw& law = problem_.law(i);
       const AssumedRegime& assumed = system.at(i);
       const int k = problem_.first_row(i), t = problem_.tangent_row(i);
-      if (law.normal && assumed.pressed) add(margin - r(k) / force, R.row(k).transpose() / force);
-      if (law.normal && !assumed.pressed) add(margin - u(k) / motion, U.row(k).transpose() / motion);
+      if (law.normal && assumed.pressed) add(r(k), force(k), R.row(k).transpose());
+      if (law.normal && !assumed.pressed) add(u(k), motion(k), U.row(k).transpose());
       if (assumed.friction == Friction::sticks) {
         double length = 0;
         for (int j = 0; j < law.tangents; ++j) length = std::hypot(length, r(t + j));
         const int pressing = problem_.pressing_row(i);
         const double N = problem_.pressing(i, r);
-        const double missing = margin - (law.static_friction * N + law.static_bound - length) / force;
-        if (!(missing > 0)) continue;
+        const double left = law.static_friction * N + law.static_bound - length, size = of_friction(i, force);
+        const double missing = margin - left / size;
+        if (!(size > 0 && missing > 0)) continue;
         ContactVector row = ContactVector::Zero(n);
-        if (pressing >= 0) row += law.static_friction * R.row(pressing).transpose() / force;
+        if (pressing >= 0) row += law.static_friction * R.row(pressing).transpose();
         const auto bearing = problem_.bearing(i, r);
         for (int j = 0, own = problem_.bearing_row(i); j < law.bearing && N > 0; ++j, ++own) {
-          row += law.static_friction * bearing[as(j)] / N * (problem_.S.row(own) * R).transpose() / force;
+          row += law.static_friction * bearing[as(j)] / N * (problem_.S.row(own) * R).transpose();
         }
-        for (int j = 0; j < law.tangents && length > 0; ++j)
-          row -= r(t + j) / length * R.row(t + j).transpose() / force;
-        add(missing, row);
+        for (int j = 0; j < law.tangents && length > 0; ++j) row -= r(t + j) / length * R.row(t + j).transpose();
+        add(left, size, row);
         if (slopes && law.tangents == 2 && length > 0) {
           const ContactVector across = (r(t) * R.row(t + 1) - r(t + 1) * R.row(t)).transpose() / length;
-          hessian += missing / (length * force) * across * across.transpose();
+          hessian += missing / (length * size) * across * across.transpose();
         }
       }
       if (assumed.friction == Friction::slides && !assumed.direction_given) {
@@ -108,16 +119,16 @@ bool RegimeInequalities::find(RegimeSystem& system, double margin) const noexcep
         ContactVector row = ContactVector::Zero(n);
         for (int j = 0; j < law.tangents; ++j) {
           along += assumed.direction[as(j)] * u(t + j);
-          row += assumed.direction[as(j)] * U.row(t + j).transpose() / motion;
+          row += assumed.direction[as(j)] * U.row(t + j).transpose();
         }
-        add(margin - along / motion, row);
+        add(along, of_friction(i, motion), row);
       }
     }
     return sum;
   };
   double now = value(z, true);
   for (int step = 0; step < 60 && now > 0; ++step) {
-    hessian.diagonal().array() += 1e-12 * (hessian.trace() + 1e-300);
+    hessian.diagonal() *= 1 + 1e-12;
     const ContactVector change = hessian.ldlt().solve(gradient);
     const double slope = gradient.dot(change);
     if (!(slope > 0) || !change.allFinite()) break;

@@ -2,27 +2,29 @@
 #pragma once
 #include <cstddef>
 
+#include "runtime/contacts/contact_scale.hpp"
 #include "runtime/contacts/regime_system.hpp"
 
 namespace torsor::runtime {
 
+/// For each row, the largest of q and of what bounded friction adds: of the motions that a problem starts from.
+[[nodiscard]] ContactVector given_motions(const ContactProblem& problem, const ContactScale& scale) noexcept;
+
 /// What assumed regimes ask besides their equations, each as a number >= 0: N of pressed contacts, u_N of those that
 /// are not, d · u_T of those that begin to slide, and f_s N + b_s - |T| of those that stick. Forces count over the
-/// largest force, motions over the largest motion of the problem.
+/// largest force, motions over the largest motion of their group (ContactScale).
 class RegimeInequalities {
  public:
   using Friction = AssumedRegime::Friction;
 
-  RegimeInequalities(const ContactProblem& problem, const RegimeSystem& system) noexcept : problem_(problem), system_(system) {}
+  RegimeInequalities(const ContactProblem& problem, const ContactScale& scale, const RegimeSystem& system) noexcept
+      : problem_(problem), scale_(scale), system_(system) {}
 
-  /// The largest force, and the largest sum of terms of a motion.
+  /// For each row, the largest force, and the largest sum of terms of a motion.
   struct Sizes {
-    double force, motion;
+    ContactVector force, motion;
   };
   [[nodiscard]] Sizes sizes(const ContactVector& r) const noexcept;
-
-  /// The largest of q and of what bounded friction adds: of the motions that the problem starts from.
-  [[nodiscard]] double given_motion() const noexcept;
 
   /// Whether all hold but for rounding: `slack` of the sizes.
   [[nodiscard]] bool hold(const ContactVector& r, const ContactVector& u, double slack) const noexcept;
@@ -34,7 +36,11 @@ class RegimeInequalities {
 
  private:
   static std::size_t as(int i) noexcept { return static_cast<std::size_t>(i); }
+  /// The largest of sizes of rows, of those of a contact's friction.
+  [[nodiscard]] double of_friction(int contact, const ContactVector& sizes) const noexcept;
+
   const ContactProblem& problem_;
+  const ContactScale& scale_;
   const RegimeSystem& system_;
 };
 

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "runtime/contacts/contact_scale.hpp"
+
 namespace torsor::runtime {
 
 RegimeSystem::RegimeSystem(const ContactProblem& problem, const Regimes& regimes) noexcept
@@ -141,20 +143,32 @@ double RegimeSystem::turn_bearings() noexcept {
   return turned;
 }
 
+ContactVector RegimeSystem::over_units() const noexcept {
+  ContactVector over(E_.cols());
+  for (int k = 0; k < static_cast<int>(over.size()); ++k) {
+    if (rows_[as(k)] >= 0) over(k) = 1 / unit_of_row(problem_.W(rows_[as(k)], rows_[as(k)]));
+  }
+  for (int i = 0; i < problem_.count && bearings_; ++i) {
+    if (slides_in_bearing(i)) over(column_[as(i)]) = 1 / unit_of_row(mobility(i));
+  }
+  return over;
+}
+
 bool RegimeSystem::solve_linear() noexcept {
   const int n = static_cast<int>(E_.cols());
   kernel_.resize(n, 0);
   x_.setZero(n);
   if (n == 0) return true;
-  lu_.compute(E_);
+  const ContactVector over = over_units();
+  lu_.compute(over.asDiagonal() * E_ * over.asDiagonal());
   // A pivot below this share of the largest is what rounding leaves of a row that depends on others.
   lu_.setThreshold(1e-11);
-  x_ = lu_.solve(e_);
+  x_ = over.cwiseProduct(lu_.solve(over.cwiseProduct(e_)));
   if (lu_.rank() < n) {
-    kernel_ = lu_.kernel();
-    const ContactVector left = E_ * x_ - e_;
-    const double size = E_.cwiseAbs().maxCoeff() * x_.cwiseAbs().maxCoeff() + e_.cwiseAbs().maxCoeff();
-    return left.cwiseAbs().maxCoeff() <= 1e-10 * size + problem_.noise;
+    kernel_ = over.asDiagonal() * lu_.kernel();
+    const ContactVector left = E_ * x_ - e_, terms = E_.cwiseAbs() * x_.cwiseAbs() + e_.cwiseAbs();
+    const double size = 1e-10 * over.cwiseProduct(terms).maxCoeff();
+    return (over.cwiseProduct(left).array().abs() <= size + problem_.noise * over.array()).all();
   }
   return x_.allFinite();
 }
@@ -174,7 +188,8 @@ double RegimeSystem::scaled_determinant() const noexcept {
       own(i, j) = row >= 0 && column >= 0 ? problem_.W(row, column) : i == j ? sizes[as(i)] : 0;  // |T| of a bearing is 0
     }
   }
-  const Eigen::FullPivLU<ContactMatrix> without_slips(own);
+  const ContactVector over = over_units();
+  const Eigen::FullPivLU<ContactMatrix> without_slips(over.asDiagonal() * own * over.asDiagonal());
   const auto sign = [](const Eigen::FullPivLU<ContactMatrix>& lu) {
     return lu.permutationP().determinant() * lu.permutationQ().determinant();
   };
@@ -215,7 +230,8 @@ ContactVector RegimeSystem::motion_by_turning(int i) const noexcept {
   for (int j = 0; j < problem_.count && bearings_; ++j) {
     if (slides_in_bearing(j)) right(column_[as(j)]) = mobility(j) * pull_of_bearing(j).dot(dr);
   }
-  const ContactVector dx = lu_.solve(right);
+  const ContactVector over = over_units();
+  const ContactVector dx = over.cwiseProduct(lu_.solve(over.cwiseProduct(right)));
   return du + problem_.W * (B_ * dx);
 }
 

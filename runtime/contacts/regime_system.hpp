@@ -51,6 +51,7 @@ class RegimeSystem {
   [[nodiscard]] ContactVector motion() const noexcept { return problem_.W * reactions() + problem_.q; }
   [[nodiscard]] const ContactMatrix& B() const noexcept { return B_; }
 
+  /// But for a factor that depends on W and on which forces are unknown alone.
   [[nodiscard]] double determinant() const noexcept { return E_.cols() == 0 ? 1.0 : lu_.determinant(); }
   /// The determinant over that of the same rows of W: 1 without friction, below 0 where friction is beyond a jam (Painlevé).
   [[nodiscard]] double scaled_determinant() const noexcept;
@@ -79,6 +80,8 @@ class RegimeSystem {
   void equate_bearings() noexcept;
   /// Takes the ρ of the solution; by how much that differs from the last one.
   [[nodiscard]] double turn_bearings() noexcept;
+  /// One over the unit of each unknown (unit_of_row): E between these is without units.
+  [[nodiscard]] ContactVector over_units() const noexcept;
   [[nodiscard]] bool solve_linear() noexcept;
 
   const ContactProblem& problem_;

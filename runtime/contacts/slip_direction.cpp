@@ -2,14 +2,17 @@
 #include "runtime/contacts/slip_direction.hpp"
 
 #include <Eigen/LU>
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
+
+#include "runtime/contacts/contact_scale.hpp"
 
 namespace torsor::runtime {
 
 SlipsAcross::SlipsAcross(const ContactProblem& problem, const RegimeSystem& system, const ContactVector& motion,
                          const PerContact<int>& who, int count) noexcept
-    : across(count), slopes(count, count) {
+    : across(count), slopes(count, count), who_(who) {
   const auto at = [](int i) { return static_cast<std::size_t>(i); };
   for (int j = 0; j < count; ++j) {
     const ContactVector du = system.motion_by_turning(who[at(j)]);
@@ -20,6 +23,15 @@ SlipsAcross::SlipsAcross(const ContactProblem& problem, const RegimeSystem& syst
       slopes(k, j) = d[0] * du(t + 1) - d[1] * du(t) - (j == k ? d[0] * motion(t) + d[1] * motion(t + 1) : 0);
     }
   }
+}
+
+double SlipsAcross::largest(const ContactProblem& problem, const ContactVector& sizes) const noexcept {
+  ContactVector own(across.size());
+  for (Eigen::Index k = 0; k < across.size(); ++k) {
+    const int t = problem.tangent_row(who_[static_cast<std::size_t>(k)]);
+    own(k) = std::max(sizes(t), sizes(t + 1));
+  }
+  return largest_part(across, own);
 }
 
 bool turn_slips(RegimeSystem::Regimes& regimes, const PerContact<int>& who, ContactVector angles, double most) noexcept {
@@ -43,22 +55,22 @@ bool align_slips(const ContactProblem& problem, RegimeSystem::Regimes& regimes, 
   for (int i = 0; i < problem.count; ++i) {
     if (begins[at(i)]) who[at(sought++)] = i;
   }
-  double last = INFINITY, size = 0;
+  const ContactScale scale(problem);
+  double last = INFINITY;
   for (int step = 0; step < 30; ++step) {
     RegimeSystem system(problem, regimes);
     if (!system.solve()) return false;
     system.approach(held);
     const auto r = system.reactions();
     const ContactVector u = problem.W * r + problem.q;
-    size = (problem.W.cwiseAbs() * r.cwiseAbs() + problem.q.cwiseAbs()).maxCoeff();
     SlipsAcross slips(problem, system, u, who, sought);
     for (int k = 0; k < sought; ++k) slips.across(k) -= across_wanted[at(who[at(k)])];
-    const double off = slips.across.cwiseAbs().maxCoeff();
-    if (off <= 1e-16 * size || (off <= 1e-13 * size && off >= last)) return true;
+    const double off = slips.largest(problem, scale.motions(problem.W.cwiseAbs() * r.cwiseAbs() + problem.q.cwiseAbs()));
+    if (off <= 1e-16 || (off <= 1e-13 && off >= last)) return true;
     last = off;
     if (!turn_slips(regimes, who, -slips.slopes.partialPivLu().solve(slips.across), 0.5)) return false;
   }
-  return last <= 1e-9 * size;
+  return last <= 1e-9;
 }
 
 }  // namespace torsor::runtime

@@ -8,8 +8,14 @@ namespace torsor::runtime {
 struct SlipsAcross {
   SlipsAcross(const ContactProblem& problem, const RegimeSystem& system, const ContactVector& motion,
               const PerContact<int>& who, int count) noexcept;
+  /// The largest of these over the sizes of motions, of each row.
+  [[nodiscard]] double largest(const ContactProblem& problem, const ContactVector& sizes) const noexcept;
+
   ContactVector across;
   ContactMatrix slopes;
+
+ private:
+  const PerContact<int>& who_;
 };
 
 /// Turns these directions by angles, of which none is larger than `most`: if one is, all shrink alike. False where an
