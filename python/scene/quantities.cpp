@@ -1,9 +1,47 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A scene's parameters, coordinates, initial state, and choices.
+#include "generator/base/decimal.hpp"
 #include "python/scene/bindings.hpp"
 
 namespace torsor::python {
 
+/// A start is data, which a search may have found: its floats are taken with all their digits.
+struct StartValue { Expression formula; };
+
+}  // namespace torsor::python
+
+namespace pybind11::detail {
+
+template <>
+class type_caster<torsor::python::StartValue> {
+ public:
+  PYBIND11_TYPE_CASTER(torsor::python::StartValue, make_caster<torsor::Expression>::name);
+  bool load(handle source, bool convert) {
+    if (PyFloat_Check(source.ptr()) != 0) {
+      value.formula = torsor::Expression(torsor::from_double(PyFloat_AsDouble(source.ptr())));
+      return true;
+    }
+    make_caster<torsor::Expression> formula;
+    if (!formula.load(source, convert)) return false;
+    value.formula = cast_op<torsor::Expression&>(formula);
+    return true;
+  }
+};
+
+/// Text is no sequence of numbers here either.
+template <std::size_t n>
+class type_caster<std::array<torsor::python::StartValue, n>>
+    : public array_caster<std::array<torsor::python::StartValue, n>, torsor::python::StartValue, false, n> {
+ public:
+  bool load(handle source, bool convert) {
+    if (PyUnicode_Check(source.ptr()) != 0 || PyBytes_Check(source.ptr()) != 0 || PyByteArray_Check(source.ptr()) != 0) return false;
+    return array_caster<std::array<torsor::python::StartValue, n>, torsor::python::StartValue, false, n>::load(source, convert);
+  }
+};
+
+}  // namespace pybind11::detail
+
+namespace torsor::python {
 
 void bind_quantities(SceneClass& scene) {
   scene.def_property_readonly("name", [](S s) { return s.scene.name(); });
@@ -23,12 +61,14 @@ void bind_quantities(SceneClass& scene) {
   scene.def("attitude", [](S s, Name name) { return s.given(s.scene.attitude(name), name); }, "name"_a, comment_of("attitude"));
   scene.def_property_readonly("time", [](S s) { return s.scene.time(); }, comment_of("time"));
   scene.def("drive", [](S s, E coordinate, E law) { s.scene.drive(coordinate, law); }, "coordinate"_a, "law"_a, comment_of("drive"));
-  scene.def("initial", [](S s, E coordinate, E value, E rate) { s.scene.initial(coordinate, value, rate); }, "coordinate"_a,
-            "value"_a, "rate"_a = 0, comment_of("initial"));
+  using Start = const StartValue&;
+  scene.def("initial", [](S s, E coordinate, Start value, Start rate) { s.scene.initial(coordinate, value.formula, rate.formula); },
+            "coordinate"_a, "value"_a, "rate"_a = 0, comment_of("initial"));
   scene.def(
       "initial",
-      [](S s, const Attitude& attitude, const std::array<Expression, 4>& quaternion, const Triple& angular_velocity) {
-        s.scene.initial(s.of(attitude), quaternion, angular_velocity);
+      [](S s, const Attitude& attitude, const std::array<StartValue, 4>& e, const std::array<StartValue, 3>& omega) {
+        s.scene.initial(s.of(attitude), {e[0].formula, e[1].formula, e[2].formula, e[3].formula},
+                        {omega[0].formula, omega[1].formula, omega[2].formula});
       },
       "attitude"_a, "quaternion"_a, "angular_velocity"_a = Triple{});
   using Limit = const std::optional<ExactNumber>&;

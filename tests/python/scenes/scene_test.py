@@ -67,6 +67,23 @@ def test_a_float_that_nobody_wrote_is_refused_unless_it_is_meant(rounded, scene)
     assert str(quantity(rounded)) == str(fractions.Fraction(repr(float(rounded))))
 
 
+def test_a_start_takes_what_a_message_proposes():
+    """Its numbers have all digits of a double."""
+    scene = crane()
+    y, e = scene.coordinate("y", "m"), scene.attitude("e")
+    scene.initial(y, 0.24711653583058787, np.float64(-0.386491220150572))
+    scene.initial(e, (math.sqrt(0.75), 0.5, 0, "0"), (1 / 3, 0, 0))
+    ball = scene.free("ball", scene.ground, (y, 0, 0), e)
+    scene.body("ball", ball, Inertia.solid_sphere(quantity(1, "kg"), quantity(1, "m")))
+    motion = scene.simulate(0.1)
+    assert (motion["y"][0], motion["y'"][0]) == (0.24711653583058787, -0.386491220150572)
+    assert motion["e_omega_x"][0] == 1 / 3
+    with pytest.raises(ts.Error, match="finite"):
+        scene.initial(y, math.nan)
+    with pytest.raises(TypeError):
+        scene.initial(e, "1000")
+
+
 @pytest.mark.parametrize("wrong, words", [("abc", "cannot read"), ("1/0", "denominator"), (math.nan, "finite"), (math.inf, "finite"),
                                           (Decimal("NaN"), "cannot read"), ("\udc80", r"cannot read '\\udc80'")])
 def test_what_is_no_number_is_refused(wrong, words):
