@@ -85,6 +85,8 @@ def _dimensions(kernel: str, result: str, rows: int, columns: int) -> int:
 
 def as_columns(name: str, value: ArrayLike, size: int) -> np.ndarray:
     """``value`` as doubles with ``size`` numbers in its last dimension."""
+    if isinstance(value, Mapping):
+        raise TypeError(f"{name}: give an array of {size} numbers in the mechanism's order, not a {type(value).__name__}")
     array = np.asarray(value)
     if array.dtype != np.float64:
         array = array.astype(np.float64, casting="same_kind")

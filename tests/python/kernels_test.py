@@ -149,6 +149,7 @@ def test_bound_call_reads_arrays_that_it_must_copy(panda):
 
 
 @pytest.mark.parametrize("bad, error, words", [
+    (lambda m, x: m.simulate(1.0, inputs={"panda_joint1_torque": 1}), TypeError, r"inputs: give an array of \d numbers .* not a dict"),
     (lambda m, x: m.inverse_dynamics(x[:6], x, x), ValueError, r"q: mismatch in its last dimension.*\(6,\).*7"),
     (lambda m, x: m.inverse_dynamics(1.0, x, x), ValueError, "q: mismatch"),
     (lambda m, x: m.inverse_dynamics(x, x * 1j, x), TypeError, "Cannot cast array data from dtype\\('complex128'\\)"),
