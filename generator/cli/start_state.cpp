@@ -54,6 +54,19 @@ EvaluatedMotion::Kept kept_of(const EvaluatedMotion& motion, const NamedNumbers&
   return kept;
 }
 
+/// What the scene gives itself, of coordinates: as --initial would.
+NamedNumbers given_by_scene(const EvaluatedMotion& motion, const std::vector<double>& start) {
+  const NamedNumbers numbers = numbers_of(motion, start);
+  NamedNumbers given;
+  for (const CoordinateContent& c : motion.equations().scene().content().coordinates) {
+    if (!c.unknown() || c.attitude) continue;
+    if (c.initial_value) given[c.q->name] = numbers.at(c.q->name);
+    // initial(q, value) says no more of the rate than that it is zero by default.
+    if (const double rate = numbers.at(c.v->name); rate != 0) given[c.v->name] = rate;
+  }
+  return given;
+}
+
 }  // namespace
 
 Scene with_start(Scene scene, const NamedNumbers& values) {
@@ -99,7 +112,8 @@ Scene with_closed_start(const Scene& scene, const GivenStart& start) {
 std::string nearest_closed_start(const Scene& scene, bool for_command_line) {
   try {
     EvaluatedMotion motion(scene, {}, {}, {});
-    const std::vector<double> given = motion.start({}), closed = closed_start(motion, {});
+    const std::vector<double> given = motion.start({});
+    const std::vector<double> closed = closed_start(motion, given_by_scene(motion, given));
     validate(with_start(scene, numbers_of(motion, closed)));  // a contact may be in the way
     NamedNumbers changed;
     for (std::size_t i = 0; i < given.size(); ++i) {

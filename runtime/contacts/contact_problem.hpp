@@ -158,8 +158,8 @@ struct ContactAnswer {
 
 /// Certificate: the largest defect of the fixed points N = max(0, N - ρ u_N) and T = projection of T - ρ u_T on the
 /// disc of radius f N + b, with ρ = 1/W_ii, over the largest |r| + ρ |u| of what acts on each other (ContactScale): 0 for a
-/// solution, a number without unit. A contact that slips in a given direction has the defect of T = -(f N + b) d. Source: Alart & Curnier 1991; Acary &
-/// Brogliato 2008.
+/// solution, a number without unit. A contact that slips in a given direction has the defect of T = -(f N + b) d.
+/// Source: Alart & Curnier 1991; Acary & Brogliato 2008.
 [[nodiscard]] double natural_map_residual(const ContactProblem& problem, const ContactSolution& solution) noexcept;
 
 }  // namespace torsor::runtime

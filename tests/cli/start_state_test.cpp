@@ -135,6 +135,23 @@ TEST(StartState, ThatLeavesALoopOpenIsToldWithTheNearestClosedOne) {
   EXPECT_NEAR(phi, -0.14, 0.1);
 }
 
+// A crank that the scene starts at 3 rad/s keeps its speed: rod and slider, of which nothing is said, follow.
+TEST(StartState, IsProposedWithWhatTheSceneGives) {
+  const auto turning = [] {
+    Scene scene = slider_crank(0, 0, metres("0.7"));
+    const auto q = [&scene](std::size_t k) { return Expression(scene.content().coordinates[k].q); };
+    scene.initial(q(0), 0, Expression::quantity("3", "rad/s"));
+    return scene;
+  };
+  const Outcome open = run(turning, {"equations"});
+  double rate = 0;
+  const std::size_t at = open.err.find("a state nearby that fulfils all: ");
+  ASSERT_NE(at, std::string::npos) << open.err;
+  ASSERT_EQ(std::sscanf(open.err.c_str() + at, "a state nearby that fulfils all: initial(phi, 0, %lf)", &rate), 1) << open.err;
+  EXPECT_NEAR(rate, -4.2, 1e-14);  // 0.2 m 3 + 0.5 m (3 + rate) = 0, a few roundings
+  EXPECT_EQ(open.err.find("initial(theta"), std::string::npos) << open.err;
+}
+
 TEST(StartState, OfAnOpenLoopMayBeGivenAndIsClosed) {
   const Outcome outcome = run(nearly_closed, {"simulate", "--to", "0.1", "--initial", "theta=0.5"});
   ASSERT_EQ(outcome.code, 0) << outcome.err;
