@@ -66,7 +66,8 @@ bool RegimeInequalities::find(RegimeSystem& system, double margin) const noexcep
   const ContactMatrix R = system.B() * Z, U = problem_.W * R;
   ContactVector z = ContactVector::Zero(n);
   // A group without forces keeps none: its conditions hold as they are.
-  const auto [force, motion] = sizes(system.reactions());
+  const Sizes all = sizes(system.reactions());
+  const ContactVector &force = all.force, &motion = all.motion;  // clang 14 captures no bindings
   if (!(force.size() > 0 && force.maxCoeff() > 0)) return false;
   ContactVector gradient(n);
   ContactMatrix hessian(n, n);
