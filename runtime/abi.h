@@ -141,7 +141,8 @@ enum {
   torsor_motion_event_not_followed = 14,
   torsor_motion_law_of_one_contact = 15, /* the energetic law of impact, and several contacts struck at once */
   torsor_motion_without_memory = 16,
-  torsor_motion_jams = 17 /* a contact that slides: the equations become singular, and what follows is not determined */
+  torsor_motion_jams = 17, /* a contact that slides: the equations become singular, and what follows is not determined */
+  torsor_motion_change_point = 18 /* constraints of loops lose rank, and a contact moves there: the motion does not pass it */
 };
 
 typedef struct torsor_method {

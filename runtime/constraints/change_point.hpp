@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <limits>
 
+#include "runtime/constraints/change_point_bounds.hpp"
 #include "runtime/constraints/projection.hpp"
 #include "runtime/constraints/rank_distance.hpp"
 #include "runtime/mechanism_model.hpp"
@@ -87,8 +88,8 @@ class ChangePoints {
 
  private:
   static constexpr std::size_t nq = coordinates_of<M>, nv = velocities_of<M>, size = nq + nv;
-  static constexpr Scalar plain = Scalar(0.3), near = Scalar(0.015), beside = Scalar(0.04);
-  static constexpr Scalar blind = Scalar(1.2e-4);
+  static constexpr Scalar plain = Scalar(change_point_bounds::plain), near = Scalar(change_point_bounds::near);
+  static constexpr Scalar blind = Scalar(change_point_bounds::blind), beside = Scalar(0.04);
   static constexpr int nodes = 4;  // on either side
   // Of Lagrange's polynomials through ±1..±4, and ±1..±3, at 0.
   static constexpr std::array<Scalar, nodes> weights{Scalar(56) / Scalar(70), Scalar(-28) / Scalar(70),

@@ -134,7 +134,7 @@ bool ContactMotion::read(double t, std::span<const double> y) {
   if (mechanism_.read(t, y, reading_) != Evaluation::ok) return false;
   const bool regular = dynamics_.compute(reading_);
   nearest_ = std::min(nearest_, dynamics_.distance());
-  if (!regular || dynamics_.distance() < 1.2e-4) return false;  // as ChangePoints has it
+  if (!regular || dynamics_.distance() < change_point_bounds::blind) return false;
   t_ = t;
   std::copy_n(y.begin(), y_.size(), y_.begin());
   // Rounding of rows asks for what loops do to them.

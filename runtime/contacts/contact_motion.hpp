@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "runtime/constraints/change_point_bounds.hpp"
 #include "runtime/contacts/contact_dynamics.hpp"
 #include "runtime/contacts/contact_state.hpp"
 #include "runtime/contacts/regime_system.hpp"
@@ -42,8 +43,10 @@ class ContactMotion {
 
   /// Whether the state read last is in the neighbourhood of a change point, where branches of a loop meet and constraints lose
   /// rank, and one since the last event near it: errors e off the constraints come out as e/d² in accelerations, d the
-  /// distance. Both bounds are those of ChangePoints.
-  [[nodiscard]] bool near_change_point() const noexcept { return nearest_ < 0.015 && dynamics_.distance() < 0.3; }
+  /// distance.
+  [[nodiscard]] bool near_change_point() const noexcept {
+    return nearest_ < change_point_bounds::near && dynamics_.distance() < change_point_bounds::plain;
+  }
   /// Reads the mechanism at a state; false where it cannot be, and so near a change point that rounding of positions takes
   /// half of the digits.
   [[nodiscard]] bool read(double t, std::span<const double> y);
