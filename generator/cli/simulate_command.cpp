@@ -2,10 +2,12 @@
 #include <unistd.h>
 
 #include <chrono>
+#include <cmath>
 #include <cstdio>
 #include <memory>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <CLI/CLI.hpp>
 
 #include "generator/base/error.hpp"
@@ -44,6 +46,19 @@ class Progress {
   std::chrono::steady_clock::time_point shown_ = std::chrono::steady_clock::now();
 };
 
+/// Numbers of --initial that the start does not have, where the constraints do not allow them together; empty: it has them
+/// all. That a closed start is typed in few digits is no news.
+std::string moved_start(const Simulation& motion, const NamedNumbers& given) {
+  std::vector<std::string> moved;
+  for (std::size_t i = 0; i < motion.names.size() && !motion.rows.empty(); ++i) {
+    const auto asked = given.find(motion.names[i]);
+    if (asked == given.end() || std::abs(motion.rows[0][i] - asked->second) <= 1e-3 * (1 + std::abs(asked->second))) continue;
+    moved.push_back(fmt::format("{} = {:.6g} instead of {:.6g}", asked->first, motion.rows[0][i], asked->second));
+  }
+  if (moved.empty()) return {};
+  return fmt::format("the constraints do not allow what --initial gives: the motion starts at {}", fmt::join(moved, ", "));
+}
+
 CommandResult run_simulation(const Scene& scene, SimulationRequest request) {
   SimulationOptions& options = request.options;
   options.model = request.model(scene);
@@ -67,6 +82,7 @@ CommandResult run_simulation(const Scene& scene, SimulationRequest request) {
     }
     write_file_if_changed(request.plot[0], simulation_svg(scene, motion, columns));
   }
+  if (const std::string moved = moved_start(motion, options.initial); !moved.empty()) result.notes.push_back(moved);
   for (const std::string& event : motion.events) result.notes.push_back("event: " + event);
   result.notes.insert(result.notes.end(), motion.remarks.begin(), motion.remarks.end());
   if (!motion.status.empty()) result.notes.push_back(fmt::format("the motion ends: {}", motion.status));

@@ -70,6 +70,11 @@ class InertialReader {
       origin = placements_.placement(*given, where_);
     }
     inertial.center = origin.xyz;
+    for (const Number& component : origin.xyz) {
+      if (component.abs() <= Number(10)) continue;
+      note("a centre of mass is more than 10 m away, which suggests other units than m");
+      break;
+    }
     inertial.mass = mass();
     const Moments3 moments = read_moments(inertial.mass);
     judge(inertial.mass, moments);

@@ -111,6 +111,11 @@ class Reader {
       joint.lower.reset();
       joint.upper.reset();
     }
+    // Drives of many turns have bounds beyond a few thousand, or such as 1e16.
+    const auto of_degrees = [](const std::optional<Number>& bound) { return bound && bound->abs() > Number(31) && bound->abs() <= Number(720); };
+    if (joint.turns() && (of_degrees(joint.lower) || of_degrees(joint.upper))) {
+      robot_.notes.add("a limit is beyond five turns, which suggests degrees, and is taken in rad", where, limit.place());
+    }
   }
 
   void read_mimic(const XmlElement& element, UrdfJoint& joint, const std::string& where) {

@@ -14,21 +14,28 @@ std::string wanted(const Unit& unit) { return unit.is_dimensionless() ? "plain n
 
 }  // namespace
 
+std::string unit_remedy(const std::string& number, const Unit& given, const Unit& wanted) {
+  const bool plain = given.is_dimensionless() && number.find_first_not_of("-0123456789./") == std::string::npos;
+  return plain && !wanted.is_dimensionless() ? fmt::format(": write quantity(\"{}\", \"{}\")", number, wanted.to_string()) : "";
+}
+
 void require_unit(const Expression& given, const Unit& unit, const std::string& whose) {
   if (given.is_zero() || given.unit() == unit) return;
-  throw UnitError(fmt::format("{} is {} [{}] and must be in {}", whose, given.to_string(), given.unit().to_string(),
-                              wanted(unit)));
+  throw UnitError(fmt::format("{} is {} [{}] and must be in {}{}", whose, given.to_string(), given.unit().to_string(),
+                              wanted(unit), unit_remedy(given.to_string(), given.unit(), unit)));
 }
 
 // All at once: who wrote one without its unit wrote the others so too.
 void require_unit(const Triple& given, const Unit& unit, const std::string& whose) {
   std::vector<std::string> wrong;
+  std::string remedy;
   for (const Expression& component : given) {
     if (component.is_zero() || component.unit() == unit) continue;
     wrong.push_back(fmt::format("{} [{}]", component.to_string(), component.unit().to_string()));
+    if (remedy.empty()) remedy = unit_remedy(component.to_string(), component.unit(), unit);
   }
   if (wrong.empty()) return;
-  throw UnitError(fmt::format("{} is {} and must be in {}", whose, fmt::join(wrong, ", another is "), wanted(unit)));
+  throw UnitError(fmt::format("{} is {} and must be in {}{}", whose, fmt::join(wrong, ", another is "), wanted(unit), remedy));
 }
 
 void require_one_unit(const Triple& given, const std::string& whose) {

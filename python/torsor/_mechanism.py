@@ -19,7 +19,8 @@ from ._kernel import Kernel, NotFiniteError, Results, SingularError, TorsorError
 
 MOTION_STATUSES = ("reached the end time", "stopped", "unusable options: times, tolerances or steps",
                    "the step fell below the resolution of time", "the step limit was met",
-                   "the model could not be evaluated", "an implicit step did not converge",
+                   "the model could not be evaluated: its equations are singular there, or loops are at a dead centre of a friction",
+                   "an implicit step did not converge",
                    "the method does not suit the model",
                    "no regimes fulfil the laws of contact: rigid bodies have no motion here (Painleve)",
                    "the impact law gave energy: choose another, or a smaller restitution",
@@ -27,7 +28,8 @@ MOTION_STATUSES = ("reached the end time", "stopped", "unusable options: times, 
                    "a contact has coefficients that no surface has", "the limit of events was met",
                    "an event of a contact could not be followed",
                    "the energetic law of impact is one of a single contact, and several touch", "no memory",
-                   "a contact that slides jams: the equations become singular, and what follows is not determined")
+                   "a contact that slides jams: the equations become singular, and what follows is not determined",
+                   "the constraints of loops lose rank here, a change point: a motion with contacts does not pass it")
 
 
 class State(NamedTuple):
@@ -177,7 +179,7 @@ class Mechanism(Displayed):
             self.__dict__[name] = kernels[name]
             return kernels[name]
         raise AttributeError(f"{self.__dict__.get('name', 'the mechanism')} has no kernel or attribute {name!r}; its kernels "
-                             f"are {', '.join(kernels)}")
+                             f"are {', '.join(kernels)}. Some are made by name only: load(..., kernels='all,gravity')")
 
     def __dir__(self) -> list[str]:
         return [*super().__dir__(), *self.kernels]

@@ -25,7 +25,7 @@ Scene beyond_its_stop() {
 }
 
 /// A slider-crank by two conditions, x along the slider, crank 0.2 m, rod 0.5 m.
-Scene slider_crank(const Expression& theta, const Expression& phi, const Expression& x) {
+Scene slider_crank(const Expression& theta, const Expression& phi, const Expression& x, const Triple& weight = {1, 0, 0}) {
   Scene scene("slider_crank", "");
   const Expression r = scene.parameter("r", "m", Expression::quantity("0.2", "m")), l = scene.parameter("l", "m", Expression::quantity("0.5", "m"));
   const Expression kg = Expression::quantity("1", "kg");
@@ -36,7 +36,8 @@ Scene slider_crank(const Expression& theta, const Expression& phi, const Express
   scene.body("crank", crank, Inertia::rod(kg, r, 0).at({r / 2, 0, 0}));
   scene.body("rod", rod, Inertia::rod(kg, l, 0).at({l / 2, 0, 0}));
   scene.body("slider", slider, Inertia::point(2 * kg));
-  scene.gravity({Expression::quantity("9.81", "m/s^2"), 0, 0});
+  const Expression g = Expression::quantity("9.81", "m/s^2");
+  scene.gravity({weight[0] * g, weight[1] * g, weight[2] * g});
   const PointHandle end = scene.point("rod_end", rod, {l, 0, 0}), pin = scene.point("pin", slider, {0, 0, 0});
   scene.closure("close_x", end, pin, axis::x);
   scene.closure("close_y", end, pin, axis::y);
@@ -170,6 +171,7 @@ TEST(StartState, KeepsWhatIsGivenWhereTheOthersCanFollow) {
   EXPECT_EQ(theta, 0.5);
   EXPECT_EQ(motion.at(0, "theta'"), 10);
   EXPECT_NEAR(0.2 * 10 * std::cos(theta) + 0.5 * (10 + motion.at(0, "phi'")) * std::cos(theta + phi), 0, 1e-12);  // of terms of 10
+  EXPECT_EQ(outcome.err, "");
 }
 
 // Crank, rod and slider are given, and do not meet: with the crank at 0.5 rad the slider is at 0.6662 m. Both give way.
@@ -182,6 +184,8 @@ TEST(StartState, ChangesWhatIsGivenWhereItDoesNotFitTogether) {
   EXPECT_GT(theta, 0.5);
   EXPECT_GT(motion.at(0, "x"), 0.65);
   EXPECT_LT(motion.at(0, "x"), 0.6662);
+  EXPECT_NE(outcome.err.find("the constraints do not allow what --initial gives: the motion starts at theta = 0.55"), std::string::npos)
+      << outcome.err;
 }
 
 TEST(StartState, ThatCannotBeClosedNamesTheConstraintThatStaysOpen) {
@@ -204,6 +208,18 @@ Scene with_friction() {
   Scene scene = slider_crank(0, 0, metres("0.7"));
   scene.dry_friction("slide", Expression(scene.content().coordinates[2].q), {.bound = Expression::quantity("5", "N")});
   return scene;
+}
+
+// Weight turns the crank, the slider cannot move there, and nothing tells the force of its friction.
+TEST(StartState, AtRestAtADeadCentreWithFrictionIsNamed) {
+  const auto pulled_aside = [] {
+    Scene scene = slider_crank(0, 0, metres("0.7"), {0, 1, 0});
+    scene.dry_friction("slide", Expression(scene.content().coordinates[2].q), {.bound = Expression::quantity("5", "N")});
+    return scene;
+  };
+  const Outcome outcome = run(pulled_aside, {"simulate", "--to", "1"});
+  EXPECT_EQ(outcome.code, 1);
+  EXPECT_NE(outcome.err.find("at t = 0 s the mechanism is at a dead centre of 'slide'"), std::string::npos) << outcome.err;
 }
 
 // Each swing loses the same part of its energy: the motion dies away towards the dead centre, where the slider, and its friction

@@ -231,6 +231,22 @@ TEST(UrdfInertia, WithoutMassMassWithoutInertiaAndGreatRadiiAreNoted) {
   EXPECT_EQ(chain("<mass value=\"1\"/>" + moments("99", "99", "99")), Lines());
   EXPECT_EQ(chain("<mass value=\"1\"/>" + moments("101", "99", "99")),
             Lines{"a radius of gyration is above 10 m, which suggests other units than kg m^2: link tool"});
+  const std::string rest = "<mass value=\"1\"/>" + moments("1", "1", "1");
+  EXPECT_EQ(chain("<origin xyz=\"0 0 10\"/>" + rest), Lines());
+  EXPECT_EQ(chain("<origin xyz=\"0 0 -150\"/>" + rest),
+            Lines{"a centre of mass is more than 10 m away, which suggests other units than m: link tool"});
+}
+
+TEST(UrdfLimits, ThatLookLikeDegreesAreNoted) {
+  const auto notes = [](const std::string& type, const std::string& limit) {
+    return imported(base + link("arm") + joint("hinge", type, "base", "arm", "<limit " + limit + "/>")).notes;
+  };
+  const Lines degrees{"a limit is beyond five turns, which suggests degrees, and is taken in rad: joint hinge"};
+  EXPECT_EQ(notes("revolute", "lower=\"-180\" upper=\"180\""), degrees);
+  EXPECT_EQ(notes("revolute", "lower=\"0\" upper=\"90\""), degrees);
+  EXPECT_EQ(notes("revolute", "lower=\"-6.3\" upper=\"31\""), Lines());
+  EXPECT_EQ(notes("revolute", "lower=\"-1e16\" upper=\"1e16\""), Lines());
+  EXPECT_EQ(notes("prismatic", "lower=\"0\" upper=\"90\""), Lines());
 }
 
 // --- joints that move no mass -------------------------------------------------------------------------------------

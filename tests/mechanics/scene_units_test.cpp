@@ -91,17 +91,17 @@ TEST(QuantityUnits, OfGeometryAreRefusedByTheNameOfWhatIsPlaced) {
       {[](Mechanism& m) {
          m.scene.point("P", m.arm, {1, 0, 0});
        },
-       "a component of the point 'P' is 1 [1] and must be in m"},
+       "a component of the point 'P' is 1 [1] and must be in m: write quantity(\"1\", \"m\")"},
       {[](Mechanism& m) {
          m.scene.point("P", m.arm, {1, m.length, 2});
        },
-       "a component of the point 'P' is 1 [1], another is 2 [1] and must be in m"},
+       "a component of the point 'P' is 1 [1], another is 2 [1] and must be in m: write quantity(\"1\", \"m\")"},
       {[](Mechanism& m) {
          m.scene.disc_contact("P", {.frame = m.arm, .axis = axis::y, .radius = m.mass, .plane = m.scene.ground()});
        },
        "the radius of the disc at 'P' is some_mass [kg] and must be in m"},
       {[](Mechanism& m) { m.scene.sphere_contact("P", m.arm, 1, m.scene.ground()); },
-       "the radius of the sphere at 'P' is 1 [1] and must be in m"},
+       "the radius of the sphere at 'P' is 1 [1] and must be in m: write quantity(\"1\", \"m\")"},
       {[](Mechanism& m) {
          m.scene.weld("hand", m.arm, {{m.mass, 0, 0}});
        },
@@ -109,7 +109,7 @@ TEST(QuantityUnits, OfGeometryAreRefusedByTheNameOfWhatIsPlaced) {
       {[](Mechanism& m) {
          m.scene.revolute("hand", m.arm, axis::z, m.phi, {{1, 0, 0}});
        },
-       "a component of the origin of the joint 'hand' is 1 [1] and must be in m"},
+       "a component of the origin of the joint 'hand' is 1 [1] and must be in m: write quantity(\"1\", \"m\")"},
       {[](Mechanism& m) {
          m.scene.revolute("hand", m.arm, {m.length, 0, 0}, m.phi);
        },

@@ -243,3 +243,24 @@ def test_a_notebook_shows_the_equations(rod):
     assert "hinge" in rod._repr_latex_()
     assert rod._repr_html_().startswith("<iframe srcdoc=") and "canvas" in rod._repr_html_()
     assert torsor.open(rod.path)._repr_html_() is None
+
+
+def test_kernels_that_are_made_by_name():
+    """A cart of 1 kg with a pole of 0.2 kg, whose centre of mass is 0.5 m from the hinge, turned by theta about y."""
+    arm = torsor.load(os.path.join(SOURCES, "tests/python/cart_pole.urdf"), options=("--points", "pole"), flags="-O1",
+                      kernels="mass_matrix,inverse_dynamics,gravity,centroidal_momentum,frames,operational_inertia")
+    q, v = np.array([0.3, 0.7]), np.array([0.2, -1.1])
+    few = dict(rtol=0, atol=1e-14)  # some roundings of numbers of the size of 1 to 16
+    np.testing.assert_allclose(arm.gravity(q), arm.inverse_dynamics(q, [0, 0], [0, 0]), **few)
+    np.testing.assert_allclose(arm.gravity(q)[1], -0.2 * 9.81 * 0.5 * np.sin(0.7), **few)
+    momentum = arm.centroidal_momentum(q, v)
+    np.testing.assert_allclose(momentum.linear[0], 1.2 * 0.2 + 0.2 * 0.5 * np.cos(0.7) * -1.1, **few)
+    np.testing.assert_allclose(momentum.matrix @ v, np.concatenate([momentum.linear, momentum.angular]), **few)
+    frames = arm.frames(q, v)
+    np.testing.assert_allclose(frames.pole_origin_position, [0.3, 0, 0], **few)
+    np.testing.assert_allclose(frames.pole_origin_jacobian @ v, frames.pole_origin_twist, **few)
+    jacobian, mass = frames.pole_origin_jacobian, arm.mass_matrix(q)
+    np.testing.assert_allclose(arm.operational_inertia(q).pole_origin_inverse_inertia, jacobian @ np.linalg.solve(mass, jacobian.T),
+                               **few)
+    with pytest.raises(AttributeError, match=r"made by name only: load\(..., kernels='all,gravity'\)"):
+        arm.poses(q)

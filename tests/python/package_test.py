@@ -6,6 +6,7 @@ import importlib.util
 import inspect
 import json
 import os
+import re
 import shutil
 import subprocess
 import sys
@@ -17,6 +18,14 @@ import pytest
 import torsor
 
 from conftest import SOURCES
+
+
+def test_every_end_of_a_motion_has_words():
+    from torsor._mechanism import MOTION_STATUSES
+
+    with open(os.path.join(SOURCES, "runtime", "abi.h"), encoding="utf-8") as header:
+        numbers = [int(number) for number in re.findall(r"^  torsor_motion_[a-z_]+ = (\d+)", header.read(), re.MULTILINE)]
+    assert numbers == list(range(len(MOTION_STATUSES)))
 
 
 def test_a_wheel_holds_all_that_the_package_needs(tmp_path):

@@ -6,6 +6,7 @@
 
 #include "generator/base/error.hpp"
 #include "generator/dynamics/motion/body_tree.hpp"
+#include "generator/mechanics/require_unit.hpp"
 
 namespace torsor {
 
@@ -43,8 +44,9 @@ void BodyTree::gather_bodies() {
     MassProperties central;
     const auto require = [&](const Value& value, const Unit& unit, const std::string& what) {
       if (!value.is_zero() && !(value.unit() == unit)) {
-        throw UnitError(fmt::format("body '{}': {} is {} [{}] and must be in {}", body.name, what, to_string(value),
-                                    value.unit().to_string(), unit.to_string()));
+        const std::string text = to_string(value);
+        throw UnitError(fmt::format("body '{}': {} is {} [{}] and must be in {}{}", body.name, what, text,
+                                    value.unit().to_string(), unit.to_string(), unit_remedy(text, value.unit(), unit)));
       }
       return value;
     };
