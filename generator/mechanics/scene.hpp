@@ -286,7 +286,8 @@ class Scene {
   /// Draws a form on a frame in reports. It replaces what the report would draw of the frame's body, and changes no
   /// equation. Lengths [m] are formulas; sliders of the report change them. The forms are form::Box{edges},
   /// form::Cylinder{radius, length} and form::Sphere{radius}, which are centred, form::Cone{radius, length} with its base
-  /// in z = 0, form::Torus{radius, tube}, form::Segment{from, to, radius}, and form::Mesh{file} for `report --meshes`. The axis is z.
+  /// in z = 0, form::Torus{radius, tube}, form::Segment{from, to, radius}, and form::Mesh{file} for `report --meshes`.
+  /// The axis is z.
   void show(const Shown& shown);
 
   // --- further choices ----------------------------------------------------------------------------------------------

@@ -139,7 +139,8 @@ struct Cone { Expression radius, length; };
 struct Sphere { Expression radius; };
 /// A round bar between two points.
 struct Segment { Triple from, to; Expression radius; };
-/// A ring about z, centred: a circle of the radius with a tube around it. Pictures keep the ratio of both that the scene states.
+/// A ring about z, centred: a circle of the radius with a tube around it. Pictures keep the ratio of both that the scene
+/// states.
 struct Torus { Expression radius, tube; };
 /// The triangles of a file (`report --meshes`), times the scale.
 struct Mesh { std::string file; std::array<double, 3> scale{1, 1, 1}; };

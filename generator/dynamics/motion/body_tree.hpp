@@ -161,7 +161,8 @@ class BodyTree {
 BodyTree regrouped(const BodyTree& tree);
 
 /// The same, but all of a line of mass on the axis goes to the parent, which leaves ∫ n n dm = 0 along the axis n: in
-/// inverse dynamics that costs most. Not where a moment of zero saves an angular acceleration.
+/// inverse dynamics that costs most. A line whose move would ask for an angular acceleration stays: its moment of zero
+/// saves one.
 BodyTree without_lines(const BodyTree& tree);
 
 /// Lengths over the constant that stands most often among the places of joints; the same where a joint slides.
