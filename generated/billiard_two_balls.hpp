@@ -1,7 +1,7 @@
-// SPDX-License-Identifier: MIT
+// SPDX-License-Identifier: MIT-0
 // billiard_two_balls: Billiard ball that strikes another one
 // Made by torsor 0.1.0; change the scene and write the file again, do not edit it.
-// Free to embed under the MIT licence.
+// Free to embed, and nothing is asked for it: MIT-0.
 //
 // Kernels: mass_matrix, bias, energy, contacts, contact_coefficients
 // Parameters set at run time: f, e, f_between

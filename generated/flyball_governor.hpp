@@ -1,7 +1,7 @@
-// SPDX-License-Identifier: MIT
+// SPDX-License-Identifier: MIT-0
 // flyball_governor: Stiff flyball governor (IFToMM benchmark A05)
 // Made by torsor 0.1.0; change the scene and write the file again, do not edit it.
-// Free to embed under the MIT licence.
+// Free to embed, and nothing is asked for it: MIT-0.
 //
 // Kernels: kinematics, mass_matrix, bias, inverse_dynamics, forward_dynamics, energy, first_integrals, linearisation, residual, residual_jacobian
 // Parameters set at run time: none

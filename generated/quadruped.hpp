@@ -1,7 +1,7 @@
-// SPDX-License-Identifier: MIT
+// SPDX-License-Identifier: MIT-0
 // quadruped
 // Made by torsor 0.1.0 from quadruped.urdf; change that and write the file again, do not edit it.
-// Free to embed under the MIT licence.
+// Free to embed, and nothing is asked for it: MIT-0.
 //
 // Kernels: kinematics, mass_matrix, bias, inverse_dynamics, forward_dynamics, energy
 // Parameters set at run time: none

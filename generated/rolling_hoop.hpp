@@ -1,7 +1,7 @@
-// SPDX-License-Identifier: MIT
+// SPDX-License-Identifier: MIT-0
 // rolling_hoop: Hoop rolling without slipping: five coordinates, two multipliers
 // Made by torsor 0.1.0; change the scene and write the file again, do not edit it.
-// Free to embed under the MIT licence.
+// Free to embed, and nothing is asked for it: MIT-0.
 //
 // Kernels: kinematics, mass_matrix, bias, inverse_dynamics, forward_dynamics, energy, first_integrals, constraints, linearisation, inverse_dynamics_derivatives, forward_dynamics_derivatives, jets, sparse_constraint_jacobian, inverse_dynamics_sensitivities, forward_dynamics_sensitivities
 // Parameters set at run time: A, C

@@ -1,7 +1,7 @@
-// SPDX-License-Identifier: MIT
+// SPDX-License-Identifier: MIT-0
 // What headers of mechanisms have in common: functions of numbers, conventions. Headers made with `--support` include it.
 // Made by torsor 0.1.0; write it again with `generate --support`, do not edit it.
-// Free to embed under the MIT licence.
+// Free to embed, and nothing is asked for it: MIT-0.
 #pragma once
 
 #include <array>

@@ -1,4 +1,4 @@
-// SPDX-License-Identifier: MIT
+// SPDX-License-Identifier: MIT-0
 #ifndef TORSOR_JET_SUPPORT
 #define TORSOR_JET_SUPPORT 1
 

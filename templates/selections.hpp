@@ -1,4 +1,4 @@
-// SPDX-License-Identifier: MIT
+// SPDX-License-Identifier: MIT-0
 #ifndef TORSOR_SELECTION_SUPPORT
 #define TORSOR_SELECTION_SUPPORT 1
 

@@ -1,4 +1,4 @@
-// SPDX-License-Identifier: MIT
+// SPDX-License-Identifier: MIT-0
 // Sine and cosine in one, of one angle or of several at once, with an error of at most 1 ulp (of some more where the
 // processor is set to round up, down or towards zero). With rounding to nearest:
 //  * the angle loses its quadrant, x = n pi/2 + r, by parts of pi/2 so short that n times a part is exact. Whether a

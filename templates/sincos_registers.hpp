@@ -1,4 +1,4 @@
-// SPDX-License-Identifier: MIT
+// SPDX-License-Identifier: MIT-0
 // Sines and cosines of several angles at once, in vector registers where GNU C++ has types for them and the processor has
 // registers of two doubles: of 32 bytes with AVX, else of 16.
 #if defined(__GNUC__) && !defined(__CUDACC__)

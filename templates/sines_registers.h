@@ -1,4 +1,4 @@
-/* SPDX-License-Identifier: MIT */
+/* SPDX-License-Identifier: MIT-0 */
 // Sines and cosines of several angles at once, in vector registers where GNU C has types for them and the processor has
 // registers of two doubles.
 #if defined(__GNUC__) && !defined(TORSOR_SMALL) && (defined(__SSE2__) || (defined(__aarch64__) && defined(__ARM_NEON)))

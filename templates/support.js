@@ -1,4 +1,4 @@
-// SPDX-License-Identifier: MIT
+// SPDX-License-Identifier: MIT-0
 // Sine and cosine in one, with an error of at most 1 ulp: the operations of sincos.hpp in the same order, so that results
 // have the same bits as those of a C++ header whose sums and products are not fused.
 

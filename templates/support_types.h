@@ -1,4 +1,4 @@
-/* SPDX-License-Identifier: MIT */
+/* SPDX-License-Identifier: MIT-0 */
 #ifndef TORSOR_C_SUPPORT
 #define TORSOR_C_SUPPORT 2
 // Define TORSOR_SINGLE before the first generated header, alike in the whole program, for float in place of double, and

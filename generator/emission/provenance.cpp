@@ -82,7 +82,7 @@ std::string provenance_comment(const Provenance& provenance) {
   std::string text = fmt::format("{}{}\nMade by torsor {}{}; change {} and write the file again, do not edit it.\n",
                                  scene.name, scene.title.empty() ? "" : ": " + scene.title, TORSOR_VERSION,
                                  file.empty() ? "" : " from " + file, file.empty() ? "the scene" : "that");
-  text += "Free to embed under the MIT licence.\n\n";
+  text += "Free to embed, and nothing is asked for it: MIT-0.\n\n";
   std::vector<std::string> present;
   for (const AskedKernel& kernel : provenance.kernels) {
     if (kernel.skipped.empty()) present.push_back(kernel.name);

@@ -1,4 +1,4 @@
-// SPDX-License-Identifier: MIT
+// SPDX-License-Identifier: MIT-0
 // Formulas become typeset as they scroll into view; where KaTeX is missing, or cannot read one, the text stays.
 (() => {
 "use strict";

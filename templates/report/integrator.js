@@ -1,4 +1,4 @@
-// SPDX-License-Identifier: MIT
+// SPDX-License-Identifier: MIT-0
 // Dormand and Prince's method of order 8 with embedded formulas of orders 5 and 3, in the version of Hairer and Wanner
 // (Hairer-Norsett-Wanner I, II.5 and II.10, constants of their code dop853).
 globalThis.torsorReport = {};

@@ -1,4 +1,4 @@
-// SPDX-License-Identifier: MIT
+// SPDX-License-Identifier: MIT-0
 // A rest near a state, and the small motions about it without damping and gyroscopic forces: K phi = omega^2 M phi.
 (() => {
 "use strict";

@@ -1,4 +1,4 @@
-// SPDX-License-Identifier: MIT
+// SPDX-License-Identifier: MIT-0
 // The motion of a mechanism from its generated kernels, sample by sample.
 (() => {
 "use strict";

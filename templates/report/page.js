@@ -1,4 +1,4 @@
-// SPDX-License-Identifier: MIT
+// SPDX-License-Identifier: MIT-0
 // The page: what its reader changes restarts the motion; time runs, stops or follows the slider.
 (() => {
 "use strict";

@@ -1,4 +1,4 @@
-// SPDX-License-Identifier: MIT
+// SPDX-License-Identifier: MIT-0
 // A motion that was recorded, with what its contacts did.
 (() => {
 "use strict";

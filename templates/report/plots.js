@@ -1,4 +1,4 @@
-// SPDX-License-Identifier: MIT
+// SPDX-License-Identifier: MIT-0
 // Curves over time on a canvas, tied to the time of the animation.
 (() => {
 "use strict";

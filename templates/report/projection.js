@@ -1,4 +1,4 @@
-// SPDX-License-Identifier: MIT
+// SPDX-License-Identifier: MIT-0
 // States on their constraints by the least change in the metric of the masses (Hairer-Wanner II, VII.2; Lubich, Engstler,
 // Nowak, Poehle 1995); constraints that repeat others are left out.
 (() => {

@@ -1,4 +1,4 @@
-// SPDX-License-Identifier: MIT
+// SPDX-License-Identifier: MIT-0
 // From the poses of a scene to shapes: joints by their type, rods between joints, discs, ellipsoids of inertia.
 (() => {
 "use strict";

@@ -1,4 +1,4 @@
-// SPDX-License-Identifier: MIT
+// SPDX-License-Identifier: MIT-0
 // Bodies that touch a plane as triangles: boxes by their corners, convex bodies and tori by points of their surfaces.
 (() => {
 "use strict";

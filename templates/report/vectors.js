@@ -1,4 +1,4 @@
-// SPDX-License-Identifier: MIT
+// SPDX-License-Identifier: MIT-0
 // Vectors of three components, matrices of four columns for WebGL, principal axes.
 (() => {
 "use strict";

@@ -1,4 +1,4 @@
-// SPDX-License-Identifier: MIT
+// SPDX-License-Identifier: MIT-0
 // A small viewer on WebGL: shaded shapes, lines, a camera that goes round. It is our own because what it draws is a
 // cylinder, a cone, a sphere and a box: the libraries that draw more are several times larger than the whole page.
 (() => {

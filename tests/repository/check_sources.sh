@@ -20,8 +20,9 @@ awk '
     rooms("generator/dynamics", "motion forces recursions structure equations derivatives theorems")
     rooms("runtime", "numerics records steps constraints events integration contacts small_motions sundials batch grains mpi abi")
     room_height["runtime"] = 0  # the contract between mechanisms and methods, in the folder itself
-    split("runtime templates cmake examples generated", list, " ")
-    for (i in list) mit[list[i]] = 1
+    split("runtime cmake examples", list, " ")
+    for (i in list) licence_of[list[i]] = "MIT"
+    licence_of["templates"] = licence_of["generated"] = "MIT-0"  # who embeds them owes nothing
   }
   # Folders within a folder, lowest first.
   function rooms(parent, names,   list, i) {
@@ -41,7 +42,7 @@ awk '
   function check(file,   part, folder, line, number, licence, spdx, path, piece, code, room, other) {
     split(file, part, "/")
     folder = file ~ /\// ? part[1] : ""
-    licence = folder in mit ? "MIT" : "GPL-3.0-or-later"
+    licence = folder in licence_of ? licence_of[folder] : "GPL-3.0-or-later"
     code = file ~ /\.(cpp|hpp|h)$/
     number = 0
     spdx = ""

@@ -10,6 +10,7 @@ cd "$tree"
 # REUSE-IgnoreStart
 gpl='// SPDX-License-Identifier: GPL-3.0-or-later'
 mit='// SPDX-License-Identifier: MIT'
+mit_0='// SPDX-License-Identifier: MIT-0'
 put() {  # put FILE LINE...
   mkdir -p "$(dirname "$1")"
   printf '%s\n' "${@:2}" > "$1"
@@ -20,7 +21,7 @@ put generator/dynamics/theorems/lagrange.hpp "$gpl" '#include "generator/mechani
 put runtime/system.hpp "$mit"
 put runtime/events/guard.hpp "$mit" '#include "runtime/system.hpp"'
 put runtime/numerics/solve.hpp "$mit" '#include <Eigen/Dense>'
-put generated/arm.hpp "$mit" '#include <array>' '#include <cmath>'
+put generated/arm.hpp "$mit_0" '#include <array>' '#include <cmath>'
 put scripts/run '#!/bin/sh' '# SPDX-License-Identifier: GPL-3.0-or-later'
 bash "$check" "$tree" || { echo "a clean tree was refused"; exit 1; }
 
@@ -42,8 +43,10 @@ expect 'which stands higher' generator/dynamics/motion/x.cpp "$gpl" '#include "g
 expect 'is no folder of generator/dynamics' generator/dynamics/x.cpp "$gpl" '#include "generator/dynamics/theorems/lagrange.hpp"'
 expect 'runtime includes generator' runtime/x.hpp "$mit" '#include "generator/expression/file_1.hpp"'
 expect 'a main includes generator' examples/arm/main.cpp "$mit" '#include "generator/mechanics/body.hpp"'
-expect 'only <array>, <cmath>' generated/x.hpp "$mit" '#include <vector>'
+expect 'only <array>, <cmath>' generated/x.hpp "$mit_0" '#include <vector>'
 expect 'must read MIT' runtime/x.hpp "$gpl"
+expect 'must read MIT-0' generated/x.hpp "$mit"
+expect 'must read MIT-0' templates/x.hpp.in "$mit"
 expect 'must read GPL-3.0-or-later' generator/cli/x.cpp "$mit"
 expect 'must read GPL-3.0-or-later' tests/x.cpp '// nothing'
 expect 'must read GPL-3.0-or-later' scripts/run '#!/bin/sh'
