@@ -26,7 +26,7 @@ endif()
 
 file(WRITE "${OUTPUT}.new" "// SPDX-License-Identifier: GPL-3.0-or-later
 // Made by cmake/embed_katex.cmake from the files of KaTeX (MIT, Khan Academy and contributors).
-#include \"generator/cli/katex.hpp\"
+#include \"torsor/generator/cli/katex.hpp\"
 
 #include <array>
 

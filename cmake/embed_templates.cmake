@@ -25,13 +25,13 @@ endforeach()
 
 file(WRITE "${OUTPUT}.new" "// SPDX-License-Identifier: GPL-3.0-or-later
 // Made by cmake/embed_templates.cmake from files of the sources; change those.
-#include \"generator/emission/${FUNCTION}s.hpp\"
+#include \"torsor/generator/emission/${FUNCTION}s.hpp\"
 
 #include <array>
 #include <cstddef>
 #include <string>
 
-#include \"generator/base/error.hpp\"
+#include \"torsor/generator/base/error.hpp\"
 
 namespace torsor {
 namespace {

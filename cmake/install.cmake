@@ -32,14 +32,28 @@ foreach(part IN LISTS parts)
   export(EXPORT torsor${part}Targets NAMESPACE torsor:: FILE "${PROJECT_BINARY_DIR}/torsor${part}Targets.cmake")
 endforeach()
 
+# What users include, and what that includes in turn.
+set(headers_of_generator torsor.hpp queries.hpp emission/header.hpp import/urdf.hpp kernels/kernel.hpp
+  printing/print_equations.hpp)
+set(headers_of_runtime abi.h abi/mechanism_library.hpp mechanism.hpp
+  batch/batch.hpp batch/motion_ensemble.hpp batch/packed_motion_ensemble.hpp
+  constraints/consistent_state.hpp constraints/constrained_motion.hpp constraints/partitioned_motion.hpp
+  constraints/projection.hpp
+  contacts/contact_exchange.hpp contacts/contact_solver.hpp contacts/impact_laws.hpp contacts/integrate_contacts.hpp
+  contacts/mechanism_with_contacts.hpp contacts/moreau_jean.hpp
+  grains/grain_motion.hpp mpi/ensemble_mpi.hpp numerics/linear_solve.hpp sundials/sundials.hpp)
+file(GLOB documented RELATIVE "${PROJECT_SOURCE_DIR}/runtime" "runtime/events/*.hpp" "runtime/integration/*.hpp"
+  "runtime/records/*.hpp" "runtime/small_motions/*.hpp")
+list(APPEND headers_of_runtime ${documented})
 foreach(folder generator runtime)
-  if(EXISTS "${PROJECT_SOURCE_DIR}/${folder}")
-    install(DIRECTORY "${folder}" DESTINATION "${TORSOR_INCLUDE_DIR}" COMPONENT ${folder}-dev
-      FILES_MATCHING PATTERN "*.hpp")
-  endif()
+  list(TRANSFORM headers_of_${folder} PREPEND "${folder}/")
+  install(CODE "set(SOURCE [==[${PROJECT_SOURCE_DIR}]==])
+    set(HEADERS [==[${headers_of_${folder}}]==])
+    set(FOLDER ${folder})
+    set(DESTINATION \"\${CMAKE_INSTALL_PREFIX}/${CMAKE_INSTALL_INCLUDEDIR}/torsor\")
+    include([==[${PROJECT_SOURCE_DIR}/cmake/install_public_headers.cmake]==])" COMPONENT ${folder}-dev)
 endforeach()
-# What is C: the table of a mechanism's library, and its user in Octave and MATLAB, who compiles it.
-install(FILES runtime/abi.h DESTINATION "${TORSOR_INCLUDE_DIR}/runtime" COMPONENT runtime-dev)
+# The user of a mechanism's library in Octave and MATLAB, who compiles it.
 install(FILES runtime/octave/torsor_call.c DESTINATION "${CMAKE_INSTALL_DATADIR}/torsor/octave" COMPONENT runtime-dev)
 
 configure_package_config_file(cmake/torsorConfig.cmake.in "${PROJECT_BINARY_DIR}/torsorConfig.cmake"

@@ -83,33 +83,15 @@ constraints, with the equations and the generated code of scenes in C++.")
     FILES_MATCHING PATTERN "*.pyi")
 endif()
 
-# Copyright and changelog, as Debian wants them in each package.
-foreach(licence IN ITEMS MIT MIT-0)
-  file(STRINGS "${PROJECT_SOURCE_DIR}/LICENSES/${licence}.txt" lines)
-  set(text "")
-  foreach(line IN LISTS lines)
-    if(line STREQUAL "")
-      set(line ".")
-    endif()
-    string(APPEND text " ${line}\n")
-  endforeach()
-  string(STRIP "${text}" text)
-  string(TOLOWER "${licence}_text" name)
-  string(REPLACE "-" "_" name "${name}")
-  set(${name} " ${text}")
-endforeach()
-configure_file(cmake/copyright.in "${PROJECT_BINARY_DIR}/texts/copyright" @ONLY)
+# Copyright and changelog, as Debian wants them in each package: those of debian/, which makes the same packages in a
+# build of its own, with the address of who makes these.
 find_program(TORSOR_GZIP gzip)
 mark_as_advanced(TORSOR_GZIP)
-set(package_texts "${PROJECT_BINARY_DIR}/texts/copyright")
+set(package_texts "${PROJECT_SOURCE_DIR}/debian/copyright")
 if(TORSOR_GZIP)
-  file(CONFIGURE OUTPUT "${PROJECT_BINARY_DIR}/texts/changelog" @ONLY CONTENT
-"torsor (@PROJECT_VERSION@) unstable; urgency=medium
-
-  * CHANGELOG.md of the sources has what is new.
-
- -- @CPACK_PACKAGE_CONTACT@  Mon, 23 Nov 2026 00:00:00 +0000
-")
+  file(READ "${PROJECT_SOURCE_DIR}/debian/changelog" changelog)
+  string(REGEX REPLACE " -- [^>]*>" " -- ${CPACK_PACKAGE_CONTACT}" changelog "${changelog}")
+  file(WRITE "${PROJECT_BINARY_DIR}/texts/changelog" "${changelog}")
   execute_process(COMMAND "${TORSOR_GZIP}" -9nkf "${PROJECT_BINARY_DIR}/texts/changelog" COMMAND_ERROR_IS_FATAL ANY)
   list(APPEND package_texts "${PROJECT_BINARY_DIR}/texts/changelog.gz")
 endif()

@@ -15,7 +15,7 @@ include_guard(GLOBAL)
 # not exist, and that nothing in this project generates, is an error here and not only when it is built.
 #
 # With SHARED, <name> is a shared library too, with the interface of runtime/abi.h for C, Python and all that calls C,
-# compiled by this project's compiler with its flags: what links to it can write #include "runtime/abi.h". Give
+# compiled by this project's compiler with its flags: what links to it can write #include "torsor/runtime/abi.h". Give
 # CMAKE_CXX_FLAGS -march=native where it runs where it is built. A mechanism with constraints needs Eigen.
 #
 # The program runs again only when it, and so its scene or torsor, was built again, or the URDF file or one that it

@@ -46,21 +46,27 @@ struct Description {
       {"tau4", "N m"}, {"tau5", "N m"}, {"tau6", "N m"}, {"tau7", "N m"}}};
   static constexpr std::array<torsor::QuantityDescription, 0> multipliers{};
   static constexpr std::array<torsor::QuantityDescription, 0> parameters{};
-  static constexpr std::array<torsor::ResultDescription, 46> results{{{"result", "link1_position", 3, 1}, {"result",
-      "link1_rotation", 3, 3}, {"result", "link1_velocity", 3, 1}, {"result", "link1_angular_velocity", 3, 1},
-      {"result", "link2_position", 3, 1}, {"result", "link2_rotation", 3, 3}, {"result", "link2_velocity", 3, 1},
-      {"result", "link2_angular_velocity", 3, 1}, {"result", "link3_position", 3, 1}, {"result", "link3_rotation", 3,
-      3}, {"result", "link3_velocity", 3, 1}, {"result", "link3_angular_velocity", 3, 1}, {"result", "link4_position",
-      3, 1}, {"result", "link4_rotation", 3, 3}, {"result", "link4_velocity", 3, 1}, {"result",
-      "link4_angular_velocity", 3, 1}, {"result", "link5_position", 3, 1}, {"result", "link5_rotation", 3, 3},
-      {"result", "link5_velocity", 3, 1}, {"result", "link5_angular_velocity", 3, 1}, {"result", "link6_position", 3,
-      1}, {"result", "link6_rotation", 3, 3}, {"result", "link6_velocity", 3, 1}, {"result", "link6_angular_velocity",
-      3, 1}, {"result", "link7_position", 3, 1}, {"result", "link7_rotation", 3, 3}, {"result", "link7_velocity", 3, 1},
-      {"result", "link7_angular_velocity", 3, 1}, {"result", "tip_position", 3, 1}, {"result", "tip_velocity", 3, 1},
-      {"result", "tip_jacobian", 3, 7}, {"mass", "", 7, 7}, {"forces", "", 7, 1}, {"forces", "", 7, 1},
-      {"accelerations", "", 7, 1}, {"multipliers", "", 0, 1}, {"result", "kinetic", 1, 1}, {"result", "force_function",
-      1, 1}, {"result", "power", 1, 1}, {"result", "M", 7, 7}, {"result", "C", 7, 7}, {"result", "K", 7, 7}, {"result",
-      "F", 7, 1}, {"result", "E", 7, 7}, {"result", "A", 14, 14}, {"result", "B", 14, 7}}};
+  static constexpr std::array<torsor::ResultDescription, 46> results{{{"result", "link1_position", 3, 1, 1, "m"},
+      {"result", "link1_rotation", 3, 3, 2, "1"}, {"result", "link1_velocity", 3, 1, 1, "m/s"}, {"result",
+      "link1_angular_velocity", 3, 1, 1, "rad/s"}, {"result", "link2_position", 3, 1, 1, "m"}, {"result",
+      "link2_rotation", 3, 3, 2, "1"}, {"result", "link2_velocity", 3, 1, 1, "m/s"}, {"result",
+      "link2_angular_velocity", 3, 1, 1, "rad/s"}, {"result", "link3_position", 3, 1, 1, "m"}, {"result",
+      "link3_rotation", 3, 3, 2, "1"}, {"result", "link3_velocity", 3, 1, 1, "m/s"}, {"result",
+      "link3_angular_velocity", 3, 1, 1, "rad/s"}, {"result", "link4_position", 3, 1, 1, "m"}, {"result",
+      "link4_rotation", 3, 3, 2, "1"}, {"result", "link4_velocity", 3, 1, 1, "m/s"}, {"result",
+      "link4_angular_velocity", 3, 1, 1, "rad/s"}, {"result", "link5_position", 3, 1, 1, "m"}, {"result",
+      "link5_rotation", 3, 3, 2, "1"}, {"result", "link5_velocity", 3, 1, 1, "m/s"}, {"result",
+      "link5_angular_velocity", 3, 1, 1, "rad/s"}, {"result", "link6_position", 3, 1, 1, "m"}, {"result",
+      "link6_rotation", 3, 3, 2, "1"}, {"result", "link6_velocity", 3, 1, 1, "m/s"}, {"result",
+      "link6_angular_velocity", 3, 1, 1, "rad/s"}, {"result", "link7_position", 3, 1, 1, "m"}, {"result",
+      "link7_rotation", 3, 3, 2, "1"}, {"result", "link7_velocity", 3, 1, 1, "m/s"}, {"result",
+      "link7_angular_velocity", 3, 1, 1, "rad/s"}, {"result", "tip_position", 3, 1, 1, "m"}, {"result", "tip_velocity",
+      3, 1, 1, "m/s"}, {"result", "tip_jacobian", 3, 7, 2, "m"}, {"mass", "", 7, 7, 2, "kg m^2"}, {"forces", "", 7, 1,
+      1, "N m"}, {"forces", "", 7, 1, 1, "N m"}, {"accelerations", "", 7, 1, 1, "rad/s^2"}, {"multipliers", "", 0, 1, 1,
+      ""}, {"result", "kinetic", 1, 1, 0, "J"}, {"result", "force_function", 1, 1, 0, "J"}, {"result", "power", 1, 1, 0,
+      "W"}, {"result", "M", 7, 7, 2, "kg m^2"}, {"result", "C", 7, 7, 2, "N m s"}, {"result", "K", 7, 7, 2, "N m"},
+      {"result", "F", 7, 1, 1, "N m"}, {"result", "E", 7, 7, 2, "1"}, {"result", "A", 14, 14, 2, ""}, {"result", "B",
+      14, 7, 2, "1/kg/m^2"}}};
   static constexpr std::array<torsor::KernelDescription, 7> kernels{{{"kinematics", false, false, false, false,
       results.data() + 0, 31}, {"mass_matrix", false, false, false, false, results.data() + 31, 1}, {"bias", false,
       false, false, false, results.data() + 32, 1}, {"inverse_dynamics", true, true, false, false, results.data() + 33,
@@ -77,7 +83,7 @@ struct Mechanism {
 
   static constexpr const char* name = "arm7";
   /// 64 bits (FNV-1a) of this file from "#pragma once" on, with zeros in their own place: another mechanism, other bits.
-  static constexpr unsigned long long fingerprint = 0x2e4d17cc0d217555ULL ^ torsor::support_fingerprint;
+  static constexpr unsigned long long fingerprint = 0x15fbdafc87c803e5ULL ^ torsor::support_fingerprint;
   static constexpr int coordinate_count = 7;
   static constexpr int velocity_count = 7;
   static constexpr int input_count = 7;

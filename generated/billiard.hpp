@@ -42,11 +42,13 @@ struct Description {
   static constexpr std::array<torsor::QuantityDescription, 0> inputs{};
   static constexpr std::array<torsor::QuantityDescription, 0> multipliers{};
   static constexpr std::array<torsor::QuantityDescription, 2> parameters{{{"f", "1"}, {"e", "1"}}};
-  static constexpr std::array<torsor::ResultDescription, 15> results{{{"rates", "", 7, 1}, {"mass", "", 6, 6},
-      {"forces", "", 6, 1}, {"result", "kinetic", 1, 1}, {"result", "force_function", 1, 1}, {"result", "power", 1, 1},
-      {"result", "gap", 1, 1}, {"result", "rate", 3, 1}, {"result", "jacobian", 3, 6}, {"result", "drift", 3, 1},
-      {"result", "friction", 1, 1}, {"result", "static_friction", 1, 1}, {"result", "restitution", 1, 1}, {"result",
-      "bound", 1, 1}, {"result", "static_bound", 1, 1}}};
+  static constexpr std::array<torsor::ResultDescription, 15> results{{{"rates", "", 7, 1, 1,
+      "m/s, m/s, m/s, rad/s, rad/s, rad/s, rad/s"}, {"mass", "", 6, 6, 2, ""}, {"forces", "", 6, 1, 1, "N"}, {"result",
+      "kinetic", 1, 1, 0, "J"}, {"result", "force_function", 1, 1, 0, "J"}, {"result", "power", 1, 1, 0, "W"},
+      {"result", "gap", 1, 1, 1, "m"}, {"result", "rate", 3, 1, 1, "m/s"}, {"result", "jacobian", 3, 6, 2, ""},
+      {"result", "drift", 3, 1, 1, ""}, {"result", "friction", 1, 1, 1, "1"}, {"result", "static_friction", 1, 1, 1,
+      "1"}, {"result", "restitution", 1, 1, 1, "1"}, {"result", "bound", 1, 1, 1, ""}, {"result", "static_bound", 1, 1,
+      1, ""}}};
   static constexpr std::array<torsor::KernelDescription, 6> kernels{{{"coordinate_rates", false, false, false, false,
       results.data() + 0, 1}, {"mass_matrix", false, false, false, false, results.data() + 1, 1}, {"bias", false, false,
       false, false, results.data() + 2, 1}, {"energy", false, false, true, false, results.data() + 3, 3}, {"contacts",
@@ -63,7 +65,7 @@ struct Mechanism {
 
   static constexpr const char* name = "billiard";
   /// 64 bits (FNV-1a) of this file from "#pragma once" on, with zeros in their own place: another mechanism, other bits.
-  static constexpr unsigned long long fingerprint = 0x21fb75349768a88bULL ^ torsor::support_fingerprint;
+  static constexpr unsigned long long fingerprint = 0x3c3b036abfd31308ULL ^ torsor::support_fingerprint;
   static constexpr int coordinate_count = 7;
   static constexpr int velocity_count = 6;
   static constexpr int input_count = 0;

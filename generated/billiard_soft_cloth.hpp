@@ -43,11 +43,13 @@ struct Description {
   static constexpr std::array<torsor::QuantityDescription, 0> multipliers{};
   static constexpr std::array<torsor::QuantityDescription, 4> parameters{{{"f", "1"}, {"e", "1"}, {"h", "m"}, {"k",
       "m"}}};
-  static constexpr std::array<torsor::ResultDescription, 15> results{{{"rates", "", 7, 1}, {"mass", "", 6, 6},
-      {"forces", "", 6, 1}, {"result", "kinetic", 1, 1}, {"result", "force_function", 1, 1}, {"result", "power", 1, 1},
-      {"result", "gap", 3, 1}, {"result", "rate", 6, 1}, {"result", "jacobian", 6, 6}, {"result", "drift", 6, 1},
-      {"result", "friction", 3, 1}, {"result", "static_friction", 3, 1}, {"result", "restitution", 3, 1}, {"result",
-      "bound", 3, 1}, {"result", "static_bound", 3, 1}}};
+  static constexpr std::array<torsor::ResultDescription, 15> results{{{"rates", "", 7, 1, 1,
+      "m/s, m/s, m/s, rad/s, rad/s, rad/s, rad/s"}, {"mass", "", 6, 6, 2, ""}, {"forces", "", 6, 1, 1, "N"}, {"result",
+      "kinetic", 1, 1, 0, "J"}, {"result", "force_function", 1, 1, 0, "J"}, {"result", "power", 1, 1, 0, "W"},
+      {"result", "gap", 3, 1, 1, "m"}, {"result", "rate", 6, 1, 1, "m/s, m/s, m/s, rad/s, rad/s, rad/s"}, {"result",
+      "jacobian", 6, 6, 2, ""}, {"result", "drift", 6, 1, 1, ""}, {"result", "friction", 3, 1, 1, "1, m, m"}, {"result",
+      "static_friction", 3, 1, 1, "1, m, m"}, {"result", "restitution", 3, 1, 1, "1"}, {"result", "bound", 3, 1, 1, ""},
+      {"result", "static_bound", 3, 1, 1, ""}}};
   static constexpr std::array<torsor::KernelDescription, 6> kernels{{{"coordinate_rates", false, false, false, false,
       results.data() + 0, 1}, {"mass_matrix", false, false, false, false, results.data() + 1, 1}, {"bias", false, false,
       false, false, results.data() + 2, 1}, {"energy", false, false, true, false, results.data() + 3, 3}, {"contacts",
@@ -64,7 +66,7 @@ struct Mechanism {
 
   static constexpr const char* name = "billiard_soft_cloth";
   /// 64 bits (FNV-1a) of this file from "#pragma once" on, with zeros in their own place: another mechanism, other bits.
-  static constexpr unsigned long long fingerprint = 0xfdb30b89ff11f4c6ULL ^ torsor::support_fingerprint;
+  static constexpr unsigned long long fingerprint = 0x398d6b9932bd7f18ULL ^ torsor::support_fingerprint;
   static constexpr int coordinate_count = 7;
   static constexpr int velocity_count = 6;
   static constexpr int input_count = 0;

@@ -44,11 +44,13 @@ struct Description {
   static constexpr std::array<torsor::QuantityDescription, 0> inputs{};
   static constexpr std::array<torsor::QuantityDescription, 0> multipliers{};
   static constexpr std::array<torsor::QuantityDescription, 3> parameters{{{"f", "1"}, {"e", "1"}, {"f_between", "1"}}};
-  static constexpr std::array<torsor::ResultDescription, 15> results{{{"rates", "", 14, 1}, {"mass", "", 12, 12},
-      {"forces", "", 12, 1}, {"result", "kinetic", 1, 1}, {"result", "force_function", 1, 1}, {"result", "power", 1, 1},
-      {"result", "gap", 3, 1}, {"result", "rate", 9, 1}, {"result", "jacobian", 9, 12}, {"result", "drift", 9, 1},
-      {"result", "friction", 3, 1}, {"result", "static_friction", 3, 1}, {"result", "restitution", 3, 1}, {"result",
-      "bound", 3, 1}, {"result", "static_bound", 3, 1}}};
+  static constexpr std::array<torsor::ResultDescription, 15> results{{{"rates", "", 14, 1, 1,
+      "m/s, m/s, m/s, rad/s, rad/s, rad/s, rad/s, m/s, m/s, m/s, rad/s, rad/s, rad/s, rad/s"}, {"mass", "", 12, 12, 2,
+      ""}, {"forces", "", 12, 1, 1, "N"}, {"result", "kinetic", 1, 1, 0, "J"}, {"result", "force_function", 1, 1, 0,
+      "J"}, {"result", "power", 1, 1, 0, "W"}, {"result", "gap", 3, 1, 1, "m"}, {"result", "rate", 9, 1, 1, "m/s"},
+      {"result", "jacobian", 9, 12, 2, ""}, {"result", "drift", 9, 1, 1, "m/s^2"}, {"result", "friction", 3, 1, 1, "1"},
+      {"result", "static_friction", 3, 1, 1, "1"}, {"result", "restitution", 3, 1, 1, "1"}, {"result", "bound", 3, 1, 1,
+      ""}, {"result", "static_bound", 3, 1, 1, ""}}};
   static constexpr std::array<torsor::KernelDescription, 6> kernels{{{"coordinate_rates", false, false, false, false,
       results.data() + 0, 1}, {"mass_matrix", false, false, false, false, results.data() + 1, 1}, {"bias", false, false,
       false, false, results.data() + 2, 1}, {"energy", false, false, true, false, results.data() + 3, 3}, {"contacts",
@@ -65,7 +67,7 @@ struct Mechanism {
 
   static constexpr const char* name = "billiard_two_balls";
   /// 64 bits (FNV-1a) of this file from "#pragma once" on, with zeros in their own place: another mechanism, other bits.
-  static constexpr unsigned long long fingerprint = 0xdd683a2b56d563d4ULL ^ torsor::support_fingerprint;
+  static constexpr unsigned long long fingerprint = 0x3ffff9a0e9c1d963ULL ^ torsor::support_fingerprint;
   static constexpr int coordinate_count = 14;
   static constexpr int velocity_count = 12;
   static constexpr int input_count = 0;

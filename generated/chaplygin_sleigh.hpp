@@ -47,14 +47,17 @@ struct Description {
   static constexpr std::array<torsor::QuantityDescription, 0> inputs{};
   static constexpr std::array<torsor::QuantityDescription, 1> multipliers{{{"N", "N"}}};
   static constexpr std::array<torsor::QuantityDescription, 0> parameters{};
-  static constexpr std::array<torsor::ResultDescription, 29> results{{{"result", "sleigh_position", 3, 1}, {"result",
-      "sleigh_rotation", 3, 3}, {"result", "sleigh_velocity", 3, 1}, {"result", "sleigh_angular_velocity", 3, 1},
-      {"result", "C_position", 3, 1}, {"result", "C_velocity", 3, 1}, {"result", "C_jacobian", 3, 3}, {"mass", "", 3,
-      3}, {"forces", "", 3, 1}, {"forces", "", 3, 1}, {"accelerations", "", 3, 1}, {"multipliers", "", 1, 1}, {"result",
-      "kinetic", 1, 1}, {"result", "force_function", 1, 1}, {"result", "power", 1, 1}, {"result", "energy", 1, 1},
-      {"result", "value", 1, 1}, {"result", "rate", 1, 1}, {"result", "jacobian", 1, 3}, {"result", "gamma", 1, 1},
-      {"result", "M", 3, 3}, {"result", "C", 3, 3}, {"result", "K", 3, 3}, {"result", "F", 3, 1}, {"result", "M_r", 2,
-      2}, {"result", "C_r", 2, 2}, {"result", "K_r", 2, 3}, {"result", "F_r", 2, 1}, {"result", "A", 5, 5}}};
+  static constexpr std::array<torsor::ResultDescription, 29> results{{{"result", "sleigh_position", 3, 1, 1, "m"},
+      {"result", "sleigh_rotation", 3, 3, 2, "1"}, {"result", "sleigh_velocity", 3, 1, 1, "m/s"}, {"result",
+      "sleigh_angular_velocity", 3, 1, 1, "rad/s"}, {"result", "C_position", 3, 1, 1, "m"}, {"result", "C_velocity", 3,
+      1, 1, "m/s"}, {"result", "C_jacobian", 3, 3, 2, "1"}, {"mass", "", 3, 3, 2, ""}, {"forces", "", 3, 1, 1, "N"},
+      {"forces", "", 3, 1, 1, "N, N, N m"}, {"accelerations", "", 3, 1, 1, "m/s^2, m/s^2, rad/s^2"}, {"multipliers", "",
+      1, 1, 1, "N"}, {"result", "kinetic", 1, 1, 0, "J"}, {"result", "force_function", 1, 1, 0, "J"}, {"result",
+      "power", 1, 1, 0, "W"}, {"result", "energy", 1, 1, 0, "J"}, {"result", "value", 1, 1, 1, ""}, {"result", "rate",
+      1, 1, 1, "m/s"}, {"result", "jacobian", 1, 3, 2, "1"}, {"result", "gamma", 1, 1, 1, "m/s^2"}, {"result", "M", 3,
+      3, 2, ""}, {"result", "C", 3, 3, 2, "N s"}, {"result", "K", 3, 3, 2, ""}, {"result", "F", 3, 1, 1, "N, N, N m"},
+      {"result", "M_r", 2, 2, 2, ""}, {"result", "C_r", 2, 2, 2, ""}, {"result", "K_r", 2, 3, 2, ""}, {"result", "F_r",
+      2, 1, 1, "N, N m"}, {"result", "A", 5, 5, 2, ""}}};
   static constexpr std::array<torsor::KernelDescription, 9> kernels{{{"kinematics", false, false, false, false,
       results.data() + 0, 7}, {"mass_matrix", false, false, false, false, results.data() + 7, 1}, {"bias", false, false,
       false, false, results.data() + 8, 1}, {"inverse_dynamics", true, true, false, false, results.data() + 9, 1},
@@ -73,7 +76,7 @@ struct Mechanism {
 
   static constexpr const char* name = "chaplygin_sleigh";
   /// 64 bits (FNV-1a) of this file from "#pragma once" on, with zeros in their own place: another mechanism, other bits.
-  static constexpr unsigned long long fingerprint = 0x89b7f66cc67f030dULL ^ torsor::support_fingerprint;
+  static constexpr unsigned long long fingerprint = 0x4310e19c77e8f545ULL ^ torsor::support_fingerprint;
   static constexpr int coordinate_count = 3;
   static constexpr int velocity_count = 3;
   static constexpr int input_count = 0;

@@ -45,12 +45,15 @@ struct Description {
   static constexpr std::array<torsor::QuantityDescription, 0> inputs{};
   static constexpr std::array<torsor::QuantityDescription, 3> multipliers{{{"N", "N"}, {"X", "N"}, {"Y", "N"}}};
   static constexpr std::array<torsor::QuantityDescription, 1> parameters{{{"rho", "m"}}};
-  static constexpr std::array<torsor::ResultDescription, 19> results{{{"result", "disk_position", 3, 1}, {"result",
-      "disk_rotation", 3, 3}, {"result", "disk_velocity", 3, 1}, {"result", "disk_angular_velocity", 3, 1}, {"result",
-      "I_position", 3, 1}, {"result", "I_velocity", 3, 1}, {"result", "I_jacobian", 3, 6}, {"mass", "", 6, 6},
-      {"forces", "", 6, 1}, {"forces", "", 6, 1}, {"accelerations", "", 6, 1}, {"multipliers", "", 3, 1}, {"result",
-      "kinetic", 1, 1}, {"result", "force_function", 1, 1}, {"result", "power", 1, 1}, {"result", "value", 3, 1},
-      {"result", "rate", 3, 1}, {"result", "jacobian", 3, 6}, {"result", "gamma", 3, 1}}};
+  static constexpr std::array<torsor::ResultDescription, 19> results{{{"result", "disk_position", 3, 1, 1, "m"},
+      {"result", "disk_rotation", 3, 3, 2, "1"}, {"result", "disk_velocity", 3, 1, 1, "m/s"}, {"result",
+      "disk_angular_velocity", 3, 1, 1, "rad/s"}, {"result", "I_position", 3, 1, 1, "m"}, {"result", "I_velocity", 3, 1,
+      1, "m/s"}, {"result", "I_jacobian", 3, 6, 2, ""}, {"mass", "", 6, 6, 2, ""}, {"forces", "", 6, 1, 1,
+      "0, 0, N, N m, N m, N m"}, {"forces", "", 6, 1, 1, "N, N, N, N m, N m, N m"}, {"accelerations", "", 6, 1, 1,
+      "m/s^2, m/s^2, m/s^2, rad/s^2, rad/s^2, rad/s^2"}, {"multipliers", "", 3, 1, 1, "N"}, {"result", "kinetic", 1, 1,
+      0, "J"}, {"result", "force_function", 1, 1, 0, "J"}, {"result", "power", 1, 1, 0, "W"}, {"result", "value", 3, 1,
+      1, "m"}, {"result", "rate", 3, 1, 1, "m/s"}, {"result", "jacobian", 3, 6, 2, ""}, {"result", "gamma", 3, 1, 1,
+      "m/s^2"}}};
   static constexpr std::array<torsor::KernelDescription, 7> kernels{{{"kinematics", false, false, false, false,
       results.data() + 0, 7}, {"mass_matrix", false, false, false, false, results.data() + 7, 1}, {"bias", false, false,
       false, false, results.data() + 8, 1}, {"inverse_dynamics", true, true, false, false, results.data() + 9, 1},
@@ -67,7 +70,7 @@ struct Mechanism {
 
   static constexpr const char* name = "disk_in_a_circle";
   /// 64 bits (FNV-1a) of this file from "#pragma once" on, with zeros in their own place: another mechanism, other bits.
-  static constexpr unsigned long long fingerprint = 0x4b67ddb8be13292bULL ^ torsor::support_fingerprint;
+  static constexpr unsigned long long fingerprint = 0xb7fa13f5d0286b03ULL ^ torsor::support_fingerprint;
   static constexpr int coordinate_count = 6;
   static constexpr int velocity_count = 6;
   static constexpr int input_count = 0;

@@ -55,18 +55,21 @@ struct Description {
   static constexpr std::array<torsor::QuantityDescription, 0> inputs{};
   static constexpr std::array<torsor::QuantityDescription, 0> multipliers{};
   static constexpr std::array<torsor::QuantityDescription, 0> parameters{};
-  static constexpr std::array<torsor::ResultDescription, 36> results{{{"result", "first_mass_position", 3, 1},
-      {"result", "first_mass_rotation", 3, 3}, {"result", "first_mass_velocity", 3, 1}, {"result",
-      "first_mass_angular_velocity", 3, 1}, {"result", "second_mass_position", 3, 1}, {"result", "second_mass_rotation",
-      3, 3}, {"result", "second_mass_velocity", 3, 1}, {"result", "second_mass_angular_velocity", 3, 1}, {"mass", "", 2,
-      2}, {"forces", "", 2, 1}, {"forces", "", 2, 1}, {"accelerations", "", 2, 1}, {"multipliers", "", 0, 1}, {"result",
-      "kinetic", 1, 1}, {"result", "force_function", 1, 1}, {"result", "power", 1, 1}, {"result", "energy", 1, 1},
-      {"result", "M", 2, 2}, {"result", "C", 2, 2}, {"result", "K", 2, 2}, {"result", "F", 2, 1}, {"result", "A", 4, 4},
-      {"result", "by_position", 2, 2}, {"result", "by_velocity", 2, 2}, {"result", "by_position", 2, 2}, {"result",
-      "by_velocity", 2, 2}, {"result", "by_force", 2, 2}, {"result", "Y", 2, 6}, {"coefficients", "", 4, 0}, {"result",
-      "by_position_position", 2, 4}, {"result", "by_position_velocity", 2, 4}, {"result", "by_velocity_velocity", 2, 4},
-      {"result", "by_acceleration_position", 2, 4}, {"result", "by_position_position", 2, 4}, {"result",
-      "by_position_velocity", 2, 4}, {"result", "by_velocity_velocity", 2, 4}}};
+  static constexpr std::array<torsor::ResultDescription, 36> results{{{"result", "first_mass_position", 3, 1, 1, "m"},
+      {"result", "first_mass_rotation", 3, 3, 2, "1"}, {"result", "first_mass_velocity", 3, 1, 1, "m/s"}, {"result",
+      "first_mass_angular_velocity", 3, 1, 1, "rad/s"}, {"result", "second_mass_position", 3, 1, 1, "m"}, {"result",
+      "second_mass_rotation", 3, 3, 2, "1"}, {"result", "second_mass_velocity", 3, 1, 1, "m/s"}, {"result",
+      "second_mass_angular_velocity", 3, 1, 1, "rad/s"}, {"mass", "", 2, 2, 2, "kg m^2"}, {"forces", "", 2, 1, 1,
+      "N m"}, {"forces", "", 2, 1, 1, "N m"}, {"accelerations", "", 2, 1, 1, "rad/s^2"}, {"multipliers", "", 0, 1, 1,
+      ""}, {"result", "kinetic", 1, 1, 0, "J"}, {"result", "force_function", 1, 1, 0, "J"}, {"result", "power", 1, 1, 0,
+      "W"}, {"result", "energy", 1, 1, 0, "J"}, {"result", "M", 2, 2, 2, "kg m^2"}, {"result", "C", 2, 2, 2, "N m s"},
+      {"result", "K", 2, 2, 2, "N m"}, {"result", "F", 2, 1, 1, "N m"}, {"result", "A", 4, 4, 2, ""}, {"result",
+      "by_position", 2, 2, 2, "N m"}, {"result", "by_velocity", 2, 2, 2, "N m s"}, {"result", "by_position", 2, 2, 2,
+      "rad/s^2"}, {"result", "by_velocity", 2, 2, 2, "rad/s"}, {"result", "by_force", 2, 2, 2, "1/kg/m^2"}, {"result",
+      "Y", 2, 6, 2, ""}, {"coefficients", "", 4, 0, 2, ""}, {"result", "by_position_position", 2, 4, 2, "N m"},
+      {"result", "by_position_velocity", 2, 4, 2, "N m s"}, {"result", "by_velocity_velocity", 2, 4, 2, "kg m^2"},
+      {"result", "by_acceleration_position", 2, 4, 2, "kg m^2"}, {"result", "by_position_position", 2, 4, 2, "rad/s^2"},
+      {"result", "by_position_velocity", 2, 4, 2, "rad/s"}, {"result", "by_velocity_velocity", 2, 4, 2, "1"}}};
   static constexpr std::array<torsor::KernelDescription, 14> kernels{{{"kinematics", false, false, false, false,
       results.data() + 0, 8}, {"mass_matrix", false, false, false, false, results.data() + 8, 1}, {"bias", false, false,
       false, false, results.data() + 9, 1}, {"inverse_dynamics", true, true, false, false, results.data() + 10, 1},
@@ -88,7 +91,7 @@ struct Mechanism {
 
   static constexpr const char* name = "double_pendulum";
   /// 64 bits (FNV-1a) of this file from "#pragma once" on, with zeros in their own place: another mechanism, other bits.
-  static constexpr unsigned long long fingerprint = 0x382a879b26f64aa3ULL ^ torsor::support_fingerprint;
+  static constexpr unsigned long long fingerprint = 0xc4f34ae811b31b33ULL ^ torsor::support_fingerprint;
   static constexpr int coordinate_count = 2;
   static constexpr int velocity_count = 2;
   static constexpr int input_count = 0;

@@ -45,24 +45,31 @@ struct Description {
   static constexpr std::array<torsor::QuantityDescription, 0> inputs{};
   static constexpr std::array<torsor::QuantityDescription, 0> multipliers{};
   static constexpr std::array<torsor::QuantityDescription, 1> parameters{{{"gust", "N"}}};
-  static constexpr std::array<torsor::ResultDescription, 52> results{{{"result", "fuselage_position", 3, 1}, {"result",
-      "fuselage_rotation", 3, 3}, {"result", "fuselage_velocity", 3, 1}, {"result", "fuselage_angular_velocity", 3, 1},
-      {"result", "panel_1_position", 3, 1}, {"result", "panel_1_rotation", 3, 3}, {"result", "panel_1_velocity", 3, 1},
-      {"result", "panel_1_angular_velocity", 3, 1}, {"result", "panel_2_position", 3, 1}, {"result", "panel_2_rotation",
-      3, 3}, {"result", "panel_2_velocity", 3, 1}, {"result", "panel_2_angular_velocity", 3, 1}, {"result",
-      "panel_3_position", 3, 1}, {"result", "panel_3_rotation", 3, 3}, {"result", "panel_3_velocity", 3, 1}, {"result",
-      "panel_3_angular_velocity", 3, 1}, {"result", "panel_4_position", 3, 1}, {"result", "panel_4_rotation", 3, 3},
-      {"result", "panel_4_velocity", 3, 1}, {"result", "panel_4_angular_velocity", 3, 1}, {"result", "engine_position",
-      3, 1}, {"result", "engine_rotation", 3, 3}, {"result", "engine_velocity", 3, 1}, {"result",
-      "engine_angular_velocity", 3, 1}, {"result", "middle_1_position", 3, 1}, {"result", "middle_1_velocity", 3, 1},
-      {"result", "middle_1_jacobian", 3, 6}, {"result", "middle_2_position", 3, 1}, {"result", "middle_2_velocity", 3,
-      1}, {"result", "middle_2_jacobian", 3, 6}, {"result", "middle_3_position", 3, 1}, {"result", "middle_3_velocity",
-      3, 1}, {"result", "middle_3_jacobian", 3, 6}, {"result", "middle_4_position", 3, 1}, {"result",
-      "middle_4_velocity", 3, 1}, {"result", "middle_4_jacobian", 3, 6}, {"result", "tip_position", 3, 1}, {"result",
-      "tip_velocity", 3, 1}, {"result", "tip_jacobian", 3, 6}, {"mass", "", 6, 6}, {"forces", "", 6, 1}, {"forces", "",
-      6, 1}, {"accelerations", "", 6, 1}, {"multipliers", "", 0, 1}, {"result", "kinetic", 1, 1}, {"result",
-      "force_function", 1, 1}, {"result", "power", 1, 1}, {"result", "M", 6, 6}, {"result", "C", 6, 6}, {"result", "K",
-      6, 6}, {"result", "F", 6, 1}, {"result", "A", 12, 12}}};
+  static constexpr std::array<torsor::ResultDescription, 52> results{{{"result", "fuselage_position", 3, 1, 1, "m"},
+      {"result", "fuselage_rotation", 3, 3, 2, "1"}, {"result", "fuselage_velocity", 3, 1, 1, "m/s"}, {"result",
+      "fuselage_angular_velocity", 3, 1, 1, "rad/s"}, {"result", "panel_1_position", 3, 1, 1, "m"}, {"result",
+      "panel_1_rotation", 3, 3, 2, "1"}, {"result", "panel_1_velocity", 3, 1, 1, "m/s"}, {"result",
+      "panel_1_angular_velocity", 3, 1, 1, "rad/s"}, {"result", "panel_2_position", 3, 1, 1, "m"}, {"result",
+      "panel_2_rotation", 3, 3, 2, "1"}, {"result", "panel_2_velocity", 3, 1, 1, "m/s"}, {"result",
+      "panel_2_angular_velocity", 3, 1, 1, "rad/s"}, {"result", "panel_3_position", 3, 1, 1, "m"}, {"result",
+      "panel_3_rotation", 3, 3, 2, "1"}, {"result", "panel_3_velocity", 3, 1, 1, "m/s"}, {"result",
+      "panel_3_angular_velocity", 3, 1, 1, "rad/s"}, {"result", "panel_4_position", 3, 1, 1, "m"}, {"result",
+      "panel_4_rotation", 3, 3, 2, "1"}, {"result", "panel_4_velocity", 3, 1, 1, "m/s"}, {"result",
+      "panel_4_angular_velocity", 3, 1, 1, "rad/s"}, {"result", "engine_position", 3, 1, 1, "m"}, {"result",
+      "engine_rotation", 3, 3, 2, "1"}, {"result", "engine_velocity", 3, 1, 1, "m/s"}, {"result",
+      "engine_angular_velocity", 3, 1, 1, "rad/s"}, {"result", "middle_1_position", 3, 1, 1, "m"}, {"result",
+      "middle_1_velocity", 3, 1, 1, "m/s"}, {"result", "middle_1_jacobian", 3, 6, 2, ""}, {"result",
+      "middle_2_position", 3, 1, 1, "m"}, {"result", "middle_2_velocity", 3, 1, 1, "m/s"}, {"result",
+      "middle_2_jacobian", 3, 6, 2, ""}, {"result", "middle_3_position", 3, 1, 1, "m"}, {"result", "middle_3_velocity",
+      3, 1, 1, "m/s"}, {"result", "middle_3_jacobian", 3, 6, 2, ""}, {"result", "middle_4_position", 3, 1, 1, "m"},
+      {"result", "middle_4_velocity", 3, 1, 1, "m/s"}, {"result", "middle_4_jacobian", 3, 6, 2, ""}, {"result",
+      "tip_position", 3, 1, 1, "m"}, {"result", "tip_velocity", 3, 1, 1, "m/s"}, {"result", "tip_jacobian", 3, 6, 2,
+      ""}, {"mass", "", 6, 6, 2, ""}, {"forces", "", 6, 1, 1, "N, N m, N m, N m, N m, N m"}, {"forces", "", 6, 1, 1,
+      "N, N m, N m, N m, N m, N m"}, {"accelerations", "", 6, 1, 1,
+      "m/s^2, rad/s^2, rad/s^2, rad/s^2, rad/s^2, rad/s^2"}, {"multipliers", "", 0, 1, 1, ""}, {"result", "kinetic", 1,
+      1, 0, "J"}, {"result", "force_function", 1, 1, 0, "J"}, {"result", "power", 1, 1, 0, "W"}, {"result", "M", 6, 6,
+      2, ""}, {"result", "C", 6, 6, 2, ""}, {"result", "K", 6, 6, 2, ""}, {"result", "F", 6, 1, 1,
+      "N, N m, N m, N m, N m, N m"}, {"result", "A", 12, 12, 2, ""}}};
   static constexpr std::array<torsor::KernelDescription, 7> kernels{{{"kinematics", false, false, false, false,
       results.data() + 0, 39}, {"mass_matrix", false, false, false, false, results.data() + 39, 1}, {"bias", false,
       false, false, false, results.data() + 40, 1}, {"inverse_dynamics", true, true, false, false, results.data() + 41,
@@ -79,7 +86,7 @@ struct Mechanism {
 
   static constexpr const char* name = "elastic_wing";
   /// 64 bits (FNV-1a) of this file from "#pragma once" on, with zeros in their own place: another mechanism, other bits.
-  static constexpr unsigned long long fingerprint = 0x75d41a636708edc2ULL ^ torsor::support_fingerprint;
+  static constexpr unsigned long long fingerprint = 0x30db5f76e5fde315ULL ^ torsor::support_fingerprint;
   static constexpr int coordinate_count = 6;
   static constexpr int velocity_count = 6;
   static constexpr int input_count = 0;

@@ -50,13 +50,16 @@ struct Description {
   static constexpr std::array<torsor::QuantityDescription, 0> multipliers{};
   static constexpr std::array<torsor::QuantityDescription, 4> parameters{{{"b", "m"}, {"A", "kg m^2"}, {"B", "kg m^2"},
       {"F", "kg m^2"}}};
-  static constexpr std::array<torsor::ResultDescription, 23> results{{{"result", "plate_position", 3, 1}, {"result",
-      "plate_rotation", 3, 3}, {"result", "plate_velocity", 3, 1}, {"result", "plate_angular_velocity", 3, 1}, {"mass",
-      "", 4, 4}, {"forces", "", 4, 1}, {"forces", "", 4, 1}, {"accelerations", "", 4, 1}, {"multipliers", "", 0, 1},
-      {"result", "kinetic", 1, 1}, {"result", "force_function", 1, 1}, {"result", "power", 1, 1}, {"result", "energy",
-      1, 1}, {"result", "momentum_x", 1, 1}, {"result", "momentum_y", 1, 1}, {"result", "momentum_alpha", 1, 1},
-      {"result", "N", 1, 1}, {"result", "moment", 1, 1}, {"result", "M", 4, 4}, {"result", "C", 4, 4}, {"result", "K",
-      4, 4}, {"result", "F", 4, 1}, {"result", "A", 8, 8}}};
+  static constexpr std::array<torsor::ResultDescription, 23> results{{{"result", "plate_position", 3, 1, 1, "m"},
+      {"result", "plate_rotation", 3, 3, 2, "1"}, {"result", "plate_velocity", 3, 1, 1, "m/s"}, {"result",
+      "plate_angular_velocity", 3, 1, 1, "rad/s"}, {"mass", "", 4, 4, 2, ""}, {"forces", "", 4, 1, 1, "N m"}, {"forces",
+      "", 4, 1, 1, "N, N, N m, N m"}, {"accelerations", "", 4, 1, 1, "rad/s^2"}, {"multipliers", "", 0, 1, 1, ""},
+      {"result", "kinetic", 1, 1, 0, "J"}, {"result", "force_function", 1, 1, 0, "J"}, {"result", "power", 1, 1, 0,
+      "W"}, {"result", "energy", 1, 1, 0, "J"}, {"result", "momentum_x", 1, 1, 0, "kg m s^-1"}, {"result", "momentum_y",
+      1, 1, 0, "kg m s^-1"}, {"result", "momentum_alpha", 1, 1, 0, "kg m^2 s^-1"}, {"result", "N", 1, 1, 0,
+      "kg m s^-2"}, {"result", "moment", 1, 1, 0, "kg m^2 s^-2"}, {"result", "M", 4, 4, 2, ""}, {"result", "C", 4, 4, 2,
+      "N m s"}, {"result", "K", 4, 4, 2, "N m"}, {"result", "F", 4, 1, 1, "N, N, N m, N m"}, {"result", "A", 8, 8, 2,
+      ""}}};
   static constexpr std::array<torsor::KernelDescription, 9> kernels{{{"kinematics", false, false, false, false,
       results.data() + 0, 4}, {"mass_matrix", false, false, false, false, results.data() + 4, 1}, {"bias", false, false,
       false, false, results.data() + 5, 1}, {"inverse_dynamics", true, true, false, false, results.data() + 6, 1},
@@ -75,7 +78,7 @@ struct Mechanism {
 
   static constexpr const char* name = "falling_plate";
   /// 64 bits (FNV-1a) of this file from "#pragma once" on, with zeros in their own place: another mechanism, other bits.
-  static constexpr unsigned long long fingerprint = 0xc546db0aac6f0a5eULL ^ torsor::support_fingerprint;
+  static constexpr unsigned long long fingerprint = 0x1c990cbf820925eeULL ^ torsor::support_fingerprint;
   static constexpr int coordinate_count = 4;
   static constexpr int velocity_count = 4;
   static constexpr int input_count = 0;

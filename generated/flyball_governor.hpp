@@ -47,24 +47,31 @@ struct Description {
   static constexpr std::array<torsor::QuantityDescription, 0> inputs{};
   static constexpr std::array<torsor::QuantityDescription, 0> multipliers{};
   static constexpr std::array<torsor::QuantityDescription, 0> parameters{};
-  static constexpr std::array<torsor::ResultDescription, 52> results{{{"result", "shaft_position", 3, 1}, {"result",
-      "shaft_rotation", 3, 3}, {"result", "shaft_velocity", 3, 1}, {"result", "shaft_angular_velocity", 3, 1},
-      {"result", "slider_position", 3, 1}, {"result", "slider_rotation", 3, 3}, {"result", "slider_velocity", 3, 1},
-      {"result", "slider_angular_velocity", 3, 1}, {"result", "rod_1_position", 3, 1}, {"result", "rod_1_rotation", 3,
-      3}, {"result", "rod_1_velocity", 3, 1}, {"result", "rod_1_angular_velocity", 3, 1}, {"result", "ball_1_position",
-      3, 1}, {"result", "ball_1_rotation", 3, 3}, {"result", "ball_1_velocity", 3, 1}, {"result",
-      "ball_1_angular_velocity", 3, 1}, {"result", "rod_2_position", 3, 1}, {"result", "rod_2_rotation", 3, 3},
-      {"result", "rod_2_velocity", 3, 1}, {"result", "rod_2_angular_velocity", 3, 1}, {"result", "ball_2_position", 3,
-      1}, {"result", "ball_2_rotation", 3, 3}, {"result", "ball_2_velocity", 3, 1}, {"result",
-      "ball_2_angular_velocity", 3, 1}, {"result", "middle_1_position", 3, 1}, {"result", "middle_1_velocity", 3, 1},
-      {"result", "middle_1_jacobian", 3, 4}, {"result", "ear_1_position", 3, 1}, {"result", "ear_1_velocity", 3, 1},
-      {"result", "ear_1_jacobian", 3, 4}, {"result", "middle_2_position", 3, 1}, {"result", "middle_2_velocity", 3, 1},
-      {"result", "middle_2_jacobian", 3, 4}, {"result", "ear_2_position", 3, 1}, {"result", "ear_2_velocity", 3, 1},
-      {"result", "ear_2_jacobian", 3, 4}, {"mass", "", 4, 4}, {"forces", "", 4, 1}, {"forces", "", 4, 1},
-      {"accelerations", "", 4, 1}, {"multipliers", "", 0, 1}, {"result", "kinetic", 1, 1}, {"result", "force_function",
-      1, 1}, {"result", "power", 1, 1}, {"result", "momentum_psi", 1, 1}, {"result", "M", 4, 4}, {"result", "C", 4, 4},
-      {"result", "K", 4, 4}, {"result", "F", 4, 1}, {"result", "A", 8, 8}, {"residual", "", 4, 1}, {"result", "values",
-      25, 1}}};
+  static constexpr std::array<torsor::ResultDescription, 52> results{{{"result", "shaft_position", 3, 1, 1, "m"},
+      {"result", "shaft_rotation", 3, 3, 2, "1"}, {"result", "shaft_velocity", 3, 1, 1, "m/s"}, {"result",
+      "shaft_angular_velocity", 3, 1, 1, "rad/s"}, {"result", "slider_position", 3, 1, 1, "m"}, {"result",
+      "slider_rotation", 3, 3, 2, "1"}, {"result", "slider_velocity", 3, 1, 1, "m/s"}, {"result",
+      "slider_angular_velocity", 3, 1, 1, "rad/s"}, {"result", "rod_1_position", 3, 1, 1, "m"}, {"result",
+      "rod_1_rotation", 3, 3, 2, "1"}, {"result", "rod_1_velocity", 3, 1, 1, "m/s"}, {"result",
+      "rod_1_angular_velocity", 3, 1, 1, "rad/s"}, {"result", "ball_1_position", 3, 1, 1, "m"}, {"result",
+      "ball_1_rotation", 3, 3, 2, "1"}, {"result", "ball_1_velocity", 3, 1, 1, "m/s"}, {"result",
+      "ball_1_angular_velocity", 3, 1, 1, "rad/s"}, {"result", "rod_2_position", 3, 1, 1, "m"}, {"result",
+      "rod_2_rotation", 3, 3, 2, "1"}, {"result", "rod_2_velocity", 3, 1, 1, "m/s"}, {"result",
+      "rod_2_angular_velocity", 3, 1, 1, "rad/s"}, {"result", "ball_2_position", 3, 1, 1, "m"}, {"result",
+      "ball_2_rotation", 3, 3, 2, "1"}, {"result", "ball_2_velocity", 3, 1, 1, "m/s"}, {"result",
+      "ball_2_angular_velocity", 3, 1, 1, "rad/s"}, {"result", "middle_1_position", 3, 1, 1, "m"}, {"result",
+      "middle_1_velocity", 3, 1, 1, "m/s"}, {"result", "middle_1_jacobian", 3, 4, 2, "m"}, {"result", "ear_1_position",
+      3, 1, 1, "m"}, {"result", "ear_1_velocity", 3, 1, 1, "m/s"}, {"result", "ear_1_jacobian", 3, 4, 2, ""}, {"result",
+      "middle_2_position", 3, 1, 1, "m"}, {"result", "middle_2_velocity", 3, 1, 1, "m/s"}, {"result",
+      "middle_2_jacobian", 3, 4, 2, "m"}, {"result", "ear_2_position", 3, 1, 1, "m"}, {"result", "ear_2_velocity", 3, 1,
+      1, "m/s"}, {"result", "ear_2_jacobian", 3, 4, 2, ""}, {"mass", "", 4, 4, 2, ""}, {"forces", "", 4, 1, 1,
+      "N m, N, N m, N m"}, {"forces", "", 4, 1, 1, "N m, N, N m, N m"}, {"accelerations", "", 4, 1, 1,
+      "rad/s^2, m/s^2, rad/s^2, rad/s^2"}, {"multipliers", "", 0, 1, 1, ""}, {"result", "kinetic", 1, 1, 0, "J"},
+      {"result", "force_function", 1, 1, 0, "J"}, {"result", "power", 1, 1, 0, "W"}, {"result", "momentum_psi", 1, 1, 0,
+      "kg m^2 s^-1"}, {"result", "M", 4, 4, 2, ""}, {"result", "C", 4, 4, 2, ""}, {"result", "K", 4, 4, 2, ""},
+      {"result", "F", 4, 1, 1, "N m, N, N m, N m"}, {"result", "A", 8, 8, 2, ""}, {"residual", "", 4, 1, 1,
+      "N m, N, N m, N m"}, {"result", "values", 25, 1, 1,
+      "N m, N m, N m s, N m s, N m s, kg m^2, N/m, N, N, N s/m, N s, N s, kg, N, N m, N m s, N s, N m s, kg m^2, N, N m, N m s, N s, N m s, kg m^2"}}};
   static constexpr std::array<torsor::KernelDescription, 10> kernels{{{"kinematics", false, false, false, false,
       results.data() + 0, 36}, {"mass_matrix", false, false, false, false, results.data() + 36, 1}, {"bias", false,
       false, false, false, results.data() + 37, 1}, {"inverse_dynamics", true, true, false, false, results.data() + 38,
@@ -83,7 +90,7 @@ struct Mechanism {
 
   static constexpr const char* name = "flyball_governor";
   /// 64 bits (FNV-1a) of this file from "#pragma once" on, with zeros in their own place: another mechanism, other bits.
-  static constexpr unsigned long long fingerprint = 0x29d1edbe1f1e2f31ULL ^ torsor::support_fingerprint;
+  static constexpr unsigned long long fingerprint = 0xb0ca3be26dcafae9ULL ^ torsor::support_fingerprint;
   static constexpr int coordinate_count = 4;
   static constexpr int velocity_count = 4;
   static constexpr int input_count = 0;

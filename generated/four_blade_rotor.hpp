@@ -49,17 +49,20 @@ struct Description {
   static constexpr std::array<torsor::QuantityDescription, 0> inputs{};
   static constexpr std::array<torsor::QuantityDescription, 0> multipliers{};
   static constexpr std::array<torsor::QuantityDescription, 1> parameters{{{"alpha", "1"}}};
-  static constexpr std::array<torsor::ResultDescription, 32> results{{{"rates", "", 4, 1}, {"result",
-      "blade_1_position", 3, 1}, {"result", "blade_1_rotation", 3, 3}, {"result", "blade_1_velocity", 3, 1}, {"result",
-      "blade_1_angular_velocity", 3, 1}, {"result", "blade_2_position", 3, 1}, {"result", "blade_2_rotation", 3, 3},
-      {"result", "blade_2_velocity", 3, 1}, {"result", "blade_2_angular_velocity", 3, 1}, {"result", "blade_3_position",
-      3, 1}, {"result", "blade_3_rotation", 3, 3}, {"result", "blade_3_velocity", 3, 1}, {"result",
-      "blade_3_angular_velocity", 3, 1}, {"result", "blade_4_position", 3, 1}, {"result", "blade_4_rotation", 3, 3},
-      {"result", "blade_4_velocity", 3, 1}, {"result", "blade_4_angular_velocity", 3, 1}, {"mass", "", 3, 3}, {"forces",
-      "", 3, 1}, {"forces", "", 3, 1}, {"accelerations", "", 3, 1}, {"multipliers", "", 0, 1}, {"result", "kinetic", 1,
-      1}, {"result", "force_function", 1, 1}, {"result", "power", 1, 1}, {"result", "energy", 1, 1}, {"result",
-      "momentum_e_omega_z", 1, 1}, {"result", "M", 3, 3}, {"result", "C", 3, 3}, {"result", "K", 3, 3}, {"result", "F",
-      3, 1}, {"result", "A", 6, 6}}};
+  static constexpr std::array<torsor::ResultDescription, 32> results{{{"rates", "", 4, 1, 1, "rad/s"}, {"result",
+      "blade_1_position", 3, 1, 1, "m"}, {"result", "blade_1_rotation", 3, 3, 2, "1"}, {"result", "blade_1_velocity", 3,
+      1, 1, "m/s"}, {"result", "blade_1_angular_velocity", 3, 1, 1, "rad/s"}, {"result", "blade_2_position", 3, 1, 1,
+      "m"}, {"result", "blade_2_rotation", 3, 3, 2, "1"}, {"result", "blade_2_velocity", 3, 1, 1, "m/s"}, {"result",
+      "blade_2_angular_velocity", 3, 1, 1, "rad/s"}, {"result", "blade_3_position", 3, 1, 1, "m"}, {"result",
+      "blade_3_rotation", 3, 3, 2, "1"}, {"result", "blade_3_velocity", 3, 1, 1, "m/s"}, {"result",
+      "blade_3_angular_velocity", 3, 1, 1, "rad/s"}, {"result", "blade_4_position", 3, 1, 1, "m"}, {"result",
+      "blade_4_rotation", 3, 3, 2, "1"}, {"result", "blade_4_velocity", 3, 1, 1, "m/s"}, {"result",
+      "blade_4_angular_velocity", 3, 1, 1, "rad/s"}, {"mass", "", 3, 3, 2, "kg m^2"}, {"forces", "", 3, 1, 1, "N m"},
+      {"forces", "", 3, 1, 1, "N m"}, {"accelerations", "", 3, 1, 1, "rad/s^2"}, {"multipliers", "", 0, 1, 1, ""},
+      {"result", "kinetic", 1, 1, 0, "J"}, {"result", "force_function", 1, 1, 0, "J"}, {"result", "power", 1, 1, 0,
+      "W"}, {"result", "energy", 1, 1, 0, "J"}, {"result", "momentum_e_omega_z", 1, 1, 0, "kg m^2 s^-1"}, {"result",
+      "M", 3, 3, 2, "kg m^2"}, {"result", "C", 3, 3, 2, "N m s"}, {"result", "K", 3, 3, 2, ""}, {"result", "F", 3, 1, 1,
+      "N m"}, {"result", "A", 6, 6, 2, ""}}};
   static constexpr std::array<torsor::KernelDescription, 9> kernels{{{"coordinate_rates", false, false, false, false,
       results.data() + 0, 1}, {"kinematics", false, false, false, false, results.data() + 1, 16}, {"mass_matrix", false,
       false, false, false, results.data() + 17, 1}, {"bias", false, false, false, false, results.data() + 18, 1},
@@ -78,7 +81,7 @@ struct Mechanism {
 
   static constexpr const char* name = "four_blade_rotor";
   /// 64 bits (FNV-1a) of this file from "#pragma once" on, with zeros in their own place: another mechanism, other bits.
-  static constexpr unsigned long long fingerprint = 0x705b371b55f842a8ULL ^ torsor::support_fingerprint;
+  static constexpr unsigned long long fingerprint = 0x47b38b015aba886cULL ^ torsor::support_fingerprint;
   static constexpr int coordinate_count = 4;
   static constexpr int velocity_count = 3;
   static constexpr int input_count = 0;

@@ -51,21 +51,26 @@ struct Description {
       {"lambda_wheel_1_y", "N"}, {"lambda_wheel_2_x", "N"}, {"lambda_wheel_2_y", "N"}, {"lambda_wheel_3_x", "N"},
       {"lambda_wheel_3_y", "N"}, {"lambda_wheel_4_x", "N"}, {"lambda_wheel_4_y", "N"}}};
   static constexpr std::array<torsor::QuantityDescription, 0> parameters{};
-  static constexpr std::array<torsor::ResultDescription, 44> results{{{"result", "chassis_position", 3, 1}, {"result",
-      "chassis_rotation", 3, 3}, {"result", "chassis_velocity", 3, 1}, {"result", "chassis_angular_velocity", 3, 1},
-      {"result", "wheel_1_position", 3, 1}, {"result", "wheel_1_rotation", 3, 3}, {"result", "wheel_1_velocity", 3, 1},
-      {"result", "wheel_1_angular_velocity", 3, 1}, {"result", "wheel_2_position", 3, 1}, {"result", "wheel_2_rotation",
-      3, 3}, {"result", "wheel_2_velocity", 3, 1}, {"result", "wheel_2_angular_velocity", 3, 1}, {"result",
-      "wheel_3_position", 3, 1}, {"result", "wheel_3_rotation", 3, 3}, {"result", "wheel_3_velocity", 3, 1}, {"result",
-      "wheel_3_angular_velocity", 3, 1}, {"result", "wheel_4_position", 3, 1}, {"result", "wheel_4_rotation", 3, 3},
-      {"result", "wheel_4_velocity", 3, 1}, {"result", "wheel_4_angular_velocity", 3, 1}, {"result", "P1_position", 3,
-      1}, {"result", "P1_velocity", 3, 1}, {"result", "P1_jacobian", 3, 7}, {"result", "P2_position", 3, 1}, {"result",
-      "P2_velocity", 3, 1}, {"result", "P2_jacobian", 3, 7}, {"result", "P3_position", 3, 1}, {"result", "P3_velocity",
-      3, 1}, {"result", "P3_jacobian", 3, 7}, {"result", "P4_position", 3, 1}, {"result", "P4_velocity", 3, 1},
-      {"result", "P4_jacobian", 3, 7}, {"mass", "", 7, 7}, {"forces", "", 7, 1}, {"forces", "", 7, 1}, {"accelerations",
-      "", 7, 1}, {"multipliers", "", 8, 1}, {"result", "kinetic", 1, 1}, {"result", "force_function", 1, 1}, {"result",
-      "power", 1, 1}, {"result", "value", 8, 1}, {"result", "rate", 8, 1}, {"result", "jacobian", 8, 7}, {"result",
-      "gamma", 8, 1}}};
+  static constexpr std::array<torsor::ResultDescription, 44> results{{{"result", "chassis_position", 3, 1, 1, "m"},
+      {"result", "chassis_rotation", 3, 3, 2, "1"}, {"result", "chassis_velocity", 3, 1, 1, "m/s"}, {"result",
+      "chassis_angular_velocity", 3, 1, 1, "rad/s"}, {"result", "wheel_1_position", 3, 1, 1, "m"}, {"result",
+      "wheel_1_rotation", 3, 3, 2, "1"}, {"result", "wheel_1_velocity", 3, 1, 1, "m/s"}, {"result",
+      "wheel_1_angular_velocity", 3, 1, 1, "rad/s"}, {"result", "wheel_2_position", 3, 1, 1, "m"}, {"result",
+      "wheel_2_rotation", 3, 3, 2, "1"}, {"result", "wheel_2_velocity", 3, 1, 1, "m/s"}, {"result",
+      "wheel_2_angular_velocity", 3, 1, 1, "rad/s"}, {"result", "wheel_3_position", 3, 1, 1, "m"}, {"result",
+      "wheel_3_rotation", 3, 3, 2, "1"}, {"result", "wheel_3_velocity", 3, 1, 1, "m/s"}, {"result",
+      "wheel_3_angular_velocity", 3, 1, 1, "rad/s"}, {"result", "wheel_4_position", 3, 1, 1, "m"}, {"result",
+      "wheel_4_rotation", 3, 3, 2, "1"}, {"result", "wheel_4_velocity", 3, 1, 1, "m/s"}, {"result",
+      "wheel_4_angular_velocity", 3, 1, 1, "rad/s"}, {"result", "P1_position", 3, 1, 1, "m"}, {"result", "P1_velocity",
+      3, 1, 1, "m/s"}, {"result", "P1_jacobian", 3, 7, 2, ""}, {"result", "P2_position", 3, 1, 1, "m"}, {"result",
+      "P2_velocity", 3, 1, 1, "m/s"}, {"result", "P2_jacobian", 3, 7, 2, ""}, {"result", "P3_position", 3, 1, 1, "m"},
+      {"result", "P3_velocity", 3, 1, 1, "m/s"}, {"result", "P3_jacobian", 3, 7, 2, ""}, {"result", "P4_position", 3, 1,
+      1, "m"}, {"result", "P4_velocity", 3, 1, 1, "m/s"}, {"result", "P4_jacobian", 3, 7, 2, ""}, {"mass", "", 7, 7, 2,
+      ""}, {"forces", "", 7, 1, 1, "N m"}, {"forces", "", 7, 1, 1, "N, N, N m, N m, N m, N m, N m"}, {"accelerations",
+      "", 7, 1, 1, "m/s^2, m/s^2, rad/s^2, rad/s^2, rad/s^2, rad/s^2, rad/s^2"}, {"multipliers", "", 8, 1, 1, "N"},
+      {"result", "kinetic", 1, 1, 0, "J"}, {"result", "force_function", 1, 1, 0, "J"}, {"result", "power", 1, 1, 0,
+      "W"}, {"result", "value", 8, 1, 1, ""}, {"result", "rate", 8, 1, 1, "m/s"}, {"result", "jacobian", 8, 7, 2, ""},
+      {"result", "gamma", 8, 1, 1, "m/s^2"}}};
   static constexpr std::array<torsor::KernelDescription, 7> kernels{{{"kinematics", false, false, false, false,
       results.data() + 0, 32}, {"mass_matrix", false, false, false, false, results.data() + 32, 1}, {"bias", false,
       false, false, false, results.data() + 33, 1}, {"inverse_dynamics", true, true, false, false, results.data() + 34,
@@ -82,7 +87,7 @@ struct Mechanism {
 
   static constexpr const char* name = "four_wheel_vehicle";
   /// 64 bits (FNV-1a) of this file from "#pragma once" on, with zeros in their own place: another mechanism, other bits.
-  static constexpr unsigned long long fingerprint = 0x0aa20b88a5c8534fULL ^ torsor::support_fingerprint;
+  static constexpr unsigned long long fingerprint = 0xff88f1025b92bfadULL ^ torsor::support_fingerprint;
   static constexpr int coordinate_count = 7;
   static constexpr int velocity_count = 7;
   static constexpr int input_count = 2;

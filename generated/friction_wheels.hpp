@@ -50,19 +50,22 @@ struct Description {
   static constexpr std::array<torsor::QuantityDescription, 1> inputs{{{"C1", "N m"}}};
   static constexpr std::array<torsor::QuantityDescription, 2> multipliers{{{"T", "N"}, {"lambda_rolling_y", "N"}}};
   static constexpr std::array<torsor::QuantityDescription, 0> parameters{};
-  static constexpr std::array<torsor::ResultDescription, 43> results{{{"result", "S1_position", 3, 1}, {"result",
-      "S1_rotation", 3, 3}, {"result", "S1_velocity", 3, 1}, {"result", "S1_angular_velocity", 3, 1}, {"result",
-      "S2_position", 3, 1}, {"result", "S2_rotation", 3, 3}, {"result", "S2_velocity", 3, 1}, {"result",
-      "S2_angular_velocity", 3, 1}, {"result", "I_position", 3, 1}, {"result", "I_velocity", 3, 1}, {"result",
-      "I_jacobian", 3, 2}, {"result", "I1_position", 3, 1}, {"result", "I1_velocity", 3, 1}, {"result",
-      "I1_geometric_velocity", 3, 1}, {"result", "I1_jacobian", 3, 2}, {"result", "I2_position", 3, 1}, {"result",
-      "I2_velocity", 3, 1}, {"result", "I2_geometric_velocity", 3, 1}, {"result", "I2_jacobian", 3, 2}, {"mass", "", 2,
-      2}, {"forces", "", 2, 1}, {"forces", "", 2, 1}, {"accelerations", "", 2, 1}, {"multipliers", "", 2, 1}, {"result",
-      "kinetic", 1, 1}, {"result", "force_function", 1, 1}, {"result", "power", 1, 1}, {"result", "value", 2, 1},
-      {"result", "rate", 2, 1}, {"result", "jacobian", 2, 2}, {"result", "gamma", 2, 1}, {"result", "M", 2, 2},
-      {"result", "C", 2, 2}, {"result", "K", 2, 2}, {"result", "F", 2, 1}, {"result", "E", 2, 1}, {"result", "M_r", 1,
-      1}, {"result", "C_r", 1, 1}, {"result", "K_r", 1, 2}, {"result", "F_r", 1, 1}, {"result", "E_r", 1, 1}, {"result",
-      "A", 3, 3}, {"result", "B", 3, 1}}};
+  static constexpr std::array<torsor::ResultDescription, 43> results{{{"result", "S1_position", 3, 1, 1, "m"},
+      {"result", "S1_rotation", 3, 3, 2, "1"}, {"result", "S1_velocity", 3, 1, 1, "m/s"}, {"result",
+      "S1_angular_velocity", 3, 1, 1, "rad/s"}, {"result", "S2_position", 3, 1, 1, "m"}, {"result", "S2_rotation", 3, 3,
+      2, "1"}, {"result", "S2_velocity", 3, 1, 1, "m/s"}, {"result", "S2_angular_velocity", 3, 1, 1, "rad/s"},
+      {"result", "I_position", 3, 1, 1, "m"}, {"result", "I_velocity", 3, 1, 1, "m/s"}, {"result", "I_jacobian", 3, 2,
+      2, ""}, {"result", "I1_position", 3, 1, 1, "m"}, {"result", "I1_velocity", 3, 1, 1, "m/s"}, {"result",
+      "I1_geometric_velocity", 3, 1, 1, "m/s"}, {"result", "I1_jacobian", 3, 2, 2, "m"}, {"result", "I2_position", 3, 1,
+      1, "m"}, {"result", "I2_velocity", 3, 1, 1, "m/s"}, {"result", "I2_geometric_velocity", 3, 1, 1, "m/s"},
+      {"result", "I2_jacobian", 3, 2, 2, "m"}, {"mass", "", 2, 2, 2, "kg m^2"}, {"forces", "", 2, 1, 1, "N m"},
+      {"forces", "", 2, 1, 1, "N m"}, {"accelerations", "", 2, 1, 1, "rad/s^2"}, {"multipliers", "", 2, 1, 1, "N"},
+      {"result", "kinetic", 1, 1, 0, "J"}, {"result", "force_function", 1, 1, 0, "J"}, {"result", "power", 1, 1, 0,
+      "W"}, {"result", "value", 2, 1, 1, ""}, {"result", "rate", 2, 1, 1, "m/s"}, {"result", "jacobian", 2, 2, 2, "m"},
+      {"result", "gamma", 2, 1, 1, ""}, {"result", "M", 2, 2, 2, "kg m^2"}, {"result", "C", 2, 2, 2, "N m s"},
+      {"result", "K", 2, 2, 2, ""}, {"result", "F", 2, 1, 1, "N m"}, {"result", "E", 2, 1, 2, "1"}, {"result", "M_r", 1,
+      1, 2, "kg m^2"}, {"result", "C_r", 1, 1, 2, "N m s"}, {"result", "K_r", 1, 2, 2, ""}, {"result", "F_r", 1, 1, 1,
+      "N m"}, {"result", "E_r", 1, 1, 2, "1"}, {"result", "A", 3, 3, 2, ""}, {"result", "B", 3, 1, 2, "1/kg/m^2"}}};
   static constexpr std::array<torsor::KernelDescription, 8> kernels{{{"kinematics", false, false, false, false,
       results.data() + 0, 19}, {"mass_matrix", false, false, false, false, results.data() + 19, 1}, {"bias", false,
       false, false, false, results.data() + 20, 1}, {"inverse_dynamics", true, true, false, false, results.data() + 21,
@@ -80,7 +83,7 @@ struct Mechanism {
 
   static constexpr const char* name = "friction_wheels";
   /// 64 bits (FNV-1a) of this file from "#pragma once" on, with zeros in their own place: another mechanism, other bits.
-  static constexpr unsigned long long fingerprint = 0xbc0921d89ae52a38ULL ^ torsor::support_fingerprint;
+  static constexpr unsigned long long fingerprint = 0x146a08a1438c9d18ULL ^ torsor::support_fingerprint;
   static constexpr int coordinate_count = 2;
   static constexpr int velocity_count = 2;
   static constexpr int input_count = 1;

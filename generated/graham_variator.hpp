@@ -53,18 +53,22 @@ struct Description {
   static constexpr std::array<torsor::QuantityDescription, 4> multipliers{{{"lambda_rolling_A_x", "N"}, {"T_A", "N"},
       {"lambda_rolling_E_x", "N"}, {"T_E", "N"}}};
   static constexpr std::array<torsor::QuantityDescription, 1> parameters{{{"d", "m"}}};
-  static constexpr std::array<torsor::ResultDescription, 42> results{{{"result", "S1_position", 3, 1}, {"result",
-      "S1_rotation", 3, 3}, {"result", "S1_velocity", 3, 1}, {"result", "S1_angular_velocity", 3, 1}, {"result",
-      "S2_position", 3, 1}, {"result", "S2_rotation", 3, 3}, {"result", "S2_velocity", 3, 1}, {"result",
-      "S2_angular_velocity", 3, 1}, {"result", "S3_position", 3, 1}, {"result", "S3_rotation", 3, 3}, {"result",
-      "S3_velocity", 3, 1}, {"result", "S3_angular_velocity", 3, 1}, {"result", "A_position", 3, 1}, {"result",
-      "A_velocity", 3, 1}, {"result", "A_jacobian", 3, 3}, {"result", "E_position", 3, 1}, {"result", "E_velocity", 3,
-      1}, {"result", "E_jacobian", 3, 3}, {"mass", "", 3, 3}, {"forces", "", 3, 1}, {"forces", "", 3, 1},
-      {"accelerations", "", 3, 1}, {"multipliers", "", 4, 1}, {"result", "kinetic", 1, 1}, {"result", "force_function",
-      1, 1}, {"result", "power", 1, 1}, {"result", "value", 4, 1}, {"result", "rate", 4, 1}, {"result", "jacobian", 4,
-      3}, {"result", "gamma", 4, 1}, {"result", "M", 3, 3}, {"result", "C", 3, 3}, {"result", "K", 3, 3}, {"result",
-      "F", 3, 1}, {"result", "E", 3, 2}, {"result", "M_r", 1, 1}, {"result", "C_r", 1, 1}, {"result", "K_r", 1, 3},
-      {"result", "F_r", 1, 1}, {"result", "E_r", 1, 2}, {"result", "A", 4, 4}, {"result", "B", 4, 2}}};
+  static constexpr std::array<torsor::ResultDescription, 42> results{{{"result", "S1_position", 3, 1, 1, "m"},
+      {"result", "S1_rotation", 3, 3, 2, "1"}, {"result", "S1_velocity", 3, 1, 1, "m/s"}, {"result",
+      "S1_angular_velocity", 3, 1, 1, "rad/s"}, {"result", "S2_position", 3, 1, 1, "m"}, {"result", "S2_rotation", 3, 3,
+      2, "1"}, {"result", "S2_velocity", 3, 1, 1, "m/s"}, {"result", "S2_angular_velocity", 3, 1, 1, "rad/s"},
+      {"result", "S3_position", 3, 1, 1, "m"}, {"result", "S3_rotation", 3, 3, 2, "1"}, {"result", "S3_velocity", 3, 1,
+      1, "m/s"}, {"result", "S3_angular_velocity", 3, 1, 1, "rad/s"}, {"result", "A_position", 3, 1, 1, "m"}, {"result",
+      "A_velocity", 3, 1, 1, "m/s"}, {"result", "A_jacobian", 3, 3, 2, "m"}, {"result", "E_position", 3, 1, 1, "m"},
+      {"result", "E_velocity", 3, 1, 1, "m/s"}, {"result", "E_jacobian", 3, 3, 2, "m"}, {"mass", "", 3, 3, 2, "kg m^2"},
+      {"forces", "", 3, 1, 1, "N m"}, {"forces", "", 3, 1, 1, "N m"}, {"accelerations", "", 3, 1, 1, "rad/s^2"},
+      {"multipliers", "", 4, 1, 1, "N"}, {"result", "kinetic", 1, 1, 0, "J"}, {"result", "force_function", 1, 1, 0,
+      "J"}, {"result", "power", 1, 1, 0, "W"}, {"result", "value", 4, 1, 1, ""}, {"result", "rate", 4, 1, 1, "m/s"},
+      {"result", "jacobian", 4, 3, 2, "m"}, {"result", "gamma", 4, 1, 1, ""}, {"result", "M", 3, 3, 2, "kg m^2"},
+      {"result", "C", 3, 3, 2, ""}, {"result", "K", 3, 3, 2, "N m"}, {"result", "F", 3, 1, 1, "N m"}, {"result", "E", 3,
+      2, 2, "1"}, {"result", "M_r", 1, 1, 2, "kg m^2"}, {"result", "C_r", 1, 1, 2, ""}, {"result", "K_r", 1, 3, 2,
+      "N m"}, {"result", "F_r", 1, 1, 1, "N m"}, {"result", "E_r", 1, 2, 2, "1"}, {"result", "A", 4, 4, 2, ""},
+      {"result", "B", 4, 2, 2, "1/kg/m^2"}}};
   static constexpr std::array<torsor::KernelDescription, 8> kernels{{{"kinematics", false, false, false, false,
       results.data() + 0, 18}, {"mass_matrix", false, false, false, false, results.data() + 18, 1}, {"bias", false,
       false, false, false, results.data() + 19, 1}, {"inverse_dynamics", true, true, false, false, results.data() + 20,
@@ -82,7 +86,7 @@ struct Mechanism {
 
   static constexpr const char* name = "graham_variator";
   /// 64 bits (FNV-1a) of this file from "#pragma once" on, with zeros in their own place: another mechanism, other bits.
-  static constexpr unsigned long long fingerprint = 0xe984b96f4394ce66ULL ^ torsor::support_fingerprint;
+  static constexpr unsigned long long fingerprint = 0x8cc91e39d5ec9fd7ULL ^ torsor::support_fingerprint;
   static constexpr int coordinate_count = 3;
   static constexpr int velocity_count = 3;
   static constexpr int input_count = 2;

@@ -47,12 +47,14 @@ struct Description {
   static constexpr std::array<torsor::QuantityDescription, 0> inputs{};
   static constexpr std::array<torsor::QuantityDescription, 0> multipliers{};
   static constexpr std::array<torsor::QuantityDescription, 0> parameters{};
-  static constexpr std::array<torsor::ResultDescription, 20> results{{{"result", "top_position", 3, 1}, {"result",
-      "top_rotation", 3, 3}, {"result", "top_velocity", 3, 1}, {"result", "top_angular_velocity", 3, 1}, {"mass", "", 3,
-      3}, {"forces", "", 3, 1}, {"forces", "", 3, 1}, {"accelerations", "", 3, 1}, {"multipliers", "", 0, 1}, {"result",
-      "kinetic", 1, 1}, {"result", "force_function", 1, 1}, {"result", "power", 1, 1}, {"result", "energy", 1, 1},
-      {"result", "momentum_gamma", 1, 1}, {"result", "M", 3, 3}, {"result", "C", 3, 3}, {"result", "K", 3, 3},
-      {"result", "F", 3, 1}, {"result", "A", 6, 6}, {"coefficients", "", 6, 0}}};
+  static constexpr std::array<torsor::ResultDescription, 20> results{{{"result", "top_position", 3, 1, 1, "m"},
+      {"result", "top_rotation", 3, 3, 2, "1"}, {"result", "top_velocity", 3, 1, 1, "m/s"}, {"result",
+      "top_angular_velocity", 3, 1, 1, "rad/s"}, {"mass", "", 3, 3, 2, "kg m^2"}, {"forces", "", 3, 1, 1, "N m"},
+      {"forces", "", 3, 1, 1, "N m"}, {"accelerations", "", 3, 1, 1, "rad/s^2"}, {"multipliers", "", 0, 1, 1, ""},
+      {"result", "kinetic", 1, 1, 0, "J"}, {"result", "force_function", 1, 1, 0, "J"}, {"result", "power", 1, 1, 0,
+      "W"}, {"result", "energy", 1, 1, 0, "J"}, {"result", "momentum_gamma", 1, 1, 0, "kg m^2 s^-1"}, {"result", "M", 3,
+      3, 2, "kg m^2"}, {"result", "C", 3, 3, 2, "N m s"}, {"result", "K", 3, 3, 2, "N m"}, {"result", "F", 3, 1, 1,
+      "N m"}, {"result", "A", 6, 6, 2, ""}, {"coefficients", "", 6, 0, 2, ""}}};
   static constexpr std::array<torsor::KernelDescription, 9> kernels{{{"kinematics", false, false, false, false,
       results.data() + 0, 4}, {"mass_matrix", false, false, false, false, results.data() + 4, 1}, {"bias", false, false,
       false, false, results.data() + 5, 1}, {"inverse_dynamics", true, true, false, false, results.data() + 6, 1},
@@ -70,7 +72,7 @@ struct Mechanism {
 
   static constexpr const char* name = "heavy_top";
   /// 64 bits (FNV-1a) of this file from "#pragma once" on, with zeros in their own place: another mechanism, other bits.
-  static constexpr unsigned long long fingerprint = 0x58f51d234468ce8eULL ^ torsor::support_fingerprint;
+  static constexpr unsigned long long fingerprint = 0x4031604e3449d4e6ULL ^ torsor::support_fingerprint;
   static constexpr int coordinate_count = 3;
   static constexpr int velocity_count = 3;
   static constexpr int input_count = 0;

@@ -47,24 +47,31 @@ struct Description {
   static constexpr std::array<torsor::QuantityDescription, 0> multipliers{};
   static constexpr std::array<torsor::QuantityDescription, 3> parameters{{{"theta", "1"}, {"omega", "rad/s"}, {"alpha",
       "1"}}};
-  static constexpr std::array<torsor::ResultDescription, 56> results{{{"result", "span_1_position", 3, 1}, {"result",
-      "span_1_rotation", 3, 3}, {"result", "span_1_velocity", 3, 1}, {"result", "span_1_angular_velocity", 3, 1},
-      {"result", "blade_1_position", 3, 1}, {"result", "blade_1_rotation", 3, 3}, {"result", "blade_1_velocity", 3, 1},
-      {"result", "blade_1_angular_velocity", 3, 1}, {"result", "span_2_position", 3, 1}, {"result", "span_2_rotation",
-      3, 3}, {"result", "span_2_velocity", 3, 1}, {"result", "span_2_angular_velocity", 3, 1}, {"result",
-      "blade_2_position", 3, 1}, {"result", "blade_2_rotation", 3, 3}, {"result", "blade_2_velocity", 3, 1}, {"result",
-      "blade_2_angular_velocity", 3, 1}, {"result", "span_3_position", 3, 1}, {"result", "span_3_rotation", 3, 3},
-      {"result", "span_3_velocity", 3, 1}, {"result", "span_3_angular_velocity", 3, 1}, {"result", "blade_3_position",
-      3, 1}, {"result", "blade_3_rotation", 3, 3}, {"result", "blade_3_velocity", 3, 1}, {"result",
-      "blade_3_angular_velocity", 3, 1}, {"result", "span_4_position", 3, 1}, {"result", "span_4_rotation", 3, 3},
-      {"result", "span_4_velocity", 3, 1}, {"result", "span_4_angular_velocity", 3, 1}, {"result", "blade_4_position",
-      3, 1}, {"result", "blade_4_rotation", 3, 3}, {"result", "blade_4_velocity", 3, 1}, {"result",
-      "blade_4_angular_velocity", 3, 1}, {"result", "A_position", 3, 1}, {"result", "A_velocity", 3, 1}, {"result",
-      "A_jacobian", 3, 1}, {"mass", "", 1, 1}, {"forces", "", 1, 1}, {"forces", "", 1, 1}, {"accelerations", "", 1, 1},
-      {"multipliers", "", 0, 1}, {"result", "kinetic", 1, 1}, {"result", "force_function", 1, 1}, {"result", "power", 1,
-      1}, {"result", "X", 1, 1}, {"result", "Y", 1, 1}, {"result", "Z", 1, 1}, {"result", "M_x", 1, 1}, {"result",
-      "M_y", 1, 1}, {"result", "M_z", 1, 1}, {"result", "M", 1, 1}, {"result", "C", 1, 1}, {"result", "K", 1, 1},
-      {"result", "F", 1, 1}, {"result", "E", 1, 1}, {"result", "A", 2, 2}, {"result", "B", 2, 1}}};
+  static constexpr std::array<torsor::ResultDescription, 56> results{{{"result", "span_1_position", 3, 1, 1, "m"},
+      {"result", "span_1_rotation", 3, 3, 2, "1"}, {"result", "span_1_velocity", 3, 1, 1, "m/s"}, {"result",
+      "span_1_angular_velocity", 3, 1, 1, "rad/s"}, {"result", "blade_1_position", 3, 1, 1, "m"}, {"result",
+      "blade_1_rotation", 3, 3, 2, "1"}, {"result", "blade_1_velocity", 3, 1, 1, "m/s"}, {"result",
+      "blade_1_angular_velocity", 3, 1, 1, "rad/s"}, {"result", "span_2_position", 3, 1, 1, "m"}, {"result",
+      "span_2_rotation", 3, 3, 2, "1"}, {"result", "span_2_velocity", 3, 1, 1, "m/s"}, {"result",
+      "span_2_angular_velocity", 3, 1, 1, "rad/s"}, {"result", "blade_2_position", 3, 1, 1, "m"}, {"result",
+      "blade_2_rotation", 3, 3, 2, "1"}, {"result", "blade_2_velocity", 3, 1, 1, "m/s"}, {"result",
+      "blade_2_angular_velocity", 3, 1, 1, "rad/s"}, {"result", "span_3_position", 3, 1, 1, "m"}, {"result",
+      "span_3_rotation", 3, 3, 2, "1"}, {"result", "span_3_velocity", 3, 1, 1, "m/s"}, {"result",
+      "span_3_angular_velocity", 3, 1, 1, "rad/s"}, {"result", "blade_3_position", 3, 1, 1, "m"}, {"result",
+      "blade_3_rotation", 3, 3, 2, "1"}, {"result", "blade_3_velocity", 3, 1, 1, "m/s"}, {"result",
+      "blade_3_angular_velocity", 3, 1, 1, "rad/s"}, {"result", "span_4_position", 3, 1, 1, "m"}, {"result",
+      "span_4_rotation", 3, 3, 2, "1"}, {"result", "span_4_velocity", 3, 1, 1, "m/s"}, {"result",
+      "span_4_angular_velocity", 3, 1, 1, "rad/s"}, {"result", "blade_4_position", 3, 1, 1, "m"}, {"result",
+      "blade_4_rotation", 3, 3, 2, "1"}, {"result", "blade_4_velocity", 3, 1, 1, "m/s"}, {"result",
+      "blade_4_angular_velocity", 3, 1, 1, "rad/s"}, {"result", "A_position", 3, 1, 1, "m"}, {"result", "A_velocity", 3,
+      1, 1, "m/s"}, {"result", "A_jacobian", 3, 1, 2, ""}, {"mass", "", 1, 1, 2, "kg m^2"}, {"forces", "", 1, 1, 1, ""},
+      {"forces", "", 1, 1, 1, "N m"}, {"accelerations", "", 1, 1, 1, "rad/s^2"}, {"multipliers", "", 0, 1, 1, ""},
+      {"result", "kinetic", 1, 1, 0, "J"}, {"result", "force_function", 1, 1, 0, "J"}, {"result", "power", 1, 1, 0,
+      "W"}, {"result", "X", 1, 1, 0, "kg m s^-2"}, {"result", "Y", 1, 1, 0, "kg m s^-2"}, {"result", "Z", 1, 1, 0,
+      "kg m s^-2"}, {"result", "M_x", 1, 1, 0, "kg m^2 s^-2"}, {"result", "M_y", 1, 1, 0, "kg m^2 s^-2"}, {"result",
+      "M_z", 1, 1, 0, "kg m^2 s^-2"}, {"result", "M", 1, 1, 2, "kg m^2"}, {"result", "C", 1, 1, 2, ""}, {"result", "K",
+      1, 1, 2, ""}, {"result", "F", 1, 1, 1, "N m"}, {"result", "E", 1, 1, 2, "1"}, {"result", "A", 2, 2, 2, "1"},
+      {"result", "B", 2, 1, 2, "1/kg/m^2"}}};
   static constexpr std::array<torsor::KernelDescription, 8> kernels{{{"kinematics", false, false, false, false,
       results.data() + 0, 35}, {"mass_matrix", false, false, false, false, results.data() + 35, 1}, {"bias", false,
       false, false, false, results.data() + 36, 1}, {"inverse_dynamics", true, true, false, false, results.data() + 37,
@@ -82,7 +89,7 @@ struct Mechanism {
 
   static constexpr const char* name = "helicopter_on_a_circle";
   /// 64 bits (FNV-1a) of this file from "#pragma once" on, with zeros in their own place: another mechanism, other bits.
-  static constexpr unsigned long long fingerprint = 0xec2e765b66b64f9aULL ^ torsor::support_fingerprint;
+  static constexpr unsigned long long fingerprint = 0x8affae81a51615abULL ^ torsor::support_fingerprint;
   static constexpr int coordinate_count = 1;
   static constexpr int velocity_count = 1;
   static constexpr int input_count = 1;

@@ -44,23 +44,29 @@ struct Description {
   static constexpr std::array<torsor::QuantityDescription, 0> multipliers{};
   static constexpr std::array<torsor::QuantityDescription, 6> parameters{{{"theta", "1"}, {"omega", "rad/s"}, {"alpha",
       "1"}, {"alpha_c", "1"}, {"k", "N m"}, {"c", "N m s"}}};
-  static constexpr std::array<torsor::ResultDescription, 49> results{{{"result", "span_1_position", 3, 1}, {"result",
-      "span_1_rotation", 3, 3}, {"result", "span_1_velocity", 3, 1}, {"result", "span_1_angular_velocity", 3, 1},
-      {"result", "blade_1_position", 3, 1}, {"result", "blade_1_rotation", 3, 3}, {"result", "blade_1_velocity", 3, 1},
-      {"result", "blade_1_angular_velocity", 3, 1}, {"result", "span_2_position", 3, 1}, {"result", "span_2_rotation",
-      3, 3}, {"result", "span_2_velocity", 3, 1}, {"result", "span_2_angular_velocity", 3, 1}, {"result",
-      "blade_2_position", 3, 1}, {"result", "blade_2_rotation", 3, 3}, {"result", "blade_2_velocity", 3, 1}, {"result",
-      "blade_2_angular_velocity", 3, 1}, {"result", "span_3_position", 3, 1}, {"result", "span_3_rotation", 3, 3},
-      {"result", "span_3_velocity", 3, 1}, {"result", "span_3_angular_velocity", 3, 1}, {"result", "blade_3_position",
-      3, 1}, {"result", "blade_3_rotation", 3, 3}, {"result", "blade_3_velocity", 3, 1}, {"result",
-      "blade_3_angular_velocity", 3, 1}, {"result", "span_4_position", 3, 1}, {"result", "span_4_rotation", 3, 3},
-      {"result", "span_4_velocity", 3, 1}, {"result", "span_4_angular_velocity", 3, 1}, {"result", "blade_4_position",
-      3, 1}, {"result", "blade_4_rotation", 3, 3}, {"result", "blade_4_velocity", 3, 1}, {"result",
-      "blade_4_angular_velocity", 3, 1}, {"result", "A_position", 3, 1}, {"result", "A_velocity", 3, 1}, {"result",
-      "A_jacobian", 3, 5}, {"mass", "", 5, 5}, {"forces", "", 5, 1}, {"forces", "", 5, 1}, {"accelerations", "", 5, 1},
-      {"multipliers", "", 0, 1}, {"result", "kinetic", 1, 1}, {"result", "force_function", 1, 1}, {"result", "power", 1,
-      1}, {"result", "X", 1, 1}, {"result", "Y", 1, 1}, {"result", "Z", 1, 1}, {"result", "M_x", 1, 1}, {"result",
-      "M_y", 1, 1}, {"result", "M_z", 1, 1}}};
+  static constexpr std::array<torsor::ResultDescription, 49> results{{{"result", "span_1_position", 3, 1, 1, "m"},
+      {"result", "span_1_rotation", 3, 3, 2, "1"}, {"result", "span_1_velocity", 3, 1, 1, "m/s"}, {"result",
+      "span_1_angular_velocity", 3, 1, 1, "rad/s"}, {"result", "blade_1_position", 3, 1, 1, "m"}, {"result",
+      "blade_1_rotation", 3, 3, 2, "1"}, {"result", "blade_1_velocity", 3, 1, 1, "m/s"}, {"result",
+      "blade_1_angular_velocity", 3, 1, 1, "rad/s"}, {"result", "span_2_position", 3, 1, 1, "m"}, {"result",
+      "span_2_rotation", 3, 3, 2, "1"}, {"result", "span_2_velocity", 3, 1, 1, "m/s"}, {"result",
+      "span_2_angular_velocity", 3, 1, 1, "rad/s"}, {"result", "blade_2_position", 3, 1, 1, "m"}, {"result",
+      "blade_2_rotation", 3, 3, 2, "1"}, {"result", "blade_2_velocity", 3, 1, 1, "m/s"}, {"result",
+      "blade_2_angular_velocity", 3, 1, 1, "rad/s"}, {"result", "span_3_position", 3, 1, 1, "m"}, {"result",
+      "span_3_rotation", 3, 3, 2, "1"}, {"result", "span_3_velocity", 3, 1, 1, "m/s"}, {"result",
+      "span_3_angular_velocity", 3, 1, 1, "rad/s"}, {"result", "blade_3_position", 3, 1, 1, "m"}, {"result",
+      "blade_3_rotation", 3, 3, 2, "1"}, {"result", "blade_3_velocity", 3, 1, 1, "m/s"}, {"result",
+      "blade_3_angular_velocity", 3, 1, 1, "rad/s"}, {"result", "span_4_position", 3, 1, 1, "m"}, {"result",
+      "span_4_rotation", 3, 3, 2, "1"}, {"result", "span_4_velocity", 3, 1, 1, "m/s"}, {"result",
+      "span_4_angular_velocity", 3, 1, 1, "rad/s"}, {"result", "blade_4_position", 3, 1, 1, "m"}, {"result",
+      "blade_4_rotation", 3, 3, 2, "1"}, {"result", "blade_4_velocity", 3, 1, 1, "m/s"}, {"result",
+      "blade_4_angular_velocity", 3, 1, 1, "rad/s"}, {"result", "A_position", 3, 1, 1, "m"}, {"result", "A_velocity", 3,
+      1, 1, "m/s"}, {"result", "A_jacobian", 3, 5, 2, ""}, {"mass", "", 5, 5, 2, "kg m^2"}, {"forces", "", 5, 1, 1,
+      "N m"}, {"forces", "", 5, 1, 1, "N m"}, {"accelerations", "", 5, 1, 1, "rad/s^2"}, {"multipliers", "", 0, 1, 1,
+      ""}, {"result", "kinetic", 1, 1, 0, "J"}, {"result", "force_function", 1, 1, 0, "J"}, {"result", "power", 1, 1, 0,
+      "W"}, {"result", "X", 1, 1, 0, "kg m s^-2"}, {"result", "Y", 1, 1, 0, "kg m s^-2"}, {"result", "Z", 1, 1, 0,
+      "kg m s^-2"}, {"result", "M_x", 1, 1, 0, "kg m^2 s^-2"}, {"result", "M_y", 1, 1, 0, "kg m^2 s^-2"}, {"result",
+      "M_z", 1, 1, 0, "kg m^2 s^-2"}}};
   static constexpr std::array<torsor::KernelDescription, 7> kernels{{{"kinematics", false, false, false, false,
       results.data() + 0, 35}, {"mass_matrix", false, false, false, false, results.data() + 35, 1}, {"bias", false,
       false, false, false, results.data() + 36, 1}, {"inverse_dynamics", true, true, false, false, results.data() + 37,
@@ -77,7 +83,7 @@ struct Mechanism {
 
   static constexpr const char* name = "helicopter_on_a_circle_pitching_blades";
   /// 64 bits (FNV-1a) of this file from "#pragma once" on, with zeros in their own place: another mechanism, other bits.
-  static constexpr unsigned long long fingerprint = 0x1f0d7dddc7207b1dULL ^ torsor::support_fingerprint;
+  static constexpr unsigned long long fingerprint = 0xe14bb92ffa322b6aULL ^ torsor::support_fingerprint;
   static constexpr int coordinate_count = 5;
   static constexpr int velocity_count = 5;
   static constexpr int input_count = 1;

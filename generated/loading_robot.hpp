@@ -45,17 +45,19 @@ struct Description {
   static constexpr std::array<torsor::QuantityDescription, 3> inputs{{{"C01", "N m"}, {"F12", "N"}, {"C23", "N m"}}};
   static constexpr std::array<torsor::QuantityDescription, 0> multipliers{};
   static constexpr std::array<torsor::QuantityDescription, 0> parameters{};
-  static constexpr std::array<torsor::ResultDescription, 34> results{{{"result", "S1_position", 3, 1}, {"result",
-      "S1_rotation", 3, 3}, {"result", "S1_velocity", 3, 1}, {"result", "S1_angular_velocity", 3, 1}, {"result",
-      "S2_position", 3, 1}, {"result", "S2_rotation", 3, 3}, {"result", "S2_velocity", 3, 1}, {"result",
-      "S2_angular_velocity", 3, 1}, {"result", "S3_position", 3, 1}, {"result", "S3_rotation", 3, 3}, {"result",
-      "S3_velocity", 3, 1}, {"result", "S3_angular_velocity", 3, 1}, {"result", "Oo_position", 3, 1}, {"result",
-      "Oo_velocity", 3, 1}, {"result", "Oo_jacobian", 3, 3}, {"result", "O2_position", 3, 1}, {"result", "O2_velocity",
-      3, 1}, {"result", "O2_jacobian", 3, 3}, {"mass", "", 3, 3}, {"forces", "", 3, 1}, {"forces", "", 3, 1},
-      {"accelerations", "", 3, 1}, {"multipliers", "", 0, 1}, {"result", "kinetic", 1, 1}, {"result", "force_function",
-      1, 1}, {"result", "power", 1, 1}, {"result", "Y12", 1, 1}, {"result", "M", 3, 3}, {"result", "C", 3, 3},
-      {"result", "K", 3, 3}, {"result", "F", 3, 1}, {"result", "E", 3, 3}, {"result", "A", 6, 6}, {"result", "B", 6,
-      3}}};
+  static constexpr std::array<torsor::ResultDescription, 34> results{{{"result", "S1_position", 3, 1, 1, "m"},
+      {"result", "S1_rotation", 3, 3, 2, "1"}, {"result", "S1_velocity", 3, 1, 1, "m/s"}, {"result",
+      "S1_angular_velocity", 3, 1, 1, "rad/s"}, {"result", "S2_position", 3, 1, 1, "m"}, {"result", "S2_rotation", 3, 3,
+      2, "1"}, {"result", "S2_velocity", 3, 1, 1, "m/s"}, {"result", "S2_angular_velocity", 3, 1, 1, "rad/s"},
+      {"result", "S3_position", 3, 1, 1, "m"}, {"result", "S3_rotation", 3, 3, 2, "1"}, {"result", "S3_velocity", 3, 1,
+      1, "m/s"}, {"result", "S3_angular_velocity", 3, 1, 1, "rad/s"}, {"result", "Oo_position", 3, 1, 1, "m"},
+      {"result", "Oo_velocity", 3, 1, 1, "m/s"}, {"result", "Oo_jacobian", 3, 3, 2, ""}, {"result", "O2_position", 3, 1,
+      1, "m"}, {"result", "O2_velocity", 3, 1, 1, "m/s"}, {"result", "O2_jacobian", 3, 3, 2, ""}, {"mass", "", 3, 3, 2,
+      ""}, {"forces", "", 3, 1, 1, "N m, N, N m"}, {"forces", "", 3, 1, 1, "N m, N, N m"}, {"accelerations", "", 3, 1,
+      1, "rad/s^2, m/s^2, rad/s^2"}, {"multipliers", "", 0, 1, 1, ""}, {"result", "kinetic", 1, 1, 0, "J"}, {"result",
+      "force_function", 1, 1, 0, "J"}, {"result", "power", 1, 1, 0, "W"}, {"result", "Y12", 1, 1, 0, "kg m s^-2"},
+      {"result", "M", 3, 3, 2, ""}, {"result", "C", 3, 3, 2, ""}, {"result", "K", 3, 3, 2, ""}, {"result", "F", 3, 1, 1,
+      "N m, N, N m"}, {"result", "E", 3, 3, 2, "1"}, {"result", "A", 6, 6, 2, ""}, {"result", "B", 6, 3, 2, ""}}};
   static constexpr std::array<torsor::KernelDescription, 8> kernels{{{"kinematics", false, false, false, false,
       results.data() + 0, 18}, {"mass_matrix", false, false, false, false, results.data() + 18, 1}, {"bias", false,
       false, false, false, results.data() + 19, 1}, {"inverse_dynamics", true, true, false, false, results.data() + 20,
@@ -73,7 +75,7 @@ struct Mechanism {
 
   static constexpr const char* name = "loading_robot";
   /// 64 bits (FNV-1a) of this file from "#pragma once" on, with zeros in their own place: another mechanism, other bits.
-  static constexpr unsigned long long fingerprint = 0x53fc2ead3b84e1bbULL ^ torsor::support_fingerprint;
+  static constexpr unsigned long long fingerprint = 0x6f7f5db4cf467649ULL ^ torsor::support_fingerprint;
   static constexpr int coordinate_count = 3;
   static constexpr int velocity_count = 3;
   static constexpr int input_count = 3;

@@ -52,16 +52,23 @@ struct Description {
       {"lambda_L2_ry", "N m"}, {"lambda_L2_rz", "N m"}, {"lambda_L3_z", "N"}, {"lambda_L3_rx", "N m"}, {"lambda_L3_ry",
       "N m"}, {"lambda_L5_z", "N"}, {"lambda_L5_rx", "N m"}, {"lambda_L5_ry", "N m"}}};
   static constexpr std::array<torsor::QuantityDescription, 0> parameters{};
-  static constexpr std::array<torsor::ResultDescription, 29> results{{{"rates", "", 11, 1}, {"result",
-      "traverse_position", 3, 1}, {"result", "traverse_rotation", 3, 3}, {"result", "traverse_velocity", 3, 1},
-      {"result", "traverse_angular_velocity", 3, 1}, {"result", "screw_position", 3, 1}, {"result", "screw_rotation", 3,
-      3}, {"result", "screw_velocity", 3, 1}, {"result", "screw_angular_velocity", 3, 1}, {"result",
-      "lower_cup_position", 3, 1}, {"result", "lower_cup_rotation", 3, 3}, {"result", "lower_cup_velocity", 3, 1},
-      {"result", "lower_cup_angular_velocity", 3, 1}, {"result", "upper_cup_position", 3, 1}, {"result",
-      "upper_cup_rotation", 3, 3}, {"result", "upper_cup_velocity", 3, 1}, {"result", "upper_cup_angular_velocity", 3,
-      1}, {"mass", "", 9, 9}, {"forces", "", 9, 1}, {"forces", "", 9, 1}, {"accelerations", "", 9, 1}, {"multipliers",
-      "", 10, 1}, {"result", "kinetic", 1, 1}, {"result", "force_function", 1, 1}, {"result", "power", 1, 1}, {"result",
-      "value", 10, 1}, {"result", "rate", 10, 1}, {"result", "jacobian", 10, 9}, {"result", "gamma", 10, 1}}};
+  static constexpr std::array<torsor::ResultDescription, 29> results{{{"rates", "", 11, 1, 1,
+      "m/s, rad/s, rad/s, rad/s, rad/s, rad/s, rad/s, rad/s, rad/s, rad/s, rad/s"}, {"result", "traverse_position", 3,
+      1, 1, "m"}, {"result", "traverse_rotation", 3, 3, 2, "1"}, {"result", "traverse_velocity", 3, 1, 1, "m/s"},
+      {"result", "traverse_angular_velocity", 3, 1, 1, "rad/s"}, {"result", "screw_position", 3, 1, 1, "m"}, {"result",
+      "screw_rotation", 3, 3, 2, "1"}, {"result", "screw_velocity", 3, 1, 1, "m/s"}, {"result",
+      "screw_angular_velocity", 3, 1, 1, "rad/s"}, {"result", "lower_cup_position", 3, 1, 1, "m"}, {"result",
+      "lower_cup_rotation", 3, 3, 2, "1"}, {"result", "lower_cup_velocity", 3, 1, 1, "m/s"}, {"result",
+      "lower_cup_angular_velocity", 3, 1, 1, "rad/s"}, {"result", "upper_cup_position", 3, 1, 1, "m"}, {"result",
+      "upper_cup_rotation", 3, 3, 2, "1"}, {"result", "upper_cup_velocity", 3, 1, 1, "m/s"}, {"result",
+      "upper_cup_angular_velocity", 3, 1, 1, "rad/s"}, {"mass", "", 9, 9, 2, ""}, {"forces", "", 9, 1, 1,
+      "N, 0, N m, N m, N m, N m, N m, N m, N m"}, {"forces", "", 9, 1, 1, "N, N m, N m, N m, N m, N m, N m, N m, N m"},
+      {"accelerations", "", 9, 1, 1, "m/s^2, rad/s^2, rad/s^2, rad/s^2, rad/s^2, rad/s^2, rad/s^2, rad/s^2, rad/s^2"},
+      {"multipliers", "", 10, 1, 1, "N, 0, 0, 0, N, N m, N m, 0, N m, N m"}, {"result", "kinetic", 1, 1, 0, "J"},
+      {"result", "force_function", 1, 1, 0, "J"}, {"result", "power", 1, 1, 0, "W"}, {"result", "value", 10, 1, 1,
+      "m, m, 0, 0, m, 1, 1, m, 1, 1"}, {"result", "rate", 10, 1, 1,
+      "m/s, m/s, 0, 0, m/s, rad/s, rad/s, m/s, rad/s, rad/s"}, {"result", "jacobian", 10, 9, 2, ""}, {"result", "gamma",
+      10, 1, 1, "m/s^2, m/s^2, 0, 0, m/s^2, rad/s^2, rad/s^2, m/s^2, rad/s^2, rad/s^2"}}};
   static constexpr std::array<torsor::KernelDescription, 8> kernels{{{"coordinate_rates", false, false, false, false,
       results.data() + 0, 1}, {"kinematics", false, false, false, false, results.data() + 1, 16}, {"mass_matrix", false,
       false, false, false, results.data() + 17, 1}, {"bias", false, false, false, false, results.data() + 18, 1},
@@ -79,7 +86,7 @@ struct Mechanism {
 
   static constexpr const char* name = "model_making_press";
   /// 64 bits (FNV-1a) of this file from "#pragma once" on, with zeros in their own place: another mechanism, other bits.
-  static constexpr unsigned long long fingerprint = 0x10b899a804b90fcbULL ^ torsor::support_fingerprint;
+  static constexpr unsigned long long fingerprint = 0x7ba19827e19d2645ULL ^ torsor::support_fingerprint;
   static constexpr int coordinate_count = 11;
   static constexpr int velocity_count = 9;
   static constexpr int input_count = 1;

@@ -44,15 +44,18 @@ struct Description {
   static constexpr std::array<torsor::QuantityDescription, 1> inputs{{{"C", "N m"}}};
   static constexpr std::array<torsor::QuantityDescription, 1> multipliers{{{"lambda_LB_z", "N"}}};
   static constexpr std::array<torsor::QuantityDescription, 0> parameters{};
-  static constexpr std::array<torsor::ResultDescription, 32> results{{{"result", "traverse_position", 3, 1}, {"result",
-      "traverse_rotation", 3, 3}, {"result", "traverse_velocity", 3, 1}, {"result", "traverse_angular_velocity", 3, 1},
-      {"result", "screw_position", 3, 1}, {"result", "screw_rotation", 3, 3}, {"result", "screw_velocity", 3, 1},
-      {"result", "screw_angular_velocity", 3, 1}, {"mass", "", 2, 2}, {"forces", "", 2, 1}, {"forces", "", 2, 1},
-      {"accelerations", "", 2, 1}, {"multipliers", "", 1, 1}, {"result", "kinetic", 1, 1}, {"result", "force_function",
-      1, 1}, {"result", "power", 1, 1}, {"result", "value", 1, 1}, {"result", "rate", 1, 1}, {"result", "jacobian", 1,
-      2}, {"result", "gamma", 1, 1}, {"result", "M", 2, 2}, {"result", "C", 2, 2}, {"result", "K", 2, 2}, {"result",
-      "F", 2, 1}, {"result", "E", 2, 1}, {"result", "M_r", 1, 1}, {"result", "C_r", 1, 1}, {"result", "K_r", 1, 1},
-      {"result", "F_r", 1, 1}, {"result", "E_r", 1, 1}, {"result", "A", 2, 2}, {"result", "B", 2, 1}}};
+  static constexpr std::array<torsor::ResultDescription, 32> results{{{"result", "traverse_position", 3, 1, 1, "m"},
+      {"result", "traverse_rotation", 3, 3, 2, "1"}, {"result", "traverse_velocity", 3, 1, 1, "m/s"}, {"result",
+      "traverse_angular_velocity", 3, 1, 1, "rad/s"}, {"result", "screw_position", 3, 1, 1, "m"}, {"result",
+      "screw_rotation", 3, 3, 2, "1"}, {"result", "screw_velocity", 3, 1, 1, "m/s"}, {"result",
+      "screw_angular_velocity", 3, 1, 1, "rad/s"}, {"mass", "", 2, 2, 2, ""}, {"forces", "", 2, 1, 1, "N, N m"},
+      {"forces", "", 2, 1, 1, "N, N m"}, {"accelerations", "", 2, 1, 1, "m/s^2, rad/s^2"}, {"multipliers", "", 1, 1, 1,
+      "N"}, {"result", "kinetic", 1, 1, 0, "J"}, {"result", "force_function", 1, 1, 0, "J"}, {"result", "power", 1, 1,
+      0, "W"}, {"result", "value", 1, 1, 1, "m"}, {"result", "rate", 1, 1, 1, "m/s"}, {"result", "jacobian", 1, 2, 2,
+      ""}, {"result", "gamma", 1, 1, 1, ""}, {"result", "M", 2, 2, 2, ""}, {"result", "C", 2, 2, 2, "N m s"}, {"result",
+      "K", 2, 2, 2, "N/m"}, {"result", "F", 2, 1, 1, "N, N m"}, {"result", "E", 2, 1, 2, "1"}, {"result", "M_r", 1, 1,
+      2, "kg m^2"}, {"result", "C_r", 1, 1, 2, "N m s"}, {"result", "K_r", 1, 1, 2, "N m"}, {"result", "F_r", 1, 1, 1,
+      "N m"}, {"result", "E_r", 1, 1, 2, "1"}, {"result", "A", 2, 2, 2, ""}, {"result", "B", 2, 1, 2, "1/kg/m^2"}}};
   static constexpr std::array<torsor::KernelDescription, 8> kernels{{{"kinematics", false, false, false, false,
       results.data() + 0, 8}, {"mass_matrix", false, false, false, false, results.data() + 8, 1}, {"bias", false, false,
       false, false, results.data() + 9, 1}, {"inverse_dynamics", true, true, false, false, results.data() + 10, 1},
@@ -70,7 +73,7 @@ struct Mechanism {
 
   static constexpr const char* name = "model_making_press_reduced";
   /// 64 bits (FNV-1a) of this file from "#pragma once" on, with zeros in their own place: another mechanism, other bits.
-  static constexpr unsigned long long fingerprint = 0x7a08b48d57df4156ULL ^ torsor::support_fingerprint;
+  static constexpr unsigned long long fingerprint = 0x8ddf65c02e7685ceULL ^ torsor::support_fingerprint;
   static constexpr int coordinate_count = 2;
   static constexpr int velocity_count = 2;
   static constexpr int input_count = 1;

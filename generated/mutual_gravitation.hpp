@@ -48,16 +48,19 @@ struct Description {
   static constexpr std::array<torsor::QuantityDescription, 0> inputs{};
   static constexpr std::array<torsor::QuantityDescription, 0> multipliers{};
   static constexpr std::array<torsor::QuantityDescription, 0> parameters{};
-  static constexpr std::array<torsor::ResultDescription, 31> results{{{"result", "first_position", 3, 1}, {"result",
-      "first_rotation", 3, 3}, {"result", "first_velocity", 3, 1}, {"result", "first_angular_velocity", 3, 1},
-      {"result", "second_position", 3, 1}, {"result", "second_rotation", 3, 3}, {"result", "second_velocity", 3, 1},
-      {"result", "second_angular_velocity", 3, 1}, {"result", "P1_position", 3, 1}, {"result", "P1_velocity", 3, 1},
-      {"result", "P1_jacobian", 3, 4}, {"result", "P2_position", 3, 1}, {"result", "P2_velocity", 3, 1}, {"result",
-      "P2_jacobian", 3, 4}, {"mass", "", 4, 4}, {"forces", "", 4, 1}, {"forces", "", 4, 1}, {"accelerations", "", 4, 1},
-      {"multipliers", "", 0, 1}, {"result", "kinetic", 1, 1}, {"result", "force_function", 1, 1}, {"result", "power", 1,
-      1}, {"result", "energy", 1, 1}, {"result", "momentum_X", 1, 1}, {"result", "momentum_Y", 1, 1}, {"result",
-      "momentum_phi", 1, 1}, {"result", "M", 4, 4}, {"result", "C", 4, 4}, {"result", "K", 4, 4}, {"result", "F", 4, 1},
-      {"result", "A", 8, 8}}};
+  static constexpr std::array<torsor::ResultDescription, 31> results{{{"result", "first_position", 3, 1, 1, "m"},
+      {"result", "first_rotation", 3, 3, 2, "1"}, {"result", "first_velocity", 3, 1, 1, "m/s"}, {"result",
+      "first_angular_velocity", 3, 1, 1, "rad/s"}, {"result", "second_position", 3, 1, 1, "m"}, {"result",
+      "second_rotation", 3, 3, 2, "1"}, {"result", "second_velocity", 3, 1, 1, "m/s"}, {"result",
+      "second_angular_velocity", 3, 1, 1, "rad/s"}, {"result", "P1_position", 3, 1, 1, "m"}, {"result", "P1_velocity",
+      3, 1, 1, "m/s"}, {"result", "P1_jacobian", 3, 4, 2, ""}, {"result", "P2_position", 3, 1, 1, "m"}, {"result",
+      "P2_velocity", 3, 1, 1, "m/s"}, {"result", "P2_jacobian", 3, 4, 2, ""}, {"mass", "", 4, 4, 2, ""}, {"forces", "",
+      4, 1, 1, "0, 0, N, N m"}, {"forces", "", 4, 1, 1, "N, N, N, N m"}, {"accelerations", "", 4, 1, 1,
+      "0, 0, m/s^2, rad/s^2"}, {"multipliers", "", 0, 1, 1, ""}, {"result", "kinetic", 1, 1, 0, "J"}, {"result",
+      "force_function", 1, 1, 0, "J"}, {"result", "power", 1, 1, 0, "W"}, {"result", "energy", 1, 1, 0, "J"}, {"result",
+      "momentum_X", 1, 1, 0, "kg m s^-1"}, {"result", "momentum_Y", 1, 1, 0, "kg m s^-1"}, {"result", "momentum_phi", 1,
+      1, 0, "kg m^2 s^-1"}, {"result", "M", 4, 4, 2, ""}, {"result", "C", 4, 4, 2, ""}, {"result", "K", 4, 4, 2, ""},
+      {"result", "F", 4, 1, 1, "N, N, N, N m"}, {"result", "A", 8, 8, 2, ""}}};
   static constexpr std::array<torsor::KernelDescription, 8> kernels{{{"kinematics", false, false, false, false,
       results.data() + 0, 14}, {"mass_matrix", false, false, false, false, results.data() + 14, 1}, {"bias", false,
       false, false, false, results.data() + 15, 1}, {"inverse_dynamics", true, true, false, false, results.data() + 16,
@@ -75,7 +78,7 @@ struct Mechanism {
 
   static constexpr const char* name = "mutual_gravitation";
   /// 64 bits (FNV-1a) of this file from "#pragma once" on, with zeros in their own place: another mechanism, other bits.
-  static constexpr unsigned long long fingerprint = 0xa7fd436d90250bb2ULL ^ torsor::support_fingerprint;
+  static constexpr unsigned long long fingerprint = 0x0916b6462e8a3151ULL ^ torsor::support_fingerprint;
   static constexpr int coordinate_count = 4;
   static constexpr int velocity_count = 4;
   static constexpr int input_count = 0;

@@ -41,11 +41,12 @@ struct Description {
   static constexpr std::array<torsor::QuantityDescription, 0> inputs{};
   static constexpr std::array<torsor::QuantityDescription, 0> multipliers{};
   static constexpr std::array<torsor::QuantityDescription, 1> parameters{{{"e", "1"}}};
-  static constexpr std::array<torsor::ResultDescription, 14> results{{{"mass", "", 5, 5}, {"forces", "", 5, 1},
-      {"result", "kinetic", 1, 1}, {"result", "force_function", 1, 1}, {"result", "power", 1, 1}, {"result", "gap", 4,
-      1}, {"result", "rate", 4, 1}, {"result", "jacobian", 4, 5}, {"result", "drift", 4, 1}, {"result", "friction", 4,
-      1}, {"result", "static_friction", 4, 1}, {"result", "restitution", 4, 1}, {"result", "bound", 4, 1}, {"result",
-      "static_bound", 4, 1}}};
+  static constexpr std::array<torsor::ResultDescription, 14> results{{{"mass", "", 5, 5, 2, "kg m^2"}, {"forces", "", 5,
+      1, 1, "N m"}, {"result", "kinetic", 1, 1, 0, "J"}, {"result", "force_function", 1, 1, 0, "J"}, {"result", "power",
+      1, 1, 0, "W"}, {"result", "gap", 4, 1, 1, "m"}, {"result", "rate", 4, 1, 1, "m/s"}, {"result", "jacobian", 4, 5,
+      2, "m"}, {"result", "drift", 4, 1, 1, "m/s^2"}, {"result", "friction", 4, 1, 1, "1"}, {"result",
+      "static_friction", 4, 1, 1, "1"}, {"result", "restitution", 4, 1, 1, "1"}, {"result", "bound", 4, 1, 1, ""},
+      {"result", "static_bound", 4, 1, 1, ""}}};
   static constexpr std::array<torsor::KernelDescription, 5> kernels{{{"mass_matrix", false, false, false, false,
       results.data() + 0, 1}, {"bias", false, false, false, false, results.data() + 1, 1}, {"energy", false, false,
       true, false, results.data() + 2, 3}, {"contacts", false, false, false, false, results.data() + 5, 4},
@@ -61,7 +62,7 @@ struct Mechanism {
 
   static constexpr const char* name = "newton_cradle";
   /// 64 bits (FNV-1a) of this file from "#pragma once" on, with zeros in their own place: another mechanism, other bits.
-  static constexpr unsigned long long fingerprint = 0x264939bf4e2fe143ULL ^ torsor::support_fingerprint;
+  static constexpr unsigned long long fingerprint = 0x30ee83ecdd57177eULL ^ torsor::support_fingerprint;
   static constexpr int coordinate_count = 5;
   static constexpr int velocity_count = 5;
   static constexpr int input_count = 0;

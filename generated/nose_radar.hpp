@@ -47,15 +47,18 @@ struct Description {
       "N m"}}};
   static constexpr std::array<torsor::QuantityDescription, 0> multipliers{};
   static constexpr std::array<torsor::QuantityDescription, 0> parameters{};
-  static constexpr std::array<torsor::ResultDescription, 29> results{{{"result", "aircraft_position", 3, 1}, {"result",
-      "aircraft_rotation", 3, 3}, {"result", "aircraft_velocity", 3, 1}, {"result", "aircraft_angular_velocity", 3, 1},
-      {"result", "unit_1_position", 3, 1}, {"result", "unit_1_rotation", 3, 3}, {"result", "unit_1_velocity", 3, 1},
-      {"result", "unit_1_angular_velocity", 3, 1}, {"result", "antenna_position", 3, 1}, {"result", "antenna_rotation",
-      3, 3}, {"result", "antenna_velocity", 3, 1}, {"result", "antenna_angular_velocity", 3, 1}, {"mass", "", 3, 3},
-      {"forces", "", 3, 1}, {"forces", "", 3, 1}, {"accelerations", "", 3, 1}, {"multipliers", "", 0, 1}, {"result",
-      "kinetic", 1, 1}, {"result", "force_function", 1, 1}, {"result", "power", 1, 1}, {"result", "F_x", 1, 1},
-      {"result", "F_x2", 1, 1}, {"result", "M", 3, 3}, {"result", "C", 3, 3}, {"result", "K", 3, 3}, {"result", "F", 3,
-      1}, {"result", "E", 3, 3}, {"result", "A", 6, 6}, {"result", "B", 6, 3}}};
+  static constexpr std::array<torsor::ResultDescription, 29> results{{{"result", "aircraft_position", 3, 1, 1, "m"},
+      {"result", "aircraft_rotation", 3, 3, 2, "1"}, {"result", "aircraft_velocity", 3, 1, 1, "m/s"}, {"result",
+      "aircraft_angular_velocity", 3, 1, 1, "rad/s"}, {"result", "unit_1_position", 3, 1, 1, "m"}, {"result",
+      "unit_1_rotation", 3, 3, 2, "1"}, {"result", "unit_1_velocity", 3, 1, 1, "m/s"}, {"result",
+      "unit_1_angular_velocity", 3, 1, 1, "rad/s"}, {"result", "antenna_position", 3, 1, 1, "m"}, {"result",
+      "antenna_rotation", 3, 3, 2, "1"}, {"result", "antenna_velocity", 3, 1, 1, "m/s"}, {"result",
+      "antenna_angular_velocity", 3, 1, 1, "rad/s"}, {"mass", "", 3, 3, 2, ""}, {"forces", "", 3, 1, 1, "N, N m, N m"},
+      {"forces", "", 3, 1, 1, "N, N m, N m"}, {"accelerations", "", 3, 1, 1, "m/s^2, rad/s^2, rad/s^2"}, {"multipliers",
+      "", 0, 1, 1, ""}, {"result", "kinetic", 1, 1, 0, "J"}, {"result", "force_function", 1, 1, 0, "J"}, {"result",
+      "power", 1, 1, 0, "W"}, {"result", "F_x", 1, 1, 0, "kg m s^-2"}, {"result", "F_x2", 1, 1, 0, "kg m s^-2"},
+      {"result", "M", 3, 3, 2, ""}, {"result", "C", 3, 3, 2, ""}, {"result", "K", 3, 3, 2, ""}, {"result", "F", 3, 1, 1,
+      "N, N m, N m"}, {"result", "E", 3, 3, 2, "1"}, {"result", "A", 6, 6, 2, ""}, {"result", "B", 6, 3, 2, ""}}};
   static constexpr std::array<torsor::KernelDescription, 8> kernels{{{"kinematics", false, false, false, false,
       results.data() + 0, 12}, {"mass_matrix", false, false, false, false, results.data() + 12, 1}, {"bias", false,
       false, false, false, results.data() + 13, 1}, {"inverse_dynamics", true, true, false, false, results.data() + 14,
@@ -73,7 +76,7 @@ struct Mechanism {
 
   static constexpr const char* name = "nose_radar";
   /// 64 bits (FNV-1a) of this file from "#pragma once" on, with zeros in their own place: another mechanism, other bits.
-  static constexpr unsigned long long fingerprint = 0x542d65961d23c089ULL ^ torsor::support_fingerprint;
+  static constexpr unsigned long long fingerprint = 0x4c3b74908cb930baULL ^ torsor::support_fingerprint;
   static constexpr int coordinate_count = 3;
   static constexpr int velocity_count = 3;
   static constexpr int input_count = 3;

@@ -43,15 +43,17 @@ struct Description {
   static constexpr std::array<torsor::QuantityDescription, 0> inputs{};
   static constexpr std::array<torsor::QuantityDescription, 0> multipliers{};
   static constexpr std::array<torsor::QuantityDescription, 1> parameters{{{"V", "m/s"}}};
-  static constexpr std::array<torsor::ResultDescription, 27> results{{{"result", "trunk_position", 3, 1}, {"result",
-      "trunk_rotation", 3, 3}, {"result", "trunk_velocity", 3, 1}, {"result", "trunk_angular_velocity", 3, 1},
-      {"result", "head_position", 3, 1}, {"result", "head_rotation", 3, 3}, {"result", "head_velocity", 3, 1},
-      {"result", "head_angular_velocity", 3, 1}, {"result", "I_position", 3, 1}, {"result", "I_velocity", 3, 1},
-      {"result", "I_jacobian", 3, 2}, {"result", "K_position", 3, 1}, {"result", "K_velocity", 3, 1}, {"result",
-      "K_jacobian", 3, 2}, {"mass", "", 2, 2}, {"forces", "", 2, 1}, {"forces", "", 2, 1}, {"accelerations", "", 2, 1},
-      {"multipliers", "", 0, 1}, {"result", "kinetic", 1, 1}, {"result", "force_function", 1, 1}, {"result", "power", 1,
-      1}, {"result", "M", 2, 2}, {"result", "C", 2, 2}, {"result", "K", 2, 2}, {"result", "F", 2, 1}, {"result", "A", 4,
-      4}}};
+  static constexpr std::array<torsor::ResultDescription, 27> results{{{"result", "trunk_position", 3, 1, 1, "m"},
+      {"result", "trunk_rotation", 3, 3, 2, "1"}, {"result", "trunk_velocity", 3, 1, 1, "m/s"}, {"result",
+      "trunk_angular_velocity", 3, 1, 1, "rad/s"}, {"result", "head_position", 3, 1, 1, "m"}, {"result",
+      "head_rotation", 3, 3, 2, "1"}, {"result", "head_velocity", 3, 1, 1, "m/s"}, {"result", "head_angular_velocity",
+      3, 1, 1, "rad/s"}, {"result", "I_position", 3, 1, 1, "m"}, {"result", "I_velocity", 3, 1, 1, "m/s"}, {"result",
+      "I_jacobian", 3, 2, 2, ""}, {"result", "K_position", 3, 1, 1, "m"}, {"result", "K_velocity", 3, 1, 1, "m/s"},
+      {"result", "K_jacobian", 3, 2, 2, "m"}, {"mass", "", 2, 2, 2, "kg m^2"}, {"forces", "", 2, 1, 1, "N m"},
+      {"forces", "", 2, 1, 1, "N m"}, {"accelerations", "", 2, 1, 1, "rad/s^2"}, {"multipliers", "", 0, 1, 1, ""},
+      {"result", "kinetic", 1, 1, 0, "J"}, {"result", "force_function", 1, 1, 0, "J"}, {"result", "power", 1, 1, 0,
+      "W"}, {"result", "M", 2, 2, 2, "kg m^2"}, {"result", "C", 2, 2, 2, "N m s"}, {"result", "K", 2, 2, 2, "N m"},
+      {"result", "F", 2, 1, 1, "N m"}, {"result", "A", 4, 4, 2, ""}}};
   static constexpr std::array<torsor::KernelDescription, 7> kernels{{{"kinematics", false, false, false, false,
       results.data() + 0, 14}, {"mass_matrix", false, false, false, false, results.data() + 14, 1}, {"bias", false,
       false, false, false, results.data() + 15, 1}, {"inverse_dynamics", true, true, false, false, results.data() + 16,
@@ -68,7 +70,7 @@ struct Mechanism {
 
   static constexpr const char* name = "passenger_in_vehicle";
   /// 64 bits (FNV-1a) of this file from "#pragma once" on, with zeros in their own place: another mechanism, other bits.
-  static constexpr unsigned long long fingerprint = 0xb652fc1e29c27bb5ULL ^ torsor::support_fingerprint;
+  static constexpr unsigned long long fingerprint = 0x7cb28df20403997bULL ^ torsor::support_fingerprint;
   static constexpr int coordinate_count = 2;
   static constexpr int velocity_count = 2;
   static constexpr int input_count = 0;

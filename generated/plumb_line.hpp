@@ -45,14 +45,16 @@ struct Description {
   static constexpr std::array<torsor::QuantityDescription, 0> inputs{};
   static constexpr std::array<torsor::QuantityDescription, 0> multipliers{};
   static constexpr std::array<torsor::QuantityDescription, 2> parameters{{{"r", "m"}, {"latitude", "1"}}};
-  static constexpr std::array<torsor::ResultDescription, 25> results{{{"result", "bob_position", 3, 1}, {"result",
-      "bob_rotation", 3, 3}, {"result", "bob_velocity", 3, 1}, {"result", "bob_angular_velocity", 3, 1}, {"result",
-      "O_position", 3, 1}, {"result", "O_velocity", 3, 1}, {"result", "O_jacobian", 3, 2}, {"result", "G_position", 3,
-      1}, {"result", "G_velocity", 3, 1}, {"result", "G_jacobian", 3, 2}, {"mass", "", 2, 2}, {"forces", "", 2, 1},
-      {"forces", "", 2, 1}, {"accelerations", "", 2, 1}, {"multipliers", "", 0, 1}, {"result", "kinetic", 1, 1},
-      {"result", "force_function", 1, 1}, {"result", "power", 1, 1}, {"result", "painleve", 1, 1}, {"result", "tension",
-      1, 1}, {"result", "M", 2, 2}, {"result", "C", 2, 2}, {"result", "K", 2, 2}, {"result", "F", 2, 1}, {"result", "A",
-      4, 4}}};
+  static constexpr std::array<torsor::ResultDescription, 25> results{{{"result", "bob_position", 3, 1, 1, "m"},
+      {"result", "bob_rotation", 3, 3, 2, "1"}, {"result", "bob_velocity", 3, 1, 1, "m/s"}, {"result",
+      "bob_angular_velocity", 3, 1, 1, "rad/s"}, {"result", "O_position", 3, 1, 1, "m"}, {"result", "O_velocity", 3, 1,
+      1, "m/s"}, {"result", "O_jacobian", 3, 2, 2, ""}, {"result", "G_position", 3, 1, 1, "m"}, {"result", "G_velocity",
+      3, 1, 1, "m/s"}, {"result", "G_jacobian", 3, 2, 2, "m"}, {"mass", "", 2, 2, 2, "kg m^2"}, {"forces", "", 2, 1, 1,
+      "N m"}, {"forces", "", 2, 1, 1, "N m"}, {"accelerations", "", 2, 1, 1, "rad/s^2"}, {"multipliers", "", 0, 1, 1,
+      ""}, {"result", "kinetic", 1, 1, 0, "J"}, {"result", "force_function", 1, 1, 0, "J"}, {"result", "power", 1, 1, 0,
+      "W"}, {"result", "painleve", 1, 1, 0, "J"}, {"result", "tension", 1, 1, 0, "kg m s^-2"}, {"result", "M", 2, 2, 2,
+      "kg m^2"}, {"result", "C", 2, 2, 2, "N m s"}, {"result", "K", 2, 2, 2, "N m"}, {"result", "F", 2, 1, 1, "N m"},
+      {"result", "A", 4, 4, 2, ""}}};
   static constexpr std::array<torsor::KernelDescription, 9> kernels{{{"kinematics", false, false, false, false,
       results.data() + 0, 10}, {"mass_matrix", false, false, false, false, results.data() + 10, 1}, {"bias", false,
       false, false, false, results.data() + 11, 1}, {"inverse_dynamics", true, true, false, false, results.data() + 12,
@@ -71,7 +73,7 @@ struct Mechanism {
 
   static constexpr const char* name = "plumb_line";
   /// 64 bits (FNV-1a) of this file from "#pragma once" on, with zeros in their own place: another mechanism, other bits.
-  static constexpr unsigned long long fingerprint = 0xbf9c53c8869961e5ULL ^ torsor::support_fingerprint;
+  static constexpr unsigned long long fingerprint = 0x722a23c97bc42969ULL ^ torsor::support_fingerprint;
   static constexpr int coordinate_count = 2;
   static constexpr int velocity_count = 2;
   static constexpr int input_count = 0;

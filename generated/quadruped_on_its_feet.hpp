@@ -57,12 +57,17 @@ struct Description {
   static constexpr std::array<torsor::QuantityDescription, 0> multipliers{};
   static constexpr std::array<torsor::QuantityDescription, 2> parameters{{{"ground_friction", "1"},
       {"ground_restitution", "1"}}};
-  static constexpr std::array<torsor::ResultDescription, 17> results{{{"rates", "", 19, 1}, {"mass", "", 18, 18},
-      {"forces", "", 18, 1}, {"accelerations", "", 18, 1}, {"multipliers", "", 0, 1}, {"result", "kinetic", 1, 1},
-      {"result", "force_function", 1, 1}, {"result", "power", 1, 1}, {"result", "gap", 4, 1}, {"result", "rate", 12, 1},
-      {"result", "jacobian", 12, 18}, {"result", "drift", 12, 1}, {"result", "friction", 4, 1}, {"result",
-      "static_friction", 4, 1}, {"result", "restitution", 4, 1}, {"result", "bound", 4, 1}, {"result", "static_bound",
-      4, 1}}};
+  static constexpr std::array<torsor::ResultDescription, 17> results{{{"rates", "", 19, 1, 1,
+      "m/s, m/s, m/s, rad/s, rad/s, rad/s, rad/s, rad/s, rad/s, rad/s, rad/s, rad/s, rad/s, rad/s, rad/s, rad/s, rad/s, rad/s, rad/s"},
+      {"mass", "", 18, 18, 2, ""}, {"forces", "", 18, 1, 1,
+      "N, N, N, N m, N m, N m, N m, N m, N m, N m, N m, N m, N m, N m, N m, N m, N m, N m"}, {"accelerations", "", 18,
+      1, 1,
+      "m/s^2, m/s^2, m/s^2, rad/s^2, rad/s^2, rad/s^2, rad/s^2, rad/s^2, rad/s^2, rad/s^2, rad/s^2, rad/s^2, rad/s^2, rad/s^2, rad/s^2, rad/s^2, rad/s^2, rad/s^2"},
+      {"multipliers", "", 0, 1, 1, ""}, {"result", "kinetic", 1, 1, 0, "J"}, {"result", "force_function", 1, 1, 0, "J"},
+      {"result", "power", 1, 1, 0, "W"}, {"result", "gap", 4, 1, 1, "m"}, {"result", "rate", 12, 1, 1, "m/s"},
+      {"result", "jacobian", 12, 18, 2, ""}, {"result", "drift", 12, 1, 1, "m/s^2"}, {"result", "friction", 4, 1, 1,
+      "1"}, {"result", "static_friction", 4, 1, 1, "1"}, {"result", "restitution", 4, 1, 1, "1"}, {"result", "bound", 4,
+      1, 1, ""}, {"result", "static_bound", 4, 1, 1, ""}}};
   static constexpr std::array<torsor::KernelDescription, 7> kernels{{{"coordinate_rates", false, false, false, false,
       results.data() + 0, 1}, {"mass_matrix", false, false, false, false, results.data() + 1, 1}, {"bias", false, false,
       false, false, results.data() + 2, 1}, {"forward_dynamics", false, false, true, true, results.data() + 3, 2},
@@ -79,7 +84,7 @@ struct Mechanism {
 
   static constexpr const char* name = "quadruped_on_its_feet";
   /// 64 bits (FNV-1a) of this file from "#pragma once" on, with zeros in their own place: another mechanism, other bits.
-  static constexpr unsigned long long fingerprint = 0xba060226454c8aecULL ^ torsor::support_fingerprint;
+  static constexpr unsigned long long fingerprint = 0xf76f4af50ab285d3ULL ^ torsor::support_fingerprint;
   static constexpr int coordinate_count = 19;
   static constexpr int velocity_count = 18;
   static constexpr int input_count = 12;

@@ -61,19 +61,23 @@ struct Description {
   static constexpr std::array<torsor::QuantityDescription, 2> multipliers{{{"lambda_along_x1", "N"}, {"lambda_along_y1",
       "N"}}};
   static constexpr std::array<torsor::QuantityDescription, 2> parameters{{{"A", "kg m^2"}, {"C", "kg m^2"}}};
-  static constexpr std::array<torsor::ResultDescription, 42> results{{{"result", "hoop_position", 3, 1}, {"result",
-      "hoop_rotation", 3, 3}, {"result", "hoop_velocity", 3, 1}, {"result", "hoop_angular_velocity", 3, 1}, {"result",
-      "I_position", 3, 1}, {"result", "I_velocity", 3, 1}, {"result", "I_jacobian", 3, 5}, {"mass", "", 5, 5},
-      {"forces", "", 5, 1}, {"forces", "", 5, 1}, {"accelerations", "", 5, 1}, {"multipliers", "", 2, 1}, {"result",
-      "kinetic", 1, 1}, {"result", "force_function", 1, 1}, {"result", "power", 1, 1}, {"result", "energy", 1, 1},
-      {"result", "value", 2, 1}, {"result", "rate", 2, 1}, {"result", "jacobian", 2, 5}, {"result", "gamma", 2, 1},
-      {"result", "M", 5, 5}, {"result", "C", 5, 5}, {"result", "K", 5, 5}, {"result", "F", 5, 1}, {"result", "M_r", 3,
-      3}, {"result", "C_r", 3, 3}, {"result", "K_r", 3, 5}, {"result", "F_r", 3, 1}, {"result", "A", 8, 8}, {"result",
-      "by_position", 5, 5}, {"result", "by_velocity", 5, 5}, {"result", "by_position", 5, 5}, {"result", "by_velocity",
-      5, 5}, {"result", "by_force", 5, 5}, {"result", "multipliers_by_position", 2, 5}, {"result",
-      "multipliers_by_velocity", 2, 5}, {"result", "multipliers_by_force", 2, 5}, {"coefficients", "", 10, 0},
-      {"result", "values", 7, 1}, {"result", "by_parameter", 5, 2}, {"result", "by_parameter", 5, 2}, {"result",
-      "multipliers_by_parameter", 2, 2}}};
+  static constexpr std::array<torsor::ResultDescription, 42> results{{{"result", "hoop_position", 3, 1, 1, "m"},
+      {"result", "hoop_rotation", 3, 3, 2, "1"}, {"result", "hoop_velocity", 3, 1, 1, "m/s"}, {"result",
+      "hoop_angular_velocity", 3, 1, 1, "rad/s"}, {"result", "I_position", 3, 1, 1, "m"}, {"result", "I_velocity", 3, 1,
+      1, "m/s"}, {"result", "I_jacobian", 3, 5, 2, ""}, {"mass", "", 5, 5, 2, ""}, {"forces", "", 5, 1, 1, "N m"},
+      {"forces", "", 5, 1, 1, "N, N, N m, N m, N m"}, {"accelerations", "", 5, 1, 1,
+      "m/s^2, m/s^2, rad/s^2, rad/s^2, rad/s^2"}, {"multipliers", "", 2, 1, 1, "N"}, {"result", "kinetic", 1, 1, 0,
+      "J"}, {"result", "force_function", 1, 1, 0, "J"}, {"result", "power", 1, 1, 0, "W"}, {"result", "energy", 1, 1, 0,
+      "J"}, {"result", "value", 2, 1, 1, ""}, {"result", "rate", 2, 1, 1, "m/s"}, {"result", "jacobian", 2, 5, 2, ""},
+      {"result", "gamma", 2, 1, 1, "m/s^2"}, {"result", "M", 5, 5, 2, ""}, {"result", "C", 5, 5, 2, "N m s"}, {"result",
+      "K", 5, 5, 2, ""}, {"result", "F", 5, 1, 1, "N, N, N m, N m, N m"}, {"result", "M_r", 3, 3, 2, ""}, {"result",
+      "C_r", 3, 3, 2, ""}, {"result", "K_r", 3, 5, 2, ""}, {"result", "F_r", 3, 1, 1, "N, N m, N m"}, {"result", "A", 8,
+      8, 2, ""}, {"result", "by_position", 5, 5, 2, ""}, {"result", "by_velocity", 5, 5, 2, "N m s"}, {"result",
+      "by_position", 5, 5, 2, ""}, {"result", "by_velocity", 5, 5, 2, ""}, {"result", "by_force", 5, 5, 2, ""},
+      {"result", "multipliers_by_position", 2, 5, 2, "N"}, {"result", "multipliers_by_velocity", 2, 5, 2, ""},
+      {"result", "multipliers_by_force", 2, 5, 2, ""}, {"coefficients", "", 10, 0, 2, ""}, {"result", "values", 7, 1, 1,
+      "1, 1, m, m, 1, 1, m"}, {"result", "by_parameter", 5, 2, 2, "rad/s^2"}, {"result", "by_parameter", 5, 2, 2, ""},
+      {"result", "multipliers_by_parameter", 2, 2, 2, "1/m/s^2"}}};
   static constexpr std::array<torsor::KernelDescription, 15> kernels{{{"kinematics", false, false, false, false,
       results.data() + 0, 7}, {"mass_matrix", false, false, false, false, results.data() + 7, 1}, {"bias", false, false,
       false, false, results.data() + 8, 1}, {"inverse_dynamics", true, true, false, false, results.data() + 9, 1},
@@ -96,7 +100,7 @@ struct Mechanism {
 
   static constexpr const char* name = "rolling_hoop";
   /// 64 bits (FNV-1a) of this file from "#pragma once" on, with zeros in their own place: another mechanism, other bits.
-  static constexpr unsigned long long fingerprint = 0x672a25021d849355ULL ^ torsor::support_fingerprint;
+  static constexpr unsigned long long fingerprint = 0x95f80c535bdbb32cULL ^ torsor::support_fingerprint;
   static constexpr int coordinate_count = 5;
   static constexpr int velocity_count = 5;
   static constexpr int input_count = 0;

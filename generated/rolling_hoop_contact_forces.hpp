@@ -49,14 +49,18 @@ struct Description {
   static constexpr std::array<torsor::QuantityDescription, 0> inputs{};
   static constexpr std::array<torsor::QuantityDescription, 3> multipliers{{{"X_F", "N"}, {"Y_F", "N"}, {"N", "N"}}};
   static constexpr std::array<torsor::QuantityDescription, 2> parameters{{{"A", "kg m^2"}, {"C", "kg m^2"}}};
-  static constexpr std::array<torsor::ResultDescription, 29> results{{{"result", "hoop_position", 3, 1}, {"result",
-      "hoop_rotation", 3, 3}, {"result", "hoop_velocity", 3, 1}, {"result", "hoop_angular_velocity", 3, 1}, {"result",
-      "I_position", 3, 1}, {"result", "I_velocity", 3, 1}, {"result", "I_jacobian", 3, 6}, {"mass", "", 6, 6},
-      {"forces", "", 6, 1}, {"forces", "", 6, 1}, {"accelerations", "", 6, 1}, {"multipliers", "", 3, 1}, {"result",
-      "kinetic", 1, 1}, {"result", "force_function", 1, 1}, {"result", "power", 1, 1}, {"result", "energy", 1, 1},
-      {"result", "value", 3, 1}, {"result", "rate", 3, 1}, {"result", "jacobian", 3, 6}, {"result", "gamma", 3, 1},
-      {"result", "M", 6, 6}, {"result", "C", 6, 6}, {"result", "K", 6, 6}, {"result", "F", 6, 1}, {"result", "M_r", 3,
-      3}, {"result", "C_r", 3, 3}, {"result", "K_r", 3, 5}, {"result", "F_r", 3, 1}, {"result", "A", 8, 8}}};
+  static constexpr std::array<torsor::ResultDescription, 29> results{{{"result", "hoop_position", 3, 1, 1, "m"},
+      {"result", "hoop_rotation", 3, 3, 2, "1"}, {"result", "hoop_velocity", 3, 1, 1, "m/s"}, {"result",
+      "hoop_angular_velocity", 3, 1, 1, "rad/s"}, {"result", "I_position", 3, 1, 1, "m"}, {"result", "I_velocity", 3, 1,
+      1, "m/s"}, {"result", "I_jacobian", 3, 6, 2, ""}, {"mass", "", 6, 6, 2, ""}, {"forces", "", 6, 1, 1,
+      "0, 0, N, N m, N m, N m"}, {"forces", "", 6, 1, 1, "N, N, N, N m, N m, N m"}, {"accelerations", "", 6, 1, 1,
+      "m/s^2, m/s^2, m/s^2, rad/s^2, rad/s^2, rad/s^2"}, {"multipliers", "", 3, 1, 1, "N"}, {"result", "kinetic", 1, 1,
+      0, "J"}, {"result", "force_function", 1, 1, 0, "J"}, {"result", "power", 1, 1, 0, "W"}, {"result", "energy", 1, 1,
+      0, "J"}, {"result", "value", 3, 1, 1, "m"}, {"result", "rate", 3, 1, 1, "m/s"}, {"result", "jacobian", 3, 6, 2,
+      ""}, {"result", "gamma", 3, 1, 1, "m/s^2"}, {"result", "M", 6, 6, 2, ""}, {"result", "C", 6, 6, 2, "N m s"},
+      {"result", "K", 6, 6, 2, ""}, {"result", "F", 6, 1, 1, "N, N, N, N m, N m, N m"}, {"result", "M_r", 3, 3, 2, ""},
+      {"result", "C_r", 3, 3, 2, ""}, {"result", "K_r", 3, 5, 2, ""}, {"result", "F_r", 3, 1, 1, "N, N m, N m"},
+      {"result", "A", 8, 8, 2, ""}}};
   static constexpr std::array<torsor::KernelDescription, 9> kernels{{{"kinematics", false, false, false, false,
       results.data() + 0, 7}, {"mass_matrix", false, false, false, false, results.data() + 7, 1}, {"bias", false, false,
       false, false, results.data() + 8, 1}, {"inverse_dynamics", true, true, false, false, results.data() + 9, 1},
@@ -75,7 +79,7 @@ struct Mechanism {
 
   static constexpr const char* name = "rolling_hoop_contact_forces";
   /// 64 bits (FNV-1a) of this file from "#pragma once" on, with zeros in their own place: another mechanism, other bits.
-  static constexpr unsigned long long fingerprint = 0x4d2b0211bf4be4eaULL ^ torsor::support_fingerprint;
+  static constexpr unsigned long long fingerprint = 0xedef48f21f9cf777ULL ^ torsor::support_fingerprint;
   static constexpr int coordinate_count = 6;
   static constexpr int velocity_count = 6;
   static constexpr int input_count = 0;

@@ -45,17 +45,20 @@ struct Description {
   static constexpr std::array<torsor::QuantityDescription, 2> inputs{{{"Cm2", "N m"}, {"Cm3", "N m"}}};
   static constexpr std::array<torsor::QuantityDescription, 0> multipliers{};
   static constexpr std::array<torsor::QuantityDescription, 0> parameters{};
-  static constexpr std::array<torsor::ResultDescription, 37> results{{{"result", "S1_position", 3, 1}, {"result",
-      "S1_rotation", 3, 3}, {"result", "S1_velocity", 3, 1}, {"result", "S1_angular_velocity", 3, 1}, {"result",
-      "S2_position", 3, 1}, {"result", "S2_rotation", 3, 3}, {"result", "S2_velocity", 3, 1}, {"result",
-      "S2_angular_velocity", 3, 1}, {"result", "S3_position", 3, 1}, {"result", "S3_rotation", 3, 3}, {"result",
-      "S3_velocity", 3, 1}, {"result", "S3_angular_velocity", 3, 1}, {"result", "O_position", 3, 1}, {"result",
-      "O_velocity", 3, 1}, {"result", "O_jacobian", 3, 3}, {"result", "O2_position", 3, 1}, {"result", "O2_velocity", 3,
-      1}, {"result", "O2_jacobian", 3, 3}, {"result", "O3_position", 3, 1}, {"result", "O3_velocity", 3, 1}, {"result",
-      "O3_jacobian", 3, 3}, {"mass", "", 3, 3}, {"forces", "", 3, 1}, {"forces", "", 3, 1}, {"accelerations", "", 3, 1},
-      {"multipliers", "", 0, 1}, {"result", "kinetic", 1, 1}, {"result", "force_function", 1, 1}, {"result", "power", 1,
-      1}, {"result", "momentum_psi", 1, 1}, {"result", "M", 3, 3}, {"result", "C", 3, 3}, {"result", "K", 3, 3},
-      {"result", "F", 3, 1}, {"result", "E", 3, 2}, {"result", "A", 6, 6}, {"result", "B", 6, 2}}};
+  static constexpr std::array<torsor::ResultDescription, 37> results{{{"result", "S1_position", 3, 1, 1, "m"},
+      {"result", "S1_rotation", 3, 3, 2, "1"}, {"result", "S1_velocity", 3, 1, 1, "m/s"}, {"result",
+      "S1_angular_velocity", 3, 1, 1, "rad/s"}, {"result", "S2_position", 3, 1, 1, "m"}, {"result", "S2_rotation", 3, 3,
+      2, "1"}, {"result", "S2_velocity", 3, 1, 1, "m/s"}, {"result", "S2_angular_velocity", 3, 1, 1, "rad/s"},
+      {"result", "S3_position", 3, 1, 1, "m"}, {"result", "S3_rotation", 3, 3, 2, "1"}, {"result", "S3_velocity", 3, 1,
+      1, "m/s"}, {"result", "S3_angular_velocity", 3, 1, 1, "rad/s"}, {"result", "O_position", 3, 1, 1, "m"}, {"result",
+      "O_velocity", 3, 1, 1, "m/s"}, {"result", "O_jacobian", 3, 3, 2, ""}, {"result", "O2_position", 3, 1, 1, "m"},
+      {"result", "O2_velocity", 3, 1, 1, "m/s"}, {"result", "O2_jacobian", 3, 3, 2, "m"}, {"result", "O3_position", 3,
+      1, 1, "m"}, {"result", "O3_velocity", 3, 1, 1, "m/s"}, {"result", "O3_jacobian", 3, 3, 2, "m"}, {"mass", "", 3, 3,
+      2, "kg m^2"}, {"forces", "", 3, 1, 1, "N m"}, {"forces", "", 3, 1, 1, "N m"}, {"accelerations", "", 3, 1, 1,
+      "rad/s^2"}, {"multipliers", "", 0, 1, 1, ""}, {"result", "kinetic", 1, 1, 0, "J"}, {"result", "force_function", 1,
+      1, 0, "J"}, {"result", "power", 1, 1, 0, "W"}, {"result", "momentum_psi", 1, 1, 0, "kg m^2 s^-1"}, {"result", "M",
+      3, 3, 2, "kg m^2"}, {"result", "C", 3, 3, 2, "N m s"}, {"result", "K", 3, 3, 2, "N m"}, {"result", "F", 3, 1, 1,
+      "N m"}, {"result", "E", 3, 2, 2, "1"}, {"result", "A", 6, 6, 2, ""}, {"result", "B", 6, 2, 2, "1/kg/m^2"}}};
   static constexpr std::array<torsor::KernelDescription, 8> kernels{{{"kinematics", false, false, false, false,
       results.data() + 0, 21}, {"mass_matrix", false, false, false, false, results.data() + 21, 1}, {"bias", false,
       false, false, false, results.data() + 22, 1}, {"inverse_dynamics", true, true, false, false, results.data() + 23,
@@ -73,7 +76,7 @@ struct Mechanism {
 
   static constexpr const char* name = "satellite_arms";
   /// 64 bits (FNV-1a) of this file from "#pragma once" on, with zeros in their own place: another mechanism, other bits.
-  static constexpr unsigned long long fingerprint = 0xe02203d1fba449d4ULL ^ torsor::support_fingerprint;
+  static constexpr unsigned long long fingerprint = 0x148f1d3aa812751dULL ^ torsor::support_fingerprint;
   static constexpr int coordinate_count = 3;
   static constexpr int velocity_count = 3;
   static constexpr int input_count = 2;

@@ -46,14 +46,16 @@ struct Description {
   static constexpr std::array<torsor::QuantityDescription, 0> inputs{};
   static constexpr std::array<torsor::QuantityDescription, 0> multipliers{};
   static constexpr std::array<torsor::QuantityDescription, 0> parameters{};
-  static constexpr std::array<torsor::ResultDescription, 25> results{{{"result", "rod_position", 3, 1}, {"result",
-      "rod_rotation", 3, 3}, {"result", "rod_velocity", 3, 1}, {"result", "rod_angular_velocity", 3, 1}, {"result",
-      "A_position", 3, 1}, {"result", "A_velocity", 3, 1}, {"result", "A_jacobian", 3, 3}, {"result", "B_position", 3,
-      1}, {"result", "B_velocity", 3, 1}, {"result", "B_jacobian", 3, 3}, {"mass", "", 3, 3}, {"forces", "", 3, 1},
-      {"forces", "", 3, 1}, {"accelerations", "", 3, 1}, {"multipliers", "", 0, 1}, {"result", "kinetic", 1, 1},
-      {"result", "force_function", 1, 1}, {"result", "power", 1, 1}, {"result", "energy", 1, 1}, {"result",
-      "momentum_psi", 1, 1}, {"result", "M", 3, 3}, {"result", "C", 3, 3}, {"result", "K", 3, 3}, {"result", "F", 3, 1},
-      {"result", "A", 6, 6}}};
+  static constexpr std::array<torsor::ResultDescription, 25> results{{{"result", "rod_position", 3, 1, 1, "m"},
+      {"result", "rod_rotation", 3, 3, 2, "1"}, {"result", "rod_velocity", 3, 1, 1, "m/s"}, {"result",
+      "rod_angular_velocity", 3, 1, 1, "rad/s"}, {"result", "A_position", 3, 1, 1, "m"}, {"result", "A_velocity", 3, 1,
+      1, "m/s"}, {"result", "A_jacobian", 3, 3, 2, "m"}, {"result", "B_position", 3, 1, 1, "m"}, {"result",
+      "B_velocity", 3, 1, 1, "m/s"}, {"result", "B_jacobian", 3, 3, 2, "m"}, {"mass", "", 3, 3, 2, "kg m^2"}, {"forces",
+      "", 3, 1, 1, "N m"}, {"forces", "", 3, 1, 1, "N m"}, {"accelerations", "", 3, 1, 1, "rad/s^2"}, {"multipliers",
+      "", 0, 1, 1, ""}, {"result", "kinetic", 1, 1, 0, "J"}, {"result", "force_function", 1, 1, 0, "J"}, {"result",
+      "power", 1, 1, 0, "W"}, {"result", "energy", 1, 1, 0, "J"}, {"result", "momentum_psi", 1, 1, 0, "kg m^2 s^-1"},
+      {"result", "M", 3, 3, 2, "kg m^2"}, {"result", "C", 3, 3, 2, "N m s"}, {"result", "K", 3, 3, 2, "N m"}, {"result",
+      "F", 3, 1, 1, "N m"}, {"result", "A", 6, 6, 2, ""}}};
   static constexpr std::array<torsor::KernelDescription, 8> kernels{{{"kinematics", false, false, false, false,
       results.data() + 0, 10}, {"mass_matrix", false, false, false, false, results.data() + 10, 1}, {"bias", false,
       false, false, false, results.data() + 11, 1}, {"inverse_dynamics", true, true, false, false, results.data() + 12,
@@ -71,7 +73,7 @@ struct Mechanism {
 
   static constexpr const char* name = "segment_in_sphere";
   /// 64 bits (FNV-1a) of this file from "#pragma once" on, with zeros in their own place: another mechanism, other bits.
-  static constexpr unsigned long long fingerprint = 0x275bb040aa628bb1ULL ^ torsor::support_fingerprint;
+  static constexpr unsigned long long fingerprint = 0x6d02859aa0143dd1ULL ^ torsor::support_fingerprint;
   static constexpr int coordinate_count = 3;
   static constexpr int velocity_count = 3;
   static constexpr int input_count = 0;

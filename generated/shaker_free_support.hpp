@@ -43,15 +43,17 @@ struct Description {
   static constexpr std::array<torsor::QuantityDescription, 0> inputs{};
   static constexpr std::array<torsor::QuantityDescription, 0> multipliers{};
   static constexpr std::array<torsor::QuantityDescription, 0> parameters{};
-  static constexpr std::array<torsor::ResultDescription, 28> results{{{"result", "support_position", 3, 1}, {"result",
-      "support_rotation", 3, 3}, {"result", "support_velocity", 3, 1}, {"result", "support_angular_velocity", 3, 1},
-      {"result", "mass_position", 3, 1}, {"result", "mass_rotation", 3, 3}, {"result", "mass_velocity", 3, 1},
-      {"result", "mass_angular_velocity", 3, 1}, {"result", "H_position", 3, 1}, {"result", "H_velocity", 3, 1},
-      {"result", "H_jacobian", 3, 2}, {"result", "P_position", 3, 1}, {"result", "P_velocity", 3, 1}, {"result",
-      "P_jacobian", 3, 2}, {"mass", "", 2, 2}, {"forces", "", 2, 1}, {"forces", "", 2, 1}, {"accelerations", "", 2, 1},
-      {"multipliers", "", 0, 1}, {"result", "kinetic", 1, 1}, {"result", "force_function", 1, 1}, {"result", "power", 1,
-      1}, {"result", "energy", 1, 1}, {"result", "M", 2, 2}, {"result", "C", 2, 2}, {"result", "K", 2, 2}, {"result",
-      "F", 2, 1}, {"result", "A", 4, 4}}};
+  static constexpr std::array<torsor::ResultDescription, 28> results{{{"result", "support_position", 3, 1, 1, "m"},
+      {"result", "support_rotation", 3, 3, 2, "1"}, {"result", "support_velocity", 3, 1, 1, "m/s"}, {"result",
+      "support_angular_velocity", 3, 1, 1, "rad/s"}, {"result", "mass_position", 3, 1, 1, "m"}, {"result",
+      "mass_rotation", 3, 3, 2, "1"}, {"result", "mass_velocity", 3, 1, 1, "m/s"}, {"result", "mass_angular_velocity",
+      3, 1, 1, "rad/s"}, {"result", "H_position", 3, 1, 1, "m"}, {"result", "H_velocity", 3, 1, 1, "m/s"}, {"result",
+      "H_jacobian", 3, 2, 2, "1"}, {"result", "P_position", 3, 1, 1, "m"}, {"result", "P_velocity", 3, 1, 1, "m/s"},
+      {"result", "P_jacobian", 3, 2, 2, "1"}, {"mass", "", 2, 2, 2, "kg"}, {"forces", "", 2, 1, 1, "N"}, {"forces", "",
+      2, 1, 1, "N"}, {"accelerations", "", 2, 1, 1, "m/s^2"}, {"multipliers", "", 0, 1, 1, ""}, {"result", "kinetic", 1,
+      1, 0, "J"}, {"result", "force_function", 1, 1, 0, "J"}, {"result", "power", 1, 1, 0, "W"}, {"result", "energy", 1,
+      1, 0, "J"}, {"result", "M", 2, 2, 2, "kg"}, {"result", "C", 2, 2, 2, ""}, {"result", "K", 2, 2, 2, "N/m"},
+      {"result", "F", 2, 1, 1, "N"}, {"result", "A", 4, 4, 2, ""}}};
   static constexpr std::array<torsor::KernelDescription, 8> kernels{{{"kinematics", false, false, false, false,
       results.data() + 0, 14}, {"mass_matrix", false, false, false, false, results.data() + 14, 1}, {"bias", false,
       false, false, false, results.data() + 15, 1}, {"inverse_dynamics", true, true, false, false, results.data() + 16,
@@ -69,7 +71,7 @@ struct Mechanism {
 
   static constexpr const char* name = "shaker_free_support";
   /// 64 bits (FNV-1a) of this file from "#pragma once" on, with zeros in their own place: another mechanism, other bits.
-  static constexpr unsigned long long fingerprint = 0xa15313098d6597ceULL ^ torsor::support_fingerprint;
+  static constexpr unsigned long long fingerprint = 0xfd5885d5f74a5e53ULL ^ torsor::support_fingerprint;
   static constexpr int coordinate_count = 2;
   static constexpr int velocity_count = 2;
   static constexpr int input_count = 0;

@@ -43,11 +43,13 @@ struct Description {
   static constexpr std::array<torsor::QuantityDescription, 0> inputs{};
   static constexpr std::array<torsor::QuantityDescription, 0> multipliers{};
   static constexpr std::array<torsor::QuantityDescription, 1> parameters{{{"omega", "rad/s"}}};
-  static constexpr std::array<torsor::ResultDescription, 17> results{{{"result", "mass_position", 3, 1}, {"result",
-      "mass_rotation", 3, 3}, {"result", "mass_velocity", 3, 1}, {"result", "mass_angular_velocity", 3, 1}, {"mass", "",
-      1, 1}, {"forces", "", 1, 1}, {"forces", "", 1, 1}, {"accelerations", "", 1, 1}, {"multipliers", "", 0, 1},
-      {"result", "kinetic", 1, 1}, {"result", "force_function", 1, 1}, {"result", "power", 1, 1}, {"result", "M", 1, 1},
-      {"result", "C", 1, 1}, {"result", "K", 1, 1}, {"result", "F", 1, 1}, {"result", "A", 2, 2}}};
+  static constexpr std::array<torsor::ResultDescription, 17> results{{{"result", "mass_position", 3, 1, 1, "m"},
+      {"result", "mass_rotation", 3, 3, 2, "1"}, {"result", "mass_velocity", 3, 1, 1, "m/s"}, {"result",
+      "mass_angular_velocity", 3, 1, 1, "rad/s"}, {"mass", "", 1, 1, 2, "kg"}, {"forces", "", 1, 1, 1, "N"}, {"forces",
+      "", 1, 1, 1, "N"}, {"accelerations", "", 1, 1, 1, "m/s^2"}, {"multipliers", "", 0, 1, 1, ""}, {"result",
+      "kinetic", 1, 1, 0, "J"}, {"result", "force_function", 1, 1, 0, "J"}, {"result", "power", 1, 1, 0, "W"},
+      {"result", "M", 1, 1, 2, "kg"}, {"result", "C", 1, 1, 2, ""}, {"result", "K", 1, 1, 2, "N/m"}, {"result", "F", 1,
+      1, 1, "N"}, {"result", "A", 2, 2, 2, ""}}};
   static constexpr std::array<torsor::KernelDescription, 7> kernels{{{"kinematics", false, false, false, false,
       results.data() + 0, 4}, {"mass_matrix", false, false, false, false, results.data() + 4, 1}, {"bias", false, false,
       false, false, results.data() + 5, 1}, {"inverse_dynamics", true, true, false, false, results.data() + 6, 1},
@@ -64,7 +66,7 @@ struct Mechanism {
 
   static constexpr const char* name = "shaker_from_mass";
   /// 64 bits (FNV-1a) of this file from "#pragma once" on, with zeros in their own place: another mechanism, other bits.
-  static constexpr unsigned long long fingerprint = 0x8b426bd64a60f153ULL ^ torsor::support_fingerprint;
+  static constexpr unsigned long long fingerprint = 0x4a01d54ae5165073ULL ^ torsor::support_fingerprint;
   static constexpr int coordinate_count = 1;
   static constexpr int velocity_count = 1;
   static constexpr int input_count = 0;

@@ -45,14 +45,16 @@ struct Description {
   static constexpr std::array<torsor::QuantityDescription, 0> multipliers{};
   static constexpr std::array<torsor::QuantityDescription, 4> parameters{{{"k2", "N/m"}, {"c2", "N s/m"}, {"f", "N"},
       {"omega", "rad/s"}}};
-  static constexpr std::array<torsor::ResultDescription, 24> results{{{"result", "machine_position", 3, 1}, {"result",
-      "machine_rotation", 3, 3}, {"result", "machine_velocity", 3, 1}, {"result", "machine_angular_velocity", 3, 1},
-      {"result", "absorber_position", 3, 1}, {"result", "absorber_rotation", 3, 3}, {"result", "absorber_velocity", 3,
-      1}, {"result", "absorber_angular_velocity", 3, 1}, {"result", "A_position", 3, 1}, {"result", "A_velocity", 3, 1},
-      {"result", "A_jacobian", 3, 2}, {"mass", "", 2, 2}, {"forces", "", 2, 1}, {"forces", "", 2, 1}, {"accelerations",
-      "", 2, 1}, {"multipliers", "", 0, 1}, {"result", "kinetic", 1, 1}, {"result", "force_function", 1, 1}, {"result",
-      "power", 1, 1}, {"result", "M", 2, 2}, {"result", "C", 2, 2}, {"result", "K", 2, 2}, {"result", "F", 2, 1},
-      {"result", "A", 4, 4}}};
+  static constexpr std::array<torsor::ResultDescription, 24> results{{{"result", "machine_position", 3, 1, 1, "m"},
+      {"result", "machine_rotation", 3, 3, 2, "1"}, {"result", "machine_velocity", 3, 1, 1, "m/s"}, {"result",
+      "machine_angular_velocity", 3, 1, 1, "rad/s"}, {"result", "absorber_position", 3, 1, 1, "m"}, {"result",
+      "absorber_rotation", 3, 3, 2, "1"}, {"result", "absorber_velocity", 3, 1, 1, "m/s"}, {"result",
+      "absorber_angular_velocity", 3, 1, 1, "rad/s"}, {"result", "A_position", 3, 1, 1, "m"}, {"result", "A_velocity",
+      3, 1, 1, "m/s"}, {"result", "A_jacobian", 3, 2, 2, "1"}, {"mass", "", 2, 2, 2, "kg"}, {"forces", "", 2, 1, 1,
+      "N"}, {"forces", "", 2, 1, 1, "N"}, {"accelerations", "", 2, 1, 1, "m/s^2"}, {"multipliers", "", 0, 1, 1, ""},
+      {"result", "kinetic", 1, 1, 0, "J"}, {"result", "force_function", 1, 1, 0, "J"}, {"result", "power", 1, 1, 0,
+      "W"}, {"result", "M", 2, 2, 2, "kg"}, {"result", "C", 2, 2, 2, "N s/m"}, {"result", "K", 2, 2, 2, "N/m"},
+      {"result", "F", 2, 1, 1, "N"}, {"result", "A", 4, 4, 2, ""}}};
   static constexpr std::array<torsor::KernelDescription, 7> kernels{{{"kinematics", false, false, false, false,
       results.data() + 0, 11}, {"mass_matrix", false, false, false, false, results.data() + 11, 1}, {"bias", false,
       false, false, false, results.data() + 12, 1}, {"inverse_dynamics", true, true, false, false, results.data() + 13,
@@ -69,7 +71,7 @@ struct Mechanism {
 
   static constexpr const char* name = "sprung_absorber";
   /// 64 bits (FNV-1a) of this file from "#pragma once" on, with zeros in their own place: another mechanism, other bits.
-  static constexpr unsigned long long fingerprint = 0x2a65621262fb34f3ULL ^ torsor::support_fingerprint;
+  static constexpr unsigned long long fingerprint = 0x3a1e45b316c071baULL ^ torsor::support_fingerprint;
   static constexpr int coordinate_count = 2;
   static constexpr int velocity_count = 2;
   static constexpr int input_count = 0;

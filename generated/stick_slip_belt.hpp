@@ -40,11 +40,12 @@ struct Description {
   static constexpr std::array<torsor::QuantityDescription, 0> multipliers{};
   static constexpr std::array<torsor::QuantityDescription, 3> parameters{{{"v0", "m/s"}, {"f", "1"}, {"f_static",
       "1"}}};
-  static constexpr std::array<torsor::ResultDescription, 14> results{{{"mass", "", 2, 2}, {"forces", "", 2, 1},
-      {"result", "kinetic", 1, 1}, {"result", "force_function", 1, 1}, {"result", "power", 1, 1}, {"result", "gap", 1,
-      1}, {"result", "rate", 2, 1}, {"result", "jacobian", 2, 2}, {"result", "drift", 2, 1}, {"result", "friction", 1,
-      1}, {"result", "static_friction", 1, 1}, {"result", "restitution", 1, 1}, {"result", "bound", 1, 1}, {"result",
-      "static_bound", 1, 1}}};
+  static constexpr std::array<torsor::ResultDescription, 14> results{{{"mass", "", 2, 2, 2, "kg"}, {"forces", "", 2, 1,
+      1, "N"}, {"result", "kinetic", 1, 1, 0, "J"}, {"result", "force_function", 1, 1, 0, "J"}, {"result", "power", 1,
+      1, 0, "W"}, {"result", "gap", 1, 1, 1, "m"}, {"result", "rate", 2, 1, 1, "m/s"}, {"result", "jacobian", 2, 2, 2,
+      "1"}, {"result", "drift", 2, 1, 1, ""}, {"result", "friction", 1, 1, 1, "1"}, {"result", "static_friction", 1, 1,
+      1, "1"}, {"result", "restitution", 1, 1, 1, "1"}, {"result", "bound", 1, 1, 1, ""}, {"result", "static_bound", 1,
+      1, 1, ""}}};
   static constexpr std::array<torsor::KernelDescription, 5> kernels{{{"mass_matrix", false, false, false, false,
       results.data() + 0, 1}, {"bias", false, false, false, false, results.data() + 1, 1}, {"energy", false, false,
       true, false, results.data() + 2, 3}, {"contacts", false, false, false, false, results.data() + 5, 4},
@@ -60,7 +61,7 @@ struct Mechanism {
 
   static constexpr const char* name = "stick_slip_belt";
   /// 64 bits (FNV-1a) of this file from "#pragma once" on, with zeros in their own place: another mechanism, other bits.
-  static constexpr unsigned long long fingerprint = 0x613bee843875ac26ULL ^ torsor::support_fingerprint;
+  static constexpr unsigned long long fingerprint = 0xca9957d3d8861114ULL ^ torsor::support_fingerprint;
   static constexpr int coordinate_count = 2;
   static constexpr int velocity_count = 2;
   static constexpr int input_count = 0;

@@ -44,12 +44,13 @@ struct Description {
   static constexpr std::array<torsor::QuantityDescription, 0> inputs{};
   static constexpr std::array<torsor::QuantityDescription, 1> multipliers{{{"lambda_hinge_holds", "N"}}};
   static constexpr std::array<torsor::QuantityDescription, 2> parameters{{{"d", "m"}, {"e", "1"}}};
-  static constexpr std::array<torsor::ResultDescription, 18> results{{{"mass", "", 4, 4}, {"forces", "", 4, 1},
-      {"result", "kinetic", 1, 1}, {"result", "force_function", 1, 1}, {"result", "power", 1, 1}, {"result", "value", 1,
-      1}, {"result", "rate", 1, 1}, {"result", "jacobian", 1, 4}, {"result", "gamma", 1, 1}, {"result", "gap", 1, 1},
-      {"result", "rate", 1, 1}, {"result", "jacobian", 1, 4}, {"result", "drift", 1, 1}, {"result", "friction", 1, 1},
-      {"result", "static_friction", 1, 1}, {"result", "restitution", 1, 1}, {"result", "bound", 1, 1}, {"result",
-      "static_bound", 1, 1}}};
+  static constexpr std::array<torsor::ResultDescription, 18> results{{{"mass", "", 4, 4, 2, ""}, {"forces", "", 4, 1, 1,
+      "N m, 0, N, N"}, {"result", "kinetic", 1, 1, 0, "J"}, {"result", "force_function", 1, 1, 0, "J"}, {"result",
+      "power", 1, 1, 0, "W"}, {"result", "value", 1, 1, 1, "m"}, {"result", "rate", 1, 1, 1, "m/s"}, {"result",
+      "jacobian", 1, 4, 2, "1"}, {"result", "gamma", 1, 1, 1, ""}, {"result", "gap", 1, 1, 1, "m"}, {"result", "rate",
+      1, 1, 1, "m/s"}, {"result", "jacobian", 1, 4, 2, ""}, {"result", "drift", 1, 1, 1, "m/s^2"}, {"result",
+      "friction", 1, 1, 1, "1"}, {"result", "static_friction", 1, 1, 1, "1"}, {"result", "restitution", 1, 1, 1, "1"},
+      {"result", "bound", 1, 1, 1, ""}, {"result", "static_bound", 1, 1, 1, ""}}};
   static constexpr std::array<torsor::KernelDescription, 6> kernels{{{"mass_matrix", false, false, false, false,
       results.data() + 0, 1}, {"bias", false, false, false, false, results.data() + 1, 1}, {"energy", false, false,
       true, false, results.data() + 2, 3}, {"constraints", false, false, false, false, results.data() + 5, 4},
@@ -66,7 +67,7 @@ struct Mechanism {
 
   static constexpr const char* name = "struck_mechanism";
   /// 64 bits (FNV-1a) of this file from "#pragma once" on, with zeros in their own place: another mechanism, other bits.
-  static constexpr unsigned long long fingerprint = 0x253d5b1e28642b4cULL ^ torsor::support_fingerprint;
+  static constexpr unsigned long long fingerprint = 0xf812cd3c3c6e2b5dULL ^ torsor::support_fingerprint;
   static constexpr int coordinate_count = 4;
   static constexpr int velocity_count = 4;
   static constexpr int input_count = 0;

@@ -49,12 +49,14 @@ struct Description {
   static constexpr std::array<torsor::QuantityDescription, 0> multipliers{};
   static constexpr std::array<torsor::QuantityDescription, 3> parameters{{{"I1", "kg m^2"}, {"I2", "kg m^2"}, {"I3",
       "kg m^2"}}};
-  static constexpr std::array<torsor::ResultDescription, 20> results{{{"rates", "", 4, 1}, {"result", "body_position",
-      3, 1}, {"result", "body_rotation", 3, 3}, {"result", "body_velocity", 3, 1}, {"result", "body_angular_velocity",
-      3, 1}, {"mass", "", 3, 3}, {"forces", "", 3, 1}, {"forces", "", 3, 1}, {"accelerations", "", 3, 1},
-      {"multipliers", "", 0, 1}, {"result", "kinetic", 1, 1}, {"result", "force_function", 1, 1}, {"result", "power", 1,
-      1}, {"result", "energy", 1, 1}, {"result", "M", 3, 3}, {"result", "C", 3, 3}, {"result", "K", 3, 3}, {"result",
-      "F", 3, 1}, {"result", "A", 6, 6}, {"coefficients", "", 7, 0}}};
+  static constexpr std::array<torsor::ResultDescription, 20> results{{{"rates", "", 4, 1, 1, "rad/s"}, {"result",
+      "body_position", 3, 1, 1, "m"}, {"result", "body_rotation", 3, 3, 2, "1"}, {"result", "body_velocity", 3, 1, 1,
+      "m/s"}, {"result", "body_angular_velocity", 3, 1, 1, "rad/s"}, {"mass", "", 3, 3, 2, "kg m^2"}, {"forces", "", 3,
+      1, 1, "N m"}, {"forces", "", 3, 1, 1, "N m"}, {"accelerations", "", 3, 1, 1, "rad/s^2"}, {"multipliers", "", 0, 1,
+      1, ""}, {"result", "kinetic", 1, 1, 0, "J"}, {"result", "force_function", 1, 1, 0, "J"}, {"result", "power", 1, 1,
+      0, "W"}, {"result", "energy", 1, 1, 0, "J"}, {"result", "M", 3, 3, 2, "kg m^2"}, {"result", "C", 3, 3, 2,
+      "N m s"}, {"result", "K", 3, 3, 2, ""}, {"result", "F", 3, 1, 1, "N m"}, {"result", "A", 6, 6, 2, ""},
+      {"coefficients", "", 7, 0, 2, ""}}};
   static constexpr std::array<torsor::KernelDescription, 10> kernels{{{"coordinate_rates", false, false, false, false,
       results.data() + 0, 1}, {"kinematics", false, false, false, false, results.data() + 1, 4}, {"mass_matrix", false,
       false, false, false, results.data() + 5, 1}, {"bias", false, false, false, false, results.data() + 6, 1},
@@ -73,7 +75,7 @@ struct Mechanism {
 
   static constexpr const char* name = "torque_free_body";
   /// 64 bits (FNV-1a) of this file from "#pragma once" on, with zeros in their own place: another mechanism, other bits.
-  static constexpr unsigned long long fingerprint = 0x33b35ddb354d640eULL ^ torsor::support_fingerprint;
+  static constexpr unsigned long long fingerprint = 0x40f9eb0f690ef24dULL ^ torsor::support_fingerprint;
   static constexpr int coordinate_count = 4;
   static constexpr int velocity_count = 3;
   static constexpr int input_count = 0;

@@ -8,7 +8,7 @@
 #include <cmath>
 
 #ifndef TORSOR_KERNEL_SUPPORT
-#define TORSOR_KERNEL_SUPPORT 4
+#define TORSOR_KERNEL_SUPPORT 5
 // Define it before the first generated header to annotate every function, e.g. as __host__ __device__.
 #ifndef TORSOR_DEVICE
 #define TORSOR_DEVICE
@@ -553,6 +553,9 @@ struct ResultDescription {
   const char* result;
   const char* member;  ///< empty: the whole result
   int rows, columns;
+  int dimensions;    ///< 0: a number, 1: a vector, 2: a matrix
+  const char* unit;  ///< of all entries but those that are always zero; where entries of a vector differ, of each:
+                     ///< "m, rad", with 0 for those; empty where those of a matrix differ
 };
 
 struct KernelDescription {
@@ -564,7 +567,7 @@ struct KernelDescription {
 };
 
 }  // namespace torsor
-#elif TORSOR_KERNEL_SUPPORT != 4
+#elif TORSOR_KERNEL_SUPPORT != 5
 #error "headers of incompatible versions of torsor meet here: write them again with one version"
 #endif
 
@@ -767,7 +770,7 @@ class Convolutions {
 namespace torsor {
 
 /// 64 bits (FNV-1a) of this file from "#pragma once" on, with zeros in their own place.
-inline constexpr unsigned long long support_fingerprint = 0x647092cd37598905ULL;
+inline constexpr unsigned long long support_fingerprint = 0x74e6a11e861f50e6ULL;
 
 }  // namespace torsor
 #endif

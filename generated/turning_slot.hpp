@@ -46,14 +46,17 @@ struct Description {
   static constexpr std::array<torsor::QuantityDescription, 0> inputs{};
   static constexpr std::array<torsor::QuantityDescription, 1> multipliers{{{"N", "N"}}};
   static constexpr std::array<torsor::QuantityDescription, 1> parameters{{{"omega", "rad/s"}}};
-  static constexpr std::array<torsor::ResultDescription, 28> results{{{"result", "bead_position", 3, 1}, {"result",
-      "bead_rotation", 3, 3}, {"result", "bead_velocity", 3, 1}, {"result", "bead_angular_velocity", 3, 1}, {"result",
-      "center_position", 3, 1}, {"result", "center_velocity", 3, 1}, {"result", "center_jacobian", 3, 2}, {"mass", "",
-      2, 2}, {"forces", "", 2, 1}, {"forces", "", 2, 1}, {"accelerations", "", 2, 1}, {"multipliers", "", 1, 1},
-      {"result", "kinetic", 1, 1}, {"result", "force_function", 1, 1}, {"result", "power", 1, 1}, {"result", "value", 1,
-      1}, {"result", "rate", 1, 1}, {"result", "jacobian", 1, 2}, {"result", "gamma", 1, 1}, {"result", "M", 2, 2},
-      {"result", "C", 2, 2}, {"result", "K", 2, 2}, {"result", "F", 2, 1}, {"result", "M_r", 1, 1}, {"result", "C_r", 1,
-      1}, {"result", "K_r", 1, 1}, {"result", "F_r", 1, 1}, {"result", "A", 2, 2}}};
+  static constexpr std::array<torsor::ResultDescription, 28> results{{{"result", "bead_position", 3, 1, 1, "m"},
+      {"result", "bead_rotation", 3, 3, 2, "1"}, {"result", "bead_velocity", 3, 1, 1, "m/s"}, {"result",
+      "bead_angular_velocity", 3, 1, 1, "rad/s"}, {"result", "center_position", 3, 1, 1, "m"}, {"result",
+      "center_velocity", 3, 1, 1, "m/s"}, {"result", "center_jacobian", 3, 2, 2, "1"}, {"mass", "", 2, 2, 2, "kg"},
+      {"forces", "", 2, 1, 1, "N"}, {"forces", "", 2, 1, 1, "N"}, {"accelerations", "", 2, 1, 1, "m/s^2"},
+      {"multipliers", "", 1, 1, 1, "N"}, {"result", "kinetic", 1, 1, 0, "J"}, {"result", "force_function", 1, 1, 0,
+      "J"}, {"result", "power", 1, 1, 0, "W"}, {"result", "value", 1, 1, 1, "m"}, {"result", "rate", 1, 1, 1, "m/s"},
+      {"result", "jacobian", 1, 2, 2, "1"}, {"result", "gamma", 1, 1, 1, "m/s^2"}, {"result", "M", 2, 2, 2, "kg"},
+      {"result", "C", 2, 2, 2, ""}, {"result", "K", 2, 2, 2, ""}, {"result", "F", 2, 1, 1, "N"}, {"result", "M_r", 1, 1,
+      2, "kg"}, {"result", "C_r", 1, 1, 2, "N s/m"}, {"result", "K_r", 1, 1, 2, "N/m"}, {"result", "F_r", 1, 1, 1, "N"},
+      {"result", "A", 2, 2, 2, ""}}};
   static constexpr std::array<torsor::KernelDescription, 8> kernels{{{"kinematics", false, false, false, false,
       results.data() + 0, 7}, {"mass_matrix", false, false, false, false, results.data() + 7, 1}, {"bias", false, false,
       false, false, results.data() + 8, 1}, {"inverse_dynamics", true, true, false, false, results.data() + 9, 1},
@@ -71,7 +74,7 @@ struct Mechanism {
 
   static constexpr const char* name = "turning_slot";
   /// 64 bits (FNV-1a) of this file from "#pragma once" on, with zeros in their own place: another mechanism, other bits.
-  static constexpr unsigned long long fingerprint = 0x042df38b85199c34ULL ^ torsor::support_fingerprint;
+  static constexpr unsigned long long fingerprint = 0x65a2bdaac93ba634ULL ^ torsor::support_fingerprint;
   static constexpr int coordinate_count = 2;
   static constexpr int velocity_count = 2;
   static constexpr int input_count = 0;

@@ -45,15 +45,18 @@ struct Description {
   static constexpr std::array<torsor::QuantityDescription, 0> inputs{};
   static constexpr std::array<torsor::QuantityDescription, 0> multipliers{};
   static constexpr std::array<torsor::QuantityDescription, 2> parameters{{{"d", "m"}, {"omega", "rad/s"}}};
-  static constexpr std::array<torsor::ResultDescription, 28> results{{{"result", "support_position", 3, 1}, {"result",
-      "support_rotation", 3, 3}, {"result", "support_velocity", 3, 1}, {"result", "support_angular_velocity", 3, 1},
-      {"result", "pendulum_position", 3, 1}, {"result", "pendulum_rotation", 3, 3}, {"result", "pendulum_velocity", 3,
-      1}, {"result", "pendulum_angular_velocity", 3, 1}, {"result", "unbalance_position", 3, 1}, {"result",
-      "unbalance_rotation", 3, 3}, {"result", "unbalance_velocity", 3, 1}, {"result", "unbalance_angular_velocity", 3,
-      1}, {"result", "G1_position", 3, 1}, {"result", "G1_velocity", 3, 1}, {"result", "G1_jacobian", 3, 2}, {"mass",
-      "", 2, 2}, {"forces", "", 2, 1}, {"forces", "", 2, 1}, {"accelerations", "", 2, 1}, {"multipliers", "", 0, 1},
-      {"result", "kinetic", 1, 1}, {"result", "force_function", 1, 1}, {"result", "power", 1, 1}, {"result", "M", 2, 2},
-      {"result", "C", 2, 2}, {"result", "K", 2, 2}, {"result", "F", 2, 1}, {"result", "A", 4, 4}}};
+  static constexpr std::array<torsor::ResultDescription, 28> results{{{"result", "support_position", 3, 1, 1, "m"},
+      {"result", "support_rotation", 3, 3, 2, "1"}, {"result", "support_velocity", 3, 1, 1, "m/s"}, {"result",
+      "support_angular_velocity", 3, 1, 1, "rad/s"}, {"result", "pendulum_position", 3, 1, 1, "m"}, {"result",
+      "pendulum_rotation", 3, 3, 2, "1"}, {"result", "pendulum_velocity", 3, 1, 1, "m/s"}, {"result",
+      "pendulum_angular_velocity", 3, 1, 1, "rad/s"}, {"result", "unbalance_position", 3, 1, 1, "m"}, {"result",
+      "unbalance_rotation", 3, 3, 2, "1"}, {"result", "unbalance_velocity", 3, 1, 1, "m/s"}, {"result",
+      "unbalance_angular_velocity", 3, 1, 1, "rad/s"}, {"result", "G1_position", 3, 1, 1, "m"}, {"result",
+      "G1_velocity", 3, 1, 1, "m/s"}, {"result", "G1_jacobian", 3, 2, 2, "1"}, {"mass", "", 2, 2, 2, ""}, {"forces", "",
+      2, 1, 1, "N, N m"}, {"forces", "", 2, 1, 1, "N, N m"}, {"accelerations", "", 2, 1, 1, "m/s^2, rad/s^2"},
+      {"multipliers", "", 0, 1, 1, ""}, {"result", "kinetic", 1, 1, 0, "J"}, {"result", "force_function", 1, 1, 0, "J"},
+      {"result", "power", 1, 1, 0, "W"}, {"result", "M", 2, 2, 2, ""}, {"result", "C", 2, 2, 2, "N s"}, {"result", "K",
+      2, 2, 2, ""}, {"result", "F", 2, 1, 1, "N, N m"}, {"result", "A", 4, 4, 2, ""}}};
   static constexpr std::array<torsor::KernelDescription, 7> kernels{{{"kinematics", false, false, false, false,
       results.data() + 0, 15}, {"mass_matrix", false, false, false, false, results.data() + 15, 1}, {"bias", false,
       false, false, false, results.data() + 16, 1}, {"inverse_dynamics", true, true, false, false, results.data() + 17,
@@ -70,7 +73,7 @@ struct Mechanism {
 
   static constexpr const char* name = "vibration_absorber";
   /// 64 bits (FNV-1a) of this file from "#pragma once" on, with zeros in their own place: another mechanism, other bits.
-  static constexpr unsigned long long fingerprint = 0x8aebbd9656535e41ULL ^ torsor::support_fingerprint;
+  static constexpr unsigned long long fingerprint = 0x8d10c47d4cbc25b5ULL ^ torsor::support_fingerprint;
   static constexpr int coordinate_count = 2;
   static constexpr int velocity_count = 2;
   static constexpr int input_count = 0;

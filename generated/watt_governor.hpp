@@ -45,15 +45,18 @@ struct Description {
   static constexpr std::array<torsor::QuantityDescription, 0> multipliers{};
   static constexpr std::array<torsor::QuantityDescription, 4> parameters{{{"m", "kg"}, {"M", "kg"}, {"L", "m"},
       {"omega", "rad/s"}}};
-  static constexpr std::array<torsor::ResultDescription, 27> results{{{"result", "ball_1_position", 3, 1}, {"result",
-      "ball_1_rotation", 3, 3}, {"result", "ball_1_velocity", 3, 1}, {"result", "ball_1_angular_velocity", 3, 1},
-      {"result", "ball_2_position", 3, 1}, {"result", "ball_2_rotation", 3, 3}, {"result", "ball_2_velocity", 3, 1},
-      {"result", "ball_2_angular_velocity", 3, 1}, {"result", "sleeve_position", 3, 1}, {"result", "sleeve_rotation", 3,
-      3}, {"result", "sleeve_velocity", 3, 1}, {"result", "sleeve_angular_velocity", 3, 1}, {"mass", "", 1, 1},
-      {"forces", "", 1, 1}, {"forces", "", 1, 1}, {"accelerations", "", 1, 1}, {"multipliers", "", 0, 1}, {"result",
-      "kinetic", 1, 1}, {"result", "force_function", 1, 1}, {"result", "power", 1, 1}, {"result", "painleve", 1, 1},
-      {"result", "motor", 1, 1}, {"result", "M", 1, 1}, {"result", "C", 1, 1}, {"result", "K", 1, 1}, {"result", "F", 1,
-      1}, {"result", "A", 2, 2}}};
+  static constexpr std::array<torsor::ResultDescription, 27> results{{{"result", "ball_1_position", 3, 1, 1, "m"},
+      {"result", "ball_1_rotation", 3, 3, 2, "1"}, {"result", "ball_1_velocity", 3, 1, 1, "m/s"}, {"result",
+      "ball_1_angular_velocity", 3, 1, 1, "rad/s"}, {"result", "ball_2_position", 3, 1, 1, "m"}, {"result",
+      "ball_2_rotation", 3, 3, 2, "1"}, {"result", "ball_2_velocity", 3, 1, 1, "m/s"}, {"result",
+      "ball_2_angular_velocity", 3, 1, 1, "rad/s"}, {"result", "sleeve_position", 3, 1, 1, "m"}, {"result",
+      "sleeve_rotation", 3, 3, 2, "1"}, {"result", "sleeve_velocity", 3, 1, 1, "m/s"}, {"result",
+      "sleeve_angular_velocity", 3, 1, 1, "rad/s"}, {"mass", "", 1, 1, 2, "kg m^2"}, {"forces", "", 1, 1, 1, "N m"},
+      {"forces", "", 1, 1, 1, "N m"}, {"accelerations", "", 1, 1, 1, "rad/s^2"}, {"multipliers", "", 0, 1, 1, ""},
+      {"result", "kinetic", 1, 1, 0, "J"}, {"result", "force_function", 1, 1, 0, "J"}, {"result", "power", 1, 1, 0,
+      "W"}, {"result", "painleve", 1, 1, 0, "J"}, {"result", "motor", 1, 1, 0, "kg m^2 s^-2"}, {"result", "M", 1, 1, 2,
+      "kg m^2"}, {"result", "C", 1, 1, 2, "N m s"}, {"result", "K", 1, 1, 2, "N m"}, {"result", "F", 1, 1, 1, "N m"},
+      {"result", "A", 2, 2, 2, ""}}};
   static constexpr std::array<torsor::KernelDescription, 9> kernels{{{"kinematics", false, false, false, false,
       results.data() + 0, 12}, {"mass_matrix", false, false, false, false, results.data() + 12, 1}, {"bias", false,
       false, false, false, results.data() + 13, 1}, {"inverse_dynamics", true, true, false, false, results.data() + 14,
@@ -72,7 +75,7 @@ struct Mechanism {
 
   static constexpr const char* name = "watt_governor";
   /// 64 bits (FNV-1a) of this file from "#pragma once" on, with zeros in their own place: another mechanism, other bits.
-  static constexpr unsigned long long fingerprint = 0xd906ed1384cd6b78ULL ^ torsor::support_fingerprint;
+  static constexpr unsigned long long fingerprint = 0xeaf60871cb77bf85ULL ^ torsor::support_fingerprint;
   static constexpr int coordinate_count = 1;
   static constexpr int velocity_count = 1;
   static constexpr int input_count = 0;

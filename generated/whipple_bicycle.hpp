@@ -50,12 +50,14 @@ struct Description {
       {"lambda_front_touches", "N"}, {"lambda_rear_rolls_x", "N"}, {"lambda_rear_rolls_y", "N"},
       {"lambda_front_rolls_x", "N"}, {"lambda_front_rolls_y", "N"}}};
   static constexpr std::array<torsor::QuantityDescription, 0> parameters{};
-  static constexpr std::array<torsor::ResultDescription, 20> results{{{"mass", "", 9, 9}, {"accelerations", "", 9, 1},
-      {"multipliers", "", 6, 1}, {"result", "kinetic", 1, 1}, {"result", "force_function", 1, 1}, {"result", "power", 1,
-      1}, {"result", "energy", 1, 1}, {"result", "value", 6, 1}, {"result", "rate", 6, 1}, {"result", "jacobian", 6, 9},
-      {"result", "gamma", 6, 1}, {"result", "M", 9, 9}, {"result", "C", 9, 9}, {"result", "K", 9, 9}, {"result", "F", 9,
-      1}, {"result", "M_r", 3, 3}, {"result", "C_r", 3, 3}, {"result", "K_r", 3, 7}, {"result", "F_r", 3, 1}, {"result",
-      "A", 10, 10}}};
+  static constexpr std::array<torsor::ResultDescription, 20> results{{{"mass", "", 9, 9, 2, ""}, {"accelerations", "",
+      9, 1, 1, "m/s^2, m/s^2, m/s^2, rad/s^2, rad/s^2, rad/s^2, rad/s^2, rad/s^2, rad/s^2"}, {"multipliers", "", 6, 1,
+      1, "N"}, {"result", "kinetic", 1, 1, 0, "J"}, {"result", "force_function", 1, 1, 0, "J"}, {"result", "power", 1,
+      1, 0, "W"}, {"result", "energy", 1, 1, 0, "J"}, {"result", "value", 6, 1, 1, "m"}, {"result", "rate", 6, 1, 1,
+      "m/s"}, {"result", "jacobian", 6, 9, 2, ""}, {"result", "gamma", 6, 1, 1, "m/s^2"}, {"result", "M", 9, 9, 2, ""},
+      {"result", "C", 9, 9, 2, ""}, {"result", "K", 9, 9, 2, ""}, {"result", "F", 9, 1, 1,
+      "N, N, N, N m, N m, N m, N m, N m, N m"}, {"result", "M_r", 3, 3, 2, "kg m^2"}, {"result", "C_r", 3, 3, 2,
+      "N m s"}, {"result", "K_r", 3, 7, 2, "N m"}, {"result", "F_r", 3, 1, 1, "N m"}, {"result", "A", 10, 10, 2, ""}}};
   static constexpr std::array<torsor::KernelDescription, 6> kernels{{{"mass_matrix", false, false, false, false,
       results.data() + 0, 1}, {"forward_dynamics", false, false, true, true, results.data() + 1, 2}, {"energy", false,
       false, true, false, results.data() + 3, 3}, {"first_integrals", false, false, false, false, results.data() + 6,
@@ -72,7 +74,7 @@ struct Mechanism {
 
   static constexpr const char* name = "whipple_bicycle";
   /// 64 bits (FNV-1a) of this file from "#pragma once" on, with zeros in their own place: another mechanism, other bits.
-  static constexpr unsigned long long fingerprint = 0x4d1ded212bfede6aULL ^ torsor::support_fingerprint;
+  static constexpr unsigned long long fingerprint = 0xb464342492544a71ULL ^ torsor::support_fingerprint;
   static constexpr int coordinate_count = 9;
   static constexpr int velocity_count = 9;
   static constexpr int input_count = 0;

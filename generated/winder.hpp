@@ -47,16 +47,18 @@ struct Description {
   static constexpr std::array<torsor::QuantityDescription, 0> inputs{};
   static constexpr std::array<torsor::QuantityDescription, 0> multipliers{};
   static constexpr std::array<torsor::QuantityDescription, 2> parameters{{{"omega", "rad/s"}, {"slope", "1"}}};
-  static constexpr std::array<torsor::ResultDescription, 30> results{{{"result", "Sigma_position", 3, 1}, {"result",
-      "Sigma_rotation", 3, 3}, {"result", "Sigma_velocity", 3, 1}, {"result", "Sigma_angular_velocity", 3, 1},
-      {"result", "S_position", 3, 1}, {"result", "S_rotation", 3, 3}, {"result", "S_velocity", 3, 1}, {"result",
-      "S_angular_velocity", 3, 1}, {"result", "G_position", 3, 1}, {"result", "G_velocity", 3, 1}, {"result",
-      "G_jacobian", 3, 2}, {"result", "fixed_position", 3, 1}, {"result", "fixed_velocity", 3, 1}, {"result",
-      "fixed_jacobian", 3, 2}, {"mass", "", 2, 2}, {"forces", "", 2, 1}, {"forces", "", 2, 1}, {"accelerations", "", 2,
-      1}, {"multipliers", "", 0, 1}, {"result", "kinetic", 1, 1}, {"result", "force_function", 1, 1}, {"result",
-      "power", 1, 1}, {"result", "painleve", 1, 1}, {"result", "momentum_phi", 1, 1}, {"result", "motor", 1, 1},
-      {"result", "M", 2, 2}, {"result", "C", 2, 2}, {"result", "K", 2, 2}, {"result", "F", 2, 1}, {"result", "A", 4,
-      4}}};
+  static constexpr std::array<torsor::ResultDescription, 30> results{{{"result", "Sigma_position", 3, 1, 1, "m"},
+      {"result", "Sigma_rotation", 3, 3, 2, "1"}, {"result", "Sigma_velocity", 3, 1, 1, "m/s"}, {"result",
+      "Sigma_angular_velocity", 3, 1, 1, "rad/s"}, {"result", "S_position", 3, 1, 1, "m"}, {"result", "S_rotation", 3,
+      3, 2, "1"}, {"result", "S_velocity", 3, 1, 1, "m/s"}, {"result", "S_angular_velocity", 3, 1, 1, "rad/s"},
+      {"result", "G_position", 3, 1, 1, "m"}, {"result", "G_velocity", 3, 1, 1, "m/s"}, {"result", "G_jacobian", 3, 2,
+      2, "1"}, {"result", "fixed_position", 3, 1, 1, "m"}, {"result", "fixed_velocity", 3, 1, 1, "m/s"}, {"result",
+      "fixed_jacobian", 3, 2, 2, ""}, {"mass", "", 2, 2, 2, ""}, {"forces", "", 2, 1, 1, "N"}, {"forces", "", 2, 1, 1,
+      "N, N m"}, {"accelerations", "", 2, 1, 1, "m/s^2"}, {"multipliers", "", 0, 1, 1, ""}, {"result", "kinetic", 1, 1,
+      0, "J"}, {"result", "force_function", 1, 1, 0, "J"}, {"result", "power", 1, 1, 0, "W"}, {"result", "painleve", 1,
+      1, 0, "J"}, {"result", "momentum_phi", 1, 1, 0, "kg m^2 s^-1"}, {"result", "motor", 1, 1, 0, "kg m^2 s^-2"},
+      {"result", "M", 2, 2, 2, ""}, {"result", "C", 2, 2, 2, ""}, {"result", "K", 2, 2, 2, "N/m"}, {"result", "F", 2, 1,
+      1, "N, N m"}, {"result", "A", 4, 4, 2, ""}}};
   static constexpr std::array<torsor::KernelDescription, 9> kernels{{{"kinematics", false, false, false, false,
       results.data() + 0, 14}, {"mass_matrix", false, false, false, false, results.data() + 14, 1}, {"bias", false,
       false, false, false, results.data() + 15, 1}, {"inverse_dynamics", true, true, false, false, results.data() + 16,
@@ -75,7 +77,7 @@ struct Mechanism {
 
   static constexpr const char* name = "winder";
   /// 64 bits (FNV-1a) of this file from "#pragma once" on, with zeros in their own place: another mechanism, other bits.
-  static constexpr unsigned long long fingerprint = 0x6af7c83062df74f1ULL ^ torsor::support_fingerprint;
+  static constexpr unsigned long long fingerprint = 0xfc2bd4242361998eULL ^ torsor::support_fingerprint;
   static constexpr int coordinate_count = 2;
   static constexpr int velocity_count = 2;
   static constexpr int input_count = 0;

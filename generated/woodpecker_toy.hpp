@@ -41,11 +41,12 @@ struct Description {
   static constexpr std::array<torsor::QuantityDescription, 0> inputs{};
   static constexpr std::array<torsor::QuantityDescription, 0> multipliers{};
   static constexpr std::array<torsor::QuantityDescription, 2> parameters{{{"f", "1"}, {"e", "1"}}};
-  static constexpr std::array<torsor::ResultDescription, 14> results{{{"mass", "", 3, 3}, {"forces", "", 3, 1},
-      {"result", "kinetic", 1, 1}, {"result", "force_function", 1, 1}, {"result", "power", 1, 1}, {"result", "gap", 3,
-      1}, {"result", "rate", 6, 1}, {"result", "jacobian", 6, 3}, {"result", "drift", 6, 1}, {"result", "friction", 3,
-      1}, {"result", "static_friction", 3, 1}, {"result", "restitution", 3, 1}, {"result", "bound", 3, 1}, {"result",
-      "static_bound", 3, 1}}};
+  static constexpr std::array<torsor::ResultDescription, 14> results{{{"mass", "", 3, 3, 2, ""}, {"forces", "", 3, 1, 1,
+      "N, N m, N m"}, {"result", "kinetic", 1, 1, 0, "J"}, {"result", "force_function", 1, 1, 0, "J"}, {"result",
+      "power", 1, 1, 0, "W"}, {"result", "gap", 3, 1, 1, "m"}, {"result", "rate", 6, 1, 1, "m/s"}, {"result",
+      "jacobian", 6, 3, 2, ""}, {"result", "drift", 6, 1, 1, "m/s^2"}, {"result", "friction", 3, 1, 1, "1"}, {"result",
+      "static_friction", 3, 1, 1, "1"}, {"result", "restitution", 3, 1, 1, "1"}, {"result", "bound", 3, 1, 1, ""},
+      {"result", "static_bound", 3, 1, 1, ""}}};
   static constexpr std::array<torsor::KernelDescription, 5> kernels{{{"mass_matrix", false, false, false, false,
       results.data() + 0, 1}, {"bias", false, false, false, false, results.data() + 1, 1}, {"energy", false, false,
       true, false, results.data() + 2, 3}, {"contacts", false, false, false, false, results.data() + 5, 4},
@@ -61,7 +62,7 @@ struct Mechanism {
 
   static constexpr const char* name = "woodpecker_toy";
   /// 64 bits (FNV-1a) of this file from "#pragma once" on, with zeros in their own place: another mechanism, other bits.
-  static constexpr unsigned long long fingerprint = 0x5399c8cee848d2a8ULL ^ torsor::support_fingerprint;
+  static constexpr unsigned long long fingerprint = 0xec9714c9f0abd198ULL ^ torsor::support_fingerprint;
   static constexpr int coordinate_count = 3;
   static constexpr int velocity_count = 3;
   static constexpr int input_count = 0;

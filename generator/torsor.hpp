@@ -3,6 +3,6 @@
 
 // All that the author of a scene needs: describe the mechanism in a function, give it a main with TORSOR_SCENE.
 
-#include "generator/cli/scene_program.hpp"
-#include "generator/expression/piecewise.hpp"
-#include "generator/mechanics/scene.hpp"
+#include "torsor/generator/cli/scene_program.hpp"
+#include "torsor/generator/expression/piecewise.hpp"
+#include "torsor/generator/mechanics/scene.hpp"

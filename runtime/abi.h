@@ -25,7 +25,7 @@ extern "C" {
 #endif
 
 /* Another number: another layout. What a later version adds stands at the end of a structure. */
-#define TORSOR_ABI_VERSION 1
+#define TORSOR_ABI_VERSION 2
 
 /* A number of a vector: its name, and its unit as a person writes it. */
 typedef struct torsor_abi_quantity {
@@ -38,6 +38,9 @@ typedef struct torsor_abi_quantity {
 typedef struct torsor_abi_result {
   const char* name;
   int32_t rows, columns;
+  int32_t dimensions; /* 0: a number, 1: a vector, 2: a matrix, also of one row or column */
+  const char* unit;   /* of all its entries but those that are always zero; where those of a vector differ, of each:
+                         "N, N m", with 0 for those. Empty where entries of a matrix differ, and of a series */
 } torsor_abi_result;
 
 /* Where numbers are: entry (i, j) of state s at data + s * state + i * row + j * column, all in bytes. A step of 0

@@ -6,8 +6,8 @@
 #include <span>
 #include <utility>
 
-#include "runtime/mechanism_model.hpp"
-#include "runtime/status.hpp"
+#include "torsor/runtime/mechanism_model.hpp"
+#include "torsor/runtime/status.hpp"
 
 namespace torsor::runtime {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "runtime/library.hpp"
+#include "torsor/runtime/library.hpp"
 
 namespace torsor::runtime::detail {
 

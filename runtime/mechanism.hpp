@@ -4,9 +4,9 @@
 #include <type_traits>
 #include <utility>
 
-#include "runtime/constraints/closed_motion.hpp"
-#include "runtime/equations_of_motion.hpp"
-#include "runtime/mechanism_model.hpp"
+#include "torsor/runtime/constraints/closed_motion.hpp"
+#include "torsor/runtime/equations_of_motion.hpp"
+#include "torsor/runtime/mechanism_model.hpp"
 
 namespace torsor::runtime {
 

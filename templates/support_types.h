@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT-0 */
 #ifndef TORSOR_C_SUPPORT
-#define TORSOR_C_SUPPORT 2
+#define TORSOR_C_SUPPORT 3
 // Define TORSOR_SINGLE before the first generated header, alike in the whole program, for float in place of double, and
 // TORSOR_LIBM for the library's sine and cosine, TORSOR_SMALL for one function of an angle that is called for each sine,
 // where room counts more than time. The file is C99, and as C++ the same.
@@ -61,6 +61,9 @@ typedef struct {
   const char* result;
   const char* member;  // empty: the whole result
   int rows, columns;
+  int dimensions;    // 0: a number, 1: a vector, 2: a matrix
+  const char* unit;  // of all entries but those that are always zero; where entries of a vector differ, of each:
+                     // "m, rad", with 0 for those; empty where those of a matrix differ
 } torsor_result;
 
 typedef struct {
@@ -70,6 +73,6 @@ typedef struct {
   const torsor_result* results;
   int result_count;
 } torsor_kernel;
-#elif TORSOR_C_SUPPORT != 2
+#elif TORSOR_C_SUPPORT != 3
 #error "headers of incompatible versions of torsor meet here: write them again with one version"
 #endif

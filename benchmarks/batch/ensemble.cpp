@@ -12,7 +12,7 @@
 
 #include MODEL_HEADER
 #include "generated/double_pendulum.hpp"
-#include "runtime/batch/packed_motion_ensemble.hpp"
+#include "torsor/runtime/batch/packed_motion_ensemble.hpp"
 
 namespace {
 

@@ -11,7 +11,7 @@
 #define torsor PACKED_NAMESPACE
 #define panda PACKED_MECHANISM
 #include MODEL_HEADER
-#include "runtime/batch/batch.hpp"
+#include "torsor/runtime/batch/batch.hpp"
 
 #include "benchmarks/kernels/batch.hpp"
 #include "benchmarks/kernels/way.hpp"

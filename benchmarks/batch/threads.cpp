@@ -9,7 +9,7 @@
 
 #include MODEL_HEADER
 #include "benchmarks/kernels/batch.hpp"
-#include "runtime/batch/batch.hpp"
+#include "torsor/runtime/batch/batch.hpp"
 
 namespace {
 

@@ -14,7 +14,7 @@
 
 #define TORSOR_DEVICE __host__ __device__
 #include "generated/arm7.hpp"
-#include "generator/verification/worst.hpp"
+#include "torsor/generator/verification/worst.hpp"
 
 namespace {
 

@@ -11,7 +11,7 @@
 #include "benchmarks/contact_peers/ours.hpp"
 #include "benchmarks/contact_peers/problems.hpp"
 #include "benchmarks/contacts/box_of_discs.hpp"
-#include "runtime/grains/grain_motion.hpp"
+#include "torsor/runtime/grains/grain_motion.hpp"
 #if defined(PEER_BOX2D)
 #include <box2d/box2d.h>
 #endif

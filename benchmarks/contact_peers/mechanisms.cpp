@@ -11,7 +11,7 @@
 #include "benchmarks/contact_peers/problems.hpp"
 #include "chain_on_floor.hpp"
 #include "generated/quadruped_on_its_feet.hpp"
-#include "runtime/contacts/mechanism_with_contacts.hpp"
+#include "torsor/runtime/contacts/mechanism_with_contacts.hpp"
 
 namespace torsor::contact_peers {
 namespace {

@@ -7,8 +7,8 @@
 #include <utility>
 
 #include "benchmarks/contact_peers/problem.hpp"
-#include "runtime/contacts/integrate_contacts.hpp"
-#include "runtime/contacts/moreau_jean.hpp"
+#include "torsor/runtime/contacts/integrate_contacts.hpp"
+#include "torsor/runtime/contacts/moreau_jean.hpp"
 
 namespace torsor::contact_peers {
 

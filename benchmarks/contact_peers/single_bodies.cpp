@@ -9,7 +9,7 @@
 #include "benchmarks/contact_peers/problems.hpp"
 #include "bouncing_ball.hpp"
 #include "generated/billiard.hpp"
-#include "runtime/contacts/mechanism_with_contacts.hpp"
+#include "torsor/runtime/contacts/mechanism_with_contacts.hpp"
 
 namespace torsor::contact_peers {
 namespace {

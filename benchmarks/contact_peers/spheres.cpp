@@ -9,8 +9,8 @@
 #include "benchmarks/contact_peers/ours.hpp"
 #include "benchmarks/contact_peers/peers.hpp"
 #include "benchmarks/contact_peers/problems.hpp"
-#include "runtime/batch/thread_team.hpp"
-#include "runtime/grains/grain_motion.hpp"
+#include "torsor/runtime/batch/thread_team.hpp"
+#include "torsor/runtime/grains/grain_motion.hpp"
 
 namespace torsor::contact_peers {
 namespace {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "runtime/grains/grain_motion.hpp"
+#include "torsor/runtime/grains/grain_motion.hpp"
 
 /// Discs of radii from 8 to 12 mm, each somewhere across a cell of 25 mm, in a box of three walls. Columns in which one
 /// stands exactly on the other would stay up.

@@ -10,7 +10,7 @@
 #include <ctime>
 
 #include "benchmarks/contacts/box_of_discs.hpp"
-#include "runtime/grains/grain_motion.hpp"
+#include "torsor/runtime/grains/grain_motion.hpp"
 
 namespace {
 

@@ -13,10 +13,10 @@
 
 #include "benchmarks/generation/resources.hpp"
 #include "benchmarks/generation/serial_chain.hpp"
-#include "generator/emission/header.hpp"
-#include "generator/kernels/kernel.hpp"
-#include "generator/program/formula.hpp"
-#include "runtime/records/plot.hpp"
+#include "torsor/generator/emission/header.hpp"
+#include "torsor/generator/kernels/kernel.hpp"
+#include "torsor/generator/program/formula.hpp"
+#include "torsor/runtime/records/plot.hpp"
 
 namespace torsor {
 namespace {

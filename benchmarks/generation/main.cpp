@@ -11,10 +11,10 @@
 #include "benchmarks/generation/growth.hpp"
 #include "benchmarks/generation/resources.hpp"
 #include "examples/arm7/scene.cpp"
-#include "generator/cli/command_texts.hpp"
-#include "generator/emission/header.hpp"
-#include "generator/kernels/kernel.hpp"
-#include "generator/printing/print_equations.hpp"
+#include "torsor/generator/cli/command_texts.hpp"
+#include "torsor/generator/emission/header.hpp"
+#include "torsor/generator/kernels/kernel.hpp"
+#include "torsor/generator/printing/print_equations.hpp"
 
 namespace {
 

@@ -16,7 +16,7 @@
 #include "generated/heavy_top.hpp"
 #include "generated/rolling_hoop.hpp"
 #include "generated/torque_free_body.hpp"
-#include "runtime/batch/simd.hpp"
+#include "torsor/runtime/batch/simd.hpp"
 
 namespace {
 

@@ -7,7 +7,7 @@
 
 #include <fmt/format.h>
 
-#include "generator/verification/worst.hpp"
+#include "torsor/generator/verification/worst.hpp"
 
 namespace kernels {
 namespace {

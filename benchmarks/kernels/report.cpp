@@ -8,7 +8,7 @@
 
 #include <fmt/format.h>
 
-#include "runtime/records/plot.hpp"
+#include "torsor/runtime/records/plot.hpp"
 
 namespace kernels {
 namespace {

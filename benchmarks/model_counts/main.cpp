@@ -10,10 +10,10 @@
 #include <fmt/ranges.h>
 
 #include "benchmarks/model_counts/models.hpp"
-#include "generator/base/error.hpp"
-#include "generator/cli/command_texts.hpp"
-#include "generator/import/urdf.hpp"
-#include "generator/kernels/kernel.hpp"
+#include "torsor/generator/base/error.hpp"
+#include "torsor/generator/cli/command_texts.hpp"
+#include "torsor/generator/import/urdf.hpp"
+#include "torsor/generator/kernels/kernel.hpp"
 
 namespace {
 

@@ -8,8 +8,8 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "generator/base/decimal.hpp"
-#include "generator/base/error.hpp"
+#include "torsor/generator/base/decimal.hpp"
+#include "torsor/generator/base/error.hpp"
 
 namespace torsor {
 namespace {

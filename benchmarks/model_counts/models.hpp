@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "generator/mechanics/scene.hpp"
+#include "torsor/generator/mechanics/scene.hpp"
 
 namespace torsor {
 

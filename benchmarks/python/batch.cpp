@@ -3,7 +3,7 @@
 #include <cstddef>
 
 #include "panda.hpp"
-#include "runtime/batch/batch.hpp"
+#include "torsor/runtime/batch/batch.hpp"
 
 namespace {
 using Arms = torsor::runtime::BatchOf<panda::Mechanism, double>;

@@ -26,7 +26,7 @@ TURNS = 40
 def batch_of_cpp(folder, contract):
     library = os.path.join(folder, f"batch-{contract}.so")
     subprocess.run([os.environ.get("CXX", "c++"), "-std=c++20", "-O3", "-march=native", f"-ffp-contract={contract}", "-shared", "-fPIC",
-                    "-I", SOURCE, "-I", folder, "-isystem", EIGEN, os.path.join(SOURCE, "benchmarks/python/batch.cpp"), "-o", library],
+                    "-I", os.path.join(SOURCE, "include"), "-I", folder, "-isystem", EIGEN, os.path.join(SOURCE, "benchmarks/python/batch.cpp"), "-o", library],
                    check=True)
     loaded = ctypes.CDLL(library)
     loaded.make_problem.restype = ctypes.c_void_p

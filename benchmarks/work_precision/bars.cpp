@@ -10,7 +10,7 @@
 #include <fmt/format.h>
 
 #include "benchmarks/work_precision/report.hpp"
-#include "generator/verification/worst.hpp"
+#include "torsor/generator/verification/worst.hpp"
 
 namespace work_precision {
 namespace {

@@ -9,7 +9,7 @@
 #include "benchmarks/work_precision/contact_motions.hpp"
 #include "benchmarks/work_precision/contact_peers.hpp"
 #include "benchmarks/work_precision/ways.hpp"
-#include "runtime/integration/events.hpp"
+#include "torsor/runtime/integration/events.hpp"
 
 namespace work_precision {
 namespace {

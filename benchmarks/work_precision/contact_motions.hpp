@@ -8,7 +8,7 @@
 #include <span>
 
 #include "benchmarks/work_precision/problem.hpp"
-#include "runtime/status.hpp"
+#include "torsor/runtime/status.hpp"
 
 namespace work_precision {
 

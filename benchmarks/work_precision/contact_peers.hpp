@@ -9,7 +9,7 @@
 
 #include "benchmarks/work_precision/contact_motions.hpp"
 #ifdef BENCHMARK_SUNDIALS
-#include "runtime/sundials/sundials.hpp"
+#include "torsor/runtime/sundials/sundials.hpp"
 #endif
 #ifdef BENCHMARK_ODEINT
 #include <boost/numeric/odeint.hpp>

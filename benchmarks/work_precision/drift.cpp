@@ -13,16 +13,16 @@
 
 #include "benchmarks/work_precision/processor_time.hpp"
 #include "generated/double_pendulum.hpp"
-#include "runtime/integration/dormand_prince_54.hpp"
-#include "runtime/integration/dormand_prince_853.hpp"
-#include "runtime/integration/gauss_collocation.hpp"
-#include "runtime/integration/observers.hpp"
-#include "runtime/integration/runge_kutta_4.hpp"
-#include "runtime/integration/taylor.hpp"
-#include "runtime/mechanism.hpp"
-#include "runtime/records/file.hpp"
-#include "runtime/records/plot.hpp"
-#include "runtime/steps/angles_within_a_turn.hpp"
+#include "torsor/runtime/integration/dormand_prince_54.hpp"
+#include "torsor/runtime/integration/dormand_prince_853.hpp"
+#include "torsor/runtime/integration/gauss_collocation.hpp"
+#include "torsor/runtime/integration/observers.hpp"
+#include "torsor/runtime/integration/runge_kutta_4.hpp"
+#include "torsor/runtime/integration/taylor.hpp"
+#include "torsor/runtime/mechanism.hpp"
+#include "torsor/runtime/records/file.hpp"
+#include "torsor/runtime/records/plot.hpp"
+#include "torsor/runtime/steps/angles_within_a_turn.hpp"
 
 namespace work_precision {
 namespace {

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "runtime/status.hpp"
+#include "torsor/runtime/status.hpp"
 
 namespace work_precision {
 

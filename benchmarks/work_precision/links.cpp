@@ -10,8 +10,8 @@
 #include <fmt/format.h>
 
 #include "benchmarks/work_precision/processor_time.hpp"
-#include "runtime/records/file.hpp"
-#include "runtime/records/plot.hpp"
+#include "torsor/runtime/records/file.hpp"
+#include "torsor/runtime/records/plot.hpp"
 
 namespace work_precision {
 namespace {

@@ -7,11 +7,11 @@
 #include <utility>
 
 #include "benchmarks/work_precision/links.hpp"
-#include "runtime/integration/dormand_prince_853.hpp"
-#include "runtime/integration/taylor.hpp"
-#include "runtime/mechanism.hpp"
+#include "torsor/runtime/integration/dormand_prince_853.hpp"
+#include "torsor/runtime/integration/taylor.hpp"
+#include "torsor/runtime/mechanism.hpp"
 #ifdef BENCHMARK_SUNDIALS
-#include "runtime/sundials/sundials.hpp"
+#include "torsor/runtime/sundials/sundials.hpp"
 #endif
 #ifdef BENCHMARK_ODEINT
 #include <boost/numeric/odeint.hpp>

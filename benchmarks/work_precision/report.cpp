@@ -9,8 +9,8 @@
 
 #include <fmt/format.h>
 
-#include "runtime/records/file.hpp"
-#include "runtime/records/plot.hpp"
+#include "torsor/runtime/records/file.hpp"
+#include "torsor/runtime/records/plot.hpp"
 
 namespace work_precision {
 namespace {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <string>
 
-#include "generator/torsor.hpp"
+#include "torsor/generator/torsor.hpp"
 
 /// Five point masses on massless rods, one below the other, in the plane x, y; absolute angles from the downward
 /// vertical.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "generator/torsor.hpp"
+#include "torsor/generator/torsor.hpp"
 
 /// Thin hoop m = 1, r = 0.5 rolling without slipping on a plane, its centre at (x, y, r sin theta): Euler's angles psi
 /// (heading), theta (lean), phi (roll), and two multipliers in the contact, as in examples/rolling_hoop.

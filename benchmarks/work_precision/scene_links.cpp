@@ -3,7 +3,7 @@
 // above, so that the articulated-body recursion fits.
 #include <string>
 
-#include "generator/torsor.hpp"
+#include "torsor/generator/torsor.hpp"
 
 torsor::Scene links_scene() {
   using namespace torsor;

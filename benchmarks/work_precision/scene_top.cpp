@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "generator/torsor.hpp"
+#include "torsor/generator/torsor.hpp"
 
 /// Heavy symmetric top about a fixed point in Euler's angles phi about z, theta about x, psi about z:
 /// about the point I1 = 5/16, I3 = 1/8, and m g l = 4.905.

@@ -12,9 +12,9 @@
 #include "benchmarks/work_precision/ways.hpp"
 #include "generated/andrews_squeezer.hpp"
 #include "generated/flyball_governor.hpp"
-#include "runtime/integration/radau_iia_5.hpp"
-#include "runtime/integration/stabilised_radau_iia_5.hpp"
-#include "runtime/integration/stoermer_verlet.hpp"
+#include "torsor/runtime/integration/radau_iia_5.hpp"
+#include "torsor/runtime/integration/stabilised_radau_iia_5.hpp"
+#include "torsor/runtime/integration/stoermer_verlet.hpp"
 
 namespace work_precision {
 namespace {

@@ -12,17 +12,17 @@
 #include <vector>
 
 #include "benchmarks/work_precision/problem.hpp"
-#include "runtime/integration/dormand_prince_54.hpp"
-#include "runtime/integration/dormand_prince_853.hpp"
-#include "runtime/integration/gauss_collocation.hpp"
-#include "runtime/integration/midpoint.hpp"
-#include "runtime/integration/radau_iia_5.hpp"
-#include "runtime/integration/runge_kutta_4.hpp"
-#include "runtime/integration/taylor.hpp"
-#include "runtime/integration/variational_integrator.hpp"
-#include "runtime/mechanism.hpp"
+#include "torsor/runtime/integration/dormand_prince_54.hpp"
+#include "torsor/runtime/integration/dormand_prince_853.hpp"
+#include "torsor/runtime/integration/gauss_collocation.hpp"
+#include "torsor/runtime/integration/midpoint.hpp"
+#include "torsor/runtime/integration/radau_iia_5.hpp"
+#include "torsor/runtime/integration/runge_kutta_4.hpp"
+#include "torsor/runtime/integration/taylor.hpp"
+#include "torsor/runtime/integration/variational_integrator.hpp"
+#include "torsor/runtime/mechanism.hpp"
 #ifdef BENCHMARK_SUNDIALS
-#include "runtime/sundials/sundials.hpp"
+#include "torsor/runtime/sundials/sundials.hpp"
 #endif
 #ifdef BENCHMARK_ODEINT
 #include "benchmarks/work_precision/odeint.hpp"

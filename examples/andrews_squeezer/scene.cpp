@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "generator/torsor.hpp"
+#include "torsor/generator/torsor.hpp"
 
 /// Andrews' squeezing mechanism (IVP Test Set; Hairer & Wanner, Solving Ordinary Differential Equations II; IFToMM
 /// benchmark A03): seven bodies in a plane, three loops that meet in E, one freedom, driven by a constant torque.

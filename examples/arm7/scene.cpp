@@ -2,7 +2,7 @@
 #include <array>
 #include <string>
 
-#include "generator/torsor.hpp"
+#include "torsor/generator/torsor.hpp"
 
 namespace {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "generator/torsor.hpp"
+#include "torsor/generator/torsor.hpp"
 
 /// A bead slides without friction on a hoop that a motor turns about its vertical diameter at a constant rate. theta is
 /// measured from the lowest point. The motor's torque is asked for by releasing the motion it imposes.

@@ -2,7 +2,7 @@
 #pragma once
 #include <functional>
 
-#include "generator/torsor.hpp"
+#include "torsor/generator/torsor.hpp"
 
 /// A uniform ball that flies, slides and rolls over its cloth, z = 0 (Pommier, 8.3.2 exercise 3), of which `law` says what
 /// it is made of. Nothing is assumed of the contact. It starts as the exercise's ball: struck in its middle, it slides.

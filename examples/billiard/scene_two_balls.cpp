@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "generator/torsor.hpp"
+#include "torsor/generator/torsor.hpp"
 
 /// Two equal billiard balls: the first, which slides or rolls along x at 2 m/s, strikes the second, at rest 30 degrees off
 /// its way.

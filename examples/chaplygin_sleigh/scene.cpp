@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "generator/torsor.hpp"
+#include "torsor/generator/torsor.hpp"
 
 /// Chaplygin's sleigh: a body slides on a horizontal plane without friction, on a knife edge at C that lets it run
 /// along the blade x1 but not across it. The centre of mass lies a x1 ahead of C.

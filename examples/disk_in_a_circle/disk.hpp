@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-#include "generator/torsor.hpp"
+#include "torsor/generator/torsor.hpp"
 
 namespace disk_scenes {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "generator/torsor.hpp"
+#include "torsor/generator/torsor.hpp"
 
 /// Planar double pendulum: two point masses on massless rods, both angles absolute, from the downward vertical. y
 /// points up and the motion takes place in the plane x, y.

@@ -8,13 +8,13 @@
 #include <vector>
 
 #include "generated/elastic_wing.hpp"
-#include "runtime/integration/demonstration.hpp"
-#include "runtime/integration/work_precision.hpp"
-#include "runtime/mechanism.hpp"
-#include "runtime/records/plot.hpp"
-#include "runtime/records/trajectory.hpp"
-#include "runtime/small_motions/linear_system.hpp"
-#include "runtime/small_motions/modes.hpp"
+#include "torsor/runtime/integration/demonstration.hpp"
+#include "torsor/runtime/integration/work_precision.hpp"
+#include "torsor/runtime/mechanism.hpp"
+#include "torsor/runtime/records/plot.hpp"
+#include "torsor/runtime/records/trajectory.hpp"
+#include "torsor/runtime/small_motions/linear_system.hpp"
+#include "torsor/runtime/small_motions/modes.hpp"
 
 namespace {
 

@@ -2,7 +2,7 @@
 #include <string>
 #include <vector>
 
-#include "generator/torsor.hpp"
+#include "torsor/generator/torsor.hpp"
 
 /// Half an aircraft in symmetric flight (Pommier, §1, example 1): the fuselage heaves by z; the wing is four rigid
 /// panels in a row along y, joined to it and to one another by elastic hinges about x, beta_1 to beta_4 from panel to

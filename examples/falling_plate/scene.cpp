@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "generator/torsor.hpp"
+#include "torsor/generator/torsor.hpp"
 
 /// Plate of any shape with its straight edge AB on a smooth level plane (Pommier, 8.3.2 exercise 1). alpha turns it
 /// about the vertical, beta about its edge: beta is the angle of its plane with the ground (of its normal z with z_g);

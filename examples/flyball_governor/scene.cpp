@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "generator/torsor.hpp"
+#include "torsor/generator/torsor.hpp"
 
 /// Stiff flyball governor (IFToMM benchmark A05). The shaft turns freely about the vertical z0 by psi; a slider runs on
 /// it, its centre s above the base. Two rods are hinged about the shaft's y at +-x from its top and hang outwards,

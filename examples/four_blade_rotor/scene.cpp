@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "generator/torsor.hpp"
+#include "torsor/generator/torsor.hpp"
 
 /// Rotor of four blades (Pommier, 8.2 exercise 2): thin homogeneous rectangles of mass m, at right angles around z,
 /// each turned by alpha about its span out of the plane A, x, y. A blade reaches from s to s + l from A, its chord is

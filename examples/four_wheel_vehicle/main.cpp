@@ -8,10 +8,10 @@
 
 #include "generated/four_wheel_vehicle.hpp"
 #include "generated/four_wheel_vehicle_all_wheels.hpp"
-#include "runtime/integration/demonstration.hpp"
-#include "runtime/integration/work_precision.hpp"
-#include "runtime/mechanism.hpp"
-#include "runtime/numerics/decompositions.hpp"
+#include "torsor/runtime/integration/demonstration.hpp"
+#include "torsor/runtime/integration/work_precision.hpp"
+#include "torsor/runtime/mechanism.hpp"
+#include "torsor/runtime/numerics/decompositions.hpp"
 
 namespace {
 

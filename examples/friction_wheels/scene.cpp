@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "generator/torsor.hpp"
+#include "torsor/generator/torsor.hpp"
 
 /// Two friction wheels (Pommier, §3.4.4). S1 turns about (O, z), S2 about (A, z), OA = (r1 + r2) y; they roll on each
 /// other without slipping at I, OI = r1 y. A motor turns S1, a viscous load holds S2 back. T is the force of S2 on S1

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "generator/torsor.hpp"
+#include "torsor/generator/torsor.hpp"
 
 /// Graham variator (Pommier, 8.3.2 exercise 6; its figure is lost, so that the places below are a reading of the text).
 /// The carrier S1 turns by alpha about (O, x0), y0 pointing up. The satellite S2, a cone of apex C and half angle

@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "runtime/grains/grain_motion.hpp"
+#include "torsor/runtime/grains/grain_motion.hpp"
 
 namespace grains_example {
 

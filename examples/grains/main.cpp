@@ -5,9 +5,9 @@
 #include <string>
 
 #include "examples/grains/machines.hpp"
-#include "runtime/integration/presentation.hpp"
-#include "runtime/records/plot.hpp"
-#include "runtime/records/table.hpp"
+#include "torsor/runtime/integration/presentation.hpp"
+#include "torsor/runtime/records/plot.hpp"
+#include "torsor/runtime/records/table.hpp"
 
 namespace {
 

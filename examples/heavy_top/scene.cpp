@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "generator/torsor.hpp"
+#include "torsor/generator/torsor.hpp"
 
 /// Fast symmetric top about a fixed point (Lagrange's top; data of Terze, Mueller and Zlatar, 2016). Its axis is y3;
 /// the centre of mass lies l y3 from the fixed point O. Three plane rotations place it: alpha about x1, beta about z

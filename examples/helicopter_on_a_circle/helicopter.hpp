@@ -3,7 +3,7 @@
 #include <array>
 #include <string>
 
-#include "generator/torsor.hpp"
+#include "torsor/generator/torsor.hpp"
 
 namespace helicopter_scenes {
 

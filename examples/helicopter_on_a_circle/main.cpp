@@ -6,9 +6,9 @@
 
 #include "generated/helicopter_on_a_circle.hpp"
 #include "generated/helicopter_on_a_circle_pitching_blades.hpp"
-#include "runtime/integration/demonstration.hpp"
-#include "runtime/integration/work_precision.hpp"
-#include "runtime/mechanism.hpp"
+#include "torsor/runtime/integration/demonstration.hpp"
+#include "torsor/runtime/integration/work_precision.hpp"
+#include "torsor/runtime/mechanism.hpp"
 
 namespace {
 

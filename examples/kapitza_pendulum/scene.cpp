@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "generator/torsor.hpp"
+#include "torsor/generator/torsor.hpp"
 
 /// Kapitza's pendulum: a simple pendulum whose pivot is shaken along the vertical by a cos(omega t). theta is measured
 /// from the upward vertical. The force that shakes the pivot is asked for by releasing the motion it imposes.

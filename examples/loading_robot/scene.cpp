@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "generator/torsor.hpp"
+#include "torsor/generator/torsor.hpp"
 
 /// Press-loading robot (Pommier, 8.3.2 exercise 7), plane x0, y0 with y0 up. S1 turns about (Oo, z0) by alpha, driven
 /// by the torque C01; S2 slides along (O1, x1) by x, driven by the force F12; S3 turns about (O2, z0) by beta relative

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "generator/torsor.hpp"
+#include "torsor/generator/torsor.hpp"
 
 /// Model-making press (Pommier, §3.5.5), with every joint: a traverse slides on two columns; a screw in the summit,
 /// which is fixed to the frame, moves it through a cup above and a cup below. z is the axis of the screw, O its end;

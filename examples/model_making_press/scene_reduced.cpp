@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "generator/torsor.hpp"
+#include "torsor/generator/torsor.hpp"
 
 /// Model-making press (Pommier, §3.5.5) reduced to three bodies and three joints: the traverse slides along z, the
 /// screw turns and advances in the frame, and the screw's end touches the traverse at a point.

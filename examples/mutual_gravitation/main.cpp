@@ -6,9 +6,9 @@
 #include <string>
 
 #include "generated/mutual_gravitation.hpp"
-#include "runtime/integration/demonstration.hpp"
-#include "runtime/integration/work_precision.hpp"
-#include "runtime/mechanism.hpp"
+#include "torsor/runtime/integration/demonstration.hpp"
+#include "torsor/runtime/integration/work_precision.hpp"
+#include "torsor/runtime/mechanism.hpp"
 
 namespace {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "generator/torsor.hpp"
+#include "torsor/generator/torsor.hpp"
 
 /// Two point masses m1 = s m and m2 = (1 - s) m that attract each other, U = G m1 m2 / r (Pommier, §5.2.4), in the
 /// plane of their motion. X and Y place their common centre of mass, r and phi the second as seen from the first:

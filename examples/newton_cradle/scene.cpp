@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <string>
 
-#include "generator/torsor.hpp"
+#include "torsor/generator/torsor.hpp"
 
 /// Five equal balls hang side by side and touch without a force; the first is drawn aside and let go. Its threads stay
 /// tight and count as rods. What the others do depends on the law of impact, of which the scene says nothing but e.

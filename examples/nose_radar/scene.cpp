@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "generator/torsor.hpp"
+#include "torsor/generator/torsor.hpp"
 
 /// Radar on the nose of an aircraft in straight level flight along x (Pommier, 8.1 exercise 5). Unit (1) turns about
 /// (P, z) by alpha; unit (2), the antenna, about (H, y1) by beta, PH = h x1. Its centre of mass G is at a x2 from H.

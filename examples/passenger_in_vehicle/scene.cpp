@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "generator/torsor.hpp"
+#include "torsor/generator/torsor.hpp"
 
 /// Passenger in a vehicle (Pommier, 8.1 exercise 2). The vehicle S0 runs along x at the constant speed V. The trunk S1
 /// turns by theta_1 about (I, z) of the vehicle, the head S2 by theta_2 about (K, z) of the trunk; z is across the

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "generator/torsor.hpp"
+#include "torsor/generator/torsor.hpp"
 
 /// Plumb line on the turning earth (Pommier, §6.3.4). The earth, a sphere, turns at omega about z_g; at the latitude,
 /// at the distance r from its centre O, n points upwards and t to the north (the pole), east completes them. A bob of

@@ -7,10 +7,10 @@
 #include <vector>
 
 #include "generated/quadruped_on_its_feet.hpp"
-#include "runtime/contacts/integrate_contacts.hpp"
-#include "runtime/contacts/mechanism_with_contacts.hpp"
-#include "runtime/mechanism.hpp"
-#include "runtime/records/table.hpp"
+#include "torsor/runtime/contacts/integrate_contacts.hpp"
+#include "torsor/runtime/contacts/mechanism_with_contacts.hpp"
+#include "torsor/runtime/mechanism.hpp"
+#include "torsor/runtime/records/table.hpp"
 
 namespace {
 

@@ -7,11 +7,11 @@
 #include <vector>
 
 #include "generated/rimless_wheel.hpp"
-#include "runtime/contacts/integrate_contacts.hpp"
-#include "runtime/contacts/mechanism_with_contacts.hpp"
-#include "runtime/integration/presentation.hpp"
-#include "runtime/records/plot.hpp"
-#include "runtime/records/table.hpp"
+#include "torsor/runtime/contacts/integrate_contacts.hpp"
+#include "torsor/runtime/contacts/mechanism_with_contacts.hpp"
+#include "torsor/runtime/integration/presentation.hpp"
+#include "torsor/runtime/records/plot.hpp"
+#include "torsor/runtime/records/table.hpp"
 
 namespace {
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <string>
 
-#include "generator/torsor.hpp"
+#include "torsor/generator/torsor.hpp"
 
 /// A wheel of six spokes and no rim walks down a slope: each spoke in turn strikes the ground with its foot, without
 /// restitution, and the wheel turns about it until the next one strikes (McGeer 1990).

@@ -9,9 +9,9 @@
 
 #include "generated/rolling_hoop.hpp"
 #include "generated/rolling_hoop_contact_forces.hpp"
-#include "runtime/integration/demonstration.hpp"
-#include "runtime/integration/work_precision.hpp"
-#include "runtime/mechanism.hpp"
+#include "torsor/runtime/integration/demonstration.hpp"
+#include "torsor/runtime/integration/work_precision.hpp"
+#include "torsor/runtime/mechanism.hpp"
 
 namespace {
 

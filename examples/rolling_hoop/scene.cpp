@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "generator/torsor.hpp"
+#include "torsor/generator/torsor.hpp"
 
 /// Hoop (or disc) rolling without slipping on a horizontal plane (Pommier, §6.5.5), with coordinates compatible with
 /// the contact: z = R sin(theta) is built in, and two multipliers hold the point of contact along x1 and y1. Euler's

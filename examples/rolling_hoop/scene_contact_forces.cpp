@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "generator/torsor.hpp"
+#include "torsor/generator/torsor.hpp"
 
 /// The rolling hoop of scene.cpp with a parametrisation that the contact does not allow (Pommier, §6.5.5, second
 /// illustration): six coordinates, z among them. The hoop may slip and leave the plane virtually, so the contact force

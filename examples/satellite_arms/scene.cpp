@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "generator/torsor.hpp"
+#include "torsor/generator/torsor.hpp"
 
 /// Deployment of the two arms of a satellite (Pommier, 8.3.2 exercise 5), z0 up. The body S1 turns freely about
 /// (O, z0) by psi; the arms S2 and S3 turn about y1 by theta_2 and theta_3 (from z1 to z2 and z3), hinged at a2 x1 and

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "generator/torsor.hpp"
+#include "torsor/generator/torsor.hpp"
 
 /// Segment AB of length l whose ends stay on a sphere of radius R > l/2 about O (Pommier, 8.1 exercise 1). Its middle I
 /// stays at the distance d = sqrt(R^2 - l^2/4) from O and AB is normal to OI, so three angles place it: psi and theta

@@ -6,9 +6,9 @@
 #include "generated/shaker.hpp"
 #include "generated/shaker_damped.hpp"
 #include "generated/shaker_from_mass.hpp"
-#include "runtime/integration/demonstration.hpp"
-#include "runtime/integration/work_precision.hpp"
-#include "runtime/mechanism.hpp"
+#include "torsor/runtime/integration/demonstration.hpp"
+#include "torsor/runtime/integration/work_precision.hpp"
+#include "torsor/runtime/mechanism.hpp"
 
 namespace {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "generator/torsor.hpp"
+#include "torsor/generator/torsor.hpp"
 
 /// Mass M on a spring from a support that a shaker moves along the vertical by h sin(omega t) (Pommier, §6.5.3). The
 /// coordinate x is the height of the mass above the support: both ends of the spring are seen and -k (x - l0)²/2 is a

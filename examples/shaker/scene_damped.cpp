@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "generator/torsor.hpp"
+#include "torsor/generator/torsor.hpp"
 
 /// Not in the course: the same mass with a damper beside the spring. Their action has no force function for another
 /// reason than that of scene_free_support.cpp: it depends on the velocity.

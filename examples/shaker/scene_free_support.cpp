@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "generator/torsor.hpp"
+#include "torsor/generator/torsor.hpp"
 
 /// The third case of the spring (Pommier, §6.5.3): nothing holds the cylinder T, the support, any more. Its place H is
 /// OH = lambda y, the mass P is at HP = l y, and the spring works between H and P. Seen from the mass alone it gives

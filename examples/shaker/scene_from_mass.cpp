@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "generator/torsor.hpp"
+#include "torsor/generator/torsor.hpp"
 
 /// The same mass alone, in the absolute frame: y is its height, and the spring is an outside action on it with the
 /// force function U = -k (y - h sin(omega t) - l0)²/2 (Pommier, §6.5.3, where the square is lost in dU/dy). U is no

@@ -7,10 +7,10 @@
 #include <string>
 
 #include "generated/sprung_absorber.hpp"
-#include "runtime/integration/demonstration.hpp"
-#include "runtime/integration/work_precision.hpp"
-#include "runtime/mechanism.hpp"
-#include "runtime/records/plot.hpp"
+#include "torsor/runtime/integration/demonstration.hpp"
+#include "torsor/runtime/integration/work_precision.hpp"
+#include "torsor/runtime/mechanism.hpp"
+#include "torsor/runtime/records/plot.hpp"
 
 namespace {
 

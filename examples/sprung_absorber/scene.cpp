@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "generator/torsor.hpp"
+#include "torsor/generator/torsor.hpp"
 
 /// Vibration absorber made of a spring and a mass: m1 stands on k1 and is shaken by f cos(omega t); m2 hangs on it by
 /// k2 and a damper c2. Both move along x and are at rest at zero.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "generator/torsor.hpp"
+#include "torsor/generator/torsor.hpp"
 
 /// A block on a spring lies on a belt that runs at the velocity v0. Friction holds more than it brakes.
 torsor::Scene stick_slip_belt_scene() {

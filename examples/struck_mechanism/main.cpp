@@ -6,9 +6,9 @@
 
 #include "generated/struck_mechanism.hpp"
 #include "generated/struck_mechanism_two_rods.hpp"
-#include "runtime/contacts/integrate_contacts.hpp"
-#include "runtime/contacts/mechanism_with_contacts.hpp"
-#include "runtime/records/table.hpp"
+#include "torsor/runtime/contacts/integrate_contacts.hpp"
+#include "torsor/runtime/contacts/mechanism_with_contacts.hpp"
+#include "torsor/runtime/records/table.hpp"
 
 namespace {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "generator/torsor.hpp"
+#include "torsor/generator/torsor.hpp"
 
 /// A uniform rod OB that hangs from a hinge at O is struck across by a ball at the depth d below O (Pommier, 7.6.4). The
 /// hinge's reaction has a coordinate of its own, held at zero, so that its impulse is known.

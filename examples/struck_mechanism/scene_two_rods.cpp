@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "generator/torsor.hpp"
+#include "torsor/generator/torsor.hpp"
 
 /// Two equal uniform rods AB and BC, jointed at B and free in the plane x, z, lie in one line along x. A ball that moves
 /// along z strikes A. Both rods are free bodies: B is a joint that closes a loop, so that its impulse is known.

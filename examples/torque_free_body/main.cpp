@@ -5,9 +5,9 @@
 #include <string>
 
 #include "generated/torque_free_body.hpp"
-#include "runtime/integration/demonstration.hpp"
-#include "runtime/integration/work_precision.hpp"
-#include "runtime/mechanism.hpp"
+#include "torsor/runtime/integration/demonstration.hpp"
+#include "torsor/runtime/integration/work_precision.hpp"
+#include "torsor/runtime/mechanism.hpp"
 
 namespace {
 

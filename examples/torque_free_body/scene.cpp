@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "generator/torsor.hpp"
+#include "torsor/generator/torsor.hpp"
 
 /// Rigid body left to itself, its centre of mass at rest (Euler and Poinsot). Its orientation is a unit quaternion, its
 /// velocities are the components of the angular velocity along its own axes: no orientation is singular.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "generator/torsor.hpp"
+#include "torsor/generator/torsor.hpp"
 
 /// Tumbler (Pommier, 8.1 exercise 3): its base is a half sphere of radius R about C, which rolls without slipping on a
 /// table. Euler's angles psi, theta, phi about z0, x1, z2; z2 is its axis of revolution and C G = -a z2, so that it

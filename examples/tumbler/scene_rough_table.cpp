@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "generator/torsor.hpp"
+#include "torsor/generator/torsor.hpp"
 
 /// The tumbler on a table of friction f, and nothing assumed of the contact: it rolls while f suffices, slips where it
 /// does not, and jumps where the table does not press.

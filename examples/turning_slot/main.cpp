@@ -3,10 +3,10 @@
 #include <iostream>
 
 #include "generated/turning_slot.hpp"
-#include "runtime/constraints/projection.hpp"
-#include "runtime/integration/demonstration.hpp"
-#include "runtime/integration/work_precision.hpp"
-#include "runtime/mechanism.hpp"
+#include "torsor/runtime/constraints/projection.hpp"
+#include "torsor/runtime/integration/demonstration.hpp"
+#include "torsor/runtime/integration/work_precision.hpp"
+#include "torsor/runtime/mechanism.hpp"
 
 namespace {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "generator/torsor.hpp"
+#include "torsor/generator/torsor.hpp"
 
 /// A bead slides without friction in a straight slot that turns at a constant rate about a horizontal axis through it,
 /// in the vertical plane x, y. The slot is no body: the bead has both coordinates, and a condition that depends on time

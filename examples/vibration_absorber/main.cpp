@@ -8,14 +8,14 @@
 #include <vector>
 
 #include "generated/vibration_absorber.hpp"
-#include "runtime/integration/demonstration.hpp"
-#include "runtime/integration/work_precision.hpp"
-#include "runtime/mechanism.hpp"
-#include "runtime/records/plot.hpp"
-#include "runtime/records/trajectory.hpp"
-#include "runtime/small_motions/equilibrium_stability.hpp"
-#include "runtime/small_motions/forced_response.hpp"
-#include "runtime/small_motions/steady_states.hpp"
+#include "torsor/runtime/integration/demonstration.hpp"
+#include "torsor/runtime/integration/work_precision.hpp"
+#include "torsor/runtime/mechanism.hpp"
+#include "torsor/runtime/records/plot.hpp"
+#include "torsor/runtime/records/trajectory.hpp"
+#include "torsor/runtime/small_motions/equilibrium_stability.hpp"
+#include "torsor/runtime/small_motions/forced_response.hpp"
+#include "torsor/runtime/small_motions/steady_states.hpp"
 
 namespace {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "generator/torsor.hpp"
+#include "torsor/generator/torsor.hpp"
 
 /// Vibration absorber (Pommier, §6.2.4 and §7.2.2). A machine support slides along x on a spring; its rotor carries an
 /// unbalance and turns at constant speed; a simple pendulum hangs from the support. z points down, y completes the

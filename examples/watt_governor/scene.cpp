@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "generator/torsor.hpp"
+#include "torsor/generator/torsor.hpp"
 
 /// Watt's governor, turned at a constant rate: four massless arms of length L make a rhombus, hinged to the shaft at
 /// its upper corner and to a sleeve on the shaft at its lower one; the balls are at the other two. theta is the angle

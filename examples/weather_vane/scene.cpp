@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "generator/torsor.hpp"
+#include "torsor/generator/torsor.hpp"
 
 /// Weather vane (Pommier, 8.2 exercise 1): a thin quarter disk in the plane x, y1 of its axes turns by theta about
 /// (O, x), one of the two radii that bound it; x is vertical. A wind along y turns it round and the hinge holds it back

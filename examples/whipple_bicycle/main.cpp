@@ -4,10 +4,10 @@
 #include <string>
 
 #include "generated/whipple_bicycle.hpp"
-#include "runtime/integration/demonstration.hpp"
-#include "runtime/integration/work_precision.hpp"
-#include "runtime/mechanism.hpp"
-#include "runtime/small_motions/modes.hpp"
+#include "torsor/runtime/integration/demonstration.hpp"
+#include "torsor/runtime/integration/work_precision.hpp"
+#include "torsor/runtime/mechanism.hpp"
+#include "torsor/runtime/small_motions/modes.hpp"
 
 namespace {
 

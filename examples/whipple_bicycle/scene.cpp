@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "generator/torsor.hpp"
+#include "torsor/generator/torsor.hpp"
 
 /// The bicycle of Whipple (1899) with the parameters of the benchmark of Meijaard, Papadopoulos, Ruina and Schwab
 /// (Proc. R. Soc. A 463:1955-1982, 2007): rear wheel, rear frame with rider, front frame and front wheel; knife-edge

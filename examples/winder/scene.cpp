@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "generator/torsor.hpp"
+#include "torsor/generator/torsor.hpp"
 
 /// Winder (Pommier, 8.3.2 exercise 4; w upwards). The arm Sigma turns about (O, w) at a constant rate, driven by a
 /// motor. A cylindrical joint lets the bobbin S slide and turn freely on the axis (B, z) of the arm, OB = b i, its

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "generator/torsor.hpp"
+#include "torsor/generator/torsor.hpp"
 
 /// A woodpecker on a sleeve that a spring joins it to slides down a pole. The sleeve is wider than the pole: it jams by
 /// friction where it tilts, and the nods of the bird free it. Numbers of Glocker (1995), who takes the tilt as small.

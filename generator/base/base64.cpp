@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "generator/base/base64.hpp"
+#include "torsor/generator/base/base64.hpp"
 
 #include <algorithm>
 

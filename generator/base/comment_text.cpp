@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "generator/base/comment_text.hpp"
+#include "torsor/generator/base/comment_text.hpp"
 
 #include <string_view>
 
-#include "generator/base/printable.hpp"
+#include "torsor/generator/base/printable.hpp"
 
 namespace torsor {
 

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "generator/base/decimal.hpp"
+#include "torsor/generator/base/decimal.hpp"
 
 #include <array>
 #include <charconv>
 #include <cmath>
 #include <system_error>
 
-#include "generator/base/error.hpp"
+#include "torsor/generator/base/error.hpp"
 
 namespace torsor {
 namespace {

@@ -4,7 +4,7 @@
 #include <string>
 #include <string_view>
 
-#include "generator/base/number.hpp"
+#include "torsor/generator/base/number.hpp"
 
 namespace torsor {
 

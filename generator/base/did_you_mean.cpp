@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "generator/base/did_you_mean.hpp"
+#include "torsor/generator/base/did_you_mean.hpp"
 
 #include <algorithm>
 #include <array>

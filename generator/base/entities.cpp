@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "generator/base/entities.hpp"
+#include "torsor/generator/base/entities.hpp"
 
 namespace torsor {
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "generator/base/error.hpp"
+#include "torsor/generator/base/error.hpp"
 
-#include "generator/base/printable.hpp"
+#include "torsor/generator/base/printable.hpp"
 
 namespace torsor {
 

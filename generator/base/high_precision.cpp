@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "generator/base/high_precision.hpp"
+#include "torsor/generator/base/high_precision.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -11,8 +11,8 @@
 #include <cln/integer_io.h>
 #include <cln/real.h>
 
-#include "generator/base/decimal.hpp"
-#include "generator/base/error.hpp"
+#include "torsor/generator/base/decimal.hpp"
+#include "torsor/generator/base/error.hpp"
 
 namespace torsor {
 namespace {

@@ -8,7 +8,7 @@
 
 #include <cln/float.h>
 
-#include "generator/base/number.hpp"
+#include "torsor/generator/base/number.hpp"
 
 namespace torsor {
 

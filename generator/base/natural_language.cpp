@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "generator/base/natural_language.hpp"
+#include "torsor/generator/base/natural_language.hpp"
 
-#include "generator/base/did_you_mean.hpp"
-#include "generator/base/error.hpp"
+#include "torsor/generator/base/did_you_mean.hpp"
+#include "torsor/generator/base/error.hpp"
 
 namespace torsor {
 

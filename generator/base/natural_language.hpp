@@ -8,7 +8,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "generator/base/french/phrases.hpp"
+#include "torsor/generator/base/french/phrases.hpp"
 
 namespace torsor {
 

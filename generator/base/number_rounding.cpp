@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "generator/base/number.hpp"
+#include "torsor/generator/base/number.hpp"
 
 namespace torsor {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "generator/base/output_file.hpp"
+#include "torsor/generator/base/output_file.hpp"
 
 #include <cerrno>
 #include <cstdio>
@@ -17,7 +17,7 @@
 
 #include <fmt/format.h>
 
-#include "generator/base/error.hpp"
+#include "torsor/generator/base/error.hpp"
 
 namespace torsor {
 namespace {

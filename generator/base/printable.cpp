@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "generator/base/printable.hpp"
+#include "torsor/generator/base/printable.hpp"
 
 #include <algorithm>
 #include <array>

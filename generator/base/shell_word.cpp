@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "generator/base/shell_word.hpp"
+#include "torsor/generator/base/shell_word.hpp"
 
 #include <algorithm>
 
 #include <fmt/format.h>
 
-#include "generator/base/printable.hpp"
+#include "torsor/generator/base/printable.hpp"
 
 namespace torsor {
 namespace {

@@ -7,7 +7,7 @@
 #include <string>
 #include <string_view>
 
-#include "generator/base/error.hpp"
+#include "torsor/generator/base/error.hpp"
 
 namespace torsor {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "generator/base/wrapped_line.hpp"
+#include "torsor/generator/base/wrapped_line.hpp"
 
 #include <string_view>
 
@@ -22,8 +22,11 @@ std::string wrapped(const std::string& line, std::size_t indentation) {
   std::size_t room = columns - indentation;
   while (rest.size() > room) {
     std::size_t cut = std::string::npos;
-    int template_arguments = 0;  // never broken
+    int template_arguments = 0;  // never broken, nor is a text in quotes
+    bool in_quotes = rest.front() == '"';
     for (std::size_t at = 1; at < rest.size() && (at <= room || cut == std::string::npos); ++at) {
+      if (rest[at] == '"' && rest[at - 1] != '\\') in_quotes = !in_quotes;
+      if (in_quotes) continue;
       if (rest[at] == '<') ++template_arguments;
       if (rest[at] == '>' && rest[at - 1] != '-') --template_arguments;
       if (rest[at] == ' ' && template_arguments == 0 && (rest[at - 1] == ',' || stands_before_operator(rest, at)))

@@ -6,13 +6,13 @@
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
 
-#include "generator/base/error.hpp"
-#include "generator/base/output_file.hpp"
-#include "generator/cli/command_set.hpp"
-#include "generator/cli/compiled_library.hpp"
-#include "generator/cli/compiler.hpp"
-#include "generator/cli/kernel_options.hpp"
-#include "generator/emission/library_sources.hpp"
+#include "torsor/generator/base/error.hpp"
+#include "torsor/generator/base/output_file.hpp"
+#include "torsor/generator/cli/command_set.hpp"
+#include "torsor/generator/cli/compiled_library.hpp"
+#include "torsor/generator/cli/compiler.hpp"
+#include "torsor/generator/cli/kernel_options.hpp"
+#include "torsor/generator/emission/library_sources.hpp"
 
 namespace torsor {
 namespace {

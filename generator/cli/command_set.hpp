@@ -6,9 +6,9 @@
 #include <utility>
 #include <vector>
 
-#include "generator/cli/command_line.hpp"
-#include "generator/cli/start_state.hpp"
-#include "generator/printing/print_equations.hpp"
+#include "torsor/generator/cli/command_line.hpp"
+#include "torsor/generator/cli/start_state.hpp"
+#include "torsor/generator/printing/print_equations.hpp"
 
 namespace torsor {
 

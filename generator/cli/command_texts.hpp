@@ -5,12 +5,12 @@
 #include <utility>
 #include <vector>
 
-#include "generator/base/natural_language.hpp"
-#include "generator/dynamics/equations/equations.hpp"
-#include "generator/program/formula.hpp"
-#include "generator/verification/check.hpp"
-#include "generator/verification/pass_report.hpp"
-#include "generator/verification/verify.hpp"
+#include "torsor/generator/base/natural_language.hpp"
+#include "torsor/generator/dynamics/equations/equations.hpp"
+#include "torsor/generator/program/formula.hpp"
+#include "torsor/generator/verification/check.hpp"
+#include "torsor/generator/verification/pass_report.hpp"
+#include "torsor/generator/verification/verify.hpp"
 
 namespace torsor {
 

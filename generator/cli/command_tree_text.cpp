@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "generator/cli/command_tree_text.hpp"
+#include "torsor/generator/cli/command_tree_text.hpp"
 
 #include <algorithm>
 #include <cctype>

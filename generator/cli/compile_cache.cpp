@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "generator/cli/compile_cache.hpp"
+#include "torsor/generator/cli/compile_cache.hpp"
 
 #include <cstdlib>
 #include <system_error>
 
 #include <fmt/format.h>
 
-#include "generator/base/error.hpp"
+#include "torsor/generator/base/error.hpp"
 
 namespace torsor {
 

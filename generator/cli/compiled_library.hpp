@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "generator/cli/compiler.hpp"
-#include "generator/emission/mechanism_listing.hpp"
+#include "torsor/generator/cli/compiler.hpp"
+#include "torsor/generator/emission/mechanism_listing.hpp"
 
 namespace torsor {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "generator/cli/compiler.hpp"
+#include "torsor/generator/cli/compiler.hpp"
 
 #include <unistd.h>
 
@@ -13,9 +13,9 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "generator/base/error.hpp"
-#include "generator/base/printable.hpp"
-#include "generator/base/process.hpp"
+#include "torsor/generator/base/error.hpp"
+#include "torsor/generator/base/printable.hpp"
+#include "torsor/generator/base/process.hpp"
 
 #ifndef TORSOR_EIGEN_DIR
 #define TORSOR_EIGEN_DIR "/usr/include/eigen3"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "generator/cli/contact_simulation.hpp"
+#include "torsor/generator/cli/contact_simulation.hpp"
 
 #include <algorithm>
 #include <array>
@@ -8,11 +8,11 @@
 
 #include <fmt/format.h>
 
-#include "generator/base/error.hpp"
-#include "generator/cli/evaluated_contacts.hpp"
-#include "generator/cli/start_state.hpp"
-#include "generator/program/written_unit.hpp"
-#include "runtime/contacts/integrate_contacts.hpp"
+#include "torsor/generator/base/error.hpp"
+#include "torsor/generator/cli/evaluated_contacts.hpp"
+#include "torsor/generator/cli/start_state.hpp"
+#include "torsor/generator/program/written_unit.hpp"
+#include "torsor/runtime/contacts/integrate_contacts.hpp"
 
 namespace torsor {
 namespace {

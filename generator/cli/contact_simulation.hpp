@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "generator/base/natural_language.hpp"
-#include "generator/cli/simulate.hpp"
+#include "torsor/generator/base/natural_language.hpp"
+#include "torsor/generator/cli/simulate.hpp"
 
 namespace torsor {
 

@@ -2,8 +2,8 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "generator/cli/command_texts.hpp"
-#include "generator/kernels/kernel.hpp"
+#include "torsor/generator/cli/command_texts.hpp"
+#include "torsor/generator/kernels/kernel.hpp"
 
 namespace torsor {
 namespace {

@@ -3,8 +3,8 @@
 
 #include <CLI/CLI.hpp>
 
-#include "generator/cli/command_set.hpp"
-#include "generator/printing/print_equations.hpp"
+#include "torsor/generator/cli/command_set.hpp"
+#include "torsor/generator/printing/print_equations.hpp"
 
 namespace torsor {
 namespace {

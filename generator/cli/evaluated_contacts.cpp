@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "generator/cli/evaluated_contacts.hpp"
+#include "torsor/generator/cli/evaluated_contacts.hpp"
 
-#include "generator/dynamics/equations/constraint_rank.hpp"
-#include "generator/program/written_unit.hpp"
+#include "torsor/generator/dynamics/equations/constraint_rank.hpp"
+#include "torsor/generator/program/written_unit.hpp"
 
 namespace torsor {
 

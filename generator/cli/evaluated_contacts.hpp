@@ -6,10 +6,10 @@
 #include <string>
 #include <vector>
 
-#include "generator/dynamics/forces/contacts.hpp"
-#include "generator/dynamics/theorems/bearing_reactions.hpp"
-#include "generator/verification/evaluated_motion.hpp"
-#include "runtime/contacts/contact_system.hpp"
+#include "torsor/generator/dynamics/forces/contacts.hpp"
+#include "torsor/generator/dynamics/theorems/bearing_reactions.hpp"
+#include "torsor/generator/verification/evaluated_motion.hpp"
+#include "torsor/runtime/contacts/contact_system.hpp"
 
 namespace torsor {
 

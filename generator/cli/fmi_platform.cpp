@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "generator/cli/fmi_platform.hpp"
+#include "torsor/generator/cli/fmi_platform.hpp"
 
 #include <initializer_list>
 #include <utility>
 
 #include <fmt/format.h>
 
-#include "generator/base/error.hpp"
+#include "torsor/generator/base/error.hpp"
 
 namespace torsor {
 namespace {

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "generator/emission/fmi_description.hpp"
+#include "torsor/generator/emission/fmi_description.hpp"
 
 namespace torsor {
 

@@ -6,17 +6,17 @@
 #include <fmt/ranges.h>
 #include <CLI/CLI.hpp>
 
-#include "generator/base/error.hpp"
-#include "generator/base/output_file.hpp"
-#include "generator/base/process.hpp"
-#include "generator/base/temporary_folder.hpp"
-#include "generator/base/zip_archive.hpp"
-#include "generator/cli/command_set.hpp"
-#include "generator/cli/compiled_library.hpp"
-#include "generator/cli/compiler.hpp"
-#include "generator/cli/fmi_platform.hpp"
-#include "generator/cli/kernel_options.hpp"
-#include "generator/emission/fmi_sources.hpp"
+#include "torsor/generator/base/error.hpp"
+#include "torsor/generator/base/output_file.hpp"
+#include "torsor/generator/base/process.hpp"
+#include "torsor/generator/base/temporary_folder.hpp"
+#include "torsor/generator/base/zip_archive.hpp"
+#include "torsor/generator/cli/command_set.hpp"
+#include "torsor/generator/cli/compiled_library.hpp"
+#include "torsor/generator/cli/compiler.hpp"
+#include "torsor/generator/cli/fmi_platform.hpp"
+#include "torsor/generator/cli/kernel_options.hpp"
+#include "torsor/generator/emission/fmi_sources.hpp"
 
 namespace torsor {
 namespace {

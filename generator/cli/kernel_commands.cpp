@@ -5,16 +5,16 @@
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
 
-#include "generator/base/error.hpp"
-#include "generator/cli/command_set.hpp"
-#include "generator/cli/command_texts.hpp"
-#include "generator/cli/kernel_options.hpp"
-#include "generator/dynamics/equations/massless.hpp"
-#include "generator/emission/c_header.hpp"
-#include "generator/emission/header.hpp"
-#include "generator/emission/javascript_module.hpp"
-#include "generator/emission/support.hpp"
-#include "generator/kernels/kernel.hpp"
+#include "torsor/generator/base/error.hpp"
+#include "torsor/generator/cli/command_set.hpp"
+#include "torsor/generator/cli/command_texts.hpp"
+#include "torsor/generator/cli/kernel_options.hpp"
+#include "torsor/generator/dynamics/equations/massless.hpp"
+#include "torsor/generator/emission/c_header.hpp"
+#include "torsor/generator/emission/header.hpp"
+#include "torsor/generator/emission/javascript_module.hpp"
+#include "torsor/generator/emission/support.hpp"
+#include "torsor/generator/kernels/kernel.hpp"
 
 namespace torsor {
 namespace {

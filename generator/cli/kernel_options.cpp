@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "generator/cli/kernel_options.hpp"
+#include "torsor/generator/cli/kernel_options.hpp"
 
 #include <cmath>
 #include <algorithm>
@@ -7,9 +7,9 @@
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
 
-#include "generator/base/did_you_mean.hpp"
-#include "generator/base/error.hpp"
-#include "generator/kernels/kernel.hpp"
+#include "torsor/generator/base/did_you_mean.hpp"
+#include "torsor/generator/base/error.hpp"
+#include "torsor/generator/kernels/kernel.hpp"
 
 namespace torsor {
 namespace {

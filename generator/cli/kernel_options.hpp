@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
-#include "generator/cli/command_line.hpp"
-#include "generator/dynamics/equations/equations.hpp"
-#include "generator/verification/evaluated_motion.hpp"
+#include "torsor/generator/cli/command_line.hpp"
+#include "torsor/generator/dynamics/equations/equations.hpp"
+#include "torsor/generator/verification/evaluated_motion.hpp"
 
 namespace torsor {
 

@@ -5,16 +5,16 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "generator/base/decimal.hpp"
-#include "generator/base/error.hpp"
-#include "generator/cli/command_texts.hpp"
-#include "generator/emission/description.hpp"
-#include "generator/emission/header.hpp"
-#include "generator/kernels/kernel.hpp"
-#include "generator/mechanics/freedom_positions.hpp"
-#include "generator/mechanics/parameter_value.hpp"
-#include "generator/printing/notation.hpp"
-#include "generator/program/written_unit.hpp"
+#include "torsor/generator/base/decimal.hpp"
+#include "torsor/generator/base/error.hpp"
+#include "torsor/generator/cli/command_texts.hpp"
+#include "torsor/generator/emission/description.hpp"
+#include "torsor/generator/emission/header.hpp"
+#include "torsor/generator/kernels/kernel.hpp"
+#include "torsor/generator/mechanics/freedom_positions.hpp"
+#include "torsor/generator/mechanics/parameter_value.hpp"
+#include "torsor/generator/printing/notation.hpp"
+#include "torsor/generator/program/written_unit.hpp"
 
 namespace torsor {
 namespace {

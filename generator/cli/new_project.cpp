@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "generator/cli/new_project.hpp"
+#include "torsor/generator/cli/new_project.hpp"
 
 #include <filesystem>
 
 #include <fmt/format.h>
 
-#include "generator/base/error.hpp"
-#include "generator/base/output_file.hpp"
-#include "generator/emission/embedded_templates.hpp"
-#include "generator/emission/text_template.hpp"
-#include "generator/mechanics/identifier.hpp"
+#include "torsor/generator/base/error.hpp"
+#include "torsor/generator/base/output_file.hpp"
+#include "torsor/generator/emission/embedded_templates.hpp"
+#include "torsor/generator/emission/text_template.hpp"
+#include "torsor/generator/mechanics/identifier.hpp"
 
 namespace torsor {
 

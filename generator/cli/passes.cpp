@@ -4,7 +4,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "generator/cli/command_texts.hpp"
+#include "torsor/generator/cli/command_texts.hpp"
 
 namespace torsor {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "generator/cli/report.hpp"
+#include "torsor/generator/cli/report.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -8,19 +8,19 @@
 
 #include <fmt/format.h>
 
-#include "generator/base/base64.hpp"
-#include "generator/base/error.hpp"
-#include "generator/cli/command_texts.hpp"
-#include "generator/cli/katex.hpp"
-#include "generator/dynamics/equations/massless.hpp"
-#include "generator/dynamics/theorems/unknowns_report.hpp"
-#include "generator/emission/embedded_templates.hpp"
-#include "generator/emission/javascript_module.hpp"
-#include "generator/emission/text_template.hpp"
-#include "generator/printing/html_text.hpp"
-#include "generator/printing/page.hpp"
-#include "generator/printing/print_equations.hpp"
-#include "generator/printing/statics_text.hpp"
+#include "torsor/generator/base/base64.hpp"
+#include "torsor/generator/base/error.hpp"
+#include "torsor/generator/cli/command_texts.hpp"
+#include "torsor/generator/cli/katex.hpp"
+#include "torsor/generator/dynamics/equations/massless.hpp"
+#include "torsor/generator/dynamics/theorems/unknowns_report.hpp"
+#include "torsor/generator/emission/embedded_templates.hpp"
+#include "torsor/generator/emission/javascript_module.hpp"
+#include "torsor/generator/emission/text_template.hpp"
+#include "torsor/generator/printing/html_text.hpp"
+#include "torsor/generator/printing/page.hpp"
+#include "torsor/generator/printing/print_equations.hpp"
+#include "torsor/generator/printing/statics_text.hpp"
 
 namespace torsor {
 namespace {

@@ -7,10 +7,10 @@
 
 #include <nlohmann/json_fwd.hpp>
 
-#include "generator/base/natural_language.hpp"
-#include "generator/dynamics/motion/model.hpp"
-#include "generator/mechanics/scene.hpp"
-#include "generator/verification/evaluated_motion.hpp"
+#include "torsor/generator/base/natural_language.hpp"
+#include "torsor/generator/dynamics/motion/model.hpp"
+#include "torsor/generator/mechanics/scene.hpp"
+#include "torsor/generator/verification/evaluated_motion.hpp"
 
 namespace torsor {
 

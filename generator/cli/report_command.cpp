@@ -3,9 +3,9 @@
 
 #include <CLI/CLI.hpp>
 
-#include "generator/cli/command_set.hpp"
-#include "generator/cli/kernel_options.hpp"
-#include "generator/cli/report.hpp"
+#include "torsor/generator/cli/command_set.hpp"
+#include "torsor/generator/cli/kernel_options.hpp"
+#include "torsor/generator/cli/report.hpp"
 
 namespace torsor {
 namespace {

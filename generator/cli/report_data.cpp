@@ -4,9 +4,9 @@
 
 #include <nlohmann/json.hpp>
 
-#include "generator/base/printable.hpp"
-#include "generator/cli/report.hpp"
-#include "generator/mechanics/structure_graph.hpp"
+#include "torsor/generator/base/printable.hpp"
+#include "torsor/generator/cli/report.hpp"
+#include "torsor/generator/mechanics/structure_graph.hpp"
 
 namespace torsor {
 namespace {

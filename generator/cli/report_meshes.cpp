@@ -5,9 +5,9 @@
 
 #include <nlohmann/json.hpp>
 
-#include "generator/base/base64.hpp"
-#include "generator/cli/report.hpp"
-#include "generator/import/mesh_file.hpp"
+#include "torsor/generator/base/base64.hpp"
+#include "torsor/generator/cli/report.hpp"
+#include "torsor/generator/import/mesh_file.hpp"
 
 namespace torsor {
 namespace {

@@ -8,11 +8,11 @@
 #include <fmt/ranges.h>
 #include <nlohmann/json.hpp>
 
-#include "generator/base/base64.hpp"
-#include "generator/base/error.hpp"
-#include "generator/base/printable.hpp"
-#include "generator/cli/contact_simulation.hpp"
-#include "generator/cli/report.hpp"
+#include "torsor/generator/base/base64.hpp"
+#include "torsor/generator/base/error.hpp"
+#include "torsor/generator/base/printable.hpp"
+#include "torsor/generator/cli/contact_simulation.hpp"
+#include "torsor/generator/cli/report.hpp"
 
 namespace torsor {
 namespace {

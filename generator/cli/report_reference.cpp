@@ -7,9 +7,9 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "generator/base/error.hpp"
-#include "generator/base/printable.hpp"
-#include "generator/cli/report.hpp"
+#include "torsor/generator/base/error.hpp"
+#include "torsor/generator/base/printable.hpp"
+#include "torsor/generator/cli/report.hpp"
 
 namespace torsor {
 namespace {

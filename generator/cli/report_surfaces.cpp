@@ -7,10 +7,10 @@
 
 #include <nlohmann/json.hpp>
 
-#include "generator/cli/report.hpp"
-#include "generator/mechanics/parameter_value.hpp"
-#include "generator/program/derivative.hpp"
-#include "generator/program/evaluation.hpp"
+#include "torsor/generator/cli/report.hpp"
+#include "torsor/generator/mechanics/parameter_value.hpp"
+#include "torsor/generator/program/derivative.hpp"
+#include "torsor/generator/program/evaluation.hpp"
 
 namespace torsor {
 namespace {

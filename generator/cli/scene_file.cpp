@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "generator/cli/scene_file.hpp"
+#include "torsor/generator/cli/scene_file.hpp"
 
 #include <filesystem>
 #include <fstream>
@@ -10,14 +10,14 @@
 
 #include <fmt/format.h>
 
-#include "generator/base/error.hpp"
-#include "generator/base/fnv.hpp"
-#include "generator/base/output_file.hpp"
-#include "generator/base/process.hpp"
-#include "generator/base/temporary_folder.hpp"
-#include "generator/cli/compile_cache.hpp"
-#include "generator/cli/compiler.hpp"
-#include "generator/emission/embedded_templates.hpp"
+#include "torsor/generator/base/error.hpp"
+#include "torsor/generator/base/fnv.hpp"
+#include "torsor/generator/base/output_file.hpp"
+#include "torsor/generator/base/process.hpp"
+#include "torsor/generator/base/temporary_folder.hpp"
+#include "torsor/generator/cli/compile_cache.hpp"
+#include "torsor/generator/cli/compiler.hpp"
+#include "torsor/generator/emission/embedded_templates.hpp"
 
 namespace torsor {
 namespace {

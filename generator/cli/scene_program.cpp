@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "generator/cli/scene_program.hpp"
+#include "torsor/generator/cli/scene_program.hpp"
 
 #include <algorithm>
 #include <cstdio>
@@ -12,17 +12,17 @@
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
 
-#include "generator/base/did_you_mean.hpp"
-#include "generator/base/error.hpp"
-#include "generator/base/output_file.hpp"
-#include "generator/base/printable.hpp"
-#include "generator/cli/command_line.hpp"
-#include "generator/cli/command_set.hpp"
-#include "generator/cli/command_tree_text.hpp"
-#include "generator/cli/start_state.hpp"
-#include "generator/dynamics/equations/singular_start.hpp"
-#include "generator/dynamics/equations/start_error.hpp"
-#include "generator/dynamics/equations/validation.hpp"
+#include "torsor/generator/base/did_you_mean.hpp"
+#include "torsor/generator/base/error.hpp"
+#include "torsor/generator/base/output_file.hpp"
+#include "torsor/generator/base/printable.hpp"
+#include "torsor/generator/cli/command_line.hpp"
+#include "torsor/generator/cli/command_set.hpp"
+#include "torsor/generator/cli/command_tree_text.hpp"
+#include "torsor/generator/cli/start_state.hpp"
+#include "torsor/generator/dynamics/equations/singular_start.hpp"
+#include "torsor/generator/dynamics/equations/start_error.hpp"
+#include "torsor/generator/dynamics/equations/validation.hpp"
 
 namespace torsor {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "generator/cli/simulate.hpp"
+#include "torsor/generator/cli/simulate.hpp"
 
 #include <algorithm>
 #include <array>
@@ -8,14 +8,14 @@
 
 #include <fmt/format.h>
 
-#include "generator/base/did_you_mean.hpp"
-#include "generator/base/error.hpp"
-#include "generator/cli/contact_simulation.hpp"
-#include "generator/cli/start_state.hpp"
-#include "generator/program/written_unit.hpp"
-#include "generator/verification/dormand_prince_853.hpp"
-#include "generator/verification/gauss_collocation.hpp"
-#include "generator/verification/radau_iia_5.hpp"
+#include "torsor/generator/base/did_you_mean.hpp"
+#include "torsor/generator/base/error.hpp"
+#include "torsor/generator/cli/contact_simulation.hpp"
+#include "torsor/generator/cli/start_state.hpp"
+#include "torsor/generator/program/written_unit.hpp"
+#include "torsor/generator/verification/dormand_prince_853.hpp"
+#include "torsor/generator/verification/gauss_collocation.hpp"
+#include "torsor/generator/verification/radau_iia_5.hpp"
 
 namespace torsor {
 namespace {

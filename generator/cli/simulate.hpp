@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "generator/cli/watched_events.hpp"
-#include "generator/verification/evaluated_motion.hpp"
+#include "torsor/generator/cli/watched_events.hpp"
+#include "torsor/generator/verification/evaluated_motion.hpp"
 
 namespace torsor {
 

@@ -10,11 +10,11 @@
 #include <fmt/ranges.h>
 #include <CLI/CLI.hpp>
 
-#include "generator/base/error.hpp"
-#include "generator/base/output_file.hpp"
-#include "generator/cli/command_set.hpp"
-#include "generator/cli/kernel_options.hpp"
-#include "generator/cli/simulate.hpp"
+#include "torsor/generator/base/error.hpp"
+#include "torsor/generator/base/output_file.hpp"
+#include "torsor/generator/cli/command_set.hpp"
+#include "torsor/generator/cli/kernel_options.hpp"
+#include "torsor/generator/cli/simulate.hpp"
 
 namespace torsor {
 namespace {

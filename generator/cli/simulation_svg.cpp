@@ -6,10 +6,10 @@
 
 #include <fmt/format.h>
 
-#include "generator/base/did_you_mean.hpp"
-#include "generator/base/error.hpp"
-#include "generator/cli/simulate.hpp"
-#include "generator/printing/html_text.hpp"
+#include "torsor/generator/base/did_you_mean.hpp"
+#include "torsor/generator/base/error.hpp"
+#include "torsor/generator/cli/simulate.hpp"
+#include "torsor/generator/printing/html_text.hpp"
 
 namespace torsor {
 namespace {

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "generator/verification/evaluated_motion.hpp"
+#include "torsor/generator/verification/evaluated_motion.hpp"
 
 namespace torsor {
 

@@ -3,13 +3,13 @@
 
 #include <CLI/CLI.hpp>
 
-#include "generator/base/error.hpp"
-#include "generator/cli/command_set.hpp"
-#include "generator/dynamics/theorems/unknowns_report.hpp"
-#include "generator/printing/force_function_text.hpp"
-#include "generator/printing/page.hpp"
-#include "generator/printing/statics_text.hpp"
-#include "generator/printing/theorem_text.hpp"
+#include "torsor/generator/base/error.hpp"
+#include "torsor/generator/cli/command_set.hpp"
+#include "torsor/generator/dynamics/theorems/unknowns_report.hpp"
+#include "torsor/generator/printing/force_function_text.hpp"
+#include "torsor/generator/printing/page.hpp"
+#include "torsor/generator/printing/statics_text.hpp"
+#include "torsor/generator/printing/theorem_text.hpp"
 
 namespace torsor {
 namespace {

@@ -2,12 +2,12 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "generator/base/did_you_mean.hpp"
-#include "generator/base/error.hpp"
-#include "generator/cli/command_texts.hpp"
-#include "generator/dynamics/structure/mobility.hpp"
-#include "generator/dynamics/structure/reduced_graph.hpp"
-#include "generator/graphs/graph_printer.hpp"
+#include "torsor/generator/base/did_you_mean.hpp"
+#include "torsor/generator/base/error.hpp"
+#include "torsor/generator/cli/command_texts.hpp"
+#include "torsor/generator/dynamics/structure/mobility.hpp"
+#include "torsor/generator/dynamics/structure/reduced_graph.hpp"
+#include "torsor/generator/graphs/graph_printer.hpp"
 
 namespace torsor {
 namespace {

@@ -3,9 +3,9 @@
 
 #include <CLI/CLI.hpp>
 
-#include "generator/cli/command_set.hpp"
-#include "generator/cli/command_texts.hpp"
-#include "generator/cli/kernel_options.hpp"
+#include "torsor/generator/cli/command_set.hpp"
+#include "torsor/generator/cli/command_texts.hpp"
+#include "torsor/generator/cli/kernel_options.hpp"
 
 namespace torsor {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "generator/cli/torsor_program.hpp"
+#include "torsor/generator/cli/torsor_program.hpp"
 
 #include <cerrno>
 #include <cstdio>
@@ -14,15 +14,15 @@
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
 
-#include "generator/base/decimal.hpp"
-#include "generator/base/did_you_mean.hpp"
-#include "generator/base/error.hpp"
-#include "generator/base/output_file.hpp"
-#include "generator/base/printable.hpp"
-#include "generator/cli/command_line.hpp"
-#include "generator/cli/new_project.hpp"
-#include "generator/cli/scene_file.hpp"
-#include "generator/import/mechanism_file.hpp"
+#include "torsor/generator/base/decimal.hpp"
+#include "torsor/generator/base/did_you_mean.hpp"
+#include "torsor/generator/base/error.hpp"
+#include "torsor/generator/base/output_file.hpp"
+#include "torsor/generator/base/printable.hpp"
+#include "torsor/generator/cli/command_line.hpp"
+#include "torsor/generator/cli/new_project.hpp"
+#include "torsor/generator/cli/scene_file.hpp"
+#include "torsor/generator/import/mechanism_file.hpp"
 
 namespace torsor {
 namespace {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "generator/import/mechanism_file.hpp"
+#include "torsor/generator/import/mechanism_file.hpp"
 
 namespace torsor {
 

@@ -8,15 +8,15 @@
 #include <fmt/ranges.h>
 #include <CLI/CLI.hpp>
 
-#include "generator/base/decimal.hpp"
-#include "generator/base/error.hpp"
-#include "generator/cli/command_set.hpp"
-#include "generator/cli/command_texts.hpp"
-#include "generator/cli/kernel_options.hpp"
-#include "generator/cli/start_state.hpp"
-#include "generator/dynamics/equations/massless.hpp"
-#include "generator/kernels/kernel.hpp"
-#include "generator/verification/reference_cache.hpp"
+#include "torsor/generator/base/decimal.hpp"
+#include "torsor/generator/base/error.hpp"
+#include "torsor/generator/cli/command_set.hpp"
+#include "torsor/generator/cli/command_texts.hpp"
+#include "torsor/generator/cli/kernel_options.hpp"
+#include "torsor/generator/cli/start_state.hpp"
+#include "torsor/generator/dynamics/equations/massless.hpp"
+#include "torsor/generator/kernels/kernel.hpp"
+#include "torsor/generator/verification/reference_cache.hpp"
 
 namespace torsor {
 namespace {

@@ -5,9 +5,9 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "generator/cli/command_texts.hpp"
-#include "generator/verification/ball.hpp"
-#include "generator/verification/worst.hpp"
+#include "torsor/generator/cli/command_texts.hpp"
+#include "torsor/generator/verification/ball.hpp"
+#include "torsor/generator/verification/worst.hpp"
 
 namespace torsor {
 namespace {

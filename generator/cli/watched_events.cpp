@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "generator/cli/watched_events.hpp"
+#include "torsor/generator/cli/watched_events.hpp"
 
 #include <algorithm>
 #include <cmath>
 
 #include <fmt/format.h>
 
-#include "generator/base/error.hpp"
-#include "generator/printing/formula_text.hpp"
+#include "torsor/generator/base/error.hpp"
+#include "torsor/generator/printing/formula_text.hpp"
 
 namespace torsor {
 namespace {

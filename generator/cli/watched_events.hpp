@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
-#include "generator/mechanics/scene.hpp"
-#include "generator/verification/evaluated_motion.hpp"
-#include "generator/verification/motion_integrator.hpp"
+#include "torsor/generator/mechanics/scene.hpp"
+#include "torsor/generator/verification/evaluated_motion.hpp"
+#include "torsor/generator/verification/motion_integrator.hpp"
 
 namespace torsor {
 

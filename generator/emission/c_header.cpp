@@ -1,21 +1,21 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "generator/emission/c_header.hpp"
+#include "torsor/generator/emission/c_header.hpp"
 
 #include <algorithm>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "generator/base/comment_text.hpp"
-#include "generator/base/wrapped_line.hpp"
-#include "generator/emission/c_language.hpp"
-#include "generator/emission/cpp_names.hpp"
-#include "generator/emission/description.hpp"
-#include "generator/emission/embedded_templates.hpp"
-#include "generator/emission/formula_printer.hpp"
-#include "generator/emission/listing_printer.hpp"
-#include "generator/emission/support.hpp"
-#include "generator/emission/text_template.hpp"
+#include "torsor/generator/base/comment_text.hpp"
+#include "torsor/generator/base/wrapped_line.hpp"
+#include "torsor/generator/emission/c_language.hpp"
+#include "torsor/generator/emission/cpp_names.hpp"
+#include "torsor/generator/emission/description.hpp"
+#include "torsor/generator/emission/embedded_templates.hpp"
+#include "torsor/generator/emission/formula_printer.hpp"
+#include "torsor/generator/emission/listing_printer.hpp"
+#include "torsor/generator/emission/support.hpp"
+#include "torsor/generator/emission/text_template.hpp"
 
 namespace torsor {
 namespace {
@@ -28,9 +28,9 @@ std::string c_structure(const std::string& scene, const Structure& structure) {
   if (structure.members.empty()) text += "  torsor_real nothing_;\n";
   for (const Member& member : structure.members) {
     const std::string shape =
-        member.scalar || member.columns == 1 ? "" : fmt::format(" ({} x {})", member.rows, member.columns);
+        member.is_scalar() || member.columns == 1 ? "" : fmt::format(" ({} x {})", member.rows, member.columns);
     const std::string size =
-        member.scalar ? "" : fmt::format("[{}]", array_size(static_cast<std::size_t>(member.rows * member.columns)));
+        member.is_scalar() ? "" : fmt::format("[{}]", array_size(static_cast<std::size_t>(member.rows * member.columns)));
     text +=
         fmt::format("  torsor_real {}{};  ///< {}{}\n", member.name, size, comment_text(member.documentation), shape);
   }
@@ -78,7 +78,7 @@ std::vector<CItem> c_description(const MechanismListing& mechanism) {
   items.push_back(c_table("int", scene + "_quaternions", quaternions, "0",
                           "Places in q of the first components (w) of the unit quaternions (w, x, y, z)."));
   const KernelEntries entries = kernel_entries(mechanism, scene + "_results", {"0", "1"});
-  items.push_back(c_table("torsor_result", scene + "_results", entries.results, "{\"\", \"\", 0, 0}",
+  items.push_back(c_table("torsor_result", scene + "_results", entries.results, "{\"\", \"\", 0, 0, 0, \"\"}",
                           "What kernels write, and what they read."));
   items.push_back(c_table("torsor_kernel", scene + "_kernels", entries.kernels, "{\"\", 0, 0, 0, 0, 0, 0}"));
   return items;

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "generator/emission/c_language.hpp"
+#include "torsor/generator/emission/c_language.hpp"
 
 #include <algorithm>
 #include <utility>
 
 #include <fmt/format.h>
 
-#include "generator/base/error.hpp"
-#include "generator/emission/formula_printer.hpp"
+#include "torsor/generator/base/error.hpp"
+#include "torsor/generator/emission/formula_printer.hpp"
 
 namespace torsor {
 

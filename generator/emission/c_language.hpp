@@ -5,8 +5,8 @@
 #include <utility>
 #include <vector>
 
-#include "generator/emission/language.hpp"
-#include "generator/emission/mechanism_listing.hpp"
+#include "torsor/generator/emission/language.hpp"
+#include "torsor/generator/emission/mechanism_listing.hpp"
 
 namespace torsor {
 

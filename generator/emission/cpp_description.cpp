@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "generator/emission/cpp_description.hpp"
+#include "torsor/generator/emission/cpp_description.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "generator/base/wrapped_line.hpp"
-#include "generator/emission/description.hpp"
-#include "generator/emission/formula_printer.hpp"
+#include "torsor/generator/base/wrapped_line.hpp"
+#include "torsor/generator/emission/description.hpp"
+#include "torsor/generator/emission/formula_printer.hpp"
 
 namespace torsor {
 namespace {

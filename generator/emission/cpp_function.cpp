@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "generator/emission/cpp_function.hpp"
+#include "torsor/generator/emission/cpp_function.hpp"
 
 #include <algorithm>
 #include <array>
@@ -9,13 +9,13 @@
 
 #include <fmt/format.h>
 
-#include "generator/base/wrapped_line.hpp"
-#include "generator/emission/cpp_language.hpp"
-#include "generator/emission/cpp_names.hpp"
-#include "generator/emission/description.hpp"
-#include "generator/emission/formula_printer.hpp"
-#include "generator/emission/listing_printer.hpp"
-#include "generator/emission/text_template.hpp"
+#include "torsor/generator/base/wrapped_line.hpp"
+#include "torsor/generator/emission/cpp_language.hpp"
+#include "torsor/generator/emission/cpp_names.hpp"
+#include "torsor/generator/emission/description.hpp"
+#include "torsor/generator/emission/formula_printer.hpp"
+#include "torsor/generator/emission/listing_printer.hpp"
+#include "torsor/generator/emission/text_template.hpp"
 
 namespace torsor {
 namespace {

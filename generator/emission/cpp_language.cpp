@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "generator/emission/cpp_language.hpp"
+#include "torsor/generator/emission/cpp_language.hpp"
 
 #include <utility>
 
 #include <fmt/format.h>
 
-#include "generator/emission/cpp_names.hpp"
-#include "generator/emission/formula_printer.hpp"
+#include "torsor/generator/emission/cpp_names.hpp"
+#include "torsor/generator/emission/formula_printer.hpp"
 
 namespace torsor {
 

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "generator/emission/language.hpp"
-#include "generator/kernels/kernel.hpp"
+#include "torsor/generator/emission/language.hpp"
+#include "torsor/generator/kernels/kernel.hpp"
 
 namespace torsor {
 

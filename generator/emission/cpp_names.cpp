@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "generator/emission/cpp_names.hpp"
+#include "torsor/generator/emission/cpp_names.hpp"
 
 #include <algorithm>
 #include <string_view>
 
 #include <fmt/format.h>
 
-#include "generator/base/error.hpp"
-#include "generator/mechanics/identifier.hpp"
+#include "torsor/generator/base/error.hpp"
+#include "torsor/generator/mechanics/identifier.hpp"
 
 namespace torsor {
 

@@ -3,9 +3,9 @@
 
 #include <string>
 
-#include "generator/base/comment_text.hpp"
-#include "generator/expression/symbol.hpp"
-#include "generator/listing/local_names.hpp"
+#include "torsor/generator/base/comment_text.hpp"
+#include "torsor/generator/expression/symbol.hpp"
+#include "torsor/generator/listing/local_names.hpp"
 
 namespace torsor {
 

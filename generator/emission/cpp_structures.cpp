@@ -1,22 +1,22 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "generator/emission/cpp_structures.hpp"
+#include "torsor/generator/emission/cpp_structures.hpp"
 
 #include <algorithm>
 #include <set>
 
 #include <fmt/format.h>
 
-#include "generator/base/error.hpp"
-#include "generator/emission/cpp_names.hpp"
-#include "generator/emission/formula_printer.hpp"
-#include "generator/emission/text_template.hpp"
-#include "generator/program/written_unit.hpp"
+#include "torsor/generator/base/error.hpp"
+#include "torsor/generator/emission/cpp_names.hpp"
+#include "torsor/generator/emission/formula_printer.hpp"
+#include "torsor/generator/emission/text_template.hpp"
+#include "torsor/generator/program/written_unit.hpp"
 
 namespace torsor {
 namespace {
 
 Member scalar(const Symbol& symbol, const std::string& meaning, const std::string& unit) {
-  return {member_name(symbol), 1, 1, fmt::format("{} [{}]", meaning, unit), true};
+  return {member_name(symbol), 1, 1, fmt::format("{} [{}]", meaning, unit)};
 }
 Member scalar(const Symbol& symbol, const std::string& meaning) { return scalar(symbol, meaning, written_unit(symbol)); }
 
@@ -99,13 +99,13 @@ std::string structure_text(const Structure& structure) {
   text += fmt::format("struct {} {{\n", structure.name);
   for (const Member& member : structure.members) {
     const std::string type =
-        member.scalar ? "Scalar" : fmt::format("std::array<Scalar, {}>", member.rows * member.columns);
+        member.is_scalar() ? "Scalar" : fmt::format("std::array<Scalar, {}>", member.rows * member.columns);
     const std::string shape =
-        member.scalar || member.columns == 1 ? "" : fmt::format(" ({} x {})", member.rows, member.columns);
+        member.is_scalar() || member.columns == 1 ? "" : fmt::format(" ({} x {})", member.rows, member.columns);
     text += fmt::format("  {} {};  ///< {}{}\n", type, member.name, comment_text(member.documentation), shape);
   }
   const bool indexed = std::all_of(structure.members.begin(), structure.members.end(),
-                                   [](const Member& member) { return member.scalar; });
+                                   [](const Member& member) { return member.is_scalar(); });
   if (indexed) text += element_access(structure);
   return text + "};\n";
 }

@@ -1,36 +1,83 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "generator/emission/description.hpp"
+#include "torsor/generator/emission/description.hpp"
 
 #include <algorithm>
+#include <set>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <nlohmann/json.hpp>
 
-#include "generator/base/comment_text.hpp"
-#include "generator/emission/javascript_language.hpp"
-#include "generator/listing/local_names.hpp"
-#include "generator/program/written_unit.hpp"
+#include "torsor/generator/base/comment_text.hpp"
+#include "torsor/generator/emission/javascript_language.hpp"
+#include "torsor/generator/listing/local_names.hpp"
+#include "torsor/generator/program/written_unit.hpp"
 
 namespace torsor {
 namespace {
 
 using Json = nlohmann::ordered_json;
 
-Json result_json(const MechanismListing& mechanism, const Result& result) {
+Json result_json(const MechanismListing& mechanism, const Result& result, const std::vector<DescribedResult>& described) {
   const Structure* const structure = mechanism.structure(result.structure);
+  const auto unit = [&](const std::string& member) {
+    return std::find_if(described.begin(), described.end(), [&](const DescribedResult& each) {
+             return each.result == result.name && each.member == member;
+           })->unit;
+  };
   Json json{{"name", result.name}, {"size", structure == nullptr ? result.size : size_of(*structure)}};
   if (structure == nullptr) {
-    if (result.columns > 1) json["rows"] = result.size / result.columns, json["columns"] = result.columns;
+    if (result.columns) json["rows"] = result.size / *result.columns, json["columns"] = *result.columns;
+    json["unit"] = unit("");
     return json;
   }
   json["structure"] = structure->name;
+  if (is_vector(mechanism, *structure)) json["unit"] = unit("");
   for (const Member& member : structure->members) {
     Json each{{"name", member.name}, {"offset", offset_of(*structure, member.name)}};
-    if (!member.scalar) each["rows"] = member.rows, each["columns"] = member.columns;
+    if (!member.is_scalar()) each["rows"] = member.rows, each["columns"] = member.columns;
+    if (!json.contains("unit")) each["unit"] = unit(member.name);
     json["members"].push_back(std::move(each));
   }
   return json;
+}
+
+/// The unit at the end of a member's documentation: "kinetic energy T [J]". Empty: it ends with something else.
+std::string stated_unit(const std::string& documentation) {
+  const std::size_t begin = documentation.rfind('[');
+  if (begin == std::string::npos || documentation.back() != ']') return "";
+  const std::string stated = documentation.substr(begin + 1, documentation.size() - begin - 2);
+  try {
+    Unit::parse(stated);
+  } catch (const UnitError&) {
+    return "";
+  }
+  return stated;
+}
+
+/// From the units of what is written there, by the name that documentation gives them: a joule is a newton metre too.
+void set_units(std::vector<DescribedResult>& results, const Listing& listing) {
+  for (DescribedResult& result : results) {
+    std::vector<std::optional<Unit>> units(result.rows * result.columns);
+    for (const Output& output : listing.outputs) {
+      if (output.target.result != result.result || output.target.member != result.member) continue;
+      units.at(output.target.entry.value_or(0)) = output.unit;
+    }
+    std::set<std::string> different;
+    for (const auto& unit : units) {
+      if (unit) different.insert(written_unit(*unit));
+    }
+    if (different.empty()) continue;
+    if (different.size() == 1) {
+      const bool another_name = !result.unit.empty() && Unit::parse(result.unit) == Unit::parse(*different.begin());
+      if (!another_name) result.unit = *different.begin();
+      continue;
+    }
+    result.unit.clear();
+    if (result.dimensions == 1) {
+      for (const auto& unit : units) result.unit += (result.unit.empty() ? "" : ", ") + (unit ? written_unit(*unit) : "0");
+    }
+  }
 }
 
 }  // namespace
@@ -52,9 +99,9 @@ KernelEntries kernel_entries(const MechanismListing& mechanism, const std::strin
   for (const KernelListing& given : mechanism.kernels) {
     const KernelSignature& kernel = given.kernel;
     const std::size_t first = entries.results.size();
-    for (const ResultShape& each : result_shapes(mechanism, given)) {
-      entries.results.push_back(
-          fmt::format("{{\"{}\", \"{}\", {}, {}}}", each.result, each.member, each.rows, each.columns));
+    for (const DescribedResult& each : described_results(mechanism, given)) {
+      entries.results.push_back(fmt::format("{{\"{}\", \"{}\", {}, {}, {}, \"{}\"}}", each.result, each.member, each.rows,
+                                            each.columns, each.dimensions, each.unit));
     }
     const auto word = [&](bool is) { return words[is ? 1 : 0]; };
     entries.kernels.push_back(fmt::format(
@@ -70,22 +117,25 @@ bool is_vector(const MechanismListing& mechanism, const Structure& structure) {
                      [&structure](const Structure& each) { return each.name == structure.name; });
 }
 
-std::vector<ResultShape> result_shapes(const MechanismListing& mechanism, const KernelListing& kernel) {
-  std::vector<ResultShape> all;
+std::vector<DescribedResult> described_results(const MechanismListing& mechanism, const KernelListing& kernel) {
+  std::vector<DescribedResult> all;
   for (const Result& result : kernel.kernel.results) {
     const Structure* const structure = mechanism.structure(result.structure);
     if (structure == nullptr) {
-      all.push_back({result.name, "", result.size / std::max<std::size_t>(result.columns, 1), result.columns});
+      const std::size_t columns = std::max<std::size_t>(result.columns.value_or(1), 1);
+      all.push_back({result.name, "", result.size / columns, columns, result.columns ? 2 : 1});
     } else if (is_vector(mechanism, *structure)) {
-      all.push_back({result.name, "", structure->members.size(), 1});
+      all.push_back({result.name, "", structure->members.size(), 1, 1});
     } else {
       for (const Member& member : structure->members) {
         all.push_back({result.name, member.name, static_cast<std::size_t>(member.rows),
-                       static_cast<std::size_t>(member.columns)});
+                       static_cast<std::size_t>(member.columns), member.dimensions,
+                       stated_unit(member.documentation)});
       }
     }
   }
-  if (kernel.listing.recurrence) all.push_back({"coefficients", "", kernel.listing.recurrence->rates.size(), 0});
+  set_units(all, kernel.listing);
+  if (kernel.listing.recurrence) all.push_back({"coefficients", "", kernel.listing.recurrence->rates.size(), 0, 2});
   return all;
 }
 
@@ -126,7 +176,8 @@ Json kernels_json(const MechanismListing& mechanism) {
               {"results", Json::array()},
               {"status", each.listing.has_status}};
     for (const Argument argument : kernel.arguments) json["arguments"].push_back(name_of(argument));
-    for (const Result& result : kernel.results) json["results"].push_back(result_json(mechanism, result));
+    const std::vector<DescribedResult> described = described_results(mechanism, each);
+    for (const Result& result : kernel.results) json["results"].push_back(result_json(mechanism, result, described));
     if (each.listing.recurrence) json["coefficients"] = each.listing.recurrence->rates.size();
     list.push_back(std::move(json));
   }

@@ -7,7 +7,7 @@
 
 #include <nlohmann/json_fwd.hpp>
 
-#include "generator/emission/mechanism_listing.hpp"
+#include "torsor/generator/emission/mechanism_listing.hpp"
 
 namespace torsor {
 
@@ -32,11 +32,13 @@ inline constexpr DescribedTable described_tables[] = {{Table::coordinate, "coord
 
 /// Numbers that a kernel writes, rows x columns of them column by column: a result, or a member of it. Without columns:
 /// one for each order that is asked for.
-struct ResultShape {
+struct DescribedResult {
   std::string result, member;
   std::size_t rows = 1, columns = 1;
+  int dimensions = 1;  ///< 0: a number, 1: a vector, 2: a matrix
+  std::string unit{};  ///< of all entries that are not always zero; of each entry of a vector where they differ: "m, rad"
 };
-std::vector<ResultShape> result_shapes(const MechanismListing& mechanism, const KernelListing& kernel);
+std::vector<DescribedResult> described_results(const MechanismListing& mechanism, const KernelListing& kernel);
 
 bool reads(const KernelSignature& kernel, Argument argument);
 

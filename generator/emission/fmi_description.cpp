@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "generator/emission/fmi_description.hpp"
+#include "torsor/generator/emission/fmi_description.hpp"
 
 #include <algorithm>
 #include <map>
@@ -8,12 +8,12 @@
 
 #include <fmt/format.h>
 
-#include "generator/base/error.hpp"
-#include "generator/base/fnv.hpp"
-#include "generator/emission/embedded_templates.hpp"
-#include "generator/emission/fmi_variables.hpp"
-#include "generator/emission/header.hpp"
-#include "generator/emission/text_template.hpp"
+#include "torsor/generator/base/error.hpp"
+#include "torsor/generator/base/fnv.hpp"
+#include "torsor/generator/emission/embedded_templates.hpp"
+#include "torsor/generator/emission/fmi_variables.hpp"
+#include "torsor/generator/emission/header.hpp"
+#include "torsor/generator/emission/text_template.hpp"
 
 namespace torsor {
 namespace {

@@ -1,17 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "generator/emission/fmi_sources.hpp"
+#include "torsor/generator/emission/fmi_sources.hpp"
 
 #include <algorithm>
 #include <map>
 
 #include <fmt/format.h>
 
-#include "generator/emission/c_header.hpp"
-#include "generator/emission/embedded_runtime_texts.hpp"
-#include "generator/emission/embedded_templates.hpp"
-#include "generator/emission/fmi_variables.hpp"
-#include "generator/emission/header.hpp"
-#include "generator/emission/text_template.hpp"
+#include "torsor/generator/emission/c_header.hpp"
+#include "torsor/generator/emission/embedded_runtime_texts.hpp"
+#include "torsor/generator/emission/embedded_templates.hpp"
+#include "torsor/generator/emission/fmi_variables.hpp"
+#include "torsor/generator/emission/header.hpp"
+#include "torsor/generator/emission/text_template.hpp"
 
 namespace torsor {
 namespace {
@@ -50,7 +50,7 @@ std::vector<SourceFile> fmi_contact_sources(const MechanismListing& mechanism) {
                                                    {"has_inputs", mechanism.layout.inputs.empty() ? "0" : "1"}})},
                                    {name + ".hpp", emit_header(mechanism)}};
   for (const std::string_view text : embedded_runtime_text_names()) {
-    files.push_back({fmt::format("runtime/{}", text), std::string(embedded_runtime_text(text))});
+    files.push_back({fmt::format("torsor/runtime/{}", text), std::string(embedded_runtime_text(text))});
   }
   return files;
 }

@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "generator/emission/fmi_description.hpp"
-#include "generator/emission/library_sources.hpp"
+#include "torsor/generator/emission/fmi_description.hpp"
+#include "torsor/generator/emission/library_sources.hpp"
 
 namespace torsor {
 

@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "generator/emission/fmi_variables.hpp"
+#include "torsor/generator/emission/fmi_variables.hpp"
 
 #include <algorithm>
 
 #include <fmt/format.h>
 
-#include "generator/base/entities.hpp"
-#include "generator/base/error.hpp"
-#include "generator/base/unit.hpp"
-#include "generator/emission/description.hpp"
-#include "generator/mechanics/parameter_value.hpp"
-#include "generator/program/written_unit.hpp"
+#include "torsor/generator/base/entities.hpp"
+#include "torsor/generator/base/error.hpp"
+#include "torsor/generator/base/unit.hpp"
+#include "torsor/generator/emission/description.hpp"
+#include "torsor/generator/mechanics/parameter_value.hpp"
+#include "torsor/generator/program/written_unit.hpp"
 
 namespace torsor {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "generator/emission/formula_printer.hpp"
+#include "torsor/generator/emission/formula_printer.hpp"
 
 #include <array>
 #include <charconv>
@@ -7,7 +7,7 @@
 
 #include <fmt/format.h>
 
-#include "generator/listing/local_names.hpp"
+#include "torsor/generator/listing/local_names.hpp"
 
 namespace torsor {
 namespace {

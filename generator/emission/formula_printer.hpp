@@ -7,9 +7,9 @@
 #include <utility>
 #include <vector>
 
-#include "generator/base/wrapped_line.hpp"
-#include "generator/program/formula.hpp"
-#include "generator/program/program.hpp"
+#include "torsor/generator/base/wrapped_line.hpp"
+#include "torsor/generator/program/formula.hpp"
+#include "torsor/generator/program/program.hpp"
 
 namespace torsor {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "generator/emission/header.hpp"
+#include "torsor/generator/emission/header.hpp"
 
 #include <algorithm>
 #include <cstdint>
@@ -9,20 +9,20 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "generator/base/error.hpp"
-#include "generator/base/fnv.hpp"
-#include "generator/base/wrapped_line.hpp"
-#include "generator/emission/cpp_description.hpp"
-#include "generator/emission/cpp_function.hpp"
-#include "generator/emission/cpp_language.hpp"
-#include "generator/emission/cpp_names.hpp"
-#include "generator/emission/cpp_structures.hpp"
-#include "generator/emission/description.hpp"
-#include "generator/emission/embedded_templates.hpp"
-#include "generator/emission/formula_printer.hpp"
-#include "generator/emission/listing_printer.hpp"
-#include "generator/emission/support.hpp"
-#include "generator/emission/text_template.hpp"
+#include "torsor/generator/base/error.hpp"
+#include "torsor/generator/base/fnv.hpp"
+#include "torsor/generator/base/wrapped_line.hpp"
+#include "torsor/generator/emission/cpp_description.hpp"
+#include "torsor/generator/emission/cpp_function.hpp"
+#include "torsor/generator/emission/cpp_language.hpp"
+#include "torsor/generator/emission/cpp_names.hpp"
+#include "torsor/generator/emission/cpp_structures.hpp"
+#include "torsor/generator/emission/description.hpp"
+#include "torsor/generator/emission/embedded_templates.hpp"
+#include "torsor/generator/emission/formula_printer.hpp"
+#include "torsor/generator/emission/listing_printer.hpp"
+#include "torsor/generator/emission/support.hpp"
+#include "torsor/generator/emission/text_template.hpp"
 
 namespace torsor {
 namespace {

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "generator/emission/mechanism_listing.hpp"
+#include "torsor/generator/emission/mechanism_listing.hpp"
 
 namespace torsor {
 

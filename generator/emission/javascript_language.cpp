@@ -1,19 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "generator/emission/javascript_language.hpp"
+#include "torsor/generator/emission/javascript_language.hpp"
 
 #include <algorithm>
 #include <utility>
 
 #include <fmt/format.h>
 
-#include "generator/base/error.hpp"
-#include "generator/emission/formula_printer.hpp"
+#include "torsor/generator/base/error.hpp"
+#include "torsor/generator/emission/formula_printer.hpp"
 
 namespace torsor {
 namespace {
 
 std::size_t size_of(const Member& member) {
-  return member.scalar ? 1 : static_cast<std::size_t>(member.rows) * static_cast<std::size_t>(member.columns);
+  return member.is_scalar() ? 1 : static_cast<std::size_t>(member.rows) * static_cast<std::size_t>(member.columns);
 }
 
 /// Infinity has another name than in C.

@@ -1,18 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "generator/emission/javascript_module.hpp"
+#include "torsor/generator/emission/javascript_module.hpp"
 
 #include <map>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "generator/base/wrapped_line.hpp"
-#include "generator/emission/description.hpp"
-#include "generator/emission/embedded_templates.hpp"
-#include "generator/emission/formula_printer.hpp"
-#include "generator/emission/javascript_language.hpp"
-#include "generator/emission/listing_printer.hpp"
-#include "generator/emission/text_template.hpp"
+#include "torsor/generator/base/wrapped_line.hpp"
+#include "torsor/generator/emission/description.hpp"
+#include "torsor/generator/emission/embedded_templates.hpp"
+#include "torsor/generator/emission/formula_printer.hpp"
+#include "torsor/generator/emission/javascript_language.hpp"
+#include "torsor/generator/emission/listing_printer.hpp"
+#include "torsor/generator/emission/text_template.hpp"
 
 namespace torsor {
 namespace {

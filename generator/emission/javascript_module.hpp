@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "generator/emission/mechanism_listing.hpp"
+#include "torsor/generator/emission/mechanism_listing.hpp"
 
 namespace torsor {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "generator/emission/language.hpp"
+#include "torsor/generator/emission/language.hpp"
 
 #include <fmt/format.h>
 

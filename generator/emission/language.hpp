@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "generator/listing/listing.hpp"
+#include "torsor/generator/listing/listing.hpp"
 
 namespace torsor {
 

@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "generator/emission/library_sources.hpp"
+#include "torsor/generator/emission/library_sources.hpp"
 
 #include <algorithm>
 
 #include <fmt/format.h>
 
-#include "generator/dynamics/forces/contacts.hpp"
-#include "generator/emission/embedded_runtime_texts.hpp"
-#include "generator/emission/embedded_templates.hpp"
-#include "generator/emission/header.hpp"
-#include "generator/emission/text_template.hpp"
-#include "generator/program/written_unit.hpp"
+#include "torsor/generator/dynamics/forces/contacts.hpp"
+#include "torsor/generator/emission/embedded_runtime_texts.hpp"
+#include "torsor/generator/emission/embedded_templates.hpp"
+#include "torsor/generator/emission/header.hpp"
+#include "torsor/generator/emission/text_template.hpp"
+#include "torsor/generator/program/written_unit.hpp"
 
 namespace torsor {
 namespace {
@@ -45,7 +45,7 @@ std::string contact_table(const MechanismListing& mechanism) {
 std::string contact_layer_includes() {
   std::string text = "#ifndef TORSOR_CONTACT_LAYER_APART\n";
   for (const std::string_view name : embedded_runtime_text_names()) {
-    if (name.ends_with(".cpp")) text += fmt::format("#include \"runtime/{}\"\n", name);
+    if (name.ends_with(".cpp")) text += fmt::format("#include \"torsor/runtime/{}\"\n", name);
   }
   return text + "#endif\n";
 }
@@ -53,7 +53,7 @@ std::string contact_layer_includes() {
 std::vector<SourceFile> contact_layer_sources() {
   std::vector<SourceFile> files = {{"contact_layer.cpp", contact_layer_includes()}};
   for (const std::string_view name : embedded_runtime_text_names()) {
-    files.push_back({fmt::format("runtime/{}", name), std::string(embedded_runtime_text(name))});
+    files.push_back({fmt::format("torsor/runtime/{}", name), std::string(embedded_runtime_text(name))});
   }
   return files;
 }
@@ -68,7 +68,7 @@ std::vector<SourceFile> library_sources(const MechanismListing& mechanism) {
     const bool of_contacts = text.starts_with("contacts/") || text.starts_with("events/") || text.starts_with("library.") ||
                              text == "abi/contact_call.hpp";
     if (of_contacts && contacts == 0) continue;
-    files.push_back({fmt::format("runtime/{}", text), std::string(embedded_runtime_text(text))});
+    files.push_back({fmt::format("torsor/runtime/{}", text), std::string(embedded_runtime_text(text))});
   }
   if (contacts > 0) sources = contact_layer_includes();
   const std::string definitions = std::string(holds_constraints(mechanism) ? "#define TORSOR_ABI_WITH_CONSTRAINTS\n" : "") +

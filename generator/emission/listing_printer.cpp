@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "generator/emission/listing_printer.hpp"
+#include "torsor/generator/emission/listing_printer.hpp"
 
 #include <algorithm>
 
 #include <fmt/format.h>
 
-#include "generator/base/comment_text.hpp"
-#include "generator/emission/formula_printer.hpp"
+#include "torsor/generator/base/comment_text.hpp"
+#include "torsor/generator/emission/formula_printer.hpp"
 
 namespace torsor {
 namespace {

@@ -3,8 +3,8 @@
 
 #include <string>
 
-#include "generator/emission/language.hpp"
-#include "generator/listing/listing.hpp"
+#include "torsor/generator/emission/language.hpp"
+#include "torsor/generator/listing/listing.hpp"
 
 namespace torsor {
 

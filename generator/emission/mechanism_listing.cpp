@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "generator/emission/mechanism_listing.hpp"
+#include "torsor/generator/emission/mechanism_listing.hpp"
 
 #include <algorithm>
 
 #include <fmt/format.h>
 
-#include "generator/emission/cpp_structures.hpp"
-#include "generator/emission/start_values.hpp"
-#include "generator/geometry/exact_turn.hpp"
-#include "generator/kernels/kernel_kinematics.hpp"
-#include "generator/program/formula.hpp"
-#include "generator/program/sum_table.hpp"
+#include "torsor/generator/emission/cpp_structures.hpp"
+#include "torsor/generator/emission/start_values.hpp"
+#include "torsor/generator/geometry/exact_turn.hpp"
+#include "torsor/generator/kernels/kernel_kinematics.hpp"
+#include "torsor/generator/program/formula.hpp"
+#include "torsor/generator/program/sum_table.hpp"
 
 namespace torsor {
 namespace {

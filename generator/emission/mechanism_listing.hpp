@@ -6,10 +6,10 @@
 #include <string>
 #include <vector>
 
-#include "generator/emission/provenance.hpp"
-#include "generator/kernels/kernel.hpp"
-#include "generator/listing/lowering.hpp"
-#include "generator/listing/precomputation.hpp"
+#include "torsor/generator/emission/provenance.hpp"
+#include "torsor/generator/kernels/kernel.hpp"
+#include "torsor/generator/listing/lowering.hpp"
+#include "torsor/generator/listing/precomputation.hpp"
 
 namespace torsor {
 

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "generator/emission/provenance.hpp"
+#include "torsor/generator/emission/provenance.hpp"
 
 #include <algorithm>
 
 #include <fmt/format.h>
 
-#include "generator/base/shell_word.hpp"
-#include "generator/emission/cpp_names.hpp"
-#include "generator/listing/schedule.hpp"
+#include "torsor/generator/base/shell_word.hpp"
+#include "torsor/generator/emission/cpp_names.hpp"
+#include "torsor/generator/listing/schedule.hpp"
 
 namespace torsor {
 namespace {

@@ -6,8 +6,8 @@
 #include <utility>
 #include <vector>
 
-#include "generator/kernels/kernel.hpp"
-#include "generator/program/formula.hpp"
+#include "torsor/generator/kernels/kernel.hpp"
+#include "torsor/generator/program/formula.hpp"
 
 namespace torsor {
 

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "generator/emission/start_values.hpp"
+#include "torsor/generator/emission/start_values.hpp"
 
 #include <algorithm>
 
 #include <fmt/format.h>
 
-#include "generator/base/error.hpp"
-#include "generator/listing/lowering.hpp"
+#include "torsor/generator/base/error.hpp"
+#include "torsor/generator/listing/lowering.hpp"
 
 namespace torsor {
 namespace {

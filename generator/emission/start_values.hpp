@@ -3,8 +3,8 @@
 
 #include <vector>
 
-#include "generator/dynamics/equations/equations.hpp"
-#include "generator/listing/listing.hpp"
+#include "torsor/generator/dynamics/equations/equations.hpp"
+#include "torsor/generator/listing/listing.hpp"
 
 namespace torsor {
 

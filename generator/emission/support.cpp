@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "generator/emission/support.hpp"
+#include "torsor/generator/emission/support.hpp"
 
 #include <cstdint>
 #include <map>
@@ -7,9 +7,9 @@
 
 #include <fmt/format.h>
 
-#include "generator/base/fnv.hpp"
-#include "generator/emission/embedded_templates.hpp"
-#include "generator/emission/text_template.hpp"
+#include "torsor/generator/base/fnv.hpp"
+#include "torsor/generator/emission/embedded_templates.hpp"
+#include "torsor/generator/emission/text_template.hpp"
 
 namespace torsor {
 

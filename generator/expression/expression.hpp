@@ -6,9 +6,9 @@
 #include <string_view>
 #include <vector>
 
-#include "generator/base/unit.hpp"
-#include "generator/expression/function.hpp"
-#include "generator/expression/symbol.hpp"
+#include "torsor/generator/base/unit.hpp"
+#include "torsor/generator/expression/function.hpp"
+#include "torsor/generator/expression/symbol.hpp"
 
 namespace torsor {
 

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "generator/expression/expression_derivative.hpp"
+#include "torsor/generator/expression/expression_derivative.hpp"
 
 #include <fmt/format.h>
 
-#include "generator/base/error.hpp"
-#include "generator/expression/expression_node.hpp"
-#include "generator/expression/function_slope.hpp"
+#include "torsor/generator/base/error.hpp"
+#include "torsor/generator/expression/expression_node.hpp"
+#include "torsor/generator/expression/function_slope.hpp"
 
 namespace torsor {
 namespace {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "generator/expression/expression.hpp"
+#include "torsor/generator/expression/expression.hpp"
 
 namespace torsor {
 

@@ -4,8 +4,8 @@
 #include <variant>
 #include <vector>
 
-#include "generator/base/number.hpp"
-#include "generator/expression/expression.hpp"
+#include "torsor/generator/base/number.hpp"
+#include "torsor/generator/expression/expression.hpp"
 
 namespace torsor {
 

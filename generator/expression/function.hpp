@@ -8,7 +8,7 @@
 #include <string_view>
 #include <vector>
 
-#include "generator/base/unit.hpp"
+#include "torsor/generator/base/unit.hpp"
 
 namespace torsor {
 

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <vector>
 
-#include "generator/base/number.hpp"
-#include "generator/expression/function.hpp"
+#include "torsor/generator/base/number.hpp"
+#include "torsor/generator/expression/function.hpp"
 
 namespace torsor {
 

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "generator/expression/piecewise.hpp"
+#include "torsor/generator/expression/piecewise.hpp"
 
 #include <cstddef>
 
 #include <fmt/format.h>
 
-#include "generator/base/decimal.hpp"
-#include "generator/base/error.hpp"
-#include "generator/base/high_precision.hpp"
+#include "torsor/generator/base/decimal.hpp"
+#include "torsor/generator/base/error.hpp"
+#include "torsor/generator/base/high_precision.hpp"
 
 namespace torsor {
 

@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "generator/expression/expression.hpp"
+#include "torsor/generator/expression/expression.hpp"
 
 namespace torsor {
 

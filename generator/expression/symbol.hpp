@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "generator/base/unit.hpp"
+#include "torsor/generator/base/unit.hpp"
 
 namespace torsor {
 

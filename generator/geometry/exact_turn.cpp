@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "generator/geometry/exact_turn.hpp"
+#include "torsor/generator/geometry/exact_turn.hpp"
 
 #include <cln/integer.h>
 #include <cln/rational.h>

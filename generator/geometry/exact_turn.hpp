@@ -5,9 +5,9 @@
 #include <optional>
 #include <vector>
 
-#include "generator/base/high_precision.hpp"
-#include "generator/base/number.hpp"
-#include "generator/geometry/rotation.hpp"
+#include "torsor/generator/base/high_precision.hpp"
+#include "torsor/generator/base/number.hpp"
+#include "torsor/generator/geometry/rotation.hpp"
 
 namespace torsor {
 

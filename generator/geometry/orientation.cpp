@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "generator/geometry/orientation.hpp"
+#include "torsor/generator/geometry/orientation.hpp"
 
 #include <fmt/format.h>
 
-#include "generator/base/error.hpp"
-#include "generator/geometry/dyad.hpp"
-#include "generator/program/derivative.hpp"
-#include "generator/program/identically_zero.hpp"
+#include "torsor/generator/base/error.hpp"
+#include "torsor/generator/geometry/dyad.hpp"
+#include "torsor/generator/program/derivative.hpp"
+#include "torsor/generator/program/identically_zero.hpp"
 
 namespace torsor {
 namespace {

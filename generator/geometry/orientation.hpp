@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "generator/geometry/vector.hpp"
+#include "torsor/generator/geometry/vector.hpp"
 
 namespace torsor {
 

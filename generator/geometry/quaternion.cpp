@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "generator/geometry/quaternion.hpp"
+#include "torsor/generator/geometry/quaternion.hpp"
 
-#include "generator/geometry/dyad.hpp"
-#include "generator/program/derivative.hpp"
+#include "torsor/generator/geometry/dyad.hpp"
+#include "torsor/generator/program/derivative.hpp"
 
 namespace torsor {
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "generator/geometry/orientation.hpp"
-#include "generator/geometry/vector.hpp"
+#include "torsor/generator/geometry/orientation.hpp"
+#include "torsor/generator/geometry/vector.hpp"
 
 namespace torsor {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "generator/geometry/real_vector.hpp"
+#include "torsor/generator/geometry/real_vector.hpp"
 
 namespace torsor {
 

@@ -3,7 +3,7 @@
 
 #include <array>
 
-#include "generator/base/high_precision.hpp"
+#include "torsor/generator/base/high_precision.hpp"
 
 namespace torsor {
 

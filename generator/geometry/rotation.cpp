@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "generator/geometry/rotation.hpp"
+#include "torsor/generator/geometry/rotation.hpp"
 
 #include <fmt/format.h>
 
-#include "generator/base/error.hpp"
-#include "generator/geometry/triple.hpp"
+#include "torsor/generator/base/error.hpp"
+#include "torsor/generator/geometry/triple.hpp"
 
 namespace torsor {
 

@@ -4,7 +4,7 @@
 #include <array>
 #include <optional>
 
-#include "generator/base/number.hpp"
+#include "torsor/generator/base/number.hpp"
 
 namespace torsor {
 

@@ -3,7 +3,7 @@
 
 #include <array>
 
-#include "generator/expression/expression.hpp"
+#include "torsor/generator/expression/expression.hpp"
 
 namespace torsor {
 

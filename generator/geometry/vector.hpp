@@ -4,10 +4,10 @@
 #include <array>
 #include <string>
 
-#include "generator/geometry/rotation.hpp"
-#include "generator/geometry/triple.hpp"
-#include "generator/program/identically_zero.hpp"
-#include "generator/program/program.hpp"
+#include "torsor/generator/geometry/rotation.hpp"
+#include "torsor/generator/geometry/triple.hpp"
+#include "torsor/generator/program/identically_zero.hpp"
+#include "torsor/generator/program/program.hpp"
 
 namespace torsor {
 

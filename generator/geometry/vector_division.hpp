@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "generator/geometry/vector.hpp"
+#include "torsor/generator/geometry/vector.hpp"
 
 namespace torsor {
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "generator/graphs/graph_printer.hpp"
+#include "torsor/generator/graphs/graph_printer.hpp"
 
 #include <fmt/format.h>
 
-#include "generator/base/printable.hpp"
+#include "torsor/generator/base/printable.hpp"
 
 namespace torsor {
 namespace {

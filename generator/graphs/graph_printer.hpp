@@ -4,11 +4,11 @@
 #include <string>
 #include <vector>
 
-#include "generator/base/natural_language.hpp"
-#include "generator/dynamics/structure/mobility.hpp"
-#include "generator/dynamics/structure/reduced_graph.hpp"
-#include "generator/mechanics/analysis_graph.hpp"
-#include "generator/mechanics/structure_graph.hpp"
+#include "torsor/generator/base/natural_language.hpp"
+#include "torsor/generator/dynamics/structure/mobility.hpp"
+#include "torsor/generator/dynamics/structure/reduced_graph.hpp"
+#include "torsor/generator/mechanics/analysis_graph.hpp"
+#include "torsor/generator/mechanics/structure_graph.hpp"
 
 namespace torsor {
 

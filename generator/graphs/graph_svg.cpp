@@ -7,10 +7,10 @@
 
 #include <fmt/format.h>
 
-#include "generator/base/as_index.hpp"
-#include "generator/base/entities.hpp"
-#include "generator/base/printable.hpp"
-#include "generator/graphs/graph_printer.hpp"
+#include "torsor/generator/base/as_index.hpp"
+#include "torsor/generator/base/entities.hpp"
+#include "torsor/generator/base/printable.hpp"
+#include "torsor/generator/graphs/graph_printer.hpp"
 
 namespace torsor {
 namespace {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "generator/import/command_words.hpp"
+#include "torsor/generator/import/command_words.hpp"
 
-#include "generator/base/decimal.hpp"
-#include "generator/base/shell_word.hpp"
+#include "torsor/generator/base/decimal.hpp"
+#include "torsor/generator/base/shell_word.hpp"
 
 namespace torsor {
 

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "generator/base/number.hpp"
+#include "torsor/generator/base/number.hpp"
 
 namespace torsor {
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "generator/import/exact_direction.hpp"
+#include "torsor/generator/import/exact_direction.hpp"
 
 #include <algorithm>
 
-#include "generator/base/high_precision.hpp"
+#include "torsor/generator/base/high_precision.hpp"
 
 namespace torsor {
 namespace {

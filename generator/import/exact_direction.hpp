@@ -4,8 +4,8 @@
 #include <array>
 #include <optional>
 
-#include "generator/base/number.hpp"
-#include "generator/geometry/rotation.hpp"
+#include "torsor/generator/base/number.hpp"
+#include "torsor/generator/geometry/rotation.hpp"
 
 namespace torsor {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "generator/import/exact_rotation.hpp"
+#include "torsor/generator/import/exact_rotation.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -7,8 +7,8 @@
 
 #include <fmt/format.h>
 
-#include "generator/base/decimal.hpp"
-#include "generator/import/exact_direction.hpp"
+#include "torsor/generator/base/decimal.hpp"
+#include "torsor/generator/import/exact_direction.hpp"
 
 namespace torsor {
 namespace {

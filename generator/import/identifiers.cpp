@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "generator/import/identifiers.hpp"
+#include "torsor/generator/import/identifiers.hpp"
 
 #include <algorithm>
 
-#include "generator/base/error.hpp"
-#include "generator/mechanics/identifier.hpp"
+#include "torsor/generator/base/error.hpp"
+#include "torsor/generator/mechanics/identifier.hpp"
 
 namespace torsor {
 namespace {

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "generator/import/mechanism_file.hpp"
+#include "torsor/generator/import/mechanism_file.hpp"
 
 #include <utility>
 
 #include <fmt/format.h>
 
-#include "generator/base/error.hpp"
-#include "generator/base/shell_word.hpp"
-#include "generator/import/mjcf_files.hpp"
-#include "generator/import/text_of_file.hpp"
+#include "torsor/generator/base/error.hpp"
+#include "torsor/generator/base/shell_word.hpp"
+#include "torsor/generator/import/mjcf_files.hpp"
+#include "torsor/generator/import/text_of_file.hpp"
 
 namespace torsor {
 namespace {

@@ -5,9 +5,9 @@
 #include <string_view>
 #include <vector>
 
-#include "generator/import/mjcf.hpp"
-#include "generator/import/urdf.hpp"
-#include "generator/import/xacro.hpp"
+#include "torsor/generator/import/mjcf.hpp"
+#include "torsor/generator/import/urdf.hpp"
+#include "torsor/generator/import/xacro.hpp"
 
 namespace torsor {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "generator/import/mesh_file.hpp"
+#include "torsor/generator/import/mesh_file.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -12,8 +12,8 @@
 
 #include <fmt/format.h>
 
-#include "generator/base/error.hpp"
-#include "generator/import/xacro_packages.hpp"
+#include "torsor/generator/base/error.hpp"
+#include "torsor/generator/import/xacro_packages.hpp"
 
 #ifdef TORSOR_WITH_ASSIMP
 #include <assimp/Importer.hpp>

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "generator/mechanics/scene_content.hpp"
+#include "torsor/generator/mechanics/scene_content.hpp"
 
 namespace torsor {
 

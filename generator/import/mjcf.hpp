@@ -7,9 +7,9 @@
 #include <utility>
 #include <vector>
 
-#include "generator/base/number.hpp"
-#include "generator/import/mjcf_model.hpp"
-#include "generator/mechanics/scene.hpp"
+#include "torsor/generator/base/number.hpp"
+#include "torsor/generator/import/mjcf_model.hpp"
+#include "torsor/generator/mechanics/scene.hpp"
 
 namespace torsor {
 

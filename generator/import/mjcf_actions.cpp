@@ -3,8 +3,8 @@
 
 #include <fmt/format.h>
 
-#include "generator/import/mjcf_builder.hpp"
-#include "generator/import/rotor.hpp"
+#include "torsor/generator/import/mjcf_builder.hpp"
+#include "torsor/generator/import/rotor.hpp"
 
 namespace torsor {
 

@@ -6,12 +6,12 @@
 #include <string>
 #include <vector>
 
-#include "generator/base/decimal.hpp"
-#include "generator/import/exact_direction.hpp"
-#include "generator/import/exact_rotation.hpp"
-#include "generator/import/identifiers.hpp"
-#include "generator/import/mjcf.hpp"
-#include "generator/import/urdf_robot.hpp"
+#include "torsor/generator/base/decimal.hpp"
+#include "torsor/generator/import/exact_direction.hpp"
+#include "torsor/generator/import/exact_rotation.hpp"
+#include "torsor/generator/import/identifiers.hpp"
+#include "torsor/generator/import/mjcf.hpp"
+#include "torsor/generator/import/urdf_robot.hpp"
 
 namespace torsor {
 

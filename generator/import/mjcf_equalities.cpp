@@ -3,8 +3,8 @@
 
 #include <fmt/format.h>
 
-#include "generator/base/error.hpp"
-#include "generator/import/mjcf_builder.hpp"
+#include "torsor/generator/base/error.hpp"
+#include "torsor/generator/import/mjcf_builder.hpp"
 
 namespace torsor {
 

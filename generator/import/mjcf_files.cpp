@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "generator/import/mjcf_files.hpp"
+#include "torsor/generator/import/mjcf_files.hpp"
 
 #include <algorithm>
 #include <filesystem>

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "generator/import/mjcf_origin.hpp"
+#include "torsor/generator/import/mjcf_origin.hpp"
 
 #include <fmt/format.h>
 
-#include "generator/base/printable.hpp"
-#include "generator/base/shell_word.hpp"
-#include "generator/import/command_words.hpp"
-#include "generator/import/origin_notes.hpp"
+#include "torsor/generator/base/printable.hpp"
+#include "torsor/generator/base/shell_word.hpp"
+#include "torsor/generator/import/command_words.hpp"
+#include "torsor/generator/import/origin_notes.hpp"
 
 namespace torsor {
 namespace {

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "generator/import/mjcf.hpp"
+#include "torsor/generator/import/mjcf.hpp"
 
 namespace torsor {
 

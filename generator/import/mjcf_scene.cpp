@@ -6,13 +6,13 @@
 
 #include <fmt/format.h>
 
-#include "generator/base/did_you_mean.hpp"
-#include "generator/base/error.hpp"
-#include "generator/base/high_precision.hpp"
-#include "generator/import/mjcf.hpp"
-#include "generator/import/mjcf_builder.hpp"
-#include "generator/import/mjcf_origin.hpp"
-#include "generator/import/urdf_initial.hpp"
+#include "torsor/generator/base/did_you_mean.hpp"
+#include "torsor/generator/base/error.hpp"
+#include "torsor/generator/base/high_precision.hpp"
+#include "torsor/generator/import/mjcf.hpp"
+#include "torsor/generator/import/mjcf_builder.hpp"
+#include "torsor/generator/import/mjcf_origin.hpp"
+#include "torsor/generator/import/urdf_initial.hpp"
 
 namespace torsor {
 

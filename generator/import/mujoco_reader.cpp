@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "generator/import/mujoco_reader.hpp"
+#include "torsor/generator/import/mujoco_reader.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -8,8 +8,8 @@
 #include <fmt/format.h>
 #include <mujoco/mujoco.h>
 
-#include "generator/base/decimal.hpp"
-#include "generator/base/error.hpp"
+#include "torsor/generator/base/decimal.hpp"
+#include "torsor/generator/base/error.hpp"
 
 namespace torsor {
 namespace {

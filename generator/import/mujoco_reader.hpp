@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "generator/import/mjcf_model.hpp"
+#include "torsor/generator/import/mjcf_model.hpp"
 
 namespace torsor {
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "generator/import/origin_notes.hpp"
+#include "torsor/generator/import/origin_notes.hpp"
 
-#include "generator/base/printable.hpp"
+#include "torsor/generator/base/printable.hpp"
 
 namespace torsor {
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "generator/import/text_of_file.hpp"
-#include "generator/import/urdf.hpp"
+#include "torsor/generator/import/text_of_file.hpp"
+#include "torsor/generator/import/urdf.hpp"
 
 namespace torsor {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "generator/import/reading_notes.hpp"
+#include "torsor/generator/import/reading_notes.hpp"
 
 #include <algorithm>
 

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "generator/import/xml_element.hpp"
+#include "torsor/generator/import/xml_element.hpp"
 
 namespace torsor {
 

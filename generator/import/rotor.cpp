@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "generator/import/rotor.hpp"
+#include "torsor/generator/import/rotor.hpp"
 
 namespace torsor {
 

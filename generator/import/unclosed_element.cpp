@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "generator/import/unclosed_element.hpp"
+#include "torsor/generator/import/unclosed_element.hpp"
 
 #include <algorithm>
 #include <utility>

@@ -8,9 +8,9 @@
 #include <utility>
 #include <vector>
 
-#include "generator/base/number.hpp"
-#include "generator/import/xml_element.hpp"
-#include "generator/mechanics/scene.hpp"
+#include "torsor/generator/base/number.hpp"
+#include "torsor/generator/import/xml_element.hpp"
+#include "torsor/generator/mechanics/scene.hpp"
 
 namespace torsor {
 

@@ -3,8 +3,8 @@
 
 #include <string>
 
-#include "generator/import/urdf.hpp"
-#include "generator/import/urdf_robot.hpp"
+#include "torsor/generator/import/urdf.hpp"
+#include "torsor/generator/import/urdf_robot.hpp"
 
 namespace torsor {
 

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "generator/import/urdf_collisions.hpp"
+#include "torsor/generator/import/urdf_collisions.hpp"
 
 #include <algorithm>
 #include <utility>
 
 #include <fmt/format.h>
 
-#include "generator/base/did_you_mean.hpp"
-#include "generator/base/error.hpp"
+#include "torsor/generator/base/did_you_mean.hpp"
+#include "torsor/generator/base/error.hpp"
 
 namespace torsor {
 namespace {

@@ -6,9 +6,9 @@
 #include <string>
 #include <vector>
 
-#include "generator/import/urdf.hpp"
-#include "generator/import/urdf_robot.hpp"
-#include "generator/mechanics/scene.hpp"
+#include "torsor/generator/import/urdf.hpp"
+#include "torsor/generator/import/urdf_robot.hpp"
+#include "torsor/generator/mechanics/scene.hpp"
 
 namespace torsor {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "generator/import/urdf_contacts.hpp"
+#include "torsor/generator/import/urdf_contacts.hpp"
 
 #include <optional>
 #include <set>
@@ -8,8 +8,8 @@
 
 #include <fmt/format.h>
 
-#include "generator/base/error.hpp"
-#include "generator/import/exact_direction.hpp"
+#include "torsor/generator/base/error.hpp"
+#include "torsor/generator/import/exact_direction.hpp"
 
 namespace torsor {
 namespace {

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "generator/import/urdf_deviation.hpp"
+#include "torsor/generator/import/urdf_deviation.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <map>
 #include <vector>
 
-#include "generator/base/decimal.hpp"
+#include "torsor/generator/base/decimal.hpp"
 
 namespace torsor {
 namespace {

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "generator/import/urdf_robot.hpp"
+#include "torsor/generator/import/urdf_robot.hpp"
 
 namespace torsor {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "generator/import/urdf_displacement.hpp"
+#include "torsor/generator/import/urdf_displacement.hpp"
 
 #include <vector>
 

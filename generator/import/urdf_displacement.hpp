@@ -4,7 +4,7 @@
 #include <map>
 #include <string>
 
-#include "generator/import/urdf_robot.hpp"
+#include "torsor/generator/import/urdf_robot.hpp"
 
 namespace torsor {
 

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "generator/import/urdf_ground.hpp"
+#include "torsor/generator/import/urdf_ground.hpp"
 
 #include <set>
 #include <vector>
 
 #include <fmt/format.h>
 
-#include "generator/base/error.hpp"
+#include "torsor/generator/base/error.hpp"
 
 namespace torsor {
 

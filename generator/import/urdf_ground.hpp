@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "generator/import/urdf_collisions.hpp"
+#include "torsor/generator/import/urdf_collisions.hpp"
 
 namespace torsor {
 

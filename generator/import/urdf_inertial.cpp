@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "generator/import/urdf_inertial.hpp"
+#include "torsor/generator/import/urdf_inertial.hpp"
 
 #include <algorithm>
 
 #include <fmt/format.h>
 
-#include "generator/import/urdf_vocabulary.hpp"
+#include "torsor/generator/import/urdf_vocabulary.hpp"
 
 namespace torsor {
 namespace {

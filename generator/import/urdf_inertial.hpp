@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "generator/import/urdf_placement.hpp"
+#include "torsor/generator/import/urdf_placement.hpp"
 
 namespace torsor {
 

@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include "generator/mechanics/scene.hpp"
+#include "torsor/generator/mechanics/scene.hpp"
 
 namespace torsor {
 

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "generator/import/urdf_notes.hpp"
+#include "torsor/generator/import/urdf_notes.hpp"
 
 #include <fmt/format.h>
 
-#include "generator/base/decimal.hpp"
-#include "generator/base/printable.hpp"
-#include "generator/base/shell_word.hpp"
-#include "generator/import/command_words.hpp"
-#include "generator/import/origin_notes.hpp"
+#include "torsor/generator/base/decimal.hpp"
+#include "torsor/generator/base/printable.hpp"
+#include "torsor/generator/base/shell_word.hpp"
+#include "torsor/generator/import/command_words.hpp"
+#include "torsor/generator/import/origin_notes.hpp"
 
 namespace torsor {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "generator/import/urdf_robot.hpp"
+#include "torsor/generator/import/urdf_robot.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -8,12 +8,12 @@
 
 #include <fmt/format.h>
 
-#include "generator/base/did_you_mean.hpp"
-#include "generator/base/error.hpp"
-#include "generator/import/urdf_deviation.hpp"
-#include "generator/import/urdf_inertial.hpp"
-#include "generator/import/urdf_placement.hpp"
-#include "generator/import/urdf_vocabulary.hpp"
+#include "torsor/generator/base/did_you_mean.hpp"
+#include "torsor/generator/base/error.hpp"
+#include "torsor/generator/import/urdf_deviation.hpp"
+#include "torsor/generator/import/urdf_inertial.hpp"
+#include "torsor/generator/import/urdf_placement.hpp"
+#include "torsor/generator/import/urdf_vocabulary.hpp"
 
 namespace torsor {
 namespace {

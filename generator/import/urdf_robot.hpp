@@ -8,12 +8,12 @@
 #include <string_view>
 #include <vector>
 
-#include "generator/base/number.hpp"
-#include "generator/geometry/rotation.hpp"
-#include "generator/import/exact_direction.hpp"
-#include "generator/import/reading_notes.hpp"
-#include "generator/import/urdf_visuals.hpp"
-#include "generator/import/xml_element.hpp"
+#include "torsor/generator/base/number.hpp"
+#include "torsor/generator/geometry/rotation.hpp"
+#include "torsor/generator/import/exact_direction.hpp"
+#include "torsor/generator/import/reading_notes.hpp"
+#include "torsor/generator/import/urdf_visuals.hpp"
+#include "torsor/generator/import/xml_element.hpp"
 
 namespace torsor {
 

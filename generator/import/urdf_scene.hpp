@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "generator/import/urdf.hpp"
-#include "generator/import/urdf_robot.hpp"
+#include "torsor/generator/import/urdf.hpp"
+#include "torsor/generator/import/urdf_robot.hpp"
 
 namespace torsor {
 

@@ -4,10 +4,10 @@
 
 #include <fmt/format.h>
 
-#include "generator/base/did_you_mean.hpp"
-#include "generator/base/error.hpp"
-#include "generator/import/identifiers.hpp"
-#include "generator/import/urdf_robot.hpp"
+#include "torsor/generator/base/did_you_mean.hpp"
+#include "torsor/generator/base/error.hpp"
+#include "torsor/generator/import/identifiers.hpp"
+#include "torsor/generator/import/urdf_robot.hpp"
 
 namespace torsor {
 namespace {

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "generator/import/urdf_visuals.hpp"
+#include "torsor/generator/import/urdf_visuals.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <map>
 #include <sstream>
 
-#include "generator/base/decimal.hpp"
-#include "generator/import/exact_direction.hpp"
+#include "torsor/generator/base/decimal.hpp"
+#include "torsor/generator/import/exact_direction.hpp"
 
 namespace torsor {
 namespace {

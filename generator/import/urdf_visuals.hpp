@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
-#include "generator/base/number.hpp"
-#include "generator/import/xml_element.hpp"
-#include "generator/mechanics/scene_arguments.hpp"
+#include "torsor/generator/base/number.hpp"
+#include "torsor/generator/import/xml_element.hpp"
+#include "torsor/generator/mechanics/scene_arguments.hpp"
 
 namespace torsor {
 

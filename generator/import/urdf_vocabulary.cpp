@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "generator/import/urdf_vocabulary.hpp"
+#include "torsor/generator/import/urdf_vocabulary.hpp"
 
 #include <algorithm>
 #include <map>
@@ -8,7 +8,7 @@
 
 #include <fmt/format.h>
 
-#include "generator/base/did_you_mean.hpp"
+#include "torsor/generator/base/did_you_mean.hpp"
 
 namespace torsor {
 namespace {

@@ -3,8 +3,8 @@
 
 #include <string>
 
-#include "generator/import/reading_notes.hpp"
-#include "generator/import/xml_element.hpp"
+#include "torsor/generator/import/reading_notes.hpp"
+#include "torsor/generator/import/xml_element.hpp"
 
 namespace torsor {
 

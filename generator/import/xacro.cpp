@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "generator/import/xacro.hpp"
+#include "torsor/generator/import/xacro.hpp"
 
 #include <algorithm>
 #include <set>
 
 #include <fmt/format.h>
 
-#include "generator/import/xacro_expander.hpp"
+#include "torsor/generator/import/xacro_expander.hpp"
 
 namespace torsor {
 

@@ -5,13 +5,13 @@
 
 #include <fmt/format.h>
 
-#include "generator/base/did_you_mean.hpp"
-#include "generator/base/error.hpp"
-#include "generator/import/text_of_file.hpp"
-#include "generator/import/xacro_expander.hpp"
-#include "generator/import/xacro_expression.hpp"
-#include "generator/import/xacro_text.hpp"
-#include "generator/import/yaml_subset.hpp"
+#include "torsor/generator/base/did_you_mean.hpp"
+#include "torsor/generator/base/error.hpp"
+#include "torsor/generator/import/text_of_file.hpp"
+#include "torsor/generator/import/xacro_expander.hpp"
+#include "torsor/generator/import/xacro_expression.hpp"
+#include "torsor/generator/import/xacro_text.hpp"
+#include "torsor/generator/import/yaml_subset.hpp"
 
 namespace torsor::xacro {
 namespace {

@@ -6,10 +6,10 @@
 #include <string>
 #include <vector>
 
-#include "generator/import/xacro.hpp"
-#include "generator/import/xacro_node.hpp"
-#include "generator/import/xacro_packages.hpp"
-#include "generator/import/xacro_scope.hpp"
+#include "torsor/generator/import/xacro.hpp"
+#include "torsor/generator/import/xacro_node.hpp"
+#include "torsor/generator/import/xacro_packages.hpp"
+#include "torsor/generator/import/xacro_scope.hpp"
 
 namespace torsor::xacro {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "generator/import/xacro_expression.hpp"
+#include "torsor/generator/import/xacro_expression.hpp"
 
 #include <algorithm>
 #include <map>
@@ -7,7 +7,7 @@
 
 #include <fmt/format.h>
 
-#include "generator/import/xacro_tokens.hpp"
+#include "torsor/generator/import/xacro_tokens.hpp"
 
 namespace torsor::xacro {
 namespace {

@@ -9,7 +9,7 @@
 
 #include <fmt/format.h>
 
-#include "generator/import/xacro_expression.hpp"
+#include "torsor/generator/import/xacro_expression.hpp"
 
 namespace torsor::xacro {
 namespace {

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "generator/import/xacro_node.hpp"
+#include "torsor/generator/import/xacro_node.hpp"
 
 #include <fmt/format.h>
 #include <tinyxml2.h>
 
-#include "generator/base/entities.hpp"
-#include "generator/base/error.hpp"
+#include "torsor/generator/base/entities.hpp"
+#include "torsor/generator/base/error.hpp"
 
 namespace torsor::xacro {
 namespace {

@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "generator/import/xml_element.hpp"
+#include "torsor/generator/import/xml_element.hpp"
 
 namespace torsor::xacro {
 

@@ -3,7 +3,7 @@
 
 #include <fmt/format.h>
 
-#include "generator/import/xacro_value.hpp"
+#include "torsor/generator/import/xacro_value.hpp"
 
 namespace torsor::xacro {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "generator/import/xacro_packages.hpp"
+#include "torsor/generator/import/xacro_packages.hpp"
 
 #include <algorithm>
 #include <cstdlib>

@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
-#include "generator/import/xacro_node.hpp"
-#include "generator/import/xacro_value.hpp"
+#include "torsor/generator/import/xacro_node.hpp"
+#include "torsor/generator/import/xacro_value.hpp"
 
 namespace torsor::xacro {
 

@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-#include "generator/import/xacro_value.hpp"
+#include "torsor/generator/import/xacro_value.hpp"
 
 namespace torsor::xacro {
 

@@ -10,7 +10,7 @@
 #include <variant>
 #include <vector>
 
-#include "generator/base/error.hpp"
+#include "torsor/generator/base/error.hpp"
 
 namespace torsor::xacro {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "generator/import/xml_element.hpp"
+#include "torsor/generator/import/xml_element.hpp"
 
 #include <algorithm>
 #include <utility>
@@ -7,9 +7,9 @@
 #include <fmt/format.h>
 #include <tinyxml2.h>
 
-#include "generator/base/decimal.hpp"
-#include "generator/base/error.hpp"
-#include "generator/import/unclosed_element.hpp"
+#include "torsor/generator/base/decimal.hpp"
+#include "torsor/generator/base/error.hpp"
+#include "torsor/generator/import/unclosed_element.hpp"
 
 namespace torsor {
 namespace {

@@ -10,7 +10,7 @@
 #include <string_view>
 #include <vector>
 
-#include "generator/base/number.hpp"
+#include "torsor/generator/base/number.hpp"
 
 namespace tinyxml2 {
 class XMLDocument;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "generator/import/yaml_subset.hpp"
+#include "torsor/generator/import/yaml_subset.hpp"
 
 #include <map>
 #include <numbers>
@@ -7,7 +7,7 @@
 
 #include <fmt/format.h>
 
-#include "generator/base/error.hpp"
+#include "torsor/generator/base/error.hpp"
 
 namespace torsor::xacro {
 namespace {

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "generator/import/xacro_value.hpp"
+#include "torsor/generator/import/xacro_value.hpp"
 
 namespace torsor::xacro {
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "generator/kernels/compressed_rows.hpp"
+#include "torsor/generator/kernels/compressed_rows.hpp"
 
-#include "generator/kernels/kernel_parts.hpp"
-#include "generator/program/identically_zero.hpp"
+#include "torsor/generator/kernels/kernel_parts.hpp"
+#include "torsor/generator/program/identically_zero.hpp"
 
 namespace torsor {
 
@@ -25,7 +25,7 @@ void CompressedRows::give_to(Kernel& kernel, const Texts& texts) const {
   assign_vector(kernel, {"result", "values"}, values, values.size());
   kernel.structures = {{texts.structure,
                         texts.documentation,
-                        {matrix_member("values", values.size(), 1, texts.entries)},
+                        {vector_member("values", values.size(), texts.entries)},
                         {{texts.tables + "_nonzeros", values.size(), texts.places},
                          {texts.tables + "_row_start", row_starts},
                          {texts.tables + "_column", columns}}}};

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "generator/kernels/kernel.hpp"
+#include "torsor/generator/kernels/kernel.hpp"
 
 namespace torsor {
 

@@ -1,34 +1,34 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "generator/kernels/kernel.hpp"
+#include "torsor/generator/kernels/kernel.hpp"
 
 #include <algorithm>
 #include <functional>
 
 #include <fmt/format.h>
 
-#include "generator/base/did_you_mean.hpp"
-#include "generator/base/error.hpp"
-#include "generator/dynamics/derivatives/parameter_sensitivities.hpp"
-#include "generator/dynamics/equations/forward_choice.hpp"
-#include "generator/dynamics/equations/massless.hpp"
-#include "generator/dynamics/forces/energy.hpp"
-#include "generator/dynamics/theorems/painleve.hpp"
-#include "generator/kernels/kernel_contacts.hpp"
-#include "generator/kernels/kernel_derivatives.hpp"
-#include "generator/kernels/kernel_frames.hpp"
-#include "generator/kernels/kernel_jets.hpp"
-#include "generator/kernels/kernel_kinematics.hpp"
-#include "generator/kernels/kernel_linearisation.hpp"
-#include "generator/kernels/kernel_parts.hpp"
-#include "generator/kernels/kernel_percussions.hpp"
-#include "generator/kernels/kernel_poses.hpp"
-#include "generator/kernels/kernel_regressor.hpp"
-#include "generator/kernels/kernel_residual.hpp"
-#include "generator/kernels/kernel_robotics.hpp"
-#include "generator/kernels/kernel_second_derivatives.hpp"
-#include "generator/kernels/kernel_sensitivities.hpp"
-#include "generator/kernels/kernel_sparse_jacobian.hpp"
-#include "generator/program/paired_cosines.hpp"
+#include "torsor/generator/base/did_you_mean.hpp"
+#include "torsor/generator/base/error.hpp"
+#include "torsor/generator/dynamics/derivatives/parameter_sensitivities.hpp"
+#include "torsor/generator/dynamics/equations/forward_choice.hpp"
+#include "torsor/generator/dynamics/equations/massless.hpp"
+#include "torsor/generator/dynamics/forces/energy.hpp"
+#include "torsor/generator/dynamics/theorems/painleve.hpp"
+#include "torsor/generator/kernels/kernel_contacts.hpp"
+#include "torsor/generator/kernels/kernel_derivatives.hpp"
+#include "torsor/generator/kernels/kernel_frames.hpp"
+#include "torsor/generator/kernels/kernel_jets.hpp"
+#include "torsor/generator/kernels/kernel_kinematics.hpp"
+#include "torsor/generator/kernels/kernel_linearisation.hpp"
+#include "torsor/generator/kernels/kernel_parts.hpp"
+#include "torsor/generator/kernels/kernel_percussions.hpp"
+#include "torsor/generator/kernels/kernel_poses.hpp"
+#include "torsor/generator/kernels/kernel_regressor.hpp"
+#include "torsor/generator/kernels/kernel_residual.hpp"
+#include "torsor/generator/kernels/kernel_robotics.hpp"
+#include "torsor/generator/kernels/kernel_second_derivatives.hpp"
+#include "torsor/generator/kernels/kernel_sensitivities.hpp"
+#include "torsor/generator/kernels/kernel_sparse_jacobian.hpp"
+#include "torsor/generator/program/paired_cosines.hpp"
 
 namespace torsor {
 namespace {
@@ -115,9 +115,9 @@ Kernel make_energy(const Equations& equations) {
                                                     : "power of dampers, given forces and motors [W]";
   kernel.structures = {{"Energy",
                         "Energies of the mechanism.",
-                        {{"kinetic", 1, 1, "kinetic energy T [J]", true},
-                         {"force_function", 1, 1, u, true},
-                         {"power", 1, 1, power, true}}}};
+                        {{"kinetic", 1, 1, "kinetic energy T [J]"},
+                         {"force_function", 1, 1, u},
+                         {"power", 1, 1, power}}}};
   kernel.results = {{"Energy", "result"}};
   const Energies energies = energies_of(equations);
   Value force_function = energies.gravity;
@@ -134,7 +134,7 @@ Kernel make_first_integrals(const Equations& equations) {
   kernel.documentation = "First integrals: constant along every motion.";
   Structure structure{"FirstIntegrals", "Quantities that every motion conserves.", {}};
   for (const FirstIntegral& integral : report.first_integrals) {
-    structure.members.push_back({integral.name, 1, 1, integral.documentation, true});
+    structure.members.push_back({integral.name, 1, 1, integral.documentation});
     Value value = integral.value;
     if (integral.name == "energy") {  // T − U
       const Energies energies = energies_of(equations);
@@ -155,10 +155,10 @@ Kernel make_constraints(const Equations& equations) {
   kernel.documentation = "Constraints A(q, t) v - b(q, t) = 0, in the order of the multipliers.";
   kernel.structures = {{"Constraints",
                         "Constraints and their derivatives, one entry per multiplier.",
-                        {matrix_member("value", m, 1, "f(q, t) of holonomic constraints, 0 for the others"),
-                         matrix_member("rate", m, 1, "A v - b, df/dt for holonomic ones"),
+                        {vector_member("value", m, "f(q, t) of holonomic constraints, 0 for the others"),
+                         vector_member("rate", m, "A v - b, df/dt for holonomic ones"),
                          matrix_member("jacobian", m, n, "A, stored column by column"),
-                         matrix_member("gamma", m, 1, "d(A v - b)/dt at zero acceleration: A a + gamma = 0")}}};
+                         vector_member("gamma", m, "d(A v - b)/dt at zero acceleration: A a + gamma = 0")}}};
   kernel.results = {{"Constraints", "result"}};
   ValueMatrix jacobian;
   for (std::size_t j = 0; j < m; ++j) {
@@ -197,7 +197,7 @@ Kernel make_reactions(const Equations& equations) {
       if (!partial.is_zero()) reaction -= partial * equations.program().symbol(inputs[k]);
     }
     const Unit unit = units::joule / q->unit;
-    structure.members.push_back({q->name, 1, 1, fmt::format("reaction along '{}' [{}]", q->name, unit.to_string()), true});
+    structure.members.push_back({q->name, 1, 1, fmt::format("reaction along '{}' [{}]", q->name, unit.to_string())});
     kernel.assignments.push_back({{"result", q->name}, reaction});
   }
   kernel.structures = {structure};

@@ -8,18 +8,20 @@
 #include <variant>
 #include <vector>
 
-#include "generator/dynamics/equations/equations.hpp"
-#include "generator/listing/computation.hpp"
+#include "torsor/generator/dynamics/equations/equations.hpp"
+#include "torsor/generator/listing/computation.hpp"
 
 namespace torsor {
 
-/// One member of a result structure: a scalar, or a matrix stored column by column.
+/// One member of a result structure: a scalar, a vector, or a matrix stored column by column.
 struct Member {
   std::string name;
   int rows = 1;
   int columns = 1;
   std::string documentation;  ///< meaning, frame and unit, e.g. "kinetic energy T [J]"
-  bool scalar = true;         ///< false: std::array<Scalar, rows * columns>
+  int dimensions = 0;         ///< 0: a scalar; else std::array<Scalar, rows * columns>: 1 a vector, 2 a matrix
+
+  bool is_scalar() const { return dimensions == 0; }
 };
 
 /// Constants that come along with a structure: a number, or a table of indices or of factors.
@@ -47,8 +49,8 @@ enum class Argument { accelerations, multipliers, inputs };
 struct Result {
   std::string structure;  ///< "GeneralizedForces", or the name of a structure of the kernel; empty for an array
   std::string name;
-  std::size_t size = 0;     ///< of an array
-  std::size_t columns = 1;  ///< of an array that is a matrix
+  std::size_t size = 0;                  ///< of an array
+  std::optional<std::size_t> columns{};  ///< of an array that is a matrix
 };
 
 /// What a caller of a kernel must know.

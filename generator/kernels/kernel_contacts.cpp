@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "generator/kernels/kernel_contacts.hpp"
+#include "torsor/generator/kernels/kernel_contacts.hpp"
 
 #include <algorithm>
 #include <variant>
 
 #include <fmt/format.h>
 
-#include "generator/dynamics/forces/contacts.hpp"
-#include "generator/dynamics/theorems/bearing_reactions.hpp"
-#include "generator/kernels/kernel_parts.hpp"
+#include "torsor/generator/dynamics/forces/contacts.hpp"
+#include "torsor/generator/dynamics/theorems/bearing_reactions.hpp"
+#include "torsor/generator/kernels/kernel_parts.hpp"
 
 namespace torsor {
 namespace {
@@ -31,7 +31,7 @@ void add_bearings(const Equations& equations, std::size_t rows, Kernel& kernel) 
   }
   if (all.empty()) return;
   Structure& structure = kernel.structures[0];
-  structure.members.push_back(matrix_member("bearing", all.size(), 1, "R0 [N]"));
+  structure.members.push_back(vector_member("bearing", all.size(), "R0 [N]"));
   structure.members.push_back(matrix_member("bearing_by_accelerations", all.size(), n, "B, stored column by column"));
   structure.members.push_back(matrix_member("bearing_by_reactions", all.size(), rows, "C, stored column by column"));
   if (m > 0) structure.members.push_back(matrix_member("bearing_by_multipliers", all.size(), m, "D, stored column by column"));
@@ -86,10 +86,10 @@ Kernel make_contacts(const Equations& equations) {
   kernel.structures = {
       {"Contacts",
        "Gaps of contacts, and what they may do along their normals and tangents.",
-       {matrix_member("gap", contacts.size(), 1, "of each contact, falls to 0 where it closes; 0 of dry friction"),
-        matrix_member("rate", rows, 1, "w, of normals d(gap)/dt, of tangents the slip"),
+       {vector_member("gap", contacts.size(), "of each contact, falls to 0 where it closes; 0 of dry friction"),
+        vector_member("rate", rows, "w, of normals d(gap)/dt, of tangents the slip"),
         matrix_member("jacobian", rows, n, "J, stored column by column"),
-        matrix_member("drift", rows, 1, "dw/dt at zero accelerations")},
+        vector_member("drift", rows, "dw/dt at zero accelerations")},
        {{"contact_count", contacts.size(), "Contacts, and their rows."},
         {"contact_row_count", rows},
         {"contact_normals", normals, "How many normals and tangents each contact has: dry friction has no normal."},
@@ -117,11 +117,11 @@ Kernel make_contact_coefficients(const Equations& equations) {
   kernel.results = {{"ContactCoefficients", "result"}};
   kernel.structures = {{"ContactCoefficients",
                         "Coefficients of contacts.",
-                        {matrix_member("friction", count, 1, turns ? "f [1]; of turns h [m]" : "f [1]"),
-                         matrix_member("static_friction", count, 1, turns ? "f_s [1]; of turns h [m]" : "f_s [1]"),
-                         matrix_member("restitution", count, 1, "e [1]"),
-                         matrix_member("bound", count, 1, "b of dry friction, 0 of others"),
-                         matrix_member("static_bound", count, 1, "b_s of dry friction, 0 of others")}}};
+                        {vector_member("friction", count, turns ? "f [1]; of turns h [m]" : "f [1]"),
+                         vector_member("static_friction", count, turns ? "f_s [1]; of turns h [m]" : "f_s [1]"),
+                         vector_member("restitution", count, "e [1]"),
+                         vector_member("bound", count, "b of dry friction, 0 of others"),
+                         vector_member("static_bound", count, "b_s of dry friction, 0 of others")}}};
   for (std::size_t k = 0; k < count; ++k) {
     kernel.assignments.push_back({{"result", "friction", k}, contacts[k].friction});
     kernel.assignments.push_back({{"result", "static_friction", k}, contacts[k].static_friction});

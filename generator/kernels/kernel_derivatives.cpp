@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "generator/kernels/kernel_derivatives.hpp"
+#include "torsor/generator/kernels/kernel_derivatives.hpp"
 
-#include "generator/dynamics/derivatives/forward_derivatives.hpp"
-#include "generator/dynamics/derivatives/linearisation.hpp"
-#include "generator/kernels/kernel_kinematics.hpp"
-#include "generator/kernels/kernel_parts.hpp"
+#include "torsor/generator/dynamics/derivatives/forward_derivatives.hpp"
+#include "torsor/generator/dynamics/derivatives/linearisation.hpp"
+#include "torsor/generator/kernels/kernel_kinematics.hpp"
+#include "torsor/generator/kernels/kernel_parts.hpp"
 
 namespace torsor {
 namespace {

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "generator/kernels/kernel_frames.hpp"
+#include "torsor/generator/kernels/kernel_frames.hpp"
 
 #include <fmt/format.h>
 
-#include "generator/dynamics/motion/ground_drift.hpp"
-#include "generator/kernels/kernel_parts.hpp"
+#include "torsor/generator/dynamics/motion/ground_drift.hpp"
+#include "torsor/generator/kernels/kernel_parts.hpp"
 
 namespace torsor {
 namespace {
@@ -61,7 +61,7 @@ Kernel make_frames(const Equations& equations) {
       "Pose, twist, Jacobian J and drift of every named point with the axes of its frame, in ground axes:\n"
       "(V, Omega) = J v + what laws of time drive, (dV/dt, dOmega/dt) = J a + drift.";
   const auto six = [&](const std::string& member, const std::string& text, const Vector& linear, const Vector& angular) {
-    structure.members.push_back(matrix_member(member, 6, 1, text));
+    structure.members.push_back(vector_member(member, 6, text));
     for (int i = 0; i < 3; ++i) {
       const auto row = static_cast<std::size_t>(i);
       kernel.assignments.push_back({{"result", member, row}, linear[i]});
@@ -70,7 +70,7 @@ Kernel make_frames(const Equations& equations) {
   };
   for (const OperationalFrame& frame : operational_frames(model, motion)) {
     const Vector position = bound(model.program(), motion.origin(frame.link) + frame.arm);
-    structure.members.push_back(matrix_member(frame.name + "_position", 3, 1, "position of " + frame.name + " [m]"));
+    structure.members.push_back(vector_member(frame.name + "_position", 3, "position of " + frame.name + " [m]"));
     structure.members.push_back(
         matrix_member(frame.name + "_rotation", 3, 3, "from the axes of its frame to the ground's, column by column"));
     for (int j = 0; j < 3; ++j) {

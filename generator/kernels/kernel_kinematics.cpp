@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "generator/kernels/kernel_kinematics.hpp"
+#include "torsor/generator/kernels/kernel_kinematics.hpp"
 
 #include <fmt/format.h>
 
-#include "generator/dynamics/motion/ground_motion.hpp"
-#include "generator/kernels/kernel_parts.hpp"
+#include "torsor/generator/dynamics/motion/ground_motion.hpp"
+#include "torsor/generator/kernels/kernel_parts.hpp"
 
 namespace torsor {
 namespace {
@@ -64,7 +64,7 @@ class KinematicsBuilder {
 
  private:
   void add_vector(const std::string& name, const std::string& text, const Vector& v) {
-    result_.member(name, 3, 1, text);
+    result_.member(name, 3, text);
     result_.vector(name, 0, v);
   }
 

@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "generator/kernels/kernel_linearisation.hpp"
+#include "torsor/generator/kernels/kernel_linearisation.hpp"
 
 #include <algorithm>
 #include <tuple>
 
 #include <fmt/format.h>
 
-#include "generator/dynamics/derivatives/forward_derivatives.hpp"
-#include "generator/dynamics/derivatives/reduction.hpp"
-#include "generator/kernels/kernel_kinematics.hpp"
-#include "generator/kernels/kernel_parts.hpp"
+#include "torsor/generator/dynamics/derivatives/forward_derivatives.hpp"
+#include "torsor/generator/dynamics/derivatives/reduction.hpp"
+#include "torsor/generator/kernels/kernel_kinematics.hpp"
+#include "torsor/generator/kernels/kernel_parts.hpp"
 
 namespace torsor {
 namespace {
@@ -46,7 +46,7 @@ void assign_equations(Kernel& kernel, Structure& structure, const std::string& s
   assign("M", mass, "mass matrix");
   assign("C", damping, "damping and gyroscopic terms");
   assign("K", stiffness, "stiffness");
-  structure.members.push_back(matrix_member("F" + suffix, rows, 1, text + "right-hand side"));
+  structure.members.push_back(vector_member("F" + suffix, rows, text + "right-hand side"));
   assign_vector(kernel, {"result", "F" + suffix}, force, rows);
   if (inputs > 0) assign("E", effects, "effect of the inputs");
 }

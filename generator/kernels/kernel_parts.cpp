@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "generator/kernels/kernel_parts.hpp"
+#include "torsor/generator/kernels/kernel_parts.hpp"
 
 namespace torsor {
 
@@ -11,8 +11,12 @@ void assign_matrix(Kernel& kernel, const Target& target, const ValueMatrix& matr
   }
 }
 
+Member vector_member(const std::string& name, std::size_t rows, const std::string& text) {
+  return {name, static_cast<int>(rows), 1, text, 1};
+}
+
 Member matrix_member(const std::string& name, std::size_t rows, std::size_t columns, const std::string& text) {
-  return {name, static_cast<int>(rows), static_cast<int>(columns), text, false};
+  return {name, static_cast<int>(rows), static_cast<int>(columns), text, 2};
 }
 
 void assign_vector(Kernel& kernel, const Target& target, const std::vector<Value>& values, std::size_t n) {

@@ -5,13 +5,15 @@
 #include <string>
 #include <vector>
 
-#include "generator/geometry/vector.hpp"
-#include "generator/kernels/kernel.hpp"
+#include "torsor/generator/geometry/vector.hpp"
+#include "torsor/generator/kernels/kernel.hpp"
 
 // What the builders of kernels share.
 
 namespace torsor {
 
+Member vector_member(const std::string& name, std::size_t rows, const std::string& text);
+/// A matrix, whatever the number of its columns.
 Member matrix_member(const std::string& name, std::size_t rows, std::size_t columns, const std::string& text);
 
 /// Appends a matrix, column by column.
@@ -27,6 +29,9 @@ class StructureBuilder {
   StructureBuilder(std::string name, std::string documentation)
       : structure_{std::move(name), std::move(documentation), {}} {}
 
+  void member(const std::string& name, std::size_t rows, const std::string& text) {
+    structure_.members.push_back(vector_member(name, rows, text));
+  }
   void member(const std::string& name, std::size_t rows, std::size_t columns, const std::string& text) {
     structure_.members.push_back(matrix_member(name, rows, columns, text));
   }

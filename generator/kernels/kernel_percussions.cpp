@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "generator/kernels/kernel_percussions.hpp"
+#include "torsor/generator/kernels/kernel_percussions.hpp"
 
-#include "generator/dynamics/forces/contacts.hpp"
-#include "generator/kernels/kernel_parts.hpp"
+#include "torsor/generator/dynamics/forces/contacts.hpp"
+#include "torsor/generator/kernels/kernel_parts.hpp"
 
 namespace torsor {
 namespace {
@@ -34,7 +34,7 @@ Kernel make_delassus(const Equations& equations) {
   const ForwardSolution& free = equations.forward_by_factorisation();
   StructureBuilder builder("Delassus", "The problem of one instant, dw/dt = W r + q, of all rows of contacts.");
   builder.member("matrix", rows.size(), rows.size(), "W, symmetric");
-  builder.member("free", rows.size(), 1, "q, dw/dt without reactions of contacts");
+  builder.member("free", rows.size(), "q, dw/dt without reactions of contacts");
   for (std::size_t s = 0; s < rows.size(); ++s) {
     builder.assign("free", s, along(equations, rows[s], free.accelerations, rows[s].drift));
     const ForwardSolution answer = answer_to(equations, rows[s]);

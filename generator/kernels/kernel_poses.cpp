@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "generator/kernels/kernel_poses.hpp"
+#include "torsor/generator/kernels/kernel_poses.hpp"
 
 #include <array>
 
-#include "generator/dynamics/forces/contacts.hpp"
-#include "generator/dynamics/motion/ground_motion.hpp"
-#include "generator/kernels/kernel_parts.hpp"
+#include "torsor/generator/dynamics/forces/contacts.hpp"
+#include "torsor/generator/dynamics/motion/ground_motion.hpp"
+#include "torsor/generator/kernels/kernel_parts.hpp"
 
 namespace torsor {
 namespace {
@@ -22,7 +22,7 @@ class PosesBuilder {
     forms();
     reactions();
     contacts();
-    result_.member("gravity", 3, 1, "acceleration of gravity [m/s^2]");
+    result_.member("gravity", 3, "acceleration of gravity [m/s^2]");
     result_.vector("gravity", 0, lower(program_, scene_.gravity));
     return result_.take(
         "What a picture of the mechanism needs, in ground axes: one column for each frame, point and body of the scene, "

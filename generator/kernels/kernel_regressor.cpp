@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "generator/kernels/kernel_regressor.hpp"
+#include "torsor/generator/kernels/kernel_regressor.hpp"
 
 #include <fmt/format.h>
 
-#include "generator/dynamics/recursions/base_parameters.hpp"
-#include "generator/dynamics/recursions/regressor.hpp"
-#include "generator/kernels/kernel_parts.hpp"
+#include "torsor/generator/dynamics/recursions/base_parameters.hpp"
+#include "torsor/generator/dynamics/recursions/regressor.hpp"
+#include "torsor/generator/kernels/kernel_parts.hpp"
 
 namespace torsor {
 namespace {

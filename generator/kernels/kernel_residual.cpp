@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "generator/kernels/kernel_residual.hpp"
+#include "torsor/generator/kernels/kernel_residual.hpp"
 
 #include <algorithm>
 
 #include <fmt/format.h>
 
-#include "generator/dynamics/derivatives/linearisation.hpp"
-#include "generator/dynamics/derivatives/motion_changes.hpp"
-#include "generator/kernels/compressed_rows.hpp"
-#include "generator/kernels/kernel_kinematics.hpp"
-#include "generator/kernels/kernel_parts.hpp"
+#include "torsor/generator/dynamics/derivatives/linearisation.hpp"
+#include "torsor/generator/dynamics/derivatives/motion_changes.hpp"
+#include "torsor/generator/kernels/compressed_rows.hpp"
+#include "torsor/generator/kernels/kernel_kinematics.hpp"
+#include "torsor/generator/kernels/kernel_parts.hpp"
 
 namespace torsor {
 namespace {

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "generator/kernels/kernel_robotics.hpp"
+#include "torsor/generator/kernels/kernel_robotics.hpp"
 
-#include "generator/dynamics/forces/gravity_forces.hpp"
-#include "generator/dynamics/recursions/centroidal_momentum.hpp"
-#include "generator/kernels/kernel_parts.hpp"
+#include "torsor/generator/dynamics/forces/gravity_forces.hpp"
+#include "torsor/generator/dynamics/recursions/centroidal_momentum.hpp"
+#include "torsor/generator/kernels/kernel_parts.hpp"
 
 namespace torsor {
 

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "generator/kernels/kernel_second_derivatives.hpp"
+#include "torsor/generator/kernels/kernel_second_derivatives.hpp"
 
 #include <fmt/format.h>
 
-#include "generator/dynamics/derivatives/forward_second_derivatives.hpp"
-#include "generator/dynamics/derivatives/second_derivatives.hpp"
-#include "generator/kernels/kernel_kinematics.hpp"
-#include "generator/kernels/kernel_parts.hpp"
+#include "torsor/generator/dynamics/derivatives/forward_second_derivatives.hpp"
+#include "torsor/generator/dynamics/derivatives/second_derivatives.hpp"
+#include "torsor/generator/kernels/kernel_kinematics.hpp"
+#include "torsor/generator/kernels/kernel_parts.hpp"
 
 namespace torsor {
 namespace {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "generator/kernels/kernel.hpp"
+#include "torsor/generator/kernels/kernel.hpp"
 
 namespace torsor {
 

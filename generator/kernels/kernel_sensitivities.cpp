@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "generator/kernels/kernel_sensitivities.hpp"
+#include "torsor/generator/kernels/kernel_sensitivities.hpp"
 
-#include "generator/dynamics/derivatives/parameter_sensitivities.hpp"
-#include "generator/kernels/kernel_parts.hpp"
+#include "torsor/generator/dynamics/derivatives/parameter_sensitivities.hpp"
+#include "torsor/generator/kernels/kernel_parts.hpp"
 
 namespace torsor {
 namespace {

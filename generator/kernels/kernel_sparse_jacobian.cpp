@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "generator/kernels/kernel_sparse_jacobian.hpp"
+#include "torsor/generator/kernels/kernel_sparse_jacobian.hpp"
 
-#include "generator/kernels/compressed_rows.hpp"
+#include "torsor/generator/kernels/compressed_rows.hpp"
 
 namespace torsor {
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "generator/listing/computation.hpp"
+#include "torsor/generator/listing/computation.hpp"
 
-#include "generator/listing/shared_products.hpp"
-#include "generator/program/identically_zero.hpp"
+#include "torsor/generator/listing/shared_products.hpp"
+#include "torsor/generator/program/identically_zero.hpp"
 
 namespace torsor {
 

@@ -5,9 +5,9 @@
 #include <utility>
 #include <vector>
 
-#include "generator/listing/series_result.hpp"
-#include "generator/listing/target.hpp"
-#include "generator/program/program.hpp"
+#include "torsor/generator/listing/series_result.hpp"
+#include "torsor/generator/listing/target.hpp"
+#include "torsor/generator/program/program.hpp"
 
 namespace torsor {
 

@@ -4,8 +4,8 @@
 #include <functional>
 #include <vector>
 
-#include "generator/program/formula.hpp"
-#include "generator/program/program.hpp"
+#include "torsor/generator/program/formula.hpp"
+#include "torsor/generator/program/program.hpp"
 
 namespace torsor {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "generator/listing/factor_pair.hpp"
+#include "torsor/generator/listing/factor_pair.hpp"
 
 #include <algorithm>
 #include <iterator>

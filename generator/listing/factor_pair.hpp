@@ -6,9 +6,9 @@
 #include <variant>
 #include <vector>
 
-#include "generator/base/number.hpp"
-#include "generator/program/formula.hpp"
-#include "generator/program/polynomial.hpp"
+#include "torsor/generator/base/number.hpp"
+#include "torsor/generator/program/formula.hpp"
+#include "torsor/generator/program/polynomial.hpp"
 
 namespace torsor {
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "generator/listing/generation_constant.hpp"
+#include "torsor/generator/listing/generation_constant.hpp"
 
 #include <fmt/format.h>
 
-#include "generator/base/error.hpp"
-#include "generator/program/evaluation.hpp"
+#include "torsor/generator/base/error.hpp"
+#include "torsor/generator/program/evaluation.hpp"
 
 namespace torsor {
 namespace {

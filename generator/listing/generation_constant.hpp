@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "generator/program/program.hpp"
+#include "torsor/generator/program/program.hpp"
 
 namespace torsor {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "generator/listing/issue_order.hpp"
+#include "torsor/generator/listing/issue_order.hpp"
 
 #include <algorithm>
 #include <functional>
@@ -10,7 +10,7 @@
 #include <unordered_map>
 #include <utility>
 
-#include "generator/listing/earliest_start.hpp"
+#include "torsor/generator/listing/earliest_start.hpp"
 
 namespace torsor {
 namespace {

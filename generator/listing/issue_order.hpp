@@ -3,8 +3,8 @@
 
 #include <vector>
 
-#include "generator/listing/earliest_start.hpp"
-#include "generator/program/program.hpp"
+#include "torsor/generator/listing/earliest_start.hpp"
+#include "torsor/generator/program/program.hpp"
 
 namespace torsor {
 

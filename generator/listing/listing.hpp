@@ -8,10 +8,11 @@
 #include <variant>
 #include <vector>
 
-#include "generator/expression/symbol.hpp"
-#include "generator/listing/generation_constant.hpp"
-#include "generator/listing/target.hpp"
-#include "generator/program/formula.hpp"
+#include "torsor/generator/base/unit.hpp"
+#include "torsor/generator/expression/symbol.hpp"
+#include "torsor/generator/listing/generation_constant.hpp"
+#include "torsor/generator/listing/target.hpp"
+#include "torsor/generator/program/formula.hpp"
 
 namespace torsor {
 
@@ -99,6 +100,7 @@ struct Output {
   Signed value;
   bool checked = false;  ///< whether a status looks at it: it is no number, and repeats no other
   std::string meaning{};
+  std::optional<Unit> unit{};  ///< none: always zero, or not said
 };
 
 /// A pivot, and what it is measured against.

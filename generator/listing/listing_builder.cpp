@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "generator/listing/listing_builder.hpp"
+#include "torsor/generator/listing/listing_builder.hpp"
 
 #include <algorithm>
 
 #include <fmt/format.h>
 
-#include "generator/base/error.hpp"
-#include "generator/listing/issue_order.hpp"
-#include "generator/listing/local_names.hpp"
+#include "torsor/generator/base/error.hpp"
+#include "torsor/generator/listing/issue_order.hpp"
+#include "torsor/generator/listing/local_names.hpp"
 
 namespace torsor {
 namespace {
@@ -63,7 +63,10 @@ void ListingBuilder::compute(const Block& block) {
 
 void ListingBuilder::write(const Assignment& assignment) {
   auto [value, repeats] = value_of(assignment.value, listing_.outputs.size());
-  listing_.outputs.push_back({assignment.target, std::move(value), !repeats && !assignment.value.is_constant(), {}});
+  const bool checked = !repeats && !assignment.value.is_constant();
+  Output output{assignment.target, std::move(value), checked};
+  if (!assignment.value.is_zero()) output.unit = assignment.value.unit();
+  listing_.outputs.push_back(std::move(output));
 }
 
 void ListingBuilder::write_member(const Target& target, ValueNumber value_number, const std::string& meaning) {

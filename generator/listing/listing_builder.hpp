@@ -9,10 +9,10 @@
 #include <utility>
 #include <vector>
 
-#include "generator/listing/earliest_start.hpp"
-#include "generator/listing/lowering.hpp"
-#include "generator/program/program.hpp"
-#include "generator/program/sum_table.hpp"
+#include "torsor/generator/listing/earliest_start.hpp"
+#include "torsor/generator/listing/lowering.hpp"
+#include "torsor/generator/program/program.hpp"
+#include "torsor/generator/program/sum_table.hpp"
 
 namespace torsor {
 

@@ -6,8 +6,8 @@
 #include <utility>
 #include <vector>
 
-#include "generator/listing/listing.hpp"
-#include "generator/program/function_values.hpp"
+#include "torsor/generator/listing/listing.hpp"
+#include "torsor/generator/program/function_values.hpp"
 
 namespace torsor {
 

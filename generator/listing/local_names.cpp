@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "generator/listing/local_names.hpp"
+#include "torsor/generator/listing/local_names.hpp"
 
 #include <fmt/format.h>
 

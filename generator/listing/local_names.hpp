@@ -3,8 +3,8 @@
 
 #include <string>
 
-#include "generator/base/number.hpp"
-#include "generator/program/program.hpp"
+#include "torsor/generator/base/number.hpp"
+#include "torsor/generator/program/program.hpp"
 
 namespace torsor {
 

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "generator/listing/lowering.hpp"
+#include "torsor/generator/listing/lowering.hpp"
 
 #include <fmt/format.h>
 
-#include "generator/listing/listing_builder.hpp"
-#include "generator/listing/local_names.hpp"
-#include "generator/listing/recurrence_lowering.hpp"
+#include "torsor/generator/listing/listing_builder.hpp"
+#include "torsor/generator/listing/local_names.hpp"
+#include "torsor/generator/listing/recurrence_lowering.hpp"
 
 namespace torsor {
 

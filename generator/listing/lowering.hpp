@@ -4,10 +4,10 @@
 #include <string>
 #include <vector>
 
-#include "generator/listing/computation.hpp"
-#include "generator/listing/listing.hpp"
-#include "generator/listing/schedule.hpp"
-#include "generator/program/program.hpp"
+#include "torsor/generator/listing/computation.hpp"
+#include "torsor/generator/listing/listing.hpp"
+#include "torsor/generator/listing/schedule.hpp"
+#include "torsor/generator/program/program.hpp"
 
 namespace torsor {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "generator/listing/precomputation.hpp"
+#include "torsor/generator/listing/precomputation.hpp"
 
 #include <algorithm>
 #include <functional>
@@ -7,7 +7,7 @@
 
 #include <fmt/format.h>
 
-#include "generator/base/fnv.hpp"
+#include "torsor/generator/base/fnv.hpp"
 
 namespace torsor {
 namespace {

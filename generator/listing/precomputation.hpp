@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "generator/listing/listing.hpp"
+#include "torsor/generator/listing/listing.hpp"
 
 namespace torsor {
 

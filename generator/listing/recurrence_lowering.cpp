@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "generator/listing/recurrence_lowering.hpp"
+#include "torsor/generator/listing/recurrence_lowering.hpp"
 
 #include <algorithm>
 #include <utility>
 
 #include <fmt/format.h>
 
-#include "generator/program/formula_parts.hpp"
+#include "torsor/generator/program/formula_parts.hpp"
 
 namespace torsor {
 

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "generator/listing/listing_builder.hpp"
+#include "torsor/generator/listing/listing_builder.hpp"
 
 namespace torsor {
 

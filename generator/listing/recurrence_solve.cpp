@@ -5,8 +5,8 @@
 
 #include <fmt/format.h>
 
-#include "generator/program/formula_parts.hpp"
-#include "generator/listing/recurrence_lowering.hpp"
+#include "torsor/generator/program/formula_parts.hpp"
+#include "torsor/generator/listing/recurrence_lowering.hpp"
 
 namespace torsor {
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "generator/listing/schedule.hpp"
+#include "torsor/generator/listing/schedule.hpp"
 
-#include "generator/program/formula.hpp"
+#include "torsor/generator/program/formula.hpp"
 
 namespace torsor {
 namespace {

@@ -3,9 +3,9 @@
 
 #include <vector>
 
-#include "generator/program/polynomial.hpp"
-#include "generator/program/program.hpp"
-#include "generator/program/sum_table.hpp"
+#include "torsor/generator/program/polynomial.hpp"
+#include "torsor/generator/program/program.hpp"
+#include "torsor/generator/program/sum_table.hpp"
 
 namespace torsor {
 

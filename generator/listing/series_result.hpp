@@ -4,7 +4,7 @@
 #include <optional>
 #include <vector>
 
-#include "generator/program/series_program.hpp"
+#include "torsor/generator/program/series_program.hpp"
 
 namespace torsor {
 

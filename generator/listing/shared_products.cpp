@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "generator/listing/shared_products.hpp"
+#include "torsor/generator/listing/shared_products.hpp"
 
 #include <algorithm>
 #include <iterator>
@@ -9,11 +9,11 @@
 #include <unordered_map>
 #include <utility>
 
-#include "generator/base/error.hpp"
-#include "generator/listing/earliest_start.hpp"
-#include "generator/listing/factor_pair.hpp"
-#include "generator/program/formula.hpp"
-#include "generator/program/sum_table.hpp"
+#include "torsor/generator/base/error.hpp"
+#include "torsor/generator/listing/earliest_start.hpp"
+#include "torsor/generator/listing/factor_pair.hpp"
+#include "torsor/generator/program/formula.hpp"
+#include "torsor/generator/program/sum_table.hpp"
 
 namespace torsor {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "generator/listing/target.hpp"
+#include "torsor/generator/listing/target.hpp"
 
 namespace torsor {
 

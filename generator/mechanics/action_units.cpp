@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "generator/mechanics/action_units.hpp"
+#include "torsor/generator/mechanics/action_units.hpp"
 
 #include <fmt/format.h>
 
-#include "generator/mechanics/require_unit.hpp"
+#include "torsor/generator/mechanics/require_unit.hpp"
 
 namespace torsor {
 namespace {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "generator/mechanics/scene_content.hpp"
+#include "torsor/generator/mechanics/scene_content.hpp"
 
 namespace torsor {
 

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "generator/mechanics/analysis_graph.hpp"
+#include "torsor/generator/mechanics/analysis_graph.hpp"
 
 #include <algorithm>
 #include <optional>
 #include <set>
 
-#include "generator/base/as_index.hpp"
-#include "generator/program/program.hpp"
+#include "torsor/generator/base/as_index.hpp"
+#include "torsor/generator/program/program.hpp"
 
 namespace torsor {
 namespace {

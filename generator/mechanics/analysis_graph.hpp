@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "generator/base/natural_language.hpp"
-#include "generator/mechanics/structure_graph.hpp"
+#include "torsor/generator/base/natural_language.hpp"
+#include "torsor/generator/mechanics/structure_graph.hpp"
 
 namespace torsor {
 

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "generator/mechanics/screw.hpp"
+#include "torsor/generator/mechanics/screw.hpp"
 
 namespace torsor {
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "generator/mechanics/freedom_positions.hpp"
+#include "torsor/generator/mechanics/freedom_positions.hpp"
 
-#include "generator/base/as_index.hpp"
+#include "torsor/generator/base/as_index.hpp"
 
 namespace torsor {
 

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "generator/mechanics/scene_content.hpp"
+#include "torsor/generator/mechanics/scene_content.hpp"
 
 namespace torsor {
 

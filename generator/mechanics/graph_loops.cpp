@@ -4,8 +4,8 @@
 
 #include <fmt/format.h>
 
-#include "generator/base/as_index.hpp"
-#include "generator/mechanics/structure_graph.hpp"
+#include "torsor/generator/base/as_index.hpp"
+#include "torsor/generator/mechanics/structure_graph.hpp"
 
 namespace torsor {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "generator/mechanics/identifier.hpp"
+#include "torsor/generator/mechanics/identifier.hpp"
 
 #include <algorithm>
 #include <array>
@@ -8,8 +8,8 @@
 
 #include <fmt/format.h>
 
-#include "generator/base/error.hpp"
-#include "generator/mechanics/library_names.hpp"
+#include "torsor/generator/base/error.hpp"
+#include "torsor/generator/mechanics/library_names.hpp"
 
 namespace torsor {
 namespace {

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "generator/mechanics/inertia.hpp"
+#include "torsor/generator/mechanics/inertia.hpp"
 
 #include <fmt/format.h>
 
-#include "generator/base/error.hpp"
-#include "generator/base/number.hpp"
-#include "generator/mechanics/triple_algebra.hpp"
+#include "torsor/generator/base/error.hpp"
+#include "torsor/generator/base/number.hpp"
+#include "torsor/generator/mechanics/triple_algebra.hpp"
 
 namespace torsor {
 namespace {

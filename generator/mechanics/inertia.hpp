@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "generator/expression/expression.hpp"
-#include "generator/geometry/rotation.hpp"
-#include "generator/geometry/triple.hpp"
+#include "torsor/generator/expression/expression.hpp"
+#include "torsor/generator/geometry/rotation.hpp"
+#include "torsor/generator/geometry/triple.hpp"
 
 namespace torsor {
 

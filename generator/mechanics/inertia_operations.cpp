@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "generator/mechanics/inertia_operations.hpp"
+#include "torsor/generator/mechanics/inertia_operations.hpp"
 
 #include <fmt/format.h>
 
-#include "generator/base/error.hpp"
-#include "generator/mechanics/triple_algebra.hpp"
-#include "generator/program/identically_zero.hpp"
+#include "torsor/generator/base/error.hpp"
+#include "torsor/generator/mechanics/triple_algebra.hpp"
+#include "torsor/generator/program/identically_zero.hpp"
 
 namespace torsor {
 namespace {

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "generator/mechanics/inertia.hpp"
+#include "torsor/generator/mechanics/inertia.hpp"
 
 namespace torsor {
 

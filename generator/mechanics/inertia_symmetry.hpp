@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "generator/mechanics/inertia.hpp"
+#include "torsor/generator/mechanics/inertia.hpp"
 
 namespace torsor {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "generator/mechanics/inertia_validity.hpp"
+#include "torsor/generator/mechanics/inertia_validity.hpp"
 
 #include <algorithm>
 #include <array>
@@ -7,8 +7,8 @@
 
 #include <fmt/format.h>
 
-#include "generator/base/error.hpp"
-#include "generator/mechanics/parameter_value.hpp"
+#include "torsor/generator/base/error.hpp"
+#include "torsor/generator/mechanics/parameter_value.hpp"
 
 namespace torsor {
 namespace {

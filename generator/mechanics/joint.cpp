@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "generator/mechanics/joint.hpp"
+#include "torsor/generator/mechanics/joint.hpp"
 
 #include <array>
 
-#include "generator/base/natural_language.hpp"
+#include "torsor/generator/base/natural_language.hpp"
 
 namespace torsor {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "generator/mechanics/joint_screws.hpp"
+#include "torsor/generator/mechanics/joint_screws.hpp"
 
 #include <fmt/format.h>
 

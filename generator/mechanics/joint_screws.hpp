@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "generator/mechanics/joint.hpp"
-#include "generator/mechanics/screw.hpp"
+#include "torsor/generator/mechanics/joint.hpp"
+#include "torsor/generator/mechanics/screw.hpp"
 
 namespace torsor {
 

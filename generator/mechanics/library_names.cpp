@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "generator/mechanics/library_names.hpp"
+#include "torsor/generator/mechanics/library_names.hpp"
 
 #include <array>
 #include <string_view>

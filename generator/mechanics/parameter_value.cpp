@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "generator/mechanics/parameter_value.hpp"
+#include "torsor/generator/mechanics/parameter_value.hpp"
 
 #include <fmt/format.h>
 
-#include "generator/base/error.hpp"
-#include "generator/program/evaluation.hpp"
-#include "generator/program/generic_state.hpp"
+#include "torsor/generator/base/error.hpp"
+#include "torsor/generator/program/evaluation.hpp"
+#include "torsor/generator/program/generic_state.hpp"
 
 namespace torsor {
 

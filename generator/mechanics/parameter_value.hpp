@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "generator/base/high_precision.hpp"
-#include "generator/mechanics/scene_content.hpp"
+#include "torsor/generator/base/high_precision.hpp"
+#include "torsor/generator/mechanics/scene_content.hpp"
 
 namespace torsor {
 

@@ -3,8 +3,8 @@
 
 #include <string>
 
-#include "generator/expression/expression.hpp"
-#include "generator/geometry/triple.hpp"
+#include "torsor/generator/expression/expression.hpp"
+#include "torsor/generator/geometry/triple.hpp"
 
 namespace torsor {
 

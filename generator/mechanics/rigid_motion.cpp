@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "generator/mechanics/rigid_motion.hpp"
+#include "torsor/generator/mechanics/rigid_motion.hpp"
 
 #include <fmt/format.h>
 
-#include "generator/base/error.hpp"
-#include "generator/program/identically_zero.hpp"
+#include "torsor/generator/base/error.hpp"
+#include "torsor/generator/program/identically_zero.hpp"
 
 namespace torsor {
 

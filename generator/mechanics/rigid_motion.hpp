@@ -6,8 +6,8 @@
 #include <string_view>
 #include <vector>
 
-#include "generator/mechanics/central_axis.hpp"
-#include "generator/mechanics/screw.hpp"
+#include "torsor/generator/mechanics/central_axis.hpp"
+#include "torsor/generator/mechanics/screw.hpp"
 
 namespace torsor {
 

@@ -8,11 +8,11 @@
 #include <utility>
 #include <vector>
 
-#include "generator/expression/expression.hpp"
-#include "generator/geometry/rotation.hpp"
-#include "generator/geometry/triple.hpp"
-#include "generator/mechanics/inertia.hpp"
-#include "generator/mechanics/scene_content.hpp"
+#include "torsor/generator/expression/expression.hpp"
+#include "torsor/generator/geometry/rotation.hpp"
+#include "torsor/generator/geometry/triple.hpp"
+#include "torsor/generator/mechanics/inertia.hpp"
+#include "torsor/generator/mechanics/scene_content.hpp"
 
 namespace torsor {
 

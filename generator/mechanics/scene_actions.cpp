@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fmt/format.h>
 
-#include "generator/base/error.hpp"
-#include "generator/mechanics/identifier.hpp"
-#include "generator/mechanics/require_unit.hpp"
-#include "generator/mechanics/scene.hpp"
+#include "torsor/generator/base/error.hpp"
+#include "torsor/generator/mechanics/identifier.hpp"
+#include "torsor/generator/mechanics/require_unit.hpp"
+#include "torsor/generator/mechanics/scene.hpp"
 
 namespace torsor {
 namespace {

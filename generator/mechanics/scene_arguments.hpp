@@ -7,10 +7,10 @@
 #include <string>
 #include <variant>
 
-#include "generator/expression/expression.hpp"
-#include "generator/geometry/triple.hpp"
-#include "generator/mechanics/joint.hpp"
-#include "generator/mechanics/scene_references.hpp"
+#include "torsor/generator/expression/expression.hpp"
+#include "torsor/generator/geometry/triple.hpp"
+#include "torsor/generator/mechanics/joint.hpp"
+#include "torsor/generator/mechanics/scene_references.hpp"
 
 namespace torsor {
 

@@ -8,14 +8,14 @@
 #include <variant>
 #include <vector>
 
-#include "generator/expression/expression.hpp"
-#include "generator/expression/symbol.hpp"
-#include "generator/geometry/rotation.hpp"
-#include "generator/geometry/triple.hpp"
-#include "generator/mechanics/inertia.hpp"
-#include "generator/mechanics/joint.hpp"
-#include "generator/mechanics/scene_arguments.hpp"
-#include "generator/mechanics/scene_references.hpp"
+#include "torsor/generator/expression/expression.hpp"
+#include "torsor/generator/expression/symbol.hpp"
+#include "torsor/generator/geometry/rotation.hpp"
+#include "torsor/generator/geometry/triple.hpp"
+#include "torsor/generator/mechanics/inertia.hpp"
+#include "torsor/generator/mechanics/joint.hpp"
+#include "torsor/generator/mechanics/scene_arguments.hpp"
+#include "torsor/generator/mechanics/scene_references.hpp"
 
 namespace torsor {
 

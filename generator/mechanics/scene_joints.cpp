@@ -3,10 +3,10 @@
 
 #include <fmt/format.h>
 
-#include "generator/base/as_index.hpp"
-#include "generator/base/error.hpp"
-#include "generator/mechanics/require_unit.hpp"
-#include "generator/mechanics/scene.hpp"
+#include "torsor/generator/base/as_index.hpp"
+#include "torsor/generator/base/error.hpp"
+#include "torsor/generator/mechanics/require_unit.hpp"
+#include "torsor/generator/mechanics/scene.hpp"
 
 namespace torsor {
 namespace {

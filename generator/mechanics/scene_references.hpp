@@ -6,9 +6,9 @@
 #include <utility>
 #include <variant>
 
-#include "generator/expression/expression.hpp"
-#include "generator/geometry/rotation.hpp"
-#include "generator/geometry/triple.hpp"
+#include "torsor/generator/expression/expression.hpp"
+#include "torsor/generator/geometry/rotation.hpp"
+#include "torsor/generator/geometry/triple.hpp"
 
 namespace torsor {
 

@@ -3,7 +3,7 @@
 
 #include <concepts>
 
-#include "generator/geometry/vector.hpp"
+#include "torsor/generator/geometry/vector.hpp"
 
 namespace torsor {
 

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "generator/mechanics/screw.hpp"
+#include "torsor/generator/mechanics/screw.hpp"
 
 namespace torsor {
 

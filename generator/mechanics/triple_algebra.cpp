@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "generator/mechanics/triple_algebra.hpp"
+#include "torsor/generator/mechanics/triple_algebra.hpp"
 
-#include "generator/base/error.hpp"
-#include "generator/base/number.hpp"
-#include "generator/expression/expression_node.hpp"
+#include "torsor/generator/base/error.hpp"
+#include "torsor/generator/base/number.hpp"
+#include "torsor/generator/expression/expression_node.hpp"
 
 namespace torsor {
 namespace {

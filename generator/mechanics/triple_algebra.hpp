@@ -3,7 +3,7 @@
 
 #include <array>
 
-#include "generator/geometry/triple.hpp"
+#include "torsor/generator/geometry/triple.hpp"
 
 namespace torsor {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "generator/printing/canonical_sum.hpp"
+#include "torsor/generator/printing/canonical_sum.hpp"
 
 #include <algorithm>
 #include <cstdlib>
@@ -8,7 +8,7 @@
 #include <cln/integer.h>
 #include <cln/rational.h>
 
-#include "generator/base/error.hpp"
+#include "torsor/generator/base/error.hpp"
 
 namespace torsor::printing {
 namespace {

@@ -7,9 +7,9 @@
 #include <string>
 #include <vector>
 
-#include "generator/base/number.hpp"
-#include "generator/expression/expression.hpp"
-#include "generator/expression/symbol.hpp"
+#include "torsor/generator/base/number.hpp"
+#include "torsor/generator/expression/expression.hpp"
+#include "torsor/generator/expression/symbol.hpp"
 
 // The inline view of a quantity in an order of our own. GiNaC orders terms, and chooses some signs, by addresses; what
 // a person reads must be the same in every run, so whatever GiNaC returns is brought into this form before it is

@@ -4,8 +4,8 @@
 #include <optional>
 #include <tuple>
 
-#include "generator/printing/factoring.hpp"
-#include "generator/printing/written.hpp"
+#include "torsor/generator/printing/factoring.hpp"
+#include "torsor/generator/printing/written.hpp"
 
 namespace torsor::printing {
 namespace {

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "generator/printing/contact_laws.hpp"
+#include "torsor/generator/printing/contact_laws.hpp"
 
 #include <algorithm>
 
 #include <fmt/format.h>
 
-#include "generator/dynamics/forces/contacts.hpp"
-#include "generator/dynamics/theorems/bearing_reactions.hpp"
-#include "generator/printing/limit_met.hpp"
-#include "generator/printing/notation.hpp"
+#include "torsor/generator/dynamics/forces/contacts.hpp"
+#include "torsor/generator/dynamics/theorems/bearing_reactions.hpp"
+#include "torsor/generator/printing/limit_met.hpp"
+#include "torsor/generator/printing/notation.hpp"
 
 namespace torsor::printing {
 namespace {

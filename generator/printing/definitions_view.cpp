@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "generator/printing/definitions_view.hpp"
+#include "torsor/generator/printing/definitions_view.hpp"
 
 namespace torsor::printing {
 

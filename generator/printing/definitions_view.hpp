@@ -5,9 +5,9 @@
 #include <unordered_map>
 #include <vector>
 
-#include "generator/base/natural_language.hpp"
-#include "generator/printing/written.hpp"
-#include "generator/program/program.hpp"
+#include "torsor/generator/base/natural_language.hpp"
+#include "torsor/generator/printing/written.hpp"
+#include "torsor/generator/program/program.hpp"
 
 namespace torsor::printing {
 

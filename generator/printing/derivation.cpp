@@ -1,19 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "generator/printing/derivation.hpp"
+#include "torsor/generator/printing/derivation.hpp"
 
 #include <algorithm>
 #include <limits>
 
 #include <fmt/format.h>
 
-#include "generator/base/as_index.hpp"
-#include "generator/dynamics/forces/energy.hpp"
-#include "generator/dynamics/forces/selected_actions.hpp"
-#include "generator/dynamics/motion/frame_motion.hpp"
-#include "generator/dynamics/theorems/joint_reactions.hpp"
-#include "generator/dynamics/theorems/newton_euler.hpp"
-#include "generator/printing/limit_met.hpp"
-#include "generator/printing/notation.hpp"
+#include "torsor/generator/base/as_index.hpp"
+#include "torsor/generator/dynamics/forces/energy.hpp"
+#include "torsor/generator/dynamics/forces/selected_actions.hpp"
+#include "torsor/generator/dynamics/motion/frame_motion.hpp"
+#include "torsor/generator/dynamics/theorems/joint_reactions.hpp"
+#include "torsor/generator/dynamics/theorems/newton_euler.hpp"
+#include "torsor/generator/printing/limit_met.hpp"
+#include "torsor/generator/printing/notation.hpp"
 
 namespace torsor::printing {
 namespace {

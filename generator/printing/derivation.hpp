@@ -5,10 +5,10 @@
 #include <string>
 #include <vector>
 
-#include "generator/dynamics/motion/body_screws.hpp"
-#include "generator/printing/inline_view.hpp"
-#include "generator/printing/lagrange_equations.hpp"
-#include "generator/printing/page.hpp"
+#include "torsor/generator/dynamics/motion/body_screws.hpp"
+#include "torsor/generator/printing/inline_view.hpp"
+#include "torsor/generator/printing/lagrange_equations.hpp"
+#include "torsor/generator/printing/page.hpp"
 
 namespace torsor::printing {
 

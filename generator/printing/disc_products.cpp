@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "generator/printing/disc_products.hpp"
+#include "torsor/generator/printing/disc_products.hpp"
 
 #include <memory>
 

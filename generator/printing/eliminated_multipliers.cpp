@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "generator/printing/eliminated_multipliers.hpp"
+#include "torsor/generator/printing/eliminated_multipliers.hpp"
 
 #include <algorithm>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "generator/printing/factoring.hpp"
+#include "torsor/generator/printing/factoring.hpp"
 
 #include <algorithm>
 #include <tuple>

@@ -4,7 +4,7 @@
 #include <optional>
 #include <vector>
 
-#include "generator/printing/written.hpp"
+#include "torsor/generator/printing/written.hpp"
 
 // Taking out what the terms of a sum share, the way a person does.
 

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "generator/printing/first_integrals.hpp"
+#include "torsor/generator/printing/first_integrals.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "generator/dynamics/forces/energy.hpp"
-#include "generator/dynamics/theorems/painleve.hpp"
-#include "generator/printing/limit_met.hpp"
-#include "generator/program/written_unit.hpp"
+#include "torsor/generator/dynamics/forces/energy.hpp"
+#include "torsor/generator/dynamics/theorems/painleve.hpp"
+#include "torsor/generator/printing/limit_met.hpp"
+#include "torsor/generator/program/written_unit.hpp"
 
 namespace torsor::printing {
 namespace {

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "generator/dynamics/equations/equations.hpp"
-#include "generator/printing/inline_view.hpp"
-#include "generator/printing/page.hpp"
+#include "torsor/generator/dynamics/equations/equations.hpp"
+#include "torsor/generator/printing/inline_view.hpp"
+#include "torsor/generator/printing/page.hpp"
 
 namespace torsor::printing {
 

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "generator/printing/fitted_matrix.hpp"
+#include "torsor/generator/printing/fitted_matrix.hpp"
 
 #include <algorithm>
 #include <map>
 
 #include <fmt/format.h>
 
-#include "generator/printing/notation.hpp"
-#include "generator/printing/page.hpp"
+#include "torsor/generator/printing/notation.hpp"
+#include "torsor/generator/printing/page.hpp"
 
 namespace torsor::printing {
 namespace {

@@ -5,8 +5,8 @@
 #include <utility>
 #include <vector>
 
-#include "generator/base/natural_language.hpp"
-#include "generator/printing/written.hpp"
+#include "torsor/generator/base/natural_language.hpp"
+#include "torsor/generator/printing/written.hpp"
 
 namespace torsor::printing {
 

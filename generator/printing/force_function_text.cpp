@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "generator/printing/force_function_text.hpp"
+#include "torsor/generator/printing/force_function_text.hpp"
 
 #include <fmt/format.h>
 
-#include "generator/dynamics/equations/validation.hpp"
-#include "generator/dynamics/theorems/force_function.hpp"
-#include "generator/printing/inline_view.hpp"
-#include "generator/printing/limit_met.hpp"
-#include "generator/printing/notation.hpp"
+#include "torsor/generator/dynamics/equations/validation.hpp"
+#include "torsor/generator/dynamics/theorems/force_function.hpp"
+#include "torsor/generator/printing/inline_view.hpp"
+#include "torsor/generator/printing/limit_met.hpp"
+#include "torsor/generator/printing/notation.hpp"
 
 namespace torsor {
 namespace {

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "generator/dynamics/forces/selected_actions.hpp"
+#include "torsor/generator/dynamics/forces/selected_actions.hpp"
 
 namespace torsor {
 

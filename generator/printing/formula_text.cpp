@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "generator/printing/formula_text.hpp"
+#include "torsor/generator/printing/formula_text.hpp"
 
 #include <cctype>
 #include <cstdlib>
 
 #include <fmt/format.h>
 
-#include "generator/base/decimal.hpp"
-#include "generator/base/did_you_mean.hpp"
-#include "generator/base/error.hpp"
+#include "torsor/generator/base/decimal.hpp"
+#include "torsor/generator/base/did_you_mean.hpp"
+#include "torsor/generator/base/error.hpp"
 
 namespace torsor {
 namespace {

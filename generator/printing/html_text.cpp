@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "generator/printing/html_text.hpp"
+#include "torsor/generator/printing/html_text.hpp"
 
 #include <algorithm>
 
-#include "generator/base/entities.hpp"
-#include "generator/base/printable.hpp"
+#include "torsor/generator/base/entities.hpp"
+#include "torsor/generator/base/printable.hpp"
 
 namespace torsor {
 

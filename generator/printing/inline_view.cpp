@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "generator/printing/inline_view.hpp"
+#include "torsor/generator/printing/inline_view.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <string>
 
-#include "generator/base/error.hpp"
-#include "generator/printing/trigonometry.hpp"
-#include "generator/printing/unit_quaternions.hpp"
-#include "generator/program/identically_zero.hpp"
+#include "torsor/generator/base/error.hpp"
+#include "torsor/generator/printing/trigonometry.hpp"
+#include "torsor/generator/printing/unit_quaternions.hpp"
+#include "torsor/generator/program/identically_zero.hpp"
 
 namespace torsor::printing {
 namespace {

@@ -8,10 +8,10 @@
 
 #include <ginac/ginac.h>
 
-#include "generator/printing/canonical_sum.hpp"
-#include "generator/printing/disc_products.hpp"
-#include "generator/printing/roots.hpp"
-#include "generator/program/program.hpp"
+#include "torsor/generator/printing/canonical_sum.hpp"
+#include "torsor/generator/printing/disc_products.hpp"
+#include "torsor/generator/printing/roots.hpp"
+#include "torsor/generator/program/program.hpp"
 
 namespace torsor::printing {
 

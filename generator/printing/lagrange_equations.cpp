@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "generator/printing/lagrange_equations.hpp"
+#include "torsor/generator/printing/lagrange_equations.hpp"
 
 #include <algorithm>
 
-#include "generator/base/as_index.hpp"
-#include "generator/dynamics/forces/energy.hpp"
+#include "torsor/generator/base/as_index.hpp"
+#include "torsor/generator/dynamics/forces/energy.hpp"
 
 namespace torsor::printing {
 namespace {

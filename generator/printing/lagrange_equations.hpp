@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "generator/dynamics/equations/equations.hpp"
-#include "generator/printing/inline_view.hpp"
+#include "torsor/generator/dynamics/equations/equations.hpp"
+#include "torsor/generator/printing/inline_view.hpp"
 
 namespace torsor::printing {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "generator/printing/limit_met.hpp"
+#include "torsor/generator/printing/limit_met.hpp"
 
 namespace torsor::printing {
 

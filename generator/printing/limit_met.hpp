@@ -3,8 +3,8 @@
 
 #include <string>
 
-#include "generator/base/natural_language.hpp"
-#include "generator/printing/inline_view.hpp"
+#include "torsor/generator/base/natural_language.hpp"
+#include "torsor/generator/printing/inline_view.hpp"
 
 namespace torsor::printing {
 

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "generator/printing/linearised_equations.hpp"
+#include "torsor/generator/printing/linearised_equations.hpp"
 
 #include <fmt/format.h>
 
-#include "generator/base/did_you_mean.hpp"
-#include "generator/base/error.hpp"
-#include "generator/printing/formula_text.hpp"
+#include "torsor/generator/base/did_you_mean.hpp"
+#include "torsor/generator/base/error.hpp"
+#include "torsor/generator/printing/formula_text.hpp"
 
 namespace torsor::printing {
 namespace {

@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include "generator/printing/lagrange_equations.hpp"
+#include "torsor/generator/printing/lagrange_equations.hpp"
 
 namespace torsor::printing {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "generator/printing/named_roots.hpp"
+#include "torsor/generator/printing/named_roots.hpp"
 
 #include <algorithm>
 #include <functional>
@@ -10,7 +10,7 @@
 
 #include <fmt/format.h>
 
-#include "generator/printing/notation.hpp"
+#include "torsor/generator/printing/notation.hpp"
 
 namespace torsor::printing {
 namespace {

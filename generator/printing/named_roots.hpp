@@ -3,7 +3,7 @@
 
 #include <memory>
 
-#include "generator/printing/page.hpp"
+#include "torsor/generator/printing/page.hpp"
 
 namespace torsor::printing {
 

@@ -4,9 +4,9 @@
 #include <cstddef>
 #include <string>
 
-#include "generator/expression/symbol.hpp"
-#include "generator/printing/print_equations.hpp"
-#include "generator/printing/written.hpp"
+#include "torsor/generator/expression/symbol.hpp"
+#include "torsor/generator/printing/print_equations.hpp"
+#include "torsor/generator/printing/written.hpp"
 
 // How the parts of a formula look in each format.
 

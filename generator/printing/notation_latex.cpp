@@ -8,9 +8,9 @@
 
 #include <fmt/format.h>
 
-#include "generator/printing/notation.hpp"
-#include "generator/printing/notation_latex.hpp"
-#include "generator/program/written_unit.hpp"
+#include "torsor/generator/printing/notation.hpp"
+#include "torsor/generator/printing/notation_latex.hpp"
+#include "torsor/generator/program/written_unit.hpp"
 
 namespace torsor::printing {
 namespace {

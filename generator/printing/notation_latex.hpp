@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "generator/printing/written.hpp"
+#include "torsor/generator/printing/written.hpp"
 
 // Parts of formulas in LaTeX, for those who put lines together.
 

@@ -4,8 +4,8 @@
 
 #include <fmt/format.h>
 
-#include "generator/printing/notation.hpp"
-#include "generator/printing/notation_latex.hpp"
+#include "torsor/generator/printing/notation.hpp"
+#include "torsor/generator/printing/notation_latex.hpp"
 
 namespace torsor::printing {
 namespace {

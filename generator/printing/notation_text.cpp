@@ -4,7 +4,7 @@
 #include <cln/integer.h>
 #include <fmt/format.h>
 
-#include "generator/printing/notation.hpp"
+#include "torsor/generator/printing/notation.hpp"
 
 namespace torsor::printing {
 namespace {

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "generator/printing/print_equations.hpp"
-#include "generator/printing/written.hpp"
+#include "torsor/generator/printing/print_equations.hpp"
+#include "torsor/generator/printing/written.hpp"
 
 namespace torsor::printing {
 

@@ -3,11 +3,11 @@
 
 #include <fmt/format.h>
 
-#include "generator/printing/fitted_matrix.hpp"
-#include "generator/printing/html_text.hpp"
-#include "generator/printing/notation.hpp"
-#include "generator/printing/page.hpp"
-#include "generator/program/written_unit.hpp"
+#include "torsor/generator/printing/fitted_matrix.hpp"
+#include "torsor/generator/printing/html_text.hpp"
+#include "torsor/generator/printing/notation.hpp"
+#include "torsor/generator/printing/page.hpp"
+#include "torsor/generator/program/written_unit.hpp"
 
 namespace torsor::printing {
 namespace {

@@ -3,9 +3,9 @@
 
 #include <fmt/format.h>
 
-#include "generator/printing/fitted_matrix.hpp"
-#include "generator/printing/notation.hpp"
-#include "generator/printing/page.hpp"
+#include "torsor/generator/printing/fitted_matrix.hpp"
+#include "torsor/generator/printing/notation.hpp"
+#include "torsor/generator/printing/page.hpp"
 
 namespace torsor::printing {
 namespace {

@@ -3,10 +3,10 @@
 
 #include <fmt/format.h>
 
-#include "generator/printing/fitted_matrix.hpp"
-#include "generator/printing/notation.hpp"
-#include "generator/printing/page.hpp"
-#include "generator/program/written_unit.hpp"
+#include "torsor/generator/printing/fitted_matrix.hpp"
+#include "torsor/generator/printing/notation.hpp"
+#include "torsor/generator/printing/page.hpp"
+#include "torsor/generator/program/written_unit.hpp"
 
 namespace torsor::printing {
 namespace {

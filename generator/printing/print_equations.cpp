@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "generator/printing/print_equations.hpp"
+#include "torsor/generator/printing/print_equations.hpp"
 
 #include <algorithm>
 #include <memory>
@@ -7,19 +7,19 @@
 
 #include <fmt/format.h>
 
-#include "generator/base/did_you_mean.hpp"
-#include "generator/base/error.hpp"
-#include "generator/dynamics/equations/validation.hpp"
-#include "generator/mechanics/freedom_positions.hpp"
-#include "generator/printing/contact_laws.hpp"
-#include "generator/printing/definitions_view.hpp"
-#include "generator/printing/derivation.hpp"
-#include "generator/printing/eliminated_multipliers.hpp"
-#include "generator/printing/first_integrals.hpp"
-#include "generator/printing/lagrange_equations.hpp"
-#include "generator/printing/linearised_equations.hpp"
-#include "generator/printing/page.hpp"
-#include "generator/printing/reduced_equations.hpp"
+#include "torsor/generator/base/did_you_mean.hpp"
+#include "torsor/generator/base/error.hpp"
+#include "torsor/generator/dynamics/equations/validation.hpp"
+#include "torsor/generator/mechanics/freedom_positions.hpp"
+#include "torsor/generator/printing/contact_laws.hpp"
+#include "torsor/generator/printing/definitions_view.hpp"
+#include "torsor/generator/printing/derivation.hpp"
+#include "torsor/generator/printing/eliminated_multipliers.hpp"
+#include "torsor/generator/printing/first_integrals.hpp"
+#include "torsor/generator/printing/lagrange_equations.hpp"
+#include "torsor/generator/printing/linearised_equations.hpp"
+#include "torsor/generator/printing/page.hpp"
+#include "torsor/generator/printing/reduced_equations.hpp"
 
 namespace torsor {
 namespace printing {

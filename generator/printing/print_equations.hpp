@@ -5,8 +5,8 @@
 #include <utility>
 #include <vector>
 
-#include "generator/base/natural_language.hpp"
-#include "generator/mechanics/scene.hpp"
+#include "torsor/generator/base/natural_language.hpp"
+#include "torsor/generator/mechanics/scene.hpp"
 
 namespace torsor {
 

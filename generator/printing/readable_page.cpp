@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "generator/printing/readable_page.hpp"
+#include "torsor/generator/printing/readable_page.hpp"
 
 #include <fmt/format.h>
 

@@ -6,10 +6,10 @@
 #include <string>
 #include <vector>
 
-#include "generator/dynamics/recursions/forward_dynamics.hpp"
-#include "generator/printing/definitions_view.hpp"
-#include "generator/printing/inline_view.hpp"
-#include "generator/printing/page.hpp"
+#include "torsor/generator/dynamics/recursions/forward_dynamics.hpp"
+#include "torsor/generator/printing/definitions_view.hpp"
+#include "torsor/generator/printing/inline_view.hpp"
+#include "torsor/generator/printing/page.hpp"
 
 namespace torsor::printing {
 

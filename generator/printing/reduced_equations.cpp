@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "generator/printing/reduced_equations.hpp"
+#include "torsor/generator/printing/reduced_equations.hpp"
 
 #include <algorithm>
 
-#include "generator/dynamics/derivatives/reduction.hpp"
+#include "torsor/generator/dynamics/derivatives/reduction.hpp"
 
 namespace torsor::printing {
 namespace {

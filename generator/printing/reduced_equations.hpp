@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "generator/printing/linearised_equations.hpp"
+#include "torsor/generator/printing/linearised_equations.hpp"
 
 namespace torsor::printing {
 

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "generator/printing/roots.hpp"
+#include "torsor/generator/printing/roots.hpp"
 
 #include <algorithm>
 #include <optional>
 #include <utility>
 
-#include "generator/base/error.hpp"
-#include "generator/mechanics/parameter_value.hpp"
-#include "generator/printing/factoring.hpp"
+#include "torsor/generator/base/error.hpp"
+#include "torsor/generator/mechanics/parameter_value.hpp"
+#include "torsor/generator/printing/factoring.hpp"
 
 namespace torsor::printing {
 namespace {

@@ -3,8 +3,8 @@
 
 #include <unordered_set>
 
-#include "generator/mechanics/scene_content.hpp"
-#include "generator/printing/canonical_sum.hpp"
+#include "torsor/generator/mechanics/scene_content.hpp"
+#include "torsor/generator/printing/canonical_sum.hpp"
 
 namespace torsor::printing {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "generator/printing/statics_text.hpp"
+#include "torsor/generator/printing/statics_text.hpp"
 
 #include <algorithm>
 #include <memory>
@@ -7,16 +7,16 @@
 
 #include <fmt/format.h>
 
-#include "generator/base/error.hpp"
-#include "generator/dynamics/derivatives/linearisation.hpp"
-#include "generator/dynamics/equations/validation.hpp"
-#include "generator/dynamics/motion/initial_numbers.hpp"
-#include "generator/dynamics/theorems/flat_polynomials.hpp"
-#include "generator/dynamics/theorems/joint_reactions.hpp"
-#include "generator/dynamics/theorems/routh.hpp"
-#include "generator/dynamics/theorems/stability.hpp"
-#include "generator/printing/formula_text.hpp"
-#include "generator/printing/readable_page.hpp"
+#include "torsor/generator/base/error.hpp"
+#include "torsor/generator/dynamics/derivatives/linearisation.hpp"
+#include "torsor/generator/dynamics/equations/validation.hpp"
+#include "torsor/generator/dynamics/motion/initial_numbers.hpp"
+#include "torsor/generator/dynamics/theorems/flat_polynomials.hpp"
+#include "torsor/generator/dynamics/theorems/joint_reactions.hpp"
+#include "torsor/generator/dynamics/theorems/routh.hpp"
+#include "torsor/generator/dynamics/theorems/stability.hpp"
+#include "torsor/generator/printing/formula_text.hpp"
+#include "torsor/generator/printing/readable_page.hpp"
 
 namespace torsor {
 namespace {

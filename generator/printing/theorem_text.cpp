@@ -1,19 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "generator/printing/theorem_text.hpp"
+#include "torsor/generator/printing/theorem_text.hpp"
 
 #include <algorithm>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "generator/base/as_index.hpp"
-#include "generator/base/did_you_mean.hpp"
-#include "generator/base/error.hpp"
-#include "generator/dynamics/equations/validation.hpp"
-#include "generator/dynamics/motion/frame_motion.hpp"
-#include "generator/dynamics/theorems/theorem_equations.hpp"
-#include "generator/printing/formula_text.hpp"
-#include "generator/printing/readable_page.hpp"
+#include "torsor/generator/base/as_index.hpp"
+#include "torsor/generator/base/did_you_mean.hpp"
+#include "torsor/generator/base/error.hpp"
+#include "torsor/generator/dynamics/equations/validation.hpp"
+#include "torsor/generator/dynamics/motion/frame_motion.hpp"
+#include "torsor/generator/dynamics/theorems/theorem_equations.hpp"
+#include "torsor/generator/printing/formula_text.hpp"
+#include "torsor/generator/printing/readable_page.hpp"
 
 namespace torsor {
 namespace {

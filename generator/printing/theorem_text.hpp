@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "generator/mechanics/scene.hpp"
-#include "generator/printing/print_equations.hpp"
+#include "torsor/generator/mechanics/scene.hpp"
+#include "torsor/generator/printing/print_equations.hpp"
 
 namespace torsor {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "generator/printing/trigonometry.hpp"
+#include "torsor/generator/printing/trigonometry.hpp"
 
 #include <optional>
 #include <vector>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "generator/printing/canonical_sum.hpp"
+#include "torsor/generator/printing/canonical_sum.hpp"
 
 namespace torsor::printing {
 

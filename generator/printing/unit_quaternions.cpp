@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "generator/printing/unit_quaternions.hpp"
+#include "torsor/generator/printing/unit_quaternions.hpp"
 
 #include <algorithm>
 #include <memory>

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "generator/base/high_precision.hpp"
-#include "generator/printing/canonical_sum.hpp"
+#include "torsor/generator/base/high_precision.hpp"
+#include "torsor/generator/printing/canonical_sum.hpp"
 
 namespace torsor::printing {
 

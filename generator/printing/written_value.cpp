@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "generator/base/error.hpp"
-#include "generator/printing/written.hpp"
-#include "generator/program/function_values.hpp"
+#include "torsor/generator/base/error.hpp"
+#include "torsor/generator/printing/written.hpp"
+#include "torsor/generator/program/function_values.hpp"
 
 namespace torsor::printing {
 namespace {

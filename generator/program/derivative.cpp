@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "generator/program/derivative.hpp"
+#include "torsor/generator/program/derivative.hpp"
 
 #include <map>
 #include <set>
 
 #include <fmt/format.h>
 
-#include "generator/base/error.hpp"
-#include "generator/expression/function_slope.hpp"
+#include "torsor/generator/base/error.hpp"
+#include "torsor/generator/expression/function_slope.hpp"
 
 namespace torsor {
 namespace {

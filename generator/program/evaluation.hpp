@@ -7,10 +7,10 @@
 #include <unordered_map>
 #include <vector>
 
-#include "generator/base/high_precision.hpp"
-#include "generator/program/formula_code.hpp"
-#include "generator/program/function_values.hpp"
-#include "generator/program/program.hpp"
+#include "torsor/generator/base/high_precision.hpp"
+#include "torsor/generator/program/formula_code.hpp"
+#include "torsor/generator/program/function_values.hpp"
+#include "torsor/generator/program/program.hpp"
 
 namespace torsor {
 

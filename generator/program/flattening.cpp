@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "generator/program/flattening.hpp"
+#include "torsor/generator/program/flattening.hpp"
 
 #include <algorithm>
 #include <vector>
 
-#include "generator/program/formula.hpp"
+#include "torsor/generator/program/formula.hpp"
 
 namespace torsor {
 namespace {

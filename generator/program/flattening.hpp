@@ -6,7 +6,7 @@
 #include <optional>
 #include <unordered_map>
 
-#include "generator/program/program.hpp"
+#include "torsor/generator/program/program.hpp"
 
 namespace torsor {
 

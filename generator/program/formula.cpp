@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "generator/program/formula.hpp"
+#include "torsor/generator/program/formula.hpp"
 
 #include <algorithm>
 #include <iterator>
@@ -7,8 +7,8 @@
 #include <unordered_map>
 #include <utility>
 
-#include "generator/program/formula_parts.hpp"
-#include "generator/program/sum_table.hpp"
+#include "torsor/generator/program/formula_parts.hpp"
+#include "torsor/generator/program/sum_table.hpp"
 
 namespace torsor {
 namespace {

@@ -3,8 +3,8 @@
 
 #include <vector>
 
-#include "generator/program/polynomial.hpp"
-#include "generator/program/program.hpp"
+#include "torsor/generator/program/polynomial.hpp"
+#include "torsor/generator/program/program.hpp"
 
 namespace torsor {
 

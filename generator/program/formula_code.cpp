@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "generator/program/formula_code.hpp"
+#include "torsor/generator/program/formula_code.hpp"
 
 #include <algorithm>
 

@@ -5,7 +5,7 @@
 #include <unordered_map>
 #include <vector>
 
-#include "generator/program/formula.hpp"
+#include "torsor/generator/program/formula.hpp"
 
 namespace torsor {
 

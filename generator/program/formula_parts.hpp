@@ -4,7 +4,7 @@
 #include <utility>
 #include <vector>
 
-#include "generator/program/formula.hpp"
+#include "torsor/generator/program/formula.hpp"
 
 /// Formulas put together as they are to be computed.
 namespace torsor::formula_parts {

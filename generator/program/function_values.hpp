@@ -6,8 +6,8 @@
 #include <limits>
 #include <vector>
 
-#include "generator/base/high_precision.hpp"
-#include "generator/expression/function.hpp"
+#include "torsor/generator/base/high_precision.hpp"
+#include "torsor/generator/expression/function.hpp"
 
 namespace torsor {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "generator/program/generic_state.hpp"
+#include "torsor/generator/program/generic_state.hpp"
 
 #include <cstdint>
 

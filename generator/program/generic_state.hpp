@@ -3,8 +3,8 @@
 
 #include <functional>
 
-#include "generator/base/high_precision.hpp"
-#include "generator/expression/symbol.hpp"
+#include "torsor/generator/base/high_precision.hpp"
+#include "torsor/generator/expression/symbol.hpp"
 
 namespace torsor {
 

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "generator/program/identically_zero.hpp"
+#include "torsor/generator/program/identically_zero.hpp"
 
 #include <algorithm>
 #include <random>
 #include <unordered_map>
 #include <utility>
 
-#include "generator/base/high_precision.hpp"
-#include "generator/program/evaluation.hpp"
-#include "generator/program/generic_state.hpp"
+#include "torsor/generator/base/high_precision.hpp"
+#include "torsor/generator/program/evaluation.hpp"
+#include "torsor/generator/program/generic_state.hpp"
 
 namespace torsor {
 namespace {

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "generator/program/program.hpp"
+#include "torsor/generator/program/program.hpp"
 
 namespace torsor {
 

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "generator/program/paired_cosines.hpp"
+#include "torsor/generator/program/paired_cosines.hpp"
 
 #include <optional>
 #include <utility>
 #include <vector>
 
-#include "generator/program/flattening.hpp"
+#include "torsor/generator/program/flattening.hpp"
 
 namespace torsor {
 namespace {

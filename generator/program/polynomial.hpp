@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "generator/base/number.hpp"
+#include "torsor/generator/base/number.hpp"
 
 namespace torsor {
 

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "generator/program/program.hpp"
+#include "torsor/generator/program/program.hpp"
 
 #include <algorithm>
 
 #include <fmt/format.h>
 
-#include "generator/base/error.hpp"
-#include "generator/expression/expression_node.hpp"
-#include "generator/program/derivative.hpp"
+#include "torsor/generator/base/error.hpp"
+#include "torsor/generator/expression/expression_node.hpp"
+#include "torsor/generator/program/derivative.hpp"
 
 namespace torsor {
 namespace {

@@ -8,11 +8,11 @@
 #include <unordered_map>
 #include <vector>
 
-#include "generator/base/unit.hpp"
-#include "generator/expression/expression.hpp"
-#include "generator/expression/symbol.hpp"
-#include "generator/program/passes.hpp"
-#include "generator/program/polynomial.hpp"
+#include "torsor/generator/base/unit.hpp"
+#include "torsor/generator/expression/expression.hpp"
+#include "torsor/generator/expression/symbol.hpp"
+#include "torsor/generator/program/passes.hpp"
+#include "torsor/generator/program/polynomial.hpp"
 
 namespace torsor {
 

@@ -5,8 +5,8 @@
 #include <optional>
 #include <vector>
 
-#include "generator/program/evaluation.hpp"
-#include "generator/program/series_program.hpp"
+#include "torsor/generator/program/evaluation.hpp"
+#include "torsor/generator/program/series_program.hpp"
 
 namespace torsor {
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The part of series_lowering.hpp that knows sin² + cos² = 1, and sums of quotients in which it makes divisors cancel.
-#include "generator/program/series_lowering.hpp"
+#include "torsor/generator/program/series_lowering.hpp"
 
 #include <algorithm>
 #include <optional>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "generator/program/series_lowering.hpp"
+#include "torsor/generator/program/series_lowering.hpp"
 
 #include <algorithm>
 

@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "generator/program/series_program.hpp"
+#include "torsor/generator/program/series_program.hpp"
 
 namespace torsor {
 

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "generator/program/series_program.hpp"
+#include "torsor/generator/program/series_program.hpp"
 
 #include <algorithm>
 #include <set>
 #include <tuple>
 #include <utility>
 
-#include "generator/program/series_lowering.hpp"
+#include "torsor/generator/program/series_lowering.hpp"
 
 namespace torsor {
 namespace {

@@ -4,7 +4,7 @@
 #include <optional>
 #include <vector>
 
-#include "generator/program/program.hpp"
+#include "torsor/generator/program/program.hpp"
 
 namespace torsor {
 

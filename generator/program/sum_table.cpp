@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "generator/program/sum_table.hpp"
+#include "torsor/generator/program/sum_table.hpp"
 
 namespace torsor {
 

@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "generator/program/polynomial.hpp"
+#include "torsor/generator/program/polynomial.hpp"
 
 namespace torsor {
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fmt/format.h>
 
-#include "generator/base/error.hpp"
-#include "generator/program/program.hpp"
+#include "torsor/generator/base/error.hpp"
+#include "torsor/generator/program/program.hpp"
 
 namespace torsor {
 namespace {

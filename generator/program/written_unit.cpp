@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "generator/program/written_unit.hpp"
+#include "torsor/generator/program/written_unit.hpp"
 
 #include <string>
 

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "generator/expression/symbol.hpp"
+#include "torsor/generator/expression/symbol.hpp"
 
 namespace torsor {
 

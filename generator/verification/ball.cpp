@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "generator/verification/ball.hpp"
+#include "torsor/generator/verification/ball.hpp"
 
-#include "generator/base/error.hpp"
+#include "torsor/generator/base/error.hpp"
 
 #ifdef TORSOR_WITH_ARB
 

@@ -3,7 +3,7 @@
 
 #include <memory>
 
-#include "generator/base/high_precision.hpp"
+#include "torsor/generator/base/high_precision.hpp"
 
 namespace torsor {
 

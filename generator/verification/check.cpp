@@ -1,24 +1,24 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "generator/verification/check.hpp"
+#include "torsor/generator/verification/check.hpp"
 
 #include <algorithm>
 #include <cmath>
 
 #include <fmt/format.h>
 
-#include "generator/base/linear_algebra/lu_factorisation.hpp"
-#include "generator/base/linear_algebra/symmetric_pivots.hpp"
-#include "generator/dynamics/theorems/painleve.hpp"
-#include "generator/program/derivative.hpp"
-#include "generator/verification/check_bearings.hpp"
-#include "generator/verification/check_constraints.hpp"
-#include "generator/verification/check_contacts.hpp"
-#include "generator/verification/check_jets.hpp"
-#include "generator/verification/check_kernels.hpp"
-#include "generator/verification/check_percussions.hpp"
-#include "generator/verification/lagrange_derivation.hpp"
-#include "generator/verification/random_state.hpp"
-#include "generator/verification/worst.hpp"
+#include "torsor/generator/base/linear_algebra/lu_factorisation.hpp"
+#include "torsor/generator/base/linear_algebra/symmetric_pivots.hpp"
+#include "torsor/generator/dynamics/theorems/painleve.hpp"
+#include "torsor/generator/program/derivative.hpp"
+#include "torsor/generator/verification/check_bearings.hpp"
+#include "torsor/generator/verification/check_constraints.hpp"
+#include "torsor/generator/verification/check_contacts.hpp"
+#include "torsor/generator/verification/check_jets.hpp"
+#include "torsor/generator/verification/check_kernels.hpp"
+#include "torsor/generator/verification/check_percussions.hpp"
+#include "torsor/generator/verification/lagrange_derivation.hpp"
+#include "torsor/generator/verification/random_state.hpp"
+#include "torsor/generator/verification/worst.hpp"
 
 namespace torsor {
 namespace {

@@ -1,17 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "generator/verification/check_bearings.hpp"
+#include "torsor/generator/verification/check_bearings.hpp"
 
 #include <cmath>
 #include <string>
 
-#include "generator/dynamics/forces/bearing_loads.hpp"
-#include "generator/dynamics/forces/constraint_wrench.hpp"
-#include "generator/dynamics/forces/contacts.hpp"
-#include "generator/dynamics/motion/body_set.hpp"
-#include "generator/dynamics/theorems/bearing_reactions.hpp"
-#include "generator/program/derivative.hpp"
-#include "generator/verification/random_state.hpp"
-#include "generator/verification/worst.hpp"
+#include "torsor/generator/dynamics/forces/bearing_loads.hpp"
+#include "torsor/generator/dynamics/forces/constraint_wrench.hpp"
+#include "torsor/generator/dynamics/forces/contacts.hpp"
+#include "torsor/generator/dynamics/motion/body_set.hpp"
+#include "torsor/generator/dynamics/theorems/bearing_reactions.hpp"
+#include "torsor/generator/program/derivative.hpp"
+#include "torsor/generator/verification/random_state.hpp"
+#include "torsor/generator/verification/worst.hpp"
 
 namespace torsor {
 namespace {

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "generator/verification/check_constraints.hpp"
+#include "torsor/generator/verification/check_constraints.hpp"
 
 #include <algorithm>
 
-#include "generator/dynamics/forces/constraint_wrench.hpp"
-#include "generator/verification/motion_check.hpp"
-#include "generator/verification/posed_constraints.hpp"
+#include "torsor/generator/dynamics/forces/constraint_wrench.hpp"
+#include "torsor/generator/verification/motion_check.hpp"
+#include "torsor/generator/verification/posed_constraints.hpp"
 
 namespace torsor {
 namespace {

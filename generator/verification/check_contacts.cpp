@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "generator/verification/check_contacts.hpp"
+#include "torsor/generator/verification/check_contacts.hpp"
 
-#include "generator/dynamics/forces/contacts.hpp"
-#include "generator/verification/motion_check.hpp"
+#include "torsor/generator/dynamics/forces/contacts.hpp"
+#include "torsor/generator/verification/motion_check.hpp"
 
 namespace torsor {
 namespace {

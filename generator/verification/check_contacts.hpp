@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "generator/verification/check.hpp"
+#include "torsor/generator/verification/check.hpp"
 
 namespace torsor {
 

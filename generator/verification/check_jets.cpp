@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "generator/verification/check_jets.hpp"
+#include "torsor/generator/verification/check_jets.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <map>
 
-#include "generator/kernels/kernel_jets.hpp"
-#include "generator/program/derivative.hpp"
-#include "generator/verification/condition.hpp"
-#include "generator/verification/kernel_text.hpp"
-#include "generator/verification/random_state.hpp"
-#include "generator/verification/worst.hpp"
+#include "torsor/generator/kernels/kernel_jets.hpp"
+#include "torsor/generator/program/derivative.hpp"
+#include "torsor/generator/verification/condition.hpp"
+#include "torsor/generator/verification/kernel_text.hpp"
+#include "torsor/generator/verification/random_state.hpp"
+#include "torsor/generator/verification/worst.hpp"
 
 namespace torsor {
 namespace {

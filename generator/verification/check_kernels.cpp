@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "generator/verification/check_kernels.hpp"
+#include "torsor/generator/verification/check_kernels.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -8,12 +8,12 @@
 
 #include <fmt/format.h>
 
-#include "generator/kernels/kernel.hpp"
-#include "generator/verification/condition.hpp"
-#include "generator/verification/kernel_text.hpp"
-#include "generator/verification/random_state.hpp"
-#include "generator/verification/sensitivity.hpp"
-#include "generator/verification/worst.hpp"
+#include "torsor/generator/kernels/kernel.hpp"
+#include "torsor/generator/verification/condition.hpp"
+#include "torsor/generator/verification/kernel_text.hpp"
+#include "torsor/generator/verification/random_state.hpp"
+#include "torsor/generator/verification/sensitivity.hpp"
+#include "torsor/generator/verification/worst.hpp"
 
 namespace torsor {
 namespace {

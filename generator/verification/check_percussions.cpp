@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "generator/verification/check_percussions.hpp"
+#include "torsor/generator/verification/check_percussions.hpp"
 
 #include <cmath>
 #include <map>
@@ -7,11 +7,11 @@
 
 #include <fmt/format.h>
 
-#include "generator/dynamics/forces/contacts.hpp"
-#include "generator/kernels/kernel.hpp"
-#include "generator/verification/lagrange_derivation.hpp"
-#include "generator/verification/random_state.hpp"
-#include "generator/verification/worst.hpp"
+#include "torsor/generator/dynamics/forces/contacts.hpp"
+#include "torsor/generator/kernels/kernel.hpp"
+#include "torsor/generator/verification/lagrange_derivation.hpp"
+#include "torsor/generator/verification/random_state.hpp"
+#include "torsor/generator/verification/worst.hpp"
 
 namespace torsor {
 namespace {

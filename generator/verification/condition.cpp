@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "generator/verification/condition.hpp"
+#include "torsor/generator/verification/condition.hpp"
 
 #include <algorithm>
 
-#include "generator/base/linear_algebra/lu_factorisation.hpp"
+#include "torsor/generator/base/linear_algebra/lu_factorisation.hpp"
 
 namespace torsor {
 namespace {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "generator/dynamics/equations/independent_freedoms.hpp"
-#include "generator/program/evaluation.hpp"
+#include "torsor/generator/dynamics/equations/independent_freedoms.hpp"
+#include "torsor/generator/program/evaluation.hpp"
 
 namespace torsor {
 

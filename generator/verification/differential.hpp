@@ -4,8 +4,8 @@
 #include <cmath>
 #include <type_traits>
 
-#include "generator/base/high_precision.hpp"
-#include "generator/program/function_values.hpp"
+#include "torsor/generator/base/high_precision.hpp"
+#include "torsor/generator/program/function_values.hpp"
 
 namespace torsor {
 

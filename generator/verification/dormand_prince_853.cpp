@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "generator/verification/dormand_prince_853.hpp"
+#include "torsor/generator/verification/dormand_prince_853.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <utility>
 
-#include "generator/verification/dormand_prince_853_tableau.hpp"
+#include "torsor/generator/verification/dormand_prince_853_tableau.hpp"
 
 namespace torsor {
 namespace {

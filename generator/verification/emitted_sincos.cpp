@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "generator/verification/emitted_sincos.hpp"
+#include "torsor/generator/verification/emitted_sincos.hpp"
 
 #include <cmath>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "generator/verification/evaluated_motion.hpp"
+#include "torsor/generator/verification/evaluated_motion.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -10,10 +10,10 @@
 
 #include <fmt/format.h>
 
-#include "generator/base/did_you_mean.hpp"
-#include "generator/base/error.hpp"
-#include "generator/base/linear_algebra/cholesky.hpp"
-#include "generator/dynamics/equations/massless.hpp"
+#include "torsor/generator/base/did_you_mean.hpp"
+#include "torsor/generator/base/error.hpp"
+#include "torsor/generator/base/linear_algebra/cholesky.hpp"
+#include "torsor/generator/dynamics/equations/massless.hpp"
 
 namespace torsor {
 namespace {

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "generator/base/high_precision.hpp"
+#include "torsor/generator/base/high_precision.hpp"
 
 namespace torsor {
 

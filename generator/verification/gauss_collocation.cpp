@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "generator/verification/gauss_collocation.hpp"
+#include "torsor/generator/verification/gauss_collocation.hpp"
 
 #include <algorithm>
 #include <cmath>

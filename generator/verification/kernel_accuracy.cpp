@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "generator/verification/kernel_accuracy.hpp"
+#include "torsor/generator/verification/kernel_accuracy.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -8,11 +8,11 @@
 
 #include <fmt/format.h>
 
-#include "generator/base/error.hpp"
-#include "generator/verification/ball.hpp"
-#include "generator/verification/kernel_text.hpp"
-#include "generator/verification/running_error.hpp"
-#include "generator/verification/sensitivity.hpp"
+#include "torsor/generator/base/error.hpp"
+#include "torsor/generator/verification/ball.hpp"
+#include "torsor/generator/verification/kernel_text.hpp"
+#include "torsor/generator/verification/running_error.hpp"
+#include "torsor/generator/verification/sensitivity.hpp"
 
 namespace torsor {
 namespace {

@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
-#include "generator/dynamics/equations/equations.hpp"
-#include "generator/kernels/kernel.hpp"
-#include "generator/verification/stress_state.hpp"
+#include "torsor/generator/dynamics/equations/equations.hpp"
+#include "torsor/generator/kernels/kernel.hpp"
+#include "torsor/generator/verification/stress_state.hpp"
 
 namespace torsor {
 

@@ -7,9 +7,9 @@
 #include <utility>
 #include <vector>
 
-#include "generator/emission/mechanism_listing.hpp"
-#include "generator/listing/listing_evaluator.hpp"
-#include "generator/program/series_evaluation.hpp"
+#include "torsor/generator/emission/mechanism_listing.hpp"
+#include "torsor/generator/listing/listing_evaluator.hpp"
+#include "torsor/generator/program/series_evaluation.hpp"
 
 namespace torsor {
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "generator/verification/lagrange_derivation.hpp"
+#include "torsor/generator/verification/lagrange_derivation.hpp"
 
-#include "generator/program/derivative.hpp"
+#include "torsor/generator/program/derivative.hpp"
 
 namespace torsor {
 

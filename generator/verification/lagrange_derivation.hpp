@@ -4,8 +4,8 @@
 #include <optional>
 #include <vector>
 
-#include "generator/dynamics/equations/equations.hpp"
-#include "generator/dynamics/forces/energy.hpp"
+#include "torsor/generator/dynamics/equations/equations.hpp"
+#include "torsor/generator/dynamics/forces/energy.hpp"
 
 namespace torsor {
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "generator/dynamics/motion/model.hpp"
-#include "generator/verification/check.hpp"
-#include "generator/verification/moving_state.hpp"
-#include "generator/verification/worst.hpp"
+#include "torsor/generator/dynamics/motion/model.hpp"
+#include "torsor/generator/verification/check.hpp"
+#include "torsor/generator/verification/moving_state.hpp"
+#include "torsor/generator/verification/worst.hpp"
 
 namespace torsor {
 

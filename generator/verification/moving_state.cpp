@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "generator/verification/moving_state.hpp"
+#include "torsor/generator/verification/moving_state.hpp"
 
 namespace torsor {
 namespace {

@@ -4,7 +4,7 @@
 #include <array>
 #include <map>
 
-#include "generator/verification/random_state.hpp"
+#include "torsor/generator/verification/random_state.hpp"
 
 namespace torsor {
 

@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "generator/verification/pass_report.hpp"
+#include "torsor/generator/verification/pass_report.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <map>
 
-#include "generator/kernels/kernel.hpp"
-#include "generator/listing/earliest_start.hpp"
-#include "generator/verification/random_state.hpp"
-#include "generator/verification/verify.hpp"
-#include "generator/verification/worst.hpp"
+#include "torsor/generator/kernels/kernel.hpp"
+#include "torsor/generator/listing/earliest_start.hpp"
+#include "torsor/generator/verification/random_state.hpp"
+#include "torsor/generator/verification/verify.hpp"
+#include "torsor/generator/verification/worst.hpp"
 
 namespace torsor {
 namespace {

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "generator/dynamics/equations/equations.hpp"
+#include "torsor/generator/dynamics/equations/equations.hpp"
 
 namespace torsor {
 

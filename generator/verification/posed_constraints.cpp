@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "generator/verification/posed_constraints.hpp"
+#include "torsor/generator/verification/posed_constraints.hpp"
 
 #include <algorithm>
 #include <map>

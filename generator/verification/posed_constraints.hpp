@@ -5,9 +5,9 @@
 #include <optional>
 #include <vector>
 
-#include "generator/dynamics/motion/model.hpp"
-#include "generator/geometry/real_vector.hpp"
-#include "generator/program/evaluation.hpp"
+#include "torsor/generator/dynamics/motion/model.hpp"
+#include "torsor/generator/geometry/real_vector.hpp"
+#include "torsor/generator/program/evaluation.hpp"
 
 namespace torsor {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "generator/verification/radau_iia_5.hpp"
+#include "torsor/generator/verification/radau_iia_5.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "generator/verification/motion_integrator.hpp"
+#include "torsor/generator/verification/motion_integrator.hpp"
 
 namespace torsor {
 

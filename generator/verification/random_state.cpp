@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "generator/verification/random_state.hpp"
+#include "torsor/generator/verification/random_state.hpp"
 
 #include <fmt/format.h>
 
-#include "generator/base/error.hpp"
-#include "generator/program/generic_state.hpp"
+#include "torsor/generator/base/error.hpp"
+#include "torsor/generator/program/generic_state.hpp"
 
 namespace torsor {
 

@@ -6,8 +6,8 @@
 #include <random>
 #include <string>
 
-#include "generator/mechanics/scene.hpp"
-#include "generator/program/evaluation.hpp"
+#include "torsor/generator/mechanics/scene.hpp"
+#include "torsor/generator/program/evaluation.hpp"
 
 namespace torsor {
 

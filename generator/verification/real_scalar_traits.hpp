@@ -6,7 +6,7 @@
 #error "include a generated header before generator/verification/real_scalar_traits.hpp"
 #endif
 
-#include "generator/base/high_precision.hpp"
+#include "torsor/generator/base/high_precision.hpp"
 
 namespace torsor {
 

@@ -1,20 +1,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "generator/verification/reference.hpp"
+#include "torsor/generator/verification/reference.hpp"
 
 #include <algorithm>
 
 #include <fmt/format.h>
 
-#include "generator/base/decimal.hpp"
-#include "generator/base/error.hpp"
-#include "generator/base/linear_algebra/lu_factorisation.hpp"
-#include "generator/dynamics/equations/contact_checks.hpp"
-#include "generator/dynamics/equations/massless.hpp"
-#include "generator/dynamics/equations/validation.hpp"
-#include "generator/mechanics/parameter_value.hpp"
-#include "generator/program/evaluation.hpp"
-#include "generator/verification/extrapolation.hpp"
-#include "generator/verification/lagrange_derivation.hpp"
+#include "torsor/generator/base/decimal.hpp"
+#include "torsor/generator/base/error.hpp"
+#include "torsor/generator/base/linear_algebra/lu_factorisation.hpp"
+#include "torsor/generator/dynamics/equations/contact_checks.hpp"
+#include "torsor/generator/dynamics/equations/massless.hpp"
+#include "torsor/generator/dynamics/equations/validation.hpp"
+#include "torsor/generator/mechanics/parameter_value.hpp"
+#include "torsor/generator/program/evaluation.hpp"
+#include "torsor/generator/verification/extrapolation.hpp"
+#include "torsor/generator/verification/lagrange_derivation.hpp"
 
 namespace torsor {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "generator/verification/reference_cache.hpp"
+#include "torsor/generator/verification/reference_cache.hpp"
 
 #include <filesystem>
 #include <fstream>
@@ -9,12 +9,12 @@
 
 #include <fmt/format.h>
 
-#include "generator/base/error.hpp"
-#include "generator/base/fnv.hpp"
-#include "generator/base/output_file.hpp"
-#include "generator/dynamics/equations/validation.hpp"
-#include "generator/mechanics/parameter_value.hpp"
-#include "generator/verification/lagrange_derivation.hpp"
+#include "torsor/generator/base/error.hpp"
+#include "torsor/generator/base/fnv.hpp"
+#include "torsor/generator/base/output_file.hpp"
+#include "torsor/generator/dynamics/equations/validation.hpp"
+#include "torsor/generator/mechanics/parameter_value.hpp"
+#include "torsor/generator/verification/lagrange_derivation.hpp"
 
 namespace torsor {
 namespace {

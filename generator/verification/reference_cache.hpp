@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <string>
 
-#include "generator/verification/reference.hpp"
+#include "torsor/generator/verification/reference.hpp"
 
 namespace torsor {
 

@@ -6,9 +6,9 @@
 #include <limits>
 #include <type_traits>
 
-#include "generator/base/high_precision.hpp"
-#include "generator/program/function_values.hpp"
-#include "generator/verification/emitted_sincos.hpp"
+#include "torsor/generator/base/high_precision.hpp"
+#include "torsor/generator/program/function_values.hpp"
+#include "torsor/generator/verification/emitted_sincos.hpp"
 
 namespace torsor {
 

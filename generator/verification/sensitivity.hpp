@@ -7,8 +7,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "generator/program/evaluation.hpp"
-#include "generator/verification/differential.hpp"
+#include "torsor/generator/program/evaluation.hpp"
+#include "torsor/generator/verification/differential.hpp"
 
 namespace torsor {
 

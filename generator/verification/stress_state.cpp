@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "generator/verification/stress_state.hpp"
+#include "torsor/generator/verification/stress_state.hpp"
 
 #include <cmath>
 
 #include <fmt/format.h>
 
-#include "generator/verification/random_state.hpp"
+#include "torsor/generator/verification/random_state.hpp"
 
 namespace torsor {
 namespace {

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "generator/verification/kernel_accuracy.hpp"
+#include "torsor/generator/verification/kernel_accuracy.hpp"
 
 namespace torsor {
 

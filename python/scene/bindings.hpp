@@ -13,7 +13,7 @@
 #include <pybind11/pybind11.h>
 #include <pybind11/stl.h>
 
-#include "generator/torsor.hpp"
+#include "torsor/generator/torsor.hpp"
 
 namespace torsor::python {
 

@@ -2,7 +2,7 @@
 // A scene's constraints.
 #include <fmt/format.h>
 
-#include "generator/base/error.hpp"
+#include "torsor/generator/base/error.hpp"
 #include "python/scene/bindings.hpp"
 
 namespace torsor::python {

@@ -4,8 +4,8 @@
 
 #include <fmt/format.h>
 
-#include "generator/base/decimal.hpp"
-#include "generator/base/error.hpp"
+#include "torsor/generator/base/decimal.hpp"
+#include "torsor/generator/base/error.hpp"
 #include "python/scene/bindings.hpp"
 
 namespace torsor::python {

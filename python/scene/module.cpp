@@ -2,8 +2,8 @@
 // The module _torsor_scene: scenes in Python. The package torsor has it as torsor.scene.
 #include <fmt/format.h>
 
-#include "generator/base/error.hpp"
-#include "generator/cli/command_line.hpp"
+#include "torsor/generator/base/error.hpp"
+#include "torsor/generator/cli/command_line.hpp"
 #include "python/scene/bindings.hpp"
 
 namespace torsor::python {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A scene's parameters, coordinates, initial state, and choices.
-#include "generator/base/decimal.hpp"
+#include "torsor/generator/base/decimal.hpp"
 #include "python/scene/bindings.hpp"
 
 namespace torsor::python {

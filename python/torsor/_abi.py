@@ -8,7 +8,7 @@ import os
 from ctypes import (CDLL, CFUNCTYPE, POINTER, Structure, c_char_p, c_double, c_int32, c_int64, c_size_t, c_ssize_t,
                     c_uint32, c_uint64, c_void_p)
 
-VERSION = 1
+VERSION = 2
 
 
 class Quantity(Structure):
@@ -16,7 +16,7 @@ class Quantity(Structure):
 
 
 class Result(Structure):
-    _fields_ = [("name", c_char_p), ("rows", c_int32), ("columns", c_int32)]
+    _fields_ = [("name", c_char_p), ("rows", c_int32), ("columns", c_int32), ("dimensions", c_int32), ("unit", c_char_p)]
 
 
 class View(Structure):

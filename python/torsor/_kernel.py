@@ -4,7 +4,7 @@
 from __future__ import annotations
 
 import ctypes
-from typing import Any, Callable, Mapping, NamedTuple, Sequence
+from typing import Any, Callable, Mapping, NamedTuple, Sequence, Tuple
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -27,7 +27,7 @@ class NotFiniteError(TorsorError):
     """A result is not a finite number."""
 
 
-class Results(tuple):
+class Results(Tuple[np.ndarray, ...]):
     """Results of one call, by position and by name. Where the kernel can fail, ``ok`` has one bool for each state,
     ``statuses`` one number (0: ok, 1: singular, 2: not finite), and what failed is NaN."""
 
@@ -36,7 +36,7 @@ class Results(tuple):
     statuses: np.ndarray
 
     def __new__(cls, names: Sequence[str], values: Sequence[np.ndarray], statuses: np.ndarray) -> "Results":
-        self = super().__new__(cls, values)
+        self = super().__new__(cls, values)  # type: ignore[arg-type]
         self._fields = tuple(names)
         self.statuses = statuses
         self.ok = statuses == 0
@@ -58,29 +58,19 @@ class Results(tuple):
         return [*super().__dir__(), *self._fields]
 
 
-class ResultShape(NamedTuple):
-    """Shape of one result for one state: () for a number, (rows,) or (rows, columns); columns 0: one for each order. A
-    vector stays one, and a matrix, where the mechanism has a single coordinate, input or constraint."""
+class Result(NamedTuple):
+    """One result for one state: its shape is (), (rows,) or (rows, columns); columns 0: one for each order. ``unit`` is
+    that of all its entries; where those of a vector differ, of each: "N, N m"; empty where those of a matrix differ."""
 
     name: str
     rows: int
     columns: int
     dimensions: int
+    unit: str
 
     def shape(self, order: int) -> tuple[int, ...]:
         columns = order + 1 if self.columns == 0 else self.columns
         return (self.rows, columns)[:self.dimensions]
-
-
-def _dimensions(kernel: str, result: str, rows: int, columns: int) -> int:
-    """0 of a number, 1 of a vector, 2 of a matrix. A library tells rows and columns only."""
-    matrices = ("mass_matrix", "regressor", "operational_inertia")
-    matrix = (columns != 1 or kernel in matrices or "derivatives" in kernel or "sensitivities" in kernel
-              or (kernel == "linearisation" and not result.startswith("F"))
-              or result in ("matrix", "columns") or result.endswith("jacobian"))
-    if matrix:
-        return 2
-    return 0 if rows == 1 and kernel in ("energy", "first_integrals", "reactions") else 1
 
 
 def as_columns(name: str, value: ArrayLike, size: int) -> np.ndarray:
@@ -151,8 +141,8 @@ class Kernel:
         reads = {"accelerations": entry.reads_accelerations, "multipliers": entry.reads_multipliers,
                  "inputs": entry.reads_inputs}
         self.arguments: dict[str, int] = {name: sizes[name] for name in _ARGUMENTS if reads.get(name, True)}
-        described = [(r.name.decode(), r.rows, r.columns) for r in entry.results[:entry.result_count]]
-        self.results = tuple(ResultShape(*each, _dimensions(self.name, *each)) for each in described)
+        self.results = tuple(Result(r.name.decode(), r.rows, r.columns, r.dimensions, r.unit.decode())
+                             for r in entry.results[:entry.result_count])
         self.has_status = bool(entry.has_status)
         self.takes_order = bool(entry.takes_order)
         self.__doc__ = self._documentation()
@@ -173,7 +163,7 @@ class Kernel:
         for result in self.results:
             sizes = ["order + 1" if n == 0 and result.columns == 0 else str(n) for n in (result.rows, result.columns)]
             numbers = ", ".join(["...", *sizes[:result.dimensions]])
-            lines.append(f"    {result.name}: ({numbers})")
+            lines.append(f"    {result.name}: ({numbers})" + (f" [{result.unit}]" if result.unit else ""))
         lines.append("Units are SI, angles in rad.")
         if self.has_status:
             lines += ["", "Raises SingularError or NotFiniteError for one state; of many, `ok` of the results tells those",

@@ -7,9 +7,12 @@ import os
 import shutil
 import subprocess
 import warnings
-from typing import Any, Iterable, Sequence
+from typing import TYPE_CHECKING, Iterable, Sequence, cast
 
 from ._mechanism import Mechanism
+
+if TYPE_CHECKING:
+    from .scene import Scene
 
 class LoadError(RuntimeError):
     """The program torsor, or a compiler, refuses a file; its own words."""
@@ -49,7 +52,7 @@ class Source:
         return built.stdout, [line.removeprefix("note: ") for line in built.stderr.splitlines() if line.startswith("note: ")]
 
 
-def load(path: Any, *, kernels: Iterable[str] | str = "all", run_time: Iterable[str] | str = (),
+def load(path: str | os.PathLike[str] | Scene, *, kernels: Iterable[str] | str = "all", run_time: Iterable[str] | str = (),
          fused: bool = False, flags: str | None = None, options: Sequence[str] = ()) -> Mechanism:
     """The mechanism of a URDF, xacro or MJCF file, of a scene in C++, or of a torsor.scene.Scene.
 
@@ -61,7 +64,12 @@ def load(path: Any, *, kernels: Iterable[str] | str = "all", run_time: Iterable[
     Notes of the program become warnings. Raises LoadError with what torsor or the compiler say,
     FileNotFoundError where file or program are missing; for a Scene its own errors.
     """
-    source = path if hasattr(path, "equations") else Source(os.fspath(path), options)
+    # By what it can: the module of scenes need not be installed.
+    source: Scene | Source
+    if hasattr(path, "equations"):
+        source = cast("Scene", path)
+    else:
+        source = Source(os.fspath(cast("str | os.PathLike[str]", path)), options)
     words = ["--kernels", kernels if isinstance(kernels, str) else ",".join(kernels)]
     names = run_time if isinstance(run_time, str) else ",".join(run_time)
     if names:
@@ -70,7 +78,7 @@ def load(path: Any, *, kernels: Iterable[str] | str = "all", run_time: Iterable[
         words.append("--fused")
     if flags is not None:
         words.append(f"--flags={flags}")
-    if source is path:
+    if not isinstance(source, Source):
         outcome = source.outcome("build", *words, *options)
         library, notes = outcome.text, outcome.notes
     else:

@@ -408,7 +408,7 @@ class Mechanism(Displayed):
         if accelerations is None:
             solved = self.forward_dynamics(q, v, inputs, time=at, parameters=parameters)
             accelerations, multipliers = solved[0], solved[1]
-        given = {"accelerations": accelerations, "multipliers": multipliers, "inputs": inputs}
+        given: dict[str, Any] = {"accelerations": accelerations, "multipliers": multipliers, "inputs": inputs}
         return self.linearisation(q, v, time=at, parameters=parameters,
                                   **{k: a for k, a in given.items() if k in self.linearisation.arguments and a is not None})
 
@@ -436,7 +436,7 @@ class Mechanism(Displayed):
         rest, multipliers = np.zeros(nv), np.zeros(nm)
         common: dict[str, Any] = {"time": at, "parameters": parameters}
         for _ in range(steps):
-            arguments = {"accelerations": rest, "multipliers": multipliers, "inputs": inputs}
+            arguments: dict[str, Any] = {"accelerations": rest, "multipliers": multipliers, "inputs": inputs}
             linear = self.linearisation(q, rest, **common, **{k: a for k, a in arguments.items()
                                                               if k in self.linearisation.arguments and a is not None})
             matrix, right = linear.K, linear.F

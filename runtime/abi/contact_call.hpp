@@ -6,12 +6,12 @@
 #include <span>
 #include <type_traits>
 
-#include "runtime/abi.h"
-#include "runtime/abi/motion_numbers.hpp"
-#include "runtime/contacts/integrate_contacts.hpp"
-#include "runtime/contacts/mechanism_with_contacts.hpp"
-#include "runtime/integration/dormand_prince_54.hpp"
-#include "runtime/integration/dormand_prince_853.hpp"
+#include "torsor/runtime/abi.h"
+#include "torsor/runtime/abi/motion_numbers.hpp"
+#include "torsor/runtime/contacts/integrate_contacts.hpp"
+#include "torsor/runtime/contacts/mechanism_with_contacts.hpp"
+#include "torsor/runtime/integration/dormand_prince_54.hpp"
+#include "torsor/runtime/integration/dormand_prince_853.hpp"
 
 namespace torsor::runtime::abi {
 

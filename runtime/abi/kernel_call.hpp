@@ -6,11 +6,11 @@
 #include <cstdint>
 #include <cstring>
 
-#include "runtime/abi.h"
-#include "runtime/abi/operands.hpp"
-#include "runtime/abi/tiles.hpp"
-#include "runtime/batch/parallel.hpp"
-#include "runtime/batch/simd.hpp"
+#include "torsor/runtime/abi.h"
+#include "torsor/runtime/abi/operands.hpp"
+#include "torsor/runtime/abi/tiles.hpp"
+#include "torsor/runtime/batch/parallel.hpp"
+#include "torsor/runtime/batch/simd.hpp"
 
 namespace torsor::runtime::abi {
 

@@ -8,13 +8,13 @@
 #include <type_traits>
 #include <utility>
 
-#include "runtime/abi.h"
-#include "runtime/abi/kernel_call.hpp"
-#include "runtime/abi/motion_call.hpp"
-#include "runtime/abi/operands.hpp"
-#include "runtime/batch/simd.hpp"
+#include "torsor/runtime/abi.h"
+#include "torsor/runtime/abi/kernel_call.hpp"
+#include "torsor/runtime/abi/motion_call.hpp"
+#include "torsor/runtime/abi/operands.hpp"
+#include "torsor/runtime/batch/simd.hpp"
 #ifdef TORSOR_ABI_WITH_CONTACTS
-#include "runtime/abi/contact_call.hpp"
+#include "torsor/runtime/abi/contact_call.hpp"
 #endif
 
 namespace torsor::runtime::abi {
@@ -117,7 +117,8 @@ class MechanismLibrary {
   void describe_kernels() noexcept {
     std::size_t next = 0;
     for (const auto& result : Description::results) {
-      results_[next++] = {result.member[0] == '\0' ? result.result : result.member, result.rows, result.columns};
+      results_[next++] = {result.member[0] == '\0' ? result.result : result.member, result.rows, result.columns,
+                          result.dimensions, result.unit};
     }
     std::size_t first = 0;
     for (std::size_t k = 0; k < described; ++k) {
@@ -133,7 +134,7 @@ class MechanismLibrary {
     k = 0;
     Packed::for_each_kernel([&](const auto&, auto* function) { calls()[k++].packed = any_kernel<Packed>(function); });
     if constexpr (moves) {
-      results_[first] = {"derivative", Single::coordinate_count + Single::velocity_count, 1};
+      results_[first] = {"derivative", Single::coordinate_count + Single::velocity_count, 1, 1, ""};
       add_kernel(described, "state_derivative",
                  {false, false, true, results_.data() + first, writers.data() + first, 1}, true);
       calls()[described].single = any_kernel<Single>(&derivative<Single>);

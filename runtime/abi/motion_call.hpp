@@ -4,16 +4,16 @@
 #include <cstdint>
 #include <span>
 
-#include "runtime/abi.h"
-#include "runtime/abi/motion_numbers.hpp"
-#include "runtime/abi/motion_type.hpp"
-#include "runtime/integration/dormand_prince_54.hpp"
-#include "runtime/integration/dormand_prince_853.hpp"
-#include "runtime/integration/integrate.hpp"
-#include "runtime/integration/midpoint.hpp"
-#include "runtime/integration/radau_iia_5.hpp"
-#include "runtime/integration/runge_kutta_4.hpp"
-#include "runtime/integration/taylor.hpp"
+#include "torsor/runtime/abi.h"
+#include "torsor/runtime/abi/motion_numbers.hpp"
+#include "torsor/runtime/abi/motion_type.hpp"
+#include "torsor/runtime/integration/dormand_prince_54.hpp"
+#include "torsor/runtime/integration/dormand_prince_853.hpp"
+#include "torsor/runtime/integration/integrate.hpp"
+#include "torsor/runtime/integration/midpoint.hpp"
+#include "torsor/runtime/integration/radau_iia_5.hpp"
+#include "torsor/runtime/integration/runge_kutta_4.hpp"
+#include "torsor/runtime/integration/taylor.hpp"
 
 namespace torsor::runtime::abi {
 

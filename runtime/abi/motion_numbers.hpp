@@ -7,9 +7,9 @@
 #include <cstring>
 #include <limits>
 
-#include "runtime/abi.h"
-#include "runtime/batch/parallel.hpp"
-#include "runtime/mechanism_model.hpp"
+#include "torsor/runtime/abi.h"
+#include "torsor/runtime/batch/parallel.hpp"
+#include "torsor/runtime/mechanism_model.hpp"
 
 namespace torsor::runtime::abi {
 

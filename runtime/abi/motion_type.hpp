@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "runtime/equations_of_motion.hpp"
+#include "torsor/runtime/equations_of_motion.hpp"
 #ifdef TORSOR_ABI_WITH_CONSTRAINTS
-#include "runtime/mechanism.hpp"
+#include "torsor/runtime/mechanism.hpp"
 #endif
 
 namespace torsor::runtime::abi {

@@ -9,8 +9,8 @@
 #include <type_traits>
 #include <utility>
 
-#include "runtime/abi.h"
-#include "runtime/mechanism_model.hpp"
+#include "torsor/runtime/abi.h"
+#include "torsor/runtime/mechanism_model.hpp"
 
 namespace torsor::runtime::abi {
 

@@ -7,7 +7,7 @@
 #include <type_traits>
 #include <utility>
 
-#include "runtime/batch/simd_pack.hpp"
+#include "torsor/runtime/batch/simd_pack.hpp"
 
 namespace torsor::runtime::abi {
 

@@ -13,10 +13,10 @@
 #include <utility>
 #include <vector>
 
-#include "runtime/batch/parallel.hpp"
-#include "runtime/batch/simd.hpp"
-#include "runtime/mechanism.hpp"
-#include "runtime/status.hpp"
+#include "torsor/runtime/batch/parallel.hpp"
+#include "torsor/runtime/batch/simd.hpp"
+#include "torsor/runtime/mechanism.hpp"
+#include "torsor/runtime/status.hpp"
 
 namespace torsor::runtime {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "runtime/batch/ensemble.hpp"
+#include "torsor/runtime/batch/ensemble.hpp"
 
 #include <algorithm>
 #include <condition_variable>
@@ -10,7 +10,7 @@
 #include <thread>
 #include <vector>
 
-#include "runtime/batch/parallel.hpp"
+#include "torsor/runtime/batch/parallel.hpp"
 
 namespace torsor::runtime {
 

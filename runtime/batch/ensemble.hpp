@@ -6,7 +6,7 @@
 #include <iosfwd>
 #include <span>
 
-#include "runtime/records/record_file.hpp"
+#include "torsor/runtime/records/record_file.hpp"
 
 namespace torsor::runtime {
 

@@ -13,15 +13,15 @@
 #include <utility>
 #include <vector>
 
-#include "runtime/batch/ensemble.hpp"
-#include "runtime/integration/dormand_prince_54.hpp"
-#include "runtime/integration/dormand_prince_853.hpp"
-#include "runtime/integration/integrate.hpp"
-#include "runtime/integration/midpoint.hpp"
-#include "runtime/integration/runge_kutta_4.hpp"
-#include "runtime/integration/taylor.hpp"
-#include "runtime/mechanism.hpp"
-#include "runtime/records/digest.hpp"
+#include "torsor/runtime/batch/ensemble.hpp"
+#include "torsor/runtime/integration/dormand_prince_54.hpp"
+#include "torsor/runtime/integration/dormand_prince_853.hpp"
+#include "torsor/runtime/integration/integrate.hpp"
+#include "torsor/runtime/integration/midpoint.hpp"
+#include "torsor/runtime/integration/runge_kutta_4.hpp"
+#include "torsor/runtime/integration/taylor.hpp"
+#include "torsor/runtime/mechanism.hpp"
+#include "torsor/runtime/records/digest.hpp"
 
 namespace torsor::runtime {
 

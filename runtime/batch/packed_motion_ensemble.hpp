@@ -12,9 +12,9 @@
 #include <utility>
 #include <vector>
 
-#include "runtime/batch/batch.hpp"
-#include "runtime/batch/motion_ensemble.hpp"
-#include "runtime/batch/packed_taylor.hpp"
+#include "torsor/runtime/batch/batch.hpp"
+#include "torsor/runtime/batch/motion_ensemble.hpp"
+#include "torsor/runtime/batch/packed_taylor.hpp"
 
 namespace torsor::runtime {
 

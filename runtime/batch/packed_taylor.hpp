@@ -9,15 +9,15 @@
 #include <tuple>
 #include <vector>
 
-#include "runtime/batch/batch.hpp"
-#include "runtime/batch/motion_ensemble.hpp"
-#include "runtime/integration/taylor.hpp"
-#include "runtime/mechanism.hpp"
-#include "runtime/status.hpp"
-#include "runtime/steps/compensated_state.hpp"
-#include "runtime/steps/step_clock.hpp"
-#include "runtime/steps/step_control.hpp"
-#include "runtime/steps/taylor_rule.hpp"
+#include "torsor/runtime/batch/batch.hpp"
+#include "torsor/runtime/batch/motion_ensemble.hpp"
+#include "torsor/runtime/integration/taylor.hpp"
+#include "torsor/runtime/mechanism.hpp"
+#include "torsor/runtime/status.hpp"
+#include "torsor/runtime/steps/compensated_state.hpp"
+#include "torsor/runtime/steps/step_clock.hpp"
+#include "torsor/runtime/steps/step_control.hpp"
+#include "torsor/runtime/steps/taylor_rule.hpp"
 
 namespace torsor::runtime {
 

@@ -2,8 +2,8 @@
 #pragma once
 #include <cmath>
 
-#include "runtime/batch/simd_pack.hpp"
-#include "runtime/batch/simd_sincos.hpp"
+#include "torsor/runtime/batch/simd_pack.hpp"
+#include "torsor/runtime/batch/simd_sincos.hpp"
 
 namespace torsor {
 

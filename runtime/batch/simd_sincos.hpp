@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-#include "runtime/batch/simd_pack.hpp"
+#include "torsor/runtime/batch/simd_pack.hpp"
 
 namespace torsor {
 

@@ -7,12 +7,12 @@
 #include <cstdint>
 #include <limits>
 
-#include "runtime/constraints/change_point_bounds.hpp"
-#include "runtime/constraints/projection.hpp"
-#include "runtime/constraints/rank_distance.hpp"
-#include "runtime/mechanism_model.hpp"
-#include "runtime/status.hpp"
-#include "runtime/system.hpp"
+#include "torsor/runtime/constraints/change_point_bounds.hpp"
+#include "torsor/runtime/constraints/projection.hpp"
+#include "torsor/runtime/constraints/rank_distance.hpp"
+#include "torsor/runtime/mechanism_model.hpp"
+#include "torsor/runtime/status.hpp"
+#include "torsor/runtime/system.hpp"
 
 namespace torsor::runtime {
 

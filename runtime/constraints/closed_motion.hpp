@@ -5,10 +5,10 @@
 #include <type_traits>
 #include <utility>
 
-#include "runtime/constraints/change_point.hpp"
-#include "runtime/equations_of_motion.hpp"
-#include "runtime/mechanism_model.hpp"
-#include "runtime/status.hpp"
+#include "torsor/runtime/constraints/change_point.hpp"
+#include "torsor/runtime/equations_of_motion.hpp"
+#include "torsor/runtime/mechanism_model.hpp"
+#include "torsor/runtime/status.hpp"
 
 namespace torsor::runtime {
 

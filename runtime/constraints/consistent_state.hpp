@@ -8,9 +8,9 @@
 #include <limits>
 #include <string>
 
-#include "runtime/constraints/projection.hpp"
-#include "runtime/mechanism.hpp"
-#include "runtime/status.hpp"
+#include "torsor/runtime/constraints/projection.hpp"
+#include "torsor/runtime/mechanism.hpp"
+#include "torsor/runtime/status.hpp"
 
 namespace torsor::runtime {
 

@@ -5,10 +5,10 @@
 #include <cstddef>
 #include <utility>
 
-#include "runtime/constraints/change_point.hpp"
-#include "runtime/constraints/independent_constraints.hpp"
-#include "runtime/mechanism.hpp"
-#include "runtime/status.hpp"
+#include "torsor/runtime/constraints/change_point.hpp"
+#include "torsor/runtime/constraints/independent_constraints.hpp"
+#include "torsor/runtime/mechanism.hpp"
+#include "torsor/runtime/status.hpp"
 
 namespace torsor::runtime {
 

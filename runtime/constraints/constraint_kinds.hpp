@@ -7,7 +7,7 @@
 #include <cstdint>
 #include <limits>
 
-#include "runtime/mechanism_model.hpp"
+#include "torsor/runtime/mechanism_model.hpp"
 
 namespace torsor::runtime {
 

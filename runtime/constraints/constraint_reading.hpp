@@ -6,9 +6,9 @@
 #include <cstddef>
 #include <limits>
 
-#include "runtime/constraints/constraint_kinds.hpp"
-#include "runtime/mechanism_model.hpp"
-#include "runtime/numerics/small_matrix.hpp"
+#include "torsor/runtime/constraints/constraint_kinds.hpp"
+#include "torsor/runtime/mechanism_model.hpp"
+#include "torsor/runtime/numerics/small_matrix.hpp"
 
 namespace torsor::runtime {
 

@@ -7,8 +7,8 @@
 #include <limits>
 #include <utility>
 
-#include "runtime/numerics/small_matrix.hpp"
-#include "runtime/status.hpp"
+#include "torsor/runtime/numerics/small_matrix.hpp"
+#include "torsor/runtime/status.hpp"
 
 namespace torsor::runtime {
 

@@ -9,12 +9,12 @@
 #include <type_traits>
 #include <utility>
 
-#include "runtime/constraints/constraint_kinds.hpp"
-#include "runtime/constraints/constraint_reading.hpp"
-#include "runtime/constraints/independent_constraints.hpp"
-#include "runtime/mechanism.hpp"
-#include "runtime/status.hpp"
-#include "runtime/system.hpp"
+#include "torsor/runtime/constraints/constraint_kinds.hpp"
+#include "torsor/runtime/constraints/constraint_reading.hpp"
+#include "torsor/runtime/constraints/independent_constraints.hpp"
+#include "torsor/runtime/mechanism.hpp"
+#include "torsor/runtime/status.hpp"
+#include "torsor/runtime/system.hpp"
 
 namespace torsor::runtime {
 

@@ -7,11 +7,11 @@
 #include <limits>
 #include <utility>
 
-#include "runtime/constraints/constraint_kinds.hpp"
-#include "runtime/constraints/constraint_reading.hpp"
-#include "runtime/constraints/independent_constraints.hpp"
-#include "runtime/mechanism_model.hpp"
-#include "runtime/status.hpp"
+#include "torsor/runtime/constraints/constraint_kinds.hpp"
+#include "torsor/runtime/constraints/constraint_reading.hpp"
+#include "torsor/runtime/constraints/independent_constraints.hpp"
+#include "torsor/runtime/mechanism_model.hpp"
+#include "torsor/runtime/status.hpp"
 
 namespace torsor::runtime {
 
@@ -273,4 +273,4 @@ class ChangePoints;
 }  // namespace torsor::runtime
 
 // equations_of_motion makes motions that are projected by default: it builds on what is above.
-#include "runtime/mechanism.hpp"
+#include "torsor/runtime/mechanism.hpp"

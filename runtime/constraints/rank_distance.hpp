@@ -7,11 +7,11 @@
 #include <cstdint>
 #include <vector>
 
-#include "runtime/constraints/constraint_kinds.hpp"
-#include "runtime/constraints/projection.hpp"
-#include "runtime/mechanism_model.hpp"
-#include "runtime/status.hpp"
-#include "runtime/system.hpp"
+#include "torsor/runtime/constraints/constraint_kinds.hpp"
+#include "torsor/runtime/constraints/projection.hpp"
+#include "torsor/runtime/mechanism_model.hpp"
+#include "torsor/runtime/status.hpp"
+#include "torsor/runtime/system.hpp"
 
 namespace torsor::runtime {
 

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-#include "runtime/contacts/contact_automaton.hpp"
+#include "torsor/runtime/contacts/contact_automaton.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
-#include "runtime/contacts/contact_scale.hpp"
-#include "runtime/contacts/contact_solver.hpp"
+#include "torsor/runtime/contacts/contact_scale.hpp"
+#include "torsor/runtime/contacts/contact_solver.hpp"
 
 namespace torsor::runtime {
 

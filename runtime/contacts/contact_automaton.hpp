@@ -5,11 +5,11 @@
 #include <span>
 #include <vector>
 
-#include "runtime/contacts/bounce_limit.hpp"
-#include "runtime/contacts/contact_motion.hpp"
-#include "runtime/contacts/contact_result.hpp"
-#include "runtime/contacts/contact_selection.hpp"
-#include "runtime/events/event_memory.hpp"
+#include "torsor/runtime/contacts/bounce_limit.hpp"
+#include "torsor/runtime/contacts/contact_motion.hpp"
+#include "torsor/runtime/contacts/contact_result.hpp"
+#include "torsor/runtime/contacts/contact_selection.hpp"
+#include "torsor/runtime/events/event_memory.hpp"
 
 namespace torsor::runtime {
 

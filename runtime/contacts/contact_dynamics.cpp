@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-#include "runtime/contacts/contact_dynamics.hpp"
+#include "torsor/runtime/contacts/contact_dynamics.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <utility>
 
-#include "runtime/constraints/independent_constraints.hpp"
+#include "torsor/runtime/constraints/independent_constraints.hpp"
 
 namespace torsor::runtime {
 

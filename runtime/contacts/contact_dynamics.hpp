@@ -3,7 +3,7 @@
 #include <Eigen/Cholesky>
 #include <vector>
 
-#include "runtime/contacts/contact_system.hpp"
+#include "torsor/runtime/contacts/contact_system.hpp"
 
 namespace torsor::runtime {
 

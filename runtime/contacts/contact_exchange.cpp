@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "runtime/contacts/contact_exchange.hpp"
+#include "torsor/runtime/contacts/contact_exchange.hpp"
 
 #include <cmath>
 #include <limits>

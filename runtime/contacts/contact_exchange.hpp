@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "runtime/contacts/contact_automaton.hpp"
+#include "torsor/runtime/contacts/contact_automaton.hpp"
 
 namespace torsor::runtime {
 

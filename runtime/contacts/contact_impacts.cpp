@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "runtime/contacts/contact_automaton.hpp"
+#include "torsor/runtime/contacts/contact_automaton.hpp"
 
 namespace torsor::runtime {
 

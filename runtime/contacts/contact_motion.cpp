@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
-#include "runtime/contacts/contact_motion.hpp"
+#include "torsor/runtime/contacts/contact_motion.hpp"
 
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
-#include "runtime/contacts/contact_scale.hpp"
-#include "runtime/contacts/slip_direction.hpp"
+#include "torsor/runtime/contacts/contact_scale.hpp"
+#include "torsor/runtime/contacts/slip_direction.hpp"
 
 namespace torsor::runtime {
 namespace {

@@ -5,10 +5,10 @@
 #include <span>
 #include <vector>
 
-#include "runtime/constraints/change_point_bounds.hpp"
-#include "runtime/contacts/contact_dynamics.hpp"
-#include "runtime/contacts/contact_state.hpp"
-#include "runtime/contacts/regime_system.hpp"
+#include "torsor/runtime/constraints/change_point_bounds.hpp"
+#include "torsor/runtime/contacts/contact_dynamics.hpp"
+#include "torsor/runtime/contacts/contact_state.hpp"
+#include "torsor/runtime/contacts/regime_system.hpp"
 
 namespace torsor::runtime {
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-#include "runtime/contacts/contact_problem.hpp"
+#include "torsor/runtime/contacts/contact_problem.hpp"
 
 #include <algorithm>
 #include <cmath>
 
-#include "runtime/contacts/contact_scale.hpp"
+#include "torsor/runtime/contacts/contact_scale.hpp"
 
 namespace torsor::runtime {
 

@@ -6,7 +6,7 @@
 #include <cstddef>
 #include <string_view>
 
-#include "runtime/library.hpp"
+#include "torsor/runtime/library.hpp"
 
 namespace torsor::runtime {
 

@@ -4,10 +4,10 @@
 #include <span>
 #include <string_view>
 
-#include "runtime/contacts/contact_state.hpp"
-#include "runtime/contacts/impact_laws.hpp"
-#include "runtime/events/event_memory.hpp"
-#include "runtime/integration/integrate.hpp"
+#include "torsor/runtime/contacts/contact_state.hpp"
+#include "torsor/runtime/contacts/impact_laws.hpp"
+#include "torsor/runtime/events/event_memory.hpp"
+#include "torsor/runtime/integration/integrate.hpp"
 
 namespace torsor::runtime {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "runtime/contacts/contact_scale.hpp"
+#include "torsor/runtime/contacts/contact_scale.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -3,7 +3,7 @@
 #include <array>
 #include <cstddef>
 
-#include "runtime/contacts/contact_problem.hpp"
+#include "torsor/runtime/contacts/contact_problem.hpp"
 
 namespace torsor::runtime {
 

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
-#include "runtime/contacts/contact_solver.hpp"
+#include "torsor/runtime/contacts/contact_solver.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
 
-#include "runtime/contacts/contact_scale.hpp"
-#include "runtime/contacts/regime_enumeration.hpp"
+#include "torsor/runtime/contacts/contact_scale.hpp"
+#include "torsor/runtime/contacts/regime_enumeration.hpp"
 
 namespace torsor::runtime {
 namespace {

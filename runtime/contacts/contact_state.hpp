@@ -2,7 +2,7 @@
 #pragma once
 #include <array>
 
-#include "runtime/contacts/contact_problem.hpp"
+#include "torsor/runtime/contacts/contact_problem.hpp"
 
 namespace torsor::runtime {
 

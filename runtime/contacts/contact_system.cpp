@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "runtime/contacts/contact_system.hpp"
+#include "torsor/runtime/contacts/contact_system.hpp"
 
 #include <stdexcept>
 #include <string>

@@ -8,8 +8,8 @@
 #include <span>
 #include <vector>
 
-#include "runtime/contacts/contact_problem.hpp"
-#include "runtime/status.hpp"
+#include "torsor/runtime/contacts/contact_problem.hpp"
+#include "torsor/runtime/status.hpp"
 
 namespace torsor::runtime {
 

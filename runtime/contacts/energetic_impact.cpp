@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "runtime/contacts/energetic_impact.hpp"
+#include "torsor/runtime/contacts/energetic_impact.hpp"
 
 #include <Eigen/Cholesky>
 #include <algorithm>
@@ -9,9 +9,9 @@
 #include <limits>
 #include <numbers>
 
-#include "runtime/contacts/circle_roots.hpp"
-#include "runtime/integration/dormand_prince_853.hpp"
-#include "runtime/integration/events.hpp"
+#include "torsor/runtime/contacts/circle_roots.hpp"
+#include "torsor/runtime/integration/dormand_prince_853.hpp"
+#include "torsor/runtime/integration/events.hpp"
 
 namespace torsor::runtime {
 namespace {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-#include "runtime/contacts/contact_problem.hpp"
+#include "torsor/runtime/contacts/contact_problem.hpp"
 
 namespace torsor::runtime {
 

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
-#include "runtime/contacts/impact_laws.hpp"
+#include "torsor/runtime/contacts/impact_laws.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
 
-#include "runtime/contacts/contact_scale.hpp"
-#include "runtime/contacts/contact_selection.hpp"
-#include "runtime/contacts/contact_solver.hpp"
-#include "runtime/contacts/energetic_impact.hpp"
+#include "torsor/runtime/contacts/contact_scale.hpp"
+#include "torsor/runtime/contacts/contact_selection.hpp"
+#include "torsor/runtime/contacts/contact_solver.hpp"
+#include "torsor/runtime/contacts/energetic_impact.hpp"
 
 namespace torsor::runtime {
 namespace {

@@ -3,7 +3,7 @@
 #include <span>
 #include <string_view>
 
-#include "runtime/contacts/contact_problem.hpp"
+#include "torsor/runtime/contacts/contact_problem.hpp"
 
 namespace torsor::runtime {
 

@@ -5,9 +5,9 @@
 #include <span>
 #include <type_traits>
 
-#include "runtime/contacts/contact_automaton.hpp"
-#include "runtime/integration/dormand_prince_853.hpp"
-#include "runtime/integration/events.hpp"
+#include "torsor/runtime/contacts/contact_automaton.hpp"
+#include "torsor/runtime/integration/dormand_prince_853.hpp"
+#include "torsor/runtime/integration/events.hpp"
 
 namespace torsor::runtime {
 

@@ -4,8 +4,8 @@
 #include <cstddef>
 #include <utility>
 
-#include "runtime/contacts/contact_system.hpp"
-#include "runtime/mechanism_model.hpp"
+#include "torsor/runtime/contacts/contact_system.hpp"
+#include "torsor/runtime/mechanism_model.hpp"
 
 namespace torsor::runtime {
 

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-#include "runtime/contacts/moreau_jean.hpp"
+#include "torsor/runtime/contacts/moreau_jean.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <utility>
 
-#include "runtime/contacts/contact_solver.hpp"
+#include "torsor/runtime/contacts/contact_solver.hpp"
 
 namespace torsor::runtime {
 

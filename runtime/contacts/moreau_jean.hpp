@@ -6,9 +6,9 @@
 #include <span>
 #include <vector>
 
-#include "runtime/contacts/contact_dynamics.hpp"
-#include "runtime/contacts/contact_result.hpp"
-#include "runtime/contacts/contact_selection.hpp"
+#include "torsor/runtime/contacts/contact_dynamics.hpp"
+#include "torsor/runtime/contacts/contact_result.hpp"
+#include "torsor/runtime/contacts/contact_selection.hpp"
 
 namespace torsor::runtime {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "runtime/contacts/regime_enumeration.hpp"
+#include "torsor/runtime/contacts/regime_enumeration.hpp"
 
 #include <Eigen/LU>
 #include <algorithm>
@@ -8,9 +8,9 @@
 #include <cstddef>
 #include <numbers>
 
-#include "runtime/contacts/circle_roots.hpp"
-#include "runtime/contacts/regime_inequalities.hpp"
-#include "runtime/contacts/slip_direction.hpp"
+#include "torsor/runtime/contacts/circle_roots.hpp"
+#include "torsor/runtime/contacts/regime_inequalities.hpp"
+#include "torsor/runtime/contacts/slip_direction.hpp"
 
 namespace torsor::runtime {
 

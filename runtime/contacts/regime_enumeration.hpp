@@ -2,8 +2,8 @@
 #pragma once
 #include <cstddef>
 
-#include "runtime/contacts/contact_scale.hpp"
-#include "runtime/contacts/regime_system.hpp"
+#include "torsor/runtime/contacts/contact_scale.hpp"
+#include "torsor/runtime/contacts/regime_system.hpp"
 
 namespace torsor::runtime {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "runtime/contacts/regime_inequalities.hpp"
+#include "torsor/runtime/contacts/regime_inequalities.hpp"
 
 #include <Eigen/Cholesky>
 #include <algorithm>

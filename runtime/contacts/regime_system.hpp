@@ -4,7 +4,7 @@
 #include <array>
 #include <cstddef>
 
-#include "runtime/contacts/contact_problem.hpp"
+#include "torsor/runtime/contacts/contact_problem.hpp"
 
 namespace torsor::runtime {
 

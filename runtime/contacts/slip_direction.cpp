@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-#include "runtime/contacts/slip_direction.hpp"
+#include "torsor/runtime/contacts/slip_direction.hpp"
 
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
 
-#include "runtime/contacts/contact_scale.hpp"
+#include "torsor/runtime/contacts/contact_scale.hpp"
 
 namespace torsor::runtime {
 

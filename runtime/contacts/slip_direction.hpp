@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-#include "runtime/contacts/regime_system.hpp"
+#include "torsor/runtime/contacts/regime_system.hpp"
 
 namespace torsor::runtime {
 

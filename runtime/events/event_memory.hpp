@@ -8,7 +8,7 @@
 #include <limits>
 #include <string_view>
 
-#include "runtime/status.hpp"
+#include "torsor/runtime/status.hpp"
 
 namespace torsor::runtime {
 

@@ -8,12 +8,12 @@
 #include <limits>
 #include <type_traits>
 
-#include "runtime/events/event_memory.hpp"
-#include "runtime/events/guard.hpp"
-#include "runtime/events/step_scan.hpp"
-#include "runtime/steps/step_polynomial.hpp"
-#include "runtime/steps/whole_step.hpp"
-#include "runtime/system.hpp"
+#include "torsor/runtime/events/event_memory.hpp"
+#include "torsor/runtime/events/guard.hpp"
+#include "torsor/runtime/events/step_scan.hpp"
+#include "torsor/runtime/steps/step_polynomial.hpp"
+#include "torsor/runtime/steps/whole_step.hpp"
+#include "torsor/runtime/system.hpp"
 
 namespace torsor::runtime {
 

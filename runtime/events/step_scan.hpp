@@ -6,8 +6,8 @@
 #include <cstddef>
 #include <limits>
 
-#include "runtime/numerics/narrow_bracket.hpp"
-#include "runtime/steps/step_polynomial.hpp"
+#include "torsor/runtime/numerics/narrow_bracket.hpp"
+#include "torsor/runtime/steps/step_polynomial.hpp"
 
 namespace torsor::runtime {
 

@@ -8,7 +8,7 @@
 #include <string>
 #include <string_view>
 
-#include "runtime/grains/grains.hpp"
+#include "torsor/runtime/grains/grains.hpp"
 
 namespace torsor::runtime {
 

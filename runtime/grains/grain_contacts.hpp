@@ -8,8 +8,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "runtime/grains/grains.hpp"
-#include "runtime/grains/neighbour_grid.hpp"
+#include "torsor/runtime/grains/grains.hpp"
+#include "torsor/runtime/grains/neighbour_grid.hpp"
 
 namespace torsor::runtime {
 

@@ -5,8 +5,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "runtime/grains/grain_contacts.hpp"
-#include "runtime/grains/grain_groups.hpp"
+#include "torsor/runtime/grains/grain_contacts.hpp"
+#include "torsor/runtime/grains/grain_groups.hpp"
 
 namespace torsor::runtime {
 

@@ -6,10 +6,10 @@
 #include <cstdint>
 #include <vector>
 
-#include "runtime/batch/thread_team.hpp"
-#include "runtime/grains/grain_check.hpp"
-#include "runtime/grains/grain_islands.hpp"
-#include "runtime/grains/grain_solver.hpp"
+#include "torsor/runtime/batch/thread_team.hpp"
+#include "torsor/runtime/grains/grain_check.hpp"
+#include "torsor/runtime/grains/grain_islands.hpp"
+#include "torsor/runtime/grains/grain_solver.hpp"
 
 namespace torsor::runtime {
 

@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <limits>
 
-#include "runtime/grains/grain_contacts.hpp"
+#include "torsor/runtime/grains/grain_contacts.hpp"
 
 namespace torsor::runtime {
 

@@ -6,9 +6,9 @@
 #include <cstdint>
 #include <vector>
 
-#include "runtime/batch/thread_team.hpp"
-#include "runtime/grains/grain_groups.hpp"
-#include "runtime/grains/grain_row.hpp"
+#include "torsor/runtime/batch/thread_team.hpp"
+#include "torsor/runtime/grains/grain_groups.hpp"
+#include "torsor/runtime/grains/grain_row.hpp"
 
 namespace torsor::runtime {
 

@@ -6,12 +6,12 @@
 #include <cstddef>
 #include <limits>
 
-#include "runtime/status.hpp"
-#include "runtime/steps/accumulated_state.hpp"
-#include "runtime/steps/dense_step.hpp"
-#include "runtime/steps/step_clock.hpp"
-#include "runtime/steps/step_control.hpp"
-#include "runtime/system.hpp"
+#include "torsor/runtime/status.hpp"
+#include "torsor/runtime/steps/accumulated_state.hpp"
+#include "torsor/runtime/steps/dense_step.hpp"
+#include "torsor/runtime/steps/step_clock.hpp"
+#include "torsor/runtime/steps/step_control.hpp"
+#include "torsor/runtime/system.hpp"
 
 namespace torsor::runtime {
 

@@ -10,8 +10,8 @@
 #include <system_error>
 #include <utility>
 
-#include "runtime/records/file.hpp"
-#include "runtime/records/reference.hpp"
+#include "torsor/runtime/records/file.hpp"
+#include "torsor/runtime/records/reference.hpp"
 
 namespace torsor::runtime {
 

@@ -6,13 +6,13 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "runtime/integration/adaptive_run.hpp"
-#include "runtime/integration/integrate.hpp"
-#include "runtime/status.hpp"
-#include "runtime/steps/dense_step.hpp"
-#include "runtime/steps/dormand_prince_tableau.hpp"
-#include "runtime/steps/step_control.hpp"
-#include "runtime/system.hpp"
+#include "torsor/runtime/integration/adaptive_run.hpp"
+#include "torsor/runtime/integration/integrate.hpp"
+#include "torsor/runtime/status.hpp"
+#include "torsor/runtime/steps/dense_step.hpp"
+#include "torsor/runtime/steps/dormand_prince_tableau.hpp"
+#include "torsor/runtime/steps/step_control.hpp"
+#include "torsor/runtime/system.hpp"
 
 namespace torsor::runtime {
 

@@ -4,8 +4,8 @@
 #include <cstddef>
 #include <type_traits>
 
-#include "runtime/events/event_watch.hpp"
-#include "runtime/integration/integrate.hpp"
+#include "torsor/runtime/events/event_watch.hpp"
+#include "torsor/runtime/integration/integrate.hpp"
 
 namespace torsor::runtime {
 

@@ -8,10 +8,10 @@
 #include <limits>
 #include <type_traits>
 
-#include "runtime/status.hpp"
-#include "runtime/steps/compensated_state.hpp"
-#include "runtime/steps/dense_step.hpp"
-#include "runtime/system.hpp"
+#include "torsor/runtime/status.hpp"
+#include "torsor/runtime/steps/compensated_state.hpp"
+#include "torsor/runtime/steps/dense_step.hpp"
+#include "torsor/runtime/system.hpp"
 
 namespace torsor::runtime {
 

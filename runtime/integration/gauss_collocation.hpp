@@ -8,15 +8,15 @@
 #include <limits>
 #include <type_traits>
 
-#include "runtime/integration/fixed_step.hpp"
-#include "runtime/integration/integrate.hpp"
-#include "runtime/numerics/jacobian.hpp"
-#include "runtime/numerics/lu.hpp"
-#include "runtime/steps/compensated_state.hpp"
-#include "runtime/steps/gauss_coefficients.hpp"
-#include "runtime/steps/gauss_step.hpp"
-#include "runtime/steps/second_order.hpp"
-#include "runtime/steps/stage_convergence.hpp"
+#include "torsor/runtime/integration/fixed_step.hpp"
+#include "torsor/runtime/integration/integrate.hpp"
+#include "torsor/runtime/numerics/jacobian.hpp"
+#include "torsor/runtime/numerics/lu.hpp"
+#include "torsor/runtime/steps/compensated_state.hpp"
+#include "torsor/runtime/steps/gauss_coefficients.hpp"
+#include "torsor/runtime/steps/gauss_step.hpp"
+#include "torsor/runtime/steps/second_order.hpp"
+#include "torsor/runtime/steps/stage_convergence.hpp"
 
 namespace torsor::runtime {
 

@@ -6,9 +6,9 @@
 #include <type_traits>
 #include <utility>
 
-#include "runtime/status.hpp"
-#include "runtime/steps/dense_step.hpp"
-#include "runtime/system.hpp"
+#include "torsor/runtime/status.hpp"
+#include "torsor/runtime/steps/dense_step.hpp"
+#include "torsor/runtime/system.hpp"
 
 namespace torsor::runtime {
 

@@ -6,7 +6,7 @@
 #include <cstddef>
 #include <type_traits>
 
-#include "runtime/mechanism.hpp"
+#include "torsor/runtime/mechanism.hpp"
 
 namespace torsor::runtime {
 

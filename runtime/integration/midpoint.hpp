@@ -4,8 +4,8 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "runtime/integration/fixed_step.hpp"
-#include "runtime/integration/integrate.hpp"
+#include "torsor/runtime/integration/fixed_step.hpp"
+#include "torsor/runtime/integration/integrate.hpp"
 
 namespace torsor::runtime {
 

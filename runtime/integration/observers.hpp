@@ -7,7 +7,7 @@
 #include <limits>
 #include <utility>
 
-#include "runtime/system.hpp"
+#include "torsor/runtime/system.hpp"
 
 namespace torsor::runtime {
 

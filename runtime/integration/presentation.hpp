@@ -6,7 +6,7 @@
 #include <string>
 #include <string_view>
 
-#include "runtime/integration/demonstration.hpp"
+#include "torsor/runtime/integration/demonstration.hpp"
 
 namespace torsor::runtime {
 

@@ -4,12 +4,12 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "runtime/integration/adaptive_run.hpp"
-#include "runtime/integration/integrate.hpp"
-#include "runtime/numerics/jacobian.hpp"
-#include "runtime/numerics/shifted_system.hpp"
-#include "runtime/steps/radau_formula.hpp"
-#include "runtime/steps/second_order.hpp"
+#include "torsor/runtime/integration/adaptive_run.hpp"
+#include "torsor/runtime/integration/integrate.hpp"
+#include "torsor/runtime/numerics/jacobian.hpp"
+#include "torsor/runtime/numerics/shifted_system.hpp"
+#include "torsor/runtime/steps/radau_formula.hpp"
+#include "torsor/runtime/steps/second_order.hpp"
 
 namespace torsor::runtime {
 

@@ -8,11 +8,11 @@
 #include <limits>
 #include <type_traits>
 
-#include "runtime/constraints/constraint_kinds.hpp"
-#include "runtime/constraints/constraint_reading.hpp"
-#include "runtime/constraints/independent_constraints.hpp"
-#include "runtime/integration/radau_iia_5.hpp"
-#include "runtime/mechanism.hpp"
+#include "torsor/runtime/constraints/constraint_kinds.hpp"
+#include "torsor/runtime/constraints/constraint_reading.hpp"
+#include "torsor/runtime/constraints/independent_constraints.hpp"
+#include "torsor/runtime/integration/radau_iia_5.hpp"
+#include "torsor/runtime/mechanism.hpp"
 
 namespace torsor::runtime {
 

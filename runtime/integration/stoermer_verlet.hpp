@@ -7,11 +7,11 @@
 #include <cstdint>
 #include <limits>
 
-#include "runtime/integration/fixed_step.hpp"
-#include "runtime/integration/integrate.hpp"
-#include "runtime/steps/compensated_state.hpp"
-#include "runtime/steps/dense_step.hpp"
-#include "runtime/steps/second_order.hpp"
+#include "torsor/runtime/integration/fixed_step.hpp"
+#include "torsor/runtime/integration/integrate.hpp"
+#include "torsor/runtime/steps/compensated_state.hpp"
+#include "torsor/runtime/steps/dense_step.hpp"
+#include "torsor/runtime/steps/second_order.hpp"
 
 namespace torsor::runtime {
 

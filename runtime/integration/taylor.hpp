@@ -6,13 +6,13 @@
 #include <cstdint>
 #include <span>
 
-#include "runtime/integration/adaptive_run.hpp"
-#include "runtime/integration/integrate.hpp"
-#include "runtime/status.hpp"
-#include "runtime/steps/step_control.hpp"
-#include "runtime/steps/taylor_rule.hpp"
-#include "runtime/steps/taylor_step.hpp"
-#include "runtime/system.hpp"
+#include "torsor/runtime/integration/adaptive_run.hpp"
+#include "torsor/runtime/integration/integrate.hpp"
+#include "torsor/runtime/status.hpp"
+#include "torsor/runtime/steps/step_control.hpp"
+#include "torsor/runtime/steps/taylor_rule.hpp"
+#include "torsor/runtime/steps/taylor_step.hpp"
+#include "torsor/runtime/system.hpp"
 
 namespace torsor::runtime {
 

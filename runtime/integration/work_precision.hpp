@@ -6,15 +6,15 @@
 #include <string>
 #include <tuple>
 
-#include "runtime/integration/dormand_prince_54.hpp"
-#include "runtime/integration/dormand_prince_853.hpp"
-#include "runtime/integration/integrate.hpp"
-#include "runtime/integration/midpoint.hpp"
-#include "runtime/integration/runge_kutta_4.hpp"
-#include "runtime/integration/taylor.hpp"
-#include "runtime/records/reference.hpp"
-#include "runtime/records/table.hpp"
-#include "runtime/status.hpp"
+#include "torsor/runtime/integration/dormand_prince_54.hpp"
+#include "torsor/runtime/integration/dormand_prince_853.hpp"
+#include "torsor/runtime/integration/integrate.hpp"
+#include "torsor/runtime/integration/midpoint.hpp"
+#include "torsor/runtime/integration/runge_kutta_4.hpp"
+#include "torsor/runtime/integration/taylor.hpp"
+#include "torsor/runtime/records/reference.hpp"
+#include "torsor/runtime/records/table.hpp"
+#include "torsor/runtime/status.hpp"
 
 namespace torsor::runtime {
 

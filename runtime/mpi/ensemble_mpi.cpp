@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "runtime/mpi/ensemble_mpi.hpp"
+#include "torsor/runtime/mpi/ensemble_mpi.hpp"
 
 #include <algorithm>
 #include <array>
@@ -14,7 +14,7 @@
 #include <thread>
 #include <vector>
 
-#include "runtime/batch/parallel.hpp"
+#include "torsor/runtime/batch/parallel.hpp"
 
 namespace torsor::runtime {
 

@@ -6,7 +6,7 @@
 #include <filesystem>
 #include <stdexcept>
 
-#include "runtime/batch/ensemble.hpp"
+#include "torsor/runtime/batch/ensemble.hpp"
 
 namespace torsor::runtime {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "runtime/numerics/decompositions.hpp"
+#include "torsor/runtime/numerics/decompositions.hpp"
 
 #include <Eigen/Eigenvalues>
 #include <Eigen/SVD>

@@ -6,8 +6,8 @@
 #include <cstddef>
 #include <limits>
 
-#include "runtime/status.hpp"
-#include "runtime/system.hpp"
+#include "torsor/runtime/status.hpp"
+#include "torsor/runtime/system.hpp"
 
 namespace torsor::runtime {
 

@@ -8,8 +8,8 @@
 #include <cstddef>
 #include <limits>
 
-#include "runtime/mechanism.hpp"
-#include "runtime/status.hpp"
+#include "torsor/runtime/mechanism.hpp"
+#include "torsor/runtime/status.hpp"
 
 namespace torsor::runtime {
 

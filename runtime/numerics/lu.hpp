@@ -7,7 +7,7 @@
 #include <limits>
 #include <utility>
 
-#include "runtime/status.hpp"
+#include "torsor/runtime/status.hpp"
 
 namespace torsor::runtime {
 

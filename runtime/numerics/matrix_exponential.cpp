@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "runtime/numerics/matrix_exponential.hpp"
+#include "torsor/runtime/numerics/matrix_exponential.hpp"
 
 #include <Eigen/LU>
 #include <algorithm>

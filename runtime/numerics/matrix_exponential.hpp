@@ -2,7 +2,7 @@
 #pragma once
 #include <Eigen/Core>
 
-#include "runtime/library.hpp"
+#include "torsor/runtime/library.hpp"
 
 namespace torsor::runtime {
 

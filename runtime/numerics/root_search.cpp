@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "runtime/numerics/root_search.hpp"
+#include "torsor/runtime/numerics/root_search.hpp"
 
 #include <Eigen/QR>
 #include <algorithm>
@@ -8,7 +8,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "runtime/numerics/decompositions.hpp"
+#include "torsor/runtime/numerics/decompositions.hpp"
 
 namespace torsor::runtime {
 

@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-#include "runtime/library.hpp"
+#include "torsor/runtime/library.hpp"
 
 namespace torsor::runtime {
 

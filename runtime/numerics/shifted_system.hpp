@@ -3,8 +3,8 @@
 #include <array>
 #include <cstddef>
 
-#include "runtime/numerics/jacobian.hpp"
-#include "runtime/numerics/lu.hpp"
+#include "torsor/runtime/numerics/jacobian.hpp"
+#include "torsor/runtime/numerics/lu.hpp"
 
 namespace torsor::runtime {
 

@@ -15,7 +15,7 @@
 #include <string.h>
 
 #include "mex.h"
-#include "runtime/abi.h"
+#include "torsor/runtime/abi.h"
 
 /* A library stays open until the function is cleared, with one model of its own parameters. */
 enum { most_libraries = 64 };
@@ -260,7 +260,7 @@ static void evaluate(int place, const torsor_abi_kernel* kernel, int outputs, mx
     const torsor_view view = {NULL, (ptrdiff_t)(sizeof(double) * rows * across), (ptrdiff_t)sizeof(double),
                               (ptrdiff_t)(sizeof(double) * rows)};
     /* Column vectors of many states are the columns of a matrix. */
-    out[i] = across == 1 ? mxCreateDoubleMatrix(sizes[0], sizes[2], mxREAL) : mxCreateNumericArray(3, sizes, mxDOUBLE_CLASS, mxREAL);
+    out[i] = result->dimensions < 2 ? mxCreateDoubleMatrix(sizes[0], sizes[2], mxREAL) : mxCreateNumericArray(3, sizes, mxDOUBLE_CLASS, mxREAL);
     views[i] = view;
     views[i].data = mxGetPr(out[i]);
   }

@@ -9,7 +9,7 @@
 #include <system_error>
 #include <vector>
 
-#include "runtime/records/file.hpp"
+#include "torsor/runtime/records/file.hpp"
 
 namespace torsor::runtime {
 

@@ -14,8 +14,8 @@
 #include <utility>
 #include <vector>
 
-#include "runtime/records/csv.hpp"
-#include "runtime/records/file.hpp"
+#include "torsor/runtime/records/csv.hpp"
+#include "torsor/runtime/records/file.hpp"
 
 namespace torsor::runtime {
 

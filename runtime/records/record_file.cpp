@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "runtime/records/record_file.hpp"
+#include "torsor/runtime/records/record_file.hpp"
 
 #include <array>
 #include <bit>
@@ -12,7 +12,7 @@
 #include <sys/file.h>
 #endif
 
-#include "runtime/records/digest.hpp"
+#include "torsor/runtime/records/digest.hpp"
 
 namespace torsor::runtime {
 

@@ -7,7 +7,7 @@
 #include <span>
 #include <vector>
 
-#include "runtime/records/file.hpp"
+#include "torsor/runtime/records/file.hpp"
 
 namespace torsor::runtime {
 

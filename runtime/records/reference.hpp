@@ -12,8 +12,8 @@
 #include <string_view>
 #include <vector>
 
-#include "runtime/records/csv.hpp"
-#include "runtime/records/file.hpp"
+#include "torsor/runtime/records/csv.hpp"
+#include "torsor/runtime/records/file.hpp"
 
 namespace torsor::runtime {
 

@@ -9,8 +9,8 @@
 #include <string>
 #include <utility>
 
-#include "runtime/records/csv.hpp"
-#include "runtime/records/file.hpp"
+#include "torsor/runtime/records/csv.hpp"
+#include "torsor/runtime/records/file.hpp"
 
 namespace torsor::runtime {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "runtime/small_motions/characteristic_polynomial.hpp"
+#include "torsor/runtime/small_motions/characteristic_polynomial.hpp"
 
 #include <Eigen/Core>
 #include <Eigen/LU>

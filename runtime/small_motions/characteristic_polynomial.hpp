@@ -2,7 +2,7 @@
 #pragma once
 #include <vector>
 
-#include "runtime/small_motions/linear_system.hpp"
+#include "torsor/runtime/small_motions/linear_system.hpp"
 
 namespace torsor::runtime {
 

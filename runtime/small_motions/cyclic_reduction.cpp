@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "runtime/small_motions/cyclic_reduction.hpp"
+#include "torsor/runtime/small_motions/cyclic_reduction.hpp"
 
 #include <Eigen/Cholesky>
 #include <Eigen/Core>

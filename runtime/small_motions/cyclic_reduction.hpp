@@ -3,7 +3,7 @@
 #include <Eigen/Core>
 #include <vector>
 
-#include "runtime/small_motions/linear_system.hpp"
+#include "torsor/runtime/small_motions/linear_system.hpp"
 
 namespace torsor::runtime {
 

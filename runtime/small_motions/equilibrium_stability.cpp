@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-#include "runtime/small_motions/equilibrium_stability.hpp"
+#include "torsor/runtime/small_motions/equilibrium_stability.hpp"
 
 #include <cmath>
 #include <stdexcept>
 
-#include "runtime/numerics/decompositions.hpp"
+#include "torsor/runtime/numerics/decompositions.hpp"
 
 namespace torsor::runtime {
 

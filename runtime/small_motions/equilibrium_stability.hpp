@@ -4,10 +4,10 @@
 #include <cstddef>
 #include <stdexcept>
 
-#include "runtime/small_motions/linear_system.hpp"
-#include "runtime/small_motions/stability.hpp"
-#include "runtime/small_motions/steady_states.hpp"
-#include "runtime/status.hpp"
+#include "torsor/runtime/small_motions/linear_system.hpp"
+#include "torsor/runtime/small_motions/stability.hpp"
+#include "torsor/runtime/small_motions/steady_states.hpp"
+#include "torsor/runtime/status.hpp"
 
 namespace torsor::runtime {
 

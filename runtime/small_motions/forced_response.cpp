@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "runtime/small_motions/forced_response.hpp"
+#include "torsor/runtime/small_motions/forced_response.hpp"
 
 #include <Eigen/Eigenvalues>
 #include <Eigen/LU>

@@ -4,7 +4,7 @@
 #include <optional>
 #include <vector>
 
-#include "runtime/small_motions/linear_system.hpp"
+#include "torsor/runtime/small_motions/linear_system.hpp"
 
 namespace torsor::runtime {
 

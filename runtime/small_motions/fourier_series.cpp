@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "runtime/small_motions/fourier_series.hpp"
+#include "torsor/runtime/small_motions/fourier_series.hpp"
 
 #include <Eigen/Core>
 #include <complex>
@@ -7,7 +7,7 @@
 #include <numbers>
 #include <stdexcept>
 
-#include "runtime/small_motions/forced_response.hpp"
+#include "torsor/runtime/small_motions/forced_response.hpp"
 
 namespace torsor::runtime {
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-#include "runtime/small_motions/linear_response.hpp"
+#include "torsor/runtime/small_motions/linear_response.hpp"
 
 #include <stdexcept>
 #include <string>
 
-#include "runtime/numerics/matrix_exponential.hpp"
+#include "torsor/runtime/numerics/matrix_exponential.hpp"
 
 namespace torsor::runtime {
 

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <cstddef>
 
-#include "runtime/library.hpp"
+#include "torsor/runtime/library.hpp"
 
 namespace torsor::runtime {
 

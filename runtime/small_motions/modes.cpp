@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "runtime/small_motions/modes.hpp"
+#include "torsor/runtime/small_motions/modes.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -11,7 +11,7 @@
 #include <string>
 #include <utility>
 
-#include "runtime/numerics/decompositions.hpp"
+#include "torsor/runtime/numerics/decompositions.hpp"
 
 namespace torsor::runtime {
 

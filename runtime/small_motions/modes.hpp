@@ -6,7 +6,7 @@
 #include <limits>
 #include <vector>
 
-#include "runtime/small_motions/linear_system.hpp"
+#include "torsor/runtime/small_motions/linear_system.hpp"
 
 namespace torsor::runtime {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "runtime/small_motions/routh.hpp"
+#include "torsor/runtime/small_motions/routh.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -9,7 +9,7 @@
 #include <stdexcept>
 #include <utility>
 
-#include "runtime/records/table.hpp"
+#include "torsor/runtime/records/table.hpp"
 
 namespace torsor::runtime {
 

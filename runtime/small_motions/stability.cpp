@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "runtime/small_motions/stability.hpp"
+#include "torsor/runtime/small_motions/stability.hpp"
 
 #include <Eigen/LU>
 #include <algorithm>
@@ -8,9 +8,9 @@
 #include <stdexcept>
 #include <vector>
 
-#include "runtime/numerics/decompositions.hpp"
-#include "runtime/records/table.hpp"
-#include "runtime/small_motions/characteristic_polynomial.hpp"
+#include "torsor/runtime/numerics/decompositions.hpp"
+#include "torsor/runtime/records/table.hpp"
+#include "torsor/runtime/small_motions/characteristic_polynomial.hpp"
 
 namespace torsor::runtime {
 

@@ -4,9 +4,9 @@
 #include <string>
 #include <string_view>
 
-#include "runtime/small_motions/linear_system.hpp"
-#include "runtime/small_motions/modes.hpp"
-#include "runtime/small_motions/routh.hpp"
+#include "torsor/runtime/small_motions/linear_system.hpp"
+#include "torsor/runtime/small_motions/modes.hpp"
+#include "torsor/runtime/small_motions/routh.hpp"
 
 namespace torsor::runtime {
 

@@ -9,8 +9,8 @@
 #include <utility>
 #include <vector>
 
-#include "runtime/mechanism.hpp"
-#include "runtime/numerics/root_search.hpp"
+#include "torsor/runtime/mechanism.hpp"
+#include "torsor/runtime/numerics/root_search.hpp"
 
 namespace torsor::runtime {
 

@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <limits>
 
-#include "runtime/steps/compensated_state.hpp"
+#include "torsor/runtime/steps/compensated_state.hpp"
 
 namespace torsor::runtime {
 

@@ -6,10 +6,10 @@
 #include <span>
 #include <utility>
 
-#include "runtime/numerics/jacobian.hpp"
-#include "runtime/steps/second_order.hpp"
-#include "runtime/steps/taylor_step.hpp"
-#include "runtime/system.hpp"
+#include "torsor/runtime/numerics/jacobian.hpp"
+#include "torsor/runtime/steps/second_order.hpp"
+#include "torsor/runtime/steps/taylor_step.hpp"
+#include "torsor/runtime/system.hpp"
 
 namespace torsor::runtime {
 

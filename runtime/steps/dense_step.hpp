@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <type_traits>
 
-#include "runtime/system.hpp"
+#include "torsor/runtime/system.hpp"
 
 namespace torsor::runtime {
 

@@ -3,7 +3,7 @@
 #include <array>
 #include <cstddef>
 
-#include "runtime/steps/gauss_coefficients.hpp"
+#include "torsor/runtime/steps/gauss_coefficients.hpp"
 
 namespace torsor::runtime {
 

@@ -6,8 +6,8 @@
 #include <span>
 #include <utility>
 
-#include "runtime/steps/taylor_step.hpp"
-#include "runtime/system.hpp"
+#include "torsor/runtime/steps/taylor_step.hpp"
+#include "torsor/runtime/system.hpp"
 
 namespace torsor::runtime {
 

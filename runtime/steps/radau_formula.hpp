@@ -6,11 +6,11 @@
 #include <cstddef>
 #include <limits>
 
-#include "runtime/numerics/lu.hpp"
-#include "runtime/steps/accumulated_state.hpp"
-#include "runtime/steps/dense_step.hpp"
-#include "runtime/steps/radau_tableau.hpp"
-#include "runtime/steps/step_control.hpp"
+#include "torsor/runtime/numerics/lu.hpp"
+#include "torsor/runtime/steps/accumulated_state.hpp"
+#include "torsor/runtime/steps/dense_step.hpp"
+#include "torsor/runtime/steps/radau_tableau.hpp"
+#include "torsor/runtime/steps/step_control.hpp"
 
 namespace torsor::runtime {
 

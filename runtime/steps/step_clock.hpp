@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <limits>
 
-#include "runtime/status.hpp"
+#include "torsor/runtime/status.hpp"
 
 namespace torsor::runtime {
 

@@ -6,7 +6,7 @@
 #include <cstddef>
 #include <limits>
 
-#include "runtime/steps/step_control.hpp"
+#include "torsor/runtime/steps/step_control.hpp"
 
 namespace torsor::runtime {
 

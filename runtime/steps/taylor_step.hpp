@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <span>
 
-#include "runtime/system.hpp"
+#include "torsor/runtime/system.hpp"
 
 namespace torsor::runtime {
 

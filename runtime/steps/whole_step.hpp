@@ -8,8 +8,8 @@
 #include <cstdint>
 #include <limits>
 
-#include "runtime/status.hpp"
-#include "runtime/system.hpp"
+#include "torsor/runtime/status.hpp"
+#include "torsor/runtime/system.hpp"
 
 namespace torsor::runtime {
 

@@ -5,7 +5,7 @@
 #include <array>
 #include <cstddef>
 
-#include "runtime/sundials/run.hpp"
+#include "torsor/runtime/sundials/run.hpp"
 
 namespace torsor::runtime {
 

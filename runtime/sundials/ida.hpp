@@ -8,8 +8,8 @@
 #include <type_traits>
 #include <utility>
 
-#include "runtime/mechanism.hpp"
-#include "runtime/sundials/run.hpp"
+#include "torsor/runtime/mechanism.hpp"
+#include "torsor/runtime/sundials/run.hpp"
 
 namespace torsor::runtime {
 

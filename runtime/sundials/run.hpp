@@ -19,10 +19,10 @@
 #include <limits>
 #include <type_traits>
 
-#include "runtime/integration/integrate.hpp"
-#include "runtime/numerics/jacobian.hpp"
-#include "runtime/status.hpp"
-#include "runtime/system.hpp"
+#include "torsor/runtime/integration/integrate.hpp"
+#include "torsor/runtime/numerics/jacobian.hpp"
+#include "torsor/runtime/status.hpp"
+#include "torsor/runtime/system.hpp"
 
 namespace torsor::runtime {
 

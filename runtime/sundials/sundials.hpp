@@ -2,6 +2,6 @@
 #pragma once
 /// The integrators of SUNDIALS with the interface of the project's own, where SUNDIALS is installed: link with
 /// torsor::runtime_sundials.
-#include "runtime/sundials/arkode.hpp"
-#include "runtime/sundials/cvode.hpp"
-#include "runtime/sundials/ida.hpp"
+#include "torsor/runtime/sundials/arkode.hpp"
+#include "torsor/runtime/sundials/cvode.hpp"
+#include "torsor/runtime/sundials/ida.hpp"

@@ -35,7 +35,7 @@ fi
 
 shift 6
 for user in load "$@"; do
-  "$cc" -std=c99 -pedantic -Wall -Wextra -Wconversion -Werror -D_GNU_SOURCE -O1 -I"$source" "$source/tests/abi/$user.c" \
+  "$cc" -std=c99 -pedantic -Wall -Wextra -Wconversion -Werror -D_GNU_SOURCE -O1 -I"$source" -I"$source/include" "$source/tests/abi/$user.c" \
     -o "$folder/$user" -ldl -lm
   "$folder/$user" "$folder/lib.so"
 done

@@ -212,6 +212,13 @@ int main(int count, char** words) {
   arguments x = make_arguments(m, model);
   expect(m->kernel_count > 0, "there are kernels", m->name);
   expect((m->contact_count > 0) == (m->integrate_contacts != NULL), "what has contacts moves them", m->name);
+  for (int k = 0; k < m->kernel_count; ++k) {
+    for (int r = 0; r < m->kernels[k].result_count; ++r) {
+      const torsor_abi_result* const result = &m->kernels[k].results[r];
+      expect(result->unit != NULL && (result->dimensions == 2 || result->columns == 1) && (result->dimensions > 0 || result->rows == 1),
+             "a result has dimensions and a unit", result->name);
+    }
+  }
   for (int k = 0; k < m->kernel_count; ++k) check_kernel(m, &m->kernels[k], k % 2 == 0 ? model : same, &x);
   check_motion(m, model);
   m->destroy(model);

@@ -5,7 +5,7 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "runtime/abi.h"
+#include "torsor/runtime/abi.h"
 
 typedef const torsor_abi* (*torsor_mechanism_entry)(void);
 

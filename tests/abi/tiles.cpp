@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "runtime/abi/kernel_call.hpp"
+#include "torsor/runtime/abi/kernel_call.hpp"
 
 namespace {
 

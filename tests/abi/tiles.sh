@@ -11,7 +11,7 @@ if has avx2; then sets+=("-mavx2"); fi
 if has avx512f; then sets+=("-mavx512f"); fi
 for registers in "${sets[@]}"; do
   # shellcheck disable=SC2086  # an option, or none
-  "$cxx" -std=c++20 -O2 -fsanitize=address -Wall -Wextra -Wpedantic -Wconversion -Wshadow -Werror $registers -I"$source" \
+  "$cxx" -std=c++20 -O2 -fsanitize=address -Wall -Wextra -Wpedantic -Wconversion -Wshadow -Werror $registers -I"$source" -I"$source/include" \
     "$source/tests/abi/tiles.cpp" -o "$folder/tiles"
   "$folder/tiles"
 done

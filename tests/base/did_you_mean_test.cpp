@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "generator/base/did_you_mean.hpp"
+#include "torsor/generator/base/did_you_mean.hpp"
 
 namespace torsor::did_you_mean_test {
 namespace {

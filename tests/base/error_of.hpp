@@ -4,7 +4,7 @@
 #include <exception>
 #include <string>
 
-#include "generator/base/error.hpp"
+#include "torsor/generator/base/error.hpp"
 
 namespace torsor::testing_errors {
 

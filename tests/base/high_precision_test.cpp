@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "generator/base/high_precision.hpp"
+#include "torsor/generator/base/high_precision.hpp"
 
 #include <gtest/gtest.h>
 
@@ -8,8 +8,8 @@
 #include <random>
 #include <type_traits>
 
-#include "generator/base/decimal.hpp"
-#include "generator/base/error.hpp"
+#include "torsor/generator/base/decimal.hpp"
+#include "torsor/generator/base/error.hpp"
 
 // Stands for the head of a generated header, which declares this template; the specialisation below needs no more of
 // it.
@@ -19,7 +19,7 @@ template <class Scalar>
 struct scalar_traits;
 }
 
-#include "generator/verification/real_scalar_traits.hpp"
+#include "torsor/generator/verification/real_scalar_traits.hpp"
 
 namespace torsor::high_precision_test {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "generator/base/linear_algebra/lu_factorisation.hpp"
+#include "torsor/generator/base/linear_algebra/lu_factorisation.hpp"
 
 #include <gtest/gtest.h>
 

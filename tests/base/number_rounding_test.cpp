@@ -6,8 +6,8 @@
 #include <limits>
 #include <random>
 
-#include "generator/base/decimal.hpp"
-#include "generator/base/number.hpp"
+#include "torsor/generator/base/decimal.hpp"
+#include "torsor/generator/base/number.hpp"
 
 namespace torsor::number_rounding_test {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "generator/base/number.hpp"
+#include "torsor/generator/base/number.hpp"
 
 #include <gtest/gtest.h>
 
@@ -12,7 +12,7 @@
 #include <cln/integer_io.h>
 #include <cln/rational_io.h>
 
-#include "generator/base/decimal.hpp"
+#include "torsor/generator/base/decimal.hpp"
 #include "tests/base/error_of.hpp"
 
 namespace torsor::number_test {

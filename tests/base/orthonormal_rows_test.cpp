@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "generator/base/linear_algebra/orthonormal_rows.hpp"
+#include "torsor/generator/base/linear_algebra/orthonormal_rows.hpp"
 
 #include <gtest/gtest.h>
 

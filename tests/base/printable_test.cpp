@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "generator/base/printable.hpp"
+#include "torsor/generator/base/printable.hpp"
 
 #include <array>
 #include <cstdio>
 
 #include <gtest/gtest.h>
 
-#include "generator/base/error.hpp"
-#include "generator/base/shell_word.hpp"
-#include "generator/emission/cpp_names.hpp"
+#include "torsor/generator/base/error.hpp"
+#include "torsor/generator/base/shell_word.hpp"
+#include "torsor/generator/emission/cpp_names.hpp"
 
 namespace torsor::printable_test {
 namespace {

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "generator/base/linear_algebra/symmetric_pivots.hpp"
+#include "torsor/generator/base/linear_algebra/symmetric_pivots.hpp"
 
 #include <gtest/gtest.h>
 
-#include "generator/base/linear_algebra/cholesky.hpp"
+#include "torsor/generator/base/linear_algebra/cholesky.hpp"
 #include "tests/program/test_symbols.hpp"
 
 namespace torsor::symmetric_pivots_test {

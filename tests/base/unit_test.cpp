@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "generator/base/unit.hpp"
+#include "torsor/generator/base/unit.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "runtime/batch/batch.hpp"
+#include "torsor/runtime/batch/batch.hpp"
 
 #include <gtest/gtest.h>
 

@@ -9,10 +9,10 @@ command -v "$compiler" > /dev/null || { echo "$compiler is not installed"; exit 
 mkdir -p "$folder"
 for name in "$@"; do
   source="$folder/$name.cpp"
-  printf '#include "runtime/batch/simd.hpp"\n#include "generated/%s.hpp"\n' "$name" > "$source"
+  printf '#include "torsor/runtime/batch/simd.hpp"\n#include "generated/%s.hpp"\n' "$name" > "$source"
   for scalar in "NativeSimd<double>" "Simd<float, 3>"; do
     printf 'template struct %s::Mechanism<torsor::runtime::%s>;\n' "$name" "$scalar" >> "$source"
   done
-  "$compiler" -std=c++17 -fsyntax-only -I "$root" -Wall -Wextra -Wpedantic -Wconversion -Wshadow -Werror "$source"
+  "$compiler" -std=c++17 -fsyntax-only -I "$root" -I "$root/include" -Wall -Wextra -Wpedantic -Wconversion -Wshadow -Werror "$source"
   echo "$name: every function takes packs"
 done

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Nothing is fused here: the members of a pack have the bits of members alone.
-#include "runtime/batch/packed_motion_ensemble.hpp"
+#include "torsor/runtime/batch/packed_motion_ensemble.hpp"
 
 #include <gtest/gtest.h>
 

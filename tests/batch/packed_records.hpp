@@ -9,7 +9,7 @@
 #include <span>
 #include <vector>
 
-#include "runtime/batch/packed_motion_ensemble.hpp"
+#include "torsor/runtime/batch/packed_motion_ensemble.hpp"
 
 namespace torsor::packed_records {
 

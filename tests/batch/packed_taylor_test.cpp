@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Nothing is fused here: each lane has the bits, and the steps, of its member alone.
-#include "runtime/batch/packed_taylor.hpp"
+#include "torsor/runtime/batch/packed_taylor.hpp"
 
 #include <gtest/gtest.h>
 

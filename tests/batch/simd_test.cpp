@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Packs of every set of options against numbers: bit by bit where nothing is fused, else within what rounding can do.
-#include "runtime/batch/simd.hpp"
+#include "torsor/runtime/batch/simd.hpp"
 
 #include <gtest/gtest.h>
 

@@ -4,7 +4,7 @@
 #define torsor VARIANT_NAMESPACE
 #define heavy_top VARIANT_MECHANISM
 #include "generated/heavy_top.hpp"
-#include "runtime/batch/simd.hpp"
+#include "torsor/runtime/batch/simd.hpp"
 #undef torsor
 #include "tests/batch/variant.hpp"
 

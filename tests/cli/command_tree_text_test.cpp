@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Manual page and completion are made of what the program declares: every command and every option of --help is in
 // both.
-#include "generator/cli/command_tree_text.hpp"
+#include "torsor/generator/cli/command_tree_text.hpp"
 
 #include <gtest/gtest.h>
 
@@ -11,7 +11,7 @@
 
 #include <CLI/CLI.hpp>
 
-#include "generator/mechanics/scene.hpp"
+#include "torsor/generator/mechanics/scene.hpp"
 #include "tests/cli/scene_runner.hpp"
 
 namespace torsor::command_tree_text_test {

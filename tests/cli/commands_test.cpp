@@ -6,7 +6,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "generator/base/error.hpp"
+#include "torsor/generator/base/error.hpp"
 #include "tests/cli/scene_runner.hpp"
 
 namespace torsor::commands_test {

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Names of platforms as FMI 2.0 (2.2.4) and FMI 3.0 (2.5.1.4) give them.
-#include "generator/cli/fmi_platform.hpp"
+#include "torsor/generator/cli/fmi_platform.hpp"
 
 #include <string>
 #include <vector>
 
 #include <gtest/gtest.h>
 
-#include "generator/base/error.hpp"
+#include "torsor/generator/base/error.hpp"
 
 namespace torsor::fmi_platform_test {
 namespace {

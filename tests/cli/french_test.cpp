@@ -10,13 +10,13 @@
 #include <string>
 #include <vector>
 
-#include "generator/base/natural_language.hpp"
-#include "generator/cli/report.hpp"
-#include "generator/dynamics/motion/model.hpp"
-#include "generator/emission/embedded_templates.hpp"
-#include "generator/printing/html_text.hpp"
-#include "generator/printing/print_equations.hpp"
-#include "runtime/events/event_memory.hpp"
+#include "torsor/generator/base/natural_language.hpp"
+#include "torsor/generator/cli/report.hpp"
+#include "torsor/generator/dynamics/motion/model.hpp"
+#include "torsor/generator/emission/embedded_templates.hpp"
+#include "torsor/generator/printing/html_text.hpp"
+#include "torsor/generator/printing/print_equations.hpp"
+#include "torsor/runtime/events/event_memory.hpp"
 #include "tests/cli/scene_runner.hpp"
 
 namespace torsor::french_test {

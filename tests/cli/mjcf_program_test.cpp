@@ -7,7 +7,7 @@
 
 #include "tests/cli/tool_runner.hpp"
 #ifdef TORSOR_WITH_MUJOCO
-#include "generator/import/mujoco_reader.hpp"
+#include "torsor/generator/import/mujoco_reader.hpp"
 #endif
 
 namespace torsor::mjcf_program_test {

@@ -8,9 +8,9 @@
 #include <string>
 #include <vector>
 
-#include "generator/dynamics/forces/bearing_loads.hpp"
-#include "generator/mechanics/scene.hpp"
-#include "generator/program/evaluation.hpp"
+#include "torsor/generator/dynamics/forces/bearing_loads.hpp"
+#include "torsor/generator/mechanics/scene.hpp"
+#include "torsor/generator/program/evaluation.hpp"
 #include "tests/cli/motion_table.hpp"
 #include "tests/cli/scene_runner.hpp"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "generator/cli/report.hpp"
+#include "torsor/generator/cli/report.hpp"
 
 #include <gtest/gtest.h>
 
@@ -11,12 +11,12 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "generator/base/base64.hpp"
-#include "generator/base/error.hpp"
-#include "generator/cli/katex.hpp"
-#include "generator/dynamics/equations/validation.hpp"
-#include "generator/import/mesh_file.hpp"
-#include "generator/printing/html_text.hpp"
+#include "torsor/generator/base/base64.hpp"
+#include "torsor/generator/base/error.hpp"
+#include "torsor/generator/cli/katex.hpp"
+#include "torsor/generator/dynamics/equations/validation.hpp"
+#include "torsor/generator/import/mesh_file.hpp"
+#include "torsor/generator/printing/html_text.hpp"
 #include "tests/cli/scene_runner.hpp"
 
 namespace torsor::report_test {

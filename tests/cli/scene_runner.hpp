@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-#include "generator/cli/scene_program.hpp"
+#include "torsor/generator/cli/scene_program.hpp"
 #include "tests/scenes/pendulums.hpp"
 
 namespace torsor::testing_programs {

@@ -7,9 +7,9 @@
 #include <string>
 #include <vector>
 
-#include "generator/dynamics/equations/equations.hpp"
-#include "generator/dynamics/equations/validation.hpp"
-#include "generator/kernels/kernel.hpp"
+#include "torsor/generator/dynamics/equations/equations.hpp"
+#include "torsor/generator/dynamics/equations/validation.hpp"
+#include "torsor/generator/kernels/kernel.hpp"
 #include "tests/cli/motion_table.hpp"
 #include "tests/cli/scene_runner.hpp"
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A start at which the coordinates are singular is noticed, and the remedy named.
-#include "generator/dynamics/equations/singular_start.hpp"
+#include "torsor/generator/dynamics/equations/singular_start.hpp"
 
 #include "tests/cli/scene_runner.hpp"
 

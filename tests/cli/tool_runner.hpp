@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "generator/cli/torsor_program.hpp"
+#include "torsor/generator/cli/torsor_program.hpp"
 #include "tests/cli/scene_runner.hpp"
 
 namespace torsor::testing_programs {

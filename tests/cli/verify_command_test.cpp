@@ -5,7 +5,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "generator/cli/command_texts.hpp"
+#include "torsor/generator/cli/command_texts.hpp"
 #include "tests/cli/scene_runner.hpp"
 
 namespace torsor::verify_command_test {

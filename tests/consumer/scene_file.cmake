@@ -6,7 +6,7 @@ file(MAKE_DIRECTORY "${FOLDER}/a folder")
 set(scene "${FOLDER}/a folder/pendulum.cpp")
 file(WRITE "${FOLDER}/a folder/length.hpp" "inline int length() { return 2; }\n")
 file(WRITE "${scene}" "
-#include \"generator/torsor.hpp\"
+#include \"torsor/generator/torsor.hpp\"
 #include \"length.hpp\"
 torsor::Scene pendulum() {
   using namespace torsor;

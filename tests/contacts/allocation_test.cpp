@@ -8,7 +8,7 @@
 #include <cstdlib>
 #include <new>
 
-#include "runtime/contacts/moreau_jean.hpp"
+#include "torsor/runtime/contacts/moreau_jean.hpp"
 #include "tests/contacts/rod_over_table.hpp"
 #include "tests/contacts/simple_systems.hpp"
 

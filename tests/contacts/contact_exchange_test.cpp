@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "runtime/contacts/contact_exchange.hpp"
+#include "torsor/runtime/contacts/contact_exchange.hpp"
 
 #include <gtest/gtest.h>
 

@@ -6,7 +6,7 @@
 #include <cstddef>
 #include <numbers>
 
-#include "runtime/contacts/contact_solver.hpp"
+#include "torsor/runtime/contacts/contact_solver.hpp"
 
 namespace contact_problem_test {
 namespace {

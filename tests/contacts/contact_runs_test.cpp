@@ -9,7 +9,7 @@
 #include <span>
 #include <stdexcept>
 
-#include "runtime/contacts/moreau_jean.hpp"
+#include "torsor/runtime/contacts/moreau_jean.hpp"
 #include "tests/contacts/told_motion.hpp"
 
 namespace contact_runs_test {

@@ -8,7 +8,7 @@
 #include <cstddef>
 #include <string>
 
-#include "runtime/contacts/integrate_contacts.hpp"
+#include "torsor/runtime/contacts/integrate_contacts.hpp"
 #include "tests/contacts/simple_systems.hpp"
 
 namespace folded_loops_test {

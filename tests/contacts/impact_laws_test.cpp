@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "runtime/contacts/impact_laws.hpp"
+#include "torsor/runtime/contacts/impact_laws.hpp"
 
 #include <gtest/gtest.h>
 

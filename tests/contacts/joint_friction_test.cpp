@@ -6,8 +6,8 @@
 #include <cstddef>
 #include <vector>
 
-#include "runtime/contacts/contact_solver.hpp"
-#include "runtime/contacts/moreau_jean.hpp"
+#include "torsor/runtime/contacts/contact_solver.hpp"
+#include "torsor/runtime/contacts/moreau_jean.hpp"
 #include "tests/contacts/told_motion.hpp"
 
 // Friction of joints in proportion to what they transmit.

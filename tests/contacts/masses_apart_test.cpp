@@ -7,8 +7,8 @@
 #include <cstddef>
 #include <string>
 
-#include "runtime/contacts/contact_solver.hpp"
-#include "runtime/contacts/moreau_jean.hpp"
+#include "torsor/runtime/contacts/contact_solver.hpp"
+#include "torsor/runtime/contacts/moreau_jean.hpp"
 #include "tests/contacts/simple_systems.hpp"
 
 namespace masses_apart_test {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "runtime/contacts/moreau_jean.hpp"
+#include "torsor/runtime/contacts/moreau_jean.hpp"
 
 #include <gtest/gtest.h>
 

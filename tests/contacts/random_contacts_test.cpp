@@ -13,7 +13,7 @@
 #include <random>
 #include <vector>
 
-#include "runtime/contacts/contact_solver.hpp"
+#include "torsor/runtime/contacts/contact_solver.hpp"
 
 namespace random_contacts_test {
 namespace {

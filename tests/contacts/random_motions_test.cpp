@@ -9,8 +9,8 @@
 #include <cstdlib>
 #include <vector>
 
-#include "runtime/contacts/integrate_contacts.hpp"
-#include "runtime/contacts/moreau_jean.hpp"
+#include "torsor/runtime/contacts/integrate_contacts.hpp"
+#include "torsor/runtime/contacts/moreau_jean.hpp"
 #include "tests/contacts/plane_truth.hpp"
 #include "tests/contacts/random_scenes.hpp"
 #include "tests/contacts/random_watch.hpp"

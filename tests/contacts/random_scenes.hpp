@@ -8,7 +8,7 @@
 #include <random>
 #include <vector>
 
-#include "runtime/contacts/contact_system.hpp"
+#include "torsor/runtime/contacts/contact_system.hpp"
 
 // Plane mechanisms of one to four bodies, trees and loops, with discs on them that meet walls and each other.
 namespace random_scenes {

@@ -9,7 +9,7 @@
 #include <numbers>
 #include <random>
 
-#include "runtime/contacts/contact_solver.hpp"
+#include "torsor/runtime/contacts/contact_solver.hpp"
 #include "tests/contacts/space_truth.hpp"
 
 namespace random_space_contacts_test {

@@ -10,7 +10,7 @@
 #include <utility>
 #include <vector>
 
-#include "runtime/contacts/contact_system.hpp"
+#include "torsor/runtime/contacts/contact_system.hpp"
 
 // Mechanisms in space of one to four bodies, trees and loops, with balls and corners on them that meet walls and each
 // other.

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <cstddef>
 
-#include "runtime/contacts/integrate_contacts.hpp"
+#include "torsor/runtime/contacts/integrate_contacts.hpp"
 
 /// What random motions have in common, in the plane and in space.
 namespace random_watch {

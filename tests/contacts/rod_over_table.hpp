@@ -4,7 +4,7 @@
 #include <cmath>
 #include <cstddef>
 
-#include "runtime/contacts/integrate_contacts.hpp"
+#include "torsor/runtime/contacts/integrate_contacts.hpp"
 
 // A closed loop with contacts in space.
 namespace rod_over_table {

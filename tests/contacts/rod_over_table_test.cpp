@@ -6,7 +6,7 @@
 #include <cmath>
 #include <cstddef>
 
-#include "runtime/contacts/contact_motion.hpp"
+#include "torsor/runtime/contacts/contact_motion.hpp"
 #include "tests/contacts/rod_over_table.hpp"
 
 namespace rod_over_table_test {

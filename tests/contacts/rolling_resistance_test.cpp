@@ -5,7 +5,7 @@
 #include <cmath>
 #include <vector>
 
-#include "runtime/contacts/moreau_jean.hpp"
+#include "torsor/runtime/contacts/moreau_jean.hpp"
 #include "tests/contacts/simple_systems.hpp"
 
 namespace rolling_resistance_test {

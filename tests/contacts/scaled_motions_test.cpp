@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "runtime/contacts/integrate_contacts.hpp"
+#include "torsor/runtime/contacts/integrate_contacts.hpp"
 #include "tests/contacts/random_scenes.hpp"
 #include "tests/contacts/simple_systems.hpp"
 

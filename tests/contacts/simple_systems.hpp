@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <functional>
 
-#include "runtime/contacts/integrate_contacts.hpp"
+#include "torsor/runtime/contacts/integrate_contacts.hpp"
 
 // Mechanisms of a few freedoms whose equations of motion and contacts are written by hand.
 namespace simple_systems {

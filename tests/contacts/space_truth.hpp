@@ -8,7 +8,7 @@
 #include <numbers>
 #include <vector>
 
-#include "runtime/contacts/contact_problem.hpp"
+#include "torsor/runtime/contacts/contact_problem.hpp"
 
 // All solutions of one or two contacts in space, by another way than the runtime's: directions of slips that begin are scanned,
 // and where a cell of directions may hold a zero it is refined.

@@ -7,7 +7,7 @@
 #include <cstdlib>
 #include <vector>
 
-#include "runtime/contacts/integrate_contacts.hpp"
+#include "torsor/runtime/contacts/integrate_contacts.hpp"
 #include "tests/contacts/random_space_scenes.hpp"
 #include "tests/contacts/random_watch.hpp"
 

@@ -3,13 +3,13 @@
 
 #include <gtest/gtest.h>
 
-#include "generator/dynamics/equations/equations.hpp"
-#include "generator/dynamics/equations/validation.hpp"
-#include "generator/emission/header.hpp"
-#include "generator/expression/piecewise.hpp"
-#include "generator/kernels/kernel.hpp"
-#include "generator/mechanics/inertia_operations.hpp"
-#include "generator/mechanics/scene.hpp"
+#include "torsor/generator/dynamics/equations/equations.hpp"
+#include "torsor/generator/dynamics/equations/validation.hpp"
+#include "torsor/generator/emission/header.hpp"
+#include "torsor/generator/expression/piecewise.hpp"
+#include "torsor/generator/kernels/kernel.hpp"
+#include "torsor/generator/mechanics/inertia_operations.hpp"
+#include "torsor/generator/mechanics/scene.hpp"
 
 namespace torsor::scene_examples {
 

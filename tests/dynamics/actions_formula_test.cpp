@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <gtest/gtest.h>
 
-#include "generator/dynamics/theorems/painleve.hpp"
+#include "torsor/generator/dynamics/theorems/painleve.hpp"
 #include "tests/dynamics/named_state.hpp"
 #include "tests/scenes/bodies.hpp"
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <gtest/gtest.h>
 
-#include "generator/dynamics/equations/equations.hpp"
-#include "generator/dynamics/forces/energy.hpp"
-#include "generator/program/derivative.hpp"
-#include "generator/verification/random_state.hpp"
+#include "torsor/generator/dynamics/equations/equations.hpp"
+#include "torsor/generator/dynamics/forces/energy.hpp"
+#include "torsor/generator/program/derivative.hpp"
+#include "torsor/generator/verification/random_state.hpp"
 #include "tests/dynamics/random_mechanism.hpp"
 #include "tests/program/test_symbols.hpp"
 

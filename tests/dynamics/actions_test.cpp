@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "generator/dynamics/forces/actions.hpp"
+#include "torsor/generator/dynamics/forces/actions.hpp"
 
 #include <gtest/gtest.h>
 
-#include "generator/dynamics/derivatives/linearisation.hpp"
+#include "torsor/generator/dynamics/derivatives/linearisation.hpp"
 #include "tests/dynamics/named_state.hpp"
 #include "tests/scenes/sliding.hpp"
 

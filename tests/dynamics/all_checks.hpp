@@ -3,8 +3,8 @@
 
 #include <gtest/gtest.h>
 
-#include "generator/dynamics/equations/validation.hpp"
-#include "generator/verification/check.hpp"
+#include "torsor/generator/dynamics/equations/validation.hpp"
+#include "torsor/generator/verification/check.hpp"
 #include "tests/program/test_symbols.hpp"
 
 namespace torsor::testing_mechanisms {

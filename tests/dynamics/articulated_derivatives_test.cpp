@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Derivatives of the motion through articulated bodies against those that solve with the factorisation of M.
-#include "generator/dynamics/derivatives/articulated_derivatives.hpp"
+#include "torsor/generator/dynamics/derivatives/articulated_derivatives.hpp"
 
 #include <gtest/gtest.h>
 
 #include "benchmarks/model_counts/models.hpp"
-#include "generator/program/evaluation.hpp"
-#include "generator/program/formula.hpp"
-#include "generator/verification/random_state.hpp"
+#include "torsor/generator/program/evaluation.hpp"
+#include "torsor/generator/program/formula.hpp"
+#include "torsor/generator/verification/random_state.hpp"
 #include "tests/dynamics/random_mechanism.hpp"
 #include "tests/scenes/trees.hpp"
 

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The articulated-body recursion against the factorised mass matrix: two derivations to the same accelerations.
-#include "generator/dynamics/recursions/articulated_motion.hpp"
+#include "torsor/generator/dynamics/recursions/articulated_motion.hpp"
 
 #include <gtest/gtest.h>
 
-#include "generator/base/error.hpp"
-#include "generator/dynamics/equations/equations.hpp"
-#include "generator/program/evaluation.hpp"
-#include "generator/verification/random_state.hpp"
+#include "torsor/generator/base/error.hpp"
+#include "torsor/generator/dynamics/equations/equations.hpp"
+#include "torsor/generator/program/evaluation.hpp"
+#include "torsor/generator/verification/random_state.hpp"
 #include "tests/scenes/trees.hpp"
 
 namespace torsor::articulated_motion_test {

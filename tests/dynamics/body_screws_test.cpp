@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "generator/dynamics/motion/body_screws.hpp"
+#include "torsor/generator/dynamics/motion/body_screws.hpp"
 
 #include <gtest/gtest.h>
 
-#include "generator/dynamics/forces/energy.hpp"
+#include "torsor/generator/dynamics/forces/energy.hpp"
 #include "tests/dynamics/point_cloud.hpp"
 #include "tests/dynamics/random_mechanism.hpp"
 

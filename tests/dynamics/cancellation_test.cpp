@@ -5,7 +5,7 @@
 #include <cmath>
 #include <string>
 
-#include "generator/dynamics/equations/equations.hpp"
+#include "torsor/generator/dynamics/equations/equations.hpp"
 #include "tests/scenes/bodies.hpp"
 #include "tests/verification/right_to_rounding.hpp"
 

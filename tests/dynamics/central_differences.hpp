@@ -6,10 +6,10 @@
 #include <utility>
 #include <vector>
 
-#include "generator/dynamics/equations/equations.hpp"
-#include "generator/program/derivative.hpp"
-#include "generator/program/evaluation.hpp"
-#include "generator/verification/random_state.hpp"
+#include "torsor/generator/dynamics/equations/equations.hpp"
+#include "torsor/generator/program/derivative.hpp"
+#include "torsor/generator/program/evaluation.hpp"
+#include "torsor/generator/verification/random_state.hpp"
 
 namespace torsor::testing_mechanisms {
 

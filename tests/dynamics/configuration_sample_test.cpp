@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "generator/dynamics/equations/configuration_sample.hpp"
+#include "torsor/generator/dynamics/equations/configuration_sample.hpp"
 
 #include <gtest/gtest.h>
 

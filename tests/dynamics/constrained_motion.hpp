@@ -4,10 +4,10 @@
 #include <cstddef>
 #include <vector>
 
-#include "generator/base/linear_algebra/lu_factorisation.hpp"
-#include "generator/dynamics/equations/equations.hpp"
-#include "generator/dynamics/equations/independent_freedoms.hpp"
-#include "generator/program/evaluation.hpp"
+#include "torsor/generator/base/linear_algebra/lu_factorisation.hpp"
+#include "torsor/generator/dynamics/equations/equations.hpp"
+#include "torsor/generator/dynamics/equations/independent_freedoms.hpp"
+#include "torsor/generator/program/evaluation.hpp"
 
 namespace torsor::testing_mechanisms {
 

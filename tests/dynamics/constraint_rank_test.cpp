@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "generator/dynamics/equations/constraint_rank.hpp"
+#include "torsor/generator/dynamics/equations/constraint_rank.hpp"
 
 #include <gtest/gtest.h>
 
-#include "generator/dynamics/equations/validation.hpp"
+#include "torsor/generator/dynamics/equations/validation.hpp"
 #include "tests/dynamics/constrained_motion.hpp"
 #include "tests/program/test_symbols.hpp"
 #include "tests/scenes/loops.hpp"

@@ -5,14 +5,14 @@
 #include <string>
 #include <vector>
 
-#include "generator/base/error.hpp"
-#include "generator/dynamics/equations/validation.hpp"
-#include "generator/dynamics/forces/contacts.hpp"
-#include "generator/dynamics/motion/ground_motion.hpp"
-#include "generator/kernels/kernel.hpp"
-#include "generator/mechanics/scene.hpp"
-#include "generator/verification/check_contacts.hpp"
-#include "generator/verification/random_state.hpp"
+#include "torsor/generator/base/error.hpp"
+#include "torsor/generator/dynamics/equations/validation.hpp"
+#include "torsor/generator/dynamics/forces/contacts.hpp"
+#include "torsor/generator/dynamics/motion/ground_motion.hpp"
+#include "torsor/generator/kernels/kernel.hpp"
+#include "torsor/generator/mechanics/scene.hpp"
+#include "torsor/generator/verification/check_contacts.hpp"
+#include "torsor/generator/verification/random_state.hpp"
 
 namespace torsor::contacts_test {
 namespace {

@@ -9,9 +9,9 @@
 #include <string>
 #include <vector>
 
-#include "generator/dynamics/equations/validation.hpp"
-#include "generator/dynamics/forces/energy.hpp"
-#include "generator/verification/check.hpp"
+#include "torsor/generator/dynamics/equations/validation.hpp"
+#include "torsor/generator/dynamics/forces/energy.hpp"
+#include "torsor/generator/verification/check.hpp"
 #include "tests/dynamics/all_checks.hpp"
 #include "tests/dynamics/named_state.hpp"
 #include "tests/scenes/sliding.hpp"

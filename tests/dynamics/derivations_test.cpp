@@ -3,7 +3,7 @@
 
 #include <cstdlib>
 
-#include "generator/verification/check.hpp"
+#include "torsor/generator/verification/check.hpp"
 #include "tests/dynamics/random_mechanism.hpp"
 
 namespace torsor::derivations_test {

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "generator/dynamics/theorems/equilibrium_equations.hpp"
+#include "torsor/generator/dynamics/theorems/equilibrium_equations.hpp"
 
 #include <gtest/gtest.h>
 
-#include "generator/dynamics/derivatives/linearisation.hpp"
-#include "generator/dynamics/theorems/flat_polynomials.hpp"
-#include "generator/dynamics/theorems/stability.hpp"
+#include "torsor/generator/dynamics/derivatives/linearisation.hpp"
+#include "torsor/generator/dynamics/theorems/flat_polynomials.hpp"
+#include "torsor/generator/dynamics/theorems/stability.hpp"
 #include "tests/dynamics/named_state.hpp"
 #include "tests/scenes/pendulums.hpp"
 #include "tests/scenes/sliding.hpp"

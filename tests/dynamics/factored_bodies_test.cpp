@@ -1,19 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Articulated bodies as sums of squares against the factorised mass matrix: two derivations to the same accelerations.
-#include "generator/dynamics/recursions/factored_bodies.hpp"
+#include "torsor/generator/dynamics/recursions/factored_bodies.hpp"
 
 #include <gtest/gtest.h>
 
 #include <map>
 #include <string>
 
-#include "generator/base/error.hpp"
-#include "generator/dynamics/derivatives/forward_derivatives.hpp"
-#include "generator/dynamics/equations/equations.hpp"
-#include "generator/dynamics/equations/forward_choice.hpp"
-#include "generator/kernels/kernel.hpp"
-#include "generator/program/evaluation.hpp"
-#include "generator/verification/random_state.hpp"
+#include "torsor/generator/base/error.hpp"
+#include "torsor/generator/dynamics/derivatives/forward_derivatives.hpp"
+#include "torsor/generator/dynamics/equations/equations.hpp"
+#include "torsor/generator/dynamics/equations/forward_choice.hpp"
+#include "torsor/generator/kernels/kernel.hpp"
+#include "torsor/generator/program/evaluation.hpp"
+#include "torsor/generator/verification/random_state.hpp"
 #include "tests/dynamics/central_differences.hpp"
 #include "tests/dynamics/random_mechanism.hpp"
 #include "tests/scenes/bodies.hpp"

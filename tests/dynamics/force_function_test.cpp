@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "generator/dynamics/theorems/force_function.hpp"
+#include "torsor/generator/dynamics/theorems/force_function.hpp"
 
 #include <gtest/gtest.h>
 

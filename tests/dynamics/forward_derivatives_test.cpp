@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Derivatives of the motion against central differences of the motion in sixty digits.
-#include "generator/dynamics/derivatives/forward_derivatives.hpp"
+#include "torsor/generator/dynamics/derivatives/forward_derivatives.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "generator/dynamics/motion/frame_motion.hpp"
+#include "torsor/generator/dynamics/motion/frame_motion.hpp"
 
 #include <gtest/gtest.h>
 
-#include "generator/dynamics/equations/equations.hpp"
-#include "generator/program/identically_zero.hpp"
-#include "generator/verification/random_state.hpp"
+#include "torsor/generator/dynamics/equations/equations.hpp"
+#include "torsor/generator/program/identically_zero.hpp"
+#include "torsor/generator/verification/random_state.hpp"
 #include "tests/dynamics/random_model.hpp"
 #include "tests/program/test_symbols.hpp"
 #include "tests/scenes/bodies.hpp"

@@ -6,9 +6,9 @@
 #include <string>
 #include <vector>
 
-#include "generator/dynamics/equations/equations.hpp"
-#include "generator/dynamics/equations/validation.hpp"
-#include "generator/program/generic_state.hpp"
+#include "torsor/generator/dynamics/equations/equations.hpp"
+#include "torsor/generator/dynamics/equations/validation.hpp"
+#include "torsor/generator/program/generic_state.hpp"
 #include "tests/dynamics/random_source.hpp"
 #include "tests/program/test_symbols.hpp"
 #include "tests/scenes/bodies.hpp"

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <gtest/gtest.h>
 
-#include "generator/base/linear_algebra/lu_factorisation.hpp"
-#include "generator/dynamics/derivatives/linearisation.hpp"
-#include "generator/dynamics/equations/validation.hpp"
-#include "generator/dynamics/theorems/painleve.hpp"
-#include "generator/program/identically_zero.hpp"
-#include "generator/verification/check.hpp"
+#include "torsor/generator/base/linear_algebra/lu_factorisation.hpp"
+#include "torsor/generator/dynamics/derivatives/linearisation.hpp"
+#include "torsor/generator/dynamics/equations/validation.hpp"
+#include "torsor/generator/dynamics/theorems/painleve.hpp"
+#include "torsor/generator/program/identically_zero.hpp"
+#include "torsor/generator/verification/check.hpp"
 #include "tests/dynamics/all_checks.hpp"
 #include "tests/dynamics/named_state.hpp"
 #include "tests/scenes/sliding.hpp"

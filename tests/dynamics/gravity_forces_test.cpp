@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "generator/dynamics/forces/gravity_forces.hpp"
+#include "torsor/generator/dynamics/forces/gravity_forces.hpp"
 
 #include <gtest/gtest.h>
 
-#include "generator/dynamics/equations/equations.hpp"
-#include "generator/dynamics/forces/energy.hpp"
-#include "generator/kernels/kernel.hpp"
-#include "generator/program/formula.hpp"
-#include "generator/verification/random_state.hpp"
+#include "torsor/generator/dynamics/equations/equations.hpp"
+#include "torsor/generator/dynamics/forces/energy.hpp"
+#include "torsor/generator/kernels/kernel.hpp"
+#include "torsor/generator/program/formula.hpp"
+#include "torsor/generator/verification/random_state.hpp"
 #include "tests/dynamics/named_state.hpp"
 #include "tests/dynamics/random_mechanism.hpp"
 #include "tests/scenes/bodies.hpp"

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "generator/dynamics/motion/ground_motion.hpp"
+#include "torsor/generator/dynamics/motion/ground_motion.hpp"
 
 #include <gtest/gtest.h>
 
-#include "generator/dynamics/equations/equations.hpp"
-#include "generator/dynamics/motion/motion.hpp"
-#include "generator/kernels/kernel.hpp"
-#include "generator/verification/random_state.hpp"
+#include "torsor/generator/dynamics/equations/equations.hpp"
+#include "torsor/generator/dynamics/motion/motion.hpp"
+#include "torsor/generator/kernels/kernel.hpp"
+#include "torsor/generator/verification/random_state.hpp"
 #include "tests/dynamics/random_mechanism.hpp"
 #include "tests/program/test_symbols.hpp"
 #include "tests/scenes/bodies.hpp"

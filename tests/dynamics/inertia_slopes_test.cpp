@@ -3,12 +3,12 @@
 #include <gtest/gtest.h>
 
 #include "benchmarks/model_counts/models.hpp"
-#include "generator/dynamics/derivatives/linearisation.hpp"
-#include "generator/dynamics/equations/equations.hpp"
-#include "generator/dynamics/recursions/inertia_derivatives.hpp"
-#include "generator/program/evaluation.hpp"
-#include "generator/program/formula.hpp"
-#include "generator/verification/random_state.hpp"
+#include "torsor/generator/dynamics/derivatives/linearisation.hpp"
+#include "torsor/generator/dynamics/equations/equations.hpp"
+#include "torsor/generator/dynamics/recursions/inertia_derivatives.hpp"
+#include "torsor/generator/program/evaluation.hpp"
+#include "torsor/generator/program/formula.hpp"
+#include "torsor/generator/verification/random_state.hpp"
 #include "tests/scenes/bodies.hpp"
 
 namespace torsor::inertia_slopes_test {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "generator/dynamics/motion/inertia_wrench.hpp"
+#include "torsor/generator/dynamics/motion/inertia_wrench.hpp"
 
 #include <gtest/gtest.h>
 

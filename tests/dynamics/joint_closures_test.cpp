@@ -8,13 +8,13 @@
 #include <tuple>
 #include <vector>
 
-#include "generator/base/error.hpp"
-#include "generator/dynamics/equations/equations.hpp"
-#include "generator/dynamics/equations/validation.hpp"
-#include "generator/mechanics/scene.hpp"
-#include "generator/program/derivative.hpp"
-#include "generator/program/evaluation.hpp"
-#include "generator/verification/extrapolation.hpp"
+#include "torsor/generator/base/error.hpp"
+#include "torsor/generator/dynamics/equations/equations.hpp"
+#include "torsor/generator/dynamics/equations/validation.hpp"
+#include "torsor/generator/mechanics/scene.hpp"
+#include "torsor/generator/program/derivative.hpp"
+#include "torsor/generator/program/evaluation.hpp"
+#include "torsor/generator/verification/extrapolation.hpp"
 
 namespace torsor::joint_closures_test {
 namespace {

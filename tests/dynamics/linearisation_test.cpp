@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Derivatives of the residual against central differences of it in sixty digits.
-#include "generator/dynamics/derivatives/linearisation.hpp"
+#include "torsor/generator/dynamics/derivatives/linearisation.hpp"
 
 #include <gtest/gtest.h>
 

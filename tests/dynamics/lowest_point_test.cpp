@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "generator/dynamics/motion/point_motion.hpp"
+#include "torsor/generator/dynamics/motion/point_motion.hpp"
 #include "tests/dynamics/named_state.hpp"
 #include "tests/scenes/bodies.hpp"
 

@@ -2,10 +2,10 @@
 // What formulas ask of the motion: attitudes, directions, positions, velocities.
 #include <gtest/gtest.h>
 
-#include "generator/dynamics/equations/validation.hpp"
-#include "generator/dynamics/motion/model.hpp"
-#include "generator/verification/check.hpp"
-#include "generator/verification/random_state.hpp"
+#include "torsor/generator/dynamics/equations/validation.hpp"
+#include "torsor/generator/dynamics/motion/model.hpp"
+#include "torsor/generator/verification/check.hpp"
+#include "torsor/generator/verification/random_state.hpp"
 #include "tests/dynamics/all_checks.hpp"
 #include "tests/dynamics/named_state.hpp"
 #include "tests/scenes/pendulums.hpp"

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "generator/dynamics/structure/mobility.hpp"
+#include "torsor/generator/dynamics/structure/mobility.hpp"
 
 #include <gtest/gtest.h>
 
-#include "generator/base/error.hpp"
+#include "torsor/generator/base/error.hpp"
 #include "tests/scenes/loops.hpp"
 
 namespace torsor::mobility_test {

@@ -6,11 +6,11 @@
 
 #include <gtest/gtest.h>
 
-#include "generator/base/error.hpp"
-#include "generator/dynamics/forces/selected_actions.hpp"
-#include "generator/dynamics/theorems/energy_theorem.hpp"
-#include "generator/dynamics/theorems/painleve.hpp"
-#include "generator/verification/check.hpp"
+#include "torsor/generator/base/error.hpp"
+#include "torsor/generator/dynamics/forces/selected_actions.hpp"
+#include "torsor/generator/dynamics/theorems/energy_theorem.hpp"
+#include "torsor/generator/dynamics/theorems/painleve.hpp"
+#include "torsor/generator/verification/check.hpp"
 #include "tests/dynamics/named_state.hpp"
 #include "tests/scenes/bodies.hpp"
 

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "generator/dynamics/equations/equations.hpp"
+#include "torsor/generator/dynamics/equations/equations.hpp"
 #include "tests/program/test_symbols.hpp"
 
 namespace torsor::testing_mechanisms {

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "generator/dynamics/theorems/newton_euler.hpp"
+#include "torsor/generator/dynamics/theorems/newton_euler.hpp"
 
 #include <gtest/gtest.h>
 
-#include "generator/dynamics/forces/constraint_wrench.hpp"
+#include "torsor/generator/dynamics/forces/constraint_wrench.hpp"
 #include "tests/dynamics/named_state.hpp"
 #include "tests/dynamics/point_cloud.hpp"
 #include "tests/dynamics/random_mechanism.hpp"

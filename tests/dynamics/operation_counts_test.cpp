@@ -4,8 +4,8 @@
 #include <map>
 
 #include "benchmarks/model_counts/models.hpp"
-#include "generator/dynamics/equations/equations.hpp"
-#include "generator/program/formula.hpp"
+#include "torsor/generator/dynamics/equations/equations.hpp"
+#include "torsor/generator/program/formula.hpp"
 
 namespace torsor::operation_counts_test {
 namespace {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A symbol of another scene is refused wherever it stands, though it has the name of one of this scene.
-#include "generator/dynamics/equations/ownership_checks.hpp"
+#include "torsor/generator/dynamics/equations/ownership_checks.hpp"
 
 #include <functional>
 #include <string>
@@ -9,7 +9,7 @@
 
 #include <gtest/gtest.h>
 
-#include "generator/dynamics/equations/validation.hpp"
+#include "torsor/generator/dynamics/equations/validation.hpp"
 #include "tests/program/test_symbols.hpp"
 #include "tests/scenes/pendulums.hpp"
 

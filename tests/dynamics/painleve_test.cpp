@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "generator/dynamics/theorems/painleve.hpp"
+#include "torsor/generator/dynamics/theorems/painleve.hpp"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 
-#include "generator/verification/extrapolation.hpp"
+#include "torsor/generator/verification/extrapolation.hpp"
 #include "tests/dynamics/named_state.hpp"
 #include "tests/scenes/pendulums.hpp"
 

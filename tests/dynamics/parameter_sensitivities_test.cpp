@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Derivatives by parameters against central differences in sixty digits, and against the regressor.
-#include "generator/dynamics/derivatives/parameter_sensitivities.hpp"
+#include "torsor/generator/dynamics/derivatives/parameter_sensitivities.hpp"
 
 #include <gtest/gtest.h>
 
-#include "generator/dynamics/recursions/regressor.hpp"
-#include "generator/kernels/kernel.hpp"
+#include "torsor/generator/dynamics/recursions/regressor.hpp"
+#include "torsor/generator/kernels/kernel.hpp"
 #include "tests/dynamics/central_differences.hpp"
 #include "tests/dynamics/random_mechanism.hpp"
 #include "tests/scenes/pendulums.hpp"

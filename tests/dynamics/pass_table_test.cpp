@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "generator/dynamics/motion/pass_table.hpp"
+#include "torsor/generator/dynamics/motion/pass_table.hpp"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "generator/dynamics/motion/model.hpp"
+#include "torsor/generator/dynamics/motion/model.hpp"
 #include "tests/dynamics/random_mechanism.hpp"
 
 namespace torsor::pass_table_test {

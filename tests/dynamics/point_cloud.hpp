@@ -3,11 +3,11 @@
 
 #include <array>
 
-#include "generator/dynamics/equations/equations.hpp"
-#include "generator/dynamics/motion/body_screws.hpp"
-#include "generator/geometry/real_vector.hpp"
-#include "generator/program/derivative.hpp"
-#include "generator/verification/random_state.hpp"
+#include "torsor/generator/dynamics/equations/equations.hpp"
+#include "torsor/generator/dynamics/motion/body_screws.hpp"
+#include "torsor/generator/geometry/real_vector.hpp"
+#include "torsor/generator/program/derivative.hpp"
+#include "torsor/generator/verification/random_state.hpp"
 #include "tests/program/test_symbols.hpp"
 
 namespace torsor::testing_mechanisms {

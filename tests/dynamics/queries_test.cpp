@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "generator/queries.hpp"
+#include "torsor/generator/queries.hpp"
 
 #include <gtest/gtest.h>
 

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "generator/mechanics/scene.hpp"
+#include "torsor/generator/mechanics/scene.hpp"
 #include "tests/dynamics/random_source.hpp"
 
 namespace torsor::testing_mechanisms {

@@ -3,8 +3,8 @@
 
 #include <string>
 
-#include "generator/base/error.hpp"
-#include "generator/dynamics/equations/equations.hpp"
+#include "torsor/generator/base/error.hpp"
+#include "torsor/generator/dynamics/equations/equations.hpp"
 #include "tests/dynamics/random_loops.hpp"
 #include "tests/dynamics/random_source.hpp"
 

@@ -4,7 +4,7 @@
 #include <array>
 #include <string>
 
-#include "generator/mechanics/scene.hpp"
+#include "torsor/generator/mechanics/scene.hpp"
 
 namespace torsor::testing_mechanisms {
 

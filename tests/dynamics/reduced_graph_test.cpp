@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "generator/dynamics/structure/reduced_graph.hpp"
+#include "torsor/generator/dynamics/structure/reduced_graph.hpp"
 
 #include <gtest/gtest.h>
 
-#include "generator/mechanics/joint_screws.hpp"
+#include "torsor/generator/mechanics/joint_screws.hpp"
 #include "tests/scenes/loops.hpp"
 
 namespace torsor::reduced_graph_test {

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "generator/dynamics/derivatives/reduction.hpp"
+#include "torsor/generator/dynamics/derivatives/reduction.hpp"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 
-#include "generator/dynamics/equations/validation.hpp"
-#include "generator/kernels/kernel.hpp"
+#include "torsor/generator/dynamics/equations/validation.hpp"
+#include "torsor/generator/kernels/kernel.hpp"
 #include "tests/dynamics/constrained_motion.hpp"
 #include "tests/dynamics/random_mechanism.hpp"
 #include "tests/program/test_symbols.hpp"

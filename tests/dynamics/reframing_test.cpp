@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Frames in which turns between joints cost less, against the scene's own: the same results, from fewer operations.
-#include "generator/dynamics/motion/reframing.hpp"
+#include "torsor/generator/dynamics/motion/reframing.hpp"
 
 #include <gtest/gtest.h>
 
@@ -8,12 +8,12 @@
 #include <string>
 #include <vector>
 
-#include "generator/dynamics/equations/equations.hpp"
-#include "generator/import/urdf.hpp"
-#include "generator/kernels/kernel.hpp"
-#include "generator/program/evaluation.hpp"
-#include "generator/program/formula.hpp"
-#include "generator/verification/random_state.hpp"
+#include "torsor/generator/dynamics/equations/equations.hpp"
+#include "torsor/generator/import/urdf.hpp"
+#include "torsor/generator/kernels/kernel.hpp"
+#include "torsor/generator/program/evaluation.hpp"
+#include "torsor/generator/program/formula.hpp"
+#include "torsor/generator/verification/random_state.hpp"
 #include "tests/scenes/bodies.hpp"
 
 namespace torsor::reframing_test {

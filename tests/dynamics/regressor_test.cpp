@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "generator/dynamics/recursions/regressor.hpp"
+#include "torsor/generator/dynamics/recursions/regressor.hpp"
 
 #include <gtest/gtest.h>
 
@@ -9,11 +9,11 @@
 #include <vector>
 
 #include "benchmarks/model_counts/models.hpp"
-#include "generator/base/linear_algebra/real_rows.hpp"
-#include "generator/dynamics/recursions/base_parameters.hpp"
-#include "generator/import/exact_direction.hpp"
-#include "generator/kernels/kernel.hpp"
-#include "generator/verification/random_state.hpp"
+#include "torsor/generator/base/linear_algebra/real_rows.hpp"
+#include "torsor/generator/dynamics/recursions/base_parameters.hpp"
+#include "torsor/generator/import/exact_direction.hpp"
+#include "torsor/generator/kernels/kernel.hpp"
+#include "torsor/generator/verification/random_state.hpp"
 #include "tests/dynamics/random_mechanism.hpp"
 #include "tests/kernels/compressed_tables.hpp"
 #include "tests/scenes/bodies.hpp"

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "generator/dynamics/theorems/routh.hpp"
+#include "torsor/generator/dynamics/theorems/routh.hpp"
 
 #include <gtest/gtest.h>
 
 #include <random>
 
-#include "generator/dynamics/derivatives/linearisation.hpp"
-#include "generator/dynamics/theorems/equilibrium_equations.hpp"
+#include "torsor/generator/dynamics/derivatives/linearisation.hpp"
+#include "torsor/generator/dynamics/theorems/equilibrium_equations.hpp"
 #include "tests/program/test_symbols.hpp"
 
 namespace torsor::routh_test {

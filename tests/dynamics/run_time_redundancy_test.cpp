@@ -2,8 +2,8 @@
 // A constraint is left out because it repeats others: that must hold whatever values parameters get later.
 #include <gtest/gtest.h>
 
-#include "generator/dynamics/equations/constraint_rank.hpp"
-#include "generator/dynamics/equations/validation.hpp"
+#include "torsor/generator/dynamics/equations/constraint_rank.hpp"
+#include "torsor/generator/dynamics/equations/validation.hpp"
 #include "tests/program/test_symbols.hpp"
 #include "tests/scenes/bodies.hpp"
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What a scene says of its joints, contacts and initial state is refused when it is not so.
-#include "generator/dynamics/equations/scene_checks.hpp"
+#include "torsor/generator/dynamics/equations/scene_checks.hpp"
 
 #include <gtest/gtest.h>
 
-#include "generator/dynamics/equations/validation.hpp"
+#include "torsor/generator/dynamics/equations/validation.hpp"
 #include "tests/program/test_symbols.hpp"
 #include "tests/scenes/pendulums.hpp"
 #include "tests/scenes/sliding.hpp"

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Second derivatives against central differences of the first ones in sixty digits, and against a closed form.
-#include "generator/dynamics/derivatives/second_derivatives.hpp"
+#include "torsor/generator/dynamics/derivatives/second_derivatives.hpp"
 
 #include <gtest/gtest.h>
 
 #include "benchmarks/model_counts/models.hpp"
-#include "generator/dynamics/derivatives/forward_derivatives.hpp"
-#include "generator/dynamics/derivatives/forward_second_derivatives.hpp"
-#include "generator/kernels/kernel.hpp"
-#include "generator/program/formula.hpp"
+#include "torsor/generator/dynamics/derivatives/forward_derivatives.hpp"
+#include "torsor/generator/dynamics/derivatives/forward_second_derivatives.hpp"
+#include "torsor/generator/kernels/kernel.hpp"
+#include "torsor/generator/program/formula.hpp"
 #include "tests/dynamics/central_differences.hpp"
 #include "tests/dynamics/named_state.hpp"
 #include "tests/dynamics/random_mechanism.hpp"

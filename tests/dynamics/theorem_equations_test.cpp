@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "generator/dynamics/theorems/theorem_equations.hpp"
+#include "torsor/generator/dynamics/theorems/theorem_equations.hpp"
 
 #include <gtest/gtest.h>
 
 #include <map>
 
-#include "generator/base/error.hpp"
-#include "generator/dynamics/theorems/joint_actions.hpp"
-#include "generator/verification/random_state.hpp"
+#include "torsor/generator/base/error.hpp"
+#include "torsor/generator/dynamics/theorems/joint_actions.hpp"
+#include "torsor/generator/verification/random_state.hpp"
 #include "tests/dynamics/named_state.hpp"
 #include "tests/dynamics/random_mechanism.hpp"
 #include "tests/scenes/bodies.hpp"

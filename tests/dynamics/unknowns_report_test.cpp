@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "generator/dynamics/theorems/unknowns_report.hpp"
+#include "torsor/generator/dynamics/theorems/unknowns_report.hpp"
 
 #include <gtest/gtest.h>
 
-#include "generator/dynamics/recursions/articulated_motion.hpp"
-#include "generator/dynamics/theorems/joint_reactions.hpp"
+#include "torsor/generator/dynamics/recursions/articulated_motion.hpp"
+#include "torsor/generator/dynamics/theorems/joint_reactions.hpp"
 #include "tests/dynamics/random_mechanism.hpp"
 #include "tests/program/test_symbols.hpp"
 #include "tests/scenes/sliding.hpp"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "generator/dynamics/equations/validation.hpp"
+#include "torsor/generator/dynamics/equations/validation.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "generator/emission/formula_printer.hpp"
+#include "torsor/generator/emission/formula_printer.hpp"
 
 #include <gtest/gtest.h>
 
-#include "generator/base/error.hpp"
-#include "generator/emission/cpp_names.hpp"
-#include "generator/listing/generation_constant.hpp"
-#include "generator/mechanics/scene.hpp"
+#include "torsor/generator/base/error.hpp"
+#include "torsor/generator/emission/cpp_names.hpp"
+#include "torsor/generator/listing/generation_constant.hpp"
+#include "torsor/generator/mechanics/scene.hpp"
 
 namespace torsor::formula_printer_test {
 namespace {

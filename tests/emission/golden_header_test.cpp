@@ -7,13 +7,13 @@
 
 #include <gtest/gtest.h>
 
-#include "generator/base/output_file.hpp"
-#include "generator/program/evaluation.hpp"
+#include "torsor/generator/base/output_file.hpp"
+#include "torsor/generator/program/evaluation.hpp"
 #include "tests/emission/golden/pendulum.hpp.txt"
 #include "tests/emission/golden_scene.hpp"
 #include "tests/verification/right_to_rounding.hpp"
 
-#include "generator/verification/real_scalar_traits.hpp"
+#include "torsor/generator/verification/real_scalar_traits.hpp"
 
 template struct golden_pendulum::Mechanism<double>;
 template struct golden_pendulum::Mechanism<float>;

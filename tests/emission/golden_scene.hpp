@@ -4,9 +4,9 @@
 #include <string>
 #include <vector>
 
-#include "generator/emission/header.hpp"
-#include "generator/kernels/kernel.hpp"
-#include "generator/mechanics/scene.hpp"
+#include "torsor/generator/emission/header.hpp"
+#include "torsor/generator/kernels/kernel.hpp"
+#include "torsor/generator/mechanics/scene.hpp"
 
 namespace torsor::testing_scenes {
 

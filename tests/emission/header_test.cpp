@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "generator/emission/header.hpp"
+#include "torsor/generator/emission/header.hpp"
 
 #include <iomanip>
 #include <regex>
@@ -7,9 +7,9 @@
 
 #include <gtest/gtest.h>
 
-#include "generator/base/error.hpp"
-#include "generator/kernels/kernel.hpp"
-#include "generator/program/formula.hpp"
+#include "torsor/generator/base/error.hpp"
+#include "torsor/generator/kernels/kernel.hpp"
+#include "torsor/generator/program/formula.hpp"
 #include "tests/emission/golden_scene.hpp"
 #include "tests/scenes/bodies.hpp"
 

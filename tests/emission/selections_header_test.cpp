@@ -14,16 +14,16 @@
 
 #include <gtest/gtest.h>
 
-#include "generator/base/output_file.hpp"
-#include "generator/program/evaluation.hpp"
-#include "generator/verification/emitted_sincos.hpp"
+#include "torsor/generator/base/output_file.hpp"
+#include "torsor/generator/program/evaluation.hpp"
+#include "torsor/generator/verification/emitted_sincos.hpp"
 #include "tests/emission/golden/selections.hpp.txt"
 #include "tests/emission/golden_scene.hpp"
 #include "tests/emission/selections_scene.hpp"
 #include "tests/verification/right_to_rounding.hpp"
 
-#include "generator/verification/real_scalar_traits.hpp"
-#include "runtime/batch/simd.hpp"
+#include "torsor/generator/verification/real_scalar_traits.hpp"
+#include "torsor/runtime/batch/simd.hpp"
 
 using Pack = torsor::runtime::Simd<double, 4>;
 using FloatPack = torsor::runtime::Simd<float, 8>;

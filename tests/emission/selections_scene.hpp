@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "generator/expression/piecewise.hpp"
-#include "generator/mechanics/scene.hpp"
+#include "torsor/generator/expression/piecewise.hpp"
+#include "torsor/generator/mechanics/scene.hpp"
 
 namespace torsor::testing_scenes {
 

@@ -5,8 +5,8 @@
 #include <new>
 
 #include "generated/rolling_hoop.hpp"
-#include "runtime/integration/runge_kutta_4.hpp"
-#include "runtime/mechanism.hpp"
+#include "torsor/runtime/integration/runge_kutta_4.hpp"
+#include "torsor/runtime/mechanism.hpp"
 
 namespace {
 volatile long allocations = 0;  // volatile: compilers may take it that operator new has no such effect

@@ -6,9 +6,9 @@
 #include <string>
 #include <vector>
 
-#include "generator/cli/command_texts.hpp"
-#include "generator/dynamics/structure/mobility.hpp"
-#include "generator/dynamics/theorems/unknowns_report.hpp"
+#include "torsor/generator/cli/command_texts.hpp"
+#include "torsor/generator/dynamics/structure/mobility.hpp"
+#include "torsor/generator/dynamics/theorems/unknowns_report.hpp"
 #include "tests/examples/scenes.hpp"
 
 namespace torsor::analysis_graphs_test {

@@ -7,8 +7,8 @@
 #include <cmath>
 #include <string>
 
-#include "runtime/mechanism.hpp"
-#include "runtime/small_motions/equilibrium_stability.hpp"
+#include "torsor/runtime/mechanism.hpp"
+#include "torsor/runtime/small_motions/equilibrium_stability.hpp"
 #include "tests/examples/energy_theorem.hpp"
 #include "tests/examples/motion.hpp"
 #include "tests/examples/reference_digits.hpp"

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <random>
 
-#include "runtime/mechanism.hpp"
+#include "torsor/runtime/mechanism.hpp"
 #include "tests/examples/motion.hpp"
 
 namespace torsor::arm7_test {

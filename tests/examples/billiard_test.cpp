@@ -8,8 +8,8 @@
 #include "generated/billiard.hpp"
 #include "generated/billiard_soft_cloth.hpp"
 #include "generated/billiard_two_balls.hpp"
-#include "runtime/contacts/integrate_contacts.hpp"
-#include "runtime/contacts/mechanism_with_contacts.hpp"
+#include "torsor/runtime/contacts/integrate_contacts.hpp"
+#include "torsor/runtime/contacts/mechanism_with_contacts.hpp"
 
 namespace torsor::billiard_test {
 namespace {

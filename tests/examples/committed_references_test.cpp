@@ -15,8 +15,8 @@
 #include "generated/watt_governor.hpp"
 #include "generated/whipple_bicycle.hpp"
 #include "generated/winder.hpp"
-#include "runtime/mechanism.hpp"
-#include "runtime/records/reference.hpp"
+#include "torsor/runtime/mechanism.hpp"
+#include "torsor/runtime/records/reference.hpp"
 #include "tests/examples/motion.hpp"
 
 namespace torsor::committed_references_test {

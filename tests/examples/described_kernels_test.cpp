@@ -61,6 +61,8 @@ struct Walk {
       const ResultDescription& result = kernel.results[r];
       numbers += static_cast<std::size_t>(result.rows) * static_cast<std::size_t>(result.columns);
       EXPECT_STRNE(result.result, "") << kernel.name;
+      EXPECT_TRUE(result.dimensions == 2 || result.columns == 1) << kernel.name;
+      EXPECT_TRUE(result.dimensions > 0 || result.rows == 1) << kernel.name;
     }
     EXPECT_EQ(numbers, (Written<M, Arguments>::numbers + ... + 0)) << M::name << ": " << kernel.name;
   }

@@ -4,8 +4,8 @@
 #include <cmath>
 
 #include "generated/disk_in_a_circle_rough_plane.hpp"
-#include "runtime/contacts/integrate_contacts.hpp"
-#include "runtime/contacts/mechanism_with_contacts.hpp"
+#include "torsor/runtime/contacts/integrate_contacts.hpp"
+#include "torsor/runtime/contacts/mechanism_with_contacts.hpp"
 
 namespace torsor::disk_in_a_circle_rough_plane_test {
 namespace {

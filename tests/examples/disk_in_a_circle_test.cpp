@@ -6,9 +6,9 @@
 #include <array>
 #include <cmath>
 
-#include "runtime/events/contact_regime.hpp"
-#include "runtime/mechanism.hpp"
-#include "runtime/records/reference.hpp"
+#include "torsor/runtime/events/contact_regime.hpp"
+#include "torsor/runtime/mechanism.hpp"
+#include "torsor/runtime/records/reference.hpp"
 #include "tests/examples/energy_theorem.hpp"
 #include "tests/examples/motion.hpp"
 

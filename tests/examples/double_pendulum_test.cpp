@@ -6,10 +6,10 @@
 #include <array>
 #include <cmath>
 
-#include "runtime/integration/dormand_prince_54.hpp"
-#include "runtime/integration/integrate.hpp"
-#include "runtime/mechanism.hpp"
-#include "runtime/records/reference.hpp"
+#include "torsor/runtime/integration/dormand_prince_54.hpp"
+#include "torsor/runtime/integration/integrate.hpp"
+#include "torsor/runtime/mechanism.hpp"
+#include "torsor/runtime/records/reference.hpp"
 
 namespace torsor::double_pendulum_test {
 namespace {

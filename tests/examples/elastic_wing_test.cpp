@@ -7,9 +7,9 @@
 #include <array>
 #include <cmath>
 
-#include "runtime/mechanism.hpp"
-#include "runtime/small_motions/linear_system.hpp"
-#include "runtime/small_motions/modes.hpp"
+#include "torsor/runtime/mechanism.hpp"
+#include "torsor/runtime/small_motions/linear_system.hpp"
+#include "torsor/runtime/small_motions/modes.hpp"
 #include "tests/examples/energy_theorem.hpp"
 #include "tests/examples/motion.hpp"
 

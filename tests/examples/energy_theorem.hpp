@@ -7,9 +7,9 @@
 #include <cmath>
 #include <cstddef>
 
-#include "runtime/integration/dormand_prince_54.hpp"
-#include "runtime/integration/integrate.hpp"
-#include "runtime/mechanism.hpp"
+#include "torsor/runtime/integration/dormand_prince_54.hpp"
+#include "torsor/runtime/integration/integrate.hpp"
+#include "torsor/runtime/mechanism.hpp"
 
 namespace examples {
 

@@ -13,7 +13,7 @@
 #include "generated/rolling_hoop_contact_forces.hpp"
 #include "generated/satellite_arms.hpp"
 #include "generated/vibration_absorber.hpp"
-#include "runtime/mechanism.hpp"
+#include "torsor/runtime/mechanism.hpp"
 
 namespace torsor::energy_theorem_test {
 

@@ -7,9 +7,9 @@
 #include <array>
 #include <cmath>
 
-#include "runtime/mechanism.hpp"
-#include "runtime/numerics/decompositions.hpp"
-#include "runtime/records/reference.hpp"
+#include "torsor/runtime/mechanism.hpp"
+#include "torsor/runtime/numerics/decompositions.hpp"
+#include "torsor/runtime/records/reference.hpp"
 #include "tests/examples/energy_theorem.hpp"
 #include "tests/examples/motion.hpp"
 

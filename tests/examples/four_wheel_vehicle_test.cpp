@@ -9,8 +9,8 @@
 #include <numbers>
 
 #include "generated/four_wheel_vehicle_all_wheels.hpp"
-#include "runtime/mechanism.hpp"
-#include "runtime/numerics/decompositions.hpp"
+#include "torsor/runtime/mechanism.hpp"
+#include "torsor/runtime/numerics/decompositions.hpp"
 #include "tests/examples/energy_theorem.hpp"
 #include "tests/examples/motion.hpp"
 

@@ -23,8 +23,8 @@
 #include "generated/rolling_hoop_contact_forces.hpp"
 #include "generated/satellite_arms.hpp"
 #include "generated/vibration_absorber.hpp"
-#include "generator/base/linear_algebra/lu_factorisation.hpp"
-#include "generator/base/number.hpp"
+#include "torsor/generator/base/linear_algebra/lu_factorisation.hpp"
+#include "torsor/generator/base/number.hpp"
 #include "tests/examples/kernel_comparison.hpp"
 
 namespace torsor::generated_headers_test {

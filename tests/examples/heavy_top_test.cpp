@@ -9,11 +9,11 @@
 #include <numbers>
 #include <string>
 
-#include "generator/verification/real_scalar_traits.hpp"
-#include "runtime/integration/dormand_prince_853.hpp"
-#include "runtime/mechanism.hpp"
-#include "runtime/numerics/decompositions.hpp"
-#include "runtime/steps/angles_within_a_turn.hpp"
+#include "torsor/generator/verification/real_scalar_traits.hpp"
+#include "torsor/runtime/integration/dormand_prince_853.hpp"
+#include "torsor/runtime/mechanism.hpp"
+#include "torsor/runtime/numerics/decompositions.hpp"
+#include "torsor/runtime/steps/angles_within_a_turn.hpp"
 #include "tests/examples/energy_theorem.hpp"
 #include "tests/examples/motion.hpp"
 #include "tests/examples/reference_digits.hpp"

@@ -11,8 +11,8 @@
 #include <tuple>
 
 #include "generated/helicopter_on_a_circle_pitching_blades.hpp"
-#include "runtime/mechanism.hpp"
-#include "runtime/records/reference.hpp"
+#include "torsor/runtime/mechanism.hpp"
+#include "torsor/runtime/records/reference.hpp"
 #include "tests/examples/energy_theorem.hpp"
 #include "tests/examples/motion.hpp"
 

@@ -16,9 +16,9 @@
 #include "generated/heavy_top.hpp"
 #include "generated/rolling_hoop.hpp"
 #include "generated/torque_free_body.hpp"
-#include "generator/base/high_precision.hpp"
-#include "generator/verification/real_scalar_traits.hpp"
-#include "runtime/mechanism.hpp"
+#include "torsor/generator/base/high_precision.hpp"
+#include "torsor/generator/verification/real_scalar_traits.hpp"
+#include "torsor/runtime/mechanism.hpp"
 #include "tests/verification/right_to_rounding.hpp"
 
 namespace torsor::jets_accuracy_test {

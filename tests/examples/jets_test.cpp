@@ -12,9 +12,9 @@
 #include "generated/heavy_top.hpp"
 #include "generated/rolling_hoop.hpp"
 #include "generated/torque_free_body.hpp"
-#include "runtime/batch/simd.hpp"
-#include "runtime/mechanism.hpp"
-#include "runtime/records/reference.hpp"
+#include "torsor/runtime/batch/simd.hpp"
+#include "torsor/runtime/mechanism.hpp"
+#include "torsor/runtime/records/reference.hpp"
 #include "tests/examples/motion.hpp"
 
 namespace torsor::examples_jets_test {

@@ -15,8 +15,8 @@
 #include <string_view>
 #include <vector>
 
-#include "generator/base/high_precision.hpp"
-#include "generator/verification/real_scalar_traits.hpp"
+#include "torsor/generator/base/high_precision.hpp"
+#include "torsor/generator/verification/real_scalar_traits.hpp"
 #include "tests/verification/right_to_rounding.hpp"
 
 namespace examples {

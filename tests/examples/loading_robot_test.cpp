@@ -7,10 +7,10 @@
 #include <string>
 #include <vector>
 
-#include "runtime/mechanism.hpp"
+#include "torsor/runtime/mechanism.hpp"
 #include "tests/examples/motion.hpp"
 
-#include "generator/dynamics/theorems/unknowns_report.hpp"
+#include "torsor/generator/dynamics/theorems/unknowns_report.hpp"
 #include "tests/examples/scenes.hpp"
 
 namespace torsor::loading_robot_test {

@@ -8,7 +8,7 @@
 #include "generated/kapitza_pendulum.hpp"
 #include "generated/rolling_hoop_contact_forces.hpp"
 #include "generated/vibration_absorber.hpp"
-#include "generator/dynamics/derivatives/linearisation.hpp"
+#include "torsor/generator/dynamics/derivatives/linearisation.hpp"
 #include "tests/dynamics/named_state.hpp"
 #include "tests/examples/scenes.hpp"
 

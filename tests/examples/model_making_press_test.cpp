@@ -11,12 +11,12 @@
 
 #include "generated/model_making_press.hpp"
 #include "generated/model_making_press_reduced.hpp"
-#include "runtime/mechanism.hpp"
+#include "torsor/runtime/mechanism.hpp"
 #include "tests/examples/energy_theorem.hpp"
 #include "tests/examples/motion.hpp"
 
-#include "generator/dynamics/structure/reduced_graph.hpp"
-#include "generator/graphs/graph_printer.hpp"
+#include "torsor/generator/dynamics/structure/reduced_graph.hpp"
+#include "torsor/generator/graphs/graph_printer.hpp"
 #include "tests/examples/scenes.hpp"
 
 namespace torsor::model_making_press_test {

@@ -9,10 +9,10 @@
 #include <string>
 #include <tuple>
 
-#include "runtime/integration/dormand_prince_54.hpp"
-#include "runtime/integration/integrate.hpp"
-#include "runtime/records/reference.hpp"
-#include "runtime/status.hpp"
+#include "torsor/runtime/integration/dormand_prince_54.hpp"
+#include "torsor/runtime/integration/integrate.hpp"
+#include "torsor/runtime/records/reference.hpp"
+#include "torsor/runtime/status.hpp"
 
 namespace examples {
 

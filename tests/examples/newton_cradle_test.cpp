@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "generated/newton_cradle.hpp"
-#include "runtime/contacts/integrate_contacts.hpp"
-#include "runtime/contacts/mechanism_with_contacts.hpp"
+#include "torsor/runtime/contacts/integrate_contacts.hpp"
+#include "torsor/runtime/contacts/mechanism_with_contacts.hpp"
 
 namespace torsor::newton_cradle_test {
 namespace {

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <cstddef>
 
-#include "runtime/mechanism.hpp"
+#include "torsor/runtime/mechanism.hpp"
 #include "tests/examples/energy_theorem.hpp"
 #include "tests/examples/motion.hpp"
 

@@ -9,9 +9,9 @@
 #include <cstddef>
 #include <vector>
 
-#include "runtime/contacts/integrate_contacts.hpp"
-#include "runtime/contacts/mechanism_with_contacts.hpp"
-#include "runtime/mechanism.hpp"
+#include "torsor/runtime/contacts/integrate_contacts.hpp"
+#include "torsor/runtime/contacts/mechanism_with_contacts.hpp"
+#include "torsor/runtime/mechanism.hpp"
 
 namespace torsor::quadruped_on_its_feet_test {
 namespace {

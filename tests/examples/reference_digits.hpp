@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "generator/base/high_precision.hpp"
+#include "torsor/generator/base/high_precision.hpp"
 
 namespace examples {
 

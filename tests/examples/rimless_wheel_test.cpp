@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "generated/rimless_wheel.hpp"
-#include "runtime/contacts/integrate_contacts.hpp"
-#include "runtime/contacts/mechanism_with_contacts.hpp"
+#include "torsor/runtime/contacts/integrate_contacts.hpp"
+#include "torsor/runtime/contacts/mechanism_with_contacts.hpp"
 
 namespace torsor::rimless_wheel_test {
 namespace {

@@ -9,9 +9,9 @@
 #include <numbers>
 
 #include "generated/rolling_hoop_contact_forces.hpp"
-#include "runtime/integration/runge_kutta_4.hpp"
-#include "runtime/mechanism.hpp"
-#include "runtime/small_motions/stability.hpp"
+#include "torsor/runtime/integration/runge_kutta_4.hpp"
+#include "torsor/runtime/mechanism.hpp"
+#include "torsor/runtime/small_motions/stability.hpp"
 #include "tests/examples/motion.hpp"
 
 namespace torsor::rolling_hoop_test {

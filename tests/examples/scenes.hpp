@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "generator/torsor.hpp"
+#include "torsor/generator/torsor.hpp"
 
 // Scenes of examples, compiled into the tests without their main.
 torsor::Scene loading_robot_scene();

@@ -8,7 +8,7 @@
 #include <cstddef>
 #include <random>
 
-#include "runtime/mechanism.hpp"
+#include "torsor/runtime/mechanism.hpp"
 #include "tests/examples/energy_theorem.hpp"
 
 namespace torsor::segment_in_sphere_test {

@@ -9,13 +9,13 @@
 #include "generated/shaker_damped.hpp"
 #include "generated/shaker_free_support.hpp"
 #include "generated/shaker_from_mass.hpp"
-#include "runtime/mechanism.hpp"
+#include "torsor/runtime/mechanism.hpp"
 #include "tests/examples/energy_theorem.hpp"
 #include "tests/examples/motion.hpp"
 
-#include "generator/dynamics/theorems/force_function.hpp"
-#include "generator/printing/force_function_text.hpp"
-#include "generator/program/identically_zero.hpp"
+#include "torsor/generator/dynamics/theorems/force_function.hpp"
+#include "torsor/generator/printing/force_function_text.hpp"
+#include "torsor/generator/program/identically_zero.hpp"
 #include "tests/examples/scenes.hpp"
 
 namespace torsor::shaker_test {

@@ -6,8 +6,8 @@
 #include <numbers>
 
 #include "generated/rolling_hoop.hpp"
-#include "runtime/small_motions/equilibrium_stability.hpp"
-#include "runtime/small_motions/steady_states.hpp"
+#include "torsor/runtime/small_motions/equilibrium_stability.hpp"
+#include "torsor/runtime/small_motions/steady_states.hpp"
 
 namespace torsor::statics_test {
 

@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "generated/stick_slip_belt.hpp"
-#include "runtime/contacts/integrate_contacts.hpp"
-#include "runtime/contacts/mechanism_with_contacts.hpp"
+#include "torsor/runtime/contacts/integrate_contacts.hpp"
+#include "torsor/runtime/contacts/mechanism_with_contacts.hpp"
 
 namespace torsor::stick_slip_belt_test {
 namespace {

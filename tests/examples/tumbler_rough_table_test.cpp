@@ -6,10 +6,10 @@
 
 #include "generated/tumbler.hpp"
 #include "generated/tumbler_rough_table.hpp"
-#include "runtime/contacts/integrate_contacts.hpp"
-#include "runtime/contacts/mechanism_with_contacts.hpp"
-#include "runtime/events/contact_regime.hpp"
-#include "runtime/mechanism.hpp"
+#include "torsor/runtime/contacts/integrate_contacts.hpp"
+#include "torsor/runtime/contacts/mechanism_with_contacts.hpp"
+#include "torsor/runtime/events/contact_regime.hpp"
+#include "torsor/runtime/mechanism.hpp"
 
 namespace torsor::tumbler_rough_table_test {
 namespace {

@@ -7,8 +7,8 @@
 #include <cmath>
 #include <string>
 
-#include "runtime/constraints/projection.hpp"
-#include "runtime/mechanism.hpp"
+#include "torsor/runtime/constraints/projection.hpp"
+#include "torsor/runtime/mechanism.hpp"
 #include "tests/examples/energy_theorem.hpp"
 #include "tests/examples/motion.hpp"
 #include "tests/examples/reference_digits.hpp"

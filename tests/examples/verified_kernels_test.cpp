@@ -18,7 +18,7 @@
 #include "generated/satellite_arms.hpp"
 #include "generated/shaker.hpp"
 #include "generated/vibration_absorber.hpp"
-#include "generator/verification/kernel_accuracy.hpp"
+#include "torsor/generator/verification/kernel_accuracy.hpp"
 #include "tests/examples/scenes.hpp"
 
 namespace torsor::verified_kernels_test {

@@ -9,14 +9,14 @@
 #include <string>
 #include <vector>
 
-#include "runtime/mechanism.hpp"
-#include "runtime/small_motions/equilibrium_stability.hpp"
-#include "runtime/small_motions/forced_response.hpp"
-#include "runtime/small_motions/steady_states.hpp"
+#include "torsor/runtime/mechanism.hpp"
+#include "torsor/runtime/small_motions/equilibrium_stability.hpp"
+#include "torsor/runtime/small_motions/forced_response.hpp"
+#include "torsor/runtime/small_motions/steady_states.hpp"
 #include "tests/examples/energy_theorem.hpp"
 #include "tests/examples/motion.hpp"
 
-#include "generator/printing/print_equations.hpp"
+#include "torsor/generator/printing/print_equations.hpp"
 #include "tests/examples/scenes.hpp"
 
 namespace torsor::vibration_absorber_test {

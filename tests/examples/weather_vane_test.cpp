@@ -7,8 +7,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "runtime/mechanism.hpp"
-#include "runtime/records/reference.hpp"
+#include "torsor/runtime/mechanism.hpp"
+#include "torsor/runtime/records/reference.hpp"
 #include "tests/examples/energy_theorem.hpp"
 #include "tests/examples/motion.hpp"
 

@@ -10,9 +10,9 @@
 #include <complex>
 #include <vector>
 
-#include "runtime/mechanism.hpp"
-#include "runtime/numerics/matrix_exponential.hpp"
-#include "runtime/small_motions/modes.hpp"
+#include "torsor/runtime/mechanism.hpp"
+#include "torsor/runtime/numerics/matrix_exponential.hpp"
+#include "torsor/runtime/small_motions/modes.hpp"
 #include "tests/examples/energy_theorem.hpp"
 #include "tests/examples/motion.hpp"
 #include "tests/examples/reference_digits.hpp"

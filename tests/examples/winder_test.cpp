@@ -6,12 +6,12 @@
 #include <cmath>
 #include <numbers>
 
-#include "runtime/mechanism.hpp"
+#include "torsor/runtime/mechanism.hpp"
 #include "tests/examples/energy_theorem.hpp"
 #include "tests/examples/motion.hpp"
 
-#include "generator/dynamics/structure/mobility.hpp"
-#include "generator/mechanics/structure_graph.hpp"
+#include "torsor/generator/dynamics/structure/mobility.hpp"
+#include "torsor/generator/mechanics/structure_graph.hpp"
 #include "tests/examples/scenes.hpp"
 
 namespace torsor::winder_test {

@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "generated/woodpecker_toy.hpp"
-#include "runtime/contacts/integrate_contacts.hpp"
-#include "runtime/contacts/mechanism_with_contacts.hpp"
+#include "torsor/runtime/contacts/integrate_contacts.hpp"
+#include "torsor/runtime/contacts/mechanism_with_contacts.hpp"
 
 namespace torsor::woodpecker_toy_test {
 namespace {

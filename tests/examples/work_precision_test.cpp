@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "runtime/integration/work_precision.hpp"
+#include "torsor/runtime/integration/work_precision.hpp"
 
 #include <gtest/gtest.h>
 
@@ -12,8 +12,8 @@
 #include <vector>
 
 #include "generated/double_pendulum.hpp"
-#include "runtime/integration/demonstration.hpp"
-#include "runtime/mechanism.hpp"
+#include "torsor/runtime/integration/demonstration.hpp"
+#include "torsor/runtime/mechanism.hpp"
 
 namespace torsor::work_precision_test {
 namespace {

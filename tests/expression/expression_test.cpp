@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "generator/expression/expression.hpp"
+#include "torsor/generator/expression/expression.hpp"
 
 #include <gtest/gtest.h>
 
-#include "generator/expression/expression_node.hpp"
+#include "torsor/generator/expression/expression_node.hpp"
 #include "tests/program/test_symbols.hpp"
 
 namespace torsor::expression_test {

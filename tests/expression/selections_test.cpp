@@ -6,10 +6,10 @@
 #include <string>
 #include <vector>
 
-#include "generator/expression/piecewise.hpp"
-#include "generator/program/derivative.hpp"
-#include "generator/program/identically_zero.hpp"
-#include "generator/program/series_evaluation.hpp"
+#include "torsor/generator/expression/piecewise.hpp"
+#include "torsor/generator/program/derivative.hpp"
+#include "torsor/generator/program/identically_zero.hpp"
+#include "torsor/generator/program/series_evaluation.hpp"
 #include "tests/program/test_symbols.hpp"
 
 namespace torsor::selections_test {

@@ -2,9 +2,9 @@
 // Files on disks that fail at the last moment: the file that was there stays as it was, and nothing else is left.
 #include <gtest/gtest.h>
 
-#include "generator/base/error.hpp"
-#include "generator/base/output_file.hpp"
-#include "runtime/records/file.hpp"
+#include "torsor/generator/base/error.hpp"
+#include "torsor/generator/base/output_file.hpp"
+#include "torsor/runtime/records/file.hpp"
 #include "tests/faults/file_calls.hpp"
 #include "tests/runtime/temporary_folder.hpp"
 

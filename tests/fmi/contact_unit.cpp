@@ -4,10 +4,10 @@
 #include <filesystem>
 #include <string>
 
-#include "generator/base/output_file.hpp"
-#include "generator/emission/fmi_description.hpp"
-#include "generator/emission/fmi_sources.hpp"
-#include "generator/torsor.hpp"
+#include "torsor/generator/base/output_file.hpp"
+#include "torsor/generator/emission/fmi_description.hpp"
+#include "torsor/generator/emission/fmi_sources.hpp"
+#include "torsor/generator/torsor.hpp"
 
 namespace {
 

@@ -13,8 +13,8 @@
 
 #include <unistd.h>
 
-#include "generator/cli/scene_program.hpp"
-#include "generator/cli/torsor_program.hpp"
+#include "torsor/generator/cli/scene_program.hpp"
+#include "torsor/generator/cli/torsor_program.hpp"
 #include "tests/fuzz/target.hpp"
 #include "tests/fuzz/text_rules.hpp"
 #include "tests/scenes/pendulums.hpp"

@@ -6,9 +6,9 @@
 
 #include <unistd.h>
 
-#include "generator/base/error.hpp"
-#include "generator/import/mjcf.hpp"
-#include "generator/import/mujoco_reader.hpp"
+#include "torsor/generator/base/error.hpp"
+#include "torsor/generator/import/mjcf.hpp"
+#include "torsor/generator/import/mujoco_reader.hpp"
 #include "tests/fuzz/target.hpp"
 #include "tests/fuzz/text_rules.hpp"
 

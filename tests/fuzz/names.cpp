@@ -6,11 +6,11 @@
 
 #include <nlohmann/json.hpp>
 
-#include "generator/base/error.hpp"
-#include "generator/cli/command_texts.hpp"
-#include "generator/emission/header.hpp"
-#include "generator/mechanics/scene.hpp"
-#include "generator/printing/print_equations.hpp"
+#include "torsor/generator/base/error.hpp"
+#include "torsor/generator/cli/command_texts.hpp"
+#include "torsor/generator/emission/header.hpp"
+#include "torsor/generator/mechanics/scene.hpp"
+#include "torsor/generator/printing/print_equations.hpp"
 #include "tests/fuzz/target.hpp"
 #include "tests/fuzz/text_rules.hpp"
 

@@ -4,17 +4,17 @@
 #include <stdexcept>
 #include <string>
 
-#include "generator/base/decimal.hpp"
-#include "generator/base/error.hpp"
-#include "generator/base/unit.hpp"
-#include "generator/dynamics/equations/equations.hpp"
-#include "generator/emission/header.hpp"
-#include "generator/import/urdf.hpp"
-#include "generator/import/xacro.hpp"
-#include "generator/import/xacro_expression.hpp"
-#include "generator/import/yaml_subset.hpp"
-#include "generator/printing/formula_text.hpp"
-#include "generator/verification/verify.hpp"
+#include "torsor/generator/base/decimal.hpp"
+#include "torsor/generator/base/error.hpp"
+#include "torsor/generator/base/unit.hpp"
+#include "torsor/generator/dynamics/equations/equations.hpp"
+#include "torsor/generator/emission/header.hpp"
+#include "torsor/generator/import/urdf.hpp"
+#include "torsor/generator/import/xacro.hpp"
+#include "torsor/generator/import/xacro_expression.hpp"
+#include "torsor/generator/import/yaml_subset.hpp"
+#include "torsor/generator/printing/formula_text.hpp"
+#include "torsor/generator/verification/verify.hpp"
 #include "tests/fuzz/target.hpp"
 #include "tests/fuzz/text_rules.hpp"
 

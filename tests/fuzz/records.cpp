@@ -12,10 +12,10 @@
 
 #include <unistd.h>
 
-#include "runtime/records/csv.hpp"
-#include "runtime/records/digest.hpp"
-#include "runtime/records/record_file.hpp"
-#include "runtime/records/reference.hpp"
+#include "torsor/runtime/records/csv.hpp"
+#include "torsor/runtime/records/digest.hpp"
+#include "torsor/runtime/records/record_file.hpp"
+#include "torsor/runtime/records/reference.hpp"
 #include "tests/fuzz/target.hpp"
 
 namespace torsor::fuzzing {

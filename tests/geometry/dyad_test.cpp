@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "generator/geometry/dyad.hpp"
+#include "torsor/generator/geometry/dyad.hpp"
 
 #include <gtest/gtest.h>
 

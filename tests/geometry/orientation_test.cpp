@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "generator/geometry/orientation.hpp"
+#include "torsor/generator/geometry/orientation.hpp"
 
 #include <gtest/gtest.h>
 
-#include "generator/geometry/dyad.hpp"
-#include "generator/geometry/quaternion.hpp"
-#include "generator/program/derivative.hpp"
+#include "torsor/generator/geometry/dyad.hpp"
+#include "torsor/generator/geometry/quaternion.hpp"
+#include "torsor/generator/program/derivative.hpp"
 #include "tests/program/test_symbols.hpp"
 
 namespace torsor::orientation_test {

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "generator/geometry/positions.hpp"
+#include "torsor/generator/geometry/positions.hpp"
 
 #include <gtest/gtest.h>
 
-#include "generator/geometry/vector.hpp"
+#include "torsor/generator/geometry/vector.hpp"
 #include "tests/program/test_symbols.hpp"
 
 namespace torsor::positions_test {

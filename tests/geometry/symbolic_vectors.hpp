@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "generator/geometry/vector.hpp"
+#include "torsor/generator/geometry/vector.hpp"
 #include "tests/program/test_symbols.hpp"
 
 namespace torsor::testing_symbols {

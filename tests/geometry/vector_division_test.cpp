@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "generator/geometry/vector_division.hpp"
+#include "torsor/generator/geometry/vector_division.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "generator/geometry/vector.hpp"
+#include "torsor/generator/geometry/vector.hpp"
 
 #include <gtest/gtest.h>
 

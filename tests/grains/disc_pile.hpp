@@ -5,7 +5,7 @@
 #include <cmath>
 #include <cstddef>
 
-#include "runtime/grains/grain_motion.hpp"
+#include "torsor/runtime/grains/grain_motion.hpp"
 
 namespace disc_pile {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "runtime/grains/grain_check.hpp"
+#include "torsor/runtime/grains/grain_check.hpp"
 
 #include <gtest/gtest.h>
 
@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "runtime/grains/grain_motion.hpp"
+#include "torsor/runtime/grains/grain_motion.hpp"
 
 namespace grain_check_test {
 namespace {

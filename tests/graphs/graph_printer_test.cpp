@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "generator/graphs/graph_printer.hpp"
+#include "torsor/generator/graphs/graph_printer.hpp"
 
 #include <gtest/gtest.h>
 

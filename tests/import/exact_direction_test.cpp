@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "generator/import/exact_direction.hpp"
+#include "torsor/generator/import/exact_direction.hpp"
 
 #include <gtest/gtest.h>
 
-#include "generator/base/decimal.hpp"
-#include "generator/base/high_precision.hpp"
+#include "torsor/generator/base/decimal.hpp"
+#include "torsor/generator/base/high_precision.hpp"
 
 namespace torsor::exact_direction_test {
 namespace {

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "generator/import/exact_rotation.hpp"
+#include "torsor/generator/import/exact_rotation.hpp"
 
 #include <cmath>
 #include <random>
 
 #include <gtest/gtest.h>
 
-#include "generator/base/decimal.hpp"
-#include "generator/import/exact_direction.hpp"
+#include "torsor/generator/base/decimal.hpp"
+#include "torsor/generator/import/exact_direction.hpp"
 
 namespace torsor::exact_rotation_test {
 namespace {

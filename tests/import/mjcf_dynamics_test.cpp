@@ -10,13 +10,13 @@
 
 #include <mujoco/mujoco.h>
 
-#include "generator/base/decimal.hpp"
-#include "generator/dynamics/equations/equations.hpp"
-#include "generator/dynamics/equations/validation.hpp"
-#include "generator/import/mjcf.hpp"
-#include "generator/import/mujoco_reader.hpp"
-#include "generator/program/evaluation.hpp"
-#include "generator/program/identically_zero.hpp"
+#include "torsor/generator/base/decimal.hpp"
+#include "torsor/generator/dynamics/equations/equations.hpp"
+#include "torsor/generator/dynamics/equations/validation.hpp"
+#include "torsor/generator/import/mjcf.hpp"
+#include "torsor/generator/import/mujoco_reader.hpp"
+#include "torsor/generator/program/evaluation.hpp"
+#include "torsor/generator/program/identically_zero.hpp"
 
 namespace torsor::mjcf_dynamics_test {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "generator/import/text_of_file.hpp"
+#include "torsor/generator/import/text_of_file.hpp"
 
 #include <chrono>
 #include <filesystem>
@@ -10,8 +10,8 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include "generator/base/error.hpp"
-#include "generator/import/urdf.hpp"
+#include "torsor/generator/base/error.hpp"
+#include "torsor/generator/import/urdf.hpp"
 
 namespace torsor::text_of_file_test {
 namespace {

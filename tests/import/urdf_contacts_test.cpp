@@ -5,10 +5,10 @@
 #include <string>
 #include <vector>
 
-#include "generator/base/error.hpp"
-#include "generator/dynamics/equations/validation.hpp"
-#include "generator/dynamics/forces/contacts.hpp"
-#include "generator/mechanics/parameter_value.hpp"
+#include "torsor/generator/base/error.hpp"
+#include "torsor/generator/dynamics/equations/validation.hpp"
+#include "torsor/generator/dynamics/forces/contacts.hpp"
+#include "torsor/generator/mechanics/parameter_value.hpp"
 #include "tests/import/urdf_motion.hpp"
 
 namespace torsor::urdf_contacts_test {

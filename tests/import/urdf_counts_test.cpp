@@ -2,8 +2,8 @@
 #include <gtest/gtest.h>
 
 #include "benchmarks/model_counts/models.hpp"
-#include "generator/cli/command_texts.hpp"
-#include "generator/import/urdf.hpp"
+#include "torsor/generator/cli/command_texts.hpp"
+#include "torsor/generator/import/urdf.hpp"
 
 namespace torsor::urdf_counts_test {
 namespace {

@@ -5,8 +5,8 @@
 #include <variant>
 #include <vector>
 
-#include "generator/base/error.hpp"
-#include "generator/mechanics/parameter_value.hpp"
+#include "torsor/generator/base/error.hpp"
+#include "torsor/generator/mechanics/parameter_value.hpp"
 #include "tests/import/urdf_motion.hpp"
 
 namespace torsor::urdf_drives_test {

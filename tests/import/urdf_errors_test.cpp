@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <gtest/gtest.h>
 
-#include "generator/base/error.hpp"
-#include "generator/import/urdf.hpp"
+#include "torsor/generator/base/error.hpp"
+#include "torsor/generator/import/urdf.hpp"
 
 namespace torsor::urdf_errors_test {
 namespace {

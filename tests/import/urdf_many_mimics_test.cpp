@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fmt/format.h>
 
-#include "generator/verification/check.hpp"
+#include "torsor/generator/verification/check.hpp"
 #include "tests/import/urdf_motion.hpp"
 
 namespace torsor::urdf_many_mimics_test {

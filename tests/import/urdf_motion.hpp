@@ -7,11 +7,11 @@
 
 #include <gtest/gtest.h>
 
-#include "generator/base/decimal.hpp"
-#include "generator/dynamics/equations/equations.hpp"
-#include "generator/dynamics/equations/validation.hpp"
-#include "generator/import/urdf.hpp"
-#include "generator/program/evaluation.hpp"
+#include "torsor/generator/base/decimal.hpp"
+#include "torsor/generator/dynamics/equations/equations.hpp"
+#include "torsor/generator/dynamics/equations/validation.hpp"
+#include "torsor/generator/import/urdf.hpp"
+#include "torsor/generator/program/evaluation.hpp"
 
 namespace torsor::testing_urdf {
 

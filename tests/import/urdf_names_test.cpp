@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "generator/import/identifiers.hpp"
+#include "torsor/generator/import/identifiers.hpp"
 #include "tests/import/urdf_motion.hpp"
 
 namespace torsor::urdf_names_test {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "generator/base/error.hpp"
-#include "generator/kernels/kernel.hpp"
+#include "torsor/generator/base/error.hpp"
+#include "torsor/generator/kernels/kernel.hpp"
 #include "tests/import/urdf_motion.hpp"
 
 namespace torsor::urdf_reading_test {

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "generator/import/urdf_visuals.hpp"
+#include "torsor/generator/import/urdf_visuals.hpp"
 
 #include <gtest/gtest.h>
 
-#include "generator/import/urdf.hpp"
+#include "torsor/generator/import/urdf.hpp"
 
 namespace torsor::urdf_visuals_test {
 namespace {

@@ -6,7 +6,7 @@
 #include <variant>
 #include <vector>
 
-#include "generator/kernels/kernel.hpp"
+#include "torsor/generator/kernels/kernel.hpp"
 
 namespace torsor::testing_headers {
 

@@ -2,8 +2,8 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include "generator/import/urdf.hpp"
-#include "generator/kernels/kernel.hpp"
+#include "torsor/generator/import/urdf.hpp"
+#include "torsor/generator/kernels/kernel.hpp"
 #include "tests/import/urdf_motion.hpp"
 #include "tests/scenes/pendulums.hpp"
 

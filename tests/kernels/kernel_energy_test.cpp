@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "generator/kernels/kernel.hpp"
+#include "torsor/generator/kernels/kernel.hpp"
 #include "tests/dynamics/named_state.hpp"
 #include "tests/scenes/bodies.hpp"
 

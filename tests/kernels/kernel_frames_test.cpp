@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Frames against derivatives of their own poses, and J M⁻¹ Jᵀ against Gauss's elimination of numbers.
-#include "generator/kernels/kernel_frames.hpp"
+#include "torsor/generator/kernels/kernel_frames.hpp"
 
 #include <gtest/gtest.h>
 
@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
-#include "generator/program/derivative.hpp"
-#include "generator/verification/random_state.hpp"
+#include "torsor/generator/program/derivative.hpp"
+#include "torsor/generator/verification/random_state.hpp"
 #include "tests/dynamics/named_state.hpp"
 #include "tests/dynamics/random_mechanism.hpp"
 #include "tests/scenes/pendulums.hpp"

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "generator/kernels/kernel_kinematics.hpp"
+#include "torsor/generator/kernels/kernel_kinematics.hpp"
 
 #include <gtest/gtest.h>
 
-#include "generator/program/identically_zero.hpp"
+#include "torsor/generator/program/identically_zero.hpp"
 #include "tests/scenes/bodies.hpp"
 
 namespace torsor::kernel_kinematics_test {

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "generator/kernels/kernel_residual.hpp"
+#include "torsor/generator/kernels/kernel_residual.hpp"
 
 #include <gtest/gtest.h>
 
-#include "generator/dynamics/derivatives/motion_changes.hpp"
+#include "torsor/generator/dynamics/derivatives/motion_changes.hpp"
 #include "tests/dynamics/central_differences.hpp"
 #include "tests/dynamics/named_state.hpp"
 #include "tests/dynamics/random_mechanism.hpp"

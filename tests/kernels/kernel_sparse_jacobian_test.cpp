@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "generator/kernels/kernel_sparse_jacobian.hpp"
+#include "torsor/generator/kernels/kernel_sparse_jacobian.hpp"
 
 #include <gtest/gtest.h>
 
-#include "generator/verification/random_state.hpp"
+#include "torsor/generator/verification/random_state.hpp"
 #include "tests/dynamics/random_mechanism.hpp"
 #include "tests/kernels/compressed_tables.hpp"
 #include "tests/scenes/pendulums.hpp"

@@ -4,8 +4,8 @@
 #include <fstream>
 #include <sstream>
 
-#include "generator/listing/lowering.hpp"
-#include "generator/mechanics/scene.hpp"
+#include "torsor/generator/listing/lowering.hpp"
+#include "torsor/generator/mechanics/scene.hpp"
 
 namespace torsor::division_count_test {
 namespace {

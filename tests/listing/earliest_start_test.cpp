@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "generator/listing/earliest_start.hpp"
+#include "torsor/generator/listing/earliest_start.hpp"
 
 #include <gtest/gtest.h>
 

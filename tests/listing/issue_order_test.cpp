@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "generator/listing/issue_order.hpp"
+#include "torsor/generator/listing/issue_order.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "generator/listing/lowering.hpp"
+#include "torsor/generator/listing/lowering.hpp"
 
 #include <gtest/gtest.h>
 
-#include "generator/base/error.hpp"
-#include "generator/mechanics/scene.hpp"
+#include "torsor/generator/base/error.hpp"
+#include "torsor/generator/mechanics/scene.hpp"
 
 namespace torsor::lowering_test {
 namespace {

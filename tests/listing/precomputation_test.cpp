@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "generator/listing/precomputation.hpp"
+#include "torsor/generator/listing/precomputation.hpp"
 
 #include <functional>
 
 #include <gtest/gtest.h>
 
-#include "generator/listing/lowering.hpp"
-#include "generator/mechanics/scene.hpp"
+#include "torsor/generator/listing/lowering.hpp"
+#include "torsor/generator/mechanics/scene.hpp"
 
 namespace torsor::precomputation_test {
 namespace {

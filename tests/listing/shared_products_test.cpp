@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "generator/listing/shared_products.hpp"
+#include "torsor/generator/listing/shared_products.hpp"
 
 #include <gtest/gtest.h>
 
@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "generator/listing/earliest_start.hpp"
+#include "torsor/generator/listing/earliest_start.hpp"
 #include "tests/program/test_symbols.hpp"
 
 namespace torsor::shared_products_test {

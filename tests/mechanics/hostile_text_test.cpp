@@ -5,8 +5,8 @@
 
 #include <gtest/gtest.h>
 
-#include "generator/base/error.hpp"
-#include "generator/mechanics/scene.hpp"
+#include "torsor/generator/base/error.hpp"
+#include "torsor/generator/mechanics/scene.hpp"
 
 namespace torsor::hostile_text_test {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "generator/mechanics/identifier.hpp"
+#include "torsor/generator/mechanics/identifier.hpp"
 
 #include <cctype>
 #include <cstdio>
@@ -14,7 +14,7 @@
 
 #include <gtest/gtest.h>
 
-#include "generator/base/error.hpp"
+#include "torsor/generator/base/error.hpp"
 
 namespace torsor::identifier_test {
 namespace {

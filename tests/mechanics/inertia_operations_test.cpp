@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "generator/mechanics/inertia_operations.hpp"
+#include "torsor/generator/mechanics/inertia_operations.hpp"
 
-#include "generator/base/error.hpp"
-#include "generator/program/identically_zero.hpp"
+#include "torsor/generator/base/error.hpp"
+#include "torsor/generator/program/identically_zero.hpp"
 #include "tests/mechanics/inertia_points.hpp"
 #include "tests/program/test_symbols.hpp"
 

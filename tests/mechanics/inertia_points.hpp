@@ -3,8 +3,8 @@
 
 #include <gtest/gtest.h>
 
-#include "generator/mechanics/inertia_operations.hpp"
-#include "generator/program/evaluation.hpp"
+#include "torsor/generator/mechanics/inertia_operations.hpp"
+#include "torsor/generator/program/evaluation.hpp"
 #include "tests/mechanics/gauss_quadrature.hpp"
 
 namespace torsor::testing_quadrature {

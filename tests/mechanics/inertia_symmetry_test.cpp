@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "generator/mechanics/inertia_symmetry.hpp"
+#include "torsor/generator/mechanics/inertia_symmetry.hpp"
 
 #include <gtest/gtest.h>
 
-#include "generator/base/error.hpp"
-#include "generator/mechanics/inertia_operations.hpp"
+#include "torsor/generator/base/error.hpp"
+#include "torsor/generator/mechanics/inertia_operations.hpp"
 #include "tests/program/test_symbols.hpp"
 
 namespace torsor::inertia_symmetry_test {

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "generator/mechanics/inertia.hpp"
+#include "torsor/generator/mechanics/inertia.hpp"
 
 #include <gtest/gtest.h>
 
-#include "generator/base/error.hpp"
-#include "generator/program/evaluation.hpp"
+#include "torsor/generator/base/error.hpp"
+#include "torsor/generator/program/evaluation.hpp"
 #include "tests/mechanics/gauss_quadrature.hpp"
 
 namespace torsor::inertia_test {

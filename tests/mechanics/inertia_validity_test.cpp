@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "generator/mechanics/inertia_validity.hpp"
+#include "torsor/generator/mechanics/inertia_validity.hpp"
 
 #include <gtest/gtest.h>
 
-#include "generator/mechanics/inertia_operations.hpp"
-#include "generator/mechanics/scene.hpp"
+#include "torsor/generator/mechanics/inertia_operations.hpp"
+#include "torsor/generator/mechanics/scene.hpp"
 #include "tests/program/test_symbols.hpp"
 #include "tests/scenes/bodies.hpp"
 

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "generator/mechanics/joint_screws.hpp"
-#include "generator/program/identically_zero.hpp"
+#include "torsor/generator/mechanics/joint_screws.hpp"
+#include "torsor/generator/program/identically_zero.hpp"
 
 #include <gtest/gtest.h>
 
-#include "generator/base/linear_algebra/real_rows.hpp"
-#include "generator/program/evaluation.hpp"
+#include "torsor/generator/base/linear_algebra/real_rows.hpp"
+#include "torsor/generator/program/evaluation.hpp"
 #include "tests/geometry/symbolic_vectors.hpp"
 
 namespace torsor::joint_screws_test {

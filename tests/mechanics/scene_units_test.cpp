@@ -6,9 +6,9 @@
 
 #include <gtest/gtest.h>
 
-#include "generator/base/error.hpp"
-#include "generator/mechanics/action_units.hpp"
-#include "generator/mechanics/scene.hpp"
+#include "torsor/generator/base/error.hpp"
+#include "torsor/generator/mechanics/action_units.hpp"
+#include "torsor/generator/mechanics/scene.hpp"
 
 namespace torsor::scene_units_test {
 namespace {

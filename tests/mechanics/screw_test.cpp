@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "generator/mechanics/screw.hpp"
+#include "torsor/generator/mechanics/screw.hpp"
 
 #include <gtest/gtest.h>
 
-#include "generator/mechanics/central_axis.hpp"
-#include "generator/mechanics/rigid_motion.hpp"
-#include "generator/mechanics/sliding_vector.hpp"
+#include "torsor/generator/mechanics/central_axis.hpp"
+#include "torsor/generator/mechanics/rigid_motion.hpp"
+#include "torsor/generator/mechanics/sliding_vector.hpp"
 #include "tests/geometry/symbolic_vectors.hpp"
 
 namespace torsor::screw_test {

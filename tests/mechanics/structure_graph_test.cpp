@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "generator/mechanics/structure_graph.hpp"
+#include "torsor/generator/mechanics/structure_graph.hpp"
 
 #include <gtest/gtest.h>
 
-#include "generator/base/error.hpp"
+#include "torsor/generator/base/error.hpp"
 #include "tests/scenes/loops.hpp"
 
 namespace torsor::structure_graph_test {

@@ -22,7 +22,7 @@ END
 core=(-mcpu=cortex-m4 -mfpu=fpv4-sp-d16 -mthumb -mfloat-abi=hard -O2 -Wall -Wextra -Wconversion -Werror)
 arm-none-eabi-gcc "${core[@]}" -Wdouble-promotion -c "$folder/sine.c" -o "$folder/sine.o"
 # Products fused with sums, as compilers do it by themselves.
-arm-none-eabi-g++ "${core[@]}" -std=c++17 -fno-exceptions -fno-rtti -fno-threadsafe-statics -I"$folder" -I"$repository" \
+arm-none-eabi-g++ "${core[@]}" -std=c++17 -fno-exceptions -fno-rtti -fno-threadsafe-statics -I"$folder" -I"$repository" -I"$repository/include" \
   -c "$repository/tests/microcontrollers/sines.cpp" -o "$folder/sines.o"
 arm-none-eabi-gcc "${core[@]}" -c "$repository/examples/cortex_m/start.c" -o "$folder/start.o"
 arm-none-eabi-g++ "${core[@]}" -nostartfiles --specs=nano.specs -T "$repository/examples/cortex_m/board.ld" \

@@ -4,12 +4,12 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "generator/dynamics/forces/constraints.hpp"
-#include "generator/dynamics/forces/energy.hpp"
-#include "generator/dynamics/theorems/painleve.hpp"
-#include "generator/kernels/kernel_jets.hpp"
-#include "generator/program/derivative.hpp"
-#include "generator/program/series_evaluation.hpp"
+#include "torsor/generator/dynamics/forces/constraints.hpp"
+#include "torsor/generator/dynamics/forces/energy.hpp"
+#include "torsor/generator/dynamics/theorems/painleve.hpp"
+#include "torsor/generator/kernels/kernel_jets.hpp"
+#include "torsor/generator/program/derivative.hpp"
+#include "torsor/generator/program/series_evaluation.hpp"
 
 namespace torsor::testing_motions {
 

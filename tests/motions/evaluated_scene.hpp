@@ -5,9 +5,9 @@
 #include <unordered_map>
 #include <vector>
 
-#include "generator/dynamics/equations/equations.hpp"
-#include "generator/kernels/kernel.hpp"
-#include "generator/program/evaluation.hpp"
+#include "torsor/generator/dynamics/equations/equations.hpp"
+#include "torsor/generator/kernels/kernel.hpp"
+#include "torsor/generator/program/evaluation.hpp"
 
 namespace torsor::testing_motions {
 

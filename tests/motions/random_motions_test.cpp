@@ -12,17 +12,17 @@
 #include <random>
 #include <string>
 
-#include "generator/base/error.hpp"
-#include "runtime/constraints/consistent_state.hpp"
-#include "runtime/constraints/partitioned_motion.hpp"
-#include "runtime/constraints/projection.hpp"
-#include "runtime/integration/dormand_prince_54.hpp"
-#include "runtime/integration/dormand_prince_853.hpp"
-#include "runtime/integration/gauss_collocation.hpp"
-#include "runtime/integration/radau_iia_5.hpp"
-#include "runtime/integration/stabilised_radau_iia_5.hpp"
-#include "runtime/integration/taylor.hpp"
-#include "runtime/mechanism.hpp"
+#include "torsor/generator/base/error.hpp"
+#include "torsor/runtime/constraints/consistent_state.hpp"
+#include "torsor/runtime/constraints/partitioned_motion.hpp"
+#include "torsor/runtime/constraints/projection.hpp"
+#include "torsor/runtime/integration/dormand_prince_54.hpp"
+#include "torsor/runtime/integration/dormand_prince_853.hpp"
+#include "torsor/runtime/integration/gauss_collocation.hpp"
+#include "torsor/runtime/integration/radau_iia_5.hpp"
+#include "torsor/runtime/integration/stabilised_radau_iia_5.hpp"
+#include "torsor/runtime/integration/taylor.hpp"
+#include "torsor/runtime/mechanism.hpp"
 #include "tests/dynamics/random_mechanism.hpp"
 #include "tests/motions/padded_mechanism.hpp"
 

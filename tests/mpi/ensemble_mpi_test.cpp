@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Run by mpirun with one and more processes, which all go through every test.
-#include "runtime/mpi/ensemble_mpi.hpp"
+#include "torsor/runtime/mpi/ensemble_mpi.hpp"
 
 #include <gtest/gtest.h>
 

@@ -10,11 +10,11 @@
 #include <string>
 #include <vector>
 
-#include "generator/base/error.hpp"
-#include "generator/emission/c_header.hpp"
-#include "generator/emission/header.hpp"
-#include "generator/emission/javascript_module.hpp"
-#include "generator/mechanics/scene.hpp"
+#include "torsor/generator/base/error.hpp"
+#include "torsor/generator/emission/c_header.hpp"
+#include "torsor/generator/emission/header.hpp"
+#include "torsor/generator/emission/javascript_module.hpp"
+#include "torsor/generator/mechanics/scene.hpp"
 
 namespace {
 

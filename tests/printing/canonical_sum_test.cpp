@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "generator/printing/canonical_sum.hpp"
+#include "torsor/generator/printing/canonical_sum.hpp"
 
 #include <gtest/gtest.h>
 
 #include <ginac/ginac.h>
 
-#include "generator/base/error.hpp"
-#include "generator/printing/inline_view.hpp"
-#include "generator/printing/notation.hpp"
-#include "generator/printing/trigonometry.hpp"
-#include "generator/printing/written.hpp"
+#include "torsor/generator/base/error.hpp"
+#include "torsor/generator/printing/inline_view.hpp"
+#include "torsor/generator/printing/notation.hpp"
+#include "torsor/generator/printing/trigonometry.hpp"
+#include "torsor/generator/printing/written.hpp"
 
 namespace torsor::printing::canonical_sum_test {
 namespace {

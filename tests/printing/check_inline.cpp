@@ -4,11 +4,11 @@
 #include <map>
 #include <random>
 
-#include "generator/dynamics/equations/validation.hpp"
-#include "generator/printing/lagrange_equations.hpp"
-#include "generator/printing/written.hpp"
-#include "generator/program/evaluation.hpp"
-#include "generator/program/generic_state.hpp"
+#include "torsor/generator/dynamics/equations/validation.hpp"
+#include "torsor/generator/printing/lagrange_equations.hpp"
+#include "torsor/generator/printing/written.hpp"
+#include "torsor/generator/program/evaluation.hpp"
+#include "torsor/generator/program/generic_state.hpp"
 
 namespace torsor::test {
 namespace {

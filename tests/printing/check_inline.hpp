@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "generator/base/high_precision.hpp"
-#include "generator/mechanics/scene.hpp"
+#include "torsor/generator/base/high_precision.hpp"
+#include "torsor/generator/mechanics/scene.hpp"
 
 namespace torsor::test {
 

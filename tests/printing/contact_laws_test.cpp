@@ -3,8 +3,8 @@
 
 #include <string>
 
-#include "generator/mechanics/scene.hpp"
-#include "generator/printing/print_equations.hpp"
+#include "torsor/generator/mechanics/scene.hpp"
+#include "torsor/generator/printing/print_equations.hpp"
 
 namespace torsor::contact_laws_test {
 namespace {

@@ -9,11 +9,11 @@
 #include <vector>
 
 #include "examples/graham_variator/scene.cpp"
-#include "generator/printing/canonical_sum.hpp"
-#include "generator/printing/fitted_matrix.hpp"
-#include "generator/printing/notation.hpp"
-#include "generator/printing/page.hpp"
-#include "generator/printing/print_equations.hpp"
+#include "torsor/generator/printing/canonical_sum.hpp"
+#include "torsor/generator/printing/fitted_matrix.hpp"
+#include "torsor/generator/printing/notation.hpp"
+#include "torsor/generator/printing/page.hpp"
+#include "torsor/generator/printing/print_equations.hpp"
 #include "tests/scenes/with_parameters.hpp"
 
 namespace torsor::derivation_test {

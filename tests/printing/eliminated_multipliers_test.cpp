@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "generator/printing/eliminated_multipliers.hpp"
+#include "torsor/generator/printing/eliminated_multipliers.hpp"
 
 #include <gtest/gtest.h>
 
@@ -9,9 +9,9 @@
 #include <string>
 #include <vector>
 
-#include "generator/printing/notation.hpp"
-#include "generator/printing/print_equations.hpp"
-#include "generator/printing/written.hpp"
+#include "torsor/generator/printing/notation.hpp"
+#include "torsor/generator/printing/print_equations.hpp"
+#include "torsor/generator/printing/written.hpp"
 #include "tests/scenes/with_parameters.hpp"
 
 namespace torsor::printing::eliminated_multipliers_test {

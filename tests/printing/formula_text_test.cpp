@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "generator/printing/formula_text.hpp"
+#include "torsor/generator/printing/formula_text.hpp"
 
 #include <gtest/gtest.h>
 
-#include "generator/base/error.hpp"
+#include "torsor/generator/base/error.hpp"
 #include "tests/scenes/with_parameters.hpp"
 
 namespace torsor::formula_text_test {

@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "generator/printing/notation.hpp"
-#include "generator/printing/print_equations.hpp"
+#include "torsor/generator/printing/notation.hpp"
+#include "torsor/generator/printing/print_equations.hpp"
 #include "tests/scenes/with_parameters.hpp"
 
 namespace torsor::latex_test {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "generator/printing/print_equations.hpp"
+#include "torsor/generator/printing/print_equations.hpp"
 
 #include <gtest/gtest.h>
 
@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "generator/base/error.hpp"
+#include "torsor/generator/base/error.hpp"
 #include "tests/scenes/bodies.hpp"
 #include "tests/scenes/with_parameters.hpp"
 

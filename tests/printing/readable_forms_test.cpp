@@ -4,9 +4,9 @@
 
 #include <string>
 
-#include "generator/printing/lagrange_equations.hpp"
-#include "generator/printing/notation.hpp"
-#include "generator/printing/print_equations.hpp"
+#include "torsor/generator/printing/lagrange_equations.hpp"
+#include "torsor/generator/printing/notation.hpp"
+#include "torsor/generator/printing/print_equations.hpp"
 #include "tests/printing/check_inline.hpp"
 #include "tests/scenes/bodies.hpp"
 

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "generator/printing/reduced_equations.hpp"
+#include "torsor/generator/printing/reduced_equations.hpp"
 
 #include <gtest/gtest.h>
 
 #include <string>
 #include <vector>
 
-#include "generator/printing/notation.hpp"
-#include "generator/printing/print_equations.hpp"
-#include "generator/printing/written.hpp"
+#include "torsor/generator/printing/notation.hpp"
+#include "torsor/generator/printing/print_equations.hpp"
+#include "torsor/generator/printing/written.hpp"
 #include "tests/scenes/with_parameters.hpp"
 
 namespace torsor::printing::reduced_equations_test {

@@ -4,9 +4,9 @@
 
 #include <string>
 
-#include "generator/expression/piecewise.hpp"
-#include "generator/printing/formula_text.hpp"
-#include "generator/printing/print_equations.hpp"
+#include "torsor/generator/expression/piecewise.hpp"
+#include "torsor/generator/printing/formula_text.hpp"
+#include "torsor/generator/printing/print_equations.hpp"
 #include "tests/emission/selections_scene.hpp"
 #include "tests/printing/check_inline.hpp"
 

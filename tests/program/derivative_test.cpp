@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "generator/program/derivative.hpp"
-#include "generator/program/identically_zero.hpp"
+#include "torsor/generator/program/derivative.hpp"
+#include "torsor/generator/program/identically_zero.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "generator/program/evaluation.hpp"
+#include "torsor/generator/program/evaluation.hpp"
 
 #include <gtest/gtest.h>
 

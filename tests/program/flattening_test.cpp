@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "generator/program/flattening.hpp"
+#include "torsor/generator/program/flattening.hpp"
 
 #include <gtest/gtest.h>
 
-#include "generator/mechanics/scene.hpp"
-#include "generator/program/identically_zero.hpp"
+#include "torsor/generator/mechanics/scene.hpp"
+#include "torsor/generator/program/identically_zero.hpp"
 
 namespace torsor::flattening_test {
 namespace {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "generator/listing/earliest_start.hpp"
-#include "generator/program/formula.hpp"
+#include "torsor/generator/listing/earliest_start.hpp"
+#include "torsor/generator/program/formula.hpp"
 
 #include <gtest/gtest.h>
 

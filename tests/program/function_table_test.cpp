@@ -5,10 +5,10 @@
 #include <cmath>
 #include <random>
 
-#include "generator/expression/expression_derivative.hpp"
-#include "generator/program/derivative.hpp"
-#include "generator/program/series_evaluation.hpp"
-#include "generator/verification/running_error.hpp"
+#include "torsor/generator/expression/expression_derivative.hpp"
+#include "torsor/generator/program/derivative.hpp"
+#include "torsor/generator/program/series_evaluation.hpp"
+#include "torsor/generator/verification/running_error.hpp"
 #include "tests/program/test_symbols.hpp"
 
 namespace torsor::function_table_test {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "generator/program/identically_zero.hpp"
+#include "torsor/generator/program/identically_zero.hpp"
 
 #include <gtest/gtest.h>
 

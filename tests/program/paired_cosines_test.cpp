@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "generator/program/paired_cosines.hpp"
+#include "torsor/generator/program/paired_cosines.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "generator/mechanics/scene.hpp"
-#include "generator/program/evaluation.hpp"
-#include "generator/program/identically_zero.hpp"
+#include "torsor/generator/mechanics/scene.hpp"
+#include "torsor/generator/program/evaluation.hpp"
+#include "torsor/generator/program/identically_zero.hpp"
 
 namespace torsor::paired_cosines_test {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "generator/program/polynomial.hpp"
+#include "torsor/generator/program/polynomial.hpp"
 
 #include <gtest/gtest.h>
 

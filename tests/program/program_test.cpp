@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "generator/program/program.hpp"
+#include "torsor/generator/program/program.hpp"
 
 #include <gtest/gtest.h>
 

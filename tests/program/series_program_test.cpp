@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "generator/program/series_program.hpp"
+#include "torsor/generator/program/series_program.hpp"
 
 #include <gtest/gtest.h>
 
@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "generator/program/series_evaluation.hpp"
+#include "torsor/generator/program/series_evaluation.hpp"
 #include "tests/program/test_symbols.hpp"
 
 namespace torsor::series_program_test {

@@ -6,11 +6,11 @@
 #include <string>
 #include <string_view>
 
-#include "generator/base/error.hpp"
-#include "generator/base/high_precision.hpp"
-#include "generator/base/linear_algebra/real_rows.hpp"
-#include "generator/expression/symbol.hpp"
-#include "generator/program/evaluation.hpp"
+#include "torsor/generator/base/error.hpp"
+#include "torsor/generator/base/high_precision.hpp"
+#include "torsor/generator/base/linear_algebra/real_rows.hpp"
+#include "torsor/generator/expression/symbol.hpp"
+#include "torsor/generator/program/evaluation.hpp"
 #include "tests/base/error_of.hpp"
 
 namespace torsor::testing_symbols {

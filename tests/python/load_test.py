@@ -8,7 +8,7 @@ import pytest
 
 import torsor
 
-SCENE = """#include "generator/torsor.hpp"
+SCENE = """#include "torsor/generator/torsor.hpp"
 #include "length.hpp"
 torsor::Scene rod() {
   using namespace torsor;

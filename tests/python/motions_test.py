@@ -126,7 +126,7 @@ def test_one_coordinate_alone_has_vectors_and_matrices_too(rod):
     found = rod.equilibria([0.2])
     np.testing.assert_allclose(found.q, [0.0], atol=1e-9)
     np.testing.assert_allclose(rod.modes(found.q).frequencies, np.sqrt(9.81 / 0.6), rtol=1e-12)
-    assert "forces: (..., 1)" in rod.inverse_dynamics.__doc__ and "mass: (..., 1, 1)" in rod.mass_matrix.__doc__
-    assert "kinetic: (...)" in rod.energy.__doc__
+    assert "forces: (..., 1) [N m]" in rod.inverse_dynamics.__doc__ and "mass: (..., 1, 1) [kg m^2]" in rod.mass_matrix.__doc__
+    assert "kinetic: (...) [J]" in rod.energy.__doc__ and rod.energy.results[0].unit == "J"
     out = np.zeros((5, 1))
     assert rod.inverse_dynamics(q, np.zeros(1), np.zeros(1), out=out) is out and np.array_equal(out, held)

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A trolley on a level rail, from which a load hangs by a rod. The rail rubs in proportion to what it carries, the hinge in
 // proportion to what it transmits.
-#include "generator/torsor.hpp"
+#include "torsor/generator/torsor.hpp"
 
 torsor::Scene trolley_scene() {
   using namespace torsor;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "generator/torsor.hpp"
+#include "torsor/generator/torsor.hpp"
 
 /// A motion with a contact that ends before its second sample: a mass falls on a centre of attraction from nearby.
 torsor::Scene short_motion_scene() {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "generator/torsor.hpp"
+#include "torsor/generator/torsor.hpp"
 
 /// Every round body, and a box, dropped on the ground: what touches must be drawn as it is.
 torsor::Scene stones_scene() {

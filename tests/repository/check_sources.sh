@@ -3,6 +3,7 @@
 # check_sources.sh ROOT: the rules of the layout that a compiler does not check. Prints each violation and fails.
 #  * a file of generator/ includes its own layer or a lower one, and so within the folders of generator/dynamics and
 #    runtime; runtime/ and examples' mains never include generator/, and of generator/ only cli includes runtime/contacts;
+#  * headers are "torsor/generator/..." and "torsor/runtime/...", which no folder of a user's project can be taken for;
 #  * a generated header includes <array> and <cmath> only;
 #  * the SPDX line near the top names the licence of the folder;
 #  * no source is above 500 lines (what is generated may be).
@@ -56,6 +57,9 @@ awk '
       }
       # REUSE-IgnoreEnd
       path = code ? included(line) : ""
+      if (path ~ /^(runtime|generator)\//)
+        violation(file ":" number ": write torsor/" path ", which no folder of a user is taken for")
+      sub(/^torsor\//, "", path)
       if (path == "") continue
       split(path, piece, "/")
       if (folder == "generator" && piece[1] == "generator") {

@@ -8,12 +8,12 @@
 #include <type_traits>
 
 #include "generated/torque_free_body.hpp"
-#include "runtime/integration/dormand_prince_54.hpp"
-#include "runtime/integration/dormand_prince_853.hpp"
-#include "runtime/integration/runge_kutta_4.hpp"
-#include "runtime/integration/taylor.hpp"
-#include "runtime/mechanism.hpp"
-#include "runtime/steps/narrow_system.hpp"
+#include "torsor/runtime/integration/dormand_prince_54.hpp"
+#include "torsor/runtime/integration/dormand_prince_853.hpp"
+#include "torsor/runtime/integration/runge_kutta_4.hpp"
+#include "torsor/runtime/integration/taylor.hpp"
+#include "torsor/runtime/mechanism.hpp"
+#include "torsor/runtime/steps/narrow_system.hpp"
 #include "tests/runtime/mechanisms.hpp"
 
 // Compensated sums of the state, and derivatives narrower than the state.

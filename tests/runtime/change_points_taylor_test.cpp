@@ -12,10 +12,10 @@
 #include <string>
 #include <vector>
 
-#include "runtime/constraints/closed_motion.hpp"
-#include "runtime/integration/dormand_prince_853.hpp"
-#include "runtime/integration/taylor.hpp"
-#include "runtime/mechanism.hpp"
+#include "torsor/runtime/constraints/closed_motion.hpp"
+#include "torsor/runtime/integration/dormand_prince_853.hpp"
+#include "torsor/runtime/integration/taylor.hpp"
+#include "torsor/runtime/mechanism.hpp"
 #include "tests/runtime/windows.hpp"
 
 namespace change_points_taylor_test {

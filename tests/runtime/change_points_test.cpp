@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Motions through the places where constraints lose rank. TORSOR_LONG_TESTS: forty windows at every tolerance.
-#include "runtime/constraints/change_point.hpp"
+#include "torsor/runtime/constraints/change_point.hpp"
 
 #include <gtest/gtest.h>
 
@@ -12,14 +12,14 @@
 #include <numbers>
 #include <random>
 
-#include "runtime/constraints/closed_motion.hpp"
-#include "runtime/constraints/constrained_motion.hpp"
-#include "runtime/integration/dormand_prince_54.hpp"
-#include "runtime/integration/dormand_prince_853.hpp"
-#include "runtime/integration/gauss_collocation.hpp"
-#include "runtime/integration/radau_iia_5.hpp"
-#include "runtime/integration/runge_kutta_4.hpp"
-#include "runtime/mechanism.hpp"
+#include "torsor/runtime/constraints/closed_motion.hpp"
+#include "torsor/runtime/constraints/constrained_motion.hpp"
+#include "torsor/runtime/integration/dormand_prince_54.hpp"
+#include "torsor/runtime/integration/dormand_prince_853.hpp"
+#include "torsor/runtime/integration/gauss_collocation.hpp"
+#include "torsor/runtime/integration/radau_iia_5.hpp"
+#include "torsor/runtime/integration/runge_kutta_4.hpp"
+#include "torsor/runtime/mechanism.hpp"
 #include "tests/runtime/bricard.hpp"
 #include "tests/runtime/closed_loops.hpp"
 #include "tests/runtime/windows.hpp"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "runtime/constraints/consistent_state.hpp"
+#include "torsor/runtime/constraints/consistent_state.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "runtime/constraints/constraint_reading.hpp"
+#include "torsor/runtime/constraints/constraint_reading.hpp"
 
 #include <gtest/gtest.h>
 
@@ -9,7 +9,7 @@
 #include <limits>
 
 #include "generated/rolling_hoop_contact_forces.hpp"
-#include "runtime/constraints/projection.hpp"
+#include "torsor/runtime/constraints/projection.hpp"
 #include "tests/runtime/closed_loops.hpp"
 
 namespace constraint_reading_test {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "runtime/events/contact_regime.hpp"
+#include "torsor/runtime/events/contact_regime.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "runtime/numerics/decompositions.hpp"
+#include "torsor/runtime/numerics/decompositions.hpp"
 
 #include <gtest/gtest.h>
 

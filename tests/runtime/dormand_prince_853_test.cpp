@@ -7,10 +7,10 @@
 #include <cstddef>
 #include <vector>
 
-#include "runtime/integration/dormand_prince_54.hpp"
-#include "runtime/integration/dormand_prince_853.hpp"
-#include "runtime/integration/observers.hpp"
-#include "runtime/mechanism.hpp"
+#include "torsor/runtime/integration/dormand_prince_54.hpp"
+#include "torsor/runtime/integration/dormand_prince_853.hpp"
+#include "torsor/runtime/integration/observers.hpp"
+#include "torsor/runtime/mechanism.hpp"
 #include "tests/runtime/mechanisms.hpp"
 
 namespace dormand_prince_853_test {

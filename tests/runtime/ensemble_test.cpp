@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "runtime/batch/motion_ensemble.hpp"
+#include "torsor/runtime/batch/motion_ensemble.hpp"
 
 #include <gtest/gtest.h>
 
@@ -28,8 +28,8 @@
 #include "tests/faults/full_disk.hpp"
 #endif
 
-#include "runtime/records/digest.hpp"
-#include "runtime/records/record_file.hpp"
+#include "torsor/runtime/records/digest.hpp"
+#include "torsor/runtime/records/record_file.hpp"
 #include "tests/runtime/mechanisms.hpp"
 #include "tests/runtime/temporary_folder.hpp"
 

@@ -6,13 +6,13 @@
 #include <cmath>
 #include <limits>
 
-#include "runtime/integration/dormand_prince_54.hpp"
-#include "runtime/integration/dormand_prince_853.hpp"
-#include "runtime/integration/events.hpp"
-#include "runtime/integration/gauss_collocation.hpp"
-#include "runtime/integration/midpoint.hpp"
-#include "runtime/integration/runge_kutta_4.hpp"
-#include "runtime/integration/stoermer_verlet.hpp"
+#include "torsor/runtime/integration/dormand_prince_54.hpp"
+#include "torsor/runtime/integration/dormand_prince_853.hpp"
+#include "torsor/runtime/integration/events.hpp"
+#include "torsor/runtime/integration/gauss_collocation.hpp"
+#include "torsor/runtime/integration/midpoint.hpp"
+#include "torsor/runtime/integration/runge_kutta_4.hpp"
+#include "torsor/runtime/integration/stoermer_verlet.hpp"
 
 namespace event_limits_test {
 namespace {

@@ -14,17 +14,17 @@
 #include <type_traits>
 #include <vector>
 
-#include "runtime/integration/dormand_prince_54.hpp"
-#include "runtime/integration/dormand_prince_853.hpp"
-#include "runtime/integration/events.hpp"
-#include "runtime/integration/gauss_collocation.hpp"
-#include "runtime/integration/midpoint.hpp"
-#include "runtime/integration/radau_iia_5.hpp"
-#include "runtime/integration/runge_kutta_4.hpp"
-#include "runtime/integration/stoermer_verlet.hpp"
-#include "runtime/integration/taylor.hpp"
-#include "runtime/integration/variational_integrator.hpp"
-#include "runtime/steps/angles_within_a_turn.hpp"
+#include "torsor/runtime/integration/dormand_prince_54.hpp"
+#include "torsor/runtime/integration/dormand_prince_853.hpp"
+#include "torsor/runtime/integration/events.hpp"
+#include "torsor/runtime/integration/gauss_collocation.hpp"
+#include "torsor/runtime/integration/midpoint.hpp"
+#include "torsor/runtime/integration/radau_iia_5.hpp"
+#include "torsor/runtime/integration/runge_kutta_4.hpp"
+#include "torsor/runtime/integration/stoermer_verlet.hpp"
+#include "torsor/runtime/integration/taylor.hpp"
+#include "torsor/runtime/integration/variational_integrator.hpp"
+#include "torsor/runtime/steps/angles_within_a_turn.hpp"
 #include "tests/runtime/mechanisms.hpp"
 
 namespace event_methods_test {

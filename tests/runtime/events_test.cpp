@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "runtime/integration/events.hpp"
+#include "torsor/runtime/integration/events.hpp"
 
 #include <gtest/gtest.h>
 
@@ -12,10 +12,10 @@
 #include <random>
 #include <vector>
 
-#include "runtime/integration/dormand_prince_54.hpp"
-#include "runtime/integration/midpoint.hpp"
-#include "runtime/integration/observers.hpp"
-#include "runtime/integration/runge_kutta_4.hpp"
+#include "torsor/runtime/integration/dormand_prince_54.hpp"
+#include "torsor/runtime/integration/midpoint.hpp"
+#include "torsor/runtime/integration/observers.hpp"
+#include "torsor/runtime/integration/runge_kutta_4.hpp"
 
 namespace events_test {
 namespace {

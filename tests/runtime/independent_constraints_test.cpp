@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "runtime/constraints/independent_constraints.hpp"
+#include "torsor/runtime/constraints/independent_constraints.hpp"
 
 #include <gtest/gtest.h>
 

@@ -6,12 +6,12 @@
 #include <cstdint>
 #include <limits>
 
-#include "runtime/integration/dormand_prince_54.hpp"
-#include "runtime/integration/dormand_prince_853.hpp"
-#include "runtime/integration/gauss_collocation.hpp"
-#include "runtime/integration/midpoint.hpp"
-#include "runtime/integration/radau_iia_5.hpp"
-#include "runtime/integration/runge_kutta_4.hpp"
+#include "torsor/runtime/integration/dormand_prince_54.hpp"
+#include "torsor/runtime/integration/dormand_prince_853.hpp"
+#include "torsor/runtime/integration/gauss_collocation.hpp"
+#include "torsor/runtime/integration/midpoint.hpp"
+#include "torsor/runtime/integration/radau_iia_5.hpp"
+#include "torsor/runtime/integration/runge_kutta_4.hpp"
 
 namespace integration_failures_test {
 namespace {

@@ -6,10 +6,10 @@
 #include <cmath>
 #include <vector>
 
-#include "runtime/integration/dormand_prince_54.hpp"
-#include "runtime/integration/midpoint.hpp"
-#include "runtime/integration/runge_kutta_4.hpp"
-#include "runtime/mechanism.hpp"
+#include "torsor/runtime/integration/dormand_prince_54.hpp"
+#include "torsor/runtime/integration/midpoint.hpp"
+#include "torsor/runtime/integration/runge_kutta_4.hpp"
+#include "torsor/runtime/mechanism.hpp"
 #include "tests/runtime/mechanisms.hpp"
 
 namespace integrators_test {

@@ -10,14 +10,14 @@
 #include <utility>
 
 #include "generated/double_pendulum.hpp"
-#include "runtime/integration/dormand_prince_54.hpp"
-#include "runtime/integration/dormand_prince_853.hpp"
-#include "runtime/integration/radau_iia_5.hpp"
-#include "runtime/integration/runge_kutta_4.hpp"
-#include "runtime/integration/stoermer_verlet.hpp"
-#include "runtime/integration/taylor.hpp"
-#include "runtime/integration/variational_integrator.hpp"
-#include "runtime/mechanism.hpp"
+#include "torsor/runtime/integration/dormand_prince_54.hpp"
+#include "torsor/runtime/integration/dormand_prince_853.hpp"
+#include "torsor/runtime/integration/radau_iia_5.hpp"
+#include "torsor/runtime/integration/runge_kutta_4.hpp"
+#include "torsor/runtime/integration/stoermer_verlet.hpp"
+#include "torsor/runtime/integration/taylor.hpp"
+#include "torsor/runtime/integration/variational_integrator.hpp"
+#include "torsor/runtime/mechanism.hpp"
 
 namespace known_ends_test {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "runtime/small_motions/linear_response.hpp"
+#include "torsor/runtime/small_motions/linear_response.hpp"
 
 #include <gtest/gtest.h>
 
@@ -8,10 +8,10 @@
 #include <numbers>
 #include <stdexcept>
 
-#include "runtime/integration/dormand_prince_54.hpp"
-#include "runtime/integration/integrate.hpp"
-#include "runtime/numerics/matrix_exponential.hpp"
-#include "runtime/small_motions/modes.hpp"
+#include "torsor/runtime/integration/dormand_prince_54.hpp"
+#include "torsor/runtime/integration/integrate.hpp"
+#include "torsor/runtime/numerics/matrix_exponential.hpp"
+#include "torsor/runtime/small_motions/modes.hpp"
 #include "tests/runtime/linear_systems.hpp"
 
 namespace linear_response_test {

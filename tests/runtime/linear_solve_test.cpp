@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "runtime/numerics/linear_solve.hpp"
+#include "torsor/runtime/numerics/linear_solve.hpp"
 
 #include <gtest/gtest.h>
 
 #include <array>
 #include <limits>
 
-#include "runtime/numerics/lu.hpp"
+#include "torsor/runtime/numerics/lu.hpp"
 
 namespace linear_solve_test {
 namespace {

@@ -2,7 +2,7 @@
 #pragma once
 #include <Eigen/Core>
 
-#include "runtime/small_motions/linear_system.hpp"
+#include "torsor/runtime/small_motions/linear_system.hpp"
 
 // Small linear systems with closed forms, and random ones from a seed that every platform draws alike.
 namespace linear_systems {

@@ -6,12 +6,12 @@
 #include <array>
 #include <cmath>
 
-#include "runtime/constraints/constrained_motion.hpp"
-#include "runtime/constraints/partitioned_motion.hpp"
-#include "runtime/constraints/projection.hpp"
-#include "runtime/integration/dormand_prince_853.hpp"
-#include "runtime/integration/radau_iia_5.hpp"
-#include "runtime/integration/stabilised_radau_iia_5.hpp"
+#include "torsor/runtime/constraints/constrained_motion.hpp"
+#include "torsor/runtime/constraints/partitioned_motion.hpp"
+#include "torsor/runtime/constraints/projection.hpp"
+#include "torsor/runtime/integration/dormand_prince_853.hpp"
+#include "torsor/runtime/integration/radau_iia_5.hpp"
+#include "torsor/runtime/integration/stabilised_radau_iia_5.hpp"
 #include "tests/runtime/closed_loops.hpp"
 
 namespace loops_from_rest_test {

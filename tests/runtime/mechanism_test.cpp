@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "runtime/mechanism.hpp"
+#include "torsor/runtime/mechanism.hpp"
 
 #include <gtest/gtest.h>
 
 #include <array>
 #include <cmath>
 
-#include "runtime/batch/motion_ensemble.hpp"
-#include "runtime/integration/dormand_prince_54.hpp"
-#include "runtime/numerics/linear_solve.hpp"
+#include "torsor/runtime/batch/motion_ensemble.hpp"
+#include "torsor/runtime/integration/dormand_prince_54.hpp"
+#include "torsor/runtime/numerics/linear_solve.hpp"
 #include "tests/runtime/mechanisms.hpp"
 
 namespace mechanism_test {

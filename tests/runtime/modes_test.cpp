@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "runtime/small_motions/modes.hpp"
+#include "torsor/runtime/small_motions/modes.hpp"
 
 #include <gtest/gtest.h>
 

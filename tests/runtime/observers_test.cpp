@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "runtime/integration/observers.hpp"
+#include "torsor/runtime/integration/observers.hpp"
 
 #include <gtest/gtest.h>
 
@@ -7,8 +7,8 @@
 #include <cmath>
 #include <vector>
 
-#include "runtime/integration/dormand_prince_54.hpp"
-#include "runtime/integration/midpoint.hpp"
+#include "torsor/runtime/integration/dormand_prince_54.hpp"
+#include "torsor/runtime/integration/midpoint.hpp"
 
 namespace observers_test {
 namespace {

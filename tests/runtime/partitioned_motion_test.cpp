@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "runtime/constraints/partitioned_motion.hpp"
+#include "torsor/runtime/constraints/partitioned_motion.hpp"
 
 #include <gtest/gtest.h>
 
@@ -8,8 +8,8 @@
 #include <cmath>
 #include <cstdint>
 
-#include "runtime/constraints/constrained_motion.hpp"
-#include "runtime/integration/dormand_prince_853.hpp"
+#include "torsor/runtime/constraints/constrained_motion.hpp"
+#include "torsor/runtime/integration/dormand_prince_853.hpp"
 #include "tests/runtime/closed_loops.hpp"
 
 namespace partitioned_motion_test {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "runtime/records/plot.hpp"
+#include "torsor/runtime/records/plot.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "runtime/constraints/projection.hpp"
+#include "torsor/runtime/constraints/projection.hpp"
 
 #include <gtest/gtest.h>
 
@@ -13,10 +13,10 @@
 
 #include "generated/andrews_squeezer.hpp"
 #include "generated/model_making_press.hpp"
-#include "runtime/constraints/constrained_motion.hpp"
-#include "runtime/integration/dormand_prince_54.hpp"
-#include "runtime/integration/dormand_prince_853.hpp"
-#include "runtime/integration/runge_kutta_4.hpp"
+#include "torsor/runtime/constraints/constrained_motion.hpp"
+#include "torsor/runtime/integration/dormand_prince_54.hpp"
+#include "torsor/runtime/integration/dormand_prince_853.hpp"
+#include "torsor/runtime/integration/runge_kutta_4.hpp"
 #include "tests/runtime/closed_loops.hpp"
 
 namespace projection_test {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "runtime/integration/radau_iia_5.hpp"
+#include "torsor/runtime/integration/radau_iia_5.hpp"
 
 #include <gtest/gtest.h>
 
@@ -10,8 +10,8 @@
 
 #include "generated/flyball_governor.hpp"
 #include "generated/torque_free_body.hpp"
-#include "runtime/integration/dormand_prince_853.hpp"
-#include "runtime/mechanism.hpp"
+#include "torsor/runtime/integration/dormand_prince_853.hpp"
+#include "torsor/runtime/mechanism.hpp"
 #include "tests/runtime/static_mechanisms.hpp"
 
 namespace radau_iia_5_test {

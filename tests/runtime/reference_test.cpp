@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "runtime/records/reference.hpp"
+#include "torsor/runtime/records/reference.hpp"
 
 #include <gtest/gtest.h>
 
@@ -7,8 +7,8 @@
 #include <cmath>
 #include <limits>
 
-#include "runtime/integration/integrate.hpp"
-#include "runtime/integration/runge_kutta_4.hpp"
+#include "torsor/runtime/integration/integrate.hpp"
+#include "torsor/runtime/integration/runge_kutta_4.hpp"
 #include "tests/runtime/temporary_folder.hpp"
 
 namespace reference_test {

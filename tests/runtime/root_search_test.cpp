@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "runtime/numerics/root_search.hpp"
+#include "torsor/runtime/numerics/root_search.hpp"
 
 #include <gtest/gtest.h>
 

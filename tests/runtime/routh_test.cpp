@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "runtime/small_motions/routh.hpp"
+#include "torsor/runtime/small_motions/routh.hpp"
 
 #include <gtest/gtest.h>
 
@@ -10,7 +10,7 @@
 #include <stdexcept>
 #include <vector>
 
-#include "runtime/small_motions/characteristic_polynomial.hpp"
+#include "torsor/runtime/small_motions/characteristic_polynomial.hpp"
 #include "tests/runtime/linear_systems.hpp"
 
 namespace routh_test {

@@ -5,11 +5,11 @@
 #include <array>
 #include <cmath>
 
-#include "runtime/integration/dormand_prince_853.hpp"
-#include "runtime/integration/integrate.hpp"
-#include "runtime/integration/runge_kutta_4.hpp"
-#include "runtime/integration/taylor.hpp"
-#include "runtime/mechanism.hpp"
+#include "torsor/runtime/integration/dormand_prince_853.hpp"
+#include "torsor/runtime/integration/integrate.hpp"
+#include "torsor/runtime/integration/runge_kutta_4.hpp"
+#include "torsor/runtime/integration/taylor.hpp"
+#include "torsor/runtime/mechanism.hpp"
 #include "tests/emission/golden/selections.hpp.txt"
 
 namespace torsor::runtime::selections_motion_test {

@@ -6,9 +6,9 @@
 #include <cmath>
 #include <cstddef>
 
-#include "runtime/constraints/constrained_motion.hpp"
-#include "runtime/integration/integrate.hpp"
-#include "runtime/integration/stabilised_radau_iia_5.hpp"
+#include "torsor/runtime/constraints/constrained_motion.hpp"
+#include "torsor/runtime/integration/integrate.hpp"
+#include "torsor/runtime/integration/stabilised_radau_iia_5.hpp"
 #include "tests/runtime/mechanisms.hpp"
 
 namespace stabilised_quaternion_test {

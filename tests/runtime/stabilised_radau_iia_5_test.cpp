@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "runtime/integration/stabilised_radau_iia_5.hpp"
+#include "torsor/runtime/integration/stabilised_radau_iia_5.hpp"
 
 #include <gtest/gtest.h>
 
@@ -9,7 +9,7 @@
 
 #include "generated/andrews_squeezer.hpp"
 #include "generated/chaplygin_sleigh.hpp"
-#include "runtime/mechanism.hpp"
+#include "torsor/runtime/mechanism.hpp"
 #include "tests/runtime/mechanisms.hpp"
 
 namespace stabilised_radau_iia_5_test {

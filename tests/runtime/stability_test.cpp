@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "runtime/small_motions/stability.hpp"
+#include "torsor/runtime/small_motions/stability.hpp"
 
 #include <gtest/gtest.h>
 
@@ -8,8 +8,8 @@
 #include <stdexcept>
 #include <string>
 
-#include "runtime/integration/integrate.hpp"
-#include "runtime/integration/runge_kutta_4.hpp"
+#include "torsor/runtime/integration/integrate.hpp"
+#include "torsor/runtime/integration/runge_kutta_4.hpp"
 #include "tests/runtime/linear_systems.hpp"
 
 namespace stability_test {

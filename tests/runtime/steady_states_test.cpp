@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "runtime/small_motions/steady_states.hpp"
+#include "torsor/runtime/small_motions/steady_states.hpp"
 
 #include <gtest/gtest.h>
 
@@ -7,9 +7,9 @@
 #include <numbers>
 #include <stdexcept>
 
-#include "runtime/small_motions/cyclic_reduction.hpp"
-#include "runtime/small_motions/equilibrium_stability.hpp"
-#include "runtime/small_motions/modes.hpp"
+#include "torsor/runtime/small_motions/cyclic_reduction.hpp"
+#include "torsor/runtime/small_motions/equilibrium_stability.hpp"
+#include "torsor/runtime/small_motions/modes.hpp"
 #include "tests/runtime/static_mechanisms.hpp"
 
 namespace steady_states_test {

@@ -11,11 +11,11 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "runtime/integration/dormand_prince_54.hpp"
-#include "runtime/integration/dormand_prince_853.hpp"
-#include "runtime/steps/accumulated_state.hpp"
-#include "runtime/steps/compensated_state.hpp"
-#include "runtime/steps/step_control.hpp"
+#include "torsor/runtime/integration/dormand_prince_54.hpp"
+#include "torsor/runtime/integration/dormand_prince_853.hpp"
+#include "torsor/runtime/steps/accumulated_state.hpp"
+#include "torsor/runtime/steps/compensated_state.hpp"
+#include "torsor/runtime/steps/step_control.hpp"
 
 namespace step_lengths_test {
 namespace {

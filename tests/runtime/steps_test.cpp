@@ -11,18 +11,18 @@
 #include <limits>
 #include <vector>
 
-#include "runtime/events/step_scan.hpp"
-#include "runtime/integration/dormand_prince_54.hpp"
-#include "runtime/integration/dormand_prince_853.hpp"
-#include "runtime/integration/gauss_collocation.hpp"
-#include "runtime/integration/midpoint.hpp"
-#include "runtime/integration/runge_kutta_4.hpp"
-#include "runtime/integration/stoermer_verlet.hpp"
-#include "runtime/steps/gauss_step.hpp"
-#include "runtime/steps/step_clock.hpp"
-#include "runtime/steps/step_polynomial.hpp"
-#include "runtime/steps/taylor_rule.hpp"
-#include "runtime/steps/whole_step.hpp"
+#include "torsor/runtime/events/step_scan.hpp"
+#include "torsor/runtime/integration/dormand_prince_54.hpp"
+#include "torsor/runtime/integration/dormand_prince_853.hpp"
+#include "torsor/runtime/integration/gauss_collocation.hpp"
+#include "torsor/runtime/integration/midpoint.hpp"
+#include "torsor/runtime/integration/runge_kutta_4.hpp"
+#include "torsor/runtime/integration/stoermer_verlet.hpp"
+#include "torsor/runtime/steps/gauss_step.hpp"
+#include "torsor/runtime/steps/step_clock.hpp"
+#include "torsor/runtime/steps/step_polynomial.hpp"
+#include "torsor/runtime/steps/taylor_rule.hpp"
+#include "torsor/runtime/steps/whole_step.hpp"
 
 namespace steps_test {
 namespace {

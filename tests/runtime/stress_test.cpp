@@ -11,15 +11,15 @@
 #include <span>
 #include <string>
 
-#include "runtime/integration/dormand_prince_54.hpp"
-#include "runtime/integration/dormand_prince_853.hpp"
-#include "runtime/integration/gauss_collocation.hpp"
-#include "runtime/integration/midpoint.hpp"
-#include "runtime/integration/radau_iia_5.hpp"
-#include "runtime/integration/runge_kutta_4.hpp"
-#include "runtime/integration/stoermer_verlet.hpp"
-#include "runtime/integration/taylor.hpp"
-#include "runtime/numerics/linear_solve.hpp"
+#include "torsor/runtime/integration/dormand_prince_54.hpp"
+#include "torsor/runtime/integration/dormand_prince_853.hpp"
+#include "torsor/runtime/integration/gauss_collocation.hpp"
+#include "torsor/runtime/integration/midpoint.hpp"
+#include "torsor/runtime/integration/radau_iia_5.hpp"
+#include "torsor/runtime/integration/runge_kutta_4.hpp"
+#include "torsor/runtime/integration/stoermer_verlet.hpp"
+#include "torsor/runtime/integration/taylor.hpp"
+#include "torsor/runtime/numerics/linear_solve.hpp"
 
 namespace stress_test {
 namespace {

@@ -9,9 +9,9 @@
 
 #include "generated/double_pendulum.hpp"
 #include "generated/flyball_governor.hpp"
-#include "runtime/integration/gauss_collocation.hpp"
-#include "runtime/integration/stoermer_verlet.hpp"
-#include "runtime/mechanism.hpp"
+#include "torsor/runtime/integration/gauss_collocation.hpp"
+#include "torsor/runtime/integration/stoermer_verlet.hpp"
+#include "torsor/runtime/mechanism.hpp"
 #include "tests/runtime/mechanisms.hpp"
 
 namespace structure_preserving_test {

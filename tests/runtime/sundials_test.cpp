@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "runtime/sundials/sundials.hpp"
+#include "torsor/runtime/sundials/sundials.hpp"
 
 #include <gtest/gtest.h>
 
@@ -8,8 +8,8 @@
 #include <limits>
 
 #include "generated/flyball_governor.hpp"
-#include "runtime/integration/events.hpp"
-#include "runtime/mechanism.hpp"
+#include "torsor/runtime/integration/events.hpp"
+#include "torsor/runtime/mechanism.hpp"
 #include "tests/runtime/mechanisms.hpp"
 
 namespace sundials_test {

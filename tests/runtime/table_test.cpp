@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "runtime/records/table.hpp"
+#include "torsor/runtime/records/table.hpp"
 
 #include <gtest/gtest.h>
 

@@ -9,12 +9,12 @@
 #include <span>
 
 #include "generated/double_pendulum.hpp"
-#include "runtime/integration/dormand_prince_54.hpp"
-#include "runtime/integration/dormand_prince_853.hpp"
-#include "runtime/integration/observers.hpp"
-#include "runtime/integration/taylor.hpp"
-#include "runtime/mechanism.hpp"
-#include "runtime/steps/angles_within_a_turn.hpp"
+#include "torsor/runtime/integration/dormand_prince_54.hpp"
+#include "torsor/runtime/integration/dormand_prince_853.hpp"
+#include "torsor/runtime/integration/observers.hpp"
+#include "torsor/runtime/integration/taylor.hpp"
+#include "torsor/runtime/mechanism.hpp"
+#include "torsor/runtime/steps/angles_within_a_turn.hpp"
 
 namespace taylor_test {
 namespace {

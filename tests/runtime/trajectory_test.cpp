@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "runtime/records/trajectory.hpp"
+#include "torsor/runtime/records/trajectory.hpp"
 
 #include <gtest/gtest.h>
 
@@ -8,8 +8,8 @@
 #include <filesystem>
 #include <limits>
 
-#include "runtime/integration/midpoint.hpp"
-#include "runtime/records/reference.hpp"
+#include "torsor/runtime/integration/midpoint.hpp"
+#include "torsor/runtime/records/reference.hpp"
 #include "tests/runtime/temporary_folder.hpp"
 
 namespace trajectory_test {

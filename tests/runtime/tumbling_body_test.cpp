@@ -10,10 +10,10 @@
 #include <numbers>
 
 #include "generated/torque_free_body.hpp"
-#include "runtime/integration/dormand_prince_853.hpp"
-#include "runtime/integration/gauss_collocation.hpp"
-#include "runtime/integration/taylor.hpp"
-#include "runtime/mechanism.hpp"
+#include "torsor/runtime/integration/dormand_prince_853.hpp"
+#include "torsor/runtime/integration/gauss_collocation.hpp"
+#include "torsor/runtime/integration/taylor.hpp"
+#include "torsor/runtime/mechanism.hpp"
 
 namespace tumbling_body_test {
 namespace {

@@ -10,10 +10,10 @@
 #include <numbers>
 
 #include "generated/rolling_hoop.hpp"
-#include "runtime/constraints/consistent_state.hpp"
-#include "runtime/constraints/constrained_motion.hpp"
-#include "runtime/constraints/partitioned_motion.hpp"
-#include "runtime/integration/runge_kutta_4.hpp"
+#include "torsor/runtime/constraints/consistent_state.hpp"
+#include "torsor/runtime/constraints/constrained_motion.hpp"
+#include "torsor/runtime/constraints/partitioned_motion.hpp"
+#include "torsor/runtime/integration/runge_kutta_4.hpp"
 #include "tests/runtime/closed_loops.hpp"
 
 namespace units_of_constraints_test {

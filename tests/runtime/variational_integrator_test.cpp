@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "runtime/integration/variational_integrator.hpp"
+#include "torsor/runtime/integration/variational_integrator.hpp"
 
 #include <gtest/gtest.h>
 
@@ -11,8 +11,8 @@
 
 #include "generated/double_pendulum.hpp"
 #include "generated/kapitza_pendulum.hpp"
-#include "runtime/integration/dormand_prince_853.hpp"
-#include "runtime/mechanism.hpp"
+#include "torsor/runtime/integration/dormand_prince_853.hpp"
+#include "torsor/runtime/mechanism.hpp"
 #include "tests/runtime/mechanisms.hpp"
 
 namespace variational_integrator_test {

@@ -16,7 +16,7 @@
 
 #include <gtest/gtest.h>
 
-#include "generator/verification/worst.hpp"
+#include "torsor/generator/verification/worst.hpp"
 #include "tests/sincos/truth.hpp"
 #include "tests/sincos/variant.hpp"
 

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "generator/base/high_precision.hpp"
+#include "torsor/generator/base/high_precision.hpp"
 
 extern "C" void sincosf128(Quad, Quad*, Quad*) noexcept;  // declared by <math.h> for some compilers only
 

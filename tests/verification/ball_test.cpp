@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "generator/verification/ball.hpp"
+#include "torsor/generator/verification/ball.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "generator/base/error.hpp"
+#include "torsor/generator/base/error.hpp"
 
 namespace torsor::ball_test {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "generator/verification/check_constraints.hpp"
+#include "torsor/generator/verification/check_constraints.hpp"
 
 #include <gtest/gtest.h>
 
@@ -7,9 +7,9 @@
 #include <array>
 #include <string>
 
-#include "generator/dynamics/forces/constraint_wrench.hpp"
-#include "generator/verification/moving_state.hpp"
-#include "generator/verification/posed_constraints.hpp"
+#include "torsor/generator/dynamics/forces/constraint_wrench.hpp"
+#include "torsor/generator/verification/moving_state.hpp"
+#include "torsor/generator/verification/posed_constraints.hpp"
 #include "tests/dynamics/named_state.hpp"
 #include "tests/scenes/rolling.hpp"
 #include "tests/scenes/sliding.hpp"

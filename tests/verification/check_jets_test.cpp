@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "generator/verification/check_jets.hpp"
+#include "torsor/generator/verification/check_jets.hpp"
 
 #include <gtest/gtest.h>
 
@@ -7,10 +7,10 @@
 #include <string>
 #include <vector>
 
-#include "generator/kernels/kernel_jets.hpp"
-#include "generator/program/derivative.hpp"
-#include "generator/program/series_evaluation.hpp"
-#include "generator/verification/random_state.hpp"
+#include "torsor/generator/kernels/kernel_jets.hpp"
+#include "torsor/generator/program/derivative.hpp"
+#include "torsor/generator/program/series_evaluation.hpp"
+#include "torsor/generator/verification/random_state.hpp"
 #include "tests/dynamics/random_mechanism.hpp"
 #include "tests/program/test_symbols.hpp"
 #include "tests/scenes/pendulums.hpp"

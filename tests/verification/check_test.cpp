@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "generator/verification/check.hpp"
+#include "torsor/generator/verification/check.hpp"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,7 @@
 #include <cmath>
 #include <limits>
 
-#include "generator/verification/random_state.hpp"
+#include "torsor/generator/verification/random_state.hpp"
 #include "tests/scenes/pendulums.hpp"
 #include "tests/scenes/rolling.hpp"
 #include "tests/scenes/sliding.hpp"

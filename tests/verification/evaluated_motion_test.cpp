@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "generator/verification/evaluated_motion.hpp"
+#include "torsor/generator/verification/evaluated_motion.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <numbers>
 
-#include "generator/base/error.hpp"
-#include "generator/verification/dormand_prince_853.hpp"
-#include "generator/verification/gauss_collocation.hpp"
-#include "generator/verification/radau_iia_5.hpp"
+#include "torsor/generator/base/error.hpp"
+#include "torsor/generator/verification/dormand_prince_853.hpp"
+#include "torsor/generator/verification/gauss_collocation.hpp"
+#include "torsor/generator/verification/radau_iia_5.hpp"
 #include "tests/scenes/bodies.hpp"
 
 namespace torsor::evaluated_motion_test {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "generator/verification/extrapolation.hpp"
+#include "torsor/generator/verification/extrapolation.hpp"
 
 #include <gtest/gtest.h>
 

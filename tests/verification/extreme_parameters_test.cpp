@@ -13,10 +13,10 @@
 #include <utility>
 #include <vector>
 
-#include "generator/program/evaluation.hpp"
-#include "generator/verification/ball.hpp"
-#include "generator/verification/condition.hpp"
-#include "generator/verification/verify.hpp"
+#include "torsor/generator/program/evaluation.hpp"
+#include "torsor/generator/verification/ball.hpp"
+#include "torsor/generator/verification/condition.hpp"
+#include "torsor/generator/verification/verify.hpp"
 #include "tests/scenes/at_run_time.hpp"
 #include "tests/scenes/pendulums.hpp"
 

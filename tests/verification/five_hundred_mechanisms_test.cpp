@@ -16,8 +16,8 @@
 
 #include <fmt/format.h>
 
-#include "generator/base/error.hpp"
-#include "generator/cli/command_texts.hpp"
+#include "torsor/generator/base/error.hpp"
+#include "torsor/generator/cli/command_texts.hpp"
 #include "tests/dynamics/random_mechanism.hpp"
 #include "tests/verification/mechanism_comparisons.hpp"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "generator/verification/lagrange_derivation.hpp"
+#include "torsor/generator/verification/lagrange_derivation.hpp"
 
 #include <gtest/gtest.h>
 

@@ -7,11 +7,11 @@
 
 #include <fmt/format.h>
 
-#include "generator/base/error.hpp"
-#include "generator/dynamics/derivatives/forward_derivatives.hpp"
-#include "generator/dynamics/derivatives/reduction.hpp"
-#include "generator/mechanics/parameter_value.hpp"
-#include "generator/verification/random_state.hpp"
+#include "torsor/generator/base/error.hpp"
+#include "torsor/generator/dynamics/derivatives/forward_derivatives.hpp"
+#include "torsor/generator/dynamics/derivatives/reduction.hpp"
+#include "torsor/generator/mechanics/parameter_value.hpp"
+#include "torsor/generator/verification/random_state.hpp"
 #include "tests/dynamics/constrained_motion.hpp"
 
 namespace torsor::testing_mechanisms {

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "generator/mechanics/scene.hpp"
+#include "torsor/generator/mechanics/scene.hpp"
 
 namespace torsor::testing_mechanisms {
 

@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
-#include "generator/dynamics/equations/equations.hpp"
-#include "generator/verification/verify.hpp"
+#include "torsor/generator/dynamics/equations/equations.hpp"
+#include "torsor/generator/verification/verify.hpp"
 
 namespace torsor::mass_ratios_test {
 namespace {

@@ -6,11 +6,11 @@
 
 #include <fmt/format.h>
 
-#include "generator/base/linear_algebra/lu_factorisation.hpp"
-#include "generator/dynamics/theorems/painleve.hpp"
-#include "generator/program/derivative.hpp"
-#include "generator/verification/check.hpp"
-#include "generator/verification/random_state.hpp"
+#include "torsor/generator/base/linear_algebra/lu_factorisation.hpp"
+#include "torsor/generator/dynamics/theorems/painleve.hpp"
+#include "torsor/generator/program/derivative.hpp"
+#include "torsor/generator/verification/check.hpp"
+#include "torsor/generator/verification/random_state.hpp"
 #include "tests/verification/linearised_mechanism.hpp"
 
 namespace torsor::testing_mechanisms {

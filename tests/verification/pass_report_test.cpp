@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "generator/verification/pass_report.hpp"
+#include "torsor/generator/verification/pass_report.hpp"
 
 #include <gtest/gtest.h>
 
@@ -10,9 +10,9 @@
 #include <string>
 #include <vector>
 
-#include "generator/base/error.hpp"
-#include "generator/kernels/kernel.hpp"
-#include "generator/program/formula.hpp"
+#include "torsor/generator/base/error.hpp"
+#include "torsor/generator/kernels/kernel.hpp"
+#include "torsor/generator/program/formula.hpp"
 #include "tests/dynamics/random_mechanism.hpp"
 
 namespace torsor::pass_report_test {

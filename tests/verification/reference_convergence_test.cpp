@@ -8,8 +8,8 @@
 
 #include <gtest/gtest.h>
 
-#include "generator/base/error.hpp"
-#include "generator/verification/reference.hpp"
+#include "torsor/generator/base/error.hpp"
+#include "torsor/generator/verification/reference.hpp"
 #include "tests/cli/scene_runner.hpp"
 #include "tests/scenes/pendulums.hpp"
 #include "tests/scenes/sliding.hpp"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "generator/verification/reference.hpp"
+#include "torsor/generator/verification/reference.hpp"
 
 #include <gtest/gtest.h>
 

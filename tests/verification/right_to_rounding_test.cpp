@@ -8,7 +8,7 @@
 #include <sstream>
 #include <vector>
 
-#include "generator/base/high_precision.hpp"
+#include "torsor/generator/base/high_precision.hpp"
 
 namespace torsor::right_to_rounding_test {
 namespace {

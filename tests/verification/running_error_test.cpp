@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "generator/verification/running_error.hpp"
+#include "torsor/generator/verification/running_error.hpp"
 
 #include <gtest/gtest.h>
 

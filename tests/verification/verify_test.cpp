@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "generator/verification/verify.hpp"
+#include "torsor/generator/verification/verify.hpp"
 
 #include <gtest/gtest.h>
 
@@ -7,8 +7,8 @@
 #include <cmath>
 #include <functional>
 
-#include "generator/base/error.hpp"
-#include "generator/verification/ball.hpp"
+#include "torsor/generator/base/error.hpp"
+#include "torsor/generator/verification/ball.hpp"
 #include "tests/dynamics/random_mechanism.hpp"
 #include "tests/scenes/pendulums.hpp"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "generator/torsor.hpp"
+#include "torsor/generator/torsor.hpp"
 
 /// A ball dropped from 1 m that keeps 0.8 of its speed at an impact.
 torsor::Scene bouncing_ball_scene() {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <string>
 
-#include "generator/torsor.hpp"
+#include "torsor/generator/torsor.hpp"
 
 /// Four rods, the first hinged 0.35 m above a floor, fall from a line a little below the horizontal and come to rest on
 /// it.

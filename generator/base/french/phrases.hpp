@@ -5,11 +5,11 @@
 #include <span>
 #include <string_view>
 
-#include "generator/base/french/contacts.hpp"
-#include "generator/base/french/equations.hpp"
-#include "generator/base/french/report.hpp"
-#include "generator/base/french/statics.hpp"
-#include "generator/base/french/structure.hpp"
+#include "torsor/generator/base/french/contacts.hpp"
+#include "torsor/generator/base/french/equations.hpp"
+#include "torsor/generator/base/french/report.hpp"
+#include "torsor/generator/base/french/statics.hpp"
+#include "torsor/generator/base/french/structure.hpp"
 
 namespace torsor {
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "generator/base/french/translation.hpp"
+#include "torsor/generator/base/french/translation.hpp"
 
 namespace torsor {
 

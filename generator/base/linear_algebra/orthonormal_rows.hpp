@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include "generator/base/linear_algebra/real_rows.hpp"
+#include "torsor/generator/base/linear_algebra/real_rows.hpp"
 
 namespace torsor {
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "generator/base/linear_algebra/real_rows.hpp"
+#include "torsor/generator/base/linear_algebra/real_rows.hpp"
 
-#include "generator/base/linear_algebra/orthonormal_rows.hpp"
+#include "torsor/generator/base/linear_algebra/orthonormal_rows.hpp"
 
 namespace torsor {
 namespace {

@@ -3,7 +3,7 @@
 
 #include <optional>
 
-#include "generator/base/linear_algebra/row_reduction.hpp"
+#include "torsor/generator/base/linear_algebra/row_reduction.hpp"
 
 namespace torsor {
 

@@ -9,8 +9,8 @@
 #include <utility>
 #include <vector>
 
-#include "generator/base/high_precision.hpp"
-#include "generator/base/number.hpp"
+#include "torsor/generator/base/high_precision.hpp"
+#include "torsor/generator/base/number.hpp"
 
 namespace torsor {
 

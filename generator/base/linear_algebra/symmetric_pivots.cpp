@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "generator/base/linear_algebra/symmetric_pivots.hpp"
+#include "torsor/generator/base/linear_algebra/symmetric_pivots.hpp"
 
 #include <algorithm>
 

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "generator/dynamics/derivatives/articulated_derivatives.hpp"
+#include "torsor/generator/dynamics/derivatives/articulated_derivatives.hpp"
 
 #include <array>
 
-#include "generator/dynamics/derivatives/linearisation.hpp"
-#include "generator/dynamics/motion/joint_changes.hpp"
-#include "generator/dynamics/recursions/articulated_motion.hpp"
-#include "generator/dynamics/recursions/inverse_operational_inertia.hpp"
+#include "torsor/generator/dynamics/derivatives/linearisation.hpp"
+#include "torsor/generator/dynamics/motion/joint_changes.hpp"
+#include "torsor/generator/dynamics/recursions/articulated_motion.hpp"
+#include "torsor/generator/dynamics/recursions/inverse_operational_inertia.hpp"
 
 namespace torsor {
 namespace {

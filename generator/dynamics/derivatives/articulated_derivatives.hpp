@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "generator/dynamics/derivatives/forward_derivatives.hpp"
+#include "torsor/generator/dynamics/derivatives/forward_derivatives.hpp"
 
 namespace torsor {
 

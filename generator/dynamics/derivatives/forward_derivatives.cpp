@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "generator/dynamics/derivatives/forward_derivatives.hpp"
+#include "torsor/generator/dynamics/derivatives/forward_derivatives.hpp"
 
 #include <algorithm>
 #include <memory>
@@ -7,13 +7,13 @@
 
 #include <fmt/format.h>
 
-#include "generator/dynamics/derivatives/articulated_derivatives.hpp"
-#include "generator/dynamics/derivatives/linearisation.hpp"
-#include "generator/dynamics/derivatives/motion_changes.hpp"
-#include "generator/dynamics/recursions/articulated_bodies.hpp"
-#include "generator/dynamics/recursions/articulated_motion.hpp"
-#include "generator/program/derivative.hpp"
-#include "generator/program/formula.hpp"
+#include "torsor/generator/dynamics/derivatives/articulated_derivatives.hpp"
+#include "torsor/generator/dynamics/derivatives/linearisation.hpp"
+#include "torsor/generator/dynamics/derivatives/motion_changes.hpp"
+#include "torsor/generator/dynamics/recursions/articulated_bodies.hpp"
+#include "torsor/generator/dynamics/recursions/articulated_motion.hpp"
+#include "torsor/generator/program/derivative.hpp"
+#include "torsor/generator/program/formula.hpp"
 
 namespace torsor {
 namespace {

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "generator/dynamics/derivatives/forward_second_derivatives.hpp"
+#include "torsor/generator/dynamics/derivatives/forward_second_derivatives.hpp"
 
-#include "generator/dynamics/derivatives/forward_derivatives.hpp"
-#include "generator/dynamics/derivatives/motion_changes.hpp"
-#include "generator/program/derivative.hpp"
+#include "torsor/generator/dynamics/derivatives/forward_derivatives.hpp"
+#include "torsor/generator/dynamics/derivatives/motion_changes.hpp"
+#include "torsor/generator/program/derivative.hpp"
 
 namespace torsor {
 namespace {

@@ -4,7 +4,7 @@
 #include <utility>
 #include <vector>
 
-#include "generator/dynamics/derivatives/second_derivatives.hpp"
+#include "torsor/generator/dynamics/derivatives/second_derivatives.hpp"
 
 namespace torsor {
 

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "generator/dynamics/derivatives/linearisation.hpp"
+#include "torsor/generator/dynamics/derivatives/linearisation.hpp"
 
 #include <optional>
 
-#include "generator/dynamics/forces/virtual_power.hpp"
-#include "generator/dynamics/recursions/articulated_motion.hpp"
-#include "generator/dynamics/recursions/inertia_derivatives.hpp"
-#include "generator/program/derivative.hpp"
-#include "generator/program/formula.hpp"
+#include "torsor/generator/dynamics/forces/virtual_power.hpp"
+#include "torsor/generator/dynamics/recursions/articulated_motion.hpp"
+#include "torsor/generator/dynamics/recursions/inertia_derivatives.hpp"
+#include "torsor/generator/program/derivative.hpp"
+#include "torsor/generator/program/formula.hpp"
 
 namespace torsor {
 namespace {

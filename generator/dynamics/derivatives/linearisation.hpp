@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "generator/dynamics/equations/equations.hpp"
-#include "generator/dynamics/recursions/inertia_derivatives.hpp"
+#include "torsor/generator/dynamics/equations/equations.hpp"
+#include "torsor/generator/dynamics/recursions/inertia_derivatives.hpp"
 
 namespace torsor {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "generator/dynamics/derivatives/motion_changes.hpp"
+#include "torsor/generator/dynamics/derivatives/motion_changes.hpp"
 
 #include <optional>
 

@@ -3,8 +3,8 @@
 
 #include <vector>
 
-#include "generator/dynamics/equations/equations.hpp"
-#include "generator/program/derivative.hpp"
+#include "torsor/generator/dynamics/equations/equations.hpp"
+#include "torsor/generator/program/derivative.hpp"
 
 namespace torsor {
 

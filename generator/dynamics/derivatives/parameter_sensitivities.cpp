@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "generator/dynamics/derivatives/parameter_sensitivities.hpp"
+#include "torsor/generator/dynamics/derivatives/parameter_sensitivities.hpp"
 
 #include <algorithm>
 
-#include "generator/dynamics/derivatives/motion_changes.hpp"
-#include "generator/program/derivative.hpp"
-#include "generator/program/formula.hpp"
+#include "torsor/generator/dynamics/derivatives/motion_changes.hpp"
+#include "torsor/generator/program/derivative.hpp"
+#include "torsor/generator/program/formula.hpp"
 
 namespace torsor {
 namespace {

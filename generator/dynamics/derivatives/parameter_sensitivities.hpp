@@ -4,7 +4,7 @@
 #include <utility>
 #include <vector>
 
-#include "generator/dynamics/equations/equations.hpp"
+#include "torsor/generator/dynamics/equations/equations.hpp"
 
 namespace torsor {
 

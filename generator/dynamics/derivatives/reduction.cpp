@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "generator/dynamics/derivatives/reduction.hpp"
+#include "torsor/generator/dynamics/derivatives/reduction.hpp"
 
 #include <algorithm>
 
-#include "generator/program/identically_zero.hpp"
+#include "torsor/generator/program/identically_zero.hpp"
 
 namespace torsor {
 namespace {

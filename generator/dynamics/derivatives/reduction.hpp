@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "generator/dynamics/derivatives/linearisation.hpp"
-#include "generator/dynamics/equations/independent_freedoms.hpp"
+#include "torsor/generator/dynamics/derivatives/linearisation.hpp"
+#include "torsor/generator/dynamics/equations/independent_freedoms.hpp"
 
 namespace torsor {
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "generator/dynamics/derivatives/second_derivatives.hpp"
+#include "torsor/generator/dynamics/derivatives/second_derivatives.hpp"
 
 #include <algorithm>
 
-#include "generator/program/derivative.hpp"
+#include "torsor/generator/program/derivative.hpp"
 
 namespace torsor {
 namespace {

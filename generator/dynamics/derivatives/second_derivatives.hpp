@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "generator/dynamics/derivatives/linearisation.hpp"
+#include "torsor/generator/dynamics/derivatives/linearisation.hpp"
 
 namespace torsor {
 

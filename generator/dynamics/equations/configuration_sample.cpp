@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "generator/dynamics/equations/configuration_sample.hpp"
+#include "torsor/generator/dynamics/equations/configuration_sample.hpp"
 
 #include <algorithm>
 
-#include "generator/mechanics/parameter_value.hpp"
-#include "generator/program/generic_state.hpp"
+#include "torsor/generator/mechanics/parameter_value.hpp"
+#include "torsor/generator/program/generic_state.hpp"
 
 namespace torsor {
 

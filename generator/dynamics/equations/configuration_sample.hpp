@@ -4,8 +4,8 @@
 #include <utility>
 #include <vector>
 
-#include "generator/dynamics/motion/model.hpp"
-#include "generator/program/evaluation.hpp"
+#include "torsor/generator/dynamics/motion/model.hpp"
+#include "torsor/generator/program/evaluation.hpp"
 
 namespace torsor {
 

@@ -1,20 +1,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "generator/dynamics/equations/constraint_rank.hpp"
+#include "torsor/generator/dynamics/equations/constraint_rank.hpp"
 
 #include <algorithm>
 #include <optional>
 
 #include <fmt/format.h>
 
-#include "generator/base/error.hpp"
-#include "generator/base/linear_algebra/cholesky.hpp"
-#include "generator/base/linear_algebra/orthonormal_rows.hpp"
-#include "generator/dynamics/equations/configuration_sample.hpp"
-#include "generator/dynamics/equations/constraint_sizes.hpp"
-#include "generator/dynamics/forces/bearing_loads.hpp"
-#include "generator/dynamics/forces/constraints.hpp"
-#include "generator/dynamics/forces/contacts.hpp"
-#include "generator/dynamics/forces/virtual_power.hpp"
+#include "torsor/generator/base/error.hpp"
+#include "torsor/generator/base/linear_algebra/cholesky.hpp"
+#include "torsor/generator/base/linear_algebra/orthonormal_rows.hpp"
+#include "torsor/generator/dynamics/equations/configuration_sample.hpp"
+#include "torsor/generator/dynamics/equations/constraint_sizes.hpp"
+#include "torsor/generator/dynamics/forces/bearing_loads.hpp"
+#include "torsor/generator/dynamics/forces/constraints.hpp"
+#include "torsor/generator/dynamics/forces/contacts.hpp"
+#include "torsor/generator/dynamics/forces/virtual_power.hpp"
 
 namespace torsor {
 namespace {

@@ -5,10 +5,10 @@
 #include <string>
 #include <vector>
 
-#include "generator/base/high_precision.hpp"
-#include "generator/base/linear_algebra/tolerances.hpp"
-#include "generator/base/natural_language.hpp"
-#include "generator/dynamics/motion/model.hpp"
+#include "torsor/generator/base/high_precision.hpp"
+#include "torsor/generator/base/linear_algebra/tolerances.hpp"
+#include "torsor/generator/base/natural_language.hpp"
+#include "torsor/generator/dynamics/motion/model.hpp"
 
 namespace torsor {
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "generator/dynamics/equations/constraint_sizes.hpp"
+#include "torsor/generator/dynamics/equations/constraint_sizes.hpp"
 
 #include <algorithm>
 
-#include "generator/dynamics/equations/configuration_sample.hpp"
+#include "torsor/generator/dynamics/equations/configuration_sample.hpp"
 
 namespace torsor {
 namespace {

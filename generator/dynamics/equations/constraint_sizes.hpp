@@ -3,9 +3,9 @@
 
 #include <vector>
 
-#include "generator/base/high_precision.hpp"
-#include "generator/dynamics/forces/constraints.hpp"
-#include "generator/dynamics/motion/model.hpp"
+#include "torsor/generator/base/high_precision.hpp"
+#include "torsor/generator/dynamics/forces/constraints.hpp"
+#include "torsor/generator/dynamics/motion/model.hpp"
 
 namespace torsor {
 

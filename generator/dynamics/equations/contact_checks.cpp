@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "generator/dynamics/equations/contact_checks.hpp"
+#include "torsor/generator/dynamics/equations/contact_checks.hpp"
 
 #include <algorithm>
 #include <cmath>
 
 #include <fmt/format.h>
 
-#include "generator/base/error.hpp"
-#include "generator/dynamics/equations/start_error.hpp"
-#include "generator/dynamics/forces/contacts.hpp"
-#include "generator/mechanics/parameter_value.hpp"
-#include "generator/program/evaluation.hpp"
+#include "torsor/generator/base/error.hpp"
+#include "torsor/generator/dynamics/equations/start_error.hpp"
+#include "torsor/generator/dynamics/forces/contacts.hpp"
+#include "torsor/generator/mechanics/parameter_value.hpp"
+#include "torsor/generator/program/evaluation.hpp"
 
 namespace torsor {
 namespace {

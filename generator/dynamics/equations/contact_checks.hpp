@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "generator/dynamics/equations/equations.hpp"
+#include "torsor/generator/dynamics/equations/equations.hpp"
 
 namespace torsor {
 

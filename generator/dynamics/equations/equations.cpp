@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "generator/dynamics/equations/equations.hpp"
+#include "torsor/generator/dynamics/equations/equations.hpp"
 
 #include <fmt/format.h>
 
-#include "generator/base/error.hpp"
-#include "generator/dynamics/equations/forward_choice.hpp"
-#include "generator/dynamics/equations/massless.hpp"
-#include "generator/dynamics/recursions/articulated_motion.hpp"
-#include "generator/dynamics/recursions/factored_bodies.hpp"
-#include "generator/program/formula.hpp"
-#include "generator/program/identically_zero.hpp"
+#include "torsor/generator/base/error.hpp"
+#include "torsor/generator/dynamics/equations/forward_choice.hpp"
+#include "torsor/generator/dynamics/equations/massless.hpp"
+#include "torsor/generator/dynamics/recursions/articulated_motion.hpp"
+#include "torsor/generator/dynamics/recursions/factored_bodies.hpp"
+#include "torsor/generator/program/formula.hpp"
+#include "torsor/generator/program/identically_zero.hpp"
 
 namespace torsor {
 namespace {

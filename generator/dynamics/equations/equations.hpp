@@ -5,11 +5,11 @@
 #include <optional>
 #include <vector>
 
-#include "generator/dynamics/equations/constraint_rank.hpp"
-#include "generator/dynamics/forces/actions.hpp"
-#include "generator/dynamics/forces/constraints.hpp"
-#include "generator/dynamics/forces/virtual_power.hpp"
-#include "generator/dynamics/recursions/forward_dynamics.hpp"
+#include "torsor/generator/dynamics/equations/constraint_rank.hpp"
+#include "torsor/generator/dynamics/forces/actions.hpp"
+#include "torsor/generator/dynamics/forces/constraints.hpp"
+#include "torsor/generator/dynamics/forces/virtual_power.hpp"
+#include "torsor/generator/dynamics/recursions/forward_dynamics.hpp"
 
 namespace torsor {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "generator/dynamics/equations/forward_choice.hpp"
+#include "torsor/generator/dynamics/equations/forward_choice.hpp"
 
 #include <algorithm>
 #include <array>
@@ -14,11 +14,11 @@
 #include <random>
 #include <vector>
 
-#include "generator/dynamics/equations/equations.hpp"
-#include "generator/dynamics/motion/nominal_number.hpp"
-#include "generator/dynamics/recursions/articulated_motion.hpp"
-#include "generator/dynamics/recursions/joint_coordinates.hpp"
-#include "generator/program/evaluation.hpp"
+#include "torsor/generator/dynamics/equations/equations.hpp"
+#include "torsor/generator/dynamics/motion/nominal_number.hpp"
+#include "torsor/generator/dynamics/recursions/articulated_motion.hpp"
+#include "torsor/generator/dynamics/recursions/joint_coordinates.hpp"
+#include "torsor/generator/program/evaluation.hpp"
 
 namespace torsor {
 namespace {

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "generator/dynamics/equations/independent_freedoms.hpp"
+#include "torsor/generator/dynamics/equations/independent_freedoms.hpp"
 
 #include <optional>
 #include <utility>
 
 #include <fmt/format.h>
 
-#include "generator/base/error.hpp"
-#include "generator/base/linear_algebra/row_reduction.hpp"
-#include "generator/base/linear_algebra/tolerances.hpp"
+#include "torsor/generator/base/error.hpp"
+#include "torsor/generator/base/linear_algebra/row_reduction.hpp"
+#include "torsor/generator/base/linear_algebra/tolerances.hpp"
 
 namespace torsor {
 namespace {

@@ -4,8 +4,8 @@
 #include <cstddef>
 #include <vector>
 
-#include "generator/base/linear_algebra/row_reduction.hpp"
-#include "generator/dynamics/equations/equations.hpp"
+#include "torsor/generator/base/linear_algebra/row_reduction.hpp"
+#include "torsor/generator/dynamics/equations/equations.hpp"
 
 namespace torsor {
 

@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "generator/dynamics/equations/massless.hpp"
+#include "torsor/generator/dynamics/equations/massless.hpp"
 
 #include <algorithm>
 
 #include <fmt/format.h>
 
-#include "generator/base/error.hpp"
-#include "generator/base/linear_algebra/symmetric_pivots.hpp"
-#include "generator/base/linear_algebra/tolerances.hpp"
-#include "generator/program/evaluation.hpp"
-#include "generator/program/generic_state.hpp"
+#include "torsor/generator/base/error.hpp"
+#include "torsor/generator/base/linear_algebra/symmetric_pivots.hpp"
+#include "torsor/generator/base/linear_algebra/tolerances.hpp"
+#include "torsor/generator/program/evaluation.hpp"
+#include "torsor/generator/program/generic_state.hpp"
 
 namespace torsor {
 namespace {

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "generator/dynamics/equations/ownership_checks.hpp"
+#include "torsor/generator/dynamics/equations/ownership_checks.hpp"
 
 #include <set>
 
 #include <fmt/format.h>
 
-#include "generator/base/error.hpp"
-#include "generator/mechanics/measure.hpp"
+#include "torsor/generator/base/error.hpp"
+#include "torsor/generator/mechanics/measure.hpp"
 
 namespace torsor {
 namespace {

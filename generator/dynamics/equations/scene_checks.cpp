@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "generator/dynamics/equations/scene_checks.hpp"
+#include "torsor/generator/dynamics/equations/scene_checks.hpp"
 
 #include <algorithm>
 #include <array>
@@ -8,12 +8,12 @@
 
 #include <fmt/format.h>
 
-#include "generator/base/as_index.hpp"
-#include "generator/base/error.hpp"
-#include "generator/dynamics/equations/start_error.hpp"
-#include "generator/mechanics/parameter_value.hpp"
-#include "generator/mechanics/triple_algebra.hpp"
-#include "generator/program/evaluation.hpp"
+#include "torsor/generator/base/as_index.hpp"
+#include "torsor/generator/base/error.hpp"
+#include "torsor/generator/dynamics/equations/start_error.hpp"
+#include "torsor/generator/mechanics/parameter_value.hpp"
+#include "torsor/generator/mechanics/triple_algebra.hpp"
+#include "torsor/generator/program/evaluation.hpp"
 
 namespace torsor {
 namespace {

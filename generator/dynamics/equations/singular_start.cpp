@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "generator/dynamics/equations/singular_start.hpp"
+#include "torsor/generator/dynamics/equations/singular_start.hpp"
 
 #include <algorithm>
 
 #include <fmt/format.h>
 
-#include "generator/base/linear_algebra/symmetric_pivots.hpp"
-#include "generator/base/linear_algebra/tolerances.hpp"
-#include "generator/dynamics/equations/equations.hpp"
-#include "generator/mechanics/parameter_value.hpp"
-#include "generator/program/evaluation.hpp"
+#include "torsor/generator/base/linear_algebra/symmetric_pivots.hpp"
+#include "torsor/generator/base/linear_algebra/tolerances.hpp"
+#include "torsor/generator/dynamics/equations/equations.hpp"
+#include "torsor/generator/mechanics/parameter_value.hpp"
+#include "torsor/generator/program/evaluation.hpp"
 
 namespace torsor {
 namespace {

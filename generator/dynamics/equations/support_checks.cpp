@@ -5,11 +5,11 @@
 
 #include <fmt/format.h>
 
-#include "generator/base/error.hpp"
-#include "generator/dynamics/equations/scene_checks.hpp"
-#include "generator/mechanics/parameter_value.hpp"
-#include "generator/program/evaluation.hpp"
-#include "generator/program/identically_zero.hpp"
+#include "torsor/generator/base/error.hpp"
+#include "torsor/generator/dynamics/equations/scene_checks.hpp"
+#include "torsor/generator/mechanics/parameter_value.hpp"
+#include "torsor/generator/program/evaluation.hpp"
+#include "torsor/generator/program/identically_zero.hpp"
 
 namespace torsor {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "generator/dynamics/equations/validation.hpp"
+#include "torsor/generator/dynamics/equations/validation.hpp"
 
 #include <algorithm>
 #include <array>
@@ -8,22 +8,22 @@
 
 #include <fmt/format.h>
 
-#include "generator/base/as_index.hpp"
-#include "generator/base/error.hpp"
-#include "generator/base/linear_algebra/symmetric_pivots.hpp"
-#include "generator/base/linear_algebra/tolerances.hpp"
-#include "generator/dynamics/equations/constraint_sizes.hpp"
-#include "generator/dynamics/equations/contact_checks.hpp"
-#include "generator/dynamics/equations/dependence_checks.hpp"
-#include "generator/dynamics/equations/equations.hpp"
-#include "generator/dynamics/equations/ownership_checks.hpp"
-#include "generator/dynamics/equations/scene_checks.hpp"
-#include "generator/dynamics/equations/start_error.hpp"
-#include "generator/mechanics/inertia_validity.hpp"
-#include "generator/mechanics/parameter_value.hpp"
-#include "generator/program/evaluation.hpp"
-#include "generator/program/generic_state.hpp"
-#include "generator/program/identically_zero.hpp"
+#include "torsor/generator/base/as_index.hpp"
+#include "torsor/generator/base/error.hpp"
+#include "torsor/generator/base/linear_algebra/symmetric_pivots.hpp"
+#include "torsor/generator/base/linear_algebra/tolerances.hpp"
+#include "torsor/generator/dynamics/equations/constraint_sizes.hpp"
+#include "torsor/generator/dynamics/equations/contact_checks.hpp"
+#include "torsor/generator/dynamics/equations/dependence_checks.hpp"
+#include "torsor/generator/dynamics/equations/equations.hpp"
+#include "torsor/generator/dynamics/equations/ownership_checks.hpp"
+#include "torsor/generator/dynamics/equations/scene_checks.hpp"
+#include "torsor/generator/dynamics/equations/start_error.hpp"
+#include "torsor/generator/mechanics/inertia_validity.hpp"
+#include "torsor/generator/mechanics/parameter_value.hpp"
+#include "torsor/generator/program/evaluation.hpp"
+#include "torsor/generator/program/generic_state.hpp"
+#include "torsor/generator/program/identically_zero.hpp"
 
 namespace torsor {
 namespace {

@@ -3,8 +3,8 @@
 
 #include <vector>
 
-#include "generator/base/high_precision.hpp"
-#include "generator/mechanics/scene.hpp"
+#include "torsor/generator/base/high_precision.hpp"
+#include "torsor/generator/mechanics/scene.hpp"
 
 namespace torsor {
 

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "generator/dynamics/forces/actions.hpp"
+#include "torsor/generator/dynamics/forces/actions.hpp"
 
 #include <algorithm>
 
 #include <fmt/format.h>
 
-#include "generator/base/error.hpp"
-#include "generator/dynamics/motion/relative_motion.hpp"
-#include "generator/mechanics/action_units.hpp"
-#include "generator/program/derivative.hpp"
+#include "torsor/generator/base/error.hpp"
+#include "torsor/generator/dynamics/motion/relative_motion.hpp"
+#include "torsor/generator/mechanics/action_units.hpp"
+#include "torsor/generator/program/derivative.hpp"
 
 namespace torsor {
 namespace {

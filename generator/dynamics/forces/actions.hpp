@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "generator/dynamics/motion/model.hpp"
-#include "generator/dynamics/motion/motion.hpp"
+#include "torsor/generator/dynamics/motion/model.hpp"
+#include "torsor/generator/dynamics/motion/motion.hpp"
 
 namespace torsor {
 

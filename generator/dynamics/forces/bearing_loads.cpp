@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "generator/dynamics/forces/bearing_loads.hpp"
+#include "torsor/generator/dynamics/forces/bearing_loads.hpp"
 
-#include "generator/dynamics/forces/constraint_wrench.hpp"
+#include "torsor/generator/dynamics/forces/constraint_wrench.hpp"
 
 namespace torsor {
 

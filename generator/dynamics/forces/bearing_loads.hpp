@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "generator/dynamics/motion/model.hpp"
+#include "torsor/generator/dynamics/motion/model.hpp"
 
 namespace torsor {
 

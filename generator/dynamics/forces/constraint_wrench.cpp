@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "generator/dynamics/forces/constraint_wrench.hpp"
+#include "torsor/generator/dynamics/forces/constraint_wrench.hpp"
 
-#include "generator/dynamics/forces/closure_wrench.hpp"
+#include "torsor/generator/dynamics/forces/closure_wrench.hpp"
 
 namespace torsor {
 namespace {

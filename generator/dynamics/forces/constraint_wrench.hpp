@@ -4,8 +4,8 @@
 #include <map>
 #include <optional>
 
-#include "generator/dynamics/forces/constraints.hpp"
-#include "generator/dynamics/motion/motion.hpp"
+#include "torsor/generator/dynamics/forces/constraints.hpp"
+#include "torsor/generator/dynamics/motion/motion.hpp"
 
 namespace torsor {
 

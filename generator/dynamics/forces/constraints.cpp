@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "generator/dynamics/forces/constraints.hpp"
+#include "torsor/generator/dynamics/forces/constraints.hpp"
 
 #include <algorithm>
 
 #include <fmt/format.h>
 
-#include "generator/base/error.hpp"
-#include "generator/dynamics/forces/closure_wrench.hpp"
-#include "generator/dynamics/forces/friction.hpp"
-#include "generator/program/derivative.hpp"
-#include "generator/program/identically_zero.hpp"
+#include "torsor/generator/base/error.hpp"
+#include "torsor/generator/dynamics/forces/closure_wrench.hpp"
+#include "torsor/generator/dynamics/forces/friction.hpp"
+#include "torsor/generator/program/derivative.hpp"
+#include "torsor/generator/program/identically_zero.hpp"
 
 namespace torsor {
 namespace {

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "generator/dynamics/motion/model.hpp"
+#include "torsor/generator/dynamics/motion/model.hpp"
 
 namespace torsor {
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "generator/dynamics/forces/energy.hpp"
+#include "torsor/generator/dynamics/forces/energy.hpp"
 
-#include "generator/dynamics/motion/central_bodies.hpp"
-#include "generator/program/derivative.hpp"
-#include "generator/program/paired_cosines.hpp"
+#include "torsor/generator/dynamics/motion/central_bodies.hpp"
+#include "torsor/generator/program/derivative.hpp"
+#include "torsor/generator/program/paired_cosines.hpp"
 
 namespace torsor {
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "generator/dynamics/forces/actions.hpp"
+#include "torsor/generator/dynamics/forces/actions.hpp"
 
 namespace torsor {
 

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "generator/dynamics/forces/friction.hpp"
+#include "torsor/generator/dynamics/forces/friction.hpp"
 
 #include <algorithm>
 
 #include <fmt/format.h>
 
-#include "generator/base/error.hpp"
-#include "generator/dynamics/motion/relative_motion.hpp"
+#include "torsor/generator/base/error.hpp"
+#include "torsor/generator/dynamics/motion/relative_motion.hpp"
 
 namespace torsor {
 namespace {

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "generator/dynamics/forces/constraints.hpp"
+#include "torsor/generator/dynamics/forces/constraints.hpp"
 
 namespace torsor {
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "generator/dynamics/forces/gravity_forces.hpp"
+#include "torsor/generator/dynamics/forces/gravity_forces.hpp"
 
-#include "generator/dynamics/forces/virtual_power.hpp"
-#include "generator/program/flattening.hpp"
+#include "torsor/generator/dynamics/forces/virtual_power.hpp"
+#include "torsor/generator/program/flattening.hpp"
 
 namespace torsor {
 namespace {

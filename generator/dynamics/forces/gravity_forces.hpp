@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "generator/dynamics/motion/body_tree.hpp"
+#include "torsor/generator/dynamics/motion/body_tree.hpp"
 
 namespace torsor {
 

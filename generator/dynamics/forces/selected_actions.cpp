@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "generator/dynamics/forces/selected_actions.hpp"
+#include "torsor/generator/dynamics/forces/selected_actions.hpp"
 
 #include <algorithm>
 
 #include <fmt/format.h>
 
-#include "generator/base/did_you_mean.hpp"
-#include "generator/base/error.hpp"
-#include "generator/program/derivative.hpp"
+#include "torsor/generator/base/did_you_mean.hpp"
+#include "torsor/generator/base/error.hpp"
+#include "torsor/generator/program/derivative.hpp"
 
 namespace torsor {
 namespace {

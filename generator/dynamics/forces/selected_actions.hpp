@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "generator/dynamics/forces/actions.hpp"
+#include "torsor/generator/dynamics/forces/actions.hpp"
 
 namespace torsor {
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "generator/dynamics/forces/virtual_power.hpp"
+#include "torsor/generator/dynamics/forces/virtual_power.hpp"
 
 #include <algorithm>
 
-#include "generator/program/flattening.hpp"
+#include "torsor/generator/program/flattening.hpp"
 
 namespace torsor {
 namespace {

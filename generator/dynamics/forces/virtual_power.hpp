@@ -4,7 +4,7 @@
 #include <map>
 #include <vector>
 
-#include "generator/dynamics/motion/motion.hpp"
+#include "torsor/generator/dynamics/motion/motion.hpp"
 
 namespace torsor {
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "generator/dynamics/motion/body_set.hpp"
-#include "generator/dynamics/motion/frame_motion.hpp"
-#include "generator/mechanics/screw.hpp"
+#include "torsor/generator/dynamics/motion/body_set.hpp"
+#include "torsor/generator/dynamics/motion/frame_motion.hpp"
+#include "torsor/generator/mechanics/screw.hpp"
 
 namespace torsor {
 

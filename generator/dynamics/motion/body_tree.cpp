@@ -3,9 +3,9 @@
 #include <cmath>
 #include <optional>
 
-#include "generator/dynamics/motion/body_tree.hpp"
-#include "generator/dynamics/motion/nominal_number.hpp"
-#include "generator/geometry/exact_turn.hpp"
+#include "torsor/generator/dynamics/motion/body_tree.hpp"
+#include "torsor/generator/dynamics/motion/nominal_number.hpp"
+#include "torsor/generator/geometry/exact_turn.hpp"
 
 namespace torsor {
 namespace {

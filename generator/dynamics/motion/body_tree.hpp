@@ -6,10 +6,10 @@
 #include <utility>
 #include <vector>
 
-#include "generator/geometry/vector.hpp"
-#include "generator/mechanics/scene_content.hpp"
-#include "generator/mechanics/screw.hpp"
-#include "generator/program/program.hpp"
+#include "torsor/generator/geometry/vector.hpp"
+#include "torsor/generator/mechanics/scene_content.hpp"
+#include "torsor/generator/mechanics/screw.hpp"
+#include "torsor/generator/program/program.hpp"
 
 namespace torsor {
 

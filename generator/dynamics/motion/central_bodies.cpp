@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "generator/dynamics/motion/central_bodies.hpp"
+#include "torsor/generator/dynamics/motion/central_bodies.hpp"
 
 #include <algorithm>
 #include <array>

@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "generator/dynamics/motion/body_tree.hpp"
+#include "torsor/generator/dynamics/motion/body_tree.hpp"
 
 namespace torsor {
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "generator/dynamics/motion/point_motion.hpp"
+#include "torsor/generator/dynamics/motion/point_motion.hpp"
 
 namespace torsor {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "generator/dynamics/motion/frame_motion.hpp"
+#include "torsor/generator/dynamics/motion/frame_motion.hpp"
 
 namespace torsor {
 Twist relative_twist(const Model& model, int link, int reference) {

@@ -3,9 +3,9 @@
 
 #include <string>
 
-#include "generator/dynamics/motion/model.hpp"
-#include "generator/dynamics/motion/motion.hpp"
-#include "generator/mechanics/rigid_motion.hpp"
+#include "torsor/generator/dynamics/motion/model.hpp"
+#include "torsor/generator/dynamics/motion/motion.hpp"
+#include "torsor/generator/mechanics/rigid_motion.hpp"
 
 namespace torsor {
 

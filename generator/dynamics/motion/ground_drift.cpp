@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "generator/dynamics/motion/ground_drift.hpp"
+#include "torsor/generator/dynamics/motion/ground_drift.hpp"
 
-#include "generator/program/derivative.hpp"
+#include "torsor/generator/program/derivative.hpp"
 
 namespace torsor {
 

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "generator/dynamics/motion/ground_motion.hpp"
+#include "torsor/generator/dynamics/motion/ground_motion.hpp"
 
 namespace torsor {
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "generator/dynamics/motion/body_screws.hpp"
+#include "torsor/generator/dynamics/motion/body_screws.hpp"
 
 namespace torsor {
 

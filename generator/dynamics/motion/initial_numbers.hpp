@@ -4,8 +4,8 @@
 #include <cstdint>
 #include <map>
 
-#include "generator/mechanics/scene.hpp"
-#include "generator/program/evaluation.hpp"
+#include "torsor/generator/mechanics/scene.hpp"
+#include "torsor/generator/program/evaluation.hpp"
 
 namespace torsor {
 

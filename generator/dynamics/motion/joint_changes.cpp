@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "generator/dynamics/motion/joint_changes.hpp"
+#include "torsor/generator/dynamics/motion/joint_changes.hpp"
 
 #include <array>
 
-#include "generator/base/as_index.hpp"
+#include "torsor/generator/base/as_index.hpp"
 
 namespace torsor {
 namespace {

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "generator/dynamics/motion/motion.hpp"
+#include "torsor/generator/dynamics/motion/motion.hpp"
 
 namespace torsor {
 

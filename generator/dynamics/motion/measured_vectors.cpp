@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
 
-#include "generator/base/as_index.hpp"
-#include "generator/dynamics/motion/model.hpp"
-#include "generator/dynamics/motion/relative_motion.hpp"
-#include "generator/mechanics/measure.hpp"
+#include "torsor/generator/base/as_index.hpp"
+#include "torsor/generator/dynamics/motion/model.hpp"
+#include "torsor/generator/dynamics/motion/relative_motion.hpp"
+#include "torsor/generator/mechanics/measure.hpp"
 
 namespace torsor {
 

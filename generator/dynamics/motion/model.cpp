@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "generator/dynamics/motion/model.hpp"
+#include "torsor/generator/dynamics/motion/model.hpp"
 
 #include <algorithm>
 
 #include <fmt/format.h>
 
-#include "generator/base/as_index.hpp"
-#include "generator/base/error.hpp"
-#include "generator/expression/expression_derivative.hpp"
-#include "generator/mechanics/freedom_positions.hpp"
-#include "generator/program/derivative.hpp"
+#include "torsor/generator/base/as_index.hpp"
+#include "torsor/generator/base/error.hpp"
+#include "torsor/generator/expression/expression_derivative.hpp"
+#include "torsor/generator/mechanics/freedom_positions.hpp"
+#include "torsor/generator/program/derivative.hpp"
 
 namespace torsor {
 

@@ -8,11 +8,11 @@
 #include <utility>
 #include <vector>
 
-#include "generator/dynamics/motion/body_tree.hpp"
-#include "generator/dynamics/motion/pass_table.hpp"
-#include "generator/mechanics/scene.hpp"
-#include "generator/program/derivative.hpp"
-#include "generator/program/program.hpp"
+#include "torsor/generator/dynamics/motion/body_tree.hpp"
+#include "torsor/generator/dynamics/motion/pass_table.hpp"
+#include "torsor/generator/mechanics/scene.hpp"
+#include "torsor/generator/program/derivative.hpp"
+#include "torsor/generator/program/program.hpp"
 
 namespace torsor {
 

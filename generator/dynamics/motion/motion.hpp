@@ -5,8 +5,8 @@
 #include <optional>
 #include <vector>
 
-#include "generator/dynamics/motion/body_tree.hpp"
-#include "generator/mechanics/screw.hpp"
+#include "torsor/generator/dynamics/motion/body_tree.hpp"
+#include "torsor/generator/mechanics/screw.hpp"
 
 namespace torsor {
 

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "generator/dynamics/motion/nominal_number.hpp"
+#include "torsor/generator/dynamics/motion/nominal_number.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
-#include "generator/program/evaluation.hpp"
+#include "torsor/generator/program/evaluation.hpp"
 
 namespace torsor {
 namespace {

@@ -3,8 +3,8 @@
 
 #include <optional>
 
-#include "generator/mechanics/scene_content.hpp"
-#include "generator/program/program.hpp"
+#include "torsor/generator/mechanics/scene_content.hpp"
+#include "torsor/generator/program/program.hpp"
 
 namespace torsor {
 

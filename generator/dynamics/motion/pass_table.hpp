@@ -5,9 +5,9 @@
 #include <variant>
 #include <vector>
 
-#include "generator/dynamics/motion/body_tree.hpp"
-#include "generator/listing/computation.hpp"
-#include "generator/program/passes.hpp"
+#include "torsor/generator/dynamics/motion/body_tree.hpp"
+#include "torsor/generator/listing/computation.hpp"
+#include "torsor/generator/program/passes.hpp"
 
 namespace torsor {
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "generator/dynamics/motion/placement_cost.hpp"
+#include "torsor/generator/dynamics/motion/placement_cost.hpp"
 
 #include <algorithm>
 #include <cmath>
 
-#include "generator/dynamics/motion/nominal_number.hpp"
+#include "torsor/generator/dynamics/motion/nominal_number.hpp"
 
 namespace torsor {
 namespace {

@@ -3,8 +3,8 @@
 
 #include <array>
 
-#include "generator/dynamics/motion/body_tree.hpp"
-#include "generator/geometry/exact_turn.hpp"
+#include "torsor/generator/dynamics/motion/body_tree.hpp"
+#include "torsor/generator/geometry/exact_turn.hpp"
 
 namespace torsor {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "generator/dynamics/motion/point_motion.hpp"
+#include "torsor/generator/dynamics/motion/point_motion.hpp"
 
 namespace torsor {
 

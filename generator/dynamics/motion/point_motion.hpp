@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "generator/dynamics/motion/frame_motion.hpp"
+#include "torsor/generator/dynamics/motion/frame_motion.hpp"
 
 namespace torsor {
 

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "generator/dynamics/motion/reframing.hpp"
+#include "torsor/generator/dynamics/motion/reframing.hpp"
 
 #include <algorithm>
 #include <utility>
 
-#include "generator/dynamics/motion/placement_cost.hpp"
-#include "generator/base/as_index.hpp"
-#include "generator/program/evaluation.hpp"
+#include "torsor/generator/dynamics/motion/placement_cost.hpp"
+#include "torsor/generator/base/as_index.hpp"
+#include "torsor/generator/program/evaluation.hpp"
 
 namespace torsor {
 namespace {

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "generator/dynamics/motion/body_tree.hpp"
+#include "torsor/generator/dynamics/motion/body_tree.hpp"
 
 #include <algorithm>
 #include <optional>
 
-#include "generator/dynamics/motion/nominal_number.hpp"
+#include "torsor/generator/dynamics/motion/nominal_number.hpp"
 
 namespace torsor {
 namespace {

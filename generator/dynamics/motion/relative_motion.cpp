@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "generator/dynamics/motion/relative_motion.hpp"
+#include "torsor/generator/dynamics/motion/relative_motion.hpp"
 
 #include <algorithm>
 

@@ -3,8 +3,8 @@
 
 #include <vector>
 
-#include "generator/dynamics/motion/model.hpp"
-#include "generator/dynamics/motion/motion.hpp"
+#include "torsor/generator/dynamics/motion/model.hpp"
+#include "torsor/generator/dynamics/motion/motion.hpp"
 
 namespace torsor {
 

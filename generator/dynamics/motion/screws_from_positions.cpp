@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "generator/dynamics/motion/body_screws.hpp"
+#include "torsor/generator/dynamics/motion/body_screws.hpp"
 
 namespace torsor {
 namespace {

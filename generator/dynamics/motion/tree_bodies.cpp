@@ -4,9 +4,9 @@
 
 #include <fmt/format.h>
 
-#include "generator/base/error.hpp"
-#include "generator/dynamics/motion/body_tree.hpp"
-#include "generator/mechanics/require_unit.hpp"
+#include "torsor/generator/base/error.hpp"
+#include "torsor/generator/dynamics/motion/body_tree.hpp"
+#include "torsor/generator/mechanics/require_unit.hpp"
 
 namespace torsor {
 

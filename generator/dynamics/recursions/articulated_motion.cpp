@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "generator/dynamics/recursions/articulated_motion.hpp"
+#include "torsor/generator/dynamics/recursions/articulated_motion.hpp"
 
 #include <algorithm>
 
-#include "generator/dynamics/forces/virtual_power.hpp"
+#include "torsor/generator/dynamics/forces/virtual_power.hpp"
 
 namespace torsor {
 namespace {

@@ -4,10 +4,10 @@
 #include <map>
 #include <vector>
 
-#include "generator/dynamics/motion/model.hpp"
-#include "generator/dynamics/motion/motion.hpp"
-#include "generator/dynamics/recursions/articulated_bodies.hpp"
-#include "generator/dynamics/recursions/forward_dynamics.hpp"
+#include "torsor/generator/dynamics/motion/model.hpp"
+#include "torsor/generator/dynamics/motion/motion.hpp"
+#include "torsor/generator/dynamics/recursions/articulated_bodies.hpp"
+#include "torsor/generator/dynamics/recursions/forward_dynamics.hpp"
 
 namespace torsor {
 

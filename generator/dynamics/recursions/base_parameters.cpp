@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "generator/dynamics/recursions/base_parameters.hpp"
+#include "torsor/generator/dynamics/recursions/base_parameters.hpp"
 
 #include <algorithm>
 #include <optional>
@@ -9,12 +9,12 @@
 
 #include <fmt/format.h>
 
-#include "generator/base/error.hpp"
-#include "generator/base/linear_algebra/real_rows.hpp"
-#include "generator/base/linear_algebra/tolerances.hpp"
-#include "generator/mechanics/parameter_value.hpp"
-#include "generator/program/evaluation.hpp"
-#include "generator/program/generic_state.hpp"
+#include "torsor/generator/base/error.hpp"
+#include "torsor/generator/base/linear_algebra/real_rows.hpp"
+#include "torsor/generator/base/linear_algebra/tolerances.hpp"
+#include "torsor/generator/mechanics/parameter_value.hpp"
+#include "torsor/generator/program/evaluation.hpp"
+#include "torsor/generator/program/generic_state.hpp"
 
 namespace torsor {
 namespace {

@@ -4,9 +4,9 @@
 #include <cstddef>
 #include <vector>
 
-#include "generator/base/high_precision.hpp"
-#include "generator/dynamics/motion/model.hpp"
-#include "generator/dynamics/recursions/forward_dynamics.hpp"
+#include "torsor/generator/base/high_precision.hpp"
+#include "torsor/generator/dynamics/motion/model.hpp"
+#include "torsor/generator/dynamics/recursions/forward_dynamics.hpp"
 
 namespace torsor {
 

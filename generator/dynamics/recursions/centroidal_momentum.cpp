@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "generator/dynamics/recursions/centroidal_momentum.hpp"
+#include "torsor/generator/dynamics/recursions/centroidal_momentum.hpp"
 
 #include <algorithm>
 
-#include "generator/dynamics/motion/ground_motion.hpp"
+#include "torsor/generator/dynamics/motion/ground_motion.hpp"
 
 namespace torsor {
 namespace {

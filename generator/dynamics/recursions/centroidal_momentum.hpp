@@ -3,8 +3,8 @@
 
 #include <vector>
 
-#include "generator/dynamics/motion/model.hpp"
-#include "generator/mechanics/screw.hpp"
+#include "torsor/generator/dynamics/motion/model.hpp"
+#include "torsor/generator/mechanics/screw.hpp"
 
 namespace torsor {
 

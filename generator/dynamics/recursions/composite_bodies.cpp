@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "generator/dynamics/recursions/composite_bodies.hpp"
+#include "torsor/generator/dynamics/recursions/composite_bodies.hpp"
 
 namespace torsor {
 namespace {

@@ -4,8 +4,8 @@
 #include <cstddef>
 #include <vector>
 
-#include "generator/dynamics/motion/body_tree.hpp"
-#include "generator/mechanics/screw.hpp"
+#include "torsor/generator/dynamics/motion/body_tree.hpp"
+#include "torsor/generator/mechanics/screw.hpp"
 
 namespace torsor {
 

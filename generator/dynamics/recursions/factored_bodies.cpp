@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "generator/dynamics/recursions/factored_bodies.hpp"
+#include "torsor/generator/dynamics/recursions/factored_bodies.hpp"
 
 #include <algorithm>
 #include <array>
 
-#include "generator/dynamics/forces/virtual_power.hpp"
-#include "generator/dynamics/motion/central_bodies.hpp"
-#include "generator/dynamics/recursions/articulated_bodies.hpp"
-#include "generator/program/flattening.hpp"
-#include "generator/program/identically_zero.hpp"
+#include "torsor/generator/dynamics/forces/virtual_power.hpp"
+#include "torsor/generator/dynamics/motion/central_bodies.hpp"
+#include "torsor/generator/dynamics/recursions/articulated_bodies.hpp"
+#include "torsor/generator/program/flattening.hpp"
+#include "torsor/generator/program/identically_zero.hpp"
 
 namespace torsor {
 namespace {

@@ -4,9 +4,9 @@
 #include <map>
 #include <vector>
 
-#include "generator/dynamics/motion/body_tree.hpp"
-#include "generator/dynamics/recursions/forward_dynamics.hpp"
-#include "generator/dynamics/recursions/joint_coordinates.hpp"
+#include "torsor/generator/dynamics/motion/body_tree.hpp"
+#include "torsor/generator/dynamics/recursions/forward_dynamics.hpp"
+#include "torsor/generator/dynamics/recursions/joint_coordinates.hpp"
 
 namespace torsor {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "generator/dynamics/recursions/forward_dynamics.hpp"
+#include "torsor/generator/dynamics/recursions/forward_dynamics.hpp"
 
 namespace torsor {
 

@@ -6,8 +6,8 @@
 #include <utility>
 #include <vector>
 
-#include "generator/program/flattening.hpp"
-#include "generator/program/program.hpp"
+#include "torsor/generator/program/flattening.hpp"
+#include "torsor/generator/program/program.hpp"
 
 namespace torsor {
 

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "generator/dynamics/recursions/inertia_derivatives.hpp"
+#include "torsor/generator/dynamics/recursions/inertia_derivatives.hpp"
 
 #include <algorithm>
 #include <array>
 
-#include "generator/dynamics/forces/virtual_power.hpp"
-#include "generator/dynamics/motion/joint_changes.hpp"
-#include "generator/dynamics/recursions/composite_bodies.hpp"
+#include "torsor/generator/dynamics/forces/virtual_power.hpp"
+#include "torsor/generator/dynamics/motion/joint_changes.hpp"
+#include "torsor/generator/dynamics/recursions/composite_bodies.hpp"
 
 namespace torsor {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "generator/dynamics/recursions/inverse_operational_inertia.hpp"
+#include "torsor/generator/dynamics/recursions/inverse_operational_inertia.hpp"
 
 #include <array>
 

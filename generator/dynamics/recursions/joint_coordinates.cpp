@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "generator/dynamics/recursions/joint_coordinates.hpp"
+#include "torsor/generator/dynamics/recursions/joint_coordinates.hpp"
 
 #include <utility>
 
-#include "generator/base/linear_algebra/row_reduction.hpp"
+#include "torsor/generator/base/linear_algebra/row_reduction.hpp"
 
 namespace torsor {
 namespace {

@@ -5,7 +5,7 @@
 #include <optional>
 #include <vector>
 
-#include "generator/dynamics/motion/body_tree.hpp"
+#include "torsor/generator/dynamics/motion/body_tree.hpp"
 
 namespace torsor {
 

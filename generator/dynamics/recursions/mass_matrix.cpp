@@ -2,9 +2,9 @@
 #include <map>
 #include <set>
 
-#include "generator/dynamics/forces/virtual_power.hpp"
-#include "generator/dynamics/recursions/composite_bodies.hpp"
-#include "generator/program/flattening.hpp"
+#include "torsor/generator/dynamics/forces/virtual_power.hpp"
+#include "torsor/generator/dynamics/recursions/composite_bodies.hpp"
+#include "torsor/generator/program/flattening.hpp"
 
 namespace torsor {
 namespace {

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "generator/dynamics/recursions/regressor.hpp"
+#include "torsor/generator/dynamics/recursions/regressor.hpp"
 
 #include <set>
 
-#include "generator/dynamics/motion/motion.hpp"
-#include "generator/program/identically_zero.hpp"
+#include "torsor/generator/dynamics/motion/motion.hpp"
+#include "torsor/generator/program/identically_zero.hpp"
 
 namespace torsor {
 namespace {

@@ -5,8 +5,8 @@
 #include <cstddef>
 #include <vector>
 
-#include "generator/dynamics/motion/model.hpp"
-#include "generator/dynamics/recursions/forward_dynamics.hpp"
+#include "torsor/generator/dynamics/motion/model.hpp"
+#include "torsor/generator/dynamics/recursions/forward_dynamics.hpp"
 
 namespace torsor {
 

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "generator/dynamics/structure/internal_motions.hpp"
+#include "torsor/generator/dynamics/structure/internal_motions.hpp"
 
 #include <algorithm>
 
 #include <fmt/format.h>
 
-#include "generator/base/as_index.hpp"
+#include "torsor/generator/base/as_index.hpp"
 
 namespace torsor {
 namespace {

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "generator/dynamics/structure/mobility.hpp"
+#include "torsor/generator/dynamics/structure/mobility.hpp"
 
 namespace torsor {
 

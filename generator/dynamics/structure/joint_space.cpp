@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "generator/dynamics/structure/joint_space.hpp"
+#include "torsor/generator/dynamics/structure/joint_space.hpp"
 
 #include <algorithm>
 #include <numeric>
 
 #include <fmt/format.h>
 
-#include "generator/base/as_index.hpp"
-#include "generator/dynamics/structure/twist_space.hpp"
-#include "generator/mechanics/joint_screws.hpp"
+#include "torsor/generator/base/as_index.hpp"
+#include "torsor/generator/dynamics/structure/twist_space.hpp"
+#include "torsor/generator/mechanics/joint_screws.hpp"
 
 namespace torsor {
 namespace {

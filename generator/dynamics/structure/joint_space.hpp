@@ -5,11 +5,11 @@
 #include <string>
 #include <vector>
 
-#include "generator/base/linear_algebra/real_rows.hpp"
-#include "generator/base/natural_language.hpp"
-#include "generator/dynamics/motion/initial_numbers.hpp"
-#include "generator/geometry/real_vector.hpp"
-#include "generator/mechanics/structure_graph.hpp"
+#include "torsor/generator/base/linear_algebra/real_rows.hpp"
+#include "torsor/generator/base/natural_language.hpp"
+#include "torsor/generator/dynamics/motion/initial_numbers.hpp"
+#include "torsor/generator/geometry/real_vector.hpp"
+#include "torsor/generator/mechanics/structure_graph.hpp"
 
 namespace torsor {
 

@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "generator/dynamics/structure/mobility.hpp"
+#include "torsor/generator/dynamics/structure/mobility.hpp"
 
 #include <algorithm>
 #include <random>
 
 #include <fmt/format.h>
 
-#include "generator/base/as_index.hpp"
-#include "generator/base/did_you_mean.hpp"
-#include "generator/base/error.hpp"
-#include "generator/dynamics/forces/constraints.hpp"
-#include "generator/dynamics/structure/internal_motions.hpp"
+#include "torsor/generator/base/as_index.hpp"
+#include "torsor/generator/base/did_you_mean.hpp"
+#include "torsor/generator/base/error.hpp"
+#include "torsor/generator/dynamics/forces/constraints.hpp"
+#include "torsor/generator/dynamics/structure/internal_motions.hpp"
 
 namespace torsor {
 namespace {

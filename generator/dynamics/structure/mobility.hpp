@@ -6,11 +6,11 @@
 #include <string>
 #include <vector>
 
-#include "generator/base/linear_algebra/tolerances.hpp"
-#include "generator/base/natural_language.hpp"
-#include "generator/dynamics/structure/joint_space.hpp"
-#include "generator/dynamics/structure/twist_space.hpp"
-#include "generator/mechanics/structure_graph.hpp"
+#include "torsor/generator/base/linear_algebra/tolerances.hpp"
+#include "torsor/generator/base/natural_language.hpp"
+#include "torsor/generator/dynamics/structure/joint_space.hpp"
+#include "torsor/generator/dynamics/structure/twist_space.hpp"
+#include "torsor/generator/mechanics/structure_graph.hpp"
 
 namespace torsor {
 

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "generator/dynamics/structure/reduced_graph.hpp"
+#include "torsor/generator/dynamics/structure/reduced_graph.hpp"
 
 #include <algorithm>
 #include <functional>
 
 #include <fmt/format.h>
 
-#include "generator/base/as_index.hpp"
+#include "torsor/generator/base/as_index.hpp"
 
 namespace torsor {
 namespace {

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "generator/dynamics/structure/mobility.hpp"
+#include "torsor/generator/dynamics/structure/mobility.hpp"
 
 namespace torsor {
 

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "generator/dynamics/structure/twist_space.hpp"
+#include "torsor/generator/dynamics/structure/twist_space.hpp"
 
 #include <algorithm>
 
 #include <fmt/format.h>
 
-#include "generator/base/linear_algebra/tolerances.hpp"
-#include "generator/dynamics/structure/joint_space.hpp"
+#include "torsor/generator/base/linear_algebra/tolerances.hpp"
+#include "torsor/generator/dynamics/structure/joint_space.hpp"
 
 namespace torsor {
 namespace {

@@ -4,10 +4,10 @@
 #include <optional>
 #include <string>
 
-#include "generator/base/linear_algebra/real_rows.hpp"
-#include "generator/base/natural_language.hpp"
-#include "generator/geometry/real_vector.hpp"
-#include "generator/mechanics/joint.hpp"
+#include "torsor/generator/base/linear_algebra/real_rows.hpp"
+#include "torsor/generator/base/natural_language.hpp"
+#include "torsor/generator/geometry/real_vector.hpp"
+#include "torsor/generator/mechanics/joint.hpp"
 
 namespace torsor {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "generator/dynamics/theorems/bearing_reactions.hpp"
+#include "torsor/generator/dynamics/theorems/bearing_reactions.hpp"
 
 #include <algorithm>
 #include <optional>
@@ -7,12 +7,12 @@
 
 #include <fmt/format.h>
 
-#include "generator/base/error.hpp"
-#include "generator/dynamics/forces/bearing_loads.hpp"
-#include "generator/dynamics/forces/contacts.hpp"
-#include "generator/dynamics/theorems/newton_euler.hpp"
-#include "generator/program/derivative.hpp"
-#include "generator/program/identically_zero.hpp"
+#include "torsor/generator/base/error.hpp"
+#include "torsor/generator/dynamics/forces/bearing_loads.hpp"
+#include "torsor/generator/dynamics/forces/contacts.hpp"
+#include "torsor/generator/dynamics/theorems/newton_euler.hpp"
+#include "torsor/generator/program/derivative.hpp"
+#include "torsor/generator/program/identically_zero.hpp"
 
 namespace torsor {
 namespace {

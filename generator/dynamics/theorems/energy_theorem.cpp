@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "generator/dynamics/theorems/energy_theorem.hpp"
+#include "torsor/generator/dynamics/theorems/energy_theorem.hpp"
 
 #include <algorithm>
 
 #include <fmt/format.h>
 
-#include "generator/base/did_you_mean.hpp"
-#include "generator/base/error.hpp"
-#include "generator/dynamics/forces/constraint_wrench.hpp"
-#include "generator/dynamics/motion/inertia_wrench.hpp"
-#include "generator/program/derivative.hpp"
+#include "torsor/generator/base/did_you_mean.hpp"
+#include "torsor/generator/base/error.hpp"
+#include "torsor/generator/dynamics/forces/constraint_wrench.hpp"
+#include "torsor/generator/dynamics/motion/inertia_wrench.hpp"
+#include "torsor/generator/program/derivative.hpp"
 
 namespace torsor {
 namespace {

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "generator/dynamics/theorems/newton_euler.hpp"
+#include "torsor/generator/dynamics/theorems/newton_euler.hpp"
 
 namespace torsor {
 

@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "generator/dynamics/theorems/equilibrium_equations.hpp"
+#include "torsor/generator/dynamics/theorems/equilibrium_equations.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 
-#include "generator/base/error.hpp"
-#include "generator/dynamics/forces/energy.hpp"
-#include "generator/dynamics/theorems/flat_polynomials.hpp"
-#include "generator/program/derivative.hpp"
-#include "generator/program/identically_zero.hpp"
+#include "torsor/generator/base/error.hpp"
+#include "torsor/generator/dynamics/forces/energy.hpp"
+#include "torsor/generator/dynamics/theorems/flat_polynomials.hpp"
+#include "torsor/generator/program/derivative.hpp"
+#include "torsor/generator/program/identically_zero.hpp"
 
 namespace torsor {
 namespace {

@@ -5,8 +5,8 @@
 #include <utility>
 #include <vector>
 
-#include "generator/base/natural_language.hpp"
-#include "generator/dynamics/equations/equations.hpp"
+#include "torsor/generator/base/natural_language.hpp"
+#include "torsor/generator/dynamics/equations/equations.hpp"
 
 namespace torsor {
 

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "generator/dynamics/theorems/flat_polynomials.hpp"
+#include "torsor/generator/dynamics/theorems/flat_polynomials.hpp"
 
 #include <fmt/format.h>
 
 #include <optional>
 #include <unordered_map>
 
-#include "generator/base/error.hpp"
+#include "torsor/generator/base/error.hpp"
 
 namespace torsor {
 namespace {

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "generator/dynamics/theorems/force_function.hpp"
+#include "torsor/generator/dynamics/theorems/force_function.hpp"
 
 #include <algorithm>
 
 #include <fmt/format.h>
 
-#include "generator/program/derivative.hpp"
-#include "generator/program/identically_zero.hpp"
+#include "torsor/generator/program/derivative.hpp"
+#include "torsor/generator/program/identically_zero.hpp"
 
 namespace torsor {
 namespace {

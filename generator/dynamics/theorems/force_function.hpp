@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "generator/dynamics/equations/equations.hpp"
-#include "generator/dynamics/forces/selected_actions.hpp"
+#include "torsor/generator/dynamics/equations/equations.hpp"
+#include "torsor/generator/dynamics/forces/selected_actions.hpp"
 
 namespace torsor {
 

@@ -4,9 +4,9 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "generator/dynamics/forces/constraint_wrench.hpp"
-#include "generator/dynamics/theorems/joint_reactions.hpp"
-#include "generator/dynamics/theorems/unknowns_report.hpp"
+#include "torsor/generator/dynamics/forces/constraint_wrench.hpp"
+#include "torsor/generator/dynamics/theorems/joint_reactions.hpp"
+#include "torsor/generator/dynamics/theorems/unknowns_report.hpp"
 
 namespace torsor {
 namespace {

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "generator/dynamics/theorems/joint_actions.hpp"
+#include "torsor/generator/dynamics/theorems/joint_actions.hpp"
 
 #include <algorithm>
 #include <optional>
 
 #include <fmt/format.h>
 
-#include "generator/base/as_index.hpp"
-#include "generator/base/linear_algebra/row_reduction.hpp"
-#include "generator/dynamics/forces/constraint_wrench.hpp"
+#include "torsor/generator/base/as_index.hpp"
+#include "torsor/generator/base/linear_algebra/row_reduction.hpp"
+#include "torsor/generator/dynamics/forces/constraint_wrench.hpp"
 
 namespace torsor {
 namespace {

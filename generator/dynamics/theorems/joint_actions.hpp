@@ -4,9 +4,9 @@
 #include <string>
 #include <vector>
 
-#include "generator/base/natural_language.hpp"
-#include "generator/dynamics/motion/body_screws.hpp"
-#include "generator/dynamics/theorems/joint_reactions.hpp"
+#include "torsor/generator/base/natural_language.hpp"
+#include "torsor/generator/dynamics/motion/body_screws.hpp"
+#include "torsor/generator/dynamics/theorems/joint_reactions.hpp"
 
 namespace torsor {
 

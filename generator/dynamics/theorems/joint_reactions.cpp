@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "generator/dynamics/theorems/joint_reactions.hpp"
+#include "torsor/generator/dynamics/theorems/joint_reactions.hpp"
 
 #include <algorithm>
 
 #include <fmt/format.h>
 
-#include "generator/base/linear_algebra/real_rows.hpp"
-#include "generator/base/linear_algebra/tolerances.hpp"
-#include "generator/program/generic_state.hpp"
+#include "torsor/generator/base/linear_algebra/real_rows.hpp"
+#include "torsor/generator/base/linear_algebra/tolerances.hpp"
+#include "torsor/generator/program/generic_state.hpp"
 
 namespace torsor {
 namespace {

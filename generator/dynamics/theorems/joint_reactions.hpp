@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
-#include "generator/base/high_precision.hpp"
-#include "generator/dynamics/equations/equations.hpp"
-#include "generator/program/evaluation.hpp"
+#include "torsor/generator/base/high_precision.hpp"
+#include "torsor/generator/dynamics/equations/equations.hpp"
+#include "torsor/generator/program/evaluation.hpp"
 
 namespace torsor {
 

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "generator/dynamics/theorems/newton_euler.hpp"
+#include "torsor/generator/dynamics/theorems/newton_euler.hpp"
 
 #include <algorithm>
 
 #include <fmt/format.h>
 
-#include "generator/base/error.hpp"
-#include "generator/dynamics/forces/constraint_wrench.hpp"
-#include "generator/dynamics/motion/inertia_wrench.hpp"
+#include "torsor/generator/base/error.hpp"
+#include "torsor/generator/dynamics/forces/constraint_wrench.hpp"
+#include "torsor/generator/dynamics/motion/inertia_wrench.hpp"
 
 namespace torsor {
 namespace {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "generator/dynamics/equations/equations.hpp"
-#include "generator/dynamics/motion/body_screws.hpp"
+#include "torsor/generator/dynamics/equations/equations.hpp"
+#include "torsor/generator/dynamics/motion/body_screws.hpp"
 
 namespace torsor {
 

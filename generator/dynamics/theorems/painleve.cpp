@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "generator/dynamics/theorems/painleve.hpp"
+#include "torsor/generator/dynamics/theorems/painleve.hpp"
 
 #include <algorithm>
 
 #include <fmt/format.h>
 
-#include "generator/dynamics/forces/energy.hpp"
-#include "generator/dynamics/theorems/joint_reactions.hpp"
-#include "generator/program/derivative.hpp"
-#include "generator/program/evaluation.hpp"
-#include "generator/program/identically_zero.hpp"
+#include "torsor/generator/dynamics/forces/energy.hpp"
+#include "torsor/generator/dynamics/theorems/joint_reactions.hpp"
+#include "torsor/generator/program/derivative.hpp"
+#include "torsor/generator/program/evaluation.hpp"
+#include "torsor/generator/program/identically_zero.hpp"
 
 namespace torsor {
 namespace {

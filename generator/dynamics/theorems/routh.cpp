@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "generator/dynamics/theorems/routh.hpp"
+#include "torsor/generator/dynamics/theorems/routh.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 
-#include "generator/base/error.hpp"
-#include "generator/dynamics/theorems/flat_polynomials.hpp"
-#include "generator/program/identically_zero.hpp"
+#include "torsor/generator/base/error.hpp"
+#include "torsor/generator/dynamics/theorems/flat_polynomials.hpp"
+#include "torsor/generator/program/identically_zero.hpp"
 
 namespace torsor {
 namespace {

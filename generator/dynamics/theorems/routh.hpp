@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "generator/dynamics/recursions/forward_dynamics.hpp"
-#include "generator/program/program.hpp"
+#include "torsor/generator/dynamics/recursions/forward_dynamics.hpp"
+#include "torsor/generator/program/program.hpp"
 
 namespace torsor {
 

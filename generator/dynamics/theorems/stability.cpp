@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "generator/dynamics/theorems/stability.hpp"
+#include "torsor/generator/dynamics/theorems/stability.hpp"
 
 #include <fmt/format.h>
 
-#include "generator/base/error.hpp"
-#include "generator/base/linear_algebra/symmetric_pivots.hpp"
-#include "generator/dynamics/theorems/flat_polynomials.hpp"
+#include "torsor/generator/base/error.hpp"
+#include "torsor/generator/base/linear_algebra/symmetric_pivots.hpp"
+#include "torsor/generator/dynamics/theorems/flat_polynomials.hpp"
 
 namespace torsor {
 

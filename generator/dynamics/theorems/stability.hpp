@@ -4,9 +4,9 @@
 #include <string>
 #include <vector>
 
-#include "generator/base/natural_language.hpp"
-#include "generator/dynamics/theorems/equilibrium_equations.hpp"
-#include "generator/program/evaluation.hpp"
+#include "torsor/generator/base/natural_language.hpp"
+#include "torsor/generator/dynamics/theorems/equilibrium_equations.hpp"
+#include "torsor/generator/program/evaluation.hpp"
 
 namespace torsor {
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "generator/dynamics/theorems/theorem_equations.hpp"
+#include "torsor/generator/dynamics/theorems/theorem_equations.hpp"
 
-#include "generator/base/as_index.hpp"
-#include "generator/dynamics/theorems/joint_actions.hpp"
-#include "generator/program/derivative.hpp"
-#include "generator/program/identically_zero.hpp"
+#include "torsor/generator/base/as_index.hpp"
+#include "torsor/generator/dynamics/theorems/joint_actions.hpp"
+#include "torsor/generator/program/derivative.hpp"
+#include "torsor/generator/program/identically_zero.hpp"
 
 namespace torsor {
 namespace {

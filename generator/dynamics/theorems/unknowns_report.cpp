@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "generator/dynamics/theorems/unknowns_report.hpp"
+#include "torsor/generator/dynamics/theorems/unknowns_report.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "generator/dynamics/theorems/joint_reactions.hpp"
+#include "torsor/generator/dynamics/theorems/joint_reactions.hpp"
 
 namespace torsor {
 namespace {

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "generator/base/natural_language.hpp"
-#include "generator/dynamics/theorems/newton_euler.hpp"
+#include "torsor/generator/base/natural_language.hpp"
+#include "torsor/generator/dynamics/theorems/newton_euler.hpp"
 
 namespace torsor {
 

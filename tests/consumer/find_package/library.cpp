@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The program of someone who links to the shared library of a mechanism: the mass matrix at the start, by its table alone.
-#include <runtime/abi.h>
+#include <torsor/runtime/abi.h>
 
 #include <cmath>
 #include <cstddef>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The program of someone who asks the installed runtime library for the modes of two masses between three springs.
-#include <runtime/small_motions/modes.hpp>
+#include <torsor/runtime/small_motions/modes.hpp>
 
 #include <cmath>
 #include <cstdio>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The program of someone who integrates a motion of his own by CVODE.
-#include "runtime/sundials/sundials.hpp"
+#include "torsor/runtime/sundials/sundials.hpp"
 
 #include <array>
 #include <cmath>
