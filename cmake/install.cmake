@@ -41,7 +41,8 @@ set(headers_of_runtime abi.h abi/mechanism_library.hpp mechanism.hpp
   constraints/projection.hpp
   contacts/contact_exchange.hpp contacts/contact_solver.hpp contacts/impact_laws.hpp contacts/integrate_contacts.hpp
   contacts/mechanism_with_contacts.hpp contacts/moreau_jean.hpp
-  grains/grain_motion.hpp mpi/ensemble_mpi.hpp numerics/linear_solve.hpp sundials/sundials.hpp)
+  grains/grain_motion.hpp mpi/ensemble_mpi.hpp numerics/decompositions.hpp numerics/linear_solve.hpp
+  sundials/sundials.hpp)
 file(GLOB documented RELATIVE "${PROJECT_SOURCE_DIR}/runtime" "runtime/events/*.hpp" "runtime/integration/*.hpp"
   "runtime/records/*.hpp" "runtime/small_motions/*.hpp")
 list(APPEND headers_of_runtime ${documented})

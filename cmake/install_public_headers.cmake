@@ -2,6 +2,7 @@
 # Installs headers and what they include, and no others: what none of them includes is nobody's but ours, and may change.
 # -DSOURCE=<folder with generator/ and runtime/> -DHEADERS=<list of them> -DFOLDER=<generator or runtime, of which headers
 # are installed; those of the other come with another component> -DDESTINATION=<folder that gets generator/ or runtime/>.
+cmake_policy(VERSION 3.25)
 set(found "")
 set(next ${HEADERS})
 while(next)

@@ -10,7 +10,7 @@ namespace {
 
 TEST(WrappedLine, IsBrokenBehindCommasOutsideOfTexts) {
   const std::string name(100, 'n');
-  EXPECT_EQ(wrapped("f(" + name + ", second, third, fourth);", 0), "f(" + name + ", second,\n    third, fourth);");
+  EXPECT_EQ(wrapped("f(" + name + ", second, third, fourth);", 0), "f(" + name + ", second, third,\n    fourth);");
   EXPECT_EQ(wrapped("{" + name + ", \"N m, N, N m, kg m^2\", 3}", 0), "{" + name + ",\n    \"N m, N, N m, kg m^2\", 3}");
   EXPECT_EQ(wrapped("{\"" + name + "\", \"say \\\"N, m\\\", once, and more\", 3}", 0),
             "{\"" + name + "\",\n    \"say \\\"N, m\\\", once, and more\", 3}");
