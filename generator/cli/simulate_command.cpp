@@ -59,6 +59,19 @@ std::string moved_start(const Simulation& motion, const NamedNumbers& given) {
   return fmt::format("the constraints do not allow what --initial gives: the motion starts at {}", fmt::join(moved, ", "));
 }
 
+/// The first events and the last ones: who reads a terminal wants to know how it began and how it ended. The table has all.
+void tell_events(const std::vector<std::string>& events, std::vector<std::string>& notes) {
+  constexpr std::size_t first = 8, last = 2;
+  const std::size_t left_out = events.size() > first + last + 1 ? events.size() - first - last : 0;
+  for (std::size_t i = 0; i < events.size(); ++i) {
+    if (left_out > 0 && i == first) {
+      notes.push_back(fmt::format("{} events more: the table has all, in lines that begin with \"# Event:\"", left_out));
+      i += left_out;
+    }
+    notes.push_back("event: " + events[i]);
+  }
+}
+
 CommandResult run_simulation(const Scene& scene, SimulationRequest request) {
   SimulationOptions& options = request.options;
   options.model = request.model(scene);
@@ -83,7 +96,7 @@ CommandResult run_simulation(const Scene& scene, SimulationRequest request) {
     write_file_if_changed(request.plot[0], simulation_svg(scene, motion, columns));
   }
   if (const std::string moved = moved_start(motion, options.initial); !moved.empty()) result.notes.push_back(moved);
-  for (const std::string& event : motion.events) result.notes.push_back("event: " + event);
+  tell_events(motion.events, result.notes);
   result.notes.insert(result.notes.end(), motion.remarks.begin(), motion.remarks.end());
   if (!motion.status.empty()) result.notes.push_back(fmt::format("the motion ends: {}", motion.status));
   return result;

@@ -7,12 +7,10 @@ import os
 import shutil
 import subprocess
 import warnings
-from typing import TYPE_CHECKING, Iterable, Sequence, cast
+from typing import Any, Iterable, Protocol, Sequence, cast
 
 from ._mechanism import Mechanism
 
-if TYPE_CHECKING:
-    from .scene import Scene
 
 class LoadError(RuntimeError):
     """The program torsor, or a compiler, refuses a file; its own words."""
@@ -52,7 +50,14 @@ class Source:
         return built.stdout, [line.removeprefix("note: ") for line in built.stderr.splitlines() if line.startswith("note: ")]
 
 
-def load(path: str | os.PathLike[str] | Scene, *, kernels: Iterable[str] | str = "all", run_time: Iterable[str] | str = (),
+class AnyScene(Protocol):
+    """A torsor.scene.Scene, by what it can: its module need not be installed."""
+
+    def equations(self) -> str: ...
+    def outcome(self, command: str, *words: str, **options: Any) -> Any: ...
+
+
+def load(path: str | os.PathLike[str] | AnyScene, *, kernels: Iterable[str] | str = "all", run_time: Iterable[str] | str = (),
          fused: bool = False, flags: str | None = None, options: Sequence[str] = ()) -> Mechanism:
     """The mechanism of a URDF, xacro or MJCF file, of a scene in C++, or of a torsor.scene.Scene.
 
@@ -64,10 +69,9 @@ def load(path: str | os.PathLike[str] | Scene, *, kernels: Iterable[str] | str =
     Notes of the program become warnings. Raises LoadError with what torsor or the compiler say,
     FileNotFoundError where file or program are missing; for a Scene its own errors.
     """
-    # By what it can: the module of scenes need not be installed.
-    source: Scene | Source
+    source: AnyScene | Source
     if hasattr(path, "equations"):
-        source = cast("Scene", path)
+        source = cast(AnyScene, path)
     else:
         source = Source(os.fspath(cast("str | os.PathLike[str]", path)), options)
     words = ["--kernels", kernels if isinstance(kernels, str) else ",".join(kernels)]

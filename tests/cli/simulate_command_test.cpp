@@ -138,6 +138,20 @@ TEST(Simulate, HasARowForEachEvent) {
   EXPECT_EQ(rows.size(), 11U + static_cast<std::size_t>(5 / quarter));
 }
 
+TEST(Simulate, TellsTheFirstEventsAndTheLastOnes) {
+  const Outcome met = run(pendulum, {"simulate", "--to", "10", "--events", "lowest: theta", "--events", "turn: theta'"});
+  ASSERT_EQ(met.code, 0) << met.err;
+  const auto count = [](const std::string& text, const std::string& word) {
+    int found = 0;
+    for (std::size_t at = text.find(word); at != std::string::npos; at = text.find(word, at + 1)) ++found;
+    return found;
+  };
+  const int all = count(met.out, "# Event: ");
+  ASSERT_EQ(all, static_cast<int>(10 / (std::comp_ellint_1(std::sin(0.25)) * std::sqrt(1.5 / 9.81))));
+  EXPECT_EQ(count(met.err, "note: event: "), 10) << met.err;
+  EXPECT_EQ(count(met.err, "note: " + std::to_string(all - 10) + " events more: the table has all"), 1) << met.err;
+}
+
 // The pendulum passes theta = 0 between 0 and 1 s: 1/theta changes its sign there without a zero.
 TEST(Simulate, TakesNoPoleForAnEvent) {
   const Outcome outcome = run(pendulum, {"simulate", "--to", "1", "--events", "pole: 1/theta", "--events", "zero: theta"});

@@ -256,6 +256,7 @@ TEST(StartState, NearADeadCentreIsNamedByVerify) {
                               {"verify", "--scalar", "double", "--kernels", "forward_dynamics", "--states", "64"});
   ASSERT_EQ(outcome.code, 1) << outcome.out;
   EXPECT_NE(outcome.out.find("near a dead centre of 'x': the constraints hardly let it move there"), std::string::npos) << outcome.out;
+  EXPECT_NE(outcome.err.find("--exceptions FILE accepts what is known"), std::string::npos) << outcome.err;
 }
 
 TEST(StartState, NearAChangePointIsNamedByVerify) {

@@ -22,5 +22,6 @@ pendulum = ts.Scene("pendulum")
 a = pendulum.coordinate("a", "rad")
 pendulum.initial(a, Fraction(1, 3))
 rod = pendulum.revolute("rod", pendulum.ground, ts.axis.y, a)
+described: torsor.Mechanism = torsor.load(pendulum)
 pendulum.revolute("rod", pendulum.ground)  # type: ignore[call-arg]
 pendulum.body("rod", rod, 3)  # type: ignore[arg-type]
