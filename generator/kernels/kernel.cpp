@@ -9,12 +9,11 @@
 #include "torsor/generator/base/did_you_mean.hpp"
 #include "torsor/generator/base/error.hpp"
 #include "torsor/generator/dynamics/derivatives/parameter_sensitivities.hpp"
-#include "torsor/generator/dynamics/equations/forward_choice.hpp"
 #include "torsor/generator/dynamics/equations/massless.hpp"
-#include "torsor/generator/dynamics/forces/energy.hpp"
 #include "torsor/generator/dynamics/theorems/painleve.hpp"
 #include "torsor/generator/kernels/kernel_contacts.hpp"
 #include "torsor/generator/kernels/kernel_derivatives.hpp"
+#include "torsor/generator/kernels/kernel_energy.hpp"
 #include "torsor/generator/kernels/kernel_frames.hpp"
 #include "torsor/generator/kernels/kernel_jets.hpp"
 #include "torsor/generator/kernels/kernel_kinematics.hpp"
@@ -22,18 +21,16 @@
 #include "torsor/generator/kernels/kernel_parts.hpp"
 #include "torsor/generator/kernels/kernel_percussions.hpp"
 #include "torsor/generator/kernels/kernel_poses.hpp"
+#include "torsor/generator/kernels/kernel_reactions.hpp"
 #include "torsor/generator/kernels/kernel_regressor.hpp"
 #include "torsor/generator/kernels/kernel_residual.hpp"
 #include "torsor/generator/kernels/kernel_robotics.hpp"
 #include "torsor/generator/kernels/kernel_second_derivatives.hpp"
 #include "torsor/generator/kernels/kernel_sensitivities.hpp"
 #include "torsor/generator/kernels/kernel_sparse_jacobian.hpp"
-#include "torsor/generator/program/paired_cosines.hpp"
 
 namespace torsor {
 namespace {
-
-bool has_friction(const Equations& equations) { return !equations.scene().content().frictions.empty(); }
 
 /// What multiplies lambda in the equations of motion: A', unless friction works with the multipliers too.
 std::string multiplied(const Equations& equations) { return has_friction(equations) ? "B lambda" : "A' lambda"; }
@@ -88,46 +85,6 @@ Kernel make_forward_dynamics(const Equations& equations) {
   return kernel;
 }
 
-struct Energies {
-  Value kinetic, gravity;
-};
-
-/// Where a light body may carry a heavy one, in forms that lose nothing of what is small beside it.
-Energies energies_of(const Equations& equations) {
-  const Model& model = equations.model();
-  if (!light_matter_may_carry_heavy(model)) return {kinetic_energy(model), gravity_force_function(model)};
-  const Value kinetic = kinetic_energy_about_centres(model);
-  return {kinetic, with_paired_cosines(equations.program(), gravity_force_function(model))};
-}
-
-Kernel make_energy(const Equations& equations) {
-  Kernel kernel;
-  kernel.documentation = "Kinetic energy, force function (potential energy = -U) and power of what has no force function.";
-  kernel.arguments = {Argument::inputs};
-  const auto& actions = equations.scene().content().actions;
-  const bool further = std::any_of(actions.begin(), actions.end(), [](const ActionContent& action) {
-    return std::holds_alternative<GivenForceFunction>(action) || std::holds_alternative<Gravitation>(action);
-  });
-  const std::string u = further ? "force function U of gravity, springs, attractions and given functions [J]"
-                                : "force function U of gravity and springs [J]";
-  const std::string power = has_friction(equations) ? "power of friction (by the multipliers of the motion), dampers, given "
-                                                      "forces and motors [W]"
-                                                    : "power of dampers, given forces and motors [W]";
-  kernel.structures = {{"Energy",
-                        "Energies of the mechanism.",
-                        {{"kinetic", 1, 1, "kinetic energy T [J]"},
-                         {"force_function", 1, 1, u},
-                         {"power", 1, 1, power}}}};
-  kernel.results = {{"Energy", "result"}};
-  const Energies energies = energies_of(equations);
-  Value force_function = energies.gravity;
-  force_function += equations.actions().spring_force_function;
-  kernel.assignments = {{{"result", "kinetic"}, energies.kinetic},
-                        {{"result", "force_function"}, force_function},
-                        {{"result", "power"}, equations.power()}};
-  return kernel;
-}
-
 Kernel make_first_integrals(const Equations& equations) {
   Kernel kernel;
   const PainleveReport report = painleve(equations);
@@ -138,7 +95,7 @@ Kernel make_first_integrals(const Equations& equations) {
     Value value = integral.value;
     if (integral.name == "energy") {  // T − U
       const Energies energies = energies_of(equations);
-      value = energies.kinetic - energies.gravity - equations.actions().spring_force_function;
+      value = energies.kinetic - energies.force_function;
     }
     kernel.assignments.push_back({{"result", integral.name}, value});
   }
@@ -180,31 +137,6 @@ Kernel make_constraints(const Equations& equations) {
   return kernel;
 }
 
-Kernel make_reactions(const Equations& equations) {
-  Kernel kernel;
-  const Model& model = equations.model();
-  kernel.documentation =
-      "Reactions against the released coordinates, each P_q - Q_q at q = 0: what the joint exerts along the released\n"
-      "direction, at accelerations, multipliers and inputs that belong to the motion.";
-  kernel.arguments = {Argument::accelerations, Argument::multipliers, Argument::inputs};
-  Structure structure{"Reactions", "Reactions of joints along released directions.", {}};
-  const std::vector<SymbolPointer> inputs = model.inputs();
-  for (std::size_t i = unknowns(equations); i < model.coordinates().size(); ++i) {
-    const SymbolPointer& q = model.coordinates()[i].q;
-    Value reaction = equations.inverse_dynamics()[i];
-    for (std::size_t k = 0; k < inputs.size(); ++k) {
-      const Value& partial = equations.actions().inputs[k][i];
-      if (!partial.is_zero()) reaction -= partial * equations.program().symbol(inputs[k]);
-    }
-    const Unit unit = units::joule / q->unit;
-    structure.members.push_back({q->name, 1, 1, fmt::format("reaction along '{}' [{}]", q->name, unit.to_string())});
-    kernel.assignments.push_back({{"result", q->name}, reaction});
-  }
-  kernel.structures = {structure};
-  kernel.results = {{"Reactions", "result"}};
-  return kernel;
-}
-
 // Why there is nothing to compute, found without deriving the kernel.
 std::string never(const Equations&) { return ""; }
 
@@ -224,10 +156,6 @@ std::string no_first_integrals(const Equations& equations) {
 
 std::string no_constraints(const Equations& equations) {
   return equations.constraints().empty() ? "the scene has no constraints" : "";
-}
-
-std::string no_reactions(const Equations& equations) {
-  return equations.model().released_count() == 0 ? "the scene releases no joint direction (released_coordinate)" : "";
 }
 
 struct Entry {

@@ -27,6 +27,8 @@ std::size_t unknowns(const Equations& equations) {
   return static_cast<std::size_t>(equations.model().unknown_count());
 }
 
+bool has_friction(const Equations& equations) { return !equations.scene().content().frictions.empty(); }
+
 void StructureBuilder::vector(const std::string& name, std::size_t k, const Vector& v) {
   for (int i = 0; i < 3; ++i) assign(name, 3 * k + static_cast<std::size_t>(i), v[i]);
 }

@@ -23,6 +23,9 @@ void assign_vector(Kernel& kernel, const Target& target, const std::vector<Value
 
 std::size_t unknowns(const Equations& equations);
 
+/// Whether friction works in proportion to multipliers.
+bool has_friction(const Equations& equations);
+
 /// Fills the structure `result` of a kernel; entry 3 k + i of a member is component i of its vector k.
 class StructureBuilder {
  public:
