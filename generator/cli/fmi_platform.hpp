@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "torsor/generator/emission/fmi_description.hpp"
+#include "torsor/generator/emission/fmi_unit.hpp"
 
 namespace torsor {
 

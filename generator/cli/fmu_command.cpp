@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
 #include <filesystem>
 #include <memory>
 
@@ -6,6 +7,7 @@
 #include <fmt/ranges.h>
 #include <CLI/CLI.hpp>
 
+#include "torsor/generator/base/did_you_mean.hpp"
 #include "torsor/generator/base/error.hpp"
 #include "torsor/generator/base/output_file.hpp"
 #include "torsor/generator/base/process.hpp"
@@ -16,6 +18,7 @@
 #include "torsor/generator/cli/compiler.hpp"
 #include "torsor/generator/cli/fmi_platform.hpp"
 #include "torsor/generator/cli/kernel_options.hpp"
+#include "torsor/generator/emission/fmi_description.hpp"
 #include "torsor/generator/emission/fmi_sources.hpp"
 
 namespace torsor {
@@ -25,9 +28,41 @@ struct UnitRequest : KernelOptions {
   std::string flags = "-O2";
   int fmi = 2;
   bool sources_only = false;
+  OutputNames outputs;
 
   FmiVersion version() const { return fmi == 2 ? FmiVersion::two : FmiVersion::three; }
 };
+
+/// Names of one option, each once; `all` stands for the known ones.
+std::vector<std::string> chosen(const Scene& scene, const std::vector<std::string>& names, const std::string& option,
+                                const std::string& what, const std::vector<std::string>& known) {
+  std::vector<std::string> all;
+  for (const std::string& name : names) {
+    const bool is_known = std::find(known.begin(), known.end(), name) != known.end();
+    if (!is_known && name != "all") {
+      throw UsageError(fmt::format("unknown {} '{}' in {}: {}the scene '{}' has {}", what, name, option,
+                                   did_you_mean(name, known), scene.name(),
+                                   known.empty() ? "none" : fmt::format("{}", fmt::join(known, ", "))));
+    }
+    for (const std::string& each : is_known ? std::vector<std::string>{name} : known) {
+      if (std::find(all.begin(), all.end(), each) == all.end()) all.push_back(each);
+    }
+  }
+  return all;
+}
+
+OutputNames chosen_outputs(const Scene& scene, const OutputNames& asked) {
+  const SceneContent& content = scene.content();
+  std::vector<std::string> points, frames, released;
+  for (const PointContent& point : content.points) points.push_back(point.name);
+  for (const FrameContent& frame : content.frames) frames.push_back(frame.name);
+  for (const CoordinateContent& coordinate : content.coordinates) {
+    if (coordinate.released) released.push_back(coordinate.q->name);
+  }
+  return {chosen(scene, asked.points, "--points", "point", points),
+          chosen(scene, asked.frames, "--frames", "frame", frames),
+          chosen(scene, asked.reactions, "--reactions", "released coordinate", released)};
+}
 
 void write_sources(const std::filesystem::path& folder, const std::vector<SourceFile>& sources) {
   for (const SourceFile& source : sources) {
@@ -49,48 +84,56 @@ void compile(const Compiler& compiler, const std::vector<std::string>& flags, co
 }
 
 /// A binary, and where in a unit it belongs.
-ArchivedFile compiled_unit(const MechanismListing& mechanism, const std::vector<SourceFile>& sources,
-                           const UnitRequest& request) {
-  const std::string& name = mechanism.scene().name();
+ArchivedFile compiled_unit(const FmiUnit& unit, const std::vector<SourceFile>& sources, const UnitRequest& request) {
   const Compiler compiler = found_compiler("CC", {"cc", "gcc", "clang"}, "C99");
   std::vector<std::string> flags = {"-ffp-contract=off"};
   for (const std::string& flag : separate_words(request.flags)) flags.push_back(flag);
-  const FmiPlatform platform = fmi_platform(predefined_macros(compiler, flags), request.version());
+  const FmiPlatform platform = fmi_platform(predefined_macros(compiler, flags), unit.version);
   const TemporaryFolder folder(folder_of_temporary_files(), "torsor-fmu-");
   const auto file = [&folder](const std::string& of) { return (folder.path() / of).string(); };
   write_sources(folder.path(), sources);
   const std::string made = file("unit" + platform.suffix);
-  if (mechanism.scene().content().contacts.empty()) {
+  if (!unit.has_contacts()) {
     compile(compiler, flags, {"-std=c99", "-shared", "-o", made, file(sources.front().path), "-lm"});
   } else {
     compile(compiler, flags, {"-std=c99", "-c", "-o", file("unit.o"), file(sources.front().path)});
-    const std::vector<SourceFile> moving = fmi_contact_sources(mechanism);
+    const std::vector<SourceFile> moving = fmi_contact_sources(unit);
     write_sources(folder.path(), moving);
     const Compiler other = found_compiler("CXX", {"c++", "g++", "clang++"}, "C++20");
     compile(other, flags,
             {"-std=c++20", "-shared", "-isystem", eigen_folder(), "-I", folder.path().string(), "-o", made,
              file(moving.front().path), file("unit.o"), compiled_contact_layer(other, flags), "-lm"});
   }
-  return {fmt::format("binaries/{}/{}{}", platform.folder, name, platform.suffix), compiled_bytes(made)};
+  return {fmt::format("binaries/{}/{}{}", platform.folder, unit.name(), platform.suffix), compiled_bytes(made)};
+}
+
+/// Of a robot's file --points says which links get points, their origins. Contacts have points of their own.
+std::vector<std::string> origins_of_links(const Scene& scene) {
+  std::vector<std::string> names;
+  for (const PointContent& point : scene.content().points) {
+    if (point.name.ends_with("_origin")) names.push_back(point.name);
+  }
+  return names;
 }
 
 CommandResult make_unit(const Scene& scene, const UnitRequest& request, const std::string& output) {
   if (output == "-") throw UsageError("a unit of FMI is a file: give --output x.fmu");
   const bool contacts = !scene.content().contacts.empty();
   if (contacts && request.sources_only) {
-    throw UsageError(fmt::format("the scene '{}' has contacts, which are not moved by sources in C99: leave --sources-only out",
-                                 scene.name()));
+    throw UsageError(fmt::format(
+        "the scene '{}' has contacts, which are not moved by sources in C99: leave --sources-only out", scene.name()));
   }
-  const FmiVersion version = request.version();
-  const MechanismListing mechanism = lower_mechanism(scene, fmi_kernels(scene), request.model(scene));
-  std::vector<ArchivedFile> archive = {{"modelDescription.xml", fmi_description(mechanism, version)}};
-  const std::vector<SourceFile> sources = fmi_sources(mechanism, version);
-  if (!request.sources_only) archive.push_back(compiled_unit(mechanism, sources, request));
+  const FmiUnit unit =
+      lower_unit(scene, request.version(), chosen_outputs(scene, request.outputs), request.model(scene));
+  std::vector<ArchivedFile> archive = {{"modelDescription.xml", fmi_description(unit)}};
+  for (const SourceFile& text : fmi_licence_files(unit))
+    archive.push_back({"documentation/licenses/" + text.path, text.text});
+  const std::vector<SourceFile> sources = fmi_sources(unit);
+  if (!request.sources_only) archive.push_back(compiled_unit(unit, sources, request));
   if (contacts) return {zip_archive(archive)};
   for (const SourceFile& source : sources) archive.push_back({"sources/" + source.path, source.text});
-  if (version == FmiVersion::three) {
-    archive.push_back({"sources/buildDescription.xml", fmi_build_description(mechanism)});
-  }
+  if (unit.version == FmiVersion::three)
+    archive.push_back({"sources/buildDescription.xml", fmi_build_description(unit)});
   return {zip_archive(archive)};
 }
 
@@ -98,13 +141,28 @@ CommandResult make_unit(const Scene& scene, const UnitRequest& request, const st
 
 void add_fmu_command(CommandSet& commands) {
   const auto request = std::make_shared<UnitRequest>();
+  const auto of_robot = std::make_shared<CLI::Option*>(nullptr);
   CLI::App& command =
       commands.add("fmu", "write a functional mock-up unit of FMI 2.0 or 3.0, for model exchange and co-simulation",
-                   [request, &commands](const Scene& scene) { return make_unit(scene, *request, commands.output()); });
+                   [request, of_robot, &commands](const Scene& scene) {
+                     if (*of_robot != nullptr && !(*of_robot)->empty())
+                       request->outputs.points = origins_of_links(scene);
+                     return make_unit(scene, *request, commands.output());
+                   });
   command.add_option("--fmi", request->fmi, "version of the interface, 2 or 3")
       ->capture_default_str()
       ->check(CLI::IsMember({2, 3}));
   command.add_option("--run-time", request->run_time, "parameters that can be tuned, comma-separated, or all");
+  const auto add_outputs = [&command](const char* name, std::vector<std::string>& names, const char* text) {
+    command.add_option(name, names, text)->delimiter(',');
+  };
+  *of_robot = command.get_option_no_throw("--points");
+  if (*of_robot == nullptr) {
+    add_outputs("--points", request->outputs.points, "points whose positions are outputs, comma-separated, or all");
+  }
+  add_outputs("--frames", request->outputs.frames, "frames whose poses are outputs, comma-separated, or all");
+  add_outputs("--reactions", request->outputs.reactions,
+              "released coordinates whose reactions are outputs, comma-separated, or all");
   command.add_option("--flags", request->flags, "of the compiler $CC, separated by spaces")->capture_default_str();
   command.add_flag("--sources-only", request->sources_only, "no binary: who imports the unit compiles sources/");
   command.get_option("--output")->required()->description("unit to write, x.fmu");

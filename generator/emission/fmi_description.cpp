@@ -8,7 +8,6 @@
 
 #include <fmt/format.h>
 
-#include "torsor/generator/base/error.hpp"
 #include "torsor/generator/base/fnv.hpp"
 #include "torsor/generator/emission/embedded_templates.hpp"
 #include "torsor/generator/emission/fmi_variables.hpp"
@@ -17,18 +16,6 @@
 
 namespace torsor {
 namespace {
-
-void require_kernels(const MechanismListing& mechanism) {
-  for (const char* kernel : {"forward_dynamics", "forward_dynamics_derivatives", "energy"}) {
-    const bool found = std::any_of(mechanism.kernels.begin(), mechanism.kernels.end(),
-                                   [kernel](const KernelListing& each) { return each.kernel.name == kernel; });
-    if (!found) {
-      throw SceneError(
-          fmt::format("the scene '{}' has no kernel {}, and a unit of FMI moves by it; `list` tells why it is absent",
-                      mechanism.scene().name(), kernel));
-    }
-  }
-}
 
 /// What FMI 2.0 and 3.0 say alike.
 std::string kind_of(const FmiVariable& variable) {
@@ -42,19 +29,20 @@ std::string kind_of(const FmiVariable& variable) {
       return "causality=\"parameter\" variability=\"tunable\" initial=\"exact\"";
     case Role::output:
       return "causality=\"output\" variability=\"continuous\" initial=\"calculated\"";
+    case Role::time:
+      return "causality=\"independent\" variability=\"continuous\"";
     default:
       return "causality=\"local\" variability=\"continuous\" initial=\"calculated\"";
   }
 }
 
 /// Attributes of the type Real or Float64. `first` is what FMI calls the first variable, by index or by reference.
-std::string numbers_of(const FmiVariable& variable, std::size_t place, std::size_t states, std::size_t first,
-                       bool can_be_put_back) {
+std::string numbers_of(const FmiVariable& variable, std::size_t first, bool can_be_put_back) {
   std::string text;
   if (variable.unit != "1") text += fmt::format(" unit=\"{}\"", xml_escaped(variable.unit));
   if (variable.start) text += fmt::format(" start=\"{}\"", *variable.start);
   if (variable.role == FmiVariable::Role::state && can_be_put_back) text += " reinit=\"true\"";
-  if (variable.role == FmiVariable::Role::derivative) text += fmt::format(" derivative=\"{}\"", place - states + first);
+  if (variable.state) text += fmt::format(" derivative=\"{}\"", *variable.state + first);
   return text;
 }
 
@@ -75,98 +63,135 @@ constexpr const char* with_contacts_of_3 =
     R"(  <ModelExchange modelIdentifier="{0}" canGetAndSetFMUState="true" canSerializeFMUState="true" needsCompletedIntegratorStep="true"/>
   <CoSimulation modelIdentifier="{0}" canGetAndSetFMUState="true" canSerializeFMUState="true" canHandleVariableCommunicationStepSize="true"/>)";
 
-struct UnknownPlaces {
-  std::vector<std::size_t> outputs, derivatives, indicators;
+/// What ModelStructure tells: of outputs also what they depend on.
+struct ModelStructure {
+  std::vector<FmiDependency> outputs;
+  std::vector<std::size_t> derivatives, indicators;  ///< references
 };
 
-UnknownPlaces unknowns_of(const std::vector<FmiVariable>& variables, bool contacts) {
-  UnknownPlaces structure;
-  for (std::size_t i = 0; i < variables.size(); ++i) {
-    if (variables[i].role == FmiVariable::Role::indicator) structure.indicators.push_back(i);
-    if (variables[i].role == FmiVariable::Role::output && !contacts) structure.outputs.push_back(i);
-    if (variables[i].role == FmiVariable::Role::derivative) structure.derivatives.push_back(i);
+/// FMI 2.0 counts variables, 3.0 names them by reference.
+class StructureText {
+ public:
+  StructureText(const FmiUnit& unit, const std::vector<FmiVariable>& variables)
+      : two_(unit.version == FmiVersion::two), variables_(variables) {
+    structure_.outputs = fmi_dependencies(unit, variables);
+    for (const FmiVariable& variable : variables) {
+      if (variable.role == FmiVariable::Role::indicator) structure_.indicators.push_back(variable.reference);
+      if (variable.role == FmiVariable::Role::derivative) structure_.derivatives.push_back(variable.reference);
+    }
   }
-  return structure;
-}
 
-std::string structure_of_2(const UnknownPlaces& structure) {
-  const auto unknowns = [](const std::vector<std::size_t>& places) {
-    std::string text;
-    for (const std::size_t i : places) text += fmt::format("      <Unknown index=\"{}\"/>\n", i + 1);
-    return text;
-  };
-  const auto list = [](const char* name, const std::string& entries) {
-    return entries.empty() ? "" : fmt::format("    <{0}>\n{1}    </{0}>\n", name, entries);
-  };
-  const std::string outputs = unknowns(structure.outputs), derivatives = unknowns(structure.derivatives);
-  return list("Outputs", outputs) + list("Derivatives", derivatives) +
-         list("InitialUnknowns", derivatives + outputs);
-}
+  std::string text() const {
+    const std::string derivatives = two_ ? "Derivatives" : "ContinuousStateDerivative";
+    return section(two_ ? "Outputs" : "Output", outputs(false)) +
+           section(derivatives, unknowns(structure_.derivatives)) +
+           section(two_ ? "InitialUnknowns" : "InitialUnknown", unknowns(structure_.derivatives), outputs(true)) +
+           (two_ ? "" : section("EventIndicator", unknowns(structure_.indicators)));
+  }
 
-std::string structure_of_3(const UnknownPlaces& structure) {
-  const auto list = [](const char* name, const std::vector<std::size_t>& places) {
+  std::size_t indicators() const { return structure_.indicators.size(); }
+
+ private:
+  using Attributes = std::vector<std::string>;
+
+  /// References are in the order of variables, and some may be missing.
+  std::size_t called(std::size_t reference) const {
+    if (!two_) return reference;
+    const auto place = std::find_if(variables_.begin(), variables_.end(),
+                                    [reference](const FmiVariable& each) { return each.reference == reference; });
+    return static_cast<std::size_t>(place - variables_.begin()) + 1;
+  }
+
+  std::string unknown(std::size_t reference) const {
+    return fmt::format("{}=\"{}\"", two_ ? "index" : "valueReference", called(reference));
+  }
+
+  Attributes unknowns(const std::vector<std::size_t>& references) const {
+    Attributes all;
+    for (const std::size_t reference : references) all.push_back(unknown(reference));
+    return all;
+  }
+
+  /// Known are inputs, states and time; parameters, in FMI 2.0, at the start alone.
+  Attributes outputs(bool initially) const {
+    Attributes all;
+    for (const FmiDependency& output : structure_.outputs) {
+      all.push_back(unknown(output.output));
+      if (!output.on) continue;
+      std::string known;
+      for (const FmiVariable& variable : variables_) {
+        if (std::find(output.on->begin(), output.on->end(), variable.reference) == output.on->end()) continue;
+        if (variable.role == FmiVariable::Role::parameter && two_ && !initially) continue;
+        known += fmt::format("{}{}", known.empty() ? "" : " ", called(variable.reference));
+      }
+      all.back() += fmt::format(" dependencies=\"{}\"", known);
+    }
+    return all;
+  }
+
+  std::string section(const std::string& name, Attributes attributes, const Attributes& more = {}) const {
+    attributes.insert(attributes.end(), more.begin(), more.end());
     std::string text;
-    for (const std::size_t i : places) text += fmt::format("    <{} valueReference=\"{}\"/>\n", name, i);
-    return text;
-  };
-  return list("Output", structure.outputs) + list("ContinuousStateDerivative", structure.derivatives) +
-         list("InitialUnknown", structure.derivatives) + list("InitialUnknown", structure.outputs) +
-         list("EventIndicator", structure.indicators);
+    for (const std::string& each : attributes) {
+      text += two_ ? fmt::format("      <Unknown {}/>\n", each) : fmt::format("    <{} {}/>\n", name, each);
+    }
+    return two_ && !text.empty() ? fmt::format("    <{0}>\n{1}    </{0}>\n", name, text) : text;
+  }
+
+  bool two_;
+  const std::vector<FmiVariable>& variables_;
+  ModelStructure structure_;
+};
+
+std::string variable_text(const FmiVariable& v, bool two, bool can_be_put_back) {
+  const std::string numbers = numbers_of(v, two ? 1 : 0, can_be_put_back);
+  return two ? fmt::format("    <ScalarVariable name=\"{}\" valueReference=\"{}\" {}><Real{}/></ScalarVariable>\n",
+                           v.name, v.reference, kind_of(v), numbers)
+             : fmt::format("    <Float64 name=\"{}\" valueReference=\"{}\" {}{}/>\n", v.name, v.reference, kind_of(v),
+                           numbers);
 }
 
 }  // namespace
 
-std::string fmi_token(const MechanismListing& mechanism, FmiVersion version) {
+std::string fmi_token(const FmiUnit& unit) {
   Fnv interface;
   using Files = std::vector<const char*>;
-  for (const char* file : version == FmiVersion::two
+  for (const char* file : unit.version == FmiVersion::two
                               ? Files{"fmi/fmi2.c.in"}
                               : Files{"fmi/fmi3.c.in", "fmi/fmi3_types.h.in", "fmi/fmi3_absent.h.in"}) {
     interface.add(embedded_template(file));
   }
-  for (const char* file : {"fmi/model.h.in", "fmi/motion.h.in", "fmi/contacts.cpp.in"}) interface.add(embedded_template(file));
-  return fmt::format("{{{:016x}-{:016x}}}", header_fingerprint(mechanism), interface.value());
+  for (const char* file : {"fmi/model.h.in", "fmi/derivatives.h.in", "fmi/motion.h.in", "fmi/contacts.cpp.in"}) {
+    interface.add(embedded_template(file));
+  }
+  for (const FmiVariable& variable : fmi_variables(unit)) interface.add(variable.name).add("\n");
+  return fmt::format("{{{:016x}-{:016x}}}", header_fingerprint(unit.mechanism), interface.value());
 }
 
-std::string fmi_description(const MechanismListing& mechanism, FmiVersion version) {
-  require_kernels(mechanism);
-  const bool two = version == FmiVersion::two;
-  // What changes at the events of contacts has no derivatives, and reactions of contacts change multipliers.
-  const bool contacts = !mechanism.scene().content().contacts.empty();
-  const std::vector<FmiVariable> variables = fmi_variables(mechanism);
-  const std::size_t states = mechanism.layout.coordinates.size() + mechanism.layout.velocities.size();
-  const bool can_be_put_back = contacts || !mechanism.layout.multipliers.empty() ||
-                               mechanism.layout.coordinates.size() > mechanism.layout.velocities.size();
+std::string fmi_licence(const FmiUnit& unit) { return unit.has_contacts() ? "MIT-0 AND MIT AND MPL-2.0" : "MIT-0"; }
+
+std::string fmi_description(const FmiUnit& unit) {
+  const bool two = unit.version == FmiVersion::two, contacts = unit.has_contacts();
+  const Layout& layout = unit.mechanism.layout;
+  const std::vector<FmiVariable> variables = fmi_variables(unit);
+  const bool can_be_put_back =
+      contacts || !layout.multipliers.empty() || layout.coordinates.size() > layout.velocities.size();
   std::string list;
-  for (std::size_t i = 0; i < variables.size(); ++i) {
-    const FmiVariable& v = variables[i];
-    if (contacts && v.role == FmiVariable::Role::output) continue;
-    const std::string numbers = numbers_of(v, i, states, two ? 1 : 0, can_be_put_back);
-    list += two ? fmt::format("    <ScalarVariable name=\"{}\" valueReference=\"{}\" {}><Real{}/></ScalarVariable>\n", v.name,
-                              i, kind_of(v), numbers)
-                : fmt::format("    <Float64 name=\"{}\" valueReference=\"{}\" {}{}/>\n", v.name, i, kind_of(v), numbers);
-  }
-  if (!two) {
-    list += fmt::format(
-        "    <Float64 name=\"time\" valueReference=\"{}\" causality=\"independent\" variability=\"continuous\" unit=\"s\"/>\n",
-        variables.size());
-  }
-  std::vector<FmiVariable> measured = variables;
-  if (!two) measured.push_back({"time", "s", FmiVariable::Role::local, {}});
+  for (const FmiVariable& variable : variables) list += variable_text(variable, two, can_be_put_back);
+  const StructureText structure(unit, variables);
+  const char* const kinds =
+      two ? (contacts ? with_contacts_of_2 : both_kinds_of_2) : (contacts ? with_contacts_of_3 : both_kinds_of_3);
   const char* const file = two ? "fmi/modelDescription2.xml.in" : "fmi/modelDescription3.xml.in";
-  const UnknownPlaces structure = unknowns_of(variables, contacts);
-  const char* const kinds = two ? (contacts ? with_contacts_of_2 : both_kinds_of_2)
-                                : (contacts ? with_contacts_of_3 : both_kinds_of_3);
-  std::map<std::string, std::string> texts = {
-      {"name", mechanism.scene().name()},
-      {"title", xml_escaped(mechanism.scene().content().title)},
-      {"version", TORSOR_VERSION},
-      {"token", fmi_token(mechanism, version)},
-      {"kinds", fmt::format(fmt::runtime(kinds), mechanism.scene().name())},
-      {"units", fmi_unit_definitions(measured)},
-      {"variables", list},
-      {"structure", two ? structure_of_2(structure) : structure_of_3(structure)}};
-  if (two) texts["indicators"] = std::to_string(structure.indicators.size());
+  std::map<std::string, std::string> texts = {{"name", unit.name()},
+                                              {"title", xml_escaped(unit.scene().content().title)},
+                                              {"version", TORSOR_VERSION},
+                                              {"licence", fmi_licence(unit)},
+                                              {"token", fmi_token(unit)},
+                                              {"kinds", fmt::format(fmt::runtime(kinds), unit.name())},
+                                              {"units", fmi_unit_definitions(variables)},
+                                              {"variables", list},
+                                              {"structure", structure.text()}};
+  if (two) texts["indicators"] = std::to_string(structure.indicators());
   return fill_template(file, embedded_template(file), texts);
 }
 

@@ -3,18 +3,18 @@
 
 #include <string>
 
-#include "torsor/generator/emission/mechanism_listing.hpp"
+#include "torsor/generator/emission/fmi_unit.hpp"
 
 namespace torsor {
 
-enum class FmiVersion { two, three };
+/// What tells the unit from others: guid of FMI 2.0, instantiation token of 3.0. It changes with the equations, with the
+/// variables and with the interface.
+std::string fmi_token(const FmiUnit& unit);
 
-/// What tells the unit from others: guid of FMI 2.0, instantiation token of 3.0. It changes with the equations and with the
-/// interface.
-std::string fmi_token(const MechanismListing& mechanism, FmiVersion version);
+/// The licences of all that the unit holds, as an expression of SPDX.
+std::string fmi_licence(const FmiUnit& unit);
 
-/// modelDescription.xml, with the variables of fmi_variables(); in FMI 3.0 time is the last. Throws SceneError where the
-/// mechanism has no forward dynamics, or a parameter no value.
-std::string fmi_description(const MechanismListing& mechanism, FmiVersion version);
+/// modelDescription.xml, with the variables of fmi_variables(). Throws SceneError where a parameter has no value.
+std::string fmi_description(const FmiUnit& unit);
 
 }  // namespace torsor

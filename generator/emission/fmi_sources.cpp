@@ -7,8 +7,10 @@
 #include <fmt/format.h>
 
 #include "torsor/generator/emission/c_header.hpp"
+#include "torsor/generator/emission/embedded_licence_texts.hpp"
 #include "torsor/generator/emission/embedded_runtime_texts.hpp"
 #include "torsor/generator/emission/embedded_templates.hpp"
+#include "torsor/generator/emission/fmi_description.hpp"
 #include "torsor/generator/emission/fmi_variables.hpp"
 #include "torsor/generator/emission/header.hpp"
 #include "torsor/generator/emission/text_template.hpp"
@@ -16,8 +18,8 @@
 namespace torsor {
 namespace {
 
-std::string source_name(const MechanismListing& mechanism, FmiVersion version) {
-  return fmt::format("{}_fmi{}.c", mechanism.scene().name(), version == FmiVersion::two ? 2 : 3);
+std::string source_name(const FmiUnit& unit) {
+  return fmt::format("{}_fmi{}.c", unit.name(), unit.version == FmiVersion::two ? 2 : 3);
 }
 
 /// "1, 0": for each multiplier whether its constraint is f(q, t) = 0.
@@ -32,54 +34,50 @@ std::string holonomic_rows(const MechanismListing& mechanism) {
 
 }  // namespace
 
-std::vector<std::string> fmi_kernels(const Scene& scene) {
-  std::vector<std::string> names = {"forward_dynamics", "energy", "forward_dynamics_derivatives"};
-  const bool contacts = !scene.content().contacts.empty();
-  if (contacts || !scene.content().constraints.empty()) names.push_back("mass_matrix");
-  if (!scene.content().constraints.empty()) names.push_back("constraints");
-  if (contacts) names.insert(names.end(), {"bias", "contacts", "contact_coefficients"});
-  return names;
-}
-
-std::vector<SourceFile> fmi_contact_sources(const MechanismListing& mechanism) {
-  const std::string& name = mechanism.scene().name();
-  std::vector<SourceFile> files = {{name + "_contacts.cpp",
-                                    fill_template("fmi/contacts.cpp.in", embedded_template("fmi/contacts.cpp.in"),
-                                                  {{"name", name},
-                                                   {"version", TORSOR_VERSION},
-                                                   {"has_inputs", mechanism.layout.inputs.empty() ? "0" : "1"}})},
-                                   {name + ".hpp", emit_header(mechanism)}};
+std::vector<SourceFile> fmi_contact_sources(const FmiUnit& unit) {
+  const std::string& name = unit.name();
+  std::vector<SourceFile> files = {
+      {name + "_contacts.cpp", fill_template("fmi/contacts.cpp.in", embedded_template("fmi/contacts.cpp.in"),
+                                             {{"name", name},
+                                              {"version", TORSOR_VERSION},
+                                              {"has_inputs", unit.mechanism.layout.inputs.empty() ? "0" : "1"}})},
+      {name + ".hpp", emit_header(unit.mechanism)}};
   for (const std::string_view text : embedded_runtime_text_names()) {
     files.push_back({fmt::format("torsor/runtime/{}", text), std::string(embedded_runtime_text(text))});
   }
   return files;
 }
 
-std::vector<SourceFile> fmi_sources(const MechanismListing& mechanism, FmiVersion version) {
-  const std::string& name = mechanism.scene().name();
+std::vector<SourceFile> fmi_sources(const FmiUnit& unit) {
+  const std::string& name = unit.name();
+  const MechanismListing& mechanism = unit.mechanism;
   const auto flag = [](bool holds) { return std::string(holds ? "1" : "0"); };
-  const bool has_rates =
-      std::any_of(mechanism.kernels.begin(), mechanism.kernels.end(),
-                  [](const KernelListing& each) { return each.kernel.name == "coordinate_rates"; });
+  const bool has_rates = std::any_of(mechanism.kernels.begin(), mechanism.kernels.end(),
+                                     [](const KernelListing& each) { return each.kernel.name == "coordinate_rates"; });
   using Texts = std::map<std::string, std::string>;
-  const std::string has_contacts = flag(!mechanism.scene().content().contacts.empty());
-  const std::string has_multipliers = flag(!mechanism.layout.multipliers.empty());
-  const auto filled = [&name](const std::string& file, Texts texts) {
-    texts.insert({{"name", name}, {"version", TORSOR_VERSION}});
+  const Texts all = {{"name", name},
+                     {"version", TORSOR_VERSION},
+                     {"token", fmi_token(unit)},
+                     {"has_rates", flag(has_rates)},
+                     {"has_inputs", flag(!mechanism.layout.inputs.empty())},
+                     {"has_multipliers", flag(!mechanism.layout.multipliers.empty())},
+                     {"has_contacts", flag(unit.has_contacts())},
+                     {"indicators", std::to_string(fmi_indicators(mechanism).size())},
+                     {"places", std::to_string(unit.place_count())},
+                     {"reactions", std::to_string(unit.outputs.reactions.size())},
+                     {"holonomic", holonomic_rows(mechanism)}};
+  const auto filled = [&all](const std::string& file, const std::vector<std::string>& placeholders) {
+    Texts texts = {{"name", all.at("name")}, {"version", all.at("version")}};
+    for (const std::string& each : placeholders) texts.emplace(each, all.at(each));
     return fill_template(file, embedded_template(file), texts);
   };
-  const bool two = version == FmiVersion::two;
+  const bool two = unit.version == FmiVersion::two;
   std::vector<SourceFile> sources = {
-      {source_name(mechanism, version),
-       filled(two ? "fmi/fmi2.c.in" : "fmi/fmi3.c.in", {{"token", fmi_token(mechanism, version)}})},
-      {"fmi_model.h", filled("fmi/model.h.in", {{"has_rates", flag(has_rates)},
-                                                {"indicators", std::to_string(fmi_indicators(mechanism).size())},
-                                                {"has_inputs", flag(!mechanism.layout.inputs.empty())},
-                                                {"has_multipliers", has_multipliers}})},
-      {"fmi_motion.h",
-       filled("fmi/motion.h.in", {{"has_multipliers", has_multipliers},
-                                  {"has_contacts", has_contacts},
-                                  {"holonomic", holonomic_rows(mechanism)}})},
+      {source_name(unit), two ? filled("fmi/fmi2.c.in", {}) : filled("fmi/fmi3.c.in", {"has_contacts"})},
+      {"fmi_model.h", filled("fmi/model.h.in", {"token", "has_rates", "indicators", "places", "reactions"})},
+      {"fmi_derivatives.h", filled("fmi/derivatives.h.in", {"has_rates", "has_inputs", "has_multipliers",
+                                                            "has_contacts", "places", "reactions"})},
+      {"fmi_motion.h", filled("fmi/motion.h.in", {"has_multipliers", "has_contacts", "holonomic"})},
       {name + ".h", emit_c(mechanism).header}};
   for (const char* file : {"fmi3_types.h", "fmi3_absent.h"}) {
     const std::string of = fmt::format("fmi/{}.in", file);
@@ -88,9 +86,18 @@ std::vector<SourceFile> fmi_sources(const MechanismListing& mechanism, FmiVersio
   return sources;
 }
 
-std::string fmi_build_description(const MechanismListing& mechanism) {
+std::string fmi_build_description(const FmiUnit& unit) {
   return fill_template("fmi/buildDescription.xml.in", embedded_template("fmi/buildDescription.xml.in"),
-                       {{"name", mechanism.scene().name()}, {"source", source_name(mechanism, FmiVersion::three)}});
+                       {{"name", unit.name()}, {"source", source_name(unit)}});
+}
+
+std::vector<SourceFile> fmi_licence_files(const FmiUnit& unit) {
+  const std::string file = unit.has_contacts() ? "fmi/license_with_contacts.txt.in" : "fmi/license.txt.in";
+  std::vector<SourceFile> files = {
+      {"license.txt", fill_template(file, embedded_template(file), {{"name", unit.name()}})},
+      {"MIT-0.txt", std::string(embedded_licence_text("MIT-0.txt"))}};
+  if (unit.has_contacts()) files.push_back({"MIT.txt", std::string(embedded_licence_text("MIT.txt"))});
+  return files;
 }
 
 }  // namespace torsor

@@ -4,22 +4,22 @@
 #include <string>
 #include <vector>
 
-#include "torsor/generator/emission/fmi_description.hpp"
+#include "torsor/generator/emission/fmi_unit.hpp"
 #include "torsor/generator/emission/library_sources.hpp"
 
 namespace torsor {
 
-/// The kernels that a functional mock-up unit of the scene is made of.
-std::vector<std::string> fmi_kernels(const Scene& scene);
-
 /// The C99 text of the unit, which binaries/ is compiled from: first the file that includes the others.
-std::vector<SourceFile> fmi_sources(const MechanismListing& mechanism, FmiVersion version);
+std::vector<SourceFile> fmi_sources(const FmiUnit& unit);
 
 /// The C++ text that moves a unit with contacts, which is compiled beside that and linked with the contact layer: first the
 /// file that includes the others.
-std::vector<SourceFile> fmi_contact_sources(const MechanismListing& mechanism);
+std::vector<SourceFile> fmi_contact_sources(const FmiUnit& unit);
 
 /// How to compile them: sources/buildDescription.xml of FMI 3.0.
-std::string fmi_build_description(const MechanismListing& mechanism);
+std::string fmi_build_description(const FmiUnit& unit);
+
+/// documentation/licenses/: first license.txt, where the standard has an importer begin.
+std::vector<SourceFile> fmi_licence_files(const FmiUnit& unit);
 
 }  // namespace torsor

@@ -2,6 +2,7 @@
 #include "torsor/generator/emission/fmi_variables.hpp"
 
 #include <algorithm>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -9,6 +10,8 @@
 #include "torsor/generator/base/error.hpp"
 #include "torsor/generator/base/unit.hpp"
 #include "torsor/generator/emission/description.hpp"
+#include "torsor/generator/kernels/kernel_energy.hpp"
+#include "torsor/generator/listing/local_names.hpp"
 #include "torsor/generator/mechanics/parameter_value.hpp"
 #include "torsor/generator/program/written_unit.hpp"
 
@@ -55,38 +58,145 @@ std::vector<std::string> fmi_indicators(const MechanismListing& mechanism) {
   return names;
 }
 
-std::vector<FmiVariable> fmi_variables(const MechanismListing& mechanism) {
+namespace {
+
+/// Variables as they are declared, one reference after the other.
+class VariableList {
+ public:
   using Role = FmiVariable::Role;
-  std::vector<FmiVariable> all;
+
+  void add(const std::string& name, const std::string& unit, Role role, std::optional<double> start = {}) {
+    all_.push_back({name, unit, role, start, next_++});
+  }
+  void add_derivative(std::size_t state, const std::string& unit) {
+    all_.push_back({fmt::format("der({})", all_[state].name), unit, Role::derivative, {}, next_++, state});
+  }
+  void leave_out(std::size_t count) { next_ += count; }
+  const FmiVariable& operator[](std::size_t i) const { return all_[i]; }
+  std::vector<FmiVariable> take() { return std::move(all_); }
+
+ private:
+  std::vector<FmiVariable> all_;
+  std::size_t next_ = 0;
+};
+
+/// Names of several parts, "hoop.2", as the standard's structured names have them: a part that is no identifier stands in
+/// apostrophes.
+std::string structured(const std::string& name) {
+  const auto is_letter = [](char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_'; };
+  const auto is_digit = [](char c) { return c >= '0' && c <= '9'; };
+  std::string text;
+  for (std::size_t begin = 0; begin <= name.size();) {
+    const std::size_t end = std::min(name.find('.', begin), name.size());
+    const std::string part = name.substr(begin, end - begin);
+    const bool plain = !part.empty() && is_letter(part[0]) &&
+                       std::all_of(part.begin(), part.end(), [&](char c) { return is_letter(c) || is_digit(c); });
+    text += fmt::format("{}{}{}{}", begin == 0 ? "" : ".", plain ? "" : "'", part, plain ? "" : "'");
+    begin = end + 1;
+  }
+  return text;
+}
+
+void add_outputs(const FmiUnit& unit, VariableList& all) {
+  constexpr auto output = FmiVariable::Role::output;
+  const Layout& layout = unit.mechanism.layout;
+  if (unit.has_contacts()) {
+    all.leave_out(layout.multipliers.size());
+  } else {
+    for (const auto& [name, text] : named_units(layout.multipliers)) all.add("multiplier." + name, text, output);
+  }
+  for (const char* kind : {"kinetic", "potential", "total"}) all.add(fmt::format("energy.{}", kind), "J", output);
+  const auto add_place = [&](const std::string& owner) {
+    for (const char axis : {'x', 'y', 'z'}) all.add(fmt::format("{}.{}", owner, axis), "m", output);
+  };
+  for (const std::string& name : unit.outputs.points) add_place("point." + structured(name));
+  for (const std::string& name : unit.outputs.frames) {
+    add_place("frame." + structured(name));
+    for (int i = 1; i <= 3; ++i) {
+      for (int j = 1; j <= 3; ++j) all.add(fmt::format("frame.{}.rotation[{},{}]", structured(name), i, j), "1", output);
+    }
+  }
+  for (const std::string& name : unit.outputs.reactions) {
+    for (const CoordinateContent& coordinate : unit.scene().content().coordinates) {
+      if (coordinate.q->name != name) continue;
+      all.add("reaction." + member_name(*coordinate.q), written_unit(units::joule / coordinate.q->unit), output);
+    }
+  }
+}
+
+}  // namespace
+
+std::vector<FmiVariable> fmi_variables(const FmiUnit& unit) {
+  using Role = FmiVariable::Role;
+  const MechanismListing& mechanism = unit.mechanism;
   const Layout& layout = mechanism.layout;
+  VariableList all;
   const auto states = [&](const std::string& prefix, const std::vector<SymbolPointer>& symbols) {
     const std::vector<NamedUnit> named = named_units(symbols);
     for (std::size_t i = 0; i < symbols.size(); ++i) {
-      all.push_back({prefix + named[i].name, named[i].unit, Role::state, start_value(mechanism, symbols[i], "state")});
+      all.add(prefix + named[i].name, named[i].unit, Role::state, start_value(mechanism, symbols[i], "state"));
     }
   };
   states("q.", layout.coordinates);
   states("v.", layout.velocities);
-  const std::size_t count = all.size();
-  for (std::size_t i = 0; i < count; ++i) {
-    const std::string unit = i < layout.coordinates.size()
-                                 ? unit_of_rate(all[i].unit)
-                                 : written_unit(*layout.accelerations[i - layout.coordinates.size()]);
-    all.push_back({fmt::format("der({})", all[i].name), unit, Role::derivative, {}});
-  }
-  for (const auto& [name, unit] : named_units(layout.inputs)) all.push_back({"input." + name, unit, Role::input, 0.0});
+  const std::size_t nq = layout.coordinates.size();
+  for (std::size_t i = 0; i < nq; ++i) all.add_derivative(i, unit_of_rate(all[i].unit));
+  for (std::size_t i = 0; i < layout.velocities.size(); ++i)
+    all.add_derivative(nq + i, written_unit(*layout.accelerations[i]));
+  for (const auto& [name, text] : named_units(layout.inputs)) all.add("input." + name, text, Role::input, 0.0);
   const std::vector<NamedUnit> parameters = named_units(layout.parameters);
   for (std::size_t i = 0; i < parameters.size(); ++i) {
-    all.push_back({"parameter." + parameters[i].name, parameters[i].unit, Role::parameter,
-                   start_value(mechanism, layout.parameters[i], "parameter")});
+    all.add("parameter." + parameters[i].name, parameters[i].unit, Role::parameter,
+            start_value(mechanism, layout.parameters[i], "parameter"));
   }
-  for (const auto& [name, unit] : named_units(layout.multipliers)) {
-    all.push_back({"multiplier." + name, unit, Role::output, {}});
+  add_outputs(unit, all);
+  for (const std::string& name : fmi_indicators(mechanism)) all.add(name, "1", Role::indicator);
+  if (unit.version == FmiVersion::three) all.add("time", "s", Role::time);
+  return all.take();
+}
+
+std::vector<FmiDependency> fmi_dependencies(const FmiUnit& unit, const std::vector<FmiVariable>& variables) {
+  const Equations& equations = *unit.mechanism.equations;
+  equations.start_over();
+  const Energies energies = energies_of(equations);
+  std::vector<Value> values = {energies.kinetic, energies.force_function, energies.kinetic - energies.force_function};
+  for (const Value& place : output_places(equations, unit.outputs)) values.push_back(place);
+  const Program& program = equations.program();
+  const Layout& layout = unit.mechanism.layout;
+  const auto known = [&](const FmiVariable& variable, const SymbolPointer& symbol) {
+    using Role = FmiVariable::Role;
+    const std::size_t nq = layout.coordinates.size(), nx = nq + layout.velocities.size(), k = variable.reference;
+    switch (variable.role) {
+      case Role::state:
+        return symbol == (k < nq ? layout.coordinates[k] : layout.velocities[k - nq]);
+      case Role::input:
+        return symbol == layout.inputs[k - 2 * nx];
+      case Role::parameter:
+        return symbol == layout.parameters[k - 2 * nx - layout.inputs.size()];
+      case Role::time:
+        return symbol->kind == SymbolKind::time;
+      default:
+        return false;
+    }
+  };
+  std::vector<FmiDependency> all;
+  const std::size_t multipliers = unit.has_contacts() ? 0 : layout.multipliers.size();
+  for (const FmiVariable& output : variables) {
+    if (output.role != FmiVariable::Role::output) continue;
+    const std::size_t place = all.size();
+    all.push_back({output.reference, {}});
+    if (place < multipliers || place - multipliers >= values.size()) continue;
+    std::vector<std::size_t> on;
+    const std::vector<ValueNumber> live = program.live({values[place - multipliers]});
+    for (const FmiVariable& variable : variables) {
+      const bool reads = std::any_of(live.begin(), live.end(), [&](ValueNumber number) {
+        return program[number].symbol && known(variable, program[number].symbol);
+      });
+      if (reads) on.push_back(variable.reference);
+    }
+    all.back().on = on;
   }
-  for (const char* kind : {"kinetic", "potential", "total"}) {
-    all.push_back({fmt::format("energy.{}", kind), "J", Role::local, {}});
-  }
-  for (const std::string& name : fmi_indicators(mechanism)) all.push_back({name, "1", Role::indicator, {}});
+  equations.start_over();
   return all;
 }
 

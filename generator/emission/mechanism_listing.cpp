@@ -115,7 +115,7 @@ const Structure* MechanismListing::structure(const std::string& name) const {
 }
 
 MechanismListing lower_mechanism(const Scene& scene, const std::vector<std::string>& kernels,
-                                 const ModelOptions& options) {
+                                 const ModelOptions& options, const std::vector<FurtherKernel>& further) {
   MechanismListing mechanism;
   mechanism.equations = std::make_unique<const Equations>(scene, options);
   mechanism.options = options;
@@ -138,6 +138,14 @@ MechanismListing lower_mechanism(const Scene& scene, const std::vector<std::stri
     else
       mechanism.asked.push_back(as_asked(kernel));
   }
+  const std::vector<AskedKernel> asked = mechanism.asked;
+  for (const FurtherKernel& each : further) {
+    equations.start_over();
+    Kernel kernel = each.make(equations);
+    kernel.name = each.name;
+    lowering.add(std::move(kernel));
+  }
+  mechanism.asked = asked;  // a command asks for these alone
   equations.start_over();
   lowering.finish();
   for (const auto* structures : {&mechanism.common, &mechanism.own}) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -46,12 +47,18 @@ struct MechanismListing {
   const Structure* structure(const std::string& name) const;  ///< null: there is none
 };
 
+/// A kernel that has no name in kernel.hpp.
+struct FurtherKernel {
+  std::string name;
+  std::function<Kernel(const Equations&)> make;
+};
+
 /// Derives and lowers the kernels of these names, each as if it were the only one: a function is the same whichever
-/// others there are. The scene is lowered to a model once. Throws UsageError naming an unknown kernel, Error when a
-/// kernel reads a symbol that it is not given, and SceneError where the initial state depends on more than parameters,
-/// or two members of a structure would have one name.
+/// others there are. The scene is lowered to a model once. Further kernels come last. Throws UsageError naming an unknown
+/// kernel, Error when a kernel reads a symbol that it is not given, and SceneError where the initial state depends on more
+/// than parameters, or two members of a structure would have one name.
 MechanismListing lower_mechanism(const Scene& scene, const std::vector<std::string>& kernels,
-                                 const ModelOptions& options = {});
+                                 const ModelOptions& options = {}, const std::vector<FurtherKernel>& further = {});
 
 /// What the head comment tells, with the operations of each kernel's text.
 Provenance provenance_of(const MechanismListing& mechanism, const std::string& language = {},

@@ -49,7 +49,8 @@ static int indicators(void) {
 }
 static int along(void) {
   const unsigned unknowns = pick(4), knowns = pick(4);
-  const unsigned* const unknown = references(NX, NX + (pick(4) == 0), unknowns);
+  const unsigned* const unknown = pick(2) ? references(NX, NX + (pick(4) == 0), unknowns)
+                                          : references(torsor_first_multiplier, NL + NE + NO + NR + (pick(4) == 0), unknowns);
   unsigned copy[4];
   memcpy(copy, unknown, sizeof(copy));
   may_refuse = 1;

@@ -26,6 +26,7 @@ Scene ball_between_stops() {
   const FrameHandle ball = scene.revolute("ball", lift, axis::y, turn);
   scene.body("ball", ball, Inertia::solid_sphere(m, r));
   scene.gravity({0, 0, Expression::quantity("-9.81", "m/s^2")});
+  scene.point("B", ball, {r, 0, 0});
   scene.motor("push", x);
   scene.contact("table", shape::Sphere{.frame = ball, .radius = r}, shape::Plane{.frame = scene.ground()},
                 {.friction = f, .restitution = e});
@@ -39,8 +40,8 @@ int main(int count, char** words) {
   if (count != 3) return std::fprintf(stderr, "usage: contact_unit VERSION FOLDER\n"), 2;
   const FmiVersion version = std::string(words[1]) == "2" ? FmiVersion::two : FmiVersion::three;
   const Scene scene = ball_between_stops();
-  const MechanismListing mechanism = lower_mechanism(scene, fmi_kernels(scene));
-  for (const auto& sources : {fmi_sources(mechanism, version), fmi_contact_sources(mechanism)}) {
+  const FmiUnit unit = lower_unit(scene, version, {{"B"}, {"ball"}, {}});
+  for (const auto& sources : {fmi_sources(unit), fmi_contact_sources(unit)}) {
     for (const SourceFile& source : sources) {
       const std::filesystem::path path = std::filesystem::path(words[2]) / source.path;
       std::filesystem::create_directories(path.parent_path());
@@ -48,5 +49,5 @@ int main(int count, char** words) {
     }
     std::printf("%s\n", sources.front().path.c_str());
   }
-  std::printf("%s\n", fmi_token(mechanism, version).c_str());
+  std::printf("%s\n", fmi_token(unit).c_str());
 }

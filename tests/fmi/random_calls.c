@@ -1,10 +1,27 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Sequences of random calls of one unit of FMI, with good and bad arguments, in every order. Each call is answered as the
- * standard's state machine says; the sanitizers that this is compiled with see to the rest.
+ * standard's state machine says; the sanitizers that this is compiled with see to the rest. With -DCOUNT_ALLOCATIONS and
+ * -Wl,--wrap=malloc,--wrap=calloc,--wrap=realloc no call may allocate but those that make an instance or a state.
  *   cc -DUNIT='"NAME_fmi3.c"' -DCALLS='"calls3.h"' -DTOKEN='"{...}"' random_calls.c; ./a.out SEQUENCES */
 #include UNIT
 #include <stdarg.h>
 #include <stdio.h>
+
+#ifdef COUNT_ALLOCATIONS
+/* The linker sends calls of NAME to __wrap_NAME, and those of __real_NAME to NAME. */
+static long allocations;
+void* __real_malloc(size_t size);
+void* __real_calloc(size_t count, size_t size);
+void* __real_realloc(void* place, size_t size);
+void* __wrap_malloc(size_t size);
+void* __wrap_calloc(size_t count, size_t size);
+void* __wrap_realloc(void* place, size_t size);
+void* __wrap_malloc(size_t size) { return ++allocations, __real_malloc(size); }
+void* __wrap_calloc(size_t count, size_t size) { return ++allocations, __real_calloc(count, size); }
+void* __wrap_realloc(void* place, size_t size) { return ++allocations, __real_realloc(place, size); }
+#else
+enum { allocations = 0 };
+#endif
 
 enum { ok = 0, discarded = 2, refused = 3, any_mode = 127, begins = -1 };
 
@@ -13,7 +30,7 @@ static void* saved; /* a state of the unit, and the mode it was saved in */
 static int saved_mode, mode, exchanging;
 static double numbers[4 * NX + NU + NL + 64];
 static size_t sizes[2];
-static unsigned char bytes[sizeof(torsor_fmi_memory) + 8];
+static unsigned char bytes[torsor_fmi_bytes + 8];
 
 static unsigned long long seed = 88172645463325252ull;
 static unsigned pick(unsigned below) { /* Marsaglia 2003, xorshift64 */
@@ -67,7 +84,7 @@ enum { evaluable = initialization | event_mode | continuous_time | step_complete
 
 int main(int count, char** words) {
   const long sequences = count > 1 ? atol(words[1]) : 1000;
-  long done, answers[4] = {0};
+  long done, made = 0, answers[4] = {0};
   int k;
   for (done = 0; done < sequences; ++done) {
     exchanging = (int)pick(2);
@@ -79,9 +96,14 @@ int main(int count, char** words) {
       const unsigned n = sizeof(calls) / sizeof(calls[0]);
       const Call* const each = &calls[pick(2) ? pick(n) : pick(leading)];
       const int allowed_now = ((exchanging ? each->exchange : each->simulation) & mode) != 0;
+      const long before = allocations;
       int status;
       may_refuse = motion_ended = 0;
       status = each->call();
+      if (allocations != before && each->call != save && each->call != serialise) {
+        return fprintf(stderr, "%s allocates\n", each->name), 1;
+      }
+      made += allocations - before;
       if (status != ok && status != discarded && status != refused) {
         return fprintf(stderr, "%s answers %d\n", each->name, status), 1;
       }
@@ -98,6 +120,10 @@ int main(int count, char** words) {
     free_saved();
     release();
   }
-  printf("%ld sequences: %ld calls ok, %ld discarded, %ld refused\n", done, answers[ok], answers[discarded], answers[refused]);
+  printf("%ld sequences: %ld calls ok, %ld discarded, %ld refused; %ld states made\n", done, answers[ok], answers[discarded],
+         answers[refused], made);
+#ifdef COUNT_ALLOCATIONS
+  if (made == 0) return 1; /* nothing was counted */
+#endif
   return answers[ok] > 0 && answers[refused] > 0 ? 0 : 1;
 }

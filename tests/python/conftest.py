@@ -12,7 +12,8 @@ SOURCES = os.environ["TORSOR_SOURCE_DIR"]
 PROGRAMS = os.environ["TORSOR_PROGRAM_DIR"]
 
 
-FILES = {"cart_pole": ["tests/python/cart_pole.urdf", "--initial", "hinge=0.3"],
+FILES = {"lamp": ["tests/python/lamp.cpp"],
+         "cart_pole": ["tests/python/cart_pole.urdf", "--initial", "hinge=0.3"],
          "quadruped": ["examples/quadruped/quadruped.urdf", "--base", "floating"],
          "quadruped_on_its_feet": [
              "examples/quadruped/quadruped.urdf", "--base", "floating", "--name", "quadruped_on_its_feet", "--ground",
@@ -27,7 +28,8 @@ def command(name, what, *options):
     if name not in FILES:
         return [os.path.join(PROGRAMS, f"{name}_scene"), what, *options]
     file, *rest = FILES[name]
-    return [os.environ["TORSOR"], what, os.path.join(SOURCES, file), *rest, "--quiet", *options]
+    quiet = [] if file.endswith(".cpp") else ["--quiet"]
+    return [os.environ["TORSOR"], what, os.path.join(SOURCES, file), *rest, *quiet, *options]
 
 
 def scene(name, *options):

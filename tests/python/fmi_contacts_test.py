@@ -10,12 +10,13 @@ import pytest
 from conftest import command
 from fmi_importer import CO_SIMULATION, DISCARD, ERROR, MODEL_EXCHANGE, OK, Unit2, Unit3, doubles
 
-R, G, F, V = 0.028575, 9.81, 0.2, 2.0  # of the example billiard
+R, G, F, V, M = 0.028575, 9.81, 0.2, 2.0, 0.17  # of the example billiard
+FRAME = "ball"
 
 
 @pytest.fixture(scope="module", params=(Unit2, Unit3), ids=("2", "3"))
 def unit(request, tmp_path_factory):
-    return request.param("billiard", tmp_path_factory.mktemp("billiard"), "--flags=-O1", "--run-time", "all")
+    return request.param("billiard", tmp_path_factory.mktemp("billiard"), "--flags=-O1", "--run-time", "all", "--frames", FRAME)
 
 
 def begun(unit, names=(), values=(), kind=CO_SIMULATION):
@@ -38,10 +39,13 @@ def test_description_tells_of_indicators(unit):
     kinds = [child.tag for child in unit.description][:2]
     assert kinds == ["ModelExchange", "CoSimulation"]
     assert not [k for kind in kinds for k in unit.description.find(kind).attrib if "Derivative" in k]
-    assert [name.split("/")[0] for name in unit.names] == ["modelDescription.xml", "binaries"]
-    assert not [v["name"] for v in unit.variables if v["name"].startswith("multiplier.")] and not unit.outputs
-    assert unit.listed_derivatives == unit.initial_unknowns == unit.derivatives and unit.n == 13
-    indicators = [k for k, v in enumerate(unit.variables) if v["name"].startswith("indicator.cloth.")]
+    assert {name.split("/")[0] for name in unit.names} == {"modelDescription.xml", "documentation", "binaries"}
+    outputs = [v["name"] for v in unit.variables if v["causality"] == "output"]
+    assert outputs[:4] == ["energy.kinetic", "energy.potential", "energy.total", f"frame.{FRAME}.x"] and len(outputs) == 15
+    assert [unit.by_reference[k]["name"] for k in unit.outputs] == outputs
+    assert unit.listed_derivatives == unit.derivatives and unit.n == 13
+    assert unit.initial_unknowns == unit.derivatives + unit.outputs
+    indicators = [int(v["valueReference"]) for v in unit.variables if v["name"].startswith("indicator.cloth.")]
     assert unit.indicator_count == len(indicators) == 3
     if unit.version == 3:
         assert unit.listed("EventIndicator") == indicators
@@ -56,6 +60,14 @@ def test_has_no_derivatives_of_derivatives(unit):
     component = begun(unit)
     assert unit.directional(component, unit.derivatives[:1], [0], [1.0], doubles(np.zeros(1))[0]) == ERROR
     unit.FreeInstance(component)
+
+
+def test_licences_of_what_is_compiled_in_are_told(unit):
+    assert unit.description.attrib["license"] == "MIT-0 AND MIT AND MPL-2.0"
+    folder = unit.folder / "documentation/licenses"
+    assert sorted(file.name for file in folder.iterdir()) == ["MIT-0.txt", "MIT.txt", "license.txt"]
+    assert "The above copyright notice and this permission notice shall be included" in (folder / "MIT.txt").read_text()
+    assert all(name in (folder / "license.txt").read_text() for name in ("MIT-0.txt", "MIT.txt", "Eigen 3", "Mozilla Public License 2.0"))
 
 
 def slid(t, f):
@@ -74,6 +86,41 @@ def test_a_ball_slides_then_rolls(unit, f):
         np.testing.assert_allclose(unit.get(component, ["q.x", "v.x"]), slid(0.05 * (k + 1), f), rtol=0, atol=1e-10)
         np.testing.assert_allclose(unit.get(component, ["q.z"]), R, rtol=0, atol=1e-14)
     unit.FreeInstance(component)
+
+
+def spun(t):
+    """Angle and angular velocity of that ball: 5 f g/(2 R) is what it gains while it slides."""
+    end, gain = 2 * V / (7 * F * G), 5 * F * G / (2 * R)
+    at = min(t, end)
+    return gain * at**2 / 2 + gain * end * (t - at), gain * at
+
+
+@pytest.mark.parametrize("kind", [CO_SIMULATION, MODEL_EXCHANGE])
+def test_outputs_follow_a_ball_that_slides_then_rolls(unit, kind):
+    component = begun(unit) if kind == CO_SIMULATION else exchanged(unit)
+    turn = [f"frame.ball.rotation[{i},{j}]" for i in (1, 2, 3) for j in (1, 2, 3)]
+    for k in range(12):
+        time = 0.05 * k
+        (x, v), (angle, rate) = slid(time, F), spun(time)
+        kinetic, c, s = M * v**2 / 2 + 0.2 * M * R**2 * rate**2, np.cos(angle), np.sin(angle)
+        found = unit.get(component, ["energy.kinetic", "energy.potential", "energy.total", *[f"frame.ball.{a}" for a in "xyz"], *turn])
+        # 1e-12 a step, some hundred steps; the turn grows to 30 rad.
+        np.testing.assert_allclose(found, [kinetic, M * G * R, kinetic + M * G * R, x, 0, R, c, 0, s, 0, 1, 0, -s, 0, c], rtol=0, atol=1e-9)
+        if kind == CO_SIMULATION:
+            assert unit.step(component, time, 0.05) == OK
+        else:
+            unit.integrated(component, time, time + 0.05)
+    unit.FreeInstance(component)
+
+
+def test_outputs_depend_on_states_and_parameters(unit):
+    names = {unit.by_reference[k]["name"]: None if of is None else {unit.by_reference[j]["name"] for j in of}
+             for k, of in unit.dependencies(initially=True).items()}
+    moving = {v["name"] for v in unit.variables if v["name"].startswith("v.")}
+    assert moving | {"parameter.R", "parameter.m"} <= names["energy.kinetic"] and len(moving) == 6
+    assert not names["energy.kinetic"] & {"q.x", "q.y", "q.z", "parameter.g", "parameter.f", "parameter.e"}
+    assert names["energy.potential"] == {"q.z", "parameter.m", "parameter.g"}
+    assert names["frame.ball.x"] == {"q.x"} and names["frame.ball.rotation[2,2]"] <= {"q.turn_w", "q.turn_x", "q.turn_y", "q.turn_z"}
 
 
 @pytest.mark.parametrize("f", [F, 0.35])

@@ -37,8 +37,9 @@ class Unit:
         self.library = ctypes.CDLL(str(folder / binary))
         self.variables = self.read_variables()
         self.reference = {v["name"]: int(v["valueReference"]) for v in self.variables}
+        self.by_reference = {int(v["valueReference"]): v for v in self.variables}
         self.states = [self.state_of(v) for v in self.variables if "derivative" in v]
-        self.derivatives = [i for i, v in enumerate(self.variables) if "derivative" in v]
+        self.derivatives = [int(v["valueReference"]) for v in self.variables if "derivative" in v]
         self.n = len(self.states)
         self.messages = []
 
@@ -153,11 +154,26 @@ class Unit2(Unit):
     def read_variables(self):
         return [v.attrib | v.find("Real").attrib for v in self.description.iter("ScalarVariable")]
 
+    def counted(self, index):
+        """The value reference of a variable by its place, which this version counts from 1."""
+        return int(self.variables[int(index) - 1]["valueReference"])
+
     def state_of(self, variable):
-        return int(variable["derivative"]) - 1
+        return self.counted(variable["derivative"])
+
+    def unknowns(self, tag):
+        return list(self.description.find("ModelStructure").find(tag) or [])
 
     def listed(self, tag):
-        return [int(u.attrib["index"]) - 1 for u in self.description.find("ModelStructure").find(tag) or []]
+        return [self.counted(u.attrib["index"]) for u in self.unknowns(tag)]
+
+    def dependencies(self, initially=False):
+        """Of each output the references of what it depends on, or None: on all."""
+        all_ = {}
+        for u in self.unknowns("InitialUnknowns" if initially else "Outputs"):
+            on = u.attrib.get("dependencies")
+            all_[self.counted(u.attrib["index"])] = None if on is None else [self.counted(k) for k in on.split()]
+        return all_
 
     def instantiate(self, kind, token=None, logging=True):
         function = self.library.fmi2Instantiate
@@ -220,8 +236,19 @@ class Unit3(Unit):
     def state_of(self, variable):
         return int(variable["derivative"])
 
+    def unknowns(self, tag):
+        return self.description.find("ModelStructure").findall(tag)
+
     def listed(self, tag):
-        return [int(u.attrib["valueReference"]) for u in self.description.find("ModelStructure").findall(tag)]
+        return [int(u.attrib["valueReference"]) for u in self.unknowns(tag)]
+
+    def dependencies(self, initially=False):
+        """Of each output the references of what it depends on, or None: on all."""
+        all_ = {}
+        for u in self.unknowns("InitialUnknown" if initially else "Output"):
+            on = u.attrib.get("dependencies")
+            all_[int(u.attrib["valueReference"])] = None if on is None else [int(k) for k in on.split()]
+        return all_
 
     def instantiate(self, kind, token=None, logging=True, events=False, intermediate=0):
         token = (token or self.token).encode()
