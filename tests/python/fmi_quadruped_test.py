@@ -1,0 +1,67 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""A robot with eighteen freedoms as a unit, afloat: its attitude is a quaternion."""
+
+import numpy as np
+import pytest
+
+from conftest import scene
+from fmi_importer import CO_SIMULATION, MODEL_EXCHANGE, OK, Unit2, Unit3
+
+OUTPUTS = ("--points", "front_left_foot", "--frames", "trunk,rear_right_foot")
+
+
+@pytest.fixture(scope="module", params=(Unit2, Unit3), ids=("2", "3"))
+def afloat(request, tmp_path_factory):
+    return request.param("quadruped", tmp_path_factory.mktemp("quadruped"), "--flags=-O0", *OUTPUTS)
+
+
+def torques(unit):
+    inputs = [v["name"] for v in unit.variables if v["causality"] == "input"]
+    return inputs, np.linspace(-1.0, 1.0, len(inputs))
+
+
+def begun(unit, kind, tolerance):
+    component = unit.instantiate(kind)
+    assert unit.initialise(component, 0.0, tolerance) == OK
+    names, values = torques(unit)
+    assert unit.set(component, names, values) == OK
+    assert unit.ExitInitializationMode(component) == OK
+    return component
+
+
+def assert_outputs(unit, component, mechanism, y):
+    q, v = y[:19], y[19:]
+    energy, frames, poses = mechanism.energy(q, v), mechanism.frames(q, v), mechanism.poses(q)
+    wanted = [energy.kinetic, -energy.force_function, energy.kinetic - energy.force_function,
+              *frames.front_left_foot_origin_position]
+    names = [v["name"] for v in unit.variables if v["causality"] == "output"]
+    turns = {name: value for name, value in zip(names, unit.get(component, names))}
+    np.testing.assert_allclose([turns[name] for name in names[:6]], wanted, rtol=1e-13)
+    # The trunk is the body that floats: its pose is the state.
+    w, x, y_, z = q[3:7]
+    np.testing.assert_allclose([turns[f"frame.trunk.{c}"] for c in "xyz"], q[:3], rtol=0, atol=1e-15)
+    np.testing.assert_allclose([turns["frame.trunk.rotation[1,1]"], turns["frame.trunk.rotation[2,1]"], turns["frame.trunk.rotation[1,2]"]],
+                               [1 - 2 * (y_**2 + z**2), 2 * (x * y_ + w * z), 2 * (x * y_ - w * z)], rtol=0, atol=1e-14)
+    column = [np.linalg.norm(poses.origins[:, k] - [turns[f"frame.rear_right_foot.{c}"] for c in "xyz"])
+              for k in range(poses.origins.shape[1])]
+    assert min(column) < 1e-14  # one of the frames of the scene
+
+
+def test_a_robot_afloat_reaches_the_state_of_the_runtime(afloat):
+    mechanism = scene("quadruped", "--kernels", "forward_dynamics,energy,frames,poses", "--points", "front_left_foot")
+    begin, (_, inputs) = mechanism.initial_state(), torques(afloat)
+    moved, h = begun(afloat, CO_SIMULATION, 1e-14), 0.01
+    for k in range(10):
+        assert afloat.step(moved, h * k, h) == OK
+    exchanged = begun(afloat, MODEL_EXCHANGE, 1e-12)
+    assert not afloat.update(exchanged)
+    assert afloat.EnterContinuousTimeMode(exchanged) == OK
+    afloat.integrated(exchanged, 0.0, 0.1, tolerance=1e-13)
+    own = mechanism.simulate([0.1], inputs=inputs, relative_tolerance=1e-14, absolute_tolerance=1e-14).states[0]
+    for component in (moved, exchanged):
+        y = afloat.get(component, afloat.states)
+        # 1e-14 of 1 + |y| a step, 100 steps and less; errors grow by e in that time. scipy: 1e-13, some ten steps.
+        np.testing.assert_allclose(y, own, rtol=1e-11, atol=1e-11)
+        assert np.abs(own - np.concatenate([begin.q, begin.v])).max() > 0.1  # it moves
+        assert_outputs(afloat, component, mechanism, y)
+        afloat.FreeInstance(component)
