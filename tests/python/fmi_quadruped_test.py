@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""A robot with eighteen freedoms as a unit, afloat: its attitude is a quaternion."""
+"""A robot with eighteen freedoms as a unit: afloat with its attitude by a quaternion, and falling onto its feet."""
 
 import numpy as np
 import pytest
@@ -65,3 +65,23 @@ def test_a_robot_afloat_reaches_the_state_of_the_runtime(afloat):
         assert np.abs(own - np.concatenate([begin.q, begin.v])).max() > 0.1  # it moves
         assert_outputs(afloat, component, mechanism, y)
         afloat.FreeInstance(component)
+
+
+@pytest.mark.parametrize("kind", (Unit2, Unit3), ids=("2", "3"))
+def test_a_robot_falls_onto_its_feet_as_in_the_runtime(kind, tmp_path):
+    unit = kind("quadruped_on_its_feet", tmp_path, "--flags=-O1", *OUTPUTS)
+    robot = scene("quadruped_on_its_feet", "--kernels", "mass_matrix,bias,forward_dynamics,energy,contacts,contact_coefficients")
+    _, inputs = torques(unit)
+    component = begun(unit, CO_SIMULATION, 1e-12)
+    count, h = 12, 0.02
+    for k in range(count):
+        assert unit.step(component, h * k, h) == OK
+    motion = robot.simulate([h * count], inputs=inputs, relative_tolerance=1e-12, absolute_tolerance=1e-12)
+    assert "impact" in [event.kind for event in motion.events]
+    y = unit.get(component, unit.states)
+    # 1e-12 of 1 + |y| a step, some hundred steps of both, whose errors grow tenfold on light legs that fold: 1e-9.
+    np.testing.assert_allclose(y, motion.states[-1], rtol=1e-9, atol=1e-9)
+    energy = robot.energy(y[:19], y[19:])
+    np.testing.assert_allclose(unit.get(component, ["energy.kinetic", "energy.total"]),
+                               [energy.kinetic, energy.kinetic - energy.force_function], rtol=1e-13)
+    unit.FreeInstance(component)
