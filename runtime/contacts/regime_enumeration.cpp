@@ -11,6 +11,7 @@
 #include "torsor/runtime/contacts/circle_roots.hpp"
 #include "torsor/runtime/contacts/regime_inequalities.hpp"
 #include "torsor/runtime/contacts/slip_direction.hpp"
+#include "torsor/runtime/contacts/torus_roots.hpp"
 
 namespace torsor::runtime {
 
@@ -129,6 +130,7 @@ void RegimeEnumeration::try_regimes(Regimes& regimes) noexcept {
   const int sought = count_sought(regimes);
   if (sought == 0) return accept(regimes);
   if (sought == 1) return try_all_directions(regimes);
+  if (sought == 2 && try_all_pairs(regimes)) return;
   const int starts = sought == 2 ? 8 : 3;
   int total = 1;
   for (int i = 0; i < sought; ++i) total *= starts;
@@ -173,6 +175,36 @@ void RegimeEnumeration::try_all_directions(Regimes& regimes) noexcept {
     direction = {std::cos(roots[i]), std::sin(roots[i])};
     if (turn_to_slip(regimes)) accept(regimes);
   }
+}
+
+// The same of two contacts, each of degree 3 in both angles. False where not all pairs of directions are found so.
+bool RegimeEnumeration::try_all_pairs(Regimes& regimes) noexcept {
+  if (bearings_ > 0) return false;
+  std::array<int, 2> who{};
+  for (int i = 0, k = 0; i < problem_.count; ++i) {
+    if (regimes[as(i)].direction_sought) who[as(k++)] = i;
+  }
+  const auto turn = [&](std::size_t k, double angle) { regimes[as(who[k])].direction = {std::cos(angle), std::sin(angle)}; };
+  constexpr std::size_t n = TorusRoots::samples;
+  TorusRoots::Values values{};
+  for (std::size_t place = 0; place < values.size(); ++place) {
+    turn(0, std::numbers::pi / 4 * static_cast<double>(place / n));
+    turn(1, std::numbers::pi / 4 * static_cast<double>(place % n));
+    RegimeSystem system(problem_, regimes);
+    if (!system.solve() || system.kernel().cols() > 0) return false;
+    const ContactVector u = system.motion();
+    for (std::size_t k = 0; k < 2; ++k) {
+      const int t = problem_.tangent_row(who[k]);
+      const auto& d = regimes[as(who[k])].direction;
+      values[place][k] = system.determinant() * (d[0] * u(t + 1) - d[1] * u(t));
+    }
+  }
+  const TorusRoots roots(values);
+  for (std::size_t i = 0; i < roots.count(); ++i) {
+    for (std::size_t k = 0; k < 2; ++k) turn(k, roots[i][k]);
+    if (turn_to_slip(regimes)) accept(regimes);
+  }
+  return roots.complete();
 }
 
 // Newton's method for u_T across d = 0 in all directions sought.

@@ -8,9 +8,9 @@
 namespace torsor::runtime {
 
 /// Tries every combination of regimes: open, sticking, sliding; in the plane to either side. In space the direction of
-/// a slip that begins is found too: all directions where one contact begins to slide, by a trigonometric polynomial;
-/// where several do, those that Newton's method reaches from eight directions of each of two contacts, three of each of
-/// more. The directions of the reactions that press joints are found from c and, of up to three joints, from -c too.
+/// a slip that begins is found too: all directions where one contact or two begin to slide, by trigonometric polynomials;
+/// where more do, those that Newton's method reaches from three directions of each. The directions of the reactions that
+/// press joints are found from c and, of up to three joints, from -c too.
 class RegimeEnumeration {
  public:
   using Regimes = RegimeSystem::Regimes;
@@ -38,6 +38,7 @@ class RegimeEnumeration {
   [[nodiscard]] int count_sought(const Regimes& regimes) const noexcept;
   void try_regimes(Regimes& regimes) noexcept;
   void try_all_directions(Regimes& regimes) noexcept;
+  [[nodiscard]] bool try_all_pairs(Regimes& regimes) noexcept;
   [[nodiscard]] bool turn_to_slip(Regimes& regimes) noexcept;
   void accept(const Regimes& regimes) noexcept;
   void tidy(const Regimes& regimes, ContactVector& r, ContactVector& u, ContactSolution& solution) const noexcept;

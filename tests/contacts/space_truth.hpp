@@ -8,20 +8,25 @@
 #include <numbers>
 #include <vector>
 
+#include "tests/contacts/deepest_inside.hpp"
 #include "torsor/runtime/contacts/contact_problem.hpp"
 
-// All solutions of one or two contacts in space, by another way than the runtime's: directions of slips that begin are scanned,
-// and where a cell of directions may hold a zero it is refined.
+// All solutions of one to three contacts in space, by another way than the runtime's: directions of slips that begin are
+// scanned, and where a cell of directions may hold a zero it is refined. Three that begin at once are sought from many starts.
+// Whether reactions that are not unique have room inside their bounds is asked of the method of ellipsoids.
 namespace space_truth {
 
 using namespace torsor::runtime;
-using MatrixXd = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::ColMajor, 6, 6>;  // two contacts have six rows
-using VectorXd = Eigen::Matrix<double, Eigen::Dynamic, 1, Eigen::ColMajor, 6, 1>;
+using MatrixXd = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::ColMajor, 9, 9>;  // three contacts have nine rows
+using VectorXd = Eigen::Matrix<double, Eigen::Dynamic, 1, Eigen::ColMajor, 9, 1>;
 
 class SpaceTruth {
  public:
-  /// `cells` of directions for one slip that begins, and `grid` of them for each of two.
-  SpaceTruth(const ContactProblem& problem, int cells, int grid) : problem_(&problem), cells_(cells), grid_(grid) {
+  /// `cells` of directions for one slip that begins, `grid` of them for each of two, and `starts` for each of three.
+  struct Search {
+    int cells, grid, starts;
+  };
+  SpaceTruth(const ContactProblem& problem, const Search& search) : problem_(&problem), search_(search), rank_(rank_of(problem.W)) {
     std::vector<Piece> pieces(static_cast<std::size_t>(problem.count));
     try_pieces(pieces, 0);
   }
@@ -30,7 +35,7 @@ class SpaceTruth {
     if (found_.empty()) return ContactVerdict::none;
     bool several = false, many = false;
     for (const Found& each : found_) {
-      several = several || far(each.u, found_[0].u);
+      several = several || each.moves || far(each.u, found_[0].u);
       many = many || each.family || far(each.r, found_[0].r);
     }
     return several ? ContactVerdict::several : many ? ContactVerdict::indeterminate : ContactVerdict::unique;
@@ -45,11 +50,17 @@ class SpaceTruth {
   enum class Piece { open, sticks, slides, slides_to };
   struct Found {
     VectorXd r, u;
-    bool family;
+    bool family, moves;  ///< other reactions do as well; and some of them give another motion
   };
+  using Angles = std::array<double, 3>;
 
   static std::size_t as(int i) { return static_cast<std::size_t>(i); }
   static bool far(const VectorXd& a, const VectorXd& b) { return (a - b).norm() > 1e-6 * (1 + a.norm()); }
+  static Eigen::Index rank_of(const MatrixXd& W) {
+    Eigen::FullPivLU<MatrixXd> lu(W);
+    lu.setThreshold(1e-9);
+    return lu.rank();
+  }
 
   void try_pieces(std::vector<Piece>& pieces, int contact) {
     if (contact == problem_->count) return visit(pieces);
@@ -68,11 +79,9 @@ class SpaceTruth {
     double determinant = 1;
     VectorXd r, u;
   };
-  Equations solve(const std::vector<Piece>& pieces, const std::array<double, 2>& angles) const {
-    Equations s;
-    const int rows = 3 * problem_->count;
+  std::vector<int> held_rows(const std::vector<Piece>& pieces) const {
     std::vector<int> held;
-    held.reserve(6);
+    held.reserve(9);
     for (int i = 0; i < problem_->count; ++i) {
       if (pieces[as(i)] == Piece::open) continue;
       held.push_back(3 * i);
@@ -81,6 +90,12 @@ class SpaceTruth {
         held.push_back(3 * i + 2);
       }
     }
+    return held;
+  }
+  Equations solve(const std::vector<Piece>& pieces, const Angles& angles) const {
+    Equations s;
+    const int rows = 3 * problem_->count;
+    const std::vector<int> held = held_rows(pieces);
     const auto n = static_cast<Eigen::Index>(held.size());
     s.B = MatrixXd::Zero(rows, n);
     for (Eigen::Index k = 0; k < n; ++k) {
@@ -116,24 +131,39 @@ class SpaceTruth {
 
   void visit(const std::vector<Piece>& pieces) {
     std::vector<int> free;
+    bool open = false;
     for (int i = 0; i < problem_->count; ++i) {
+      open = open || pieces[as(i)] == Piece::open;
       if (pieces[as(i)] == Piece::slides_to && problem_->law(i).friction > 0) free.push_back(i);
     }
+    const std::vector<int> held = held_rows(pieces);
+    const auto n = static_cast<Eigen::Index>(held.size());
+    MatrixXd own(n, n);
+    for (Eigen::Index j = 0; j < n; ++j) {
+      for (Eigen::Index k = 0; k < n; ++k) own(j, k) = problem_->W(held[static_cast<std::size_t>(j)], held[static_cast<std::size_t>(k)]);
+    }
+    const Eigen::Index rank = n > 0 ? rank_of(own) : 0;
+    // What is held may hold all: then what is open closes and what slides sticks, which other pieces say.
+    if (rank == rank_ && (open || !free.empty())) return;
     if (free.empty()) return visit_known(pieces);
+    if (rank < n) {
+      margin_ = 0;  // not for this program
+      return;
+    }
     if (free.size() == 1) return visit_circle(pieces, free[0]);
-    visit_torus(pieces);
+    if (free.size() == 2) return visit_torus(pieces, free);
+    visit_three(pieces, free);
   }
 
   void visit_known(const std::vector<Piece>& pieces) {
     const Equations s = solve(pieces, {});
-    if (s.E.cols() == 0) return accept(pieces, {}, s.r, false);
+    if (s.E.cols() == 0) return accept(pieces, {}, s.r, false, false);
     const Eigen::FullPivLU<MatrixXd> lu(s.E);
     const double pivot = std::abs(lu.matrixLU().diagonal().tail<1>()(0)) / lu.maxPivot();
     if (pivot > 1e-9) {
       margin_ = std::min(margin_, pivot);
-      return accept(pieces, {}, s.r, false);
+      return accept(pieces, {}, s.r, false, false);
     }
-    // What may be added is one vector: the discs cut an interval out of its line.
     Eigen::FullPivLU<MatrixXd> singular(s.E);
     singular.setThreshold(1e-9);
     const VectorXd x = singular.solve(s.e);
@@ -142,61 +172,43 @@ class SpaceTruth {
       margin_ = std::min(margin_, left);
       return;
     }
-    const MatrixXd kernel = singular.kernel();
-    if (kernel.cols() != 1) {
-      margin_ = 0;  // not for this program
-      return;
-    }
-    const VectorXd r = s.B * x, along = s.B * kernel.col(0);
-    double low = -1e9, high = 1e9;
-    const auto keep = [&](double a, double b, double c) {  // a z² + b z + c <= 0, convex or a cone's line
-      const double root = b * b - 4 * a * c;
-      if (a <= 0 || root <= 0) return false;
-      low = std::max(low, (-b - std::sqrt(root)) / (2 * a));
-      high = std::min(high, (-b + std::sqrt(root)) / (2 * a));
-      return true;
-    };
+    const VectorXd r = s.B * x, u = problem_->W * r + problem_->q;
+    const double force = 1 + r.norm(), motion = problem_->q.norm() + problem_->W.norm() * force;
+    MatrixXd added = s.B * singular.kernel();
+    for (Eigen::Index k = 0; k < added.cols(); ++k) added.col(k) *= force / added.col(k).norm();
+    const MatrixXd moved = problem_->W * added;
+    std::vector<deepest_inside::Bound> bounds;
+    const Eigen::Matrix<double, 2, Eigen::Dynamic> none = Eigen::Matrix<double, 2, Eigen::Dynamic>::Zero(2, added.cols());
     for (int i = 0; i < problem_->count; ++i) {
-      const ContactLaw& law = problem_->law(i);
-      const double f = law.static_friction;
-      const double n = along(3 * i), N = r(3 * i);
-      if (n > 0) low = std::max(low, -N / n);
-      if (n < 0) high = std::min(high, -N / n);
-      if (pieces[as(i)] != Piece::sticks) continue;
-      const Eigen::Vector2d t = along.segment<2>(3 * i + 1), T = r.segment<2>(3 * i + 1);
-      const double a = t.squaredNorm() - f * f * n * n, b = 2 * (t.dot(T) - f * f * n * N), c = T.squaredNorm() - f * f * N * N;
-      if (a > 0) {
-        if (!keep(a, b, c)) {
-          margin_ = std::min(margin_, std::abs(b * b - 4 * a * c) / (b * b + std::abs(4 * a * c)));
-          return;
-        }
-      } else {
-        // The line runs within the cone's asymptotes: inside it from one root on, to the side where N >= 0.
-        const double root = b * b - 4 * a * c;
-        if (root < 0) {
-          margin_ = 0;
-          return;
-        }
-        const double one = (-b - std::sqrt(root)) / (2 * a), other = (-b + std::sqrt(root)) / (2 * a);
-        if (n > 0) low = std::max(low, std::max(one, other));
-        else high = std::min(high, std::min(one, other));
+      const int n = 3 * i;
+      if (pieces[as(i)] == Piece::open) {
+        bounds.push_back({u(n) / motion, moved.row(n).transpose() / motion, Eigen::Vector2d::Zero(), none});
+        continue;
       }
+      bounds.push_back({r(n) / force, added.row(n).transpose() / force, Eigen::Vector2d::Zero(), none});
+      if (pieces[as(i)] != Piece::sticks) continue;
+      const double f = problem_->law(i).static_friction / force;
+      bounds.push_back({f * r(n), f * added.row(n).transpose(), r.segment<2>(n + 1) / force, added.middleRows(n + 1, 2) / force});
     }
-    const double least = std::min(std::abs(low), std::abs(high));
-    margin_ = std::min(margin_, std::abs(high - low) / (1 + least));
-    const double inside = high >= 1e9 ? low + 1 + std::abs(low) : low <= -1e9 ? high - 1 - std::abs(high) : (low + high) / 2;
-    if (high > low) accept(pieces, {}, r + inside * along, true);
+    // The room may begin far away: it is looked for farther and farther.
+    deepest_inside::Deepest inside{-INFINITY, {}};
+    for (const double reach : {10.0, 1e2, 1e3, 1e4, 1e5}) {
+      if (inside.least < 1e-4) inside = deepest_inside::deepest(bounds, added.cols(), reach, 1e-2);
+    }
+    // What has less room than a part in 1e5 counts as unique, as docs/contacts.md says of forces beside their bounds.
+    margin_ = inside.least > 0 && inside.least < 1e-4 ? 0 : std::min(margin_, std::abs(inside.least));
+    if (inside.least > 0) accept(pieces, {}, r + added * inside.z, true, moved.norm() > 1e-9 * motion);
   }
 
   void visit_circle(const std::vector<Piece>& pieces, int i) {
-    std::array<double, 2> angles{};
+    Angles angles{};
     const auto value = [&](double angle) {
       angles[as(i)] = angle;
       return across(solve(pieces, angles), i, angle);
     };
     double before = value(0);
-    for (int k = 1; k <= cells_; ++k) {
-      double a = 2 * std::numbers::pi * (k - 1) / cells_, b = 2 * std::numbers::pi * k / cells_;
+    for (int k = 1; k <= search_.cells; ++k) {
+      double a = 2 * std::numbers::pi * (k - 1) / search_.cells, b = 2 * std::numbers::pi * k / search_.cells;
       const double after = value(b);
       if ((after > 0) != (before > 0)) {
         const bool rises = after > 0;
@@ -205,74 +217,110 @@ class SpaceTruth {
           ((value(middle) > 0) == rises ? b : a) = middle;
         }
         angles[as(i)] = (a + b) / 2;
-        accept(pieces, angles, solve(pieces, angles).r, false);
+        accept(pieces, angles, solve(pieces, angles).r, false, false);
       }
       before = after;
     }
   }
 
-  void visit_torus(const std::vector<Piece>& pieces) {
-    const double width = 2 * std::numbers::pi / grid_;
-    const auto size = static_cast<std::size_t>(grid_ + 1);
-    std::vector<std::array<double, 2>> values(size * size);
-    const auto values_at = [&](double a, double b) {
-      const Equations s = solve(pieces, {a, b});
-      return std::array<double, 2>{across(s, 0, a), across(s, 1, b)};
+  /// What must be zero where the slips of these contacts begin along these angles.
+  Angles across_of(const std::vector<Piece>& pieces, const std::vector<int>& free, const Angles& angles) const {
+    const Equations s = solve(pieces, angles);
+    Angles values{};
+    for (const int i : free) values[as(i)] = across(s, i, angles[as(i)]);
+    return values;
+  }
+
+  void visit_torus(const std::vector<Piece>& pieces, const std::vector<int>& free) {
+    const int grid = search_.grid;
+    const double width = 2 * std::numbers::pi / grid;
+    const auto size = as(grid + 1);
+    const auto angles_at = [&](double a, double b) {
+      Angles angles{};
+      angles[as(free[0])] = a;
+      angles[as(free[1])] = b;
+      return angles;
     };
+    std::vector<Angles> values(size * size);
     for (std::size_t j = 0; j < size; ++j) {
       for (std::size_t k = 0; k < size; ++k) {
-        const std::size_t jj = j % as(grid_), kk = k % as(grid_);
-        values[j * size + k] = jj != j || kk != k ? values[jj * size + kk]
-                                                  : values_at(width * static_cast<double>(j), width * static_cast<double>(k));
+        const std::size_t jj = j % as(grid), kk = k % as(grid);
+        values[j * size + k] =
+            jj != j || kk != k ? values[jj * size + kk]
+                               : across_of(pieces, free, angles_at(width * static_cast<double>(j), width * static_cast<double>(k)));
       }
     }
-    std::vector<std::array<double, 2>> zeros;
+    std::vector<Angles> zeros;
     for (std::size_t j = 0; j + 1 < size; ++j) {
       for (std::size_t k = 0; k + 1 < size; ++k) {
         bool possible = true;
-        for (const std::size_t which : {0U, 1U}) {
-          const std::array<double, 4> corner{values[j * size + k][which], values[(j + 1) * size + k][which],
-                                             values[j * size + k + 1][which], values[(j + 1) * size + k + 1][which]};
+        for (const int i : free) {
+          const std::array<double, 4> corner{values[j * size + k][as(i)], values[(j + 1) * size + k][as(i)],
+                                             values[j * size + k + 1][as(i)], values[(j + 1) * size + k + 1][as(i)]};
           const auto [least, most] = std::minmax_element(corner.begin(), corner.end());
           // A zero in the cell, or within half of what the function changes across it.
           possible = possible && *least - (*most - *least) / 2 <= 0 && *most + (*most - *least) / 2 >= 0;
         }
-        if (possible) refine(pieces, values_at, {width * (static_cast<double>(j) + 0.5), width * (static_cast<double>(k) + 0.5)}, 3 * width, zeros);
+        if (possible) {
+          refine(pieces, free, angles_at(width * (static_cast<double>(j) + 0.5), width * (static_cast<double>(k) + 0.5)), 3 * width, zeros);
+        }
       }
     }
   }
 
-  // Newton's method with slopes by differences, for a zero that is near.
-  template <class Values>
-  void refine(const std::vector<Piece>& pieces, const Values& values_at, std::array<double, 2> at, double reach,
-              std::vector<std::array<double, 2>>& zeros) {
-    const std::array<double, 2> start = at;
+  void visit_three(const std::vector<Piece>& pieces, const std::vector<int>& free) {
+    std::vector<Angles> zeros;
+    const double width = 2 * std::numbers::pi / search_.starts;
+    for (int j = 0; j < search_.starts; ++j) {
+      for (int k = 0; k < search_.starts; ++k) {
+        for (int l = 0; l < search_.starts; ++l) refine(pieces, free, {width * j, width * k, width * l}, INFINITY, zeros);
+      }
+    }
+  }
+
+  // Newton's method with slopes by differences, for a zero within reach.
+  void refine(const std::vector<Piece>& pieces, const std::vector<int>& free, Angles at, double reach, std::vector<Angles>& zeros) {
+    const auto n = static_cast<Eigen::Index>(free.size());
+    const auto contact = [&](Eigen::Index k) { return as(free[static_cast<std::size_t>(k)]); };
+    const Angles start = at;
     for (int step = 0; step < 30; ++step) {
       constexpr double h = 1e-6;
-      const auto g = values_at(at[0], at[1]);
-      const auto a = values_at(at[0] + h, at[1]), b = values_at(at[0] - h, at[1]);
-      const auto c = values_at(at[0], at[1] + h), d = values_at(at[0], at[1] - h);
-      Eigen::Matrix2d slopes;
-      slopes << a[0] - b[0], c[0] - d[0], a[1] - b[1], c[1] - d[1];
-      slopes /= 2 * h;
-      const Eigen::Vector2d change = slopes.partialPivLu().solve(Eigen::Vector2d(g[0], g[1]));
+      const Angles here = across_of(pieces, free, at);
+      Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::ColMajor, 3, 3> slopes(n, n);
+      Eigen::Matrix<double, Eigen::Dynamic, 1, Eigen::ColMajor, 3, 1> value(n);
+      for (Eigen::Index k = 0; k < n; ++k) {
+        value(k) = here[contact(k)];
+        Angles after = at, before = at;
+        after[contact(k)] += h;
+        before[contact(k)] -= h;
+        const Angles b = across_of(pieces, free, after), a = across_of(pieces, free, before);
+        for (Eigen::Index j = 0; j < n; ++j) slopes(j, k) = (b[contact(j)] - a[contact(j)]) / (2 * h);
+      }
+      const auto change = slopes.partialPivLu().solve(value).eval();
       if (!change.allFinite()) return;
-      for (const int k : {0, 1}) at[as(k)] -= change(k);
-      if (std::hypot(at[0] - start[0], at[1] - start[1]) > reach) return;
+      double moved = 0;
+      for (Eigen::Index k = 0; k < n; ++k) {
+        at[contact(k)] -= change(k);
+        moved = std::hypot(moved, at[contact(k)] - start[contact(k)]);
+      }
+      if (moved > reach) return;
       if (change.norm() > 1e-13) continue;
-      for (const auto& zero : zeros) {
-        if (std::abs(std::remainder(zero[0] - at[0], 2 * std::numbers::pi)) + std::abs(std::remainder(zero[1] - at[1], 2 * std::numbers::pi)) < 1e-9) return;
+      for (const Angles& zero : zeros) {
+        double apart = 0;
+        for (const int i : free) apart += std::abs(std::remainder(zero[as(i)] - at[as(i)], 2 * std::numbers::pi));
+        if (apart < 1e-9) return;
       }
       zeros.push_back(at);
-      const double scale = std::max({std::abs(slopes(0, 0)), std::abs(slopes(0, 1)), 1e-300}) * std::max({std::abs(slopes(1, 0)), std::abs(slopes(1, 1)), 1e-300});
+      double scale = 1;
+      for (Eigen::Index j = 0; j < n; ++j) scale *= std::max(slopes.row(j).cwiseAbs().maxCoeff(), 1e-300);
       margin_zero_ = std::abs(slopes.determinant()) / scale;
-      accept(pieces, at, solve(pieces, at).r, false);
+      accept(pieces, at, solve(pieces, at).r, false, false);
       return;
     }
   }
 
   // Whether all inequalities hold; how near the nearest comes to its bound counts where no other fails by far.
-  void accept(const std::vector<Piece>& pieces, const std::array<double, 2>& angles, const VectorXd& r, bool family) {
+  void accept(const std::vector<Piece>& pieces, const Angles& angles, const VectorXd& r, bool family, bool moves) {
     const VectorXd u = problem_->W * r + problem_->q;
     const double force = 1 + r.norm(), motion = problem_->q.norm() + problem_->W.norm() * r.norm();
     double least = 1;
@@ -302,11 +350,12 @@ class SpaceTruth {
     if (force > 1e6) least = std::min(least, 0.0);  // a solution that runs away
     margin_ = std::min({margin_, std::abs(least), least > 0 ? margin_zero_ : 1.0});
     margin_zero_ = 1;
-    if (least > 0) found_.push_back({r, u, family});
+    if (least > 0) found_.push_back({r, u, family, moves});
   }
 
   const ContactProblem* problem_;
-  int cells_, grid_;
+  Search search_;
+  Eigen::Index rank_;
   std::vector<Found> found_;
   double margin_ = 1, margin_zero_ = 1;
 };
