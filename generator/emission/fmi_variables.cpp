@@ -42,7 +42,7 @@ std::string unit_definition(const std::string& text) {
     if (half % 2 != 0) return fmt::format("    <Unit name=\"{}\"/>\n", xml_escaped(text));  // a root: FMI has none
     if (half != 0) attributes += fmt::format(" {}=\"{}\"", bases[i], half / 2);
   }
-  if (text.starts_with("rad")) attributes += " rad=\"1\"";
+  if (text == "rad" || text.starts_with("rad/")) attributes += " rad=\"1\"";
   return fmt::format("    <Unit name=\"{}\"><BaseUnit{}/></Unit>\n", xml_escaped(text), attributes);
 }
 
