@@ -24,7 +24,8 @@ bool ContactAutomaton::start(double t0, std::span<double> y, Gaps gaps) {
   motion_.forget();
   bounces_.assign(bounces_.size(), {});
   all_ = {};
-  fastest_ = residual_ = 0;
+  fastest_.setZero(motion_.rows());
+  residual_ = 0;
   impact_number_ = 0;
   has_event_ = false;
   ends_too_.fill(false);
@@ -68,7 +69,7 @@ double ContactAutomaton::guard(std::size_t index, double t, std::span<const doub
 double ContactAutomaton::idle_slack(int contact, int row) {
   if (!motion_.states[as(contact)].idle) return 0;
   const double own = motion_.W()(row, row);
-  return own > 0 ? 4e-12 * fastest_ / own : 0;
+  return own > 0 ? 4e-12 * fastest_(row) / own : 0;
 }
 
 bool ContactAutomaton::barrier(std::size_t index) const {
@@ -205,11 +206,6 @@ ContactLaw ContactAutomaton::law_after(int i, int forced, Cause cause) const noe
 // an event is not left to rounding: what the event says of it is given.
 bool ContactAutomaton::decide(int forced, Cause cause) {
   if (!motion_.read(result_.time, y_)) return end(ContactStatus::integration_failed, forced);
-  double most = 0;
-  for (int i = 0; i < count(); ++i) {
-    if (motion_.rule(i).normal) most = std::max(most, motion_.acceleration_terms(i));
-  }
-  fastest_ = std::max(most, fastest_ / 2);  // a blow long ago says nothing of rounding now
   ContactSelection chosen;
   for (int i = 0; i < count(); ++i) {
     if (!motion_.states[as(i)].touches || (cause == Cause::opens && motion_.carrier(i) == forced)) continue;
@@ -218,6 +214,7 @@ bool ContactAutomaton::decide(int forced, Cause cause) {
   ContactVector free = motion_.reading().drift;
   free.noalias() += motion_.reading().J * motion_.dynamics().a0;
   chosen.fill(motion_.W(), free, motion_.dynamics().S, motion_.dynamics().R_free);
+  fastest_ = motion_.acceleration_sizes().cwiseMax(fastest_ / 2);  // a blow long ago says nothing of rounding now
   const ContactAnswer answer = solve_contacts(chosen.problem);
   result_.verdict = verdict_ = answer.verdict;
   if (!answer && options_.impact_without_collision && chosen.problem.count == 1 && chosen.problem.law(0).normal &&
@@ -277,7 +274,7 @@ bool ContactAutomaton::take_regime(const ContactSelection& chosen, int k, const 
   const int n = problem.first_row(k), t = problem.tangent_row(k);
   ContactState& state = motion_.states[as(i)];
   // Two that neither press nor part, as pendulums of one length side by side, would else part and strike without end.
-  const double none = law.normal ? 1e-12 * (fastest_ + problem.W.row(n).cwiseAbs().dot(s.r.cwiseAbs())) : 0;
+  const double none = law.normal ? 1e-12 * (fastest_(chosen.row[as(n)]) + problem.W.row(n).cwiseAbs().dot(s.r.cwiseAbs())) : 0;
   const bool opens = law.normal ? s.u(n) > none : by >= 0 && !motion_.states[as(by)].touches;
   if (opens) {
     state = {};

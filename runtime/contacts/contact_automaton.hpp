@@ -100,7 +100,7 @@ class ContactAutomaton {
   AccumulationWatch<double> all_{};
   double side_ = 1;  ///< of zero, on which the regularity of the present regimes began
   double began_regular_ = 1;  ///< its size there
-  double fastest_ = 0;  ///< the largest terms of a normal acceleration at recent events
+  ContactVector fastest_;  ///< of each row, the largest terms of a normal acceleration that acts on it, at recent decisions
   std::int64_t impact_number_ = 0;
   bool alone_ = false;  ///< the accumulation is that of one contact, `cause_`
   bool buried_ = false;  ///< the next flight would not leave rounding

@@ -199,10 +199,11 @@ Evaluation ContactMotion::solve(double t, std::span<const double> y) {
     const Evaluation aligned = align(t, y, problem, regimes, begins);
     if (aligned != Evaluation::ok) return aligned;
   }
-  RegimeSystem equations(problem, regimes);
+  const ContactScale scale(problem);
+  RegimeSystem equations(problem, scale, regimes);
   if (!equations.solve()) return Evaluation::singular;
   equations.approach(held_);
-  note_undetermined(equations);
+  note_undetermined(equations, scale);
   for (int i = 0; i < count(); ++i) {
     if (rule(i).bearing > 0) along_[as(i)] = equations.along(i);
   }
@@ -229,11 +230,11 @@ int ContactMotion::busiest_slip() const noexcept {
 }
 
 // A contact counts where its force, or the normal force that presses it, may be another.
-void ContactMotion::note_undetermined(const RegimeSystem& equations) noexcept {
+void ContactMotion::note_undetermined(const RegimeSystem& equations, const ContactScale& scale) noexcept {
   if (equations.kernel().cols() == 0) return;
   ContactMatrix others = equations.B() * equations.kernel();
   ContactVector units(rows());
-  for (int row = 0; row < rows(); ++row) units(row) = unit_of_row(dynamics_.W(row, row));
+  for (int row = 0; row < rows(); ++row) units(row) = scale.unit(row);
   for (Eigen::Index k = 0; k < others.cols(); ++k) others.col(k) /= others.col(k).cwiseProduct(units).cwiseAbs().maxCoeff();
   for (int i = 0; i < count(); ++i) {
     const auto differs = [&](int row) { return units(row) * others.row(row).cwiseAbs().maxCoeff() > 1e-9; };
@@ -259,9 +260,8 @@ ContactProblem ContactMotion::problem_of(const ContactReading& reading, const Co
     problem.S = dynamics.S;
     problem.c = dynamics.R_free;
   }
-  double terms = 0;
-  for (int row = 0; row < rows(); ++row) terms = std::max(terms, terms_of(reading, dynamics, row));
-  problem.noise = 1e-13 * terms;
+  problem.noise.resize(rows());
+  for (int row = 0; row < rows(); ++row) problem.noise(row) = 1e-13 * terms_of(reading, dynamics, row);
   return problem;
 }
 
@@ -390,14 +390,16 @@ double ContactMotion::acceleration_terms(int i) const noexcept {
   return terms_of(reading_, dynamics_, first_row(i));
 }
 
-double ContactMotion::rounding_of_gap(int i) const noexcept {
-  const bool each = sizes_.coordinates == sizes_.velocities;  // coordinate j moves with velocity j
-  double sum = 0, largest = 0;
-  for (int j = 0; j < sizes_.coordinates; ++j) largest = std::max(largest, std::abs(y_[as(j)]));
-  for (int j = 0; j < sizes_.velocities; ++j) {
-    sum += std::abs(reading_.J(first_row(i), j)) * (each ? std::abs(y_[as(j)]) : largest);
+ContactVector ContactMotion::acceleration_sizes() const {
+  ContactVector terms = ContactVector::Zero(rows());
+  for (int i = 0; i < count(); ++i) {
+    if (rule(i).normal) terms(first_row(i)) = acceleration_terms(i);
   }
-  return std::numeric_limits<double>::epsilon() * sum;
+  return ContactScale(problem_of(reading_, dynamics_)).motions(terms);
+}
+
+double ContactMotion::rounding_of_gap(int i) const noexcept {
+  return rounding_of_position(reading_.J.row(first_row(i)), y_, sizes_);
 }
 
 // Directions of slips that have just begun, to first order in the slip: the rate of those of order zero is taken over a
@@ -406,7 +408,8 @@ Evaluation ContactMotion::align(double t, std::span<const double> y, const Conta
                                 const PerContact<bool>& begins) {
   PerContact<double> across{};
   if (!align_slips(problem, regimes, begins, across, held_)) return Evaluation::singular;
-  RegimeSystem equations(problem, regimes);
+  const ContactScale scale(problem);
+  RegimeSystem equations(problem, scale, regimes);
   if (!equations.solve()) return Evaluation::singular;
   equations.approach(held_);
   change_ = dynamics_.a0;

@@ -96,6 +96,8 @@ class ContactMotion {
   [[nodiscard]] double gap_acceleration(int i) const noexcept;
   /// The terms of a normal acceleration at the state read last, of which rounding is a part.
   [[nodiscard]] double acceleration_terms(int i) const noexcept;
+  /// For each row, the largest of these of the normal rows that act on it, open contacts among them.
+  [[nodiscard]] ContactVector acceleration_sizes() const;
   /// What rounding may make of a gap, of the coordinates that it depends on.
   [[nodiscard]] double rounding_of_gap(int i) const noexcept;
 
@@ -153,7 +155,7 @@ class ContactMotion {
   [[nodiscard]] ContactProblem problem_of(const ContactReading& reading, const ContactDynamics& dynamics) const;
   void follow_directions() noexcept;
   [[nodiscard]] double blur(int i) const noexcept;
-  void note_undetermined(const RegimeSystem& equations) noexcept;
+  void note_undetermined(const RegimeSystem& equations, const ContactScale& scale) noexcept;
   template <class Wanted>
   void select(const Wanted& wanted);
   void add_least_change();

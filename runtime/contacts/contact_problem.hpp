@@ -74,7 +74,7 @@ struct ContactProblem {
   PerContact<ContactLaw> laws{};
   ContactMatrix W;  ///< Delassus' matrix J M^-1 J^T, symmetric, positive semidefinite
   ContactVector q;  ///< u without reactions
-  double noise = 0;  ///< what of q rounding may be: equations that depend on each other hold to no less
+  ContactVector noise;  ///< what of q rounding may be, or nothing: equations that depend on each other hold to no less
   BearingMatrix S;   ///< reactions of joints are R = S r + c, in the order of the contacts that have a bearing
   BearingVector c;
 

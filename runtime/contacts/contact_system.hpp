@@ -81,6 +81,10 @@ struct ContactReading {
   ContactReading(const ContactSizes& sizes, int rows, int bearings = 0);
 };
 
+/// What rounding of the coordinates may make of a gap or of a constraint whose rate is this row times the velocities.
+[[nodiscard]] double rounding_of_position(const Eigen::Ref<const Eigen::RowVectorXd, 0, Eigen::InnerStride<>>& rates,
+                                          std::span<const double> y, const ContactSizes& sizes) noexcept;
+
 /// What the non-smooth layer asks of a mechanism, whatever its type. A state y has the coordinates, then the velocities.
 class ContactMechanism {
  public:
@@ -96,6 +100,8 @@ class ContactMechanism {
   virtual void coordinate_rates(double t, std::span<const double> y, std::span<double> rates) const = 0;
   /// Puts quaternions back to the norm 1.
   virtual void normalise(std::span<double>) const {}
+  /// -∂F_j/∂v_j >= 0 of forces that damp, each its own velocity: steps of equal length take them implicitly. False: none.
+  [[nodiscard]] virtual bool damping(double, std::span<const double>, std::span<double>) const { return false; }
 
  private:
   ContactSizes sizes_;
@@ -133,6 +139,15 @@ class ContactMechanismOf final : public ContactMechanism {
       system_.normalise(whole);
       for (std::size_t i = 0; i < whole.size(); ++i) y[i] = whole[i];
     }
+  }
+  [[nodiscard]] bool damping(double t, std::span<const double> y, std::span<double> rates) const override {
+    if constexpr (requires(std::array<double, S::nv>& all) { system_.damping(t, state(y), all); }) {
+      std::array<double, S::nv> all{};
+      system_.damping(t, state(y), all);
+      for (std::size_t i = 0; i < S::nv; ++i) rates[i] = all[i];
+      return true;
+    }
+    return false;
   }
 
  private:

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <array>
+#include <concepts>
 #include <cstddef>
 #include <utility>
 
@@ -33,7 +34,8 @@ template <MechanismModel M>
 /// A generated mechanism whose contacts open, stick and slide, for `integrate_contacts`: M and h come from `mass_matrix`
 /// and `bias`, gaps, rows, velocities and drifts from `contacts`, and loops are held by `constraints`. With a law of
 /// inputs u(state), the forces h and E u together come from `forward_dynamics`, at accelerations in which no contact acts:
-/// F = E u − h = M a − Aᵀ λ.
+/// F = E u − h = M a − Aᵀ λ. A law that damps may have `damping(state)`: for each velocity what the generalised force along it
+/// loses for each unit of it, as an array of numbers >= 0. Steps of equal length then take it implicitly.
 template <HasContacts M, class InputLaw = NoInputs<M>>
 requires(HasMassMatrixAndBias<M> && (M::multiplier_count == 0 || HasConstraints<M>)) class MechanismWithContacts {
  public:
@@ -95,6 +97,14 @@ requires(HasMassMatrixAndBias<M> && (M::multiplier_count == 0 || HasConstraints<
 
   void normalise(State& y) const noexcept {
     if constexpr (HasQuaternions<M>) normalise_quaternions<M>(y);
+  }
+
+  void damping(double t, const State& y, std::array<double, nv>& rates) const noexcept
+    requires requires(const InputLaw& law, const typename M::State& state) {
+      { law.damping(state) } -> std::convertible_to<std::array<double, nv>>;
+    }
+  {
+    rates = law_.damping(unpack<M>(t, y));
   }
 
   /// The state that the scene starts from.

@@ -20,6 +20,7 @@ MoreauJean::MoreauJean(std::unique_ptr<const ContactMechanism> mechanism, double
   middle_.resize(as(sizes.coordinates + sizes.velocities));
   before_ = middle_;
   rates_.resize(as(sizes.coordinates));
+  damping_.resize(as(sizes.velocities));
   for (int i = 0; i < count(); ++i) {
     if (valid_rule(std::span(rules_).first(as(count())), i)) continue;
     status_ = ContactStatus::invalid_rule;
@@ -49,7 +50,7 @@ bool MoreauJean::move_through(double t, double h, std::span<double> y) {
   std::copy_n(y.begin(), middle_.size(), middle_.begin());
   move(t, middle_, (1 - theta_) * h);
   const double there = t + (1 - theta_) * h;
-  if (!read(there, middle_)) return end(ContactStatus::integration_failed);
+  if (!read(there, middle_, theta_ * h)) return end(ContactStatus::integration_failed);
   // Loops are held as contacts are, by their velocities at q_m.
   change_ = dynamics_.closing_rate + h * dynamics_.KF;
   v_ = change_;
@@ -93,9 +94,26 @@ void MoreauJean::move(double t, std::span<double> y, double h) {
   for (std::size_t i = 0; i < rates_.size(); ++i) y[i] += h * rates_[i];
 }
 
-bool MoreauJean::read(double t, std::span<const double> y) {
-  return mechanism_->read(t, y, reading_) == Evaluation::ok && dynamics_.compute(reading_) &&
-         dynamics_.respond(reading_);
+bool MoreauJean::read(double t, std::span<const double> y, double damped) {
+  if (mechanism_->read(t, y, reading_) != Evaluation::ok) return false;
+  if (damped > 0 && mechanism_->damping(t, y, damping_)) {
+    for (std::size_t i = 0; i < damping_.size(); ++i) reading_.M.diagonal()(static_cast<Eigen::Index>(i)) += damped * damping_[i];
+  }
+  return dynamics_.compute(reading_) && dynamics_.respond(reading_);
+}
+
+// Whether a gap is below zero or a loop is open by more than some roundings of what it depends on.
+bool MoreauJean::displaced(std::span<const double> y) const {
+  const ContactSizes& sizes = mechanism_->sizes();
+  for (int i = 0; i < count(); ++i) {
+    const double gap = rules_[as(i)].normal ? reading_.gap[as(i)] : 0;
+    if (gap < 0 && -gap > 4 * rounding_of_position(reading_.J.row(first_row_[as(i)]), y, sizes)) return true;
+  }
+  for (Eigen::Index k = 0; k < reading_.A.rows(); ++k) {
+    const double off = std::abs(reading_.value(k));
+    if (off > 0 && off > 4 * rounding_of_position(reading_.A.row(k), y, sizes)) return true;
+  }
+  return false;
 }
 
 // The least displacement, in the metric of the masses, after which no gap is negative and loops are closed: contacts
@@ -103,13 +121,14 @@ bool MoreauJean::read(double t, std::span<const double> y) {
 bool MoreauJean::put_back(double t, std::span<double> y) {
   mechanism_->normalise(y);
   for (int repeat = 0; repeat < 3; ++repeat) {
-    if (!read(t, y)) return end(ContactStatus::integration_failed);
-    double deepest = 0;
-    for (int i = 0; i < count(); ++i) {
-      if (rules_[as(i)].normal) deepest = std::max(deepest, -reading_.gap[as(i)]);
+    if (!read(t, y, 0)) return end(ContactStatus::integration_failed);
+    if (repeat == 0) {
+      depth_ = 0;
+      for (int i = 0; i < count(); ++i) {
+        if (rules_[as(i)].normal) depth_ = std::max(depth_, -reading_.gap[as(i)]);
+      }
     }
-    if (repeat == 0) depth_ = deepest;
-    if (!(deepest > 1e-14 || dynamics_.closing.cwiseAbs().maxCoeff() > 1e-14)) return true;
+    if (!displaced(y)) return true;
     ContactVector gaps = ContactVector::Zero(rows());
     ContactSelection chosen;
     for (int i = 0; i < count(); ++i) {

@@ -16,8 +16,10 @@ namespace torsor::runtime {
 ///   q_m = q + (1 - θ) h q'(v);  v+ = v + h M^-1 F + M^-1 J^T P at q_m;  q+ = q_m + θ h q'(v+),
 ///   0 <= w_N+ + e w_N-, P_N >= 0, |P_T| <= f P_N,
 /// for the contacts whose gap at q_m is closed. No event is located: impacts, accumulations and ends of slip happen
-/// within steps, and the error is of first order in h. Gaps below zero are put back by displacements that do not become
-/// velocities. Impulses of the last step are the first guess of the next. Source: Acary & Brogliato 2008, chapter 10.
+/// within steps, and the error is of first order in h. Forces are those of q_m and v, but for damping that the mechanism
+/// tells of (ContactMechanism::damping): M + θ h d stands for M then, so that what damps is taken at v + θ (v+ - v). Gaps
+/// below zero are put back by displacements that do not become velocities. Impulses of the last step are the first guess
+/// of the next. Source: Acary & Brogliato 2008, chapter 10.
 class MoreauJean {
  public:
   /// The system must live as long.
@@ -43,7 +45,9 @@ class MoreauJean {
   [[nodiscard]] int count() const noexcept { return mechanism_->sizes().contacts; }
   [[nodiscard]] int rows() const noexcept { return first_row_[as(count())]; }
   void move(double t, std::span<double> y, double h);
-  [[nodiscard]] bool read(double t, std::span<const double> y);
+  /// Damping taken implicitly over this time is a part of M.
+  [[nodiscard]] bool read(double t, std::span<const double> y, double damped);
+  [[nodiscard]] bool displaced(std::span<const double> y) const;
   bool move_through(double t, double h, std::span<double> y);
   bool put_back(double t, std::span<double> y);
 
@@ -54,7 +58,7 @@ class MoreauJean {
   ContactReading reading_;
   ContactDynamics dynamics_;
   Eigen::VectorXd change_, v_;
-  std::vector<double> middle_, before_, rates_;
+  std::vector<double> middle_, before_, rates_, damping_;
   ContactVector impulses_;
   ContactStatus status_ = ContactStatus::reached_end;
   double residual_ = 0, depth_ = 0;

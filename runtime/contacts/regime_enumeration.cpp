@@ -157,7 +157,7 @@ void RegimeEnumeration::try_all_directions(Regimes& regimes) noexcept {
   for (std::size_t j = 0; j < values.size(); ++j) {
     const double angle = std::numbers::pi / 4 * static_cast<double>(j);
     direction = {std::cos(angle), std::sin(angle)};
-    RegimeSystem system(problem_, regimes);
+    RegimeSystem system(problem_, scale_, regimes);
     if (!system.solve() || system.kernel().cols() > 0 || bearings_ > 0) {
       // E is singular in this very direction: others do as well, turned by Newton's method.
       for (int k = 0; k < 8; ++k) {
@@ -190,7 +190,7 @@ bool RegimeEnumeration::try_all_pairs(Regimes& regimes) noexcept {
   for (std::size_t place = 0; place < values.size(); ++place) {
     turn(0, std::numbers::pi / 4 * static_cast<double>(place / n));
     turn(1, std::numbers::pi / 4 * static_cast<double>(place % n));
-    RegimeSystem system(problem_, regimes);
+    RegimeSystem system(problem_, scale_, regimes);
     if (!system.solve() || system.kernel().cols() > 0) return false;
     const ContactVector u = system.motion();
     for (std::size_t k = 0; k < 2; ++k) {
@@ -216,7 +216,7 @@ bool RegimeEnumeration::turn_to_slip(Regimes& regimes) noexcept {
   }
   double last = INFINITY;
   for (int step = 0; step < 40; ++step) {
-    RegimeSystem system(problem_, regimes);
+    RegimeSystem system(problem_, scale_, regimes);
     if (!system.solve()) return false;
     const ContactVector u = system.motion();
     const ContactVector size = RegimeInequalities(problem_, scale_, system).sizes(system.reactions()).motion;
@@ -231,7 +231,7 @@ bool RegimeEnumeration::turn_to_slip(Regimes& regimes) noexcept {
 }
 
 void RegimeEnumeration::accept(const Regimes& regimes) noexcept {
-  RegimeSystem system(problem_, regimes);
+  RegimeSystem system(problem_, scale_, regimes);
   if (!system.solve()) return;
   const RegimeInequalities inequalities(problem_, scale_, system);
   ContactVector r = system.reactions(), u = problem_.W * r + problem_.q;

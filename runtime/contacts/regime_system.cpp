@@ -4,12 +4,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "torsor/runtime/contacts/contact_scale.hpp"
-
 namespace torsor::runtime {
 
-RegimeSystem::RegimeSystem(const ContactProblem& problem, const Regimes& regimes) noexcept
-    : problem_(problem), regimes_(regimes) {
+RegimeSystem::RegimeSystem(const ContactProblem& problem, const ContactScale& scale, const Regimes& regimes) noexcept
+    : problem_(problem), scale_(scale), regimes_(regimes) {
   const int rows = problem.rows();
   B_.setZero(rows, unknowns());
   c_.setZero(rows);
@@ -143,14 +141,17 @@ double RegimeSystem::turn_bearings() noexcept {
   return turned;
 }
 
+int RegimeSystem::row_of(int unknown) const noexcept {
+  int row = rows_[as(unknown)];
+  for (int i = 0; i < problem_.count && row < 0; ++i) {
+    if (slides_in_bearing(i) && column_[as(i)] == unknown) row = problem_.tangent_row(i);
+  }
+  return row;
+}
+
 ContactVector RegimeSystem::over_units() const noexcept {
   ContactVector over(E_.cols());
-  for (int k = 0; k < static_cast<int>(over.size()); ++k) {
-    if (rows_[as(k)] >= 0) over(k) = 1 / unit_of_row(problem_.W(rows_[as(k)], rows_[as(k)]));
-  }
-  for (int i = 0; i < problem_.count && bearings_; ++i) {
-    if (slides_in_bearing(i)) over(column_[as(i)]) = 1 / unit_of_row(mobility(i));
-  }
+  for (int k = 0; k < static_cast<int>(over.size()); ++k) over(k) = 1 / scale_.unit(row_of(k));
   return over;
 }
 
@@ -167,8 +168,13 @@ bool RegimeSystem::solve_linear() noexcept {
   if (lu_.rank() < n) {
     kernel_ = over.asDiagonal() * lu_.kernel();
     const ContactVector left = E_ * x_ - e_, terms = E_.cwiseAbs() * x_.cwiseAbs() + e_.cwiseAbs();
-    const double size = 1e-10 * over.cwiseProduct(terms).maxCoeff();
-    return (over.cwiseProduct(left).array().abs() <= size + problem_.noise * over.array()).all();
+    ContactVector off = ContactVector::Zero(problem_.rows()), size = off;
+    if (problem_.noise.size() > 0) size = problem_.noise;
+    for (int k = 0; k < n; ++k) {
+      off(row_of(k)) = left(k);
+      size(row_of(k)) += 1e-10 * terms(k);
+    }
+    return largest_part(off, scale_.motions(size)) <= 1;
   }
   return x_.allFinite();
 }
@@ -209,8 +215,10 @@ void RegimeSystem::approach(const ContactVector& reactions) noexcept {
     const int t = problem_.tangent_row(i);
     for (int k = 0; k < problem_.law(i).tangents; ++k) missing(column_[as(i)]) -= at(i).direction[as(k)] * reactions(t + k);
   }
-  const ContactMatrix square = kernel_.transpose() * kernel_;
-  const ContactVector right = kernel_.transpose() * missing;
+  // Nearest in the unit of each: a force and a moment have none in common.
+  const ContactVector over = over_units();
+  const ContactMatrix near = over.cwiseInverse().asDiagonal() * kernel_, square = near.transpose() * near;
+  const ContactVector right = near.transpose() * missing.cwiseQuotient(over);
   x_ += kernel_ * square.partialPivLu().solve(right);
 }
 

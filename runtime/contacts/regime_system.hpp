@@ -4,7 +4,7 @@
 #include <array>
 #include <cstddef>
 
-#include "torsor/runtime/contacts/contact_problem.hpp"
+#include "torsor/runtime/contacts/contact_scale.hpp"
 
 namespace torsor::runtime {
 
@@ -35,7 +35,8 @@ class RegimeSystem {
   using Regimes = PerContact<AssumedRegime>;
   using Friction = AssumedRegime::Friction;
 
-  RegimeSystem(const ContactProblem& problem, const Regimes& regimes) noexcept;
+  /// The scale is that of the problem.
+  RegimeSystem(const ContactProblem& problem, const ContactScale& scale, const Regimes& regimes) noexcept;
 
   [[nodiscard]] int unknowns() const noexcept;
 
@@ -80,11 +81,14 @@ class RegimeSystem {
   void equate_bearings() noexcept;
   /// Takes the ρ of the solution; by how much that differs from the last one.
   [[nodiscard]] double turn_bearings() noexcept;
-  /// One over the unit of each unknown (unit_of_row): E between these is without units.
+  /// The row that measures an unknown: its own, or that of the friction of a bearing.
+  [[nodiscard]] int row_of(int unknown) const noexcept;
+  /// One over the unit of each unknown: E between these is without units.
   [[nodiscard]] ContactVector over_units() const noexcept;
   [[nodiscard]] bool solve_linear() noexcept;
 
   const ContactProblem& problem_;
+  const ContactScale& scale_;
   const Regimes& regimes_;
   PerContact<std::array<double, 2>> along_{};
   PerContact<int> column_{};  ///< of |T| of a bearing that slides

@@ -58,7 +58,7 @@ bool align_slips(const ContactProblem& problem, RegimeSystem::Regimes& regimes, 
   const ContactScale scale(problem);
   double last = INFINITY;
   for (int step = 0; step < 30; ++step) {
-    RegimeSystem system(problem, regimes);
+    RegimeSystem system(problem, scale, regimes);
     if (!system.solve()) return false;
     system.approach(held);
     const auto r = system.reactions();

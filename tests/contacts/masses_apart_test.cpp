@@ -148,6 +148,50 @@ TEST(MassesApart, AreHeldByTheirOwnFrictionOnly) {
   }
 }
 
+// What is zero to rounding of a hard blow is not zero to that of a soft one.
+TEST(MassesApart, LiftOffHoweverHardAnotherIsPressed) {
+  for (const double hard : {0.0, 1e9}) {
+    SCOPED_TRACE(hard);
+    const ByHand<2, 2, 2> two{{ContactRule{.tangents = 0}, ContactRule{.tangents = 0}}, [hard](double, const auto& y, auto& r) {
+                                r.M.setZero();
+                                r.M.diagonal() << 1e-6, 1;
+                                r.F << -1e-6 * hard, 1e-4;
+                                r.J.setIdentity();
+                                r.drift.setZero();
+                                r.gap = {y[0], y[1]};
+                                r.w << y[2], y[3];
+                              }};
+    std::array<double, 4> y{};
+    EXPECT_EQ(integrate_contacts(two, y, 0, 1).status, ContactStatus::reached_end);
+    EXPECT_EQ(y[0], 0);
+    EXPECT_NEAR(y[1], 1e-4 / 2, 1e-12);
+  }
+}
+
+// A plank rests on two of three supports, and the third draws away at 1e-3 m/s². To the rounding of a body that is pressed
+// a million million times as hard all three hold it.
+TEST(MassesApart, AreNotHeldBySupportsThatDrawAway) {
+  for (const double hard : {0.0, 1e9}) {
+    SCOPED_TRACE(hard);
+    ContactProblem problem;
+    problem.count = 4;
+    problem.W.setZero(4, 4);
+    Eigen::Matrix<double, 3, 2> J;
+    J << 1, -1, 1, 0, 1, 1;
+    problem.W.topLeftCorner(3, 3) = J * J.transpose();
+    problem.W(3, 3) = 1;
+    problem.q.resize(4);
+    problem.q.head(3) = J * Eigen::Vector2d(-g, 1) + Eigen::Vector3d(0, 0, 1e-3);
+    problem.q(3) = -hard;
+    for (int i = 0; i < 4; ++i) problem.laws[static_cast<std::size_t>(i)] = coulomb(0, 0);
+    const ContactAnswer answer = solve_contacts(problem);
+    ASSERT_EQ(answer.verdict, ContactVerdict::unique);
+    EXPECT_NEAR(answer.best().r(0), 1, 1e-14);
+    EXPECT_NEAR(answer.best().r(1), g - 1, 1e-13);
+    EXPECT_NEAR(answer.best().u(2), 1e-3, 1e-14);
+  }
+}
+
 // The scheme by steps moves a light block beside a heavy one as it does alone.
 TEST(MassesApart, MoveByStepsAsEachDoesAlone) {
   const auto moved = [](const std::array<double, 2>& masses) {

@@ -85,6 +85,41 @@ TEST(MoreauJean, SaysHowDeepAStepWentBeforeItWasPutBack) {
   EXPECT_NEAR(y[0], 0, 1e-15);
 }
 
+/// A ball of 1 kg that falls through what resists by d v, and tells so.
+struct ResistedBall : ByHand<1, 1, 1> {
+  double d = 0;
+  void damping(double, const State&, std::array<double, 1>& rates) const { rates[0] = d; }
+};
+
+// Of v' = -g - d v a step makes v+ = v - h (g + d v) / (1 + θ h d): with θ = 1 what is not yet the velocity -g/d of a
+// steady fall shrinks by 1 + h d = 41 a step, where explicit steps multiply it by 1 - h d = -39.
+TEST(MoreauJean, TakesDampingThatItIsToldOfImplicitly) {
+  constexpr double d = 4000, h = 0.01;
+  ByHand<1, 1, 1> silent = ball(0);
+  silent.fill = [](double, const auto& y, auto& r) {
+    r.M(0, 0) = 1;
+    r.F(0) = -g - d * y[1];
+    r.gap[0] = y[0];
+    r.J(0, 0) = 1;
+    r.w(0) = y[1];
+    r.drift(0) = 0;
+  };
+  const ResistedBall resisted{{silent}, d};
+  MoreauJean scheme(resisted, 1), explicitly(silent, 1);
+  std::array<double, 2> y{0.01, 3}, blown_up = y;
+  for (int k = 0; k < 8; ++k) {
+    ASSERT_TRUE(scheme.step(h * k, h, y));
+    ASSERT_TRUE(explicitly.step(h * k, h, blown_up));
+    ASSERT_NEAR(y[1] + g / d, (3 + g / d) / std::pow(1 + h * d, k + 1), 1e-15 * (k + 1)) << k;
+  }
+  EXPECT_GT(std::abs(blown_up[1]), 1e6);
+  // Steps end on the floor, at rest.
+  for (int k = 8; k < 4000; ++k) ASSERT_TRUE(scheme.step(h * k, h, y));
+  EXPECT_EQ(y[1], 0);
+  EXPECT_GE(y[0], 0);
+  EXPECT_LE(y[0], g / d * h);
+}
+
 TEST(MoreauJean, RefusesImpossibleRules) {
   for (const ContactRule& wrong :
        {ContactRule{.friction = -0.1}, ContactRule{.friction = 0.3, .static_friction = 0.2}, ContactRule{.restitution = 1.5},

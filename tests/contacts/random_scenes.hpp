@@ -36,7 +36,7 @@ class RandomScene {
   static constexpr std::size_t nq = 12, nv = 12, contacts = 8;
   static constexpr int constraints = 4;  ///< at most: a reading has as many rows as there are
   using State = std::array<double, nq + nv>;
-  static constexpr double g = 9.81;
+  double g = 9.81;
 
   std::vector<Body> bodies;
   std::vector<Disc> discs;

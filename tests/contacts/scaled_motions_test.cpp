@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "torsor/runtime/contacts/integrate_contacts.hpp"
+#include "torsor/runtime/contacts/moreau_jean.hpp"
 #include "tests/contacts/random_scenes.hpp"
 #include "tests/contacts/simple_systems.hpp"
 
@@ -91,6 +92,56 @@ TEST(ScaledMotions, HaveTheSameEventsAndRegimes) {
     }
   }
   EXPECT_GE(compared, 40U);
+}
+
+/// A scene in other units of length and mass. All numbers are multiplied by powers of two, so that nothing is rounded otherwise.
+Start in_units(const Start& usual, double length, double mass) {
+  Start other = scaled(usual, length);
+  other.scene.g *= length;
+  for (Body& body : other.scene.bodies) {
+    body.mass *= mass;
+    body.inertia *= mass;
+  }
+  std::size_t next = RandomScene::nq;
+  for (const Body& body : usual.scene.bodies) {
+    for (int k = 0; k < (body.base == Body::Base::free ? 2 : 0); ++k, ++next) other.y[next] = usual.y[next] * length;
+    other.y[next] = usual.y[next];
+    ++next;
+  }
+  return other;
+}
+
+// To the last bit: no number of the scheme has a unit.
+TEST(ScaledMotions, MoveByStepsAlikeInAllUnits) {
+  for (unsigned k = 0; k < 12; ++k) {
+    const Start start = random_start(k);
+    State usual = start.y;
+    const ContactStatus status = step_contacts(start.scene, usual, 0, 1, 500);
+    for (const double length : {0x1p-30, 0x1p-10, 0x1p10}) {
+      for (const double mass : {0x1p-20, 0x1p20}) {
+        SCOPED_TRACE(testing::Message() << "scene " << k << ", lengths " << length << ", masses " << mass);
+        Start other = in_units(start, length, mass);
+        EXPECT_EQ(step_contacts(other.scene, other.y, 0, 1, 500), status);
+        EXPECT_EQ(other.y, in_units({start.scene, usual}, length, mass).y);
+      }
+    }
+  }
+}
+
+// From event to event times and angles have tolerances, but masses have none.
+TEST(ScaledMotions, MoveFromEventToEventAlikeInAllUnitsOfMass) {
+  for (unsigned k = 0; k < 12; ++k) {
+    const Start start = random_start(k);
+    ContactStatus usual_status{}, status{};
+    const std::vector<Happened> usual = happens(start, 1, usual_status);
+    for (const double mass : {0x1p-20, 0x1p20}) {
+      SCOPED_TRACE(testing::Message() << "scene " << k << ", masses " << mass);
+      const std::vector<Happened> other = happens(in_units(start, 1, mass), 1, status);
+      EXPECT_EQ(status, usual_status);
+      ASSERT_EQ(other.size(), usual.size());
+      for (std::size_t i = 0; i < usual.size(); ++i) EXPECT_EQ(other[i].time, usual[i].time);
+    }
+  }
 }
 
 // Painlevé's rod, of any half-length L, jams where tan θ = 3 - sqrt 5: what is left of a determinant without a unit decides.
