@@ -27,6 +27,19 @@ def test_energy_is_kept(pendulum):
     np.testing.assert_allclose(motion.energy, motion.energy[0], atol=1e-5)
 
 
+def test_start_time_is_that_of_laws_too(rod):
+    """A torque that depends on time, from 2 s on, is the torque two seconds later from zero on."""
+    q, v = np.array([0.3]), np.zeros(1)
+    late = rod.simulate([2.5, 3.0], q, v, start_time=2.0, inputs=lambda t, q, v: [np.sin(3 * t)])
+    early = rod.simulate([0.5, 1.0], q, v, inputs=lambda t, q, v: [np.sin(3 * (t + 2))])
+    # Some 50 steps of errors up to 1e-9 each, and times rounded otherwise.
+    np.testing.assert_allclose(late.states, early.states, rtol=0, atol=1e-7)
+    at_zero = rod.simulate([0.5, 1.0], q, v, inputs=lambda t, q, v: [np.sin(3 * t)])
+    assert np.abs(late.states - at_zero.states).max() > 0.1
+    many = rod.simulate([2.5, 3.0], np.array([q, q]), v, start_time=np.array([2.0, 2.0]))
+    assert np.array_equal(many.states[0], many.states[1])
+
+
 def test_many_motions_are_each_alone(pendulum):
     q = np.array([[[0.1, 0.2], [0.3, 0.4], [2.0, 1.0]]])
     many = pendulum.simulate([0.3, 0.7], q, np.zeros(2), threads=2)
