@@ -60,7 +60,7 @@ ContactProblem of_random_rows(Source& source, int count) {
 // by themselves.
 ContactProblem of_rigid_bodies(Source& source, int count) {
   using Eigen::Vector3d;
-  const auto vector = [&] { return Vector3d(normal(source), normal(source), normal(source)); };
+  const auto vector = [&] { return Vector3d{normal(source), normal(source), normal(source)}; };  // braces: one after the other
   ContactProblem problem;
   problem.count = count;
   const int bodies = 1 + static_cast<int>(source() % 2), rows = 3 * count;
@@ -143,7 +143,8 @@ TEST_P(RandomSpaceContacts, HaveTheVerdictOfAScanOfDirections) {
   }
   std::cout << "unique " << seen[0] << ", indeterminate " << seen[1] << ", several " << seen[2] << ", none " << seen[3]
             << ", near another verdict " << near << "\n";
-  EXPECT_GE(std::count_if(seen.begin(), seen.end(), [](int each) { return each > 0; }), 3);
+  // One contact is seldom without a solution.
+  EXPECT_GE(std::count_if(seen.begin(), seen.end(), [](int each) { return each > 0; }), kind.contacts == 1 ? 2 : 3);
   EXPECT_LE(near, 1 + total / kind.near);
 }
 
