@@ -55,11 +55,10 @@ struct Description {
       "plate_angular_velocity", 3, 1, 1, "rad/s"}, {"mass", "", 4, 4, 2, ""}, {"forces", "", 4, 1, 1, "N m"}, {"forces",
       "", 4, 1, 1, "N, N, N m, N m"}, {"accelerations", "", 4, 1, 1, "rad/s^2"}, {"multipliers", "", 0, 1, 1, ""},
       {"result", "kinetic", 1, 1, 0, "J"}, {"result", "force_function", 1, 1, 0, "J"}, {"result", "power", 1, 1, 0,
-      "W"}, {"result", "energy", 1, 1, 0, "J"}, {"result", "momentum_x", 1, 1, 0, "kg m s^-1"}, {"result", "momentum_y",
-      1, 1, 0, "kg m s^-1"}, {"result", "momentum_alpha", 1, 1, 0, "kg m^2 s^-1"}, {"result", "N", 1, 1, 0,
-      "kg m s^-2"}, {"result", "moment", 1, 1, 0, "kg m^2 s^-2"}, {"result", "M", 4, 4, 2, ""}, {"result", "C", 4, 4, 2,
-      "N m s"}, {"result", "K", 4, 4, 2, "N m"}, {"result", "F", 4, 1, 1, "N, N, N m, N m"}, {"result", "A", 8, 8, 2,
-      ""}}};
+      "W"}, {"result", "energy", 1, 1, 0, "J"}, {"result", "momentum_x", 1, 1, 0, "N s"}, {"result", "momentum_y", 1, 1,
+      0, "N s"}, {"result", "momentum_alpha", 1, 1, 0, "N m s"}, {"result", "N", 1, 1, 0, "N"}, {"result", "moment", 1,
+      1, 0, "N m"}, {"result", "M", 4, 4, 2, ""}, {"result", "C", 4, 4, 2, "N m s"}, {"result", "K", 4, 4, 2, "N m"},
+      {"result", "F", 4, 1, 1, "N, N, N m, N m"}, {"result", "A", 8, 8, 2, ""}}};
   static constexpr std::array<torsor::KernelDescription, 9> kernels{{{"kinematics", false, false, false, false,
       results.data() + 0, 4}, {"mass_matrix", false, false, false, false, results.data() + 4, 1}, {"bias", false, false,
       false, false, results.data() + 5, 1}, {"inverse_dynamics", true, true, false, false, results.data() + 6, 1},
@@ -78,7 +77,7 @@ struct Mechanism {
 
   static constexpr const char* name = "falling_plate";
   /// 64 bits (FNV-1a) of this file from "#pragma once" on, with zeros in their own place: another mechanism, other bits.
-  static constexpr unsigned long long fingerprint = 0x1c990cbf820925eeULL ^ torsor::support_fingerprint;
+  static constexpr unsigned long long fingerprint = 0xfe6e3e3a2660ea36ULL ^ torsor::support_fingerprint;
   static constexpr int coordinate_count = 4;
   static constexpr int velocity_count = 4;
   static constexpr int input_count = 0;
@@ -287,9 +286,9 @@ struct Mechanism {
   /// Quantities that every motion conserves.
   struct FirstIntegrals {
     Scalar energy;  ///< T - U [J]
-    Scalar momentum_x;  ///< dT/dx' of the cyclic coordinate 'x' [kg m s^-1]
-    Scalar momentum_y;  ///< dT/dy' of the cyclic coordinate 'y' [kg m s^-1]
-    Scalar momentum_alpha;  ///< dT/dalpha' of the cyclic coordinate 'alpha' [kg m^2 s^-1]
+    Scalar momentum_x;  ///< dT/dx' of the cyclic coordinate 'x' [N s]
+    Scalar momentum_y;  ///< dT/dy' of the cyclic coordinate 'y' [N s]
+    Scalar momentum_alpha;  ///< dT/dalpha' of the cyclic coordinate 'alpha' [N m s]
     static constexpr int size = 4;
     TORSOR_DEVICE Scalar& operator[](int i_) noexcept { return this->*member_(i_); }
     TORSOR_DEVICE const Scalar& operator[](int i_) const noexcept { return this->*member_(i_); }
@@ -304,8 +303,8 @@ struct Mechanism {
 
   /// Reactions of joints along released directions.
   struct Reactions {
-    Scalar N;  ///< reaction along 'N' [kg m s^-2]
-    Scalar moment;  ///< reaction along 'moment' [kg m^2 s^-2]
+    Scalar N;  ///< reaction along 'N' [N]
+    Scalar moment;  ///< reaction along 'moment' [N m]
     static constexpr int size = 2;
     TORSOR_DEVICE Scalar& operator[](int i_) noexcept { return this->*member_(i_); }
     TORSOR_DEVICE const Scalar& operator[](int i_) const noexcept { return this->*member_(i_); }

@@ -68,9 +68,9 @@ struct Description {
       "N m, N, N m, N m"}, {"forces", "", 4, 1, 1, "N m, N, N m, N m"}, {"accelerations", "", 4, 1, 1,
       "rad/s^2, m/s^2, rad/s^2, rad/s^2"}, {"multipliers", "", 0, 1, 1, ""}, {"result", "kinetic", 1, 1, 0, "J"},
       {"result", "force_function", 1, 1, 0, "J"}, {"result", "power", 1, 1, 0, "W"}, {"result", "momentum_psi", 1, 1, 0,
-      "kg m^2 s^-1"}, {"result", "M", 4, 4, 2, ""}, {"result", "C", 4, 4, 2, ""}, {"result", "K", 4, 4, 2, ""},
-      {"result", "F", 4, 1, 1, "N m, N, N m, N m"}, {"result", "A", 8, 8, 2, ""}, {"residual", "", 4, 1, 1,
-      "N m, N, N m, N m"}, {"result", "values", 25, 1, 1,
+      "N m s"}, {"result", "M", 4, 4, 2, ""}, {"result", "C", 4, 4, 2, ""}, {"result", "K", 4, 4, 2, ""}, {"result",
+      "F", 4, 1, 1, "N m, N, N m, N m"}, {"result", "A", 8, 8, 2, ""}, {"residual", "", 4, 1, 1, "N m, N, N m, N m"},
+      {"result", "values", 25, 1, 1,
       "N m, N m, N m s, N m s, N m s, kg m^2, N/m, N, N, N s/m, N s, N s, kg, N, N m, N m s, N s, N m s, kg m^2, N, N m, N m s, N s, N m s, kg m^2"}}};
   static constexpr std::array<torsor::KernelDescription, 10> kernels{{{"kinematics", false, false, false, false,
       results.data() + 0, 36}, {"mass_matrix", false, false, false, false, results.data() + 36, 1}, {"bias", false,
@@ -90,7 +90,7 @@ struct Mechanism {
 
   static constexpr const char* name = "flyball_governor";
   /// 64 bits (FNV-1a) of this file from "#pragma once" on, with zeros in their own place: another mechanism, other bits.
-  static constexpr unsigned long long fingerprint = 0xb0ca3be26dcafae9ULL ^ torsor::support_fingerprint;
+  static constexpr unsigned long long fingerprint = 0xe64d306f685f5335ULL ^ torsor::support_fingerprint;
   static constexpr int coordinate_count = 4;
   static constexpr int velocity_count = 4;
   static constexpr int input_count = 0;
@@ -283,7 +283,7 @@ struct Mechanism {
 
   /// Quantities that every motion conserves.
   struct FirstIntegrals {
-    Scalar momentum_psi;  ///< dT/dpsi' of the cyclic coordinate 'psi' [kg m^2 s^-1]
+    Scalar momentum_psi;  ///< dT/dpsi' of the cyclic coordinate 'psi' [N m s]
     static constexpr int size = 1;
     TORSOR_DEVICE Scalar& operator[](int i_) noexcept { return this->*member_(i_); }
     TORSOR_DEVICE const Scalar& operator[](int i_) const noexcept { return this->*member_(i_); }

@@ -60,9 +60,9 @@ struct Description {
       "blade_4_angular_velocity", 3, 1, 1, "rad/s"}, {"mass", "", 3, 3, 2, "kg m^2"}, {"forces", "", 3, 1, 1, "N m"},
       {"forces", "", 3, 1, 1, "N m"}, {"accelerations", "", 3, 1, 1, "rad/s^2"}, {"multipliers", "", 0, 1, 1, ""},
       {"result", "kinetic", 1, 1, 0, "J"}, {"result", "force_function", 1, 1, 0, "J"}, {"result", "power", 1, 1, 0,
-      "W"}, {"result", "energy", 1, 1, 0, "J"}, {"result", "momentum_e_omega_z", 1, 1, 0, "kg m^2 s^-1"}, {"result",
-      "M", 3, 3, 2, "kg m^2"}, {"result", "C", 3, 3, 2, "N m s"}, {"result", "K", 3, 3, 2, ""}, {"result", "F", 3, 1, 1,
-      "N m"}, {"result", "A", 6, 6, 2, ""}}};
+      "W"}, {"result", "energy", 1, 1, 0, "J"}, {"result", "momentum_e_omega_z", 1, 1, 0, "N m s"}, {"result", "M", 3,
+      3, 2, "kg m^2"}, {"result", "C", 3, 3, 2, "N m s"}, {"result", "K", 3, 3, 2, ""}, {"result", "F", 3, 1, 1, "N m"},
+      {"result", "A", 6, 6, 2, ""}}};
   static constexpr std::array<torsor::KernelDescription, 9> kernels{{{"coordinate_rates", false, false, false, false,
       results.data() + 0, 1}, {"kinematics", false, false, false, false, results.data() + 1, 16}, {"mass_matrix", false,
       false, false, false, results.data() + 17, 1}, {"bias", false, false, false, false, results.data() + 18, 1},
@@ -81,7 +81,7 @@ struct Mechanism {
 
   static constexpr const char* name = "four_blade_rotor";
   /// 64 bits (FNV-1a) of this file from "#pragma once" on, with zeros in their own place: another mechanism, other bits.
-  static constexpr unsigned long long fingerprint = 0x47b38b015aba886cULL ^ torsor::support_fingerprint;
+  static constexpr unsigned long long fingerprint = 0x60c30561e31ec628ULL ^ torsor::support_fingerprint;
   static constexpr int coordinate_count = 4;
   static constexpr int velocity_count = 3;
   static constexpr int input_count = 0;
@@ -306,7 +306,7 @@ struct Mechanism {
   /// Quantities that every motion conserves.
   struct FirstIntegrals {
     Scalar energy;  ///< T - U [J]
-    Scalar momentum_e_omega_z;  ///< dT/de_omega_z, constant in the moving axes [kg m^2 s^-1]
+    Scalar momentum_e_omega_z;  ///< dT/de_omega_z, constant in the moving axes [N m s]
     static constexpr int size = 2;
     TORSOR_DEVICE Scalar& operator[](int i_) noexcept { return this->*member_(i_); }
     TORSOR_DEVICE const Scalar& operator[](int i_) const noexcept { return this->*member_(i_); }

@@ -64,9 +64,8 @@ struct Description {
       1, 1, "m/s"}, {"result", "A_jacobian", 3, 5, 2, ""}, {"mass", "", 5, 5, 2, "kg m^2"}, {"forces", "", 5, 1, 1,
       "N m"}, {"forces", "", 5, 1, 1, "N m"}, {"accelerations", "", 5, 1, 1, "rad/s^2"}, {"multipliers", "", 0, 1, 1,
       ""}, {"result", "kinetic", 1, 1, 0, "J"}, {"result", "force_function", 1, 1, 0, "J"}, {"result", "power", 1, 1, 0,
-      "W"}, {"result", "X", 1, 1, 0, "kg m s^-2"}, {"result", "Y", 1, 1, 0, "kg m s^-2"}, {"result", "Z", 1, 1, 0,
-      "kg m s^-2"}, {"result", "M_x", 1, 1, 0, "kg m^2 s^-2"}, {"result", "M_y", 1, 1, 0, "kg m^2 s^-2"}, {"result",
-      "M_z", 1, 1, 0, "kg m^2 s^-2"}}};
+      "W"}, {"result", "X", 1, 1, 0, "N"}, {"result", "Y", 1, 1, 0, "N"}, {"result", "Z", 1, 1, 0, "N"}, {"result",
+      "M_x", 1, 1, 0, "N m"}, {"result", "M_y", 1, 1, 0, "N m"}, {"result", "M_z", 1, 1, 0, "N m"}}};
   static constexpr std::array<torsor::KernelDescription, 7> kernels{{{"kinematics", false, false, false, false,
       results.data() + 0, 35}, {"mass_matrix", false, false, false, false, results.data() + 35, 1}, {"bias", false,
       false, false, false, results.data() + 36, 1}, {"inverse_dynamics", true, true, false, false, results.data() + 37,
@@ -83,7 +82,7 @@ struct Mechanism {
 
   static constexpr const char* name = "helicopter_on_a_circle_pitching_blades";
   /// 64 bits (FNV-1a) of this file from "#pragma once" on, with zeros in their own place: another mechanism, other bits.
-  static constexpr unsigned long long fingerprint = 0xe14bb92ffa322b6aULL ^ torsor::support_fingerprint;
+  static constexpr unsigned long long fingerprint = 0xcd8ce0bf067dc2e4ULL ^ torsor::support_fingerprint;
   static constexpr int coordinate_count = 5;
   static constexpr int velocity_count = 5;
   static constexpr int input_count = 1;
@@ -353,12 +352,12 @@ struct Mechanism {
 
   /// Reactions of joints along released directions.
   struct Reactions {
-    Scalar X;  ///< reaction along 'X' [kg m s^-2]
-    Scalar Y;  ///< reaction along 'Y' [kg m s^-2]
-    Scalar Z;  ///< reaction along 'Z' [kg m s^-2]
-    Scalar M_x;  ///< reaction along 'M_x' [kg m^2 s^-2]
-    Scalar M_y;  ///< reaction along 'M_y' [kg m^2 s^-2]
-    Scalar M_z;  ///< reaction along 'M_z' [kg m^2 s^-2]
+    Scalar X;  ///< reaction along 'X' [N]
+    Scalar Y;  ///< reaction along 'Y' [N]
+    Scalar Z;  ///< reaction along 'Z' [N]
+    Scalar M_x;  ///< reaction along 'M_x' [N m]
+    Scalar M_y;  ///< reaction along 'M_y' [N m]
+    Scalar M_z;  ///< reaction along 'M_z' [N m]
     static constexpr int size = 6;
     TORSOR_DEVICE Scalar& operator[](int i_) noexcept { return this->*member_(i_); }
     TORSOR_DEVICE const Scalar& operator[](int i_) const noexcept { return this->*member_(i_); }

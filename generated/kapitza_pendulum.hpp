@@ -48,8 +48,8 @@ struct Description {
       "pendulum_angular_velocity", 3, 1, 1, "rad/s"}, {"mass", "", 1, 1, 2, "kg m^2"}, {"forces", "", 1, 1, 1, "N m"},
       {"forces", "", 1, 1, 1, "N m"}, {"accelerations", "", 1, 1, 1, "rad/s^2"}, {"multipliers", "", 0, 1, 1, ""},
       {"result", "kinetic", 1, 1, 0, "J"}, {"result", "force_function", 1, 1, 0, "J"}, {"result", "power", 1, 1, 0,
-      "W"}, {"result", "shaker", 1, 1, 0, "kg m s^-2"}, {"result", "M", 1, 1, 2, "kg m^2"}, {"result", "C", 1, 1, 2,
-      ""}, {"result", "K", 1, 1, 2, "N m"}, {"result", "F", 1, 1, 1, "N m"}, {"result", "A", 2, 2, 2, ""}}};
+      "W"}, {"result", "shaker", 1, 1, 0, "N"}, {"result", "M", 1, 1, 2, "kg m^2"}, {"result", "C", 1, 1, 2, ""},
+      {"result", "K", 1, 1, 2, "N m"}, {"result", "F", 1, 1, 1, "N m"}, {"result", "A", 2, 2, 2, ""}}};
   static constexpr std::array<torsor::KernelDescription, 8> kernels{{{"kinematics", false, false, false, false,
       results.data() + 0, 4}, {"mass_matrix", false, false, false, false, results.data() + 4, 1}, {"bias", false, false,
       false, false, results.data() + 5, 1}, {"inverse_dynamics", true, true, false, false, results.data() + 6, 1},
@@ -67,7 +67,7 @@ struct Mechanism {
 
   static constexpr const char* name = "kapitza_pendulum";
   /// 64 bits (FNV-1a) of this file from "#pragma once" on, with zeros in their own place: another mechanism, other bits.
-  static constexpr unsigned long long fingerprint = 0xab5764712b3da64bULL ^ torsor::support_fingerprint;
+  static constexpr unsigned long long fingerprint = 0x96fc112320f83ae9ULL ^ torsor::support_fingerprint;
   static constexpr int coordinate_count = 1;
   static constexpr int velocity_count = 1;
   static constexpr int input_count = 0;
@@ -219,7 +219,7 @@ struct Mechanism {
 
   /// Reactions of joints along released directions.
   struct Reactions {
-    Scalar shaker;  ///< reaction along 'shaker' [kg m s^-2]
+    Scalar shaker;  ///< reaction along 'shaker' [N]
     static constexpr int size = 1;
     TORSOR_DEVICE Scalar& operator[](int i_) noexcept { return this->*member_(i_); }
     TORSOR_DEVICE const Scalar& operator[](int i_) const noexcept { return this->*member_(i_); }

@@ -55,8 +55,8 @@ struct Description {
       1, "m"}, {"result", "O2_velocity", 3, 1, 1, "m/s"}, {"result", "O2_jacobian", 3, 3, 2, ""}, {"mass", "", 3, 3, 2,
       ""}, {"forces", "", 3, 1, 1, "N m, N, N m"}, {"forces", "", 3, 1, 1, "N m, N, N m"}, {"accelerations", "", 3, 1,
       1, "rad/s^2, m/s^2, rad/s^2"}, {"multipliers", "", 0, 1, 1, ""}, {"result", "kinetic", 1, 1, 0, "J"}, {"result",
-      "force_function", 1, 1, 0, "J"}, {"result", "power", 1, 1, 0, "W"}, {"result", "Y12", 1, 1, 0, "kg m s^-2"},
-      {"result", "M", 3, 3, 2, ""}, {"result", "C", 3, 3, 2, ""}, {"result", "K", 3, 3, 2, ""}, {"result", "F", 3, 1, 1,
+      "force_function", 1, 1, 0, "J"}, {"result", "power", 1, 1, 0, "W"}, {"result", "Y12", 1, 1, 0, "N"}, {"result",
+      "M", 3, 3, 2, ""}, {"result", "C", 3, 3, 2, ""}, {"result", "K", 3, 3, 2, ""}, {"result", "F", 3, 1, 1,
       "N m, N, N m"}, {"result", "E", 3, 3, 2, "1"}, {"result", "A", 6, 6, 2, ""}, {"result", "B", 6, 3, 2, ""}}};
   static constexpr std::array<torsor::KernelDescription, 8> kernels{{{"kinematics", false, false, false, false,
       results.data() + 0, 18}, {"mass_matrix", false, false, false, false, results.data() + 18, 1}, {"bias", false,
@@ -75,7 +75,7 @@ struct Mechanism {
 
   static constexpr const char* name = "loading_robot";
   /// 64 bits (FNV-1a) of this file from "#pragma once" on, with zeros in their own place: another mechanism, other bits.
-  static constexpr unsigned long long fingerprint = 0x6f7f5db4cf467649ULL ^ torsor::support_fingerprint;
+  static constexpr unsigned long long fingerprint = 0xbb0ce2af8593d339ULL ^ torsor::support_fingerprint;
   static constexpr int coordinate_count = 3;
   static constexpr int velocity_count = 3;
   static constexpr int input_count = 3;
@@ -255,7 +255,7 @@ struct Mechanism {
 
   /// Reactions of joints along released directions.
   struct Reactions {
-    Scalar Y12;  ///< reaction along 'Y12' [kg m s^-2]
+    Scalar Y12;  ///< reaction along 'Y12' [N]
     static constexpr int size = 1;
     TORSOR_DEVICE Scalar& operator[](int i_) noexcept { return this->*member_(i_); }
     TORSOR_DEVICE const Scalar& operator[](int i_) const noexcept { return this->*member_(i_); }

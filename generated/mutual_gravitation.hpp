@@ -58,9 +58,9 @@ struct Description {
       4, 1, 1, "0, 0, N, N m"}, {"forces", "", 4, 1, 1, "N, N, N, N m"}, {"accelerations", "", 4, 1, 1,
       "0, 0, m/s^2, rad/s^2"}, {"multipliers", "", 0, 1, 1, ""}, {"result", "kinetic", 1, 1, 0, "J"}, {"result",
       "force_function", 1, 1, 0, "J"}, {"result", "power", 1, 1, 0, "W"}, {"result", "energy", 1, 1, 0, "J"}, {"result",
-      "momentum_X", 1, 1, 0, "kg m s^-1"}, {"result", "momentum_Y", 1, 1, 0, "kg m s^-1"}, {"result", "momentum_phi", 1,
-      1, 0, "kg m^2 s^-1"}, {"result", "M", 4, 4, 2, ""}, {"result", "C", 4, 4, 2, ""}, {"result", "K", 4, 4, 2, ""},
-      {"result", "F", 4, 1, 1, "N, N, N, N m"}, {"result", "A", 8, 8, 2, ""}}};
+      "momentum_X", 1, 1, 0, "N s"}, {"result", "momentum_Y", 1, 1, 0, "N s"}, {"result", "momentum_phi", 1, 1, 0,
+      "N m s"}, {"result", "M", 4, 4, 2, ""}, {"result", "C", 4, 4, 2, ""}, {"result", "K", 4, 4, 2, ""}, {"result",
+      "F", 4, 1, 1, "N, N, N, N m"}, {"result", "A", 8, 8, 2, ""}}};
   static constexpr std::array<torsor::KernelDescription, 8> kernels{{{"kinematics", false, false, false, false,
       results.data() + 0, 14}, {"mass_matrix", false, false, false, false, results.data() + 14, 1}, {"bias", false,
       false, false, false, results.data() + 15, 1}, {"inverse_dynamics", true, true, false, false, results.data() + 16,
@@ -78,7 +78,7 @@ struct Mechanism {
 
   static constexpr const char* name = "mutual_gravitation";
   /// 64 bits (FNV-1a) of this file from "#pragma once" on, with zeros in their own place: another mechanism, other bits.
-  static constexpr unsigned long long fingerprint = 0x0916b6462e8a3151ULL ^ torsor::support_fingerprint;
+  static constexpr unsigned long long fingerprint = 0x09f26532e52d5547ULL ^ torsor::support_fingerprint;
   static constexpr int coordinate_count = 4;
   static constexpr int velocity_count = 4;
   static constexpr int input_count = 0;
@@ -249,9 +249,9 @@ struct Mechanism {
   /// Quantities that every motion conserves.
   struct FirstIntegrals {
     Scalar energy;  ///< T - U [J]
-    Scalar momentum_X;  ///< dT/dX' of the cyclic coordinate 'X' [kg m s^-1]
-    Scalar momentum_Y;  ///< dT/dY' of the cyclic coordinate 'Y' [kg m s^-1]
-    Scalar momentum_phi;  ///< dT/dphi' of the cyclic coordinate 'phi' [kg m^2 s^-1]
+    Scalar momentum_X;  ///< dT/dX' of the cyclic coordinate 'X' [N s]
+    Scalar momentum_Y;  ///< dT/dY' of the cyclic coordinate 'Y' [N s]
+    Scalar momentum_phi;  ///< dT/dphi' of the cyclic coordinate 'phi' [N m s]
     static constexpr int size = 4;
     TORSOR_DEVICE Scalar& operator[](int i_) noexcept { return this->*member_(i_); }
     TORSOR_DEVICE const Scalar& operator[](int i_) const noexcept { return this->*member_(i_); }

@@ -56,9 +56,9 @@ struct Description {
       "antenna_angular_velocity", 3, 1, 1, "rad/s"}, {"mass", "", 3, 3, 2, ""}, {"forces", "", 3, 1, 1, "N, N m, N m"},
       {"forces", "", 3, 1, 1, "N, N m, N m"}, {"accelerations", "", 3, 1, 1, "m/s^2, rad/s^2, rad/s^2"}, {"multipliers",
       "", 0, 1, 1, ""}, {"result", "kinetic", 1, 1, 0, "J"}, {"result", "force_function", 1, 1, 0, "J"}, {"result",
-      "power", 1, 1, 0, "W"}, {"result", "F_x", 1, 1, 0, "kg m s^-2"}, {"result", "F_x2", 1, 1, 0, "kg m s^-2"},
-      {"result", "M", 3, 3, 2, ""}, {"result", "C", 3, 3, 2, ""}, {"result", "K", 3, 3, 2, ""}, {"result", "F", 3, 1, 1,
-      "N, N m, N m"}, {"result", "E", 3, 3, 2, "1"}, {"result", "A", 6, 6, 2, ""}, {"result", "B", 6, 3, 2, ""}}};
+      "power", 1, 1, 0, "W"}, {"result", "F_x", 1, 1, 0, "N"}, {"result", "F_x2", 1, 1, 0, "N"}, {"result", "M", 3, 3,
+      2, ""}, {"result", "C", 3, 3, 2, ""}, {"result", "K", 3, 3, 2, ""}, {"result", "F", 3, 1, 1, "N, N m, N m"},
+      {"result", "E", 3, 3, 2, "1"}, {"result", "A", 6, 6, 2, ""}, {"result", "B", 6, 3, 2, ""}}};
   static constexpr std::array<torsor::KernelDescription, 8> kernels{{{"kinematics", false, false, false, false,
       results.data() + 0, 12}, {"mass_matrix", false, false, false, false, results.data() + 12, 1}, {"bias", false,
       false, false, false, results.data() + 13, 1}, {"inverse_dynamics", true, true, false, false, results.data() + 14,
@@ -76,7 +76,7 @@ struct Mechanism {
 
   static constexpr const char* name = "nose_radar";
   /// 64 bits (FNV-1a) of this file from "#pragma once" on, with zeros in their own place: another mechanism, other bits.
-  static constexpr unsigned long long fingerprint = 0x4c3b74908cb930baULL ^ torsor::support_fingerprint;
+  static constexpr unsigned long long fingerprint = 0xbd2de6c43b9b1c54ULL ^ torsor::support_fingerprint;
   static constexpr int coordinate_count = 3;
   static constexpr int velocity_count = 3;
   static constexpr int input_count = 3;
@@ -250,8 +250,8 @@ struct Mechanism {
 
   /// Reactions of joints along released directions.
   struct Reactions {
-    Scalar F_x;  ///< reaction along 'F_x' [kg m s^-2]
-    Scalar F_x2;  ///< reaction along 'F_x2' [kg m s^-2]
+    Scalar F_x;  ///< reaction along 'F_x' [N]
+    Scalar F_x2;  ///< reaction along 'F_x2' [N]
     static constexpr int size = 2;
     TORSOR_DEVICE Scalar& operator[](int i_) noexcept { return this->*member_(i_); }
     TORSOR_DEVICE const Scalar& operator[](int i_) const noexcept { return this->*member_(i_); }

@@ -52,7 +52,7 @@ struct Description {
       3, 1, 1, "m/s"}, {"result", "G_jacobian", 3, 2, 2, "m"}, {"mass", "", 2, 2, 2, "kg m^2"}, {"forces", "", 2, 1, 1,
       "N m"}, {"forces", "", 2, 1, 1, "N m"}, {"accelerations", "", 2, 1, 1, "rad/s^2"}, {"multipliers", "", 0, 1, 1,
       ""}, {"result", "kinetic", 1, 1, 0, "J"}, {"result", "force_function", 1, 1, 0, "J"}, {"result", "power", 1, 1, 0,
-      "W"}, {"result", "painleve", 1, 1, 0, "J"}, {"result", "tension", 1, 1, 0, "kg m s^-2"}, {"result", "M", 2, 2, 2,
+      "W"}, {"result", "painleve", 1, 1, 0, "J"}, {"result", "tension", 1, 1, 0, "N"}, {"result", "M", 2, 2, 2,
       "kg m^2"}, {"result", "C", 2, 2, 2, "N m s"}, {"result", "K", 2, 2, 2, "N m"}, {"result", "F", 2, 1, 1, "N m"},
       {"result", "A", 4, 4, 2, ""}}};
   static constexpr std::array<torsor::KernelDescription, 9> kernels{{{"kinematics", false, false, false, false,
@@ -73,7 +73,7 @@ struct Mechanism {
 
   static constexpr const char* name = "plumb_line";
   /// 64 bits (FNV-1a) of this file from "#pragma once" on, with zeros in their own place: another mechanism, other bits.
-  static constexpr unsigned long long fingerprint = 0x722a23c97bc42969ULL ^ torsor::support_fingerprint;
+  static constexpr unsigned long long fingerprint = 0xf996e7c8e200b92bULL ^ torsor::support_fingerprint;
   static constexpr int coordinate_count = 2;
   static constexpr int velocity_count = 2;
   static constexpr int input_count = 0;
@@ -289,7 +289,7 @@ struct Mechanism {
 
   /// Reactions of joints along released directions.
   struct Reactions {
-    Scalar tension;  ///< reaction along 'tension' [kg m s^-2]
+    Scalar tension;  ///< reaction along 'tension' [N]
     static constexpr int size = 1;
     TORSOR_DEVICE Scalar& operator[](int i_) noexcept { return this->*member_(i_); }
     TORSOR_DEVICE const Scalar& operator[](int i_) const noexcept { return this->*member_(i_); }

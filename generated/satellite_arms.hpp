@@ -56,9 +56,9 @@ struct Description {
       1, 1, "m"}, {"result", "O3_velocity", 3, 1, 1, "m/s"}, {"result", "O3_jacobian", 3, 3, 2, "m"}, {"mass", "", 3, 3,
       2, "kg m^2"}, {"forces", "", 3, 1, 1, "N m"}, {"forces", "", 3, 1, 1, "N m"}, {"accelerations", "", 3, 1, 1,
       "rad/s^2"}, {"multipliers", "", 0, 1, 1, ""}, {"result", "kinetic", 1, 1, 0, "J"}, {"result", "force_function", 1,
-      1, 0, "J"}, {"result", "power", 1, 1, 0, "W"}, {"result", "momentum_psi", 1, 1, 0, "kg m^2 s^-1"}, {"result", "M",
-      3, 3, 2, "kg m^2"}, {"result", "C", 3, 3, 2, "N m s"}, {"result", "K", 3, 3, 2, "N m"}, {"result", "F", 3, 1, 1,
-      "N m"}, {"result", "E", 3, 2, 2, "1"}, {"result", "A", 6, 6, 2, ""}, {"result", "B", 6, 2, 2, "1/kg/m^2"}}};
+      1, 0, "J"}, {"result", "power", 1, 1, 0, "W"}, {"result", "momentum_psi", 1, 1, 0, "N m s"}, {"result", "M", 3, 3,
+      2, "kg m^2"}, {"result", "C", 3, 3, 2, "N m s"}, {"result", "K", 3, 3, 2, "N m"}, {"result", "F", 3, 1, 1, "N m"},
+      {"result", "E", 3, 2, 2, "1"}, {"result", "A", 6, 6, 2, ""}, {"result", "B", 6, 2, 2, "1/kg/m^2"}}};
   static constexpr std::array<torsor::KernelDescription, 8> kernels{{{"kinematics", false, false, false, false,
       results.data() + 0, 21}, {"mass_matrix", false, false, false, false, results.data() + 21, 1}, {"bias", false,
       false, false, false, results.data() + 22, 1}, {"inverse_dynamics", true, true, false, false, results.data() + 23,
@@ -76,7 +76,7 @@ struct Mechanism {
 
   static constexpr const char* name = "satellite_arms";
   /// 64 bits (FNV-1a) of this file from "#pragma once" on, with zeros in their own place: another mechanism, other bits.
-  static constexpr unsigned long long fingerprint = 0x148f1d3aa812751dULL ^ torsor::support_fingerprint;
+  static constexpr unsigned long long fingerprint = 0x32e914edce5a8305ULL ^ torsor::support_fingerprint;
   static constexpr int coordinate_count = 3;
   static constexpr int velocity_count = 3;
   static constexpr int input_count = 2;
@@ -256,7 +256,7 @@ struct Mechanism {
 
   /// Quantities that every motion conserves.
   struct FirstIntegrals {
-    Scalar momentum_psi;  ///< dT/dpsi' of the cyclic coordinate 'psi' [kg m^2 s^-1]
+    Scalar momentum_psi;  ///< dT/dpsi' of the cyclic coordinate 'psi' [N m s]
     static constexpr int size = 1;
     TORSOR_DEVICE Scalar& operator[](int i_) noexcept { return this->*member_(i_); }
     TORSOR_DEVICE const Scalar& operator[](int i_) const noexcept { return this->*member_(i_); }

@@ -53,7 +53,7 @@ struct Description {
       "B_velocity", 3, 1, 1, "m/s"}, {"result", "B_jacobian", 3, 3, 2, "m"}, {"mass", "", 3, 3, 2, "kg m^2"}, {"forces",
       "", 3, 1, 1, "N m"}, {"forces", "", 3, 1, 1, "N m"}, {"accelerations", "", 3, 1, 1, "rad/s^2"}, {"multipliers",
       "", 0, 1, 1, ""}, {"result", "kinetic", 1, 1, 0, "J"}, {"result", "force_function", 1, 1, 0, "J"}, {"result",
-      "power", 1, 1, 0, "W"}, {"result", "energy", 1, 1, 0, "J"}, {"result", "momentum_psi", 1, 1, 0, "kg m^2 s^-1"},
+      "power", 1, 1, 0, "W"}, {"result", "energy", 1, 1, 0, "J"}, {"result", "momentum_psi", 1, 1, 0, "N m s"},
       {"result", "M", 3, 3, 2, "kg m^2"}, {"result", "C", 3, 3, 2, "N m s"}, {"result", "K", 3, 3, 2, "N m"}, {"result",
       "F", 3, 1, 1, "N m"}, {"result", "A", 6, 6, 2, ""}}};
   static constexpr std::array<torsor::KernelDescription, 8> kernels{{{"kinematics", false, false, false, false,
@@ -73,7 +73,7 @@ struct Mechanism {
 
   static constexpr const char* name = "segment_in_sphere";
   /// 64 bits (FNV-1a) of this file from "#pragma once" on, with zeros in their own place: another mechanism, other bits.
-  static constexpr unsigned long long fingerprint = 0x6d02859aa0143dd1ULL ^ torsor::support_fingerprint;
+  static constexpr unsigned long long fingerprint = 0xfb6a21d33d427f3dULL ^ torsor::support_fingerprint;
   static constexpr int coordinate_count = 3;
   static constexpr int velocity_count = 3;
   static constexpr int input_count = 0;
@@ -232,7 +232,7 @@ struct Mechanism {
   /// Quantities that every motion conserves.
   struct FirstIntegrals {
     Scalar energy;  ///< T - U [J]
-    Scalar momentum_psi;  ///< dT/dpsi' of the cyclic coordinate 'psi' [kg m^2 s^-1]
+    Scalar momentum_psi;  ///< dT/dpsi' of the cyclic coordinate 'psi' [N m s]
     static constexpr int size = 2;
     TORSOR_DEVICE Scalar& operator[](int i_) noexcept { return this->*member_(i_); }
     TORSOR_DEVICE const Scalar& operator[](int i_) const noexcept { return this->*member_(i_); }

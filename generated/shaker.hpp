@@ -48,8 +48,8 @@ struct Description {
       "mass_angular_velocity", 3, 1, 1, "rad/s"}, {"mass", "", 1, 1, 2, "kg"}, {"forces", "", 1, 1, 1, "N"}, {"forces",
       "", 1, 1, 1, "N"}, {"accelerations", "", 1, 1, 1, "m/s^2"}, {"multipliers", "", 0, 1, 1, ""}, {"result",
       "kinetic", 1, 1, 0, "J"}, {"result", "force_function", 1, 1, 0, "J"}, {"result", "power", 1, 1, 0, "W"},
-      {"result", "drive", 1, 1, 0, "kg m s^-2"}, {"result", "M", 1, 1, 2, "kg"}, {"result", "C", 1, 1, 2, ""},
-      {"result", "K", 1, 1, 2, "N/m"}, {"result", "F", 1, 1, 1, "N"}, {"result", "A", 2, 2, 2, ""}}};
+      {"result", "drive", 1, 1, 0, "N"}, {"result", "M", 1, 1, 2, "kg"}, {"result", "C", 1, 1, 2, ""}, {"result", "K",
+      1, 1, 2, "N/m"}, {"result", "F", 1, 1, 1, "N"}, {"result", "A", 2, 2, 2, ""}}};
   static constexpr std::array<torsor::KernelDescription, 8> kernels{{{"kinematics", false, false, false, false,
       results.data() + 0, 4}, {"mass_matrix", false, false, false, false, results.data() + 4, 1}, {"bias", false, false,
       false, false, results.data() + 5, 1}, {"inverse_dynamics", true, true, false, false, results.data() + 6, 1},
@@ -67,7 +67,7 @@ struct Mechanism {
 
   static constexpr const char* name = "shaker";
   /// 64 bits (FNV-1a) of this file from "#pragma once" on, with zeros in their own place: another mechanism, other bits.
-  static constexpr unsigned long long fingerprint = 0x8372c3c449b96ca5ULL ^ torsor::support_fingerprint;
+  static constexpr unsigned long long fingerprint = 0x5a5a7bda2b7a1729ULL ^ torsor::support_fingerprint;
   static constexpr int coordinate_count = 1;
   static constexpr int velocity_count = 1;
   static constexpr int input_count = 0;
@@ -218,7 +218,7 @@ struct Mechanism {
 
   /// Reactions of joints along released directions.
   struct Reactions {
-    Scalar drive;  ///< reaction along 'drive' [kg m s^-2]
+    Scalar drive;  ///< reaction along 'drive' [N]
     static constexpr int size = 1;
     TORSOR_DEVICE Scalar& operator[](int i_) noexcept { return this->*member_(i_); }
     TORSOR_DEVICE const Scalar& operator[](int i_) const noexcept { return this->*member_(i_); }

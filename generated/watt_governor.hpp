@@ -54,7 +54,7 @@ struct Description {
       "sleeve_angular_velocity", 3, 1, 1, "rad/s"}, {"mass", "", 1, 1, 2, "kg m^2"}, {"forces", "", 1, 1, 1, "N m"},
       {"forces", "", 1, 1, 1, "N m"}, {"accelerations", "", 1, 1, 1, "rad/s^2"}, {"multipliers", "", 0, 1, 1, ""},
       {"result", "kinetic", 1, 1, 0, "J"}, {"result", "force_function", 1, 1, 0, "J"}, {"result", "power", 1, 1, 0,
-      "W"}, {"result", "painleve", 1, 1, 0, "J"}, {"result", "motor", 1, 1, 0, "kg m^2 s^-2"}, {"result", "M", 1, 1, 2,
+      "W"}, {"result", "painleve", 1, 1, 0, "J"}, {"result", "motor", 1, 1, 0, "N m"}, {"result", "M", 1, 1, 2,
       "kg m^2"}, {"result", "C", 1, 1, 2, "N m s"}, {"result", "K", 1, 1, 2, "N m"}, {"result", "F", 1, 1, 1, "N m"},
       {"result", "A", 2, 2, 2, ""}}};
   static constexpr std::array<torsor::KernelDescription, 9> kernels{{{"kinematics", false, false, false, false,
@@ -75,7 +75,7 @@ struct Mechanism {
 
   static constexpr const char* name = "watt_governor";
   /// 64 bits (FNV-1a) of this file from "#pragma once" on, with zeros in their own place: another mechanism, other bits.
-  static constexpr unsigned long long fingerprint = 0xeaf60871cb77bf85ULL ^ torsor::support_fingerprint;
+  static constexpr unsigned long long fingerprint = 0xbb605f444aa9bc8dULL ^ torsor::support_fingerprint;
   static constexpr int coordinate_count = 1;
   static constexpr int velocity_count = 1;
   static constexpr int input_count = 0;
@@ -279,7 +279,7 @@ struct Mechanism {
 
   /// Reactions of joints along released directions.
   struct Reactions {
-    Scalar motor;  ///< reaction along 'motor' [kg m^2 s^-2]
+    Scalar motor;  ///< reaction along 'motor' [N m]
     static constexpr int size = 1;
     TORSOR_DEVICE Scalar& operator[](int i_) noexcept { return this->*member_(i_); }
     TORSOR_DEVICE const Scalar& operator[](int i_) const noexcept { return this->*member_(i_); }

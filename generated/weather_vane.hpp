@@ -48,10 +48,9 @@ struct Description {
       "vane_angular_velocity", 3, 1, 1, "rad/s"}, {"mass", "", 1, 1, 2, "kg m^2"}, {"forces", "", 1, 1, 1, "N m"},
       {"forces", "", 1, 1, 1, "N m"}, {"accelerations", "", 1, 1, 1, "rad/s^2"}, {"multipliers", "", 0, 1, 1, ""},
       {"result", "kinetic", 1, 1, 0, "J"}, {"result", "force_function", 1, 1, 0, "J"}, {"result", "power", 1, 1, 0,
-      "W"}, {"result", "X", 1, 1, 0, "kg m s^-2"}, {"result", "Y", 1, 1, 0, "kg m s^-2"}, {"result", "Z", 1, 1, 0,
-      "kg m s^-2"}, {"result", "M_y", 1, 1, 0, "kg m^2 s^-2"}, {"result", "M_z", 1, 1, 0, "kg m^2 s^-2"}, {"result",
-      "M", 1, 1, 2, "kg m^2"}, {"result", "C", 1, 1, 2, "N m s"}, {"result", "K", 1, 1, 2, "N m"}, {"result", "F", 1, 1,
-      1, "N m"}, {"result", "A", 2, 2, 2, ""}}};
+      "W"}, {"result", "X", 1, 1, 0, "N"}, {"result", "Y", 1, 1, 0, "N"}, {"result", "Z", 1, 1, 0, "N"}, {"result",
+      "M_y", 1, 1, 0, "N m"}, {"result", "M_z", 1, 1, 0, "N m"}, {"result", "M", 1, 1, 2, "kg m^2"}, {"result", "C", 1,
+      1, 2, "N m s"}, {"result", "K", 1, 1, 2, "N m"}, {"result", "F", 1, 1, 1, "N m"}, {"result", "A", 2, 2, 2, ""}}};
   static constexpr std::array<torsor::KernelDescription, 8> kernels{{{"kinematics", false, false, false, false,
       results.data() + 0, 4}, {"mass_matrix", false, false, false, false, results.data() + 4, 1}, {"bias", false, false,
       false, false, results.data() + 5, 1}, {"inverse_dynamics", true, true, false, false, results.data() + 6, 1},
@@ -69,7 +68,7 @@ struct Mechanism {
 
   static constexpr const char* name = "weather_vane";
   /// 64 bits (FNV-1a) of this file from "#pragma once" on, with zeros in their own place: another mechanism, other bits.
-  static constexpr unsigned long long fingerprint = 0x4922af71780008eeULL ^ torsor::support_fingerprint;
+  static constexpr unsigned long long fingerprint = 0xda0dec019a2ef5bcULL ^ torsor::support_fingerprint;
   static constexpr int coordinate_count = 1;
   static constexpr int velocity_count = 1;
   static constexpr int input_count = 0;
@@ -206,11 +205,11 @@ struct Mechanism {
 
   /// Reactions of joints along released directions.
   struct Reactions {
-    Scalar X;  ///< reaction along 'X' [kg m s^-2]
-    Scalar Y;  ///< reaction along 'Y' [kg m s^-2]
-    Scalar Z;  ///< reaction along 'Z' [kg m s^-2]
-    Scalar M_y;  ///< reaction along 'M_y' [kg m^2 s^-2]
-    Scalar M_z;  ///< reaction along 'M_z' [kg m^2 s^-2]
+    Scalar X;  ///< reaction along 'X' [N]
+    Scalar Y;  ///< reaction along 'Y' [N]
+    Scalar Z;  ///< reaction along 'Z' [N]
+    Scalar M_y;  ///< reaction along 'M_y' [N m]
+    Scalar M_z;  ///< reaction along 'M_z' [N m]
     static constexpr int size = 5;
     TORSOR_DEVICE Scalar& operator[](int i_) noexcept { return this->*member_(i_); }
     TORSOR_DEVICE const Scalar& operator[](int i_) const noexcept { return this->*member_(i_); }

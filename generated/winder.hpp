@@ -56,9 +56,9 @@ struct Description {
       "fixed_jacobian", 3, 2, 2, ""}, {"mass", "", 2, 2, 2, ""}, {"forces", "", 2, 1, 1, "N"}, {"forces", "", 2, 1, 1,
       "N, N m"}, {"accelerations", "", 2, 1, 1, "m/s^2"}, {"multipliers", "", 0, 1, 1, ""}, {"result", "kinetic", 1, 1,
       0, "J"}, {"result", "force_function", 1, 1, 0, "J"}, {"result", "power", 1, 1, 0, "W"}, {"result", "painleve", 1,
-      1, 0, "J"}, {"result", "momentum_phi", 1, 1, 0, "kg m^2 s^-1"}, {"result", "motor", 1, 1, 0, "kg m^2 s^-2"},
-      {"result", "M", 2, 2, 2, ""}, {"result", "C", 2, 2, 2, ""}, {"result", "K", 2, 2, 2, "N/m"}, {"result", "F", 2, 1,
-      1, "N, N m"}, {"result", "A", 4, 4, 2, ""}}};
+      1, 0, "J"}, {"result", "momentum_phi", 1, 1, 0, "N m s"}, {"result", "motor", 1, 1, 0, "N m"}, {"result", "M", 2,
+      2, 2, ""}, {"result", "C", 2, 2, 2, ""}, {"result", "K", 2, 2, 2, "N/m"}, {"result", "F", 2, 1, 1, "N, N m"},
+      {"result", "A", 4, 4, 2, ""}}};
   static constexpr std::array<torsor::KernelDescription, 9> kernels{{{"kinematics", false, false, false, false,
       results.data() + 0, 14}, {"mass_matrix", false, false, false, false, results.data() + 14, 1}, {"bias", false,
       false, false, false, results.data() + 15, 1}, {"inverse_dynamics", true, true, false, false, results.data() + 16,
@@ -77,7 +77,7 @@ struct Mechanism {
 
   static constexpr const char* name = "winder";
   /// 64 bits (FNV-1a) of this file from "#pragma once" on, with zeros in their own place: another mechanism, other bits.
-  static constexpr unsigned long long fingerprint = 0xfc2bd4242361998eULL ^ torsor::support_fingerprint;
+  static constexpr unsigned long long fingerprint = 0x661c8d309bde33caULL ^ torsor::support_fingerprint;
   static constexpr int coordinate_count = 2;
   static constexpr int velocity_count = 2;
   static constexpr int input_count = 0;
@@ -317,7 +317,7 @@ struct Mechanism {
   /// Quantities that every motion conserves.
   struct FirstIntegrals {
     Scalar painleve;  ///< T2 - T0 - U [J]
-    Scalar momentum_phi;  ///< dT/dphi' of the cyclic coordinate 'phi' [kg m^2 s^-1]
+    Scalar momentum_phi;  ///< dT/dphi' of the cyclic coordinate 'phi' [N m s]
     static constexpr int size = 2;
     TORSOR_DEVICE Scalar& operator[](int i_) noexcept { return this->*member_(i_); }
     TORSOR_DEVICE const Scalar& operator[](int i_) const noexcept { return this->*member_(i_); }
@@ -331,7 +331,7 @@ struct Mechanism {
 
   /// Reactions of joints along released directions.
   struct Reactions {
-    Scalar motor;  ///< reaction along 'motor' [kg m^2 s^-2]
+    Scalar motor;  ///< reaction along 'motor' [N m]
     static constexpr int size = 1;
     TORSOR_DEVICE Scalar& operator[](int i_) noexcept { return this->*member_(i_); }
     TORSOR_DEVICE const Scalar& operator[](int i_) const noexcept { return this->*member_(i_); }

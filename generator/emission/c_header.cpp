@@ -32,7 +32,7 @@ std::string c_structure(const std::string& scene, const Structure& structure) {
     const std::string size =
         member.is_scalar() ? "" : fmt::format("[{}]", array_size(static_cast<std::size_t>(member.rows * member.columns)));
     text +=
-        fmt::format("  torsor_real {}{};  ///< {}{}\n", member.name, size, comment_text(member.documentation), shape);
+        fmt::format("  torsor_real {}{};  ///< {}{}\n", member.name, size, comment_text(member.meaning.with_unit()), shape);
   }
   return text + fmt::format("}} {}_{};\n\n", scene, structure.name);
 }

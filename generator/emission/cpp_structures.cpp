@@ -16,7 +16,7 @@ namespace torsor {
 namespace {
 
 Member scalar(const Symbol& symbol, const std::string& meaning, const std::string& unit) {
-  return {member_name(symbol), 1, 1, fmt::format("{} [{}]", meaning, unit)};
+  return {member_name(symbol), 1, 1, {meaning, unit}};
 }
 Member scalar(const Symbol& symbol, const std::string& meaning) { return scalar(symbol, meaning, written_unit(symbol)); }
 
@@ -46,7 +46,7 @@ std::vector<Structure> common_structures(const Equations& equations, const std::
   for (const SymbolPointer& symbol : model.positions()) {
     const bool quaternion = !symbol->attitude.expired();
     q.members.push_back(scalar(*symbol, "coordinate"));
-    if (quaternion) q.members.back().documentation = "component of a unit quaternion [1]";
+    if (quaternion) q.members.back().meaning = {"component of a unit quaternion", "1"};
   }
   const bool quasi_velocities = model.positions().size() != static_cast<std::size_t>(model.unknown_count());
   Structure v{"Velocities",
@@ -102,7 +102,7 @@ std::string structure_text(const Structure& structure) {
         member.is_scalar() ? "Scalar" : fmt::format("std::array<Scalar, {}>", member.rows * member.columns);
     const std::string shape =
         member.is_scalar() || member.columns == 1 ? "" : fmt::format(" ({} x {})", member.rows, member.columns);
-    text += fmt::format("  {} {};  ///< {}{}\n", type, member.name, comment_text(member.documentation), shape);
+    text += fmt::format("  {} {};  ///< {}{}\n", type, member.name, comment_text(member.meaning.with_unit()), shape);
   }
   const bool indexed = std::all_of(structure.members.begin(), structure.members.end(),
                                    [](const Member& member) { return member.is_scalar(); });

@@ -42,19 +42,6 @@ Json result_json(const MechanismListing& mechanism, const Result& result, const 
   return json;
 }
 
-/// The unit at the end of a member's documentation: "kinetic energy T [J]". Empty: it ends with something else.
-std::string stated_unit(const std::string& documentation) {
-  const std::size_t begin = documentation.rfind('[');
-  if (begin == std::string::npos || documentation.back() != ']') return "";
-  const std::string stated = documentation.substr(begin + 1, documentation.size() - begin - 2);
-  try {
-    Unit::parse(stated);
-  } catch (const UnitError&) {
-    return "";
-  }
-  return stated;
-}
-
 /// From the units of what is written there, by the name that documentation gives them: a joule is a newton metre too.
 void set_units(std::vector<DescribedResult>& results, const Listing& listing) {
   for (DescribedResult& result : results) {
@@ -129,8 +116,8 @@ std::vector<DescribedResult> described_results(const MechanismListing& mechanism
     } else {
       for (const Member& member : structure->members) {
         all.push_back({result.name, member.name, static_cast<std::size_t>(member.rows),
-                       static_cast<std::size_t>(member.columns), member.dimensions,
-                       stated_unit(member.documentation)});
+                       static_cast<std::size_t>(member.columns), static_cast<int>(member.shape),
+                       member.meaning.unit});
       }
     }
   }

@@ -91,7 +91,7 @@ Kernel make_first_integrals(const Equations& equations) {
   kernel.documentation = "First integrals: constant along every motion.";
   Structure structure{"FirstIntegrals", "Quantities that every motion conserves.", {}};
   for (const FirstIntegral& integral : report.first_integrals) {
-    structure.members.push_back({integral.name, 1, 1, integral.documentation});
+    structure.members.push_back({integral.name, 1, 1, {integral.meaning, integral.unit}});
     Value value = integral.value;
     if (integral.name == "energy") {  // T − U
       const Energies energies = energies_of(equations);

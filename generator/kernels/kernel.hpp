@@ -13,15 +13,30 @@
 
 namespace torsor {
 
+/// What a member means, its frame where it has one, and its unit where all entries have the same.
+struct Meaning {
+  Meaning(const char* given) : text(given) {}
+  Meaning(std::string given, std::string its_unit = "") : text(std::move(given)), unit(std::move(its_unit)) {}
+
+  /// As documentation shows it: "kinetic energy T [J]".
+  std::string with_unit() const { return unit.empty() ? text : text + " [" + unit + "]"; }
+
+  std::string text;
+  std::string unit{};  ///< as a person writes it; empty: none is stated
+};
+
+/// A vector and a matrix are arrays of rows * columns numbers; what has one column may be either.
+enum class Shape { scalar, vector, matrix };
+
 /// One member of a result structure: a scalar, a vector, or a matrix stored column by column.
 struct Member {
   std::string name;
   int rows = 1;
   int columns = 1;
-  std::string documentation;  ///< meaning, frame and unit, e.g. "kinetic energy T [J]"
-  int dimensions = 0;         ///< 0: a scalar; else std::array<Scalar, rows * columns>: 1 a vector, 2 a matrix
+  Meaning meaning;
+  Shape shape = Shape::scalar;
 
-  bool is_scalar() const { return dimensions == 0; }
+  bool is_scalar() const { return shape == Shape::scalar; }
 };
 
 /// Constants that come along with a structure: a number, or a table of indices or of factors.

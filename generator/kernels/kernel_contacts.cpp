@@ -31,7 +31,7 @@ void add_bearings(const Equations& equations, std::size_t rows, Kernel& kernel) 
   }
   if (all.empty()) return;
   Structure& structure = kernel.structures[0];
-  structure.members.push_back(vector_member("bearing", all.size(), "R0 [N]"));
+  structure.members.push_back(vector_member("bearing", all.size(), {"R0", "N"}));
   structure.members.push_back(matrix_member("bearing_by_accelerations", all.size(), n, "B, stored column by column"));
   structure.members.push_back(matrix_member("bearing_by_reactions", all.size(), rows, "C, stored column by column"));
   if (m > 0) structure.members.push_back(matrix_member("bearing_by_multipliers", all.size(), m, "D, stored column by column"));
@@ -117,9 +117,9 @@ Kernel make_contact_coefficients(const Equations& equations) {
   kernel.results = {{"ContactCoefficients", "result"}};
   kernel.structures = {{"ContactCoefficients",
                         "Coefficients of contacts.",
-                        {vector_member("friction", count, turns ? "f [1]; of turns h [m]" : "f [1]"),
-                         vector_member("static_friction", count, turns ? "f_s [1]; of turns h [m]" : "f_s [1]"),
-                         vector_member("restitution", count, "e [1]"),
+                        {vector_member("friction", count, turns ? "f [1]; of turns h [m]" : Meaning{"f", "1"}),
+                         vector_member("static_friction", count, turns ? "f_s [1]; of turns h [m]" : Meaning{"f_s", "1"}),
+                         vector_member("restitution", count, {"e", "1"}),
                          vector_member("bound", count, "b of dry friction, 0 of others"),
                          vector_member("static_bound", count, "b_s of dry friction, 0 of others")}}};
   for (std::size_t k = 0; k < count; ++k) {

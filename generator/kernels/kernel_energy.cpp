@@ -34,16 +34,16 @@ Kernel make_energy(const Equations& equations) {
   const bool further = std::any_of(actions.begin(), actions.end(), [](const ActionContent& action) {
     return std::holds_alternative<GivenForceFunction>(action) || std::holds_alternative<Gravitation>(action);
   });
-  const std::string u = further ? "force function U of gravity, springs, attractions and given functions [J]"
-                                : "force function U of gravity and springs [J]";
-  const std::string power = has_friction(equations) ? "power of friction (by the multipliers of the motion), dampers, given "
-                                                      "forces and motors [W]"
-                                                    : "power of dampers, given forces and motors [W]";
+  const std::string u = further ? "force function U of gravity, springs, attractions and given functions"
+                                : "force function U of gravity and springs";
+  const std::string power = has_friction(equations)
+                                ? "power of friction (by the multipliers of the motion), dampers, given forces and motors"
+                                : "power of dampers, given forces and motors";
   kernel.structures = {{"Energy",
                         "Energies of the mechanism.",
-                        {{"kinetic", 1, 1, "kinetic energy T [J]"},
-                         {"force_function", 1, 1, u},
-                         {"power", 1, 1, power}}}};
+                        {{"kinetic", 1, 1, {"kinetic energy T", "J"}},
+                         {"force_function", 1, 1, {u, "J"}},
+                         {"power", 1, 1, {power, "W"}}}}};
   kernel.results = {{"Energy", "result"}};
   const Energies energies = energies_of(equations);
   kernel.assignments = {{{"result", "kinetic"}, energies.kinetic},

@@ -70,7 +70,7 @@ Kernel make_frames(const Equations& equations) {
   };
   for (const OperationalFrame& frame : operational_frames(model, motion)) {
     const Vector position = bound(model.program(), motion.origin(frame.link) + frame.arm);
-    structure.members.push_back(vector_member(frame.name + "_position", 3, "position of " + frame.name + " [m]"));
+    structure.members.push_back(vector_member(frame.name + "_position", 3, {"position of " + frame.name, "m"}));
     structure.members.push_back(
         matrix_member(frame.name + "_rotation", 3, 3, "from the axes of its frame to the ground's, column by column"));
     for (int j = 0; j < 3; ++j) {

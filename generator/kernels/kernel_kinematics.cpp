@@ -20,13 +20,13 @@ class KinematicsBuilder {
     const Vector center = bound(program_, at.origin + at.rotation * lower(program_, body.inertia.center));
     const Matrix& turn = motion_.rotation(at.link);
     const Vector arm = bound(program_, turn * center);
-    add_vector(body.name + "_position", "centre of mass of " + body.name + " [m]",
+    add_vector(body.name + "_position", {"centre of mass of " + body.name, "m"},
                bound(program_, motion_.origin(at.link) + arm));
     add_rotation(body.name + "_rotation", "from the axes of " + body.name + " to the ground's",
                  bound(program_, turn * constant_matrix(program_, at.rotation)));
-    add_vector(body.name + "_velocity", "velocity of the centre of mass of " + body.name + " [m/s]",
+    add_vector(body.name + "_velocity", {"velocity of the centre of mass of " + body.name, "m/s"},
                motion_.velocity(at.link, center));
-    add_vector(body.name + "_angular_velocity", "angular velocity of " + body.name + " [rad/s]",
+    add_vector(body.name + "_angular_velocity", {"angular velocity of " + body.name, "rad/s"},
                motion_.angular(at.link));
   }
 
@@ -37,14 +37,14 @@ class KinematicsBuilder {
     const Matrix& turn = motion_.rotation(link);
     const Vector arm = bound(program_, turn * place);
     const Vector carried = motion_.velocity(link, place);
-    add_vector(point.name + "_position", "position of " + point.name + " [m]",
+    add_vector(point.name + "_position", {"position of " + point.name, "m"},
                bound(program_, motion_.origin(link) + arm));
-    add_vector(point.name + "_velocity", "velocity of the material point at " + point.name + " [m/s]", carried);
+    add_vector(point.name + "_velocity", {"velocity of the material point at " + point.name, "m/s"}, carried);
     const Vector moved = time_derivative(place);
     if (!moved.is_zero()) {
       const Vector there = bound(program_, turn * bound(program_, moved));
       add_vector(point.name + "_geometric_velocity",
-                 "velocity of the point " + point.name + " itself, which moves in its frame [m/s]",
+                 {"velocity of the point " + point.name + " itself, which moves in its frame", "m/s"},
                  bound(program_, carried + there));
     }
     const auto n = static_cast<std::size_t>(model_.unknown_count());
@@ -63,8 +63,8 @@ class KinematicsBuilder {
   }
 
  private:
-  void add_vector(const std::string& name, const std::string& text, const Vector& v) {
-    result_.member(name, 3, text);
+  void add_vector(const std::string& name, const Meaning& meaning, const Vector& v) {
+    result_.member(name, 3, meaning);
     result_.vector(name, 0, v);
   }
 

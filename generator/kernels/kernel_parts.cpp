@@ -11,12 +11,12 @@ void assign_matrix(Kernel& kernel, const Target& target, const ValueMatrix& matr
   }
 }
 
-Member vector_member(const std::string& name, std::size_t rows, const std::string& text) {
-  return {name, static_cast<int>(rows), 1, text, 1};
+Member vector_member(const std::string& name, std::size_t rows, const Meaning& meaning) {
+  return {name, static_cast<int>(rows), 1, meaning, Shape::vector};
 }
 
-Member matrix_member(const std::string& name, std::size_t rows, std::size_t columns, const std::string& text) {
-  return {name, static_cast<int>(rows), static_cast<int>(columns), text, 2};
+Member matrix_member(const std::string& name, std::size_t rows, std::size_t columns, const Meaning& meaning) {
+  return {name, static_cast<int>(rows), static_cast<int>(columns), meaning, Shape::matrix};
 }
 
 void assign_vector(Kernel& kernel, const Target& target, const std::vector<Value>& values, std::size_t n) {

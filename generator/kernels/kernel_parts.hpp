@@ -12,9 +12,9 @@
 
 namespace torsor {
 
-Member vector_member(const std::string& name, std::size_t rows, const std::string& text);
+Member vector_member(const std::string& name, std::size_t rows, const Meaning& meaning);
 /// A matrix, whatever the number of its columns.
-Member matrix_member(const std::string& name, std::size_t rows, std::size_t columns, const std::string& text);
+Member matrix_member(const std::string& name, std::size_t rows, std::size_t columns, const Meaning& meaning);
 
 /// Appends a matrix, column by column.
 void assign_matrix(Kernel& kernel, const Target& target, const ValueMatrix& matrix, std::size_t columns);
@@ -32,11 +32,11 @@ class StructureBuilder {
   StructureBuilder(std::string name, std::string documentation)
       : structure_{std::move(name), std::move(documentation), {}} {}
 
-  void member(const std::string& name, std::size_t rows, const std::string& text) {
-    structure_.members.push_back(vector_member(name, rows, text));
+  void member(const std::string& name, std::size_t rows, const Meaning& meaning) {
+    structure_.members.push_back(vector_member(name, rows, meaning));
   }
-  void member(const std::string& name, std::size_t rows, std::size_t columns, const std::string& text) {
-    structure_.members.push_back(matrix_member(name, rows, columns, text));
+  void member(const std::string& name, std::size_t rows, std::size_t columns, const Meaning& meaning) {
+    structure_.members.push_back(matrix_member(name, rows, columns, meaning));
   }
   void assign(const std::string& name, std::size_t index, const Value& value) {
     assignments_.push_back({{"result", name, index}, value});

@@ -22,7 +22,7 @@ class PosesBuilder {
     forms();
     reactions();
     contacts();
-    result_.member("gravity", 3, "acceleration of gravity [m/s^2]");
+    result_.member("gravity", 3, {"acceleration of gravity", "m/s^2"});
     result_.vector("gravity", 0, lower(program_, scene_.gravity));
     return result_.take(
         "What a picture of the mechanism needs, in ground axes: one column for each frame, point and body of the scene, "
@@ -32,9 +32,9 @@ class PosesBuilder {
  private:
   void frames() {
     const std::size_t count = scene_.frames.size();
-    result_.member("origins", 3, count, "origins of the frames [m]");
+    result_.member("origins", 3, count, {"origins of the frames", "m"});
     result_.member("rotations", 9, count, "from the axes of each frame to the ground's, column by column");
-    result_.member("anchors", 3, count, "places of the joints in the frames' parents [m]");
+    result_.member("anchors", 3, count, {"places of the joints in the frames' parents", "m"});
     result_.member("axes", 3, count, "axes of turning and sliding joints; 0 elsewhere");
     for (std::size_t k = 0; k < count; ++k) {
       const FrameContent& frame = scene_.frames[k];
@@ -53,9 +53,9 @@ class PosesBuilder {
   void points() {
     const std::size_t count = scene_.points.size();
     if (count == 0) return;
-    result_.member("points", 3, count, "named points [m]");
+    result_.member("points", 3, count, {"named points", "m"});
     result_.member("rims", 3, count, "axes of the discs whose lowest point is meant; 0 for other points");
-    result_.member("radii", 1, count, "radii of the discs and spheres whose lowest point is meant; 0 for other points [m]");
+    result_.member("radii", 1, count, {"radii of the discs and spheres whose lowest point is meant; 0 for other points", "m"});
     for (std::size_t k = 0; k < count; ++k) {
       const PointContent& point = scene_.points[k];
       const std::string user = "point '" + point.name + "'";
@@ -71,9 +71,9 @@ class PosesBuilder {
   void bodies() {
     const std::size_t count = scene_.bodies.size();
     if (count == 0) return;
-    result_.member("centres", 3, count, "centres of mass [m]");
-    result_.member("masses", 1, count, "masses [kg]");
-    result_.member("inertias", 6, count, "xx, yy, zz, xy, xz, yz about the centre of mass along the axes of its frame [kg m^2]");
+    result_.member("centres", 3, count, {"centres of mass", "m"});
+    result_.member("masses", 1, count, {"masses", "kg"});
+    result_.member("inertias", 6, count, {"xx, yy, zz, xy, xz, yz about the centre of mass along the axes of its frame", "kg m^2"});
     for (std::size_t k = 0; k < count; ++k) {
       const BodyContent& body = scene_.bodies[k];
       const FramePlace& at = model_.place(body.frame, "body '" + body.name + "'");
@@ -92,8 +92,8 @@ class PosesBuilder {
   void forms() {
     const std::size_t count = scene_.shown.size();
     if (count == 0) return;
-    result_.member("form_origins", 3, count, "origins of the forms that are shown, in their frames [m]");
-    result_.member("form_lengths", 4, count, "edges; radius, length; radius; a segment's vector, radius; a ring's radius, its tube's [m]");
+    result_.member("form_origins", 3, count, {"origins of the forms that are shown, in their frames", "m"});
+    result_.member("form_lengths", 4, count, {"edges; radius, length; radius; a segment's vector, radius; a ring's radius, its tube's", "m"});
     for (std::size_t k = 0; k < count; ++k) {
       const auto [origin, lengths] = std::visit([](const auto& form) { return measures(form); }, scene_.shown[k].form);
       const Placement& placement = scene_.shown[k].placement;
@@ -121,7 +121,7 @@ class PosesBuilder {
   void reactions() {
     const std::size_t count = scene_.constraints.size();
     if (count == 0) return;
-    result_.member("reaction_points", 3, count, "points where forces of constraints act on the bodies that they are named on [m]");
+    result_.member("reaction_points", 3, count, {"points where forces of constraints act on the bodies that they are named on", "m"});
     result_.member("reaction_forces", 3, count, "these forces for a unit multiplier; 0 for a couple and where none is said");
     for (std::size_t k = 0; k < count; ++k) {
       const ConstraintContent& constraint = scene_.constraints[k];
@@ -162,7 +162,7 @@ class PosesBuilder {
     result_.member("contact_points", 3, count, "points of contact [m]; 0 of what acts along a coordinate");
     result_.member("contact_directions", 3, rows,
                    "forces on the first bodies for unit reactions, N before T; 0 of what acts along a coordinate and of moments");
-    result_.member("contact_radii", 2, count, "radii of the two spheres of a contact; 0 elsewhere [m]");
+    result_.member("contact_radii", 2, count, {"radii of the two spheres of a contact; 0 elsewhere", "m"});
     std::size_t row = 0;
     for (std::size_t k = 0; k < count; ++k) {
       result_.vector("contact_points", k, places[k].point);

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "torsor/generator/kernels/kernel_parts.hpp"
+#include "torsor/generator/program/written_unit.hpp"
 
 namespace torsor {
 
@@ -28,7 +29,7 @@ Kernel make_reactions(const Equations& equations) {
   for (std::size_t i = unknowns(equations); i < model.coordinates().size(); ++i) {
     const SymbolPointer& q = model.coordinates()[i].q;
     const Unit unit = units::joule / q->unit;
-    structure.members.push_back({q->name, 1, 1, fmt::format("reaction along '{}' [{}]", q->name, unit.to_string())});
+    structure.members.push_back({q->name, 1, 1, {fmt::format("reaction along '{}'", q->name), written_unit(unit)}});
     kernel.assignments.push_back({{"result", q->name}, released_reaction(equations, i)});
   }
   kernel.structures = {structure};

@@ -32,9 +32,9 @@ Kernel make_centroidal_momentum(const Equations& equations) {
   kernel.structures = {
       {"CentroidalMomentum",
        "Momentum of all bodies that move about their centre of mass C, in ground axes.",
-       {vector_member("center", 3, "C [m]"),
-        vector_member("linear", 3, "momentum [kg m/s]"),
-        vector_member("angular", 3, "angular momentum about C [kg m^2/s]"),
+       {vector_member("center", 3, {"C", "m"}),
+        vector_member("linear", 3, {"momentum", "kg m/s"}),
+        vector_member("angular", 3, {"angular momentum about C", "kg m^2/s"}),
         matrix_member("matrix", 6, n, "A, stored column by column; rows 0 to 2 linear, 3 to 5 angular")}}};
   kernel.results = {{"CentroidalMomentum", "result"}};
   for (int i = 0; i < 3; ++i) {

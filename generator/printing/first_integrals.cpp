@@ -14,8 +14,7 @@ namespace {
 
 /// What an integral is, with its unit as a person writes it.
 std::string meaning(const FirstIntegral& integral, const NaturalLanguage& say) {
-  const std::string text = integral.documentation.substr(0, integral.documentation.rfind(" ["));
-  return say("{}, in {}", text, integral.name.starts_with("momentum") ? written_unit(integral.value.unit()) : "J");
+  return say("{}, in {}", integral.meaning, integral.unit);
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cstdlib>
 
 #include "torsor/generator/dynamics/equations/validation.hpp"
 #include "torsor/generator/kernels/kernel.hpp"
@@ -187,8 +188,9 @@ TEST(ReducedLinearisation, TakesTheMultipliersOutWhereFrictionWorksWithThem) {
 }
 
 TEST(ReducedLinearisation, IsTheDerivativeOfTheFlowOfRandomMechanisms) {
-  int constrained = 0;
-  for (unsigned seed = 700; seed < 730; ++seed) {
+  const unsigned seeds = std::getenv("TORSOR_LONG_TESTS") == nullptr ? 12 : 30;
+  unsigned constrained = 0;
+  for (unsigned seed = 700; seed < 700 + seeds; ++seed) {
     const Scene scene = random_mechanism(seed);
     if (scene.content().constraints.empty()) continue;
     const Equations equations(scene);
@@ -205,9 +207,9 @@ TEST(ReducedLinearisation, IsTheDerivativeOfTheFlowOfRandomMechanisms) {
     }
     for (std::size_t i = 0; i < equations.model().inputs().size(); ++i) state.u.push_back(rational(3, 4));
     SCOPED_TRACE("seed " + std::to_string(seed));
-    constrained += expect_the_flow(scene, state) ? 1 : 0;
+    constrained += expect_the_flow(scene, state) ? 1U : 0U;
   }
-  EXPECT_GE(constrained, 10);
+  EXPECT_GE(constrained, seeds / 3);
 }
 
 TEST(IndependentFreedoms, AreThoseTheSceneWants) {

@@ -4,6 +4,7 @@
 
 #include <array>
 #include <string>
+#include <string_view>
 #include <type_traits>
 #include <vector>
 
@@ -63,6 +64,8 @@ struct Walk {
       EXPECT_STRNE(result.result, "") << kernel.name;
       EXPECT_TRUE(result.dimensions == 2 || result.columns == 1) << kernel.name;
       EXPECT_TRUE(result.dimensions > 0 || result.rows == 1) << kernel.name;
+      EXPECT_EQ(std::string_view(result.unit).find("^-"), std::string_view::npos)
+          << M::name << ": " << kernel.name << ": a person writes N for kg m s^-2";
     }
     EXPECT_EQ(numbers, (Written<M, Arguments>::numbers + ... + 0)) << M::name << ": " << kernel.name;
   }

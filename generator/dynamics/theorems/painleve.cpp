@@ -10,6 +10,7 @@
 #include "torsor/generator/program/derivative.hpp"
 #include "torsor/generator/program/evaluation.hpp"
 #include "torsor/generator/program/identically_zero.hpp"
+#include "torsor/generator/program/written_unit.hpp"
 
 namespace torsor {
 namespace {
@@ -103,8 +104,7 @@ void add_momenta(const Equations& equations, const std::vector<Value>& momenta, 
     for (int j = 0; j < model.unknown_count(); ++j) {
       momentum += equations.mass()[i][static_cast<std::size_t>(j)] * model.v(j);
     }
-    report.first_integrals.push_back(
-        {"momentum_" + q->name, fmt::format("{} [{}]", meaning, unit.to_string()), momentum});
+    report.first_integrals.push_back({"momentum_" + q->name, meaning, written_unit(unit), momentum});
   }
 }
 
@@ -159,8 +159,8 @@ PainleveReport painleve(const Equations& equations, const NaturalLanguage& say) 
   if (report.failing_conditions.empty()) {
     Value integral = report.t2_minus_t0;
     integral -= u;
-    report.first_integrals.push_back(driven ? FirstIntegral{"painleve", "T2 - T0 - U [J]", integral}
-                                            : FirstIntegral{"energy", "T - U [J]", integral});
+    report.first_integrals.push_back(driven ? FirstIntegral{"painleve", "T2 - T0 - U", "J", integral}
+                                            : FirstIntegral{"energy", "T - U", "J", integral});
   }
   add_momenta(equations, momenta, along_q, at_rest, say, report);
   return report;

@@ -11,8 +11,9 @@ namespace torsor {
 
 /// A quantity that every motion of the scene conserves.
 struct FirstIntegral {
-  std::string name;           ///< "energy", "painleve" or "momentum_<coordinate>"
-  std::string documentation;  ///< what it is, with its unit
+  std::string name;     ///< "energy", "painleve" or "momentum_<coordinate>"
+  std::string meaning;  ///< what it is
+  std::string unit;     ///< as a person writes it
   Value value;
 };
 
