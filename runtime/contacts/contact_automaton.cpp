@@ -69,7 +69,7 @@ double ContactAutomaton::guard(std::size_t index, double t, std::span<const doub
 double ContactAutomaton::idle_slack(int contact, int row) {
   if (!motion_.states[as(contact)].idle) return 0;
   const double own = motion_.W()(row, row);
-  return own > 0 ? 4e-12 * fastest_(row) / own : 0;
+  return own > 0 ? 4e-12 * bounces_[as(contact)].doubt * fastest_(row) / own : 0;
 }
 
 bool ContactAutomaton::barrier(std::size_t index) const {
@@ -274,7 +274,8 @@ bool ContactAutomaton::take_regime(const ContactSelection& chosen, int k, const 
   const int n = problem.first_row(k), t = problem.tangent_row(k);
   ContactState& state = motion_.states[as(i)];
   // Two that neither press nor part, as pendulums of one length side by side, would else part and strike without end.
-  const double none = law.normal ? 1e-12 * (fastest_(chosen.row[as(n)]) + problem.W.row(n).cwiseAbs().dot(s.r.cwiseAbs())) : 0;
+  const double part = 1e-12 * bounces_[as(i)].doubt;
+  const double none = law.normal ? part * (fastest_(chosen.row[as(n)]) + problem.W.row(n).cwiseAbs().dot(s.r.cwiseAbs())) : 0;
   const bool opens = law.normal ? s.u(n) > none : by >= 0 && !motion_.states[as(by)].touches;
   if (opens) {
     state = {};
@@ -367,6 +368,7 @@ bool ContactAutomaton::happened(int contact, bool normal) {
   ++result_.events;
   if (normal) {
     kind_ = ContactEventKind::opens;
+    bounces_[as(contact)].left = result_.time;
     return decide(contact, Cause::opens);
   }
   return state.regime == ContactRegime::slides ? end_slips(contact) : begin_to_slide(contact);

@@ -2,6 +2,7 @@
 #pragma once
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <span>
 #include <vector>
 
@@ -63,6 +64,8 @@ class ContactAutomaton {
     std::int64_t last = 0;  ///< number of its last impact among all; 0: none yet
     int slower = 0;         ///< impacts in succession that were slower than the one before
     double speed = 0;       ///< of approach at its last impact [m/s]
+    double left = std::numeric_limits<double>::lowest();  ///< time at which its flight began: it opened, or struck
+    double doubt = 1;  ///< doubled by each flight that did not leave the rounding of the gap
   };
 
   static constexpr std::size_t as(int i) noexcept { return static_cast<std::size_t>(i); }

@@ -120,6 +120,12 @@ bool ContactAutomaton::strike(int contact) {
   Bounces& bounces = bounces_[as(contact)];
   const double speed = std::abs(motion_.reading().w(motion_.first_row(contact)));
   const double rounding = motion_.rounding_of_gap(contact);
+  // A floor may fall faster than a body on it for so short a time that the gap opens by less than its rounding: it strikes where it
+  // opened, and would open again without end. It is closed until it is drawn away twice as fast.
+  const bool rose = speed * (result_.time - bounces.left) > 16 * rounding ||
+                    speed * speed > 32 * motion_.acceleration_terms(contact) * rounding;
+  bounces.doubt = rose ? 1 : 2 * bounces.doubt;
+  bounces.left = result_.time;
   // Where the flights left rise by less than 1e6 roundings of the gap, the next impacts are known less well.
   const double unresolved = speed > 0 ? 1e6 * rounding / speed : 0;
   const double a = -motion_.gap_acceleration(contact), limit = end_of_bounces(contact, speed, a);
@@ -150,9 +156,11 @@ bool ContactAutomaton::strike(int contact) {
   if (rests) {
     for (int i = 0; i < count(); ++i) {
       if (!accumulating(i)) continue;
-      const std::int64_t last = bounces_[as(i)].last;
+      const Bounces before = bounces_[as(i)];
       bounces_[as(i)] = {};
-      bounces_[as(i)].last = last;
+      bounces_[as(i)].last = before.last;
+      bounces_[as(i)].left = before.left;
+      bounces_[as(i)].doubt = before.doubt;
     }
     all_ = {};
   }

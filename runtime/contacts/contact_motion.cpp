@@ -456,11 +456,14 @@ template <class Wanted>
 void ContactMotion::select(const Wanted& wanted) {
   chosen_ = 0;
   right_.setZero(rows());
+  over_.setZero(rows());
   for (int i = 0; i < count(); ++i) {
     if (!at(i).touches) continue;
     for (int k = 0; k < rule(i).rows(); ++k) {
       const int row = first_row(i) + k;
-      if (wanted(i, row, rule(i).normal && k == 0)) row_[as(chosen_++)] = row;
+      if (!wanted(i, row, rule(i).normal && k == 0)) continue;
+      over_(chosen_) = 1 / unit_of_row(dynamics_.W(row, row), rule(i).normal ? dynamics_.W(first_row(i), first_row(i)) : 0);
+      row_[as(chosen_++)] = row;
     }
   }
 }
@@ -469,13 +472,13 @@ void ContactMotion::select(const Wanted& wanted) {
 void ContactMotion::add_least_change() {
   if (chosen_ == 0) return;
   ContactMatrix W(chosen_, chosen_);
-  ContactVector b(chosen_), over(chosen_);
+  ContactVector b(chosen_);
+  const ContactVector over = over_.head(chosen_);
   for (int i = 0; i < chosen_; ++i) {
     b(i) = right_(row_[as(i)]);
     for (int j = 0; j < chosen_; ++j) W(i, j) = dynamics_.W(row_[as(i)], row_[as(j)]);
   }
-  // Rows without units: which of them depend on others is no matter of masses.
-  for (int i = 0; i < chosen_; ++i) over(i) = 1 / unit_of_row(W(i, i));
+  // Rows without units: which of them depend on others, or vanish, is no matter of masses.
   Eigen::FullPivLU<ContactMatrix> lu(over.asDiagonal() * W * over.asDiagonal());
   lu.setThreshold(1e-11);
   const ContactVector P = over.cwiseProduct(lu.solve(over.cwiseProduct(b)));

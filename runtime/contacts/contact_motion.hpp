@@ -168,7 +168,7 @@ class ContactMotion {
   ContactDynamics dynamics_, later_dynamics_;
   Eigen::VectorXd a_, change_;
   Eigen::VectorXd loops_;  ///< the terms of the rates of loops
-  ContactVector r_, right_, held_;
+  ContactVector r_, right_, held_, over_;  ///< `over_` of the rows chosen: one over the unit of each
   PerContact<double> across_{}, lag_{};  ///< s κ and the angle of lag of slips that begin
   PerContact<bool> stiff_{}, undetermined_{};
   PerContact<std::array<double, 2>> along_{};  ///< directions of the reactions of joints, from which the next are sought

@@ -13,12 +13,16 @@ double unit_of_row(double own) noexcept {
   return std::ldexp(1.0, static_cast<int>(std::floor(exponent / 2.0)));
 }
 
+double unit_of_row(double own, double normal) noexcept { return unit_of_row(own <= 1e-20 * normal ? normal : own); }
+
 ContactScale::ContactScale(const ContactProblem& problem) noexcept {
   const int n = problem.rows();
   units_.resize(n);
-  for (int i = 0; i < n; ++i) {
-    units_(i) = unit_of_row(problem.W(i, i));
-    group_[as(i)] = i;
+  for (int i = 0; i < n; ++i) group_[as(i)] = i;
+  for (int i = 0; i < problem.count; ++i) {
+    const int first = problem.first_row(i);
+    const double normal = problem.law(i).normal ? problem.W(first, first) : 0;
+    for (int row = first; row < first + problem.law(i).rows(); ++row) units_(row) = unit_of_row(problem.W(row, row), normal);
   }
   for (int i = 0; i < n; ++i) {
     for (int j = 0; j < i; ++j) {

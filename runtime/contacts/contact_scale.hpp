@@ -11,6 +11,11 @@ namespace torsor::runtime {
 /// mass and whether it is of a force or of a torque, and W over the units of its rows has about 1 in its diagonal. 1 where
 /// W_ii is zero.
 [[nodiscard]] double unit_of_row(double own) noexcept;
+/// The same of a row of friction, of whose contact the normal row has W_nn = `normal`; 0: it has none. A row may vanish beside
+/// that one: what touches moves along the normal only, whatever its velocities, as where a line comes over the pivots of both
+/// bodies. What is left of such a row is rounding, and its unit that of the normal row: in its own one rounding would be as large
+/// as forces and velocities are. A part ε of a row is ε² in W: there rounding is some 10⁻³⁰, while masses may be 10²⁰ apart.
+[[nodiscard]] double unit_of_row(double own, double normal) noexcept;
 
 /// What is small in a problem. Bodies of masses far apart have forces far apart: what rounds one of them may be all of
 /// another. So sizes are those of a group, of rows that act on each other directly or through others, in the unit of each row.
