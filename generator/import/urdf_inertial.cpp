@@ -2,6 +2,7 @@
 #include "torsor/generator/import/urdf_inertial.hpp"
 
 #include <algorithm>
+#include <optional>
 
 #include <fmt/format.h>
 
@@ -101,9 +102,13 @@ class InertialReader {
     const auto inertia = element_.child("inertia");
     if (!inertia) return {};
     check_vocabulary(*inertia, where_, robot_.notes);
-    const auto product = [&](const char* name) { return inertia->optional_number(name).value_or(Number()); };
+    const auto product = [&](const char* name, const char* mirrored) {
+      const Number value = inertia->optional_number(name).value_or(Number());
+      check_mirrored(*inertia, name, value, mirrored);
+      return value;
+    };
     std::array<Number, 3> diagonal{inertia->number("ixx"), inertia->number("iyy"), inertia->number("izz")};
-    const Number xy = product("ixy"), xz = product("ixz"), yz = product("iyz");
+    const Number xy = product("ixy", "iyx"), xz = product("ixz", "izx"), yz = product("iyz", "izy");
     const Moments3 given{{{diagonal[0], xy, xz}, {xy, diagonal[1], yz}, {xz, yz, diagonal[2]}}};
     const Number rounding = std::max(largest_positive(given) * Number(10).pow(-12), mass * Number(10).pow(-14));
     Moments3 moments = given;
@@ -112,6 +117,23 @@ class InertialReader {
       if (given[i][i].sign() < 0 && given[i][i].abs() <= rounding) moments[i][i] = zero(given[i][i], names.at(i));
     }
     return moments;
+  }
+
+  /// Exporters write all nine entries of the matrix. Those below the diagonal are not read by URDF, and lose nothing
+  /// where they repeat the others; zeros are what an exporter fills in that does not know them.
+  void check_mirrored(const XmlElement& inertia, const char* name, const Number& value, const char* mirrored) {
+    const std::optional<Number> below = inertia.optional_number(mirrored);
+    if (!below || *below == value) return;
+    if (!below->is_zero()) {
+      const std::string other =
+          inertia.has(name) ? fmt::format("{}=\"{}\"", name, inertia.value(name)) : fmt::format("no {}", name);
+      inertia.fail(
+          fmt::format("has {}=\"{}\" and {}, but a matrix of inertia is symmetric, and {} acts; correct one of them, "
+                      "or remove {}",
+                      mirrored, inertia.value(mirrored), other, name, mirrored));
+    }
+    robot_.notes.add("iyx, izx or izy of <inertia> is zero where ixy, ixz or iyz is not; the latter act", where_,
+                     inertia.place());
   }
 
   static Number largest_positive(const Moments3& j) { return std::max({Number(), j[0][0], j[1][1], j[2][2]}); }

@@ -28,7 +28,7 @@ const std::map<std::string, Vocabulary>& vocabularies() {
       {"inertial", {{}, {}, {"origin", "mass", "inertia"}, {}}},
       {"origin", {{"xyz", "rpy", "quat_xyzw"}, {}, {}, {}}},
       {"mass", {{"value"}, {}, {}, {}}},
-      {"inertia", {{"ixx", "ixy", "ixz", "iyy", "iyz", "izz"}, {}, {}, {}}},
+      {"inertia", {{"ixx", "ixy", "ixz", "iyy", "iyz", "izz"}, {"iyx", "izx", "izy"}, {}, {}}},
       {"joint",
        {{"name", "type"},
         {},

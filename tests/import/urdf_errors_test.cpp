@@ -3,6 +3,7 @@
 
 #include "torsor/generator/base/error.hpp"
 #include "torsor/generator/import/urdf.hpp"
+#include "torsor/generator/import/urdf_robot.hpp"
 
 namespace torsor::urdf_errors_test {
 namespace {
@@ -108,9 +109,33 @@ TEST(UrdfErrors, OfMisspeltAttributesAskWhetherAnotherIsMeant) {
   expect_refused(with_joint(ends + "<origin XYZ=\"0 0 1\"/>"),
                  "5: <origin> of <joint name=\"j\">: has an attribute XYZ: did you mean 'xyz'? the attributes that act are "
                  "xyz, rpy, quat_xyzw");
-  expect_refused(with_inertial("<mass value=\"1\"/><inertia ixx=\"1\" iyy=\"1\" izz=\"1\" iyx=\"0.1\"/>"),
-                 "3: <inertia> of <inertial> of <link name=\"a\">: has an attribute iyx: did you mean 'ixx' or 'ixy' or "
-                 "'iyy'? the attributes that act are ixx, ixy, ixz, iyy, iyz, izz");
+  expect_refused(with_inertial("<mass value=\"1\"/><inertia ixx=\"1\" iyy=\"1\" izz=\"1\" iyw=\"0.1\"/>"),
+                 "3: <inertia> of <inertial> of <link name=\"a\">: has an attribute iyw: did you mean 'iyy' or 'iyz'? the "
+                 "attributes that act are ixx, ixy, ixz, iyy, iyz, izz");
+}
+
+// Exporters write the whole matrix of inertia. An entry below the diagonal that says the same, or nothing, loses nothing;
+// another one would be dropped.
+TEST(UrdfErrors, OfAMatrixOfInertiaThatIsNotSymmetric) {
+  const auto robot = [](const std::string& products) {
+    return with_inertial("<mass value=\"1\"/><inertia ixx=\"1\" iyy=\"1\" izz=\"1\" " + products + "/>");
+  };
+  const auto read = [&](const std::string& products) {
+    return read_robot(robot(products), "good.urdf", Number::rational(1, 1000000000));
+  };
+  EXPECT_EQ(read("ixy=\"0.1\" iyx=\"0.10\" ixz=\"0\" izx=\"0\" iyz=\"-0.2\" izy=\"-2e-1\"").notes.lines(),
+            std::vector<std::string>());
+  const UrdfRobot zeros = read("ixy=\"0.1\" iyx=\"0\" izx=\"0\" izy=\"0\"");
+  EXPECT_EQ(zeros.notes.lines(), std::vector<std::string>{"iyx, izx or izy of <inertia> is zero where ixy, ixz or iyz is "
+                                                         "not; the latter act: link a"});
+  ASSERT_TRUE(zeros.links.front().inertial);
+  EXPECT_EQ(zeros.links.front().inertial->inertia[0][1], Number::rational(1, 10));
+  expect_refused(robot("iyx=\"0.1\""),
+                 "3: <inertia> of <inertial> of <link name=\"a\">: has iyx=\"0.1\" and no ixy, but a matrix of inertia is "
+                 "symmetric, and ixy acts; correct one of them, or remove iyx");
+  expect_refused(robot("iyz=\"0.1\" izy=\"-0.1\""),
+                 "3: <inertia> of <inertial> of <link name=\"a\">: has izy=\"-0.1\" and iyz=\"0.1\", but a matrix of inertia "
+                 "is symmetric, and iyz acts; correct one of them, or remove izy");
 }
 
 TEST(UrdfErrors, OfMisspeltElementsAskWhetherAnotherIsMeant) {
