@@ -50,6 +50,11 @@ MechanismFile read_mjcf_file(const std::string& path, const MechanismFileOptions
   mjcf.points = given.points;
   mjcf.initial = given.initial;
   ImportedMjcf read = mjcf_scene(options.mjcf_reader(path), mjcf);
+  if (read.scene.content().coordinates.empty()) {
+    throw FileError(fmt::format("{}: no joint of the model '{}' moves, so there is nothing to derive; give a body a <joint> or "
+                                "a <freejoint/>",
+                                path, read.scene.name()));
+  }
   return {{std::move(read.scene), {}, {}}, mjcf_files(path), std::move(read.notes)};
 }
 

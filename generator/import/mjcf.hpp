@@ -43,13 +43,14 @@ struct ImportedMjcf {
 ///  axes.
 ///  * free: position <joint>_x, _y, _z and <joint>_attitude. The start is qpos0.
 /// Armature a is the rotor <joint>_rotor: ½ a q̇². Of a free joint it is that along its axes and ½ a Ω²; of a ball joint
-/// whose parent moves it cannot act. Damping of ball and free joints is −c Ω and −c v.
+/// whose parent moves it cannot act. Damping of ball and free joints is −c Ω and −c v; their springs are −½ k θ² of the
+/// angle from the attitude of rest, of free joints −½ k x² of each place too.
 ///
-/// Actuators are inputs: the scalar force of the actuator, which works with gear · q, with the length of a fixed
-/// tendon, or acts as a wrench along a site's axes. Fixed tendons with stiffness or damping are springs and dampers on
-/// their length. Equality constraints are ideal here: connect is a spherical closure, weld a closure of six conditions,
-/// a joint that is a polynomial of another follows it (no coordinate of its own) where it can, otherwise a holonomic
-/// constraint.
+/// Actuators are inputs: the scalar force of the actuator, which works with gear · q, with the length of a tendon or a
+/// slider-crank, or acts as a wrench along a site's axes. Tendons with stiffness or damping are springs and dampers on
+/// their length, which is known where they do not run around geoms. Equality constraints are ideal here: connect is a
+/// spherical closure, weld a closure of six conditions, a joint that is a polynomial of another follows it (no
+/// coordinate of its own) where it can, otherwise a holonomic constraint.
 ///
 /// Numbers are MuJoCo's doubles as the shortest decimals that read back. Throws FileError for what contradicts itself,
 /// UsageError for names in options that do not exist.

@@ -16,7 +16,8 @@
 namespace torsor {
 
 /// Makes the scene, part by part; mjcf_scene says what of what. mjcf_scene.cpp holds the tree of bodies,
-/// mjcf_actions.cpp what acts, mjcf_equalities.cpp the constraints.
+/// mjcf_actions.cpp what acts in joints and tendons, mjcf_actuators.cpp what drives, mjcf_tendons.cpp sites and lengths,
+/// mjcf_equalities.cpp the constraints.
 class MjcfBuilder {
  public:
   MjcfBuilder(const MjcfModel& model, const MjcfOptions& options);
@@ -34,6 +35,9 @@ class MjcfBuilder {
   };
 
   std::string scene_name();
+  /// Notes of one kind share a line, with the parts of the model that it concerns.
+  void note(const std::string& kind, const std::string& part);
+  std::vector<std::string> notes() const;
   void note_name(const std::string& kind, const std::string& name, const std::string& identifier);
   std::string take(Identifiers& names, const std::string& name, const std::string& kind,
                    const std::vector<std::string>& suffixes = {""});
@@ -64,15 +68,36 @@ class MjcfBuilder {
   void add_joint_actions(std::size_t joint);
   void add_scalar_actions(std::size_t joint);
   void add_free_actions(std::size_t joint);
+  void add_free_spring(std::size_t joint);
   void add_tendons();
   void add_motors();
-  void add_motor(const MjcfActuator& actuator);
-  std::optional<Expression> tendon_length(const MjcfTendon& tendon);
   bool moves(int body) const;
+
+  // Actuators.
+  void add_motor(const MjcfActuator& actuator);
+  void drive(const MjcfActuator& actuator, const Expression& displacement);
+  Expression open_force(const MjcfActuator& actuator, bool is_force);
+  void drive_ball(const MjcfActuator& actuator);
+  void drive_free(const MjcfActuator& actuator);
+  void drive_at_site(const MjcfActuator& actuator);
+  void drive_between_sites(const MjcfActuator& actuator);
+  void drive_slider(const MjcfActuator& actuator);
+  void does_not_act(const MjcfActuator& actuator, const std::string& why);
+
+  // Sites and tendons.
+  const std::string& frame_of_site(int site);
+  PointHandle point_of_site(int site);
+  /// The last body that both hang on; of a body and what hangs on it, the former.
+  int common_carrier(int body, int other) const;
+  bool move_apart(int body, int other) const;
+  /// Whether a formula depends on a coordinate.
+  static bool varies(const Expression& f);
+  std::optional<Expression> tendon_length(const MjcfTendon& tendon);
 
   // Constraints.
   void choose_followers();
   void add_equalities();
+  void constrain(const MjcfEquality& equality, const Expression& f);
   void add_points_together(const MjcfEquality& equality, const std::string& name);
   /// A place in a body, exactly.
   struct ExactPlace {
@@ -89,11 +114,13 @@ class MjcfBuilder {
   std::vector<std::string> renamed_;
   UrdfChanges changes_;
   Scene scene_;
-  std::vector<std::string> notes_;
+  std::vector<std::pair<std::string, std::vector<std::string>>> notes_;  ///< kinds, and the parts of each
   std::vector<std::string> data_;  ///< what is stated of joints and actuators, for the head
   Identifiers symbols_{{"t"}};
   Identifiers frame_names_{{"ground"}};
   std::vector<std::string> frames_;  ///< by body
+  std::map<int, std::string> site_frames_;
+  std::map<int, PointHandle> site_points_;
   std::map<std::size_t, JointParts> joints_;
   std::map<std::size_t, std::size_t> followed_;  ///< joints without a coordinate, and the equality that says why
 };

@@ -111,7 +111,7 @@ MjcfBuilder::ExactPlace MjcfBuilder::closing_place(const MjcfEquality& equality,
 
 void MjcfBuilder::add_points_together(const MjcfEquality& equality, const std::string& name) {
   if (!moves(equality.first) && !moves(*equality.second)) {
-    notes_.push_back(fmt::format("equality constraint {} is between bodies that stand still", equality.name));
+    note("equality constraints between bodies that stand still do not act", equality.name);
     return;
   }
   const bool weld = equality.type == MjcfEqualityType::weld;
@@ -121,6 +121,15 @@ void MjcfBuilder::add_points_together(const MjcfEquality& equality, const std::s
   const std::string a = frame_at(equality.first, name + "_first", first);
   const std::string b = frame_at(*equality.second, name + "_second", closing_place(equality, first));
   scene_.loop_joint(name, {.type = weld ? JointType::weld : JointType::spherical, .a = a, .b = b});
+}
+
+/// What it ties may all be held: then no motion can satisfy or violate it.
+void MjcfBuilder::constrain(const MjcfEquality& equality, const Expression& f) {
+  if (varies(f)) {
+    scene_.holonomic(take(symbols_, equality.name, "equality"), f);
+  } else {
+    note("equality constraints of what is held already do not act", equality.name);
+  }
 }
 
 void MjcfBuilder::add_equalities() {
@@ -137,8 +146,7 @@ void MjcfBuilder::add_equalities() {
       case MjcfEqualityType::joint: {
         const auto law = followed_.find(first);
         if (law != followed_.end() && law->second == e) break;
-        const std::string name = take(symbols_, equality.name, "equality");
-        scene_.holonomic(name, position(first) - polynomial(equality, first));
+        constrain(equality, position(first) - polynomial(equality, first));
         break;
       }
       case MjcfEqualityType::tendon: {
@@ -147,7 +155,7 @@ void MjcfBuilder::add_equalities() {
         std::optional<Expression> other;
         if (equality.second) other = tendon_length(model_.tendons[static_cast<std::size_t>(*equality.second)]);
         if (!length || (equality.second && !other)) {
-          notes_.push_back(fmt::format("equality constraint {} does not act: its tendon is spatial", equality.name));
+          note("equality constraints of tendons around geoms do not act", equality.name);
           break;
         }
         // L1 − L1° = Σ c_k (L2 − L2°)^k.
@@ -166,14 +174,12 @@ void MjcfBuilder::add_equalities() {
             unit = unit * units::metre;
           }
         }
-        scene_.holonomic(take(symbols_, equality.name, "equality"), f);
+        constrain(equality, f);
         break;
       }
       case MjcfEqualityType::other:
-        notes_.push_back(
-            fmt::format("equality constraint {} does not act: it is none of connect, weld, joint, tendon "
-                        "between bodies",
-                        equality.name));
+        note("equality constraints that are none of connect, weld, joint, tendon between bodies do not act",
+             equality.name);
     }
   }
   for (const auto& equality : model_.equalities) {

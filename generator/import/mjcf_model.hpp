@@ -56,22 +56,32 @@ struct MjcfSite {
   std::array<double, 4> quaternion{1, 0, 0, 0};
 };
 
-/// A fixed tendon has the length Σ coefficient · q; one that runs through sites is spatial and has no terms here.
+/// A straight piece of a tendon between two sites; a pulley before it divides its part in the length.
+struct MjcfTendonSpan {
+  int from = 0, to = 0;
+  double divisor = 1;
+  double length_at_reference = 0;
+};
+
+/// The length is Σ coefficient · q of a fixed tendon, Σ |AB| / divisor of one that runs through sites.
 struct MjcfTendon {
   std::string name;
-  bool spatial = false;
+  std::vector<MjcfTendonSpan> spans;
+  bool wraps = false;  ///< around spheres or cylinders: its length is not known here
   std::vector<std::pair<int, double>> terms;  ///< joint, coefficient
   double stiffness = 0, damping = 0, friction_loss = 0;
   double rest = 0, length_at_reference = 0;
   bool limited = false;
 };
 
-enum class MjcfTransmission { joint, joint_in_parent, tendon, site, other };
+enum class MjcfTransmission { joint, joint_in_parent, tendon, site, slider_crank, other };
 
 struct MjcfActuator {
   std::string name;
   MjcfTransmission transmission = MjcfTransmission::joint;
-  int target = 0;  ///< joint, tendon or site
+  int target = 0;                ///< joint, tendon or site; of a slider-crank the site of the crank
+  std::optional<int> reference;  ///< the site whose axes the gear is along, or along whose z the slider moves
+  double rod = 0;                ///< of a slider-crank: from slider to crank
   std::array<double, 6> gear{};
   std::string law;  ///< how MuJoCo makes the force of the control, where the two are not the same
 };

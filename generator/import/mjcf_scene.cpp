@@ -12,6 +12,7 @@
 #include "torsor/generator/import/mjcf.hpp"
 #include "torsor/generator/import/mjcf_builder.hpp"
 #include "torsor/generator/import/mjcf_origin.hpp"
+#include "torsor/generator/import/reading_notes.hpp"
 #include "torsor/generator/import/urdf_initial.hpp"
 
 namespace torsor {
@@ -22,7 +23,9 @@ ImportedMjcf mjcf_scene(const MjcfModel& model, const MjcfOptions& options) {
 }
 
 MjcfBuilder::MjcfBuilder(const MjcfModel& model, const MjcfOptions& options)
-    : model_(model), options_(options), scene_(scene_name()), notes_(model.notes), data_(model.remarks) {}
+    : model_(model), options_(options), scene_(scene_name()), data_(model.remarks) {
+  for (const std::string& said : model.notes) note(said, "");
+}
 
 std::string MjcfBuilder::scene_name() {
   if (!options_.name.empty()) return options_.name;
@@ -53,11 +56,24 @@ ImportedMjcf MjcfBuilder::build() {
   set_start();
   scene_.keep_massless();
   note_geometry();
-  if (options_.strict && !notes_.empty()) {
-    throw FileError(fmt::format("{}: {}; correct the file, or leave out --strict", model_.file, notes_.front()));
+  std::vector<std::string> told = notes();
+  if (options_.strict && !told.empty()) {
+    throw FileError(fmt::format("{}: {}; correct the file, or leave out --strict", model_.file, told.front()));
   }
-  scene_.came_from(mjcf_origin(model_, options_, {renamed_, changes_.lines(), data_, notes_}));
-  return {std::move(scene_), std::move(notes_), model_.geoms};
+  scene_.came_from(mjcf_origin(model_, options_, {renamed_, changes_.lines(), data_, told}));
+  return {std::move(scene_), std::move(told), model_.geoms};
+}
+
+void MjcfBuilder::note(const std::string& kind, const std::string& part) {
+  auto found = std::find_if(notes_.begin(), notes_.end(), [&kind](const auto& each) { return each.first == kind; });
+  if (found == notes_.end()) found = notes_.insert(notes_.end(), {kind, {}});
+  if (!part.empty()) found->second.push_back(part);
+}
+
+std::vector<std::string> MjcfBuilder::notes() const {
+  std::vector<std::string> lines;
+  for (const auto& [kind, parts] : notes_) lines.push_back(note_of_parts(kind, parts));
+  return lines;
 }
 
 void MjcfBuilder::note_name(const std::string& kind, const std::string& name, const std::string& identifier) {
@@ -142,7 +158,7 @@ void MjcfBuilder::declare(std::size_t i) {
   const std::vector<std::string> attitude{"_attitude_w",       "_attitude_x",       "_attitude_y",      "_attitude_z",
                                           "_attitude_omega_x", "_attitude_omega_y", "_attitude_omega_z"};
   if (joint.type == MjcfJointType::free) {
-    std::vector<std::string> all{"_x", "_y", "_z", "_damping", "_armature"};
+    std::vector<std::string> all{"_x", "_y", "_z", "_damping", "_armature", "_stiffness"};
     all.insert(all.end(), attitude.begin(), attitude.end());
     parts.name = take(symbols_, joint.name, "joint", all);
     static constexpr std::array<const char*, 3> axes{"_x", "_y", "_z"};
@@ -151,7 +167,7 @@ void MjcfBuilder::declare(std::size_t i) {
     return;
   }
   if (joint.type == MjcfJointType::ball) {
-    std::vector<std::string> all{"_damping", "_armature"};
+    std::vector<std::string> all{"_damping", "_armature", "_stiffness"};
     all.insert(all.end(), attitude.begin(), attitude.end());
     parts.name = take(symbols_, joint.name, "joint", all);
     parts.attitude = scene_.attitude(parts.name + "_attitude");
@@ -293,7 +309,7 @@ void MjcfBuilder::add_inertia(std::size_t i) {
   const Expression xy = stated(0, 1), xz = stated(0, 2), yz = stated(1, 2);
   scene_.body(frames_[i], frames_[i],
               Inertia::general({.mass = mass, .xx = xx, .yy = yy, .zz = zz, .xy = xy, .xz = xz, .yz = yz}).at(center));
-  if (body.floats_weightless) notes_.push_back(fmt::format("body {}: gravcomp does not act", body.name));
+  if (body.floats_weightless) note("gravcomp does not act", "body " + body.name);
 }
 
 void MjcfBuilder::add_points() {
@@ -346,8 +362,9 @@ void MjcfBuilder::set_start() {
 
 void MjcfBuilder::note_geometry() {
   if (!model_.geoms.empty()) {
-    notes_.push_back(fmt::format("contacts do not act: the geometry of {} geom{} is kept and has no effect",
-                                 model_.geoms.size(), model_.geoms.size() == 1 ? "" : "s"));
+    note(fmt::format("contacts do not act: the geometry of {} geom{} is kept and has no effect", model_.geoms.size(),
+                     model_.geoms.size() == 1 ? "" : "s"),
+         "");
   }
 }
 

@@ -67,6 +67,14 @@ std::string line_number(const std::string& message) {
   return end == begin || message.compare(begin, end - begin, "0") == 0 ? "" : ":" + message.substr(begin, end - begin);
 }
 
+/// Files of a later MuJoCo have elements and attributes that an earlier one takes for mistakes.
+std::string remedy(const std::string& message) {
+  if (message.find("Schema violation") == std::string::npos) return "";
+  return fmt::format("; correct the name, or if the file is for a later MuJoCo than {0}, write it in the terms of {0} or "
+                     "build torsor with the later one",
+                     mj_versionString());
+}
+
 template <std::size_t N>
 std::array<double, N> numbers(const mjtNum* first) {
   std::array<double, N> all{};
@@ -103,7 +111,8 @@ const char* geometry(int type) {
 
 class Compiled {
  public:
-  Compiled(const mjModel& m, const std::string& file) : m_(m) {
+  Compiled(const mjModel& m, const std::string& file) : m_(m), reference_(mj_makeData(&m), mj_deleteData) {
+    mj_kinematics(&m, reference_.get());
     model_.file = file;
     model_.name = m.names;
   }
@@ -189,12 +198,7 @@ class Compiled {
     for (int i = 0; i < m_.ntendon; ++i) {
       MjcfTendon tendon;
       tendon.name = or_else(name_of_object(m_, m_.name_tendonadr[i]), fmt::format("tendon_{}", i));
-      for (int k = m_.tendon_adr[i]; k < m_.tendon_adr[i] + m_.tendon_num[i]; ++k) {
-        if (m_.wrap_type[k] != mjWRAP_JOINT)
-          tendon.spatial = true;
-        else
-          tendon.terms.emplace_back(m_.wrap_objid[k], m_.wrap_prm[k]);
-      }
+      read_path(i, tendon);
       if (passive) {
         tendon.stiffness = m_.tendon_stiffness[i];
         tendon.damping = m_.tendon_damping[i];
@@ -212,6 +216,39 @@ class Compiled {
       tendon.length_at_reference = m_.tendon_length0[i];
       tendon.limited = m_.tendon_limited[i] != 0;
       model_.tendons.push_back(std::move(tendon));
+    }
+  }
+
+  /// Of two sites where the bodies stand as the file places them.
+  double distance(int site, int other) const {
+    double square = 0;
+    for (int k = 0; k < 3; ++k) {
+      const double apart = reference_->site_xpos[3 * site + k] - reference_->site_xpos[3 * other + k];
+      square += apart * apart;
+    }
+    return std::sqrt(square);
+  }
+
+  void read_path(int i, MjcfTendon& tendon) const {
+    int before = -1;  // the site that the next one is joined to
+    double divisor = 1;
+    for (int k = m_.tendon_adr[i]; k < m_.tendon_adr[i] + m_.tendon_num[i]; ++k) {
+      const int object = m_.wrap_objid[k];
+      switch (m_.wrap_type[k]) {
+        case mjWRAP_JOINT:
+          tendon.terms.emplace_back(object, m_.wrap_prm[k]);
+          break;
+        case mjWRAP_PULLEY:
+          before = -1;
+          divisor = m_.wrap_prm[k];
+          break;
+        case mjWRAP_SITE:
+          if (before >= 0) tendon.spans.push_back({before, object, divisor, distance(before, object)});
+          before = object;
+          break;
+        default:
+          tendon.wraps = true;
+      }
     }
   }
 
@@ -255,16 +292,17 @@ class Compiled {
           break;
         case mjTRN_SITE:
           actuator.transmission = MjcfTransmission::site;
+          if (m_.actuator_trnid[2 * i + 1] >= 0) actuator.reference = m_.actuator_trnid[2 * i + 1];
+          break;
+        case mjTRN_SLIDERCRANK:
+          actuator.transmission = MjcfTransmission::slider_crank;
+          actuator.reference = m_.actuator_trnid[2 * i + 1];
+          actuator.rod = m_.actuator_cranklength[i];
           break;
         default:
           actuator.transmission = MjcfTransmission::other;
       }
       actuator.target = m_.actuator_trnid[2 * i];
-#if mjVERSION_HEADER >= 230
-      if (m_.actuator_trntype[i] == mjTRN_SITE && m_.actuator_trnid[2 * i + 1] >= 0) {
-        actuator.transmission = MjcfTransmission::other;  // relative to another site
-      }
-#endif
       actuator.gear = numbers<6>(m_.actuator_gear + 6 * i);
       actuator.law = law(i);
       model_.actuators.push_back(std::move(actuator));
@@ -327,6 +365,7 @@ class Compiled {
   }
 
   const mjModel& m_;
+  std::unique_ptr<mjData, void (*)(mjData*)> reference_;
   MjcfModel model_;
 };
 
@@ -339,7 +378,7 @@ MjcfModel read_with_mujoco(const std::string& path) {
   const std::unique_ptr<mjModel, void (*)(mjModel*)> model(
       mj_loadXML(path.c_str(), nullptr, message.data(), static_cast<int>(message.size())), mj_deleteModel);
   const std::string text = message.data();
-  if (!model) throw FileError(fmt::format("{}{}: MuJoCo: {}", path, line_number(text), one_line(text)));
+  if (!model) throw FileError(fmt::format("{}{}: MuJoCo: {}{}", path, line_number(text), one_line(text), remedy(text)));
   MjcfModel read = Compiled(*model, path).read();
   if (!text.empty()) told.push_back(text);
   for (const std::string& warning : told) read.notes.push_back("MuJoCo warns: " + one_line(warning));

@@ -8,6 +8,9 @@
 
 namespace torsor {
 
+/// "KIND: joint a, joint b, joint c, joint d and 10 more", or with `all` the name of each part.
+std::string note_of_parts(const std::string& kind, const std::vector<std::string>& parts, bool all = false);
+
 /// What a file states and a scene made of it leaves out, or takes otherwise than stated: one note for each kind, with the
 /// parts of the robot that it concerns. Those who read strictly take the first one as an error.
 class ReadingNotes {

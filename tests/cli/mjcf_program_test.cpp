@@ -7,6 +7,8 @@
 
 #include "tests/cli/tool_runner.hpp"
 #ifdef TORSOR_WITH_MUJOCO
+#include <mujoco/mujoco.h>
+
 #include "torsor/generator/import/mujoco_reader.hpp"
 #endif
 
@@ -75,7 +77,15 @@ TEST(TorsorToolWithMjcf, TellsWhatIsWrong) {
   std::ofstream(file) << "<mujoco>\n<worldbody>\n<body><jiont/></body></worldbody></mujoco>";
   EXPECT_EQ(torsor_tool({"list", file.string()}, read_with_mujoco).err,
             "torsor: " + file.string() +
-                ":3: MuJoCo: XML Error: Schema violation: unrecognized element Element 'jiont', line 3\n");
+                ":3: MuJoCo: XML Error: Schema violation: unrecognized element Element 'jiont', line 3; correct the name, "
+                "or if the file is for a later MuJoCo than " +
+                mj_versionString() + ", write it in the terms of " + mj_versionString() +
+                " or build torsor with the later one\n");
+  std::ofstream(file) << "<mujoco model=\"stone\"><worldbody><body name=\"b\"/></worldbody></mujoco>";
+  EXPECT_EQ(torsor_tool({"list", file.string()}, read_with_mujoco).err,
+            "torsor: " + file.string() +
+                ": no joint of the model 'stone' moves, so there is nothing to derive; give a body a <joint> or a "
+                "<freejoint/>\n");
   std::filesystem::remove(file);
 }
 

@@ -56,8 +56,8 @@ class Mujoco {
 /// The scene of a file and its equations at a state of MuJoCo.
 class Read {
  public:
-  explicit Read(const std::string& path)
-      : file_(read_with_mujoco(path)), imported_(mjcf_scene(file_)), equations_(imported_.scene) {
+  explicit Read(const std::string& path, const MjcfOptions& options = {})
+      : file_(read_with_mujoco(path)), imported_(mjcf_scene(file_, options)), equations_(imported_.scene) {
     validate(imported_.scene);
   }
   const Equations& equations() const { return equations_; }
@@ -188,7 +188,7 @@ TEST_P(MjcfTree, MovesAsMujocoMovesIt) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Files, MjcfTree, testing::Values("walker", "crane"),
+INSTANTIATE_TEST_SUITE_P(Files, MjcfTree, testing::Values("walker", "crane", "sinews"),
                          [](const auto& file) { return std::string(file.param); });
 
 // q = G(r): the joints that follow go along, and the equations are MuJoCo's along ∂q/∂r.
@@ -225,6 +225,15 @@ TEST(MjcfEquality, JointsFollowOthers) {
   }
 }
 
+// A box of MuJoCo's composites holds its inner nodes twice: by their joints, and by a tendon of these.
+TEST(MjcfEquality, WhatIsHeldAlreadyIsNotConstrainedOnceMore) {
+  const Read read(data_file("held"));
+  EXPECT_EQ(read.imported().notes,
+            std::vector<std::string>{"equality constraints of what is held already do not act: hold sum"});
+  EXPECT_EQ(read.equations().model().unknown_count(), 1);
+  EXPECT_EQ(read.equations().constraints().size(), 0U);
+}
+
 // Contacts cannot act: that is noted, and refused strictly; where there are none, nothing is.
 TEST(Mjcf, NotesWhatCannotActAndRefusesItStrictly) {
   MjcfModel model = read_with_mujoco(data_file("walker"));
@@ -242,12 +251,63 @@ TEST(Mjcf, NotesWhatCannotActAndRefusesItStrictly) {
   model.geoms.clear();
   EXPECT_EQ(mjcf_scene(model, strict).notes, std::vector<std::string>());
   model.joints[2].friction_loss = 0.5;  // the hinge of the ear
-  EXPECT_EQ(mjcf_scene(model).notes, std::vector<std::string>{"joint wiggle: frictionloss 0.5 does not act"});
-  model.tendons[0].spatial = true;
+  EXPECT_EQ(mjcf_scene(model).notes, std::vector<std::string>{"frictionloss of joints does not act: wiggle (0.5)"});
+  model.tendons[0].wraps = true;
   EXPECT_EQ(mjcf_scene(model).notes,
-            (std::vector<std::string>{"joint wiggle: frictionloss 0.5 does not act",
-                                      "tendon sinew: stiffness and damping of a spatial tendon do not act",
-                                      "actuator winch does not act: its tendon is spatial"}));
+            (std::vector<std::string>{"frictionloss of joints does not act: wiggle (0.5)",
+                                      "stiffness and damping of tendons around geoms do not act: sinew",
+                                      "actuators do not act: winch (its tendon runs around geoms)"}));
+}
+
+// What cannot act is one line for each kind, however many parts of the model it concerns.
+TEST(Mjcf, NotesOneLineForEachKind) {
+  MjcfModel model = read_with_mujoco(data_file("sinews"));
+  EXPECT_EQ(mjcf_scene(model).notes, std::vector<std::string>());
+  for (MjcfJoint& joint : model.joints) joint.friction_loss = 0.25;
+  for (MjcfTendon& tendon : model.tendons) tendon.limited = true;
+  EXPECT_EQ(mjcf_scene(model).notes,
+            (std::vector<std::string>{"frictionloss of joints does not act: shoulder (0.25), elbow (0.25), twist (0.25), "
+                                      "socket (0.25) and 2 more",
+                                      "the range of tendons does not act: cord, tackle, spring at rest"}));
+}
+
+// Opposite forces at two sites have a moment that what carries both feels or not, by MuJoCo's version; moments alone have
+// none. Sites that do not move apart transmit nothing.
+TEST(Mjcf, ForcesBetweenTwoSitesOfWhatMovesAreNoted) {
+  MjcfModel model = read_with_mujoco(data_file("sinews"));
+  const auto site = [&](const std::string& name) {
+    const auto is_named = [&](const MjcfSite& each) { return each.name == name; };
+    return static_cast<int>(std::find_if(model.sites.begin(), model.sites.end(), is_named) - model.sites.begin());
+  };
+  for (MjcfActuator& actuator : model.actuators) {
+    if (actuator.name == "push") actuator.reference = site("biceps");
+    if (actuator.name == "both") actuator.reference = site("brachialis");
+    if (actuator.name == "piston") actuator.target = site("ceiling");
+  }
+  EXPECT_EQ(mjcf_scene(model).notes,
+            std::vector<std::string>{"actuators do not act: push (it pushes from one site against another, and upper arm, "
+                                     "which carries both, moves), both (its sites do not move apart), piston (its sites do "
+                                     "not move apart)"});
+}
+
+// Near the attitude of rest the angle has no derivative; torque and stiffness have theirs: C = −k 2 v.
+TEST(MjcfTree, ASpringOfABallJointIsLinearAtRest) {
+  MjcfOptions weightless;
+  weightless.gravity = std::array<Number, 3>{};
+  Read read(data_file("sinews"), weightless);
+  const SceneContent& scene = read.imported().scene.content();
+  ASSERT_EQ(scene.attitudes.at(0).name, "socket_attitude");
+  std::size_t omega = 0;
+  while (scene.coordinates.at(omega).v->name != "socket_attitude_omega_x") ++omega;
+  for (const double v : {0.0, 3e-15, 3e-25}) {  // at rest, and on either side of where |v| is taken as 1e-20
+    Mujoco mujoco(data_file("sinews"));
+    read.take(mujoco);
+    const auto& e = scene.attitudes.at(0).symbols->e;
+    read.set(e[0], 1);
+    read.set(e[1], v);
+    // Their product with e_w = 1 is exact but for |v|² beside 1, and the result is rounded once.
+    EXPECT_NEAR(read.evaluate(read.equations().inverse_dynamics()).at(omega), 2 * 2.5 * v, 1e-15 * v);
+  }
 }
 
 /// What is left of a row when its part in the span of the others is taken away, over its length.
