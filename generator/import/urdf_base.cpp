@@ -63,10 +63,12 @@ SettledBase settle_base(UrdfRobot& robot, const std::string& root, UrdfBase want
   const auto hold = hold_of_world(robot, root);
   if (!is_world || hold == robot.joints.end() || (link->inertial && !link->inertial->is_zero())) return {root, wanted};
   const std::string child = hold->child.link;
-  robot.remarks.push_back(fmt::format("the link 'world' and the fixed joint '{}' are left out; '{}' floats", hold->name, child));
+  robot.remarks.push_back(fmt::format("the link 'world' and the fixed joint '{}' are left out; '{}' floats, from where it held it",
+                                      hold->name, child));
+  const UrdfPlacement start = hold->origin;
   robot.links.erase(link);
   robot.joints.erase(hold);
-  return {child, wanted};
+  return {child, wanted, start};
 }
 
 }  // namespace torsor

@@ -89,7 +89,7 @@ class SceneBuilder {
     for (const UrdfVisual& visual : robot_.visuals) {
       scene_.show({.frame = frames_.at(visual.link), .form = visual.form, .placement = visual.placement, .colour = visual.colour});
     }
-    set_initial(scene_, options_.initial);
+    set_initial(scene_, root_.start ? with_start(options_.initial, base_name, *root_.start) : options_.initial);
     scene_.keep_massless();
     ImportedRobot imported{std::move(scene_), std::move(data_), robot_.notes.lines()};
     note_almost_exact_angles(imported.notes);

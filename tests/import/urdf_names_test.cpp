@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <cmath>
+
 #include "torsor/generator/import/identifiers.hpp"
 #include "tests/import/urdf_motion.hpp"
 
@@ -149,6 +151,46 @@ TEST(UrdfOptions, SetTheInitialStateByNames) {
   EXPECT_EQ(numbers(read(body, options)), (std::vector<double>{0, 0, 1.5, 1, 0, 0, 0, 0.25, 0, 0, 0, 0, 3, 0, -2}));
   options.initial = {{"drone_attitude_x", "-2"}};
   EXPECT_EQ(numbers(read(body, options)), (std::vector<double>{0, 0, 0, 0, -1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0}));
+}
+
+// What holds the robot in the file is left out, but not where.
+TEST(UrdfOptions, LetAFloatingBaseStartWhereTheWorldHeldIt) {
+  const auto start = [](const std::string& rpy, const std::vector<std::pair<std::string, std::string>>& given = {}) {
+    UrdfOptions options;
+    options.base = UrdfBase::floating;
+    options.initial = given;
+    const Scene scene = read("<link name=\"world\"/>" + link("drone") +
+                                 joint("hold", "fixed", "world", "drone",
+                                       "<origin xyz=\"0 -0.5 2\" rpy=\"" + rpy + "\"/>"),
+                             options);
+    const WorkingDigits precision(50);
+    std::vector<double> all;
+    for (const Real& x : initial_state(scene)) all.push_back(x.to_double());
+    all.resize(7);
+    return all;
+  };
+  const auto expect = [](const std::vector<double>& state, const std::vector<double>& quaternion) {
+    EXPECT_EQ(state[0], 0);
+    EXPECT_EQ(state[1], -0.5);
+    EXPECT_EQ(state[2], 2);
+    // Three operations make a component of doubles.
+    for (std::size_t k = 0; k < 4; ++k) EXPECT_NEAR(state[3 + k], quaternion[k], 5e-16) << k;
+  };
+  const double half = std::sqrt(0.5);
+  expect(start("0 0 0"), {1, 0, 0, 0});
+  expect(start("1.5707963267948966 0 0"), {half, half, 0, 0});
+  expect(start("0 0 -1.5707963267948966"), {half, 0, 0, -half});
+  expect(start("3.141592653589793 0 0"), {0, 1, 0, 0});
+  expect(start("3.141592653589793 0 3.141592653589793"), {0, 0, 1, 0});
+  expect(start("0 0 3.141592653589793"), {0, 0, 0, 1});
+  // Rz(0.7) Ry(-0.4) Rx(2.5) as the product of their quaternions.
+  expect(start("2.5 -0.4 0.7"),
+         {std::cos(0.35) * std::cos(-0.2) * std::cos(1.25) + std::sin(0.35) * std::sin(-0.2) * std::sin(1.25),
+          std::cos(0.35) * std::cos(-0.2) * std::sin(1.25) - std::sin(0.35) * std::sin(-0.2) * std::cos(1.25),
+          std::cos(0.35) * std::sin(-0.2) * std::cos(1.25) + std::sin(0.35) * std::cos(-0.2) * std::sin(1.25),
+          std::sin(0.35) * std::cos(-0.2) * std::cos(1.25) - std::cos(0.35) * std::sin(-0.2) * std::sin(1.25)});
+  EXPECT_EQ(start("0 0 3.141592653589793", {{"drone_y", "7"}, {"drone_attitude_w", "1"}}),
+            (std::vector<double>{0, 7, 2, 1, 0, 0, 0}));
 }
 
 TEST(UrdfOptions, MakePointsOfTheOriginsOfLinks) {
