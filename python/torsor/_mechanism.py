@@ -30,7 +30,8 @@ MOTION_STATUSES = ("reached the end time", "stopped", "unusable options: times, 
                    "an event of a contact could not be followed",
                    "the energetic law of impact is one of a single contact, and several touch", "no memory",
                    "a contact that slides jams: the equations become singular, and what follows is not determined",
-                   "the constraints of loops lose rank here, a change point: a motion with contacts does not pass it")
+                   "the constraints of loops lose rank here, a change point: a motion with contacts does not pass it",
+                   "a contact has no single point or normal here, as a disc that lies flat")
 
 
 class State(NamedTuple):

@@ -55,6 +55,7 @@ static_assert(static_cast<int>(ImpactLaw::newton_moreau) == torsor_impact_newton
     case ContactStatus::no_room: return torsor_motion_unsuitable_model;
     case ContactStatus::not_started: return torsor_motion_invalid_options;
     case ContactStatus::change_point: return torsor_motion_change_point;
+    case ContactStatus::no_point: return torsor_motion_no_point;
     case ContactStatus::integration_failed: break;
   }
   if (result.integration_event == EventStatus::integration_failed) {

@@ -118,6 +118,7 @@ bool ContactAutomaton::begin(double t, Gaps gaps) {
   }
   if (!motion_.loops_closed(off)) return end(ContactStatus::open_loops, -1);
   for (int i = 0; i < count(); ++i) {
+    if (std::isnan(motion_.reading().gap[as(i)])) return end(ContactStatus::no_point, i);
     const bool below = motion_.rule(i).normal && !(motion_.reading().gap[as(i)] >= -options_.touch);
     if (below && gaps == Gaps::of_a_start) return end(ContactStatus::penetrates, i);
     const bool has_struck = below && motion_.reading().w(motion_.first_row(i)) > options_.at_rest;
@@ -209,6 +210,7 @@ bool ContactAutomaton::decide(int forced, Cause cause) {
   ContactSelection chosen;
   for (int i = 0; i < count(); ++i) {
     if (!motion_.states[as(i)].touches || (cause == Cause::opens && motion_.carrier(i) == forced)) continue;
+    if (!motion_.has_point(i)) return end(ContactStatus::no_point, i);
     chosen.add(i, law_after(i, forced, cause), motion_.first_row(i), motion_.first_bearing(i));
   }
   ContactVector free = motion_.reading().drift;

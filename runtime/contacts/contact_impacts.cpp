@@ -47,6 +47,7 @@ bool ContactAutomaton::collide(int cause, bool rests, ImpactLaw impact_law) {
   PerContact<double> restitution{};
   for (int i = 0; i < count(); ++i) {
     if (!touching_[as(i)] || (motion_.carrier(i) < 0 && motion_.rule(i).bearing == 0)) continue;
+    if (!motion_.has_point(i)) return end(ContactStatus::no_point, i);
     ContactLaw law = motion_.rule(i).law();
     law.static_friction = law.friction;
     law.bound = law.static_bound = 0;  // bounded forces give no impulse

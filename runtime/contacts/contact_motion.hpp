@@ -109,6 +109,7 @@ class ContactMotion {
   [[nodiscard]] int carrier(int i) const noexcept { return rule(i).normal ? i : rule(i).pressed_by; }
   [[nodiscard]] int rows() const noexcept { return first_row_[as(count())]; }
   [[nodiscard]] int first_row(int i) const noexcept { return first_row_[as(i)]; }
+  [[nodiscard]] bool has_point(int i) const { return reading_.has_rows(first_row(i), rule(i).rows()); }
   [[nodiscard]] int tangent_row(int i) const noexcept { return first_row(i) + (rule(i).normal ? 1 : 0); }
   /// First component of the reaction of its joint.
   [[nodiscard]] int first_bearing(int i) const noexcept { return first_bearing_[as(i)]; }

@@ -27,6 +27,7 @@ enum class ContactStatus : int {
   law_of_one_contact,  ///< the energetic law of impact, and several contacts struck at once
   no_room,      ///< ContactRun has room for fewer numbers or contacts than the mechanism has
   change_point,  ///< constraints of loops lose rank
+  no_point,      ///< a contact has no single point or normal here, as a disc that lies flat
 };
 
 [[nodiscard]] constexpr std::string_view describe(ContactStatus status) noexcept {
@@ -58,6 +59,9 @@ enum class ContactStatus : int {
     case ContactStatus::change_point:
       return "the constraints of loops lose rank here, a change point, where branches of a loop meet: the motion does not "
              "pass it";
+    case ContactStatus::no_point:
+      return "a contact has no single point or normal here, as the lowest point of a disc that lies flat: begin beside such a "
+             "state, or describe the surface by points";
     case ContactStatus::no_room:
       return "the mechanism has more numbers or contacts than there is room for: give ContactRun more";
     case ContactStatus::not_started:

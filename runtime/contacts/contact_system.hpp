@@ -79,6 +79,10 @@ struct ContactReading {
 
   ContactReading() = default;
   ContactReading(const ContactSizes& sizes, int rows, int bearings = 0);
+  /// Whether these rows are numbers. They are none where a contact has no single point or normal.
+  [[nodiscard]] bool has_rows(int first, int count) const {
+    return J.middleRows(first, count).allFinite() && w.segment(first, count).allFinite() && drift.segment(first, count).allFinite();
+  }
 };
 
 /// What rounding of the coordinates may make of a gap or of a constraint whose rate is this row times the velocities.

@@ -62,7 +62,11 @@ bool MoreauJean::move_through(double t, double h, std::span<double> y) {
   for (int i = 0; i < count(); ++i) {
     const ContactRule& rule = rules_[as(i)];
     const int by = rule.normal ? i : rule.pressed_by;
-    if (by >= 0 && !(reading_.gap[as(by)] <= 0)) continue;
+    if (by >= 0 && reading_.gap[as(by)] > 0) continue;
+    if (!reading_.has_rows(first_row_[as(i)], rule.rows())) {
+      contact_ = i;
+      return end(ContactStatus::no_point);
+    }
     ContactLaw law = rule.law();
     law.bound *= h;  // bounded forces, as impulses of the step
     law.static_bound *= h;

@@ -63,6 +63,31 @@ TEST(BallOnShakenTable, RestsWhereItsFlightsDoNotLeaveRounding) {
   }
 }
 
+// The lowest point of a disc that lies flat: its row is 0/0. Before, no laws were fulfilled (Painlevé), or the start was below.
+TEST(ContactWithoutPoint, IsNamed) {
+  const double none = std::numeric_limits<double>::quiet_NaN();
+  ByHand<1, 1, 1> flat = ball(0.5);
+  const auto usual = flat.fill;
+  flat.fill = [usual, none](double t, const auto& y, auto& r) {
+    usual(t, y, r);
+    r.J(0, 0) = r.drift(0) = none;
+  };
+  std::array<double, 2> y{1, 0};
+  auto result = integrate_contacts(flat, y, 0.0, 1.0, precise);
+  EXPECT_EQ(result.status, ContactStatus::no_point);
+  EXPECT_EQ(result.contact, 0);
+  EXPECT_NEAR(result.time, std::sqrt(2 / g), 1e-12);
+  y = {1, 0};
+  EXPECT_EQ(step_contacts(flat, y, 0, 1, 100), ContactStatus::no_point);
+
+  flat.fill = [usual, none](double t, const auto& y, auto& r) {
+    usual(t, y, r);
+    r.gap[0] = none;
+  };
+  y = {0, 0};
+  EXPECT_EQ(integrate_contacts(flat, y, 0.0, 1.0, precise).status, ContactStatus::no_point);
+}
+
 // A ball that bounces without loss ends with the limit of events, not with the time.
 TEST(EventLimit, EndsAMotion) {
   std::array<double, 2> y{1, 0};

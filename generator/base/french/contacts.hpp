@@ -33,6 +33,10 @@ constexpr Translation french_of_contacts[] = {
     {"the constraints of loops lose rank here, a change point, where branches of a loop meet: the motion does not pass it",
      "les liaisons des boucles perdent leur rang ici, un point de bifurcation, où des branches d'une boucle se rencontrent : le mouvement ne "
      "le passe pas"},
+    {"a contact has no single point or normal here, as the lowest point of a disc that lies flat: begin beside such a state, or "
+     "describe the surface by points",
+     "un contact n'a pas de point ou de normale unique ici, comme le point le plus bas d'un disque à plat : partir à côté d'un tel "
+     "état, ou décrire la surface par des points"},
     {"the mechanism has more numbers or contacts than there is room for: give ContactRun more",
      "le mécanisme a plus de nombres ou de contacts que la place prévue : en donner plus à ContactRun"},
     {"the motion was not started: call start first", "le mouvement n'a pas commencé : appeler start d'abord"},
