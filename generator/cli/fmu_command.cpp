@@ -126,6 +126,7 @@ CommandResult make_unit(const Scene& scene, const UnitRequest& request, const st
   const FmiUnit unit =
       lower_unit(scene, request.version(), chosen_outputs(scene, request.outputs), request.model(scene));
   std::vector<ArchivedFile> archive = {{"modelDescription.xml", fmi_description(unit)}};
+  archive.push_back({"documentation/index.html", fmi_documentation(unit)});
   for (const SourceFile& text : fmi_licence_files(unit))
     archive.push_back({"documentation/licenses/" + text.path, text.text});
   const std::vector<SourceFile> sources = fmi_sources(unit);

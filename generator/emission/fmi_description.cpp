@@ -144,11 +144,31 @@ class StructureText {
 };
 
 std::string variable_text(const FmiVariable& v, bool two, bool can_be_put_back) {
-  const std::string numbers = numbers_of(v, two ? 1 : 0, can_be_put_back);
+  const std::string name = xml_escaped(v.name), numbers = numbers_of(v, two ? 1 : 0, can_be_put_back);
   return two ? fmt::format("    <ScalarVariable name=\"{}\" valueReference=\"{}\" {}><Real{}/></ScalarVariable>\n",
-                           v.name, v.reference, kind_of(v), numbers)
-             : fmt::format("    <Float64 name=\"{}\" valueReference=\"{}\" {}{}/>\n", v.name, v.reference, kind_of(v),
+                           name, v.reference, kind_of(v), numbers)
+             : fmt::format("    <Float64 name=\"{}\" valueReference=\"{}\" {}{}/>\n", name, v.reference, kind_of(v),
                            numbers);
+}
+
+const char* role_text(FmiVariable::Role role) {
+  using Role = FmiVariable::Role;
+  switch (role) {
+    case Role::state:
+      return "state";
+    case Role::derivative:
+      return "derivative";
+    case Role::input:
+      return "input";
+    case Role::parameter:
+      return "tunable parameter";
+    case Role::output:
+      return "output";
+    case Role::indicator:
+      return "event indicator";
+    default:
+      return "time";
+  }
 }
 
 }  // namespace
@@ -156,9 +176,9 @@ std::string variable_text(const FmiVariable& v, bool two, bool can_be_put_back) 
 std::string fmi_token(const FmiUnit& unit) {
   Fnv interface;
   using Files = std::vector<const char*>;
-  for (const char* file : unit.version == FmiVersion::two
-                              ? Files{"fmi/fmi2.c.in"}
-                              : Files{"fmi/fmi3.c.in", "fmi/fmi3_types.h.in", "fmi/fmi3_absent.h.in"}) {
+  for (const char* file : unit.version == FmiVersion::two ? Files{"fmi/fmi2.c.in", "fmi/fmi2_names.h.in"}
+                                                          : Files{"fmi/fmi3.c.in", "fmi/fmi3_names.h.in",
+                                                                  "fmi/fmi3_types.h.in", "fmi/fmi3_absent.h.in"}) {
     interface.add(embedded_template(file));
   }
   for (const char* file : {"fmi/model.h.in", "fmi/derivatives.h.in", "fmi/motion.h.in", "fmi/contacts.cpp.in"}) {
@@ -188,11 +208,28 @@ std::string fmi_description(const FmiUnit& unit) {
                                               {"licence", fmi_licence(unit)},
                                               {"token", fmi_token(unit)},
                                               {"kinds", fmt::format(fmt::runtime(kinds), unit.name())},
+                                              {"naming", fmi_naming(variables)},
                                               {"units", fmi_unit_definitions(variables)},
                                               {"variables", list},
                                               {"structure", structure.text()}};
   if (two) texts["indicators"] = std::to_string(structure.indicators());
   return fill_template(file, embedded_template(file), texts);
+}
+
+std::string fmi_documentation(const FmiUnit& unit) {
+  std::string rows;
+  for (const FmiVariable& variable : fmi_variables(unit)) {
+    rows += fmt::format("<tr><td>{}</td><td>{}</td><td>{}</td><td>{}</td></tr>\n", xml_escaped(variable.name),
+                        role_text(variable.role), xml_escaped(variable.unit),
+                        variable.start ? fmt::format("{}", *variable.start) : "");
+  }
+  const char* const file = "fmi/index.html.in";
+  return fill_template(file, embedded_template(file),
+                       {{"name", unit.name()},
+                        {"title", xml_escaped(unit.scene().content().title)},
+                        {"fmi", unit.version == FmiVersion::two ? "2.0" : "3.0"},
+                        {"version", TORSOR_VERSION},
+                        {"variables", rows}});
 }
 
 }  // namespace torsor

@@ -17,4 +17,7 @@ std::string fmi_licence(const FmiUnit& unit);
 /// modelDescription.xml, with the variables of fmi_variables(). Throws SceneError where a parameter has no value.
 std::string fmi_description(const FmiUnit& unit);
 
+/// The page documentation/index.html: what the unit is, and its variables.
+std::string fmi_documentation(const FmiUnit& unit);
+
 }  // namespace torsor

@@ -79,9 +79,10 @@ std::vector<SourceFile> fmi_sources(const FmiUnit& unit) {
                                                             "has_contacts", "places", "reactions"})},
       {"fmi_motion.h", filled("fmi/motion.h.in", {"has_multipliers", "has_contacts", "holonomic"})},
       {name + ".h", emit_c(mechanism).header}};
-  for (const char* file : {"fmi3_types.h", "fmi3_absent.h"}) {
+  using Names = std::vector<const char*>;
+  for (const char* file : two ? Names{"fmi2_names.h"} : Names{"fmi3_names.h", "fmi3_types.h", "fmi3_absent.h"}) {
     const std::string of = fmt::format("fmi/{}.in", file);
-    if (!two) sources.push_back({file, fill_template(of, embedded_template(of), {{"version", TORSOR_VERSION}})});
+    sources.push_back({file, fill_template(of, embedded_template(of), {{"version", TORSOR_VERSION}})});
   }
   return sources;
 }

@@ -80,8 +80,18 @@ class VariableList {
   std::size_t next_ = 0;
 };
 
-/// Names of several parts, "hoop.2", as the standard's structured names have them: a part that is no identifier stands in
-/// apostrophes.
+/// In apostrophes, as the standard's structured names have what is no identifier.
+std::string quoted(const std::string& part) {
+  std::string text = "'";
+  for (const char c : part) {
+    if (c == '\'' || c == '"' || c == '\\') text += '\\';
+    text += c;
+  }
+  return text + "'";
+}
+
+/// Names of several parts, "hoop.2", as the standard's structured names have them. A part that is no identifier is
+/// quoted; none may be empty, so that "hoop..2" is quoted as a whole.
 std::string structured(const std::string& name) {
   const auto is_letter = [](char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_'; };
   const auto is_digit = [](char c) { return c >= '0' && c <= '9'; };
@@ -89,9 +99,10 @@ std::string structured(const std::string& name) {
   for (std::size_t begin = 0; begin <= name.size();) {
     const std::size_t end = std::min(name.find('.', begin), name.size());
     const std::string part = name.substr(begin, end - begin);
-    const bool plain = !part.empty() && is_letter(part[0]) &&
+    if (part.empty()) return quoted(name);
+    const bool plain = is_letter(part[0]) &&
                        std::all_of(part.begin(), part.end(), [&](char c) { return is_letter(c) || is_digit(c); });
-    text += fmt::format("{}{}{}{}", begin == 0 ? "" : ".", plain ? "" : "'", part, plain ? "" : "'");
+    text += (begin == 0 ? "" : ".") + (plain ? part : quoted(part));
     begin = end + 1;
   }
   return text;
@@ -113,7 +124,8 @@ void add_outputs(const FmiUnit& unit, VariableList& all) {
   for (const std::string& name : unit.outputs.frames) {
     add_place("frame." + structured(name));
     for (int i = 1; i <= 3; ++i) {
-      for (int j = 1; j <= 3; ++j) all.add(fmt::format("frame.{}.rotation[{},{}]", structured(name), i, j), "1", output);
+      for (int j = 1; j <= 3; ++j)
+        all.add(fmt::format("frame.{}.rotation[{},{}]", structured(name), i, j), "1", output);
     }
   }
   for (const std::string& name : unit.outputs.reactions) {
@@ -198,6 +210,14 @@ std::vector<FmiDependency> fmi_dependencies(const FmiUnit& unit, const std::vect
   }
   equations.start_over();
   return all;
+}
+
+std::string fmi_naming(const std::vector<FmiVariable>& variables) {
+  const bool all = std::all_of(variables.begin(), variables.end(), [](const FmiVariable& variable) {
+    return std::all_of(variable.name.begin(), variable.name.end(),
+                       [](char c) { return static_cast<unsigned char>(c) < 0x80 && c != '`'; });
+  });
+  return all ? "structured" : "flat";
 }
 
 std::string fmi_unit_definitions(const std::vector<FmiVariable>& variables) {

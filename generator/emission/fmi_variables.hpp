@@ -36,6 +36,10 @@ struct FmiDependency {
 /// Of all outputs.
 std::vector<FmiDependency> fmi_dependencies(const FmiUnit& unit, const std::vector<FmiVariable>& variables);
 
+/// The naming convention that the names keep: structured names hold letters, digits and most signs of ASCII; of flat ones
+/// nothing is asked.
+std::string fmi_naming(const std::vector<FmiVariable>& variables);
+
 /// Unit elements, with their base units, of what the variables are measured in; FMI 2.0 and 3.0 write them alike.
 std::string fmi_unit_definitions(const std::vector<FmiVariable>& variables);
 

@@ -67,6 +67,20 @@ TEST(FmiUnit, HasTheKernelsThatItsOutputsNeedAndNoOthers) {
                    "output_places"}));
 }
 
+TEST(FmiUnit, NamesAreFlatWhereTheyAreNoStructuredOnes) {
+  Scene scene = block_on_rail(false);
+  scene.weld("a \"b\" <c>", scene.ground(), {});
+  scene.weld("\xce\xb1.2", scene.ground(), {});
+  const auto description = [&scene](const std::string& frame) {
+    return fmi_description(lower_unit(scene, FmiVersion::three, {{}, {frame}, {}}));
+  };
+  const std::string quoted = description("a \"b\" <c>"), greek = description("\xce\xb1.2");
+  EXPECT_NE(quoted.find("variableNamingConvention=\"structured\""), std::string::npos);
+  EXPECT_NE(quoted.find("name=\"frame.'a \\&quot;b\\&quot; &lt;c&gt;'.x\""), std::string::npos) << quoted;
+  EXPECT_NE(greek.find("variableNamingConvention=\"flat\""), std::string::npos);
+  EXPECT_NE(greek.find("name=\"frame.'\xce\xb1'.'2'.x\""), std::string::npos) << greek;
+}
+
 TEST(FmiUnit, TellsUnitsOfOtherOutputsApart) {
   const auto token = [](const OutputNames& outputs, FmiVersion version = FmiVersion::three) {
     return fmi_token(lower_unit(block_on_rail(false), version, outputs));

@@ -77,7 +77,13 @@ static int serialise(void) {
 }
 static int reset(void) { return (int)fmi(Reset)(instance); }
 static int terminate(void) { return (int)fmi(Terminate)(instance); }
-static int debug(void) { return (int)fmi(SetDebugLogging)(instance, pick(2) == 0, 0, NULL); }
+static int debug(void) {
+  static const char* const categories[] = {"logStatusError", "logStatusDiscard", "logStatusError", "another"};
+  const unsigned from = pick(2), count = pick(4 - from);
+  const int on = pick(2) == 0, status = (int)fmi(SetDebugLogging)(instance, on, count, categories + from);
+  may_refuse = on && from + count == 4;
+  return status;
+}
 static int nobody(void) { return (int)get_derivatives(NULL, NULL, 0); }
 
 enum { leading = 8 };

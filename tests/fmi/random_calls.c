@@ -4,7 +4,6 @@
  * -Wl,--wrap=malloc,--wrap=calloc,--wrap=realloc no call may allocate but those that make an instance or a state.
  *   cc -DUNIT='"NAME_fmi3.c"' -DCALLS='"calls3.h"' -DTOKEN='"{...}"' random_calls.c; ./a.out SEQUENCES */
 #include UNIT
-#include <stdarg.h>
 #include <stdio.h>
 
 #ifdef COUNT_ALLOCATIONS
@@ -77,6 +76,8 @@ static int may_refuse;
 /* Whether the unit said that the motion ends. */
 static int motion_ended;
 static void hear(const char* message) { motion_ended |= strstr(message, "the motion ends") != NULL; }
+
+static const char* category_of(int status) { return status == discarded ? "logStatusDiscard" : "logStatusError"; }
 
 enum { evaluable = initialization | event_mode | continuous_time | step_complete | terminated | failed };
 

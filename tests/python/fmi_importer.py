@@ -42,12 +42,15 @@ class Unit:
         self.derivatives = [int(v["valueReference"]) for v in self.variables if "derivative" in v]
         self.n = len(self.states)
         self.messages = []
+        self.categories = {each.attrib["name"].encode() for each in self.description.find("LogCategories")}
 
     def __getattr__(self, name):
         function = getattr(self.library, f"fmi{self.version}{name}")
         return lambda component, *arguments: function(c_void_p(component), *arguments)
 
-    def log(self, status, message):
+    def log(self, status, message, category):
+        assert b"%" not in message and category in self.categories
+        assert category == (b"logStatusDiscard" if status == DISCARD else b"logStatusError")
         self.messages.append((status, message))
 
     def references(self, names):
@@ -134,7 +137,7 @@ class EventInfo(ctypes.Structure):
 
 class Unit2(Unit):
     version = 2
-    LOGGER = ctypes.CFUNCTYPE(None, c_void_p, c_char_p, c_int, c_char_p, c_char_p, c_char_p, c_char_p)
+    LOGGER = ctypes.CFUNCTYPE(None, c_void_p, c_char_p, c_int, c_char_p, c_char_p)
 
     class Callbacks(ctypes.Structure):
         _fields_ = [("logger", c_void_p), ("allocate", c_void_p), ("free", c_void_p), ("finished", c_void_p),
@@ -142,8 +145,8 @@ class Unit2(Unit):
 
     def __init__(self, *arguments):
         super().__init__(*arguments)
-        # Variadic, with the function and what it says of it.
-        self.logger = self.LOGGER(lambda _, __, status, ___, ____, function, what: self.log(status, function + b": " + what))
+        # Variadic, but messages are whole: an importer in Python fills no formats.
+        self.logger = self.LOGGER(lambda _, __, status, category, message: self.log(status, message, category))
         self.callbacks = self.Callbacks(ctypes.cast(self.logger, c_void_p).value)
         self.outputs = self.listed("Outputs")
         self.initial_unknowns = self.listed("InitialUnknowns")
@@ -223,7 +226,7 @@ class Unit3(Unit):
 
     def __init__(self, *arguments):
         super().__init__(*arguments)
-        self.logger = self.LOGGER(lambda _, status, __, message: self.log(status, message))
+        self.logger = self.LOGGER(lambda _, status, category, message: self.log(status, message, category))
         self.outputs = self.listed("Output")
         self.initial_unknowns = self.listed("InitialUnknown")
         self.listed_derivatives = self.listed("ContinuousStateDerivative")

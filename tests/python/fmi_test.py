@@ -39,6 +39,7 @@ def test_description_keeps_the_rules(unit):
     root = unit.description
     assert root.attrib["fmiVersion"] == f"{unit.version}.0"
     assert unit.version == 3 or root.attrib["numberOfEventIndicators"] == "0"
+    assert root.attrib["variableNamingConvention"] == "structured"
     order = [child.tag for child in root]
     assert order == ["ModelExchange", "CoSimulation", "UnitDefinitions", "LogCategories", "DefaultExperiment", "ModelVariables",
                      "ModelStructure"]
@@ -79,7 +80,7 @@ def test_sources_are_those_that_the_description_names(unit):
 
 def test_licences_are_told(unit):
     assert unit.description.attrib["license"] == "MIT-0" and "torsor" in unit.description.attrib["copyright"]
-    texts = {name.removeprefix("documentation/licenses/") for name in unit.names if name.startswith("documentation/")}
+    texts = {name.removeprefix("documentation/licenses/") for name in unit.names if name.startswith("documentation/licenses/")}
     assert texts == {"license.txt", "MIT-0.txt"}
     assert "Permission is hereby granted" in (unit.folder / "documentation/licenses/MIT-0.txt").read_text()
     assert "MIT-0.txt" in (unit.folder / "documentation/licenses/license.txt").read_text()
