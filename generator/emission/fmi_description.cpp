@@ -47,15 +47,15 @@ std::string numbers_of(const FmiVariable& variable, std::size_t first, bool can_
 }
 
 constexpr const char* both_kinds_of_2 =
-    R"(  <ModelExchange modelIdentifier="{0}" canGetAndSetFMUstate="true" canSerializeFMUstate="true" providesDirectionalDerivative="true">
+    R"(  <ModelExchange modelIdentifier="{0}" canNotUseMemoryManagementFunctions="true" canGetAndSetFMUstate="true" canSerializeFMUstate="true" providesDirectionalDerivative="true">
     <SourceFiles><File name="{0}_fmi2.c"/></SourceFiles>
   </ModelExchange>
-  <CoSimulation modelIdentifier="{0}" canHandleVariableCommunicationStepSize="true" canGetAndSetFMUstate="true" canSerializeFMUstate="true" providesDirectionalDerivative="true">
+  <CoSimulation modelIdentifier="{0}" canHandleVariableCommunicationStepSize="true" canNotUseMemoryManagementFunctions="true" canGetAndSetFMUstate="true" canSerializeFMUstate="true" providesDirectionalDerivative="true">
     <SourceFiles><File name="{0}_fmi2.c"/></SourceFiles>
   </CoSimulation>)";
 constexpr const char* with_contacts_of_2 =
-    R"(  <ModelExchange modelIdentifier="{0}" canGetAndSetFMUstate="true" canSerializeFMUstate="true"/>
-  <CoSimulation modelIdentifier="{0}" canHandleVariableCommunicationStepSize="true" canGetAndSetFMUstate="true" canSerializeFMUstate="true"/>)";
+    R"(  <ModelExchange modelIdentifier="{0}" canNotUseMemoryManagementFunctions="true" canGetAndSetFMUstate="true" canSerializeFMUstate="true"/>
+  <CoSimulation modelIdentifier="{0}" canHandleVariableCommunicationStepSize="true" canNotUseMemoryManagementFunctions="true" canGetAndSetFMUstate="true" canSerializeFMUstate="true"/>)";
 constexpr const char* both_kinds_of_3 =
     R"(  <ModelExchange modelIdentifier="{0}" canGetAndSetFMUState="true" canSerializeFMUState="true" providesDirectionalDerivatives="true" providesAdjointDerivatives="true" needsCompletedIntegratorStep="true"/>
   <CoSimulation modelIdentifier="{0}" canGetAndSetFMUState="true" canSerializeFMUState="true" providesDirectionalDerivatives="true" providesAdjointDerivatives="true" canHandleVariableCommunicationStepSize="true"/>)";

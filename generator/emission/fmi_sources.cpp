@@ -60,6 +60,7 @@ std::vector<SourceFile> fmi_sources(const FmiUnit& unit) {
                      {"token", fmi_token(unit)},
                      {"has_rates", flag(has_rates)},
                      {"has_inputs", flag(!mechanism.layout.inputs.empty())},
+                     {"has_parameters", flag(!mechanism.layout.parameters.empty())},
                      {"has_multipliers", flag(!mechanism.layout.multipliers.empty())},
                      {"has_contacts", flag(unit.has_contacts())},
                      {"indicators", std::to_string(fmi_indicators(mechanism).size())},
@@ -75,8 +76,8 @@ std::vector<SourceFile> fmi_sources(const FmiUnit& unit) {
   std::vector<SourceFile> sources = {
       {source_name(unit), two ? filled("fmi/fmi2.c.in", {}) : filled("fmi/fmi3.c.in", {"has_contacts"})},
       {"fmi_model.h", filled("fmi/model.h.in", {"token", "has_rates", "indicators", "places", "reactions"})},
-      {"fmi_derivatives.h", filled("fmi/derivatives.h.in", {"has_rates", "has_inputs", "has_multipliers",
-                                                            "has_contacts", "places", "reactions"})},
+      {"fmi_derivatives.h", filled("fmi/derivatives.h.in", {"has_rates", "has_inputs", "has_parameters",
+                                                            "has_multipliers", "has_contacts", "places", "reactions"})},
       {"fmi_motion.h", filled("fmi/motion.h.in", {"has_multipliers", "has_contacts", "holonomic"})},
       {name + ".h", emit_c(mechanism).header}};
   using Names = std::vector<const char*>;

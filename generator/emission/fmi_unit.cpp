@@ -10,10 +10,11 @@
 namespace torsor {
 namespace {
 
-std::vector<std::string> kernels_of_unit(const Scene& scene) {
+std::vector<std::string> kernels_of_unit(const Scene& scene, const ModelOptions& options) {
   std::vector<std::string> names = {"forward_dynamics", "energy"};
   const bool contacts = !scene.content().contacts.empty();
   if (!contacts) names.push_back("forward_dynamics_derivatives");
+  if (!contacts && !run_time_parameters(scene, options).empty()) names.push_back("forward_dynamics_sensitivities");
   if (contacts || !scene.content().constraints.empty()) names.push_back("mass_matrix");
   if (!scene.content().constraints.empty()) names.push_back("constraints");
   if (contacts) names.insert(names.end(), {"bias", "contacts", "contact_coefficients"});
@@ -55,7 +56,7 @@ FmiUnit lower_unit(const Scene& scene, FmiVersion version, const OutputNames& ou
   FmiUnit unit;
   unit.version = version;
   unit.outputs = outputs;
-  unit.mechanism = lower_mechanism(scene, kernels_of_unit(scene), options, output_kernels(scene, outputs));
+  unit.mechanism = lower_mechanism(scene, kernels_of_unit(scene, options), options, output_kernels(scene, outputs));
   require_motion(unit.mechanism);
   return unit;
 }

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "torsor/generator/base/error.hpp"
+#include "torsor/generator/dynamics/derivatives/parameter_sensitivities.hpp"
 #include "torsor/generator/dynamics/motion/ground_motion.hpp"
 #include "torsor/generator/kernels/kernel_energy.hpp"
 #include "torsor/generator/kernels/kernel_parts.hpp"
@@ -144,6 +145,7 @@ Kernel make_output_place_derivatives(const Equations& equations, const OutputNam
   }
   SlopesBuilder slopes("OutputPlaceDerivatives", "Derivatives of positions and rotations, stored column by column.");
   slopes.add("by_position", rows, "d_i/dq_j");
+  slopes.add("by_parameter", slopes_of(equations, values, sensitivity_parameters(equations), gradient), "d_i/dp_k");
   return slopes.take("Derivatives of output_places. Along an attitude q_j is a turn about its moving axis j.");
 }
 
@@ -155,6 +157,10 @@ Kernel make_energy_derivatives(const Equations& equations) {
   slopes.add("kinetic_by_velocity", slopes_of(equations, {energies.kinetic}, velocities, gradient), "dT/dv_j");
   slopes.add("force_function_by_position", slopes_of(equations, {energies.force_function}, velocities, gradient_along),
              "dU/dq_j");
+  const Symbols parameters = sensitivity_parameters(equations);
+  slopes.add("kinetic_by_parameter", slopes_of(equations, {energies.kinetic}, parameters, gradient), "dT/dp_k");
+  slopes.add("force_function_by_parameter", slopes_of(equations, {energies.force_function}, parameters, gradient),
+             "dU/dp_k");
   return slopes.take("Derivatives of energy. Along an attitude q_j is a turn about its moving axis j.");
 }
 
@@ -178,6 +184,7 @@ Kernel make_output_reaction_derivatives(const Equations& equations, const Output
   slopes.add("by_acceleration", slopes_of(equations, values, unknown_accelerations(equations), gradient), "dR_i/da_j");
   slopes.add("by_multiplier", slopes_of(equations, values, multipliers(equations), gradient), "dR_i/dlambda_j");
   slopes.add("by_input", slopes_of(equations, values, equations.model().inputs(), gradient), "dR_i/du_j");
+  slopes.add("by_parameter", slopes_of(equations, values, sensitivity_parameters(equations), gradient), "dR_i/dp_k");
   Kernel kernel =
       slopes.take("Partial derivatives of output_reactions. Along an attitude q_j is a turn about its moving axis j.");
   kernel.arguments = {Argument::accelerations, Argument::multipliers, Argument::inputs};

@@ -7,7 +7,7 @@
 #include "torsor/generator/kernels/kernel.hpp"
 
 // What a model of a simulator gives beside its motion, and nothing else: kernels of what was asked for by name, with exact
-// derivatives along the state.
+// derivatives along the state and by run-time parameters.
 
 namespace torsor {
 
@@ -24,10 +24,10 @@ struct OutputNames {
 std::vector<Value> output_places(const Equations& equations, const OutputNames& names);
 /// They as an array.
 Kernel make_output_places(const Equations& equations, const OutputNames& names);
-/// Their derivatives by the configuration.
+/// Their derivatives by the configuration and by run-time parameters.
 Kernel make_output_place_derivatives(const Equations& equations, const OutputNames& names);
 
-/// Derivatives of T and U by the configuration, of T by velocities.
+/// Derivatives of T and U by the configuration and by run-time parameters, of T by velocities.
 Kernel make_energy_derivatives(const Equations& equations);
 
 /// Reactions against released coordinates as an array.

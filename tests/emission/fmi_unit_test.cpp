@@ -62,6 +62,9 @@ TEST(FmiUnit, HasTheKernelsThatItsOutputsNeedAndNoOthers) {
   EXPECT_EQ(kernels(lower_unit(block_on_rail(false), FmiVersion::two, {{"corner"}, {}, {"lift"}})),
             (Names{"forward_dynamics", "energy", "forward_dynamics_derivatives", "output_places", "output_reactions",
                    "energy_derivatives", "output_place_derivatives", "output_reaction_derivatives"}));
+  EXPECT_EQ(kernels(lower_unit(block_on_rail(false), FmiVersion::two, {}, {.all_run_time = true})),
+            (Names{"forward_dynamics", "energy", "forward_dynamics_derivatives", "forward_dynamics_sensitivities",
+                   "energy_derivatives"}));
   EXPECT_EQ(kernels(lower_unit(block_on_rail(true), FmiVersion::two, {{}, {"block"}, {}})),
             (Names{"forward_dynamics", "energy", "mass_matrix", "bias", "contacts", "contact_coefficients",
                    "output_places"}));

@@ -49,7 +49,7 @@ static int set_values(const unsigned* which, unsigned n, const double* values, u
 }
 static int get_no_integers(void) { return (int)fmi2GetInteger(instance, NULL, 0, NULL); }
 static int get_derivative_along(const unsigned* unknown, unsigned unknowns, unsigned knowns) {
-  return (int)fmi2GetDirectionalDerivative(instance, unknown, unknowns, references(0, NX + 2, knowns), knowns, some(knowns), into);
+  return (int)fmi2GetDirectionalDerivative(instance, unknown, unknowns, some_known(knowns), knowns, some(knowns), into);
 }
 static int status_of_step(void) {
   fmi2Status status;

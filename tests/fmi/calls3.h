@@ -48,10 +48,10 @@ static int set_values(const unsigned* which, unsigned n, const double* values, u
 static int get_no_integers(void) { return (int)fmi3GetInt32(instance, NULL, 0, NULL, 0); }
 static int get_derivative_along(const unsigned* unknown, unsigned unknowns, unsigned knowns) {
   if (pick(2)) {
-    return (int)fmi3GetDirectionalDerivative(instance, unknown, unknowns, references(0, NX, knowns), knowns, some(knowns), knowns,
+    return (int)fmi3GetDirectionalDerivative(instance, unknown, unknowns, some_known(knowns), knowns, some(knowns), knowns,
                                              into, unknowns);
   }
-  return (int)fmi3GetAdjointDerivative(instance, unknown, unknowns, references(0, NX + 2, knowns), knowns, some(unknowns), unknowns,
+  return (int)fmi3GetAdjointDerivative(instance, unknown, unknowns, some_known(knowns), knowns, some(unknowns), unknowns,
                                        into, pick(9) ? knowns : 0);
 }
 static int step_mode(void) { return (int)fmi3EnterStepMode(instance); }

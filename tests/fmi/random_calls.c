@@ -56,6 +56,11 @@ static const unsigned* references(unsigned from, unsigned below, unsigned count)
   return vr;
 }
 
+/* States, and the first derivatives, which are none; or inputs, parameters, and what follows them. */
+static const unsigned* some_known(unsigned count) {
+  return pick(2) ? references(0, NX + 2, count) : references(torsor_first_input, NU + NP + 1, count);
+}
+
 static const double* some(unsigned count) {
   static double values[NX + 8];
   unsigned i;

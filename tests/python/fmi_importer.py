@@ -131,6 +131,39 @@ class Unit:
         return self.set_numbers(component, self.references(names), len(names), doubles(given)[0])
 
 
+def assert_slopes_by_parameters(unit, component):
+    """Directional derivatives by the tunable parameters are slopes; in event mode, where parameters are set."""
+    names = [v["name"] for v in unit.variables if v["causality"] == "parameter"]
+    unknown = unit.derivatives + unit.outputs
+    begin = unit.get(component, names)
+
+    def at(values):
+        assert unit.set(component, names, values) == OK
+        return unit.get(component, unknown)
+
+    def derivative(known, seed):
+        pointer, found = doubles(np.zeros(len(unknown)))
+        assert unit.directional(component, unknown, known, seed, pointer) == OK
+        return found
+
+    scale, of_state, columns = 1 + np.abs(at(begin)).max(), derivative(unit.states[:1], [1.0]), []
+    for k, name in enumerate(names):
+        h = 1e-5 * (abs(begin[k]) or 1.0)
+        step = np.where(np.arange(len(names)) == k, h, 0.0)
+        slope = (at(begin + step) - at(begin - step)) / (2 * h)
+        at(begin)
+        columns.append(derivative([name], [1.0]))
+        # Central differences: (1e-5)^2/6 of third derivatives in units of the parameter, at most a thousand times the
+        # values, and some ten roundings of values over h.
+        np.testing.assert_allclose(columns[-1], slope, rtol=0, atol=scale * (1e-10 * 1e3 / 6 + 1e-15 / 1e-5) * 1e-5 / h)
+    assert np.abs(columns).max() > 0
+    seed = np.linspace(0.5, 1.5, len(names) + 1)
+    together = derivative([unit.states[0], *names], seed)
+    expected = np.transpose([of_state, *columns]) @ seed
+    # The same products, summed in another order.
+    np.testing.assert_allclose(together, expected, rtol=0, atol=1e-14 * (np.abs([of_state, *columns]).T @ seed).max())
+
+
 class EventInfo(ctypes.Structure):
     _fields_ = [(name, c_int) for name in ("needed", "terminate", "nominals", "values", "defined")] + [("next", c_double)]
 

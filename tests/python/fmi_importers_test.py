@@ -55,6 +55,15 @@ def test_the_page_lists_all_variables(unit):
                         "local": ["state", "derivative"]}[v["causality"]]
 
 
+def test_memory_that_an_importer_offers_is_not_taken(unit):
+    """allocateMemory and freeMemory of FMI 2.0, which our importer does not even offer."""
+    if unit.version == 3:
+        pytest.skip("FMI 3.0 has no such functions")
+    kinds = [unit.description.find(kind).attrib for kind in ("ModelExchange", "CoSimulation")]
+    assert [kind["canNotUseMemoryManagementFunctions"] for kind in kinds] == ["true", "true"]
+    assert not unit.callbacks.allocate and not unit.callbacks.free
+
+
 def exported(library):
     lines = subprocess.run(["nm", "-D", "--defined-only", library], capture_output=True, text=True, check=True).stdout.splitlines()
     return {line.split()[-1] for line in lines}

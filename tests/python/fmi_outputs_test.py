@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 from conftest import command, scene
-from fmi_importer import CO_SIMULATION, ERROR, MODEL_EXCHANGE, OK, Unit2, Unit3, doubles
+from fmi_importer import CO_SIMULATION, ERROR, MODEL_EXCHANGE, OK, Unit2, Unit3, assert_slopes_by_parameters, doubles
 
 # Planar with motors; in space with a quaternion, a law of time, a constraint and a motor.
 OUTPUTS = {"loading_robot": ("--points", "O2", "--frames", "S3,S1", "--reactions", "Y12"),
@@ -153,6 +153,17 @@ def test_directional_derivatives_of_outputs_are_slopes(unit, mechanism):
             pointer, alone = doubles(np.zeros(1))
             assert unit.directional(component, [output], known, seed, pointer) == OK
             assert alone[0] == exact[j]
+    unit.FreeInstance(component)
+
+
+def test_directional_derivatives_by_parameters_are_slopes(unit, mechanism):
+    if not [v for v in unit.variables if v["causality"] == "parameter"]:
+        pytest.skip("no run-time parameters")
+    component = unit.continuous()
+    pushed(unit, component)
+    unit.right_side(component, 0.2, generic(unit, component, mechanism))
+    assert unit.EnterEventMode(component) == OK
+    assert_slopes_by_parameters(unit, component)
     unit.FreeInstance(component)
 
 

@@ -9,7 +9,7 @@ from ctypes import byref, c_size_t, c_void_p
 import numpy as np
 import pytest
 
-from fmi_importer import CO_SIMULATION, DISCARD, ERROR, MODEL_EXCHANGE, OK, Unit2, Unit3, doubles
+from fmi_importer import CO_SIMULATION, DISCARD, ERROR, MODEL_EXCHANGE, OK, Unit2, Unit3, assert_slopes_by_parameters, doubles
 
 MECHANISMS = {"double_pendulum": "pendulum", "cart_pole": "cart", "torque_free_body": "body", "rolling_hoop": "hoop"}
 if os.environ.get("TORSOR_LONG_TESTS"):
@@ -136,12 +136,26 @@ def test_directional_derivatives_are_slopes(unit, mechanism):
     unit.FreeInstance(component)
 
 
+def test_directional_derivatives_by_parameters_are_slopes(unit, mechanism):
+    if not [v for v in unit.variables if v["causality"] == "parameter"]:
+        pytest.skip("no run-time parameters")
+    component = unit.instantiate(MODEL_EXCHANGE)
+    assert unit.initialise(component) == OK
+    y = near_start(mechanism, 11)
+    for i in mechanism.quaternions:
+        y[i:i + 4] /= np.linalg.norm(y[i:i + 4])
+    assert unit.set(component, unit.states, y) == OK
+    assert unit.ExitInitializationMode(component) == OK
+    assert_slopes_by_parameters(unit, component)
+    unit.FreeInstance(component)
+
+
 def test_adjoint_derivatives_are_transposed(unit, mechanism):
     if unit.version == 2:
         pytest.skip("FMI 2.0 has none")
     component = unit.continuous()
     unit.right_side(component, 0.0, near_start(mechanism, 3))
-    known = unit.states + [k for k, v in enumerate(unit.variables) if v["causality"] == "input"]
+    known = unit.states + [k for k, v in enumerate(unit.variables) if v["causality"] in ("input", "parameter")]
     unknown = unit.derivatives + unit.outputs
     matrix = np.zeros((len(unknown), len(known)))
     for k in range(len(known)):
