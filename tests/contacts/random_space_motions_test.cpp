@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "torsor/runtime/contacts/integrate_contacts.hpp"
+#include "torsor/runtime/contacts/moreau_jean.hpp"
 #include "tests/contacts/random_space_scenes.hpp"
 #include "tests/contacts/random_watch.hpp"
 
@@ -121,6 +122,25 @@ TEST(RandomSpaceMotions, AreTheSameWhateverTheOrderOfDeclaration) {
     EXPECT_LE(distance(permuted, usual), felt);
   }
   EXPECT_GE(compared, all.size() / 2);
+}
+
+// Steps of Moreau and Jean have errors of first order: ten times as short, they come at least five times as near to the motion
+// from event to event. These scenes strike three to eight times.
+TEST(RandomSpaceMotions, AreWhatStepsTendTo) {
+  for (const unsigned k : {7U, 17U, 21U}) {
+    SCOPED_TRACE(testing::Message() << "scene " << k);
+    const auto [scene, start] = random_space_start(k);
+    State exact = start;
+    const ContactResult result = integrate_contacts(scene, exact, 0, 0.8, precise);
+    ASSERT_TRUE(result) << describe(result.status);
+    EXPECT_GT(result.impacts, 0);
+    const auto error = [&scene = scene, &start = start, &exact](long steps) {
+      State y = start;
+      EXPECT_EQ(step_contacts(scene, y, 0, 0.8, steps), ContactStatus::reached_end);
+      return distance(y, exact);
+    };
+    EXPECT_LE(error(4000), error(400) / 5);
+  }
 }
 
 }  // namespace
