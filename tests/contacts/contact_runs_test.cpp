@@ -68,8 +68,8 @@ TEST(ContactWithoutPoint, IsNamed) {
   const double none = std::numeric_limits<double>::quiet_NaN();
   ByHand<1, 1, 1> flat = ball(0.5);
   const auto usual = flat.fill;
-  flat.fill = [usual, none](double t, const auto& y, auto& r) {
-    usual(t, y, r);
+  flat.fill = [usual, none](double t, const auto& state, auto& r) {
+    usual(t, state, r);
     r.J(0, 0) = r.drift(0) = none;
   };
   std::array<double, 2> y{1, 0};
@@ -80,8 +80,8 @@ TEST(ContactWithoutPoint, IsNamed) {
   y = {1, 0};
   EXPECT_EQ(step_contacts(flat, y, 0, 1, 100), ContactStatus::no_point);
 
-  flat.fill = [usual, none](double t, const auto& y, auto& r) {
-    usual(t, y, r);
+  flat.fill = [usual, none](double t, const auto& state, auto& r) {
+    usual(t, state, r);
     r.gap[0] = none;
   };
   y = {0, 0};
