@@ -203,6 +203,14 @@ ContactLaw ContactAutomaton::law_after(int i, int forced, Cause cause) const noe
   return law;
 }
 
+// Of open contacts too: W, which is one for all, would not be numbers.
+bool ContactAutomaton::have_points() noexcept {
+  for (int i = 0; i < count(); ++i) {
+    if (!motion_.has_point(i)) return end(ContactStatus::no_point, i);
+  }
+  return true;
+}
+
 // Which regimes follow: all that are consistent are sought, and the one of least motion is taken. The contact that had
 // an event is not left to rounding: what the event says of it is given.
 bool ContactAutomaton::decide(int forced, Cause cause) {
@@ -210,9 +218,9 @@ bool ContactAutomaton::decide(int forced, Cause cause) {
   ContactSelection chosen;
   for (int i = 0; i < count(); ++i) {
     if (!motion_.states[as(i)].touches || (cause == Cause::opens && motion_.carrier(i) == forced)) continue;
-    if (!motion_.has_point(i)) return end(ContactStatus::no_point, i);
     chosen.add(i, law_after(i, forced, cause), motion_.first_row(i), motion_.first_bearing(i));
   }
+  if (chosen.problem.count > 0 && !have_points()) return false;
   ContactVector free = motion_.reading().drift;
   free.noalias() += motion_.reading().J * motion_.dynamics().a0;
   chosen.fill(motion_.W(), free, motion_.dynamics().S, motion_.dynamics().R_free);

@@ -76,6 +76,7 @@ class ContactAutomaton {
   [[nodiscard]] bool near(int i) const noexcept;
   void set_by_slip(int i, double at_rest) noexcept;
   bool settle(int contact);
+  bool have_points() noexcept;
   bool decide(int forced, Cause cause);
   [[nodiscard]] ContactLaw law_after(int i, int forced, Cause cause) const noexcept;
   bool take_regime(const ContactSelection& chosen, int k, const ContactSolution& solution);

@@ -43,11 +43,11 @@ bool ContactAutomaton::accumulating(int i) const noexcept {
 // An impact of all contacts that touch; `rests` makes it completely inelastic, the end of an accumulation.
 bool ContactAutomaton::collide(int cause, bool rests, ImpactLaw impact_law) {
   if (!motion_.read(result_.time, y_)) return end(ContactStatus::integration_failed, cause);
+  if (!have_points()) return false;
   ContactSelection chosen;
   PerContact<double> restitution{};
   for (int i = 0; i < count(); ++i) {
     if (!touching_[as(i)] || (motion_.carrier(i) < 0 && motion_.rule(i).bearing == 0)) continue;
-    if (!motion_.has_point(i)) return end(ContactStatus::no_point, i);
     ContactLaw law = motion_.rule(i).law();
     law.static_friction = law.friction;
     law.bound = law.static_bound = 0;  // bounded forces give no impulse

@@ -50,7 +50,7 @@ bool MoreauJean::move_through(double t, double h, std::span<double> y) {
   std::copy_n(y.begin(), middle_.size(), middle_.begin());
   move(t, middle_, (1 - theta_) * h);
   const double there = t + (1 - theta_) * h;
-  if (!read(there, middle_, theta_ * h)) return end(ContactStatus::integration_failed);
+  if (!read(there, middle_, theta_ * h)) return false;
   // Loops are held as contacts are, by their velocities at q_m.
   change_ = dynamics_.closing_rate + h * dynamics_.KF;
   v_ = change_;
@@ -63,10 +63,6 @@ bool MoreauJean::move_through(double t, double h, std::span<double> y) {
     const ContactRule& rule = rules_[as(i)];
     const int by = rule.normal ? i : rule.pressed_by;
     if (by >= 0 && reading_.gap[as(by)] > 0) continue;
-    if (!reading_.has_rows(first_row_[as(i)], rule.rows())) {
-      contact_ = i;
-      return end(ContactStatus::no_point);
-    }
     ContactLaw law = rule.law();
     law.bound *= h;  // bounded forces, as impulses of the step
     law.static_bound *= h;
@@ -99,11 +95,27 @@ void MoreauJean::move(double t, std::span<double> y, double h) {
 }
 
 bool MoreauJean::read(double t, std::span<const double> y, double damped) {
-  if (mechanism_->read(t, y, reading_) != Evaluation::ok) return false;
+  if (mechanism_->read(t, y, reading_) != Evaluation::ok) return end(ContactStatus::integration_failed);
+  if (!has_points()) return false;
   if (damped > 0 && mechanism_->damping(t, y, damping_)) {
     for (std::size_t i = 0; i < damping_.size(); ++i) reading_.M.diagonal()(static_cast<Eigen::Index>(i)) += damped * damping_[i];
   }
-  return dynamics_.compute(reading_) && dynamics_.respond(reading_);
+  return (dynamics_.compute(reading_) && dynamics_.respond(reading_)) || end(ContactStatus::integration_failed);
+}
+
+// Rows of an open contact have no part in the step, whatever they are.
+bool MoreauJean::has_points() noexcept {
+  for (int i = 0; i < count(); ++i) {
+    const int first = first_row_[as(i)], size = rules_[as(i)].rows(), by = rules_[as(i)].normal ? i : rules_[as(i)].pressed_by;
+    if (reading_.has_rows(first, size)) continue;
+    if (by < 0 || !(reading_.gap[as(by)] > 0)) {
+      contact_ = i;
+      return end(ContactStatus::no_point);
+    }
+    reading_.J.middleRows(first, size).setZero();
+    reading_.w.segment(first, size).setZero();
+  }
+  return true;
 }
 
 // Whether a gap is below zero or a loop is open by more than some roundings of what it depends on.
@@ -125,7 +137,7 @@ bool MoreauJean::displaced(std::span<const double> y) const {
 bool MoreauJean::put_back(double t, std::span<double> y) {
   mechanism_->normalise(y);
   for (int repeat = 0; repeat < 3; ++repeat) {
-    if (!read(t, y, 0)) return end(ContactStatus::integration_failed);
+    if (!read(t, y, 0)) return false;
     if (repeat == 0) {
       depth_ = 0;
       for (int i = 0; i < count(); ++i) {

@@ -36,7 +36,7 @@ class MoreauJean {
   [[nodiscard]] ContactStatus status() const noexcept { return status_; }
   [[nodiscard]] double residual() const noexcept { return residual_; }  ///< certificate of the last step
   [[nodiscard]] double depth() const noexcept { return depth_; }  ///< [m] below zero before its end put it back
-  [[nodiscard]] int contact() const noexcept { return contact_; }  ///< the one whose rule is invalid; else -1
+  [[nodiscard]] int contact() const noexcept { return contact_; }  ///< the one whose rule is invalid, or without a point; else -1
   [[nodiscard]] const ContactVector& impulses() const noexcept { return impulses_; }  ///< of the last step, all rows
 
  private:
@@ -47,6 +47,7 @@ class MoreauJean {
   void move(double t, std::span<double> y, double h);
   /// Damping taken implicitly over this time is a part of M.
   [[nodiscard]] bool read(double t, std::span<const double> y, double damped);
+  [[nodiscard]] bool has_points() noexcept;
   [[nodiscard]] bool displaced(std::span<const double> y) const;
   bool move_through(double t, double h, std::span<double> y);
   bool put_back(double t, std::span<double> y);

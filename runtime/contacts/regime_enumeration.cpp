@@ -241,20 +241,24 @@ void RegimeEnumeration::accept(const Regimes& regimes) noexcept {
     // Reactions inside all bounds leave room for others; where only the bounds fit, they are taken as they are. Those
     // farthest inside are looked for: they will do for longest.
     const ContactVector start = system.x();
-    const auto inside = [&](double margin) {
+    RegimeInequalities::Room room;
+    const auto fits = [&](double margin) {
       system.x() = start;
-      return inequalities.find(system, margin);
+      room = inequalities.find(system, margin);
+      return room.holds;
     };
-    bool found = inside(1e-2);
-    double margin = found ? 1e-2 : 0;
-    if (!found && inside(0)) {
-      for (margin = 1e-3; margin > 1e-12 && !inside(margin);) margin /= 10;
-      found = margin > 1e-12 || inside(margin = 0);
+    bool found = fits(1e-2);
+    if (!found && fits(0)) {
+      double margin = 1e-3;
+      while (margin > 1e-12 && !fits(margin)) margin /= 10;
+      found = margin > 1e-12 || fits(0);
     }
     if (found) {
-      indeterminate = margin >= 1e-5;
       r = system.reactions();
       u = problem_.W * r + problem_.q;
+      // Bounds may leave one place alone, as of slips that any other reactions would turn against their direction.
+      for (double margin = 1e-2; !room.inside && margin > 1e-5;) fits(margin /= 10);
+      indeterminate = room.holds && room.inside;
       const ContactMatrix change = problem_.W * (system.B() * system.kernel());
       for (Eigen::Index k = 0; indeterminate && k < change.cols(); ++k) {
         const ContactVector forces = system.B() * system.kernel().col(k);

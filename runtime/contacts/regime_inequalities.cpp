@@ -59,7 +59,7 @@ bool RegimeInequalities::hold(const ContactVector& r, const ContactVector& u, do
   return true;
 }
 
-bool RegimeInequalities::find(RegimeSystem& system, double margin) const noexcept {
+RegimeInequalities::Room RegimeInequalities::find(RegimeSystem& system, double margin) const noexcept {
   const auto& Z = system.kernel();
   const int n = static_cast<int>(Z.cols());
   const ContactVector start = system.x();
@@ -68,7 +68,12 @@ bool RegimeInequalities::find(RegimeSystem& system, double margin) const noexcep
   // A group without forces keeps none: its conditions hold as they are.
   const Sizes all = sizes(system.reactions());
   const ContactVector &force = all.force, &motion = all.motion;  // clang 14 captures no bindings
-  if (!(force.size() > 0 && force.maxCoeff() > 0)) return false;
+  if (!(force.size() > 0 && force.maxCoeff() > 0)) return {};
+  // How far z may go before forces double: what changes by rounding until then is the same for all z.
+  double reach = 0;
+  for (Eigen::Index i = 0; i < R.rows(); ++i) {
+    if (force(i) > 0) reach = std::max(reach, R.row(i).norm() / force(i));
+  }
   ContactVector gradient(n);
   ContactMatrix hessian(n, n);
   const auto value = [&](const ContactVector& at, bool slopes) {
@@ -81,7 +86,7 @@ bool RegimeInequalities::find(RegimeSystem& system, double margin) const noexcep
     }
     const auto add = [&](double given, double size, const ContactVector& slopes_of_it) {
       const double missing = margin - given / size;
-      if (!(size > 0 && missing > 0)) return;
+      if (!(size > 0 && missing > 0) || slopes_of_it.norm() <= 1e-12 * reach * size) return;
       const ContactVector row = slopes_of_it / size;
       sum += missing * missing / 2;
       if (!slopes) return;
@@ -144,7 +149,8 @@ bool RegimeInequalities::find(RegimeSystem& system, double margin) const noexcep
   }
   system.x() = start + Z * z;
   const ContactVector r = system.reactions();
-  return hold(r, problem_.W * r + problem_.q, 1e-12);
+  const bool inside = margin > 0 && now <= margin * margin / 8;  // no part of the sum, a square over two, is more
+  return {hold(r, problem_.W * r + problem_.q, 1e-12), inside};
 }
 
 }  // namespace torsor::runtime

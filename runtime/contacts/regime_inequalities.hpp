@@ -26,13 +26,19 @@ class RegimeInequalities {
   };
   [[nodiscard]] Sizes sizes(const ContactVector& r) const noexcept;
 
+  /// What `find` found.
+  struct Room {
+    bool holds = false;  ///< all hold there
+    bool inside = false;  ///< those that change with z hold by half of the margin at least: around x there are others
+  };
+
   /// Whether all hold but for rounding: `slack` of the sizes.
   [[nodiscard]] bool hold(const ContactVector& r, const ContactVector& u, double slack) const noexcept;
 
   /// Looks for x + Z z where all hold, Z the kernel of the system: least sum of the squares of what is missing, convex
-  /// in z, by Newton's method with halved steps. `margin` asks for more than 0, as a part of the sizes. True when
-  /// found; the system then holds that x.
-  [[nodiscard]] bool find(RegimeSystem& system, double margin) const noexcept;
+  /// in z, by Newton's method with halved steps. `margin` asks for more than 0, as a part of the sizes. The system then
+  /// holds that x.
+  [[nodiscard]] Room find(RegimeSystem& system, double margin) const noexcept;
 
  private:
   static std::size_t as(int i) noexcept { return static_cast<std::size_t>(i); }

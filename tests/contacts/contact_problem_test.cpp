@@ -126,6 +126,33 @@ TEST(OneContact, StartsToSlideByTheLesserCoefficientAndSaysThatItCouldStick) {
   EXPECT_NEAR(slides.best().r(1), -0.2, 1e-15);
 }
 
+// A box rests on its lower corners. That is its only motion: from rest a'Ma <= a'F, a power of weight, and no corner may sink.
+// Slips of zero are at the edge of their cones there; reactions that would turn some against their direction are no others.
+TEST(BoxAtRest, HasOneMotionAndManyReactions) {
+  constexpr double a = 0.2, b = 0.15, c = 0.1, mass = 2, weight = mass * 9.81;
+  const Eigen::DiagonalMatrix<double, 6> inverse(
+      Eigen::Vector<double, 6>{1, 1, 1, 3 / (b * b + c * c), 3 / (a * a + c * c), 3 / (a * a + b * b)} / mass);
+  for (const double friction : {0.1, 0.3, 1.0}) {
+    SCOPED_TRACE(friction);
+    ContactProblem problem;
+    problem.count = 4;
+    Eigen::Matrix<double, 12, 6> J;
+    for (int k = 0; k < 4; ++k) {
+      const double x = k < 2 ? -a : a, y = k % 2 == 0 ? -b : b;
+      J.middleRows<3>(3 * k) << 0, 0, 1, y, -x, 0,  // up, along x, along y at (x, y, -c)
+          1, 0, 0, 0, -c, -y,                       //
+          0, 1, 0, c, 0, x;
+      problem.laws[static_cast<std::size_t>(k)] = {.tangents = 2, .friction = friction, .static_friction = friction};
+    }
+    problem.W = J * inverse * J.transpose();
+    problem.q = J * inverse * Eigen::Vector<double, 6>{0, 0, -weight, 0, 0, 0};
+    const ContactAnswer answer = solve_contacts(problem);
+    EXPECT_EQ(answer.verdict, ContactVerdict::indeterminate);
+    EXPECT_LE(answer.best().u.norm(), 1e-15);
+    EXPECT_NEAR(answer.best().r(0) + answer.best().r(3) + answer.best().r(6) + answer.best().r(9), weight, 1e-13);
+  }
+}
+
 TEST(OneContact, OfDryFrictionAloneIsBoundedByItsForce) {
   ContactProblem problem;
   problem.count = 1;
