@@ -124,8 +124,7 @@ void add_outputs(const FmiUnit& unit, VariableList& all) {
   for (const std::string& name : unit.outputs.frames) {
     add_place("frame." + structured(name));
     for (int i = 1; i <= 3; ++i) {
-      for (int j = 1; j <= 3; ++j)
-        all.add(fmt::format("frame.{}.rotation[{},{}]", structured(name), i, j), "1", output);
+      for (int j = 1; j <= 3; ++j) all.add(fmt::format("frame.{}.rotation[{},{}]", structured(name), i, j), "1", output);
     }
   }
   for (const std::string& name : unit.outputs.reactions) {
