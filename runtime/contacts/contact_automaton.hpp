@@ -61,11 +61,19 @@ class ContactAutomaton {
   struct Bounces {
     AccumulationWatch<double> watch{};
     BounceLimit limit{};
-    std::int64_t last = 0;  ///< number of its last impact among all; 0: none yet
     int slower = 0;         ///< impacts in succession that were slower than the one before
     double speed = 0;       ///< of approach at its last impact [m/s]
+    std::int64_t last = 0;  ///< number of its last impact among all; 0: none yet
     double left = std::numeric_limits<double>::lowest();  ///< time at which its flight began: it opened, or struck
     double doubt = 1;  ///< doubled by each flight that did not leave the rounding of the gap
+
+    /// An accumulation has ended: the next bounces tell of another.
+    void begin_anew() noexcept {
+      watch = {};
+      limit = {};
+      slower = 0;
+      speed = 0;
+    }
   };
 
   static constexpr std::size_t as(int i) noexcept { return static_cast<std::size_t>(i); }

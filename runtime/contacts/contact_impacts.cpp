@@ -70,14 +70,8 @@ bool ContactAutomaton::collide(int cause, bool rests, ImpactLaw impact_law) {
   residual_ = shock.residual;
   result_.worst_residual = std::max(result_.worst_residual, residual_);
   impulses_ = chosen.spread(shock.P, motion_.rows());
-  // T- - T+ = -P · (w- + w+)/2.
-  energy_lost_ = 0;
-  double terms = 0;
-  for (int i = 0; i < chosen.rows; ++i) {
-    energy_lost_ -= shock.P(i) * (problem.q(i) + shock.w(i)) / 2;
-    terms += std::abs(shock.P(i) * problem.q(i));
-  }
-  if (!(energy_lost_ >= -1e-12 * terms)) return end(ContactStatus::energy_gained, cause);
+  energy_lost_ = shock.lost;
+  if (shock.gains) return end(ContactStatus::energy_gained, cause);
   // What rounding leaves of a slip that the impact ends is a part of the velocities before.
   PerContact<double> rounding{};
   for (int i = 0; i < count(); ++i) {
@@ -157,11 +151,7 @@ bool ContactAutomaton::strike(int contact) {
   if (rests) {
     for (int i = 0; i < count(); ++i) {
       if (!accumulating(i)) continue;
-      const Bounces before = bounces_[as(i)];
-      bounces_[as(i)] = {};
-      bounces_[as(i)].last = before.last;
-      bounces_[as(i)].left = before.left;
-      bounces_[as(i)].doubt = before.doubt;
+      bounces_[as(i)].begin_anew();
     }
     all_ = {};
   }

@@ -51,13 +51,19 @@ void ContactScale::join(int row, int other) noexcept {
 }
 
 ContactVector ContactScale::largest(const ContactVector& sizes) const noexcept {
-  ContactVector of_group = ContactVector::Zero(sizes.size());
-  for (int i = 0; i < static_cast<int>(sizes.size()); ++i) {
-    double& most = of_group(group_[as(i)]);
+  ContactVector of_group = ContactVector::Zero(sizes.size()), all(sizes.size());
+  for (Eigen::Index i = 0; i < sizes.size(); ++i) {
+    double& most = of_group(group(i));
     if (!(std::abs(sizes(i)) <= most)) most = std::isnan(sizes(i)) ? INFINITY : std::abs(sizes(i));
   }
-  ContactVector all(sizes.size());
-  for (int i = 0; i < static_cast<int>(sizes.size()); ++i) all(i) = of_group(group_[as(i)]);
+  for (Eigen::Index i = 0; i < sizes.size(); ++i) all(i) = of_group(group(i));
+  return all;
+}
+
+ContactVector ContactScale::sums(const ContactVector& parts) const noexcept {
+  ContactVector of_group = ContactVector::Zero(parts.size()), all(parts.size());
+  for (Eigen::Index i = 0; i < parts.size(); ++i) of_group(group(i)) += parts(i);
+  for (Eigen::Index i = 0; i < parts.size(); ++i) all(i) = of_group(group(i));
   return all;
 }
 

@@ -33,8 +33,12 @@ class ContactScale {
     return largest(u.cwiseQuotient(units_)).cwiseProduct(units_);
   }
 
+  /// For each row, the sum over the rows of its group.
+  [[nodiscard]] ContactVector sums(const ContactVector& parts) const noexcept;
+
  private:
   static std::size_t as(int i) noexcept { return static_cast<std::size_t>(i); }
+  [[nodiscard]] int group(Eigen::Index row) const noexcept { return group_[static_cast<std::size_t>(row)]; }
   void join(int row, int other) noexcept;
   [[nodiscard]] ContactVector largest(const ContactVector& sizes) const noexcept;
 

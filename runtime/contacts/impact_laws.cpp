@@ -132,6 +132,16 @@ void sequential(const ContactProblem& problem, std::span<const double> restituti
   if (next_to_close(problem, sizes, result.w) >= 0) result.verdict = ContactVerdict::none;  // no end of collisions
 }
 
+// T- - T+ = -P · (w- + w+)/2, known to what the solver asks of w+ = W P + w-. Bodies that do not act on each other have each
+// their own: what one loses is no other's to gain.
+void count_energy(const ContactProblem& problem, ImpactResult& result) noexcept {
+  const ContactScale scale(problem);
+  const ContactVector lost = -result.P.cwiseProduct(problem.q + result.w) / 2;
+  const ContactVector terms = result.P.cwiseAbs().cwiseProduct(problem.W.cwiseAbs() * result.P.cwiseAbs() + problem.q.cwiseAbs());
+  result.lost = lost.sum();
+  result.gains = !(scale.sums(lost).array() >= -1e-12 * scale.sums(terms).array()).all();
+}
+
 }  // namespace
 
 ImpactResult impact(const ContactProblem& problem, std::span<const double> restitution, ImpactLaw law) noexcept {
@@ -153,6 +163,7 @@ ImpactResult impact(const ContactProblem& problem, std::span<const double> resti
       sequential(problem, restitution, result);
       break;
   }
+  if (result.applies && result.verdict != ContactVerdict::none) count_energy(problem, result);
   return result;
 }
 

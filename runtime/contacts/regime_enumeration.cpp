@@ -230,50 +230,76 @@ bool RegimeEnumeration::turn_to_slip(Regimes& regimes) noexcept {
   return false;
 }
 
-void RegimeEnumeration::accept(const Regimes& regimes) noexcept {
+void RegimeEnumeration::accept(Regimes regimes) noexcept {
   RegimeSystem system(problem_, scale_, regimes);
   if (!system.solve()) return;
   const RegimeInequalities inequalities(problem_, scale_, system);
   ContactVector r = system.reactions(), u = problem_.W * r + problem_.q;
-  constexpr double slack = 1e-12;
-  bool indeterminate = false, moves = false;
+  Family family;
   if (system.kernel().cols() > 0) {
-    // Reactions inside all bounds leave room for others; where only the bounds fit, they are taken as they are. Those
-    // farthest inside are looked for: they will do for longest.
-    const ContactVector start = system.x();
-    RegimeInequalities::Room room;
-    const auto fits = [&](double margin) {
-      system.x() = start;
-      room = inequalities.find(system, margin);
-      return room.holds;
-    };
-    bool found = fits(1e-2);
-    if (!found && fits(0)) {
-      double margin = 1e-3;
-      while (margin > 1e-12 && !fits(margin)) margin /= 10;
-      found = margin > 1e-12 || fits(0);
-    }
-    if (found) {
+    family = look_inside(system, inequalities);
+    if (family.found) {
       r = system.reactions();
       u = problem_.W * r + problem_.q;
-      // Bounds may leave one place alone, as of slips that any other reactions would turn against their direction.
-      for (double margin = 1e-2; !room.inside && margin > 1e-5;) fits(margin /= 10);
-      indeterminate = room.holds && room.inside;
-      const ContactMatrix change = problem_.W * (system.B() * system.kernel());
-      for (Eigen::Index k = 0; indeterminate && k < change.cols(); ++k) {
-        const ContactVector forces = system.B() * system.kernel().col(k);
-        moves = moves || largest_part(change.col(k), scale_.motions(problem_.W.cwiseAbs() * forces.cwiseAbs())) > 1e-9;
-      }
     }
   }
   if (!inequalities.hold(r, u, slack)) return;
+  if (family.found && count_sought(regimes) > 0) follow_slips(regimes, r, u);
   ContactSolution solution;
-  solution.indeterminate = indeterminate;
-  solution.moves = moves;
+  solution.indeterminate = family.indeterminate;
+  solution.moves = family.moves;
   tidy(regimes, r, u, solution);
   if (!(solution.residual <= 1e-9)) return;
-  moves_ = moves_ || moves;
+  moves_ = moves_ || family.moves;
   add(solution);
+}
+
+// Reactions inside all bounds leave room for others; where only the bounds fit, they are taken as they are. Those
+// farthest inside are looked for: they will do for longest.
+RegimeEnumeration::Family RegimeEnumeration::look_inside(RegimeSystem& system, const RegimeInequalities& inequalities) const noexcept {
+  const ContactVector start = system.x();
+  RegimeInequalities::Room room;
+  const auto fits = [&](double margin) {
+    system.x() = start;
+    room = inequalities.find(system, margin);
+    return room.holds;
+  };
+  Family family;
+  family.found = fits(1e-2);
+  if (!family.found && fits(0)) {
+    double margin = 1e-3;
+    while (margin > 1e-12 && !fits(margin)) margin /= 10;
+    family.found = margin > 1e-12 || fits(0);
+  }
+  if (!family.found) return family;
+  // Bounds may leave one place alone, as of slips that any other reactions would turn against their direction.
+  const ContactVector farthest = system.x();
+  for (double margin = 1e-2; !room.inside && margin > 1e-5;) fits(margin /= 10);
+  family.indeterminate = room.holds && room.inside;
+  system.x() = farthest;
+  const ContactMatrix change = problem_.W * (system.B() * system.kernel());
+  for (Eigen::Index k = 0; family.indeterminate && k < change.cols(); ++k) {
+    const ContactVector forces = system.B() * system.kernel().col(k);
+    family.moves = family.moves || largest_part(change.col(k), scale_.motions(problem_.W.cwiseAbs() * forces.cwiseAbs())) > 1e-9;
+  }
+  return family;
+}
+
+// Other reactions of a family move what slips by rounding, over small slips by more: directions follow, or stay where
+// the bounds do not hold then.
+void RegimeEnumeration::follow_slips(Regimes& regimes, ContactVector& r, ContactVector& u) const noexcept {
+  Regimes turned = regimes;
+  PerContact<bool> sought{};
+  for (int i = 0; i < problem_.count; ++i) sought[as(i)] = turned[as(i)].direction_sought;
+  if (!align_slips(problem_, turned, sought, {}, r)) return;
+  RegimeSystem system(problem_, scale_, turned);
+  if (!system.solve()) return;
+  system.approach(r);
+  const ContactVector reactions = system.reactions(), motion = problem_.W * reactions + problem_.q;
+  if (!RegimeInequalities(problem_, scale_, system).hold(reactions, motion, slack)) return;
+  regimes = turned;
+  r = reactions;
+  u = motion;
 }
 
 // What the laws give without rounding is put in place: no negative force, none outside its bound, u = 0 where it

@@ -3,6 +3,7 @@
 #include <cstddef>
 
 #include "torsor/runtime/contacts/contact_scale.hpp"
+#include "torsor/runtime/contacts/regime_inequalities.hpp"
 #include "torsor/runtime/contacts/regime_system.hpp"
 
 namespace torsor::runtime {
@@ -28,6 +29,14 @@ class RegimeEnumeration {
   [[nodiscard]] ContactAnswer finish() noexcept;
 
  private:
+  /// What the kernel of a system allows besides one solution.
+  struct Family {
+    bool found = false;          ///< the system holds one that fits
+    bool indeterminate = false;  ///< with others around it
+    bool moves = false;          ///< which give other motions
+  };
+  static constexpr double slack = 1e-12;  ///< of the sizes, for what has to hold
+
   [[nodiscard]] bool ends(const ContactSolution& one, const ContactSolution& other) const noexcept;
   static std::size_t as(int i) noexcept { return static_cast<std::size_t>(i); }
 
@@ -40,7 +49,9 @@ class RegimeEnumeration {
   void try_all_directions(Regimes& regimes) noexcept;
   [[nodiscard]] bool try_all_pairs(Regimes& regimes) noexcept;
   [[nodiscard]] bool turn_to_slip(Regimes& regimes) noexcept;
-  void accept(const Regimes& regimes) noexcept;
+  void accept(Regimes regimes) noexcept;
+  [[nodiscard]] Family look_inside(RegimeSystem& system, const RegimeInequalities& inequalities) const noexcept;
+  void follow_slips(Regimes& regimes, ContactVector& r, ContactVector& u) const noexcept;
   void tidy(const Regimes& regimes, ContactVector& r, ContactVector& u, ContactSolution& solution) const noexcept;
   void add(const ContactSolution& solution) noexcept;
 

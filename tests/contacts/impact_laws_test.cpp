@@ -71,6 +71,33 @@ TEST(ImpactLaw, OfNewtonAndMoreauStrikesAllContactsAtOnce) {
   expect_velocities(strike({{1, 1, 1}, {1, 0, 0}}, {0.5, 0.5}, law, true), {0, 0.5, 0.5});
 }
 
+// A body whose slip turns round while e = 1 gains: N + 0.8 T = 2, T = -0.1 N, so that -P · (w- + w+)/2 = -0.0520... Another one, that
+// does not act on it, loses 1/2.
+TEST(ImpactLaw, OfNewtonAndMoreauMayGiveEnergyToOneBodyWhileAnotherLosesMore) {
+  ContactProblem problem;
+  problem.count = 1;
+  problem.laws[0] = coulomb(1, 0.1);
+  problem.W = Eigen::MatrixXd{{1, 0.8}, {0.8, 1}};
+  problem.q = Eigen::VectorXd{{-1.0, -1.0}};
+  const Restitutions e{1, 0};
+  const ImpactResult alone = impact(problem, e);
+  const double N = 2 / (1 - 0.08), T = -0.1 * N, after = -1 + 0.8 * N + T;
+  EXPECT_NEAR(alone.lost, -T * (after - 1) / 2, 1e-15);
+  EXPECT_LT(alone.lost, -0.05);
+  EXPECT_TRUE(alone.gains);
+  problem.count = 2;
+  problem.laws[1] = coulomb(0, 0);
+  problem.W = Eigen::MatrixXd{{1, 0.8, 0}, {0.8, 1, 0}, {0, 0, 1}};
+  problem.q = Eigen::VectorXd{{-1.0, -1.0, -1.0}};
+  const ImpactResult both = impact(problem, e);
+  EXPECT_NEAR(both.lost, alone.lost + 0.5, 1e-15);
+  EXPECT_TRUE(both.gains);
+  problem.laws[0] = coulomb(0, 0);
+  problem.W = Eigen::MatrixXd{{1, 0}, {0, 1}};
+  problem.q = Eigen::VectorXd{{-1.0, -1.0}};
+  EXPECT_FALSE(impact(problem, e).gains);
+}
+
 TEST(ImpactLaw, OfPoissonGivesBackAPartOfTheImpulseOfCompression) {
   const ImpactLaw law = ImpactLaw::poisson;
   expect_velocities(strike({{1, 1, 1}, {1, 0, 0}}, {0.5, 0.5}, law), {0, 0.5, 0.5});
