@@ -181,7 +181,9 @@ void ContactAutomaton::set_by_slip(int i, double at_rest) noexcept {
 // Contacts that stick have no velocity from now on: a slip that begins does so from rest.
 bool ContactAutomaton::settle(int contact) {
   motion_.changed();
-  return motion_.project(result_.time, y_) == Evaluation::ok || end(ContactStatus::integration_failed, contact);
+  if (motion_.project(result_.time, y_) != Evaluation::ok) return end(ContactStatus::integration_failed, contact);
+  motion_.follow_slips(result_.time, y_);
+  return true;
 }
 
 // The law by which the regime that follows is decided: a slip has its direction, one that begins has none yet.
@@ -336,6 +338,7 @@ bool ContactAutomaton::pass(std::size_t index, double t, std::span<double> y) {
   y_ = y;
   has_event_ = false;
   motion_.leave_change_point();
+  motion_.follow_slips(t, y);
   ends_too_.fill(false);
   if (index == guards * bounces_.size()) return pass_singular();
   const int contact = static_cast<int>(index / guards);

@@ -40,7 +40,12 @@ Evaluation ContactExchange::indicators(double t, std::span<const double> y, std:
   return Evaluation::ok;
 }
 
-Evaluation ContactExchange::complete(double t, std::span<double> y) { return automaton_.motion().project(t, y); }
+Evaluation ContactExchange::complete(double t, std::span<double> y) {
+  ContactMotion& motion = automaton_.motion();
+  const Evaluation projected = motion.project(t, y);
+  if (projected == Evaluation::ok) motion.follow_slips(t, y);
+  return projected;
+}
 
 // A gap below zero that opens has had its event.
 bool ContactExchange::falls(std::size_t index, double t, std::span<const double> y) {

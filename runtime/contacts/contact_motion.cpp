@@ -69,6 +69,7 @@ bool ContactMotion::any_touches() const noexcept {
 
 Evaluation ContactMotion::project_positions(double t, std::span<double> y, int steps) {
   const bool touches = any_touches();
+  mechanism_.normalise(y);  // gaps are those of unit quaternions
   for (int step = 0; step < steps; ++step) {
     if (!read(t, y) || (touches && !respond())) return Evaluation::singular;
     double worst = loops_off();
@@ -112,10 +113,7 @@ Evaluation ContactMotion::project(double t, std::span<double> y, int steps) {
   change_ = dynamics_.closing_rate;
   add_least_change();
   for (int i = 0; i < sizes_.velocities; ++i) y[as(sizes_.coordinates + i)] += change_(i);
-  if (!read(t, y)) return Evaluation::singular;
-  follow_directions();
-  changed();
-  return Evaluation::ok;
+  return read(t, y) ? Evaluation::ok : Evaluation::singular;
 }
 
 double ContactMotion::loops_off() const {
@@ -440,7 +438,8 @@ Evaluation ContactMotion::align(double t, std::span<const double> y, const Conta
   return align_slips(problem, regimes, begins, across, held_) ? Evaluation::ok : Evaluation::singular;
 }
 
-void ContactMotion::follow_directions() noexcept {
+void ContactMotion::follow_slips(double t, std::span<const double> y) {
+  if (!read(t, y)) return;
   for (int i = 0; i < count(); ++i) {
     if (!at(i).touches || at(i).regime != ContactRegime::slides || rule(i).tangents == 0) continue;
     ContactState& state = states[as(i)];
@@ -449,6 +448,7 @@ void ContactMotion::follow_directions() noexcept {
     // Near its end the slip has no direction of its own that is worth following.
     if (rule(i).tangents == 2 && now > slow(i) && !state.begins) state.direction = direction(i);
   }
+  changed();
 }
 
 // Rows of touching contacts for which `wanted` says so.

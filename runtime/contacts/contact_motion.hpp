@@ -32,6 +32,9 @@ class ContactMotion {
   /// Loops, gaps of closed contacts, their velocities and those of sticking ones back to zero, in at most `steps` steps
   /// of Newton's method.
   [[nodiscard]] Evaluation project(double t, std::span<double> y, int steps = 3);
+  /// A step has ended at (t, y): slips have the directions that they have there. Within a step they are compared with those of
+  /// its start. Where the state cannot be read nothing follows.
+  void follow_slips(double t, std::span<const double> y);
   /// The same of loops and gaps alone.
   [[nodiscard]] Evaluation project_positions(double t, std::span<double> y, int steps);
 
@@ -154,7 +157,6 @@ class ContactMotion {
   [[nodiscard]] Evaluation align(double t, std::span<const double> y, const ContactProblem& problem, Regimes& regimes,
                                  const PerContact<bool>& begins);
   [[nodiscard]] ContactProblem problem_of(const ContactReading& reading, const ContactDynamics& dynamics) const;
-  void follow_directions() noexcept;
   [[nodiscard]] double blur(int i) const noexcept;
   void note_undetermined(const RegimeSystem& equations, const ContactScale& scale) noexcept;
   template <class Wanted>

@@ -80,8 +80,10 @@ class ContactRun {
   using Watch = Guard<Value, End>;
   using Watches = EventArray<Watch, contacts * ContactAutomaton::guards + 1>;
   struct Steps {
+    ContactMotion& motion;
     Observer& observer;
     bool operator()(const double& t, const Vector& y) const {
+      motion.follow_slips(t, y);
       if constexpr (std::is_invocable_v<Observer&, const double&, const Vector&>) return notify(observer, t, y);
       return true;
     }
@@ -97,8 +99,8 @@ class ContactRun {
     events.options.by_stepping = true;
     ContactResult& result = automaton_.result();
     Smooth smooth{automaton_.motion()};
-    const auto piece =
-        integrate_with_events(smooth, y_, result.time, t1, method_, events, IgnoreSteps{}, Steps{observer_});
+    const auto piece = integrate_with_events(smooth, y_, result.time, t1, method_, events, IgnoreSteps{},
+                                             Steps{automaton_.motion(), observer_});
     result.time = piece.time;
     Statistics all = result.integration.statistics;
     all += piece.integration.statistics;

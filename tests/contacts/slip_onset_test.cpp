@@ -227,6 +227,36 @@ TEST(SlipOnset, IsNotSeenWhereASlipPassesZeroAtADistance) {
   EXPECT_NEAR(y[3], (weight - friction) * (1 - events[0].time), 1e-12);
 }
 
+/// A particle on a level plane, drawn to the origin by a spring of 1 N/m: q = (x, y, z).
+ByHand<3, 3, 1> particle_on_spring(double f) {
+  return {{ContactRule{.tangents = 2, .friction = f}}, [](double, const auto& y, auto& r) {
+            r.M.setIdentity();
+            r.F << -y[0], -y[1], -g;
+            r.gap[0] = y[2];
+            r.J << 0, 0, 1, 1, 0, 0, 0, 1, 0;
+            r.w << y[5], y[3], y[4];
+            r.drift.setZero();
+          }};
+}
+
+// On a flat ellipse the slip turns by almost half a turn within one step, and passes zero at the distance b.
+TEST(SlipOnset, IsNoneWhereASlipTurnsRoundWithinAStep) {
+  for (const double b : {0.5, 1e-2, 1e-4}) {
+    std::array<double, 6> y{1, 0, 0, 0, b, 0};
+    const auto events = move(particle_on_spring(0), y, 0, 20);
+    EXPECT_TRUE(events.empty()) << b;
+    EXPECT_NEAR(y[0], std::cos(20.0), 1e-11) << b;
+    EXPECT_NEAR(y[1], b * std::sin(20.0), 1e-11) << b;
+    for (const double f : {1e-8, 1e-4, 1e-3}) {
+      const auto rubbed = particle_on_spring(f);
+      std::array<double, 6> start{1, 0, 0, 0, b, 0}, slides = start;
+      EXPECT_TRUE(move(rubbed, slides, 0, 3).empty() || b < 0.1) << b << ' ' << f;
+      const auto exact = slide_from(rubbed, start, {}, 0, 3);
+      for (std::size_t i = 0; i < 6; ++i) EXPECT_NEAR(slides[i], exact[i], 1e-10) << b << ' ' << f << ' ' << i;
+    }
+  }
+}
+
 // Where the slope holds it, a block thrown in any direction comes to rest on it and stays.
 TEST(SlipOnset, DoesNotFollowWhereASlopeHolds) {
   for (const double angle : {0.4, 3.1}) {
