@@ -265,7 +265,7 @@ RegimeEnumeration::Family RegimeEnumeration::look_inside(RegimeSystem& system, c
     return room.holds;
   };
   Family family;
-  family.found = fits(1e-2);
+  family.found = fits(0.1);
   if (!family.found && fits(0)) {
     double margin = 1e-3;
     while (margin > 1e-12 && !fits(margin)) margin /= 10;
@@ -274,7 +274,7 @@ RegimeEnumeration::Family RegimeEnumeration::look_inside(RegimeSystem& system, c
   if (!family.found) return family;
   // Bounds may leave one place alone, as of slips that any other reactions would turn against their direction.
   const ContactVector farthest = system.x();
-  for (double margin = 1e-2; !room.inside && margin > 1e-5;) fits(margin /= 10);
+  for (double margin = 0.1; !room.inside && margin > 1e-5;) fits(margin /= 10);
   family.indeterminate = room.holds && room.inside;
   system.x() = farthest;
   const ContactMatrix change = problem_.W * (system.B() * system.kernel());

@@ -100,24 +100,28 @@ RegimeInequalities::Room RegimeInequalities::find(RegimeSystem& system, double m
       if (law.normal && assumed.pressed) add(r(k), force(k), R.row(k).transpose());
       if (law.normal && !assumed.pressed) add(u(k), motion(k), U.row(k).transpose());
       if (assumed.friction == Friction::sticks) {
-        double length = 0;
+        // |T| has a kink at 0, where Newton's method would stay: a hyperboloid over its cone has none.
+        const double size = of_friction(i, force);
+        double length = margin * size / 4;
         for (int j = 0; j < law.tangents; ++j) length = std::hypot(length, r(t + j));
         const int pressing = problem_.pressing_row(i);
         const double N = problem_.pressing(i, r);
-        const double left = law.static_friction * N + law.static_bound - length, size = of_friction(i, force);
+        const double left = law.static_friction * N + law.static_bound - length;
         const double missing = margin - left / size;
         if (!(size > 0 && missing > 0)) continue;
-        ContactVector row = ContactVector::Zero(n);
+        ContactVector row = ContactVector::Zero(n), turn = row;
         if (pressing >= 0) row += law.static_friction * R.row(pressing).transpose();
         const auto bearing = problem_.bearing(i, r);
         for (int j = 0, own = problem_.bearing_row(i); j < law.bearing && N > 0; ++j, ++own) {
           row += law.static_friction * bearing[as(j)] / N * (problem_.S.row(own) * R).transpose();
         }
-        for (int j = 0; j < law.tangents && length > 0; ++j) row -= r(t + j) / length * R.row(t + j).transpose();
+        for (int j = 0; j < law.tangents && length > 0; ++j) turn += r(t + j) / length * R.row(t + j).transpose();
+        row -= turn;
         add(left, size, row);
-        if (slopes && law.tangents == 2 && length > 0) {
-          const ContactVector across = (r(t) * R.row(t + 1) - r(t + 1) * R.row(t)).transpose() / length;
-          hessian += missing / (length * size) * across * across.transpose();
+        if (slopes && length > 0) {
+          const double bends = missing / (length * size);
+          for (int j = 0; j < law.tangents; ++j) hessian += bends * R.row(t + j).transpose() * R.row(t + j);
+          hessian -= bends * turn * turn.transpose();
         }
       }
       if (assumed.friction == Friction::slides && !assumed.direction_given) {
@@ -132,20 +136,31 @@ RegimeInequalities::Room RegimeInequalities::find(RegimeSystem& system, double m
     }
     return sum;
   };
-  double now = value(z, true);
-  for (int step = 0; step < 60 && now > 0; ++step) {
-    hessian.diagonal() *= 1 + 1e-12;
-    const ContactVector change = hessian.ldlt().solve(gradient);
-    const double slope = gradient.dot(change);
-    if (!(slope > 0) || !change.allFinite()) break;
-    double part = 1, next = value(z - change, false);
-    while (part > 1e-8 && !(next <= now - 0.25 * part * slope)) {
-      part /= 2;
-      next = value(z - part * change, false);
+  // What nothing misses has no curvature, and there may be more of it than of what is missed: a part of the largest curvature
+  // is added in all directions, more where a step then leads nowhere.
+  double now = value(z, true), added = 1e-9;
+  for (int step = 0; step < 100 && now > 0; ++step) {
+    const double largest = hessian.diagonal().maxCoeff();
+    ContactVector change;
+    double slope = 0, part = 1, next = now;
+    for (; added <= 1; added *= 1000) {
+      ContactMatrix damped = hessian;
+      damped.diagonal().array() += added * largest;
+      change = damped.ldlt().solve(gradient);
+      slope = gradient.dot(change);
+      if (!(slope > 0) || !change.allFinite()) continue;
+      part = 1;
+      next = value(z - change, false);
+      while (part > 1e-3 && !(next <= now - 0.25 * part * slope)) {
+        part /= 2;
+        next = value(z - part * change, false);
+      }
+      if (next < now) break;
     }
     if (!(next < now)) break;
     z -= part * change;
     now = value(z, true);
+    added = std::max(1e-12, added / 1000);
   }
   system.x() = start + Z * z;
   const ContactVector r = system.reactions();

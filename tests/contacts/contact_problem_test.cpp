@@ -4,9 +4,11 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <random>
 #include <numbers>
 
 #include "torsor/runtime/contacts/contact_solver.hpp"
+#include "torsor/runtime/contacts/regime_enumeration.hpp"
 
 namespace contact_problem_test {
 namespace {
@@ -150,6 +152,39 @@ TEST(BoxAtRest, HasOneMotionAndManyReactions) {
     EXPECT_EQ(answer.verdict, ContactVerdict::indeterminate);
     EXPECT_LE(answer.best().u.norm(), 1e-15);
     EXPECT_NEAR(answer.best().r(0) + answer.best().r(3) + answer.best().r(6) + answer.best().r(9), weight, 1e-13);
+  }
+}
+
+// A box that lands flat stops where impulses within their cones can stop it: those are drawn, and q = -W r is what they stop.
+TEST(BoxThatLands, StopsWhereImpulsesCanStopIt) {
+  constexpr double a = 0.15, b = 0.1, c = 0.05, friction = 0.8;
+  const Eigen::DiagonalMatrix<double, 6> inverse(
+      Eigen::Vector<double, 6>{1, 1, 1, 3 / (b * b + c * c), 3 / (a * a + c * c), 3 / (a * a + b * b)});
+  std::mt19937 source(1);
+  std::uniform_real_distribution<double> part(0, 1);
+  for (int draw = 0; draw < 500; ++draw) {
+    SCOPED_TRACE(draw);
+    ContactProblem problem;
+    problem.count = 4;
+    Eigen::Matrix<double, 12, 6> J;
+    Eigen::Vector<double, 12> r;
+    RegimeSystem::Regimes sticking{};
+    for (int k = 0; k < 4; ++k) {
+      const double x = k < 2 ? -a : a, y = k % 2 == 0 ? -b : b, N = part(source), angle = 7 * part(source);
+      const double T = 0.9 * friction * N * part(source);
+      J.middleRows<3>(3 * k) << 0, 0, 1, y, -x, 0, 1, 0, 0, 0, -c, -y, 0, 1, 0, c, 0, x;
+      r.segment<3>(3 * k) << N, T * std::cos(angle), T * std::sin(angle);
+      problem.laws[static_cast<std::size_t>(k)] = coulomb(2, friction);
+      sticking[static_cast<std::size_t>(k)] = {.pressed = true, .friction = AssumedRegime::Friction::sticks};
+    }
+    problem.W = J * inverse * J.transpose();
+    problem.q = -problem.W * r;
+    RegimeEnumeration regimes(problem);
+    ASSERT_TRUE(regimes.try_from(sticking));
+    const ContactAnswer answer = regimes.finish();
+    EXPECT_EQ(answer.verdict, ContactVerdict::indeterminate);
+    EXPECT_EQ(answer.best().u.norm(), 0);
+    EXPECT_LE(answer.best().residual, 1e-13);
   }
 }
 
