@@ -114,7 +114,7 @@ bool ContactAutomaton::begin(double t, Gaps gaps) {
   if (!motion_.read(t, y_)) return end(ContactStatus::integration_failed, -1);
   const double off = motion_.loops_off();
   if (motion_.project(t, y_, 30) != Evaluation::ok || !motion_.read(t, y_)) {
-    return end(ContactStatus::integration_failed, -1);
+    return have_points() && end(ContactStatus::integration_failed, -1);
   }
   if (!motion_.loops_closed(off)) return end(ContactStatus::open_loops, -1);
   for (int i = 0; i < count(); ++i) {
@@ -131,8 +131,10 @@ bool ContactAutomaton::begin(double t, Gaps gaps) {
   bool approaches = false;
   int first = 0;
   for (int i = count(); i-- > 0;) {
-    const bool normal = motion_.rule(i).normal;
-    if (normal && touching_[as(i)] && motion_.reading().w(motion_.first_row(i)) < -options_.at_rest) {
+    if (!motion_.rule(i).normal || !touching_[as(i)]) continue;
+    const double w = motion_.reading().w(motion_.first_row(i));
+    motion_.states[as(i)].touches = std::abs(w) <= options_.at_rest;
+    if (w < -options_.at_rest) {
       approaches = true;
       first = i;
     }

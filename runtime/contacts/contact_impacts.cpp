@@ -57,9 +57,10 @@ bool ContactAutomaton::collide(int cause, bool rests, ImpactLaw impact_law) {
   const Eigen::MatrixXd& W = motion_.W();  // asked for first: `rounding_of` takes what loops answer from it
   ContactVector before = motion_.reading().w;
   for (int k = 0; k < chosen.problem.count; ++k) {
-    const int n = motion_.first_row(chosen.who[as(k)]);
-    // One that rests does not strike by what rounding leaves of its velocity.
-    if (chosen.problem.law(k).normal && std::abs(before(n)) <= 64 * motion_.rounding_of(n)) before(n) = 0;
+    const int i = chosen.who[as(k)], n = motion_.first_row(i);
+    // One that rests does not strike by what rounding leaves of its velocity, whatever moved a moment ago.
+    const bool rests_already = motion_.states[as(i)].touches || std::abs(before(n)) <= 64 * motion_.rounding_of(n);
+    if (chosen.problem.law(k).normal && rests_already) before(n) = 0;
   }
   chosen.fill(W, before, motion_.dynamics().S, Eigen::VectorXd::Zero(motion_.first_bearing(count())));
   const ContactProblem& problem = chosen.problem;
@@ -72,13 +73,20 @@ bool ContactAutomaton::collide(int cause, bool rests, ImpactLaw impact_law) {
   impulses_ = chosen.spread(shock.P, motion_.rows());
   energy_lost_ = shock.lost;
   if (shock.gains) return end(ContactStatus::energy_gained, cause);
-  // What rounding leaves of a slip that the impact ends is a part of the velocities before.
+  // What rounding leaves of a velocity that the impact ends is a part of the velocities before.
+  const auto rounding_after = [&](int row) {
+    const double change = W.row(row).cwiseAbs().dot(impulses_.cwiseAbs());
+    return motion_.rounding_of(row) + std::numeric_limits<double>::epsilon() * change;
+  };
   PerContact<double> rounding{};
+  PerContact<bool> rests_on{};
+  for (int k = 0; k < problem.count; ++k) {
+    const int i = chosen.who[as(k)], n = problem.first_row(k);
+    // A contact that rested and is not pressed by the impact has what rounding leaves of its velocity: it has not opened.
+    rests_on[as(i)] = problem.law(k).normal && problem.q(n) == 0 && shock.w(n) <= 64 * rounding_after(motion_.first_row(i));
+  }
   for (int i = 0; i < count(); ++i) {
-    if (motion_.rule(i).tangents == 0) continue;
-    const int t = motion_.tangent_row(i);
-    const double change = motion_.W().row(t).cwiseAbs().dot(impulses_.cwiseAbs());
-    rounding[as(i)] = motion_.rounding_of(t) + std::numeric_limits<double>::epsilon() * change;
+    if (motion_.rule(i).tangents > 0) rounding[as(i)] = rounding_after(motion_.tangent_row(i));
   }
   motion_.add_answer(impulses_, y_);
   ++result_.impacts;
@@ -90,7 +98,7 @@ bool ContactAutomaton::collide(int cause, bool rests, ImpactLaw impact_law) {
     if (by < 0) continue;
     // What is left of an accumulation's velocity is rounding: projection takes it away.
     motion_.states[as(i)].touches =
-        by != i ? motion_.states[as(by)].touches : shock.closed[as(k)] || (rests && accumulating(i));
+        by != i ? motion_.states[as(by)].touches : shock.closed[as(k)] || rests_on[as(i)] || (rests && accumulating(i));
     set_by_slip(i, shock.sticks[as(k)] ? std::numeric_limits<double>::infinity() : 0);
   }
   if (rests) {

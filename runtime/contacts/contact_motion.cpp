@@ -346,7 +346,7 @@ double ContactMotion::youth(int i, double t) const noexcept {
   if (rule(i).tangents < 2) return enough - s;
   // Both as parts of their bounds: rounding is then alike on either side of where they are equal.
   const double turned = across_[as(i)] * lag_[as(i)] * (t - at(i).begun) / 5;
-  return 1 - std::min(std::abs(turned) / 1e-15, s / enough);
+  return 1 - std::min(std::abs(turned) / (absolute_ / 128), s / enough);
 }
 
 double ContactMotion::pressing(int i) const noexcept {
@@ -400,8 +400,9 @@ double ContactMotion::rounding_of_gap(int i) const noexcept {
   return rounding_of_position(reading_.J.row(first_row(i)), y_, sizes_);
 }
 
-// Directions of slips that have just begun, to first order in the slip: the rate of those of order zero is taken over a
-// microsecond of the motion, long against rounding and short against the motion.
+// Directions of slips that have just begun, to first order in the slip: the rate of those of order zero is taken over a part of the
+// time s/s' that the slip has lasted, or that is left of it. Rounding ε of a direction is then ε of its acceleration, and what the
+// rate itself changes in that time is of second order in the slip.
 Evaluation ContactMotion::align(double t, std::span<const double> y, const ContactProblem& problem, Regimes& regimes,
                                 const PerContact<bool>& begins) {
   PerContact<double> across{};
@@ -413,7 +414,17 @@ Evaluation ContactMotion::align(double t, std::span<const double> y, const Conta
   change_ = dynamics_.a0;
   change_.noalias() += dynamics_.KJ * equations.reactions();
   const ContactVector u = equations.motion();
-  constexpr double later = 1e-6;
+  const ContactVector sizes = scale.motions(problem.W.cwiseAbs() * equations.reactions().cwiseAbs() + problem.q.cwiseAbs());
+  double later = 0;
+  for (int i = 0; i < count(); ++i) {
+    if (!begins[as(i)]) continue;
+    const auto& d = regimes[as(i)].direction;
+    const int k = tangent_row(i);
+    const double speed = std::abs(d[0] * reading_.w(k) + d[1] * reading_.w(k + 1)), size = std::max(sizes(k), sizes(k + 1));
+    const double rate = std::max(std::abs(d[0] * u(k) + d[1] * u(k + 1)), size / 1024);
+    if (rate > 0) later = std::max(later, speed / rate / 16);
+  }
+  if (!(later > 0)) later = std::numeric_limits<double>::min();
   there_.assign(y.begin(), y.end());
   mechanism_.coordinate_rates(t, y, rates_);
   for (std::size_t i = 0; i < rates_.size(); ++i) there_[i] += later * rates_[i];

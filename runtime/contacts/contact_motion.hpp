@@ -83,8 +83,8 @@ class ContactMotion {
   /// A slip below which one that had a speed nears its end.
   [[nodiscard]] double slow(int i) const noexcept;
   /// Falls through zero where a slip that began has got a speed from which equations with d = w_T/|w_T| go on: where
-  /// second order in s would have turned it by more than 10⁻¹⁵ m/s since. Falls through zero too where a slip that had a
-  /// speed nears its end, or has got one again.
+  /// second order in s would have turned it by more than a hundredth of the method's tolerance since. Falls through zero too
+  /// where a slip that had a speed nears its end, or has got one again.
   [[nodiscard]] double youth(int i, double t) const noexcept;
   /// N that presses a contact, or |R| of its joint.
   [[nodiscard]] double pressing(int i) const noexcept;

@@ -22,10 +22,12 @@ class ContactIteration {
   ContactIteration(const ContactProblem& problem, const ContactVector& start, const ContactSolverOptions& options) noexcept
       : problem_(problem), scale_(problem), options_(options), r_(start) {}
 
+  /// Whether what the start proposes holds: what held in the step before holds in most.
+  [[nodiscard]] bool holds(RegimeEnumeration& regimes) const noexcept { return !r_.isZero(0) && regimes.try_from(proposed()); }
+
   [[nodiscard]] ContactAnswer run() noexcept {
     RegimeEnumeration regimes(problem_);
-    // What held in the step before holds in most.
-    if (!r_.isZero(0) && regimes.try_from(proposed())) return regimes.finish();
+    if (holds(regimes)) return regimes.finish();
     mark();
     for (int attempt = 0; attempt < options_.attempts; ++attempt) {
       for (int sweep = 0; sweep < options_.sweeps; ++sweep) {
@@ -202,6 +204,19 @@ int slips_sought(const ContactProblem& problem) noexcept {
 ContactAnswer iterate_contacts(const ContactProblem& problem, const ContactVector& start,
                                const ContactSolverOptions& options) noexcept {
   return ContactIteration(problem, start, options).run();
+}
+
+ContactAnswer go_on_contacts(const ContactProblem& problem, const ContactVector& start,
+                             const ContactSolverOptions& options) noexcept {
+  if (problem.count > options.enumerated) return iterate_contacts(problem, start, options);
+  // Sweeps may take thousands to settle, or go round for ever, where to try all regimes takes as long as some ten.
+  RegimeEnumeration regimes(problem);
+  const bool few = tries_all(problem) && regimes.combinations() <= 256;
+  if (few && ContactIteration(problem, start, options).holds(regimes)) return regimes.finish();
+  ContactSolverOptions short_options = options;
+  short_options.attempts = std::min(options.attempts, 4);
+  const ContactAnswer answer = few ? ContactAnswer{} : iterate_contacts(problem, start, short_options);
+  return answer ? answer : solve_contacts(problem, options);
 }
 
 ContactAnswer solve_contacts(const ContactProblem& problem, const ContactSolverOptions& options) noexcept {

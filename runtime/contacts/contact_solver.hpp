@@ -23,4 +23,9 @@ struct ContactSolverOptions {
 [[nodiscard]] ContactAnswer iterate_contacts(const ContactProblem& problem, const ContactVector& start,
                                              const ContactSolverOptions& options = {}) noexcept;
 
+/// The same from reactions of an earlier instant, in whichever way is shortest: what held then, all regimes where they are few,
+/// sweeps, and all regimes where those find nothing.
+[[nodiscard]] ContactAnswer go_on_contacts(const ContactProblem& problem, const ContactVector& start,
+                                           const ContactSolverOptions& options = {}) noexcept;
+
 }  // namespace torsor::runtime

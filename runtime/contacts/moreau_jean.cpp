@@ -76,8 +76,7 @@ bool MoreauJean::move_through(double t, double h, std::span<double> y) {
   impulses_.setZero(rows());
   residual_ = 0;
   if (chosen.problem.count > 0) {
-    ContactAnswer answer = iterate_contacts(chosen.problem, start);
-    if (!answer && chosen.problem.count <= ContactSolverOptions{}.enumerated) answer = solve_contacts(chosen.problem);
+    const ContactAnswer answer = go_on_contacts(chosen.problem, start);
     if (!answer) return end(ContactStatus::no_solution);
     residual_ = answer.best().residual;
     impulses_ = chosen.spread(answer.best().r, rows());
@@ -154,7 +153,7 @@ bool MoreauJean::put_back(double t, std::span<double> y) {
       chosen.add(i, {.tangents = rules_[as(i)].tangents}, n);
     }
     chosen.fill(dynamics_.W, gaps);
-    const ContactAnswer answer = iterate_contacts(chosen.problem, ContactVector::Zero(chosen.rows));
+    const ContactAnswer answer = go_on_contacts(chosen.problem, ContactVector::Zero(chosen.rows));
     if (!answer) return true;  // contacts that exclude each other
     change_ = dynamics_.closing;
     change_.noalias() += dynamics_.KJ * chosen.spread(answer.best().r, rows());

@@ -98,6 +98,12 @@ int RegimeEnumeration::choices(const ContactLaw& law) const noexcept {
   return frictions(law) + (open_rubs(law) ? frictions(law) : 1);
 }
 
+double RegimeEnumeration::combinations() const noexcept {
+  double product = 1;
+  for (int i = 0; i < problem_.count; ++i) product *= choices(problem_.law(i));
+  return product;
+}
+
 AssumedRegime RegimeEnumeration::choose(const ContactLaw& law, int choice) const noexcept {
   AssumedRegime regime;
   regime.pressed = law.normal && choice < frictions(law);

@@ -30,6 +30,9 @@ class RegimeEnumeration {
 
   [[nodiscard]] ContactAnswer finish() noexcept;
 
+  /// How many combinations `run` tries.
+  [[nodiscard]] double combinations() const noexcept;
+
  private:
   /// What the kernel of a system allows besides one solution.
   struct Family {

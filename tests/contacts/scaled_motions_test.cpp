@@ -170,5 +170,46 @@ TEST(ScaledMotions, JamAtTheSameAngle) {
   }
 }
 
+// A particle on a turntable that is spun up, Ω = α t, sticks until r sqrt(α² + Ω⁴) = f g, and slips with f <= f_s from then on: in
+// units of length and time from a micrometre and a microsecond to their inverses. Numbers are the same but for powers of two.
+TEST(ScaledMotions, BeginToSlipAlikeInAllUnitsOfLengthAndTime) {
+  constexpr double f = 0.3;
+  for (const double f_static : {0.3, 0.45}) {
+    std::array<double, 6> usual{};
+    for (const double length : {1.0, 0x1p-20, 0x1p20}) {
+      for (const double time : {1.0, 0x1p-20, 0x1p20}) {
+        SCOPED_TRACE(testing::Message() << "f_s " << f_static << ", lengths " << length << ", times " << time);
+        const double alpha = 0.5 / (time * time), weight = simple_systems::g * length / (time * time);
+        const simple_systems::ByHand<3, 3, 1> particle{
+            {ContactRule{.tangents = 2, .friction = f, .static_friction = f_static}},
+            [=](double t, const auto& y, ContactReading& r) {
+              const double turns = alpha * t;
+              r.M.setIdentity();
+              r.F << 0, 0, -weight;
+              r.gap[0] = y[2];
+              r.J << 0, 0, 1, 1, 0, 0, 0, 1, 0;
+              r.w << y[5], y[3] + turns * y[1], y[4] - turns * y[0];
+              r.drift << 0, alpha * y[1] + turns * y[4], -alpha * y[0] - turns * y[3];
+            }};
+        const double speed = length / time;
+        const DormandPrince853 method{.relative_tolerance = 1e-12, .absolute_tolerance = 1e-12 * std::min(length, speed)};
+        std::array<double, 6> y{length, 0, 0, 0, 0, 0};
+        double slips = 0;
+        const auto note = [&slips](const ContactEvent& event) {
+          slips = event.time;
+          return true;
+        };
+        const auto result = integrate_contacts(particle, y, 0, 5 * time, method, {.touch = 1e-10 * length, .at_rest = 1e-10 * speed}, note);
+        EXPECT_TRUE(result) << describe(result.status);
+        EXPECT_EQ(result.events, 1);
+        EXPECT_NEAR(slips / time, std::pow((f_static * f_static * simple_systems::g * simple_systems::g - 0.25) / 0.0625, 0.25), 1e-11);
+        for (std::size_t i = 0; i < 6; ++i) y[i] /= i < 3 ? length : speed;
+        if (length == 1 && time == 1) usual = y;
+        for (std::size_t i = 0; i < 6; ++i) EXPECT_NEAR(y[i], usual[i], 1e-10) << i;
+      }
+    }
+  }
+}
+
 }  // namespace
 }  // namespace scaled_motions_test

@@ -204,5 +204,27 @@ TEST(BilliardTwoBalls, ThrowsTheSecondBallBySideSpin) {
   EXPECT_NEAR(second.y[21], 0.5843241302218014736799416873, allowed);
 }
 
+// One ball upright on the other is an equilibrium, whichever is named first: it lasts, as long as rounding takes to grow.
+// Let fall together on the cloth, which gives nothing back, they stop at sqrt(2 h/g) and stand.
+TEST(BilliardTwoBalls, StandOnEachOtherWhicheverIsNamedFirst) {
+  const TwoBalls balls;
+  for (const std::size_t upper : {2U, 9U}) {
+    for (const double height : {0.0, 0.5}) {
+      SCOPED_TRACE(testing::Message() << "upper " << upper << ", height " << height);
+      TwoBalls::State y = two_balls(R + height, {}, {});
+      y[0] = y[1] = y[7] = y[8] = 0;
+      y[upper] += 2 * R;
+      const double fall = std::sqrt(2 * height / g);
+      const Motion<TwoBalls> motion(balls, y, fall + 0.5);
+      if (height > 0) {
+        EXPECT_NEAR(motion.the(ContactEventKind::impact, upper == 2 ? 1 : 0).time, fall, allowed);
+      }
+      y[2] -= height;
+      y[9] -= height;
+      for (std::size_t i = 0; i < y.size(); ++i) EXPECT_NEAR(motion.y[i], y[i], 1e-13) << i;
+    }
+  }
+}
+
 }  // namespace
 }  // namespace torsor::billiard_test

@@ -205,12 +205,22 @@ class ContactBuilder {
       const Vector in_plane = bound(program_, cross(basis(i), n));
       return {in_plane, basis(i)};
     }
-    const Vector half = bound(program_, n + basis(2));
-    const Value scale = program_.bind(pow(half[2], -1));
+    // Axes in space have a pole, where they turn without end as n passes (there is no field of directions on a sphere). It is put
+    // where bodies that stand on each other, side by side or at usual angles do not have their normal. The axes here are
+    // those of a matrix of rational numbers, turned about n × c until the first of them, c, is n.
+    static constexpr int axes[3][3] = {{2, 3, 6}, {3, -6, 2}, {6, 2, -3}};
+    const auto axis_along = [this](int k) {
+      Vector along;
+      for (int i = 0; i < 3; ++i) along[i] = program_.number(Number(axes[k][i]) / Number(7));
+      return along;
+    };
+    const Vector c = axis_along(0), half = bound(program_, n + c);
+    const Value scale = program_.bind(pow(program_.number(Number(1)) + dot(c, n), -1));
     std::vector<Vector> tangents;
-    for (const int i : {0, 1}) {
-      const Value part = program_.bind(scale * n[i]);
-      tangents.push_back(bound(program_, basis(i) - part * half));
+    for (const int k : {1, 2}) {
+      const Vector along = axis_along(k);
+      const Value part = program_.bind(scale * dot(along, n));
+      tangents.push_back(bound(program_, along - part * half));
     }
     return tangents;
   }
