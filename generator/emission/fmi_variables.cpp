@@ -2,6 +2,7 @@
 #include "torsor/generator/emission/fmi_variables.hpp"
 
 #include <algorithm>
+#include <cctype>
 #include <utility>
 
 #include <fmt/format.h>
@@ -33,6 +34,20 @@ std::string unit_of_rate(const std::string& unit) {
   return written_unit(Unit::parse(unit) / Unit(0, 0, 1));
 }
 
+/// Twice the exponent of rad in a unit as it is written, "N m/rad": that of cd, beyond what it has of its own, when each rad is
+/// written cd. A unit of this tool has no dimension for angles, and one of FMI has.
+int half_exponent_of_radian(const std::string& text) {
+  const auto is_letter = [&text](std::size_t i) { return i < text.size() && std::isalpha(static_cast<unsigned char>(text[i])); };
+  std::string other;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const bool whole = text.compare(i, 3, "rad") == 0 && !is_letter(i + 3) && (i == 0 || !is_letter(i - 1));
+    other += whole ? "cd" : text.substr(i, 1);
+    if (whole) i += 2;
+  }
+  constexpr int candela = Unit::base_count - 1;
+  return Unit::parse(other).half_exponent(candela) - Unit::parse(text).half_exponent(candela);
+}
+
 std::string unit_definition(const std::string& text) {
   const Unit unit = Unit::parse(text);
   static constexpr const char* bases[] = {"kg", "m", "s", "A", "K", "mol", "cd"};
@@ -42,7 +57,9 @@ std::string unit_definition(const std::string& text) {
     if (half % 2 != 0) return fmt::format("    <Unit name=\"{}\"/>\n", xml_escaped(text));  // a root: FMI has none
     if (half != 0) attributes += fmt::format(" {}=\"{}\"", bases[i], half / 2);
   }
-  if (text == "rad" || text.starts_with("rad/")) attributes += " rad=\"1\"";
+  const int half = half_exponent_of_radian(text);
+  if (half % 2 != 0) return fmt::format("    <Unit name=\"{}\"/>\n", xml_escaped(text));
+  if (half != 0) attributes += fmt::format(" rad=\"{}\"", half / 2);
   return fmt::format("    <Unit name=\"{}\"><BaseUnit{}/></Unit>\n", xml_escaped(text), attributes);
 }
 
