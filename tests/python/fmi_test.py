@@ -364,6 +364,20 @@ def test_derivatives_follow_what_is_set_and_parameters_wait_for_events(unit):
     unit.FreeInstance(component)
 
 
+def test_steps_of_any_length_follow_each_other(unit):
+    """What a step far below the others leaves is no step size of theirs."""
+    component, time = unit.initialised(CO_SIMULATION), 0.0
+    for size in (1e-300, 1e-16, 0.01, 1e-17, 1e-15, 0.02):
+        assert unit.step(component, time, size) == OK, size
+        time += size
+    other = unit.initialised(CO_SIMULATION)
+    assert unit.step(other, 0.0, time) == OK
+    # The tolerance is 1e-10 where an importer gives none; errors of two motions differ by some of it.
+    np.testing.assert_allclose(unit.get(component, unit.states), unit.get(other, unit.states), rtol=0, atol=1e-8)
+    unit.FreeInstance(component)
+    unit.FreeInstance(other)
+
+
 def test_no_step_goes_beyond_the_stop_time(unit):
     component = unit.instantiate(CO_SIMULATION)
     assert unit.initialise(component, stop=0.3) == OK
