@@ -35,9 +35,6 @@ set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
 set(CPACK_DEBIAN_PACKAGE_SECTION "science")
 set(CPACK_DEBIAN_TOOL_PACKAGE_NAME "torsor")
 set(CPACK_DEBIAN_TOOL_PACKAGE_SHLIBDEPS ON)
-set(CPACK_COMPONENT_TOOL_DESCRIPTION "Equations of motion of mechanisms, as code
-Reads a robot's file (URDF, xacro, MJCF), derives its equations of motion and
-writes them as one C++ or C header, or as one JavaScript module.")
 set(CPACK_DEBIAN_GENERATOR-DEV_PACKAGE_NAME "libtorsor-generator-dev")
 set(CPACK_DEBIAN_GENERATOR-DEV_PACKAGE_SECTION "libdevel")
 set(generator_needs "torsor (= ${PROJECT_VERSION}), libginac-dev, libcln-dev, libfmt-dev, libtinyxml2-dev")
@@ -48,21 +45,15 @@ if(TORSOR_ASSIMP_INCLUDE_DIR AND TORSOR_ASSIMP_LIBRARY)
   string(APPEND generator_needs ", libassimp-dev")
 endif()
 set(CPACK_DEBIAN_GENERATOR-DEV_PACKAGE_DEPENDS "${generator_needs}")
-set(CPACK_COMPONENT_GENERATOR-DEV_DESCRIPTION "Mechanisms described in C++, for torsor
-The library that a scene is written with, and that derives its equations.")
 set(CPACK_DEBIAN_RUNTIME-DEV_PACKAGE_NAME "libtorsor-runtime-dev")
 set(CPACK_DEBIAN_RUNTIME-DEV_PACKAGE_SECTION "libdevel")
 set(CPACK_DEBIAN_RUNTIME-DEV_PACKAGE_DEPENDS "torsor (= ${PROJECT_VERSION}), libeigen3-dev")
-set(CPACK_COMPONENT_RUNTIME-DEV_DESCRIPTION "Motions of the mechanisms that torsor generates
-Integrators, events, equilibria and comparisons for generated headers (MIT).")
 # In Debian's folder of modules, which belongs to no other prefix: a component of packages only.
 set(CPACK_DEBIAN_PYTHON_PACKAGE_NAME "python3-torsor")
 set(CPACK_DEBIAN_PYTHON_PACKAGE_ARCHITECTURE "all")
 set(CPACK_DEBIAN_PYTHON_PACKAGE_SECTION "python")
 set(CPACK_DEBIAN_PYTHON_PACKAGE_DEPENDS "python3 (>= 3.9), python3-numpy")
 set(CPACK_DEBIAN_PYTHON_PACKAGE_RECOMMENDS "torsor (= ${PROJECT_VERSION}), g++")
-set(CPACK_COMPONENT_PYTHON_DESCRIPTION "Kernels of mechanisms on numpy arrays, from torsor
-Opens the libraries of `torsor build`, or makes them from robots' files (MIT).")
 set(CPACK_DEBIAN_PYTHON_PACKAGE_CONTROL_EXTRA  # compile modules, and take them away again
   "${PROJECT_SOURCE_DIR}/cmake/python3-torsor/postinst" "${PROJECT_SOURCE_DIR}/cmake/python3-torsor/prerm")
 set(CPACK_DEBIAN_PYTHON_PACKAGE_CONTROL_STRICT_PERMISSION TRUE)
@@ -75,13 +66,24 @@ if(TARGET torsor_scene)
   math(EXPR next_minor "${Python3_VERSION_MINOR} + 1")
   set(CPACK_DEBIAN_PYTHON-SCENE_PACKAGE_DEPENDS
     "python3-torsor (= ${PROJECT_VERSION}), python3 (>= 3.${Python3_VERSION_MINOR}), python3 (<< 3.${next_minor})")
-  set(CPACK_COMPONENT_PYTHON-SCENE_DESCRIPTION "Mechanisms described in Python, for torsor
-The module under torsor.scene: frames, bodies, joints, actions and
-constraints, with the equations and the generated code of scenes in C++.")
   install(TARGETS torsor_scene LIBRARY DESTINATION lib/python3/dist-packages COMPONENT python-scene EXCLUDE_FROM_ALL)
   install(DIRECTORY python/scene/_torsor_scene DESTINATION lib/python3/dist-packages COMPONENT python-scene EXCLUDE_FROM_ALL
     FILES_MATCHING PATTERN "*.pyi")
 endif()
+
+# What each package is stands in debian/control alone: a line, then a paragraph.
+file(READ "${PROJECT_SOURCE_DIR}/debian/control" control)
+function(torsor_describe_package package result)
+  string(FIND "${control}" "\nPackage: ${package}\n" place)
+  if(place LESS 0)
+    message(FATAL_ERROR "debian/control has no package ${package}")
+  endif()
+  string(SUBSTRING "${control}" ${place} -1 paragraph)
+  string(REGEX REPLACE "\n\n.*$" "" paragraph "${paragraph}")
+  string(REGEX REPLACE "^.*\nDescription: ([^\n]*(\n [^\n]*)*).*$" "\\1" text "${paragraph}")
+  string(REPLACE "\n " "\n" text "${text}")
+  set(${result} "${text}" PARENT_SCOPE)
+endfunction()
 
 # Copyright and changelog, as Debian wants them in each package: those of debian/, which makes the same packages in a
 # build of its own, with the address of who makes these.
@@ -101,6 +103,7 @@ foreach(component IN LISTS CPACK_COMPONENTS_ALL)
     set(only_packages EXCLUDE_FROM_ALL)
   endif()
   string(TOUPPER "${component}" upper)
+  torsor_describe_package("${CPACK_DEBIAN_${upper}_PACKAGE_NAME}" CPACK_COMPONENT_${upper}_DESCRIPTION)
   install(FILES ${package_texts} DESTINATION "${CMAKE_INSTALL_DATADIR}/doc/${CPACK_DEBIAN_${upper}_PACKAGE_NAME}"
     COMPONENT ${component} ${only_packages})
 endforeach()

@@ -83,6 +83,13 @@ void compile(const Compiler& compiler, const std::vector<std::string>& flags, co
                               compiler_errors(said.output), eigen_remedy(said.output)));
 }
 
+/// Room for its contacts, which matrices on the stack of the contact layer have. Few sizes, so that few layers are compiled.
+std::string room_for_contacts(const FmiUnit& unit) {
+  std::size_t room = 2;
+  while (room < unit.scene().content().contacts.size()) room *= 2;
+  return fmt::format("-DTORSOR_MOST_CONTACTS={}", room);
+}
+
 /// A binary, and where in a unit it belongs.
 ArchivedFile compiled_unit(const FmiUnit& unit, const std::vector<SourceFile>& sources, const UnitRequest& request) {
   const Compiler compiler = found_compiler("CC", {"cc", "gcc", "clang"}, "C99");
@@ -100,6 +107,7 @@ ArchivedFile compiled_unit(const FmiUnit& unit, const std::vector<SourceFile>& s
     const std::vector<SourceFile> moving = fmi_contact_sources(unit);
     write_sources(folder.path(), moving);
     const Compiler other = found_compiler("CXX", {"c++", "g++", "clang++"}, "C++20");
+    flags.push_back(room_for_contacts(unit));
     compile(other, flags,
             {"-std=c++20", "-shared", "-isystem", eigen_folder(), "-I", folder.path().string(), "-o", made,
              file(moving.front().path), file("unit.o"), compiled_contact_layer(other, flags), "-lm"});

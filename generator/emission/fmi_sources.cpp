@@ -74,7 +74,7 @@ std::vector<SourceFile> fmi_sources(const FmiUnit& unit) {
   };
   const bool two = unit.version == FmiVersion::two;
   std::vector<SourceFile> sources = {
-      {source_name(unit), two ? filled("fmi/fmi2.c.in", {}) : filled("fmi/fmi3.c.in", {"has_contacts"})},
+      {source_name(unit), two ? filled("fmi/fmi2.c.in", {}) : filled("fmi/fmi3.c.in", {})},
       {"fmi_model.h", filled("fmi/model.h.in", {"token", "has_rates", "indicators", "places", "reactions"})},
       {"fmi_derivatives.h", filled("fmi/derivatives.h.in", {"has_rates", "has_inputs", "has_parameters",
                                                             "has_multipliers", "has_contacts", "places", "reactions"})},
@@ -89,8 +89,19 @@ std::vector<SourceFile> fmi_sources(const FmiUnit& unit) {
 }
 
 std::string fmi_build_description(const FmiUnit& unit) {
+  // Functions of math.h are a library of their own, but for Windows. Options differ by compiler, and none is needed.
+  std::string all;
+  for (const char* platform : {"x86_64-windows", "x86-windows", ""}) {
+    const bool windows = *platform != '\0';
+    all += fmt::format("  <BuildConfiguration modelIdentifier=\"{}\"{}>\n", unit.name(),
+                       windows ? fmt::format(" platform=\"{}\"", platform) : "");
+    all += fmt::format("    <SourceFileSet language=\"C99\">\n      <SourceFile name=\"{}\"/>\n    </SourceFileSet>\n",
+                       source_name(unit));
+    if (!windows) all += "    <Library name=\"m\" external=\"true\" description=\"functions of math.h\"/>\n";
+    all += fmt::format("  </BuildConfiguration>{}", windows ? "\n" : "");
+  }
   return fill_template("fmi/buildDescription.xml.in", embedded_template("fmi/buildDescription.xml.in"),
-                       {{"name", unit.name()}, {"source", source_name(unit)}});
+                       {{"configurations", all}});
 }
 
 std::vector<SourceFile> fmi_licence_files(const FmiUnit& unit) {

@@ -21,16 +21,14 @@ std::vector<std::string> kernels_of_unit(const Scene& scene, const ModelOptions&
   return names;
 }
 
-std::vector<FurtherKernel> output_kernels(const Scene& scene, const OutputNames& names) {
+std::vector<FurtherKernel> output_kernels(const OutputNames& names) {
   using Make = Kernel (*)(const Equations&, const OutputNames&);
   std::vector<FurtherKernel> kernels;
   const auto add = [&](const char* name, Make make) {
     kernels.push_back({name, [make, &names](const Equations& equations) { return make(equations, names); }});
   };
-  const bool derivatives = scene.content().contacts.empty();
   if (names.places()) add("output_places", make_output_places);
   if (!names.reactions.empty()) add("output_reactions", make_output_reactions);
-  if (!derivatives) return kernels;
   kernels.push_back({"energy_derivatives", make_energy_derivatives});
   if (names.places()) add("output_place_derivatives", make_output_place_derivatives);
   if (!names.reactions.empty()) add("output_reaction_derivatives", make_output_reaction_derivatives);
@@ -56,7 +54,7 @@ FmiUnit lower_unit(const Scene& scene, FmiVersion version, const OutputNames& ou
   FmiUnit unit;
   unit.version = version;
   unit.outputs = outputs;
-  unit.mechanism = lower_mechanism(scene, kernels_of_unit(scene, options), options, output_kernels(scene, outputs));
+  unit.mechanism = lower_mechanism(scene, kernels_of_unit(scene, options), options, output_kernels(outputs));
   require_motion(unit.mechanism);
   return unit;
 }

@@ -2,6 +2,7 @@
 #include "torsor/generator/emission/fmi_variables.hpp"
 
 #include <algorithm>
+#include <cctype>
 #include <utility>
 
 #include <fmt/format.h>
@@ -33,6 +34,28 @@ std::string unit_of_rate(const std::string& unit) {
   return written_unit(Unit::parse(unit) / Unit(0, 0, 1));
 }
 
+/// As its author wrote it: dimensions alone do not tell of angles.
+std::string unit_of_parameter(const MechanismListing& mechanism, const SymbolPointer& symbol) {
+  for (const ParameterContent& parameter : mechanism.scene().content().parameters) {
+    if (parameter.symbol == symbol && !parameter.unit_text.empty()) return parameter.unit_text;
+  }
+  return written_unit(*symbol);
+}
+
+/// Twice the exponent of rad in a unit as it is written, "N m/rad": that of cd, beyond what it has of its own, when each rad is
+/// written cd. A unit of this tool has no dimension for angles, and one of FMI has.
+int half_exponent_of_radian(const std::string& text) {
+  const auto is_letter = [&text](std::size_t i) { return i < text.size() && std::isalpha(static_cast<unsigned char>(text[i])); };
+  std::string other;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const bool whole = text.compare(i, 3, "rad") == 0 && !is_letter(i + 3) && (i == 0 || !is_letter(i - 1));
+    other += whole ? "cd" : text.substr(i, 1);
+    if (whole) i += 2;
+  }
+  constexpr int candela = Unit::base_count - 1;
+  return Unit::parse(other).half_exponent(candela) - Unit::parse(text).half_exponent(candela);
+}
+
 std::string unit_definition(const std::string& text) {
   const Unit unit = Unit::parse(text);
   static constexpr const char* bases[] = {"kg", "m", "s", "A", "K", "mol", "cd"};
@@ -42,7 +65,9 @@ std::string unit_definition(const std::string& text) {
     if (half % 2 != 0) return fmt::format("    <Unit name=\"{}\"/>\n", xml_escaped(text));  // a root: FMI has none
     if (half != 0) attributes += fmt::format(" {}=\"{}\"", bases[i], half / 2);
   }
-  if (text == "rad" || text.starts_with("rad/")) attributes += " rad=\"1\"";
+  const int half = half_exponent_of_radian(text);
+  if (half % 2 != 0) return fmt::format("    <Unit name=\"{}\"/>\n", xml_escaped(text));
+  if (half != 0) attributes += fmt::format(" rad=\"{}\"", half / 2);
   return fmt::format("    <Unit name=\"{}\"><BaseUnit{}/></Unit>\n", xml_escaped(text), attributes);
 }
 
@@ -157,7 +182,7 @@ std::vector<FmiVariable> fmi_variables(const FmiUnit& unit) {
   for (const auto& [name, text] : named_units(layout.inputs)) all.add("input." + name, text, Role::input, 0.0);
   const std::vector<NamedUnit> parameters = named_units(layout.parameters);
   for (std::size_t i = 0; i < parameters.size(); ++i) {
-    all.add("parameter." + parameters[i].name, parameters[i].unit, Role::parameter,
+    all.add("parameter." + parameters[i].name, unit_of_parameter(mechanism, layout.parameters[i]), Role::parameter,
             start_value(mechanism, layout.parameters[i], "parameter"));
   }
   add_outputs(unit, all);

@@ -64,7 +64,7 @@ SymbolPointer Scene::add_symbol(const std::string& name, const Unit& unit, Symbo
 Expression Scene::parameter(const std::string& name, std::string_view unit) {
   require_identifier(name, "parameter");
   claim(name, "parameter");
-  content_.parameters.push_back({add_symbol(name, Unit::parse(unit), SymbolKind::parameter), std::nullopt, true});
+  content_.parameters.push_back({add_symbol(name, Unit::parse(unit), SymbolKind::parameter), std::nullopt, true, std::string(unit)});
   return content_.parameters.back().symbol;
 }
 

@@ -72,7 +72,12 @@ enum class Moments {
 };
 struct BodyContent { std::string name; FrameReference frame; Inertia inertia; Moments moments = Moments::of_matter; };
 
-struct ParameterContent { SymbolPointer symbol; std::optional<Expression> value; bool run_time = false; };
+struct ParameterContent {
+  SymbolPointer symbol;
+  std::optional<Expression> value;
+  bool run_time = false;
+  std::string unit_text{};  ///< as its author wrote it: "N m/rad", whose dimension is that of "N m"
+};
 
 /// An orientation by a unit quaternion.
 struct AttitudeContent {

@@ -64,6 +64,7 @@ void bind_commands(SceneClass& scene) {
 PYBIND11_MODULE(_torsor_scene, module) {
   using namespace torsor::python;
   module.doc() = "Mechanisms described in Python: what generator/mechanics/scene.hpp offers in C++.";
+  module.attr("__version__") = TORSOR_VERSION;
   bind_errors(module);
   bind_formulas(module);
   bind_handles(module);

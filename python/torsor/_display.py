@@ -4,7 +4,23 @@
 from __future__ import annotations
 
 import html
+import re
 from typing import Any
+
+
+def displayed_formulas(latex: str) -> str | None:
+    """Of a LaTeX fragment the displayed formulas, each group below its heading. A notebook's MathJax sets formulas, and shows
+    sections and paragraphs as their source."""
+    shown, heading = [], ""
+    for part in re.finditer(r"\\(?:sub)?section\*\{([^\n]*)\}|\\begin\{align\*\}.*?\\end\{align\*\}", latex, re.DOTALL):
+        if part[1] is not None:
+            heading = re.sub(r"\\([_&%#$])", r"\1", part[1])
+            continue
+        if heading:
+            shown.append(f"$$\\textbf{{{heading}}}$$")
+            heading = ""
+        shown.append(part[0])
+    return "\n".join(shown) or None
 
 
 class Displayed:
@@ -27,7 +43,7 @@ class Displayed:
 
     def _repr_latex_(self) -> str | None:
         try:
-            return self.latex()
+            return displayed_formulas(self.latex())
         except (LookupError, OSError, RuntimeError, ValueError):
             return None
 

@@ -456,6 +456,31 @@ class Mechanism(Displayed):
             q, multipliers = self._displaced(q, share * change[:nv]), multipliers + change[nv:]
         raise TorsorError(f"{self.name}: no equilibrium found from there in {steps} steps; start nearer to one")
 
+    def equilibria_from(self, starts: ArrayLike, *, apart: float = 1e-6, **options: Any) -> list[Equilibrium]:
+        """The distinct equilibria that `equilibria` finds from these starts (k, nq), in their order; of one that several lead
+        to, what the first finds. Coordinates that differ by less than `apart`, relative to 1 and more, are the same, and
+        quaternions of opposite signs are; angles that differ by a turn are not. Options are those of `equilibria`. A start
+        from which none is found is passed over; raises TorsorError where that is so of all. Each search is local: that there
+        are no more equilibria is not said."""
+        found: list[Equilibrium] = []
+        rows = np.atleast_2d(as_columns("starts", starts, self._sizes["q"]))
+        for start in rows:
+            try:
+                one = self.equilibria(start, **options)
+            except TorsorError:
+                continue
+            if not any(self._same(one.q, other.q, apart) for other in found):
+                found.append(one)
+        if not found:
+            raise TorsorError(f"{self.name}: no equilibrium found from any of {len(rows)} starts; start nearer to one")
+        return found
+
+    def _same(self, q: np.ndarray, other: np.ndarray, apart: float) -> bool:
+        other = other.copy()
+        for first in self.quaternions:
+            other[first:first + 4] *= 1.0 if q[first:first + 4] @ other[first:first + 4] >= 0 else -1.0
+        return bool((np.abs(q - other) <= apart * (1.0 + np.abs(q))).all())
+
     def _displaced(self, q: np.ndarray, change: np.ndarray) -> np.ndarray:
         if "coordinate_rates" not in self.kernels:
             return q + change

@@ -30,6 +30,12 @@ try:
 except ImportError as reason:  # a package of its own: it links to the generator
     raise ImportError("torsor.scene needs the compiled module _torsor_scene: install python3-torsor-scene, or build torsor "
                       f"with pybind11-dev installed and put build/release/python on PYTHONPATH ({reason})") from reason
+
+from . import __version__ as _version
+
+if getattr(_torsor_scene, "__version__", "an older one") != _version:  # other operations, other bytes
+    raise ImportError(f"{_torsor_scene.__file__} is of version {getattr(_torsor_scene, '__version__', 'an older one')} and this "
+                      f"package torsor of {_version}: install python3-torsor-scene of the same version, or build torsor anew")
 from _torsor_scene import (AngleSequence, Attitude, Condition, Constraint, Error, Expression, FileError, Form, Frame, Inertia,
                            Moments, PlaneRotations, Point, Rotation, SceneError, Shape, UnitError, UsageError, atan2, cardan, cos,
                            euler, exp, form, log, maximum, minimum, pi, piecewise, quantity, rate, shape, sign, sin, spline, sqrt,

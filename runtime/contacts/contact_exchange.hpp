@@ -22,6 +22,8 @@ class ContactExchange {
   /// the motion cannot begin. `again`: in the middle of a motion, as after a parameter was set: a gap below zero is then
   /// that of an event that was found late.
   bool start(double t, std::span<double> y, bool again = false);
+  /// Of the integration, absolute and relative, from the next start on.
+  void tolerate(double tolerance) noexcept { automaton_.motion().tolerate(tolerance, tolerance); }
   /// What the mechanism says at a state has changed, as forces by its inputs do.
   void renew() noexcept { automaton_.motion().renew(); }
 

@@ -38,7 +38,8 @@ ContactMotion::ContactMotion(const ContactMechanism& mechanism) : mechanism_(mec
   rates_.resize(static_cast<std::size_t>(sizes_.coordinates));
 }
 
-void ContactMotion::forget() noexcept {
+void ContactMotion::forget() {
+  for (int i = 0; i < count(); ++i) rules_[as(i)] = mechanism_.rule(i);
   states.fill({});
   across_.fill(0);
   lag_.fill(0);

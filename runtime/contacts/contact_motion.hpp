@@ -138,8 +138,9 @@ class ContactMotion {
     absolute_ = absolute;
     relative_ = relative;
   }
-  /// Back to what a motion knows before it starts.
-  void forget() noexcept;
+  /// Back to what a motion knows before it starts, with the rules that the mechanism has now: coefficients may be others,
+  /// numbers of rows are as they were.
+  void forget();
   /// Regimes were changed: what was solved is no longer valid.
   void changed() noexcept { solved_ = false; }
   /// An event begins: places that were passed before are forgotten.

@@ -56,8 +56,13 @@ struct ContactLaw {
 }
 
 /// Room for the contacts of one mechanism and for their rows. Vectors and matrices of a problem have it within, so that
-/// nothing is allocated however many contacts take part.
-inline constexpr int most_contacts = 32, most_rows = 3 * most_contacts;
+/// nothing is allocated however many contacts take part. Where all that is linked is compiled for fewer, matrices on the
+/// stack are as much smaller.
+#ifndef TORSOR_MOST_CONTACTS
+#define TORSOR_MOST_CONTACTS 32
+#endif
+inline constexpr int most_contacts = TORSOR_MOST_CONTACTS, most_rows = 3 * most_contacts;
+static_assert(most_contacts > 0 && most_contacts <= 32, "TORSOR_MOST_CONTACTS is 1 to 32");
 using ContactVector = Eigen::Matrix<double, Eigen::Dynamic, 1, Eigen::ColMajor, most_rows, 1>;
 using ContactMatrix =
     Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::ColMajor, most_rows, most_rows>;

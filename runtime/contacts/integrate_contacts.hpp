@@ -23,15 +23,21 @@ class ContactRun {
   ContactRun(const ContactMechanism& mechanism, Vector& y, const Method& method, const ContactOptions& options,
              Observer& observer)
       : automaton_(mechanism, options), y_(y), method_(method), observer_(observer) {
-    if constexpr (requires { method.absolute_tolerance, method.relative_tolerance; }) {
-      automaton_.motion().tolerate(method.absolute_tolerance, method.relative_tolerance);
-    }
+    tolerate();
   }
   ContactRun(const ContactRun&) = delete;
   ContactRun& operator=(const ContactRun&) = delete;
 
-  /// Puts the state on its constraints and decides the first regimes; false where the motion cannot begin.
+  /// Goes on by this one, from the next start on.
+  void use(const Method& method) {
+    method_ = method;
+    tolerate();
+  }
+
+  /// Puts the state on its constraints and decides the first regimes; false where the motion cannot begin. It may be
+  /// called again: a motion then begins anew, in the same memory, with the coefficients that the mechanism has now.
   bool start(double t0) {
+    pieces_ = 0;
     const ContactSizes& sizes = automaton_.motion().sizes();
     if (static_cast<std::size_t>(sizes.coordinates + sizes.velocities) > size ||
         static_cast<std::size_t>(sizes.contacts) > contacts) {
@@ -89,6 +95,12 @@ class ContactRun {
     }
   };
 
+  void tolerate() {
+    if constexpr (requires { method_.absolute_tolerance, method_.relative_tolerance; }) {
+      automaton_.motion().tolerate(method_.absolute_tolerance, method_.relative_tolerance);
+    }
+  }
+
   bool advance_to_event(double t1) {
     std::array<Watch, Watches::count> watches;
     for (std::size_t i = 0; i < watches.size(); ++i) {
@@ -133,7 +145,7 @@ class ContactRun {
 
   ContactAutomaton automaton_;
   Vector& y_;
-  const Method method_;
+  Method method_;
   Observer& observer_;
   long long pieces_ = 0;
 };

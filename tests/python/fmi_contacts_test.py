@@ -2,6 +2,7 @@
 """Units of FMI whose bodies touch: from event to event, of the unit or of the importer, against closed forms."""
 
 import subprocess
+import threading
 from ctypes import byref, c_bool, c_double, c_size_t, c_void_p
 
 import numpy as np
@@ -56,9 +57,64 @@ def test_description_tells_of_indicators(unit):
         unit.FreeInstance(component)
 
 
-def test_has_no_derivatives_of_derivatives(unit):
-    component = begun(unit)
-    assert unit.directional(component, unit.derivatives[:1], [0], [1.0], doubles(np.zeros(1))[0]) == ERROR
+def test_derivatives_of_what_contacts_have_no_part_in_are_slopes(unit):
+    """Of rates of coordinates, energies and poses, along states and parameters; accelerations have none."""
+    component = unit.instantiate(CO_SIMULATION)
+    assert unit.initialise(component, 0.0, 1e-12) == OK
+    states = [unit.by_reference[k]["name"] for k in unit.states]
+    generic = np.linspace(-0.9, 1.1, len(states))
+    turn = [k for k, name in enumerate(states) if name.startswith("q.turn")]
+    generic[turn] /= np.linalg.norm(generic[turn])
+    rates = [f"der({name})" for name in states if name.startswith("q.")]
+    unknown = rates + [unit.by_reference[k]["name"] for k in unit.outputs]
+    known = states + [v["name"] for v in unit.variables if v["causality"] == "parameter"]
+    assert unit.set(component, states, generic) == OK
+    start = unit.get(component, known)
+    rows, rotation = len(unknown), [k for k, name in enumerate(unknown) if "rotation" in name]
+    for k in range(len(known)):
+        h = 1e-5
+        direction = np.zeros(len(known))
+        if k in turn:  # along the unit quaternions, which alone are attitudes: across what it is
+            direction[turn] = np.eye(len(known))[k][turn] - start[k] * start[turn]
+        else:
+            direction[k] = 1.0
+
+        def at(step, along=direction):
+            assert unit.set(component, known, start + step * along) == OK
+            return unit.get(component, [name for name in unknown if not name.startswith("der(")])
+
+        slope = (at(h) - at(-h)) / (2 * h)
+        assert unit.set(component, known, start) == OK
+        pointer, found = doubles(np.zeros(rows))
+        assert unit.directional(component, unknown, known, direction, pointer) == OK
+        # Central differences of functions of third derivatives below 100: h^2/6 of these, and roundings of 1e-15 over h.
+        np.testing.assert_allclose(found[len(rates):], slope, rtol=0, atol=1e-8, err_msg=known[k])
+        # x' = v_x, and of quaternions e' = e (0, w)/2: bilinear in the state, so that differences are exact.
+        if known[k] == "v.x":
+            np.testing.assert_array_equal(found[:len(rates)], [name == "der(q.x)" for name in rates])
+    assert rotation
+    for name in ("v.x", "q.x"):
+        assert unit.directional(component, ["der(v.x)"], [name], [1.0], doubles(np.zeros(1))[0]) == ERROR
+    assert unit.directional(component, ["indicator.cloth.opens_or_closes"], ["q.x"], [1.0], doubles(np.zeros(1))[0]) == ERROR
+    unit.FreeInstance(component)
+
+
+def test_a_step_needs_little_stack(unit):
+    """Matrices have room for as many contacts as the unit has: of 32 contacts they take 2 MB."""
+    component, answers = begun(unit, ["q.z", "parameter.e"], [R + 0.05, 0.5]), []
+
+    def move():
+        for k in range(10):
+            answers.append(unit.step(component, 0.05 * k, 0.05))
+
+    before = threading.stack_size(128 * 1024)
+    try:
+        thread = threading.Thread(target=move)
+        thread.start()
+        thread.join()
+    finally:
+        threading.stack_size(before)
+    assert answers == [OK] * 10
     unit.FreeInstance(component)
 
 

@@ -211,11 +211,11 @@ class Unit2(Unit):
             all_[self.counted(u.attrib["index"])] = None if on is None else [self.counted(k) for k in on.split()]
         return all_
 
-    def instantiate(self, kind, token=None, logging=True):
+    def instantiate(self, kind, token=None, logging=True, name=b"one"):
         function = self.library.fmi2Instantiate
         function.restype = c_void_p
         function.argtypes = [c_char_p, c_int, c_char_p, c_char_p, c_void_p, c_int, c_int]
-        return function(b"one", kind, (token or self.token).encode(), None, ctypes.addressof(self.callbacks), 0, int(logging))
+        return function(name, kind, (token or self.token).encode(), None, ctypes.addressof(self.callbacks), 0, int(logging))
 
     def initialise(self, component, start=0.0, tolerance=None, stop=None):
         answer = self.SetupExperiment(component, int(tolerance is not None), c_double(tolerance or 0), c_double(start),
@@ -286,15 +286,15 @@ class Unit3(Unit):
             all_[int(u.attrib["valueReference"])] = None if on is None else [int(k) for k in on.split()]
         return all_
 
-    def instantiate(self, kind, token=None, logging=True, events=False, intermediate=0):
+    def instantiate(self, kind, token=None, logging=True, events=False, intermediate=0, name=b"one"):
         token = (token or self.token).encode()
         if kind == MODEL_EXCHANGE:
             function = self.library.fmi3InstantiateModelExchange
             function.restype = c_void_p
-            return function(b"one", token, None, c_bool(False), c_bool(logging), None, self.logger)
+            return function(name, token, None, c_bool(False), c_bool(logging), None, self.logger)
         function = self.library.fmi3InstantiateCoSimulation
         function.restype = c_void_p
-        return function(b"one", token, None, c_bool(False), c_bool(logging), c_bool(events), c_bool(True), None,
+        return function(name, token, None, c_bool(False), c_bool(logging), c_bool(events), c_bool(True), None,
                         c_size_t(intermediate), None, self.logger, None)
 
     def initialise(self, component, start=0.0, tolerance=None, stop=None):

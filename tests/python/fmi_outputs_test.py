@@ -1,8 +1,10 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """What units of FMI give beside their motion: energies, points, poses of frames, reactions, against the runtime's kernels."""
 
+import os
 import re
 import subprocess
+import xml.etree.ElementTree as ElementTree
 import zipfile
 
 import numpy as np
@@ -241,6 +243,32 @@ def test_units_have_their_base_units(unit):
         assert bases == base_of(each.attrib["name"]), each.attrib["name"]
         seen.add(each.attrib["name"])
     assert {"J", "m", "rad/s", "N"} <= seen
+
+
+def test_angles_keep_their_unit_wherever_it_stands(tmp_path):
+    (tmp_path / "spring.cpp").write_text(r"""
+        #include "torsor/generator/torsor.hpp"
+        torsor::Scene spring_scene() {
+          using namespace torsor;
+          Scene scene("spring", "A disk on a torsional spring");
+          const Expression c = scene.parameter("c", "N m/rad", 2), b = scene.parameter("b", "N m s/rad", 1);
+          const Expression d = scene.parameter("d", "N m/(rad/s)", 1), e = scene.parameter("e", "N m/(rad s)/s^(-2)", 1);
+          const Expression theta = scene.coordinate("theta", "rad");
+          scene.body("disk", scene.revolute("disk", scene.ground(), axis::y, theta), Inertia::disk(scene.parameter("m", "kg", 1),
+                     scene.parameter("r", "m", 1), 1));
+          scene.spring("spring", theta, c);
+          scene.damper("damper", theta, b + d + e);
+          return scene;
+        }
+        TORSOR_SCENE(spring_scene)""")
+    path = tmp_path / "spring.fmu"
+    subprocess.run([os.environ["TORSOR"], "fmu", tmp_path / "spring.cpp", "--sources-only", "--run-time", "all", "-o", path], check=True)
+    with zipfile.ZipFile(path) as archive:
+        root = ElementTree.fromstring(archive.read("modelDescription.xml"))
+    units = {u.attrib["name"]: {k: int(v) for k, v in u.find("BaseUnit").attrib.items()} for u in root.find("UnitDefinitions")}
+    assert units["N m/rad"] == {"kg": 1, "m": 2, "s": -2, "rad": -1}
+    assert units["N m s/rad"] == units["N m/(rad/s)"] == units["N m/(rad s)/s^(-2)"] == {"kg": 1, "m": 2, "s": -1, "rad": -1}
+    assert units["rad/s^2"] == {"s": -2, "rad": 1} and units["rad"] == {"rad": 1}
 
 
 def test_names_that_do_not_exist_are_refused(tmp_path):

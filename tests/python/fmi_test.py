@@ -3,6 +3,9 @@
 
 import ctypes
 import os
+import platform
+import shutil
+import subprocess
 import xml.etree.ElementTree as ElementTree
 from ctypes import byref, c_size_t, c_void_p
 
@@ -71,11 +74,32 @@ def test_sources_are_those_that_the_description_names(unit):
     else:
         build = ElementTree.parse(unit.folder / "sources/buildDescription.xml").getroot()
         assert build.attrib["fmiVersion"] == "3.0"
-        assert build.find("BuildConfiguration").attrib["modelIdentifier"] == unit.description.attrib["modelName"]
+        configurations = build.findall("BuildConfiguration")
+        assert {c.attrib["modelIdentifier"] for c in configurations} == {unit.description.attrib["modelName"]}
+        # Microsoft's compiler knows neither options of others nor a library m; the last one is for all other platforms.
+        assert [(c.get("platform"), [lib.attrib["name"] for lib in c.findall("Library")]) for c in configurations] == [
+            ("x86_64-windows", []), ("x86-windows", []), (None, ["m"])]
+        assert not [s for s in build.iter("SourceFileSet") if "compilerOptions" in s.attrib]
         files = [f.attrib["name"] for f in build.iter("SourceFile")]
     assert files and {"sources/" + name for name in files} <= set(unit.names)
     # Here the tests run where the unit was made: its folder is that of this processor and system.
     assert any(name.startswith(("binaries/linux64/", "binaries/x86_64-linux/", "binaries/aarch64-linux/")) for name in unit.names)
+
+
+def test_sources_are_not_fused(unit):
+    """Without an option, whatever the processor has: the sources say so themselves."""
+    source = unit.folder / "sources" / f"{unit.description.attrib['modelName']}_fmi{unit.version}.c"
+    tried = 0
+    for compiler in ("gcc", "clang"):
+        if shutil.which(compiler) is None or platform.machine() != "x86_64":
+            continue
+        def assembled(*words, of=compiler):
+            return subprocess.run([of, "-O3", "-mfma", "-S", "-o", "-", *words], check=True, capture_output=True, text=True).stdout
+        assert "vfmadd" not in assembled(source)
+        plain = unit.folder / "plain.c"
+        plain.write_text("double f(double a, double b, double c) { return a * b + c; }")
+        tried += "vfmadd" in assembled(plain)
+    assert tried or platform.machine() != "x86_64"
 
 
 def test_licences_are_told(unit):
@@ -309,6 +333,10 @@ def test_parameters_can_be_tuned(unit, mechanism):
 
 def test_refuses_what_is_not_allowed(unit):
     assert unit.instantiate(CO_SIMULATION, token="{another}") is None
+    for kind in (CO_SIMULATION, MODEL_EXCHANGE):  # FMI 2.0.4, 2.1.5 and FMI 3.0, 2.3.1: the name is not empty
+        unit.messages.clear()
+        assert unit.instantiate(kind, name=b"") is None
+        assert [text.split(b": ")[1] for _, text in unit.messages] == [b"an instance has a name"]
     component = unit.instantiate(CO_SIMULATION)
     assert unit.step(component, 0, 0.1) == ERROR
     assert unit.EnterEventMode(component) == ERROR
@@ -334,6 +362,20 @@ def test_derivatives_follow_what_is_set_and_parameters_wait_for_events(unit):
     assert unit.EnterEventMode(component) == OK
     assert unit.set(component, tuned, [2.0] * len(tuned)) == OK
     unit.FreeInstance(component)
+
+
+def test_steps_of_any_length_follow_each_other(unit):
+    """What a step far below the others leaves is no step size of theirs."""
+    component, time = unit.initialised(CO_SIMULATION), 0.0
+    for size in (1e-300, 1e-16, 0.01, 1e-17, 1e-15, 0.02):
+        assert unit.step(component, time, size) == OK, size
+        time += size
+    other = unit.initialised(CO_SIMULATION)
+    assert unit.step(other, 0.0, time) == OK
+    # The tolerance is 1e-10 where an importer gives none; errors of two motions differ by some of it.
+    np.testing.assert_allclose(unit.get(component, unit.states), unit.get(other, unit.states), rtol=0, atol=1e-8)
+    unit.FreeInstance(component)
+    unit.FreeInstance(other)
 
 
 def test_no_step_goes_beyond_the_stop_time(unit):

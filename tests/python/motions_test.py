@@ -125,6 +125,14 @@ def test_small_oscillations_of_a_double_pendulum(pendulum):
     np.testing.assert_allclose(modes.damping, 0.0, atol=1e-9)
 
 
+def test_equilibria_from_several_starts_are_distinct(pendulum):
+    """Two rods hang or stand: four equilibria, of which these starts lead to three, one of them twice."""
+    found = pendulum.equilibria_from([[0.3, -0.2], [3.0, 0.1], [-0.2, 0.1], [0.1, 3.2]])
+    np.testing.assert_allclose([each.q for each in found], [[0, 0], [np.pi, 0], [0, np.pi]], atol=1e-9)
+    with pytest.raises(torsor.TorsorError, match="from any of 1 starts"):
+        pendulum.equilibria_from([[0.3, -0.2]], steps=1)
+
+
 def test_one_coordinate_alone_has_vectors_and_matrices_too(rod):
     """m g l = 9.81 N m, I = 0.1 + 2 0.5^2 = 0.6 kg m^2: exact to a few roundings."""
     q = np.linspace(-1.0, 1.0, 5)[:, None]

@@ -211,7 +211,12 @@ def test_equations_are_those_of_the_readme():
     text = crane().equations()
     assert "(M + m) x'' - 1/2 m l cos(theta) theta'' + 1/2 m l sin(theta) theta'^2 = drive" in text
     assert r"\cos" in crane().equations(format="latex")
-    assert r"\cos" in crane()._repr_latex_()
+    shown = crane()._repr_latex_()
+    # MathJax sets what is within such environments and nothing else.
+    assert r"\cos" in shown and "section" not in shown and r"\par" not in shown
+    assert r"$$\textbf{Lagrange's equations}$$" in shown
+    rest = re.sub(r"\\begin\{align\*\}.*?\\end\{align\*\}|\$\$.*?\$\$", "", shown, flags=re.DOTALL)
+    assert not rest.strip()
 
 
 def test_every_command_of_a_program_is_there(tmp_path):
@@ -312,3 +317,14 @@ def test_the_snippet_of_the_docstring_runs(monkeypatch):
 def test_names_are_those_that_users_import():
     for name in ("SceneError", "UnitError", "UsageError", "Expression", "Frame", "Inertia"):
         assert getattr(ts, name).__module__ == "torsor.scene"
+
+
+def test_a_compiled_module_of_another_version_is_refused(tmp_path):
+    """A module that was left behind: what it would do is not what the package says."""
+    for text, said in (('__version__ = "0.0.9"', "0.0.9"), ("", "an older one")):
+        (tmp_path / "_torsor_scene.py").write_text(text)
+        path = os.pathsep.join([str(tmp_path), *sys.path])
+        answer = subprocess.run([sys.executable, "-c", "import torsor.scene"], env={**os.environ, "PYTHONPATH": path},
+                                capture_output=True, text=True, check=False)
+        assert answer.returncode == 1
+        assert f"_torsor_scene.py is of version {said} and this package torsor of {torsor.__version__}: install" in answer.stderr
