@@ -18,7 +18,7 @@ endif()
 if(NOT CPACK_PACKAGE_CONTACT)  # good on this machine only
   set(CPACK_PACKAGE_CONTACT "The developers of torsor <torsor@localhost>")
 endif()
-set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "${PROJECT_DESCRIPTION}")
+set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "")  # or CPack puts it before what each package says of itself
 set(CPACK_PACKAGE_FILE_NAME "torsor-${PROJECT_VERSION}-${CMAKE_SYSTEM_NAME}-${CMAKE_SYSTEM_PROCESSOR}")
 set(CPACK_RESOURCE_FILE_LICENSE "${PROJECT_SOURCE_DIR}/LICENSES/GPL-3.0-or-later.txt")
 set(CPACK_STRIP_FILES ON)

@@ -67,7 +67,7 @@ TEST(FmiUnit, HasTheKernelsThatItsOutputsNeedAndNoOthers) {
                    "energy_derivatives"}));
   EXPECT_EQ(kernels(lower_unit(block_on_rail(true), FmiVersion::two, {{}, {"block"}, {}})),
             (Names{"forward_dynamics", "energy", "mass_matrix", "bias", "contacts", "contact_coefficients",
-                   "output_places"}));
+                   "output_places", "energy_derivatives", "output_place_derivatives"}));
 }
 
 TEST(FmiUnit, NamesAreFlatWhereTheyAreNoStructuredOnes) {
