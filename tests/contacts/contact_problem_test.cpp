@@ -4,8 +4,8 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <random>
 #include <numbers>
+#include <random>
 
 #include "torsor/runtime/contacts/contact_solver.hpp"
 #include "torsor/runtime/contacts/regime_enumeration.hpp"
