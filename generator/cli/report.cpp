@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
 #include "torsor/generator/base/base64.hpp"
 #include "torsor/generator/base/error.hpp"
