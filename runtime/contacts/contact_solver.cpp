@@ -8,8 +8,6 @@
 
 #include "torsor/runtime/contacts/contact_scale.hpp"
 #include "torsor/runtime/contacts/regime_enumeration.hpp"
-#include "torsor/runtime/contacts/regime_inequalities.hpp"
-#include "torsor/runtime/contacts/unique_solution.hpp"
 
 namespace torsor::runtime {
 namespace {
@@ -37,15 +35,6 @@ class ContactIteration {
       if (regimes.try_from(proposed()) || stagnates()) break;
     }
     return regimes.finish();
-  }
-
-  /// The same, of the regimes that fit one motion those that hold most: contacts that neither press nor part are closed, those
-  /// that bear all that would make them slip stick.
-  [[nodiscard]] ContactAnswer run_holding() noexcept {
-    const ContactAnswer first = run();
-    if (!first) return first;
-    RegimeEnumeration regimes(problem_);
-    return regimes.try_from(holding(first.best())) ? regimes.finish() : first;
   }
 
  private:
@@ -144,34 +133,6 @@ class ContactIteration {
     return regimes;
   }
 
-  [[nodiscard]] Regimes holding(const ContactSolution& s) const noexcept {
-    const ContactVector size = scale_.motions(problem_.W.cwiseAbs() * s.r.cwiseAbs() + problem_.q.cwiseAbs());
-    Regimes regimes{};
-    for (int i = 0; i < problem_.count; ++i) {
-      const ContactLaw& law = problem_.law(i);
-      AssumedRegime& regime = regimes[as(i)];
-      const int n = problem_.first_row(i), t = problem_.tangent_row(i);
-      regime.pressed = law.normal && s.u(n) <= RegimeEnumeration::slack * size(n);
-      if (!law.rubs() || (law.normal && !regime.pressed && s.regimes[as(i)] == ContactRegime::open)) continue;
-      double slip = 0, most = 0;
-      for (int k = 0; k < law.tangents; ++k) {
-        slip = std::hypot(slip, s.u(t + k));
-        most = std::max(most, size(t + k));
-      }
-      regime.friction = Friction::slides;
-      if (law.slips) {
-        regime.direction = law.slip;
-        regime.direction_given = true;
-      } else if (slip <= RegimeEnumeration::slack * most) {
-        regime.friction = Friction::sticks;
-      } else {
-        for (int k = 0; k < law.tangents; ++k) regime.direction[as(k)] = s.u(t + k) / slip;
-        regime.direction_sought = law.tangents == 2;
-      }
-    }
-    return regimes;
-  }
-
   const ContactProblem& problem_;
   const ContactScale scale_;
   const ContactSolverOptions options_;
@@ -187,16 +148,6 @@ bool tries_all(const ContactProblem& problem) noexcept {
     if (law.bearing > 0 || (law.tangents == 2 && law.rubs() && !law.slips)) return false;
   }
   return true;
-}
-
-// How many contacts may begin to slip in any direction of space: all regimes of two and more are tried by the thousand.
-int slips_sought(const ContactProblem& problem) noexcept {
-  int sought = 0;
-  for (int i = 0; i < problem.count; ++i) {
-    const ContactLaw& law = problem.law(i);
-    if (law.tangents == 2 && law.rubs() && !law.slips) ++sought;
-  }
-  return sought;
 }
 
 }  // namespace
@@ -221,11 +172,6 @@ ContactAnswer go_on_contacts(const ContactProblem& problem, const ContactVector&
 
 ContactAnswer solve_contacts(const ContactProblem& problem, const ContactSolverOptions& options) noexcept {
   if (problem.count <= options.enumerated) {
-    if (slips_sought(problem) > 1 && solution_is_unique(problem)) {
-      const ContactSolverOptions few{.sweeps = 10, .attempts = 20};
-      const ContactAnswer answer = ContactIteration(problem, ContactVector::Zero(problem.rows()), few).run_holding();
-      if (answer) return answer;
-    }
     ContactAnswer answer = RegimeEnumeration(problem).run();
     if (answer || tries_all(problem)) return answer;
   }

@@ -17,8 +17,6 @@ class RegimeEnumeration {
   using Regimes = RegimeSystem::Regimes;
   using Friction = AssumedRegime::Friction;
 
-  static constexpr double slack = 1e-12;  ///< of the sizes, for what has to hold
-
   explicit RegimeEnumeration(const ContactProblem& problem) noexcept : problem_(problem), scale_(problem) {
     for (int i = 0; i < problem.count; ++i) bearings_ += problem.law(i).bearing > 0 ? 1 : 0;
   }
@@ -40,6 +38,8 @@ class RegimeEnumeration {
     bool indeterminate = false;  ///< with others around it
     bool moves = false;          ///< which give other motions
   };
+  static constexpr double slack = 1e-12;  ///< of the sizes, for what has to hold
+
   [[nodiscard]] bool ends(const ContactSolution& one, const ContactSolution& other) const noexcept;
   static std::size_t as(int i) noexcept { return static_cast<std::size_t>(i); }
 

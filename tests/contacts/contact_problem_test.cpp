@@ -151,7 +151,9 @@ TEST(BoxAtRest, HasOneMotionAndManyReactions) {
     const ContactAnswer answer = solve_contacts(problem);
     EXPECT_EQ(answer.verdict, ContactVerdict::indeterminate);
     EXPECT_LE(answer.best().u.norm(), 1e-15);
-    EXPECT_NEAR(answer.best().r(0) + answer.best().r(3) + answer.best().r(6) + answer.best().r(9), weight, 1e-13);
+    const Eigen::Vector4d N{answer.best().r(0), answer.best().r(3), answer.best().r(6), answer.best().r(9)};
+    EXPECT_NEAR(N.sum(), weight, 1e-13);
+    EXPECT_GT(N.minCoeff(), weight / 40);  // inside its bounds by a tenth of the largest, which is a quarter at least
   }
 }
 

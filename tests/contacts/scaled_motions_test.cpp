@@ -180,17 +180,7 @@ TEST(ScaledMotions, BeginToSlipAlikeInAllUnitsOfLengthAndTime) {
       for (const double time : {1.0, 0x1p-20, 0x1p20}) {
         SCOPED_TRACE(testing::Message() << "f_s " << f_static << ", lengths " << length << ", times " << time);
         const double alpha = 0.5 / (time * time), weight = simple_systems::g * length / (time * time);
-        const simple_systems::ByHand<3, 3, 1> particle{
-            {ContactRule{.tangents = 2, .friction = f, .static_friction = f_static}},
-            [=](double t, const auto& y, ContactReading& r) {
-              const double turns = alpha * t;
-              r.M.setIdentity();
-              r.F << 0, 0, -weight;
-              r.gap[0] = y[2];
-              r.J << 0, 0, 1, 1, 0, 0, 0, 1, 0;
-              r.w << y[5], y[3] + turns * y[1], y[4] - turns * y[0];
-              r.drift << 0, alpha * y[1] + turns * y[4], -alpha * y[0] - turns * y[3];
-            }};
+        const auto particle = simple_systems::particle_on_turntable(alpha, f, f_static, weight);
         const double speed = length / time;
         const DormandPrince853 method{.relative_tolerance = 1e-12, .absolute_tolerance = 1e-12 * std::min(length, speed)};
         std::array<double, 6> y{length, 0, 0, 0, 0, 0};

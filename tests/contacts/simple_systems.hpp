@@ -70,6 +70,20 @@ inline ByHand<3, 3, 1> sphere_on_slope(double slope, double f, double e, double 
           }};
 }
 
+/// A particle on a level turntable that is spun up, Ω = α t: q = (x, y, z).
+inline ByHand<3, 3, 1> particle_on_turntable(double alpha, double f, double f_static, double weight = g) {
+  return {{ContactRule{.tangents = 2, .friction = f, .static_friction = f_static}},
+          [=](double t, const auto& y, auto& r) {
+            const double turns = alpha * t;
+            r.M.setIdentity();
+            r.F << 0, 0, -weight;
+            r.gap[0] = y[2];
+            r.J << 0, 0, 1, 1, 0, 0, 0, 1, 0;
+            r.w << y[5], y[3] + turns * y[1], y[4] - turns * y[0];
+            r.drift << 0, alpha * y[1] + turns * y[4], -alpha * y[0] - turns * y[3];
+          }};
+}
+
 /// A ball on a table in space: q = place of its centre, v = (V, W). The contact's three rows come first.
 inline void fill_billiard_ball(double m, double R, const std::array<double, 9>& y, ContactReading& r) {
   r.M.setIdentity();

@@ -39,20 +39,6 @@ std::vector<Told> move(const S& system, std::array<double, size>& y, double from
   return events;
 }
 
-/// A particle on a level turntable that is spun up, Ω = α t: q = (x, y, z).
-ByHand<3, 3, 1> particle_on_turntable(double alpha, double f, double f_static) {
-  return {{ContactRule{.tangents = 2, .friction = f, .static_friction = f_static}},
-          [=](double t, const auto& y, auto& r) {
-            const double turns = alpha * t;
-            r.M.setIdentity();
-            r.F << 0, 0, -g;
-            r.gap[0] = y[2];
-            r.J << 0, 0, 1, 1, 0, 0, 0, 1, 0;
-            r.w << y[5], y[3] + turns * y[1], y[4] - turns * y[0];
-            r.drift << 0, alpha * y[1] + turns * y[4], -alpha * y[0] - turns * y[3];
-          }};
-}
-
 /// The same motion by other means: the contact slides from a small slip on, whose direction is w_T/|w_T| at all times.
 /// These equations are the stiffer the smaller the slip.
 template <class S, std::size_t size>
