@@ -20,12 +20,15 @@ class Unit {
 
   /// Dimensionless.
   constexpr Unit() = default;
-  /// kg^mass m^length s^time A^current K^temperature mol^amount cd^intensity, whole exponents within ±63 (else
-  /// UnitError).
-  constexpr explicit Unit(int mass, int length = 0, int time = 0, int current = 0, int temperature = 0, int amount = 0,
-                          int intensity = 0)
-      : halves_{halves(mass),        halves(length), halves(time),     halves(current),
-                halves(temperature), halves(amount), halves(intensity)} {}
+  /// kg^mass m^length s^time A^current, whole exponents within ±63 (else UnitError).
+  constexpr explicit Unit(int mass, int length = 0, int time = 0, int current = 0)
+      : halves_{halves(mass), halves(length), halves(time), halves(current)} {}
+  /// The base unit `index`, in the order kg, m, s, A, K, mol, cd.
+  static constexpr Unit base(int index) {
+    Unit unit;
+    unit.halves_[static_cast<std::size_t>(index)] = 2;
+    return unit;
+  }
 
   /// Reads "kg m^2/s^2", "N*m", "N·m", "N s/m", "rad/s", "J/(kg K)", "m^(1/2)", "1". Factors are joined by a space, '*'
   /// or '·'; each '/' divides by the one factor or parenthesis after it. A product after a '/' ("J/kg K") has two

@@ -45,9 +45,17 @@ std::string eigen_version() {
   return text.str();
 }
 
-/// Compiles the first of the sources, which includes the others. `user` is for the message.
-void compile(const Compiler& compiler, const Words& options, const Words& objects,
-             const std::vector<SourceFile>& sources, const std::string& user, const fs::path& target) {
+/// What the compiler is asked.
+struct Compilation {
+  const Compiler& compiler;
+  Words options;
+  std::vector<SourceFile> sources;  ///< the first includes the others
+  Words objects = {};               ///< to link with
+};
+
+/// `user` is for the message.
+void compile(const Compilation& asked, const std::string& user, const fs::path& target) {
+  const auto& [compiler, options, sources, objects] = asked;
   tell_of_compiling(user, compiler);
   const TemporaryFolder folder(target.parent_path(), target.stem().string() + "-");
   for (const SourceFile& source : sources) {
@@ -71,9 +79,9 @@ void compile(const Compiler& compiler, const Words& options, const Words& object
   if (failure) throw FileError(fmt::format("cannot write '{}': {}", target.string(), failure.message()));
 }
 
-/// Where the cache has what comes of these sources.
-fs::path kept(const std::string& name, const std::string& suffix, const Compiler& compiler, const Words& options,
-              const std::vector<SourceFile>& sources) {
+/// Where the cache has what comes of it. The objects follow from the options and are no part of the key.
+fs::path kept(const std::string& name, const std::string& suffix, const Compilation& asked) {
+  const auto& [compiler, options, sources, objects] = asked;
   Fnv key;
   for (const SourceFile& source : sources) key.add(source.path).add(source.text);
   for (const std::string& word : compiler.words) key.add(word).add(" ");
@@ -88,15 +96,14 @@ fs::path kept(const std::string& name, const std::string& suffix, const Compiler
 std::string compiled_contact_layer(const Compiler& compiler, const Words& options) {
   Words words = {"-std=c++20", "-c", "-fPIC", "-fvisibility=hidden", "-isystem", eigen_folder()};
   words.insert(words.end(), options.begin(), options.end());
-  const std::vector<SourceFile> sources = contact_layer_sources();
-  const fs::path object = kept("contact_layer", ".o", compiler, words, sources);
-  if (!fs::exists(object)) compile(compiler, words, {}, sources, "the contact layer", object);
+  const Compilation asked{compiler, std::move(words), contact_layer_sources()};
+  const fs::path object = kept("contact_layer", ".o", asked);
+  if (!fs::exists(object)) compile(asked, "the contact layer", object);
   return object.string();
 }
 
 std::string compiled_library(const MechanismListing& mechanism, const LibraryOptions& options) {
   const Compiler compiler = found_compiler("CXX", {"c++", "g++", "clang++"}, "C++20");
-  const std::vector<SourceFile> sources = library_sources(mechanism);
   const std::string& name = mechanism.scene().name();
   const bool contacts = !mechanism.scene().content().contacts.empty();
   Words flags = separate_words(options.flags);
@@ -104,10 +111,11 @@ std::string compiled_library(const MechanismListing& mechanism, const LibraryOpt
   Words words = {"-std=c++20", "-shared", "-fPIC", "-fvisibility=hidden", "-pthread"};
   words.insert(words.end(), flags.begin(), flags.end());
   if (contacts) words.insert(words.end(), {"-isystem", eigen_folder(), "-DTORSOR_CONTACT_LAYER_APART"});
-  const fs::path library = kept(name, ".so", compiler, words, sources);
+  Compilation asked{compiler, std::move(words), library_sources(mechanism)};
+  const fs::path library = kept(name, ".so", asked);
   if (!fs::exists(library)) {
-    const Words objects = contacts ? Words{compiled_contact_layer(compiler, flags)} : Words{};
-    compile(compiler, words, objects, sources, name, library);
+    if (contacts) asked.objects = {compiled_contact_layer(compiler, flags)};
+    compile(asked, name, library);
   }
   return library.string();
 }

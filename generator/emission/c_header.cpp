@@ -58,10 +58,18 @@ struct CItem {
   bool is_table = false;
 };
 
-CItem c_table(const std::string& type, const std::string& name, const std::vector<std::string>& entries,
-              const std::string& nothing, const std::string& documentation = {}) {
-  return {documentation, fmt::format("const {} {}[{}]", type, name, array_size(entries.size())),
-          fmt::format(" = {{{}}};", entries.empty() ? nothing : fmt::format("{}", fmt::join(entries, ", "))), true};
+/// The parts of a table's text.
+struct CTable {
+  std::string type, name;
+  std::vector<std::string> entries;
+  std::string nothing;  ///< the one entry of a table that would have none: C knows no empty array
+  std::string documentation = {};
+};
+
+CItem c_table(const CTable& table) {
+  const std::string entries = fmt::format("{}", fmt::join(table.entries, ", "));
+  return {table.documentation, fmt::format("const {} {}[{}]", table.type, table.name, array_size(table.entries.size())),
+          fmt::format(" = {{{}}};", table.entries.empty() ? table.nothing : entries), true};
 }
 
 /// What the mechanism says of itself.
@@ -69,18 +77,18 @@ std::vector<CItem> c_description(const MechanismListing& mechanism) {
   const std::string& scene = mechanism.scene().name();
   std::vector<CItem> items;
   for (const DescribedTable& described : described_tables) {
-    items.push_back(c_table("torsor_quantity", scene + "_" + described.name,
-                            quantity_entries(mechanism.layout.of(described.table)), "{\"\", \"\"}"));
+    items.push_back(c_table({"torsor_quantity", scene + "_" + described.name,
+                            quantity_entries(mechanism.layout.of(described.table)), "{\"\", \"\"}"}));
   }
   items.front().documentation = "Names and units of what the vectors hold.";
   std::vector<std::string> quaternions;
   for (const std::size_t place : quaternion_places(mechanism)) quaternions.push_back(std::to_string(place));
-  items.push_back(c_table("int", scene + "_quaternions", quaternions, "0",
-                          "Places in q of the first components (w) of the unit quaternions (w, x, y, z)."));
+  items.push_back(c_table({"int", scene + "_quaternions", quaternions, "0",
+                          "Places in q of the first components (w) of the unit quaternions (w, x, y, z)."}));
   const KernelEntries entries = kernel_entries(mechanism, scene + "_results", {"0", "1"});
-  items.push_back(c_table("torsor_result", scene + "_results", entries.results, "{\"\", \"\", 0, 0, 0, \"\"}",
-                          "What kernels write, and what they read."));
-  items.push_back(c_table("torsor_kernel", scene + "_kernels", entries.kernels, "{\"\", 0, 0, 0, 0, 0, 0}"));
+  items.push_back(c_table({"torsor_result", scene + "_results", entries.results, "{\"\", \"\", 0, 0, 0, \"\"}",
+                          "What kernels write, and what they read."}));
+  items.push_back(c_table({"torsor_kernel", scene + "_kernels", entries.kernels, "{\"\", 0, 0, 0, 0, 0, 0}"}));
   return items;
 }
 
@@ -94,23 +102,29 @@ std::vector<CItem> c_tables(const std::string& scene, const Structure& structure
     } else if (const auto* indices = std::get_if<ConstantTable::Indices>(&each.value)) {
       std::vector<std::string> entries;
       for (const auto index : *indices) entries.push_back(std::to_string(index));
-      items.push_back(c_table("int", name, entries, "0", each.documentation));
+      items.push_back(c_table({"int", name, entries, "0", each.documentation}));
     } else {
       std::vector<std::string> factors;
       for (const double factor : std::get<ConstantTable::Factors>(each.value)) {
         factors.push_back(
             fmt::format("TORSOR_NUMBER({}, {})", literal(factor), literal(static_cast<float>(factor))));
       }
-      items.push_back(c_table("torsor_real", name, factors, "0", each.documentation));
+      items.push_back(c_table({"torsor_real", name, factors, "0", each.documentation}));
     }
   }
   return items;
 }
 
-CItem c_item(const std::string& type, const std::string& name, const std::string& arguments,
-               const std::string& documentation, const std::string& unused, const std::string& body) {
-  return {documentation, fmt::format("{} {}({})", type, name, arguments),
-          " {\n  " + unused + ";\n" + indented(body, "  ") + "}"};
+/// The parts of a function's text.
+struct CFunction {
+  std::string type, name, arguments, documentation;
+  std::string unused;  ///< what keeps compilers silent about arguments that nothing reads
+  std::string body;
+};
+
+CItem c_item(const CFunction& function) {
+  return {function.documentation, fmt::format("{} {}({})", function.type, function.name, function.arguments),
+          " {\n  " + function.unused + ";\n" + indented(function.body, "  ") + "}"};
 }
 
 CItem c_function(const MechanismListing& mechanism, const KernelListing& given) {
@@ -131,8 +145,12 @@ CItem c_function(const MechanismListing& mechanism, const KernelListing& given) 
   }
   if (listing.recurrence) arguments += ", int order, torsor_real* coefficients";
   const std::string body = print(listing, CLanguage(mechanism, "precomputed->parameters"));
-  return c_item(listing.has_status ? "torsor_status" : "void", scene + "_" + kernel.name, arguments,
-                  kernel.documentation, unused, body);
+  return c_item({.type = listing.has_status ? "torsor_status" : "void",
+                 .name = scene + "_" + kernel.name,
+                 .arguments = arguments,
+                 .documentation = kernel.documentation,
+                 .unused = unused,
+                 .body = body});
 }
 
 /// Functions of parameters.
@@ -143,15 +161,24 @@ std::vector<CItem> preparations(const MechanismListing& mechanism) {
   for (std::size_t i = 0; i < mechanism.layout.parameters.size(); ++i) {
     copies += fmt::format("precomputed->parameters[{0}] = parameters[{0}];\n", i);
   }
-  return {c_item("void", scene + "_default_parameters", "torsor_real* parameters", "Values of the scene.",
-                   "(void)parameters", print(mechanism.default_parameters, language)),
-          c_item("void", scene + "_precompute",
-                   fmt::format("const torsor_real* parameters, {}_precomputed* precomputed", scene),
-                   "To be called again when a parameter changes.", "(void)parameters, (void)precomputed",
-                   copies + print(mechanism.precompute, language)),
-          c_item("void", scene + "_initial_state", fmt::format("const torsor_real* parameters, {}_state* state", scene),
-                   "The state the scene starts from, for these parameters.", "(void)parameters, (void)state",
-                   print(mechanism.initial_state, language))};
+  return {c_item({.type = "void",
+                  .name = scene + "_default_parameters",
+                  .arguments = "torsor_real* parameters",
+                  .documentation = "Values of the scene.",
+                  .unused = "(void)parameters",
+                  .body = print(mechanism.default_parameters, language)}),
+          c_item({.type = "void",
+                  .name = scene + "_precompute",
+                  .arguments = fmt::format("const torsor_real* parameters, {}_precomputed* precomputed", scene),
+                  .documentation = "To be called again when a parameter changes.",
+                  .unused = "(void)parameters, (void)precomputed",
+                  .body = copies + print(mechanism.precompute, language)}),
+          c_item({.type = "void",
+                  .name = scene + "_initial_state",
+                  .arguments = fmt::format("const torsor_real* parameters, {}_state* state", scene),
+                  .documentation = "The state the scene starts from, for these parameters.",
+                  .unused = "(void)parameters, (void)state",
+                  .body = print(mechanism.initial_state, language)})};
 }
 
 std::vector<CItem> all_items(const MechanismListing& mechanism) {

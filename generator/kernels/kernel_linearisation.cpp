@@ -2,7 +2,6 @@
 #include "torsor/generator/kernels/kernel_linearisation.hpp"
 
 #include <algorithm>
-#include <tuple>
 
 #include <fmt/format.h>
 
@@ -20,9 +19,13 @@ std::vector<Value> column_of(const ValueMatrix& matrix, std::size_t j) {
   return column;
 }
 
-/// Rows of M⁻¹ X below those of the state matrices that say how e changes.
-void assign_state_matrices(Kernel& kernel, Structure& structure, const ValueMatrix& a, const ValueMatrix& b,
-                           const std::string& state) {
+/// x' = A x + B du: rows of M⁻¹ X below those that say how e changes.
+struct StateMatrices {
+  ValueMatrix a, b;
+};
+
+void assign_state_matrices(Kernel& kernel, Structure& structure, const StateMatrices& matrices, const std::string& state) {
+  const auto& [a, b] = matrices;
   const std::size_t size = a.size();
   const std::size_t inputs = b.empty() ? 0 : b[0].size();
   structure.members.push_back(matrix_member("A", size, size, "state matrix of " + state));
@@ -32,48 +35,58 @@ void assign_state_matrices(Kernel& kernel, Structure& structure, const ValueMatr
   assign_matrix(kernel, {"result", "B"}, b, inputs);
 }
 
-/// Members M, C, K, F and E, with a suffix to their names.
-void assign_equations(Kernel& kernel, Structure& structure, const std::string& suffix, const std::string& text,
-                      const ValueMatrix& mass, const ValueMatrix& damping, const ValueMatrix& stiffness,
-                      const std::vector<Value>& force, const ValueMatrix& effects) {
-  const std::size_t rows = mass.size();
-  const std::size_t inputs = rows == 0 ? 0 : effects[0].size();
+/// How the members of the full and of the reduced equations are told apart.
+struct MemberNames {
+  std::string suffix, text;
+};
+
+/// Members M, C, K, F and E of the full or the reduced equations.
+template <class Matrices>
+void assign_equations(Kernel& kernel, Structure& structure, const Matrices& linear, const MemberNames& names = {}) {
+  const std::string& suffix = names.suffix;
+  const std::string& text = names.text;
+  const std::size_t rows = linear.M.size();
+  const std::size_t inputs = rows == 0 ? 0 : linear.E[0].size();
   const auto assign = [&](const std::string& name, const ValueMatrix& matrix, const std::string& meaning) {
     const std::size_t columns = rows == 0 ? 0 : matrix[0].size();
     structure.members.push_back(matrix_member(name + suffix, rows, columns, text + meaning));
     assign_matrix(kernel, {"result", name + suffix}, matrix, columns);
   };
-  assign("M", mass, "mass matrix");
-  assign("C", damping, "damping and gyroscopic terms");
-  assign("K", stiffness, "stiffness");
+  assign("M", linear.M, "mass matrix");
+  assign("C", linear.C, "damping and gyroscopic terms");
+  assign("K", linear.K, "stiffness");
   structure.members.push_back(vector_member("F" + suffix, rows, text + "right-hand side"));
-  assign_vector(kernel, {"result", "F" + suffix}, force, rows);
-  if (inputs > 0) assign("E", effects, "effect of the inputs");
+  assign_vector(kernel, {"result", "F" + suffix}, linear.F, rows);
+  if (inputs > 0) assign("E", linear.E, "effect of the inputs");
 }
 
+/// e' by e and by w.
+struct RatesOfE {
+  const ValueMatrix& by_e;
+  const ValueMatrix& by_w;
+};
+
 /// x = (e, w): the upper rows are given, the lower ones −M⁻¹ K, −M⁻¹ C, M⁻¹ E.
-template <class Solver>
-std::pair<ValueMatrix, ValueMatrix> state_matrices(const Solver& mass, const ValueMatrix& e_rates_e,
-                                                   const ValueMatrix& e_rates_w, const ValueMatrix& damping,
-                                                   const ValueMatrix& stiffness, const ValueMatrix& effects) {
-  const std::size_t k = e_rates_e.size();
-  const std::size_t p = damping.size();
-  const std::size_t inputs = p == 0 ? 0 : effects[0].size();
+template <class Solver, class Matrices>
+StateMatrices state_matrices(const Solver& mass, const RatesOfE& rates, const Matrices& linear) {
+  const std::size_t k = rates.by_e.size();
+  const std::size_t p = linear.C.size();
+  const std::size_t inputs = p == 0 ? 0 : linear.E[0].size();
   ValueMatrix a(k + p, std::vector<Value>(k + p));
   ValueMatrix b(k + p, std::vector<Value>(inputs));
   for (std::size_t i = 0; i < k; ++i) {
-    for (std::size_t j = 0; j < k; ++j) a[i][j] = e_rates_e[i][j];
-    for (std::size_t j = 0; j < p; ++j) a[i][k + j] = e_rates_w[i][j];
+    for (std::size_t j = 0; j < k; ++j) a[i][j] = rates.by_e[i][j];
+    for (std::size_t j = 0; j < p; ++j) a[i][k + j] = rates.by_w[i][j];
   }
   const auto below = [&](ValueMatrix& target, std::size_t column, const std::vector<Value>& force, bool negative) {
     const std::vector<Value> solved = mass.solve(force);
     for (std::size_t i = 0; i < p; ++i) target[k + i][column] = negative ? -solved[i] : solved[i];
   };
   for (std::size_t j = 0; j < std::max(k, p); ++j) {
-    if (j < k) below(a, j, column_of(stiffness, j), true);
-    if (j < p) below(a, k + j, column_of(damping, j), true);
+    if (j < k) below(a, j, column_of(linear.K, j), true);
+    if (j < p) below(a, k + j, column_of(linear.C, j), true);
   }
-  for (std::size_t j = 0; j < inputs; ++j) below(b, j, column_of(effects, j), false);
+  for (std::size_t j = 0; j < inputs; ++j) below(b, j, column_of(linear.E, j), false);
   return {a, b};
 }
 
@@ -117,7 +130,7 @@ Kernel unconstrained(const Equations& equations) {
         "omega, and w = de/dt + omega x e: A says so.";
   }
   Structure structure{"Linearisation", "Matrices of the linearised equations, stored column by column.", {}};
-  assign_equations(kernel, structure, "", "", linear.M, linear.C, linear.K, linear.F, linear.E);
+  assign_equations(kernel, structure, linear);
   Program& program = equations.program();
   ValueMatrix e_rates_e(n, std::vector<Value>(n));
   ValueMatrix e_rates_w = e_rates_e;
@@ -126,14 +139,13 @@ Kernel unconstrained(const Equations& equations) {
     const std::vector<Value> turned = turned_row(model, i, e_rates_w);
     for (std::size_t j = 0; j < n; ++j) e_rates_e[i][j] = -turned[j];
   }
-  const auto state = [&](const auto& mass) {
-    return state_matrices(mass, e_rates_e, e_rates_w, linear.C, linear.K, linear.E);
-  };
-  ValueMatrix a, b;
+  const auto state = [&](const auto& mass) { return state_matrices(mass, {e_rates_e, e_rates_w}, linear); };
+  StateMatrices matrices;
   if (equations.differentiates_squares()) {
     // −M⁻¹ C and M⁻¹ E are what the accelerations change by, whatever these are.
     const ForwardDerivatives motion = forward_derivatives(equations);
-    std::tie(a, b) = state(InverseBySquares(program, motion));
+    matrices = state(InverseBySquares(program, motion));
+    auto& [a, b] = matrices;
     for (std::size_t i = 0; i < n; ++i) {
       std::copy_n(motion.accelerations.by_velocity[i].begin(), n, a[n + i].begin() + static_cast<std::ptrdiff_t>(n));
       b[n + i] = motion.accelerations.by_input[i];
@@ -141,10 +153,10 @@ Kernel unconstrained(const Equations& equations) {
     kernel.pivots = motion.pivots;
   } else {
     const Factorisation factorisation(program, linear.M);
-    std::tie(a, b) = state(factorisation);
+    matrices = state(factorisation);
     kernel.pivots = factorisation.pivots();
   }
-  assign_state_matrices(kernel, structure, a, b,
+  assign_state_matrices(kernel, structure, matrices,
                         turning ? "x = (e, w): x' = A x + B du" : "x = (e, e'): x' = A x + B du");
   kernel.structures = {structure};
   return kernel;
@@ -177,13 +189,12 @@ Kernel reduced(const Equations& equations) {
       {"independent_velocity_count", freedoms.velocities.size(),
        "Velocities that w of the linearisation deviates: places in v."},
       {"independent_velocities", freedoms.velocities}};
-  assign_equations(kernel, structure, "", "", linear.full.M, linear.full.C, linear.full.K, linear.full.F,
-                   linear.full.E);
-  assign_equations(kernel, structure, "_r", "reduced ", linear.M, linear.C, linear.K, linear.F, linear.E);
+  assign_equations(kernel, structure, linear.full);
+  assign_equations(kernel, structure, linear, {"_r", "reduced "});
   kernel.pivots = linear.pivots;
   const auto assign_states = [&](const auto& mass) {
-    const auto [a, b] = state_matrices(mass, linear.e_rates_e, linear.e_rates_w, linear.C, linear.K, linear.E);
-    assign_state_matrices(kernel, structure, a, b, "x = (e, w): x' = A x + B du");
+    const StateMatrices matrices = state_matrices(mass, {linear.e_rates_e, linear.e_rates_w}, linear);
+    assign_state_matrices(kernel, structure, matrices, "x = (e, w): x' = A x + B du");
     kernel.pivots.insert(kernel.pivots.end(), mass.pivots().begin(), mass.pivots().end());
   };
   if (linear.symmetric)

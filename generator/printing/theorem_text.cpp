@@ -105,8 +105,12 @@ std::string theorem_text(const Scene& given, const TheoremRequest& request, cons
     report_contacts(page, given, say);
     return page.finish(given.content(), style);
   }
-  const TheoremEquation theorem = theorem_equation(equations, bodies, {point, request.axes, request.observer},
-                                                   moment ? Theorem::moment : Theorem::resultant, direction, say);
+  const TheoremEquation theorem =
+      theorem_equation(equations, bodies,
+                       {.screw = {point, request.axes, request.observer},
+                        .theorem = moment ? Theorem::moment : Theorem::resultant,
+                        .direction = direction},
+                       say);
   page.section(say("Newton-Euler for {}: {}{} along {} of {}{}", whom, moment ? say("moment") : say("resultant"),
                    moment ? say(" at {}", request.point) : "", request.direction, request.axes, seen));
   page.equation("", theorem.left, theorem.right);

@@ -34,14 +34,20 @@ std::optional<Number> coefficient(const Sum& sum, const Product& product) {
   return place->second;
 }
 
-/// Replaces two terms by coefficient · product · by.
-void merge(Sum& sum, const Product& first, const Product& second, const Product& product, const Number& coefficient,
-           const Sum& by) {
-  sum.add(first, -*torsor::printing::coefficient(sum, first));
-  sum.add(second, -*torsor::printing::coefficient(sum, second));
+/// coefficient · product · by.
+struct MergedTerm {
+  Number coefficient;
+  Product product;
+  Sum by;
+};
+
+/// Replaces two terms by one.
+void merge(Sum& sum, const Product& first, const Product& second, const MergedTerm& merged) {
+  sum.add(first, -*coefficient(sum, first));
+  sum.add(second, -*coefficient(sum, second));
   Sum factor;
-  factor.add(product, coefficient);
-  sum += factor * by;
+  factor.add(merged.product, merged.coefficient);
+  sum += factor * merged.by;
 }
 
 /// a m sin² + a m cos² = a m.
@@ -52,7 +58,7 @@ bool pythagoras(Sum& sum, const Product& product, const Number& a) {
     const Product mate = common * twin(power, 4);
     const std::optional<Number> b = coefficient(sum, mate);
     if (!b || *b != a) continue;
-    merge(sum, product, mate, common, a, Sum(Number(1)));
+    merge(sum, product, mate, {a, common, Sum(Number(1))});
     return true;
   }
   return false;
@@ -67,7 +73,7 @@ bool complement(Sum& sum, const Product& product, const Number& a) {
     if (!b || *b != -a) continue;
     Sum square;
     square.add(twin(power, 4), Number(1));
-    merge(sum, product, common, common, -a, square);
+    merge(sum, product, common, {-a, common, square});
     return true;
   }
   return false;
@@ -81,7 +87,7 @@ bool double_angle(Sum& sum, const Product& product, const Number& a) {
     const Product mate = common * twin(power, 4);
     const std::optional<Number> b = coefficient(sum, mate);
     if (!b || *b != -a) continue;
-    merge(sum, product, mate, common, a, Sum::function(Function::cos, Number(2) * power.base->inside));
+    merge(sum, product, mate, {a, common, Sum::function(Function::cos, Number(2) * power.base->inside)});
     return true;
   }
   return false;
@@ -110,7 +116,7 @@ bool addition(Sum& sum, const Product& product, const Number& a) {
       Number sign = a;
       // sin a sin b is the first term of the pair: cos a cos b has the coefficient b.
       if (cosine && product[i].base->function == Function::sin && !same) sign = *b;
-      merge(sum, product, mate, common, sign, Sum::function(cosine ? Function::cos : Function::sin, argument));
+      merge(sum, product, mate, {sign, common, Sum::function(cosine ? Function::cos : Function::sin, argument)});
       return true;
     }
   }

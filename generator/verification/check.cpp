@@ -162,7 +162,10 @@ class SceneCheck {
         // A body left to itself has no power, but its parts do: the size of what cancels is that of Σ |∂T2/∂q̇_i q̈_i|.
         Real exchanged = Real(0);
         for (std::size_t i = 0; i < n; ++i) exchanged += abs(here(momenta[i]) * a[i]);
-        check_energy(here, moving, power, report.explicit_rate, driving, lambda, there, exchanged);
+        std::vector<Real> terms_of_power = opposite_powers(here, there(road_.forces()), driving, lambda);
+        terms_of_power.push_back(moving(power));
+        terms_of_power.push_back(moving(report.explicit_rate));
+        check_energy(terms_of_power, exchanged);
       }
     }
     return collect();
@@ -262,19 +265,23 @@ class SceneCheck {
     return sums;
   }
 
-  void check_energy(Evaluator<Real>& here, Evaluator<Real>& moving, const Value& power, const Value& explicit_rate,
-                    const std::vector<Real>& driving, const std::vector<Real>& lambda, Evaluator<Real>& there,
-                    const Real& exchanged) {
+  /// Of all forces, with the sign of the left-hand side.
+  std::vector<Real> opposite_powers(Evaluator<Real>& here, const std::vector<Real>& forces,
+                                    const std::vector<Real>& driving, const std::vector<Real>& lambda) const {
     const Model& model = kernels_.model();
-    std::vector<Real> terms{moving(power), moving(explicit_rate)};
+    std::vector<Real> terms;
     for (std::size_t i = 0; i < static_cast<std::size_t>(model.unknown_count()); ++i) {
       const Real v = here(model.v(static_cast<int>(i)));
-      terms.push_back(-(there(road_.forces()[i]) * v));
+      terms.push_back(-(forces[i] * v));
       terms.push_back(-(driving[i] * v));
       for (std::size_t j = 0; j < lambda.size(); ++j) {
         terms.push_back(-(here(kernels_.constraints()[j].column[i]) * lambda[j] * v));
       }
     }
+    return terms;
+  }
+
+  void check_energy(const std::vector<Real>& terms, const Real& exchanged) {
     Real sum = Real(0);
     for (const Real& term : terms) sum += term;
     energy_.compare(sum, Real(0), sum_of_sizes(terms) + exchanged);

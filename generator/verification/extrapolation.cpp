@@ -17,12 +17,12 @@ constexpr int shown_digits = 8;  // of a time, in an error
 
 class Extrapolation {
  public:
-  Extrapolation(const DifferentialEquation& f, const RealNumbers& y0, const Real& t0, const ExtrapolationOptions& options)
-      : f_(f),
+  Extrapolation(const InitialValueProblem& problem, const ExtrapolationOptions& options)
+      : f_(problem.f),
         options_(options),
-        time_(t0.with_digits(options.work_digits)),
+        time_(problem.t0.with_digits(options.work_digits)),
         tolerance_(Number(10).pow(-options.tolerance_digits), options.work_digits) {
-    for (const Real& component : y0) state_.push_back(component.with_digits(options.work_digits));
+    for (const Real& component : problem.y0) state_.push_back(component.with_digits(options.work_digits));
     for (int row = 1; row < options.columns; ++row) {
       // 1 / ((n_j / n_{j-k})² − 1) for n_j = 2j: Aitken-Neville in h², (9.10).
       std::vector<Real> weights;
@@ -204,14 +204,13 @@ int shared_digits(const Real& a, const Real& b, int limit) {
 }
 
 /// The states at the times that are reached; what ends the integration before the last one is told in `stopped`.
-std::vector<RealNumbers> integrate_as_far_as_it_goes(const DifferentialEquation& f, const RealNumbers& y0, const Real& t0,
-                                                const std::vector<Real>& times, const ExtrapolationOptions& options,
-                                                std::string& stopped) {
-  check(t0, times, options);
+std::vector<RealNumbers> integrate_as_far_as_it_goes(const InitialValueProblem& problem, const std::vector<Real>& times,
+                                                     const ExtrapolationOptions& options, std::string& stopped) {
+  check(problem.t0, times, options);
   const WorkingDigits digits(options.work_digits);
   std::vector<RealNumbers> states;
   try {
-    Extrapolation extrapolation(f, y0, t0, options);
+    Extrapolation extrapolation(problem, options);
     for (const Real& time : times) {
       extrapolation.advance_to(time.with_digits(options.work_digits));
       states.push_back(extrapolation.state());
@@ -227,11 +226,11 @@ std::vector<RealNumbers> integrate_as_far_as_it_goes(const DifferentialEquation&
 
 }  // namespace
 
-std::vector<std::vector<Real>> integrate(const DifferentialEquation& f, const std::vector<Real>& y0, const Real& t0,
-                                         const std::vector<Real>& times, const ExtrapolationOptions& options) {
-  check(t0, times, options);
+std::vector<std::vector<Real>> integrate(const InitialValueProblem& problem, const std::vector<Real>& times,
+                                         const ExtrapolationOptions& options) {
+  check(problem.t0, times, options);
   const WorkingDigits digits(options.work_digits);
-  Extrapolation extrapolation(f, y0, t0, options);
+  Extrapolation extrapolation(problem, options);
   std::vector<std::vector<Real>> states;
   for (const Real& time : times) {
     extrapolation.advance_to(time.with_digits(options.work_digits));
@@ -240,15 +239,15 @@ std::vector<std::vector<Real>> integrate(const DifferentialEquation& f, const st
   return states;
 }
 
-ConvergedSolution integrate_converged(const DifferentialEquation& f, const std::vector<Real>& y0, const Real& t0,
-                                      const std::vector<Real>& times, const ExtrapolationOptions& options) {
+ConvergedSolution integrate_converged(const InitialValueProblem& problem, const std::vector<Real>& times,
+                                      const ExtrapolationOptions& options) {
   ExtrapolationOptions coarser = options;
   coarser.columns = options.columns > 6 ? options.columns - 3 : options.columns + 3;
   coarser.tolerance_digits = std::max(1, options.tolerance_digits - 3);
   ConvergedSolution solution;
   solution.worst_agreed_digits = options.work_digits;
-  solution.values = integrate_as_far_as_it_goes(f, y0, t0, times, options, solution.stopped);
-  const std::vector<std::vector<Real>> other = integrate_as_far_as_it_goes(f, y0, t0, times, coarser, solution.stopped);
+  solution.values = integrate_as_far_as_it_goes(problem, times, options, solution.stopped);
+  const std::vector<std::vector<Real>> other = integrate_as_far_as_it_goes(problem, times, coarser, solution.stopped);
   solution.values.resize(std::min(solution.values.size(), other.size()));
   const WorkingDigits digits(options.work_digits);
   for (std::size_t index = 0; index < solution.values.size(); ++index) {

@@ -12,6 +12,13 @@ namespace torsor {
 /// Right-hand side f of y' = f(t, y).
 using DifferentialEquation = std::function<std::vector<Real>(const Real& t, const std::vector<Real>& y)>;
 
+/// y' = f(t, y), y(t0) = y0.
+struct InitialValueProblem {
+  DifferentialEquation f;
+  std::vector<Real> y0;
+  Real t0 = Real(0);
+};
+
 /// How an extrapolation integration is done.
 struct ExtrapolationOptions {
   int columns = 14;           ///< columns K of the tableau: order 2K, K² + 1 evaluations of f a step
@@ -36,12 +43,12 @@ struct ConvergedSolution {
 /// While f runs, Real::working_digits() is work_digits; give y0 and the times with at least as many digits. Errors:
 /// UsageError for options or times that make no sense; Error naming t where
 /// f is not a number, the step vanishes or there are too many steps.
-std::vector<std::vector<Real>> integrate(const DifferentialEquation& f, const std::vector<Real>& y0, const Real& t0,
-                                         const std::vector<Real>& times, const ExtrapolationOptions& options);
+std::vector<std::vector<Real>> integrate(const InitialValueProblem& problem, const std::vector<Real>& times,
+                                         const ExtrapolationOptions& options);
 
 /// The same, and once more with three columns and three digits of tolerance less; the values are those of the first. Where
 /// a run fails after the first time, `as_far_as_it_goes` keeps the times that both reached.
-ConvergedSolution integrate_converged(const DifferentialEquation& f, const std::vector<Real>& y0, const Real& t0,
-                                      const std::vector<Real>& times, const ExtrapolationOptions& options);
+ConvergedSolution integrate_converged(const InitialValueProblem& problem, const std::vector<Real>& times,
+                                      const ExtrapolationOptions& options);
 
 }  // namespace torsor

@@ -126,7 +126,7 @@ ReferenceResult integrate_reference(const Scene& scene, const ReferenceOptions& 
   integrator.work_digits = work_digits;
   integrator.as_far_as_it_goes = true;
   const ConvergedSolution solution = integrate_converged(
-      [&motion](const Real& t, const std::vector<Real>& y) { return motion(t, y); }, start, Real(0), times, integrator);
+      {[&motion](const Real& t, const std::vector<Real>& y) { return motion(t, y); }, start}, times, integrator);
   ReferenceResult result;
   result.shortfalls = shortfalls_of(solution, options);
   const std::string agreement = result.shortfalls.empty()

@@ -200,7 +200,7 @@ State moved(const Equations& equations, const State& start, const Real& time) {
   options.columns = 10;
   options.tolerance_digits = 25;
   options.work_digits = 40;
-  const std::vector<Real> end = integrate(f, y, Real(0), {time}, options).front();
+  const std::vector<Real> end = integrate({f, y}, {time}, options).front();
   State result;
   for (std::size_t i = 0; i < names.size(); ++i) result.set(names[i], end[i]);
   return result;

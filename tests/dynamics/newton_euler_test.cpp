@@ -152,14 +152,14 @@ TEST(NewtonEuler, GivesTheTensionInTheRodOfAPendulum) {
   NamedState state(equations, {{"theta", theta}, {"theta'", rate}, {"theta''", -g * sin(theta) / l}});
   // Along the rod: tension = m (g cos θ + l θ̇²), towards O along y of the arm; nothing across, no moment about O.
   const ScrewQuery query{Scene::point("O"), "arm"};
-  const NewtonEulerEquation along = newton_euler(equations, {"bob"}, query, Theorem::resultant, axis::y);
+  const NewtonEulerEquation along = newton_euler_along(equations, {"bob"}, {query, Theorem::resultant, axis::y});
   EXPECT_LT(relative_difference(state(along.transmitted), m * (g * cos(theta) + l * rate * rate)), 1e-45);
   EXPECT_LT(relative_difference(state(along.known), -(m * g * cos(theta))), 1e-45);
   EXPECT_LT(relative_difference(state(along.dynamic), m * l * rate * rate), 1e-45);
   EXPECT_TRUE(along.constraints.is_zero());
-  const NewtonEulerEquation across = newton_euler(equations, {"bob"}, query, Theorem::resultant, axis::x);
+  const NewtonEulerEquation across = newton_euler_along(equations, {"bob"}, {query, Theorem::resultant, axis::x});
   EXPECT_LT(relative_difference(state(across.transmitted), Real(0)), 1e-45);
-  const NewtonEulerEquation about = newton_euler(equations, {"bob"}, query, Theorem::moment, {0, 0, 1});
+  const NewtonEulerEquation about = newton_euler_along(equations, {"bob"}, {query, Theorem::moment, {0, 0, 1}});
   EXPECT_LT(relative_difference(state(about.transmitted), Real(0)), 1e-45);
   EXPECT_LT(relative_difference(state(about.known), -(m * g * l * sin(theta))), 1e-45);
 }

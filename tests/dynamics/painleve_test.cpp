@@ -52,7 +52,7 @@ std::vector<double> drift(const Scene& scene, const std::vector<Real>& start) {
     return slope;
   };
   const std::vector<std::vector<Real>> end =
-      integrate(f, start, Real(0), {Real(1), Real(2)}, {.columns = 12, .tolerance_digits = 45, .work_digits = 65});
+      integrate({f, start}, {Real(1), Real(2)}, {.columns = 12, .tolerance_digits = 45, .work_digits = 65});
   std::vector<double> drifts;
   for (const FirstIntegral& integral : report.first_integrals) {
     evaluate.move_to(values(Real(0), start));

@@ -17,8 +17,8 @@ std::string ask(const torsor::Scene& scene, const std::string& body, const std::
   const auto written = [](const Value& value) { return readable(multiplied_out(value)); };
 
   // Newton-Euler: the moment about the hinge's axis z moves the body, the resultant along x gives the force on it.
-  const TheoremEquation moment = theorem_equation(equations, {body}, {Scene::point(hinge)}, Theorem::moment, axis::z);
-  const TheoremEquation force = theorem_equation(equations, {body}, {Scene::point(hinge)}, Theorem::resultant, axis::x);
+  const TheoremEquation moment = theorem_equation(equations, {body}, {{Scene::point(hinge)}, Theorem::moment, axis::z});
+  const TheoremEquation force = theorem_equation(equations, {body}, {{Scene::point(hinge)}, Theorem::resultant, axis::x});
   std::string text = written(moment.left) + " = " + written(moment.right) + "\n";
   text += written(force.left) + " = " + written(force.right) + "\n";
 

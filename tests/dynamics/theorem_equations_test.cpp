@@ -98,7 +98,7 @@ TEST_P(RandomTheorems, HoldForEveryBodyAndForAll) {
     for (const Theorem theorem : {Theorem::resultant, Theorem::moment}) {
       const Triple direction{Expression(1), Expression(2), Expression(-3)};
       const TheoremEquation equation =
-          theorem_equation(motion.equations(), bodies, {Scene::point("P1"), "body0", "ground"}, theorem, direction);
+          theorem_equation(motion.equations(), bodies, {{Scene::point("P1"), "body0", "ground"}, theorem, direction});
       EXPECT_LT(abs(evaluate(equation.left) - evaluate(equation.right)), power_of_ten(-38));
     }
     for (const char* observer : {"ground", "body0"}) {

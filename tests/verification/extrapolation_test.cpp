@@ -36,7 +36,7 @@ TEST(Extrapolation, FollowsTheHarmonicOscillatorTo45Digits) {
   options.tolerance_digits = 48;
   options.work_digits = 65;
   const std::vector<Real> times{decimal("0.5"), decimal("3"), decimal("10")};
-  const auto states = integrate(oscillator, {Real(0), Real(1)}, Real(0), times, options);
+  const auto states = integrate({oscillator, {Real(0), Real(1)}}, times, options);
   ASSERT_EQ(states.size(), times.size());
   for (std::size_t index = 0; index < times.size(); ++index) {
     // Some tens of steps of local error below 1e-48 (and in truth that of one order more): below 1e-45 together.
@@ -49,7 +49,7 @@ TEST(Extrapolation, ReturnsToItsStartBackwards) {
   ExtrapolationOptions options;
   options.tolerance_digits = 40;
   const Real start = decimal("2"), end = decimal("-1");
-  const auto states = integrate(oscillator, {sin(start), cos(start)}, start, {start, decimal("0"), end}, options);
+  const auto states = integrate({oscillator, {sin(start), cos(start)}, start}, {start, decimal("0"), end}, options);
   EXPECT_EQ(states[0][0], sin(start).with_digits(options.work_digits));
   EXPECT_LT(abs(states[1][0]), place(37));
   EXPECT_LT(abs(states[2][0] - sin(end)), place(37));
@@ -64,7 +64,7 @@ TEST(Extrapolation, ErrsLessWithATighterTolerance) {
   for (const int digits : {10, 20, 30, 40}) {
     ExtrapolationOptions options;
     options.tolerance_digits = digits;
-    const Real error = abs(integrate(f, {Real(1)}, Real(0), {Real(1)}, options)[0][0] - e);
+    const Real error = abs(integrate({f, {Real(1)}}, {Real(1)}, options)[0][0] - e);
     EXPECT_LT(error, place(digits - 2)) << digits;  // a few steps, each amplified by at most e
     if (digits > 10) {
       EXPECT_LT(error, previous);
@@ -76,7 +76,7 @@ TEST(Extrapolation, ErrsLessWithATighterTolerance) {
 TEST(Extrapolation, MeetsTheReferenceOfTheDoublePendulum) {
   ExtrapolationOptions options;
   options.tolerance_digits = 40;
-  const auto solution = integrate_converged(double_pendulum, {decimal("2"), decimal("2.5"), Real(0), Real(0)}, Real(0),
+  const auto solution = integrate_converged({double_pendulum, {decimal("2"), decimal("2.5"), Real(0), Real(0)}},
                                             {decimal("0.5"), decimal("1")}, options);
   // An independent computation (mpmath, 50 digits, two orders agreeing to 2e-37), printed to 30 decimals.
   const Vector expected{decimal("-0.083860420405000849725678156866"), decimal("-1.31309645061392503987080693396"),
@@ -104,7 +104,7 @@ TEST(Extrapolation, CountsAgreeingDigitsPerTime) {
   ExtrapolationOptions options;
   options.tolerance_digits = 20;
   options.work_digits = 40;
-  const auto solution = integrate_converged(oscillator, {Real(0), Real(1)}, Real(0), {Real(0), Real(1)}, options);
+  const auto solution = integrate_converged({oscillator, {Real(0), Real(1)}}, {Real(0), Real(1)}, options);
   EXPECT_EQ(solution.agreed_digits[0], 40);  // the initial state itself: no difference at all
   EXPECT_LT(solution.agreed_digits[1], 40);  // two orders do not agree to the last bit
   EXPECT_GE(solution.agreed_digits[1], 16);
@@ -120,7 +120,7 @@ TEST(Extrapolation, CountsTheDigitsThatTwoRunsShare) {
     const Real slope = runs == 1 ? Real(1) : decimal("1.0000000003");
     return Vector(y.size(), slope);
   };
-  const ConvergedSolution solution = integrate_converged(different, {Real(0), Real(1)}, Real(0), {Real(1)}, {});
+  const ConvergedSolution solution = integrate_converged({different, {Real(0), Real(1)}}, {Real(1)}, {});
   ASSERT_EQ(runs, 2);
   EXPECT_EQ(solution.shared_digits[0], (std::vector<int>{9, 9}));
   EXPECT_EQ(solution.agreed_digits[0], 9);
@@ -135,7 +135,7 @@ TEST(Extrapolation, StopsAtASingularityAndNamesTheTime) {
   options.tolerance_digits = 10;
   options.work_digits = 25;
   options.maximum_step_count = 2000;
-  const std::string message = error_of([&] { integrate(f, {Real(1)}, Real(0), {Real(2)}, options); });
+  const std::string message = error_of([&] { integrate({f, {Real(1)}}, {Real(2)}, options); });
   EXPECT_NE(message.find("stops at t = 1.0000000: the step has become "), std::string::npos) << message;
 }
 
@@ -151,7 +151,7 @@ TEST(Extrapolation, ShortensAStepThatLeavesTheDomain) {
   options.tolerance_digits = 15;
   options.work_digits = 40;
   const Real end = decimal("1.5");
-  const Real y = integrate(f, {Real(1)}, Real(0), {end}, options)[0][0];
+  const Real y = integrate({f, {Real(1)}}, {end}, options)[0][0];
   const Real angle = Real::pi(60) / Real(4) - end / Real(2);
   const Real tangent = sin(angle) / cos(angle);
   EXPECT_LT(abs(y - tangent * tangent), place(13));  // a contracting equation, a few steps of 1e-15
@@ -160,16 +160,16 @@ TEST(Extrapolation, ShortensAStepThatLeavesTheDomain) {
 
 TEST(Extrapolation, NamesTheTimeWhereTheRightHandSideIsUndefined) {
   const auto f = [](const Real& t, const Vector&) { return Vector{sqrt(Real(1) - t)}; };
-  EXPECT_EQ(error_of([&] { integrate(f, {Real(0)}, decimal("1.5"), {decimal("2")}, {}); }),
+  EXPECT_EQ(error_of([&] { integrate({f, {Real(0)}, decimal("1.5")}, {decimal("2")}, {}); }),
             "the extrapolation integration stops at t = 1.5000000: the right-hand side is not a number");
   // From inside, the integration ends at the border.
-  const std::string message = error_of([&] { integrate(f, {Real(0)}, Real(0), {decimal("2")}, {}); });
+  const std::string message = error_of([&] { integrate({f, {Real(0)}}, {decimal("2")}, {}); });
   EXPECT_EQ(message.substr(0, 54), "the extrapolation integration stops at t = 1.0000000: ") << message;
 }
 
 TEST(Extrapolation, RefusesWhatMakesNoSense) {
   const auto run = [](const std::vector<Real>& times, ExtrapolationOptions options) {
-    return error_of([&] { integrate(oscillator, {Real(0), Real(1)}, Real(0), times, options); });
+    return error_of([&] { integrate({oscillator, {Real(0), Real(1)}}, times, options); });
   };
   EXPECT_EQ(run({Real(2), Real(1)}, {}),
             "the time 1.0000000 comes after 2.0000000 in the list of times: order them away from the initial time");
@@ -184,8 +184,7 @@ TEST(Extrapolation, RefusesWhatMakesNoSense) {
   options.maximum_step_count = 2;
   EXPECT_NE(run({Real(100)}, options).find("the limit of 2 steps is reached"), std::string::npos);
   EXPECT_NE(error_of([] {
-              integrate([](const Real&, const Vector&) { return Vector{Real(1)}; }, {Real(0), Real(0)}, Real(0),
-                        {Real(1)}, {});
+              integrate({[](const Real&, const Vector&) { return Vector{Real(1)}; }, {Real(0), Real(0)}}, {Real(1)}, {});
             }).find("returned 1 derivatives for a state of 2"),
             std::string::npos);
   EXPECT_TRUE(run({}, {}) == "no error");

@@ -261,10 +261,9 @@ class ArticulatedDerivatives {
   void carry_column(std::size_t k) {
     const ArticulatedJoint& joint = free_.bodies.joints[k];
     const AccelerationIncrement before = reaction(program_, links_[k], joint, before_[k], inverse_inertias_[k]);
-    AccelerationIncrement after;
-    const Value own = joint_acceleration(program_, links_[k], joint, joint.inverse, before, after);
-    result_.accelerations.by_force[unknown(k)][unknown(k)] = own;
-    for (const std::size_t child : children_[k]) carry_outwards(k, child, after);
+    const JointMotion own = joint_motion(tree_, {links_[k], joint, joint.inverse}, before);
+    result_.accelerations.by_force[unknown(k)][unknown(k)] = own.acceleration;
+    for (const std::size_t child : children_[k]) carry_outwards(k, child, own.after);
   }
 
   /// The same of link `at` and all that it carries, given what its parent does; then q̈_k for changes of their joints.
@@ -281,9 +280,10 @@ class ArticulatedDerivatives {
     AccelerationIncrement after = before;
     if (is_free(link)) {
       ValueMatrix& by_force = result_.accelerations.by_force;
-      const Value moved = joint_acceleration(program_, link, free_.bodies.joints[at], Value(), before, after);
+      const JointMotion moved = joint_motion(tree_, {link, free_.bodies.joints[at], Value()}, before);
       // Of two joints on different branches either may come first.
-      if (k < at) by_force[unknown(at)][unknown(k)] = by_force[unknown(k)][unknown(at)] = moved;
+      if (k < at) by_force[unknown(at)][unknown(k)] = by_force[unknown(k)][unknown(at)] = moved.acceleration;
+      after = moved.after;
     }
     for (const std::size_t child : children_[at]) carry_outwards(k, child, after);
   }

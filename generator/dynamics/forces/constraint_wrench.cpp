@@ -16,7 +16,7 @@ class WrenchOfLaw {
     const Vector direction = lower(program_, law.direction);
     const auto push = [&](const PointReference& point, const Vector& force) {
       const Vector place = bound(program_, model_.locate(point, 0, user_));
-      add_one(model_, wrenches_, link_of(point), {force, Vector()}, place, 0);
+      add_one(model_, wrenches_, link_of(point), {{force, Vector()}, place, 0});
     };
     push(law.b, direction);
     push(law.a, -direction);
@@ -28,7 +28,7 @@ class WrenchOfLaw {
     const Vector direction = bound(program_, model_.express(law.direction, law.axes, axes, user_));
     const Vector point = bound(program_, model_.locate(law.contact, axes, user_));
     const int on = model_.place(law.on, user_).link;
-    add_pair(model_, wrenches_, model_.place(law.body, user_).link, on, {direction, Vector()}, point, axes);
+    add_pair(model_, wrenches_, {model_.place(law.body, user_).link, on}, {{direction, Vector()}, point, axes});
     return true;
   }
 
@@ -36,14 +36,14 @@ class WrenchOfLaw {
     const int plane = model_.place(law.plane, user_).link;
     const Vector normal = bound(program_, model_.express(axis::z, law.plane, plane, user_));
     const Vector point = bound(program_, model_.locate(law.point, plane, user_));
-    add_pair(model_, wrenches_, link_of(law.point), plane, {normal, Vector()}, point, plane);
+    add_pair(model_, wrenches_, {link_of(law.point), plane}, {{normal, Vector()}, point, plane});
     return true;
   }
 
   bool operator()(const JointClosure& law) {
     const int a = model_.place(law.a, user_).link, b = model_.place(law.b, user_).link;
     const ClosureWrench wrench = closure_wrench(model_, law, user_);
-    add_pair(model_, wrenches_, b, a, wrench.at_point, wrench.point, a);
+    add_pair(model_, wrenches_, {b, a}, {wrench.at_point, wrench.point, a});
     return true;
   }
 
@@ -52,16 +52,15 @@ class WrenchOfLaw {
     return false;
   }
 
-  static void add_one(const Model& model, WrenchOnLinks& wrenches, int on, const Wrench& at_point, const Vector& point,
-                      int axes) {
+  static void add_one(const Model& model, WrenchOnLinks& wrenches, int on, const WrenchAtPoint& given) {
     Program& program = model.program();
-    const Vector force = bound(program, at_point.resultant);
-    const Vector moment = bound(program, at_point.moment);
-    const Vector place = bound(program, model.locate(point, axes, on));
-    const Vector turned = bound(program, model.express(force, axes, on));
+    const Vector force = bound(program, given.wrench.resultant);
+    const Vector moment = bound(program, given.wrench.moment);
+    const Vector place = bound(program, model.locate(given.point, given.axes, on));
+    const Vector turned = bound(program, model.express(force, given.axes, on));
     Wrench& sum = wrenches[on];
     sum.resultant += turned;
-    sum.moment += model.express(moment, axes, on);
+    sum.moment += model.express(moment, given.axes, on);
     sum.moment += cross(place, turned);
   }
 
@@ -92,8 +91,8 @@ void add_friction_of(const Model& model, int index, WrenchOnLinks& wrenches) {
     Vector point;
     if (friction.point) point = bound(program, model.locate(*friction.point, axes, user));
     const Wrench unit = friction.point ? Wrench{effort, Vector()} : Wrench{Vector(), effort};
-    add_pair(model, wrenches, model.place(friction.body, user).link, model.place(friction.other, user).link, unit,
-             point, axes);
+    add_pair(model, wrenches, {model.place(friction.body, user).link, model.place(friction.other, user).link},
+             {unit, point, axes});
   }
 }
 
@@ -106,8 +105,8 @@ std::optional<WrenchOnLinks> unbound_wrench(const Model& model, int index) {
     const int axes = model.place(reaction->axes, user).link;
     const Vector direction = bound(program, model.express(reaction->direction, reaction->axes, axes, user));
     const Vector point = bound(program, model.locate(reaction->contact, axes, user));
-    add_pair(model, wrenches, model.place(reaction->body, user).link, model.place(reaction->other, user).link,
-             {direction, Vector()}, point, axes);
+    add_pair(model, wrenches, {model.place(reaction->body, user).link, model.place(reaction->other, user).link},
+             {{direction, Vector()}, point, axes});
   } else if (!std::visit(WrenchOfLaw(model, "constraint '" + constraint.name + "'", wrenches), constraint.law)) {
     return std::nullopt;
   }
@@ -123,10 +122,10 @@ void bind_all(Program& program, WrenchOnLinks& wrenches) {
 
 }  // namespace
 
-void add_pair(const Model& model, WrenchOnLinks& wrenches, int on, int other, const Wrench& at_point,
-              const Vector& point, int axes) {
-  WrenchOfLaw::add_one(model, wrenches, on, at_point, point, axes);
-  WrenchOfLaw::add_one(model, wrenches, other, {-at_point.resultant, -at_point.moment}, point, axes);
+void add_pair(const Model& model, WrenchOnLinks& wrenches, const ActionPair& pair, const WrenchAtPoint& given) {
+  WrenchOfLaw::add_one(model, wrenches, pair.on, given);
+  const Wrench opposite{-given.wrench.resultant, -given.wrench.moment};
+  WrenchOfLaw::add_one(model, wrenches, pair.other, {opposite, given.point, given.axes});
 }
 
 std::optional<WrenchOnLinks> ideal_wrench(const Model& model, int index) {

@@ -21,8 +21,17 @@ std::optional<WrenchOnLinks> constraint_wrench(const Model& model, int index);
 /// The same without friction: its power is Σ ideal_i q̇_i.
 std::optional<WrenchOnLinks> ideal_wrench(const Model& model, int index);
 
-/// Adds a wrench given at a point in the axes of link `axes` to link `on`, and its opposite to link `other`.
-void add_pair(const Model& model, WrenchOnLinks& wrenches, int on, int other, const Wrench& at_point,
-              const Vector& point, int axes);
+/// A wrench and the place where it acts.
+struct WrenchAtPoint {
+  Wrench wrench;  ///< at the point, in the axes of link `axes`
+  Vector point;   ///< in those axes, from that link's origin
+  int axes = 0;
+};
+/// The link that a wrench acts on, and the one that its opposite acts on.
+struct ActionPair {
+  int on = 0, other = 0;
+};
+/// Adds a wrench to one link and its opposite to the other.
+void add_pair(const Model& model, WrenchOnLinks& wrenches, const ActionPair& pair, const WrenchAtPoint& given);
 
 }  // namespace torsor

@@ -78,9 +78,10 @@ class Recursion {
       motion_.before[k] = from_parent(tree_, link, motion_.added[static_cast<std::size_t>(link.parent)]);
       motion_.added[k] = motion_.before[k];
       if (!is_free(link)) continue;
-      const Value change = joint_acceleration(program_, link, motion_.bodies.joints[k], efforts_by_pivot_[k],
-                                              motion_.before[k], motion_.added[k]);
-      const Value whole = change + motion_.reference.joints[k];
+      const JointMotion change =
+          joint_motion(tree_, {link, motion_.bodies.joints[k], efforts_by_pivot_[k]}, motion_.before[k]);
+      motion_.added[k] = change.after;
+      const Value whole = change.acceleration + motion_.reference.joints[k];
       solution.accelerations[unknown_of(link)] = program_.bind(whole, "acceleration of joint " + link.name);
     }
   }
@@ -122,28 +123,30 @@ AccelerationIncrement from_parent(const BodyTree& tree, const Link& link, const 
   return own;
 }
 
-Value joint_acceleration(Program& program, const Link& link, const ArticulatedJoint& joint, const Value& effort,
-                         const AccelerationIncrement& before, AccelerationIncrement& after) {
+JointMotion joint_motion(const BodyTree& tree, const JointThatMoves& joint, const AccelerationIncrement& before) {
+  Program& program = tree.program();
+  const Link& link = joint.link;
+  const Wrench& gain = joint.inertia.gain;
   const bool revolute = link.joint == JointKind::revolute;
-  after = before;
+  AccelerationIncrement after = before;
   if (!link.aligned) {
-    Value rest = effort - dot(joint.gain.moment, before.angular);
-    rest -= dot(joint.gain.resultant, before.linear);
+    Value rest = joint.effort_by_pivot - dot(gain.moment, before.angular);
+    rest -= dot(gain.resultant, before.linear);
     const Value acceleration = program.bind(rest);
     Vector& moved = revolute ? after.angular : after.linear;
     moved = bound(program, moved + acceleration * link.axis);
-    return acceleration;
+    return {acceleration, after};
   }
-  Value along = effort;  // of the link's matter, along the axis of the joint
+  Value along = joint.effort_by_pivot;  // of the link's matter, along the axis of the joint
   for (int i = 0; i < 3; ++i) {
-    if (!is_along_joint(link, i, true)) along -= joint.gain.moment[i] * before.angular[i];
-    if (!is_along_joint(link, i, false)) along -= joint.gain.resultant[i] * before.linear[i];
+    if (!is_along_joint(link, i, true)) along -= gain.moment[i] * before.angular[i];
+    if (!is_along_joint(link, i, false)) along -= gain.resultant[i] * before.linear[i];
   }
   along = program.bind(along);
   const Value& own_before = (revolute ? before.angular : before.linear)[*link.aligned];
   const Value sense = link.axis[*link.aligned];
   (revolute ? after.angular : after.linear)[*link.aligned] = sense * along;
-  return program.bind(along - sense * own_before);
+  return {program.bind(along - sense * own_before), after};
 }
 
 ArticulatedMotion articulated_motion(const BodyTree& tree, const std::vector<Value>& efforts,

@@ -41,9 +41,18 @@ ForwardSolution articulated_forward(const Model& model, const std::vector<Value>
 /// Of a link before its own joint moves, when its parent's accelerations change.
 AccelerationIncrement from_parent(const BodyTree& tree, const Link& link, const AccelerationIncrement& parent);
 
-/// q̈ = effort − g · A; the link then has A + q̈ s. `effort` is u/d. An aligned component of the sum is what the link's
-/// matter does, effort − Σ of the others, and q̈ its difference from before: a product less.
-Value joint_acceleration(Program& program, const Link& link, const ArticulatedJoint& joint, const Value& effort,
-                         const AccelerationIncrement& before, AccelerationIncrement& after);
+/// A joint with its effort.
+struct JointThatMoves {
+  const Link& link;
+  const ArticulatedJoint& inertia;
+  const Value& effort_by_pivot;  ///< u/d
+};
+struct JointMotion {
+  Value acceleration;           ///< q̈
+  AccelerationIncrement after;  ///< of its link
+};
+/// q̈ = u/d − g · A with A = `before`; the link then has A + q̈ s. An aligned component of the sum is what the link's
+/// matter does, u/d − Σ of the others, and q̈ its difference from before: a product less.
+JointMotion joint_motion(const BodyTree& tree, const JointThatMoves& joint, const AccelerationIncrement& before);
 
 }  // namespace torsor

@@ -37,9 +37,16 @@ InverseOperationalInertia apart(const SixBySix& all) {
   return c;
 }
 
+/// An axis along one of the link's: its component of the six, and 1 or −1.
+struct AlignedAxis {
+  std::size_t along;
+  Value sense;
+};
+
 /// The row of the joint alone changes: −Σ of the others with g, and 1/d on the diagonal.
-void give_way(Program& program, std::size_t along, const Value& sense, const Six& gain, const Value& inverse,
-              SixBySix& c) {
+void give_way(Program& program, const AlignedAxis& axis, const ArticulatedJoint& joint, SixBySix& c) {
+  const auto& [along, sense] = axis;
+  const Six gain = together(joint.gain.moment, joint.gain.resultant);
   Six row;
   for (std::size_t i = 0; i < 6; ++i) {
     if (i == along) continue;
@@ -49,7 +56,7 @@ void give_way(Program& program, std::size_t along, const Value& sense, const Six
     }
     row[i] = program.bind(sense * program.bind(sum));
   }
-  Value diagonal = inverse;
+  Value diagonal = joint.inverse;
   for (std::size_t k = 0; k < 6; ++k) {
     if (k != along) diagonal -= gain[k] * (sense * row[k]);
   }
@@ -58,9 +65,10 @@ void give_way(Program& program, std::size_t along, const Value& sense, const Six
 }
 
 /// C − s hᵀ − h sᵀ + s (g · h + 1/d) sᵀ with h = C g.
-void give_way(Program& program, const Six& axis, const Six& gain, const Value& inverse, SixBySix& c) {
+void give_way(Program& program, const Six& axis, const ArticulatedJoint& joint, SixBySix& c) {
+  const Six gain = together(joint.gain.moment, joint.gain.resultant);
   Six h;
-  Value square = inverse;
+  Value square = joint.inverse;
   for (std::size_t i = 0; i < 6; ++i) {
     for (std::size_t k = 0; k < 6; ++k) h[i] += c[i][k] * gain[k];
     h[i] = program.bind(h[i]);
@@ -139,14 +147,13 @@ AccelerationIncrement reaction(Program& program, const Link& link, const Articul
 InverseOperationalInertia with_joint(Program& program, const Link& link, const ArticulatedJoint& joint,
                                      const InverseOperationalInertia& before) {
   SixBySix all = together(before);
-  const Six gain = together(joint.gain.moment, joint.gain.resultant);
   const bool revolute = link.joint == JointKind::revolute;
   if (link.aligned) {
     const auto along = static_cast<std::size_t>(*link.aligned + (revolute ? 0 : 3));
-    give_way(program, along, link.axis[*link.aligned], gain, joint.inverse, all);
+    give_way(program, AlignedAxis{along, link.axis[*link.aligned]}, joint, all);
   } else {
     const Six axis = revolute ? together(link.axis, Vector()) : together(Vector(), link.axis);
-    give_way(program, axis, gain, joint.inverse, all);
+    give_way(program, axis, joint, all);
   }
   return apart(all);
 }

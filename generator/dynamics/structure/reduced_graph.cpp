@@ -79,10 +79,16 @@ class Reduction {
         if (!same) continue;
         const RealRows common = intersection_of(first.motion.twists, second.motion.twists);
         const RealRows together = span_of(first.motion.twists, second.motion.twists);
-        merge(i, j, common, "//", ReductionStep::Kind::parallel,
-              [&, a = bodies_[as_index(first.a)], b = bodies_[as_index(first.b)], one = first.name, two = second.name](
-                  const std::string& joint) { return say("{} and {} in parallel between {} and {}: {}", one, two, a, b, joint); },
-              6 - static_cast<int>(together.size()), 0);
+        const auto text = [&, a = bodies_[as_index(first.a)], b = bodies_[as_index(first.b)], one = first.name,
+                           two = second.name](const std::string& joint) {
+          return say("{} and {} in parallel between {} and {}: {}", one, two, a, b, joint);
+        };
+        merge(i, j,
+              {.twists = common,
+               .sign = "//",
+               .kind = ReductionStep::Kind::parallel,
+               .text = text,
+               .redundant = 6 - static_cast<int>(together.size())});
         return true;
       }
     }
@@ -106,11 +112,11 @@ class Reduction {
       const int number = static_cast<int>(body);
       const int from = first.a == number ? first.b : first.a, to = second.a == number ? second.b : second.a;
       alive_[body] = false;
-      merge(here[0], here[1], all, "-", ReductionStep::Kind::series,
-            [&](const std::string& joint) {
-              return say("{} and {} in series through {}: {}", first.name, second.name, bodies_[body], joint);
-            },
-            0, lost);
+      const auto text = [&](const std::string& joint) {
+        return say("{} and {} in series through {}: {}", first.name, second.name, bodies_[body], joint);
+      };
+      merge(here[0], here[1],
+            {.twists = all, .sign = "-", .kind = ReductionStep::Kind::series, .text = text, .internal = lost});
       joints_[here[0]].edge.a = from;
       joints_[here[0]].edge.b = to;
       return true;
@@ -118,17 +124,26 @@ class Reduction {
     return false;
   }
 
+  /// What two joints are replaced by.
+  struct Equivalent {
+    RealRows twists;  ///< that it allows
+    std::string sign;  ///< between the names of the two
+    ReductionStep::Kind kind;
+    std::function<std::string(const std::string&)> text;  ///< the step in words, given those of the joint
+    int redundant = 0;
+    int internal = 0;
+  };
+
   /// Puts the equivalent joint in the place of the first.
-  void merge(std::size_t i, std::size_t j, const RealRows& twists, const std::string& sign, ReductionStep::Kind kind,
-             const std::function<std::string(const std::string&)>& text, int redundant, int internal) {
+  void merge(std::size_t i, std::size_t j, const Equivalent& made) {
     EquivalentJoint& joint = joints_[i];
     const bool outside = joint.edge.outside || joints_[j].edge.outside;
-    joint.edge.name = in_brackets(joint.edge.name) + sign + in_brackets(joints_[j].edge.name);
+    joint.edge.name = in_brackets(joint.edge.name) + made.sign + in_brackets(joints_[j].edge.name);
     joint.edge.outside = outside;
-    joint.edge.motion = {twists, std::vector<std::string>(twists.size())};
-    joint.allows = recognise_twists(twists);
+    joint.edge.motion = {made.twists, std::vector<std::string>(made.twists.size())};
+    joint.allows = recognise_twists(made.twists);
     joint.made_of_one = false;
-    steps_.push_back({kind, text(joint.allows.text(say)), redundant, internal});
+    steps_.push_back({made.kind, made.text(joint.allows.text(say)), made.redundant, made.internal});
     joints_.erase(joints_.begin() + static_cast<std::ptrdiff_t>(j));
   }
 

@@ -105,12 +105,11 @@ NewtonEuler newton_euler(const Equations& equations, const BodyNames& bodies, co
   return theorem;
 }
 
-NewtonEulerEquation newton_euler(const Equations& equations, const BodyNames& bodies, const ScrewQuery& query,
-                                 Theorem theorem, const Triple& direction) {
-  const NewtonEuler all = newton_euler(equations, bodies, query);
-  const Vector u = lower(equations.program(), direction);
+NewtonEulerEquation newton_euler_along(const Equations& equations, const BodyNames& bodies, const TheoremQuery& query) {
+  const NewtonEuler all = newton_euler(equations, bodies, query.screw);
+  const Vector u = lower(equations.program(), query.direction);
   const auto along = [&](const auto& screw) {
-    return equations.program().bind(dot(theorem == Theorem::resultant ? screw.resultant : screw.moment, u));
+    return equations.program().bind(dot(query.theorem == Theorem::resultant ? screw.resultant : screw.moment, u));
   };
   NewtonEulerEquation equation;
   equation.dynamic = along(all.dynamic);

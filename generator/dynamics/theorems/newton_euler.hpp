@@ -35,9 +35,14 @@ struct NewtonEulerEquation {
   Value transmitted;  ///< by the joints: dynamic − known − constraints
 };
 
-/// Along `direction`, components along the query's axes, taken as it is given (not normalised).
-NewtonEulerEquation newton_euler(const Equations& equations, const BodyNames& bodies, const ScrewQuery& query,
-                                 Theorem theorem, const Triple& direction);
+/// One of the theorems along a direction, taken as it is given (not normalised), with components along the axes of
+/// `screw`.
+struct TheoremQuery {
+  ScrewQuery screw;
+  Theorem theorem = Theorem::resultant;
+  Triple direction;
+};
+NewtonEulerEquation newton_euler_along(const Equations& equations, const BodyNames& bodies, const TheoremQuery& query);
 
 /// For each link the wrench that its parent exerts on it through the joint (and through what works on a formula), in
 /// the link's axes at its origin: Newton-Euler for the isolated sub-tree, from the tips to the ground. Entry 0 is null.

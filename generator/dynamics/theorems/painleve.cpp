@@ -77,8 +77,15 @@ std::vector<std::string> working_actions(const Equations& asked) {
 
 /// Momenta of cyclic coordinates, as rows of M v: there what a body's own axes mix has fallen out already, so that
 /// rounding is that of the terms which matter. `at_rest` are the momenta where every v is zero (driven mechanisms).
-void add_momenta(const Equations& equations, const std::vector<Value>& momenta, const std::vector<Value>& along_q,
-                 Substitution& at_rest, const NaturalLanguage& say, PainleveReport& report) {
+struct KineticGradients {
+  std::vector<Value> momenta;  ///< ∂T/∂v
+  std::vector<Value> along_q;  ///< ∂T/∂q, along the moving axes of an attitude
+};
+
+std::vector<FirstIntegral> conserved_momenta(const Equations& equations, const KineticGradients& of_t,
+                                             Substitution& at_rest, const NaturalLanguage& say) {
+  const auto& [momenta, along_q] = of_t;
+  std::vector<FirstIntegral> conserved;
   const Model& model = equations.model();
   const std::vector<Value> applied = applied_forces(model, equations.actions());
   const Value gravity = gravity_force_function(model);
@@ -104,8 +111,9 @@ void add_momenta(const Equations& equations, const std::vector<Value>& momenta, 
     for (int j = 0; j < model.unknown_count(); ++j) {
       momentum += equations.mass()[i][static_cast<std::size_t>(j)] * model.v(j);
     }
-    report.first_integrals.push_back({"momentum_" + q->name, meaning, written_unit(unit), momentum});
+    conserved.push_back({"momentum_" + q->name, meaning, written_unit(unit), momentum});
   }
+  return conserved;
 }
 
 }  // namespace
@@ -123,8 +131,7 @@ PainleveReport painleve(const Equations& equations, const NaturalLanguage& say) 
     report.failing_conditions.push_back(say("nothing has mass"));
     return report;
   }
-  const std::vector<Value> momenta = gradient(t, velocities);
-  const std::vector<Value> along_q = gradient_along(t, velocities);
+  const KineticGradients of_t{gradient(t, velocities), gradient_along(t, velocities)};
   bool driven = false;
   for (const CoordinateContent& c : equations.scene().content().coordinates) driven = driven || c.law.has_value();
   const SymbolPointer& time = equations.scene().content().time;
@@ -138,7 +145,7 @@ PainleveReport painleve(const Equations& equations, const NaturalLanguage& say) 
   driven = driven || !report.explicit_rate.is_zero() || !identically_zero(at_rest(t));
 
   Value doubled;
-  for (int i = 0; i < model.unknown_count(); ++i) doubled += momenta[static_cast<std::size_t>(i)] * model.v(i);
+  for (int i = 0; i < model.unknown_count(); ++i) doubled += of_t.momenta[static_cast<std::size_t>(i)] * model.v(i);
   report.t2_minus_t0 = driven ? doubled - t : t;
 
   Value u = gravity_force_function(model);
@@ -162,7 +169,8 @@ PainleveReport painleve(const Equations& equations, const NaturalLanguage& say) 
     report.first_integrals.push_back(driven ? FirstIntegral{"painleve", "T2 - T0 - U", "J", integral}
                                             : FirstIntegral{"energy", "T - U", "J", integral});
   }
-  add_momenta(equations, momenta, along_q, at_rest, say, report);
+  for (FirstIntegral& momentum : conserved_momenta(equations, of_t, at_rest, say))
+    report.first_integrals.push_back(std::move(momentum));
   return report;
 }
 

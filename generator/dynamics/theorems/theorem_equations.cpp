@@ -38,13 +38,13 @@ void name_unknowns(TheoremEquation& equation, const Equations& equations, const 
 
 }  // namespace
 
-TheoremEquation theorem_equation(const Equations& equations, const BodyNames& bodies, const ScrewQuery& query,
-                                 Theorem theorem, const Triple& direction, const NaturalLanguage& say) {
+TheoremEquation theorem_equation(const Equations& equations, const BodyNames& bodies, const TheoremQuery& query,
+                                 const NaturalLanguage& say) {
   const Model& model = equations.model();
   Program& program = equations.program();
   const std::vector<bool> inside = isolated_links(model, bodies, "Newton-Euler's theorem");
-  const NewtonEulerEquation known = newton_euler(equations, bodies, query, theorem, direction);
-  const Vector u = lower(program, direction);
+  const NewtonEulerEquation known = newton_euler_along(equations, bodies, query);
+  const Vector u = lower(program, query.direction);
   const std::vector<JointAction> joints = joint_actions(equations, say);
   TheoremEquation equation;
   equation.left = known.dynamic;
@@ -54,8 +54,9 @@ TheoremEquation theorem_equation(const Equations& equations, const BodyNames& bo
     const bool on_body = inside[as_index(joint.connection.bottom)];
     if (on_body == inside[as_index(joint.connection.from)]) continue;
     across.push_back(&joint);
-    const Wrench wrench = as_asked(model, joint, query);
-    const Value along = dot(bound(program, theorem == Theorem::resultant ? wrench.resultant : wrench.moment), u);
+    const Wrench wrench = as_asked(model, joint, query.screw);
+    const bool resultant = query.theorem == Theorem::resultant;
+    const Value along = dot(bound(program, resultant ? wrench.resultant : wrench.moment), u);
     if (on_body) {
       equation.right += along;
     } else {

@@ -22,9 +22,9 @@ struct TheoremEquation {
   std::vector<std::string> remarks;        ///< on the joints concerned
 };
 
-/// Newton-Euler's theorem for bodies along `direction`, components along the query's axes. Throws as `newton_euler`.
-TheoremEquation theorem_equation(const Equations& equations, const BodyNames& bodies, const ScrewQuery& query,
-                                 Theorem theorem, const Triple& direction, const NaturalLanguage& say = {});
+/// Newton-Euler's theorem for bodies. Throws as `newton_euler_along`.
+TheoremEquation theorem_equation(const Equations& equations, const BodyNames& bodies, const TheoremQuery& query,
+                                 const NaturalLanguage& say = {});
 
 /// dT/dt on the left, P_ext + P_int on the right.
 struct EnergyEquation {
