@@ -83,34 +83,31 @@ void compile(const Compiler& compiler, const std::vector<std::string>& flags, co
                               compiler_errors(said.output), eigen_remedy(said.output)));
 }
 
-/// Room for its contacts, which matrices on the stack of the contact layer have. Few sizes, so that few layers are compiled.
-std::string room_for_contacts(const FmiUnit& unit) {
-  std::size_t room = 2;
-  while (room < unit.scene().content().contacts.size()) room *= 2;
-  return fmt::format("-DTORSOR_MOST_CONTACTS={}", room);
-}
+/// First the file of each language that a compiler is given.
+struct UnitSources {
+  std::vector<SourceFile> c, cpp;
+};
 
 /// A binary, and where in a unit it belongs.
-ArchivedFile compiled_unit(const FmiUnit& unit, const std::vector<SourceFile>& sources, const UnitRequest& request) {
+ArchivedFile compiled_unit(const FmiUnit& unit, const UnitSources& sources, const UnitRequest& request) {
   const Compiler compiler = found_compiler("CC", {"cc", "gcc", "clang"}, "C99");
   std::vector<std::string> flags = {"-ffp-contract=off"};
   for (const std::string& flag : separate_words(request.flags)) flags.push_back(flag);
   const FmiPlatform platform = fmi_platform(predefined_macros(compiler, flags), unit.version);
   const TemporaryFolder folder(folder_of_temporary_files(), "torsor-fmu-");
   const auto file = [&folder](const std::string& of) { return (folder.path() / of).string(); };
-  write_sources(folder.path(), sources);
+  write_sources(folder.path(), sources.c);
+  write_sources(folder.path(), sources.cpp);
   const std::string made = file("unit" + platform.suffix);
   if (!unit.has_contacts()) {
-    compile(compiler, flags, {"-std=c99", "-shared", "-o", made, file(sources.front().path), "-lm"});
+    compile(compiler, flags, {"-std=c99", "-shared", "-o", made, file(sources.c.front().path), "-lm"});
   } else {
-    compile(compiler, flags, {"-std=c99", "-c", "-o", file("unit.o"), file(sources.front().path)});
-    const std::vector<SourceFile> moving = fmi_contact_sources(unit);
-    write_sources(folder.path(), moving);
+    compile(compiler, flags, {"-std=c99", "-c", "-o", file("unit.o"), file(sources.c.front().path)});
     const Compiler other = found_compiler("CXX", {"c++", "g++", "clang++"}, "C++20");
-    flags.push_back(room_for_contacts(unit));
+    flags.push_back(fmt::format("-DTORSOR_MOST_CONTACTS={}", unit.room_for_contacts()));
     compile(other, flags,
             {"-std=c++20", "-shared", "-isystem", eigen_folder(), "-I", folder.path().string(), "-o", made,
-             file(moving.front().path), file("unit.o"), compiled_contact_layer(other, flags), "-lm"});
+             file(sources.cpp.front().path), file("unit.o"), compiled_contact_layer(other, flags), "-lm"});
   }
   return {fmt::format("binaries/{}/{}{}", platform.folder, unit.name(), platform.suffix), compiled_bytes(made)};
 }
@@ -126,21 +123,18 @@ std::vector<std::string> origins_of_links(const Scene& scene) {
 
 CommandResult make_unit(const Scene& scene, const UnitRequest& request, const std::string& output) {
   if (output == "-") throw UsageError("a unit of FMI is a file: give --output x.fmu");
-  const bool contacts = !scene.content().contacts.empty();
-  if (contacts && request.sources_only) {
-    throw UsageError(fmt::format(
-        "the scene '{}' has contacts, which are not moved by sources in C99: leave --sources-only out", scene.name()));
-  }
   const FmiUnit unit =
       lower_unit(scene, request.version(), chosen_outputs(scene, request.outputs), request.model(scene));
   std::vector<ArchivedFile> archive = {{"modelDescription.xml", fmi_description(unit)}};
   archive.push_back({"documentation/index.html", fmi_documentation(unit)});
   for (const SourceFile& text : fmi_licence_files(unit))
     archive.push_back({"documentation/licenses/" + text.path, text.text});
-  const std::vector<SourceFile> sources = fmi_sources(unit);
+  UnitSources sources{fmi_sources(unit), {}};
+  if (unit.has_contacts()) sources.cpp = fmi_contact_sources(unit);
   if (!request.sources_only) archive.push_back(compiled_unit(unit, sources, request));
-  if (contacts) return {zip_archive(archive)};
-  for (const SourceFile& source : sources) archive.push_back({"sources/" + source.path, source.text});
+  for (const std::vector<SourceFile>* files : {&sources.c, &sources.cpp}) {
+    for (const SourceFile& source : *files) archive.push_back({"sources/" + source.path, source.text});
+  }
   if (unit.version == FmiVersion::three)
     archive.push_back({"sources/buildDescription.xml", fmi_build_description(unit)});
   return {zip_archive(archive)};

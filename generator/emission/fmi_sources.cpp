@@ -22,6 +22,8 @@ std::string source_name(const FmiUnit& unit) {
   return fmt::format("{}_fmi{}.c", unit.name(), unit.version == FmiVersion::two ? 2 : 3);
 }
 
+std::string contact_source_name(const FmiUnit& unit) { return unit.name() + "_contacts.cpp"; }
+
 /// "1, 0": for each multiplier whether its constraint is f(q, t) = 0.
 std::string holonomic_rows(const MechanismListing& mechanism) {
   if (mechanism.layout.multipliers.empty()) return {};
@@ -36,15 +38,23 @@ std::string holonomic_rows(const MechanismListing& mechanism) {
 
 std::vector<SourceFile> fmi_contact_sources(const FmiUnit& unit) {
   const std::string& name = unit.name();
-  std::vector<SourceFile> files = {
-      {name + "_contacts.cpp", fill_template("fmi/contacts.cpp.in", embedded_template("fmi/contacts.cpp.in"),
-                                             {{"name", name},
-                                              {"version", TORSOR_VERSION},
-                                              {"has_inputs", unit.mechanism.layout.inputs.empty() ? "0" : "1"}})},
-      {name + ".hpp", emit_header(unit.mechanism)}};
-  for (const std::string_view text : embedded_runtime_text_names()) {
-    files.push_back({fmt::format("torsor/runtime/{}", text), std::string(embedded_runtime_text(text))});
-  }
+  // Told in the text, for version 2.0 has no place for definitions that a compiler is to be given.
+  const std::string room = fmt::format("#ifndef TORSOR_MOST_CONTACTS\n#define TORSOR_MOST_CONTACTS {}\n#endif\n",
+                                       unit.room_for_contacts());
+  const std::string moving =
+      fill_template("fmi/contacts.cpp.in", embedded_template("fmi/contacts.cpp.in"),
+                    {{"name", name},
+                     {"version", TORSOR_VERSION},
+                     {"room", room},
+                     {"has_inputs", unit.mechanism.layout.inputs.empty() ? "0" : "1"}});
+  std::vector<SourceFile> files = contact_layer_sources();
+  files.front().text =
+      "// SPDX-License-Identifier: MIT-0\n// Compiles the contact layer of torsor " TORSOR_VERSION ".\n" + room + files.front().text;
+  std::erase_if(files, [](const SourceFile& file) {  // what only shared libraries include
+    return file.path.starts_with("torsor/runtime/abi") || file.path.starts_with("torsor/runtime/library.");
+  });
+  files.insert(files.begin(), {contact_source_name(unit), moving});
+  files.push_back({name + ".hpp", emit_header(unit.mechanism)});
   return files;
 }
 
@@ -93,10 +103,16 @@ std::string fmi_build_description(const FmiUnit& unit) {
   std::string all;
   for (const char* platform : {"x86_64-windows", "x86-windows", ""}) {
     const bool windows = *platform != '\0';
-    all += fmt::format("  <BuildConfiguration modelIdentifier=\"{}\"{}>\n", unit.name(),
-                       windows ? fmt::format(" platform=\"{}\"", platform) : "");
+    all += fmt::format("  <BuildConfiguration modelIdentifier=\"{}\"{}{}>\n", unit.name(),
+                       windows ? fmt::format(" platform=\"{}\"", platform) : "",
+                       unit.has_contacts() ? " description=\"needs the headers of Eigen 3 where the compiler finds them\"" : "");
     all += fmt::format("    <SourceFileSet language=\"C99\">\n      <SourceFile name=\"{}\"/>\n    </SourceFileSet>\n",
                        source_name(unit));
+    if (unit.has_contacts()) {
+      all += fmt::format("    <SourceFileSet language=\"C++20\">\n      <SourceFile name=\"{}\"/>\n"
+                         "      <SourceFile name=\"contact_layer.cpp\"/>\n      <IncludeDirectory name=\".\"/>\n"
+                         "    </SourceFileSet>\n", contact_source_name(unit));
+    }
     if (!windows) all += "    <Library name=\"m\" external=\"true\" description=\"functions of math.h\"/>\n";
     all += fmt::format("  </BuildConfiguration>{}", windows ? "\n" : "");
   }

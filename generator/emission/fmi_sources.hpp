@@ -12,8 +12,8 @@ namespace torsor {
 /// The C99 text of the unit, which binaries/ is compiled from: first the file that includes the others.
 std::vector<SourceFile> fmi_sources(const FmiUnit& unit);
 
-/// The C++ text that moves a unit with contacts, which is compiled beside that and linked with the contact layer: first the
-/// file that includes the others.
+/// The C++20 text that moves a unit with contacts, which is compiled beside that: first the file that knows the mechanism,
+/// second the contact layer, then what they include. Eigen 3 is not among it.
 std::vector<SourceFile> fmi_contact_sources(const FmiUnit& unit);
 
 /// How to compile them: sources/buildDescription.xml of FMI 3.0.

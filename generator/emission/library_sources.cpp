@@ -43,7 +43,9 @@ std::string contact_table(const MechanismListing& mechanism) {
 }  // namespace
 
 std::string contact_layer_includes() {
-  std::string text = "#ifndef TORSOR_CONTACT_LAYER_APART\n";
+  std::string text =
+      "#if !__has_include(<Eigen/Core>)\n#error \"what moves contacts needs the folder of Eigen/Core, Eigen 3, among those "
+      "that are searched for headers\"\n#endif\n#ifndef TORSOR_CONTACT_LAYER_APART\n";
   for (const std::string_view name : embedded_runtime_text_names()) {
     if (name.ends_with(".cpp")) text += fmt::format("#include \"torsor/runtime/{}\"\n", name);
   }

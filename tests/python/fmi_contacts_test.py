@@ -1,9 +1,13 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Units of FMI whose bodies touch: from event to event, of the unit or of the importer, against closed forms."""
 
+import copy
+import os
 import subprocess
 import threading
-from ctypes import byref, c_bool, c_double, c_size_t, c_void_p
+import xml.etree.ElementTree as ElementTree
+import zipfile
+from ctypes import CDLL, byref, c_bool, c_double, c_size_t, c_void_p
 
 import numpy as np
 import pytest
@@ -40,7 +44,7 @@ def test_description_tells_of_indicators(unit):
     kinds = [child.tag for child in unit.description][:2]
     assert kinds == ["ModelExchange", "CoSimulation"]
     assert not [k for kind in kinds for k in unit.description.find(kind).attrib if "Derivative" in k]
-    assert {name.split("/")[0] for name in unit.names} == {"modelDescription.xml", "documentation", "binaries"}
+    assert {name.split("/")[0] for name in unit.names} == {"modelDescription.xml", "documentation", "binaries", "sources"}
     outputs = [v["name"] for v in unit.variables if v["causality"] == "output"]
     assert outputs[:4] == ["energy.kinetic", "energy.potential", "energy.total", f"frame.{FRAME}.x"] and len(outputs) == 15
     assert [unit.by_reference[k]["name"] for k in unit.outputs] == outputs
@@ -345,10 +349,50 @@ def test_survives_calls_in_any_order(unit):
     test_a_ball_slides_then_rolls(unit, F)
 
 
-def test_sources_alone_are_refused(tmp_path):
-    said = subprocess.run([*command("billiard", "fmu", "--sources-only", "-o", tmp_path / "x.fmu")], capture_output=True, text=True,
-                          check=False)
-    assert said.returncode == 2 and "'billiard' has contacts" in said.stderr
+def test_sources_are_those_that_the_description_names(unit):
+    if unit.version == 2:
+        for kind in ("ModelExchange", "CoSimulation"):
+            files = [f.attrib["name"] for f in unit.description.find(kind).iter("File")]
+            assert files == ["billiard_fmi2.c", "billiard_contacts.cpp", "contact_layer.cpp"]
+    else:
+        for build in ElementTree.parse(unit.folder / "sources/buildDescription.xml").getroot():
+            assert [(s.attrib["language"], [f.attrib["name"] for f in s.iter("SourceFile")], [f.attrib["name"] for f in s.iter("IncludeDirectory")])
+                    for s in build.findall("SourceFileSet")] == [
+                ("C99", ["billiard_fmi3.c"], []), ("C++20", ["billiard_contacts.cpp", "contact_layer.cpp"], ["."])]
+            assert "Eigen" in build.attrib["description"]
+    texts = {name for name in unit.names if name.startswith("sources/") and not name.endswith(".xml")}
+    assert not [name for name in texts if b"SPDX-License-Identifier: MIT" not in (unit.folder / name).read_bytes()]
+
+
+def test_sources_move_as_the_binary_does(unit, tmp_path):
+    """Compiled as the description says, with the headers of Eigen and without an option."""
+    if unit.version == 2:
+        pytest.skip("the same files")
+    sources, objects = unit.folder / "sources", []
+    for variable, words, file in (("CC", ["cc", "-std=c99"], "billiard_fmi3.c"),
+                                  ("CXX", ["c++", "-std=c++20", "-isystem", os.environ["EIGEN"], "-I", sources], "billiard_contacts.cpp"),
+                                  ("CXX", ["c++", "-std=c++20", "-isystem", os.environ["EIGEN"], "-I", sources], "contact_layer.cpp")):
+        compiler, *options = words
+        objects.append(tmp_path / f"{file}.o")
+        subprocess.run([os.environ.get(variable, compiler), *options, "-fPIC", "-c", "-o", objects[-1], sources / file], check=True)
+    library = tmp_path / "unit.so"
+    subprocess.run([os.environ.get("CXX", "c++"), "-shared", "-o", library, *objects], check=True)
+    other = copy.copy(unit)
+    other.library = CDLL(str(library))
+    states = []
+    for each in (unit, other):
+        component = begun(each, ["parameter.f"], [0.3])
+        for k in range(20):
+            assert each.step(component, 0.05 * k, 0.05) == OK
+        states.append(each.get(component, list(range(2 * each.n))))
+        each.FreeInstance(component)
+    assert np.array_equal(*states)
+
+
+def test_sources_alone_are_a_unit(tmp_path):
+    subprocess.run([*command("billiard", "fmu", "--sources-only", "-o", tmp_path / "x.fmu")], check=True)
+    with zipfile.ZipFile(tmp_path / "x.fmu") as archive:
+        assert {name.split("/")[0] for name in archive.namelist()} == {"modelDescription.xml", "documentation", "sources"}
 
 
 @pytest.fixture(scope="module", params=(Unit2, Unit3), ids=("2", "3"))

@@ -261,7 +261,7 @@ class ArticulatedDerivatives {
   void carry_column(std::size_t k) {
     const ArticulatedJoint& joint = free_.bodies.joints[k];
     const AccelerationIncrement before = reaction(program_, links_[k], joint, before_[k], inverse_inertias_[k]);
-    const JointMotion own = joint_motion(tree_, {links_[k], joint, joint.inverse}, before);
+    const JointResponse own = joint_response(tree_, {links_[k], joint, joint.inverse}, before);
     result_.accelerations.by_force[unknown(k)][unknown(k)] = own.acceleration;
     for (const std::size_t child : children_[k]) carry_outwards(k, child, own.after);
   }
@@ -280,7 +280,7 @@ class ArticulatedDerivatives {
     AccelerationIncrement after = before;
     if (is_free(link)) {
       ValueMatrix& by_force = result_.accelerations.by_force;
-      const JointMotion moved = joint_motion(tree_, {link, free_.bodies.joints[at], Value()}, before);
+      const JointResponse moved = joint_response(tree_, {link, free_.bodies.joints[at], Value()}, before);
       // Of two joints on different branches either may come first.
       if (k < at) by_force[unknown(at)][unknown(k)] = by_force[unknown(k)][unknown(at)] = moved.acceleration;
       after = moved.after;

@@ -78,8 +78,8 @@ class Recursion {
       motion_.before[k] = from_parent(tree_, link, motion_.added[static_cast<std::size_t>(link.parent)]);
       motion_.added[k] = motion_.before[k];
       if (!is_free(link)) continue;
-      const JointMotion change =
-          joint_motion(tree_, {link, motion_.bodies.joints[k], efforts_by_pivot_[k]}, motion_.before[k]);
+      const JointResponse change =
+          joint_response(tree_, {link, motion_.bodies.joints[k], efforts_by_pivot_[k]}, motion_.before[k]);
       motion_.added[k] = change.after;
       const Value whole = change.acceleration + motion_.reference.joints[k];
       solution.accelerations[unknown_of(link)] = program_.bind(whole, "acceleration of joint " + link.name);
@@ -123,7 +123,7 @@ AccelerationIncrement from_parent(const BodyTree& tree, const Link& link, const 
   return own;
 }
 
-JointMotion joint_motion(const BodyTree& tree, const JointThatMoves& joint, const AccelerationIncrement& before) {
+JointResponse joint_response(const BodyTree& tree, const JointThatMoves& joint, const AccelerationIncrement& before) {
   Program& program = tree.program();
   const Link& link = joint.link;
   const Wrench& gain = joint.inertia.gain;

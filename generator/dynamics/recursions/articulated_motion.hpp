@@ -47,12 +47,12 @@ struct JointThatMoves {
   const ArticulatedJoint& inertia;
   const Value& effort_by_pivot;  ///< u/d
 };
-struct JointMotion {
+struct JointResponse {
   Value acceleration;           ///< q̈
   AccelerationIncrement after;  ///< of its link
 };
 /// q̈ = u/d − g · A with A = `before`; the link then has A + q̈ s. An aligned component of the sum is what the link's
 /// matter does, u/d − Σ of the others, and q̈ its difference from before: a product less.
-JointMotion joint_motion(const BodyTree& tree, const JointThatMoves& joint, const AccelerationIncrement& before);
+JointResponse joint_response(const BodyTree& tree, const JointThatMoves& joint, const AccelerationIncrement& before);
 
 }  // namespace torsor
