@@ -337,7 +337,7 @@ double ContactMotion::slow(int i) const noexcept { return std::max(1e-6 * at(i).
 // has just begun is slow too.
 bool ContactMotion::ends_too(int i) const noexcept {
   const bool late = rule(i).tangents == 1 ? !at(i).begins && slip_speed(i) <= at(i).fastest / 2 : at(i).fades;
-  return late && slip_speed(i) <= blur(i) / 8;
+  return late && rule(i).law().rubs() && slip_speed(i) <= blur(i) / 8;
 }
 
 double ContactMotion::youth(int i, double t) const noexcept {
