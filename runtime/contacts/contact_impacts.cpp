@@ -141,8 +141,8 @@ bool ContactAutomaton::strike(int contact) {
   Bounces& bounces = bounces_[as(contact)];
   const double speed = std::abs(motion_.reading().w(motion_.first_row(contact)));
   const double rounding = motion_.rounding_of_gap(contact);
-  // A floor may fall faster than a body on it for so short a time that the gap opens by less than its rounding: it strikes where it
-  // opened, and would open again without end. It is closed until it is drawn away twice as fast.
+  // A floor may fall faster than a body on it for so short a time that the gap opens by less than its rounding: it strikes
+  // where it opened, and would open again without end. It is closed until it is drawn away twice as fast.
   const bool rose = speed * (result_.time - bounces.left) > 16 * rounding ||
                     speed * speed > 32 * motion_.acceleration_terms(contact) * rounding;
   bounces.doubt = rose ? 1 : 2 * bounces.doubt;

@@ -93,8 +93,8 @@ Evaluation ContactMotion::project(double t, std::span<double> y, int steps) {
   return read(t, y) ? Evaluation::ok : Evaluation::singular;
 }
 
-// A step may reach over a place where the normal of a contact jumps, as that of a disc's rim does where the disc lies flat. To project
-// would be an impact that no law has decided: a shorter step is asked for, and none is short enough.
+// A step may reach over a place where the normal of a contact jumps, as that of a disc's rim does where the disc lies
+// flat. To project would be an impact that no law has decided: a shorter step is asked for, and none is short enough.
 Evaluation ContactMotion::hold(double t, std::span<double> y) {
   if (any_touches() && !read(t, y)) return Evaluation::singular;
   for (int i = 0; i < count(); ++i) {

@@ -27,8 +27,8 @@ ByHand<2, 2, 1> leaning_disc() {
           }};
 }
 
-// Energy says how fast it turns when it is flat: (I + R^2 cos^2 β) β'^2/2 = g R (sin β0 - sin β). It went on flat without an end, as if
-// the impact of the other side were a part of a step.
+// Energy says how fast it turns when it is flat: (I + R^2 cos^2 β) β'^2/2 = g R (sin β0 - sin β). It went on flat without
+// an end, as if the impact of the other side were a part of a step.
 TEST(DiscFallsFlat, HasNoPointThere) {
   for (const double tolerance : {1e-6, 1e-10, 1e-13}) {
     for (const double start : {0.02, 0.3, 0.8}) {
