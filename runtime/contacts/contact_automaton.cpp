@@ -50,7 +50,8 @@ double ContactAutomaton::guard(std::size_t index, double t, std::span<const doub
     const int n = motion_.first_row(contact);
     return motion_.reactions()(n) + state.force_slack + idle_slack(contact, n);
   }
-  if (!state.touches || rule.tangents == 0 || state.regime == ContactRegime::open) return 1;
+  // Where nothing rubs, a slip that passes zero has no end: a spin that stays zero but for rounding would end without end.
+  if (!state.touches || !rule.law().rubs() || state.regime == ContactRegime::open) return 1;
   if (watched == Watched::youth) {
     if (state.regime != ContactRegime::slides) return 1;
     if (!state.begins && (state.fades || rule.tangents < 2)) return 1;
@@ -173,11 +174,11 @@ void ContactAutomaton::set_by_slip(int i, double at_rest) noexcept {
   const int tangents = motion_.rule(i).tangents, t = motion_.tangent_row(i);
   if (tangents == 0) return;
   const double length = motion_.slip_speed(i);
-  if (length <= at_rest) {
+  if (length <= at_rest && motion_.rule(i).law().rubs()) {
     state.regime = ContactRegime::sticks;
     return;
   }
-  for (int k = 0; k < tangents; ++k) state.direction[as(k)] = motion_.reading().w(t + k) / length;
+  for (int k = 0; k < tangents && length > 0; ++k) state.direction[as(k)] = motion_.reading().w(t + k) / length;
 }
 
 // Contacts that stick have no velocity from now on: a slip that begins does so from rest.
@@ -320,7 +321,7 @@ bool ContactAutomaton::take_regime(const ContactSelection& chosen, int k, const 
     for (int j = 0; j < law.tangents && length > 0; ++j) state.direction[as(j)] = against(t + j) / length;
   }
   // One that stuck has a slip from now on: what it has of a velocity, however small, has no direction of its own.
-  state.begins = state.regime == ContactRegime::slides && !slid && law.tangents > 0 &&
+  state.begins = state.regime == ContactRegime::slides && !slid && law.rubs() &&
                  (!moved || motion_.slip(i) <= 1e4 * motion_.least_slip(i));
   if (state.begins) state.begun = result_.time;
   if (!moved) state.residue = 0;

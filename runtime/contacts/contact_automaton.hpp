@@ -90,6 +90,7 @@ class ContactAutomaton {
   bool take_regime(const ContactSelection& chosen, int k, const ContactSolution& solution);
   [[nodiscard]] double end_of_bounces(int i, double speed, double a) const noexcept;
   [[nodiscard]] bool accumulating(int i) const noexcept;
+  bool close_what_rests(const ContactSelection& chosen, const PerContact<double>& rounding);
   bool collide(int cause, bool rests, ImpactLaw impact_law);
   bool end_slips(int contact);
   bool pass_singular();

@@ -40,6 +40,22 @@ bool ContactAutomaton::accumulating(int i) const noexcept {
   return w * w <= 2 * motion_.acceleration_terms(i) * motion_.rounding_of_gap(i);
 }
 
+// Three corners of a face that have come to rest hold the fourth: it has neither a gap nor a velocity, and would be left open
+// without an event that closes it.
+bool ContactAutomaton::close_what_rests(const ContactSelection& chosen, const PerContact<double>& rounding) {
+  bool any = false;
+  for (int k = 0; k < chosen.problem.count; ++k) {
+    const int i = chosen.who[as(k)];
+    ContactState& state = motion_.states[as(i)];
+    if (!motion_.rule(i).normal || state.touches) continue;
+    const bool closed = motion_.reading().gap[as(i)] <= 16 * motion_.rounding_of_gap(i);
+    if (!closed || std::abs(motion_.reading().w(motion_.first_row(i))) > 64 * rounding[as(i)]) continue;
+    state.touches = any = true;
+    set_by_slip(i, std::numeric_limits<double>::infinity());
+  }
+  return !any || settle(contact_);
+}
+
 // An impact of all contacts that touch; `rests` makes it completely inelastic, the end of an accumulation.
 bool ContactAutomaton::collide(int cause, bool rests, ImpactLaw impact_law) {
   if (!motion_.read(result_.time, y_)) return end(ContactStatus::integration_failed, cause);
@@ -78,12 +94,13 @@ bool ContactAutomaton::collide(int cause, bool rests, ImpactLaw impact_law) {
     const double change = W.row(row).cwiseAbs().dot(impulses_.cwiseAbs());
     return motion_.rounding_of(row) + std::numeric_limits<double>::epsilon() * change;
   };
-  PerContact<double> rounding{};
+  PerContact<double> rounding{}, rounding_of_opening{};
   PerContact<bool> rests_on{};
   for (int k = 0; k < problem.count; ++k) {
     const int i = chosen.who[as(k)], n = problem.first_row(k);
     // A contact that rested and is not pressed by the impact has what rounding leaves of its velocity: it has not opened.
-    rests_on[as(i)] = problem.law(k).normal && problem.q(n) == 0 && shock.w(n) <= 64 * rounding_after(motion_.first_row(i));
+    rounding_of_opening[as(i)] = rounding_after(motion_.first_row(i));
+    rests_on[as(i)] = problem.law(k).normal && problem.q(n) == 0 && shock.w(n) <= 64 * rounding_of_opening[as(i)];
   }
   for (int i = 0; i < count(); ++i) {
     if (motion_.rule(i).tangents > 0) rounding[as(i)] = rounding_after(motion_.tangent_row(i));
@@ -99,11 +116,12 @@ bool ContactAutomaton::collide(int cause, bool rests, ImpactLaw impact_law) {
     // What is left of an accumulation's velocity is rounding: projection takes it away.
     motion_.states[as(i)].touches =
         by != i ? motion_.states[as(by)].touches : shock.closed[as(k)] || rests_on[as(i)] || (rests && accumulating(i));
-    set_by_slip(i, shock.sticks[as(k)] ? std::numeric_limits<double>::infinity() : 0);
+    // A slip of that size has no direction: one that the impact leaves alone would get the direction of its rounding.
+    set_by_slip(i, shock.sticks[as(k)] ? std::numeric_limits<double>::infinity() : 64 * rounding[as(i)]);
   }
   if (rests) {
     // That velocity leaves with it what slip it makes of contacts that do not stick.
-    if (!settle(cause)) return false;
+    if (!settle(cause) || !close_what_rests(chosen, rounding_of_opening)) return false;
     for (int k = 0; k < problem.count; ++k) {
       const int i = chosen.who[as(k)];
       if (motion_.carrier(i) >= 0 && !shock.sticks[as(k)]) set_by_slip(i, 64 * rounding[as(i)]);
@@ -123,8 +141,8 @@ bool ContactAutomaton::strike(int contact) {
   Bounces& bounces = bounces_[as(contact)];
   const double speed = std::abs(motion_.reading().w(motion_.first_row(contact)));
   const double rounding = motion_.rounding_of_gap(contact);
-  // A floor may fall faster than a body on it for so short a time that the gap opens by less than its rounding: it strikes where it
-  // opened, and would open again without end. It is closed until it is drawn away twice as fast.
+  // A floor may fall faster than a body on it for so short a time that the gap opens by less than its rounding: it strikes
+  // where it opened, and would open again without end. It is closed until it is drawn away twice as fast.
   const bool rose = speed * (result_.time - bounces.left) > 16 * rounding ||
                     speed * speed > 32 * motion_.acceleration_terms(contact) * rounding;
   bounces.doubt = rose ? 1 : 2 * bounces.doubt;

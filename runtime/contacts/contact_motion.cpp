@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "torsor/runtime/contacts/contact_motion.hpp"
 
-#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -47,6 +46,7 @@ void ContactMotion::forget() {
   undetermined_.fill(false);
   along_.fill({});
   held_.setZero(rows());
+  jumping_ = -1;
   known_ = responded_ = solved_ = false;
   nearest_ = 1;
   dynamics_.forget();
@@ -66,65 +66,6 @@ bool ContactMotion::any_touches() const noexcept {
     if (at(i).touches) return true;
   }
   return false;
-}
-
-Evaluation ContactMotion::project_positions(double t, std::span<double> y, int steps) {
-  const bool touches = any_touches();
-  mechanism_.normalise(y);  // gaps are those of unit quaternions
-  for (int step = 0; step < steps; ++step) {
-    if (!read(t, y) || (touches && !respond())) return Evaluation::singular;
-    double worst = loops_off();
-    select([&](int i, int row, bool normal) {
-      if (!normal) return false;
-      worst = std::max(worst, std::abs(reading_.gap[as(i)]));
-      right_(row) = -reading_.gap[as(i)] - reading_.J.row(row).dot(dynamics_.closing);
-      return true;
-    });
-    if (!(worst > 0)) break;
-    change_ = dynamics_.closing;
-    add_least_change();
-    there_.assign(y.begin(), y.end());
-    for (int i = 0; i < sizes_.velocities; ++i) there_[as(sizes_.coordinates + i)] = change_(i);
-    mechanism_.coordinate_rates(t, there_, rates_);
-    double largest = 0, place = 0;
-    for (std::size_t i = 0; i < rates_.size(); ++i) {
-      y[i] += rates_[i];
-      largest = std::max(largest, std::abs(rates_[i]));
-      place = std::max(place, std::abs(y[i]));
-    }
-    if (largest <= 4 * std::numeric_limits<double>::epsilon() * place) break;
-  }
-  mechanism_.normalise(y);
-  return Evaluation::ok;
-}
-
-Evaluation ContactMotion::project(double t, std::span<double> y, int steps) {
-  const bool touches = any_touches();
-  if (sizes_.constraints == 0 && !touches) {
-    mechanism_.normalise(y);
-    return Evaluation::ok;
-  }
-  const Evaluation placed = project_positions(t, y, steps);
-  if (placed != Evaluation::ok) return placed;
-  if (!read(t, y) || (touches && !respond())) return Evaluation::singular;
-  select([&](int i, int row, bool normal) {
-    right_(row) = -reading_.w(row) - reading_.J.row(row).dot(dynamics_.closing_rate);
-    return normal || at(i).regime == ContactRegime::sticks;
-  });
-  change_ = dynamics_.closing_rate;
-  add_least_change();
-  for (int i = 0; i < sizes_.velocities; ++i) y[as(sizes_.coordinates + i)] += change_(i);
-  return read(t, y) ? Evaluation::ok : Evaluation::singular;
-}
-
-double ContactMotion::loops_off() const {
-  return sizes_.constraints > 0 ? dynamics_.closing.cwiseAbs().maxCoeff() : 0;
-}
-
-bool ContactMotion::loops_closed(double first) const {
-  double place = 0;
-  for (int i = 0; i < sizes_.coordinates; ++i) place = std::max(place, std::abs(y_[as(i)]));
-  return loops_off() <= std::max(1e-6 * first, 1e-12 * place);
 }
 
 bool ContactMotion::read(double t, std::span<const double> y) {
@@ -337,7 +278,7 @@ double ContactMotion::slow(int i) const noexcept { return std::max(1e-6 * at(i).
 // has just begun is slow too.
 bool ContactMotion::ends_too(int i) const noexcept {
   const bool late = rule(i).tangents == 1 ? !at(i).begins && slip_speed(i) <= at(i).fastest / 2 : at(i).fades;
-  return late && slip_speed(i) <= blur(i) / 8;
+  return late && rule(i).law().rubs() && slip_speed(i) <= blur(i) / 8;
 }
 
 double ContactMotion::youth(int i, double t) const noexcept {
@@ -461,40 +402,6 @@ void ContactMotion::follow_slips(double t, std::span<const double> y) {
     if (rule(i).tangents == 2 && now > slow(i) && !state.begins) state.direction = direction(i);
   }
   changed();
-}
-
-// Rows of touching contacts for which `wanted` says so.
-template <class Wanted>
-void ContactMotion::select(const Wanted& wanted) {
-  chosen_ = 0;
-  right_.setZero(rows());
-  over_.setZero(rows());
-  for (int i = 0; i < count(); ++i) {
-    if (!at(i).touches) continue;
-    for (int k = 0; k < rule(i).rows(); ++k) {
-      const int row = first_row(i) + k;
-      if (!wanted(i, row, rule(i).normal && k == 0)) continue;
-      over_(chosen_) = 1 / unit_of_row(dynamics_.W(row, row), rule(i).normal ? dynamics_.W(first_row(i), first_row(i)) : 0);
-      row_[as(chosen_++)] = row;
-    }
-  }
-}
-
-// The least change of velocity, in the metric of the masses, that adds `right_` to the rows selected.
-void ContactMotion::add_least_change() {
-  if (chosen_ == 0) return;
-  ContactMatrix W(chosen_, chosen_);
-  ContactVector b(chosen_);
-  const ContactVector over = over_.head(chosen_);
-  for (int i = 0; i < chosen_; ++i) {
-    b(i) = right_(row_[as(i)]);
-    for (int j = 0; j < chosen_; ++j) W(i, j) = dynamics_.W(row_[as(i)], row_[as(j)]);
-  }
-  // Rows without units: which of them depend on others, or vanish, is no matter of masses.
-  Eigen::FullPivLU<ContactMatrix> lu(over.asDiagonal() * W * over.asDiagonal());
-  lu.setThreshold(1e-11);
-  const ContactVector P = over.cwiseProduct(lu.solve(over.cwiseProduct(b)));
-  for (int i = 0; i < chosen_; ++i) change_ += dynamics_.KJ.col(row_[as(i)]) * P(i);
 }
 
 }  // namespace torsor::runtime

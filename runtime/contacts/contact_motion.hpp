@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <array>
+#include <cmath>
 #include <cstddef>
+#include <limits>
 #include <span>
 #include <vector>
 
@@ -32,6 +34,12 @@ class ContactMotion {
   /// Loops, gaps of closed contacts, their velocities and those of sticking ones back to zero, in at most `steps` steps
   /// of Newton's method.
   [[nodiscard]] Evaluation project(double t, std::span<double> y, int steps = 3);
+  /// The same at the end of a step of the integration. Refused where a normal velocity is none of its errors: `jumping`.
+  [[nodiscard]] Evaluation hold(double t, std::span<double> y);
+  /// The contact whose normal jumps within a million roundings of the time behind t, by the step refused last; -1: none does.
+  [[nodiscard]] int jumping(double t) const noexcept {
+    return std::abs(jumped_ - t) <= 1e6 * std::numeric_limits<double>::epsilon() * std::abs(jumped_) ? jumping_ : -1;
+  }
   /// A step has ended at (t, y): slips have the directions that they have there. Within a step they are compared with those of
   /// its start. Where the state cannot be read nothing follows.
   void follow_slips(double t, std::span<const double> y);
@@ -149,6 +157,7 @@ class ContactMotion {
   void renew() noexcept { known_ = false; }
 
  private:
+  Evaluation project_velocities(double t, std::span<double> y);
   using Regimes = RegimeSystem::Regimes;
   static constexpr std::size_t as(int i) noexcept { return static_cast<std::size_t>(i); }
   [[nodiscard]] const ContactState& at(int i) const noexcept { return states[as(i)]; }
@@ -178,6 +187,8 @@ class ContactMotion {
   PerContact<std::array<double, 2>> along_{};  ///< directions of the reactions of joints, from which the next are sought
   std::array<int, static_cast<std::size_t>(most_rows)> row_{};
   int chosen_ = 0;
+  int jumping_ = -1;
+  double jumped_ = 0;  ///< when
   double regularity_ = 1;
   double t_ = 0, absolute_ = 1e-13, relative_ = 1e-13;
   std::vector<double> y_, there_, rates_;

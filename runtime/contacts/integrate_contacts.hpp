@@ -73,7 +73,7 @@ class ContactRun {
       dydt.fill(0);
       return motion.slope(t, y, dydt);
     }
-    [[nodiscard]] Evaluation project(double t, Vector& y) const { return motion.project(t, y); }
+    [[nodiscard]] Evaluation project(double t, Vector& y) const { return motion.hold(t, y); }
   };
   struct Value {
     ContactAutomaton* automaton;
@@ -125,6 +125,9 @@ class ContactRun {
                       automaton_.ends_unfollowed(piece.guard, piece.time, y_);
     if (piece.status != EventStatus::stopped_at_event && !here) {
       if (piece.integration.status == IntegrationStatus::step_too_small && automaton_.jams_nearly(piece.time, y_)) return false;
+      if (piece.status == EventStatus::integration_failed && automaton_.motion().jumping(piece.time) >= 0) {
+        return automaton_.end(ContactStatus::no_point, automaton_.motion().jumping(piece.time));
+      }
       const bool of_a_guard = piece.status == EventStatus::guard_not_followed || piece.status == EventStatus::beyond_barrier;
       const auto contact = static_cast<int>(piece.guard / ContactAutomaton::guards);
       const bool of_a_contact = of_a_guard && contact < automaton_.motion().count();

@@ -250,7 +250,7 @@ void RegimeEnumeration::accept(Regimes regimes) noexcept {
     }
   }
   if (!inequalities.hold(r, u, slack)) return;
-  if (family.found && count_sought(regimes) > 0) follow_slips(regimes, r, u);
+  if (family.found && count_sought(regimes) > 0) turn_to_family(regimes, r, u);
   ContactSolution solution;
   solution.indeterminate = family.indeterminate;
   solution.moves = family.moves;
@@ -293,7 +293,7 @@ RegimeEnumeration::Family RegimeEnumeration::look_inside(RegimeSystem& system, c
 
 // Other reactions of a family move what slips by rounding, over small slips by more: directions follow, or stay where
 // the bounds do not hold then.
-void RegimeEnumeration::follow_slips(Regimes& regimes, ContactVector& r, ContactVector& u) const noexcept {
+void RegimeEnumeration::turn_to_family(Regimes& regimes, ContactVector& r, ContactVector& u) const noexcept {
   Regimes turned = regimes;
   PerContact<bool> sought{};
   for (int i = 0; i < problem_.count; ++i) sought[as(i)] = turned[as(i)].direction_sought;

@@ -54,7 +54,7 @@ class RegimeEnumeration {
   [[nodiscard]] bool turn_to_slip(Regimes& regimes) noexcept;
   void accept(Regimes regimes) noexcept;
   [[nodiscard]] Family look_inside(RegimeSystem& system, const RegimeInequalities& inequalities) const noexcept;
-  void follow_slips(Regimes& regimes, ContactVector& r, ContactVector& u) const noexcept;
+  void turn_to_family(Regimes& regimes, ContactVector& r, ContactVector& u) const noexcept;
   void tidy(const Regimes& regimes, ContactVector& r, ContactVector& u, ContactSolution& solution) const noexcept;
   void add(const ContactSolution& solution) noexcept;
 

@@ -70,6 +70,20 @@ TEST(RollingResistance, OfNothingChangesNothing) {
   EXPECT_EQ(y[8], -69.99125109361329833770778653);
 }
 
+// A spin that nothing resists passes zero as often as a small torque turns it round: no event, and no force.
+TEST(RollingResistance, OfNothingEndsNoSpin) {
+  constexpr double torque = 1e-5, rate = 40, I = 0.4 * m * R * R;
+  auto ball = ball_on_soft_table(m, R, f, 0, h, 0);
+  const auto still = ball.fill;
+  ball.fill = [still](double t, const auto& y, ContactReading& r) {
+    still(t, y, r);
+    r.F(5) += torque * std::cos(rate * t);
+  };
+  std::array<double, 9> y{0, 0, R, 0, 0, 0, 0, 0, 0};
+  EXPECT_TRUE(events_of(ball, y, 1).empty());
+  EXPECT_NEAR(y[8], torque / (I * rate) * std::sin(rate), 1e-12);
+}
+
 // A disc stays on a slope up to tan a = h/R, and rolls beyond with 2/3 (g sin a - h/R g cos a).
 TEST(RollingResistance, HoldsADiscOnASlopeUpToItsAngle) {
   constexpr double radius = 0.1, length = 0.01;

@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: MIT
+// How a motion with contacts is put back on its loops and on the contacts that are closed.
+#include <Eigen/LU>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "torsor/runtime/contacts/contact_motion.hpp"
+#include "torsor/runtime/contacts/contact_scale.hpp"
+
+namespace torsor::runtime {
+
+// Rows of touching contacts for which `wanted` says so.
+template <class Wanted>
+void ContactMotion::select(const Wanted& wanted) {
+  chosen_ = 0;
+  right_.setZero(rows());
+  over_.setZero(rows());
+  for (int i = 0; i < count(); ++i) {
+    if (!at(i).touches) continue;
+    for (int k = 0; k < rule(i).rows(); ++k) {
+      const int row = first_row(i) + k;
+      if (!wanted(i, row, rule(i).normal && k == 0)) continue;
+      over_(chosen_) = 1 / unit_of_row(dynamics_.W(row, row), rule(i).normal ? dynamics_.W(first_row(i), first_row(i)) : 0);
+      row_[as(chosen_++)] = row;
+    }
+  }
+}
+
+// The least change of velocity, in the metric of the masses, that adds `right_` to the rows selected.
+void ContactMotion::add_least_change() {
+  if (chosen_ == 0) return;
+  ContactMatrix W(chosen_, chosen_);
+  ContactVector b(chosen_);
+  const ContactVector over = over_.head(chosen_);
+  for (int i = 0; i < chosen_; ++i) {
+    b(i) = right_(row_[as(i)]);
+    for (int j = 0; j < chosen_; ++j) W(i, j) = dynamics_.W(row_[as(i)], row_[as(j)]);
+  }
+  // Rows without units: which of them depend on others, or vanish, is no matter of masses.
+  Eigen::FullPivLU<ContactMatrix> lu(over.asDiagonal() * W * over.asDiagonal());
+  lu.setThreshold(1e-11);
+  const ContactVector P = over.cwiseProduct(lu.solve(over.cwiseProduct(b)));
+  for (int i = 0; i < chosen_; ++i) change_ += dynamics_.KJ.col(row_[as(i)]) * P(i);
+}
+
+Evaluation ContactMotion::project_positions(double t, std::span<double> y, int steps) {
+  const bool touches = any_touches();
+  mechanism_.normalise(y);  // gaps are those of unit quaternions
+  for (int step = 0; step < steps; ++step) {
+    if (!read(t, y) || (touches && !respond())) return Evaluation::singular;
+    double worst = loops_off();
+    select([&](int i, int row, bool normal) {
+      if (!normal) return false;
+      worst = std::max(worst, std::abs(reading_.gap[as(i)]));
+      right_(row) = -reading_.gap[as(i)] - reading_.J.row(row).dot(dynamics_.closing);
+      return true;
+    });
+    if (!(worst > 0)) break;
+    change_ = dynamics_.closing;
+    add_least_change();
+    there_.assign(y.begin(), y.end());
+    for (int i = 0; i < sizes_.velocities; ++i) there_[as(sizes_.coordinates + i)] = change_(i);
+    mechanism_.coordinate_rates(t, there_, rates_);
+    double largest = 0, place = 0;
+    for (std::size_t i = 0; i < rates_.size(); ++i) {
+      y[i] += rates_[i];
+      largest = std::max(largest, std::abs(rates_[i]));
+      place = std::max(place, std::abs(y[i]));
+    }
+    if (largest <= 4 * std::numeric_limits<double>::epsilon() * place) break;
+  }
+  mechanism_.normalise(y);
+  return Evaluation::ok;
+}
+
+Evaluation ContactMotion::project_velocities(double t, std::span<double> y) {
+  if (any_touches() && !respond()) return Evaluation::singular;
+  select([&](int i, int row, bool normal) {
+    right_(row) = -reading_.w(row) - reading_.J.row(row).dot(dynamics_.closing_rate);
+    return normal || at(i).regime == ContactRegime::sticks;
+  });
+  change_ = dynamics_.closing_rate;
+  add_least_change();
+  for (int i = 0; i < sizes_.velocities; ++i) y[as(sizes_.coordinates + i)] += change_(i);
+  return read(t, y) ? Evaluation::ok : Evaluation::singular;
+}
+
+Evaluation ContactMotion::project(double t, std::span<double> y, int steps) {
+  if (sizes_.constraints == 0 && !any_touches()) {
+    mechanism_.normalise(y);
+    return Evaluation::ok;
+  }
+  const Evaluation placed = project_positions(t, y, steps);
+  if (placed != Evaluation::ok) return placed;
+  return read(t, y) ? project_velocities(t, y) : Evaluation::singular;
+}
+
+// A step may reach over a place where the normal of a contact jumps, as that of a disc's rim does where the disc lies
+// flat. To project would be an impact that no law has decided: a shorter step is asked for, and none is short enough.
+Evaluation ContactMotion::hold(double t, std::span<double> y) {
+  if (!any_touches()) return project(t, y);
+  const Evaluation placed = project_positions(t, y, 3);
+  if (placed != Evaluation::ok) return placed;
+  if (!read(t, y)) return Evaluation::singular;
+  for (int i = 0; i < count(); ++i) {
+    if (!at(i).touches || !rule(i).normal) continue;
+    const int n = first_row(i);
+    double terms = 0, own = 0;
+    for (int j = 0; j < sizes_.velocities; ++j) {
+      const double part = reading_.J(n, j) * y[as(sizes_.coordinates + j)];
+      terms += std::abs(part);
+      own += part;
+    }
+    terms += std::abs(reading_.w(n) - own);  // of a surface that moves
+    const double off = std::abs(reading_.w(n)), error = absolute_ + relative_ * terms;
+    if (off > terms / 16 && off > 1024 * error) {
+      jumping_ = i;
+      jumped_ = t;
+      return Evaluation::singular;
+    }
+  }
+  return project_velocities(t, y);
+}
+
+double ContactMotion::loops_off() const {
+  return sizes_.constraints > 0 ? dynamics_.closing.cwiseAbs().maxCoeff() : 0;
+}
+
+bool ContactMotion::loops_closed(double first) const {
+  double place = 0;
+  for (int i = 0; i < sizes_.coordinates; ++i) place = std::max(place, std::abs(y_[as(i)]));
+  return loops_off() <= std::max(1e-6 * first, 1e-12 * place);
+}
+
+}  // namespace torsor::runtime
