@@ -198,9 +198,8 @@ void add_columns(EvaluatedContacts& contacts, ContactRecord& record) {
   EvaluatedMotion& motion = contacts.motion();
   add("time", "s");
   for (const SymbolPointer& symbol : motion.symbols()) add(symbol->name, written_unit(*symbol));
-  for (const std::string& name : motion.observed_names()) {
-    add(name, result.names.size() <= motion.symbols().size() + 3 ? "J" : "SI");
-  }
+  const std::vector<std::string> observed = motion.observed_names(), units = motion.observed_units();
+  for (std::size_t i = 0; i < observed.size(); ++i) add(observed[i], units[i]);
   record.numbers = motion.symbols().size();
   for (const SymbolPointer& input : motion.equations().model().inputs()) record.inputs.push_back(input->name);
   for (int i = 0; i < contacts.count(); ++i) {

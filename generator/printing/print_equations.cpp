@@ -218,6 +218,7 @@ class Printer {
                               : say("The multipliers from the equation of {}, put into the others:", from)
                : one_left ? say("The multipliers from the equations of {}, put into the other:", from)
                           : say("The multipliers from the equations of {}, put into the others:", from));
+    if (!scene_.content().contacts.empty()) page_.note(say("They are those of the mechanism on which no contact acts."));
     for (const FreeEquation& equation : free->equations) {
       Sum left, right;
       for (const auto& [product, coefficient] : equation.residual.terms()) {

@@ -17,6 +17,8 @@
 #include "torsor/generator/dynamics/theorems/stability.hpp"
 #include "torsor/generator/printing/formula_text.hpp"
 #include "torsor/generator/printing/readable_page.hpp"
+#include "torsor/generator/program/derivative.hpp"
+#include "torsor/generator/program/identically_zero.hpp"
 
 namespace torsor {
 namespace {
@@ -112,10 +114,31 @@ class StaticsWriter {
     if (!scene_.content().contacts.empty()) page_.note(say("Every contact is taken to be open here: reactions of closed contacts are not counted."));
     if (statics_.from_potential) page_.stated({potential_name(), statics_.driven ? "-(U + T_{0})" : "-U"}, statics_.potential, say("in J"));
     for (const std::string& remark : statics_.remarks) page_.note(remark + ".");
+    std::string idle;
+    std::size_t idle_count = 0;
     for (std::size_t i = 0; i < statics_.rows.size(); ++i) {
-      page_.equation(name_of(statics_.freedoms[i]), Value(), statics_.rows[i]);
+      const std::string name = name_of(statics_.freedoms[i]);
+      if (!identically_zero(statics_.rows[i])) {
+        page_.equation(name, Value(), statics_.rows[i]);
+        continue;
+      }
+      idle += (idle.empty() ? "" : ", ") + name;
+      ++idle_count;
+    }
+    if (idle_count > 0) {
+      page_.note(idle_count == 1 ? say("The equation of {} holds everywhere: nothing acts along it at rest.", idle)
+                                 : say("The equations of {} hold everywhere: nothing acts along them at rest.", idle));
     }
     for (const Value& condition : statics_.conditions) page_.equation("", Value(), condition, say("constraint"));
+    if (depend_on_time()) page_.note(say("Time stands in these equations: a rest fulfils them at every t."));
+  }
+
+  /// Laws of time make a balance of one instant none of the next.
+  bool depend_on_time() {
+    std::vector<Value> all = statics_.rows;
+    all.insert(all.end(), statics_.conditions.begin(), statics_.conditions.end());
+    Derivation by_time = partial_derivation(equations_.program(), scene_.content().time);
+    return std::any_of(all.begin(), all.end(), [&](const Value& each) { return !each.is_zero() && !identically_zero(by_time(each)); });
   }
 
   void second_derivatives(const ValueMatrix& hessian) {

@@ -354,6 +354,14 @@ std::vector<std::string> EvaluatedMotion::observed_names() const {
   return names;
 }
 
+std::vector<std::string> EvaluatedMotion::observed_units() const {
+  std::vector<std::string> units(3, "J");
+  if (integrals_.skipped.empty()) {
+    for (const Member& each : integrals_.structures.at(0).members) units.push_back(each.meaning.unit);
+  }
+  return units;
+}
+
 std::vector<double> EvaluatedMotion::observe(double t, const std::vector<double>& y) {
   move_to(t, y);
   const double kinetic = here_(energy_.assignments[0].value), potential = -here_(energy_.assignments[1].value);

@@ -158,14 +158,19 @@ function buildPlots() {
   }
   if (has("first_integrals")) {
     const integrals = remember("first_integrals");
-    const names = mechanism.kernels.find((each) => each.name === "first_integrals").results[0].members.map((each) => each.name);
+    const units = new Map();
+    for (const { name, unit } of mechanism.kernels.find((each) => each.name === "first_integrals").results[0].members) {
+      units.set(unit, [...(units.get(unit) ?? []), name]);
+    }
     let first = null, of = null;
     const change = (name) => (k) => {
       if (of !== motion) [of, first] = [motion, motion.evaluate("first_integrals", 0)];
       return integrals(k)[name][0] - first[name][0];
     };
-    add(recording ? "«First integrals of the mechanism on which no contact acts: change since the start»"
-                  : "«First integrals: change since the start (what rounding and steps leave)»", "SI", names.map((name) => ({ name, value: change(name) })));
+    for (const [unit, names] of units) {
+      add(recording ? "«First integrals of the mechanism on which no contact acts: change since the start»"
+                    : "«First integrals: change since the start (what rounding and steps leave)»", unit, names.map((name) => ({ name, value: change(name) })));
+    }
   }
 }
 

@@ -103,7 +103,7 @@ TEST(BadScene, WithAnInconsistentInitialStateIsRefused) {
         return scene;
       },
       "inconsistent initial state: constraint 'straight' has the value 0.25 at t = 0 and must have 0; correct "
-      "initial(...) of the coordinates it ties; a state nearby that fulfils all: initial(theta, 0.25)");
+      "initial(...) of the coordinates it ties: theta; a state nearby that fulfils all: initial(theta, 0.25)");
 }
 
 TEST(BadScene, ThatThrowsSomethingElseStillGivesOneLine) {

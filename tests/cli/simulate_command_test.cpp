@@ -203,6 +203,32 @@ TEST(Simulate, NamesTheChangePointWhereItEnds) {
   EXPECT_EQ((elsewhere.out + elsewhere.err).find("change point"), std::string::npos) << elsewhere.out << elsewhere.err;
 }
 
+/// A puck that slides along x and spins about z: nothing works on it, so that both momenta stay.
+Scene puck() {
+  Scene scene("puck");
+  const Expression x = scene.coordinate("x", "m"), phi = scene.coordinate("phi", "rad");
+  const FrameHandle slide = scene.prismatic("slide", scene.ground(), axis::x, x);
+  scene.body("puck", scene.revolute("disc", slide, axis::z, phi),
+             Inertia::general({.mass = Expression::quantity("2", "kg"), .zz = Expression::quantity("3", "kg m^2")}));
+  return scene;
+}
+
+Scene puck_with_a_stop() {
+  Scene scene = puck();
+  scene.stop(Expression(scene.content().coordinates[0].q), std::nullopt, Expression::quantity("5", "m"));
+  return scene;
+}
+
+// m x' is a force times a time, J phi' a torque times a time.
+TEST(Simulate, WritesTheUnitOfEachFirstIntegral) {
+  const std::string units = "# Units: s, m, rad, m/s, rad/s, J, J, J, J, N s, N m s";
+  for (Scene (*scene)() : {puck, puck_with_a_stop}) {
+    const std::string out = run(scene, {"simulate", "--to", "0.1", "--initial", "x'=1"}).out;
+    EXPECT_NE(out.find(units), std::string::npos) << out;
+    EXPECT_NE(out.find("first_integral_energy,first_integral_momentum_x,first_integral_momentum_phi"), std::string::npos) << out;
+  }
+}
+
 TEST(Simulate, SaysThatConstraintsCannotBeClosed) {
   const Outcome outcome = run(impossible, {"simulate"});
   EXPECT_NE(outcome.code, 0);

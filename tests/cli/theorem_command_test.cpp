@@ -10,6 +10,7 @@ namespace torsor::theorem_command_test {
 namespace {
 
 using namespace testing_programs;
+using testing_mechanisms::kilograms;
 using testing_mechanisms::metres;
 using testing_mechanisms::nut_on_a_thread;
 using testing_mechanisms::SlidingPoint;
@@ -207,7 +208,7 @@ TEST(StaticsCommand, TellsStableFromUnstableAndFromWhatItCannotConclude) {
       "  Stable where H is positive definite, else it cannot conclude (a condition that always holds is left out):\n"
       "    m l g > 0\n"
       "  With the scene's values: stable: -(U + T0) has a strict minimum; Lejeune-Dirichlet presupposes that 'air' "
-      "dissipate and that inputs are zero.");
+      "dissipates and that inputs are zero.");
   EXPECT_EQ(section(bottom, "Routh and Hurwitz, linearised equations"),
             "  det(M s^2 + C s + K) has the coefficients\n"
             "  a2 = m l^2\n"
@@ -270,6 +271,29 @@ TEST(StaticsCommand, SaysWhyLejeuneDirichletDoesNotApply) {
       section(text, "Second derivatives of -U at any configuration"),
       "  Lejeune-Dirichlet cannot conclude: the scene has constraints; describe it with independent coordinates, or "
       "let the runtime project the second derivatives on the tangent space.\n");
+}
+
+/// A spring of law 3 N/m along x towards a wall at 2 m sin(5 t), and nothing along y.
+Scene shaken_puck() {
+  Scene scene("shaken_puck");
+  const Expression x = scene.coordinate("x", "m"), y = scene.coordinate("y", "m"), z = scene.coordinate("z", "m");
+  const FrameHandle along = scene.prismatic("along", scene.ground(), axis::x, x);
+  const FrameHandle across = scene.prismatic("across", along, axis::y, y);
+  scene.body("puck", scene.prismatic("puck", across, axis::z, z), Inertia::point(kilograms("1")));
+  const Expression wall = metres("2") * sin(Expression::quantity("5", "1/s") * scene.time());
+  scene.spring("spring", x - wall, Expression::quantity("3", "N/m"));
+  return scene;
+}
+
+TEST(StaticsCommand, SaysWhatHoldsEverywhereAndThatTimeStandsInTheRest) {
+  const std::string text = section(run(shaken_puck, {"statics"}).out, "Equations of equilibrium");
+  EXPECT_EQ(text.find("0 = 0"), std::string::npos) << text;
+  EXPECT_NE(text.find("  The equations of y, z hold everywhere: nothing acts along them at rest.\n"), std::string::npos) << text;
+  EXPECT_NE(text.find("  Time stands in these equations: a rest fulfils them at every t."), std::string::npos) << text;
+  const std::string french = run(shaken_puck, {"statics", "--language", "fr"}).out;
+  EXPECT_NE(french.find("Les équations de y, z sont toujours vérifiées : rien n'agit suivant ces paramètres au repos.\n"), std::string::npos) << french;
+  EXPECT_NE(french.find("Le temps figure dans ces équations : un équilibre les vérifie à tout instant t.\n"), std::string::npos) << french;
+  EXPECT_EQ(run(on_a_circle, {"statics"}).out.find("Time stands"), std::string::npos);
 }
 
 // The thread's force along z, cos q sin q − sin q cos q times what it is, does not enter along y.

@@ -174,11 +174,11 @@ TEST_F(ConstrainedPair, MustStartOnItsConstraintsInPositionAndInVelocity) {
   scene.initial(x, 1);
   EXPECT_EQ(refusal(scene),
             "inconsistent initial state: constraint 'tied' has the value 1 m at t = 0 and must have 0; "
-            "correct initial(...) of the coordinates it ties");
+            "correct initial(...) of the coordinates it ties: x, y");
   scene.initial(y, 0.5_r, 0.25_r);
   EXPECT_EQ(refusal(scene),
-            "inconsistent initial state: constraint 'tied' has the rate -0.5 m s^-1 at t = 0 and must have "
-            "0; correct initial(...) of the coordinates it ties");
+            "inconsistent initial state: constraint 'tied' has the rate -0.5 m/s at t = 0 and must have "
+            "0; correct initial(...) of the coordinates it ties: x, y");
   scene.initial(x, 1, 0.5_r);
   EXPECT_EQ(refusal(scene), "no error");
   const std::vector<Real> state = initial_state(scene);

@@ -80,6 +80,15 @@ TEST(EliminatedMultipliers, FailNowhereBehindAProductOfParameters) {
   EXPECT_FALSE(contains(page, "det C"));
 }
 
+// The reaction of a stop is in the equation of x alone: eliminated equations without it hold away from the stop.
+TEST(EliminatedMultipliers, SayThatTheyLeaveContactsOut) {
+  const std::string note = "They are those of the mechanism on which no contact acts.\n";
+  EXPECT_FALSE(contains(printed(wheel()), note));
+  Scene stopped = wheel();
+  stopped.stop(Expression(stopped.content().coordinates[0].q), std::nullopt, Expression::quantity("1", "m"));
+  EXPECT_TRUE(contains(printed(stopped), "put into the other:\n  " + note + "  x:")) << printed(stopped);
+}
+
 TEST(EliminatedMultipliers, CanFailWhereASumOrAFunctionMayVanish) {
   const Scene scene = wheel();
   const Sum a = Sum::symbol(scene.content().parameters[0].symbol), b = Sum::symbol(scene.content().parameters[1].symbol);

@@ -145,6 +145,8 @@ for (const scene of scenes) {
   expect(moved, "a slider does not restart the motion");
   await browser.evaluate(reached);
   expect(await browser.evaluate("document.querySelector('#view') !== null"), "there is no picture");
+  expect(await browser.evaluate("[...document.querySelectorAll('figcaption')].every((each) => !each.textContent.endsWith('[SI]'))"),
+         "curves have no unit of their own");
   // Something is drawn: not all pixels are those of the background.
   const drawn = await browser.evaluate(`new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(() => {
     const view = document.getElementById("view"), copy = document.createElement("canvas");

@@ -203,6 +203,7 @@ constexpr Translation french_of_equations[] = {
     {"g is the gap and w its rate (N) or a slip (T), of the first body on the second.",
      "g est l'écartement, w sa vitesse (N) ou une vitesse de glissement (T), du premier solide sur le second."},
     {"w is the slip.", "w est la vitesse de glissement."},
+    {"They are those of the mechanism on which no contact acts.", "Elles valent pour le mécanisme sans action de contact."},
     {"What follows of first integrals and small motions is that of the mechanism on which no contact acts.",
      "Ce qui suit sur les intégrales premières et les petits mouvements vaut pour le mécanisme sans action de contact."},
     {"{} is too long to be written out ({}); the kernel contacts computes it.",

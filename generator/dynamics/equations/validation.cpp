@@ -24,6 +24,7 @@
 #include "torsor/generator/program/evaluation.hpp"
 #include "torsor/generator/program/generic_state.hpp"
 #include "torsor/generator/program/identically_zero.hpp"
+#include "torsor/generator/program/written_unit.hpp"
 
 namespace torsor {
 namespace {
@@ -197,6 +198,20 @@ std::string why_undefined(const SceneContent& scene, const ConstraintRow& row) {
   return ": what it is made of is not defined there";
 }
 
+/// The unknowns of a constraint as the scene's `initial` takes them: coordinates, and attitudes by their own names.
+std::string tied_coordinates(const Equations& equations, const ConstraintRow& row) {
+  const Model& model = equations.model();
+  std::vector<std::string> names;
+  for (int i = 0; i < model.unknown_count(); ++i) {
+    const CoordinateContent& coordinate = model.coordinates()[as_index(i)];
+    if (identically_zero(row.jacobian[as_index(i)])) continue;
+    const std::string& name = coordinate.attitude ? equations.scene().content().attitudes[as_index(*coordinate.attitude)].name
+                                                  : coordinate.q->name;
+    if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
+  }
+  return fmt::format("{}", fmt::join(names, ", "));
+}
+
 void check_initial_state(const Equations& equations) {
   if (equations.constraints().empty() || lacks_values(equations.scene())) return;
   Evaluator<Real> evaluate(equations.program(), [&equations](const SymbolPointer& symbol) {
@@ -225,8 +240,9 @@ void check_initial_state(const Equations& equations) {
       }
       const Unit& unit = residual->unit();
       throw StartError(fmt::format("inconsistent initial state: constraint '{}' has the {} {:.6g}{} at t = 0 and must "
-                                   "have 0; correct initial(...) of the coordinates it ties",
-                                   row.name, what, size, unit.is_dimensionless() ? "" : " " + unit.to_string()));
+                                   "have 0; correct initial(...) of the coordinates it ties: {}",
+                                   row.name, what, size, unit.is_dimensionless() ? "" : " " + written_unit(unit),
+                                   tied_coordinates(equations, row)));
     }
   }
 }

@@ -19,15 +19,18 @@ bool zero_at_rest(SymbolKind kind) { return kind == SymbolKind::velocity || kind
 /// Why the forces at rest have no force function, or what else must be known before Lejeune-Dirichlet is believed.
 std::vector<std::string> remarks_on(const Equations& equations, bool from_potential, const NaturalLanguage& say) {
   std::vector<std::string> remarks;
+  const std::size_t count = equations.actions().without_force_function.size();
   std::string names;
   for (const std::string& name : equations.actions().without_force_function) {
     names += (names.empty() ? "'" : ", '") + name + "'";
   }
   if (!from_potential) {
     remarks.push_back(names.empty() ? say("the forces at rest do not derive from U + T0: T depends on time explicitly")
+                      : count == 1  ? say("the forces at rest do not derive from U + T0: {} acts at rest", names)
                                     : say("the forces at rest do not derive from U + T0: {} act at rest", names));
   } else if (!names.empty()) {
-    remarks.push_back(say("Lejeune-Dirichlet presupposes that {} dissipate and that inputs are zero", names));
+    remarks.push_back(count == 1 ? say("Lejeune-Dirichlet presupposes that {} dissipates and that inputs are zero", names)
+                                 : say("Lejeune-Dirichlet presupposes that {} dissipate and that inputs are zero", names));
   }
   return remarks;
 }
