@@ -32,11 +32,21 @@ _HOMES = {name: home for home, names in {
     "_mechanism": ("Equilibrium", "Mechanism", "Modes", "Motion", "State")}.items() for name in names}
 
 
+def _home(name: str) -> Any:
+    try:
+        return import_module(f".{name}", __name__)
+    except ModuleNotFoundError as missing:
+        if missing.name != "numpy":
+            raise
+        raise ModuleNotFoundError("torsor works on arrays of numpy, which this Python lacks: install it "
+                                  "(Debian: python3-numpy, for /usr/bin/python3)", name="numpy") from None
+
+
 def __getattr__(name: str) -> Any:
     """Imported when it is asked for: `torsor.scene` needs no numpy."""
     if name not in _HOMES:
         raise AttributeError(f"module 'torsor' has no attribute '{name}'")
-    globals()[name] = value = getattr(import_module(f".{_HOMES[name]}", __name__), name)
+    globals()[name] = value = getattr(_home(_HOMES[name]), name)
     return value
 
 
@@ -48,5 +58,5 @@ def open(path: str | os.PathLike[str]) -> Mechanism:  # noqa: A001 - torsor.open
     """The mechanism of a library made by `torsor build` or `torsor_add_mechanism(... SHARED)`.
 
     Raises OSError where the file is no such library, or has another version of the interface."""
-    from ._mechanism import Mechanism
-    return Mechanism(path)
+    mechanism: Mechanism = _home("_mechanism").Mechanism(path)
+    return mechanism

@@ -28,6 +28,13 @@ def test_every_end_of_a_motion_has_words():
     assert numbers == list(range(len(MOTION_STATUSES)))
 
 
+@pytest.mark.parametrize("call", ["torsor.load", "torsor.open('libarm.so')"])
+def test_a_python_without_numpy_is_told_what_to_install(call):
+    said = subprocess.run([sys.executable, "-c", f"import sys; sys.modules['numpy'] = None; import torsor; {call}"],
+                          capture_output=True, text=True, check=False)
+    assert said.returncode != 0 and "python3-numpy" in said.stderr.splitlines()[-1]
+
+
 def test_a_wheel_holds_all_that_the_package_needs(tmp_path):
     """Built without the network from a copy of the sources, unpacked into an empty folder, imported from there."""
     for module in ("pip", "setuptools", "wheel"):
