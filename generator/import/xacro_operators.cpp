@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include "torsor/generator/import/xacro_format.hpp"
 #include "torsor/generator/import/xacro_value.hpp"
 
 namespace torsor::xacro {
@@ -131,10 +132,7 @@ Value floor_divide(const Value& a, const Value& b) {
 }
 
 Value modulo(const Value& a, const Value& b) {
-  if (a.is_string()) {
-    throw ExpressionError(
-        fmt::format("{} % ...: texts made by % are not read here; join them by + and str(...)", a.quoted()));
-  }
+  if (a.is_string()) return percent_format(a.text(), b);
   if (!both_numbers(a, b)) refuse("%", a, b);
   require_nonzero("%", a, b);
   if (both_whole(a, b)) {

@@ -123,6 +123,60 @@ TEST(XacroExpression, PrintsWhatPythonPrints) {
   }
 }
 
+// What Python 3.11 prints for each.
+TEST(XacroExpression, WritesValuesByAFormat) {
+  for (const auto& [expression, printed] : std::vector<std::pair<std::string, std::string>>{
+           {"'%d' % 7", "7"},
+           {"'joint_%d' % 3.7", "joint_3"},
+           {"'%d' % -3.7", "-3"},
+           {"'%s_%d' % ('arm', 2)", "arm_2"},
+           {"'%02d' % 5", "05"},
+           {"'%5d|' % 42", "   42|"},
+           {"'%-5d|' % 42", "42   |"},
+           {"'%+d' % 3", "+3"},
+           {"'% d' % 3", " 3"},
+           {"'%i%%' % 90", "90%"},
+           {"'%.3f' % (1.0 / 3)", "0.333"},
+           {"'%8.2f|' % -1.5", "   -1.50|"},
+           {"'%08.3f' % -1.5", "-001.500"},
+           {"'%+.2e' % 12345.678", "+1.23e+04"},
+           {"'%g' % 0.0001", "0.0001"},
+           {"'%g' % 1e20", "1e+20"},
+           {"'%G' % 1e-7", "1E-07"},
+           {"'%.3g' % 1234.5", "1.23e+03"},
+           {"'%s' % 2.0", "2.0"},
+           {"'%s' % [1, 'a']", "[1, 'a']"},
+           {"'%r' % 'a'", "'a'"},
+           {"'%10s|' % 'arm'", "       arm|"},
+           {"'%-10s|' % 'arm'", "arm       |"},
+           {"'%.2s' % 'left'", "le"},
+           {"'%(side)s_%(n)02d' % {'side': 'left', 'n': 4}", "left_04"},
+           {"'%s' % True", "True"},
+           {"'%d' % True", "1"},
+           {"'%f' % 3", "3.000000"},
+           {"'%#.0f' % 2", "2."},
+           {"'%s%s' % (1, 2)", "12"},
+           {"'%%' % ()", "%"},
+           {"'%05d' % -42", "-0042"},
+           {"'%-05d|' % 3", "3    |"},
+           {"'%.0f' % 2.5", "2"},
+           {"'%u' % 12", "12"},
+           {"'%e' % 0", "0.000000e+00"}}) {
+    EXPECT_EQ(value_of(expression), printed) << expression;
+  }
+  const auto refused = [](const std::string& expression, const std::string& message) {
+    expect_refused("<a v=\"${" + expression + "}\"/>", "r.xacro:2: <a>: ${" + expression + "}: the format " + message);
+  };
+  refused("'%d %d' % 1", "'%d %d' has more conversions than the value given");
+  refused("'%d' % (1, 2)", "'%d' has fewer conversions than values: 1 of 2");
+  refused("'arm' % 1", "'arm' has fewer conversions than values: 0 of 1");
+  refused("'%' % 1", "'%' ends within a conversion");
+  refused("'%x' % 1", "'%x' has a conversion that is not read here; there are %d, %i, %u, %e, %f, %g, %s, %r and %%");
+  refused("'%(a)d' % 1", "'%(a)d' has names: give a dictionary");
+  refused("'%99999d' % 1", "'%99999d' has a number above 1000");
+  refused("'%d' % 1e30", "'%d' has an integer beyond 64 bits");
+}
+
 TEST(XacroExpression, SaysWhatIsWrong) {
   const auto refused = [](const std::string& expression, const std::string& message) {
     expect_refused("<a v=\"${" + expression + "}\"/>", "r.xacro:2: <a>: ${" + expression + "}: " + message);
