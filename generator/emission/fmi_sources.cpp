@@ -37,24 +37,20 @@ std::string holonomic_rows(const MechanismListing& mechanism) {
 }  // namespace
 
 std::vector<SourceFile> fmi_contact_sources(const FmiUnit& unit) {
-  const std::string& name = unit.name();
   // Told in the text, for version 2.0 has no place for definitions that a compiler is to be given.
   const std::string room = fmt::format("#ifndef TORSOR_MOST_CONTACTS\n#define TORSOR_MOST_CONTACTS {}\n#endif\n",
                                        unit.room_for_contacts());
-  const std::string moving =
-      fill_template("fmi/contacts.cpp.in", embedded_template("fmi/contacts.cpp.in"),
-                    {{"name", name},
-                     {"version", TORSOR_VERSION},
-                     {"room", room},
-                     {"has_inputs", unit.mechanism.layout.inputs.empty() ? "0" : "1"}});
+  const auto filled = [&](const std::string& file, const std::string& placeholder, const std::string& text) {
+    return fill_template(file, embedded_template(file),
+                         {{"name", unit.name()}, {"version", TORSOR_VERSION}, {"room", room}, {placeholder, text}});
+  };
   std::vector<SourceFile> files = contact_layer_sources();
-  files.front().text =
-      "// SPDX-License-Identifier: MIT-0\n// Compiles the contact layer of torsor " TORSOR_VERSION ".\n" + room + files.front().text;
-  std::erase_if(files, [](const SourceFile& file) {  // what only shared libraries include
-    return file.path.starts_with("torsor/runtime/abi") || file.path.starts_with("torsor/runtime/library.");
-  });
-  files.insert(files.begin(), {contact_source_name(unit), moving});
-  files.push_back({name + ".hpp", emit_header(unit.mechanism)});
+  SourceFile& layer = files.front();
+  layer.text = filled("fmi/contact_layer.cpp.in", "layer", layer.text);
+  std::erase_if(files, [](const SourceFile& file) { return file.path.starts_with("torsor/runtime/abi"); });
+  const std::string has_inputs = unit.mechanism.layout.inputs.empty() ? "0" : "1";
+  files.insert(files.begin(), {contact_source_name(unit), filled("fmi/contacts.cpp.in", "has_inputs", has_inputs)});
+  files.push_back({unit.name() + ".hpp", emit_header(unit.mechanism)});
   return files;
 }
 

@@ -157,7 +157,6 @@ class ContactMotion {
   void renew() noexcept { known_ = false; }
 
  private:
-  Evaluation project_velocities(double t, std::span<double> y);
   using Regimes = RegimeSystem::Regimes;
   static constexpr std::size_t as(int i) noexcept { return static_cast<std::size_t>(i); }
   [[nodiscard]] const ContactState& at(int i) const noexcept { return states[as(i)]; }

@@ -7,6 +7,14 @@
 #include "torsor/runtime/contacts/contact_scale.hpp"
 
 namespace torsor::runtime {
+namespace detail {
+
+template <int most>
+void library_has_room_for_contacts() noexcept {}
+
+template void library_has_room_for_contacts<most_contacts>() noexcept;
+
+}  // namespace detail
 
 double natural_map_residual(const ContactProblem& problem, const ContactSolution& s) noexcept {
   ContactVector defect = ContactVector::Zero(problem.rows()), size = defect;

@@ -63,6 +63,13 @@ struct ContactLaw {
 #endif
 inline constexpr int most_contacts = TORSOR_MOST_CONTACTS, most_rows = 3 * most_contacts;
 static_assert(most_contacts > 0 && most_contacts <= 32, "TORSOR_MOST_CONTACTS is 1 to 32");
+namespace detail {
+/// The library defines this for its own room alone: a program compiled for another, whose matrices are not those of the
+/// library, does not link.
+template <int most>
+void library_has_room_for_contacts() noexcept;
+[[gnu::used]] inline void (*const needed_room)() noexcept = &library_has_room_for_contacts<most_contacts>;
+}  // namespace detail
 using ContactVector = Eigen::Matrix<double, Eigen::Dynamic, 1, Eigen::ColMajor, most_rows, 1>;
 using ContactMatrix =
     Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::ColMajor, most_rows, most_rows>;

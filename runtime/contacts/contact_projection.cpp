@@ -74,8 +74,15 @@ Evaluation ContactMotion::project_positions(double t, std::span<double> y, int s
   return Evaluation::ok;
 }
 
-Evaluation ContactMotion::project_velocities(double t, std::span<double> y) {
-  if (any_touches() && !respond()) return Evaluation::singular;
+Evaluation ContactMotion::project(double t, std::span<double> y, int steps) {
+  const bool touches = any_touches();
+  if (sizes_.constraints == 0 && !touches) {
+    mechanism_.normalise(y);
+    return Evaluation::ok;
+  }
+  const Evaluation placed = project_positions(t, y, steps);
+  if (placed != Evaluation::ok) return placed;
+  if (!read(t, y) || (touches && !respond())) return Evaluation::singular;
   select([&](int i, int row, bool normal) {
     right_(row) = -reading_.w(row) - reading_.J.row(row).dot(dynamics_.closing_rate);
     return normal || at(i).regime == ContactRegime::sticks;
@@ -86,22 +93,11 @@ Evaluation ContactMotion::project_velocities(double t, std::span<double> y) {
   return read(t, y) ? Evaluation::ok : Evaluation::singular;
 }
 
-Evaluation ContactMotion::project(double t, std::span<double> y, int steps) {
-  if (sizes_.constraints == 0 && !any_touches()) {
-    mechanism_.normalise(y);
-    return Evaluation::ok;
-  }
-  const Evaluation placed = project_positions(t, y, steps);
-  if (placed != Evaluation::ok) return placed;
-  return read(t, y) ? project_velocities(t, y) : Evaluation::singular;
-}
-
 // A step may reach over a place where the normal of a contact jumps, as that of a disc's rim does where the disc lies
 // flat. To project would be an impact that no law has decided: a shorter step is asked for, and none is short enough.
 Evaluation ContactMotion::hold(double t, std::span<double> y) {
   if (!any_touches()) return project(t, y);
-  const Evaluation placed = project_positions(t, y, 3);
-  if (placed != Evaluation::ok) return placed;
+  mechanism_.normalise(y);  // what is read here the projection begins with
   if (!read(t, y)) return Evaluation::singular;
   for (int i = 0; i < count(); ++i) {
     if (!at(i).touches || !rule(i).normal) continue;
@@ -120,7 +116,7 @@ Evaluation ContactMotion::hold(double t, std::span<double> y) {
       return Evaluation::singular;
     }
   }
-  return project_velocities(t, y);
+  return project(t, y);
 }
 
 double ContactMotion::loops_off() const {

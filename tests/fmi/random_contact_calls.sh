@@ -8,7 +8,8 @@ here="$(cd "$(dirname "$0")" && pwd)"
 rm -rf "$folder"
 mkdir -p "$folder"
 { read -r unit; read -r moving; read -r token; } < <("$program" "$version" "$folder")
-sanitizers=(-g -O1 -fsanitize=address,undefined -fno-sanitize-recover=all -ffp-contract=off "-I$folder")
+# Matrices have the room that those of the library have.
+sanitizers=(-DTORSOR_MOST_CONTACTS=32 -g -O1 -fsanitize=address,undefined -fno-sanitize-recover=all -ffp-contract=off "-I$folder")
 warnings=(-pedantic -Wall -Wextra -Wconversion -Wshadow -Werror)
 "$cc" -std=c99 "${warnings[@]}" "${sanitizers[@]}" -DUNIT="\"$unit\"" -DCALLS="\"calls$version.h\"" -DTOKEN="\"$token\"" \
   -c "$here/random_calls.c" -o "$folder/calls.o"
