@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "torsor/generator/import/xacro_format.hpp"
 
+#include <algorithm>
 #include <cctype>
 #include <cmath>
 #include <optional>
@@ -64,7 +65,7 @@ std::string written(const std::string& format, const Given& value) {
 /// One conversion of %, the sign % already read.
 std::string converted(Reader& reader, const Value& value) {
   std::string flags;
-  while (std::string_view("-+ 0#").find(reader.peek()) != std::string_view::npos && !reader.at_end()) flags += reader.next();
+  while (std::string_view("-+ 0#").find(reader.peek()) != std::string_view::npos) flags += reader.next();
   const bool left = flags.find('-') != std::string::npos, zeros = flags.find('0') != std::string::npos;
   const std::optional<int> width = reader.count();
   std::optional<int> precision;
@@ -82,8 +83,8 @@ std::string converted(Reader& reader, const Value& value) {
   }
   if (width && *width > 0) format += std::to_string(*width);
   if (text) {
-    const std::string given = type == 's' ? value.to_string() : value.quoted();
-    return written(format, precision ? given.substr(0, static_cast<std::size_t>(*precision)) : given);
+    if (precision) format += "." + std::to_string(*precision);
+    return written(format, type == 's' ? value.to_string() : value.quoted());
   }
   const std::string user = fmt::format("%{}", type);
   if (whole) {

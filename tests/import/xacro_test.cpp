@@ -150,6 +150,7 @@ TEST(XacroExpression, WritesValuesByAFormat) {
            {"'%10s|' % 'arm'", "       arm|"},
            {"'%-10s|' % 'arm'", "arm       |"},
            {"'%.2s' % 'left'", "le"},
+           {"'%.2s|' % 'bébé'", "bé|"},
            {"'%(side)s_%(n)02d' % {'side': 'left', 'n': 4}", "left_04"},
            {"'%s' % True", "True"},
            {"'%d' % True", "1"},
