@@ -19,13 +19,11 @@ bool MjcfBuilder::moves(int body) const {
 
 void MjcfBuilder::add_joint_actions(std::size_t i) {
   const MjcfJoint& joint = model_.joints[i];
-  if (joint.friction_loss != 0) {
-    note("frictionloss of joints does not act", fmt::format("{} ({})", joint.name, shortest(joint.friction_loss)));
-  }
   if (joint.is_scalar())
     add_scalar_actions(i);
   else
     add_free_actions(i);
+  add_dry_friction(i);
 }
 
 void MjcfBuilder::add_scalar_actions(std::size_t i) {
@@ -46,6 +44,10 @@ void MjcfBuilder::add_scalar_actions(std::size_t i) {
   if (joint.armature != 0) {
     const Expression a = parameter(name + "_armature", turns ? "kg m^2" : "kg", from_double(joint.armature));
     add_rotor(scene_, frame_names_.take(name + "_rotor", "joint"), {.displacement = q, .turns = turns, .armature = a});
+  }
+  if (joint.limited && options_.limits && !followed_.contains(i)) {
+    const Unit& unit = turns ? units::radian : units::metre;
+    scene_.stop(q, Expression::quantity(from_double(joint.range[0]), unit), Expression::quantity(from_double(joint.range[1]), unit));
   }
   if (joint.limited && followed_.contains(i)) {
     data_.push_back(
