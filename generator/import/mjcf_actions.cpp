@@ -128,20 +128,25 @@ void MjcfBuilder::add_free_spring(std::size_t i) {
 void MjcfBuilder::add_tendons() {
   for (const MjcfTendon& tendon : model_.tendons) {
     const std::optional<Expression> length = tendon_length(tendon);
-    if (tendon.friction_loss != 0) {
-      note("frictionloss of tendons does not act", fmt::format("{} ({})", tendon.name, shortest(tendon.friction_loss)));
+    const bool rubs = options_.friction_of_file && tendon.friction_loss != 0;
+    if (tendon.friction_loss != 0 && !rubs) {
+      note("frictionloss of tendons acts with --friction file only", fmt::format("{} ({})", tendon.name, shortest(tendon.friction_loss)));
     }
     if (tendon.limited) note("the range of tendons does not act", tendon.name);
-    if (tendon.stiffness == 0 && tendon.damping == 0) continue;
+    if (tendon.stiffness == 0 && tendon.damping == 0 && !rubs) continue;
     if (!length) {
-      note("stiffness and damping of tendons around geoms do not act", tendon.name);
+      note("stiffness, damping and frictionloss of tendons around geoms do not act", tendon.name);
       continue;
     }
     if (!varies(*length)) {
-      note("stiffness and damping of tendons of constant length do not act", tendon.name);
+      note("stiffness, damping and frictionloss of tendons of constant length do not act", tendon.name);
       continue;
     }
-    const std::string name = take(symbols_, tendon.name, "tendon", {"", "_stiffness", "_damping"});
+    const std::string name =
+        take(symbols_, tendon.name, "tendon", {"", "_stiffness", "_damping", "_friction", "_dry_friction"});
+    if (rubs) {
+      scene_.dry_friction(name + "_dry_friction", *length, {parameter(name + "_friction", "N", from_double(tendon.friction_loss))});
+    }
     if (tendon.stiffness != 0) {
       const Expression k = parameter(name + "_stiffness", "N/m", from_double(tendon.stiffness));
       scene_.spring(name + "_spring", *length, k,

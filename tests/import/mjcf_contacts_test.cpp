@@ -131,6 +131,23 @@ TEST(FrictionOfMjcf, BrakesASlide) {
   EXPECT_NE(torsor({"list", path}).err.find("frictionloss of joints acts with --friction file only: x (3)"), std::string::npos);
 }
 
+// A tendon over two slides, length x - y: of two blocks of 2 kg and 1 kg at 3 and 0 m/s the slip ends after 1 s, at 2 m/s, since
+// 2 N take 1 m/s² from the one and give 2 m/s² to the other.
+TEST(FrictionOfMjcf, BrakesATendon) {
+  const std::string path = written("tied", R"(<mujoco><option gravity="0 0 0"/><worldbody>
+<body><joint name="x" type="slide" axis="1 0 0"/><geom size="0.1" mass="2"/></body>
+<body pos="0 1 0"><joint name="y" type="slide" axis="1 0 0"/><geom size="0.1" mass="1"/></body></worldbody>
+<tendon><fixed name="band" frictionloss="2"><joint joint="x" coef="1"/><joint joint="y" coef="-1"/></fixed></tendon></mujoco>)");
+  const Outcome outcome =
+      torsor({"simulate", path, "--friction", "file", "--to", "2", "--step", "1", "--no-motors", "--initial", "x'=3"});
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  const testing_programs::Table motion = table(outcome.out);
+  EXPECT_NEAR(motion.end("x'"), 2, 1e-13);
+  EXPECT_NEAR(motion.end("y'"), 2, 1e-13);
+  EXPECT_NEAR(motion.end("x") - motion.end("y"), 1.5, 1e-13);
+  EXPECT_NE(torsor({"list", path}).err.find("frictionloss of tendons acts with --friction file only: band (2)"), std::string::npos);
+}
+
 TEST(LimitsOfMjcf, AreStopsWhereTheyAreAskedFor) {
   const std::string path = written("drawer", R"(<mujoco><worldbody><body><joint name="x" type="slide" axis="1 0 0" range="-0.5 1.5" limited="true"/>
 <geom size="0.1" mass="2"/></body></worldbody></mujoco>)");
