@@ -122,7 +122,7 @@ TEST(GroundOfMjcfFiles, IsMetAtTheHeightOfThePlane) {
 TEST(FrictionOfMjcf, BrakesASlide) {
   const std::string path = written("block", R"(<mujoco><worldbody><body><joint name="x" type="slide" axis="1 0 0" frictionloss="3"/>
 <geom size="0.1" mass="2"/></body></worldbody></mujoco>)");
-  for (const auto& [word, way] : {std::pair("file", 12.0), std::pair("x=6", 6.0)}) {
+  for (const auto& [word, way] : {std::pair("file", 12.0), std::pair("x=6", 6.0), std::pair("file,x=6", 6.0)}) {
     const Outcome outcome =
         torsor({"simulate", path, "--friction", word, "--to", "5", "--step", "5", "--no-motors", "--initial", "x'=6"});
     ASSERT_EQ(outcome.code, 0) << outcome.err;
