@@ -198,8 +198,7 @@ void add_columns(EvaluatedContacts& contacts, ContactRecord& record) {
   EvaluatedMotion& motion = contacts.motion();
   add("time", "s");
   for (const SymbolPointer& symbol : motion.symbols()) add(symbol->name, written_unit(*symbol));
-  const std::vector<std::string> observed = motion.observed_names(), units = motion.observed_units();
-  for (std::size_t i = 0; i < observed.size(); ++i) add(observed[i], units[i]);
+  for (const EvaluatedMotion::Observed& each : motion.observed()) add(each.name, each.unit);
   record.numbers = motion.symbols().size();
   for (const SymbolPointer& input : motion.equations().model().inputs()) record.inputs.push_back(input->name);
   for (int i = 0; i < contacts.count(); ++i) {

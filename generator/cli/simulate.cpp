@@ -82,8 +82,10 @@ Simulation simulate(const Scene& scene, const SimulationOptions& options) {
     result.names.push_back(symbol->name);
     result.units.push_back(written_unit(*symbol));
   }
-  for (const std::string& name : motion.observed_names()) result.names.push_back(name);
-  for (const std::string& unit : motion.observed_units()) result.units.push_back(unit);
+  for (const EvaluatedMotion::Observed& each : motion.observed()) {
+    result.names.push_back(each.name);
+    result.units.push_back(each.unit);
+  }
   const std::vector<double> y = closed_start(motion, options.initial);
   MotionIntegrator::Settle settle;
   if (motion.needs_settling() && options.project) {

@@ -83,11 +83,12 @@ void add_options(CLI::App& command, FileRequest& request) {
       ->delimiter(',');
   command.add_option("--friction", request.friction,
                      "dry friction in joints, JOINT=NUMBER in N m (N where the joint slides), or file: that of <dynamics "
-                     "friction>; comma-separated")
+                     "friction>, in MJCF of frictionloss; comma-separated")
       ->delimiter(',');
-  command.add_flag("--limits", request.limits, "make <limit lower upper> of the joints stops");
+  command.add_flag("--limits", request.limits, "make <limit lower upper> of the joints stops, in MJCF their range");
   command.add_option("--ground", request.ground.named,
-                     "links whose <collision> spheres, boxes and cylinders touch the ground z = 0; comma-separated")
+                     "links whose <collision> spheres, boxes and cylinders touch the ground z = 0; in MJCF bodies whose geoms touch "
+                     "the planes of the file; comma-separated")
       ->delimiter(',');
   command.add_option("--ground-friction", request.ground.friction,
                      "value of the run-time parameter ground_friction; 0.5 when absent");
@@ -143,8 +144,8 @@ void add_joint_number(JointNumbers& all, const std::string& option, const std::s
 }
 
 /// Of an option that names what touches.
-UrdfSurfaces surfaces(const SurfacesRequest& request, const std::string& option, const char* what) {
-  UrdfSurfaces all;
+Surfaces surfaces(const SurfacesRequest& request, const std::string& option, const char* what) {
+  Surfaces all;
   all.named = request.named;
   const auto read = [&](const std::string& text, const std::string& suffix, Number& to) {
     if (text.empty()) return;

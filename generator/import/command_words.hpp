@@ -2,8 +2,11 @@
 #pragma once
 
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "torsor/generator/base/number.hpp"
+#include "torsor/generator/import/surfaces.hpp"
 
 namespace torsor {
 
@@ -16,5 +19,12 @@ std::string name_of_file(const std::string& path);
 
 /// The name of a file as one word of a shell; one that begins with a dash would be an option.
 std::string file_word(const std::string& name);
+
+/// " --friction file,elbow=2": the numbers of joints behind the words of an option; empty where there are none of both.
+std::string joint_numbers(const std::string& option, const std::vector<std::pair<std::string, Number>>& values,
+                          const std::string& words = "");
+
+/// " --ground foot --ground-friction 0.8"; empty where nothing is named.
+std::string surface_words(const std::string& option, const Surfaces& surfaces);
 
 }  // namespace torsor

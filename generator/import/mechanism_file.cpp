@@ -27,13 +27,11 @@ MechanismFile read_mjcf_file(const std::string& path, const MechanismFileOptions
   if (!given.fix.empty()) {
     throw UsageError(fmt::format("--fix is for URDF; take the <joint> of '{}' out of its body in '{}'", given.fix.front(), path));
   }
-  if (!given.armature.empty() || !given.friction.empty() || given.friction_of_file || given.run_time_gravity) {
+  if (!given.armature.empty() || given.run_time_gravity) {
     throw UsageError(fmt::format(
-        "--armature, --friction and --run-time-gravity are for URDF; in '{}' armature is an attribute of <joint>", path));
+        "--armature and --run-time-gravity are for URDF; in '{}' armature is an attribute of <joint>", path));
   }
-  if (!given.ground.named.empty() || !given.contacts.named.empty() || given.limits) {
-    throw UsageError(fmt::format("--ground, --contacts and --limits are for URDF; '{}' is MJCF", path));
-  }
+  if (!given.contacts.named.empty()) throw UsageError(fmt::format("--contacts is for URDF; '{}' is MJCF", path));
   if (options.mjcf_reader == nullptr) {
     throw FileError(
         fmt::format("{}: is MJCF, which this program was built without; install libmujoco-dev and build torsor "
@@ -46,6 +44,10 @@ MechanismFile read_mjcf_file(const std::string& path, const MechanismFileOptions
   mjcf.strict = given.strict;
   mjcf.dampers = given.dampers;
   mjcf.motors = given.motors;
+  mjcf.friction = given.friction;
+  mjcf.friction_of_file = given.friction_of_file;
+  mjcf.limits = given.limits;
+  mjcf.ground = given.ground;
   mjcf.name = given.name;
   mjcf.points = given.points;
   mjcf.initial = given.initial;

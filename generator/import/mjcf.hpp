@@ -9,6 +9,7 @@
 
 #include "torsor/generator/base/number.hpp"
 #include "torsor/generator/import/mjcf_model.hpp"
+#include "torsor/generator/import/surfaces.hpp"
 #include "torsor/generator/mechanics/scene.hpp"
 
 namespace torsor {
@@ -20,6 +21,13 @@ struct MjcfOptions {
   Number angle_tolerance = Number::rational(1, 1000000000);
   bool dampers = true;  ///< damping of joints and tendons acts
   bool motors = true;   ///< actuators are inputs; where the file has none, every hinge and slide has a motor
+  /// Dry friction in hinges and slides, {joint, the largest effort} [N m, N]: kernels `contacts` and `contact_coefficients`.
+  std::vector<std::pair<std::string, Number>> friction;
+  bool friction_of_file = false;  ///< frictionloss acts so too, where `friction` says nothing else
+  bool limits = false;            ///< ranges of hinges and slides are stops, without restitution
+  /// Bodies whose geoms touch the planes of the file that stand still; where it has none, the plane z = 0. The run-time
+  /// parameters are ground_friction and ground_restitution.
+  Surfaces ground;
   bool strict = false;  ///< refuses what cannot act instead of noting it
   std::string name;     ///< of the scene; the model's when empty
   std::vector<std::string> points;  ///< bodies and sites whose origins become points <name>_origin
@@ -37,8 +45,7 @@ struct ImportedMjcf {
 /// A body becomes a frame of its name, with a body of its mass and inertia J = R diag(A, B, C) Rᵀ. Its joints follow
 /// one another, each at its place in the body:
 ///  * hinge, slide: a coordinate of the joint's name that is MuJoCo's qpos: the joint turns or slides by q − ref.
-///  Spring
-///    (stiffness, springref), damping and limits are the scene's.
+///    Spring (stiffness, springref), damping and limits are the scene's; frictionloss is dry friction, on request.
 ///  * ball: the attitude <joint>_attitude, MuJoCo's quaternion, and components of the angular velocity in the child's
 ///  axes.
 ///  * free: position <joint>_x, _y, _z and <joint>_attitude. The start is qpos0.

@@ -19,13 +19,11 @@ bool MjcfBuilder::moves(int body) const {
 
 void MjcfBuilder::add_joint_actions(std::size_t i) {
   const MjcfJoint& joint = model_.joints[i];
-  if (joint.friction_loss != 0) {
-    note("frictionloss of joints does not act", fmt::format("{} ({})", joint.name, shortest(joint.friction_loss)));
-  }
   if (joint.is_scalar())
     add_scalar_actions(i);
   else
     add_free_actions(i);
+  add_dry_friction(i);
 }
 
 void MjcfBuilder::add_scalar_actions(std::size_t i) {
@@ -46,6 +44,10 @@ void MjcfBuilder::add_scalar_actions(std::size_t i) {
   if (joint.armature != 0) {
     const Expression a = parameter(name + "_armature", turns ? "kg m^2" : "kg", from_double(joint.armature));
     add_rotor(scene_, frame_names_.take(name + "_rotor", "joint"), {.displacement = q, .turns = turns, .armature = a});
+  }
+  if (joint.limited && options_.limits && !followed_.contains(i)) {
+    const Unit& unit = turns ? units::radian : units::metre;
+    scene_.stop(q, Expression::quantity(from_double(joint.range[0]), unit), Expression::quantity(from_double(joint.range[1]), unit));
   }
   if (joint.limited && followed_.contains(i)) {
     data_.push_back(
@@ -126,20 +128,25 @@ void MjcfBuilder::add_free_spring(std::size_t i) {
 void MjcfBuilder::add_tendons() {
   for (const MjcfTendon& tendon : model_.tendons) {
     const std::optional<Expression> length = tendon_length(tendon);
-    if (tendon.friction_loss != 0) {
-      note("frictionloss of tendons does not act", fmt::format("{} ({})", tendon.name, shortest(tendon.friction_loss)));
+    const bool rubs = options_.friction_of_file && tendon.friction_loss != 0;
+    if (tendon.friction_loss != 0 && !rubs) {
+      note("frictionloss of tendons acts with --friction file only", fmt::format("{} ({})", tendon.name, shortest(tendon.friction_loss)));
     }
     if (tendon.limited) note("the range of tendons does not act", tendon.name);
-    if (tendon.stiffness == 0 && tendon.damping == 0) continue;
+    if (tendon.stiffness == 0 && tendon.damping == 0 && !rubs) continue;
     if (!length) {
-      note("stiffness and damping of tendons around geoms do not act", tendon.name);
+      note("stiffness, damping and frictionloss of tendons around geoms do not act", tendon.name);
       continue;
     }
     if (!varies(*length)) {
-      note("stiffness and damping of tendons of constant length do not act", tendon.name);
+      note("stiffness, damping and frictionloss of tendons of constant length do not act", tendon.name);
       continue;
     }
-    const std::string name = take(symbols_, tendon.name, "tendon", {"", "_stiffness", "_damping"});
+    const std::string name =
+        take(symbols_, tendon.name, "tendon", {"", "_stiffness", "_damping", "_friction", "_dry_friction"});
+    if (rubs) {
+      scene_.dry_friction(name + "_dry_friction", *length, {parameter(name + "_friction", "N", from_double(tendon.friction_loss))});
+    }
     if (tendon.stiffness != 0) {
       const Expression k = parameter(name + "_stiffness", "N/m", from_double(tendon.stiffness));
       scene_.spring(name + "_spring", *length, k,

@@ -3,6 +3,7 @@
 
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -11,12 +12,13 @@
 #include "torsor/generator/import/exact_rotation.hpp"
 #include "torsor/generator/import/identifiers.hpp"
 #include "torsor/generator/import/mjcf.hpp"
+#include "torsor/generator/import/surface_contacts.hpp"
 #include "torsor/generator/import/urdf_robot.hpp"
 
 namespace torsor {
 
 /// Makes the scene, part by part; mjcf_scene says what of what. mjcf_scene.cpp holds the tree of bodies,
-/// mjcf_actions.cpp what acts in joints and tendons, mjcf_actuators.cpp what drives, mjcf_tendons.cpp sites and lengths,
+/// mjcf_actions.cpp what acts in joints and tendons, mjcf_contacts.cpp friction and contacts, mjcf_actuators.cpp what drives, mjcf_tendons.cpp sites and lengths,
 /// mjcf_equalities.cpp the constraints.
 class MjcfBuilder {
  public:
@@ -73,6 +75,16 @@ class MjcfBuilder {
   void add_motors();
   bool moves(int body) const;
 
+  // Contacts, on request.
+  void check_frictions() const;
+  /// The bound of a joint's dry friction, where there is any.
+  std::optional<Number> friction_of(const MjcfJoint& joint) const;
+  void add_dry_friction(std::size_t joint);
+  void add_ground();
+  /// The geoms of a body that --ground names.
+  std::vector<std::size_t> touching_geoms(const std::string& body) const;
+  void touch_plane(const SurfaceContacts& contacts, const std::string& name, const MjcfGeom& geom, const FrameReference& plane);
+
   // Actuators.
   void add_motor(const MjcfActuator& actuator);
   void drive(const MjcfActuator& actuator, const Expression& displacement);
@@ -122,6 +134,7 @@ class MjcfBuilder {
   std::map<int, std::string> site_frames_;
   std::map<int, PointHandle> site_points_;
   std::map<std::size_t, JointParts> joints_;
+  std::set<std::size_t> touching_;  ///< geoms that act
   std::map<std::size_t, std::size_t> followed_;  ///< joints without a coordinate, and the equality that says why
 };
 

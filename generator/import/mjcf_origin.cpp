@@ -23,6 +23,9 @@ std::string options_text(const MjcfOptions& options) {
   }
   if (!options.dampers) text += " --no-dampers";
   if (!options.motors) text += " --no-motors";
+  text += joint_numbers("--friction", options.friction, options.friction_of_file ? "file" : "");
+  if (options.limits) text += " --limits";
+  text += surface_words("--ground", options.ground);
   if (!options.name.empty()) text += " --name " + shell_word(options.name);
   if (!options.points.empty()) text += " --points " + shell_word(fmt::format("{}", fmt::join(options.points, ",")));
   std::string initial;

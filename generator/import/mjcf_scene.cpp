@@ -45,6 +45,7 @@ ImportedMjcf MjcfBuilder::build() {
   for (std::size_t i = 0; i < model_.joints.size(); ++i) declare(i);
   for (std::size_t i = 1; i < model_.bodies.size(); ++i) place(i);
   for (std::size_t i = 1; i < model_.bodies.size(); ++i) add_inertia(i);
+  check_frictions();
   for (std::size_t i = 0; i < model_.joints.size(); ++i) add_joint_actions(i);
   add_tendons();
   if (options_.motors) add_motors();
@@ -53,6 +54,7 @@ ImportedMjcf MjcfBuilder::build() {
   for (std::size_t k = 0; k < 3; ++k) gravity[k] = from_double(model_.gravity[k]);
   scene_.gravity(quantities(options_.gravity.value_or(gravity), units::metre_per_second_squared));
   add_points();
+  add_ground();
   set_start();
   scene_.keep_massless();
   note_geometry();
@@ -175,7 +177,8 @@ void MjcfBuilder::declare(std::size_t i) {
   }
   const bool turns = joint.type == MjcfJointType::hinge;
   parts.name =
-      take(symbols_, joint.name, "joint", {"", turns ? "_torque" : "_force", "_damping", "_stiffness", "_armature"});
+      take(symbols_, joint.name, "joint",
+           {"", turns ? "_torque" : "_force", "_damping", "_stiffness", "_armature", "_friction", "_lower", "_upper"});
   if (followed_.contains(i)) return;
   parts.position = scene_.coordinate(parts.name, turns ? "rad" : "m");
   parts.known = true;
@@ -361,11 +364,12 @@ void MjcfBuilder::set_start() {
 }
 
 void MjcfBuilder::note_geometry() {
-  if (!model_.geoms.empty()) {
-    note(fmt::format("contacts do not act: the geometry of {} geom{} is kept and has no effect", model_.geoms.size(),
-                     model_.geoms.size() == 1 ? "" : "s"),
-         "");
-  }
+  const std::size_t idle = model_.geoms.size() - touching_.size();
+  if (idle == 0) return;
+  note(fmt::format("contacts {}: the geometry of {} {}geom{} is kept and has no effect",
+                   touching_.empty() ? "do not act" : "act as --ground says", idle, touching_.empty() ? "" : "other ",
+                   idle == 1 ? "" : "s"),
+       "");
 }
 
 }  // namespace torsor

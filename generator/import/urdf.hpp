@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "torsor/generator/base/number.hpp"
+#include "torsor/generator/import/surfaces.hpp"
 #include "torsor/generator/import/xml_element.hpp"
 #include "torsor/generator/mechanics/scene.hpp"
 
@@ -18,12 +19,6 @@ namespace torsor {
 enum class UrdfBase {
   fixed,     ///< welded to it
   floating,  ///< free: a position along the ground's axes and a unit quaternion
-};
-
-/// What touches by its <collision> elements, and what it is made of: the values of run-time parameters.
-struct UrdfSurfaces {
-  std::vector<std::string> named;  ///< links, or pairs of links
-  Number friction = Number::rational(1, 2), restitution;
 };
 
 /// How a URDF file becomes a scene.
@@ -53,10 +48,10 @@ struct UrdfOptions {
   bool limits = false;  ///< <limit lower upper> are stops, without restitution
   /// Links whose <collision> spheres, boxes and cylinders' rims touch the ground z = 0. The run-time parameters are
   /// ground_friction and ground_restitution.
-  UrdfSurfaces ground;
+  Surfaces ground;
   /// Pairs of links whose <collision> elements meet, A:B: spheres with spheres. With a face behind one link, A:B+z, the
   /// elements of the other meet its plane. The run-time parameters are contacts_friction and contacts_restitution.
-  UrdfSurfaces contacts;
+  Surfaces contacts;
   bool run_time_gravity = false;  ///< its components are the run-time parameters gravity_x, gravity_y, gravity_z
   /// State at t = 0 where it is not zero, by set_initial: {"elbow", "0.3"}, {"elbow'", "1"}, {"base_attitude_w",
   /// "0.6"}.

@@ -10,29 +10,9 @@
 #include "torsor/generator/base/error.hpp"
 
 namespace torsor {
-namespace {
 
-/// Names that a contact of that shape takes besides its own.
-std::vector<std::string> suffixes(const ContactShape& shape) {
-  if (!std::holds_alternative<shape::Box>(shape)) return {"", "_point"};
-  std::vector<std::string> all{""};
-  for (int corner = 1; corner <= 8; ++corner) {
-    all.push_back(fmt::format("_{}", corner));
-    all.push_back(fmt::format("_{}_point", corner));
-  }
-  return all;
-}
-
-}  // namespace
-
-UrdfCollisions::UrdfCollisions(const UrdfContactScene& around, const std::string& word, const UrdfSurfaces& surfaces)
-    : around_(around) {
-  const auto parameter = [&](const char* what, const Number& value) {
-    return around.scene.run_time_parameter(around.take(word + what, "parameter", {""}), "1", Expression(value));
-  };
-  law_.friction = parameter("_friction", surfaces.friction);
-  law_.restitution = parameter("_restitution", surfaces.restitution);
-}
+UrdfCollisions::UrdfCollisions(const UrdfContactScene& around, const std::string& word, const Surfaces& surfaces)
+    : around_(around), contacts_(around.scene, around.take, word, surfaces) {}
 
 std::vector<const UrdfCollision*> UrdfCollisions::of_link(const std::string& link, const std::string& option) const {
   std::vector<const UrdfCollision*> found;
@@ -56,27 +36,16 @@ std::vector<const UrdfCollision*> UrdfCollisions::of_link(const std::string& lin
   return found;
 }
 
-FrameHandle UrdfCollisions::at(const std::string& name, const FrameReference& parent,
-                               const Placement& placement) const {
-  return around_.scene.weld(around_.take(name, "frame", {""}), parent, placement);
-}
-
 void UrdfCollisions::touch_plane(const std::string& name, const UrdfCollision& collision,
                                  const FrameReference& plane) const {
-  const auto touches = [&](const std::string& contact, const ContactShape& shape) {
-    around_.scene.contact(around_.take(contact, "contact", suffixes(shape)), shape, shape::Plane{.frame = plane}, law_);
-  };
   const FrameHandle centre = at(name + "_centre", frame(collision.link), *collision.placement);
   if (const auto* sphere = std::get_if<form::Sphere>(&*collision.form)) {
-    touches(name, shape::Sphere{.frame = centre, .radius = sphere->radius});
+    contacts_.touch(name, shape::Sphere{.frame = centre, .radius = sphere->radius}, shape::Plane{.frame = plane});
   } else if (const auto* box = std::get_if<form::Box>(&*collision.form)) {
-    touches(name, shape::Box{.frame = centre, .half_edges = {box->edges[0] / 2, box->edges[1] / 2, box->edges[2] / 2}});
+    const Triple half{box->edges[0] / 2, box->edges[1] / 2, box->edges[2] / 2};
+    contacts_.touch(name, shape::Box{.frame = centre, .half_edges = half}, shape::Plane{.frame = plane});
   } else {
-    const auto& cylinder = std::get<form::Cylinder>(*collision.form);
-    for (const auto& [suffix, side] : {std::pair("_top", 1), std::pair("_base", -1)}) {
-      const FrameHandle rim = at(name + suffix, centre, {.origin = {0, 0, side * cylinder.length / 2}});
-      touches(name + suffix, shape::Disc{.frame = rim, .axis = axis::z, .radius = cylinder.radius});
-    }
+    contacts_.cylinder_on_plane(name, centre, std::get<form::Cylinder>(*collision.form), plane);
   }
 }
 
@@ -87,7 +56,7 @@ void UrdfCollisions::touch_each_other(const std::string& name, const UrdfCollisi
                          .radius = std::get<form::Sphere>(*collision.form).radius};
   };
   const shape::Sphere first = ball(sphere, "_first"), second = ball(other, "_second");
-  around_.scene.contact(around_.take(name, "contact", {""}), first, second, law_);
+  contacts_.touch(name, first, second);
 }
 
 }  // namespace torsor

@@ -1,20 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <functional>
 #include <map>
 #include <string>
 #include <vector>
 
+#include "torsor/generator/import/surface_contacts.hpp"
 #include "torsor/generator/import/urdf.hpp"
 #include "torsor/generator/import/urdf_robot.hpp"
 #include "torsor/generator/mechanics/scene.hpp"
 
 namespace torsor {
-
-/// Makes an identifier of a frame or a symbol, such that none of it with each of the suffixes is taken; takes them.
-using TakeName = std::function<std::string(const std::string& name, const std::string& kind,
-                                           const std::vector<std::string>& suffixes)>;
 
 /// Where contacts of a robot are made.
 struct UrdfContactScene {
@@ -28,7 +24,7 @@ struct UrdfContactScene {
 class UrdfCollisions {
  public:
   /// The law's coefficients are the run-time parameters <word>_friction and <word>_restitution.
-  UrdfCollisions(const UrdfContactScene& around, const std::string& word, const UrdfSurfaces& surfaces);
+  UrdfCollisions(const UrdfContactScene& around, const std::string& word, const Surfaces& surfaces);
 
   /// The <collision> elements of a link, one at least, each a sphere, a box or a cylinder. `option` is the one that
   /// names the link. Throws UsageError for a link that is unknown or has none, FileError for another form.
@@ -40,11 +36,13 @@ class UrdfCollisions {
 
   const std::string& frame(const std::string& link) const { return around_.frames.at(link); }
   /// A frame at a place of a link or of another frame.
-  FrameHandle at(const std::string& name, const FrameReference& parent, const Placement& placement) const;
+  FrameHandle at(const std::string& name, const FrameReference& parent, const Placement& placement) const {
+    return contacts_.at(name, parent, placement);
+  }
 
  private:
   UrdfContactScene around_;
-  SurfaceLaw law_;
+  SurfaceContacts contacts_;
 };
 
 }  // namespace torsor

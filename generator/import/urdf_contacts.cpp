@@ -181,7 +181,7 @@ class Pairs {
 
 }  // namespace
 
-void add_contacts(const UrdfContactScene& around, const UrdfSurfaces& contacts) {
+void add_contacts(const UrdfContactScene& around, const Surfaces& contacts) {
   if (contacts.named.empty()) return;
   const UrdfCollisions collisions(around, "contacts", contacts);
   Pairs pairs(around, collisions);

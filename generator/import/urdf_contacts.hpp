@@ -10,6 +10,6 @@ namespace torsor {
 /// or cylinder, without edges: spheres, boxes (their corners) and cylinders (their rims) of the other meet it. The
 /// contact <A>_<B> has numbers behind it where a link has several elements: that of A's, then that of B's. Throws
 /// UsageError for what is no such pair, FileError for a form that cannot be read.
-void add_contacts(const UrdfContactScene& around, const UrdfSurfaces& contacts);
+void add_contacts(const UrdfContactScene& around, const Surfaces& contacts);
 
 }  // namespace torsor

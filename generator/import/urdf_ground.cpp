@@ -10,7 +10,7 @@
 
 namespace torsor {
 
-void add_ground(const UrdfContactScene& around, const UrdfSurfaces& ground) {
+void add_ground(const UrdfContactScene& around, const Surfaces& ground) {
   if (ground.named.empty()) return;
   const UrdfCollisions collisions(around, "ground", ground);
   std::set<std::string> seen;

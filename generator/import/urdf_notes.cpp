@@ -30,21 +30,10 @@ std::string arguments(const UrdfRobot& robot, const UrdfOptions& options) {
   if (!options.dampers) text += " --no-dampers";
   if (!options.motors) text += " --no-motors";
   if (options.run_time_gravity) text += " --run-time-gravity";
-  const auto assignments = [&text](const char* option, const std::vector<std::pair<std::string, Number>>& values, std::string words) {
-    for (const auto& [joint, value] : values) words += (words.empty() ? "" : ",") + joint + "=" + number_word(value);
-    if (!words.empty()) text += fmt::format(" {} {}", option, shell_word(words));
-  };
-  assignments("--armature", options.armature, "");
-  assignments("--friction", options.friction, options.friction_of_file ? "file" : "");
+  text += joint_numbers("--armature", options.armature);
+  text += joint_numbers("--friction", options.friction, options.friction_of_file ? "file" : "");
   if (options.limits) text += " --limits";
-  const auto surfaces = [&text](const char* option, const UrdfSurfaces& all) {
-    if (all.named.empty()) return;
-    text += fmt::format(" {} {}", option, shell_word(fmt::format("{}", fmt::join(all.named, ","))));
-    if (!(all.friction == UrdfSurfaces().friction)) text += fmt::format(" {}-friction {}", option, number_word(all.friction));
-    if (!all.restitution.is_zero()) text += fmt::format(" {}-restitution {}", option, number_word(all.restitution));
-  };
-  surfaces("--ground", options.ground);
-  surfaces("--contacts", options.contacts);
+  text += surface_words("--ground", options.ground) + surface_words("--contacts", options.contacts);
   if (!options.fix.empty()) text += " --fix " + shell_word(fmt::format("{}", fmt::join(options.fix, ",")));
   if (!options.name.empty()) text += " --name " + shell_word(options.name);
   if (!options.points.empty()) text += " --points " + shell_word(fmt::format("{}", fmt::join(options.points, ",")));

@@ -114,20 +114,18 @@ class StaticsWriter {
     if (!scene_.content().contacts.empty()) page_.note(say("Every contact is taken to be open here: reactions of closed contacts are not counted."));
     if (statics_.from_potential) page_.stated({potential_name(), statics_.driven ? "-(U + T_{0})" : "-U"}, statics_.potential, say("in J"));
     for (const std::string& remark : statics_.remarks) page_.note(remark + ".");
-    std::string idle;
-    std::size_t idle_count = 0;
+    std::vector<std::string> idle;
     for (std::size_t i = 0; i < statics_.rows.size(); ++i) {
       const std::string name = name_of(statics_.freedoms[i]);
       if (!identically_zero(statics_.rows[i])) {
         page_.equation(name, Value(), statics_.rows[i]);
         continue;
       }
-      idle += (idle.empty() ? "" : ", ") + name;
-      ++idle_count;
+      idle.push_back(name);
     }
-    if (idle_count > 0) {
-      page_.note(idle_count == 1 ? say("The equation of {} holds everywhere: nothing acts along it at rest.", idle)
-                                 : say("The equations of {} hold everywhere: nothing acts along them at rest.", idle));
+    if (idle.size() == 1) page_.note(say("The equation of {} holds everywhere: nothing acts along it at rest.", idle[0]));
+    if (idle.size() > 1) {
+      page_.note(say("The equations of {} hold everywhere: nothing acts along them at rest.", fmt::format("{}", fmt::join(idle, ", "))));
     }
     for (const Value& condition : statics_.conditions) page_.equation("", Value(), condition, say("constraint"));
     if (depend_on_time()) page_.note(say("Time stands in these equations: a rest fulfils them at every t."));

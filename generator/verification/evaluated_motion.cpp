@@ -346,20 +346,11 @@ double EvaluatedMotion::value(double t, const std::vector<double>& y, const Valu
   return here_(formula);
 }
 
-std::vector<std::string> EvaluatedMotion::observed_names() const {
-  std::vector<std::string> names{"kinetic_energy", "potential_energy", "mechanical_energy"};
-  if (integrals_.skipped.empty()) {
-    for (const Assignment& each : integrals_.assignments) names.push_back("first_integral_" + each.target.member);
-  }
-  return names;
-}
-
-std::vector<std::string> EvaluatedMotion::observed_units() const {
-  std::vector<std::string> units(3, "J");
-  if (integrals_.skipped.empty()) {
-    for (const Member& each : integrals_.structures.at(0).members) units.push_back(each.meaning.unit);
-  }
-  return units;
+std::vector<EvaluatedMotion::Observed> EvaluatedMotion::observed() const {
+  std::vector<Observed> all{{"kinetic_energy", "J"}, {"potential_energy", "J"}, {"mechanical_energy", "J"}};
+  if (!integrals_.skipped.empty()) return all;
+  for (const Member& each : integrals_.structures.at(0).members) all.push_back({"first_integral_" + each.name, each.meaning.unit});
+  return all;
 }
 
 std::vector<double> EvaluatedMotion::observe(double t, const std::vector<double>& y) {

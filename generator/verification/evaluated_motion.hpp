@@ -68,9 +68,11 @@ class EvaluatedMotion {
   Value watched(const Expression& formula, const std::string& text);
   double value(double t, const std::vector<double>& y, const Value& formula);
 
-  /// T, −U, T − U [J], then the first integrals; and the unit of each.
-  std::vector<std::string> observed_names() const;
-  std::vector<std::string> observed_units() const;
+  struct Observed {
+    std::string name, unit;
+  };
+  /// T, −U, T − U [J], then the first integrals.
+  std::vector<Observed> observed() const;
   std::vector<double> observe(double t, const std::vector<double>& y);
 
  private:

@@ -170,7 +170,7 @@ TEST(ContactsOfLinks, SayWhatIsMissing) {
          "contact 'left_right' has the restitution contacts_restitution = 2: it must lie between 0 and 1");
   const std::string crane = TORSOR_SOURCE_DIR "/tests/import/data/mjcf/crane.xml";
   EXPECT_EQ(torsor_tool({"list", crane, "--contacts", "boom:hook"}).err,
-            "torsor: --ground, --contacts and --limits are for URDF; '" + crane + "' is MJCF\n");
+            "torsor: --contacts is for URDF; '" + crane + "' is MJCF\n");
 }
 
 }  // namespace

@@ -251,11 +251,11 @@ TEST(Mjcf, NotesWhatCannotActAndRefusesItStrictly) {
   model.geoms.clear();
   EXPECT_EQ(mjcf_scene(model, strict).notes, std::vector<std::string>());
   model.joints[2].friction_loss = 0.5;  // the hinge of the ear
-  EXPECT_EQ(mjcf_scene(model).notes, std::vector<std::string>{"frictionloss of joints does not act: wiggle (0.5)"});
+  EXPECT_EQ(mjcf_scene(model).notes, std::vector<std::string>{"frictionloss of joints acts with --friction file only: wiggle (0.5)"});
   model.tendons[0].wraps = true;
   EXPECT_EQ(mjcf_scene(model).notes,
-            (std::vector<std::string>{"frictionloss of joints does not act: wiggle (0.5)",
-                                      "stiffness and damping of tendons around geoms do not act: sinew",
+            (std::vector<std::string>{"frictionloss of joints acts with --friction file only: wiggle (0.5)",
+                                      "stiffness, damping and frictionloss of tendons around geoms do not act: sinew",
                                       "actuators do not act: winch (its tendon runs around geoms)"}));
 }
 
@@ -266,8 +266,9 @@ TEST(Mjcf, NotesOneLineForEachKind) {
   for (MjcfJoint& joint : model.joints) joint.friction_loss = 0.25;
   for (MjcfTendon& tendon : model.tendons) tendon.limited = true;
   EXPECT_EQ(mjcf_scene(model).notes,
-            (std::vector<std::string>{"frictionloss of joints does not act: shoulder (0.25), elbow (0.25), twist (0.25), "
-                                      "socket (0.25) and 2 more",
+            (std::vector<std::string>{"frictionloss of joints acts with --friction file only: shoulder (0.25), elbow (0.25), "
+                                      "twist (0.25), turn (0.25)",
+                                      "frictionloss of ball and free joints does not act: socket (0.25), tether (0.25)",
                                       "the range of tendons does not act: cord, tackle, spring at rest"}));
 }
 
