@@ -33,6 +33,7 @@ ContactMotion::ContactMotion(const ContactMechanism& mechanism) : mechanism_(mec
   held_ = r_;
   there_.resize(static_cast<std::size_t>(sizes_.coordinates + sizes_.velocities));
   y_ = there_;
+  from_ = there_;
   loops_.setZero(sizes_.constraints);
   rates_.resize(static_cast<std::size_t>(sizes_.coordinates));
 }
@@ -47,6 +48,7 @@ void ContactMotion::forget() {
   along_.fill({});
   held_.setZero(rows());
   jumping_ = -1;
+  followed_ = false;
   known_ = responded_ = solved_ = false;
   nearest_ = 1;
   dynamics_.forget();
@@ -393,6 +395,9 @@ Evaluation ContactMotion::align(double t, std::span<const double> y, const Conta
 
 void ContactMotion::follow_slips(double t, std::span<const double> y) {
   if (!read(t, y)) return;
+  from_t_ = t;
+  std::copy_n(y.begin(), from_.size(), from_.begin());
+  followed_ = true;
   for (int i = 0; i < count(); ++i) {
     if (!at(i).touches || at(i).regime != ContactRegime::slides || rule(i).tangents == 0) continue;
     ContactState& state = states[as(i)];

@@ -161,6 +161,7 @@ class ContactMotion {
   static constexpr std::size_t as(int i) noexcept { return static_cast<std::size_t>(i); }
   [[nodiscard]] const ContactState& at(int i) const noexcept { return states[as(i)]; }
   [[nodiscard]] bool any_touches() const noexcept;
+  [[nodiscard]] bool jumps(int i, double t, std::span<const double> y);
   [[nodiscard]] bool follows_forces(int i) const noexcept;
   [[nodiscard]] bool respond();
   [[nodiscard]] Evaluation align(double t, std::span<const double> y, const ContactProblem& problem, Regimes& regimes,
@@ -191,6 +192,9 @@ class ContactMotion {
   double regularity_ = 1;
   double t_ = 0, absolute_ = 1e-13, relative_ = 1e-13;
   std::vector<double> y_, there_, rates_;
+  std::vector<double> from_;  ///< the state at `from_t_`, where slips were followed last
+  double from_t_ = 0;
+  bool followed_ = false;
   bool known_ = false, responded_ = false, solved_ = false;
   double nearest_ = 1;  ///< the least distance from a change point since the last event
 };
