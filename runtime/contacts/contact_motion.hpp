@@ -166,6 +166,8 @@ class ContactMotion {
   [[nodiscard]] bool respond();
   [[nodiscard]] Evaluation align(double t, std::span<const double> y, const ContactProblem& problem, Regimes& regimes,
                                  const PerContact<bool>& begins);
+  [[nodiscard]] Evaluation align_or_keep(double t, std::span<const double> y, const ContactProblem& problem, Regimes& regimes,
+                                         PerContact<bool>& begins);
   [[nodiscard]] ContactProblem problem_of(const ContactReading& reading, const ContactDynamics& dynamics) const;
   [[nodiscard]] double blur(int i) const noexcept;
   void note_undetermined(const RegimeSystem& equations, const ContactScale& scale) noexcept;
@@ -184,6 +186,7 @@ class ContactMotion {
   ContactVector r_, right_, held_, over_;  ///< `over_` of the rows chosen: one over the unit of each
   PerContact<double> across_{}, lag_{};  ///< s κ and the angle of lag of slips that begin
   PerContact<bool> stiff_{}, undetermined_{};
+  PerContact<bool> unaligned_{};  ///< slips that fade to which forces give no direction
   PerContact<std::array<double, 2>> along_{};  ///< directions of the reactions of joints, from which the next are sought
   std::array<int, static_cast<std::size_t>(most_rows)> row_{};
   int chosen_ = 0;
