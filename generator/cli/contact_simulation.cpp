@@ -97,7 +97,7 @@ class ContactSimulation {
                                    end.worst_residual));
     if (!end) {
       const std::string dead = dead_centre(motion.motion(), end, y);
-      result_.status = dead.empty() ? say_("{} at t = {:.9g} s", reason_of(end, say_) + of_contact(end), end.time) : dead;
+      result_.status = dead.empty() ? say_("{} at t = {:.9g} s", reason_of(end, say_) + of_contact(end) + of_regimes(motion.motion(), end, y), end.time) : dead;
     }
     if (end.ambiguous > 0) {
       result_.remarks.push_back(say_("at {} several motions fulfil the laws of contact: one was taken",
@@ -121,6 +121,31 @@ class ContactSimulation {
   std::string of_contact(const runtime::ContactResult& end) const {
     if (end.contact < 0 || end.contact >= contacts_.count()) return "";
     return fmt::format("; contact '{}'", contacts_.name(end.contact));
+  }
+
+  /// Where the laws of contact end the motion: in which state, and which regimes there were and were found.
+  std::string of_regimes(const runtime::ContactMotion& motion, const runtime::ContactResult& end, const State& y) const {
+    const bool none = end.status == ContactStatus::no_solution;
+    if (!none && end.status != ContactStatus::jams && end.status != ContactStatus::energy_gained) return "";
+    std::vector<std::string> numbers;
+    for (std::size_t i = 0; i < record_.numbers; ++i) numbers.push_back(fmt::format("{} = {:.9g}", result_.names[1 + i], y[i]));
+    const std::string regimes = regimes_of([&motion](int i) {
+      const runtime::ContactState& state = motion.states[static_cast<std::size_t>(i)];
+      return state.touches ? state.regime : ContactRegime::open;
+    });
+    std::string text = say_("; regimes until then: {}", regimes);
+    if (none) text += say_("; regimes found: none");
+    return text + say_("; state: {}", fmt::format("{}", fmt::join(numbers, ", ")));
+  }
+
+  template <class RegimeOf>
+  std::string regimes_of(const RegimeOf& regime_of) const {
+    std::vector<std::string> regimes;
+    for (int i = 0; i < contacts_.count(); ++i) {
+      const ContactRegime regime = regime_of(i);
+      regimes.push_back(fmt::format("{} {}", contacts_.name(i), regime == ContactRegime::open ? "is open" : contacts_.regime(i, regime)));
+    }
+    return fmt::format("{}", fmt::join(regimes, ", "));
   }
 
   /// A dead centre: what a contact acts along is held by the loops, whatever the mechanism does.
@@ -148,6 +173,10 @@ class ContactSimulation {
       if (state.touches) regimes.push_back(fmt::format("{} {}", contacts_.name(i), contacts_.regime(i, state.regime)));
     }
     text += regimes.empty() ? "; then all are open" : fmt::format("; then {}", fmt::join(regimes, ", "));
+    for (std::size_t k = 1; k < event.found.size(); ++k) {
+      text += k == 1 ? "; other regimes are possible: " : " or ";
+      text += regimes_of([&](int i) { return event.found[k][static_cast<std::size_t>(i)]; });
+    }
     result_.events.push_back(std::move(text));
   }
 

@@ -92,7 +92,7 @@ bool ContactAutomaton::ends_unfollowed(std::size_t index, double t, std::span<co
 
 ContactEvent ContactAutomaton::event() const noexcept {
   return {kind_,     told_,        contact_,  before_, y_, std::span(motion_.states).first(bounces_.size()),
-          impulses_, energy_lost_, residual_, verdict_};
+          impulses_, energy_lost_, residual_, verdict_, std::span(found_).first(found_count_)};
 }
 
 bool ContactAutomaton::end(ContactStatus status, int contact) noexcept {
@@ -185,8 +185,34 @@ void ContactAutomaton::set_by_slip(int i, double at_rest) noexcept {
 bool ContactAutomaton::settle(int contact) {
   motion_.changed();
   if (motion_.project(result_.time, y_) != Evaluation::ok) return end(ContactStatus::integration_failed, contact);
+  if (!raise_open()) return end(ContactStatus::integration_failed, contact);
   motion_.follow_slips(result_.time, y_);
   return true;
+}
+
+// Contacts up to `touch` from their surface are closed by the impact of another one: to close such a gap may put a contact below
+// zero that the impact has opened. It is put on its surface with them.
+bool ContactAutomaton::raise_open() {
+  if (!motion_.read(result_.time, y_)) return true;  // whoever asks next says so
+  PerContact<bool> below{};
+  bool any = false;
+  for (int i = 0; i < count(); ++i) {
+    if (!motion_.rule(i).normal || motion_.states[as(i)].touches) continue;
+    const double gap = motion_.reading().gap[as(i)];
+    below[as(i)] = gap < -16 * motion_.rounding_of_gap(i) && gap >= -options_.touch;
+    any = any || below[as(i)];
+  }
+  if (!any) return true;
+  const auto set = [&](bool touches) {
+    for (int i = 0; i < count(); ++i) {
+      if (below[as(i)]) motion_.states[as(i)].touches = touches;
+    }
+    motion_.changed();
+  };
+  set(true);
+  const Evaluation raised = motion_.project_positions(result_.time, y_, 3);
+  set(false);
+  return raised == Evaluation::ok && motion_.project(result_.time, y_) == Evaluation::ok;
 }
 
 // The law by which the regime that follows is decided: a slip has its direction, one that begins has none yet.
@@ -232,6 +258,7 @@ bool ContactAutomaton::decide(int forced, Cause cause) {
   fastest_ = motion_.acceleration_sizes().cwiseMax(fastest_ / 2);  // a blow long ago says nothing of rounding now
   const ContactAnswer answer = solve_contacts(chosen.problem);
   result_.verdict = verdict_ = answer.verdict;
+  note_found(chosen, answer);
   if (!answer && options_.impact_without_collision && chosen.problem.count == 1 && chosen.problem.law(0).normal &&
       chosen.problem.law(0).slips) {
     return impact_of_slip(chosen.who[0]);
@@ -255,6 +282,14 @@ bool ContactAutomaton::decide(int forced, Cause cause) {
   }
   note_regularity();
   return true;
+}
+
+void ContactAutomaton::note_found(const ContactSelection& chosen, const ContactAnswer& answer) noexcept {
+  found_count_ = answer.count;
+  for (std::size_t j = 0; j < answer.count; ++j) {
+    found_[j].fill(ContactRegime::open);
+    for (int k = 0; k < chosen.problem.count; ++k) found_[j][as(chosen.who[as(k)])] = answer.solutions[j].regimes[as(k)];
+  }
 }
 
 // On which side of zero the regimes that begin are.

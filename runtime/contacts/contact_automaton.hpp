@@ -84,9 +84,11 @@ class ContactAutomaton {
   [[nodiscard]] bool near(int i) const noexcept;
   void set_by_slip(int i, double at_rest) noexcept;
   bool settle(int contact);
+  bool raise_open();
   bool have_points() noexcept;
   bool decide(int forced, Cause cause);
   [[nodiscard]] ContactLaw law_after(int i, int forced, Cause cause) const noexcept;
+  void note_found(const ContactSelection& chosen, const ContactAnswer& answer) noexcept;
   bool take_regime(const ContactSelection& chosen, int k, const ContactSolution& solution);
   [[nodiscard]] double end_of_bounces(int i, double speed, double a) const noexcept;
   [[nodiscard]] bool accumulating(int i) const noexcept;
@@ -125,6 +127,8 @@ class ContactAutomaton {
   ContactVector impulses_;
   double energy_lost_ = 0, residual_ = 0;
   ContactVerdict verdict_ = ContactVerdict::unique;
+  std::array<PerContact<ContactRegime>, ContactAnswer::kept> found_{};  ///< regimes of all motions of the last decision
+  std::size_t found_count_ = 0;
 };
 
 }  // namespace torsor::runtime

@@ -42,9 +42,13 @@ Evaluation ContactExchange::indicators(double t, std::span<const double> y, std:
 
 Evaluation ContactExchange::complete(double t, std::span<double> y) {
   ContactMotion& motion = automaton_.motion();
-  const Evaluation projected = motion.project(t, y);
-  if (projected == Evaluation::ok) motion.follow_slips(t, y);
-  return projected;
+  const Evaluation held = motion.hold(t, y);
+  if (held == Evaluation::ok) {
+    motion.follow_slips(t, y);
+  } else if (motion.jumping(t) >= 0) {
+    automaton_.end(ContactStatus::no_point, motion.jumping(t));
+  }
+  return held;
 }
 
 // A gap below zero that opens has had its event.

@@ -31,7 +31,8 @@ class ContactExchange {
   /// Of each contact three: its gap, or the force that presses it; what is left of the bound of its friction while it
   /// sticks, or its slip; and what a slip that begins or ends asks for. 1 where nothing is watched.
   [[nodiscard]] Evaluation indicators(double t, std::span<const double> y, std::span<double> z);
-  /// After a step: constraints, gaps and velocities of closed contacts, and norms of quaternions.
+  /// After a step: constraints, gaps and velocities of closed contacts, and norms of quaternions. Refused where the normal of
+  /// a contact jumps within the step; the result then says `no_point`, and a shorter step may end before that place.
   [[nodiscard]] Evaluation complete(double t, std::span<double> y);
   /// At an event: passes all that have fallen; false where the motion ends.
   bool update(double t, std::span<double> y);

@@ -33,6 +33,7 @@ ContactMotion::ContactMotion(const ContactMechanism& mechanism) : mechanism_(mec
   held_ = r_;
   there_.resize(static_cast<std::size_t>(sizes_.coordinates + sizes_.velocities));
   y_ = there_;
+  from_ = there_;
   loops_.setZero(sizes_.constraints);
   rates_.resize(static_cast<std::size_t>(sizes_.coordinates));
 }
@@ -47,6 +48,7 @@ void ContactMotion::forget() {
   along_.fill({});
   held_.setZero(rows());
   jumping_ = -1;
+  followed_ = false;
   known_ = responded_ = solved_ = false;
   nearest_ = 1;
   dynamics_.forget();
@@ -135,8 +137,9 @@ Evaluation ContactMotion::solve(double t, std::span<const double> y) {
     begins[as(i)] = follows_forces(i);
     any = any || begins[as(i)];
   }
+  unaligned_.fill(false);
   if (any) {
-    const Evaluation aligned = align(t, y, problem, regimes, begins);
+    const Evaluation aligned = align_or_keep(t, y, problem, regimes, begins);
     if (aligned != Evaluation::ok) return aligned;
   }
   const ContactScale scale(problem);
@@ -391,11 +394,41 @@ Evaluation ContactMotion::align(double t, std::span<const double> y, const Conta
   return align_slips(problem, regimes, begins, across, held_) ? Evaluation::ok : Evaluation::singular;
 }
 
+// Forces may stop giving a slip that fades a direction, as where another one that fades with it passes zero at a distance. Such a
+// slip goes on in the direction of its velocity.
+Evaluation ContactMotion::align_or_keep(double t, std::span<const double> y, const ContactProblem& problem, Regimes& regimes,
+                                        PerContact<bool>& begins) {
+  Regimes aligned = regimes;
+  Evaluation evaluation = align(t, y, problem, aligned, begins);
+  if (evaluation != Evaluation::ok) {
+    bool any = false, more = false;
+    for (int i = 0; i < count(); ++i) {
+      if (!begins[as(i)]) continue;
+      unaligned_[as(i)] = at(i).fades && slip_speed(i) > least_slip(i);
+      begins[as(i)] = !unaligned_[as(i)];
+      any = any || unaligned_[as(i)];
+      more = more || begins[as(i)];
+      if (!unaligned_[as(i)]) continue;
+      regimes[as(i)].direction = velocity_direction(i);
+      stiff_[as(i)] = false;
+    }
+    if (!any) return evaluation;
+    aligned = regimes;
+    evaluation = more ? align(t, y, problem, aligned, begins) : Evaluation::ok;
+  }
+  regimes = aligned;
+  return evaluation;
+}
+
 void ContactMotion::follow_slips(double t, std::span<const double> y) {
   if (!read(t, y)) return;
+  from_t_ = t;
+  std::copy_n(y.begin(), from_.size(), from_.begin());
+  followed_ = true;
   for (int i = 0; i < count(); ++i) {
     if (!at(i).touches || at(i).regime != ContactRegime::slides || rule(i).tangents == 0) continue;
     ContactState& state = states[as(i)];
+    if (follows_forces(i) && state.fades && solve(t, y) == Evaluation::ok && unaligned_[as(i)]) take_direction(i);
     const double now = slip(i);
     state.fastest = std::max(state.fastest, now);
     // Near its end the slip has no direction of its own that is worth following.

@@ -161,10 +161,13 @@ class ContactMotion {
   static constexpr std::size_t as(int i) noexcept { return static_cast<std::size_t>(i); }
   [[nodiscard]] const ContactState& at(int i) const noexcept { return states[as(i)]; }
   [[nodiscard]] bool any_touches() const noexcept;
+  [[nodiscard]] bool jumps(int i, double t, std::span<const double> y);
   [[nodiscard]] bool follows_forces(int i) const noexcept;
   [[nodiscard]] bool respond();
   [[nodiscard]] Evaluation align(double t, std::span<const double> y, const ContactProblem& problem, Regimes& regimes,
                                  const PerContact<bool>& begins);
+  [[nodiscard]] Evaluation align_or_keep(double t, std::span<const double> y, const ContactProblem& problem, Regimes& regimes,
+                                         PerContact<bool>& begins);
   [[nodiscard]] ContactProblem problem_of(const ContactReading& reading, const ContactDynamics& dynamics) const;
   [[nodiscard]] double blur(int i) const noexcept;
   void note_undetermined(const RegimeSystem& equations, const ContactScale& scale) noexcept;
@@ -183,6 +186,7 @@ class ContactMotion {
   ContactVector r_, right_, held_, over_;  ///< `over_` of the rows chosen: one over the unit of each
   PerContact<double> across_{}, lag_{};  ///< s κ and the angle of lag of slips that begin
   PerContact<bool> stiff_{}, undetermined_{};
+  PerContact<bool> unaligned_{};  ///< slips that fade to which forces give no direction
   PerContact<std::array<double, 2>> along_{};  ///< directions of the reactions of joints, from which the next are sought
   std::array<int, static_cast<std::size_t>(most_rows)> row_{};
   int chosen_ = 0;
@@ -191,6 +195,9 @@ class ContactMotion {
   double regularity_ = 1;
   double t_ = 0, absolute_ = 1e-13, relative_ = 1e-13;
   std::vector<double> y_, there_, rates_;
+  std::vector<double> from_;  ///< the state at `from_t_`, where slips were followed last
+  double from_t_ = 0;
+  bool followed_ = false;
   bool known_ = false, responded_ = false, solved_ = false;
   double nearest_ = 1;  ///< the least distance from a change point since the last event
 };

@@ -110,13 +110,38 @@ Evaluation ContactMotion::hold(double t, std::span<double> y) {
     }
     terms += std::abs(reading_.w(n) - own);  // of a surface that moves
     const double off = std::abs(reading_.w(n)), error = absolute_ + relative_ * terms;
-    if (off > terms / 16 && off > 1024 * error) {
-      jumping_ = i;
-      jumped_ = t;
-      return Evaluation::singular;
-    }
+    if (!(off > terms / 16 || off > 16 * error) || !jumps(i, t, y)) continue;
+    jumping_ = i;
+    jumped_ = t;
+    return Evaluation::singular;
   }
   return project(t, y);
+}
+
+// Whether the normal velocity that a step has left comes of a normal that jumps on its way. Where the normal turns smoothly, the
+// change of w_N between two places, the velocity kept, halves as these come together, however large the error of the step.
+bool ContactMotion::jumps(int i, double t, std::span<const double> y) {
+  const int n = first_row(i);
+  const double off = std::abs(reading_.w(n));
+  if (!followed_) return false;
+  const auto nq = as(sizes_.coordinates);
+  const auto at_part = [&](double part) {
+    for (std::size_t k = 0; k < there_.size(); ++k) there_[k] = k < nq ? from_[k] + part * (y[k] - from_[k]) : y[k];
+    mechanism_.normalise(there_);
+    const Evaluation reads = mechanism_.read(from_t_ + part * (t - from_t_), there_, later_reading_);
+    return reads == Evaluation::ok ? later_reading_.w(n) : std::numeric_limits<double>::quiet_NaN();
+  };
+  double low = 0, high = 1, below = at_part(low), above = reading_.w(n);
+  while (std::abs(above - below) > off / 16) {
+    const double middle = low + (high - low) / 2;
+    if (middle == low || middle == high || high - low < 1e-13) return true;
+    const double between = at_part(middle);
+    if (!std::isfinite(between)) return true;  // no point there
+    const bool later = std::abs(above - between) > std::abs(between - below);
+    (later ? low : high) = middle;
+    (later ? below : above) = between;
+  }
+  return false;
 }
 
 double ContactMotion::loops_off() const {

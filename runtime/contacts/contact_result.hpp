@@ -83,6 +83,8 @@ struct ContactEvent {
   double energy_lost;                      ///< T- - T+
   double residual;                         ///< certificate, the larger of impact and regimes
   ContactVerdict verdict;                  ///< of the decision of regimes
+  /// Regimes of all motions that it found, that taken first. A contact that did not take part is open.
+  std::span<const PerContact<ContactRegime>> found{};
 };
 
 struct ContactOptions {

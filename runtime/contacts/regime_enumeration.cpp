@@ -11,11 +11,22 @@
 #include "torsor/runtime/contacts/circle_roots.hpp"
 #include "torsor/runtime/contacts/regime_inequalities.hpp"
 #include "torsor/runtime/contacts/slip_direction.hpp"
+#include "torsor/runtime/contacts/slip_relations.hpp"
 #include "torsor/runtime/contacts/torus_roots.hpp"
 
 namespace torsor::runtime {
 
 ContactAnswer RegimeEnumeration::run() noexcept {
+  try_all();
+  // Where bounds leave one place alone, rounding may hide it in the regimes that stand for others.
+  if (answer_.count == 0 && left_out_) {
+    relates_ = false;
+    try_all();
+  }
+  return finish();
+}
+
+void RegimeEnumeration::try_all() noexcept {
   PerContact<int> choice{};
   for (bool more = true; more;) {
     Regimes regimes{};
@@ -27,7 +38,6 @@ ContactAnswer RegimeEnumeration::run() noexcept {
       if (!more) choice[as(i)] = 0;
     }
   }
-  return finish();
 }
 
 bool RegimeEnumeration::try_from(Regimes regimes) noexcept {
@@ -135,6 +145,7 @@ int RegimeEnumeration::count_sought(const Regimes& regimes) const noexcept {
 void RegimeEnumeration::try_regimes(Regimes& regimes) noexcept {
   const int sought = count_sought(regimes);
   if (sought == 0) return accept(regimes);
+  if (try_related(regimes)) return;
   if (sought == 1) return try_all_directions(regimes);
   if (sought == 2 && try_all_pairs(regimes)) return;
   const int starts = sought == 2 ? 8 : 3;
@@ -150,6 +161,24 @@ void RegimeEnumeration::try_regimes(Regimes& regimes) noexcept {
     }
     if (turn_to_slip(regimes)) accept(regimes);
   }
+}
+
+// Whether the slips depend on each other so that there is no direction to look for, or one of all.
+bool RegimeEnumeration::try_related(Regimes& regimes) noexcept {
+  if (!relates_ || bearings_ > 0 || problem_.count < 2) return false;
+  const SlipRelations relations(problem_, scale_, regimes);
+  const bool related = relations.holds_one() || relations.leaves_one_number();
+  left_out_ = left_out_ || related;
+  if (!related || relations.holds_one()) return related;
+  for (const double sign : {1.0, -1.0}) {
+    for (int i = 0; i < problem_.count; ++i) {
+      if (regimes[as(i)].direction_sought) {
+        regimes[as(i)].direction = {sign * relations.direction(i)[0], sign * relations.direction(i)[1]};
+      }
+    }
+    accept(regimes);
+  }
+  return true;
 }
 
 // u_T across the direction, times det E, is a trigonometric polynomial of degree 3 in the direction's angle, unless a

@@ -17,7 +17,9 @@ class RegimeEnumeration {
   using Regimes = RegimeSystem::Regimes;
   using Friction = AssumedRegime::Friction;
 
-  explicit RegimeEnumeration(const ContactProblem& problem) noexcept : problem_(problem), scale_(problem) {
+  /// `relates`: regimes whose slips others hold, or give a direction, are not searched (SlipRelations).
+  explicit RegimeEnumeration(const ContactProblem& problem, bool relates = true) noexcept
+      : problem_(problem), scale_(problem), relates_(relates) {
     for (int i = 0; i < problem.count; ++i) bearings_ += problem.law(i).bearing > 0 ? 1 : 0;
   }
 
@@ -48,7 +50,9 @@ class RegimeEnumeration {
   [[nodiscard]] int choices(const ContactLaw& law) const noexcept;
   [[nodiscard]] AssumedRegime choose(const ContactLaw& law, int choice) const noexcept;
   [[nodiscard]] int count_sought(const Regimes& regimes) const noexcept;
+  void try_all() noexcept;
   void try_regimes(Regimes& regimes) noexcept;
+  [[nodiscard]] bool try_related(Regimes& regimes) noexcept;
   void try_all_directions(Regimes& regimes) noexcept;
   [[nodiscard]] bool try_all_pairs(Regimes& regimes) noexcept;
   [[nodiscard]] bool turn_to_slip(Regimes& regimes) noexcept;
@@ -62,7 +66,9 @@ class RegimeEnumeration {
   const ContactScale scale_;
   ContactAnswer answer_;
   int bearings_ = 0;
-  bool moves_ = false;  ///< reactions that fit give different motions without end
+  bool relates_;
+  bool left_out_ = false;  ///< regimes that others stand for
+  bool moves_ = false;     ///< reactions that fit give different motions without end
 };
 
 }  // namespace torsor::runtime

@@ -134,6 +134,33 @@ TEST(SimulateContacts, BringsABallThatRollsToRest) {
   EXPECT_NEAR(motion.end("x'"), 0, 1e-12);
 }
 
+/// A rod of length 2 and mass 1 that slides on its foot x, leaning by θ from the floor.
+Scene sliding_rod() {
+  Scene scene("sliding_rod", "");
+  const Expression f = scene.run_time_parameter("f", "1", 2);
+  const Expression x = scene.coordinate("x", "m"), z = scene.coordinate("z", "m"), turn = scene.coordinate("turn", "rad");
+  scene.initial(x, 0, Expression::quantity("-1", "m/s"));
+  scene.initial(turn, Expression(Number::rational(-11, 10)), Expression::quantity("0", "rad/s"));
+  const FrameHandle slide = scene.prismatic("slide", scene.ground(), axis::x, x);
+  const FrameHandle lift = scene.prismatic("lift", slide, axis::z, z);
+  const FrameHandle rod = scene.revolute("rod", lift, axis::y, turn);
+  const Expression l = Expression::quantity("1", "m");
+  scene.body("rod", rod, Inertia::rod(Expression::quantity("1", "kg"), 2 * l, 0).at({l, 0, 0}));
+  scene.gravity({0, 0, Expression::quantity("-9.81", "m/s^2")});
+  scene.contact("foot", shape::Point{.point = scene.point("tip", rod, {})}, shape::Plane{.frame = scene.ground()}, {.friction = f});
+  return scene;
+}
+
+TEST(SimulateContacts, TellsTheStateInWhichNoRegimesExist) {
+  // (1 + 3 c^2 - 3 f s c) N = g - ... has no N >= 0 where the left is negative: f > 1.333 at 1.1 rad.
+  const Outcome none = run(sliding_rod, {"simulate"});
+  EXPECT_EQ(none.code, 1);
+  EXPECT_NE(none.err.find("no regimes fulfil the laws of contact"), std::string::npos) << none.err;
+  EXPECT_NE(none.err.find("contact 'foot'; regimes until then: foot slides; regimes found: none; state: x = 0, z = 0, turn = -1.1, x' = -1, "),
+            std::string::npos) << none.err;
+  EXPECT_EQ(run(sliding_rod, {"simulate", "--run-time", "f=1.3", "--to", "0.001"}).code, 0);
+}
+
 TEST(SimulateContacts, NamesTheContactThatEndsIt) {
   // With the scene's own parameters the start is judged before; with others by the motion.
   const Outcome before = run(dropped, {"simulate", "--initial", "z=-0.5"});

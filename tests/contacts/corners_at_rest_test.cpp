@@ -2,6 +2,7 @@
 // A tall box that rocks on two edges of a face until it rests on all four corners of it.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -55,6 +56,48 @@ TEST(CornersAtRest, AllFourHoldABoxThatHasRocked) {
   for (const bool each : closed) EXPECT_TRUE(each);
   EXPECT_NEAR(y[2], height + foot, 1e-15);
   for (std::size_t i = SpaceScene::nq; i < y.size(); ++i) EXPECT_NEAR(y[i], 0, 1e-13);
+}
+
+/// The same box with eight corners without a radius.
+SpaceScene thrown_box() {
+  SpaceScene scene = box();
+  scene.balls.clear();
+  scene.touches.clear();
+  for (int corner = 0; corner < 8; ++corner) {
+    const Vector3d place{corner % 2 == 0 ? -0.15 : 0.15, corner / 2 % 2 == 0 ? -width : width, corner / 4 == 0 ? -height : height};
+    scene.balls.push_back({0, place, 0});
+    scene.touches.push_back({corner, 0, true, 0.4, 0.3});
+  }
+  return scene;
+}
+
+// Two corners of an edge slide to their end while the box rocks on it, one of them passing zero at a distance: forces gave its slip
+// no direction, and the motion ended there. Nothing sinks, and energy never grows.
+TEST(CornersAtRest, SlipsOfAnEdgeEndWhereForcesGiveThemNoDirection) {
+  constexpr std::array<double, 4> turned{-0.52859534820239595, -0.79616124568795288, -0.027232050531555228, 0.29321092092083068};
+  constexpr std::array<double, 6> thrown{-0.54672087343033093,  -0.44451700899432173, -0.079385314531835727,
+                                         -2.4413296719877859, 0.060193149836023828, -1.0494903418508974};
+  const SpaceScene scene = thrown_box();
+  State y{};
+  y[2] = 0.5;
+  std::copy(turned.begin(), turned.end(), y.begin() + 3);
+  std::copy(thrown.begin(), thrown.end(), y.begin() + SpaceScene::nq);
+  const auto energy = [&scene](const State& at) {
+    const auto [kinetic, potential] = scene.energies(at);
+    return kinetic + potential;
+  };
+  double last = energy(y);
+  const auto watch = [&](const double&, const State& at) {
+    const double now = energy(at);
+    EXPECT_LE(now, last + 1e-9);
+    last = now;
+    for (const double gap : scene.gaps(at)) EXPECT_GE(gap, -1e-12);
+    return true;
+  };
+  constexpr DormandPrince853 method{.relative_tolerance = 1e-10, .absolute_tolerance = 1e-10};
+  const ContactResult result = integrate_contacts(scene, y, 0, 0.8, method, {}, watch);
+  EXPECT_TRUE(result) << describe(result.status) << " at " << result.time;
+  EXPECT_LE(result.worst_residual, 1e-12);
 }
 
 }  // namespace

@@ -14,29 +14,16 @@ using namespace simple_systems;
 
 constexpr double R = 0.1, I = R * R / 4;
 
-/// A disc of mass 1 on a smooth floor, seen along the diameter that it turns about: q = (z, β).
-ByHand<2, 2, 1> leaning_disc() {
-  return {{ContactRule{.tangents = 0}}, [](double, const auto& y, auto& r) {
-            const double s = std::sin(y[1]), c = std::cos(y[1]), side = s < 0 ? -1 : 1;
-            r.M << 1, 0, 0, I;
-            r.F << -g, 0;
-            r.gap[0] = y[0] - side * R * s;
-            r.J << 1, -side * R * c;
-            r.w << y[2] - side * R * c * y[3];
-            r.drift << side * R * s * y[3] * y[3];
-          }};
-}
-
 // Energy says how fast it turns when it is flat: (I + R^2 cos^2 β) β'^2/2 = g R (sin β0 - sin β). It went on flat without
 // an end, as if the impact of the other side were a part of a step.
 TEST(DiscFallsFlat, HasNoPointThere) {
-  for (const double tolerance : {1e-6, 1e-10, 1e-13}) {
+  for (const double tolerance : {1e-1, 1e-3, 1e-6, 1e-10, 1e-13}) {
     for (const double start : {0.02, 0.3, 0.8}) {
       std::array<double, 4> y{R * std::sin(start), start, 0, 0};
       const DormandPrince853 method{.relative_tolerance = tolerance, .absolute_tolerance = tolerance};
       ContactOptions options;
       const auto steps = [n = 0](const double&, const auto&) mutable { return ++n < 10000; };
-      const ContactResult result = integrate_contacts(leaning_disc(), y, 0, 1, method, options, steps);
+      const ContactResult result = integrate_contacts(leaning_disc(R), y, 0, 1, method, options, steps);
       EXPECT_EQ(result.status, ContactStatus::no_point) << tolerance << " " << start << ": " << describe(result.status);
       EXPECT_EQ(result.contact, 0);
       EXPECT_NEAR(y[1], 0, 100 * tolerance);

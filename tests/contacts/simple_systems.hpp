@@ -179,6 +179,34 @@ inline ByHand<1, 1, 1> block_on_belt(double m, double k, double speed, double N,
           }};
 }
 
+/// A disc of mass 1 and radius R on a smooth floor, seen along the diameter that it turns about: q = (z, β). Its lowest point
+/// jumps to the other side where it lies flat.
+inline ByHand<2, 2, 1> leaning_disc(double R) {
+  return {{ContactRule{.tangents = 0}}, [R](double, const auto& y, auto& r) {
+            const double s = std::sin(y[1]), c = std::cos(y[1]), side = s < 0 ? -1 : 1;
+            r.M << 1, 0, 0, R * R / 4;
+            r.F << -g, 0;
+            r.gap[0] = y[0] - side * R * s;
+            r.J << 1, -side * R * c;
+            r.w << y[2] - side * R * c * y[3];
+            r.drift << side * R * s * y[3] * y[3];
+          }};
+}
+
+/// A particle of mass 1 that slides within a smooth circle of radius R, z upward from its centre: q = (x, z).
+inline ByHand<2, 2, 1> particle_in_circle(double R) {
+  return {{ContactRule{.tangents = 0}}, [R](double, const auto& y, auto& r) {
+            const double length = std::hypot(y[0], y[1]), x = y[0] / length, z = y[1] / length;
+            const double across = (x * y[3] - z * y[2]);
+            r.M.setIdentity();
+            r.F << 0, -g;
+            r.gap[0] = R - length;
+            r.J << -x, -z;
+            r.w << -x * y[2] - z * y[3];
+            r.drift << -across * across / length;
+          }};
+}
+
 /// A block that slides on a level plane: q = (x, y), its weight the normal force.
 inline ByHand<3, 3, 1> block_on_plane(double f) {
   return {{ContactRule{.tangents = 2, .friction = f}}, [](double, const auto& y, auto& r) {

@@ -83,6 +83,9 @@ constexpr Translation french_of_contacts[] = {
      "branches d'une boucle fermée ; des angles à la position singulière de leur carte ; une liberté sans masse ; voir "
      "docs/constraints.md)"},
     {"the model gives a value that is not finite", "le modèle donne une valeur qui n'est pas finie"},
+    {"; regimes until then: {}", " ; régimes jusque-là : {}"},
+    {"; regimes found: none", " ; régimes trouvés : aucun"},
+    {"; state: {}", " ; état : {}"},
     {"one event", "un événement"},
     {"{} events", "{} événements"},
     {"at {} several motions fulfil the laws of contact: one was taken",
