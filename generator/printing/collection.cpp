@@ -43,9 +43,12 @@ Groups by_configuration(const Sum& sum) {
 bool has(const Product& product, const BasePointer& base) {
   return std::any_of(product.begin(), product.end(), [&](const Power& p) { return compare(*p.base, *base) == 0; });
 }
+/// Whole powers of symbols, those of coordinates positive.
 bool is_polynomial(const Product& product) {
-  return std::all_of(product.begin(), product.end(),
-                     [](const Power& power) { return power.halves >= 2 && power.base->kind == Base::Kind::symbol; });
+  return std::all_of(product.begin(), product.end(), [](const Power& power) {
+    const bool over = power.halves >= 2 || (power.halves % 2 == 0 && power.base->level < Level::configuration);
+    return over && power.base->kind == Base::Kind::symbol;
+  });
 }
 /// A stretch or its square, once the common factor is taken out: linear in the coordinates, with a constant or with
 /// nothing but coordinates.
@@ -172,12 +175,24 @@ WrittenTerm group_term(const Sum& coefficient, const Product& motion) {
   for (const auto& [product, value] : coefficient.terms()) rest.add(product * inverse(common), value / number);
   WrittenTerm term{number, written(common)};
   groups = by_groups(rest, true);
-  if (groups[0].coefficient.sign() < 0) {
+  // As many plus signs as there can be; one of them comes first.
+  const auto is_plus = [](const WrittenTerm& group) { return group.coefficient.sign() > 0; };
+  const auto plus = 2 * static_cast<std::size_t>(std::count_if(groups.begin(), groups.end(), is_plus));
+  if (plus < groups.size() || (plus == groups.size() && !is_plus(groups[0]))) {
     term.coefficient = -term.coefficient;
     for (WrittenTerm& group : groups) group.coefficient = -group.coefficient;
   }
+  const auto first = std::find_if(groups.begin(), groups.end(), is_plus);
+  std::rotate(groups.begin(), first, first + 1);
   term.factors.push_back(parenthesised(std::move(groups)));
   return times(std::move(term), motion);
+}
+
+/// Whether a factor depends on the configuration by a function: what all terms share with it is taken out as it is before a velocity.
+bool varies(const Product& common) {
+  return std::any_of(common.begin(), common.end(), [](const Power& power) {
+    return power.base->level >= Level::configuration && power.base->kind != Base::Kind::symbol;
+  });
 }
 
 bool is_negative(const Written& written) { return !written.empty() && written[0].coefficient.sign() < 0; }
@@ -264,13 +279,19 @@ Written collected(const Sum& sum, const Layout& layout) {
   std::stable_sort(ordered.begin(), ordered.end(),
                    [&](const auto& a, const auto& b) { return rank(a.first, layout) < rank(b.first, layout); });
   Written result;
+  auto put_whole = [&, done = false](bool now) mutable {
+    if (now && !done) result.insert(result.end(), layout.whole.begin(), layout.whole.end());
+    done = done || now;
+  };
   for (const auto& [motion, coefficient] : ordered) {
-    if (motion.empty()) {
+    put_whole(std::get<0>(rank(motion, layout)) >= 2);
+    if (motion.empty() && !varies(common_factor(coefficient))) {
       for (WrittenTerm& term : without_motion(coefficient)) result.push_back(std::move(term));
     } else {
       result.push_back(group_term(coefficient, motion));
     }
   }
+  put_whole(true);
   result = unwrapped(std::move(result));
   name_minima(result);
   name_tangents(result);
