@@ -175,15 +175,10 @@ WrittenTerm group_term(const Sum& coefficient, const Product& motion) {
   for (const auto& [product, value] : coefficient.terms()) rest.add(product * inverse(common), value / number);
   WrittenTerm term{number, written(common)};
   groups = by_groups(rest, true);
-  // As many plus signs as there can be; one of them comes first.
-  const auto is_plus = [](const WrittenTerm& group) { return group.coefficient.sign() > 0; };
-  const auto plus = 2 * static_cast<std::size_t>(std::count_if(groups.begin(), groups.end(), is_plus));
-  if (plus < groups.size() || (plus == groups.size() && !is_plus(groups[0]))) {
+  if (groups[0].coefficient.sign() < 0) {
     term.coefficient = -term.coefficient;
     for (WrittenTerm& group : groups) group.coefficient = -group.coefficient;
   }
-  const auto first = std::find_if(groups.begin(), groups.end(), is_plus);
-  std::rotate(groups.begin(), first, first + 1);
   term.factors.push_back(parenthesised(std::move(groups)));
   return times(std::move(term), motion);
 }

@@ -12,7 +12,7 @@ bool is_of_name(char c) { return c == '_' || std::isalnum(static_cast<unsigned c
 
 /// The first spelling that no symbol of the scene has; the last one otherwise.
 Spelling free_spelling(const SceneContent& scene, std::initializer_list<Spelling> spellings) {
-  const auto is_free = [&](const Spelling& each) { return !scene.names.contains(each.plain); };
+  const auto is_free = [&](const Spelling& each) { return !scene.names.contains("symbol " + each.plain); };
   const auto place = std::find_if(spellings.begin(), spellings.end(), is_free);
   return place == spellings.end() ? *(spellings.end() - 1) : *place;
 }

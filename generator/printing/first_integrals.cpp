@@ -43,7 +43,7 @@ void write_first_integrals(const Equations& equations, const InlineLimits& limit
                fmt::format("$\\frac{{\\mathrm{{d}}}}{{\\mathrm{{d}}t}}(T_2 - T_0) + \\frac{{\\partial T}}{{\\partial t}} = "
                            "\\sum_i Q_i \\dot{{q}}_i{}$.",
                            multipliers ? " + \\sum_j \\lambda_j b_j" : ""));
-  const auto write = [&](const Spelling& left, const Value& value, const Remark& remark, const std::vector<Piece>& pieces = {}) {
+  const auto write = [&](const Spelling& left, const Value& value, const Remark& remark, const std::vector<KeptPiece>& pieces = {}) {
     if (const std::optional<Sum> sum = view.sum(value)) {
       page.stated(left, collected_around(*sum, pieces, view), remark);
     } else {
@@ -70,7 +70,7 @@ void write_first_integrals(const Equations& equations, const InlineLimits& limit
   }
   for (const FirstIntegral& integral : report.first_integrals) {
     write({say("constant"), say("\\text{constant}")}, integral.value, meaning(integral, equations, say),
-          is_energy(integral) ? energy_pieces(stretches, -1) : std::vector<Piece>());
+          is_energy(integral) ? energy_pieces(stretches, -1) : std::vector<KeptPiece>());
   }
   for (const MissingMomentum& missing : missing_momenta(equations, report, say)) {
     const std::string reasons = fmt::format("{}", fmt::join(missing.reasons, ", "));

@@ -224,41 +224,6 @@ std::string latex_name(const std::string& name) {
   return below.empty() ? result : fmt::format("{}_{{{}}}", result, below);
 }
 
-std::string latex_escaped(const std::string& text) {
-  std::string result;
-  for (const char c : text) {
-    if (std::string_view("#$%&_{}").find(c) != std::string_view::npos) {
-      result += std::string("\\") + c;
-    } else if (c == '\\') {
-      result += "\\textbackslash{}";
-    } else if (c == '<' || c == '>' || c == '|') {  // other signs stand there in the fonts of text
-      result += c == '<' ? "\\textless{}" : c == '>' ? "\\textgreater{}" : "\\textbar{}";
-    } else if (c == '~' || c == '^') {
-      result += std::string("\\") + c + "{}";
-    } else {
-      result += c;
-    }
-  }
-  return result;
-}
-
-std::string latex_unescaped(std::string_view text) {
-  static constexpr std::pair<std::string_view, std::string_view> signs[] = {
-      {"\\textbackslash{}", "\\"}, {"\\textless{}", "<"}, {"\\textgreater{}", ">"}, {"\\textbar{}", "|"}, {"\\~{}", "~"}, {"\\^{}", "^"}};
-  std::string result;
-  for (std::size_t i = 0; i < text.size();) {
-    const auto sign = std::find_if(std::begin(signs), std::end(signs), [&](const auto& each) { return text.substr(i).starts_with(each.first); });
-    if (sign != std::end(signs)) {
-      result += sign->second;
-      i += sign->first.size();
-    } else {
-      if (text[i] == '\\' && i + 1 < text.size()) ++i;
-      result += text[i++];
-    }
-  }
-  return result;
-}
-
 namespace {
 
 std::string upright(const std::string& unit) {

@@ -147,7 +147,7 @@ class Printer {
 
   void energies() {
     const auto print = [this](const std::string& heading, const std::string& name, const std::string& sentence,
-                              const Quantity& quantity, const std::vector<Piece>& pieces) {
+                              const Quantity& quantity, const std::vector<KeptPiece>& pieces) {
       page_.section(heading);
       if (!quantity.sum) say_too_long(sentence, quantity);
       page_.equation("", named(name),
@@ -219,7 +219,11 @@ class Printer {
         continue;
       }
       if (!constraint.left.sum) say_too_long(say("The constraint {} is", constraint.name), constraint.left);
-      page_.equation("", written(constraint.left), {},
+      Written left = written(constraint.left);
+      // x^2 + y^2 - l^2 = 0 rather than -l^2 + x^2 + y^2 = 0.
+      const auto is_plus = [](const WrittenTerm& term) { return term.coefficient.sign() > 0; };
+      if (constraint.holonomic && !left.empty() && !is_plus(left[0])) std::stable_partition(left.begin(), left.end(), is_plus);
+      page_.equation("", left, {},
                      constraint.holonomic ? say("{}, holonomic", constraint.name) : say("{}, non-holonomic", constraint.name));
     }
   }
@@ -246,6 +250,12 @@ class Printer {
         });
         if (accelerates) left.add(product, coefficient);
         else right.add(product, -coefficient);
+      }
+      // A minus before all that accelerates says nothing.
+      const Written accelerating = collected(left, {equation.coordinate.a});
+      if (std::all_of(accelerating.begin(), accelerating.end(), [](const WrittenTerm& t) { return t.coefficient.sign() < 0; })) {
+        left = Number(-1) * left;
+        right = Number(-1) * right;
       }
       page_.equation(equation.coordinate.q->name, collected(left, {equation.coordinate.a}), collected(right), "");
     }

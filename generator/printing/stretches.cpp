@@ -16,7 +16,7 @@ bool is_coordinate(const WrittenTerm& term) {
   });
 }
 
-WrittenTerm as_written(const Piece& piece) {
+WrittenTerm as_written(const KeptPiece& piece) {
   WrittenTerm term = as_term(piece.factor);
   Written inside = collected(piece.base);
   std::stable_partition(inside.begin(), inside.end(), is_coordinate);  // x - x_0 + l sin(theta): the coordinates lead
@@ -31,16 +31,16 @@ WrittenTerm as_written(const Piece& piece) {
 
 }  // namespace
 
-std::vector<Piece> energy_pieces(const std::vector<Stretch>& stretches, int sign) {
-  std::vector<Piece> pieces;
+std::vector<KeptPiece> energy_pieces(const std::vector<Stretch>& stretches, int sign) {
+  std::vector<KeptPiece> pieces;
   for (const Stretch& stretch : stretches) {
     pieces.push_back({Number(-sign) * (Number::rational(1, 2) * stretch.stiffness), stretch.length, 2});
   }
   return pieces;
 }
 
-std::vector<Piece> force_pieces(const std::vector<Stretch>& stretches, std::size_t i) {
-  std::vector<Piece> pieces;
+std::vector<KeptPiece> force_pieces(const std::vector<Stretch>& stretches, std::size_t i) {
+  std::vector<KeptPiece> pieces;
   for (const Stretch& stretch : stretches) {
     if (!stretch.along[i].is_zero()) pieces.push_back({Number(-1) * (stretch.stiffness * stretch.along[i]), stretch.length, 1});
   }
@@ -61,12 +61,12 @@ std::size_t symbols_to_read(const Written& written) {
   return count;
 }
 
-Written collected_around(const Sum& sum, const std::vector<Piece>& pieces, InlineView& view, Layout layout) {
+Written collected_around(const Sum& sum, const std::vector<KeptPiece>& pieces, InlineView& view, Layout layout) {
   Written best = collected(sum, layout);
   if (pieces.size() > most_pieces || sum.size() > most_terms) return best;
   std::size_t least = symbols_to_read(best);
   Sum rest = sum;
-  for (const Piece& piece : pieces) {
+  for (const KeptPiece& piece : pieces) {
     if (piece.base.size() < 2 || piece.factor.is_zero()) continue;
     const GiNaC::ex value = view.expression(piece.factor) * GiNaC::power(view.expression(piece.base), piece.power);
     const Sum without = view.sum(view.expression(rest) - value);

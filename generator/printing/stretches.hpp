@@ -15,19 +15,19 @@ struct Stretch {
 };
 
 /// factor · base^power, a part of a sum.
-struct Piece {
+struct KeptPiece {
   Sum factor, base;
   int power = 1;
 };
 
 /// sign · U of each spring.
-std::vector<Piece> energy_pieces(const std::vector<Stretch>& stretches, int sign);
+std::vector<KeptPiece> energy_pieces(const std::vector<Stretch>& stretches, int sign);
 /// Q_i of each spring.
-std::vector<Piece> force_pieces(const std::vector<Stretch>& stretches, std::size_t i);
+std::vector<KeptPiece> force_pieces(const std::vector<Stretch>& stretches, std::size_t i);
 
 /// The sum, collected. Multiplied out, the squares of several springs run into each other: those pieces stay whole with
 /// which fewer symbols are written.
-Written collected_around(const Sum& sum, const std::vector<Piece>& pieces, InlineView& view, Layout layout = {});
+Written collected_around(const Sum& sum, const std::vector<KeptPiece>& pieces, InlineView& view, Layout layout = {});
 
 /// How often a reader meets a symbol.
 std::size_t symbols_to_read(const Written& written);

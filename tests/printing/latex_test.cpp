@@ -100,6 +100,9 @@ TEST(Latex, EscapesATitle) { EXPECT_EQ(printing::latex_escaped("50 % of a_1 & {b
 TEST(Latex, ReadsWhatItEscaped) {
   const std::string text = "a_1 <b> | c\\d ~ ^ 50 % & {e} $f$ #";
   EXPECT_EQ(printing::latex_unescaped(printing::latex_escaped(text)), text);
+  const std::string foreign = "Élève ψ Ω – 5 € <α>";
+  EXPECT_EQ(printing::latex_unescaped(printing::latex_escaped(foreign)), foreign);
+  EXPECT_EQ(printing::latex_escaped("é ψ \xe6\x97\xa5"), "é \\ensuremath{\\psi} [U+65E5]");
   EXPECT_EQ(printing::latex_escaped("<|>"), "\\textless{}\\textbar{}\\textgreater{}");
 }
 
@@ -119,10 +122,10 @@ TEST(LatexWidth, IsAboutThatOfTeX) {
 // A line takes what fits, and what stands on the right follows on the last line where it has room.
 TEST(Latex, FillsItsLines) {
   Scene scene("plate", "");
-  const Expression A = scene.parameter("A", "kg m^2", 1), B = scene.parameter("B", "kg m^2", 2), F = scene.parameter("F", "kg m^2", 3);
+  const Expression A = scene.parameter("A", "kg m^2", 2), B = scene.parameter("B", "kg m^2", 3), F = scene.parameter("F", "kg m^2", 0.2_r);
   const Expression a = scene.coordinate("alpha", "rad"), b = scene.coordinate("beta", "rad");
   const FrameHandle body = scene.revolute("body", scene.revolute("arm", scene.ground(), axis::z, a), axis::x, b);
-  scene.body("body", body, Inertia::general({.xx = A, .yy = B, .zz = A + B, .yz = F}));
+  scene.body("body", body, Inertia::general({.mass = Expression::quantity("1", "kg"), .xx = A, .yy = B, .zz = B, .yz = F}));
   const std::string page = print(scene);
   const std::size_t begin = page.find("Lagrange's equations"), end = page.find("\\tag{$\\alpha$}");
   ASSERT_NE(end, std::string::npos) << page;

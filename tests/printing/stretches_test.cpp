@@ -38,7 +38,7 @@ bool has(const std::string& text, const std::string& line) { return text.find(li
 
 TEST(Stretches, StayWholeInTheForceFunctionAndInTheEquations) {
   const std::string page = print_equations(springs(), Format::text, {});
-  EXPECT_TRUE(has(page, "- 1/2 k (x - y - a + l sin(theta))^2")) << page;
+  EXPECT_TRUE(has(page, "U = -1/2 k (x - y - a + l sin(theta))^2 - 1/2 k (x - l - l eps cos(theta))^2")) << page;
   EXPECT_TRUE(has(page, "1/2 k a (x - x_0)^2/l")) << page;
   EXPECT_TRUE(has(page, "y:  0.002 m y'' = k (x - y - a + l sin(theta))\n")) << page;
   EXPECT_TRUE(has(page, "x:  0.001 m x'' = -k (x - y - a + l sin(theta)) - k (x - l - l eps cos(theta)) - k a (x - x_0)/l\n")) << page;
@@ -70,7 +70,7 @@ TEST(UnusedParameters, CountWhatOthersAreComputedFrom) {
   const Expression edge = scene.parameter("edge", "m", 1), density = scene.parameter("density", "kg/m^2", 2);
   const Expression C = scene.parameter("C", "kg m^2", density * pow(edge, 4)), A = scene.parameter("A", "kg m^2", 2);
   scene.body("rotor", scene.revolute("rotor", scene.ground(), axis::z, scene.coordinate("phi", "rad")),
-             Inertia::general({.xx = A, .yy = A, .zz = C}));
+             Inertia::general({.mass = Expression::quantity("1", "kg"), .xx = A, .yy = A, .zz = C}));
   EXPECT_TRUE(has(print_equations(scene, Format::text, {}), "  In no equation: A.\n"));
 }
 
