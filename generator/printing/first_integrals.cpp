@@ -24,7 +24,7 @@ Remark meaning(const FirstIntegral& integral, const Equations& equations, const 
   }
   const std::string plain = say("{}, in {}", integral.meaning, integral.unit);
   if (formula.empty()) return plain;
-  return {plain, say("{}, in {}", formula, fmt::format("${}$", latex_unit(integral.value.unit())))};
+  return {plain, say("{}, in {}", formula, integral.unit == "J" ? "J" : fmt::format("${}$", latex_unit(integral.value.unit())))};
 }
 
 bool is_energy(const FirstIntegral& integral) { return integral.name == "energy" || integral.name == "painleve"; }

@@ -30,7 +30,7 @@ class LatexPage final : public Page {
         "\\usepackage{amsmath}\n"
         "\\allowdisplaybreaks\n"
         "\\setlength{\\parindent}{0pt}\n"
-        "\\setlength{\\emergencystretch}{3em}\n"
+        "\\setlength{\\emergencystretch}{12em}\n"
         "\\setcounter{MaxMatrixCols}{64}\n"
         "\\begin{document}\n";
   }

@@ -131,7 +131,7 @@ TEST(StructureCommand, WritesAnAxisByOneOfItsDirections) {
     return scene;
   };
   const std::string out = run(wheel, {"structure"}).out;
-  EXPECT_NE(out.find("   a_hub_of_many_letters arm - hub: revolute, 1 freedom (turn about (0.6, -0.8, 0))\n"), std::string::npos) << out;
+  EXPECT_NE(out.find("   a_hub_of_many_letters arm - a_hub_of_many_letters: revolute, 1 freedom (turn about (0.6, -0.8, 0))\n"), std::string::npos) << out;
   EXPECT_EQ(out.find("(-0.6"), std::string::npos) << out;
 }
 
