@@ -76,7 +76,7 @@ std::string structure_text(const Scene& scene, const std::vector<std::string>& i
   for (std::size_t j = 0; j < graph.joints.size(); ++j) {
     const GraphJoint& joint = graph.joints[j];
     const auto& names = (mobility.singular ? mobility.generic_edges : mobility.given_edges)[j].motion.names;
-    text += fmt::format("  {}{:<16}{} - {}: {}, {}{}{}\n", mobility.outside[j] ? "*" : " ", joint.name,
+    text += fmt::format("  {}{:<15} {} - {}: {}, {}{}{}\n", mobility.outside[j] ? "*" : " ", joint.name,
                         graph.bodies[static_cast<std::size_t>(joint.a)].name,
                         graph.bodies[static_cast<std::size_t>(joint.b)].name, type_text(joint, say),
                         say("{} freedom{}", joint.freedoms, joint.freedoms == 1 ? "" : "s"),
@@ -117,7 +117,7 @@ std::string structure_text(const Scene& scene, const std::vector<std::string>& i
     text += line(say("redundant, each on its own: {}", joined(mobility.redundant)));
     text += "\n" + say("Reactions that equilibrium does not determine (components along the joint's axes)") + "\n";
     for (const IndeterminateReaction& reaction : mobility.indeterminate) {
-      text += fmt::format("  {:<16}{}\n", reaction.joint, joined(reaction.components));
+      text += fmt::format("  {:<15} {}\n", reaction.joint, joined(reaction.components));
     }
   } else if (!mobility.loops.empty()) {
     text += "\n" + say("Equilibrium determines all reactions of the joints") + "\n";
@@ -133,7 +133,7 @@ std::string structure_text(const Scene& scene, const std::vector<std::string>& i
     text += count_text(reduced.count, say);
     for (const EquivalentJoint& joint : reduced.joints) {
       text +=
-          fmt::format("  {:<17}{} - {}: {}\n", joint.edge.name, reduced.bodies[static_cast<std::size_t>(joint.edge.a)],
+          fmt::format("  {:<16} {} - {}: {}\n", joint.edge.name, reduced.bodies[static_cast<std::size_t>(joint.edge.a)],
                       reduced.bodies[static_cast<std::size_t>(joint.edge.b)], joint.allows.text(say));
     }
     if (reduced.special) text += line(say("(at a generic configuration: the initial one is special)"));

@@ -43,9 +43,12 @@ Groups by_configuration(const Sum& sum) {
 bool has(const Product& product, const BasePointer& base) {
   return std::any_of(product.begin(), product.end(), [&](const Power& p) { return compare(*p.base, *base) == 0; });
 }
+/// Whole powers of symbols, those of coordinates positive.
 bool is_polynomial(const Product& product) {
-  return std::all_of(product.begin(), product.end(),
-                     [](const Power& power) { return power.halves >= 2 && power.base->kind == Base::Kind::symbol; });
+  return std::all_of(product.begin(), product.end(), [](const Power& power) {
+    const bool over = power.halves >= 2 || (power.halves % 2 == 0 && power.base->level < Level::configuration);
+    return over && power.base->kind == Base::Kind::symbol;
+  });
 }
 /// A stretch or its square, once the common factor is taken out: linear in the coordinates, with a constant or with
 /// nothing but coordinates.
@@ -180,6 +183,13 @@ WrittenTerm group_term(const Sum& coefficient, const Product& motion) {
   return times(std::move(term), motion);
 }
 
+/// Whether a factor depends on the configuration by a function: what all terms share with it is taken out as it is before a velocity.
+bool varies(const Product& common) {
+  return std::any_of(common.begin(), common.end(), [](const Power& power) {
+    return power.base->level >= Level::configuration && power.base->kind != Base::Kind::symbol;
+  });
+}
+
 bool is_negative(const Written& written) { return !written.empty() && written[0].coefficient.sign() < 0; }
 void negate(Written& written) {
   for (WrittenTerm& term : written) term.coefficient = -term.coefficient;
@@ -264,13 +274,19 @@ Written collected(const Sum& sum, const Layout& layout) {
   std::stable_sort(ordered.begin(), ordered.end(),
                    [&](const auto& a, const auto& b) { return rank(a.first, layout) < rank(b.first, layout); });
   Written result;
+  auto put_whole = [&, done = false](bool now) mutable {
+    if (now && !done) result.insert(result.end(), layout.whole.begin(), layout.whole.end());
+    done = done || now;
+  };
   for (const auto& [motion, coefficient] : ordered) {
-    if (motion.empty()) {
+    put_whole(std::get<0>(rank(motion, layout)) >= 2);
+    if (motion.empty() && !varies(common_factor(coefficient))) {
       for (WrittenTerm& term : without_motion(coefficient)) result.push_back(std::move(term));
     } else {
       result.push_back(group_term(coefficient, motion));
     }
   }
+  put_whole(true);
   result = unwrapped(std::move(result));
   name_minima(result);
   name_tangents(result);

@@ -7,6 +7,7 @@
 
 #include "torsor/generator/dynamics/forces/contacts.hpp"
 #include "torsor/generator/dynamics/theorems/bearing_reactions.hpp"
+#include "torsor/generator/printing/contact_letters.hpp"
 #include "torsor/generator/printing/limit_met.hpp"
 #include "torsor/generator/printing/notation.hpp"
 
@@ -22,7 +23,8 @@ class ContactPage {
         bearings_(bearing_reactions(equations)),
         view_(equations.program(), limits, positive_parameters(equations.scene().content())),
         page_(page),
-        say(page.say) {
+        say(page.say),
+        letters_(equations.scene().content()) {
     for (const ContactRows& contact : contacts_) {
       normals_ = normals_ || contact.normal;
       turns_ = turns_ || contact.pressed_by;
@@ -33,7 +35,7 @@ class ContactPage {
 
   void write() {
     page_.section(say("Contacts that open and close"));
-    page_.note(normals_ ? say("g is the gap and w its rate (N) or a slip (T), of the first body on the second.")
+    note(normals_ ? say("g is the gap and w its rate (N) or a slip (T), of the first body on the second.")
                         : say("w is the slip."));
     for (std::size_t k = 0; k < contacts_.size(); ++k) geometry(k);
     forces();
@@ -49,6 +51,10 @@ class ContactPage {
     return contact.tangents() == 1 ? "T" : fmt::format("T{}", row + (contact.normal ? 0 : 1));
   }
 
+  /// A sentence in the letters of this page.
+  void law(const std::string& plain, const std::string& latex) { page_.formula(letters_.plain(plain), letters_.in_sentence(latex)); }
+  void note(const std::string& sentence) { page_.note(letters_.plain(sentence)); }
+
   void stated(const Spelling& left, const Value& value, const std::string& remark = {}) {
     const std::optional<Sum> sum = value.is_zero() ? Sum() : view_.sum(value);
     if (sum) {
@@ -63,7 +69,7 @@ class ContactPage {
     const ContactRows& contact = contacts_[k];
     const std::string who = named_object(contact.name).latex;
     const auto spelled = [&](const char* plain, const char* latex) {
-      return Spelling{fmt::format("{}({})", plain, contact.name), fmt::format("{}({})", latex, who)};
+      return Spelling{fmt::format("{}({})", letters_.plain(plain), contact.name), fmt::format("{}({})", letters_.latex(latex), who)};
     };
     const bool turn = contact.pressed_by.has_value();
     page_.note(contact.normal ? say("{}:", contact.name)
@@ -165,19 +171,19 @@ class ContactPage {
   void laws() {
     page_.section(say("Laws of contact"));
     if (normals_) {
-      page_.formula(say("Signorini: 0 <= g, 0 <= N, N g = 0; while g = 0 and w_N = 0: 0 <= dw_N/dt, 0 <= N, N dw_N/dt = 0."),
+      law(say("Signorini: 0 <= g, 0 <= N, N g = 0; while g = 0 and w_N = 0: 0 <= dw_N/dt, 0 <= N, N dw_N/dt = 0."),
                     say("Signorini: $0 \\le g$, $0 \\le N$, $N g = 0$; while $g = 0$ and $w_N = 0$: $0 \\le \\dot{w}_N$, $0 \\le "
                     "N$, $N \\dot{w}_N = 0$."));
-      page_.formula(say("Open: g > 0, N = 0, T = 0."), say("Open: $g > 0$, $N = 0$, $T = 0$."));
+      law(say("Open: g > 0, N = 0, T = 0."), say("Open: $g > 0$, $N = 0$, $T = 0$."));
     }
     if (turns_) {
-      page_.formula(say("Resistance to rolling and spinning: |T| <= h N while w_T = 0, T = -h N w_T/|w_T| while it turns, T a "
+      law(say("Resistance to rolling and spinning: |T| <= h N while w_T = 0, T = -h N w_T/|w_T| while it turns, T a "
                         "moment, N that of the contact that presses."),
                     say("Resistance to rolling and spinning: $|T| \\le h N$ while $w_T = 0$, $T = -h N \\frac{w_T}{|w_T|}$ while "
                         "it turns, $T$ a moment, $N$ that of the contact that presses."));
     }
     if (joints_) {
-      page_.formula(say("Friction of joints: |T| <= f_s |R| while w_T = 0, T = -f |R| w_T/|w_T| while they slide, h_s and h in "
+      law(say("Friction of joints: |T| <= f_s |R| while w_T = 0, T = -f |R| w_T/|w_T| while they slide, h_s and h in "
                         "the place of f_s and f where they turn, R what the joint transmits across its axis."),
                     say("Friction of joints: $|T| \\le f_s |R|$ while $w_T = 0$, $T = -f |R| \\frac{w_T}{|w_T|}$ while they "
                         "slide, $h_s$ and $h$ in the place of $f_s$ and $f$ where they turn, $R$ what the joint transmits across "
@@ -188,9 +194,9 @@ class ContactPage {
                                     [](const ContactRows& c) { return !c.normal && !c.pressed_by && !c.joint; });
     const std::string and_bound = bounds ? say(" (b_s of dry friction alone)") : "";
     const std::string and_bound_latex = bounds ? say(" ($b_s$ of dry friction alone)") : "";
-    page_.formula(say("Sticks: w_T = 0, |T| <= f_s N{}.", and_bound),
+    law(say("Sticks: w_T = 0, |T| <= f_s N{}.", and_bound),
                   say("Sticks: $w_T = 0$, $|T| \\le f_s N${}.", and_bound_latex));
-    page_.formula(say("Slides: T = -f N w_T/|w_T|{}; where a slip begins, along dw_T/dt in the place of w_T.",
+    law(say("Slides: T = -f N w_T/|w_T|{}; where a slip begins, along dw_T/dt in the place of w_T.",
                               bounds ? say(", b in the place of f N for dry friction alone") : ""),
                   say("Slides: $T = -f N \\frac{{w_T}}{{|w_T|}}${}; where a slip begins, along $\\dot{{w}}_T$ in the "
                               "place of $w_T$.",
@@ -201,21 +207,21 @@ class ContactPage {
     if (!normals_) return;
     const bool multipliers = !equations_.constraints().empty();
     page_.section(say("Percussions"));
-    page_.formula(say("[[X]] = X+ - X- at an impact: [[dT/dq_i']] = sum P dw/dq_i'{}, P = P_N or P_T of each w.",
+    law(say("[[X]] = X+ - X- at an impact: [[dT/dq_i']] = sum P dw/dq_i'{}, P = P_N or P_T of each w.",
                               multipliers ? " + sum_j Lambda_j a_ji" : ""),
                   say("$[\\![X]\\!] = X^+ - X^-$ at an impact: $\\left[\\!\\left[\\frac{{\\partial T}}{{\\partial "
                               "\\dot{{q}}_i}}\\right]\\!\\right] = \\sum P\\, \\frac{{\\partial w}}{{\\partial \\dot{{q}}_i}}"
                               "{}$, $P = P_N$ or $P_T$ of each $w$.",
                               multipliers ? " + \\sum_j \\Lambda_j a_{ji}" : ""));
-    page_.note(say("Impulses stand where reactions stand above; bounded forces have none."));
-    page_.formula(say("Newton-Moreau: 0 <= w_N+ + e w_N-, 0 <= P_N, P_N (w_N+ + e w_N-) = 0."),
+    note(say("Impulses stand where reactions stand above; bounded forces have none."));
+    law(say("Newton-Moreau: 0 <= w_N+ + e w_N-, 0 <= P_N, P_N (w_N+ + e w_N-) = 0."),
                   say("Newton-Moreau: $0 \\le w_N^+ + e\\, w_N^-$, $0 \\le P_N$, $P_N (w_N^+ + e\\, w_N^-) = 0$."));
-    if (joints_) page_.note(say("Joints rub by |P_T| <= f |P_R|, P_R the impulse that they transmit."));
+    if (joints_) note(say("Joints rub by |P_T| <= f |P_R|, P_R the impulse that they transmit."));
     if (tangents_) {
-      page_.formula(say("Friction: |P_T| <= f P_N where w_T+ = 0, P_T = -f P_N w_T+/|w_T+| elsewhere."),
+      law(say("Friction: |P_T| <= f P_N where w_T+ = 0, P_T = -f P_N w_T+/|w_T+| elsewhere."),
                     say("Friction: $|P_T| \\le f P_N$ where $w_T^+ = 0$, $P_T = -f P_N \\frac{w_T^+}{|w_T^+|}$ elsewhere."));
     }
-    page_.formula(say("Carnot's loss: T- - T+ = -1/2 sum P (w+ + w-); of one contact without friction -1/2 (1 - e) P_N w_N- >= 0."),
+    law(say("Carnot's loss: T- - T+ = -1/2 sum P (w+ + w-); of one contact without friction -1/2 (1 - e) P_N w_N- >= 0."),
                   say("Carnot's loss: $T^- - T^+ = -\\frac{1}{2} \\sum P\\,(w^+ + w^-)$; of one contact without friction "
                   "$-\\frac{1}{2} (1 - e) P_N w_N^- \\ge 0$."));
   }
@@ -227,6 +233,7 @@ class ContactPage {
   InlineView view_;
   Page& page_;
   const NaturalLanguage& say;
+  const ContactLetters letters_;
   std::vector<SymbolPointer> reactions_;
   bool normals_ = false, tangents_ = false, turns_ = false, joints_ = false;
 };

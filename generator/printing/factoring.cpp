@@ -2,6 +2,7 @@
 #include "torsor/generator/printing/factoring.hpp"
 
 #include <algorithm>
+#include <cstdlib>
 #include <tuple>
 
 namespace torsor::printing {
@@ -94,6 +95,28 @@ std::tuple<Level, int, int> place(const WrittenFactor& factor) {
   return highest;
 }
 
+Level level_of(const WrittenTerm& term) {
+  Level highest = Level::constant;
+  for (const WrittenFactor& factor : term.factors) highest = std::max(highest, std::get<0>(place(factor)));
+  return highest;
+}
+
+/// 1 + eps cos(theta) rather than eps cos(theta) + 1, as where such a sum is a coefficient; x - x_0 stays, whose coordinate leads.
+/// The first term keeps or gets its plus: whether all signs were turned for that.
+bool constants_first(Written& sum) {
+  const auto moves = [](const WrittenTerm& term) { return level_of(term) >= Level::configuration; };
+  const bool leads = std::any_of(sum.begin(), sum.end(), [&](const WrittenTerm& term) {
+    return moves(term) && std::all_of(term.factors.begin(), term.factors.end(), [](const WrittenFactor& factor) {
+             return factor.base && factor.base->kind == Base::Kind::symbol;
+           });
+  });
+  if (leads) return false;
+  std::stable_partition(sum.begin(), sum.end(), [&](const WrittenTerm& term) { return !moves(term); });
+  if (sum.empty() || sum[0].coefficient.sign() > 0) return false;
+  for (WrittenTerm& term : sum) term.coefficient = -term.coefficient;
+  return true;
+}
+
 }  // namespace
 
 WrittenFactor parenthesised(Written inside) {
@@ -115,13 +138,14 @@ Product common_factor(const Sum& sum) {
   if (sum.is_zero()) return {};
   Product common;
   for (const Power& power : sum.terms().begin()->first) {
-    int least = power.halves;
+    const int side = power.halves > 0 ? 1 : -1;  // over or under the stroke
+    int least = std::abs(power.halves);
     for (const auto& [product, coefficient] : sum.terms()) {
       const auto place = std::find_if(product.begin(), product.end(),
                                       [&](const Power& other) { return compare(*other.base, *power.base) == 0; });
-      least = std::min(least, place == product.end() ? 0 : place->halves);
+      least = std::min(least, place == product.end() ? 0 : side * place->halves);
     }
-    if (least >= 2) common.push_back({power.base, least - least % 2});
+    if (least >= 2) common.push_back({power.base, side * (least - least % 2)});
   }
   return common;
 }
@@ -171,7 +195,9 @@ WrittenTerm as_term(const Sum& sum) {
   for (const auto& [product, coefficient] : sum.terms()) rest.add(product * inverse(common), coefficient / number);
   WrittenTerm term{number, written(common)};
   const std::optional<Sum> root = square_root(rest);
-  term.factors.push_back(parenthesised(factored(root.value_or(rest))));
+  Written inside = factored(root.value_or(rest));
+  if (constants_first(inside) && !root) term.coefficient = -term.coefficient;
+  term.factors.push_back(parenthesised(std::move(inside)));
   if (root) term.factors.back().halves = 4;
   std::stable_sort(term.factors.begin(), term.factors.end(),
                    [](const WrittenFactor& a, const WrittenFactor& b) { return place(a) < place(b); });

@@ -15,7 +15,7 @@ WrittenFactor parenthesised(Written inside);
 /// Factors in the order of writing: lowest level first, functions after the symbols of their level.
 std::vector<WrittenFactor> written(const Product& product);
 
-/// The greatest product that divides every term (whole positive powers only).
+/// The greatest product of whole powers that divides every term; under the stroke what every term has there.
 Product common_factor(const Sum& sum);
 Product inverse(Product product);
 

@@ -7,19 +7,32 @@
 #include "torsor/generator/dynamics/forces/energy.hpp"
 #include "torsor/generator/dynamics/theorems/painleve.hpp"
 #include "torsor/generator/printing/limit_met.hpp"
+#include "torsor/generator/printing/notation.hpp"
 #include "torsor/generator/program/written_unit.hpp"
 
 namespace torsor::printing {
 namespace {
 
 /// What an integral is, with its unit as a person writes it.
-std::string meaning(const FirstIntegral& integral, const NaturalLanguage& say) {
-  return say("{}, in {}", integral.meaning, integral.unit);
+Remark meaning(const FirstIntegral& integral, const Equations& equations, const NaturalLanguage& say) {
+  std::string formula;
+  if (integral.name == "energy") formula = "$T - U$";
+  if (integral.name == "painleve") formula = "$T_2 - T_0 - U$";
+  for (const CoordinateContent& c : equations.model().coordinates()) {
+    if (c.attitude || integral.meaning != say("dT/d{}' of the cyclic coordinate '{}'", c.q->name, c.q->name)) continue;
+    formula = say("$\\frac{{\\partial T}}{{\\partial {}}}$ of the cyclic coordinate ${}$", latex_name(c.v->name), latex_name(c.q->name));
+  }
+  const std::string plain = say("{}, in {}", integral.meaning, integral.unit);
+  if (formula.empty()) return plain;
+  return {plain, say("{}, in {}", formula, integral.unit == "J" ? "J" : fmt::format("${}$", latex_unit(integral.value.unit())))};
 }
+
+bool is_energy(const FirstIntegral& integral) { return integral.name == "energy" || integral.name == "painleve"; }
 
 }  // namespace
 
-void write_first_integrals(const Equations& equations, const InlineLimits& limits, Page& page) {
+void write_first_integrals(const Equations& equations, const InlineLimits& limits, Page& page,
+                           const std::vector<Stretch>& stretches) {
   const PainleveReport report = painleve(equations, page.say);
   InlineView view(equations.program(), limits, positive_parameters(equations.scene().content()));
   const NaturalLanguage& say = page.say;
@@ -30,12 +43,14 @@ void write_first_integrals(const Equations& equations, const InlineLimits& limit
                fmt::format("$\\frac{{\\mathrm{{d}}}}{{\\mathrm{{d}}t}}(T_2 - T_0) + \\frac{{\\partial T}}{{\\partial t}} = "
                            "\\sum_i Q_i \\dot{{q}}_i{}$.",
                            multipliers ? " + \\sum_j \\lambda_j b_j" : ""));
-  const auto write = [&](const Spelling& left, const Value& value, const std::string& remark) {
+  const auto write = [&](const Spelling& left, const Value& value, const Remark& remark, const std::vector<KeptPiece>& pieces = {}) {
     if (const std::optional<Sum> sum = view.sum(value)) {
-      page.stated(left, collected(*sum), remark);
+      page.stated(left, collected_around(*sum, pieces, view), remark);
     } else {
-      page.note(say("{}: {}, too long to be written out ({}); kernels compute it.", left.plain, remark,
-                    limit_met(view, value, say)));
+      const std::string limit = limit_met(view, value, say);
+      page.formula(say("{}: {}, too long to be written out ({}); kernels compute it.", left.plain, remark.plain, limit),
+                   say("{}: {}, too long to be written out ({}); kernels compute it.", say("constant"),
+                       remark.latex.empty() ? latex_escaped(remark.plain) : remark.latex, latex_escaped(limit)));
     }
   };
   if (!report.failing_conditions.empty()) {
@@ -50,13 +65,17 @@ void write_first_integrals(const Equations& equations, const InlineLimits& limit
     }
     std::string reasons;
     for (const std::string& reason : report.failing_conditions) reasons += (reasons.empty() ? "" : "; ") + reason;
-    page.note(say("T2 - T0 - U is not conserved: {}.", reasons));
+    page.formula(say("T2 - T0 - U is not conserved: {}.", reasons),
+                 say("$T_2 - T_0 - U$ is not conserved: {}.", latex_escaped(reasons)));
   }
   for (const FirstIntegral& integral : report.first_integrals) {
-    write({say("constant"), say("\\text{constant}")}, integral.value, meaning(integral, say));
+    write({say("constant"), say("\\text{constant}")}, integral.value, meaning(integral, equations, say),
+          is_energy(integral) ? energy_pieces(stretches, -1) : std::vector<KeptPiece>());
   }
   for (const MissingMomentum& missing : missing_momenta(equations, report, say)) {
-    page.note(say("No momentum integral along {}: {}.", missing.coordinate, fmt::join(missing.reasons, ", ")));
+    const std::string reasons = fmt::format("{}", fmt::join(missing.reasons, ", "));
+    page.formula(say("No momentum integral along {}: {}.", missing.coordinate, reasons),
+                 say("No momentum integral along {}: {}.", fmt::format("${}$", latex_name(missing.coordinate)), latex_escaped(reasons)));
   }
 }
 

@@ -143,6 +143,22 @@ void LagrangeEquations::derive_equation(std::size_t i, const std::optional<GiNaC
   equations_.push_back(std::move(equation));
 }
 
+void LagrangeEquations::find_stretches() {
+  const Model& model = open_.model();
+  for (const ActionContent& action : model.scene().actions) {
+    const auto* spring = std::get_if<ElongationSpring>(&action);
+    if (spring == nullptr) continue;
+    const Value length = model.of_configuration(spring->elongation, "the elongation of spring '" + spring->name + "'") -
+                         open_.program().lower(spring->rest);
+    const auto stiffness = view_.expression(open_.program().lower(spring->stiffness)), written = view_.expression(length);
+    const std::optional<Sum> sum = written ? view_.bounded_sum(at_rest(*written)) : std::nullopt;
+    if (!stiffness || !sum) continue;
+    Stretch stretch{view_.sum(*stiffness), *sum, {}};
+    for (const CoordinateContent& c : model.coordinates()) stretch.along.push_back(view_.sum(at_rest(along(*written, c))));
+    stretches_.push_back(std::move(stretch));
+  }
+}
+
 void LagrangeEquations::derive() {
   const Model& model = open_.model();
   for (const CoordinateContent& c : model.coordinates()) {
@@ -166,6 +182,7 @@ void LagrangeEquations::derive() {
     if (const auto sum = view_.sum(open_kinetic)) kinetic = view_.expression(*sum);
   }
   work = view_.expression(open_work);
+  if (work) find_stretches();
   without_force_function_ = applied_forces(model, applied_actions(model, ActionKind::without_force_function));
   for (std::size_t i = 0; i < model.coordinates().size(); ++i) derive_equation(i, kinetic, work);
 

@@ -8,6 +8,7 @@
 
 #include "torsor/generator/dynamics/equations/equations.hpp"
 #include "torsor/generator/printing/inline_view.hpp"
+#include "torsor/generator/printing/stretches.hpp"
 
 namespace torsor::printing {
 
@@ -52,6 +53,8 @@ class LagrangeEquations {
   const std::vector<LagrangeEquation>& equations() const { return equations_; }
   const std::vector<ConstraintEquation>& constraints() const { return constraints_; }
   bool written_out() const;
+  /// Springs whose elongation is written out.
+  const std::vector<Stretch>& stretches() const { return stretches_; }
 
   /// Where the values of quantities that are too long live, parameters as symbols.
   const Equations& definitions() const { return definitions_; }
@@ -73,6 +76,7 @@ class LagrangeEquations {
   GiNaC::ex turning_term(const GiNaC::ex& kinetic, const CoordinateContent& c);
   void derive_equation(std::size_t i, const std::optional<GiNaC::ex>& kinetic, const std::optional<GiNaC::ex>& work);
   Value other_forces(std::size_t i) const;
+  void find_stretches();
 
   bool with_steps_;
   Equations open_;         ///< released coordinates are coordinates
@@ -81,6 +85,7 @@ class LagrangeEquations {
   GiNaC::exmap released_;                      ///< applied, never iterated
   std::vector<Value> without_force_function_;  ///< Q_i of dampers, given forces and torques
   Quantity kinetic_energy_, force_function_;
+  std::vector<Stretch> stretches_;
   std::vector<LagrangeEquation> equations_;
   std::vector<ConstraintEquation> constraints_;
 };

@@ -48,12 +48,12 @@ class RootPage final : public Page {
     lines_.emplace_back([this, symbol, value, with_unit] { page_->value(symbol, named_in(value), with_unit); });
   }
   void equation(const std::string& label, const Written& left, const Written& right,
-                const std::string& remark) override {
+                const Remark& remark) override {
     count(left);
     count(right);
     lines_.emplace_back([=, this] { page_->equation(label, named_in(left), named_in(right), remark); });
   }
-  void stated(const Spelling& left, const Written& right, const std::string& remark) override {
+  void stated(const Spelling& left, const Written& right, const Remark& remark) override {
     count(right);
     lines_.emplace_back([=, this] { page_->stated(left, named_in(right), remark); });
   }

@@ -34,7 +34,7 @@ std::string subscript(const std::string& text) {
 
 /// A rational as its size, e.g. \frac{1}{2}.
 std::string rational(const cln::cl_RA& value) {
-  if (cln::denominator(value) > 1000) {
+  if (is_read_as_decimal(value)) {
     const std::string decimal = decimal_text(Number(cln::abs(value)));
     if (decimal.find('/') == std::string::npos) return decimal;
   }
@@ -129,6 +129,10 @@ bool is_word(const std::string& factor) {
   return std::any_of(begins.begin(), begins.end(), [&factor](std::string_view begin) { return factor.starts_with(begin); });
 }
 
+bool is_pi(const WrittenFactor& factor) {
+  return factor.halves == 2 && factor.base && factor.base->kind == Base::Kind::symbol && factor.base->symbol->kind == SymbolKind::pi;
+}
+
 }  // namespace
 
 std::string term_latex(const WrittenTerm& term) {
@@ -136,7 +140,11 @@ std::string term_latex(const WrittenTerm& term) {
   std::string numerator;
   std::string denominator;
   std::array<std::string, 2> last;
-  for (const WrittenFactor& factor : term.factors) {
+  // A share of pi is one fraction.
+  const bool share = size.is_rational() && cln::denominator(size.part(0)) > 1 && !is_read_as_decimal(size.part(0)) &&
+                     !term.factors.empty() && is_pi(term.factors[0]);
+  for (std::size_t i = share ? 1 : 0; i < term.factors.size(); ++i) {
+    const WrittenFactor& factor = term.factors[i];
     std::string& side = factor.halves > 0 ? numerator : denominator;
     std::string& before = last[factor.halves > 0 ? 0U : 1U];
     const std::string next = factor_latex(factor, std::abs(factor.halves));
@@ -146,7 +154,19 @@ std::string term_latex(const WrittenTerm& term) {
   }
   std::string body = numerator;
   if (!denominator.empty()) {
+    // The stroke holds a lone sum together: no parentheses.
+    const auto over = [](const WrittenFactor& factor) { return factor.halves > 0; };
+    const auto only = std::find_if(term.factors.begin(), term.factors.end(), over);
+    if (std::count_if(term.factors.begin(), term.factors.end(), over) == 1 && !only->base && !only->size && only->halves == 2) {
+      numerator = latex(only->inside);
+    }
     body = fmt::format("\\frac{{{}}}{{{}}}", numerator.empty() ? "1" : numerator, denominator);
+  }
+  if (share) {
+    const Number over(cln::numerator(size.part(0)));
+    const std::string part = fmt::format("\\frac{{{}\\pi}}{{{}}}", over.is_one() ? "" : over.to_string() + " ",
+                                         Number(cln::denominator(size.part(0))).to_string());
+    return body.empty() ? part : fmt::format("{} {}", part, body);
   }
   if (size.is_one() && !body.empty()) return body;
   const std::string number = number_latex(size, !body.empty());
@@ -202,22 +222,6 @@ std::string latex_name(const std::string& name) {
   std::string result = word(stem);
   if (dots > 0) result = fmt::format("\\{}{{{}}}", dots == 1 ? "dot" : "ddot", result);
   return below.empty() ? result : fmt::format("{}_{{{}}}", result, below);
-}
-
-std::string latex_escaped(const std::string& text) {
-  std::string result;
-  for (const char c : text) {
-    if (std::string_view("#$%&_{}").find(c) != std::string_view::npos) {
-      result += std::string("\\") + c;
-    } else if (c == '\\') {
-      result += "\\textbackslash{}";
-    } else if (c == '~' || c == '^') {
-      result += std::string("\\") + c + "{}";
-    } else {
-      result += c;
-    }
-  }
-  return result;
 }
 
 namespace {

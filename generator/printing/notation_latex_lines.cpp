@@ -1,24 +1,29 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
+#include <cstdlib>
 #include <vector>
 
 #include <fmt/format.h>
 
+#include "torsor/generator/printing/latex_width.hpp"
 #include "torsor/generator/printing/notation.hpp"
 #include "torsor/generator/printing/notation_latex.hpp"
 
 namespace torsor::printing {
 namespace {
 
-/// What a line break does not part: its LaTeX, and its length as plain text, which is about what LaTeX sets.
+/// What a line break does not part: its LaTeX, and its width.
 struct Piece {
   std::string latex;
-  std::size_t size = 0;
+  double size = 0;
   bool multiplies = false;  ///< what stands before it: a line that begins with it begins with a cross
 };
 
-std::size_t size_of(const WrittenTerm& term) { return text({term}).size(); }
-std::size_t size_of(const WrittenFactor& factor) { return size_of(WrittenTerm{Number(1), {factor}}); }
+constexpr double indent_of_lines = 20;  // of \qquad
+constexpr double sign_width = 12.2;  // of a plus or a minus, with the space around it
+
+double size_of(const WrittenTerm& term) { return sign_width + latex_width(term_latex(term)); }
+double size_of(const WrittenFactor& factor) { return latex_width(factor_latex(factor, std::abs(factor.halves))); }
 
 /// \sin, \cos and the like: one argument in parentheses.
 bool is_call(const WrittenFactor& factor) {
@@ -40,12 +45,12 @@ std::string exponent(int halves) {
 /// Parts formulas at their sums: those outside first, then inside parentheses, where a person would.
 class LineBreaker {
  public:
-  explicit LineBreaker(std::size_t width) : width_(width) {}
+  explicit LineBreaker(double width) : width_(width) {}
 
-  std::string lines(const Written& written) {
+  BrokenLines lines(const Written& written) {
     add(written);
     std::string result;
-    std::size_t column = 0;
+    double column = 0;
     for (const Piece& piece : pieces_) {
       const bool first = result.empty();
       const bool fits = first || column + piece.size <= width_;
@@ -53,10 +58,10 @@ class LineBreaker {
         result += fits ? " " : " \\\\\n  &\\qquad {}";
         if (!fits && piece.multiplies) result += "\\times ";
       }
-      column = fits ? column + piece.size + 3 : piece.size;
+      column = fits ? column + piece.size : indent_of_lines + piece.size;
       result += piece.latex;
     }
-    return result.empty() ? "0" : result;
+    return result.empty() ? BrokenLines{"0", 5} : BrokenLines{std::move(result), column};
   }
 
  private:
@@ -87,7 +92,7 @@ class LineBreaker {
     }
     const bool nothing = before.coefficient.is_one() && before.factors.empty();
     std::string head = sign_latex(term, first) + (nothing ? "" : term_latex(before) + " ");
-    std::size_t head_size = nothing ? 0 : size_of(before) + 1;
+    double head_size = nothing ? sign_width : size_of(before);
     bool multiplies = false;
     for (const WrittenFactor& factor : term.factors) {
       if (!is_long(factor)) continue;
@@ -98,7 +103,7 @@ class LineBreaker {
     }
     if (after.factors.empty()) return;
     pieces_.back().latex += " " + term_latex(after);
-    pieces_.back().size += 1 + size_of(after);
+    pieces_.back().size += size_of(after) - sign_width;
   }
 
   /// A product of long names: as many on a line as there is room for, the number and the denominator before them.
@@ -126,7 +131,7 @@ class LineBreaker {
   }
 
   /// A factor with a long sum inside, behind `head`.
-  void add(const WrittenFactor& factor, const std::string& head, std::size_t head_size, bool multiplies) {
+  void add(const WrittenFactor& factor, const std::string& head, double head_size, bool multiplies) {
     const std::size_t begin = pieces_.size();
     add(factor.inside);
     std::string open = head, close;
@@ -138,18 +143,29 @@ class LineBreaker {
       close = (factor.size ? "\\bigr|" : "\\bigr)") + exponent(factor.halves);
     }
     pieces_[begin].latex = open + pieces_[begin].latex;
-    pieces_[begin].size += head_size + (factor.base ? 5 : 1);
+    pieces_[begin].size += head_size + (factor.base ? 24 : 6);
     pieces_[begin].multiplies = multiplies;
     pieces_.back().latex += close;
-    pieces_.back().size += 1;
+    pieces_.back().size += 6;
   }
 
-  std::size_t width_;
+  double width_;
   std::vector<Piece> pieces_;
 };
 
 }  // namespace
 
-std::string latex_lines(const Written& written, std::size_t width) { return LineBreaker(width).lines(written); }
+BrokenLines latex_lines(const Written& written, double width) { return LineBreaker(width).lines(written); }
+
+std::string latex_equation(const Written& left, const Written& right, double width) {
+  constexpr double equals = 13.3, short_left = 100, indent_of_right = 10;
+  const double left_size = latex_width(latex(left)), right_size = latex_width(latex(right));
+  if (left_size + equals + right_size <= width) return fmt::format("{} &= {}", latex(left), latex(right));
+  if (left_size < short_left) return fmt::format("{} &= {}", latex(left), latex_lines(right, width - left_size - equals).latex);
+  // Apart: lines begin at the margin, not below the = of the neighbours.
+  const BrokenLines lines = latex_lines(left, width);
+  if (lines.last + equals + right_size <= width) return fmt::format("&{} = {}", lines.latex, latex(right));
+  return fmt::format("&{} \\\\\n  &\\quad = {}", lines.latex, latex_lines(right, width - equals - indent_of_right).latex);
+}
 
 }  // namespace torsor::printing

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
+#include <optional>
+#include <utility>
 
 #include <cln/integer.h>
 #include <fmt/format.h>
@@ -117,9 +119,56 @@ std::string text_lines(const Written& written, std::size_t first_column, const s
   return result.empty() ? "0" : result;
 }
 
+namespace {
+
+/// Digits and the power of ten of a decimal with five zeros in a row; none of any other.
+std::optional<std::pair<std::string, int>> with_power_of_ten(const std::string& decimal) {
+  constexpr std::size_t many = 5;
+  const std::string sign = decimal.starts_with('-') ? "-" : "";
+  const std::string digits = decimal.substr(sign.size());
+  if (digits.find_first_not_of("0123456789.") != std::string::npos) return std::nullopt;
+  const std::size_t point = digits.find('.');
+  std::string mantissa;
+  int power = 0;
+  if (point == std::string::npos) {
+    const std::size_t last = digits.find_last_not_of('0');
+    if (last == std::string::npos || digits.size() - last - 1 < many) return std::nullopt;
+    mantissa = digits.substr(0, last + 1);
+    power = static_cast<int>(digits.size()) - 1;
+  } else {
+    const std::size_t first = digits.find_first_not_of("0.");
+    if (digits[0] != '0' || first - point - 1 < many) return std::nullopt;
+    mantissa = digits.substr(first);
+    power = -static_cast<int>(first - point);
+  }
+  if (mantissa.size() > 1) mantissa.insert(1, ".");
+  return std::pair{sign + mantissa, power};
+}
+
+}  // namespace
+
+std::string value_text(const Number& number) {
+  const std::string decimal = decimal_text(number);
+  const auto parts = with_power_of_ten(decimal);
+  return parts ? fmt::format("{}e{}", parts->first, parts->second) : decimal;
+}
+
+std::string value_latex(const Number& number) {
+  const std::string decimal = decimal_text(number);
+  const auto parts = with_power_of_ten(decimal);
+  return parts ? fmt::format("{} \\cdot 10^{{{}}}", parts->first, parts->second) : decimal;
+}
+
+bool is_read_as_decimal(const cln::cl_RA& number) {
+  const cln::cl_I denominator = cln::denominator(number);
+  if (denominator > 1000) return true;
+  const auto divides = [&](int by) { return cln::rem(denominator, by) == 0; };
+  return divides(25) || (divides(5) && denominator > 100);
+}
+
 std::string coefficient_text(const Number& number) {
-  const bool ugly = number.is_rational() && cln::denominator(number.part(0)) > 1000;
-  std::string result = ugly ? decimal_text(number) : number.to_string();
+  const bool decimal = number.is_rational() && is_read_as_decimal(number.part(0));
+  std::string result = decimal ? decimal_text(number) : number.to_string();
   std::replace(result.begin(), result.end(), '*', ' ');  // 1/2 sqrt(3)
   return result;
 }

@@ -15,6 +15,15 @@ struct Spelling {
   std::string plain, latex;
 };
 
+/// What is said about an equation: a sentence, or one that holds formulas in LaTeX between dollars.
+struct Remark : Spelling {
+  Remark() = default;
+  Remark(const std::string& sentence) : Spelling{sentence, {}} {}
+  Remark(const char* sentence) : Spelling{sentence, {}} {}
+  Remark(const std::string& sentence, const std::string& with_formulas) : Spelling{sentence, with_formulas} {}
+  bool empty() const { return plain.empty(); }
+};
+
 /// A matrix's name, bold in LaTeX.
 Spelling bold(const std::string& name);
 /// The name of a body, a joint or an action, which is data: an identifier as a symbol, anything else as escaped text.
@@ -42,9 +51,9 @@ class Page {
   virtual void value(const Symbol& symbol, const Written& value, bool with_unit) = 0;
   /// left = right; the label names the equation, the remark follows it. Both may be empty.
   virtual void equation(const std::string& label, const Written& left, const Written& right,
-                        const std::string& remark) = 0;
+                        const Remark& remark) = 0;
   /// The same where the left side is no formula of symbols, e.g. dT/dtheta'.
-  virtual void stated(const Spelling& left, const Written& right, const std::string& remark) = 0;
+  virtual void stated(const Spelling& left, const Written& right, const Remark& remark) = 0;
   /// One that is too wide has names in the place of its long entries, which follow it. `entry` begins those names.
   virtual void matrix(const Spelling& name, const std::string& entry,
                       const std::vector<std::vector<Written>>& rows) = 0;

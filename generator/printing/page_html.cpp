@@ -5,6 +5,7 @@
 
 #include "torsor/generator/printing/fitted_matrix.hpp"
 #include "torsor/generator/printing/html_text.hpp"
+#include "torsor/generator/printing/latex_width.hpp"
 #include "torsor/generator/printing/notation.hpp"
 #include "torsor/generator/printing/page.hpp"
 #include "torsor/generator/program/written_unit.hpp"
@@ -12,11 +13,12 @@
 namespace torsor::printing {
 namespace {
 
-constexpr std::size_t line_of_page = 92;  // characters of plain text on a line, in print too
+constexpr std::size_t line_of_page = 92;  // characters of plain text on a line of a matrix, in print too
+constexpr double width_of_page = 340;  // points of 10-point letters on a line of a window of 1100 pixels; in print more would fit
 
-std::string number_or(const Written& value, std::string (*write)(const Written&)) {
-  const bool number = value.size() == 1 && value[0].factors.empty() && value[0].coefficient.is_rational();
-  return number ? decimal_text(value[0].coefficient) : write(value);
+std::string number_or(const Written& value, std::string (*number)(const Number&), std::string (*write)(const Written&)) {
+  const bool alone = value.size() == 1 && value[0].factors.empty() && value[0].coefficient.is_rational();
+  return alone ? number(value[0].coefficient) : write(value);
 }
 
 /// The unit as a reader expects it, set by KaTeX where it has powers; nothing where there is none.
@@ -25,6 +27,28 @@ std::string unit_of(const Symbol& symbol) {
   if (unit == "1") return {};
   if (unit.find('^') == std::string::npos) return html_escaped(unit);
   return fmt::format("<span data-inline=\"{}\">{}</span>", html_escaped(latex_unit(symbol)), html_escaped(unit));
+}
+
+/// A sentence with formulas between dollars for the script of the page: text and formulas in turn, with U+2063 between them,
+/// which text does not hold. So a dollar in a name stays one.
+std::string mixed(const std::string& latex) {
+  constexpr std::string_view between = "\xe2\x81\xa3";
+  std::vector<std::string> parts(1);
+  for (std::size_t i = 0; i < latex.size(); ++i) {
+    if (latex[i] == '$') {
+      parts.emplace_back();
+      continue;
+    }
+    if (latex[i] == '\\' && i + 1 < latex.size()) parts.back() += latex[i++];
+    parts.back() += latex[i];
+  }
+  std::string result;
+  for (std::size_t k = 0; k < parts.size(); ++k) {
+    std::string part = k % 2 == 0 ? latex_unescaped(parts[k]) : parts[k];
+    for (std::size_t at = part.find(between); at != std::string::npos; at = part.find(between)) part.erase(at, between.size());
+    result += (k == 0 ? "" : std::string(between)) + html_escaped(part);
+  }
+  return result;
 }
 
 class HtmlPage final : public Page {
@@ -37,7 +61,7 @@ class HtmlPage final : public Page {
     out_ += fmt::format("<p>{}</p>\n", html_escaped(accented(sentence)));
   }
   void formula(const std::string& plain, const std::string& latex) override {
-    out_ += fmt::format("<p data-mixed=\"{}\">{}</p>\n", html_escaped(latex), html_escaped(plain));
+    out_ += fmt::format("<p data-mixed=\"{}\">{}</p>\n", mixed(latex), html_escaped(plain));
   }
   void symbol(const Symbol& symbol, const std::string& remark) override {
     const std::string unit = unit_of(symbol);
@@ -47,29 +71,22 @@ class HtmlPage final : public Page {
   }
   void value(const Symbol& symbol, const Written& value, bool with_unit) override {
     const std::string unit = with_unit ? unit_of(symbol) : "";
-    const std::string left = latex_name(symbol.name) + " = " + number_or(value, latex);
-    const std::string plain = symbol.name + " = " + number_or(value, text);
+    const std::string left = latex_name(symbol.name) + " = " + number_or(value, value_latex, latex);
+    const std::string plain = symbol.name + " = " + number_or(value, value_text, text);
     out_ += fmt::format("<p class=\"symbol\"><span data-inline=\"{}\">{}</span> {}</p>\n", html_escaped(left),
                         html_escaped(plain), unit);
   }
   void equation(const std::string& label, const Written& left, const Written& right,
-                const std::string& remark) override {
-    const std::size_t left_size = text(left).size();
-    std::string body;
-    if (left_size + text(right).size() <= line_of_page) {
-      body = fmt::format("{} &= {}", latex(left), latex(right));
-    } else if (left_size < 20) {
-      body = fmt::format("{} &= {}", latex(left), latex_lines(right, line_of_page - left_size));
-    } else {
-      body = fmt::format("&{} \\\\\n&\\quad = {}", latex_lines(left, line_of_page), latex_lines(right, line_of_page));
-    }
-    display("\\begin{aligned}" + body + "\\end{aligned}", text(left) + " = " + text(right), label, remark);
+                const Remark& remark) override {
+    display("\\begin{aligned}" + latex_equation(left, right, width_of_page) + "\\end{aligned}", text(left) + " = " + text(right), label, remark);
   }
-  void stated(const Spelling& left, const Written& right, const std::string& remark) override {
-    constexpr std::size_t long_left = 30;
-    const std::string form = left.plain.size() < long_left ? "\\begin{{aligned}}{} &= {}\\end{{aligned}}"
-                                                           : "\\begin{{aligned}}&{} \\\\\n&\\quad = {}\\end{{aligned}}";
-    display(fmt::format(fmt::runtime(form), left.latex, latex_lines(right, line_of_page)),
+  void stated(const Spelling& left, const Written& right, const Remark& remark) override {
+    constexpr double long_left = 150;
+    const double left_width = latex_width(left.latex);
+    const bool apart = left_width > long_left;
+    const std::string form = !apart ? "\\begin{{aligned}}{} &= {}\\end{{aligned}}"
+                                    : "\\begin{{aligned}}&{} \\\\\n&\\quad = {}\\end{{aligned}}";
+    display(fmt::format(fmt::runtime(form), left.latex, latex_lines(right, width_of_page - (apart ? 25 : left_width + 15)).latex),
             left.plain + " = " + text(right), "", remark);
   }
   void matrix(const Spelling& name, const std::string& entry, const WrittenMatrix& rows) override {
@@ -107,14 +124,17 @@ class HtmlPage final : public Page {
   }
 
   void display(const std::string& latex, const std::string& plain, const std::string& label,
-               const std::string& remark) {
+               const Remark& remark) {
     out_ += "<div class=\"equation\">";
     if (!label.empty()) {
       out_ += fmt::format("<span class=\"label\" data-inline=\"{}\">{}</span>", html_escaped(latex_name(label)),
                           html_escaped(label));
     }
     out_ += fmt::format("<div class=\"formula\" data-latex=\"{}\">{}</div>", html_escaped(latex), html_lines(plain));
-    if (!remark.empty()) out_ += fmt::format("<p class=\"remark\">{}</p>", html_escaped(remark));
+    if (!remark.empty()) {
+      const std::string with_formulas = remark.latex.empty() ? "" : fmt::format(" data-mixed=\"{}\"", mixed(remark.latex));
+      out_ += fmt::format("<p class=\"remark\"{}>{}</p>", with_formulas, html_escaped(accented(remark.plain)));
+    }
     out_ += "</div>\n";
   }
 

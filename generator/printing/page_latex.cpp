@@ -4,17 +4,19 @@
 #include <fmt/format.h>
 
 #include "torsor/generator/printing/fitted_matrix.hpp"
+#include "torsor/generator/printing/latex_width.hpp"
 #include "torsor/generator/printing/notation.hpp"
 #include "torsor/generator/printing/page.hpp"
 
 namespace torsor::printing {
 namespace {
 
-constexpr std::size_t line_width = 90;  // characters of plain text that fit on a line of the page
+constexpr std::size_t matrix_width = 90;  // characters of plain text that fit on a line of the page
+constexpr double line_width = 440;  // points: 17 cm without the indent of lines
 
-std::string value_latex(const Written& value) {
+std::string value_in_latex(const Written& value) {
   const bool number = value.size() == 1 && value[0].factors.empty() && value[0].coefficient.is_rational();
-  return number ? decimal_text(value[0].coefficient) : latex(value);
+  return number ? value_latex(value[0].coefficient) : latex(value);
 }
 
 class LatexPage final : public Page {
@@ -28,7 +30,7 @@ class LatexPage final : public Page {
         "\\usepackage{amsmath}\n"
         "\\allowdisplaybreaks\n"
         "\\setlength{\\parindent}{0pt}\n"
-        "\\setlength{\\emergencystretch}{3em}\n"
+        "\\setlength{\\emergencystretch}{12em}\n"
         "\\setcounter{MaxMatrixCols}{64}\n"
         "\\begin{document}\n";
   }
@@ -53,34 +55,26 @@ class LatexPage final : public Page {
     out_ += fmt::format("${}$ [${}$] {}\\par\n", latex_name(symbol.name), latex_unit(symbol), latex_escaped(remark));
   }
   void value(const Symbol& symbol, const Written& value, bool with_unit) override {
-    std::string line = fmt::format("{} &= {}", latex_name(symbol.name), value_latex(value));
+    std::string line = fmt::format("{} &= {}", latex_name(symbol.name), value_in_latex(value));
     if (with_unit && !symbol.unit.is_dimensionless()) line += fmt::format("\\;{}", latex_unit(symbol.unit));
     row(line);
   }
   void equation(const std::string& label, const Written& left, const Written& right,
-                const std::string& remark) override {
-    const std::size_t left_size = text(left).size();
-    const bool broken = left_size + text(right).size() > line_width;
-    const std::string end = label.empty() ? "" : fmt::format(" \\tag{{${}$}}", latex_name(label));
-    if (!broken) {
-      row(fmt::format("{} &= {}{}", latex(left), latex(right), end));
-    } else if (left_size < 20) {
-      row(fmt::format("{} &= {}{}", latex(left), latex_lines(right, line_width - left_size), end));
-    } else {  // apart: its lines begin at the margin, not below the = of its neighbours
-      close();
-      row(fmt::format("&{} \\\\\n  &\\quad = {}{}", latex_lines(left, line_width), latex_lines(right, line_width),
-                      end));
-      close();
-    }
-    put(remark);
+                const Remark& remark) override {
+    const double label_width = label.empty() ? 0 : latex_width(latex_name(label)) + 25;  // its parentheses, and room before them
+    const std::string body = latex_equation(left, right, line_width - label_width);
+    const bool apart = body.starts_with('&');
+    if (apart) close();
+    put(body, label.empty() ? "" : fmt::format(" \\tag{{${}$}}", latex_name(label)), remark);
+    if (apart) close();
   }
-  void stated(const Spelling& left, const Written& right, const std::string& remark) override {
-    row(fmt::format("{} &= {}", left.latex, latex_lines(right, line_width)));
-    put(remark);
+  void stated(const Spelling& left, const Written& right, const Remark& remark) override {
+    const double left_width = latex_width(left.latex) + 15;
+    put(fmt::format("{} &= {}", left.latex, latex_lines(right, line_width - left_width).latex), "", remark);
   }
   void matrix(const Spelling& name, const std::string& entry, const WrittenMatrix& rows) override {
     if (rows.empty() || rows[0].empty()) return;
-    const FittedMatrix matrix = fitted(entry, rows, line_width, say);
+    const FittedMatrix matrix = fitted(entry, rows, matrix_width, say);
     if (!matrix.instead.empty()) {
       formula({}, fmt::format("${}$, {}:", name.latex, matrix.instead));
     } else {
@@ -95,7 +89,7 @@ class LatexPage final : public Page {
       row(body + "\n  \\end{pmatrix}");
     }
     for (const auto& [entry_name, value] : matrix.named) {
-      row(fmt::format("{} &= {}", latex_name(entry_name), latex_lines(value, line_width)));
+      row(fmt::format("{} &= {}", latex_name(entry_name), latex_lines(value, line_width - 40).latex));
     }
   }
   std::string finish() override {
@@ -105,11 +99,20 @@ class LatexPage final : public Page {
   }
 
  private:
-  /// A remark on the equation before it: a line of its own, so that it cannot fall off the page.
-  void put(const std::string& remark) {
+  /// An equation with a remark: beside it where one line holds both, else on a line of its own, so that it cannot fall off the page.
+  void put(const std::string& body, const std::string& label, const Remark& remark) {
+    constexpr double letter = 5, room = 60;  // points: of small letters, and between a centred equation and what stands beside it
+    const double of_remark = letter * static_cast<double>(remark.plain.size()) + room;
+    if (!remark.empty() && label.empty() && body.find("\\\\") == std::string::npos && latex_width(body) + 2 * of_remark < line_width) {
+      return row(fmt::format("{} \\tag*{{\\small ({})}}", body, said(remark)));
+    }
+    row(body + label);
     if (remark.empty()) return;
     close();
-    out_ += fmt::format("\\hfill{{\\small ({})}}\\par\n", latex_escaped(accented(remark)));
+    out_ += fmt::format("\\hfill{{\\small ({})}}\\par\n", said(remark));
+  }
+  static std::string said(const Remark& remark) {
+    return remark.latex.empty() ? latex_escaped(accented(remark.plain)) : remark.latex;
   }
 
   /// Neighbouring equations share one environment.

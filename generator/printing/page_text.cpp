@@ -14,9 +14,9 @@ namespace {
 constexpr std::size_t page_width = 160;
 
 /// A lone number as a decimal, anything else as a formula.
-std::string value_text(const Written& value) {
+std::string value_in_text(const Written& value) {
   const bool number = value.size() == 1 && value[0].factors.empty();
-  return number ? decimal_text(value[0].coefficient) : text(value);
+  return number ? value_text(value[0].coefficient) : text(value);
 }
 
 class TextPage final : public Page {
@@ -33,12 +33,12 @@ class TextPage final : public Page {
     out_ += remark.empty() ? "\n" : fmt::format("  {}\n", remark);
   }
   void value(const Symbol& symbol, const Written& value, bool with_unit) override {
-    out_ += fmt::format("  {} = {}", symbol.name, value_text(value));
+    out_ += fmt::format("  {} = {}", symbol.name, value_in_text(value));
     if (with_unit && !symbol.unit.is_dimensionless()) out_ += fmt::format(" {}", written_unit(symbol.unit));
     out_ += "\n";
   }
   void equation(const std::string& label, const Written& left, const Written& right,
-                const std::string& remark) override {
+                const Remark& remark) override {
     const std::string start = label.empty() ? "  " : fmt::format("  {}:  ", label);
     std::string line = start + text(left) + " = " + text(right);
     if (line.size() > page_width) {
@@ -49,12 +49,12 @@ class TextPage final : public Page {
       const std::size_t column = short_left ? line.size() : indent.size() + 2;
       line += text_lines(right, column, indent + "  ", page_width);
     }
-    out_ += remark.empty() ? fmt::format("{}\n", line) : fmt::format("{}    ({})\n", line, remark);
+    out_ += remark.empty() ? fmt::format("{}\n", line) : fmt::format("{}    ({})\n", line, remark.plain);
   }
-  void stated(const Spelling& left, const Written& right, const std::string& remark) override {
+  void stated(const Spelling& left, const Written& right, const Remark& remark) override {
     const std::string start = "  " + left.plain + " = ";
     const std::string line = start + text_lines(right, start.size(), "      ", page_width);
-    out_ += remark.empty() ? line + "\n" : fmt::format("{}    ({})\n", line, remark);
+    out_ += remark.empty() ? line + "\n" : fmt::format("{}    ({})\n", line, remark.plain);
   }
   void matrix(const Spelling& name, const std::string& entry, const WrittenMatrix& rows) override {
     if (rows.empty() || rows[0].empty()) return;

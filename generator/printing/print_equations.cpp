@@ -18,12 +18,21 @@
 #include "torsor/generator/printing/first_integrals.hpp"
 #include "torsor/generator/printing/lagrange_equations.hpp"
 #include "torsor/generator/printing/linearised_equations.hpp"
+#include "torsor/generator/printing/notation.hpp"
 #include "torsor/generator/printing/page.hpp"
 #include "torsor/generator/printing/reduced_equations.hpp"
+#include "torsor/generator/printing/unused_parameters.hpp"
 
 namespace torsor {
 namespace printing {
 namespace {
+
+/// Names as formulas of LaTeX in a sentence.
+std::vector<std::string> dollars(const std::vector<std::string>& names) {
+  std::vector<std::string> formulas;
+  for (const std::string& name : names) formulas.push_back("$" + latex_name(name) + "$");
+  return formulas;
+}
 
 /// Writes the equations of one scene on one page.
 class Printer {
@@ -53,7 +62,7 @@ class Printer {
     constraints();
     equations_without_multipliers();
     write_contacts(equations_.definitions(), {options_.terms, options_.expansion}, page_);
-    write_first_integrals(equations_.definitions(), {options_.terms, options_.expansion}, page_);
+    write_first_integrals(equations_.definitions(), {options_.terms, options_.expansion}, page_, equations_.stretches());
     if (derivation) derivation->reactions();
     if (options_.linearisation) linearisation();
     definitions();
@@ -101,6 +110,10 @@ class Printer {
         page_.symbol(*parameter.symbol, parameter.value ? "" : say("given at run time"));
       }
     }
+    const std::vector<std::string> unused = parameters_without_use(equations_);
+    if (unused.empty()) return;
+    const std::vector<std::string> formulas = dollars(unused);
+    page_.formula(say("In no equation: {}.", fmt::join(unused, ", ")), say("In no equation: {}.", fmt::join(formulas, ", ")));
   }
 
   void coordinates() {
@@ -134,13 +147,15 @@ class Printer {
 
   void energies() {
     const auto print = [this](const std::string& heading, const std::string& name, const std::string& sentence,
-                              const Quantity& quantity) {
+                              const Quantity& quantity, const std::vector<KeptPiece>& pieces) {
       page_.section(heading);
       if (!quantity.sum) say_too_long(sentence, quantity);
-      page_.equation("", named(name), written(quantity), "");
+      page_.equation("", named(name),
+                     quantity.sum ? collected_around(*quantity.sum, pieces, equations_.view()) : written(quantity), "");
     };
-    print(say("Kinetic energy [J]"), "T", say("The kinetic energy is"), equations_.kinetic_energy());
-    print(say("Force function [J]"), "U", say("The force function is"), equations_.force_function());
+    print(say("Kinetic energy [J]"), "T", say("The kinetic energy is"), equations_.kinetic_energy(), {});
+    print(say("Force function [J]"), "U", say("The force function is"), equations_.force_function(),
+          energy_pieces(equations_.stretches(), 1));
   }
 
   /// Σ_k ∂e_k/∂q_i u_k and the reaction: what stands on the right of an equation given by definitions.
@@ -189,7 +204,8 @@ class Printer {
       }
       Sum right = *equation.force.sum;
       if (equation.reaction) right += Sum::symbol(equation.reaction);
-      page_.equation(equation.coordinate.q->name, collected(*equation.inertia.sum, layout), collected(right), "");
+      page_.equation(equation.coordinate.q->name, collected(*equation.inertia.sum, layout),
+                     collected_around(right, force_pieces(equations_.stretches(), i), equations_.view()), "");
     }
   }
 
@@ -203,7 +219,11 @@ class Printer {
         continue;
       }
       if (!constraint.left.sum) say_too_long(say("The constraint {} is", constraint.name), constraint.left);
-      page_.equation("", written(constraint.left), {},
+      Written left = written(constraint.left);
+      // x^2 + y^2 - l^2 = 0 rather than -l^2 + x^2 + y^2 = 0.
+      const auto is_plus = [](const WrittenTerm& term) { return term.coefficient.sign() > 0; };
+      if (constraint.holonomic && !left.empty() && !is_plus(left[0])) std::stable_partition(left.begin(), left.end(), is_plus);
+      page_.equation("", left, {},
                      constraint.holonomic ? say("{}, holonomic", constraint.name) : say("{}, non-holonomic", constraint.name));
     }
   }
@@ -212,12 +232,15 @@ class Printer {
     const std::optional<FreeEquations> free = without_multipliers(equations_);
     if (!free) return;
     page_.section(say("Equations without multipliers"));
-    const std::string from = fmt::format("{}", fmt::join(free->dependent, ", "));
     const bool one = free->dependent.size() == 1, one_left = free->equations.size() == 1;
-    page_.note(one ? one_left ? say("The multipliers from the equation of {}, put into the other:", from)
-                              : say("The multipliers from the equation of {}, put into the others:", from)
-               : one_left ? say("The multipliers from the equations of {}, put into the other:", from)
-                          : say("The multipliers from the equations of {}, put into the others:", from));
+    const auto sentence = [&](const std::vector<std::string>& names) {
+      const std::string from = fmt::format("{}", fmt::join(names, ", "));
+      return one ? one_left ? say("The multipliers from the equation of {}, put into the other:", from)
+                            : say("The multipliers from the equation of {}, put into the others:", from)
+             : one_left ? say("The multipliers from the equations of {}, put into the other:", from)
+                        : say("The multipliers from the equations of {}, put into the others:", from);
+    };
+    page_.formula(sentence(free->dependent), sentence(dollars(free->dependent)));
     if (!scene_.content().contacts.empty()) page_.note(say("They are those of the mechanism on which no contact acts."));
     for (const FreeEquation& equation : free->equations) {
       Sum left, right;
@@ -227,6 +250,12 @@ class Printer {
         });
         if (accelerates) left.add(product, coefficient);
         else right.add(product, -coefficient);
+      }
+      // A minus before all that accelerates says nothing.
+      const Written accelerating = collected(left, {equation.coordinate.a});
+      if (std::all_of(accelerating.begin(), accelerating.end(), [](const WrittenTerm& t) { return t.coefficient.sign() < 0; })) {
+        left = Number(-1) * left;
+        right = Number(-1) * right;
       }
       page_.equation(equation.coordinate.q->name, collected(left, {equation.coordinate.a}), collected(right), "");
     }
@@ -247,7 +276,7 @@ class Printer {
     if (options_.about.empty() && static_cast<int>(terms) > options_.terms) {
       page_.note(
           say("Not printed about any state, because the equations have {} terms together (limit {}): name "
-              "a state, or generate the kernel linearisation.",
+              "a state by --about, or generate the kernel linearisation.",
               terms, options_.terms));
       return;
     }
@@ -261,7 +290,9 @@ class Printer {
     page_.note(state.empty() ? say("About any state without acceleration.")
                              : say("About {}; velocities and accelerations not named are zero.", state));
     if (!equations_.constraints().empty()) {
-      page_.note(say("At fixed multipliers, in all coordinates: A' dlambda and the linearised constraints come beside it."));
+      page_.formula(say("At fixed multipliers, in all coordinates: A' dlambda and the linearised constraints come beside it."),
+                    say("At fixed multipliers, in all coordinates: $\\mathbf{A}^{\\mathsf{T}}\\, \\delta\\lambda$ and the linearised "
+                        "constraints come beside it."));
     }
     matrix("M", linear.M);
     matrix("C", linear.C);
@@ -290,26 +321,37 @@ class Printer {
       return;
     }
     if (!reduced) {
-      page_.note(options_.about.empty() ? say("An entry has more than {} terms: name a state, or generate the kernel linearisation.", most)
+      page_.note(options_.about.empty() ? say("An entry has more than {} terms: name a state by --about, or generate the kernel linearisation.", most)
                                         : say("An entry has more than {} terms: generate the kernel linearisation.", most));
+      return;
+    }
+    // Four pages of quotients are not read either.
+    const std::size_t together = reduced->terms();
+    const int most_together = options_.terms / 2;
+    if (options_.about.empty() && static_cast<int>(together) > most_together) {
+      page_.note(say("The entries have {} terms together (limit {}): name a state by --about, or generate the kernel linearisation.",
+                     together, most_together));
       return;
     }
     if (reduced->velocities.empty()) {
       page_.note(say("None is left: the constraints determine all velocities."));
       return;
     }
-    const std::string coordinates = fmt::format("{}", fmt::join(reduced->coordinates, ", "));
-    const std::string velocities = fmt::format("{}", fmt::join(reduced->velocities, ", "));
+    const auto listed = [](const std::vector<std::string>& names) { return fmt::format("{}", fmt::join(names, ", ")); };
     if (reduced->rates_are_velocities()) {
       page_.formula(say("M_r e'' + C_r e' + K_r e = F_r + E_r u, e the deviations of the freedoms below; the others follow."),
                     say("$\\mathbf{M}_r \\ddot{e} + \\mathbf{C}_r \\dot{e} + \\mathbf{K}_r e = \\mathbf{F}_r + \\mathbf{E}_r u$, $e$ "
                         "the deviations of the freedoms below; the others follow."));
-      page_.note(say("Independent: {}. Multipliers are those of the state.", coordinates));
+      page_.formula(say("Independent: {}. Multipliers are those of the state.", listed(reduced->coordinates)),
+                    say("Independent: {}. Multipliers are those of the state.", listed(dollars(reduced->coordinates))));
     } else {
       page_.formula(say("M_r w' + C_r w + K_r e = F_r + E_r u, e' = D e + N w, e and w the deviations below; the others follow."),
                     say("$\\mathbf{M}_r \\dot{w} + \\mathbf{C}_r w + \\mathbf{K}_r e = \\mathbf{F}_r + \\mathbf{E}_r u$, $\\dot{e} = "
                         "\\mathbf{D} e + \\mathbf{N} w$, $e$ and $w$ the deviations below; the others follow."));
-      page_.note(say("e: of {}; w: of the rates of {}. Multipliers are those of the state.", coordinates, velocities));
+      page_.formula(say("e: of {}; w: of the rates of {}. Multipliers are those of the state.", listed(reduced->coordinates),
+                        listed(reduced->velocities)),
+                    say("$e$: of {}; $w$: of the rates of {}. Multipliers are those of the state.", listed(dollars(reduced->coordinates)),
+                        listed(dollars(reduced->velocities))));
     }
     const auto write = [this](const std::string& name, const SumMatrix& entries) {
       matrix({name + "_r", fmt::format("\\mathbf{{{}}}_r", name)}, name + "_r", entries);

@@ -62,6 +62,17 @@ bool is_unit(const Sum& sum) { return compare(sum, Sum(Number(1))) == 0; }
 
 }  // namespace
 
+std::size_t ReducedEquations::terms() const {
+  std::size_t count = 0;
+  for (const Sum& sum : F) count += written_terms(sum);
+  for (const SumMatrix* matrix : {&M, &C, &K, &E, &D, &N}) {
+    for (const auto& row : *matrix) {
+      for (const Sum& sum : row) count += written_terms(sum);
+    }
+  }
+  return count;
+}
+
 bool ReducedEquations::rates_are_velocities() const {
   if (coordinates != velocities) return false;
   for (std::size_t i = 0; i < N.size(); ++i) {

@@ -19,6 +19,8 @@ struct ReducedEquations {
 
   /// Whether ė = w: where all constraints are holonomic and no freedom is that of an attitude.
   bool rates_are_velocities() const;
+  /// Terms of all entries together.
+  std::size_t terms() const;
 };
 
 /// Parameters and multipliers are symbols, accelerations zero; with a state `about` velocities too, as far as it does not name

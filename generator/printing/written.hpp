@@ -33,7 +33,8 @@ struct WrittenTerm {
 
 /// What is being written: decides which group of terms comes first.
 struct Layout {
-  SymbolPointer own;  ///< the acceleration that comes first, may be null
+  SymbolPointer own{};  ///< the acceleration that comes first, may be null
+  std::vector<WrittenTerm> whole{};  ///< terms that stand as they are, before what depends on no velocity
 };
 
 /// Collects by accelerations, then by products of velocities, then the rest, inputs and multipliers; inside by what

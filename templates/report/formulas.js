@@ -35,7 +35,7 @@ function typeset(element) {
     } else if (inline !== undefined) {
       katex.render(inline, element, options);
     } else {
-      const parts = mixed.split("$").map((part, i) => {
+      const parts = mixed.split("\u2063").map((part, i) => {
         const span = document.createElement("span");
         if (i % 2 === 0) span.textContent = part;
         else katex.render(part, span, options);

@@ -67,7 +67,7 @@ function row(parent, { name, unit, value, low, high, change }) {
   text.textContent = name;
   units.textContent = unit === "1" ? "" : unit;
   Object.assign(slider, { type: "range", min: low, max: high, step: "any", value });
-  Object.assign(number, { type: "number", step: "any", value: Number(value.toPrecision(8)) });
+  Object.assign(number, { type: "number", step: "any", value: Number(value.toPrecision(6)) });
   slider.setAttribute("aria-label", `${name} [${unit}]`);
   number.setAttribute("aria-label", `${name} [${unit}]«, as a number»`);
   const set = (next, from) => {

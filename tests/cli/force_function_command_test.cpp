@@ -11,17 +11,17 @@ TEST(ForceFunctionCommand, SaysWhichOfTheThreeCasesItIsAndWhy) {
   EXPECT_EQ(weight.code, 0);
   EXPECT_EQ(weight.out,
             "pendulum: gravity, wherever they act\n"
-            "  Q_theta = -981/100 mass length sin(theta)\n"
-            "  power = -981/100 mass length sin(theta) theta'\n"
+            "  Q_theta = -9.81 mass length sin(theta)\n"
+            "  power = -9.81 mass length sin(theta) theta'\n"
             "  potential energy\n"
-            "  U = 981/100 mass length cos(theta)\n"
+            "  U = 9.81 mass length cos(theta)\n"
             "    U of the springs, attractions, given functions and weight\n");
   const Outcome all = run(pendulum, {"force-function"});
   EXPECT_EQ(all.code, 0);
   EXPECT_EQ(all.out,
             "pendulum: all actions, wherever they act\n"
-            "  Q_theta = -981/100 mass length sin(theta) + torque\n"
-            "  power = -981/100 mass length sin(theta) theta' + theta' torque\n"
+            "  Q_theta = -9.81 mass length sin(theta) + torque\n"
+            "  power = -9.81 mass length sin(theta) theta' + theta' torque\n"
             "  no force function\n"
             "    Q_theta depends on the input torque\n");
 }

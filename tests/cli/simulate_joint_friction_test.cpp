@@ -183,7 +183,7 @@ TEST(JointFriction, IsPrintedWithWhatPressesIt) {
   const Outcome outcome = run(bead_on_a_rod, {"equations"});
   ASSERT_EQ(outcome.code, 0) << outcome.err;
   for (const char* line : {"  rub, friction of a joint, pressed by what it transmits across its axis:\n", "  w_T(rub) = s'\n",
-                           "  f(rub) = f    (while it slides)\n", "Friction of joints: |T| <= f_s |R| while w_T = 0"}) {
+                           "  f_T(rub) = f    (while it slides)\n", "Friction of joints: |T| <= f_s |R| while w_T = 0"}) {
     EXPECT_NE(outcome.out.find(line), std::string::npos) << line << "\nis not in\n" << outcome.out;
   }
 }

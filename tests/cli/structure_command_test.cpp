@@ -117,6 +117,24 @@ TEST(StructureCommand, DrawsGraphs) {
   }
 }
 
+// An axis has two directions: the wheel's own, and the one in which the search for internal motions finds it.
+TEST(StructureCommand, WritesAnAxisByOneOfItsDirections) {
+  const auto wheel = [] {
+    Scene scene("wheel");
+    const Expression turn = scene.coordinate("turn", "rad"), phi = scene.coordinate("a_name_of_many_letters", "rad");
+    const FrameHandle arm = scene.revolute("arm", scene.ground(), axis::z, turn);
+    const Number half = Number::rational(3, 5), rest = Number::rational(4, 5);
+    const FrameHandle hub = scene.revolute("a_hub_of_many_letters", arm, {-Expression(half), Expression(rest), 0}, phi);
+    const Expression J = Expression::quantity("1", "kg m^2");
+    scene.body("arm", arm, Inertia::general({.mass = Expression::quantity("1", "kg"), .xx = J, .yy = J, .zz = J}));
+    scene.body("hub", hub, Inertia::general({.mass = Expression::quantity("1", "kg"), .xx = J, .yy = J, .zz = J}));
+    return scene;
+  };
+  const std::string out = run(wheel, {"structure"}).out;
+  EXPECT_NE(out.find("   a_hub_of_many_letters arm - a_hub_of_many_letters: revolute, 1 freedom (turn about (0.6, -0.8, 0))\n"), std::string::npos) << out;
+  EXPECT_EQ(out.find("(-0.6"), std::string::npos) << out;
+}
+
 TEST(StructureCommand, RefusesWhatItDoesNotKnow) {
   expect_failure(run(guided, {"graph", "--format", "png"}), 2,
                  "unknown format 'png' of a graph: use dot (Graphviz draws it) or svg");

@@ -78,9 +78,9 @@ TEST(TheoremCommand, WritesTheEnergyTheorem) {
       theorem(pendulum, {"--kind", "energy"}),
       "Energy theorem for bob\n"
       "  T = 1/2 mass length^2 theta'^2    (in J)\n"
-      "  P_ext = -981/100 mass length sin(theta) theta' + theta' torque    (power of the actions from outside, in W)\n"
+      "  P_ext = -9.81 mass length sin(theta) theta' + theta' torque    (power of the actions from outside, in W)\n"
       "  P_int = 0    (power of the actions between the bodies, in W)\n"
-      "  dT/dt = P_ext + P_int:  mass length^2 theta' theta'' = -981/100 mass length sin(theta) theta' + theta' "
+      "  dT/dt = P_ext + P_int:  mass length^2 theta' theta'' = -9.81 mass length sin(theta) theta' + theta' "
       "torque\n"
       "  No unknown of a joint enters: an equation of motion.\n");
 }
@@ -171,7 +171,7 @@ TEST(StaticsCommand, WritesTheRelativeEquilibriaOfTheGovernor) {
   const std::string any = run(watt_governor_scene, {"statics"}).out;
   EXPECT_EQ(section(any, "Equations of equilibrium"),
             "  -(U + T0) = -2 g (m + M) L cos(theta) - m L^2 omega^2 sin(theta)^2    (in J)\n"
-            "  theta:  0 = -2 m L^2 omega^2 cos(theta) sin(theta) + 2 g (m + M) L sin(theta)");
+            "  theta:  0 = 2 L sin(theta) (g (m + M) - m L omega^2 cos(theta))");
   const std::string at = run(watt_governor_scene, {"statics", "--about", "theta=0"}).out;
   EXPECT_EQ(section(at, "At theta = 0"), "  Every equation of equilibrium holds: a rest, whatever the parameters.");
   EXPECT_EQ(

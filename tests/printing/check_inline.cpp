@@ -54,11 +54,12 @@ struct Comparison {
   Value value;          ///< of the program
 };
 
-std::vector<Comparison> comparisons(const printing::LagrangeEquations& printed) {
+std::vector<Comparison> comparisons(printing::LagrangeEquations& printed) {
   const auto& definitions = printed.definitions();
   std::vector<Comparison> all;
   all.push_back({"T", collected(*printed.kinetic_energy().sum), {}, printed.kinetic_energy().value});
-  all.push_back({"U", collected(*printed.force_function().sum), {}, printed.force_function().value});
+  all.push_back({"U", collected_around(*printed.force_function().sum, energy_pieces(printed.stretches(), 1), printed.view()), {},
+                 printed.force_function().value});
   const std::vector<SymbolPointer> inputs = definitions.model().inputs();
   for (std::size_t i = 0; i < printed.equations().size(); ++i) {
     const printing::LagrangeEquation& equation = printed.equations()[i];
@@ -68,7 +69,7 @@ std::vector<Comparison> comparisons(const printing::LagrangeEquations& printed) 
       if (!arm.is_zero()) residual -= arm * definitions.program().symbol(inputs[k]);
     }
     all.push_back({equation.coordinate.q->name, collected(*equation.inertia.sum, {equation.coordinate.a}),
-                   collected(*equation.force.sum), residual});
+                   collected_around(*equation.force.sum, force_pieces(printed.stretches(), i), printed.view()), residual});
   }
   for (const printing::ConstraintEquation& constraint : printed.constraints()) {
     if (constraint.left.sum) {

@@ -37,18 +37,18 @@ void expect_lines(const std::string& page, std::initializer_list<const char*> li
 
 TEST(ContactLaws, ArePrintedWithGapsSlipsForcesRegimesAndJumps) {
   expect_lines(print_equations(disc_on_a_floor(), Format::text),
-               {"Contacts that open and close\n", "  g(floor) = -r + z\n", "  w_N(floor) = z'\n", "  f(floor) = f    (while it slides)\n",
-                "  e(floor) = e    (restitution)\n", "  guide, dry friction alone:\n", "  w_T(guide) = x'\n",
-                "  b(guide) = b    (while it slides)\n", "  Q_z = N_floor\n",
+               {"Contacts that open and close\n", "  g(floor) = -r + z\n", "  w_N(floor) = z'\n", "  f_T(floor) = f    (while it slides)\n",
+                "  e_N(floor) = e    (restitution)\n", "  guide, dry friction alone:\n", "  w_T(guide) = x'\n",
+                "  b_T(guide) = b    (while it slides)\n", "  Q_z = N_floor\n",
                 "Signorini: 0 <= g, 0 <= N, N g = 0;", "Open: g > 0, N = 0, T = 0.", "Sticks: w_T = 0, |T| <= f_s N",
-                "Slides: T = -f N w_T/|w_T|", "[[dT/dq_i']] = sum P dw/dq_i'", "0 <= w_N+ + e w_N-",
+                "Slides: T = -f_T N w_T/|w_T|", "[[dT/dq_i']] = sum P dw/dq_i'", "0 <= w_N+ + e_N w_N-",
                 "Carnot's loss: T- - T+ = -1/2 sum P (w+ + w-)"});
 }
 
 TEST(ContactLaws, ArePrintedInLatexToo) {
   expect_lines(print_equations(disc_on_a_floor(), Format::latex),
                {"N \\dot{w}_N = 0$", "$|T| \\le f_s N$", "\\left[\\!\\left[\\frac{\\partial T}{\\partial \\dot{q}_i}\\right]\\!\\right]",
-                "-\\frac{1}{2} (1 - e) P_N w_N^- \\ge 0$", "g(\\mathrm{floor}) &= -r + z"});
+                "-\\frac{1}{2} (1 - e_{N}) P_N w_N^- \\ge 0$", "g(\\mathrm{floor}) &= -r + z"});
 }
 
 TEST(ContactLaws, SayWhatResistsRolling) {
@@ -65,8 +65,23 @@ TEST(ContactLaws, SayWhatResistsRolling) {
   scene.contact("floor", shape::Sphere{.frame = disc, .radius = r}, shape::Plane{.frame = scene.ground()},
                 {.friction = Expression(Number::rational(1, 5)), .rolling = h});
   expect_lines(print_equations(scene, Format::text),
-               {"floor_rolling, w an angular velocity, pressed by floor:", "w_T(floor_rolling) = a'", "h(floor_rolling) = h    (a length)",
-                "Q_a = -r T_floor + T_floor_rolling", "Resistance to rolling and spinning: |T| <= h N while w_T = 0"});
+               {"floor_rolling, w an angular velocity, pressed by floor:", "w_T(floor_rolling) = a'", "h_M(floor_rolling) = h    (a length)",
+                "Q_a = -r T_floor + T_floor_rolling", "Resistance to rolling and spinning: |T| <= h_M N while w_T = 0"});
+}
+
+// g of the gap is not the scene's gravity g, nor its e the scene's: a letter that the scene has gets an index.
+TEST(ContactLaws, LeaveTheLettersOfTheSceneAlone) {
+  Scene scene("stone", "");
+  const Expression g = scene.parameter("g", "m/s^2", 10), e_N = scene.parameter("e_N", "1", 0), e = scene.parameter("e", "1", e_N);
+  const Expression z = scene.coordinate("z", "m");
+  const FrameHandle stone = scene.prismatic("stone", scene.ground(), axis::z, z);
+  scene.body("stone", stone, Inertia::point(Expression::quantity("2", "kg")));
+  scene.gravity({0, 0, -g});
+  scene.stop(z, Expression(0), {}, {.restitution = e});
+  expect_lines(print_equations(scene, Format::text),
+               {"g_N is the gap and w its rate", "  g_N(z_lower) = z\n", "  restitution(z_lower) = e    (restitution)\n",
+                "Signorini: 0 <= g_N, 0 <= N, N g_N = 0;", "0 <= w_N+ + restitution w_N-", "U = -2 g z"});
+  expect_lines(print_equations(scene, Format::latex), {"$0 \\le g_{N}$, $0 \\le N$", "\\mathrm{restitution}\\, w_N^-"});
 }
 
 TEST(ContactLaws, AreLeftOutOfASceneWithoutContacts) {

@@ -2,14 +2,18 @@
 #include <gtest/gtest.h>
 
 #include <string>
+#include <utility>
 #include <vector>
 
+#include "torsor/generator/printing/latex_width.hpp"
 #include "torsor/generator/printing/notation.hpp"
 #include "torsor/generator/printing/print_equations.hpp"
 #include "tests/scenes/with_parameters.hpp"
 
 namespace torsor::latex_test {
 namespace {
+
+using namespace literals;
 
 std::string print(const Scene& scene, const PrintOptions& options = {}) {
   return print_equations(scene, Format::latex, options);
@@ -92,6 +96,74 @@ TEST(Latex, WritesUnitsUpright) {
 }
 
 TEST(Latex, EscapesATitle) { EXPECT_EQ(printing::latex_escaped("50 % of a_1 & {b}"), "50 \\% of a\\_1 \\& \\{b\\}"); }
+
+TEST(Latex, ReadsWhatItEscaped) {
+  const std::string text = "a_1 <b> | c\\d ~ ^ 50 % & {e} $f$ #";
+  EXPECT_EQ(printing::latex_unescaped(printing::latex_escaped(text)), text);
+  const std::string foreign = "Élève ψ Ω – 5 € <α>";
+  EXPECT_EQ(printing::latex_unescaped(printing::latex_escaped(foreign)), foreign);
+  EXPECT_EQ(printing::latex_escaped("é ψ \xe6\x97\xa5"), "é \\ensuremath{\\psi} [U+65E5]");
+  EXPECT_EQ(printing::latex_escaped("<|>"), "\\textless{}\\textbar{}\\textgreater{}");
+}
+
+// Widths of Computer Modern at 10 points, measured by TeX: \settowidth of each formula in display style.
+TEST(LatexWidth, IsAboutThatOfTeX) {
+  const std::pair<const char*, double> measured[] = {
+      {"m \\ddot{x} + k \\left(x - x_{0}\\right) = 0", 88.2},
+      {"\\frac{1}{2} m l^{2} \\dot{\\theta}^{2}", 33.3},
+      {"-m L \\sin\\left(\\theta\\right) \\ddot{\\theta} - m L \\cos\\left(\\theta\\right) \\dot{\\theta}^{2}", 126.8},
+      {"\\left(A_{1} + A_{2} \\cos^{2}\\left(\\delta\\right)\\right) \\ddot{\\alpha}", 87.3},
+      {"\\mathrm{edge}\\, \\mathrm{height}", 48.1},
+  };
+  // A fifth, and two letters: lines are broken by it, and end well before the edge.
+  for (const auto& [formula, width] : measured) EXPECT_NEAR(printing::latex_width(formula), width, 0.2 * width + 6) << formula;
+}
+
+// A line takes what fits, and what stands on the right follows on the last line where it has room.
+TEST(Latex, FillsItsLines) {
+  Scene scene("plate", "");
+  const Expression A = scene.parameter("A", "kg m^2", 2), B = scene.parameter("B", "kg m^2", 3), F = scene.parameter("F", "kg m^2", 0.2_r);
+  const Expression a = scene.coordinate("alpha", "rad"), b = scene.coordinate("beta", "rad");
+  const FrameHandle body = scene.revolute("body", scene.revolute("arm", scene.ground(), axis::z, a), axis::x, b);
+  scene.body("body", body, Inertia::general({.mass = Expression::quantity("1", "kg"), .xx = A, .yy = B, .zz = B, .yz = F}));
+  const std::string page = print(scene);
+  const std::size_t begin = page.find("Lagrange's equations"), end = page.find("\\tag{$\\alpha$}");
+  ASSERT_NE(end, std::string::npos) << page;
+  EXPECT_NE(page.substr(end - 5, 5).find("= 0"), std::string::npos) << page.substr(begin, end - begin);
+  EXPECT_EQ(page.find("\\\\\n  &\\quad = 0"), std::string::npos) << page;
+}
+
+TEST(Latex, PutsAShareOfPiInOneFractionAndNoParenthesesOverAStroke) {
+  Scene scene("shares", "");
+  const Expression slope = scene.parameter("slope", "rad", pi() / 3), m = scene.parameter("m", "kg", 1), k = scene.parameter("k", "N/m", 1);
+  const Expression a = scene.parameter("a", "m", 1), b = scene.parameter("b", "m", 2), x = scene.coordinate("x", "m");
+  scene.body("body", scene.prismatic("body", scene.ground(), {cos(slope), 0, sin(slope)}, x), Inertia::point(m * (a + b) / a));
+  scene.spring("spring", x, k);
+  const std::string page = print(scene);
+  EXPECT_NE(page.find("&= \\frac{\\pi}{3}"), std::string::npos) << page;
+  EXPECT_EQ(page.find("\\frac{\\left("), std::string::npos) << page;
+}
+
+TEST(CoefficientText, WritesHundredthsAndWhatIsFinerAsDecimals) {
+  const auto text = [](long a, long b) { return printing::coefficient_text(Number::rational(a, b)); };
+  EXPECT_EQ(text(1, 1000), "0.001");
+  EXPECT_EQ(text(1, 2000), "0.0005");
+  EXPECT_EQ(text(1, 50), "0.02");
+  EXPECT_EQ(text(1, 2), "1/2");
+  EXPECT_EQ(text(3, 80), "3/80");
+  EXPECT_EQ(text(2, 5), "2/5");
+  EXPECT_EQ(text(1, 300), "1/300");
+}
+
+TEST(ValueText, HasAPowerOfTenInThePlaceOfManyZeros) {
+  EXPECT_EQ(printing::value_text(Number::rational(5, 1'000'000'000)), "5e-9");
+  EXPECT_EQ(printing::value_text(Number::rational(-123, 100'000'000)), "-1.23e-6");
+  EXPECT_EQ(printing::value_text(Number(5'972'000'000)), "5.972e9");
+  EXPECT_EQ(printing::value_text(Number(210000)), "210000");
+  EXPECT_EQ(printing::value_text(Number::rational(3, 10000)), "0.0003");
+  EXPECT_EQ(printing::value_text(Number::rational(1, 3)), "1/3");
+  EXPECT_EQ(printing::value_latex(Number::rational(5, 1'000'000'000)), "5 \\cdot 10^{-9}");
+}
 
 TEST(DecimalText, WritesWhatEndsAsADecimal) {
   EXPECT_EQ(printing::decimal_text(Number::rational(1, 20)), "0.05");

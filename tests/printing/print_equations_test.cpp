@@ -149,7 +149,7 @@ TEST(PrintEquations, PutsSpringsFrictionAndMotorsOnTheRight) {
   EXPECT_EQ(
       section(print(test::satellite()), "Lagrange's equations"),
       "  P_i = d/dt(dT/dq_i') - dT/dq_i on the left, the generalised forces Q_i on the right.\n"
-      "  psi:  (C + A sin(theta)^2 + m (b sin(theta) + a)^2) psi'' + 2 cos(theta) (a b m + (b^2 m + "
+      "  psi:  (C + A sin(theta)^2 + m (a + b sin(theta))^2) psi'' + 2 cos(theta) (a b m + (b^2 m + "
       "A) sin(theta)) psi' theta' = 0\n"
       "  theta:  (b^2 m + B) theta'' - cos(theta) (a b m + (b^2 m + A) sin(theta)) psi'^2 = -c theta' - k (theta - "
       "1/2 pi) + tau\n");

@@ -131,10 +131,10 @@ constexpr Translation french_of_equations[] = {
     {"Linearised equations", "Équations linéarisées"},
     {"Not printed, because the equations are too long to be written out: generate the kernel linearisation.",
      "Non écrites, car les équations sont trop longues : engendrer le noyau linearisation."},
-    {"Not printed about any state, because the equations have {} terms together (limit {}): name a state, or generate the kernel "
+    {"Not printed about any state, because the equations have {} terms together (limit {}): name a state by --about, or generate the kernel "
      "linearisation.",
-     "Non écrites autour d'un état quelconque, car les équations ont {} termes en tout (limite {}) : nommer un état, ou engendrer "
-     "le noyau linearisation."},
+     "Non écrites autour d'un état quelconque, car les équations ont {} termes en tout (limite {}) : nommer un état par --about, ou "
+     "engendrer le noyau linearisation."},
     {"M e'' + C e' + K e = F + E u, e the deviation from the state, in the order of the coordinates.",
      "M e'' + C e' + K e = F + E u, e l'écart à l'état, dans l'ordre des paramètres."},
     {"$\\mathbf{M} \\ddot{\\varepsilon} + \\mathbf{C} \\dot{\\varepsilon} + \\mathbf{K} \\varepsilon = \\mathbf{F} + \\mathbf{E} "
@@ -146,10 +146,17 @@ constexpr Translation french_of_equations[] = {
      "Autour de {} ; vitesses et accélérations non nommées sont nulles."},
     {"At fixed multipliers, in all coordinates: A' dlambda and the linearised constraints come beside it.",
      "À multiplicateurs fixés, pour tous les paramètres : A' dlambda et les équations de liaison linéarisées s'y ajoutent."},
+    {"At fixed multipliers, in all coordinates: $\\mathbf{A}^{\\mathsf{T}}\\, \\delta\\lambda$ and the linearised constraints come "
+     "beside it.",
+     "À multiplicateurs fixés, pour tous les paramètres : $\\mathbf{A}^{\\mathsf{T}}\\, \\delta\\lambda$ et les équations de liaison "
+     "linéarisées s'y ajoutent."},
+    {"The entries have {} terms together (limit {}): name a state by --about, or generate the kernel linearisation.",
+     "Les termes de matrice comptent {} termes en tout (limite {}) : nommer un état par --about, ou engendrer le noyau linearisation."},
+    {"In no equation: {}.", "Dans aucune équation : {}."},
     {"Linearised equations in independent freedoms", "Équations linéarisées en paramètres indépendants"},
     {"Not reduced: {}.", "Non réduites : {}."},
-    {"An entry has more than {} terms: name a state, or generate the kernel linearisation.",
-     "Un terme de matrice compte plus de {} termes : nommer un état, ou engendrer le noyau linearisation."},
+    {"An entry has more than {} terms: name a state by --about, or generate the kernel linearisation.",
+     "Un terme de matrice compte plus de {} termes : nommer un état par --about, ou engendrer le noyau linearisation."},
     {"An entry has more than {} terms: generate the kernel linearisation.",
      "Un terme de matrice compte plus de {} termes : engendrer le noyau linearisation."},
     {"None is left: the constraints determine all velocities.",
@@ -167,6 +174,8 @@ constexpr Translation french_of_equations[] = {
      "\\mathbf{N} w$, $e$ and $w$ the deviations below; the others follow.",
      "$\\mathbf{M}_r \\dot{w} + \\mathbf{C}_r w + \\mathbf{K}_r e = \\mathbf{F}_r + \\mathbf{E}_r u$, $\\dot{e} = \\mathbf{D} e + "
      "\\mathbf{N} w$, $e$ et $w$ les écarts ci-dessous ; les autres suivent."},
+    {"$e$: of {}; $w$: of the rates of {}. Multipliers are those of the state.",
+     "$e$ : de {} ; $w$ : des vitesses de {}. Les multiplicateurs sont ceux de l'état."},
     {"e: of {}; w: of the rates of {}. Multipliers are those of the state.",
      "e : de {} ; w : des vitesses de {}. Les multiplicateurs sont ceux de l'état."},
     // Painlevé and first integrals
@@ -179,6 +188,7 @@ constexpr Translation french_of_equations[] = {
     {"in J", "en J"},
     {"{}, in {}", "{}, en {}"},
     {"partial derivative at constant q and q', in W", "dérivée partielle à q et q' constants, en W"},
+    {"$T_2 - T_0 - U$ is not conserved: {}.", "$T_2 - T_0 - U$ ne se conserve pas : {}."},
     {"T2 - T0 - U is not conserved: {}.", "T2 - T0 - U ne se conserve pas : {}."},
     {"constant", "constante"},
     {"\\text{constant}", "\\text{constante}"},
@@ -190,6 +200,8 @@ constexpr Translation french_of_equations[] = {
     {"the force function U depends on time explicitly", "la fonction de force U dépend explicitement du temps"},
     {"constraint '{}' imposes a velocity (b is not zero)", "l'équation de liaison '{}' impose une vitesse (b n'est pas nul)"},
     {"dT/d{}' of the cyclic coordinate '{}'", "dT/d{}' du paramètre cyclique '{}'"},
+    {"$\\frac{{\\partial T}}{{\\partial {}}}$ of the cyclic coordinate ${}$",
+     "$\\frac{{\\partial T}}{{\\partial {}}}$ du paramètre cyclique ${}$"},
     {"dT/d{}, constant in the moving axes", "dT/d{}, constant en axes mobiles"},
     {"T has no momentum along it", "T n'en contient pas la vitesse"},
     {"T depends on it", "T en dépend"},

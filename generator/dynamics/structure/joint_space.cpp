@@ -49,7 +49,11 @@ std::string direction_text(const RealVector& direction) {
   for (std::size_t i = 0; i < 3; ++i) {
     if (is_small(unit[(i + 1) % 3]) && is_small(unit[(i + 2) % 3])) return std::string(1, "xyz"[i]);
   }
-  return fmt::format("({:.3g}, {:.3g}, {:.3g})", unit[0].to_double(), unit[1].to_double(), unit[2].to_double());
+  // An axis has two directions: it is written by the one whose first component is positive, wherever it comes from.
+  const auto first = std::find_if(unit.begin(), unit.end(), [](const Real& each) { return !is_small(each); });
+  const double sign = *first < Real(0) ? -1 : 1;
+  const auto component = [&](std::size_t i) { return is_small(unit[i]) ? 0.0 : sign * unit[i].to_double(); };
+  return fmt::format("({:.3g}, {:.3g}, {:.3g})", component(0), component(1), component(2));
 }
 
 JointSpace::JointSpace(const Scene& scene, const StructureGraph& graph, const NaturalLanguage& language)
