@@ -6,6 +6,7 @@
 #include "torsor/generator/base/error.hpp"
 #include "torsor/generator/dynamics/equations/validation.hpp"
 #include "torsor/generator/dynamics/forces/contacts.hpp"
+#include "torsor/generator/mechanics/parameter_value.hpp"
 #include "tests/import/urdf_motion.hpp"
 
 namespace torsor::urdf_ground_test {
