@@ -97,7 +97,8 @@ class ContactSimulation {
                                    end.worst_residual));
     if (!end) {
       const std::string dead = dead_centre(motion.motion(), end, y);
-      result_.status = dead.empty() ? say_("{} at t = {:.9g} s", reason_of(end, say_) + of_contact(end) + of_regimes(motion.motion(), end, y), end.time) : dead;
+      const std::string why = reason_of(end, say_) + of_contact(end) + of_regimes(motion.motion(), end, y);
+      result_.status = dead.empty() ? say_("{} at t = {:.9g} s", why, end.time) : dead;
     }
     if (end.ambiguous > 0) {
       result_.remarks.push_back(say_("at {} several motions fulfil the laws of contact: one was taken",
@@ -143,7 +144,8 @@ class ContactSimulation {
     std::vector<std::string> regimes;
     for (int i = 0; i < contacts_.count(); ++i) {
       const ContactRegime regime = regime_of(i);
-      regimes.push_back(fmt::format("{} {}", contacts_.name(i), regime == ContactRegime::open ? "is open" : contacts_.regime(i, regime)));
+      const std::string now = regime == ContactRegime::open ? "is open" : contacts_.regime(i, regime);
+      regimes.push_back(contacts_.name(i) + " " + now);
     }
     return fmt::format("{}", fmt::join(regimes, ", "));
   }

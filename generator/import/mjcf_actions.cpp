@@ -47,7 +47,8 @@ void MjcfBuilder::add_scalar_actions(std::size_t i) {
   }
   if (joint.limited && options_.limits && !followed_.contains(i)) {
     const Unit& unit = turns ? units::radian : units::metre;
-    scene_.stop(q, Expression::quantity(from_double(joint.range[0]), unit), Expression::quantity(from_double(joint.range[1]), unit));
+    const auto end = [&](double at) { return Expression::quantity(from_double(at), unit); };
+    scene_.stop(q, end(joint.range[0]), end(joint.range[1]));
   }
   if (joint.limited && followed_.contains(i)) {
     data_.push_back(
@@ -130,7 +131,8 @@ void MjcfBuilder::add_tendons() {
     const std::optional<Expression> length = tendon_length(tendon);
     const bool rubs = options_.friction_of_file && tendon.friction_loss != 0;
     if (tendon.friction_loss != 0 && !rubs) {
-      note("frictionloss of tendons acts with --friction file only", fmt::format("{} ({})", tendon.name, shortest(tendon.friction_loss)));
+      note("frictionloss of tendons acts with --friction file only",
+           fmt::format("{} ({})", tendon.name, shortest(tendon.friction_loss)));
     }
     if (tendon.limited) note("the range of tendons does not act", tendon.name);
     if (tendon.stiffness == 0 && tendon.damping == 0 && !rubs) continue;
@@ -145,7 +147,8 @@ void MjcfBuilder::add_tendons() {
     const std::string name =
         take(symbols_, tendon.name, "tendon", {"", "_stiffness", "_damping", "_friction", "_dry_friction"});
     if (rubs) {
-      scene_.dry_friction(name + "_dry_friction", *length, {parameter(name + "_friction", "N", from_double(tendon.friction_loss))});
+      const Expression bound = parameter(name + "_friction", "N", from_double(tendon.friction_loss));
+      scene_.dry_friction(name + "_dry_friction", *length, {bound});
     }
     if (tendon.stiffness != 0) {
       const Expression k = parameter(name + "_stiffness", "N/m", from_double(tendon.stiffness));

@@ -18,8 +18,8 @@
 namespace torsor {
 
 /// Makes the scene, part by part; mjcf_scene says what of what. mjcf_scene.cpp holds the tree of bodies,
-/// mjcf_actions.cpp what acts in joints and tendons, mjcf_contacts.cpp friction and contacts, mjcf_actuators.cpp what drives, mjcf_tendons.cpp sites and lengths,
-/// mjcf_equalities.cpp the constraints.
+/// mjcf_actions.cpp what acts in joints and tendons, mjcf_contacts.cpp friction and contacts, mjcf_actuators.cpp what
+/// drives, mjcf_tendons.cpp sites and lengths, mjcf_equalities.cpp the constraints.
 class MjcfBuilder {
  public:
   MjcfBuilder(const MjcfModel& model, const MjcfOptions& options);

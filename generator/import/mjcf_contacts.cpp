@@ -22,7 +22,8 @@ void MjcfBuilder::check_frictions() const {
                                    did_you_mean(name, known), fmt::join(known, ", ")));
     }
     if (value.sign() < 0) {
-      throw UsageError(fmt::format("--friction of the joint '{}' is {}; it is never negative", name, shortest(value.to_double())));
+      throw UsageError(fmt::format("--friction of the joint '{}' is {}; it is never negative", name,
+                                   shortest(value.to_double())));
     }
   }
 }
@@ -63,7 +64,8 @@ std::vector<std::size_t> MjcfBuilder::touching_geoms(const std::string& body) co
     if (std::find(able.begin(), able.end(), owner) == able.end()) able.push_back(owner);
   }
   if (found.empty()) {
-    const bool known = std::any_of(model_.bodies.begin(), model_.bodies.end(), [&body](const MjcfBody& each) { return each.name == body; });
+    const bool known = std::any_of(model_.bodies.begin(), model_.bodies.end(),
+                                   [&body](const MjcfBody& each) { return each.name == body; });
     throw UsageError(fmt::format("the body '{}' in --ground {}: {}those that move and have such a geom are {}", body,
                                  known ? "does not move, or has no geom that takes part in contacts" : "is unknown",
                                  did_you_mean(body, able), able.empty() ? "none" : fmt::format("{}", fmt::join(able, ", "))));

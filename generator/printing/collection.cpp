@@ -183,7 +183,8 @@ WrittenTerm group_term(const Sum& coefficient, const Product& motion) {
   return times(std::move(term), motion);
 }
 
-/// Whether a factor depends on the configuration by a function: what all terms share with it is taken out as it is before a velocity.
+/// Whether a factor depends on the configuration by a function: what all terms share with it is taken out as it is before a
+/// velocity.
 bool varies(const Product& common) {
   return std::any_of(common.begin(), common.end(), [](const Power& power) {
     return power.base->level >= Level::configuration && power.base->kind != Base::Kind::symbol;

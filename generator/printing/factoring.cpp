@@ -101,7 +101,8 @@ Level level_of(const WrittenTerm& term) {
   return highest;
 }
 
-/// 1 + eps cos(theta) rather than eps cos(theta) + 1, as where such a sum is a coefficient; x - x_0 stays, whose coordinate leads.
+/// 1 + eps cos(theta) rather than eps cos(theta) + 1, as where such a sum is a coefficient; x - x_0 stays, whose coordinate
+/// leads.
 /// The first term keeps or gets its plus: whether all signs were turned for that.
 bool constants_first(Written& sum) {
   const auto moves = [](const WrittenTerm& term) { return level_of(term) >= Level::configuration; };

@@ -99,7 +99,8 @@ class LatexPage final : public Page {
   }
 
  private:
-  /// An equation with a remark: beside it where one line holds both, else on a line of its own, so that it cannot fall off the page.
+  /// An equation with a remark: beside it where one line holds both, else on a line of its own, so that it cannot fall off
+  /// the page.
   void put(const std::string& body, const std::string& label, const Remark& remark) {
     constexpr double letter = 5, room = 60;  // points: of small letters, and between a centred equation and what stands beside it
     const double of_remark = letter * static_cast<double>(remark.plain.size()) + room;

@@ -88,7 +88,10 @@ SlipRelations::SlipRelations(const ContactProblem& problem, const ContactScale& 
   if (!all_move) return;
   const int first = left.largest(sought, slips);
   ContactVector parts = ContactVector::Zero(problem.rows());
-  for (int k = 0; k < slips; ++k) parts(sought[static_cast<std::size_t>(k)]) = left.part(sought[static_cast<std::size_t>(k)], first);
+  for (int k = 0; k < slips; ++k) {
+    const auto i = sought[static_cast<std::size_t>(k)];
+    parts(i) = left.part(i, first);
+  }
   left.eliminate(first);
   for (int k = 0; k < slips; ++k) {
     const int row = sought[static_cast<std::size_t>(k)];
