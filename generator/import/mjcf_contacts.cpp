@@ -76,6 +76,10 @@ std::vector<std::size_t> MjcfBuilder::touching_geoms(const std::string& body) co
 /// Geoms of bodies that --ground names, against every plane that stands still.
 void MjcfBuilder::add_ground() {
   if (options_.ground.named.empty()) return;
+  std::set<std::string> seen;
+  for (const std::string& body : options_.ground.named) {
+    if (!seen.insert(body).second) throw UsageError(fmt::format("--ground names the body '{}' twice: name it once", body));
+  }
   const TakeName take_name = [this](const std::string& name, const std::string& kind, const std::vector<std::string>& suffixes) {
     return take(kind == "frame" ? frame_names_ : symbols_, name, kind, suffixes);
   };
@@ -90,9 +94,7 @@ void MjcfBuilder::add_ground() {
     touching_.insert(k);
   }
   if (planes.empty()) planes.emplace_back(scene_.ground());
-  std::set<std::string> seen;
   for (const std::string& body : options_.ground.named) {
-    if (!seen.insert(body).second) throw UsageError(fmt::format("--ground names the body '{}' twice: name it once", body));
     const std::vector<std::size_t> geoms = touching_geoms(body);
     for (std::size_t g = 0; g < geoms.size(); ++g) {
       const MjcfGeom& geom = model_.geoms[geoms[g]];

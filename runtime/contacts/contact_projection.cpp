@@ -110,7 +110,8 @@ Evaluation ContactMotion::hold(double t, std::span<double> y) {
     }
     terms += std::abs(reading_.w(n) - own);  // of a surface that moves
     const double off = std::abs(reading_.w(n)), error = absolute_ + relative_ * terms;
-    if (!(off > terms / 16 || off > 16 * error) || !jumps(i, t, y)) continue;
+    // What is within the errors of the step, or its rounding, no projection of it can spoil.
+    if (off <= error || !(off > terms / 16 || off > 16 * error) || !jumps(i, t, y)) continue;
     jumping_ = i;
     jumped_ = t;
     return Evaluation::singular;
