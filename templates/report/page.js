@@ -3,7 +3,7 @@
 (() => {
 "use strict";
 if (typeof document === "undefined") return;
-const { Motion, Playback, Picture, Viewer, Plot, Portrait, SmallMotions, column, label } = torsorReport;
+const { Motion, Playback, Picture, Viewer, Plot, Portrait, SmallMotions, column, label, written } = torsorReport;
 const mechanism = globalThis.torsorMechanism, scene = JSON.parse(document.getElementById("scene").textContent);
 const element = (id) => document.getElementById(id);
 const read = (node) => (node ? JSON.parse(node.textContent) : null);
@@ -65,7 +65,7 @@ function row(parent, { name, unit, value, low, high, change }) {
   const number = document.createElement("input"), units = document.createElement("span");
   line.className = "row";
   text.textContent = name;
-  units.textContent = unit === "1" ? "" : unit;
+  units.textContent = written(unit);
   Object.assign(slider, { type: "range", min: low, max: high, step: "any", value });
   Object.assign(number, { type: "number", step: "any", value: Number(value.toPrecision(6)) });
   slider.setAttribute("aria-label", `${name} [${unit}]`);
@@ -122,7 +122,7 @@ function buildPortraits() {
   mechanism.coordinates.forEach((each, i) => {
     const j = mechanism.velocities.findIndex((other) => other.name === each.name);
     if (j < 0 || plots.filter((plot) => plot instanceof Portrait).length >= most) return;
-    const unit = (of) => (of === "1" ? "" : ` [${of}]`);
+    const unit = (of) => (of === "1" ? "" : ` [${written(of)}]`);
     plots.push(new Portrait(element("portrait-list"), `${each.name}'« over »${each.name}`, each.name + unit(each.unit), `${each.name}'` + unit(mechanism.velocities[j].unit),
                             { x: (k) => motion.samples[k][i], y: (k) => motion.samples[k][nq + j] }));
   });

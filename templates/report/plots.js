@@ -11,12 +11,17 @@ function label(value) {
   return size >= 1e5 || size < 1e-3 ? value.toExponential(2) : String(Number(value.toPrecision(4)));
 }
 
+/// A unit as people write it: kg m² s⁻².
+function written(unit) {
+  return unit === "1" ? "" : unit.replace(/\^(-?\d+)/g, (_, power) => [...power].map((c) => (c === "-" ? "⁻" : "⁰¹²³⁴⁵⁶⁷⁸⁹"[c])).join(""));
+}
+
 class Plot {
   /// `curves`: [{name, unit, value(k)}]; `words` says for those who do not see it what it shows.
   constructor(parent, title, unit, curves, onTime) {
     Object.assign(this, { unit, curves, data: curves.map(() => []) });
     const figure = document.createElement("figure"), caption = document.createElement("figcaption");
-    caption.textContent = unit ? `${title} [${unit}]` : title;
+    caption.textContent = unit ? `${title} [${written(unit)}]` : title;
     this.canvas = document.createElement("canvas");
     this.canvas.className = "plot";
     this.canvas.setAttribute("role", "img");
@@ -210,5 +215,5 @@ function line(context, x1, y1, x2, y2) {
   context.stroke();
 }
 
-Object.assign(torsorReport, { Plot, Portrait, label });
+Object.assign(torsorReport, { Plot, Portrait, label, written });
 })();
