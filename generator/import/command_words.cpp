@@ -1,9 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "torsor/generator/import/command_words.hpp"
 
+#include <algorithm>
+
 #include <fmt/format.h>
 
 #include "torsor/generator/base/decimal.hpp"
+#include "torsor/generator/base/did_you_mean.hpp"
+#include "torsor/generator/base/error.hpp"
 #include "torsor/generator/base/shell_word.hpp"
 
 namespace torsor {
@@ -21,6 +25,20 @@ std::string joint_numbers(const std::string& option, const std::vector<std::pair
   if (!words.empty()) all.push_back(words);
   for (const auto& [joint, value] : values) all.push_back(joint + "=" + number_word(value));
   return all.empty() ? "" : fmt::format(" {} {}", option, shell_word(fmt::format("{}", fmt::join(all, ","))));
+}
+
+void check_joint_numbers(const std::string& option, const std::vector<std::pair<std::string, Number>>& values,
+                         const std::vector<std::string>& known) {
+  for (const auto& [name, value] : values) {
+    if (std::find(known.begin(), known.end(), name) == known.end()) {
+      throw UsageError(fmt::format("unknown joint '{}' in {}: {}those that turn or slide are {}", name, option,
+                                   did_you_mean(name, known), fmt::join(known, ", ")));
+    }
+    if (value.sign() < 0) {
+      throw UsageError(fmt::format("{} of the joint '{}' is {}; it is never negative", option, name,
+                                   shortest(value.to_double())));
+    }
+  }
 }
 
 std::string surface_words(const std::string& option, const Surfaces& surfaces) {

@@ -24,6 +24,10 @@ std::string file_word(const std::string& name);
 std::string joint_numbers(const std::string& option, const std::vector<std::pair<std::string, Number>>& values,
                           const std::string& words = "");
 
+/// Throws UsageError where such a number is of a joint that is not among those `known`, which turn or slide, or is negative.
+void check_joint_numbers(const std::string& option, const std::vector<std::pair<std::string, Number>>& values,
+                         const std::vector<std::string>& known);
+
 /// " --ground foot --ground-friction 0.8"; empty where nothing is named.
 std::string surface_words(const std::string& option, const Surfaces& surfaces);
 

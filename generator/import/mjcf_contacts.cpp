@@ -6,6 +6,7 @@
 
 #include "torsor/generator/base/did_you_mean.hpp"
 #include "torsor/generator/base/error.hpp"
+#include "torsor/generator/import/command_words.hpp"
 #include "torsor/generator/import/mjcf_builder.hpp"
 
 namespace torsor {
@@ -16,16 +17,7 @@ void MjcfBuilder::check_frictions() const {
   for (const MjcfJoint& joint : model_.joints) {
     if (joint.is_scalar()) known.push_back(joint.name);
   }
-  for (const auto& [name, value] : options_.friction) {
-    if (std::find(known.begin(), known.end(), name) == known.end()) {
-      throw UsageError(fmt::format("unknown joint '{}' in --friction: {}those that turn or slide are {}", name,
-                                   did_you_mean(name, known), fmt::join(known, ", ")));
-    }
-    if (value.sign() < 0) {
-      throw UsageError(fmt::format("--friction of the joint '{}' is {}; it is never negative", name,
-                                   shortest(value.to_double())));
-    }
-  }
+  check_joint_numbers("--friction", options_.friction, known);
 }
 
 std::optional<Number> MjcfBuilder::friction_of(const MjcfJoint& joint) const {

@@ -11,6 +11,7 @@
 #include "torsor/generator/base/decimal.hpp"
 #include "torsor/generator/base/high_precision.hpp"
 #include "torsor/generator/dynamics/equations/massless.hpp"
+#include "torsor/generator/import/command_words.hpp"
 #include "torsor/generator/import/identifiers.hpp"
 #include "torsor/generator/import/rotor.hpp"
 #include "torsor/generator/import/urdf.hpp"
@@ -182,16 +183,7 @@ class SceneBuilder {
     for (const UrdfJoint& joint : robot_.joints) {
       if (follows(joint)) known.push_back(joint.name);
     }
-    for (const auto& [name, value] : values) {
-      if (std::find(known.begin(), known.end(), name) == known.end()) {
-        throw UsageError(fmt::format("unknown joint '{}' in {}: {}those that turn or slide are {}", name, option,
-                                     did_you_mean(name, known), fmt::join(known, ", ")));
-      }
-      if (value.sign() < 0) {
-        throw UsageError(fmt::format("{} of the joint '{}' is {}; it is never negative", option, name,
-                                     shortest(value.to_double())));
-      }
-    }
+    check_joint_numbers(option, values, known);
   }
 
   void declare(const UrdfJoint& joint) {

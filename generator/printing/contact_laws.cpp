@@ -172,22 +172,22 @@ class ContactPage {
     page_.section(say("Laws of contact"));
     if (normals_) {
       law(say("Signorini: 0 <= g, 0 <= N, N g = 0; while g = 0 and w_N = 0: 0 <= dw_N/dt, 0 <= N, N dw_N/dt = 0."),
-                    say("Signorini: $0 \\le g$, $0 \\le N$, $N g = 0$; while $g = 0$ and $w_N = 0$: $0 \\le \\dot{w}_N$, $0 \\le "
-                    "N$, $N \\dot{w}_N = 0$."));
+          say("Signorini: $0 \\le g$, $0 \\le N$, $N g = 0$; while $g = 0$ and $w_N = 0$: $0 \\le \\dot{w}_N$, $0 \\le "
+          "N$, $N \\dot{w}_N = 0$."));
       law(say("Open: g > 0, N = 0, T = 0."), say("Open: $g > 0$, $N = 0$, $T = 0$."));
     }
     if (turns_) {
       law(say("Resistance to rolling and spinning: |T| <= h N while w_T = 0, T = -h N w_T/|w_T| while it turns, T a "
-                        "moment, N that of the contact that presses."),
-                    say("Resistance to rolling and spinning: $|T| \\le h N$ while $w_T = 0$, $T = -h N \\frac{w_T}{|w_T|}$ while "
-                        "it turns, $T$ a moment, $N$ that of the contact that presses."));
+              "moment, N that of the contact that presses."),
+          say("Resistance to rolling and spinning: $|T| \\le h N$ while $w_T = 0$, $T = -h N \\frac{w_T}{|w_T|}$ while "
+              "it turns, $T$ a moment, $N$ that of the contact that presses."));
     }
     if (joints_) {
       law(say("Friction of joints: |T| <= f_s |R| while w_T = 0, T = -f |R| w_T/|w_T| while they slide, h_s and h in "
-                        "the place of f_s and f where they turn, R what the joint transmits across its axis."),
-                    say("Friction of joints: $|T| \\le f_s |R|$ while $w_T = 0$, $T = -f |R| \\frac{w_T}{|w_T|}$ while they "
-                        "slide, $h_s$ and $h$ in the place of $f_s$ and $f$ where they turn, $R$ what the joint transmits across "
-                        "its axis."));
+              "the place of f_s and f where they turn, R what the joint transmits across its axis."),
+          say("Friction of joints: $|T| \\le f_s |R|$ while $w_T = 0$, $T = -f |R| \\frac{w_T}{|w_T|}$ while they "
+              "slide, $h_s$ and $h$ in the place of $f_s$ and $f$ where they turn, $R$ what the joint transmits across "
+              "its axis."));
     }
     if (!tangents_) return;
     const bool bounds = std::any_of(contacts_.begin(), contacts_.end(),
@@ -195,12 +195,12 @@ class ContactPage {
     const std::string and_bound = bounds ? say(" (b_s of dry friction alone)") : "";
     const std::string and_bound_latex = bounds ? say(" ($b_s$ of dry friction alone)") : "";
     law(say("Sticks: w_T = 0, |T| <= f_s N{}.", and_bound),
-                  say("Sticks: $w_T = 0$, $|T| \\le f_s N${}.", and_bound_latex));
+        say("Sticks: $w_T = 0$, $|T| \\le f_s N${}.", and_bound_latex));
     law(say("Slides: T = -f N w_T/|w_T|{}; where a slip begins, along dw_T/dt in the place of w_T.",
-                              bounds ? say(", b in the place of f N for dry friction alone") : ""),
-                  say("Slides: $T = -f N \\frac{{w_T}}{{|w_T|}}${}; where a slip begins, along $\\dot{{w}}_T$ in the "
-                              "place of $w_T$.",
-                              bounds ? say(", $b$ in the place of $f N$ for dry friction alone") : ""));
+                    bounds ? say(", b in the place of f N for dry friction alone") : ""),
+        say("Slides: $T = -f N \\frac{{w_T}}{{|w_T|}}${}; where a slip begins, along $\\dot{{w}}_T$ in the "
+                    "place of $w_T$.",
+                    bounds ? say(", $b$ in the place of $f N$ for dry friction alone") : ""));
   }
 
   void percussions() {
@@ -208,22 +208,22 @@ class ContactPage {
     const bool multipliers = !equations_.constraints().empty();
     page_.section(say("Percussions"));
     law(say("[[X]] = X+ - X- at an impact: [[dT/dq_i']] = sum P dw/dq_i'{}, P = P_N or P_T of each w.",
-                              multipliers ? " + sum_j Lambda_j a_ji" : ""),
-                  say("$[\\![X]\\!] = X^+ - X^-$ at an impact: $\\left[\\!\\left[\\frac{{\\partial T}}{{\\partial "
-                              "\\dot{{q}}_i}}\\right]\\!\\right] = \\sum P\\, \\frac{{\\partial w}}{{\\partial \\dot{{q}}_i}}"
-                              "{}$, $P = P_N$ or $P_T$ of each $w$.",
-                              multipliers ? " + \\sum_j \\Lambda_j a_{ji}" : ""));
+                    multipliers ? " + sum_j Lambda_j a_ji" : ""),
+        say("$[\\![X]\\!] = X^+ - X^-$ at an impact: $\\left[\\!\\left[\\frac{{\\partial T}}{{\\partial "
+                    "\\dot{{q}}_i}}\\right]\\!\\right] = \\sum P\\, \\frac{{\\partial w}}{{\\partial \\dot{{q}}_i}}"
+                    "{}$, $P = P_N$ or $P_T$ of each $w$.",
+                    multipliers ? " + \\sum_j \\Lambda_j a_{ji}" : ""));
     note(say("Impulses stand where reactions stand above; bounded forces have none."));
     law(say("Newton-Moreau: 0 <= w_N+ + e w_N-, 0 <= P_N, P_N (w_N+ + e w_N-) = 0."),
-                  say("Newton-Moreau: $0 \\le w_N^+ + e\\, w_N^-$, $0 \\le P_N$, $P_N (w_N^+ + e\\, w_N^-) = 0$."));
+        say("Newton-Moreau: $0 \\le w_N^+ + e\\, w_N^-$, $0 \\le P_N$, $P_N (w_N^+ + e\\, w_N^-) = 0$."));
     if (joints_) note(say("Joints rub by |P_T| <= f |P_R|, P_R the impulse that they transmit."));
     if (tangents_) {
       law(say("Friction: |P_T| <= f P_N where w_T+ = 0, P_T = -f P_N w_T+/|w_T+| elsewhere."),
-                    say("Friction: $|P_T| \\le f P_N$ where $w_T^+ = 0$, $P_T = -f P_N \\frac{w_T^+}{|w_T^+|}$ elsewhere."));
+          say("Friction: $|P_T| \\le f P_N$ where $w_T^+ = 0$, $P_T = -f P_N \\frac{w_T^+}{|w_T^+|}$ elsewhere."));
     }
     law(say("Carnot's loss: T- - T+ = -1/2 sum P (w+ + w-); of one contact without friction -1/2 (1 - e) P_N w_N- >= 0."),
-                  say("Carnot's loss: $T^- - T^+ = -\\frac{1}{2} \\sum P\\,(w^+ + w^-)$; of one contact without friction "
-                  "$-\\frac{1}{2} (1 - e) P_N w_N^- \\ge 0$."));
+        say("Carnot's loss: $T^- - T^+ = -\\frac{1}{2} \\sum P\\,(w^+ + w^-)$; of one contact without friction "
+        "$-\\frac{1}{2} (1 - e) P_N w_N^- \\ge 0$."));
   }
 
   const Equations& equations_;
