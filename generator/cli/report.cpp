@@ -273,7 +273,8 @@ std::string report_html(const Scene& scene, const ReportOptions& options) {
     scripts += fmt::format("<script id=\"reference\" type=\"application/json\">{}</script>\n",
                            inside_json(report_reference(content, options.reference)));
   }
-  for (const char* name : {"integrator", "projection", "motion", "playback", "modes", "vectors", "surfaces", "shapes", "viewer", "plots", "formulas", "page"}) {
+  for (const char* name : {"integrator", "projection", "motion", "playback", "modes", "vectors", "surfaces", "framing", "shapes",
+                           "viewer", "plots", "formulas", "page"}) {
     scripts += script(fmt::format("script-{}", name), part(fmt::format("{}.js", name), say));
   }
   const bool with_katex = !katex_script().empty();

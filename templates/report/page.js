@@ -265,7 +265,7 @@ function showMode(passed) {
   const y = new Float64Array(motion.nq + motion.nv);
   mode.rest.forEach((value, i) => { y[i] = value + mode.shape[i] * Math.sin(mode.phase); });
   const here = motion.members("poses", 0, y);
-  viewer.target = picture.followed(here, viewer.target);
+  viewer.target = picture.framing.followed(here, viewer.target);
   viewer.draw(picture.at(here, [], viewer.target));
   element("clock").textContent = `«Mode ${mode.number}»`;
 }
@@ -303,7 +303,7 @@ function show(fresh) {
     if (element("traces").checked) addTraces();
     const upTo = 3 * (1 + Math.round(now / motion.interval));
     const here = poses(now);
-    viewer.target = picture.followed(here, viewer.target);
+    viewer.target = picture.framing.followed(here, viewer.target);
     const seen = picture.at(here, element("traces").checked ? traces.map((each) => each.slice(0, upTo)) : [], viewer.target);
     if (element("velocities").checked) {
       const rates = motion.change("poses", sampleAt(now));
@@ -344,11 +344,11 @@ function start() {
     while (motion.time < until - 1e-9 && performance.now() < ready && motion.extend());
     const step = Math.max(1, Math.floor(motion.samples.length / 40)), seen = [];
     for (let k = 0; k < motion.samples.length; k += step) seen.push(motion.evaluate("poses", k));
-    picture.frameAll(seen);
+    picture.framing.include(seen);
     viewer = new Viewer(element("view"));
     meshes.forEach((each) => viewer.mesh(...each));
     [...picture.surfaces, ...picture.rings].forEach(({ mesh, corners }) => viewer.mesh(mesh, corners));
-    viewer.home(picture.camera(first));
+    viewer.home(picture.framing.camera());
     element("view").setAttribute("aria-label", `${scene.bodies.length}« bodies in three dimensions: »${scene.bodies.slice(0, 12).map((each) => each.name).join(", ")}. ` +
       "«Arrow keys turn the picture, plus and minus come nearer and go away, 0 is the first view.»");
     traces = picture.traced.map(() => []);

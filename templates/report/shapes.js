@@ -4,6 +4,7 @@
 "use strict";
 const { add, scaled, dot, cross, length, unit, triad, principal } = torsorReport.vectors;
 const { convex, torus, boxAround } = torsorReport.surfaces;
+const { Framing } = torsorReport.framing;
 
 const palette = [[0.55, 0.57, 0.6], [0.13, 0.4, 0.75], [0.8, 0.3, 0.2], [0.2, 0.58, 0.35], [0.6, 0.36, 0.7],
                  [0.83, 0.6, 0.12], [0.1, 0.58, 0.65], [0.78, 0.35, 0.55], [0.45, 0.5, 0.2], [0.5, 0.35, 0.25]];
@@ -48,7 +49,7 @@ class Picture {
     places.push(...this.formCorners(poses));
     const low = [0, 1, 2].map((i) => Math.min(...places.map((p) => p[i])));
     const high = [0, 1, 2].map((i) => Math.max(...places.map((p) => p[i])));
-    this.middle = scaled(add(low, high), 0.5);
+    const middle = scaled(add(low, high), 0.5);
     const extents = scene.bodies.map((_, k) => {
       const m = poses.masses[k], trace = poses.inertias[6 * k] + poses.inertias[6 * k + 1] + poses.inertias[6 * k + 2];
       return m > 0 && trace > 0 ? Math.sqrt((1.5 * trace) / m) : 0;
@@ -59,10 +60,11 @@ class Picture {
     this.size = Math.max(length(add(high, low, -1)) / 2, 0.9 * Math.max(0, ...extents), 1.4 * Math.max(0, ...radii)) || 1;
     this.low = low;
     const gravity = column(poses.gravity, 0);
+    this.weightless = length(gravity) === 0;
     const axes = scene.frames.map((frame, k) => (frame.joint === "revolute" ? column(poses.axes, k) : null)).filter(Boolean);
     const planar = axes.length > 0 && axes.every((axis) => Math.abs(dot(axis, axes[0])) > 0.999);
     this.across = planar ? axes[0] : null;  // the direction about which all joints turn
-    this.up = length(gravity) > 0 ? unit(scaled(gravity, -1)) : planar && Math.abs(axes[0][2]) > 0.9 ? [0, 1, 0] : [0, 0, 1];
+    this.up = !this.weightless ? unit(scaled(gravity, -1)) : planar && Math.abs(axes[0][2]) > 0.9 ? [0, 1, 0] : [0, 0, 1];
     this.round = new Map();  // frames that carry a disc, a sphere or another body that touches a plane
     scene.points.forEach((point, k) => (point.lowest || this.corners.has(k)) && this.round.set(point.frame, true));
     this.sortFrames();
@@ -70,7 +72,8 @@ class Picture {
     this.findRods(poses);
     this.findTraces();
     this.bulks = scene.bodies.map((each, k) => this.bulk(each, k, poses));
-    this.frameAll([poses]);
+    this.framing = new Framing(this, middle);
+    this.framing.include([poses]);
   }
 
   /// Corners of boxes around what the author of the scene shows, or of one body only.
@@ -162,60 +165,6 @@ class Picture {
     this.traced = this.traced.slice(0, 8);
   }
 
-  /// The middle of everything in some poses and how far it reaches from there, unless it runs away.
-  frameAll(allPoses) {
-    let low = [Infinity, Infinity, Infinity], high = low.map((v) => -v), reach = 0;
-    const places = [], apart = this.scene.bodies.length > 1 ? 2.5 : 4;
-    const include = (place, bulk = 0) => {
-      const radius = Math.max(bulk, 0.08 * this.size);  // of pins and blocks
-      places.push([place, radius]);
-      low = low.map((v, i) => Math.min(v, place[i] - radius));
-      high = high.map((v, i) => Math.max(v, place[i] + radius));
-    };
-    for (const poses of allPoses) {
-      this.scene.bodies.forEach((_, k) => include(column(poses.centres, k), this.bulks[k]));
-      this.scene.frames.forEach((_, k) => include(column(poses.anchors, k)));
-      this.scene.points.forEach((_, k) => include(column(poses.points, k)));
-      this.formCorners(poses).forEach((place) => include(place));
-      this.traced.forEach((each) => include(column(poses[each.member], each.k)));
-      if (apart < 4 && length(add(high, low, -1)) / 2 > apart * this.size) break;  // bodies that part: their beginning
-    }
-    const middle = scaled(add(low, high), 0.5);
-    for (const [place, radius] of places) reach = Math.max(reach, length(add(place, middle, -1)) + radius);
-    if (!(reach < 4 * this.size)) return;
-    this.reach = Math.max(reach, 0.3 * this.size, 1.3 * Math.max(0, ...this.bulks));  // what rolls needs its plane beside it
-    this.middle = middle;
-  }
-
-  /// Where the camera looks: it follows a mechanism that leaves the view as far as it must, without what has left it.
-  followed(poses, target) {
-    const reach = this.reach ?? this.size, all = this.scene.bodies.map((_, k) => ({ place: column(poses.centres, k), bulk: this.bulks[k] }));
-    if (all.length === 0) return target;
-    const far = ({ place }) => length(add(place, target, -1));
-    const middle = (some) => scaled(some.reduce((sum, { place }) => add(sum, place), [0, 0, 0]), 1 / some.length);
-    const fit = (some) => {
-      const centre = middle(some);
-      return some.every(({ place, bulk }) => length(add(place, centre, -1)) + bulk <= 1.05 * reach);
-    };
-    // Bodies that part do not fit the picture: those that are nearest stay in it.
-    const seen = all.sort((a, b) => far(a) - far(b)).reduce((some, each) => (some.length === 0 || fit([...some, each]) ? [...some, each] : some), []);
-    const beyond = Math.max(...seen.map((each) => far(each) + each.bulk)) - 1.05 * reach;
-    if (!(beyond > 0)) return target;
-    const away = add(middle(seen), target, -1);
-    return add(target, away, Math.min(1, beyond / Math.max(length(away), 1e-300)));
-  }
-
-  /// Where a camera sees the most: across the axes where all joints turn about one direction.
-  camera(poses) {
-    const [x, y] = triad(this.up), across = this.across;
-    let from = add(add(scaled(x, 0.5), y, -1), this.up, 0.5);
-    if (across && Math.abs(dot(across, this.up)) < 0.1) {
-      const towards = scaled(across, across[2] > 0.5 || across[1] < -0.5 || across[0] < -0.5 ? 1 : -1);
-      from = add(add(towards, this.up, 0.25), cross(this.up, towards), 0.35);
-    }
-    return { target: this.middle, up: this.up, from, size: 1.1 * (this.reach ?? this.size) };
-  }
-
   /// Velocities of the traced places, `rates` being those of the poses. The fastest that has been met is as long as a third
   /// of the picture.
   velocities(poses, rates) {
@@ -260,7 +209,7 @@ class Picture {
   }
 
   /// Shapes and lines of one pose; `traces` are lists of places.
-  at(poses, traces, target = this.middle) {
+  at(poses, traces, target = this.framing.middle) {
     const { scene, size } = this, shapes = [], lines = [];
     this.joints(poses, shapes);
     for (const rod of this.rods) {
@@ -411,12 +360,13 @@ class Picture {
     }
   }
 
-  /// A floor across gravity below the first pose, or the planes on which the mechanism rolls.
+  /// The planes on which the mechanism rolls; else a floor across gravity below the first pose, or, without gravity, the
+  /// plane in which a mechanism moves.
   grid(poses, lines, target) {
     const { frames, points, contacts } = this.scene;
     const planes = [...new Set([...points.filter((each) => each.lowest), ...contacts.filter((each) => each.plane !== undefined)].map((each) => each.plane))];
     const put = (origin, x, y) => {
-      const points = [], step = niceStep((this.reach ?? this.size) / 2.5), count = 6;
+      const points = [], step = niceStep(this.framing.reach / 2.5), count = 6;
       for (const axis of [x, y]) {  // under the camera's target, on lines of the same grid
         origin = add(origin, axis, step * Math.round(dot(add(target, origin, -1), axis) / step));
       }
@@ -431,8 +381,11 @@ class Picture {
     for (const plane of fixed) put(column(poses.origins, plane), column(poses.rotations, 3 * plane), column(poses.rotations, 3 * plane + 1));
     for (const plane of planes) if (!fixed.includes(plane)) this.patch(plane, poses, lines);
     if (fixed.length > 0) return;
-    const [x, y] = triad(this.up), down = add(this.middle, this.up, -1.05 * this.size);
-    put(down, x, y);
+    if (this.weightless && this.across) {
+      put(add(this.framing.middle, this.framing.side(), -0.06 * this.size), this.up, cross(this.up, this.across));
+    } else {
+      put(add(this.framing.middle, this.up, -1.05 * this.size), ...triad(this.up));
+    }
   }
 
   /// A piece of a plane that moves with a body, as far as its contacts reach at first.

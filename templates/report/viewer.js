@@ -64,6 +64,8 @@ function box() {
   return new Float32Array(corners);
 }
 
+const fieldOfView = 0.7;  // from the lower to the upper edge
+
 const meshes = {
   cylinder: () => revolved([[1, 0, 1, 0], [1, 1, 1, 0], [0, 0, 0, -1], [1, 0, 0, -1], [1, 1, 0, 1], [0, 1, 0, 1]]),
   cone: () => revolved([[1, 0, 0.7, 0.7], [0, 1, 0.7, 0.7], [0, 0, 0, -1], [1, 0, 0, -1]]),
@@ -114,15 +116,32 @@ class Viewer {
     this.reset();
   }
   reset() {
-    const { target, up, from, size } = this.first;
+    const { target, up, from, size, places } = this.first;
     this.target = target;
     this.up = unit(up);
     const [x, y] = triad(this.up), view = unit(from);
     this.elevation = Math.asin(Math.max(-1, Math.min(1, dot(view, this.up))));
     this.azimuth = Math.atan2(dot(view, y), dot(view, x));
-    this.distance = 3.1 * size;
+    this.distance = places ? this.fitting(places, 2.5 * size) : 3.1 * size;
     this.changed = true;
   }
+
+  /// The unit vector from the target to the eye.
+  towardsEye() {
+    const [x, y] = triad(this.up), flat = Math.cos(this.elevation);
+    return add(add(scaled(x, flat * Math.cos(this.azimuth)), y, flat * Math.sin(this.azimuth)), this.up, Math.sin(this.elevation));
+  }
+
+  /// How far the eye must be for balls [place, radius] to be in the picture; no nearer than `least`, for what moves later.
+  fitting(places, least) {
+    const view = this.towardsEye(), x = unit(cross(this.up, view), [1, 0, 0]), y = cross(view, x);
+    const upwards = 0.92 * Math.tan(fieldOfView / 2), sideways = (upwards * (this.canvas.clientWidth || 1)) / (this.canvas.clientHeight || 1);
+    return places.reduce((far, [place, radius]) => {
+      const from = add(place, this.target, -1), over = (axis) => Math.abs(dot(from, axis)) + radius;
+      return Math.max(far, dot(from, view) + Math.max(over(x) / sideways, over(y) / upwards));
+    }, least);
+  }
+
   orbit(about, above) {
     this.azimuth += about;
     this.elevation = Math.max(-1.55, Math.min(1.55, this.elevation + above));
@@ -177,11 +196,9 @@ class Viewer {
     gl.viewport(0, 0, width, height);
     gl.clearColor(0, 0, 0, 0);
     gl.clear(gl.COLOR_BUFFER_BIT | gl.DEPTH_BUFFER_BIT);
-    const [x, y] = triad(this.up), flat = Math.cos(this.elevation);
-    const view = add(add(scaled(x, flat * Math.cos(this.azimuth)), y, flat * Math.sin(this.azimuth)), this.up, Math.sin(this.elevation));
-    const eye = add(this.target, view, this.distance);
+    const view = this.towardsEye(), eye = add(this.target, view, this.distance);
     const seen = looking(eye, this.target, this.up);
-    gl.uniformMatrix4fv(at.view, false, product(perspective(0.7, width / height, this.distance / 100, this.distance * 30), seen));
+    gl.uniformMatrix4fv(at.view, false, product(perspective(fieldOfView, width / height, this.distance / 100, this.distance * 30), seen));
     gl.uniform3fv(at.light, unit(add(add(view, this.up, 0.6), cross(this.up, view), 0.4)));
     this.drawShapes(shapes.filter((shape) => !shape.above));
     this.drawLines(lines);

@@ -13,7 +13,7 @@ execFileSync(program, ["report", "--output", file]);
 const page = readFileSync(file, "utf8");
 
 const context = vm.createContext({});
-for (const id of ["mechanism", "script-integrator", "script-projection", "script-motion", "script-modes", "script-vectors", "script-surfaces", "script-shapes"]) {
+for (const id of ["mechanism", "script-integrator", "script-projection", "script-motion", "script-modes", "script-vectors", "script-surfaces", "script-framing", "script-shapes", "script-viewer"]) {
   vm.runInContext(new RegExp(`<script id="${id}">\n([^]*?)</script>`).exec(page)[1], context);
 }
 const { torsorMechanism: mechanism, torsorReport } = context;
@@ -62,12 +62,21 @@ if (name === "double_pendulum") {
     if (!(Math.abs(slow[1] / slow[0] - Math.SQRT2) < 1e-8)) failures.push(`the slow mode is ${slow}`);
   }
 }
-// The first view holds every ellipsoid of inertia, disc and ball: a camera at 3.1 · 1.1 reaches with 0.7 rad sees 1.24 of them.
+// The first view holds every ellipsoid of inertia, disc and ball, on a wide screen and on a narrow one.
 const poses = new torsorReport.Motion(mechanism).evaluate("poses", 0);
 const picture = new torsorReport.Picture(JSON.parse(/<script id="scene" type="application\/json">(.*?)<\/script>/.exec(page)[1]), poses);
-for (const { mesh, origin, x, y, z } of picture.at(poses, []).shapes.filter((each) => each.mesh === "sphere")) {
-  const far = Math.hypot(...origin.map((value, i) => value - picture.middle[i])) + Math.max(...[x, y, z].map((axis) => Math.hypot(...axis)));
-  if (!(far < 1.24 * (picture.reach ?? picture.size))) failures.push(`a ${mesh} reaches ${far} from the middle, and the picture ${picture.reach}`);
+const { dot, add, cross, unit } = torsorReport.vectors;
+for (const canvas of [{ clientWidth: 850, clientHeight: 470 }, { clientWidth: 330, clientHeight: 480 }]) {
+  const viewer = Object.assign(Object.create(torsorReport.Viewer.prototype), { canvas });
+  viewer.home(picture.framing.camera());
+  const view = viewer.towardsEye(), across = unit(cross(viewer.up, view)), upwards = cross(view, across);
+  const half = Math.tan(0.35), aspect = canvas.clientWidth / canvas.clientHeight;
+  for (const { origin, x, y, z } of picture.at(poses, []).shapes.filter((each) => each.mesh === "sphere")) {
+    const from = add(origin, viewer.target, -1), radius = Math.max(...[x, y, z].map((axis) => Math.hypot(...axis)));
+    const depth = viewer.distance - dot(from, view);
+    const beyond = Math.max((Math.abs(dot(from, across)) + radius) / aspect, Math.abs(dot(from, upwards)) + radius) / (half * depth);
+    if (!(depth > 0 && beyond < 1)) failures.push(`a ball of radius ${radius} reaches ${beyond} times the half picture of ${canvas.clientWidth} pixels`);
+  }
 }
 
 if (page.length > 1.2e6) failures.push(`the page has ${page.length} characters`);
