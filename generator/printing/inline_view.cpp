@@ -7,6 +7,7 @@
 #include <string>
 
 #include "torsor/generator/base/error.hpp"
+#include "torsor/generator/printing/cancelled_fractions.hpp"
 #include "torsor/generator/printing/trigonometry.hpp"
 #include "torsor/generator/printing/unit_quaternions.hpp"
 #include "torsor/generator/program/identically_zero.hpp"
@@ -254,7 +255,9 @@ Sum InlineView::canonical(const GiNaC::ex& e) {
 }
 
 Sum InlineView::shortened(const GiNaC::ex& expression) {
-  return with_squares_in_roots(simplified(with_squares_beside_roots(with_unit_quaternions(canonical(expression)))));
+  const Sum sum = with_squares_beside_roots(with_unit_quaternions(canonical(expression)));
+  const Sum simple = simplified(sum), shorter = cancelled(simple);
+  return with_squares_in_roots(compare(simple, shorter) == 0 ? simple : simplified(shorter));
 }
 
 Sum InlineView::sum(const GiNaC::ex& expression) { return shortened(expression.expand()); }

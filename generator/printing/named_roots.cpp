@@ -19,6 +19,9 @@ namespace {
 constexpr std::size_t short_radicand = 16;
 
 bool is_root(const WrittenFactor& factor) { return !factor.base && !factor.size && factor.halves % 2 != 0; }
+bool is_denominator(const WrittenFactor& factor) {
+  return !factor.base && !factor.size && factor.halves < 0 && factor.halves % 2 == 0;
+}
 
 /// Keeps what is written until all of it is known.
 class RootPage final : public Page {
@@ -74,7 +77,7 @@ class RootPage final : public Page {
     int number = 0;
     for (const std::string& radicand : in_order_) {
       Root& root = roots_.at(radicand);
-      if (root.count > 1) root.name = fmt::format("root_{}", ++number);
+      if (root.roots > 0 && root.count > 1) root.name = fmt::format("root_{}", ++number);
     }
     for (const auto& line : lines_) line();
     if (number > 0) page_->section(say("Roots"));
@@ -92,27 +95,27 @@ class RootPage final : public Page {
  private:
   struct Root {
     Written radicand;
-    int count = 0;
+    int count = 0, roots = 0;  ///< as a root or a denominator; as a root alone
     std::string name = {};
   };
 
   void count(const Written& written) {
     for (const WrittenTerm& term : written) {
       for (const WrittenFactor& factor : term.factors) {
-        if (!is_root(factor)) {
+        if (!is_root(factor) && !is_denominator(factor)) {
           count(factor.inside);
           continue;
         }
         const std::string radicand = text(factor.inside);
-        const auto known = roots_.find(radicand);
-        if (known != roots_.end()) {
-          ++known->second.count;
-          continue;
+        if (roots_.find(radicand) == roots_.end()) {
+          count(factor.inside);  // a root inside a root stands before it
+          if (radicand.size() <= short_radicand) continue;
+          roots_.emplace(radicand, Root{factor.inside});
+          in_order_.push_back(radicand);
         }
-        count(factor.inside);  // a root inside a root stands before it
-        if (radicand.size() <= short_radicand) continue;
-        roots_.emplace(radicand, Root{factor.inside, 1});
-        in_order_.push_back(radicand);
+        Root& root = roots_.at(radicand);
+        ++root.count;
+        root.roots += is_root(factor) ? 1 : 0;
       }
     }
   }
@@ -120,7 +123,8 @@ class RootPage final : public Page {
   Written named_in(Written written) const {
     for (WrittenTerm& term : written) {
       for (WrittenFactor& factor : term.factors) {
-        const auto root = is_root(factor) ? roots_.find(text(factor.inside)) : roots_.end();
+        const bool may_be_named = is_root(factor) || is_denominator(factor);
+        const auto root = may_be_named ? roots_.find(text(factor.inside)) : roots_.end();
         if (root == roots_.end() || root->second.name.empty()) {
           factor.inside = named_in(std::move(factor.inside));
           continue;

@@ -7,8 +7,8 @@
 
 namespace torsor::printing {
 
-/// The same page with a name, root_1, root_2 and so on, for every root of more than a few letters that occurs twice; a
-/// last section tells what they are.
+/// The same page with a name, root_1, root_2 and so on, for every root of more than a few letters that occurs twice, or once
+/// beside its radicand as a denominator, root_1^2; a last section tells what they are.
 std::unique_ptr<Page> with_named_roots(std::unique_ptr<Page> page);
 
 }  // namespace torsor::printing

@@ -16,6 +16,7 @@
 #include "torsor/generator/printing/derivation.hpp"
 #include "torsor/generator/printing/eliminated_multipliers.hpp"
 #include "torsor/generator/printing/first_integrals.hpp"
+#include "torsor/generator/printing/integrable_conditions.hpp"
 #include "torsor/generator/printing/lagrange_equations.hpp"
 #include "torsor/generator/printing/linearised_equations.hpp"
 #include "torsor/generator/printing/notation.hpp"
@@ -225,6 +226,11 @@ class Printer {
       if (constraint.holonomic && !left.empty() && !is_plus(left[0])) std::stable_partition(left.begin(), left.end(), is_plus);
       page_.equation("", left, {},
                      constraint.holonomic ? say("{}, holonomic", constraint.name) : say("{}, non-holonomic", constraint.name));
+    }
+    for (const IntegrableCondition& condition : integrable_conditions(equations_)) {
+      const std::string names = fmt::format("{}", fmt::join(condition.constraints, ", "));
+      page_.stated({say("constant"), say("\\text{constant}")}, collected(condition.constant),
+                   condition.constraints.size() == 1 ? say("{} is integrable", names) : say("{} are integrable together", names));
     }
   }
 

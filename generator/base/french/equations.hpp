@@ -54,6 +54,8 @@ constexpr Translation french_of_equations[] = {
     {"non-holonomic", "non holonome"},
     {"{} ({}) holds whatever the motion: it is no equation, and its multiplier is 0.",
      "{} ({}) est vérifiée quel que soit le mouvement : ce n'est pas une équation, et son multiplicateur est nul."},
+    {"{} is integrable", "{} est intégrable"},
+    {"{} are integrable together", "{} sont intégrables ensemble"},
     {"Constraints that repeat others are left out, their multipliers are 0: {}.",
      "Les équations de liaison qui en répètent d'autres sont omises, leurs multiplicateurs sont nuls : {}."},
     {"Indeterminate, as they are shared with those in a way that no motion tells: {}.",

@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "torsor/generator/printing/canonical_sum.hpp"
+
+namespace torsor::printing {
+
+/// The same sum with what cancels in its fractions cancelled: a/(a + b) + b/(a + b) is 1, (a² − b²)/(a + b) is a − b. Terms
+/// come over one denominator where that leaves fewer terms or fewer denominators.
+Sum cancelled(const Sum& sum);
+
+}  // namespace torsor::printing

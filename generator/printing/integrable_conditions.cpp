@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "torsor/generator/printing/integrable_conditions.hpp"
+
+#include <map>
+#include <optional>
+#include <utility>
+
+#include "torsor/generator/base/linear_algebra/row_reduction.hpp"
+#include "torsor/generator/printing/factoring.hpp"
+
+namespace torsor::printing {
+namespace {
+
+/// A quotient of polynomials of parameters, in lowest terms.
+class Ratio {
+ public:
+  explicit Ratio(int number) : value_(number) {}
+  explicit Ratio(const GiNaC::ex& value) : value_(value.normal()) {}
+
+  const GiNaC::ex& value() const { return value_; }
+  bool is_zero() const { return value_.is_zero(); }
+  Ratio operator-() const { return Ratio(-value_); }
+  Ratio& operator-=(const Ratio& other) { return *this = Ratio(value_ - other.value_); }
+  Ratio& operator/=(const Ratio& other) { return *this = Ratio(value_ / other.value_); }
+  friend Ratio operator*(const Ratio& a, const Ratio& b) { return Ratio(a.value_ * b.value_); }
+
+ private:
+  GiNaC::ex value_;
+};
+
+/// What multiplies a velocity in a constraint: a function of the configuration and time, or none.
+struct Place {
+  const CoordinateContent* coordinate = nullptr;  ///< null of what multiplies no velocity
+  Product configuration;
+};
+struct PlaceOrder {
+  bool operator()(const Place& a, const Place& b) const {
+    const int i = a.coordinate ? a.coordinate->v->index : -1, j = b.coordinate ? b.coordinate->v->index : -1;
+    return i != j ? i < j : compare(a.configuration, b.configuration) < 0;
+  }
+};
+/// Where the factors of parameters in a constraint stand.
+using Coefficients = std::map<Place, Sum, PlaceOrder>;
+
+/// Nothing where it is no sum of velocities times factors.
+std::optional<Coefficients> coefficients(const Sum& left, const LagrangeEquations& equations) {
+  Coefficients result;
+  for (const auto& [product, number] : left.terms()) {
+    Place place;
+    Product factor;
+    for (const Power& power : product) {
+      if (power.base->level <= Level::definition) {
+        factor.push_back(power);
+      } else if (power.base->level == Level::configuration) {
+        place.configuration.push_back(power);
+      } else {
+        if (power.base->kind != Base::Kind::symbol || power.halves != 2) return std::nullopt;
+        for (const LagrangeEquation& equation : equations.equations()) {
+          if (equation.coordinate.v == power.base->symbol) place.coordinate = &equation.coordinate;
+        }
+        if (!place.coordinate) return std::nullopt;
+      }
+    }
+    result[place].add(factor, number);
+  }
+  return result;
+}
+
+/// An entry that must vanish in a combination that can be integrated at sight.
+bool must_vanish(const Place& place) {
+  return !place.coordinate || place.coordinate->attitude || !place.configuration.empty();
+}
+
+/// Combinations that leave no entry of these rows.
+Rows<Ratio> combinations(Rows<Ratio> rows, std::size_t columns) {
+  RowReduction<Ratio> reduction(std::move(rows), columns);
+  for (std::size_t column = 0; column < columns; ++column) {
+    for (const std::size_t row : reduction.rows_left()) {
+      if (reduction(row, column).is_zero()) continue;
+      reduction.take({row, column});
+      break;
+    }
+  }
+  return reduction.null_space();
+}
+
+/// Without common factors and denominators.
+std::vector<GiNaC::ex> primitive(std::vector<GiNaC::ex> values) {
+  GiNaC::exmap names;
+  GiNaC::ex denominator = 1, factor = 0;
+  for (GiNaC::ex& value : values) {
+    value = value.to_rational(names).normal();
+    denominator = GiNaC::lcm(denominator, value.denom());
+  }
+  for (GiNaC::ex& value : values) {
+    value = (value * denominator).normal();
+    factor = GiNaC::gcd(factor, value);
+  }
+  for (GiNaC::ex& value : values) value = (value / factor).normal().subs(names, GiNaC::subs_options::no_pattern);
+  return values;
+}
+
+}  // namespace
+
+std::vector<IntegrableCondition> integrable_conditions(LagrangeEquations& equations) {
+  constexpr std::size_t most_constraints = 8;
+  std::vector<std::string> names;
+  std::vector<Coefficients> constraints;
+  for (const ConstraintEquation& constraint : equations.constraints()) {
+    if (constraint.holonomic || !constraint.left.sum || constraint.left.sum->is_zero()) continue;
+    std::optional<Coefficients> of = coefficients(*constraint.left.sum, equations);
+    if (!of) continue;
+    names.push_back(constraint.name);
+    constraints.push_back(std::move(*of));
+  }
+  if (constraints.empty() || constraints.size() > most_constraints) return {};
+
+  InlineView& view = equations.view();
+  const Ratio none(0);
+  std::map<Place, std::vector<Ratio>, PlaceOrder> entries;
+  for (std::size_t k = 0; k < constraints.size(); ++k) {
+    for (const auto& [place, factor] : constraints[k]) {
+      auto& row = entries.try_emplace(place, constraints.size(), none).first->second;
+      row[k] = Ratio(view.expression(factor));
+    }
+  }
+  Rows<Ratio> to_vanish;
+  for (const auto& [place, row] : entries) {
+    if (must_vanish(place)) to_vanish.push_back(row);
+  }
+
+  std::vector<IntegrableCondition> conditions;
+  for (const std::vector<Ratio>& combination : combinations(std::move(to_vanish), constraints.size())) {
+    std::vector<SymbolPointer> coordinates;
+    std::vector<GiNaC::ex> factors;
+    for (const auto& [place, row] : entries) {
+      if (must_vanish(place)) continue;
+      GiNaC::ex factor = 0;
+      for (std::size_t k = 0; k < row.size(); ++k) factor += combination[k].value() * row[k].value();
+      factor = factor.normal();
+      if (factor.is_zero()) continue;
+      coordinates.push_back(place.coordinate->q);
+      factors.push_back(factor);
+    }
+    if (factors.empty()) continue;  // the constraints repeat each other
+    IntegrableCondition condition;
+    factors = primitive(std::move(factors));
+    for (std::size_t i = 0; i < factors.size(); ++i) condition.constant += view.sum(factors[i]) * Sum::symbol(coordinates[i]);
+    const Number shared = shared_number(condition.constant);
+    const bool negative = condition.constant.terms().begin()->second.sign() < 0;
+    condition.constant = (Number(negative ? -1 : 1) / shared) * condition.constant;
+    for (std::size_t k = 0; k < names.size(); ++k) {
+      if (!combination[k].is_zero()) condition.constraints.push_back(names[k]);
+    }
+    conditions.push_back(std::move(condition));
+  }
+  return conditions;
+}
+
+}  // namespace torsor::printing
