@@ -11,6 +11,7 @@
 #include <fmt/format.h>
 
 #include "torsor/generator/printing/notation.hpp"
+#include "torsor/generator/printing/oriented_squares.hpp"
 
 namespace torsor::printing {
 namespace {
@@ -47,27 +48,27 @@ class RootPage final : public Page {
     lines_.emplace_back([this, symbol, remark] { page_->symbol(symbol, remark); });
   }
   void value(const Symbol& symbol, const Written& value, bool with_unit) override {
-    count(value);
-    lines_.emplace_back([this, symbol, value, with_unit] { page_->value(symbol, named_in(value), with_unit); });
+    see(value);
+    lines_.emplace_back([this, symbol, value, with_unit] { page_->value(symbol, finished(value), with_unit); });
   }
   void equation(const std::string& label, const Written& left, const Written& right,
                 const Remark& remark) override {
-    count(left);
-    count(right);
-    lines_.emplace_back([=, this] { page_->equation(label, named_in(left), named_in(right), remark); });
+    see(left);
+    see(right);
+    lines_.emplace_back([=, this] { page_->equation(label, finished(left), finished(right), remark); });
   }
   void stated(const Spelling& left, const Written& right, const Remark& remark) override {
-    count(right);
-    lines_.emplace_back([=, this] { page_->stated(left, named_in(right), remark); });
+    see(right);
+    lines_.emplace_back([=, this] { page_->stated(left, finished(right), remark); });
   }
   void matrix(const Spelling& name, const std::string& entry, const std::vector<std::vector<Written>>& rows) override {
     for (const auto& row : rows) {
-      for (const Written& each : row) count(each);
+      for (const Written& each : row) see(each);
     }
     lines_.emplace_back([=, this] {
       std::vector<std::vector<Written>> with_names = rows;
       for (auto& row : with_names) {
-        for (Written& each : row) each = named_in(each);
+        for (Written& each : row) each = finished(each);
       }
       page_->matrix(name, entry, with_names);
     });
@@ -85,7 +86,7 @@ class RootPage final : public Page {
       const Root& root = roots_.at(radicand);
       if (root.name.empty()) continue;
       WrittenFactor itself;
-      itself.inside = named_in(root.radicand);
+      itself.inside = finished(root.radicand);
       itself.halves = 1;
       page_->equation("", named(root.name), {{Number(1), {itself}}}, "");
     }
@@ -98,6 +99,12 @@ class RootPage final : public Page {
     int count = 0, roots = 0;  ///< as a root or a denominator; as a root alone
     std::string name = {};
   };
+
+  void see(const Written& written) {
+    count(written);
+    squares_.see(written);
+  }
+  Written finished(const Written& written) const { return squares_.oriented(named_in(written)); }
 
   void count(const Written& written) {
     for (const WrittenTerm& term : written) {
@@ -141,6 +148,7 @@ class RootPage final : public Page {
   std::vector<std::function<void()>> lines_;
   std::map<std::string, Root> roots_;  // by the text of the radicand; looked up only
   std::vector<std::string> in_order_;  // as they are first met
+  OrientedSquares squares_;
 };
 
 }  // namespace

@@ -357,7 +357,8 @@ std::vector<EvaluatedMotion::Observed> EvaluatedMotion::observed() const {
 
 std::vector<double> EvaluatedMotion::observe(double t, const std::vector<double>& y) {
   move_to(t, y);
-  const double kinetic = here_(energy_.assignments[0].value), potential = -here_(energy_.assignments[1].value);
+  const double kinetic = here_(energy_.assignments[0].value);
+  const double potential = 0 - here_(energy_.assignments[1].value);  // where nothing has one it is 0, not -0
   std::vector<double> numbers{kinetic, potential, kinetic + potential};
   if (integrals_.skipped.empty()) {
     for (const Assignment& each : integrals_.assignments) numbers.push_back(here_(each.value));

@@ -41,6 +41,18 @@ ModelOptions symbolic_parameters() {
   return options;
 }
 
+TEST(EquilibriumEquations, NameActionsThatAreFeltAtRestAlone) {
+  Scene scene = turning_hoop();
+  const SymbolPointer theta = scene.content().coordinates[0].q;
+  scene.damper("oil", theta, Expression::quantity("1", "N m s"));
+  EXPECT_EQ(equilibrium_equations(Equations(scene)).remarks,
+            std::vector<std::string>{"Lejeune-Dirichlet presupposes that 'oil' dissipates and that inputs are zero"});
+  scene.motor("drive", theta);
+  scene.generalised_force("wind", theta, Expression::quantity("1", "N m") * cos(scene.time() * Expression::quantity("1", "1/s")));
+  EXPECT_EQ(equilibrium_equations(Equations(scene)).remarks,
+            std::vector<std::string>{"the forces at rest do not derive from U + T0: 'drive', 'wind' act at rest"});
+}
+
 TEST(EquilibriumEquations, OfADrivenSystemAreThoseOfTheRelativeEquilibrium) {
   const Equations equations(turning_hoop(), symbolic_parameters());
   const EquilibriumEquations statics = equilibrium_equations(equations);

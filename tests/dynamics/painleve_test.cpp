@@ -159,6 +159,18 @@ TEST(MissingMomenta, SayWhatStandsAgainstThem) {
 
 std::vector<std::string> failing(const Scene& scene) { return report_of(scene).failing_conditions; }
 
+TEST(FailingConditions, TellForcesThatDeriveFromSomethingFromThoseThatDoNot) {
+  Scene held = pendulum();
+  const SymbolPointer theta = held.content().coordinates[0].q;
+  held.generalised_force("spiral", theta, Expression::quantity("-2", "N m") * sin(theta));
+  EXPECT_EQ(failing(held), std::vector<std::string>{"'spiral' has a force function that is not stated"});
+  held.generalised_force("oil", theta, Expression::quantity("-2", "N m s") * rate(theta));
+  EXPECT_EQ(failing(held), (std::vector<std::string>{"'oil' has no force function", "'spiral' has a force function that is not stated"}));
+  Scene stated = pendulum();
+  stated.force_function("spiral", Expression::quantity("2", "N m") * cos(stated.content().coordinates[0].q));
+  EXPECT_TRUE(failing(stated).empty());
+}
+
 TEST(FailingConditions, SayWhichConditionFails) {
   Scene damped = pendulum();
   const SymbolPointer theta = damped.content().coordinates[0].q;

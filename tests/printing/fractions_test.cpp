@@ -138,5 +138,18 @@ TEST(NamedRoots, AreNamesOfTheirRadicandsAsDenominatorsToo) {
   EXPECT_LT(check.worst, Real::parse("1e-46")) << check.worst_of;  // some 50 terms of size 10, rounded at 1e-50 each
 }
 
+/// A load whose rope is wound up: its length stands in T squared, and in the equations as a factor.
+TEST(OrientedSquares, HaveTheSignThatTheirFactorHasElsewhere) {
+  Scene scene("hoist", "");
+  const Expression l = scene.parameter("l_0", "m", 3), v = scene.parameter("v", "m/s", 0.1_r), m = scene.parameter("m", "kg", 1);
+  const Expression theta = scene.coordinate("theta", "rad");
+  const FrameHandle rope = scene.revolute("rope", "ground", axis::y, theta);
+  scene.body("load", scene.prismatic("load", rope, axis::z, -(l - v * scene.time())), Inertia::point(m));
+  scene.gravity({0, 0, Expression::quantity("-9.81", "m/s^2")});
+  const std::string page = print_equations(scene, Format::text, {});
+  EXPECT_TRUE(has(page, "1/2 m (l_0 - v t)^2 theta'^2")) << page;
+  EXPECT_FALSE(has(page, "(v t - l_0)")) << page;
+}
+
 }  // namespace
 }  // namespace torsor::fractions_test

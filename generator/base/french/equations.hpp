@@ -198,6 +198,8 @@ constexpr Translation french_of_equations[] = {
     {"nothing has mass", "rien n'a de masse"},
     {"{} has no force function", "{} ne dérive pas d'une fonction de force"},
     {"{} have no force function", "{} ne dérivent pas d'une fonction de force"},
+    {"{} has a force function that is not stated", "{} dérive d'une fonction de force qui n'est pas donnée"},
+    {"{} have force functions that are not stated", "{} dérivent de fonctions de force qui ne sont pas données"},
     {"T depends on time explicitly", "T dépend explicitement du temps"},
     {"the force function U depends on time explicitly", "la fonction de force U dépend explicitement du temps"},
     {"constraint '{}' imposes a velocity (b is not zero)", "l'équation de liaison '{}' impose une vitesse (b n'est pas nul)"},

@@ -7,6 +7,7 @@
 
 #include "torsor/generator/base/error.hpp"
 #include "torsor/generator/dynamics/forces/energy.hpp"
+#include "torsor/generator/dynamics/forces/selected_actions.hpp"
 #include "torsor/generator/dynamics/theorems/flat_polynomials.hpp"
 #include "torsor/generator/program/derivative.hpp"
 #include "torsor/generator/program/identically_zero.hpp"
@@ -16,23 +17,38 @@ namespace {
 
 bool zero_at_rest(SymbolKind kind) { return kind == SymbolKind::velocity || kind == SymbolKind::acceleration; }
 
+Substitution with_no_velocity(Program& program) {
+  return Substitution(program, [&program](const SymbolPointer& symbol) -> std::optional<Value> {
+    if (!zero_at_rest(symbol->kind)) return std::nullopt;
+    return program.number(Number(), symbol->unit);
+  });
+}
+
+/// Whether an action is felt where nothing moves, as a damper is not.
+bool acts_at_rest(const Model& model, const std::string& name) {
+  const SelectedActions selected = selected_actions(model, {{name}, {}});
+  Substitution at_rest = with_no_velocity(model.program());
+  return !selected.frictions.empty() || std::any_of(selected.forces.begin(), selected.forces.end(), [&](const Value& force) {
+    return !identically_zero(at_rest(force));
+  });
+}
+
 /// Why the forces at rest have no force function, or what else must be known before Lejeune-Dirichlet is believed.
 std::vector<std::string> remarks_on(const Equations& equations, bool from_potential, const NaturalLanguage& say) {
-  std::vector<std::string> remarks;
-  const std::size_t count = equations.actions().without_force_function.size();
-  std::string names;
+  std::vector<std::string> names;
   for (const std::string& name : equations.actions().without_force_function) {
-    names += (names.empty() ? "'" : ", '") + name + "'";
+    if (from_potential || acts_at_rest(equations.model(), name)) names.push_back(fmt::format("'{}'", name));
   }
+  const std::string list = fmt::format("{}", fmt::join(names, ", "));
+  const bool one = names.size() == 1;
   if (!from_potential) {
-    remarks.push_back(names.empty() ? say("the forces at rest do not derive from U + T0: T depends on time explicitly")
-                      : count == 1  ? say("the forces at rest do not derive from U + T0: {} acts at rest", names)
-                                    : say("the forces at rest do not derive from U + T0: {} act at rest", names));
-  } else if (!names.empty()) {
-    remarks.push_back(count == 1 ? say("Lejeune-Dirichlet presupposes that {} dissipates and that inputs are zero", names)
-                                 : say("Lejeune-Dirichlet presupposes that {} dissipate and that inputs are zero", names));
+    return {names.empty() ? say("the forces at rest do not derive from U + T0: T depends on time explicitly")
+            : one         ? say("the forces at rest do not derive from U + T0: {} acts at rest", list)
+                          : say("the forces at rest do not derive from U + T0: {} act at rest", list)};
   }
-  return remarks;
+  if (names.empty()) return {};
+  return {one ? say("Lejeune-Dirichlet presupposes that {} dissipates and that inputs are zero", list)
+              : say("Lejeune-Dirichlet presupposes that {} dissipate and that inputs are zero", list)};
 }
 
 }  // namespace
@@ -41,10 +57,7 @@ EquilibriumEquations equilibrium_equations(const Equations& equations, const Nat
   const Model& model = equations.model();
   Program& program = model.program();
   const auto n = static_cast<std::size_t>(model.unknown_count());
-  Substitution at_rest(program, [&program](const SymbolPointer& symbol) -> std::optional<Value> {
-    if (!zero_at_rest(symbol->kind)) return std::nullopt;
-    return program.number(Number(), symbol->unit);
-  });
+  Substitution at_rest = with_no_velocity(program);
   EquilibriumEquations result;
   std::vector<Value> forces;
   for (std::size_t i = 0; i < n; ++i) {

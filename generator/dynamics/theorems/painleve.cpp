@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "torsor/generator/dynamics/forces/energy.hpp"
+#include "torsor/generator/dynamics/theorems/force_function.hpp"
 #include "torsor/generator/dynamics/theorems/joint_reactions.hpp"
 #include "torsor/generator/program/derivative.hpp"
 #include "torsor/generator/program/evaluation.hpp"
@@ -150,10 +151,19 @@ PainleveReport painleve(const Equations& equations, const NaturalLanguage& say) 
 
   Value u = gravity_force_function(model);
   u += equations.actions().spring_force_function;
-  const std::vector<std::string> working = working_actions(equations);
+  std::vector<std::string> working, unstated;  // a force by formula may have a force function that nobody wrote down
+  for (const std::string& name : working_actions(equations)) {
+    const bool has_one = classify_force_function(equations, {{name}, {}}).kind != ForceFunctionCase::none;
+    (has_one ? unstated : working).push_back(name);
+  }
   if (!working.empty()) {
     report.failing_conditions.push_back(working.size() == 1 ? say("{} has no force function", joined(working))
                                                             : say("{} have no force function", joined(working)));
+  }
+  if (!unstated.empty()) {
+    report.failing_conditions.push_back(unstated.size() == 1
+                                            ? say("{} has a force function that is not stated", joined(unstated))
+                                            : say("{} have force functions that are not stated", joined(unstated)));
   }
   if (!identically_zero(report.explicit_rate)) report.failing_conditions.push_back(say("T depends on time explicitly"));
   if (!u.is_zero() && !identically_zero(by_time(u))) {
