@@ -5,7 +5,6 @@ from __future__ import annotations
 
 import ctypes
 import os
-from collections import OrderedDict
 from types import MappingProxyType
 from typing import TYPE_CHECKING, Any, Callable, Mapping, NamedTuple
 
@@ -15,7 +14,9 @@ from numpy.typing import ArrayLike
 from . import _abi
 from ._contacts import IMPACT_LAWS, Contact, ContactEvent, Told
 from ._display import Displayed
-from ._kernel import Kernel, NotFiniteError, Results, SingularError, TorsorError, as_columns, require_finite, view_of
+from ._kernel import (Kernel, NotFiniteError, Results, SingularError, TorsorError, as_columns, require_finite, thread_count,
+                      view_of)
+from ._models import Model, Models, opened_again
 
 MOTION_STATUSES = ("reached the end time", "stopped", "unusable options: times, tolerances or steps",
                    "the step fell below the resolution of time", "the step limit was met",
@@ -87,21 +88,6 @@ class Equilibrium(NamedTuple):
     """Largest generalised force that is left [N, N m]."""
 
 
-class _Model:
-    """Parameters with what depends on them; freed with its last user."""
-
-    def __init__(self, mechanism: "Mechanism", parameters: np.ndarray):
-        table = mechanism._table
-        self._destroy, self._library = table.destroy, mechanism._library
-        self.address = table.create(parameters.ctypes.data_as(ctypes.POINTER(ctypes.c_double)))
-        if not self.address:
-            raise MemoryError("no memory for the parameters of a mechanism")
-
-    def __del__(self) -> None:
-        if getattr(self, "address", None):
-            self._destroy(self.address)
-
-
 def _quantities(entries: Any, count: int) -> Mapping[str, str]:
     return MappingProxyType({e.name.decode(): e.unit.decode() for e in entries[:count]})
 
@@ -168,7 +154,7 @@ class Mechanism(Displayed):
                        "multipliers": table.multiplier_count, "inputs": table.input_count}
         self.parameters: Mapping[str, float] = MappingProxyType(
             dict(zip(self.parameter_units, table.default_parameters[:table.parameter_count])))
-        self._models: OrderedDict[tuple[float, ...], _Model] = OrderedDict()
+        self._models = Models()
         self.methods = tuple(method.name.decode() for method in table.methods[:table.method_count])
         self._fixed_step = {method.name.decode() for method in table.methods[:table.method_count] if method.fixed_step}
         self.kernels: Mapping[str, Kernel] = MappingProxyType(
@@ -195,7 +181,7 @@ class Mechanism(Displayed):
         """The same mechanism with other run-time parameters as those that calls take by default."""
         other = object.__new__(Mechanism)
         other.__dict__.update({k: v for k, v in self.__dict__.items() if k != "_own" and not isinstance(v, Kernel)})
-        other._models = OrderedDict()
+        other._models = Models()
         other.parameters = MappingProxyType(self._merged(values))
         other.kernels = MappingProxyType(
             {entry.name.decode(): Kernel(other, entry) for entry in self._table.kernels[:self._table.kernel_count]})
@@ -204,6 +190,8 @@ class Mechanism(Displayed):
 
     def _merged(self, values: Mapping[str, float] | None) -> dict[str, float]:
         merged = dict(self.parameters)
+        if values is not None and not hasattr(values, "items"):
+            raise TypeError(f"parameters: give a mapping of names to numbers, not a {type(values).__name__}")
         for name, value in (values or {}).items():
             if name not in merged:
                 raise KeyError(f"{self.name} has no run-time parameter {name!r}; there are "
@@ -216,17 +204,15 @@ class Mechanism(Displayed):
             merged[name] = float(number)
         return merged
 
-    def _model(self, parameters: Mapping[str, float] | None) -> _Model:
+    def _model(self, parameters: Mapping[str, float] | None) -> Model:
         if parameters is None and "_own" in self.__dict__:
             return self._own
-        key = tuple(self._merged(parameters).values())
-        model = self._models.get(key)
-        if model is None:
-            model = self._models[key] = _Model(self, np.array(key if key else (0.0,)))
-            if len(self._models) > 64:
-                self._models.popitem(last=False)
-        self._models.move_to_end(key)
-        return model
+        return self._models.get(self, self._merged(parameters))
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        """Pickled as the path of its library, with its parameters; a scene in Python stays behind."""
+        source = None if hasattr(self._source, "equations") else self._source
+        return opened_again, (type(self), self.path, source, self.fingerprint, dict(self.parameters))
 
     # States and motions
 
@@ -304,7 +290,7 @@ class Mechanism(Displayed):
 
         whole, model = _abi.ContactMotion(), self._model(parameters)
         motion = whole.motion  # the same bytes
-        motion.model, motion.motions, motion.threads = model.address, count, threads
+        motion.model, motion.motions, motion.threads = model.address, count, thread_count(threads)
         motion.method, motion.unprojected = self.methods.index(method), 0 if project else 1
         motion.step = 0.0 if step is None else step
         motion.relative_tolerance, motion.absolute_tolerance = relative_tolerance, absolute_tolerance
