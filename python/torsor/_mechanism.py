@@ -269,6 +269,10 @@ class Mechanism(Displayed):
         if not self.methods:
             raise ValueError(f"{self.name} cannot be integrated: it lacks kernels; build it with "
                              f"{', '.join(self._kernels_of_motion())}")
+        missing = [] if self.contact_descriptions else [k for k in self._kernels_of_motion() if k not in self.kernels]
+        if project and missing:
+            raise ValueError(f"{self.name}: its constraints are held by kernels that it lacks: build it with {', '.join(missing)}, "
+                             "or give project=False, and they drift")
         if impact_law not in IMPACT_LAWS:
             raise ValueError(f"no impact law {impact_law!r}; there are {', '.join(IMPACT_LAWS)}")
         if method not in self.methods:
