@@ -124,12 +124,19 @@ class StructureText {
     return all;
   }
 
+  /// Whether one of them is no known at the start, but a function of parameters.
+  bool through_start(const std::vector<std::size_t>& references) const {
+    return std::any_of(references.begin(), references.end(), [this](std::size_t each) {
+      return std::find(structure_.initial.begin(), structure_.initial.end(), each) != structure_.initial.end();
+    });
+  }
+
   /// Known are inputs, states and time; parameters, in FMI 2.0, at the start alone.
   Attributes outputs(bool initially) const {
     Attributes all;
     for (const FmiDependency& output : structure_.outputs) {
       all.push_back(unknown(output.output));
-      if (!output.on) continue;
+      if (!output.on || (initially && through_start(*output.on))) continue;
       std::string known;
       for (const FmiVariable& variable : variables_) {
         if (std::find(output.on->begin(), output.on->end(), variable.reference) == output.on->end()) continue;

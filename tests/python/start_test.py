@@ -49,12 +49,15 @@ def test_a_start_that_no_constraint_can_be_met_from_is_refused(bead):
     assert list(motion.ok) == [False, True] and np.isnan(motion.q[0]).all()
 
 
-def test_constraints_that_nothing_holds_are_told():
+def test_constraints_that_nothing_holds_are_told(monkeypatch):
     """Without the mass matrix a motion would leave the ring unseen."""
     bare = scene("ring", "--kernels", "forward_dynamics,energy")
     with pytest.raises(ValueError, match="held by kernels that it lacks: build it with mass_matrix, constraints, or give project=False"):
         bare.simulate(0.1)
     assert bare.simulate(0.1, project=False).ok
+    monkeypatch.setattr(bare, "_kernels_of_motion", list)  # the library says it itself, to others than Python
+    with pytest.raises(torsor.TorsorError, match="the method does not suit the model"):
+        bare.simulate(0.1)
 
 
 def state_of(unit, component):
@@ -86,6 +89,9 @@ def test_descriptions_tell_which_starts_follow(unit):
     assert initial == {"q.x": "approx", "q.y": "exact", "q.z": "approx", "v.x": "exact"}
     first = unit.initial_unknowns[:3]
     assert first == [unit.reference["q.x"], unit.reference["q.z"], unit.derivatives[0]]
+    # At the start the height is no known: what is a function of it depends on all.
+    potential = unit.reference["energy.potential"]
+    assert unit.dependencies(initially=True)[potential] is None and unit.reference["q.z"] in unit.dependencies()[potential]
 
 
 @pytest.mark.parametrize("kind", [CO_SIMULATION, MODEL_EXCHANGE])
