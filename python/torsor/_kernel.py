@@ -92,6 +92,14 @@ def as_columns(name: str, value: ArrayLike, size: int) -> np.ndarray:
     return array
 
 
+def one_state(name: str, value: ArrayLike, size: int) -> np.ndarray:
+    """As `as_columns`, of what takes a single state."""
+    array = as_columns(name, value, size)
+    if array.ndim != 1:
+        raise ValueError(f"{name}: one state is asked for: shape {array.shape} is not ({size},)")
+    return array
+
+
 def note_copy(copied: list[tuple[np.ndarray, np.ndarray]], read: np.ndarray, given: Any) -> None:
     """Remembers that ``read`` holds the numbers of an array elsewhere."""
     if isinstance(given, np.ndarray) and not np.may_share_memory(read, given):
@@ -236,7 +244,11 @@ class Kernel:
         if isinstance(out, np.ndarray):
             out = (out,)
         elif isinstance(out, Mapping):
-            out = tuple(out.get(r.name) for r in self.results)
+            names = [r.name for r in self.results]
+            for name in out:
+                if name not in names:
+                    raise ValueError(f"out: {self.name} has no result {name!r}; there are {', '.join(names)}")
+            out = tuple(out.get(name) for name in names)
         if len(out) != len(shapes):
             raise ValueError(f"out: {self.name} has {len(shapes)} results and got {len(out)} arrays")
         arrays = []

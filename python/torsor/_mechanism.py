@@ -14,8 +14,8 @@ from numpy.typing import ArrayLike
 from . import _abi
 from ._contacts import IMPACT_LAWS, Contact, ContactEvent, Told
 from ._display import Displayed
-from ._kernel import (Kernel, NotFiniteError, Results, SingularError, TorsorError, as_columns, require_finite, thread_count,
-                      view_of)
+from ._kernel import (Kernel, NotFiniteError, Results, SingularError, TorsorError, as_columns, one_state, require_finite,
+                      thread_count, view_of)
 from ._models import Model, Models, opened_again
 
 MOTION_STATUSES = ("reached the end time", "stopped", "unusable options: times, tolerances or steps",
@@ -271,8 +271,8 @@ class Mechanism(Displayed):
                              f"{', '.join(self._kernels_of_motion())}")
         missing = [] if self.contact_descriptions else [k for k in self._kernels_of_motion() if k not in self.kernels]
         if project and missing:
-            raise ValueError(f"{self.name}: its constraints are held by kernels that it lacks: build it with {', '.join(missing)}, "
-                             "or give project=False, and they drift")
+            raise ValueError(f"{self.name}: its constraints are held by kernels that it lacks: build it with "
+                             f"{', '.join(missing)}, or give project=False, and they drift")
         if impact_law not in IMPACT_LAWS:
             raise ValueError(f"no impact law {impact_law!r}; there are {', '.join(IMPACT_LAWS)}")
         if method not in self.methods:
@@ -287,8 +287,9 @@ class Mechanism(Displayed):
                                     () if law is None else law.shape[:-1])
         count = int(np.prod(batch)) if batch else 1
         y = np.ascontiguousarray(np.concatenate(
-            [np.broadcast_to(a, batch + a.shape[-1:]) for a in start.values()], axis=-1)).reshape(count, -1)
-        n = y.shape[1]
+            [np.broadcast_to(a, batch + a.shape[-1:]) for a in start.values()], axis=-1))
+        n = y.shape[-1]
+        y = y.reshape(count, n)
         states = np.empty((count, len(grid), n))
         statuses, calls = np.zeros(count, dtype=np.int32), np.zeros(count, dtype=np.int64)
 
@@ -307,8 +308,9 @@ class Mechanism(Displayed):
             motion.inputs, kept = view_of(law, batch or (1,), 1)
             alive.append(kept)
         raised: list[BaseException] = []
+        odd: list[float] = []
         if callable(inputs):
-            motion.law = self._law(inputs, raised)
+            motion.law = self._law(inputs, raised, odd)
             alive.append(motion.law)
         motion.times, motion.time_count = grid.ctypes.data, len(grid)
         motion.states = _abi.View(states.ctypes.data, *states.strides)
@@ -328,6 +330,7 @@ class Mechanism(Displayed):
             raise TorsorError(f"{self.name}: the library refuses the call: {failed}")
         if not batch and failed:
             at = f"; contact {names[ended[0]]}" if ended[0] >= 0 else ""
+            at += f"; inputs at t = {odd[0]:.6g} s are no finite numbers" if odd else ""
             raise TorsorError(f"{self.name}: the motion ends early: {MOTION_STATUSES[statuses[0]]}{at}")
         result = self._motion(grid, states.reshape(batch + states.shape[1:]), statuses.reshape(batch),
                               calls.reshape(batch), parameters)
@@ -367,7 +370,8 @@ class Mechanism(Displayed):
             return Motion(grid, q, v, energy, True, int(statuses), int(calls))
         return Motion(grid, q, v, energy, statuses == 0, statuses, calls)
 
-    def _law(self, inputs: Callable[[float, np.ndarray, np.ndarray], ArrayLike], raised: list[BaseException]) -> Any:
+    def _law(self, inputs: Callable[[float, np.ndarray, np.ndarray], ArrayLike], raised: list[BaseException],
+             odd: list[float]) -> Any:
         nq, n, m = self._sizes["q"], self._sizes["q"] + self._sizes["v"], self._sizes["inputs"]
 
         def law(_: Any, time: float, y: Any, result: Any) -> None:
@@ -377,6 +381,8 @@ class Mechanism(Displayed):
                     raise raised[0]
                 state = np.ctypeslib.as_array(y, (n,)).copy()
                 into[...] = as_columns("inputs", inputs(time, state[:nq], state[nq:]), m)
+                if not odd and not np.isfinite(into).all():
+                    odd.append(time)
             except BaseException as error:  # nothing may be thrown through C: the motion ends by what is no number
                 raised.append(error)
                 into[...] = np.nan
@@ -405,8 +411,9 @@ class Mechanism(Displayed):
 
     def modes(self, q: ArrayLike | None = None, v: ArrayLike | None = None, **options: Any) -> Modes:
         """Eigenvalues of the state matrix A of `linearise` at one state, slowest first. v is zero when absent."""
-        zeros = np.zeros(self._sizes["v"]) if v is None else v
-        matrix = self.linearise(q, zeros, **options).A
+        at = None if q is None else one_state("q", q, self._sizes["q"])
+        zeros = np.zeros(self._sizes["v"]) if v is None else one_state("v", v, self._sizes["v"])
+        matrix = self.linearise(at, zeros, **options).A
         values, shapes = np.linalg.eig(matrix)
         order = np.lexsort((values.imag, np.abs(values)))
         values, shapes = values[order], shapes[:, order]
@@ -422,7 +429,7 @@ class Mechanism(Displayed):
         it finds none. Constraints are met, with their multipliers."""
         scene = self.initial_state(parameters)
         at = scene.time if time is None else time
-        q = as_columns("q", scene.q if q is None else q, self._sizes["q"]).copy()
+        q = one_state("q", scene.q if q is None else q, self._sizes["q"]).copy()
         nv, nm = self._sizes["v"], self._sizes["multipliers"]
         rest, multipliers = np.zeros(nv), np.zeros(nm)
         common: dict[str, Any] = {"time": at, "parameters": parameters}

@@ -84,6 +84,16 @@ def test_a_library_that_was_built_anew_is_no_pickled_one(pendulum, rod):
         kind(*arguments)
 
 
+def test_no_motions_are_no_error(pendulum):
+    motion = pendulum.simulate([0.0, 1.0], np.zeros((0, 2)))
+    assert motion.q.shape == (0, 2, 2) and motion.energy.shape == (0, 2) and motion.ok.shape == (0,)
+
+
+def test_a_law_that_gives_no_number_is_named(cart):
+    with pytest.raises(torsor.TorsorError, match=r"inputs at t = 0\.[1-9]\d* s are no finite numbers"):
+        cart.simulate(1.0, inputs=lambda t, q, v: [np.nan if t > 0.1 else 0.0, 0.0], step=0.01, method="midpoint")
+
+
 def test_arguments_that_are_none_are_named(pendulum):
     q = [0.3, -0.4]
     with pytest.raises(TypeError, match="missing 1 required argument: 'q'"):
@@ -98,5 +108,11 @@ def test_arguments_that_are_none_are_named(pendulum):
             pendulum.energy(q, threads=threads)
         with pytest.raises(ValueError, match=f"threads: {threads} is no number of threads"):
             pendulum.simulate(0.1, threads=threads)
+    with pytest.raises(ValueError, match="out: energy has no result 'kinetics'; there are kinetic"):
+        pendulum.energy(q, out={"kinetics": np.zeros(())})
+    with pytest.raises(ValueError, match=r"q: one state is asked for: shape \(3, 2\) is not \(2,\)"):
+        pendulum.modes(np.zeros((3, 2)))
+    with pytest.raises(ValueError, match=r"q: one state is asked for: shape \(3, 2\) is not \(2,\)"):
+        pendulum.equilibria(np.zeros((3, 2)))
     with pytest.raises(TypeError, match="options: give a sequence of words"):
         torsor.load(__file__, options="--base")
