@@ -224,6 +224,14 @@ class Mechanism(Displayed):
         self._table.initial_state(model.address, *pointers)
         return State(float(time[0]), q, v)
 
+    def _closed_start(self, parameters: Mapping[str, float] | None) -> State:
+        """`initial_state`, put on its constraints, which parameters may have left: where `simulate` starts."""
+        start = self.initial_state(parameters)
+        if not self.multipliers or self.contact_descriptions or any(k not in self.kernels for k in self._kernels_of_motion()):
+            return start
+        motion = self.simulate([start.time], parameters=parameters)
+        return State(start.time, motion.q[0], motion.v[0])
+
     def ode(self, inputs: ArrayLike | Callable[[float, np.ndarray, np.ndarray], ArrayLike] | None = None,
             parameters: Mapping[str, float] | None = None) -> Callable[[float, np.ndarray], np.ndarray]:
         """The right side f(t, y) of y' = f, y = (q, v) of shape (n,) or (n, states), as `scipy.integrate.solve_ivp` asks
@@ -395,9 +403,9 @@ class Mechanism(Displayed):
                   inputs: ArrayLike | None = None, time: float | None = None,
                   parameters: Mapping[str, float] | None = None) -> Results:
         """M e'' + C e' + K e = F + E du about a state and its own motion (or given accelerations), and where there are,
-        x' = A x + B du with x = (e, e'). What is absent is the scene's start; without accelerations, those of the
-        motion with these inputs. Matrices as `linearisation.__doc__` says."""
-        scene = self.initial_state(parameters)
+        x' = A x + B du with x = (e, e'). What is absent is the start of the motion (on its constraints); without
+        accelerations, those of the motion with these inputs. Matrices as `linearisation.__doc__` says."""
+        scene = self._closed_start(parameters) if q is None else self.initial_state(parameters)
         q = scene.q if q is None else q
         v = scene.v if v is None else v
         at = scene.time if time is None else time

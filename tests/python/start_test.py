@@ -10,7 +10,7 @@ import torsor
 from conftest import scene
 from fmi_importer import CO_SIMULATION, ERROR, MODEL_EXCHANGE, OK, Unit2, Unit3
 
-KERNELS = ("--kernels", "mass_matrix,bias,forward_dynamics,energy,constraints")
+KERNELS = ("--kernels", "mass_matrix,forward_dynamics,energy,constraints,linearisation")
 
 
 @pytest.fixture(scope="module")
@@ -40,6 +40,16 @@ def test_a_start_off_the_constraints_is_put_on_them(bead, method):
     close(motion.q[0], [x, 2.0, z])
     np.testing.assert_array_equal(motion.q, bead.simulate([0.0, 0.3], motion.q[0], **options).q)
     np.testing.assert_array_equal(motion.q[0], bead.simulate([0.0], motion.q[0], **options).q[0])  # rounding is left alone
+
+
+def test_what_is_linearised_is_the_start_of_the_motion(bead):
+    """Not the scene's start, from which the stretched ring is away."""
+    parameters = {"stretch": 1.6}
+    found = bead.linearise(parameters=parameters)
+    expected = bead.linearise(bead.simulate([0.0], parameters=parameters).q[0], parameters=parameters)
+    for one, other, of_scene in zip(found, expected, bead.linearise(bead.initial_state().q, parameters=parameters)):
+        np.testing.assert_array_equal(one, other)
+    assert not np.array_equal(of_scene, other)
 
 
 def test_a_start_that_no_constraint_can_be_met_from_is_refused(bead):
