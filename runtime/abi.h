@@ -107,7 +107,8 @@ typedef struct torsor_motion {
   size_t motions;
   uint32_t threads;    /* as in torsor_call */
   int32_t method;      /* place in the table of methods */
-  int32_t unprojected; /* not 0: constraints drift */
+  int32_t unprojected; /* not 0: constraints drift. 0 takes the kernels mass_matrix and constraints where there are some:
+                        * without them torsor_motion_unsuitable_model */
   double step;         /* of methods with a fixed step */
   double relative_tolerance, absolute_tolerance, first_step,
       largest_step;      /* of the others; steps of 0: their own choice */

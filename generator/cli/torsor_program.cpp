@@ -62,7 +62,7 @@ void add_options(CLI::App& command, FileRequest& request) {
       .add_option("--angle-tolerance", request.angle_tolerance, "angles near multiples of pi/12 become these multiples; the changes from the root to any link add up to this at most [rad]")
       ->capture_default_str();
   command.add_option("--name", request.name, "name of the scene; that of the robot when absent");
-  command.add_option("--points", request.points, "links whose origins are points, with Jacobians; comma-separated")
+  command.add_option("--points", request.points, "links whose origins are points, with Jacobians; comma-separated, or all")
       ->delimiter(',');
   command.add_option("--initial", request.initial, "state at t = 0, NAME=VALUE, rates NAME'=VALUE; comma-separated")
       ->delimiter(',');

@@ -22,7 +22,8 @@ std::string kind_of(const FmiVariable& variable) {
   using Role = FmiVariable::Role;
   switch (variable.role) {
     case Role::state:
-      return "causality=\"local\" variability=\"continuous\" initial=\"exact\"";
+      return fmt::format("causality=\"local\" variability=\"continuous\" initial=\"{}\"",
+                         variable.follows_parameters ? "approx" : "exact");
     case Role::input:
       return "causality=\"input\" variability=\"continuous\"";
     case Role::parameter:
@@ -70,7 +71,7 @@ constexpr const char* with_contacts_of_3 =
 /// What ModelStructure tells: of outputs also what they depend on.
 struct ModelStructure {
   std::vector<FmiDependency> outputs;
-  std::vector<std::size_t> derivatives, indicators;  ///< references
+  std::vector<std::size_t> derivatives, indicators, initial;  ///< references; `initial`: states that follow parameters
 };
 
 /// FMI 2.0 counts variables, 3.0 names them by reference.
@@ -82,6 +83,7 @@ class StructureText {
     for (const FmiVariable& variable : variables) {
       if (variable.role == FmiVariable::Role::indicator) structure_.indicators.push_back(variable.reference);
       if (variable.role == FmiVariable::Role::derivative) structure_.derivatives.push_back(variable.reference);
+      if (variable.follows_parameters) structure_.initial.push_back(variable.reference);
     }
   }
 
@@ -89,7 +91,7 @@ class StructureText {
     const std::string derivatives = two_ ? "Derivatives" : "ContinuousStateDerivative";
     return section(two_ ? "Outputs" : "Output", outputs(false)) +
            section(derivatives, unknowns(structure_.derivatives)) +
-           section(two_ ? "InitialUnknowns" : "InitialUnknown", unknowns(structure_.derivatives), outputs(true)) +
+           section(two_ ? "InitialUnknowns" : "InitialUnknown", unknowns(initially()), outputs(true)) +
            (two_ ? "" : section("EventIndicator", unknowns(structure_.indicators)));
   }
 
@@ -97,6 +99,12 @@ class StructureText {
 
  private:
   using Attributes = std::vector<std::string>;
+
+  std::vector<std::size_t> initially() const {
+    std::vector<std::size_t> all = structure_.initial;
+    all.insert(all.end(), structure_.derivatives.begin(), structure_.derivatives.end());
+    return all;
+  }
 
   /// References are in the order of variables, and some may be missing.
   std::size_t called(std::size_t reference) const {
@@ -116,12 +124,19 @@ class StructureText {
     return all;
   }
 
+  /// Whether one of them is no known at the start, but a function of parameters.
+  bool through_start(const std::vector<std::size_t>& references) const {
+    return std::any_of(references.begin(), references.end(), [this](std::size_t each) {
+      return std::find(structure_.initial.begin(), structure_.initial.end(), each) != structure_.initial.end();
+    });
+  }
+
   /// Known are inputs, states and time; parameters, in FMI 2.0, at the start alone.
   Attributes outputs(bool initially) const {
     Attributes all;
     for (const FmiDependency& output : structure_.outputs) {
       all.push_back(unknown(output.output));
-      if (!output.on) continue;
+      if (!output.on || (initially && through_start(*output.on))) continue;
       std::string known;
       for (const FmiVariable& variable : variables_) {
         if (std::find(output.on->begin(), output.on->end(), variable.reference) == output.on->end()) continue;

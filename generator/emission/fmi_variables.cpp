@@ -28,6 +28,18 @@ double start_value(const MechanismListing& mechanism, const SymbolPointer& symbo
   }
 }
 
+/// Whether a parameter that is set at run time stands in a formula, or in the value of one that does.
+bool depends_on_parameters(const MechanismListing& mechanism, const Expression& formula) {
+  const std::vector<SymbolPointer>& open = mechanism.layout.parameters;
+  const std::vector<SymbolPointer> symbols = formula.symbols();
+  return std::any_of(symbols.begin(), symbols.end(), [&](const SymbolPointer& symbol) {
+    if (std::find(open.begin(), open.end(), symbol) != open.end()) return true;
+    const auto& all = mechanism.scene().content().parameters;
+    const auto found = std::find_if(all.begin(), all.end(), [&](const ParameterContent& p) { return p.symbol == symbol; });
+    return found != all.end() && found->value && depends_on_parameters(mechanism, *found->value);
+  });
+}
+
 /// "m" becomes "m/s", "rad" "rad/s".
 std::string unit_of_rate(const std::string& unit) {
   if (unit == "rad") return "rad/s";
@@ -93,6 +105,7 @@ class VariableList {
   void add(const std::string& name, const std::string& unit, Role role, std::optional<double> start = {}) {
     all_.push_back({name, unit, role, start, next_++});
   }
+  void follow_parameters() { all_.back().follows_parameters = true; }
   void add_derivative(std::size_t state, const std::string& unit) {
     all_.push_back({fmt::format("der({})", all_[state].name), unit, Role::derivative, {}, next_++, state});
   }
@@ -171,6 +184,8 @@ std::vector<FmiVariable> fmi_variables(const FmiUnit& unit) {
     const std::vector<NamedUnit> named = named_units(symbols);
     for (std::size_t i = 0; i < symbols.size(); ++i) {
       all.add(prefix + named[i].name, named[i].unit, Role::state, start_value(mechanism, symbols[i], "state"));
+      const auto formula = initial_formula(mechanism.scene().content(), symbols[i]);
+      if (formula && depends_on_parameters(mechanism, *formula)) all.follow_parameters();
     }
   };
   states("q.", layout.coordinates);

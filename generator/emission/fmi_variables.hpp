@@ -17,6 +17,7 @@ struct FmiVariable {
   std::optional<double> start;
   std::size_t reference = 0;             ///< its value reference
   std::optional<std::size_t> state = {};  ///< reference of the state whose derivative it is
+  bool follows_parameters = false;        ///< a state whose start is a function of tunable parameters
 };
 
 /// Names of the event indicators, in their order: three of each contact.

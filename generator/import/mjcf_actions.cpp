@@ -45,7 +45,9 @@ void MjcfBuilder::add_scalar_actions(std::size_t i) {
     const Expression a = parameter(name + "_armature", turns ? "kg m^2" : "kg", from_double(joint.armature));
     add_rotor(scene_, frame_names_.take(name + "_rotor", "joint"), {.displacement = q, .turns = turns, .armature = a});
   }
-  if (joint.limited && options_.limits && !followed_.contains(i)) {
+  if (joint.limited && options_.limits && !model_.limits_act) {
+    note("the flag limit or constraint is disabled: --limits makes no stops", joint.name);
+  } else if (joint.limited && options_.limits && !followed_.contains(i)) {
     const Unit& unit = turns ? units::radian : units::metre;
     const auto end = [&](double at) { return Expression::quantity(from_double(at), unit); };
     scene_.stop(q, end(joint.range[0]), end(joint.range[1]));

@@ -101,6 +101,7 @@ struct MjcfEquality {
 struct MjcfModel {
   std::string file, name;
   std::array<double, 3> gravity{};
+  bool limits_act = true;  ///< the file does not disable them
   std::vector<MjcfBody> bodies;
   std::vector<MjcfJoint> joints;
   std::vector<MjcfGeom> geoms;

@@ -315,8 +315,16 @@ void MjcfBuilder::add_inertia(std::size_t i) {
   if (body.floats_weightless) note("gravcomp does not act", "body " + body.name);
 }
 
+/// Bodies and sites by name; `all` are all bodies, unless a body or a site is called so.
 void MjcfBuilder::add_points() {
-  for (const std::string& name : options_.points) {
+  std::vector<std::string> wanted = options_.points;
+  const auto is_all = [](const auto& part) { return part.name == "all"; };
+  if (wanted == std::vector<std::string>{"all"} && std::none_of(model_.bodies.begin(), model_.bodies.end(), is_all) &&
+      std::none_of(model_.sites.begin(), model_.sites.end(), is_all)) {
+    wanted.clear();
+    for (std::size_t i = 1; i < model_.bodies.size(); ++i) wanted.push_back(model_.bodies[i].name);
+  }
+  for (const std::string& name : wanted) {
     const auto is_named = [&name](const auto& part) { return part.name == name; };
     const auto body = std::find_if(model_.bodies.begin() + 1, model_.bodies.end(), is_named);
     if (body != model_.bodies.end()) {

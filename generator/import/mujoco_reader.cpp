@@ -119,6 +119,8 @@ class Compiled {
 
   MjcfModel read() {
     if (!disabled(mjDSBL_GRAVITY)) model_.gravity = numbers<3>(m_.opt.gravity);
+    require_finite("option", "gravity", m_.opt.gravity, 3);
+    model_.limits_act = !without_constraints(mjDSBL_LIMIT);
     read_bodies();
     read_joints();
     read_geometry();
@@ -131,6 +133,15 @@ class Compiled {
 
  private:
   bool disabled(int flag) const { return (m_.opt.disableflags & flag) != 0; }
+  bool without_constraints(int flag) const { return disabled(flag) || disabled(mjDSBL_CONSTRAINT); }
+
+  /// Throws where a number of the file is none; it would be met where no name is known any more.
+  void require_finite(const std::string& object, const char* what, const mjtNum* first, int count) const {
+    for (int i = 0; i < count; ++i) {
+      if (std::isfinite(first[i])) continue;
+      throw FileError(fmt::format("{}: {}: {} is {}; give finite numbers", model_.file, object, what, shortest(first[i])));
+    }
+  }
   void note(std::string text) { model_.notes.push_back(std::move(text)); }
   void remark(std::string text) { model_.remarks.push_back(std::move(text)); }
 
@@ -138,6 +149,13 @@ class Compiled {
     for (int i = 0; i < m_.nbody; ++i) {
       MjcfBody body;
       body.name = or_else(name_of_object(m_, m_.name_bodyadr[i]), fmt::format("body_{}", i));
+      const std::string object = "body " + body.name;
+      require_finite(object, "its place", m_.body_pos + 3 * i, 3);
+      require_finite(object, "its orientation", m_.body_quat + 4 * i, 4);
+      require_finite(object, "its mass", m_.body_mass + i, 1);
+      require_finite(object, "its centre of mass", m_.body_ipos + 3 * i, 3);
+      require_finite(object, "its inertia", m_.body_inertia + 3 * i, 3);
+      require_finite(object, "its inertia", m_.body_iquat + 4 * i, 4);
       body.parent = m_.body_parentid[i];
       body.position = numbers<3>(m_.body_pos + 3 * i);
       body.quaternion = numbers<4>(m_.body_quat + 4 * i);
@@ -161,14 +179,24 @@ class Compiled {
       joint.body = m_.jnt_bodyid[i];
       const std::string& body = model_.bodies[static_cast<std::size_t>(joint.body)].name;
       joint.name = or_else(name_of_object(m_, m_.name_jntadr[i]), body + "_joint");
+      const std::string object = "joint " + joint.name;
       joint.type = static_cast<MjcfJointType>(m_.jnt_type[i]);
       joint.position = numbers<3>(m_.jnt_pos + 3 * i);
       joint.axis = numbers<3>(m_.jnt_axis + 3 * i);
       const int q = m_.jnt_qposadr[i], v = m_.jnt_dofadr[i], size = sizes.at(static_cast<std::size_t>(m_.jnt_type[i]));
+      require_finite(object, "pos", m_.jnt_pos + 3 * i, 3);
+      require_finite(object, "axis", m_.jnt_axis + 3 * i, 3);
+      require_finite(object, "ref", m_.qpos0 + q, size);
+      require_finite(object, "springref", m_.qpos_spring + q, size);
+      require_finite(object, "armature", m_.dof_armature + v, 1);
+      require_finite(object, "frictionloss", m_.dof_frictionloss + v, 1);
+      require_finite(object, "stiffness", m_.jnt_stiffness + i, 1);
+      require_finite(object, "damping", m_.dof_damping + v, 1);
+      if (m_.jnt_limited[i] != 0) require_finite(object, "range", m_.jnt_range + 2 * i, 2);
       joint.reference.assign(m_.qpos0 + q, m_.qpos0 + q + size);
       joint.spring_reference.assign(m_.qpos_spring + q, m_.qpos_spring + q + size);
       joint.armature = m_.dof_armature[v];
-      joint.friction_loss = disabled(mjDSBL_FRICTIONLOSS) || disabled(mjDSBL_CONSTRAINT) ? 0 : m_.dof_frictionloss[v];
+      joint.friction_loss = without_constraints(mjDSBL_FRICTIONLOSS) ? 0 : m_.dof_frictionloss[v];
       if (passive) {
         joint.stiffness = m_.jnt_stiffness[i];
         joint.damping = m_.dof_damping[v];
@@ -181,13 +209,18 @@ class Compiled {
   }
 
   void read_geometry() {
-    for (int i = 0; i < m_.ngeom; ++i) {
+    const bool untouched = without_constraints(mjDSBL_CONTACT);
+    if (untouched && m_.ngeom > 0) remark("the flag contact or constraint is disabled: no geom touches another");
+    for (int i = 0; i < m_.ngeom && !untouched; ++i) {
       if (m_.geom_contype[i] == 0 && m_.geom_conaffinity[i] == 0) continue;
       model_.geoms.push_back({name_of_object(m_, m_.name_geomadr[i]), geometry(m_.geom_type[i]), m_.geom_bodyid[i],
                               numbers<3>(m_.geom_size + 3 * i), numbers<3>(m_.geom_pos + 3 * i),
                               numbers<3>(m_.geom_friction + 3 * i), numbers<4>(m_.geom_quat + 4 * i)});
     }
     for (int i = 0; i < m_.nsite; ++i) {
+      const std::string object = "site " + or_else(name_of_object(m_, m_.name_siteadr[i]), fmt::format("site_{}", i));
+      require_finite(object, "its place", m_.site_pos + 3 * i, 3);
+      require_finite(object, "its orientation", m_.site_quat + 4 * i, 4);
       model_.sites.push_back({or_else(name_of_object(m_, m_.name_siteadr[i]), fmt::format("site_{}", i)),
                               m_.site_bodyid[i], numbers<3>(m_.site_pos + 3 * i), numbers<4>(m_.site_quat + 4 * i)});
     }
@@ -203,7 +236,12 @@ class Compiled {
         tendon.stiffness = m_.tendon_stiffness[i];
         tendon.damping = m_.tendon_damping[i];
       }
-      tendon.friction_loss = m_.tendon_frictionloss[i];
+      const std::string object = "tendon " + tendon.name;
+      require_finite(object, "stiffness", m_.tendon_stiffness + i, 1);
+      require_finite(object, "damping", m_.tendon_damping + i, 1);
+      require_finite(object, "frictionloss", m_.tendon_frictionloss + i, 1);
+      require_finite(object, "its length", m_.tendon_length0 + i, 1);
+      tendon.friction_loss = without_constraints(mjDSBL_FRICTIONLOSS) ? 0 : m_.tendon_frictionloss[i];
 #if mjVERSION_HEADER >= 230
       tendon.rest = m_.tendon_lengthspring[2 * i];
       if (tendon.stiffness != 0 && m_.tendon_lengthspring[2 * i + 1] != tendon.rest) {
@@ -302,6 +340,7 @@ class Compiled {
         default:
           actuator.transmission = MjcfTransmission::other;
       }
+      require_finite("actuator " + actuator.name, "gear", m_.actuator_gear + 6 * i, 6);
       actuator.target = m_.actuator_trnid[2 * i];
       actuator.gear = numbers<6>(m_.actuator_gear + 6 * i);
       actuator.law = law(i);
@@ -310,7 +349,7 @@ class Compiled {
   }
 
   void read_equalities() {
-    const bool off = disabled(mjDSBL_EQUALITY) || disabled(mjDSBL_CONSTRAINT);
+    const bool off = without_constraints(mjDSBL_EQUALITY);
     if (off && m_.neq > 0) remark("the flag equality or constraint is disabled: equality constraints do not act");
     for (int i = 0; i < m_.neq && !off; ++i) {
       MjcfEquality equality;
@@ -327,6 +366,7 @@ class Compiled {
       equality.first = m_.eq_obj1id[i];
       if (m_.eq_obj2id[i] >= 0) equality.second = m_.eq_obj2id[i];
       const mjtNum* data = m_.eq_data + i * mjNEQDATA;
+      require_finite("equality constraint " + equality.name, "a number of it", data, mjNEQDATA);
       switch (m_.eq_type[i]) {
         case mjEQ_CONNECT:
           equality.type = MjcfEqualityType::connect;
@@ -358,6 +398,10 @@ class Compiled {
   }
 
   void note_the_rest() {
+    for (int i = 0; i < m_.nkey; ++i) {
+      remark(fmt::format("keyframe {}: the start is that of the bodies' places, and of --initial",
+                         or_else(name_of_object(m_, m_.name_keyadr[i]), std::to_string(i))));
+    }
     if (m_.opt.density != 0 || m_.opt.viscosity != 0) note("the medium (density, viscosity, wind) does not act");
 #if mjVERSION_HEADER >= 230
     if (m_.nplugin > 0) note("plugins do not act");

@@ -17,6 +17,12 @@ const Number& suspicious() {
   return angle;
 }
 
+/// 2π, with room for who writes it in few digits [rad].
+const Number& whole_turn() {
+  static const Number angle = Number::rational(63, 10);
+  return angle;
+}
+
 /// "0", "pi/2", "-5 pi/12": k π/12.
 std::string twelfths_text(const Number& k) {
   if (k.is_zero()) return "0";
@@ -93,6 +99,11 @@ UrdfPlacement UrdfPlacements::placement(const XmlElement& origin, const std::str
   }
   if (!origin.has("rpy")) return place;
   const auto rpy = origin.numbers<3>("rpy");
+  const bool beyond = std::any_of(rpy.begin(), rpy.end(), [](const XmlNumber& n) { return n.value.abs() > whole_turn(); });
+  if (beyond) {
+    robot_.notes.add("an angle of rpy is beyond a turn, which suggests degrees, and is taken in rad", where, origin.place(),
+                     ReadingNotes::Parts::each);
+  }
   for (std::size_t i = 0; i < 3; ++i) {
     require_angle(origin, rpy[i].value);
     const ExactAngle angle = exact_angle(rpy[i].value, tolerance_);

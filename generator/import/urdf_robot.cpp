@@ -52,6 +52,7 @@ class Reader {
     if (const auto origin = element.child("origin")) {
       check(*origin, where);
       joint.origin = placements_.placement(*origin, where);
+      judge_distance(joint.origin, *origin, where);
     }
     if (joint.moves_by_numbers()) read_motion(element, joint, where);
     if (const auto mimic = element.child("mimic")) read_mimic(*mimic, joint, where);
@@ -60,6 +61,13 @@ class Reader {
 
  private:
   void check(const XmlElement& element, const std::string& where) { check_vocabulary(element, where, robot_.notes); }
+
+  /// Links of 0.1 m are written so in mm.
+  void judge_distance(const UrdfPlacement& origin, const XmlElement& element, const std::string& where) {
+    if (std::none_of(origin.xyz.begin(), origin.xyz.end(), [](const Number& x) { return x.abs() >= Number(100); })) return;
+    robot_.notes.add("the origin of a joint is 100 m away or more, which suggests other units than m", where, element.place(),
+                     ReadingNotes::Parts::each);
+  }
 
   /// Tells of attributes that are there.
   void report_without_effect(const XmlElement& element, const std::vector<const char*>& attributes,

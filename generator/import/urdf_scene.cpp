@@ -382,7 +382,12 @@ class SceneBuilder {
     }
   }
 
+  /// Links by name; `all` are all, unless a link is called so.
   void add_points() {
+    if (options_.points == std::vector<std::string>{"all"} && !frames_.contains("all")) {
+      for (const UrdfLink& link : robot_.links) scene_.point(frames_.at(link.name) + "_origin", frames_.at(link.name), {0, 0, 0});
+      return;
+    }
     for (const std::string& link : options_.points) {
       const auto found = frames_.find(link);
       if (found == frames_.end()) {

@@ -50,6 +50,8 @@ std::string explain(const tinyxml2::XMLDocument& document) {
       return "an attribute cannot be read; write name=\"value\", with quotes, and separate attributes by spaces";
     case tinyxml2::XML_ERROR_PARSING_COMMENT:
       return "a comment is not closed; end it with -->";
+    case tinyxml2::XML_ERROR_PARSING_DECLARATION:
+      return "<? ... ?> stands behind an element, or is not closed; move it to the head of the file, or remove it";
     case tinyxml2::XML_ELEMENT_DEPTH_EXCEEDED:
       return "elements are nested too deeply; close those that are open";
     default:

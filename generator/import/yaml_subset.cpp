@@ -1,8 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "torsor/generator/import/yaml_subset.hpp"
 
+#include <algorithm>
+#include <charconv>
+#include <cstdint>
 #include <map>
 #include <numbers>
+#include <optional>
+#include <string_view>
 #include <vector>
 
 #include <fmt/format.h>
@@ -30,6 +35,40 @@ const std::map<std::string, double>& unit_tags() {
                                                   {"kilograms", 1.0},
                                                   {"grams", 0.001}};
   return tags;
+}
+
+/// Digits of a base below 37; nothing where there are others, none, or too many for 64 bits.
+std::optional<std::int64_t> digits_of_base(std::string_view digits, int base) {
+  std::int64_t value = 0;
+  const auto [end, failure] = std::from_chars(digits.data(), digits.data() + digits.size(), value, base);
+  const bool whole = failure == std::errc() && end == digits.data() + digits.size() && digits.front() != '-';
+  return whole ? std::optional(value) : std::nullopt;
+}
+
+/// As YAML 1.1 has them, with underscores: 12, of base 2 0b101, of base 8 017, of base 16 0x1F, of base 60 1:30.
+std::optional<std::int64_t> yaml_integer(std::string word) {
+  const bool negative = word.starts_with('-');
+  if (negative || word.starts_with('+')) word.erase(0, 1);
+  if (word.empty() || word.front() < '0' || word.front() > '9') return std::nullopt;
+  std::erase(word, '_');
+  const std::string_view all = word;
+  std::optional<std::int64_t> value;
+  if (all.find(':') != std::string_view::npos) {
+    value = 0;
+    for (std::size_t begin = 0; value && begin <= all.size();) {
+      const std::size_t end = std::min(all.find(':', begin), all.size());
+      const std::string_view part = all.substr(begin, end - begin);
+      const std::optional<std::int64_t> digit = part.empty() ? std::nullopt : digits_of_base(part, 10);
+      const bool fits = digit && *value < 1000000000000 && (begin == 0 ? all[0] != '0' : *digit < 60 && part.size() < 3);
+      value = fits ? std::optional(*value * 60 + *digit) : std::nullopt;
+      begin = end + 1;
+    }
+  } else if (all.starts_with("0b") || all.starts_with("0x")) {
+    if (all.size() > 2) value = digits_of_base(all.substr(2), all[1] == 'b' ? 2 : 16);
+  } else {
+    value = digits_of_base(all, all.size() > 1 && all[0] == '0' ? 8 : 10);
+  }
+  return value && negative ? std::optional(-*value) : value;
 }
 
 class YamlReader {
@@ -254,6 +293,9 @@ class YamlReader {
       }
       if (quote == '"' && text[at] == '\\' && at + 1 < text.size()) {
         ++at;
+        if (std::string_view("nt\\\"/ ").find(text[at]) == std::string_view::npos) {
+          fail(line, fmt::format("the escape \\{} is not read here; write the character itself", text[at]));
+        }
         content += text[at] == 'n' ? '\n' : text[at] == 't' ? '\t' : text[at];
       } else {
         content += text[at];
@@ -285,9 +327,12 @@ class YamlReader {
     for (const char* no : {"false", "False", "FALSE", "no", "No", "NO", "off", "Off", "OFF"}) {
       if (word == no) return false;
     }
-    if (const auto whole = python_integer(word)) return *whole;
-    if (word == ".inf" || word == "+.inf") return *python_float("inf");
-    if (word == "-.inf") return *python_float("-inf");
+    if (const auto whole = yaml_integer(word)) return *whole;
+    for (const char* name : {".inf", ".Inf", ".INF"}) {
+      if (word == name || word == std::string("+") + name) return *python_float("inf");
+      if (word == std::string("-") + name) return *python_float("-inf");
+    }
+    if (word == ".nan" || word == ".NaN" || word == ".NAN") return *python_float("nan");
     const bool decimal =
         word.find('.') != std::string::npos && word.find_first_not_of("+-0123456789.eE_") == std::string::npos;
     const std::size_t exponent = word.find_first_of("eE");

@@ -23,17 +23,24 @@ Real parameter_value(const SceneContent& scene, const Expression& formula, bool 
   return evaluate(program.lower(formula));
 }
 
+std::optional<Expression> initial_formula(const SceneContent& scene, const SymbolPointer& symbol) {
+  if (const auto component = scene.quaternion_component(symbol)) {
+    return initial_component(scene.attitudes[component->first], component->second);
+  }
+  for (const CoordinateContent& c : scene.coordinates) {
+    if (c.q == symbol && c.initial_value) return *c.initial_value;
+    if (c.v == symbol && c.initial_rate) return *c.initial_rate;
+  }
+  return std::nullopt;
+}
+
 Real initial_value(const SceneContent& scene, const SymbolPointer& symbol, bool invent) {
   if (symbol->kind == SymbolKind::pi || symbol->kind == SymbolKind::parameter) {
     return parameter_value(scene, symbol, invent);
   }
-  if (const auto component = scene.quaternion_component(symbol)) {
-    return parameter_value(scene, initial_component(scene.attitudes[component->first], component->second), invent);
-  }
+  if (const auto formula = initial_formula(scene, symbol)) return parameter_value(scene, *formula, invent);
   for (const CoordinateContent& c : scene.coordinates) {
-    if (c.q == symbol && c.initial_value) return parameter_value(scene, *c.initial_value, invent);
     if (c.q == symbol && invent && c.unknown()) return generic_value(symbol, 0);
-    if (c.v == symbol && c.initial_rate) return parameter_value(scene, *c.initial_rate, invent);
   }
   return Real(0);
 }

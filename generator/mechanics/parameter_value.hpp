@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <optional>
+
 #include "torsor/generator/base/high_precision.hpp"
 #include "torsor/generator/mechanics/scene_content.hpp"
 
@@ -10,6 +12,9 @@ namespace torsor {
 /// precision. Throws SceneError naming a parameter without a value, unless one is to be invented (generic_value), or a
 /// symbol that is no parameter.
 Real parameter_value(const SceneContent& scene, const Expression& formula, bool invent = false);
+
+/// What `initial` says of a coordinate, a component of an attitude or a rate; nothing where it starts at zero.
+std::optional<Expression> initial_formula(const SceneContent& scene, const SymbolPointer& symbol);
 
 /// Value of a symbol at t = 0, without inputs: parameters at their values, coordinates and velocities as `initial` sets
 /// them, everything else zero. `invent` is for a scene that leaves parameters open: those, and coordinates that are

@@ -87,7 +87,8 @@ void bind_expression(py::module_& module) {
   expression.def("__sub__", [](C a, C b) { return a - b; }, op).def("__rsub__", [](C a, C b) { return b - a; }, op);
   expression.def("__mul__", [](C a, C b) { return a * b; }, op).def("__rmul__", [](C a, C b) { return b * a; }, op);
   expression.def("__truediv__", [](C a, C b) { return a / b; }, op).def("__rtruediv__", [](C a, C b) { return b / a; }, op);
-  expression.def("__pow__", [](C a, int n) { return pow(a, n); }, op, "A whole power; sqrt gives roots.");
+  // Converted, Fraction(1, 3) would be the integer 0.
+  expression.def("__pow__", [](C a, int n) { return pow(a, n); }, op, py::arg().noconvert(), "A whole power; sqrt gives roots.");
   expression.def("__neg__", [](C a) { return -a; }).def("__pos__", [](C a) { return a; });
   expression.def("__abs__", [](C a) { return abs(a); });
   expression.def("__lt__", [](C a, C b) { return a < b; }, op).def("__le__", [](C a, C b) { return a <= b; }, op);

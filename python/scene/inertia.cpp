@@ -9,8 +9,8 @@ void bind_rotations(py::module_& module) {
   py::class_<Rotation>(module, "Rotation", "A constant rotation with exact entries: v_outer = R v_inner.")
       .def(py::init<>())
       .def_static(
-          "about", [](int axis, int twelfths_of_pi) { return Rotation::about(axis, twelfths_of_pi); }, "axis"_a,
-          "twelfths_of_pi"_a, "About axis 0, 1 or 2 (x, y, z) by so many times 15 degrees.")
+          "about", [](int axis, int twelfths_of_pi) { return Rotation::about(axis, twelfths_of_pi); }, "axis"_a.noconvert(),
+          "twelfths_of_pi"_a.noconvert(), "About axis 0, 1 or 2 (x, y, z) by so many times 15 degrees.")
       .def_static(
           "matrix",
           [](const std::array<std::array<ExactNumber, 3>, 3>& rows) {
@@ -22,7 +22,7 @@ void bind_rotations(py::module_& module) {
       .def("transpose", &Rotation::transpose)
       .def("__mul__", [](const Rotation& a, const Rotation& b) { return a * b; }, py::is_operator());
   py::class_<AngleSequence>(module, "AngleSequence", "Axes of three plane rotations, each about an axis that the one before has turned.")
-      .def(py::init([](const std::array<int, 3>& axes) { return AngleSequence{axes}; }), "axes"_a)
+      .def(py::init([](const std::array<int, 3>& axes) { return AngleSequence{axes}; }), "axes"_a.noconvert())
       .def_readonly("axes", &AngleSequence::axes);
   module.attr("euler") = AngleSequence::euler;
   module.attr("cardan") = AngleSequence::cardan;

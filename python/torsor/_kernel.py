@@ -4,12 +4,14 @@
 from __future__ import annotations
 
 import ctypes
+import operator
 from typing import Any, Callable, Mapping, NamedTuple, Sequence, Tuple
 
 import numpy as np
 from numpy.typing import ArrayLike
 
 from . import _abi
+from ._models import kernel_again
 
 STATUSES = ("ok", "singular", "not finite", "argument not finite")
 _ARGUMENTS = ("q", "v", "accelerations", "multipliers", "inputs")
@@ -48,6 +50,9 @@ class Results(Tuple[np.ndarray, ...]):
         except (KeyError, ValueError):
             raise AttributeError(f"no result {name!r}; there are {', '.join(self._fields)}") from None
 
+    def __reduce__(self) -> tuple[Any, ...]:
+        return Results, (self._fields, tuple(self), self.statuses)
+
     def _asdict(self) -> dict[str, np.ndarray]:
         return dict(zip(self._fields, self))
 
@@ -77,11 +82,21 @@ def as_columns(name: str, value: ArrayLike, size: int) -> np.ndarray:
     """``value`` as doubles with ``size`` numbers in its last dimension."""
     if isinstance(value, Mapping):
         raise TypeError(f"{name}: give an array of {size} numbers in the mechanism's order, not a {type(value).__name__}")
+    if np.ma.is_masked(value):
+        raise ValueError(f"{name}: masked values are no numbers; fill them, or leave their states out")
     array = np.asarray(value)
     if array.dtype != np.float64:
         array = array.astype(np.float64, casting="same_kind")
     if array.ndim == 0 or array.shape[-1] != size:
         raise ValueError(f"{name}: mismatch in its last dimension: shape {array.shape} is not (..., {size})")
+    return array
+
+
+def one_state(name: str, value: ArrayLike, size: int) -> np.ndarray:
+    """As `as_columns`, of what takes a single state."""
+    array = as_columns(name, value, size)
+    if array.ndim != 1:
+        raise ValueError(f"{name}: one state is asked for: shape {array.shape} is not ({size},)")
     return array
 
 
@@ -102,6 +117,13 @@ def view_of(array: np.ndarray, batch: tuple[int, ...], tail: int,
         copied.append((flat.reshape(wide.shape), array))
     steps = flat.strides[1:] + (0, 0)
     return _abi.View(flat.ctypes.data, flat.strides[0], steps[0], steps[1]), flat
+
+
+def thread_count(threads: int) -> int:
+    number = operator.index(threads)
+    if not 0 <= number < 2**31:
+        raise ValueError(f"threads: {number} is no number of threads; 0 takes as many as there are cores")
+    return number
 
 
 def require_finite(arguments: Mapping[str, np.ndarray]) -> None:
@@ -171,6 +193,9 @@ class Kernel:
         lines += ["", "Raises ValueError for shapes that do not fit and for numbers that are not finite."]
         return "\n".join(lines)
 
+    def __reduce__(self) -> tuple[Any, ...]:
+        return kernel_again, (self._mechanism, self.name)
+
     @property
     def unwrapped(self) -> bool:
         """Whether a call gives one array, and not `Results`."""
@@ -186,7 +211,8 @@ class Kernel:
         time: (...) [s]. order: the highest, of Taylor coefficients. parameters: of those set at run time, by name.
         out: arrays to write to, one, a sequence or a mapping. threads: for many states; 0: as many as there are cores.
         """
-        return self._bind(q, arguments, named, time, order, parameters, out, threads)._run(False)
+        bound = self._bind(q, arguments, named, time, order, parameters, out, threads)  # holds what is read
+        return bound._run(False)
 
     def bind(self, q: ArrayLike, *arguments: ArrayLike | None, out: Any = None, threads: int = 1, time: ArrayLike = 0.0,
              order: int = 12, parameters: Mapping[str, float] | None = None, **named: ArrayLike) -> Bound:
@@ -206,8 +232,9 @@ class Kernel:
             if given.get(name) is not None:
                 raise TypeError(f"{self.name}() got multiple values for argument {name!r}")
             given[name] = value
-        if "accelerations" in self.arguments and given.get("accelerations") is None:
-            raise TypeError(f"{self.name}() missing 1 required argument: 'accelerations'")
+        for name in ("q", "accelerations"):
+            if name in self.arguments and given.get(name) is None:
+                raise TypeError(f"{self.name}() missing 1 required argument: {name!r}")
         return given
 
     def _outputs(self, out: Any, batch: tuple[int, ...], order: int) -> list[np.ndarray]:
@@ -217,7 +244,11 @@ class Kernel:
         if isinstance(out, np.ndarray):
             out = (out,)
         elif isinstance(out, Mapping):
-            out = tuple(out.get(r.name) for r in self.results)
+            names = [r.name for r in self.results]
+            for name in out:
+                if name not in names:
+                    raise ValueError(f"out: {self.name} has no result {name!r}; there are {', '.join(names)}")
+            out = tuple(out.get(name) for name in names)
         if len(out) != len(shapes):
             raise ValueError(f"out: {self.name} has {len(shapes)} results and got {len(out)} arrays")
         arrays = []
@@ -269,7 +300,7 @@ class Kernel:
         alive.append(model)
         call.model = model.address
         call.states = count
-        call.threads = threads
+        call.threads = thread_count(threads)
         call.order = order
         for name, array in arrays.items():
             view, flat = view_of(array, batch or (1,), 1, copied)

@@ -69,6 +69,8 @@ def load(path: str | os.PathLike[str] | AnyScene, *, kernels: Iterable[str] | st
     Notes of the program become warnings. Raises LoadError with what torsor or the compiler say,
     FileNotFoundError where file or program are missing; for a Scene its own errors.
     """
+    if isinstance(options, str):
+        raise TypeError(f"options: give a sequence of words, as ({options!r},), not one text")
     source: AnyScene | Source
     if hasattr(path, "equations"):
         source = cast(AnyScene, path)

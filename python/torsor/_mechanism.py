@@ -5,7 +5,6 @@ from __future__ import annotations
 
 import ctypes
 import os
-from collections import OrderedDict
 from types import MappingProxyType
 from typing import TYPE_CHECKING, Any, Callable, Mapping, NamedTuple
 
@@ -15,7 +14,9 @@ from numpy.typing import ArrayLike
 from . import _abi
 from ._contacts import IMPACT_LAWS, Contact, ContactEvent, Told
 from ._display import Displayed
-from ._kernel import Kernel, NotFiniteError, Results, SingularError, TorsorError, as_columns, require_finite, view_of
+from ._kernel import (Kernel, NotFiniteError, Results, SingularError, TorsorError, as_columns, one_state, require_finite,
+                      thread_count, view_of)
+from ._models import Model, Models, opened_again
 
 MOTION_STATUSES = ("reached the end time", "stopped", "unusable options: times, tolerances or steps",
                    "the step fell below the resolution of time", "the step limit was met",
@@ -87,21 +88,6 @@ class Equilibrium(NamedTuple):
     """Largest generalised force that is left [N, N m]."""
 
 
-class _Model:
-    """Parameters with what depends on them; freed with its last user."""
-
-    def __init__(self, mechanism: "Mechanism", parameters: np.ndarray):
-        table = mechanism._table
-        self._destroy, self._library = table.destroy, mechanism._library
-        self.address = table.create(parameters.ctypes.data_as(ctypes.POINTER(ctypes.c_double)))
-        if not self.address:
-            raise MemoryError("no memory for the parameters of a mechanism")
-
-    def __del__(self) -> None:
-        if getattr(self, "address", None):
-            self._destroy(self.address)
-
-
 def _quantities(entries: Any, count: int) -> Mapping[str, str]:
     return MappingProxyType({e.name.decode(): e.unit.decode() for e in entries[:count]})
 
@@ -168,7 +154,7 @@ class Mechanism(Displayed):
                        "multipliers": table.multiplier_count, "inputs": table.input_count}
         self.parameters: Mapping[str, float] = MappingProxyType(
             dict(zip(self.parameter_units, table.default_parameters[:table.parameter_count])))
-        self._models: OrderedDict[tuple[float, ...], _Model] = OrderedDict()
+        self._models = Models()
         self.methods = tuple(method.name.decode() for method in table.methods[:table.method_count])
         self._fixed_step = {method.name.decode() for method in table.methods[:table.method_count] if method.fixed_step}
         self.kernels: Mapping[str, Kernel] = MappingProxyType(
@@ -195,7 +181,7 @@ class Mechanism(Displayed):
         """The same mechanism with other run-time parameters as those that calls take by default."""
         other = object.__new__(Mechanism)
         other.__dict__.update({k: v for k, v in self.__dict__.items() if k != "_own" and not isinstance(v, Kernel)})
-        other._models = OrderedDict()
+        other._models = Models()
         other.parameters = MappingProxyType(self._merged(values))
         other.kernels = MappingProxyType(
             {entry.name.decode(): Kernel(other, entry) for entry in self._table.kernels[:self._table.kernel_count]})
@@ -204,6 +190,8 @@ class Mechanism(Displayed):
 
     def _merged(self, values: Mapping[str, float] | None) -> dict[str, float]:
         merged = dict(self.parameters)
+        if values is not None and not hasattr(values, "items"):
+            raise TypeError(f"parameters: give a mapping of names to numbers, not a {type(values).__name__}")
         for name, value in (values or {}).items():
             if name not in merged:
                 raise KeyError(f"{self.name} has no run-time parameter {name!r}; there are "
@@ -216,17 +204,15 @@ class Mechanism(Displayed):
             merged[name] = float(number)
         return merged
 
-    def _model(self, parameters: Mapping[str, float] | None) -> _Model:
+    def _model(self, parameters: Mapping[str, float] | None) -> Model:
         if parameters is None and "_own" in self.__dict__:
             return self._own
-        key = tuple(self._merged(parameters).values())
-        model = self._models.get(key)
-        if model is None:
-            model = self._models[key] = _Model(self, np.array(key if key else (0.0,)))
-            if len(self._models) > 64:
-                self._models.popitem(last=False)
-        self._models.move_to_end(key)
-        return model
+        return self._models.get(self, self._merged(parameters))
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        """Pickled as the path of its library, with its parameters; a scene in Python stays behind."""
+        source = None if hasattr(self._source, "equations") else self._source
+        return opened_again, (type(self), self.path, source, self.fingerprint, dict(self.parameters))
 
     # States and motions
 
@@ -237,6 +223,14 @@ class Mechanism(Displayed):
         pointers = [a.ctypes.data_as(ctypes.POINTER(ctypes.c_double)) for a in (time, q, v)]
         self._table.initial_state(model.address, *pointers)
         return State(float(time[0]), q, v)
+
+    def _closed_start(self, parameters: Mapping[str, float] | None) -> State:
+        """`initial_state`, put on its constraints, which parameters may have left: where `simulate` starts."""
+        start = self.initial_state(parameters)
+        if not self.multipliers or self.contact_descriptions or any(k not in self.kernels for k in self._kernels_of_motion()):
+            return start
+        motion = self.simulate([start.time], parameters=parameters)
+        return State(start.time, motion.q[0], motion.v[0])
 
     def ode(self, inputs: ArrayLike | Callable[[float, np.ndarray, np.ndarray], ArrayLike] | None = None,
             parameters: Mapping[str, float] | None = None) -> Callable[[float, np.ndarray], np.ndarray]:
@@ -283,6 +277,10 @@ class Mechanism(Displayed):
         if not self.methods:
             raise ValueError(f"{self.name} cannot be integrated: it lacks kernels; build it with "
                              f"{', '.join(self._kernels_of_motion())}")
+        missing = [] if self.contact_descriptions else [k for k in self._kernels_of_motion() if k not in self.kernels]
+        if project and missing:
+            raise ValueError(f"{self.name}: its constraints are held by kernels that it lacks: build it with "
+                             f"{', '.join(missing)}, or give project=False, and they drift")
         if impact_law not in IMPACT_LAWS:
             raise ValueError(f"no impact law {impact_law!r}; there are {', '.join(IMPACT_LAWS)}")
         if method not in self.methods:
@@ -297,14 +295,15 @@ class Mechanism(Displayed):
                                     () if law is None else law.shape[:-1])
         count = int(np.prod(batch)) if batch else 1
         y = np.ascontiguousarray(np.concatenate(
-            [np.broadcast_to(a, batch + a.shape[-1:]) for a in start.values()], axis=-1)).reshape(count, -1)
-        n = y.shape[1]
+            [np.broadcast_to(a, batch + a.shape[-1:]) for a in start.values()], axis=-1))
+        n = y.shape[-1]
+        y = y.reshape(count, n)
         states = np.empty((count, len(grid), n))
         statuses, calls = np.zeros(count, dtype=np.int32), np.zeros(count, dtype=np.int64)
 
         whole, model = _abi.ContactMotion(), self._model(parameters)
         motion = whole.motion  # the same bytes
-        motion.model, motion.motions, motion.threads = model.address, count, threads
+        motion.model, motion.motions, motion.threads = model.address, count, thread_count(threads)
         motion.method, motion.unprojected = self.methods.index(method), 0 if project else 1
         motion.step = 0.0 if step is None else step
         motion.relative_tolerance, motion.absolute_tolerance = relative_tolerance, absolute_tolerance
@@ -317,8 +316,9 @@ class Mechanism(Displayed):
             motion.inputs, kept = view_of(law, batch or (1,), 1)
             alive.append(kept)
         raised: list[BaseException] = []
+        odd: list[float] = []
         if callable(inputs):
-            motion.law = self._law(inputs, raised)
+            motion.law = self._law(inputs, raised, odd)
             alive.append(motion.law)
         motion.times, motion.time_count = grid.ctypes.data, len(grid)
         motion.states = _abi.View(states.ctypes.data, *states.strides)
@@ -338,6 +338,7 @@ class Mechanism(Displayed):
             raise TorsorError(f"{self.name}: the library refuses the call: {failed}")
         if not batch and failed:
             at = f"; contact {names[ended[0]]}" if ended[0] >= 0 else ""
+            at += f"; inputs at t = {odd[0]:.6g} s are no finite numbers" if odd else ""
             raise TorsorError(f"{self.name}: the motion ends early: {MOTION_STATUSES[statuses[0]]}{at}")
         result = self._motion(grid, states.reshape(batch + states.shape[1:]), statuses.reshape(batch),
                               calls.reshape(batch), parameters)
@@ -377,7 +378,8 @@ class Mechanism(Displayed):
             return Motion(grid, q, v, energy, True, int(statuses), int(calls))
         return Motion(grid, q, v, energy, statuses == 0, statuses, calls)
 
-    def _law(self, inputs: Callable[[float, np.ndarray, np.ndarray], ArrayLike], raised: list[BaseException]) -> Any:
+    def _law(self, inputs: Callable[[float, np.ndarray, np.ndarray], ArrayLike], raised: list[BaseException],
+             odd: list[float]) -> Any:
         nq, n, m = self._sizes["q"], self._sizes["q"] + self._sizes["v"], self._sizes["inputs"]
 
         def law(_: Any, time: float, y: Any, result: Any) -> None:
@@ -387,6 +389,8 @@ class Mechanism(Displayed):
                     raise raised[0]
                 state = np.ctypeslib.as_array(y, (n,)).copy()
                 into[...] = as_columns("inputs", inputs(time, state[:nq], state[nq:]), m)
+                if not odd and not np.isfinite(into).all():
+                    odd.append(time)
             except BaseException as error:  # nothing may be thrown through C: the motion ends by what is no number
                 raised.append(error)
                 into[...] = np.nan
@@ -399,9 +403,9 @@ class Mechanism(Displayed):
                   inputs: ArrayLike | None = None, time: float | None = None,
                   parameters: Mapping[str, float] | None = None) -> Results:
         """M e'' + C e' + K e = F + E du about a state and its own motion (or given accelerations), and where there are,
-        x' = A x + B du with x = (e, e'). What is absent is the scene's start; without accelerations, those of the
-        motion with these inputs. Matrices as `linearisation.__doc__` says."""
-        scene = self.initial_state(parameters)
+        x' = A x + B du with x = (e, e'). What is absent is the start of the motion (on its constraints); without
+        accelerations, those of the motion with these inputs. Matrices as `linearisation.__doc__` says."""
+        scene = self._closed_start(parameters) if q is None else self.initial_state(parameters)
         q = scene.q if q is None else q
         v = scene.v if v is None else v
         at = scene.time if time is None else time
@@ -415,8 +419,9 @@ class Mechanism(Displayed):
 
     def modes(self, q: ArrayLike | None = None, v: ArrayLike | None = None, **options: Any) -> Modes:
         """Eigenvalues of the state matrix A of `linearise` at one state, slowest first. v is zero when absent."""
-        zeros = np.zeros(self._sizes["v"]) if v is None else v
-        matrix = self.linearise(q, zeros, **options).A
+        at = None if q is None else one_state("q", q, self._sizes["q"])
+        zeros = np.zeros(self._sizes["v"]) if v is None else one_state("v", v, self._sizes["v"])
+        matrix = self.linearise(at, zeros, **options).A
         values, shapes = np.linalg.eig(matrix)
         order = np.lexsort((values.imag, np.abs(values)))
         values, shapes = values[order], shapes[:, order]
@@ -432,7 +437,7 @@ class Mechanism(Displayed):
         it finds none. Constraints are met, with their multipliers."""
         scene = self.initial_state(parameters)
         at = scene.time if time is None else time
-        q = as_columns("q", scene.q if q is None else q, self._sizes["q"]).copy()
+        q = one_state("q", scene.q if q is None else q, self._sizes["q"]).copy()
         nv, nm = self._sizes["v"], self._sizes["multipliers"]
         rest, multipliers = np.zeros(nv), np.zeros(nm)
         common: dict[str, Any] = {"time": at, "parameters": parameters}

@@ -36,22 +36,38 @@ class MotionCall {
     const auto keep = [&](double, const StateVector<M>& state) noexcept {
       write_state(call_, i, reached++, state);
     };
-    const Result<double> result = integrated(y, time, law, keep);
+    Result<double> result;
+    result.time = time;
+    const bool closed = integrated(y, time, law, keep, result);
     write_nothing<M>(call_, i, reached);
-    const int status = static_cast<int>(result.status);
+    const int status = closed ? static_cast<int>(result.status) : static_cast<int>(torsor_motion_open_loops);
     if (call_.statuses != nullptr) call_.statuses[i] = status;
     if (call_.ends != nullptr) call_.ends[i] = result.time;
     if (call_.calls != nullptr) call_.calls[i] = result.statistics.calls;
     return status;
   }
 
+  /// False where the start cannot be put on the constraints. A start that another set of parameters has opened would
+  /// otherwise be closed by the first step, by what a step of its length makes of it.
   template <class Keep>
-  Result<double> integrated(StateVector<M>& y, double time, const GivenInputs<M>& law, const Keep& keep) const {
+  bool integrated(StateVector<M>& y, double time, const GivenInputs<M>& law, const Keep& keep,
+                  Result<double>& result) const {
     if constexpr (M::multiplier_count > 0) {
-      if (call_.unprojected != 0)
-        return by_method(EquationsOfMotion<M, GivenInputs<M>>(parameters_, law), y, time, keep);
+      if (call_.unprojected != 0) {
+        result = by_method(EquationsOfMotion<M, GivenInputs<M>>(parameters_, law), y, time, keep);
+        return true;
+      }
     }
-    return by_method(MotionOfLibrary<M, GivenInputs<M>>(parameters_, law), y, time, keep);
+    const MotionOfLibrary<M, GivenInputs<M>> motion(parameters_, law);
+    if constexpr (requires { motion.settle(time, y); }) {
+      if (motion.settle(time, y) != Evaluation::ok) return false;
+      result = by_method(motion, y, time, keep);
+    } else if constexpr (M::multiplier_count == 0) {
+      result = by_method(motion, y, time, keep);
+    } else {  // kernels that hold it on its constraints are missing, and drift was not asked for
+      result = unsuitable(time);
+    }
+    return true;
   }
 
   template <class Motion, class Keep>

@@ -115,7 +115,14 @@ class MotionEnsemble {
     const auto keep = [&](Scalar, const StateVector<M>& reached) {
       for (const Scalar value : reached) record[next++] = static_cast<double>(value);
     };
-    const auto result = integrate_through(motion, y, member.state.time, times_, method_, keep);
+    Result<Scalar> result;
+    result.time = member.state.time;
+    if constexpr (requires { motion.settle(result.time, y); }) result.evaluation = motion.settle(result.time, y);
+    if (result.evaluation == Evaluation::ok) {
+      result = integrate_through(motion, y, member.state.time, times_, method_, keep);
+    } else {  // parameters of this member have opened the start, beyond what can be closed
+      result.status = IntegrationStatus::model_failure;
+    }
     record[0] = static_cast<double>(result.status);
     record[1] = static_cast<double>(result.evaluation);
     record[2] = static_cast<double>(result.time);

@@ -159,6 +159,64 @@ TEST(LimitsOfMjcf, AreStopsWhereTheyAreAskedFor) {
   EXPECT_NE(outcome.out.find("# Event: impact of x_upper at t = 1.5 s, energy lost 1 J"), std::string::npos) << outcome.out;
 }
 
+// Each flag takes its own contacts away, `constraint` all of them: MuJoCo's documentation of <flag>.
+TEST(FlagsOfMjcf, TakeContactsAway) {
+  const auto names = [](const std::string& flag) {
+    const std::string path = written("flags", "<mujoco><option><flag " + flag + R"(/></option><worldbody>
+<body><joint name="x" type="slide" axis="1 0 0" frictionloss="3" range="-1 1" limited="true"/><geom size="0.1"/></body>
+<body pos="0 1 0"><joint name="y" type="slide" axis="1 0 0"/><geom size="0.1"/></body></worldbody>
+<tendon><fixed name="band" frictionloss="2"><joint joint="x" coef="1"/><joint joint="y" coef="-1"/></fixed></tendon></mujoco>)");
+    MjcfOptions options;
+    options.limits = options.friction_of_file = true;
+    return contact_names(path, options);
+  };
+  using Names = std::vector<std::string>;
+  EXPECT_EQ(names(""), (Names{"x_lower", "x_upper", "x_dry_friction", "band_dry_friction"}));
+  EXPECT_EQ(names("frictionloss=\"disable\""), (Names{"x_lower", "x_upper"}));
+  EXPECT_EQ(names("limit=\"disable\""), (Names{"x_dry_friction", "band_dry_friction"}));
+  EXPECT_EQ(names("constraint=\"disable\""), Names());
+  for (const char* flag : {"contact", "constraint"}) {
+    const std::string path = written("untouched", std::string("<mujoco><option><flag ") + flag + R"(="disable"/></option><worldbody>
+<body name="ball" pos="0 0 1"><freejoint/><geom size="0.1"/></body></worldbody></mujoco>)");
+    const Outcome outcome = torsor({"list", path, "--ground", "ball"});
+    EXPECT_EQ(outcome.code, 2);
+    EXPECT_NE(outcome.err.find("has no geom that takes part in contacts"), std::string::npos) << outcome.err;
+  }
+}
+
+TEST(NumbersOfMjcf, ThatAreNoneNameTheirObject) {
+  const auto refused = [](const std::string& inside, const std::string& message) {
+    const std::string path = written("numbers", "<mujoco><worldbody>" + inside + "</worldbody></mujoco>");
+    const Outcome outcome = torsor({"list", path});
+    EXPECT_EQ(outcome.code, 3) << outcome.err;
+    EXPECT_NE(outcome.err.find("numbers.xml: " + message + "; give finite numbers"), std::string::npos) << outcome.err;
+  };
+  const std::string ball = "<geom size=\"0.1\"/></body>";
+  refused("<body><joint name=\"x\" stiffness=\"nan\"/>" + ball, "joint x: stiffness is nan");
+  refused("<body><joint name=\"x\" damping=\"inf\"/>" + ball, "joint x: damping is inf");
+  refused("<body name=\"b\" pos=\"0 nan 0\"><joint name=\"x\"/>" + ball, "body b: its place is nan");
+  refused("<body name=\"b\"><joint name=\"x\"/><site name=\"s\" pos=\"0 inf 0\"/>" + ball, "site s: its place is inf");
+}
+
+TEST(PointsOfMjcf, AreThoseNamedOrAll) {
+  const std::string path = written("points", R"(<mujoco><worldbody><body name="a"><joint name="x"/><geom size="0.1"/>
+<site name="s"/><body name="b"><joint name="y" axis="0 1 0"/><geom size="0.1"/></body></body></worldbody>
+<keyframe><key name="home" qpos="1 2"/></keyframe></mujoco>)");
+  const auto points = [&path](std::vector<std::string> named) {
+    MjcfOptions options;
+    options.points = std::move(named);
+    std::vector<std::string> names;
+    const ImportedMjcf imported = mjcf_scene(read_with_mujoco(path), options);
+    for (const PointContent& point : imported.scene.content().points) names.push_back(point.name);
+    return names;
+  };
+  EXPECT_EQ(points({"all"}), (std::vector<std::string>{"a_origin", "b_origin"}));
+  EXPECT_EQ(points({"s", "b"}), (std::vector<std::string>{"s_origin", "b_origin"}));
+  EXPECT_THROW(points({"all", "b"}), UsageError);
+  const Outcome outcome = torsor({"generate", path, "--kernels", "energy", "-o", "-"});
+  EXPECT_NE(outcome.out.find("keyframe home: the start is that of the bodies' places, and of --initial"), std::string::npos);
+}
+
 TEST(ContactsOfMjcf, SayWhatIsMissing) {
   const std::string path = written("faults", R"(<mujoco><asset><mesh name="m" vertex="0 0 0 1 0 0 0 1 0 0 0 1"/></asset><worldbody>
 <geom name="floor" type="plane" size="1 1 1"/><geom name="table" size="0.1"/>

@@ -43,6 +43,9 @@ TEST(UrdfErrors, OfXmlNameFileAndLine) {
                  "2: malformed XML: an attribute cannot be read; write name=\"value\", with quotes, and separate "
                  "attributes by spaces");
   expect_refused("<robot name=\"r\">\n\n<!-- open", "3: malformed XML: a comment is not closed; end it with -->");
+  expect_refused("<robot name=\"r\">\n<link name=\"a\"/>\n<?view x=\"1\"?></robot>",
+                 "3: malformed XML: <? ... ?> stands behind an element, or is not closed; move it to the head of the file, or "
+                 "remove it");
   expect_refused("<!-- nothing -->", "1: the file holds no element; it must hold a <robot> element");
   expect_refused(
       "<robot name=\"r\"/>\n<robot name=\"s\"/>",

@@ -194,15 +194,23 @@ TEST(UrdfOptions, LetAFloatingBaseStartWhereTheWorldHeldIt) {
 }
 
 TEST(UrdfOptions, MakePointsOfTheOriginsOfLinks) {
-  UrdfOptions options;
-  options.points = {"tool-0"};
-  const Scene scene = read("<link name=\"base\"/>" + link("arm") + "<link name=\"tool-0\"/>" +
-                               joint("hinge", "revolute", "base", "arm", "") +
-                               joint("mount", "fixed", "arm", "tool-0", "<origin xyz=\"0 0 0.5\"/>"),
-                           options);
-  validate(scene);
-  ASSERT_EQ(scene.content().points.size(), 1U);
-  EXPECT_EQ(scene.content().points[0].name, "tool_0_origin");
+  using Names = std::vector<std::string>;
+  const auto points = [](Names named, const std::string& mount) {
+    UrdfOptions options;
+    options.points = std::move(named);
+    const Scene scene = read("<link name=\"base\"/>" + link("arm") + "<link name=\"" + mount + "\"/>" +
+                                 joint("hinge", "revolute", "base", "arm", "") +
+                                 joint("mount", "fixed", "arm", mount, "<origin xyz=\"0 0 0.5\"/>"),
+                             options);
+    validate(scene);
+    Names names;
+    for (const PointContent& point : scene.content().points) names.push_back(point.name);
+    return names;
+  };
+  EXPECT_EQ(points({"tool-0"}, "tool-0"), Names{"tool_0_origin"});
+  EXPECT_EQ(points({"all"}, "tool-0"), (Names{"base_origin", "arm_origin", "tool_0_origin"}));
+  EXPECT_EQ(points({"all"}, "all"), Names{"all_origin"});  // a link of that name
+  EXPECT_THROW(points({"all", "arm"}, "tool-0"), UsageError);
 }
 
 TEST(UrdfJoints, MayComeInAnyOrder) {

@@ -249,6 +249,22 @@ TEST(UrdfLimits, ThatLookLikeDegreesAreNoted) {
   EXPECT_EQ(notes("prismatic", "lower=\"0\" upper=\"90\""), Lines());
 }
 
+TEST(UrdfOrigins, ThatLookLikeDegreesOrMillimetresAreNoted) {
+  const auto notes = [](const std::string& of_joint, const std::string& of_inertia) {
+    const std::string inside = "<origin " + of_inertia + "/><mass value=\"1\"/>" + moments("1", "1", "1");
+    return imported(base + with_inertial("arm", inside) +
+                    joint("hinge", "revolute", "base", "arm", "<origin " + of_joint + "/><axis xyz=\"0 0 1\"/>"))
+        .notes;
+  };
+  const std::string degrees = "an angle of rpy is beyond a turn, which suggests degrees, and is taken in rad: ";
+  EXPECT_EQ(notes("rpy=\"90 0 0\"", ""), Lines{degrees + "joint hinge"});
+  EXPECT_EQ(notes("rpy=\"0 0 -45\"", "rpy=\"0 180 0\""), Lines{degrees + "link arm, joint hinge"});
+  EXPECT_EQ(notes("rpy=\"0 -6.29 6.28318530718\"", ""), Lines());
+  const Lines far{"the origin of a joint is 100 m away or more, which suggests other units than m: joint hinge"};
+  EXPECT_EQ(notes("xyz=\"0 -300 0\"", ""), far);
+  EXPECT_EQ(notes("xyz=\"0 99 0\"", ""), Lines());
+}
+
 // --- joints that move no mass -------------------------------------------------------------------------------------
 
 const std::string hand = arm + "<link name=\"finger-1\"/><link name=\"finger-2\"/>" +

@@ -380,6 +380,25 @@ TEST_F(XacroFiles, ThatIncludeOneAnotherAreRefused) {
   EXPECT_THROW(expand("<xacro:include filename=\"$(find none)/a.xacro\"/>"), FileError);
 }
 
+// What PyYAML, which xacro reads with, makes of these words: numbers with other bases, or texts.
+TEST_F(XacroFiles, HoldNumbersOfYaml) {
+  const auto twice = [this](const std::string& word) {
+    write("my_arm/urdf/n.yaml", "k: " + word + "\n");
+    const std::string text = without_layout(expand("<x v=\"${load_yaml('n.yaml')['k'] * 2}\"/>").text);
+    const std::size_t begin = text.find("v=\"") + 3;
+    return text.substr(begin, text.find('"', begin) - begin);
+  };
+  const std::vector<std::pair<std::string, std::string>> words{
+      {"12", "24"},     {"-7", "-14"},   {"+5", "10"},     {"0", "0"},       {"010", "16"},     {"-017", "-30"},
+      {"0x1F", "62"},   {"0b101", "10"}, {"1_000", "2000"}, {"1:30", "180"},  {"2:00:01", "14402"}, {"08", "0808"},
+      {"0o17", "0o170o17"}, {"1:60", "1:601:60"}, {"0:30", "0:300:30"}, {"0x", "0x0x"}, {"1e3", "1e31e3"}, {"1.0e+3", "2000.0"},
+      {".Inf", "inf"},  {"-.inf", "-inf"}};
+  for (const auto& [word, expected] : words) EXPECT_EQ(twice(word), expected) << word;
+  EXPECT_EQ(twice(".nan"), "nan");
+  EXPECT_EQ(twice("\"a\\\\b\""), "a\\ba\\b");
+  EXPECT_THROW(twice("\"\\x33\""), FileError);  // '3' there; here it would be another text
+}
+
 TEST_F(XacroFiles, HoldParametersInYaml) {
   write(
       "my_arm/urdf/p.yaml",

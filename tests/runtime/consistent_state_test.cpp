@@ -7,8 +7,12 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <span>
 #include <string>
+#include <vector>
 
+#include "torsor/runtime/batch/motion_ensemble.hpp"
+#include "torsor/runtime/integration/runge_kutta_4.hpp"
 #include "tests/runtime/closed_loops.hpp"
 
 namespace consistent_state_test {
@@ -138,6 +142,27 @@ TEST(ConsistentState, CountsRedundantConstraintsOnce) {
 TEST(ConsistentState, ReportsWhatIsNoNumber) {
   StateVector<Pendulum> y{std::numeric_limits<double>::quiet_NaN(), 1.0, 0.0, 0.0};
   EXPECT_EQ(find_consistent_state<Pendulum>(Pendulum::precompute({}), 0.0, y).status, ConsistencyStatus::not_finite);
+}
+
+// A start off the circle is put on it along the ray from the centre, as one of other parameters may have to be: the motion is that
+// from there, to some roundings of the start that grow by less than ten within 0.2 s.
+TEST(ConsistentState, IsWhereMembersOfAnEnsembleStart) {
+  const auto members = [](std::uint64_t index) {
+    Member<Pendulum> member;
+    if (index == 1) member.state.q[0] = -1.5;
+    return member;
+  };
+  const auto ensemble = motion_ensemble<Pendulum>(2, members, {0.0, 0.2}, RungeKutta4{.step = 0.01});
+  const auto motion = [&ensemble](std::uint64_t index) {
+    std::vector<double> record(ensemble.head().numbers);
+    ensemble(index, record);
+    return member_motion<Pendulum>(std::span<const double>(record));
+  };
+  const auto closed = motion(0), open = motion(1);
+  ASSERT_EQ(open.states.size(), 2U);
+  for (std::size_t time = 0; time < 2; ++time) {
+    for (std::size_t i = 0; i < 4; ++i) EXPECT_NEAR(open.states[time][i], closed.states[time][i], 1e-14) << time << i;
+  }
 }
 
 }  // namespace

@@ -187,6 +187,20 @@ def test_a_condition_is_for_piecewise_only(scene):
     assert piecewise([(x < quantity(1, "m"), x)], quantity(2, "m")).unit == "m"
 
 
+@pytest.mark.parametrize("number", [fractions.Fraction(1, 3), Decimal("0.5"), fractions.Fraction(3, 2), Decimal("1.9"), 0.5, "2"])
+def test_what_is_no_integer_does_not_become_one(scene, number):
+    """Python's int() would cut it off: a root would be the power 0."""
+    length = scene.parameter("length", "m", 1)
+    with pytest.raises(TypeError):
+        length**number
+    for axis_and_turn in ((number, 1), (1, number)):
+        with pytest.raises(TypeError):
+            Rotation.about(*axis_and_turn)
+    with pytest.raises(TypeError):
+        ts.AngleSequence([2, number, 0])
+    assert str(length**np.int64(2)) == str(length**2) == "length^(2)"
+
+
 def test_types_of_joints_that_close_loops(scene):
     with pytest.raises(ts.SceneError, match="point_contact"):
         scene.loop_joint("pin", type="hinge", a=scene.ground, b=scene.ground)
