@@ -175,7 +175,10 @@ ContactAnswer solve_contacts(const ContactProblem& problem, const ContactSolverO
     ContactAnswer answer = RegimeEnumeration(problem).run();
     if (answer || tries_all(problem)) return answer;
   }
-  return iterate_contacts(problem, ContactVector::Zero(problem.rows()), options);
+  const ContactAnswer answer = iterate_contacts(problem, ContactVector::Zero(problem.rows()), options);
+  // Where many slips begin together more starts take seconds.
+  const bool few = problem.count <= std::min(options.enumerated, 4);
+  return answer || !few ? answer : RegimeEnumeration(problem).run(true);
 }
 
 }  // namespace torsor::runtime
