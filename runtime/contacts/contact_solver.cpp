@@ -109,7 +109,7 @@ class ContactIteration {
       resting[as(i)].direction_sought = false;
       any = true;
     }
-    return (any && regimes.try_from(resting)) || regimes.try_from(found);
+    return (any && regimes.try_from(resting, r_)) || regimes.try_from(found, r_);
   }
 
   // What the natural map says of each contact at the present reactions.

@@ -41,14 +41,21 @@ void RegimeEnumeration::try_all() noexcept {
   }
 }
 
-bool RegimeEnumeration::try_from(Regimes regimes) noexcept {
+bool RegimeEnumeration::try_from(Regimes regimes, const ContactVector& near) noexcept {
   const std::size_t before = answer_.count;
   const int sought = count_sought(regimes);
   if (sought == 0) {
     try_regimes(regimes);
-  } else if (turn_to_slip(regimes)) {
-    accept(regimes);
+    return answer_.count > before;
   }
+  // Where reactions are not unique, others than those near by may give the slips other directions, and be outside their bounds.
+  PerContact<bool> begins{};
+  for (int i = 0; i < problem_.count; ++i) begins[as(i)] = regimes[as(i)].direction_sought;
+  Regimes aligned = regimes;
+  if (near.size() > 0 && align_slips(problem_, aligned, begins, {}, near)) {
+    accept(aligned, &near);
+  }
+  if (answer_.count == before && turn_to_slip(regimes)) accept(regimes);
   return answer_.count > before;
 }
 
@@ -297,7 +304,7 @@ bool RegimeEnumeration::turn_to_slip(Regimes& regimes) const noexcept {
   return false;
 }
 
-void RegimeEnumeration::accept(Regimes regimes) noexcept {
+void RegimeEnumeration::accept(Regimes regimes, const ContactVector* near) noexcept {
   RegimeSystem system(problem_, scale_, regimes);
   if (!system.solve()) return;
   const RegimeInequalities inequalities(problem_, scale_, system);
@@ -305,7 +312,8 @@ void RegimeEnumeration::accept(Regimes regimes) noexcept {
   Family family;
   if (system.kernel().cols() > 0) {
     family = look_inside(system, inequalities);
-    if (family.found) {
+    if (!family.found && near != nullptr) system.approach(*near);
+    if (family.found || near != nullptr) {
       r = system.reactions();
       u = problem_.W * r + problem_.q;
     }

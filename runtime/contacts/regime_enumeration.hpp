@@ -27,8 +27,9 @@ class RegimeEnumeration {
   /// `thoroughly`: where three or four slips begin together, from more directions of each.
   [[nodiscard]] ContactAnswer run(bool thoroughly = false) noexcept;
 
-  /// One combination; directions that are sought start from those given. For solvers that know where to look.
-  bool try_from(Regimes regimes) noexcept;
+  /// One combination; directions that are sought start from those given. For solvers that know where to look: where reactions are not
+  /// unique, beside those that are `near`, if there are any.
+  bool try_from(Regimes regimes, const ContactVector& near = {}) noexcept;
 
   [[nodiscard]] ContactAnswer finish() noexcept;
 
@@ -59,7 +60,7 @@ class RegimeEnumeration {
   [[nodiscard]] bool try_all_pairs(Regimes& regimes) noexcept;
   [[nodiscard]] bool turn_to_slip(Regimes& regimes) const noexcept;
   [[nodiscard]] bool grow_friction(Regimes& regimes) const noexcept;
-  void accept(Regimes regimes) noexcept;
+  void accept(Regimes regimes, const ContactVector* near = nullptr) noexcept;
   [[nodiscard]] Family look_inside(RegimeSystem& system, const RegimeInequalities& inequalities) const noexcept;
   void turn_to_family(Regimes& regimes, ContactVector& r, ContactVector& u) const noexcept;
   void tidy(const Regimes& regimes, ContactVector& r, ContactVector& u, ContactSolution& solution) const noexcept;
