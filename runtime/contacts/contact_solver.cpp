@@ -91,8 +91,8 @@ class ContactIteration {
     return false;
   }
 
-  // Reactions that are not unique may be at their bounds where nothing moves. A contact that slides at no speed sticks as well, and
-  // of a body that rests no motion begins.
+  // Reactions that are not unique may be at their bounds where nothing moves. A contact that slides at no speed sticks as
+  // well: no slip begins of a body that rests.
   [[nodiscard]] bool tries(RegimeEnumeration& regimes) const noexcept {
     const Regimes found = proposed();
     Regimes resting = found;
@@ -103,7 +103,7 @@ class ContactIteration {
       const ContactLaw& law = problem_.law(i);
       if (found[as(i)].friction != Friction::slides || law.slips) continue;
       bool moves = false;
-      for (int k = 0, t = problem_.tangent_row(i); k < law.tangents; ++k) moves = moves || std::abs(u(t + k)) > 1e-9 * sizes(t + k);
+      for (int k = 0, t = problem_.tangent_row(i); k < law.tangents; ++k, ++t) moves = moves || std::abs(u(t)) > 1e-9 * sizes(t);
       if (moves) continue;
       resting[as(i)].friction = Friction::sticks;
       resting[as(i)].direction_sought = false;

@@ -156,7 +156,6 @@ void RegimeEnumeration::try_regimes(Regimes& regimes) noexcept {
   if (try_related(regimes)) return;
   if (sought == 1) return try_all_directions(regimes);
   if (sought == 2 && try_all_pairs(regimes)) return;
-  if (sought > 2 && grow_friction(regimes)) accept(regimes);
   const int starts = sought == 2 ? 8 : thoroughly_ ? (sought == 3 ? 12 : 5) : problem_.count == 3 ? 6 : 3;
   int total = 1;
   for (int i = 0; i < sought; ++i) total *= starts;
@@ -251,38 +250,8 @@ bool RegimeEnumeration::try_all_pairs(Regimes& regimes) noexcept {
   return roots.complete();
 }
 
-// Without friction the slips have the directions of their motions. Where the friction of all grows from nothing, directions
-// follow: of solutions that are one where there is little friction this leads to the one that there is with all of it.
-bool RegimeEnumeration::grow_friction(Regimes& regimes) const noexcept {
-  constexpr int stages = 8;
-  ContactProblem weak = problem_;
-  for (int stage = 0; stage < stages; ++stage) {
-    for (int i = 0; i < problem_.count; ++i) {
-      if (!regimes[as(i)].direction_sought) continue;
-      weak.laws[as(i)].friction = problem_.law(i).friction * stage / stages;
-      weak.laws[as(i)].bound = problem_.law(i).bound * stage / stages;
-    }
-    const RegimeEnumeration less(weak);
-    if (stage > 0) {
-      (void)less.turn_to_slip(regimes);  // the next stage may go on from where it ends
-      continue;
-    }
-    RegimeSystem system(weak, less.scale_, regimes);
-    if (!system.solve()) return false;
-    const ContactVector u = system.motion();
-    for (int i = 0; i < problem_.count; ++i) {
-      const int t = problem_.tangent_row(i);
-      if (!regimes[as(i)].direction_sought) continue;
-      const double length = std::hypot(u(t), u(t + 1));
-      if (!(length > 0)) return false;
-      regimes[as(i)].direction = {u(t) / length, u(t + 1) / length};
-    }
-  }
-  return turn_to_slip(regimes);
-}
-
 // Newton's method for u_T across d = 0 in all directions sought.
-bool RegimeEnumeration::turn_to_slip(Regimes& regimes) const noexcept {
+bool RegimeEnumeration::turn_to_slip(Regimes& regimes) noexcept {
   const int sought = count_sought(regimes);
   PerContact<int> who{};
   for (int i = 0, k = 0; i < problem_.count; ++i) {

@@ -25,8 +25,8 @@ struct Made {
   ContactVector u;  ///< the motion that it was made of
 };
 
-/// A body of mass 1 and moments of inertia of 1/4, on legs of three freedoms each. The motion is given first: where each foot slips,
-/// and how hard it is pressed. Coulomb's law gives the reactions, and q = u − W r the problem that has this motion.
+/// A body of mass 1 and moments of inertia 1, on legs of three freedoms each. The motion is given first: where each foot
+/// slips, and how hard it is pressed. Coulomb's law gives the reactions, and q = u − W r the problem that has this motion.
 Made made(unsigned seed, double most_friction) {
   std::mt19937 random(seed);
   const auto between = [&random](double a, double b) { return std::uniform_real_distribution<>(a, b)(random); };

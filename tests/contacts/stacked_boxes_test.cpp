@@ -28,8 +28,8 @@ Eigen::Matrix<double, 3, 6> rows_at(const Vector3d& r) {
   return rows;
 }
 
-/// Corners 0 to 3 are those of the upper box on the lower one, 4 to 7 those of the lower one on the floor. The lower box is at rest. The
-/// upper one moves by V and spins by `spin`, its edges along those of the lower one.
+/// Corners 0 to 3 are those of the upper box on the lower one, 4 to 7 those of the lower one on the floor. The lower box is at
+/// rest. The upper one moves by (vx, vy) and spins, its edges along those of the lower one.
 struct Stack {
   double f, F, vx, vy, spin;
   ContactProblem problem{};
@@ -77,8 +77,8 @@ void expect_weights(const Stack& stack, const ContactSolution& found) {
   EXPECT_LE(natural_map_residual(stack.problem, found), 1e-12);
 }
 
-// Sweeps may leave forces at their bounds, where none is needed there: a corner that slides at no speed was the beginning of a slip
-// without a direction.
+// Sweeps may leave forces at their bounds, where none is needed there: a corner that slides at no speed was the beginning of
+// a slip without a direction.
 TEST(StackedBoxes, RestOnAllCorners) {
   for (const double pull : {0.0, 0.3, 1.5}) {
     Stack stack(0.2, 0.5, 0, 0, 0);
