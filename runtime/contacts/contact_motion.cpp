@@ -236,8 +236,16 @@ void ContactMotion::fade(int i, double t, std::span<const double> y) {
   state.fades = state.begins = true;
   state.begun = t;
   changed();
-  state.begins = solve(t, y) == Evaluation::ok && stiff_[as(i)];
+  state.begins = solve(t, y) == Evaluation::ok && stiff_[as(i)] && !strays(i);
   changed();
+}
+
+// Forces pull a slip into the direction that they give it: one that has a velocity well off that direction has not got there, and
+// forces may soon give it none.
+bool ContactMotion::strays(int i) const noexcept {
+  const auto& aligned = aligned_[as(i)];
+  const auto own = velocity_direction(i);
+  return slip_speed(i) > 2 * blur(i) && !(aligned[0] * own[0] + aligned[1] * own[1] > 0.9);
 }
 
 void ContactMotion::take_direction(int i) noexcept {
@@ -417,6 +425,7 @@ Evaluation ContactMotion::align_or_keep(double t, std::span<const double> y, con
     evaluation = more ? align(t, y, problem, aligned, begins) : Evaluation::ok;
   }
   regimes = aligned;
+  for (int i = 0; i < count(); ++i) aligned_[as(i)] = regimes[as(i)].direction;
   return evaluation;
 }
 
@@ -428,7 +437,7 @@ void ContactMotion::follow_slips(double t, std::span<const double> y) {
   for (int i = 0; i < count(); ++i) {
     if (!at(i).touches || at(i).regime != ContactRegime::slides || rule(i).tangents == 0) continue;
     ContactState& state = states[as(i)];
-    if (follows_forces(i) && state.fades && solve(t, y) == Evaluation::ok && unaligned_[as(i)]) take_direction(i);
+    if (follows_forces(i) && state.fades && solve(t, y) == Evaluation::ok && (unaligned_[as(i)] || strays(i))) take_direction(i);
     const double now = slip(i);
     state.fastest = std::max(state.fastest, now);
     // Near its end the slip has no direction of its own that is worth following.

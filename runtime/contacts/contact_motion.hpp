@@ -170,6 +170,7 @@ class ContactMotion {
                                          PerContact<bool>& begins);
   [[nodiscard]] ContactProblem problem_of(const ContactReading& reading, const ContactDynamics& dynamics) const;
   [[nodiscard]] double blur(int i) const noexcept;
+  [[nodiscard]] bool strays(int i) const noexcept;
   void note_undetermined(const RegimeSystem& equations, const ContactScale& scale) noexcept;
   template <class Wanted>
   void select(const Wanted& wanted);
@@ -186,6 +187,7 @@ class ContactMotion {
   ContactVector r_, right_, held_, over_;  ///< `over_` of the rows chosen: one over the unit of each
   PerContact<double> across_{}, lag_{};  ///< s κ and the angle of lag of slips that begin
   PerContact<bool> stiff_{}, undetermined_{};
+  PerContact<std::array<double, 2>> aligned_{};  ///< directions that forces give to slips that begin or fade
   PerContact<bool> unaligned_{};  ///< slips that fade to which forces give no direction
   PerContact<std::array<double, 2>> along_{};  ///< directions of the reactions of joints, from which the next are sought
   std::array<int, static_cast<std::size_t>(most_rows)> row_{};

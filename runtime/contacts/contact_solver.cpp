@@ -21,7 +21,7 @@ class ContactIteration {
       : problem_(problem), scale_(problem), options_(options), r_(start) {}
 
   /// Whether what the start proposes holds: what held in the step before holds in most.
-  [[nodiscard]] bool holds(RegimeEnumeration& regimes) const noexcept { return !r_.isZero(0) && regimes.try_from(proposed()); }
+  [[nodiscard]] bool holds(RegimeEnumeration& regimes) const noexcept { return !r_.isZero(0) && tries(regimes); }
 
   [[nodiscard]] ContactAnswer run() noexcept {
     RegimeEnumeration regimes(problem_);
@@ -32,7 +32,7 @@ class ContactIteration {
         if (!(this->sweep() > 1e-15)) break;
       }
       if (!r_.allFinite()) r_.setZero();
-      if (regimes.try_from(proposed()) || stagnates()) break;
+      if (tries(regimes) || stagnates()) break;
     }
     return regimes.finish();
   }
@@ -89,6 +89,27 @@ class ContactIteration {
     distance_ *= 2;
     mark();
     return false;
+  }
+
+  // Reactions that are not unique may be at their bounds where nothing moves. A contact that slides at no speed sticks as
+  // well: no slip begins of a body that rests.
+  [[nodiscard]] bool tries(RegimeEnumeration& regimes) const noexcept {
+    const Regimes found = proposed();
+    Regimes resting = found;
+    const ContactVector u = problem_.W * r_ + problem_.q;
+    const ContactVector sizes = scale_.motions(problem_.W.cwiseAbs() * r_.cwiseAbs() + problem_.q.cwiseAbs());
+    bool any = false;
+    for (int i = 0; i < problem_.count; ++i) {
+      const ContactLaw& law = problem_.law(i);
+      if (found[as(i)].friction != Friction::slides || law.slips) continue;
+      bool moves = false;
+      for (int k = 0, t = problem_.tangent_row(i); k < law.tangents; ++k, ++t) moves = moves || std::abs(u(t)) > 1e-9 * sizes(t);
+      if (moves) continue;
+      resting[as(i)].friction = Friction::sticks;
+      resting[as(i)].direction_sought = false;
+      any = true;
+    }
+    return (any && regimes.try_from(resting, r_)) || regimes.try_from(found, r_);
   }
 
   // What the natural map says of each contact at the present reactions.
@@ -175,7 +196,10 @@ ContactAnswer solve_contacts(const ContactProblem& problem, const ContactSolverO
     ContactAnswer answer = RegimeEnumeration(problem).run();
     if (answer || tries_all(problem)) return answer;
   }
-  return iterate_contacts(problem, ContactVector::Zero(problem.rows()), options);
+  const ContactAnswer answer = iterate_contacts(problem, ContactVector::Zero(problem.rows()), options);
+  // Where many slips begin together more starts take seconds.
+  const bool few = problem.count <= std::min(options.enumerated, 4);
+  return answer || !few ? answer : RegimeEnumeration(problem).run(true);
 }
 
 }  // namespace torsor::runtime

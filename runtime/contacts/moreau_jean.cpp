@@ -62,7 +62,7 @@ bool MoreauJean::move_through(double t, double h, std::span<double> y) {
   for (int i = 0; i < count(); ++i) {
     const ContactRule& rule = rules_[as(i)];
     const int by = rule.normal ? i : rule.pressed_by;
-    if (by >= 0 && reading_.gap[as(by)] > 0) continue;
+    if (by >= 0 && opens(by, middle_)) continue;
     ContactLaw law = rule.law();
     law.bound *= h;  // bounded forces, as impulses of the step
     law.static_bound *= h;
@@ -100,6 +100,11 @@ bool MoreauJean::read(double t, std::span<const double> y, double damped) {
     for (std::size_t i = 0; i < damping_.size(); ++i) reading_.M.diagonal()(static_cast<Eigen::Index>(i)) += damped * damping_[i];
   }
   return (dynamics_.compute(reading_) && dynamics_.respond(reading_)) || end(ContactStatus::integration_failed);
+}
+
+// Corners of a body that lies on a surface are above zero or below by their rounding: it would tip over those that are below.
+bool MoreauJean::opens(int i, std::span<const double> y) const {
+  return reading_.gap[as(i)] > 16 * rounding_of_position(reading_.J.row(first_row_[as(i)]), y, mechanism_->sizes());
 }
 
 // Rows of an open contact have no part in the step, whatever they are.

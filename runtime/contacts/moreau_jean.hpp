@@ -48,6 +48,7 @@ class MoreauJean {
   /// Damping taken implicitly over this time is a part of M.
   [[nodiscard]] bool read(double t, std::span<const double> y, double damped);
   [[nodiscard]] bool has_points() noexcept;
+  [[nodiscard]] bool opens(int i, std::span<const double> y) const;
   [[nodiscard]] bool displaced(std::span<const double> y) const;
   bool move_through(double t, double h, std::span<double> y);
   bool put_back(double t, std::span<double> y);

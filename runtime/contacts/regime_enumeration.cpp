@@ -16,7 +16,8 @@
 
 namespace torsor::runtime {
 
-ContactAnswer RegimeEnumeration::run() noexcept {
+ContactAnswer RegimeEnumeration::run(bool thoroughly) noexcept {
+  thoroughly_ = thoroughly;
   try_all();
   // Where bounds leave one place alone, rounding may hide it in the regimes that stand for others.
   if (answer_.count == 0 && left_out_) {
@@ -40,14 +41,21 @@ void RegimeEnumeration::try_all() noexcept {
   }
 }
 
-bool RegimeEnumeration::try_from(Regimes regimes) noexcept {
+bool RegimeEnumeration::try_from(Regimes regimes, const ContactVector& near) noexcept {
   const std::size_t before = answer_.count;
   const int sought = count_sought(regimes);
   if (sought == 0) {
     try_regimes(regimes);
-  } else if (turn_to_slip(regimes)) {
-    accept(regimes);
+    return answer_.count > before;
   }
+  // Where reactions are not unique, others than those near by may give the slips other directions, and be outside their bounds.
+  PerContact<bool> begins{};
+  for (int i = 0; i < problem_.count; ++i) begins[as(i)] = regimes[as(i)].direction_sought;
+  Regimes aligned = regimes;
+  if (near.size() > 0 && align_slips(problem_, aligned, begins, {}, near)) {
+    accept(aligned, &near);
+  }
+  if (answer_.count == before && turn_to_slip(regimes)) accept(regimes);
   return answer_.count > before;
 }
 
@@ -148,7 +156,7 @@ void RegimeEnumeration::try_regimes(Regimes& regimes) noexcept {
   if (try_related(regimes)) return;
   if (sought == 1) return try_all_directions(regimes);
   if (sought == 2 && try_all_pairs(regimes)) return;
-  const int starts = sought == 2 ? 8 : 3;
+  const int starts = sought == 2 ? 8 : thoroughly_ ? (sought == 3 ? 12 : 5) : problem_.count == 3 ? 6 : 3;
   int total = 1;
   for (int i = 0; i < sought; ++i) total *= starts;
   for (int start = 0; start < total; ++start) {
@@ -265,7 +273,7 @@ bool RegimeEnumeration::turn_to_slip(Regimes& regimes) noexcept {
   return false;
 }
 
-void RegimeEnumeration::accept(Regimes regimes) noexcept {
+void RegimeEnumeration::accept(Regimes regimes, const ContactVector* near) noexcept {
   RegimeSystem system(problem_, scale_, regimes);
   if (!system.solve()) return;
   const RegimeInequalities inequalities(problem_, scale_, system);
@@ -273,7 +281,8 @@ void RegimeEnumeration::accept(Regimes regimes) noexcept {
   Family family;
   if (system.kernel().cols() > 0) {
     family = look_inside(system, inequalities);
-    if (family.found) {
+    if (!family.found && near != nullptr) system.approach(*near);
+    if (family.found || near != nullptr) {
       r = system.reactions();
       u = problem_.W * r + problem_.q;
     }

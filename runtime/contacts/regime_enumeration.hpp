@@ -10,7 +10,7 @@ namespace torsor::runtime {
 
 /// Tries every combination of regimes: open, sticking, sliding; in the plane to either side. In space the direction of
 /// a slip that begins is found too: all directions where one contact or two begin to slide, by trigonometric polynomials;
-/// where more do, those that Newton's method reaches from three directions of each. The directions of the reactions that
+/// where more do, those that Newton's method reaches from three or six directions of each. The directions of the reactions that
 /// press joints are found from c and, of up to three joints, from -c too.
 class RegimeEnumeration {
  public:
@@ -23,10 +23,12 @@ class RegimeEnumeration {
     for (int i = 0; i < problem.count; ++i) bearings_ += problem.law(i).bearing > 0 ? 1 : 0;
   }
 
-  [[nodiscard]] ContactAnswer run() noexcept;
+  /// `thoroughly`: where three or four slips begin together, from more directions of each.
+  [[nodiscard]] ContactAnswer run(bool thoroughly = false) noexcept;
 
-  /// One combination; directions that are sought start from those given. For solvers that know where to look.
-  bool try_from(Regimes regimes) noexcept;
+  /// One combination; directions that are sought start from those given. For solvers that know where to look: where reactions
+  /// are not unique, beside those that are `near`, if there are any.
+  bool try_from(Regimes regimes, const ContactVector& near = {}) noexcept;
 
   [[nodiscard]] ContactAnswer finish() noexcept;
 
@@ -56,7 +58,7 @@ class RegimeEnumeration {
   void try_all_directions(Regimes& regimes) noexcept;
   [[nodiscard]] bool try_all_pairs(Regimes& regimes) noexcept;
   [[nodiscard]] bool turn_to_slip(Regimes& regimes) noexcept;
-  void accept(Regimes regimes) noexcept;
+  void accept(Regimes regimes, const ContactVector* near = nullptr) noexcept;
   [[nodiscard]] Family look_inside(RegimeSystem& system, const RegimeInequalities& inequalities) const noexcept;
   void turn_to_family(Regimes& regimes, ContactVector& r, ContactVector& u) const noexcept;
   void tidy(const Regimes& regimes, ContactVector& r, ContactVector& u, ContactSolution& solution) const noexcept;
@@ -67,6 +69,7 @@ class RegimeEnumeration {
   ContactAnswer answer_;
   int bearings_ = 0;
   bool relates_;
+  bool thoroughly_ = false;
   bool left_out_ = false;  ///< regimes that others stand for
   bool moves_ = false;     ///< reactions that fit give different motions without end
 };
