@@ -24,7 +24,7 @@
 // Not computed because this mechanism does not need it:
 //   kinematics: of 315 results 201 vanish identically, 18 repeat another up to sign
 //   mass_matrix: of 49 results 36 vanish identically, 3 repeat another up to sign
-//   first_integrals: left out, 'motor' has no force function
+//   first_integrals: left out, 'motor' has a force function that is not stated
 //   constraints: of 60 results 20 vanish identically, 8 repeat another up to sign
 //   reactions: left out, the scene releases no joint direction (released_coordinate)
 //   linearisation: of 162 results 113 vanish identically, 3 repeat another up to sign

@@ -21,7 +21,7 @@
 // Not computed because this mechanism does not need it:
 //   kinematics: of 228 results 120 vanish identically, 28 repeat another up to sign
 //   mass_matrix: of 36 results 6 vanish identically, 12 repeat another up to sign
-//   first_integrals: left out, 'gust_1', 'friction_1', 'gust_2', 'friction_2', 'gust_3', 'friction_3', 'gust_4', 'friction_4', 'pylon_friction' have no force function
+//   first_integrals: left out, 'friction_1', 'friction_2', 'friction_3', 'friction_4', 'pylon_friction' have no force function; 'gust_1', 'gust_2', 'gust_3', 'gust_4' have force functions that are not stated
 //   constraints: left out, the scene has no constraints
 //   reactions: left out, the scene releases no joint direction (released_coordinate)
 //   linearisation: of 258 results 108 vanish identically, 12 repeat another up to sign

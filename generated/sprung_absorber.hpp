@@ -22,7 +22,7 @@
 // Not computed because this mechanism does not need it:
 //   kinematics: of 48 results 35 vanish identically, 2 repeat another up to sign
 //   mass_matrix: of 4 results 2 vanish identically
-//   first_integrals: left out, 'friction', 'shaking' have no force function
+//   first_integrals: left out, 'friction' has no force function; 'shaking' has a force function that is not stated
 //   constraints: left out, the scene has no constraints
 //   reactions: left out, the scene releases no joint direction (released_coordinate)
 //   linearisation: of 30 results 8 vanish identically, 11 repeat another up to sign

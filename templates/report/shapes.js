@@ -262,7 +262,10 @@ class Picture {
           shapes.push(cylinder(add(origin, axis, -0.045 * size), add(origin, axis, 0.045 * size), 0.028 * size, steel));
         } else if (frame.joint === "prismatic" && list.length <= 2) {
           const anchor = column(poses.anchors, k), [x, y] = triad(axis), half = 0.05 * size, alone = !this.translations.has(k);
-          if (alone) shapes.push(cylinder(add(anchor, axis, -0.9 * size), add(anchor, axis, 0.9 * size), 0.008 * size, steel));
+          if (alone) {
+            const far = dot(add(origin, anchor, -1), axis), [low, high] = [Math.min(-0.9 * size, far), Math.max(0.9 * size, far)];
+            shapes.push(cylinder(add(anchor, axis, low), add(anchor, axis, high), 0.008 * size, steel));
+          }
           if (alone || !this.massless.has(body)) shapes.push({ mesh: "box", x: scaled(x, half), y: scaled(y, half), z: scaled(axis, 1.5 * half), origin, colour: colourOf(body) });
         } else if (frame.joint === "attitude") {
           shapes.push(ball(origin, 0.035 * size, steel));
