@@ -21,7 +21,7 @@ class ContactPage {
         contacts_(contact_rows(equations.model())),
         coefficients_(contact_coefficients(equations.model())),
         bearings_(bearing_reactions(equations)),
-        view_(equations.program(), limits, positive_parameters(equations.scene().content())),
+        view_(equations.program(), limits, equations.scene().content()),
         page_(page),
         say(page.say),
         letters_(equations.scene().content()) {

@@ -58,7 +58,7 @@ Derivation::Derivation(const Scene& scene, const InlineLimits& limits, Page& pag
     : scene_(scene),
       centres_(add_centres(scene_)),
       equations_(scene_, symbolic()),
-      view_(equations_.program(), limits, positive_parameters(scene_.content())),
+      view_(equations_.program(), limits, scene_.content()),
       page_(page) {}
 
 bool Derivation::too_many(std::size_t count, std::size_t most, const std::string& what) {

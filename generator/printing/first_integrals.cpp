@@ -34,7 +34,7 @@ bool is_energy(const FirstIntegral& integral) { return integral.name == "energy"
 void write_first_integrals(const Equations& equations, const InlineLimits& limits, Page& page,
                            const std::vector<Stretch>& stretches) {
   const PainleveReport report = painleve(equations, page.say);
-  InlineView view(equations.program(), limits, positive_parameters(equations.scene().content()));
+  InlineView view(equations.program(), limits, equations.scene().content());
   const NaturalLanguage& say = page.say;
   page.section(say("Painleve's equation and first integrals"));
   const bool multipliers = !equations.constraints().empty();

@@ -51,6 +51,13 @@ REGISTER_FUNCTION(one_of, derivative_func(slope_of_choice))
 
 cln::cl_RA rational(const GiNaC::numeric& number) { return cln::the<cln::cl_RA>(number.to_cl_N()); }
 
+/// Whether a law of time is more than a product of parameters and time.
+bool is_long(const Sum& law) {
+  if (law.size() != 1) return law.size() > 1;
+  const Product& product = law.terms().begin()->first;
+  return std::any_of(product.begin(), product.end(), [](const Power& p) { return p.base->kind == Base::Kind::function; });
+}
+
 }  // namespace
 
 GiNaC::ex to_ginac(const Number& number) {
@@ -87,6 +94,34 @@ GiNaC::ex called(Function function, const std::vector<GiNaC::ex>& arguments) {
       return one_of(argument, arguments[1], arguments[2]);
   }
   return argument;
+}
+
+InlineView::InlineView(Program& program, const InlineLimits& limits, const SceneContent& scene)
+    : program_(&program), limits_(limits), positive_(positive_parameters(scene)) {
+  for (const CoordinateContent& coordinate : scene.coordinates) {
+    if (!coordinate.law) continue;
+    const std::optional<GiNaC::ex> law = expression_to_read(program.lower(*coordinate.law));
+    if (!law) continue;
+    Sum sum = shortened(law->expand());
+    if (!is_long(sum)) continue;
+    product_values_[symbol(coordinate.q)] = *law;
+    laws_.emplace_back(coordinate.q, std::move(sum));
+  }
+}
+
+Sum InlineView::with_laws_named(Sum angle) const {
+  for (const auto& [name, law] : laws_) {
+    const auto& [first, coefficient] = *law.terms().begin();
+    const auto place = angle.terms().find(first);
+    if (place == angle.terms().end()) continue;
+    const Number factor = place->second / coefficient;
+    Sum rest = angle;
+    rest += (-factor) * law;
+    if (rest.size() + law.size() != angle.size()) continue;  // the angle has not all of the law in it
+    rest += factor * Sum::symbol(name);
+    angle = std::move(rest);
+  }
+  return angle;
 }
 
 double InlineView::term_bound(const Value& value) { return term_bound(value.polynomial()); }
@@ -240,6 +275,7 @@ Sum InlineView::canonical(const GiNaC::ex& e) {
   const auto call = [&](Function function) {
     std::vector<Sum> arguments;
     for (std::size_t i = 0; i < e.nops(); ++i) arguments.push_back(shortened(e.op(i)));
+    if (function == Function::sin || function == Function::cos) arguments[0] = with_laws_named(std::move(arguments[0]));
     return Sum::function(function, arguments);
   };
   if (GiNaC::is_the_function<GiNaC::sin_SERIAL>(e)) return call(Function::sin);

@@ -25,9 +25,10 @@ struct InlineLimits {
 /// One view serves one program; it keeps what it has converted.
 class InlineView {
  public:
-  /// `positive`: the symbols whose squares leave square roots.
-  InlineView(const Program& program, const InlineLimits& limits, PositiveSymbols positive = {})
-      : program_(&program), limits_(limits), positive_(std::move(positive)) {}
+  InlineView(const Program& program, const InlineLimits& limits) : program_(&program), limits_(limits) {}
+  /// Knows what the scene says of its symbols: squares of those that are positive leave square roots, and a driven
+  /// coordinate stands by its name inside sines and cosines, unless its law is a single term like Ω t.
+  InlineView(Program& program, const InlineLimits& limits, const SceneContent& scene);
 
   const InlineLimits& limits() const { return limits_; }
 
@@ -62,6 +63,8 @@ class InlineView {
   /// The product k whose 1 − k² a definition is on every state; none for any other definition.
   std::optional<std::size_t> product_under_root(ValueNumber radicand) const;
   GiNaC::ex named_product(std::size_t k);
+  /// An angle with the names of driven coordinates in it.
+  Sum with_laws_named(Sum angle) const;
   Sum canonical(const GiNaC::ex& expression);
   Sum canonical_power(const GiNaC::ex& expression);
   /// Put in order and made short: unit quaternions, squares beside roots, sines and cosines.
@@ -70,9 +73,10 @@ class InlineView {
   const Program* program_;
   InlineLimits limits_;
   PositiveSymbols positive_;
+  std::vector<std::pair<SymbolPointer, Sum>> laws_;  ///< of driven coordinates that have their names in angles
   std::vector<NamedProduct> products_;
   std::vector<std::size_t> in_use_;
-  GiNaC::exmap product_values_;  ///< applied, never iterated
+  GiNaC::exmap product_values_;  ///< of named products and driven coordinates; applied, never iterated
   std::vector<std::optional<double>> bounds_;
   std::vector<std::optional<GiNaC::ex>> value_numbers_;
   std::vector<SymbolPointer> symbols_;  ///< by the number that is the name of the GiNaC symbol

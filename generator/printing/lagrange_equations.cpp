@@ -26,7 +26,7 @@ LagrangeEquations::LagrangeEquations(const Scene& scene, const InlineLimits& lim
     : with_steps_(with_steps),
       open_(scene, symbolic(false)),
       definitions_(scene, symbolic(true)),
-      view_(open_.program(), limits, positive_parameters(scene.content())) {
+      view_(open_.program(), limits, scene.content()) {
   view_.name_products(disc_products(open_.model()));
   derive();
 }

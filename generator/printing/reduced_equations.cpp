@@ -15,7 +15,7 @@ class Writer {
       : program_(equations.program()),
         at_rest_(!about.empty()),
         at_(program_, [this](const SymbolPointer& symbol) { return value_of(symbol); }),
-        view_(program_, limits, positive_parameters(scene.content())) {
+        view_(program_, limits, scene.content()) {
     for (const auto& [symbol, formula] : named_state(scene, about)) {
       state_.emplace_back(symbol, formula.is_zero() ? program_.number(Number(), symbol->unit) : program_.lower(formula));
     }

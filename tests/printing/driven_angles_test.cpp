@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A driven angle stands by its name inside sines and cosines where its law is longer than a name.
+#include <gtest/gtest.h>
+
+#include <string>
+
+#include "torsor/generator/mechanics/scene.hpp"
+#include "torsor/generator/printing/print_equations.hpp"
+#include "tests/printing/check_inline.hpp"
+
+namespace torsor::driven_angles_test {
+namespace {
+
+using namespace literals;
+
+bool has(const std::string& text, const std::string& line) { return text.find(line) != std::string::npos; }
+
+/// A pendulum on an arm that a law turns, the angle of the pendulum being counted from the arm.
+Scene driven_arm(bool steadily) {
+  Scene scene("driven_arm", "");
+  const Expression l = scene.parameter("l", "m", 1), r = scene.parameter("r", "m", 0.5_r), m = scene.parameter("m", "kg", 2);
+  const Expression g = scene.parameter("g", "m/s^2", 9.81_r), w = scene.parameter("omega", "rad/s", 3);
+  const Expression A = scene.parameter("A", "rad", 0.3_r), phi_0 = scene.parameter("phi_0", "rad", 0.1_r);
+  const Expression phi = scene.coordinate("phi", "rad"), theta = scene.coordinate("theta", "rad"), t = scene.time();
+  scene.drive(phi, steadily ? w * t : phi_0 + A * sin(w * t));
+  const FrameHandle arm = scene.revolute("arm", "ground", axis::y, phi);
+  const FrameHandle rod = scene.revolute("rod", arm, axis::y, theta, {.origin = {r, 0, 0}});
+  scene.body("rod", rod, Inertia::point(m).at({0, 0, -l}));
+  scene.gravity({0, 0, -g});
+  return scene;
+}
+
+TEST(DrivenAngles, HaveTheirNamesInsideSines) {
+  const std::string page = print_equations(driven_arm(false), Format::text, {});
+  EXPECT_TRUE(has(page, "phi = phi_0 + A sin(omega t)") || has(page, "phi = A sin(omega t) + phi_0")) << page;
+  EXPECT_TRUE(has(page, "cos(theta + phi)") || has(page, "cos(phi + theta)")) << page;
+  EXPECT_FALSE(has(page, "cos(A sin") || has(page, "cos(phi_0") || has(page, "cos(theta + A") || has(page, "cos(theta + phi_0")) << page;
+}
+
+TEST(DrivenAngles, OfOneTermAreWrittenOut) {
+  const std::string page = print_equations(driven_arm(true), Format::text, {});
+  EXPECT_TRUE(has(page, "omega t + theta)") || has(page, "theta + omega t)")) << page;
+}
+
+TEST(DrivenAngles, AreDifferentiatedAsTheirLaws) {
+  const test::InlineCheck check = test::check_inline(driven_arm(false), 50, 5);
+  ASSERT_TRUE(check.written_out);
+  EXPECT_LT(check.worst, Real::parse("1e-46")) << check.worst_of;  // some 50 terms of size 10, rounded at 1e-50 each
+}
+
+}  // namespace
+}  // namespace torsor::driven_angles_test
