@@ -32,10 +32,25 @@ Value power_along(const Model& model, const std::vector<Value>& forces) {
   return sum;
 }
 
-/// Names of the actions without a force function whose power Σ Q_i q̇_i does not vanish identically, friction included;
+/// Whether the scene gives an action as a force by formula: it may have a force function that nobody wrote down.
+bool is_given_force(const SceneContent& scene, const std::string& name) {
+  return std::any_of(scene.actions.begin(), scene.actions.end(), [&](const ActionContent& action) {
+    const bool given = std::holds_alternative<GivenForce>(action) || std::holds_alternative<GivenTorque>(action) ||
+                       std::holds_alternative<GivenWrench>(action) || std::holds_alternative<GeneralisedForce>(action) ||
+                       std::holds_alternative<MutualAction>(action);
+    return given && name_of(action) == name;
+  });
+}
+
+struct WorkingActions {
+  std::vector<std::string> without;   ///< those that have no force function
+  std::vector<std::string> unstated;  ///< those that have one, which the scene does not state
+};
+
+/// The actions given without a force function whose power Σ Q_i q̇_i does not vanish identically, friction included;
 /// none where that of all together vanishes: a force across the velocity, or two opposite ones. In a program of its own:
 /// kernels want none of these definitions.
-std::vector<std::string> working_actions(const Equations& asked) {
+WorkingActions working_actions(const Equations& asked) {
   if (asked.actions().without_force_function.empty()) return {};
   const Equations equations(asked.scene(), asked.model().options());
   const Model& model = equations.model();
@@ -69,11 +84,15 @@ std::vector<std::string> working_actions(const Equations& asked) {
   }
   each.push_back(sum);
   const std::vector<bool> silent = identically_zero_entries(each);
-  std::vector<std::string> names;
+  WorkingActions working;
   for (std::size_t k = 0; k < powers.size() && !silent.back(); ++k) {
-    if (!silent[k]) names.push_back(powers[k].first);
+    if (silent[k]) continue;
+    const std::string& name = powers[k].first;
+    const bool has_one = is_given_force(model.scene(), name) &&
+                         classify_force_function(equations, {{name}, {}}).kind != ForceFunctionCase::none;
+    (has_one ? working.unstated : working.without).push_back(name);
   }
-  return names;
+  return working;
 }
 
 /// Momenta of cyclic coordinates, as rows of M v: there what a body's own axes mix has fallen out already, so that
@@ -151,14 +170,10 @@ PainleveReport painleve(const Equations& equations, const NaturalLanguage& say) 
 
   Value u = gravity_force_function(model);
   u += equations.actions().spring_force_function;
-  std::vector<std::string> working, unstated;  // a force by formula may have a force function that nobody wrote down
-  for (const std::string& name : working_actions(equations)) {
-    const bool has_one = classify_force_function(equations, {{name}, {}}).kind != ForceFunctionCase::none;
-    (has_one ? unstated : working).push_back(name);
-  }
-  if (!working.empty()) {
-    report.failing_conditions.push_back(working.size() == 1 ? say("{} has no force function", joined(working))
-                                                            : say("{} have no force function", joined(working)));
+  const auto [without, unstated] = working_actions(equations);
+  if (!without.empty()) {
+    report.failing_conditions.push_back(without.size() == 1 ? say("{} has no force function", joined(without))
+                                                            : say("{} have no force function", joined(without)));
   }
   if (!unstated.empty()) {
     report.failing_conditions.push_back(unstated.size() == 1
