@@ -70,22 +70,23 @@ Product clearing(const Sum& sum, const Bases& bases) {
 }
 
 /// dividend/divisor where nothing is left over; both are polynomials of the bases, of which powers may be negative or odd.
-/// Terms stand in the order of their powers, so that those in front give the quotient's one after the other.
+/// Terms stand in the order of their powers, so that those in front give the quotient's one after the other. A root among
+/// the bases would end that order: its square is a sum of others.
 std::optional<Sum> quotient(const Sum& dividend, const Sum& divisor, const Bases& bases) {
   constexpr std::size_t most_terms = 400;
+  if (std::any_of(bases.begin(), bases.end(), [](const BasePointer& base) { return base->kind == Base::Kind::group; })) return std::nullopt;
   const Product of_dividend = clearing(dividend, bases), of_divisor = clearing(divisor, bases);
   Sum rest = times(dividend, of_dividend);
   const Sum by = times(divisor, of_divisor);
   const auto& [leading, coefficient] = *by.terms().begin();
   Sum result;
-  while (!rest.is_zero()) {
+  for (std::size_t steps = 0; !rest.is_zero(); ++steps) {
+    if (steps == most_terms) return std::nullopt;
     const auto& [product, number] = *rest.terms().begin();
     Sum term;
     term.add(product * inverse(leading), number / coefficient);
     const Product& ratio = term.terms().begin()->first;
-    if (result.size() >= most_terms || std::any_of(ratio.begin(), ratio.end(), [](const Power& p) { return p.halves < 0; })) {
-      return std::nullopt;
-    }
+    if (std::any_of(ratio.begin(), ratio.end(), [](const Power& p) { return p.halves < 0; })) return std::nullopt;
     result += term;
     rest += Number(-1) * (term * by);
   }
@@ -117,8 +118,10 @@ Sum over(const Sum& terms, const BasePointer& denominator, const Bases& bases) {
   if (most == 0 || most > 8) return terms;
   Sum numerator;
   std::vector<Sum> powers{Sum(Number(1))};
-  for (int k = 1; k <= most; ++k) powers.push_back(powers.back() * denominator->inside);
-  if (terms.size() * powers.back().size() > most_products) return terms;
+  for (int k = 1; k <= most; ++k) {
+    if (powers.back().size() * denominator->inside.size() * terms.size() > most_products) return terms;
+    powers.push_back(powers.back() * denominator->inside);
+  }
   for (const auto& [product, coefficient] : terms.terms()) {
     Product without = product;
     std::erase_if(without, [&](const Power& power) { return compare(*power.base, *denominator) == 0; });

@@ -31,7 +31,7 @@ std::string force_function_text(const Scene& scene, const ActionSelection& selec
   options.symbolic_parameters = true;
   const Equations equations(scene, options);
   const ForceFunctionReport report = classify_force_function(equations, selection);
-  printing::InlineView view(equations.program(), {}, scene.content());
+  printing::InlineView view(equations.program(), {}, printing::positive_parameters(scene.content()));
   std::string text = fmt::format("{}: {}, {}\n", scene.name(), listed(selection.actions, "all actions"),
                                  selection.bodies.empty() ? "wherever they act" : "on " + listed(selection.bodies, ""));
   for (std::size_t i = 0; i < report.forces.size(); ++i) {

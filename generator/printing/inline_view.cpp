@@ -103,7 +103,7 @@ InlineView::InlineView(Program& program, const InlineLimits& limits, const Scene
     const std::optional<GiNaC::ex> law = expression_to_read(program.lower(*coordinate.law));
     if (!law) continue;
     Sum sum = shortened(law->expand());
-    if (!is_long(sum)) continue;
+    if (!is_long(sum) || written_terms(sum) > static_cast<std::size_t>(limits_.terms)) continue;  // or the page cannot list it
     product_values_[symbol(coordinate.q)] = *law;
     laws_.emplace_back(coordinate.q, std::move(sum));
   }

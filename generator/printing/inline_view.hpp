@@ -25,9 +25,11 @@ struct InlineLimits {
 /// One view serves one program; it keeps what it has converted.
 class InlineView {
  public:
-  InlineView(const Program& program, const InlineLimits& limits) : program_(&program), limits_(limits) {}
-  /// Knows what the scene says of its symbols: squares of those that are positive leave square roots, and a driven
-  /// coordinate stands by its name inside sines and cosines, unless its law is a single term like Ω t.
+  /// `positive`: the symbols whose squares leave square roots.
+  InlineView(const Program& program, const InlineLimits& limits, PositiveSymbols positive = {})
+      : program_(&program), limits_(limits), positive_(std::move(positive)) {}
+  /// For pages that list the coordinates: a driven one stands by its name inside sines and cosines, unless its law is a
+  /// single term like Ω t.
   InlineView(Program& program, const InlineLimits& limits, const SceneContent& scene);
 
   const InlineLimits& limits() const { return limits_; }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "torsor/generator/printing/integrable_conditions.hpp"
 
+#include <algorithm>
 #include <map>
 #include <optional>
 #include <utility>
@@ -71,15 +72,29 @@ bool must_vanish(const Place& place) {
   return !place.coordinate || place.coordinate->attitude || !place.configuration.empty();
 }
 
-/// Combinations that leave no entry of these rows.
-Rows<Ratio> combinations(Rows<Ratio> rows, std::size_t columns) {
-  RowReduction<Ratio> reduction(std::move(rows), columns);
-  for (std::size_t column = 0; column < columns; ++column) {
-    for (const std::size_t row : reduction.rows_left()) {
-      if (reduction(row, column).is_zero()) continue;
-      reduction.take({row, column});
-      break;
+/// Combinations that leave no entry of these rows; none where the rows are too many to be looked through.
+Rows<Ratio> combinations(const Rows<Ratio>& rows, std::size_t columns) {
+  constexpr std::size_t most_rows = 300;
+  if (rows.size() > most_rows) return {};
+  Rows<Ratio> independent;
+  for (const std::vector<Ratio>& row : rows) {
+    independent.push_back(row);
+    RowReduction<Ratio> reduction(independent, columns);
+    for (std::size_t column = 0; column < columns; ++column) {
+      for (const std::size_t left : reduction.rows_left()) {
+        if (reduction(left, column).is_zero()) continue;
+        reduction.take({left, column});
+        break;
+      }
     }
+    if (reduction.rank() == columns) return {};
+    independent = reduction.reduced();
+  }
+  RowReduction<Ratio> reduction(independent, columns);
+  for (std::size_t row = 0; row < independent.size(); ++row) {
+    std::size_t column = 0;
+    while (reduction(row, column).is_zero()) ++column;
+    reduction.take({row, column});
   }
   return reduction.null_space();
 }
@@ -100,10 +115,33 @@ std::vector<GiNaC::ex> primitive(std::vector<GiNaC::ex> values) {
   return values;
 }
 
+/// Σ λ_k of some constraints, integrated; nothing where they only repeat each other.
+std::optional<Sum> integrated(const std::map<Place, std::vector<Ratio>, PlaceOrder>& entries, const std::vector<Ratio>& combination,
+                              InlineView& view) {
+  std::vector<SymbolPointer> coordinates;
+  std::vector<GiNaC::ex> factors;
+  for (const auto& [place, row] : entries) {
+    if (must_vanish(place)) continue;
+    GiNaC::ex factor = 0;
+    for (std::size_t k = 0; k < row.size(); ++k) factor += combination[k].value() * row[k].value();
+    factor = factor.normal();
+    if (view.sum(factor).is_zero()) continue;
+    coordinates.push_back(place.coordinate->q);
+    factors.push_back(factor);
+  }
+  if (factors.empty()) return std::nullopt;
+  factors = primitive(std::move(factors));
+  Sum constant;
+  for (std::size_t i = 0; i < factors.size(); ++i) constant += view.sum(factors[i]) * Sum::symbol(coordinates[i]);
+  if (constant.is_zero()) return std::nullopt;
+  const bool negative = constant.terms().begin()->second.sign() < 0;
+  return (Number(negative ? -1 : 1) / shared_number(constant)) * constant;
+}
+
 }  // namespace
 
 std::vector<IntegrableCondition> integrable_conditions(LagrangeEquations& equations) {
-  constexpr std::size_t most_constraints = 8;
+  constexpr std::size_t most_combined = 12;
   std::vector<std::string> names;
   std::vector<Coefficients> constraints;
   for (const ConstraintEquation& constraint : equations.constraints()) {
@@ -113,46 +151,39 @@ std::vector<IntegrableCondition> integrable_conditions(LagrangeEquations& equati
     names.push_back(constraint.name);
     constraints.push_back(std::move(*of));
   }
-  if (constraints.empty() || constraints.size() > most_constraints) return {};
 
-  InlineView& view = equations.view();
-  const Ratio none(0);
-  std::map<Place, std::vector<Ratio>, PlaceOrder> entries;
+  // Those that are integrable alone need no others; the others are combined.
+  std::vector<std::vector<std::size_t>> groups;
+  std::vector<std::size_t> others;
   for (std::size_t k = 0; k < constraints.size(); ++k) {
-    for (const auto& [place, factor] : constraints[k]) {
-      auto& row = entries.try_emplace(place, constraints.size(), none).first->second;
-      row[k] = Ratio(view.expression(factor));
-    }
+    const bool alone = std::none_of(constraints[k].begin(), constraints[k].end(), [](const auto& entry) { return must_vanish(entry.first); });
+    if (alone) groups.push_back({k});
+    if (!alone) others.push_back(k);
   }
-  Rows<Ratio> to_vanish;
-  for (const auto& [place, row] : entries) {
-    if (must_vanish(place)) to_vanish.push_back(row);
-  }
+  if (others.size() > 1 && others.size() <= most_combined) groups.push_back(others);
 
   std::vector<IntegrableCondition> conditions;
-  for (const std::vector<Ratio>& combination : combinations(std::move(to_vanish), constraints.size())) {
-    std::vector<SymbolPointer> coordinates;
-    std::vector<GiNaC::ex> factors;
+  for (const std::vector<std::size_t>& group : groups) {
+    std::map<Place, std::vector<Ratio>, PlaceOrder> entries;
+    for (std::size_t i = 0; i < group.size(); ++i) {
+      for (const auto& [place, factor] : constraints[group[i]]) {
+        const std::vector<Ratio> empty(group.size(), Ratio(0));
+        entries.try_emplace(place, empty).first->second[i] = Ratio(equations.view().expression(factor));
+      }
+    }
+    Rows<Ratio> to_vanish;
     for (const auto& [place, row] : entries) {
-      if (must_vanish(place)) continue;
-      GiNaC::ex factor = 0;
-      for (std::size_t k = 0; k < row.size(); ++k) factor += combination[k].value() * row[k].value();
-      factor = factor.normal();
-      if (factor.is_zero()) continue;
-      coordinates.push_back(place.coordinate->q);
-      factors.push_back(factor);
+      if (must_vanish(place)) to_vanish.push_back(row);
     }
-    if (factors.empty()) continue;  // the constraints repeat each other
-    IntegrableCondition condition;
-    factors = primitive(std::move(factors));
-    for (std::size_t i = 0; i < factors.size(); ++i) condition.constant += view.sum(factors[i]) * Sum::symbol(coordinates[i]);
-    const Number shared = shared_number(condition.constant);
-    const bool negative = condition.constant.terms().begin()->second.sign() < 0;
-    condition.constant = (Number(negative ? -1 : 1) / shared) * condition.constant;
-    for (std::size_t k = 0; k < names.size(); ++k) {
-      if (!combination[k].is_zero()) condition.constraints.push_back(names[k]);
+    for (const std::vector<Ratio>& combination : combinations(to_vanish, group.size())) {
+      std::optional<Sum> constant = integrated(entries, combination, equations.view());
+      if (!constant) continue;
+      IntegrableCondition condition{{}, std::move(*constant)};
+      for (std::size_t i = 0; i < group.size(); ++i) {
+        if (!combination[i].is_zero()) condition.constraints.push_back(names[group[i]]);
+      }
+      conditions.push_back(std::move(condition));
     }
-    conditions.push_back(std::move(condition));
   }
   return conditions;
 }

@@ -17,8 +17,8 @@ namespace torsor::printing {
 /// that stand at the end.
 class ReadablePage {
  public:
-  ReadablePage(Program& program, const SceneContent& scene, const InlineLimits& limits = {})
-      : program_(&program), view_(program, limits, scene) {}
+  ReadablePage(const Program& program, const SceneContent& scene, const InlineLimits& limits = {})
+      : program_(&program), view_(program, limits, positive_parameters(scene)) {}
 
   void section(const std::string& heading);
   void note(const std::string& sentence);

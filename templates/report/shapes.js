@@ -385,7 +385,7 @@ class Picture {
     for (const plane of planes) if (!fixed.includes(plane)) this.patch(plane, poses, lines);
     if (fixed.length > 0) return;
     if (this.weightless && this.across) {
-      put(add(this.framing.middle, this.framing.side(), -0.06 * this.size), this.up, cross(this.up, this.across));
+      put(add(this.framing.middle, this.framing.side(), -0.06 * this.size), ...triad(this.across));
     } else {
       put(add(this.framing.middle, this.up, -1.05 * this.size), ...triad(this.up));
     }

@@ -165,7 +165,17 @@ TEST(FailingConditions, TellForcesThatDeriveFromSomethingFromThoseThatDoNot) {
   held.generalised_force("spiral", theta, Expression::quantity("-2", "N m") * sin(theta));
   EXPECT_EQ(failing(held), std::vector<std::string>{"'spiral' has a force function that is not stated"});
   held.generalised_force("oil", theta, Expression::quantity("-2", "N m s") * rate(theta));
-  EXPECT_EQ(failing(held), (std::vector<std::string>{"'oil' has no force function", "'spiral' has a force function that is not stated"}));
+  EXPECT_EQ(failing(held),
+            (std::vector<std::string>{"'oil' has no force function", "'spiral' has a force function that is not stated"}));
+  // Each of two forces has none, both together have k x y.
+  Scene crossed("crossed");
+  const Expression x = crossed.coordinate("x", "m"), y = crossed.coordinate("y", "m"), k = Expression::quantity("3", "N/m");
+  crossed.body("bead", crossed.prismatic("bead", crossed.prismatic("slide", "ground", axis::x, x), axis::y, y),
+               Inertia::point(Expression::quantity("1", "kg")));
+  crossed.generalised_force("along_x", x, k * y);
+  EXPECT_EQ(failing(crossed), std::vector<std::string>{"'along_x' has no force function"});
+  crossed.generalised_force("along_y", y, k * x);
+  EXPECT_EQ(failing(crossed), std::vector<std::string>{"'along_x', 'along_y' have force functions that are not stated"});
   Scene stated = pendulum();
   stated.force_function("spiral", Expression::quantity("2", "N m") * cos(stated.content().coordinates[0].q));
   EXPECT_TRUE(failing(stated).empty());

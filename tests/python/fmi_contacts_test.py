@@ -48,7 +48,9 @@ def test_description_tells_of_indicators(unit):
     assert outputs[:4] == ["energy.kinetic", "energy.potential", "energy.total", f"frame.{FRAME}.x"] and len(outputs) == 15
     assert [unit.by_reference[k]["name"] for k in unit.outputs] == outputs
     assert unit.listed_derivatives == unit.derivatives and unit.n == 13
-    assert unit.initial_unknowns == unit.derivatives + unit.outputs
+    follow = [unit.reference[v["name"]] for v in unit.variables if v.get("initial") == "approx"]
+    assert [unit.by_reference[k]["name"] for k in follow] == ["q.z"]  # the ball starts as high as it is wide
+    assert unit.initial_unknowns == sorted(follow + unit.derivatives + unit.outputs)
     indicators = [int(v["valueReference"]) for v in unit.variables if v["name"].startswith("indicator.cloth.")]
     assert unit.indicator_count == len(indicators) == 3
     if unit.version == 3:
@@ -173,12 +175,16 @@ def test_outputs_follow_a_ball_that_slides_then_rolls(unit, kind):
 
 
 def test_outputs_depend_on_states_and_parameters(unit):
-    names = {unit.by_reference[k]["name"]: None if of is None else {unit.by_reference[j]["name"] for j in of}
-             for k, of in unit.dependencies(initially=True).items()}
+    def named(dependencies):
+        return {unit.by_reference[k]["name"]: None if of is None else {unit.by_reference[j]["name"] for j in of}
+                for k, of in dependencies.items()}
+    names = named(unit.dependencies(initially=True))
     moving = {v["name"] for v in unit.variables if v["name"].startswith("v.")}
     assert moving | {"parameter.R", "parameter.m"} <= names["energy.kinetic"] and len(moving) == 6
     assert not names["energy.kinetic"] & {"q.x", "q.y", "q.z", "parameter.g", "parameter.f", "parameter.e"}
-    assert names["energy.potential"] == {"q.z", "parameter.m", "parameter.g"}
+    # The height at the start is no known there: it follows the radius. Later it is a state.
+    constants = {"parameter.m", "parameter.g"} if unit.version == 3 else set()
+    assert names["energy.potential"] is None and named(unit.dependencies())["energy.potential"] == {"q.z"} | constants
     assert names["frame.ball.x"] == {"q.x"} and names["frame.ball.rotation[2,2]"] <= {"q.turn_w", "q.turn_x", "q.turn_y", "q.turn_z"}
 
 

@@ -45,14 +45,17 @@ class Classifier {
   }
 
   ForceFunctionReport classify() {
+    if (judge() != ForceFunctionCase::none) find_force_function();
+    return std::move(report_);
+  }
+
+  ForceFunctionCase judge() {
     look_at_frictions();
     look_at_velocities();
     look_at_cross_derivatives();
-    if (!report_.reasons.empty()) return std::move(report_);
+    if (!report_.reasons.empty()) return report_.kind;
     look_at_power();
-    report_.kind = report_.reasons.empty() ? ForceFunctionCase::potential_energy : ForceFunctionCase::force_function;
-    find_force_function();
-    return std::move(report_);
+    return report_.kind = report_.reasons.empty() ? ForceFunctionCase::potential_energy : ForceFunctionCase::force_function;
   }
 
  private:
@@ -216,6 +219,10 @@ class Classifier {
 
 ForceFunctionReport classify_force_function(const Equations& equations, const ActionSelection& selection) {
   return Classifier(equations, selected_actions(equations.model(), selection)).classify();
+}
+
+ForceFunctionCase force_function_case(const Equations& equations, const ActionSelection& selection) {
+  return Classifier(equations, selected_actions(equations.model(), selection)).judge();
 }
 
 std::string to_string(ForceFunctionCase kind) {

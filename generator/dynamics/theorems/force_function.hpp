@@ -37,6 +37,9 @@ struct ForceFunctionReport {
 /// Throws SceneError for an unknown name, or an action without ends asked for by body.
 ForceFunctionReport classify_force_function(const Equations& equations, const ActionSelection& selection = {});
 
+/// The same verdict alone, without a look for U.
+ForceFunctionCase force_function_case(const Equations& equations, const ActionSelection& selection);
+
 /// "potential energy", "force function without potential energy", "no force function".
 std::string to_string(ForceFunctionCase kind);
 

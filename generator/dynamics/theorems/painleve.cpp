@@ -85,12 +85,19 @@ WorkingActions working_actions(const Equations& asked) {
   each.push_back(sum);
   const std::vector<bool> silent = identically_zero_entries(each);
   WorkingActions working;
+  std::vector<std::string> given;  // that have none of their own
   for (std::size_t k = 0; k < powers.size() && !silent.back(); ++k) {
     if (silent[k]) continue;
     const std::string& name = powers[k].first;
-    const bool has_one = is_given_force(model.scene(), name) &&
-                         classify_force_function(equations, {{name}, {}}).kind != ForceFunctionCase::none;
+    const bool by_formula = is_given_force(model.scene(), name);
+    const bool has_one = by_formula && force_function_case(equations, {{name}, {}}) != ForceFunctionCase::none;
+    if (by_formula && !has_one) given.push_back(name);
     (has_one ? working.unstated : working.without).push_back(name);
+  }
+  // Two forces may have one function together.
+  if (given.size() > 1 && force_function_case(equations, {given, {}}) != ForceFunctionCase::none) {
+    std::erase_if(working.without, [&](const std::string& name) { return std::find(given.begin(), given.end(), name) != given.end(); });
+    working.unstated.insert(working.unstated.end(), given.begin(), given.end());
   }
   return working;
 }
