@@ -4,7 +4,10 @@
 static void release(void) { fmi(FreeInstance)(instance); }
 static void free_saved(void) { free_state(instance, &saved); }
 
-static int exit_initialization(void) { return (int)fmi(ExitInitializationMode)(instance); }
+static int exit_initialization(void) {
+  may_refuse = 1; /* a start near which nothing meets the constraints */
+  return (int)fmi(ExitInitializationMode)(instance);
+}
 static int enter_continuous(void) { return (int)fmi(EnterContinuousTimeMode)(instance); }
 static int enter_event(void) { return (int)fmi(EnterEventMode)(instance); }
 static int step(void) {

@@ -37,7 +37,11 @@ static int set_up(void) {
   return (int)fmi2SetupExperiment(instance, pick(2) == 0, tolerance, start, pick(4) == 0, stop);
 }
 static int enter_initialization(void) { return (int)fmi2EnterInitializationMode(instance); }
-static int update(void) { return (int)fmi2NewDiscreteStates(instance, &events); }
+static int update(void) {
+  const int status = (int)fmi2NewDiscreteStates(instance, &events);
+  may_refuse = ended();
+  return status;
+}
 static int do_step(double time, double length, int no_return) { return (int)fmi2DoStep(instance, time, length, no_return); }
 static int get_values(const unsigned* which, unsigned n, double* values, unsigned size) {
   (void)size;

@@ -34,7 +34,9 @@ static int enter_initialization(void) {
   return (int)fmi3EnterInitializationMode(instance, pick(2) == 0, tolerance, start, pick(4) == 0, stop);
 }
 static int update(void) {
-  return (int)fmi3UpdateDiscreteStates(instance, &flags[0], &flags[1], &flags[2], &flags[3], &flags[4], into);
+  const int status = (int)fmi3UpdateDiscreteStates(instance, &flags[0], &flags[1], &flags[2], &flags[3], &flags[4], into);
+  may_refuse = ended();
+  return status;
 }
 static int do_step(double time, double length, int no_return) {
   return (int)fmi3DoStep(instance, time, length, no_return, &flags[0], &flags[1], &flags[2], into);

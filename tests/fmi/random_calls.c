@@ -78,9 +78,16 @@ typedef struct {
 /* Whether a call may be refused though it is allowed: its arguments may be bad. */
 static int may_refuse;
 
-/* Whether the unit said that the motion ends. */
+/* Whether an event has ended the motion: random states may meet no constraints, and no laws of contact. */
+static int ended(void) { return ((const unit*)instance)->m.now.mode == terminated; }
+
+/* Whether the unit said that the motion ends, and what it said last. */
 static int motion_ended;
-static void hear(const char* message) { motion_ended |= strstr(message, "the motion ends") != NULL; }
+static char heard[400];
+static void hear(const char* message) {
+  motion_ended |= strstr(message, "the motion ends") != NULL;
+  snprintf(heard, sizeof(heard), "%s", message);
+}
 
 static const char* category_of(int status) { return status == discarded ? "logStatusDiscard" : "logStatusError"; }
 
@@ -116,11 +123,11 @@ int main(int count, char** words) {
       /* A motion with contacts may end, and the unit says so; its mode is then its own matter. */
       if (HAS_CONTACTS && motion_ended) may_refuse = 1;
       if (!allowed_now ? status != refused : status == refused && !may_refuse) {
-        return fprintf(stderr, "%s answers %d in mode %d of %s\n", each->name, status, mode, exchanging ? "ME" : "CS"), 1;
+        return fprintf(stderr, "%s answers %d in mode %d of %s: %s\n", each->name, status, mode, exchanging ? "ME" : "CS", heard), 1;
       }
       if (status == ok && each->next > 0) mode = each->next;
       if (status == ok && each->next == begins) mode = exchanging ? event_mode : step_complete;
-      if (HAS_CONTACTS && allowed_now && status == refused) mode = ((const unit*)instance)->m.now.mode;
+      if (allowed_now && status == refused) mode = ((const unit*)instance)->m.now.mode;
       ++answers[status];
     }
     free_saved();
