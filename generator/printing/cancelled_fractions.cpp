@@ -74,7 +74,8 @@ Product clearing(const Sum& sum, const Bases& bases) {
 /// the bases would end that order: its square is a sum of others.
 std::optional<Sum> quotient(const Sum& dividend, const Sum& divisor, const Bases& bases) {
   constexpr std::size_t most_terms = 400;
-  if (std::any_of(bases.begin(), bases.end(), [](const BasePointer& base) { return base->kind == Base::Kind::group; })) return std::nullopt;
+  const auto is_root = [](const BasePointer& base) { return base->kind == Base::Kind::group; };
+  if (std::any_of(bases.begin(), bases.end(), is_root)) return std::nullopt;
   const Product of_dividend = clearing(dividend, bases), of_divisor = clearing(divisor, bases);
   Sum rest = times(dividend, of_dividend);
   const Sum by = times(divisor, of_divisor);

@@ -104,7 +104,7 @@ InlineView::InlineView(Program& program, const InlineLimits& limits, const Scene
     if (!law) continue;
     Sum sum = shortened(law->expand());
     if (!is_long(sum) || written_terms(sum) > static_cast<std::size_t>(limits_.terms)) continue;  // or the page cannot list it
-    product_values_[symbol(coordinate.q)] = *law;
+    named_values_[symbol(coordinate.q)] = *law;
     laws_.emplace_back(coordinate.q, std::move(sum));
   }
 }
@@ -221,7 +221,7 @@ GiNaC::ex InlineView::named_product(std::size_t k) {
   if (sum(value).size() <= 1) return value;
   const GiNaC::ex name = symbol(products_[k].symbol);
   if (std::find(in_use_.begin(), in_use_.end(), k) == in_use_.end()) in_use_.push_back(k);
-  product_values_[name] = value;
+  named_values_[name] = value;
   return name;
 }
 
@@ -238,7 +238,7 @@ std::optional<GiNaC::ex> InlineView::expression_to_read(const Value& value) {
 
 std::optional<GiNaC::ex> InlineView::expression(const Value& value) {
   const std::optional<GiNaC::ex> named = expression_to_read(value);
-  return named && !product_values_.empty() ? GiNaC::ex(named->subs(product_values_)) : named;
+  return named && !named_values_.empty() ? GiNaC::ex(named->subs(named_values_)) : named;
 }
 
 Sum InlineView::canonical_power(const GiNaC::ex& expression) {
@@ -340,7 +340,7 @@ GiNaC::ex InlineView::expression(const Sum& sum) {
     terms.push_back(GiNaC::mul(factors));
   }
   const GiNaC::ex total = GiNaC::add(terms);
-  return product_values_.empty() ? total : GiNaC::ex(total.subs(product_values_));
+  return named_values_.empty() ? total : GiNaC::ex(total.subs(named_values_));
 }
 
 }  // namespace torsor::printing

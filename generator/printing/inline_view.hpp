@@ -78,7 +78,7 @@ class InlineView {
   std::vector<std::pair<SymbolPointer, Sum>> laws_;  ///< of driven coordinates that have their names in angles
   std::vector<NamedProduct> products_;
   std::vector<std::size_t> in_use_;
-  GiNaC::exmap product_values_;  ///< of named products and driven coordinates; applied, never iterated
+  GiNaC::exmap named_values_;  ///< of named products and driven coordinates; applied, never iterated
   std::vector<std::optional<double>> bounds_;
   std::vector<std::optional<GiNaC::ex>> value_numbers_;
   std::vector<SymbolPointer> symbols_;  ///< by the number that is the name of the GiNaC symbol

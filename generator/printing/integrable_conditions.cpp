@@ -76,10 +76,11 @@ bool must_vanish(const Place& place) {
 Rows<Ratio> combinations(const Rows<Ratio>& rows, std::size_t columns) {
   constexpr std::size_t most_rows = 300;
   if (rows.size() > most_rows) return {};
-  Rows<Ratio> independent;
+  RowReduction<Ratio> reduction({}, columns);
   for (const std::vector<Ratio>& row : rows) {
+    Rows<Ratio> independent = reduction.reduced();
     independent.push_back(row);
-    RowReduction<Ratio> reduction(independent, columns);
+    reduction = RowReduction<Ratio>(std::move(independent), columns);
     for (std::size_t column = 0; column < columns; ++column) {
       for (const std::size_t left : reduction.rows_left()) {
         if (reduction(left, column).is_zero()) continue;
@@ -88,13 +89,6 @@ Rows<Ratio> combinations(const Rows<Ratio>& rows, std::size_t columns) {
       }
     }
     if (reduction.rank() == columns) return {};
-    independent = reduction.reduced();
-  }
-  RowReduction<Ratio> reduction(independent, columns);
-  for (std::size_t row = 0; row < independent.size(); ++row) {
-    std::size_t column = 0;
-    while (reduction(row, column).is_zero()) ++column;
-    reduction.take({row, column});
   }
   return reduction.null_space();
 }
@@ -156,7 +150,8 @@ std::vector<IntegrableCondition> integrable_conditions(LagrangeEquations& equati
   std::vector<std::vector<std::size_t>> groups;
   std::vector<std::size_t> others;
   for (std::size_t k = 0; k < constraints.size(); ++k) {
-    const bool alone = std::none_of(constraints[k].begin(), constraints[k].end(), [](const auto& entry) { return must_vanish(entry.first); });
+    const auto& of = constraints[k];
+    const bool alone = std::none_of(of.begin(), of.end(), [](const auto& entry) { return must_vanish(entry.first); });
     if (alone) groups.push_back({k});
     if (!alone) others.push_back(k);
   }

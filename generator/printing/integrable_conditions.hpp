@@ -15,8 +15,9 @@ struct IntegrableCondition {
   Sum constant;                          ///< Σ c_i q_i, c_i of parameters alone
 };
 
-/// Those that follow at sight: λ of parameters alone with Σ_k λ_k a_k = c of no configuration and no time, of one constraint or
-/// of twelve at most together. Other integrable conditions are not looked for. (Neimark & Fufaev, Dynamics of Nonholonomic Systems, on integrable combinations of equations of constraints.)
+/// Those that follow at sight: λ of parameters alone with Σ_k λ_k a_k = c of no configuration and no time, of one constraint
+/// or of twelve at most together. Other integrable conditions are not looked for. (Neimark & Fufaev, Dynamics of
+/// Nonholonomic Systems, on integrable combinations of equations of constraints.)
 std::vector<IntegrableCondition> integrable_conditions(LagrangeEquations& equations);
 
 }  // namespace torsor::printing

@@ -2,9 +2,7 @@
 // What a picture shows of the space around a mechanism: its middle, how far it reaches, and where the camera stands.
 (() => {
 "use strict";
-const { add, scaled, cross, dot, length, triad } = torsorReport.vectors;
-
-const column = (member, k) => [member[3 * k], member[3 * k + 1], member[3 * k + 2]];
+const { add, column, scaled, cross, dot, length, triad } = torsorReport.vectors;
 
 class Framing {
   /// Around what the picture shows at its first pose, whose middle is given.

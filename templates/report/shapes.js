@@ -2,7 +2,7 @@
 // From the poses of a scene to shapes: joints by their type, rods between joints, discs, ellipsoids of inertia.
 (() => {
 "use strict";
-const { add, scaled, dot, cross, length, unit, triad, principal } = torsorReport.vectors;
+const { add, column, scaled, dot, cross, length, unit, triad, principal } = torsorReport.vectors;
 const { convex, torus, boxAround } = torsorReport.surfaces;
 const { Framing } = torsorReport.framing;
 
@@ -10,8 +10,6 @@ const palette = [[0.55, 0.57, 0.6], [0.13, 0.4, 0.75], [0.8, 0.3, 0.2], [0.2, 0.
                  [0.83, 0.6, 0.12], [0.1, 0.58, 0.65], [0.78, 0.35, 0.55], [0.45, 0.5, 0.2], [0.5, 0.35, 0.25]];
 const steel = [0.35, 0.37, 0.4];
 const colourOf = (body) => (body === 0 ? palette[0] : palette[1 + ((body - 1) % (palette.length - 1))]);
-
-const column = (member, k) => [member[3 * k], member[3 * k + 1], member[3 * k + 2]];
 
 function cylinder(from, to, radius, colour, mesh = "cylinder") {
   const along = add(to, from, -1), [x, y] = triad(along);

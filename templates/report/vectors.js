@@ -56,5 +56,8 @@ function principal([xx, yy, zz, xy, xz, yz]) {
   return { values: [a[0][0], a[1][1], a[2][2]], axes };
 }
 
-torsorReport.vectors = { add, scaled, dot, cross, length, unit, triad, affine, product, looking, perspective, principal };
+/// The k-th of the vectors that stand one after the other.
+const column = (member, k) => [member[3 * k], member[3 * k + 1], member[3 * k + 2]];
+
+torsorReport.vectors = { add, column, scaled, dot, cross, length, unit, triad, affine, product, looking, perspective, principal };
 })();

@@ -32,15 +32,18 @@ Value power_along(const Model& model, const std::vector<Value>& forces) {
   return sum;
 }
 
-/// Whether the scene gives an action as a force by formula: it may have a force function that nobody wrote down.
-bool is_given_force(const SceneContent& scene, const std::string& name) {
-  return std::any_of(scene.actions.begin(), scene.actions.end(), [&](const ActionContent& action) {
-    const bool given = std::holds_alternative<GivenForce>(action) || std::holds_alternative<GivenTorque>(action) ||
-                       std::holds_alternative<GivenWrench>(action) || std::holds_alternative<GeneralisedForce>(action) ||
-                       std::holds_alternative<MutualAction>(action);
-    return given && name_of(action) == name;
-  });
+/// A force by formula: it may have a force function that nobody wrote down.
+bool is_given_force(const ActionContent& action) {
+  return std::holds_alternative<GivenForce>(action) || std::holds_alternative<GivenTorque>(action) ||
+         std::holds_alternative<GivenWrench>(action) || std::holds_alternative<GeneralisedForce>(action) ||
+         std::holds_alternative<MutualAction>(action);
 }
+
+struct Power {
+  std::string name;
+  Value power;
+  bool by_formula = false;
+};
 
 struct WorkingActions {
   std::vector<std::string> without;   ///< those that have no force function
@@ -54,17 +57,17 @@ WorkingActions working_actions(const Equations& asked) {
   if (asked.actions().without_force_function.empty()) return {};
   const Equations equations(asked.scene(), asked.model().options());
   const Model& model = equations.model();
-  std::vector<std::pair<std::string, Value>> powers;
+  std::vector<Power> powers;
   std::size_t motor = 0;
   for (const ActionContent& action : model.scene().actions) {
     if (has_force_function(action)) continue;
     if (const Motor* driving = std::get_if<Motor>(&action)) {
       const Value arm = power_along(model, equations.actions().inputs[motor++]);
-      powers.emplace_back(driving->name, arm.is_zero() ? arm : model.program().symbol(driving->input) * arm);
+      powers.push_back({driving->name, arm.is_zero() ? arm : model.program().symbol(driving->input) * arm});
       continue;
     }
     const AppliedActions one = applied_actions(model, [&](const ActionContent& other) { return &other == &action; });
-    powers.emplace_back(name_of(action), power_along(model, applied_forces(model, one)));
+    powers.push_back({name_of(action), power_along(model, applied_forces(model, one)), is_given_force(action)});
   }
   for (const ConstraintRow& row : equations.constraints()) {
     if (!row.friction) continue;
@@ -73,14 +76,14 @@ WorkingActions working_actions(const Equations& asked) {
     const Value power = model.program().symbol(row.multiplier) * power_along(model, forces);
     for (const ContactFriction& friction : model.scene().frictions) {
       const auto& normal = model.scene().constraints[static_cast<std::size_t>(friction.constraint)];
-      if (normal.multiplier == row.multiplier) powers.emplace_back(friction.name, power);
+      if (normal.multiplier == row.multiplier) powers.push_back({friction.name, power});
     }
   }
   Value sum;
   std::vector<Value> each;
-  for (const auto& [name, power] : powers) {
-    sum += power;
-    each.push_back(power);
+  for (const Power& of : powers) {
+    sum += of.power;
+    each.push_back(of.power);
   }
   each.push_back(sum);
   const std::vector<bool> silent = identically_zero_entries(each);
@@ -88,8 +91,7 @@ WorkingActions working_actions(const Equations& asked) {
   std::vector<std::string> given;  // that have none of their own
   for (std::size_t k = 0; k < powers.size() && !silent.back(); ++k) {
     if (silent[k]) continue;
-    const std::string& name = powers[k].first;
-    const bool by_formula = is_given_force(model.scene(), name);
+    const auto& [name, power, by_formula] = powers[k];
     const bool has_one = by_formula && force_function_case(equations, {{name}, {}}) != ForceFunctionCase::none;
     if (by_formula && !has_one) given.push_back(name);
     (has_one ? working.unstated : working.without).push_back(name);
