@@ -208,6 +208,24 @@ class UnitReader {
 
 Unit Unit::parse(std::string_view text) { return UnitReader(text).read(); }
 
+std::string spaced_unit(std::string_view text) {
+  std::string spaced;
+  bool apart = false;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const bool dot = text.substr(i).starts_with("·");
+    if (dot || text[i] == ' ' || text[i] == '*') {
+      apart = true;
+      if (dot) ++i;  // its second byte
+      continue;
+    }
+    const bool beside = spaced.empty() || text[i] == '/' || text[i] == ')' || spaced.back() == '/' || spaced.back() == '(';
+    if (apart && !beside) spaced += ' ';
+    apart = false;
+    spaced += text[i];
+  }
+  return spaced;
+}
+
 Unit Unit::operator*(const Unit& other) const {
   Unit result;
   for (std::size_t index = 0; index < halves_.size(); ++index) {

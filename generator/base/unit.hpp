@@ -61,6 +61,9 @@ class Unit {
   std::array<std::int8_t, base_count> halves_{};
 };
 
+/// The text of a unit as it is set in print: "N*m" and "N·m" become "N m". `parse` reads it as it reads `text`.
+std::string spaced_unit(std::string_view text);
+
 namespace units {
 inline constexpr Unit one{};
 inline constexpr Unit kilogram{1};

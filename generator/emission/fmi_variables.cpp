@@ -46,14 +46,6 @@ std::string unit_of_rate(const std::string& unit) {
   return written_unit(Unit::parse(unit) / Unit(0, 0, 1));
 }
 
-/// As its author wrote it: dimensions alone do not tell of angles.
-std::string unit_of_parameter(const MechanismListing& mechanism, const SymbolPointer& symbol) {
-  for (const ParameterContent& parameter : mechanism.scene().content().parameters) {
-    if (parameter.symbol == symbol && !parameter.unit_text.empty()) return parameter.unit_text;
-  }
-  return written_unit(*symbol);
-}
-
 /// Twice the exponent of rad in a unit as it is written, "N m/rad": that of cd, beyond what it has of its own, when each rad is
 /// written cd. A unit of this tool has no dimension for angles, and one of FMI has.
 int half_exponent_of_radian(const std::string& text) {
@@ -197,7 +189,7 @@ std::vector<FmiVariable> fmi_variables(const FmiUnit& unit) {
   for (const auto& [name, text] : named_units(layout.inputs)) all.add("input." + name, text, Role::input, 0.0);
   const std::vector<NamedUnit> parameters = named_units(layout.parameters);
   for (std::size_t i = 0; i < parameters.size(); ++i) {
-    all.add("parameter." + parameters[i].name, unit_of_parameter(mechanism, layout.parameters[i]), Role::parameter,
+    all.add("parameter." + parameters[i].name, written_unit(*layout.parameters[i]), Role::parameter,
             start_value(mechanism, layout.parameters[i], "parameter"));
   }
   add_outputs(unit, all);

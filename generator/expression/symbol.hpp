@@ -36,6 +36,7 @@ struct Symbol {
   std::weak_ptr<const AttitudeSymbols> attitude{};  ///< of a component of a unit quaternion: where its rate comes from
   std::shared_ptr<const Measure> measure{};         ///< of what follows from the motion of frames: no variable, but
   std::vector<std::shared_ptr<const Symbol>> made_of{};  ///< a function of these
+  std::string unit_text{};  ///< as its author wrote it ("N m/rad" has the dimension of "N m"); empty where nobody did
 };
 
 using SymbolPointer = std::shared_ptr<const Symbol>;

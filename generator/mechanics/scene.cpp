@@ -61,10 +61,16 @@ SymbolPointer Scene::add_symbol(const std::string& name, const Unit& unit, Symbo
   return std::make_shared<const Symbol>(Symbol{name, unit, kind, content_.symbol_count++, std::move(rate)});
 }
 
+SymbolPointer Scene::add_symbol(const std::string& name, std::string_view unit, SymbolKind kind, SymbolPointer rate) {
+  Symbol symbol{name, Unit::parse(unit), kind, content_.symbol_count++, std::move(rate)};
+  symbol.unit_text = spaced_unit(unit);
+  return std::make_shared<const Symbol>(std::move(symbol));
+}
+
 Expression Scene::parameter(const std::string& name, std::string_view unit) {
   require_identifier(name, "parameter");
   claim(name, "parameter");
-  content_.parameters.push_back({add_symbol(name, Unit::parse(unit), SymbolKind::parameter), std::nullopt, true, std::string(unit)});
+  content_.parameters.push_back({add_symbol(name, unit, SymbolKind::parameter), std::nullopt, true});
   return content_.parameters.back().symbol;
 }
 
@@ -91,12 +97,16 @@ Expression Scene::run_time_parameter(const std::string& name, std::string_view u
 Expression Scene::coordinate(const std::string& name, std::string_view unit) {
   require_identifier(name, "coordinate");
   claim(name, "coordinate");
-  const Unit u = Unit::parse(unit);
-  const Unit second = units::second;
+  const Unit u = Unit::parse(unit), second = units::second;
   CoordinateContent coordinate;
-  coordinate.a = add_symbol(name + "''", u / second.pow(2), SymbolKind::acceleration);
-  coordinate.v = add_symbol(name + "'", u / second, SymbolKind::velocity, coordinate.a);
-  coordinate.q = add_symbol(name, u, SymbolKind::coordinate, coordinate.v);
+  if (u.is_dimensionless() && unit.find("rad") == std::string_view::npos) {  // a ratio: its rate is no rad/s
+    coordinate.a = add_symbol(name + "''", "1/s^2", SymbolKind::acceleration);
+    coordinate.v = add_symbol(name + "'", "1/s", SymbolKind::velocity, coordinate.a);
+  } else {
+    coordinate.a = add_symbol(name + "''", u / second.pow(2), SymbolKind::acceleration);
+    coordinate.v = add_symbol(name + "'", u / second, SymbolKind::velocity, coordinate.a);
+  }
+  coordinate.q = add_symbol(name, unit, SymbolKind::coordinate, coordinate.v);
   content_.coordinates.push_back(coordinate);
   return content_.coordinates.back().q;
 }

@@ -30,12 +30,13 @@ class Scene {
   explicit Scene(std::string name, std::string title = {});
 
   // --- quantities ---------------------------------------------------------------------------------------------------
-  /// A constant of the mechanism. Without a value it must be given at run time.
+  /// A constant of the mechanism. Without a value it must be given at run time. Its unit is printed as it is written here:
+  /// "N m/rad", "rad", "J".
   Expression parameter(const std::string& name, std::string_view unit);
   Expression parameter(const std::string& name, std::string_view unit, const Expression& value);
   /// A parameter that stays a symbol in kernels although it has a (default) value.
   Expression run_time_parameter(const std::string& name, std::string_view unit, const Expression& value);
-  /// A generalised coordinate q [unit]; its velocity and acceleration come with it.
+  /// A generalised coordinate q [unit]; its velocity and acceleration come with it. An angle has the unit "rad", a ratio "1".
   Expression coordinate(const std::string& name, std::string_view unit);
   /// A coordinate that its joint holds at zero. It exists so that the reaction against it can be asked for
   /// (incompatible parametrisation). The reaction P_q − Q_q at q = 0 has the coordinate's name.
@@ -312,6 +313,8 @@ class Scene {
 
  private:
   SymbolPointer add_symbol(const std::string& name, const Unit& unit, SymbolKind kind, SymbolPointer rate = nullptr);
+  /// With the unit that an author wrote.
+  SymbolPointer add_symbol(const std::string& name, std::string_view unit, SymbolKind kind, SymbolPointer rate = nullptr);
   void claim(const std::string& name, const std::string& what);
   FrameHandle add_frame(FrameContent frame);
   PointHandle add_point(PointContent point);

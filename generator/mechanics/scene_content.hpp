@@ -76,7 +76,6 @@ struct ParameterContent {
   SymbolPointer symbol;
   std::optional<Expression> value;
   bool run_time = false;
-  std::string unit_text{};  ///< as its author wrote it: "N m/rad", whose dimension is that of "N m"
 };
 
 /// An orientation by a unit quaternion.

@@ -102,26 +102,18 @@ InlineView::InlineView(Program& program, const InlineLimits& limits, const Scene
     if (!coordinate.law) continue;
     const std::optional<GiNaC::ex> law = expression_to_read(program.lower(*coordinate.law));
     if (!law) continue;
-    Sum sum = shortened(law->expand());
-    if (!is_long(sum) || written_terms(sum) > static_cast<std::size_t>(limits_.terms)) continue;  // or the page cannot list it
+    const std::optional<Sum> sum = bounded_sum(*law);
+    if (!sum) continue;  // the page cannot list it
+    laws_.emplace_back(coordinate.q, *sum);
+    if (!is_long(*sum)) continue;
     named_values_[symbol(coordinate.q)] = *law;
-    laws_.emplace_back(coordinate.q, std::move(sum));
+    driven_.add(coordinate.q, *sum);
   }
 }
 
-Sum InlineView::with_laws_named(Sum angle) const {
-  for (const auto& [name, law] : laws_) {
-    const auto& [first, coefficient] = *law.terms().begin();
-    const auto place = angle.terms().find(first);
-    if (place == angle.terms().end()) continue;
-    const Number factor = place->second / coefficient;
-    Sum rest = angle;
-    rest += (-factor) * law;
-    if (rest.size() + law.size() != angle.size()) continue;  // the angle has not all of the law in it
-    rest += factor * Sum::symbol(name);
-    angle = std::move(rest);
-  }
-  return angle;
+std::optional<Sum> InlineView::law(const CoordinateContent& coordinate) const {
+  const auto law = std::find_if(laws_.begin(), laws_.end(), [&](const auto& one) { return one.first == coordinate.q; });
+  return law == laws_.end() ? std::nullopt : std::optional(law->second);
 }
 
 double InlineView::term_bound(const Value& value) { return term_bound(value.polynomial()); }
@@ -275,7 +267,7 @@ Sum InlineView::canonical(const GiNaC::ex& e) {
   const auto call = [&](Function function) {
     std::vector<Sum> arguments;
     for (std::size_t i = 0; i < e.nops(); ++i) arguments.push_back(shortened(e.op(i)));
-    if (function == Function::sin || function == Function::cos) arguments[0] = with_laws_named(std::move(arguments[0]));
+    if (function == Function::sin || function == Function::cos) arguments[0] = driven_.named_in_angle(std::move(arguments[0]));
     return Sum::function(function, arguments);
   };
   if (GiNaC::is_the_function<GiNaC::sin_SERIAL>(e)) return call(Function::sin);
@@ -293,7 +285,7 @@ Sum InlineView::canonical(const GiNaC::ex& e) {
 Sum InlineView::shortened(const GiNaC::ex& expression) {
   const Sum sum = with_squares_beside_roots(with_unit_quaternions(canonical(expression)));
   const Sum simple = simplified(sum), shorter = cancelled(simple);
-  return with_squares_in_roots(compare(simple, shorter) == 0 ? simple : simplified(shorter));
+  return driven_.named(with_squares_in_roots(compare(simple, shorter) == 0 ? simple : simplified(shorter)));
 }
 
 Sum InlineView::sum(const GiNaC::ex& expression) { return shortened(expression.expand()); }

@@ -10,6 +10,7 @@
 
 #include "torsor/generator/printing/canonical_sum.hpp"
 #include "torsor/generator/printing/disc_products.hpp"
+#include "torsor/generator/printing/driven_coordinates.hpp"
 #include "torsor/generator/printing/roots.hpp"
 #include "torsor/generator/program/program.hpp"
 
@@ -28,9 +29,11 @@ class InlineView {
   /// `positive`: the symbols whose squares leave square roots.
   InlineView(const Program& program, const InlineLimits& limits, PositiveSymbols positive = {})
       : program_(&program), limits_(limits), positive_(std::move(positive)) {}
-  /// For pages that list the coordinates: a driven one stands by its name inside sines and cosines, unless its law is a
-  /// single term like Ω t.
+  /// For pages that list the coordinates: a driven one stands by its name inside sines and cosines, and where that makes a
+  /// sum shorter, unless its law is a single term like Ω t.
   InlineView(Program& program, const InlineLimits& limits, const SceneContent& scene);
+  /// The law of a driven coordinate, to be listed; nothing when it is past a limit.
+  std::optional<Sum> law(const CoordinateContent& coordinate) const;
 
   const InlineLimits& limits() const { return limits_; }
 
@@ -65,8 +68,6 @@ class InlineView {
   /// The product k whose 1 − k² a definition is on every state; none for any other definition.
   std::optional<std::size_t> product_under_root(ValueNumber radicand) const;
   GiNaC::ex named_product(std::size_t k);
-  /// An angle with the names of driven coordinates in it.
-  Sum with_laws_named(Sum angle) const;
   Sum canonical(const GiNaC::ex& expression);
   Sum canonical_power(const GiNaC::ex& expression);
   /// Put in order and made short: unit quaternions, squares beside roots, sines and cosines.
@@ -75,7 +76,8 @@ class InlineView {
   const Program* program_;
   InlineLimits limits_;
   PositiveSymbols positive_;
-  std::vector<std::pair<SymbolPointer, Sum>> laws_;  ///< of driven coordinates that have their names in angles
+  std::vector<std::pair<SymbolPointer, Sum>> laws_;  ///< of all driven coordinates that a page can list
+  DrivenCoordinates driven_;                         ///< those that stand by their names
   std::vector<NamedProduct> products_;
   std::vector<std::size_t> in_use_;
   GiNaC::exmap named_values_;  ///< of named products and driven coordinates; applied, never iterated

@@ -7,6 +7,7 @@
 #include "torsor/generator/printing/latex_width.hpp"
 #include "torsor/generator/printing/notation.hpp"
 #include "torsor/generator/printing/page.hpp"
+#include "torsor/generator/program/written_unit.hpp"
 
 namespace torsor::printing {
 namespace {
@@ -56,7 +57,7 @@ class LatexPage final : public Page {
   }
   void value(const Symbol& symbol, const Written& value, bool with_unit) override {
     std::string line = fmt::format("{} &= {}", latex_name(symbol.name), value_in_latex(value));
-    if (with_unit && !symbol.unit.is_dimensionless()) line += fmt::format("\\;{}", latex_unit(symbol.unit));
+    if (with_unit && written_unit(symbol) != "1") line += fmt::format("\\;{}", latex_unit(symbol));
     row(line);
   }
   void equation(const std::string& label, const Written& left, const Written& right,

@@ -34,7 +34,7 @@ class TextPage final : public Page {
   }
   void value(const Symbol& symbol, const Written& value, bool with_unit) override {
     out_ += fmt::format("  {} = {}", symbol.name, value_in_text(value));
-    if (with_unit && !symbol.unit.is_dimensionless()) out_ += fmt::format(" {}", written_unit(symbol.unit));
+    if (with_unit && written_unit(symbol) != "1") out_ += fmt::format(" {}", written_unit(symbol));
     out_ += "\n";
   }
   void equation(const std::string& label, const Written& left, const Written& right,

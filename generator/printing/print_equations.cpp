@@ -131,7 +131,7 @@ class Printer {
     }
     for (const CoordinateContent& c : scene.coordinates) {
       if (!c.law) continue;
-      const std::optional<Sum> law = equations_.view().sum(equations_.program().lower(*c.law));
+      const std::optional<Sum> law = equations_.view().law(c);
       if (law) page_.value(*c.q, collected(*law), level(*law) <= Level::constant);
     }
     const std::vector<SymbolPointer> inputs = equations_.definitions().model().inputs();

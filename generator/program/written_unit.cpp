@@ -39,6 +39,7 @@ std::string written_unit(const Unit& unit) {
 }
 
 std::string written_unit(const Symbol& symbol) {
+  if (!symbol.unit_text.empty()) return symbol.unit_text;
   const bool angle =
       symbol.unit.is_dimensionless() && symbol.kind == SymbolKind::coordinate && symbol.attitude.expired();
   return angle ? "rad" : written_unit(symbol.unit);

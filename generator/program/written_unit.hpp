@@ -11,7 +11,8 @@ namespace torsor {
 /// when dimensionless.
 std::string written_unit(const Unit& unit);
 
-/// That of a symbol. A coordinate without a dimension is an angle in rad, unless it belongs to a quaternion.
+/// That of a symbol: as its author wrote it, if somebody did ("N m/rad" has the dimension of "N m"). A coordinate without a
+/// dimension is else an angle in rad, unless it belongs to a quaternion.
 std::string written_unit(const Symbol& symbol);
 
 }  // namespace torsor

@@ -73,6 +73,17 @@ TEST(Unit, IsPrintedInBaseUnitsAndReadBack) {
   }
 }
 
+TEST(Unit, IsSpacedAsInPrint) {
+  EXPECT_EQ(spaced_unit("N*m/rad"), "N m/rad");
+  EXPECT_EQ(spaced_unit("N·m·s"), "N m s");
+  EXPECT_EQ(spaced_unit(" N  m "), "N m");
+  EXPECT_EQ(spaced_unit("kg·m^2 / s^2"), "kg m^2/s^2");
+  EXPECT_EQ(spaced_unit("J / ( kg * K )"), "J/(kg K)");
+  EXPECT_EQ(spaced_unit("kg (m/s)^2"), "kg (m/s)^2");
+  EXPECT_EQ(spaced_unit("m^(-1/2)"), "m^(-1/2)");
+  EXPECT_EQ(spaced_unit("1"), "1");
+}
+
 TEST(Unit, TellsTheRemedyForAScaledUnit) {
   EXPECT_EQ(error_of([] { Unit::parse("N mm"); }),
             "cannot read the unit \"N mm\": \"mm\" is a scaled unit; use the SI unit m (multiply the value by 1/1000)");

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A driven angle stands by its name inside sines and cosines where its law is longer than a name.
+// A driven coordinate stands by its name where its law is longer than a name.
 #include <gtest/gtest.h>
 
 #include <string>
@@ -46,6 +46,42 @@ TEST(DrivenAngles, AreDifferentiatedAsTheirLaws) {
   const test::InlineCheck check = test::check_inline(driven_arm(false), 50, 5);
   ASSERT_TRUE(check.written_out);
   EXPECT_LT(check.worst, Real::parse("1e-46")) << check.worst_of;  // some 50 terms of size 10, rounded at 1e-50 each
+}
+
+/// A pendulum on a rope that is hoisted by a law.
+Scene hoist(bool steadily) {
+  Scene scene("hoist", "");
+  const Expression m = scene.parameter("m", "kg", 2), g = scene.parameter("g", "m/s^2", 9.81_r);
+  const Expression L_0 = scene.parameter("L_0", "m", 6), v = scene.parameter("v", "m/s", 0.3_r), w = scene.parameter("omega", "rad/s", 3);
+  const Expression L = scene.coordinate("L", "m"), theta = scene.coordinate("theta", "rad"), t = scene.time();
+  scene.drive(L, steadily ? L_0 - v * t : L_0 + v / w * sin(w * t) - v * t);
+  const FrameHandle rope = scene.revolute("rope", "ground", axis::y, theta);
+  const FrameHandle load = scene.prismatic("load", rope, axis::z, -L);
+  scene.body("load", load, Inertia::point(m));
+  scene.gravity({0, 0, -g});
+  return scene;
+}
+
+TEST(DrivenLengths, HaveTheirNamesWhereverTheirLawsWouldStand) {
+  const std::string page = print_equations(hoist(true), Format::text, {});
+  EXPECT_TRUE(has(page, "L = L_0 - v t\n")) << page;
+  EXPECT_TRUE(has(page, "T = 1/2 m L^2 theta'^2 + 1/2 m v^2\n")) << page;
+  EXPECT_TRUE(has(page, "theta:  m L^2 theta'' - 2 m v L theta' = -m g L sin(theta)\n")) << page;
+  EXPECT_TRUE(has(page, "C = [ -2 m v L ]")) << page;
+}
+
+TEST(DrivenLengths, OfSeveralTermsOfTimeHaveTheirNames) {
+  const std::string page = print_equations(hoist(false), Format::text, {});
+  EXPECT_TRUE(has(page, "U = m g L cos(theta)\n")) << page;
+  EXPECT_FALSE(has(page, "L_0 ^2")) << page;
+}
+
+TEST(DrivenLengths, AreDifferentiatedAsTheirLaws) {
+  for (const bool steadily : {true, false}) {
+    const test::InlineCheck check = test::check_inline(hoist(steadily), 50, 5);
+    ASSERT_TRUE(check.written_out);
+    EXPECT_LT(check.worst, Real::parse("1e-45")) << check.worst_of;  // some 50 terms of size 100, rounded at 1e-50 each
+  }
 }
 
 }  // namespace

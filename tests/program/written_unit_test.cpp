@@ -5,6 +5,8 @@
 
 #include <string>
 
+#include "torsor/generator/mechanics/scene.hpp"
+
 namespace torsor::written_unit_test {
 namespace {
 
@@ -41,6 +43,20 @@ TEST(WrittenUnit, OfACoordinateWithoutADimensionIsAnAngles) {
   EXPECT_EQ(written_unit(Symbol{"c", Unit(), SymbolKind::parameter, 0, nullptr, {}}), "1");
   const auto attitude = std::make_shared<AttitudeSymbols>();
   EXPECT_EQ(written_unit(Symbol{"e_w", Unit(), SymbolKind::coordinate, 0, nullptr, attitude}), "1");
+}
+
+TEST(WrittenUnit, OfASymbolIsWhatItsAuthorWrote) {
+  Scene scene("units");
+  const auto written = [](const Expression& symbol) { return written_unit(*symbol.as_symbol()); };
+  EXPECT_EQ(written(scene.parameter("k", "N*m/rad")), "N m/rad");
+  EXPECT_EQ(written(scene.run_time_parameter("phi_0", "rad", 3)), "rad");
+  EXPECT_EQ(written(scene.parameter("E", "J")), "J");
+  EXPECT_EQ(written(scene.parameter("n", "1")), "1");
+  const Expression angle = scene.coordinate("theta", "rad"), ratio = scene.coordinate("s", "1");
+  EXPECT_EQ(written(angle), "rad");
+  EXPECT_EQ(written(rate(angle)), "rad/s");
+  EXPECT_EQ(written(ratio), "1");
+  EXPECT_EQ(written(rate(ratio)), "1/s");
 }
 
 }  // namespace
