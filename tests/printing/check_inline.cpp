@@ -97,9 +97,8 @@ InlineCheck check_inline(const Scene& scene, int digits, int states, std::uint64
     for (const auto& [product, sum] : printed.named_products()) {
       state.set(product.symbol->name, evaluate(collected(sum), value_of, digits));
     }
-    for (const CoordinateContent& coordinate : scene.content().coordinates) {  // driven ones have their names in angles
-      if (!coordinate.law) continue;
-      const auto law = printed.view().sum(printed.program().lower(*coordinate.law));
+    for (const CoordinateContent& coordinate : scene.content().coordinates) {  // driven ones have their names
+      const auto law = printed.view().law(coordinate);
       if (law) state.set(coordinate.q->name, evaluate(collected(*law), value_of, digits));
     }
     Evaluator<Real> program(printed.definitions().program(), value_of);

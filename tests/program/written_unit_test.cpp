@@ -52,11 +52,15 @@ TEST(WrittenUnit, OfASymbolIsWhatItsAuthorWrote) {
   EXPECT_EQ(written(scene.run_time_parameter("phi_0", "rad", 3)), "rad");
   EXPECT_EQ(written(scene.parameter("E", "J")), "J");
   EXPECT_EQ(written(scene.parameter("n", "1")), "1");
-  const Expression angle = scene.coordinate("theta", "rad"), ratio = scene.coordinate("s", "1");
-  EXPECT_EQ(written(angle), "rad");
-  EXPECT_EQ(written(rate(angle)), "rad/s");
-  EXPECT_EQ(written(ratio), "1");
-  EXPECT_EQ(written(rate(ratio)), "1/s");
+  scene.coordinate("theta", "rad");
+  scene.coordinate("s", "1");
+  const CoordinateContent& angle = scene.content().coordinates[0];
+  EXPECT_EQ(written_unit(*angle.q), "rad");
+  EXPECT_EQ(written_unit(*angle.v), "rad/s");
+  const CoordinateContent& ratio = scene.content().coordinates[1];
+  EXPECT_EQ(written_unit(*ratio.q), "1");
+  EXPECT_EQ(written_unit(*ratio.v), "1/s");
+  EXPECT_EQ(written_unit(*ratio.a), "1/s^2");
 }
 
 }  // namespace
