@@ -48,7 +48,7 @@ struct Description {
       "rad/s"}, {"e_omega_z", "rad/s"}}};
   static constexpr std::array<torsor::QuantityDescription, 0> inputs{};
   static constexpr std::array<torsor::QuantityDescription, 0> multipliers{};
-  static constexpr std::array<torsor::QuantityDescription, 1> parameters{{{"alpha", "1"}}};
+  static constexpr std::array<torsor::QuantityDescription, 1> parameters{{{"alpha", "rad"}}};
   static constexpr std::array<torsor::ResultDescription, 32> results{{{"rates", "", 4, 1, 1, "rad/s"}, {"result",
       "blade_1_position", 3, 1, 1, "m"}, {"result", "blade_1_rotation", 3, 3, 2, "1"}, {"result", "blade_1_velocity", 3,
       1, 1, "m/s"}, {"result", "blade_1_angular_velocity", 3, 1, 1, "rad/s"}, {"result", "blade_2_position", 3, 1, 1,
@@ -81,7 +81,7 @@ struct Mechanism {
 
   static constexpr const char* name = "four_blade_rotor";
   /// 64 bits (FNV-1a) of this file from "#pragma once" on, with zeros in their own place: another mechanism, other bits.
-  static constexpr unsigned long long fingerprint = 0x60c30561e31ec628ULL ^ torsor::support_fingerprint;
+  static constexpr unsigned long long fingerprint = 0xe992b5233fcf1a5cULL ^ torsor::support_fingerprint;
   static constexpr int coordinate_count = 4;
   static constexpr int velocity_count = 3;
   static constexpr int input_count = 0;
@@ -94,7 +94,7 @@ struct Mechanism {
 
   /// Parameters that are set at run time.
   struct Parameters {
-    Scalar alpha;  ///< parameter [1]
+    Scalar alpha;  ///< parameter [rad]
     static constexpr int size = 1;
     TORSOR_DEVICE Scalar& operator[](int i_) noexcept { return this->*member_(i_); }
     TORSOR_DEVICE const Scalar& operator[](int i_) const noexcept { return this->*member_(i_); }

@@ -48,8 +48,8 @@ struct Description {
   static constexpr std::array<torsor::QuantityDescription, 8> multipliers{{{"lambda_wheel_1_x", "N"},
       {"lambda_wheel_1_y", "N"}, {"lambda_wheel_2_x", "N"}, {"lambda_wheel_2_y", "N"}, {"lambda_wheel_3_x", "N"},
       {"lambda_wheel_3_y", "N"}, {"lambda_wheel_4_x", "N"}, {"lambda_wheel_4_y", "N"}}};
-  static constexpr std::array<torsor::QuantityDescription, 4> parameters{{{"alpha_1", "1"}, {"alpha_2", "1"},
-      {"alpha_3", "1"}, {"alpha_4", "1"}}};
+  static constexpr std::array<torsor::QuantityDescription, 4> parameters{{{"alpha_1", "rad"}, {"alpha_2", "rad"},
+      {"alpha_3", "rad"}, {"alpha_4", "rad"}}};
   static constexpr std::array<torsor::ResultDescription, 44> results{{{"result", "chassis_position", 3, 1, 1, "m"},
       {"result", "chassis_rotation", 3, 3, 2, "1"}, {"result", "chassis_velocity", 3, 1, 1, "m/s"}, {"result",
       "chassis_angular_velocity", 3, 1, 1, "rad/s"}, {"result", "wheel_1_position", 3, 1, 1, "m"}, {"result",
@@ -87,7 +87,7 @@ struct Mechanism {
 
   static constexpr const char* name = "four_wheel_vehicle_all_wheels";
   /// 64 bits (FNV-1a) of this file from "#pragma once" on, with zeros in their own place: another mechanism, other bits.
-  static constexpr unsigned long long fingerprint = 0xbbe83380beb78f46ULL ^ torsor::support_fingerprint;
+  static constexpr unsigned long long fingerprint = 0xc545ca93e976cb26ULL ^ torsor::support_fingerprint;
   static constexpr int coordinate_count = 11;
   static constexpr int velocity_count = 11;
   static constexpr int input_count = 0;
@@ -97,10 +97,10 @@ struct Mechanism {
 
   /// Parameters that are set at run time.
   struct Parameters {
-    Scalar alpha_1;  ///< parameter [1]
-    Scalar alpha_2;  ///< parameter [1]
-    Scalar alpha_3;  ///< parameter [1]
-    Scalar alpha_4;  ///< parameter [1]
+    Scalar alpha_1;  ///< parameter [rad]
+    Scalar alpha_2;  ///< parameter [rad]
+    Scalar alpha_3;  ///< parameter [rad]
+    Scalar alpha_4;  ///< parameter [rad]
     static constexpr int size = 4;
     TORSOR_DEVICE Scalar& operator[](int i_) noexcept { return this->*member_(i_); }
     TORSOR_DEVICE const Scalar& operator[](int i_) const noexcept { return this->*member_(i_); }

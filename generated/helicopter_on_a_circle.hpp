@@ -45,8 +45,8 @@ struct Description {
   static constexpr std::array<torsor::QuantityDescription, 1> velocities{{{"phi", "rad/s"}}};
   static constexpr std::array<torsor::QuantityDescription, 1> inputs{{{"C", "N m"}}};
   static constexpr std::array<torsor::QuantityDescription, 0> multipliers{};
-  static constexpr std::array<torsor::QuantityDescription, 3> parameters{{{"theta", "1"}, {"omega", "rad/s"}, {"alpha",
-      "1"}}};
+  static constexpr std::array<torsor::QuantityDescription, 3> parameters{{{"theta", "rad"}, {"omega", "rad/s"},
+      {"alpha", "rad"}}};
   static constexpr std::array<torsor::ResultDescription, 56> results{{{"result", "span_1_position", 3, 1, 1, "m"},
       {"result", "span_1_rotation", 3, 3, 2, "1"}, {"result", "span_1_velocity", 3, 1, 1, "m/s"}, {"result",
       "span_1_angular_velocity", 3, 1, 1, "rad/s"}, {"result", "blade_1_position", 3, 1, 1, "m"}, {"result",
@@ -88,7 +88,7 @@ struct Mechanism {
 
   static constexpr const char* name = "helicopter_on_a_circle";
   /// 64 bits (FNV-1a) of this file from "#pragma once" on, with zeros in their own place: another mechanism, other bits.
-  static constexpr unsigned long long fingerprint = 0x19452fdede85e66dULL ^ torsor::support_fingerprint;
+  static constexpr unsigned long long fingerprint = 0x0d469c782fb5f361ULL ^ torsor::support_fingerprint;
   static constexpr int coordinate_count = 1;
   static constexpr int velocity_count = 1;
   static constexpr int input_count = 1;
@@ -98,9 +98,9 @@ struct Mechanism {
 
   /// Parameters that are set at run time.
   struct Parameters {
-    Scalar theta;  ///< parameter [1]
+    Scalar theta;  ///< parameter [rad]
     Scalar omega;  ///< parameter [rad/s]
-    Scalar alpha;  ///< parameter [1]
+    Scalar alpha;  ///< parameter [rad]
     static constexpr int size = 3;
     TORSOR_DEVICE Scalar& operator[](int i_) noexcept { return this->*member_(i_); }
     TORSOR_DEVICE const Scalar& operator[](int i_) const noexcept { return this->*member_(i_); }

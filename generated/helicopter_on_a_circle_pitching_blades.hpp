@@ -42,8 +42,8 @@ struct Description {
       {"alpha_2", "rad/s"}, {"alpha_3", "rad/s"}, {"alpha_4", "rad/s"}}};
   static constexpr std::array<torsor::QuantityDescription, 1> inputs{{{"C", "N m"}}};
   static constexpr std::array<torsor::QuantityDescription, 0> multipliers{};
-  static constexpr std::array<torsor::QuantityDescription, 6> parameters{{{"theta", "1"}, {"omega", "rad/s"}, {"alpha",
-      "1"}, {"alpha_c", "1"}, {"k", "N m"}, {"c", "N m s"}}};
+  static constexpr std::array<torsor::QuantityDescription, 6> parameters{{{"theta", "rad"}, {"omega", "rad/s"},
+      {"alpha", "rad"}, {"alpha_c", "rad"}, {"k", "N m"}, {"c", "N m s"}}};
   static constexpr std::array<torsor::ResultDescription, 49> results{{{"result", "span_1_position", 3, 1, 1, "m"},
       {"result", "span_1_rotation", 3, 3, 2, "1"}, {"result", "span_1_velocity", 3, 1, 1, "m/s"}, {"result",
       "span_1_angular_velocity", 3, 1, 1, "rad/s"}, {"result", "blade_1_position", 3, 1, 1, "m"}, {"result",
@@ -82,7 +82,7 @@ struct Mechanism {
 
   static constexpr const char* name = "helicopter_on_a_circle_pitching_blades";
   /// 64 bits (FNV-1a) of this file from "#pragma once" on, with zeros in their own place: another mechanism, other bits.
-  static constexpr unsigned long long fingerprint = 0xcd8ce0bf067dc2e4ULL ^ torsor::support_fingerprint;
+  static constexpr unsigned long long fingerprint = 0x39105004c6cd3d00ULL ^ torsor::support_fingerprint;
   static constexpr int coordinate_count = 5;
   static constexpr int velocity_count = 5;
   static constexpr int input_count = 1;
@@ -92,10 +92,10 @@ struct Mechanism {
 
   /// Parameters that are set at run time.
   struct Parameters {
-    Scalar theta;  ///< parameter [1]
+    Scalar theta;  ///< parameter [rad]
     Scalar omega;  ///< parameter [rad/s]
-    Scalar alpha;  ///< parameter [1]
-    Scalar alpha_c;  ///< parameter [1]
+    Scalar alpha;  ///< parameter [rad]
+    Scalar alpha_c;  ///< parameter [rad]
     Scalar k;  ///< parameter [N m]
     Scalar c;  ///< parameter [N m s]
     static constexpr int size = 6;

@@ -44,7 +44,7 @@ struct Description {
   static constexpr std::array<torsor::QuantityDescription, 2> velocities{{{"delta", "rad/s"}, {"epsilon", "rad/s"}}};
   static constexpr std::array<torsor::QuantityDescription, 0> inputs{};
   static constexpr std::array<torsor::QuantityDescription, 0> multipliers{};
-  static constexpr std::array<torsor::QuantityDescription, 2> parameters{{{"r", "m"}, {"latitude", "1"}}};
+  static constexpr std::array<torsor::QuantityDescription, 2> parameters{{{"r", "m"}, {"latitude", "rad"}}};
   static constexpr std::array<torsor::ResultDescription, 25> results{{{"result", "bob_position", 3, 1, 1, "m"},
       {"result", "bob_rotation", 3, 3, 2, "1"}, {"result", "bob_velocity", 3, 1, 1, "m/s"}, {"result",
       "bob_angular_velocity", 3, 1, 1, "rad/s"}, {"result", "O_position", 3, 1, 1, "m"}, {"result", "O_velocity", 3, 1,
@@ -73,7 +73,7 @@ struct Mechanism {
 
   static constexpr const char* name = "plumb_line";
   /// 64 bits (FNV-1a) of this file from "#pragma once" on, with zeros in their own place: another mechanism, other bits.
-  static constexpr unsigned long long fingerprint = 0xf996e7c8e200b92bULL ^ torsor::support_fingerprint;
+  static constexpr unsigned long long fingerprint = 0x38825c605a43804bULL ^ torsor::support_fingerprint;
   static constexpr int coordinate_count = 2;
   static constexpr int velocity_count = 2;
   static constexpr int input_count = 0;
@@ -84,7 +84,7 @@ struct Mechanism {
   /// Parameters that are set at run time.
   struct Parameters {
     Scalar r;  ///< parameter [m]
-    Scalar latitude;  ///< parameter [1]
+    Scalar latitude;  ///< parameter [rad]
     static constexpr int size = 2;
     TORSOR_DEVICE Scalar& operator[](int i_) noexcept { return this->*member_(i_); }
     TORSOR_DEVICE const Scalar& operator[](int i_) const noexcept { return this->*member_(i_); }

@@ -41,7 +41,7 @@ struct Description {
       "rad/s"}}};
   static constexpr std::array<torsor::QuantityDescription, 0> inputs{};
   static constexpr std::array<torsor::QuantityDescription, 0> multipliers{};
-  static constexpr std::array<torsor::QuantityDescription, 2> parameters{{{"slope", "1"}, {"f", "1"}}};
+  static constexpr std::array<torsor::QuantityDescription, 2> parameters{{{"slope", "rad"}, {"f", "1"}}};
   static constexpr std::array<torsor::ResultDescription, 14> results{{{"mass", "", 3, 3, 2, ""}, {"forces", "", 3, 1, 1,
       "N"}, {"result", "kinetic", 1, 1, 0, "J"}, {"result", "force_function", 1, 1, 0, "J"}, {"result", "power", 1, 1,
       0, "W"}, {"result", "gap", 6, 1, 1, "m"}, {"result", "rate", 12, 1, 1, "m/s"}, {"result", "jacobian", 12, 3, 2,
@@ -63,7 +63,7 @@ struct Mechanism {
 
   static constexpr const char* name = "rimless_wheel";
   /// 64 bits (FNV-1a) of this file from "#pragma once" on, with zeros in their own place: another mechanism, other bits.
-  static constexpr unsigned long long fingerprint = 0xa2f39d418641ce55ULL ^ torsor::support_fingerprint;
+  static constexpr unsigned long long fingerprint = 0xcbf919cfad945da5ULL ^ torsor::support_fingerprint;
   static constexpr int coordinate_count = 3;
   static constexpr int velocity_count = 3;
   static constexpr int input_count = 0;
@@ -73,7 +73,7 @@ struct Mechanism {
 
   /// Parameters that are set at run time.
   struct Parameters {
-    Scalar slope;  ///< parameter [1]
+    Scalar slope;  ///< parameter [rad]
     Scalar f;  ///< parameter [1]
     static constexpr int size = 2;
     TORSOR_DEVICE Scalar& operator[](int i_) noexcept { return this->*member_(i_); }

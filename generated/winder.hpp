@@ -46,7 +46,7 @@ struct Description {
   static constexpr std::array<torsor::QuantityDescription, 2> velocities{{{"lambda", "m/s"}, {"phi", "rad/s"}}};
   static constexpr std::array<torsor::QuantityDescription, 0> inputs{};
   static constexpr std::array<torsor::QuantityDescription, 0> multipliers{};
-  static constexpr std::array<torsor::QuantityDescription, 2> parameters{{{"omega", "rad/s"}, {"slope", "1"}}};
+  static constexpr std::array<torsor::QuantityDescription, 2> parameters{{{"omega", "rad/s"}, {"slope", "rad"}}};
   static constexpr std::array<torsor::ResultDescription, 30> results{{{"result", "Sigma_position", 3, 1, 1, "m"},
       {"result", "Sigma_rotation", 3, 3, 2, "1"}, {"result", "Sigma_velocity", 3, 1, 1, "m/s"}, {"result",
       "Sigma_angular_velocity", 3, 1, 1, "rad/s"}, {"result", "S_position", 3, 1, 1, "m"}, {"result", "S_rotation", 3,
@@ -77,7 +77,7 @@ struct Mechanism {
 
   static constexpr const char* name = "winder";
   /// 64 bits (FNV-1a) of this file from "#pragma once" on, with zeros in their own place: another mechanism, other bits.
-  static constexpr unsigned long long fingerprint = 0x661c8d309bde33caULL ^ torsor::support_fingerprint;
+  static constexpr unsigned long long fingerprint = 0x1e9962bda91a3b6aULL ^ torsor::support_fingerprint;
   static constexpr int coordinate_count = 2;
   static constexpr int velocity_count = 2;
   static constexpr int input_count = 0;
@@ -88,7 +88,7 @@ struct Mechanism {
   /// Parameters that are set at run time.
   struct Parameters {
     Scalar omega;  ///< parameter [rad/s]
-    Scalar slope;  ///< parameter [1]
+    Scalar slope;  ///< parameter [rad]
     static constexpr int size = 2;
     TORSOR_DEVICE Scalar& operator[](int i_) noexcept { return this->*member_(i_); }
     TORSOR_DEVICE const Scalar& operator[](int i_) const noexcept { return this->*member_(i_); }
