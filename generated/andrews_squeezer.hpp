@@ -97,7 +97,7 @@ struct Mechanism {
 
   static constexpr const char* name = "andrews_squeezer";
   /// 64 bits (FNV-1a) of this file from "#pragma once" on, with zeros in their own place: another mechanism, other bits.
-  static constexpr unsigned long long fingerprint = 0x6cc4ac755dacc37eULL ^ torsor::support_fingerprint;
+  static constexpr unsigned long long fingerprint = 0x5caeb58837f4b5b9ULL ^ torsor::support_fingerprint;
   static constexpr int coordinate_count = 7;
   static constexpr int velocity_count = 7;
   static constexpr int input_count = 0;
@@ -367,10 +367,10 @@ struct Mechanism {
   };
   /// Freedoms that e of the linearisation runs along: places in v (and in q, but for attitudes).
   static constexpr int independent_coordinate_count = 1;
-  static constexpr int independent_coordinates[] = {0};
+  static constexpr int independent_coordinates[1] = {0};
   /// Velocities that w of the linearisation deviates: places in v.
   static constexpr int independent_velocity_count = 1;
-  static constexpr int independent_velocities[] = {0};
+  static constexpr int independent_velocities[1] = {0};
 
   /// Derivatives of the residual in compressed rows.
   struct ResidualJacobian {
@@ -379,8 +379,8 @@ struct Mechanism {
   /// Where the values of ResidualJacobian stand: those of row i from row_start[i] to row_start[i + 1], each in its
   /// column: of unknown j by position j, by velocity n + j, by acceleration 2 n + j, by multiplier k 3 n + k.
   static constexpr int residual_jacobian_nonzeros = 123;
-  static constexpr int residual_jacobian_row_start[] = {0, 12, 23, 27, 34, 42, 49, 57, 66, 75, 87, 99, 111, 123};
-  static constexpr int residual_jacobian_column[] = {0, 1, 7, 8, 14, 15, 21, 22, 23, 24, 25, 26, 0, 1, 7, 14, 15, 21,
+  static constexpr int residual_jacobian_row_start[14] = {0, 12, 23, 27, 34, 42, 49, 57, 66, 75, 87, 99, 111, 123};
+  static constexpr int residual_jacobian_column[123] = {0, 1, 7, 8, 14, 15, 21, 22, 23, 24, 25, 26, 0, 1, 7, 14, 15, 21,
       22, 23, 24, 25, 26, 2, 16, 21, 22, 3, 4, 11, 17, 18, 23, 24, 3, 4, 10, 11, 17, 18, 23, 24, 5, 6, 13, 19, 20, 25,
       26, 5, 6, 12, 13, 19, 20, 25, 26, 0, 1, 2, 7, 8, 9, 14, 15, 16, 0, 1, 2, 7, 8, 9, 14, 15, 16, 0, 1, 3, 4, 7, 8,
       10, 11, 14, 15, 17, 18, 0, 1, 3, 4, 7, 8, 10, 11, 14, 15, 17, 18, 0, 1, 5, 6, 7, 8, 12, 13, 14, 15, 19, 20, 0, 1,

@@ -65,7 +65,7 @@ struct Mechanism {
 
   static constexpr const char* name = "billiard";
   /// 64 bits (FNV-1a) of this file from "#pragma once" on, with zeros in their own place: another mechanism, other bits.
-  static constexpr unsigned long long fingerprint = 0x3c3b036abfd31308ULL ^ torsor::support_fingerprint;
+  static constexpr unsigned long long fingerprint = 0x9de72aae2018c782ULL ^ torsor::support_fingerprint;
   static constexpr int coordinate_count = 7;
   static constexpr int velocity_count = 6;
   static constexpr int input_count = 0;
@@ -74,7 +74,7 @@ struct Mechanism {
   static constexpr int first_integral_count = 0;
   /// Indices in q of the first components (w) of the unit quaternions (w, x, y, z).
   static constexpr int quaternion_count = 1;
-  static constexpr int quaternions[] = {3};
+  static constexpr int quaternions[quaternion_count] = {3};
 
   /// Parameters that are set at run time.
   struct Parameters {
@@ -260,8 +260,8 @@ struct Mechanism {
   static constexpr int contact_count = 1;
   static constexpr int contact_row_count = 3;
   /// How many normals and tangents each contact has: dry friction has no normal.
-  static constexpr int contact_normals[] = {1};
-  static constexpr int contact_tangents[] = {2};
+  static constexpr int contact_normals[1] = {1};
+  static constexpr int contact_tangents[1] = {2};
 
   /// Coefficients of contacts.
   struct ContactCoefficients {

@@ -66,7 +66,7 @@ struct Mechanism {
 
   static constexpr const char* name = "billiard_soft_cloth";
   /// 64 bits (FNV-1a) of this file from "#pragma once" on, with zeros in their own place: another mechanism, other bits.
-  static constexpr unsigned long long fingerprint = 0x398d6b9932bd7f18ULL ^ torsor::support_fingerprint;
+  static constexpr unsigned long long fingerprint = 0x78804ea1266eaaa3ULL ^ torsor::support_fingerprint;
   static constexpr int coordinate_count = 7;
   static constexpr int velocity_count = 6;
   static constexpr int input_count = 0;
@@ -75,7 +75,7 @@ struct Mechanism {
   static constexpr int first_integral_count = 0;
   /// Indices in q of the first components (w) of the unit quaternions (w, x, y, z).
   static constexpr int quaternion_count = 1;
-  static constexpr int quaternions[] = {3};
+  static constexpr int quaternions[quaternion_count] = {3};
 
   /// Parameters that are set at run time.
   struct Parameters {
@@ -267,10 +267,10 @@ struct Mechanism {
   static constexpr int contact_count = 3;
   static constexpr int contact_row_count = 6;
   /// How many normals and tangents each contact has: dry friction has no normal.
-  static constexpr int contact_normals[] = {1, 0, 0};
-  static constexpr int contact_tangents[] = {2, 2, 1};
+  static constexpr int contact_normals[3] = {1, 0, 0};
+  static constexpr int contact_tangents[3] = {2, 2, 1};
   /// Of a turn that is resisted the contact whose N bounds the moment, from 1; else 0.
-  static constexpr int contact_pressed_by[] = {0, 1, 1};
+  static constexpr int contact_pressed_by[3] = {0, 1, 1};
 
   /// Coefficients of contacts.
   struct ContactCoefficients {

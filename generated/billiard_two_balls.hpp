@@ -67,7 +67,7 @@ struct Mechanism {
 
   static constexpr const char* name = "billiard_two_balls";
   /// 64 bits (FNV-1a) of this file from "#pragma once" on, with zeros in their own place: another mechanism, other bits.
-  static constexpr unsigned long long fingerprint = 0x4f9975108ffd43a7ULL ^ torsor::support_fingerprint;
+  static constexpr unsigned long long fingerprint = 0x8ad9b9347866fbe9ULL ^ torsor::support_fingerprint;
   static constexpr int coordinate_count = 14;
   static constexpr int velocity_count = 12;
   static constexpr int input_count = 0;
@@ -76,7 +76,7 @@ struct Mechanism {
   static constexpr int first_integral_count = 0;
   /// Indices in q of the first components (w) of the unit quaternions (w, x, y, z).
   static constexpr int quaternion_count = 2;
-  static constexpr int quaternions[] = {3, 10};
+  static constexpr int quaternions[quaternion_count] = {3, 10};
 
   /// Parameters that are set at run time.
   struct Parameters {
@@ -311,8 +311,8 @@ struct Mechanism {
   static constexpr int contact_count = 3;
   static constexpr int contact_row_count = 9;
   /// How many normals and tangents each contact has: dry friction has no normal.
-  static constexpr int contact_normals[] = {1, 1, 1};
-  static constexpr int contact_tangents[] = {2, 2, 2};
+  static constexpr int contact_normals[3] = {1, 1, 1};
+  static constexpr int contact_tangents[3] = {2, 2, 2};
 
   /// Coefficients of contacts.
   struct ContactCoefficients {

@@ -76,7 +76,7 @@ struct Mechanism {
 
   static constexpr const char* name = "chaplygin_sleigh";
   /// 64 bits (FNV-1a) of this file from "#pragma once" on, with zeros in their own place: another mechanism, other bits.
-  static constexpr unsigned long long fingerprint = 0x4310e19c77e8f545ULL ^ torsor::support_fingerprint;
+  static constexpr unsigned long long fingerprint = 0x1cbba0d3ed324aa6ULL ^ torsor::support_fingerprint;
   static constexpr int coordinate_count = 3;
   static constexpr int velocity_count = 3;
   static constexpr int input_count = 0;
@@ -273,10 +273,10 @@ struct Mechanism {
   };
   /// Freedoms that e of the linearisation runs along: places in v (and in q, but for attitudes).
   static constexpr int independent_coordinate_count = 3;
-  static constexpr int independent_coordinates[] = {0, 1, 2};
+  static constexpr int independent_coordinates[3] = {0, 1, 2};
   /// Velocities that w of the linearisation deviates: places in v.
   static constexpr int independent_velocity_count = 2;
-  static constexpr int independent_velocities[] = {0, 2};
+  static constexpr int independent_velocities[2] = {0, 2};
 
   /// Poses and twists of all bodies, positions, velocities and Jacobians of named points, in ground axes;
   /// matrices column by column.

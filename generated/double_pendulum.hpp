@@ -91,7 +91,7 @@ struct Mechanism {
 
   static constexpr const char* name = "double_pendulum";
   /// 64 bits (FNV-1a) of this file from "#pragma once" on, with zeros in their own place: another mechanism, other bits.
-  static constexpr unsigned long long fingerprint = 0xc4f34ae811b31b33ULL ^ torsor::support_fingerprint;
+  static constexpr unsigned long long fingerprint = 0xbda87b326e3f2e1dULL ^ torsor::support_fingerprint;
   static constexpr int coordinate_count = 2;
   static constexpr int velocity_count = 2;
   static constexpr int input_count = 0;
@@ -285,13 +285,13 @@ struct Mechanism {
   /// combined with them. First link to last: what a joint cannot tell apart goes towards the ground
   /// (Gautier & Khalil, 1990).
   static constexpr int base_parameter_count = 6;
-  static constexpr int base_parameters[] = {1, 2, 9, 11, 12, 19};
+  static constexpr int base_parameters[6] = {1, 2, 9, 11, 12, 19};
   /// pi_base = pi_b + K pi_d: each pi_base[regrouped_to[k]], from pi[base_parameters[...]], gains
   /// regrouping_factors[k] * pi[regrouped_from[k]].
   static constexpr int regrouping_count = 2;
-  static constexpr int regrouped_from[] = {10, 10};
-  static constexpr int regrouped_to[] = {1, 2};
-  static constexpr double regrouping_factors[] = {-1, 1};
+  static constexpr int regrouped_from[2] = {10, 10};
+  static constexpr int regrouped_to[2] = {1, 2};
+  static constexpr double regrouping_factors[2] = {-1, 1};
 
   /// Second derivatives of generalised forces, page by page.
   struct InverseDynamicsSecondDerivatives {

@@ -90,7 +90,7 @@ struct Mechanism {
 
   static constexpr const char* name = "flyball_governor";
   /// 64 bits (FNV-1a) of this file from "#pragma once" on, with zeros in their own place: another mechanism, other bits.
-  static constexpr unsigned long long fingerprint = 0xe64d306f685f5335ULL ^ torsor::support_fingerprint;
+  static constexpr unsigned long long fingerprint = 0x635a8ea23ed1e865ULL ^ torsor::support_fingerprint;
   static constexpr int coordinate_count = 4;
   static constexpr int velocity_count = 4;
   static constexpr int input_count = 0;
@@ -311,9 +311,9 @@ struct Mechanism {
   /// Where the values of ResidualJacobian stand: those of row i from row_start[i] to row_start[i + 1], each in its
   /// column: of unknown j by position j, by velocity n + j, by acceleration 2 n + j, by multiplier k 3 n + k.
   static constexpr int residual_jacobian_nonzeros = 25;
-  static constexpr int residual_jacobian_row_start[] = {0, 6, 13, 19, 25};
-  static constexpr int residual_jacobian_column[] = {2, 3, 4, 6, 7, 8, 1, 2, 3, 5, 6, 7, 9, 1, 2, 4, 5, 6, 10, 1, 3, 4,
-      5, 7, 11};
+  static constexpr int residual_jacobian_row_start[5] = {0, 6, 13, 19, 25};
+  static constexpr int residual_jacobian_column[25] = {2, 3, 4, 6, 7, 8, 1, 2, 3, 5, 6, 7, 9, 1, 2, 4, 5, 6, 10, 1, 3,
+      4, 5, 7, 11};
 
   /// Poses and twists of all bodies, positions, velocities and Jacobians of named points, in ground axes;
   /// matrices column by column.

@@ -81,7 +81,7 @@ struct Mechanism {
 
   static constexpr const char* name = "four_blade_rotor";
   /// 64 bits (FNV-1a) of this file from "#pragma once" on, with zeros in their own place: another mechanism, other bits.
-  static constexpr unsigned long long fingerprint = 0xe992b5233fcf1a5cULL ^ torsor::support_fingerprint;
+  static constexpr unsigned long long fingerprint = 0x151edd13db3aa1e4ULL ^ torsor::support_fingerprint;
   static constexpr int coordinate_count = 4;
   static constexpr int velocity_count = 3;
   static constexpr int input_count = 0;
@@ -90,7 +90,7 @@ struct Mechanism {
   static constexpr int first_integral_count = 2;
   /// Indices in q of the first components (w) of the unit quaternions (w, x, y, z).
   static constexpr int quaternion_count = 1;
-  static constexpr int quaternions[] = {0};
+  static constexpr int quaternions[quaternion_count] = {0};
 
   /// Parameters that are set at run time.
   struct Parameters {

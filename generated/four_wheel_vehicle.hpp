@@ -87,7 +87,7 @@ struct Mechanism {
 
   static constexpr const char* name = "four_wheel_vehicle";
   /// 64 bits (FNV-1a) of this file from "#pragma once" on, with zeros in their own place: another mechanism, other bits.
-  static constexpr unsigned long long fingerprint = 0xff88f1025b92bfadULL ^ torsor::support_fingerprint;
+  static constexpr unsigned long long fingerprint = 0xb5a147a8461f9d30ULL ^ torsor::support_fingerprint;
   static constexpr int coordinate_count = 7;
   static constexpr int velocity_count = 7;
   static constexpr int input_count = 2;
@@ -96,7 +96,7 @@ struct Mechanism {
   static constexpr int first_integral_count = 0;
   /// Multipliers that are taken as zero: their constraints repeat others.
   static constexpr int redundant_count = 2;
-  static constexpr int redundant_multipliers[] = {4, 6};
+  static constexpr int redundant_multipliers[redundant_count] = {4, 6};
 
   /// Parameters that are set at run time.
   struct Parameters : torsor::NoMembers<Scalar> {};

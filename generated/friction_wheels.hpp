@@ -83,7 +83,7 @@ struct Mechanism {
 
   static constexpr const char* name = "friction_wheels";
   /// 64 bits (FNV-1a) of this file from "#pragma once" on, with zeros in their own place: another mechanism, other bits.
-  static constexpr unsigned long long fingerprint = 0x146a08a1438c9d18ULL ^ torsor::support_fingerprint;
+  static constexpr unsigned long long fingerprint = 0xbbe804ee477ba01eULL ^ torsor::support_fingerprint;
   static constexpr int coordinate_count = 2;
   static constexpr int velocity_count = 2;
   static constexpr int input_count = 1;
@@ -92,7 +92,7 @@ struct Mechanism {
   static constexpr int first_integral_count = 0;
   /// Multipliers that are taken as zero: their constraints repeat others.
   static constexpr int redundant_count = 1;
-  static constexpr int redundant_multipliers[] = {1};
+  static constexpr int redundant_multipliers[redundant_count] = {1};
 
   /// Parameters that are set at run time.
   struct Parameters : torsor::NoMembers<Scalar> {};
@@ -290,10 +290,10 @@ struct Mechanism {
   };
   /// Freedoms that e of the linearisation runs along: places in v (and in q, but for attitudes).
   static constexpr int independent_coordinate_count = 2;
-  static constexpr int independent_coordinates[] = {0, 1};
+  static constexpr int independent_coordinates[2] = {0, 1};
   /// Velocities that w of the linearisation deviates: places in v.
   static constexpr int independent_velocity_count = 1;
-  static constexpr int independent_velocities[] = {1};
+  static constexpr int independent_velocities[1] = {1};
 
   /// Poses and twists of all bodies, positions, velocities and Jacobians of named points, in ground axes;
   /// matrices column by column.

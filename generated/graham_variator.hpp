@@ -86,7 +86,7 @@ struct Mechanism {
 
   static constexpr const char* name = "graham_variator";
   /// 64 bits (FNV-1a) of this file from "#pragma once" on, with zeros in their own place: another mechanism, other bits.
-  static constexpr unsigned long long fingerprint = 0x8cc91e39d5ec9fd7ULL ^ torsor::support_fingerprint;
+  static constexpr unsigned long long fingerprint = 0xb26287a8870d9062ULL ^ torsor::support_fingerprint;
   static constexpr int coordinate_count = 3;
   static constexpr int velocity_count = 3;
   static constexpr int input_count = 2;
@@ -95,7 +95,7 @@ struct Mechanism {
   static constexpr int first_integral_count = 0;
   /// Multipliers that are taken as zero: their constraints repeat others.
   static constexpr int redundant_count = 2;
-  static constexpr int redundant_multipliers[] = {0, 2};
+  static constexpr int redundant_multipliers[redundant_count] = {0, 2};
 
   /// Parameters that are set at run time.
   struct Parameters {
@@ -421,10 +421,10 @@ struct Mechanism {
   };
   /// Freedoms that e of the linearisation runs along: places in v (and in q, but for attitudes).
   static constexpr int independent_coordinate_count = 3;
-  static constexpr int independent_coordinates[] = {0, 1, 2};
+  static constexpr int independent_coordinates[3] = {0, 1, 2};
   /// Velocities that w of the linearisation deviates: places in v.
   static constexpr int independent_velocity_count = 1;
-  static constexpr int independent_velocities[] = {0};
+  static constexpr int independent_velocities[1] = {0};
 
   /// Poses and twists of all bodies, positions, velocities and Jacobians of named points, in ground axes;
   /// matrices column by column.

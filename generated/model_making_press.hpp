@@ -86,7 +86,7 @@ struct Mechanism {
 
   static constexpr const char* name = "model_making_press";
   /// 64 bits (FNV-1a) of this file from "#pragma once" on, with zeros in their own place: another mechanism, other bits.
-  static constexpr unsigned long long fingerprint = 0x7ba19827e19d2645ULL ^ torsor::support_fingerprint;
+  static constexpr unsigned long long fingerprint = 0x6842c90ec5f89d70ULL ^ torsor::support_fingerprint;
   static constexpr int coordinate_count = 11;
   static constexpr int velocity_count = 9;
   static constexpr int input_count = 1;
@@ -95,10 +95,10 @@ struct Mechanism {
   static constexpr int first_integral_count = 0;
   /// Indices in q of the first components (w) of the unit quaternions (w, x, y, z).
   static constexpr int quaternion_count = 2;
-  static constexpr int quaternions[] = {2, 6};
+  static constexpr int quaternions[quaternion_count] = {2, 6};
   /// Multipliers that are taken as zero: their constraints repeat others.
   static constexpr int redundant_count = 4;
-  static constexpr int redundant_multipliers[] = {1, 2, 3, 7};
+  static constexpr int redundant_multipliers[redundant_count] = {1, 2, 3, 7};
 
   /// Parameters that are set at run time.
   struct Parameters : torsor::NoMembers<Scalar> {};

@@ -62,7 +62,7 @@ struct Mechanism {
 
   static constexpr const char* name = "newton_cradle";
   /// 64 bits (FNV-1a) of this file from "#pragma once" on, with zeros in their own place: another mechanism, other bits.
-  static constexpr unsigned long long fingerprint = 0x30ee83ecdd57177eULL ^ torsor::support_fingerprint;
+  static constexpr unsigned long long fingerprint = 0x633ea12fe2d39da6ULL ^ torsor::support_fingerprint;
   static constexpr int coordinate_count = 5;
   static constexpr int velocity_count = 5;
   static constexpr int input_count = 0;
@@ -240,8 +240,8 @@ struct Mechanism {
   static constexpr int contact_count = 4;
   static constexpr int contact_row_count = 4;
   /// How many normals and tangents each contact has: dry friction has no normal.
-  static constexpr int contact_normals[] = {1, 1, 1, 1};
-  static constexpr int contact_tangents[] = {0, 0, 0, 0};
+  static constexpr int contact_normals[4] = {1, 1, 1, 1};
+  static constexpr int contact_tangents[4] = {0, 0, 0, 0};
 
   /// Coefficients of contacts.
   struct ContactCoefficients {

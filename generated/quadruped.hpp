@@ -127,7 +127,7 @@ struct Mechanism {
 
   static constexpr const char* name = "quadruped";
   /// 64 bits (FNV-1a) of this file from "#pragma once" on, with zeros in their own place: another mechanism, other bits.
-  static constexpr unsigned long long fingerprint = 0x6aced4f02f1231ffULL ^ torsor::support_fingerprint;
+  static constexpr unsigned long long fingerprint = 0x1604f5630b5ac2eeULL ^ torsor::support_fingerprint;
   static constexpr int coordinate_count = 19;
   static constexpr int velocity_count = 18;
   static constexpr int input_count = 12;
@@ -136,11 +136,11 @@ struct Mechanism {
   static constexpr int first_integral_count = 0;
   /// Indices in q of the first components (w) of the unit quaternions (w, x, y, z).
   static constexpr int quaternion_count = 1;
-  static constexpr int quaternions[] = {3};
+  static constexpr int quaternions[quaternion_count] = {3};
   /// Range of each freedom, largest rate and largest effort, by its index in v; infinite where the scene states none.
   /// Data: no kernel looks at them.
   struct Limits { double lower, upper, velocity, effort; };
-  static constexpr Limits limits[] = {
+  static constexpr Limits limits[velocity_count] = {
       {-HUGE_VAL, HUGE_VAL, HUGE_VAL, HUGE_VAL},  // trunk_x
       {-HUGE_VAL, HUGE_VAL, HUGE_VAL, HUGE_VAL},  // trunk_y
       {-HUGE_VAL, HUGE_VAL, HUGE_VAL, HUGE_VAL},  // trunk_z

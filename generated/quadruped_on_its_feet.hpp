@@ -84,7 +84,7 @@ struct Mechanism {
 
   static constexpr const char* name = "quadruped_on_its_feet";
   /// 64 bits (FNV-1a) of this file from "#pragma once" on, with zeros in their own place: another mechanism, other bits.
-  static constexpr unsigned long long fingerprint = 0xf76f4af50ab285d3ULL ^ torsor::support_fingerprint;
+  static constexpr unsigned long long fingerprint = 0x9f0d858434313288ULL ^ torsor::support_fingerprint;
   static constexpr int coordinate_count = 19;
   static constexpr int velocity_count = 18;
   static constexpr int input_count = 12;
@@ -93,11 +93,11 @@ struct Mechanism {
   static constexpr int first_integral_count = 0;
   /// Indices in q of the first components (w) of the unit quaternions (w, x, y, z).
   static constexpr int quaternion_count = 1;
-  static constexpr int quaternions[] = {3};
+  static constexpr int quaternions[quaternion_count] = {3};
   /// Range of each freedom, largest rate and largest effort, by its index in v; infinite where the scene states none.
   /// Data: no kernel looks at them.
   struct Limits { double lower, upper, velocity, effort; };
-  static constexpr Limits limits[] = {
+  static constexpr Limits limits[velocity_count] = {
       {-HUGE_VAL, HUGE_VAL, HUGE_VAL, HUGE_VAL},  // trunk_x
       {-HUGE_VAL, HUGE_VAL, HUGE_VAL, HUGE_VAL},  // trunk_y
       {-HUGE_VAL, HUGE_VAL, HUGE_VAL, HUGE_VAL},  // trunk_z
@@ -421,8 +421,8 @@ struct Mechanism {
   static constexpr int contact_count = 4;
   static constexpr int contact_row_count = 12;
   /// How many normals and tangents each contact has: dry friction has no normal.
-  static constexpr int contact_normals[] = {1, 1, 1, 1};
-  static constexpr int contact_tangents[] = {2, 2, 2, 2};
+  static constexpr int contact_normals[4] = {1, 1, 1, 1};
+  static constexpr int contact_tangents[4] = {2, 2, 2, 2};
 
   /// Coefficients of contacts.
   struct ContactCoefficients {

@@ -63,7 +63,7 @@ struct Mechanism {
 
   static constexpr const char* name = "rimless_wheel";
   /// 64 bits (FNV-1a) of this file from "#pragma once" on, with zeros in their own place: another mechanism, other bits.
-  static constexpr unsigned long long fingerprint = 0xcbf919cfad945da5ULL ^ torsor::support_fingerprint;
+  static constexpr unsigned long long fingerprint = 0xbb50326f064b817dULL ^ torsor::support_fingerprint;
   static constexpr int coordinate_count = 3;
   static constexpr int velocity_count = 3;
   static constexpr int input_count = 0;
@@ -248,8 +248,8 @@ struct Mechanism {
   static constexpr int contact_count = 6;
   static constexpr int contact_row_count = 12;
   /// How many normals and tangents each contact has: dry friction has no normal.
-  static constexpr int contact_normals[] = {1, 1, 1, 1, 1, 1};
-  static constexpr int contact_tangents[] = {1, 1, 1, 1, 1, 1};
+  static constexpr int contact_normals[6] = {1, 1, 1, 1, 1, 1};
+  static constexpr int contact_tangents[6] = {1, 1, 1, 1, 1, 1};
 
   /// Coefficients of contacts.
   struct ContactCoefficients {

@@ -100,7 +100,7 @@ struct Mechanism {
 
   static constexpr const char* name = "rolling_hoop";
   /// 64 bits (FNV-1a) of this file from "#pragma once" on, with zeros in their own place: another mechanism, other bits.
-  static constexpr unsigned long long fingerprint = 0x95f80c535bdbb32cULL ^ torsor::support_fingerprint;
+  static constexpr unsigned long long fingerprint = 0xd47e2a3f386c00aeULL ^ torsor::support_fingerprint;
   static constexpr int coordinate_count = 5;
   static constexpr int velocity_count = 5;
   static constexpr int input_count = 0;
@@ -377,10 +377,10 @@ struct Mechanism {
   };
   /// Freedoms that e of the linearisation runs along: places in v (and in q, but for attitudes).
   static constexpr int independent_coordinate_count = 5;
-  static constexpr int independent_coordinates[] = {0, 1, 2, 3, 4};
+  static constexpr int independent_coordinates[5] = {0, 1, 2, 3, 4};
   /// Velocities that w of the linearisation deviates: places in v.
   static constexpr int independent_velocity_count = 3;
-  static constexpr int independent_velocities[] = {1, 2, 4};
+  static constexpr int independent_velocities[3] = {1, 2, 4};
 
   /// Derivatives of generalised forces, stored column by column.
   struct InverseDynamicsDerivatives {
@@ -405,8 +405,8 @@ struct Mechanism {
   /// Where the values of SparseConstraintJacobian stand: those of row i, in the order of the multipliers, from
   /// row_start[i] to row_start[i + 1], each in its column, an index in v.
   static constexpr int constraint_jacobian_nonzeros = 7;
-  static constexpr int constraint_jacobian_row_start[] = {0, 4, 7};
-  static constexpr int constraint_jacobian_column[] = {0, 1, 2, 4, 0, 1, 3};
+  static constexpr int constraint_jacobian_row_start[3] = {0, 4, 7};
+  static constexpr int constraint_jacobian_column[7] = {0, 1, 2, 4, 0, 1, 3};
 
   /// Derivatives by the run-time parameters, a column for each, in the order of Parameters.
   struct InverseDynamicsSensitivities {

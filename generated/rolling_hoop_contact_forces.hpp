@@ -79,7 +79,7 @@ struct Mechanism {
 
   static constexpr const char* name = "rolling_hoop_contact_forces";
   /// 64 bits (FNV-1a) of this file from "#pragma once" on, with zeros in their own place: another mechanism, other bits.
-  static constexpr unsigned long long fingerprint = 0xedef48f21f9cf777ULL ^ torsor::support_fingerprint;
+  static constexpr unsigned long long fingerprint = 0x4599d522d713da03ULL ^ torsor::support_fingerprint;
   static constexpr int coordinate_count = 6;
   static constexpr int velocity_count = 6;
   static constexpr int input_count = 0;
@@ -351,10 +351,10 @@ struct Mechanism {
   };
   /// Freedoms that e of the linearisation runs along: places in v (and in q, but for attitudes).
   static constexpr int independent_coordinate_count = 5;
-  static constexpr int independent_coordinates[] = {0, 1, 3, 4, 5};
+  static constexpr int independent_coordinates[5] = {0, 1, 3, 4, 5};
   /// Velocities that w of the linearisation deviates: places in v.
   static constexpr int independent_velocity_count = 3;
-  static constexpr int independent_velocities[] = {1, 3, 5};
+  static constexpr int independent_velocities[3] = {1, 3, 5};
 
   /// Poses and twists of all bodies, positions, velocities and Jacobians of named points, in ground axes;
   /// matrices column by column.

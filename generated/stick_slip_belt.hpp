@@ -61,7 +61,7 @@ struct Mechanism {
 
   static constexpr const char* name = "stick_slip_belt";
   /// 64 bits (FNV-1a) of this file from "#pragma once" on, with zeros in their own place: another mechanism, other bits.
-  static constexpr unsigned long long fingerprint = 0xca9957d3d8861114ULL ^ torsor::support_fingerprint;
+  static constexpr unsigned long long fingerprint = 0xe611c3423f286a76ULL ^ torsor::support_fingerprint;
   static constexpr int coordinate_count = 2;
   static constexpr int velocity_count = 2;
   static constexpr int input_count = 0;
@@ -222,8 +222,8 @@ struct Mechanism {
   static constexpr int contact_count = 1;
   static constexpr int contact_row_count = 2;
   /// How many normals and tangents each contact has: dry friction has no normal.
-  static constexpr int contact_normals[] = {1};
-  static constexpr int contact_tangents[] = {1};
+  static constexpr int contact_normals[1] = {1};
+  static constexpr int contact_tangents[1] = {1};
 
   /// Coefficients of contacts.
   struct ContactCoefficients {

@@ -67,7 +67,7 @@ struct Mechanism {
 
   static constexpr const char* name = "struck_mechanism";
   /// 64 bits (FNV-1a) of this file from "#pragma once" on, with zeros in their own place: another mechanism, other bits.
-  static constexpr unsigned long long fingerprint = 0xf812cd3c3c6e2b5dULL ^ torsor::support_fingerprint;
+  static constexpr unsigned long long fingerprint = 0x6368a9b0750639f3ULL ^ torsor::support_fingerprint;
   static constexpr int coordinate_count = 4;
   static constexpr int velocity_count = 4;
   static constexpr int input_count = 0;
@@ -263,8 +263,8 @@ struct Mechanism {
   static constexpr int contact_count = 1;
   static constexpr int contact_row_count = 1;
   /// How many normals and tangents each contact has: dry friction has no normal.
-  static constexpr int contact_normals[] = {1};
-  static constexpr int contact_tangents[] = {0};
+  static constexpr int contact_normals[1] = {1};
+  static constexpr int contact_tangents[1] = {0};
 
   /// Coefficients of contacts.
   struct ContactCoefficients {

@@ -75,7 +75,7 @@ struct Mechanism {
 
   static constexpr const char* name = "torque_free_body";
   /// 64 bits (FNV-1a) of this file from "#pragma once" on, with zeros in their own place: another mechanism, other bits.
-  static constexpr unsigned long long fingerprint = 0x40f9eb0f690ef24dULL ^ torsor::support_fingerprint;
+  static constexpr unsigned long long fingerprint = 0x76f407a4aad11e61ULL ^ torsor::support_fingerprint;
   static constexpr int coordinate_count = 4;
   static constexpr int velocity_count = 3;
   static constexpr int input_count = 0;
@@ -84,7 +84,7 @@ struct Mechanism {
   static constexpr int first_integral_count = 1;
   /// Indices in q of the first components (w) of the unit quaternions (w, x, y, z).
   static constexpr int quaternion_count = 1;
-  static constexpr int quaternions[] = {0};
+  static constexpr int quaternions[quaternion_count] = {0};
 
   /// Parameters that are set at run time.
   struct Parameters {

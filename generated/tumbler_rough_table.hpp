@@ -63,7 +63,7 @@ struct Mechanism {
 
   static constexpr const char* name = "tumbler_rough_table";
   /// 64 bits (FNV-1a) of this file from "#pragma once" on, with zeros in their own place: another mechanism, other bits.
-  static constexpr unsigned long long fingerprint = 0x52fa5d9de5b06a97ULL ^ torsor::support_fingerprint;
+  static constexpr unsigned long long fingerprint = 0x2aa448aad55f7145ULL ^ torsor::support_fingerprint;
   static constexpr int coordinate_count = 6;
   static constexpr int velocity_count = 6;
   static constexpr int input_count = 0;
@@ -263,8 +263,8 @@ struct Mechanism {
   static constexpr int contact_count = 1;
   static constexpr int contact_row_count = 3;
   /// How many normals and tangents each contact has: dry friction has no normal.
-  static constexpr int contact_normals[] = {1};
-  static constexpr int contact_tangents[] = {2};
+  static constexpr int contact_normals[1] = {1};
+  static constexpr int contact_tangents[1] = {2};
 
   /// Coefficients of contacts.
   struct ContactCoefficients {

@@ -74,7 +74,7 @@ struct Mechanism {
 
   static constexpr const char* name = "turning_slot";
   /// 64 bits (FNV-1a) of this file from "#pragma once" on, with zeros in their own place: another mechanism, other bits.
-  static constexpr unsigned long long fingerprint = 0x65a2bdaac93ba634ULL ^ torsor::support_fingerprint;
+  static constexpr unsigned long long fingerprint = 0xedea8716ff15771cULL ^ torsor::support_fingerprint;
   static constexpr int coordinate_count = 2;
   static constexpr int velocity_count = 2;
   static constexpr int input_count = 0;
@@ -269,10 +269,10 @@ struct Mechanism {
   };
   /// Freedoms that e of the linearisation runs along: places in v (and in q, but for attitudes).
   static constexpr int independent_coordinate_count = 1;
-  static constexpr int independent_coordinates[] = {0};
+  static constexpr int independent_coordinates[1] = {0};
   /// Velocities that w of the linearisation deviates: places in v.
   static constexpr int independent_velocity_count = 1;
-  static constexpr int independent_velocities[] = {0};
+  static constexpr int independent_velocities[1] = {0};
 
   /// Poses and twists of all bodies, positions, velocities and Jacobians of named points, in ground axes;
   /// matrices column by column.

@@ -74,7 +74,7 @@ struct Mechanism {
 
   static constexpr const char* name = "whipple_bicycle";
   /// 64 bits (FNV-1a) of this file from "#pragma once" on, with zeros in their own place: another mechanism, other bits.
-  static constexpr unsigned long long fingerprint = 0xb464342492544a71ULL ^ torsor::support_fingerprint;
+  static constexpr unsigned long long fingerprint = 0xe830582695e5d76bULL ^ torsor::support_fingerprint;
   static constexpr int coordinate_count = 9;
   static constexpr int velocity_count = 9;
   static constexpr int input_count = 0;
@@ -313,10 +313,10 @@ struct Mechanism {
   };
   /// Freedoms that e of the linearisation runs along: places in v (and in q, but for attitudes).
   static constexpr int independent_coordinate_count = 7;
-  static constexpr int independent_coordinates[] = {0, 1, 3, 4, 6, 7, 8};
+  static constexpr int independent_coordinates[7] = {0, 1, 3, 4, 6, 7, 8};
   /// Velocities that w of the linearisation deviates: places in v.
   static constexpr int independent_velocity_count = 3;
-  static constexpr int independent_velocities[] = {4, 6, 7};
+  static constexpr int independent_velocities[3] = {4, 6, 7};
 
   /// Mass matrix M(q), symmetric, stored column by column: T2 = 1/2 v' M v.
   TORSOR_DEVICE static void mass_matrix(const Precomputed&, const State& state, std::array<Scalar, 81>& mass) noexcept {

@@ -62,7 +62,7 @@ struct Mechanism {
 
   static constexpr const char* name = "woodpecker_toy";
   /// 64 bits (FNV-1a) of this file from "#pragma once" on, with zeros in their own place: another mechanism, other bits.
-  static constexpr unsigned long long fingerprint = 0xec9714c9f0abd198ULL ^ torsor::support_fingerprint;
+  static constexpr unsigned long long fingerprint = 0x36b0dff24279eb72ULL ^ torsor::support_fingerprint;
   static constexpr int coordinate_count = 3;
   static constexpr int velocity_count = 3;
   static constexpr int input_count = 0;
@@ -230,8 +230,8 @@ struct Mechanism {
   static constexpr int contact_count = 3;
   static constexpr int contact_row_count = 6;
   /// How many normals and tangents each contact has: dry friction has no normal.
-  static constexpr int contact_normals[] = {1, 1, 1};
-  static constexpr int contact_tangents[] = {1, 1, 1};
+  static constexpr int contact_normals[3] = {1, 1, 1};
+  static constexpr int contact_tangents[3] = {1, 1, 1};
 
   /// Coefficients of contacts.
   struct ContactCoefficients {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "torsor/generator/emission/cpp_description.hpp"
 
+#include <algorithm>
+
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -37,8 +39,10 @@ std::string cpp_tables(const Structure& structure) {
     const std::string numbers = numbers_text(table);
     text += documentation_comment(table.documentation);
     if (numbers.empty()) continue;
+    // With its length: clang 14 reads no element of an array without one in a constant expression of a template.
+    const auto length = std::count(numbers.begin(), numbers.end(), ',') + 1;
     text += wrapped(fmt::format("static constexpr {} {}{};", factors ? "double" : "int", table.name,
-                                number ? " = " + numbers : "[] = {" + numbers + "}"),
+                                number ? " = " + numbers : fmt::format("[{}] = {{{}}}", length, numbers)),
                     2) +
             "\n";
   }

@@ -42,7 +42,7 @@ std::string quaternion_table(const MechanismListing& mechanism) {
   if (places.empty()) return "";
   return fmt::format(
       "/// Indices in q of the first components (w) of the unit quaternions (w, x, y, z).\n"
-      "static constexpr int quaternion_count = {};\nstatic constexpr int quaternions[] = {{{}}};\n",
+      "static constexpr int quaternion_count = {};\nstatic constexpr int quaternions[quaternion_count] = {{{}}};\n",
       places.size(), fmt::join(places, ", "));
 }
 
@@ -52,7 +52,7 @@ std::string redundancy_table(const Equations& equations) {
   const std::vector<std::size_t>& dropped = equations.redundancy().dropped;
   return fmt::format(
       "/// Multipliers that are taken as zero: their constraints repeat others.\n"
-      "static constexpr int redundant_count = {};\nstatic constexpr int redundant_multipliers[] = {{{}}};\n",
+      "static constexpr int redundant_count = {};\nstatic constexpr int redundant_multipliers[redundant_count] = {{{}}};\n",
       dropped.size(), fmt::join(dropped, ", "));
 }
 
@@ -67,7 +67,7 @@ std::string limits_table(const Model& model) {
   std::string text =
       "/// Range of each freedom, largest rate and largest effort, by its index in v; infinite where the scene states "
       "none.\n/// Data: no kernel looks at them.\nstruct Limits { double lower, upper, velocity, effort; };\n"
-      "static constexpr Limits limits[] = {\n";
+      "static constexpr Limits limits[velocity_count] = {\n";
   for (auto c = freedoms; c != end; ++c) {
     const CoordinateLimits limits = c->limits.value_or(CoordinateLimits());
     text += fmt::format("    {{{}, {}, {}, {}}},  // {}\n", bound(limits.lower, "-HUGE_VAL"),

@@ -2,23 +2,23 @@
 #include "torsor/generator/printing/driven_coordinates.hpp"
 
 #include <algorithm>
-#include <cstddef>
+#include <cmath>
 #include <optional>
 
 namespace torsor::printing {
 namespace {
 
 constexpr int highest_power = 8;  // of a law in a sum: beyond it nobody sees the powers of a binomial
+constexpr double weight_of_division = 20;  // a shorter formula that divides by what the longer one does not is no better
 
-/// law = rest + slope · base: the base is time or a function of it.
-struct AffineLaw {
+/// law = rest + slope · base^(halves/2): the base is time or a function of it, in the rest at most with a lower power.
+struct LawByBase {
   BasePointer base;
+  int halves = 2;
   Number coefficient;  ///< of the slope
   Product slope;
   Sum rest;
 };
-
-bool depends_on_time(const Sum& sum);
 
 bool depends_on_time(const Base& base) {
   if (base.symbol) return base.symbol->kind == SymbolKind::time;
@@ -28,10 +28,6 @@ bool depends_on_time(const Base& base) {
 
 bool depends_on_time(const Product& product) {
   return std::any_of(product.begin(), product.end(), [](const Power& power) { return depends_on_time(*power.base); });
-}
-
-bool depends_on_time(const Sum& sum) {
-  return std::any_of(sum.terms().begin(), sum.terms().end(), [](const auto& term) { return depends_on_time(term.first); });
 }
 
 /// The product without a base, and the halves of its exponent.
@@ -48,45 +44,79 @@ std::pair<Product, int> without(const Product& product, const Base& base) {
   return {std::move(rest), halves};
 }
 
-/// The law by the first base that one of its terms alone has, once, beside constants.
-std::optional<AffineLaw> affine(const Sum& law) {
+/// The law by the highest power of the first base that has one, beside constants; nothing where there is none.
+std::optional<LawByBase> by_base(const Sum& law) {
   for (const auto& [product, coefficient] : law.terms()) {
     for (const Power& power : product) {
-      if (power.halves != 2 || !depends_on_time(*power.base)) continue;
-      AffineLaw result{power.base, coefficient, without(product, *power.base).first, law};
+      if (power.halves < 2 || power.halves % 2 != 0 || !depends_on_time(*power.base)) continue;
+      LawByBase result{power.base, power.halves, coefficient, without(product, *power.base).first, law};
       result.rest.add(product, -coefficient);
-      const auto has_base = [&](const auto& term) { return without(term.first, *power.base).second != 0; };
-      const bool alone = std::none_of(result.rest.terms().begin(), result.rest.terms().end(), has_base);
-      if (alone && !depends_on_time(result.slope)) return result;
+      const auto is_as_high = [&](const auto& term) { return without(term.first, *power.base).second >= power.halves; };
+      const bool highest = std::none_of(result.rest.terms().begin(), result.rest.terms().end(), is_as_high);
+      if (highest && !depends_on_time(result.slope)) return result;
     }
   }
   return std::nullopt;
 }
 
-/// The sum with the base written by the name of the law, (name − rest)/slope; nothing where it has another than a whole,
-/// positive power.
-std::optional<Sum> by_name(const Sum& sum, const SymbolPointer& name, const AffineLaw& law) {
+/// The sum with powers of the base written by the name of the law, (name − rest)/slope; nothing where they are too high.
+std::optional<Sum> by_name(Sum sum, const SymbolPointer& name, const LawByBase& law) {
   Product inverse_slope = law.slope;
   for (Power& power : inverse_slope) power.halves = -power.halves;
-  Sum scaled;
+  Sum scaled, difference = Sum::symbol(name);
   scaled.add(inverse_slope, Number(1) / law.coefficient);
-  Sum difference = Sum::symbol(name);
   difference += Number(-1) * law.rest;
   const Sum base = difference * scaled;
-  std::vector<Sum> powers{Sum(Number(1))};
-  Sum result;
-  for (const auto& [product, coefficient] : sum.terms()) {
-    const auto [rest, halves] = without(product, *law.base);
-    if (halves < 0 || halves % 2 != 0 || halves > 2 * highest_power) return std::nullopt;
-    while (powers.size() <= static_cast<std::size_t>(halves / 2)) powers.push_back(powers.back() * base);
-    Sum term;
-    term.add(rest, coefficient);
-    result += term * powers[static_cast<std::size_t>(halves / 2)];
+  for (int round = 0; round < highest_power; ++round) {
+    Sum lower;
+    bool found = false;
+    for (const auto& [product, coefficient] : sum.terms()) {
+      auto [rest, halves] = without(product, *law.base);
+      Sum term;
+      if (halves < law.halves) {
+        term.add(product, coefficient);
+        lower += term;
+        continue;
+      }
+      found = true;
+      term.add(rest, coefficient);
+      Sum others{Number(1)};
+      if (halves > law.halves) {
+        others = Sum();
+        others.add({{law.base, halves - law.halves}}, Number(1));
+      }
+      lower += term * others * base;
+    }
+    sum = std::move(lower);
+    if (!found) return sum;
   }
-  return result;
+  return std::nullopt;
+}
+
+double reading_length(const Sum& sum);
+
+/// What a reader has to read of a factor, divisions with their weight.
+double reading_length(const Power& power) {
+  double base = 1;
+  if (power.base->kind == Base::Kind::function || power.base->kind == Base::Kind::group) base += reading_length(power.base->inside);
+  for (const Sum& other : power.base->others) base += reading_length(other);
+  return (base + (power.halves < 0 ? weight_of_division : 0)) * std::abs(power.halves) / 2;
+}
+
+double reading_length(const Sum& sum) {
+  double total = 0;
+  for (const auto& [product, coefficient] : sum.terms()) {
+    total += 1;
+    for (const Power& power : product) total += reading_length(power);
+  }
+  return total;
 }
 
 }  // namespace
+
+bool depends_on_time(const Sum& sum) {
+  return std::any_of(sum.terms().begin(), sum.terms().end(), [](const auto& term) { return depends_on_time(term.first); });
+}
 
 Sum DrivenCoordinates::named_in_angle(Sum angle) const {
   for (const auto& [name, law] : laws_) {
@@ -105,10 +135,10 @@ Sum DrivenCoordinates::named_in_angle(Sum angle) const {
 
 Sum DrivenCoordinates::named(Sum sum) const {
   for (const auto& [name, law] : laws_) {
-    const std::optional<AffineLaw> affine_law = affine(law);
-    if (!affine_law) continue;
-    std::optional<Sum> shorter = by_name(sum, name, *affine_law);
-    if (shorter && shorter->size() < sum.size()) sum = std::move(*shorter);
+    const std::optional<LawByBase> base = by_base(law);
+    if (!base) continue;
+    std::optional<Sum> shorter = by_name(sum, name, *base);
+    if (shorter && shorter->size() <= sum.size() && reading_length(*shorter) < reading_length(sum)) sum = std::move(*shorter);
   }
   return sum;
 }

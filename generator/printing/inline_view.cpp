@@ -98,21 +98,35 @@ GiNaC::ex called(Function function, const std::vector<GiNaC::ex>& arguments) {
 
 InlineView::InlineView(Program& program, const InlineLimits& limits, const SceneContent& scene)
     : program_(&program), limits_(limits), positive_(positive_parameters(scene)) {
+  struct Law {
+    SymbolPointer name;
+    GiNaC::ex value;
+    Sum written;
+  };
+  std::vector<Law> named;
+  const auto list = [&](const SymbolPointer& name, const Expression& law) {
+    const std::optional<GiNaC::ex> value = expression_to_read(program.lower(law));
+    const std::optional<Sum> written = value ? bounded_sum(*value) : std::nullopt;
+    if (!written || (name->kind != SymbolKind::coordinate && !depends_on_time(*written))) return;
+    if (name->kind == SymbolKind::coordinate || is_long(*written)) laws_.emplace_back(name, *written);
+    if (is_long(*written)) named.push_back({name, *value, *written});
+  };
   for (const CoordinateContent& coordinate : scene.coordinates) {
     if (!coordinate.law) continue;
-    const std::optional<GiNaC::ex> law = expression_to_read(program.lower(*coordinate.law));
-    if (!law) continue;
-    const std::optional<Sum> sum = bounded_sum(*law);
-    if (!sum) continue;  // the page cannot list it
-    laws_.emplace_back(coordinate.q, *sum);
-    if (!is_long(*sum)) continue;
-    named_values_[symbol(coordinate.q)] = *law;
-    driven_.add(coordinate.q, *sum);
+    const std::size_t before = named.size();
+    list(coordinate.q, *coordinate.law);
+    if (named.size() == before) continue;  // of rates that are constants, or past a limit
+    list(coordinate.v, rate(*coordinate.law));
+    list(coordinate.a, rate(rate(*coordinate.law)));
+  }
+  for (auto law = named.rbegin(); law != named.rend(); ++law) {  // ψ'' = −A Ω² sin Ω t before ψ = A sin Ω t
+    named_values_[symbol(law->name)] = law->value;
+    driven_.add(law->name, std::move(law->written));
   }
 }
 
-std::optional<Sum> InlineView::law(const CoordinateContent& coordinate) const {
-  const auto law = std::find_if(laws_.begin(), laws_.end(), [&](const auto& one) { return one.first == coordinate.q; });
+std::optional<Sum> InlineView::law(const SymbolPointer& name) const {
+  const auto law = std::find_if(laws_.begin(), laws_.end(), [&](const auto& one) { return one.first == name; });
   return law == laws_.end() ? std::nullopt : std::optional(law->second);
 }
 

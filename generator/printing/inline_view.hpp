@@ -29,11 +29,12 @@ class InlineView {
   /// `positive`: the symbols whose squares leave square roots.
   InlineView(const Program& program, const InlineLimits& limits, PositiveSymbols positive = {})
       : program_(&program), limits_(limits), positive_(std::move(positive)) {}
-  /// For pages that list the coordinates: a driven one stands by its name inside sines and cosines, and where that makes a
-  /// sum shorter, unless its law is a single term like Ω t.
+  /// For pages that list the coordinates: a driven one and its rates stand by their names inside sines and cosines, and
+  /// where that makes a sum shorter, unless their law is a single term like Ω t.
   InlineView(Program& program, const InlineLimits& limits, const SceneContent& scene);
-  /// The law of a driven coordinate, to be listed; nothing when it is past a limit.
-  std::optional<Sum> law(const CoordinateContent& coordinate) const;
+  /// The law of a driven coordinate, its rate or its acceleration, to be listed; nothing when it is past a limit, or when a
+  /// rate has no name in formulas.
+  std::optional<Sum> law(const SymbolPointer& name) const;
 
   const InlineLimits& limits() const { return limits_; }
 
@@ -76,7 +77,7 @@ class InlineView {
   const Program* program_;
   InlineLimits limits_;
   PositiveSymbols positive_;
-  std::vector<std::pair<SymbolPointer, Sum>> laws_;  ///< of all driven coordinates that a page can list
+  std::vector<std::pair<SymbolPointer, Sum>> laws_;  ///< of driven coordinates and their rates, that a page can list
   DrivenCoordinates driven_;                         ///< those that stand by their names
   std::vector<NamedProduct> products_;
   std::vector<std::size_t> in_use_;

@@ -131,8 +131,10 @@ class Printer {
     }
     for (const CoordinateContent& c : scene.coordinates) {
       if (!c.law) continue;
-      const std::optional<Sum> law = equations_.view().law(c);
-      if (law) page_.value(*c.q, collected(*law), level(*law) <= Level::constant);
+      for (const SymbolPointer& name : {c.q, c.v, c.a}) {
+        const std::optional<Sum> law = equations_.view().law(name);
+        if (law) page_.value(*name, collected(*law), level(*law) <= Level::constant);
+      }
     }
     const std::vector<SymbolPointer> inputs = equations_.definitions().model().inputs();
     if (!inputs.empty()) page_.section(say("Inputs"));

@@ -98,8 +98,10 @@ InlineCheck check_inline(const Scene& scene, int digits, int states, std::uint64
       state.set(product.symbol->name, evaluate(collected(sum), value_of, digits));
     }
     for (const CoordinateContent& coordinate : scene.content().coordinates) {  // driven ones have their names
-      const auto law = printed.view().law(coordinate);
-      if (law) state.set(coordinate.q->name, evaluate(collected(*law), value_of, digits));
+      for (const SymbolPointer& name : {coordinate.q, coordinate.v, coordinate.a}) {
+        const auto law = printed.view().law(name);
+        if (law) state.set(name->name, evaluate(collected(*law), value_of, digits));
+      }
     }
     Evaluator<Real> program(printed.definitions().program(), value_of);
     for (const Comparison& comparison : all) {

@@ -76,6 +76,42 @@ TEST(DrivenLengths, OfSeveralTermsOfTimeHaveTheirNames) {
   EXPECT_FALSE(has(page, "L_0 ^2")) << page;
 }
 
+/// A bead in a slot of a table that swings by a law, held by a spring.
+Scene swinging_slot(bool swings) {
+  Scene scene("slot", "");
+  const Expression m = scene.parameter("m", "kg", 2), A = scene.parameter("A", "rad", 0.3_r), w = scene.parameter("omega", "rad/s", 3);
+  const Expression b = scene.parameter("b", "rad/s^2", 0.2_r), k = scene.parameter("k", "N/m", 40), h = scene.parameter("h", "m", 1);
+  const Expression psi = scene.coordinate("psi", "rad"), x = scene.coordinate("x", "m"), t = scene.time();
+  scene.drive(psi, swings ? A * sin(w * t) : A + w * t + b * t * t / 2);
+  const FrameHandle table = scene.revolute("table", "ground", axis::z, psi);
+  const FrameHandle bead = scene.prismatic("bead", table, axis::x, x);
+  scene.body("bead", bead, Inertia::point(m).at({0, h, 0}));
+  scene.spring("spring", x, k);
+  return scene;
+}
+
+TEST(DrivenRates, HaveTheirNames) {
+  const std::string page = print_equations(swinging_slot(true), Format::text, {});
+  EXPECT_TRUE(has(page, "  psi = A sin(omega t)\n  psi' = A omega cos(omega t)\n  psi'' = -A omega^2 sin(omega t)\n")) << page;
+  EXPECT_TRUE(has(page, "x:  m x'' - m h psi'' - m x psi'^2 = -k x\n")) << page;
+  EXPECT_FALSE(has(page, "cos(omega t)^2")) << page;
+}
+
+TEST(DrivenRates, OfPowersOfTimeHaveTheirNames) {
+  const std::string page = print_equations(swinging_slot(false), Format::text, {});
+  EXPECT_TRUE(has(page, "  psi = A + 1/2 b t^2 + omega t\n  psi' = omega + b t\n")) << page;
+  EXPECT_FALSE(has(page, "psi'' =")) << page;  // b is shorter
+  EXPECT_TRUE(has(page, "x:  m x'' - m x psi'^2 - m b h = -k x\n")) << page;
+}
+
+TEST(DrivenRates, AreDifferentiatedAsTheirLaws) {
+  for (const bool swings : {true, false}) {
+    const test::InlineCheck check = test::check_inline(swinging_slot(swings), 50, 5);
+    ASSERT_TRUE(check.written_out);
+    EXPECT_LT(check.worst, Real::parse("1e-46")) << swings << ": " << check.worst_of;  // some 50 terms of size 10, rounded at 1e-50 each
+  }
+}
+
 TEST(DrivenLengths, AreDifferentiatedAsTheirLaws) {
   for (const bool steadily : {true, false}) {
     const test::InlineCheck check = test::check_inline(hoist(steadily), 50, 5);
