@@ -69,6 +69,7 @@ void show(const Reference<double>& reference) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  return demonstrate(argc, argv, "disk_in_a_circle", "how fast a disk rolls round a circle and what friction it needs",
-                     show);
+  return demonstrate(
+      argc, argv,
+      {.name = "disk_in_a_circle", .about = "how fast a disk rolls round a circle and what friction it needs"}, show);
 }
