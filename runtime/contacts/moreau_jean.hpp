@@ -67,15 +67,20 @@ class MoreauJean {
   int contact_ = -1;
 };
 
-/// Steps of equal length from t0 to t1, `steps` of them; the status of the last one. integration_failed where t1 < t0 or
-/// there is no step.
+/// Steps of equal length.
+struct EqualSteps {
+  long count = 1;
+  double theta = 0.5;  ///< 0 <= θ <= 1, see MoreauJean
+};
+
+/// Equal steps from t0 to t1; the status of the last one. integration_failed where t1 < t0 or there is no step.
 template <ContactSystem S>
-ContactStatus step_contacts(const S& system, std::array<double, S::nq + S::nv>& y, double t0, double t1, long steps,
-                            double theta = 0.5) {
-  MoreauJean scheme(system, theta);
-  if (!(t1 >= t0) || steps < 1) return ContactStatus::integration_failed;
-  const double h = (t1 - t0) / static_cast<double>(steps);
-  for (long k = 0; k < steps; ++k) {
+ContactStatus step_contacts(const S& system, std::array<double, S::nq + S::nv>& y, double t0, double t1,
+                            const EqualSteps& steps) {
+  MoreauJean scheme(system, steps.theta);
+  if (!(t1 >= t0) || steps.count < 1) return ContactStatus::integration_failed;
+  const double h = (t1 - t0) / static_cast<double>(steps.count);
+  for (long k = 0; k < steps.count; ++k) {
     if (!scheme.step(t0 + static_cast<double>(k) * h, h, y)) return scheme.status();
   }
   return ContactStatus::reached_end;
