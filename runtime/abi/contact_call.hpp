@@ -121,7 +121,7 @@ class ContactCall {
     if (of.statuses != nullptr) of.statuses[i] = status;
     if (of.ends != nullptr) of.ends[i] = result.time;
     if (of.calls != nullptr) of.calls[i] = result.integration.statistics.calls;
-    if (call_.contacts != nullptr) call_.contacts[i] = result.contact;
+    if (call_.contacts != nullptr) call_.contacts[i] = result.contact.value_or(-1);
     return status;
   }
 

@@ -47,7 +47,7 @@ void ContactMotion::forget() {
   undetermined_.fill(false);
   along_.fill({});
   held_.setZero(rows());
-  jumping_ = -1;
+  jumping_.reset();
   followed_ = false;
   known_ = responded_ = solved_ = false;
   nearest_ = 1;
@@ -151,15 +151,15 @@ Evaluation ContactMotion::solve(double t, std::span<const double> y) {
     if (rule(i).bearing > 0) along_[as(i)] = equations.along(i);
   }
   r_ = equations.reactions();
-  if (busiest_slip() >= 0 && equations.kernel().cols() == 0) regularity_ = equations.scaled_determinant();
+  if (busiest_slip() && equations.kernel().cols() == 0) regularity_ = equations.scaled_determinant();
   a_ = dynamics_.a0;
   a_.noalias() += dynamics_.KJ * r_;
   solved_ = true;
   return a_.allFinite() ? Evaluation::ok : Evaluation::not_finite;
 }
 
-int ContactMotion::busiest_slip() const noexcept {
-  int busiest = -1;
+std::optional<int> ContactMotion::busiest_slip() const noexcept {
+  std::optional<int> busiest;
   double most = -1;
   for (int i = 0; i < count(); ++i) {
     if (!at(i).touches || at(i).regime != ContactRegime::slides || rule(i).tangents == 0) continue;
@@ -181,7 +181,7 @@ void ContactMotion::note_undetermined(const RegimeSystem& equations, const Conta
   for (Eigen::Index k = 0; k < others.cols(); ++k) others.col(k) /= others.col(k).cwiseProduct(units).cwiseAbs().maxCoeff();
   for (int i = 0; i < count(); ++i) {
     const auto differs = [&](int row) { return units(row) * others.row(row).cwiseAbs().maxCoeff() > 1e-9; };
-    bool any = rule(i).pressed_by >= 0 && differs(first_row(rule(i).pressed_by));
+    bool any = rule(i).pressed_by && differs(first_row(*rule(i).pressed_by));
     for (int k = first_bearing(i); k < first_bearing(i + 1); ++k) {
       const ContactVector change = (dynamics_.S.row(k) * others).transpose();
       any = any || change.cwiseAbs().maxCoeff() > 1e-9 * dynamics_.S.row(k).transpose().cwiseQuotient(units).cwiseAbs().maxCoeff();
@@ -310,8 +310,8 @@ double ContactMotion::pressing(int i) const noexcept {
     }
     return length;
   }
-  const int by = carrier(i);
-  return by < 0 ? 0 : r_(first_row(by));
+  const std::optional<int> by = carrier(i);
+  return by ? r_(first_row(*by)) : 0;
 }
 
 double ContactMotion::margin(int i) const noexcept {

@@ -3,6 +3,7 @@
 #include <array>
 #include <cstddef>
 #include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -36,7 +37,8 @@ class MoreauJean {
   [[nodiscard]] ContactStatus status() const noexcept { return status_; }
   [[nodiscard]] double residual() const noexcept { return residual_; }  ///< certificate of the last step
   [[nodiscard]] double depth() const noexcept { return depth_; }  ///< [m] below zero before its end put it back
-  [[nodiscard]] int contact() const noexcept { return contact_; }  ///< the one whose rule is invalid, or without a point; else -1
+  /// The one whose rule is invalid, or without a point.
+  [[nodiscard]] std::optional<int> contact() const noexcept { return contact_; }
   [[nodiscard]] const ContactVector& impulses() const noexcept { return impulses_; }  ///< of the last step, all rows
 
  private:
@@ -64,7 +66,7 @@ class MoreauJean {
   ContactVector impulses_;
   ContactStatus status_ = ContactStatus::reached_end;
   double residual_ = 0, depth_ = 0;
-  int contact_ = -1;
+  std::optional<int> contact_;
 };
 
 /// Steps of equal length.

@@ -123,7 +123,8 @@ TEST(MoreauJean, TakesDampingThatItIsToldOfImplicitly) {
 TEST(MoreauJean, RefusesImpossibleRules) {
   for (const ContactRule& wrong :
        {ContactRule{.friction = -0.1}, ContactRule{.friction = 0.3, .static_friction = 0.2}, ContactRule{.restitution = 1.5},
-        ContactRule{.bound = -1}, ContactRule{.restitution = NAN}}) {
+        ContactRule{.bound = -1}, ContactRule{.restitution = NAN}, ContactRule{.friction = 0.3, .static_friction = -1},
+        ContactRule{.static_bound = -1}, ContactRule{.tangents = 1, .normal = false, .pressed_by = -1}}) {
     auto system = block_on_plane(0.3);
     system.rules[0] = wrong;
     std::array<double, 6> y{0, 0, 0, 1, 0, 0};
