@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <optional>
 #include <string>
 
 #include "torsor/runtime/constraints/projection.hpp"
@@ -41,7 +42,7 @@ struct Consistency {
   using Scalar = ScalarOf<M>;
   ConsistencyStatus status = ConsistencyStatus::consistent;
   std::array<Scalar, static_cast<std::size_t>(M::multiplier_count)> left{};  ///< f, or A v - b, at best
-  int constraint = -1;                                                       ///< where that is worst
+  std::optional<int> constraint{};                                           ///< where that is worst, of a conflict
   std::array<bool, velocities_of<M>> position_involved{}, velocity_involved{};
   int free_positions = 0;   ///< in how many ways the positions could still be chosen
   int free_velocities = 0;  ///< the same of the velocities
@@ -64,9 +65,9 @@ template <MechanismModel M>
   }
   const bool positions = found.status == ConsistencyStatus::positions_conflict;
   const auto& involved = positions ? found.position_involved : found.velocity_involved;
-  const auto worst = static_cast<std::size_t>(found.constraint);
-  std::string text =
-      "constraint " + std::to_string(found.constraint) + " is off by " + std::to_string(found.left[worst]) + " at best";
+  const int worst = found.constraint.value_or(0);
+  std::string text = "constraint " + std::to_string(worst) + " is off by " +
+                     std::to_string(found.left[static_cast<std::size_t>(worst)]) + " at best";
   std::string names;
   for (std::size_t i = 0; i < involved.size(); ++i) {
     if (involved[i]) names += (names.empty() ? "" : ", ") + std::to_string(i);
@@ -309,6 +310,7 @@ requires(M::multiplier_count > 0) class ConsistentStateSearch {
   // The fixed values by which what is left could be made less.
   bool conflict(ConsistencyStatus status, const Eigen::Matrix<Scalar, rows, n>& G, const Residual& left,
                 const Column& ease, std::array<bool, nv>& involved) noexcept {
+    if (!left.allFinite()) return fail(ConsistencyStatus::not_finite);  // none of them is the worst
     Scalar worst = Scalar(0);
     for (int i = 0; i < rows; ++i) {
       const auto k = static_cast<std::size_t>(i);
