@@ -166,10 +166,13 @@ class ContactMotion {
   [[nodiscard]] bool jumps(int i, double t, std::span<const double> y);
   [[nodiscard]] bool follows_forces(int i) const noexcept;
   [[nodiscard]] bool respond();
-  [[nodiscard]] Evaluation align(double t, std::span<const double> y, const ContactProblem& problem, Regimes& regimes,
-                                 const PerContact<bool>& begins);
-  [[nodiscard]] Evaluation align_or_keep(double t, std::span<const double> y, const ContactProblem& problem, Regimes& regimes,
-                                         PerContact<bool>& begins);
+  /// Slips whose directions are sought from forces, and the problem that these solve.
+  struct Alignment {
+    const ContactProblem& problem;
+    PerContact<bool> begins{};
+  };
+  [[nodiscard]] Evaluation align(double t, std::span<const double> y, const Alignment& of, Regimes& regimes);
+  [[nodiscard]] Evaluation align_or_keep(double t, std::span<const double> y, Alignment of, Regimes& regimes);
   [[nodiscard]] ContactProblem problem_of(const ContactReading& reading, const ContactDynamics& dynamics) const;
   [[nodiscard]] double blur(int i) const noexcept;
   [[nodiscard]] bool strays(int i) const noexcept;
