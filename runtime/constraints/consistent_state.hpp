@@ -247,8 +247,7 @@ requires(M::multiplier_count > 0) class ConsistentStateSearch {
     const Change last(here.G, -here.value, position_ease_, Scalar(0), rank_tolerance);
     result_.free_positions = free_of(position_ease_) - last.rank;
     if (here.value.norm() > tolerance * here.size) {
-      return conflict(ConsistencyStatus::positions_conflict, here.G, here.value, position_ease_,
-                      result_.position_involved);
+      return conflict(ConsistencyStatus::positions_conflict, here.G, here.value);
     }
     shorten(start, y, travelled);
     return true;
@@ -302,14 +301,16 @@ requires(M::multiplier_count > 0) class ConsistentStateSearch {
     }
     const Equations e = read(y);
     if (!(e.rate.norm() <= tolerance * std::max(speed, std::numeric_limits<Scalar>::min()))) {
-      return conflict(ConsistencyStatus::velocities_conflict, e.G, e.rate, velocity_ease_, result_.velocity_involved);
+      return conflict(ConsistencyStatus::velocities_conflict, e.G, e.rate);
     }
     return true;
   }
 
   // The fixed values by which what is left could be made less.
-  bool conflict(ConsistencyStatus status, const Eigen::Matrix<Scalar, rows, n>& G, const Residual& left,
-                const Column& ease, std::array<bool, nv>& involved) noexcept {
+  bool conflict(ConsistencyStatus status, const Eigen::Matrix<Scalar, rows, n>& G, const Residual& left) noexcept {
+    const bool of_positions = status == ConsistencyStatus::positions_conflict;
+    const Column& ease = of_positions ? position_ease_ : velocity_ease_;
+    auto& involved = of_positions ? result_.position_involved : result_.velocity_involved;
     if (!left.allFinite()) return fail(ConsistencyStatus::not_finite);  // none of them is the worst
     Scalar worst = Scalar(0);
     for (int i = 0; i < rows; ++i) {
