@@ -15,11 +15,17 @@ constexpr std::array<const Triple*, 3> unit_axes{&axis::x, &axis::y, &axis::z};
 
 const Triple& unit_axis(int i) { return *unit_axes.at(static_cast<std::size_t>(i)); }
 
-void require_displacement(const std::string& joint, const std::string& what, const Expression& given, const Unit& unit,
-                          const std::string& unit_name) {
-  if (given.is_zero() || given.unit() == unit) return;
-  throw UnitError(fmt::format("the {} {} of the joint '{}' has the unit {} and must be in {}", what, given.to_string(),
-                              joint, given.unit().to_string(), unit_name));
+/// What a joint's displacement is measured in.
+struct DisplacementKind {
+  std::string what;
+  Unit unit;
+  std::string unit_name;
+};
+
+void require_displacement(const std::string& joint, const Expression& given, const DisplacementKind& kind) {
+  if (given.is_zero() || given.unit() == kind.unit) return;
+  throw UnitError(fmt::format("the {} {} of the joint '{}' has the unit {} and must be in {}", kind.what,
+                              given.to_string(), joint, given.unit().to_string(), kind.unit_name));
 }
 
 }  // namespace
@@ -37,8 +43,9 @@ FrameHandle Scene::add_joint(const std::string& name, JointType type, const Fram
   require_unit(placement.origin, units::metre, fmt::format("a component of the origin of the joint '{}'", name));
   for (const Step& step : steps) {
     if (!step.attitude) require_unit(step.axis, Unit(), fmt::format("a component of the axis of the joint '{}'", name));
-    if (step.kind == JointKind::revolute) require_displacement(name, "angle", step.displacement, Unit(), "rad");
-    if (step.kind == JointKind::prismatic) require_displacement(name, "displacement", step.displacement, units::metre, "m");
+    if (step.kind == JointKind::revolute) require_displacement(name, step.displacement, {"angle", Unit(), "rad"});
+    if (step.kind == JointKind::prismatic)
+      require_displacement(name, step.displacement, {"displacement", units::metre, "m"});
     if (!step.attitude) continue;
     AttitudeContent& attitude = content_.attitudes.at(as_index(*step.attitude));
     if (!attitude.frame.empty()) {
