@@ -147,7 +147,8 @@ class GrainMotion {
     }
     contacts_.colour(static_cast<std::uint32_t>(count), [this](std::uint32_t i) { return stands_[i] != 0; });
     if (!contacts_.order().empty()) {
-      const auto found = solver_.rest(grains_, contacts_, sweeps(), {.islands = groups_, .stands = stands_}, held_);
+      const auto found =
+          solver_.rest(grains_, contacts_, sweeps(), {.islands = groups_, .stands = stands_, .rests = held_});
       result.sweeps += found.sweeps;
       bool holds = false, begins = false;
       for (std::size_t i = 0; i < count; ++i) {

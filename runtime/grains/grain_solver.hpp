@@ -40,10 +40,11 @@ class GrainSolver {
     ThreadTeam& team;
   };
 
-  /// Grains that stand, in groups that touch.
+  /// Grains that stand, in groups that touch, and which of them rest.
   struct Standing {
     GrainGroups& islands;
-    const std::vector<std::uint8_t>& stands;  ///< 1 for each grain that does
+    const std::vector<std::uint8_t>& stands;  ///< 1 for each grain that stands
+    std::vector<std::uint8_t>& rests;         ///< gets 1 for each of an island that rests
   };
 
   void reserve(std::size_t count) {
@@ -70,11 +71,11 @@ class GrainSolver {
   /// * moves where v itself proves it: vᵀ M v_free = |v|² - Σ w · P is the power of the load on a motion that no
   ///   contact resists, w_N >= f |w_T|. What is missing there, d, counts with ten times the largest impulse;
   /// * is taken to move where the sweeps end before either is seen.
-  /// `rests` gets 1 for each grain of an island that rests; the contacts get its impulses. The residual is the largest
+  /// The contacts of an island that rests get its impulses. The residual is the largest
   /// momentum left to a grain that rests, over the largest impulse of its island.
-  Outcome rest(const Grains<dim>& grains, GrainContacts<dim>& contacts, const Sweeps& sweeps, const Standing& standing,
-               std::vector<std::uint8_t>& rests) {
-    const auto& [islands, stands] = standing;
+  Outcome rest(const Grains<dim>& grains, GrainContacts<dim>& contacts, const Sweeps& sweeps,
+               const Standing& standing) {
+    const auto& [islands, stands, rests] = standing;
     load(grains, contacts, true);
     Outcome outcome;
     for (double goal = sweeps.tolerance;; goal /= 10) {
@@ -168,7 +169,8 @@ class GrainSolver {
 
   // Whether all is decided.
   [[nodiscard]] bool judge(const Grains<dim>& grains, double tolerance, const Standing& standing) {
-    const auto& [islands, stands] = standing;
+    auto& islands = standing.islands;
+    const auto& stands = standing.stands;
     verdicts_.assign(grains.count(), Verdict());
     for (std::uint32_t i = 0; i < grains.count(); ++i) {
       if (stands[i] == 0) continue;
