@@ -71,8 +71,8 @@ class GrainSolver {
   /// * moves where v itself proves it: vᵀ M v_free = |v|² - Σ w · P is the power of the load on a motion that no
   ///   contact resists, w_N >= f |w_T|. What is missing there, d, counts with ten times the largest impulse;
   /// * is taken to move where the sweeps end before either is seen.
-  /// The contacts of an island that rests get its impulses. The residual is the largest
-  /// momentum left to a grain that rests, over the largest impulse of its island.
+  /// The contacts of an island that rests get its impulses. The residual is the largest momentum left to a grain that
+  /// rests, over the largest impulse of its island.
   Outcome rest(const Grains<dim>& grains, GrainContacts<dim>& contacts, const Sweeps& sweeps,
                const Standing& standing) {
     const auto& [islands, stands, rests] = standing;
