@@ -12,7 +12,7 @@ RegimeSystem::RegimeSystem(const ContactProblem& problem, const ContactScale& sc
   B_.setZero(rows, unknowns());
   c_.setZero(rows);
   int column = 0;
-  PerContact<std::optional<int>> normal_column{};
+  PerContact<int> normal_column{};  // of contacts that are pressed
   for (int i = 0; i < problem.count; ++i) {
     const ContactLaw& law = problem.law(i);
     const AssumedRegime& assumed = at(i);
@@ -23,7 +23,7 @@ RegimeSystem::RegimeSystem(const ContactProblem& problem, const ContactScale& sc
       rows_[as(column++)] = problem.first_row(i);
     }
     const std::optional<int> by = law.normal ? i : law.pressed_by;
-    const std::optional<int> pressing = by ? normal_column[as(*by)] : std::nullopt;
+    const int* const pressing = by && at(*by).pressed ? &normal_column[as(*by)] : nullptr;
     if (slides_in_bearing(i)) {
       bearings_ = true;
       for (int k = 0; k < law.tangents; ++k) B_(t + k, column) = -assumed.direction[as(k)];
@@ -32,7 +32,7 @@ RegimeSystem::RegimeSystem(const ContactProblem& problem, const ContactScale& sc
     }
     for (int k = 0; assumed.friction == Friction::slides && k < law.tangents; ++k) {
       c_(t + k) = -law.bound * assumed.direction[as(k)];
-      if (pressing) B_(t + k, *pressing) = -law.friction * assumed.direction[as(k)];
+      if (pressing != nullptr) B_(t + k, *pressing) = -law.friction * assumed.direction[as(k)];
     }
     for (int k = 0; assumed.friction == Friction::sticks && k < law.tangents; ++k) {
       B_(t + k, column) = 1;
