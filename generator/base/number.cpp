@@ -251,8 +251,11 @@ Number Number::pow(int exponent) const {
 std::optional<Number> Number::square_root() const {
   if (is_rational()) return root_of_rational(parts_[0]);
   if (sign() < 0) return std::nullopt;
-  const auto root = root_in_extension(from_parts(parts_[0], parts_[1], 0, 0), from_parts(parts_[2], parts_[3], 0, 0), 3,
-                                      sqrt3(), root_in_q_sqrt2);
+  const auto root = root_in_extension({.u = from_parts(parts_[0], parts_[1], 0, 0),
+                                       .v = from_parts(parts_[2], parts_[3], 0, 0),
+                                       .radicand = 3,
+                                       .surd = sqrt3()},
+                                      root_in_q_sqrt2);
   if (!root) return std::nullopt;
   return root->abs();
 }
