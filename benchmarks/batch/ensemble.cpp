@@ -53,11 +53,10 @@ struct Way {
 template <template <class> class Mechanism, class Number, class Method>
 std::vector<Way> ways(const char* quantity, const char* scalar, Member<Mechanism<Number>> (*members)(std::uint64_t),
                       Number end, const Method& by) {
-  const std::vector<Number> times = {end};
-  const auto alone = motion_ensemble<Mechanism<Number>>(member_count, members, times, by);
+  const EnsemblePlan<Number> plan{.count = member_count, .times = {end}};
+  const auto alone = motion_ensemble<Mechanism<Number>>(plan, members, by);
   const auto packed =
-      std::make_shared<decltype(packed_motion_ensemble<Mechanism, Number>(member_count, members, times, by))>(
-          member_count, members, times, by);
+      std::make_shared<decltype(packed_motion_ensemble<Mechanism, Number>(plan, members, by))>(plan, members, by);
   const std::size_t numbers = alone.head().numbers;
   const EnsembleGroups groups = packed->groups();
   return {{{quantity, "torsor, members alone", scalar, {}},

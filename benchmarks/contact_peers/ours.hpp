@@ -38,7 +38,7 @@ Way with_steps(const System& system, double end, double step, const Error& error
   return {"torsor", "steps of " + number("%.0e s", step), [&system, end, step, error]() -> Outcome {
             auto y = system.initial();
             const Stopwatch watch;
-            const auto status = runtime::step_contacts(system, y, 0, end, std::lround(end / step));
+            const auto status = runtime::step_contacts(system, y, 0, end, {.count = std::lround(end / step)});
             const double seconds = watch.seconds();
             return {seconds, status == runtime::ContactStatus::reached_end ? error(y) : INFINITY};
           }};

@@ -166,7 +166,8 @@ Problem spheres_in_a_box() {
                              solver.reserve(now.grains.count());
                              ThreadTeam team(1);
                              const Stopwatch watch;
-                             (void)solver.solve(now.grains, now.contacts, tolerance, 100000, team);
+                             (void)solver.solve(now.grains, now.contacts,
+                                                {.tolerance = tolerance, .most = 100000, .team = team});
                              const double seconds = watch.seconds();
                              std::vector<double> impulses;
                              for (const auto& contact : now.contacts.all()) {

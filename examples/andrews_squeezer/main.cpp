@@ -48,6 +48,7 @@ void show(const Reference<double>& reference) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  return demonstrate(argc, argv, "andrews_squeezer", "seven bodies, three loops, one freedom: the IVP Test Set's",
-                     show);
+  return demonstrate(
+      argc, argv, {.name = "andrews_squeezer", .about = "seven bodies, three loops, one freedom: the IVP Test Set's"},
+      show);
 }

@@ -88,6 +88,7 @@ void show(const Reference<double>& reference) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  return demonstrate(argc, argv, "arm7", "a seven-joint arm: fall against its reference, holding torques, timings",
-                     show);
+  return demonstrate(
+      argc, argv, {.name = "arm7", .about = "a seven-joint arm: fall against its reference, holding torques, timings"},
+      show);
 }

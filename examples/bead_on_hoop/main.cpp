@@ -98,5 +98,6 @@ void show(const Reference<double>& reference, const PlotFolder& plots) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  return demonstrate_with_plots(argc, argv, "bead_on_hoop", "relative equilibria and their bifurcation", show);
+  return demonstrate_with_plots(argc, argv,
+                                {.name = "bead_on_hoop", .about = "relative equilibria and their bifurcation"}, show);
 }

@@ -25,11 +25,18 @@ constexpr DormandPrince853 precise{.relative_tolerance = 1e-13, .absolute_tolera
 /// When and where a contact's sliding ended, and how fast the ball was then.
 struct End { double time = 0, x = 0, y = 0, vx = 0, vy = 0; };
 
+/// Where a ball is in the state, and the contact that slides.
+struct SlidingBall {
+  int contact = 0;
+  std::size_t q = 0, v = 7;  ///< of its x, and of the velocity of that
+};
+
 template <class S>
-End end_of_sliding(const S& system, typename S::State y, int contact, std::size_t q, std::size_t v, double until) {
+End end_of_sliding(const S& system, typename S::State y, const SlidingBall& ball, double until) {
   End end;
   integrate_contacts(system, y, 0, until, precise, {}, [&](const ContactEvent& event) {
-    if (event.kind != ContactEventKind::slip_ends || event.contact != contact) return true;
+    if (event.kind != ContactEventKind::slip_ends || event.contact != ball.contact) return true;
+    const std::size_t q = ball.q, v = ball.v;
     end = {event.time, event.state[q], event.state[q + 1], event.state[v], event.state[v + 1]};
     return false;
   });
@@ -38,7 +45,7 @@ End end_of_sliding(const S& system, typename S::State y, int contact, std::size_
 
 void add(Table& table, const std::string& shot, const Triple& V, const Triple& W) {
   const Ball ball;
-  const End end = end_of_sliding(ball, {0, 0, R, 1, 0, 0, 0, V[0], V[1], V[2], W[0], W[1], W[2]}, 0, 0, 7, 10);
+  const End end = end_of_sliding(ball, {0, 0, R, 1, 0, 0, 0, V[0], V[1], V[2], W[0], W[1], W[2]}, {.contact = 0}, 10);
   table.add({shot, scientific(end.time, 10), scientific(end.x, 10), scientific(end.y, 10), scientific(end.vx, 10),
              scientific(end.vy, 10)});
 }
@@ -61,7 +68,7 @@ void show() {
   const std::array<std::array<std::size_t, 2>, 2> places{{{0, 14}, {7, 20}}};
   for (int i = 0; i < 2; ++i) {
     const auto& [q, v] = places[static_cast<std::size_t>(i)];
-    const End end = end_of_sliding(balls, y, i, q, v, 1);
+    const End end = end_of_sliding(balls, y, {.contact = i, .q = q, .v = v}, 1);
     two.add({std::to_string(i + 1), scientific(end.time, 10), scientific(end.x, 10), scientific(end.y, 10),
              scientific(end.vx, 10), scientific(end.vy, 10)});
   }
@@ -70,7 +77,7 @@ void show() {
   const SoftCloth cloth;
   const std::array<const char*, 3> names{"sliding", "rolling", "spinning"};
   for (int i = 0; i < 3; ++i) {
-    const End end = end_of_sliding(cloth, {0, 0, R, 1, 0, 0, 0, 2, 0, 0, 0, 2 * 2 / R, 40}, i, 0, 7, 30);
+    const End end = end_of_sliding(cloth, {0, 0, R, 1, 0, 0, 0, 2, 0, 0, 0, 2 * 2 / R, 40}, {.contact = i}, 30);
     soft.add({names[static_cast<std::size_t>(i)], scientific(end.time, 10), scientific(end.x, 10), scientific(end.y, 10),
               scientific(end.vx, 10), scientific(end.vy, 10)});
   }

@@ -54,5 +54,7 @@ void show(const Reference<double>& reference) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  return demonstrate(argc, argv, "chaplygin_sleigh", "a knife edge turns spin into speed, and a sleigh round", show);
+  return demonstrate(argc, argv,
+                     {.name = "chaplygin_sleigh", .about = "a knife edge turns spin into speed, and a sleigh round"},
+                     show);
 }

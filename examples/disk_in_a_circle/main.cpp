@@ -16,8 +16,17 @@ using namespace torsor::runtime;
 using Disk = disk_in_a_circle::Mechanism<double>;
 constexpr double g = 9.81;
 
+/// The disk, the circle of its centre, and how fast it goes round.
+struct Round {
+  double rho;      ///< radius of the disk [m]
+  double R;        ///< radius of the circle [m]
+  double h;        ///< height of the centre [m]
+  double turning;  ///< [rad/s]
+};
+
 /// The state in which G may go round the circle: psi' is what remains to be found.
-Disk::State on_the_circle(double rho, double R, double h, double turning) {
+Disk::State on_the_circle(const Round& round) {
+  const auto [rho, R, h, turning] = round;
   const double d = std::sqrt(rho * rho - h * h);
   Disk::State state{};
   state.q.y = -R;
@@ -30,10 +39,10 @@ Disk::State on_the_circle(double rho, double R, double h, double turning) {
 }
 
 /// theta'' there, and the plane's reaction.
-double lean_acceleration(double rho, double R, double h, double turning, Disk::Multipliers& reaction) {
+double lean_acceleration(const Round& round, Disk::Multipliers& reaction) {
   Disk::Accelerations a{};
-  const Disk::Parameters parameters{.rho = rho};
-  const auto state = on_the_circle(rho, R, h, turning);
+  const Disk::Parameters parameters{.rho = round.rho};
+  const auto state = on_the_circle(round);
   const auto status = Disk::forward_dynamics(Disk::precompute(parameters), state, {}, a, reaction);
   return status == torsor::Status::ok ? a.theta : std::nan("");
 }
@@ -41,10 +50,10 @@ double lean_acceleration(double rho, double R, double h, double turning, Disk::M
 /// The rate of turning that keeps the lean: theta'' is even in it and linear in its square.
 void add_circle(Table& table, double rho, double R, double h) {
   Disk::Multipliers reaction{};
-  const double at_rest = lean_acceleration(rho, R, h, 0.0, reaction);
-  const double slope = lean_acceleration(rho, R, h, 1.0, reaction) - at_rest;
+  const double at_rest = lean_acceleration({rho, R, h, 0.0}, reaction);
+  const double slope = lean_acceleration({rho, R, h, 1.0}, reaction) - at_rest;
   const double turning = std::sqrt(-at_rest / slope), d = std::sqrt(rho * rho - h * h);
-  const double rest = lean_acceleration(rho, R, h, turning, reaction);
+  const double rest = lean_acceleration({rho, R, h, turning}, reaction);
   const double f = required_friction(reaction.N, tangential(reaction.X, reaction.Y));
   table.add({scientific(rho, 1), scientific(R, 1), scientific(h, 1), scientific(R * turning, 6),
              scientific(R * std::sqrt(4.0 * g * d / (h * (6.0 * R + d))), 6), scientific(reaction.N, 4),
@@ -69,6 +78,7 @@ void show(const Reference<double>& reference) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  return demonstrate(argc, argv, "disk_in_a_circle", "how fast a disk rolls round a circle and what friction it needs",
-                     show);
+  return demonstrate(
+      argc, argv,
+      {.name = "disk_in_a_circle", .about = "how fast a disk rolls round a circle and what friction it needs"}, show);
 }

@@ -48,5 +48,6 @@ void show(const Reference<double>& reference) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  return demonstrate(argc, argv, "double_pendulum", "a chaotic motion against its reference, and its energy", show);
+  return demonstrate(
+      argc, argv, {.name = "double_pendulum", .about = "a chaotic motion against its reference, and its energy"}, show);
 }

@@ -95,5 +95,6 @@ void show(const Reference<double>& reference, const PlotFolder& plots) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  return demonstrate_with_plots(argc, argv, "elastic_wing", "modes of a wing with an engine, and its answer to a gust", show);
+  return demonstrate_with_plots(
+      argc, argv, {.name = "elastic_wing", .about = "modes of a wing with an engine, and its answer to a gust"}, show);
 }

@@ -52,5 +52,6 @@ void show(const Reference<double>& reference) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  return demonstrate(argc, argv, "falling_plate", "a plate falls with its edge on a smooth plane", show);
+  return demonstrate(argc, argv, {.name = "falling_plate", .about = "a plate falls with its edge on a smooth plane"},
+                     show);
 }

@@ -45,6 +45,7 @@ void show(const Reference<double>& reference) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  return demonstrate(argc, argv, "flyball_governor", "a stiff benchmark: slider, angles and spin along ten seconds",
-                     show);
+  return demonstrate(
+      argc, argv, {.name = "flyball_governor", .about = "a stiff benchmark: slider, angles and spin along ten seconds"},
+      show);
 }

@@ -37,5 +37,6 @@ void show(const Reference<double>& reference) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  return demonstrate(argc, argv, "four_blade_rotor", "the inertia operator of a rotor, and its free motion", show);
+  return demonstrate(
+      argc, argv, {.name = "four_blade_rotor", .about = "the inertia operator of a rotor, and its free motion"}, show);
 }

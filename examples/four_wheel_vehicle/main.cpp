@@ -72,5 +72,7 @@ void show(const Reference<double>& reference) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  return demonstrate(argc, argv, "four_wheel_vehicle", "which steering lets four wheels roll without slipping", show);
+  return demonstrate(argc, argv,
+                     {.name = "four_wheel_vehicle", .about = "which steering lets four wheels roll without slipping"},
+                     show);
 }

@@ -43,6 +43,7 @@ void show(const Reference<double>& reference) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  return demonstrate(argc, argv, "friction_wheels", "two wheels rolling on each other, and the point where they meet",
-                     show);
+  return demonstrate(
+      argc, argv,
+      {.name = "friction_wheels", .about = "two wheels rolling on each other, and the point where they meet"}, show);
 }

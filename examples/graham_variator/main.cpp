@@ -57,5 +57,6 @@ void show(const Reference<double>& reference) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  return demonstrate(argc, argv, "graham_variator", "a ratio set by where a cone rolls in a ring", show);
+  return demonstrate(argc, argv, {.name = "graham_variator", .about = "a ratio set by where a cone rolls in a ring"},
+                     show);
 }

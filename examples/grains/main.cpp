@@ -58,5 +58,6 @@ void show(const PlotFolder& plots) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  return present(argc, argv, "grains", "the angle of repose in a drum, and the flow out of a silo", show);
+  return present(argc, argv, {.name = "grains", .about = "the angle of repose in a drum, and the flow out of a silo"},
+                 show);
 }

@@ -49,5 +49,7 @@ void show(const Reference<double>& reference) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  return demonstrate(argc, argv, "heavy_top", "a fast top nutates from the horizontal to upside down and back", show);
+  return demonstrate(argc, argv,
+                     {.name = "heavy_top", .about = "a fast top nutates from the horizontal to upside down and back"},
+                     show);
 }

@@ -72,6 +72,7 @@ void show(const Reference<double>& reference) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  return demonstrate(argc, argv, "helicopter_on_a_circle", "momentum and dynamic screws of a rotor on a curved path",
-                     show);
+  return demonstrate(
+      argc, argv,
+      {.name = "helicopter_on_a_circle", .about = "momentum and dynamic screws of a rotor on a curved path"}, show);
 }

@@ -48,5 +48,5 @@ void show(const Reference<double>& reference) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  return demonstrate(argc, argv, "kapitza_pendulum", "a shaken pendulum stands upside down", show);
+  return demonstrate(argc, argv, {.name = "kapitza_pendulum", .about = "a shaken pendulum stands upside down"}, show);
 }

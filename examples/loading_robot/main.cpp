@@ -95,5 +95,6 @@ void show(const Reference<double>& reference) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  return demonstrate(argc, argv, "loading_robot", "motor actions and a reaction by inverse dynamics", show);
+  return demonstrate(argc, argv, {.name = "loading_robot", .about = "motor actions and a reaction by inverse dynamics"},
+                     show);
 }

@@ -52,6 +52,7 @@ void show(const Reference<double>& reference) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  return demonstrate(argc, argv, "model_making_press_reduced", "the screw turns, the traverse follows, a_z = p omega_z",
-                     show);
+  return demonstrate(
+      argc, argv,
+      {.name = "model_making_press_reduced", .about = "the screw turns, the traverse follows, a_z = p omega_z"}, show);
 }

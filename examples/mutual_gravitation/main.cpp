@@ -77,5 +77,6 @@ void show(const Reference<double>& reference) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  return demonstrate(argc, argv, "mutual_gravitation", "two masses on conics about their centre of mass", show);
+  return demonstrate(argc, argv,
+                     {.name = "mutual_gravitation", .about = "two masses on conics about their centre of mass"}, show);
 }

@@ -54,5 +54,7 @@ void show(const Reference<double>& reference) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  return demonstrate(argc, argv, "nose_radar", "velocity and two components of the acceleration of an antenna", show);
+  return demonstrate(argc, argv,
+                     {.name = "nose_radar", .about = "velocity and two components of the acceleration of an antenna"},
+                     show);
 }

@@ -42,5 +42,6 @@ void show(const Reference<double>& reference) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  return demonstrate(argc, argv, "passenger_in_vehicle", "trunk and head of a passenger in a moving vehicle", show);
+  return demonstrate(
+      argc, argv, {.name = "passenger_in_vehicle", .about = "trunk and head of a passenger in a moving vehicle"}, show);
 }

@@ -54,5 +54,5 @@ void show(const Reference<double>& reference) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  return demonstrate(argc, argv, "plumb_line", "apparent gravity on the turning earth", show);
+  return demonstrate(argc, argv, {.name = "plumb_line", .about = "apparent gravity on the turning earth"}, show);
 }

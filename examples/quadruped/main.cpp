@@ -99,5 +99,6 @@ void show(const Reference<double>& reference) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  return demonstrate(argc, argv, "quadruped", "what holds it up, and what its legs do to it in the air", show);
+  return demonstrate(argc, argv,
+                     {.name = "quadruped", .about = "what holds it up, and what its legs do to it in the air"}, show);
 }

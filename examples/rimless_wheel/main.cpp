@@ -83,5 +83,6 @@ void show(const PlotFolder& plots) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  return present(argc, argv, "rimless_wheel", "a wheel of spokes walks down a slope and finds its gait", show);
+  return present(argc, argv,
+                 {.name = "rimless_wheel", .about = "a wheel of spokes walks down a slope and finds its gait"}, show);
 }

@@ -97,6 +97,7 @@ void show(const Reference<double>& reference) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  return demonstrate(argc, argv, "rolling_hoop", "rolling by multipliers and by contact forces; a disc on circles",
-                     show);
+  return demonstrate(
+      argc, argv, {.name = "rolling_hoop", .about = "rolling by multipliers and by contact forces; a disc on circles"},
+      show);
 }

@@ -56,5 +56,7 @@ void show(const Reference<double>& reference) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  return demonstrate(argc, argv, "satellite_arms", "arms deploy, the spin slows down, the cyclic momentum stays", show);
+  return demonstrate(argc, argv,
+                     {.name = "satellite_arms", .about = "arms deploy, the spin slows down, the cyclic momentum stays"},
+                     show);
 }

@@ -51,5 +51,6 @@ void show(const Reference<double>& reference) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  return demonstrate(argc, argv, "segment_in_sphere", "three independent angles, and the rate of AB", show);
+  return demonstrate(argc, argv, {.name = "segment_in_sphere", .about = "three independent angles, and the rate of AB"},
+                     show);
 }

@@ -115,6 +115,7 @@ void show(const Reference<double>& reference) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  return demonstrate(argc, argv, "shaker", "a spring seen from both its ends and from the mass alone; with a damper",
-                     show);
+  return demonstrate(
+      argc, argv,
+      {.name = "shaker", .about = "a spring seen from both its ends and from the mass alone; with a damper"}, show);
 }

@@ -74,5 +74,7 @@ void show(const Reference<double>& reference, const PlotFolder& plots) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  return demonstrate_with_plots(argc, argv, "sprung_absorber", "a mass on a spring keeps a machine still; how to damp it", show);
+  return demonstrate_with_plots(
+      argc, argv, {.name = "sprung_absorber", .about = "a mass on a spring keeps a machine still; how to damp it"},
+      show);
 }

@@ -86,5 +86,7 @@ void show(const PlotFolder& plots) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  return present(argc, argv, "stick_slip_belt", "where a block on a belt sticks and slips, and for how long", show);
+  return present(argc, argv,
+                 {.name = "stick_slip_belt", .about = "where a block on a belt sticks and slips, and for how long"},
+                 show);
 }

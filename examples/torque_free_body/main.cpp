@@ -48,6 +48,7 @@ void show(const Reference<double>& reference) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  return demonstrate(argc, argv, "torque_free_body",
-                     "a body left to itself, by a quaternion; it tumbles about one axis", show);
+  return demonstrate(
+      argc, argv,
+      {.name = "torque_free_body", .about = "a body left to itself, by a quaternion; it tumbles about one axis"}, show);
 }

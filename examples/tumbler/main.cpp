@@ -55,5 +55,6 @@ void show(const Reference<double>& reference) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  return demonstrate(argc, argv, "tumbler", "a weighted half sphere rocks and rolls on a table", show);
+  return demonstrate(argc, argv, {.name = "tumbler", .about = "a weighted half sphere rocks and rolls on a table"},
+                     show);
 }

@@ -53,5 +53,6 @@ void show(const Reference<double>& reference) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  return demonstrate(argc, argv, "turning_slot", "a constraint that depends on time, and its force", show);
+  return demonstrate(argc, argv, {.name = "turning_slot", .about = "a constraint that depends on time, and its force"},
+                     show);
 }

@@ -172,6 +172,8 @@ void show(const Reference<double>& reference, const PlotFolder& plots) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  return demonstrate_with_plots(argc, argv, "vibration_absorber",
-                     "a pendulum keeps an unbalanced machine still: reference, amplitudes, plots", show);
+  return demonstrate_with_plots(argc, argv,
+                                {.name = "vibration_absorber",
+                                 .about = "a pendulum keeps an unbalanced machine still: reference, amplitudes, plots"},
+                                show);
 }

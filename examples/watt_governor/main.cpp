@@ -51,5 +51,5 @@ void show(const Reference<double>& reference) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  return demonstrate(argc, argv, "watt_governor", "the angle of the balls against the speed", show);
+  return demonstrate(argc, argv, {.name = "watt_governor", .about = "the angle of the balls against the speed"}, show);
 }

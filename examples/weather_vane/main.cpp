@@ -58,5 +58,6 @@ void show(const Reference<double>& reference) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  return demonstrate(argc, argv, "weather_vane", "momentum and dynamic screws of a quarter disk on a hinge", show);
+  return demonstrate(
+      argc, argv, {.name = "weather_vane", .about = "momentum and dynamic screws of a quarter disk on a hinge"}, show);
 }

@@ -96,5 +96,6 @@ void show(const Reference<double>& reference) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  return demonstrate(argc, argv, "whipple_bicycle", "a bicycle that rides by itself between two speeds", show);
+  return demonstrate(argc, argv,
+                     {.name = "whipple_bicycle", .about = "a bicycle that rides by itself between two speeds"}, show);
 }

@@ -52,5 +52,6 @@ void show(const Reference<double>& reference) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  return demonstrate(argc, argv, "winder", "a bobbin on a turning arm, and the torque that turns it", show);
+  return demonstrate(argc, argv, {.name = "winder", .about = "a bobbin on a turning arm, and the torque that turns it"},
+                     show);
 }

@@ -87,5 +87,5 @@ void show(const PlotFolder& plots) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  return present(argc, argv, "woodpecker_toy", "a woodpecker slides down its pole in jerks", show);
+  return present(argc, argv, {.name = "woodpecker_toy", .about = "a woodpecker slides down its pole in jerks"}, show);
 }

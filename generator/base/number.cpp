@@ -31,11 +31,16 @@ std::optional<Number> root_of_rational(const cln::cl_RA& value) {
   return std::nullopt;
 }
 
-/// r with r² = u + v·surd, surd² = radicand, sought as r = p + q·surd: p² + radicand q² = u and 2pq = v give
-/// p² = (u ± w)/2 with w² = u² − radicand v². u, v, p, q, w lie in one field, whose roots `subfield_root` finds.
+/// u + v·surd, surd² = radicand.
+struct InExtension {
+  Number u, v, radicand, surd;
+};
+
+/// r with r² = u + v·surd, sought as r = p + q·surd: p² + radicand q² = u and 2pq = v give p² = (u ± w)/2 with
+/// w² = u² − radicand v². u, v, p, q, w lie in one field, whose roots `subfield_root` finds.
 template <class Root>
-std::optional<Number> root_in_extension(const Number& u, const Number& v, const Number& radicand, const Number& surd,
-                                        Root subfield_root) {
+std::optional<Number> root_in_extension(const InExtension& value, Root subfield_root) {
+  const auto& [u, v, radicand, surd] = value;
   if (v.is_zero()) {
     if (const auto root = subfield_root(u)) return root;
     if (const auto root = subfield_root(u / radicand)) return *root * surd;
@@ -57,7 +62,7 @@ std::optional<Number> root_in_q(const Number& value) {
 }
 
 std::optional<Number> root_in_q_sqrt2(const Number& value) {
-  return root_in_extension(value.part(0), value.part(1), 2, Number::sqrt2(), root_in_q);
+  return root_in_extension({.u = value.part(0), .v = value.part(1), .radicand = 2, .surd = Number::sqrt2()}, root_in_q);
 }
 
 std::string rational_text(const cln::cl_RA& value) {
@@ -246,8 +251,11 @@ Number Number::pow(int exponent) const {
 std::optional<Number> Number::square_root() const {
   if (is_rational()) return root_of_rational(parts_[0]);
   if (sign() < 0) return std::nullopt;
-  const auto root = root_in_extension(from_parts(parts_[0], parts_[1], 0, 0), from_parts(parts_[2], parts_[3], 0, 0), 3,
-                                      sqrt3(), root_in_q_sqrt2);
+  const auto root = root_in_extension({.u = from_parts(parts_[0], parts_[1], 0, 0),
+                                       .v = from_parts(parts_[2], parts_[3], 0, 0),
+                                       .radicand = 3,
+                                       .surd = sqrt3()},
+                                      root_in_q_sqrt2);
   if (!root) return std::nullopt;
   return root->abs();
 }

@@ -120,8 +120,8 @@ class ContactSimulation {
   };
 
   std::string of_contact(const runtime::ContactResult& end) const {
-    if (end.contact < 0 || end.contact >= contacts_.count()) return "";
-    return fmt::format("; contact '{}'", contacts_.name(end.contact));
+    if (!end.contact || *end.contact >= contacts_.count()) return "";
+    return fmt::format("; contact '{}'", contacts_.name(*end.contact));
   }
 
   /// Where the laws of contact end the motion: in which state, and which regimes there were and were found.

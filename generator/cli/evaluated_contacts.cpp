@@ -30,7 +30,7 @@ EvaluatedContacts::EvaluatedContacts(const Scene& scene, const ModelOptions& opt
     const ContactRows& rows = rows_[contact];
     rules_.push_back({.tangents = static_cast<int>(rows.tangents()),
                       .normal = rows.normal,
-                      .pressed_by = rows.pressed_by ? static_cast<int>(*rows.pressed_by) : -1,
+                      .pressed_by = rows.pressed_by ? std::optional(static_cast<int>(*rows.pressed_by)) : std::nullopt,
                       .bearing = components[contact],
                       .friction = motion_.value(of.friction),
                       .static_friction = motion_.value(of.static_friction),

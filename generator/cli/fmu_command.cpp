@@ -33,9 +33,16 @@ struct UnitRequest : KernelOptions {
   FmiVersion version() const { return fmi == 2 ? FmiVersion::two : FmiVersion::three; }
 };
 
-/// Names of one option, each once; `all` stands for the known ones.
-std::vector<std::string> chosen(const Scene& scene, const std::vector<std::string>& names, const std::string& option,
-                                const std::string& what, const std::vector<std::string>& known) {
+/// An option that takes names of things of a scene.
+struct NamesOption {
+  std::string option;
+  std::string what;                ///< a name of it stands for
+  std::vector<std::string> known;  ///< which of them the scene has
+};
+
+/// Names given to an option, each once; `all` stands for the known ones.
+std::vector<std::string> chosen(const Scene& scene, const std::vector<std::string>& names, const NamesOption& of) {
+  const auto& [option, what, known] = of;
   std::vector<std::string> all;
   for (const std::string& name : names) {
     const bool is_known = std::find(known.begin(), known.end(), name) != known.end();
@@ -59,9 +66,9 @@ OutputNames chosen_outputs(const Scene& scene, const OutputNames& asked) {
   for (const CoordinateContent& coordinate : content.coordinates) {
     if (coordinate.released) released.push_back(coordinate.q->name);
   }
-  return {chosen(scene, asked.points, "--points", "point", points),
-          chosen(scene, asked.frames, "--frames", "frame", frames),
-          chosen(scene, asked.reactions, "--reactions", "released coordinate", released)};
+  return {chosen(scene, asked.points, {"--points", "point", points}),
+          chosen(scene, asked.frames, {"--frames", "frame", frames}),
+          chosen(scene, asked.reactions, {"--reactions", "released coordinate", released})};
 }
 
 void write_sources(const std::filesystem::path& folder, const std::vector<SourceFile>& sources) {

@@ -63,7 +63,7 @@ std::string FormulaPrinter::print_factor(const Formula& formula) {
 std::string FormulaPrinter::print(const Formula& formula) {
   switch (formula.kind) {
     case Formula::Kind::value_number:
-      return name_of_(formula.value_number);
+      return name_of_(*formula.value_number);
     case Formula::Kind::constant:
       return formula.number.sign() < 0 ? "-" + name(-formula.number) : name(formula.number);
     case Formula::Kind::sum:

@@ -101,7 +101,7 @@ class ListingPrinter {
     if (!language_->computes_literals()) return lines(language_->literal(name(each.quantity), each, {}));
     const bool turns = each.right.kind == Formula::Kind::function &&
                        (each.right.function == Function::sin || each.right.function == Function::cos);
-    const std::string value = turns ? name(each.right.children[0].value_number) : formulas_.print(each.right);
+    const std::string value = turns ? name(*each.right.children[0].value_number) : formulas_.print(each.right);
     lines(language_->literal(name(each.quantity), each, value));
   }
   void write(const SinesAndCosines& group) {

@@ -61,13 +61,11 @@ Unit checked_unit(Function function, const std::vector<Expression>& arguments,
   if (arguments.size() != traits_of(function).arity) {
     throw Error(fmt::format("{} takes {} arguments", text(), traits_of(function).arity));
   }
-  std::vector<Unit> units;
-  std::vector<bool> zeros;
+  std::vector<ArgumentUnit> units;
   for (const Expression& argument : arguments) {
-    units.push_back(argument.unit());
-    zeros.push_back(argument.is_zero());
+    units.push_back({argument.unit(), argument.is_zero()});
   }
-  return unit_of_call(function, units, zeros, text, ": divide it by a quantity of that unit");
+  return unit_of_call(function, units, text, ": divide it by a quantity of that unit");
 }
 
 }  // namespace

@@ -33,33 +33,34 @@ const FunctionTraits& traits_of(Function function) { return functions()[static_c
 
 std::string_view to_string(Function function) { return traits_of(function).name; }
 
-Unit unit_of_call(Function function, const std::vector<Unit>& arguments, const std::vector<bool>& fits_any,
+Unit unit_of_call(Function function, const std::vector<ArgumentUnit>& arguments,
                   const std::function<std::string()>& text, std::string_view remedy) {
   const UnitRule rule = traits_of(function).units;
   const auto refuse = [&](std::size_t i, const std::string& reason) {
     throw UnitError(fmt::format("the argument {}of {} has the unit {} and {}",
-                                arguments.size() > 1 ? fmt::format("{} ", i + 1) : "", text(), arguments[i].to_string(),
-                                reason));
+                                arguments.size() > 1 ? fmt::format("{} ", i + 1) : "", text(),
+                                arguments[i].unit.to_string(), reason));
   };
   if (rule == UnitRule::dimensionless) {
     for (std::size_t i = 0; i < arguments.size(); ++i) {
-      if (!fits_any[i] && !arguments[i].is_dimensionless()) {
+      if (!arguments[i].fits_any && !arguments[i].unit.is_dimensionless()) {
         refuse(i, fmt::format("must be dimensionless{}", remedy));
       }
     }
     return Unit();
   }
-  if (rule == UnitRule::root) return arguments[0].root();
+  if (rule == UnitRule::root) return arguments[0].unit.root();
   Unit common;
   bool known = false;
   for (std::size_t i = rule == UnitRule::choice ? 1 : 0; i < arguments.size(); ++i) {
-    if (fits_any[i]) continue;
-    if (known && !(arguments[i] == common)) refuse(i, fmt::format("another one {}: give them one unit", common.to_string()));
-    common = arguments[i];
+    if (arguments[i].fits_any) continue;
+    if (known && !(arguments[i].unit == common))
+      refuse(i, fmt::format("another one {}: give them one unit", common.to_string()));
+    common = arguments[i].unit;
     known = true;
   }
   if (rule == UnitRule::ratio) return Unit();
-  return known ? common : arguments.back();  // zeros may carry a unit all the same
+  return known ? common : arguments.back().unit;  // zeros may carry a unit all the same
 }
 
 std::vector<Unit> argument_units(Function function, const Unit& result) {

@@ -51,9 +51,15 @@ const FunctionTraits& traits_of(Function function);
 
 std::string_view to_string(Function function);
 
-/// Unit of the result. Throws UnitError when those of the arguments do not fit; `fits_any` are literal zeros. `text` is
-/// the call as the message quotes it, `remedy` what it says of an argument that must be dimensionless.
-Unit unit_of_call(Function function, const std::vector<Unit>& arguments, const std::vector<bool>& fits_any,
+/// An argument of a call, as far as its unit is concerned.
+struct ArgumentUnit {
+  Unit unit;
+  bool fits_any = false;  ///< a literal zero
+};
+
+/// Unit of the result. Throws UnitError when those of the arguments do not fit. `text` is the call as the message
+/// quotes it, `remedy` what it says of an argument that must be dimensionless.
+Unit unit_of_call(Function function, const std::vector<ArgumentUnit>& arguments,
                   const std::function<std::string()>& text, std::string_view remedy = {});
 /// Units of arguments with which the result has that unit; what may be anything is dimensionless.
 std::vector<Unit> argument_units(Function function, const Unit& result);

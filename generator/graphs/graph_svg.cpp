@@ -4,6 +4,7 @@
 #include <map>
 #include <numbers>
 #include <numeric>
+#include <optional>
 
 #include <fmt/format.h>
 
@@ -106,16 +107,16 @@ Box around(const Place& at, double aside, double above, double below) {
 template <class On>
 Place free_place(const On& on, double aside, const std::vector<Box>& taken) {
   Place best;
-  double least = -1;
+  std::optional<double> least;
   for (const double t : {0.5, 0.44, 0.56, 0.38, 0.62, 0.32, 0.68, 0.26, 0.74}) {
     const Place here = on(t);
     double covered = 0;
     for (const Box& box : taken) covered += around(here, aside, 14, 13).shared(box);
-    if (least < 0 || covered < least) {
+    if (!least || covered < *least) {
       least = covered;
       best = here;
     }
-    if (!(least > 0)) break;
+    if (!(*least > 0)) break;
   }
   return best;
 }

@@ -2,6 +2,9 @@
 #include "torsor/generator/import/identifiers.hpp"
 
 #include <algorithm>
+#include <utility>
+
+#include <fmt/format.h>
 
 #include "torsor/generator/base/error.hpp"
 #include "torsor/generator/mechanics/identifier.hpp"
@@ -51,6 +54,26 @@ std::string Identifiers::take(const std::string& name, const std::string& kind,
   }
   for (const std::string& suffix : suffixes) taken_.insert(candidate + suffix);
   return candidate;
+}
+
+std::string FileIdentifiers::frame(const std::string& name, const std::string& kind,
+                                   const std::vector<std::string>& suffixes) {
+  std::string identifier = frames_.take(name, kind, suffixes);
+  note(kind, name, identifier);
+  return identifier;
+}
+
+std::string FileIdentifiers::symbol(const std::string& name, const std::string& kind,
+                                    const std::vector<std::string>& suffixes) {
+  std::string identifier = symbols_.take(name, kind, suffixes);
+  note(kind, name, identifier);
+  return identifier;
+}
+
+void FileIdentifiers::note(const std::string& kind, const std::string& name, const std::string& identifier) {
+  if (name == identifier) return;
+  std::string note = fmt::format("{} '{}' is {}", kind, name, identifier);
+  if (std::find(renamed_.begin(), renamed_.end(), note) == renamed_.end()) renamed_.push_back(std::move(note));
 }
 
 }  // namespace torsor

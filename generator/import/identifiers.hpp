@@ -23,4 +23,23 @@ class Identifiers {
   std::set<std::string> taken_;
 };
 
+/// Identifiers of the scene that a file becomes, and which of them replace names of the file.
+class FileIdentifiers {
+ public:
+  /// For names of the file: of a frame, and of any other thing.
+  std::string frame(const std::string& name, const std::string& kind, const std::vector<std::string>& suffixes = {""});
+  std::string symbol(const std::string& name, const std::string& kind, const std::vector<std::string>& suffixes = {""});
+  void note(const std::string& kind, const std::string& name, const std::string& identifier);
+  /// "link 'a-b' is a_b", each once.
+  const std::vector<std::string>& renamed() const { return renamed_; }
+
+  /// For names that are made here.
+  Identifiers& frames() { return frames_; }
+  Identifiers& symbols() { return symbols_; }
+
+ private:
+  Identifiers symbols_{{"t"}}, frames_{{"ground"}};
+  std::vector<std::string> renamed_;
+};
+
 }  // namespace torsor

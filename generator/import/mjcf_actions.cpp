@@ -43,7 +43,8 @@ void MjcfBuilder::add_scalar_actions(std::size_t i) {
   }
   if (joint.armature != 0) {
     const Expression a = parameter(name + "_armature", turns ? "kg m^2" : "kg", from_double(joint.armature));
-    add_rotor(scene_, frame_names_.take(name + "_rotor", "joint"), {.displacement = q, .turns = turns, .armature = a});
+    add_rotor(scene_, identifiers_.frames().take(name + "_rotor", "joint"),
+              {.displacement = q, .turns = turns, .armature = a});
   }
   if (joint.limited && options_.limits && !model_.limits_act) {
     note("the flag limit or constraint is disabled: --limits makes no stops", joint.name);
@@ -87,10 +88,10 @@ void MjcfBuilder::add_free_actions(std::size_t i) {
   }
   // ½ a Ω² of a body without mass whose moments are a about all axes.
   const Expression a = parameter(parts.name + "_armature", "kg m^2", from_double(joint.armature));
-  scene_.body(frame_names_.take(parts.name + "_rotor", "joint"), body,
+  scene_.body(identifiers_.frames().take(parts.name + "_rotor", "joint"), body,
               Inertia::general({.mass = 0, .xx = a, .yy = a, .zz = a}));
   for (std::size_t k = 0; is_free && k < 3; ++k) {
-    add_rotor(scene_, frame_names_.take(parts.name + axes.at(k) + "_rotor", "joint"),
+    add_rotor(scene_, identifiers_.frames().take(parts.name + axes.at(k) + "_rotor", "joint"),
               {.displacement = parts.place[k],
                .turns = false,
                .armature = a / Expression::quantity(Number(1), units::metre * units::metre)});
@@ -147,7 +148,7 @@ void MjcfBuilder::add_tendons() {
       continue;
     }
     const std::string name =
-        take(symbols_, tendon.name, "tendon", {"", "_stiffness", "_damping", "_friction", "_dry_friction"});
+        identifiers_.symbol(tendon.name, "tendon", {"", "_stiffness", "_damping", "_friction", "_dry_friction"});
     if (rubs) {
       const Expression bound = parameter(name + "_friction", "N", from_double(tendon.friction_loss));
       scene_.dry_friction(name + "_dry_friction", *length, {bound});

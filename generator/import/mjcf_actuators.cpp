@@ -43,14 +43,14 @@ void MjcfBuilder::does_not_act(const MjcfActuator& actuator, const std::string& 
 }
 
 void MjcfBuilder::drive(const MjcfActuator& actuator, const Expression& displacement) {
-  const std::string name = take(symbols_, actuator.name, "actuator");
+  const std::string name = identifiers_.symbol(actuator.name, "actuator");
   if (!actuator.law.empty()) data_.push_back(fmt::format("actuator {}: {}", actuator.name, actuator.law));
   scene_.motor(name, displacement);
 }
 
 /// What turns freely or acts at a site works with no coordinate: its force is a parameter that stays open.
 Expression MjcfBuilder::open_force(const MjcfActuator& actuator, bool is_force) {
-  const std::string name = take(symbols_, actuator.name, "actuator");
+  const std::string name = identifiers_.symbol(actuator.name, "actuator");
   data_.push_back(fmt::format("actuator {}: its {} is the run-time parameter {}{}", actuator.name,
                               is_force ? "force" : "torque", name, actuator.law.empty() ? "" : "; " + actuator.law));
   return scene_.run_time_parameter(name, is_force ? "N" : "N m", 0);
@@ -127,9 +127,8 @@ void MjcfBuilder::drive_at_site(const MjcfActuator& actuator) {
   if (!moves(site.body)) return does_not_act(actuator, "its site does not move");
   const bool forces = pushes(actuator);
   const Expression u = open_force(actuator, forces);
-  const std::string name = frame_names_.take(actuator.name + "_site", "site", {"", "_at"});
-  scene_.weld(name, frames_[static_cast<std::size_t>(site.body)],
-              {lengths(site.position), rotation(site.quaternion, "site " + site.name)});
+  const std::string name = identifiers_.frames().take(actuator.name + "_site", "site", {"", "_at"});
+  weld_at(site, name);
   const PointHandle at = scene_.point(name + "_at", name, {0, 0, 0});
   scene_.wrench(name + "_wrench", {.body = name,
                                    .point = at,
@@ -155,7 +154,7 @@ void MjcfBuilder::drive_between_sites(const MjcfActuator& actuator) {
   const Expression u = open_force(actuator, forces);
   const std::string axes = frame_of_site(other);
   const Triple force = parts(actuator, 0, u), moment = parts(actuator, 3, u, forces ? units::metre : Unit());
-  const std::string name = frame_names_.take(actuator.name, "actuator", {"_wrench", "_back"});
+  const std::string name = identifiers_.frames().take(actuator.name, "actuator", {"_wrench", "_back"});
   const auto act = [&](const std::string& called, int at, const Triple& f, const Triple& m) {
     const int body = model_.sites[static_cast<std::size_t>(at)].body;
     if (!moves(body)) return;

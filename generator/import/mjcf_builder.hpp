@@ -40,9 +40,6 @@ class MjcfBuilder {
   /// Notes of one kind share a line, with the parts of the model that it concerns.
   void note(const std::string& kind, const std::string& part);
   std::vector<std::string> notes() const;
-  void note_name(const std::string& kind, const std::string& name, const std::string& identifier);
-  std::string take(Identifiers& names, const std::string& name, const std::string& kind,
-                   const std::vector<std::string>& suffixes = {""});
 
   // Exact numbers of doubles.
   std::optional<Number> as_twelfths(double angle) const;
@@ -97,6 +94,7 @@ class MjcfBuilder {
   void does_not_act(const MjcfActuator& actuator, const std::string& why);
 
   // Sites and tendons.
+  void weld_at(const MjcfSite& site, const std::string& name);
   const std::string& frame_of_site(int site);
   PointHandle point_of_site(int site);
   /// The last body that both hang on; of a body and what hangs on it, the former.
@@ -123,13 +121,11 @@ class MjcfBuilder {
 
   const MjcfModel& model_;
   const MjcfOptions& options_;
-  std::vector<std::string> renamed_;
   UrdfChanges changes_;
   Scene scene_;
   std::vector<std::pair<std::string, std::vector<std::string>>> notes_;  ///< kinds, and the parts of each
   std::vector<std::string> data_;  ///< what is stated of joints and actuators, for the head
-  Identifiers symbols_{{"t"}};
-  Identifiers frame_names_{{"ground"}};
+  FileIdentifiers identifiers_;
   std::vector<std::string> frames_;  ///< by body
   std::map<int, std::string> site_frames_;
   std::map<int, PointHandle> site_points_;

@@ -72,10 +72,7 @@ void MjcfBuilder::add_ground() {
   for (const std::string& body : options_.ground.named) {
     if (!seen.insert(body).second) throw UsageError(fmt::format("--ground names the body '{}' twice: name it once", body));
   }
-  const TakeName take_name = [this](const std::string& name, const std::string& kind, const std::vector<std::string>& suffixes) {
-    return take(kind == "frame" ? frame_names_ : symbols_, name, kind, suffixes);
-  };
-  const SurfaceContacts contacts(scene_, take_name, "ground", options_.ground);
+  const SurfaceContacts contacts(scene_, identifiers_, "ground", options_.ground);
   std::vector<FrameReference> planes;
   for (std::size_t k = 0; k < model_.geoms.size(); ++k) {
     const MjcfGeom& geom = model_.geoms[k];

@@ -31,7 +31,7 @@ std::string MjcfBuilder::frame_at(int body, const std::string& name, const Exact
   const std::string& frame = frames_[static_cast<std::size_t>(body)];
   const bool at_origin = std::all_of(place.point.begin(), place.point.end(), [](const Number& x) { return x.is_zero(); });
   if (at_origin && place.turned.is_identity()) return frame;
-  const std::string made = frame_names_.take(name, "equality");
+  const std::string made = identifiers_.frames().take(name, "equality");
   scene_.weld(made, frame, {quantities(place.point, units::metre), place.turned});
   return made;
 }
@@ -126,7 +126,7 @@ void MjcfBuilder::add_points_together(const MjcfEquality& equality, const std::s
 /// What it ties may all be held: then no motion can satisfy or violate it.
 void MjcfBuilder::constrain(const MjcfEquality& equality, const Expression& f) {
   if (varies(f)) {
-    scene_.holonomic(take(symbols_, equality.name, "equality"), f);
+    scene_.holonomic(identifiers_.symbol(equality.name, "equality"), f);
   } else {
     note("equality constraints of what is held already do not act", equality.name);
   }
@@ -139,7 +139,8 @@ void MjcfBuilder::add_equalities() {
     switch (equality.type) {
       case MjcfEqualityType::connect:
       case MjcfEqualityType::weld: {
-        const std::string name = take(symbols_, equality.name, "equality", {"", "_x", "_y", "_z", "_rx", "_ry", "_rz"});
+        const std::string name =
+            identifiers_.symbol(equality.name, "equality", {"", "_x", "_y", "_z", "_rx", "_ry", "_rz"});
         add_points_together(equality, name);
         break;
       }

@@ -12,6 +12,7 @@
 #include "torsor/generator/import/mjcf.hpp"
 #include "torsor/generator/import/mjcf_builder.hpp"
 #include "torsor/generator/import/mjcf_origin.hpp"
+#include "torsor/generator/import/point_names.hpp"
 #include "torsor/generator/import/reading_notes.hpp"
 #include "torsor/generator/import/urdf_initial.hpp"
 
@@ -35,7 +36,7 @@ std::string MjcfBuilder::scene_name() {
     given = given.substr(0, given.find('.'));
   }
   std::string name = as_identifier(given, "robot");
-  note_name("model", given, name);
+  identifiers_.note("model", given, name);
   return name;
 }
 
@@ -62,7 +63,7 @@ ImportedMjcf MjcfBuilder::build() {
   if (options_.strict && !told.empty()) {
     throw FileError(fmt::format("{}: {}; correct the file, or leave out --strict", model_.file, told.front()));
   }
-  scene_.came_from(mjcf_origin(model_, options_, {renamed_, changes_.lines(), data_, told}));
+  scene_.came_from(mjcf_origin(model_, options_, {identifiers_.renamed(), changes_.lines(), data_, told}));
   return {std::move(scene_), std::move(told), model_.geoms};
 }
 
@@ -78,24 +79,13 @@ std::vector<std::string> MjcfBuilder::notes() const {
   return lines;
 }
 
-void MjcfBuilder::note_name(const std::string& kind, const std::string& name, const std::string& identifier) {
-  if (name != identifier) renamed_.push_back(fmt::format("{} '{}' is {}", kind, name, identifier));
-}
-
-std::string MjcfBuilder::take(Identifiers& names, const std::string& name, const std::string& kind,
-                              const std::vector<std::string>& suffixes) {
-  std::string identifier = names.take(name, kind, suffixes);
-  note_name(kind, name, identifier);
-  return identifier;
-}
-
 void MjcfBuilder::name_frames() {
   // With the members that the kernel kinematics makes of them.
   frames_.emplace_back("ground");
   for (std::size_t i = 1; i < model_.bodies.size(); ++i) {
-    frames_.push_back(take(frame_names_, model_.bodies[i].name, "body",
-                           {"", "_position", "_velocity", "_angular_velocity", "_rotation", "_origin",
-                            "_origin_position", "_origin_velocity", "_origin_jacobian"}));
+    frames_.push_back(identifiers_.frame(model_.bodies[i].name, "body",
+                                         {"", "_position", "_velocity", "_angular_velocity", "_rotation", "_origin",
+                                          "_origin_position", "_origin_velocity", "_origin_jacobian"}));
   }
 }
 
@@ -162,7 +152,7 @@ void MjcfBuilder::declare(std::size_t i) {
   if (joint.type == MjcfJointType::free) {
     std::vector<std::string> all{"_x", "_y", "_z", "_damping", "_armature", "_stiffness"};
     all.insert(all.end(), attitude.begin(), attitude.end());
-    parts.name = take(symbols_, joint.name, "joint", all);
+    parts.name = identifiers_.symbol(joint.name, "joint", all);
     static constexpr std::array<const char*, 3> axes{"_x", "_y", "_z"};
     for (std::size_t k = 0; k < 3; ++k) parts.place[k] = scene_.coordinate(parts.name + axes.at(k), "m");
     parts.attitude = scene_.attitude(parts.name + "_attitude");
@@ -171,14 +161,14 @@ void MjcfBuilder::declare(std::size_t i) {
   if (joint.type == MjcfJointType::ball) {
     std::vector<std::string> all{"_damping", "_armature", "_stiffness"};
     all.insert(all.end(), attitude.begin(), attitude.end());
-    parts.name = take(symbols_, joint.name, "joint", all);
+    parts.name = identifiers_.symbol(joint.name, "joint", all);
     parts.attitude = scene_.attitude(parts.name + "_attitude");
     return;
   }
   const bool turns = joint.type == MjcfJointType::hinge;
-  parts.name =
-      take(symbols_, joint.name, "joint",
-           {"", turns ? "_torque" : "_force", "_damping", "_stiffness", "_armature", "_friction", "_lower", "_upper"});
+  parts.name = identifiers_.symbol(
+      joint.name, "joint",
+      {"", turns ? "_torque" : "_force", "_damping", "_stiffness", "_armature", "_friction", "_lower", "_upper"});
   if (followed_.contains(i)) return;
   parts.position = scene_.coordinate(parts.name, turns ? "rad" : "m");
   parts.known = true;
@@ -257,7 +247,7 @@ void MjcfBuilder::place(std::size_t i) {
     offset = here;
     const bool at_origin = std::all_of(offset.begin(), offset.end(), [](const Number& x) { return x.is_zero(); });
     const bool last = n + 1 == joints.size() && at_origin;
-    const std::string moved = last ? frame : frame_names_.take(body.name + "_" + joint.name, "frame");
+    const std::string moved = last ? frame : identifiers_.frames().take(body.name + "_" + joint.name, "frame");
     at = add_joint(joints[n], moved, at, placement);
     placement = Placement{};
     if (last) return;
@@ -287,9 +277,10 @@ std::string MjcfBuilder::add_joint(std::size_t i, const std::string& frame, cons
 void MjcfBuilder::add_inertia(std::size_t i) {
   const MjcfBody& body = model_.bodies[i];
   if (body.mass == 0 && body.inertia == std::array<double, 3>{}) return;
-  const std::string word = symbols_.take(body.name, "body",
-                                         {"_mass", "_com_x", "_com_y", "_com_z", "_inertia_xx", "_inertia_yy",
-                                          "_inertia_zz", "_inertia_xy", "_inertia_xz", "_inertia_yz"});
+  const std::string word =
+      identifiers_.symbols().take(body.name, "body",
+                                  {"_mass", "_com_x", "_com_y", "_com_z", "_inertia_xx", "_inertia_yy", "_inertia_zz",
+                                   "_inertia_xy", "_inertia_xz", "_inertia_yz"});
   const Rotation r = rotation(body.principal, fmt::format("body {} (principal axes)", body.name));
   const auto moment = [&](int row, int column) {
     Number sum;
@@ -317,14 +308,10 @@ void MjcfBuilder::add_inertia(std::size_t i) {
 
 /// Bodies and sites by name; `all` are all bodies, unless a body or a site is called so.
 void MjcfBuilder::add_points() {
-  std::vector<std::string> wanted = options_.points;
-  const auto is_all = [](const auto& part) { return part.name == "all"; };
-  if (wanted == std::vector<std::string>{"all"} && std::none_of(model_.bodies.begin(), model_.bodies.end(), is_all) &&
-      std::none_of(model_.sites.begin(), model_.sites.end(), is_all)) {
-    wanted.clear();
-    for (std::size_t i = 1; i < model_.bodies.size(); ++i) wanted.push_back(model_.bodies[i].name);
-  }
-  for (const std::string& name : wanted) {
+  std::vector<std::string> bodies, sites;
+  for (std::size_t i = 1; i < model_.bodies.size(); ++i) bodies.push_back(model_.bodies[i].name);
+  for (const MjcfSite& each : model_.sites) sites.push_back(each.name);
+  for (const std::string& name : point_names(options_.points, bodies, sites)) {
     const auto is_named = [&name](const auto& part) { return part.name == name; };
     const auto body = std::find_if(model_.bodies.begin() + 1, model_.bodies.end(), is_named);
     if (body != model_.bodies.end()) {
@@ -334,13 +321,12 @@ void MjcfBuilder::add_points() {
     }
     const auto site = std::find_if(model_.sites.begin(), model_.sites.end(), is_named);
     if (site == model_.sites.end()) {
-      std::vector<std::string> known;
-      for (std::size_t i = 1; i < model_.bodies.size(); ++i) known.push_back(model_.bodies[i].name);
-      for (const MjcfSite& each : model_.sites) known.push_back(each.name);
+      std::vector<std::string> known = bodies;
+      known.insert(known.end(), sites.begin(), sites.end());
       throw UsageError(fmt::format("unknown body or site '{}' in --points: {}the model has {}", name,
                                    did_you_mean(name, known), fmt::join(known, ", ")));
     }
-    scene_.point(take(frame_names_, name, "site", {"_origin"}) + "_origin",
+    scene_.point(identifiers_.frame(name, "site", {"_origin"}) + "_origin",
                  frames_[static_cast<std::size_t>(site->body)], lengths(site->position));
   }
 }

@@ -5,14 +5,19 @@
 
 namespace torsor {
 
-/// A frame with the axes of a site, made once.
+/// A frame of that name with the axes of a site.
+void MjcfBuilder::weld_at(const MjcfSite& site, const std::string& name) {
+  scene_.weld(name, frames_[static_cast<std::size_t>(site.body)],
+              {lengths(site.position), rotation(site.quaternion, "site " + site.name)});
+}
+
+/// The same, made once.
 const std::string& MjcfBuilder::frame_of_site(int site) {
   const auto found = site_frames_.find(site);
   if (found != site_frames_.end()) return found->second;
   const MjcfSite& there = model_.sites[static_cast<std::size_t>(site)];
-  const std::string name = take(frame_names_, there.name, "site", {"", "_at"});
-  scene_.weld(name, frames_[static_cast<std::size_t>(there.body)],
-              {lengths(there.position), rotation(there.quaternion, "site " + there.name)});
+  const std::string name = identifiers_.frame(there.name, "site", {"", "_at"});
+  weld_at(there, name);
   return site_frames_.emplace(site, name).first->second;
 }
 
@@ -21,7 +26,7 @@ PointHandle MjcfBuilder::point_of_site(int site) {
   const auto found = site_points_.find(site);
   if (found != site_points_.end()) return found->second;
   const MjcfSite& there = model_.sites[static_cast<std::size_t>(site)];
-  const std::string name = take(frame_names_, there.name, "site", {"_at"}) + "_at";
+  const std::string name = identifiers_.frame(there.name, "site", {"_at"}) + "_at";
   const PointHandle point = scene_.point(name, frames_[static_cast<std::size_t>(there.body)], lengths(there.position));
   site_points_.emplace(site, point);
   return point;

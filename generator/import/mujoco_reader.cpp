@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
+#include <optional>
 
 #include <fmt/format.h>
 #include <mujoco/mujoco.h>
@@ -268,7 +269,7 @@ class Compiled {
   }
 
   void read_path(int i, MjcfTendon& tendon) const {
-    int before = -1;  // the site that the next one is joined to
+    std::optional<int> before;  // the site that the next one is joined to
     double divisor = 1;
     for (int k = m_.tendon_adr[i]; k < m_.tendon_adr[i] + m_.tendon_num[i]; ++k) {
       const int object = m_.wrap_objid[k];
@@ -277,11 +278,11 @@ class Compiled {
           tendon.terms.emplace_back(object, m_.wrap_prm[k]);
           break;
         case mjWRAP_PULLEY:
-          before = -1;
+          before.reset();
           divisor = m_.wrap_prm[k];
           break;
         case mjWRAP_SITE:
-          if (before >= 0) tendon.spans.push_back({before, object, divisor, distance(before, object)});
+          if (before) tendon.spans.push_back({*before, object, divisor, distance(*before, object)});
           before = object;
           break;
         default:

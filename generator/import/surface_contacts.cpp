@@ -26,21 +26,22 @@ constexpr std::array<std::pair<const char*, int>, 2> ends{{{"_top", 1}, {"_base"
 
 }  // namespace
 
-SurfaceContacts::SurfaceContacts(Scene& scene, TakeName take, const std::string& word, const Surfaces& surfaces)
-    : scene_(scene), take_(std::move(take)) {
+SurfaceContacts::SurfaceContacts(Scene& scene, FileIdentifiers& identifiers, const std::string& word,
+                                 const Surfaces& surfaces)
+    : scene_(scene), identifiers_(identifiers) {
   const auto parameter = [&](const char* what, const Number& value) {
-    return scene_.run_time_parameter(take_(word + what, "parameter", {""}), "1", Expression(value));
+    return scene_.run_time_parameter(identifiers_.symbol(word + what, "parameter"), "1", Expression(value));
   };
   law_.friction = parameter("_friction", surfaces.friction);
   law_.restitution = parameter("_restitution", surfaces.restitution);
 }
 
 FrameHandle SurfaceContacts::at(const std::string& name, const FrameReference& parent, const Placement& placement) const {
-  return scene_.weld(take_(name, "frame", {""}), parent, placement);
+  return scene_.weld(identifiers_.frame(name, "frame"), parent, placement);
 }
 
 void SurfaceContacts::touch(const std::string& name, const ContactShape& shape, const ContactShape& other) const {
-  scene_.contact(take_(name, "contact", suffixes(shape)), shape, other, law_);
+  scene_.contact(identifiers_.symbol(name, "contact", suffixes(shape)), shape, other, law_);
 }
 
 void SurfaceContacts::cylinder_on_plane(const std::string& name, const FrameHandle& centre, const form::Cylinder& cylinder,

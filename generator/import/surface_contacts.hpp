@@ -1,24 +1,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <functional>
 #include <string>
 #include <vector>
 
+#include "torsor/generator/import/identifiers.hpp"
 #include "torsor/generator/import/surfaces.hpp"
 #include "torsor/generator/mechanics/scene.hpp"
 
 namespace torsor {
 
-/// Makes an identifier of a frame or a symbol, such that none of it with each of the suffixes is taken; takes them.
-using TakeName = std::function<std::string(const std::string& name, const std::string& kind,
-                                           const std::vector<std::string>& suffixes)>;
-
 /// Contacts of one law between solids that a file states, each centred at a frame's origin with its axis along z.
 class SurfaceContacts {
  public:
   /// The law's coefficients are the run-time parameters <word>_friction and <word>_restitution.
-  SurfaceContacts(Scene& scene, TakeName take, const std::string& word, const Surfaces& surfaces);
+  SurfaceContacts(Scene& scene, FileIdentifiers& identifiers, const std::string& word, const Surfaces& surfaces);
 
   /// A frame at a place of another.
   FrameHandle at(const std::string& name, const FrameReference& parent, const Placement& placement) const;
@@ -33,7 +29,7 @@ class SurfaceContacts {
 
  private:
   Scene& scene_;
-  TakeName take_;
+  FileIdentifiers& identifiers_;
   SurfaceLaw law_;
 };
 

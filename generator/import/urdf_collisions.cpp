@@ -12,7 +12,7 @@
 namespace torsor {
 
 UrdfCollisions::UrdfCollisions(const UrdfContactScene& around, const std::string& word, const Surfaces& surfaces)
-    : around_(around), contacts_(around.scene, around.take, word, surfaces) {}
+    : around_(around), contacts_(around.scene, around.identifiers, word, surfaces) {}
 
 std::vector<const UrdfCollision*> UrdfCollisions::of_link(const std::string& link, const std::string& option) const {
   std::vector<const UrdfCollision*> found;

@@ -17,7 +17,7 @@ struct UrdfContactScene {
   Scene& scene;
   const UrdfRobot& robot;
   const std::map<std::string, std::string>& frames;  ///< of links
-  const TakeName& take;
+  FileIdentifiers& identifiers;
 };
 
 /// Makes contacts of the <collision> elements of links that an option names.

@@ -6,13 +6,14 @@
 
 #include <fmt/format.h>
 
+#include "torsor/generator/base/decimal.hpp"
 #include "torsor/generator/base/did_you_mean.hpp"
 #include "torsor/generator/base/error.hpp"
-#include "torsor/generator/base/decimal.hpp"
 #include "torsor/generator/base/high_precision.hpp"
 #include "torsor/generator/dynamics/equations/massless.hpp"
 #include "torsor/generator/import/command_words.hpp"
 #include "torsor/generator/import/identifiers.hpp"
+#include "torsor/generator/import/point_names.hpp"
 #include "torsor/generator/import/rotor.hpp"
 #include "torsor/generator/import/urdf.hpp"
 #include "torsor/generator/import/urdf_base.hpp"
@@ -60,9 +61,9 @@ class SceneBuilder {
   ImportedRobot build() {
     // With the members that the kernel kinematics makes of them.
     for (const UrdfLink& link : robot_.links) {
-      frames_[link.name] = take(frame_names_, link.name, "link",
-                                {"", "_position", "_velocity", "_angular_velocity", "_rotation", "_origin",
-                                 "_origin_position", "_origin_velocity", "_origin_jacobian"});
+      frames_[link.name] = identifiers_.frame(link.name, "link",
+                                              {"", "_position", "_velocity", "_angular_velocity", "_rotation",
+                                               "_origin", "_origin_position", "_origin_velocity", "_origin_jacobian"});
     }
     std::string base_name;
     if (root_.base == UrdfBase::floating) base_ = free_joint(root_.root, "link", base_name);
@@ -81,10 +82,7 @@ class SceneBuilder {
     for (const UrdfJoint& joint : robot_.joints) add_actions(joint);
     scene_.gravity(weight);
     add_points();
-    const TakeName take_name = [this](const std::string& name, const std::string& kind, const std::vector<std::string>& suffixes) {
-      return take(kind == "frame" ? frame_names_ : symbols_, name, kind, suffixes);
-    };
-    const UrdfContactScene around{scene_, robot_, frames_, take_name};
+    const UrdfContactScene around{scene_, robot_, frames_, identifiers_};
     add_ground(around, options_.ground);
     add_contacts(around, options_.contacts);
     for (const UrdfVisual& visual : robot_.visuals) {
@@ -99,7 +97,7 @@ class SceneBuilder {
       imported.notes.push_back(fmt::format("joint '{}' follows '{}': its limits are no stops, those of '{}' are", joint.name,
                                            joint.mimic->joint, joint.mimic->joint));
     }
-    imported.scene.came_from(urdf_origin(robot_, options_, imported.joints, renamed_));
+    imported.scene.came_from(urdf_origin(robot_, options_, imported.joints, identifiers_.renamed()));
     return imported;
   }
 
@@ -125,27 +123,14 @@ class SceneBuilder {
   std::string scene_name() {
     if (!options_.name.empty()) return options_.name;
     const std::string name = as_identifier(robot_.name, "robot");
-    note_name("robot", robot_.name, name);
+    identifiers_.note("robot", robot_.name, name);
     return name;
   }
 
-  void note_name(const std::string& kind, const std::string& name, const std::string& identifier) {
-    if (name == identifier) return;
-    std::string note = fmt::format("{} '{}' is {}", kind, name, identifier);
-    if (std::find(renamed_.begin(), renamed_.end(), note) == renamed_.end()) renamed_.push_back(std::move(note));
-  }
-
-  std::string take(Identifiers& names, const std::string& name, const std::string& kind,
-                   const std::vector<std::string>& suffixes = {""}) {
-    std::string identifier = names.take(name, kind, suffixes);
-    note_name(kind, name, identifier);
-    return identifier;
-  }
-
   FreeJoint free_joint(const std::string& name, const std::string& kind, std::string& word) {
-    word = take(symbols_, name, kind,
-                {"_x", "_y", "_z", "_attitude_w", "_attitude_x", "_attitude_y", "_attitude_z", "_attitude_omega_x",
-                 "_attitude_omega_y", "_attitude_omega_z"});
+    word = identifiers_.symbol(name, kind,
+                               {"_x", "_y", "_z", "_attitude_w", "_attitude_x", "_attitude_y", "_attitude_z",
+                                "_attitude_omega_x", "_attitude_omega_y", "_attitude_omega_z"});
     FreeJoint joint;
     for (std::size_t i = 0; i < 3; ++i) joint.position[i] = scene_.coordinate(word + "_" + axis_names.at(i), "m");
     joint.attitude = scene_.attitude(word + "_attitude");
@@ -193,20 +178,20 @@ class SceneBuilder {
     if (joint.type == UrdfJointType::floating) {
       free_[joint.name] = free_joint(joint.name, "joint", names_[joint.name]);
     } else if (joint.type == UrdfJointType::planar) {
-      const std::string word = take(symbols_, joint.name, "joint", {"_x", "_y", "_angle"});
+      const std::string word = identifiers_.symbol(joint.name, "joint", {"_x", "_y", "_angle"});
       names_[joint.name] = word;
       planar_[joint.name] = {scene_.coordinate(word + "_x", "m"), scene_.coordinate(word + "_y", "m"),
                              scene_.coordinate(word + "_angle", "rad")};  // braces: from left to right
     } else if (joint.type == UrdfJointType::spherical) {
-      const std::string word =
-          take(symbols_, joint.name, "joint",
-               {"_attitude_w", "_attitude_x", "_attitude_y", "_attitude_z", "_attitude_omega_x", "_attitude_omega_y",
-                "_attitude_omega_z"});
+      const std::string word = identifiers_.symbol(joint.name, "joint",
+                                                   {"_attitude_w", "_attitude_x", "_attitude_y", "_attitude_z",
+                                                    "_attitude_omega_x", "_attitude_omega_y", "_attitude_omega_z"});
       names_[joint.name] = word;
       free_[joint.name].attitude = scene_.attitude(word + "_attitude");
     } else if (!joint.mimic) {
       const std::string effort = joint.turns() ? "_torque" : "_force";
-      data.coordinate = take(symbols_, joint.name, "joint", {"", effort, "_damping", "_armature", "_friction", "_lower", "_upper"});
+      data.coordinate = identifiers_.symbol(joint.name, "joint",
+                                            {"", effort, "_damping", "_armature", "_friction", "_lower", "_upper"});
       names_[joint.name] = data.coordinate;
       const Expression q = scene_.coordinate(data.coordinate, joint.turns() ? "rad" : "m");
       displacements_[joint.name] = q;
@@ -214,7 +199,7 @@ class SceneBuilder {
         scene_.limits(q, {data.lower, data.upper, data.velocity, data.effort});
       }
     } else {
-      names_[joint.name] = take(symbols_, joint.name, "joint", {"", "_damping", "_armature", "_friction"});
+      names_[joint.name] = identifiers_.symbol(joint.name, "joint", {"", "_damping", "_armature", "_friction"});
     }
     data_.push_back(std::move(data));
   }
@@ -271,7 +256,7 @@ class SceneBuilder {
         const FreeJoint& free = free_.at(joint.name);
         std::string from = parent;
         if (!is_identity(joint.origin)) {
-          from = frame_names_.take(joint.name + "_fixed", "joint");
+          from = identifiers_.frames().take(joint.name + "_fixed", "joint");
           scene_.weld(from, parent, at);
         }
         return scene_.free(child, from, free.position, free.attitude);
@@ -282,7 +267,7 @@ class SceneBuilder {
         const auto& [x, y, angle] = planar_.at(joint.name);
         const Rotation tilt = rotation_to(joint.axis);
         if (tilt.is_identity()) return scene_.planar(child, parent, {.x = x, .y = y, .angle = angle}, at);
-        const std::string slide = frame_names_.take(joint.name + "_plane", "joint");
+        const std::string slide = identifiers_.frames().take(joint.name + "_plane", "joint");
         const FrameHandle frame =
             scene_.planar(slide, parent, {.x = x, .y = y, .angle = angle}, {at.origin, at.rotation * tilt});
         scene_.weld(child, slide, {{0, 0, 0}, tilt.transpose()});
@@ -303,7 +288,7 @@ class SceneBuilder {
     Triple components = quantities(options_.gravity, units::metre_per_second_squared);
     if (!options_.run_time_gravity) return components;
     for (std::size_t i = 0; i < 3; ++i) {
-      const std::string name = take(symbols_, fmt::format("gravity_{}", axis_names.at(i)), "parameter");
+      const std::string name = identifiers_.symbol(fmt::format("gravity_{}", axis_names.at(i)), "parameter");
       components[i] = scene_.run_time_parameter(
           name, "m/s^2", Expression::quantity(options_.gravity[i], units::metre_per_second_squared));
     }
@@ -314,9 +299,10 @@ class SceneBuilder {
     if (!link.inertial || link.inertial->is_zero()) return;
     const UrdfInertial& inertial = *link.inertial;
     const std::string& frame = frames_.at(link.name);
-    const std::string word = symbols_.take(link.name, "link",
-                                           {"_mass", "_com_x", "_com_y", "_com_z", "_inertia_xx", "_inertia_yy",
-                                            "_inertia_zz", "_inertia_xy", "_inertia_xz", "_inertia_yz"});
+    const std::string word =
+        identifiers_.symbols().take(link.name, "link",
+                                    {"_mass", "_com_x", "_com_y", "_com_z", "_inertia_xx", "_inertia_yy", "_inertia_zz",
+                                     "_inertia_xy", "_inertia_xz", "_inertia_yz"});
     const Expression mass = parameter(word + "_mass", "kg", inertial.mass);
     Triple center;
     for (std::size_t i = 0; i < 3; ++i) {
@@ -361,7 +347,7 @@ class SceneBuilder {
     }
     const std::optional<Number> armature = given(options_.armature, joint.name);
     if (armature && !armature->is_zero()) {
-      add_rotor(scene_, frame_names_.take(name + "_rotor", "joint"),
+      add_rotor(scene_, identifiers_.frames().take(name + "_rotor", "joint"),
                 {.displacement = displacement(joint),
                  .turns = joint.turns(),
                  .armature = parameter(name + "_armature", joint.turns() ? "kg m^2" : "kg", *armature)});
@@ -384,15 +370,11 @@ class SceneBuilder {
 
   /// Links by name; `all` are all, unless a link is called so.
   void add_points() {
-    if (options_.points == std::vector<std::string>{"all"} && !frames_.contains("all")) {
-      for (const UrdfLink& link : robot_.links) scene_.point(frames_.at(link.name) + "_origin", frames_.at(link.name), {0, 0, 0});
-      return;
-    }
-    for (const std::string& link : options_.points) {
+    std::vector<std::string> known;
+    for (const UrdfLink& link : robot_.links) known.push_back(link.name);
+    for (const std::string& link : point_names(options_.points, known)) {
       const auto found = frames_.find(link);
       if (found == frames_.end()) {
-        std::vector<std::string> known;
-        for (const UrdfLink& each : robot_.links) known.push_back(each.name);
         throw UsageError(fmt::format("unknown link '{}' in --points: {}the robot has {}", link,
                                      did_you_mean(link, known), fmt::join(known, ", ")));
       }
@@ -404,11 +386,9 @@ class SceneBuilder {
   const UrdfOptions& options_;
   SettledBase root_;
   std::map<std::string, UrdfDisplacement> displacements_of_joints_;
-  std::vector<std::string> renamed_;
   std::map<std::string, std::set<std::string>> coordinates_;  ///< their names, by joint
   Scene scene_;
-  Identifiers symbols_{{"t"}};
-  Identifiers frame_names_{{"ground"}};
+  FileIdentifiers identifiers_;
   std::vector<UrdfJointData> data_;
   std::map<std::string, std::string> frames_;        ///< by link
   std::map<std::string, std::string> names_;         ///< by joint that moves

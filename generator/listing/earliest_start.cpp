@@ -106,11 +106,11 @@ std::vector<Part> parts_of(const EarliestStarts& starts, const Formula& sum) {
 
 int EarliestStarts::operator()(const Formula& formula) const {
   switch (formula.kind) {
-    case Formula::Kind::value_number: return (*this)(formula.value_number);
+    case Formula::Kind::value_number: return (*this)(*formula.value_number);
     case Formula::Kind::constant: return 0;
     case Formula::Kind::function: {
       int last = 0;
-      for (const Formula& child : formula.children) last = std::max(last, (*this)(child.value_number));
+      for (const Formula& child : formula.children) last = std::max(last, (*this)(*child.value_number));
       return last + latency_of(formula.function);
     }
     case Formula::Kind::product: return last_factor(*this, formula) + Latency::multiplication;
@@ -152,9 +152,9 @@ void EarliestStarts::for_each_delay(const Formula& formula, const std::function<
   };
   switch (formula.kind) {
     case Formula::Kind::constant: return;
-    case Formula::Kind::value_number: return call(formula.value_number, 0);
+    case Formula::Kind::value_number: return call(*formula.value_number, 0);
     case Formula::Kind::function:
-      for (const Formula& child : formula.children) call(child.value_number, latency_of(formula.function));
+      for (const Formula& child : formula.children) call(*child.value_number, latency_of(formula.function));
       return;
     case Formula::Kind::product: return factors(formula, Latency::multiplication);
     case Formula::Kind::quotient:

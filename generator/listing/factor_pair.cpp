@@ -34,9 +34,13 @@ class Shape {
   std::string operator()(const Formula& formula) const {
     switch (formula.kind) {
       case Formula::Kind::value_number:
-        return formula.value_number == product_ ? joined("*", pair_) : text(formula.value_number);
+        return formula.value_number == product_ ? joined("*", pair_) : text(*formula.value_number);
       case Formula::Kind::constant: return formula.number.to_string();
-      case Formula::Kind::function: return text(formula.value_number);
+      case Formula::Kind::function: {
+        std::string call(to_string(formula.function));
+        for (const Formula& argument : formula.children) call += " " + (*this)(argument);
+        return call;
+      }
       case Formula::Kind::sum: {
         std::vector<std::string> terms;
         for (std::size_t i = 0; i < formula.children.size(); ++i)
@@ -121,7 +125,7 @@ void add_pairs(const Formula& formula, std::vector<FactorPair>& pairs) {
   std::map<ValueNumber, int> powers;
   const Number* number = nullptr;
   for (const Formula& child : formula.children) {
-    if (child.kind == Formula::Kind::value_number) ++powers[child.value_number];
+    if (child.kind == Formula::Kind::value_number) ++powers[*child.value_number];
     if (child.kind == Formula::Kind::constant) number = &child.number;
   }
   for (auto one = powers.begin(); one != powers.end(); ++one) {

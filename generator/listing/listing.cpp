@@ -28,7 +28,7 @@ const std::vector<SymbolPointer>& Layout::of(Table table) const {
 namespace {
 
 void mark(const Formula& formula, std::vector<bool>& read) {
-  if (formula.kind == Formula::Kind::value_number) read[static_cast<std::size_t>(formula.value_number)] = true;
+  if (formula.kind == Formula::Kind::value_number) read[static_cast<std::size_t>(*formula.value_number)] = true;
   for (const Formula& child : formula.children) mark(child, read);
 }
 

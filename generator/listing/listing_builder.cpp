@@ -147,7 +147,7 @@ ValueNumber ListingBuilder::place_of(ValueNumber value_number) const {
 }
 
 Formula ListingBuilder::placed(Formula formula) const {
-  if (formula.kind == Formula::Kind::value_number) formula.value_number = place_of(formula.value_number);
+  if (formula.kind == Formula::Kind::value_number) formula.value_number = place_of(*formula.value_number);
   for (Formula& child : formula.children) child = placed(std::move(child));
   return formula;
 }

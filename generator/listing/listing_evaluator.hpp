@@ -82,7 +82,7 @@ class ListingEvaluator {
   Scalar of(const Formula& formula) {
     switch (formula.kind) {
       case Formula::Kind::constant: return constant(formula.number);
-      case Formula::Kind::value_number: return of(formula.value_number);
+      case Formula::Kind::value_number: return of(*formula.value_number);
       case Formula::Kind::function: {
         std::vector<Scalar> arguments;
         for (const Formula& child : formula.children) arguments.push_back(of(child));

@@ -23,7 +23,7 @@ std::string written(const Formula& formula, const std::function<std::string(Valu
   };
   switch (formula.kind) {
     case Formula::Kind::value_number:
-      return leaf(formula.value_number);
+      return leaf(*formula.value_number);
     case Formula::Kind::constant:
       return formula.number.to_exact();
     case Formula::Kind::sum:
@@ -43,7 +43,7 @@ std::string digest(const std::string& text) { return fmt::format("{:016x}", Fnv(
 /// The formula with its leaves at other places.
 Formula moved(Formula formula, const std::vector<ValueNumber>& places) {
   if (formula.kind == Formula::Kind::value_number)
-    formula.value_number = places[static_cast<std::size_t>(formula.value_number)];
+    formula.value_number = places[static_cast<std::size_t>(*formula.value_number)];
   for (Formula& child : formula.children) child = moved(std::move(child), places);
   return formula;
 }

@@ -26,15 +26,14 @@ std::optional<int> turned_axis(JointType type) {
   return std::nullopt;
 }
 
-PlacedJoint<Vector, Value> placed(Program& program, JointType type, const Vector& point, const Value& pitch,
-                                  const Value& angle) {
+PlacedJoint<Vector, Value> placed(Program& program, const SymbolicJoint& symbolic) {
   PlacedJoint<Vector, Value> joint;
   for (int i = 0; i < 3; ++i) joint.a[static_cast<std::size_t>(i)][i] = program.number(Number(1));
   joint.b = joint.a;
-  const std::optional<int> about = turned_axis(type);
+  const std::optional<int> about = turned_axis(symbolic.type);
   if (about) {
-    const Value sine = program.sin(angle);
-    const Value cosine = program.cos(angle);
+    const Value sine = program.sin(symbolic.angle);
+    const Value cosine = program.cos(symbolic.angle);
     const int i = (*about + 1) % 3, j = (*about + 2) % 3;
     auto& b_i = joint.b[static_cast<std::size_t>(i)];
     auto& b_j = joint.b[static_cast<std::size_t>(j)];
@@ -43,8 +42,8 @@ PlacedJoint<Vector, Value> placed(Program& program, JointType type, const Vector
     b_j[i] = -sine;
     b_j[j] = cosine;
   }
-  joint.point = point;
-  joint.pitch = pitch;
+  joint.point = symbolic.point;
+  joint.pitch = symbolic.pitch;
   return joint;
 }
 
@@ -89,22 +88,20 @@ std::string describe(const JointFreedom& freedom) {
   return fmt::format("{} {}{}", motion, "xyz"[freedom.axis], freedom.of_b ? " of b" : "");
 }
 
-std::vector<Twist> allowed_twists(Program& program, JointType type, const Vector& point, const Value& pitch,
-                                  const Value& angle) {
-  const PlacedJoint<Vector, Value> joint = placed(program, type, point, pitch, angle);
+std::vector<Twist> allowed_twists(Program& program, const SymbolicJoint& symbolic) {
+  const PlacedJoint<Vector, Value> joint = placed(program, symbolic);
   std::vector<Twist> twists;
-  for (const JointFreedom& freedom : freedoms(type)) {
+  for (const JointFreedom& freedom : freedoms(symbolic.type)) {
     const auto [angular, linear] = twist_of(freedom, joint);
     twists.push_back({angular, linear});
   }
   return twists;
 }
 
-std::vector<Wrench> ideal_wrenches(Program& program, JointType type, const Vector& point, const Value& pitch,
-                                   const Value& angle) {
-  const PlacedJoint<Vector, Value> joint = placed(program, type, point, pitch, angle);
+std::vector<Wrench> ideal_wrenches(Program& program, const SymbolicJoint& symbolic) {
+  const PlacedJoint<Vector, Value> joint = placed(program, symbolic);
   std::vector<Wrench> wrenches;
-  for (const JointTransmission& part : transmissions(type)) {
+  for (const JointTransmission& part : transmissions(symbolic.type)) {
     const auto [resultant, moment] = wrench_of(part, joint);
     wrenches.push_back({resultant, moment});
   }

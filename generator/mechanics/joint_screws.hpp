@@ -66,13 +66,17 @@ std::pair<Vector, Vector> wrench_of(const JointTransmission& part, const PlacedJ
   return {axis, moment - joint.pitch * axis};
 }
 
-/// Symbolic bases in the axes of a, reduced at the point from which `point` = OB is measured: what the joint allows
-/// (b relative to a), and the ideal wrench of a on b. Each twist is per unit rate of its freedom and each wrench per
-/// unit of its intensity. `angle` is the one between the frames that the basis depends on: of b about x in a universal
-/// joint, of b about z in a line contact.
-std::vector<Twist> allowed_twists(Program& program, JointType type, const Vector& point, const Value& pitch,
-                                  const Value& angle);
-std::vector<Wrench> ideal_wrenches(Program& program, JointType type, const Vector& point, const Value& pitch,
-                                   const Value& angle);
+/// A joint between a and b, in the axes of a.
+struct SymbolicJoint {
+  JointType type = JointType::weld;
+  Vector point{};  ///< OB [m], from where bases are reduced
+  Value pitch{};   ///< of a helical joint [m/rad]
+  Value angle{};   ///< [rad] on which the basis depends: of b about x in a universal joint, about z in a line contact
+};
+
+/// Symbolic bases in the axes of a, reduced at O: what the joint allows (b relative to a), and the ideal wrench of a on
+/// b. Each twist is per unit rate of its freedom and each wrench per unit of its intensity.
+std::vector<Twist> allowed_twists(Program& program, const SymbolicJoint& joint);
+std::vector<Wrench> ideal_wrenches(Program& program, const SymbolicJoint& joint);
 
 }  // namespace torsor

@@ -319,8 +319,12 @@ class Scene {
   FrameHandle add_frame(FrameContent frame);
   PointHandle add_point(PointContent point);
   struct Step { std::string suffix; JointKind kind; Triple axis; Expression displacement; std::optional<int> attitude = std::nullopt; };
-  FrameHandle add_joint(const std::string& name, JointType type, const FrameReference& parent,
-                        const Placement& placement, const std::vector<Step>& steps);
+  struct StepsOfJoint {
+    JointType type;
+    std::vector<Step> steps;
+  };
+  FrameHandle add_joint(const std::string& name, const FrameReference& parent, const Placement& placement,
+                        const StepsOfJoint& joint);
   static std::vector<Step> turn(const PlaneRotations& rotations);
   static std::vector<Step> turn(AttitudeHandle attitude);
   static std::vector<Step> turn(const SphericalMotion& by);

@@ -15,11 +15,17 @@ constexpr std::array<const Triple*, 3> unit_axes{&axis::x, &axis::y, &axis::z};
 
 const Triple& unit_axis(int i) { return *unit_axes.at(static_cast<std::size_t>(i)); }
 
-void require_displacement(const std::string& joint, const std::string& what, const Expression& given, const Unit& unit,
-                          const std::string& unit_name) {
-  if (given.is_zero() || given.unit() == unit) return;
-  throw UnitError(fmt::format("the {} {} of the joint '{}' has the unit {} and must be in {}", what, given.to_string(),
-                              joint, given.unit().to_string(), unit_name));
+/// What a joint's displacement is measured in.
+struct DisplacementKind {
+  std::string what;
+  Unit unit;
+  std::string unit_name;
+};
+
+void require_displacement(const std::string& joint, const Expression& given, const DisplacementKind& kind) {
+  if (given.is_zero() || given.unit() == kind.unit) return;
+  throw UnitError(fmt::format("the {} {} of the joint '{}' has the unit {} and must be in {}", kind.what,
+                              given.to_string(), joint, given.unit().to_string(), kind.unit_name));
 }
 
 }  // namespace
@@ -32,13 +38,15 @@ FrameHandle Scene::add_frame(FrameContent frame) {
   return {static_cast<int>(content_.frames.size()) - 1};
 }
 
-FrameHandle Scene::add_joint(const std::string& name, JointType type, const FrameReference& parent,
-                             const Placement& placement, const std::vector<Step>& steps) {
+FrameHandle Scene::add_joint(const std::string& name, const FrameReference& parent, const Placement& placement,
+                             const StepsOfJoint& joint) {
+  const auto& [type, steps] = joint;
   require_unit(placement.origin, units::metre, fmt::format("a component of the origin of the joint '{}'", name));
   for (const Step& step : steps) {
     if (!step.attitude) require_unit(step.axis, Unit(), fmt::format("a component of the axis of the joint '{}'", name));
-    if (step.kind == JointKind::revolute) require_displacement(name, "angle", step.displacement, Unit(), "rad");
-    if (step.kind == JointKind::prismatic) require_displacement(name, "displacement", step.displacement, units::metre, "m");
+    if (step.kind == JointKind::revolute) require_displacement(name, step.displacement, {"angle", Unit(), "rad"});
+    if (step.kind == JointKind::prismatic)
+      require_displacement(name, step.displacement, {"displacement", units::metre, "m"});
     if (!step.attitude) continue;
     AttitudeContent& attitude = content_.attitudes.at(as_index(*step.attitude));
     if (!attitude.frame.empty()) {
@@ -67,35 +75,38 @@ FrameHandle Scene::weld(const std::string& name, const FrameReference& parent, c
 
 FrameHandle Scene::revolute(const std::string& name, const FrameReference& parent, const Triple& axis,
                             const Expression& angle, const Placement& placement) {
-  return add_joint(name, JointType::revolute, parent, placement, {{"1", JointKind::revolute, axis, angle}});
+  return add_joint(name, parent, placement, {JointType::revolute, {{"1", JointKind::revolute, axis, angle}}});
 }
 
 FrameHandle Scene::prismatic(const std::string& name, const FrameReference& parent, const Triple& axis,
                              const Expression& displacement, const Placement& placement) {
-  return add_joint(name, JointType::prismatic, parent, placement, {{"1", JointKind::prismatic, axis, displacement}});
+  return add_joint(name, parent, placement, {JointType::prismatic, {{"1", JointKind::prismatic, axis, displacement}}});
 }
 
 FrameHandle Scene::helical(const std::string& name, const FrameReference& parent, const HelicalMotion& motion,
                            const Placement& placement) {
-  const FrameHandle frame = add_joint(name, JointType::helical, parent, placement,
-                                      {{"1", JointKind::prismatic, motion.axis, motion.pitch * motion.angle},
-                                       {"2", JointKind::revolute, motion.axis, motion.angle}});
+  const FrameHandle frame = add_joint(name, parent, placement,
+                                      {JointType::helical,
+                                       {{"1", JointKind::prismatic, motion.axis, motion.pitch * motion.angle},
+                                        {"2", JointKind::revolute, motion.axis, motion.angle}}});
   content_.joints.back().pitch = motion.pitch;
   return frame;
 }
 
 FrameHandle Scene::cylindrical(const std::string& name, const FrameReference& parent, const CylindricalMotion& motion,
                                const Placement& placement) {
-  return add_joint(name, JointType::cylindrical, parent, placement,
-                   {{"1", JointKind::prismatic, motion.axis, motion.displacement},
-                    {"2", JointKind::revolute, motion.axis, motion.angle}});
+  return add_joint(name, parent, placement,
+                   {JointType::cylindrical,
+                    {{"1", JointKind::prismatic, motion.axis, motion.displacement},
+                     {"2", JointKind::revolute, motion.axis, motion.angle}}});
 }
 
 FrameHandle Scene::universal(const std::string& name, const FrameReference& parent, const UniversalMotion& motion,
                              const Placement& placement) {
-  return add_joint(name, JointType::universal, parent, placement,
-                   {{"1", JointKind::revolute, motion.first, motion.first_angle},
-                    {"2", JointKind::revolute, motion.second, motion.second_angle}});
+  return add_joint(name, parent, placement,
+                   {JointType::universal,
+                    {{"1", JointKind::revolute, motion.first, motion.first_angle},
+                     {"2", JointKind::revolute, motion.second, motion.second_angle}}});
 }
 
 std::vector<Scene::Step> Scene::turn(const PlaneRotations& rotations) {
@@ -134,50 +145,51 @@ std::vector<Scene::Step> Scene::slides(const std::vector<std::pair<Triple, Expre
 
 FrameHandle Scene::spherical(const std::string& name, const FrameReference& parent, const PlaneRotations& rotations,
                              const Placement& placement) {
-  return add_joint(name, JointType::spherical, parent, placement, turn(rotations));
+  return add_joint(name, parent, placement, {JointType::spherical, turn(rotations)});
 }
 FrameHandle Scene::spherical(const std::string& name, const FrameReference& parent, AttitudeHandle attitude,
                              const Placement& placement) {
-  return add_joint(name, JointType::spherical, parent, placement, turn(attitude));
+  return add_joint(name, parent, placement, {JointType::spherical, turn(attitude)});
 }
 
 FrameHandle Scene::planar(const std::string& name, const FrameReference& parent, const PlanarMotion& motion,
                           const Placement& placement) {
-  return add_joint(
-      name, JointType::planar, parent, placement,
-      slides({{axis::x, motion.x}, {axis::y, motion.y}}, {{"1", JointKind::revolute, axis::z, motion.angle}}));
+  return add_joint(name, parent, placement,
+                   {JointType::planar, slides({{axis::x, motion.x}, {axis::y, motion.y}},
+                                              {{"1", JointKind::revolute, axis::z, motion.angle}})});
 }
 
 FrameHandle Scene::line_contact(const std::string& name, const FrameReference& parent, const LineContactMotion& motion,
                                 const Placement& placement) {
-  return add_joint(
-      name, JointType::line_contact, parent, placement,
-      slides({{axis::x, motion.x}, {axis::y, motion.y}},
-             {{"1", JointKind::revolute, axis::z, motion.yaw}, {"2", JointKind::revolute, axis::x, motion.roll}}));
+  return add_joint(name, parent, placement,
+                   {JointType::line_contact, slides({{axis::x, motion.x}, {axis::y, motion.y}},
+                                                    {{"1", JointKind::revolute, axis::z, motion.yaw},
+                                                     {"2", JointKind::revolute, axis::x, motion.roll}})});
 }
 
 FrameHandle Scene::sphere_in_cylinder(const std::string& name, const FrameReference& parent,
                                       const SphereInCylinderMotion& motion, const Placement& placement) {
-  return add_joint(name, JointType::sphere_in_cylinder, parent, placement,
-                   slides({{motion.axis, motion.displacement}}, turn(motion.turn)));
+  return add_joint(name, parent, placement,
+                   {JointType::sphere_in_cylinder, slides({{motion.axis, motion.displacement}}, turn(motion.turn))});
 }
 
 FrameHandle Scene::point_contact(const std::string& name, const FrameReference& parent,
                                  const PointContactMotion& motion, const Placement& placement) {
-  return add_joint(name, JointType::point_contact, parent, placement,
-                   slides({{axis::x, motion.x}, {axis::y, motion.y}}, turn(motion.turn)));
+  return add_joint(name, parent, placement,
+                   {JointType::point_contact, slides({{axis::x, motion.x}, {axis::y, motion.y}}, turn(motion.turn))});
 }
 
 FrameHandle Scene::free(const std::string& name, const FrameReference& parent, const Triple& position,
                         const PlaneRotations& rotations) {
-  return add_joint(name, JointType::free, parent, {},
-                   slides({{axis::x, position[0]}, {axis::y, position[1]}, {axis::z, position[2]}}, turn(rotations)));
+  return add_joint(name, parent, {},
+                   {JointType::free,
+                    slides({{axis::x, position[0]}, {axis::y, position[1]}, {axis::z, position[2]}}, turn(rotations))});
 }
 FrameHandle Scene::free(const std::string& name, const FrameReference& parent, const Triple& position,
                         AttitudeHandle attitude) {
-  return add_joint(
-      name, JointType::free, parent, {},
-      slides({{axis::x, position[0]}, {axis::y, position[1]}, {axis::z, position[2]}}, turn(attitude)));
+  return add_joint(name, parent, {},
+                   {JointType::free,
+                    slides({{axis::x, position[0]}, {axis::y, position[1]}, {axis::z, position[2]}}, turn(attitude))});
 }
 
 void Scene::name_joint(const FrameHandle& frame, const std::string& name) {

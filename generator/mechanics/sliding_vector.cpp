@@ -56,10 +56,10 @@ void check(const DensityTerm& term, std::size_t edges) {
 
 Vector moment_at(const SlidingVector& sliding, const Vector& oa) { return cross(sliding.point - oa, sliding.vector); }
 
-Value moment_about(const Vector& resultant, const Vector& moment, const Vector& ab, const Vector& direction,
-                   const std::string& axis_name) {
+Value moment_about(const Vector& resultant, const Vector& moment, const NamedAxis& axis) {
+  const Vector &ab = axis.ab, &direction = axis.direction;
   if (identically_zero(direction)) {
-    throw SceneError(fmt::format("the direction of axis '{}' is the null vector: give a direction", axis_name));
+    throw SceneError(fmt::format("the direction of axis '{}' is the null vector: give a direction", axis.name));
   }
   const Vector at_b = moment + cross(resultant, ab);
   const Value square = dot(direction, direction);

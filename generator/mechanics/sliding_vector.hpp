@@ -30,14 +30,20 @@ Screw<Kind> screw_of(const std::vector<SlidingVector>& set, const Vector& oa) {
   return {resultant, moment};
 }
 
-/// Moment about the axis through B along `direction` (normalised here), M_B·u: any point B of the axis gives the same.
-/// `ab` from the point A where `moment` is given. Throws SceneError naming the axis when the direction is null.
-Value moment_about(const Vector& resultant, const Vector& moment, const Vector& ab, const Vector& direction,
-                   const std::string& axis_name);
+/// A line of space about which moments are taken, seen from a point A.
+struct NamedAxis {
+  std::string name;  ///< for messages
+  Vector ab;         ///< to any point B of the axis [m]
+  Vector direction;  ///< of any length
+};
+
+/// Moment about the axis, M_B·u with u its unit direction: any point B of the axis gives the same. `moment` is that at
+/// A. Throws SceneError naming the axis when the direction is null.
+Value moment_about(const Vector& resultant, const Vector& moment, const NamedAxis& axis);
 
 template <class Kind>
-Value moment_about(const Screw<Kind>& screw, const Vector& ab, const Vector& direction, const std::string& axis_name) {
-  return moment_about(resultant_of(screw), moment_of(screw), ab, direction, axis_name);
+Value moment_about(const Screw<Kind>& screw, const NamedAxis& axis) {
+  return moment_about(resultant_of(screw), moment_of(screw), axis);
 }
 
 /// A term c s1^i s2^j s3^k of a density of sliding vectors, per unit of length, area or volume; s1, s2, s3 go from 0 to

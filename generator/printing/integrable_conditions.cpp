@@ -36,7 +36,10 @@ struct Place {
 };
 struct PlaceOrder {
   bool operator()(const Place& a, const Place& b) const {
-    const int i = a.coordinate ? a.coordinate->v->index : -1, j = b.coordinate ? b.coordinate->v->index : -1;
+    const auto index = [](const Place& place) {
+      return place.coordinate ? std::optional(place.coordinate->v->index) : std::nullopt;
+    };
+    const auto i = index(a), j = index(b);  // none comes first
     return i != j ? i < j : compare(a.configuration, b.configuration) < 0;
   }
 };

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "torsor/generator/program/polynomial.hpp"
@@ -13,11 +14,11 @@ struct Formula {
   enum class Kind { value_number, constant, sum, product, quotient, function };
 
   Kind kind = Kind::constant;
-  ValueNumber value_number = -1;                  ///< of a value number
-  Number number;                   ///< of a constant
-  Function function{};             ///< of a function
-  std::vector<Formula> children;   ///< of sums, products, quotients (numerator, denominator); of a function: its value numbers
-  std::vector<bool> negative;      ///< of a sum: which children are subtracted
+  std::optional<ValueNumber> value_number;  ///< of a value number
+  Number number;                            ///< of a constant
+  Function function{};                      ///< of a function
+  std::vector<Formula> children;  ///< of sums, products, quotients (numerator, denominator); of a function: its value numbers
+  std::vector<bool> negative;     ///< of a sum: which children are subtracted
 
   static Formula of_value_number(ValueNumber value_number);
   static Formula of_number(const Number& number);

@@ -24,12 +24,12 @@ FormulaCode::Operand FormulaCode::operand(const Formula& formula, std::uint32_t 
       return {Operand::Kind::constant, place->second};
     }
     case Formula::Kind::value_number: {
-      needs_.push_back(formula.value_number);
-      return {Operand::Kind::value_number, static_cast<std::uint32_t>(formula.value_number)};
+      needs_.push_back(*formula.value_number);
+      return {Operand::Kind::value_number, static_cast<std::uint32_t>(*formula.value_number)};
     }
     case Formula::Kind::function: {
       const auto first = static_cast<std::uint32_t>(needs_.size());
-      for (const Formula& child : formula.children) needs_.push_back(child.value_number);
+      for (const Formula& child : formula.children) needs_.push_back(*child.value_number);
       const Operand result = emit(Kind::call, {Operand::Kind::value_number, first},
                                   {Operand::Kind::value_number, static_cast<std::uint32_t>(formula.children.size())}, depth);
       operations_.back().function = formula.function;

@@ -286,13 +286,11 @@ Value Program::shifted_angle(Function function, const Value& angle) {
 }
 
 Value Program::apply(Function function, const std::vector<Value>& given) {
-  std::vector<Unit> units;
-  std::vector<bool> zeros;
+  std::vector<ArgumentUnit> units;
   for (const Value& argument : given) {
-    units.push_back(argument.unit());
-    zeros.push_back(argument.is_zero());
+    units.push_back({argument.unit(), argument.is_zero()});
   }
-  const Unit unit = unit_of_call(function, units, zeros, [&] {
+  const Unit unit = unit_of_call(function, units, [&] {
     std::string text;
     for (const Value& argument : given) text += (text.empty() ? "" : ", ") + to_string(argument);
     return fmt::format("{}({})", torsor::to_string(function), text);

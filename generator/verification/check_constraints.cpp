@@ -27,13 +27,14 @@ class ConstraintCheck : MotionCheck {
       Moment at(*this, k + 1);
       for (const ConstraintRow& row : rows_) differentiate(row, at);
       const Poses middle = poses_.at(at.here), earlier = poses_.at(at.before), later = poses_.at(at.after);
+      const PosesInMotion poses{.before = earlier, .here = middle, .after = later};
       for (std::size_t j = 0; j < rows_.size(); ++j) {
         if (!wrenches_[j]) continue;
         const auto& law = scene_.content().constraints[j].law;
         if (rows_[j].holonomic) {
           displace(j, law, middle, at.here);
         } else if (std::holds_alternative<NoSlip>(law)) {
-          const Real power = power_in_motion(*wrenches_[j], earlier, middle, later, at.here);
+          const Real power = power_in_motion(*wrenches_[j], poses, at.here);
           keep(power - at.here(rows_[j].rate), sum_of_terms(rows_[j], at.here), wrench_);
         }
       }
@@ -89,9 +90,14 @@ class ConstraintCheck : MotionCheck {
     }
   }
 
+  /// A step before, now, and a step later.
+  struct PosesInMotion {
+    const Poses &before, &here, &after;
+  };
+
   /// Σ R·V + M·Ω, the twists from the poses: V = dO/dt, [Ω] = dR/dt Rᵀ.
-  Real power_in_motion(const WrenchOnLinks& wrenches, const Poses& before, const Poses& middle, const Poses& after,
-                       Evaluator<Real>& here) const {
+  Real power_in_motion(const WrenchOnLinks& wrenches, const PosesInMotion& poses, Evaluator<Real>& here) const {
+    const auto& [before, middle, after] = poses;
     Real sum(0);
     for (const auto& [link, wrench] : wrenches) {
       const auto at = static_cast<std::size_t>(link);

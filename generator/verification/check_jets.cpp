@@ -68,7 +68,7 @@ class JetCheck {
     const Coefficients c = taylor_coefficients(series, exact, degree + 1);
     const double rho = growth(c);
     const double size = std::max(1.0, largest(c[0]));
-    compare_in_double(state, c, rho, size, exact);
+    compare_in_double(state, {.coefficients = c, .rho = rho, .size = size}, exact);
     if (rho == 0) return;
     const Real h = pow(Real(10), -digits_of_step) / Real::from_double(rho);
 
@@ -97,8 +97,14 @@ class JetCheck {
     }
   }
 
-  void compare_in_double(const RandomState& state, const Coefficients& exact, double rho, double size,
-                         Evaluator<Real>& here) {
+  struct ExactSeries {
+    const Coefficients& coefficients;
+    double rho;   ///< their growth from one to the next
+    double size;  ///< of the state, 1 at least
+  };
+
+  void compare_in_double(const RandomState& state, const ExactSeries& series_of, Evaluator<Real>& here) {
+    const auto& [exact, rho, size] = series_of;
     const SeriesResult& series = *kernel_.series;
     Evaluator<double> fast(equations_.program(), state.in_double());
     const auto c = taylor_coefficients(series, fast, degree + 1);

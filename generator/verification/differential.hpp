@@ -33,17 +33,17 @@ class Differential {
 
   Differential operator-() const { return chain(-value_, -1); }
   friend Differential operator+(const Differential& a, const Differential& b) {
-    return combine(a.value_ + b.value_, a, 1, b, 1);
+    return combine(a.value_ + b.value_, {a, 1}, {b, 1});
   }
   friend Differential operator-(const Differential& a, const Differential& b) {
-    return combine(a.value_ - b.value_, a, 1, b, -1);
+    return combine(a.value_ - b.value_, {a, 1}, {b, -1});
   }
   friend Differential operator*(const Differential& a, const Differential& b) {
-    return combine(a.value_ * b.value_, a, b.value_, b, a.value_);
+    return combine(a.value_ * b.value_, {a, b.value_}, {b, a.value_});
   }
   friend Differential operator/(const Differential& a, const Differential& b) {
     const Scalar quotient = a.value_ / b.value_;
-    return combine(quotient, a, 1 / b.value_, b, -quotient / b.value_);
+    return combine(quotient, {a, 1 / b.value_}, {b, -quotient / b.value_});
   }
 
   friend Differential sin(const Differential& x) { return x.chain(std::sin(x.value_), std::cos(x.value_)); }
@@ -62,15 +62,20 @@ class Differential {
   }
   friend Differential atan2(const Differential& y, const Differential& x) {
     const Scalar square = x.value_ * x.value_ + y.value_ * y.value_;
-    return combine(std::atan2(y.value_, x.value_), y, x.value_ / square, x, -y.value_ / square);
+    return combine(std::atan2(y.value_, x.value_), {y, x.value_ / square}, {x, -y.value_ / square});
   }
 
  private:
   Differential chain(Scalar value, Scalar slope) const {
     return Differential(value, combination(slope, slopes_, Scalar(0), Slopes()));
   }
-  static Differential combine(Scalar value, const Differential& a, Scalar of_a, const Differential& b, Scalar of_b) {
-    return Differential(value, combination(of_a, a.slopes_, of_b, b.slopes_));
+  /// An argument, and the slope of a value along it.
+  struct Along {
+    const Differential& argument;
+    Scalar slope;
+  };
+  static Differential combine(Scalar value, const Along& a, const Along& b) {
+    return Differential(value, combination(a.slope, a.argument.slopes_, b.slope, b.argument.slopes_));
   }
 
   Scalar value_;

@@ -17,10 +17,13 @@ namespace {
 /// What a search goes uphill on.
 enum class Objective { potential, scaled };
 
-double height(const Accuracy& accuracy, Objective objective) {
-  if (!accuracy.counted) return -1;
+/// Nothing where there is no way uphill, which is below everything.
+std::optional<double> height(const Accuracy& accuracy, Objective objective) {
+  if (!accuracy.counted) return std::nullopt;
   // An infinite bound has lost its meaning, and with it the way uphill.
-  if (objective == Objective::potential) return accuracy.potential < 1e300 ? accuracy.potential : -1;
+  if (objective == Objective::potential) {
+    return accuracy.potential < 1e300 ? std::optional(accuracy.potential) : std::nullopt;
+  }
   return std::isnan(accuracy.scaled) ? std::numeric_limits<double>::infinity() : accuracy.scaled;
 }
 

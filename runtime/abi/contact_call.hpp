@@ -104,42 +104,48 @@ class ContactCall {
     }
   };
 
+  /// How far a motion has come, whatever ends it.
+  struct Progress {
+    ContactResult result;
+    std::size_t reached = 0;  ///< of the times asked for
+  };
+
   std::int32_t motion(std::size_t i) const noexcept {
     const torsor_motion& of = call_.motion;
-    ContactResult result;
-    result.time = number_of(of.time, i, 0);
-    std::size_t reached = 0;
+    Progress progress;
+    progress.result.time = number_of(of.time, i, 0);
     std::int32_t status = torsor_motion_without_memory;
     try {
-      status = moved(i, result, reached);
+      status = moved(i, progress);
     } catch (...) {  // memory: nothing else is thrown, and nothing may be through C
     }
-    write_nothing<M>(of, i, reached);
-    for (std::size_t row = reached; call_.regimes != nullptr && row < of.time_count; ++row) {
+    const ContactResult& result = progress.result;
+    write_nothing<M>(of, i, progress.reached);
+    for (std::size_t row = progress.reached; call_.regimes != nullptr && row < of.time_count; ++row) {
       for (std::size_t k = 0; k < System::contacts; ++k) regimes(i, row)[k] = -1;
     }
     if (of.statuses != nullptr) of.statuses[i] = status;
     if (of.ends != nullptr) of.ends[i] = result.time;
     if (of.calls != nullptr) of.calls[i] = result.integration.statistics.calls;
-    if (call_.contacts != nullptr) call_.contacts[i] = result.contact;
+    if (call_.contacts != nullptr) call_.contacts[i] = result.contact.value_or(-1);
     return status;
   }
 
-  std::int32_t moved(std::size_t i, ContactResult& result, std::size_t& reached) const {
+  std::int32_t moved(std::size_t i, Progress& progress) const {
     Law law{};
     if constexpr (M::input_count > 0) law = inputs_of<M>(call_.motion, i);
     const System system(parameters_, law);
     const bool usable = call_.impact_law >= 0 && call_.impact_law <= torsor_impact_sequential && call_.touch >= 0 &&
                         call_.at_rest >= 0 && call_.accumulation >= 0 && call_.event_limit >= 0 && !call_.motion.unprojected;
     if (!usable) return torsor_motion_invalid_options;
-    if (call_.motion.method == 0) return by(adaptive(call_.motion, DormandPrince54{}), system, i, result, reached);
-    if (call_.motion.method == 1) return by(adaptive(call_.motion, DormandPrince853{}), system, i, result, reached);
+    if (call_.motion.method == 0) return by(adaptive(call_.motion, DormandPrince54{}), system, i, progress);
+    if (call_.motion.method == 1) return by(adaptive(call_.motion, DormandPrince853{}), system, i, progress);
     return torsor_motion_unsuitable_model;
   }
 
   template <class Method>
-  std::int32_t by(const Method& method, const System& system, std::size_t i, ContactResult& result,
-                  std::size_t& reached) const {
+  std::int32_t by(const Method& method, const System& system, std::size_t i, Progress& progress) const {
+    auto& [result, reached] = progress;
     State y = start_of<M>(call_.motion, i);
     Watch watch{call_, i};
     const ContactMechanismOf<System> mechanism(system);

@@ -59,10 +59,14 @@ void read_columns(const torsor_view& from, StatesOfBlock states, [[maybe_unused]
   read_any_columns<rows, lanes>(from, states, to);
 }
 
+struct MatrixShape {
+  std::size_t rows, columns;
+};
+
 /// Writes a matrix of each of some states from packs that hold it column by column, the first in the first lane.
 template <std::size_t lanes>
-void write_matrices(const double* from, std::size_t rows, std::size_t columns, StatesOfBlock states,
-                    const torsor_view& to) noexcept {
+void write_matrices(const double* from, MatrixShape shape, StatesOfBlock states, const torsor_view& to) noexcept {
+  const auto [rows, columns] = shape;
   char* const data = static_cast<char*>(to.data) + static_cast<std::ptrdiff_t>(states.first) * to.state;
   for (std::size_t lane = 0; lane < states.count; ++lane) {
     char* const matrix = data + static_cast<std::ptrdiff_t>(lane) * to.state;
@@ -102,7 +106,7 @@ void write_matrices_of(const double* from, StatesOfBlock states, const torsor_vi
       }
     }
   }
-  write_matrices<lanes>(from, rows, columns, states, to);
+  write_matrices<lanes>(from, {rows, columns}, states, to);
 }
 
 /// Asks for the columns of a later block, so that they are there when it is read: what a kernel needs all at once
@@ -152,15 +156,22 @@ struct KernelShape {
   std::size_t result_count = 0;
 };
 
+/// A kernel with its parameters.
+template <class M>
+struct KernelOfParameters {
+  const AnyKernel<M>& kernel;
+  const KernelShape& shape;
+  const typename M::Precomputed& precomputed;
+};
+
 /// A kernel over a pack, or over numbers, at some states of a call.
 template <class M, std::size_t lanes>
 class BlockCall {
   static_assert(sizeof(ScalarOf<M>) == lanes * sizeof(double), "a pack is its numbers and nothing else");
 
  public:
-  BlockCall(const AnyKernel<M>& kernel, const KernelShape& shape, const typename M::Precomputed& precomputed,
-            const torsor_call& call, std::byte* results) noexcept
-      : kernel_(kernel), shape_(shape), precomputed_(precomputed), call_(call), results_(results) {
+  BlockCall(const KernelOfParameters<M>& of, const torsor_call& call, std::byte* results) noexcept
+      : kernel_(of.kernel), shape_(of.shape), precomputed_(of.precomputed), call_(call), results_(results) {
     operands_.order = call.order;
   }
 
@@ -189,7 +200,7 @@ class BlockCall {
         if (lanes > 1 && shape_.writers[r] != nullptr) {
           shape_.writers[r](from, states, call_.results[r]);
         } else {
-          write_matrices<lanes>(from, rows, columns, states, call_.results[r]);
+          write_matrices<lanes>(from, {rows, columns}, states, call_.results[r]);
         }
       }
       from += rows * columns * lanes;
@@ -273,7 +284,7 @@ class KernelCall {
     Scratch scratch;
     std::byte* const results = scratch.of(bytes(single, call));
     if (results == nullptr) return torsor_call_without_memory;
-    BlockCall<Single, 1> block(single, shape, precomputed, call, results);
+    BlockCall<Single, 1> block({single, shape, precomputed}, call, results);
     std::array<bool, 1> finite;
     const int status = block({0, 1}, finite);
     block.write({0, 1});
@@ -308,7 +319,7 @@ class KernelCall {
     Scratch scratch;
     std::byte* const results = scratch.of(bytes(packed, call));
     if (results == nullptr) return torsor_call_without_memory;
-    BlockCall<Packed, lanes> block(packed, shape, precomputed, call, results);
+    BlockCall<Packed, lanes> block({packed, shape, precomputed}, call, results);
     std::int64_t failed = 0;
     for (std::size_t b = first_block; b < end_block; ++b) {
       const std::size_t first = b * lanes, count = std::min(lanes, call.states - first);

@@ -2,6 +2,7 @@
 #pragma once
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <span>
 
 #include "torsor/runtime/abi.h"
@@ -36,67 +37,59 @@ class MotionCall {
     const auto keep = [&](double, const StateVector<M>& state) noexcept {
       write_state(call_, i, reached++, state);
     };
-    Result<double> result;
-    result.time = time;
-    const bool closed = integrated(y, time, law, keep, result);
+    const std::optional<Result<double>> result = integrated(y, time, law, keep);
     write_nothing<M>(call_, i, reached);
-    const int status = closed ? static_cast<int>(result.status) : static_cast<int>(torsor_motion_open_loops);
+    const int status = result ? static_cast<int>(result->status) : static_cast<int>(torsor_motion_open_loops);
     if (call_.statuses != nullptr) call_.statuses[i] = status;
-    if (call_.ends != nullptr) call_.ends[i] = result.time;
-    if (call_.calls != nullptr) call_.calls[i] = result.statistics.calls;
+    if (call_.ends != nullptr) call_.ends[i] = result ? result->time : time;
+    if (call_.calls != nullptr) call_.calls[i] = result ? result->statistics.calls : 0;
     return status;
   }
 
-  /// False where the start cannot be put on the constraints. A start that another set of parameters has opened would
+  /// Nothing where the start cannot be put on the constraints. A start that another set of parameters has opened would
   /// otherwise be closed by the first step, by what a step of its length makes of it.
   template <class Keep>
-  bool integrated(StateVector<M>& y, double time, const GivenInputs<M>& law, const Keep& keep,
-                  Result<double>& result) const {
+  std::optional<Result<double>> integrated(StateVector<M>& y, double time, const GivenInputs<M>& law,
+                                           const Keep& keep) const {
     if constexpr (M::multiplier_count > 0) {
       if (call_.unprojected != 0) {
-        result = by_method(EquationsOfMotion<M, GivenInputs<M>>(parameters_, law), y, time, keep);
-        return true;
+        return by_method(EquationsOfMotion<M, GivenInputs<M>>(parameters_, law), y, time, keep);
       }
     }
     const MotionOfLibrary<M, GivenInputs<M>> motion(parameters_, law);
     if constexpr (requires { motion.settle(time, y); }) {
-      if (motion.settle(time, y) != Evaluation::ok) return false;
-      result = by_method(motion, y, time, keep);
+      if (motion.settle(time, y) != Evaluation::ok) return std::nullopt;
+      return by_method(motion, y, time, keep);
     } else if constexpr (M::multiplier_count == 0) {
-      result = by_method(motion, y, time, keep);
+      return by_method(motion, y, time, keep);
     } else {  // kernels that hold it on its constraints are missing, and drift was not asked for
-      result = unsuitable(time);
+      return unsuitable(time);
     }
-    return true;
   }
 
   template <class Motion, class Keep>
   Result<double> by_method(const Motion& motion, StateVector<M>& y, double time, const Keep& keep) const {
+    const std::span<const double> times(call_.times, call_.time_count);
+    const auto by = [&](const auto& method) { return integrate_through(motion, y, time, times, method, keep); };
     switch (call_.method) {
       case 0:
-        return through(motion, y, time, adaptive(call_, DormandPrince54{}), keep);
+        return by(adaptive(call_, DormandPrince54{}));
       case 1:
-        return through(motion, y, time, adaptive(call_, DormandPrince853{}), keep);
+        return by(adaptive(call_, DormandPrince853{}));
       case 2:
-        return through(motion, y, time, fixed(RungeKutta4{}), keep);
+        return by(fixed(RungeKutta4{}));
       case 3:
-        return through(motion, y, time, fixed(Midpoint{}), keep);
+        return by(fixed(Midpoint{}));
       case 4:
-        return through(motion, y, time, adaptive(call_, RadauIia5{}), keep);
+        return by(adaptive(call_, RadauIia5{}));
       case 5:
         if constexpr (HasJets<M>) {
-          if (call_.law == nullptr) return through(motion, y, time, adaptive(call_, Taylor{}), keep);
+          if (call_.law == nullptr) return by(adaptive(call_, Taylor{}));
         }
         return unsuitable(time);
       default:
         return unsuitable(time);
     }
-  }
-
-  template <class Motion, class Method, class Keep>
-  Result<double> through(const Motion& motion, StateVector<M>& y, double time, const Method& method,
-                         const Keep& keep) const {
-    return integrate_through(motion, y, time, std::span<const double>(call_.times, call_.time_count), method, keep);
   }
 
   static Result<double> unsuitable(double time) noexcept {

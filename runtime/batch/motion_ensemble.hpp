@@ -66,11 +66,20 @@ struct MemberMotion {
   std::vector<StateVector<M>> states;
 };
 
+/// What an ensemble of motions keeps of how many members.
+template <class Scalar>
+struct EnsemblePlan {
+  std::uint64_t count = 0;      ///< of members
+  std::vector<Scalar> times{};  ///< [s] at which each member's state is kept, in the order of its motion
+  /// Tells apart what cannot be seen from an ensemble: the law of inputs, and the version of a mechanism without a
+  /// `fingerprint`.
+  std::string label{};
+};
+
 /// Many motions of one mechanism: member i starts in a state of its own, with parameters of its own, and is integrated
 /// by the same method through the same times. `members(i)` gives a Member<M>, the same whenever it is asked, from any
 /// thread. The records of `run_ensemble(file, ensemble.head(), ensemble)` have: status, what the model said, the last
-/// time, calls, then [q; v] at each time; what was not reached is not a number. `label` tells apart what cannot be seen
-/// from here: the law of inputs, and the version of a mechanism without a `fingerprint`.
+/// time, calls, then [q; v] at each time; what was not reached is not a number.
 template <HasForwardDynamics M, class Members, class Method, class InputLaw = NoInputs<M>>
 requires std::same_as<std::invoke_result_t<const Members&, std::uint64_t>, Member<M>>
 class MotionEnsemble {
@@ -78,24 +87,18 @@ class MotionEnsemble {
   using Scalar = ScalarOf<M>;
   static constexpr std::size_t size = coordinates_of<M> + velocities_of<M>, lead = 4;
 
-  MotionEnsemble(std::uint64_t count, Members members, std::vector<Scalar> times, Method method, InputLaw law = {},
-                 std::string label = {})
-      : count_(count),
-        members_(std::move(members)),
-        times_(std::move(times)),
-        method_(std::move(method)),
-        law_(std::move(law)),
-        label_(std::move(label)) {}
+  MotionEnsemble(EnsemblePlan<Scalar> plan, Members members, Method method, InputLaw law = {})
+      : plan_(std::move(plan)), members_(std::move(members)), method_(std::move(method)), law_(std::move(law)) {}
 
   /// The question: the mechanism, every member, the times, the method, the label.
   [[nodiscard]] RecordHead head() const {
     Digest digest;
-    digest.add(std::string_view(label_)).add(std::uint64_t{sizeof(Scalar)}).add(std::uint64_t{size});
+    digest.add(std::string_view(plan_.label)).add(std::uint64_t{sizeof(Scalar)}).add(std::uint64_t{size});
     if constexpr (requires { M::name; }) digest.add(std::string_view(M::name));
     if constexpr (requires { M::fingerprint; }) digest.add(static_cast<std::uint64_t>(M::fingerprint));
-    for (const Scalar time : times_) digest.add(static_cast<double>(time));
+    for (const Scalar time : plan_.times) digest.add(static_cast<double>(time));
     add_to_digest(digest, method_);
-    for (std::uint64_t i = 0; i < count_; ++i) {
+    for (std::uint64_t i = 0; i < plan_.count; ++i) {
       const Member<M> member = members_(i);
       if constexpr (M::Parameters::size > 0) {
         for (int k = 0; k < M::Parameters::size; ++k) digest.add(static_cast<double>(parameter(member.parameters, k)));
@@ -103,7 +106,7 @@ class MotionEnsemble {
       digest.add(static_cast<double>(member.state.time));
       for (const Scalar y : pack<M>(member.state)) digest.add(static_cast<double>(y));
     }
-    return {digest.value(), count_, lead + size * times_.size()};
+    return {digest.value(), plan_.count, lead + size * plan_.times.size()};
   }
 
   void operator()(std::uint64_t index, std::span<double> record) const {
@@ -119,7 +122,7 @@ class MotionEnsemble {
     result.time = member.state.time;
     if constexpr (requires { motion.settle(result.time, y); }) result.evaluation = motion.settle(result.time, y);
     if (result.evaluation == Evaluation::ok) {
-      result = integrate_through(motion, y, member.state.time, times_, method_, keep);
+      result = integrate_through(motion, y, member.state.time, plan_.times, method_, keep);
     } else {  // parameters of this member have opened the start, beyond what can be closed
       result.status = IntegrationStatus::model_failure;
     }
@@ -136,20 +139,17 @@ class MotionEnsemble {
         parameters)[static_cast<std::size_t>(k)];
   }
 
-  std::uint64_t count_;
+  EnsemblePlan<Scalar> plan_;
   Members members_;
-  std::vector<Scalar> times_;
   Method method_;
   InputLaw law_;
-  std::string label_;
 };
 
-/// `auto ensemble = motion_ensemble<Mechanism<double>>(1000, members, times, DormandPrince54{});`
+/// `auto ensemble = motion_ensemble<Mechanism<double>>({.count = 1000, .times = times}, members, DormandPrince54{});`
 template <HasForwardDynamics M, class Members, class Method, class InputLaw = NoInputs<M>>
-[[nodiscard]] auto motion_ensemble(std::uint64_t count, Members members, std::vector<ScalarOf<M>> times, Method method,
-                                   InputLaw law = {}, std::string label = {}) {
-  return MotionEnsemble<M, Members, Method, InputLaw>(count, std::move(members), std::move(times), std::move(method),
-                                                      std::move(law), std::move(label));
+[[nodiscard]] auto motion_ensemble(EnsemblePlan<ScalarOf<M>> plan, Members members, Method method, InputLaw law = {}) {
+  return MotionEnsemble<M, Members, Method, InputLaw>(std::move(plan), std::move(members), std::move(method),
+                                                      std::move(law));
 }
 
 /// A record of a MotionEnsemble, read back.

@@ -90,6 +90,14 @@ class PackedSteps {
   Sum sum_;
 };
 
+/// A law of inputs for one member and for a pack of them: both, or none.
+template <class Single, class Packed>
+struct LawOfBoth {
+  Single single;
+  Packed packed;
+  constexpr LawOfBoth(Single of_one, Packed of_pack) : single(std::move(of_one)), packed(std::move(of_pack)) {}
+};
+
 /// A MotionEnsemble whose members take their steps in packs, as many at once as a register has lanes:
 ///   run_ensemble(file, ensemble.head(), ensemble.groups(), options)
 /// Each lane's operations are those of a member alone: without fused multiply-adds (-ffp-contract=off) the records are
@@ -98,7 +106,7 @@ class PackedSteps {
 /// lane has steps of its own, and goes as far as it gets: see PackedTaylor.
 /// `InputLaw` is given for both scalars, or for none. Both are called from several threads at once, each for members
 /// of its own. In each lane they must give the result of the law of one member for that lane's state. Otherwise a
-/// record depends on whether its group was computed in a pack. Numbers of a law, such as gains, belong into `label`.
+/// record depends on whether its group was computed in a pack. Numbers of a law, such as gains, belong into the label.
 template <template <class> class Mechanism, class Number, class Members, PackableMethod Method,
           template <class> class InputLaw = NoInputs, int lanes = native_lanes<Number>>
 class PackedMotionEnsemble {
@@ -107,20 +115,19 @@ class PackedMotionEnsemble {
   using Packed = Mechanism<Simd<Number, lanes>>;
   using Alone = MotionEnsemble<Single, Members, Method, InputLaw<Single>>;
 
-  PackedMotionEnsemble(std::uint64_t count, Members members, std::vector<Number> times, Method method,
-                       InputLaw<Single> law, InputLaw<Packed> packed_law, std::string label = {})
+  using Laws = LawOfBoth<InputLaw<Single>, InputLaw<Packed>>;
+
+  PackedMotionEnsemble(EnsemblePlan<Number> plan, Members members, Method method, Laws laws)
       : members_(members),
-        times_(times),
+        times_(plan.times),
         method_(method),
-        law_(law),
-        packed_law_(std::move(packed_law)),
-        alone_(count, std::move(members), std::move(times), method, std::move(law), std::move(label)) {}
+        laws_(laws),
+        alone_(std::move(plan), std::move(members), method, std::move(laws.single)) {}
 
   /// Of mechanisms without inputs, or with inputs that are zero.
-  PackedMotionEnsemble(std::uint64_t count, Members members, std::vector<Number> times, Method method,
-                       std::string label = {}) requires std::same_as<InputLaw<Single>, NoInputs<Single>>
-      : PackedMotionEnsemble(count, std::move(members), std::move(times), std::move(method), {}, {}, std::move(label)) {
-  }
+  PackedMotionEnsemble(EnsemblePlan<Number> plan, Members members,
+                       Method method) requires std::same_as<InputLaw<Single>, NoInputs<Single>>
+      : PackedMotionEnsemble(std::move(plan), std::move(members), std::move(method), Laws({}, {})) {}
 
   /// Another question than that of the members alone, because fused operations may round otherwise.
   [[nodiscard]] RecordHead head() const {
@@ -157,7 +164,7 @@ class PackedMotionEnsemble {
     for (std::uint64_t i = 0; i < count; ++i) members.push_back(members_(first + i));
     std::fill(records.begin(), records.end(), std::numeric_limits<double>::quiet_NaN());
     const std::size_t numbers = records.size() / count;
-    PackedTaylor<Mechanism, Number, InputLaw, lanes> motions(members, method_, law_, packed_law_);
+    PackedTaylor<Mechanism, Number, InputLaw, lanes> motions(members, method_, laws_.single, laws_.packed);
     motions.integrate_through(times_, [&](std::size_t i, std::size_t time, const StateVector<Single>& y) {
       for (std::size_t k = 0; k < y.size(); ++k) {
         records[i * numbers + Alone::lead + time * y.size() + k] = static_cast<double>(y[k]);
@@ -189,7 +196,7 @@ class PackedMotionEnsemble {
     }
     if (!Motion::every_finite(y)) return false;
 
-    Motion motion(parameters.block(0), packed_law_);
+    Motion motion(parameters.block(0), laws_.packed);
     using Sum = SummedFormula<typename Method::Formula, typename Motion::Pack, std::tuple_size_v<Vector>>;
     using Steps = PackedSteps<Motion, Sum>;
     const auto idle_system = [](Number, const std::array<Number, 1>&, std::array<Number, 1>&) noexcept {
@@ -221,30 +228,28 @@ class PackedMotionEnsemble {
   Members members_;
   std::vector<Number> times_;
   Method method_;
-  InputLaw<Single> law_;
-  InputLaw<Packed> packed_law_;
+  Laws laws_;
   Alone alone_;
 };
 
-/// `const auto ensemble = packed_motion_ensemble<arm7::Mechanism, double>(1000, members, times, RungeKutta4{.step =
-/// 1e-3});`
+/// `const auto ensemble = packed_motion_ensemble<arm7::Mechanism, double>({.count = 1000, .times = times}, members,
+/// RungeKutta4{.step = 1e-3});`
 template <template <class> class Mechanism, class Number, class Members, PackableMethod Method>
-[[nodiscard]] auto packed_motion_ensemble(std::uint64_t count, Members members, std::vector<Number> times,
-                                          Method method, std::string label = {}) {
-  return PackedMotionEnsemble<Mechanism, Number, Members, Method>(count, std::move(members), std::move(times),
-                                                                  std::move(method), std::move(label));
+[[nodiscard]] auto packed_motion_ensemble(EnsemblePlan<Number> plan, Members members, Method method) {
+  return PackedMotionEnsemble<Mechanism, Number, Members, Method>(std::move(plan), std::move(members),
+                                                                  std::move(method));
 }
 
 /// With a law of inputs for one member and for a pack of them: `packed_motion_ensemble<arm7::Mechanism, double,
-/// Law>(1000, members, times, method, Law<Single>{gains}, Law<Packed>{gains})`. See PackedMotionEnsemble.
+/// Law>({.count = 1000, .times = times}, members, method, {Law<Single>{gains}, Law<Packed>{gains}})`. See
+/// PackedMotionEnsemble.
 template <template <class> class Mechanism, class Number, template <class> class InputLaw, class Members,
           PackableMethod Method>
-[[nodiscard]] auto packed_motion_ensemble(std::uint64_t count, Members members, std::vector<Number> times,
-                                          Method method, InputLaw<Mechanism<Number>> law,
-                                          InputLaw<Mechanism<NativeSimd<Number>>> packed_law, std::string label = {}) {
-  return PackedMotionEnsemble<Mechanism, Number, Members, Method, InputLaw>(count, std::move(members), std::move(times),
-                                                                            std::move(method), std::move(law),
-                                                                            std::move(packed_law), std::move(label));
+[[nodiscard]] auto packed_motion_ensemble(
+    EnsemblePlan<Number> plan, Members members, Method method,
+    LawOfBoth<InputLaw<Mechanism<Number>>, InputLaw<Mechanism<NativeSimd<Number>>>> laws) {
+  return PackedMotionEnsemble<Mechanism, Number, Members, Method, InputLaw>(std::move(plan), std::move(members),
+                                                                            std::move(method), std::move(laws));
 }
 
 }  // namespace torsor::runtime

@@ -160,7 +160,8 @@ class PackedTaylor {
     }
     if (degree_ == 0) return;
     for (Lane& lane : lanes_) lane.moving = lane.startable;
-    compute_jets(start_, y_, degree_, start_c(), [](const Lane& lane) { return lane.rule.order(); });
+    compute_jets(start_, y_, std::span(start_c()).first(degree_ + 1),
+                 [](const Lane& lane) { return lane.rule.order(); });
     for (Lane& lane : lanes_) {
       if (lane.startable) lane.clock.refusal = lane.said;
     }
@@ -222,7 +223,7 @@ class PackedTaylor {
       if (lane.startable) t.set(i, lane.clock.result.time);
     }
     PackedVector increment, slope;
-    evaluate_taylor(start_c(), degree_, h, increment, slope);
+    evaluate_taylor(std::span(start_c()).first(degree_ + 1), h, increment, slope);
     propose(increment);
     next_degree_ = 0;
     for (int i = 0; i < lane_count; ++i) {
@@ -239,7 +240,8 @@ class PackedTaylor {
       }
       next_degree_ = std::max({next_degree_, lane.rule.order(), lane.rule.next_order()});  // it may stay
     }
-    compute_jets(t + h, next_, next_degree_, end_c(), [](const Lane& lane) { return lane.rule.next_order(); });
+    compute_jets(t + h, next_, std::span(end_c()).first(next_degree_ + 1),
+                 [](const Lane& lane) { return lane.rule.next_order(); });
     for (int i = 0; i < count(); ++i) {
       Lane& lane = lanes_[static_cast<std::size_t>(i)];
       if (lane.moving && lane.said == Evaluation::ok) compare(i, lane, lane_of(slope, i));
@@ -268,10 +270,9 @@ class PackedTaylor {
   // Coefficients of the moving lanes that have not failed, zero beyond a lane's own order. Where the pack fails, which
   // orders beyond a lane's own may cause too, each is computed alone.
   template <class OrderOf>
-  void compute_jets(const Pack& t, const PackedVector& y, std::size_t degree, Coefficients& c,
-                    const OrderOf& order_of) noexcept {
+  void compute_jets(const Pack& t, const PackedVector& y, std::span<PackedVector> c, const OrderOf& order_of) noexcept {
     const auto counts = [](const Lane& lane) { return lane.moving && lane.said == Evaluation::ok; };
-    const bool together = motion_.jets(t, y, std::span(c).first(degree + 1)) == Evaluation::ok;
+    const bool together = motion_.jets(t, y, c) == Evaluation::ok;
     for (int i = 0; i < count(); ++i) {
       Lane& lane = lanes_[static_cast<std::size_t>(i)];
       if (!counts(lane)) continue;
@@ -284,21 +285,22 @@ class PackedTaylor {
         lane.said = jets_alone(lane, t[i], lane_of(y, i), std::span(own).first(order + 1));
         for (std::size_t k = 0; k <= order; ++k) set_lane(c[k], i, own[k]);
       }
-      for (std::size_t k = order + 1; k <= degree; ++k) set_lane(c[k], i, Vector{});
+      for (std::size_t k = order + 1; k < c.size(); ++k) set_lane(c[k], i, Vector{});
     }
   }
 
   void compare(int i, Lane& lane, const Vector& slope) noexcept {
     const Vector now = lane_of(y_, i), next = lane_of(next_, i), equations_slope = lane_of(end_c()[1], i);
     Vector noise{};
-    lane.error = lane.rule.disagreement(lane.clock.h, slope, equations_slope, now, next, noise);
+    const EndSlopes<Number, size> slopes{.polynomial = slope, .equations = equations_slope, .noise = noise};
+    lane.error = lane.rule.disagreement(lane.clock.h, slopes, now, next);
     if (lane.error > Number(1)) {  // rarely: alone
       std::array<Vector, 2> there;
       ++lane.clock.result.statistics.calls;
       const Vector moved = lane.rule.some_roundings_from(now, next);
       if (jets_alone(lane, lane.clock.result.time + lane.clock.h, moved, there) == Evaluation::ok) {
         for (std::size_t k = 0; k < size; ++k) noise[k] = std::abs(there[1][k] - equations_slope[k]);
-        lane.error = lane.rule.disagreement(lane.clock.h, slope, equations_slope, now, next, noise);
+        lane.error = lane.rule.disagreement(lane.clock.h, slopes, now, next);
       }
     }
     if (!std::isfinite(lane.error)) lane.said = Evaluation::not_finite;

@@ -47,17 +47,24 @@ class ChangePoints {
 
   [[nodiscard]] const ConstraintKinds<M>& kinds() const noexcept { return kinds_; }
 
+  /// A state of a mechanism with these parameters.
+  struct Place {
+    const typename M::Precomputed& precomputed;
+    Scalar t;
+    const Vector& y;
+  };
+
   /// A function of the motion, `function(t, y, value)` for states on the constraints, at a state near them.
   template <class Function>
-  [[nodiscard]] Evaluation evaluate(const typename M::Precomputed& precomputed, Scalar t, const Vector& y,
-                                    const Function& function, Vector& value) const noexcept {
+  [[nodiscard]] Evaluation evaluate(const Place& place, const Function& function, Vector& value) const noexcept {
+    const auto& [precomputed, t, y] = place;
     typename M::Constraints constraints{};
     M::constraints(precomputed, unpack<M>(t, y), constraints);
     const Scalar distance = distance_(constraints);
     if (!std::isfinite(distance)) return Evaluation::not_finite;
     if (distance >= plain && !distance_.repeats()) return function(t, y, value);
     if (distance < near) {
-      const Evaluation evaluation = across(precomputed, t, y, function, value);
+      const Evaluation evaluation = across(place, function, value);
       // So slow that no direction is left, the error of ε v²/d² is small too.
       if (evaluation == Evaluation::ok || distance < blind) return evaluation;
     }
@@ -78,7 +85,7 @@ class ChangePoints {
       value = state;
       return Evaluation::ok;
     };
-    if (const Evaluation e = across(precomputed, t, y, itself, there); e != Evaluation::ok) {
+    if (const Evaluation e = across({precomputed, t, y}, itself, there); e != Evaluation::ok) {
       return distance < blind ? e : closed(precomputed, t, y);
     }
     if constexpr (HasQuaternions<M>) normalise_quaternions<M>(there);
@@ -107,15 +114,14 @@ class ChangePoints {
   }
 
   struct Line {
-    const typename M::Precomputed& precomputed;
-    Scalar t;
-    const Vector& y;
+    Place start;
     Vector rates{};
+    Scalar fastest = Scalar(0);  // of the rates, as all lengths here over the reaches of the coordinates
     bool in_time = false;  // constraints that change with time are looked at when they hold
 
-    [[nodiscard]] Scalar time(Scalar sigma) const noexcept { return in_time ? t + sigma : t; }
+    [[nodiscard]] Scalar time(Scalar sigma) const noexcept { return in_time ? start.t + sigma : start.t; }
     [[nodiscard]] Vector at(Scalar sigma) const noexcept {
-      Vector there = y;
+      Vector there = start.y;
       for (std::size_t i = 0; i < nq; ++i) there[i] += sigma * rates[i];
       if constexpr (HasQuaternions<M>) normalise_quaternions<M>(there);
       return there;
@@ -124,36 +130,34 @@ class ChangePoints {
 
   [[nodiscard]] Scalar distance_at(const Line& line, Scalar sigma) const noexcept {
     typename M::Constraints constraints{};
-    M::constraints(line.precomputed, unpack<M>(line.time(sigma), line.at(sigma)), constraints);
+    M::constraints(line.start.precomputed, unpack<M>(line.time(sigma), line.at(sigma)), constraints);
     return distance_(constraints);
   }
 
   template <class Function>
-  [[nodiscard]] Evaluation across(const typename M::Precomputed& precomputed, Scalar t, const Vector& y,
-                                  const Function& function, Vector& value) const noexcept {
-    Line line{precomputed, t, y};
+  [[nodiscard]] Evaluation across(const Place& place, const Function& function, Vector& value) const noexcept {
+    const auto& [precomputed, t, y] = place;
+    Line line{place};
     write_coordinate_rates<M>(precomputed, unpack<M>(t, y), line.rates);
-    Scalar fastest = Scalar(0);  // as all lengths here, over the reaches of the coordinates
     for (std::size_t i = 0; i < nq; ++i) {
-      fastest = std::max(fastest, std::abs(line.rates[i]) / kinds_.coordinate_reach[i]);
+      line.fastest = std::max(line.fastest, std::abs(line.rates[i]) / kinds_.coordinate_reach[i]);
     }
-    if (!std::isfinite(fastest)) return Evaluation::not_finite;
-    if (!(fastest > Scalar(0))) return Evaluation::singular;
+    if (!std::isfinite(line.fastest)) return Evaluation::not_finite;
+    if (!(line.fastest > Scalar(0))) return Evaluation::singular;
     line.in_time = moves_with_time(precomputed, t, y);
-    Scalar unit = find_unit(line, fastest);
+    Scalar unit = find_unit(line);
     if (!(unit > Scalar(0))) return Evaluation::singular;
     // Nearer nodes where the function bends much over these: four times the rounding, for a 256th of the error.
     for (int trial = 0; trial < 3; ++trial, unit /= Scalar(2)) {
-      bool smooth = false;
-      const Evaluation evaluation = interpolate(line, unit, fastest, function, value, smooth);
-      if (evaluation == Evaluation::ok && smooth) return evaluation;
+      if (interpolate(line, unit, function, value) == Evaluation::ok) return Evaluation::ok;
     }
     return Evaluation::singular;
   }
 
+  // `singular` too where the values do not lie on a smooth curve.
   template <class Function>
-  [[nodiscard]] Evaluation interpolate(const Line& line, Scalar unit, Scalar fastest, const Function& function,
-                                       Vector& value, bool& smooth) const noexcept {
+  [[nodiscard]] Evaluation interpolate(const Line& line, Scalar unit, const Function& function,
+                                       Vector& value) const noexcept {
     Vector state{}, coarse_state{}, coarse{}, least_state, most_state, largest{};
     value.fill(Scalar(0));
     for (int k = -nodes; k <= nodes; ++k) {
@@ -161,11 +165,11 @@ class ChangePoints {
       const Scalar sigma = static_cast<Scalar>(k) * unit, at = line.time(sigma);
       const Vector guess = line.at(sigma);
       Vector there = guess, of_there;
-      if (const Evaluation e = closed(line.precomputed, at, there); e != Evaluation::ok) return e;
+      if (const Evaluation e = closed(line.start.precomputed, at, there); e != Evaluation::ok) return e;
       // A projection that goes further than the node is away has left the motion.
       for (std::size_t i = 0; i < nq; ++i) {
         const Scalar led_away = std::abs(there[i] - guess[i]) / kinds_.coordinate_reach[i];
-        if (!(led_away <= std::abs(sigma) * fastest / Scalar(2))) return Evaluation::singular;
+        if (!(led_away <= std::abs(sigma) * line.fastest / Scalar(2))) return Evaluation::singular;
       }
       if (const Evaluation e = function(at, there, of_there); e != Evaluation::ok) return e;
       const auto side = static_cast<std::size_t>(std::abs(k) - 1);
@@ -185,7 +189,7 @@ class ChangePoints {
       const Scalar reach = kinds_.coordinate_reach[i];
       spread = std::max(spread, (most_state[i] - least_state[i]) / reach);
       apart = std::max(apart, std::abs(state[i] - coarse_state[i]) / reach);
-      away = std::max(away, std::abs(state[i] - line.y[i]) / reach);
+      away = std::max(away, std::abs(state[i] - line.start.y[i]) / reach);
     }
     for (std::size_t i = 0; i < size; ++i) {
       const Scalar reach = i < nq ? kinds_.coordinate_reach[i] : kinds_.reach[i - nq];
@@ -194,7 +198,8 @@ class ChangePoints {
     }
     if (!(apart <= Scalar(1e-3) * spread) || !(away <= spread / Scalar(8))) return Evaluation::singular;
     // Six nodes of eight differ by g⁽⁶⁾ σ⁶/20; eight err by a thousandth of that or less.
-    smooth = bent <= std::max(Scalar(1e-8), Scalar(4e3) * std::numeric_limits<Scalar>::epsilon()) * of_values;
+    const Scalar unseen = std::max(Scalar(1e-8), Scalar(4e3) * std::numeric_limits<Scalar>::epsilon());
+    if (!(bent <= unseen * of_values)) return Evaluation::singular;
     return all_finite(value) ? Evaluation::ok : Evaluation::not_finite;
   }
 
@@ -209,8 +214,8 @@ class ChangePoints {
   }
 
   // The distance grows in proportion from the place itself: two or three trials find the unit. 0: there is none.
-  [[nodiscard]] Scalar find_unit(const Line& line, Scalar fastest) const noexcept {
-    Scalar unit = beside / fastest;
+  [[nodiscard]] Scalar find_unit(const Line& line) const noexcept {
+    Scalar unit = beside / line.fastest;
     for (int trial = 0; trial < 8; ++trial) {
       const Scalar before = distance_at(line, -unit), after = distance_at(line, unit);
       const Scalar less = std::min(before, after), more = std::max(before, after);

@@ -32,7 +32,7 @@ class ClosedMotion : public EquationsOfMotion<M, InputLaw> {
     const auto equations = [this](Scalar time, const Vector& state, Vector& slope) noexcept {
       return Base::operator()(time, state, slope);
     };
-    return change_points_.evaluate(this->precomputed(), t, y, equations, dydt);
+    return change_points_.evaluate({this->precomputed(), t, y}, equations, dydt);
   }
 
   /// Accelerations and multipliers of the state as it is given; `singular` at a change point, where the state alone

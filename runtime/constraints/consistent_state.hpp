@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <optional>
 #include <string>
 
 #include "torsor/runtime/constraints/projection.hpp"
@@ -41,7 +42,7 @@ struct Consistency {
   using Scalar = ScalarOf<M>;
   ConsistencyStatus status = ConsistencyStatus::consistent;
   std::array<Scalar, static_cast<std::size_t>(M::multiplier_count)> left{};  ///< f, or A v - b, at best
-  int constraint = -1;                                                       ///< where that is worst
+  std::optional<int> constraint{};                                           ///< where that is worst, of a conflict
   std::array<bool, velocities_of<M>> position_involved{}, velocity_involved{};
   int free_positions = 0;   ///< in how many ways the positions could still be chosen
   int free_velocities = 0;  ///< the same of the velocities
@@ -64,9 +65,9 @@ template <MechanismModel M>
   }
   const bool positions = found.status == ConsistencyStatus::positions_conflict;
   const auto& involved = positions ? found.position_involved : found.velocity_involved;
-  const auto worst = static_cast<std::size_t>(found.constraint);
-  std::string text =
-      "constraint " + std::to_string(found.constraint) + " is off by " + std::to_string(found.left[worst]) + " at best";
+  const int worst = found.constraint.value_or(0);
+  std::string text = "constraint " + std::to_string(worst) + " is off by " +
+                     std::to_string(found.left[static_cast<std::size_t>(worst)]) + " at best";
   std::string names;
   for (std::size_t i = 0; i < involved.size(); ++i) {
     if (involved[i]) names += (names.empty() ? "" : ", ") + std::to_string(i);
@@ -246,8 +247,7 @@ requires(M::multiplier_count > 0) class ConsistentStateSearch {
     const Change last(here.G, -here.value, position_ease_, Scalar(0), rank_tolerance);
     result_.free_positions = free_of(position_ease_) - last.rank;
     if (here.value.norm() > tolerance * here.size) {
-      return conflict(ConsistencyStatus::positions_conflict, here.G, here.value, position_ease_,
-                      result_.position_involved);
+      return conflict(ConsistencyStatus::positions_conflict, here.G, here.value);
     }
     shorten(start, y, travelled);
     return true;
@@ -301,14 +301,17 @@ requires(M::multiplier_count > 0) class ConsistentStateSearch {
     }
     const Equations e = read(y);
     if (!(e.rate.norm() <= tolerance * std::max(speed, std::numeric_limits<Scalar>::min()))) {
-      return conflict(ConsistencyStatus::velocities_conflict, e.G, e.rate, velocity_ease_, result_.velocity_involved);
+      return conflict(ConsistencyStatus::velocities_conflict, e.G, e.rate);
     }
     return true;
   }
 
   // The fixed values by which what is left could be made less.
-  bool conflict(ConsistencyStatus status, const Eigen::Matrix<Scalar, rows, n>& G, const Residual& left,
-                const Column& ease, std::array<bool, nv>& involved) noexcept {
+  bool conflict(ConsistencyStatus status, const Eigen::Matrix<Scalar, rows, n>& G, const Residual& left) noexcept {
+    const bool of_positions = status == ConsistencyStatus::positions_conflict;
+    const Column& ease = of_positions ? position_ease_ : velocity_ease_;
+    auto& involved = of_positions ? result_.position_involved : result_.velocity_involved;
+    if (!left.allFinite()) return fail(ConsistencyStatus::not_finite);  // none of them is the worst
     Scalar worst = Scalar(0);
     for (int i = 0; i < rows; ++i) {
       const auto k = static_cast<std::size_t>(i);

@@ -65,7 +65,7 @@ class ConstrainedMotion {
       return evaluation;
     };
     if (!passes_change_points()) return equations(t, y, dydt);
-    return change_points_.evaluate(precomputed_, t, y, equations, dydt);
+    return change_points_.evaluate({precomputed_, t, y}, equations, dydt);
   }
 
   /// Accelerations and multipliers at a state; those of constraints that repeat others are 0. `singular` at a change

@@ -269,12 +269,14 @@ struct PartitionedResult {
 
 namespace detail {
 
-template <class System, class Motion, class Kinds, class Method, class Observer>
-[[nodiscard]] PartitionedResult<typename System::Scalar> integrate_partitioned(
-    const Motion& motion, const Kinds& kinds, typename System::Full& y, typename System::Scalar t0,
-    typename System::Scalar t1, const Method& method, Observer& observer, double worst) {
+template <class System, class Method, class Observer>
+[[nodiscard]] PartitionedResult<typename System::Scalar> integrate_partitioned(System system, typename System::Full& y,
+                                                                               typename System::Scalar t0,
+                                                                               typename System::Scalar t1,
+                                                                               const Method& method,
+                                                                               Observer& observer) {
   using Scalar = typename System::Scalar;
-  System system(motion, kinds);
+  constexpr Scalar worst = Scalar(4);
   PartitionedResult<Scalar> result;
   result.integration.time = t0;
   Statistics total;
@@ -301,7 +303,7 @@ template <class System, class Motion, class Kinds, class Method, class Observer>
       y = system.state();
       reached = t;
       stopped = !notify(observer, t, y);
-      ill = loss > static_cast<Scalar>(worst);
+      ill = loss > worst;
       return !stopped && !ill;
     };
     auto run = method.start(system, z, result.integration.time);
@@ -326,9 +328,9 @@ template <class System, class Motion, class Kinds, class Method, class Observer>
 
 }  // namespace detail
 
-/// Integrates a mechanism with constraints in `freedoms` of its own velocities, and in all coordinates that no holonomic
-/// constraint determines, from y at t0 to t1, by any method (see PartitionedMotion). Where the dependent ones are
-/// determined `worst` times less well than others would be, the independent ones are chosen anew, and so starts the
+/// Integrates a mechanism with constraints in `freedoms` of its own velocities, and in all coordinates that no
+/// holonomic constraint determines, from y at t0 to t1, by any method (see PartitionedMotion). Where the dependent ones
+/// are determined four times less well than others would be, the independent ones are chosen anew, and so starts the
 /// method. `observer(t, y)` sees all coordinates at the start and after each step. y must satisfy the constraints.
 /// `unsuitable_model`: the constraints leave another number of freedoms.
 template <std::size_t freedoms, class Motion, class Method, class Observer = IgnoreSteps>
@@ -336,7 +338,7 @@ template <std::size_t freedoms, class Motion, class Method, class Observer = Ign
     const Motion& motion, StateVector<typename Motion::Mechanism>& y,
     std::type_identity_t<ScalarOf<typename Motion::Mechanism>> t0,
     std::type_identity_t<ScalarOf<typename Motion::Mechanism>> t1, const Method& method,
-    Observer&& observer = Observer{}, double worst = 4.0) {
+    Observer&& observer = Observer{}) {
   using M = typename Motion::Mechanism;
   PartitionedResult<ScalarOf<M>> result;
   result.integration.time = t0;
@@ -352,10 +354,10 @@ template <std::size_t freedoms, class Motion, class Method, class Observer = Ign
   // Without rolling as few places as velocities serve.
   if (kinds.all_holonomic()) {
     using System = PartitionedMotion<Motion, freedoms, freedoms>;
-    return detail::integrate_partitioned<System>(motion, kinds, y, t0, t1, method, observer, worst);
+    return detail::integrate_partitioned(System(motion, kinds), y, t0, t1, method, observer);
   }
   using System = PartitionedMotion<Motion, freedoms>;
-  return detail::integrate_partitioned<System>(motion, kinds, y, t0, t1, method, observer, worst);
+  return detail::integrate_partitioned(System(motion, kinds), y, t0, t1, method, observer);
 }
 
 }  // namespace torsor::runtime

@@ -95,7 +95,7 @@ ContactEvent ContactAutomaton::event() const noexcept {
           impulses_, energy_lost_, residual_, verdict_, std::span(found_).first(found_count_)};
 }
 
-bool ContactAutomaton::end(ContactStatus status, int contact) noexcept {
+bool ContactAutomaton::end(ContactStatus status, std::optional<int> contact) noexcept {
   // A limit that the caller set is the caller's.
   const bool lost = status == ContactStatus::integration_failed && motion_.near_change_point() &&
                     result_.integration.status != IntegrationStatus::too_many_steps;
@@ -112,12 +112,12 @@ bool ContactAutomaton::valid_rules() noexcept {
 }
 
 bool ContactAutomaton::begin(double t, Gaps gaps) {
-  if (!motion_.read(t, y_)) return end(ContactStatus::integration_failed, -1);
+  if (!motion_.read(t, y_)) return end(ContactStatus::integration_failed, std::nullopt);
   const double off = motion_.loops_off();
   if (motion_.project(t, y_, 30) != Evaluation::ok || !motion_.read(t, y_)) {
-    return have_points() && end(ContactStatus::integration_failed, -1);
+    return have_points() && end(ContactStatus::integration_failed, std::nullopt);
   }
-  if (!motion_.loops_closed(off)) return end(ContactStatus::open_loops, -1);
+  if (!motion_.loops_closed(off)) return end(ContactStatus::open_loops, std::nullopt);
   for (int i = 0; i < count(); ++i) {
     if (std::isnan(motion_.reading().gap[as(i)])) return end(ContactStatus::no_point, i);
     const bool below = motion_.rule(i).normal && !(motion_.reading().gap[as(i)] >= -options_.touch);
@@ -127,7 +127,7 @@ bool ContactAutomaton::begin(double t, Gaps gaps) {
   }
   // Gaps up to `touch` are closed: one that is left below zero would sink.
   if (motion_.project_positions(t, y_, 3) != Evaluation::ok || !motion_.read(t, y_)) {
-    return end(ContactStatus::integration_failed, -1);
+    return end(ContactStatus::integration_failed, std::nullopt);
   }
   bool approaches = false;
   int first = 0;
@@ -148,18 +148,18 @@ bool ContactAutomaton::begin(double t, Gaps gaps) {
     return has_event_ = collide(first, false, options_.law);
   }
   for (int i = 0; i < count(); ++i) {
-    const int by = motion_.carrier(i);
+    const std::optional<int> by = motion_.carrier(i);
     motion_.states[as(i)].touches =
-        touching_[as(i)] && (by < 0 || motion_.reading().w(motion_.first_row(by)) <= options_.at_rest);
+        touching_[as(i)] && (!by || motion_.reading().w(motion_.first_row(*by)) <= options_.at_rest);
     set_by_slip(i, options_.at_rest);
   }
-  return settle(-1) && decide(-1, Cause::none);
+  return settle(std::nullopt) && decide(std::nullopt, Cause::none);
 }
 
 // Whether the gap is closed, as near as other contacts ask.
 bool ContactAutomaton::near(int i) const noexcept {
-  const int by = motion_.carrier(i);
-  return by < 0 || motion_.reading().gap[as(by)] <= options_.touch;
+  const std::optional<int> by = motion_.carrier(i);
+  return !by || motion_.reading().gap[as(*by)] <= options_.touch;
 }
 
 // Sticking or sliding by the velocity of slip; one that sticks is free to begin to slide.
@@ -182,7 +182,7 @@ void ContactAutomaton::set_by_slip(int i, double at_rest) noexcept {
 }
 
 // Contacts that stick have no velocity from now on: a slip that begins does so from rest.
-bool ContactAutomaton::settle(int contact) {
+bool ContactAutomaton::settle(std::optional<int> contact) {
   motion_.changed();
   if (motion_.project(result_.time, y_) != Evaluation::ok) return end(ContactStatus::integration_failed, contact);
   if (!raise_open()) return end(ContactStatus::integration_failed, contact);
@@ -216,7 +216,7 @@ bool ContactAutomaton::raise_open() {
 }
 
 // The law by which the regime that follows is decided: a slip has its direction, one that begins has none yet.
-ContactLaw ContactAutomaton::law_after(int i, int forced, Cause cause) const noexcept {
+ContactLaw ContactAutomaton::law_after(int i, std::optional<int> forced, Cause cause) const noexcept {
   const ContactState& state = motion_.states[as(i)];
   ContactLaw law = motion_.rule(i).law();
   const bool slid = state.regime == ContactRegime::slides && law.tangents > 0;
@@ -244,7 +244,7 @@ bool ContactAutomaton::have_points() noexcept {
 
 // Which regimes follow: all that are consistent are sought, and the one of least motion is taken. The contact that had
 // an event is not left to rounding: what the event says of it is given.
-bool ContactAutomaton::decide(int forced, Cause cause) {
+bool ContactAutomaton::decide(std::optional<int> forced, Cause cause) {
   if (!motion_.read(result_.time, y_)) return end(ContactStatus::integration_failed, forced);
   ContactSelection chosen;
   for (int i = 0; i < count(); ++i) {
@@ -263,7 +263,7 @@ bool ContactAutomaton::decide(int forced, Cause cause) {
       chosen.problem.law(0).slips) {
     return impact_of_slip(chosen.who[0]);
   }
-  if (!answer) return end(ContactStatus::no_solution, forced >= 0 ? forced : chosen.who[0]);
+  if (!answer) return end(ContactStatus::no_solution, forced.value_or(chosen.who[0]));
   if (answer.verdict == ContactVerdict::several) ++result_.ambiguous;
   if (answer.best().indeterminate) ++result_.indeterminate;
   residual_ = std::max(residual_, answer.best().residual);
@@ -302,7 +302,7 @@ void ContactAutomaton::note_regularity() {
 // The equations of the present regimes have become singular, to eight digits: beyond, steps shrink without end. Many
 // motions run into such a state, and many leave it: no decision there is more than rounding (Génot & Brogliato 1999).
 bool ContactAutomaton::pass_singular() {
-  if (motion_.solve(result_.time, y_) != Evaluation::ok) return end(ContactStatus::integration_failed, -1);
+  if (motion_.solve(result_.time, y_) != Evaluation::ok) return end(ContactStatus::integration_failed, std::nullopt);
   return end(ContactStatus::jams, motion_.busiest_slip());
 }
 
@@ -310,8 +310,8 @@ bool ContactAutomaton::pass_singular() {
 // before the determinant is so small.
 bool ContactAutomaton::jams_nearly(double t, std::span<const double> y) {
   if (motion_.solve(t, y) != Evaluation::ok) return false;
-  const int contact = motion_.busiest_slip();
-  if (contact < 0 || !(side_ * motion_.regularity() < 1e-3 * began_regular_)) return false;
+  const std::optional<int> contact = motion_.busiest_slip();
+  if (!contact || !(side_ * motion_.regularity() < 1e-3 * began_regular_)) return false;
   end(ContactStatus::jams, contact);
   return true;
 }
@@ -320,13 +320,14 @@ bool ContactAutomaton::jams_nearly(double t, std::span<const double> y) {
 bool ContactAutomaton::take_regime(const ContactSelection& chosen, int k, const ContactSolution& s) {
   const ContactProblem& problem = chosen.problem;
   const ContactLaw& law = problem.law(k);
-  const int i = chosen.who[as(k)], by = motion_.carrier(i);
+  const int i = chosen.who[as(k)];
+  const std::optional<int> by = motion_.carrier(i);
   const int n = problem.first_row(k), t = problem.tangent_row(k);
   ContactState& state = motion_.states[as(i)];
   // Two that neither press nor part, as pendulums of one length side by side, would else part and strike without end.
   const double part = 1e-12 * bounces_[as(i)].doubt;
   const double none = law.normal ? part * (fastest_(chosen.row[as(n)]) + problem.W.row(n).cwiseAbs().dot(s.r.cwiseAbs())) : 0;
-  const bool opens = law.normal ? s.u(n) > none : by >= 0 && !motion_.states[as(by)].touches;
+  const bool opens = law.normal ? s.u(n) > none : by && !motion_.states[as(*by)].touches;
   if (opens) {
     state = {};
     return false;
@@ -465,7 +466,7 @@ void ContactAutomaton::next_event() noexcept {
 bool ContactAutomaton::pass_on(bool normal) {
   const PerContact<ContactState> before = motion_.states;
   kind_ = normal ? ContactEventKind::opens : ContactEventKind::slips;
-  if (!decide(-1, Cause::none)) return false;
+  if (!decide(std::nullopt, Cause::none)) return false;
   has_event_ = false;
   for (int i = 0; i < count(); ++i) {
     const ContactState& now = motion_.states[as(i)];

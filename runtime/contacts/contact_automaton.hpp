@@ -48,7 +48,7 @@ class ContactAutomaton {
   /// Goes on to the next event of that time, if there is one: slips of other contacts that have ended too.
   void next_event() noexcept;
 
-  bool end(ContactStatus status, int contact) noexcept;
+  bool end(ContactStatus status, std::optional<int> contact) noexcept;
   [[nodiscard]] ContactResult& result() noexcept { return result_; }
   [[nodiscard]] const ContactResult& result() const noexcept { return result_; }
   [[nodiscard]] ContactMotion& motion() noexcept { return motion_; }
@@ -83,11 +83,11 @@ class ContactAutomaton {
   bool begin(double t, Gaps gaps);
   [[nodiscard]] bool near(int i) const noexcept;
   void set_by_slip(int i, double at_rest) noexcept;
-  bool settle(int contact);
+  bool settle(std::optional<int> contact);
   bool raise_open();
   bool have_points() noexcept;
-  bool decide(int forced, Cause cause);
-  [[nodiscard]] ContactLaw law_after(int i, int forced, Cause cause) const noexcept;
+  bool decide(std::optional<int> forced, Cause cause);
+  [[nodiscard]] ContactLaw law_after(int i, std::optional<int> forced, Cause cause) const noexcept;
   void note_found(const ContactSelection& chosen, const ContactAnswer& answer) noexcept;
   bool take_regime(const ContactSelection& chosen, int k, const ContactSolution& solution);
   [[nodiscard]] double end_of_bounces(int i, double speed, double a) const noexcept;

@@ -45,8 +45,8 @@ Evaluation ContactExchange::complete(double t, std::span<double> y) {
   const Evaluation held = motion.hold(t, y);
   if (held == Evaluation::ok) {
     motion.follow_slips(t, y);
-  } else if (motion.jumping(t) >= 0) {
-    automaton_.end(ContactStatus::no_point, motion.jumping(t));
+  } else if (const std::optional<int> contact = motion.jumping(t)) {
+    automaton_.end(ContactStatus::no_point, contact);
   }
   return held;
 }
@@ -77,7 +77,7 @@ bool ContactExchange::update(double t, std::span<double> y) {
       if (!automaton_.barrier(i)) lifts_[i] = lift_of(automaton_.guard(i, t, y));
     }
   }
-  return automaton_.end(ContactStatus::too_many_events, -1);
+  return automaton_.end(ContactStatus::too_many_events, std::nullopt);
 }
 
 void ContactExchange::lift(double t, std::span<const double> y) {

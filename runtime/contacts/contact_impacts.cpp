@@ -63,7 +63,7 @@ bool ContactAutomaton::collide(int cause, bool rests, ImpactLaw impact_law) {
   ContactSelection chosen;
   PerContact<double> restitution{};
   for (int i = 0; i < count(); ++i) {
-    if (!touching_[as(i)] || (motion_.carrier(i) < 0 && motion_.rule(i).bearing == 0)) continue;
+    if (!touching_[as(i)] || (!motion_.carrier(i) && motion_.rule(i).bearing == 0)) continue;
     ContactLaw law = motion_.rule(i).law();
     law.static_friction = law.friction;
     law.bound = law.static_bound = 0;  // bounded forces give no impulse
@@ -110,12 +110,13 @@ bool ContactAutomaton::collide(int cause, bool rests, ImpactLaw impact_law) {
   if (!motion_.read(result_.time, y_)) return end(ContactStatus::integration_failed, cause);
   PerContact<bool> held{};  // joints that stick
   for (int k = 0; k < problem.count; ++k) {
-    const int i = chosen.who[as(k)], by = motion_.carrier(i);
+    const int i = chosen.who[as(k)];
+    const std::optional<int> by = motion_.carrier(i);
     held[as(i)] = shock.sticks[as(k)];
-    if (by < 0) continue;
+    if (!by) continue;
     // What is left of an accumulation's velocity is rounding: projection takes it away.
     motion_.states[as(i)].touches =
-        by != i ? motion_.states[as(by)].touches : shock.closed[as(k)] || rests_on[as(i)] || (rests && accumulating(i));
+        by != i ? motion_.states[as(*by)].touches : shock.closed[as(k)] || rests_on[as(i)] || (rests && accumulating(i));
     // A slip of that size has no direction: one that the impact leaves alone would get the direction of its rounding.
     set_by_slip(i, shock.sticks[as(k)] ? std::numeric_limits<double>::infinity() : 64 * rounding[as(i)]);
   }
@@ -124,15 +125,15 @@ bool ContactAutomaton::collide(int cause, bool rests, ImpactLaw impact_law) {
     if (!settle(cause) || !close_what_rests(chosen, rounding_of_opening)) return false;
     for (int k = 0; k < problem.count; ++k) {
       const int i = chosen.who[as(k)];
-      if (motion_.carrier(i) >= 0 && !shock.sticks[as(k)]) set_by_slip(i, 64 * rounding[as(i)]);
+      if (motion_.carrier(i) && !shock.sticks[as(k)]) set_by_slip(i, 64 * rounding[as(i)]);
     }
   }
   for (int i = 0; i < count(); ++i) {
-    if (motion_.carrier(i) >= 0) continue;
+    if (motion_.carrier(i)) continue;
     motion_.states[as(i)].touches = true;
     set_by_slip(i, held[as(i)] ? std::numeric_limits<double>::infinity() : 64 * rounding[as(i)]);
   }
-  return settle(cause) && decide(-1, Cause::none);
+  return settle(cause) && decide(std::nullopt, Cause::none);
 }
 
 // A gap has fallen to zero: an impact, or the last one of bounces that accumulate.

@@ -47,7 +47,7 @@ void ContactMotion::forget() {
   undetermined_.fill(false);
   along_.fill({});
   held_.setZero(rows());
-  jumping_ = -1;
+  jumping_.reset();
   followed_ = false;
   known_ = responded_ = solved_ = false;
   nearest_ = 1;
@@ -120,9 +120,9 @@ Evaluation ContactMotion::solve(double t, std::span<const double> y) {
     return Evaluation::ok;
   }
   if (!respond()) return Evaluation::singular;
-  ContactProblem problem = problem_of(reading_, dynamics_);
+  const ContactProblem problem = problem_of(reading_, dynamics_);
+  Alignment alignment{.problem = problem};
   Regimes regimes{};
-  PerContact<bool> begins{};
   bool any = false;
   for (int i = 0; i < count(); ++i) {
     const ContactState& state = at(i);
@@ -134,12 +134,12 @@ Evaluation ContactMotion::solve(double t, std::span<const double> y) {
         state.regime == ContactRegime::sticks ? AssumedRegime::Friction::sticks : AssumedRegime::Friction::slides;
     regime.direction = direction(i);
     regime.along = along_[as(i)];
-    begins[as(i)] = follows_forces(i);
-    any = any || begins[as(i)];
+    alignment.begins[as(i)] = follows_forces(i);
+    any = any || alignment.begins[as(i)];
   }
   unaligned_.fill(false);
   if (any) {
-    const Evaluation aligned = align_or_keep(t, y, problem, regimes, begins);
+    const Evaluation aligned = align_or_keep(t, y, alignment, regimes);
     if (aligned != Evaluation::ok) return aligned;
   }
   const ContactScale scale(problem);
@@ -151,15 +151,15 @@ Evaluation ContactMotion::solve(double t, std::span<const double> y) {
     if (rule(i).bearing > 0) along_[as(i)] = equations.along(i);
   }
   r_ = equations.reactions();
-  if (busiest_slip() >= 0 && equations.kernel().cols() == 0) regularity_ = equations.scaled_determinant();
+  if (busiest_slip() && equations.kernel().cols() == 0) regularity_ = equations.scaled_determinant();
   a_ = dynamics_.a0;
   a_.noalias() += dynamics_.KJ * r_;
   solved_ = true;
   return a_.allFinite() ? Evaluation::ok : Evaluation::not_finite;
 }
 
-int ContactMotion::busiest_slip() const noexcept {
-  int busiest = -1;
+std::optional<int> ContactMotion::busiest_slip() const noexcept {
+  std::optional<int> busiest;
   double most = -1;
   for (int i = 0; i < count(); ++i) {
     if (!at(i).touches || at(i).regime != ContactRegime::slides || rule(i).tangents == 0) continue;
@@ -181,7 +181,7 @@ void ContactMotion::note_undetermined(const RegimeSystem& equations, const Conta
   for (Eigen::Index k = 0; k < others.cols(); ++k) others.col(k) /= others.col(k).cwiseProduct(units).cwiseAbs().maxCoeff();
   for (int i = 0; i < count(); ++i) {
     const auto differs = [&](int row) { return units(row) * others.row(row).cwiseAbs().maxCoeff() > 1e-9; };
-    bool any = rule(i).pressed_by >= 0 && differs(first_row(rule(i).pressed_by));
+    bool any = rule(i).pressed_by && differs(first_row(*rule(i).pressed_by));
     for (int k = first_bearing(i); k < first_bearing(i + 1); ++k) {
       const ContactVector change = (dynamics_.S.row(k) * others).transpose();
       any = any || change.cwiseAbs().maxCoeff() > 1e-9 * dynamics_.S.row(k).transpose().cwiseQuotient(units).cwiseAbs().maxCoeff();
@@ -310,8 +310,8 @@ double ContactMotion::pressing(int i) const noexcept {
     }
     return length;
   }
-  const int by = carrier(i);
-  return by < 0 ? 0 : r_(first_row(by));
+  const std::optional<int> by = carrier(i);
+  return by ? r_(first_row(*by)) : 0;
 }
 
 double ContactMotion::margin(int i) const noexcept {
@@ -356,10 +356,10 @@ double ContactMotion::rounding_of_gap(int i) const noexcept {
 // Directions of slips that have just begun, to first order in the slip: the rate of those of order zero is taken over a part of the
 // time s/s' that the slip has lasted, or that is left of it. Rounding ε of a direction is then ε of its acceleration, and what the
 // rate itself changes in that time is of second order in the slip.
-Evaluation ContactMotion::align(double t, std::span<const double> y, const ContactProblem& problem, Regimes& regimes,
-                                const PerContact<bool>& begins) {
-  PerContact<double> across{};
-  if (!align_slips(problem, regimes, begins, across, held_)) return Evaluation::singular;
+Evaluation ContactMotion::align(double t, std::span<const double> y, const Alignment& of, Regimes& regimes) {
+  const auto& [problem, begins] = of;
+  BeginningSlips slips{.begins = begins, .held = held_};
+  if (!align_slips(problem, regimes, slips)) return Evaluation::singular;
   const ContactScale scale(problem);
   RegimeSystem equations(problem, scale, regimes);
   if (!equations.solve()) return Evaluation::singular;
@@ -385,29 +385,29 @@ Evaluation ContactMotion::align(double t, std::span<const double> y, const Conta
   if (mechanism_.read(t + later, there_, later_reading_) != Evaluation::ok) return Evaluation::singular;
   if (!later_dynamics_.compute(later_reading_) || !later_dynamics_.respond(later_reading_)) return Evaluation::singular;
   Regimes turned = regimes;
-  if (!align_slips(problem_of(later_reading_, later_dynamics_), turned, begins, across, held_)) return Evaluation::singular;
+  if (!align_slips(problem_of(later_reading_, later_dynamics_), turned, slips)) return Evaluation::singular;
   for (int i = 0; i < count(); ++i) {
     if (!begins[as(i)]) continue;
     const auto& d = regimes[as(i)].direction;
     const auto& e = turned[as(i)].direction;
     const int k = tangent_row(i);
     const double s = d[0] * reading_.w(k) + d[1] * reading_.w(k + 1);
-    across[as(i)] = across_[as(i)] = s * (d[0] * e[1] - d[1] * e[0]) / later;
+    slips.across[as(i)] = across_[as(i)] = s * (d[0] * e[1] - d[1] * e[0]) / later;
     // s κ over the force that turns the slip back: the angle by which it lags.
     const ContactVector du = equations.motion_by_turning(i);
     const double stiffness = d[0] * (u(k) - du(k + 1)) + d[1] * (u(k + 1) + du(k));
     lag_[as(i)] = stiffness > 0 ? across_[as(i)] / stiffness : 1;
     stiff_[as(i)] = stiffness > 8 * std::abs(d[0] * u(k) + d[1] * u(k + 1));
   }
-  return align_slips(problem, regimes, begins, across, held_) ? Evaluation::ok : Evaluation::singular;
+  return align_slips(problem, regimes, slips) ? Evaluation::ok : Evaluation::singular;
 }
 
 // Forces may stop giving a slip that fades a direction, as where another one that fades with it passes zero at a distance. Such a
 // slip goes on in the direction of its velocity.
-Evaluation ContactMotion::align_or_keep(double t, std::span<const double> y, const ContactProblem& problem, Regimes& regimes,
-                                        PerContact<bool>& begins) {
+Evaluation ContactMotion::align_or_keep(double t, std::span<const double> y, Alignment of, Regimes& regimes) {
+  PerContact<bool>& begins = of.begins;
   Regimes aligned = regimes;
-  Evaluation evaluation = align(t, y, problem, aligned, begins);
+  Evaluation evaluation = align(t, y, of, aligned);
   if (evaluation != Evaluation::ok) {
     bool any = false, more = false;
     for (int i = 0; i < count(); ++i) {
@@ -422,7 +422,7 @@ Evaluation ContactMotion::align_or_keep(double t, std::span<const double> y, con
     }
     if (!any) return evaluation;
     aligned = regimes;
-    evaluation = more ? align(t, y, problem, aligned, begins) : Evaluation::ok;
+    evaluation = more ? align(t, y, of, aligned) : Evaluation::ok;
   }
   regimes = aligned;
   for (int i = 0; i < count(); ++i) aligned_[as(i)] = regimes[as(i)].direction;

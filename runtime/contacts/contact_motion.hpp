@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -36,9 +37,10 @@ class ContactMotion {
   [[nodiscard]] Evaluation project(double t, std::span<double> y, int steps = 3);
   /// The same at the end of a step of the integration. Refused where a normal velocity is none of its errors: `jumping`.
   [[nodiscard]] Evaluation hold(double t, std::span<double> y);
-  /// The contact whose normal jumps within a million roundings of the time behind t, by the step refused last; -1: none does.
-  [[nodiscard]] int jumping(double t) const noexcept {
-    return std::abs(jumped_ - t) <= 1e6 * std::numeric_limits<double>::epsilon() * std::abs(jumped_) ? jumping_ : -1;
+  /// The contact whose normal jumps within a million roundings of the time behind t, by the step refused last.
+  [[nodiscard]] std::optional<int> jumping(double t) const noexcept {
+    const bool near = std::abs(jumped_ - t) <= 1e6 * std::numeric_limits<double>::epsilon() * std::abs(jumped_);
+    return near ? jumping_ : std::nullopt;
   }
   /// A step has ended at (t, y): slips have the directions that they have there. Within a step they are compared with those of
   /// its start. Where the state cannot be read nothing follows.
@@ -116,8 +118,8 @@ class ContactMotion {
   [[nodiscard]] const ContactSizes& sizes() const noexcept { return sizes_; }
   [[nodiscard]] int count() const noexcept { return sizes_.contacts; }
   [[nodiscard]] const ContactRule& rule(int i) const noexcept { return rules_[as(i)]; }
-  /// The contact whose gap decides whether this one touches: itself, or the one that rolls; -1: it always does.
-  [[nodiscard]] int carrier(int i) const noexcept { return rule(i).normal ? i : rule(i).pressed_by; }
+  /// The contact whose gap decides whether this one touches: itself, or the one that rolls; none: it always does.
+  [[nodiscard]] std::optional<int> carrier(int i) const noexcept { return rule(i).normal ? i : rule(i).pressed_by; }
   [[nodiscard]] int rows() const noexcept { return first_row_[as(count())]; }
   [[nodiscard]] int first_row(int i) const noexcept { return first_row_[as(i)]; }
   [[nodiscard]] bool has_point(int i) const { return reading_.has_rows(first_row(i), rule(i).rows()); }
@@ -139,8 +141,8 @@ class ContactMotion {
   /// Determinant of the equations of the regimes solved last, over that without friction. Where slips jam it passes zero:
   /// beyond, there is no solution or one of several (Painlevé). 1 where nothing slides or reactions are not unique.
   [[nodiscard]] double regularity() const noexcept { return regularity_; }
-  /// The sliding contact on whose friction most power is spent; -1: none slides.
-  [[nodiscard]] int busiest_slip() const noexcept;
+  /// The sliding contact on whose friction most power is spent, where one slides.
+  [[nodiscard]] std::optional<int> busiest_slip() const noexcept;
   /// Errors of the integration: what they leave of a slip that ends, across its direction, has no direction.
   void tolerate(double absolute, double relative) noexcept {
     absolute_ = absolute;
@@ -164,10 +166,13 @@ class ContactMotion {
   [[nodiscard]] bool jumps(int i, double t, std::span<const double> y);
   [[nodiscard]] bool follows_forces(int i) const noexcept;
   [[nodiscard]] bool respond();
-  [[nodiscard]] Evaluation align(double t, std::span<const double> y, const ContactProblem& problem, Regimes& regimes,
-                                 const PerContact<bool>& begins);
-  [[nodiscard]] Evaluation align_or_keep(double t, std::span<const double> y, const ContactProblem& problem, Regimes& regimes,
-                                         PerContact<bool>& begins);
+  /// Slips whose directions are sought from forces, and the problem that these solve.
+  struct Alignment {
+    const ContactProblem& problem;
+    PerContact<bool> begins{};
+  };
+  [[nodiscard]] Evaluation align(double t, std::span<const double> y, const Alignment& of, Regimes& regimes);
+  [[nodiscard]] Evaluation align_or_keep(double t, std::span<const double> y, Alignment of, Regimes& regimes);
   [[nodiscard]] ContactProblem problem_of(const ContactReading& reading, const ContactDynamics& dynamics) const;
   [[nodiscard]] double blur(int i) const noexcept;
   [[nodiscard]] bool strays(int i) const noexcept;
@@ -192,7 +197,7 @@ class ContactMotion {
   PerContact<std::array<double, 2>> along_{};  ///< directions of the reactions of joints, from which the next are sought
   std::array<int, static_cast<std::size_t>(most_rows)> row_{};
   int chosen_ = 0;
-  int jumping_ = -1;
+  std::optional<int> jumping_;
   double jumped_ = 0;  ///< when
   double regularity_ = 1;
   double t_ = 0, absolute_ = 1e-13, relative_ = 1e-13;

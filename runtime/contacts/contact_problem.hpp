@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <optional>
 #include <string_view>
 
 #include "torsor/runtime/library.hpp"
@@ -34,7 +35,7 @@ enum class ContactRegime : unsigned char { open, sticks, slides };
 /// joint that its own reaction presses has a `bearing`: N stands for |R|, R what the joint transmits across its freedom.
 struct ContactLaw {
   bool normal = true;                ///< false: dry friction alone, whose T is bounded by f N + b; it never opens
-  int pressed_by = -1;               ///< without a normal: the contact, earlier in order, whose N it is; -1: N = 0
+  std::optional<int> pressed_by{};   ///< without a normal: the contact, earlier in order, whose N it is; none: N = 0
   int bearing = 0;                   ///< without a normal: 1 or 2 components of a joint's reaction R, N = |R|; 0: none
   int tangents = 2;                  ///< 0: a stop, 1: in the plane, 2: in space
   double friction = 0;               ///< f, while it slides
@@ -102,10 +103,10 @@ struct ContactProblem {
   [[nodiscard]] int tangent_row(int contact) const noexcept {
     return first_row(contact) + (law(contact).normal ? 1 : 0);
   }
-  /// Row of the normal force that presses a contact; -1 where there is none.
-  [[nodiscard]] int pressing_row(int contact) const noexcept {
-    const int by = law(contact).normal ? contact : law(contact).pressed_by;
-    return by < 0 ? -1 : first_row(by);
+  /// Row of the normal force that presses a contact, where there is one.
+  [[nodiscard]] std::optional<int> pressing_row(int contact) const noexcept {
+    const std::optional<int> by = law(contact).normal ? contact : law(contact).pressed_by;
+    return by ? std::optional(first_row(*by)) : std::nullopt;
   }
   /// First row of S and c of a contact with a bearing.
   [[nodiscard]] int bearing_row(int contact) const noexcept {
@@ -127,8 +128,8 @@ struct ContactProblem {
       const auto R = bearing(contact, r);
       return std::hypot(R[0], R[1]);
     }
-    const int row = pressing_row(contact);
-    return row < 0 ? 0 : r(row);
+    const std::optional<int> row = pressing_row(contact);
+    return row ? r(*row) : 0;
   }
 };
 

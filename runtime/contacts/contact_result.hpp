@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string_view>
 
@@ -99,7 +100,7 @@ struct ContactOptions {
 struct ContactResult {
   ContactStatus status = ContactStatus::reached_end;
   double time = 0;
-  int contact = -1;  ///< the one that ended it
+  std::optional<int> contact{};  ///< the one that ended it, where one did
   ContactVerdict verdict = ContactVerdict::unique;
   std::int64_t events = 0, impacts = 0, accumulations = 0;
   std::int64_t ambiguous = 0;      ///< decisions for which there were several motions

@@ -31,9 +31,9 @@ ContactScale::ContactScale(const ContactProblem& problem) noexcept {
   }
   // What presses a contact acts on its friction.
   for (int i = 0; i < problem.count; ++i) {
-    const int first = problem.first_row(i), pressing = problem.pressing_row(i);
+    const int first = problem.first_row(i);
     for (int k = 1; k < problem.law(i).rows(); ++k) join(first + k, first);
-    if (pressing >= 0) join(first, pressing);
+    if (const std::optional<int> pressing = problem.pressing_row(i)) join(first, *pressing);
     for (int k = 0, own = problem.bearing_row(i); k < problem.law(i).bearing; ++k, ++own) {
       for (int j = 0; j < n; ++j) {
         if (problem.S(own, j) != 0) join(first, j);

@@ -19,7 +19,7 @@ struct ContactSelection {
   /// is pressed by came before.
   void add(int contact, ContactLaw law, int first_row, int first_bearing = 0) noexcept {
     for (int k = 0; k < law.bearing; ++k) bearing[at(bearings++)] = first_bearing + k;
-    if (law.pressed_by >= 0) law.pressed_by = place_[at(law.pressed_by)];
+    if (law.pressed_by) law.pressed_by = place_[at(*law.pressed_by)];
     place_[at(contact)] = problem.count;
     who[at(problem.count)] = contact;
     for (int k = 0; k < law.rows(); ++k) row[at(rows++)] = first_row + k;

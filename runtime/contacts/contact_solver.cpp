@@ -48,9 +48,9 @@ class ContactIteration {
       ContactProblem one;
       one.count = 1;
       one.laws[0] = problem_.law(i);
-      if (one.laws[0].pressed_by >= 0 || one.laws[0].bearing > 0) {  // by a force that is held, too
+      if (one.laws[0].pressed_by || one.laws[0].bearing > 0) {  // by a force that is held, too
         const double N = problem_.pressing(i, r_);
-        one.laws[0].pressed_by = -1;
+        one.laws[0].pressed_by.reset();
         one.laws[0].bearing = 0;
         one.laws[0].bound += one.laws[0].friction * N;
         one.laws[0].static_bound += one.laws[0].static_friction * N;
@@ -121,9 +121,9 @@ class ContactIteration {
       AssumedRegime& regime = regimes[as(i)];
       const int t = problem_.tangent_row(i);
       double N = 0;
-      if (const int pressing = problem_.pressing_row(i); pressing >= 0) {
-        const double W = problem_.W(pressing, pressing);
-        N = std::max(0.0, W > 0 ? r_(pressing) - u(pressing) / W : r_(pressing));
+      if (const std::optional<int> pressing = problem_.pressing_row(i)) {
+        const double W = problem_.W(*pressing, *pressing);
+        N = std::max(0.0, W > 0 ? r_(*pressing) - u(*pressing) / W : r_(*pressing));
         regime.pressed = law.normal && N > 0;
       }
       if (law.bearing > 0) {

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <concepts>
 #include <cstddef>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -15,23 +16,23 @@ namespace torsor::runtime {
 
 /// What a surface is made of: the coefficients of one contact.
 struct ContactRule {
-  int tangents = 2;             ///< 0: a stop, 1: in the plane, 2: in space
-  bool normal = true;           ///< false: dry friction in a joint, bounded by `bound`, or resistance to rolling
-  int pressed_by = -1;          ///< of resistance to rolling or spinning: the contact, earlier in order, that rolls
-  int bearing = 0;              ///< of friction in proportion to a joint's reaction: how many components that has
-  double friction = 0;          ///< f while it slides; of resistance to rolling a length [m]
-  double static_friction = -1;  ///< f_s while it sticks; below 0: f
-  double bound = 0;             ///< b [N]: |T| <= f N + b
-  double static_bound = -1;     ///< below 0: b
-  double restitution = 0;       ///< e, in [0, 1]
+  int tangents = 2;                         ///< 0: a stop, 1: in the plane, 2: in space
+  bool normal = true;                       ///< false: dry friction in a joint, bounded by `bound`, or resistance to rolling
+  std::optional<int> pressed_by{};          ///< of resistance to rolling or spinning: the contact, earlier in order, that rolls
+  int bearing = 0;                          ///< of friction in proportion to a joint's reaction: how many components that has
+  double friction = 0;                      ///< f while it slides; of resistance to rolling a length [m]
+  std::optional<double> static_friction{};  ///< f_s while it sticks; f where none is given
+  double bound = 0;                         ///< b [N]: |T| <= f N + b
+  std::optional<double> static_bound{};     ///< b_s, the same; b where none is given
+  double restitution = 0;                   ///< e, in [0, 1]
 
   [[nodiscard]] int rows() const noexcept { return (normal ? 1 : 0) + tangents; }
   /// Whether the rule of a contact, by its place among all, says what is possible; a number that is none is not.
   [[nodiscard]] bool valid(int contact) const noexcept {
     return friction >= 0 && sticking() >= friction && bound >= 0 && sticking_bound() >= bound &&
            std::isfinite(sticking() + sticking_bound()) && restitution >= 0 && restitution <= 1 && tangents >= 0 && tangents <= 2 && rows() > 0 &&
-           (pressed_by < 0 || (!normal && pressed_by < contact)) && bearing >= 0 && bearing <= 2 &&
-           (bearing == 0 || (!normal && pressed_by < 0 && tangents == 1));
+           (!pressed_by || (!normal && *pressed_by >= 0 && *pressed_by < contact)) && bearing >= 0 && bearing <= 2 &&
+           (bearing == 0 || (!normal && !pressed_by && tangents == 1));
   }
   /// Its law of forces while it does not slip already.
   [[nodiscard]] ContactLaw law() const noexcept {
@@ -44,14 +45,14 @@ struct ContactRule {
             .bound = bound,
             .static_bound = sticking_bound()};
   }
-  [[nodiscard]] double sticking() const noexcept { return static_friction < 0 ? friction : static_friction; }
-  [[nodiscard]] double sticking_bound() const noexcept { return static_bound < 0 ? bound : static_bound; }
+  [[nodiscard]] double sticking() const noexcept { return static_friction.value_or(friction); }
+  [[nodiscard]] double sticking_bound() const noexcept { return static_bound.value_or(bound); }
 };
 
 /// Whether the rule of a contact among all is possible, and what presses it a contact with a normal force.
 [[nodiscard]] inline bool valid_rule(std::span<const ContactRule> rules, int contact) noexcept {
   const ContactRule& rule = rules[static_cast<std::size_t>(contact)];
-  return rule.valid(contact) && (rule.pressed_by < 0 || rules[static_cast<std::size_t>(rule.pressed_by)].normal);
+  return rule.valid(contact) && (!rule.pressed_by || rules[static_cast<std::size_t>(*rule.pressed_by)].normal);
 }
 
 /// Numbers of coordinates, velocities, contacts and constraints that repeat no other.

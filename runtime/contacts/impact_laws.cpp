@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <optional>
 
 #include "torsor/runtime/contacts/contact_scale.hpp"
 #include "torsor/runtime/contacts/contact_selection.hpp"
@@ -87,27 +88,27 @@ void energetic(const ContactProblem& problem, std::span<const double> restitutio
   result.sticks[0] = found.sticks;
 }
 
-// The first contact in order that still closes; -1: none.
-int next_to_close(const ContactProblem& problem, const ContactVector& sizes, const ContactVector& w) noexcept {
+// The first contact in order that still closes.
+std::optional<int> next_to_close(const ContactProblem& problem, const ContactVector& sizes, const ContactVector& w) noexcept {
   for (int i = 0; i < problem.count; ++i) {
     const int n = problem.first_row(i);
     if (problem.law(i).normal && w(n) < -1e-15 * sizes(n)) return i;
   }
-  return -1;
+  return std::nullopt;
 }
 
 void sequential(const ContactProblem& problem, std::span<const double> restitution, ImpactResult& result) noexcept {
   const ContactVector sizes = ContactScale(problem).motions(problem.q);
   for (; result.collisions < 100000; ++result.collisions) {
-    const int next = next_to_close(problem, sizes, result.w);
-    if (next < 0) break;
+    const std::optional<int> next = next_to_close(problem, sizes, result.w);
+    if (!next) break;
     // That contact, what resists to its rolling and spinning, and the joints.
     ContactSelection one;
     PerContact<double> e{};
     for (int i = 0; i < problem.count; ++i) {
       const ContactLaw& law = problem.law(i);
       if (i != next && law.pressed_by != next && law.bearing == 0) continue;
-      if (i == next) e[at(one.problem.count)] = restitution[at(next)];
+      if (i == next) e[at(one.problem.count)] = restitution[at(*next)];
       one.add(i, law, problem.first_row(i), problem.bearing_row(i));
     }
     one.fill(problem.W, result.w, problem.S, problem.c);

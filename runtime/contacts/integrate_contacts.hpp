@@ -2,6 +2,7 @@
 #pragma once
 #include <array>
 #include <cstddef>
+#include <optional>
 #include <span>
 #include <type_traits>
 
@@ -41,7 +42,7 @@ class ContactRun {
     const ContactSizes& sizes = automaton_.motion().sizes();
     if (static_cast<std::size_t>(sizes.coordinates + sizes.velocities) > size ||
         static_cast<std::size_t>(sizes.contacts) > contacts) {
-      return automaton_.end(ContactStatus::no_room, -1);
+      return automaton_.end(ContactStatus::no_room, std::nullopt);
     }
     return automaton_.start(t0, y_) && told();
   }
@@ -50,7 +51,7 @@ class ContactRun {
   bool advance(double t1) {
     ContactResult& result = automaton_.result();
     if (result.status != ContactStatus::reached_end) return false;
-    if (!(t1 >= result.time)) return automaton_.end(ContactStatus::integration_failed, -1);
+    if (!(t1 >= result.time)) return automaton_.end(ContactStatus::integration_failed, std::nullopt);
     int stuck = 0;
     while (result.status == ContactStatus::reached_end && result.time < t1) {
       const double before = result.time;
@@ -120,18 +121,21 @@ class ContactRun {
     result.integration.statistics = all;
     result.integration_event = piece.status;
     if (piece.status == EventStatus::reached_end) return true;
-    if (piece.status == EventStatus::stopped_by_observer) return automaton_.end(ContactStatus::stopped_by_observer, -1);
+    if (piece.status == EventStatus::stopped_by_observer) {
+      return automaton_.end(ContactStatus::stopped_by_observer, std::nullopt);
+    }
     const bool here = piece.status == EventStatus::guard_not_followed &&
                       automaton_.ends_unfollowed(piece.guard, piece.time, y_);
     if (piece.status != EventStatus::stopped_at_event && !here) {
       if (piece.integration.status == IntegrationStatus::step_too_small && automaton_.jams_nearly(piece.time, y_)) return false;
-      if (piece.status == EventStatus::integration_failed && automaton_.motion().jumping(piece.time) >= 0) {
-        return automaton_.end(ContactStatus::no_point, automaton_.motion().jumping(piece.time));
+      const std::optional<int> jumping = automaton_.motion().jumping(piece.time);
+      if (piece.status == EventStatus::integration_failed && jumping) {
+        return automaton_.end(ContactStatus::no_point, jumping);
       }
       const bool of_a_guard = piece.status == EventStatus::guard_not_followed || piece.status == EventStatus::beyond_barrier;
       const auto contact = static_cast<int>(piece.guard / ContactAutomaton::guards);
       const bool of_a_contact = of_a_guard && contact < automaton_.motion().count();
-      return automaton_.end(ContactStatus::integration_failed, of_a_contact ? contact : -1);
+      return automaton_.end(ContactStatus::integration_failed, of_a_contact ? std::optional(contact) : std::nullopt);
     }
     return automaton_.pass(piece.guard, piece.time, y_) && told();
   }

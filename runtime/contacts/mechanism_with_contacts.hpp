@@ -60,7 +60,7 @@ requires(HasMassMatrixAndBias<M> && (M::multiplier_count == 0 || HasConstraints<
                    .static_bound = of.static_bound[i],
                    .restitution = of.restitution[i]};
       if constexpr (requires { M::contact_pressed_by; }) {
-        rules_[i].pressed_by = static_cast<int>(M::contact_pressed_by[i]) - 1;
+        if (M::contact_pressed_by[i] > 0) rules_[i].pressed_by = static_cast<int>(M::contact_pressed_by[i]) - 1;
       }
       if constexpr (requires { M::contact_bearings; }) rules_[i].bearing = static_cast<int>(M::contact_bearings[i]);
     }

@@ -61,8 +61,8 @@ bool MoreauJean::move_through(double t, double h, std::span<double> y) {
   ContactSelection chosen;
   for (int i = 0; i < count(); ++i) {
     const ContactRule& rule = rules_[as(i)];
-    const int by = rule.normal ? i : rule.pressed_by;
-    if (by >= 0 && opens(by, middle_)) continue;
+    const std::optional<int> by = rule.normal ? i : rule.pressed_by;
+    if (by && opens(*by, middle_)) continue;
     ContactLaw law = rule.law();
     law.bound *= h;  // bounded forces, as impulses of the step
     law.static_bound *= h;
@@ -110,9 +110,10 @@ bool MoreauJean::opens(int i, std::span<const double> y) const {
 // Rows of an open contact have no part in the step, whatever they are.
 bool MoreauJean::has_points() noexcept {
   for (int i = 0; i < count(); ++i) {
-    const int first = first_row_[as(i)], size = rules_[as(i)].rows(), by = rules_[as(i)].normal ? i : rules_[as(i)].pressed_by;
+    const int first = first_row_[as(i)], size = rules_[as(i)].rows();
+    const std::optional<int> by = rules_[as(i)].normal ? i : rules_[as(i)].pressed_by;
     if (reading_.has_rows(first, size)) continue;
-    if (by < 0 || !(reading_.gap[as(by)] > 0)) {
+    if (!by || !(reading_.gap[as(*by)] > 0)) {
       contact_ = i;
       return end(ContactStatus::no_point);
     }

@@ -3,6 +3,7 @@
 #include <array>
 #include <cstddef>
 #include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -36,7 +37,8 @@ class MoreauJean {
   [[nodiscard]] ContactStatus status() const noexcept { return status_; }
   [[nodiscard]] double residual() const noexcept { return residual_; }  ///< certificate of the last step
   [[nodiscard]] double depth() const noexcept { return depth_; }  ///< [m] below zero before its end put it back
-  [[nodiscard]] int contact() const noexcept { return contact_; }  ///< the one whose rule is invalid, or without a point; else -1
+  /// The one whose rule is invalid, or without a point.
+  [[nodiscard]] std::optional<int> contact() const noexcept { return contact_; }
   [[nodiscard]] const ContactVector& impulses() const noexcept { return impulses_; }  ///< of the last step, all rows
 
  private:
@@ -64,18 +66,23 @@ class MoreauJean {
   ContactVector impulses_;
   ContactStatus status_ = ContactStatus::reached_end;
   double residual_ = 0, depth_ = 0;
-  int contact_ = -1;
+  std::optional<int> contact_;
 };
 
-/// Steps of equal length from t0 to t1, `steps` of them; the status of the last one. integration_failed where t1 < t0 or
-/// there is no step.
+/// Steps of equal length.
+struct EqualSteps {
+  long count = 1;
+  double theta = 0.5;  ///< 0 <= θ <= 1, see MoreauJean
+};
+
+/// Equal steps from t0 to t1; the status of the last one. integration_failed where t1 < t0 or there is no step.
 template <ContactSystem S>
-ContactStatus step_contacts(const S& system, std::array<double, S::nq + S::nv>& y, double t0, double t1, long steps,
-                            double theta = 0.5) {
-  MoreauJean scheme(system, theta);
-  if (!(t1 >= t0) || steps < 1) return ContactStatus::integration_failed;
-  const double h = (t1 - t0) / static_cast<double>(steps);
-  for (long k = 0; k < steps; ++k) {
+ContactStatus step_contacts(const S& system, std::array<double, S::nq + S::nv>& y, double t0, double t1,
+                            const EqualSteps& steps) {
+  MoreauJean scheme(system, steps.theta);
+  if (!(t1 >= t0) || steps.count < 1) return ContactStatus::integration_failed;
+  const double h = (t1 - t0) / static_cast<double>(steps.count);
+  for (long k = 0; k < steps.count; ++k) {
     if (!scheme.step(t0 + static_cast<double>(k) * h, h, y)) return scheme.status();
   }
   return ContactStatus::reached_end;

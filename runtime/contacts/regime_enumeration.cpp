@@ -52,7 +52,7 @@ bool RegimeEnumeration::try_from(Regimes regimes, const ContactVector& near) noe
   PerContact<bool> begins{};
   for (int i = 0; i < problem_.count; ++i) begins[as(i)] = regimes[as(i)].direction_sought;
   Regimes aligned = regimes;
-  if (near.size() > 0 && align_slips(problem_, aligned, begins, {}, near)) {
+  if (near.size() > 0 && align_slips(problem_, aligned, {.begins = begins, .held = near})) {
     accept(aligned, &near);
   }
   if (answer_.count == before && turn_to_slip(regimes)) accept(regimes);
@@ -263,7 +263,7 @@ bool RegimeEnumeration::turn_to_slip(Regimes& regimes) noexcept {
     if (!system.solve()) return false;
     const ContactVector u = system.motion();
     const ContactVector size = RegimeInequalities(problem_, scale_, system).sizes(system.reactions()).motion;
-    const SlipsAcross slips(problem_, system, u, who, sought);
+    const SlipsAcross slips(problem_, system, u, std::span(who).first(as(sought)));
     const double off = slips.largest(problem_, size);
     // Down to rounding, or as far as it falls.
     if (off <= 1e-15 || (off <= 1e-12 && off >= last)) return true;
@@ -335,7 +335,7 @@ void RegimeEnumeration::turn_to_family(Regimes& regimes, ContactVector& r, Conta
   Regimes turned = regimes;
   PerContact<bool> sought{};
   for (int i = 0; i < problem_.count; ++i) sought[as(i)] = turned[as(i)].direction_sought;
-  if (!align_slips(problem_, turned, sought, {}, r)) return;
+  if (!align_slips(problem_, turned, {.begins = sought, .held = r})) return;
   RegimeSystem system(problem_, scale_, turned);
   if (!system.solve()) return;
   system.approach(r);

@@ -104,13 +104,12 @@ RegimeInequalities::Room RegimeInequalities::find(RegimeSystem& system, double m
         const double size = of_friction(i, force);
         double length = margin * size / 4;
         for (int j = 0; j < law.tangents; ++j) length = std::hypot(length, r(t + j));
-        const int pressing = problem_.pressing_row(i);
         const double N = problem_.pressing(i, r);
         const double left = law.static_friction * N + law.static_bound - length;
         const double missing = margin - left / size;
         if (!(size > 0 && missing > 0)) continue;
         ContactVector row = ContactVector::Zero(n), turn = row;
-        if (pressing >= 0) row += law.static_friction * R.row(pressing).transpose();
+        if (const std::optional<int> pressing = problem_.pressing_row(i)) row += law.static_friction * R.row(*pressing).transpose();
         const auto bearing = problem_.bearing(i, r);
         for (int j = 0, own = problem_.bearing_row(i); j < law.bearing && N > 0; ++j, ++own) {
           row += law.static_friction * bearing[as(j)] / N * (problem_.S.row(own) * R).transpose();

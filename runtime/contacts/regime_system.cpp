@@ -11,31 +11,28 @@ RegimeSystem::RegimeSystem(const ContactProblem& problem, const ContactScale& sc
   const int rows = problem.rows();
   B_.setZero(rows, unknowns());
   c_.setZero(rows);
-  rows_.fill(0);
   int column = 0;
-  PerContact<int> normal_column{};
+  PerContact<int> normal_column{};  // of contacts that are pressed
   for (int i = 0; i < problem.count; ++i) {
     const ContactLaw& law = problem.law(i);
     const AssumedRegime& assumed = at(i);
     const int t = problem.tangent_row(i);
-    normal_column[as(i)] = -1;
     if (assumed.pressed) {
       B_(problem.first_row(i), column) = 1;
       normal_column[as(i)] = column;
       rows_[as(column++)] = problem.first_row(i);
     }
-    const int by = law.normal ? i : law.pressed_by;
-    const int pressing = by < 0 ? -1 : normal_column[as(by)];
+    const std::optional<int> by = law.normal ? i : law.pressed_by;
+    const int* const pressing = by && at(*by).pressed ? &normal_column[as(*by)] : nullptr;
     if (slides_in_bearing(i)) {
       bearings_ = true;
       for (int k = 0; k < law.tangents; ++k) B_(t + k, column) = -assumed.direction[as(k)];
-      column_[as(i)] = column;
-      rows_[as(column++)] = -1;
+      column_[as(i)] = column++;
       continue;
     }
     for (int k = 0; assumed.friction == Friction::slides && k < law.tangents; ++k) {
       c_(t + k) = -law.bound * assumed.direction[as(k)];
-      if (pressing >= 0) B_(t + k, pressing) = -law.friction * assumed.direction[as(k)];
+      if (pressing != nullptr) B_(t + k, *pressing) = -law.friction * assumed.direction[as(k)];
     }
     for (int k = 0; assumed.friction == Friction::sticks && k < law.tangents; ++k) {
       B_(t + k, column) = 1;
@@ -47,9 +44,9 @@ RegimeSystem::RegimeSystem(const ContactProblem& problem, const ContactScale& sc
   E_.resize(column, column);
   e_.resize(column);
   for (int i = 0; i < column; ++i) {
-    if (rows_[as(i)] < 0) continue;
-    E_.row(i) = WB.row(rows_[as(i)]);
-    e_(i) = -rest(rows_[as(i)]);
+    if (!rows_[as(i)]) continue;
+    E_.row(i) = WB.row(*rows_[as(i)]);
+    e_(i) = -rest(*rows_[as(i)]);
   }
 }
 
@@ -142,11 +139,10 @@ double RegimeSystem::turn_bearings() noexcept {
 }
 
 int RegimeSystem::row_of(int unknown) const noexcept {
-  int row = rows_[as(unknown)];
-  for (int i = 0; i < problem_.count && row < 0; ++i) {
-    if (slides_in_bearing(i) && column_[as(i)] == unknown) row = problem_.tangent_row(i);
-  }
-  return row;
+  if (rows_[as(unknown)]) return *rows_[as(unknown)];
+  int of_bearing = 0;
+  while (!slides_in_bearing(of_bearing) || column_[as(of_bearing)] != unknown) ++of_bearing;
+  return problem_.tangent_row(of_bearing);
 }
 
 ContactVector RegimeSystem::over_units() const noexcept {
@@ -190,8 +186,8 @@ double RegimeSystem::scaled_determinant() const noexcept {
   }
   for (int i = 0; i < n; ++i) {
     for (int j = 0; j < n; ++j) {
-      const int row = rows_[as(i)], column = rows_[as(j)];
-      own(i, j) = row >= 0 && column >= 0 ? problem_.W(row, column) : i == j ? sizes[as(i)] : 0;  // |T| of a bearing is 0
+      const std::optional<int> row = rows_[as(i)], column = rows_[as(j)];
+      own(i, j) = row && column ? problem_.W(*row, *column) : i == j ? sizes[as(i)] : 0;  // |T| of a bearing is 0
     }
   }
   const ContactVector over = over_units();
@@ -208,7 +204,7 @@ void RegimeSystem::approach(const ContactVector& reactions) noexcept {
   if (kernel_.cols() == 0) return;
   ContactVector missing = -x_;
   for (int i = 0; i < static_cast<int>(missing.size()); ++i) {
-    if (rows_[as(i)] >= 0) missing(i) += reactions(rows_[as(i)]);
+    if (rows_[as(i)]) missing(i) += reactions(*rows_[as(i)]);
   }
   for (int i = 0; i < problem_.count && bearings_; ++i) {
     if (!slides_in_bearing(i)) continue;
@@ -234,7 +230,7 @@ ContactVector RegimeSystem::motion_by_turning(int i) const noexcept {
   const int n = static_cast<int>(E_.cols());
   if (n == 0) return du;
   ContactVector right(n);
-  for (int k = 0; k < n; ++k) right(k) = rows_[as(k)] < 0 ? 0 : -du(rows_[as(k)]);
+  for (int k = 0; k < n; ++k) right(k) = rows_[as(k)] ? -du(*rows_[as(k)]) : 0;
   for (int j = 0; j < problem_.count && bearings_; ++j) {
     if (slides_in_bearing(j)) right(column_[as(j)]) = mobility(j) * pull_of_bearing(j).dot(dr);
   }

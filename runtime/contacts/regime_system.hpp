@@ -3,6 +3,7 @@
 #include <Eigen/LU>
 #include <array>
 #include <cstddef>
+#include <optional>
 
 #include "torsor/runtime/contacts/contact_scale.hpp"
 
@@ -95,7 +96,7 @@ class RegimeSystem {
   bool bearings_ = false;     ///< whether one slides
   ContactMatrix B_, E_, kernel_;
   ContactVector c_, e_, x_;
-  std::array<int, static_cast<std::size_t>(most_rows)> rows_{};
+  std::array<std::optional<int>, static_cast<std::size_t>(most_rows)> rows_{};
   Eigen::FullPivLU<ContactMatrix> lu_;
 };
 

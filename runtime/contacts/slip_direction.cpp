@@ -5,15 +5,17 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <span>
 
 #include "torsor/runtime/contacts/contact_scale.hpp"
 
 namespace torsor::runtime {
 
 SlipsAcross::SlipsAcross(const ContactProblem& problem, const RegimeSystem& system, const ContactVector& motion,
-                         const PerContact<int>& who, int count) noexcept
-    : across(count), slopes(count, count), who_(who) {
+                         std::span<const int> who) noexcept
+    : across(static_cast<Eigen::Index>(who.size())), slopes(across.size(), across.size()), who_(who) {
   const auto at = [](int i) { return static_cast<std::size_t>(i); };
+  const int count = static_cast<int>(who.size());
   for (int j = 0; j < count; ++j) {
     const ContactVector du = system.motion_by_turning(who[at(j)]);
     for (int k = 0; k < count; ++k) {
@@ -47,28 +49,27 @@ bool turn_slips(RegimeSystem::Regimes& regimes, const PerContact<int>& who, Cont
   return true;
 }
 
-bool align_slips(const ContactProblem& problem, RegimeSystem::Regimes& regimes, const PerContact<bool>& begins,
-                 const PerContact<double>& across_wanted, const ContactVector& held) noexcept {
+bool align_slips(const ContactProblem& problem, RegimeSystem::Regimes& regimes, const BeginningSlips& slips) noexcept {
   const auto at = [](int i) { return static_cast<std::size_t>(i); };
   PerContact<int> who{};
   int sought = 0;
   for (int i = 0; i < problem.count; ++i) {
-    if (begins[at(i)]) who[at(sought++)] = i;
+    if (slips.begins[at(i)]) who[at(sought++)] = i;
   }
   const ContactScale scale(problem);
   double last = INFINITY;
   for (int step = 0; step < 30; ++step) {
     RegimeSystem system(problem, scale, regimes);
     if (!system.solve()) return false;
-    system.approach(held);
+    system.approach(slips.held);
     const auto r = system.reactions();
     const ContactVector u = problem.W * r + problem.q;
-    SlipsAcross slips(problem, system, u, who, sought);
-    for (int k = 0; k < sought; ++k) slips.across(k) -= across_wanted[at(who[at(k)])];
-    const double off = slips.largest(problem, scale.motions(problem.W.cwiseAbs() * r.cwiseAbs() + problem.q.cwiseAbs()));
+    SlipsAcross here(problem, system, u, std::span(who).first(at(sought)));
+    for (int k = 0; k < sought; ++k) here.across(k) -= slips.across[at(who[at(k)])];
+    const double off = here.largest(problem, scale.motions(problem.W.cwiseAbs() * r.cwiseAbs() + problem.q.cwiseAbs()));
     if (off <= 1e-16 || (off <= 1e-13 && off >= last)) return true;
     last = off;
-    if (!turn_slips(regimes, who, -slips.slopes.partialPivLu().solve(slips.across), 0.5)) return false;
+    if (!turn_slips(regimes, who, -here.slopes.partialPivLu().solve(here.across), 0.5)) return false;
   }
   return last <= 1e-9;
 }

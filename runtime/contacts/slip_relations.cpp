@@ -2,6 +2,7 @@
 #include "torsor/runtime/contacts/slip_relations.hpp"
 
 #include <cmath>
+#include <optional>
 
 namespace torsor::runtime {
 namespace {
@@ -30,13 +31,13 @@ class Elimination {
   [[nodiscard]] bool moves(int row) const noexcept { return W_(row, row) > least_(row); }
   /// Whether it is zero without forces.
   [[nodiscard]] bool rests(int row) const noexcept { return std::abs(q_(row)) <= error_(row); }
-  /// The row of a list that forces move most; -1: they move none.
+  /// The row of a list that forces move most, where they move one.
   template <class List>
-  [[nodiscard]] int largest(const List& list, int count) const noexcept {
-    int row = -1;
+  [[nodiscard]] std::optional<int> largest(const List& list, int count) const noexcept {
+    std::optional<int> row;
     for (int k = 0; k < count; ++k) {
       const int each = list[static_cast<std::size_t>(k)];
-      if (moves(each) && (row < 0 || W_(each, each) > W_(row, row))) row = each;
+      if (moves(each) && (!row || W_(each, each) > W_(*row, *row))) row = each;
     }
     return row;
   }
@@ -77,7 +78,7 @@ SlipRelations::SlipRelations(const ContactProblem& problem, const ContactScale& 
     }
   }
   Elimination left(problem, scale);
-  for (int row = left.largest(zero, zeros); row >= 0; row = left.largest(zero, zeros)) left.eliminate(row);
+  while (const std::optional<int> row = left.largest(zero, zeros)) left.eliminate(*row);
   bool all_move = true;
   for (int k = 0; k < slips; k += 2) {
     const int x = sought[static_cast<std::size_t>(k)], y = sought[static_cast<std::size_t>(k) + 1];
@@ -86,13 +87,14 @@ SlipRelations::SlipRelations(const ContactProblem& problem, const ContactScale& 
     if (!moves && left.rests(x) && left.rests(y)) holds_one_ = true;
   }
   if (!all_move) return;
-  const int first = left.largest(sought, slips);
+  const std::optional<int> first = left.largest(sought, slips);
+  if (!first) return;
   ContactVector parts = ContactVector::Zero(problem.rows());
   for (int k = 0; k < slips; ++k) {
     const auto i = sought[static_cast<std::size_t>(k)];
-    parts(i) = left.part(i, first);
+    parts(i) = left.part(i, *first);
   }
-  left.eliminate(first);
+  left.eliminate(*first);
   for (int k = 0; k < slips; ++k) {
     const int row = sought[static_cast<std::size_t>(k)];
     if (left.moves(row) || !left.rests(row)) return;

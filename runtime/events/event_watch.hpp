@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <optional>
 #include <type_traits>
 
 #include "torsor/runtime/events/event_memory.hpp"
@@ -148,7 +149,7 @@ class EventWatch {
       Values seen = values;
       for (Scalar& value : seen) value *= side;
       const auto guard = [&](Scalar t) { return side * set_.value(i, t, step(t)); };
-      return first_departure(guard, from, Scalar(step.end), band, seen);
+      return first_departure<Scalar>(guard, {.start = from, .end = Scalar(step.end), .band = band, .values = seen});
     };
     if (memory.side == Scalar(0)) memory.side = side_of(scan, step);
     if (memory.side == Scalar(0)) return none;
@@ -270,10 +271,15 @@ class EventWatch {
     // A state is kept on its side of a barrier, and put beyond any other guard.
     time = barriers_only ? located.before : look_from;
     Vector y = step(time);
-    if (by_stepping() && !locate_by_stepping(step, place, barriers_only, time, y)) {
-      result_.status = EventStatus::guard_not_followed;
-      end_at(time, place, y);
-      return look_from;
+    if (by_stepping()) {
+      const std::optional<Located> found = locate_by_stepping(step, place, barriers_only, time);
+      if (!found) {
+        result_.status = EventStatus::guard_not_followed;
+        end_at(time, place, y);
+        return look_from;
+      }
+      time = found->time;
+      y = found->y;
     }
     look_from = earlier(step, look_from, time) ? time : look_from;
     for (std::size_t i = 0; i < count; ++i) {
@@ -332,17 +338,20 @@ class EventWatch {
     }
   }
 
-  // The interpolant is right to the method's error; the method's own step from the start of the step is righter. False
-  // where its steps do not cross: the interpolant is wrong there.
+  struct Located {
+    Scalar time;
+    Vector y;
+  };
+
+  // The interpolant is right to the method's error; the method's own step from the start of the step is righter.
+  // Nothing where its steps do not cross near the time given: the interpolant is wrong there.
   template <class Step>
-  bool locate_by_stepping(const Step& step, std::size_t i, bool stay_before, Scalar& time, Vector& y) {
+  std::optional<Located> locate_by_stepping(const Step& step, std::size_t i, bool stay_before, Scalar time) {
     const Vector y_end = step(step.end);
     const RepeatedStep<S, Method, Scalar, size> repeated{system_,  method_, step.start, step.end,
                                                          y_start_, y_end,   calls_};
-    if (departures_[i].before == departures_[i].after) {  // beyond zero from the start
-      y = repeated(time);
-      return true;
-    }
+    if (departures_[i].before == departures_[i].after)
+      return Located{time, repeated(time)};  // beyond zero from the start
     const Scalar side = memory_[i].side;
     const auto guard = [&](Scalar t) { return side * set_.value(i, t, repeated(t)); };
     const Scalar h = step.end - step.start;
@@ -355,11 +364,10 @@ class EventWatch {
       bracket.value_after = guard(bracket.after);
       if (!(bracket.value_before > Scalar(0) && bracket.value_after <= Scalar(0))) continue;
       narrow(bracket, guard);
-      time = stay_before ? bracket.before : bracket.after;
-      y = repeated(time);
-      return true;
+      const Scalar found = stay_before ? bracket.before : bracket.after;
+      return Located{found, repeated(found)};
     }
-    return false;
+    return std::nullopt;
   }
 
   template <class Step>

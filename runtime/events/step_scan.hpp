@@ -42,12 +42,20 @@ template <class Scalar>
   return minimum_between(polynomial, least == 0 ? 0 : least - 1, std::min(least + 1, Polynomial::degree));
 }
 
-/// Follows side · g(t) from `start` to `end` (either order) to its first value below -band, and locates the last zero
-/// before it. The interval is halved until the polynomial of each part proves by its coefficients that there is no such
-/// value, or just one passage. `values` are those of side · g at `StepPolynomial::places` of the whole interval.
+/// Where a guard is followed, and what is known of it.
+template <class Scalar>
+struct GuardOnStep {
+  Scalar start, end;                               ///< in either order
+  Scalar band;                                     ///< values up to it are as good as zero
+  typename StepPolynomial<Scalar>::Values values;  ///< of side · g at `StepPolynomial::places` of the whole interval
+};
+
+/// Follows side · g(t) to its first value below -band, and locates the last zero before it. The interval is halved
+/// until the polynomial of each part proves by its coefficients that there is no such value, or just one passage.
 template <class Scalar, class Function>
-[[nodiscard]] Departure<Scalar> first_departure(const Function& function, Scalar start, Scalar end, Scalar band,
-                                                typename StepPolynomial<Scalar>::Values values) {
+[[nodiscard]] Departure<Scalar> first_departure(const Function& function, const GuardOnStep<Scalar>& guard) {
+  const Scalar start = guard.start, end = guard.end, band = guard.band;
+  auto values = guard.values;
   using Polynomial = StepPolynomial<Scalar>;
   constexpr Scalar epsilon = std::numeric_limits<Scalar>::epsilon();
   Departure<Scalar> result{false, true, start, start, values[0], start};

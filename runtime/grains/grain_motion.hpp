@@ -73,7 +73,7 @@ class GrainMotion {
       if (takes_part(i)) grains_.v[i] += h * grains_.gravity;
     }
     contacts_.colour(static_cast<std::uint32_t>(count), [this](std::uint32_t i) { return takes_part(i); });
-    const auto solved = solver_.solve(grains_, contacts_, options_.tolerance, options_.sweeps, team_);
+    const auto solved = solver_.solve(grains_, contacts_, sweeps());
     result.sweeps += solved.sweeps;
     const bool finite = std::isfinite(solved.residual) && std::isfinite(result.residual);
     result.residual = finite ? std::max(solved.residual, result.residual) : NAN;
@@ -100,6 +100,10 @@ class GrainMotion {
   [[nodiscard]] const GrainContacts<dim>& contacts() const noexcept { return contacts_; }
 
  private:
+  [[nodiscard]] typename GrainSolver<dim>::Sweeps sweeps() noexcept {
+    return {.tolerance = options_.tolerance, .most = options_.sweeps, .team = team_};
+  }
+
   // Neither asleep nor held at rest in this step.
   [[nodiscard]] bool takes_part(std::size_t i) const noexcept { return !islands_.asleep(i) && held_[i] == 0; }
 
@@ -144,7 +148,7 @@ class GrainMotion {
     contacts_.colour(static_cast<std::uint32_t>(count), [this](std::uint32_t i) { return stands_[i] != 0; });
     if (!contacts_.order().empty()) {
       const auto found =
-          solver_.rest(grains_, contacts_, options_.tolerance, options_.sweeps, team_, groups_, stands_, held_);
+          solver_.rest(grains_, contacts_, sweeps(), {.islands = groups_, .stands = stands_, .rests = held_});
       result.sweeps += found.sweeps;
       bool holds = false, begins = false;
       for (std::size_t i = 0; i < count; ++i) {
@@ -152,7 +156,7 @@ class GrainMotion {
         begins = begins || (held_[i] != 0 && rested_[i] == 0);
       }
       if (holds || !std::isfinite(found.residual)) result.residual = found.residual;
-      result.ambiguous = begins && solver_.moves(grains_, contacts_, options_.tolerance, options_.sweeps, team_, held_);
+      result.ambiguous = begins && solver_.moves(grains_, contacts_, sweeps(), held_);
     }
     for (std::size_t i = 0; i < count; ++i) {
       if (stands_[i] != 0) grains_.v[i].setZero();

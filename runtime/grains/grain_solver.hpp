@@ -33,6 +33,20 @@ class GrainSolver {
     double residual = 0;  ///< the largest defect of the laws over the largest impulse
   };
 
+  /// How far sweeps go, and on which threads.
+  struct Sweeps {
+    double tolerance;  ///< of the residual
+    int most;
+    ThreadTeam& team;
+  };
+
+  /// Grains that stand, in groups that touch, and which of them rest.
+  struct Standing {
+    GrainGroups& islands;
+    const std::vector<std::uint8_t>& stands;  ///< 1 for each grain that stands
+    std::vector<std::uint8_t>& rests;         ///< gets 1 for each of an island that rests
+  };
+
   void reserve(std::size_t count) {
     const std::size_t contacts = GrainContacts<dim>::usual(count);
     rows_.reserve(contacts);
@@ -44,9 +58,9 @@ class GrainSolver {
 
   /// Velocities that know nothing of the contacts' impulses, where sweeps start, become those after the step,
   /// unless numbers overflowed.
-  Outcome solve(Grains<dim>& grains, GrainContacts<dim>& contacts, double tolerance, int most, ThreadTeam& team) {
+  Outcome solve(Grains<dim>& grains, GrainContacts<dim>& contacts, const Sweeps& sweeps) {
     load(grains, contacts, true);
-    const Outcome outcome = iterate<GrainLaw::coulomb>(grains, contacts, tolerance, most, team);
+    const Outcome outcome = iterate<GrainLaw::coulomb>(grains, contacts, sweeps);
     if (std::isfinite(outcome.residual)) store(grains, contacts);
     return outcome;
   }
@@ -57,18 +71,20 @@ class GrainSolver {
   /// * moves where v itself proves it: vᵀ M v_free = |v|² - Σ w · P is the power of the load on a motion that no
   ///   contact resists, w_N >= f |w_T|. What is missing there, d, counts with ten times the largest impulse;
   /// * is taken to move where the sweeps end before either is seen.
-  /// `rests` gets 1 for each grain of an island that rests; the contacts get its impulses. The residual is the largest
-  /// momentum left to a grain that rests, over the largest impulse of its island.
-  Outcome rest(const Grains<dim>& grains, GrainContacts<dim>& contacts, double tolerance, int most, ThreadTeam& team,
-               GrainGroups& islands, const std::vector<std::uint8_t>& stands, std::vector<std::uint8_t>& rests) {
+  /// The contacts of an island that rests get its impulses. The residual is the largest momentum left to a grain that
+  /// rests, over the largest impulse of its island.
+  Outcome rest(const Grains<dim>& grains, GrainContacts<dim>& contacts, const Sweeps& sweeps,
+               const Standing& standing) {
+    const auto& [islands, stands, rests] = standing;
     load(grains, contacts, true);
     Outcome outcome;
-    for (double goal = tolerance;; goal /= 10) {
-      const Outcome part = iterate<GrainLaw::cone>(grains, contacts, goal, most - outcome.sweeps, team);
+    for (double goal = sweeps.tolerance;; goal /= 10) {
+      const int left = sweeps.most - outcome.sweeps;
+      const Outcome part = iterate<GrainLaw::cone>(grains, contacts, {goal, left, sweeps.team});
       outcome.sweeps += part.sweeps;
       outcome.residual = part.residual;
-      const bool decided = judge(grains, tolerance, islands, stands);
-      if (decided || !part.converged || outcome.sweeps >= most || goal < 1e-15) break;
+      const bool decided = judge(grains, sweeps.tolerance, standing);
+      if (decided || !part.converged || outcome.sweeps >= sweeps.most || goal < 1e-15) break;
     }
     rests.assign(grains.count(), 0);
     if (std::isfinite(outcome.residual)) outcome.residual = 0;
@@ -86,10 +102,11 @@ class GrainSolver {
 
   /// Whether sweeps that start without impulses find a motion in which a grain that rests gets more momentum than a
   /// thousand times what the tolerance allows defects of impulses. Changes nothing.
-  bool moves(const Grains<dim>& grains, const GrainContacts<dim>& contacts, double tolerance, int most,
-             ThreadTeam& team, const std::vector<std::uint8_t>& rests) {
+  bool moves(const Grains<dim>& grains, const GrainContacts<dim>& contacts, const Sweeps& sweeps,
+             const std::vector<std::uint8_t>& rests) {
     load(grains, contacts, false);
-    if (!iterate<GrainLaw::coulomb>(grains, contacts, tolerance, most, team).converged) return false;
+    if (!iterate<GrainLaw::coulomb>(grains, contacts, sweeps).converged) return false;
+    const double tolerance = sweeps.tolerance;
     double largest2 = 0;
     for (const Local& P : P_) largest2 = std::max(largest2, P.squaredNorm());
     for (std::size_t i = 0; i < grains.count(); ++i) {
@@ -151,8 +168,9 @@ class GrainSolver {
   }
 
   // Whether all is decided.
-  [[nodiscard]] bool judge(const Grains<dim>& grains, double tolerance, GrainGroups& islands,
-                           const std::vector<std::uint8_t>& stands) {
+  [[nodiscard]] bool judge(const Grains<dim>& grains, double tolerance, const Standing& standing) {
+    auto& islands = standing.islands;
+    const auto& stands = standing.stands;
     verdicts_.assign(grains.count(), Verdict());
     for (std::uint32_t i = 0; i < grains.count(); ++i) {
       if (stands[i] == 0) continue;
@@ -192,8 +210,8 @@ class GrainSolver {
   }
 
   template <GrainLaw law>
-  Outcome iterate(const Grains<dim>& grains, const GrainContacts<dim>& contacts, double tolerance, int most,
-                  ThreadTeam& team) {
+  Outcome iterate(const Grains<dim>& grains, const GrainContacts<dim>& contacts, const Sweeps& sweeps) {
+    const auto& [tolerance, most, team] = sweeps;
     Outcome outcome;
     for (outcome.residual = residual<law>(team);; outcome.residual = residual<law>(team)) {
       outcome.converged = outcome.residual <= tolerance;

@@ -23,8 +23,8 @@ namespace torsor::runtime {
 /// `Formula` has
 ///   Step                                              what observers may evaluate inside a step;
 ///   usable(options)                                   whether its own options make sense;
-///   prepare(f, range, y, tolerances, length)          the first slopes, and the first length where `length` is 0;
-///   attempt(f, t, h, state, tolerances, error)        one step to state.next(), kept when its weighted error is <= 1;
+///   prepare(f, ahead, length)                         the first slopes, and the first length where `length` is 0;
+///   attempt(f, t, h, state, error)                    one step to state.next(), kept when its weighted error is <= 1;
 ///   shorter(h, error), longer(h, error, planned, after_rejection)   lengths to try next;
 ///   refine(f, t, h, state)                            what only an interpolant needs, before the step is kept;
 ///   settles                                           declared where attempt has settled the state already;
@@ -93,9 +93,10 @@ class AdaptiveRun {
   }
 
   bool prepare(Scalar end) {
-    const StepRange<Scalar> range{clock_.result.time, end, clock_.largest};
+    const StepsAhead<Scalar, size> ahead{
+        .range = {clock_.result.time, end, clock_.largest}, .y = state_.now(), .tolerances = tolerances_};
     clock_.length = std::min(static_cast<Scalar>(options_.first_step), clock_.largest);
-    clock_.refusal = formula_.prepare(f_, range, state_.now(), tolerances_, clock_.length);
+    clock_.refusal = formula_.prepare(f_, ahead, clock_.length);
     prepared_ = clock_.refusal == Evaluation::ok;
     if (!prepared_) clock_.give_up();
     return prepared_;
@@ -103,7 +104,7 @@ class AdaptiveRun {
 
   template <class Observer>
   Evaluation attempt(Scalar t, Scalar h, Scalar& error) {
-    const Evaluation evaluation = formula_.attempt(f_, t, h, state_, tolerances_, error);
+    const Evaluation evaluation = formula_.attempt(f_, t, h, state_, error);
     if (evaluation != Evaluation::ok || !(error <= Scalar(1))) return evaluation;
     if constexpr (!requires { Formula::settles; }) {
       before_settling_ = state_.next();

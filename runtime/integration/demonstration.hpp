@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: MIT
 #pragma once
+#include <cstddef>
 #include <exception>
 #include <filesystem>
 #include <functional>
 #include <iostream>
+#include <span>
 #include <stdexcept>
 #include <string>
 #include <string_view>
@@ -63,34 +65,42 @@ class PlotFolder {
   std::filesystem::path folder_;
 };
 
+/// What a program says of itself.
+struct Demonstration {
+  std::string name;        ///< its own, and that of its reference file
+  std::string_view about;  ///< one line for --help
+};
+
 namespace detail {
 
-inline int demonstrate(int argc, char** argv, const std::string& name, std::string_view about, bool has_plots,
+inline int demonstrate(std::span<char* const> arguments, const Demonstration& program, bool has_plots,
                        const std::function<void(const Reference<double>&, const PlotFolder&)>& show) {
+  const std::string& name = program.name;
   std::filesystem::path path;
   PlotFolder plots;
   const std::string usage = "usage: " + name + " [--reference FILE]" + (has_plots ? " [--plots FOLDER]" : "") + " [--help]";
-  for (int i = 1; i < argc; ++i) {
-    const std::string_view argument = argv[i];
+  for (std::size_t i = 1; i < arguments.size(); ++i) {
+    const std::string_view argument = arguments[i];
+    const bool last = i + 1 == arguments.size();
     if (argument == "--help" || argument == "-h") {
-      std::cout << name << ": " << about << '\n'
+      std::cout << name << ": " << program.about << '\n'
                 << usage << "\n  --reference FILE  the reference to compare with, generated/" << name
                 << ".reference.csv if not given\n";
       if (has_plots) std::cout << "  --plots FOLDER    writes plots and their data there; none if not given\n";
       return 0;
     }
-    if (has_plots && argument == "--plots" && i + 1 < argc && *argv[i + 1] != '\0') {
-      plots = PlotFolder(argv[++i]);
+    if (has_plots && argument == "--plots" && !last && *arguments[i + 1] != '\0') {
+      plots = PlotFolder(arguments[++i]);
       continue;
     }
-    if (argument != "--reference" || i + 1 == argc) {
+    if (argument != "--reference" || last) {
       std::cerr << name << ": cannot understand '" << argument << "'; " << usage << '\n';
       return 2;
     }
-    path = argv[++i];
+    path = arguments[++i];
   }
   try {
-    if (path.empty()) path = find_reference(argv[0], name);
+    if (path.empty()) path = find_reference(arguments[0], name);
     show(read_reference<double>(path), plots);
     return 0;
   } catch (const std::exception& error) {
@@ -104,17 +114,17 @@ inline int demonstrate(int argc, char** argv, const std::string& name, std::stri
 /// The main of a program that shows a generated mechanism at work: reads the command line `[--reference FILE]`, then
 /// calls `show(reference)`. Answers --help. It writes nothing but what it prints. Returns the exit code: 0, 2 for bad
 /// usage, 3 when a file or a plot cannot be read or made, with one line on stderr.
-inline int demonstrate(int argc, char** argv, const std::string& name, std::string_view about,
+inline int demonstrate(int argc, char** argv, const Demonstration& program,
                        const std::function<void(const Reference<double>&)>& show) {
-  return detail::demonstrate(argc, argv, name, about, false,
+  return detail::demonstrate({argv, static_cast<std::size_t>(argc)}, program, false,
                              [&show](const Reference<double>& reference, const PlotFolder&) { show(reference); });
 }
 
 /// The same of a program that has plots too: `--plots FOLDER` asks for them, and `show(reference, plots)` writes them
 /// only where it was given.
-inline int demonstrate_with_plots(int argc, char** argv, const std::string& name, std::string_view about,
+inline int demonstrate_with_plots(int argc, char** argv, const Demonstration& program,
                                   const std::function<void(const Reference<double>&, const PlotFolder&)>& show) {
-  return detail::demonstrate(argc, argv, name, about, true, show);
+  return detail::demonstrate({argv, static_cast<std::size_t>(argc)}, program, true, show);
 }
 
 }  // namespace torsor::runtime

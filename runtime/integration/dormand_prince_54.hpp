@@ -57,16 +57,16 @@ class DormandPrince54::Formula : public StepControl<Scalar, Gains> {
   static bool usable(const DormandPrince54&) noexcept { return true; }
 
   template <class F>
-  Evaluation prepare(F& f, const StepRange<Scalar>& range, const Vector& y, const Tolerances<Scalar>& tolerances,
-                     Scalar& length) {
-    if (!f(range.start, y, k1_)) return f.evaluation;
-    if (!(length > Scalar(0))) length = starting_step(f, range, y, k1_, tolerances, 5);
+  Evaluation prepare(F& f, const StepsAhead<Scalar, size>& ahead, Scalar& length) {
+    tolerances_ = ahead.tolerances;
+    if (!f(ahead.range.start, ahead.y, k1_)) return f.evaluation;
+    if (!(length > Scalar(0))) length = starting_step(f, ahead, k1_, 5);
     return Evaluation::ok;
   }
 
   // One step of length h to state.next(), its last slope in k7_; the weighted error is that of the embedded formula.
   template <class F>
-  Evaluation attempt(F& f, Scalar t, Scalar h, State& state, const Tolerances<Scalar>& tolerances, Scalar& error) {
+  Evaluation attempt(F& f, Scalar t, Scalar h, State& state, Scalar& error) {
     using T = DormandPrinceTableau<Scalar>;
     const Vector& y = state.now();
     Vector x;
@@ -97,7 +97,7 @@ class DormandPrince54::Formula : public StepControl<Scalar, Gains> {
     for (std::size_t i = 0; i < size; ++i) {
       const Scalar e =
           h * (T::e1 * k1_[i] + T::e3 * k3_[i] + T::e4 * k4_[i] + T::e5 * k5_[i] + T::e6 * k6_[i] + T::e7 * k7_[i]);
-      sum += tolerances.square(e, std::max(std::abs(y[i]), std::abs(next[i])));
+      sum += tolerances_.square(e, std::max(std::abs(y[i]), std::abs(next[i])));
     }
     error = std::sqrt(sum / static_cast<Scalar>(size));
     return Evaluation::ok;
@@ -110,7 +110,7 @@ class DormandPrince54::Formula : public StepControl<Scalar, Gains> {
 
   [[nodiscard]] Step interpolant(Scalar t, Scalar t_next, Scalar h, const State& state) const noexcept {
     using T = DormandPrinceTableau<Scalar>;
-    Step step = hermite_step<Step>(t, t_next, h, state, k1_, k7_);
+    Step step = hermite_step<Step>({.start = t, .end = t_next, .length = h}, state, k1_, k7_);
     for (std::size_t i = 0; i < size; ++i) {
       step.coefficients[4][i] =
           h * (T::d1 * k1_[i] + T::d3 * k3_[i] + T::d4 * k4_[i] + T::d5 * k5_[i] + T::d6 * k6_[i] + T::d7 * k7_[i]);
@@ -121,6 +121,7 @@ class DormandPrince54::Formula : public StepControl<Scalar, Gains> {
   void accept() noexcept { k1_ = k7_; }
 
  private:
+  Tolerances<Scalar> tolerances_{};
   Vector k1_, k2_, k3_, k4_, k5_, k6_, k7_;
 };
 

@@ -60,16 +60,16 @@ class DormandPrince853::Formula : public StepControl<Scalar, Gains> {
   static bool usable(const DormandPrince853&) noexcept { return true; }
 
   template <class F>
-  Evaluation prepare(F& f, const StepRange<Scalar>& range, const Vector& y, const Tolerances<Scalar>& tolerances,
-                     Scalar& length) {
-    if (!f(range.start, y, k_[0])) return f.evaluation;
-    if (!(length > Scalar(0))) length = starting_step(f, range, y, k_[0], tolerances, 8);
+  Evaluation prepare(F& f, const StepsAhead<Scalar, size>& ahead, Scalar& length) {
+    tolerances_ = ahead.tolerances;
+    if (!f(ahead.range.start, ahead.y, k_[0])) return f.evaluation;
+    if (!(length > Scalar(0))) length = starting_step(f, ahead, k_[0], 8);
     return Evaluation::ok;
   }
 
   // The slope at the end is needed only where the step is kept.
   template <class F>
-  Evaluation attempt(F& f, Scalar t, Scalar h, State& state, const Tolerances<Scalar>& tolerances, Scalar& error) {
+  Evaluation attempt(F& f, Scalar t, Scalar h, State& state, Scalar& error) {
     if (!stages<T::stage_2>(f, t, h, state.now(), std::make_index_sequence<11>{})) return f.evaluation;
     Vector slope, increment;
     for (std::size_t i = 0; i < size; ++i) {
@@ -82,8 +82,8 @@ class DormandPrince853::Formula : public StepControl<Scalar, Gains> {
     Scalar fifth = Scalar(0), third = Scalar(0);
     for (std::size_t i = 0; i < size; ++i) {
       const Scalar magnitude = std::max(std::abs(state.now()[i]), std::abs(next[i]));
-      fifth += tolerances.square(combination<T::fifth_order>(i), magnitude);
-      third += tolerances.square(slope[i] - third_order(i), magnitude);
+      fifth += tolerances_.square(combination<T::fifth_order>(i), magnitude);
+      third += tolerances_.square(slope[i] - third_order(i), magnitude);
     }
     const Scalar mixed = fifth + Scalar(0.01) * third;
     error = mixed == Scalar(0) ? Scalar(0) : std::abs(h) * fifth / std::sqrt(mixed * static_cast<Scalar>(size));
@@ -97,7 +97,7 @@ class DormandPrince853::Formula : public StepControl<Scalar, Gains> {
   }
 
   [[nodiscard]] Step interpolant(Scalar t, Scalar t_next, Scalar h, const State& state) const noexcept {
-    Step step = hermite_step<Step>(t, t_next, h, state, k_[0], k_[12]);
+    Step step = hermite_step<Step>({.start = t, .end = t_next, .length = h}, state, k_[0], k_[12]);
     for (std::size_t i = 0; i < size; ++i) {
       step.coefficients[4][i] = h * combination<T::dense>(i);
       step.coefficients[5][i] = h * combination<T::dense + 1>(i);
@@ -146,6 +146,7 @@ class DormandPrince853::Formula : public StepControl<Scalar, Gains> {
     return sum;
   }
 
+  Tolerances<Scalar> tolerances_{};
   std::array<Vector, T::slopes> k_;
 };
 

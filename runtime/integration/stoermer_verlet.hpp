@@ -88,7 +88,7 @@ class StoermerVerlet::Formula {
       first[i] = y[half + i];
       last[i] = next[half + i];
     }
-    return hermite_step<Step>(t, t_next, t_next - t, Ends{y, next}, first, last);
+    return hermite_step<Step>({.start = t, .end = t_next, .length = t_next - t}, Ends{y, next}, first, last);
   }
 
  private:

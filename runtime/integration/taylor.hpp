@@ -72,27 +72,27 @@ class Taylor::Formula {
   }
 
   template <class F>
-  Evaluation prepare(F& f, const StepRange<Scalar>& range, const Vector& y, const Tolerances<Scalar>& tolerances,
-                     Scalar& length) {
-    rule_.start(y, tolerances);
-    if (!f.jets(range.start, y, span(now(), rule_.order()))) return f.evaluation;
-    if (!(length > Scalar(0))) length = rule_.first(each(now()), range);
+  Evaluation prepare(F& f, const StepsAhead<Scalar, size>& ahead, Scalar& length) {
+    rule_.start(ahead.y, ahead.tolerances);
+    if (!f.jets(ahead.range.start, ahead.y, span(now(), rule_.order()))) return f.evaluation;
+    if (!(length > Scalar(0))) length = rule_.first(each(now()), ahead.range);
     return Evaluation::ok;
   }
 
   template <class F>
-  Evaluation attempt(F& f, Scalar t, Scalar h, State& state, const Tolerances<Scalar>&, Scalar& error) {
+  Evaluation attempt(F& f, Scalar t, Scalar h, State& state, Scalar& error) {
     Vector slope, increment;
-    evaluate_taylor(now(), rule_.order(), h, increment, slope);
+    evaluate_taylor(span(now(), rule_.order()), h, increment, slope);
     state.propose(increment);
     if (!all_finite(state.next()) || !all_finite(slope)) return Evaluation::not_finite;
     if (!state.settle(f, t + h)) return f.evaluation;
     rule_.choose_next(state.next());
     if (!f.jets(t + h, state.next(), span(next(), rule_.next_order()))) return f.evaluation;
     Vector noise{};
-    error = rule_.disagreement(h, slope, next()[1], state.now(), state.next(), noise);
+    const EndSlopes<Scalar, size> slopes{.polynomial = slope, .equations = next()[1], .noise = noise};
+    error = rule_.disagreement(h, slopes, state.now(), state.next());
     if (error > Scalar(1) && rounding_of_slopes(f, t + h, state, noise)) {
-      error = rule_.disagreement(h, slope, next()[1], state.now(), state.next(), noise);
+      error = rule_.disagreement(h, slopes, state.now(), state.next());
     }
     return std::isfinite(error) ? Evaluation::ok : Evaluation::not_finite;
   }

@@ -105,14 +105,12 @@ std::exception_ptr work(MPI_Comm communicator, const RecordHead& head, const Ens
 /// rounds: whoever asks for more waits too.
 class Writer {
  public:
-  Writer(MPI_Comm communicator, RecordFile& file, const RecordHead& head, const EnsembleOptions& options,
-         std::uint64_t at_once, int workers)
-      : communicator_(communicator),
+  Writer(RecordFile& file, const RecordHead& head, const MpiEnsembleOptions& options, int workers)
+      : communicator_(options.communicator),
         file_(file),
         head_(head),
         options_(options),
-        at_once_(at_once),
-        limit_(16 * at_once * static_cast<std::uint64_t>(workers)),
+        limit_(16 * options.at_once * static_cast<std::uint64_t>(workers)),
         next_(file.written()),
         working_(workers),
         progress_{file.written(), head.count, file.written()} {}
@@ -183,7 +181,7 @@ class Writer {
     Order order;
     if (!ended_ && next_ < head_.count) {
       if (next_ - file_.written() >= limit_) return false;
-      order = {next_, std::min(at_once_, head_.count - next_)};
+      order = {next_, std::min(options_.at_once, head_.count - next_)};
       next_ += order.count;
     }
     if (order.count == 0) --working_;
@@ -194,8 +192,8 @@ class Writer {
   MPI_Comm communicator_;
   RecordFile& file_;
   const RecordHead& head_;
-  const EnsembleOptions& options_;
-  std::uint64_t at_once_, limit_, next_;
+  const MpiEnsembleOptions& options_;
+  std::uint64_t limit_, next_;
   int working_;
   bool ended_ = false;
   std::map<std::uint64_t, std::vector<double>> waiting_;
@@ -230,20 +228,21 @@ void require_one_question(MPI_Comm communicator, const RecordHead& head, bool wr
 
 }  // namespace
 
-EnsembleProgress run_ensemble_over_mpi(MPI_Comm communicator, const std::filesystem::path& path, const RecordHead& head,
-                                       const EnsembleMember& member, const EnsembleOptions& options,
-                                       std::uint64_t at_once) {
+EnsembleProgress run_ensemble_over_mpi(const std::filesystem::path& path, const RecordHead& head,
+                                       const EnsembleMember& member, const MpiEnsembleOptions& options) {
+  const MPI_Comm communicator = options.communicator;
   int rank = 0, size = 1;
   MPI_Comm_rank(communicator, &rank);
   MPI_Comm_size(communicator, &size);
-  if (size == 1) return run_ensemble(path, head, member, options);
+  if (size == 1) return run_ensemble(path, head, member, {.threads = options.threads, .progress = options.progress});
   require_one_question(communicator, head, rank == 0);
 
   const unsigned threads = thread_count(options.threads);
-  if (at_once == 0) at_once = std::uint64_t{4} * threads;
   // A message has fewer numbers than an int counts.
   const std::uint64_t most = (std::uint64_t{1} << 30) / std::max<std::uint64_t>(1, head.numbers);
-  at_once = std::clamp<std::uint64_t>(at_once, 1, std::max<std::uint64_t>(1, most));
+  MpiEnsembleOptions known = options;
+  if (known.at_once == 0) known.at_once = std::uint64_t{4} * threads;
+  known.at_once = std::clamp<std::uint64_t>(known.at_once, 1, std::max<std::uint64_t>(1, most));
 
   std::array<std::uint64_t, 3> reached{};
   std::exception_ptr own;
@@ -259,7 +258,7 @@ EnsembleProgress run_ensemble_over_mpi(MPI_Comm communicator, const std::filesys
   }
   agree(communicator, own, text);
   if (rank == 0) {
-    Writer writer(communicator, *file, head, options, at_once, size - 1);
+    Writer writer(*file, head, known, size - 1);
     writer.run();
     own = writer.failure;
     text = writer.text;

@@ -73,28 +73,32 @@ template <class Scalar, std::size_t nv, std::size_t nv_squared>
   return Evaluation::ok;
 }
 
-/// Solves  M a - Aᵀ λ = r,  A a = -γ  with r = Q - h: accelerations and multipliers, P_i = Q_i + Σ λ_j a_ji.
-/// By the Schur complement: (A M⁻¹ Aᵀ) λ = -γ - A M⁻¹ r, then M a = r + Aᵀ λ.
-/// M is nv x nv, symmetric positive definite, A is m x nv, both column-major. `singular` when M is, or when the
-/// constraints are not independent; a and λ are then left alone.
-template <class Scalar, std::size_t nv, std::size_t m, std::size_t nv_squared, std::size_t m_nv>
-[[nodiscard]] Evaluation solve_constrained_dynamics(const std::array<Scalar, nv_squared>& mass,
-                                                    const std::array<Scalar, m_nv>& jacobian,
-                                                    const std::array<Scalar, nv>& r, const std::array<Scalar, m>& gamma,
-                                                    std::array<Scalar, nv>& a, std::array<Scalar, m>& lambda) noexcept {
-  static_assert(nv_squared == nv * nv, "the mass matrix must have nv x nv entries");
+/// M a - Aᵀ λ = r,  A a = -γ  with r = Q - h, of numbers that are kept elsewhere.
+template <class Scalar, std::size_t nv, std::size_t m>
+struct ConstrainedDynamics {
   static_assert(m > 0 && m <= nv, "independent constraints are at least one and at most as many as velocities");
-  static_assert(m_nv == m * nv, "the Jacobian of the constraints must have m x nv entries");
+  const std::array<Scalar, nv * nv>& mass;     ///< M, symmetric positive definite, column by column
+  const std::array<Scalar, m * nv>& jacobian;  ///< A, m x nv, column by column
+  const std::array<Scalar, nv>& r;             ///< forces
+  const std::array<Scalar, m>& gamma;
+};
+
+/// Solves for accelerations and multipliers, P_i = Q_i + Σ λ_j a_ji.
+/// By the Schur complement: (A M⁻¹ Aᵀ) λ = -γ - A M⁻¹ r, then M a = r + Aᵀ λ. `singular` when M is, or when the
+/// constraints are not independent; a and λ are then left alone.
+template <class Scalar, std::size_t nv, std::size_t m>
+[[nodiscard]] Evaluation solve_constrained_dynamics(const ConstrainedDynamics<Scalar, nv, m>& equations,
+                                                    std::array<Scalar, nv>& a, std::array<Scalar, m>& lambda) noexcept {
   constexpr int n = static_cast<int>(nv);
   constexpr int rows = static_cast<int>(m);
   // Eigen refuses a single row stored by columns; its storage is then the same by rows.
   using Jacobian = Eigen::Matrix<Scalar, rows, n, rows == 1 ? Eigen::RowMajor : Eigen::ColMajor>;
   using Column = Eigen::Matrix<Scalar, n, 1>;
   using Multipliers = Eigen::Matrix<Scalar, rows, 1>;
-  const Eigen::Map<const Eigen::Matrix<Scalar, n, n>> M(mass.data());
-  const Eigen::Map<const Jacobian> A(jacobian.data());
-  const Eigen::Map<const Column> right(r.data());
-  const Eigen::Map<const Multipliers> g(gamma.data());
+  const Eigen::Map<const Eigen::Matrix<Scalar, n, n>> M(equations.mass.data());
+  const Eigen::Map<const Jacobian> A(equations.jacobian.data());
+  const Eigen::Map<const Column> right(equations.r.data());
+  const Eigen::Map<const Multipliers> g(equations.gamma.data());
 
   SymmetricSolver<Scalar, n> by_mass;
   if (const Evaluation evaluation = by_mass.factorise(M); evaluation != Evaluation::ok) return evaluation;
@@ -119,26 +123,21 @@ template <class Scalar, std::size_t nv, std::size_t m, std::size_t nv_squared, s
 /// The same where friction works with the multipliers too: M a - B λ = r, A a = -γ, B nv x m and column-major, by
 /// (A M⁻¹ B) λ = -γ - A M⁻¹ r with exchange of rows. `singular` too when that matrix is, to within roundings of its
 /// largest entry: a contact jams or leaves more than one motion (Painlevé's paradox lies beyond).
-template <class Scalar, std::size_t nv, std::size_t m, std::size_t nv_squared, std::size_t m_nv>
-[[nodiscard]] Evaluation solve_constrained_dynamics(const std::array<Scalar, nv_squared>& mass,
-                                                    const std::array<Scalar, m_nv>& jacobian,
-                                                    const std::array<Scalar, m_nv>& columns,
-                                                    const std::array<Scalar, nv>& r, const std::array<Scalar, m>& gamma,
+template <class Scalar, std::size_t nv, std::size_t m>
+[[nodiscard]] Evaluation solve_constrained_dynamics(const ConstrainedDynamics<Scalar, nv, m>& equations,
+                                                    const std::array<Scalar, m * nv>& columns,
                                                     std::array<Scalar, nv>& a, std::array<Scalar, m>& lambda) noexcept {
-  static_assert(nv_squared == nv * nv, "the mass matrix must have nv x nv entries");
-  static_assert(m > 0 && m <= nv, "independent constraints are at least one and at most as many as velocities");
-  static_assert(m_nv == m * nv, "the Jacobian of the constraints must have m x nv entries");
   constexpr int n = static_cast<int>(nv);
   constexpr int rows = static_cast<int>(m);
   using Jacobian = Eigen::Matrix<Scalar, rows, n, rows == 1 ? Eigen::RowMajor : Eigen::ColMajor>;
   using Columns = Eigen::Matrix<Scalar, n, rows>;
   using Column = Eigen::Matrix<Scalar, n, 1>;
   using Multipliers = Eigen::Matrix<Scalar, rows, 1>;
-  const Eigen::Map<const Eigen::Matrix<Scalar, n, n>> M(mass.data());
-  const Eigen::Map<const Jacobian> A(jacobian.data());
+  const Eigen::Map<const Eigen::Matrix<Scalar, n, n>> M(equations.mass.data());
+  const Eigen::Map<const Jacobian> A(equations.jacobian.data());
   const Eigen::Map<const Columns> B(columns.data());
-  const Eigen::Map<const Column> right(r.data());
-  const Eigen::Map<const Multipliers> g(gamma.data());
+  const Eigen::Map<const Column> right(equations.r.data());
+  const Eigen::Map<const Multipliers> g(equations.gamma.data());
 
   SymmetricSolver<Scalar, n> by_mass;
   if (const Evaluation evaluation = by_mass.factorise(M); evaluation != Evaluation::ok) return evaluation;
@@ -177,11 +176,12 @@ template <HasDynamicsMatrices M>
     typename M::Constraints constraints{};
     M::constraints(precomputed, state, constraints);
     std::array<Scalar, static_cast<std::size_t>(M::multiplier_count)> multipliers;
+    const ConstrainedDynamics<Scalar, nv, std::tuple_size_v<decltype(multipliers)>> equations{
+        .mass = mass, .jacobian = constraints.jacobian, .r = r, .gamma = constraints.gamma};
     if constexpr (requires { constraints.columns; }) {  // friction
-      evaluation = solve_constrained_dynamics(mass, constraints.jacobian, constraints.columns, r, constraints.gamma,
-                                              solution, multipliers);
+      evaluation = solve_constrained_dynamics(equations, constraints.columns, solution, multipliers);
     } else {
-      evaluation = solve_constrained_dynamics(mass, constraints.jacobian, r, constraints.gamma, solution, multipliers);
+      evaluation = solve_constrained_dynamics(equations, solution, multipliers);
     }
     if (evaluation == Evaluation::ok) {
       for (int j = 0; j < M::multiplier_count; ++j) lambda[j] = multipliers[static_cast<std::size_t>(j)];

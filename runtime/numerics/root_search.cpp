@@ -17,10 +17,9 @@ namespace {
 /// Newton's method on equations scaled by their size over a box.
 class NewtonSearch {
  public:
-  NewtonSearch(const VectorFunction& f, const MatrixFunction& derivative, const SearchBox& box, Eigen::Index unknowns,
-               const RootSearchOptions& options)
-      : f_(f), derivative_(derivative), box_(box), options_(options), boxed_(box.lower.size()) {
-    width_ = Eigen::VectorXd::Ones(unknowns);
+  NewtonSearch(const RootEquations& equations, const SearchBox& box, const RootSearchOptions& options)
+      : f_(equations.f), derivative_(equations.derivative), box_(box), options_(options), boxed_(box.lower.size()) {
+    width_ = Eigen::VectorXd::Ones(equations.unknowns);
     width_.head(boxed_) = box.upper - box.lower;
   }
 
@@ -171,9 +170,8 @@ class NewtonSearch {
 
 }  // namespace
 
-RootSearch find_roots(const VectorFunction& f, const MatrixFunction& derivative, const SearchBox& box,
-                      Eigen::Index unknowns, const RootSearchOptions& options) {
-  if (box.lower.size() != box.upper.size() || box.lower.size() == 0 || box.lower.size() > unknowns ||
+RootSearch find_roots(const RootEquations& equations, const SearchBox& box, const RootSearchOptions& options) {
+  if (box.lower.size() != box.upper.size() || box.lower.size() == 0 || box.lower.size() > equations.unknowns ||
       options.starts < 1) {
     throw std::invalid_argument("a search for roots needs a lower and an upper bound for each unknown, and a start");
   }
@@ -184,7 +182,7 @@ RootSearch find_roots(const VectorFunction& f, const MatrixFunction& derivative,
                                   "; the lower one must be below the upper one, and both finite");
     }
   }
-  NewtonSearch search(f, derivative, box, unknowns, options);
+  NewtonSearch search(equations, box, options);
   search.measure();
   RootSearch result;
   result.starts = options.starts;

@@ -9,9 +9,15 @@
 
 namespace torsor::runtime {
 
-/// Equations f(x), and their Jacobian.
 using VectorFunction = std::function<Eigen::VectorXd(const Eigen::VectorXd&)>;
 using MatrixFunction = std::function<Eigen::MatrixXd(const Eigen::VectorXd&)>;
+
+/// Equations f(x) = 0.
+struct RootEquations {
+  VectorFunction f;           ///< at least as many values as there are unknowns
+  MatrixFunction derivative;  ///< its Jacobian
+  Eigen::Index unknowns = 0;  ///< how many
+};
 
 /// Where roots are looked for: lower(i) <= x(i) <= upper(i). Unknowns that the box does not reach, the last ones, enter
 /// linearly (multipliers): they have no bounds and start from zero.
@@ -68,13 +74,12 @@ struct RootSearch {
 };
 
 /// The roots of f(x) = 0 that damped Newton steps reach from many starts spread evenly over a box, duplicates merged.
-/// `f(x)` returns at least as many values as there are unknowns (more are solved by least squares, a root must satisfy
-/// all), `derivative(x)` their Jacobian. Steps come from a rank-revealing decomposition, so that singular derivatives
-/// are no end: a root on a curve of roots or a multiple one is found and called not isolated.
-/// No search by starts can promise that no root is missed; the failures say where the others went.
+/// More values than unknowns are solved by least squares, and a root must satisfy all. Steps come from a rank-revealing
+/// decomposition, so that singular derivatives are no end: a root on a curve of roots or a multiple one is found and
+/// called not isolated. No search by starts can promise that no root is missed; the failures say where the others went.
 /// Throws std::invalid_argument for a box that is none.
-[[nodiscard]] RootSearch find_roots(const VectorFunction& f, const MatrixFunction& derivative, const SearchBox& box,
-                                    Eigen::Index unknowns, const RootSearchOptions& options = {});
+[[nodiscard]] RootSearch find_roots(const RootEquations& equations, const SearchBox& box,
+                                    const RootSearchOptions& options = {});
 
 /// The Jacobian of f by central differences over steps of (rounding)^(1/3) times the width of the box, or times 1 for
 /// unknowns without bounds: right to some ten digits where f is smooth over such steps.

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <optional>
 #include <ostream>
 #include <stdexcept>
 #include <utility>
@@ -42,7 +43,7 @@ RouthTable routh_table(std::span<const double> coefficients, std::span<const dou
   }
   const int degree = static_cast<int>(a.size()) - 1;
   std::vector<std::vector<double>> errors;
-  int even_factor = -1;  // row of the even factor that the first vanishing row shows
+  std::optional<int> even_factor;  // row of the even factor that the first vanishing row shows
   for (int k = 0; k <= degree; ++k) {
     RouthTable::Row row{degree - k, RouthRow::regular, {}};
     const auto count = static_cast<std::size_t>((degree - k) / 2 + 1);
@@ -70,7 +71,7 @@ RouthTable routh_table(std::span<const double> coefficients, std::span<const dou
     const auto first = std::find_if(row.entries.begin(), row.entries.end(), [](double x) { return x != 0.0; });
     if (first == row.entries.end()) {
       row.kind = RouthRow::zero_row;
-      if (even_factor < 0) even_factor = k - 1;
+      if (!even_factor) even_factor = k - 1;
       for (std::size_t j = 0; j < count; ++j) {
         const double power = row.power + 1 - 2 * static_cast<int>(j);
         row.entries[j] = power * table.rows.back().entries[j];
@@ -93,9 +94,9 @@ RouthTable routh_table(std::span<const double> coefficients, std::span<const dou
     const auto row = static_cast<std::size_t>(k);
     if ((table.rows[row].entries[0] < 0.0) == (table.rows[row - 1].entries[0] < 0.0)) continue;
     ++table.right;
-    if (even_factor >= 0 && k > even_factor) ++within_factor;
+    if (even_factor && k > *even_factor) ++within_factor;
   }
-  if (even_factor >= 0) table.imaginary = table.rows[static_cast<std::size_t>(even_factor)].power - 2 * within_factor;
+  if (even_factor) table.imaginary = table.rows[static_cast<std::size_t>(*even_factor)].power - 2 * within_factor;
   table.left = degree - table.right - table.imaginary;
   return table;
 }

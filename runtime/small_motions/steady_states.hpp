@@ -258,7 +258,8 @@ template <HasStateEquations M>
   }
   const auto values = [&equations](const Eigen::VectorXd& x) { return equations(x); };
   const auto derivative = [&equations](const Eigen::VectorXd& x) { return equations.derivative(x); };
-  RootSearch search = find_roots(values, derivative, box, equations.unknowns(), problem.options);
+  RootSearch search =
+      find_roots({.f = values, .derivative = derivative, .unknowns = equations.unknowns()}, box, problem.options);
   StateSearch<M> result{{}, std::move(search.failures), search.starts};
   for (const FoundRoot& root : search.roots) {
     FoundState<M> state = equations.at(root.x);
@@ -289,17 +290,22 @@ struct CoordinateBox {
   std::vector<int> angles{};
 };
 
+/// What acts at rest, and when.
+template <MechanismModel M>
+struct RestConditions {
+  typename M::Inputs inputs{};
+  double time = 0.0;  ///< [s]
+};
+
 /// Equilibria: q and λ with  h(q, v = 0) − Aᵀλ = Q(u),  f(q, t) = 0  (Pommier, §7.4). With a driven joint h at rest
-/// holds −∂T0/∂q and these are the relative equilibria, roots of ∂(U + T0)/∂q. `at` gives the time and inputs. A
-/// coordinate on which nothing depends makes curves of equilibria, called not isolated: leave it out with
-/// `find_states`.
+/// holds −∂T0/∂q and these are the relative equilibria, roots of ∂(U + T0)/∂q. A coordinate on which
+/// nothing depends makes curves of equilibria, called not isolated: leave it out with `find_states`.
 template <HasStateEquations M>
 [[nodiscard]] StateSearch<M> find_equilibria(const typename M::Precomputed& precomputed, const CoordinateBox& box,
-                                             const RootSearchOptions& options = {},
-                                             const typename M::Inputs& inputs = {}, double time = 0.0) {
+                                             const RestConditions<M>& at = {}, const RootSearchOptions& options = {}) {
   StateProblem<M> problem;
-  problem.state.time = time;
-  problem.inputs = inputs;
+  problem.state.time = at.time;
+  problem.inputs = at.inputs;
   for (int i = 0; i < M::coordinate_count; ++i) problem.coordinates.push_back(i);
   problem.lower = box.lower;
   problem.upper = box.upper;
@@ -308,18 +314,25 @@ template <HasStateEquations M>
   return find_states<M>(precomputed, problem);
 }
 
-/// Steady motions: the cyclic coordinates turn at given constant rates, the others rest (Pommier, §7.4). `state` gives
-/// the time, the rates of the cyclic coordinates and their values (which do not matter); `box` bounds the others, in
-/// order. Along a cyclic coordinate the equation is not asked to hold: what it leaves over is the effort that keeps the
-/// rate, zero when nothing dissipates.
+/// Which coordinates of a steady motion turn, how fast, and what acts.
+template <MechanismModel M>
+struct SteadyRates {
+  typename M::State state{};  ///< the time, the rates of the cyclic coordinates, their values (which do not matter)
+  std::vector<int> cyclic{};  ///< indices of those coordinates
+  typename M::Inputs inputs{};
+};
+
+/// Steady motions: the cyclic coordinates turn at given constant rates, the others rest (Pommier, §7.4). `box` bounds
+/// those, in order. Along a cyclic coordinate the equation is not asked to hold: what it leaves over is the effort that
+/// keeps the rate, zero when nothing dissipates.
 template <HasStateEquations M>
 [[nodiscard]] StateSearch<M> find_steady_motions(const typename M::Precomputed& precomputed,
-                                                 const typename M::State& state, const std::vector<int>& cyclic,
-                                                 const CoordinateBox& box, const RootSearchOptions& options = {},
-                                                 const typename M::Inputs& inputs = {}) {
+                                                 const SteadyRates<M>& rates, const CoordinateBox& box,
+                                                 const RootSearchOptions& options = {}) {
+  const std::vector<int>& cyclic = rates.cyclic;
   StateProblem<M> problem;
-  problem.state = state;
-  problem.inputs = inputs;
+  problem.state = rates.state;
+  problem.inputs = rates.inputs;
   static_assert(M::coordinate_count == M::velocity_count, "with quaternions, say by find_states what is unknown");
   for (int i = 0; i < M::coordinate_count; ++i) {
     if (std::find(cyclic.begin(), cyclic.end(), i) != cyclic.end()) continue;

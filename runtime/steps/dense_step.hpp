@@ -32,12 +32,19 @@ struct DenseStep {
   }
 };
 
+/// From when to when a step goes. Its length is that which the method took: end - start may be another by rounding.
+template <class Scalar>
+struct StepTimes {
+  Scalar start, end, length;
+};
+
 /// The first four terms, which interpolate the states and slopes at both ends of a step.
 template <class Step, class Scalar, class State, std::size_t size>
-[[nodiscard]] Step hermite_step(Scalar t, Scalar t_next, Scalar h, const State& state,
+[[nodiscard]] Step hermite_step(const StepTimes<Scalar>& times, const State& state,
                                 const std::array<Scalar, size>& first_slope,
                                 const std::array<Scalar, size>& last_slope) noexcept {
-  Step step{t, t_next, {}};
+  const Scalar h = times.length;
+  Step step{times.start, times.end, {}};
   auto& c = step.coefficients;
   for (std::size_t i = 0; i < size; ++i) {
     c[0][i] = state.now()[i];

@@ -37,24 +37,24 @@ class RadauFormula {
   }
 
   template <class F>
-  Evaluation prepare(F& f, const StepRange<Scalar>& range, const Vector& y, const Tolerances<Scalar>& tolerances,
-                     Scalar& length) {
+  Evaluation prepare(F& f, const StepsAhead<Scalar, size>& ahead, Scalar& length) {
+    const auto& tolerances = ahead.tolerances;
     // The estimate is two orders below the method: it is held to a tolerance as much larger.
     const Scalar given = tolerances.relative > Scalar(0) ? tolerances.relative : tolerances.absolute;
     const Scalar factor = Scalar(0.1) / std::cbrt(given);
     tolerances_ = {tolerances.relative * factor, tolerances.absolute * factor};
     const Scalar held = given * factor;
     enough_ = std::max(Scalar(10) * epsilon / held, std::min(Scalar(0.03), std::sqrt(held)));
-    if (!f(range.start, y, slope_)) return f.evaluation;
+    if (!f(ahead.range.start, ahead.y, slope_)) return f.evaluation;
     slope_known_ = true;
-    if (!(length > Scalar(0))) length = starting_step(f, range, y, slope_, tolerances_, 4);
+    if (!(length > Scalar(0))) length = starting_step(f, {ahead.range, ahead.y, tolerances_}, slope_, 4);
     return Evaluation::ok;
   }
 
   /// One step of length h to state.next(). Where Newton's method fails the error is infinite and `shorter` knows how
   /// far to go back.
   template <class F>
-  Evaluation attempt(F& f, Scalar t, Scalar h, State& state, const Tolerances<Scalar>&, Scalar& error) {
+  Evaluation attempt(F& f, Scalar t, Scalar h, State& state, Scalar& error) {
     const Vector& y = state.now();
     proposal_ = Scalar(0.5) * std::abs(h);
     if (!slope_known_ && !f(t, y, slope_)) return f.evaluation;

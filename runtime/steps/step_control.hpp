@@ -83,13 +83,21 @@ struct StepRange {
   }
 };
 
+/// What the steps of an integration begin with.
+template <class Scalar, std::size_t size>
+struct StepsAhead {
+  StepRange<Scalar> range;
+  const std::array<Scalar, size>& y;  ///< the state at range.start
+  Tolerances<Scalar> tolerances;
+};
+
 /// A first step: one that changes y by a hundredth of its own scale, tried with Euler's method, gives the second
-/// derivative, and that the length at which the error terms reach a hundredth of the tolerance.
+/// derivative, and that the length at which the error terms reach a hundredth of the tolerance. `slope` is y' there.
 /// Source: Hairer-Nørsett-Wanner I, II.4 (4.14).
 template <class F, class Scalar, std::size_t size>
-[[nodiscard]] Scalar starting_step(F& f, const StepRange<Scalar>& range, const std::array<Scalar, size>& y,
-                                   const std::array<Scalar, size>& slope, const Tolerances<Scalar>& tolerances,
+[[nodiscard]] Scalar starting_step(F& f, const StepsAhead<Scalar, size>& ahead, const std::array<Scalar, size>& slope,
                                    int order) {
+  const auto& [range, y, tolerances] = ahead;
   const Scalar reach = std::abs(range.end - range.start);
   const Scalar d0 = tolerances.norm(y, y), d1 = tolerances.norm(slope, y), little = Scalar(1e-5);
   Scalar h0 = d0 < little || d1 < little ? Scalar(1e-6) : Scalar(0.01) * d0 / d1;

@@ -5,10 +5,20 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <span>
+#include <type_traits>
 
 #include "torsor/runtime/steps/step_control.hpp"
 
 namespace torsor::runtime {
+
+/// Slopes at the end of a step.
+template <class Scalar, std::size_t size>
+struct EndSlopes {
+  const std::array<Scalar, size>& polynomial;  ///< of the step
+  const std::array<Scalar, size>& equations;   ///< y' of the state there
+  const std::array<Scalar, size>& noise;       ///< what rounding makes of that
+};
 
 /// Order, step and defect of Taylor's method for one motion; see Taylor. Coefficients are taken one by one from a
 /// callable, `c(k)` = y^(k)/k!, so that they may lie anywhere.
@@ -64,12 +74,13 @@ class TaylorRule {
   }
 
   /// The largest difference of the polynomial's slope at its end from the equations', beyond what rounding makes of
-  /// either, as a part of what is allowed. `noise` is what rounding makes of the equations'.
-  [[nodiscard]] Scalar disagreement(Scalar h, const Vector& slope, const Vector& equations_slope, const Vector& now,
-                                    const Vector& next, const Vector& noise) const noexcept {
+  /// either, as a part of what is allowed.
+  [[nodiscard]] Scalar disagreement(Scalar h, const EndSlopes<Scalar, size>& slopes, const Vector& now,
+                                    const Vector& next) const noexcept {
+    const Vector &slope = slopes.polynomial, &noise = slopes.noise;
     Scalar error = Scalar(0);
     for (std::size_t i = 0; i < size; ++i) {
-      const Scalar defect = std::abs(h * (slope[i] - equations_slope[i]));
+      const Scalar defect = std::abs(h * (slope[i] - slopes.equations[i]));
       const Scalar magnitude = std::max(std::abs(now[i]), std::abs(next[i]));
       const Scalar allowed =
           static_cast<Scalar>(order_ + 1) * (tolerances_.absolute + tolerances_.relative * magnitude);
@@ -134,9 +145,10 @@ class TaylorRule {
 
 /// What the polynomial y + h c_1 + ... + h^p c_p adds to y, and its slope at h, by Horner's rule without the first
 /// coefficient, whose sum with the rest is the state's own, and by the derivative of that rule. Of numbers or packs.
-template <class Scalar, std::size_t size, std::size_t room>
-void evaluate_taylor(const std::array<std::array<Scalar, size>, room>& c, std::size_t order, const Scalar& h,
+template <class Scalar, std::size_t size>
+void evaluate_taylor(std::type_identity_t<std::span<const std::array<Scalar, size>>> c, const Scalar& h,
                      std::array<Scalar, size>& increment, std::array<Scalar, size>& slope) noexcept {
+  const std::size_t order = c.size() - 1;
   std::array<Scalar, size> rest = c[order];
   slope.fill(Scalar(0));
   for (std::size_t k = order - 1; k > 0; --k) {

@@ -63,12 +63,12 @@ TEST_F(RowReductionOfReals, FindsWhatTheRowsSendToZero) {
 
 TEST_F(RowReductionOfReals, SolvesWithTheLeastNorm) {
   const RealRows a = rows({{1, 1, 0}, {0, 0, 2}, {1, 1, 2}});
-  const auto x = solution(a, {Real(2), Real(6), Real(8)}, 3, tolerance);
+  const auto x = solution({.rows = a, .right_side = {Real(2), Real(6), Real(8)}, .columns = 3}, tolerance);
   ASSERT_TRUE(x);
   EXPECT_LE(abs((*x)[0] - Real(1)), rounding);
   EXPECT_LE(abs((*x)[1] - Real(1)), rounding);
   EXPECT_LE(abs((*x)[2] - Real(3)), rounding);
-  EXPECT_FALSE(solution(a, {Real(2), Real(6), Real(9)}, 3, tolerance));
+  EXPECT_FALSE(solution({.rows = a, .right_side = {Real(2), Real(6), Real(9)}, .columns = 3}, tolerance));
 }
 
 TEST_F(RowReductionOfReals, TakesColumnsInTheirOrderWhateverTheirSize) {

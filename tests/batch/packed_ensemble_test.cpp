@@ -64,21 +64,21 @@ TEST(PackedEnsemble, AsksForMembersAgainWhereAGroupFailsOnly) {
     ++asked;
     return top(i);
   };
-  const auto ensemble =
-      packed_motion_ensemble<heavy_top::Mechanism, double>(3 * lanes, counted, times, RungeKutta4{0.1});
+  const auto ensemble = packed_motion_ensemble<heavy_top::Mechanism, double>({.count = 3 * lanes, .times = times},
+                                                                             counted, RungeKutta4{0.1});
   const RecordHead head = ensemble.head();
   asked = 0;
   records_of(ensemble, head);
   EXPECT_EQ(asked, 3 * lanes);
   const auto failing = packed_motion_ensemble<heavy_top::Mechanism, double>(
-      3 * lanes,
+      {.count = 3 * lanes, .times = times},
       [&asked](std::uint64_t i) {
         ++asked;
         Member<Top> member = top(i);
         if (i == lanes) member.state.q[1] = std::acos(0.0);
         return member;
       },
-      times, RungeKutta4{0.1});
+      RungeKutta4{0.1});
   asked = 0;
   records_of(failing, head);
   EXPECT_EQ(asked, 4 * lanes);
@@ -134,7 +134,8 @@ struct Regulator {
 
 template <class... Laws>
 concept TakesLaws = requires(Member<satellite_arms::Mechanism<double>> (*members)(std::uint64_t), Laws... laws) {
-  packed_motion_ensemble<satellite_arms::Mechanism, double, Regulator>(1, members, times, RungeKutta4{}, laws...);
+  packed_motion_ensemble<satellite_arms::Mechanism, double, Regulator>({.count = 1, .times = times}, members,
+                                                                       RungeKutta4{}, {laws...});
 };
 
 TEST(PackedEnsemble, TakesTheGainsOfItsLaws) {
@@ -149,11 +150,12 @@ TEST(PackedEnsemble, TakesTheGainsOfItsLaws) {
     return member;
   };
   const RungeKutta4 method{.step = 5e-3};
+  const EnsemblePlan<double> plan{.count = 11, .times = times, .label = "regulated"};
   const auto records_with = [&](double stiffness, double damping) {
     using Pack = NativeSimd<double>;
     const auto packed = packed_motion_ensemble<satellite_arms::Mechanism, double, Regulator>(
-        11, members, times, method, Alone{stiffness, damping}, InPacks{Pack(stiffness), Pack(damping)}, "regulated");
-    const auto alone = motion_ensemble<Arms>(11, members, times, method, Alone{stiffness, damping}, "regulated");
+        plan, members, method, {Alone{stiffness, damping}, InPacks{Pack(stiffness), Pack(damping)}});
+    const auto alone = motion_ensemble<Arms>(plan, members, method, Alone{stiffness, damping});
     const RecordHead head = alone.head();
     const std::vector<double> records = records_of(packed, head);
     for (std::uint64_t i = 0; i < 11; ++i) {
@@ -174,8 +176,8 @@ TEST(PackedEnsemble, SaysOfInvalidOptionsWhatMembersAloneSay) {
 class PackedEnsembleFile : public TemporaryFolder {};
 
 TEST_F(PackedEnsembleFile, DoesNotDependOnThreadsAndResumesInsideAGroup) {
-  const auto ensemble =
-      packed_motion_ensemble<heavy_top::Mechanism, double>(150, top, {0.1}, RungeKutta4{.step = 0.01});
+  const auto ensemble = packed_motion_ensemble<heavy_top::Mechanism, double>({.count = 150, .times = {0.1}}, top,
+                                                                             RungeKutta4{.step = 0.01});
   const RecordHead head = ensemble.head();
   run_ensemble(folder / "one", head, ensemble.groups());
   const std::string expected = contents(folder / "one");
@@ -197,8 +199,8 @@ TEST_F(PackedEnsembleFile, DoesNotDependOnThreadsAndResumesInsideAGroup) {
 }
 
 TEST_F(PackedEnsembleFile, EndsWhenTheCallbackSaysSoAndGoesOn) {
-  const auto ensemble =
-      packed_motion_ensemble<heavy_top::Mechanism, double>(150, top, {0.1}, RungeKutta4{.step = 0.01});
+  const auto ensemble = packed_motion_ensemble<heavy_top::Mechanism, double>({.count = 150, .times = {0.1}}, top,
+                                                                             RungeKutta4{.step = 0.01});
   run_ensemble(folder / "whole", ensemble.head(), ensemble.groups());
   const auto until = [](std::uint64_t most) { return [most](const EnsembleProgress& p) { return p.done < most; }; };
   run_ensemble(folder / "parts", ensemble.head(), ensemble.groups(), {.progress = until(10)});

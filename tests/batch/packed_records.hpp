@@ -32,8 +32,8 @@ std::vector<double> records_of(const Ensemble& ensemble, const RecordHead& head)
 template <template <class> class Mechanism, class Members, class Method>
 int different(std::uint64_t count, Members members, const Method& method, std::vector<double>* found = nullptr) {
   using M = Mechanism<double>;
-  const auto packed = packed_motion_ensemble<Mechanism, double>(count, members, times, method);
-  const auto alone = motion_ensemble<M>(count, members, times, method);
+  const auto packed = packed_motion_ensemble<Mechanism, double>({.count = count, .times = times}, members, method);
+  const auto alone = motion_ensemble<M>({.count = count, .times = times}, members, method);
   const RecordHead head = alone.head();
   EXPECT_EQ(packed.head().count, head.count);
   EXPECT_EQ(packed.head().numbers, head.numbers);

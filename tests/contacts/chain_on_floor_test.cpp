@@ -87,7 +87,7 @@ TEST(ChainOnFloor, LiesWhereStepsTendTo) {
     move(chain(f, f, 0), exact, 2);
     for (const long steps : {1000L, 4000L, 16000L}) {
       std::array<double, 8> y = thrown;
-      ASSERT_EQ(step_contacts(chain(f, f, 0), y, 0, 2, steps), ContactStatus::reached_end);
+      ASSERT_EQ(step_contacts(chain(f, f, 0), y, 0, 2, {.count = steps}), ContactStatus::reached_end);
       EXPECT_NEAR(y[0], exact[0], 4 * 2.0 / static_cast<double>(steps)) << steps;
     }
   }

@@ -78,7 +78,7 @@ TEST(ContactWithoutPoint, IsNamed) {
   EXPECT_EQ(result.contact, 0);
   EXPECT_NEAR(result.time, std::sqrt(2 / g), 1e-12);
   y = {1, 0};
-  EXPECT_EQ(step_contacts(flat, y, 0, 1, 100), ContactStatus::no_point);
+  EXPECT_EQ(step_contacts(flat, y, 0, 1, {.count = 100}), ContactStatus::no_point);
   EXPECT_LT(y[0], 0.1);  // until then its rows have no part
 
   flat.fill = [usual, none](double t, const auto& state, auto& r) {

@@ -68,7 +68,7 @@ TEST(FrictionOfAJournal, MovesByStepsAsFromEventToEvent) {
   ASSERT_TRUE(integrate_contacts(pendulum_in_a_journal(0.2), exact, 0, 0.9, precise));
   const auto error = [&](long steps) {
     std::array<double, 2> y{1.2, 0};
-    EXPECT_EQ(step_contacts(pendulum_in_a_journal(0.2), y, 0, 0.9, steps), ContactStatus::reached_end);
+    EXPECT_EQ(step_contacts(pendulum_in_a_journal(0.2), y, 0, 0.9, {.count = steps}), ContactStatus::reached_end);
     return std::hypot(y[0] - exact[0], y[1] - exact[1]);
   };
   const double coarse = error(900), fine = error(3600);

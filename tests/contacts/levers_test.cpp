@@ -82,7 +82,7 @@ TEST(Levers, PartWhereTheirContactNoLongerPresses) {
   // Steps that are eight times as short come at least twice as near: impacts cost a step each.
   const auto error = [&](long steps) {
     Levers::State stepped = start;
-    EXPECT_EQ(step_contacts(system, stepped, 0, 0.9, steps), ContactStatus::reached_end);
+    EXPECT_EQ(step_contacts(system, stepped, 0, 0.9, {.count = steps}), ContactStatus::reached_end);
     double most = 0;
     for (std::size_t i = 0; i < y.size(); ++i) most = std::max(most, std::abs(stepped[i] - y[i]));
     return most;

@@ -196,7 +196,8 @@ TEST(MassesApart, AreNotHeldBySupportsThatDrawAway) {
 TEST(MassesApart, MoveByStepsAsEachDoesAlone) {
   const auto moved = [](const std::array<double, 2>& masses) {
     std::array<double, 8> y{0, 0, 0, 0, 2, 0, 1, 0};
-    EXPECT_EQ(step_contacts(two_blocks<2>(masses, {slides(), slides()}), y, 0, 1, 1000), ContactStatus::reached_end);
+    EXPECT_EQ(step_contacts(two_blocks<2>(masses, {slides(), slides()}), y, 0, 1, {.count = 1000}),
+              ContactStatus::reached_end);
     return y;
   };
   const auto alike = moved({1, 1});

@@ -171,7 +171,7 @@ TEST(RandomMotions, AreWhatStepsTendTo) {
     if (!move(scene, exact, 0.8)) continue;
     const auto error = [&scene = scene, &start = start, &exact](long steps) {
       State y = start;
-      EXPECT_EQ(step_contacts(scene, y, 0, 0.8, steps), ContactStatus::reached_end);
+      EXPECT_EQ(step_contacts(scene, y, 0, 0.8, {.count = steps}), ContactStatus::reached_end);
       return distance(y, exact);
     };
     const double coarse = error(800), fine = error(40000);

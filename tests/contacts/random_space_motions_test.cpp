@@ -136,7 +136,7 @@ TEST(RandomSpaceMotions, AreWhatStepsTendTo) {
     EXPECT_GT(result.impacts, 0);
     const auto error = [&scene = scene, &start = start, &exact](long steps) {
       State y = start;
-      EXPECT_EQ(step_contacts(scene, y, 0, 0.8, steps), ContactStatus::reached_end);
+      EXPECT_EQ(step_contacts(scene, y, 0, 0.8, {.count = steps}), ContactStatus::reached_end);
       return distance(y, exact);
     };
     EXPECT_LE(error(4000), error(400) / 5);

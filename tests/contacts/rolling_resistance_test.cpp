@@ -153,7 +153,7 @@ TEST(RollingResistance, IsTheSameByStepsThatShrink) {
   ASSERT_TRUE(integrate_contacts(ball, exact, 0, 1, precise));
   const auto error = [&](long steps) {
     auto y = start;
-    EXPECT_EQ(step_contacts(ball, y, 0, 1, steps), ContactStatus::reached_end);
+    EXPECT_EQ(step_contacts(ball, y, 0, 1, {.count = steps}), ContactStatus::reached_end);
     return std::abs(y[0] - exact[0]) + std::abs(y[3] - exact[3]);
   };
   const double coarse = error(100), fine = error(1000);

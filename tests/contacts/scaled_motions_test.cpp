@@ -116,12 +116,12 @@ TEST(ScaledMotions, MoveByStepsAlikeInAllUnits) {
   for (unsigned k = 0; k < 12; ++k) {
     const Start start = random_start(k);
     State usual = start.y;
-    const ContactStatus status = step_contacts(start.scene, usual, 0, 1, 500);
+    const ContactStatus status = step_contacts(start.scene, usual, 0, 1, {.count = 500});
     for (const double length : {0x1p-30, 0x1p-10, 0x1p10}) {
       for (const double mass : {0x1p-20, 0x1p20}) {
         SCOPED_TRACE(testing::Message() << "scene " << k << ", lengths " << length << ", masses " << mass);
         Start other = in_units(start, length, mass);
-        EXPECT_EQ(step_contacts(other.scene, other.y, 0, 1, 500), status);
+        EXPECT_EQ(step_contacts(other.scene, other.y, 0, 1, {.count = 500}), status);
         EXPECT_EQ(other.y, in_units({start.scene, usual}, length, mass).y);
       }
     }

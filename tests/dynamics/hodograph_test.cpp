@@ -71,7 +71,7 @@ TEST(Hodograph, IsRunAlongByTheAcceleration) {
     for (int reference = 0; reference < links; ++reference) {
       const GeometricPoint point = geometric_point(model, Scene::point("P1"), "test");
       const GeometricPoint drawn = hodograph(model, point, reference);
-      const Vector gamma = point_motion(model, point, point.link, reference, reference).absolute_acceleration;
+      const Vector gamma = point_motion(model, point, {point.link, reference, reference}).absolute_acceleration;
       const Vector difference = velocity(model, drawn, reference) - second * gamma;
       for (int i = 0; i < 3; ++i) EXPECT_LT(abs(at(difference[i])).to_double(), 1e-44) << seed << ", " << reference;
     }

@@ -40,7 +40,8 @@ TEST_P(RandomPoint, MovesAsItsPositionDifferentiatedInTheFrameOfReference) {
       const Vector position = bound(program, model.locate(point.place, link, reference));
       const Vector v = bound(program, time_derivative(position));
       const Vector gamma = time_derivative(v);
-      const PointMotion motion = point_motion(model, point, link, reference, reference);
+      const PointMotion motion =
+          point_motion(model, point, {.moving = link, .reference = reference, .axes = reference});
       EXPECT_LT(size(motion.position - position), 1e-45);
       EXPECT_LT(size(motion.absolute_velocity - v), 1e-45) << link << " in " << reference;
       EXPECT_LT(size(motion.absolute_acceleration - gamma), 1e-44) << link << " in " << reference;
@@ -53,7 +54,7 @@ TEST_P(RandomPoint, ComposesItsVelocitiesAndAccelerationsThroughAnyFrame) {
   const GeometricPoint point = moving_point(link);
   for (int moving = 0; moving < links(); ++moving) {
     for (int reference = 0; reference < links(); ++reference) {
-      const PointMotion m = point_motion(model, point, moving, reference, link);
+      const PointMotion m = point_motion(model, point, {.moving = moving, .reference = reference, .axes = link});
       EXPECT_LT(size(m.relative_velocity + m.transport_velocity - m.absolute_velocity), 1e-45);
       const Vector sum = m.relative_acceleration + m.transport_acceleration + m.coriolis_acceleration;
       EXPECT_LT(size(sum - m.absolute_acceleration), 1e-44) << moving << " in " << reference;
@@ -66,7 +67,7 @@ TEST_P(RandomPoint, IsCarriedByTheCoincidentPointOfTheFrame) {
   const int link = links() - 1;
   for (int moving = 0; moving < links(); ++moving) {
     const GeometricPoint point = moving_point(link);
-    const PointMotion motion = point_motion(model, point, moving, 0, 0);
+    const PointMotion motion = point_motion(model, point, {.moving = moving});
     // The place in the moving frame as constants, rounded to 50 digits: its own rates are null.
     Vector held;
     for (int i = 0; i < 3; ++i) {

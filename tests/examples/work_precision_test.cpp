@@ -68,7 +68,8 @@ class Demonstration : public testing::Test {
     for (std::string& word : words) argv.push_back(word.data());
     testing::internal::CaptureStdout();
     testing::internal::CaptureStderr();
-    const int code = demonstrate(static_cast<int>(argv.size()), argv.data(), "double_pendulum", "a test", show);
+    const int code =
+        demonstrate(static_cast<int>(argv.size()), argv.data(), {.name = "double_pendulum", .about = "a test"}, show);
     out = testing::internal::GetCapturedStdout();
     err = testing::internal::GetCapturedStderr();
     return code;
@@ -84,7 +85,8 @@ TEST_F(Demonstration, WritesPlotsOnlyWhereItIsAskedForThem) {
     words.insert(words.begin(), {"some/where/double_pendulum", "--reference", file});
     std::vector<char*> argv;
     for (std::string& word : words) argv.push_back(word.data());
-    return demonstrate_with_plots(static_cast<int>(argv.size()), argv.data(), "double_pendulum", "a test", show);
+    return demonstrate_with_plots(static_cast<int>(argv.size()), argv.data(),
+                                  {.name = "double_pendulum", .about = "a test"}, show);
   };
   bool wanted = true;
   EXPECT_EQ(with_plots({}, [&](const Reference<double>&, const PlotFolder& plots) { wanted = bool(plots); }), 0);

@@ -16,7 +16,7 @@ using namespace testing_symbols;
 
 /// Terms with their signs, factors side by side.
 std::string text(const Program& program, const Formula& formula) {
-  if (formula.kind == Formula::Kind::value_number) return label(program, formula.value_number);
+  if (formula.kind == Formula::Kind::value_number) return label(program, formula.value_number.value());
   std::string joined;
   for (std::size_t i = 0; i < formula.children.size(); ++i) {
     if (formula.kind == Formula::Kind::sum)

@@ -57,7 +57,7 @@ TEST_F(LoweredFunction, ComputesWhatRepeatsUpToSignOnce) {
   EXPECT_FALSE(second.checked);
   EXPECT_TRUE(second.value.negative);
   ASSERT_EQ(second.value.formula.kind, Formula::Kind::value_number);
-  const Quantity& read = listing.quantity(second.value.formula.value_number);
+  const Quantity& read = listing.quantity(second.value.formula.value_number.value());
   EXPECT_EQ(read.table, Table::output);
   EXPECT_EQ(read.index, 0u);
   EXPECT_FALSE(listing.outputs[2].checked) << "a number is finite";
@@ -94,7 +94,7 @@ TEST_F(LoweredFunction, MeasuresPivotsThatMayVanish) {
   computation.pivots = {{pivot, diagonal}, {program_.number(Number(2)), program_.number(Number(3))}};
   const Listing listing = lowered(computation);
   ASSERT_EQ(listing.pivots.size(), 1u) << "a positive number is regular whatever the state";
-  EXPECT_EQ(listing.quantity(listing.pivots[0].pivot.formula.value_number).table, Table::output);
+  EXPECT_EQ(listing.quantity(listing.pivots[0].pivot.formula.value_number.value()).table, Table::output);
   EXPECT_EQ(listing.of_pivots.size(), 1u);
   EXPECT_EQ(count(listing).total(), 4);
 }

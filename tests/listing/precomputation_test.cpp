@@ -67,7 +67,7 @@ TEST_F(PutTogether, TakesASineThatAnotherFunctionLacked) {
   const auto define = [&known](ValueNumber value_number) { known[static_cast<std::size_t>(value_number)] = true; };
   const std::function<void(const Formula&)> expect_known = [&](const Formula& formula) {
     if (formula.kind == Formula::Kind::value_number) {
-      EXPECT_TRUE(known[static_cast<std::size_t>(formula.value_number)]);
+      EXPECT_TRUE(known[static_cast<std::size_t>(formula.value_number.value())]);
     }
     for (const Formula& child : formula.children) expect_known(child);
   };

@@ -22,8 +22,8 @@ class JointScrews : public ::testing::TestWithParam<JointType>, protected Symbol
  protected:
   Value pitch = program.lower(make_symbol("p", "m")), angle = program.lower(make_symbol("alpha", "rad"));
   Vector ab = symbols("b", "m");
-  std::vector<Twist> twists = allowed_twists(program, GetParam(), Vector(), pitch, angle);
-  std::vector<Wrench> wrenches = ideal_wrenches(program, GetParam(), Vector(), pitch, angle);
+  std::vector<Twist> twists = allowed_twists(program, {.type = GetParam(), .pitch = pitch, .angle = angle});
+  std::vector<Wrench> wrenches = ideal_wrenches(program, {.type = GetParam(), .pitch = pitch, .angle = angle});
 };
 
 TEST_P(JointScrews, AreAsManyAsTheFreedomsAndWhatTheyLeave) {
@@ -44,13 +44,15 @@ TEST_P(JointScrews, TransmitNoPowerWhateverTheMotionAndThePoint) {
 
 // A basis placed at a distance is the basis at the point, reduced elsewhere.
 TEST_P(JointScrews, MoveWithTheirPoint) {
-  const std::vector<Twist> moved = allowed_twists(program, GetParam(), -ab, pitch, angle);
+  const std::vector<Twist> moved =
+      allowed_twists(program, {.type = GetParam(), .point = -ab, .pitch = pitch, .angle = angle});
   for (std::size_t i = 0; i < twists.size(); ++i) {
     const Twist expected = reduced_at(twists[i], ab);
     EXPECT_TRUE(identically_zero(moved[i].angular - expected.angular));
     EXPECT_TRUE(identically_zero(moved[i].linear - expected.linear));
   }
-  const std::vector<Wrench> far = ideal_wrenches(program, GetParam(), -ab, pitch, angle);
+  const std::vector<Wrench> far =
+      ideal_wrenches(program, {.type = GetParam(), .point = -ab, .pitch = pitch, .angle = angle});
   for (std::size_t i = 0; i < wrenches.size(); ++i) {
     const Wrench expected = reduced_at(wrenches[i], ab);
     EXPECT_TRUE(identically_zero(far[i].resultant - expected.resultant));

@@ -172,11 +172,11 @@ TEST_F(SlidingVectors, TurnAboutAnAxisWithTheLeverArm) {
   const Wrench at_o = screw_of<screw_kind::Wrench>(set, Vector());
   for (const int z : {0, 4}) {
     const Vector on_axis = numbers({0, 7, z}, units::metre);
-    const Value moment = moment_about(at_o, on_axis, numbers({0, 0, 5}), "hinge");
+    const Value moment = moment_about(at_o, {.name = "hinge", .ab = on_axis, .direction = numbers({0, 0, 5})});
     EXPECT_TRUE(moment.is_number(30));
     EXPECT_EQ(moment.unit(), units::newton_metre);
   }
-  EXPECT_EQ(error_of<SceneError>([&] { moment_about(at_o, ab, Vector(), "hinge"); }),
+  EXPECT_EQ(error_of<SceneError>([&] { moment_about(at_o, {.name = "hinge", .ab = ab, .direction = {}}); }),
             "the direction of axis 'hinge' is the null vector: give a direction");
 }
 

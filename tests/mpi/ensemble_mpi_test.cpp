@@ -66,8 +66,8 @@ class EnsembleOverMpi : public testing::Test {
   void put(const std::string& text) const {
     if (rank() == 0) std::ofstream(folder / "results", std::ios::binary) << text;
   }
-  EnsembleProgress run(const EnsembleOptions& options = {}, std::uint64_t at_once = 0) const {
-    return run_ensemble_over_mpi(MPI_COMM_WORLD, folder / "results", many, squares, options, at_once);
+  EnsembleProgress run(const MpiEnsembleOptions& options = {}) const {
+    return run_ensemble_over_mpi(folder / "results", many, squares, options);
   }
   void expect_whole() const { EXPECT_TRUE(rank() != 0 || contents(folder / "results") == expected); }
   template <class Action>
@@ -89,7 +89,7 @@ TEST_F(EnsembleOverMpi, WritesTheBytesOfOneProcess) {
   for (const unsigned threads : {1U, 2U}) {
     for (const std::uint64_t at_once : {0U, 1U, 7U, 1000U}) {
       const auto path = folder / std::to_string(file++);
-      const auto progress = run_ensemble_over_mpi(MPI_COMM_WORLD, path, many, squares, {.threads = threads}, at_once);
+      const auto progress = run_ensemble_over_mpi(path, many, squares, {.threads = threads, .at_once = at_once});
       EXPECT_EQ(progress.done, 200U);
       EXPECT_EQ(progress.found, 0U);
       EXPECT_TRUE(rank() != 0 || contents(path) == expected) << threads << " threads, " << at_once << " at once";
@@ -100,7 +100,7 @@ TEST_F(EnsembleOverMpi, WritesTheBytesOfOneProcess) {
 TEST_F(EnsembleOverMpi, GoesOnWithAFileThatEndsAnywhere) {
   for (const std::size_t bytes : {0U, 5U, 56U, 57U, 56U + 40U * 13U, 56U + 40U * 77U + 39U, 56U + 40U * 200U}) {
     put(rank() == 0 ? expected.substr(0, bytes) : "");
-    EXPECT_EQ(run({}, 3).found, bytes < 56 ? 0 : (bytes - 56) / 40) << bytes;
+    EXPECT_EQ(run({.at_once = 3}).found, bytes < 56 ? 0 : (bytes - 56) / 40) << bytes;
     expect_whole();
   }
 }
@@ -110,7 +110,7 @@ TEST_F(EnsembleOverMpi, StopsWhenTheProgressCallbackSaysSo) {
   int runs = 0;
   for (; progress.done < 200 && runs < 300; ++runs) {
     const auto until = [](const EnsembleProgress& p) { return p.done < p.found + 60; };
-    progress = run({.progress = until}, 2);
+    progress = run({.at_once = 2, .progress = until});
   }
   EXPECT_GT(runs, 1);
   EXPECT_EQ(progress.done, 200U);
@@ -122,8 +122,7 @@ TEST_F(EnsembleOverMpi, ThrowsInAllProcessesWhatAMemberThrowsInOne) {
     if (index == 33) throw std::runtime_error("member 33 has no start");
     squares(index, record);
   };
-  EXPECT_EQ(error_of([&] { run_ensemble_over_mpi(MPI_COMM_WORLD, folder / "results", many, fails); }),
-            "member 33 has no start");
+  EXPECT_EQ(error_of([&] { run_ensemble_over_mpi(folder / "results", many, fails); }), "member 33 has no start");
   MPI_Barrier(MPI_COMM_WORLD);
   EXPECT_TRUE(rank() != 0 || read_records(folder / "results").size() <= 33U);
   run();
@@ -132,7 +131,7 @@ TEST_F(EnsembleOverMpi, ThrowsInAllProcessesWhatAMemberThrowsInOne) {
 
 TEST_F(EnsembleOverMpi, ThrowsInAllProcessesWhatHasNoWords) {
   const auto fails = [](std::uint64_t, std::span<double>) { throw std::runtime_error(""); };
-  EXPECT_THROW(run_ensemble_over_mpi(MPI_COMM_WORLD, folder / "results", many, fails), std::runtime_error);
+  EXPECT_THROW(run_ensemble_over_mpi(folder / "results", many, fails), std::runtime_error);
   // In the process that writes
   const auto progress = [](const EnsembleProgress&) -> bool { throw std::runtime_error(""); };
   EXPECT_THROW(run({.progress = progress}), std::runtime_error);
@@ -149,9 +148,7 @@ TEST_F(EnsembleOverMpi, RefusesAFileInAllProcesses) {
 TEST_F(EnsembleOverMpi, RefusesDifferentQuestions) {
   if (processes() == 1) GTEST_SKIP() << "one process asks one question";
   const RecordHead own{many.question + static_cast<std::uint64_t>(rank()), many.count, many.numbers};
-  EXPECT_NE(error_of([&] {
-              run_ensemble_over_mpi(MPI_COMM_WORLD, folder / "results", own, squares);
-            }).find("different questions"),
+  EXPECT_NE(error_of([&] { run_ensemble_over_mpi(folder / "results", own, squares); }).find("different questions"),
             std::string::npos);
   EXPECT_FALSE(std::filesystem::exists(folder / "results"));
 }

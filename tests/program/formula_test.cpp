@@ -18,7 +18,7 @@ using namespace literals;
 Number value_of(const Formula& formula) {
   switch (formula.kind) {
     case Formula::Kind::value_number:
-      return Number(formula.value_number + 2);
+      return Number(formula.value_number.value() + 2);
     case Formula::Kind::constant:
       return formula.number;
     case Formula::Kind::quotient:

@@ -209,10 +209,11 @@ TEST(Allocations, AreNoneInTheLinearSolves) {
     jacobian[i * m + i % m] = 1.0;
     r[i] = 1.0;
   }
+  const ConstrainedDynamics<double, nv, m> equations{.mass = mass, .jacobian = jacobian, .r = r, .gamma = gamma};
   EXPECT_EQ(allocations_during([&] {
               for (int i = 0; i < 100; ++i) {
                 EXPECT_EQ(solve_dynamics(mass, r, a), Evaluation::ok);
-                EXPECT_EQ(solve_constrained_dynamics(mass, jacobian, r, gamma, a, lambda), Evaluation::ok);
+                EXPECT_EQ(solve_constrained_dynamics(equations, a, lambda), Evaluation::ok);
               }
             }),
             0);

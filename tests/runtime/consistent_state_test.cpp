@@ -152,7 +152,8 @@ TEST(ConsistentState, IsWhereMembersOfAnEnsembleStart) {
     if (index == 1) member.state.q[0] = -1.5;
     return member;
   };
-  const auto ensemble = motion_ensemble<Pendulum>(2, members, {0.0, 0.2}, RungeKutta4{.step = 0.01});
+  const auto ensemble =
+      motion_ensemble<Pendulum>({.count = 2, .times = {0.0, 0.2}}, members, RungeKutta4{.step = 0.01});
   const auto motion = [&ensemble](std::uint64_t index) {
     std::vector<double> record(ensemble.head().numbers);
     ensemble(index, record);

@@ -369,8 +369,9 @@ Member<Oscillator> oscillator(std::uint64_t index) {
 
 TEST_F(Ensemble, IntegratesMembersWithParametersOfTheirOwn) {
   const std::vector<double> times{0.5, 1.0, 2.0};
-  const auto ensemble = motion_ensemble<Oscillator>(
-      9, oscillator, times, DormandPrince54{.relative_tolerance = 1e-11, .absolute_tolerance = 1e-11});
+  const auto ensemble =
+      motion_ensemble<Oscillator>({.count = 9, .times = times}, oscillator,
+                                  DormandPrince54{.relative_tolerance = 1e-11, .absolute_tolerance = 1e-11});
   run_ensemble(file(), ensemble.head(), ensemble, {.threads = 2});
   const Records records = read_records(file());
   ASSERT_TRUE(records.complete());
@@ -396,7 +397,8 @@ TEST_F(Ensemble, RecordsMotionsThatFail) {
     if (index == 1) member.state = {0.0, {{0.0, 0.0}}, {{1.0, 0.0}}};
     return member;
   };
-  const auto ensemble = motion_ensemble<CartesianPendulum>(2, members, {0.1, 0.2}, RungeKutta4{.step = 0.01});
+  const auto ensemble =
+      motion_ensemble<CartesianPendulum>({.count = 2, .times = {0.1, 0.2}}, members, RungeKutta4{.step = 0.01});
   run_ensemble(file(), ensemble.head(), ensemble);
   const Records records = read_records(file());
   EXPECT_EQ(member_motion<CartesianPendulum>(records[0]).states.size(), 2U);
@@ -408,16 +410,18 @@ TEST_F(Ensemble, RecordsMotionsThatFail) {
 
 TEST(MotionEnsemble, AsksAnotherQuestionWhenAnythingChanges) {
   const std::vector<double> times{0.5, 1.0};
+  const EnsemblePlan<double> plan{.count = 9, .times = times};
+  const EnsemblePlan<double> other{.count = 9, .times = times, .label = "other"};
   const DormandPrince54 method;
   std::vector<std::uint64_t> questions{
-      motion_ensemble<Oscillator>(9, oscillator, times, method).head().question,
-      motion_ensemble<Oscillator>(8, oscillator, times, method).head().question,
-      motion_ensemble<Oscillator>(9, oscillator, {0.5, 1.5}, method).head().question,
-      motion_ensemble<Oscillator>(9, oscillator, {0.5}, method).head().question,
-      motion_ensemble<Oscillator>(9, oscillator, times, DormandPrince54{.relative_tolerance = 1e-8}).head().question,
-      motion_ensemble<Oscillator>(9, oscillator, times, RungeKutta4{.step = 0.1}).head().question,
-      motion_ensemble<Oscillator>(9, oscillator, times, Midpoint{.step = 0.1}).head().question,
-      motion_ensemble<Oscillator>(9, oscillator, times, method, NoInputs<Oscillator>{}, "other").head().question};
+      motion_ensemble<Oscillator>(plan, oscillator, method).head().question,
+      motion_ensemble<Oscillator>({.count = 8, .times = times}, oscillator, method).head().question,
+      motion_ensemble<Oscillator>({.count = 9, .times = {0.5, 1.5}}, oscillator, method).head().question,
+      motion_ensemble<Oscillator>({.count = 9, .times = {0.5}}, oscillator, method).head().question,
+      motion_ensemble<Oscillator>(plan, oscillator, DormandPrince54{.relative_tolerance = 1e-8}).head().question,
+      motion_ensemble<Oscillator>(plan, oscillator, RungeKutta4{.step = 0.1}).head().question,
+      motion_ensemble<Oscillator>(plan, oscillator, Midpoint{.step = 0.1}).head().question,
+      motion_ensemble<Oscillator>(other, oscillator, method).head().question};
   for (std::uint64_t changed = 0; changed < 9; ++changed) {
     for (const int what : {0, 1, 2, 3, 4}) {
       const auto members = [=](std::uint64_t index) {
@@ -427,10 +431,10 @@ TEST(MotionEnsemble, AsksAnotherQuestionWhenAnythingChanges) {
         if (index == changed) *values[what] += 0.25;
         return member;
       };
-      questions.push_back(motion_ensemble<Oscillator>(9, members, times, method).head().question);
+      questions.push_back(motion_ensemble<Oscillator>(plan, members, method).head().question);
     }
   }
-  EXPECT_EQ(motion_ensemble<Oscillator>(9, oscillator, times, method).head().question, questions.front());
+  EXPECT_EQ(motion_ensemble<Oscillator>(plan, oscillator, method).head().question, questions.front());
   std::sort(questions.begin(), questions.end());
   EXPECT_EQ(std::adjacent_find(questions.begin(), questions.end()), questions.end());
 }
@@ -480,7 +484,7 @@ struct WrittenAgain : Oscillator {
 TEST(MotionEnsemble, AsksAnotherQuestionOfAnotherHeaderOfTheSameName) {
   const auto question = []<class M>(std::type_identity<M>) {
     const auto members = [](std::uint64_t) { return Member<M>{}; };
-    return motion_ensemble<M>(2, members, {0.5}, DormandPrince54{}).head().question;
+    return motion_ensemble<M>({.count = 2, .times = {0.5}}, members, DormandPrince54{}).head().question;
   };
   const std::uint64_t without = question(std::type_identity<Oscillator>{});
   const std::uint64_t first = question(std::type_identity<WrittenAgain<1>>{});

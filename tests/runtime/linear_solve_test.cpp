@@ -14,6 +14,7 @@ namespace {
 using namespace torsor::runtime;
 using Matrix3 = std::array<double, 9>;
 using Vector3 = std::array<double, 3>;
+using Equations = ConstrainedDynamics<double, 3, 2>;
 
 // Positive definite, condition below 10: solutions of small integers come back within some ten roundings.
 constexpr Matrix3 mass{4, 1, 0, 1, 3, 1, 0, 1, 2};
@@ -34,7 +35,8 @@ TEST(SolveDynamics, SolvesWithConstraints) {
   const Vector3 r{6 - 1, 10 - (1 - 2), 8 + 4};
   Vector3 a{};
   std::array<double, 2> lambda{};
-  ASSERT_EQ(solve_constrained_dynamics(mass, A, r, gamma, a, lambda), Evaluation::ok);
+  ASSERT_EQ(solve_constrained_dynamics(Equations{.mass = mass, .jacobian = A, .r = r, .gamma = gamma}, a, lambda),
+            Evaluation::ok);
   EXPECT_NEAR(a[0], 1, rounding);
   EXPECT_NEAR(a[1], 2, rounding);
   EXPECT_NEAR(a[2], 3, rounding);
@@ -50,13 +52,14 @@ TEST(SolveDynamics, SolvesWithFrictionThatWorksWithTheMultipliers) {
   const Vector3 r{6 - 1, 10 - (0.5 - 2), 8 - (0.25 - 4)};
   Vector3 a{};
   std::array<double, 2> lambda{};
-  ASSERT_EQ(solve_constrained_dynamics(mass, A, B, r, gamma, a, lambda), Evaluation::ok);
+  const Equations equations{.mass = mass, .jacobian = A, .r = r, .gamma = gamma};
+  ASSERT_EQ(solve_constrained_dynamics(equations, B, a, lambda), Evaluation::ok);
   for (std::size_t i = 0; i < 3; ++i) EXPECT_NEAR(a[i], static_cast<double>(i + 1), rounding);
   EXPECT_NEAR(lambda[0], 1, 10 * rounding);
   EXPECT_NEAR(lambda[1], -2, 10 * rounding);
   // Forces that cannot act on the constraints: the second column is such that A M⁻¹ B loses rank.
   const std::array<double, 6> useless{1, 0.5, 0.25, 2, 1, 0.5};
-  EXPECT_EQ(solve_constrained_dynamics(mass, A, useless, r, gamma, a, lambda), Evaluation::singular);
+  EXPECT_EQ(solve_constrained_dynamics(equations, useless, a, lambda), Evaluation::singular);
 }
 
 TEST(SolveDynamics, SolvesWithOneConstraintInFloat) {
@@ -64,9 +67,10 @@ TEST(SolveDynamics, SolvesWithOneConstraintInFloat) {
   std::array<float, 2> a{};
   std::array<float, 1> lambda{};
   // x = y held on a line, gravity -10 along y: a = (-5, -5), λ = -5 with A = (1, -1): a_x = λ, a_y = -10 - λ.
-  ASSERT_EQ(solve_constrained_dynamics(unit, std::array<float, 2>{1, -1}, std::array<float, 2>{0, -10},
-                                       std::array<float, 1>{0}, a, lambda),
-            Evaluation::ok);
+  const std::array<float, 2> A{1, -1}, r{0, -10};
+  const std::array<float, 1> gamma{0};
+  const ConstrainedDynamics<float, 2, 1> equations{.mass = unit, .jacobian = A, .r = r, .gamma = gamma};
+  ASSERT_EQ(solve_constrained_dynamics(equations, a, lambda), Evaluation::ok);
   EXPECT_FLOAT_EQ(a[0], -5);
   EXPECT_FLOAT_EQ(a[1], -5);
   EXPECT_FLOAT_EQ(lambda[0], -5);
@@ -108,8 +112,10 @@ TEST(SolveDynamics, CallsDependentConstraintsSingular) {
   const std::array<double, 6> twice_the_same{1, 2, 1, 2, 1, 2};
   Vector3 a{};
   std::array<double, 2> lambda{};
-  EXPECT_EQ(solve_constrained_dynamics(mass, twice_the_same, Vector3{}, std::array<double, 2>{}, a, lambda),
-            Evaluation::singular);
+  const Vector3 r{};
+  const std::array<double, 2> gamma{};
+  const Equations equations{.mass = mass, .jacobian = twice_the_same, .r = r, .gamma = gamma};
+  EXPECT_EQ(solve_constrained_dynamics(equations, a, lambda), Evaluation::singular);
 }
 
 TEST(SolveDynamics, DoesNotMindUnits) {

@@ -24,7 +24,7 @@ template <class Function>
 RootSearch roots_of(const Function& f, double lower, double upper, std::vector<Eigen::Index> angles = {}) {
   const auto equations = [&f](const VectorXd& x) { return one(f(x(0))); };
   const auto slope = [&](const VectorXd& x) { return central_differences(equations, x, one(upper - lower)); };
-  return find_roots(equations, slope, {one(lower), one(upper), std::move(angles)}, 1);
+  return find_roots({.f = equations, .derivative = slope, .unknowns = 1}, {one(lower), one(upper), std::move(angles)});
 }
 
 TEST(RootSearch, FindsEveryRootOfASineInTheBoxAndNoOther) {
@@ -105,7 +105,8 @@ TEST(RootSearch, FindsAllRootsOfASystemWhateverItsUnits) {
       result << 12 * x * x + 4 * y - 42, mixed / unit, mixed / unit, (12 * y * y + 4 * x - 26) / (unit * unit);
       return result;
     };
-    const RootSearch search = find_roots(f, slope, {Vector2d(-5, -5 * unit), Vector2d(5, 5 * unit)}, 2);
+    const RootSearch search =
+        find_roots({.f = f, .derivative = slope, .unknowns = 2}, {Vector2d(-5, -5 * unit), Vector2d(5, 5 * unit)});
     ASSERT_EQ(search.roots.size(), 9U);
     bool minimum = false;
     for (const FoundRoot& root : search.roots) {
@@ -119,7 +120,8 @@ TEST(RootSearch, FindsAllRootsOfASystemWhateverItsUnits) {
 TEST(RootSearch, FollowsCurvesOfRoots) {
   const auto f = [](const VectorXd& x) { return one(x.squaredNorm() - 1.0); };
   const auto slope = [](const VectorXd& x) { return MatrixXd(2.0 * x.transpose()); };
-  const RootSearch search = find_roots(f, slope, {Vector2d(-2, -2), Vector2d(2, 2)}, 2);
+  const RootSearch search =
+      find_roots({.f = f, .derivative = slope, .unknowns = 2}, {Vector2d(-2, -2), Vector2d(2, 2)});
   EXPECT_GT(search.roots.size(), 50U);
   for (const FoundRoot& root : search.roots) {
     EXPECT_NEAR(root.x.norm(), 1.0, 1e-11);
@@ -135,7 +137,7 @@ TEST(RootSearch, NeedsNoBoundsForLinearUnknowns) {
     result << 2 * x(0), 0, x(1), x(0);
     return result;
   };
-  const RootSearch search = find_roots(f, slope, {one(-2), one(3)}, 2);
+  const RootSearch search = find_roots({.f = f, .derivative = slope, .unknowns = 2}, {one(-2), one(3)});
   ASSERT_EQ(search.roots.size(), 2U);
   EXPECT_NEAR(search.roots[1].x(0), std::sqrt(2.0), 1e-12);
   EXPECT_NEAR(search.roots[1].x(1), 3e9 / std::sqrt(2.0), 1e-3);
@@ -144,9 +146,11 @@ TEST(RootSearch, NeedsNoBoundsForLinearUnknowns) {
 TEST(RootSearch, RefusesABoxThatIsNone) {
   const auto f = [](const VectorXd& x) { return x; };
   const auto slope = [](const VectorXd& x) { return MatrixXd(MatrixXd::Identity(x.size(), x.size())); };
-  EXPECT_THROW((void)find_roots(f, slope, {one(1), one(1)}, 1), std::invalid_argument);
-  EXPECT_THROW((void)find_roots(f, slope, {one(1), Vector2d(2, 2)}, 1), std::invalid_argument);
-  EXPECT_THROW((void)find_roots(f, slope, {one(0), one(INFINITY)}, 1), std::invalid_argument);
+  EXPECT_THROW((void)find_roots({.f = f, .derivative = slope, .unknowns = 1}, {one(1), one(1)}), std::invalid_argument);
+  EXPECT_THROW((void)find_roots({.f = f, .derivative = slope, .unknowns = 1}, {one(1), Vector2d(2, 2)}),
+               std::invalid_argument);
+  EXPECT_THROW((void)find_roots({.f = f, .derivative = slope, .unknowns = 1}, {one(0), one(INFINITY)}),
+               std::invalid_argument);
 }
 
 }  // namespace

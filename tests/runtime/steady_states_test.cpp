@@ -162,7 +162,8 @@ TEST(SteadyMotions, HaveTheCyclicRateThatWasGivenAndTheEffortThatKeepsIt) {
   TurningSlider::State state{};
   state.v[1] = 1.5;
   const CoordinateBox box{VectorXd::Constant(1, -3), VectorXd::Constant(1, 3)};
-  const auto search = find_steady_motions<TurningSlider>(precomputed, state, {1}, box, {}, {{3.5}});
+  const auto search =
+      find_steady_motions<TurningSlider>(precomputed, {.state = state, .cyclic = {1}, .inputs = {{3.5}}}, box);
   ASSERT_EQ(search.found.size(), 1U);
   EXPECT_NEAR(search.found[0].state.q[0], 3.5 / (4 - 1.5 * 1.5), rounding);
   EXPECT_EQ(search.found[0].state.v[1], 1.5);

@@ -140,8 +140,9 @@ TEST(StartingStep, TakesTheSteeperOfSlopeAndBend) {
     for (const int order : {4, 5, 8}) {
       turning.omega = omega;
       const double tolerance = 1e-6;
-      const double h = starting_step(turning, StepRange<double>{0.0, -1e3, 1e3}, std::array<double, 2>{1.0, 0.0},
-                                     std::array<double, 2>{0.0, omega}, Tolerances<double>{0.0, tolerance}, order);
+      const std::array<double, 2> y{1.0, 0.0}, slope{0.0, omega};
+      const StepsAhead<double, 2> ahead{.range = {0.0, -1e3, 1e3}, .y = y, .tolerances = {0.0, tolerance}};
+      const double h = starting_step(turning, ahead, slope, order);
       const double steepest = std::max(omega, omega * omega) / (tolerance * std::sqrt(2.0));
       // Some ten roundings of the norms, under a root.
       EXPECT_NEAR(h, std::pow(0.01 / steepest, 1.0 / order), 1e-14 * h);

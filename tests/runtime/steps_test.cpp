@@ -121,7 +121,7 @@ TEST(TaylorPolynomial, IsSummedWithItsSlope) {
   for (std::size_t k = 0; k < c.size(); ++k) c[k][0] = static_cast<double>(k);
   for (const double h : {0.5, -1.5}) {
     One increment, slope;
-    evaluate_taylor(c, 6, h, increment, slope);
+    evaluate_taylor(c, h, increment, slope);
     double sum = 0.0, of_slope = 0.0, power = 1.0;
     for (int k = 1; k <= 6; ++k) {
       of_slope += k * k * power;
@@ -151,8 +151,10 @@ TEST(TaylorRule, HoldsADefectAgainstAStepWhateverTheStatesSize) {
   TaylorRule<double, 1> rule(9);
   rule.start({1.0}, {0.0, 1e-13});
   const double defect = (1.0 + 1e-12) - 1.0, rounding = 16 * 0x1p-52 * (1.0 + 1e-12);
+  const One of_polynomial{1.0 + 1e-12}, of_equations{1.0}, none{0.0};
+  const EndSlopes<double, 1> slopes{.polynomial = of_polynomial, .equations = of_equations, .noise = none};
   for (const double state : {1.0, 1e3}) {
-    const double error = rule.disagreement(1.0, {1.0 + 1e-12}, {1.0}, {state}, {state}, {0.0});
+    const double error = rule.disagreement(1.0, slopes, {state}, {state});
     EXPECT_NEAR(error, (defect - rounding) / (10 * 1e-13), 1e-12);
   }
 }
@@ -293,7 +295,7 @@ TEST(FirstDeparture, IsTheLastZeroBeforeTheValueBeyondTheBand) {
     for (std::size_t j = 0; j < Polynomial::samples; ++j) {
       values[j] = f(start + static_cast<double>(Polynomial::places[j]) * (end - start));
     }
-    const auto departure = first_departure(f, start, end, 0.025, values);
+    const auto departure = first_departure<double>(f, {.start = start, .end = end, .band = 0.025, .values = values});
     ASSERT_TRUE(departure.found && departure.finite);
     // The slope is 0.25: a rounding of the three factors there is four of the time.
     EXPECT_NEAR(departure.before, zero, 16 * std::numeric_limits<double>::epsilon());
@@ -316,7 +318,7 @@ TEST(FirstDeparture, IsTheStartForWhatFallsOutOfNoise) {
     values[j] = f(start + static_cast<double>(Polynomial::places[j]) * (end - start));
   }
   calls = 0;
-  const auto departure = first_departure(f, start, end, 1e-14, values);
+  const auto departure = first_departure<double>(f, {.start = start, .end = end, .band = 1e-14, .values = values});
   ASSERT_TRUE(departure.found && departure.finite);
   EXPECT_EQ(departure.before, start);
   EXPECT_EQ(departure.after, start);

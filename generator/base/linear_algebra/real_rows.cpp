@@ -57,8 +57,8 @@ RealRows null_space(const RealRows& rows, std::size_t columns, const Real& toler
   return reduced_by_size(rows, columns, tolerance).null_space();
 }
 
-RealRow least_norm_solution(const RealRows& rows, const RealRow& right_side, std::size_t columns, const Real& tolerance,
-                            std::size_t largest_rank) {
+RealRow least_norm_solution(const RealSystem& system, const Real& tolerance, std::size_t largest_rank) {
+  const auto& [rows, right_side, columns] = system;
   OrthonormalRows independent(columns, Real(0), Real(0));  // the pivots have told which rows those are
   RealRow wanted;
   const RowReduction<Real> reduction = reduced_by_size(rows, columns, tolerance, largest_rank);
@@ -69,14 +69,14 @@ RealRow least_norm_solution(const RealRows& rows, const RealRow& right_side, std
   return independent.least(wanted);
 }
 
-std::optional<RealRow> solution(const RealRows& rows, const RealRow& right_side, std::size_t columns,
-                                const Real& tolerance) {
+std::optional<RealRow> solution(const RealSystem& system, const Real& tolerance) {
+  const auto& [rows, right_side, columns] = system;
   RealRows both = rows;
   for (std::size_t i = 0; i < both.size(); ++i) both[i].push_back(right_side[i]);
   // A combination that vanishes on the left only is a row (0 … 0 | 1): the right side's column is then in the span of
   // no others, which the ranks tell whatever pivots were taken.
   if (rank(both, columns + 1, tolerance) != rank(rows, columns, tolerance)) return std::nullopt;
-  return least_norm_solution(rows, right_side, columns, tolerance);
+  return least_norm_solution(system, tolerance);
 }
 
 }  // namespace torsor

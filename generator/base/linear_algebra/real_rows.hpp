@@ -35,12 +35,18 @@ std::size_t rank(const RealRows& rows, std::size_t columns, const Real& toleranc
 /// Basis of the x with A x = 0, one vector for each column without pivot, in the order of those columns.
 RealRows null_space(const RealRows& rows, std::size_t columns, const Real& tolerance);
 
+/// A x = b.
+struct RealSystem {
+  const RealRows& rows;  ///< A
+  const RealRow& right_side;
+  std::size_t columns;
+};
+
 /// The x of least norm with A x = b on `largest_rank` independent rows of A.
-RealRow least_norm_solution(const RealRows& rows, const RealRow& right_side, std::size_t columns, const Real& tolerance,
+RealRow least_norm_solution(const RealSystem& system, const Real& tolerance,
                             std::size_t largest_rank = std::numeric_limits<std::size_t>::max());
 
 /// Some x with A x = b for all rows; nothing when there is none.
-std::optional<RealRow> solution(const RealRows& rows, const RealRow& right_side, std::size_t columns,
-                                const Real& tolerance);
+std::optional<RealRow> solution(const RealSystem& system, const Real& tolerance);
 
 }  // namespace torsor

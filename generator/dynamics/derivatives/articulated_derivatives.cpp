@@ -212,7 +212,7 @@ class ArticulatedDerivatives {
   void carry_row(std::size_t k) {
     AccelerationRow row = row_before(k);
     const AccelerationIncrement own =
-        reaction(program_, links_[k], free_.bodies.joints[k], before_[k], inverse_inertias_[k]);
+        reaction(program_, links_[k], free_.bodies.joints[k], {before_[k], inverse_inertias_[k]});
     for (std::size_t at = k;;) {
       for (std::size_t kind = 0; kind < 2; ++kind) {
         for (const JointPerturbation& joint : perturbations_[at][kind]) {
@@ -260,7 +260,7 @@ class ArticulatedDerivatives {
   /// What a unit force at joint k does to its link and to all that it carries.
   void carry_column(std::size_t k) {
     const ArticulatedJoint& joint = free_.bodies.joints[k];
-    const AccelerationIncrement before = reaction(program_, links_[k], joint, before_[k], inverse_inertias_[k]);
+    const AccelerationIncrement before = reaction(program_, links_[k], joint, {before_[k], inverse_inertias_[k]});
     const JointResponse own = joint_response(tree_, {links_[k], joint, joint.inverse}, before);
     result_.accelerations.by_force[unknown(k)][unknown(k)] = own.acceleration;
     for (const std::size_t child : children_[k]) carry_outwards(k, child, own.after);

@@ -43,9 +43,13 @@ ValueMatrix transposed(const ValueMatrix& x, std::size_t columns) {
 /// Solves the first constraints of the order of elimination for the dependent freedoms.
 class DependentFreedoms {
  public:
-  DependentFreedoms(Program& program, const ValueMatrix& rows, const IndependentFreedoms& freedoms, std::size_t count,
-                    std::size_t n)
-      : program_(program), freedoms_(freedoms), n_(n), lu_(program, square(rows, freedoms, count)), count_(count) {}
+  /// Of the first `count`, which are some.
+  DependentFreedoms(Program& program, const ValueMatrix& rows, const IndependentFreedoms& freedoms, std::size_t count)
+      : program_(program),
+        freedoms_(freedoms),
+        n_(freedoms.velocities.size() + freedoms.pivots.size()),
+        lu_(program, square(rows, freedoms, count)),
+        count_(count) {}
 
   /// (pivot², m_c Σ_i a_i² / m_i) for each: a the row, m the diagonal of M, c the freedom it is solved for. In the
   /// metric of that diagonal the pivot is compared with its row.
@@ -165,8 +169,8 @@ ReducedLinearisation reduced_linearisation(const Equations& equations) {
   }
   for (ValueMatrix* matrix : {&full.C, &full.K, &of_rate, &gamma_v, &of_acceleration}) clear_identically_zero(*matrix);
 
-  const DependentFreedoms holonomic(program, a_matrix, freedoms, freedoms.holonomic, n);
-  const DependentFreedoms all(program, a_matrix, freedoms, freedoms.pivots.size(), n);
+  const DependentFreedoms holonomic(program, a_matrix, freedoms, freedoms.holonomic);
+  const DependentFreedoms all(program, a_matrix, freedoms, freedoms.pivots.size());
   result.pivots = all.pivots(a_matrix, full.M);
   const ValueMatrix z = holonomic.null_basis(a_matrix, freedoms.coordinates);
   const ValueMatrix basis = all.null_basis(a_matrix, freedoms.velocities);
@@ -179,7 +183,7 @@ ReducedLinearisation reduced_linearisation(const Equations& equations) {
 
   ValueMatrix left = transposed(basis, p);
   if (!result.symmetric) {
-    const DependentFreedoms reactions(program, columns, freedoms, freedoms.pivots.size(), n);
+    const DependentFreedoms reactions(program, columns, freedoms, freedoms.pivots.size());
     left = transposed(reactions.null_basis(columns, freedoms.velocities), p);
     const auto more = reactions.pivots(columns, full.M);
     result.pivots.insert(result.pivots.end(), more.begin(), more.end());

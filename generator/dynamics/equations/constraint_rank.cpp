@@ -73,12 +73,14 @@ class RankFinder {
         if (abs(c[k]) * length(row(away, accepted[k])) > length(row(away, index)) * tolerance())
           result.determinate[accepted[k]] = false;
       }
-      if (result.closed) refuse_contradiction(away, index, accepted, c);
+      const Repetition repeated{.index = index, .accepted = accepted, .c = c};
+      if (result.closed) refuse_contradiction(away, repeated);
       for (std::size_t r = n_; r < all; ++r) {
-        const bool shared = sharing_changes(away, [&](std::size_t j) { return rows_[j].column[r]; }, index, accepted, c);
+        const bool shared = sharing_changes(
+            away, [&](std::size_t j) { return rows_[j].column[r]; }, repeated);
         if (shared) result.determinate_released[r - n_] = false;
       }
-      refuse_joint_friction(away, index, accepted, c);
+      refuse_joint_friction(away, repeated);
     }
     std::sort(result.dropped.begin(), result.dropped.end());
     refuse_friction(result);
@@ -279,10 +281,17 @@ class RankFinder {
         name));
   }
 
+  /// A constraint that repeats others: its row is the sum of theirs, times c.
+  struct Repetition {
+    std::size_t index;
+    const std::vector<std::size_t>& accepted;  ///< the others
+    const std::vector<Real>& c;
+  };
+
   /// Whether what a unit multiplier of each constraint adds makes a sum that another sharing among them changes.
   template <class Load>
-  bool sharing_changes(ConfigurationSample& at, const Load& load_of, std::size_t index, const std::vector<std::size_t>& accepted,
-                       const std::vector<Real>& c) const {
+  bool sharing_changes(ConfigurationSample& at, const Load& load_of, const Repetition& repeated) const {
+    const auto& [index, accepted, c] = repeated;
     Real difference = at(load_of(index));
     Real size = abs(difference);
     for (std::size_t k = 0; k < c.size(); ++k) {
@@ -294,22 +303,23 @@ class RankFinder {
   }
 
   /// Friction in proportion to what a joint transmits moves the mechanism by how constraints share their forces.
-  void refuse_joint_friction(ConfigurationSample& at, std::size_t index, const std::vector<std::size_t>& accepted,
-                             const std::vector<Real>& c) const {
+  void refuse_joint_friction(ConfigurationSample& at, const Repetition& repeated) const {
     for (const RubbingJoint& joint : rubbing_) {
       for (const std::vector<Value>& loads : joint.loads) {
-        if (!sharing_changes(at, [&loads](std::size_t j) { return loads[j]; }, index, accepted, c)) continue;
-        throw SceneError(
-            fmt::format("the friction '{}' is in proportion to what its joint transmits, which is indeterminate, and the "
-                        "motion with it: constraint '{}' repeats others; leave out what repeats, or give the bound of a "
-                        "dry_friction",
-                        joint.name, rows_[index].name));
+        if (!sharing_changes(
+                at, [&loads](std::size_t j) { return loads[j]; }, repeated))
+          continue;
+        throw SceneError(fmt::format(
+            "the friction '{}' is in proportion to what its joint transmits, which is indeterminate, and the "
+            "motion with it: constraint '{}' repeats others; leave out what repeats, or give the bound of a "
+            "dry_friction",
+            joint.name, rows_[repeated.index].name));
       }
     }
   }
 
-  void refuse_contradiction(ConfigurationSample& at, std::size_t index, const std::vector<std::size_t>& accepted,
-                            const std::vector<Real>& c) const {
+  void refuse_contradiction(ConfigurationSample& at, const Repetition& repeated) const {
+    const auto& [index, accepted, c] = repeated;
     // Σ a_i q̇_i = b: the same combination must hold for b, that is for minus the rate at rest.
     Real difference = at(rows_[index].rate);
     Real size = abs(difference);

@@ -230,16 +230,15 @@ const MotionSolver& Equations::solver() const {
     const auto unknowns = [this](const std::vector<Value>& all) {
       return std::vector<Value>(all.begin(), all.begin() + model_.unknown_count());
     };
-    ValueMatrix jacobian, columns;
-    bool friction = false;
+    MotionSolver::Constraints kept;
     for (const std::size_t j : redundancy().kept) {
       const ConstraintRow& row = constraints()[j];
-      friction = friction || row.friction;
-      jacobian.push_back(unknowns(row.jacobian));
-      columns.push_back(unknowns(row.column));
+      kept.friction = kept.friction || row.friction;
+      kept.jacobian.push_back(unknowns(row.jacobian));
+      kept.columns.push_back(unknowns(row.column));
     }
     const ValueMatrix& matrix = mass();
-    derived_.solver.emplace(*program_, matrix, std::move(jacobian), columns, friction);
+    derived_.solver.emplace(*program_, matrix, std::move(kept));
   }
   return *derived_.solver;
 }

@@ -30,8 +30,8 @@ class RowBuilder {
     const Vector ab = bound(program_, b - a);
     const Vector direction = lower(program_, law.direction);
     holonomic(dot(ab, direction));
-    const std::vector<Value> of_a = partial_velocities(model_, link_of(law.a), a, direction, 0);
-    const std::vector<Value> of_b = partial_velocities(model_, link_of(law.b), b, direction, 0);
+    const std::vector<Value> of_a = partial_velocities(model_, link_of(law.a), {.link = 0, .place = a}, direction);
+    const std::vector<Value> of_b = partial_velocities(model_, link_of(law.b), {.link = 0, .place = b}, direction);
     fill_released(of_b, of_a);
   }
 
@@ -51,14 +51,14 @@ class RowBuilder {
   void operator()(const NoSlip& law) {
     const int axes = model_.place(law.axes, user_).link;
     const int link = model_.place(law.body, user_).link;
-    const Vector point = bound(program_, model_.locate(law.contact, axes, user_));
+    const GeometricPoint point{.link = axes, .place = bound(program_, model_.locate(law.contact, axes, user_))};
     const Vector direction = model_.express(law.direction, law.axes, axes, user_);
     const int on = model_.place(law.on, user_).link;
-    row_.jacobian = partial_velocities(model_, link, point, direction, axes);
-    if (on != 0) subtract(row_.jacobian, partial_velocities(model_, on, point, direction, axes));
+    row_.jacobian = partial_velocities(model_, link, point, direction);
+    if (on != 0) subtract(row_.jacobian, partial_velocities(model_, on, point, direction));
     // Each joint contributes its own rate: laws of time included.
-    Value rate = velocity(link, point, direction, axes);
-    if (on != 0) rate -= velocity(on, point, direction, axes);
+    Value rate = velocity(link, point, direction);
+    if (on != 0) rate -= velocity(on, point, direction);
     row_.rate = program_.bind(rate);
   }
 
@@ -76,7 +76,7 @@ class RowBuilder {
       const Vector height = bound(program_, point - at.origin);
       holonomic(dot(height, normal));
     }
-    release(link_of(law.point), at.link, point, normal, at.link);
+    release(link_of(law.point), at.link, {.link = at.link, .place = point}, normal);
   }
 
   void operator()(const JointClosure& law) {
@@ -112,27 +112,28 @@ class RowBuilder {
     }
     if (model_.released_count() == 0) return;
     const ClosureWrench wrench = closure_wrench(model_, law, user_);
-    release(at_b.link, at_a.link, wrench.point, wrench.at_point.resultant, axes);
+    release(at_b.link, at_a.link, {.link = axes, .place = wrench.point}, wrench.at_point.resultant);
     release_turn(at_b.link, at_a.link, wrench.at_point.moment, axes);
   }
 
   /// Velocity along a direction of the point of a link that is there, all joints at their rates.
-  Value velocity(int link, const Vector& point, const Vector& direction, int axes) const {
+  Value velocity(int link, const GeometricPoint& point, const Vector& direction) const {
     Value sum;
     for (const int k : model_.chain(link)) {
       const Link& joint = model_.links()[static_cast<std::size_t>(k)];
-      const Value part = joint_velocity(joint, point, direction, axes);
+      const Value part = joint_velocity(joint, point, direction);
       sum += part * joint.rate;
     }
     return sum;
   }
 
   /// Velocity of the point along the direction for a unit rate of one joint.
-  Value joint_velocity(const Link& joint, const Vector& point, const Vector& direction, int axes) const {
+  Value joint_velocity(const Link& joint, const GeometricPoint& point, const Vector& direction) const {
+    const int axes = point.link;
     const Vector axis = model_.express(model_.axis_in_parent(joint), joint.parent, axes);
     if (joint.joint == JointKind::prismatic) return program_.bind(dot(axis, direction));
     const Vector origin = model_.locate(model_.origin_in_parent(joint), joint.parent, axes);
-    const Vector arm = bound(program_, point - origin);
+    const Vector arm = bound(program_, point.place - origin);
     return program_.bind(dot(bound(program_, cross(axis, arm)), direction));
   }
 
@@ -164,10 +165,10 @@ class RowBuilder {
     }
   }
 
-  void release(int b, int a, const Vector& point, const Vector& direction, int axes) {
+  void release(int b, int a, const GeometricPoint& point, const Vector& direction) {
     if (model_.released_count() == 0) return;
-    const std::vector<Value> of_b = partial_velocities(model_, b, point, direction, axes);
-    const std::vector<Value> of_a = partial_velocities(model_, a, point, direction, axes);
+    const std::vector<Value> of_b = partial_velocities(model_, b, point, direction);
+    const std::vector<Value> of_a = partial_velocities(model_, a, point, direction);
     fill_released(of_b, of_a);
   }
 
@@ -196,8 +197,8 @@ class RowBuilder {
 
 }  // namespace
 
-std::vector<Value> partial_velocities(const Model& model, int link, const Vector& point, const Vector& direction,
-                                      int axes) {
+std::vector<Value> partial_velocities(const Model& model, int link, const GeometricPoint& point,
+                                      const Vector& direction) {
   Program& program = model.program();
   ConstraintRow unused;
   const RowBuilder builder(model, "partial velocity", unused);
@@ -205,7 +206,7 @@ std::vector<Value> partial_velocities(const Model& model, int link, const Vector
   for (const int k : model.chain(link)) {
     const Link& joint = model.links()[static_cast<std::size_t>(k)];
     if (joint.partials.empty()) continue;
-    const Value velocity = builder.joint_velocity(joint, point, direction, axes);
+    const Value velocity = builder.joint_velocity(joint, point, direction);
     for (const auto& [i, partial] : joint.partials) partials[static_cast<std::size_t>(i)] += velocity * partial;
   }
   for (Value& partial : partials) partial = program.bind(partial);
@@ -260,11 +261,11 @@ std::vector<ConstraintRow> constraint_rows(const Model& model) {
     if (const auto& reaction = constraint.reaction) {
       const std::string who = "reaction '" + reaction->name + "'";
       const int axes = model.place(reaction->axes, who).link;
-      const Vector point = bound(program, model.locate(reaction->contact, axes, who));
+      const GeometricPoint point{.link = axes, .place = bound(program, model.locate(reaction->contact, axes, who))};
       const Vector direction = model.express(reaction->direction, reaction->axes, axes, who);
-      row.column = partial_velocities(model, model.place(reaction->body, who).link, point, direction, axes);
+      row.column = partial_velocities(model, model.place(reaction->body, who).link, point, direction);
       const int other = model.place(reaction->other, who).link;
-      const std::vector<Value> opposite = partial_velocities(model, other, point, direction, axes);
+      const std::vector<Value> opposite = partial_velocities(model, other, point, direction);
       for (std::size_t i = 0; other != 0 && i < opposite.size(); ++i) {
         row.column[i] = program.bind(row.column[i] - opposite[i]);
       }

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "torsor/generator/dynamics/motion/model.hpp"
+#include "torsor/generator/dynamics/motion/point_motion.hpp"
 
 namespace torsor {
 
@@ -27,10 +28,11 @@ struct ConstraintRow {
 /// Throws SceneError when a constraint involves no coordinate or is not linear in the velocities.
 std::vector<ConstraintRow> constraint_rows(const Model& model);
 
-/// ∂V(P ∈ link)/∂q̇_i · direction for every coordinate, V relative to the ground; P and the direction in the axes of link
-/// `axes`. Each joint above the link contributes its own twist, reduced at P (partial twists; Kane's partial velocities).
-std::vector<Value> partial_velocities(const Model& model, int link, const Vector& point, const Vector& direction,
-                                      int axes);
+/// ∂V(P ∈ link)/∂q̇_i · direction for every coordinate, V relative to the ground; the direction in the axes in which P
+/// is given. Each joint above the link contributes its own twist, reduced at P (partial twists; Kane's partial
+/// velocities).
+std::vector<Value> partial_velocities(const Model& model, int link, const GeometricPoint& point,
+                                      const Vector& direction);
 
 /// ∂Ω(link)/∂q̇_i · moment for every coordinate, the same for turns: generalised forces of a unit couple.
 std::vector<Value> partial_turns(const Model& model, int link, const Vector& moment, int axes);

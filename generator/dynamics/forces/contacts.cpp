@@ -133,7 +133,7 @@ class ContactBuilder {
     const PointContent& content = scene.points[static_cast<std::size_t>(scene.point_index(on.point, user_))];
     const int link = model_.place(content.frame, user_).link;
     const Vector point = model_.locate(on.point, axes, user_);
-    return {RelativeMotion(model_, link, plane, point, axes),
+    return {RelativeMotion(model_, link, plane, {.link = axes, .place = point}),
             bound(program_, model_.express(axis::z, on.plane, axes, user_)),
             {bound(program_, model_.express(axis::x, on.plane, axes, user_)),
              bound(program_, model_.express(axis::y, on.plane, axes, user_))},
@@ -145,7 +145,8 @@ class ContactBuilder {
     const auto [apart, distance] = line(spheres);
     const Vector n = bound(program_, pow(distance, -1) * apart);
     const Vector point = a - program_.lower(spheres.radius_a) * n;
-    return {RelativeMotion(model_, at_a.link, model_.place(spheres.b, user_).link, point, 0), n, tangents_across(n), point};
+    const int link_b = model_.place(spheres.b, user_).link;
+    return {RelativeMotion(model_, at_a.link, link_b, {.link = 0, .place = point}), n, tangents_across(n), point};
   }
 
   /// From the centre of the second sphere to that of the first, back where it is hollow, and the distance.

@@ -68,7 +68,7 @@ void add_friction(const Model& model, std::vector<ConstraintRow>& rows) {
     if (friction.point) point = bound(program, model.locate(*friction.point, axes, user));
     const Vector effort = bound(program, -(program.lower(friction.coefficient) * direction));
     const Wrench unit = friction.point ? Wrench{effort, Vector()} : Wrench{Vector(), effort};
-    const RelativeMotion contact(model, body, other, point, axes);
+    const RelativeMotion contact(model, body, other, {.link = axes, .place = point});
     const std::vector<Value> forces = contact.generalised_forces(unit);
     for (std::size_t i = 0; i < forces.size(); ++i) row.column[i] = program.bind(row.column[i] + forces[i]);
     row.friction = true;

@@ -56,7 +56,8 @@ std::vector<std::pair<int, MassProperties>> mass_by_link(const Model& model, con
       for (int j = 0; j < 3; ++j) central.inertia(i, j) = program.lower(*entries[i][j]);
     }
     const Vector center = lower(program, given.center);
-    add_placed(program, by_link[at.link], central, at.rotation, at.origin + at.rotation * center);
+    add_placed(program, by_link[at.link], central,
+               {.rotation = at.rotation, .origin = at.origin + at.rotation * center});
   }
   return {by_link.begin(), by_link.end()};
 }

@@ -86,8 +86,15 @@ Matrix turn(Program& program, const SceneContent& scene, const AxisTurn& by, con
   return turned;
 }
 
+/// The turn of a link's axes by its angle, or back.
+struct LinkTurn {
+  const Link& link;
+  bool inverse;
+};
+
 /// The same by the link's angle (the inverse turn: Rᵀ J R).
-Matrix turn(Program& program, const SceneContent& scene, const Link& link, const Matrix& j, bool inverse) {
+Matrix turn(Program& program, const SceneContent& scene, const LinkTurn& by, const Matrix& j) {
+  const auto& [link, inverse] = by;
   if (link.turn == Turn::none) return j;
   if (link.turn == Turn::general) {
     const Matrix back = transpose(link.rotation);
@@ -110,7 +117,7 @@ Matrix turn(Program& program, const SceneContent& scene, const Rotation& r, cons
 }  // namespace
 
 Matrix BodyTree::to_parent(const Link& link, const Matrix& j) const {
-  Matrix turned = turn(*program_, *scene_, link, j, false);
+  Matrix turned = turn(*program_, *scene_, {.link = link, .inverse = false}, j);
   const std::vector<Rotation>& factors = link.placement_factors;
   for (auto factor = factors.rbegin(); factor != factors.rend(); ++factor) {
     turned = turn(*program_, *scene_, *factor, turned);
@@ -127,7 +134,7 @@ Matrix BodyTree::from_parent(const Link& link, const Matrix& j) const {
     const Matrix placement = constant_matrix(*program_, link.placement_rotation);
     turned = bound(*program_, transpose(placement) * j * placement);
   }
-  return turn(*program_, *scene_, link, turned, true);
+  return turn(*program_, *scene_, {.link = link, .inverse = true}, turned);
 }
 
 Vector BodyTree::to_parent(const Link& link, const Vector& v) const {

@@ -21,9 +21,14 @@ struct MassProperties {
   Matrix inertia;  ///< symmetric
 };
 
-/// Adds the mass properties of a part placed in the link by a constant rotation and origin (generalised Huygens).
-void add_placed(Program& program, MassProperties& sum, const MassProperties& part, const Rotation& rotation,
-                const Vector& origin);
+/// Where a part is in a link.
+struct PartPlace {
+  Rotation rotation;  ///< components in the link's axes from those in the part's
+  Vector origin;      ///< of the part's frame, from the link's
+};
+
+/// Adds the mass properties of a part placed in the link (generalised Huygens).
+void add_placed(Program& program, MassProperties& sum, const MassProperties& part, const PartPlace& at);
 
 /// How the axes of a link turn in those of its parent.
 enum class Turn {

@@ -62,7 +62,7 @@ Vector Model::measured(const MeasuredVector& wanted) {
   }
   if (wanted.kind == Kind::position) return turned(point - axes.origin);
   const int other = places_[as_index(wanted.relative_to)].link;
-  const Twist twist = RelativeMotion(*this, frame.link, other, point, axes.link).twist();
+  const Twist twist = RelativeMotion(*this, frame.link, other, {.link = axes.link, .place = point}).twist();
   return turned(wanted.kind == Kind::velocity ? twist.linear : twist.angular);
 }
 

@@ -78,8 +78,8 @@ int cost_of_shift(const ExactTurn& turn) {
   return 1;
 }
 
-int inertia_entries(const SceneContent& scene, const MassProperties& body, const Rotation& rotation,
-                    const std::array<Number, 3>& origin, int axis) {
+int inertia_entries(const SceneContent& scene, const MassProperties& body, const OtherFrame& frame) {
+  const auto& [rotation, origin, axis] = frame;
   const std::optional<NominalInertia> given = nominal(scene, body);
   if (!given) return 0;
   const auto [mass, h, j] = moved(*given, {origin[0].to_double(), origin[1].to_double(), origin[2].to_double()});

@@ -35,7 +35,8 @@ GeometricPoint hodograph(const Model& model, const PointReference& point, const 
   return hodograph(model, geometric_point(model, point, user), link);
 }
 
-PointMotion point_motion(const Model& model, const GeometricPoint& point, int moving, int reference, int axes) {
+PointMotion point_motion(const Model& model, const GeometricPoint& point, const MotionLinks& links) {
+  const int moving = links.moving, reference = links.reference, axes = links.axes;
   Program& program = model.program();
   const auto seen = [&](const Vector& v, int link) { return bound(program, model.express(v, link, axes)); };
   const Vector from_reference = model.locate(point.place, point.link, reference);
@@ -61,7 +62,7 @@ PointMotion point_motion(const Model& model, const PointReference& point, const 
   const std::string user = "a point's motion";
   const int moving_link = model.place(moving, user).link;
   const int reference_link = model.place(reference, user).link;
-  return point_motion(model, geometric_point(model, point, user), moving_link, reference_link, 0);
+  return point_motion(model, geometric_point(model, point, user), {.moving = moving_link, .reference = reference_link});
 }
 
 }  // namespace torsor

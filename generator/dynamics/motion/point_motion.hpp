@@ -46,8 +46,12 @@ struct PointMotion {
   Vector coriolis_acceleration;   ///< 2 Ω(R1/R) ∧ V(P/R1)
 };
 
-/// `moving` and `reference` are links; all vectors are in the axes of the link `axes`.
-PointMotion point_motion(const Model& model, const GeometricPoint& point, int moving, int reference, int axes);
+/// The links of R1, of R, and of the axes in which all vectors are.
+struct MotionLinks {
+  int moving = 0, reference = 0, axes = 0;
+};
+
+PointMotion point_motion(const Model& model, const GeometricPoint& point, const MotionLinks& links);
 
 /// For a point and frames of the scene, in the axes of the ground. Throws SceneError naming what does not exist.
 PointMotion point_motion(const Model& model, const PointReference& point, const FrameReference& moving,

@@ -373,7 +373,8 @@ class FrameChoice {
 
   int entries(std::size_t k, const Rotation& rotation, const Triplet& origin) const {
     const bool own = rotation.is_identity() && links_[k].aligned;
-    return inertia_entries(scene_, links_[k].mass, rotation, origin, own ? *links_[k].aligned : 2);
+    return inertia_entries(scene_, links_[k].mass,
+                           {.rotation = rotation, .origin = origin, .axis = own ? *links_[k].aligned : 2});
   }
 
   const SceneContent& scene_;

@@ -71,12 +71,12 @@ void regroup(const BodyTree& tree, std::vector<Link>& links, Line wanted) {
       own.first_moment[z] = Value();
       own.inertia(x, x) = program.bind(own.inertia(x, x) - line);
       own.inertia(y, y) = program.bind(own.inertia(y, y) - line);
-      add_placed(program, parent, moved, link.placement_rotation, link.placement_origin);
+      add_placed(program, parent, moved, {.rotation = link.placement_rotation, .origin = link.placement_origin});
     } else if (link.joint == JointKind::prismatic) {
       // The axes do not turn: what resists rotation alone may sit on either side.
       moved.inertia = own.inertia;
       own.inertia = Matrix();
-      add_placed(program, parent, moved, link.placement_rotation, Vector());
+      add_placed(program, parent, moved, {.rotation = link.placement_rotation, .origin = {}});
     }
   }
 }

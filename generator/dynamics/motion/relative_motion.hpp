@@ -5,17 +5,18 @@
 
 #include "torsor/generator/dynamics/motion/model.hpp"
 #include "torsor/generator/dynamics/motion/motion.hpp"
+#include "torsor/generator/dynamics/motion/point_motion.hpp"
 
 namespace torsor {
 
 /// Motion of one link relative to another, joint by joint between the two: nothing that moves both together enters, so
 /// that the power of a mutual action shows by itself that it depends on no frame of reference.
 ///
-/// All vectors are in the axes of one link, `axes`; the point P is seen from that link's origin.
+/// All vectors are in the axes of the link that the point P is given in.
 class RelativeMotion {
  public:
   /// Link `a` relative to link `b` (0 is the ground), reduced at P.
-  RelativeMotion(const Model& model, int a, int b, const Vector& point, int axes);
+  RelativeMotion(const Model& model, int a, int b, const GeometricPoint& point);
 
   /// {Ω(a/b); V(P ∈ a/b)}, laws of time included.
   const Twist& twist() const { return twist_; }

@@ -14,8 +14,8 @@ const FramePlace& BodyTree::place(const FrameReference& frame, const std::string
   return places_[static_cast<std::size_t>(scene_->frame_index(frame, user))];
 }
 
-void add_placed(Program& program, MassProperties& sum, const MassProperties& part, const Rotation& rotation,
-                const Vector& origin) {
+void add_placed(Program& program, MassProperties& sum, const MassProperties& part, const PartPlace& at) {
+  const auto& [rotation, origin] = at;
   const Matrix r = constant_matrix(program, rotation);
   const Vector h = rotation * part.first_moment;
   const Matrix turned = r * part.inertia * transpose(r);
@@ -60,7 +60,8 @@ void BodyTree::gather_bodies() {
     Vector center = lower(*program_, given.center);
     for (int i = 0; i < 3; ++i) require(center[i], units::metre, "its centre of mass");
     const Vector origin = at.origin + at.rotation * center;
-    add_placed(*program_, links_[static_cast<std::size_t>(at.link)].mass, central, at.rotation, origin);
+    add_placed(*program_, links_[static_cast<std::size_t>(at.link)].mass, central,
+               {.rotation = at.rotation, .origin = origin});
   }
 }
 

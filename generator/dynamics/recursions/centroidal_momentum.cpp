@@ -27,8 +27,8 @@ std::vector<MassProperties> composites(const Model& model) {
     turned.mass = body.mass;
     turned.first_moment = bound(program, model.to_parent(link, body.first_moment));
     turned.inertia = model.to_parent(link, body.inertia);
-    add_placed(program, bodies[static_cast<std::size_t>(link.parent)], turned, Rotation(),
-               bound(program, model.origin_in_parent(link)));
+    add_placed(program, bodies[static_cast<std::size_t>(link.parent)], turned,
+               {.rotation = {}, .origin = bound(program, model.origin_in_parent(link))});
   }
   return bodies;
 }

@@ -14,7 +14,7 @@ MassProperties in_parent(const BodyTree& tree, const Link& link, const MassPrope
   placed.first_moment = h;
   placed.inertia = turned;
   MassProperties sum;
-  add_placed(program, sum, placed, Rotation(), bound(program, tree.arm(link)));
+  add_placed(program, sum, placed, {.rotation = {}, .origin = bound(program, tree.arm(link))});
   return sum;
 }
 

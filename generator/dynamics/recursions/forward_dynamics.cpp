@@ -120,14 +120,14 @@ Value along(const std::vector<Value>& row, const std::vector<Value>& x) {
 
 }  // namespace
 
-MotionSolver::MotionSolver(Program& program, const ValueMatrix& mass, ValueMatrix jacobian, const ValueMatrix& columns,
-                           bool friction)
-    : program_(&program), flattening_(program), mass_(program, mass), jacobian_(std::move(jacobian)) {
+MotionSolver::MotionSolver(Program& program, const ValueMatrix& mass, Constraints constraints)
+    : program_(&program), flattening_(program), mass_(program, mass), jacobian_(std::move(constraints.jacobian)) {
+  const bool friction = constraints.friction;
   // S = A M⁻¹ B.
   const std::size_t m = jacobian_.size();
   method_ = m == 0 ? "an unrolled L D L' of M" : "an unrolled L D L' of M and of the Schur complement A M^-1 A'";
   if (friction) method_ = "an unrolled L D L' of M and L U of the Schur complement A M^-1 B";
-  for (const auto& column : columns) effects_.push_back(mass_.solve(column));
+  for (const auto& column : constraints.columns) effects_.push_back(mass_.solve(column));
   ValueMatrix schur(m, std::vector<Value>(m));
   const auto entry = [&](std::size_t j, std::size_t k) {
     return program.bind(flattening_.cheaper(along(jacobian_[j], effects_[k])));

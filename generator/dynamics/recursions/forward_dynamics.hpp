@@ -63,8 +63,12 @@ struct ForwardSolution {
 /// by L U.
 class MotionSolver {
  public:
-  MotionSolver(Program& program, const ValueMatrix& mass, ValueMatrix jacobian, const ValueMatrix& columns,
-               bool friction);
+  struct Constraints {
+    ValueMatrix jacobian;   ///< A, row by row
+    ValueMatrix columns;    ///< B, one for each row of A
+    bool friction = false;  ///< whether a column is another than its row
+  };
+  MotionSolver(Program& program, const ValueMatrix& mass, Constraints constraints);
   ForwardSolution solve(const std::vector<Value>& force, const std::vector<Value>& gamma) const;
 
  private:

@@ -120,7 +120,8 @@ InverseOperationalInertia from_parent(const BodyTree& tree, const Link& link, co
 }
 
 AccelerationIncrement reaction(Program& program, const Link& link, const ArticulatedJoint& joint,
-                               const InverseOperationalInertia& before, const InverseOperationalInertia& after) {
+                               const InertiaAcrossJoint& inertia) {
+  const auto& [before, after] = inertia;
   if (!link.aligned) {
     const AccelerationIncrement opposite = before * joint.gain;
     const Vector angular = bound(program, -opposite.angular);

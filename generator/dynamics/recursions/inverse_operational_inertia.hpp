@@ -22,9 +22,13 @@ InverseOperationalInertia from_parent(const BodyTree& tree, const Link& link, co
 InverseOperationalInertia with_joint(Program& program, const Link& link, const ArticulatedJoint& joint,
                                      const InverseOperationalInertia& before);
 
-/// What a unit force of the joint does to the link before its joint moves, by reaction on the parent: −C g. `after` is
-/// with_joint's.
+/// A link's before its joint moves, and after: with_joint's.
+struct InertiaAcrossJoint {
+  const InverseOperationalInertia &before, &after;
+};
+
+/// What a unit force of the joint does to the link before its joint moves, by reaction on the parent: −C g.
 AccelerationIncrement reaction(Program& program, const Link& link, const ArticulatedJoint& joint,
-                               const InverseOperationalInertia& before, const InverseOperationalInertia& after);
+                               const InertiaAcrossJoint& inertia);
 
 }  // namespace torsor

@@ -311,7 +311,9 @@ bool JointSpace::close(std::size_t largest_rank, const Real& small) {
   for (int iteration = 0; iteration < 100; ++iteration) {
     const RealRow errors = closure_errors();
     if (std::all_of(errors.begin(), errors.end(), [&](const Real& e) { return abs(e) <= small; })) return true;
-    RealRow step = least_norm_solution(closure_jacobian(), errors, as_index(variables_), twist_tolerance(), largest_rank);
+    const RealRows jacobian = closure_jacobian();
+    RealRow step = least_norm_solution({.rows = jacobian, .right_side = errors, .columns = as_index(variables_)},
+                                       twist_tolerance(), largest_rank);
     const Real size = torsor::length(step);
     if (size.is_nan()) break;
     const Real scale = size > longest ? longest / size : Real(1);

@@ -125,7 +125,8 @@ std::vector<std::vector<Value>> relative_motion_rows(const Model& model, const S
     Vector direction;
     direction[k % 3] = model.program().number(Number(1), Unit());
     const auto row = [&](int link) {
-      return k < 3 ? partial_turns(model, link, direction, 0) : partial_velocities(model, link, Vector(), direction, 0);
+      if (k < 3) return partial_turns(model, link, direction, 0);
+      return partial_velocities(model, link, {.link = 0, .place = {}}, direction);
     };
     const std::vector<Value> of_a = row(a);
     rows.push_back(row(b));

@@ -62,7 +62,7 @@ struct Screws {
       rows.push_back({-s[1], s[0], Real(0)});
       for (const Real& component : t) right.push_back(-component);
     }
-    const auto found = solution(rows, right, 3, twist_tolerance());
+    const auto found = solution({.rows = rows, .right_side = right, .columns = 3}, twist_tolerance());
     if (!found) return std::nullopt;
     return RealVector{(*found)[0], (*found)[1], (*found)[2]};
   }

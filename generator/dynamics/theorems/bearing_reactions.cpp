@@ -52,7 +52,7 @@ class Reactions {
       BearingReaction reaction;
       reaction.across = which;
       reaction.without_contacts = program_.bind(dot(transmitted_[static_cast<std::size_t>(carried)].resultant, direction));
-      for (std::size_t k = 0; k < places_.size(); ++k) add_rows(k, carried, inside, direction, reaction.by_reactions);
+      for (std::size_t k = 0; k < places_.size(); ++k) add_rows(k, {carried, inside, direction}, reaction.by_reactions);
       clear_identically_zero(reaction.by_reactions);
       const auto acts = [](const Value& entry) { return !entry.is_zero(); };
       if (identically_zero(reaction.without_contacts) &&
@@ -69,9 +69,16 @@ class Reactions {
   }
 
  private:
+  /// What a joint transmits along a direction of the link that it carries.
+  struct Transmitted {
+    int carried;
+    const std::vector<bool>& inside;  ///< which links the joint carries, that one among them
+    const Vector& direction;          ///< in its axes
+  };
+
   /// What a unit reaction along each row of contact k takes from the joint.
-  void add_rows(std::size_t k, int carried, const std::vector<bool>& inside, const Vector& direction,
-                std::vector<Value>& entries) const {
+  void add_rows(std::size_t k, const Transmitted& by, std::vector<Value>& entries) const {
+    const auto& [carried, inside, direction] = by;
     for (const Vector& along : places_[k].directions) {
       Value entry;
       if (pushed_[k]) {
