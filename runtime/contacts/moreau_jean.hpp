@@ -67,13 +67,14 @@ class MoreauJean {
   int contact_ = -1;
 };
 
-/// Steps of equal length from t0 to t1, `steps` of them; the status of the last one. integration_failed where t1 < t0 or
+/// Steps of equal length from t0 to t1, `steps` of them; the status of the last one. invalid_options where t1 < t0 or
 /// there is no step.
 template <ContactSystem S>
 ContactStatus step_contacts(const S& system, std::array<double, S::nq + S::nv>& y, double t0, double t1, long steps,
                             double theta = 0.5) {
   MoreauJean scheme(system, theta);
-  if (!(t1 >= t0) || steps < 1) return ContactStatus::integration_failed;
+  if (!(t1 >= t0) || steps < 1) return ContactStatus::invalid_options;
+  if (t1 == t0) return scheme.status();
   const double h = (t1 - t0) / static_cast<double>(steps);
   for (long k = 0; k < steps; ++k) {
     if (!scheme.step(t0 + static_cast<double>(k) * h, h, y)) return scheme.status();
