@@ -113,7 +113,7 @@ class ContactAutomaton {
   std::vector<double> before_;
   std::vector<Bounces> bounces_;
   PerContact<bool> touching_{};
-  PerContact<bool> joins_{};  ///< contacts that strike with the one that ends its bounces, as they did before
+  PerContact<bool> joins_{};  ///< contacts that end their bounces with another one
   PerContact<bool> ends_too_{};  ///< contacts whose slip has ended with that of `contact_`, to be told of
   AccumulationWatch<double> all_{};
   double side_ = 1;  ///< of zero, on which the regularity of the present regimes began

@@ -182,14 +182,21 @@ bool ContactAutomaton::strike(int contact) {
     touching_[as(i)] = motion_.carrier(i) == contact || motion_.states[as(i)].touches || near(i);
   }
   bounces.speed = speed;
-  // Corners of a face that land together end their bounces together.
+  // Corners of a face that land together end their bounces together, and so does what flies for some roundings of the time.
+  // Bodies that the impact does not move have their own end.
+  const double unseen = 64 * std::numeric_limits<double>::epsilon() * std::abs(result_.time);
+  const int cause = motion_.first_row(contact);
   for (int i = 0; i < count(); ++i) {
     joins_[as(i)] = false;
     if (!touching_[as(i)] || !motion_.rule(i).normal) continue;
-    const double approach = -motion_.reading().w(motion_.first_row(i));
-    if (!(approach > 64 * motion_.rounding_of(motion_.first_row(i)))) continue;
+    const int n = motion_.first_row(i);
+    const double approach = -motion_.reading().w(n);
+    const Eigen::MatrixXd& W = motion_.W();
+    const bool moved = std::abs(W(n, cause)) > 1e-8 * std::sqrt(W(n, n) * W(cause, cause));
+    joins_[as(i)] = rests && moved && std::abs(approach) <= unseen * motion_.acceleration_terms(i);
+    if (!(approach > 64 * motion_.rounding_of(n))) continue;
     Bounces& own = bounces_[as(i)];
-    joins_[as(i)] = rests && approach <= 2 * speed && own.struck > 0 && own.struck + 17 > impact_number_;
+    if (rests && moved && approach <= 2 * speed && own.struck > 0 && own.struck + 17 > impact_number_) joins_[as(i)] = true;
     own.struck = impact_number_;
   }
   const bool done = collide(contact, rests, rests ? ImpactLaw::newton_moreau : options_.law);

@@ -36,7 +36,7 @@ class ContactMotion {
   [[nodiscard]] Evaluation project(double t, std::span<double> y, int steps = 3);
   /// The same at the end of a step of the integration. Refused where a normal velocity or a gap is none of its errors: `jumping`.
   [[nodiscard]] Evaluation hold(double t, std::span<double> y);
-  /// The contact whose normal or gap jumps within a million roundings of the time behind t, by the step refused last; -1: none does.
+  /// The contact whose normal or gap jumps within a million roundings of the time behind t, by the step refused last; -1: none.
   [[nodiscard]] int jumping(double t) const noexcept {
     return std::abs(jumped_ - t) <= 1e6 * std::numeric_limits<double>::epsilon() * std::abs(jumped_) ? jumping_ : -1;
   }

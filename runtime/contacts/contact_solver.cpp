@@ -103,11 +103,12 @@ class ContactIteration {
       const ContactLaw& law = problem_.law(i);
       const auto rests = [&](int row) { return std::abs(u(row)) <= 1e-9 * sizes(row); };
       const bool idle = law.normal && !found[as(i)].pressed && rests(problem_.first_row(i));
-      if (idle) resting[as(i)].pressed = any = true;
-      if ((found[as(i)].friction != Friction::slides && !(idle && law.rubs())) || law.slips) continue;
+      if ((found[as(i)].friction != Friction::slides && !idle) || law.slips) continue;
       bool moves = false;
       for (int k = 0, t = problem_.tangent_row(i); k < law.tangents; ++k, ++t) moves = moves || !rests(t);
-      if (moves) continue;
+      if (moves && law.rubs()) continue;
+      if (idle) resting[as(i)].pressed = any = true;
+      if (!law.rubs()) continue;
       resting[as(i)].friction = Friction::sticks;
       resting[as(i)].direction_sought = false;
       any = true;
