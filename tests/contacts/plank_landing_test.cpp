@@ -56,7 +56,7 @@ double stop_of(double speed, double height, double e) {
   return x + speed * speed / (2 * f * g);
 }
 
-// Once regimes alternated without end where the plank had landed, in the second order, and in the third its slip was taken away.
+// Once regimes alternated without end where the plank had landed with the middle point named first, until the limit of events.
 TEST(PlankLanding, BouncesSlidesAndRestsInAnyOrderOfItsPoints) {
   for (const Places& places : {in_order, middle_first, others}) {
     for (const double speed : {0.0, 2.0}) {
