@@ -54,6 +54,7 @@ static_assert(static_cast<int>(ImpactLaw::newton_moreau) == torsor_impact_newton
     case ContactStatus::law_of_one_contact: return torsor_motion_law_of_one_contact;
     case ContactStatus::no_room: return torsor_motion_unsuitable_model;
     case ContactStatus::not_started: return torsor_motion_invalid_options;
+    case ContactStatus::invalid_options: return torsor_motion_invalid_options;
     case ContactStatus::change_point: return torsor_motion_change_point;
     case ContactStatus::no_point: return torsor_motion_no_point;
     case ContactStatus::integration_failed: break;

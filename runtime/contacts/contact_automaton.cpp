@@ -29,6 +29,8 @@ bool ContactAutomaton::start(double t0, std::span<double> y, Gaps gaps) {
   impact_number_ = 0;
   has_event_ = false;
   ends_too_.fill(false);
+  joins_.fill(false);
+  if (!valid(options_)) return end(ContactStatus::invalid_options, std::nullopt);
   return valid_rules() && begin(t0, gaps);
 }
 
@@ -112,6 +114,11 @@ bool ContactAutomaton::valid_rules() noexcept {
 }
 
 bool ContactAutomaton::begin(double t, Gaps gaps) {
+  const bool finite = std::isfinite(t) && std::all_of(y_.begin(), y_.end(), [](double each) { return std::isfinite(each); });
+  if (!finite) {
+    result_.integration.status = IntegrationStatus::invalid_options;
+    return end(ContactStatus::integration_failed, std::nullopt);
+  }
   if (!motion_.read(t, y_)) return end(ContactStatus::integration_failed, std::nullopt);
   const double off = motion_.loops_off();
   if (motion_.project(t, y_, 30) != Evaluation::ok || !motion_.read(t, y_)) {

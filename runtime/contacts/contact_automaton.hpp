@@ -64,6 +64,7 @@ class ContactAutomaton {
     int slower = 0;         ///< impacts in succession that were slower than the one before
     double speed = 0;       ///< of approach at its last impact [m/s]
     std::int64_t last = 0;  ///< number of its last impact among all; 0: none yet
+    std::int64_t struck = 0;  ///< of the last one in which it closed, whichever contact caused it
     double left = std::numeric_limits<double>::lowest();  ///< time at which its flight began: it opened, or struck
     double doubt = 1;  ///< doubled by each flight that did not leave the rounding of the gap
 
@@ -92,7 +93,8 @@ class ContactAutomaton {
   bool take_regime(const ContactSelection& chosen, int k, const ContactSolution& solution);
   [[nodiscard]] double end_of_bounces(int i, double speed, double a) const noexcept;
   [[nodiscard]] bool accumulating(int i) const noexcept;
-  bool close_what_rests(const ContactSelection& chosen, const PerContact<double>& rounding);
+  bool close_what_rests(const ContactSelection& chosen, const PerContact<double>& rounding,
+                        const PerContact<double>& rounding_of_slip);
   bool collide(int cause, bool rests, ImpactLaw impact_law);
   bool end_slips(int contact);
   bool pass_singular();
@@ -111,6 +113,7 @@ class ContactAutomaton {
   std::vector<double> before_;
   std::vector<Bounces> bounces_;
   PerContact<bool> touching_{};
+  PerContact<bool> joins_{};  ///< contacts that end their bounces with another one
   PerContact<bool> ends_too_{};  ///< contacts whose slip has ended with that of `contact_`, to be told of
   AccumulationWatch<double> all_{};
   double side_ = 1;  ///< of zero, on which the regularity of the present regimes began

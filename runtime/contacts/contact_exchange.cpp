@@ -42,6 +42,10 @@ Evaluation ContactExchange::indicators(double t, std::span<const double> y, std:
 
 Evaluation ContactExchange::complete(double t, std::span<double> y) {
   ContactMotion& motion = automaton_.motion();
+  if (const std::optional<int> jumped = motion.falls_by_a_jump(t, y)) {
+    automaton_.end(ContactStatus::no_point, jumped);
+    return Evaluation::singular;
+  }
   const Evaluation held = motion.hold(t, y);
   if (held == Evaluation::ok) {
     motion.follow_slips(t, y);

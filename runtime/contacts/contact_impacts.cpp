@@ -32,6 +32,7 @@ double ContactAutomaton::end_of_bounces(int i, double speed, double a) const noe
 // Whether a contact takes part in the accumulation: of one contact, or of those of the last seventeen impacts. Two that
 // strike in turn, each impact some hundred times weaker, get to flights within rounding after few impacts.
 bool ContactAutomaton::accumulating(int i) const noexcept {
+  if (joins_[as(i)]) return true;
   const bool recent = bounces_[as(i)].last > 0 && bounces_[as(i)].last + 17 > impact_number_;
   if (!alone_) return recent;
   if (i == cause_) return true;
@@ -41,8 +42,9 @@ bool ContactAutomaton::accumulating(int i) const noexcept {
 }
 
 // Three corners of a face that have come to rest hold the fourth: it has neither a gap nor a velocity, and would be left open
-// without an event that closes it.
-bool ContactAutomaton::close_what_rests(const ContactSelection& chosen, const PerContact<double>& rounding) {
+// without an event that closes it. It slides where they do.
+bool ContactAutomaton::close_what_rests(const ContactSelection& chosen, const PerContact<double>& rounding,
+                                        const PerContact<double>& rounding_of_slip) {
   bool any = false;
   for (int k = 0; k < chosen.problem.count; ++k) {
     const int i = chosen.who[as(k)];
@@ -51,7 +53,7 @@ bool ContactAutomaton::close_what_rests(const ContactSelection& chosen, const Pe
     const bool closed = motion_.reading().gap[as(i)] <= 16 * motion_.rounding_of_gap(i);
     if (!closed || std::abs(motion_.reading().w(motion_.first_row(i))) > 64 * rounding[as(i)]) continue;
     state.touches = any = true;
-    set_by_slip(i, std::numeric_limits<double>::infinity());
+    set_by_slip(i, 64 * rounding_of_slip[as(i)]);
   }
   return !any || settle(contact_);
 }
@@ -69,6 +71,12 @@ bool ContactAutomaton::collide(int cause, bool rests, ImpactLaw impact_law) {
     law.bound = law.static_bound = 0;  // bounded forces give no impulse
     restitution[as(chosen.problem.count)] = rests && accumulating(i) ? 0 : motion_.rule(i).restitution;
     chosen.add(i, law, motion_.first_row(i), motion_.first_bearing(i));
+  }
+  // One that stuck has no slip: what is left of its velocity gets no direction by an impact that does not move it.
+  PerContact<double> residue{};
+  for (int i = 0; i < count(); ++i) {
+    const ContactState& state = motion_.states[as(i)];
+    if (state.touches && state.regime == ContactRegime::sticks) residue[as(i)] = motion_.slip_speed(i);
   }
   const Eigen::MatrixXd& W = motion_.W();  // asked for first: `rounding_of` takes what loops answer from it
   ContactVector before = motion_.reading().w;
@@ -103,7 +111,7 @@ bool ContactAutomaton::collide(int cause, bool rests, ImpactLaw impact_law) {
     rests_on[as(i)] = problem.law(k).normal && problem.q(n) == 0 && shock.w(n) <= 64 * rounding_of_opening[as(i)];
   }
   for (int i = 0; i < count(); ++i) {
-    if (motion_.rule(i).tangents > 0) rounding[as(i)] = rounding_after(motion_.tangent_row(i));
+    if (motion_.rule(i).tangents > 0) rounding[as(i)] = rounding_after(motion_.tangent_row(i)) + residue[as(i)] / 64;
   }
   motion_.add_answer(impulses_, y_);
   ++result_.impacts;
@@ -122,7 +130,7 @@ bool ContactAutomaton::collide(int cause, bool rests, ImpactLaw impact_law) {
   }
   if (rests) {
     // That velocity leaves with it what slip it makes of contacts that do not stick.
-    if (!settle(cause) || !close_what_rests(chosen, rounding_of_opening)) return false;
+    if (!settle(cause) || !close_what_rests(chosen, rounding_of_opening, rounding)) return false;
     for (int k = 0; k < problem.count; ++k) {
       const int i = chosen.who[as(k)];
       if (motion_.carrier(i) && !shock.sticks[as(k)]) set_by_slip(i, 64 * rounding[as(i)]);
@@ -139,6 +147,7 @@ bool ContactAutomaton::collide(int cause, bool rests, ImpactLaw impact_law) {
 // A gap has fallen to zero: an impact, or the last one of bounces that accumulate.
 bool ContactAutomaton::strike(int contact) {
   if (motion_.solve(result_.time, y_) != Evaluation::ok) return end(ContactStatus::integration_failed, contact);
+  if (motion_.gap_jumps(contact)) return end(ContactStatus::no_point, contact);
   Bounces& bounces = bounces_[as(contact)];
   const double speed = std::abs(motion_.reading().w(motion_.first_row(contact)));
   const double rounding = motion_.rounding_of_gap(contact);
@@ -174,6 +183,23 @@ bool ContactAutomaton::strike(int contact) {
     touching_[as(i)] = motion_.carrier(i) == contact || motion_.states[as(i)].touches || near(i);
   }
   bounces.speed = speed;
+  // Corners of a face that land together end their bounces together, and so does what flies for some roundings of the time.
+  // Bodies that the impact does not move have their own end.
+  const double unseen = 64 * std::numeric_limits<double>::epsilon() * std::abs(result_.time);
+  const int cause = motion_.first_row(contact);
+  for (int i = 0; i < count(); ++i) {
+    joins_[as(i)] = false;
+    if (!touching_[as(i)] || !motion_.rule(i).normal) continue;
+    const int n = motion_.first_row(i);
+    const double approach = -motion_.reading().w(n);
+    const Eigen::MatrixXd& W = motion_.W();
+    const bool moved = std::abs(W(n, cause)) > 1e-8 * std::sqrt(W(n, n) * W(cause, cause));
+    joins_[as(i)] = rests && moved && std::abs(approach) <= unseen * motion_.acceleration_terms(i);
+    if (!(approach > 64 * motion_.rounding_of(n))) continue;
+    Bounces& own = bounces_[as(i)];
+    if (rests && moved && approach <= 2 * speed && own.struck > 0 && own.struck + 17 > impact_number_) joins_[as(i)] = true;
+    own.struck = impact_number_;
+  }
   const bool done = collide(contact, rests, rests ? ImpactLaw::newton_moreau : options_.law);
   if (rests) {
     for (int i = 0; i < count(); ++i) {
@@ -182,6 +208,7 @@ bool ContactAutomaton::strike(int contact) {
     }
     all_ = {};
   }
+  joins_.fill(false);
   return done;
 }
 

@@ -35,13 +35,18 @@ class ContactMotion {
   /// Loops, gaps of closed contacts, their velocities and those of sticking ones back to zero, in at most `steps` steps
   /// of Newton's method.
   [[nodiscard]] Evaluation project(double t, std::span<double> y, int steps = 3);
-  /// The same at the end of a step of the integration. Refused where a normal velocity is none of its errors: `jumping`.
+  /// The same at the end of a step of the integration. Refused where a normal velocity or a gap is none of its errors: `jumping`.
   [[nodiscard]] Evaluation hold(double t, std::span<double> y);
-  /// The contact whose normal jumps within a million roundings of the time behind t, by the step refused last.
+  /// The contact whose normal or gap jumps within a million roundings of the time behind t, by the step refused last.
   [[nodiscard]] std::optional<int> jumping(double t) const noexcept {
     const bool near = std::abs(jumped_ - t) <= 1e6 * std::numeric_limits<double>::epsilon() * std::abs(jumped_);
     return near ? jumping_ : std::nullopt;
   }
+  /// Whether an open gap above zero is below zero a moment later, before its velocity, or its acceleration, changes it by a
+  /// thousandth: what falls there is no body. The state is that read last.
+  [[nodiscard]] bool gap_jumps(int i);
+  /// The open contact whose gap has jumped below zero since the last step's end.
+  [[nodiscard]] std::optional<int> falls_by_a_jump(double t, std::span<const double> y);
   /// A step has ended at (t, y): slips have the directions that they have there. Within a step they are compared with those of
   /// its start. Where the state cannot be read nothing follows.
   void follow_slips(double t, std::span<const double> y);
@@ -163,7 +168,9 @@ class ContactMotion {
   static constexpr std::size_t as(int i) noexcept { return static_cast<std::size_t>(i); }
   [[nodiscard]] const ContactState& at(int i) const noexcept { return states[as(i)]; }
   [[nodiscard]] bool any_touches() const noexcept;
-  [[nodiscard]] bool jumps(int i, double t, std::span<const double> y);
+  [[nodiscard]] bool read_on_the_way(double part, double t, std::span<const double> y);
+  template <class Number>
+  [[nodiscard]] bool jumps(double t, std::span<const double> y, const Number& number);
   [[nodiscard]] bool follows_forces(int i) const noexcept;
   [[nodiscard]] bool respond();
   /// Slips whose directions are sought from forces, and the problem that these solve.

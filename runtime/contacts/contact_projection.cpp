@@ -94,7 +94,8 @@ Evaluation ContactMotion::project(double t, std::span<double> y, int steps) {
 }
 
 // A step may reach over a place where the normal of a contact jumps, as that of a disc's rim does where the disc lies
-// flat. To project would be an impact that no law has decided: a shorter step is asked for, and none is short enough.
+// flat, or its gap, as that of a floor with a step. To project would be an impact that no law has decided, or move a body
+// through a wall: a shorter step is asked for, and none is short enough.
 Evaluation ContactMotion::hold(double t, std::span<double> y) {
   if (!any_touches()) return project(t, y);
   mechanism_.normalise(y);  // what is read here the projection begins with
@@ -111,7 +112,12 @@ Evaluation ContactMotion::hold(double t, std::span<double> y) {
     terms += std::abs(reading_.w(n) - own);  // of a surface that moves
     const double off = std::abs(reading_.w(n)), error = absolute_ + relative_ * terms;
     // What is within the errors of the step, or its rounding, no projection of it can spoil.
-    if (off <= error || !(off > terms / 16 || off > 16 * error) || !jumps(i, t, y)) continue;
+    const bool turns = off > error && (off > terms / 16 || off > 16 * error);
+    const double place = rounding_of_gap(i) / std::numeric_limits<double>::epsilon();
+    const bool moves = std::abs(reading_.gap[as(i)]) > 16 * (absolute_ + relative_ * place);
+    const auto normal_velocity = [n](const ContactReading& reading) { return reading.w(n); };
+    const auto gap = [i](const ContactReading& reading) { return reading.gap[as(i)]; };
+    if (!(turns && jumps(t, y, normal_velocity)) && !(moves && jumps(t, y, gap))) continue;
     jumping_ = i;
     jumped_ = t;
     return Evaluation::singular;
@@ -119,20 +125,24 @@ Evaluation ContactMotion::hold(double t, std::span<double> y) {
   return project(t, y);
 }
 
-// Whether the normal velocity that a step has left comes of a normal that jumps on its way. Where the normal turns smoothly, the
-// change of w_N between two places, the velocity kept, halves as these come together, however large the error of the step.
-bool ContactMotion::jumps(int i, double t, std::span<const double> y) {
-  const int n = first_row(i);
-  const double off = std::abs(reading_.w(n));
-  if (!followed_) return false;
+// Between the end of the last step and this state, whose velocities are kept.
+bool ContactMotion::read_on_the_way(double part, double t, std::span<const double> y) {
   const auto nq = as(sizes_.coordinates);
+  for (std::size_t k = 0; k < there_.size(); ++k) there_[k] = k < nq ? from_[k] + part * (y[k] - from_[k]) : y[k];
+  mechanism_.normalise(there_);
+  return mechanism_.read(from_t_ + part * (t - from_t_), there_, later_reading_) == Evaluation::ok;
+}
+
+// Whether the normal velocity that a step has left, or the gap, comes of one that jumps on its way. Where it turns smoothly, its
+// change between two places, the velocity kept, halves as these come together, however large the error of the step.
+template <class Number>
+bool ContactMotion::jumps(double t, std::span<const double> y, const Number& number) {
+  const double off = std::abs(number(reading_));
+  if (!followed_) return false;
   const auto at_part = [&](double part) {
-    for (std::size_t k = 0; k < there_.size(); ++k) there_[k] = k < nq ? from_[k] + part * (y[k] - from_[k]) : y[k];
-    mechanism_.normalise(there_);
-    const Evaluation reads = mechanism_.read(from_t_ + part * (t - from_t_), there_, later_reading_);
-    return reads == Evaluation::ok ? later_reading_.w(n) : std::numeric_limits<double>::quiet_NaN();
+    return read_on_the_way(part, t, y) ? number(later_reading_) : std::numeric_limits<double>::quiet_NaN();
   };
-  double low = 0, high = 1, below = at_part(low), above = reading_.w(n);
+  double low = 0, high = 1, below = at_part(low), above = number(reading_);
   while (std::abs(above - below) > off / 16) {
     const double middle = low + (high - low) / 2;
     if (middle == low || middle == high || high - low < 1e-13) return true;
@@ -143,6 +153,43 @@ bool ContactMotion::jumps(int i, double t, std::span<const double> y) {
     (later ? below : above) = between;
   }
   return false;
+}
+
+bool ContactMotion::gap_jumps(int i) {
+  const int n = first_row(i);
+  const double gap = reading_.gap[as(i)], speed = std::abs(reading_.w(n)), epsilon = std::numeric_limits<double>::epsilon();
+  // Events are located to roundings of the time, and of the gap.
+  if (!(gap > 1e4 * (rounding_of_gap(i) + speed * epsilon * std::abs(t_)))) return false;
+  const double terms = acceleration_terms(i), share = gap / 1000;
+  const double changes = std::min({speed > 0 ? share / speed : 1, terms > 0 ? std::sqrt(share / terms) : 1, 1.0});
+  const double later = std::max(16 * epsilon * std::abs(t_), 1e-6 * changes);  // a tooth may be narrow
+  const auto nq = as(sizes_.coordinates);
+  mechanism_.coordinate_rates(t_, y_, rates_);
+  for (std::size_t k = 0; k < there_.size(); ++k) there_[k] = k < nq ? y_[k] + later * rates_[k] : y_[k];
+  mechanism_.normalise(there_);
+  return mechanism_.read(t_ + later, there_, later_reading_) == Evaluation::ok && !(later_reading_.gap[as(i)] > gap / 2);
+}
+
+// The gap's change where it passes zero on the way from the last step's end: 2^-40 of all of it where that is smooth.
+std::optional<int> ContactMotion::falls_by_a_jump(double t, std::span<const double> y) {
+  if (!followed_ || !read(t, y)) return std::nullopt;
+  for (int i = 0; i < count(); ++i) {
+    const double last = reading_.gap[as(i)];
+    if (at(i).touches || !rule(i).normal || !(last < 0)) continue;
+    const auto gap_at = [&](double part) {
+      return read_on_the_way(part, t, y) ? later_reading_.gap[as(i)] : std::numeric_limits<double>::quiet_NaN();
+    };
+    double low = 0, high = 1, above = gap_at(low), below = last;
+    const double all = above - last;
+    if (!(above > 0)) continue;
+    for (int halving = 0; halving < 40; ++halving) {
+      const double middle = low + (high - low) / 2, gap = gap_at(middle);
+      (gap > 0 ? low : high) = middle;
+      (gap > 0 ? above : below) = gap;
+    }
+    if (above - below > 1e-6 * all + 1e4 * rounding_of_gap(i)) return i;
+  }
+  return std::nullopt;
 }
 
 double ContactMotion::loops_off() const {

@@ -24,11 +24,12 @@ enum class ContactStatus : int {
   invalid_rule,   ///< f < 0, f_s < f, b < 0, e outside [0, 1], or tangents and presser that cannot be
   too_many_events,
   integration_failed,
-  not_started,  ///< ContactRun::start was not called
+  not_started,  ///< ContactRun::start was not called, or the state was changed after it
   law_of_one_contact,  ///< the energetic law of impact, and several contacts struck at once
   no_room,      ///< ContactRun has room for fewer numbers or contacts than the mechanism has
   change_point,  ///< constraints of loops lose rank
-  no_point,      ///< a contact has no single point or normal here, as a disc that lies flat
+  no_point,      ///< a contact has no single point or normal here, as a disc that lies flat, or its gap jumps
+  invalid_options,  ///< an end before the start, or a step, theta, touch, at_rest, accumulation or law that cannot be
 };
 
 [[nodiscard]] constexpr std::string_view describe(ContactStatus status) noexcept {
@@ -61,12 +62,15 @@ enum class ContactStatus : int {
       return "the constraints of loops lose rank here, a change point, where branches of a loop meet: the motion does not "
              "pass it";
     case ContactStatus::no_point:
-      return "a contact has no single point or normal here, as the lowest point of a disc that lies flat: begin beside such a "
-             "state, or describe the surface by points";
+      return "a contact has no single point or normal here, as the lowest point of a disc that lies flat, or its gap jumps: "
+             "begin beside such a state, or describe the surface by points";
+    case ContactStatus::invalid_options:
+      return "the motion is asked for what cannot be: its end is not before its start, steps are above 0, theta is from 0 to 1, "
+             "touch, at_rest and accumulation are at least 0, the law is one of the four, and none is NaN";
     case ContactStatus::no_room:
       return "the mechanism has more numbers or contacts than there is room for: give ContactRun more";
     case ContactStatus::not_started:
-      return "the motion was not started: call start first";
+      return "the motion was not started, or its state was changed since: call start first";
   }
   return "unknown contact status";
 }
@@ -96,6 +100,13 @@ struct ContactOptions {
   double accumulation = 0;  ///< [s] impacts whose predicted remaining time is at most this are an accumulation
   long long event_limit = 1'000'000;  ///< of events, and of smooth pieces that end without one
 };
+
+/// Whether options say what is possible.
+[[nodiscard]] constexpr bool valid(const ContactOptions& options) noexcept {
+  const int law = static_cast<int>(options.law);
+  return options.touch >= 0 && options.at_rest >= 0 && options.accumulation >= 0 && law >= 0 &&
+         law <= static_cast<int>(ImpactLaw::sequential);
+}
 
 struct ContactResult {
   ContactStatus status = ContactStatus::reached_end;

@@ -92,7 +92,7 @@ class ContactIteration {
   }
 
   // Reactions that are not unique may be at their bounds where nothing moves. A contact that slides at no speed sticks as
-  // well: no slip begins of a body that rests.
+  // well, and one that does not open presses as well: no slip begins of a body that rests, on as many supports as it has.
   [[nodiscard]] bool tries(RegimeEnumeration& regimes) const noexcept {
     const Regimes found = proposed();
     Regimes resting = found;
@@ -101,10 +101,14 @@ class ContactIteration {
     bool any = false;
     for (int i = 0; i < problem_.count; ++i) {
       const ContactLaw& law = problem_.law(i);
-      if (found[as(i)].friction != Friction::slides || law.slips) continue;
+      const auto rests = [&](int row) { return std::abs(u(row)) <= 1e-9 * sizes(row); };
+      const bool idle = law.normal && !found[as(i)].pressed && rests(problem_.first_row(i));
+      if ((found[as(i)].friction != Friction::slides && !idle) || law.slips) continue;
       bool moves = false;
-      for (int k = 0, t = problem_.tangent_row(i); k < law.tangents; ++k, ++t) moves = moves || std::abs(u(t)) > 1e-9 * sizes(t);
-      if (moves) continue;
+      for (int k = 0, t = problem_.tangent_row(i); k < law.tangents; ++k, ++t) moves = moves || !rests(t);
+      if (moves && law.rubs()) continue;
+      if (idle) resting[as(i)].pressed = any = true;
+      if (!law.rubs()) continue;
       resting[as(i)].friction = Friction::sticks;
       resting[as(i)].direction_sought = false;
       any = true;

@@ -44,14 +44,17 @@ class ContactRun {
         static_cast<std::size_t>(sizes.contacts) > contacts) {
       return automaton_.end(ContactStatus::no_room, std::nullopt);
     }
-    return automaton_.start(t0, y_) && told();
+    const bool began = automaton_.start(t0, y_) && told();
+    last_ = y_;
+    return began;
   }
 
   /// Goes on to t1, which is not before; false where the motion ends earlier.
   bool advance(double t1) {
     ContactResult& result = automaton_.result();
     if (result.status != ContactStatus::reached_end) return false;
-    if (!(t1 >= result.time)) return automaton_.end(ContactStatus::integration_failed, std::nullopt);
+    if (!(t1 >= result.time)) return automaton_.end(ContactStatus::invalid_options, std::nullopt);
+    if (y_ != last_) return automaton_.end(ContactStatus::not_started, std::nullopt);
     int stuck = 0;
     while (result.status == ContactStatus::reached_end && result.time < t1) {
       const double before = result.time;
@@ -61,6 +64,7 @@ class ContactRun {
       if (result.time < t1) ++pieces_;  // some end without an event
       if (stuck > 100 || pieces_ > automaton_.options().event_limit) result.status = ContactStatus::too_many_events;
     }
+    last_ = y_;
     return result.status == ContactStatus::reached_end;
   }
 
@@ -152,6 +156,7 @@ class ContactRun {
 
   ContactAutomaton automaton_;
   Vector& y_;
+  Vector last_{};  ///< what this motion left in the state: another one has regimes that it knows nothing of
   Method method_;
   Observer& observer_;
   long long pieces_ = 0;
@@ -166,7 +171,7 @@ ContactResult integrate_contacts(const S& system, std::array<double, S::nq + S::
                                  const Method& method = Method{.relative_tolerance = 1e-13,
                                                                .absolute_tolerance = 1e-13},
                                  const ContactOptions& options = {}, Observer&& observer = Observer{}) {
-  if (!(t1 >= t0)) return {.status = ContactStatus::integration_failed, .time = t0};  // what is no number too
+  if (!(t1 >= t0)) return {.status = ContactStatus::invalid_options, .time = t0};  // what is no number too
   const ContactMechanismOf<S> mechanism(system);
   ContactRun<S::nq + S::nv, S::contacts, Method, std::remove_reference_t<Observer>> run(mechanism, y, method, options,
                                                                                         observer);

@@ -38,10 +38,13 @@ bool MoreauJean::end(ContactStatus status) noexcept {
 
 bool MoreauJean::step(double t, double h, std::span<double> y) {
   if (status_ == ContactStatus::invalid_rule) return false;
-  if (!(h > 0 && theta_ >= 0 && theta_ <= 1)) return end(ContactStatus::integration_failed);
+  const auto finite = [&y] { return std::all_of(y.begin(), y.end(), [](double each) { return std::isfinite(each); }); };
+  if (!(h > 0 && std::isfinite(t + h) && theta_ >= 0 && theta_ <= 1)) return end(ContactStatus::invalid_options);
+  if (!finite()) return end(ContactStatus::integration_failed);
   status_ = ContactStatus::reached_end;
+  contact_.reset();
   before_.assign(y.begin(), y.end());
-  if (move_through(t, h, y)) return true;
+  if (move_through(t, h, y) && (finite() || end(ContactStatus::integration_failed))) return true;
   std::copy(before_.begin(), before_.end(), y.begin());
   return false;
 }

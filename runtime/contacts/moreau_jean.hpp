@@ -75,12 +75,13 @@ struct EqualSteps {
   double theta = 0.5;  ///< 0 <= θ <= 1, see MoreauJean
 };
 
-/// Equal steps from t0 to t1; the status of the last one. integration_failed where t1 < t0 or there is no step.
+/// Equal steps from t0 to t1; the status of the last one. invalid_options where t1 < t0 or there is no step.
 template <ContactSystem S>
 ContactStatus step_contacts(const S& system, std::array<double, S::nq + S::nv>& y, double t0, double t1,
                             const EqualSteps& steps) {
   MoreauJean scheme(system, steps.theta);
-  if (!(t1 >= t0) || steps.count < 1) return ContactStatus::integration_failed;
+  if (!(t1 >= t0) || steps.count < 1) return ContactStatus::invalid_options;
+  if (t1 == t0) return scheme.status();
   const double h = (t1 - t0) / static_cast<double>(steps.count);
   for (long k = 0; k < steps.count; ++k) {
     if (!scheme.step(t0 + static_cast<double>(k) * h, h, y)) return scheme.status();

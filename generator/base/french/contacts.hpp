@@ -33,13 +33,18 @@ constexpr Translation french_of_contacts[] = {
     {"the constraints of loops lose rank here, a change point, where branches of a loop meet: the motion does not pass it",
      "les liaisons des boucles perdent leur rang ici, un point de bifurcation, où des branches d'une boucle se rencontrent : le mouvement ne "
      "le passe pas"},
-    {"a contact has no single point or normal here, as the lowest point of a disc that lies flat: begin beside such a state, or "
-     "describe the surface by points",
-     "un contact n'a pas de point ou de normale unique ici, comme le point le plus bas d'un disque à plat : partir à côté d'un tel "
-     "état, ou décrire la surface par des points"},
+    {"a contact has no single point or normal here, as the lowest point of a disc that lies flat, or its gap jumps: begin beside "
+     "such a state, or describe the surface by points",
+     "un contact n'a pas de point ou de normale unique ici, comme le point le plus bas d'un disque à plat, ou sa distance saute : "
+     "partir à côté d'un tel état, ou décrire la surface par des points"},
+    {"the motion is asked for what cannot be: its end is not before its start, steps are above 0, theta is from 0 to 1, touch, "
+     "at_rest and accumulation are at least 0, the law is one of the four, and none is NaN",
+     "le mouvement demandé est impossible : sa fin ne précède pas son départ, les pas sont positifs, theta est entre 0 et 1, touch, "
+     "at_rest et accumulation ne sont pas négatifs, la loi est l'une des quatre, et aucun n'est NaN"},
     {"the mechanism has more numbers or contacts than there is room for: give ContactRun more",
      "le mécanisme a plus de nombres ou de contacts que la place prévue : en donner plus à ContactRun"},
-    {"the motion was not started: call start first", "le mouvement n'a pas commencé : appeler start d'abord"},
+    {"the motion was not started, or its state was changed since: call start first",
+     "le mouvement n'a pas commencé, ou son état a été changé depuis : appeler start d'abord"},
     {"reached the end time", "a atteint l'instant final"},
     {"the integration between events failed: {}", "l'intégration entre événements a échoué : {}"},
     {"the accelerations, or positions that fulfil the constraints, could not be found",

@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Gaps given by formulas that jump, as that over a floor with a step: no law says what happens at the wall of the step.
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+#include <functional>
+#include <span>
+
+#include "tests/contacts/simple_systems.hpp"
+#include "torsor/runtime/contacts/contact_exchange.hpp"
+
+namespace jumping_gaps_test {
+namespace {
+
+using namespace simple_systems;
+
+/// A particle of mass 1 over a floor of the height z(x): q = (x, z).
+ByHand<2, 2, 1> over_floor(double e, const std::function<double(double)>& height, const std::function<double(double)>& slope) {
+  return {{ContactRule{.tangents = 0, .restitution = e}}, [=](double, const auto& y, auto& r) {
+            r.M.setIdentity();
+            r.F << 0, -g;
+            r.gap[0] = y[1] - height(y[0]);
+            r.J << -slope(y[0]), 1;
+            r.w << y[3] - slope(y[0]) * y[2];
+            r.drift << 0;
+          }};
+}
+/// Level but for a step at x = 1.
+ByHand<2, 2, 1> over_step(double e, double step) {
+  return over_floor(e, [step](double x) { return x < 1 ? 0 : step; }, [](double) { return 0; });
+}
+
+// Once the particle slid through the wall to the top of the step, or down to its foot, with the status of a motion that has
+// reached its end. At 1 m/s the step is reached after 1 - x.
+TEST(JumpingGaps, EndAMotionThatSlidesOntoThem) {
+  for (const double step : {0.5, 1e-6, -1e-6, -0.5}) {
+    for (const double tolerance : {1e-13, 1e-8}) {
+      std::array<double, 4> y{0.9, 0, 1, 0};
+      const DormandPrince853 method{.relative_tolerance = tolerance, .absolute_tolerance = tolerance};
+      const ContactResult result = integrate_contacts(over_step(0, step), y, 0, 0.3, method);
+      EXPECT_EQ(result.status, ContactStatus::no_point) << step << ": " << describe(result.status);
+      EXPECT_EQ(result.contact, 0);
+      EXPECT_NEAR(result.time, 0.1, 1e-12);
+      EXPECT_NEAR(y[0], 1, 1e-12);
+      EXPECT_EQ(y[1], 0);
+    }
+  }
+}
+
+// Once the wall was struck as a floor is. Where the particle flies over the wall, nothing happens.
+TEST(JumpingGaps, EndAMotionThatFliesIntoThem) {
+  for (const double height : {0.2, 0.5, 0.55}) {
+    std::array<double, 4> y{0.9, height, 1, 0};
+    int told = 0;
+    const ContactResult result = integrate_contacts(over_step(0.5, 0.5), y, 0, 0.1005, DormandPrince853{}, {},
+                                                    [&told](const ContactEvent&) { return ++told > 0; });
+    EXPECT_EQ(told, 0);
+    if (height > 0.54) {  // it falls by 0.0495 m
+      EXPECT_EQ(result.status, ContactStatus::reached_end);
+      continue;
+    }
+    EXPECT_EQ(result.status, ContactStatus::no_point) << describe(result.status);
+    EXPECT_NEAR(result.time, 0.1, 1e-12);
+    EXPECT_NEAR(y[1], height - g * 0.1 * 0.1 / 2, 1e-12);
+    EXPECT_NEAR(y[3], -g * 0.1, 1e-12);
+  }
+}
+
+// A ramp into which the way is steep is no step: the particle bounces on it where it falls on it.
+TEST(JumpingGaps, AreNoSteepGaps) {
+  constexpr double steep = 1e4;
+  const auto ramp = over_floor(0.5, [](double x) { return steep * (x - 1); }, [](double) { return steep; });
+  std::array<double, 4> y{0.9, 0.2, 1, 0};
+  const ContactResult result = integrate_contacts(ramp, y, 0, 0.12);
+  ASSERT_TRUE(result) << describe(result.status);
+  EXPECT_EQ(result.impacts, 1);
+  // 0.2 - g t²/2 = steep (t - 0.1), to first order beside t = 0.1. Its normal velocity is reversed by half, M being 1.
+  const double t = 0.1 + (0.2 - g * 0.005) / (steep + g * 0.1) - g / 2 * std::pow((0.2 - g * 0.005) / steep, 2) / steep;
+  const double w = -g * t - steep, P = -1.5 * w / (1 + steep * steep);
+  EXPECT_NEAR(y[2], 1 - steep * P, 1e-9);
+  EXPECT_NEAR(y[0], 0.9 + t + (1 - steep * P) * (0.12 - t), 1e-12);
+}
+
+// An importer of FMI that integrates: its step is refused, whether the particle slides or flies into the wall.
+TEST(JumpingGaps, AreRefusedToImporters) {
+  const auto floor = over_step(0.5, 0.5);
+  const ContactMechanismOf<ByHand<2, 2, 1>> mechanism(floor);
+  for (const double height : {0.0, 0.2}) {
+    ContactExchange unit(mechanism, {}, 1e-10);
+    std::array<double, 4> y{0.9, height, 1, 0};
+    ASSERT_TRUE(unit.start(0, y));
+    const double fall = height > 0 ? g * 0.11 * 0.11 / 2 : 0;
+    y = {1.01, height - fall, 1, height > 0 ? -g * 0.11 : 0};
+    EXPECT_NE(unit.complete(0.11, y), Evaluation::ok);
+    EXPECT_EQ(unit.result().status, ContactStatus::no_point);
+  }
+  // Deep below a floor without a step it has struck.
+  const auto level = over_step(0.5, 0);
+  const ContactMechanismOf<ByHand<2, 2, 1>> below(level);
+  ContactExchange unit(below, {}, 1e-10);
+  std::array<double, 4> y{0.9, 0.02, 1, 0};
+  ASSERT_TRUE(unit.start(0, y));
+  y = {1.01, 0.02 - g * 0.11 * 0.11 / 2, 1, -g * 0.11};
+  EXPECT_EQ(unit.complete(0.11, y), Evaluation::ok);
+  ASSERT_TRUE(unit.update(0.11, y));
+  EXPECT_NEAR(y[3], 0.5 * g * 0.11, 1e-15);
+}
+
+}  // namespace
+}  // namespace jumping_gaps_test
