@@ -269,7 +269,7 @@ class Compiled {
   }
 
   void read_path(int i, MjcfTendon& tendon) const {
-    std::optional<int> before;  // the site that the next one is joined to
+    const int* before = nullptr;  // the site that the next one is joined to
     double divisor = 1;
     for (int k = m_.tendon_adr[i]; k < m_.tendon_adr[i] + m_.tendon_num[i]; ++k) {
       const int object = m_.wrap_objid[k];
@@ -278,12 +278,12 @@ class Compiled {
           tendon.terms.emplace_back(object, m_.wrap_prm[k]);
           break;
         case mjWRAP_PULLEY:
-          before.reset();
+          before = nullptr;
           divisor = m_.wrap_prm[k];
           break;
         case mjWRAP_SITE:
           if (before) tendon.spans.push_back({*before, object, divisor, distance(*before, object)});
-          before = object;
+          before = &m_.wrap_objid[k];
           break;
         default:
           tendon.wraps = true;
