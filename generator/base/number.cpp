@@ -36,7 +36,7 @@ struct InExtension {
   Number u, v, radicand, surd;
 };
 
-/// r with r² = u + v·surd, sought as r = p + q·surd: p² + radicand q² = u and 2pq = v give p² = (u ± w)/2 with
+/// r with r² = u + v·surd, sought as r = p + q·surd. From p² + radicand q² = u and 2pq = v follows p² = (u ± w)/2, where
 /// w² = u² − radicand v². u, v, p, q, w lie in one field, whose roots `subfield_root` finds.
 template <class Root>
 std::optional<Number> root_in_extension(const InExtension& value, Root subfield_root) {

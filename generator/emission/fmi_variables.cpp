@@ -43,6 +43,7 @@ bool depends_on_parameters(const MechanismListing& mechanism, const Expression& 
 /// "m" becomes "m/s", "rad" "rad/s".
 std::string unit_of_rate(const std::string& unit) {
   if (unit == "rad") return "rad/s";
+  if (unit == "1") return "1/s";  // of a ratio, or of a component of a quaternion
   return written_unit(Unit::parse(unit) / Unit(0, 0, 1));
 }
 

@@ -2,14 +2,16 @@
 #include "torsor/generator/printing/driven_coordinates.hpp"
 
 #include <algorithm>
-#include <cmath>
+#include <cstddef>
+#include <cstdlib>
+#include <map>
 #include <optional>
 
 namespace torsor::printing {
 namespace {
 
 constexpr int highest_power = 8;  // of a law in a sum: beyond it nobody sees the powers of a binomial
-constexpr double weight_of_division = 20;  // a shorter formula that divides by what the longer one does not is no better
+constexpr std::size_t most_growth = 16;  // of the terms of a sum while a law is put in
 
 /// law = rest + slope · base^(halves/2): the base is time or a function of it, in the rest at most with a lower power.
 struct LawByBase {
@@ -87,29 +89,63 @@ std::optional<Sum> by_name(Sum sum, const SymbolPointer& name, const LawByBase& 
       }
       lower += term * others * base;
     }
+    if (lower.size() > most_growth * (sum.size() + 1)) return std::nullopt;
     sum = std::move(lower);
     if (!found) return sum;
   }
   return std::nullopt;
 }
 
-double reading_length(const Sum& sum);
+std::size_t reading_length(const Sum& sum);
 
-/// What a reader has to read of a factor, divisions with their weight.
-double reading_length(const Power& power) {
-  double base = 1;
-  if (power.base->kind == Base::Kind::function || power.base->kind == Base::Kind::group) base += reading_length(power.base->inside);
+/// What a reader has to read of a factor.
+std::size_t reading_length(const Power& power) {
+  std::size_t base = 1;
+  if (power.base->kind == Base::Kind::function || power.base->kind == Base::Kind::group) {
+    base += reading_length(power.base->inside);
+  }
   for (const Sum& other : power.base->others) base += reading_length(other);
-  return (base + (power.halves < 0 ? weight_of_division : 0)) * std::abs(power.halves) / 2;
+  return base * static_cast<std::size_t>(std::abs(power.halves));
 }
 
-double reading_length(const Sum& sum) {
-  double total = 0;
+std::size_t reading_length(const Sum& sum) {
+  std::size_t total = 0;
   for (const auto& [product, coefficient] : sum.terms()) {
-    total += 1;
+    total += 2;
     for (const Power& power : product) total += reading_length(power);
   }
   return total;
+}
+
+/// The lowest exponent of a base in a sum, in halves, 0 at most.
+int lowest_halves(const Sum& sum, const Base& base) {
+  int lowest = 0;
+  for (const auto& [product, coefficient] : sum.terms()) lowest = std::min(lowest, without(product, base).second);
+  return lowest;
+}
+
+/// Whether `shorter` divides by nothing that `sum` does not divide by as often.
+bool divides_no_more(const Sum& shorter, const Sum& sum) {
+  for (const auto& [product, coefficient] : shorter.terms()) {
+    for (const Power& power : product) {
+      if (power.halves < 0 && power.halves < lowest_halves(sum, *power.base)) return false;
+    }
+  }
+  return true;
+}
+
+/// The sum by the factors that are neither constants nor functions of time: what stands with each of them.
+std::map<Product, Sum, ProductOrder> by_other_factors(const Sum& sum) {
+  std::map<Product, Sum, ProductOrder> parts;
+  for (const auto& [product, coefficient] : sum.terms()) {
+    Product others, of_time;
+    for (const Power& power : product) {
+      const bool inner = power.base->level <= Level::parameter || depends_on_time(*power.base);
+      (inner ? of_time : others).push_back(power);
+    }
+    parts[others].add(of_time, coefficient);
+  }
+  return parts;
 }
 
 }  // namespace
@@ -134,11 +170,24 @@ Sum DrivenCoordinates::named_in_angle(Sum angle) const {
 }
 
 Sum DrivenCoordinates::named(Sum sum) const {
-  for (const auto& [name, law] : laws_) {
-    const std::optional<LawByBase> base = by_base(law);
-    if (!base) continue;
-    std::optional<Sum> shorter = by_name(sum, name, *base);
-    if (shorter && shorter->size() <= sum.size() && reading_length(*shorter) < reading_length(sum)) sum = std::move(*shorter);
+  if (laws_.empty()) return sum;
+  for (bool changed = true; changed && depends_on_time(sum);) {
+    changed = false;
+    Sum whole;
+    for (auto& [others, part] : by_other_factors(sum)) {
+      std::optional<Sum> best;
+      for (const auto& [name, law] : laws_) {
+        const std::optional<LawByBase> base = by_base(law);
+        std::optional<Sum> shorter = base && depends_on_time(part) ? by_name(part, name, *base) : std::nullopt;
+        if (!shorter || shorter->size() > part.size() || !divides_no_more(*shorter, part)) continue;
+        if (reading_length(*shorter) < reading_length(best ? *best : part)) best = std::move(shorter);
+      }
+      changed = changed || best;
+      Sum factor;
+      factor.add(others, Number(1));
+      whole += (best ? *best : part) * factor;
+    }
+    sum = std::move(whole);
   }
   return sum;
 }

@@ -12,7 +12,7 @@ namespace torsor::printing {
 /// L_0² − 2 L_0 v t + v² t². Rates and accelerations are laws too: ψ'² for A² Ω² cos² Ω t.
 class DrivenCoordinates {
  public:
-  /// Laws that come earlier are looked for first.
+  /// Of laws that are as short in a sum the earlier one is taken.
   void add(SymbolPointer name, Sum law) { laws_.emplace_back(std::move(name), std::move(law)); }
 
   /// The angle of a sine or a cosine: a law that is in it as a whole becomes its name.

@@ -119,9 +119,9 @@ InlineView::InlineView(Program& program, const InlineLimits& limits, const Scene
     list(coordinate.v, rate(*coordinate.law));
     list(coordinate.a, rate(rate(*coordinate.law)));
   }
-  for (auto law = named.rbegin(); law != named.rend(); ++law) {  // ψ'' = −A Ω² sin Ω t before ψ = A sin Ω t
-    named_values_[symbol(law->name)] = law->value;
-    driven_.add(law->name, std::move(law->written));
+  for (Law& law : named) {
+    named_values_[symbol(law.name)] = law.value;
+    driven_.add(law.name, std::move(law.written));
   }
 }
 

@@ -47,7 +47,9 @@ struct PlaceOrder {
 using Coefficients = std::map<Place, Sum, PlaceOrder>;
 
 /// Nothing where it is no sum of velocities times factors.
-std::optional<Coefficients> coefficients(const Sum& left, const LagrangeEquations& equations) {
+std::optional<Coefficients> coefficients(const Sum& left, LagrangeEquations& equations) {
+  // Rates of driven coordinates are functions of time.
+  const auto is_driven = [&](const Base& base) { return base.kind == Base::Kind::symbol && equations.view().law(base.symbol); };
   Coefficients result;
   for (const auto& [product, number] : left.terms()) {
     Place place;
@@ -55,7 +57,7 @@ std::optional<Coefficients> coefficients(const Sum& left, const LagrangeEquation
     for (const Power& power : product) {
       if (power.base->level <= Level::definition) {
         factor.push_back(power);
-      } else if (power.base->level == Level::configuration) {
+      } else if (power.base->level == Level::configuration || is_driven(*power.base)) {
         place.configuration.push_back(power);
       } else {
         if (power.base->kind != Base::Kind::symbol || power.halves != 2) return std::nullopt;

@@ -12,7 +12,7 @@ namespace torsor {
 std::string written_unit(const Unit& unit);
 
 /// That of a symbol: as its author wrote it, if somebody did ("N m/rad" has the dimension of "N m"). A coordinate without a
-/// dimension is else an angle in rad, unless it belongs to a quaternion.
+/// dimension is otherwise an angle in rad, unless it belongs to a quaternion.
 std::string written_unit(const Symbol& symbol);
 
 }  // namespace torsor

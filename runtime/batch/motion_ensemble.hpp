@@ -66,7 +66,7 @@ struct MemberMotion {
   std::vector<StateVector<M>> states;
 };
 
-/// What an ensemble of motions keeps of how many members.
+/// How many members an ensemble has, and what it keeps of each.
 template <class Scalar>
 struct EnsemblePlan {
   std::uint64_t count = 0;      ///< of members

@@ -57,11 +57,7 @@ struct ContactSelection {
 
  private:
   static constexpr std::size_t at(int i) noexcept { return static_cast<std::size_t>(i); }
-  PerContact<int> place_ = [] {
-    PerContact<int> none{};
-    none.fill(-1);
-    return none;
-  }();
+  PerContact<std::optional<int>> place_{};
 };
 
 }  // namespace torsor::runtime

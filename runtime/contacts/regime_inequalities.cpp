@@ -109,7 +109,9 @@ RegimeInequalities::Room RegimeInequalities::find(RegimeSystem& system, double m
         const double missing = margin - left / size;
         if (!(size > 0 && missing > 0)) continue;
         ContactVector row = ContactVector::Zero(n), turn = row;
-        if (const std::optional<int> pressing = problem_.pressing_row(i)) row += law.static_friction * R.row(*pressing).transpose();
+        if (const std::optional<int> pressing = problem_.pressing_row(i)) {
+          row += law.static_friction * R.row(*pressing).transpose();
+        }
         const auto bearing = problem_.bearing(i, r);
         for (int j = 0, own = problem_.bearing_row(i); j < law.bearing && N > 0; ++j, ++own) {
           row += law.static_friction * bearing[as(j)] / N * (problem_.S.row(own) * R).transpose();

@@ -140,9 +140,11 @@ double RegimeSystem::turn_bearings() noexcept {
 
 int RegimeSystem::row_of(int unknown) const noexcept {
   if (rows_[as(unknown)]) return *rows_[as(unknown)];
-  int of_bearing = 0;
-  while (!slides_in_bearing(of_bearing) || column_[as(of_bearing)] != unknown) ++of_bearing;
-  return problem_.tangent_row(of_bearing);
+  // A column without a row is the reaction that a sliding bearing adds.
+  int contact = 0;
+  const auto is_of = [&](int i) { return slides_in_bearing(i) && column_[as(i)] == unknown; };
+  while (contact + 1 < problem_.count && !is_of(contact)) ++contact;
+  return problem_.tangent_row(contact);
 }
 
 ContactVector RegimeSystem::over_units() const noexcept {

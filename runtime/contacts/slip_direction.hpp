@@ -6,7 +6,7 @@
 
 namespace torsor::runtime {
 
-/// Motions across the directions of `count` slips, the contacts `who`, and their slopes as these directions turn.
+/// Motions across the directions of the slips of the contacts `who`, and their slopes as these directions turn.
 struct SlipsAcross {
   SlipsAcross(const ContactProblem& problem, const RegimeSystem& system, const ContactVector& motion,
               std::span<const int> who) noexcept;

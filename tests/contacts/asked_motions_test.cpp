@@ -95,5 +95,16 @@ TEST(AskedMotions, WithoutALengthAreWhereTheyBegan) {
   EXPECT_EQ(y, (std::array{1.0, -1.0}));
 }
 
+TEST(AskedMotions, ThatNoContactEndsNameNone) {
+  std::array<double, 2> y{1, -1};
+  const auto fallen = integrate_contacts(ball(0.5), y, 0, 0.1);
+  ASSERT_TRUE(fallen);
+  EXPECT_FALSE(fallen.contact);
+  const auto falling = ball(0.5);
+  MoreauJean scheme(falling);
+  ASSERT_TRUE(scheme.step(0.1, 1e-3, y));
+  EXPECT_FALSE(scheme.contact());
+}
+
 }  // namespace
 }  // namespace asked_motions_test

@@ -50,6 +50,19 @@ TEST(FmiUnit, NamesWhatTheSceneDoesNotHave) {
   EXPECT_EQ(message_of(block_on_rail(false), {{}, {}, {"x"}}), "the scene 'block_on_rail' releases no coordinate 'x'");
 }
 
+TEST(FmiUnit, GivesRatesOfRatiosAndOfQuaternionsNoAngles) {
+  Scene scene("ball", "");
+  const Expression s = scene.coordinate("s", "1"), metre = Expression::quantity("1", "m"), kg = Expression::quantity("1", "kg");
+  scene.body("ball", scene.spherical("ball", "ground", scene.attitude("e")), Inertia::solid_sphere(kg, metre));
+  scene.body("slide", scene.prismatic("slide", "ground", axis::x, metre * s), Inertia::point(kg));
+  const std::string text = fmi_description(lower_unit(scene, FmiVersion::two));
+  for (const std::string name : {"der(q.e_w)", "der(q.s)"}) {
+    const std::size_t at = text.find("name=\"" + name + "\"");
+    ASSERT_NE(at, std::string::npos) << text;
+    EXPECT_NE(text.substr(at, text.find("</ScalarVariable>", at) - at).find("unit=\"1/s\""), std::string::npos) << text;
+  }
+}
+
 TEST(FmiUnit, HasTheKernelsThatItsOutputsNeedAndNoOthers) {
   const auto kernels = [](const FmiUnit& unit) {
     std::vector<std::string> names;

@@ -127,6 +127,25 @@ Scene axle(bool one_turns_twice_as_fast) {
   return scene;
 }
 
+TEST(IntegrableConditions, AreFoundInCombinationsBesideALawOfTime) {
+  for (const bool swings : {false, true}) {
+    Scene scene("drums", "");
+    const Expression R = scene.parameter("R", "m", 0.3_r), b = scene.parameter("b", "m", 0.2_r), m = scene.parameter("m", "kg", 2);
+    const Expression A = scene.parameter("A", "rad", 0.5_r), w = scene.parameter("omega", "rad/s", 3);
+    const Expression x = scene.coordinate("x", "m"), psi = scene.coordinate("psi", "rad");
+    const Expression one = scene.coordinate("one", "rad"), other = scene.coordinate("other", "rad");
+    scene.drive(psi, swings ? A * sin(w * scene.time()) : w * scene.time());
+    scene.initial(x, 0, b * (swings ? A * w : w));
+    scene.body("cart", scene.prismatic("cart", "ground", axis::x, x), Inertia::point(m));
+    for (const auto& [name, angle] : {std::pair("one", one), std::pair("other", other)}) {
+      scene.body(name, scene.revolute(name, "ground", axis::y, angle), Inertia::disk(m, R, 1));
+      scene.nonholonomic(std::string("belt_") + name, rate(x) - R * rate(angle) - b * rate(psi) * cos(psi));
+    }
+    const std::string page = print_equations(scene, Format::text, {});
+    EXPECT_TRUE(has(page, "constant = one - other    (belt_one, belt_other are integrable together)")) << page;
+  }
+}
+
 TEST(IntegrableConditions, AreFoundInCombinationsOfWheels) {
   const std::string page = print_equations(axle(false), Format::text, {});
   EXPECT_TRUE(has(page, "constant = r (left - right) + 2 b psi    (rolls_left, rolls_right are integrable together)")) << page;

@@ -43,7 +43,7 @@ ValueMatrix transposed(const ValueMatrix& x, std::size_t columns) {
 /// Solves the first constraints of the order of elimination for the dependent freedoms.
 class DependentFreedoms {
  public:
-  /// Of the first `count`, which are some.
+  /// Of the first `count` constraints of the elimination, at least one.
   DependentFreedoms(Program& program, const ValueMatrix& rows, const IndependentFreedoms& freedoms, std::size_t count)
       : program_(program),
         freedoms_(freedoms),

@@ -22,7 +22,7 @@ InverseOperationalInertia from_parent(const BodyTree& tree, const Link& link, co
 InverseOperationalInertia with_joint(Program& program, const Link& link, const ArticulatedJoint& joint,
                                      const InverseOperationalInertia& before);
 
-/// A link's before its joint moves, and after: with_joint's.
+/// The inverse inertia of a link before its joint moves, and after, as `with_joint` gives it.
 struct InertiaAcrossJoint {
   const InverseOperationalInertia &before, &after;
 };
