@@ -122,10 +122,10 @@ class MjcfBuilder {
   const MjcfModel& model_;
   const MjcfOptions& options_;
   UrdfChanges changes_;
+  FileIdentifiers identifiers_;  // before the scene, whose name is one
   Scene scene_;
   std::vector<std::pair<std::string, std::vector<std::string>>> notes_;  ///< kinds, and the parts of each
   std::vector<std::string> data_;  ///< what is stated of joints and actuators, for the head
-  FileIdentifiers identifiers_;
   std::vector<std::string> frames_;  ///< by body
   std::map<int, std::string> site_frames_;
   std::map<int, PointHandle> site_points_;

@@ -387,8 +387,8 @@ class SceneBuilder {
   SettledBase root_;
   std::map<std::string, UrdfDisplacement> displacements_of_joints_;
   std::map<std::string, std::set<std::string>> coordinates_;  ///< their names, by joint
+  FileIdentifiers identifiers_;  // before the scene, whose name is one
   Scene scene_;
-  FileIdentifiers identifiers_;
   std::vector<UrdfJointData> data_;
   std::map<std::string, std::string> frames_;        ///< by link
   std::map<std::string, std::string> names_;         ///< by joint that moves
