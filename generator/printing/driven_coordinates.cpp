@@ -6,21 +6,13 @@
 #include <cstdlib>
 #include <map>
 #include <optional>
+#include <utility>
 
 namespace torsor::printing {
 namespace {
 
 constexpr int highest_power = 8;  // of a law in a sum: beyond it nobody sees the powers of a binomial
 constexpr std::size_t most_growth = 16;  // of the terms of a sum while a law is put in
-
-/// law = rest + slope · base^(halves/2): the base is time or a function of it, in the rest at most with a lower power.
-struct LawByBase {
-  BasePointer base;
-  int halves = 2;
-  Number coefficient;  ///< of the slope
-  Product slope;
-  Sum rest;
-};
 
 bool depends_on_time(const Base& base) {
   if (base.symbol) return base.symbol->kind == SymbolKind::time;
@@ -154,8 +146,19 @@ bool depends_on_time(const Sum& sum) {
   return std::any_of(sum.terms().begin(), sum.terms().end(), [](const auto& term) { return depends_on_time(term.first); });
 }
 
+void DrivenCoordinates::add(SymbolPointer name, Sum law, bool stands) {
+  std::optional<LawByBase> base = stands ? by_base(law) : std::nullopt;
+  laws_.push_back({std::move(name), std::move(law), stands, std::move(base)});
+}
+
+std::optional<Sum> DrivenCoordinates::law(const SymbolPointer& name) const {
+  const auto of = std::find_if(laws_.begin(), laws_.end(), [&](const Law& each) { return each.name == name; });
+  return of == laws_.end() ? std::nullopt : std::optional(of->written);
+}
+
 Sum DrivenCoordinates::named_in_angle(Sum angle) const {
-  for (const auto& [name, law] : laws_) {
+  for (const auto& [name, law, stands, base] : laws_) {
+    if (!stands) continue;
     const auto& [first, coefficient] = *law.terms().begin();
     const auto place = angle.terms().find(first);
     if (place == angle.terms().end()) continue;
@@ -176,8 +179,7 @@ Sum DrivenCoordinates::named(Sum sum) const {
     Sum whole;
     for (auto& [others, part] : by_other_factors(sum)) {
       std::optional<Sum> best;
-      for (const auto& [name, law] : laws_) {
-        const std::optional<LawByBase> base = by_base(law);
+      for (const auto& [name, law, stands, base] : laws_) {
         std::optional<Sum> shorter = base && depends_on_time(part) ? by_name(part, name, *base) : std::nullopt;
         if (!shorter || shorter->size() > part.size() || !divides_no_more(*shorter, part)) continue;
         if (reading_length(*shorter) < reading_length(best ? *best : part)) best = std::move(shorter);

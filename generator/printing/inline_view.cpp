@@ -103,31 +103,26 @@ InlineView::InlineView(Program& program, const InlineLimits& limits, const Scene
     GiNaC::ex value;
     Sum written;
   };
-  std::vector<Law> named;
+  std::vector<Law> laws;  // all are written before one has a name
+  // Whether it is listed, and longer than its name.
   const auto list = [&](const SymbolPointer& name, const Expression& law) {
     const std::optional<GiNaC::ex> value = expression_to_read(program.lower(law));
     const std::optional<Sum> written = value ? bounded_sum(*value) : std::nullopt;
-    if (!written || (name->kind != SymbolKind::coordinate && !depends_on_time(*written))) return;
-    if (name->kind == SymbolKind::coordinate || is_long(*written)) laws_.emplace_back(name, *written);
-    if (is_long(*written)) named.push_back({name, *value, *written});
+    if (!written) return false;
+    const bool is_rate = name->kind != SymbolKind::coordinate;
+    if (!is_rate || (is_long(*written) && depends_on_time(*written))) laws.push_back({name, *value, *written});
+    return is_long(*written);
   };
   for (const CoordinateContent& coordinate : scene.coordinates) {
-    if (!coordinate.law) continue;
-    const std::size_t before = named.size();
-    list(coordinate.q, *coordinate.law);
-    if (named.size() == before) continue;  // of rates that are constants, or past a limit
+    if (!coordinate.law || !list(coordinate.q, *coordinate.law)) continue;
     list(coordinate.v, rate(*coordinate.law));
     list(coordinate.a, rate(rate(*coordinate.law)));
   }
-  for (Law& law : named) {
-    named_values_[symbol(law.name)] = law.value;
-    driven_.add(law.name, std::move(law.written));
+  for (Law& law : laws) {
+    const bool stands = is_long(law.written);
+    if (stands) named_values_[symbol(law.name)] = law.value;
+    driven_.add(law.name, std::move(law.written), stands);
   }
-}
-
-std::optional<Sum> InlineView::law(const SymbolPointer& name) const {
-  const auto law = std::find_if(laws_.begin(), laws_.end(), [&](const auto& one) { return one.first == name; });
-  return law == laws_.end() ? std::nullopt : std::optional(law->second);
 }
 
 double InlineView::term_bound(const Value& value) { return term_bound(value.polynomial()); }

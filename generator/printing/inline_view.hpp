@@ -34,7 +34,7 @@ class InlineView {
   InlineView(Program& program, const InlineLimits& limits, const SceneContent& scene);
   /// The law of a driven coordinate, its rate or its acceleration, to be listed; nothing when it is past a limit, or when a
   /// rate has no name in formulas.
-  std::optional<Sum> law(const SymbolPointer& name) const;
+  std::optional<Sum> law(const SymbolPointer& name) const { return driven_.law(name); }
 
   const InlineLimits& limits() const { return limits_; }
 
@@ -77,8 +77,7 @@ class InlineView {
   const Program* program_;
   InlineLimits limits_;
   PositiveSymbols positive_;
-  std::vector<std::pair<SymbolPointer, Sum>> laws_;  ///< of driven coordinates and their rates, that a page can list
-  DrivenCoordinates driven_;                         ///< those that stand by their names
+  DrivenCoordinates driven_;
   std::vector<NamedProduct> products_;
   std::vector<std::size_t> in_use_;
   GiNaC::exmap named_values_;  ///< of named products and driven coordinates; applied, never iterated
