@@ -33,7 +33,9 @@ class Collector {
     const Value elongation = model_.of_configuration(spring.elongation, "the elongation of spring '" + spring.name + "'");
     const Value stretch = program_.bind(elongation - program_.lower(spring.rest));
     const Value force = program_.bind(-(k * stretch));
-    work_with(spring.elongation, force, result_.passive);
+    work_with(spring.elongation, force);
+    work_with(spring.rest, -force);
+    work_with(spring.stiffness, Number::rational(-1, 2) * pow(stretch, 2));
     result_.spring_force_function -= Number::rational(1, 2) * (k * pow(stretch, 2));
   }
 
@@ -41,7 +43,7 @@ class Collector {
     const Value elongation = model_.of_configuration(damper.elongation, "the elongation of damper '" + damper.name + "'");
     const Value speed = program_.bind(time_derivative(elongation));
     const Value force = program_.bind(-(program_.lower(damper.damping) * speed));
-    work_with(damper.elongation, force, result_.passive);
+    work_with(damper.elongation, force);
     dissipative(damper.name, force * speed);
   }
 
@@ -61,14 +63,17 @@ class Collector {
     const auto [at_a, at_b] = pair_of_places(spring.a, spring.b, user);
     const Value square = program_.bind(dot(at_a.to_other, at_a.to_other));
     Value tension_by_length = k;  // tension / |AB|: no square root when the spring has no natural length
-    if (rest.is_zero()) {
-      result_.spring_force_function -= Number::rational(1, 2) * (k * square);
-    } else {
+    Value stretch_square = square;
+    if (!rest.is_zero()) {
       const Value length = program_.sqrt(square);
       const Value inverse = program_.bind(pow(length, -1));
       tension_by_length = program_.bind(k - k * rest * inverse);
-      result_.spring_force_function -= Number::rational(1, 2) * (k * pow(program_.bind(length - rest), 2));
+      const Value stretch = program_.bind(length - rest);
+      work_with(spring.rest, k * stretch);
+      stretch_square = pow(stretch, 2);
     }
+    work_with(spring.stiffness, Number::rational(-1, 2) * stretch_square);
+    result_.spring_force_function -= Number::rational(1, 2) * (k * stretch_square);
     pull(at_a, tension_by_length);
     pull(at_b, tension_by_length);
   }
@@ -124,7 +129,7 @@ class Collector {
     const std::string user = "generalised force '" + given.name + "'";
     refuse_released(given.displacement, user);
     const Value force = program_.bind(of_state(given.force, user));
-    work_with(given.displacement, force, result_.passive);
+    work_with(given.displacement, force);
     const Value displacement = model_.of_configuration(given.displacement, "the displacement of " + user);
     const Value speed = program_.bind(time_derivative(displacement));
     dissipative(given.name, force * speed);
@@ -136,6 +141,7 @@ class Collector {
     const auto [at_a, at_b] = pair_of_places(attraction.a, attraction.b, user);
     const Value distance = program_.sqrt(program_.bind(dot(at_a.to_other, at_a.to_other)));
     const Value inverse = program_.bind(pow(distance, -1));
+    work_with(attraction.strength, inverse);
     result_.spring_force_function += k * inverse;
     const Value by_length = program_.bind(k * pow(inverse, 3));
     pull(at_a, by_length);
@@ -311,10 +317,12 @@ class Collector {
     dissipative(name, reciprocal_product(wrench, twists_[static_cast<std::size_t>(link)]));
   }
 
-  void work_with(const Expression& displacement, const Value& force, std::vector<Value>& generalized) {
-    const std::vector<Value> partials = model_.partials(displacement);
+  /// Q_i = force ∂(formula)/∂q_i. The formula is a displacement, or a coefficient of an action that has a force function:
+  /// the force is then ∂U/∂(coefficient), so that the action is −grad of the energy that is printed for it.
+  void work_with(const Expression& formula, const Value& force) {
+    const std::vector<Value> partials = model_.partials(formula);
     for (std::size_t i = 0; i < partials.size(); ++i) {
-      if (!partials[i].is_zero()) generalized[i] += force * partials[i];
+      if (!partials[i].is_zero()) result_.passive[i] += force * partials[i];
     }
   }
 
@@ -336,16 +344,22 @@ bool has_force_function(const ActionContent& action) {
          std::holds_alternative<GivenForceFunction>(action) || std::holds_alternative<Gravitation>(action);
 }
 
-bool has_moving_end(const Model& model, const ActionContent& action) {
+bool works_on_formula(const Model& model, const ActionContent& action) {
   const auto moves = [&](const PointReference& reference) {
     const std::string user = "action '" + name_of(action) + "'";
     const PointContent& point = model.scene().points[static_cast<std::size_t>(model.scene().point_index(reference, user))];
     return moves_in_frame(model.program(), model.locate(reference, model.place(point.frame, user).link, user));
   };
+  const auto varies = [&](const Expression& coefficient) {
+    const std::vector<Value> partials = model.partials(coefficient);
+    return std::any_of(partials.begin(), partials.end(), [](const Value& partial) { return !partial.is_zero(); });
+  };
   const auto either = [&](const auto& mutual) { return moves(mutual.a) || moves(mutual.b); };
-  if (const auto* spring = std::get_if<PointSpring>(&action)) return either(*spring);
+  if (const auto* spring = std::get_if<PointSpring>(&action)) {
+    return either(*spring) || varies(spring->stiffness) || varies(spring->rest);
+  }
   if (const auto* damper = std::get_if<PointDamper>(&action)) return either(*damper);
-  if (const auto* attraction = std::get_if<Gravitation>(&action)) return either(*attraction);
+  if (const auto* attraction = std::get_if<Gravitation>(&action)) return either(*attraction) || varies(attraction->strength);
   return false;
 }
 

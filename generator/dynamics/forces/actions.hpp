@@ -14,8 +14,8 @@ namespace torsor {
 /// What the actions of a scene do, gravity apart (the recursions carry it).
 struct AppliedActions {
   /// Generalised forces Q_i of what works on a formula (springs, dampers and efforts on an elongation, given force
-  /// functions; with the motion of an end in its frame), for every coordinate of the model (released ones last). All else
-  /// is in `wrenches`.
+  /// functions; with the motion of an end in its frame, and with a coefficient that depends on coordinates), for every
+  /// coordinate of the model (released ones last). All else is in `wrenches`.
   std::vector<Value> passive;
   /// ∂(displacement of motor k)/∂q_i: Q_i = Σ_k inputs[k][i] u_k. One list per input.
   std::vector<std::vector<Value>> inputs;
@@ -37,10 +37,12 @@ enum class ActionKind { all, without_force_function };
 /// Springs, mutual gravitation and given force functions.
 bool has_force_function(const ActionContent& action);
 
-/// Whether a spring, damper or attraction ends on a point that moves in its frame: a massless slider, a point of contact.
-/// With F the force on the point, Q_i = F · ∂P/∂q_i: that of F on the frame's body where the point is, which `wrenches`
-/// holds, and F · ∂p/∂q_i of its components p in the frame, which `passive` holds.
-bool has_moving_end(const Model& model, const ActionContent& action);
+/// Whether an action between points works on formulas too, which `passive` holds.
+/// * An end moves in its frame: a massless slider, a point of contact. With F the force on the point, Q_i = F · ∂P/∂q_i:
+///   that of F on the frame's body where the point is, which `wrenches` holds, and F · ∂p/∂q_i of its components p in the
+///   frame.
+/// * A stiffness k, a natural length or a strength depends on coordinates: Q_i = ∂U/∂k ∂k/∂q_i.
+bool works_on_formula(const Model& model, const ActionContent& action);
 
 /// Throws SceneError when an action cannot act: on the ground, within one rigid body, by a formula of accelerations.
 AppliedActions applied_actions(const Model& model, ActionKind kind = ActionKind::all);

@@ -58,7 +58,7 @@ class Gatherer {
     refuse_unknown(query_.bodies, bodies, "body");
     if (query_.bodies.empty()) return;
     for (const ActionContent& action : scene.actions) {
-      if (!wanted(name_of(action)) || (has_ends(action) && !has_moving_end(model_, action))) continue;
+      if (!wanted(name_of(action)) || (has_ends(action) && !works_on_formula(model_, action))) continue;
       throw SceneError(
           fmt::format("the action '{}' works on a formula, and its share on one body is not known: ask for it "
                       "without bodies, or write it between points",

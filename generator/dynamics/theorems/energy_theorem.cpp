@@ -164,7 +164,7 @@ Value action_power(const Equations& equations, const std::string& name, const Fr
   const int reference = model.place(observer, user).link;
   const AppliedActions one = applied_actions(model, [&](const ActionContent& other) { return &other == &*action; });
   Value sum;
-  if (one.wrenches.empty() || has_moving_end(model, *action)) {  // it works on a formula
+  if (one.wrenches.empty() || works_on_formula(model, *action)) {  // it works on a formula
     if (!has_force_function(*action)) return one.power;
     if (!std::holds_alternative<GivenForceFunction>(*action)) return time_derivative(one.spring_force_function);
     for (std::size_t i = 0; i < one.passive.size(); ++i) sum += one.passive[i] * model.v(static_cast<int>(i));
