@@ -143,6 +143,12 @@ void Scene::drive(const Expression& formula, const Expression& law) {
                                 coordinate.q->name, coordinate.q->unit.to_string(), law.to_string(),
                                 law.unit().to_string()));
   }
+  const auto& independent = content_.independent;
+  if (std::find(independent.begin(), independent.end(), coordinate.q) != independent.end()) {
+    throw SceneError(fmt::format("coordinate '{}' is named in independent(...) and cannot follow a law of time: name an "
+                                 "unknown one there",
+                                 coordinate.q->name));
+  }
   if (const std::string through = followed(content_, law, coordinate); !through.empty()) {
     throw SceneError(fmt::format("coordinate '{0}' cannot follow the law {1}: that depends on {2}; write the law without "
                                  "'{0}', as a formula of time and of coordinates that do not follow it",

@@ -81,6 +81,10 @@ EvaluatedMotion::EvaluatedMotion(const Scene& scene, const ModelOptions& options
     values_[input.get()] = given == inputs.end() ? 0.0 : given->second;
   }
   values_[content.time.get()] = 0.0;
+  for (const CoordinateContent& c : content.coordinates) {
+    if (!c.released) continue;
+    for (const SymbolPointer& held : {c.q, c.v, c.a}) values_[held.get()] = 0.0;
+  }
   for (const ParameterContent& parameter : content.parameters) {
     const auto given = parameters.find(parameter.symbol->name);
     if (given == parameters.end() && !parameter.value) {
@@ -131,7 +135,10 @@ void EvaluatedMotion::move_to(double t, const std::vector<double>& y) {
   here_.move_to([this](const SymbolPointer& symbol) {
     if (symbol->kind == SymbolKind::pi) return std::numbers::pi;
     const auto place = values_.find(symbol.get());
-    return place == values_.end() ? 0.0 : place->second;  // released coordinates
+    if (place != values_.end()) return place->second;
+    throw SceneError(fmt::format("the motion of '{}' needs '{}', which is no part of its state: give formulas of coordinates, "
+                                 "their rates, time and parameters",
+                                 equations_.scene().name(), symbol->name));
   });
 }
 

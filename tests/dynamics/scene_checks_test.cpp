@@ -2,6 +2,8 @@
 // What a scene says of its joints, contacts and initial state is refused when it is not so.
 #include "torsor/generator/dynamics/equations/scene_checks.hpp"
 
+#include <functional>
+
 #include <gtest/gtest.h>
 
 #include "torsor/generator/dynamics/equations/validation.hpp"
@@ -106,6 +108,78 @@ TEST(Friction, IsRefusedWithANegativeCoefficient) {
       "friction 'friction' has the coefficient -1/5 = -0.2 and must not have a negative one: its force would push "
       "along the slip; turn the direction instead");
   EXPECT_TRUE(refusal(sliding_block(-0.2_r, true)).starts_with("friction 'friction' has the coefficient "));
+}
+
+TEST(Friction, IsRefusedWhereItDependsOnMoreThanTheState) {
+  Block block;
+  block.slide(rate(rate(block.x)) / quantity("100", "m/s^2") + 0.2_r, axis::x);
+  EXPECT_TRUE(refusal(block.scene).starts_with("the coefficient of friction 'slide' depends on the acceleration 'x''' through"))
+      << refusal(block.scene);
+  Block pushed;
+  const Expression u = pushed.scene.motor("push", pushed.x);
+  pushed.slide(u / quantity("1", "N"), axis::x);
+  EXPECT_TRUE(refusal(pushed.scene).starts_with("the coefficient of friction 'slide' depends on the input 'push' through"))
+      << refusal(pushed.scene);
+}
+
+TEST(Friction, IsRefusedWhereTheMultiplierIsNoNormalForce) {
+  const auto refused = [](const std::function<Expression(const Block&)>& left, const Triple& direction) {
+    Block block;
+    const ConstraintHandle table = block.scene.holonomic("table", left(block));
+    block.scene.sliding_friction("slide", table,
+                                 {.coefficient = 0.2_r, .body = block.block, .point = block.contact, .direction = direction,
+                                  .axes = block.scene.ground()});
+    return refusal(block.scene);
+  };
+  const auto slope = [](const Block& b) { return 0.6_r * b.x + 0.8_r * b.z; };
+  EXPECT_EQ(refused(slope, {4, 0, -3}), "no error");
+  EXPECT_EQ(refused(slope, axis::y), "no error");
+  EXPECT_EQ(refused([&](const Block& b) { return 2 * slope(b); }, axis::y),
+            "friction 'slide' needs the normal force of its contact, and the multiplier of constraint 'table' is 0.5 times that "
+            "in the initial configuration: write the constraint as the distance itself, with a rate of 1 along the normal");
+  EXPECT_EQ(refused(slope, axis::x),
+            "the direction of friction 'slide' is not across the normal of constraint 'table' in the initial configuration: "
+            "friction acts in the tangential plane; give a direction in it");
+}
+
+TEST(Friction, IsRefusedAtAPointWhereItsNormalForceIsNot) {
+  Scene scene("wheel");
+  const Expression z = scene.coordinate("z", "m"), turn = scene.coordinate("turn", "rad"), x = scene.coordinate("x", "m");
+  const FrameHandle lift = scene.prismatic("lift", scene.prismatic("slide", scene.ground(), axis::x, x), axis::z, z);
+  const FrameHandle wheel = scene.revolute("wheel", lift, axis::y, turn);
+  scene.body("wheel", wheel, Inertia::disk(kilograms("1"), metres("1"), 1));
+  const ConstraintHandle floor = scene.holonomic("floor", z);
+  const PointHandle below = scene.point("below", lift, {0, 0, metres("-1")});
+  const PointHandle beside = scene.point("beside", lift, {metres("1"), 0, 0});
+  const auto sliding_at = [&](const PointHandle& point) {
+    Scene tried = scene;
+    tried.sliding_friction("slide", floor,
+                           {.coefficient = 0.2_r, .body = wheel, .point = point, .direction = axis::x, .axes = tried.ground()});
+    return refusal(tried);
+  };
+  EXPECT_EQ(sliding_at(below), "no error");
+  EXPECT_EQ(sliding_at(beside),
+            "friction 'slide' takes the multiplier of constraint 'floor' for the normal force at its point, and no force there "
+            "does what that multiplier does to 'turn'': give the point at which the constraint's force acts");
+}
+
+TEST(InitialValue, IsRefusedAsAFormulaOfTheState) {
+  Scene scene = pendulum();
+  const Expression a = scene.coordinate("a", "rad"), b = scene.coordinate("b", "rad");
+  scene.body("wheel", scene.revolute("wheel", "arm", axis::z, a), Inertia::disk(kilograms("1"), metres("1"), 2));
+  scene.body("second", scene.revolute("second", "arm", axis::z, b), Inertia::disk(kilograms("1"), metres("1"), 2));
+  scene.initial(b, 5);
+  scene.initial(a, 2 * b);
+  EXPECT_EQ(refusal(scene),
+            "the initial value of 'a' depends on the coordinate 'b' through 2*b: give a formula of parameters");
+}
+
+TEST(IndependentCoordinate, IsRefusedALawOfTime) {
+  Scene scene("cart");
+  const Expression x = scene.coordinate("x", "m");
+  scene.independent({x});
+  EXPECT_EQ(error_of<SceneError>([&] { scene.drive(x, quantity("0.1", "m/s") * scene.time()); }),
+            "coordinate 'x' is named in independent(...) and cannot follow a law of time: name an unknown one there");
 }
 
 TEST(Rolling, OfABodyOnItselfIsRefused) {

@@ -72,6 +72,14 @@ class DependenceCheck {
     for (const Expression& component : g) require("gravity", component, Allowed::time);
     for (const CoordinateContent& c : scene_.coordinates) {
       if (c.law) require("the law of coordinate '" + c.q->name + "'", *c.law, Allowed::configuration);
+      const std::string of = " of '" + (c.attitude ? c.v : c.q)->name + "'";
+      if (c.initial_value) require("the initial value" + of, *c.initial_value, Allowed::parameters);
+      if (c.initial_rate) require("the initial rate" + of, *c.initial_rate, Allowed::parameters);
+    }
+    for (const AttitudeContent& attitude : scene_.attitudes) {
+      if (!attitude.initial) continue;
+      const std::string what = "the initial attitude '" + attitude.name + "'";
+      for (const Expression& e : *attitude.initial) require(what, e, Allowed::parameters);
     }
     for (const FrameContent& frame : scene_.frames) {
       const std::string joint = "joint '" + frame.name + "'";
@@ -91,6 +99,12 @@ class DependenceCheck {
     for (const ConstraintContent& constraint : scene_.constraints) {
       user_ = "constraint '" + constraint.name + "'";
       std::visit(*this, constraint.law);
+    }
+    for (const ContactFriction& friction : scene_.frictions) {
+      const std::string name = "friction '" + friction.name + "'";
+      require("the coefficient of " + name, friction.coefficient, Allowed::velocities);
+      all("the direction of " + name, friction.direction, Allowed::velocities);
+      require("the length of the direction of " + name, friction.length, Allowed::velocities);
     }
     for (const ContactContent& contact : scene_.contacts) {
       user_ = "contact '" + contact.name + "'";

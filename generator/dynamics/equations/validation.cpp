@@ -16,6 +16,7 @@
 #include "torsor/generator/dynamics/equations/contact_checks.hpp"
 #include "torsor/generator/dynamics/equations/dependence_checks.hpp"
 #include "torsor/generator/dynamics/equations/equations.hpp"
+#include "torsor/generator/dynamics/equations/friction_checks.hpp"
 #include "torsor/generator/dynamics/equations/ownership_checks.hpp"
 #include "torsor/generator/dynamics/equations/scene_checks.hpp"
 #include "torsor/generator/dynamics/equations/start_error.hpp"
@@ -272,6 +273,7 @@ void validate(const Scene& scene) {
     equations.model().locate(PointHandle{static_cast<int>(i)}, 0, "point '" + scene.content().points[i].name + "'");
   }
   check_initial_state(equations);
+  check_friction_normals(equations);
   check_contacts(equations);
   if (!lacks_values(scene)) check_closing_joints(equations);
   equations.redundancy();

@@ -21,12 +21,6 @@ Vector unit_direction(const Model& model, const ContactFriction& friction, int a
     throw SceneError(
         fmt::format("the direction of {} is the null vector: give the direction of the relative motion", user));
   }
-  if (program.stage(square) > Stage::state) {
-    throw SceneError(
-        fmt::format("the direction of {} depends on accelerations, inputs or multipliers: give a formula of "
-                    "coordinates, their rates, time and parameters",
-                    user));
-  }
   const Vector turned = model.express(friction.direction, friction.axes, axes, user);
   if (!friction.length.is_zero()) {
     const Value inverse = program.bind(pow(program.lower(friction.length), -1));

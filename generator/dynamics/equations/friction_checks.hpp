@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "torsor/generator/dynamics/equations/equations.hpp"
+
+namespace torsor {
+
+/// The multiplier λ of a constraint is the normal force N of a contact that slides only where λ enters the equations as a
+/// force λ n, n a unit vector across the slip, at the point that slips: 2 z in place of z halves N and the friction.
+/// Looked at in the initial configuration, where a law of friction acts at a point and every parameter has a value.
+/// Throws SceneError otherwise.
+void check_friction_normals(const Equations& equations);
+
+}  // namespace torsor
