@@ -128,15 +128,13 @@ class StaticsWriter {
       page_.note(say("The equations of {} hold everywhere: nothing acts along them at rest.", fmt::format("{}", fmt::join(idle, ", "))));
     }
     for (const Value& condition : statics_.conditions) page_.equation("", Value(), condition, say("constraint"));
-    if (depend_on_time()) page_.note(say("Time stands in these equations: a rest fulfils them at every t."));
+    if (depend_on_time(statics_.rows) || depend_on_time(statics_.conditions)) page_.note(say("Time stands in these equations: a rest fulfils them at every t."));
   }
 
-  /// Laws of time make a balance of one instant none of the next.
-  bool depend_on_time() {
-    std::vector<Value> all = statics_.rows;
-    all.insert(all.end(), statics_.conditions.begin(), statics_.conditions.end());
+  bool depend_on_time(const std::vector<Value>& values) {
     Derivation by_time = partial_derivation(equations_.program(), scene_.content().time);
-    return std::any_of(all.begin(), all.end(), [&](const Value& each) { return !each.is_zero() && !identically_zero(by_time(each)); });
+    return std::any_of(values.begin(), values.end(),
+                       [&](const Value& each) { return !each.is_zero() && !identically_zero(by_time(each)); });
   }
 
   void second_derivatives(const ValueMatrix& hessian) {
@@ -159,6 +157,10 @@ class StaticsWriter {
       page_.note(say("Lejeune-Dirichlet cannot conclude: {}.", statics_.remarks.front()));
       return false;
     }
+    if (statics_.depends_on_time) {
+      page_.note(say("Lejeune-Dirichlet cannot conclude: T or U depends on time explicitly, and the energy is no integral."));
+      return false;
+    }
     return true;
   }
 
@@ -173,7 +175,11 @@ class StaticsWriter {
     const std::vector<Value> rows = at(statics_.rows), conditions = at(statics_.conditions);
     for (std::size_t i = 0; i < rows.size(); ++i) left_over(name_of(statics_.freedoms[i]), rows[i]);
     for (const Value& condition : conditions) left_over("", condition);
-    if (balanced) page_.note(say("Every equation of equilibrium holds: a rest, whatever the parameters."));
+    if (!balanced) return;
+    const bool instant = std::any_of(about_.begin(), about_.end(), [](const auto& named) { return named.first == "t"; });
+    page_.note(instant && (depend_on_time(statics_.rows) || depend_on_time(statics_.conditions))
+                   ? say("Every equation of equilibrium holds at this instant.")
+                   : say("Every equation of equilibrium holds: a rest, whatever the parameters."));
   }
 
   void lejeune_dirichlet_criterion(const AtState& at) {
@@ -219,6 +225,13 @@ class StaticsWriter {
       return;
     }
     const Linearisation linear = linearisation(equations_);
+    for (const ValueMatrix* matrix : {&linear.M, &linear.C, &linear.K}) {
+      if (std::none_of(matrix->begin(), matrix->end(), [&](const auto& row) { return depend_on_time(row); })) continue;
+      page_.note(
+          say("Cannot conclude: M, C or K depends on time, and such equations can grow although every root has Re s < 0 at "
+              "every instant; where they are periodic, the multipliers of Floquet decide."));
+      return;
+    }
     const ValueMatrix M = at(linear.M), C = at(linear.C), K = at(linear.K);
     Program& program = equations_.program();
     std::vector<Value> polynomial, conditions;

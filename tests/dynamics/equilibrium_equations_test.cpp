@@ -166,6 +166,31 @@ TEST(LejeuneDirichletCriterion, FollowsTheBeadThroughItsBifurcation) {
   EXPECT_NE(critical.reason.find("zero within rounding"), std::string::npos) << critical.reason;
 }
 
+/// A point on a spring along a slide, on a table that turns: T0 = (turn')² x²/2.
+Scene slide_on_a_table(bool swings, bool shaken) {
+  Scene scene("table");
+  const Expression x = scene.coordinate("x", "m");
+  const Expression phase = Expression::quantity("2", "rad/s") * scene.time(), k = Expression::quantity("9", "N/m");
+  const FrameHandle table = scene.revolute("table", scene.ground(), axis::z, swings ? cos(phase) : phase);
+  scene.body("point", scene.prismatic("slide", table, axis::x, x), Inertia::point(Expression::quantity("1", "kg")));
+  scene.spring("spring", x, shaken ? k * (1 + 0.9_r * cos(phase)) : k);
+  return scene;
+}
+
+// x'' + k (1 + 9/10 cos 2t) x = 0 (Mathieu) has a minimum of -U at every instant, and grows.
+TEST(LejeuneDirichletCriterion, ConcludesNothingWhereTimeStands) {
+  const WorkingDigits precision(50);
+  const auto judged = [](bool swings, bool shaken) {
+    const Equations equations(slide_on_a_table(swings, shaken));
+    return lejeune_dirichlet(equations, equilibrium_equations(equations), [](const SymbolPointer&) { return Real(0); });
+  };
+  EXPECT_TRUE(judged(false, false).stable);
+  for (const LejeuneDirichlet& verdict : {judged(true, false), judged(false, true)}) {
+    EXPECT_FALSE(verdict.stable);
+    EXPECT_EQ(verdict.reason, "cannot conclude: T or U depends on time explicitly, and the energy is no integral");
+  }
+}
+
 // -U = (a x² + 2 b x y + c y²)/2: a minimum where a > 0 and c - b²/a > 0, the pivots, whatever a and c are by
 // themselves.
 TEST(LejeuneDirichletCriterion, LooksAtTheCouplingOfTwoCoordinates) {

@@ -54,6 +54,16 @@ constexpr Translation french_of_statics[] = {
     {"Lejeune-Dirichlet cannot conclude: {}.", "Le théorème de Lejeune-Dirichlet ne conclut pas : {}."},
     {"At {}", "En {}"},
     {"must hold for a rest", "nécessaire à l'équilibre"},
+    {"Lejeune-Dirichlet cannot conclude: T or U depends on time explicitly, and the energy is no integral.",
+     "Le théorème de Lejeune-Dirichlet ne conclut pas : T ou U dépend explicitement du temps, et l'énergie n'est pas une intégrale "
+     "première."},
+    {"cannot conclude: T or U depends on time explicitly, and the energy is no integral",
+     "on ne peut conclure : T ou U dépend explicitement du temps, et l'énergie n'est pas une intégrale première"},
+    {"Cannot conclude: M, C or K depends on time, and such equations can grow although every root has Re s < 0 at every instant; "
+     "where they are periodic, the multipliers of Floquet decide.",
+     "On ne peut conclure : M, C ou K dépend du temps, et de telles équations peuvent diverger bien que toute racine ait Re s < 0 à "
+     "chaque instant ; où elles sont périodiques, les multiplicateurs de Floquet décident."},
+    {"Every equation of equilibrium holds at this instant.", "Toute équation d'équilibre est vérifiée à cet instant."},
     {"Every equation of equilibrium holds: a rest, whatever the parameters.",
      "Toutes les équations d'équilibre sont vérifiées : un équilibre, quels que soient les paramètres."},
     {"Lejeune-Dirichlet", "Théorème de Lejeune-Dirichlet"},

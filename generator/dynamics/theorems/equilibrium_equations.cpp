@@ -85,12 +85,20 @@ EquilibriumEquations equilibrium_equations(const Equations& equations, const Nat
     }
   }
 
-  const Value t0 = at_rest(kinetic_energy(model));
+  const Value kinetic = kinetic_energy(model);
+  const Value t0 = at_rest(kinetic);
   result.driven = !identically_zero(t0);
   const Value gravity = gravity_force_function(model);
   result.potential = -gravity;
   result.potential -= equations.actions().spring_force_function;
   if (result.driven) result.potential -= t0;
+  std::vector<Value> all = result.rows;
+  all.insert(all.end(), result.conditions.begin(), result.conditions.end());
+  all.insert(all.end(), {kinetic, result.potential});
+  Derivation by_time = partial_derivation(program, model.scene().time);
+  result.depends_on_time = std::any_of(all.begin(), all.end(), [&](const Value& value) {
+    return !value.is_zero() && !identically_zero(by_time(value));
+  });
   std::vector<Value> differences = forces;
   result.hessian.assign(n, {});
   for (std::size_t j = 0; j < n; ++j) {

@@ -36,6 +36,10 @@ LejeuneDirichlet lejeune_dirichlet(const Equations& equations, const Equilibrium
     report.reason = say("cannot conclude: {}", statics.remarks.front());
     return report;
   }
+  if (statics.depends_on_time) {
+    report.reason = say("cannot conclude: T or U depends on time explicitly, and the energy is no integral");
+    return report;
+  }
   RealRows hessian;
   for (const std::vector<Value>& row : statics.hessian) hessian.push_back(evaluate(row));
   const SymmetricPivots pivots(hessian, Real(hessian.size()) * Real(1).epsilon());
