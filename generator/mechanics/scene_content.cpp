@@ -39,6 +39,11 @@ const std::string& name_of(const ActionContent& action) {
   return std::visit([](const auto& any) -> const std::string& { return any.name; }, action);
 }
 
+std::vector<SymbolPointer> symbols_of(const CoordinateContent& freedom) {
+  if (freedom.attitude) return {freedom.v, freedom.a};
+  return {freedom.q, freedom.v, freedom.a};
+}
+
 Expression initial_component(const AttitudeContent& attitude, std::size_t k) {
   if (!attitude.initial) return k == 0 ? 1 : 0;
   Expression square = 0;

@@ -104,6 +104,9 @@ struct CoordinateContent {
   bool unknown() const { return !law && !released; }
 };
 
+/// Those of a freedom that a formula may name: q, v and a, but of an attitude's only v and a.
+std::vector<SymbolPointer> symbols_of(const CoordinateContent& freedom);
+
 struct ElongationSpring { std::string name; Expression elongation, stiffness, rest; };
 struct ElongationDamper { std::string name; Expression elongation, damping; };
 using PointSpring = Named<SpringBetween>;

@@ -166,9 +166,15 @@ class Parser {
       known.push_back(parameter.symbol->name);
     }
     for (const CoordinateContent& c : scene.coordinates) {
-      for (const SymbolPointer& s : {c.q, c.v, c.a}) {
+      for (const SymbolPointer& s : symbols_of(c)) {
         if (s->name == word) return s;
         known.push_back(s->name);
+      }
+    }
+    for (const AttitudeContent& attitude : scene.attitudes) {
+      for (const SymbolPointer& e : attitude.symbols->e) {
+        if (e->name == word) return e;
+        known.push_back(e->name);
       }
     }
     if (word == "t") return scene.time;

@@ -15,10 +15,10 @@ SymbolPointer state_symbol(const Scene& scene, const std::string& name) {
   std::vector<std::string> known;
   for (const CoordinateContent& c : scene.content().coordinates) {
     if (!c.unknown()) continue;
-    for (const SymbolPointer& symbol : {c.q, c.v, c.a}) {
+    for (const SymbolPointer& symbol : symbols_of(c)) {
       if (symbol->name == name) return symbol;
     }
-    known.push_back(c.q->name);
+    known.push_back(symbols_of(c).front()->name);
   }
   throw UsageError(
       fmt::format("'{}' is no coordinate or velocity to linearise about: {}the unknowns are {} (a velocity "

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "torsor/generator/base/error.hpp"
+#include "tests/scenes/bodies.hpp"
 #include "tests/scenes/with_parameters.hpp"
 
 namespace torsor::formula_text_test {
@@ -15,6 +16,14 @@ TEST(FormulaText, ReadsPrecedenceFunctionsAndPrimes) {
   EXPECT_EQ(parse_formula("-(1.5e-1)", scene).to_string(), "-3/20");
   EXPECT_EQ(parse_formula("sin(pi/2)", scene).to_string(), "sin(pi*2^(-1))");
   EXPECT_EQ(parse_formula("theta'", scene).as_symbol()->kind, SymbolKind::velocity);
+}
+
+// An attitude has no coordinate of the name of its angular velocity.
+TEST(FormulaText, ReadsTheStateOfAnAttitude) {
+  const Scene scene = testing_mechanisms::torque_free_body();
+  EXPECT_EQ(parse_formula("e_omega_z", scene).as_symbol()->kind, SymbolKind::velocity);
+  EXPECT_EQ(parse_formula("e_omega_z'", scene).as_symbol()->kind, SymbolKind::acceleration);
+  EXPECT_EQ(parse_formula("e_x", scene).as_symbol(), scene.content().attitudes[0].symbols->e[1]);
 }
 
 TEST(FormulaText, SaysWhereItStopsUnderstanding) {

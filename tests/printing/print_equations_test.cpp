@@ -112,6 +112,13 @@ TEST(PrintEquations, LinearisesAboutAStateGivenByName) {
   EXPECT_THROW(print(test::absorber(), {.about = {{"X", "g"}}}), UnitError);
 }
 
+// Euler's equations about a spin n: I1 w1' = (I2 - I3) n w2 and I2 w2' = (I3 - I1) n w1, here with 1, 2, 3 kg m^2 and n = 5.
+TEST(PrintEquations, LinearisesAboutTheSpinOfAnAttitude) {
+  const std::string text =
+      section(print(testing_mechanisms::torque_free_body(), {.about = {{"e_omega_z", "5"}}}), "Linearised equations");
+  EXPECT_NE(text.find("  C = [ 0  ,  5,  0 ]\n      [ -10,  0,  0 ]\n      [ 0  ,  0,  0 ]\n"), std::string::npos) << text;
+}
+
 // A motor that pulls where x grows and pushes where y does: E u stands on the right.
 TEST(PrintEquations, LinearisesMotorsOnTheRight) {
   Scene scene("cart");
