@@ -1,13 +1,14 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: GPL-3.0-or-later
 # compile_alone.sh COMPILER HEADER FOLDER: compiles every kernel of the header, in double and in float and with nothing
-# else, under the flags of its contract; then looks at what the object asks of the outside and whether it holds state.
-# Float is optimised too where the header is below 24 kB, or TORSOR_LONG_TESTS is set, which adds -O1 and -O3. Ends with
-# 77 (skipped) when the compiler is not installed.
+# else, under the flags of its contract, at the levels of levels.sh; then looks at what the object asks of the outside and
+# whether it holds state. Ends with 77 (skipped) when the compiler is not installed.
 set -euo pipefail
 compiler="$1" header="$2" folder="$3"
 command -v "$compiler" > /dev/null || { echo "$compiler is not installed"; exit 77; }
 mkdir -p "$folder"
+# shellcheck source=tests/headers/levels.sh
+source "$(dirname "$0")/levels.sh"
 
 # What is included in quotes lies beside it, and keeps the contract too.
 check_includes() {
@@ -26,15 +27,16 @@ check_includes "$header"
 mechanism="$(sed -nE 's/^(inline )?namespace ([A-Za-z_0-9:]+) *\{.*/\2/p' "$header" | grep -vx torsor | tail -n 1)"
 [ -n "$mechanism" ] || { echo "$header: found no namespace but torsor"; exit 1; }
 
-levels=(-O2 -O0)
-[ -z "${TORSOR_LONG_TESTS:-}" ] || levels+=(-O3 -O1)
+read -ra levels < <(levels_of "$compiler" "$header")
+in_float=""
 for level in "${levels[@]}"; do
   object="$folder/$compiler$level.o" source="$folder/$compiler$level.cpp"
   printf '#include "%s"\ntemplate struct %s::Mechanism<double>;\n' "$header" "$mechanism" > "$source"
-  if [ $level = -O0 ] || [ -n "${TORSOR_LONG_TESTS:-}" ] || [ "$(stat -c %s "$header")" -lt 24000 ]; then
+  if [ "$level" = -O0 ] || ! is_large "$header"; then
+    in_float=yes
     printf 'template struct %s::Mechanism<float>;\n' "$mechanism" >> "$source"
   fi
-  "$compiler" -std=c++17 $level -Wall -Wextra -Wpedantic -Wconversion -Wshadow -Werror -fno-exceptions -fno-rtti \
+  "$compiler" -std=c++17 "$level" -Wall -Wextra -Wpedantic -Wconversion -Wshadow -Werror -fno-exceptions -fno-rtti \
     -c "$source" -o "$object"
 
   # No more than the functions of <cmath> and copying may be asked of the outside: no allocation, no throwing function.
@@ -56,7 +58,7 @@ for level in "${levels[@]}"; do
     exit 1
   done
 done
-# Both scalars must be there, or nothing was looked at.
+# What was asked for must be there, or nothing was looked at.
 nm -C --defined-only "$object" | grep -c 'Mechanism<double>::' > /dev/null || { echo "$header: no kernel was compiled"; exit 1; }
-nm -C --defined-only "$object" | grep -c 'Mechanism<float>::' > /dev/null || { echo "$header: no float kernel was compiled"; exit 1; }
+[ -z "$in_float" ] || nm -C --defined-only "$object" | grep -c 'Mechanism<float>::' > /dev/null || { echo "$header: no float kernel was compiled"; exit 1; }
 echo "$(nm -C --defined-only "$object" | grep -c 'Mechanism<') functions of $mechanism compiled alone with $compiler"

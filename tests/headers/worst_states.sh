@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: GPL-3.0-or-later
 # worst_states.sh HEADER FOLDER PROGRAM: every kernel of the header at random and at the worst states, under each
-# rounding, made by each compiler there is at -O0 and -O2, and with fused multiply-add. PROGRAM is the object of
+# rounding, made by each compiler there is at the levels of levels.sh, and with fused multiply-add. PROGRAM is the object of
 # stress/states.cpp; objects of the kernels are those that compile_alone.sh left in FOLDER, or are made here.
 # TORSOR_LONG_TESTS: 240 000 states instead of 10 000 (ten million over all examples), -O1 and -O3 too, large headers
 # with fused multiply-add too.
@@ -21,13 +21,13 @@ printf '#include "%s"\n#include "%s/stress/kernels_by_number.hpp"\n%s template s
 g++ -std=c++17 -O0 -Wall -Wextra -Wpedantic -Wconversion -Wshadow -Werror -fno-exceptions -fno-rtti \
   -c "$source" -o "$folder/by_number.o"
 
-levels=(-O2 -O0)
-[ -z "$long" ] || levels+=(-O1 -O3)
+# shellcheck source=tests/headers/levels.sh
+source "$here/levels.sh"
 states() { echo "$1:" "${@:2}"; "$folder/states-$1" "${@:2}"; }
 first=""
 for compiler in g++ clang++; do
   command -v "$compiler" > /dev/null || continue
-  for level in "${levels[@]}"; do
+  for level in $(levels_of "$compiler" "$header"); do
     made="$compiler$level"
     { [ "$folder/$made.o" -nt "$header" ] && [ ! "$(dirname "$header")/torsor_support.hpp" -nt "$folder/$made.o" ]; } ||
       bash "$here/compile_alone.sh" "$compiler" "$header" "$folder"
