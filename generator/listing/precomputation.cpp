@@ -150,7 +150,7 @@ void Precomputation::define(const Listing& once, const SinesAndCosines& group, P
 }
 
 std::vector<std::size_t> Precomputation::add(const Listing& once) {
-  Places places(once.quantities.size(), -1);
+  Places places(once.quantities.size());  // each is given or defined before it is used
   for (const ValueNumber given : once.given) {
     const Quantity& argument = once.quantity(given);
     const std::string formula = fmt::format("given {}", argument.name);

@@ -147,6 +147,16 @@ std::strong_ordering compare(const Sum& a, const Sum& b) {
 Level level(const Product& product) { return product.empty() ? Level::constant : product[0].base->level; }
 Level level(const Sum& sum) { return sum.is_zero() ? Level::constant : level(sum.terms().begin()->first); }
 
+void add_symbols(const Sum& sum, std::set<const Symbol*>& symbols) {
+  for (const auto& [product, coefficient] : sum.terms()) {
+    for (const Power& power : product) {
+      if (power.base->symbol) symbols.insert(power.base->symbol.get());
+      add_symbols(power.base->inside, symbols);
+      for (const Sum& other : power.base->others) add_symbols(other, symbols);
+    }
+  }
+}
+
 std::size_t written_terms(const Sum& sum) {
   std::size_t count = sum.size();
   for (const auto& [product, coefficient] : sum.terms()) {

@@ -4,6 +4,7 @@
 #include <compare>
 #include <map>
 #include <memory>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -90,6 +91,9 @@ struct Base {
 /// Terms that a reader meets: those of the sum, and those of every longer sum that stands inside a function, a root or a
 /// denominator.
 std::size_t written_terms(const Sum& sum);
+
+/// Adds the symbols that stand in a sum. The set is for looking up.
+void add_symbols(const Sum& sum, std::set<const Symbol*>& symbols);
 
 /// The highest level in a product or a sum; constant for a number.
 Level level(const Product& product);

@@ -59,6 +59,7 @@ std::string ReadablePage::finish(const SceneContent& scene, const PageStyle& sty
                   view_.limits().terms, view_.limits().expansion));
   }
   for (const auto& line : lines_) line(*page);
+  laws_of_time(scene, *page);
   if (definitions_) {
     page->section(page->say("Definitions"));
     for (const DefinitionsView::Line& line : definitions_->lines()) {
@@ -75,7 +76,22 @@ void ReadablePage::gather(const Value& value) {
 Written ReadablePage::written(const Value& value) {
   if (value.is_zero()) return {};
   const std::optional<Sum> sum = view_.sum(value);
+  if (sum) add_symbols(*sum, used_);
   return collected(sum ? *sum : definitions_->sum(value));
+}
+
+void ReadablePage::laws_of_time(const SceneContent& scene, Page& page) {
+  bool first = true;
+  for (const CoordinateContent& c : scene.coordinates) {
+    if (!c.law) continue;
+    for (const SymbolPointer& name : {c.q, c.v, c.a}) {
+      const std::optional<Sum> law = used_.contains(name.get()) ? view_.law(name) : std::nullopt;
+      if (!law) continue;
+      if (first) page.section(page.say("Laws of time"));
+      first = false;
+      page.value(*name, collected(*law), level(*law) <= Level::constant);
+    }
+  }
 }
 
 }  // namespace torsor::printing

@@ -3,6 +3,7 @@
 
 #include <functional>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -17,8 +18,8 @@ namespace torsor::printing {
 /// that stand at the end.
 class ReadablePage {
  public:
-  ReadablePage(const Program& program, const SceneContent& scene, const InlineLimits& limits = {})
-      : program_(&program), view_(program, limits, positive_parameters(scene)) {}
+  ReadablePage(Program& program, const SceneContent& scene, const InlineLimits& limits = {})
+      : program_(&program), view_(program, limits, scene) {}
 
   void section(const std::string& heading);
   void note(const std::string& sentence);
@@ -36,12 +37,15 @@ class ReadablePage {
  private:
   void gather(const Value& value);
   Written written(const Value& value);
+  /// Those whose names have been written.
+  void laws_of_time(const SceneContent& scene, Page& page);
 
   const Program* program_;
   InlineView view_;
   std::vector<std::function<void(Page&)>> lines_;
   std::vector<Value> long_results_;
   std::optional<DefinitionsView> definitions_;
+  std::set<const Symbol*> used_;  ///< looked up only
 };
 
 }  // namespace torsor::printing

@@ -17,15 +17,7 @@ class Uses {
 
   bool of(const SymbolPointer& symbol) const { return symbols_.contains(symbol.get()); }
 
-  void add(const Sum& sum) {
-    for (const auto& [product, coefficient] : sum.terms()) {
-      for (const Power& power : product) {
-        if (power.base->symbol) symbols_.insert(power.base->symbol.get());
-        add(power.base->inside);
-        for (const Sum& other : power.base->others) add(other);
-      }
-    }
-  }
+  void add(const Sum& sum) { add_symbols(sum, symbols_); }
 
   void add(const Value& value) {
     std::vector<ValueNumber> open;

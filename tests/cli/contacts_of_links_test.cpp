@@ -15,7 +15,7 @@ namespace torsor::contacts_of_links_test {
 namespace {
 
 using testing_programs::Outcome;
-using testing_programs::Table;
+using testing_programs::MotionTable;
 using testing_programs::table;
 using testing_programs::torsor_tool;
 
@@ -50,7 +50,7 @@ TEST(ContactsOfLinks, MoveTwoBallsByMomentumAndRestitution) {
   const Outcome outcome = run("simulate", {"--contacts", "left:right", "--contacts-restitution", "0.5", "--initial",
                                            "a'=3", "--to", "0.5", "--step", "0.25"});
   ASSERT_EQ(outcome.code, 0) << outcome.err;
-  const Table motion = table(outcome.out);
+  const MotionTable motion = table(outcome.out);
   // Roundings of numbers up to 9.
   EXPECT_NEAR(motion.end("a'"), 1.5, 4e-15);
   EXPECT_NEAR(motion.end("b'"), 3, 4e-15);
@@ -69,7 +69,7 @@ TEST(ContactsOfLinks, MoveABallAgainstAFaceOfABox) {
       run("simulate", {"--contacts", "left:right", "--contacts", "right:plate-x", "--contacts-restitution", "1",
                        "--initial", "a'=3", "--to", "0.75", "--step", "0.25"});
   ASSERT_EQ(outcome.code, 0) << outcome.err;
-  const Table motion = table(outcome.out);
+  const MotionTable motion = table(outcome.out);
   const double strikes = 0.25 + 1.75 / 4, after = 0.75 - strikes;
   EXPECT_NEAR(motion.end("a'"), 1, 4e-15);
   EXPECT_NEAR(motion.end("b'"), -2.4, 4e-15);

@@ -9,7 +9,7 @@
 namespace torsor::testing_programs {
 
 /// What `simulate` writes.
-struct Table {
+struct MotionTable {
   std::map<std::string, std::size_t> column;
   std::vector<std::vector<double>> rows;
   std::vector<std::string> notes;  ///< lines of the head
@@ -17,8 +17,8 @@ struct Table {
   double end(const std::string& name) const { return at(rows.size() - 1, name); }
 };
 
-inline Table table(const std::string& csv) {
-  Table result;
+inline MotionTable table(const std::string& csv) {
+  MotionTable result;
   std::istringstream lines(csv);
   for (std::string line; std::getline(lines, line);) {
     if (line.starts_with("# ")) {

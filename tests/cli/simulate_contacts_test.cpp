@@ -15,7 +15,7 @@ namespace {
 
 using testing_programs::Outcome;
 using testing_programs::run;
-using testing_programs::Table;
+using testing_programs::MotionTable;
 using testing_programs::table;
 
 /// A ball dropped on a floor from 1 m.
@@ -64,7 +64,7 @@ Scene stopped_loop() {
 TEST(SimulateContacts, BouncesTillItRests) {
   const Outcome outcome = run(dropped, {"simulate", "--to", "1.5"});
   ASSERT_EQ(outcome.code, 0) << outcome.err;
-  const Table motion = table(outcome.out);
+  const MotionTable motion = table(outcome.out);
   EXPECT_EQ(motion.rows.size(), 151U);
   EXPECT_NEAR(motion.end("z"), 0, 1e-15);
   EXPECT_NEAR(motion.end("z'"), 0, 1e-15);
@@ -92,7 +92,7 @@ TEST(SimulateContacts, BouncesTillItRests) {
 TEST(SimulateContacts, KeepsALoopClosedBetweenAndAtImpacts) {
   const Outcome outcome = run(stopped_loop, {"simulate", "--to", "0.8", "--step", "0.05"});
   ASSERT_EQ(outcome.code, 0) << outcome.err;
-  const Table motion = table(outcome.out);
+  const MotionTable motion = table(outcome.out);
   for (std::size_t k = 0; k < motion.rows.size(); ++k) {
     EXPECT_NEAR(motion.at(k, "a") + motion.at(k, "b"), 0, 1e-14);
     EXPECT_NEAR(motion.at(k, "c"), motion.at(k, "a"), 1e-14);
@@ -126,7 +126,7 @@ Scene rolling_ball() {
 TEST(SimulateContacts, BringsABallThatRollsToRest) {
   const Outcome outcome = run(rolling_ball, {"simulate", "--to", "2", "--step", "0.1"});
   ASSERT_EQ(outcome.code, 0) << outcome.err;
-  const Table motion = table(outcome.out);
+  const MotionTable motion = table(outcome.out);
   const double slows = 5.0 / 7 * 0.01 * 9.81 / 0.1;
   EXPECT_NEAR(motion.at(10, "x'"), 1 - slows, 1e-9);
   EXPECT_NEAR(motion.at(10, "floor_rolling_T"), -0.01 * 9.81, 1e-9);

@@ -18,7 +18,7 @@ namespace {
 
 using testing_programs::Outcome;
 using testing_programs::run;
-using testing_programs::Table;
+using testing_programs::MotionTable;
 using testing_programs::table;
 
 constexpr double g = 9.81;
@@ -100,7 +100,7 @@ TEST(JointFriction, StopsABeadOnAnInclinedRodUnderAHorizontalForce) {
     const Outcome outcome = run(bead_on_a_rod, {"simulate", "--to", "1", "--step", "0.05", "--run-time",
                                                 "f=" + std::to_string(f) + ",F=" + std::to_string(F)});
     ASSERT_EQ(outcome.code, 0) << outcome.err;
-    const Table motion = table(outcome.out);
+    const MotionTable motion = table(outcome.out);
     const double m = 2, drive = 0.8 * F - 0.6 * m * g, R = std::abs(0.8 * m * g + 0.6 * F);
     const double up = (drive - f * R) / m, stop = -3 / up;
     const double down = std::abs(drive) <= f * R ? 0 : (drive + f * R) / m;
@@ -122,7 +122,7 @@ TEST(JointFriction, StopsABeadOnAnInclinedRodUnderAHorizontalForce) {
 TEST(JointFriction, OfARailAndAHingeTogetherFulfilsNewtonsLaws) {
   const Outcome outcome = run(trolley, {"simulate", "--to", "0.2", "--step", "0.02"});
   ASSERT_EQ(outcome.code, 0) << outcome.err;
-  const Table motion = table(outcome.out);
+  const MotionTable motion = table(outcome.out);
   double hinge = 0;
   for (std::size_t k = 0; k < motion.rows.size(); ++k) {
     const double a = motion.at(k, "a"), w = motion.at(k, "a'"), T = motion.at(k, "rail_T"), L = motion.at(k, "hinge_T");
@@ -144,7 +144,7 @@ TEST(JointFriction, OfARailAndAHingeTogetherFulfilsNewtonsLaws) {
 TEST(JointFriction, IsPressedByContactsToo) {
   const Outcome outcome = run(rod_on_a_wedge, {"simulate", "--to", "0.2", "--step", "0.05"});
   ASSERT_EQ(outcome.code, 0) << outcome.err;
-  const Table motion = table(outcome.out);
+  const MotionTable motion = table(outcome.out);
   const double side = (2 * g - 0.3 * 4) / (1 + 0.3 + 2.0 / 3);  // N/√2
   for (std::size_t k = 1; k < motion.rows.size(); ++k) {
     EXPECT_NEAR(motion.at(k, "tip_N"), side * std::sqrt(2.0), 1e-11);
@@ -158,7 +158,7 @@ TEST(JointFriction, IsPressedByContactsToo) {
 TEST(JointFriction, IsPressedByConstraintsToo) {
   const Outcome outcome = run(crank_and_slot, {"simulate", "--to", "0.15", "--step", "0.01"});
   ASSERT_EQ(outcome.code, 0) << outcome.err;
-  const Table motion = table(outcome.out);
+  const MotionTable motion = table(outcome.out);
   double most = 0;
   for (std::size_t k = 0; k < motion.rows.size(); ++k) {
     const double a = motion.at(k, "a"), w = motion.at(k, "a'"), T = motion.at(k, "rail_T");

@@ -102,7 +102,7 @@ TEST(StartState, ThatIsGivenIsJudgedWhereTheOwnOneStandsToo) {
 TEST(StartState, IsClosedWithTheParametersOfTheCommand) {
   const Outcome outcome = run(nearly_closed, {"simulate", "--to", "0.1", "--initial", "theta=0.3", "--run-time", "l=0.7"});
   ASSERT_EQ(outcome.code, 0) << outcome.err;
-  const Table motion = table(outcome.out);
+  const MotionTable motion = table(outcome.out);
   const double theta = motion.at(0, "theta"), phi = motion.at(0, "phi");
   EXPECT_NEAR(0.2 * std::sin(theta) + 0.7 * std::sin(theta + phi), 0, 1e-14);  // some roundings of terms below 1
   EXPECT_NEAR(0.2 * std::cos(theta) + 0.7 * std::cos(theta + phi), motion.at(0, "x"), 1e-14);
@@ -155,7 +155,7 @@ TEST(StartState, IsProposedWithWhatTheSceneGives) {
 }
 
 struct Started {
-  Table motion;
+  MotionTable motion;
   std::string notes;
 };
 
@@ -229,7 +229,7 @@ TEST(StartState, AtRestAtADeadCentreWithFrictionIsNamed) {
 TEST(StartState, DiesAwayTowardsADeadCentreWithFriction) {
   const Outcome outcome = run(with_friction, {"simulate", "--to", "10", "--step", "1", "--initial", "theta'=3,phi'=-4.2"});
   ASSERT_EQ(outcome.code, 0) << outcome.err;
-  const Table motion = table(outcome.out);
+  const MotionTable motion = table(outcome.out);
   double before = 1;
   for (const double time : {2.0, 4.0, 6.0, 8.0, 10.0}) {
     const double energy = motion.at(static_cast<std::size_t>(time), "kinetic_energy") +
@@ -244,7 +244,7 @@ TEST(StartState, DiesAwayTowardsADeadCentreWithFriction) {
 TEST(StartState, PassesADeadCentreWithFriction) {
   const Outcome outcome = run(with_friction, {"simulate", "--to", "0.25", "--step", "0.05", "--initial", "theta'=3,phi'=-4.2"});
   ASSERT_EQ(outcome.code, 0) << outcome.err;
-  const Table motion = table(outcome.out);
+  const MotionTable motion = table(outcome.out);
   EXPECT_LT(motion.at(4, "theta'"), -2);  // at 0.2 s it is beyond, and goes on
   const double lost = motion.at(4, "mechanical_energy") - motion.at(5, "mechanical_energy");
   EXPECT_NEAR(lost, 5 * (motion.at(4, "x") - motion.at(5, "x")), 1e-9);  // ten steps of 1e-10 of some 20 J lose less

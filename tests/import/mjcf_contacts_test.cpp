@@ -141,7 +141,7 @@ TEST(FrictionOfMjcf, BrakesATendon) {
   const Outcome outcome =
       torsor({"simulate", path, "--friction", "file", "--to", "2", "--step", "1", "--no-motors", "--initial", "x'=3"});
   ASSERT_EQ(outcome.code, 0) << outcome.err;
-  const testing_programs::Table motion = table(outcome.out);
+  const testing_programs::MotionTable motion = table(outcome.out);
   EXPECT_NEAR(motion.end("x'"), 2, 1e-13);
   EXPECT_NEAR(motion.end("y'"), 2, 1e-13);
   EXPECT_NEAR(motion.end("x") - motion.end("y"), 1.5, 1e-13);

@@ -6,6 +6,7 @@
 
 #include "torsor/generator/mechanics/scene.hpp"
 #include "torsor/generator/printing/print_equations.hpp"
+#include "torsor/generator/printing/theorem_text.hpp"
 #include "tests/printing/check_inline.hpp"
 
 namespace torsor::driven_angles_test {
@@ -34,6 +35,14 @@ TEST(DrivenAngles, HaveTheirNamesInsideSines) {
   const std::string page = print_equations(driven_arm(false), Format::text, {});
   EXPECT_TRUE(has(page, "phi = phi_0 + A sin(omega t)\n")) << page;
   EXPECT_TRUE(has(page, "U = l m g cos(phi + theta) + r m g sin(phi)\n")) << page;
+}
+
+// Pages of theorems have no list of coordinates: the laws whose names they use follow.
+TEST(DrivenAngles, AreListedWithTheoremsThatNameThem) {
+  const std::string page = theorem_text(driven_arm(false), {.kind = "energy"});
+  EXPECT_TRUE(has(page, "\nLaws of time\n  phi = phi_0 + A sin(omega t)\n  phi' = A omega cos(omega t)\n")) << page;
+  EXPECT_TRUE(has(page, "1/2 m r^2 phi'^2")) << page;
+  EXPECT_FALSE(has(theorem_text(driven_arm(true), {.kind = "energy"}), "Laws of time"));
 }
 
 TEST(DrivenAngles, OfOneTermAreWrittenOut) {

@@ -13,6 +13,7 @@ constexpr Translation french_of_equations[] = {
     {"Inputs", "Commandes"},
     {"Multipliers", "Multiplicateurs de Lagrange"},
     {"Definitions", "Définitions"},
+    {"Laws of time", "Lois du temps"},
     {"Roots", "Racines"},
     {"given at run time", "donné à l'exécution"},
     {"released: held at zero by the joint, its reaction is asked for",

@@ -26,7 +26,7 @@ class Reduction {
     while (merge_weld() || merge_parallel() || merge_series()) {
     }
     ReducedGraph result;
-    std::vector<int> place(bodies_.size(), -1);
+    std::vector<int> place(bodies_.size());  // of the bodies that are left
     for (std::size_t b = 0; b < bodies_.size(); ++b) {
       if (!alive_[b]) continue;
       place[b] = static_cast<int>(result.bodies.size());
