@@ -107,7 +107,9 @@ void add_numbers(CLI::App& command, const std::string& option, NamedNumbers& num
               }
               const std::string name = assignment.substr(0, equals);
               if (!std::isfinite(value)) throw UsageError(fmt::format("{} {} is not a finite number", option, name));
-              if (!given.insert(name).second) throw UsageError(fmt::format("{} names '{}' twice: give it one number", option, name));
+              if (!given.insert(name).second) {
+                throw UsageError(fmt::format("{} names '{}' twice: give it one number", option, name));
+              }
               numbers[name] = value;
             }
           },

@@ -297,8 +297,8 @@ class Printer {
       page_.formula(say("Along an attitude e is a turn in its moving axes; e' and e'' stand for w and w', w the deviation of its "
                         "angular velocity omega, w = de/dt + omega x e."),
                     say("Along an attitude $\\varepsilon$ is a turn in its moving axes; $\\dot{\\varepsilon}$ and "
-                        "$\\ddot{\\varepsilon}$ stand for $w$ and $\\dot{w}$, $w$ the deviation of its angular velocity $\\omega$, "
-                        "$w = \\frac{\\mathrm{d}\\varepsilon}{\\mathrm{d}t} + \\omega \\wedge \\varepsilon$."));
+                        "$\\ddot{\\varepsilon}$ stand for $w$ and $\\dot{w}$, $w$ the deviation of its angular velocity "
+                        "$\\omega$, $w = \\frac{\\mathrm{d}\\varepsilon}{\\mathrm{d}t} + \\omega \\wedge \\varepsilon$."));
     }
     std::string state;
     for (const auto& [name, formula] : options_.about) state += fmt::format("{}{} = {}", state.empty() ? "" : ", ", name, formula);
@@ -322,7 +322,8 @@ class Printer {
   void what_the_state_leaves() {
     for (const ConstraintLeft& each : constraints_left(scene_, {options_.terms, options_.expansion}, options_.about)) {
       const std::string what = each.rate ? say("the rate of {}", each.name) : each.name;
-      const std::string verdict = each.open ? say("{}: must hold at this state", what) : say("{}: does not hold at this state", what);
+      const std::string verdict =
+          each.open ? say("{}: must hold at this state", what) : say("{}: does not hold at this state", what);
       if (each.left) {
         page_.equation("", collected(*each.left), {}, verdict);
       } else {

@@ -208,7 +208,8 @@ class Kernel:
                  order: int | None = None, parameters: Mapping[str, float] | None = None, **named: ArrayLike) -> Any:
         """The results for these arguments, by position or by name; ``__doc__`` of each kernel has shapes and units.
 
-        time: (...) [s]. order: the highest, of Taylor coefficients, 12 when absent. parameters: of those set at run time, by name.
+        time: (...) [s]. order: the highest, of Taylor coefficients, 12 when absent.
+        parameters: of those set at run time, by name.
         out: arrays to write to, one, a sequence or a mapping. threads: for many states; 0: as many as there are cores.
         """
         bound = self._bind(q, arguments, named, time, order, parameters, out, threads)  # holds what is read

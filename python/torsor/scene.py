@@ -84,8 +84,8 @@ _SIDE_BY_SIDE = {"plot"}
 
 
 def _words(options: dict[str, Any]) -> list[str]:
-    """kernels=["energy"] as --kernels energy: lists with commas, True as a flag, None and False as nothing; about={"x": 1, "y": 2}
-    as --about x=1 --about y=2."""
+    """kernels=["energy"] as --kernels energy: lists with commas, True as a flag, None and False as nothing;
+    about={"x": 1, "y": 2} as --about x=1 --about y=2."""
     words = []
     for name, value in options.items():
         if value is None or value is False:

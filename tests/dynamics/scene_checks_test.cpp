@@ -182,17 +182,20 @@ TEST(SizesOfContacts, AreRefusedBelowZero) {
   const Expression r = plate.scene.parameter("r", "m", Number::rational(-1, 10));
   EXPECT_EQ(refused(shape::Disc{.frame = plate.body, .axis = axis::y, .radius = r}, plate),
             "point 'c_point' has the radius r = -0.1" + size);
-  EXPECT_EQ(refused(shape::Torus{.frame = ring.body, .axis = axis::z, .circle_radius = -metres("1"), .tube_radius = metres("2")}, ring),
+  const auto torus = [](const Touching& it, const Expression& circle_radius, const Expression& tube_radius) {
+    return shape::Torus{.frame = it.body, .axis = axis::y, .circle_radius = circle_radius, .tube_radius = tube_radius};
+  };
+  EXPECT_EQ(refused(torus(ring, -metres("1"), metres("2")), ring),
             "point 'c_point' has the radius -1 = -1" + size);
-  EXPECT_EQ(refused(shape::Torus{.frame = tube.body, .axis = axis::z, .circle_radius = metres("1"), .tube_radius = -metres("2")}, tube),
+  EXPECT_EQ(refused(torus(tube, metres("1"), -metres("2")), tube),
             "point 'c_point' has the tube's radius -2 = -2" + size);
-  EXPECT_EQ(refused(shape::Torus{.frame = good.body, .axis = axis::y, .circle_radius = metres("1"), .tube_radius = metres("0")}, good),
-            "no error");
+  EXPECT_EQ(refused(torus(good, metres("1"), metres("0")), good), "no error");
 }
 
 TEST(SizesOfContacts, AreFormulasOfParameters) {
   Touching ring, egg;
-  ring.scene.contact("c", shape::Torus{.frame = ring.body, .axis = axis::z, .circle_radius = metres("1"), .tube_radius = ring.x}, ring.floor);
+  const shape::Torus growing{.frame = ring.body, .axis = axis::y, .circle_radius = metres("1"), .tube_radius = ring.x};
+  ring.scene.contact("c", growing, ring.floor);
   EXPECT_NE(refusal(ring.scene).find("the tube's radius of point 'c_point'"), std::string::npos) << refusal(ring.scene);
   const Expression grown = metres("1") + quantity("1", "m/s") * egg.scene.time();
   egg.scene.contact("c", shape::Ellipsoid{.frame = egg.body, .semi_axes = {grown, metres("1"), metres("1")}}, egg.floor);
@@ -207,7 +210,8 @@ TEST(DirectionsOfConstraints, AreNotNull) {
     hold(it, at, home);
     return error_of([&] { Equations(it.scene).constraints(); });
   };
-  const std::string message = "the direction of constraint 'c' is the null vector, along which nothing is held: give the direction";
+  const std::string message =
+      "the direction of constraint 'c' is the null vector, along which nothing is held: give the direction";
   EXPECT_EQ(refused([](Touching& it, const PointHandle& at, const PointHandle& home) {
               it.scene.closure("c", home, at, {0, it.x / it.x - 1, 0});
             }),
@@ -216,7 +220,9 @@ TEST(DirectionsOfConstraints, AreNotNull) {
               it.scene.no_slip("c", {.body = it.body, .contact = at, .direction = {0, 0, 0}, .axes = it.scene.ground()});
             }),
             message);
-  EXPECT_EQ(refused([](Touching& it, const PointHandle& at, const PointHandle& home) { it.scene.closure("c", home, at, axis::z); }),
+  EXPECT_EQ(refused([](Touching& it, const PointHandle& at, const PointHandle& home) {
+              it.scene.closure("c", home, at, axis::z);
+            }),
             "no error");
 }
 

@@ -264,7 +264,8 @@ TEST(MjcfEquality, ActuatorsOfWhatIsHeldDoNotAct) {
   motor("on top", MjcfTransmission::site, static_cast<int>(model.sites.size()) - 1);
   const ImportedMjcf made = mjcf_scene(model);
   EXPECT_EQ(made.notes, (std::vector<std::string>{
-                            "actuators do not act: on x (its joint is held), on y (its joint is held), on top (its site does not move)",
+                            "actuators do not act: on x (its joint is held), on y (its joint is held), on top (its site does "
+                            "not move)",
                             "equality constraints of what is held already do not act: hold sum"}));
   EXPECT_EQ(Equations(made.scene).model().inputs().size(), 1U);
 }

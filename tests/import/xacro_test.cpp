@@ -239,7 +239,8 @@ TEST(Xacro, MacroTakesParametersDefaultsForwardsAndBlocks) {
 TEST(Xacro, DefaultsOfParametersMayHoldBlanks) {
   const std::string properties = "<xacro:property name=\"a\" value=\"2\"/><xacro:property name=\"b\" value=\"3\"/>";
   const auto with = [&properties](const std::string& parameters) {
-    return expanded(properties + "<xacro:macro name=\"m\" params='" + parameters + "'><x v=\"${m}|${n}\"/></xacro:macro><xacro:m/>");
+    return expanded(properties + "<xacro:macro name=\"m\" params='" + parameters +
+                    "'><x v=\"${m}|${n}\"/></xacro:macro><xacro:m/>");
   };
   EXPECT_EQ(with("m:=${a + b} n:=7"), "<x v=\"5|7\"/>");
   EXPECT_EQ(with("m:=^|${ a*{1: 4}[1] } n=$(eval 1 + 1)"), "<x v=\"8|2\"/>");

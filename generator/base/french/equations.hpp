@@ -145,11 +145,11 @@ constexpr Translation french_of_equations[] = {
      "u$, $\\varepsilon$ l'écart à l'état, dans l'ordre des paramètres."},
     {"Along an attitude e is a turn in its moving axes; e' and e'' stand for w and w', w the deviation of its angular velocity "
      "omega, w = de/dt + omega x e.",
-     "Pour une attitude, e est une rotation dans ses axes mobiles ; e' et e'' tiennent lieu de w et w', w l'écart de sa vitesse de "
-     "rotation omega, w = de/dt + omega x e."},
+     "Pour une attitude, e est une rotation dans ses axes mobiles ; e' et e'' tiennent lieu de w et w', w l'écart de sa "
+     "vitesse de rotation omega, w = de/dt + omega x e."},
     {"Along an attitude $\\varepsilon$ is a turn in its moving axes; $\\dot{\\varepsilon}$ and $\\ddot{\\varepsilon}$ stand for "
-     "$w$ and $\\dot{w}$, $w$ the deviation of its angular velocity $\\omega$, $w = \\frac{\\mathrm{d}\\varepsilon}{\\mathrm{d}t} + "
-     "\\omega \\wedge \\varepsilon$.",
+     "$w$ and $\\dot{w}$, $w$ the deviation of its angular velocity $\\omega$, "
+     "$w = \\frac{\\mathrm{d}\\varepsilon}{\\mathrm{d}t} + \\omega \\wedge \\varepsilon$.",
      "Pour une attitude, $\\varepsilon$ est une rotation dans ses axes mobiles ; $\\dot{\\varepsilon}$ et $\\ddot{\\varepsilon}$ "
      "tiennent lieu de $w$ et $\\dot{w}$, $w$ l'écart de sa vitesse de rotation $\\omega$, $w = "
      "\\frac{\\mathrm{d}\\varepsilon}{\\mathrm{d}t} + \\omega \\wedge \\varepsilon$."},
