@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "torsor/generator/cli/command_set.hpp"
 
+#include <set>
 #include <utility>
 
 #include <fmt/format.h>
@@ -35,10 +36,15 @@ void add_assignments(CLI::App& command, const std::string& name, About& assignme
   command.add_option_function<std::vector<std::string>>(
       name,
       [&assignments, name](const std::vector<std::string>& words) {
+        std::set<std::string> given;
         for (const std::string& assignment : words) {
           const std::size_t equals = assignment.find('=');
           if (equals == std::string::npos) {
             throw UsageError(fmt::format("{} takes NAME=VALUE, e.g. theta=0, and got '{}'", name, assignment));
+          }
+          const std::string name_of_value = assignment.substr(0, equals);
+          if (!given.insert(name_of_value).second) {
+            throw UsageError(fmt::format("{} names '{}' twice: give it one value", name, name_of_value));
           }
           assignments.emplace_back(assignment.substr(0, equals), assignment.substr(equals + 1));
         }

@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <algorithm>
+#include <set>
 
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
@@ -97,6 +98,7 @@ void add_numbers(CLI::App& command, const std::string& option, NamedNumbers& num
       .add_option_function<std::vector<std::string>>(
           option,
           [&numbers, option](const std::vector<std::string>& assignments) {
+            std::set<std::string> given;
             for (const std::string& assignment : assignments) {
               const std::size_t equals = assignment.find('=');
               double value = 0.0;
@@ -105,6 +107,9 @@ void add_numbers(CLI::App& command, const std::string& option, NamedNumbers& num
               }
               const std::string name = assignment.substr(0, equals);
               if (!std::isfinite(value)) throw UsageError(fmt::format("{} {} is not a finite number", option, name));
+              if (!given.insert(name).second) {
+                throw UsageError(fmt::format("{} names '{}' twice: give it one number", option, name));
+              }
               numbers[name] = value;
             }
           },

@@ -15,6 +15,7 @@
 #include "torsor/generator/cli/command_set.hpp"
 #include "torsor/generator/cli/kernel_options.hpp"
 #include "torsor/generator/cli/simulate.hpp"
+#include "torsor/generator/cli/start_state.hpp"
 
 namespace torsor {
 namespace {
@@ -75,6 +76,7 @@ void tell_events(const std::vector<std::string>& events, std::vector<std::string
 CommandResult run_simulation(const Scene& scene, SimulationRequest request) {
   SimulationOptions& options = request.options;
   options.model = request.model(scene);
+  options.parameters = with_defaults(scene, options.parameters);
   options.project = !request.no_projection;
   for (const std::string& event : request.events) options.events.push_back({event, false});
   if (!request.until.empty()) options.events.push_back({request.until, true});

@@ -14,6 +14,7 @@
 #include "torsor/generator/base/decimal.hpp"
 #include "torsor/generator/base/error.hpp"
 #include "torsor/generator/dynamics/equations/validation.hpp"
+#include "torsor/generator/mechanics/parameter_value.hpp"
 
 namespace torsor {
 namespace {
@@ -104,8 +105,21 @@ std::vector<double> closed_start(EvaluatedMotion& motion, const NamedNumbers& re
                           motion.equations().scene().name(), motion.most_open(0.0, given)));
 }
 
+NamedNumbers with_defaults(const Scene& scene, NamedNumbers given) {
+  const SceneContent& content = scene.content();
+  if (given.empty()) return given;
+  for (const ParameterContent& parameter : content.parameters) {
+    if (!parameter.run_time || !parameter.value || parameter.value->symbols().empty()) continue;
+    try {
+      given.emplace(parameter.symbol->name, parameter_value(content, *parameter.value).to_double());
+    } catch (const SceneError&) {  // a parameter without a default stands in it: only what is given decides
+    }
+  }
+  return given;
+}
+
 Scene with_closed_start(const Scene& scene, const GivenStart& start) {
-  EvaluatedMotion motion(scene, start.model, start.parameters, {});
+  EvaluatedMotion motion(scene, start.model, with_defaults(scene, start.parameters), {});
   return with_start(scene, numbers_of(motion, closed_start(motion, start.values)));
 }
 

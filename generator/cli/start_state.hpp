@@ -12,6 +12,10 @@ namespace torsor {
 /// left to the command that was given them.
 Scene with_start(Scene scene, const NamedNumbers& values);
 
+/// Given values of parameters, with the defaults of other run-time parameters whose formulas need these: as in a header, a
+/// default is a number that no other parameter changes.
+NamedNumbers with_defaults(const Scene& scene, NamedNumbers given);
+
 /// Where a command starts that was given values of its own: for coordinates and rates, and for parameters.
 struct GivenStart {
   NamedNumbers values, parameters;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "torsor/generator/cli/torsor_program.hpp"
 
+#include <algorithm>
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
@@ -196,6 +197,10 @@ UrdfOptions urdf_options(const FileRequest& request) {
     const std::vector<std::string> parts = split(assignment, '=');
     if (parts.size() != 2) {
       throw UsageError(fmt::format("--initial takes NAME=VALUE, e.g. elbow=0.3, and got '{}'", assignment));
+    }
+    const auto same = [&parts](const auto& each) { return each.first == parts[0]; };
+    if (std::any_of(options.initial.begin(), options.initial.end(), same)) {
+      throw UsageError(fmt::format("--initial names '{}' twice: give it one value", parts[0]));
     }
     options.initial.emplace_back(parts[0], parts[1]);
   }

@@ -8,10 +8,19 @@
 
 namespace torsor {
 
+bool MjcfBuilder::is_held(std::size_t joint) const {
+  const auto found = followed_.find(joint);
+  if (found == followed_.end()) return false;
+  const MjcfEquality& law = model_.equalities[found->second];
+  const auto is_zero = [](double coefficient) { return coefficient == 0; };
+  return !law.second || std::all_of(law.polynomial.begin() + 1, law.polynomial.end(), is_zero) ||
+         is_held(static_cast<std::size_t>(*law.second));
+}
+
 bool MjcfBuilder::moves(int body) const {
   for (int at = body; at > 0; at = model_.bodies[static_cast<std::size_t>(at)].parent) {
-    for (const MjcfJoint& joint : model_.joints) {
-      if (joint.body == at) return true;
+    for (std::size_t i = 0; i < model_.joints.size(); ++i) {
+      if (model_.joints[i].body == at && !is_held(i)) return true;
     }
   }
   return false;

@@ -69,6 +69,7 @@ void MjcfBuilder::add_motor(const MjcfActuator& actuator) {
       if (joint.type == MjcfJointType::ball) return drive_ball(actuator);
       if (joint.type == MjcfJointType::free) return drive_free(actuator);
       if (actuator.gear[0] == 0) return does_not_act(actuator, no_gear);
+      if (is_held(target)) return does_not_act(actuator, "its joint is held");
       return drive(actuator, geared(actuator, 0, position(target)));
     }
     case MjcfTransmission::tendon: {
@@ -143,7 +144,8 @@ void MjcfBuilder::drive_between_sites(const MjcfActuator& actuator) {
   const int other = *actuator.reference;
   const MjcfSite& site = model_.sites[static_cast<std::size_t>(actuator.target)];
   const MjcfSite& reference = model_.sites[static_cast<std::size_t>(other)];
-  if (!move_apart(site.body, reference.body)) return does_not_act(actuator, "its sites do not move apart");
+  const bool both_held = !moves(site.body) && !moves(reference.body);
+  if (both_held || !move_apart(site.body, reference.body)) return does_not_act(actuator, "its sites do not move apart");
   const bool forces = pushes(actuator);
   const int carrier = common_carrier(site.body, reference.body);
   if (forces && moves(carrier)) {
@@ -181,7 +183,9 @@ void MjcfBuilder::drive_slider(const MjcfActuator& actuator) {
   const Expression reach = rod * rod - crank[0] * crank[0] - crank[1] * crank[1];
   // The square root of a constant has the slope 0, whatever the constant; that of zero would be 0/0.
   const Expression least = Expression(Number(10).pow(-30)) * rod * rod;
-  drive(actuator, geared(actuator, 0, crank[2] - sqrt(max(reach, least))));
+  const Expression slid = crank[2] - sqrt(max(reach, least));
+  if (!varies(slid)) return does_not_act(actuator, "its sites do not move apart");
+  drive(actuator, geared(actuator, 0, slid));
 }
 
 }  // namespace torsor

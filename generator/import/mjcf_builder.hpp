@@ -70,6 +70,9 @@ class MjcfBuilder {
   void add_free_spring(std::size_t joint);
   void add_tendons();
   void add_motors();
+  /// Whether equalities leave a joint no motion: where it is, does not depend on a coordinate.
+  bool is_held(std::size_t joint) const;
+  /// Whether a joint that is not held carries a body.
   bool moves(int body) const;
 
   // Contacts, on request.

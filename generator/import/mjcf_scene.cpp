@@ -197,6 +197,7 @@ Expression MjcfBuilder::polynomial(const MjcfEquality& law, std::size_t first) {
   const MjcfJoint& other = model_.joints[second];
   const Unit other_unit = other.type == MjcfJointType::hinge ? units::radian : units::metre;
   const Expression moved = position(second) - position_value(other, other.reference[0], "ref");
+  if (moved.is_zero()) return sum;  // the other joint is held there, and its zero has no unit
   Expression power = moved;
   Unit power_unit = other_unit;
   for (std::size_t k = 1; k < 5; ++k) {

@@ -111,6 +111,7 @@ class Reader {
     } else {
       joint.lower = limit.optional_bound("lower");
       joint.upper = limit.optional_bound("upper");
+      if (limit.has("lower") != limit.has("upper")) take_other_bound(limit, joint, where);
     }
     joint.velocity = limit.optional_bound("velocity");
     joint.effort = limit.optional_bound("effort");
@@ -124,6 +125,14 @@ class Reader {
     if (joint.turns() && (of_degrees(joint.lower) || of_degrees(joint.upper))) {
       robot_.notes.add("a limit is beyond five turns, which suggests degrees, and is taken in rad", where, limit.place());
     }
+  }
+
+  /// By the format a bound that is not given is 0. Without both the joint is taken as unlimited, as files mean it.
+  void take_other_bound(const XmlElement& limit, UrdfJoint& joint, const std::string& where) {
+    const char* missing = limit.has("lower") ? "upper" : "lower";
+    (limit.has("lower") ? joint.upper : joint.lower) = Number(0);
+    robot_.notes.add(fmt::format("<limit> has no {}, which is 0 by the format", missing), where, limit.place(),
+                     ReadingNotes::Parts::each);
   }
 
   void read_mimic(const XmlElement& element, UrdfJoint& joint, const std::string& where) {

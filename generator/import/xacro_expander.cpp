@@ -143,7 +143,7 @@ void Expander::ordinary(const Node& node, const std::string& tag, const Place& p
 }
 
 void Expander::property(const Node& node, const Place& place) {
-  require_attributes(node, {"name", "value", "default", "remove", "scope"});
+  require_attributes(node, {"name", "value", "default", "remove", "scope", "lazy_eval"});
   const std::string name = text(node, "name", place.scope);
   if (!is_name(name)) node.fail(fmt::format("'{}' is no name of a property; use letters, digits and _", name));
   if (name.starts_with("__")) node.fail("names of properties do not begin with __");
@@ -170,7 +170,14 @@ void Expander::property(const Node& node, const Place& place) {
   }
   if (given == nullptr) return target->set_block("**" + name, std::make_shared<const Node>(node));
   if (!node.children.empty()) node.fail("has a value and elements inside; keep one");
-  if (target == &place.scope && reach.empty()) {
+  const std::string* lazy = node.attribute("lazy_eval");
+  bool later = target == &place.scope && reach.empty();
+  try {
+    if (lazy != nullptr) later = condition(value(node, *lazy, place.scope)) && later;
+  } catch (const ExpressionError& error) {
+    node.fail(error.what());
+  }
+  if (later) {
     target->set(name, *given, true);
   } else {
     target->set(name, value(node, *given, place.scope), false);

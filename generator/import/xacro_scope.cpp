@@ -10,14 +10,29 @@ namespace {
 
 constexpr const char* spaces = " \t\r\n";
 
-/// The end of a default: blanks inside single quotes belong to it.
+bool is_space(char c) { return std::string_view(spaces).find(c) != std::string_view::npos; }
+
+/// The end of a default: blanks inside quotes belong to it, and those of one ${...} or $(...) up to the first bracket
+/// that ends a word, as in xacro.
 std::size_t end_of_default(const std::string& text, std::size_t at) {
-  bool quoted = false;
-  for (; at < text.size(); ++at) {
-    if (text[at] == '\'') quoted = !quoted;
-    if (!quoted && std::string_view(spaces).find(text[at]) != std::string_view::npos) break;
+  const bool expression = text.compare(at, 2, "${") == 0, command = text.compare(at, 2, "$(") == 0;
+  if (expression || command) {
+    const char close = expression ? '}' : ')';
+    for (std::size_t end = text.find(close, at); end != std::string::npos; end = text.find(close, end + 1)) {
+      if (end + 1 == text.size() || is_space(text[end + 1])) return end + 1;
+    }
   }
-  if (quoted) throw ExpressionError(fmt::format("a quote is not closed in params=\"{}\"; end it with '", text));
+  char quote = 0;
+  for (; at < text.size(); ++at) {
+    if (quote != 0) {
+      if (text[at] == quote) quote = 0;
+    } else if (text[at] == '\'' || text[at] == '"') {
+      quote = text[at];
+    } else if (is_space(text[at])) {
+      break;
+    }
+  }
+  if (quote != 0) throw ExpressionError(fmt::format("a quote is not closed in params=\"{}\"; end it with {}", text, quote));
   return at;
 }
 

@@ -205,6 +205,8 @@ Value literal(const Value& value) {
   if (!value.is_string()) return value;
   const std::string& text = value.text();
   if (text.size() >= 2 && text.front() == '\'' && text.back() == '\'') return text.substr(1, text.size() - 2);
+  // Python takes 1_2 as 12; in a name it is a text, and xacro keeps it as one.
+  if (text.find('_') != std::string::npos) return value;
   if (const auto whole = python_integer(text)) return *whole;
   const std::string_view word = trimmed(text);
   const bool beyond_64_bits = !word.empty() && std::all_of(word.begin(), word.end(), is_digit);

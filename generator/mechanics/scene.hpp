@@ -34,7 +34,8 @@ class Scene {
   /// "N m/rad", "rad", "J".
   Expression parameter(const std::string& name, std::string_view unit);
   Expression parameter(const std::string& name, std::string_view unit, const Expression& value);
-  /// A parameter that stays a symbol in kernels although it has a (default) value.
+  /// A parameter that stays a symbol in kernels although it has a (default) value. A default that is a formula is the number
+  /// it comes to with the defaults of others: who sets these later sets this one too.
   Expression run_time_parameter(const std::string& name, std::string_view unit, const Expression& value);
   /// A generalised coordinate q [unit]; its velocity and acceleration come with it. An angle has the unit "rad", a ratio "1".
   Expression coordinate(const std::string& name, std::string_view unit);
@@ -162,7 +163,7 @@ class Scene {
                   const FrameReference& relative_to = "ground");
 
   // --- actions ------------------------------------------------------------------------------------------------------
-  /// Uniform gravity g, components in the ground frame [m/s²]: U = Σ m g · OG over the bodies.
+  /// Uniform gravity g, components in the ground frame [m/s²]: U = Σ m g · OG over the bodies. A scene has one.
   void gravity(const Triple& acceleration);
   /// Spring on an elongation or angle e: U = −½ k (e − rest)².
   void spring(const std::string& name, const Expression& elongation, const Expression& stiffness,

@@ -18,6 +18,11 @@ std::string of(const char* quantity, const char* kind, const std::string& name) 
 
 void Scene::gravity(const Triple& acceleration) {
   require_unit(acceleration, units::metre / units::second.pow(2), "a component of the gravity");
+  if (content_.gravity_given) {
+    throw SceneError(fmt::format("the scene '{}' has a gravity already: give one sum of both, or a force for what else acts",
+                                 content_.name));
+  }
+  content_.gravity_given = true;
   content_.gravity = acceleration;
 }
 

@@ -234,6 +234,7 @@ struct SceneContent {
   std::vector<std::vector<PointHandle>> boxes;  ///< corners of each box that touches a plane: what a picture draws
   std::vector<SymbolPointer> independent;  ///< coordinates wanted independent, the most wanted first
   Triple gravity{Expression(0), Expression(0), Expression(0)};
+  bool gravity_given = false;  ///< a second one is refused
   /// Coordinates that move no mass are kept: kernels that solve with the mass matrix are then absent. Otherwise they are
   /// refused.
   bool keeps_massless = false;

@@ -293,6 +293,13 @@ class Printer {
                   say("$\\mathbf{M} \\ddot{\\varepsilon} + \\mathbf{C} \\dot{\\varepsilon} + \\mathbf{K} \\varepsilon = "
                   "\\mathbf{F} + \\mathbf{E} u$, $\\varepsilon$ the "
                   "deviation from the state, in the order of the coordinates."));
+    if (!scene_.content().attitudes.empty()) {
+      page_.formula(say("Along an attitude e is a turn in its moving axes; e' and e'' stand for w and w', w the deviation of its "
+                        "angular velocity omega, w = de/dt + omega x e."),
+                    say("Along an attitude $\\varepsilon$ is a turn in its moving axes; $\\dot{\\varepsilon}$ and "
+                        "$\\ddot{\\varepsilon}$ stand for $w$ and $\\dot{w}$, $w$ the deviation of its angular velocity "
+                        "$\\omega$, $w = \\frac{\\mathrm{d}\\varepsilon}{\\mathrm{d}t} + \\omega \\wedge \\varepsilon$."));
+    }
     std::string state;
     for (const auto& [name, formula] : options_.about) state += fmt::format("{}{} = {}", state.empty() ? "" : ", ", name, formula);
     page_.note(state.empty() ? say("About any state without acceleration.")
@@ -301,6 +308,7 @@ class Printer {
       page_.formula(say("At fixed multipliers, in all coordinates: A' dlambda and the linearised constraints come beside it."),
                     say("At fixed multipliers, in all coordinates: $\\mathbf{A}^{\\mathsf{T}}\\, \\delta\\lambda$ and the linearised "
                         "constraints come beside it."));
+      if (!options_.about.empty()) what_the_state_leaves();
     }
     matrix("M", linear.M);
     matrix("C", linear.C);
@@ -308,6 +316,20 @@ class Printer {
     matrix("F", column(linear.F));
     matrix("E", linear.E);
     if (!equations_.constraints().empty()) reduced_linearisation();
+  }
+
+  /// About a state that violates a constraint there is no motion that the matrices describe.
+  void what_the_state_leaves() {
+    for (const ConstraintLeft& each : constraints_left(scene_, {options_.terms, options_.expansion}, options_.about)) {
+      const std::string what = each.rate ? say("the rate of {}", each.name) : each.name;
+      const std::string verdict =
+          each.open ? say("{}: must hold at this state", what) : say("{}: does not hold at this state", what);
+      if (each.left) {
+        page_.equation("", collected(*each.left), {}, verdict);
+      } else {
+        page_.note(say("What the state leaves of {} must vanish; it is too long to be written out.", what));
+      }
+    }
   }
 
   static SumMatrix column(const std::vector<Sum>& entries) {

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "torsor/generator/dynamics/derivatives/reduction.hpp"
+#include "torsor/generator/program/identically_zero.hpp"
 
 namespace torsor::printing {
 namespace {
@@ -38,6 +39,8 @@ class Writer {
     for (const std::vector<Value>& row : matrix) sums.push_back((*this)(row));
     return sums;
   }
+
+  Value there(const Value& value) { return value.is_zero() ? Value() : at_(value); }
 
   bool too_long() const { return too_long_; }
 
@@ -117,6 +120,25 @@ std::optional<ReducedEquations> reduced_equations(const Scene& scene, const Inli
   result.N = write(linear.e_rates_w);
   if (write.too_long()) return std::nullopt;
   return result;
+}
+
+std::vector<ConstraintLeft> constraints_left(const Scene& scene, const InlineLimits& limits, const About& about) {
+  ModelOptions options;
+  options.symbolic_parameters = true;
+  const Equations equations(scene, options);
+  std::vector<ConstraintLeft> all;
+  const auto add = [&](const std::string& name, bool rate, const Value& value) {
+    Writer write(scene, equations, limits, about);
+    const Value left = write.there(value);
+    if (identically_zero(left)) return;
+    const Sum sum = write(value);
+    all.push_back({name, rate, write.too_long() ? std::nullopt : std::optional<Sum>(sum), !left.is_constant()});
+  };
+  for (const ConstraintRow& row : equations.constraints()) {
+    if (row.holonomic) add(row.name, false, row.value);
+    add(row.name, true, row.rate);
+  }
+  return all;
 }
 
 }  // namespace torsor::printing

@@ -28,4 +28,16 @@ struct ReducedEquations {
 /// the freedoms cannot be chosen, as the kernel does.
 std::optional<ReducedEquations> reduced_equations(const Scene& scene, const InlineLimits& limits, const About& about);
 
+/// What a named state leaves of a constraint that it does not fulfil: f(q, t), or of a rate Σ a_i q̇_i − b.
+struct ConstraintLeft {
+  std::string name;
+  bool rate = false;
+  std::optional<Sum> left;  ///< nothing where it is too long to be written out
+  /// Whether parameters, time or coordinates that are not named can make it zero.
+  bool open = false;
+};
+
+/// Of every constraint and of its rate, with parameters as symbols and velocities that are not named zero.
+std::vector<ConstraintLeft> constraints_left(const Scene& scene, const InlineLimits& limits, const About& about);
+
 }  // namespace torsor::printing

@@ -205,17 +205,18 @@ class Kernel:
         return f"<kernel {self.name} of {self._mechanism.name}>"
 
     def __call__(self, q: ArrayLike, *arguments: ArrayLike | None, out: Any = None, threads: int = 1, time: ArrayLike = 0.0,
-                 order: int = 12, parameters: Mapping[str, float] | None = None, **named: ArrayLike) -> Any:
+                 order: int | None = None, parameters: Mapping[str, float] | None = None, **named: ArrayLike) -> Any:
         """The results for these arguments, by position or by name; ``__doc__`` of each kernel has shapes and units.
 
-        time: (...) [s]. order: the highest, of Taylor coefficients. parameters: of those set at run time, by name.
+        time: (...) [s]. order: the highest, of Taylor coefficients, 12 when absent.
+        parameters: of those set at run time, by name.
         out: arrays to write to, one, a sequence or a mapping. threads: for many states; 0: as many as there are cores.
         """
         bound = self._bind(q, arguments, named, time, order, parameters, out, threads)  # holds what is read
         return bound._run(False)
 
     def bind(self, q: ArrayLike, *arguments: ArrayLike | None, out: Any = None, threads: int = 1, time: ArrayLike = 0.0,
-             order: int = 12, parameters: Mapping[str, float] | None = None, **named: ArrayLike) -> Bound:
+             order: int | None = None, parameters: Mapping[str, float] | None = None, **named: ArrayLike) -> Bound:
         """The call with these arguments, to be made again and again for what the arrays hold then. Arrays of doubles are
         read where they are; those of other types, and those that no single step goes through, are copied at each call.
         Lists and numbers are read once."""
@@ -268,8 +269,11 @@ class Kernel:
         return arrays
 
     def _bind(self, q: ArrayLike, positional: Sequence[ArrayLike | None], named: Mapping[str, ArrayLike], time: ArrayLike,
-              order: int, parameters: Mapping[str, float] | None, out: Any, threads: int) -> Bound:
+              order: int | None, parameters: Mapping[str, float] | None, out: Any, threads: int) -> Bound:
         m = self._mechanism
+        if order is not None and not self.takes_order:
+            raise ValueError(f"order: {self.name} has none, only Taylor coefficients do; leave it out")
+        order = 12 if order is None else order
         given = self._given(q, positional, named)
         arrays: dict[str, np.ndarray] = {}
         copied: list[tuple[np.ndarray, np.ndarray]] = []  # what is read instead of what was given

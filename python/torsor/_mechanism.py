@@ -287,6 +287,9 @@ class Mechanism(Displayed):
             raise ValueError(f"no method {method!r}; there are {', '.join(self.methods)}")
         if method in self._fixed_step and step is None:
             raise ValueError(f"{method} has a fixed step: give step=")
+        if method not in self._fixed_step and step is not None:
+            raise ValueError(f"step: {method} chooses its own steps; leave it out, or give largest_step= or one of the methods "
+                             f"with a fixed step: {', '.join(m for m in self.methods if m in self._fixed_step)}")
         start = {"q": as_columns("q", scene.q if q is None else q, self._sizes["q"]),
                  "v": as_columns("v", scene.v if v is None else v, self._sizes["v"])}
         law = None if inputs is None or callable(inputs) else as_columns("inputs", inputs, self._sizes["inputs"])
@@ -404,7 +407,8 @@ class Mechanism(Displayed):
                   parameters: Mapping[str, float] | None = None) -> Results:
         """M e'' + C e' + K e = F + E du about a state and its own motion (or given accelerations), and where there are,
         x' = A x + B du with x = (e, e'). What is absent is the start of the motion (on its constraints); without
-        accelerations, those of the motion with these inputs. Matrices as `linearisation.__doc__` says."""
+        accelerations, those of the motion with these inputs. Along an attitude e is a turn in its moving axes, e' and e''
+        stand for w and w', and w = de/dt + omega x e: A says so. Matrices as `linearisation.__doc__` says."""
         scene = self._closed_start(parameters) if q is None else self.initial_state(parameters)
         q = scene.q if q is None else q
         v = scene.v if v is None else v

@@ -77,18 +77,33 @@ class Outcome(NamedTuple):
     notes: list[str]
 
 
+_REPEATED = {"about", "set", "events"}
+"""Options whose values are formulas, in which commas mean something: each is given by itself."""
+_SIDE_BY_SIDE = {"plot"}
+"""Options of several words."""
+
+
 def _words(options: dict[str, Any]) -> list[str]:
-    """kernels=["energy"] as --kernels energy: lists with commas, True as a flag, None and False as nothing."""
+    """kernels=["energy"] as --kernels energy: lists with commas, True as a flag, None and False as nothing;
+    about={"x": 1, "y": 2} as --about x=1 --about y=2."""
     words = []
     for name, value in options.items():
         if value is None or value is False:
             continue
-        words.append("--" + name.replace("_", "-"))
-        if value is True:
-            continue
+        option = "--" + name.replace("_", "-")
         if isinstance(value, dict):
             value = [f"{key}={each}" for key, each in value.items()]
-        given = value if isinstance(value, (str, os.PathLike)) or not isinstance(value, Iterable) else ",".join(map(str, value))
+        many = isinstance(value, Iterable) and not isinstance(value, (str, os.PathLike))
+        if many and name in _REPEATED:
+            words += [word for each in value for word in (option, str(each))]
+            continue
+        words.append(option)
+        if value is True:
+            continue
+        if many and name in _SIDE_BY_SIDE:
+            words += map(os.fspath, value)
+            continue
+        given = ",".join(map(str, value)) if many else value
         words.append(os.fspath(given) if isinstance(given, os.PathLike) else str(given))
     return words
 

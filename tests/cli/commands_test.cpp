@@ -107,6 +107,21 @@ Scene sliding_top() {
   return scene;
 }
 
+// The coordinate of an angular velocity has no position: what is listed is the velocity.
+TEST(SceneProgram, ListsQuasiVelocitiesInTheirUnit) {
+  const json list = json::parse(run(sliding_top, {"list", "--json"}).out);
+  int found = 0;
+  for (const json& coordinate : list.at("coordinates")) {
+    if (coordinate.at("role") == "quasi-velocity") found += coordinate.at("unit") == "rad/s" ? 1 : 0;
+    if (coordinate.at("role") == "unknown") {
+      EXPECT_EQ(coordinate.at("unit"), "m");
+    }
+  }
+  EXPECT_EQ(found, 3);
+  const std::string text = run(sliding_top, {"list"}).out;
+  EXPECT_NE(text.find("e_omega_x [rad/s] (quasi-velocity)"), std::string::npos) << text;
+}
+
 // Who fills q[i] by the order of a list must fill the right ones: lists, pages and headers have one order.
 TEST(SceneProgram, ListsPositionsInTheOrderOfTheHeader) {
   const std::vector<std::string> expected{"x", "e_w", "e_x", "e_y", "e_z", "z", "y"};

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <filesystem>
 #include <fstream>
@@ -50,6 +51,56 @@ TEST(Simulate, WritesATable) {
   EXPECT_EQ(rows.back()[0], 0.55);
   // Conserved within what steps of 1e-10 leave, of energies of some 30 J.
   for (const auto& row : rows) EXPECT_NEAR(row[5], rows[0][5], 1e-7);
+}
+
+/// Three masses of 1 kg on springs k1 = 1, k2 = 2 k1 and, at run time, k3 = 2 k1 (N/m), each 1 m away from rest.
+Scene springs() {
+  Scene scene("springs");
+  const Expression k1 = scene.run_time_parameter("k1", "N/m", 1), k2 = scene.parameter("k2", "N/m", 2 * k1),
+                   k3 = scene.run_time_parameter("k3", "N/m", 2 * k1);
+  int number = 0;
+  for (const Expression& k : {k1, k2, k3}) {
+    const std::string name = "x" + std::to_string(++number);
+    const Expression x = scene.coordinate(name, "m");
+    scene.body(name, scene.prismatic(name, scene.ground(), axis::x, x), Inertia::point(Expression::quantity("1", "kg")));
+    scene.spring("of_" + name, x, k);
+    scene.initial(x, 1);
+  }
+  return scene;
+}
+
+// As in a header, where default_parameters() gives numbers: k1 changes k2, which is a formula of it, and not the default of k3.
+// x = cos(sqrt(k) t) after 1 s; steps of 1e-10 leave some 1e-9.
+TEST(Simulate, DefaultsOfRunTimeParametersAreNumbers) {
+  const auto ends = [](const std::vector<std::string>& words) {
+    std::vector<std::string> all{"simulate", "--to", "1", "--step", "1"};
+    all.insert(all.end(), words.begin(), words.end());
+    const std::vector<double> row = table(run(springs, all).out).second.at(1);
+    return std::array<double, 3>{row[1], row[2], row[3]};
+  };
+  const auto expect_stiffness = [&](const std::vector<std::string>& words, const std::array<double, 3>& k) {
+    const std::array<double, 3> x = ends(words);
+    for (std::size_t i = 0; i < 3; ++i) EXPECT_NEAR(x[i], std::cos(std::sqrt(k[i])), 1e-7) << i;
+  };
+  expect_stiffness({}, {1, 2, 2});
+  expect_stiffness({"--run-time", "k1=8"}, {8, 16, 2});
+  expect_stiffness({"--run-time", "k1=8,k3=3"}, {8, 16, 3});
+  expect_stiffness({"--run-time", "k2=5"}, {1, 5, 2});
+  const Outcome header = run(springs, {"generate", "--kernels", "bias", "--output", "-"});
+  const std::size_t begin = header.out.find("parameters.k3 = ");
+  ASSERT_NE(begin, std::string::npos) << header.out;
+  EXPECT_EQ(header.out.substr(begin, header.out.find('\n', begin) - begin).find("k1"), std::string::npos) << header.out;
+}
+
+TEST(Simulate, RefusesANumberGivenTwice) {
+  for (const std::string option : {"--initial", "--run-time", "--input"}) {
+    const Outcome twice = run(pendulum, {"simulate", option, "theta=2,theta=3"});
+    EXPECT_EQ(twice.code, 2);
+    EXPECT_NE(twice.err.find(option + " names 'theta' twice: give it one number"), std::string::npos) << twice.err;
+  }
+  const Outcome about = run(pendulum, {"equations", "--about", "theta=0", "--about", "theta=1"});
+  EXPECT_EQ(about.code, 2);
+  EXPECT_NE(about.err.find("--about names 'theta' twice: give it one value"), std::string::npos) << about.err;
 }
 
 TEST(Simulate, HoldsAParameterAndAnInput) {

@@ -52,13 +52,17 @@ TEST(Ownership, IsLookedAtInEveryPartOfAScene) {
       {"coordinate 'psi'",
        [](Scene& s, const Foreign& f) { s.drive(s.coordinate("psi", "rad"), Expression::quantity("1", "s^-1") * f.time); }},
       {"parameter 'b'", [](Scene& s, const Foreign& f) { s.parameter("b", "m", f.a); }},
-      {"gravity", [](Scene& s, const Foreign& f) { s.gravity({0, f.a / (f.time * f.time), 0}); }},
   };
   for (const auto& [object, add] : parts) {
     const std::string told = refusal(add);
     EXPECT_NE(told.find("belongs to another scene"), std::string::npos) << object << ": " << told;
     EXPECT_NE(told.find(object), std::string::npos) << object << ": " << told;
   }
+  Scene other("other"), light("light");  // a scene has one gravity, and the pendulum has it
+  light.gravity({0, other.parameter("a", "m") / (other.time() * other.time()), 0});
+  const std::string told = error_of<SceneError>([&] { check_ownership(light); });
+  EXPECT_NE(told.find("belongs to another scene"), std::string::npos) << told;
+  EXPECT_NE(told.find("gravity"), std::string::npos) << told;
 }
 
 TEST(Ownership, IsOfWhatAnotherSceneMeasuresToo) {

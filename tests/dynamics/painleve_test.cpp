@@ -136,6 +136,18 @@ std::vector<std::string> missing(const Scene& scene) {
   return all;
 }
 
+// Walls 50 m and 1 km away, on either side: neither acts at states of numbers around one.
+TEST(MissingMomenta, AreHeldByWallsFarAway) {
+  Scene walls("walls");
+  const Expression x = walls.coordinate("x", "m"), y = walls.coordinate("y", "m");
+  const FrameHandle along = walls.prismatic("along", walls.ground(), axis::x, x);
+  walls.body("ball", walls.prismatic("across", along, axis::y, y), Inertia::point(kilograms("1")));
+  const Expression k = walls.parameter("k", "N/m", Number(3));
+  walls.generalised_force("near", x, -k * max(x - metres("50"), 0));
+  walls.generalised_force("far", y, k * max(-y - metres("1000"), 0));
+  EXPECT_EQ(missing(walls), (std::vector<std::string>{"x: 'near' acts along it.", "y: 'far' acts along it."}));
+}
+
 TEST(MissingMomenta, SayWhatStandsAgainstThem) {
   using Texts = std::vector<std::string>;
   EXPECT_EQ(missing(spherical_pendulum()), Texts{"theta: T depends on it. U depends on it."});
@@ -277,8 +289,8 @@ TEST(CyclicCoordinate, IsNoneWhenSomethingWorksOnIt) {
   EXPECT_FALSE(with([](Scene& s, const Expression& psi, const Expression&) {
     s.damper("w", psi, Expression::quantity("1", "N m s"));
   }));
-  EXPECT_FALSE(with([](Scene& s, const Expression&, const Expression&) {
-    s.gravity({Expression::quantity("1", "m/s^2"), 0, 0});
+  EXPECT_FALSE(with([](Scene& s, const Expression& psi, const Expression&) {
+    s.force_function("side", Expression::quantity("1", "J") * cos(psi));
   }));
   EXPECT_FALSE(
       with([](Scene& s, const Expression& psi, const Expression& theta) { s.holonomic("tied", psi - theta); }));

@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include "torsor/generator/dynamics/equations/equations.hpp"
 #include "torsor/generator/dynamics/equations/validation.hpp"
 #include "tests/program/test_symbols.hpp"
 #include "tests/scenes/pendulums.hpp"
@@ -228,6 +229,75 @@ TEST(ClosingJoint, IsRefusedWhenItStartsHalfATurnOff) {
       "have a cosine of -1 and must have 1; correct initial(...) of the coordinates it ties, or the placement of one "
       "frame");
   EXPECT_TRUE(refusal(held_lever(JointType::prismatic, 12, 0, false)).starts_with("joint 'held' is assembled"));
+}
+
+/// A body that a plane touches, in space.
+struct Touching {
+  Scene scene{"touching"};
+  Expression x = scene.coordinate("x", "m"), z = scene.coordinate("z", "m");
+  FrameHandle along = scene.prismatic("along", scene.ground(), axis::x, x);
+  FrameHandle body = scene.prismatic("body", along, axis::z, z);
+  shape::Plane floor{.frame = scene.ground()};
+  Touching() {
+    scene.body("body", body, Inertia::point(kilograms("1")));
+    scene.initial(z, metres("9"));
+  }
+};
+
+TEST(SizesOfContacts, AreRefusedBelowZero) {
+  const auto refused = [](const ContactShape& shape, Touching& it) {
+    it.scene.contact("c", shape, it.floor);
+    return refusal(it.scene);
+  };
+  const std::string size = ": give the size of what touches the plane";
+  Touching ball, plate, ring, tube, good;
+  EXPECT_EQ(refused(shape::Sphere{.frame = ball.body, .radius = -metres("0.1")}, ball),
+            "point 'c_point' has the radius -1/10 = -0.1" + size);
+  const Expression r = plate.scene.parameter("r", "m", Number::rational(-1, 10));
+  EXPECT_EQ(refused(shape::Disc{.frame = plate.body, .axis = axis::y, .radius = r}, plate),
+            "point 'c_point' has the radius r = -0.1" + size);
+  const auto torus = [](const Touching& it, const Expression& circle_radius, const Expression& tube_radius) {
+    return shape::Torus{.frame = it.body, .axis = axis::y, .circle_radius = circle_radius, .tube_radius = tube_radius};
+  };
+  EXPECT_EQ(refused(torus(ring, -metres("1"), metres("2")), ring),
+            "point 'c_point' has the radius -1 = -1" + size);
+  EXPECT_EQ(refused(torus(tube, metres("1"), -metres("2")), tube),
+            "point 'c_point' has the tube's radius -2 = -2" + size);
+  EXPECT_EQ(refused(torus(good, metres("1"), metres("0")), good), "no error");
+}
+
+TEST(SizesOfContacts, AreFormulasOfParameters) {
+  Touching ring, egg;
+  const shape::Torus growing{.frame = ring.body, .axis = axis::y, .circle_radius = metres("1"), .tube_radius = ring.x};
+  ring.scene.contact("c", growing, ring.floor);
+  EXPECT_NE(refusal(ring.scene).find("the tube's radius of point 'c_point'"), std::string::npos) << refusal(ring.scene);
+  const Expression grown = metres("1") + quantity("1", "m/s") * egg.scene.time();
+  egg.scene.contact("c", shape::Ellipsoid{.frame = egg.body, .semi_axes = {grown, metres("1"), metres("1")}}, egg.floor);
+  EXPECT_NE(refusal(egg.scene).find("the support function of point 'c_point'"), std::string::npos) << refusal(egg.scene);
+}
+
+// Along nothing nothing is held: taken as an equation it would hold whatever the motion.
+TEST(DirectionsOfConstraints, AreNotNull) {
+  const auto refused = [](auto hold) {
+    Touching it;
+    const PointHandle at = it.scene.point("at", it.body, {}), home = it.scene.point("home", it.scene.ground(), {});
+    hold(it, at, home);
+    return error_of([&] { Equations(it.scene).constraints(); });
+  };
+  const std::string message =
+      "the direction of constraint 'c' is the null vector, along which nothing is held: give the direction";
+  EXPECT_EQ(refused([](Touching& it, const PointHandle& at, const PointHandle& home) {
+              it.scene.closure("c", home, at, {0, it.x / it.x - 1, 0});
+            }),
+            message);
+  EXPECT_EQ(refused([](Touching& it, const PointHandle& at, const PointHandle&) {
+              it.scene.no_slip("c", {.body = it.body, .contact = at, .direction = {0, 0, 0}, .axes = it.scene.ground()});
+            }),
+            message);
+  EXPECT_EQ(refused([](Touching& it, const PointHandle& at, const PointHandle& home) {
+              it.scene.closure("c", home, at, axis::z);
+            }),
+            "no error");
 }
 
 }  // namespace

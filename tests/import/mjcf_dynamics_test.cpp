@@ -234,6 +234,42 @@ TEST(MjcfEquality, WhatIsHeldAlreadyIsNotConstrainedOnceMore) {
   EXPECT_EQ(read.equations().constraints().size(), 0U);
 }
 
+// What equalities hold, directly or by another joint, does not move: no input acts on it.
+TEST(MjcfEquality, ActuatorsOfWhatIsHeldDoNotAct) {
+  MjcfModel model = read_with_mujoco(data_file("held"));
+  const auto joint = [&](const std::string& name) {
+    const auto is_named = [&](const MjcfJoint& each) { return each.name == name; };
+    return static_cast<int>(std::find_if(model.joints.begin(), model.joints.end(), is_named) - model.joints.begin());
+  };
+  const auto motor = [&](const std::string& name, MjcfTransmission transmission, int target) {
+    MjcfActuator actuator;
+    actuator.name = name;
+    actuator.transmission = transmission;
+    actuator.target = target;
+    actuator.gear[0] = 1;
+    model.actuators.push_back(actuator);
+  };
+  MjcfSite site;
+  site.name = "top";
+  site.body = model.joints[static_cast<std::size_t>(joint("y"))].body;
+  site.quaternion = {1, 0, 0, 0};
+  model.sites.push_back(site);
+  MjcfEquality follows = model.equalities[1];  // y = 2 x, and x is held
+  follows.second = joint("x");
+  follows.polynomial = {0, 2, 0, 0, 0};
+  model.equalities[1] = follows;
+  motor("on swing", MjcfTransmission::joint, joint("swing"));
+  motor("on x", MjcfTransmission::joint, joint("x"));
+  motor("on y", MjcfTransmission::joint, joint("y"));
+  motor("on top", MjcfTransmission::site, static_cast<int>(model.sites.size()) - 1);
+  const ImportedMjcf made = mjcf_scene(model);
+  EXPECT_EQ(made.notes, (std::vector<std::string>{
+                            "actuators do not act: on x (its joint is held), on y (its joint is held), on top (its site does "
+                            "not move)",
+                            "equality constraints of what is held already do not act: hold sum"}));
+  EXPECT_EQ(Equations(made.scene).model().inputs().size(), 1U);
+}
+
 // Contacts cannot act: that is noted, and refused strictly; where there are none, nothing is.
 TEST(Mjcf, NotesWhatCannotActAndRefusesItStrictly) {
   MjcfModel model = read_with_mujoco(data_file("walker"));

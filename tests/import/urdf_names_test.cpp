@@ -110,6 +110,7 @@ TEST(UrdfData, WithoutEffectIsTold) {
       "machine.urdf");
   const std::vector<std::string> expected{"Noted while reading (--strict refuses it):",
                                           "  attribute drake:acceleration of <limit> is not read: joint hinge",
+                                          "  <limit> has no lower, which is 0 by the format: joint hinge",
                                           "Stated of joints and without effect:",
                                           "  hinge: acceleration 4, jerk 30 of <limit>",
                                           "  hinge: soft_upper_limit 1.5, k_velocity 10 of <safety_controller>",

@@ -142,6 +142,24 @@ TEST(UrdfReading, TakesInfiniteLimitsAsNoneAndLeavesOutThoseInTheWrongOrder) {
   EXPECT_EQ(robot.notes, Lines{"lower of <limit> is larger than upper, and both are left out: joint wrist"});
 }
 
+// The format: lower and upper are "omitted" as 0. Without both there is no limit; a leg that was given down to -0.5 would have
+// an upper bound of 0.
+TEST(UrdfReading, TakesZeroForTheOnlyLimitThatIsNotGiven) {
+  const auto bounds = [](const std::string& type, const std::string& limit) {
+    const ImportedRobot robot = imported(base + link("arm") + joint("hinge", type, "base", "arm", "<limit " + limit + "/>"));
+    return std::tuple(robot.joints[0].lower, robot.joints[0].upper, robot.notes);
+  };
+  using Bound = std::optional<Number>;
+  const Lines no_lower{"<limit> has no lower, which is 0 by the format: joint hinge"};
+  const Lines no_upper{"<limit> has no upper, which is 0 by the format: joint hinge"};
+  for (const std::string type : {"revolute", "prismatic"}) {
+    EXPECT_EQ(bounds(type, "upper=\"1.5\" effort=\"1\""), std::tuple(Bound(Number(0)), Bound(Number::rational(3, 2)), no_lower));
+    EXPECT_EQ(bounds(type, "lower=\"-0.5\""), std::tuple(Bound(Number::rational(-1, 2)), Bound(Number(0)), no_upper));
+    EXPECT_EQ(bounds(type, "lower=\"-inf\""), std::tuple(Bound(), Bound(Number(0)), no_upper));
+    EXPECT_EQ(bounds(type, "effort=\"1\" velocity=\"2\""), std::tuple(Bound(), Bound(), Lines()));
+  }
+}
+
 // --- places and types ---------------------------------------------------------------------------------------------
 
 // A quarter turn about z and one about x: the quaternion (½, ½, ½, ½) of the third part of a turn about (1, 1, 1).

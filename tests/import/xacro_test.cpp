@@ -235,6 +235,42 @@ TEST(Xacro, MacroTakesParametersDefaultsForwardsAndBlocks) {
             "<l n=\"left_arm 3 a b near\"><t v=\"left_\"/><p/><q/></l>");
 }
 
+// As xacro reads params: one expression goes to the first bracket that ends a word; otherwise both quotes hold blanks.
+TEST(Xacro, DefaultsOfParametersMayHoldBlanks) {
+  const std::string properties = "<xacro:property name=\"a\" value=\"2\"/><xacro:property name=\"b\" value=\"3\"/>";
+  const auto with = [&properties](const std::string& parameters) {
+    return expanded(properties + "<xacro:macro name=\"m\" params='" + parameters +
+                    "'><x v=\"${m}|${n}\"/></xacro:macro><xacro:m/>");
+  };
+  EXPECT_EQ(with("m:=${a + b} n:=7"), "<x v=\"5|7\"/>");
+  EXPECT_EQ(with("m:=^|${ a*{1: 4}[1] } n=$(eval 1 + 1)"), "<x v=\"8|2\"/>");
+  EXPECT_EQ(with("m:=${a}${b} n:=x${a}"), "<x v=\"23|x2\"/>");
+  EXPECT_EQ(with("m:=\"p q\" n:=\"it&apos;s\""), "<x v=\"&quot;p q&quot;|&quot;it's&quot;\"/>");
+}
+
+// int("1_2") is 12 in Python; xacro keeps the text of a property, and an expression has Python's number.
+TEST(Xacro, ATextWithAnUnderscoreStaysAText) {
+  EXPECT_EQ(expanded("<xacro:property name=\"id\" value=\"1_2\"/><xacro:property name=\"n\" value=\"${1_000}\"/>"
+                     "<xacro:macro name=\"m\" params=\"i j:=3_4\"><y v=\"${i}${j}\"/></xacro:macro>"
+                     "<x v=\"link${id} ${n}\"/><xacro:m i=\"5_6\"/>"),
+            "<x v=\"link1_2 1000\"/><y v=\"5_63_4\"/>");
+}
+
+// A lazy property is evaluated where it is used first, another one where it stands.
+TEST(Xacro, PropertyMayBeEvaluatedAtOnce) {
+  const auto with = [](const std::string& lazy) {
+    return expanded("<xacro:property name=\"a\" value=\"1\"/><xacro:property name=\"b\" value=\"${a + 1}\" " + lazy +
+                    "/><xacro:property name=\"a\" value=\"10\"/><x v=\"${b}\"/>");
+  };
+  EXPECT_EQ(with(""), "<x v=\"11\"/>");
+  EXPECT_EQ(with("lazy_eval=\"true\""), "<x v=\"11\"/>");
+  EXPECT_EQ(with("lazy_eval=\"false\""), "<x v=\"2\"/>");
+  EXPECT_EQ(with("lazy_eval=\"${1 == 2}\""), "<x v=\"2\"/>");
+  expect_refused("<xacro:property name=\"b\" value=\"1\" lazy_eval=\"perhaps\"/>",
+                 "r.xacro:2: <xacro:property name=\"b\">: the condition is \"perhaps\"; write true, false, an integer or an "
+                 "expression ${...}");
+}
+
 TEST(Xacro, MacroMayCallItselfWhileACondition) {
   EXPECT_EQ(
       expanded("<xacro:macro name=\"m\" params=\"i\"><xacro:if value=\"${i}\"><x i=\"${i}\"/><xacro:m i=\"${i - 1}\"/>"

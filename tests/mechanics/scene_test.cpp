@@ -181,5 +181,13 @@ TEST(Scene, KeepsLimitsOfCoordinatesAndRefusesThoseTheWrongWayRound) {
   EXPECT_THROW(scene.limits(2 * q, {}), SceneError);
 }
 
+TEST(Scene, HasOneGravity) {
+  Scene scene("stone");
+  const Triple down{0, 0, Expression::quantity("-10", "m/s^2")};
+  scene.gravity(down);
+  EXPECT_EQ(error_of<SceneError>([&] { scene.gravity(down); }),
+            "the scene 'stone' has a gravity already: give one sum of both, or a force for what else acts");
+}
+
 }  // namespace
 }  // namespace torsor::scene_test

@@ -119,6 +119,16 @@ TEST(PrintEquations, LinearisesAboutTheSpinOfAnAttitude) {
   EXPECT_NE(text.find("  C = [ 0  ,  5,  0 ]\n      [ -10,  0,  0 ]\n      [ 0  ,  0,  0 ]\n"), std::string::npos) << text;
 }
 
+// C of a free body turns with omega: that e' is no rate there must be said, and where nothing turns so it is not.
+TEST(PrintEquations, SaysWhatTheRateOfATurnStandsFor) {
+  Scene scene("top");
+  const FrameHandle top = scene.spherical("top", scene.ground(), scene.attitude("e"));
+  scene.body("top", top, testing_mechanisms::generic_body());
+  const std::string sentence = "w = de/dt + omega x e.";
+  EXPECT_NE(section(print(scene, {}), "Linearised equations").find(sentence), std::string::npos) << print(scene, {});
+  EXPECT_EQ(print(test::absorber(), {}).find(sentence), std::string::npos);
+}
+
 // A motor that pulls where x grows and pushes where y does: E u stands on the right.
 TEST(PrintEquations, LinearisesMotorsOnTheRight) {
   Scene scene("cart");

@@ -69,6 +69,30 @@ TEST(ReducedEquations, AreThoseOfThePendulumThatARodMakes) {
   EXPECT_TRUE(contains(latex, "\\mathbf{K}_r &= \\begin{pmatrix}")) << latex;
 }
 
+// (2, 2) is no place of a circle of radius 1 m: 4 + 4 - 1 = 7, and x' = 3 leaves it at the rate 2 * 2 * 3 = 12. Where l and y
+// are open, they must fulfil what is left; where the state fulfils all, nothing is said.
+TEST(ReducedEquations, SayWhereTheStateViolatesAConstraint) {
+  const auto left = [](const About& about) {
+    std::vector<std::string> all;
+    for (const ConstraintLeft& each : constraints_left(bob(), {}, about)) {
+      all.push_back((each.rate ? "rate " : "") + each.name + (each.open ? " open " : " ") + text(collected(each.left.value())));
+    }
+    return all;
+  };
+  using Texts = std::vector<std::string>;
+  EXPECT_EQ(left({{"x", "0"}, {"y", "-l"}}), Texts{});
+  EXPECT_EQ(left({{"x", "l*cos(pi/5)"}, {"y", "l*sin(pi/5)"}}), Texts{});
+  EXPECT_EQ(left({{"x", "2"}, {"y", "2"}, {"x'", "3"}}), (Texts{"rod open -l^2 + 8", "rate rod 12"}));
+  EXPECT_EQ(left({{"x", "0"}}), Texts{"rod open -l^2 + y^2"});
+  PrintOptions options;
+  options.about = {{"x", "2"}, {"y", "2"}, {"x'", "3"}};
+  const std::string page = print_equations(bob(), Format::text, options);
+  EXPECT_TRUE(contains(page, "(rod: must hold at this state)\n")) << page;
+  EXPECT_TRUE(contains(page, "(the rate of rod: does not hold at this state)\n")) << page;
+  options.about = {{"x", "0"}, {"y", "-l"}};
+  EXPECT_FALSE(contains(print_equations(bob(), Format::text, options), "at this state"));
+}
+
 // A sled that runs along its edge at the speed V: a turn e_psi moves it aside, y' = V e_psi, and turns the force of the edge,
 // lambda e_psi along x. Velocities along and about stay, those across follow.
 TEST(ReducedEquations, TellHowCoordinatesOfARollingMotionChange) {

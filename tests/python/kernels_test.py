@@ -220,6 +220,11 @@ def test_series_of_a_motion(pendulum):
     np.testing.assert_allclose(series @ t ** np.arange(21), motion.states[0], atol=1e-13)
     with pytest.raises(ValueError, match="order"):
         pendulum.jets(q, v, order=31)
+    assert pendulum.jets(q, v).coefficients.shape == (4, 13)
+    with pytest.raises(ValueError, match="order: mass_matrix has none, only Taylor coefficients do; leave it out"):
+        pendulum.mass_matrix(q, order=3)
+    with pytest.raises(ValueError, match="order: energy has none"):
+        pendulum.energy.bind(q, v, order=12)
 
 
 def test_says_what_it_is(panda, body):

@@ -144,6 +144,21 @@ constexpr Translation french_of_equations[] = {
      "u$, $\\varepsilon$ the deviation from the state, in the order of the coordinates.",
      "$\\mathbf{M} \\ddot{\\varepsilon} + \\mathbf{C} \\dot{\\varepsilon} + \\mathbf{K} \\varepsilon = \\mathbf{F} + \\mathbf{E} "
      "u$, $\\varepsilon$ l'écart à l'état, dans l'ordre des paramètres."},
+    {"Along an attitude e is a turn in its moving axes; e' and e'' stand for w and w', w the deviation of its angular velocity "
+     "omega, w = de/dt + omega x e.",
+     "Pour une attitude, e est une rotation dans ses axes mobiles ; e' et e'' tiennent lieu de w et w', w l'écart de sa "
+     "vitesse de rotation omega, w = de/dt + omega x e."},
+    {"Along an attitude $\\varepsilon$ is a turn in its moving axes; $\\dot{\\varepsilon}$ and $\\ddot{\\varepsilon}$ stand for "
+     "$w$ and $\\dot{w}$, $w$ the deviation of its angular velocity $\\omega$, "
+     "$w = \\frac{\\mathrm{d}\\varepsilon}{\\mathrm{d}t} + \\omega \\wedge \\varepsilon$.",
+     "Pour une attitude, $\\varepsilon$ est une rotation dans ses axes mobiles ; $\\dot{\\varepsilon}$ et $\\ddot{\\varepsilon}$ "
+     "tiennent lieu de $w$ et $\\dot{w}$, $w$ l'écart de sa vitesse de rotation $\\omega$, $w = "
+     "\\frac{\\mathrm{d}\\varepsilon}{\\mathrm{d}t} + \\omega \\wedge \\varepsilon$."},
+    {"the rate of {}", "la dérivée de {}"},
+    {"{}: must hold at this state", "{} : doit être vérifiée à cet état"},
+    {"{}: does not hold at this state", "{} : n'est pas vérifiée à cet état"},
+    {"What the state leaves of {} must vanish; it is too long to be written out.",
+     "Ce que l'état laisse de {} doit s'annuler ; c'est trop long à écrire."},
     {"About any state without acceleration.", "Autour d'un état quelconque sans accélération."},
     {"About {}; velocities and accelerations not named are zero.",
      "Autour de {} ; vitesses et accélérations non nommées sont nulles."},
@@ -214,7 +229,6 @@ constexpr Translation french_of_equations[] = {
     {"U depends on it", "U en dépend"},
     {"{} acts along it", "{} travaille suivant ce paramètre"},
     {"{} act along it", "{} travaillent suivant ce paramètre"},
-    {"what stands against it vanishes for unit quaternions only", "ce qui s'y oppose ne s'annule que pour des quaternions unitaires"},
     // Contacts
     {"Contacts that open and close", "Contacts unilatéraux"},
     {"g is the gap and w its rate (N) or a slip (T), of the first body on the second.",

@@ -15,9 +15,48 @@
 namespace torsor {
 namespace {
 
-class SurfaceCheck {
+/// Sizes whose value the scene knows, of one that names it in messages.
+class SizeCheck {
  public:
-  SurfaceCheck(const SceneContent& scene, const ContactContent& contact) : scene_(scene), contact_(contact) {}
+  SizeCheck(const SceneContent& scene, std::string user) : scene_(scene), user_(std::move(user)) {}
+
+  /// Nothing where the formula needs parameters without a value; what is more than parameters is refused elsewhere.
+  std::optional<Real> known(const Expression& formula) const {
+    try {
+      return parameter_value(scene_, formula);
+    } catch (const SceneError&) {
+      return std::nullopt;
+    }
+  }
+  void at_least(const Expression& formula, const char* what, const Expression& least, const char* remedy) const {
+    const auto value = known(formula), bound = known(least);
+    if (value && bound && *value < *bound) refuse(what, formula, *value, remedy);
+  }
+  [[noreturn]] void refuse(const char* what, const Expression& formula, const Real& value, const char* remedy) const {
+    throw SceneError(
+        fmt::format("{} has the {} {} = {:.6g}: {}", user_, what, formula.to_string(), value.to_double(), remedy));
+  }
+
+ private:
+  const SceneContent& scene_;
+  std::string user_;
+};
+
+/// Sizes of the bodies around whose lowest point a plane is touched.
+void check_lowest_points(const SceneContent& scene) {
+  for (const PointContent& point : scene.points) {
+    if (!point.lowest || point.lowest->support) continue;
+    const SizeCheck check(scene, fmt::format("point '{}'", point.name));
+    const char* size = "give the size of what touches the plane";
+    check.at_least(point.lowest->radius, "radius", Expression(0), size);
+    check.at_least(point.lowest->tube, "tube's radius", Expression(0), size);
+  }
+}
+
+class SurfaceCheck : SizeCheck {
+ public:
+  SurfaceCheck(const SceneContent& scene, const ContactContent& contact)
+      : SizeCheck(scene, fmt::format("contact '{}'", contact.name)), contact_(contact) {}
 
   void run() {
     if (std::holds_alternative<TurnOnContact>(contact_.geometry)) {
@@ -53,24 +92,6 @@ class SurfaceCheck {
   }
 
  private:
-  /// Nothing where the formula needs parameters without a value; what is more than parameters is refused elsewhere.
-  std::optional<Real> known(const Expression& formula) const {
-    try {
-      return parameter_value(scene_, formula);
-    } catch (const SceneError&) {
-      return std::nullopt;
-    }
-  }
-  void at_least(const Expression& formula, const char* what, const Expression& least, const char* remedy) const {
-    const auto value = known(formula), bound = known(least);
-    if (value && bound && *value < *bound) refuse(what, formula, *value, remedy);
-  }
-  [[noreturn]] void refuse(const char* what, const Expression& formula, const Real& value, const char* remedy) const {
-    throw SceneError(fmt::format("contact '{}' has the {} {} = {:.6g}: {}", contact_.name, what, formula.to_string(),
-                                 value.to_double(), remedy));
-  }
-
-  const SceneContent& scene_;
   const ContactContent& contact_;
 };
 
@@ -87,6 +108,7 @@ const ContactContent* lower_stop_of(const SceneContent& scene, const Stop& upper
 }  // namespace
 
 void check_surfaces(const SceneContent& scene) {
+  check_lowest_points(scene);
   for (const ContactContent& contact : scene.contacts) SurfaceCheck(scene, contact).run();
   if (!scene.contacts.empty() && !scene.frictions.empty()) {
     throw SceneError(fmt::format("friction '{}' assumes that its contact slides, and contact '{}' may open and close: give "

@@ -93,6 +93,8 @@ class DependenceCheck {
       all("the place of " + name, point.components, Allowed::configuration);
       if (!point.lowest) continue;
       require("the radius of " + name, point.lowest->radius, Allowed::parameters);
+      require("the tube's radius of " + name, point.lowest->tube, Allowed::parameters);
+      if (point.lowest->support) require("the support function of " + name, point.lowest->support->h, Allowed::parameters);
       if (point.lowest->axis) all("the axis of " + name, *point.lowest->axis, Allowed::parameters);
     }
     for (const ActionContent& action : scene_.actions) std::visit(*this, action);

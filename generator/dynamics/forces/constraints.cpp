@@ -29,6 +29,7 @@ class RowBuilder {
     const Vector b = model_.locate(law.b, 0, user_);
     const Vector ab = bound(program_, b - a);
     const Vector direction = lower(program_, law.direction);
+    refuse_null(direction);
     holonomic(dot(ab, direction));
     const std::vector<Value> of_a = partial_velocities(model_, link_of(law.a), {.link = 0, .place = a}, direction);
     const std::vector<Value> of_b = partial_velocities(model_, link_of(law.b), {.link = 0, .place = b}, direction);
@@ -52,6 +53,7 @@ class RowBuilder {
     const int axes = model_.place(law.axes, user_).link;
     const int link = model_.place(law.body, user_).link;
     const GeometricPoint point{.link = axes, .place = bound(program_, model_.locate(law.contact, axes, user_))};
+    refuse_null(lower(program_, law.direction));
     const Vector direction = model_.express(law.direction, law.axes, axes, user_);
     const int on = model_.place(law.on, user_).link;
     row_.jacobian = partial_velocities(model_, link, point, direction);
@@ -114,6 +116,12 @@ class RowBuilder {
     const ClosureWrench wrench = closure_wrench(model_, law, user_);
     release(at_b.link, at_a.link, {.link = axes, .place = wrench.point}, wrench.at_point.resultant);
     release_turn(at_b.link, at_a.link, wrench.at_point.moment, axes);
+  }
+
+  void refuse_null(const Vector& direction) const {
+    if (!program_.bind(dot(direction, direction)).is_zero()) return;
+    throw SceneError(fmt::format("the direction of {} is the null vector, along which nothing is held: give the direction",
+                                 user_));
   }
 
   /// Velocity along a direction of the point of a link that is there, all joints at their rates.

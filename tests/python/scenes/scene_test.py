@@ -264,6 +264,35 @@ def test_simulates_from_the_scene_itself():
     assert at["z"] == pytest.approx(2 * 0.35 - 5 * 0.35**2, abs=1e-8)
 
 
+def test_options_of_formulas_are_given_one_by_one(tmp_path):
+    """Two balls that nothing acts on, at 1 m/s from -0.25 m and -0.5 m: they pass zero at 0.25 s and 0.5 s."""
+    scene = Scene("balls")
+    for name, start in (("x", "-1/4"), ("y", "-1/2")):
+        q = scene.coordinate(name, "m")
+        scene.body(name, scene.prismatic(name, scene.ground, axis.x, q), Inertia.point(quantity(1, "kg")))
+        scene.spring(f"s_{name}", q, scene.parameter(f"k_{name}", "N/m", 0))
+        scene.initial(q, start, 1)
+    for about in ({"x": 2, "y": 3}, ["x=2", "y=3"]):
+        assert "About x = 2, y = 3;" in scene.equations(about=about)
+    assert "With k_x = 7, k_y = 8." in scene.run("statics", set={"k_x": 7, "k_y": 8}, about=["x=0", "y=0"])
+    motion = scene.simulate(1.0, step=1.0, events=["a: min(x, 2*x)", "b: y"])
+    # Rows of events stand among those of the steps, located as the motion is: within 1e-10 a step.
+    np.testing.assert_allclose(motion["time"], [0, 0.25, 0.5, 1], atol=1e-8)
+    scene.run("simulate", to=1, step=0.5, plot=[tmp_path / "motion.svg", "x,y"])
+    assert "<svg" in (tmp_path / "motion.svg").read_text()
+    with pytest.raises(ts.UsageError, match="--about names 'x' twice: give it one value"):
+        scene.equations(about=["x=1", "x=2"])
+    for option in ("initial", "run_time"):
+        with pytest.raises(ts.UsageError, match=f"--{option.replace('_', '-')} names 'x' twice: give it one number"):
+            scene.simulate(1.0, **{option: ["x=1", "x=2"]})
+
+
+def test_a_scene_has_one_gravity():
+    scene = crane()
+    with pytest.raises(ts.SceneError, match="the scene 'crane' has a gravity already"):
+        scene.gravity((0, 0, quantity(-1, "m/s^2")))
+
+
 def test_a_motion_that_ends_early_has_its_rows():
     """x' = x^2 from x = 1 is 1 / (1 - t): it reaches every bound before 1 s."""
     scene = Scene("blow_up")
