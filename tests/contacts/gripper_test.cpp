@@ -18,7 +18,8 @@ using namespace simple_systems;
 
 constexpr double press = 5, f = 0.4, finger = 0.5, w = 0.1;
 
-/// q = (x, z) of either finger, (x, z, θ) of the box of mass 1, which turns little. What draws each finger up is pull(t).
+/// q = (x, z) of either finger, (x, z, θ) of the box of mass 1, which turns little. What draws each finger up is
+/// pull(t).
 template <class Pull>
 ByHand<7, 7, 6> gripper(const Pull& pull) {
   const ContactRule rough{.tangents = 1, .friction = f};
@@ -75,9 +76,9 @@ TEST(Gripper, HasNoContactThatSlidesAgainstItsSlip) {
   }
 }
 
-// A box of half width 0.15 is pulled at the height 0.3 by 9.81 t: where f is a little above 0.15/0.3 its corner comes off the
-// floor at 0.5, and the other one slips soon after, as the box has hardly begun to tip. The corner did not open fast enough to be
-// let go, and was taken to slide beside one that sticks: the motion ended with `integration_failed`.
+// A box of half width 0.15 is pulled at the height 0.3 by 9.81 t: where f is a little above 0.15/0.3 its corner comes
+// off the floor at 0.5, and the other one slips soon after, as the box has hardly begun to tip. The corner did not open
+// fast enough to be let go, and was taken to slide beside one that sticks: the motion ended with `integration_failed`.
 TEST(PulledBox, BeginsToTipAndThenSlides) {
   constexpr double rough = 0.5000001;
   const ContactRule rule{.tangents = 1, .friction = rough};
@@ -88,7 +89,8 @@ TEST(PulledBox, BeginsToTipAndThenSlides) {
                               r.J << 0, 1, -0.15, 1, 0, 0.3, 0, 1, 0.15, 1, 0, 0.3;
                               r.gap[0] = y[1] - 0.15 * y[2] - 0.3;
                               r.gap[1] = y[1] + 0.15 * y[2] - 0.3;
-                              for (int row = 0; row < 4; ++row) r.w(row) = r.J(row, 0) * y[3] + r.J(row, 1) * y[4] + r.J(row, 2) * y[5];
+                              for (int row = 0; row < 4; ++row)
+                                r.w(row) = r.J(row, 0) * y[3] + r.J(row, 1) * y[4] + r.J(row, 2) * y[5];
                               r.drift.setZero();
                             }};
   std::array<double, 6> y{0, 0.3, 0};
