@@ -13,7 +13,7 @@
 //   mass_matrix                   1                2          0             0                  1       0      5       5
 //   bias                          4               13          0             0                  1       0     19      19
 //   energy                       14               26          0             0                  3       0     46      50
-//   contacts                     53              115          6             1                  2       0    179     193
+//   contacts                     40               91          6             1                  2       0    142     149
 //   contact_coefficients          0                0          0             0                  0       0      0       0
 //
 // Not computed because this mechanism does not need it:
@@ -63,7 +63,7 @@ struct Mechanism {
 
   static constexpr const char* name = "disk_in_a_circle_rough_plane";
   /// 64 bits (FNV-1a) of this file from "#pragma once" on, with zeros in their own place: another mechanism, other bits.
-  static constexpr unsigned long long fingerprint = 0x756bd4f8f12dbc7aULL ^ torsor::support_fingerprint;
+  static constexpr unsigned long long fingerprint = 0xc5e8885e93464f0cULL ^ torsor::support_fingerprint;
   static constexpr int coordinate_count = 6;
   static constexpr int velocity_count = 6;
   static constexpr int input_count = 0;
@@ -397,10 +397,10 @@ struct Mechanism {
   /// Rows are contact by contact, the normal first (n from the second body to the first, so that w > 0 opens), then
   /// the tangents: w = J v + b, dw/dt = J a + drift. M a + h = E u + A' lambda + J' r with the reactions r.
   TORSOR_DEVICE static void contacts(const Precomputed&, const State& state, Contacts& result) noexcept {
-    const Scalar n1 = traits::constant(1.0, 1.0f, "1/1");
     const Scalar n2 = traits::constant(2.0, 2.0f, "2/1");
     const Scalar n0_5 = traits::constant(0.5, 0.5f, "1/2");
     const Scalar n0 = traits::constant(0.0, 0.0f, "0/1");
+    const Scalar n1 = traits::constant(1.0, 1.0f, "1/1");
     const Scalar v_x = state.v.x;
     const Scalar v_y = state.v.y;
     const Scalar q_z = state.q.z;
@@ -416,75 +416,64 @@ struct Mechanism {
     const Scalar s_psi = sines_[0], c_psi = cosines_[0];
     const Scalar s_theta = sines_[1], c_theta = cosines_[1];
     const Scalar z0 = s_psi * s_theta;
-    const Scalar z1 = n1 - c_theta * c_theta;
+    const Scalar z1 = c_psi * s_theta;
     const Scalar z2 = v_theta * c_theta;
-    const Scalar z3 = c_psi * s_theta;
-    const Scalar z4 = v_psi * c_psi;
-    const Scalar z5 = v_psi * s_psi;
-    const Scalar z6 = n2 * c_theta;
-    const Scalar z7 = v_theta * s_theta;
-    const Scalar z8 = s_psi * c_theta;
-    const Scalar z9 = c_psi * c_theta;
-    const Scalar z10 = c_theta * z0;
-    const Scalar z11 = c_theta * z3;
-    const Scalar z12 = s_theta * z0 - c_theta * z8;
-    const Scalar z13 = s_theta * z3 - c_theta * z9;
-    const Scalar z14 = s_theta * z6;
-    const Scalar z15 = s_psi * z2 + s_theta * z4;
-    const Scalar z16 = c_psi * z2 - s_theta * z5;
-    const Scalar z17 = z6 * z7;
-    const Scalar z18 = v_theta * z7;
-    const Scalar z19 = v_psi * z5;
-    const Scalar z20 = n2 * z2;
-    const Scalar z21 = v_theta * z2;
-    const Scalar z22 = n2 * z7;
-    const Scalar z23 = v_psi * z4;
-    const Scalar z24 = z1 * z1 + z10 * z10 + z11 * z11;
-    const Scalar z25 = s_psi * z18 + s_theta * z19 - z4 * z20;
-    const Scalar z26 = c_psi * z18 + s_theta * z23 + z5 * z20;
-    const Scalar z27 = n2 * (c_theta * z21 - z7 * z7);
-    const Scalar z28 = n2 * (z10 * z12 + z11 * z13 - z1 * z14);
-    const Scalar z29 = c_theta * z15 - z0 * z7;
-    const Scalar z30 = c_theta * z16 - z3 * z7;
-    const Scalar z31 = traits::sqrt(z24);
-    const Scalar z32 = n2 * (z1 * z17 + z10 * z29 + z11 * z30);
-    const Scalar z33 = z0 * z21 + z15 * z22 + c_theta * z25;
-    const Scalar z34 = z3 * z21 + z16 * z22 + c_theta * z26;
-    const Scalar z35 = n2 * (z10 * z33 + z11 * z34 - z1 * z27 - z29 * z29 - z30 * z30 - z17 * z17);
-    const Scalar z36 = n2 / z31;
-    const Scalar z37 = q_z - n2 * z31;
-    const Scalar z38 = n0_5 * z28 / z31;
-    const Scalar z39 = n0_5 * z32 / z31;
-    const Scalar z40 = n2 * z38;
-    const Scalar z41 = v_z - n2 * z39;
-    const Scalar z42 = z10 * z36;
-    const Scalar z43 = z11 * z36;
-    const Scalar z44 = z1 * z36;
-    const Scalar z45 = n2 * z39 / (z31 * z31);
-    const Scalar z46 = n0_5 * (z32 * z39 / (z31 * z31) + z35 / z31);
-    const Scalar z47 = s_psi * z44;
-    const Scalar z48 = c_psi * z44;
-    const Scalar z49 = c_theta * z43 + z3 * z44;
-    const Scalar z50 = c_theta * z42 + z0 * z44;
-    const Scalar z51 = v_x + v_psi * z43 - v_theta * z47 + v_phi * z49;
-    const Scalar z52 = v_y + v_psi * z42 + v_theta * z48 + v_phi * z50;
-    const Scalar z53 = z11 * z45 - z36 * z30;
-    const Scalar z54 = z1 * z45 - z36 * z17;
-    const Scalar z55 = z10 * z45 - z36 * z29;
-    const Scalar z56 = n2 * z46;
-    const Scalar z57 = s_psi * z54 - z4 * z44;
-    const Scalar z58 = z7 * z43 - z16 * z44 + c_theta * z53 + z3 * z54;
-    const Scalar z59 = z5 * z44 + c_psi * z54;
-    const Scalar z60 = z7 * z42 - z15 * z44 + c_theta * z55 + z0 * z54;
-    const Scalar z61 = v_psi * z53 - v_theta * z57 + v_phi * z58;
-    const Scalar z62 = v_psi * z55 + v_theta * z59 + v_phi * z60;
-    result.gap[0] = z37;
-    result.rate[0] = z41;
-    result.drift[0] = z56;
-    result.rate[1] = z51;
-    result.drift[1] = -z61;
-    result.rate[2] = z52;
-    result.drift[2] = -z62;
+    const Scalar z3 = v_psi * c_psi;
+    const Scalar z4 = v_psi * s_psi;
+    const Scalar z5 = v_theta * s_theta;
+    const Scalar z6 = s_psi * c_theta;
+    const Scalar z7 = c_psi * c_theta;
+    const Scalar z8 = c_theta * z0;
+    const Scalar z9 = c_theta * z1;
+    const Scalar z10 = z0 * z0 + z1 * z1;
+    const Scalar z11 = n2 * (z0 * z6 + z1 * z7);
+    const Scalar z12 = s_psi * z2 + s_theta * z3;
+    const Scalar z13 = c_psi * z2 - s_theta * z4;
+    const Scalar z14 = v_theta * z5;
+    const Scalar z15 = v_psi * z4;
+    const Scalar z16 = n2 * z2;
+    const Scalar z17 = v_psi * z3;
+    const Scalar z18 = s_psi * z14 + s_theta * z15 - z3 * z16;
+    const Scalar z19 = c_psi * z14 + s_theta * z17 + z4 * z16;
+    const Scalar z20 = traits::sqrt(z10);
+    const Scalar z21 = n2 * (z0 * z12 + z1 * z13);
+    const Scalar z22 = c_theta * z13 - z1 * z5;
+    const Scalar z23 = c_theta * z12 - z0 * z5;
+    const Scalar z24 = n2 * (z0 * z18 + z1 * z19 - z12 * z12 - z13 * z13);
+    const Scalar z25 = n2 / z20;
+    const Scalar z26 = q_z - n2 * z20;
+    const Scalar z27 = n0_5 * z11 / z20;
+    const Scalar z28 = n0_5 * z21 / z20;
+    const Scalar z29 = n2 * z27;
+    const Scalar z30 = v_z - n2 * z28;
+    const Scalar z31 = n0_5 * (z21 * z28 / (z20 * z20) + z24 / z20);
+    const Scalar z32 = z8 * z25;
+    const Scalar z33 = z9 * z25;
+    const Scalar z34 = z10 * z25;
+    const Scalar z35 = n2 * z28 / (z20 * z20);
+    const Scalar z36 = s_psi * z34;
+    const Scalar z37 = c_psi * z34;
+    const Scalar z38 = c_theta * z33 + z1 * z34;
+    const Scalar z39 = c_theta * z32 + z0 * z34;
+    const Scalar z40 = v_x + v_psi * z33 - v_theta * z36 + v_phi * z38;
+    const Scalar z41 = v_y + v_psi * z32 + v_theta * z37 + v_phi * z39;
+    const Scalar z42 = z9 * z35 - z25 * z22;
+    const Scalar z43 = z10 * z35 - z25 * z21;
+    const Scalar z44 = z8 * z35 - z25 * z23;
+    const Scalar z45 = n2 * z31;
+    const Scalar z46 = s_psi * z43 - z3 * z34;
+    const Scalar z47 = z5 * z33 - z13 * z34 + c_theta * z42 + z1 * z43;
+    const Scalar z48 = z4 * z34 + c_psi * z43;
+    const Scalar z49 = z5 * z32 - z12 * z34 + c_theta * z44 + z0 * z43;
+    const Scalar z50 = v_psi * z42 - v_theta * z46 + v_phi * z47;
+    const Scalar z51 = v_psi * z44 + v_theta * z48 + v_phi * z49;
+    result.gap[0] = z26;
+    result.rate[0] = z30;
+    result.drift[0] = z45;
+    result.rate[1] = z40;
+    result.drift[1] = -z50;
+    result.rate[2] = z41;
+    result.drift[2] = -z51;
     result.jacobian[0] = n0;
     result.jacobian[1] = n1;
     result.jacobian[2] = n0;
@@ -495,14 +484,14 @@ struct Mechanism {
     result.jacobian[7] = n0;
     result.jacobian[8] = n0;
     result.jacobian[9] = n0;
-    result.jacobian[10] = z43;
-    result.jacobian[11] = z42;
-    result.jacobian[12] = z40;
-    result.jacobian[13] = -z47;
-    result.jacobian[14] = z48;
+    result.jacobian[10] = z33;
+    result.jacobian[11] = z32;
+    result.jacobian[12] = -z29;
+    result.jacobian[13] = -z36;
+    result.jacobian[14] = z37;
     result.jacobian[15] = n0;
-    result.jacobian[16] = z49;
-    result.jacobian[17] = z50;
+    result.jacobian[16] = z38;
+    result.jacobian[17] = z39;
   }
 
   /// What the surfaces of each contact are made of, in the order plane:

@@ -327,9 +327,8 @@ bool ContactAutomaton::jams_nearly(double t, std::span<const double> y) {
 bool ContactAutomaton::take_regime(const ContactSelection& chosen, int k, const ContactSolution& s) {
   const ContactProblem& problem = chosen.problem;
   const ContactLaw& law = problem.law(k);
-  const int i = chosen.who[as(k)];
+  const int i = chosen.who[as(k)], n = problem.first_row(k), t = problem.tangent_row(k);
   const std::optional<int> by = motion_.carrier(i);
-  const int n = problem.first_row(k), t = problem.tangent_row(k);
   ContactState& state = motion_.states[as(i)];
   // Two that neither press nor part, as pendulums of one length side by side, would else part and strike without end.
   const double part = 1e-12 * bounces_[as(i)].doubt;
@@ -351,10 +350,13 @@ bool ContactAutomaton::take_regime(const ContactSelection& chosen, int k, const 
     for (int j = 0; j < law.tangents; ++j) length = std::hypot(length, rows(t + j));
     return length;
   };
+  // One that opens too slowly to be let go does not slide by that, as a corner from which a box begins to tip.
+  const bool rests = s.regimes[as(k)] == ContactRegime::open && law.rubs() &&
+                     length_of(s.u) <= part * length_of(problem.W.cwiseAbs() * s.r.cwiseAbs() + problem.q.cwiseAbs());
   if (law.slips) {
     state.regime = ContactRegime::slides;
     state.direction = law.slip;
-  } else if (s.regimes[as(k)] == ContactRegime::sticks) {
+  } else if (s.regimes[as(k)] == ContactRegime::sticks || rests) {
     state.regime = ContactRegime::sticks;
   } else {
     state.regime = ContactRegime::slides;

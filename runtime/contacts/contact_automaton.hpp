@@ -40,6 +40,9 @@ class ContactAutomaton {
   [[nodiscard]] bool ends_unfollowed(std::size_t index, double t, std::span<const double> y);
   /// Whether steps that fell below the resolution of time did so because slips jam: then the motion ends with `jams`.
   [[nodiscard]] bool jams_nearly(double t, std::span<const double> y);
+  /// Whether the steps have ended at an edge that the contact leaves, its gap rising by a jump: it opens, and so does
+  /// what leaves it with it. The time of the result is then that behind the edge. False where the motion ends.
+  bool pass_edge(int contact, double t, std::span<double> y);
   /// A smooth piece has ended at a guard, at this time: the regimes that follow. False where the motion ends.
   bool pass(std::size_t index, double t, std::span<double> y);
   /// Whether that was an event that the observer is told of.
@@ -114,7 +117,7 @@ class ContactAutomaton {
   std::vector<Bounces> bounces_;
   PerContact<bool> touching_{};
   PerContact<bool> joins_{};  ///< contacts that end their bounces with another one
-  PerContact<bool> ends_too_{};  ///< contacts whose slip has ended with that of `contact_`, to be told of
+  PerContact<bool> ends_too_{};  ///< contacts that ended their slip, or left an edge, with `contact_`: to be told of
   AccumulationWatch<double> all_{};
   double side_ = 1;  ///< of zero, on which the regularity of the present regimes began
   double began_regular_ = 1;  ///< its size there

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
-// Impacts of a contact motion, and the accumulations that they end in.
+// Impacts of a contact motion, the accumulations that they end in, and edges that are left without one.
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 
 #include "torsor/runtime/contacts/contact_automaton.hpp"
 
@@ -210,6 +211,40 @@ bool ContactAutomaton::strike(int contact) {
   }
   joins_.fill(false);
   return done;
+}
+
+// What leaves an edge has nothing under it: no law is asked. What would fall below a surface there, or meets a wall,
+// ends the motion.
+bool ContactAutomaton::pass_edge(int contact, double t, std::span<double> y) {
+  result_.time = t;
+  y_ = y;
+  motion_.leave_change_point();
+  ends_too_.fill(false);
+  std::copy_n(y.begin(), before_.size(), before_.begin());
+  const std::optional<double> later = motion_.pass_edge(contact, t, y);
+  if (!later) return end(ContactStatus::no_point, contact);
+  result_.time = told_ = t + *later;
+  for (int i = 0; i < count(); ++i) {
+    const bool touches = motion_.rule(i).normal && motion_.states[as(i)].touches;
+    if (i == contact || !touches || !motion_.off_by_a_jump(i, *later)) continue;
+    if (motion_.reading().gap[as(i)] < 0) return end(ContactStatus::no_point, i);
+    ends_too_[as(i)] = true;
+    ++result_.events;
+  }
+  for (int i = 0; i < count(); ++i) {
+    const std::optional<int> by = motion_.carrier(i);
+    if (!by || !(by == contact || ends_too_[as(*by)])) continue;
+    motion_.states[as(i)] = {};
+    bounces_[as(i)].left = result_.time;
+  }
+  motion_.changed();
+  has_event_ = true;
+  contact_ = contact;
+  kind_ = ContactEventKind::opens;
+  residual_ = energy_lost_ = 0;
+  impulses_.setZero(motion_.rows());
+  ++result_.events;
+  return decide(contact, Cause::opens);
 }
 
 }  // namespace torsor::runtime

@@ -34,6 +34,7 @@ ContactMotion::ContactMotion(const ContactMechanism& mechanism) : mechanism_(mec
   there_.resize(static_cast<std::size_t>(sizes_.coordinates + sizes_.velocities));
   y_ = there_;
   from_ = there_;
+  way_ = there_;
   loops_.setZero(sizes_.constraints);
   rates_.resize(static_cast<std::size_t>(sizes_.coordinates));
 }

@@ -45,6 +45,15 @@ class ContactMotion {
   /// Whether an open gap above zero is below zero a moment later, before its velocity, or its acceleration, changes it by a
   /// thousandth: what falls there is no body. The state is that read last.
   [[nodiscard]] bool gap_jumps(int i);
+  /// Where the gap of a contact that touches rises by a jump right behind t, as over the edge of a table: takes the
+  /// state there in the present regimes. Says how much later that is; nothing where no gap rises so.
+  [[nodiscard]] std::optional<double> pass_edge(int i, double t, std::span<double> y);
+  /// A contact that touches and whose rows are others, by an eighth, where coordinates change by some errors of the
+  /// integration: it has no single point that could be followed, as where a disc has all but fallen flat.
+  [[nodiscard]] std::optional<int> without_point(double t, std::span<const double> y);
+  /// Whether the gap that was read last, of a contact that touched, is off by more than the rounding of a way of this
+  /// duration.
+  [[nodiscard]] bool off_by_a_jump(int i, double duration) const noexcept;
   /// The open contact whose gap has jumped below zero since the last step's end.
   [[nodiscard]] std::optional<int> falls_by_a_jump(double t, std::span<const double> y);
   /// A step has ended at (t, y): slips have the directions that they have there. Within a step they are compared with those of
@@ -209,6 +218,7 @@ class ContactMotion {
   double regularity_ = 1;
   double t_ = 0, absolute_ = 1e-13, relative_ = 1e-13;
   std::vector<double> y_, there_, rates_;
+  std::vector<double> way_;   ///< rates at an edge
   std::vector<double> from_;  ///< the state at `from_t_`, where slips were followed last
   double from_t_ = 0;
   bool followed_ = false;

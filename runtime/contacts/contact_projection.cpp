@@ -170,6 +170,57 @@ bool ContactMotion::gap_jumps(int i) {
   return mechanism_.read(t_ + later, there_, later_reading_) == Evaluation::ok && !(later_reading_.gap[as(i)] > gap / 2);
 }
 
+std::optional<int> ContactMotion::without_point(double t, std::span<const double> y) {
+  if (!read(t, y)) return std::nullopt;
+  const auto nq = as(sizes_.coordinates);
+  for (int j = 0; j < sizes_.velocities; ++j) {
+    there_.assign(y.begin(), y.end());
+    for (int k = 0; k < sizes_.velocities; ++k) there_[nq + as(k)] = k == j ? 1 : 0;
+    mechanism_.coordinate_rates(t, there_, rates_);
+    for (const double sign : {1.0, -1.0}) {
+      for (std::size_t k = 0; k < there_.size(); ++k) {
+        const double error = k < nq ? 16 * (absolute_ + relative_ * std::abs(y[k])) : 0;
+        there_[k] = y[k] + (k < nq ? sign * error * rates_[k] : 0);
+      }
+      mechanism_.normalise(there_);
+      if (mechanism_.read(t, there_, later_reading_) != Evaluation::ok) continue;
+      for (int i = 0; i < count(); ++i) {
+        if (!at(i).touches || !rule(i).normal) continue;
+        const auto rows = reading_.J.middleRows(first_row(i), rule(i).rows());
+        const auto others = later_reading_.J.middleRows(first_row(i), rule(i).rows());
+        if (!((rows - others).cwiseAbs().maxCoeff() <= rows.cwiseAbs().maxCoeff() / 8)) return i;
+      }
+    }
+  }
+  return std::nullopt;
+}
+
+bool ContactMotion::off_by_a_jump(int i, double duration) const noexcept {
+  const double way = std::abs(reading_.w(first_row(i))) * duration + acceleration_terms(i) * duration * duration;
+  return std::abs(reading_.gap[as(i)]) > 1e4 * rounding_of_gap(i) + 1e3 * way;
+}
+
+// Steps have ended within a million roundings of the time before the jump, which is found by halving.
+std::optional<double> ContactMotion::pass_edge(int i, double t, std::span<double> y) {
+  if (!at(i).touches || slope(t, y, way_) != Evaluation::ok) return std::nullopt;
+  const double rounding =
+      std::numeric_limits<double>::epsilon() * std::max(std::abs(t), std::numeric_limits<double>::min());
+  const auto rises = [&](double later) {
+    for (std::size_t k = 0; k < there_.size(); ++k) there_[k] = y[k] + later * way_[k];
+    mechanism_.normalise(there_);
+    return read(t + later, there_) && reading_.gap[as(i)] > 0 && off_by_a_jump(i, later);
+  };
+  double low = 0, high = 2e6 * rounding;
+  if (!rises(high)) return std::nullopt;
+  while (high - low > 4 * rounding) {
+    const double middle = low + (high - low) / 2;
+    (rises(middle) ? high : low) = middle;
+  }
+  if (!rises(high)) return std::nullopt;
+  std::copy_n(there_.begin(), there_.size(), y.begin());
+  return high;
+}
+
 // The gap's change where it passes zero on the way from the last step's end: 2^-40 of all of it where that is smooth.
 std::optional<int> ContactMotion::falls_by_a_jump(double t, std::span<const double> y) {
   if (!followed_ || !read(t, y)) return std::nullopt;

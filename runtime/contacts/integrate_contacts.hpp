@@ -134,7 +134,11 @@ class ContactRun {
       if (piece.integration.status == IntegrationStatus::step_too_small && automaton_.jams_nearly(piece.time, y_)) return false;
       const std::optional<int> jumping = automaton_.motion().jumping(piece.time);
       if (piece.status == EventStatus::integration_failed && jumping) {
-        return automaton_.end(ContactStatus::no_point, jumping);
+        return automaton_.pass_edge(*jumping, piece.time, y_) && told();
+      }
+      if (piece.integration.status != IntegrationStatus::too_many_steps) {
+        const std::optional<int> flat = automaton_.motion().without_point(piece.time, y_);
+        if (flat) return automaton_.end(ContactStatus::no_point, flat);
       }
       const bool of_a_guard = piece.status == EventStatus::guard_not_followed || piece.status == EventStatus::beyond_barrier;
       const auto contact = static_cast<int>(piece.guard / ContactAutomaton::guards);

@@ -392,6 +392,13 @@ void RegimeEnumeration::add(const ContactSolution& solution) noexcept {
     auto& known = answer_.solutions[i];
     const ContactVector size_of_known = size_of(known);
     if (largest_part(known.u - solution.u, size.cwiseMax(size_of_known)) > 1e-9) continue;
+    // Where a slip begins slowly, a contact may stand against it with a force that rounding allows: it would turn round
+    // at once.
+    if (known.residual > 1e-14 && solution.residual < known.residual / 16) {
+      known = solution;
+      known.indeterminate = true;
+      return;
+    }
     if (largest_part(known.r - solution.r, force.cwiseMax(scale_.forces(known.r))) > 1e-9) {
       if (largest_part(size_of_known, size) > 1e3) known = solution;  // of forces without need
       known.indeterminate = true;

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Gaps given by formulas that jump, as that over a floor with a step: no law says what happens at the wall of the step.
+// Gaps given by formulas that jump, as that over a floor with a step: no law says what happens at the wall of the step,
+// and what leaves a table over its edge falls.
 #include <gtest/gtest.h>
 
 #include <array>
 #include <cmath>
 #include <functional>
 #include <span>
+#include <vector>
 
 #include "tests/contacts/simple_systems.hpp"
 #include "torsor/runtime/contacts/contact_exchange.hpp"
@@ -31,10 +33,10 @@ ByHand<2, 2, 1> over_step(double e, double step) {
   return over_floor(e, [step](double x) { return x < 1 ? 0 : step; }, [](double) { return 0; });
 }
 
-// Once the particle slid through the wall to the top of the step, or down to its foot, with the status of a motion that has
-// reached its end. At 1 m/s the step is reached after 1 - x.
+// Once the particle slid through the wall to the top of the step, with the status of a motion that has reached its end.
+// At 1 m/s the step is reached after 1 - x.
 TEST(JumpingGaps, EndAMotionThatSlidesOntoThem) {
-  for (const double step : {0.5, 1e-6, -1e-6, -0.5}) {
+  for (const double step : {0.5, 1e-6}) {
     for (const double tolerance : {1e-13, 1e-8}) {
       std::array<double, 4> y{0.9, 0, 1, 0};
       const DormandPrince853 method{.relative_tolerance = tolerance, .absolute_tolerance = tolerance};
@@ -46,6 +48,93 @@ TEST(JumpingGaps, EndAMotionThatSlidesOntoThem) {
       EXPECT_EQ(y[1], 0);
     }
   }
+}
+
+// A rough table from x = 0.9 to its edge at 1: 0.1 = t - f g t²/2. Two contacts of one body leave it together, and a
+// third one that goes on touches on.
+TEST(JumpingGaps, LetWhatLeavesAnEdgeFall) {
+  for (const double f : {0.0, 0.3}) {
+    for (const double tolerance : {1e-13, 1e-8}) {
+      SCOPED_TRACE(testing::Message() << "f " << f << ", tolerance " << tolerance);
+      const ContactRule rough{.tangents = 1, .friction = f};
+      const ByHand<3, 3, 3> off_a_table{{rough, rough, ContactRule{.tangents = 0}}, [](double, const auto& y, auto& r) {
+                                          r.M.setIdentity();
+                                          r.F << 0, -g, -g;
+                                          r.gap[0] = r.gap[1] = y[1] + (y[0] < 1 ? 0 : 0.5);
+                                          r.gap[2] = y[2];
+                                          r.J << 0, 1, 0, 1, 0, 0, 0, 1, 0, 1, 0, 0, 0, 0, 1;
+                                          r.w << y[4], y[3], y[4], y[3], y[5];
+                                          r.drift.setZero();
+                                        }};
+      std::array<double, 6> y{0.9, 0, 0, 1, 0, 0};
+      const DormandPrince853 method{.relative_tolerance = tolerance, .absolute_tolerance = tolerance};
+      std::vector<ContactEvent> told;
+      std::vector<double> heights;
+      const ContactResult result =
+          integrate_contacts(off_a_table, y, 0, 0.6, method, {}, [&](const ContactEvent& event) {
+            told.push_back(event);
+            heights.push_back(event.state[1]);
+            return true;
+          });
+      ASSERT_TRUE(result) << describe(result.status);
+      ASSERT_EQ(told.size(), 3U);
+      const double leaves = f > 0 ? (1 - std::sqrt(1 - 0.2 * f * g)) / (f * g) : 0.1, lands = leaves + std::sqrt(1 / g);
+      for (std::size_t k = 0; k < 2; ++k) {
+        EXPECT_EQ(told[k].kind, ContactEventKind::opens);
+        EXPECT_EQ(told[k].contact, static_cast<int>(k));
+        EXPECT_NEAR(told[k].time, leaves, 1e-13);
+        EXPECT_NEAR(heights[k], 0, 1e-15);
+      }
+      EXPECT_EQ(told[2].kind, ContactEventKind::impact);
+      EXPECT_NEAR(told[2].time, lands, 1e-12);
+      EXPECT_EQ(result.events, 3);
+      EXPECT_NEAR(y[1], -0.5, 1e-15);
+      EXPECT_EQ(y[2], 0);
+      const double speed = 1 - f * g * leaves;
+      // Both contacts take the impulse together: w_T falls by f w_N.
+      const double left = std::max(0.0, speed - f * std::sqrt(g));
+      EXPECT_NEAR(told[2].energy_lost, (g + speed * speed - left * left) / 2, 1e-11);
+    }
+  }
+}
+
+// The other edge of a gap that rises is a wall.
+TEST(JumpingGaps, EndAMotionBackOntoAnEdge) {
+  std::array<double, 4> y{1.1, -0.5, -1, 0};
+  const ContactResult result = integrate_contacts(over_step(0, -0.5), y, 0, 0.3);
+  EXPECT_EQ(result.status, ContactStatus::no_point);
+  EXPECT_NEAR(result.time, 0.1, 1e-12);
+}
+
+// A pawl is driven over teeth of a ratchet, each 0.1 long and 0.02 high, at 1 m/s, pressed by its weight and a spring
+// that is soft: it rises with the slope, leaves the tip upwards with its speed, and lands on the next slope.
+TEST(JumpingGaps, LetAPawlFallOverTheTipsOfTeeth) {
+  constexpr double slope = 0.2, press = 100;
+  const ByHand<1, 1, 1> pawl{{ContactRule{.tangents = 0}}, [](double t, const auto& y, auto& r) {
+                               r.M.setIdentity();
+                               r.F << -press;
+                               r.gap[0] = y[0] - slope * (t - 0.1 * std::floor(10 * t));
+                               r.J << 1;
+                               r.w << y[1] - slope;
+                               r.drift << 0;
+                             }};
+  std::array<double, 2> y{0, slope};
+  std::vector<double> times;
+  const ContactResult result =
+      integrate_contacts(pawl, y, 0, 0.35, DormandPrince853{}, {}, [&times](const ContactEvent& event) {
+        times.push_back(event.time);
+        return true;
+      });
+  ASSERT_TRUE(result) << describe(result.status);
+  // 0.02 + slope t - press t²/2 = slope t
+  const double flight = std::sqrt(0.04 / press);
+  ASSERT_EQ(times.size(), 6U);
+  for (std::size_t k = 0; k < 3; ++k) {
+    const double tip = 0.1 * static_cast<double>(k + 1);
+    EXPECT_NEAR(times[2 * k], tip, 1e-13);
+    EXPECT_NEAR(times[2 * k + 1], tip + flight, 1e-13);
+  }
+  EXPECT_NEAR(y[0], slope * 0.05, 1e-14);
 }
 
 // Once the wall was struck as a floor is. Where the particle flies over the wall, nothing happens.

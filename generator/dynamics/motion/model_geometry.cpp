@@ -40,18 +40,18 @@ Vector Model::lowest(const PointContent& point, int link, const std::string& use
     return locate(at.origin + at.rotation * place, at.link, link);
   }
   const Vector center = locate(at.origin, at.link, link);
-  Vector down = bound(program, -express(axis::z, point.lowest->plane, link, user));
+  const Vector down = bound(program, -express(axis::z, point.lowest->plane, link, user));
   const Value radius = program.lower(point.lowest->radius);
   if (point.lowest->axis) {
+    // The part of it in the disc is k × (down × k): a difference down - (down . k) k has no digits left where the disc
+    // lies flat.
     const Vector k = bound(program, express(*point.lowest->axis, point.frame, link, user));
-    const Value along = program.bind(dot(down, k));
-    down = bound(program, down - along * k);
-    const Value square = dot(down, down);
-    const Value scale = program.bind(radius / program.sqrt(square));
-    if (point.lowest->tube.is_zero()) return center + scale * down;
+    const Vector across = bound(program, cross(down, k)), steepest = bound(program, cross(k, across));
+    const Value scale = program.bind(radius / program.sqrt(dot(across, across)));
+    if (point.lowest->tube.is_zero()) return center + scale * steepest;
     const Value tube = program.lower(point.lowest->tube);
     const Vector normal = bound(program, express(axis::z, point.lowest->plane, link, user));
-    return center + scale * down - tube * normal;
+    return center + scale * steepest - tube * normal;
   }
   return center + radius * down;
 }
@@ -68,9 +68,8 @@ Value Model::lowest_height(const PointContent& point, int link, const std::strin
   const Value radius = program.lower(point.lowest->radius);
   if (!point.lowest->axis) return height - radius;
   const Vector k = bound(program, express(*point.lowest->axis, point.frame, link, user));
-  const Value along = program.bind(dot(normal, k));
-  const Vector rest = bound(program, normal - along * k);
-  const Value over_rim = height - radius * program.sqrt(dot(rest, rest));
+  const Vector across = bound(program, cross(normal, k));
+  const Value over_rim = height - radius * program.sqrt(dot(across, across));
   return point.lowest->tube.is_zero() ? over_rim : over_rim - program.lower(point.lowest->tube);
 }
 
