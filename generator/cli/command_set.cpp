@@ -46,7 +46,7 @@ void add_assignments(CLI::App& command, const std::string& name, About& assignme
           if (!given.insert(name_of_value).second) {
             throw UsageError(fmt::format("{} names '{}' twice: give it one value", name, name_of_value));
           }
-          assignments.emplace_back(assignment.substr(0, equals), assignment.substr(equals + 1));
+          assignments.emplace_back(name_of_value, assignment.substr(equals + 1));
         }
       },
       text);

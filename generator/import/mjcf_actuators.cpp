@@ -144,8 +144,7 @@ void MjcfBuilder::drive_between_sites(const MjcfActuator& actuator) {
   const int other = *actuator.reference;
   const MjcfSite& site = model_.sites[static_cast<std::size_t>(actuator.target)];
   const MjcfSite& reference = model_.sites[static_cast<std::size_t>(other)];
-  const bool both_held = !moves(site.body) && !moves(reference.body);
-  if (both_held || !move_apart(site.body, reference.body)) return does_not_act(actuator, "its sites do not move apart");
+  if (!move_apart(site.body, reference.body)) return does_not_act(actuator, "its sites do not move apart");
   const bool forces = pushes(actuator);
   const int carrier = common_carrier(site.body, reference.body);
   if (forces && moves(carrier)) {

@@ -41,13 +41,13 @@ int MjcfBuilder::common_carrier(int body, int other) const {
   return body;
 }
 
-/// Whether a joint stands between them.
+/// Whether a joint that may move stands between them.
 bool MjcfBuilder::move_apart(int body, int other) const {
   const int carrier = common_carrier(body, other);
   for (int at : {body, other}) {
     for (; at != carrier; at = model_.bodies[static_cast<std::size_t>(at)].parent) {
-      if (std::any_of(model_.joints.begin(), model_.joints.end(), [at](const MjcfJoint& j) { return j.body == at; })) {
-        return true;
+      for (std::size_t k = 0; k < model_.joints.size(); ++k) {
+        if (model_.joints[k].body == at && !is_held(k)) return true;
       }
     }
   }

@@ -210,9 +210,9 @@ class Scene {
 
   // --- contact laws in an assumed regime ----------------------------------------------------------------------------
   // Each law uses the multiplier N of `normal` as the normal force N = n · R(other → body) ≥ 0 [N]. Give that
-  // constraint as a distance, or name its reaction along n. Nothing watches the regime: the caller must notice N < 0
-  // (the contact opens) and a slip that stops (runtime/events/contact_regime.hpp). Adhering is a no_slip constraint,
-  // without friction.
+  // constraint as a distance, or name its reaction along n; another one is refused. Nothing watches the regime: the
+  // caller must notice N < 0 (the contact opens) and a slip that stops (runtime/events/contact_regime.hpp). Adhering is a
+  // no_slip constraint, without friction.
   /// Coulomb's law while sliding: the force T = −f N G/|G| at `point` of `body`, and the opposite on `other`. f is
   /// the `coefficient`. `direction` is G, of any length: the velocity of slip of body on other, or a direction known
   /// beforehand (course, §6.2.3, whose printed T lacks the division by |G|).

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "torsor/generator/dynamics/derivatives/reduction.hpp"
+#include "torsor/generator/dynamics/equations/constraint_sizes.hpp"
 #include "torsor/generator/program/identically_zero.hpp"
 
 namespace torsor::printing {
@@ -126,17 +127,21 @@ std::vector<ConstraintLeft> constraints_left(const Scene& scene, const InlineLim
   ModelOptions options;
   options.symbolic_parameters = true;
   const Equations equations(scene, options);
+  const ConstraintSizes sizes = constraint_sizes(equations.model(), equations.constraints());
   std::vector<ConstraintLeft> all;
-  const auto add = [&](const std::string& name, bool rate, const Value& value) {
+  const auto add = [&](const std::string& name, bool rate, const Value& value, const Real& size) {
     Writer write(scene, equations, limits, about);
     const Value left = write.there(value);
     if (identically_zero(left)) return;
+    // A state that is given in decimals fulfils it to as many digits.
+    if (left.is_constant() && abs(Real(left.polynomial().constant(), Real::working_digits())) <= Real::from_double(1e-9) * size) return;
     const Sum sum = write(value);
     all.push_back({name, rate, write.too_long() ? std::nullopt : std::optional<Sum>(sum), !left.is_constant()});
   };
-  for (const ConstraintRow& row : equations.constraints()) {
-    if (row.holonomic) add(row.name, false, row.value);
-    add(row.name, true, row.rate);
+  for (std::size_t j = 0; j < equations.constraints().size(); ++j) {
+    const ConstraintRow& row = equations.constraints()[j];
+    if (row.holonomic) add(row.name, false, row.value, sizes.size[j]);
+    add(row.name, true, row.rate, sizes.size[j]);
   }
   return all;
 }

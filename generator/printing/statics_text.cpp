@@ -128,8 +128,10 @@ class StaticsWriter {
       page_.note(say("The equations of {} hold everywhere: nothing acts along them at rest.", fmt::format("{}", fmt::join(idle, ", "))));
     }
     for (const Value& condition : statics_.conditions) page_.equation("", Value(), condition, say("constraint"));
-    if (depend_on_time(statics_.rows) || depend_on_time(statics_.conditions)) page_.note(say("Time stands in these equations: a rest fulfils them at every t."));
+    if (time_stands()) page_.note(say("Time stands in these equations: a rest fulfils them at every t."));
   }
+
+  bool time_stands() { return depend_on_time(statics_.rows) || depend_on_time(statics_.conditions); }
 
   bool depend_on_time(const std::vector<Value>& values) {
     Derivation by_time = partial_derivation(equations_.program(), scene_.content().time);
@@ -177,7 +179,7 @@ class StaticsWriter {
     for (const Value& condition : conditions) left_over("", condition);
     if (!balanced) return;
     const bool instant = std::any_of(about_.begin(), about_.end(), [](const auto& named) { return named.first == "t"; });
-    page_.note(instant && (depend_on_time(statics_.rows) || depend_on_time(statics_.conditions))
+    page_.note(instant && time_stands()
                    ? say("Every equation of equilibrium holds at this instant.")
                    : say("Every equation of equilibrium holds: a rest, whatever the parameters."));
   }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -37,9 +38,11 @@ class ContactMotion {
   [[nodiscard]] Evaluation project(double t, std::span<double> y, int steps = 3);
   /// The same at the end of a step of the integration. Refused where a normal velocity or a gap is none of its errors: `jumping`.
   [[nodiscard]] Evaluation hold(double t, std::span<double> y);
+  /// Where the integration is going: one that cannot go on ends within roundings of the time and of the way that is left.
+  void head_for(double end) noexcept { end_ = end; }
   /// The contact whose normal or gap jumps within a million roundings of the time behind t, by the step refused last.
   [[nodiscard]] std::optional<int> jumping(double t) const noexcept {
-    const bool near = std::abs(jumped_ - t) <= 1e6 * std::numeric_limits<double>::epsilon() * std::abs(jumped_);
+    const bool near = std::abs(jumped_ - t) <= 1e6 * rounding_of_time(jumped_);
     return near ? jumping_ : std::nullopt;
   }
   /// Whether an open gap above zero is below zero a moment later, before its velocity, or its acceleration, changes it by a
@@ -175,6 +178,9 @@ class ContactMotion {
  private:
   using Regimes = RegimeSystem::Regimes;
   static constexpr std::size_t as(int i) noexcept { return static_cast<std::size_t>(i); }
+  [[nodiscard]] double rounding_of_time(double t) const noexcept {
+    return std::numeric_limits<double>::epsilon() * std::max({std::abs(t), std::abs(end_ - t), std::numeric_limits<double>::min()});
+  }
   [[nodiscard]] const ContactState& at(int i) const noexcept { return states[as(i)]; }
   [[nodiscard]] bool any_touches() const noexcept;
   [[nodiscard]] bool read_on_the_way(double part, double t, std::span<const double> y);
@@ -215,6 +221,7 @@ class ContactMotion {
   int chosen_ = 0;
   std::optional<int> jumping_;
   double jumped_ = 0;  ///< when
+  double end_ = 0;
   double regularity_ = 1;
   double t_ = 0, absolute_ = 1e-13, relative_ = 1e-13;
   std::vector<double> y_, there_, rates_;

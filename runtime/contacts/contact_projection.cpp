@@ -203,8 +203,7 @@ bool ContactMotion::off_by_a_jump(int i, double duration) const noexcept {
 // Steps have ended within a million roundings of the time before the jump, which is found by halving.
 std::optional<double> ContactMotion::pass_edge(int i, double t, std::span<double> y) {
   if (!at(i).touches || slope(t, y, way_) != Evaluation::ok) return std::nullopt;
-  const double rounding =
-      std::numeric_limits<double>::epsilon() * std::max(std::abs(t), std::numeric_limits<double>::min());
+  const double rounding = rounding_of_time(t);
   const auto rises = [&](double later) {
     for (std::size_t k = 0; k < there_.size(); ++k) there_[k] = y[k] + later * way_[k];
     mechanism_.normalise(there_);

@@ -115,6 +115,7 @@ class ContactRun {
     Watches events(watches);
     events.options.by_stepping = true;
     ContactResult& result = automaton_.result();
+    automaton_.motion().head_for(t1);
     Smooth smooth{automaton_.motion()};
     const auto piece = integrate_with_events(smooth, y_, result.time, t1, method_, events, IgnoreSteps{},
                                              Steps{automaton_.motion(), observer_});

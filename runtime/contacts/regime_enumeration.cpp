@@ -392,19 +392,14 @@ void RegimeEnumeration::add(const ContactSolution& solution) noexcept {
     auto& known = answer_.solutions[i];
     const ContactVector size_of_known = size_of(known);
     if (largest_part(known.u - solution.u, size.cwiseMax(size_of_known)) > 1e-9) continue;
-    // Where a slip begins slowly, a contact may stand against it with a force that rounding allows: it would turn round
-    // at once.
-    if (known.residual > 1e-14 && solution.residual < known.residual / 16) {
-      known = solution;
-      known.indeterminate = true;
-      return;
-    }
-    if (largest_part(known.r - solution.r, force.cwiseMax(scale_.forces(known.r))) > 1e-9) {
-      if (largest_part(size_of_known, size) > 1e3) known = solution;  // of forces without need
-      known.indeterminate = true;
-    } else {
-      known.indeterminate = known.indeterminate || solution.indeterminate;
-    }
+    const bool differ = largest_part(known.r - solution.r, force.cwiseMax(scale_.forces(known.r))) > 1e-9;
+    const bool indeterminate = known.indeterminate || solution.indeterminate || differ;
+    // Where a slip begins slowly, a contact may stand against it with a force that rounding allows: the slip would turn
+    // round at once.
+    const bool worse = known.residual > 1e-14 && solution.residual < known.residual / 16;
+    const bool without_need = differ && largest_part(size_of_known, size) > 1e3;
+    if (worse || without_need) known = solution;
+    known.indeterminate = indeterminate;
     return;
   }
   if (answer_.count < answer_.kept) answer_.solutions[answer_.count++] = solution;

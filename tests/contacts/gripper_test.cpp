@@ -67,13 +67,16 @@ TEST(Gripper, HasNoContactThatSlidesAgainstItsSlip) {
   problem.W = reading.J * K * reading.J.transpose();
   problem.q = reading.J * K * reading.F;
   const ContactAnswer answer = solve_contacts(problem);
-  ASSERT_EQ(answer.verdict, ContactVerdict::indeterminate) << over;
+  ASSERT_EQ(answer.verdict, ContactVerdict::indeterminate);
+  int slides = 0;
   for (std::size_t i = 0; i < 4; ++i) {
     if (answer.best().regimes[i] != ContactRegime::slides) continue;
     const auto row = static_cast<Eigen::Index>(2 * i + 1);
-    EXPECT_LT(answer.best().u(row), 0) << over << ": the box's corner goes down along the finger";
-    EXPECT_GE(answer.best().r(row), 0) << over;
+    EXPECT_LT(answer.best().u(row), 0) << "the box's corner goes down along the finger";
+    EXPECT_GE(answer.best().r(row), 0);
+    ++slides;
   }
+  EXPECT_GT(slides, 0);
 }
 
 // A box of half width 0.15 is pulled at the height 0.3 by 9.81 t: where f is a little above 0.15/0.3 its corner comes

@@ -191,6 +191,20 @@ TEST(LejeuneDirichletCriterion, ConcludesNothingWhereTimeStands) {
   }
 }
 
+// On a lift that rises by v t the force function has m g v t, which no coordinate feels: a pendulum is as stable there.
+TEST(LejeuneDirichletCriterion, ConcludesWhereTimeAloneStandsInU) {
+  const WorkingDigits precision(50);
+  Scene scene("lift");
+  const Expression theta = scene.coordinate("theta", "rad");
+  const FrameHandle lift = scene.prismatic("lift", scene.ground(), axis::z, Expression::quantity("2", "m/s") * scene.time());
+  const FrameHandle rod = scene.revolute("rod", lift, axis::y, theta);
+  scene.body("bob", rod, Inertia::point(Expression::quantity("1", "kg")).at({0, 0, Expression::quantity("-1", "m")}));
+  scene.gravity({0, 0, Expression::quantity("-10", "m/s^2")});
+  const Equations equations(scene);
+  EXPECT_TRUE(
+      lejeune_dirichlet(equations, equilibrium_equations(equations), [](const SymbolPointer&) { return Real(0); }).stable);
+}
+
 // -U = (a x² + 2 b x y + c y²)/2: a minimum where a > 0 and c - b²/a > 0, the pivots, whatever a and c are by
 // themselves.
 TEST(LejeuneDirichletCriterion, LooksAtTheCouplingOfTwoCoordinates) {

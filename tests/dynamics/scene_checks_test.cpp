@@ -137,10 +137,50 @@ TEST(Friction, IsRefusedWhereTheMultiplierIsNoNormalForce) {
   EXPECT_EQ(refused(slope, axis::y), "no error");
   EXPECT_EQ(refused([&](const Block& b) { return 2 * slope(b); }, axis::y),
             "friction 'slide' needs the normal force of its contact, and the multiplier of constraint 'table' is 0.5 times that "
-            "in the initial configuration: write the constraint as the distance itself, with a rate of 1 along the normal");
+            "in the initial configuration: write the constraint as the distance itself, with a rate of 1 along the normal, "
+            "(z - h)/sqrt(1 + h'^2) for z = h(x)");
+  EXPECT_TRUE(refused([&](const Block& b) { return slope(b) / 2; }, axis::y).find(" is 2 times that in the initial") !=
+              std::string::npos);
   EXPECT_EQ(refused(slope, axis::x),
             "the direction of friction 'slide' is not across the normal of constraint 'table' in the initial configuration: "
             "friction acts in the tangential plane; give a direction in it");
+}
+
+// z = x²/2 m has the slope x: at the vertex z - x²/2 has a rate of 1 along the normal, and nowhere else.
+TEST(Friction, IsRefusedOnACurvedSurfaceWithoutItsDistance) {
+  const auto refused = [](bool distance) {
+    Scene scene("bowl");
+    const Expression x = scene.coordinate("x", "m"), z = scene.coordinate("z", "m");
+    const FrameHandle bead = scene.prismatic("bead", scene.prismatic("slide", scene.ground(), axis::x, x), axis::z, z);
+    scene.body("bead", bead, Inertia::point(kilograms("1")));
+    const PointHandle point = scene.point("P", bead, {0, 0, 0});
+    const Expression metre = metres("1"), slope = x / metre, height = z - x * x / (2 * metre);
+    const ConstraintHandle bowl = scene.holonomic("bowl", distance ? height / sqrt(1 + slope * slope) : height);
+    scene.sliding_friction("slide", bowl,
+                           {.coefficient = 0.2_r, .body = bead, .point = point, .direction = {1, 0, slope}, .axes = scene.ground()});
+    return refusal(scene);
+  };
+  EXPECT_EQ(refused(true), "no error");
+  EXPECT_NE(refused(false).find(" times that in another configuration: "), std::string::npos) << refused(false);
+}
+
+// The tip of a rod that turns about a fixed pivot shows no force along the rod: of the normal of a floor a part alone.
+TEST(Friction, IsTakenWhereAPartOfTheNormalDoesNothing) {
+  const auto refused = [](const char* part) {
+    Scene scene("rod");
+    const Expression a = scene.coordinate("a", "rad"), b = scene.coordinate("b", "rad");
+    const FrameHandle rod = scene.revolute("rod", scene.revolute("yoke", scene.ground(), axis::z, a), axis::y, b);
+    scene.body("rod", rod, Inertia::point(kilograms("1")).at({metres("5"), 0, 0}));
+    const PointHandle tip = scene.point("tip", rod, {metres("5"), 0, 0});
+    const PointHandle below = scene.point("below", scene.ground(), {0, 0, metres("-3")});
+    scene.initial(b, atan2(Expression(3), Expression(4)));
+    const ConstraintHandle floor = scene.closure("floor", below, tip, {0, 0, quantity(part, "1")});
+    scene.sliding_friction("slide", floor,
+                           {.coefficient = 0.2_r, .body = rod, .point = tip, .direction = axis::y, .axes = scene.ground()});
+    return refusal(scene);
+  };
+  EXPECT_EQ(refused("1"), "no error");
+  EXPECT_NE(refused("0.5").find(" is 2 times that in the initial configuration"), std::string::npos) << refused("0.5");
 }
 
 TEST(Friction, IsRefusedAtAPointWhereItsNormalForceIsNot) {

@@ -60,5 +60,6 @@ for level in "${levels[@]}"; do
 done
 # What was asked for must be there, or nothing was looked at.
 nm -C --defined-only "$object" | grep -c 'Mechanism<double>::' > /dev/null || { echo "$header: no kernel was compiled"; exit 1; }
-[ -z "$in_float" ] || nm -C --defined-only "$object" | grep -c 'Mechanism<float>::' > /dev/null || { echo "$header: no float kernel was compiled"; exit 1; }
+[ -z "$in_float" ] || nm -C --defined-only "$object" | grep -c 'Mechanism<float>::' > /dev/null ||
+  { echo "$header: no float kernel was compiled"; exit 1; }
 echo "$(nm -C --defined-only "$object" | grep -c 'Mechanism<') functions of $mechanism compiled alone with $compiler"

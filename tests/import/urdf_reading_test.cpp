@@ -142,7 +142,7 @@ TEST(UrdfReading, TakesInfiniteLimitsAsNoneAndLeavesOutThoseInTheWrongOrder) {
   EXPECT_EQ(robot.notes, Lines{"lower of <limit> is larger than upper, and both are left out: joint wrist"});
 }
 
-// The format: lower and upper are "omitted" as 0. Without both there is no limit; a leg that was given down to -0.5 would have
+// By the format a bound that is left out is 0. Without both there is no limit; a leg that was given down to -0.5 would have
 // an upper bound of 0.
 TEST(UrdfReading, TakesZeroForTheOnlyLimitThatIsNotGiven) {
   const auto bounds = [](const std::string& type, const std::string& limit) {

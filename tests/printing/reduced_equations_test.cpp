@@ -69,7 +69,7 @@ TEST(ReducedEquations, AreThoseOfThePendulumThatARodMakes) {
   EXPECT_TRUE(contains(latex, "\\mathbf{K}_r &= \\begin{pmatrix}")) << latex;
 }
 
-// (2, 2) is no place of a circle of radius 1 m: 4 + 4 - 1 = 7, and x' = 3 leaves it at the rate 2 * 2 * 3 = 12. Where l and y
+// (2, 2) is no place of a circle of radius l unless l^2 = 8, and x' = 3 leaves it at the rate 2 * 2 * 3 = 12. Where l and y
 // are open, they must fulfil what is left; where the state fulfils all, nothing is said.
 TEST(ReducedEquations, SayWhereTheStateViolatesAConstraint) {
   const auto left = [](const About& about) {

@@ -35,7 +35,8 @@ def close(found, expected):
 def test_a_start_off_the_constraints_is_put_on_them(bead, method):
     """Before its first step, so that every method goes on from the same state."""
     x, z = on_ring(0.4, -0.1, 0.8)
-    options = {"method": method, "step": 1e-3, "parameters": {"l": 0.8}}
+    step = 1e-3 if method in ("runge_kutta_4", "midpoint") else None
+    options = {"method": method, "step": step, "parameters": {"l": 0.8}}
     motion = bead.simulate([0.0, 0.3], [0.4, 2.0, -0.1], **options)
     close(motion.q[0], [x, 2.0, z])
     np.testing.assert_array_equal(motion.q, bead.simulate([0.0, 0.3], motion.q[0], **options).q)

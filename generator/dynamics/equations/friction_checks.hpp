@@ -7,8 +7,8 @@ namespace torsor {
 
 /// The multiplier λ of a constraint is the normal force N of a contact that slides only where λ enters the equations as a
 /// force λ n, n a unit vector across the slip, at the point that slips: 2 z in place of z halves N and the friction.
-/// Looked at in the initial configuration, where a law of friction acts at a point and every parameter has a value.
-/// Throws SceneError otherwise.
+/// Looked at in the initial configuration and in one away from it, for each law of friction that acts at a point. A part
+/// of n along what cannot move is not seen in a formula. Throws SceneError otherwise.
 void check_friction_normals(const Equations& equations);
 
 }  // namespace torsor

@@ -94,7 +94,9 @@ EquilibriumEquations equilibrium_equations(const Equations& equations, const Nat
   if (result.driven) result.potential -= t0;
   std::vector<Value> all = result.rows;
   all.insert(all.end(), result.conditions.begin(), result.conditions.end());
-  all.insert(all.end(), {kinetic, result.potential});
+  // T0 and U act by their slopes, which the rows hold: what depends on time alone is of no matter.
+  const Value of_rates = kinetic - t0;
+  all.push_back(of_rates);
   Derivation by_time = partial_derivation(program, model.scene().time);
   result.depends_on_time = std::any_of(all.begin(), all.end(), [&](const Value& value) {
     return !value.is_zero() && !identically_zero(by_time(value));

@@ -21,7 +21,7 @@ struct EquilibriumEquations {
   /// without constraints are its stationary points and Lejeune-Dirichlet applies. T0 is there only when driven.
   Value potential;
   bool from_potential = false;
-  /// T, U, a row or a condition depends on time explicitly: a balance of one instant is none of the next, the energy is no
+  /// A row, a condition or T − T0 depends on time explicitly: a balance of one instant is none of the next, the energy is no
   /// integral, and roots of det(M s² + C s + K) say nothing (Mathieu's equation).
   bool depends_on_time = false;
   std::vector<std::string> remarks;  ///< why they are not, or what Lejeune-Dirichlet presupposes
