@@ -79,7 +79,7 @@ Json content_json(const Scene& scene, const Equations& equations) {
         coordinates.push_back({{"name", e->name}, {"unit", written_unit(*e)}, {"role", "quaternion"}});
       }
     }
-    Json coordinate{{"name", c.q->name}, {"unit", written_unit(c.attitude ? *c.v : *c.q)}, {"role", role(c)}};
+    Json coordinate{{"name", c.q->name}, {"unit", written_unit(*symbols_of(c).front())}, {"role", role(c)}};
     if (c.limits) {
       const auto limit = [&](const char* name, const std::optional<Number>& value) {
         if (value) coordinate["limits"][name] = value->to_double();

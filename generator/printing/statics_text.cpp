@@ -17,7 +17,6 @@
 #include "torsor/generator/dynamics/theorems/stability.hpp"
 #include "torsor/generator/printing/formula_text.hpp"
 #include "torsor/generator/printing/readable_page.hpp"
-#include "torsor/generator/program/derivative.hpp"
 #include "torsor/generator/program/identically_zero.hpp"
 
 namespace torsor {
@@ -131,13 +130,9 @@ class StaticsWriter {
     if (time_stands()) page_.note(say("Time stands in these equations: a rest fulfils them at every t."));
   }
 
-  bool time_stands() { return depend_on_time(statics_.rows) || depend_on_time(statics_.conditions); }
+  bool time_stands() const { return depend_on_time(statics_.rows) || depend_on_time(statics_.conditions); }
 
-  bool depend_on_time(const std::vector<Value>& values) {
-    Derivation by_time = partial_derivation(equations_.program(), scene_.content().time);
-    return std::any_of(values.begin(), values.end(),
-                       [&](const Value& each) { return !each.is_zero() && !identically_zero(by_time(each)); });
-  }
+  bool depend_on_time(const std::vector<Value>& values) const { return torsor::depend_on_time(equations_.model(), values); }
 
   void second_derivatives(const ValueMatrix& hessian) {
     page_.section(say("Second derivatives of {} at any configuration", potential_name()));

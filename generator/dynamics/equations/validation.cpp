@@ -273,7 +273,7 @@ void validate(const Scene& scene) {
     equations.model().locate(PointHandle{static_cast<int>(i)}, 0, "point '" + scene.content().points[i].name + "'");
   }
   check_initial_state(equations);
-  check_friction_normals(equations);
+  check_friction_normals(equations, !lacks_values(scene));
   check_contacts(equations);
   if (!lacks_values(scene)) check_closing_joints(equations);
   equations.redundancy();

@@ -53,6 +53,12 @@ std::vector<std::string> remarks_on(const Equations& equations, bool from_potent
 
 }  // namespace
 
+bool depend_on_time(const Model& model, const std::vector<Value>& values) {
+  Derivation by_time = partial_derivation(model.program(), model.scene().time);
+  return std::any_of(values.begin(), values.end(),
+                     [&](const Value& value) { return !value.is_zero() && !identically_zero(by_time(value)); });
+}
+
 EquilibriumEquations equilibrium_equations(const Equations& equations, const NaturalLanguage& say) {
   const Model& model = equations.model();
   Program& program = model.program();
@@ -97,10 +103,7 @@ EquilibriumEquations equilibrium_equations(const Equations& equations, const Nat
   // T0 and U act by their slopes, which the rows hold: what depends on time alone is of no matter.
   const Value of_rates = kinetic - t0;
   all.push_back(of_rates);
-  Derivation by_time = partial_derivation(program, model.scene().time);
-  result.depends_on_time = std::any_of(all.begin(), all.end(), [&](const Value& value) {
-    return !value.is_zero() && !identically_zero(by_time(value));
-  });
+  result.depends_on_time = depend_on_time(model, all);
   std::vector<Value> differences = forces;
   result.hessian.assign(n, {});
   for (std::size_t j = 0; j < n; ++j) {

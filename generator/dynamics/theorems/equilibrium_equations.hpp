@@ -28,6 +28,9 @@ struct EquilibriumEquations {
   ValueMatrix hessian;               ///< ∂row_i/∂q_j at fixed multipliers and inputs
 };
 
+/// Whether one of the values depends on time explicitly: it is t itself that stands in it, or a law of time.
+bool depend_on_time(const Model& model, const std::vector<Value>& values);
+
 /// Throws what the derivation of the equations throws.
 EquilibriumEquations equilibrium_equations(const Equations& equations, const NaturalLanguage& say = {});
 
