@@ -8,6 +8,7 @@
 #include <CLI/CLI.hpp>
 
 #include "torsor/generator/base/error.hpp"
+#include "torsor/generator/cli/kernel_options.hpp"
 
 namespace torsor {
 
@@ -43,9 +44,7 @@ void add_assignments(CLI::App& command, const std::string& name, About& assignme
             throw UsageError(fmt::format("{} takes NAME=VALUE, e.g. theta=0, and got '{}'", name, assignment));
           }
           const std::string name_of_value = assignment.substr(0, equals);
-          if (!given.insert(name_of_value).second) {
-            throw UsageError(fmt::format("{} names '{}' twice: give it one value", name, name_of_value));
-          }
+          take_once(given, name, name_of_value);
           assignments.emplace_back(name_of_value, assignment.substr(equals + 1));
         }
       },

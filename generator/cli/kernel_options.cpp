@@ -3,7 +3,6 @@
 
 #include <cmath>
 #include <algorithm>
-#include <set>
 
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
@@ -93,6 +92,10 @@ void add_state_options(CLI::App& command, StateOptions& options) {
   command.add_option("--seed", options.seed, "seed of the first state; the same seed gives the same states")->capture_default_str();
 }
 
+void take_once(std::set<std::string>& given, const std::string& option, const std::string& name) {
+  if (!given.insert(name).second) throw UsageError(fmt::format("{} names '{}' twice: give it one value", option, name));
+}
+
 void add_numbers(CLI::App& command, const std::string& option, NamedNumbers& numbers, const std::string& text) {
   command
       .add_option_function<std::vector<std::string>>(
@@ -107,9 +110,7 @@ void add_numbers(CLI::App& command, const std::string& option, NamedNumbers& num
               }
               const std::string name = assignment.substr(0, equals);
               if (!std::isfinite(value)) throw UsageError(fmt::format("{} {} is not a finite number", option, name));
-              if (!given.insert(name).second) {
-                throw UsageError(fmt::format("{} names '{}' twice: give it one number", option, name));
-              }
+              take_once(given, option, name);
               numbers[name] = value;
             }
           },

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -23,6 +24,8 @@ struct KernelOptions {
   ModelOptions model(const Scene& scene) const;
 };
 
+/// Throws UsageError where an option has given that name a value before: which of the two counts nobody could see.
+void take_once(std::set<std::string>& given, const std::string& option, const std::string& name);
 /// --NAME NAME=VALUE, comma-separated, repeatable.
 void add_numbers(CLI::App& command, const std::string& option, NamedNumbers& numbers, const std::string& text);
 /// --initial, which the tool for files has already for the scene that it makes, and --input.

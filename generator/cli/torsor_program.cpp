@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "torsor/generator/cli/torsor_program.hpp"
 
-#include <algorithm>
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
@@ -21,6 +20,7 @@
 #include "torsor/generator/base/output_file.hpp"
 #include "torsor/generator/base/printable.hpp"
 #include "torsor/generator/cli/command_line.hpp"
+#include "torsor/generator/cli/kernel_options.hpp"
 #include "torsor/generator/cli/new_project.hpp"
 #include "torsor/generator/cli/scene_file.hpp"
 #include "torsor/generator/import/mechanism_file.hpp"
@@ -193,15 +193,13 @@ UrdfOptions urdf_options(const FileRequest& request) {
   options.name = request.name;
   options.points = request.points;
   options.package_folders = request.package_folders;
+  std::set<std::string> given;
   for (const std::string& assignment : request.initial) {
     const std::vector<std::string> parts = split(assignment, '=');
     if (parts.size() != 2) {
       throw UsageError(fmt::format("--initial takes NAME=VALUE, e.g. elbow=0.3, and got '{}'", assignment));
     }
-    const auto same = [&parts](const auto& each) { return each.first == parts[0]; };
-    if (std::any_of(options.initial.begin(), options.initial.end(), same)) {
-      throw UsageError(fmt::format("--initial names '{}' twice: give it one value", parts[0]));
-    }
+    take_once(given, "--initial", parts[0]);
     options.initial.emplace_back(parts[0], parts[1]);
   }
   return options;

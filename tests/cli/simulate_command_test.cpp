@@ -96,7 +96,7 @@ TEST(Simulate, RefusesANumberGivenTwice) {
   for (const std::string option : {"--initial", "--run-time", "--input"}) {
     const Outcome twice = run(pendulum, {"simulate", option, "theta=2,theta=3"});
     EXPECT_EQ(twice.code, 2);
-    EXPECT_NE(twice.err.find(option + " names 'theta' twice: give it one number"), std::string::npos) << twice.err;
+    EXPECT_NE(twice.err.find(option + " names 'theta' twice: give it one value"), std::string::npos) << twice.err;
   }
   const Outcome about = run(pendulum, {"equations", "--about", "theta=0", "--about", "theta=1"});
   EXPECT_EQ(about.code, 2);

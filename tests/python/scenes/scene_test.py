@@ -283,7 +283,7 @@ def test_options_of_formulas_are_given_one_by_one(tmp_path):
     with pytest.raises(ts.UsageError, match="--about names 'x' twice: give it one value"):
         scene.equations(about=["x=1", "x=2"])
     for option in ("initial", "run_time"):
-        with pytest.raises(ts.UsageError, match=f"--{option.replace('_', '-')} names 'x' twice: give it one number"):
+        with pytest.raises(ts.UsageError, match=f"--{option.replace('_', '-')} names 'x' twice: give it one value"):
             scene.simulate(1.0, **{option: ["x=1", "x=2"]})
 
 
