@@ -227,9 +227,9 @@ TEST(TorsorTool, TellsWhatIsWrongOnOneLine) {
   expect(torsor_tool({"list", arm, "--points", "hand"}), 2,
          "unknown link 'hand' in --points: the robot has base, carriage, rod");
   expect(torsor_tool({"list", arm, "--armature", "turn=1,turn=2"}), 2,
-         "--armature names the joint 'turn' twice: give it one value");
+         "--armature names the joint 'turn' twice: give it one number");
   expect(torsor_tool({"list", arm, "--friction", "turn=1,turn=1"}), 2,
-         "--friction names the joint 'turn' twice: give it one value");
+         "--friction names the joint 'turn' twice: give it one number");
   EXPECT_EQ(torsor_tool({"counts", ur5, "--kernels", "speed"}).code, 2);
 }
 
