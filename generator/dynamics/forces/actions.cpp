@@ -34,8 +34,8 @@ class Collector {
     const Value stretch = program_.bind(elongation - program_.lower(spring.rest));
     const Value force = program_.bind(-(k * stretch));
     work_with(spring.elongation, force);
-    work_with(spring.rest, -force);
-    work_with(spring.stiffness, Number::rational(-1, 2) * pow(stretch, 2));
+    vary_with(spring.rest, -force);
+    vary_with(spring.stiffness, Number::rational(-1, 2) * pow(stretch, 2));
     result_.spring_force_function -= Number::rational(1, 2) * (k * pow(stretch, 2));
   }
 
@@ -69,10 +69,10 @@ class Collector {
       const Value inverse = program_.bind(pow(length, -1));
       tension_by_length = program_.bind(k - k * rest * inverse);
       const Value stretch = program_.bind(length - rest);
-      work_with(spring.rest, k * stretch);
+      vary_with(spring.rest, k * stretch);
       stretch_square = pow(stretch, 2);
     }
-    work_with(spring.stiffness, Number::rational(-1, 2) * stretch_square);
+    vary_with(spring.stiffness, Number::rational(-1, 2) * stretch_square);
     result_.spring_force_function -= Number::rational(1, 2) * (k * stretch_square);
     pull(at_a, tension_by_length);
     pull(at_b, tension_by_length);
@@ -141,7 +141,7 @@ class Collector {
     const auto [at_a, at_b] = pair_of_places(attraction.a, attraction.b, user);
     const Value distance = program_.sqrt(program_.bind(dot(at_a.to_other, at_a.to_other)));
     const Value inverse = program_.bind(pow(distance, -1));
-    work_with(attraction.strength, inverse);
+    vary_with(attraction.strength, inverse);
     result_.spring_force_function += k * inverse;
     const Value by_length = program_.bind(k * pow(inverse, 3));
     pull(at_a, by_length);
@@ -317,8 +317,21 @@ class Collector {
     dissipative(name, reciprocal_product(wrench, twists_[static_cast<std::size_t>(link)]));
   }
 
-  /// Q_i = force ∂(formula)/∂q_i. The formula is a displacement, or a coefficient of an action that has a force function:
-  /// the force is then ∂U/∂(coefficient), so that the action is −grad of the energy that is printed for it.
+  /// A coefficient of an action that has a force function U, with ∂U/∂(coefficient): Q_i = ∂U/∂q_i holds its slope too. A
+  /// change that follows from no coordinate moves nothing: it changes U without work.
+  void vary_with(const Expression& coefficient, const Value& slope) {
+    work_with(coefficient, slope);
+    const Value value = program_.bind(program_.lower(coefficient));
+    if (value.is_zero()) return;
+    Value unmoved = time_derivative(value);
+    const std::vector<Value> partials = model_.partials(coefficient);
+    for (std::size_t i = 0; i < partials.size(); ++i) {
+      if (!partials[i].is_zero()) unmoved -= partials[i] * model_.v(static_cast<int>(i));
+    }
+    if (!unmoved.is_zero()) result_.rate_without_work += slope * unmoved;
+  }
+
+  /// Q_i = force ∂(formula)/∂q_i.
   void work_with(const Expression& formula, const Value& force) {
     const std::vector<Value> partials = model_.partials(formula);
     for (std::size_t i = 0; i < partials.size(); ++i) {

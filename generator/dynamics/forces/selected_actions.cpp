@@ -112,6 +112,7 @@ class Gatherer {
     });
     result.power += actions.power;
     result.power += time_derivative(program_.bind(actions.spring_force_function - given.spring_force_function));
+    result.power -= actions.rate_without_work;
     result.power += work_rate(along_coordinates(given.spring_force_function));
   }
 
@@ -148,10 +149,14 @@ class Gatherer {
       if (!query_.bodies.empty() && !contains(query_.bodies, body.name)) continue;
       const FramePlace& at = model_.place(body.frame, body.name);
       const Vector center = at.origin + at.rotation * lower(program_, body.inertia.center);
-      u += program_.lower(body.inertia.mass) * dot(g, bound(program_, model_.locate(center, at.link, 0)));
+      const Value mass = program_.lower(body.inertia.mass);
+      const Vector place = bound(program_, model_.locate(center, at.link, 0));
+      u += mass * dot(g, place);
+      for (int k = 0; k < 3; ++k) {
+        if (!place[k].is_zero() && !g[k].is_zero()) result.power += mass * g[k] * time_derivative(place[k]);
+      }
     }
     result.force_function += u;
-    result.power += time_derivative(u);
     const std::vector<Value> forces = along_coordinates(u);
     for (std::size_t i = 0; i < forces.size(); ++i) result.forces[i] += forces[i];
   }

@@ -166,7 +166,9 @@ Value action_power(const Equations& equations, const std::string& name, const Fr
   Value sum;
   if (one.wrenches.empty() || works_on_formula(model, *action)) {  // it works on a formula
     if (!has_force_function(*action)) return one.power;
-    if (!std::holds_alternative<GivenForceFunction>(*action)) return time_derivative(one.spring_force_function);
+    if (!std::holds_alternative<GivenForceFunction>(*action)) {
+      return time_derivative(one.spring_force_function) - one.rate_without_work;
+    }
     for (std::size_t i = 0; i < one.passive.size(); ++i) sum += one.passive[i] * model.v(static_cast<int>(i));
     return sum;
   }
