@@ -137,5 +137,58 @@ TEST(JointActions, AreThoseOfTheJointWhateverTheCoordinates) {
   EXPECT_TRUE(actions[1].remarks.empty());
 }
 
+/// A rod on a link without matter, in whose middle something acts.
+struct RodOnALightLink {
+  Scene scene{"light_link"};
+  FrameHandle light = scene.revolute("light", scene.ground(), axis::y, scene.coordinate("a", "rad"));
+  FrameHandle rod = scene.revolute("rod", light, axis::y, scene.coordinate("b", "rad"), {.origin = {metres("1"), 0, 0}});
+  PointHandle middle = scene.point("middle", light, {metres("0.5"), 0, 0});
+
+  RodOnALightLink() { scene.body("rod", rod, generic_body()); }
+};
+
+Scene pushed() {
+  RodOnALightLink it;
+  it.scene.force("push", {.body = it.light, .point = it.middle, .components = {0, 0, quantity("3", "N")}, .axes = it.scene.ground()});
+  return it.scene;
+}
+
+Scene pulled_by_a_spring() {
+  RodOnALightLink it;
+  const PointHandle hook = it.scene.point("hook", it.scene.ground(), {0, 0, metres("1")});
+  it.scene.spring("spring", {.a = it.middle, .b = hook, .stiffness = Expression::quantity("10", "N/m")});
+  return it.scene;
+}
+
+Scene tied_to_a_slide() {
+  RodOnALightLink it;
+  const FrameHandle slide = it.scene.prismatic("slide", it.scene.ground(), axis::x, it.scene.coordinate("x", "m"));
+  it.scene.body("slide", slide, Inertia::point(kilograms("2")));
+  it.scene.closure("tie", it.middle, it.scene.point("end", slide, {0, 0, 0}), axis::x);
+  return it.scene;
+}
+
+// What the ground's joint transmits to the link is not what the link transmits to the rod.
+TEST(TheoremEquation, CountsWhatActsOnALinkWithoutMatter) {
+  const WorkingDigits precision(50);
+  for (Scene (*make)() : {pushed, pulled_by_a_spring, tied_to_a_slide}) {
+    const OnTheMotion motion(make());
+    Evaluator<Real> evaluate = motion.evaluator();
+    EXPECT_GE(joint_actions(motion.equations()).size(), 2U);
+    for (const BodyNames& bodies : {BodyNames{"rod"}, all_bodies(motion.equations().model())}) {
+      for (const Theorem theorem : {Theorem::resultant, Theorem::moment}) {
+        const Triple direction{Expression(1), Expression(2), Expression(-3)};
+        const TheoremEquation equation =
+            theorem_equation(motion.equations(), bodies, {{Scene::point("middle"), "rod", "ground"}, theorem, direction});
+        EXPECT_LT(abs(evaluate(equation.left) - evaluate(equation.right)), power_of_ten(-38));
+      }
+      for (const char* observer : {"ground", "light"}) {
+        const EnergyEquation energy = energy_equation(motion.equations(), bodies, observer);
+        EXPECT_LT(abs(evaluate(energy.equation.left) - evaluate(energy.equation.right)), power_of_ten(-38)) << observer;
+      }
+    }
+  }
+}
+
 }  // namespace
 }  // namespace torsor::theorem_equations_test

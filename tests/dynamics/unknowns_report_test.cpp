@@ -47,6 +47,11 @@ TEST(Connection, TransmitsTheIdealWrenchOfItsJoint) {
               return s.helical("j", ground, {.axis = axis::x, .angle = q, .pitch = pitch});
             }),
             "X - 0.01 L, Y, Z, M, N");
+  // A factor that is no number is not made one.
+  EXPECT_EQ(scene_with([&](Scene& s, E q, E, Triple) {
+              return s.helical("j", ground, {.axis = axis::x, .angle = q, .pitch = s.run_time_parameter("p", "m", 1)});
+            }),
+            "X ~ L, Y, Z, M, N");
   EXPECT_EQ(scene_with([&](Scene& s, E q, E x, Triple) {
               return s.cylindrical("j", ground, {.axis = axis::x, .displacement = x, .angle = q});
             }),

@@ -38,10 +38,6 @@ class Namer {
     next_index_ = model_.scene().symbol_count;
     find_forces();
     find_efforts();
-    loaded_ = equations.actions().wrenches;
-    for (std::size_t j = 0; j < equations.constraints().size(); ++j) {
-      if (const auto unit = constraint_wrench(model_, static_cast<int>(j))) loaded_.insert(unit->begin(), unit->end());
-    }
   }
 
   JointAction action(const Connection& connection) {
@@ -141,7 +137,6 @@ class Namer {
     std::vector<int> chain;
     for (int link = connection.bottom; link != connection.from; link = model_.links()[as_index(link)].parent) {
       chain.insert(chain.begin(), link);
-      if (link != connection.bottom && loaded_.count(link) > 0) return std::nullopt;
     }
     if (idle_) return result;
     const Vector at = bound(program_, model_.locate(Vector(), connection.bottom, connection.top));
@@ -185,7 +180,6 @@ class Namer {
   bool idle_ = true;  ///< nothing works on formulas
   std::vector<Value> forces_;
   std::vector<std::optional<Value>> efforts_;
-  WrenchOnLinks loaded_;  ///< links on which something acts directly
 };
 
 }  // namespace

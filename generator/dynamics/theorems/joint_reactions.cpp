@@ -5,8 +5,10 @@
 
 #include <fmt/format.h>
 
+#include "torsor/generator/base/as_index.hpp"
 #include "torsor/generator/base/linear_algebra/real_rows.hpp"
 #include "torsor/generator/base/linear_algebra/tolerances.hpp"
+#include "torsor/generator/dynamics/forces/constraint_wrench.hpp"
 #include "torsor/generator/program/generic_state.hpp"
 
 namespace torsor {
@@ -22,30 +24,42 @@ RealRows motions_without(const RealRows& rows, const std::vector<std::size_t>& c
   return reduction.null_space();
 }
 
-std::string name_of(const Row& component) {
+/// "Z - 0.01 N", or "Z ~ N" where the factor is no number: it depends on a parameter or on the configuration, and is another
+/// one at another state.
+std::string name_of(const Row& component, const Row& elsewhere) {
   static constexpr const char* names[6] = {"X", "Y", "Z", "L", "M", "N"};
-  std::string text;
+  std::string sum, tied;
+  bool varies = false;
   for (std::size_t i = 0; i < 6; ++i) {
     if (is_negligible(component[i])) continue;
+    varies = varies || !is_negligible(component[i] - elsewhere[i]);
     const double k = component[i].to_double();
     const bool one = is_negligible(abs(component[i]) - Real(1));
     const std::string size = one ? "" : fmt::format("{:.4g} ", std::abs(k));
-    text += text.empty() ? (k < 0 ? "-" : "") : (k < 0 ? " - " : " + ");
-    text += size + names[i];
+    sum += sum.empty() ? (k < 0 ? "-" : "") : (k < 0 ? " - " : " + ");
+    sum += size + names[i];
+    tied += (tied.empty() ? "" : " ~ ") + std::string(names[i]);
   }
-  return text;
+  return varies ? tied : sum;
 }
 
 class Finder {
  public:
-  explicit Finder(const Equations& equations)
-      : model_(equations.model()), program_(equations.program()), evaluate_(at_generic_state(equations)) {
+  Finder(const Equations& equations, int state)
+      : model_(equations.model()), program_(equations.program()), evaluate_(at_generic_state(equations, state)) {
     const std::size_t count = model_.links().size();
-    massive_.assign(count, false);
+    stands_.assign(count, false);
     children_.assign(count, 0);
-    massive_[0] = true;
+    stands_[0] = true;
     for (const BodyContent& body : model_.scene().bodies) {
-      massive_[static_cast<std::size_t>(model_.place(body.frame, body.name).link)] = true;
+      stands_[as_index(model_.place(body.frame, body.name).link)] = true;
+    }
+    // What acts on a link without mass is no action of its joint on the next body: the link is a body of mass 0.
+    for (const auto& [link, wrench] : equations.actions().wrenches) stands_[as_index(link)] = true;
+    for (std::size_t j = 0; j < equations.constraints().size(); ++j) {
+      const auto unit = constraint_wrench(model_, static_cast<int>(j));
+      if (!unit) continue;
+      for (const auto& [link, wrench] : *unit) stands_[as_index(link)] = true;
     }
     for (std::size_t k = 1; k < count; ++k) ++children_[static_cast<std::size_t>(model_.links()[k].parent)];
     const auto n = static_cast<std::size_t>(model_.unknown_count());
@@ -60,7 +74,7 @@ class Finder {
 
   std::vector<Connection> all() {
     std::vector<Connection> found;
-    for (std::size_t k = 1; k < massive_.size(); ++k) {
+    for (std::size_t k = 1; k < stands_.size(); ++k) {
       const auto parent = static_cast<std::size_t>(model_.links()[k].parent);
       if (passes_through(parent)) continue;
       Connection connection;
@@ -77,7 +91,7 @@ class Finder {
   }
 
  private:
-  bool passes_through(std::size_t link) const { return !massive_[link] && children_[link] == 1; }
+  bool passes_through(std::size_t link) const { return !stands_[link] && children_[link] == 1; }
 
   int child_of(int link) const {
     const auto& links = model_.links();
@@ -137,7 +151,7 @@ class Finder {
     // R·V + M·Ω = 0; moments are expressed by forces where a twist ties both (helical joints).
     std::vector<ReactionComponent> result;
     for (const Row& wrench : motions_without(twists, {3, 4, 5, 0, 1, 2})) {
-      ReactionComponent component{name_of(wrench), {}};
+      ReactionComponent component;
       std::copy(wrench.begin(), wrench.end(), component.direction.begin());
       result.push_back(std::move(component));
     }
@@ -147,22 +161,34 @@ class Finder {
   const Model& model_;
   Program& program_;
   Evaluator<Real> evaluate_;
-  std::vector<bool> massive_;
+  std::vector<bool> stands_;  ///< matter, or something that acts on it
   std::vector<int> children_;
   std::vector<Row> partials_;
 };
 
 }  // namespace
 
-Evaluator<Real> at_generic_state(const Equations& equations) {
-  return {equations.program(), [](const SymbolPointer& symbol) { return generic_value(symbol, 0); }};
+Evaluator<Real> at_generic_state(const Equations& equations, int state) {
+  return {equations.program(), [state](const SymbolPointer& symbol) { return generic_value(symbol, state); }};
 }
 
 bool is_negligible(const Real& x) { return abs(x) < zero_tests::reactions.bound(); }
 
 std::vector<Connection> connections(const Equations& equations) {
   const WorkingDigits precision(zero_tests::reactions.digits);
-  return Finder(equations).all();
+  std::vector<Connection> found = Finder(equations, 0).all();
+  const std::vector<Connection> elsewhere = Finder(equations, 1).all();
+  for (std::size_t k = 0; k < found.size(); ++k) {
+    for (std::size_t c = 0; c < found[k].components.size(); ++c) {
+      const auto row = [&](const Connection& connection) {
+        const auto& direction = connection.components[c].direction;
+        return Row(direction.begin(), direction.end());
+      };
+      const bool alike = found[k].components.size() == elsewhere[k].components.size();
+      found[k].components[c].name = name_of(row(found[k]), row(alike ? elsewhere[k] : found[k]));
+    }
+  }
+  return found;
 }
 
 }  // namespace torsor

@@ -13,12 +13,12 @@ namespace torsor {
 
 /// One unknown component of what a joint transmits: a wrench (X, Y, Z; L, M, N), mostly with a single entry 1.
 struct ReactionComponent {
-  std::string name;               ///< "X", or for a helical joint "X - 0.01 L"
+  std::string name;               ///< "X", or for a helical joint "X - 0.01 L", "X ~ L" where the factor is no number
   std::array<Real, 6> direction;  ///< resultant [N], then moment [N m]
 };
 
 /// What ties a body to the one before it in the tree: one link's joint, or those of several links in a row without
-/// mass.
+/// mass on which nothing acts.
 struct Connection {
   std::string name;  ///< the joint's, as its author named it, else that of the frame it carries
   int top = 0;       ///< first link after `from`; components are along its axes
@@ -33,8 +33,8 @@ struct Connection {
 /// free when its power vanishes there, with probability one everywhere.
 std::vector<Connection> connections(const Equations& equations);
 
-/// Evaluates at the generic state; quaternions have norm 1 there.
-Evaluator<Real> at_generic_state(const Equations& equations);
+/// Evaluates at a generic state; quaternions have norm 1 there.
+Evaluator<Real> at_generic_state(const Equations& equations, int state = 0);
 
 /// Whether a number evaluated at the generic state is zero but for rounding.
 bool is_negligible(const Real& x);
