@@ -4,6 +4,7 @@
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
+#include <set>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -208,11 +209,13 @@ UrdfOptions urdf_options(const FileRequest& request) {
 XacroOptions xacro_options(const FileRequest& request) {
   XacroOptions options;
   options.package_folders = request.package_folders;
+  std::set<std::string> given;
   for (const std::string& assignment : request.arguments) {
     const std::size_t mark = assignment.find(":=");
     if (mark == std::string::npos || mark == 0) {
       throw UsageError(fmt::format("--arg takes NAME:=VALUE, e.g. prefix:=left_, and got '{}'", assignment));
     }
+    take_once(given, "--arg", assignment.substr(0, mark));
     options.arguments.emplace_back(assignment.substr(0, mark), assignment.substr(mark + 2));
   }
   return options;

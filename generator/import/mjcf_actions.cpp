@@ -28,6 +28,12 @@ bool MjcfBuilder::moves(int body) const {
 
 void MjcfBuilder::add_joint_actions(std::size_t i) {
   const MjcfJoint& joint = model_.joints[i];
+  if (is_held(i)) {
+    const bool rubs = joint.friction_loss != 0 || friction_of(joint);
+    if (joint.stiffness != 0 || joint.damping != 0 || joint.armature != 0 || rubs)
+      note("springs, dampers, rotors and friction of joints that equalities hold do not act", joint.name);
+    return;
+  }
   if (joint.is_scalar())
     add_scalar_actions(i);
   else

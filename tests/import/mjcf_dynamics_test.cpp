@@ -270,6 +270,24 @@ TEST(MjcfEquality, ActuatorsOfWhatIsHeldDoNotAct) {
   EXPECT_EQ(Equations(made.scene).model().inputs().size(), 1U);
 }
 
+// They change no motion: an input, a force or the inertia of a rotor would only stand in the equations.
+TEST(MjcfEquality, JointsThatAreHeldHaveNoSpringsDampersRotorsOrFriction) {
+  const ImportedMjcf without = mjcf_scene(read_with_mujoco(data_file("held")));
+  for (double MjcfJoint::* const property :
+       {&MjcfJoint::stiffness, &MjcfJoint::damping, &MjcfJoint::armature, &MjcfJoint::friction_loss}) {
+    MjcfModel model = read_with_mujoco(data_file("held"));
+    for (MjcfJoint& joint : model.joints) {
+      if (joint.name == "x") joint.*property = 2;
+    }
+    const ImportedMjcf made = mjcf_scene(model);
+    EXPECT_EQ(made.notes, (std::vector<std::string>{
+                              "springs, dampers, rotors and friction of joints that equalities hold do not act: x",
+                              "equality constraints of what is held already do not act: hold sum"}));
+    EXPECT_EQ(made.scene.content().actions.size(), without.scene.content().actions.size());
+    EXPECT_EQ(made.scene.content().bodies.size(), 2U);
+  }
+}
+
 // Contacts cannot act: that is noted, and refused strictly; where there are none, nothing is.
 TEST(Mjcf, NotesWhatCannotActAndRefusesItStrictly) {
   MjcfModel model = read_with_mujoco(data_file("walker"));
