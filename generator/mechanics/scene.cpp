@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "torsor/generator/mechanics/scene.hpp"
 
+#include <algorithm>
+
 #include <fmt/format.h>
 
 #include "torsor/generator/base/error.hpp"
@@ -36,6 +38,7 @@ Scene::Scene(std::string name, std::string title) {
   content_.name = std::move(name);
   content_.title = printable(title);
   content_.time = add_symbol("t", units::second, SymbolKind::time);
+  claim("t", "time");
   add_frame({"ground", std::nullopt, {}, JointKind::weld, {}, 0});
 }
 
@@ -76,16 +79,45 @@ Expression Scene::parameter(const std::string& name, std::string_view unit) {
 
 Expression Scene::parameter(const std::string& name, std::string_view unit, const Expression& value) {
   const Expression symbol = parameter(name, unit);
-  refuse_measured(value, fmt::format("parameter '{}'", name));
-  if (!value.unit().is_dimensionless() && !(value.unit() == symbol.unit())) {
-    throw UnitError(fmt::format("parameter '{}' [{}] is given the value {} [{}]: the units differ; give a plain number or "
-                                "one in {}",
-                                name, symbol.unit().to_string(), value.to_string(), value.unit().to_string(),
-                                symbol.unit().to_string()));
-  }
-  content_.parameters.back().value = value;
+  set_parameter(symbol, value);
   content_.parameters.back().run_time = false;
   return symbol;
+}
+
+namespace {
+
+/// Whether a formula depends on a parameter, through the values of others too.
+bool depends_on(const Expression& value, const SymbolPointer& parameter, const std::vector<ParameterContent>& parameters) {
+  const std::vector<SymbolPointer> symbols = value.symbols();
+  return std::any_of(symbols.begin(), symbols.end(), [&](const SymbolPointer& symbol) {
+    if (symbol == parameter) return true;
+    const auto found = std::find_if(parameters.begin(), parameters.end(), [&](const auto& p) { return p.symbol == symbol; });
+    return found != parameters.end() && found->value && depends_on(*found->value, parameter, parameters);
+  });
+}
+
+}  // namespace
+
+void Scene::set_parameter(const Expression& parameter, const Expression& value) {
+  const auto found = std::find_if(content_.parameters.begin(), content_.parameters.end(),
+                                  [&](const ParameterContent& p) { return p.symbol == parameter.as_symbol(); });
+  if (found == content_.parameters.end()) {
+    throw SceneError(fmt::format("set_parameter gives a value to a parameter of the scene, and got {}", parameter.to_string()));
+  }
+  const std::string& name = found->symbol->name;
+  refuse_measured(value, fmt::format("parameter '{}'", name));
+  if (!value.unit().is_dimensionless() && !(value.unit() == parameter.unit())) {
+    throw UnitError(fmt::format("parameter '{}' [{}] is given the value {} [{}]: the units differ; give a plain number or "
+                                "one in {}",
+                                name, parameter.unit().to_string(), value.to_string(), value.unit().to_string(),
+                                parameter.unit().to_string()));
+  }
+  if (depends_on(value, found->symbol, content_.parameters)) {
+    throw SceneError(fmt::format("the value {} of the parameter '{}' depends on '{}' itself: give a number or a formula of "
+                                 "other parameters",
+                                 value.to_string(), name, name));
+  }
+  found->value = value;
 }
 
 Expression Scene::run_time_parameter(const std::string& name, std::string_view unit, const Expression& value) {
@@ -172,8 +204,13 @@ void Scene::initial(const Expression& formula, const Expression& value, const Ex
   coordinate.initial_rate = rate;
 }
 
-void Scene::limits(const Expression& formula, const CoordinateLimits& limits) {
+void Scene::limits(const Expression& formula, const CoordinateLimits& given) {
   CoordinateContent& coordinate = coordinate_of(formula, "limits");
+  CoordinateLimits limits = coordinate.limits.value_or(CoordinateLimits{});
+  if (given.lower) limits.lower = given.lower;
+  if (given.upper) limits.upper = given.upper;
+  if (given.velocity) limits.velocity = given.velocity;
+  if (given.effort) limits.effort = given.effort;
   if (limits.lower && limits.upper && *limits.upper < *limits.lower) {
     throw SceneError(fmt::format("the coordinate '{}' has a lower limit {} above its upper one, {}: exchange them",
                                  coordinate.q->name, limits.lower->to_string(), limits.upper->to_string()));

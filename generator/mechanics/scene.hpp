@@ -37,6 +37,8 @@ class Scene {
   /// A parameter that stays a symbol in kernels although it has a (default) value. A default that is a formula is the number
   /// it comes to with the defaults of others: who sets these later sets this one too.
   Expression run_time_parameter(const std::string& name, std::string_view unit, const Expression& value);
+  /// Gives a parameter another value: a number, or a formula of parameters that do not depend on it.
+  void set_parameter(const Expression& parameter, const Expression& value);
   /// A generalised coordinate q [unit]; its velocity and acceleration come with it. An angle has the unit "rad", a ratio "1".
   Expression coordinate(const std::string& name, std::string_view unit);
   /// A coordinate that its joint holds at zero. It exists so that the reaction against it can be asked for
@@ -51,14 +53,15 @@ class Scene {
 
   /// Imposes a law of time on a coordinate, e.g. `drive(phi, omega * time())`. The coordinate is no unknown any more.
   void drive(const Expression& coordinate, const Expression& law);
-  /// The state at t = 0. A coordinate that is not given starts at zero, at rest.
+  /// The state at t = 0. A coordinate that is not given starts at zero, at rest; given again, the last one counts.
   void initial(const Expression& coordinate, const Expression& value, const Expression& rate = 0);
   /// The same of an attitude: (w, x, y, z) is normalised when it is used. An attitude that is given none starts at
   /// (1, 0, 0, 0).
   void initial(AttitudeHandle attitude, const std::array<Expression, 4>& quaternion,
                const Triple& angular_velocity = {Expression(0), Expression(0), Expression(0)});
 
-  /// Limits of a coordinate. They become the header's table `Mechanism::limits`; nothing here enforces them.
+  /// Limits of a coordinate. They become the header's table `Mechanism::limits`; nothing here enforces them. Those that are
+  /// not given stay as an earlier call left them.
   void limits(const Expression& coordinate, const CoordinateLimits& limits);
 
   // --- the tree of joints -------------------------------------------------------------------------------------------

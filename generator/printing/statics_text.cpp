@@ -17,42 +17,31 @@
 #include "torsor/generator/dynamics/theorems/stability.hpp"
 #include "torsor/generator/printing/formula_text.hpp"
 #include "torsor/generator/printing/readable_page.hpp"
+#include "torsor/generator/printing/statics_state.hpp"
 #include "torsor/generator/program/identically_zero.hpp"
 
 namespace torsor {
 namespace {
 
-using About = std::vector<std::pair<std::string, std::string>>;
+using About = printing::Assignments;
 
 constexpr int digits = 50;
 constexpr std::size_t most_freedoms = 4;  ///< of symbolic conditions: Hurwitz's determinants are for degrees up to 8
 
 class StaticsWriter {
  public:
+  /// `scene` has the values of `set` already.
   StaticsWriter(const Scene& scene, const About& about, const About& set, const PageStyle& style)
       : scene_(scene),
-        equations_(scene, symbolic()),
+        equations_(scene, symbolic_but(scene, set)),
         statics_(equilibrium_equations(equations_, style.language)),
         page_(equations_.program(), scene.content()),
         about_(about),
-        set_(named(set)),
         style_(style),
         say(style_.language) {
-    if (set_.empty()) return;
     std::string values;
-    for (std::size_t k = 0; k < set.size(); ++k) {
-      const SymbolPointer symbol = set_[k].first.as_symbol();
-      if (!symbol || symbol->kind != SymbolKind::parameter) {
-        throw UsageError(fmt::format("--set takes parameters, e.g. m=0, and '{}' is none: name a state by --about", set[k].first));
-      }
-      values += fmt::format("{}{} = {}", k == 0 ? "" : ", ", set[k].first, set[k].second);
-    }
-    const AtState with_values(equations_, set_);
-    statics_.rows = with_values(statics_.rows);
-    statics_.conditions = with_values(statics_.conditions);
-    if (statics_.from_potential) statics_.potential = with_values(statics_.potential);
-    statics_.hessian = with_values(statics_.hessian);
-    page_.note(say("With {}.", values));
+    for (const auto& [name, value] : set) values += fmt::format("{}{} = {}", values.empty() ? "" : ", ", name, value);
+    if (!values.empty()) page_.note(say("With {}.", values));
   }
 
   std::string write() {
@@ -61,7 +50,7 @@ class StaticsWriter {
       second_derivatives(statics_.hessian);
       return finish();
     }
-    const AtState at(equations_, state());
+    const AtState at(equations_, printing::rest_state(scene_, about_));
     rest(at);
     lejeune_dirichlet_criterion(at);
     hurwitz(at);
@@ -69,29 +58,14 @@ class StaticsWriter {
   }
 
  private:
-  static ModelOptions symbolic() {
+  static ModelOptions symbolic_but(const Scene& scene, const About& set) {
     ModelOptions options;
     options.symbolic_parameters = true;
+    for (const auto& [name, value] : set) options.valued.insert(parse_formula(name, scene).as_symbol()->name);
     return options;
   }
 
   std::string finish() { return page_.finish(scene_.content(), style_); }
-
-  AtState::Named state() const {
-    AtState::Named state = named(about_);
-    state.insert(state.end(), set_.begin(), set_.end());
-    return state;
-  }
-
-  AtState::Named named(const About& assignments) const {
-    AtState::Named named;
-    for (const auto& [name, formula] : assignments) {
-      const Expression what = parse_formula(name, scene_), value = parse_formula(formula, scene_);
-      const bool number = value.unit() == Unit() && !(what.unit() == Unit());
-      named.emplace_back(what, number ? value * Expression::quantity(Number(1), what.unit()) : value);
-    }
-    return named;
-  }
 
   std::string state_text() const {
     std::string text;
@@ -327,7 +301,6 @@ class StaticsWriter {
   EquilibriumEquations statics_;
   printing::ReadablePage page_;
   const About& about_;
-  AtState::Named set_;
   PageStyle style_;
   const NaturalLanguage& say;
 };
@@ -336,7 +309,7 @@ class StaticsWriter {
 
 std::string statics_text(const Scene& scene, const About& about, const About& set, const PageStyle& style) {
   validate(scene);
-  return StaticsWriter(scene, about, set, style).write();
+  return StaticsWriter(printing::with_parameters(scene, set), about, set, style).write();
 }
 
 }  // namespace torsor

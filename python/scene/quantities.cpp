@@ -54,6 +54,8 @@ void bind_quantities(SceneClass& scene) {
       "name"_a, "unit"_a, "value"_a = py::none(), comment_of("parameter"));
   scene.def("run_time_parameter", [](S s, Name name, Name unit, E value) { return s.scene.run_time_parameter(name, unit, value); },
             "name"_a, "unit"_a, "value"_a, comment_of("run_time_parameter"));
+  scene.def("set_parameter", [](S s, E parameter, E value) { s.scene.set_parameter(parameter, value); }, "parameter"_a, "value"_a,
+            comment_of("set_parameter"));
   scene.def("coordinate", [](S s, Name name, Name unit) { return s.scene.coordinate(name, unit); }, "name"_a, "unit"_a,
             comment_of("coordinate"));
   scene.def("released_coordinate", [](S s, Name name, Name unit) { return s.scene.released_coordinate(name, unit); }, "name"_a,

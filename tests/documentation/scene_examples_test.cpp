@@ -13,6 +13,9 @@ TEST_F(SceneExamples, OfQuantities) {
   const Expression theta = scene.coordinate("theta", "rad");
   // end
   const Expression phi = scene.coordinate("phi", "rad");
+  // example: set_parameter
+  scene.set_parameter(M, 3);  // half_M is 1.5 kg now
+  // end
   // example: drive time
   scene.drive(phi, 3 * sin(Expression::quantity("2", "1/s") * scene.time()));
   // end

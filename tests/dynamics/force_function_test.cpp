@@ -196,7 +196,7 @@ TEST(ForceFunction, DoesNotExistForMotorsAndFriction) {
                              .axes = it.scene.ground()});
   const ForceFunctionReport report = classify_force_function(Equations(it.scene));
   EXPECT_EQ(report.kind, ForceFunctionCase::none);
-  EXPECT_EQ(report.reasons, (std::vector<std::string>{"'rub' depends on the normal force of its contact",
+  EXPECT_EQ(report.reasons, (std::vector<std::string>{"'rub' depends on the normal force of its contact, and is left out of forces and power",
                                                       "Q_x depends on the input push"}));
 }
 

@@ -26,6 +26,10 @@ TEST_F(SceneNames, AreUniqueAmongWhatBecomesASymbol) {
   EXPECT_EQ(error_of<SceneError>([&] { scene.parameter("theta", "kg", 1); }), expected);
   EXPECT_NE(error_of<SceneError>([&] { scene.coordinate("theta", "rad"); }), "no error");
   EXPECT_NE(error_of<SceneError>([&] { scene.motor("theta", scene.coordinate("x", "m")); }), "no error");
+  // On a page there would be two meanings of t.
+  EXPECT_EQ(error_of<SceneError>([&] { scene.coordinate("t", "m"); }),
+            "duplicate name 't': the scene 'machine' already has a time of that name; choose another name for the new "
+            "coordinate");
 }
 
 TEST_F(SceneNames, AreUniqueAmongFramesBodiesPointsActionsAndConstraints) {
@@ -179,6 +183,25 @@ TEST(Scene, KeepsLimitsOfCoordinatesAndRefusesThoseTheWrongWayRound) {
   limits.upper = Number(-2);
   EXPECT_THROW(scene.limits(q, limits), SceneError);
   EXPECT_THROW(scene.limits(2 * q, {}), SceneError);
+  // What a second call does not name stays.
+  scene.limits(q, {.lower = {}, .upper = {}, .velocity = Number(3), .effort = {}});
+  EXPECT_EQ(scene.content().coordinates[0].limits->lower, Number(-1));
+  EXPECT_EQ(scene.content().coordinates[0].limits->velocity, Number(3));
+  EXPECT_THROW(scene.limits(q, {.lower = {}, .upper = Number(-2), .velocity = {}, .effort = {}}), SceneError);
+}
+
+TEST(Scene, TakesAnotherValueOfAParameter) {
+  Scene scene("machine");
+  const Expression m = scene.parameter("m", "kg", 1), n = scene.run_time_parameter("n", "kg", 2 * m);
+  scene.set_parameter(m, Expression::quantity("3", "kg"));
+  EXPECT_EQ(scene.content().parameters[0].value->to_string(), "3");
+  EXPECT_FALSE(scene.content().parameters[0].run_time);
+  scene.set_parameter(n, 4 * m);
+  EXPECT_TRUE(scene.content().parameters[1].run_time);
+  EXPECT_EQ(error_of<SceneError>([&] { scene.set_parameter(m, n); }),
+            "the value n of the parameter 'm' depends on 'm' itself: give a number or a formula of other parameters");
+  EXPECT_THROW(scene.set_parameter(m, Expression::quantity("1", "s")), UnitError);
+  EXPECT_THROW(scene.set_parameter(2 * m, 1), SceneError);
 }
 
 TEST(Scene, HasOneGravity) {

@@ -16,10 +16,13 @@ namespace torsor {
 Program::Resolver Model::resolver(const Scene& scene, const ModelOptions& options) {
   const SceneContent* content = &scene.content();
   return [content, options](const SymbolPointer& symbol) -> std::optional<Expression> {
-    if (symbol->kind == SymbolKind::parameter && !options.symbolic_parameters && !options.all_run_time) {
+    const bool has_value = (!options.symbolic_parameters && !options.all_run_time) || options.valued.contains(symbol->name);
+    if (symbol->kind == SymbolKind::parameter && has_value) {
       for (const ParameterContent& parameter : content->parameters) {
         if (parameter.symbol != symbol) continue;
-        if (parameter.run_time || !parameter.value || options.run_time.contains(symbol->name)) return std::nullopt;
+        if (!parameter.value) return std::nullopt;
+        const bool kept = parameter.run_time || options.run_time.contains(symbol->name);
+        if (kept && !options.valued.contains(symbol->name)) return std::nullopt;
         // A plain number is understood in the parameter's own unit.
         const bool plain = parameter.value->unit().is_dimensionless();
         return plain ? *parameter.value * Expression::quantity(Number(1), symbol->unit) : *parameter.value;
@@ -40,8 +43,9 @@ Program::Resolver Model::resolver(const Scene& scene, const ModelOptions& option
 std::vector<SymbolPointer> run_time_parameters(const Scene& scene, const ModelOptions& options) {
   std::vector<SymbolPointer> symbols;
   for (const ParameterContent& parameter : scene.content().parameters) {
-    const bool kept = parameter.run_time || !parameter.value || options.all_run_time || options.symbolic_parameters ||
-                      options.run_time.contains(parameter.symbol->name);
+    const bool valued = parameter.value && options.valued.contains(parameter.symbol->name);
+    const bool kept = !valued && (parameter.run_time || !parameter.value || options.all_run_time || options.symbolic_parameters ||
+                                  options.run_time.contains(parameter.symbol->name));
     if (kept) symbols.push_back(parameter.symbol);
   }
   return symbols;

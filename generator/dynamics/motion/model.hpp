@@ -27,6 +27,7 @@ enum class ForwardMethod {
 /// How a scene's symbols enter a program.
 struct ModelOptions {
   bool symbolic_parameters = false;       ///< keep every parameter as a symbol (printed equations)
+  std::set<std::string> valued{};         ///< of these, parameters that have their values all the same
   bool all_run_time = false;              ///< the same for kernels: `--run-time all`
   std::set<std::string> run_time{};       ///< further parameters that stay symbols
   bool hold_released = true;              ///< released coordinates and their rates are zero; off: they are coordinates

@@ -24,6 +24,25 @@ Substitution with_no_velocity(Program& program) {
   });
 }
 
+/// Friction whose direction is that of the slip has none at rest: anything up to its limit.
+bool has_no_direction_at_rest(const Model& model, const ConstraintRow& row) {
+  return row.friction && std::any_of(row.column.begin(), row.column.end(), [&](const Value& column) {
+    return !column.is_zero() && model.program().stage(column) > Stage::configuration;
+  });
+}
+
+std::vector<std::string> frictions_without_direction(const Equations& equations) {
+  std::vector<std::string> names;
+  const SceneContent& scene = equations.model().scene();
+  for (const ContactFriction& friction : scene.frictions) {
+    const SymbolPointer& multiplier = scene.constraints[static_cast<std::size_t>(friction.constraint)].multiplier;
+    for (const ConstraintRow& row : equations.constraints()) {
+      if (row.multiplier == multiplier && has_no_direction_at_rest(equations.model(), row)) names.push_back(friction.name);
+    }
+  }
+  return names;
+}
+
 /// Whether an action is felt where nothing moves, as a damper is not.
 bool acts_at_rest(const Model& model, const std::string& name) {
   const SelectedActions selected = selected_actions(model, {{name}, {}});
@@ -35,9 +54,11 @@ bool acts_at_rest(const Model& model, const std::string& name) {
 
 /// Why the forces at rest have no force function, or what else must be known before Lejeune-Dirichlet is believed.
 std::vector<std::string> remarks_on(const Equations& equations, bool from_potential, const NaturalLanguage& say) {
+  const std::vector<std::string> loose = frictions_without_direction(equations);
   std::vector<std::string> names;
   for (const std::string& name : equations.actions().without_force_function) {
-    if (from_potential || acts_at_rest(equations.model(), name)) names.push_back(fmt::format("'{}'", name));
+    const bool left_out = std::find(loose.begin(), loose.end(), name) != loose.end();
+    if (from_potential || (!left_out && acts_at_rest(equations.model(), name))) names.push_back(fmt::format("'{}'", name));
   }
   const std::string list = fmt::format("{}", fmt::join(names, ", "));
   const bool one = names.size() == 1;
@@ -74,8 +95,9 @@ EquilibriumEquations equilibrium_equations(const Equations& equations, const Nat
   result.rows = forces;
   for (const ConstraintRow& row : equations.constraints()) {
     const Value lambda = program.symbol(row.multiplier);
+    const bool loose = has_no_direction_at_rest(model, row);
     for (std::size_t i = 0; i < n; ++i) {
-      const Value column = at_rest(row.column[i]);
+      const Value column = at_rest(loose ? row.ideal[i] : row.column[i]);
       if (!column.is_zero()) result.rows[i] -= column * lambda;
     }
     if (row.holonomic) result.conditions.push_back(row.value);
@@ -120,6 +142,10 @@ EquilibriumEquations equilibrium_equations(const Equations& equations, const Nat
   const std::vector<bool> same = identically_zero_entries(differences);
   result.from_potential = std::all_of(same.begin(), same.end(), [](bool each) { return each; });
   result.remarks = remarks_on(equations, result.from_potential, say);
+  for (const std::string& name : frictions_without_direction(equations)) {
+    result.remarks.push_back(
+        say("at rest the friction '{}' can be anything up to its limit, and is left out: more states than these are rests", name));
+  }
   return result;
 }
 

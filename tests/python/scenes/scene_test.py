@@ -35,6 +35,15 @@ def crane():
     return scene
 
 
+def test_a_parameter_takes_another_value():
+    scene = crane()
+    M = scene.parameter("N", "kg", 2)
+    scene.set_parameter(M, quantity(3, "kg"))
+    assert "N = 3 kg" in scene.run("equations")
+    with pytest.raises(torsor.scene.SceneError, match="depends on 'N' itself"):
+        scene.set_parameter(M, 2 * M)
+
+
 @pytest.fixture
 def scene():
     return Scene("rod")

@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Which state and which parameters `statics` looks at: --about and --set.
+#include <string>
+
+#include <gtest/gtest.h>
+
+#include "tests/cli/scene_runner.hpp"
+#include "tests/scenes/bodies.hpp"
+#include "tests/scenes/sliding.hpp"
+
+namespace torsor::statics_state_test {
+namespace {
+
+using namespace testing_programs;
+using namespace testing_mechanisms;
+
+std::string statics(Scene (*scene)(), std::vector<std::string> arguments) {
+  arguments.insert(arguments.begin(), "statics");
+  const Outcome outcome = run(scene, arguments);
+  EXPECT_EQ(outcome.code, 0) << outcome.err;
+  return outcome.out;
+}
+
+bool says(const std::string& text, const std::string& sentence) { return text.find(sentence) != std::string::npos; }
+
+/// m x'' + c x' + (k − b) x = 0, the load b = k² m/(2 N) of the stiffness: a rest at 0 is stable while k < 2 N/m.
+Scene loaded_spring() {
+  Scene scene("loaded");
+  const Expression k = scene.parameter("k", "N/m", 1), b = scene.parameter("b", "N/m", k * k / quantity("2", "N/m"));
+  const Expression x = scene.coordinate("x", "m");
+  scene.body("block", scene.prismatic("slide", scene.ground(), axis::x, x), Inertia::point(kilograms("1")));
+  scene.spring("spring", x, k);
+  scene.spring("load", x, -b);
+  scene.damper("damper", x, quantity("1", "N s/m"));
+  return scene;
+}
+
+TEST(StaticsState, TakesAValueIntoThoseThatFollowFromIt) {
+  const std::string soft = statics(loaded_spring, {"--about", "x=0"});
+  EXPECT_TRUE(says(soft, "With the scene's values: asymptotically stable")) << soft;
+  const std::string stiff = statics(loaded_spring, {"--about", "x=0", "--set", "k=4"});
+  EXPECT_TRUE(says(stiff, "With k = 4.")) << stiff;
+  EXPECT_TRUE(says(stiff, "pivot 1 of the Hessian of -(U + T0) is -4.00000, not a minimum")) << stiff;
+  EXPECT_TRUE(says(stiff, "With the scene's values: unstable")) << stiff;
+  EXPECT_FALSE(says(stiff, "stable: ")) << stiff;
+}
+
+/// A spring whose stiffness shakes with w, and a push along x of F (1 + x/m).
+Scene shaken() {
+  Scene scene("shaken");
+  const Expression w = scene.parameter("w", "1/s", 3), F = scene.parameter("F", "N", 2), x = scene.coordinate("x", "m"),
+                   y = scene.coordinate("y", "m");
+  const FrameHandle slide = scene.prismatic("slide", scene.ground(), axis::x, x);
+  scene.body("block", scene.prismatic("lift", slide, axis::y, y), Inertia::point(kilograms("1")));
+  scene.spring("spring", x, quantity("5", "N/m") * (1 + sin(w * scene.time())));
+  scene.spring("other", y, quantity("5", "N/m"));
+  scene.generalised_force("push", x, F * y / metres("1"));
+  return scene;
+}
+
+TEST(StaticsState, JudgesWithTheValuesThatAreSet) {
+  const std::string text = statics(shaken, {"--about", "x=0", "--about", "y=0", "--set", "w=0", "--set", "F=0"});
+  EXPECT_FALSE(says(text, "on time")) << text;
+  EXPECT_FALSE(says(text, "'push' acts")) << text;
+  EXPECT_TRUE(says(text, "stable: -(U + T0) has a strict minimum")) << text;
+  EXPECT_TRUE(says(statics(shaken, {"--about", "x=0", "--set", "F=0"}), "depends on time")) << "w is still 3";
+}
+
+Scene hoop() {
+  Scene scene("hoop");
+  const Expression w = scene.parameter("w", "rad/s", 5), theta = scene.coordinate("theta", "rad"),
+                   phi = scene.coordinate("phi", "rad");
+  scene.drive(phi, w * scene.time());
+  const FrameHandle ring = scene.revolute("ring", scene.ground(), axis::z, phi);
+  scene.body("bead", scene.revolute("arm", ring, axis::y, theta), Inertia::point(kilograms("1")).at({0, 0, metres("-1")}));
+  scene.gravity({0, 0, quantity("-10", "m/s^2")});
+  return scene;
+}
+
+TEST(StaticsState, IsARest) {
+  const auto refused = [](const std::string& state, const std::string& beginning) {
+    expect_failure_beginning(run(hoop, {"statics", "--about", "theta=0", "--about", state}), 2, beginning);
+  };
+  refused("theta'=2", "--about theta' = 2: at a rest every rate is zero");
+  refused("theta''=2", "--about theta'' = 2: at a rest every rate is zero");
+  refused("phi=1", "--about phi = 1: the coordinate 'phi' follows the law w*t");
+  refused("w=1", "--about takes a state, e.g. theta=0, and 'w' is a parameter: give its value by --set");
+  expect_failure_beginning(run(hoop, {"statics", "--about", "theta=theta'"}), 2,
+                           "--about theta = theta': the value depends on 'theta''");
+  EXPECT_TRUE(says(statics(hoop, {"--about", "theta=0", "--about", "theta'=0"}), "Every equation of equilibrium holds"));
+}
+
+TEST(StaticsState, SetsNumbersAndFormulasOfOtherParameters) {
+  EXPECT_TRUE(says(statics(loaded_spring, {"--set", "b=k/4"}), "-U = 3/8 k x^2"));
+  expect_failure_beginning(run(loaded_spring, {"statics", "--set", "k=2*k"}), 2,
+                           "--set k = 2*k: the value 2*k of the parameter 'k' depends on 'k' itself");
+  expect_failure_beginning(run(loaded_spring, {"statics", "--set", "k=b"}), 2, "--set k = b: the value b of the parameter 'k'");
+  expect_failure_beginning(run(loaded_spring, {"statics", "--set", "k=x"}), 2, "--set k = x: the value depends on 'x'");
+}
+
+/// A body on its ball joint.
+Scene top() {
+  Scene scene("top");
+  const AttitudeHandle e = scene.attitude("e");
+  const FrameHandle top = scene.spherical("top", scene.ground(), e);
+  scene.body("top", top, generic_body().at({0, 0, metres("-1")}));
+  scene.gravity({0, 0, quantity("-10", "m/s^2")});
+  return scene;
+}
+
+// The quaternion (2, 0, 0, 0) is the attitude (1, 0, 0, 0), as for a start.
+TEST(StaticsState, NormalisesAttitudes) {
+  const auto at = [](const std::string& w) {
+    const std::string text = statics(top, {"--about", "e_w=" + w, "--about", "e_x=0", "--about", "e_y=0", "--about", "e_z=0"});
+    return text.substr(text.find("Lejeune-Dirichlet"));
+  };
+  EXPECT_EQ(at("2"), at("1"));
+  expect_failure_beginning(
+      run(top, {"statics", "--about", "e_w=0", "--about", "e_x=0", "--about", "e_y=0", "--about", "e_z=0"}), 2,
+      "--about: the four components of the attitude 'e' are zero");
+}
+
+Scene rubbing_block() {
+  testing_mechanisms::Block block;
+  const Expression x = rate(block.x), y = rate(block.y);
+  block.slide(Expression::quantity("0.3", "1"), {x, y, 0});
+  block.scene.gravity({0, 0, quantity("-10", "m/s^2")});
+  return block.scene;
+}
+
+// Friction along the slip has no direction where nothing slips.
+TEST(StaticsState, LeavesFrictionOutThatHasNoDirection) {
+  const std::string text = statics(rubbing_block, {"--about", "x=0", "--about", "y=0", "--about", "z=0"});
+  EXPECT_TRUE(says(text, "At rest the friction 'slide' can be anything up to its limit, and is left out") ||
+              says(text, "at rest the friction 'slide' can be anything up to its limit, and is left out"))
+      << text;
+  EXPECT_TRUE(says(text, "z:  0 = 20 - lambda_floor")) << text;
+}
+
+}  // namespace
+}  // namespace torsor::statics_state_test
