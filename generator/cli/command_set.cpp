@@ -51,6 +51,14 @@ void add_assignments(CLI::App& command, const std::string& name, About& assignme
       text);
 }
 
+PageStyle PageRequest::style() const {
+  const PageStyle style{parse_format(format), document, NaturalLanguage::named(language)};
+  if (document && style.format == Format::text) {
+    throw UsageError("--document is for --format latex: a page of text is whole as it is");
+  }
+  return style;
+}
+
 void add_language(CLI::App& command, std::string& language) {
   command.add_option("--language", language, "of the sentences: en (English) or fr (French)")->capture_default_str();
 }

@@ -73,7 +73,8 @@ struct PageRequest {
   std::string format = "text";
   bool document = false;
   std::string language = "en";
-  PageStyle style() const { return {parse_format(format), document, NaturalLanguage::named(language)}; }
+  /// Throws UsageError for words that are none, and a whole document of text.
+  PageStyle style() const;
 };
 /// Adds --language.
 void add_language(CLI::App& command, std::string& language);

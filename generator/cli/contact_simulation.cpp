@@ -243,6 +243,7 @@ void add_columns(EvaluatedContacts& contacts, ContactRecord& record) {
     for (const std::string& reaction : contact.reactions) add(fmt::format("{}_{}", contact.name, reaction), contact.unit);
     record.contacts.push_back(std::move(contact));
   }
+  require_distinct_columns(result);
 }
 
 }  // namespace

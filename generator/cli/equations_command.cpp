@@ -20,9 +20,10 @@ void add_equations_command(CommandSet& commands) {
   CLI::App& command = commands.add(
       "equations", "print T, U, Lagrange's equations, constraints, linearisation", [request](const Scene& scene) {
         PrintOptions options = request->options;
-        options.document = request->document;
-        options.language = NaturalLanguage::named(request->language);
-        return CommandResult{print_equations(scene, parse_format(request->format), options)};
+        const PageStyle style = request->style();
+        options.document = style.document;
+        options.language = style.language;
+        return CommandResult{print_equations(scene, style.format, options)};
       });
   add_format(command, *request);
   add_about(command, request->options.about, "state of the linearisation, NAME=VALUE, e.g. theta=0; repeatable");

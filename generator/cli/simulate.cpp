@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <memory>
+#include <set>
 
 #include <fmt/format.h>
 
@@ -71,6 +72,16 @@ std::string method_text(const SimulationOptions& options) {
 
 }  // namespace
 
+void require_distinct_columns(const Simulation& motion) {
+  std::set<std::string> met;
+  for (const std::string& name : motion.names) {
+    if (met.insert(name).second) continue;
+    throw UsageError(fmt::format("the motion has two columns '{}': a coordinate of the scene has the name of what stands "
+                                 "beside it; rename the coordinate",
+                                 name));
+  }
+}
+
 Simulation simulate(const Scene& scene, const SimulationOptions& options) {
   check_options(options);
   if (has_contacts(scene)) return simulate_contacts(scene, options);
@@ -86,6 +97,7 @@ Simulation simulate(const Scene& scene, const SimulationOptions& options) {
     result.names.push_back(each.name);
     result.units.push_back(each.unit);
   }
+  require_distinct_columns(result);
   const std::vector<double> y = closed_start(motion, options.initial);
   MotionIntegrator::Settle settle;
   if (motion.needs_settling() && options.project) {

@@ -36,6 +36,9 @@ struct Simulation {
 /// where the constraints cannot be closed at the start.
 Simulation simulate(const Scene& scene, const SimulationOptions& options);
 
+/// Throws UsageError where two columns have one name: a coordinate has that of what stands beside it.
+void require_distinct_columns(const Simulation& motion);
+
 /// Comment lines, names, rows; each number by the shortest decimal that reads back as the same.
 std::string simulation_csv(const Scene& scene, const SimulationOptions& options, const Simulation& motion);
 

@@ -31,17 +31,22 @@ struct UnknownsRequest : PageRequest {
   std::string axes = "ground";
 };
 
-CommandResult unknowns(const Scene& scene, const UnknownsRequest& request) {
+CommandResult unknowns(const Scene& given, const UnknownsRequest& request) {
   if (request.bodies.empty() != request.point.empty()) {
     throw UsageError("--isolate BODIES and --at POINT go together: the point at which moments are taken");
   }
+  if (request.bodies.empty() && request.axes != "ground") {
+    throw UsageError("--axes is for --isolate BODIES --at POINT: the axes along which their theorems are written");
+  }
+  Scene scene = given;
+  const PointReference point = request.bodies.empty() ? PointReference("") : point_at(scene, request.point);
   ModelOptions options;
   options.symbolic_parameters = true;
   const Equations equations(scene, options);
   const PageStyle style = request.style();
   std::string text = unknowns_report(equations, style.language);
-  if (!request.bodies.empty()) text += isolation_report(equations, request.bodies, {Scene::point(request.point), request.axes}, style.language).text;
-  return {style.format == Format::text ? text : printing::words_as_page(text, scene.content(), style)};
+  if (!request.bodies.empty()) text += isolation_report(equations, request.bodies, {point, request.axes}, style.language).text;
+  return {style.format == Format::text ? text : printing::words_as_page(text, given.content(), style)};
 }
 
 void add_unknowns(CommandSet& commands) {

@@ -31,10 +31,14 @@ Triple direction_of(const std::string& text, const Scene& scene) {
   if (components.size() != 3) {
     throw UsageError(fmt::format("the direction '{}' is neither x, y, z nor three components, e.g. 0,1,0", text));
   }
+  if (std::all_of(components.begin(), components.end(), [](const Expression& each) { return each.is_zero(); })) {
+    throw UsageError(fmt::format("the direction '{}' is the null vector: give x, y, z or a direction, e.g. 0,1,0", text));
+  }
   return {components[0], components[1], components[2]};
 }
 
-/// The point at which moments are taken; the origin of a frame becomes a point of the scene.
+}  // namespace
+
 PointReference point_at(Scene& scene, const std::string& name) {
   const auto& points = scene.content().points;
   if (std::any_of(points.begin(), points.end(), [&](const PointContent& p) { return p.name == name; }))
@@ -42,10 +46,13 @@ PointReference point_at(Scene& scene, const std::string& name) {
   const auto& frames = scene.content().frames;
   const auto frame = std::find_if(frames.begin(), frames.end(), [&](const FrameContent& f) { return f.name == name; });
   if (frame == frames.end()) return PointReference(name);  // whoever looks it up names those that there are
-  std::string free = "origin";
-  while (scene.content().names.count(free) > 0) free += "_";
+  std::string free = name;
+  std::replace(free.begin(), free.end(), '.', '_');  // of a frame within a joint
+  while (scene.content().names.count("point " + free) > 0) free += "_";
   return scene.point(free, FrameHandle{static_cast<int>(frame - frames.begin())}, {0, 0, 0});
 }
+
+namespace {
 
 void report_contacts(printing::ReadablePage& page, const Scene& scene, const NaturalLanguage& say) {
   if (scene.content().contacts.empty()) return;
@@ -82,6 +89,10 @@ std::string theorem_text(const Scene& given, const TheoremRequest& request, cons
   if (moment && request.point.empty()) {
     throw UsageError(
         "a theorem of moment needs the point at which moments are taken: --at POINT, or a frame's name for its origin");
+  }
+  if (energy && (!request.point.empty() || request.direction != "x" || request.axes != "ground")) {
+    throw UsageError("the energy theorem has no point and no direction: leave --at, --direction and --axes out, or ask for "
+                     "--kind resultant or moment");
   }
   const NaturalLanguage& say = style.language;
   Scene scene = given;

@@ -19,6 +19,10 @@ struct TheoremRequest {
   std::string observer = "ground";  ///< the frame R from which motion is seen
 };
 
+/// The point of that name, or the origin of the frame of that name, which becomes a point of the scene. A name that is
+/// neither is returned as it is: whoever looks it up names those that there are.
+PointReference point_at(Scene& scene, const std::string& name);
+
 /// Newton-Euler's theorem along a direction, or the energy theorem, for bodies of a scene as a person writes it
 /// (generator/dynamics/theorems/theorem_equations.hpp), parameters as symbols, and a word on the unknowns in it. What is too long is given
 /// by named definitions. Throws UsageError for words it does not know and a moment without a point, SceneError for

@@ -141,6 +141,17 @@ TEST(Simulate, RefusesWhatMakesNoSense) {
   }
 }
 
+TEST(Simulate, RefusesTwoColumnsOfOneName) {
+  const auto scene = [] {
+    Scene named("named");
+    const Expression x = named.coordinate("kinetic_energy", "m");
+    named.body("block", named.prismatic("slide", named.ground(), axis::x, x), Inertia::point(Expression::quantity("1", "kg")));
+    return named;
+  };
+  testing_programs::expect_failure_beginning(run(scene, {"simulate", "--to", "1"}), 2,
+                                             "the motion has two columns 'kinetic_energy': a coordinate of the scene has");
+}
+
 TEST(Simulate, HasSeveralMethods) {
   const auto end = [](const std::string& method) {
     std::vector<std::string> words{"simulate", "--to", "1", "--step", "0.1", "--method", method};

@@ -142,6 +142,10 @@ TEST(TheoremCommand, IsSpelledInLatexAsOtherPagesAre) {
   const std::string unknowns = run(air_damped, {"unknowns", "--format", "latex"}).out;
   EXPECT_NE(unknowns.find("\\subsection*{Newton-Euler}"), std::string::npos) << unknowns;
   EXPECT_EQ(run(pendulum, {"theorem", "--format", "html"}).code, 2);
+  for (const char* command : {"theorem", "equations"}) {
+    expect_failure(run(pendulum, {command, "--document"}), 2,
+                   "--document is for --format latex: a page of text is whole as it is");
+  }
 }
 
 TEST(TheoremCommand, RefusesWhatItDoesNotKnow) {
@@ -153,6 +157,15 @@ TEST(TheoremCommand, RefusesWhatItDoesNotKnow) {
       "origin");
   expect_failure(run(pendulum, {"theorem", "--direction", "1,0"}), 2,
                  "the direction '1,0' is neither x, y, z nor three components, e.g. 0,1,0");
+  expect_failure(run(pendulum, {"theorem", "--direction", "0,0,0"}), 2,
+                 "the direction '0,0,0' is the null vector: give x, y, z or a direction, e.g. 0,1,0");
+  for (const std::vector<std::string>& unused :
+       {std::vector<std::string>{"--at", "ground"}, {"--direction", "z"}, {"--axes", "arm"}}) {
+    std::vector<std::string> arguments{"theorem", "--kind", "energy"};
+    arguments.insert(arguments.end(), unused.begin(), unused.end());
+    expect_failure_beginning(run(pendulum, arguments), 2, "the energy theorem has no point and no direction");
+  }
+  expect_failure_beginning(run(pendulum, {"unknowns", "--axes", "arm"}), 2, "--axes is for --isolate BODIES --at POINT");
   expect_failure_beginning(run(pendulum, {"theorem", "--kind", "moment", "--at", "nowhere"}), 3,
                            "unknown point 'nowhere'");
   expect_failure_beginning(run(pendulum, {"theorem", "--bodies", "bib"}), 3, "unknown body 'bib'");
@@ -193,7 +206,7 @@ TEST(StaticsCommand, WritesTheRelativeEquilibriaOfTheGovernor) {
 
 TEST(StaticsCommand, SetsParametersOnly) {
   EXPECT_EQ(section(run(watt_governor_scene, {"statics", "--set", "omega=0"}).out, "Equations of equilibrium"),
-            "  -(U + T0) = -2 g (m + M) L cos(theta)    (in J)\n"
+            "  -U = -2 g (m + M) L cos(theta)    (in J)\n"
             "  theta:  0 = 2 g (m + M) L sin(theta)");
   expect_failure(run(watt_governor_scene, {"statics", "--set", "theta=0"}), 2,
                  "--set takes parameters, e.g. m=0, and 'theta' is none: name a state by --about");
