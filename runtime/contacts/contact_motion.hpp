@@ -119,6 +119,8 @@ class ContactMotion {
   [[nodiscard]] double margin(int i) const noexcept;
   /// |T|.
   [[nodiscard]] double friction_force(int i) const noexcept;
+  /// The largest force of those that act on each other with a contact's: what its rounding is a part of.
+  [[nodiscard]] double force_size(int i) const;
 
   /// What rounding may make of a velocity: some parts of its terms.
   [[nodiscard]] double rounding_of(int row) const noexcept;

@@ -131,6 +131,7 @@ class ContactRun {
     }
     const bool here = piece.status == EventStatus::guard_not_followed &&
                       automaton_.ends_unfollowed(piece.guard, piece.time, y_);
+    if (piece.status == EventStatus::guard_not_followed && !here && automaton_.holds_on(piece.guard, piece.time, y_)) return true;
     if (piece.status != EventStatus::stopped_at_event && !here) {
       if (piece.integration.status == IntegrationStatus::step_too_small && automaton_.jams_nearly(piece.time, y_)) return false;
       const std::optional<int> jumping = automaton_.motion().jumping(piece.time);
