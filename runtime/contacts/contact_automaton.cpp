@@ -34,6 +34,25 @@ bool ContactAutomaton::start(double t0, std::span<double> y, Gaps gaps) {
   return valid_rules() && begin(t0, gaps);
 }
 
+bool ContactAutomaton::renew(std::span<double> y) {
+  motion_.renew();
+  y_ = y;
+  has_event_ = false;
+  PerContact<bool> rubbed{};
+  bool any = false;
+  for (int i = 0; i < count(); ++i) {
+    rubbed[as(i)] = motion_.rule(i).law().rubs();
+    any = motion_.take_rule(i) || any;
+  }
+  if (!any) return true;
+  if (!valid_rules()) return false;
+  if (!motion_.read(result_.time, y_)) return end(ContactStatus::integration_failed, std::nullopt);
+  for (int i = 0; i < count(); ++i) {
+    if (motion_.rule(i).law().rubs() != rubbed[as(i)]) set_by_slip(i, options_.at_rest);
+  }
+  return settle(std::nullopt) && decide(std::nullopt, Cause::none);
+}
+
 ContactEvent ContactAutomaton::event() const noexcept {
   return {kind_,     told_,        contact_,  before_, y_, std::span(motion_.states).first(bounces_.size()),
           impulses_, energy_lost_, residual_, verdict_, std::span(found_).first(found_count_)};

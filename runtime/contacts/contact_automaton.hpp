@@ -30,6 +30,10 @@ class ContactAutomaton {
   /// Puts the state on its constraints and decides the first regimes; false where the motion cannot begin.
   bool start(double t0, std::span<double> y, Gaps gaps = Gaps::of_a_start);
 
+  /// The mechanism may have other coefficients than before, at the same time and state: takes them, and decides the regimes
+  /// anew where a law is another one. False where the motion ends.
+  bool renew(std::span<double> y);
+
   /// Falls through zero where the present regimes end.
   [[nodiscard]] double guard(std::size_t index, double t, std::span<const double> y);
   /// Whether what it watches must not be below zero: a gap.

@@ -56,6 +56,14 @@ void ContactMotion::forget() {
   later_dynamics_.forget();
 }
 
+bool ContactMotion::take_rule(int i) {
+  ContactRule now = mechanism_.rule(i);
+  const bool other = !(now == rule(i));
+  if (now.rows() != rule(i).rows() || now.bearing != rule(i).bearing) now.tangents = -1;  // there is no room for it
+  if (other) rules_[as(i)] = now;
+  return other;
+}
+
 Evaluation ContactMotion::slope(double t, std::span<const double> y, std::span<double> dydt) {
   const Evaluation evaluation = solve(t, y);
   const auto nq = as(sizes_.coordinates);

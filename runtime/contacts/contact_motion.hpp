@@ -176,6 +176,8 @@ class ContactMotion {
   void leave_change_point() noexcept { nearest_ = dynamics_.distance(); }
   /// What the mechanism says at a state has changed: it is read again.
   void renew() noexcept { known_ = false; }
+  /// Takes the rule that the mechanism has now for a contact; whether it is another one. Its rows are as many as before.
+  bool take_rule(int i);
 
  private:
   using Regimes = RegimeSystem::Regimes;

@@ -49,12 +49,13 @@ class ContactRun {
     return began;
   }
 
-  /// Goes on to t1, which is not before; false where the motion ends earlier.
+  /// Goes on to t1, which is not before, with the coefficients that the mechanism has now; false where the motion ends earlier.
   bool advance(double t1) {
     ContactResult& result = automaton_.result();
     if (result.status != ContactStatus::reached_end) return false;
     if (!(t1 >= result.time)) return automaton_.end(ContactStatus::invalid_options, std::nullopt);
     if (y_ != last_) return automaton_.end(ContactStatus::not_started, std::nullopt);
+    if (!automaton_.renew(y_)) return false;
     int stuck = 0;
     while (result.status == ContactStatus::reached_end && result.time < t1) {
       const double before = result.time;
