@@ -45,25 +45,39 @@ struct Moved {
 // The acceleration of a piece is F/m - f g from its first evaluation on: before, the first one of a step was that of the piece before,
 // and a speed was off by 1e-10. Two pieces of about ten steps leave ten roundings.
 TEST(ChangedCoefficients, OfMassForceAndFrictionActFromTheStartOfAPiece) {
-  Moved moved;
-  double speed = 0, end = 0;
-  ASSERT_TRUE(moved.run.start(0));
-  const auto expect = [&] {
-    ASSERT_TRUE(moved.run.advance(end += 1)) << describe(moved.run.result().status);
-    speed += moved.block.F / moved.block.m - moved.block.f * g;
-    EXPECT_NEAR(moved.y[2], speed, 2e-14 * (1 + speed)) << end;
-  };
-  expect();
-  moved.block.m = 2;
-  expect();
-  moved.block.F = 2;
-  expect();
-  moved.block.f = 0.5;
-  expect();
-  moved.block.f = 0;
-  expect();
+  for (const double sign : {1.0, -1.0}) {
+    Moved moved{.block = {.F = sign * 10}};
+    double speed = 0, end = 0;
+    ASSERT_TRUE(moved.run.start(0));
+    const auto expect = [&] {
+      ASSERT_TRUE(moved.run.advance(end += 1)) << describe(moved.run.result().status);
+      speed += std::abs(moved.block.F) / moved.block.m - moved.block.f * g;
+      EXPECT_NEAR(moved.y[2], sign * speed, 2e-14 * (1 + speed)) << end;
+    };
+    expect();
+    moved.block.m = 2;
+    expect();
+    moved.block.F = sign * 2;
+    expect();
+    moved.block.f = 0.5;
+    expect();
+    moved.block.f = 0;
+    expect();
+    moved.block.f = 0.1;
+    expect();
+  }
+}
+
+// What slid without friction has a direction from the rule on that rubs.
+TEST(ChangedCoefficients, OfFrictionActAgainstASlipThatHadNone) {
+  Moved moved{.block = {.F = 0, .f = 0}};
+  moved.y = {0, 0, -3, 0};
+  ASSERT_TRUE(moved.run.start(0) && moved.run.advance(1));
+  moved.block.F = 10;  // it turns round in the piece before
+  ASSERT_TRUE(moved.run.advance(2));
   moved.block.f = 0.1;
-  expect();
+  ASSERT_TRUE(moved.run.advance(3));
+  EXPECT_NEAR(moved.y[2], 17 - 0.1 * g, 1e-13);
 }
 
 TEST(ChangedCoefficients, OfFrictionLetABlockGoAndHoldIt) {
