@@ -27,14 +27,18 @@ class CircleRoots {
     }
     if (!(size_ > 0) || !std::isfinite(size_)) return;
     constexpr int parts = 16;
-    for (int i = 0; i < parts; ++i) search(2 * std::numbers::pi * i / parts, 2 * std::numbers::pi * (i + 1) / parts, 0);
+    for (int i = 0; i < parts; ++i) search(turn * i / parts, turn * (i + 1) / parts, 0);
   }
 
   [[nodiscard]] std::size_t count() const noexcept { return count_; }
   [[nodiscard]] double operator[](std::size_t i) const noexcept { return roots_[i]; }
 
  private:
+  static constexpr double turn = 2 * std::numbers::pi;
+
   [[nodiscard]] double value(double angle, int derivative = 0) const noexcept {
+    // The end of the circle is its beginning: with two roundings of one value a zero there would be on neither side.
+    if (angle == turn) angle = 0;
     const double c = std::cos(angle), s = std::sin(angle);
     double ck = 1, sk = 0, sum = derivative == 0 ? a_[0] : 0;  // cos kα, sin kα
     for (std::size_t k = 1; k < 4; ++k) {
@@ -68,7 +72,7 @@ class CircleRoots {
 
   void add(double angle) noexcept {
     for (std::size_t i = 0; i < count_; ++i) {
-      if (std::abs(std::remainder(roots_[i] - angle, 2 * std::numbers::pi)) < 1e-7) return;
+      if (std::abs(std::remainder(roots_[i] - angle, turn)) < 1e-7) return;
     }
     if (count_ < roots_.size()) roots_[count_++] = angle;
   }

@@ -34,62 +34,23 @@ bool ContactAutomaton::start(double t0, std::span<double> y, Gaps gaps) {
   return valid_rules() && begin(t0, gaps);
 }
 
-double ContactAutomaton::guard(std::size_t index, double t, std::span<const double> y) {
-  constexpr double none = std::numeric_limits<double>::quiet_NaN();
-  if (index == guards * bounces_.size()) {
-    return motion_.solve(t, y) == Evaluation::ok ? side_ * motion_.regularity() - 1e-8 : none;
+bool ContactAutomaton::renew(std::span<double> y) {
+  motion_.renew();
+  y_ = y;
+  has_event_ = false;
+  PerContact<bool> rubbed{};
+  bool any = false;
+  for (int i = 0; i < count(); ++i) {
+    rubbed[as(i)] = motion_.rule(i).law().rubs();
+    any = motion_.take_rule(i) || any;
   }
-  if (index > guards * bounces_.size()) return 1;
-  const int contact = static_cast<int>(index / guards);
-  const auto watched = static_cast<Watched>(index % guards);
-  const ContactState& state = motion_.states[as(contact)];
-  const ContactRule& rule = motion_.rule(contact);
-  if (!motion_.read(t, y)) return none;
-  if (watched == Watched::gap_or_pressure) {
-    if (!rule.normal) return 1;
-    if (!state.touches) return motion_.reading().gap[as(contact)];
-    if (motion_.solve(t, y) != Evaluation::ok) return none;
-    const int n = motion_.first_row(contact);
-    return motion_.reactions()(n) + state.force_slack + idle_slack(contact, n);
+  if (!any) return true;
+  if (!valid_rules()) return false;
+  if (!motion_.read(result_.time, y_)) return end(ContactStatus::integration_failed, std::nullopt);
+  for (int i = 0; i < count(); ++i) {
+    if (motion_.rule(i).law().rubs() != rubbed[as(i)]) set_by_slip(i, options_.at_rest);
   }
-  // Where nothing rubs, a slip that passes zero has no end: a spin that stays zero but for rounding would end without end.
-  if (!state.touches || !rule.law().rubs() || state.regime == ContactRegime::open) return 1;
-  if (watched == Watched::youth) {
-    if (state.regime != ContactRegime::slides) return 1;
-    if (!state.begins && (state.fades || rule.tangents < 2)) return 1;
-    if (state.begins && motion_.solve(t, y) != Evaluation::ok) return none;
-    return motion_.youth(contact, t);
-  }
-  // What starts from zero is watched from a little above, so that it is seen to fall.
-  if (state.regime == ContactRegime::slides) {
-    return motion_.slip(contact) + (state.begins && !state.fades ? motion_.least_slip(contact) : 0);
-  }
-  if (motion_.solve(t, y) != Evaluation::ok) return none;
-  return motion_.margin(contact) + state.force_slack + idle_slack(contact, motion_.tangent_row(contact));
-}
-
-// What rounding may make of a force in a row of a contact that has none.
-double ContactAutomaton::idle_slack(int contact, int row) {
-  if (!motion_.states[as(contact)].idle) return 0;
-  const double own = motion_.W()(row, row);
-  return own > 0 ? 4e-12 * bounces_[as(contact)].doubt * fastest_(row) / own : 0;
-}
-
-bool ContactAutomaton::barrier(std::size_t index) const {
-  return index < guards * bounces_.size() && static_cast<Watched>(index % guards) == Watched::gap_or_pressure &&
-         !motion_.states[index / guards].touches;
-}
-
-bool ContactAutomaton::ends_unfollowed(std::size_t index, double t, std::span<const double> y) {
-  if (index >= guards * bounces_.size() || !motion_.read(t, y)) return false;
-  const int i = static_cast<int>(index / guards);
-  if (barrier(index)) {
-    return motion_.reading().gap[as(i)] <= 16 * motion_.rounding_of_gap(i) &&
-           motion_.reading().w(motion_.first_row(i)) < 0;
-  }
-  const ContactState& state = motion_.states[as(i)];
-  return static_cast<Watched>(index % guards) == Watched::slip_or_margin && state.touches && state.fades &&
-         motion_.slip_speed(i) <= motion_.slow(i);
+  return settle(std::nullopt) && decide(std::nullopt, Cause::none);
 }
 
 ContactEvent ContactAutomaton::event() const noexcept {
@@ -311,16 +272,6 @@ void ContactAutomaton::note_regularity() {
 bool ContactAutomaton::pass_singular() {
   if (motion_.solve(result_.time, y_) != Evaluation::ok) return end(ContactStatus::integration_failed, std::nullopt);
   return end(ContactStatus::jams, motion_.busiest_slip());
-}
-
-// Where masses are far apart, rounding of forces that have grown a thousand times since the regimes began may stop the steps
-// before the determinant is so small.
-bool ContactAutomaton::jams_nearly(double t, std::span<const double> y) {
-  if (motion_.solve(t, y) != Evaluation::ok) return false;
-  const std::optional<int> contact = motion_.busiest_slip();
-  if (!contact || !(side_ * motion_.regularity() < 1e-3 * began_regular_)) return false;
-  end(ContactStatus::jams, contact);
-  return true;
 }
 
 // Whether the contact slips as it did before.

@@ -30,14 +30,20 @@ class ContactAutomaton {
   /// Puts the state on its constraints and decides the first regimes; false where the motion cannot begin.
   bool start(double t0, std::span<double> y, Gaps gaps = Gaps::of_a_start);
 
+  /// The mechanism may have other coefficients than before, at the same time and state: takes them, and decides the regimes
+  /// anew where a law is another one. False where the motion ends.
+  bool renew(std::span<double> y);
+
   /// Falls through zero where the present regimes end.
   [[nodiscard]] double guard(std::size_t index, double t, std::span<const double> y);
   /// Whether what it watches must not be below zero: a gap.
   [[nodiscard]] bool barrier(std::size_t index) const;
 
   /// Whether what a step lost sight of ends there: a gap that falls and is zero to rounding, after a flight too short to
-  /// be followed; or a slip near its end, smaller than what the method's errors leave of it.
+  /// be followed; or a slip near its end, smaller than what the method's errors leave of it; or the youth of one that has a speed.
   [[nodiscard]] bool ends_unfollowed(std::size_t index, double t, std::span<const double> y);
+  /// Whether a force that a step lost sight of came to its bound by rounding alone: it is watched from above from there on.
+  bool holds_on(std::size_t index, double t, std::span<const double> y);
   /// Whether steps that fell below the resolution of time did so because slips jam: then the motion ends with `jams`.
   [[nodiscard]] bool jams_nearly(double t, std::span<const double> y);
   /// Whether the steps have ended at an edge that the contact leaves, its gap rising by a jump: it opens, and so does

@@ -56,6 +56,14 @@ void ContactMotion::forget() {
   later_dynamics_.forget();
 }
 
+bool ContactMotion::take_rule(int i) {
+  ContactRule now = mechanism_.rule(i);
+  const bool other = !(now == rule(i));
+  if (now.rows() != rule(i).rows() || now.bearing != rule(i).bearing) now.tangents = -1;  // there is no room for it
+  if (other) rules_[as(i)] = now;
+  return other;
+}
+
 Evaluation ContactMotion::slope(double t, std::span<const double> y, std::span<double> dydt) {
   const Evaluation evaluation = solve(t, y);
   const auto nq = as(sizes_.coordinates);
@@ -275,8 +283,9 @@ double ContactMotion::slip_speed(int i) const noexcept {
 }
 
 double ContactMotion::least_slip(int i) const noexcept {
-  // Velocities that have been put to zero again and again have roundings far below what is left of them.
-  double largest = at(i).residue;
+  // Velocities that have been put to zero again and again have roundings far below what is left of them. Where all that moves does
+  // so by rounding, as a body that no force is left for beyond friction, roundings of that tell nothing: 1e-6 of an error does.
+  double largest = std::max(at(i).residue, 1e-6 / 256 * absolute_);
   for (int k = 0; k < rule(i).tangents; ++k) largest = std::max(largest, rounding_of(tangent_row(i) + k));
   return 256 * largest;
 }
@@ -324,6 +333,11 @@ double ContactMotion::friction_force(int i) const noexcept {
   double length = 0;
   for (int k = 0; k < rule(i).tangents; ++k) length = std::hypot(length, r_(tangent_row(i) + k));
   return length;
+}
+
+double ContactMotion::force_size(int i) const {
+  const ContactVector forces = ContactScale(problem_of(reading_, dynamics_)).forces(r_);
+  return std::max(rule(i).normal ? forces(first_row(i)) : 0, size_along(forces, r_, tangent_row(i), rule(i).tangents));
 }
 
 double ContactMotion::rounding_of(int row) const noexcept {

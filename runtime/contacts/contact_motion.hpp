@@ -119,6 +119,8 @@ class ContactMotion {
   [[nodiscard]] double margin(int i) const noexcept;
   /// |T|.
   [[nodiscard]] double friction_force(int i) const noexcept;
+  /// The largest force of those that act on each other with a contact's: what its rounding is a part of.
+  [[nodiscard]] double force_size(int i) const;
 
   /// What rounding may make of a velocity: some parts of its terms.
   [[nodiscard]] double rounding_of(int row) const noexcept;
@@ -174,6 +176,8 @@ class ContactMotion {
   void leave_change_point() noexcept { nearest_ = dynamics_.distance(); }
   /// What the mechanism says at a state has changed: it is read again.
   void renew() noexcept { known_ = false; }
+  /// Takes the rule that the mechanism has now for a contact; whether it is another one. Its rows are as many as before.
+  bool take_rule(int i);
 
  private:
   using Regimes = RegimeSystem::Regimes;

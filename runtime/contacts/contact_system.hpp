@@ -45,6 +45,7 @@ struct ContactRule {
             .bound = bound,
             .static_bound = sticking_bound()};
   }
+  [[nodiscard]] bool operator==(const ContactRule&) const = default;
   [[nodiscard]] double sticking() const noexcept { return static_friction.value_or(friction); }
   [[nodiscard]] double sticking_bound() const noexcept { return static_bound.value_or(bound); }
 };

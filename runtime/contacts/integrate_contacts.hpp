@@ -49,12 +49,13 @@ class ContactRun {
     return began;
   }
 
-  /// Goes on to t1, which is not before; false where the motion ends earlier.
+  /// Goes on to t1, which is not before, with the coefficients that the mechanism has now; false where the motion ends earlier.
   bool advance(double t1) {
     ContactResult& result = automaton_.result();
     if (result.status != ContactStatus::reached_end) return false;
     if (!(t1 >= result.time)) return automaton_.end(ContactStatus::invalid_options, std::nullopt);
     if (y_ != last_) return automaton_.end(ContactStatus::not_started, std::nullopt);
+    if (!automaton_.renew(y_)) return false;
     int stuck = 0;
     while (result.status == ContactStatus::reached_end && result.time < t1) {
       const double before = result.time;
@@ -131,6 +132,7 @@ class ContactRun {
     }
     const bool here = piece.status == EventStatus::guard_not_followed &&
                       automaton_.ends_unfollowed(piece.guard, piece.time, y_);
+    if (piece.status == EventStatus::guard_not_followed && !here && automaton_.holds_on(piece.guard, piece.time, y_)) return true;
     if (piece.status != EventStatus::stopped_at_event && !here) {
       if (piece.integration.status == IntegrationStatus::step_too_small && automaton_.jams_nearly(piece.time, y_)) return false;
       const std::optional<int> jumping = automaton_.motion().jumping(piece.time);

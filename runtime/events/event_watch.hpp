@@ -6,7 +6,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
-#include <optional>
 #include <type_traits>
 
 #include "torsor/runtime/events/event_memory.hpp"
@@ -272,14 +271,14 @@ class EventWatch {
     time = barriers_only ? located.before : look_from;
     Vector y = step(time);
     if (by_stepping()) {
-      const std::optional<Located> found = locate_by_stepping(step, place, barriers_only, time);
-      if (!found) {
+      const Located located_there = locate_by_stepping(step, place, barriers_only, time);
+      time = located_there.time;
+      if (all_finite(located_there.y)) y = located_there.y;
+      if (!located_there.crosses) {
         result_.status = EventStatus::guard_not_followed;
         end_at(time, place, y);
         return look_from;
       }
-      time = found->time;
-      y = found->y;
     }
     look_from = earlier(step, look_from, time) ? time : look_from;
     for (std::size_t i = 0; i < count; ++i) {
@@ -341,12 +340,12 @@ class EventWatch {
   struct Located {
     Scalar time;
     Vector y;
+    bool crosses = true;  ///< false where steps of the method do not cross near the time given: the interpolant is wrong there
   };
 
   // The interpolant is right to the method's error; the method's own step from the start of the step is righter.
-  // Nothing where its steps do not cross near the time given: the interpolant is wrong there.
   template <class Step>
-  std::optional<Located> locate_by_stepping(const Step& step, std::size_t i, bool stay_before, Scalar time) {
+  Located locate_by_stepping(const Step& step, std::size_t i, bool stay_before, Scalar time) {
     const Vector y_end = step(step.end);
     const RepeatedStep<S, Method, Scalar, size> repeated{system_,  method_, step.start, step.end,
                                                          y_start_, y_end,   calls_};
@@ -367,7 +366,7 @@ class EventWatch {
       const Scalar found = stay_before ? bracket.before : bracket.after;
       return Located{found, repeated(found)};
     }
-    return std::nullopt;
+    return {time, repeated(time), false};
   }
 
   template <class Step>

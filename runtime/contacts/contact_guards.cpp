@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: MIT
+// What ends a smooth piece of a contact motion, and what of it is rounding.
+#include <cmath>
+#include <limits>
+#include <optional>
+
+#include "torsor/runtime/contacts/contact_automaton.hpp"
+
+namespace torsor::runtime {
+
+double ContactAutomaton::guard(std::size_t index, double t, std::span<const double> y) {
+  constexpr double none = std::numeric_limits<double>::quiet_NaN();
+  if (index == guards * bounces_.size()) {
+    return motion_.solve(t, y) == Evaluation::ok ? side_ * motion_.regularity() - 1e-8 : none;
+  }
+  if (index > guards * bounces_.size()) return 1;
+  const int contact = static_cast<int>(index / guards);
+  const auto watched = static_cast<Watched>(index % guards);
+  const ContactState& state = motion_.states[as(contact)];
+  const ContactRule& rule = motion_.rule(contact);
+  if (!motion_.read(t, y)) return none;
+  if (watched == Watched::gap_or_pressure) {
+    if (!rule.normal) return 1;
+    if (!state.touches) return motion_.reading().gap[as(contact)];
+    if (motion_.solve(t, y) != Evaluation::ok) return none;
+    const int n = motion_.first_row(contact);
+    return motion_.reactions()(n) + state.force_slack + idle_slack(contact, n);
+  }
+  // Where nothing rubs, a slip that passes zero has no end: a spin that stays zero but for rounding would end without end.
+  if (!state.touches || !rule.law().rubs() || state.regime == ContactRegime::open) return 1;
+  if (watched == Watched::youth) {
+    if (state.regime != ContactRegime::slides) return 1;
+    if (!state.begins && (state.fades || rule.tangents < 2)) return 1;
+    if (state.begins && motion_.solve(t, y) != Evaluation::ok) return none;
+    return motion_.youth(contact, t);
+  }
+  // What starts from zero is watched from a little above, so that it is seen to fall.
+  if (state.regime == ContactRegime::slides) {
+    return motion_.slip(contact) + (state.begins && !state.fades ? motion_.least_slip(contact) : 0);
+  }
+  if (motion_.solve(t, y) != Evaluation::ok) return none;
+  return motion_.margin(contact) + state.force_slack + idle_slack(contact, motion_.tangent_row(contact));
+}
+
+// What rounding may make of a force in a row of a contact that has none.
+double ContactAutomaton::idle_slack(int contact, int row) {
+  if (!motion_.states[as(contact)].idle) return 0;
+  const double own = motion_.W()(row, row);
+  return own > 0 ? 4e-12 * bounces_[as(contact)].doubt * fastest_(row) / own : 0;
+}
+
+bool ContactAutomaton::barrier(std::size_t index) const {
+  return index < guards * bounces_.size() && static_cast<Watched>(index % guards) == Watched::gap_or_pressure &&
+         !motion_.states[index / guards].touches;
+}
+
+bool ContactAutomaton::ends_unfollowed(std::size_t index, double t, std::span<const double> y) {
+  if (index >= guards * bounces_.size() || !motion_.read(t, y)) return false;
+  const int i = static_cast<int>(index / guards);
+  if (barrier(index)) {
+    return motion_.reading().gap[as(i)] <= 16 * motion_.rounding_of_gap(i) &&
+           motion_.reading().w(motion_.first_row(i)) < 0;
+  }
+  const ContactState& state = motion_.states[as(i)];
+  const auto watched = static_cast<Watched>(index % guards);
+  // A slip has got a speed: where, errors of the integration may say.
+  if (watched == Watched::youth) return state.begins && !state.fades && motion_.slip(i) > 1e4 * motion_.least_slip(i);
+  return watched == Watched::slip_or_margin && state.touches && state.fades && motion_.slip_speed(i) <= motion_.slow(i);
+}
+
+// A force that comes to its bound and goes back, but for rounding, has no event: rest persists where it can.
+bool ContactAutomaton::holds_on(std::size_t index, double t, std::span<const double> y) {
+  if (index >= guards * bounces_.size()) return false;
+  const int i = static_cast<int>(index / guards);
+  ContactState& state = motion_.states[as(i)];
+  const auto watched = static_cast<Watched>(index % guards);
+  const bool of_a_force = watched == Watched::gap_or_pressure || state.regime == ContactRegime::sticks;
+  if (!state.touches || watched == Watched::youth || !of_a_force || motion_.solve(t, y) != Evaluation::ok) return false;
+  const double size = motion_.force_size(i), left = guard(index, t, y);
+  if (!(std::abs(left) <= 4e-12 * size)) return false;
+  state.force_slack += 8e-12 * size;
+  return true;
+}
+
+// Where masses are far apart, rounding of forces that have grown a thousand times since the regimes began may stop the steps
+// before the determinant is so small.
+bool ContactAutomaton::jams_nearly(double t, std::span<const double> y) {
+  if (motion_.solve(t, y) != Evaluation::ok) return false;
+  const std::optional<int> contact = motion_.busiest_slip();
+  if (!contact || !(side_ * motion_.regularity() < 1e-3 * began_regular_)) return false;
+  end(ContactStatus::jams, contact);
+  return true;
+}
+
+}  // namespace torsor::runtime
