@@ -65,6 +65,39 @@ struct WithoutDerivatives : DoublePendulum {
   static void inverse_dynamics_derivatives() = delete;
 };
 
+/// A mass on a line with a drag c v², even in v, from `since` on: x' = v0/(1 + c v0 t).
+struct EvenDrag : mechanisms::Contract<1, 0> {
+  struct Parameters {
+    double drag = 1.0, since = 0.0;
+  };
+  struct Precomputed {
+    Parameters parameters;
+  };
+  static Parameters default_parameters() noexcept { return {}; }
+  static Precomputed precompute(const Parameters& p) noexcept { return {p}; }
+  static State initial_state() noexcept { return {0.0, {{0.0}}, {{1.0}}}; }
+  static void mass_matrix(const Precomputed&, const State&, std::array<double, 1>& mass) noexcept { mass = {1.0}; }
+  static void bias(const Precomputed& p, const State& s, GeneralizedForces& h) noexcept {
+    h[0] = s.time >= p.parameters.since ? p.parameters.drag * s.v[0] * s.v[0] : 0.0;
+  }
+  static mechanisms::Status forward_dynamics(const Precomputed& p, const State& s, const Inputs&, Accelerations& a,
+                                             Multipliers&) noexcept {
+    GeneralizedForces h{};
+    bias(p, s, h);
+    a[0] = -h[0];
+    return mechanisms::Status::ok;
+  }
+};
+
+/// PolarMass with a force across the velocity, which does no work: even in v too.
+struct AcrossTheVelocity : PolarMass {
+  static void bias(const Precomputed& p, const State& s, GeneralizedForces& h) noexcept {
+    PolarMass::bias(p, s, h);
+    h[0] -= 1e-4 * s.v[0] * s.v[1];
+    h[1] += 1e-4 * s.v[0] * s.v[0];
+  }
+};
+
 // From (1, 0) with speed 2 along y: a straight line, whose speed falls as e^(-c t); at t, in r, θ, r', θ'.
 State along_the_line(double drag, double t) {
   const double gone = drag > 0.0 ? 2.0 * (1.0 - std::exp(-drag * t)) / drag : 2.0 * t;
@@ -135,6 +168,25 @@ TEST(VariationalIntegrator, HasTwiceTheOrderOfItsStagesWhereForcesDependOnTime) 
     return std::abs(y[0] - truth[0]);
   };
   EXPECT_NEAR(std::log2(error(1.0 / 1600) / error(1.0 / 3200)), 4.0, 0.25);
+}
+
+template <class M>
+Result<double> short_run(const typename M::Parameters& parameters, double end) {
+  const auto motion = equations_of_motion<M>(parameters);
+  auto y = motion.initial();
+  return integrate(motion, y, 0, end, VariationalIntegrator<2>{.step = 1e-3});
+}
+TEST(VariationalIntegrator, RefusesForcesThatAreEvenInTheVelocities) {
+  const auto drag = short_run<EvenDrag>({}, 0.5);
+  EXPECT_EQ(drag.status, IntegrationStatus::unsuitable_model);
+  EXPECT_EQ(drag.statistics.accepted, 0);
+  EXPECT_EQ(short_run<EvenDrag>({.drag = 1e-6}, 0.5).status, IntegrationStatus::unsuitable_model);
+  EXPECT_EQ(short_run<EvenDrag>({.drag = 0.0}, 0.5).status, IntegrationStatus::reached_end);
+  EXPECT_EQ(short_run<AcrossTheVelocity>({1.0, 0.1}, 0.5).status, IntegrationStatus::unsuitable_model);
+  // Switched on after 100 steps: seen before the step after 128.
+  const auto later = short_run<EvenDrag>({.since = 0.0995}, 0.5);
+  EXPECT_EQ(later.status, IntegrationStatus::unsuitable_model);
+  EXPECT_EQ(later.statistics.accepted, 128);
 }
 
 TEST(VariationalIntegrator, MeetsTheReferenceOfTheDoublePendulum) {
