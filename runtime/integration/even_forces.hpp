@@ -42,8 +42,14 @@ requires HasMassMatrixAndBias<M>
   Matrix mass{};
   M::mass_matrix(precomputed, state, mass);
   // |M_ij v_i v_j| <= r_i r_j: the size of what is added, in units of energy.
-  Scalar size = Scalar(0);
-  for (std::size_t i = 0; i < n; ++i) size += std::sqrt(mass[i * n + i]) * std::abs(v[i]);
+  Scalar size = Scalar(0), of_forces = Scalar(0);
+  Vector weight;
+  for (std::size_t i = 0; i < n; ++i) {
+    weight[i] = std::sqrt(mass[i * n + i]);
+    size += weight[i] * std::abs(v[i]);
+    const Scalar force = std::abs(forward[at(i)]) + std::abs(backward[at(i)]) + std::abs(still[at(i)]);
+    of_forces = std::max(of_forces, force / weight[i]);
+  }
 
   // Ṁ v - ∂T₂/∂q, `length` being that of differences beside the size of each coordinate, and its roundings.
   const auto christoffel = [&](Scalar length, Vector& c, Vector& rounding) {
@@ -63,7 +69,7 @@ requires HasMassMatrixAndBias<M>
         for (std::size_t j = 0; j < n; ++j) row += (more[j * n + i] - less[j * n + i]) / apart * v[j];
         c[i] += v[k] * row;
         c[k] -= half * v[i] * row;
-        rounding[i] += epsilon * std::sqrt(mass[i * n + i]) * size * std::abs(v[k]) / apart;
+        rounding[i] += epsilon * weight[i] * size * std::abs(v[k]) / apart;
       }
       rounding[k] += epsilon * size * size / apart;
     }
@@ -77,10 +83,9 @@ requires HasMassMatrixAndBias<M>
     christoffel(length, c, rounding);
     christoffel(half * length, c_of_half, rounding_of_half);
     for (std::size_t k = 0; k < n; ++k) {
-      const Scalar ahead = forward[at(k)], behind = backward[at(k)], fixed = still[at(k)];
-      const Scalar even = half * (ahead + behind) - fixed;
-      // A bias may lose some digits where its own terms cancel.
-      const Scalar of_bias = Scalar(1000) * epsilon * (std::abs(ahead) + std::abs(behind) + std::abs(fixed));
+      const Scalar even = half * (forward[at(k)] + backward[at(k)]) - still[at(k)];
+      // A bias may lose some digits where terms cancel, those of other coordinates too: √M_kk has their units alike.
+      const Scalar of_bias = Scalar(1000) * epsilon * weight[k] * of_forces;
       const Scalar bound = Scalar(4) * std::abs(c[k] - c_of_half[k]) + Scalar(32) * rounding_of_half[k] + of_bias;
       excess[k] = std::abs(even - c_of_half[k]) - bound;
       if (bound < bound_of_best[k]) {

@@ -132,12 +132,12 @@ class VariationalIntegrator<stages>::Formula {
     return mass;
   }
 
-  // At y itself for -1, else at a place about q with velocities of the size of the given ones, no two shifts the same.
+  // At y itself for -1, else at a place about q with velocities no smaller than the largest given one and 1, no two
+  // shifts the same: what is below rounding at rest may count later.
   template <class F>
   static bool place_has_even_forces(F& f, Scalar t, Vector y, int place) noexcept {
-    Scalar fastest = Scalar(0);
+    Scalar fastest = Scalar(1);
     for (std::size_t i = 0; i < n; ++i) fastest = std::max(fastest, std::abs(y[n + i]));
-    if (fastest == Scalar(0)) fastest = Scalar(1);
     for (std::size_t i = 0; i < n && place >= 0; ++i) {
       const Scalar shift = Scalar(0.37) + Scalar(0.61) * static_cast<Scalar>((i * i + 3 * i) % 7) / Scalar(7);
       y[i] += static_cast<Scalar>(place) * shift * (Scalar(0.1) + std::abs(y[i]));

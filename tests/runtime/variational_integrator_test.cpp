@@ -9,7 +9,9 @@
 #include <cstdint>
 #include <cstdlib>
 
+#include "generated/arm7.hpp"
 #include "generated/double_pendulum.hpp"
+#include "generated/elastic_wing.hpp"
 #include "generated/kapitza_pendulum.hpp"
 #include "torsor/runtime/integration/dormand_prince_853.hpp"
 #include "torsor/runtime/mechanism.hpp"
@@ -168,6 +170,29 @@ TEST(VariationalIntegrator, HasTwiceTheOrderOfItsStagesWhereForcesDependOnTime) 
     return std::abs(y[0] - truth[0]);
   };
   EXPECT_NEAR(std::log2(error(1.0 / 1600) / error(1.0 / 3200)), 4.0, 0.25);
+}
+
+template <class M>
+void expect_no_even_forces(const char* name) {
+  const auto precomputed = M::precompute(M::default_parameters());
+  for (const double speed : {1e-9, 1e-6, 1e-3, 1.0, 1e3, 1e6}) {
+    for (int place = 0; place < 30; ++place) {
+      auto state = M::initial_state(M::default_parameters());
+      for (int i = 0; i < M::velocity_count; ++i) {
+        state.q[i] += static_cast<ScalarOf<M>>(std::sin(1.0 + 7.0 * i + 3.0 * place) * place);
+        state.v[i] = static_cast<ScalarOf<M>>(speed * std::cos(2.0 + 5.0 * i + 11.0 * place));
+      }
+      EXPECT_FALSE(has_forces_even_in_velocities<M>(precomputed, state)) << name << ' ' << speed << ' ' << place;
+    }
+  }
+}
+// Scenes of gravity, springs and dampers: Christoffel's terms are all that is even in v, beside any weight.
+TEST(EvenForces, AreNoneWhereNoActionIsEven) {
+  expect_no_even_forces<arm7::Mechanism<double>>("arm7");
+  expect_no_even_forces<arm7::Mechanism<float>>("arm7 in float");
+  expect_no_even_forces<double_pendulum::Mechanism<double>>("double pendulum");
+  expect_no_even_forces<elastic_wing::Mechanism<double>>("elastic wing");
+  expect_no_even_forces<kapitza_pendulum::Mechanism<double>>("Kapitza's pendulum");
 }
 
 template <class M>
