@@ -91,7 +91,7 @@ typedef int64_t torsor_evaluate(torsor_call* call);
 typedef struct torsor_abi_kernel {
   const char* name;
   int32_t reads_accelerations, reads_multipliers, reads_inputs; /* beside time, q and v */
-  int32_t has_status;                                           /* can fail for arguments that are finite */
+  int32_t has_status; /* can be singular; a result that is not finite is told of every kernel */
   int32_t takes_order;
   int32_t result_count;
   const torsor_abi_result* results;

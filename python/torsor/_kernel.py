@@ -190,6 +190,8 @@ class Kernel:
         if self.has_status:
             lines += ["", "Raises SingularError or NotFiniteError for one state; of many, `ok` of the results tells those",
                       "that could be evaluated."]
+        else:
+            lines += ["", "Raises NotFiniteError for one state where a result is not a finite number; of many, what failed is NaN."]
         lines += ["", "Raises ValueError for shapes that do not fit and for numbers that are not finite."]
         return "\n".join(lines)
 
@@ -325,7 +327,7 @@ class Kernel:
             views[k] = _abi.View(flat.ctypes.data if flat.size else None, flat.strides[0], steps[0], steps[1])
             alive.append(flat)
         call.results = views
-        call.statuses = statuses.ctypes.data if self.has_status else None
+        call.statuses = statuses.ctypes.data
         alive += [call, views, arrays, times, outputs]
 
         results: Any
@@ -349,7 +351,8 @@ class Kernel:
             bad = statuses != 0
             for each in outputs:
                 each[bad] = np.nan
-            results.ok = ~bad
+            if not self.unwrapped:
+                results.ok = ~bad
 
         def run(again: bool = True) -> Any:
             if again:
@@ -360,7 +363,7 @@ class Kernel:
                 array[...] = flat.reshape(array.shape)
             if failed:
                 complain(failed)
-            elif self.has_status and not results.ok.all():
+            elif not self.unwrapped and not results.ok.all():
                 results.ok = statuses == 0
             return results
 

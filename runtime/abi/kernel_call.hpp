@@ -175,7 +175,8 @@ class BlockCall {
     operands_.order = call.order;
   }
 
-  /// Reads, evaluates and says which lanes have numbers that are not finite among their arguments.
+  /// Reads, evaluates and says which lanes have numbers that are not finite among their arguments. A kernel without a
+  /// status of its own gets that of its results.
   int operator()(StatesOfBlock states, std::array<bool, lanes>& finite) noexcept {
     finite.fill(true);
     const Scalar sum = each_argument([&](const torsor_view& from, auto& to) { return read(from, to, states); });
@@ -186,7 +187,8 @@ class BlockCall {
         return Scalar(0.0);
       });
     }
-    return kernel_.call(kernel_.function, precomputed_, operands_, results_);
+    const int status = kernel_.call(kernel_.function, precomputed_, operands_, results_);
+    return status == torsor_state_ok && !results_are_finite() ? torsor_state_not_finite : status;
   }
 
   /// Of these states, the first in the first lane.
@@ -209,6 +211,18 @@ class BlockCall {
 
  private:
   using Scalar = ScalarOf<M>;
+
+  [[nodiscard]] bool results_are_finite() const noexcept {
+    const auto orders = static_cast<std::size_t>(kernel_.scalars_of_orders > 0 ? call_.order + 1 : 0);
+    const std::size_t count = kernel_.scalars + orders * kernel_.scalars_of_orders;
+    Scalar sum(0.0);
+    add_numbers(reinterpret_cast<const Scalar*>(results_), count, sum);
+    if (sum - sum >= Scalar(0.0)) return true;
+    std::array<bool, lanes> finite;  // or the sum alone has overflowed
+    finite.fill(true);
+    find_not_finite<lanes>(reinterpret_cast<const double*>(results_), count * lanes, finite);
+    return std::all_of(finite.begin(), finite.end(), [](bool each) { return each; });
+  }
 
   /// Of what `work` gives for each argument that the kernel reads, the sum.
   template <class Work>

@@ -182,15 +182,19 @@ class BatchOf {
     return for_each(kernel, options, states, inputs, a, lambda);
   }
 
-  /// M a + h - Aᵀλ.
-  void inverse_dynamics(const States& states, const Accelerations& a, const Multipliers& lambda, Forces& forces,
-                        const BatchOptions& options = {}) const {
+  /// M a + h - Aᵀλ. The kernel has no status: a state has failed where one of its forces is not a finite number.
+  BatchReport inverse_dynamics(const States& states, const Accelerations& a, const Multipliers& lambda, Forces& forces,
+                               const BatchOptions& options = {}) const {
     const auto kernel = []<class M>(std::type_identity<M>, const typename M::Precomputed& precomputed,
                                     const typename M::State& state, const typename M::Accelerations& acceleration,
                                     const typename M::Multipliers& multipliers, typename M::GeneralizedForces& result) {
       M::inverse_dynamics(precomputed, state, acceleration, multipliers, result);
+      // 0 x is 0 for every finite x and not a number for any other.
+      ScalarOf<M> zero(Number(0));
+      for (int i = 0; i < M::velocity_count; ++i) zero = zero + ScalarOf<M>(Number(0)) * result[i];
+      return zero <= ScalarOf<M>(Number(0)) ? Evaluation::ok : Evaluation::not_finite;
     };
-    for_each(kernel, options, states, a, lambda, forces);
+    return for_each(kernel, options, states, a, lambda, forces);
   }
 
   [[nodiscard]] const typename Single::Precomputed& single() const noexcept { return single_; }

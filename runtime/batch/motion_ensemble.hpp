@@ -25,12 +25,17 @@
 
 namespace torsor::runtime {
 
+/// The options that all methods of fixed step have.
+template <class Method>
+void add_fixed_step(Digest& digest, const Method& method) noexcept {
+  digest.add(method.step).add(static_cast<std::uint64_t>(method.step_limit)).add(std::uint64_t{method.compensated});
+}
 /// What an integrator's results depend on. For a method of your own, declare such a function beside it.
 inline void add_to_digest(Digest& digest, const Midpoint& method) noexcept {
-  digest.add("midpoint").add(method.step).add(std::uint64_t{method.compensated});
+  add_fixed_step(digest.add("midpoint"), method);
 }
 inline void add_to_digest(Digest& digest, const RungeKutta4& method) noexcept {
-  digest.add("Runge-Kutta 4").add(method.step).add(std::uint64_t{method.compensated});
+  add_fixed_step(digest.add("Runge-Kutta 4"), method);
 }
 /// The options that all methods with steps of their own choice have.
 template <class Method>

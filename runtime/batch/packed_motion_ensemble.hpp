@@ -104,6 +104,7 @@ struct LawOfBoth {
 /// the same bit by bit, with them both stay within the same bound of rounding. With a fixed step a group of which one
 /// member fails, or whose members start at different times, is computed member by member; with Taylor's method each
 /// lane has steps of its own, and goes as far as it gets: see PackedTaylor.
+/// Members with constraints are computed one by one too: nothing projects the lanes of a pack onto them.
 /// `InputLaw` is given for both scalars, or for none. Both are called from several threads at once, each for members
 /// of its own. In each lane they must give the result of the law of one member for that lane's state. Otherwise a
 /// record depends on whether its group was computed in a pack. Numbers of a law, such as gains, belong into the label.
@@ -129,10 +130,14 @@ class PackedMotionEnsemble {
                        Method method) requires std::same_as<InputLaw<Single>, NoInputs<Single>>
       : PackedMotionEnsemble(std::move(plan), std::move(members), std::move(method), Laws({}, {})) {}
 
-  /// Another question than that of the members alone, because fused operations may round otherwise.
+  /// Whether members take steps in packs: where there are constraints, the motion of one member is held on them.
+  static constexpr bool in_packs = Single::multiplier_count == 0;
+
+  /// Another question than that of the members alone, because fused operations may round otherwise. The same one where
+  /// all members are computed alone.
   [[nodiscard]] RecordHead head() const {
     RecordHead head = alone_.head();
-    head.question = Digest{}.add("packs").add(head.question).add(std::uint64_t{lanes}).value();
+    if (in_packs) head.question = Digest{}.add("packs").add(head.question).add(std::uint64_t{lanes}).value();
     return head;
   }
 
@@ -145,13 +150,15 @@ class PackedMotionEnsemble {
 
   /// The records of members first to first + count - 1, at most as many as there are lanes.
   void compute(std::uint64_t first, std::uint64_t count, std::span<double> records) const {
-    if constexpr (std::same_as<Method, Taylor>) {
+    if constexpr (in_packs && std::same_as<Method, Taylor>) {
       in_lanes(first, count, records);
-    } else {
-      if (in_a_pack(first, count, records)) return;
-      const std::size_t numbers = records.size() / count;
-      for (std::uint64_t i = 0; i < count; ++i) alone_(first + i, records.subspan(i * numbers, numbers));
+      return;
     }
+    if constexpr (in_packs && !std::same_as<Method, Taylor>) {
+      if (in_a_pack(first, count, records)) return;
+    }
+    const std::size_t numbers = records.size() / count;
+    for (std::uint64_t i = 0; i < count; ++i) alone_(first + i, records.subspan(i * numbers, numbers));
   }
 
  private:

@@ -35,6 +35,8 @@ namespace torsor::runtime {
 template <template <class> class Mechanism, class Number, template <class> class InputLaw, int lane_count>
 class PackedTaylor {
  public:
+  static_assert(Mechanism<Number>::multiplier_count == 0,
+                "lanes of a pack are not projected and would drift off their constraints: take motion_ensemble");
   using Single = Mechanism<Number>;
   using Packed = Mechanism<Simd<Number, lane_count>>;
   using Vector = StateVector<Single>;

@@ -9,6 +9,7 @@
 #include "torsor/runtime/batch/thread_team.hpp"
 #include "torsor/runtime/grains/grain_check.hpp"
 #include "torsor/runtime/grains/grain_islands.hpp"
+#include "torsor/runtime/grains/grain_passage.hpp"
 #include "torsor/runtime/grains/grain_solver.hpp"
 
 namespace torsor::runtime {
@@ -31,7 +32,8 @@ struct GrainStep {
 /// contacts being those whose gap at x_m is closed; where e = 0 also those that would close by x+, 0 <= w_N+ + 2 g/h.
 /// P by sweeps (`GrainSolver`) from the impulses of the last step. Grains that stand keep standing where impulses exist
 /// that hold them, and islands that have not moved for a while sleep (`GrainIslands`). Overlaps are put back by
-/// displacements that do not become velocities. The bits do not depend on the number of threads. Nothing is allocated
+/// displacements that do not become velocities. Grains that pass through others, for a step that is too long, are told by
+/// the status `too_fast` (`GrainPassage`). The bits do not depend on the number of threads. Nothing is allocated
 /// after the first step while contacts are few enough (`GrainContacts::usual`). Source: Acary & Brogliato 2008,
 /// chapter 10.
 template <int dim>
@@ -57,6 +59,8 @@ class GrainMotion {
     islands_.wake_touched(grains_, contacts_.all());
     double least = INFINITY;
     for (const double R : grains_.radius) least = std::min(least, R);
+    bool passes = !started_ && passage_.happens(grains_, h / 2);  // later this is asked of whole steps
+    started_ = true;
     for (std::size_t i = 0; i < count; ++i) {
       grains_.x[i] += h / 2 * grains_.v[i];
       grains_.turned[i] += h / 2 * grains_.w[i];
@@ -85,6 +89,11 @@ class GrainMotion {
       contacts_.colour(static_cast<std::uint32_t>(count), [this](std::uint32_t i) { return !islands_.asleep(i); });
     }
     project(count, result);
+    passes = passage_.happens(grains_, h) || passes;  // until contacts are looked for again, in the middle of the next step
+    if (passes && result.status == GrainStatus::ok) {
+      result.status = GrainStatus::too_fast;
+      result.converged = false;
+    }
     for (std::size_t i = 0; i < count; ++i) {
       grains_.x[i] += h / 2 * grains_.v[i];
       grains_.turned[i] += h / 2 * grains_.w[i];
@@ -267,6 +276,8 @@ class GrainMotion {
   GrainContacts<dim> contacts_;
   GrainSolver<dim> solver_;
   GrainIslands<dim> islands_;
+  GrainPassage<dim> passage_;
+  bool started_ = false;
   std::vector<GrainWall<dim>> known_;
   Vector gravity_ = Vector::Zero();
   double friction_ = 0, restitution_ = 0;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -11,7 +12,8 @@
 
 namespace torsor::runtime {
 
-/// Passes on the first of every `count` states, for methods whose steps are finer than the record shall be.
+/// Passes on the first of every `count` states, for methods whose steps are finer than the record shall be. A count that
+/// is not above zero stops the integration.
 /// `Every observer(10, recorder);` keeps a reference to `recorder`.
 template <class Observer>
 class Every {
@@ -20,6 +22,7 @@ class Every {
 
   template <class Scalar, std::size_t size>
   bool operator()(const Scalar& t, const std::array<Scalar, size>& y) {
+    if (count_ < 1) return false;
     return seen_++ % count_ != 0 || notify(observer_, t, y);
   }
 
@@ -43,8 +46,10 @@ class EquallySpaced {
   bool operator()(const Step& step) {
     if (!(interval_ > Scalar(0))) return false;
     const Scalar direction = step.end >= step.start ? Scalar(1) : Scalar(-1);
-    // The last sample of 0.1, 0.2, ... may exceed the end by rounding alone: it is then the end.
-    const Scalar slack = Scalar(8) * std::numeric_limits<Scalar>::epsilon() * std::abs(step.end);
+    // The last sample of 0.1, 0.2, ... may exceed the end by rounding alone: it is then the end. Rounding is that of the
+    // largest number of the sum, which an end near zero is not.
+    const Scalar largest = std::max(std::abs(start_), std::abs(step.end));
+    const Scalar slack = Scalar(8) * std::numeric_limits<Scalar>::epsilon() * largest;
     for (;; ++samples_) {
       const Scalar t = start_ + direction * static_cast<Scalar>(samples_) * interval_;
       const Scalar beyond = direction * (t - step.end);

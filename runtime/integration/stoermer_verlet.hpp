@@ -12,18 +12,20 @@
 #include "torsor/runtime/steps/compensated_state.hpp"
 #include "torsor/runtime/steps/dense_step.hpp"
 #include "torsor/runtime/steps/second_order.hpp"
+#include "torsor/runtime/steps/spot_checks.hpp"
 
 namespace torsor::runtime {
 
-/// Störmer-Verlet, order 2, one evaluation a step, for y = [q; v] with q' = v and accelerations that depend on q alone:
+/// Störmer-Verlet, order 2, one evaluation a step and few more, for y = [q; v] with q' = v and accelerations that depend on q alone:
 ///   v½ = v + h/2 a(q),  q(t + h) = q + h v½,  v(t + h) = v½ + h/2 a(q(t + h)).
 /// Symplectic, symmetric and explicit; sums are compensated. Stable while h times the highest frequency is below 2.
 /// Observers may take the steps themselves, the cubic through the states and slopes of both ends, of order 3 inside.
 ///
 /// The accelerations depend on q alone exactly when the mass matrix is constant and no action depends on velocities.
 /// Before the first step this is tried: a must not change when v does, at the start and at places about it; otherwise
-/// the integration ends at once with `unsuitable_model` (take `VariationalIntegrator` or `GaussCollocation`). A system
-/// may say `static constexpr bool accelerations_depend_on_velocities = false` to be spared that, or true.
+/// the integration ends at once with `unsuitable_model` (take `VariationalIntegrator` or `GaussCollocation`). It is
+/// tried again after 1, 2, 4, ... steps and after every 64, two evaluations each: a damper that is switched on later
+/// ends the integration at the next of these, and one that acts for fewer steps may pass unseen. A system may say `static constexpr bool accelerations_depend_on_velocities = false` to be spared that, or true.
 /// Source: Hairer-Lubich-Wanner, Geometric Numerical Integration, I.1.4 (1.17), and VIII.5 for the rounding.
 struct StoermerVerlet {
   static constexpr int order = 2;
@@ -62,7 +64,10 @@ class StoermerVerlet::Formula {
   }
 
   template <class F>
-  [[nodiscard]] bool step(F& f, Scalar t, Scalar h, const Vector& y, Vector& next) {
+  [[nodiscard]] IntegrationStatus step(F& f, Scalar t, Scalar h, const Vector& y, Vector& next) {
+    if constexpr (!requires { std::remove_cvref_t<S>::accelerations_depend_on_velocities; }) {
+      if (checks_.due() && feels_velocities(f, t, y, 0)) return IntegrationStatus::unsuitable_model;
+    }
     const Scalar to_middle = h / Scalar(2);
     CompensatedState<Scalar, size> state = state_;
     first_slope_ = slope_;
@@ -70,10 +75,10 @@ class StoermerVerlet::Formula {
     for (std::size_t i = half; i < size; ++i) next[i] = state.add(i, y[i], to_middle * slope_[i]);
     // The velocity's own rest, below half its last place, is less than the product with h rounds away.
     for (std::size_t i = 0; i < half; ++i) next[i] = state.add(i, y[i], h * next[half + i]);
-    if (!f(t + h, next, slope_)) return false;
+    if (!f(t + h, next, slope_)) return IntegrationStatus::model_failure;
     for (std::size_t i = half; i < size; ++i) next[i] = state.add(i, next[i], to_middle * slope_[i]);
     state_ = state;
-    return true;
+    return IntegrationStatus::reached_end;
   }
 
   template <class F>
@@ -122,6 +127,7 @@ class StoermerVerlet::Formula {
     return false;
   }
 
+  SpotChecks checks_;
   CompensatedState<Scalar, size> state_;
   Vector slope_{}, first_slope_{};
 };

@@ -8,12 +8,14 @@
 #include <limits>
 #include <type_traits>
 
+#include "torsor/runtime/integration/even_forces.hpp"
 #include "torsor/runtime/integration/fixed_step.hpp"
 #include "torsor/runtime/integration/integrate.hpp"
 #include "torsor/runtime/integration/lagrangian_forces.hpp"
 #include "torsor/runtime/numerics/lu.hpp"
 #include "torsor/runtime/steps/compensated_state.hpp"
 #include "torsor/runtime/steps/gauss_coefficients.hpp"
+#include "torsor/runtime/steps/spot_checks.hpp"
 #include "torsor/runtime/steps/stage_convergence.hpp"
 
 namespace torsor::runtime {
@@ -30,7 +32,9 @@ namespace torsor::runtime {
 /// kept to rounding (discrete Noether theorem). Dampers act as discrete forces (Lagrange-d'Alembert). The stages are
 /// solved by substitution down to rounding, `no_convergence` after `iteration_limit` sweeps.
 /// A mass matrix that changes with time by itself (a driven joint that moves mass along) is refused, `unsuitable_model`:
-/// seen at the start and at two later times.
+/// seen at the start and at two later times. So are actions that are even in the velocities, as a drag -c v² without the
+/// sign of v: they would pass for part of ∂T/∂q and turn round. That is tried at the start, at places about it, and along
+/// the motion after 1, 2, 4, ... steps and after every 64.
 /// For the motions of mechanisms with q' = v, without inputs and multipliers, with the kernels `mass_matrix` and `bias`
 /// (and faster with `inverse_dynamics_derivatives`). A call counted is one F.
 /// Source: Marsden-West, Discrete mechanics and variational integrators, Acta Numerica 10 (2001), 2.6.2 and 3.2;
@@ -71,6 +75,9 @@ class VariationalIntegrator<stages>::Formula {
     for (const Scalar later : {Scalar(0.37), Scalar(1.91)}) {
       if (mass_at(f, t + later, y) != mass) return IntegrationStatus::unsuitable_model;  // F lacks (∂M/∂t) v
     }
+    for (int place = -1; place < 3; ++place) {
+      if (place_has_even_forces(f, t, y, place)) return IntegrationStatus::unsuitable_model;
+    }
     for (std::size_t i = 0; i < n; ++i) {
       momenta_[i] = Scalar(0);
       for (std::size_t j = 0; j < n; ++j) momenta_[i] += mass[j * n + i] * y[n + j];
@@ -85,6 +92,9 @@ class VariationalIntegrator<stages>::Formula {
 
   template <class F>
   [[nodiscard]] IntegrationStatus step(F& f, Scalar t, Scalar h, const Vector& y, Vector& next) noexcept {
+    if (checks_.due() && (place_has_even_forces(f, t, y, -1) || place_has_even_forces(f, t, y, 0))) {
+      return IntegrationStatus::unsuitable_model;
+    }
     if (last_step_ == h) extrapolate();
     const IntegrationStatus status = solve(f, t, h, y);
     if (status != IntegrationStatus::reached_end) return status;
@@ -120,6 +130,20 @@ class VariationalIntegrator<stages>::Formula {
     Matrix mass;
     M::mass_matrix(f.system().precomputed(), unpack<M>(t, y), mass);
     return mass;
+  }
+
+  // At y itself for -1, else at a place about q with velocities no smaller than the largest given one and 1, no two
+  // shifts the same: what is below rounding at rest may count later.
+  template <class F>
+  static bool place_has_even_forces(F& f, Scalar t, Vector y, int place) noexcept {
+    Scalar fastest = Scalar(1);
+    for (std::size_t i = 0; i < n; ++i) fastest = std::max(fastest, std::abs(y[n + i]));
+    for (std::size_t i = 0; i < n && place >= 0; ++i) {
+      const Scalar shift = Scalar(0.37) + Scalar(0.61) * static_cast<Scalar>((i * i + 3 * i) % 7) / Scalar(7);
+      y[i] += static_cast<Scalar>(place) * shift * (Scalar(0.1) + std::abs(y[i]));
+      y[n + i] = fastest * (Scalar(1.3) + Scalar(0.7) * static_cast<Scalar>((5 * i) % 11) / Scalar(11));
+    }
+    return has_forces_even_in_velocities<M>(f.system().precomputed(), unpack<M>(t, y));
   }
 
   template <class F>
@@ -231,6 +255,7 @@ class VariationalIntegrator<stages>::Formula {
   }
 
   int iteration_limit_;
+  SpotChecks checks_;
   Scalar last_step_ = Scalar(0);
   CompensatedState<Scalar, size> state_;  // of q, then of p
   Half momenta_{};

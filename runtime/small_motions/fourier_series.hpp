@@ -20,13 +20,15 @@ struct FourierSeries {
 
 /// Coefficients c_0 ... c_harmonics of a function of period 2π/ω from equidistant samples: exact within rounding for a
 /// trigonometric polynomial of a degree below samples − harmonics, else right to the size of the coefficients of that
-/// degree. A jump counts with its mean value if the function gives it. Throws std::invalid_argument when samples do not
+/// degree. A jump counts with its mean value if the function gives it. An entry that is rounding of the samples alone,
+/// below (16 + √samples) ε of the largest, is 0: a harmonic that the function lacks is none. Throws std::invalid_argument when samples do not
 /// exceed twice the harmonics.
 [[nodiscard]] FourierSeries fourier_series(const std::function<Eigen::VectorXd(double)>& function,
                                            double angular_frequency, int harmonics, int samples = 1024);
 
 /// The steady motion of M x'' + C x' + K x = F(t) under a periodic F: harmonic by harmonic,
-/// X_n = (K − n²ω² M + i n ω C)⁻¹ c_n. Nothing when a harmonic that F has meets an undamped resonance.
+/// X_n = (K − n²ω² M + i n ω C)⁻¹ c_n. The system's own F counts with c_0. Nothing when a harmonic that F has meets an
+/// undamped resonance, or a constant force a free motion. Throws std::invalid_argument where shapes do not fit.
 [[nodiscard]] std::optional<FourierSeries> periodic_response(const LinearSystem& system, const FourierSeries& force);
 
 }  // namespace torsor::runtime

@@ -14,7 +14,8 @@ namespace torsor::runtime {
 ///   Qᵀ M Q = 1,  Qᵀ K Q = diag(ω²).
 /// Q is no rotation: with D = M⁻¹ K it is Q⁻¹ D Q that is diagonal, and Qᵀ D Q is not (Pommier, §7.3.2, corrected).
 struct NaturalModes {
-  Eigen::VectorXd squared_frequencies;  ///< ω² [rad²/s²]; negative where the motion runs away, 0 for a free motion
+  Eigen::VectorXd squared_frequencies;  ///< ω² [rad²/s²]; negative where the motion runs away, 0 for a free motion,
+                                        ///< which is one where no more than 4 n ε of the largest is left
   Eigen::MatrixXd shapes;               ///< Q, one mode a column, its largest share of the mass counted positive
 
   /// ω of a mode [rad/s]; not a number where ω² < 0.

@@ -58,11 +58,19 @@ StabilityReport by_roots(const Eigen::VectorXcd& roots, const Eigen::VectorXd& u
           text + ": roots on the imaginary axis leave the decision to the terms of higher order"};
 }
 
-/// A without the rows and columns of states that nothing depends on, or that do not change: a root 0 each.
+/// A without the rows and columns of states that nothing depends on, or that do not change: a root 0 each. A column is
+/// rounding where each entry is beside others of its row, and a row where each is beside others of its column: entries
+/// of one row have one meaning, whatever other states are measured in, or however fast they move.
 Eigen::MatrixXd without_idle_states(Eigen::MatrixXd A) {
-  const double zero = 1e-13 * A.cwiseAbs().maxCoeff();
+  static constexpr double rounding = 1e-13;
+  const auto idle = [&A](Eigen::Index k) {
+    const Eigen::MatrixXd sizes = A.cwiseAbs();
+    const Eigen::VectorXd of_rows = sizes.rowwise().maxCoeff(), of_columns = sizes.colwise().maxCoeff();
+    return (sizes.col(k).array() <= rounding * of_rows.array()).all() ||
+           (sizes.row(k).transpose().array() <= rounding * of_columns.array()).all();
+  };
   for (Eigen::Index k = 0; k < A.rows();) {
-    if (A.row(k).cwiseAbs().maxCoeff() > zero && A.col(k).cwiseAbs().maxCoeff() > zero) {
+    if (!idle(k)) {
       ++k;
       continue;
     }
@@ -71,6 +79,27 @@ Eigen::MatrixXd without_idle_states(Eigen::MatrixXd A) {
     A.middleCols(k, rest) = A.rightCols(rest).eval();
     A.conservativeResize(A.rows() - 1, A.cols() - 1);
     k = 0;
+  }
+  return A;
+}
+
+/// D⁻¹ A D with D of powers of 2, rows and columns of like size: the same roots, whatever the units of the states.
+/// Source: Parlett-Reinsch, Balancing a matrix for calculation of eigenvalues and eigenvectors, Num. Math. 13 (1969).
+Eigen::MatrixXd balanced(Eigen::MatrixXd A) {
+  constexpr int most_sweeps = 100;  // each makes the norm smaller by a part; three or four do in practice
+  bool changed = true;
+  for (int sweep = 0; changed && sweep < most_sweeps; ++sweep) {
+    changed = false;
+    for (Eigen::Index k = 0; k < A.rows(); ++k) {
+      const double diagonal = std::abs(A(k, k));
+      const double row = A.row(k).lpNorm<1>() - diagonal, column = A.col(k).lpNorm<1>() - diagonal;
+      if (!(row > 0.0) || !(column > 0.0)) continue;
+      const double factor = std::exp2(std::round(0.5 * std::log2(row / column)));
+      if (!(column * factor + row / factor < 0.95 * (column + row))) continue;
+      A.col(k) *= factor;
+      A.row(k) /= factor;
+      changed = true;
+    }
   }
   return A;
 }
@@ -89,7 +118,7 @@ StabilityReport stability_by_eigenvalues(const Eigen::MatrixXd& A, double tolera
   if (A.rows() == 0 || A.rows() != A.cols() || !A.allFinite()) {
     throw std::invalid_argument("a state matrix must be square and finite");
   }
-  const Eigen::MatrixXd rest = without_idle_states(A);
+  const Eigen::MatrixXd rest = balanced(without_idle_states(A));
   const Eigen::Index idle = A.rows() - rest.rows();
   if (rest.rows() == 0) return {Stability::cannot_conclude, "Liapunov: all roots of det(A - s 1) are zero"};
   const auto [roots, right] = eigenpairs(rest);

@@ -93,6 +93,7 @@ class StateEquations {
     check(problem.velocities, M::velocity_count);
     check(problem.accelerations_unknown, M::velocity_count);
     check(problem.supplied, M::velocity_count);
+    require_inputs();
     for (int i = 0; i < M::velocity_count; ++i) {
       bool supplied = false;
       for (const int k : problem.supplied) supplied = supplied || k == i;
@@ -197,6 +198,19 @@ class StateEquations {
   }
 
  private:
+  // The kernel inverse_dynamics knows no inputs.
+  void require_inputs() const {
+    if constexpr (M::input_count > 0 && !HasLinearisation<M>) {
+      for (int i = 0; i < M::input_count; ++i) {
+        if (problem_.inputs[i] == 0) continue;
+        throw std::invalid_argument("input " + std::to_string(i) + " is " +
+                                    std::to_string(static_cast<double>(problem_.inputs[i])) +
+                                    ", and the kernel inverse_dynamics takes none: generate the header with the kernel "
+                                    "linearisation, or give inputs of 0");
+      }
+    }
+  }
+
   static void check(const std::vector<int>& list, int count) {
     for (const int i : list) {
       if (i < 0 || i >= count) {
@@ -240,7 +254,7 @@ template <class M>
 
 /// All states of the problem that Newton steps reach from many starts in its box; see `find_roots` for what that means
 /// and for the failures. A mechanism with inputs whose kernel `linearisation` is absent is taken without input.
-/// Throws std::invalid_argument for bounds or indices that do not fit.
+/// Throws std::invalid_argument for bounds or indices that do not fit, and for inputs that would not be looked at.
 template <HasStateEquations M>
 [[nodiscard]] StateSearch<M> find_states(const typename M::Precomputed& precomputed, const StateProblem<M>& problem) {
   const detail::StateEquations<M> equations(precomputed, problem);

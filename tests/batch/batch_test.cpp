@@ -125,6 +125,25 @@ TEST(BatchOf, DoesNotDependOnTheNumberOfThreads) {
   }
 }
 
+TEST(BatchOf, SaysWhichForcesAreNoNumbers) {
+  Tops::States states = random_states(20, 8);
+  states.set_entry(12, 4, std::numeric_limits<double>::max());  // a rate whose square is no number
+  const Tops tops;
+  const Tops::Accelerations a(20);
+  const Tops::Multipliers none(20);
+  Tops::Forces forces(20);
+  std::vector<Evaluation> statuses(20, Evaluation::singular);
+  const BatchReport report = tops.inverse_dynamics(states, a, none, forces, {.statuses = statuses});
+  EXPECT_EQ(report.failed, 1U);
+  EXPECT_EQ(report.worst, Evaluation::not_finite);
+  for (std::size_t i = 0; i < 20; ++i) {
+    EXPECT_EQ(statuses[i], i == 12 ? Evaluation::not_finite : Evaluation::ok) << i;
+    Top::GeneralizedForces expected;
+    Top::inverse_dynamics(tops.single(), states[i], {}, {}, expected);
+    EXPECT_TRUE(i == 12 || same_bits(forces[i], expected)) << i;
+  }
+}
+
 TEST(BatchOf, SaysWhichStatesFailedAndSparesTheirNeighbours) {
   Tops::States states = random_states(20, 6);
   states.set_entry(5, 2, std::acos(0.0));                             // two axes agree

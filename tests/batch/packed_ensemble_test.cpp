@@ -11,6 +11,7 @@
 #include "generated/heavy_top.hpp"
 #include "generated/satellite_arms.hpp"
 #include "generated/torque_free_body.hpp"
+#include "generated/turning_slot.hpp"
 #include "tests/batch/packed_records.hpp"
 #include "tests/runtime/temporary_folder.hpp"
 
@@ -82,6 +83,32 @@ TEST(PackedEnsemble, AsksForMembersAgainWhereAGroupFailsOnly) {
   asked = 0;
   records_of(failing, head);
   EXPECT_EQ(asked, 4 * lanes);
+}
+
+// A point that a constraint holds in a slot: members are put back on it after every step, and packs are not.
+template <class Method>
+void expect_held_members(const Method& method) {
+  using Slot = turning_slot::Mechanism<double>;
+  const auto members = [](std::uint64_t i) {
+    Member<Slot> member;
+    for (int k = 0; k < Slot::velocity_count; ++k) member.state.v[k] *= 1.0 + 0.01 * static_cast<double>(i);
+    return member;
+  };
+  const EnsemblePlan<double> plan{.count = 7, .times = times};
+  const auto packed = packed_motion_ensemble<turning_slot::Mechanism, double>(plan, members, method);
+  const auto alone = motion_ensemble<Slot>(plan, members, method);
+  const RecordHead head = alone.head();
+  EXPECT_EQ(packed.head().question, head.question);
+  const std::vector<double> records = records_of(packed, head);
+  for (std::uint64_t i = 0; i < head.count; ++i) {
+    std::vector<double> expected(head.numbers);
+    alone(i, expected);
+    EXPECT_EQ(std::memcmp(expected.data(), &records[i * head.numbers], head.numbers * sizeof(double)), 0) << i;
+  }
+}
+TEST(PackedEnsemble, HoldsMembersOnTheirConstraints) {
+  expect_held_members(RungeKutta4{.step = 3e-3});
+  expect_held_members(Midpoint{.step = 3e-3});
 }
 
 TEST(PackedEnsemble, TakesParametersOfEachMemberAndNormsOfQuaternions) {

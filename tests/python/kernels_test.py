@@ -183,6 +183,19 @@ def test_a_singular_state_alone_raises_and_among_many_is_masked(top):
         top.forward_dynamics(q[4], np.ones(3))
 
 
+def test_a_result_that_overflows_alone_raises_and_among_many_is_not_a_number(panda):
+    """Products of rates of 1e200 are no numbers; the kernel bias has no status of its own."""
+    v = np.ones((9, 7))
+    v[4] = 1e200
+    forces = panda.bias(np.zeros(7), v)
+    assert list(np.flatnonzero(np.isnan(forces).any(axis=1))) == [4] and np.isnan(forces[4]).all()
+    assert np.array_equal(forces[3], panda.bias(np.zeros(7), v[3]))
+    with pytest.raises(torsor.NotFiniteError, match="bias: the state is .*not a finite number"):
+        panda.bias(np.zeros(7), v[4])
+    energy = panda.energy(np.zeros(7), v)
+    assert list(np.flatnonzero(~energy.ok)) == [4] and energy.statuses[4] == 2
+
+
 def test_parameters_are_a_mapping(pendulum):
     assert dict(pendulum.parameters) == {"m1": 1.0, "m2": 1.0, "l1": 1.0, "l2": 1.0, "g": 9.81}
     assert pendulum.parameter_units["g"] == "m/s^2"

@@ -456,13 +456,13 @@ void expect_a_question_for_each(const Change&... changes) {
 TEST(MotionEnsemble, AsksAnotherQuestionForEveryOptionOfAMethod) {
   const auto step = [](auto& m) { m.step = 0.03125; };
   const auto compensated = [](auto& m) { m.compensated = !m.compensated; };
-  expect_a_question_for_each<Midpoint>(step, compensated);
-  expect_a_question_for_each<RungeKutta4>(step, compensated);
+  const auto limit = [](auto& m) { m.step_limit = 77; };
+  expect_a_question_for_each<Midpoint>(step, limit, compensated);
+  expect_a_question_for_each<RungeKutta4>(step, limit, compensated);
   const auto relative = [](auto& m) { m.relative_tolerance = 3e-7; };
   const auto absolute = [](auto& m) { m.absolute_tolerance = 3e-7; };
   const auto first = [](auto& m) { m.first_step = 0.03125; };
   const auto largest = [](auto& m) { m.largest_step = 0.03125; };
-  const auto limit = [](auto& m) { m.step_limit = 77; };
   expect_a_question_for_each<DormandPrince54>(relative, absolute, first, largest, limit, compensated);
   expect_a_question_for_each<DormandPrince853>(relative, absolute, first, largest, limit, compensated);
   expect_a_question_for_each<Taylor>(relative, absolute, first, largest, limit, compensated,

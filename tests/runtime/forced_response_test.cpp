@@ -172,6 +172,38 @@ TEST(PeriodicResponse, HasThePeriodOfTheForcing) {
   EXPECT_GT(((*response)(0.0) - (*response)(2 * std::numbers::pi / 8.5430895)).norm(), 1e-3);
 }
 
+// x'' + x' + x = 5 + sin t: x = 5 - cos t.
+TEST(PeriodicResponse, CountsTheForceOfTheSystem) {
+  const MatrixXd one = MatrixXd::Identity(1, 1);
+  const LinearSystem system{one, one, one, VectorXd::Constant(1, 5.0)};
+  const FourierSeries push = fourier_series([](double t) { return VectorXd::Constant(1, std::sin(t)); }, 1.0, 3);
+  const auto response = periodic_response(system, push);
+  ASSERT_TRUE(response);
+  EXPECT_NEAR((*response)(0.0)(0), 4.0, 100 * rounding);
+  EXPECT_NEAR((*response)(1.0)(0), 5.0 - std::cos(1.0), 100 * rounding);
+  const auto still = periodic_response(system, {1.0, {}});
+  ASSERT_TRUE(still);
+  EXPECT_NEAR((*still)(0.3)(0), 5.0, 100 * rounding);
+  EXPECT_FALSE(periodic_response({one, one, MatrixXd::Zero(1, 1), VectorXd::Constant(1, 5.0)}, push));
+  EXPECT_THROW((void)periodic_response({one, one, one, VectorXd::Zero(2)}, push), std::invalid_argument);
+}
+
+// x'' + 4 x = sin t has x = 1/3 sin t: rounding of the samples is no force at the resonance 2.
+TEST(PeriodicResponse, TakesNoRoundingForAForce) {
+  for (const int samples : {16, 1024}) {
+    const FourierSeries push =
+        fourier_series([](double t) { return VectorXd::Constant(1, std::sin(t)); }, 1.0, 3, samples);
+    for (const std::size_t n : {0U, 2U, 3U}) EXPECT_EQ(push.coefficients[n](0), Complex(0, 0)) << n;
+    const auto response = periodic_response(undamped(MatrixXd::Identity(1, 1), MatrixXd::Constant(1, 1, 4.0)), push);
+    ASSERT_TRUE(response);
+    EXPECT_NEAR((*response)(1.0)(0), std::sin(1.0) / 3, 100 * rounding);
+  }
+  // A harmonic of 1e-12 of the largest is one.
+  const FourierSeries small = fourier_series(
+      [](double t) { return VectorXd::Constant(1, std::sin(t) + 2e-12 * std::cos(2 * t)); }, 1.0, 3);
+  EXPECT_NEAR(small.coefficients[2](0).real(), 1e-12, 100 * rounding);
+}
+
 TEST(PeriodicResponse, DoesNotExistWhenAHarmonicMeetsAnUndampedMode) {
   const auto third = [](double t) { return VectorXd::Constant(1, std::cos(t) + std::cos(3 * t)); };
   const LinearSystem system = undamped(MatrixXd::Identity(1, 1), MatrixXd::Constant(1, 1, 9.0));

@@ -72,6 +72,20 @@ TEST(NaturalModes, TellFreeMotionsAndThoseThatRunAway) {
   EXPECT_TRUE(std::isnan(falling.angular_frequency(0)));
 }
 
+// Three masses in a row that nothing holds: one free motion, whatever rounding leaves of its frequency.
+TEST(NaturalModes, OfAFreeChainHaveAFrequencyOfZero) {
+  for (int k = 1; k < 20; ++k) {
+    const double a = 7.3 * k, b = 2.1;
+    MatrixXd M = MatrixXd::Zero(3, 3), K(3, 3);
+    M.diagonal() << 1, 3.0 * k, 0.7;
+    K << a, -a, 0, -a, a + b, -b, 0, -b, b;
+    const NaturalModes modes = natural_modes(undamped(M, K));
+    EXPECT_EQ(modes.squared_frequencies(0), 0.0) << k;
+    EXPECT_EQ(modes.angular_frequency(0), 0.0) << k;
+    EXPECT_GT(modes.angular_frequency(1), 0.1) << k;
+  }
+}
+
 TEST(NaturalModes, DoNotMindTheUnitsOfACoordinate) {
   const LinearSystem metres = absorber();
   LinearSystem mixed = metres;  // the second coordinate in nanometres: x2 = 1e-9 y2

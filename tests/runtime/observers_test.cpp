@@ -67,6 +67,29 @@ TEST(EquallySpaced, StopsTheIntegrationRatherThanLoopOnAnIntervalOfZero) {
   EXPECT_EQ(integrate(growth, y, 0, 1, DormandPrince54{}, observer).status, IntegrationStatus::stopped_by_observer);
 }
 
+TEST(EquallySpaced, SamplesAnEndAtZero) {
+  // -0.3 + 3 * 0.1 is 5.6e-17 in double: a rounding of 0.3 beyond the end.
+  for (const double start : {-0.3, -0.7, -0.6}) {
+    Log log;
+    EquallySpaced observer(start, 0.1, log);
+    One y{1.0};
+    ASSERT_TRUE(integrate(growth, y, start, 0.0, DormandPrince54{}, observer));
+    EXPECT_EQ(log.times.size(), static_cast<std::size_t>(std::lround(-start / 0.1)) + 1) << start;
+    EXPECT_NEAR(log.times.back(), 0.0, 1.2e-16) << start;
+  }
+}
+
+TEST(Every, StopsTheIntegrationRatherThanDivideByZero) {
+  for (const int count : {0, -3}) {
+    Log log;
+    Every observer(count, log);
+    One y{1.0};
+    EXPECT_EQ(integrate(growth, y, 0, 1, Midpoint{.step = 0.125}, observer).status,
+              IntegrationStatus::stopped_by_observer);
+    EXPECT_TRUE(log.times.empty());
+  }
+}
+
 TEST(Every, PassesOnTheStartAndEveryNthStep) {
   Log log;
   Every observer(4, log);

@@ -4,9 +4,13 @@
 
 #include <array>
 #include <cmath>
+#include <span>
 
+#include "torsor/runtime/integration/dormand_prince_54.hpp"
 #include "torsor/runtime/integration/dormand_prince_853.hpp"
+#include "torsor/runtime/integration/events.hpp"
 #include "torsor/runtime/integration/integrate.hpp"
+#include "torsor/runtime/integration/radau_iia_5.hpp"
 #include "torsor/runtime/integration/runge_kutta_4.hpp"
 #include "torsor/runtime/integration/taylor.hpp"
 #include "torsor/runtime/mechanism.hpp"
@@ -67,6 +71,53 @@ TEST(SelectionsMotion, ClosesItsBalanceOfEnergy) {
   const auto after = WithWork::energy(system.precomputed, y);
   const double gained = after.kinetic - after.force_function - (before.kinetic - before.force_function);
   EXPECT_NEAR(gained, y[4], 1e-8);
+}
+
+/// A unit mass at rest under 4 N for 5 s <= t < 5.5 s: at 10 s x = 9.5 m and v = 2 m/s.
+struct Pulse {
+  using State = std::array<double, 2>;
+  static double force(double t) noexcept { return t >= 5.0 && t < 5.5 ? 4.0 : 0.0; }
+  Evaluation operator()(double t, const State& y, State& dydt) const noexcept {
+    dydt = {y[1], force(t)};
+    return Evaluation::ok;
+  }
+  Evaluation jets(double t, const State& y, std::span<State> c) const noexcept {
+    for (State& each : c) each = {};
+    c[0] = y;
+    c[1] = {y[1], force(t)};
+    if (c.size() > 2) c[2] = {force(t) / 2, 0.0};
+    return Evaluation::ok;
+  }
+};
+template <class Method>
+void expect_pulse_is_kept(Method method) {
+  // Tolerances of 1e-9 in some hundred steps; one step across a switch may err by as much as all others.
+  const auto expect_end = [](const Pulse::State& y, const char* how) {
+    EXPECT_NEAR(y[1], 2.0, 1e-6) << how;
+    EXPECT_NEAR(y[0], 9.5, 5e-6) << how;
+  };
+  method.relative_tolerance = method.absolute_tolerance = 1e-9;
+  Pulse::State y{};
+  const auto on = reset_at([](double t, const Pulse::State&) { return t - 5.0; }, Crossing::rising,
+                           [](double, Pulse::State&) {});
+  const auto off = reset_at([](double t, const Pulse::State&) { return t - 5.5; }, Crossing::rising,
+                            [](double, Pulse::State&) {});
+  EXPECT_TRUE(integrate_with_events(Pulse{}, y, 0.0, 10.0, method, Events(on, off)));
+  expect_end(y, "guards");
+  y = {};
+  const std::array<double, 3> times{5.0, 5.5, 10.0};
+  EXPECT_TRUE(integrate_through(Pulse{}, y, 0.0, times, method, [](double, const Pulse::State&) {}));
+  expect_end(y, "through the switches");
+  y = {};
+  method.largest_step = 0.5;
+  EXPECT_TRUE(integrate(Pulse{}, y, 0.0, 10.0, method));
+  expect_end(y, "short steps");
+}
+TEST(SelectionsMotion, KeepsAShortPulseAsThePageOfFormulasSays) {
+  expect_pulse_is_kept(DormandPrince54{});
+  expect_pulse_is_kept(DormandPrince853{});
+  expect_pulse_is_kept(RadauIia5{});
+  expect_pulse_is_kept(Taylor{});
 }
 
 }  // namespace

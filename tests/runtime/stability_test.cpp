@@ -106,6 +106,24 @@ TEST(Stability, OfZieglersColumnIsLostByFlutterAndByDamping) {
   EXPECT_NE(report.reason.find("not symmetric"), std::string::npos);
 }
 
+// x1'' = -1e14 x1 - 1e6 x1' beside x2'' = k x2: two motions, whatever their rates are to each other.
+TEST(Stability, OfAStateMatrixDoesNotMindHowFastOthersAre) {
+  for (const double k : {9.0, 1.0, 25.0}) {
+    MatrixXd A = MatrixXd::Zero(4, 4);
+    A(0, 2) = A(1, 3) = 1;
+    A(2, 0) = -1e14;
+    A(2, 2) = -1e6;
+    A(3, 1) = k;
+    EXPECT_EQ(stability_by_eigenvalues(A, 1e-9).verdict, Stability::unstable) << k;
+    for (const double unit : {1e-6, 1e6}) {  // of x2
+      MatrixXd other = A;
+      other.row(1) *= unit;
+      other.col(1) /= unit;
+      EXPECT_EQ(stability_by_eigenvalues(other, 1e-9).verdict, Stability::unstable) << k << ' ' << unit;
+    }
+  }
+}
+
 TEST(Stability, IsUnstableEvenIfOtherRootsAreImaginary) {
   LinearSystem system = undamped(MatrixXd::Identity(2, 2), Eigen::Vector2d(4, -1).asDiagonal());
   EXPECT_EQ(stability_by_eigenvalues(system).verdict, Stability::unstable);

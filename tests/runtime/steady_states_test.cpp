@@ -5,6 +5,7 @@
 
 #include <cmath>
 #include <numbers>
+#include <limits>
 #include <stdexcept>
 
 #include "torsor/runtime/small_motions/cyclic_reduction.hpp"
@@ -197,6 +198,29 @@ TEST(States, RefuseBoundsAndIndicesThatDoNotFit) {
   moving.state.q[1] = -1.0;
   moving.state.v[0] = 1.0;
   EXPECT_THROW((void)linearised_at<LinearisedPointOnCurve<Circle>>({}, moving), std::invalid_argument);
+}
+
+/// θ'' + 10 sin θ = u, without the kernel `linearisation`: the kernel that there is knows no u.
+struct PushedPendulum : mechanisms::Contract<1, 0> {
+  static constexpr int input_count = 1;
+  using Inputs = mechanisms::Values<double, 1>;
+  static void inverse_dynamics(const Precomputed&, const State& s, const Accelerations& a, const Multipliers&,
+                               GeneralizedForces& r) noexcept {
+    r[0] = a[0] + 10 * std::sin(s.q[0]);
+  }
+};
+TEST(States, RefuseInputsThatNoKernelTakes) {
+  const CoordinateBox box{VectorXd::Constant(1, -1), VectorXd::Constant(1, 1)};
+  RestConditions<PushedPendulum> rest;
+  EXPECT_EQ(find_equilibria<PushedPendulum>({}, box, rest).found.size(), 1U);
+  rest.inputs[0] = 5.0;
+  EXPECT_THROW((void)find_equilibria<PushedPendulum>({}, box, rest), std::invalid_argument);
+  StateProblem<PushedPendulum> problem;
+  problem.coordinates = {0};
+  problem.lower = box.lower;
+  problem.upper = box.upper;
+  problem.inputs[0] = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_THROW((void)find_states<PushedPendulum>({}, problem), std::invalid_argument);
 }
 
 // U has its stationary points where R is diagonal: the identity and the half turns about the three axes. Each is found

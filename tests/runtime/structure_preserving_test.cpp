@@ -285,6 +285,29 @@ TEST(StoermerVerlet, RefusesAccelerationsThatDependOnVelocities) {
   }
 }
 
+/// A damper that is switched on.
+struct DampedLater {
+  static constexpr bool second_order = true;
+  double since = 0.0, until = 1e9;
+  Evaluation operator()(double t, const State& y, State& dydt) const noexcept {
+    dydt = {y[1], -4.0 * y[0] - (t >= since && t < until ? y[1] : 0.0)};
+    return Evaluation::ok;
+  }
+};
+TEST(StoermerVerlet, RefusesADamperThatIsSwitchedOnLater) {
+  for (const auto& [since, steps] : {std::pair{0.005, 1}, std::pair{0.995, 128}, std::pair{1.5, 192}}) {
+    State y{1.0, 0.0};
+    const auto result = integrate(DampedLater{since}, y, 0.0, 3.0, StoermerVerlet{.step = 0.01});
+    EXPECT_EQ(result.status, IntegrationStatus::unsuitable_model) << since;
+    EXPECT_EQ(result.statistics.accepted, steps) << since;
+  }
+  State y{1.0, 0.0};
+  const auto undamped = integrate(DampedLater{4.0}, y, 0.0, 3.0, StoermerVerlet{.step = 0.01});
+  ASSERT_TRUE(undamped);
+  // One at the start, 2 x 3 to try it, and 2 after 1, 2, 4, ..., 256 steps and after 192.
+  EXPECT_EQ(undamped.statistics.calls, 300 + 1 + 6 + 2 * (9 + 1));
+}
+
 struct SaysItself {
   static constexpr bool second_order = true;
   static constexpr bool accelerations_depend_on_velocities = true;

@@ -9,7 +9,9 @@
 #include <cstdint>
 #include <cstdlib>
 
+#include "generated/arm7.hpp"
 #include "generated/double_pendulum.hpp"
+#include "generated/elastic_wing.hpp"
 #include "generated/kapitza_pendulum.hpp"
 #include "torsor/runtime/integration/dormand_prince_853.hpp"
 #include "torsor/runtime/mechanism.hpp"
@@ -63,6 +65,39 @@ struct GrowingMass : PolarMass {
 /// The same headers without the kernel of derivatives.
 struct WithoutDerivatives : DoublePendulum {
   static void inverse_dynamics_derivatives() = delete;
+};
+
+/// A mass on a line with a drag c v², even in v, from `since` on: x' = v0/(1 + c v0 t).
+struct EvenDrag : mechanisms::Contract<1, 0> {
+  struct Parameters {
+    double drag = 1.0, since = 0.0;
+  };
+  struct Precomputed {
+    Parameters parameters;
+  };
+  static Parameters default_parameters() noexcept { return {}; }
+  static Precomputed precompute(const Parameters& p) noexcept { return {p}; }
+  static State initial_state() noexcept { return {0.0, {{0.0}}, {{1.0}}}; }
+  static void mass_matrix(const Precomputed&, const State&, std::array<double, 1>& mass) noexcept { mass = {1.0}; }
+  static void bias(const Precomputed& p, const State& s, GeneralizedForces& h) noexcept {
+    h[0] = s.time >= p.parameters.since ? p.parameters.drag * s.v[0] * s.v[0] : 0.0;
+  }
+  static mechanisms::Status forward_dynamics(const Precomputed& p, const State& s, const Inputs&, Accelerations& a,
+                                             Multipliers&) noexcept {
+    GeneralizedForces h{};
+    bias(p, s, h);
+    a[0] = -h[0];
+    return mechanisms::Status::ok;
+  }
+};
+
+/// PolarMass with a force across the velocity, which does no work: even in v too.
+struct AcrossTheVelocity : PolarMass {
+  static void bias(const Precomputed& p, const State& s, GeneralizedForces& h) noexcept {
+    PolarMass::bias(p, s, h);
+    h[0] -= 1e-4 * s.v[0] * s.v[1];
+    h[1] += 1e-4 * s.v[0] * s.v[0];
+  }
 };
 
 // From (1, 0) with speed 2 along y: a straight line, whose speed falls as e^(-c t); at t, in r, θ, r', θ'.
@@ -135,6 +170,48 @@ TEST(VariationalIntegrator, HasTwiceTheOrderOfItsStagesWhereForcesDependOnTime) 
     return std::abs(y[0] - truth[0]);
   };
   EXPECT_NEAR(std::log2(error(1.0 / 1600) / error(1.0 / 3200)), 4.0, 0.25);
+}
+
+template <class M>
+void expect_no_even_forces(const char* name) {
+  const auto precomputed = M::precompute(M::default_parameters());
+  for (const double speed : {1e-9, 1e-6, 1e-3, 1.0, 1e3, 1e6}) {
+    for (int place = 0; place < 30; ++place) {
+      auto state = M::initial_state(M::default_parameters());
+      for (int i = 0; i < M::velocity_count; ++i) {
+        state.q[i] += static_cast<ScalarOf<M>>(std::sin(1.0 + 7.0 * i + 3.0 * place) * place);
+        state.v[i] = static_cast<ScalarOf<M>>(speed * std::cos(2.0 + 5.0 * i + 11.0 * place));
+      }
+      EXPECT_FALSE(has_forces_even_in_velocities<M>(precomputed, state)) << name << ' ' << speed << ' ' << place;
+    }
+  }
+}
+// Scenes of gravity, springs and dampers: Christoffel's terms are all that is even in v, beside any weight.
+TEST(EvenForces, AreNoneWhereNoActionIsEven) {
+  expect_no_even_forces<arm7::Mechanism<double>>("arm7");
+  expect_no_even_forces<arm7::Mechanism<float>>("arm7 in float");
+  expect_no_even_forces<double_pendulum::Mechanism<double>>("double pendulum");
+  expect_no_even_forces<elastic_wing::Mechanism<double>>("elastic wing");
+  expect_no_even_forces<kapitza_pendulum::Mechanism<double>>("Kapitza's pendulum");
+}
+
+template <class M>
+Result<double> short_run(const typename M::Parameters& parameters, double end) {
+  const auto motion = equations_of_motion<M>(parameters);
+  auto y = motion.initial();
+  return integrate(motion, y, 0, end, VariationalIntegrator<2>{.step = 1e-3});
+}
+TEST(VariationalIntegrator, RefusesForcesThatAreEvenInTheVelocities) {
+  const auto drag = short_run<EvenDrag>({}, 0.5);
+  EXPECT_EQ(drag.status, IntegrationStatus::unsuitable_model);
+  EXPECT_EQ(drag.statistics.accepted, 0);
+  EXPECT_EQ(short_run<EvenDrag>({.drag = 1e-6}, 0.5).status, IntegrationStatus::unsuitable_model);
+  EXPECT_EQ(short_run<EvenDrag>({.drag = 0.0}, 0.5).status, IntegrationStatus::reached_end);
+  EXPECT_EQ(short_run<AcrossTheVelocity>({1.0, 0.1}, 0.5).status, IntegrationStatus::unsuitable_model);
+  // Switched on after 100 steps: seen before the step after 128.
+  const auto later = short_run<EvenDrag>({.since = 0.0995}, 0.5);
+  EXPECT_EQ(later.status, IntegrationStatus::unsuitable_model);
+  EXPECT_EQ(later.statistics.accepted, 128);
 }
 
 TEST(VariationalIntegrator, MeetsTheReferenceOfTheDoublePendulum) {
