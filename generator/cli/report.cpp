@@ -70,7 +70,9 @@ bool same_redundancy(const Scene& scene, const ModelOptions& a, const ModelOptio
 ModelOptions options_of_motion(const Scene& scene, const ModelOptions& given) {
   constexpr std::size_t most = 40;  // parameters that a page can offer: a robot has hundreds
   if (given.all_run_time || !given.run_time.empty() || scene.content().parameters.size() > most) return given;
-  const auto follows = [](const ParameterContent& each) { return !each.run_time && each.value && !each.value->symbols().empty(); };
+  const auto follows = [](const ParameterContent& each) {
+    return !each.run_time && each.value && !each.value->symbols().empty();
+  };
   ModelOptions all = given;
   for (const ParameterContent& parameter : scene.content().parameters) {
     if (!follows(parameter)) all.run_time.insert(parameter.symbol->name);
@@ -292,8 +294,9 @@ std::string report_html(const Scene& scene, const ReportOptions& options) {
   print.about = options.about;
   print.derivation = true;
   print.language = say;
+  const bool about = !options.about.empty();
   const std::string equations =
-      without_long_sections(markup([&] { return print_equations(scene, Format::html, print); }, !options.about.empty()), "equations", say);
+      without_long_sections(markup([&] { return print_equations(scene, Format::html, print); }, about), "equations", say);
   std::string scripts;
   scripts += script("mechanism", "globalThis.torsorMechanism = " + motion.module + ";\n" +
                                      (motion.varies_in_time ? "torsorMechanism.variesInTime = true;\n" : ""));
@@ -332,8 +335,7 @@ std::string report_html(const Scene& scene, const ReportOptions& options) {
        {"equations", equations},
        {"further", closed(markup([&] { return unknowns_page(scene, say); }))},
        {"statics", closed(without_long_sections(
-                       markup([&] { return statics_text(scene, options.about, {}, {Format::html, false, say}); }, !options.about.empty()),
-                       "statics", say))},
+                       markup([&] { return statics_text(scene, options.about, {}, {Format::html, false, say}); }, about), "statics", say))},
        {"formula_note",
         with_katex ? "" : note(say("Formulas are shown as text: KaTeX was not there when torsor was built."))},
        {"motion_note", motion_note(motion, say)},
