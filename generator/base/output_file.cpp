@@ -8,6 +8,7 @@
 #include <fstream>
 #include <iostream>
 #include <iterator>
+#include <list>
 #include <optional>
 #include <system_error>
 
@@ -124,51 +125,98 @@ bool has_bytes(const std::string& path, std::string_view bytes) {
   return file && present == bytes;
 }
 
-void replace_file(const std::string& path, const std::string& target, std::string_view bytes,
-                  const struct stat* present) {
-  const std::string temporary = fmt::format("{}.{}.tmp", target, ::getpid());
-  Descriptor file(::open(temporary.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666), path);
-  TemporaryName guard(temporary);
-  if (present != nullptr && ::fchmod(file.number(), present->st_mode & 07777U) != 0) fail(path, errno);
+/// A regular file whose bytes lie beside it, under another name, until `appear`.
+class Replacement {
+ public:
+  Replacement(std::string path, std::string target, std::string_view bytes, const struct stat* present)
+      : path_(std::move(path)), target_(std::move(target)), temporary_(fmt::format("{}.{}.tmp", target_, ::getpid())) {
+    Descriptor file(::open(temporary_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666), path_);
+    guard_.emplace(temporary_);
+    if (present != nullptr && ::fchmod(file.number(), present->st_mode & 07777U) != 0) fail(path_, errno);
+    file.write(bytes);
+    file.synchronise();
+    file.close();
+  }
+
+  void appear() {
+    if (::rename(temporary_.c_str(), target_.c_str()) != 0) fail(path_, errno);
+    guard_->release();
+  }
+
+ private:
+  std::string path_, target_, temporary_;
+  std::optional<TemporaryName> guard_;
+};
+
+void write_through(int descriptor, const std::string& path, std::string_view bytes) {
+  Descriptor file(descriptor, path);
   file.write(bytes);
-  file.synchronise();
   file.close();
-  if (::rename(temporary.c_str(), target.c_str()) != 0) fail(path, errno);
-  guard.release();
 }
+
+/// A file on its way: everything that can fail before its name appears is done in the constructor.
+class Writing {
+ public:
+  Writing(const std::string& path, std::string_view bytes) : path_(path), bytes_(bytes) {
+    if (path.empty()) throw FileError("cannot write a file without a name: give a path, or /dev/stdout");
+    inherited_ = inherited_descriptor(path);
+    if (inherited_) return;
+    struct stat present {};
+    if (::stat(path.c_str(), &present) != 0) {
+      if (errno != ENOENT) fail(path, errno);
+      // A link to nothing: the file it names is what has to appear.
+      std::error_code not_a_link;
+      const fs::path linked = fs::read_symlink(path, not_a_link);
+      replacement_.emplace(path, not_a_link ? path : (fs::path(path).parent_path() / linked).string(), bytes, nullptr);
+      return;
+    }
+    if (S_ISDIR(present.st_mode)) fail(path, EISDIR);
+    if (!S_ISREG(present.st_mode)) return;
+    same_ = has_bytes(path, bytes);
+    if (same_) return;
+    if (::access(path.c_str(), W_OK) != 0) fail(path, errno);  // a rename would not ask
+    replacement_.emplace(path, fs::canonical(path).string(), bytes, &present);
+  }
+
+  /// Returns whether the file had to be written.
+  bool finish() {
+    if (same_) return false;
+    if (replacement_) {
+      replacement_->appear();
+    } else if (inherited_) {
+      std::cout.flush();
+      std::fflush(stdout);
+      write_through(::dup(*inherited_), path_, bytes_);
+    } else {
+      write_through(::open(path_.c_str(), O_WRONLY | O_CLOEXEC), path_, bytes_);
+    }
+    return true;
+  }
+
+ private:
+  std::string path_;
+  std::string_view bytes_;
+  std::optional<int> inherited_;
+  std::optional<Replacement> replacement_;
+  bool same_ = false;
+};
 
 }  // namespace
 
-bool write_file_if_changed(const std::string& path, std::string_view bytes) {
-  if (path.empty()) throw FileError("cannot write a file without a name: give a path, or /dev/stdout");
-  if (const std::optional<int> inherited = inherited_descriptor(path)) {
-    std::cout.flush();
-    std::fflush(stdout);
-    Descriptor file(::dup(*inherited), path);
-    file.write(bytes);
-    file.close();
-    return true;
-  }
-  struct stat present {};
-  if (::stat(path.c_str(), &present) != 0) {
-    if (errno != ENOENT) fail(path, errno);
-    // A link to nothing: the file it names is what has to appear.
-    std::error_code not_a_link;
-    const fs::path linked = fs::read_symlink(path, not_a_link);
-    replace_file(path, not_a_link ? path : (fs::path(path).parent_path() / linked).string(), bytes, nullptr);
-    return true;
-  }
-  if (S_ISDIR(present.st_mode)) fail(path, EISDIR);
-  if (!S_ISREG(present.st_mode)) {
-    Descriptor file(::open(path.c_str(), O_WRONLY | O_CLOEXEC), path);
-    file.write(bytes);
-    file.close();
-    return true;
-  }
-  if (has_bytes(path, bytes)) return false;
-  if (::access(path.c_str(), W_OK) != 0) fail(path, errno);  // a rename would not ask
-  replace_file(path, fs::canonical(path).string(), bytes, &present);
-  return true;
+bool write_file_if_changed(const std::string& path, std::string_view bytes) { return Writing(path, bytes).finish(); }
+
+void write_files_if_changed(const std::vector<OutputFile>& files) {
+  std::list<Writing> all;
+  for (const OutputFile& file : files) all.emplace_back(file.path, file.text);
+  for (Writing& each : all) each.finish();
+}
+
+bool same_file(const std::string& a, const std::string& b) {
+  std::error_code unknown;
+  if (fs::exists(a, unknown) && !fs::is_regular_file(a, unknown)) return false;  // /dev/null takes everything
+  if (fs::equivalent(a, b, unknown) && !unknown) return true;
+  const fs::path of_a = fs::weakly_canonical(a, unknown), of_b = fs::weakly_canonical(b, unknown);
+  return of_a == of_b;
 }
 
 }  // namespace torsor

@@ -3,6 +3,7 @@
 
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace torsor {
 
@@ -14,5 +15,16 @@ namespace torsor {
 /// Throws FileError naming file, reason and remedy when the folder is missing, the file cannot be written or the disk
 /// is full; nothing half-written is left behind.
 bool write_file_if_changed(const std::string& path, std::string_view bytes);
+
+struct OutputFile {
+  std::string path, text;
+};
+
+/// Several at once: when one of them cannot be written, those before it are as they were. All bytes are on the disk before
+/// the first name appears; what remains to go wrong is a rename.
+void write_files_if_changed(const std::vector<OutputFile>& files);
+
+/// Whether two names stand for one regular file, be it there already or not.
+bool same_file(const std::string& a, const std::string& b);
 
 }  // namespace torsor

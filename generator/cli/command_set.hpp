@@ -6,23 +6,19 @@
 #include <utility>
 #include <vector>
 
+#include "torsor/generator/base/output_file.hpp"
 #include "torsor/generator/cli/command_line.hpp"
 #include "torsor/generator/cli/start_state.hpp"
 #include "torsor/generator/printing/print_equations.hpp"
 
 namespace torsor {
 
-/// A further file that a command writes, before its text.
-struct FurtherFile {
-  std::string path, text;
-};
-
 /// What a command leaves: its text goes where --output says, its notes to the standard error, after the text.
 struct CommandResult {
   std::string text;
   bool passed = true;  ///< false: what was checked does not hold, exit code 1
   std::vector<std::string> notes = {};
-  std::vector<FurtherFile> files = {};
+  std::vector<OutputFile> files = {};  ///< further ones, written with the text or not at all
 };
 
 /// The commands of a program while they are declared, and the one that the command line chose.

@@ -7,13 +7,16 @@
 #include <string_view>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <nlohmann/json.hpp>
 
 #include "torsor/generator/base/base64.hpp"
 #include "torsor/generator/base/error.hpp"
 #include "torsor/generator/cli/command_texts.hpp"
 #include "torsor/generator/cli/katex.hpp"
+#include "torsor/generator/cli/start_state.hpp"
 #include "torsor/generator/dynamics/equations/massless.hpp"
+#include "torsor/generator/dynamics/theorems/equilibrium_equations.hpp"
 #include "torsor/generator/dynamics/theorems/unknowns_report.hpp"
 #include "torsor/generator/emission/embedded_templates.hpp"
 #include "torsor/generator/emission/javascript_module.hpp"
@@ -63,12 +66,21 @@ bool same_redundancy(const Scene& scene, const ModelOptions& a, const ModelOptio
   return Equations(scene, a).redundancy().kept == Equations(scene, b).redundancy().kept;
 }
 
-/// Whether all parameters can be left to the reader of the page.
+/// All parameters are left to the reader of the page where they can be. One whose value is a formula of others follows these.
 ModelOptions options_of_motion(const Scene& scene, const ModelOptions& given) {
   constexpr std::size_t most = 40;  // parameters that a page can offer: a robot has hundreds
   if (given.all_run_time || !given.run_time.empty() || scene.content().parameters.size() > most) return given;
+  const auto follows = [](const ParameterContent& each) {
+    return !each.run_time && each.value && !each.value->symbols().empty();
+  };
   ModelOptions all = given;
-  all.all_run_time = true;
+  for (const ParameterContent& parameter : scene.content().parameters) {
+    if (!follows(parameter)) all.run_time.insert(parameter.symbol->name);
+  }
+  if (all.run_time.size() == scene.content().parameters.size()) {
+    all.run_time.clear();
+    all.all_run_time = true;
+  }
   if (scene.content().constraints.empty()) return all;
   try {
     if (same_redundancy(scene, given, all)) return all;
@@ -82,15 +94,24 @@ struct Motion {
   std::string remark;     ///< why there is none
   std::string recording;  ///< JSON, of a motion that the page plays back
   std::string given;      ///< JSON: start values and inputs that replace the scene's; empty: none
+  std::string invented;   ///< parameters without a value, for which the page takes 1
+  bool varies_in_time = false;  ///< time enters the masses or the forces at rest: there are no modes
 };
+
+std::vector<std::string> without_value(const SceneContent& content) {
+  std::vector<std::string> names;
+  for (const ParameterContent& parameter : content.parameters) {
+    if (!parameter.value) names.push_back(parameter.symbol->name);
+  }
+  return names;
+}
 
 /// The page cannot solve contacts: it plays back what was moved here.
 Motion recorded_motion(const Scene& scene, const ReportOptions& options) {
   Motion motion;
-  for (const ParameterContent& parameter : scene.content().parameters) {
-    if (parameter.value) continue;
+  if (const std::vector<std::string> open = without_value(scene.content()); !open.empty()) {
     motion.remark = options.language("the parameter '{}' has no value, and a page that plays a motion back needs one: give it in the scene",
-                                     parameter.symbol->name);
+                                     open.front());
     return motion;
   }
   try {
@@ -105,7 +126,15 @@ Motion recorded_motion(const Scene& scene, const ReportOptions& options) {
   return motion;
 }
 
-std::string given_values(const Model& model, const ReportOptions& options) {
+/// Where `simulate` starts with these values: the page starts there too.
+std::vector<double> start_of_simulate(const Scene& scene, const ReportOptions& options) {
+  NamedNumbers parameters;
+  for (const std::string& name : without_value(scene.content())) parameters[name] = 1.0;  // as motion.js
+  EvaluatedMotion motion(scene, options.model, parameters, {});
+  return closed_start(motion, options.initial);
+}
+
+std::string given_values(const Scene& scene, const Model& model, const ReportOptions& options) {
   const auto names = [](const std::vector<SymbolPointer>& symbols) {
     std::vector<std::string> all;
     for (const SymbolPointer& symbol : symbols) all.push_back(symbol->name);
@@ -116,7 +145,10 @@ std::string given_values(const Model& model, const ReportOptions& options) {
   require_known(options.initial, known, "coordinate or rate", "--initial");
   require_known(options.inputs, names(model.inputs()), "input", "--input");
   if (options.initial.empty() && options.inputs.empty()) return {};
-  return nlohmann::ordered_json{{"initial", options.initial}, {"inputs", options.inputs}}.dump();
+  nlohmann::ordered_json given{{"initial", options.initial}, {"inputs", options.inputs}};
+  const bool constrained = !scene.content().constraints.empty() && model.unknown_count() > 0;
+  if (constrained && !options.initial.empty()) given["closed"] = start_of_simulate(scene, options);
+  return given.dump();
 }
 
 Motion motion_of(const Scene& scene, const ReportOptions& options) {
@@ -129,7 +161,8 @@ Motion motion_of(const Scene& scene, const ReportOptions& options) {
   if (constrained) names.emplace_back("constraints");  // and M: projection in its metric
   const bool modes = content.attitudes.empty() && content.coordinates.size() <= most;
   if (constrained || modes) names.emplace_back("mass_matrix");
-  const MechanismListing mechanism = lower_mechanism(scene, names, options_of_motion(scene, given));
+  const ModelOptions left_to_reader = options_of_motion(scene, given);
+  const MechanismListing mechanism = lower_mechanism(scene, names, left_to_reader);
   Motion motion;
   for (const AskedKernel& kernel : mechanism.asked) {
     if (kernel.name == "forward_dynamics" && !kernel.skipped.empty()) {
@@ -137,7 +170,9 @@ Motion motion_of(const Scene& scene, const ReportOptions& options) {
     }
   }
   motion.module = module_as_object(emit_javascript(mechanism));
-  motion.given = given_values(mechanism.equations->model(), options);
+  motion.given = given_values(scene, mechanism.equations->model(), options);
+  motion.invented = fmt::format("{}", fmt::join(without_value(content), ", "));
+  if (modes && !constrained) motion.varies_in_time = equilibrium_equations(Equations(scene, left_to_reader)).depends_on_time;
   return motion;
 }
 
@@ -151,12 +186,13 @@ std::string words(const Say& say) {
   }
 }
 
-/// The same where HTML is expected.
+/// The same where HTML is expected. Names that the command line gives (`asked`) and the scene does not have end the command.
 template <class Say>
-std::string markup(const Say& say) {
+std::string markup(const Say& say, bool asked = false) {
   try {
     return say();
   } catch (const Error& error) {
+    if (asked && dynamic_cast<const UsageError*>(&error) != nullptr) throw;
     return fmt::format("<p>{}</p>\n", html_escaped(error.what()));
   }
 }
@@ -200,7 +236,11 @@ std::string note(const std::string& sentence) { return fmt::format("<p class=\"n
 
 std::string motion_note(const Motion& motion, const NaturalLanguage& say) {
   if (!motion.remark.empty()) return note(say("There is no motion: {}.", motion.remark));
-  if (motion.recording.empty()) return "";
+  if (motion.recording.empty()) {
+    if (motion.invented.empty()) return "";
+    return note(say("The scene gives these parameters no value, and the motion here takes 1 for them until a slider says otherwise: {}.",
+                    motion.invented));
+  }
   return note(say("This motion is recorded: torsor moved the mechanism from event to event of its contacts when it wrote this page, "
                   "and the page plays that back. Parameters and start values cannot be changed here. The commands report and "
                   "simulate move the mechanism again."));
@@ -254,10 +294,12 @@ std::string report_html(const Scene& scene, const ReportOptions& options) {
   print.about = options.about;
   print.derivation = true;
   print.language = say;
+  const bool about = !options.about.empty();
   const std::string equations =
-      without_long_sections(markup([&] { return print_equations(scene, Format::html, print); }), "equations", say);
+      without_long_sections(markup([&] { return print_equations(scene, Format::html, print); }, about), "equations", say);
   std::string scripts;
-  scripts += script("mechanism", "globalThis.torsorMechanism = " + motion.module + ";\n");
+  scripts += script("mechanism", "globalThis.torsorMechanism = " + motion.module + ";\n" +
+                                     (motion.varies_in_time ? "torsorMechanism.variesInTime = true;\n" : ""));
   scripts += fmt::format("<script id=\"scene\" type=\"application/json\">{}</script>\n",
                          inside_json(report_data(scene, options.duration)));
   if (options.meshes) {
@@ -293,7 +335,7 @@ std::string report_html(const Scene& scene, const ReportOptions& options) {
        {"equations", equations},
        {"further", closed(markup([&] { return unknowns_page(scene, say); }))},
        {"statics", closed(without_long_sections(
-                       markup([&] { return statics_text(scene, options.about, {}, {Format::html, false, say}); }), "statics", say))},
+                       markup([&] { return statics_text(scene, options.about, {}, {Format::html, false, say}); }, about), "statics", say))},
        {"formula_note",
         with_katex ? "" : note(say("Formulas are shown as text: KaTeX was not there when torsor was built."))},
        {"motion_note", motion_note(motion, say)},

@@ -32,14 +32,10 @@ constexpr int check_failed = 1;
 constexpr int bad_usage = 2;
 constexpr int bad_scene_or_file = 3;
 
-void write(const std::string& output, const std::string& text) {
-  if (output == "-") {
-    if (std::fwrite(text.data(), 1, text.size(), stdout) != text.size() || std::fflush(stdout) != 0) {
-      throw FileError("cannot write to the standard output: is the disk full or the reader gone?");
-    }
-    return;
+void write_to_standard_output(const std::string& text) {
+  if (std::fwrite(text.data(), 1, text.size(), stdout) != text.size() || std::fflush(stdout) != 0) {
+    throw FileError("cannot write to the standard output: is the disk full or the reader gone?");
   }
-  write_file_if_changed(output, text);
 }
 
 /// Before CLI11 says only that something is missing.
@@ -128,6 +124,20 @@ Scene standing(const SceneSource& source, const GivenStart& start) {
 struct Ran {
   CommandResult result;
   std::string output = "-";
+
+  /// All files of the command, its text among them unless that goes to the standard output.
+  void write_files() const {
+    std::vector<OutputFile> files = result.files;
+    if (output != "-") files.push_back({output, result.text});
+    for (std::size_t i = 0; i < files.size(); ++i) {
+      for (std::size_t j = 0; j < i; ++j) {
+        if (!same_file(files[i].path, files[j].path)) continue;
+        throw UsageError(fmt::format("'{}' and '{}' name one file, and each is to be written: give one of them another name",
+                                     files[j].path, files[i].path));
+      }
+    }
+    write_files_if_changed(files);
+  }
 };
 
 Ran run(int argc, const char* const* argv, const SceneSource& source) {
@@ -152,7 +162,6 @@ Ran run(int argc, const char* const* argv, const SceneSource& source) {
   const std::vector<std::string> remarks = singular_start(with_start(scene, start.values));
   CommandResult result = run_with_remarks(commands, scene, remarks);
   result.notes.insert(result.notes.end(), remarks.begin(), remarks.end());
-  for (const FurtherFile& file : result.files) write_file_if_changed(file.path, file.text);
   return {std::move(result), commands.output()};
 }
 
@@ -165,7 +174,8 @@ int run_commands(int argc, const char* const* argv, const SceneSource& source) {
   };
   try {
     const Ran ran = run(argc, argv, source);
-    write(ran.output, ran.result.text);
+    ran.write_files();
+    if (ran.output == "-") write_to_standard_output(ran.result.text);
     if (!source.quiet || !source.quiet()) {
       for (const std::string& note : ran.result.notes) std::fprintf(stderr, "note: %s\n", printable(note).c_str());
     }
@@ -184,11 +194,8 @@ CommandOutcome run_command(const std::vector<std::string>& words, const Scene& s
   for (const std::string& word : words) arguments.push_back(word.c_str());
   Ran ran = run(static_cast<int>(arguments.size()), arguments.data(), {scene_program_description, {}, [&scene] { return scene; }, {}});
   CommandOutcome outcome{{}, ran.result.passed, std::move(ran.result.notes)};
-  if (ran.output == "-") {
-    outcome.text = std::move(ran.result.text);
-  } else {
-    write(ran.output, ran.result.text);
-  }
+  ran.write_files();
+  if (ran.output == "-") outcome.text = std::move(ran.result.text);
   return outcome;
 }
 

@@ -70,6 +70,12 @@ std::string method_text(const SimulationOptions& options) {
                                              : fmt::format("{}, tolerance {:g}", method.words, options.tolerance);
 }
 
+std::string state_in_words(const EvaluatedMotion& motion, const std::vector<double>& y) {
+  std::vector<std::string> numbers;
+  for (std::size_t i = 0; i < y.size(); ++i) numbers.push_back(fmt::format("{} = {:.9g}", motion.symbols()[i]->name, y[i]));
+  return fmt::format("; state: {}", fmt::join(numbers, ", "));
+}
+
 }  // namespace
 
 void require_distinct_columns(const Simulation& motion) {
@@ -107,6 +113,7 @@ Simulation simulate(const Scene& scene, const SimulationOptions& options) {
       options,
       [&motion](double t, const std::vector<double>& at, std::vector<double>& rates) { return motion.slope(t, at, rates); },
       settle, y);
+  integrator->expect(options.duration);
   WatchedEvents watched(scene, motion, options.events);
   const auto write = [&] {
     const double t = integrator->time();
@@ -142,6 +149,8 @@ Simulation simulate(const Scene& scene, const SimulationOptions& options) {
   result.steps = integrator->steps();
   if (!integrator->status().empty()) {
     result.status = fmt::format("{} at t = {:.9g} s", integrator->status(), integrator->time());
+    result.status += integrator->because();
+    if (!integrator->because().empty()) result.status += state_in_words(motion, integrator->state());
     result.status += near_change_point(motion, integrator->time(), integrator->state());
   }
   return result;

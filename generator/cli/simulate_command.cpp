@@ -73,7 +73,7 @@ void tell_events(const std::vector<std::string>& events, std::vector<std::string
   }
 }
 
-CommandResult run_simulation(const Scene& scene, SimulationRequest request) {
+CommandResult run_simulation(const Scene& scene, SimulationRequest request, const std::string& output) {
   SimulationOptions& options = request.options;
   options.model = request.model(scene);
   options.parameters = with_defaults(scene, options.parameters);
@@ -83,6 +83,9 @@ CommandResult run_simulation(const Scene& scene, SimulationRequest request) {
   options.progress = Progress();
   if (!request.plot.empty() && !request.plot[0].ends_with(".svg")) {
     throw UsageError(fmt::format("--plot writes SVG: end the name '{}' in .svg", request.plot[0]));
+  }
+  if (!request.plot.empty() && output != "-" && same_file(request.plot[0], output)) {
+    throw UsageError(fmt::format("--plot and --output name one file, '{}': give the table another name", output));
   }
   if (options.method == "gauss" && request.tolerance->count() > 0) {
     throw UsageError("--tolerance is for methods that choose their steps, and gauss does not: give --method-step");
@@ -95,7 +98,7 @@ CommandResult run_simulation(const Scene& scene, SimulationRequest request) {
       if (c == ',') columns.emplace_back();
       else columns.back() += c;
     }
-    write_file_if_changed(request.plot[0], simulation_svg(scene, motion, columns));
+    result.files.push_back({request.plot[0], simulation_svg(scene, motion, columns)});
   }
   if (const std::string moved = moved_start(motion, options.initial); !moved.empty()) result.notes.push_back(moved);
   tell_events(motion.events, result.notes);
@@ -109,7 +112,7 @@ CommandResult run_simulation(const Scene& scene, SimulationRequest request) {
 void add_simulate_command(CommandSet& commands) {
   const auto request = std::make_shared<SimulationRequest>();
   CLI::App& command = commands.add("simulate", "integrate the motion; write it as a table, and draw it",
-                                   [request](const Scene& scene) { return run_simulation(scene, *request); });
+                                   [request, &commands](const Scene& scene) { return run_simulation(scene, *request, commands.output()); });
   SimulationOptions& options = request->options;
   command.add_option("--to", options.duration, "end of the motion [s]")->capture_default_str();
   command.add_option("--step", options.step, "time between rows [s]; the method chooses its own steps")->capture_default_str();

@@ -48,9 +48,11 @@ bool DormandPrince853::advance(double end) {
       }
       continue;
     }
+    const bool creeping = creeps(h, bend(h));
     t_ = reached;
     y_ = next_;
     ++steps_;
+    if (creeping) return fail_creeping();
     if (!slope_(t_, y_, slopes_[0])) return fail("there is no acceleration");
     const double wanted = h * factor_for(error);
     // A step cut short to land on a time says little about how long the next may be.
@@ -87,6 +89,15 @@ double DormandPrince853::attempt(double h) {
   }
   const double mixed = fifth + 0.01 * third;
   return mixed == 0.0 ? 0.0 : std::abs(h) * fifth / std::sqrt(mixed * static_cast<double>(n));
+}
+
+double DormandPrince853::bend(double h) const {
+  double most = 0.0;
+  for (std::size_t i = 0; i < y_.size(); ++i) {
+    const double weight = tolerance_ * (1.0 + std::max(std::abs(y_[i]), std::abs(next_[i])));
+    for (std::size_t j = 1; j < Tableau::stages; ++j) most = std::max(most, h * std::abs(slopes_[j][i] - slopes_[0][i]) / weight);
+  }
+  return most;
 }
 
 double DormandPrince853::first_step(double span) const {

@@ -17,6 +17,7 @@ class DormandPrince853 final : public MotionIntegrator {
 
  private:
   double attempt(double h);  ///< the weighted error; not a number where there is no slope
+  double bend(double h) const;  ///< of the step that has been attempted, see `creeps`
   double first_step(double span) const;
 
   double h_ = 0.0, tolerance_;

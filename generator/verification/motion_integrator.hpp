@@ -27,7 +27,10 @@ class MotionIntegrator {
   double time() const { return t_; }
   const std::vector<double>& state() const { return y_; }
   const std::string& status() const { return status_; }  ///< empty while the motion goes on
+  const std::string& because() const { return because_; }  ///< what may be the cause, and what to do; empty where not known
   long steps() const { return steps_; }
+  /// How long the motion is to be: see `creeps`. Not told, it may take any number of steps.
+  void expect(double duration) { duration_ = duration; }
 
  protected:
   MotionIntegrator(Slope slope, Settle settle, std::vector<double> y)
@@ -40,12 +43,36 @@ class MotionIntegrator {
     return false;
   }
 
+  /// Whether steps have been this short so long that the end is out of reach: many kept ones in a row below 1e-8 of the
+  /// motion in which slopes hardly change y, `bend` = h |change of the slope| in units of the error that a step may have.
+  ///
+  /// A step of a smooth motion is as long as its error allows, so that it bends by far more. Below that only stability
+  /// keeps steps short: of a slope that jumps, or of one that changes as fast. A start, an impact or a fast vibration of
+  /// any length bends.
+  bool creeps(double h, double bend) {
+    constexpr double tiny = 1e-8, little = 100.0;
+    constexpr int patience = 20'000;
+    creeping_ = h < tiny * duration_ && bend < little ? creeping_ + 1 : 0;
+    return creeping_ > patience;
+  }
+  bool fail_creeping() {
+    because_ =
+        ": the right-hand side jumps here, or is as stiff as if it did. A sign or a condition that stands for dry friction or a contact "
+        "is to be said as one, dry_friction(...) or contact(...), which are moved from event to event; any other is to be made smooth. "
+        "A stiff motion asks for --method radau";
+    return fail("steps stay below 1e-8 of the motion");
+  }
+
   Slope slope_;
   Settle settle_;
   double t_ = 0.0;
   std::vector<double> y_;
-  std::string status_;
+  std::string status_, because_;
   long steps_ = 0;
+
+ private:
+  double duration_ = 0.0;
+  int creeping_ = 0;
 };
 
 }  // namespace torsor

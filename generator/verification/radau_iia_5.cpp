@@ -19,6 +19,9 @@ const std::array<std::array<double, 3>, 3> radau_matrix{
 const double real_shift = 30 / (6 + std::cbrt(81.0) - std::cbrt(9.0));
 const std::array<double, 3> estimate_weights{-(13 + 7 * root6) / 3, (-13 + 7 * root6) / 3, -1.0 / 3};
 
+/// The estimate has order 3: held to this, the solution of order 5 meets the tolerance.
+double of_estimate(double tolerance) { return 0.1 * std::pow(tolerance, 2.0 / 3); }
+
 /// Gauss elimination with the largest pivot of each column; the columns stay in place.
 class RadauFactors {
  public:
@@ -132,11 +135,10 @@ double RadauIia5::attempt(double h) {
   const RadauFactors filter(std::move(shifted));
   if (!filter.regular()) return std::nan("");
   filter.solve(error);
-  // The estimate has order 3: held to this, the solution of order 5 meets the tolerance.
-  const double of_estimate = 0.1 * std::pow(tolerance_, 2.0 / 3);
+  const double allowed = of_estimate(tolerance_);
   double square = 0.0;
   for (std::size_t p = 0; p < n; ++p) {
-    const double share = error[p] / (of_estimate * (1 + std::max(std::abs(y_[p]), std::abs(next_[p]))));
+    const double share = error[p] / (allowed * (1 + std::max(std::abs(y_[p]), std::abs(next_[p]))));
     square += share * share;
   }
   return std::sqrt(square / static_cast<double>(n));
@@ -161,11 +163,17 @@ bool RadauIia5::advance(double end) {
       if (++refused > patience || h_ < least) return fail("the steps have become too short");
       continue;
     }
+    const std::vector<double> slope_before = slope_here_;
     t_ = reached;
     y_ = next_;
     ++steps_;
     linear = false;
     if (!slope_(t_, y_, slope_here_)) return fail("there is no acceleration");
+    double bend = 0.0;
+    for (std::size_t p = 0; p < y_.size(); ++p) {
+      bend = std::max(bend, h * std::abs(slope_here_[p] - slope_before[p]) / (of_estimate(tolerance_) * (1 + std::abs(y_[p]))));
+    }
+    if (creeps(h, bend)) return fail_creeping();
     h_ = refused > 0 ? h : h < 0.99 * h_ ? std::max(h * factor, h_) : h * factor;
     refused = 0;
   }

@@ -59,7 +59,9 @@ class Samples {
 class Motion extends Samples {
   /// Values by name: parameters, inputs, start values of coordinates (`start`) and velocities (`speeds`, which have their
   /// coordinates' names). What is not named has the value of the scene, or 1 for a parameter without one.
-  constructor(mechanism, { parameters = {}, inputs = {}, start = {}, speeds = {}, interval = 1 / 60, tolerance = 1e-12 } = {}) {
+  /// `latest` is the one of `start` ("q") or `speeds` ("q'") that stays where not all can; `closed` is a whole state that
+  /// fulfils the constraints, for a motion that starts there.
+  constructor(mechanism, { parameters = {}, inputs = {}, start = {}, speeds = {}, latest = null, closed = null, interval = 1 / 60, tolerance = 1e-12 } = {}) {
     super(mechanism, interval);
     this.parameters = mechanism.defaultParameters();
     mechanism.parameters.forEach((each, i) => {
@@ -77,11 +79,13 @@ class Motion extends Samples {
     this.projection = new Projection(mechanism, this.precomputed);
     const settle = (t, at) => this.projection.settle(t, at);
     this.start = Float64Array.from(y);
-    const closed = settle(0, y);
-    if (!closed) this.status = "«the constraints could not be closed at the start»";
+    if (closed) y.set(closed);
+    const stands = closed ? settle(0, y) : this.close(y, { start, speeds, latest });
+    this.moved = stands ? this.movedFrom(y, { start, speeds }) : [];
+    if (!stands) this.status = "«the constraints could not be closed at the start»";
     else if (!mechanism.forward_dynamics) this.status = "«the mechanism's accelerations are not determined»";
     if (this.status !== "ok") {
-      this.samples.push(closed ? y : this.start);
+      this.samples.push(stands ? y : this.start);
       return;
     }
     const needsSettling = mechanism.multipliers.length > 0 || mechanism.quaternions.length > 0;
@@ -89,6 +93,45 @@ class Motion extends Samples {
                                      { tolerance, settle: needsSettling ? settle : null, stepLimit: 2e6 });
     this.status = this.integrator.status;
     this.samples.push(Float64Array.from(y));
+  }
+
+  /// Velocities that go with each position: all three of a quaternion.
+  freedoms() {
+    const all = [];
+    for (let j = 0; all.length < this.nq;) {
+      const turns = this.mechanism.quaternions.includes(all.length);
+      const own = turns ? [j, j + 1, j + 2] : [j];
+      all.push(...Array(turns ? 4 : 1).fill(own));
+      j += own.length;
+    }
+    return all;
+  }
+
+  /// Puts the start onto the constraints. What is asked for stays where the other numbers can follow; else the latest alone,
+  /// else nothing. False where the constraints cannot be closed near there.
+  close(y, { start, speeds, latest }) {
+    const { coordinates, velocities } = this.mechanism, freedoms = this.freedoms(), asked = Float64Array.from(y);
+    const kept = (ofPosition, ofRate) => ({
+      positions: [...new Set(coordinates.flatMap(({ name }, i) => (ofPosition(name) ? freedoms[i] : [])))],
+      rates: velocities.flatMap(({ name }, i) => (ofRate(name) ? [i] : [])),
+    });
+    const all = kept((name) => name in start, (name) => name in speeds);
+    const last = kept((name) => name === latest, (name) => `${name}'` === latest);
+    for (const each of [all, last]) {
+      if (each.positions.length + each.rates.length === 0) continue;
+      if (this.projection.settle(0, y, each)) return true;
+      y.set(asked);
+    }
+    return this.projection.settle(0, y);
+  }
+
+  /// What was asked for and is not there: that a closed start is typed in few digits is no news.
+  movedFrom(y, { start, speeds }) {
+    const moved = [], { coordinates, velocities } = this.mechanism;
+    const compare = (name, asked, value) => { if (Math.abs(value - asked) > 1e-3 * (1 + Math.abs(asked))) moved.push({ name, asked, value }); };
+    coordinates.forEach(({ name }, i) => name in start && compare(name, start[name], y[i]));
+    velocities.forEach(({ name }, i) => name in speeds && compare(coordinates.some((each) => each.name === name) ? `${name}'` : name, speeds[name], y[this.nq + i]));
+    return moved;
   }
 
   slope(t, y, slope) {

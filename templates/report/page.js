@@ -11,11 +11,14 @@ const reference = read(element("reference")), recording = read(element("recordin
 const still = window.matchMedia("(prefers-reduced-motion: reduce)").matches;
 
 const chosen = { parameters: {}, inputs: {}, start: {}, speeds: {} };
+/// Of a start that is to be put on the constraints: the slider that was moved last, and the state that the page was made with.
+let latest = null, closed = null, startRows = [];
 /// What the page was made with, in place of the scene's start and of inputs that are zero.
 function asGiven() {
   for (const each of Object.values(chosen)) for (const name of Object.keys(each)) delete each[name];
-  const { initial = {}, inputs = {} } = read(element("given")) ?? {}, coordinates = new Set(mechanism.coordinates.map((each) => each.name));
+  const given = read(element("given")) ?? {}, { initial = {}, inputs = {} } = given, coordinates = new Set(mechanism.coordinates.map((each) => each.name));
   Object.assign(chosen.inputs, inputs);
+  [latest, closed] = [null, given.closed ?? null];
   for (const [name, value] of Object.entries(initial)) {
     if (coordinates.has(name)) chosen.start[name] = value;
     else chosen.speeds[name.endsWith("'") ? name.slice(0, -1) : name] = value;
@@ -25,8 +28,10 @@ if (mechanism) asGiven();
 let mode = null, until = scene.duration, motion = null, picture = null, viewer = null, plots = [], playing = !still, now = 0, last = 0, told = "", traces = [];
 
 function restart(keepTime) {
-  mode = null;
-  motion = recording ? new Playback(mechanism, recording) : new Motion(mechanism, chosen);
+  mode = null;  // modes belong to the parameters that they were found with
+  element("modes").replaceChildren();
+  element("rest").textContent = "";
+  motion = recording ? new Playback(mechanism, recording) : new Motion(mechanism, { ...chosen, latest, closed });
   torsorReport.current = motion;
   if (!keepTime) now = 0;
   told = "";
@@ -76,11 +81,14 @@ function row(parent, { name, unit, value, low, high, change }) {
     if (from !== number) number.value = Number(next.toPrecision(6));
     change(next);
     restart();
+    startRows.forEach((each) => each.line !== line && each.show(motion.samples[0][each.place]));
   };
   slider.addEventListener("input", () => set(Number(slider.value), slider));
   number.addEventListener("change", () => number.value !== "" && set(Number(number.value), number));
   line.append(text, slider, number, units);
   parent.append(line);
+  const show = (next) => { [slider.value, number.value] = [next, Number(next.toPrecision(6))]; };
+  return { line, show };
 }
 
 function range(value, unit) {
@@ -96,24 +104,31 @@ function heading(parent, text) {
 }
 
 function buildSliders() {
-  const parent = element("sliders"), first = new Motion(mechanism, chosen);
+  const parent = element("sliders"), first = new Motion(mechanism, { ...chosen, latest, closed }), begins = first.samples[0];
   parent.replaceChildren();
+  startRows = [];
   const known = new Set(mechanism.coordinates.map((each) => each.name));
   const shown = (symbol) => (mechanism.velocities.includes(symbol) && known.has(symbol.name) ? `${symbol.name}'` : symbol.name);
-  const add = (symbols, title, valueOf, store, limits) => {
+  const add = (symbols, title, valueOf, store, limits, place = -1) => {
     if (symbols.length === 0) return;
     heading(parent, title);
     symbols.forEach((symbol, i) => {
       const value = valueOf(i), [low, high] = limits(value, symbol.unit);
-      row(parent, { name: shown(symbol), unit: symbol.unit, value, low, high, change: (next) => { store[symbol.name] = next; } });
+      const change = (next) => {
+        store[symbol.name] = next;
+        if (store !== chosen.inputs) closed = null;
+        if (place >= 0) latest = store === chosen.speeds ? `${symbol.name}'` : symbol.name;
+      };
+      const made = row(parent, { name: shown(symbol), unit: symbol.unit, value, low, high, change });
+      if (place >= 0) startRows.push({ ...made, place: place + i });
     });
   };
   add(mechanism.parameters, "«Parameters»", (i) => first.parameters[i], chosen.parameters, range);
   add(mechanism.inputs, "«Inputs, constant in time»", (i) => first.inputs[i], chosen.inputs, (value) => [Math.min(-10, 2 * value), Math.max(10, 2 * value)]);
   const spread = (value, unit) => (unit === "rad" ? range(value, unit) : [Math.min(-1, 2 * value), Math.max(1, 2 * value)]);
-  add(mechanism.coordinates, "«Start: coordinates»", (i) => first.start[i], chosen.start, spread);
-  add(mechanism.velocities, "«Start: velocities»", (i) => first.start[first.nq + i], chosen.speeds,
-      (value) => [Math.min(-10, 2 * value), Math.max(10, 2 * value)]);
+  add(mechanism.coordinates, "«Start: coordinates»", (i) => begins[i], chosen.start, spread, 0);
+  add(mechanism.velocities, "«Start: velocities»", (i) => begins[first.nq + i], chosen.speeds,
+      (value) => [Math.min(-10, 2 * value), Math.max(10, 2 * value)], first.nq);
 }
 
 /// Velocity over coordinate, of coordinates whose velocities are their rates; a page has room for some.
@@ -317,10 +332,21 @@ function show(fresh) {
     viewer.draw(seen);
   }
   if (recording) element("regimes").textContent = motion.regimesInWords(motion.regimesAt(sampleAt(now)));
-  const state = recording ? recordedState() : motion.status !== "ok" ? `«The motion ends: ${motion.status}.»`
+  const state = recording ? recordedState() : startInWords() + integratedState();
+  if (state !== told) element("status").textContent = told = state;
+}
+
+function integratedState() {
+  return motion.status !== "ok" ? `«The motion ends: ${motion.status}.»`
     : motion.time < until - 1e-9 ? `«Integrated until ${motion.time.toFixed(1)} s»`
     : `«Integrated until ${until} s in ${motion.integrator.steps} steps.»`;
-  if (state !== told) element("status").textContent = told = state;
+}
+
+/// Where the motion starts elsewhere than it was told to.
+function startInWords() {
+  if (motion.moved.length === 0) return "";
+  const where = motion.moved.map(({ name, asked, value }) => `${name} = ${label(value)} (${label(asked)})`).join(", ");
+  return `«The constraints do not allow these start values: the motion starts at ${where}, in brackets what was asked for.»` + " ";
 }
 
 function recordedState() {

@@ -17,11 +17,11 @@ function cholesky(matrix, n) {
 }
 
 /// The least change dv, in the metric of the factor L L', with A dv = right for the given rows of A (m rows, n columns,
-/// column by column). Rows that others repeat within 1e-9 are left out.
-function leastChange(jacobian, m, n, factor, rows, right) {
+/// column by column) and dv = 0 at the places kept, which the factor knows. Rows that others repeat within 1e-9 are left out.
+function leastChange(jacobian, m, n, factor, rows, right, kept) {
   // Rows of A L'^-1, made orthonormal, the longest remainder first.
   const own = rows.map((row) => {
-    const b = Float64Array.from({ length: n }, (_, j) => jacobian[j * m + row]);
+    const b = Float64Array.from({ length: n }, (_, j) => (kept.includes(j) ? 0 : jacobian[j * m + row]));
     for (let j = 0; j < n; ++j) {
       for (let k = 0; k < j; ++k) b[j] -= factor[k * n + j] * b[k];
       b[j] /= factor[j * n + j];
@@ -126,10 +126,12 @@ class Projection {
     }
   }
 
-  metric() {
+  /// What is kept is out of the problem: nothing couples with it.
+  metric(kept) {
     const { nv } = this;
     if (this.mechanism.mass_matrix) {
       this.mechanism.mass_matrix(this.precomputed, this.state, this.mass);
+      for (const i of kept) for (let j = 0; j < nv; ++j) this.mass[i * nv + j] = this.mass[j * nv + i] = i === j ? 1 : 0;
       const factor = cholesky(this.mass, nv);
       if (factor) return factor;
     }
@@ -140,8 +142,9 @@ class Projection {
     return rows.reduce((most, row) => Math.max(most, Math.abs(values[row]) / this.scale[row]), 0);
   }
 
-  /// False where the constraints cannot be closed near y.
-  settle(t, y) {
+  /// False where the constraints cannot be closed near y. Positions that go with the velocities at places of `kept.positions`
+  /// stay as they are, and velocities at places of `kept.rates`.
+  settle(t, y, kept = { positions: [], rates: [] }) {
     this.normalise(y);
     if (!this.m) return y.every(Number.isFinite);
     if (!this.holonomic) this.findHolonomic(t, y);
@@ -154,12 +157,12 @@ class Projection {
       if (open <= 1e-15 * sizes || (open >= before / 2 && open <= 1e-12 * sizes)) break;
       if (round > 20 && !(open < before)) return false;
       before = open;
-      this.displace(t, y, leastChange(this.jacobian, m, nv, this.metric(), holonomic, this.value.map((f) => -f)));
+      this.displace(t, y, leastChange(this.jacobian, m, nv, this.metric(kept.positions), holonomic, this.value.map((f) => -f), kept.positions));
       if (!this.read(t, y)) return false;
     }
     if (this.largest(this.value, holonomic) > 1e-9 * sizes) return false;
     for (let round = 0; round < 2; ++round) {
-      const change = leastChange(this.jacobian, m, nv, this.metric(), all, this.rate.map((rate) => -rate));
+      const change = leastChange(this.jacobian, m, nv, this.metric(kept.rates), all, this.rate.map((rate) => -rate), kept.rates);
       for (let i = 0; i < nv; ++i) y[nq + i] += change[i];
       if (!this.read(t, y)) return false;
     }

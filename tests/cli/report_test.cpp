@@ -363,6 +363,11 @@ TEST(Report, SaysWhyAMotionWithContactsCannotStart) {
   EXPECT_FALSE(contains(page, "<script id=\"recording\""));
 }
 
+TEST(Report, RefusesAStateOfOtherNames) {
+  EXPECT_EQ(run(pendulum, {"report", "--about", "thetta=1"}).code, 2);
+  EXPECT_EQ(run(pendulum, {"report", "--about", "theta=1"}).code, 0);
+}
+
 TEST(Report, RefusesALengthThatIsNoTime) {
   for (const char* to : {"nan", "inf", "0", "-1"}) {
     EXPECT_EQ(run(pendulum, {"report", "--to", to}).code, 2) << to;

@@ -291,6 +291,50 @@ TEST(Simulate, WritesTheUnitOfEachFirstIntegral) {
   }
 }
 
+/// 1 kg at 1 m/s, which a force of 2 N brakes by its sign: at rest at t = 1/2 s, x = 1/4 m, from where the sign jumps.
+Scene braked() {
+  Scene scene("braked");
+  const Expression x = scene.coordinate("x", "m");
+  const FrameHandle block = scene.prismatic("block", scene.ground(), axis::x, x);
+  scene.body("block", block, Inertia::point(Expression::quantity("1", "kg")));
+  scene.generalised_force("dry", x, -Expression::quantity("2", "N") * sign(rate(x)));
+  scene.initial(x, 0, 1);
+  return scene;
+}
+
+TEST(Simulate, EndsWhereTheRightHandSideJumps) {
+  for (const std::vector<std::string>& method : {std::vector<std::string>{}, {"--method", "radau", "--tolerance", "1e-8"}}) {
+    std::vector<std::string> words{"simulate", "--to", "1", "--step", "0.25"};
+    words.insert(words.end(), method.begin(), method.end());
+    const Outcome outcome = run(braked, words);
+    EXPECT_EQ(outcome.code, 1);
+    const auto rows = table(outcome.out).second;
+    ASSERT_EQ(rows.size(), 3U);
+    // Near the jump an error of the rate is below one step's, of the place below that over the time of a step.
+    EXPECT_NEAR(rows.back()[1], 0.25, 1e-7);
+    EXPECT_NE(outcome.err.find("steps stay below 1e-8 of the motion at t = 0.5"), std::string::npos) << outcome.err;
+    EXPECT_NE(outcome.err.find("the right-hand side jumps here"), std::string::npos) << outcome.err;
+    EXPECT_NE(outcome.err.find("; state: x = 0.25"), std::string::npos) << outcome.err;
+  }
+}
+
+// The table and the picture are both written, or none of them.
+TEST(Simulate, WritesTableAndPictureTogether) {
+  const auto folder = std::filesystem::temp_directory_path() / "torsor_simulate_together_test";
+  std::filesystem::create_directories(folder);
+  const auto simulated = [&](const std::string& table, const std::string& picture) {
+    return run(pendulum, {"simulate", "--to", "0.1", "-o", table, "--plot", picture, "theta"});
+  };
+  const std::string one = (folder / "x.svg").string(), again = (folder / "." / "x.svg").string();
+  EXPECT_EQ(simulated(one, one).code, 2);
+  EXPECT_EQ(simulated(again, one).code, 2);
+  EXPECT_EQ(simulated((folder / "none" / "x.csv").string(), one).code, 3);
+  EXPECT_TRUE(std::filesystem::is_empty(folder));
+  EXPECT_EQ(simulated((folder / "x.csv").string(), one).code, 0);
+  EXPECT_TRUE(std::filesystem::exists(one) && std::filesystem::exists(folder / "x.csv"));
+  std::filesystem::remove_all(folder);
+}
+
 TEST(Simulate, SaysThatConstraintsCannotBeClosed) {
   const Outcome outcome = run(impossible, {"simulate"});
   EXPECT_NE(outcome.code, 0);

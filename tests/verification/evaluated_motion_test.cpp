@@ -79,6 +79,21 @@ TEST(RadauIia5, FollowsWhatIsSlowInAStiffMotion) {
   EXPECT_LT(motion.steps(), 2000);
 }
 
+// Steps far below 1e-8 of a motion, more than are allowed where a slope jumps: a vibration bends in each of them.
+TEST(DormandPrince853, FollowsAVibrationThatIsShortBesideTheMotion) {
+  DormandPrince853 motion(
+      [](double, const std::vector<double>& y, std::vector<double>& rates) {
+        rates = {y[1], -y[0]};
+        return true;
+      },
+      {}, {1.0, 0.0}, 1e-10);
+  motion.expect(1e12);
+  ASSERT_TRUE(motion.advance(20000.0)) << motion.status();
+  EXPECT_GT(motion.steps(), 20000);
+  // Each step errs by 1e-10 (1 + |y|) at most, and the oscillator keeps the length of what was added.
+  EXPECT_NEAR(motion.state()[0], std::cos(20000.0), 2e-10 * static_cast<double>(motion.steps()));
+}
+
 TEST(RadauIia5, FollowsACircle) {
   RadauIia5 motion(
       [](double, const std::vector<double>& y, std::vector<double>& rates) {

@@ -116,7 +116,12 @@ constexpr Translation french_of_report[] = {
     {"the mechanism has constraints", "le mécanisme a des équations de liaison"},
     {"an attitude is a quaternion", "une orientation est un quaternion"},
     {"the page has no mass matrix", "la page n'a pas de matrice de masse"},
-    {"the mechanism is driven", "un mouvement est imposé au mécanisme"},
+    {"time enters its masses or its forces", "le temps figure dans ses masses ou ses forces"},
+    {"The constraints do not allow these start values: the motion starts at ${where}, in brackets what was asked for.",
+     "Les équations de liaison ne permettent pas ces valeurs initiales : le mouvement part de ${where}, entre parenthèses ce qui était "
+     "demandé."},
+    {"The scene gives these parameters no value, and the motion here takes 1 for them until a slider says otherwise: {}.",
+     "Le modèle ne donne pas de valeur à ces paramètres, et le mouvement prend 1 pour eux jusqu'à ce qu'un curseur en décide : {}."},
     {"the masses are not positive there", "les masses n'y sont pas positives"},
     {"the forces there have no potential energy", "les efforts n'y dérivent pas d'une énergie potentielle"},
     {"no rest was found near this state", "aucun équilibre n'est trouvé près de cet état"},

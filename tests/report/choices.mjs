@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// choices.mjs PROGRAMS FOLDER: what a page makes of laws of time, of parameters that follow others or have no value, and of
+// start values that constraints do not allow. PROGRAMS is the folder of shaken_scene, following_scene and four_bar_scene.
+import { execFileSync } from "node:child_process";
+import { mkdirSync, readFileSync } from "node:fs";
+import { join } from "node:path";
+import vm from "node:vm";
+
+const [programs, folder] = process.argv.slice(2);
+mkdirSync(folder, { recursive: true });
+const failures = [];
+const expect = (holds, words) => { if (!holds) failures.push(words); };
+const near = (values, wanted, off) => wanted.every((value, i) => Math.abs(values[i] - value) <= off);
+
+/// The page of a scene: its text, what its scripts leave, what it was given.
+function opened(name, ...options) {
+  const file = join(folder, `${name}.html`);
+  execFileSync(join(programs, `${name}_scene`), ["report", "--output", file, ...options]);
+  const text = readFileSync(file, "utf8"), context = vm.createContext({});
+  for (const id of ["mechanism", "script-integrator", "script-projection", "script-motion", "script-modes"]) {
+    vm.runInContext(new RegExp(`<script id="${id}">\n([^]*?)</script>`).exec(text)[1], context);
+  }
+  const given = /<script id="given" type="application\/json">(.*?)<\/script>/.exec(text);
+  return { text, mechanism: context.torsorMechanism, ...context.torsorReport, given: given && JSON.parse(given[1]) };
+}
+
+{  // Mathieu's equation: where the pendulum hangs nothing accelerates it at any time, and yet there are no modes.
+  const { mechanism, Motion, SmallMotions } = opened("shaken"), small = new SmallMotions(new Motion(mechanism), [0]);
+  expect(small.modes.length === 0 && small.why.includes("time enters"), `modes of a shaken pendulum: ${small.why}`);
+}
+{  // k = 4: x'' = 4 x - x', of which r^2 + r - 4 = 0 has the roots (-1 +- sqrt 17)/2. A slip of 1e-12 a step grows as x does.
+  const { text, mechanism, Motion, SmallMotions } = opened("following"), motion = new Motion(mechanism, { parameters: { k: 4 } });
+  while (motion.time < 2 - 1e-9 && motion.extend());
+  const [r, s] = [1, -1].map((sign) => (-1 + sign * Math.sqrt(17)) / 2), wanted = (s * Math.exp(2 * r) - r * Math.exp(2 * s)) / (s - r);
+  expect(near(motion.samples[120], [wanted], 1e-9), `x(2) = ${motion.samples[120][0]} instead of ${wanted}`);
+  expect(mechanism.parameters.map(({ name }) => name).join() === "m,k,c", "what follows has a slider");
+  expect(/take[s]? 1 for them[^<]*: m\./.test(text), "the page does not say that m has no value");
+  // As the scene states it: k - b = 1/2 N/m.
+  const { modes } = new SmallMotions(new Motion(mechanism), [0.1]);
+  expect(modes.length === 1 && Math.abs(modes[0].square - 0.5) < 1e-8, `a mode is lost: ${modes.length}`);
+}
+{  // A parallelogram is closed where b = -a and c = a.
+  const { mechanism, Motion, given } = opened("four_bar", "--initial", "a=1");
+  const start = (options) => new Motion(mechanism, options), closed = [1, -1, 1, 0, 0, 0];
+  expect(near(given.closed, closed, 1e-14), `the page is given the start ${given.closed}`);
+  expect(near(start({ start: given.initial, closed: given.closed }).samples[0], closed, 1e-14), "the page starts elsewhere than simulate");
+  const held = start({ start: { a: 1 }, speeds: { a: 2 } });
+  expect(near(held.samples[0], [1, -1, 1, 2, -2, 2], 1e-13) && held.moved.length === 0, `what is asked for moves: ${held.samples[0]}`);
+  const late = start({ start: { a: 1, b: -0.5 }, latest: "b" });
+  expect(near(late.samples[0], [0.5, -0.5, 0.5, 0, 0, 0], 1e-13), `the slider that was moved last does not stay: ${late.samples[0]}`);
+  expect(late.moved.length === 1 && late.moved[0].name === "a" && late.moved[0].asked === 1, "the page does not know that a moved");
+}
+
+for (const each of failures) console.error(each);
+process.exit(failures.length > 0 ? 1 : 0);
