@@ -334,8 +334,9 @@ std::string report_html(const Scene& scene, const ReportOptions& options) {
        {"structure_words", html_lines(words([&] { return structure_text(scene, {}, say); }))},
        {"equations", equations},
        {"further", closed(markup([&] { return unknowns_page(scene, say); }))},
+       // A state to linearise about need not be a rest: its section then says so.
        {"statics", closed(without_long_sections(
-                       markup([&] { return statics_text(scene, options.about, {}, {Format::html, false, say}); }, about), "statics", say))},
+                       markup([&] { return statics_text(scene, options.about, {}, {Format::html, false, say}); }), "statics", say))},
        {"formula_note",
         with_katex ? "" : note(say("Formulas are shown as text: KaTeX was not there when torsor was built."))},
        {"motion_note", motion_note(motion, say)},

@@ -366,6 +366,10 @@ TEST(Report, SaysWhyAMotionWithContactsCannotStart) {
 TEST(Report, RefusesAStateOfOtherNames) {
   EXPECT_EQ(run(pendulum, {"report", "--about", "thetta=1"}).code, 2);
   EXPECT_EQ(run(pendulum, {"report", "--about", "theta=1"}).code, 0);
+  // A steady motion to linearise about is no rest: that section of the page says so.
+  const auto steady = run(pendulum, {"report", "--about", "theta'=1"});
+  EXPECT_EQ(steady.code, 0);
+  EXPECT_NE(steady.out.find("at a rest every rate is zero"), std::string::npos);
 }
 
 TEST(Report, RefusesALengthThatIsNoTime) {
