@@ -27,6 +27,8 @@ function(torsor_add_mechanism name)
     message(FATAL_ERROR "torsor_add_mechanism(${name}): '${mechanism_UNPARSED_ARGUMENTS}' is no argument; "
                         "the arguments are SCENE or URDF, KERNELS, OUTPUT_NAME, RUN_TIME, SUPPORT, OPTIONS and SHARED")
   endif()
+  # An empty list is no RUN_TIME parameter and no option: OPTIONS ${more}.
+  list(REMOVE_ITEM mechanism_KEYWORDS_MISSING_VALUES RUN_TIME OPTIONS)
   if(mechanism_KEYWORDS_MISSING_VALUES)
     list(JOIN mechanism_KEYWORDS_MISSING_VALUES ", " missing)
     message(FATAL_ERROR "torsor_add_mechanism(${name}): nothing stands behind ${missing}; give a value, or leave the keyword out")

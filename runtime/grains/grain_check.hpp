@@ -26,7 +26,7 @@ enum class GrainStatus : int {
   not_converged,  ///< the residual is above the tolerance: the grains moved, less exactly than was asked for
   invalid,        ///< a grain, a wall, a parameter or an option is refused: nothing moved
   not_finite,     ///< numbers overflowed in the step: what moved is of no use
-  too_fast,       ///< grains pass through each other or through a segment before contacts are looked for again
+  too_fast,       ///< grains pass, or may, through each other or a segment before contacts are looked for again
 };
 
 [[nodiscard]] constexpr std::string_view describe(GrainStatus status) noexcept {
@@ -40,7 +40,7 @@ enum class GrainStatus : int {
     case GrainStatus::not_finite:
       return "numbers overflowed: look for sizes, masses or velocities that are far apart";
     case GrainStatus::too_fast:
-      return "grains move by so many radii in a step that they pass through each other or through a segment: shorten the step";
+      return "grains move by so many radii in a step that they pass through each other or a segment, or may: shorten the step";
   }
   return "unknown status of grains";
 }

@@ -34,7 +34,8 @@ struct GrainStep {
 /// that hold them, and islands that have not moved for a while sleep (`GrainIslands`). Overlaps are put back by
 /// displacements that do not become velocities. Grains that pass through others, for a step that is too long, are told by
 /// the status `too_fast` (`GrainPassage`). The bits do not depend on the number of threads. Nothing is allocated
-/// after the first step while contacts are few enough (`GrainContacts::usual`). Source: Acary & Brogliato 2008,
+/// after the first step, and the first in which grains move by more than a radius, while contacts are few enough
+/// (`GrainContacts::usual`). Source: Acary & Brogliato 2008,
 /// chapter 10.
 template <int dim>
 class GrainMotion {
@@ -59,8 +60,8 @@ class GrainMotion {
     islands_.wake_touched(grains_, contacts_.all());
     double least = INFINITY;
     for (const double R : grains_.radius) least = std::min(least, R);
-    bool passes = !started_ && passage_.happens(grains_, h / 2);  // later this is asked of whole steps
-    started_ = true;
+    // Of the way that the last step foresaw this has been asked.
+    bool passes = !(h == asked_h_ && grains_.v == asked_v_) && passage_.happens(grains_, h / 2);
     for (std::size_t i = 0; i < count; ++i) {
       grains_.x[i] += h / 2 * grains_.v[i];
       grains_.turned[i] += h / 2 * grains_.w[i];
@@ -89,6 +90,8 @@ class GrainMotion {
       contacts_.colour(static_cast<std::uint32_t>(count), [this](std::uint32_t i) { return !islands_.asleep(i); });
     }
     project(count, result);
+    asked_h_ = h;
+    asked_v_ = grains_.v;
     passes = passage_.happens(grains_, h) || passes;  // until contacts are looked for again, in the middle of the next step
     if (passes && result.status == GrainStatus::ok) {
       result.status = GrainStatus::too_fast;
@@ -277,7 +280,8 @@ class GrainMotion {
   GrainSolver<dim> solver_;
   GrainIslands<dim> islands_;
   GrainPassage<dim> passage_;
-  bool started_ = false;
+  double asked_h_ = 0;  ///< of the last question whether grains pass, with their velocities
+  std::vector<Vector> asked_v_;
   std::vector<GrainWall<dim>> known_;
   Vector gravity_ = Vector::Zero();
   double friction_ = 0, restitution_ = 0;

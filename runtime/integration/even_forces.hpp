@@ -14,8 +14,8 @@ namespace torsor::runtime {
 /// is: what is even in v in the bias, beyond what is there at rest, is then not Ṁ v - ∂T₂/∂q alone.
 ///
 /// Both are compared at one state, ∂M/∂q_k by central differences. Each length of difference has a bound of its own
-/// error: its distance from that of half the length, and roundings of M. It is false where differences of some length
-/// agree within their bound, the best bound or that of the shortest; where a value is no number nothing is learnt.
+/// error: its distance from that of half the length, and roundings of M. The least bound decides, of lengths that agree
+/// with all shorter ones; where a value is no number nothing is learnt.
 template <MechanismModel M>
 requires HasMassMatrixAndBias<M>
 [[nodiscard]] bool has_forces_even_in_velocities(const typename M::Precomputed& precomputed,
@@ -51,19 +51,20 @@ requires HasMassMatrixAndBias<M>
     of_forces = std::max(of_forces, force / weight[i]);
   }
 
-  // Ṁ v - ∂T₂/∂q, `length` being that of differences beside the size of each coordinate, and its roundings.
+  // Ṁ v - ∂T₂/∂q, by differences of that length, and its roundings.
   const auto christoffel = [&](Scalar length, Vector& c, Vector& rounding) {
     c.fill(Scalar(0));
     rounding.fill(Scalar(0));
     for (std::size_t k = 0; k < n; ++k) {
-      typename M::State before = rest, behind = rest;
-      const Scalar reach = length * std::max(Scalar(1), std::abs(state.q[at(k)]));
-      before.q[at(k)] -= reach;
-      behind.q[at(k)] += reach;
-      const Scalar apart = behind.q[at(k)] - before.q[at(k)];
+      typename M::State below = rest, above = rest;
+      // The angles that a rotor has turned by are no scale of M; but they must change.
+      const Scalar reach = std::max(length, Scalar(64) * epsilon * std::abs(state.q[at(k)]));
+      below.q[at(k)] -= reach;
+      above.q[at(k)] += reach;
+      const Scalar apart = above.q[at(k)] - below.q[at(k)];
       Matrix less{}, more{};
-      M::mass_matrix(precomputed, before, less);
-      M::mass_matrix(precomputed, behind, more);
+      M::mass_matrix(precomputed, below, less);
+      M::mass_matrix(precomputed, above, more);
       for (std::size_t i = 0; i < n; ++i) {
         Scalar row = Scalar(0);
         for (std::size_t j = 0; j < n; ++j) row += (more[j * n + i] - less[j * n + i]) / apart * v[j];
@@ -75,27 +76,27 @@ requires HasMassMatrixAndBias<M>
     }
   };
 
-  Vector bound_of_best, excess_of_best{}, excess{};
-  bound_of_best.fill(std::numeric_limits<Scalar>::infinity());
-  for (int j = 0; j < 3; ++j) {
-    const Scalar length = std::pow(epsilon, static_cast<Scalar>(8 + 6 * j) / Scalar(52));  // of double 2^-8, 2^-14, 2^-20
+  // From the shortest length on, which rounding rules: a longer one tells more where it agrees with those before it, and
+  // where it does not it is longer than what M varies over.
+  Vector known{}, bound_of_known;
+  bound_of_known.fill(std::numeric_limits<Scalar>::infinity());
+  for (int j = 4; j >= 0; --j) {
+    const Scalar length = std::pow(epsilon, static_cast<Scalar>(8 + 6 * j) / Scalar(52));  // of double 2^-32 to 2^-8
     Vector c, c_of_half, rounding, rounding_of_half;
     christoffel(length, c, rounding);
     christoffel(half * length, c_of_half, rounding_of_half);
     for (std::size_t k = 0; k < n; ++k) {
-      const Scalar even = half * (forward[at(k)] + backward[at(k)]) - still[at(k)];
-      // A bias may lose some digits where terms cancel, those of other coordinates too: √M_kk has their units alike.
-      const Scalar of_bias = Scalar(1000) * epsilon * weight[k] * of_forces;
-      const Scalar bound = Scalar(4) * std::abs(c[k] - c_of_half[k]) + Scalar(32) * rounding_of_half[k] + of_bias;
-      excess[k] = std::abs(even - c_of_half[k]) - bound;
-      if (bound < bound_of_best[k]) {
-        bound_of_best[k] = bound;
-        excess_of_best[k] = excess[k];
-      }
+      const Scalar bound = Scalar(4) * std::abs(c[k] - c_of_half[k]) + Scalar(32) * rounding_of_half[k];
+      if (!(bound < bound_of_known[k]) || std::abs(c_of_half[k] - known[k]) > bound + bound_of_known[k]) continue;
+      known[k] = c_of_half[k];
+      bound_of_known[k] = bound;
     }
   }
   for (std::size_t k = 0; k < n; ++k) {
-    if (excess_of_best[k] > Scalar(0) && excess[k] > Scalar(0)) return true;
+    const Scalar even = half * (forward[at(k)] + backward[at(k)]) - still[at(k)];
+    // A bias may lose some digits where terms cancel, those of other coordinates too: √M_kk has their units alike.
+    const Scalar of_bias = Scalar(1000) * epsilon * weight[k] * of_forces;
+    if (std::abs(even - known[k]) > bound_of_known[k] + of_bias) return true;
   }
   return false;
 }

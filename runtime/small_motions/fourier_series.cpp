@@ -64,7 +64,11 @@ std::optional<FourierSeries> periodic_response(const LinearSystem& system, const
       throw std::invalid_argument("the force has " + std::to_string(forces[0].size()) + " entries and the system's own F " +
                                   std::to_string(system.F.size()) + ": give both one for each coordinate");
     }
-    forces[0] += system.F;
+    // What is left of balances that were found by numbers is no force.
+    double largest = system.F.cwiseAbs().maxCoeff();
+    for (const Eigen::VectorXcd& each : force.coefficients) largest = std::max(largest, each.cwiseAbs().maxCoeff());
+    const double rounding = 64.0 * std::numeric_limits<double>::epsilon() * largest;
+    forces[0] += (system.F.array().abs() <= rounding).select(0.0, system.F);
   }
   for (std::size_t n = 0; n < forces.size(); ++n) {
     if (forces[n].isZero(0.0)) {

@@ -36,10 +36,12 @@ NaturalModes natural_modes(const LinearSystem& system) {
         " of its size): such a system has no natural modes with real shapes in general; ask for damped_modes");
   }
   const SymmetricEigenpairs pairs = symmetric_eigenpairs(0.5 * (normal.S + normal.S.transpose()));
-  // An eigenvalue of a symmetric matrix is right to n ε of the largest; a few such are lost on the way to S.
-  const double free =
-      4.0 * static_cast<double>(system.size()) * std::numeric_limits<double>::epsilon() * pairs.values.cwiseAbs().maxCoeff();
-  const Eigen::VectorXd values = (pairs.values.array().abs() <= free).select(0.0, pairs.values);
+  // Of xᵀ S x nothing is left but rounding where it is below some n ε of |x|ᵀ |S| |x|: of that mode's own stiffnesses, not of
+  // the largest ones of all.
+  const Eigen::MatrixXd shapes = pairs.vectors.cwiseAbs();
+  const Eigen::VectorXd terms = shapes.cwiseProduct(normal.S.cwiseAbs() * shapes).colwise().sum();
+  const double part = 4.0 * static_cast<double>(system.size()) * std::numeric_limits<double>::epsilon();
+  const Eigen::VectorXd values = (pairs.values.array().abs() <= part * terms.array()).select(0.0, pairs.values);
   NaturalModes modes{values * (normal.sigma * normal.sigma), normal.coordinates(pairs.vectors)};
   for (Eigen::Index k = 0; k < modes.shapes.cols(); ++k) {
     if (modes.shapes(leading_entry(modes.shapes.col(k), system.M), k) < 0.0) modes.shapes.col(k) *= -1.0;

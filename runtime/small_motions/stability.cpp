@@ -58,31 +58,6 @@ StabilityReport by_roots(const Eigen::VectorXcd& roots, const Eigen::VectorXd& u
           text + ": roots on the imaginary axis leave the decision to the terms of higher order"};
 }
 
-/// A without the rows and columns of states that nothing depends on, or that do not change: a root 0 each. A column is
-/// rounding where each entry is beside others of its row, and a row where each is beside others of its column: entries
-/// of one row have one meaning, whatever other states are measured in, or however fast they move.
-Eigen::MatrixXd without_idle_states(Eigen::MatrixXd A) {
-  static constexpr double rounding = 1e-13;
-  const auto idle = [&A](Eigen::Index k) {
-    const Eigen::MatrixXd sizes = A.cwiseAbs();
-    const Eigen::VectorXd of_rows = sizes.rowwise().maxCoeff(), of_columns = sizes.colwise().maxCoeff();
-    return (sizes.col(k).array() <= rounding * of_rows.array()).all() ||
-           (sizes.row(k).transpose().array() <= rounding * of_columns.array()).all();
-  };
-  for (Eigen::Index k = 0; k < A.rows();) {
-    if (!idle(k)) {
-      ++k;
-      continue;
-    }
-    const Eigen::Index rest = A.rows() - k - 1;
-    A.middleRows(k, rest) = A.bottomRows(rest).eval();
-    A.middleCols(k, rest) = A.rightCols(rest).eval();
-    A.conservativeResize(A.rows() - 1, A.cols() - 1);
-    k = 0;
-  }
-  return A;
-}
-
 /// D⁻¹ A D with D of powers of 2, rows and columns of like size: the same roots, whatever the units of the states.
 /// Source: Parlett-Reinsch, Balancing a matrix for calculation of eigenvalues and eigenvectors, Num. Math. 13 (1969).
 Eigen::MatrixXd balanced(Eigen::MatrixXd A) {
@@ -104,6 +79,33 @@ Eigen::MatrixXd balanced(Eigen::MatrixXd A) {
   return A;
 }
 
+/// A, balanced, without the rows and columns of states that nothing depends on, or that do not change: a root 0 each. A
+/// column is rounding where each entry is beside others of its row, and a row where each is beside others of its column.
+/// A diagonal entry is a rate, in 1/s whatever the states are measured in: it is rounding beside the rates √|A_ij A_ji|.
+Eigen::MatrixXd without_idle_states(Eigen::MatrixXd A) {
+  static constexpr double rounding = 1e-13;
+  const double fastest = A.cwiseProduct(A.transpose()).cwiseAbs().maxCoeff();  // the square of that rate
+  const auto idle = [&](Eigen::Index k) {
+    if (std::abs(A(k, k)) > 64.0 * std::numeric_limits<double>::epsilon() * std::sqrt(fastest)) return false;
+    const Eigen::MatrixXd sizes = A.cwiseAbs();
+    const Eigen::VectorXd of_rows = sizes.rowwise().maxCoeff(), of_columns = sizes.colwise().maxCoeff();
+    return (sizes.col(k).array() <= rounding * of_rows.array()).all() ||
+           (sizes.row(k).transpose().array() <= rounding * of_columns.array()).all();
+  };
+  for (Eigen::Index k = 0; k < A.rows();) {
+    if (!idle(k)) {
+      ++k;
+      continue;
+    }
+    const Eigen::Index rest = A.rows() - k - 1;
+    A.middleRows(k, rest) = A.bottomRows(rest).eval();
+    A.middleCols(k, rest) = A.rightCols(rest).eval();
+    A.conservativeResize(A.rows() - 1, A.cols() - 1);
+    k = 0;
+  }
+  return A;
+}
+
 }  // namespace
 
 StabilityReport stability_by_eigenvalues(const LinearSystem& system, double tolerance) {
@@ -118,7 +120,7 @@ StabilityReport stability_by_eigenvalues(const Eigen::MatrixXd& A, double tolera
   if (A.rows() == 0 || A.rows() != A.cols() || !A.allFinite()) {
     throw std::invalid_argument("a state matrix must be square and finite");
   }
-  const Eigen::MatrixXd rest = balanced(without_idle_states(A));
+  const Eigen::MatrixXd rest = balanced(without_idle_states(balanced(A)));
   const Eigen::Index idle = A.rows() - rest.rows();
   if (rest.rows() == 0) return {Stability::cannot_conclude, "Liapunov: all roots of det(A - s 1) are zero"};
   const auto [roots, right] = eigenpairs(rest);

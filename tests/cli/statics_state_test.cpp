@@ -131,10 +131,24 @@ Scene rubbing_block() {
 // Friction along the slip has no direction where nothing slips.
 TEST(StaticsState, LeavesFrictionOutThatHasNoDirection) {
   const std::string text = statics(rubbing_block, {"--about", "x=0", "--about", "y=0", "--about", "z=0"});
-  EXPECT_TRUE(says(text, "At rest the friction 'slide' can be anything up to its limit, and is left out") ||
-              says(text, "at rest the friction 'slide' can be anything up to its limit, and is left out"))
-      << text;
+  EXPECT_TRUE(says(text, "At rest the friction 'slide' can be anything up to its limit, and is left out")) << text;
   EXPECT_TRUE(says(text, "z:  0 = 20 - lambda_floor")) << text;
+}
+
+Scene block_on_a_belt() {
+  testing_mechanisms::Block block;
+  const Expression u = block.scene.parameter("u", "m/s", 2);
+  block.slide(Expression::quantity("0.3", "1"), {rate(block.x) - u, 0, 0});
+  block.scene.spring("spring", block.x, quantity("5", "N/m"));
+  block.scene.gravity({0, 0, quantity("-10", "m/s^2")});
+  return block.scene;
+}
+
+// What rests on a belt that runs slips: the spring holds it against the friction.
+TEST(StaticsState, KeepsTheFrictionOfABelt) {
+  const std::string text = statics(block_on_a_belt, {});
+  EXPECT_FALSE(says(text, "is left out")) << text;
+  EXPECT_TRUE(says(text, "0.3 lambda_floor") || says(text, "3/10 lambda_floor")) << text;
 }
 
 }  // namespace

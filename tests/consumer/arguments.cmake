@@ -58,9 +58,10 @@ expect_refused("torsor_add_mechanism(arm URDF nowhere.urdf KERNELS bias)" "there
 expect_refused("torsor_add_mechanism(arm SCENE nowhere.cpp KERNELS bias)" "there is no file '${FOLDER}/source/nowhere.cpp'")
 expect_refused("torsor_add_mechanism(arm URDF . KERNELS bias)" "is a folder; URDF takes a file")
 expect_refused("torsor_add_mechanism(arm SCENE scene.cpp URDF arm.urdf KERNELS bias)" "give SCENE or URDF, not both")
-foreach(keyword SUPPORT RUN_TIME OPTIONS OUTPUT_NAME)
+foreach(keyword SUPPORT OUTPUT_NAME)
   expect_refused("torsor_add_mechanism(arm SCENE scene.cpp KERNELS bias ${keyword})" "nothing stands behind ${keyword}")
 endforeach()
+expect_arguments("torsor_add_mechanism(arm SCENE scene.cpp KERNELS bias RUN_TIME \${none} OPTIONS \${none})" "--kernels;bias")
 expect_refused("torsor_add_mechanism(arm SCENE scene.cpp KERNELS SUPPORT shared.hpp)" "nothing stands behind KERNELS")
 expect_arguments("torsor_add_mechanism(arm SCENE scene.cpp KERNELS bias OPTIONS --label \"one;word\" --other)"
   "--label;one\;word;--other")

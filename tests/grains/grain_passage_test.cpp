@@ -47,6 +47,27 @@ TEST(GrainPassage, SaysThatAGrainPassesThroughASegment) {
     }
   }
 }
+// A blow from outside between two steps is seen before the grains have moved by it.
+TEST(GrainPassage, SeesVelocitiesThatAreSetBetweenSteps) {
+  Grains<2> grains;
+  grains.gravity.setZero();
+  grains.add({0, 0}, 0.01, 1, {0, 0});
+  grains.add({0.03, 0}, 0.01, 1, {0, 0});
+  GrainMotion<2> motion(grains);
+  EXPECT_EQ(motion.step(0.02).status, GrainStatus::ok);
+  grains.v[0] = {3.5, 0};
+  EXPECT_EQ(motion.step(0.02).status, GrainStatus::too_fast);
+}
+// Grains that pass beside each other, or meet where they look for contacts, do nothing that needs a word.
+TEST(GrainPassage, IsNoneBesideEachOther) {
+  Grains<2> grains;
+  grains.gravity.setZero();
+  grains.add({0, 0}, 0.01, 1, {1.5, 0});
+  grains.add({0.1, 0.021}, 0.01, 1, {-1.5, 0});
+  GrainMotion<2> motion(grains);
+  for (int k = 0; k < 10; ++k) EXPECT_EQ(motion.step(0.01).status, GrainStatus::ok) << k;
+  EXPECT_GT(grains.x[0](0), grains.x[1](0));
+}
 // A shower falls as one: nothing passes anything, however fast it is.
 TEST(GrainPassage, LetsGrainsFallTogetherAsFastAsTheyLike) {
   Grains<2> grains;

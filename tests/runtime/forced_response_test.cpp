@@ -204,6 +204,17 @@ TEST(PeriodicResponse, TakesNoRoundingForAForce) {
   EXPECT_NEAR(small.coefficients[2](0).real(), 1e-12, 100 * rounding);
 }
 
+// The rest about which a system is linearised is known to rounding: what it leaves in F is no force.
+TEST(PeriodicResponse, TakesWhatIsLeftOfABalanceForNoForce) {
+  LinearSystem chain{Eigen::MatrixXd::Identity(2, 2), Eigen::MatrixXd::Zero(2, 2), Eigen::Matrix2d::Zero(), Eigen::VectorXd::Zero(2)};
+  chain.K << 1, -1, -1, 1;
+  const FourierSeries pull{1.0, {Eigen::Vector2cd::Zero(), Eigen::Vector2cd(1.0, -1.0)}};
+  chain.F = Eigen::Vector2d(1e-17, 0.0);
+  EXPECT_TRUE(periodic_response(chain, pull));
+  chain.F = Eigen::Vector2d(1e-3, 0.0);
+  EXPECT_FALSE(periodic_response(chain, pull));
+}
+
 TEST(PeriodicResponse, DoesNotExistWhenAHarmonicMeetsAnUndampedMode) {
   const auto third = [](double t) { return VectorXd::Constant(1, std::cos(t) + std::cos(3 * t)); };
   const LinearSystem system = undamped(MatrixXd::Identity(1, 1), MatrixXd::Constant(1, 1, 9.0));

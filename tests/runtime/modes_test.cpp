@@ -169,6 +169,14 @@ TEST(DampedModes, KeepTheInvariantsOfAnySystem) {
   }
 }
 
+TEST(NaturalModes, OfSoftDirectionsAreNotFreeBesideStiffOnes) {
+  const LinearSystem system{Eigen::MatrixXd::Identity(3, 3), Eigen::MatrixXd::Zero(3, 3),
+                            Eigen::Vector3d(4.0, 10.0, 1e16).asDiagonal(), Eigen::VectorXd::Zero(3)};
+  const NaturalModes modes = natural_modes(system);
+  EXPECT_NEAR(modes.angular_frequency(0), 2.0, 4 * rounding);
+  EXPECT_NEAR(modes.angular_frequency(1), std::sqrt(10.0), 8 * rounding);
+}
+
 TEST(ProportionalDamping, IsRecognisedWithItsTwoFactors) {
   LinearSystem system = random_system(5, 7);
   system.C = 0.3 * system.M + 0.02 * system.K;

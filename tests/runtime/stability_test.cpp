@@ -209,5 +209,15 @@ TEST(Stability, AsksForADistanceAtTheStartGivenTheOneThatIsAllowed) {
   EXPECT_EQ(stability_by_lejeune_dirichlet(one_degree(0, 2.0)).verdict, Stability::stable);
 }
 
+// x1' = -x1 + c x2, x2' = -x2: both roots are -1, whatever x2 is measured in.
+TEST(StabilityByEigenvalues, KeepsStatesThatFadeByThemselves) {
+  for (const double c : {1.0, 1e7, 1e14}) {
+    Eigen::Matrix2d A;
+    A << -1, c, 0, -1;
+    const StabilityReport report = stability_by_eigenvalues(Eigen::MatrixXd(A));
+    EXPECT_EQ(report.reason.find("that nothing depends on"), std::string::npos) << c << ": " << report.reason;
+  }
+}
+
 }  // namespace
 }  // namespace stability_test

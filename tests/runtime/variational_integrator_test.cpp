@@ -195,6 +195,52 @@ TEST(EvenForces, AreNoneWhereNoActionIsEven) {
   expect_no_even_forces<kapitza_pendulum::Mechanism<double>>("Kapitza's pendulum");
 }
 
+/// A bead of 1 kg on an arc of radius l, by its place q across: M = l²/(l² - q²), bias = ½ M'(q) v².
+struct BeadOnAnArc : mechanisms::Contract<1, 0> {
+  struct Parameters {
+    double radius = 1.0;
+  };
+  struct Precomputed {
+    double square = 1.0;
+  };
+  static Parameters default_parameters() noexcept { return {}; }
+  static Precomputed precompute(const Parameters& p) noexcept { return {p.radius * p.radius}; }
+  static void mass_matrix(const Precomputed& p, const State& s, std::array<double, 1>& mass) noexcept {
+    mass = {p.square / (p.square - s.q[0] * s.q[0])};
+  }
+  static void bias(const Precomputed& p, const State& s, GeneralizedForces& h) noexcept {
+    const double rest = p.square - s.q[0] * s.q[0];
+    h[0] = p.square * s.q[0] * s.v[0] * s.v[0] / (rest * rest);
+  }
+};
+
+/// A crank with a heavy slide: M = 2 + cos q, whatever it has turned by.
+struct Crank : mechanisms::Contract<1, 0> {
+  struct Parameters {};
+  struct Precomputed {};
+  static Parameters default_parameters() noexcept { return {}; }
+  static Precomputed precompute(const Parameters&) noexcept { return {}; }
+  static void mass_matrix(const Precomputed&, const State& s, std::array<double, 1>& mass) noexcept { mass = {2 + std::cos(s.q[0])}; }
+  static void bias(const Precomputed&, const State& s, GeneralizedForces& h) noexcept {
+    h[0] = -std::sin(s.q[0]) * s.v[0] * s.v[0] / 2;
+  }
+};
+
+TEST(EvenForces, AreNoneHoweverSmallALengthOrLargeAnAngleIs) {
+  for (const double radius : {1.0, 1e-3, 1e-5, 1e-6, 1e-7}) {
+    for (int place = 0; place < 200; ++place) {
+      const BeadOnAnArc::State state{0.0, {{0.9 * radius * std::sin(3.0 * place)}}, {{radius * (1 + place)}}};
+      EXPECT_FALSE(has_forces_even_in_velocities<BeadOnAnArc>({radius * radius}, state)) << radius << ' ' << place;
+    }
+  }
+  for (const double turned : {1.0, 1e3, 1e6, 1e7, 1e9}) {
+    for (int place = 0; place < 200; ++place) {
+      const Crank::State state{0.0, {{turned + 0.1 * place}}, {{3.0}}};
+      EXPECT_FALSE(has_forces_even_in_velocities<Crank>({}, state)) << turned << ' ' << place;
+    }
+  }
+}
+
 template <class M>
 Result<double> short_run(const typename M::Parameters& parameters, double end) {
   const auto motion = equations_of_motion<M>(parameters);

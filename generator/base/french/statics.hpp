@@ -42,8 +42,8 @@ constexpr Translation french_of_statics[] = {
      "le théorème de Lejeune-Dirichlet suppose une dissipation par {} et des commandes nulles"},
     {"Lejeune-Dirichlet presupposes that {} dissipate and that inputs are zero",
      "le théorème de Lejeune-Dirichlet suppose une dissipation par {} et des commandes nulles"},
-    {"at rest the friction '{}' can be anything up to its limit, and is left out: more states than these are rests",
-     "au repos, le frottement '{}' prend toute valeur jusqu'à sa limite et n'est pas compté : il y a d'autres équilibres"},
+    {"At rest the friction '{}' can be anything up to its limit, and is left out: more states than these are rests",
+     "Au repos, le frottement '{}' prend toute valeur jusqu'à sa limite et n'est pas compté : il y a d'autres équilibres"},
     {"Second derivatives of {} at any configuration", "Dérivées secondes de {} en une configuration quelconque"},
     {"Where it is positive definite a rest is stable (Lejeune-Dirichlet); elsewhere the criterion cannot conclude. Name a rest by "
      "--about for the conditions there.",

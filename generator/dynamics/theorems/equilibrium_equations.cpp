@@ -24,23 +24,18 @@ Substitution with_no_velocity(Program& program) {
   });
 }
 
-/// Friction whose direction is that of the slip has none at rest: anything up to its limit.
-bool has_no_direction_at_rest(const Model& model, const ConstraintRow& row) {
-  return row.friction && std::any_of(row.column.begin(), row.column.end(), [&](const Value& column) {
-    return !column.is_zero() && model.program().stage(column) > Stage::configuration;
-  });
-}
-
-std::vector<std::string> frictions_without_direction(const Equations& equations) {
-  std::vector<std::string> names;
-  const SceneContent& scene = equations.model().scene();
-  for (const ContactFriction& friction : scene.frictions) {
-    const SymbolPointer& multiplier = scene.constraints[static_cast<std::size_t>(friction.constraint)].multiplier;
-    for (const ConstraintRow& row : equations.constraints()) {
-      if (row.multiplier == multiplier && has_no_direction_at_rest(equations.model(), row)) names.push_back(friction.name);
-    }
+/// Friction along a slip that vanishes at rest has no direction there: it can be anything up to its limit. A belt that runs
+/// slips at rest, and a law that is smooth through rest has a value.
+std::vector<const ContactFriction*> frictions_without_direction(const Model& model) {
+  Program& program = model.program();
+  Substitution at_rest = with_no_velocity(program);
+  std::vector<const ContactFriction*> found;
+  for (const ContactFriction& friction : model.scene().frictions) {
+    const Vector slip = lower(program, friction.direction);
+    const Value size = program.bind(friction.length.is_zero() ? dot(slip, slip) : program.lower(friction.length));
+    if (identically_zero(at_rest(size))) found.push_back(&friction);
   }
-  return names;
+  return found;
 }
 
 /// Whether an action is felt where nothing moves, as a damper is not.
@@ -53,11 +48,11 @@ bool acts_at_rest(const Model& model, const std::string& name) {
 }
 
 /// Why the forces at rest have no force function, or what else must be known before Lejeune-Dirichlet is believed.
-std::vector<std::string> remarks_on(const Equations& equations, bool from_potential, const NaturalLanguage& say) {
-  const std::vector<std::string> loose = frictions_without_direction(equations);
+std::vector<std::string> remarks_on(const Equations& equations, bool from_potential,
+                                    const std::vector<const ContactFriction*>& loose, const NaturalLanguage& say) {
   std::vector<std::string> names;
   for (const std::string& name : equations.actions().without_force_function) {
-    const bool left_out = std::find(loose.begin(), loose.end(), name) != loose.end();
+    const bool left_out = std::any_of(loose.begin(), loose.end(), [&](const auto* friction) { return friction->name == name; });
     if (from_potential || (!left_out && acts_at_rest(equations.model(), name))) names.push_back(fmt::format("'{}'", name));
   }
   const std::string list = fmt::format("{}", fmt::join(names, ", "));
@@ -85,6 +80,7 @@ EquilibriumEquations equilibrium_equations(const Equations& equations, const Nat
   Program& program = model.program();
   const auto n = static_cast<std::size_t>(model.unknown_count());
   Substitution at_rest = with_no_velocity(program);
+  const std::vector<const ContactFriction*> loose = frictions_without_direction(model);
   EquilibriumEquations result;
   std::vector<Value> forces;
   for (std::size_t i = 0; i < n; ++i) {
@@ -95,9 +91,11 @@ EquilibriumEquations equilibrium_equations(const Equations& equations, const Nat
   result.rows = forces;
   for (const ConstraintRow& row : equations.constraints()) {
     const Value lambda = program.symbol(row.multiplier);
-    const bool loose = has_no_direction_at_rest(model, row);
+    const bool leaves_out = std::any_of(loose.begin(), loose.end(), [&](const ContactFriction* friction) {
+      return model.scene().constraints[static_cast<std::size_t>(friction->constraint)].multiplier == row.multiplier;
+    });
     for (std::size_t i = 0; i < n; ++i) {
-      const Value column = at_rest(loose ? row.ideal[i] : row.column[i]);
+      const Value column = at_rest(leaves_out ? row.ideal[i] : row.column[i]);
       if (!column.is_zero()) result.rows[i] -= column * lambda;
     }
     if (row.holonomic) result.conditions.push_back(row.value);
@@ -141,10 +139,10 @@ EquilibriumEquations equilibrium_equations(const Equations& equations, const Nat
   }
   const std::vector<bool> same = identically_zero_entries(differences);
   result.from_potential = std::all_of(same.begin(), same.end(), [](bool each) { return each; });
-  result.remarks = remarks_on(equations, result.from_potential, say);
-  for (const std::string& name : frictions_without_direction(equations)) {
-    result.remarks.push_back(
-        say("at rest the friction '{}' can be anything up to its limit, and is left out: more states than these are rests", name));
+  result.remarks = remarks_on(equations, result.from_potential, loose, say);
+  for (const ContactFriction* friction : loose) {
+    result.remarks.push_back(say(
+        "At rest the friction '{}' can be anything up to its limit, and is left out: more states than these are rests", friction->name));
   }
   return result;
 }

@@ -12,8 +12,8 @@ namespace torsor {
 
 /// The equations of statics of a scene (Pommier, §7.4): equations of motion at q̇ = q̈ = 0, in the equations' program.
 struct EquilibriumEquations {
-  /// h_i − Σ λ_j column_j − Σ E_ik u_k = 0 at rest, one for each unknown coordinate. Friction along a slip whose direction is
-  /// that of a velocity has none there: it is left out, with a remark.
+  /// h_i − Σ λ_j column_j − Σ E_ik u_k = 0 at rest, one for each unknown coordinate. Friction along a slip that
+  /// vanishes there has no direction: its row is left without friction, with a remark.
   std::vector<Value> rows;
   std::vector<Value>
       conditions;  ///< f_j(q, t) = 0 of holonomic constraints, and −b_j where a constraint imposes a rate
