@@ -82,8 +82,8 @@ void require_distinct_columns(const Simulation& motion) {
   std::set<std::string> met;
   for (const std::string& name : motion.names) {
     if (met.insert(name).second) continue;
-    throw UsageError(fmt::format("the motion has two columns '{}': a coordinate of the scene has the name of what stands "
-                                 "beside it; rename the coordinate",
+    throw UsageError(fmt::format("the motion has two columns '{}': a coordinate or a contact of the scene has the name of what "
+                                 "stands beside it; rename it",
                                  name));
   }
 }

@@ -33,7 +33,8 @@ concept HasInverseDynamicsDerivatives = MechanismModel<M> &&
 ///   F = ∂T₂/∂q - (g + d),   T₂ = ½ vᵀ M v,   where bias = Ṁ v - ∂T₂/∂q + g + d
 /// has g, what does not depend on v (the gradient of -(U + T₀)), and d, odd in v (dampers, and the gyroscopic forces of
 /// driven joints; ∂M/∂t must vanish). No action may be even in v but for what it is at rest, see
-/// `has_forces_even_in_velocities`: it would be taken for part of c. Ṁ v - ∂T₂/∂q = c(v) is quadratic in v, and by Christoffel's symbols
+/// `has_forces_even_in_velocities`: it would be taken for part of c. Ṁ v - ∂T₂/∂q = c(v) is quadratic in v, and by
+/// Christoffel's symbols
 ///   ∂T₂/∂q_k = ½ v · ∂c/∂v_k,
 /// which the kernel `inverse_dynamics_derivatives` gives, or, exactly too, values of the bias at v ± s e_k and
 /// -v ± s e_k, s any speed: c(v + s e_k) - c(v - s e_k) = 2 s ∂c/∂v_k. Differences of what is odd or even in v take d

@@ -16,7 +16,8 @@
 
 namespace torsor::runtime {
 
-/// Störmer-Verlet, order 2, one evaluation a step and few more, for y = [q; v] with q' = v and accelerations that depend on q alone:
+/// Störmer-Verlet, order 2, one evaluation a step and few more, for y = [q; v] with q' = v and accelerations that depend on
+/// q alone:
 ///   v½ = v + h/2 a(q),  q(t + h) = q + h v½,  v(t + h) = v½ + h/2 a(q(t + h)).
 /// Symplectic, symmetric and explicit; sums are compensated. Stable while h times the highest frequency is below 2.
 /// Observers may take the steps themselves, the cubic through the states and slopes of both ends, of order 3 inside.
@@ -25,7 +26,8 @@ namespace torsor::runtime {
 /// Before the first step this is tried: a must not change when v does, at the start and at places about it; otherwise
 /// the integration ends at once with `unsuitable_model` (take `VariationalIntegrator` or `GaussCollocation`). It is
 /// tried again after 1, 2, 4, ... steps and after every 64, two evaluations each: a damper that is switched on later
-/// ends the integration at the next of these, and one that acts for fewer steps may pass unseen. A system may say `static constexpr bool accelerations_depend_on_velocities = false` to be spared that, or true.
+/// ends the integration at the next of these, and one that acts for fewer steps may pass unseen. A system
+/// may say `static constexpr bool accelerations_depend_on_velocities = false` to be spared that, or true.
 /// Source: Hairer-Lubich-Wanner, Geometric Numerical Integration, I.1.4 (1.17), and VIII.5 for the rounding.
 struct StoermerVerlet {
   static constexpr int order = 2;

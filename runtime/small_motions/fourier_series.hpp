@@ -21,8 +21,8 @@ struct FourierSeries {
 /// Coefficients c_0 ... c_harmonics of a function of period 2π/ω from equidistant samples: exact within rounding for a
 /// trigonometric polynomial of a degree below samples − harmonics, else right to the size of the coefficients of that
 /// degree. A jump counts with its mean value if the function gives it. An entry that is rounding of the samples alone,
-/// below (16 + √samples) ε of the largest, is 0: a harmonic that the function lacks is none. Throws std::invalid_argument when samples do not
-/// exceed twice the harmonics.
+/// below (16 + √samples) ε of the largest, is 0: a harmonic that the function lacks is none. Throws
+/// std::invalid_argument when samples do not exceed twice the harmonics.
 [[nodiscard]] FourierSeries fourier_series(const std::function<Eigen::VectorXd(double)>& function,
                                            double angular_frequency, int harmonics, int samples = 1024);
 

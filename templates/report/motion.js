@@ -61,7 +61,8 @@ class Motion extends Samples {
   /// coordinates' names). What is not named has the value of the scene, or 1 for a parameter without one.
   /// `latest` is the one of `start` ("q") or `speeds` ("q'") that stays where not all can; `closed` is a whole state that
   /// fulfils the constraints, for a motion that starts there.
-  constructor(mechanism, { parameters = {}, inputs = {}, start = {}, speeds = {}, latest = null, closed = null, interval = 1 / 60, tolerance = 1e-12 } = {}) {
+  constructor(mechanism, { parameters = {}, inputs = {}, start = {}, speeds = {}, latest = null, closed = null,
+                           interval = 1 / 60, tolerance = 1e-12 } = {}) {
     super(mechanism, interval);
     this.parameters = mechanism.defaultParameters();
     mechanism.parameters.forEach((each, i) => {
@@ -128,9 +129,12 @@ class Motion extends Samples {
   /// What was asked for and is not there: that a closed start is typed in few digits is no news.
   movedFrom(y, { start, speeds }) {
     const moved = [], { coordinates, velocities } = this.mechanism;
-    const compare = (name, asked, value) => { if (Math.abs(value - asked) > 1e-3 * (1 + Math.abs(asked))) moved.push({ name, asked, value }); };
+    const compare = (name, asked, value) => {
+      if (Math.abs(value - asked) > 1e-3 * (1 + Math.abs(asked))) moved.push({ name, asked, value });
+    };
     coordinates.forEach(({ name }, i) => name in start && compare(name, start[name], y[i]));
-    velocities.forEach(({ name }, i) => name in speeds && compare(coordinates.some((each) => each.name === name) ? `${name}'` : name, speeds[name], y[this.nq + i]));
+    const rate = (name) => coordinates.some((each) => each.name === name) ? `${name}'` : name;
+    velocities.forEach(({ name }, i) => name in speeds && compare(rate(name), speeds[name], y[this.nq + i]));
     return moved;
   }
 

@@ -16,7 +16,8 @@ let latest = null, closed = null, startRows = [];
 /// What the page was made with, in place of the scene's start and of inputs that are zero.
 function asGiven() {
   for (const each of Object.values(chosen)) for (const name of Object.keys(each)) delete each[name];
-  const given = read(element("given")) ?? {}, { initial = {}, inputs = {} } = given, coordinates = new Set(mechanism.coordinates.map((each) => each.name));
+  const given = read(element("given")) ?? {}, { initial = {}, inputs = {} } = given;
+  const coordinates = new Set(mechanism.coordinates.map((each) => each.name));
   Object.assign(chosen.inputs, inputs);
   [latest, closed] = [null, given.closed ?? null];
   for (const [name, value] of Object.entries(initial)) {

@@ -149,7 +149,7 @@ TEST(Simulate, RefusesTwoColumnsOfOneName) {
     return named;
   };
   testing_programs::expect_failure_beginning(run(scene, {"simulate", "--to", "1"}), 2,
-                                             "the motion has two columns 'kinetic_energy': a coordinate of the scene has");
+                                             "the motion has two columns 'kinetic_energy': a coordinate or a contact of the scene has");
 }
 
 TEST(Simulate, HasSeveralMethods) {

@@ -141,8 +141,9 @@ EquilibriumEquations equilibrium_equations(const Equations& equations, const Nat
   result.from_potential = std::all_of(same.begin(), same.end(), [](bool each) { return each; });
   result.remarks = remarks_on(equations, result.from_potential, loose, say);
   for (const ContactFriction* friction : loose) {
-    result.remarks.push_back(say(
-        "At rest the friction '{}' can be anything up to its limit, and is left out: more states than these are rests", friction->name));
+    result.remarks.push_back(
+        say("At rest the friction '{}' can be anything up to its limit, and is left out: more states than these are rests",
+            friction->name));
   }
   return result;
 }

@@ -64,7 +64,8 @@ class Classifier {
 
   void look_at_frictions() {
     for (const std::string& friction : actions_.frictions) {
-      report_.reasons.push_back(fmt::format("'{}' depends on the normal force of its contact, and is left out of forces and power", friction));
+      report_.reasons.push_back(
+          fmt::format("'{}' depends on the normal force of its contact, and is left out of forces and power", friction));
     }
   }
 
