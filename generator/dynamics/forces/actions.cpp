@@ -318,7 +318,7 @@ class Collector {
   }
 
   /// A coefficient of an action that has a force function U, with ∂U/∂(coefficient): Q_i = ∂U/∂q_i holds its slope too. A
-  /// change that follows from no coordinate moves nothing: it changes U without work.
+  /// change that follows from no unknown coordinate, that of time and of driven ones, changes U without work.
   void vary_with(const Expression& coefficient, const Value& slope) {
     work_with(coefficient, slope);
     const Value value = program_.bind(program_.lower(coefficient));

@@ -24,8 +24,8 @@ struct AppliedActions {
   std::map<int, Wrench> wrenches;
   /// Force function of springs, mutual gravitation and given force functions (potential energy −U).
   Value spring_force_function;
-  /// Σ ∂U/∂c ∂c/∂t of the stiffnesses, natural lengths and strengths c that depend on time: the part of dU/dt that is no
-  /// work of the actions.
+  /// Σ ∂U/∂c ∂c/∂t of the stiffnesses, natural lengths and strengths c that depend on time or on driven coordinates: the
+  /// part of dU/dt that is no work of the actions.
   Value rate_without_work;
   /// Power of what has no force function, both sides of a mutual action: dampers, efforts, drag, given forces, torques
   /// and wrenches, motors. Friction of contacts works with a multiplier and is in Equations::power.
