@@ -83,7 +83,7 @@ struct Mechanism {
 
   static constexpr const char* name = "arm7";
   /// 64 bits (FNV-1a) of this file from "#pragma once" on, with zeros in their own place: another mechanism, other bits.
-  static constexpr unsigned long long fingerprint = 0x15fbdafc87c803e5ULL ^ torsor::support_fingerprint;
+  static constexpr unsigned long long fingerprint = 0x902da328eb9e2b5fULL ^ torsor::support_fingerprint;
   static constexpr int coordinate_count = 7;
   static constexpr int velocity_count = 7;
   static constexpr int input_count = 7;
@@ -2326,7 +2326,7 @@ struct Mechanism {
     // 0 x is 0 for every finite x and not a number for any other.
     const Scalar zero = n0 * accelerations.q1 * accelerations.q2 * accelerations.q3 * accelerations.q4
         * accelerations.q5 * accelerations.q6 * accelerations.q7;
-    if (!traits::regular(n1, zero)) return torsor::Status::not_finite;
+    if (!traits::finite(zero)) return torsor::Status::not_finite;
     return torsor::Status::ok;
   }
 
@@ -4591,7 +4591,7 @@ struct Mechanism {
         * result.B[68] * result.B[69] * result.B[77] * result.B[78] * result.B[79] * result.B[80] * result.B[81]) * (n0
         * result.B[82] * result.B[83] * result.B[91] * result.B[92] * result.B[93] * result.B[94] * result.B[95]
         * result.B[96] * result.B[97])))));
-    if (!traits::regular(n1, zero)) return torsor::Status::not_finite;
+    if (!traits::finite(zero)) return torsor::Status::not_finite;
     return torsor::Status::ok;
   }
 

@@ -76,7 +76,7 @@ struct Mechanism {
 
   static constexpr const char* name = "chaplygin_sleigh";
   /// 64 bits (FNV-1a) of this file from "#pragma once" on, with zeros in their own place: another mechanism, other bits.
-  static constexpr unsigned long long fingerprint = 0x1cbba0d3ed324aa6ULL ^ torsor::support_fingerprint;
+  static constexpr unsigned long long fingerprint = 0x364f0f5abe571bd2ULL ^ torsor::support_fingerprint;
   static constexpr int coordinate_count = 3;
   static constexpr int velocity_count = 3;
   static constexpr int input_count = 0;
@@ -458,7 +458,7 @@ struct Mechanism {
         z25))) return torsor::Status::singular;
     // 0 x is 0 for every finite x and not a number for any other.
     const Scalar zero = n0 * accelerations.x * accelerations.y * accelerations.phi * multipliers.N;
-    if (!traits::regular(n1, zero)) return torsor::Status::not_finite;
+    if (!traits::finite(zero)) return torsor::Status::not_finite;
     return torsor::Status::ok;
   }
 
@@ -695,7 +695,7 @@ struct Mechanism {
         * result.C_r[0]) * (n0 * result.C_r[1] * result.C_r[2] * result.C_r[3] * result.K_r[4] * result.K_r[5]
         * result.F_r[0] * result.F_r[1] * result.A[11] * result.A[13] * result.A[14] * result.A[16] * result.A[18]
         * result.A[19] * result.A[23] * result.A[24]);
-    if (!traits::regular(n1, zero)) return torsor::Status::not_finite;
+    if (!traits::finite(zero)) return torsor::Status::not_finite;
     return torsor::Status::ok;
   }
 

@@ -86,7 +86,7 @@ struct Mechanism {
 
   static constexpr const char* name = "elastic_wing";
   /// 64 bits (FNV-1a) of this file from "#pragma once" on, with zeros in their own place: another mechanism, other bits.
-  static constexpr unsigned long long fingerprint = 0x30db5f76e5fde315ULL ^ torsor::support_fingerprint;
+  static constexpr unsigned long long fingerprint = 0x8b7e9776a5b3282bULL ^ torsor::support_fingerprint;
   static constexpr int coordinate_count = 6;
   static constexpr int velocity_count = 6;
   static constexpr int input_count = 0;
@@ -1285,7 +1285,7 @@ struct Mechanism {
     // 0 x is 0 for every finite x and not a number for any other.
     const Scalar zero = n0 * accelerations.z * accelerations.beta_1 * accelerations.beta_2 * accelerations.beta_3
         * accelerations.beta_4 * accelerations.gamma;
-    if (!traits::regular(n1, zero)) return torsor::Status::not_finite;
+    if (!traits::finite(zero)) return torsor::Status::not_finite;
     return torsor::Status::ok;
   }
 
@@ -2157,7 +2157,7 @@ struct Mechanism {
         * result.A[119] * result.A[126] * result.A[127] * result.A[128]) * (n0 * result.A[129] * result.A[130]
         * result.A[131] * result.A[138] * result.A[139] * result.A[140] * result.A[141] * result.A[142]
         * result.A[143]))));
-    if (!traits::regular(n1, zero)) return torsor::Status::not_finite;
+    if (!traits::finite(zero)) return torsor::Status::not_finite;
     return torsor::Status::ok;
   }
 

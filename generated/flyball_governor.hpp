@@ -90,7 +90,7 @@ struct Mechanism {
 
   static constexpr const char* name = "flyball_governor";
   /// 64 bits (FNV-1a) of this file from "#pragma once" on, with zeros in their own place: another mechanism, other bits.
-  static constexpr unsigned long long fingerprint = 0x635a8ea23ed1e865ULL ^ torsor::support_fingerprint;
+  static constexpr unsigned long long fingerprint = 0x8d29f45144595021ULL ^ torsor::support_fingerprint;
   static constexpr int coordinate_count = 4;
   static constexpr int velocity_count = 4;
   static constexpr int input_count = 0;
@@ -996,7 +996,7 @@ struct Mechanism {
     if (!(traits::regular(z48, z48))) return torsor::Status::singular;
     // 0 x is 0 for every finite x and not a number for any other.
     const Scalar zero = n0 * accelerations.psi * accelerations.s * accelerations.beta_1 * accelerations.beta_2;
-    if (!traits::regular(n1, zero)) return torsor::Status::not_finite;
+    if (!traits::finite(zero)) return torsor::Status::not_finite;
     return torsor::Status::ok;
   }
 
@@ -1523,7 +1523,7 @@ struct Mechanism {
         * result.A[14] * result.A[15] * result.A[20] * result.A[21] * result.A[22] * result.A[28] * result.A[29]
         * result.A[31]) * (n0 * result.A[36] * result.A[38] * result.A[39] * result.A[45] * result.A[46] * result.A[47]
         * result.A[52] * result.A[53] * result.A[54] * result.A[60] * result.A[61] * result.A[63]));
-    if (!traits::regular(n1, zero)) return torsor::Status::not_finite;
+    if (!traits::finite(zero)) return torsor::Status::not_finite;
     return torsor::Status::ok;
   }
 

@@ -81,7 +81,7 @@ struct Mechanism {
 
   static constexpr const char* name = "four_blade_rotor";
   /// 64 bits (FNV-1a) of this file from "#pragma once" on, with zeros in their own place: another mechanism, other bits.
-  static constexpr unsigned long long fingerprint = 0x151edd13db3aa1e4ULL ^ torsor::support_fingerprint;
+  static constexpr unsigned long long fingerprint = 0x9d5ad81d7409a20dULL ^ torsor::support_fingerprint;
   static constexpr int coordinate_count = 4;
   static constexpr int velocity_count = 3;
   static constexpr int input_count = 0;
@@ -678,7 +678,6 @@ struct Mechanism {
     const Scalar n0_4 = traits::constant(0.4, 0.4f, "2/5");
     const Scalar n665 = traits::constant(665.0, 665.0f, "665/1");
     const Scalar n0 = traits::constant(0.0, 0.0f, "0/1");
-    const Scalar n1 = traits::constant(1.0, 1.0f, "1/1");
     const Scalar v_e_omega_x = state.v.e_omega_x;
     const Scalar v_e_omega_y = state.v.e_omega_y;
     const Scalar v_e_omega_z = state.v.e_omega_z;
@@ -732,7 +731,7 @@ struct Mechanism {
         m2))) return torsor::Status::singular;
     // 0 x is 0 for every finite x and not a number for any other.
     const Scalar zero = n0 * accelerations.e_omega_x * accelerations.e_omega_y;
-    if (!traits::regular(n1, zero)) return torsor::Status::not_finite;
+    if (!traits::finite(zero)) return torsor::Status::not_finite;
     return torsor::Status::ok;
   }
 
@@ -979,7 +978,7 @@ struct Mechanism {
     const Scalar zero = (n0 * result.M[0] * result.M[4] * result.M[8] * result.C[1] * result.C[3] * result.C[6]
         * result.C[7] * result.F[0] * result.F[1] * result.F[2]) * (n0 * result.A[1] * result.A[2] * result.A[6]
         * result.A[8] * result.A[12] * result.A[13] * result.A[22] * result.A[27] * result.A[33] * result.A[34]);
-    if (!traits::regular(n1, zero)) return torsor::Status::not_finite;
+    if (!traits::finite(zero)) return torsor::Status::not_finite;
     return torsor::Status::ok;
   }
 

@@ -87,7 +87,7 @@ struct Mechanism {
 
   static constexpr const char* name = "four_wheel_vehicle";
   /// 64 bits (FNV-1a) of this file from "#pragma once" on, with zeros in their own place: another mechanism, other bits.
-  static constexpr unsigned long long fingerprint = 0xb5a147a8461f9d30ULL ^ torsor::support_fingerprint;
+  static constexpr unsigned long long fingerprint = 0xb2585be08ccb55d7ULL ^ torsor::support_fingerprint;
   static constexpr int coordinate_count = 7;
   static constexpr int velocity_count = 7;
   static constexpr int input_count = 2;
@@ -820,7 +820,6 @@ struct Mechanism {
     const Scalar k32 = traits::constant(0.0011064549906541887, 0.001106455f, "197/134867;0;-331/1618404;0");
     const Scalar k33 = traits::constant(0.0007142851984076027, 0.0007142852f, "-137/269734;0;571/809202;0");
     const Scalar n0 = traits::constant(0.0, 0.0f, "0/1");
-    const Scalar n1 = traits::constant(1.0, 1.0f, "1/1");
     const Scalar v_x = state.v.x;
     const Scalar v_y = state.v.y;
     const Scalar q_psi = state.q.psi;
@@ -906,7 +905,7 @@ struct Mechanism {
         * accelerations.phi_2 * accelerations.phi_3 * accelerations.phi_4 * multipliers.lambda_wheel_1_x
         * multipliers.lambda_wheel_1_y * multipliers.lambda_wheel_2_x * multipliers.lambda_wheel_2_y
         * multipliers.lambda_wheel_3_y * multipliers.lambda_wheel_4_y;
-    if (!traits::regular(n1, zero)) return torsor::Status::not_finite;
+    if (!traits::finite(zero)) return torsor::Status::not_finite;
     return torsor::Status::ok;
   }
 

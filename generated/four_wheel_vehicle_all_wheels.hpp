@@ -87,7 +87,7 @@ struct Mechanism {
 
   static constexpr const char* name = "four_wheel_vehicle_all_wheels";
   /// 64 bits (FNV-1a) of this file from "#pragma once" on, with zeros in their own place: another mechanism, other bits.
-  static constexpr unsigned long long fingerprint = 0xc545ca93e976cb26ULL ^ torsor::support_fingerprint;
+  static constexpr unsigned long long fingerprint = 0xdea456778a4db350ULL ^ torsor::support_fingerprint;
   static constexpr int coordinate_count = 11;
   static constexpr int velocity_count = 11;
   static constexpr int input_count = 0;
@@ -1872,7 +1872,7 @@ struct Mechanism {
         * accelerations.s_3 * accelerations.s_4 * multipliers.lambda_wheel_1_x * multipliers.lambda_wheel_1_y
         * multipliers.lambda_wheel_2_x * multipliers.lambda_wheel_2_y * multipliers.lambda_wheel_3_x
         * multipliers.lambda_wheel_3_y * multipliers.lambda_wheel_4_x * multipliers.lambda_wheel_4_y);
-    if (!traits::regular(n1, zero)) return torsor::Status::not_finite;
+    if (!traits::finite(zero)) return torsor::Status::not_finite;
     return torsor::Status::ok;
   }
 

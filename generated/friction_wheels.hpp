@@ -83,7 +83,7 @@ struct Mechanism {
 
   static constexpr const char* name = "friction_wheels";
   /// 64 bits (FNV-1a) of this file from "#pragma once" on, with zeros in their own place: another mechanism, other bits.
-  static constexpr unsigned long long fingerprint = 0xbbe804ee477ba01eULL ^ torsor::support_fingerprint;
+  static constexpr unsigned long long fingerprint = 0xfebc0923faa67241ULL ^ torsor::support_fingerprint;
   static constexpr int coordinate_count = 2;
   static constexpr int velocity_count = 2;
   static constexpr int input_count = 1;
@@ -459,7 +459,6 @@ struct Mechanism {
     const Scalar n100_over_81 = traits::constant(1.2345679012345678, 1.2345679f, "100/81");
     const Scalar n10_over_27 = traits::constant(0.37037037037037035, 0.37037036f, "10/27");
     const Scalar n0 = traits::constant(0.0, 0.0f, "0/1");
-    const Scalar n1 = traits::constant(1.0, 1.0f, "1/1");
     const Scalar v_theta_2 = state.v.theta_2;
     const Scalar u_C1 = inputs.C1;
     const Scalar z0 = n0_9 * v_theta_2;
@@ -475,7 +474,7 @@ struct Mechanism {
     multipliers.lambda_rolling_y = n0;
     // 0 x is 0 for every finite x and not a number for any other.
     const Scalar zero = n0 * accelerations.theta_1 * accelerations.theta_2 * multipliers.T;
-    if (!traits::regular(n1, zero)) return torsor::Status::not_finite;
+    if (!traits::finite(zero)) return torsor::Status::not_finite;
     return torsor::Status::ok;
   }
 
@@ -584,7 +583,7 @@ struct Mechanism {
     result.B[2] = -n10_over_3;
     // 0 x is 0 for every finite x and not a number for any other.
     const Scalar zero = n0 * result.F[0] * result.F[1] * result.F_r[0];
-    if (!traits::regular(n1, zero)) return torsor::Status::not_finite;
+    if (!traits::finite(zero)) return torsor::Status::not_finite;
     return torsor::Status::ok;
   }
 

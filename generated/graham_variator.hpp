@@ -86,7 +86,7 @@ struct Mechanism {
 
   static constexpr const char* name = "graham_variator";
   /// 64 bits (FNV-1a) of this file from "#pragma once" on, with zeros in their own place: another mechanism, other bits.
-  static constexpr unsigned long long fingerprint = 0xb26287a8870d9062ULL ^ torsor::support_fingerprint;
+  static constexpr unsigned long long fingerprint = 0xf697ec50b3983035ULL ^ torsor::support_fingerprint;
   static constexpr int coordinate_count = 3;
   static constexpr int velocity_count = 3;
   static constexpr int input_count = 2;
@@ -679,7 +679,6 @@ struct Mechanism {
     const Scalar k10 = traits::constant(61.48352510873733, 61.483524f,
         "39738981350/598933947;-255072500/199644649;-5795575/199644649;-735710500/598933947");
     const Scalar n0 = traits::constant(0.0, 0.0f, "0/1");
-    const Scalar n1 = traits::constant(1.0, 1.0f, "1/1");
     const Scalar q_alpha = state.q.alpha;
     const Scalar u_C1 = inputs.C1;
     const Scalar u_C3 = inputs.C3;
@@ -720,7 +719,7 @@ struct Mechanism {
     // 0 x is 0 for every finite x and not a number for any other.
     const Scalar zero = n0 * accelerations.alpha * accelerations.beta * accelerations.gamma * multipliers.T_A
         * multipliers.T_E;
-    if (!traits::regular(n1, zero)) return torsor::Status::not_finite;
+    if (!traits::finite(zero)) return torsor::Status::not_finite;
     return torsor::Status::ok;
   }
 
@@ -948,7 +947,7 @@ struct Mechanism {
     // 0 x is 0 for every finite x and not a number for any other.
     const Scalar zero = n0 * result.K[0] * result.F[0] * result.F[1] * result.F[2] * result.M_r[0] * result.K_r[0]
         * result.F_r[0] * result.E_r[1] * result.A[3] * result.A[13] * result.A[14] * result.B[3] * result.B[7];
-    if (!traits::regular(n1, zero)) return torsor::Status::not_finite;
+    if (!traits::finite(zero)) return torsor::Status::not_finite;
     return torsor::Status::ok;
   }
 

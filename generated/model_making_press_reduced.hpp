@@ -73,7 +73,7 @@ struct Mechanism {
 
   static constexpr const char* name = "model_making_press_reduced";
   /// 64 bits (FNV-1a) of this file from "#pragma once" on, with zeros in their own place: another mechanism, other bits.
-  static constexpr unsigned long long fingerprint = 0x01a9deb537deb9b4ULL ^ torsor::support_fingerprint;
+  static constexpr unsigned long long fingerprint = 0x1c85ac759abd034aULL ^ torsor::support_fingerprint;
   static constexpr int coordinate_count = 2;
   static constexpr int velocity_count = 2;
   static constexpr int input_count = 1;
@@ -469,7 +469,7 @@ struct Mechanism {
     if (!(traits::regular(z2, z2) && traits::regular(z5, z5))) return torsor::Status::singular;
     // 0 x is 0 for every finite x and not a number for any other.
     const Scalar zero = n0 * accelerations.a_z * accelerations.omega_z * multipliers.lambda_LB_z;
-    if (!traits::regular(n1, zero)) return torsor::Status::not_finite;
+    if (!traits::finite(zero)) return torsor::Status::not_finite;
     return torsor::Status::ok;
   }
 
@@ -625,7 +625,7 @@ struct Mechanism {
     // 0 x is 0 for every finite x and not a number for any other.
     const Scalar zero = n0 * result.M[3] * result.F[0] * result.F[1] * result.M_r[0] * result.K_r[0] * result.F_r[0]
         * result.A[1] * result.A[3] * result.B[1];
-    if (!traits::regular(n1, zero)) return torsor::Status::not_finite;
+    if (!traits::finite(zero)) return torsor::Status::not_finite;
     return torsor::Status::ok;
   }
 

@@ -70,7 +70,7 @@ struct Mechanism {
 
   static constexpr const char* name = "passenger_in_vehicle";
   /// 64 bits (FNV-1a) of this file from "#pragma once" on, with zeros in their own place: another mechanism, other bits.
-  static constexpr unsigned long long fingerprint = 0x7cb28df20403997bULL ^ torsor::support_fingerprint;
+  static constexpr unsigned long long fingerprint = 0x534c9b313b36e1c1ULL ^ torsor::support_fingerprint;
   static constexpr int coordinate_count = 2;
   static constexpr int velocity_count = 2;
   static constexpr int input_count = 0;
@@ -524,7 +524,7 @@ struct Mechanism {
     if (!(traits::regular(-z18, z16))) return torsor::Status::singular;
     // 0 x is 0 for every finite x and not a number for any other.
     const Scalar zero = n0 * accelerations.theta_1 * accelerations.theta_2;
-    if (!traits::regular(n1, zero)) return torsor::Status::not_finite;
+    if (!traits::finite(zero)) return torsor::Status::not_finite;
     return torsor::Status::ok;
   }
 
@@ -715,7 +715,7 @@ struct Mechanism {
     const Scalar zero = (n0 * result.M[0] * result.M[1] * result.M[2] * result.C[0] * result.C[1] * result.C[2]
         * result.K[0] * result.K[1] * result.K[2] * result.K[3]) * (n0 * result.F[0] * result.F[1] * result.A[2]
         * result.A[3] * result.A[6] * result.A[7] * result.A[10] * result.A[11] * result.A[14] * result.A[15]);
-    if (!traits::regular(n1, zero)) return torsor::Status::not_finite;
+    if (!traits::finite(zero)) return torsor::Status::not_finite;
     return torsor::Status::ok;
   }
 

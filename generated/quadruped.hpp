@@ -127,7 +127,7 @@ struct Mechanism {
 
   static constexpr const char* name = "quadruped";
   /// 64 bits (FNV-1a) of this file from "#pragma once" on, with zeros in their own place: another mechanism, other bits.
-  static constexpr unsigned long long fingerprint = 0x1604f5630b5ac2eeULL ^ torsor::support_fingerprint;
+  static constexpr unsigned long long fingerprint = 0x02257558229ffb98ULL ^ torsor::support_fingerprint;
   static constexpr int coordinate_count = 19;
   static constexpr int velocity_count = 18;
   static constexpr int input_count = 12;
@@ -4844,7 +4844,7 @@ struct Mechanism {
         * accelerations.front_right_knee * accelerations.rear_left_hip * accelerations.rear_left_thigh
         * accelerations.rear_left_knee * accelerations.rear_right_hip * accelerations.rear_right_thigh
         * accelerations.rear_right_knee);
-    if (!traits::regular(n1, zero)) return torsor::Status::not_finite;
+    if (!traits::finite(zero)) return torsor::Status::not_finite;
     return torsor::Status::ok;
   }
 

@@ -73,7 +73,7 @@ struct Mechanism {
 
   static constexpr const char* name = "segment_in_sphere";
   /// 64 bits (FNV-1a) of this file from "#pragma once" on, with zeros in their own place: another mechanism, other bits.
-  static constexpr unsigned long long fingerprint = 0xfb6a21d33d427f3dULL ^ torsor::support_fingerprint;
+  static constexpr unsigned long long fingerprint = 0x51ad1a5913492ecbULL ^ torsor::support_fingerprint;
   static constexpr int coordinate_count = 3;
   static constexpr int velocity_count = 3;
   static constexpr int input_count = 0;
@@ -588,7 +588,7 @@ struct Mechanism {
     if (!(traits::regular(z14, z14) && traits::regular(-z34, -z34))) return torsor::Status::singular;
     // 0 x is 0 for every finite x and not a number for any other.
     const Scalar zero = n0 * accelerations.psi * accelerations.theta * accelerations.phi;
-    if (!traits::regular(n1, zero)) return torsor::Status::not_finite;
+    if (!traits::finite(zero)) return torsor::Status::not_finite;
     return torsor::Status::ok;
   }
 
@@ -893,7 +893,7 @@ struct Mechanism {
         * result.F[0] * result.F[1] * result.F[2] * result.A[9] * result.A[10] * result.A[11] * result.A[15]
         * result.A[16]) * (n0 * result.A[17] * result.A[21] * result.A[22] * result.A[23] * result.A[27] * result.A[28]
         * result.A[29] * result.A[33] * result.A[34] * result.A[35]));
-    if (!traits::regular(n1, zero)) return torsor::Status::not_finite;
+    if (!traits::finite(zero)) return torsor::Status::not_finite;
     return torsor::Status::ok;
   }
 

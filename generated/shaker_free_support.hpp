@@ -71,7 +71,7 @@ struct Mechanism {
 
   static constexpr const char* name = "shaker_free_support";
   /// 64 bits (FNV-1a) of this file from "#pragma once" on, with zeros in their own place: another mechanism, other bits.
-  static constexpr unsigned long long fingerprint = 0xfd5885d5f74a5e53ULL ^ torsor::support_fingerprint;
+  static constexpr unsigned long long fingerprint = 0x9fab402278ea8831ULL ^ torsor::support_fingerprint;
   static constexpr int coordinate_count = 2;
   static constexpr int velocity_count = 2;
   static constexpr int input_count = 0;
@@ -404,7 +404,7 @@ struct Mechanism {
     accelerations.l = -z8;
     // 0 x is 0 for every finite x and not a number for any other.
     const Scalar zero = n0 * accelerations.lambda * accelerations.l;
-    if (!traits::regular(n1, zero)) return torsor::Status::not_finite;
+    if (!traits::finite(zero)) return torsor::Status::not_finite;
     return torsor::Status::ok;
   }
 
@@ -528,7 +528,7 @@ struct Mechanism {
     result.A[15] = n0;
     // 0 x is 0 for every finite x and not a number for any other.
     const Scalar zero = n0 * result.K[3] * result.F[0] * result.F[1] * result.A[6] * result.A[7];
-    if (!traits::regular(n1, zero)) return torsor::Status::not_finite;
+    if (!traits::finite(zero)) return torsor::Status::not_finite;
     return torsor::Status::ok;
   }
 

@@ -66,7 +66,7 @@ struct Mechanism {
 
   static constexpr const char* name = "shaker_from_mass";
   /// 64 bits (FNV-1a) of this file from "#pragma once" on, with zeros in their own place: another mechanism, other bits.
-  static constexpr unsigned long long fingerprint = 0x4a01d54ae5165073ULL ^ torsor::support_fingerprint;
+  static constexpr unsigned long long fingerprint = 0xbf3347169ae4d572ULL ^ torsor::support_fingerprint;
   static constexpr int coordinate_count = 1;
   static constexpr int velocity_count = 1;
   static constexpr int input_count = 0;
@@ -312,7 +312,6 @@ struct Mechanism {
     const Scalar n400 = traits::constant(400.0, 400.0f, "400/1");
     const Scalar n9_81 = traits::constant(9.81, 9.81f, "981/100");
     const Scalar n0 = traits::constant(0.0, 0.0f, "0/1");
-    const Scalar n1 = traits::constant(1.0, 1.0f, "1/1");
     const Scalar q_y = state.q.y;
     const Scalar p_omega = precomputed.parameters.omega;
     const Scalar t = state.time;
@@ -325,7 +324,7 @@ struct Mechanism {
     accelerations.y = -z5;
     // 0 x is 0 for every finite x and not a number for any other.
     const Scalar zero = n0 * accelerations.y;
-    if (!traits::regular(n1, zero)) return torsor::Status::not_finite;
+    if (!traits::finite(zero)) return torsor::Status::not_finite;
     return torsor::Status::ok;
   }
 
@@ -394,7 +393,7 @@ struct Mechanism {
     result.A[3] = n0;
     // 0 x is 0 for every finite x and not a number for any other.
     const Scalar zero = n0 * result.F[0];
-    if (!traits::regular(n1, zero)) return torsor::Status::not_finite;
+    if (!traits::finite(zero)) return torsor::Status::not_finite;
     return torsor::Status::ok;
   }
 

@@ -525,10 +525,13 @@ struct scalar_traits {
   TORSOR_DEVICE static Scalar sqrt(const Scalar& x) noexcept { return std::sqrt(x); }
   TORSOR_DEVICE static Scalar exp(const Scalar& x) noexcept { return std::exp(x); }
   TORSOR_DEVICE static Scalar log(const Scalar& x) noexcept { return std::log(x); }
-  /// Whether a pivot is positive beyond the rounding of the diagonal entry it came from; not when it is not a number.
+  /// Whether a pivot is positive beyond the rounding of the diagonal entry it came from. A pivot that is not a number spoils
+  /// results, which say so.
   TORSOR_DEVICE static bool regular(const Scalar& pivot, const Scalar& diagonal) noexcept {
-    return pivot > constant(0x1p-52, 0x1p-23f, nullptr) * std::abs(diagonal);
+    return !(pivot <= constant(0x1p-52, 0x1p-23f, nullptr) * std::abs(diagonal));
   }
+  /// Whether x is a number, and not infinite.
+  TORSOR_DEVICE static bool finite(const Scalar& x) noexcept { return x - x >= constant(0.0, 0.0f, nullptr); }
 };
 
 /// A structure of a mechanism that has nothing to put there. Loops over its members compile.
@@ -770,7 +773,7 @@ class Convolutions {
 namespace torsor {
 
 /// 64 bits (FNV-1a) of this file from "#pragma once" on, with zeros in their own place.
-inline constexpr unsigned long long support_fingerprint = 0x74e6a11e861f50e6ULL;
+inline constexpr unsigned long long support_fingerprint = 0xf43b31b7b036f585ULL;
 
 }  // namespace torsor
 #endif

@@ -70,7 +70,7 @@ struct Mechanism {
 
   static constexpr const char* name = "tumbler";
   /// 64 bits (FNV-1a) of this file from "#pragma once" on, with zeros in their own place: another mechanism, other bits.
-  static constexpr unsigned long long fingerprint = 0xce379d0abdc32781ULL ^ torsor::support_fingerprint;
+  static constexpr unsigned long long fingerprint = 0xa2c79773f7cd0a3fULL ^ torsor::support_fingerprint;
   static constexpr int coordinate_count = 6;
   static constexpr int velocity_count = 6;
   static constexpr int input_count = 0;
@@ -834,7 +834,7 @@ struct Mechanism {
     // 0 x is 0 for every finite x and not a number for any other.
     const Scalar zero = n0 * accelerations.x * accelerations.y * accelerations.psi * accelerations.theta
         * accelerations.phi * multipliers.N * multipliers.X * multipliers.Y;
-    if (!traits::regular(n1, zero)) return torsor::Status::not_finite;
+    if (!traits::finite(zero)) return torsor::Status::not_finite;
     return torsor::Status::ok;
   }
 

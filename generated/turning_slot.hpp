@@ -74,7 +74,7 @@ struct Mechanism {
 
   static constexpr const char* name = "turning_slot";
   /// 64 bits (FNV-1a) of this file from "#pragma once" on, with zeros in their own place: another mechanism, other bits.
-  static constexpr unsigned long long fingerprint = 0xedea8716ff15771cULL ^ torsor::support_fingerprint;
+  static constexpr unsigned long long fingerprint = 0xe13c636edbd835d3ULL ^ torsor::support_fingerprint;
   static constexpr int coordinate_count = 2;
   static constexpr int velocity_count = 2;
   static constexpr int input_count = 0;
@@ -364,7 +364,6 @@ struct Mechanism {
     const Scalar n2 = traits::constant(2.0, 2.0f, "2/1");
     const Scalar n9_81 = traits::constant(9.81, 9.81f, "981/100");
     const Scalar n0 = traits::constant(0.0, 0.0f, "0/1");
-    const Scalar n1 = traits::constant(1.0, 1.0f, "1/1");
     const Scalar q_x = state.q.x;
     const Scalar v_x = state.v.x;
     const Scalar q_y = state.q.y;
@@ -390,7 +389,7 @@ struct Mechanism {
     multipliers.N = z11;
     // 0 x is 0 for every finite x and not a number for any other.
     const Scalar zero = n0 * accelerations.x * accelerations.y * multipliers.N;
-    if (!traits::regular(n1, zero)) return torsor::Status::not_finite;
+    if (!traits::finite(zero)) return torsor::Status::not_finite;
     return torsor::Status::ok;
   }
 
@@ -526,7 +525,7 @@ struct Mechanism {
     // 0 x is 0 for every finite x and not a number for any other.
     const Scalar zero = n0 * result.F[0] * result.F[1] * result.M_r[0] * result.C_r[0] * result.K_r[0] * result.F_r[0]
         * result.A[1] * result.A[3];
-    if (!traits::regular(n1, zero)) return torsor::Status::not_finite;
+    if (!traits::finite(zero)) return torsor::Status::not_finite;
     return torsor::Status::ok;
   }
 

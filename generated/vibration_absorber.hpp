@@ -73,7 +73,7 @@ struct Mechanism {
 
   static constexpr const char* name = "vibration_absorber";
   /// 64 bits (FNV-1a) of this file from "#pragma once" on, with zeros in their own place: another mechanism, other bits.
-  static constexpr unsigned long long fingerprint = 0x8d10c47d4cbc25b5ULL ^ torsor::support_fingerprint;
+  static constexpr unsigned long long fingerprint = 0x001755afff0fad15ULL ^ torsor::support_fingerprint;
   static constexpr int coordinate_count = 2;
   static constexpr int velocity_count = 2;
   static constexpr int input_count = 0;
@@ -517,7 +517,7 @@ struct Mechanism {
     if (!(traits::regular(z13, n11_1) && traits::regular(m0, m0))) return torsor::Status::singular;
     // 0 x is 0 for every finite x and not a number for any other.
     const Scalar zero = n0 * accelerations.X * accelerations.theta;
-    if (!traits::regular(n1, zero)) return torsor::Status::not_finite;
+    if (!traits::finite(zero)) return torsor::Status::not_finite;
     return torsor::Status::ok;
   }
 
@@ -668,7 +668,7 @@ struct Mechanism {
     const Scalar zero = n0 * result.M[1] * result.M[2] * result.M[3] * result.C[2] * result.K[2] * result.K[3]
         * result.F[0] * result.F[1] * result.A[2] * result.A[3] * result.A[6] * result.A[7] * result.A[14]
         * result.A[15];
-    if (!traits::regular(n1, zero)) return torsor::Status::not_finite;
+    if (!traits::finite(zero)) return torsor::Status::not_finite;
     return torsor::Status::ok;
   }
 

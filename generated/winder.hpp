@@ -77,7 +77,7 @@ struct Mechanism {
 
   static constexpr const char* name = "winder";
   /// 64 bits (FNV-1a) of this file from "#pragma once" on, with zeros in their own place: another mechanism, other bits.
-  static constexpr unsigned long long fingerprint = 0x1e9962bda91a3b6aULL ^ torsor::support_fingerprint;
+  static constexpr unsigned long long fingerprint = 0x25b2bb4d5bfcb6abULL ^ torsor::support_fingerprint;
   static constexpr int coordinate_count = 2;
   static constexpr int velocity_count = 2;
   static constexpr int input_count = 0;
@@ -530,7 +530,6 @@ struct Mechanism {
     const Scalar n0_5 = traits::constant(0.5, 0.5f, "1/2");
     const Scalar n2 = traits::constant(2.0, 2.0f, "2/1");
     const Scalar n0 = traits::constant(0.0, 0.0f, "0/1");
-    const Scalar n1 = traits::constant(1.0, 1.0f, "1/1");
     const Scalar q_lambda = state.q.lambda;
     const Scalar m0 = precomputed.m_462a1001;
     const Scalar m1 = precomputed.m_6a95ea13;
@@ -544,7 +543,7 @@ struct Mechanism {
     accelerations.phi = n0;
     // 0 x is 0 for every finite x and not a number for any other.
     const Scalar zero = n0 * accelerations.lambda;
-    if (!traits::regular(n1, zero)) return torsor::Status::not_finite;
+    if (!traits::finite(zero)) return torsor::Status::not_finite;
     return torsor::Status::ok;
   }
 
@@ -764,7 +763,7 @@ struct Mechanism {
     result.A[15] = n0;
     // 0 x is 0 for every finite x and not a number for any other.
     const Scalar zero = n0 * result.K[0] * result.F[0] * result.F[1] * result.A[2];
-    if (!traits::regular(n1, zero)) return torsor::Status::not_finite;
+    if (!traits::finite(zero)) return torsor::Status::not_finite;
     return torsor::Status::ok;
   }
 

@@ -116,8 +116,9 @@ function sincos(x) {
   turned[1] = c * i + s * j;
 }
 
-/// Whether a pivot is positive beyond the rounding of the diagonal entry it came from; not when it is not a number.
-const regular = (pivot, diagonal) => pivot > 2.220446049250313e-16 * Math.abs(diagonal);
+/// Whether a pivot is positive beyond the rounding of the diagonal entry it came from. A pivot that is not a number spoils
+/// results, which say so.
+const regular = (pivot, diagonal) => !(pivot <= 2.220446049250313e-16 * Math.abs(diagonal));
 
 // Functions that take one of several forms, and the angle of a vector, as in selections.hpp.
 const absolute = (x) => (x > 0 ? x : 0 - x);

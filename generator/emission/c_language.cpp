@@ -118,6 +118,8 @@ std::string CLanguage::regular(const std::string& pivot, const std::string& diag
   return fmt::format("torsor_regular({}, {})", pivot, diagonal);
 }
 
+std::string CLanguage::finite(const std::string& number) const { return fmt::format("torsor_finite({})", number); }
+
 std::string CLanguage::status(const std::string& name) const { return "torsor_" + name; }
 
 }  // namespace torsor

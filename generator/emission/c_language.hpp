@@ -29,6 +29,7 @@ class CLanguage final : public Language {
   std::vector<CodeLine> sines_and_cosines(const std::vector<AngleText>& angles, int group) const override;
   std::vector<CodeLine> recurrence(const RecurrenceText& text) const override;
   std::string regular(const std::string& pivot, const std::string& diagonal) const override;
+  std::string finite(const std::string& number) const override;
   std::string status(const std::string& name) const override;
 
  private:

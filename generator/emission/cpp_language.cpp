@@ -113,6 +113,8 @@ std::string CppLanguage::regular(const std::string& pivot, const std::string& di
   return fmt::format("traits::regular({}, {})", pivot, diagonal);
 }
 
+std::string CppLanguage::finite(const std::string& number) const { return fmt::format("traits::finite({})", number); }
+
 std::string CppLanguage::status(const std::string& name) const { return "torsor::Status::" + name; }
 
 }  // namespace torsor

@@ -158,6 +158,8 @@ std::string JavascriptLanguage::regular(const std::string& pivot, const std::str
   return fmt::format("regular({}, {})", pivot, diagonal);
 }
 
+std::string JavascriptLanguage::finite(const std::string& number) const { return fmt::format("Number.isFinite({})", number); }
+
 std::string JavascriptLanguage::status(const std::string& name) const { return "Status." + name; }
 
 }  // namespace torsor

@@ -66,6 +66,8 @@ class Language {
   virtual std::vector<CodeLine> recurrence(const RecurrenceText& text) const = 0;
   /// Whether a pivot is regular beside another number.
   virtual std::string regular(const std::string& pivot, const std::string& diagonal) const = 0;
+  /// Whether a number is finite.
+  virtual std::string finite(const std::string& number) const = 0;
   /// One of "ok", "singular", "not_finite".
   virtual std::string status(const std::string& name) const = 0;
 };

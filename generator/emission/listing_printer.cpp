@@ -163,8 +163,7 @@ class ListingPrinter {
       const std::string product = zero_times(formulas_.name(Number()), finite_, 0, finite_.size());
       line("// 0 x is 0 for every finite x and not a number for any other.");
       line(language_->local("zero", product));
-      const std::string one = formulas_.name(Number(1));
-      line(fmt::format("if (!{}) return {};", language_->regular(one, "zero"), language_->status("not_finite")));
+      line(fmt::format("if (!{}) return {};", language_->finite("zero"), language_->status("not_finite")));
     }
     line(fmt::format("return {};", language_->status("ok")));
   }

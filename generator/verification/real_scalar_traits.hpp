@@ -29,8 +29,9 @@ struct scalar_traits<Real> {
   static Real log(const Real& x) noexcept { return torsor::log(x); }
   static Real atan2(const Real& y, const Real& x) noexcept { return torsor::atan2(y, x); }
   static bool regular(const Real& pivot, const Real& diagonal) noexcept {
-    return pivot > pivot.epsilon() * torsor::abs(diagonal);
+    return !(pivot <= pivot.epsilon() * torsor::abs(diagonal));
   }
+  static bool finite(const Real& x) noexcept { return !x.is_nan(); }
 };
 
 }  // namespace torsor

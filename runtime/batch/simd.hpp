@@ -73,8 +73,9 @@ struct scalar_traits<runtime::Simd<Number, lanes, instructions>> {
   }
   /// Lane by lane; a kernel asks whether it holds in all.
   TORSOR_SIMD_INLINED static Mask regular(const Scalar& pivot, const Scalar& diagonal) noexcept {
-    return pivot > constant(0x1p-52, 0x1p-23f, nullptr) * abs(diagonal);
+    return opposite(pivot <= constant(0x1p-52, 0x1p-23f, nullptr) * abs(diagonal));
   }
+  TORSOR_SIMD_INLINED static Mask finite(const Scalar& x) noexcept { return x - x >= constant(0.0, 0.0f, nullptr); }
 
  private:
   /// Of angles beyond the bound, which are rare.

@@ -106,6 +106,16 @@ class Simd {
       }
       return both;
     }
+    /// Lane by lane; !mask is another question, whether some lane lacks it.
+    [[nodiscard]] friend TORSOR_SIMD_INLINED Mask opposite(const Mask& a) noexcept {
+      Mask other;
+      if constexpr (in_register) {
+        other.flags_ = ~a.flags_;
+      } else {
+        for (int i = 0; i < lanes; ++i) other.flags_[i] = !a.flags_[i];
+      }
+      return other;
+    }
     [[nodiscard]] friend TORSOR_SIMD_INLINED bool all(const Mask& mask) noexcept {
 #if defined(__AVX512F__)
       if constexpr (in_register && sizeof(mask.flags_) == 64) {

@@ -38,8 +38,9 @@ struct scalar_traits<Bounded<in_float>> {
     cosine = {std::cos(angle.value), angle.bound + 2 * Scalar::unit};
   }
   static bool regular(const Scalar& pivot, const Scalar& diagonal) noexcept {
-    return pivot.value > 2 * Scalar::unit * std::abs(diagonal.value);
+    return !(pivot.value <= 2 * Scalar::unit * std::abs(diagonal.value));
   }
+  static bool finite(const Scalar& x) noexcept { return std::isfinite(x.value); }
 };
 
 }  // namespace torsor
