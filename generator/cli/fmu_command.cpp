@@ -62,7 +62,9 @@ OutputNames chosen_outputs(const Scene& scene, const OutputNames& asked) {
   const SceneContent& content = scene.content();
   std::vector<std::string> points, frames, released;
   for (const PointContent& point : content.points) points.push_back(point.name);
-  for (const FrameContent& frame : content.frames) frames.push_back(frame.name);
+  for (const FrameContent& frame : content.frames) {
+    if (!content.is_rotor(frame)) frames.push_back(frame.name);
+  }
   for (const CoordinateContent& coordinate : content.coordinates) {
     if (coordinate.released) released.push_back(coordinate.q->name);
   }
@@ -164,7 +166,7 @@ void add_fmu_command(CommandSet& commands) {
       ->check(CLI::IsMember({2, 3}));
   command.add_option("--run-time", request->run_time, "parameters that can be tuned, comma-separated, or all");
   const auto add_outputs = [&command](const char* name, std::vector<std::string>& names, const char* text) {
-    command.add_option(name, names, text)->delimiter(',');
+    command.add_option(name, names, text)->delimiter(',')->allow_extra_args(false);
   };
   *of_robot = command.get_option_no_throw("--points");
   if (*of_robot == nullptr) {

@@ -36,7 +36,7 @@ Json frames_json(const Scene& scene) {
     const int parent = frame.parent ? content.frame_index(*frame.parent, "frame '" + frame.name + "'") : -1;
     list.push_back({{"name", printable(frame.name)},
                     {"parent", parent},
-                    {"joint", word_of(frame.joint)},
+                    {"joint", content.is_rotor(frame) ? "weld" : word_of(frame.joint)},
                     {"body", graph.body_of_frame[k]}});
   }
   return list;

@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 
 #include "torsor/generator/import/mjcf_builder.hpp"
-#include "torsor/generator/import/rotor.hpp"
 
 namespace torsor {
 
@@ -58,8 +57,7 @@ void MjcfBuilder::add_scalar_actions(std::size_t i) {
   }
   if (joint.armature != 0) {
     const Expression a = parameter(name + "_armature", turns ? "kg m^2" : "kg", from_double(joint.armature));
-    add_rotor(scene_, identifiers_.frames().take(name + "_rotor", "joint"),
-              {.displacement = q, .turns = turns, .armature = a});
+    scene_.reflected_inertia(identifiers_.frames().take(name + "_rotor", "joint"), q, a);
   }
   if (joint.limited && options_.limits && !model_.limits_act) {
     note("the flag limit or constraint is disabled: --limits makes no stops", joint.name);
@@ -106,10 +104,8 @@ void MjcfBuilder::add_free_actions(std::size_t i) {
   scene_.body(identifiers_.frames().take(parts.name + "_rotor", "joint"), body,
               Inertia::general({.mass = 0, .xx = a, .yy = a, .zz = a}));
   for (std::size_t k = 0; is_free && k < 3; ++k) {
-    add_rotor(scene_, identifiers_.frames().take(parts.name + axes.at(k) + "_rotor", "joint"),
-              {.displacement = parts.place[k],
-               .turns = false,
-               .armature = a / Expression::quantity(Number(1), units::metre * units::metre)});
+    scene_.reflected_inertia(identifiers_.frames().take(parts.name + axes.at(k) + "_rotor", "joint"), parts.place[k],
+                             a / Expression::quantity(Number(1), units::metre * units::metre));
   }
 }
 

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include "torsor/generator/dynamics/motion/body_set.hpp"
 #include "torsor/generator/dynamics/recursions/base_parameters.hpp"
 #include "torsor/generator/dynamics/recursions/regressor.hpp"
 #include "torsor/generator/kernels/kernel_parts.hpp"
@@ -15,13 +16,15 @@ ConstantTable list_of_parameters(const Model& model, const std::vector<std::size
   std::string text = "Standard inertial parameters of the links, ten each about the link's origin in its axes:\n ";
   for (const char* name : inertial_parameter_names) text += fmt::format(" {}", name);
   text += " (J_xy = minus the integral of x y dm).";
+  const std::vector<bool> rotor = rotor_links(model);
   for (std::size_t l = 0; l < links.size(); ++l) {
     std::string bodies;
-    for (const BodyContent& body : model.scene().bodies) {
-      if (static_cast<std::size_t>(model.place(body.frame, "body '" + body.name + "'").link) != links[l]) continue;
-      bodies += (bodies.empty() ? "" : ", ") + body.name;
+    for (const BodyContent* body : model.scene().inertias()) {
+      if (static_cast<std::size_t>(model.place(body->frame, "body '" + body->name + "'").link) != links[l]) continue;
+      bodies += (bodies.empty() ? "" : ", ") + body->name;
     }
-    text += fmt::format("\n{} to {}: frame {} with body {}", 10 * l, 10 * l + 9, model.links()[links[l]].name, bodies);
+    text += rotor[links[l]] ? fmt::format("\n{} to {}: reflected inertia {}, J_zz", 10 * l, 10 * l + 9, bodies)
+                  : fmt::format("\n{} to {}: frame {} with body {}", 10 * l, 10 * l + 9, model.links()[links[l]].name, bodies);
   }
   return {"inertial_parameter_count", 10 * links.size(), text};
 }
@@ -59,7 +62,7 @@ void add_regrouping(std::vector<ConstantTable>& tables, const BaseParameters& ba
 
 std::string no_regressor(const Equations& equations) {
   const Model& model = equations.model();
-  const std::vector<std::size_t> links = links_with_bodies(model);
+  const std::vector<std::size_t> links = links_with_inertia(model);
   if (links.empty()) return "no body moves";
   if (unknowns(equations) == 0) return "the scene has no unknown coordinates";
   for (const std::size_t link : links) {
@@ -75,7 +78,7 @@ std::string no_regressor(const Equations& equations) {
 Kernel make_regressor(const Equations& equations) {
   Kernel kernel;
   const Model& model = equations.model();
-  const std::vector<std::size_t> links = links_with_bodies(model);
+  const std::vector<std::size_t> links = links_with_inertia(model);
   const ValueMatrix y = regressor(model);
   const BaseParameters base = base_parameters(model, y);
   kernel.documentation =

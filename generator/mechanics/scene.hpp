@@ -145,6 +145,10 @@ class Scene {
   /// `Moments::as_given` accepts moments that no matter has, such as identified ones.
   void body(const std::string& name, const FrameReference& frame, const Inertia& inertia,
             Moments moments = Moments::of_matter);
+  /// The reflected inertia a of a rotor behind its gear, which a displacement e drives: T = ½ a ė², a in kg m² where e is an
+  /// angle, in kg where it is a length. For a ratio N and a rotor of inertia J, a = N² J. It resists along e alone: it has
+  /// no weight, no place, and no momentum (Featherstone, Rigid Body Dynamics Algorithms, §9.6, without gyroscopic terms).
+  void reflected_inertia(const std::string& name, const Expression& displacement, const Expression& inertia);
 
   // --- what formulas may ask of the motion --------------------------------------------------------------------------
   // Vectors that follow from the motion of frames, as components along the axes of `axes`. They may stand in any
@@ -213,9 +217,10 @@ class Scene {
 
   // --- contact laws in an assumed regime ----------------------------------------------------------------------------
   // Each law uses the multiplier N of `normal` as the normal force N = n · R(other → body) ≥ 0 [N]. Give that
-  // constraint as a distance, or name its reaction along n; another one is refused. Nothing watches the regime: the
-  // caller must notice N < 0 (the contact opens) and a slip that stops (runtime/events/contact_regime.hpp). Adhering is a
-  // no_slip constraint, without friction.
+  // constraint as a distance, or name its reaction along n; another one is refused. `simulate` notes where N < 0 (the
+  // contact would open) and where the slip is against its assumed direction. A motion of the runtime watches neither: its
+  // caller must, and must notice a slip that stops (runtime/events/contact_regime.hpp). Adhering is a no_slip
+  // constraint, without friction.
   /// Coulomb's law while sliding: the force T = −f N G/|G| at `point` of `body`, and the opposite on `other`. f is
   /// the `coefficient`. `direction` is G, of any length: the velocity of slip of body on other, or a direction known
   /// beforehand (course, §6.2.3, whose printed T lacks the division by |G|).

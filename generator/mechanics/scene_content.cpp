@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "torsor/generator/mechanics/scene_content.hpp"
 
+#include <algorithm>
+
 #include <fmt/format.h>
 
 #include "torsor/generator/base/did_you_mean.hpp"
@@ -29,7 +31,13 @@ int find_index(const std::vector<Content>& all, const std::variant<int, std::str
 }  // namespace
 
 int SceneContent::frame_index(const FrameReference& reference, const std::string& user) const {
-  return find_index(frames, reference.target, "frame", user);
+  const int index = find_index(frames, reference.target, "frame", user);
+  const FrameContent& frame = frames[static_cast<std::size_t>(index)];
+  if (std::holds_alternative<std::string>(reference.target) && is_rotor(frame)) {
+    throw SceneError(fmt::format("{} names '{}', a reflected inertia, which has no place and no axes: name a frame", user,
+                                 frame.name));
+  }
+  return index;
 }
 int SceneContent::point_index(const PointReference& reference, const std::string& user) const {
   return find_index(points, reference.target, "point", user);
@@ -59,6 +67,18 @@ std::optional<std::pair<std::size_t, std::size_t>> SceneContent::quaternion_comp
     }
   }
   return std::nullopt;
+}
+
+std::vector<const BodyContent*> SceneContent::inertias() const {
+  std::vector<const BodyContent*> all;
+  for (const std::vector<BodyContent>* some : {&bodies, &rotors}) {
+    for (const BodyContent& each : *some) all.push_back(&each);
+  }
+  return all;
+}
+
+bool SceneContent::is_rotor(const FrameContent& frame) const {
+  return std::any_of(rotors.begin(), rotors.end(), [&](const BodyContent& rotor) { return rotor.name == frame.name; });
 }
 
 }  // namespace torsor

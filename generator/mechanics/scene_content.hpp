@@ -226,6 +226,8 @@ struct SceneContent {
   std::vector<FrameContent> frames;  ///< parents may come later when they are named by text
   std::vector<PointContent> points;
   std::vector<BodyContent> bodies;
+  /// Reflected inertias, each on a frame of its own. They have kinetic energy and no momentum: none is a body or a joint.
+  std::vector<BodyContent> rotors;
   std::vector<ActionContent> actions;
   std::vector<ContactFriction> frictions;
   std::vector<ConstraintContent> constraints;
@@ -242,6 +244,10 @@ struct SceneContent {
   /// Index of a frame or point; throws SceneError that names the unknown one and lists the known ones.
   int frame_index(const FrameReference& reference, const std::string& user) const;
   int point_index(const PointReference& reference, const std::string& user) const;
+  /// All that has kinetic energy: bodies, then rotors.
+  std::vector<const BodyContent*> inertias() const;
+  /// Whether a frame is only there for a reflected inertia.
+  bool is_rotor(const FrameContent& frame) const;
   /// The attitude and the component that a symbol stands for; none for any other symbol.
   std::optional<std::pair<std::size_t, std::size_t>> quaternion_component(const SymbolPointer& symbol) const;
 };

@@ -209,4 +209,19 @@ void Scene::name_joint(const FrameHandle& frame, const std::string& name) {
       {name, JointType::weld, *welded.parent, frame, welded.placement, FrameRange{frame.index, frame.index}, 0});
 }
 
+void Scene::reflected_inertia(const std::string& name, const Expression& displacement, const Expression& inertia) {
+  const bool slides = displacement.unit() == units::metre;
+  if (!slides && !(displacement.unit() == Unit())) {
+    throw UnitError(fmt::format("the displacement {} of the reflected inertia '{}' has the unit {} and must be in rad or m",
+                                displacement.to_string(), name, displacement.unit().to_string()));
+  }
+  require_unit(inertia, slides ? units::kilogram : units::kilogram_metre_squared,
+               fmt::format("the reflected inertia '{}' of a {}", name, slides ? "slide" : "turn"));
+  // A wheel that turns by e, about an axis that does not matter; along a slide one of radius 1 m.
+  const Expression metre = Expression::quantity(Number(1), units::metre);
+  const FrameHandle turned =
+      add_frame({name, ground(), {}, JointKind::revolute, axis::z, slides ? displacement / metre : displacement});
+  content_.rotors.push_back({name, turned, Inertia::general({.mass = 0, .zz = slides ? inertia * metre * metre : inertia})});
+}
+
 }  // namespace torsor

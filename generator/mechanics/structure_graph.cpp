@@ -108,9 +108,10 @@ class Builder {
     }
   }
 
+  /// The ground's for the frame of a rotor, which is no body.
   int body_of(int f) const {
     const auto place = std::find(roots_.begin(), roots_.end(), end_of_[as_index(root(f))]);
-    return static_cast<int>(place - roots_.begin());
+    return place == roots_.end() ? 0 : static_cast<int>(place - roots_.begin());
   }
 
   /// Of the frames of a body, one that shares its name with an inertia has the body's; else the first that is not

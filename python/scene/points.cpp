@@ -57,6 +57,8 @@ void bind_points(SceneClass& scene) {
   bind_contact_points(scene);
   scene.def("body", [](S s, Name n, F frame, const Inertia& inertia, Moments moments) { s.scene.body(n, s.of(frame), inertia, moments); },
             "name"_a, "frame"_a, "inertia"_a, py::arg_v("moments", Moments::of_matter, "Moments.of_matter"), comment_of("body"));
+  scene.def("reflected_inertia", [](S s, Name n, E of, E inertia) { s.scene.reflected_inertia(n, of, inertia); },
+            "name"_a, "displacement"_a, "inertia"_a, comment_of("reflected_inertia"));
   bind_measures(scene);
 }
 

@@ -56,6 +56,9 @@ TEST_F(SceneExamples, OfActions) {
   // example: motor
   const Expression drive = scene.motor("drive", x);  // its force is an input of the kernels
   // end
+  // example: reflected_inertia
+  scene.reflected_inertia("rotor", x, scene.parameter("rotor_mass", "kg", 3));  // the motor's rotor, seen through its gear
+  // end
   static_cast<void>(drive);
   // example: force
   scene.force("push", {.body = "rod", .point = tip, .components = {F, 0, 0}, .axes = "ground"});

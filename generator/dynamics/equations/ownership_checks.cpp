@@ -51,9 +51,9 @@ class OwnershipCheck {
       look(lowest.radius), look(lowest.tube);
       if (lowest.support) look(lowest.support->h);
     }
-    for (const BodyContent& body : scene_.bodies) {
-      const Inertia& i = body.inertia;
-      of("body '" + body.name + "'", i.mass, i.center, i.xx, i.yy, i.zz, i.xy, i.xz, i.yz);
+    for (const BodyContent* body : scene_.inertias()) {
+      const Inertia& i = body->inertia;
+      of("body '" + body->name + "'", i.mass, i.center, i.xx, i.yy, i.zz, i.xy, i.xz, i.yz);
     }
     for (const ActionContent& action : scene_.actions) {
       user_ = "action '" + name_of(action) + "'";

@@ -87,8 +87,8 @@ std::vector<const BodyContent*> bodies_moved_by(const Model& model, int coordina
     for (const auto& [i, partial] : link.partials) moved[k] = moved[k] || i == coordinate;
   }
   std::vector<const BodyContent*> bodies;
-  for (const BodyContent& body : model.scene().bodies) {
-    if (moved[static_cast<std::size_t>(model.place(body.frame, body.name).link)]) bodies.push_back(&body);
+  for (const BodyContent* body : model.scene().inertias()) {
+    if (moved[static_cast<std::size_t>(model.place(body->frame, body->name).link)]) bodies.push_back(body);
   }
   return bodies;
 }
@@ -254,7 +254,7 @@ void validate(const Scene& scene) {
   const WorkingDigits precision(generic_digits);
   check_ownership(scene);
   check_coordinates(scene);
-  for (const BodyContent& body : scene.content().bodies) check_inertia(scene.content(), body);
+  for (const BodyContent* body : scene.content().inertias()) check_inertia(scene.content(), *body);
   check_universal_joints(scene.content());
   check_shown_forms(scene.content());
   check_friction_coefficients(scene.content());

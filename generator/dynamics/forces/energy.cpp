@@ -31,6 +31,12 @@ Value kinetic_energy_about_centres(const Model& model) {
   return Number::rational(1, 2) * doubled;
 }
 
+Value rotor_energy(const Model& model, std::size_t rotor) {
+  const BodyContent& body = model.scene().rotors[rotor];
+  const Link& link = model.links()[static_cast<std::size_t>(model.place(body.frame, body.name).link)];
+  return Number::rational(1, 2) * link.mass.inertia(2, 2) * link.rate * link.rate;
+}
+
 Value gravity_force_function(const Model& model) {
   Program& program = model.program();
   const Vector g = lower(program, model.scene().gravity);

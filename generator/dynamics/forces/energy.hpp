@@ -13,6 +13,9 @@ Value kinetic_energy(const Model& model);
 /// of the origin O.
 Value kinetic_energy_about_centres(const Model& model);
 
+/// ½ a ė² of a reflected inertia, by its place among the rotors of the scene.
+Value rotor_energy(const Model& model, std::size_t rotor);
+
 /// U of gravity: Σ m g · OG [J].
 Value gravity_force_function(const Model& model);
 

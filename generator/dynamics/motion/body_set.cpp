@@ -18,6 +18,23 @@ BodyNames all_bodies(const Model& model) {
   return names;
 }
 
+std::vector<bool> rotor_links(const Model& model) {
+  std::vector<bool> is_rotor(model.links().size(), false);
+  for (const BodyContent& rotor : model.scene().rotors) {
+    is_rotor[static_cast<std::size_t>(model.place(rotor.frame, "reflected inertia '" + rotor.name + "'").link)] = true;
+  }
+  return is_rotor;
+}
+
+BodyNames moving_bodies(const Model& model) {
+  BodyNames names;
+  for (const BodyContent& body : model.scene().bodies) {
+    if (model.place(body.frame, "body '" + body.name + "'").link != 0) names.push_back(body.name);
+  }
+  if (names.empty()) throw SceneError("no body of the scene moves: there is nothing to isolate; give a frame that moves a body");
+  return names;
+}
+
 std::vector<int> body_indices(const Model& model, const BodyNames& names, const std::string& user) {
   const BodyNames known = all_bodies(model);
   if (names.empty()) {

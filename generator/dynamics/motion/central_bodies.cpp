@@ -54,8 +54,8 @@ CentralBody whole(std::size_t link, const MassProperties& sum) {
 std::vector<CentralBody> central_bodies(const BodyTree& tree) {
   Program& program = tree.program();
   std::vector<std::vector<CentralBody>> by_link(tree.links().size());
-  for (const BodyContent& body : tree.scene().bodies) {
-    CentralBody central = placed(tree, body);
+  for (const BodyContent* body : tree.scene().inertias()) {
+    CentralBody central = placed(tree, *body);
     by_link[central.link].push_back(std::move(central));
   }
   std::vector<CentralBody> all;

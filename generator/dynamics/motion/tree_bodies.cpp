@@ -38,7 +38,8 @@ void add_placed(Program& program, MassProperties& sum, const MassProperties& par
 
 void BodyTree::gather_bodies() {
   for (Link& link : links_) link.mass = {};
-  for (const BodyContent& body : scene_->bodies) {
+  for (const BodyContent* each : scene_->inertias()) {
+    const BodyContent& body = *each;
     const FramePlace& at = place(body.frame, "body '" + body.name + "'");
     const Inertia& given = body.inertia;
     MassProperties central;

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "torsor/generator/dynamics/motion/body_set.hpp"
 #include "torsor/generator/dynamics/motion/ground_motion.hpp"
 
 namespace torsor {
@@ -13,7 +14,10 @@ std::vector<MassProperties> composites(const Model& model) {
   Program& program = model.program();
   const auto& links = model.links();
   std::vector<MassProperties> bodies(links.size());
-  for (std::size_t k = 1; k < links.size(); ++k) bodies[k] = links[k].mass;
+  const std::vector<bool> is_rotor = rotor_links(model);
+  for (std::size_t k = 1; k < links.size(); ++k) {
+    if (!is_rotor[k]) bodies[k] = links[k].mass;
+  }
   for (std::size_t k = links.size(); k-- > 1;) {
     const Link& link = links[k];
     MassProperties& body = bodies[k];

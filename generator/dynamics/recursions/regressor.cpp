@@ -3,6 +3,7 @@
 
 #include <set>
 
+#include "torsor/generator/dynamics/motion/body_set.hpp"
 #include "torsor/generator/dynamics/motion/motion.hpp"
 #include "torsor/generator/program/identically_zero.hpp"
 
@@ -77,10 +78,10 @@ std::array<Value, 10> powers(const BodyTree& tree, Acceleration& motion, const T
 
 }  // namespace
 
-std::vector<std::size_t> links_with_bodies(const Model& model) {
+std::vector<std::size_t> links_with_inertia(const Model& model) {
   std::set<std::size_t> links;
-  for (const BodyContent& body : model.scene().bodies) {
-    const int link = model.place(body.frame, "body '" + body.name + "'").link;
+  for (const BodyContent* body : model.scene().inertias()) {
+    const int link = model.place(body->frame, "body '" + body->name + "'").link;
     if (link > 0) links.insert(static_cast<std::size_t>(link));
   }
   return {links.begin(), links.end()};
@@ -88,7 +89,7 @@ std::vector<std::size_t> links_with_bodies(const Model& model) {
 
 std::vector<Value> inertial_parameters(const Model& model) {
   std::vector<Value> all;
-  for (const std::size_t k : links_with_bodies(model)) {
+  for (const std::size_t k : links_with_inertia(model)) {
     const MassProperties& body = model.links()[k].mass;
     const Vector& h = body.first_moment;
     const Matrix& j = body.inertia;
@@ -100,15 +101,18 @@ std::vector<Value> inertial_parameters(const Model& model) {
 }
 
 ValueMatrix regressor(const Model& model) {
-  const std::vector<std::size_t> links = links_with_bodies(model);
+  const std::vector<std::size_t> links = links_with_inertia(model);
   const BodyTree tree = model.options().passes.length_unit ? in_length_unit(model) : BodyTree(model);
   const std::vector<Axes> axes(tree.links().size(), Axes::own);
   std::vector<Acceleration> motion = accelerations(tree, AccelerationInput::symbols, axes);
+  const std::vector<bool> rotor = rotor_links(model);
   std::vector<Value> entries;
   for (int i = 0; i < model.unknown_count(); ++i) {
     const std::vector<Twist> partials = partial_twists(tree, i);
     for (const std::size_t k : links) {
-      for (const Value& power : powers(tree, motion[k], partials[k])) entries.push_back(power);
+      const std::array<Value, 10> all = powers(tree, motion[k], partials[k]);
+      // A rotor has no place, so that gravity and centripetal accelerations do not act on it: its moment about its axis alone.
+      for (std::size_t p = 0; p < all.size(); ++p) entries.push_back(rotor[k] && p != 9 ? Value() : all[p]);
     }
   }
   const std::vector<bool> zero = identically_zero_entries(entries);

@@ -15,10 +15,11 @@ namespace torsor {
 inline constexpr std::array<const char*, 10> inertial_parameter_names{"m",    "h_x",  "h_y",  "h_z",  "J_xx",
                                                                       "J_xy", "J_xz", "J_yy", "J_yz", "J_zz"};
 
-/// The links that carry bodies, by index; those that only lie between two joints have nothing to identify.
-std::vector<std::size_t> links_with_bodies(const Model& model);
+/// The links that carry bodies and those of reflected inertias, by index; those that only lie between two joints have nothing
+/// to identify.
+std::vector<std::size_t> links_with_inertia(const Model& model);
 
-/// π: ten values of each of these links, from the bodies as the scene gives them.
+/// π: ten values of each of these links, from the bodies and rotors as the scene gives them.
 std::vector<Value> inertial_parameters(const Model& model);
 
 /// Regressor Y(q, v, a) of the forces of inertia and gravity: Y π = M a + h without actions other than gravity, rows

@@ -9,6 +9,7 @@
 #include "torsor/generator/base/as_index.hpp"
 #include "torsor/generator/base/linear_algebra/row_reduction.hpp"
 #include "torsor/generator/dynamics/forces/constraint_wrench.hpp"
+#include "torsor/generator/dynamics/motion/body_set.hpp"
 
 namespace torsor {
 namespace {
@@ -34,7 +35,8 @@ std::vector<std::optional<Numbers>> unit_solutions(const std::vector<Numbers>& r
 class Namer {
  public:
   Namer(const Equations& equations, const NaturalLanguage& language)
-      : say(language), equations_(equations), model_(equations.model()), program_(equations.program()) {
+      : say(language), equations_(equations), model_(equations.model()), program_(equations.program()),
+        rotor_(rotor_links(model_)) {
     next_index_ = model_.scene().symbol_count;
     find_forces();
     find_efforts();
@@ -82,7 +84,8 @@ class Namer {
                                                  SymbolKind::multiplier, next_index_++, nullptr});
   }
 
-  /// Q_i of what works on formulas: inputs, springs, dampers, efforts, constraints whose force no wrench describes.
+  /// Q_i of what works on formulas: inputs, springs, dampers, efforts, constraints whose force no wrench describes; of
+  /// reflected inertias as well, which act in joints.
   void find_forces() {
     const AppliedActions& actions = equations_.actions();
     const std::vector<SymbolPointer> inputs = model_.inputs();
@@ -96,8 +99,21 @@ class Namer {
         if (row.column[i].is_zero() || constraint_wrench(model_, static_cast<int>(j))) continue;
         force += row.column[i] * program_.symbol(row.multiplier);
       }
-      idle_ = idle_ && force.is_zero();
       forces_.push_back(force);
+    }
+    add_rotors();
+    idle_ = std::all_of(forces_.begin(), forces_.end(), [](const Value& force) { return force.is_zero(); });
+  }
+
+  /// What reflected inertias resist with: −∂e/∂q_i a ë.
+  void add_rotors() {
+    for (std::size_t k = 0; k < rotor_.size(); ++k) {
+      if (!rotor_[k]) continue;
+      const Link& rotor = model_.links()[k];
+      const Value torque = rotor.mass.inertia(2, 2) * rotor.acceleration;
+      for (const auto& [i, partial] : rotor.partials) {
+        if (as_index(i) < forces_.size()) forces_[as_index(i)] -= partial * torque;
+      }
     }
   }
 
@@ -106,7 +122,9 @@ class Namer {
   void find_efforts() {
     const std::size_t n = forces_.size();
     std::vector<bool> still(n, false);
-    for (const Link& link : model_.links()) {
+    for (std::size_t k = 0; k < rotor_.size(); ++k) {
+      const Link& link = model_.links()[k];
+      if (rotor_[k]) continue;
       const bool constant = std::all_of(link.partials.begin(), link.partials.end(),
                                         [](const auto& entry) { return entry.second.is_constant(); });
       for (const auto& [i, partial] : link.partials) {
@@ -114,8 +132,10 @@ class Namer {
       }
     }
     std::vector<Numbers> rows;
-    for (const Link& link : model_.links()) {
+    for (std::size_t k = 0; k < rotor_.size(); ++k) {
+      const Link& link = model_.links()[k];
       rows.emplace_back(n);
+      if (rotor_[k]) continue;
       for (const auto& [i, partial] : link.partials) {
         if (as_index(i) < n && !still[as_index(i)]) rows.back()[as_index(i)] = partial.polynomial().constant();
       }
@@ -176,6 +196,7 @@ class Namer {
   const Equations& equations_;
   const Model& model_;
   Program& program_;
+  const std::vector<bool> rotor_;  ///< by link: whether it is a reflected inertia
   int next_index_ = 0;
   bool idle_ = true;  ///< nothing works on formulas
   std::vector<Value> forces_;

@@ -9,6 +9,7 @@
 #include "torsor/generator/base/linear_algebra/real_rows.hpp"
 #include "torsor/generator/base/linear_algebra/tolerances.hpp"
 #include "torsor/generator/dynamics/forces/constraint_wrench.hpp"
+#include "torsor/generator/dynamics/motion/body_set.hpp"
 #include "torsor/generator/program/generic_state.hpp"
 
 namespace torsor {
@@ -48,19 +49,9 @@ class Finder {
   Finder(const Equations& equations, int state)
       : model_(equations.model()), program_(equations.program()), evaluate_(at_generic_state(equations, state)) {
     const std::size_t count = model_.links().size();
-    stands_.assign(count, false);
     children_.assign(count, 0);
-    stands_[0] = true;
-    for (const BodyContent& body : model_.scene().bodies) {
-      stands_[as_index(model_.place(body.frame, body.name).link)] = true;
-    }
-    // What acts on a link without mass is no action of its joint on the next body: the link is a body of mass 0.
-    for (const auto& [link, wrench] : equations.actions().wrenches) stands_[as_index(link)] = true;
-    for (std::size_t j = 0; j < equations.constraints().size(); ++j) {
-      const auto unit = constraint_wrench(model_, static_cast<int>(j));
-      if (!unit) continue;
-      for (const auto& [link, wrench] : *unit) stands_[as_index(link)] = true;
-    }
+    rotor_ = rotor_links(model_);
+    stands_ = standing_links(equations);
     for (std::size_t k = 1; k < count; ++k) ++children_[static_cast<std::size_t>(model_.links()[k].parent)];
     const auto n = static_cast<std::size_t>(model_.unknown_count());
     for (std::size_t k = 0; k < count; ++k) {  // ∂s_k/∂q_i
@@ -76,7 +67,7 @@ class Finder {
     std::vector<Connection> found;
     for (std::size_t k = 1; k < stands_.size(); ++k) {
       const auto parent = static_cast<std::size_t>(model_.links()[k].parent);
-      if (passes_through(parent)) continue;
+      if (rotor_[k] || passes_through(parent)) continue;
       Connection connection;
       connection.top = static_cast<int>(k);
       connection.from = static_cast<int>(parent);
@@ -135,6 +126,7 @@ class Finder {
     // Virtual motions in which no other joint moves, and the twists they give the body.
     RealRows others;
     for (std::size_t k = 1; k < partials_.size(); ++k) {
+      if (rotor_[k]) continue;  // it goes along, and its torque acts in the joint
       if (std::find(chain.begin(), chain.end(), static_cast<int>(k)) == chain.end()) others.push_back(partials_[k]);
     }
     RealRows twists;
@@ -161,12 +153,27 @@ class Finder {
   const Model& model_;
   Program& program_;
   Evaluator<Real> evaluate_;
-  std::vector<bool> stands_;  ///< matter, or something that acts on it
+  std::vector<bool> rotor_;   ///< whether it is no body, but a reflected inertia
+  std::vector<bool> stands_;  ///< standing_links
   std::vector<int> children_;
   std::vector<Row> partials_;
 };
 
 }  // namespace
+
+std::vector<bool> standing_links(const Equations& equations) {
+  const Model& model = equations.model();
+  std::vector<bool> stands(model.links().size(), false);
+  stands[0] = true;
+  for (const BodyContent& body : model.scene().bodies) stands[as_index(model.place(body.frame, body.name).link)] = true;
+  for (const auto& [link, wrench] : equations.actions().wrenches) stands[as_index(link)] = true;
+  for (std::size_t j = 0; j < equations.constraints().size(); ++j) {
+    const auto unit = constraint_wrench(model, static_cast<int>(j));
+    if (!unit) continue;
+    for (const auto& [link, wrench] : *unit) stands[as_index(link)] = true;
+  }
+  return stands;
+}
 
 Evaluator<Real> at_generic_state(const Equations& equations, int state) {
   return {equations.program(), [state](const SymbolPointer& symbol) { return generic_value(symbol, state); }};

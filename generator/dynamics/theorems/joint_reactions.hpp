@@ -33,6 +33,10 @@ struct Connection {
 /// free when its power vanishes there, with probability one everywhere.
 std::vector<Connection> connections(const Equations& equations);
 
+/// By link: whether it counts as a body. The ground does, links with matter, and those on which an action or a constraint
+/// acts; what acts on a link without mass is no action of its joint on the next body.
+std::vector<bool> standing_links(const Equations& equations);
+
 /// Evaluates at a generic state; quaternions have norm 1 there.
 Evaluator<Real> at_generic_state(const Equations& equations, int state = 0);
 
