@@ -12,6 +12,7 @@
 #include "torsor/generator/base/did_you_mean.hpp"
 #include "torsor/generator/base/error.hpp"
 #include "torsor/generator/cli/contact_simulation.hpp"
+#include "torsor/generator/cli/friction_regime.hpp"
 #include "torsor/generator/cli/start_state.hpp"
 #include "torsor/generator/program/written_unit.hpp"
 #include "torsor/generator/verification/dormand_prince_853.hpp"
@@ -115,10 +116,12 @@ Simulation simulate(const Scene& scene, const SimulationOptions& options) {
       settle, y);
   integrator->expect(options.duration);
   WatchedEvents watched(scene, motion, options.events);
+  FrictionRegime friction(motion);
   const auto write = [&] {
     const double t = integrator->time();
     std::vector<double> row{t};
     row.insert(row.end(), integrator->state().begin(), integrator->state().end());
+    friction.look(t, integrator->state());
     const std::vector<double> observed = motion.observe(t, integrator->state());
     row.insert(row.end(), observed.begin(), observed.end());
     result.rows.push_back(std::move(row));
@@ -147,6 +150,7 @@ Simulation simulate(const Scene& scene, const SimulationOptions& options) {
     if (options.progress) options.progress(t / options.duration);
   }
   result.steps = integrator->steps();
+  result.remarks = friction.remarks();
   if (!integrator->status().empty()) {
     result.status = fmt::format("{} at t = {:.9g} s", integrator->status(), integrator->time());
     result.status += integrator->because();

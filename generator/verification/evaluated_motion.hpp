@@ -45,6 +45,8 @@ class EvaluatedMotion {
   double position_rate(std::size_t i) { return here_(position_rates_[i]); }
   double mass(std::size_t i, std::size_t j) { return here_(mass_[i][j]); }
   const ConstraintRow& constraint(std::size_t j) const { return rows_[j]; }
+  /// λ_j of the motion.
+  double multiplier(std::size_t j) { return here_(forward_.assignments[velocity_count() + j].value); }
 
   /// dy/dt; false where a pivot is not positive beyond rounding, or a number is none.
   bool slope(double t, const std::vector<double>& y, std::vector<double>& rates);
