@@ -13,6 +13,7 @@
 #include "torsor/generator/kernels/kernel.hpp"
 #include "torsor/generator/mechanics/freedom_positions.hpp"
 #include "torsor/generator/mechanics/parameter_value.hpp"
+#include "torsor/generator/mechanics/uncounted_contacts.hpp"
 #include "torsor/generator/printing/notation.hpp"
 #include "torsor/generator/program/written_unit.hpp"
 
@@ -103,11 +104,15 @@ Json content_json(const Scene& scene, const Equations& equations) {
   for (const FrameContent& f : content.frames) frames.push_back(f.name);
   Json& bodies = list("bodies");
   for (const BodyContent& b : content.bodies) bodies.push_back(b.name);
+  Json& rotors = list("reflected_inertias");
+  for (const BodyContent& r : content.rotors) rotors.push_back(r.name);
   Json& points = list("points");
   for (const PointContent& p : content.points) points.push_back(p.name);
   Json& actions = list("actions");
   for (const ActionContent& a : content.actions) actions.push_back(name_of(a));
   for (const ContactFriction& f : content.frictions) actions.push_back(f.name);
+  Json& contacts = list("contacts");
+  for (const ContactContent& c : content.contacts) contacts.push_back({{"name", c.name}, {"kind", kind_of(c)}});
   Json& constraints = list("constraints");
   for (const ConstraintContent& c : content.constraints) {
     constraints.push_back(
@@ -168,6 +173,9 @@ std::string list_text(const Scene& scene) {
                        c["role"] == "unknown" ? "" : " (" + text(c["role"]) + ")");
   });
   for (const char* key : {"frames", "bodies", "points", "actions"}) out += line(key, json[key], plain);
+  out += line("rotors", json["reflected_inertias"], plain);
+  out += line("contacts", json["contacts"],
+              [&](const Json& c) { return fmt::format("{} ({})", text(c["name"]), text(c["kind"])); });
   out += line("constraints", json["constraints"],
               [&](const Json& c) { return fmt::format("{} ({})", text(c["name"]), text(c["multiplier"])); });
   for (const Json& kernel : json["kernels"]) {

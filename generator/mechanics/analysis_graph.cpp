@@ -33,6 +33,10 @@ class Linker {
       add(AnalysisLink::Kind::action, friction.name, friction.point ? say("friction") : say("resistance to turning"),
           {body_of(friction.body), body_of(friction.other)});
     }
+    for (const ContactContent& contact : scene_.contacts) {
+      name_ = contact.name;
+      std::visit([this](const auto& geometry) { touch(geometry); }, contact.geometry);
+    }
     drives();
     return std::move(links_);
   }
@@ -113,6 +117,16 @@ class Linker {
     action(a.name, a.point ? say("mutual force") : say("mutual torque"), {body_of(a.a), body_of(a.b)});
   }
 
+  void touch(const PointOnPlane& c) { action(name_, say("contact"), {body_of(c.point), body_of(c.plane)}); }
+  void touch(const SphereOnSphere& c) { action(name_, say("contact"), {body_of(c.a), body_of(c.b)}); }
+  void touch(const Stop& c) { action(name_, say("stop"), displaced_by(c.displacement)); }
+  void touch(const FrictionAlong& c) { action(name_, say("dry friction"), displaced_by(c.displacement)); }
+  void touch(const FrictionInJoint& c) {
+    const FrameContent& frame = scene_.frames[as_index(scene_.frame_index(c.frame, "the analysis graph"))];
+    action(name_, say("dry friction"), {body_of(c.frame), body_of(*frame.parent)});
+  }
+  void touch(const TurnOnContact&) {}  // of a contact that stands there
+
   /// The frame that moves with a body, and those it hangs on.
   std::vector<int> moving_chain(int frame) const {
     std::vector<int> chain;
@@ -155,6 +169,7 @@ class Linker {
     std::size_t best_length = 0;
     for (std::size_t f = 0; f < scene_.frames.size(); ++f) {
       if (scene_.frames[f].joint != JointKind::revolute && scene_.frames[f].joint != JointKind::prismatic) continue;
+      if (scene_.is_rotor(scene_.frames[f])) continue;
       const std::vector<int> chain = moving_chain(static_cast<int>(f));
       Value sum;
       for (std::size_t k = 0; k < chain.size() && scene_.frames[as_index(chain[k])].joint == scene_.frames[f].joint; ++k) {

@@ -12,6 +12,7 @@
 #include "torsor/generator/dynamics/motion/frame_motion.hpp"
 #include "torsor/generator/dynamics/theorems/joint_reactions.hpp"
 #include "torsor/generator/dynamics/theorems/newton_euler.hpp"
+#include "torsor/generator/mechanics/uncounted_contacts.hpp"
 #include "torsor/generator/printing/limit_met.hpp"
 #include "torsor/generator/printing/notation.hpp"
 
@@ -155,6 +156,11 @@ void Derivation::kinetic_energies() {
     formula({fmt::format("T({})", body.name), fmt::format("T({})", named_object(body.name).latex)},
             kinetic_energy(equations_.model(), {body.name}));
   }
+  const std::vector<BodyContent>& rotors = scene_.content().rotors;
+  for (std::size_t k = 0; k < rotors.size(); ++k) {
+    formula({fmt::format("T({})", rotors[k].name), fmt::format("T({})", named_object(rotors[k].name).latex)},
+            rotor_energy(equations_.model(), k));
+  }
 }
 
 void Derivation::partial_derivatives(const std::vector<LagrangeEquation>& equations) {
@@ -211,9 +217,7 @@ void Derivation::reactions() {
   page_.note(
       page_.say("By Newton-Euler for what hangs on the joint: force R [N] and moment M [N m] on the body, at the origin of its "
                 "frame, along its axes. Motors and springs in the joint are part of them."));
-  if (!scene_.content().contacts.empty()) {
-    page_.note(page_.say("Every contact is taken to be open here: reactions of closed contacts are not counted."));
-  }
+  for (const std::string& sentence : uncounted_contacts(scene_.content(), page_.say)) page_.note(sentence);
   const std::vector<Wrench> transmitted = transmitted_wrenches(equations_);
   for (const Connection& joint : joints) {
     const std::string& body = equations_.model().links()[as_index(joint.bottom)].name;

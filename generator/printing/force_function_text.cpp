@@ -5,6 +5,7 @@
 
 #include "torsor/generator/dynamics/equations/validation.hpp"
 #include "torsor/generator/dynamics/theorems/force_function.hpp"
+#include "torsor/generator/mechanics/uncounted_contacts.hpp"
 #include "torsor/generator/printing/inline_view.hpp"
 #include "torsor/generator/printing/limit_met.hpp"
 #include "torsor/generator/printing/notation.hpp"
@@ -34,6 +35,7 @@ std::string force_function_text(const Scene& scene, const ActionSelection& selec
   printing::InlineView view(equations.program(), {}, printing::positive_parameters(scene.content()));
   std::string text = fmt::format("{}: {}, {}\n", scene.name(), listed(selection.actions, "all actions"),
                                  selection.bodies.empty() ? "wherever they act" : "on " + listed(selection.bodies, ""));
+  for (const std::string& sentence : uncounted_contacts(scene.content())) text += fmt::format("  {}\n", sentence);
   for (std::size_t i = 0; i < report.forces.size(); ++i) {
     text += fmt::format("  Q_{} = {}\n", equations.model().coordinates()[i].q->name, written(view, report.forces[i]));
   }

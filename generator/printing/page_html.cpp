@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include "torsor/generator/printing/alike_names.hpp"
 #include "torsor/generator/printing/fitted_matrix.hpp"
 #include "torsor/generator/printing/html_text.hpp"
 #include "torsor/generator/printing/latex_width.hpp"
@@ -54,7 +55,9 @@ std::string mixed(const std::string& latex) {
 class HtmlPage final : public Page {
  public:
   using Page::Page;
-  void title(const SceneContent&) override {}
+  void title(const SceneContent& scene) override {
+    for (const std::string& sentence : alike_names(scene, say)) note(sentence);
+  }
   void section(const std::string& heading) override { begin(heading, " open"); }
   void step(const std::string& heading) override { begin(heading, ""); }
   void note(const std::string& sentence) override {

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include "torsor/generator/printing/alike_names.hpp"
 #include "torsor/generator/printing/fitted_matrix.hpp"
 #include "torsor/generator/printing/latex_width.hpp"
 #include "torsor/generator/printing/notation.hpp"
@@ -38,6 +39,7 @@ class LatexPage final : public Page {
   void title(const SceneContent& scene) override {
     const std::string text = scene.name + (scene.title.empty() ? "" : ": " + scene.title);
     out_ += "\\section*{" + latex_escaped(text) + "}\n";
+    for (const std::string& sentence : alike_names(scene, say)) note(sentence);
   }
   void section(const std::string& heading) override {
     close();

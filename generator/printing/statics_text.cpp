@@ -15,6 +15,7 @@
 #include "torsor/generator/dynamics/theorems/joint_reactions.hpp"
 #include "torsor/generator/dynamics/theorems/routh.hpp"
 #include "torsor/generator/dynamics/theorems/stability.hpp"
+#include "torsor/generator/mechanics/uncounted_contacts.hpp"
 #include "torsor/generator/printing/formula_text.hpp"
 #include "torsor/generator/printing/readable_page.hpp"
 #include "torsor/generator/printing/statics_state.hpp"
@@ -84,7 +85,7 @@ class StaticsWriter {
 
   void equilibrium() {
     page_.section(say("Equations of equilibrium"));
-    if (!scene_.content().contacts.empty()) page_.note(say("Every contact is taken to be open here: reactions of closed contacts are not counted."));
+    for (const std::string& sentence : uncounted_contacts(scene_.content(), say)) page_.note(sentence);
     if (statics_.from_potential) page_.stated({potential_name(), statics_.driven ? "-(U + T_{0})" : "-U"}, statics_.potential, say("in J"));
     for (const std::string& remark : statics_.remarks) page_.note(remark + ".");
     std::vector<std::string> idle;
@@ -223,13 +224,17 @@ class StaticsWriter {
       page_.note(
           say("Cannot conclude that it is stable: a determinant of Hurwitz vanishes whatever the parameters, so that "
               "some root has Re s >= 0."));
-      report_negative_coefficient(polynomial);
+      if (!is_no_rest(at)) report_negative_coefficient(polynomial);
       return;
     }
     write_conditions(say("All roots have Re s < 0, and the rest is asymptotically stable, exactly where"), conditions,
                      say("all roots have Re s < 0"));
     const auto values = scene_values({conditions});
     if (!values) return;
+    if (is_no_rest(at)) {
+      page_.note(say("With the scene's values this is no rest: nothing is concluded."));
+      return;
+    }
     const WorkingDigits precision(digits);
     Evaluator<Real> evaluate(program, *values);
     bool stable = true, marginal = false;
@@ -241,6 +246,16 @@ class StaticsWriter {
     page_.note(marginal ? say("With the scene's values: cannot conclude, a condition is an equality, if this is a rest.")
                : stable ? say("With the scene's values: asymptotically stable, if this is a rest.")
                         : say("With the scene's values: unstable, a root has Re s > 0, if this is a rest."));
+  }
+
+  /// Whether the scene's values tell that some force is left over at the state.
+  bool is_no_rest(const AtState& at) {
+    const std::vector<Value> rows = at(statics_.rows);
+    const auto values = scene_values({rows});
+    if (!values) return false;
+    const WorkingDigits precision(digits);
+    Evaluator<Real> evaluate(equations_.program(), *values);
+    return std::any_of(rows.begin(), rows.end(), [&](const Value& row) { return !is_negligible(evaluate(row)); });
   }
 
   /// Where all roots have Re s <= 0, no coefficient is negative.

@@ -12,6 +12,7 @@
 #include "torsor/generator/dynamics/equations/validation.hpp"
 #include "torsor/generator/dynamics/motion/frame_motion.hpp"
 #include "torsor/generator/dynamics/theorems/theorem_equations.hpp"
+#include "torsor/generator/mechanics/uncounted_contacts.hpp"
 #include "torsor/generator/printing/formula_text.hpp"
 #include "torsor/generator/printing/readable_page.hpp"
 
@@ -55,8 +56,7 @@ PointReference point_at(Scene& scene, const std::string& name) {
 namespace {
 
 void report_contacts(printing::ReadablePage& page, const Scene& scene, const NaturalLanguage& say) {
-  if (scene.content().contacts.empty()) return;
-  page.note(say("Every contact is taken to be open here: reactions of closed contacts are not counted."));
+  for (const std::string& sentence : uncounted_contacts(scene.content(), say)) page.note(sentence);
 }
 
 void report_unknowns(printing::ReadablePage& page, const TheoremEquation& equation, const NaturalLanguage& say) {
@@ -101,7 +101,7 @@ std::string theorem_text(const Scene& given, const TheoremRequest& request, cons
   ModelOptions options;
   options.symbolic_parameters = true;
   const Equations equations(scene, options);
-  const BodyNames bodies = request.bodies.empty() ? all_bodies(equations.model()) : request.bodies;
+  const BodyNames bodies = request.bodies.empty() ? moving_bodies(equations.model()) : request.bodies;
   const std::string whom = fmt::format("{}", fmt::join(bodies, ", "));
   const std::string seen = request.observer == "ground" ? "" : say(", seen from {}", request.observer);
   printing::ReadablePage page(equations.program(), scene.content());

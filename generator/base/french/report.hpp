@@ -138,14 +138,14 @@ constexpr Translation french_of_report[] = {
     {"Show the LaTeX of this formula", "Montrer le LaTeX de cette formule"},
     {"Formulas are shown as text: KaTeX was not there when torsor was built.",
      "Les formules sont en texte : KaTeX manquait à la construction de torsor."},
-    {"the mass matrix is singular at every state, because the coordinate '{}' moves no mass; give the links mass, or fix the joints: "
-     "--fix {}, or --fix massless",
-     "la matrice de masse est singulière dans tout état, car le paramètre '{}' ne déplace aucune masse ; donner une masse aux "
-     "solides, ou fixer les liaisons : --fix {}, ou --fix massless"},
-    {"the mass matrix is singular at every state, because the coordinates '{}' move no mass; give the links mass, or fix the joints: "
-     "--fix {}, or --fix massless",
-     "la matrice de masse est singulière dans tout état, car les paramètres '{}' ne déplacent aucune masse ; donner une masse aux "
-     "solides, ou fixer les liaisons : --fix {}, ou --fix massless"},
+    {"the mass matrix is singular at every state, because the coordinate '{}' moves no mass",
+     "la matrice de masse est singulière dans tout état, car le paramètre '{}' ne déplace aucune masse"},
+    {"the mass matrix is singular at every state, because the coordinates '{}' move no mass",
+     "la matrice de masse est singulière dans tout état, car les paramètres '{}' ne déplacent aucune masse"},
+    {"{}; give what they move a mass, drive them by a law, or release them",
+     "{} ; donner une masse à ce qu'ils déplacent, imposer leur loi ou les libérer"},
+    {"{}; give the links mass, or fix the joints: --fix {}, or --fix massless",
+     "{} ; donner une masse aux solides, ou fixer les liaisons : --fix {}, ou --fix massless"},
     {"There is no motion: {}.", "Il n'y a pas de mouvement : {}."},
     {"Too long for a page, above {} characters: the command {} prints it.",
      "Trop long pour une page, au-delà de {} caractères : la commande {} l'écrit."},

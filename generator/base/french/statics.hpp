@@ -26,6 +26,8 @@ constexpr Translation french_of_statics[] = {
     {"constraint", "équation de liaison"},
     {"Every contact is taken to be open here: reactions of closed contacts are not counted.",
      "Tous les contacts sont supposés ouverts ici : les réactions des contacts fermés ne sont pas comptées."},
+    {"Formulas spell {} alike: rename all but one.", "Les formules écrivent {} de la même façon : renommer tous sauf un."},
+    {"Dry friction is not counted here: {}.", "Le frottement sec n'est pas compté ici : {}."},
     {"the forces at rest do not derive from U + T0: T depends on time explicitly",
      "les efforts au repos ne dérivent pas de U + T0 : T dépend explicitement du temps"},
     {"the forces at rest do not derive from U + T0: {} acts at rest",

@@ -29,6 +29,9 @@ constexpr Translation french_of_structure[] = {
     {"turn about {}", "rotation autour de {}"},
     // Actions and constraints in the analysis graph
     {"friction", "frottement"},
+    {"dry friction", "frottement sec"},
+    {"contact", "contact"},
+    {"stop", "butée"},
     {"resistance to turning", "résistance à la rotation"},
     {"imposes {}(t)", "impose {}(t)"},
     {"holonomic relation", "relation holonome"},

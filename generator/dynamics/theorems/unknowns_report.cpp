@@ -5,6 +5,7 @@
 #include <fmt/ranges.h>
 
 #include "torsor/generator/dynamics/theorems/joint_reactions.hpp"
+#include "torsor/generator/mechanics/uncounted_contacts.hpp"
 
 namespace torsor {
 namespace {
@@ -54,6 +55,7 @@ std::string unknowns_report(const Equations& equations, const NaturalLanguage& s
     text += "  " + say("joint {} on {}: {}", joint.name, from,
                         names.empty() ? say("nothing unknown") : fmt::format("{}", fmt::join(names, ", "))) + "\n";
   }
+  for (const std::string& sentence : uncounted_contacts(scene, say)) text += "  " + sentence + "\n";
   const std::size_t theorems = 6 * joints.size();
   text += say("Newton-Euler") + "\n";
   const std::size_t all = theorems + counting, sought = components + m + n;
