@@ -7,6 +7,7 @@
 
 #include "torsor/generator/base/natural_language.hpp"
 #include "torsor/generator/dynamics/equations/equations.hpp"
+#include "torsor/generator/emission/mechanism_listing.hpp"
 #include "torsor/generator/program/formula.hpp"
 #include "torsor/generator/verification/check.hpp"
 #include "torsor/generator/verification/pass_report.hpp"
@@ -24,6 +25,8 @@ struct SceneCounts {
   OperationCount precompute;  ///< once for a set of run-time parameters, all kernels together
 };
 
+/// Of the functions as they are written: those of kernels that are absent are left out.
+SceneCounts count_mechanism(const MechanismListing& mechanism);
 SceneCounts count_scene(const Scene& scene, const std::vector<std::string>& kernels, const ModelOptions& options);
 
 std::string counts_table(const std::vector<SceneCounts>& scenes);

@@ -256,6 +256,7 @@ TEST(StaticsCommand, TellsStableFromUnstableAndFromWhatItCannotConclude) {
             std::string::npos)
       << still;
   const std::string leaning = run(air_damped, {"statics", "--about", "theta=1"}).out;
+  EXPECT_EQ(leaning.find("if this is a rest"), std::string::npos) << "it is none: " << leaning;
   EXPECT_EQ(section(leaning, "At theta = 1"), "  theta:  0 = sin(1) m l g    (must hold for a rest)");
   expect_failure_beginning(run(air_damped, {"statics", "--about", "phi=1"}), 2, "");
 }
@@ -319,6 +320,41 @@ TEST(TheoremCommand, NamesTheMultipliersThatEnterAndNoOthers) {
             "Newton-Euler for nut: moment at nut along z of ground\n"
             "  0 = lambda_thread_rz + [nut N]\n"
             "  Unknown: [nut N], lambda_thread_rz.\n");
+}
+
+/// As a robot's arm on a root link that has mass.
+Scene arm_on_a_pillar() {
+  Scene scene("arm_on_a_pillar");
+  const Expression theta = scene.coordinate("theta", "rad");
+  scene.body("pillar", scene.weld("pillar", scene.ground(), {}), Inertia::point(kilograms("3")));
+  scene.body("arm", scene.revolute("arm", "pillar", axis::z, theta), Inertia::point(kilograms("1")).at({metres("2"), 0, 0}));
+  return scene;
+}
+
+Scene pillar_alone() {
+  Scene scene("pillar_alone");
+  scene.prismatic("slide", scene.ground(), axis::x, scene.coordinate("x", "m"));
+  scene.body("pillar", scene.weld("pillar", scene.ground(), {}), Inertia::point(kilograms("3")));
+  scene.keep_massless();
+  return scene;
+}
+
+TEST(TheoremCommand, IsolatesAllThatMovesWhereNoBodyIsNamed) {
+  const std::vector<std::vector<std::string>> requests{
+      {"theorem", "--kind", "moment", "--at", "pillar", "--direction", "z"}, {"theorem", "--kind", "energy"}, {"theorem"}};
+  for (const std::vector<std::string>& request : requests) {
+    const Outcome outcome = run(arm_on_a_pillar, request);
+    EXPECT_EQ(outcome.code, 0) << outcome.err;
+    EXPECT_NE(outcome.out.find(" for arm"), std::string::npos) << outcome.out;
+  }
+  const std::string moment = theorem(arm_on_a_pillar, {"--kind", "moment", "--at", "pillar", "--direction", "z"});
+  EXPECT_NE(moment.find("  4 theta'' = 0"), std::string::npos) << moment;
+  const Outcome named = run(arm_on_a_pillar, {"theorem", "--bodies", "arm,pillar"});
+  EXPECT_EQ(named.code, 3);
+  EXPECT_NE(named.err.find("isolates pillar, part of the ground"), std::string::npos) << named.err;
+  const Outcome none = run(pillar_alone, {"theorem"});
+  EXPECT_EQ(none.code, 3);
+  EXPECT_NE(none.err.find("no body of the scene moves"), std::string::npos) << none.err;
 }
 
 }  // namespace

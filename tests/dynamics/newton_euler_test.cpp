@@ -175,7 +175,8 @@ TEST(NewtonEuler, IsolatesWholeRigidBodiesOnly) {
       "Newton-Euler's theorem isolates part of a rigid body: 'paint' is fixed to what is asked for; name it too, or "
       "put a joint with a released coordinate between them");
   EXPECT_EQ(error_of<SceneError>([&] { newton_euler(equations, {"pillar"}, {Scene::point("O")}); }),
-            "Newton-Euler's theorem isolates the ground, which nothing moves: drop its bodies");
+            "Newton-Euler's theorem isolates pillar, part of the ground, which nothing moves: leave that out, or release a "
+            "coordinate");
   EXPECT_EQ(error_of<SceneError>([&] { transmitted_wrench(equations, "ground"); }),
             "no joint carries the ground: ask for the wrench transmitted to a frame that moves");
 }

@@ -69,11 +69,7 @@ FrameReference body_frame(const Model& model, const std::string& name) {
 
 class RandomTheorems : public ::testing::TestWithParam<unsigned> {};
 
-// What stands without a name along a joint's freedom was put there from the springs, dampers, motors and formulas: on
-// the motion it is what Newton-Euler finds. States have entries of order 1 and a few thousand operations in 50 digits.
-TEST_P(RandomTheorems, GiveTheActionsAlongTheFreedomsOfJoints) {
-  const WorkingDigits precision(50);
-  const OnTheMotion motion(random_mechanism(GetParam(), {.driven = true, .joints = GetParam() % 2 == 0}));
+void expect_efforts(const OnTheMotion& motion) {
   Evaluator<Real> evaluate = motion.evaluator();
   for (const JointAction& action : joint_actions(motion.equations())) {
     for (int e = 0; e < 6; ++e) {
@@ -85,9 +81,14 @@ TEST_P(RandomTheorems, GiveTheActionsAlongTheFreedomsOfJoints) {
   }
 }
 
-TEST_P(RandomTheorems, HoldForEveryBodyAndForAll) {
+// What stands without a name along a joint's freedom was put there from the springs, dampers, motors and formulas: on
+// the motion it is what Newton-Euler finds. States have entries of order 1 and a few thousand operations in 50 digits.
+TEST_P(RandomTheorems, GiveTheActionsAlongTheFreedomsOfJoints) {
   const WorkingDigits precision(50);
-  const OnTheMotion motion(random_mechanism(GetParam(), {.joints = GetParam() % 2 == 0}));
+  expect_efforts(OnTheMotion(random_mechanism(GetParam(), {.driven = true, .joints = GetParam() % 2 == 0})));
+}
+
+void expect_theorems(const OnTheMotion& motion) {
   Evaluator<Real> evaluate = motion.evaluator();
   const Model& model = motion.equations().model();
   std::vector<BodyNames> sets{all_bodies(model)};
@@ -109,7 +110,73 @@ TEST_P(RandomTheorems, HoldForEveryBodyAndForAll) {
   }
 }
 
+TEST_P(RandomTheorems, HoldForEveryBodyAndForAll) {
+  const WorkingDigits precision(50);
+  expect_theorems(OnTheMotion(random_mechanism(GetParam(), {.joints = GetParam() % 2 == 0})));
+}
+
+// A reflected inertia resists in the joint that drives it, between the two bodies there, and is none itself.
+TEST_P(RandomTheorems, HoldWithReflectedInertias) {
+  const WorkingDigits precision(50);
+  Scene scene = random_mechanism(GetParam(), {.motors = true, .joints = GetParam() % 2 == 0});
+  const std::vector<CoordinateContent> coordinates = scene.content().coordinates;
+  for (const CoordinateContent& c : coordinates) {
+    if (c.attitude || c.law || c.released) continue;
+    const char* unit = c.q->unit == units::metre ? "kg" : "kg m^2";
+    scene.reflected_inertia("rotor_" + c.q->name, Expression(c.q), Expression::quantity("0.5", unit));
+  }
+  ASSERT_FALSE(scene.content().rotors.empty());
+  const OnTheMotion motion(scene);
+  expect_theorems(motion);
+  expect_efforts(motion);
+}
+
 INSTANTIATE_TEST_SUITE_P(Seeds, RandomTheorems, ::testing::Range(500U, 512U));
+
+// A turntable without mass that the air on it moves with: the arm's own joint is what crosses the boundary.
+TEST(TheoremEquations, LeaveAMasslessLinkOnWhichSomethingActsOutside) {
+  const WorkingDigits precision(50);
+  Scene scene("turntable");
+  const Expression psi = scene.coordinate("psi", "rad"), theta = scene.coordinate("theta", "rad");
+  const FrameHandle table = scene.revolute("table", scene.ground(), axis::z, psi);
+  const FrameHandle arm = scene.revolute("arm", table, axis::z, theta);
+  scene.body("arm", arm, Inertia::rod(kilograms("2"), metres("0.3"), 0).at({metres("0.15"), 0, 0}));
+  const PointHandle tip = scene.point("tip", arm, {metres("0.3"), 0, 0});
+  scene.drag("air", {.body = arm, .point = tip, .coefficient = Expression::quantity("0.7", "N s/m"), .relative_to = table});
+  scene.drive(psi, Expression::quantity("3", "rad/s") * scene.time());
+  scene.motor("T", theta);
+  const OnTheMotion motion(scene);
+  const TheoremEquation equation =
+      theorem_equation(motion.equations(), {"arm"}, {{Scene::point("tip"), "arm", "ground"}, Theorem::moment, axis::z});
+  for (const SymbolPointer& unknown : equation.unknowns) EXPECT_FALSE(unknown->name.starts_with("[table")) << unknown->name;
+  const EnergyEquation energy = energy_equation(motion.equations(), {"arm"});
+  EXPECT_TRUE(identically_zero(energy.internal_power)) << "of one body";
+  Evaluator<Real> evaluate = motion.evaluator();
+  EXPECT_LT(abs(evaluate(equation.left) - evaluate(equation.right)), power_of_ten(-38));
+  EXPECT_LT(abs(evaluate(energy.equation.left) - evaluate(energy.equation.right)), power_of_ten(-38));
+}
+
+// ground - A - B1 - C1 and A - B2 - C2: forces act on B1 and B2, and A, B1, B2 have no mass. C1 and C2 alone are isolated.
+TEST(TheoremEquations, LeaveOutWhatCarriesMasslessLinksThatStand) {
+  const WorkingDigits precision(50);
+  Scene scene("branches");
+  const Expression a = scene.coordinate("a", "m");
+  const FrameHandle root = scene.prismatic("A", scene.ground(), axis::x, a);
+  for (const std::string k : {"1", "2"}) {
+    const FrameHandle middle = scene.prismatic("B" + k, root, axis::y, scene.coordinate("b" + k, "m"));
+    const PointHandle point = scene.point("P" + k, middle, {0, 0, 0});
+    const Expression push = Expression::quantity("3", "N");
+    scene.force("push" + k, {.body = middle, .point = point, .components = {push, 0, 0}, .axes = "ground"});
+    const FrameHandle end = scene.prismatic("C" + k, middle, axis::z, scene.coordinate("c" + k, "m"));
+    scene.body("C" + k, end, Inertia::point(kilograms("2")));
+  }
+  const Equations equations(scene);
+  const TheoremEquation equation =
+      theorem_equation(equations, {"C1", "C2"}, {{Scene::point("P1"), "ground", "ground"}, Theorem::resultant, axis::x});
+  std::vector<std::string> names;
+  for (const SymbolPointer& unknown : equation.unknowns) names.push_back(unknown->name);
+  EXPECT_EQ(names, (std::vector<std::string>{"[C1 X]", "[C2 X]"}));
+}
 
 /// The ends of two rods with a spring and a motor between them, written with absolute angles.
 Scene absolute_angles() {

@@ -40,7 +40,7 @@ class Balance {
       : equations_(equations),
         model_(equations.model()),
         program_(equations.program()),
-        inside_(isolated_links(model_, bodies, user_)),
+        inside_(isolated_links(equations_, bodies, user_)),
         observer_(model_.place(observer, user_).link) {}
 
   void add(const WrenchOnLinks& wrenches, bool external) {

@@ -65,7 +65,7 @@ IsolationReport isolation_report(const Equations& equations, const BodyNames& bo
                                  const NaturalLanguage& say) {
   const WorkingDigits precision(50);
   const Model& model = equations.model();
-  const std::vector<bool> inside = isolated_links(model, bodies, "a report on isolated bodies");
+  const std::vector<bool> inside = isolated_links(equations, bodies, "a report on isolated bodies");
   const auto is_inside = [&](int link) { return inside[static_cast<std::size_t>(link)]; };
   Evaluator<Real> evaluate = at_generic_state(equations);
   IsolationReport report;

@@ -4,10 +4,12 @@
 #include <algorithm>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "torsor/generator/base/error.hpp"
 #include "torsor/generator/dynamics/forces/constraint_wrench.hpp"
 #include "torsor/generator/dynamics/motion/inertia_wrench.hpp"
+#include "torsor/generator/dynamics/theorems/joint_reactions.hpp"
 
 namespace torsor {
 namespace {
@@ -46,9 +48,25 @@ Wrench sum_as_asked(const Model& model, const WrenchOnLinks& wrenches, const std
   return bound_screw(model.program(), sum);
 }
 
+/// A link that is not settled is isolated where all that it carries is. True of those that carry something.
+std::vector<bool> go_with_what_they_carry(const Model& model, const std::vector<bool>& massive, const std::vector<bool>& settled,
+                                          std::vector<bool>& inside) {
+  const std::size_t count = inside.size();
+  std::vector<bool> carries(count, false), carries_outside(count, false);
+  for (std::size_t k = count; k-- > 1;) {
+    if (!settled[k]) inside[k] = carries[k] && !carries_outside[k];
+    const auto parent = static_cast<std::size_t>(model.links()[k].parent);
+    const bool counts = massive[k] || carries[k];
+    carries[parent] = carries[parent] || counts;
+    carries_outside[parent] = carries_outside[parent] || (counts && !inside[k]);
+  }
+  return carries;
+}
+
 }  // namespace
 
-std::vector<bool> isolated_links(const Model& model, const BodyNames& names, const std::string& user) {
+std::vector<bool> isolated_links(const Equations& equations, const BodyNames& names, const std::string& user) {
+  const Model& model = equations.model();
   const auto& bodies = model.scene().bodies;
   const std::vector<int> asked = body_indices(model, names, user);
   const std::size_t count = model.links().size();
@@ -66,17 +84,29 @@ std::vector<bool> isolated_links(const Model& model, const BodyNames& names, con
                     "put a joint with a released coordinate between them",
                     user, bodies[b].name));
   }
-  if (inside[0]) throw SceneError(fmt::format("{} isolates the ground, which nothing moves: drop its bodies", user));
-  // A link without mass goes with all it carries; one that carries nothing goes with what carries it.
-  std::vector<bool> carries(count, false), carries_outside(count, false);
-  for (std::size_t k = count; k-- > 1;) {
-    if (!massive[k]) inside[k] = carries[k] && !carries_outside[k];
-    const auto parent = static_cast<std::size_t>(model.links()[k].parent);
-    const bool counts = massive[k] || carries[k];
-    carries[parent] = carries[parent] || counts;
-    carries_outside[parent] = carries_outside[parent] || (counts && !inside[k]);
+  if (inside[0]) {
+    BodyNames fixed;
+    for (const int index : asked) {
+      const BodyContent& body = bodies[static_cast<std::size_t>(index)];
+      if (link_of(body) == 0) fixed.push_back(body.name);
+    }
+    throw SceneError(fmt::format(
+        "{} isolates {}, part of the ground, which nothing moves: leave that out, or release a coordinate", user,
+        fmt::join(fixed, ", ")));
   }
+  const std::vector<bool> carries = go_with_what_they_carry(model, massive, massive, inside);
+  // A link without mass that stands for itself is a body of mass 0: it is in between where what carries it is isolated.
+  const std::vector<bool> stands = standing_links(equations);
+  std::vector<bool> settled = massive;
   for (std::size_t k = 1; k < count; ++k) {
+    if (massive[k] || !stands[k] || !carries[k]) continue;
+    settled[k] = true;
+    auto below = static_cast<std::size_t>(model.links()[k].parent);
+    while (!stands[below]) below = static_cast<std::size_t>(model.links()[below].parent);
+    inside[k] = inside[k] && inside[below];
+  }
+  go_with_what_they_carry(model, massive, settled, inside);
+  for (std::size_t k = 1; k < count; ++k) {  // one that carries nothing goes with what carries it
     if (!massive[k] && !carries[k]) inside[k] = inside[static_cast<std::size_t>(model.links()[k].parent)];
   }
   return inside;
@@ -86,7 +116,7 @@ NewtonEuler newton_euler(const Equations& equations, const BodyNames& bodies, co
   const std::string user = "Newton-Euler's theorem";
   const Model& model = equations.model();
   Program& program = equations.program();
-  const std::vector<bool> inside = isolated_links(model, bodies, user);
+  const std::vector<bool> inside = isolated_links(equations, bodies, user);
   NewtonEuler theorem;
   theorem.dynamic = dynamic_screw(model, bodies, query);
   WrenchOnLinks weights;

@@ -21,7 +21,7 @@ struct NewtonEuler {
 };
 
 /// The bodies asked for must be all that is welded together: a weld in one rigid body is no joint of the model. Links
-/// without mass go with what they carry. Throws SceneError naming the missing bodies.
+/// without mass go with them as `isolated_links` says. Throws SceneError naming the missing bodies.
 NewtonEuler newton_euler(const Equations& equations, const BodyNames& bodies, const ScrewQuery& query);
 
 /// Which of the two theorems.
@@ -53,7 +53,8 @@ Wrench transmitted_wrench(const Equations& equations, const FrameReference& fram
 /// In the axes of the joint's link, at its origin.
 Wrench transmitted_wrench(const Equations& equations, const FrameReference& frame);
 
-/// By link: whether it belongs to the isolated bodies.
-std::vector<bool> isolated_links(const Model& model, const BodyNames& bodies, const std::string& user);
+/// By link: whether it belongs to the isolated bodies. A link without mass on which nothing acts goes with what it carries; one
+/// on which something acts belongs to them where it lies between them.
+std::vector<bool> isolated_links(const Equations& equations, const BodyNames& bodies, const std::string& user);
 
 }  // namespace torsor

@@ -42,7 +42,7 @@ TheoremEquation theorem_equation(const Equations& equations, const BodyNames& bo
                                  const NaturalLanguage& say) {
   const Model& model = equations.model();
   Program& program = equations.program();
-  const std::vector<bool> inside = isolated_links(model, bodies, "Newton-Euler's theorem");
+  const std::vector<bool> inside = isolated_links(equations, bodies, "Newton-Euler's theorem");
   const NewtonEulerEquation known = newton_euler_along(equations, bodies, query);
   const Vector u = lower(program, query.direction);
   const std::vector<JointAction> joints = joint_actions(equations, say);
@@ -72,7 +72,7 @@ EnergyEquation energy_equation(const Equations& equations, const BodyNames& bodi
   const Model& model = equations.model();
   Program& program = equations.program();
   const std::string user = "the energy theorem";
-  const std::vector<bool> inside = isolated_links(model, bodies, user);
+  const std::vector<bool> inside = isolated_links(equations, bodies, user);
   const int reference = model.place(observer, user).link;
   EnergyEquation result;
   result.kinetic_energy = program.bind(kinetic_energy(model, bodies, observer));
