@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
 #include <cmath>
+#include <functional>
+#include <iterator>
 #include <map>
 #include <numbers>
 #include <numeric>
@@ -22,17 +24,20 @@ struct Place {
   double x = 0, y = 0;
 };
 
-/// Pairs of edges that cross when vertices lie on a circle at their positions, then the length along the circle.
-std::pair<int, int> cost(const std::vector<int>& position, const std::vector<GraphDrawing::Edge>& edges) {
+/// Of some edges, in ascending order: pairs with any other that cross when vertices lie on a circle at their positions, then the
+/// length along the circle.
+std::pair<int, int> cost(const std::vector<int>& position, const std::vector<GraphDrawing::Edge>& edges,
+                         const std::vector<std::size_t>& some) {
   const int n = static_cast<int>(position.size());
   int crossings = 0, length = 0;
   const auto chord = [&](const GraphDrawing::Edge& edge) {
     return std::minmax(position[as_index(edge.a)], position[as_index(edge.b)]);
   };
-  for (std::size_t i = 0; i < edges.size(); ++i) {
+  for (const std::size_t i : some) {
     const auto [a, b] = chord(edges[i]);
     length += std::min(b - a, n - b + a);
-    for (std::size_t j = 0; j < i; ++j) {
+    for (std::size_t j = 0; j < edges.size(); ++j) {
+      if (j >= i && std::binary_search(some.begin(), some.end(), j)) continue;  // each pair once
       const auto [c, d] = chord(edges[j]);
       crossings += (a < c && c < b && b < d) || (c < a && a < d && d < b) ? 1 : 0;
     }
@@ -47,22 +52,30 @@ std::vector<int> arrange(std::size_t count, const std::vector<GraphDrawing::Edge
   std::iota(position.begin(), position.end(), 0);
   if (count < 4) return position;
   std::vector<int> best = position;
-  auto least = cost(best, edges);
   if (count <= 8) {
+    std::vector<std::size_t> all(edges.size());
+    std::iota(all.begin(), all.end(), 0U);
+    auto least = cost(best, edges, all);
     while (std::next_permutation(position.begin() + 1, position.end())) {
-      const auto here = cost(position, edges);
+      const auto here = cost(position, edges, all);
       if (here < least) least = here, best = position;
     }
     return best;
+  }
+  std::vector<std::vector<std::size_t>> of(count);  // edges of each vertex, ascending
+  for (std::size_t e = 0; e < edges.size(); ++e) {
+    of[as_index(edges[e].a)].push_back(e);
+    if (edges[e].b != edges[e].a) of[as_index(edges[e].b)].push_back(e);
   }
   for (bool better = true; better;) {
     better = false;
     for (std::size_t i = 1; i < count; ++i) {
       for (std::size_t j = i + 1; j < count; ++j) {
+        std::vector<std::size_t> touched;  // of all others neither crossings nor lengths change
+        std::set_union(of[i].begin(), of[i].end(), of[j].begin(), of[j].end(), std::back_inserter(touched));
+        const auto before = cost(best, edges, touched);
         std::swap(best[i], best[j]);
-        const auto here = cost(best, edges);
-        if (here < least) {
-          least = here;
+        if (cost(best, edges, touched) < before) {
           better = true;
         } else {
           std::swap(best[i], best[j]);
@@ -162,18 +175,30 @@ std::string graph_svg(const GraphDrawing& drawing) {
     const double dx = b.x - a.x, dy = b.y - a.y, length = std::hypot(dx, dy) + 1e-9;
     const Place middle{(a.x + b.x) / 2 - across * dy / length, (a.y + b.y) / 2 + across * dx / length};
     const Place control{2 * middle.x - (a.x + b.x) / 2, 2 * middle.y - (a.y + b.y) / 2};
-    lines +=
-        fmt::format("  <path d=\"M {} {} Q {} {} {} {}\" fill=\"none\" stroke=\"{}\"{}/>\n", whole(a.x), whole(a.y),
-                    whole(control.x), whole(control.y), whole(b.x), whole(b.y), colour(edge.line), dashes(edge.line));
+    std::string path = fmt::format("Q {} {} {} {}", whole(control.x), whole(control.y), whole(b.x), whole(b.y));
+    std::function<Place(double)> curve = [&](double t) {
+      const double u = 1 - t;
+      return Place{u * u * a.x + 2 * u * t * control.x + t * t * b.x, u * u * a.y + 2 * u * t * control.y + t * t * b.y};
+    };
+    if (from == to) {  // parts of one body: a loop outwards
+      const double away = std::hypot(a.x, a.y) + 1e-9, far = 90 + 40 * number;
+      const Place out{away > 1 ? a.x / away : 0, away > 1 ? a.y / away : -1};
+      const Place first{a.x + far * (out.x - out.y), a.y + far * (out.y + out.x)};
+      const Place second{a.x + far * (out.x + out.y), a.y + far * (out.y - out.x)};
+      path = fmt::format("C {} {} {} {} {} {}", whole(first.x), whole(first.y), whole(second.x), whole(second.y), whole(a.x),
+                         whole(a.y));
+      curve = [&a, first, second](double t) {
+        const double u = 1 - t, of_a = u * u * u + t * t * t, of_first = 3 * u * u * t, of_second = 3 * u * t * t;
+        return Place{of_a * a.x + of_first * first.x + of_second * second.x,
+                     of_a * a.y + of_first * first.y + of_second * second.y};
+      };
+    }
+    lines += fmt::format("  <path d=\"M {} {} {}\" fill=\"none\" stroke=\"{}\"{}/>\n", whole(a.x), whole(a.y), path,
+                         colour(edge.line), dashes(edge.line));
     const double wide = text_width(std::max(edge.name.size(), edge.what.size())) / 2;
-    const Place text = free_place(
-        [&](double t) {
-          const double u = 1 - t;
-          return Place{u * u * a.x + 2 * u * t * control.x + t * t * b.x, u * u * a.y + 2 * u * t * control.y + t * t * b.y};
-        },
-        wide, taken);
+    const Place text = free_place(curve, wide, taken);
     taken.push_back(around(text, wide, 14, 13));
-    make_room(middle, wide + 5, 25);
+    make_room(from == to ? curve(0.5) : middle, wide + 5, 25);
     make_room(text, wide + 5, 25);
     const std::string fill = fmt::format(" class=\"edge\" fill=\"{}\"", colour(edge.line));
     labels += text_at({text.x, text.y - 3}, edge.name, fill);

@@ -171,6 +171,8 @@ TEST(ReducedGraph, LeavesAnOpenChainAsItIs) {
 // Every merger accounts for what it drops: mobility by internal freedoms, redundancy by equations.
 TEST(ReducedGraph, AccountsForWhatItDrops) {
   for (const Scene& scene : {four_links({.crank = 1, .coupler = 3, .rocker = 2, .ground = 3}, {0.5, 0.4, 1.9}),
+                             // flat at the start, where the rank is another one
+                             four_links({.crank = 1, .coupler = 2, .rocker = 1, .ground = 2}, {0, 0, 0}),
                              bennett(), sarrus(), isostatic_slider_crank()}) {
     const Mobility mobility = analyse_mobility(scene);
     const ReducedGraph reduced = reduced_graph(mobility);

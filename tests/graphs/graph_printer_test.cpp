@@ -34,6 +34,22 @@ Scene cart() {
   return scene;
 }
 
+// Two parts of one body that a joint ties: a curve that leaves the body and comes back.
+TEST(GraphSvg, DrawsAJointOfABodyWithItselfAsALoop) {
+  GraphDrawing drawing;
+  drawing.title = "loop";
+  drawing.nodes = {{"ground", true}, {"A", false}};
+  drawing.edges = {{0, 1, "B", "revolute", {}}, {1, 1, "D", "revolute", {}}};
+  const std::string svg = graph_svg(drawing);
+  const std::size_t loop = svg.find(" C ");
+  ASSERT_NE(loop, std::string::npos) << svg;
+  std::istringstream numbers(svg.substr(loop + 3));
+  double x1 = 0, y1 = 0, x2 = 0, y2 = 0;
+  numbers >> x1 >> y1 >> x2 >> y2;
+  EXPECT_GT(std::hypot(x1 - x2, y1 - y2), 50);
+  EXPECT_EQ(svg.find(" C ", loop + 3), std::string::npos) << "the other edge is an arc";
+}
+
 TEST(AnalysisGraph, TiesEachActionToTheBodiesItActsOn) {
   const Scene scene = cart();
   const StructureGraph graph = structure_graph(scene);

@@ -50,6 +50,43 @@ RealRow times(const RealRows& rows, const RealRow& x) {
   return result;
 }
 
+/// Twists that a body can have while all others rest: what each of its joints allows. Only its own joints move then.
+RealRows twists_alone(const std::vector<TwistEdge>& edges, int body) {
+  struct Side {
+    const TwistEdge* edge;
+    std::size_t first;  ///< its first column
+    Real sign;          ///< of the body's twist relative to the other end
+  };
+  std::vector<Side> sides;
+  std::size_t columns = 0;
+  for (const TwistEdge& edge : edges) {
+    if (edge.a == edge.b || (edge.a != body && edge.b != body)) continue;
+    sides.push_back({&edge, columns, Real(edge.b == body ? 1 : -1)});
+    if (!edge.outside) columns += edge.motion.twists.size();
+  }
+  if (sides.empty()) return {};
+  const auto rows_of = [columns](const Side& side) {
+    RealRows rows(6, RealRow(columns, Real(0)));
+    if (side.edge->outside) return rows;
+    for (std::size_t c = 0; c < side.edge->motion.twists.size(); ++c) {
+      for (std::size_t k = 0; k < 6; ++k) rows[k][side.first + c] = side.sign * side.edge->motion.twists[c][k];
+    }
+    return rows;
+  };
+  const RealRows by_first = rows_of(sides.front());
+  RealRows differences;
+  for (std::size_t s = 1; s < sides.size(); ++s) {
+    RealRows rows = rows_of(sides[s]);
+    for (std::size_t k = 0; k < 6; ++k) {
+      for (std::size_t c = 0; c < columns; ++c) rows[k][c] -= by_first[k][c];
+      differences.push_back(std::move(rows[k]));
+    }
+  }
+  RealRows twists;
+  for (const RealRow& x : null_space(differences, columns, twist_tolerance())) twists.push_back(times(by_first, x));
+  return twists;
+}
+
 std::string motion_text(const RealRows& twists, const NaturalLanguage& say) {
   const TwistClass found = recognise_twists(twists);
   if (!found.type) return say("moves with {} freedoms", found.freedoms);
@@ -106,12 +143,7 @@ void describe_internal_motions(Mobility& mobility, const std::vector<TwistEdge>&
   int alone = 0;
   std::vector<int> alone_of(twists.size(), 0);
   for (std::size_t body = 1; body < twists.size(); ++body) {
-    RealRows resting = closure;
-    for (std::size_t other = 1; other < twists.size(); ++other) {
-      if (other != body) resting.insert(resting.end(), twists[other].begin(), twists[other].end());
-    }
-    RealRows own;
-    for (const RealRow& x : null_space(resting, columns, twist_tolerance())) own.push_back(times(twists[body], x));
+    const RealRows own = twists_alone(edges, static_cast<int>(body));
     const auto freedoms = static_cast<int>(rank(own, 6, twist_tolerance()));
     if (freedoms == 0) continue;
     alone_of[body] = freedoms;

@@ -188,7 +188,7 @@ ReducedGraph reduced_graph(const Mobility& mobility, const NaturalLanguage& say)
   for (const GraphBody& body : mobility.graph.bodies) bodies.push_back(body.name);
   ReducedGraph given = reduce(bodies, mobility.given_edges, say);
   ReducedGraph generic = reduce(bodies, mobility.generic_edges, say);
-  if (same_joints(given, generic)) return given;
+  if (!mobility.singular && same_joints(given, generic)) return given;
   generic.special = true;
   return generic;
 }

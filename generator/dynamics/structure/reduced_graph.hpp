@@ -29,7 +29,7 @@ struct ReducedGraph {
   std::vector<EquivalentJoint> joints;
   std::vector<ReductionStep> steps;
   MobilityCount count;
-  bool special = false;  ///< at the given configuration some joints are equivalent to others than here
+  bool special = false;  ///< at the given configuration joints are equivalent to others than here, or loops have another rank
 };
 
 /// Replaces loops by equivalent joints as long as possible (Pommier, Dynamique des systèmes de solides, §3.5.4): bodies
@@ -39,7 +39,7 @@ struct ReducedGraph {
 /// Mobility less the internal freedoms that are named lost in series stays the same; all at one configuration.
 ReducedGraph reduce(const std::vector<std::string>& bodies, const std::vector<TwistEdge>& edges, const NaturalLanguage& say = {});
 
-/// At the given configuration where its reduction is the generic one, else at the generic configuration.
+/// At the given configuration where it is regular and its reduction is the generic one, else at the generic configuration.
 ReducedGraph reduced_graph(const Mobility& mobility, const NaturalLanguage& say = {});
 
 }  // namespace torsor
