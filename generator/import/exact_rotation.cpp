@@ -28,16 +28,6 @@ constexpr std::array<Sequence, 12> sequences{{{2, 1, 0},
                                               {1, 0, 1},
                                               {1, 2, 1}}};
 
-/// w² + x² − y² − z² and so on over |q|².
-Rotation of_quaternion(const std::array<Number, 4>& q) {
-  const auto& [w, x, y, z] = q;
-  const Number square = w * w + x * x + y * y + z * z;
-  const Number two = Number(2) / square;
-  return Rotation::matrix({Number(1) - two * (y * y + z * z), two * (x * y - w * z), two * (x * z + w * y),
-                           two * (x * y + w * z), Number(1) - two * (x * x + z * z), two * (y * z - w * x),
-                           two * (x * z - w * y), two * (y * z + w * x), Number(1) - two * (x * x + y * y)});
-}
-
 /// A turn that was found: its angle as a multiple of π/12 where it is one.
 struct PlaneTurn {
   int axis = 0;
@@ -130,8 +120,17 @@ std::string text_of(const std::array<PlaneTurn, 3>& all) {
 
 }  // namespace
 
+Rotation quaternion_rotation(const std::array<Number, 4>& quaternion) {
+  const auto& [w, x, y, z] = quaternion;
+  const Number square = w * w + x * x + y * y + z * z;
+  const Number two = Number(2) / square;
+  return Rotation::matrix({Number(1) - two * (y * y + z * z), two * (x * y - w * z), two * (x * z + w * y),
+                           two * (x * y + w * z), Number(1) - two * (x * x + z * z), two * (y * z - w * x),
+                           two * (x * z - w * y), two * (y * z + w * x), Number(1) - two * (x * x + y * y)});
+}
+
 ExactRotation exact_rotation(const std::array<Number, 4>& quaternion, const Number& tolerance) {
-  const Rotation as_given = of_quaternion(quaternion);
+  const Rotation as_given = quaternion_rotation(quaternion);
   ExactRotation best{as_given, {}};
   int most = 0;
   std::array<double, 9> rounded{};

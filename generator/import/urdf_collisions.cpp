@@ -19,7 +19,13 @@ std::vector<const UrdfCollision*> UrdfCollisions::of_link(const std::string& lin
   std::vector<std::string> able;
   for (const UrdfCollision& each : around_.robot.collisions) {
     if (each.link == link) found.push_back(&each);
+    if (!around_.frames.contains(each.link)) continue;
     if (std::find(able.begin(), able.end(), each.link) == able.end()) able.push_back(each.link);
+  }
+  if (!found.empty() && !around_.frames.contains(link)) {
+    throw UsageError(fmt::format("the link '{}' in {} belongs to no part that moves and is left out: name others, those "
+                                 "with a <collision> are {}",
+                                 link, option, able.empty() ? "none" : fmt::format("{}", fmt::join(able, ", "))));
   }
   if (found.empty()) {
     throw UsageError(fmt::format("the link '{}' in {} {}: {}those with a <collision> are {}", link, option,
@@ -30,7 +36,8 @@ std::vector<const UrdfCollision*> UrdfCollisions::of_link(const std::string& lin
     if (each->form && each->placement && !std::holds_alternative<form::Mesh>(*each->form)) continue;
     each->place.fail(
         fmt::format("the <collision> of the link '{}' is no sphere, box or cylinder with a size and an origin that "
-                    "can be read, as {} asks: write one of these in its place",
+                    "can be read, as {} asks: write one of these in its place, with one <origin> of xyz and either rpy or "
+                    "quat_xyzw",
                     link, option));
   }
   return found;

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "torsor/generator/base/high_precision.hpp"
+#include "torsor/generator/import/exact_rotation.hpp"
 
 namespace torsor {
 namespace {
@@ -119,14 +120,10 @@ UrdfPlacement UrdfPlacements::placement(const XmlElement& origin, const std::str
 
 Rotation UrdfPlacements::by_quaternion(const XmlElement& origin) {
   const auto e = origin.numbers<4>("quat_xyzw");
-  const Number &x = e[0].value, &y = e[1].value, &z = e[2].value, &w = e[3].value;
-  const Number square = x * x + y * y + z * z + w * w;
-  if (square.is_zero()) origin.fail("quat_xyzw is the null quaternion, which is no orientation; write 0 0 0 1 for none");
-  const Number two = Number(2) / square;
-  const Number one(1);
-  return Rotation::matrix({one - two * (y * y + z * z), two * (x * y - w * z), two * (x * z + w * y),
-                           two * (x * y + w * z), one - two * (x * x + z * z), two * (y * z - w * x),
-                           two * (x * z - w * y), two * (y * z + w * x), one - two * (x * x + y * y)});
+  if (std::all_of(e.begin(), e.end(), [](const XmlNumber& n) { return n.value.is_zero(); })) {
+    origin.fail("quat_xyzw is the null quaternion, which is no orientation; write 0 0 0 1 for none");
+  }
+  return quaternion_rotation({e[3].value, e[0].value, e[1].value, e[2].value});
 }
 
 std::array<Number, 3> UrdfPlacements::direction(const XmlElement& axis, const std::string& where) const {

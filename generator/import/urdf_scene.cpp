@@ -14,7 +14,6 @@
 #include "torsor/generator/import/command_words.hpp"
 #include "torsor/generator/import/identifiers.hpp"
 #include "torsor/generator/import/point_names.hpp"
-#include "torsor/generator/import/rotor.hpp"
 #include "torsor/generator/import/urdf.hpp"
 #include "torsor/generator/import/urdf_base.hpp"
 #include "torsor/generator/import/urdf_contacts.hpp"
@@ -347,10 +346,8 @@ class SceneBuilder {
     }
     const std::optional<Number> armature = given(options_.armature, joint.name);
     if (armature && !armature->is_zero()) {
-      add_rotor(scene_, identifiers_.frames().take(name + "_rotor", "joint"),
-                {.displacement = displacement(joint),
-                 .turns = joint.turns(),
-                 .armature = parameter(name + "_armature", joint.turns() ? "kg m^2" : "kg", *armature)});
+      scene_.reflected_inertia(identifiers_.frames().take(name + "_rotor", "joint"), displacement(joint),
+                               parameter(name + "_armature", joint.turns() ? "kg m^2" : "kg", *armature));
     }
     if (const std::optional<Number> bound = friction_of(joint)) {
       scene_.dry_friction(name + "_dry_friction", displacement(joint),
@@ -398,6 +395,13 @@ class SceneBuilder {
   std::optional<FreeJoint> base_;
 };
 
+/// A link that is left out is drawn nowhere.
+void forget_pictures_of_gone_links(UrdfRobot& robot) {
+  std::set<std::string> links;
+  for (const UrdfLink& link : robot.links) links.insert(link.name);
+  std::erase_if(robot.visuals, [&links](const UrdfVisual& visual) { return !links.contains(visual.link); });
+}
+
 void check_options(const UrdfOptions& options) {
   if (options.angle_tolerance.sign() < 0 || options.angle_tolerance > Number::rational(1, 10)) {
     throw UsageError("--angle-tolerance is an angle in rad between 0 and 0.1: multiples of pi/12 are 0.26 apart");
@@ -411,6 +415,7 @@ ImportedRobot make_scene(UrdfRobot robot, const UrdfOptions& options) {
   const WorkingDigits precision(50);
   const std::string root = settle_tree(robot);
   const SettledBase base = settle_base(robot, root, options.base);
+  forget_pictures_of_gone_links(robot);
   if (options.strict) robot.notes.refuse();
   std::vector<std::string> fixed = options.fix;
   const bool fix_massless = std::erase(fixed, "massless") > 0;

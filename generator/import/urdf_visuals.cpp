@@ -7,7 +7,9 @@
 #include <sstream>
 
 #include "torsor/generator/base/decimal.hpp"
+#include "torsor/generator/base/did_you_mean.hpp"
 #include "torsor/generator/import/exact_direction.hpp"
+#include "torsor/generator/import/exact_rotation.hpp"
 
 namespace torsor {
 namespace {
@@ -44,6 +46,14 @@ Rotation rotation(const std::array<double, 3>& rpy, const Number& tolerance) {
   return turned;
 }
 
+/// The rotation of quat_xyzw, of any length but zero, as exact as the decimals.
+std::optional<Rotation> rotation_of_quaternion(const XmlElement& origin) {
+  const auto e = numbers<4>(origin, "quat_xyzw");
+  if (!e || std::all_of(e->begin(), e->end(), [](double x) { return x == 0; })) return std::nullopt;
+  const auto exact = origin.numbers<4>("quat_xyzw");
+  return quaternion_rotation({exact[3].value, exact[0].value, exact[1].value, exact[2].value});
+}
+
 std::optional<Placement> placement(const XmlElement& visual, const Number& tolerance) {
   Placement placement;
   const auto origin = first(visual, "origin");
@@ -53,7 +63,11 @@ std::optional<Placement> placement(const XmlElement& visual, const Number& toler
     if (!xyz) return std::nullopt;
     placement.origin = metres(*xyz);
   }
-  if (origin->has("rpy")) {
+  if (origin->has("quat_xyzw")) {
+    const auto turned = origin->has("rpy") ? std::nullopt : rotation_of_quaternion(*origin);
+    if (!turned) return std::nullopt;
+    placement.rotation = *turned;
+  } else if (origin->has("rpy")) {
     const auto rpy = numbers<3>(*origin, "rpy");
     if (!rpy) return std::nullopt;
     placement.rotation = rotation(*rpy, tolerance);
@@ -77,7 +91,8 @@ std::optional<Form> form_of(const XmlElement& geometry) {
     if (const auto radius = length(*sphere, "radius")) return form::Sphere{metres(*radius)};
   } else if (const auto mesh = first(geometry, "mesh")) {
     if (!mesh->has("filename") || mesh->value("filename").empty()) return std::nullopt;
-    return form::Mesh{mesh->value("filename"), numbers<3>(*mesh, "scale").value_or(std::array<double, 3>{1, 1, 1})};
+    if (!mesh->has("scale")) return form::Mesh{mesh->value("filename")};
+    if (const auto scale = numbers<3>(*mesh, "scale")) return form::Mesh{mesh->value("filename"), *scale};
   }
   return std::nullopt;
 }
@@ -88,6 +103,26 @@ std::optional<Colour> colour_of(const XmlElement& material) {
   if (!rgba) return std::nullopt;
   const auto share = [&rgba](std::size_t i) { return std::clamp((*rgba)[i], 0.0, 1.0); };
   return Colour{share(0), share(1), share(2)};
+}
+
+/// Whether an element that acts holds a word that looks like one of these and is not.
+bool misspells(const std::vector<std::string>& words, const std::vector<std::string>& known) {
+  return std::any_of(words.begin(), words.end(), [&](const std::string& word) {
+    return std::find(known.begin(), known.end(), word) == known.end() && !did_you_mean(word, known).empty();
+  });
+}
+
+/// Whether a shape that links touch with says one form at one place. What a picture may pass over decides a motion here.
+bool is_plain(const XmlElement& collision) {
+  std::vector<std::string> names;
+  for (const XmlElement& each : collision.elements()) names.push_back(each.name());
+  const auto once = [&names](const char* name) { return std::count(names.begin(), names.end(), name) <= 1; };
+  if (!once("origin") || !once("geometry") || misspells(names, {"origin", "geometry"})) return false;
+  if (const auto origin = first(collision, "origin")) {
+    if (misspells(origin->attributes(), {"xyz", "rpy", "quat_xyzw"})) return false;
+  }
+  const auto geometry = first(collision, "geometry");
+  return !geometry || geometry->elements().size() == 1;
 }
 
 std::string name_of(const XmlElement& element) { return element.has("name") ? element.value("name") : std::string(); }
@@ -130,7 +165,7 @@ std::vector<UrdfCollision> read_collisions(const XmlElement& robot, const Number
     for (const XmlElement& collision : link.children("collision")) {
       const auto geometry = first(collision, "geometry");
       collisions.push_back({collision.place(), name_of(link), geometry ? form_of(*geometry) : std::nullopt,
-                            placement(collision, angle_tolerance)});
+                            is_plain(collision) ? placement(collision, angle_tolerance) : std::nullopt});
     }
   }
   return collisions;

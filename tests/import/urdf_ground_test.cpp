@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Links that touch the ground, and limits of joints as stops.
+#include <algorithm>
 #include <string>
 #include <vector>
 
@@ -71,6 +72,51 @@ TEST(UrdfGround, IsAsFarAsTheFileSays) {
   EXPECT_NEAR(start(contacts[8].gap).to_double(), 2.02, 1e-14);
   EXPECT_NEAR(start(contacts[9].gap).to_double(), 2.0, 1e-14);
   EXPECT_NEAR(start(contacts[10].gap).to_double(), 2.0, 1e-14);
+}
+
+/// A trunk that floats, with one <collision> box.
+std::string box_robot(const std::string& origin) {
+  return with_collision(link("trunk"), origin + "<geometry><box size=\"2 0.2 0.4\"/></geometry>") + link("arm") +
+         joint("turn", "revolute", "trunk", "arm", "<axis xyz=\"0 1 0\"/><limit effort=\"1\" velocity=\"1\"/>");
+}
+
+// A quarter of a turn about y: the long edge stands upright, and the lowest corner is 1 m below the centre.
+TEST(UrdfGround, IsTouchedByShapesThatAQuaternionTurns) {
+  for (const char* origin : {"<origin quat_xyzw=\"0 0.70710678118654752 0 0.70710678118654752\"/>",
+                             "<origin rpy=\"0 1.5707963267948966 0\"/>"}) {
+    const Scene scene = read(box_robot(origin), floating({"trunk"}));
+    Program program(Model::resolver(scene, {}));
+    Evaluator<Real> start(program, [&scene](const SymbolPointer& symbol) { return initial_value(scene.content(), symbol); });
+    double lowest = 9;
+    for (const ContactRows& contact : contact_rows(Model(scene, program))) {
+      lowest = std::min(lowest, start(contact.gap).to_double());
+    }
+    EXPECT_NEAR(lowest, 1.0, 1e-14) << origin;
+  }
+}
+
+// What a picture may pass over decides a motion where a shape touches.
+TEST(UrdfGround, RefusesShapesWhosePlaceIsNotPlain) {
+  for (const char* origin :
+       {"<origin rpy=\"0 0 0\" quat_xyzw=\"0 0 0 1\"/>", "<origin quat_xyzw=\"0 0 0 0\"/>",
+        "<origin quat=\"1 0 0 0\"/>", "<orign rpy=\"1 0 0\"/>", "<origin xyz=\"0 0 1\"/><origin xyz=\"0 0 2\"/>",
+        "<geometry><sphere radius=\"1\"/></geometry>"}) {
+    EXPECT_NO_THROW(read(box_robot(origin), floating({}))) << origin;
+    EXPECT_THROW(read(box_robot(origin), floating({"trunk"})), FileError) << origin;
+  }
+}
+
+TEST(UrdfGround, RefusesALinkThatIsLeftOut) {
+  const std::string lonely = hopper + "<link name=\"marker\"><collision>" + ball + "</collision></link>";
+  EXPECT_NO_THROW(read(lonely, floating({"foot"})));
+  try {
+    read(lonely, floating({"marker"}));
+    ADD_FAILURE() << "accepted";
+  } catch (const UsageError& error) {
+    EXPECT_NE(std::string(error.what()).find("the link 'marker' in --ground belongs to no part that moves and is left out"),
+              std::string::npos)
+        << error.what();
+  }
 }
 
 TEST(UrdfGround, LimitsAreStopsWhereTheyAreAskedFor) {

@@ -54,6 +54,39 @@ TEST(UrdfVisuals, AreTurnedByExactAnglesWithinTheTolerance) {
   EXPECT_TRUE(shown(box, coarse).at(0).placement.rotation(0, 0).is_zero());
 }
 
+TEST(UrdfVisuals, AreTurnedByQuaternions) {
+  const auto all = shown(R"(
+    <visual><origin quat_xyzw="0 0 0.70710678118654752 0.70710678118654752"/>
+      <geometry><box size="1 2 3"/></geometry></visual>
+    <visual><origin quat_xyzw="1 2 2 4"/><geometry><sphere radius="2"/></geometry></visual>)");
+  ASSERT_EQ(all.size(), 2U);
+  EXPECT_EQ(all[0].placement.rotation(1, 0).to_double(), 1.0);
+  EXPECT_TRUE(all[0].placement.rotation(0, 0).is_zero());
+  EXPECT_EQ(all[1].placement.rotation(0, 0), Number::rational(9, 25));  // (16 + 1 - 4 - 4)/25
+}
+
+TEST(UrdfVisuals, MeshesHaveTheScaleOfTheFile) {
+  const auto all = shown(R"(<visual><geometry><mesh filename="a.stl" scale="0.001 0.001 0.001"/></geometry></visual>)");
+  EXPECT_EQ(std::get<form::Mesh>(all.at(0).form).scale[2], 0.001);
+}
+
+// The sphere of `marker` has no place in a robot that is not joined to it; the world is left out where its child floats.
+TEST(UrdfVisuals, OfLinksThatAreLeftOutAreShownNowhere) {
+  const std::string picture = "<visual><geometry><sphere radius=\"1\"/></geometry></visual>";
+  const std::string mass =
+      R"(<inertial><mass value="1"/><inertia ixx="1" iyy="1" izz="1" ixy="0" ixz="0" iyz="0"/></inertial>)";
+  const std::string lonely = "<robot name=\"r\"><link name=\"base\"/><link name=\"arm\">" + mass + picture +
+                             "</link><link name=\"marker\">" + picture +
+                             R"(</link><joint name="turn" type="continuous"><parent link="base"/><child link="arm"/></joint>)" +
+                             "</robot>";
+  EXPECT_EQ(read_urdf_text(lonely, "r.urdf").scene.content().shown.size(), 1U);
+  const std::string world = "<robot name=\"r\"><link name=\"world\">" + picture + "</link><link name=\"arm\">" + mass + picture +
+                            R"(</link><joint name="hold" type="fixed"><parent link="world"/><child link="arm"/></joint></robot>)";
+  UrdfOptions floating;
+  floating.base = UrdfBase::floating;
+  EXPECT_EQ(read_urdf_text(world, "r.urdf", floating).scene.content().shown.size(), 1U);
+}
+
 // A picture decides nothing: what is wrong in it makes no robot unreadable.
 TEST(UrdfVisuals, AreLeftOutWhereTheyCannotBeRead) {
   for (const char* visual :
@@ -62,6 +95,12 @@ TEST(UrdfVisuals, AreLeftOutWhereTheyCannotBeRead) {
         "<visual><geometry><sphere radius=\"-1\"/></geometry></visual>", "<visual><geometry><sphere radius=\"nan\"/></geometry></visual>",
         "<visual><geometry><cylinder radius=\"1\" length=\"1e300\"/></geometry></visual>",
         "<visual><origin rpy=\"a b c\"/><geometry><sphere radius=\"1\"/></geometry></visual>",
+        "<visual><origin quat_xyzw=\"0 0 0 0\"/><geometry><sphere radius=\"1\"/></geometry></visual>",
+        "<visual><origin quat_xyzw=\"0 0 1\"/><geometry><sphere radius=\"1\"/></geometry></visual>",
+        "<visual><origin rpy=\"0 0 0\" quat_xyzw=\"0 0 0 1\"/><geometry><sphere radius=\"1\"/></geometry></visual>",
+        "<visual><geometry><mesh filename=\"a.stl\" scale=\"0.001\"/></geometry></visual>",
+        "<visual><geometry><mesh filename=\"a.stl\" scale=\"1 1 1 1\"/></geometry></visual>",
+        "<visual><geometry><mesh filename=\"a.stl\" scale=\"mm\"/></geometry></visual>",
         "<visual><geometry><mesh/></geometry></visual>", "<visual><geometry><capsule/></geometry></visual>"}) {
     EXPECT_TRUE(shown(visual).empty()) << visual;
   }
