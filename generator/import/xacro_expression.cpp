@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <map>
+#include <set>
 #include <utility>
 
 #include <fmt/format.h>
@@ -131,7 +132,7 @@ class Parser {
       expect("in");
       return "not in";
     }
-    if (take("is")) return take("not") ? "!=" : "==";
+    if (take("is")) return take("not") ? "is not" : "is";
     return "";
   }
 
@@ -142,6 +143,7 @@ class Parser {
     if (sign == ">") return less(b, a);
     if (sign == "<=") return less(a, b) || a == b;
     if (sign == ">=") return less(b, a) || a == b;
+    if (sign == "is" || sign == "is not") return identical(a, b) == (sign == "is");
     return contains(b, a) == (sign == "in");
   }
 
@@ -250,9 +252,11 @@ class Parser {
   /// dict(a=1, b=2).
   Part dictionary_by_names() {
     std::vector<std::pair<Part, Part>> entries;
+    std::set<std::string> seen;
     while (!take(")")) {
       if (!entries.empty()) expect(",");
       const Value key(next().word);
+      if (!seen.insert(key.text()).second) throw ExpressionError(fmt::format("dict(...) has {} twice; keep one", key.text()));
       expect("=");
       Part value = expression();
       entries.emplace_back([key](const Names&) { return key; }, std::move(value));
@@ -300,21 +304,7 @@ class Parser {
   static Part slice(const Part& of, const Part& from, const Part& to) {
     return [of, from, to](const Names& names) {
       const Value value = of(names);
-      if (!value.is_list() && !value.is_string()) {
-        throw ExpressionError(fmt::format("{} is {} and has no part [a:b]", value.quoted(), value.kind()));
-      }
-      const auto size = static_cast<std::int64_t>(value.is_string() ? value.text().size() : value.items().size());
-      const auto bound = [&](const Part& part, std::int64_t otherwise) {
-        if (!part) return otherwise;
-        const std::int64_t given = part(names).integer("[a:b]");
-        return std::clamp<std::int64_t>(given < 0 ? given + size : given, 0, size);
-      };
-      const std::int64_t begin = bound(from, 0);
-      const std::int64_t end = std::max(begin, bound(to, size));
-      if (value.is_string()) {
-        return Value(value.text().substr(static_cast<std::size_t>(begin), static_cast<std::size_t>(end - begin)));
-      }
-      return Value::list({value.items().begin() + begin, value.items().begin() + end}, value.is_tuple());
+      return part_of(value, from ? from(names) : Value(), to ? to(names) : Value());
     };
   }
 

@@ -20,7 +20,7 @@ struct Surroundings {
 };
 
 /// The value of an expression as people write them in ${...}: numbers, texts, lists, dictionaries, properties;
-/// + − * / // % **, comparisons also in chains, and, or, not, in, `a if c else b`, [e for x in list if c];
+/// + − * / // % **, comparisons also in chains, and, or, not, in, is, `a if c else b`, [e for x in list if c];
 /// items a[i], a[i:j], a.key; the functions of Python's math and abs, min, max, sum, round, len, range, int, float,
 /// str, bool, list, dict, sorted; methods of texts (split, join, strip, lower, upper, replace, startswith, endswith)
 /// and of dictionaries (get, keys, values, items). Numbers are doubles rounded as Python rounds. Throws

@@ -9,6 +9,8 @@
 
 #include <fmt/format.h>
 
+#include "torsor/generator/import/xacro_letters.hpp"
+
 namespace torsor::xacro {
 namespace {
 
@@ -74,7 +76,7 @@ std::string converted(Reader& reader, const Value& value) {
   const bool text = type == 's' || type == 'r', whole = type == 'd' || type == 'i' || type == 'u';
   reader.refuse_if(!text && !whole && std::string_view("eEfFgG").find(type) == std::string_view::npos,
                    "has a conversion that is not read here; there are %d, %i, %u, %e, %f, %g, %s, %r and %%");
-  std::string format = left ? "<" : zeros && !text ? "" : ">";
+  std::string format = left ? "<" : zeros ? "" : ">";
   if (!text) {
     if (flags.find('+') != std::string::npos) format += "+";
     else if (flags.find(' ') != std::string::npos) format += " ";
@@ -83,8 +85,11 @@ std::string converted(Reader& reader, const Value& value) {
   }
   if (width && *width > 0) format += std::to_string(*width);
   if (text) {
-    if (precision) format += "." + std::to_string(*precision);
-    return written(format, type == 's' ? value.to_string() : value.quoted());
+    std::string shown = type == 's' ? value.to_string() : value.quoted();
+    if (precision) shown = part_of_letters(shown, 0, static_cast<std::size_t>(*precision));
+    const std::size_t size = letter_count(shown), wanted = width ? static_cast<std::size_t>(*width) : 0;
+    const std::string blanks(wanted > size ? wanted - size : 0, ' ');
+    return left ? shown + blanks : blanks + shown;
   }
   const std::string user = fmt::format("%{}", type);
   if (whole) {

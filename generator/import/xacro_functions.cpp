@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
-#include <cstdlib>
 #include <limits>
 #include <map>
 #include <numbers>
@@ -10,6 +8,8 @@
 #include <fmt/format.h>
 
 #include "torsor/generator/import/xacro_expression.hpp"
+#include "torsor/generator/import/xacro_letters.hpp"
+#include "torsor/generator/import/xacro_rounding.hpp"
 
 namespace torsor::xacro {
 namespace {
@@ -58,23 +58,6 @@ const std::map<std::string, OfTwo>& functions_of_two() {
   return table;
 }
 
-Value whole(const std::string& name, double value) {
-  if (!(std::abs(value) < 9.2e18))
-    throw ExpressionError(fmt::format("{}({}) is no integer of 64 bits", name, python_decimal(value)));
-  return static_cast<std::int64_t>(value);
-}
-
-/// Python's round: to the nearest, halves to even; of the exact value of the double where digits are asked.
-Value rounded(const Arguments& given) {
-  if (given[0].is_whole()) return given[0].integer("round");
-  const double value = given[0].number("round");
-  if (given.size() == 1 || given[1].is_none()) return whole("round", std::nearbyint(value));
-  const std::int64_t digits = given[1].integer("round");
-  if (!std::isfinite(value) || digits > 323) return value;
-  if (digits < 0) throw ExpressionError("round(x, n) takes n of 0 or more");
-  return std::strtod(fmt::format("{:.{}f}", value, digits).c_str(), nullptr);
-}
-
 Value range(const Arguments& given) {
   const std::int64_t begin = given.size() == 1 ? 0 : given[0].integer("range");
   const std::int64_t end = given.size() == 1 ? given[0].integer("range") : given[1].integer("range");
@@ -94,7 +77,7 @@ Value::List items_of(const std::string& name, const Value& of) {
   if (of.is_dictionary()) {
     for (const auto& [key, value] : of.entries()) all.push_back(key);
   } else if (of.is_string()) {
-    for (const char c : of.text()) all.emplace_back(std::string(1, c));
+    for (std::string& letter : letters(of.text())) all.emplace_back(std::move(letter));
   } else {
     throw ExpressionError(fmt::format("{} needs a list and got {} ({})", name, of.quoted(), of.kind()));
   }
@@ -126,6 +109,18 @@ Value as_float(const Value& value) {
     if (const auto read = python_float(value.text())) return *read;
   }
   throw ExpressionError(fmt::format("float({}) is no number", value.quoted()));
+}
+
+/// dict(x) of a dictionary or of pairs.
+Value as_dictionary(const Value& value) {
+  if (value.is_dictionary()) return value;
+  Value::Dictionary entries;
+  for (const Value& each : items_of("dict", value)) {
+    const Value::List pair = items_of("dict", each);
+    if (pair.size() != 2) throw ExpressionError(fmt::format("dict takes pairs of a key and a value and got {}", each.quoted()));
+    entries.emplace_back(pair[0], pair[1]);
+  }
+  return Value::dictionary(std::move(entries));
 }
 
 std::string replaced(std::string text, const std::string& from, const std::string& to) {
@@ -184,6 +179,10 @@ std::optional<Value> text_method(const std::string& text, const std::string& nam
   const auto count = [&](std::size_t least, std::size_t most) { require_count("." + name, given, least, most); };
   if (name == "lower" || name == "upper" || name == "strip" || name == "lstrip" || name == "rstrip") {
     count(0, 0);
+    if (!is_ascii(text) && (name == "lower" || name == "upper")) {
+      throw ExpressionError(
+          fmt::format("'{}'.{}(): only letters of ASCII change their case here; write the text itself", text, name));
+    }
     if (name == "lower") return in_case(text, 'A', 'Z', 'a' - 'A');
     if (name == "upper") return in_case(text, 'a', 'z', 'A' - 'a');
     return stripped(text, name != "rstrip", name != "lstrip");
@@ -294,7 +293,7 @@ std::optional<Value> call_function(const std::string& name, const Arguments& giv
   }
   if (name == "dict") {
     count(0, 1);
-    return given.empty() ? Value::dictionary({}) : given[0];
+    return given.empty() ? Value::dictionary({}) : as_dictionary(given[0]);
   }
   return std::nullopt;
 }

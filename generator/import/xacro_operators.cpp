@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
 #include <cmath>
+#include <string_view>
 
 #include <fmt/format.h>
 
 #include "torsor/generator/import/xacro_format.hpp"
+#include "torsor/generator/import/xacro_letters.hpp"
 #include "torsor/generator/import/xacro_value.hpp"
 
 namespace torsor::xacro {
@@ -175,7 +178,7 @@ Value item(const Value& of, const Value& key) {
     throw ExpressionError(fmt::format("there is no {}; the keys are {}", key.quoted(), known));
   }
   if (of.is_list()) return of.items()[position(of, key, of.items().size())];
-  if (of.is_string()) return std::string(1, of.text()[position(of, key, of.text().size())]);
+  if (of.is_string()) return part_of_letters(of.text(), position(of, key, letter_count(of.text())), 1);
   throw ExpressionError(fmt::format("{} is {} and has no items", of.quoted(), of.kind()));
 }
 
@@ -189,6 +192,32 @@ bool contains(const Value& in, const Value& what) {
   }
   if (in.is_string() && what.is_string()) return in.text().find(what.text()) != std::string::npos;
   refuse("in", what, in);
+}
+
+Value part_of(const Value& of, const Value& from, const Value& to) {
+  if (!of.is_list() && !of.is_string()) {
+    throw ExpressionError(fmt::format("{} is {} and has no part [a:b]", of.quoted(), of.kind()));
+  }
+  const auto size = static_cast<std::int64_t>(of.is_string() ? letter_count(of.text()) : of.items().size());
+  const auto bound = [size](const Value& given, std::int64_t otherwise) {
+    if (given.is_none()) return otherwise;
+    const std::int64_t index = given.integer("[a:b]");
+    return std::clamp<std::int64_t>(index < 0 ? index + size : index, 0, size);
+  };
+  const std::int64_t begin = bound(from, 0);
+  const std::int64_t end = std::max(begin, bound(to, size));
+  if (of.is_string()) {
+    return part_of_letters(of.text(), static_cast<std::size_t>(begin), static_cast<std::size_t>(end - begin));
+  }
+  return Value::list({of.items().begin() + begin, of.items().begin() + end}, of.is_tuple());
+}
+
+bool identical(const Value& a, const Value& b) {
+  if (std::string_view(a.kind()) != b.kind() || !(a == b)) return false;
+  if (a.is_none() || a.is_bool() || (a.is_string() && a.text().empty())) return true;
+  if (a.is_integer() && a.integer("is") >= -5 && a.integer("is") <= 256) return true;  // those Python has once
+  throw ExpressionError(
+      fmt::format("{} is {}: Python does not say whether that is one object; write ==", a.quoted(), b.quoted()));
 }
 
 }  // namespace torsor::xacro

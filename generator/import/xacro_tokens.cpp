@@ -50,6 +50,9 @@ Token quoted_text(std::string_view text, std::size_t& at) {
   for (++at; at < text.size() && text[at] != quote; ++at) {
     if (text[at] == '\\' && at + 1 < text.size()) {
       ++at;
+      if (std::string_view("nt\\'\"").find(text[at]) == std::string_view::npos) {
+        throw ExpressionError(fmt::format("the escape \\{} is not read here; write the character itself", text[at]));
+      }
       content += text[at] == 'n' ? '\n' : text[at] == 't' ? '\t' : text[at];
     } else {
       content += text[at];

@@ -52,8 +52,18 @@ Value Value::list(List items, bool tuple) {
 }
 
 Value Value::dictionary(Dictionary entries) {
+  Dictionary each_key_once;
+  for (auto& [key, content] : entries) {
+    const auto same = std::find_if(each_key_once.begin(), each_key_once.end(),
+                                   [&k = key](const auto& other) { return other.first == k; });
+    if (same != each_key_once.end()) {
+      same->second = std::move(content);
+    } else {
+      each_key_once.emplace_back(std::move(key), std::move(content));
+    }
+  }
   Value value;
-  value.content_ = std::make_shared<const Dictionary>(std::move(entries));
+  value.content_ = std::make_shared<const Dictionary>(std::move(each_key_once));
   return value;
 }
 

@@ -36,6 +36,7 @@ class Value {
   Value(std::string value) : content_(std::move(value)) {}    // NOLINT(google-explicit-constructor)
   Value(const char* value) : content_(std::string(value)) {}  // NOLINT(google-explicit-constructor)
   static Value list(List items, bool tuple = false);
+  /// Of equal keys the last value counts, where the first one stood.
   static Value dictionary(Dictionary entries);
 
   bool is_none() const { return std::holds_alternative<std::monostate>(content_); }
@@ -109,5 +110,9 @@ Value negative(const Value& a);
 /// item of a list, a dictionary or a text.
 Value item(const Value& of, const Value& key);
 bool contains(const Value& in, const Value& what);
+/// of[from:to] of a list or a text; None is no bound.
+Value part_of(const Value& of, const Value& from, const Value& to);
+/// a is b. Throws ExpressionError for equal values of which Python may have one object or two.
+bool identical(const Value& a, const Value& b);
 
 }  // namespace torsor::xacro

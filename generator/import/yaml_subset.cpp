@@ -190,14 +190,18 @@ class YamlReader {
                  (lines_[at_].indent > indent || (lines_[at_].indent == indent && begins_item(lines_[at_])))) {
         value = block(lines_[at_].indent);
       }
-      for (const auto& [other, before] : entries) {
-        if (other == key) fail(line, "the key was there before; keep one");
-      }
-      entries.emplace_back(std::move(key), std::move(value));
+      add_entry(line, entries, std::move(key), std::move(value));
     }
     if (at_ < lines_.size() && lines_[at_].indent > indent)
       fail(lines_[at_], "is indented otherwise than what it belongs to");
     return Value::dictionary(std::move(entries));
+  }
+
+  void add_entry(const YamlLine& line, Value::Dictionary& entries, Value key, Value value) const {
+    for (const auto& [other, before] : entries) {
+      if (other == key) fail(line, fmt::format("the key {} was there before; keep one", key.quoted()));
+    }
+    entries.emplace_back(std::move(key), std::move(value));
   }
 
   /// A list in brackets may go on in the next lines.
@@ -263,7 +267,7 @@ class YamlReader {
         if (at >= text.size() || text[at] != ':') fail(line, "an entry in braces is written {key: value}");
         ++at;
         Value content = flow(line, text, at, ",}");
-        entries.emplace_back(std::move(value), std::move(content));
+        add_entry(line, entries, std::move(value), std::move(content));
         skip(text, at);
       } else {
         items.push_back(std::move(value));

@@ -435,6 +435,19 @@ TEST_F(XacroFiles, HoldNumbersOfYaml) {
   EXPECT_THROW(twice("\"\\x33\""), FileError);  // '3' there; here it would be another text
 }
 
+// PyYAML keeps the last one: one of the two was not meant.
+TEST_F(XacroFiles, RefuseAKeyTwiceInYaml) {
+  for (const char* text : {"a: {m: 1, m: 2}\n", "a:\n  m: 1\n  m: 2\n", "a: {b: {m: 1, 'm': 2}}\n"}) {
+    write("my_arm/urdf/twice.yaml", text);
+    try {
+      expand("<a v=\"${load_yaml('twice.yaml')['a']}\"/>");
+      FAIL() << text;
+    } catch (const Error& error) {
+      EXPECT_NE(std::string(error.what()).find("the key 'm' was there before; keep one"), std::string::npos) << error.what();
+    }
+  }
+}
+
 TEST_F(XacroFiles, HoldParametersInYaml) {
   write(
       "my_arm/urdf/p.yaml",
