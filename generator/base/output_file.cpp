@@ -215,7 +215,9 @@ bool same_file(const std::string& a, const std::string& b) {
   std::error_code unknown;
   if (fs::exists(a, unknown) && !fs::is_regular_file(a, unknown)) return false;  // /dev/null takes everything
   if (fs::equivalent(a, b, unknown) && !unknown) return true;
-  const fs::path of_a = fs::weakly_canonical(a, unknown), of_b = fs::weakly_canonical(b, unknown);
+  // Of a relative name that is not there yet nothing would be made absolute.
+  const auto whole = [&unknown](const std::string& path) { return fs::weakly_canonical(fs::absolute(path, unknown), unknown); };
+  const fs::path of_a = whole(a), of_b = whole(b);
   return of_a == of_b;
 }
 

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "torsor/generator/base/output_file.hpp"
 #include "torsor/generator/mechanics/scene.hpp"
 
 namespace CLI {
@@ -13,12 +14,19 @@ class App;
 
 namespace torsor {
 
+/// The files of a source, once the scene has been made.
+struct SourceFiles {
+  std::vector<std::string> read;    ///< what the scene was made of: no command may overwrite it
+  std::vector<OutputFile> written;  ///< with those of the command, or not at all
+};
+
 /// What a program's commands work on: a scene written in C++, or one read from a file that the command line names.
 struct SceneSource {
   std::string description;                     ///< the first line of --help
   std::function<void(CLI::App&)> add_options;  ///< adds what the source needs to one command; may be empty
   std::function<Scene()> make;                 ///< called when the command line has been read
   std::function<bool()> quiet = {};            ///< whether notes are left out; may be empty
+  std::function<SourceFiles()> files = {};     ///< called after `make`; may be empty
 };
 
 /// The command line of every program (scene_program.hpp) on that source.

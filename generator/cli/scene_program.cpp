@@ -19,6 +19,7 @@
 #include "torsor/generator/cli/command_line.hpp"
 #include "torsor/generator/cli/command_set.hpp"
 #include "torsor/generator/cli/command_tree_text.hpp"
+#include "torsor/generator/cli/scene_file.hpp"
 #include "torsor/generator/cli/start_state.hpp"
 #include "torsor/generator/dynamics/equations/singular_start.hpp"
 #include "torsor/generator/dynamics/equations/start_error.hpp"
@@ -120,15 +121,33 @@ Scene standing(const SceneSource& source, const GivenStart& start) {
   return stands ? scene : moved;
 }
 
+void refuse_to_overwrite(const std::string& output, const std::vector<std::string>& read) {
+  for (const std::string& input : read) {
+    if (!same_file(output, input)) continue;
+    throw UsageError(fmt::format("'{}' is to be written and would overwrite '{}', which the command reads: give another name",
+                                 output, input));
+  }
+}
+
+/// The files of the source. A program that runs in place of a scene's file has its name: that file was read too.
+SourceFiles files_of(const SceneSource& source, const std::string& program) {
+  SourceFiles files = source.files ? source.files() : SourceFiles();
+  if (names_scene_file(program)) files.read.push_back(program);
+  return files;
+}
+
 /// What the chosen command leaves, and where its text goes; nothing when help was asked for, which is the text then.
 struct Ran {
   CommandResult result;
   std::string output = "-";
+  SourceFiles source = {};
 
   /// All files of the command, its text among them unless that goes to the standard output.
   void write_files() const {
     std::vector<OutputFile> files = result.files;
     if (output != "-") files.push_back({output, result.text});
+    files.insert(files.end(), source.written.begin(), source.written.end());
+    for (const OutputFile& file : files) refuse_to_overwrite(file.path, source.read);
     for (std::size_t i = 0; i < files.size(); ++i) {
       for (std::size_t j = 0; j < i; ++j) {
         if (!same_file(files[i].path, files[j].path)) continue;
@@ -159,10 +178,12 @@ Ran run(int argc, const char* const* argv, const SceneSource& source) {
   if (const std::optional<std::string> help = read_command_line(app, argc, argv)) return {{.text = *help}};
   const GivenStart start = commands.start();
   const Scene scene = standing(source, start);
+  SourceFiles files = files_of(source, path);
+  if (commands.output() != "-") refuse_to_overwrite(commands.output(), files.read);
   const std::vector<std::string> remarks = singular_start(with_start(scene, start.values));
   CommandResult result = run_with_remarks(commands, scene, remarks);
   result.notes.insert(result.notes.end(), remarks.begin(), remarks.end());
-  return {std::move(result), commands.output()};
+  return {std::move(result), commands.output(), std::move(files)};
 }
 
 }  // namespace

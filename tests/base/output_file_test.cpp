@@ -45,6 +45,13 @@ TEST_F(OutputFile, IsNotTouchedWhenItHasTheBytesAlready) {
   EXPECT_EQ(fs::last_write_time(path("same")), long_ago);
 }
 
+TEST_F(OutputFile, IsOneUnderSeveralNamesBeforeItIsThere) {
+  EXPECT_TRUE(same_file("not_there_yet.hpp", "./not_there_yet.hpp"));
+  EXPECT_TRUE(same_file(path("new.hpp"), path("./new.hpp")));
+  EXPECT_FALSE(same_file("not_there_yet.hpp", "not_there_either.hpp"));
+  EXPECT_FALSE(same_file("/dev/null", "/dev/null"));
+}
+
 TEST_F(OutputFile, KeepsItsPermissions) {
   write_file_if_changed(path("mine"), "old");
   ASSERT_EQ(chmod(path("mine").c_str(), 0640), 0);

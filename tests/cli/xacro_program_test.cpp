@@ -114,5 +114,41 @@ TEST_F(TorsorToolWithXacro, WritesWhatItReadAsARuleOfMake) {
   EXPECT_EQ(torsor_tool({"list", path("robot.urdf"), "--depfile", path("arm")}).code, 2);
 }
 
+/// Exit 2, the files' names in the message, and every file as it was.
+#define EXPECT_KEPT(outcome, name, named)                                                \
+  do {                                                                                   \
+    const Outcome kept = outcome;                                                        \
+    EXPECT_EQ(kept.code, 2);                                                             \
+    EXPECT_NE(kept.err.find("would overwrite '" + path(named) + "'"), std::string::npos) << kept.err; \
+    EXPECT_EQ(text(name), before);                                                       \
+  } while (false)
+
+TEST_F(TorsorToolWithXacro, OverwritesNoFileThatItReads) {
+  const std::string robot = path("robot.urdf.xacro"), macros = path("inc/link.xacro");
+  std::string before = text("robot.urdf.xacro");
+  EXPECT_KEPT(torsor_tool({"generate", robot, "--kernels", "energy", "-o", robot}), "robot.urdf.xacro", "robot.urdf.xacro");
+  EXPECT_KEPT(torsor_tool({"equations", robot, "-o", path("inc/../robot.urdf.xacro")}), "robot.urdf.xacro", "robot.urdf.xacro");
+  EXPECT_KEPT(torsor_tool({"generate", robot, "--kernels", "energy", "--language", "c99", "-o", path("e.h"), "--source", robot}),
+              "robot.urdf.xacro", "robot.urdf.xacro");
+  before = text("inc/link.xacro");
+  EXPECT_KEPT(torsor_tool({"list", robot, "-o", macros}), "inc/link.xacro", "inc/link.xacro");
+  std::filesystem::copy_file(robot, path("robot.d"));
+  before = text("robot.d");
+  EXPECT_KEPT(torsor_tool({"list", path("robot.d"), "--depfile", path("robot.d")}), "robot.d", "robot.d");
+  EXPECT_FALSE(std::filesystem::exists(path("e.h")));
+}
+
+TEST_F(TorsorToolWithXacro, WritesTheRuleOfMakeWithTheOtherFilesOrNotAtAll) {
+  const std::string robot = path("robot.urdf.xacro"), rule = path("e.hpp.d");
+  const Outcome twice = torsor_tool({"generate", robot, "--kernels", "energy", "-o", rule, "--depfile", rule});
+  EXPECT_EQ(twice.code, 2);
+  EXPECT_NE(twice.err.find("name one file"), std::string::npos) << twice.err;
+  EXPECT_FALSE(std::filesystem::exists(rule));
+  EXPECT_EQ(torsor_tool({"generate", robot, "--kernels", "energy", "-o", path("none/e.hpp"), "--depfile", rule}).code, 3);
+  EXPECT_FALSE(std::filesystem::exists(rule));
+  EXPECT_EQ(torsor_tool({"generate", robot, "--kernels", "energy", "-o", path("e.hpp"), "--depfile", rule}).code, 0);
+  EXPECT_TRUE(text("e.hpp.d").starts_with(path("e.hpp") + ": \\\n"));
+}
+
 }  // namespace
 }  // namespace torsor::xacro_program_test
