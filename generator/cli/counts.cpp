@@ -22,21 +22,29 @@ std::string row(const std::string& name, const OperationCount& c) {
 
 }  // namespace
 
-SceneCounts count_scene(const Scene& scene, const std::vector<std::string>& names, const ModelOptions& options) {
-  SceneCounts counts{scene.name(), {}, {}, {}};
-  const Equations equations(scene, options);
+SceneCounts count_mechanism(const MechanismListing& mechanism) {
+  SceneCounts counts{mechanism.scene().name(), {}, {}, {}};
+  const Equations& equations = *mechanism.equations;
   std::vector<Value> all;
-  for (const std::string& name : names) {
-    const std::vector<Value> values = make_kernel(name, equations).values();
+  OperationCount series;  // its recurrences stand in no program and share nothing with other kernels
+  for (const KernelListing& each : mechanism.kernels) {
+    if (each.kernel.name == "coordinate_rates") continue;
+    counts.kernels.emplace_back(each.kernel.name, count(each.listing));
+    if (each.listing.recurrence) {
+      series += counts.kernels.back().second;
+      continue;
+    }
+    const std::vector<Value> values = make_kernel(each.kernel.name, equations).values();
     all.insert(all.end(), values.begin(), values.end());
   }
   counts.joint = count(equations.program(), all);
-  counts.precompute = count(equations.program(), all, Occasion::parameters);
-  for (const std::string& name : names) {  // each as it is emitted, whichever others there are
-    equations.start_over();
-    counts.kernels.emplace_back(name, count(equations.program(), make_kernel(name, equations).values()));
-  }
+  counts.joint += series;
+  counts.precompute = count(mechanism.precompute);
   return counts;
+}
+
+SceneCounts count_scene(const Scene& scene, const std::vector<std::string>& names, const ModelOptions& options) {
+  return count_mechanism(lower_mechanism(scene, names, options));
 }
 
 std::string counts_table(const std::vector<SceneCounts>& scenes) {

@@ -52,25 +52,34 @@ void check_options(const KernelRequest& request, const std::string& output) {
   }
 }
 
-CommandResult generate(const Scene& scene, const KernelRequest& request, const std::string& output) {
-  check_options(request, output);
-  const MechanismListing mechanism = lower_mechanism(scene, request.names(), request.model(scene));
-  CommandResult result;
-  std::vector<std::string> unsolved;
+/// What is said of kernels that are absent. Throws where one that was named would need the inverse of a singular mass matrix.
+std::vector<std::string> absence_notes(const MechanismListing& mechanism, const KernelOptions& request) {
+  std::vector<std::string> notes, unsolved;
+  // Those that `all` brings: what is absent was not asked for.
+  const auto by_all = [words = "," + request.kernels + ","](const std::string& kernel) {
+    return words.find(",all,") != std::string::npos && words.find("," + kernel + ",") == std::string::npos;
+  };
   for (const AskedKernel& kernel : mechanism.asked) {
     if (kernel.skipped.empty()) continue;
     if (solves_with_mass_matrix(kernel.name) && !mechanism.equations->massless().empty()) {
-      if (request.kernels != "all") throw SceneError(fmt::format("there is no kernel {}: {}", kernel.name, kernel.skipped));
+      if (!by_all(kernel.name)) throw SceneError(fmt::format("there is no kernel {}: {}", kernel.name, kernel.skipped));
       unsolved.push_back(kernel.name);
       continue;
     }
-    if (request.kernels == "all") continue;  // all that there are: what is absent was not asked for
-    result.notes.push_back(fmt::format("the kernel {} is absent: {}", kernel.name, kernel.skipped));
+    if (by_all(kernel.name)) continue;
+    notes.push_back(fmt::format("the kernel {} is absent: {}", kernel.name, kernel.skipped));
   }
   if (!unsolved.empty()) {
-    result.notes.push_back(
+    notes.push_back(
         fmt::format("the kernels {} are absent: {}", fmt::join(unsolved, ", "), lack_of_mass(*mechanism.equations)));
   }
+  return notes;
+}
+
+CommandResult generate(const Scene& scene, const KernelRequest& request, const std::string& output) {
+  check_options(request, output);
+  const MechanismListing mechanism = lower_mechanism(scene, request.names(), request.model(scene));
+  CommandResult result{.text = {}, .notes = absence_notes(mechanism, request)};
   const std::string support = request.support.empty() ? "" : included_from(output, request.support);
   if (request.language == "javascript") {
     result.text = emit_javascript(mechanism);
@@ -88,8 +97,9 @@ CommandResult generate(const Scene& scene, const KernelRequest& request, const s
 }
 
 CommandResult counts(const Scene& scene, const KernelRequest& request) {
-  const SceneCounts counted = count_scene(scene, request.names(), request.model(scene));
-  return {request.json ? counts_json({counted}) : counts_table({counted})};
+  const MechanismListing mechanism = lower_mechanism(scene, request.names(), request.model(scene));
+  const SceneCounts counted = count_mechanism(mechanism);
+  return {.text = request.json ? counts_json({counted}) : counts_table({counted}), .notes = absence_notes(mechanism, request)};
 }
 
 CommandResult passes(const Scene& scene, const KernelRequest& request) {

@@ -84,10 +84,14 @@ OperationCount count(const Listing& listing) {
     }
   }
   for (const Output& output : listing.outputs) total += count(output.value.formula);
-  if (listing.recurrence) {
-    for (const Statement& each : listing.recurrence->steps) total += count(std::get<Assigned>(each).right);
-    for (const Formula& rate : listing.recurrence->rates) total += count(rate);
-  }
+  if (listing.recurrence) total += count(*listing.recurrence);
+  return total;
+}
+
+OperationCount count(const Recurrence& recurrence) {
+  OperationCount total;
+  for (const Statement& each : recurrence.steps) total += count(std::get<Assigned>(each).right);
+  for (const Formula& rate : recurrence.rates) total += count(rate);
   return total;
 }
 

@@ -140,5 +140,7 @@ bool is_needed(const Statement& statement, const std::vector<bool>& read);
 
 /// Operations that it states; a status costs nothing.
 OperationCount count(const Listing& listing);
+/// The work of one order.
+OperationCount count(const Recurrence& recurrence);
 
 }  // namespace torsor

@@ -190,6 +190,40 @@ TEST(SceneProgram, CountsTheKernelsAskedForInTheOrderOfTheHeader) {
   EXPECT_LT(table.out.find("mass_matrix"), table.out.find("energy"));
 }
 
+/// The total of a kernel in the table of a header's head.
+int total_in_the_head(const std::string& header, const std::string& kernel) {
+  const std::size_t begin = header.find("//   " + kernel + " ");
+  if (begin == std::string::npos) return -1;
+  std::istringstream row(header.substr(begin + 4, header.find('\n', begin) - begin - 4));
+  std::string name;
+  int count = 0;
+  row >> name;
+  for (int column = 0; column < 7; ++column) row >> count;  // the total is the seventh
+  return count;
+}
+
+TEST(SceneProgram, CountsTheKernelsAsTheHeaderDoes) {
+  const Outcome header = run(pendulum, {"generate", "--kernels", "energy,forward_dynamics,jets", "-o", "-"});
+  const Outcome counts = run(pendulum, {"counts", "--json", "--kernels", "energy,forward_dynamics,jets"});
+  const json kernels = json::parse(counts.out).at("kernels");
+  ASSERT_EQ(kernels.size(), 3U);
+  EXPECT_GT(json::parse(counts.out).at("joint").at("total"), kernels.at("jets").at("total"));
+  for (const auto& [kernel, count] : kernels.items()) {
+    EXPECT_NE(header.out.find(kernel), std::string::npos);
+    EXPECT_EQ(count.at("total"), total_in_the_head(header.out, kernel)) << kernel << "\n" << header.out.substr(0, 3000);
+  }
+}
+
+TEST(SceneProgram, CountsNoKernelsThatAreAbsent) {
+  const Outcome named = run(pendulum, {"counts", "--json", "--kernels", "energy,constraints"});
+  EXPECT_EQ(named.code, 0);
+  EXPECT_EQ(json::parse(named.out).at("kernels").size(), 1U);
+  EXPECT_NE(named.err.find("note: the kernel constraints is absent"), std::string::npos) << named.err;
+  const Outcome all = run(pendulum, {"counts", "--json"});
+  EXPECT_FALSE(json::parse(all.out).at("kernels").contains("constraints"));
+  EXPECT_EQ(all.err, "");
+}
+
 TEST(SceneProgram, KeepsParametersThatAreAskedToStaySymbols) {
   const auto multiplications = [](const std::vector<std::string>& more) {
     std::vector<std::string> arguments{"counts", "--json", "--kernels", "energy"};
