@@ -8,9 +8,11 @@
 
 #include <fmt/format.h>
 
+#include "torsor/generator/base/decimal.hpp"
 #include "torsor/generator/base/error.hpp"
 #include "torsor/generator/cli/evaluated_contacts.hpp"
 #include "torsor/generator/cli/start_state.hpp"
+#include "torsor/generator/dynamics/equations/contact_checks.hpp"
 #include "torsor/generator/program/written_unit.hpp"
 #include "torsor/runtime/contacts/integrate_contacts.hpp"
 
@@ -248,6 +250,28 @@ void add_columns(EvaluatedContacts& contacts, ContactRecord& record) {
 
 }  // namespace
 
+namespace {
+
+/// Sizes of surfaces and coefficients with the values that a command gives: the scene's own were looked at before.
+void check_given_surfaces(const Scene& scene, const NamedNumbers& parameters) {
+  SceneContent content = scene.content();
+  bool given = false;
+  for (ParameterContent& parameter : content.parameters) {
+    const auto value = parameters.find(parameter.symbol->name);
+    if (value == parameters.end() || !std::isfinite(value->second)) continue;
+    parameter.value = Expression::quantity(from_double(value->second), parameter.symbol->unit);
+    given = true;
+  }
+  if (!given) return;
+  try {
+    check_surfaces(content);
+  } catch (const SceneError& error) {
+    throw UsageError(fmt::format("with the values of --run-time {}", error.what()));
+  }
+}
+
+}  // namespace
+
 bool has_contacts(const Scene& scene) { return !scene.content().contacts.empty(); }
 
 ContactRecord record_contacts(const Scene& scene, const SimulationOptions& options, const NaturalLanguage& say) {
@@ -259,6 +283,7 @@ ContactRecord record_contacts(const Scene& scene, const SimulationOptions& optio
                      "their own, between which dp853 moves them");
   }
   EvaluatedContacts contacts(scene, options.model, options.parameters, options.inputs);
+  check_given_surfaces(scene, options.parameters);
   ContactRecord record;
   add_columns(contacts, record);
   EvaluatedMotion& motion = contacts.motion();

@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "torsor/generator/cli/kernel_options.hpp"
 
-#include <cmath>
 #include <algorithm>
+#include <cmath>
+#include <optional>
 
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
 
+#include "torsor/generator/base/decimal.hpp"
 #include "torsor/generator/base/did_you_mean.hpp"
 #include "torsor/generator/base/error.hpp"
 #include "torsor/generator/kernels/kernel.hpp"
@@ -96,6 +98,20 @@ void take_once(std::set<std::string>& given, const std::string& option, const st
   if (!given.insert(name).second) throw UsageError(fmt::format("{} names '{}' twice: give it one value", option, name));
 }
 
+namespace {
+
+/// Of "0.25", "1/3" or what else a double is read from.
+std::optional<double> number_of(const std::string& text) {
+  try {
+    return parse_decimal(text).to_double();
+  } catch (const Error&) {
+    double value = 0;
+    return CLI::detail::lexical_cast(text, value) ? std::optional<double>(value) : std::nullopt;
+  }
+}
+
+}  // namespace
+
 void add_numbers(CLI::App& command, const std::string& option, NamedNumbers& numbers, const std::string& text) {
   command
       .add_option_function<std::vector<std::string>>(
@@ -104,18 +120,19 @@ void add_numbers(CLI::App& command, const std::string& option, NamedNumbers& num
             std::set<std::string> given;
             for (const std::string& assignment : assignments) {
               const std::size_t equals = assignment.find('=');
-              double value = 0.0;
-              if (equals == std::string::npos || !CLI::detail::lexical_cast(assignment.substr(equals + 1), value)) {
+              const std::optional<double> value =
+                  equals == std::string::npos ? std::nullopt : number_of(assignment.substr(equals + 1));
+              if (!value) {
                 throw UsageError(fmt::format("{} takes NAME=NUMBER, e.g. theta=0.5, and got '{}'", option, assignment));
               }
               const std::string name = assignment.substr(0, equals);
-              if (!std::isfinite(value)) throw UsageError(fmt::format("{} {} is not a finite number", option, name));
+              if (!std::isfinite(*value)) throw UsageError(fmt::format("{} {} is not a finite number", option, name));
               take_once(given, option, name);
-              numbers[name] = value;
+              numbers[name] = *value;
             }
           },
           text)
-      ->delimiter(',');
+      ->delimiter(',')->allow_extra_args(false);
 }
 
 void add_start_and_inputs(CLI::App& command, NamedNumbers& initial, NamedNumbers& inputs) {

@@ -20,9 +20,9 @@ void add_force_function(CommandSet& commands) {
       commands.add("force-function", "say whether actions have a potential energy, a force function or neither",
                    [selection](const Scene& scene) { return CommandResult{force_function_text(scene, *selection)}; });
   command.add_option("--actions", selection->actions, "names, comma-separated; gravity is the weight; all when absent")
-      ->delimiter(',');
+      ->delimiter(',')->allow_extra_args(false);
   command.add_option("--bodies", selection->bodies, "bodies on which they are counted; both ends of all when absent")
-      ->delimiter(',');
+      ->delimiter(',')->allow_extra_args(false);
 }
 
 struct UnknownsRequest : PageRequest {
@@ -54,7 +54,7 @@ void add_unknowns(CommandSet& commands) {
   CLI::App& command =
       commands.add("unknowns", "count unknowns and equations, and name the theorem that gives each reaction",
                    [request](const Scene& scene) { return unknowns(scene, *request); });
-  command.add_option("--isolate", request->bodies, "bodies to isolate, comma-separated")->delimiter(',');
+  command.add_option("--isolate", request->bodies, "bodies to isolate, comma-separated")->delimiter(',')->allow_extra_args(false);
   command.add_option("--at", request->point, "point at which their moments are taken");
   command.add_option("--axes", request->axes, "frame along whose axes the theorems are written")->capture_default_str();
   add_format(command, *request);
@@ -72,7 +72,8 @@ void add_theorem(CommandSet& commands) {
       "theorem", "write Newton-Euler's theorem or the energy theorem for some bodies, reactions by name",
       [request](const Scene& scene) { return CommandResult{theorem_text(scene, *request, request->style())}; });
   command.add_option("--kind", request->kind, "resultant, moment or energy")->capture_default_str();
-  command.add_option("--bodies", request->bodies, "bodies to isolate, comma-separated; all when absent")->delimiter(',');
+  command.add_option("--bodies", request->bodies, "bodies to isolate, comma-separated; all that move when absent")
+      ->delimiter(',')->allow_extra_args(false);
   command.add_option("--at", request->point, "point at which moments are taken, or a frame for its origin");
   command.add_option("--direction", request->direction, "x, y, z or components 0,1,0")->capture_default_str();
   command.add_option("--axes", request->axes, "frame along whose axes the direction is given")->capture_default_str();
@@ -85,7 +86,8 @@ void add_screw(CommandSet& commands) {
   CLI::App& command =
       commands.add("screw", "write the momentum screw and the dynamic screw of some bodies, and their kinetic energy",
                    [request](const Scene& scene) { return CommandResult{screw_text(scene, *request, request->style())}; });
-  command.add_option("--body,--bodies", request->bodies, "bodies, comma-separated; all when absent")->delimiter(',');
+  command.add_option("--body,--bodies", request->bodies, "bodies, comma-separated; all when absent")
+      ->delimiter(',')->allow_extra_args(false);
   command.add_option("--at", request->point, "point at which screws are reduced, or a frame for its origin");
   command.add_option("--axes", request->axes, "frame along whose axes components are given")->capture_default_str();
   command.add_option("--observer", request->observer, "frame from which motion is seen")->capture_default_str();

@@ -21,7 +21,7 @@ void add_inputs_outputs(CLI::App& command, StructureRequest& request) {
   command
       .add_option("--inputs-outputs", request.graph.inputs_outputs,
                   "joints that count as those with the outside, comma-separated; those of the ground when absent")
-      ->delimiter(',');
+      ->delimiter(',')->allow_extra_args(false);
 }
 
 }  // namespace

@@ -45,6 +45,7 @@ struct FileRequest {
   std::vector<std::string> points, initial, fix, armature, friction, arguments, package_folders;
   SurfacesRequest ground, contacts;
   std::string dependency_file;
+  SourceFiles files;  ///< of the command: what was read, the rule of make
   bool no_dampers = false;
   bool no_motors = false;
   bool run_time_gravity = false;
@@ -65,33 +66,33 @@ void add_options(CLI::App& command, FileRequest& request) {
       ->capture_default_str();
   command.add_option("--name", request.name, "name of the scene; that of the robot when absent");
   command.add_option("--points", request.points, "links whose origins are points, with Jacobians; comma-separated, or all")
-      ->delimiter(',');
+      ->delimiter(',')->allow_extra_args(false);
   command.add_option("--initial", request.initial, "state at t = 0, NAME=VALUE, rates NAME'=VALUE; comma-separated")
-      ->delimiter(',');
+      ->delimiter(',')->allow_extra_args(false);
   command.add_option("--arg", request.arguments, "value of an argument of a xacro file, NAME:=VALUE; may be given again")
       ->allow_extra_args(false);
   command
       .add_option("--package-path", request.package_folders,
                   "folders of packages that $(find ...) and meshes name, colon-separated; looked at before ROS_PACKAGE_PATH")
-      ->delimiter(':');
+      ->delimiter(':')->allow_extra_args(false);
   command.add_option("--depfile", request.dependency_file,
                      "write the files that were read as a rule of make; the target is this name without its .d");
   command.add_flag("--no-dampers", request.no_dampers, "leave out the dampers of <dynamics damping>");
   command.add_flag("--no-motors", request.no_motors, "leave out the input torques and forces of the joints");
   command.add_option("--fix", request.fix, "joints that become fixed, comma-separated, or massless: those that move no mass")
-      ->delimiter(',');
+      ->delimiter(',')->allow_extra_args(false);
   command.add_option("--armature", request.armature,
                      "reflected inertia of rotors, JOINT=NUMBER in kg m^2 (kg where the joint slides); comma-separated")
-      ->delimiter(',');
+      ->delimiter(',')->allow_extra_args(false);
   command.add_option("--friction", request.friction,
                      "dry friction in joints, JOINT=NUMBER in N m (N where the joint slides), or file: that of <dynamics "
                      "friction>, in MJCF of frictionloss; comma-separated")
-      ->delimiter(',');
+      ->delimiter(',')->allow_extra_args(false);
   command.add_flag("--limits", request.limits, "make <limit lower upper> of the joints stops, in MJCF their range");
   command.add_option("--ground", request.ground.named,
                      "links whose <collision> spheres, boxes and cylinders touch the ground z = 0; in MJCF bodies whose geoms touch "
                      "the planes of the file; comma-separated")
-      ->delimiter(',');
+      ->delimiter(',')->allow_extra_args(false);
   command.add_option("--ground-friction", request.ground.friction,
                      "value of the run-time parameter ground_friction; 0.5 when absent");
   command.add_option("--ground-restitution", request.ground.restitution,
@@ -99,7 +100,7 @@ void add_options(CLI::App& command, FileRequest& request) {
   command.add_option("--contacts", request.contacts.named,
                      "pairs of links whose <collision> spheres meet, A:B; A:B+z: those of A, and corners and rims, meet the "
                      "plane of that face of B's box or cylinder; comma-separated")
-      ->delimiter(',');
+      ->delimiter(',')->allow_extra_args(false);
   command.add_option("--contacts-friction", request.contacts.friction,
                      "value of the run-time parameter contacts_friction; 0.5 when absent");
   command.add_option("--contacts-restitution", request.contacts.restitution,
@@ -221,17 +222,18 @@ XacroOptions xacro_options(const FileRequest& request) {
   return options;
 }
 
-Scene read_scene(const FileRequest& request, MjcfReader mjcf_reader) {
+Scene read_scene(FileRequest& request, MjcfReader mjcf_reader) {
   MechanismFile read = read_mechanism_file(
       request.file, {urdf_options(request), xacro_options(request), !request.gravity.empty(), mjcf_reader});
+  request.files.read = read.files;
+  request.files.read.insert(request.files.read.begin(), request.file);
   if (!request.dependency_file.empty()) {
     std::string target = request.dependency_file;
     if (!target.ends_with(".d") || target.size() == 2) {
       throw UsageError(fmt::format("--depfile takes the target's name with .d behind it, and got '{}'", target));
     }
     target.resize(target.size() - 2);
-    read.files.insert(read.files.begin(), request.file);
-    write_file_if_changed(request.dependency_file, dependency_rule(target, read.files));
+    request.files.written = {{request.dependency_file, dependency_rule(target, request.files.read)}};
   }
   if (!request.quiet) {
     for (const std::string& note : read.notes) std::fprintf(stderr, "note: %s\n", printable(note).c_str());
@@ -303,7 +305,8 @@ int run_torsor(int argc, const char* const* argv, MjcfReader mjcf_reader) {
                        "torsor SCENE.cpp COMMAND compiles a scene in C++ and runs the command. torsor new NAME begins a "
                        "project with a scene of your own.",
                        [&request](CLI::App& command) { add_options(command, request); },
-                       [&] { return read_scene(request, mjcf_reader); }, [&request] { return request.quiet; }});
+                       [&] { return read_scene(request, mjcf_reader); }, [&request] { return request.quiet; },
+                       [&request] { return request.files; }});
 }
 
 }  // namespace torsor

@@ -201,7 +201,7 @@ void add_reference(CommandSet& commands) {
   add_digits(command, request->digits, "digits of the result", 10);
   command.add_option("--times", request->times, "comma-separated times in seconds, increasing")
       ->required()
-      ->delimiter(',');
+      ->delimiter(',')->allow_extra_args(false);
   command.add_option("--cache", request->cache, "keep references in this folder, so that none is integrated twice");
 }
 

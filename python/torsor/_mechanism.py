@@ -270,10 +270,14 @@ class Mechanism(Displayed):
         if grid.ndim == 0:
             if begin.ndim != 0:
                 raise ValueError("times: give an array where motions start at several times")
+            require_finite({"times": grid})
             grid = np.linspace(float(begin), float(grid), 1001)
         if grid.ndim != 1:
             raise ValueError(f"times: shape {grid.shape} is not (T,)")
         grid = np.ascontiguousarray(grid)
+        if self.contact_descriptions and len(grid) > 0 and (np.any(np.diff(grid) < 0) or np.any(grid[0] < begin)):
+            raise ValueError("times: with contacts a motion goes forward in time; give times that do not decrease, none before "
+                             "start_time")
         if not self.methods:
             raise ValueError(f"{self.name} cannot be integrated: it lacks kernels; build it with "
                              f"{', '.join(self._kernels_of_motion())}")

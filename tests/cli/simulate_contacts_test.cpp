@@ -32,6 +32,18 @@ Scene dropped() {
   return scene;
 }
 
+/// Its radius is given at run time.
+Scene sized() {
+  Scene scene("sized", "");
+  const Expression z = scene.coordinate("z", "m");
+  const FrameHandle ball = scene.prismatic("ball", scene.ground(), axis::z, z);
+  scene.body("ball", ball, Inertia::point(Expression::quantity("1", "kg")));
+  const Expression r = scene.run_time_parameter("r", "m", Expression(Number::rational(1, 10)));
+  scene.contact("floor", shape::Sphere{.frame = ball, .radius = r}, shape::Plane{.frame = "ground"}, {});
+  scene.initial(z, 1);
+  return scene;
+}
+
 /// A parallelogram as a loop, whose crank falls onto a stop, with dry friction in its first joint.
 Scene stopped_loop() {
   Scene scene("stopped_loop", "");
@@ -175,8 +187,14 @@ TEST(SimulateContacts, NamesTheContactThatEndsIt) {
   EXPECT_EQ(drawn.code, 1);
   EXPECT_NE(drawn.err.find("starts below its surface"), std::string::npos) << drawn.err;
   const Outcome lively = run(dropped, {"simulate", "--run-time", "e=1.5"});
-  EXPECT_EQ(lively.code, 1);
-  EXPECT_NE(lively.err.find("restitution from 0 to 1"), std::string::npos) << lively.err;
+  EXPECT_EQ(lively.code, 2);
+  EXPECT_NE(lively.err.find("with the values of --run-time contact 'floor' has the restitution e = 1.5: it must lie between "
+                            "0 and 1"),
+            std::string::npos)
+      << lively.err;
+  const Outcome hollow = run(sized, {"simulate", "--run-time", "r=-0.1"});
+  EXPECT_EQ(hollow.code, 2);
+  EXPECT_NE(hollow.err.find("has the radius r = -0.1: give the size of what touches the plane"), std::string::npos) << hollow.err;
   EXPECT_EQ(run(dropped, {"simulate", "--no-projection"}).code, 2);
   EXPECT_EQ(run(dropped, {"simulate", "--until", "z = 0.5"}).code, 2);
   EXPECT_EQ(run(dropped, {"simulate", "--method", "radau"}).code, 2);

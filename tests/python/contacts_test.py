@@ -98,6 +98,11 @@ def test_refuses_what_makes_no_sense(ball):
         ball.simulate(1.0, impact_law="glued")
     with pytest.raises(ValueError, match="no method 'midpoint'; there are dormand_prince_54, dormand_prince_853"):
         ball.simulate(1.0, method="midpoint", step=0.1)
+    for times in ([1.0, 0.5], [-1.0]):
+        with pytest.raises(ValueError, match="times: with contacts a motion goes forward in time"):
+            ball.simulate(times)
+    with pytest.raises(ValueError, match="times: array must not contain infs or NaNs"):
+        ball.simulate(float("inf"))
     few = scene("billiard", "--kernels", "mass_matrix,bias,energy,contacts")
     with pytest.raises(ValueError, match="build it with mass_matrix, bias, contacts, contact_coefficients$"):
         few.simulate(1.0)

@@ -45,12 +45,13 @@ std::string lack_of_mass(const Equations& equations, const NaturalLanguage& say)
   std::vector<std::string> names;
   for (const int k : massless) names.push_back(equations.model().coordinates()[static_cast<std::size_t>(k)].q->name);
   const std::string quoted = fmt::format("{}", fmt::join(names, "', '")), fixed = fmt::format("{}", fmt::join(names, ","));
-  return names.size() == 1 ? say("the mass matrix is singular at every state, because the coordinate '{}' moves no mass; give the "
-                                 "links mass, or fix the joints: --fix {}, or --fix massless",
-                                 quoted, fixed)
-                           : say("the mass matrix is singular at every state, because the coordinates '{}' move no mass; give the "
-                                 "links mass, or fix the joints: --fix {}, or --fix massless",
-                                 quoted, fixed);
+  const std::string what =
+      names.size() == 1 ? say("the mass matrix is singular at every state, because the coordinate '{}' moves no mass", quoted)
+                        : say("the mass matrix is singular at every state, because the coordinates '{}' move no mass", quoted);
+  if (equations.scene().content().origin.file.empty()) {
+    return say("{}; give what they move a mass, drive them by a law, or release them", what);
+  }
+  return say("{}; give the links mass, or fix the joints: --fix {}, or --fix massless", what, fixed);
 }
 
 void require_mass(const Equations& equations) {
