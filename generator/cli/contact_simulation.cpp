@@ -254,17 +254,13 @@ namespace {
 
 /// Sizes of surfaces and coefficients with the values that a command gives: the scene's own were looked at before.
 void check_given_surfaces(const Scene& scene, const NamedNumbers& parameters) {
-  SceneContent content = scene.content();
-  bool given = false;
-  for (ParameterContent& parameter : content.parameters) {
+  Scene valued = scene;
+  for (const ParameterContent& parameter : scene.content().parameters) {
     const auto value = parameters.find(parameter.symbol->name);
-    if (value == parameters.end() || !std::isfinite(value->second)) continue;
-    parameter.value = Expression::quantity(from_double(value->second), parameter.symbol->unit);
-    given = true;
+    if (value != parameters.end()) valued.set_parameter(Expression(parameter.symbol), from_double(value->second));
   }
-  if (!given) return;
   try {
-    check_surfaces(content);
+    check_surfaces(valued.content());
   } catch (const SceneError& error) {
     throw UsageError(fmt::format("with the values of --run-time {}", error.what()));
   }

@@ -24,12 +24,13 @@ void FrictionRegime::look(double t, const std::vector<double>& y) {
     force_ = std::max(force_, std::abs(motion_.multiplier(j)));
   }
   for (Watched& each : watched_) {
-    if (each.left) continue;
+    if (each.pulls || each.drives) continue;
     const double lambda = motion_.multiplier(each.row);
     const double power = lambda * motion_.value(motion_.constraint(each.row).friction_power);
     each.power = std::max(each.power, std::abs(power));
     constexpr double rounding = 1e-9, least = 1e-12;  // beside what was met; [N] and [W] where nothing is loaded
-    each.left = lambda < -rounding * force_ - least || power > rounding * each.power + least;
+    each.pulls = lambda < -rounding * force_ - least;
+    each.drives = power > rounding * each.power + least;
     each.time = t;
     each.lambda = lambda;
   }
@@ -38,10 +39,10 @@ void FrictionRegime::look(double t, const std::vector<double>& y) {
 std::vector<std::string> FrictionRegime::remarks() const {
   std::vector<std::string> all;
   for (const Watched& each : watched_) {
-    if (!each.left) continue;
+    if (!each.pulls && !each.drives) continue;
     const ConstraintRow& row = motion_.constraint(each.row);
     const std::string what =
-        each.lambda < -1e-12
+        each.pulls
             ? fmt::format("the normal force of the constraint '{}' is {:.4g} {}: it pulls, which no surface does", row.name,
                           each.lambda, written_unit(*row.multiplier))
             : fmt::format("the slip at the constraint '{}' is against the direction that its friction assumes: it drives the motion",

@@ -17,7 +17,6 @@ struct OperationalFrame {
   Matrix rotation;  ///< of its frame to the ground's axes
   Vector place;     ///< from the link's origin, in the link's axes
   Vector arm;       ///< the same in the ground's
-  Vector shift;     ///< d(place)/dt, in the ground's axes: zero unless the point moves in its frame
 };
 
 std::vector<OperationalFrame> operational_frames(const Model& model, const GroundMotion& motion) {
@@ -30,15 +29,16 @@ std::vector<OperationalFrame> operational_frames(const Model& model, const Groun
     const Matrix& turn = motion.rotation(at.link);
     const Vector place = bound(program, model.locate(PointHandle{static_cast<int>(k)}, at.link, user));
     all.push_back({point.name, at.link, bound(program, turn * constant_matrix(program, at.rotation)), place,
-                   bound(program, turn * place), bound(program, turn * bound(program, time_derivative(place)))});
+                   bound(program, turn * place)});
   }
   return all;
 }
 
-/// dV/dt of the velocity V of whatever is at the point: the acceleration of the link there, and Ω ∧ shift because at the next
-/// instant another of its points is there.
-Vector drift_of_velocity(const GroundMotion& motion, const GroundDrift& drift, const OperationalFrame& frame) {
-  return drift.linear(frame.link, frame.arm) + cross(motion.angular(frame.link), frame.shift);
+/// dV/dt of the velocity V of whatever is at the point: the acceleration of the link there, and Ω ∧ d(place)/dt because at
+/// the next instant another of its points is there.
+Vector drift_of_velocity(Program& program, const GroundMotion& motion, const GroundDrift& drift, const OperationalFrame& frame) {
+  const Vector shift = bound(program, motion.rotation(frame.link) * bound(program, time_derivative(frame.place)));
+  return bound(program, drift.linear(frame.link, frame.arm) + cross(motion.angular(frame.link), shift));
 }
 
 /// Six rows, linear before angular, for each unknown.
@@ -91,7 +91,7 @@ Kernel make_frames(const Equations& equations) {
     six(frame.name + "_twist", "velocity of the material point there [m/s], angular velocity [rad/s]",
         motion.velocity(frame.link, frame.place), motion.angular(frame.link));
     six(frame.name + "_drift", "the same of accelerations while v does not change, dJ/dt v [m/s^2], [rad/s^2]",
-        bound(model.program(), drift_of_velocity(motion, drift, frame)), drift.angular(frame.link));
+        drift_of_velocity(model.program(), motion, drift, frame), drift.angular(frame.link));
     structure.members.push_back(matrix_member(frame.name + "_jacobian", 6, n, "J of the twist, column by column"));
     const ValueMatrix rows = jacobian(motion, frame, n);
     for (std::size_t j = 0; j < n; ++j) {

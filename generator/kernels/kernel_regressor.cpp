@@ -23,8 +23,9 @@ ConstantTable list_of_parameters(const Model& model, const std::vector<std::size
       if (static_cast<std::size_t>(model.place(body->frame, "body '" + body->name + "'").link) != links[l]) continue;
       bodies += (bodies.empty() ? "" : ", ") + body->name;
     }
-    text += rotor[links[l]] ? fmt::format("\n{} to {}: reflected inertia {}, J_zz", 10 * l, 10 * l + 9, bodies)
-                  : fmt::format("\n{} to {}: frame {} with body {}", 10 * l, 10 * l + 9, model.links()[links[l]].name, bodies);
+    text += fmt::format("\n{} to {}: ", 10 * l, 10 * l + 9);
+    text += rotor[links[l]] ? fmt::format("reflected inertia {}, J_zz", bodies)
+                            : fmt::format("frame {} with body {}", model.links()[links[l]].name, bodies);
   }
   return {"inertial_parameter_count", 10 * links.size(), text};
 }

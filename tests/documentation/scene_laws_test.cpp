@@ -57,7 +57,7 @@ TEST_F(SceneExamples, OfActions) {
   const Expression drive = scene.motor("drive", x);  // its force is an input of the kernels
   // end
   // example: reflected_inertia
-  scene.reflected_inertia("rotor", x, scene.parameter("rotor_mass", "kg", 3));  // the motor's rotor, seen through its gear
+  scene.reflected_inertia("rotor", x, scene.parameter("rotor_mass", "kg", 3));
   // end
   static_cast<void>(drive);
   // example: force

@@ -8,17 +8,12 @@
 
 #include "torsor/generator/base/error.hpp"
 #include "torsor/generator/import/xacro.hpp"
+#include "tests/import/xacro_values.hpp"
 
 namespace torsor::xacro_python_test {
 namespace {
 
-/// What an expression prints.
-std::string value_of(const std::string& expression) {
-  const std::string text =
-      expand_xacro("<robot name=\"r\"><a v=\"${" + expression + "}\"/></robot>", "r.xacro", XacroOptions()).text;
-  const std::size_t begin = text.find("v=\"") + 3;
-  return text.substr(begin, text.find('"', begin) - begin);
-}
+using testing_xacro::value_of;
 
 // What Python 3.11 prints for each.
 TEST(XacroPython, RoundsToTens) {

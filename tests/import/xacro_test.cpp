@@ -8,6 +8,7 @@
 #include <unistd.h>
 
 #include "torsor/generator/base/error.hpp"
+#include "tests/import/xacro_values.hpp"
 
 namespace torsor::xacro_test {
 namespace {
@@ -36,11 +37,7 @@ std::string expanded(const std::string& content, const XacroOptions& options = {
   return text.substr(begin.size(), text.size() - begin.size() - end.size());
 }
 
-/// What an expression prints.
-std::string value_of(const std::string& expression) {
-  const std::string text = expanded("<a v=\"${" + expression + "}\"/>");
-  return text.substr(6, text.size() - 9);
-}
+using testing_xacro::value_of;
 
 void expect_refused(const std::string& content, const std::string& message, const XacroOptions& options = {}) {
   try {
