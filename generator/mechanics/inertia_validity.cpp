@@ -25,9 +25,9 @@ void check_constant(const SceneContent& scene, const BodyContent& body) {
     const auto refuse = [&](const SymbolPointer& symbol) {
       if (!symbol || !entry->depends_on(symbol)) return;
       throw SceneError(
-          fmt::format("the inertia of body '{}' depends on '{}', which changes in time: a body's mass and "
-                      "shape are constant in its frame; use a joint for what moves",
-                      body.name, symbol->name));
+          fmt::format("the inertia of {} depends on '{}', which changes in time: {}", scene.name_of(body), symbol->name,
+                      scene.is_rotor(body) ? "it is that of a rotor behind a gear of constant ratio"
+                                           : "a body's mass and shape are constant in its frame; use a joint for what moves"));
     };
     refuse(scene.time);
     for (const CoordinateContent& c : scene.coordinates) {
@@ -67,6 +67,12 @@ std::array<double, 3> principal_moments(Symmetric j) {
   return moments;
 }
 
+/// "m = -1", or the number alone where the formula says no more.
+std::string with_value(const Expression& formula, double value) {
+  const std::string number = fmt::format("{:.6g}", value);
+  return formula.symbols().empty() ? number : fmt::format("{} = {}", formula.to_string(), number);
+}
+
 bool depends_on_unknown_parameter(const SceneContent& scene, const Expression& formula) {
   return std::any_of(scene.parameters.begin(), scene.parameters.end(), [&](const ParameterContent& parameter) {
     if (!formula.depends_on(parameter.symbol)) return false;
@@ -81,11 +87,17 @@ void check_inertia(const SceneContent& scene, const BodyContent& body) {
   const Inertia& inertia = body.inertia;
   const auto known = [&](const Expression* entry) { return !depends_on_unknown_parameter(scene, *entry); };
   const auto value = [&](const Expression& entry) { return parameter_value(scene, entry).to_double(); };
+  if (scene.is_rotor(body)) {
+    if (!known(&inertia.zz) || !(value(inertia.zz) < 0)) return;
+    throw SceneError(fmt::format("{} is {} and must not be negative: it is N^2 J of a rotor of inertia J behind a gear of "
+                                 "ratio N",
+                                 scene.name_of(body), with_value(body.inertia.zz, value(inertia.zz))));
+  }
   if (known(&inertia.mass) && value(inertia.mass) < 0) {
     throw SceneError(
-        fmt::format("body '{}' has the mass {:.6g} kg: a mass is never negative; subtract a hole from the "
+        fmt::format("body '{}' has the mass {} kg: a mass is never negative; subtract a hole from the "
                     "body it is cut from, as in Inertia::box(...) - Inertia::cylinder(...)",
-                    body.name, value(inertia.mass)));
+                    body.name, with_value(inertia.mass, value(inertia.mass))));
   }
   if (body.moments == Moments::as_read) return;
   const auto all = entries(inertia);

@@ -77,6 +77,19 @@ std::vector<const BodyContent*> SceneContent::inertias() const {
   return all;
 }
 
+bool SceneContent::is_rotor(const BodyContent& inertia) const {  // a body may be its namesake
+  return std::any_of(rotors.begin(), rotors.end(),
+                     [&](const BodyContent& rotor) { return rotor.frame.target == inertia.frame.target; });
+}
+
+std::string SceneContent::name_of(const BodyContent& inertia) const {
+  return fmt::format("{} '{}'", is_rotor(inertia) ? "reflected inertia" : "body", inertia.name);
+}
+
+std::string SceneContent::name_of(const FrameContent& frame) const {
+  return fmt::format("{} '{}'", is_rotor(frame) ? "reflected inertia" : "joint", frame.name);
+}
+
 bool SceneContent::is_rotor(const FrameContent& frame) const {
   return std::any_of(rotors.begin(), rotors.end(), [&](const BodyContent& rotor) { return rotor.name == frame.name; });
 }

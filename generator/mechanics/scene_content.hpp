@@ -248,6 +248,10 @@ struct SceneContent {
   std::vector<const BodyContent*> inertias() const;
   /// Whether a frame is only there for a reflected inertia.
   bool is_rotor(const FrameContent& frame) const;
+  bool is_rotor(const BodyContent& inertia) const;  ///< of those of `inertias`
+  /// What the author wrote, for messages: "body 'arm'", "joint 'knee'", "reflected inertia 'motor'".
+  std::string name_of(const BodyContent& inertia) const;
+  std::string name_of(const FrameContent& frame) const;
   /// The attitude and the component that a symbol stands for; none for any other symbol.
   std::optional<std::pair<std::size_t, std::size_t>> quaternion_component(const SymbolPointer& symbol) const;
 };

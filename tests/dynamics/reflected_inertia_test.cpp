@@ -2,7 +2,10 @@
 // Reflected inertias: half a e'^2 in the kinetic energy, and nothing anywhere else.
 #include <gtest/gtest.h>
 
+#include <functional>
+
 #include "torsor/generator/base/error.hpp"
+#include "torsor/generator/dynamics/equations/validation.hpp"
 #include "torsor/generator/dynamics/motion/body_set.hpp"
 #include "torsor/generator/dynamics/recursions/centroidal_momentum.hpp"
 #include "torsor/generator/dynamics/recursions/regressor.hpp"
@@ -127,6 +130,24 @@ TEST(ReflectedInertia, RefusesUnitsThatAreNotOfItsDisplacement) {
   EXPECT_THROW(scene.reflected_inertia("a", q, kilograms("1")), UnitError);
   EXPECT_THROW(scene.reflected_inertia("b", x, Expression::quantity("1", "kg m^2")), UnitError);
   EXPECT_THROW(scene.reflected_inertia("c", x * x, kilograms("1")), UnitError);
+}
+
+// What is wrong with one is said of it, not of a body that nobody wrote; a body may be its namesake.
+TEST(ReflectedInertia, IsNamedAsItWasWritten) {
+  const auto refusal = [](const Expression& inertia, const std::function<Expression(Scene&, const Expression&)>& displacement) {
+    Scene scene("slide");
+    const Expression x = scene.coordinate("x", "m");
+    scene.body("rotor", scene.prismatic("block", scene.ground(), axis::x, x), Inertia::point(kilograms("2")));
+    scene.reflected_inertia("rotor", displacement(scene, x), inertia);
+    return testing_symbols::error_of<Error>([&] { validate(scene); });
+  };
+  const auto along = [](Scene&, const Expression& x) { return x; };
+  EXPECT_EQ(refusal(kilograms("3"), along), "no error");
+  EXPECT_EQ(refusal(-kilograms("3"), along),
+            "reflected inertia 'rotor' is -3 and must not be negative: it is N^2 J of a rotor of inertia J behind a gear of ratio N");
+  EXPECT_EQ(refusal(kilograms("3"), [](Scene& scene, const Expression& x) { return x + scene.time() * rate(x); })
+                .substr(0, 52),
+            "the displacement of reflected inertia 'rotor' depend");
 }
 
 }  // namespace

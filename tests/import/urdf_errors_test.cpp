@@ -273,7 +273,7 @@ TEST(UrdfErrors, OfInertiaNameTheLink) {
                  "3: <inertia> of <inertial> of <link name=\"a\">: has no attribute izz; add izz=\"...\"");
   expect_refused(with_inertial("<mass value=\"-1\"/>" + moments),
                  place +
-                     "body 'a' has the mass -1 kg: a mass is never negative; subtract a hole from the body it is cut "
+                     "body 'a' has the mass a_mass = -1 kg: a mass is never negative; subtract a hole from the body it is cut "
                      "from, as in Inertia::box(...) - Inertia::cylinder(...)");
 }
 

@@ -82,7 +82,7 @@ class DependenceCheck {
       for (const Expression& e : *attitude.initial) require(what, e, Allowed::parameters);
     }
     for (const FrameContent& frame : scene_.frames) {
-      const std::string joint = "joint '" + frame.name + "'";
+      const std::string joint = scene_.name_of(frame);
       all("the placement of " + joint, frame.placement.origin, Allowed::parameters);
       if (frame.joint == JointKind::weld || frame.joint == JointKind::attitude) continue;
       all("the axis of " + joint, frame.axis, Allowed::parameters);

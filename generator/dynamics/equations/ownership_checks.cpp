@@ -41,7 +41,7 @@ class OwnershipCheck {
     for (const AttitudeContent& attitude : scene_.attitudes) {
       if (attitude.initial) of("attitude '" + attitude.name + "'", *attitude.initial);
     }
-    for (const FrameContent& f : scene_.frames) of("joint '" + f.name + "'", f.placement, f.axis, f.displacement);
+    for (const FrameContent& f : scene_.frames) of(scene_.name_of(f), f.placement, f.axis, f.displacement);
     for (const JointContent& j : scene_.joints) of("joint '" + j.name + "'", j.placement, j.pitch);
     for (const PointContent& point : scene_.points) {
       of("point '" + point.name + "'", point.components);
@@ -53,7 +53,7 @@ class OwnershipCheck {
     }
     for (const BodyContent* body : scene_.inertias()) {
       const Inertia& i = body->inertia;
-      of("body '" + body->name + "'", i.mass, i.center, i.xx, i.yy, i.zz, i.xy, i.xz, i.yz);
+      of(scene_.name_of(*body), i.mass, i.center, i.xx, i.yy, i.zz, i.xy, i.xz, i.yz);
     }
     for (const ActionContent& action : scene_.actions) {
       user_ = "action '" + name_of(action) + "'";

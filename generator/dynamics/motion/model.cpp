@@ -97,7 +97,7 @@ void Model::set_motion(Link& link, const FrameContent& frame) {
     negative = n[i].is_number(-1) ? -1 : 1;
   }
   link.joint = frame.joint;
-  link.displacement = of_configuration(frame.displacement, "the displacement of joint '" + frame.name + "'");
+  link.displacement = of_configuration(frame.displacement, "the displacement of " + scene_->name_of(frame));
   link.rate = time_derivative(link.displacement.program() ? link.displacement : program.number(Number()));
   link.acceleration = time_derivative(link.rate);
   if (frame.joint == JointKind::revolute) {

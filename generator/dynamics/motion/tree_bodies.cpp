@@ -40,13 +40,14 @@ void BodyTree::gather_bodies() {
   for (Link& link : links_) link.mass = {};
   for (const BodyContent* each : scene_->inertias()) {
     const BodyContent& body = *each;
-    const FramePlace& at = place(body.frame, "body '" + body.name + "'");
+    const std::string user = scene_->name_of(body);
+    const FramePlace& at = place(body.frame, user);
     const Inertia& given = body.inertia;
     MassProperties central;
     const auto require = [&](const Value& value, const Unit& unit, const std::string& what) {
       if (!value.is_zero() && !(value.unit() == unit)) {
         const std::string text = to_string(value);
-        throw UnitError(fmt::format("body '{}': {} is {} [{}] and must be in {}{}", body.name, what, text,
+        throw UnitError(fmt::format("{}: {} is {} [{}] and must be in {}{}", user, what, text,
                                     value.unit().to_string(), unit.to_string(), unit_remedy(text, value.unit(), unit)));
       }
       return value;
