@@ -8,11 +8,9 @@
 
 #include <fmt/format.h>
 
-#include "torsor/generator/base/decimal.hpp"
 #include "torsor/generator/base/error.hpp"
 #include "torsor/generator/cli/evaluated_contacts.hpp"
 #include "torsor/generator/cli/start_state.hpp"
-#include "torsor/generator/dynamics/equations/contact_checks.hpp"
 #include "torsor/generator/program/written_unit.hpp"
 #include "torsor/runtime/contacts/integrate_contacts.hpp"
 
@@ -250,24 +248,6 @@ void add_columns(EvaluatedContacts& contacts, ContactRecord& record) {
 
 }  // namespace
 
-namespace {
-
-/// Sizes of surfaces and coefficients with the values that a command gives: the scene's own were looked at before.
-void check_given_surfaces(const Scene& scene, const NamedNumbers& parameters) {
-  Scene valued = scene;
-  for (const ParameterContent& parameter : scene.content().parameters) {
-    const auto value = parameters.find(parameter.symbol->name);
-    if (value != parameters.end()) valued.set_parameter(Expression(parameter.symbol), from_double(value->second));
-  }
-  try {
-    check_surfaces(valued.content());
-  } catch (const SceneError& error) {
-    throw UsageError(fmt::format("with the values of --run-time {}", error.what()));
-  }
-}
-
-}  // namespace
-
 bool has_contacts(const Scene& scene) { return !scene.content().contacts.empty(); }
 
 ContactRecord record_contacts(const Scene& scene, const SimulationOptions& options, const NaturalLanguage& say) {
@@ -279,7 +259,6 @@ ContactRecord record_contacts(const Scene& scene, const SimulationOptions& optio
                      "their own, between which dp853 moves them");
   }
   EvaluatedContacts contacts(scene, options.model, options.parameters, options.inputs);
-  check_given_surfaces(scene, options.parameters);
   ContactRecord record;
   add_columns(contacts, record);
   EvaluatedMotion& motion = contacts.motion();

@@ -110,6 +110,7 @@ Scene standing(const SceneSource& source, const GivenStart& start) {
     if (!elsewhere) throw SceneError(error.what() + nearest_closed_start(scene, static_cast<bool>(source.add_options)));
     stands = false;
   }
+  require_possible(scene, start.parameters);
   if (!elsewhere || (scene.content().constraints.empty() && scene.content().contacts.empty())) return scene;
   const Scene moved = with_closed_start(scene, start);
   try {

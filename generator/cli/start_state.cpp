@@ -118,6 +118,42 @@ NamedNumbers with_defaults(const Scene& scene, NamedNumbers given) {
   return given;
 }
 
+namespace {
+
+/// What is wrong with a scene whose parameters have these numbers; empty: nothing.
+std::string fault_at(Scene scene, const NamedNumbers& given) {
+  const NamedNumbers numbers = with_defaults(scene, given);
+  const std::vector<ParameterContent> parameters = scene.content().parameters;
+  for (const ParameterContent& each : parameters) {
+    const auto number = numbers.find(each.symbol->name);
+    if (number == numbers.end() || !std::isfinite(number->second)) continue;  // refused where the numbers are used
+    scene.set_parameter(Expression(each.symbol), Expression(from_double(number->second)));
+  }
+  try {
+    check_values(scene.content());
+  } catch (const SceneError& error) {
+    return error.what();
+  }
+  return {};
+}
+
+}  // namespace
+
+void require_possible(const Scene& scene, const NamedNumbers& given) {
+  if (given.empty()) return;
+  const std::string fault = fault_at(scene, given);
+  if (fault.empty()) return;
+  std::vector<std::string> alone, all;
+  for (const auto& [name, number] : given) {
+    NamedNumbers others = given;
+    others.erase(name);
+    all.push_back(fmt::format("{}={}", name, shortest(number)));
+    if (fault_at(scene, others).empty()) alone.push_back(all.back());
+  }
+  throw UsageError(fmt::format("{}; that is so with --run-time {}: give another value", fault,
+                               fmt::join(alone.empty() ? all : alone, ",")));
+}
+
 Scene with_closed_start(const Scene& scene, const GivenStart& start) {
   EvaluatedMotion motion(scene, start.model, with_defaults(scene, start.parameters), {});
   return with_start(scene, numbers_of(motion, closed_start(motion, start.values)));

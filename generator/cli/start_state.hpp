@@ -16,6 +16,10 @@ Scene with_start(Scene scene, const NamedNumbers& values);
 /// default is a number that no other parameter changes.
 NamedNumbers with_defaults(const Scene& scene, NamedNumbers given);
 
+/// Throws UsageError where a number given to a parameter makes something that cannot be: a negative mass, a lower stop above
+/// the upper one. It says what, and which numbers do.
+void require_possible(const Scene& scene, const NamedNumbers& given);
+
 /// Where a command starts that was given values of its own: for coordinates and rates, and for parameters.
 struct GivenStart {
   NamedNumbers values, parameters;

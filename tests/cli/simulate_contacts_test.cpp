@@ -188,8 +188,8 @@ TEST(SimulateContacts, NamesTheContactThatEndsIt) {
   EXPECT_NE(drawn.err.find("starts below its surface"), std::string::npos) << drawn.err;
   const Outcome lively = run(dropped, {"simulate", "--run-time", "e=1.5"});
   EXPECT_EQ(lively.code, 2);
-  EXPECT_NE(lively.err.find("with the values of --run-time contact 'floor' has the restitution e = 1.5: it must lie between "
-                            "0 and 1"),
+  EXPECT_NE(lively.err.find("contact 'floor' has the restitution e = 1.5: it must lie between 0 and 1; that is so with "
+                            "--run-time e=1.5: give another value"),
             std::string::npos)
       << lively.err;
   const Outcome hollow = run(sized, {"simulate", "--run-time", "r=-0.1"});

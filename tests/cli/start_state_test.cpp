@@ -266,5 +266,45 @@ TEST(StartState, NearAChangePointIsNamedByVerify) {
   EXPECT_NE(outcome.out.find("near a change point: the other constraints leave"), std::string::npos) << outcome.out;
 }
 
+// Values that a command is given are looked at as the scene's own are.
+TEST(StartState, RefusesAMassThatRunTimeMakesNegative) {
+  const auto two_masses = [] {
+    Scene scene("two_masses");
+    const Expression m = scene.parameter("m", "kg", 1), n = scene.run_time_parameter("n", "1", 2);
+    const Expression a = scene.run_time_parameter("a", "kg m^2", 1), turn = scene.coordinate("turn", "rad");
+    const FrameHandle arm = scene.revolute("arm", scene.ground(), axis::z, turn);
+    scene.body("arm", arm, Inertia::rod(m * n, Expression::quantity("1", "m"), 0));
+    scene.reflected_inertia("motor", turn, a);
+    return scene;
+  };
+  const std::string remedy = "; that is so with --run-time ", other = ": give another value";
+  const auto refused = [&](const std::string& values, const std::string& what) {
+    expect_failure(run(two_masses, {"simulate", "--run-time", values}), 2, what + other);
+  };
+  const std::string mass = ": a mass is never negative; subtract a hole from the body it is cut from, as in "
+                           "Inertia::box(...) - Inertia::cylinder(...)" + remedy;
+  refused("m=-1", "body 'arm' has the mass m*n = -2 kg" + mass + "m=-1");
+  refused("n=-3,a=2", "body 'arm' has the mass m*n = -3 kg" + mass + "n=-3");
+  refused("a=-0.5", "reflected inertia 'motor' is a = -0.5 and must not be negative: it is N^2 J of a rotor of inertia J behind "
+                    "a gear of ratio N" + remedy + "a=-0.5");
+  EXPECT_EQ(run(two_masses, {"simulate", "--to", "0.1", "--run-time", "m=-3,n=-8,a=0"}).code, 0);
+}
+
+TEST(StartState, RefusesStopsThatRunTimeExchanges) {
+  const auto stopped = [] {
+    Scene scene("stopped");
+    const Expression low = scene.parameter("low", "rad", -1), high = scene.run_time_parameter("high", "rad", 1);
+    const Expression turn = scene.coordinate("turn", "rad");
+    const FrameHandle rod = scene.revolute("rod", scene.ground(), axis::z, turn);
+    scene.body("rod", rod, Inertia::rod(Expression::quantity("1", "kg"), Expression::quantity("1", "m"), 0));
+    scene.stop(turn, low, high);
+    return scene;
+  };
+  expect_failure(run(stopped, {"simulate", "--run-time", "low=2"}), 2,
+                 "the stop 'turn_lower' at low = 2 is not below 'turn_upper' at high = 1: exchange them; that is so with "
+                 "--run-time low=2: give another value");
+  EXPECT_EQ(run(stopped, {"simulate", "--to", "0.1", "--run-time", "low=-2,high=3"}).code, 0);
+}
+
 }  // namespace
 }  // namespace torsor::start_state_test

@@ -15,19 +15,21 @@
 namespace torsor {
 namespace {
 
+/// Nothing where the formula needs parameters without a value; what is more than parameters is refused elsewhere.
+std::optional<Real> known(const SceneContent& scene, const Expression& formula) {
+  try {
+    return parameter_value(scene, formula);
+  } catch (const SceneError&) {
+    return std::nullopt;
+  }
+}
+
 /// Sizes whose value the scene knows, of one that names it in messages.
 class SizeCheck {
  public:
   SizeCheck(const SceneContent& scene, std::string user) : scene_(scene), user_(std::move(user)) {}
 
-  /// Nothing where the formula needs parameters without a value; what is more than parameters is refused elsewhere.
-  std::optional<Real> known(const Expression& formula) const {
-    try {
-      return parameter_value(scene_, formula);
-    } catch (const SceneError&) {
-      return std::nullopt;
-    }
-  }
+  std::optional<Real> known(const Expression& formula) const { return torsor::known(scene_, formula); }
   void at_least(const Expression& formula, const char* what, const Expression& least, const char* remedy) const {
     const auto value = known(formula), bound = known(least);
     if (value && bound && *value < *bound) refuse(what, formula, *value, remedy);
@@ -105,11 +107,27 @@ const ContactContent* lower_stop_of(const SceneContent& scene, const Stop& upper
   return nullptr;
 }
 
+void check_stops(const SceneContent& scene) {
+  for (const ContactContent& contact : scene.contacts) {
+    const auto* upper = std::get_if<Stop>(&contact.geometry);
+    if (upper == nullptr || upper->sign > 0) continue;
+    const ContactContent* other = lower_stop_of(scene, *upper);
+    if (other == nullptr) continue;
+    const Expression& lower = std::get<Stop>(other->geometry).at;
+    const auto low = known(scene, lower), high = known(scene, upper->at);
+    if (!low || !high || *low < *high || lower.to_string() == upper->at.to_string()) continue;
+    throw SceneError(fmt::format("the stop '{}' at {} = {:.6g} is not below '{}' at {} = {:.6g}: exchange them", other->name,
+                                 lower.to_string(), low->to_double(), contact.name, upper->at.to_string(),
+                                 high->to_double()));
+  }
+}
+
 }  // namespace
 
 void check_surfaces(const SceneContent& scene) {
   check_lowest_points(scene);
   for (const ContactContent& contact : scene.contacts) SurfaceCheck(scene, contact).run();
+  check_stops(scene);
   if (!scene.contacts.empty() && !scene.frictions.empty()) {
     throw SceneError(fmt::format("friction '{}' assumes that its contact slides, and contact '{}' may open and close: give "
                                  "all frictions of the scene with contacts",
@@ -124,18 +142,6 @@ void check_contacts(const Equations& equations) {
   const auto valued = [](const ParameterContent& parameter) { return parameter.value.has_value(); };
   if (!std::all_of(scene.parameters.begin(), scene.parameters.end(), valued)) return;
   Evaluator<Real> start(equations.program(), [&scene](const SymbolPointer& symbol) { return initial_value(scene, symbol); });
-  for (const ContactContent& contact : scene.contacts) {
-    const auto* upper = std::get_if<Stop>(&contact.geometry);
-    if (upper == nullptr || upper->sign > 0) continue;
-    const ContactContent* other = lower_stop_of(scene, *upper);
-    if (other == nullptr) continue;
-    const Expression& lower = std::get<Stop>(other->geometry).at;
-    const Real low = start(equations.program().lower(lower)), high = start(equations.program().lower(upper->at));
-    if (low < high || lower.to_string() == upper->at.to_string()) continue;
-    throw SceneError(fmt::format("the stop '{}' at {} = {:.6g} is not below '{}' at {} = {:.6g}: exchange them", other->name,
-                                 lower.to_string(), low.to_double(), contact.name, upper->at.to_string(),
-                                 high.to_double()));
-  }
   for (const ContactRows& contact : contacts) {
     if (!contact.normal) continue;
     // Decimals given for irrational positions carry some twelve digits.

@@ -97,7 +97,9 @@ std::vector<const BodyContent*> bodies_moved_by(const Model& model, int coordina
 std::string moved_by(const Model& model, int coordinate) {
   std::string bodies;
   for (const BodyContent* body : bodies_moved_by(model, coordinate)) {
-    bodies += (bodies.empty() ? "body '" : ", '") + body->name + "'";
+    const std::string name = model.scene().name_of(*body);
+    const bool of_list = name.starts_with("body") && bodies.starts_with("body");
+    bodies += bodies.empty() ? name : ", " + (of_list ? "'" + body->name + "'" : name);
   }
   return bodies.empty() ? "frames without any body" : bodies;
 }
@@ -250,15 +252,20 @@ void check_initial_state(const Equations& equations) {
 
 }  // namespace
 
+void check_values(const SceneContent& scene) {
+  const WorkingDigits precision(generic_digits);
+  for (const BodyContent* body : scene.inertias()) check_inertia(scene, *body);
+  check_universal_joints(scene);
+  check_friction_coefficients(scene);
+  check_surfaces(scene);
+}
+
 void validate(const Scene& scene) {
   const WorkingDigits precision(generic_digits);
   check_ownership(scene);
   check_coordinates(scene);
-  for (const BodyContent* body : scene.content().inertias()) check_inertia(scene.content(), *body);
-  check_universal_joints(scene.content());
+  check_values(scene.content());
   check_shown_forms(scene.content());
-  check_friction_coefficients(scene.content());
-  check_surfaces(scene.content());
   check_dependences(scene);
   const Equations equations(scene);
   check_joints(equations.model());

@@ -14,6 +14,9 @@ namespace torsor {
 /// Throws SceneError or UnitError with one line that names the object, the value and the remedy.
 void validate(const Scene& scene);
 
+/// The part of it that looks at what the parameters are worth: inertias, axes, coefficients of friction, contacts.
+void check_values(const SceneContent& scene);
+
 /// The state (q, q̇) of the unknowns at t = 0, with parameters at their values; parameters without a value make it
 /// empty when they are needed.
 std::vector<Real> initial_state(const Scene& scene);
