@@ -24,14 +24,17 @@ struct BuildRequest : KernelOptions {
   std::string sources;  ///< a folder; nothing is compiled then
 };
 
-void write_sources(const MechanismListing& mechanism, const std::string& folder) {
+/// To be written as what a command leaves; their folders are made here.
+std::vector<OutputFile> sources_in(const std::string& folder, const MechanismListing& mechanism) {
+  std::vector<OutputFile> files;
   for (const SourceFile& source : library_sources(mechanism)) {
     const fs::path path = fs::path(folder) / source.path;
     std::error_code failure;
     fs::create_directories(path.parent_path(), failure);
     if (failure) throw FileError(fmt::format("cannot make the folder of '{}': {}", path.string(), failure.message()));
-    write_file_if_changed(path.string(), source.text);
+    files.push_back({path.string(), source.text});
   }
+  return files;
 }
 
 CommandResult build(const Scene& scene, const BuildRequest& request, const std::string& output) {
@@ -39,8 +42,10 @@ CommandResult build(const Scene& scene, const BuildRequest& request, const std::
   if (!request.sources.empty()) {
     if (output != "-")
       throw UsageError("--sources writes what a library is compiled from, and compiles nothing: leave --output out");
-    write_sources(mechanism, request.sources);
-    return {(fs::path(request.sources) / "library.cpp").string() + "\n"};
+    if (request.library.fused || request.library.flags != LibraryOptions().flags)
+      throw UsageError("--sources compiles nothing: give what --flags and --fused say to your own compiler");
+    return {.text = (fs::path(request.sources) / "library.cpp").string() + "\n",
+            .files = sources_in(request.sources, mechanism)};
   }
   const std::string library = compiled_library(mechanism, request.library);
   return {output == "-" ? library + "\n" : compiled_bytes(library)};

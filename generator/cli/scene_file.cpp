@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "torsor/generator/cli/scene_file.hpp"
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <sstream>
 #include <string_view>
 #include <system_error>
+#include <utility>
 #include <vector>
 
 #include <fmt/format.h>
@@ -54,16 +56,24 @@ std::string states_of(const std::vector<std::string>& files) {
   return text;
 }
 
-/// Whether every input is what it was when the program was built.
-bool inputs_are_those_of(const fs::path& record) {
-  std::istringstream lines(text_of(record));
+struct RecordedInput {
   std::string state, path;
-  bool any = false;
-  while (lines >> state && lines.get() == ' ' && std::getline(lines, path)) {
-    if (state_of(path) != state) return false;
-    any = true;
-  }
-  return any;
+};
+
+/// Of a program in the cache; none where nothing was recorded.
+std::vector<RecordedInput> inputs_recorded(const fs::path& program) {
+  std::vector<RecordedInput> inputs;
+  std::istringstream lines(text_of(program.string() + ".inputs"));
+  RecordedInput input;
+  while (lines >> input.state && lines.get() == ' ' && std::getline(lines, input.path)) inputs.push_back(input);
+  return inputs;
+}
+
+/// Whether every input is what it was when the program was built.
+bool inputs_are_unchanged(const fs::path& program) {
+  const std::vector<RecordedInput> inputs = inputs_recorded(program);
+  const auto unchanged = [](const RecordedInput& input) { return state_of(input.path) == input.state; };
+  return !inputs.empty() && std::all_of(inputs.begin(), inputs.end(), unchanged);
 }
 
 /// The files of a rule of make, without its target; a blank in a name stands behind a backslash.
@@ -188,12 +198,20 @@ std::string scene_file_program(const std::string& path) {
     key.add("\n").add(environment(name));
   }
   const fs::path program = cache_folder() / fmt::format("scene-{:016x}", key.value());
-  const fs::path record = program.string() + ".inputs";
-  if (!fs::exists(program) || !inputs_are_those_of(record)) {
+  if (!fs::exists(program) || !inputs_are_unchanged(program)) {
     tell_of_compiling(path, compiler);
-    build(whole.string(), program, record);
+    build(whole.string(), program, program.string() + ".inputs");
   }
   return program.string();
+}
+
+std::vector<std::string> inputs_of_this_program() {
+  std::error_code failure;
+  const fs::path program = fs::read_symlink("/proc/self/exe", failure);
+  std::vector<std::string> files;
+  if (failure || !program.filename().string().starts_with("scene-")) return files;
+  for (RecordedInput& input : inputs_recorded(program)) files.push_back(std::move(input.path));
+  return files;
 }
 
 }  // namespace torsor

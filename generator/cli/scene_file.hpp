@@ -3,6 +3,7 @@
 
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace torsor {
 
@@ -14,5 +15,8 @@ bool names_scene_file(std::string_view word);
 /// compiler and its flags, and torsor; it is built again when the text, a file that it includes or torsor's library has
 /// changed. Throws FileError where the file or a compiler is missing, and with what the compiler says where it fails.
 std::string scene_file_program(const std::string& path);
+
+/// What this program was built from, headers included, where it is one that the cache keeps.
+std::vector<std::string> inputs_of_this_program();
 
 }  // namespace torsor

@@ -133,7 +133,9 @@ void refuse_to_overwrite(const std::string& output, const std::vector<std::strin
 /// The files of the source. A program that runs in place of a scene's file has its name: that file was read too.
 SourceFiles files_of(const SceneSource& source, const std::string& program) {
   SourceFiles files = source.files ? source.files() : SourceFiles();
-  if (names_scene_file(program)) files.read.push_back(program);
+  if (!names_scene_file(program)) return files;
+  files.read.push_back(program);
+  for (std::string& included : inputs_of_this_program()) files.read.push_back(std::move(included));
   return files;
 }
 
@@ -211,10 +213,11 @@ int run_commands(int argc, const char* const* argv, const SceneSource& source) {
   }
 }
 
-CommandOutcome run_command(const std::vector<std::string>& words, const Scene& scene) {
+CommandOutcome run_command(const std::vector<std::string>& words, const Scene& scene, const std::vector<std::string>& read) {
   std::vector<const char*> arguments{scene.name().c_str()};
   for (const std::string& word : words) arguments.push_back(word.c_str());
-  Ran ran = run(static_cast<int>(arguments.size()), arguments.data(), {scene_program_description, {}, [&scene] { return scene; }, {}});
+  Ran ran = run(static_cast<int>(arguments.size()), arguments.data(),
+                {scene_program_description, {}, [&scene] { return scene; }, {}, [&read] { return SourceFiles{read, {}}; }});
   CommandOutcome outcome{{}, ran.result.passed, std::move(ran.result.notes)};
   ran.write_files();
   if (ran.output == "-") outcome.text = std::move(ran.result.text);

@@ -51,11 +51,11 @@ void bind_errors(py::module_& module) {
 void bind_commands(SceneClass& scene) {
   scene.def(
       "_run",
-      [](const BoundScene& self, const std::vector<std::string>& words) {
-        CommandOutcome outcome = run_command(words, self.scene);
+      [](const BoundScene& self, const std::vector<std::string>& words, const std::vector<std::string>& read) {
+        CommandOutcome outcome = run_command(words, self.scene, read);
         return std::make_tuple(std::move(outcome.text), outcome.passed, std::move(outcome.notes));
       },
-      "words"_a);
+      "words"_a, "read"_a);
 }
 
 }  // namespace

@@ -123,6 +123,12 @@ def _motion(table: str) -> Any:
     return np.array([tuple(map(float, row)) for row in rows[1:]], dtype=fields)
 
 
+def _files_of_python() -> list[bytes]:
+    """What the scene was made by: the script and what it imports. No command overwrites them."""
+    named = [getattr(module, "__file__", None) for module in list(sys.modules.values())]
+    return [os.fsencode(file) for file in named if isinstance(file, str)]
+
+
 def _printable(text: str) -> str:
     """What a terminal shows as it stands: other characters by their escapes."""
     return "".join(c if c.isprintable() else c.encode("unicode_escape").decode() for c in text)
@@ -144,7 +150,7 @@ class Scene(_torsor_scene.Scene, Displayed):
     def outcome(self, command: str, *words: str, **options: Any) -> Outcome:
         """One command of a scene program (docs/commands.md) with its notes: scene.outcome("generate", "--kernels", "energy"),
         or kernels="energy". Raises CheckError where what it checks does not hold, UsageError for words it does not know."""
-        text, passed, notes = self._run([command, *words, *_words(options)])
+        text, passed, notes = self._run([command, *words, *_words(options)], _files_of_python())
         if not passed:
             raise CheckError(_message(command, text), text, notes)
         return Outcome(text, notes)
@@ -187,7 +193,7 @@ class Scene(_torsor_scene.Scene, Displayed):
 
         code = 0
         try:
-            text, passed, notes = self._run([os.fsencode(word) for word in sys.argv[1:]])
+            text, passed, notes = self._run([os.fsencode(word) for word in sys.argv[1:]], _files_of_python())
             sys.stdout.flush()
             sys.stdout.buffer.write(text.encode())  # UTF-8 as programs in C++ write it, whatever the locale
             sys.stdout.buffer.flush()

@@ -8,7 +8,9 @@
 #include <sys/resource.h>
 #include <unistd.h>
 
+#include "torsor/generator/cli/command_line.hpp"
 #include "tests/cli/scene_runner.hpp"
+#include "tests/program/test_symbols.hpp"
 #include "tests/runtime/temporary_folder.hpp"
 
 namespace torsor::output_test {
@@ -56,6 +58,18 @@ TEST_F(SceneProgramOutput, IntoAMissingFolderFails) {
       run(pendulum, {"generate", "--output", file}), 3,
       "cannot write '" + file + "': No such file or directory; create the folder first, or choose another one");
   EXPECT_EQ(files(), 0U);
+}
+
+// Sources of a library, too, spare what the scene was made of.
+TEST_F(SceneProgramOutput, OverwritesNothingThatTheSceneWasMadeOf) {
+  std::ofstream(path("library.cpp")) << "the scene";
+  for (const std::vector<std::string>& words : {std::vector<std::string>{"build", "--kernels", "energy", "--sources", folder.string()},
+                                                {"generate", "--output", path("library.cpp")}}) {
+    const std::string message = testing_symbols::error_of<UsageError>([&] { run_command(words, pendulum(), {path("library.cpp")}); });
+    EXPECT_EQ(message, "'" + path("library.cpp") + "' is to be written and would overwrite '" + path("library.cpp") +
+                           "', which the command reads: give another name");
+    EXPECT_EQ(text("library.cpp"), "the scene");
+  }
 }
 
 TEST_F(SceneProgramOutput, OntoAFolderFails) {

@@ -44,6 +44,27 @@ def test_a_parameter_takes_another_value():
         scene.set_parameter(M, 2 * M)
 
 
+def test_a_command_overwrites_no_file_that_the_scene_was_made_by(tmp_path):
+    (tmp_path / "length.py").write_text("length = 2\n")
+    (tmp_path / "rod.py").write_text("""
+import sys
+import length
+from torsor.scene import Inertia, Scene, axis, quantity
+scene = Scene("rod")
+rod = scene.revolute("rod", scene.ground, axis.y, scene.coordinate("theta", "rad"))
+scene.body("rod", rod, Inertia.rod(quantity(1, "kg"), quantity(length.length, "m"), 0))
+if sys.argv[1] == "generate":
+    scene.generate(sys.argv[2])
+else:
+    scene.main()
+""")
+    for words in (["generate", "rod.py"], ["generate", "length.py"], ["equations", "-o", "rod.py"]):
+        done = subprocess.run([sys.executable, "rod.py", *words], cwd=tmp_path, capture_output=True, text=True)
+        assert done.returncode != 0, words
+        assert f"would overwrite '{tmp_path / words[-1]}', which the command reads" in done.stderr
+    assert (tmp_path / "length.py").read_text() == "length = 2\n"
+
+
 @pytest.fixture
 def scene():
     return Scene("rod")
