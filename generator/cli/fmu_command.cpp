@@ -132,6 +132,9 @@ std::vector<std::string> origins_of_links(const Scene& scene) {
 
 CommandResult make_unit(const Scene& scene, const UnitRequest& request, const std::string& output) {
   if (output == "-") throw UsageError("a unit of FMI is a file: give --output x.fmu");
+  if (request.sources_only && request.flags != UnitRequest().flags) {
+    throw UsageError("--sources-only compiles nothing: give what --flags says to the compiler of who imports the unit");
+  }
   const FmiUnit unit =
       lower_unit(scene, request.version(), chosen_outputs(scene, request.outputs), request.model(scene));
   std::vector<ArchivedFile> archive = {{"modelDescription.xml", fmi_description(unit)}};

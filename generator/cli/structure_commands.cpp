@@ -3,6 +3,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include "torsor/generator/base/error.hpp"
 #include "torsor/generator/cli/command_set.hpp"
 #include "torsor/generator/cli/command_texts.hpp"
 #include "torsor/generator/cli/kernel_options.hpp"
@@ -31,6 +32,9 @@ void add_structure_commands(CommandSet& commands) {
   CLI::App& structure = commands.add(
       "structure", "count loops, mobility and redundancy; name what is internal or indeterminate",
       [request](const Scene& scene) {
+        if (request->json && request->language != "en") {
+          throw UsageError("--language is for text, and --json prints names that programs read: leave one of them out");
+        }
         return CommandResult{request->json ? structure_json(scene, request->graph.inputs_outputs)
                                            : structure_text(scene, request->graph.inputs_outputs,
                                                             NaturalLanguage::named(request->language))};
@@ -41,6 +45,9 @@ void add_structure_commands(CommandSet& commands) {
 
   CLI::App& graph = commands.add(
       "graph", "draw the graph of bodies and joints", [request](const Scene& scene) {
+        if (request->graph.kind != "reduced" && !request->graph.inputs_outputs.empty()) {
+          throw UsageError("--inputs-outputs is for --of reduced: the other graphs show all joints alike");
+        }
         return CommandResult{graph_text(scene, request->graph, NaturalLanguage::named(request->language))};
       });
   add_inputs_outputs(graph, *request);
@@ -52,6 +59,9 @@ void add_structure_commands(CommandSet& commands) {
   CLI::App& list = commands.add(
       "list", "print what the scene contains and the kernels it offers",
       [request](const Scene& scene) {
+        if (!request->json && !request->kernels.kernels.empty() && request->kernels.kernels != KernelOptions().kernels) {
+          throw UsageError("--kernels is for --json, which prints their shapes: the text names all kernels of the scene");
+        }
         return CommandResult{request->json ? list_json(scene, request->kernels.names()) : list_text(scene)};
       });
   list.add_flag("--json", request->json, "print JSON, with the shapes of what kernels write");

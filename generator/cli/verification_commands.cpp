@@ -186,10 +186,12 @@ void add_verify(CommandSet& commands) {
           "--every-exception-needed", request->every_exception_needed,
           "also fail where the file lists a group that stays within the bar; needs the kernels and the search it was made with")
       ->needs(exceptions);
-  command.add_flag("--all", request->layout.every_group, "print every group of results, not only the worst of each kernel");
+  CLI::Option* every_group =
+      command.add_flag("--all", request->layout.every_group, "print every group of results, not only the worst of each kernel");
   CLI::Option* markdown =
       command.add_flag("--markdown", request->markdown, "print one row of the table in docs/accuracy.md");
-  command.add_flag("--show-states", request->layout.with_states, "print the state of each row");
+  CLI::Option* with_states = command.add_flag("--show-states", request->layout.with_states, "print the state of each row");
+  markdown->excludes(every_group)->excludes(with_states);
   command.add_flag("--json", request->json, "print JSON")->excludes(markdown);
 }
 

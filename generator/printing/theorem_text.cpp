@@ -94,6 +94,9 @@ std::string theorem_text(const Scene& given, const TheoremRequest& request, cons
     throw UsageError("the energy theorem has no point and no direction: leave --at, --direction and --axes out, or ask for "
                      "--kind resultant or moment");
   }
+  if (!energy && !moment && !request.point.empty()) {
+    throw UsageError("the theorem of the resultant has no point: leave --at out, or ask for --kind moment");
+  }
   const NaturalLanguage& say = style.language;
   Scene scene = given;
   const PointReference point = point_at(scene, request.point.empty() ? scene.content().frames[0].name : request.point);

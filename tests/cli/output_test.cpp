@@ -155,5 +155,28 @@ TEST_F(SceneProgramOutput, IntoAFolderThatMayNotBeWrittenFails) {
   fs::permissions(folder.string(), fs::perms::owner_all);
 }
 
+// An option that a command would not look at is refused.
+TEST(Options, WithoutEffectAreRefused) {
+  const auto refused = [](const std::vector<std::string>& words, const std::string& message) {
+    expect_failure(run(pendulum, words), 2, message);
+  };
+  refused({"theorem", "--at", "arm"}, "the theorem of the resultant has no point: leave --at out, or ask for --kind moment");
+  refused({"structure", "--json", "--language", "fr"},
+          "--language is for text, and --json prints names that programs read: leave one of them out");
+  refused({"graph", "--inputs-outputs", "arm"},
+          "--inputs-outputs is for --of reduced: the other graphs show all joints alike");
+  refused({"list", "--kernels", "energy"},
+          "--kernels is for --json, which prints their shapes: the text names all kernels of the scene");
+  const std::string folder = testing::TempDir() + "sources_of_nothing";
+  for (const std::vector<std::string>& words : {std::vector<std::string>{"--fused"}, {"--flags", "-O1"}}) {
+    std::vector<std::string> all{"build", "--sources", folder};
+    all.insert(all.end(), words.begin(), words.end());
+    refused(all, "--sources compiles nothing: give what --flags and --fused say to your own compiler");
+  }
+  refused({"fmu", "--sources-only", "--flags", "-O1", "-o", testing::TempDir() + "of_sources.fmu"},
+          "--sources-only compiles nothing: give what --flags says to the compiler of who imports the unit");
+  refused({"verify", "--markdown", "--all"}, "--all excludes --markdown; see --help");
+}
+
 }  // namespace
 }  // namespace torsor::output_test
