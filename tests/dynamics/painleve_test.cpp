@@ -4,7 +4,9 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <functional>
 
+#include "torsor/generator/expression/piecewise.hpp"
 #include "torsor/generator/verification/extrapolation.hpp"
 #include "tests/dynamics/named_state.hpp"
 #include "tests/scenes/pendulums.hpp"
@@ -302,6 +304,35 @@ TEST(CyclicCoordinate, HasItsMomentumAsFirstIntegral) {
   NamedState state(equations, {{"psi'", Real(3)}, {"theta'", Real(7)}, {"theta", Real(0)}});
   // At θ = 0: J = ½ 3 0.25 + 2 0.3² + 2/5 2 0.01 about z, times ψ̇.
   EXPECT_NEAR(state.in_double(report.first_integrals[1].value), (0.375 + 0.18 + 0.008) * 3, 1e-14);
+}
+
+/// A block on a spring whose stiffness is `factor` of 1 N/m.
+std::vector<std::string> against_energy(const std::function<Expression(Scene&, const Expression& x)>& factor) {
+  Scene scene("by_pieces");
+  const Expression x = scene.coordinate("x", "m"), phi = scene.coordinate("phi", "rad");
+  scene.drive(phi, scene.time() * Expression::quantity("2", "1/s"));
+  scene.body("block", scene.prismatic("block", scene.ground(), axis::x, x), Inertia::point(Expression::quantity("1", "kg")));
+  scene.weld("sign", scene.revolute("dial", scene.ground(), axis::x, phi), {});
+  scene.spring("spring", x, Expression::quantity("1", "N/m") * factor(scene, x));
+  return painleve(Equations(scene)).failing_conditions;
+}
+
+// What changes in steps has no slope, and U changes with it: in time, with what is driven, and where the block passes.
+TEST(Painleve, KeepsNoEnergyWhereAForceFunctionJumps) {
+  const std::vector<std::string> jump{"the force function U jumps"}, none;
+  const Expression one(1), two(2);
+  EXPECT_EQ(against_energy([&](Scene& s, const Expression&) {
+              return piecewise({{s.time() < Expression::quantity("5", "s"), one}}, two);
+            }), jump);
+  EXPECT_EQ(against_energy([&](Scene& s, const Expression&) {
+              const Expression phi(s.content().coordinates[1].q);
+              return piecewise({{phi < Expression(3), one}, {phi < Expression(4), two}}, one);
+            }), jump);
+  const Expression metre = Expression::quantity("1", "m");
+  EXPECT_EQ(against_energy([&](Scene&, const Expression& x) { return piecewise({{x < metre, one}}, two); }), jump);
+  // A spring that pushes on one side alone, and one that is as stiff on the other.
+  EXPECT_EQ(against_energy([&](Scene&, const Expression& x) { return piecewise({{x < 0 * metre, one}}, Expression(0)); }), none);
+  EXPECT_EQ(against_energy([&](Scene&, const Expression& x) { return abs(x) / metre; }), none);
 }
 
 }  // namespace

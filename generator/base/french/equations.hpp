@@ -218,6 +218,7 @@ constexpr Translation french_of_equations[] = {
     {"{} have force functions that are not stated", "{} dérivent de fonctions de force qui ne sont pas données"},
     {"T depends on time explicitly", "T dépend explicitement du temps"},
     {"the force function U depends on time explicitly", "la fonction de force U dépend explicitement du temps"},
+    {"the force function U jumps", "la fonction de force U a des sauts"},
     {"constraint '{}' imposes a velocity (b is not zero)", "l'équation de liaison '{}' impose une vitesse (b n'est pas nul)"},
     {"dT/d{}' of the cyclic coordinate '{}'", "dT/d{}' du paramètre cyclique '{}'"},
     {"$\\frac{{\\partial T}}{{\\partial {}}}$ of the cyclic coordinate ${}$",

@@ -11,6 +11,7 @@
 #include "torsor/generator/dynamics/theorems/flat_polynomials.hpp"
 #include "torsor/generator/program/derivative.hpp"
 #include "torsor/generator/program/identically_zero.hpp"
+#include "torsor/generator/program/jumps.hpp"
 
 namespace torsor {
 namespace {
@@ -70,9 +71,11 @@ std::vector<std::string> remarks_on(const Equations& equations, bool from_potent
 }  // namespace
 
 bool depend_on_time(const Model& model, const std::vector<Value>& values) {
-  Derivation by_time = partial_derivation(model.program(), model.scene().time);
-  return std::any_of(values.begin(), values.end(),
-                     [&](const Value& value) { return !value.is_zero() && !identically_zero(by_time(value)); });
+  const SymbolPointer& time = model.scene().time;
+  Derivation by_time = partial_derivation(model.program(), time);
+  return std::any_of(values.begin(), values.end(), [&](const Value& value) {
+    return !value.is_zero() && (!identically_zero(by_time(value)) || jumps_along(value, time));
+  });
 }
 
 EquilibriumEquations equilibrium_equations(const Equations& equations, const NaturalLanguage& say) {

@@ -9,6 +9,7 @@
 #include "torsor/generator/dynamics/theorems/force_function.hpp"
 #include "torsor/generator/program/derivative.hpp"
 #include "torsor/generator/program/identically_zero.hpp"
+#include "torsor/generator/program/jumps.hpp"
 #include "torsor/generator/program/written_unit.hpp"
 
 namespace torsor {
@@ -190,6 +191,9 @@ PainleveReport painleve(const Equations& equations, const NaturalLanguage& say) 
   if (!identically_zero(report.explicit_rate)) report.failing_conditions.push_back(say("T depends on time explicitly"));
   if (!u.is_zero() && !identically_zero(by_time(u))) {
     report.failing_conditions.push_back(say("the force function U depends on time explicitly"));
+  }
+  if (jumps(u)) {
+    report.failing_conditions.push_back(say("the force function U jumps"));
   }
   for (const ConstraintRow& row : equations.constraints()) {
     if (identically_zero(at_rest(row.rate))) continue;

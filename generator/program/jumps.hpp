@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "torsor/generator/program/program.hpp"
+
+namespace torsor {
+
+/// Whether a value jumps where a selection in it (sign, piecewise) turns from one form to another. A change of sign of what
+/// decides is looked for on lines between pseudo-random states, with the same parameters at both ends, and enclosed in 60
+/// digits: at its two sides a continuous value is the same. What changes its sign on none of the lines counts as continuous.
+bool jumps(const Value& value);
+/// The same where one symbol alone changes, such as the time.
+bool jumps_along(const Value& value, const SymbolPointer& symbol);
+
+}  // namespace torsor
