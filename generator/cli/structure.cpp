@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <map>
+#include <set>
+
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
@@ -56,6 +59,37 @@ std::string beside_joints(const SceneFreedoms& scene, const NaturalLanguage& say
                 names, freedoms));
 }
 
+/// Joints of the tree whose displacements share a coordinate, as a mimic's do with its leader's: the graph counts a freedom
+/// for each of them.
+std::vector<std::string> joints_that_share_coordinates(const SceneContent& scene) {
+  std::map<const Symbol*, std::set<std::size_t>> users;  // looked up only
+  for (std::size_t j = 0; j < scene.joints.size(); ++j) {
+    if (!scene.joints[j].of_tree) continue;
+    const auto [first, last] = *scene.joints[j].of_tree;
+    for (int f = first; f <= last; ++f) {
+      const FrameContent& frame = scene.frames[static_cast<std::size_t>(f)];
+      if (frame.joint != JointKind::revolute && frame.joint != JointKind::prismatic) continue;
+      for (const SymbolPointer& symbol : frame.displacement.symbols()) {
+        if (symbol->kind == SymbolKind::coordinate) users[symbol.get()].insert(j);
+      }
+    }
+  }
+  std::set<std::size_t> sharing;
+  for (const auto& [symbol, joints] : users) {
+    if (joints.size() > 1) sharing.insert(joints.begin(), joints.end());
+  }
+  std::vector<std::string> names;
+  for (const std::size_t j : sharing) names.push_back(scene.joints[j].name);
+  return names;
+}
+
+std::string shared_coordinates(const Scene& scene, const SceneFreedoms& own, const NaturalLanguage& say) {
+  const std::vector<std::string> names = joints_that_share_coordinates(scene.content());
+  if (names.empty()) return "";
+  return line(say("that is the joints alone: formulas of coordinates tie {}, and the scene has {}", joined(names),
+                  freedoms_text(own, say)));
+}
+
 std::string scene_text(const SceneFreedoms& own, const NaturalLanguage& say) {
   return "\n" +
          say("The scene as it is written: {} unknown coordinate{}, {} driven, {} constraint{} of rank {} at the "
@@ -84,7 +118,7 @@ std::string structure_text(const Scene& scene, const std::vector<std::string>& i
   }
   const SceneFreedoms own = scene_freedoms(scene, inputs_outputs);
   text += "\n" + say("Structure graph") + "\n" + count_text(mobility.singular ? mobility.generic : mobility.given, say) +
-          beside_joints(own, say);
+          beside_joints(own, say) + shared_coordinates(scene, own, say);
   if (mobility.moved_to_close)
     text += line(say("(the initial values do not close the loops exactly: taken from the nearest ones that do)"));
   if (mobility.singular) {

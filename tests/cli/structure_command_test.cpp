@@ -143,5 +143,27 @@ TEST(StructureCommand, RefusesWhatItDoesNotKnow) {
                  "unknown joint 'wheel': the scene has block, guide");
 }
 
+// As the fingers of a gripper, of which one mimics the other.
+TEST(StructureCommand, SaysWhichJointsFormulasTie) {
+  const auto gripper = [] {
+    Scene scene("gripper");
+    const Expression q = scene.coordinate("q", "rad"), r = scene.coordinate("r", "rad");
+    const Expression J = Expression::quantity("1", "kg m^2");
+    const FrameHandle hand = scene.revolute("hand", scene.ground(), axis::z, r);
+    for (const auto& [name, turn] : {std::pair("left", q), std::pair("right", -q)}) {
+      const FrameHandle finger = scene.revolute(name, hand, axis::z, turn);
+      scene.body(name, finger, Inertia::general({.mass = Expression::quantity("1", "kg"), .xx = J, .yy = J, .zz = J}));
+    }
+    scene.reflected_inertia("motor", 20 * r, J);
+    return scene;
+  };
+  const Outcome outcome = run(gripper, {"structure"});
+  EXPECT_NE(outcome.out.find("\n  that is the joints alone: formulas of coordinates tie left, right, and the scene has 2 "
+                             "freedoms: 1 useful, 1 internal\n"),
+            std::string::npos)
+      << outcome.out;
+  EXPECT_EQ(run(guided, {"structure"}).out.find("formulas of coordinates"), std::string::npos);
+}
+
 }  // namespace
 }  // namespace torsor::structure_command_test

@@ -70,6 +70,8 @@ constexpr Translation french_of_structure[] = {
      "cela pour les liaisons seules : {} équation de liaison s'y ajoute ({}), avec laquelle le système a {}"},
     {"that is the joints alone: {} constraints are no joints beside them ({}), with which the scene has {}",
      "cela pour les liaisons seules : {} équations de liaison s'y ajoutent ({}), avec lesquelles le système a {}"},
+    {"that is the joints alone: formulas of coordinates tie {}, and the scene has {}",
+     "cela pour les liaisons seules : des formules de paramètres lient {}, et le système a {}"},
     {"The scene as it is written: {} unknown coordinate{}, {} driven, {} constraint{} of rank {} at the initial configuration: {}",
      "Le système tel qu'il est écrit : {} paramètre{} inconnu(s), {} imposé(s), {} équation{} de liaison de rang {} dans la "
      "configuration initiale : {}"},
