@@ -208,11 +208,17 @@ class Compiled {
     if (!passive) remark("the flag passive is disabled: springs and dampers do not act");
   }
 
+  /// Whether <contact><pair> names it: it touches the other one whatever its contype.
+  bool in_pair(int geom) const {
+    const auto names = [geom](const int* first, int count) { return std::find(first, first + count, geom) != first + count; };
+    return names(m_.pair_geom1, m_.npair) || names(m_.pair_geom2, m_.npair);
+  }
+
   void read_geometry() {
     const bool untouched = without_constraints(mjDSBL_CONTACT);
     if (untouched && m_.ngeom > 0) remark("the flag contact or constraint is disabled: no geom touches another");
     for (int i = 0; i < m_.ngeom && !untouched; ++i) {
-      if (m_.geom_contype[i] == 0 && m_.geom_conaffinity[i] == 0) continue;
+      if (m_.geom_contype[i] == 0 && m_.geom_conaffinity[i] == 0 && !in_pair(i)) continue;
       model_.geoms.push_back({name_of_object(m_, m_.name_geomadr[i]), geometry(m_.geom_type[i]), m_.geom_bodyid[i],
                               numbers<3>(m_.geom_size + 3 * i), numbers<3>(m_.geom_pos + 3 * i),
                               numbers<3>(m_.geom_friction + 3 * i), numbers<4>(m_.geom_quat + 4 * i)});
@@ -344,6 +350,12 @@ class Compiled {
       actuator.target = m_.actuator_trnid[2 * i];
       actuator.gear = numbers<6>(m_.actuator_gear + 6 * i);
       actuator.law = law(i);
+      const auto bounded = [&](const char* what, const mjtNum* range) {
+        actuator.law += fmt::format("{}the {} lies between {} and {}", actuator.law.empty() ? "" : "; ", what, shortest(range[0]),
+                                    shortest(range[1]));
+      };
+      if (m_.actuator_forcelimited[i] != 0) bounded("force", m_.actuator_forcerange + 2 * i);
+      if (m_.actuator_ctrllimited[i] != 0 && !disabled(mjDSBL_CLAMPCTRL)) bounded("control", m_.actuator_ctrlrange + 2 * i);
       model_.actuators.push_back(std::move(actuator));
     }
   }
@@ -405,6 +417,9 @@ class Compiled {
     if (m_.opt.density != 0 || m_.opt.viscosity != 0) note("the medium (density, viscosity, wind) does not act");
 #if mjVERSION_HEADER >= 230
     if (m_.nplugin > 0) note("plugins do not act");
+#endif
+#if mjVERSION_HEADER >= 300
+    if (m_.nflex > 0) note("flexible bodies (flex) do not act");
 #endif
   }
 
