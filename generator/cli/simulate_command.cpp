@@ -47,6 +47,25 @@ class Progress {
   std::chrono::steady_clock::time_point shown_ = std::chrono::steady_clock::now();
 };
 
+/// Quaternions of --initial with norm 1, as a motion starts from them; `notes` says of those that had another.
+NamedNumbers with_unit_quaternions(const Scene& scene, NamedNumbers given, std::vector<std::string>& notes) {
+  for (const AttitudeContent& attitude : scene.content().attitudes) {
+    double square = 0;
+    for (const SymbolPointer& component : attitude.symbols->e) {
+      const auto number = given.find(component->name);
+      if (number != given.end()) square += number->second * number->second;
+    }
+    const double norm = std::sqrt(square);
+    if (!(norm > 0)) continue;  // none is given
+    if (std::abs(norm - 1) > 1e-3) {
+      notes.push_back(fmt::format("--initial gives the attitude '{}' a quaternion of norm {:.6g}, which is normalised",
+                                  attitude.name, norm));
+    }
+    for (const SymbolPointer& component : attitude.symbols->e) given.at(component->name) /= norm;
+  }
+  return given;
+}
+
 /// Numbers of --initial that the start does not have, where the constraints do not allow them together; empty: it has them
 /// all. That a closed start is typed in few digits is no news.
 std::string moved_start(const Simulation& motion, const NamedNumbers& given) {
@@ -100,7 +119,8 @@ CommandResult run_simulation(const Scene& scene, SimulationRequest request, cons
     }
     result.files.push_back({request.plot[0], simulation_svg(scene, motion, columns)});
   }
-  if (const std::string moved = moved_start(motion, options.initial); !moved.empty()) result.notes.push_back(moved);
+  const NamedNumbers given = with_unit_quaternions(scene, options.initial, result.notes);
+  if (const std::string moved = moved_start(motion, given); !moved.empty()) result.notes.push_back(moved);
   tell_events(motion.events, result.notes);
   result.notes.insert(result.notes.end(), motion.remarks.begin(), motion.remarks.end());
   if (!motion.status.empty()) result.notes.push_back(fmt::format("the motion ends: {}", motion.status));

@@ -62,6 +62,11 @@ void normalise(const Scene& scene, AtState::Named& state) {
       const auto component = given(attitude.symbols->e[k]);
       if (component != state.end()) e[k] = component->second, ++count;
     }
+    if (count == 3) {
+      throw UsageError(fmt::format("--about gives three components of the attitude '{}', which leave the sign of the fourth "
+                                   "open: give all four, which are normalised",
+                                   attitude.name));
+    }
     if (count < 4) continue;
     if (std::all_of(e.begin(), e.end(), [](const Expression& component) { return component.is_zero(); })) {
       throw UsageError(fmt::format("--about: the four components of the attitude '{}' are zero: give a quaternion", attitude.name));

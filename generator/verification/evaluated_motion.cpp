@@ -55,6 +55,24 @@ void require_known(const NamedNumbers& given, const std::vector<std::string>& kn
   }
 }
 
+namespace {
+
+/// Some components of a quaternion say nothing of the others: beside what the scene starts from none would stay as given.
+void require_whole_quaternions(const SceneContent& scene, const NamedNumbers& given) {
+  for (const AttitudeContent& attitude : scene.attitudes) {
+    std::vector<std::string> missing;
+    for (const SymbolPointer& component : attitude.symbols->e) {
+      if (!given.contains(component->name)) missing.push_back(component->name);
+    }
+    if (missing.empty() || missing.size() == attitude.symbols->e.size()) continue;
+    throw UsageError(fmt::format("--initial gives some components of the attitude '{}' without {}: give all four, which are "
+                                 "normalised, or none",
+                                 attitude.name, fmt::join(missing, ", ")));
+  }
+}
+
+}  // namespace
+
 EvaluatedMotion::EvaluatedMotion(const Scene& scene, const ModelOptions& options, const NamedNumbers& parameters,
                                  const NamedNumbers& inputs)
     : equations_(scene, with_run_time(options, parameters)), here_(equations_.program(), {}) {
@@ -148,6 +166,7 @@ std::vector<double> EvaluatedMotion::start(const NamedNumbers& replaced) {
   std::vector<std::string> known;
   for (const SymbolPointer& symbol : symbols_) known.push_back(symbol->name);
   require_known(replaced, known, "coordinate or rate", "--initial");
+  require_whole_quaternions(content, replaced);
   move_to(0.0, {});
   std::vector<double> y;
   for (const SymbolPointer& symbol : symbols_) {

@@ -306,5 +306,23 @@ TEST(StartState, RefusesStopsThatRunTimeExchanges) {
   EXPECT_EQ(run(stopped, {"simulate", "--to", "0.1", "--run-time", "low=-2,high=3"}).code, 0);
 }
 
+// Components that are given with others of the scene would not stay what they are.
+TEST(StartState, TakesWholeQuaternions) {
+  const auto turned = [] {
+    Scene scene("turned");
+    const FrameHandle body = scene.spherical("body", scene.ground(), scene.attitude("e"));
+    const Expression moment = Expression::quantity("1", "kg m^2");
+    const Expression mass = Expression::quantity("1", "kg");
+    scene.body("body", body, Inertia::general({.mass = mass, .xx = moment, .yy = moment, .zz = moment}));
+    return scene;
+  };
+  expect_failure(run(turned, {"simulate", "--to", "1", "--initial", "e_w=0.5,e_x=0.5,e_z=0.5"}), 2,
+                 "--initial gives some components of the attitude 'e' without e_y: give all four, which are normalised, or none");
+  const Outcome whole = run(turned, {"simulate", "--to", "1", "--step", "1", "--initial", "e_w=2,e_x=0,e_y=0,e_z=0"});
+  EXPECT_EQ(whole.err, "note: --initial gives the attitude 'e' a quaternion of norm 2, which is normalised\n");
+  EXPECT_EQ(table(whole.out).at(0, "e_w"), 1);
+  EXPECT_EQ(run(turned, {"simulate", "--to", "1", "--initial", "e_w=0.6,e_x=0.8,e_y=0,e_z=0"}).err, "");
+}
+
 }  // namespace
 }  // namespace torsor::start_state_test

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include "torsor/generator/expression/piecewise.hpp"
 #include "tests/cli/scene_runner.hpp"
 #include "tests/scenes/bodies.hpp"
 #include "tests/scenes/sliding.hpp"
@@ -66,6 +67,19 @@ TEST(StaticsState, JudgesWithTheValuesThatAreSet) {
   EXPECT_TRUE(says(statics(shaken, {"--about", "x=0", "--set", "F=0"}), "depends on time")) << "w is still 3";
 }
 
+// A coefficient that changes in steps has no slope in time, and is none of a rest all the same.
+TEST(StaticsState, SeesWhatChangesInStepsOfTime) {
+  const auto stepped = [] {
+    Scene scene("stepped");
+    const Expression x = scene.coordinate("x", "m");
+    scene.body("block", scene.prismatic("slide", scene.ground(), axis::x, x), Inertia::point(kilograms("1")));
+    scene.spring("spring", x, piecewise({{scene.time() < quantity("5", "s"), quantity("1", "N/m")}}, quantity("2", "N/m")));
+    return scene;
+  };
+  const std::string text = statics(stepped, {"--about", "x=0"});
+  EXPECT_TRUE(says(text, "T or U depends on time explicitly")) << text;
+}
+
 Scene hoop() {
   Scene scene("hoop");
   const Expression w = scene.parameter("w", "rad/s", 5), theta = scene.coordinate("theta", "rad"),
@@ -115,6 +129,9 @@ TEST(StaticsState, NormalisesAttitudes) {
     return text.substr(text.find("Lejeune-Dirichlet"));
   };
   EXPECT_EQ(at("2"), at("1"));
+  expect_failure(run(top, {"statics", "--about", "e_x=0", "--about", "e_y=0", "--about", "e_z=0"}), 2,
+                 "--about gives three components of the attitude 'e', which leave the sign of the fourth open: give all four, "
+                 "which are normalised");
   expect_failure_beginning(
       run(top, {"statics", "--about", "e_w=0", "--about", "e_x=0", "--about", "e_y=0", "--about", "e_z=0"}), 2,
       "--about: the four components of the attitude 'e' are zero");
