@@ -24,7 +24,7 @@ std::vector<OperationalFrame> operational_frames(const Model& model, const Groun
   std::vector<OperationalFrame> all;
   for (std::size_t k = 0; k < model.scene().points.size(); ++k) {
     const PointContent& point = model.scene().points[k];
-    const std::string user = "point '" + point.name + "'";
+    const std::string user = name_of(point);
     const FramePlace& at = model.place(point.frame, user);
     const Matrix& turn = motion.rotation(at.link);
     const Vector place = bound(program, model.locate(PointHandle{static_cast<int>(k)}, at.link, user));

@@ -31,7 +31,7 @@ class KinematicsBuilder {
   }
 
   void point(const PointContent& point, int index) {
-    const std::string user = "point '" + point.name + "'";
+    const std::string user = name_of(point);
     const int link = model_.place(point.frame, user).link;
     const Vector place = bound(program_, model_.locate(PointHandle{index}, link, user));
     const Matrix& turn = motion_.rotation(link);

@@ -58,7 +58,7 @@ class PosesBuilder {
     result_.member("radii", 1, count, {"radii of the discs and spheres whose lowest point is meant; 0 for other points", "m"});
     for (std::size_t k = 0; k < count; ++k) {
       const PointContent& point = scene_.points[k];
-      const std::string user = "point '" + point.name + "'";
+      const std::string user = name_of(point);
       const FramePlace& at = model_.place(point.frame, user);
       result_.vector("points", k, place(at.link, model_.locate(PointHandle{static_cast<int>(k)}, at.link, user)));
       const bool rim = point.lowest && point.lowest->axis;

@@ -36,13 +36,25 @@ void Scene::add_contact(ContactContent contact) {
 std::vector<PointHandle> Scene::touching_points(const std::string& name, const ContactShape& shape,
                                                 const FrameReference& plane) {
   const std::string point = name + "_point";
+  const auto require_lengths = [&](const std::vector<std::pair<const char*, Expression>>& lengths) {
+    for (const auto& [what, length] : lengths)
+      require_unit(length, units::metre, fmt::format("the {} of the contact '{}'", what, name));
+  };
+  const auto require_axis = [&](const Triple& axis) {
+    require_unit(axis, Unit(), fmt::format("a component of the axis of the contact '{}'", name));
+  };
   if (const auto* sphere = std::get_if<shape::Sphere>(&shape)) {
+    require_lengths({{"radius", sphere->radius}});
     return {sphere_contact(point, sphere->frame, sphere->radius, plane)};
   }
   if (const auto* disc = std::get_if<shape::Disc>(&shape)) {
+    require_axis(disc->axis);
+    require_lengths({{"radius", disc->radius}});
     return {disc_contact(point, {.frame = disc->frame, .axis = disc->axis, .radius = disc->radius, .plane = plane})};
   }
   if (const auto* torus = std::get_if<shape::Torus>(&shape)) {
+    require_axis(torus->axis);
+    require_lengths({{"circle's radius", torus->circle_radius}, {"tube's radius", torus->tube_radius}});
     return {torus_contact(point, {.frame = torus->frame,
                                   .axis = torus->axis,
                                   .circle_radius = torus->circle_radius,
@@ -50,6 +62,11 @@ std::vector<PointHandle> Scene::touching_points(const std::string& name, const C
                                   .plane = plane})};
   }
   if (const auto* ellipsoid = std::get_if<shape::Ellipsoid>(&shape)) {
+    for (const Expression& each : ellipsoid->semi_axes) {
+      if (each.is_zero())
+        throw SceneError(fmt::format("the contact '{}' has a semi-axis 0: give its three lengths, or a disc", name));
+      require_lengths({{"semi-axis", each}});
+    }
     return {ellipsoid_contact(point, ellipsoid->frame, ellipsoid->semi_axes, plane)};
   }
   if (const auto* convex = std::get_if<shape::Convex>(&shape)) {
@@ -119,6 +136,7 @@ void Scene::contact(const std::string& name, const ContactShape& shape, const Co
       return add(name, PointOnPlane{point->point, under.frame, under.belt});
     }
     const std::vector<PointHandle> points = touching_points(name, over, under.frame);
+    for (const PointHandle& point : points) content_.points[static_cast<std::size_t>(point.index)].contact = name;
     const bool box = std::holds_alternative<shape::Box>(over);
     if (box && !(law.rolling.is_zero() && law.spinning.is_zero())) {
       throw SceneError(fmt::format("the contact '{}' resists rolling or spinning, and a box has corners that do neither: "

@@ -69,6 +69,10 @@ std::optional<std::pair<std::size_t, std::size_t>> SceneContent::quaternion_comp
   return std::nullopt;
 }
 
+std::string name_of(const PointContent& point) {
+  return point.contact.empty() ? fmt::format("point '{}'", point.name) : fmt::format("contact '{}'", point.contact);
+}
+
 std::vector<const BodyContent*> SceneContent::inertias() const {
   std::vector<const BodyContent*> all;
   for (const std::vector<BodyContent>* some : {&bodies, &rotors}) {

@@ -62,7 +62,13 @@ struct LowestPoint {
 };
 
 /// A point by its components in a frame, or (`lowest`) a point of contact around the frame's origin.
-struct PointContent { std::string name; FrameReference frame; Triple components; std::optional<LowestPoint> lowest = std::nullopt; };
+struct PointContent {
+  std::string name;
+  FrameReference frame;
+  Triple components;
+  std::optional<LowestPoint> lowest = std::nullopt;
+  std::string contact = {};  ///< that made it; empty: its author did
+};
 
 /// Whether the moments of inertia of a body must be such as matter can have.
 enum class Moments {
@@ -149,6 +155,8 @@ struct ContactFriction {
 };
 
 const std::string& name_of(const ActionContent& action);
+/// What its author wrote, for messages: "point 'P'", "contact 'floor'".
+std::string name_of(const PointContent& point);
 
 struct HolonomicFormula { Expression f; };
 struct NonholonomicFormula {

@@ -13,7 +13,7 @@ std::vector<NamedProduct> disc_products(const Model& model) {
   std::vector<NamedProduct> products;
   for (const PointContent& point : scene.points) {
     if (!point.lowest || !point.lowest->axis) continue;
-    const std::string user = "point '" + point.name + "'";
+    const std::string user = name_of(point);
     const int link = model.place(point.lowest->plane, user).link;
     const Vector normal = bound(program, model.express(axis::z, point.lowest->plane, link, user));
     const Vector direction = bound(program, model.express(*point.lowest->axis, point.frame, link, user));

@@ -292,28 +292,44 @@ TEST(SizesOfContacts, AreRefusedBelowZero) {
   const std::string size = ": give the size of what touches the plane";
   Touching ball, plate, ring, tube, good;
   EXPECT_EQ(refused(shape::Sphere{.frame = ball.body, .radius = -metres("0.1")}, ball),
-            "point 'c_point' has the radius -1/10 = -0.1" + size);
+            "contact 'c' has the radius -1/10 = -0.1" + size);
   const Expression r = plate.scene.parameter("r", "m", Number::rational(-1, 10));
   EXPECT_EQ(refused(shape::Disc{.frame = plate.body, .axis = axis::y, .radius = r}, plate),
-            "point 'c_point' has the radius r = -0.1" + size);
+            "contact 'c' has the radius r = -0.1" + size);
   const auto torus = [](const Touching& it, const Expression& circle_radius, const Expression& tube_radius) {
     return shape::Torus{.frame = it.body, .axis = axis::y, .circle_radius = circle_radius, .tube_radius = tube_radius};
   };
   EXPECT_EQ(refused(torus(ring, -metres("1"), metres("2")), ring),
-            "point 'c_point' has the radius -1 = -1" + size);
+            "contact 'c' has the radius -1 = -1" + size);
   EXPECT_EQ(refused(torus(tube, metres("1"), -metres("2")), tube),
-            "point 'c_point' has the tube's radius -2 = -2" + size);
+            "contact 'c' has the tube's radius -2 = -2" + size);
   EXPECT_EQ(refused(torus(good, metres("1"), metres("0")), good), "no error");
+}
+
+// An internal point is nothing that its author wrote.
+TEST(SizesOfContacts, OfOtherUnitsNameTheContact) {
+  const auto refused = [](const ContactShape& shape, Touching& it) {
+    return error_of<UnitError>([&] { it.scene.contact("c", shape, it.floor); }).substr(0, 46);
+  };
+  const Expression mass = quantity("1", "kg");
+  Touching ball, plate, ring, egg;
+  EXPECT_EQ(refused(shape::Sphere{.frame = ball.body, .radius = mass}, ball).find("the radius of the contact 'c'"), 0U);
+  EXPECT_EQ(refused(shape::Disc{.frame = plate.body, .axis = {mass, 0, 0}, .radius = metres("1")}, plate)
+                .find("a component of the axis of the contact 'c'"), 0U);
+  EXPECT_EQ(refused(shape::Torus{.frame = ring.body, .axis = axis::y, .circle_radius = metres("1"), .tube_radius = mass}, ring)
+                .find("the tube's radius of the contact 'c'"), 0U);
+  EXPECT_EQ(refused(shape::Ellipsoid{.frame = egg.body, .semi_axes = {metres("1"), mass, metres("1")}}, egg)
+                .find("the semi-axis of the contact 'c'"), 0U);
 }
 
 TEST(SizesOfContacts, AreFormulasOfParameters) {
   Touching ring, egg;
   const shape::Torus growing{.frame = ring.body, .axis = axis::y, .circle_radius = metres("1"), .tube_radius = ring.x};
   ring.scene.contact("c", growing, ring.floor);
-  EXPECT_NE(refusal(ring.scene).find("the tube's radius of point 'c_point'"), std::string::npos) << refusal(ring.scene);
+  EXPECT_NE(refusal(ring.scene).find("the tube's radius of contact 'c'"), std::string::npos) << refusal(ring.scene);
   const Expression grown = metres("1") + quantity("1", "m/s") * egg.scene.time();
   egg.scene.contact("c", shape::Ellipsoid{.frame = egg.body, .semi_axes = {grown, metres("1"), metres("1")}}, egg.floor);
-  EXPECT_NE(refusal(egg.scene).find("the support function of point 'c_point'"), std::string::npos) << refusal(egg.scene);
+  EXPECT_NE(refusal(egg.scene).find("the support function of contact 'c'"), std::string::npos) << refusal(egg.scene);
 }
 
 // Along nothing nothing is held: taken as an equation it would hold whatever the motion.

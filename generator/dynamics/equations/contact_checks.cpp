@@ -48,7 +48,7 @@ class SizeCheck {
 void check_lowest_points(const SceneContent& scene) {
   for (const PointContent& point : scene.points) {
     if (!point.lowest || point.lowest->support) continue;
-    const SizeCheck check(scene, fmt::format("point '{}'", point.name));
+    const SizeCheck check(scene, name_of(point));
     const char* size = "give the size of what touches the plane";
     check.at_least(point.lowest->radius, "radius", Expression(0), size);
     check.at_least(point.lowest->tube, "tube's radius", Expression(0), size);

@@ -89,7 +89,7 @@ class DependenceCheck {
       require("the displacement of " + joint, frame.displacement, Allowed::configuration);
     }
     for (const PointContent& point : scene_.points) {
-      const std::string name = "point '" + point.name + "'";
+      const std::string name = name_of(point);
       all("the place of " + name, point.components, Allowed::configuration);
       if (!point.lowest) continue;
       require("the radius of " + name, point.lowest->radius, Allowed::parameters);

@@ -44,7 +44,7 @@ class OwnershipCheck {
     for (const FrameContent& f : scene_.frames) of(scene_.name_of(f), f.placement, f.axis, f.displacement);
     for (const JointContent& j : scene_.joints) of("joint '" + j.name + "'", j.placement, j.pitch);
     for (const PointContent& point : scene_.points) {
-      of("point '" + point.name + "'", point.components);
+      of(name_of(point), point.components);
       if (!point.lowest) continue;
       const LowestPoint& lowest = *point.lowest;
       if (lowest.axis) look(*lowest.axis);

@@ -35,6 +35,8 @@ double least_radius(const std::array<std::array<double, 3>, 3>& second) {
   return sum / 2 - std::sqrt(std::max(0.0, sum * sum / 4 - product));
 }
 
+std::string written(const PointContent& point) { return point.contact.empty() ? "'" + point.name + "'" : name_of(point); }
+
 bool has_values(const SceneContent& scene) {
   return std::all_of(scene.parameters.begin(), scene.parameters.end(), [](const auto& p) { return p.value.has_value(); });
 }
@@ -61,9 +63,9 @@ void check_convex(const Model& model, const PointContent& point, const Value& h,
     const double radius = least_radius(matrix), size = std::abs(evaluate(h).to_double());
     // Directions are rounded to doubles; what has no curvature there, such as a flat face, is no number.
     if (!(radius < -1e-9 * size)) continue;
-    throw SceneError(fmt::format("the body of '{}' is not convex: where ({:.3g}, {:.3g}, {:.3g}) is normal to it, its "
+    throw SceneError(fmt::format("the body of {} is not convex: where ({:.3g}, {:.3g}, {:.3g}) is normal to it, its "
                                  "support function has a radius of curvature of {:.6g} m; give max u · CP over its points",
-                                 point.name, u[0], u[1], u[2], radius));
+                                 written(point), u[0], u[1], u[2], radius));
   }
 }
 
@@ -74,7 +76,7 @@ void check_support_functions(const Model& model) {
   for (const PointContent& point : model.scene().points) {
     if (!point.lowest || !point.lowest->support) continue;
     const SupportFunction& support = *point.lowest->support;
-    const std::string user = "the support function of '" + point.name + "'";
+    const std::string user = "the support function of " + written(point);
     const Value h = program.bind(program.lower(support.h));
     if (program.stage(h) > Stage::parameters) {
       throw SceneError(fmt::format("{} depends on more than a direction and parameters: a body keeps its shape", user));

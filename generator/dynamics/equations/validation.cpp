@@ -277,7 +277,7 @@ void validate(const Scene& scene) {
   check_reactions(equations);
   equations.bias();
   for (std::size_t i = 0; i < scene.content().points.size(); ++i) {
-    equations.model().locate(PointHandle{static_cast<int>(i)}, 0, "point '" + scene.content().points[i].name + "'");
+    equations.model().locate(PointHandle{static_cast<int>(i)}, 0, name_of(scene.content().points[i]));
   }
   check_initial_state(equations);
   check_friction_normals(equations, !lacks_values(scene));

@@ -6,7 +6,7 @@ namespace torsor {
 Vector Model::locate(const PointReference& reference, int link, const std::string& user) const {
   const PointContent& point = scene_->points[static_cast<std::size_t>(scene_->point_index(reference, user))];
   if (point.lowest) return lowest(point, link, user);
-  const FramePlace& at = place(point.frame, "point '" + point.name + "'");
+  const FramePlace& at = place(point.frame, name_of(point));
   return locate(at.origin + at.rotation * lower(*program_, point.components), at.link, link);
 }
 
@@ -34,7 +34,7 @@ std::pair<Value, Vector> Model::supported(const PointContent& point, const Vecto
 
 Vector Model::lowest(const PointContent& point, int link, const std::string& user) const {
   Program& program = *program_;
-  const FramePlace& at = place(point.frame, "point '" + point.name + "'");
+  const FramePlace& at = place(point.frame, name_of(point));
   if (point.lowest->support) {
     const Vector place = supported(point, down_in(point, at, user)).second;
     return locate(at.origin + at.rotation * place, at.link, link);
@@ -58,7 +58,7 @@ Vector Model::lowest(const PointContent& point, int link, const std::string& use
 
 Value Model::lowest_height(const PointContent& point, int link, const std::string& user) const {
   Program& program = *program_;
-  const FramePlace& at = place(point.frame, "point '" + point.name + "'");
+  const FramePlace& at = place(point.frame, name_of(point));
   const FramePlace& plane = place(point.lowest->plane, user);
   const Vector normal = bound(program, express(axis::z, point.lowest->plane, link, user));
   const Vector center = locate(at.origin, at.link, link);
