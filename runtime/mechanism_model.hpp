@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: MIT
 #pragma once
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <concepts>
 #include <cstddef>
+#include <limits>
 #include <span>
 #include <tuple>
 #include <type_traits>
@@ -185,6 +187,31 @@ void normalise_quaternions(std::array<Scalar, coordinates_of<M> + velocities_of<
     const Scalar scale = Scalar(1) / sqrt(square);
     for (std::size_t k = 0; k < 4; ++k) y[w + k] *= scale;
   }
+}
+
+/// The same of a state that a motion starts from, of any size; what has norm 1 within a few roundings keeps its bits, what
+/// is not finite stays. False where one is zero: it has no direction, and is no attitude.
+template <MechanismModel M, class Scalar>
+[[nodiscard]] bool start_with_unit_quaternions(
+    [[maybe_unused]] std::array<Scalar, coordinates_of<M> + velocities_of<M>>& y) noexcept {
+  if constexpr (HasQuaternions<M>) {
+    for (const int first : M::quaternions) {
+      const auto w = static_cast<std::size_t>(first);
+      Scalar largest = Scalar(0), square = Scalar(0);
+      bool zero = true;
+      for (std::size_t k = w; k < w + 4; ++k) {
+        zero = zero && y[k] == Scalar(0);
+        largest = std::max(largest, std::abs(y[k]));
+      }
+      if (zero) return false;
+      for (std::size_t k = w; k < w + 4; ++k) square += (y[k] / largest) * (y[k] / largest);  // neither overflows nor vanishes
+      const Scalar root = std::sqrt(square);
+      const bool unit = std::abs(largest * root - Scalar(1)) <= Scalar(4) * std::numeric_limits<Scalar>::epsilon();
+      if (unit || !std::isfinite(square)) continue;
+      for (std::size_t k = w; k < w + 4; ++k) y[k] = y[k] / largest / root;
+    }
+  }
+  return true;
 }
 
 /// Completes ∂(q', v')/∂(q, v), whose last rows hold ∂a/∂(virtual displacement) in the first nv columns and ∂a/∂v in the

@@ -18,7 +18,8 @@ if TYPE_CHECKING:
     from ._contacts import Contact, ContactEvent
     from ._kernel import Bound, Kernel, NotFiniteError, Results, SingularError, TorsorError
     from ._load import LoadError, load
-    from ._mechanism import Equilibrium, Mechanism, Modes, Motion, State
+    from ._mechanism import Equilibrium, Mechanism, Modes, State
+    from ._motion import Motion
 
 __version__ = "0.1.0"
 
@@ -29,7 +30,8 @@ _HOMES = {name: home for home, names in {
     "_contacts": ("Contact", "ContactEvent"),
     "_kernel": ("Bound", "Kernel", "NotFiniteError", "Results", "SingularError", "TorsorError"),
     "_load": ("LoadError", "load"),
-    "_mechanism": ("Equilibrium", "Mechanism", "Modes", "Motion", "State")}.items() for name in names}
+    "_mechanism": ("Equilibrium", "Mechanism", "Modes", "State"),
+    "_motion": ("Motion",)}.items() for name in names}
 
 
 def _home(name: str) -> Any:

@@ -148,6 +148,7 @@ class ContactCall {
   std::int32_t by(const Method& method, const System& system, std::size_t i, Progress& progress) const {
     auto& [result, reached] = progress;
     State y = start_of<M>(call_.motion, i);
+    if (!start_with_unit_quaternions<M>(y)) return torsor_motion_zero_quaternion;
     Watch watch{call_, i};
     const ContactMechanismOf<System> mechanism(system);
     ContactRun<std::tuple_size_v<State>, System::contacts, Method, Watch> run(mechanism, y, method, options(), watch);

@@ -34,15 +34,20 @@ class MotionCall {
     const double time = number_of(call_.time, i, 0);
     const GivenInputs<M> law = inputs_of<M>(call_, i);
     std::size_t reached = 0;
+    if (!start_with_unit_quaternions<M>(y)) return ended(i, torsor_motion_zero_quaternion, reached, time);
     const auto keep = [&](double, const StateVector<M>& state) noexcept {
       write_state(call_, i, reached++, state);
     };
     const std::optional<Result<double>> result = integrated(y, time, law, keep);
+    if (!result) return ended(i, torsor_motion_open_loops, reached, time);
+    return ended(i, static_cast<int>(result->status), reached, result->time, result->statistics.calls);
+  }
+
+  int ended(std::size_t i, int status, std::size_t reached, double time, std::int64_t calls = 0) const noexcept {
     write_nothing<M>(call_, i, reached);
-    const int status = result ? static_cast<int>(result->status) : static_cast<int>(torsor_motion_open_loops);
     if (call_.statuses != nullptr) call_.statuses[i] = status;
-    if (call_.ends != nullptr) call_.ends[i] = result ? result->time : time;
-    if (call_.calls != nullptr) call_.calls[i] = result ? result->statistics.calls : 0;
+    if (call_.ends != nullptr) call_.ends[i] = time;
+    if (call_.calls != nullptr) call_.calls[i] = calls;
     return status;
   }
 

@@ -84,7 +84,8 @@ struct EnsemblePlan {
 /// Many motions of one mechanism: member i starts in a state of its own, with parameters of its own, and is integrated
 /// by the same method through the same times. `members(i)` gives a Member<M>, the same whenever it is asked, from any
 /// thread. The records of `run_ensemble(file, ensemble.head(), ensemble)` have: status, what the model said, the last
-/// time, calls, then [q; v] at each time; what was not reached is not a number.
+/// time, calls, then [q; v] at each time; what was not reached is not a number. Quaternions are given norm 1 at the start;
+/// a member with a quaternion of zeros has model_failure and not_finite.
 template <HasForwardDynamics M, class Members, class Method, class InputLaw = NoInputs<M>>
 requires std::same_as<std::invoke_result_t<const Members&, std::uint64_t>, Member<M>>
 class MotionEnsemble {
@@ -125,10 +126,14 @@ class MotionEnsemble {
     };
     Result<Scalar> result;
     result.time = member.state.time;
-    if constexpr (requires { motion.settle(result.time, y); }) result.evaluation = motion.settle(result.time, y);
+    if (!start_with_unit_quaternions<M>(y)) {
+      result.evaluation = Evaluation::not_finite;
+    } else if constexpr (requires { motion.settle(result.time, y); }) {
+      result.evaluation = motion.settle(result.time, y);
+    }
     if (result.evaluation == Evaluation::ok) {
       result = integrate_through(motion, y, member.state.time, plan_.times, method_, keep);
-    } else {  // parameters of this member have opened the start, beyond what can be closed
+    } else {  // a quaternion of zeros; or parameters of this member have opened the start, beyond what can be closed
       result.status = IntegrationStatus::model_failure;
     }
     record[0] = static_cast<double>(result.status);

@@ -198,7 +198,8 @@ class PackedMotionEnsemble {
       if (lane == 0) start = member.state.time;
       if (!(member.state.time == start)) return false;
       parameters.set(static_cast<std::size_t>(lane), member.parameters);
-      const StateVector<Single> alone = pack<Single>(member.state);
+      StateVector<Single> alone = pack<Single>(member.state);
+      if (!start_with_unit_quaternions<Single>(alone)) return false;
       for (std::size_t k = 0; k < y.size(); ++k) y[k].set(lane, alone[k]);
     }
     if (!Motion::every_finite(y)) return false;

@@ -50,7 +50,9 @@ class PackedTaylor {
         motion_(parameters_of(members), packed_law) {
     for (int i = 0; i < lane_count; ++i) {
       const Member<Single>& member = members[stands_for(i)];
-      set_lane(y_, i, pack<Single>(member.state));
+      Vector y = pack<Single>(member.state);
+      (void)start_with_unit_quaternions<Single>(y);  // one of zeros is in no lane that can start
+      set_lane(y_, i, y);
       start_.set(i, member.state.time);
     }
   }
@@ -86,7 +88,8 @@ class PackedTaylor {
     EquationsOfMotion<Single, InputLaw<Single>> alone;
     StepClock<Number> clock;
     TaylorRule<Number, size> rule;
-    bool usable = false;  // options, time and state
+    bool has_attitudes = false;  // no quaternion of zeros
+    bool usable = false;         // options, time and state
     bool startable = false;
     std::size_t target = 0;  // index of the time it is on its way to
     bool prepared = false, moving = false;
@@ -107,9 +110,10 @@ class PackedTaylor {
       lanes.push_back({EquationsOfMotion<Single, InputLaw<Single>>(member.parameters, law),
                        StepClock<Number>(method.largest_step), TaylorRule<Number, size>(method.order)});
       Lane& lane = lanes.back();
-      const Vector y = pack<Single>(member.state);
+      Vector y = pack<Single>(member.state);
+      lane.has_attitudes = start_with_unit_quaternions<Single>(y);
       lane.clock.result.time = member.state.time;
-      lane.usable = usable(method) && std::isfinite(member.state.time) && all_finite(y);
+      lane.usable = lane.has_attitudes && usable(method) && std::isfinite(member.state.time) && all_finite(y);
       if (!lane.usable) continue;
       lane.rule.start(y, tolerances_);
       std::array<Vector, room> c;
@@ -174,6 +178,11 @@ class PackedTaylor {
   void head_for_next(std::size_t i, std::span<const Number> times, const Keep& keep) {
     Lane& lane = lanes_[i];
     lane.moving = false;
+    if (!lane.has_attitudes) {
+      lane.clock.result.status = IntegrationStatus::model_failure;
+      lane.clock.result.evaluation = Evaluation::not_finite;
+      return;
+    }
     for (; lane.target < times.size(); ++lane.target) {
       const Number end = times[lane.target];
       if (!lane.usable || !std::isfinite(end)) {

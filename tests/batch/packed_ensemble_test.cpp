@@ -4,8 +4,10 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <cstring>
+#include <span>
 #include <vector>
 
 #include "generated/heavy_top.hpp"
@@ -109,6 +111,42 @@ void expect_held_members(const Method& method) {
 TEST(PackedEnsemble, HoldsMembersOnTheirConstraints) {
   expect_held_members(RungeKutta4{.step = 3e-3});
   expect_held_members(Midpoint{.step = 3e-3});
+}
+
+/// Body 3, with a quaternion of another size for each i; that of zeros where i is 5.
+Member<Body> body_of_any_norm(std::uint64_t i) {
+  Member<Body> member = body(3);
+  const double size = i == 5 ? 0.0 : std::array{1.0, 1.01, 0x1p-600, 2.0}[i % 4];
+  const std::array<double, 4> attitude{0.5, -0.5, 0.7, 0.1};
+  for (int k = 0; k < 4; ++k) member.state.q[Body::quaternions[0] + k] = size * attitude[static_cast<std::size_t>(k)];
+  return member;
+}
+
+template <class Method>
+void expect_unit_quaternions(const Method& method) {
+  std::vector<double> records;
+  EXPECT_EQ((different<torque_free_body::Mechanism>(8, body_of_any_norm, method, &records)), 0);
+  const std::size_t numbers = records.size() / 8;
+  for (std::size_t i = 0; i < 8; ++i) {
+    const MemberMotion<Body> first = member_motion<Body>(std::span(records).first(numbers)),
+                             found = member_motion<Body>(std::span(records).subspan(i * numbers, numbers));
+    if (i == 5) {
+      EXPECT_EQ(found.status, IntegrationStatus::model_failure);
+      EXPECT_EQ(found.evaluation, Evaluation::not_finite);
+      EXPECT_TRUE(found.states.empty());
+      continue;
+    }
+    ASSERT_EQ(found.status, IntegrationStatus::reached_end);
+    for (std::size_t time = 0; time < times.size(); ++time) {
+      for (std::size_t k = 0; k < first.states[time].size(); ++k) {
+        EXPECT_NEAR(found.states[time][k], first.states[time][k], 1e-12) << i;
+      }
+    }
+  }
+}
+TEST(PackedEnsemble, StartsWithUnitQuaternions) {
+  expect_unit_quaternions(RungeKutta4{.step = 5e-3});
+  expect_unit_quaternions(Taylor{.relative_tolerance = 1e-13, .absolute_tolerance = 1e-13});
 }
 
 TEST(PackedEnsemble, TakesParametersOfEachMemberAndNormsOfQuaternions) {
