@@ -201,12 +201,9 @@ requires(M::multiplier_count > 0) class ConsistentStateSearch {
   }
 
   // A constraint that is no function of the position reads exactly 0 wherever one looks.
-  void find_holonomic(StateVector<M> y) noexcept {
-    Column shift;
-    for (int i = 0; i < n; ++i) shift(i) = Scalar(1e-3) * (Scalar(1) + Scalar(i) / Scalar(7));
-    const Equations here = read(y);
-    displace<M>(precomputed_, t_, shift, y);
-    const Equations there = read(y);
+  void find_holonomic(const StateVector<M>& y) noexcept {
+    AnyNumbers any;
+    const Equations here = read(y), there = read(place_beside<M>(precomputed_, t_, y, any));
     for (int i = 0; i < rows; ++i) {
       holonomic_[static_cast<std::size_t>(i)] = here.value(i) != Scalar(0) || there.value(i) != Scalar(0);
     }

@@ -39,6 +39,20 @@ class AnyNumbers {
   std::uint64_t bits_ = 7;
 };
 
+/// A place beside y, moved a little in all freedoms and nowhere special: f of a holonomic constraint is not 0 both here
+/// and there.
+template <MechanismModel M>
+[[nodiscard]] StateVector<M> place_beside(const typename M::Precomputed& precomputed, ScalarOf<M> t, StateVector<M> y,
+                                          AnyNumbers& any) noexcept {
+  using Scalar = ScalarOf<M>;
+  Scalar largest = Scalar(0);
+  for (std::size_t i = 0; i < coordinates_of<M>; ++i) largest = std::max(largest, std::abs(y[i]));
+  const Scalar least = std::sqrt(std::numeric_limits<Scalar>::epsilon()) * largest;
+  displace<M>(
+      precomputed, t, [&](int) { return (Scalar(1e-3) + least) * any.template next<Scalar>(); }, y);
+  return y;
+}
+
 }  // namespace detail
 
 /// What kinds of constraints and of velocities a mechanism has, found by evaluating its kernel `constraints` beside a
@@ -77,12 +91,7 @@ requires(M::multiplier_count > 0) struct ConstraintKinds {
     ConstraintKinds kinds;
     typename M::Constraints here{}, there{};
     M::constraints(precomputed, unpack<M>(t, y), there);
-    Scalar largest = Scalar(0);
-    for (std::size_t i = 0; i < nq; ++i) largest = std::max(largest, std::abs(y[i]));
-    StateVector<M> beside = y;
-    const Scalar least = std::sqrt(epsilon) * largest;
-    detail::displace<M>(
-        precomputed, t, [&](int) { return (Scalar(1e-3) + least) * any.template next<Scalar>(); }, beside);
+    const StateVector<M> beside = detail::place_beside<M>(precomputed, t, y, any);
     M::constraints(precomputed, unpack<M>(t, beside), here);
     for (std::size_t i = 0; i < m; ++i) {
       kinds.holonomic[i] = here.value[i] != Scalar(0) || there.value[i] != Scalar(0);

@@ -144,6 +144,29 @@ TEST(ConsistentState, ReportsWhatIsNoNumber) {
   EXPECT_EQ(find_consistent_state<Pendulum>(Pendulum::precompute({}), 0.0, y).status, ConsistencyStatus::not_finite);
 }
 
+/// Eight angles: the last turns twice as fast as the first, which with the second makes up 1 rad.
+struct GearAndLink : mechanisms::ContractOf<double, 8, 2> {
+  static void constraints(const Precomputed&, const State& s, Constraints& c) noexcept {
+    c = {};
+    c.value = {2.0 * s.q[0] - s.q[7], s.q[0] + s.q[1] - 1.0};
+    c.rate = {2.0 * s.v[0] - s.v[7], s.v[0] + s.v[1]};
+    c.jacobian[0] = 2.0;
+    c.jacobian[1] = c.jacobian[3] = 1.0;
+    c.jacobian[14] = -1.0;
+  }
+};
+
+// From zero the gear holds as it is, and any step whose parts have its ratio leaves it so: it is a constraint all the same.
+TEST(ConsistentState, KnowsAGearOfAnyRatioForAConstraintOfPositions) {
+  StateVector<GearAndLink> y{};
+  const auto found = find_consistent_state<GearAndLink>(GearAndLink::precompute({}), 0.0, y);
+  ASSERT_TRUE(found) << describe(found);
+  EXPECT_EQ(found.free_positions, 6);
+  EXPECT_NEAR(y[0], 1.0 / 6.0, 4 * epsilon);  // nearest to zero: a + 4 a = 1 - a
+  EXPECT_NEAR(y[1], 5.0 / 6.0, 4 * epsilon);
+  EXPECT_NEAR(y[7], 1.0 / 3.0, 4 * epsilon);
+}
+
 // A start off the circle is put on it along the ray from the centre, as one of other parameters may have to be: the motion is that
 // from there, to some roundings of the start that grow by less than ten within 0.2 s.
 TEST(ConsistentState, IsWhereMembersOfAnEnsembleStart) {
