@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import ctypes
+import math
 import operator
 from typing import Any, Callable, Mapping, NamedTuple, Sequence, Tuple
 
@@ -112,7 +113,7 @@ def view_of(array: np.ndarray, batch: tuple[int, ...], tail: int,
     numbers alive. A batch of several dimensions that no single step goes through is copied, and noted in ``copied``."""
     own = array.shape[array.ndim - tail:]
     wide = np.broadcast_to(array, batch + own)
-    flat = wide if len(batch) == 1 else wide.reshape((-1,) + own)
+    flat = wide if len(batch) == 1 else wide.reshape((math.prod(batch),) + own)
     if copied is not None and flat is not wide and not np.may_share_memory(flat, array):
         copied.append((flat.reshape(wide.shape), array))
     steps = flat.strides[1:] + (0, 0)

@@ -75,6 +75,15 @@ def test_multipliers_are_beside_accelerations(hoop):
         np.testing.assert_allclose(hoop.inverse_dynamics(q, v, a, multipliers), 0, atol=1e-12)
 
 
+def test_arguments_of_no_numbers_are_as_many_as_asked_for(pendulum):
+    """The documented shape (..., 0): what is written for all mechanisms passes it."""
+    q, v = np.broadcast_to([0.3, -0.4], (2, 3, 2)), np.ones((2, 3, 2))
+    for none in (np.zeros((2, 3, 0)), np.zeros((3, 0)), np.zeros(0)):
+        assert np.array_equal(pendulum.forward_dynamics(q, v, none)[0], pendulum.forward_dynamics(q, v)[0])
+        assert np.array_equal(pendulum.inverse_dynamics(q, v, v, none), pendulum.inverse_dynamics(q, v, v))
+        assert np.array_equal(pendulum.simulate([0.1], q, v, inputs=none).q, pendulum.simulate([0.1], q, v).q)
+
+
 def test_broadcasts_like_numpy(panda):
     q, v, a = states(7)
     grid = panda.inverse_dynamics(q[:5, None], v[None, :3], a[0])
