@@ -119,7 +119,7 @@ class Mechanism(Displayed):
         self._fixed_step = {method.name.decode() for method in table.methods[:table.method_count] if method.fixed_step}
         self.kernels: Mapping[str, Kernel] = MappingProxyType(
             {entry.name.decode(): Kernel(self, entry) for entry in table.kernels[:table.kernel_count]})
-        self._own = self._model(None)
+        self._own = self._models.get(self, self.parameters)
 
     def __getattr__(self, name: str) -> Kernel:
         kernels = self.__dict__.get("kernels", {})
@@ -145,7 +145,7 @@ class Mechanism(Displayed):
         other.parameters = MappingProxyType(self._merged(values))
         other.kernels = MappingProxyType(
             {entry.name.decode(): Kernel(other, entry) for entry in self._table.kernels[:self._table.kernel_count]})
-        other._own = other._model(None)
+        other._own = other._models.get(other, other.parameters)
         return other
 
     def _merged(self, values: Mapping[str, float] | None) -> dict[str, float]:
@@ -165,9 +165,13 @@ class Mechanism(Displayed):
         return merged
 
     def _model(self, parameters: Mapping[str, float] | None) -> Model:
-        if parameters is None and "_own" in self.__dict__:
-            return self._own
-        return self._models.get(self, self._merged(parameters))
+        """What calls read; `_own` of the mechanism's own parameters."""
+        values = self.parameters if parameters is None else self._merged(parameters)
+        for name, value in values.items():
+            if value != value:
+                raise ValueError(f"{self.name}: the parameter {name!r} has no value: give it, as parameters={{{name!r}: ...}} of "
+                                 f"this call, or to a mechanism with it, with_parameters({name}=...)")
+        return self._own if parameters is None else self._models.get(self, values)
 
     def __reduce__(self) -> tuple[Any, ...]:
         """Pickled as the path of its library, with its parameters; a scene in Python stays behind."""

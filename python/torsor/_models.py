@@ -56,7 +56,9 @@ def opened_again(kind: type[Mechanism], path: str, source: Any, fingerprint: int
     mechanism = kind(path, source)
     if mechanism.fingerprint != fingerprint:
         raise OSError(f"{path} holds another mechanism now than the one that was pickled: load it again")
-    return mechanism if mechanism.parameters == parameters else mechanism.with_parameters(**parameters)
+    changed = {name: value for name, value in parameters.items()
+               if value != mechanism.parameters[name] and value == value}  # one without a value is no number here as there
+    return mechanism.with_parameters(**changed) if changed else mechanism
 
 
 def kernel_again(mechanism: Mechanism, name: str) -> Kernel:

@@ -14,6 +14,7 @@ PROGRAMS = os.environ["TORSOR_PROGRAM_DIR"]
 
 FILES = {"lamp": ["tests/python/lamp.cpp"],
          "ring": ["tests/python/ring.cpp"],
+         "unvalued": ["tests/python/unvalued.cpp"],
          "odd_names": ["tests/python/odd_names.cpp"],
          "cart_pole": ["tests/python/cart_pole.urdf", "--initial", "hinge=0.3"],
          "quadruped": ["examples/quadruped/quadruped.urdf", "--base", "floating"],

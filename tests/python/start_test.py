@@ -2,6 +2,8 @@
 """Where motions start when parameters are set: as the scene says with them, and on its constraints. A bead on a ring has one
 mass in all directions, so that the nearest place on the ring lies on the ray from its centre."""
 
+import pickle
+
 import numpy as np
 import pytest
 
@@ -51,6 +53,21 @@ def test_what_is_linearised_is_the_start_of_the_motion(bead):
     for one, other, of_scene in zip(found, expected, bead.linearise(bead.initial_state().q, parameters=parameters)):
         np.testing.assert_array_equal(one, other)
     assert not np.array_equal(of_scene, other)
+
+
+def test_a_parameter_without_a_value_is_asked_for_by_name():
+    """It is no number: calls would give none, and say that the equations are singular."""
+    mass = scene("unvalued", "--run-time", "all", "--kernels", "mass_matrix,forward_dynamics,energy")
+    again = pickle.loads(pickle.dumps(mass))
+    for one in (mass, again, mass.with_parameters(k=2), pickle.loads(pickle.dumps(mass.with_parameters(k=2)))):
+        assert np.isnan(one.parameters["m"])
+        for call in (one.initial_state, lambda: one.simulate(1.0), lambda: one.simulate(1.0, parameters={"k": 3}),
+                     lambda: one.mass_matrix([1.0]), lambda: one.mass_matrix(np.ones((3, 1)))):
+            with pytest.raises(ValueError, match=r"unvalued: the parameter 'm' has no value: .*with_parameters\(m=\.\.\.\)"):
+                call()
+        assert one.mass_matrix([1.0], parameters={"m": 2}) == 2
+    heavy = pickle.loads(pickle.dumps(mass.with_parameters(m=3)))
+    assert heavy.mass_matrix([1.0]) == 3 and heavy.parameters["k"] == 8
 
 
 def test_a_start_that_no_constraint_can_be_met_from_is_refused(bead):
