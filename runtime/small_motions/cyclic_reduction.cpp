@@ -55,6 +55,16 @@ LinearSystem reduced_at_constant_momentum(const LinearSystem& system, const std:
         "the momenta of the cyclic coordinates are not conserved: a force along one of them depends on the motion; "
         "keep their rates constant instead");
   }
+  // A force counts that would hold the stiffest freedom aside by 1e-9 m or rad.
+  const double usual = scale.maxCoeff();
+  for (const Eigen::Index i : c) {
+    if (std::abs(system.F(i)) > 1e-9 * stiffness * scale(i) * usual) {
+      throw std::invalid_argument(
+          "the momentum of the cyclic coordinate " + std::to_string(i) + " is not conserved: a constant force of " +
+          std::to_string(system.F(i)) +
+          " along it is left; linearise about a steady motion, in which it is balanced, or keep its rate constant instead");
+    }
+  }
   const Eigen::MatrixXd M_cc = system.M(c, c), M_cn = system.M(c, n), M_nc = system.M(n, c);
   const Eigen::MatrixXd C_cn = system.C(c, n), C_nc = system.C(n, c);
   const Eigen::LDLT<Eigen::MatrixXd> factor(M_cc);

@@ -18,7 +18,7 @@ namespace torsor::runtime {
 /// Without this the cyclic coordinates, which nothing brings back, give zero roots and no criterion concludes. K is the
 /// Hessian of the reduced potential, for Lejeune-Dirichlet; stability is that of the other coordinates and of the
 /// rates. Throws std::invalid_argument when the momenta are not conserved: forces along a cyclic coordinate that depend
-/// on its value or rate (C_cc, K_cc, K_cn, K_nc not zero).
+/// on its value or rate (C_cc, K_cc, K_cn, K_nc not zero), or a constant one, which nothing balances (F_c).
 [[nodiscard]] LinearSystem reduced_at_constant_momentum(const LinearSystem& system,
                                                         const std::vector<Eigen::Index>& cyclic);
 

@@ -7,6 +7,7 @@
 #include <numbers>
 #include <limits>
 #include <stdexcept>
+#include <string>
 
 #include "torsor/runtime/small_motions/cyclic_reduction.hpp"
 #include "torsor/runtime/small_motions/equilibrium_stability.hpp"
@@ -289,6 +290,17 @@ TEST(CyclicReduction, RefusesWhatIsNotCyclic) {
   expect_refused(&LinearSystem::K, 1, 1);
   expect_refused(&LinearSystem::K, 0, 1);
   expect_refused(&LinearSystem::K, 1, 0);
+  // A constant one, which nothing balances; what rounding leaves of a balance is none.
+  LinearSystem pushed = whole;
+  pushed.F(1) = 1e-14;
+  EXPECT_NO_THROW((void)reduced_at_constant_momentum(pushed, {1}));
+  pushed.F(1) = 0.1;
+  try {
+    (void)reduced_at_constant_momentum(pushed, {1});
+    ADD_FAILURE() << "the momentum grows";
+  } catch (const std::invalid_argument& error) {
+    EXPECT_NE(std::string(error.what()).find("cyclic coordinate 1"), std::string::npos) << error.what();
+  }
 }
 
 // Three equal masses between walls, the first two tied: 2 u'' + 2 u - w = 0, w'' + 2 w - u = 0, so that the squared
