@@ -1,9 +1,13 @@
 // SPDX-License-Identifier: MIT
 #pragma once
+#include <algorithm>
 #include <charconv>
+#include <cmath>
 #include <concepts>
+#include <cstddef>
 #include <filesystem>
 #include <fstream>
+#include <limits>
 #include <string>
 #include <string_view>
 #include <system_error>
@@ -36,13 +40,38 @@ void append_number(std::string& text, Scalar value) {
   }
 }
 
-/// Reads a decimal of any length, rounded once to the nearest Scalar. False when the cell is anything else, or out of
-/// range.
+namespace detail {
+
+/// Whether a decimal, which has the form of one, is less than 1.
+[[nodiscard]] inline bool less_than_one(std::string_view decimal) {
+  const std::size_t e = decimal.find_first_of("eE");
+  long long exponent = 0;
+  if (e != std::string_view::npos) {
+    std::string_view power = decimal.substr(e + 1);
+    if (!power.empty() && power.front() == '+') power.remove_prefix(1);
+    const auto read = std::from_chars(power.data(), power.data() + power.size(), exponent);
+    if (read.ec == std::errc::result_out_of_range) return power.front() == '-';
+  }
+  const std::string_view digits = decimal.substr(0, e);
+  const std::size_t first = digits.find_first_of("123456789"), point = std::min(digits.find('.'), digits.size());
+  if (first == std::string_view::npos) return true;
+  const auto place = first < point ? static_cast<long long>(point - first - 1) : -static_cast<long long>(first - point);
+  return exponent < -place;  // of the first digit: 0 for units; both are far from the ends of their range here
+}
+
+}  // namespace detail
+
+/// Reads a decimal of any length, rounded once to the nearest Scalar: what is nearer to zero than the least number is a
+/// zero with its sign. False when the cell is anything else; what is beyond the largest number leaves an infinite value.
 template <std::floating_point Scalar>
 [[nodiscard]] bool parse_number(std::string_view cell, Scalar& value) {
   if (!cell.empty() && cell.front() == '+') cell.remove_prefix(1);
   const auto [end, error] = std::from_chars(cell.data(), cell.data() + cell.size(), value);
-  return error == std::errc{} && end == cell.data() + cell.size() && !cell.empty();
+  if (end != cell.data() + cell.size() || cell.empty()) return false;
+  if (error != std::errc::result_out_of_range) return error == std::errc{};
+  const bool small = detail::less_than_one(cell);
+  value = std::copysign(small ? Scalar(0) : std::numeric_limits<Scalar>::infinity(), Scalar(cell.front() == '-' ? -1 : 1));
+  return small;
 }
 
 /// A column's name as it may stand in a header line; throws FileError for one that would break the line apart.

@@ -111,7 +111,12 @@ class ReferenceReader {
   template <std::floating_point Scalar>
   [[nodiscard]] Scalar read_cell(std::string_view cell, std::string_view column) const {
     Scalar value{};
-    if (!parse_number(cell, value) || !std::isfinite(value)) {
+    const bool number = parse_number(cell, value);
+    if (!number && std::isinf(value)) {
+      fail("'" + std::string(cell) + "' in column '" + std::string(column) + "' is beyond the largest number of this type",
+           "read the file in a wider one, or correct the value");
+    }
+    if (!number || !std::isfinite(value)) {
       fail("'" + std::string(cell) + "' in column '" + std::string(column) + "' is not a finite number",
            "write a decimal such as -1.25e-3");
     }

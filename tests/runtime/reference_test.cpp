@@ -5,7 +5,10 @@
 
 #include <array>
 #include <cmath>
+#include <filesystem>
 #include <limits>
+#include <string>
+#include <vector>
 
 #include "torsor/runtime/integration/integrate.hpp"
 #include "torsor/runtime/integration/runge_kutta_4.hpp"
@@ -43,6 +46,32 @@ TEST_F(ReferenceFile, RoundsOnceToFloat) {
   // Just above the middle between two floats, by less than a double can see: rounding twice would go down.
   const auto path = put("middle.csv", "time,x\n0,1.00000005960464477539062500000000000001\n");
   EXPECT_EQ(read_reference<float>(path).value(0, 0), std::nextafter(1.0F, 2.0F));
+}
+
+// The nearest float of 3.9e-48 is 0; the least one is 1.4e-45.
+TEST_F(ReferenceFile, RoundsToZeroWhatIsNearerToItThanAnyNumber) {
+  const auto small = read_reference<float>(
+      put("small.csv", "time,a,b,c,d,e\n0,3.9e-48,-6.5E-48,0.00000000000000000000000000000000000000000000000039,1e-45,39e-49\n"));
+  for (const std::size_t k : {0U, 1U, 2U, 4U}) {
+    EXPECT_EQ(small.value(0, k), 0.0F) << k;
+    EXPECT_EQ(std::signbit(small.value(0, k)), k == 1) << k;
+  }
+  EXPECT_EQ(small.value(0, 3), std::numeric_limits<float>::denorm_min());
+  const std::string none(400, '0');
+  const auto path = put("less.csv", "time,a,b,c\n0,1e-400,-1e-99999999999999999999,0." + none + "1\n");
+  for (const std::size_t k : {0U, 1U, 2U}) EXPECT_EQ(read_reference<double>(path).value(0, k), 0.0) << k;
+  const std::vector<std::string> beyond{"1e400", "-1E+99999999999999999999", "1" + none, "1" + none + ".5e-10", "0.01e500"};
+  for (const std::string& huge : beyond) {
+    const std::string error = error_for("time,x\n0," + huge + "\n");
+    EXPECT_TRUE(mentions(error, {"line 2", huge.c_str(), "beyond the largest number"})) << error;
+  }
+}
+
+TEST_F(ReferenceFile, ReadsTheReferencesOfExamplesAsFloats) {
+  const std::filesystem::path folder_of_examples = std::filesystem::path(__FILE__).parent_path() / "../../generated";
+  for (const char* name : {"sprung_absorber", "disk_in_a_circle", "falling_plate"}) {
+    EXPECT_GT(read_reference<float>(folder_of_examples / (std::string(name) + ".reference.csv")).rows(), 0U) << name;
+  }
 }
 
 TEST_F(ReferenceFile, ComparesTheLargestErrorOfEachColumn) {
