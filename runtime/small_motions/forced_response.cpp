@@ -97,11 +97,19 @@ std::vector<ResonancePeak> resonance_peaks(const LinearSystem& system, const Eig
   for (int i = 1; i + 1 < samples; ++i) {
     const auto k = static_cast<std::size_t>(i);
     if (!(heights[k] > heights[k - 1]) || !(heights[k] >= heights[k + 1])) continue;
+    if (std::isinf(heights[k])) {
+      peaks.push_back({from + i * step, heights[k]});
+      continue;
+    }
     double a = from + (i - 1) * step, b = from + (i + 1) * step;
     const double golden = 0.5 * (std::sqrt(5.0) - 1.0);
     while (b - a > 1e-9 * (to - from)) {
       const double left = b - golden * (b - a), right = a + golden * (b - a);
-      if (height(left) < height(right)) {
+      if (!(a < left && left < right && right < b)) break;  // no speeds are left between
+      const double of_left = height(left), of_right = height(right);
+      if (std::isinf(of_left) || std::isinf(of_right)) {
+        a = b = std::isinf(of_left) ? left : right;
+      } else if (of_left < of_right) {
         a = left;
       } else {
         b = right;

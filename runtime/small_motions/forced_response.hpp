@@ -55,7 +55,7 @@ struct PeakSearch {
 };
 
 /// The maxima of |X_coordinate(ω)| between two speeds: those that a grid of `samples` points sees, each refined by
-/// golden section to 1e-9 of the interval. An undamped resonance that is met exactly counts as infinite.
+/// golden section to 1e-9 of the interval, or as far as doubles go. An undamped resonance that is met exactly counts as infinite.
 [[nodiscard]] std::vector<ResonancePeak> resonance_peaks(const LinearSystem& system, const Eigen::VectorXcd& force,
                                                          const PeakSearch& search);
 

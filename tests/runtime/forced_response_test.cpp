@@ -238,6 +238,28 @@ TEST(ResonancePeaks, AreFoundOnEitherSideOfTheHighestSample) {
   }
 }
 
+// A resonance 1e-5 rad/s wide at 1,000 rad/s, looked for in an interval of which 1e-9 is less than the spacing of doubles.
+TEST(ResonancePeaks, AreFoundInANarrowIntervalFarFromZero) {
+  const double omega = 1000.00005;
+  const LinearSystem system{Eigen::MatrixXd::Identity(1, 1), Eigen::MatrixXd::Constant(1, 1, 1e-5),
+                            Eigen::MatrixXd::Constant(1, 1, omega * omega), Eigen::VectorXd::Zero(1)};
+  for (const double range : {1e-4, 1e-5}) {
+    const auto peaks = resonance_peaks(
+        system, Eigen::VectorXcd::Ones(1), {.from = omega - range / 2, .to = omega + 0.47 * range, .samples = 50});
+    ASSERT_FALSE(peaks.empty());
+    EXPECT_NEAR(peaks[0].angular_frequency, omega, 1e-6);
+  }
+}
+
+// x'' + 4 x = cos, seen on a grid that has 2, and between its points.
+TEST(ResonancePeaks, AreInfiniteWhereAnUndampedResonanceIsMet) {
+  const LinearSystem system = undamped(MatrixXd::Identity(1, 1), MatrixXd::Constant(1, 1, 4.0));
+  const auto peaks = resonance_peaks(system, Eigen::VectorXcd::Ones(1), {.from = 0.0, .to = 4.0, .samples = 1001});
+  ASSERT_EQ(peaks.size(), 1U);
+  EXPECT_EQ(peaks[0].angular_frequency, 2.0);
+  EXPECT_TRUE(std::isinf(peaks[0].amplitude));
+}
+
 // Two oscillators that know nothing of each other: at the second one's own frequency the first stands still no more
 // than elsewhere. Tied by a weak spring it does.
 TEST(Antiresonances, AreNotFrequenciesOfWhatIsNotTied) {
