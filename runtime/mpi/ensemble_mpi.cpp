@@ -134,6 +134,11 @@ class Writer {
   std::optional<std::string> text;  ///< of this or another process's failure, if any; it may be empty
 
  private:
+  struct Arrived {
+    std::uint64_t count = 0;
+    std::vector<double> values;
+  };
+
   template <class Action>
   void guarded(const Action& action) {
     if (failure) return;
@@ -147,7 +152,8 @@ class Writer {
   }
 
   void take(int worker, const Report& report) {
-    std::vector<double>& values = waiting_[report.first];
+    auto& [count, values] = waiting_[report.first];
+    count = report.count;
     values.resize(report.count * head_.numbers);
     MPI_Recv(values.data(), static_cast<int>(values.size()), MPI_DOUBLE, worker, values_tag, communicator_,
              MPI_STATUS_IGNORE);
@@ -163,10 +169,11 @@ class Writer {
   void write() {
     const std::uint64_t before = file_.written();
     for (auto next = waiting_.find(file_.written()); next != waiting_.end(); next = waiting_.find(file_.written())) {
-      const std::vector<double> values = std::move(next->second);
+      const Arrived records = std::move(next->second);
       waiting_.erase(next);
-      for (std::size_t first = 0; first < values.size(); first += head_.numbers)
-        file_.append(std::span(values).subspan(first, head_.numbers));
+      for (std::size_t i = 0; i < records.count; ++i) {  // also where they have no numbers
+        file_.append(std::span(records.values).subspan(i * head_.numbers, head_.numbers));
+      }
     }
     if (file_.written() != before) tell();
   }
@@ -196,7 +203,7 @@ class Writer {
   std::uint64_t limit_, next_;
   int working_;
   bool ended_ = false;
-  std::map<std::uint64_t, std::vector<double>> waiting_;
+  std::map<std::uint64_t, Arrived> waiting_;
   std::deque<int> idle_;
   EnsembleProgress progress_;
 };

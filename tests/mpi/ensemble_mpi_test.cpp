@@ -97,6 +97,14 @@ TEST_F(EnsembleOverMpi, WritesTheBytesOfOneProcess) {
   }
 }
 
+// Members that are computed for what they do beside it: more of them than may be under way at once.
+TEST_F(EnsembleOverMpi, EndsWhereRecordsHaveNoNumbers) {
+  const RecordHead idle{17, 500, 0};
+  const auto progress = run_ensemble_over_mpi(
+      folder / "idle", idle, [](std::uint64_t, std::span<double>) {}, {.at_once = 2});
+  EXPECT_EQ(progress.done, 500U);
+}
+
 TEST_F(EnsembleOverMpi, GoesOnWithAFileThatEndsAnywhere) {
   for (const std::size_t bytes : {0U, 5U, 56U, 57U, 56U + 40U * 13U, 56U + 40U * 77U + 39U, 56U + 40U * 200U}) {
     put(rank() == 0 ? expected.substr(0, bytes) : "");
