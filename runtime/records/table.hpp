@@ -20,9 +20,10 @@ namespace torsor::runtime {
 /// A number in scientific notation with so many digits after the point, for tables: 1.25e-09.
 template <std::floating_point Scalar>
 [[nodiscard]] std::string scientific(Scalar value, int digits = 2) {
-  char text[128];
-  const auto end = std::to_chars(text, text + sizeof text, value, std::chars_format::scientific, digits).ptr;
-  return {text, end};
+  std::string text(64 + static_cast<std::size_t>(std::max(digits, 0)), ' ');  // sign, point, exponent; "nan"
+  const auto end = std::to_chars(text.data(), text.data() + text.size(), value, std::chars_format::scientific, digits).ptr;
+  text.resize(static_cast<std::size_t>(end - text.data()));
+  return text;
 }
 
 /// A text table: the first column flush left, the others flush right.
@@ -45,10 +46,11 @@ class Table {
   /// The same table as comma-separated values, for a plot. Throws FileError.
   void write_csv(const std::filesystem::path& path) const {
     std::string text;
-    for (const auto& row : rows_) {
-      for (std::size_t i = 0; i < row.size(); ++i) {
+    for (std::size_t r = 0; r < rows_.size(); ++r) {
+      for (std::size_t i = 0; i < rows_[r].size(); ++i) {
         if (i > 0) text += ',';
-        append_name(text, row[i], path);
+        if (r == 0) append_name(text, rows_[r][i], path);
+        if (r > 0) append_cell(text, r, i, path);
       }
       text += '\n';
     }
@@ -77,6 +79,16 @@ class Table {
   }
 
  private:
+  // As append_name, of a value; one that is empty is read back as it is, but alone in its row it would be no row.
+  void append_cell(std::string& text, std::size_t row, std::size_t column, const std::filesystem::path& path) const {
+    const std::string& cell = rows_[row][column];
+    if (cell.find_first_of(",\"\n\r#") != std::string::npos || (cell.empty() && rows_[row].size() == 1)) {
+      throw FileError("cannot write '" + path.string() + "': '" + cell + "' in row " + std::to_string(row) + " of the column '" +
+                      rows_.front()[column] + "' is empty or has a comma, quote, hash or line break; write it otherwise");
+    }
+    text.append(cell);
+  }
+
   // Characters, not bytes: continuation bytes of UTF-8 take no column.
   static std::size_t width_of(std::string_view text) noexcept {
     return static_cast<std::size_t>(std::count_if(

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <sstream>
+#include <string>
 
 #include "tests/runtime/temporary_folder.hpp"
 
@@ -38,6 +39,30 @@ TEST_F(TableFile, IsAlsoWrittenAsCommaSeparatedValues) {
   table.add({"100", "1e-3"});
   table.write_csv(folder / "table.csv");
   EXPECT_EQ(contents(folder / "table.csv"), "steps,error\n100,1e-3\n");
+}
+
+TEST_F(TableFile, NamesTheCellThatIsNoValue) {
+  for (const std::string& bad : {std::string("2,5"), std::string("#3"), std::string("a\nb")}) {
+    Table table({"steps", "error"});
+    table.add({"", "1"});
+    table.add({"100", bad});
+    const std::string error = error_of<FileError>([&] { table.write_csv(folder / "table.csv"); });
+    EXPECT_TRUE(mentions(error, {"table.csv", bad.c_str(), "row 2", "column 'error'"})) << error;
+  }
+  Table table({"steps", "error"});
+  table.add({"", "1"});
+  table.write_csv(folder / "table.csv");
+  EXPECT_EQ(contents(folder / "table.csv"), "steps,error\n,1\n");
+  Table alone({"steps"});
+  alone.add({""});
+  EXPECT_TRUE(mentions(error_of<FileError>([&] { alone.write_csv(folder / "table.csv"); }), {"row 1", "'steps'"}));
+  Table names({"a,b"});
+  EXPECT_TRUE(mentions(error_of<FileError>([&] { names.write_csv(folder / "table.csv"); }), {"the column name 'a,b'"}));
+}
+
+TEST(Table, WritesAsManyDigitsAsAreAskedFor) {
+  EXPECT_EQ(scientific(0.5, 300), "5." + std::string(300, '0') + "e-01");
+  EXPECT_EQ(scientific(-1.0, 0), "-1e+00");
 }
 
 }  // namespace
