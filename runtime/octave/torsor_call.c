@@ -191,6 +191,11 @@ static void expect_known(int count, const mxArray* const* pairs, const char* con
     const char* const* each = known;
     while (*each != NULL && strcmp(*each, word) != 0) ++each;
     if (*each == NULL) mexErrMsgIdAndTxt("torsor:usage", "there is no option '%s' here", word);
+    for (int k = 0; k < i; k += 2) {
+      char* const other = text_of(pairs[k], "the name of an option");
+      if (strcmp(other, word) == 0) mexErrMsgIdAndTxt("torsor:usage", "the option '%s' is given twice", word);
+      mxFree(other);
+    }
     mxFree(word);
   }
 }
@@ -224,6 +229,7 @@ static void evaluate(int place, const torsor_abi_kernel* kernel, int outputs, mx
   static const char* const words[] = {"ok", "singular", "not finite", "an argument is not finite"};
   const torsor_abi* const abi = opened[place].abi;
   const mxArray *a, *lambda, *u, *time, *threads, *order;
+  const char* unread = NULL;
   torsor_call call;
   torsor_view* views;
   int64_t failed;
@@ -240,6 +246,12 @@ static void evaluate(int place, const torsor_abi_kernel* kernel, int outputs, mx
   threads = named(count - 2, in + 2, "threads");
   order = named(count - 2, in + 2, "order");
   if (kernel->reads_accelerations && a == NULL) mexErrMsgIdAndTxt("torsor:argument", "%s reads accelerations", kernel->name);
+  if (a != NULL && !kernel->reads_accelerations) unread = "accelerations";
+  if (lambda != NULL && !kernel->reads_multipliers) unread = "multipliers";
+  if (u != NULL && !kernel->reads_inputs) unread = "inputs";
+  if (unread != NULL) mexErrMsgIdAndTxt("torsor:usage", "%s does not read '%s': leave it out", kernel->name, unread);
+  if (order == NULL && kernel->takes_order)
+    mexErrMsgIdAndTxt("torsor:usage", "%s takes 'order', the highest of its Taylor coefficients", kernel->name);
   for (int pass = 0; pass < 2; ++pass) { /* the first finds how many states there are */
     call.q = columns(in[0], "q", abi->coordinate_count, &states);
     call.v = columns(in[1], "v", abi->velocity_count, &states);
@@ -278,6 +290,17 @@ static void evaluate(int place, const torsor_abi_kernel* kernel, int outputs, mx
   }
   mxFree(call.statuses);
   mxFree(views);
+}
+
+/* Why a motion ended: torsor_motion_reached_end and those after it. */
+static const char* why(int32_t status) {
+  static const char* const words[] = {"the end was reached", "it was stopped", "unusable times, tolerances or steps",
+      "the step fell below the resolution of time", "the limit of steps was met",
+      "the equations are singular there, or loops are at a dead centre of a friction", "an implicit step did not converge",
+      "the method does not suit the model, or the library lacks kernels that hold its constraints: mass_matrix, constraints"};
+  if (status == torsor_motion_open_loops) return "the loops cannot be closed near the start";
+  if (status == torsor_motion_zero_quaternion) return "a quaternion of the start is zero: it has no direction";
+  return status >= 0 && status <= torsor_motion_unsuitable_model ? words[status] : "a status of contacts, see runtime/abi.h";
 }
 
 /* y at the times, one column for each, then the last time reached and the status; without statuses an early end is an error. */
@@ -319,6 +342,14 @@ static void integrate(int place, int outputs, mxArray** out, int count, const mx
     if (motion.method == abi->method_count) mexErrMsgIdAndTxt("torsor:usage", "there is no method '%s'", name);
     mxFree(name);
   }
+  if (motion.method < abi->method_count) {
+    const torsor_method* const by = &abi->methods[motion.method];
+    if (by->fixed_step && step == NULL) mexErrMsgIdAndTxt("torsor:usage", "%s has a fixed step: give 'step'", by->name);
+    if (by->fixed_step && tolerance != NULL)
+      mexErrMsgIdAndTxt("torsor:usage", "%s has a fixed step and reads no 'tolerance': leave it out", by->name);
+    if (!by->fixed_step && step != NULL)
+      mexErrMsgIdAndTxt("torsor:usage", "%s chooses its own steps: leave 'step' out, or name another method", by->name);
+  }
   motion.times = mxGetPr(in[0]);
   motion.time_count = times;
   out[0] = mxCreateDoubleMatrix((mwSize)size, (mwSize)times, mxREAL);
@@ -336,7 +367,7 @@ static void integrate(int place, int outputs, mxArray** out, int count, const mx
   if (outputs > 2) {
     out[2] = mxCreateDoubleScalar(status);
   } else if (failed > 0) {
-    mexErrMsgIdAndTxt("torsor:motion", "the motion ends at t = %.17g with status %d (runtime/abi.h)", end, (int)status);
+    mexErrMsgIdAndTxt("torsor:motion", "the motion ends at t = %.17g with status %d: %s", end, (int)status, why(status));
   }
 }
 

@@ -69,6 +69,15 @@ expect_refusal("one column", "./cart.so", "integrate", 1, [cart.q; cart.v], "inp
 expect_refusal("whole number", "./cart.so", "jets", q, v, "order", -2);
 expect_refusal("takes no order", "./cart.so", "mass_matrix", q, v, "order", 2);
 expect_refusal("begin with ./", "cart.so");
+% No option is passed over.
+start = [cart.q; cart.v];
+expect_refusal("'inputs' is given twice", "./cart.so", "integrate", 1, start, "inputs", [1; 0], "inputs", [2; 0]);
+expect_refusal("dormand_prince_54 chooses its own steps", "./cart.so", "integrate", 1, start, "step", 1e-3);
+expect_refusal("reads no 'tolerance'", "./cart.so", "integrate", 1, start, "method", "midpoint", "step", 1e-3, "tolerance", 1e-9);
+expect_refusal("runge_kutta_4 has a fixed step: give 'step'", "./cart.so", "integrate", 1, start, "method", "runge_kutta_4");
+expect_refusal("mass_matrix does not read 'inputs'", "./cart.so", "mass_matrix", q, v, "inputs", f);
+expect_refusal("jets takes 'order'", "./cart.so", "jets", q, v);
+expect_refusal("status 2: unusable times", "./cart.so", "integrate", 1, start, "tolerance", -1);
 
 % Inputs and parameters of a motion: a force of 2 N on the cart, which by itself would stay, pushes it along.
 pushed = torsor_call("./cart.so", "integrate", 0.1, [cart.q; cart.v], "inputs", [2; 0]);
