@@ -94,13 +94,14 @@ struct EventMemory {
 template <class Scalar>
 class AccumulationWatch {
  public:
-  /// True when no more than `tolerance` (at least eight roundings of the time) is left, or when seventeen events lie
-  /// within 128 roundings of the time; `limit` is then the end.
-  bool operator()(Scalar time, Scalar tolerance) noexcept {
+  /// True when no more than `tolerance` (at least eight roundings) is left, or when seventeen events lie within 128 roundings;
+  /// `limit` is then the end. Roundings are those of the time, or of `scale`, the largest time in the step of the event, to
+  /// which it is located: near time 0 that is larger.
+  bool operator()(Scalar time, Scalar tolerance, Scalar scale = Scalar(0)) noexcept {
     times_[seen_++ % window] = time;
     if (seen_ < window) return false;
     const Scalar last = std::abs(time - back(8)), before = std::abs(back(8) - back(16));
-    const Scalar rounding = std::numeric_limits<Scalar>::epsilon() * std::abs(time);
+    const Scalar rounding = std::numeric_limits<Scalar>::epsilon() * std::max(std::abs(time), scale);
     const Scalar floor = std::max(tolerance, Scalar(8) * rounding);
     const bool shrinks = last < before;
     const Scalar rest = shrinks ? last * last / (before - last) : Scalar(0);

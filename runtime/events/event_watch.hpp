@@ -10,6 +10,8 @@
 
 #include "torsor/runtime/events/event_memory.hpp"
 #include "torsor/runtime/events/guard.hpp"
+#include "torsor/runtime/events/guard_values.hpp"
+#include "torsor/runtime/events/located.hpp"
 #include "torsor/runtime/events/step_scan.hpp"
 #include "torsor/runtime/steps/step_polynomial.hpp"
 #include "torsor/runtime/steps/whole_step.hpp"
@@ -28,7 +30,7 @@ class EventWatch {
 
   EventWatch(S& system, const Method& method, const Set& set, OnEvent& on_event, Observer& observer,
              EventResultType& result) noexcept
-      : system_(system), method_(method), set_(set), on_event_(on_event), observer_(observer), result_(result) {}
+      : system_(system), method_(method), set_(set), on_event_(on_event), observer_(observer), result_(result), along_(set) {}
 
   /// A smooth piece begins.
   void start(Scalar t, const Vector& y) noexcept {
@@ -89,15 +91,27 @@ class EventWatch {
 
   template <class Step>
   bool look_through(const Step& step) {
+    scale_ = std::max(std::abs(Scalar(step.start)), std::abs(Scalar(step.end)));
     for (Scalar from = step.start;;) {
       sample(step, from);
+      along_.forget();
+      for (std::size_t i = 0; i < count; ++i) along_.watched[i] = !is_clear(i);
       Departure<Scalar> first{};
-      for (std::size_t i = 0; i < count; ++i) {
-        departures_[i] = follow(i, step, from);
-        if (result_.status != EventStatus::reached_end) return end_at(from, i, step(from));
-        if (departures_[i].found && (!first.found || earlier(step, departures_[i].after, first.after))) {
-          first = departures_[i];
+      Scalar end = step.end;
+      const std::size_t likely = likely_first();
+      for (std::size_t k = 0; k < count; ++k) {
+        const std::size_t i = k == 0 ? likely : k <= likely ? k - 1 : k;
+        const auto memory = memory_[i];
+        departures_[i] = follow(i, step, from, end);
+        if (end != step.end && undecided(i, step, end)) {
+          memory_[i] = memory;
+          sample_again(i, step, from, Scalar(step.end));
+          departures_[i] = follow(i, step, from, Scalar(step.end));
         }
+        if (result_.status != EventStatus::reached_end) return end_at(from, i, step(from));
+        if (!departures_[i].found || (first.found && !earlier(step, departures_[i].after, first.after))) continue;
+        first = departures_[i];
+        end = sample_before(step, from, first.after);
       }
       watch_grazing(step, first);
       if (!first.found || result_.status != EventStatus::reached_end) return result_.status == EventStatus::reached_end;
@@ -106,56 +120,98 @@ class EventWatch {
     }
   }
 
-  // The guards' values at the places of the part of the step from a time on.
+  // All guards' values in the part of the step from a time on.
   template <class Step>
   void sample(const Step& step, Scalar from) {
     for (std::size_t j = 0; j < Polynomial::samples; ++j) {
-      const Scalar place = static_cast<Scalar>(Polynomial::places[j]);
-      const Scalar t = j == 0 ? from : j == Polynomial::degree ? Scalar(step.end) : from + place * (step.end - from);
+      const Scalar t = Polynomial::time(j, from, Scalar(step.end));
       const Vector y = step(t);
       for (std::size_t i = 0; i < count; ++i) values_[i][j] = set_.value(i, t, y);
     }
   }
 
+  // What comes after an event is not asked: other guards are followed up to it, and to what is due at the same time.
   template <class Step>
-  Departure<Scalar> follow(std::size_t i, const Step& step, Scalar from) {
+  Scalar sample_before(const Step& step, Scalar from, Scalar event) {
+    const Scalar beyond = event + (step.end >= step.start ? Scalar(2) : -Scalar(2)) * together(event);
+    const Scalar end = earlier(step, beyond, step.end) ? beyond : Scalar(step.end);
+    for (std::size_t i = 0; i < count; ++i) {
+      if (along_.watched[i]) sample_again(i, step, from, end);
+    }
+    return end;
+  }
+
+  template <class Step>
+  void sample_again(std::size_t i, const Step& step, Scalar from, Scalar end) {
+    for (std::size_t j = 0; j < Polynomial::samples; ++j) values_[i][j] = along_.value(i, step, Polynomial::time(j, from, end));
+  }
+
+  // Whether what a guard does about the time of another's event shows later only: it has not left the rounding of zero.
+  template <class Step>
+  [[nodiscard]] bool undecided(std::size_t i, const Step& step, Scalar end) {
+    const auto& memory = memory_[i];
+    return along_.watched[i] && !departures_[i].found && memory.side * along_.value(i, step, end) <= Scalar(2) * memory.band;
+  }
+
+  // Events that lie no further apart are one.
+  static Scalar together(Scalar t) noexcept { return Scalar(4) * epsilon * std::abs(t); }
+
+  // The guard whose samples are beyond zero first.
+  [[nodiscard]] std::size_t likely_first() const noexcept {
+    for (std::size_t j = 1; j < Polynomial::nodes; ++j) {
+      for (std::size_t i = 0; i < count; ++i) {
+        const Scalar side = memory_[i].side != Scalar(0) ? memory_[i].side : values_[i][0];
+        if (along_.watched[i] && side * values_[i][j] < Scalar(0)) return i;
+      }
+    }
+    return 0;
+  }
+
+  // Whether a guard stays on its side in the part of the step that was sampled.
+  [[nodiscard]] bool is_clear(std::size_t i) const noexcept {
+    const auto& memory = memory_[i];
+    return all_finite(values_[i]) && memory.side != Scalar(0) && !memory.visiting &&
+           Polynomial(values_[i]).stays_above(memory.side, Scalar(0));
+  }
+
+  template <class Step>
+  Departure<Scalar> follow(std::size_t i, const Step& step, Scalar from, Scalar end) {
     auto& memory = memory_[i];
     Departure<Scalar> none{false, true, from, from, infinite, from};
-    Values values = values_[i];
-    Scalar largest = Scalar(0);
-    for (const Scalar& value : values) largest = std::isfinite(value) ? std::max(largest, std::abs(value)) : infinite;
-    if (!(largest < infinite)) {
-      result_.status = EventStatus::guard_not_followed;
+    const Values values = values_[i];
+    if (!along_.watched[i] || is_clear(i)) {
+      memory.fresh = memory.leaving = false;
       return none;
     }
-    if (memory.side != Scalar(0) && !memory.visiting && Polynomial(values).stays_above(memory.side, Scalar(0))) {
-      memory.fresh = memory.leaving = false;
+    if (!all_finite(values)) {
+      result_.status = EventStatus::guard_not_followed;
       return none;
     }
     Scalar band = memory.band;
     if (memory.fresh) {
-      band = band_at(i, step, from);
+      band = along_.rounding(i, step, from);
       if (memory.side > Scalar(0) && values[0] < -band) {
         if (set_.from_above(i)) return {true, true, from, from, Scalar(0), from};
         result_.status = EventStatus::beyond_barrier;
         return none;
       }
       if (memory.side == Scalar(0) && std::abs(values[0]) > band) memory.side = values[0] > Scalar(0) ? 1 : -1;
+      memory.leaving = memory.leaving && std::abs(values[0]) <= Scalar(2) * band;
     }
     const bool starts_near = memory.fresh && std::abs(values[0]) <= band;
-    if (!starts_near && !memory.visiting) band = first_band(i, step, from);
+    if (!starts_near && !memory.visiting) band = first_band(i, step, from, end);
     const auto scan = [&](Scalar side) {
       Values seen = values;
       for (Scalar& value : seen) value *= side;
-      const auto guard = [&](Scalar t) { return side * set_.value(i, t, step(t)); };
-      return first_departure<Scalar>(guard, {.start = from, .end = Scalar(step.end), .band = band, .values = seen});
+      const auto guard = [&](Scalar t) { return side * along_.value(i, step, t); };
+      return first_departure<Scalar>(guard, {.start = from, .end = end, .band = band, .values = seen});
     };
     if (memory.side == Scalar(0)) memory.side = side_of(scan, step);
     if (memory.side == Scalar(0)) return none;
     Departure<Scalar> departure = scan(memory.side);
     // Rounding differs along the step: what counts is that where the guard crosses or is nearest.
     for (int repeat = 0; repeat < 12; ++repeat) {
-      const Scalar there = band_at(i, step, departure.found ? departure.after : departure.nearest_time);
+      const Scalar there = along_.rounding(i, step, departure.found ? departure.after : departure.nearest_time);
       const bool settled = departure.finite && (!departure.found || there <= Scalar(2) * band);
       band = std::max(band, there);
       if (settled) break;
@@ -180,12 +236,12 @@ class EventWatch {
 
   // The least rounding at the places where a guard turns back, or at the node where it is nearest to zero.
   template <class Step>
-  Scalar first_band(std::size_t i, const Step& step, Scalar from) const {
+  Scalar first_band(std::size_t i, const Step& step, Scalar from, Scalar end) {
     const Scalar side = memory_[i].side;
     Values seen = values_[i];
     for (Scalar& value : seen) value *= side;
     const Polynomial polynomial(seen);
-    const auto band = [&](Scalar place) { return band_at(i, step, from + place * (step.end - from)) / Scalar(4); };
+    const auto band = [&](Scalar place) { return along_.rounding(i, step, from + place * (end - from)) / Scalar(4); };
     std::size_t nearest = 0;
     Scalar least = infinite;
     for (std::size_t j = 0; j < Polynomial::nodes; ++j) {
@@ -194,31 +250,6 @@ class EventWatch {
       if (turn > Scalar(0)) least = std::min(least, band(turn));
     }
     return std::min(least, band(static_cast<Scalar>(Polynomial::places[nearest])));
-  }
-
-  // What rounding may make of the guard at a time: of the state and the time, to first order, and of its own terms,
-  // which shows in its answer to changes by a rounding.
-  template <class Step>
-  Scalar band_at(std::size_t i, const Step& step, Scalar t) const {
-    const Scalar relative = std::sqrt(epsilon), one = Scalar(1);
-    Vector y = step(t);
-    const Vector y_start = step(step.start), y_end = step(step.end);
-    const Scalar value = set_.value(i, t, y);
-    Scalar terms = std::abs(set_.value(i, t * (one + relative), y) - value) / relative, noise = Scalar(0);
-    for (std::size_t k = 0; k < size; ++k) {
-      const Scalar kept = y[k], largest = std::max({std::abs(y_start[k]), std::abs(y_end[k]), std::abs(kept)});
-      y[k] = kept + relative * largest;
-      terms += std::abs(set_.value(i, t, y) - value) / relative;
-      y[k] = kept * (one + Scalar(2) * epsilon);
-      noise = std::max(noise, std::abs(set_.value(i, t, y) - value));
-      y[k] = kept;
-    }
-    // How far the guard goes in a rounding of the time.
-    const Scalar part = Scalar(1e-3) * (step.end - step.start);
-    const Scalar aside = earlier(step, t + part, step.end) ? t + part : t - part;
-    const Scalar rate = std::abs(set_.value(i, aside, step(aside)) - value) / std::abs(part);
-    return static_cast<Scalar>(set_.options.touch) * std::max(epsilon * terms, noise) +
-           Scalar(8) * epsilon * std::abs(t) * rate;
   }
 
   // Where guards come near zero and go back, up to the first crossing of any.
@@ -230,7 +261,7 @@ class EventWatch {
       if (departure.found || !(departure.nearest < infinite)) continue;
       auto& memory = memory_[i];
       const bool near = departure.nearest <= Scalar(2) * memory.band && !earlier(step, end, departure.nearest_time);
-      const bool left = memory.side * set_.value(i, end, step(end)) > Scalar(2) * memory.band;
+      const bool left = memory.side * along_.value(i, step, end) > Scalar(2) * memory.band;
       if (memory.leaving) {
         memory.leaving = !left;
         continue;
@@ -255,12 +286,11 @@ class EventWatch {
   // All crossings at the time of the first one, in the order of the guards. Gives the time from which to look on.
   template <class Step>
   Scalar deal_with(const Step& step, Scalar first) {
-    const Scalar together = Scalar(4) * epsilon * std::abs(first);
     Scalar time = first, look_from = first;
     bool barriers_only = true;
     std::size_t place = 0;
     for (std::size_t i = 0; i < count; ++i) {
-      due_[i] = departures_[i].found && std::abs(departures_[i].after - first) <= together;
+      due_[i] = departures_[i].found && std::abs(departures_[i].after - first) <= together(first);
       if (!due_[i]) continue;
       look_from = earlier(step, look_from, departures_[i].after) ? departures_[i].after : look_from;
       barriers_only = barriers_only && set_.response(i) == Response::barrier;
@@ -271,7 +301,7 @@ class EventWatch {
     time = barriers_only ? located.before : look_from;
     Vector y = step(time);
     if (by_stepping()) {
-      const Located located_there = locate_by_stepping(step, place, barriers_only, time);
+      const Located<Scalar, size> located_there = locate_by_stepping(step, place, barriers_only, time);
       time = located_there.time;
       if (all_finite(located_there.y)) y = located_there.y;
       if (!located_there.crosses) {
@@ -329,7 +359,7 @@ class EventWatch {
 
   // Whatever is done at events, they must end.
   void count_event(std::size_t i, Scalar time) {
-    if (accumulations_[i](time, static_cast<Scalar>(set_.options.accumulation))) {
+    if (accumulations_[i](time, static_cast<Scalar>(set_.options.accumulation), scale_)) {
       result_.status = EventStatus::accumulation;
       result_.accumulation_time = accumulations_[i].limit();
     } else if (++events_ >= set_.options.event_limit) {
@@ -337,36 +367,16 @@ class EventWatch {
     }
   }
 
-  struct Located {
-    Scalar time;
-    Vector y;
-    bool crosses = true;  ///< false where steps of the method do not cross near the time given: the interpolant is wrong there
-  };
-
   // The interpolant is right to the method's error; the method's own step from the start of the step is righter.
   template <class Step>
-  Located locate_by_stepping(const Step& step, std::size_t i, bool stay_before, Scalar time) {
+  Located<Scalar, size> locate_by_stepping(const Step& step, std::size_t i, bool stay_before, Scalar time) {
     const Vector y_end = step(step.end);
     const RepeatedStep<S, Method, Scalar, size> repeated{system_,  method_, step.start, step.end,
                                                          y_start_, y_end,   calls_};
-    if (departures_[i].before == departures_[i].after)
-      return Located{time, repeated(time)};  // beyond zero from the start
+    if (departures_[i].before == departures_[i].after) return {time, repeated(time)};  // beyond zero from the start
     const Scalar side = memory_[i].side;
     const auto guard = [&](Scalar t) { return side * set_.value(i, t, repeated(t)); };
-    const Scalar h = step.end - step.start;
-    for (Scalar reach = Scalar(1e-8); reach < Scalar(5); reach *= Scalar(10)) {
-      const auto inside = [&](Scalar t) {
-        return earlier(step, t, step.start) ? Scalar(step.start) : earlier(step, step.end, t) ? Scalar(step.end) : t;
-      };
-      Bracket<Scalar> bracket{inside(time - reach * h), inside(time + reach * h), Scalar(0), Scalar(0)};
-      bracket.value_before = guard(bracket.before);
-      bracket.value_after = guard(bracket.after);
-      if (!(bracket.value_before > Scalar(0) && bracket.value_after <= Scalar(0))) continue;
-      narrow(bracket, guard);
-      const Scalar found = stay_before ? bracket.before : bracket.after;
-      return Located{found, repeated(found)};
-    }
-    return {time, repeated(time), false};
+    return locate_near(repeated, guard, time, stay_before);
   }
 
   template <class Step>
@@ -471,7 +481,7 @@ class EventWatch {
   OnEvent& on_event_;
   Observer& observer_;
   EventResultType& result_;
-  Scalar start_ = Scalar(0), event_time_ = Scalar(0);
+  Scalar start_ = Scalar(0), event_time_ = Scalar(0), scale_ = Scalar(0);
   Vector y_start_{}, slope_start_{}, event_state_{}, before_reset_{};
   bool has_slope_ = false, restarts_ = false;
   Evaluation failure_ = Evaluation::ok;
@@ -482,6 +492,7 @@ class EventWatch {
   std::array<Values, count> values_{};
   std::array<Departure<Scalar>, count> departures_{};
   std::array<bool, count> due_{};
+  GuardValues<Set, Scalar, size> along_;
 };
 
 }  // namespace torsor::runtime

@@ -67,9 +67,7 @@ template <class Scalar, class Function>
   Scalar turn = start, turn_width = Scalar(0);  // a minimum, and the width of the part in which it was found
   const Scalar shortest = Scalar(16) * epsilon * std::max(std::abs(start), std::abs(end));
 
-  const auto time_at = [&](std::size_t node) {
-    return node == 0 ? a : node == Polynomial::degree ? b : a + static_cast<Scalar>(Polynomial::places[node]) * (b - a);
-  };
+  const auto time_at = [&](std::size_t node) { return Polynomial::time(node, a, b); };
   // Looks through the values up to a node, which exists for most parts.
   const auto take_positive = [&](std::size_t count) {
     for (std::size_t j = 0; j < count; ++j) {
@@ -135,10 +133,7 @@ template <class Scalar, class Function>
       right_ends[waiting++] = b;
       b = a + (b - a) / Scalar(2);
     }
-    for (std::size_t j = 0; j < Polynomial::samples; ++j) {
-      const Scalar place = static_cast<Scalar>(Polynomial::places[j]);
-      values[j] = function(j == 0 ? a : j == Polynomial::degree ? b : a + place * (b - a));
-    }
+    for (std::size_t j = 0; j < Polynomial::samples; ++j) values[j] = function(time_at(j));
   }
   // Too many oscillations to be followed: the signs at the nodes decide.
   result.finite = false;

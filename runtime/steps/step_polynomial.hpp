@@ -52,6 +52,12 @@ class StepPolynomial {
     error_ = Scalar(2) * (tail + missed) + rounding * largest_;
   }
 
+  /// The time of a sample in an interval, which its ends meet exactly.
+  [[nodiscard]] static Scalar time(std::size_t sample, Scalar start, Scalar end) noexcept {
+    if (sample == 0 || sample == degree) return sample == 0 ? start : end;
+    return start + static_cast<Scalar>(places[sample]) * (end - start);
+  }
+
   /// Largest difference from the function, an estimate.
   [[nodiscard]] Scalar error() const noexcept { return error_; }
   /// Whether the polynomial is the function but for rounding.

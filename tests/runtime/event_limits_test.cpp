@@ -137,6 +137,23 @@ TEST(AccumulationWatch, FindsTheEndInBothDirectionsOfTime) {
   }
 }
 
+// Bounces of e = 0.5 or 0.8 that end at t = 0, where a rounding of the time is nothing.
+TEST(AccumulationWatch, FindsAnEndAtTimeZero) {
+  for (const double e : {0.5, 0.8}) {
+    const auto ball = [](double, const State& y, State& dydt) noexcept {
+      dydt = {y[1], -9.81};
+      return Evaluation::ok;
+    };
+    const auto floor = barrier([](double, const State& y) { return y[0]; }, [e](double, State& y) { y[1] *= -e; });
+    const double lasts = std::sqrt(2 / 9.81) * (1 + 2 * e / (1 - e));
+    State y{1.0, 0.0};
+    const auto result = integrate_with_events(ball, y, -lasts, 1, DormandPrince54{}, Events(floor));
+    EXPECT_EQ(result.status, EventStatus::accumulation) << e;
+    EXPECT_NEAR(result.accumulation_time, 0, 1e-11) << e;
+    EXPECT_LT(result.fired[0], 400) << e;
+  }
+}
+
 // In one long step, whichever way time runs.
 TEST(Guards, ComeInTheOrderOfTime) {
   const auto events = Events(note([](double, const State& y) { return y[0] - 0.3; }),
