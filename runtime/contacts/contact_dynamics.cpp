@@ -49,16 +49,17 @@ bool ContactDynamics::compute(const ContactReading& reading) {
 }
 
 bool ContactDynamics::respond(const ContactReading& reading) {
-  KJ = reading.J.transpose();
-  mass_.matrixL().solveInPlace(KJ);
+  LJ_ = reading.J.transpose();
+  answer_.resize(LJ_.rows());  // here, so that nothing is allocated later
+  mass_.matrixL().solveInPlace(LJ_);
   if (reading.A.rows() > 0) {
-    lengths_ = KJ.colwise().norm().transpose();
+    lengths_ = LJ_.colwise().norm().transpose();
     // Twice: what is left of a row that loops nearly hold has digits of its own.
-    part_.noalias() = Q_.transpose() * KJ;
-    KJ.noalias() -= Q_ * part_;
+    part_.noalias() = Q_.transpose() * LJ_;
+    LJ_.noalias() -= Q_ * part_;
     AKJ = part_;
-    part_.noalias() = Q_.transpose() * KJ;
-    KJ.noalias() -= Q_ * part_;
+    part_.noalias() = Q_.transpose() * LJ_;
+    LJ_.noalias() -= Q_ * part_;
     AKJ += part_;
     R_.triangularView<Eigen::Upper>().solveInPlace(AKJ);
     for (Eigen::Index k = 0; k < reading.A.rows(); ++k) {
@@ -67,18 +68,25 @@ bool ContactDynamics::respond(const ContactReading& reading) {
     AKJ = part_;
     // At a dead centre the loops hold what a contact acts along, and an event falls beside it by rounding. To take away the slip
     // that this leaves would stop the mechanism: in W, which has squares, such a row is zero to rounding.
-    for (Eigen::Index i = 0; i < KJ.cols(); ++i) {
-      if (KJ.col(i).norm() < 1e-8 * lengths_(i)) KJ.col(i).setZero();
+    for (Eigen::Index i = 0; i < LJ_.cols(); ++i) {
+      if (LJ_.col(i).norm() < 1e-8 * lengths_(i)) LJ_.col(i).setZero();
     }
   }
-  W.noalias() = KJ.transpose() * KJ;
-  mass_.matrixU().solveInPlace(KJ);
+  W.noalias() = LJ_.transpose() * LJ_;
   if (reading.R0.size() > 0) {
+    LB_ = reading.B.transpose();
+    mass_.matrixL().solveInPlace(LB_);
     S = reading.C;
-    S.noalias() += reading.B * KJ;
+    S.noalias() += LB_.transpose() * LJ_;
     if (reading.A.rows() > 0) S.noalias() -= reading.D * AKJ;
   }
   return W.allFinite();
+}
+
+void ContactDynamics::add_answer(const ContactVector& impulses, Eigen::VectorXd& to) {
+  answer_.noalias() = LJ_ * impulses;
+  mass_.matrixU().solveInPlace(answer_);
+  to += answer_;
 }
 
 void ContactDynamics::forget() noexcept {

@@ -20,6 +20,8 @@ class ContactDynamics {
   [[nodiscard]] bool compute(const ContactReading& reading);
   /// Answers to impulses at the reading computed last; false where they are not finite.
   [[nodiscard]] bool respond(const ContactReading& reading);
+  /// Adds the answer K J^T r to impulses, or to reactions, of all rows.
+  void add_answer(const ContactVector& impulses, Eigen::VectorXd& to);
   /// How far the reading computed last is from where constraints lose rank, as branches of a loop meet: the last pivot of
   /// L^-1 A^T over the largest that was read, each constraint over its largest length. 1 where all is regular.
   [[nodiscard]] double distance() const noexcept { return distance_; }
@@ -29,7 +31,6 @@ class ContactDynamics {
   Eigen::VectorXd a0;       ///< without reactions
   Eigen::VectorXd KF;       ///< the same where constraints hold velocities: a0 but for γ
   Eigen::VectorXd closing, closing_rate;
-  Eigen::MatrixXd KJ;       ///< K J^T
   Eigen::MatrixXd W;        ///< Delassus' matrix J K J^T
   Eigen::MatrixXd AKJ;      ///< (A M^-1 A^T)^-1 A M^-1 J^T: what closing a rate of the loops does to the rows of J
   Eigen::MatrixXd S;        ///< reactions of joints are R = S r + R_free
@@ -42,7 +43,9 @@ class ContactDynamics {
   void least_change(const Eigen::VectorXd& c, Eigen::VectorXd& x);
 
   Eigen::LLT<Eigen::MatrixXd> mass_;
-  Eigen::MatrixXd Q_, R_, part_;
+  Eigen::MatrixXd LJ_;  ///< L^-1 J^T without its part in Q: W is its square
+  Eigen::MatrixXd Q_, R_, part_, LB_;
+  Eigen::VectorXd answer_;
   std::vector<int> order_;      ///< of the columns of Q: which constraint
   Eigen::VectorXd longest_, over_;  ///< largest size of each constraint that was read, and one over it
   double distance_ = 1, largest_pivot_ = 0;

@@ -109,7 +109,8 @@ const Eigen::MatrixXd& ContactMotion::W() {
 }
 
 void ContactMotion::add_answer(const ContactVector& impulses, std::span<double> y) {
-  change_.noalias() = dynamics_.KJ * impulses;
+  change_.setZero(sizes_.velocities);
+  dynamics_.add_answer(impulses, change_);
   for (int i = 0; i < sizes_.velocities; ++i) y[as(sizes_.coordinates + i)] += change_(i);
 }
 
@@ -162,7 +163,7 @@ Evaluation ContactMotion::solve(double t, std::span<const double> y) {
   r_ = equations.reactions();
   if (busiest_slip() && equations.kernel().cols() == 0) regularity_ = equations.scaled_determinant();
   a_ = dynamics_.a0;
-  a_.noalias() += dynamics_.KJ * r_;
+  dynamics_.add_answer(r_, a_);
   solved_ = true;
   return a_.allFinite() ? Evaluation::ok : Evaluation::not_finite;
 }
@@ -380,7 +381,7 @@ Evaluation ContactMotion::align(double t, std::span<const double> y, const Align
   if (!equations.solve()) return Evaluation::singular;
   equations.approach(held_);
   change_ = dynamics_.a0;
-  change_.noalias() += dynamics_.KJ * equations.reactions();
+  dynamics_.add_answer(equations.reactions(), change_);
   const ContactVector u = equations.motion();
   const ContactVector sizes = scale.motions(problem.W.cwiseAbs() * equations.reactions().cwiseAbs() + problem.q.cwiseAbs());
   double later = 0;

@@ -41,7 +41,9 @@ void ContactMotion::add_least_change() {
   Eigen::FullPivLU<ContactMatrix> lu(over.asDiagonal() * W * over.asDiagonal());
   lu.setThreshold(1e-11);
   const ContactVector P = over.cwiseProduct(lu.solve(over.cwiseProduct(b)));
-  for (int i = 0; i < chosen_; ++i) change_ += dynamics_.KJ.col(row_[as(i)]) * P(i);
+  ContactVector impulses = ContactVector::Zero(rows());
+  for (int i = 0; i < chosen_; ++i) impulses(row_[as(i)]) = P(i);
+  dynamics_.add_answer(impulses, change_);
 }
 
 Evaluation ContactMotion::project_positions(double t, std::span<double> y, int steps) {

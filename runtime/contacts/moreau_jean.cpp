@@ -83,7 +83,7 @@ bool MoreauJean::move_through(double t, double h, std::span<double> y) {
     if (!answer) return end(ContactStatus::no_solution);
     residual_ = answer.best().residual;
     impulses_ = chosen.spread(answer.best().r, rows());
-    v_.noalias() += dynamics_.KJ * impulses_;
+    dynamics_.add_answer(impulses_, v_);
   }
   for (int i = 0; i < mechanism_->sizes().velocities; ++i) middle_[nq + as(i)] = v_(i);
   move(there, middle_, theta_ * h);
@@ -165,7 +165,7 @@ bool MoreauJean::put_back(double t, std::span<double> y) {
     const ContactAnswer answer = go_on_contacts(chosen.problem, ContactVector::Zero(chosen.rows));
     if (!answer) return true;  // contacts that exclude each other
     change_ = dynamics_.closing;
-    change_.noalias() += dynamics_.KJ * chosen.spread(answer.best().r, rows());
+    dynamics_.add_answer(chosen.spread(answer.best().r, rows()), change_);
     std::copy_n(y.begin(), middle_.size(), middle_.begin());
     for (int i = 0; i < mechanism_->sizes().velocities; ++i) middle_[rates_.size() + as(i)] = change_(i);
     mechanism_->coordinate_rates(t, middle_, rates_);
