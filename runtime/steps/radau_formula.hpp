@@ -59,7 +59,11 @@ class RadauFormula {
     proposal_ = Scalar(0.5) * std::abs(h);
     if (!slope_known_ && !f(t, y, slope_)) return f.evaluation;
     slope_known_ = true;
-    for (std::size_t i = 0; i < size; ++i) magnitude_[i] = std::abs(y[i]);
+    for (std::size_t i = 0; i < size; ++i) {
+      magnitude_[i] = std::abs(y[i]);
+      const bool scaled = tolerances_.absolute > Scalar(0) || magnitude_[i] > Scalar(0);
+      if (!scaled) magnitude_[i] = std::numeric_limits<Scalar>::infinity();
+    }
     if (!jacobian_known_) {
       if (!equations_.linearise(f, t, y, slope_)) return f.evaluation;
       jacobian_known_ = jacobian_fresh_ = true;
@@ -77,6 +81,11 @@ class RadauFormula {
     if (!converged) {
       error = std::numeric_limits<Scalar>::infinity();
       return refuse(Evaluation::ok);
+    }
+    // Without an absolute tolerance what starts from zero has the scale of its way in the step.
+    for (std::size_t i = 0; i < size; ++i) {
+      const Scalar way = std::max({std::abs(z1_[i]), std::abs(z2_[i]), std::abs(z3_[i])});
+      if (std::isinf(magnitude_[i]) && way > Scalar(0)) magnitude_[i] = way;
     }
     Vector change;
     std::copy_n(z3_.begin(), size, change.begin());

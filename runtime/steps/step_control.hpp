@@ -100,7 +100,7 @@ template <class F, class Scalar, std::size_t size>
   const auto& [range, y, tolerances] = ahead;
   const Scalar reach = std::abs(range.end - range.start);
   const Scalar d0 = tolerances.norm(y, y), d1 = tolerances.norm(slope, y), little = Scalar(1e-5);
-  Scalar h0 = d0 < little || d1 < little ? Scalar(1e-6) : Scalar(0.01) * d0 / d1;
+  Scalar h0 = !std::isfinite(d1) || d0 < little || d1 < little ? Scalar(1e-6) : Scalar(0.01) * d0 / d1;
   // Far from time 0 the clock itself sets a least step, which the equations know nothing of.
   h0 = std::min({std::max(h0, range.shortest()), range.longest, reach});
   const Scalar signed_h0 = std::copysign(h0, range.end - range.start);
@@ -109,7 +109,12 @@ template <class F, class Scalar, std::size_t size>
   // Where the trial step leaves the model's domain, the step control finds the way back from h0.
   if (!f(range.start + signed_h0, moved, change)) return h0;
   for (std::size_t i = 0; i < size; ++i) change[i] = (change[i] - slope[i]) / h0;
-  const Scalar steepest = std::max(d1, tolerances.norm(change, y));
+  Scalar steepest = std::max(d1, tolerances.norm(change, y));
+  if (!std::isfinite(steepest)) {
+    // Without an absolute tolerance what starts from zero has the scale of its way.
+    for (std::size_t i = 0; i < size; ++i) moved[i] = std::abs(moved[i]) + h0 * h0 * std::abs(change[i]);
+    steepest = std::max(tolerances.norm(slope, moved), tolerances.norm(change, moved));
+  }
   const Scalar h1 = steepest <= Scalar(1e-15)
                         ? std::max(Scalar(1e-6), h0 * Scalar(1e-3))
                         : std::pow(Scalar(0.01) / steepest, Scalar(1) / static_cast<Scalar>(order));

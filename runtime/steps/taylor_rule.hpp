@@ -125,7 +125,8 @@ class TaylorRule {
     const Vector& state = c(0);
     Vector scale;
     for (std::size_t i = 0; i < size; ++i) {
-      scale[i] = part / (tolerances_.absolute + tolerances_.relative * std::abs(state[i]));
+      const Scalar allowed = tolerances_.absolute + tolerances_.relative * std::abs(state[i]);
+      scale[i] = allowed > Scalar(0) ? part / allowed : Scalar(0);  // what is zero has no scale before it moves
     }
     Scalar steepest = -std::numeric_limits<Scalar>::infinity();  // log2 of 1/ρ
     for (std::size_t k = degree + 1 - considered; k <= degree; ++k) {

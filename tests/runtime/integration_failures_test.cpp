@@ -3,15 +3,19 @@
 
 #include <array>
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
 #include <limits>
 
+#include "generated/double_pendulum.hpp"
 #include "torsor/runtime/integration/dormand_prince_54.hpp"
 #include "torsor/runtime/integration/dormand_prince_853.hpp"
 #include "torsor/runtime/integration/gauss_collocation.hpp"
 #include "torsor/runtime/integration/midpoint.hpp"
 #include "torsor/runtime/integration/radau_iia_5.hpp"
 #include "torsor/runtime/integration/runge_kutta_4.hpp"
+#include "torsor/runtime/integration/taylor.hpp"
+#include "torsor/runtime/mechanism.hpp"
 
 namespace integration_failures_test {
 namespace {
@@ -199,6 +203,50 @@ TEST(Describe, SaysWhatHappenedAndWhatToDo) {
   const std::string text = describe(result);
   EXPECT_NE(text.find("raise it or loosen the tolerances"), std::string::npos) << text;
   EXPECT_NE(text.find("after 7 steps"), std::string::npos) << text;
+}
+
+// A double pendulum from rest, to a relative tolerance alone: velocities are zero at first, and have no scale.
+template <class Method>
+void expect_motion_from_rest(double error) {
+  const auto motion = equations_of_motion<double_pendulum::Mechanism<double>>();
+  auto loose = motion.initial(), exact = loose;
+  loose[2] = loose[3] = exact[2] = exact[3] = 0;
+  Method method{.relative_tolerance = 1e-9};
+  method.absolute_tolerance = 0;
+  const auto result = integrate(motion, loose, 0, 1, method);
+  EXPECT_TRUE(result) << describe(result);
+  EXPECT_LT(result.statistics.accepted, 1000);
+  ASSERT_TRUE(integrate(motion, exact, 0, 1, DormandPrince853{.relative_tolerance = 1e-13, .absolute_tolerance = 1e-13}));
+  for (std::size_t i = 0; i < loose.size(); ++i) EXPECT_NEAR(loose[i], exact[i], error) << i;
+}
+TEST(AdaptiveMethods, StartFromRestWithoutAnAbsoluteTolerance) {
+  expect_motion_from_rest<DormandPrince54>(1e-7);
+  expect_motion_from_rest<DormandPrince853>(1e-7);
+  expect_motion_from_rest<RadauIia5>(1e-7);
+  expect_motion_from_rest<Taylor>(1e-7);
+}
+
+// u' = u/1000, x' = 1 - cos(20 t): x is zero at first, and so is its slope.
+template <class Method>
+void expect_start_without_a_slope() {
+  const auto system = [](double t, const std::array<double, 2>& y, std::array<double, 2>& dydt) noexcept {
+    dydt = {1e-3 * y[0], 1 - std::cos(20 * t)};
+    return Evaluation::ok;
+  };
+  for (const double first_step : {0.0, 0.1}) {
+    std::array<double, 2> y{1, 0};
+    Method method{.relative_tolerance = 1e-8};
+    method.absolute_tolerance = 0;
+    method.first_step = first_step;
+    const auto result = integrate(system, y, 0, 1, method);
+    EXPECT_TRUE(result) << describe(result);
+    EXPECT_NEAR(y[1], 1 - std::sin(20.0) / 20, 1e-6) << first_step;
+  }
+}
+TEST(AdaptiveMethods, WeighWhatStartsWithoutASlope) {
+  expect_start_without_a_slope<DormandPrince54>();
+  expect_start_without_a_slope<DormandPrince853>();
+  expect_start_without_a_slope<RadauIia5>();
 }
 
 }  // namespace
