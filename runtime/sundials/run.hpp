@@ -134,7 +134,12 @@ class SundialsSolver {
     if (memory != nullptr) functions_.free(&memory);
   }
 
-  int stop_at(double end) { return functions_.set_stop_time(memory, end); }
+  /// Goes from a time to `end`; the first time it becomes known which way the first step goes.
+  int stop_at(double from, double end) {
+    const int flag = first_step_ != 0 ? functions_.set_first_step(memory, std::copysign(first_step_, end - from)) : 0;
+    first_step_ = 0;
+    return flag != 0 ? flag : functions_.set_stop_time(memory, end);
+  }
 
   void add_statistics(Statistics& statistics) const noexcept {
     const auto counted = [this](int (*count)(void*, long*)) {
@@ -160,11 +165,11 @@ class SundialsSolver {
 
   template <class Options>
   [[nodiscard]] bool set_options(const Options& options) {
-    if (memory == nullptr) return false;
+    if (memory == nullptr || !(options.first_step >= 0)) return false;
+    first_step_ = options.first_step;
     functions_.set_error_file(memory, nullptr);  // what went wrong is in the result
     return functions_.set_user_data(memory, &work) == 0 &&
            functions_.set_tolerances(memory, options.relative_tolerance, options.absolute_tolerance) == 0 &&
-           functions_.set_first_step(memory, options.first_step) == 0 &&
            functions_.set_largest_step(memory, options.largest_step) == 0 &&
            (work.matrix == nullptr || functions_.set_linear_solver(memory, work.linear_solver, work.matrix) == 0);
   }
@@ -173,10 +178,11 @@ class SundialsSolver {
 
  private:
   SundialsFunctions functions_;
+  double first_step_ = 0;  ///< until its direction is known
 };
 
 /// One integration by SUNDIALS, of the same shape as those of the project's own methods. `Solver` is built from the
-/// method and the system and has create(t, y), stop_at(t), step(end, t), add_statistics(statistics) and `work`, a
+/// method and the system and has create(t, y), stop_at(from, to), step(end, t), add_statistics(statistics) and `work`, a
 /// SundialsWorkplace.
 /// SUNDIALS allocates, and a system's `project` is applied to the states handed out only.
 template <class Solver, class S, std::size_t size>
@@ -197,7 +203,7 @@ class SundialsRun {
     }
     if (end == result_.time) return;
     if (!created_ && !create()) return;
-    if (solver_.stop_at(end) != 0) return fail(IntegrationStatus::invalid_options);
+    if (solver_.stop_at(result_.time, end) != 0) return fail(IntegrationStatus::invalid_options);
     while (result_.time != end) {
       if (result_.statistics.accepted >= options_.step_limit) return fail(IntegrationStatus::too_many_steps);
       double t = result_.time;

@@ -169,6 +169,32 @@ TEST(Sundials, GoesThroughGivenTimesAndBackwards) {
   EXPECT_NEAR(y[0], 2.0, 1e-7);
 }
 
+template <class Method>
+void expect_first_steps_in_both_directions() {
+  using One = std::array<double, 1>;
+  const auto decays = [](double, const One& y, One& dydt) noexcept {
+    dydt[0] = -y[0];
+    return Evaluation::ok;
+  };
+  Method method = with_tolerance<Method>(1e-9);
+  method.first_step = 1e-6;
+  for (const double end : {1.0, -1.0}) {
+    One y{1.0};
+    const auto result = integrate(decays, y, 0, end, method);
+    EXPECT_TRUE(result) << describe(result) << ", to " << end;
+    EXPECT_NEAR(y[0], std::exp(-end), 1e-4);
+  }
+  method.first_step = -1e-6;
+  One y{1.0};
+  EXPECT_EQ(integrate(decays, y, 0, -1, method).status, IntegrationStatus::invalid_options);
+}
+
+TEST(Sundials, TakesAFirstStepInEitherDirection) {
+  expect_first_steps_in_both_directions<Cvode>();
+  expect_first_steps_in_both_directions<ArkodeExplicit>();
+  expect_first_steps_in_both_directions<ArkodeImplicit>();
+}
+
 TEST(Sundials, ReportsFailures) {
   using One = std::array<double, 1>;
   const auto fails = [](double t, const One& y, One& dydt) noexcept {
