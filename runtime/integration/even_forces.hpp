@@ -14,8 +14,9 @@ namespace torsor::runtime {
 /// is: what is even in v in the bias, beyond what is there at rest, is then not Ṁ v - ∂T₂/∂q alone.
 ///
 /// Both are compared at one state, ∂M/∂q_k by central differences. Each length of difference has a bound of its own
-/// error: its distance from that of half the length, and roundings of M. The least bound decides, of lengths that agree
-/// with all shorter ones; where a value is no number nothing is learnt.
+/// error: its distance from that of half the length, and roundings of M, of the coordinates too: of angles that have turned
+/// often M reads differences. The least bound decides, of lengths that agree with all shorter ones; where a value is no
+/// number nothing is learnt.
 template <MechanismModel M>
 requires HasMassMatrixAndBias<M>
 [[nodiscard]] bool has_forces_even_in_velocities(const typename M::Precomputed& precomputed,
@@ -51,28 +52,48 @@ requires HasMassMatrixAndBias<M>
     of_forces = std::max(of_forces, force / weight[i]);
   }
 
+  // M at q_k - reach and at q_k + reach; how far they are apart.
+  const auto read_beside = [&](std::size_t k, Scalar length, Matrix& less, Matrix& more) {
+    typename M::State below = rest, above = rest;
+    // The angles that a rotor has turned by are no scale of M; but they must change.
+    const Scalar reach = std::max(length, Scalar(64) * epsilon * std::abs(state.q[at(k)]));
+    below.q[at(k)] -= reach;
+    above.q[at(k)] += reach;
+    M::mass_matrix(precomputed, below, less);
+    M::mass_matrix(precomputed, above, more);
+    return above.q[at(k)] - below.q[at(k)];
+  };
+
+  // The rounding of M as a part of √(M_ii M_jj): its own, and what roundings of coordinates change.
+  Scalar part = epsilon;
+  for (std::size_t k = 0; k < n; ++k) {
+    Matrix less{}, more{};
+    const Scalar apart = read_beside(k, std::sqrt(std::sqrt(epsilon)), less, more);
+    Scalar slope = Scalar(0);
+    for (std::size_t i = 0; i < n; ++i) {
+      for (std::size_t j = 0; j < n; ++j) {
+        const Scalar change = std::abs(more[j * n + i] - less[j * n + i]);
+        if (change > Scalar(0)) slope = std::max(slope, change / apart / (weight[i] * weight[j]));
+      }
+    }
+    part += epsilon * slope * std::abs(state.q[at(k)]);
+  }
+
   // Ṁ v - ∂T₂/∂q, by differences of that length, and its roundings.
   const auto christoffel = [&](Scalar length, Vector& c, Vector& rounding) {
     c.fill(Scalar(0));
     rounding.fill(Scalar(0));
     for (std::size_t k = 0; k < n; ++k) {
-      typename M::State below = rest, above = rest;
-      // The angles that a rotor has turned by are no scale of M; but they must change.
-      const Scalar reach = std::max(length, Scalar(64) * epsilon * std::abs(state.q[at(k)]));
-      below.q[at(k)] -= reach;
-      above.q[at(k)] += reach;
-      const Scalar apart = above.q[at(k)] - below.q[at(k)];
       Matrix less{}, more{};
-      M::mass_matrix(precomputed, below, less);
-      M::mass_matrix(precomputed, above, more);
+      const Scalar apart = read_beside(k, length, less, more);
       for (std::size_t i = 0; i < n; ++i) {
         Scalar row = Scalar(0);
         for (std::size_t j = 0; j < n; ++j) row += (more[j * n + i] - less[j * n + i]) / apart * v[j];
         c[i] += v[k] * row;
         c[k] -= half * v[i] * row;
-        rounding[i] += epsilon * weight[i] * size * std::abs(v[k]) / apart;
+        rounding[i] += part * weight[i] * size * std::abs(v[k]) / apart;
       }
-      rounding[k] += epsilon * size * size / apart;
+      rounding[k] += part * size * size / apart;
     }
   };
 
@@ -95,7 +116,7 @@ requires HasMassMatrixAndBias<M>
   for (std::size_t k = 0; k < n; ++k) {
     const Scalar even = half * (forward[at(k)] + backward[at(k)]) - still[at(k)];
     // A bias may lose some digits where terms cancel, those of other coordinates too: √M_kk has their units alike.
-    const Scalar of_bias = Scalar(1000) * epsilon * weight[k] * of_forces;
+    const Scalar of_bias = Scalar(1000) * part * weight[k] * of_forces;
     if (std::abs(even - known[k]) > bound_of_known[k] + of_bias) return true;
   }
   return false;

@@ -114,13 +114,13 @@ class StoermerVerlet::Formula {
     Scalar fastest = Scalar(1);  // a damper may act above some speed only
     for (std::size_t i = half; i < size; ++i) fastest = std::max(fastest, std::abs(y[i]));
     for (std::size_t i = 0; i < half; ++i) {
-      const Scalar shift = Scalar(0.37) + Scalar(0.61) * static_cast<Scalar>((i * i + 3 * i) % 7) / Scalar(7);
+      const Scalar shift = Scalar(0.37) + Scalar(0.61) * spread<Scalar>(i);
       y[i] += static_cast<Scalar>(place) * shift * (Scalar(0.1) + std::abs(y[i]));
       y[half + i] = Scalar(0);
     }
     const Vector still = y;
     for (std::size_t i = 0; i < half; ++i) {
-      y[half + i] = fastest * (Scalar(1.3) + Scalar(0.7) * static_cast<Scalar>((5 * i) % 11) / Scalar(11));
+      y[half + i] = fastest * (Scalar(1.3) + Scalar(0.7) * spread<Scalar>(3 * i + 1));
     }
     if (!f(t, still, at_rest) || !f(t, y, moving)) return false;
     for (std::size_t i = half; i < size; ++i) {

@@ -139,9 +139,9 @@ class VariationalIntegrator<stages>::Formula {
     Scalar fastest = Scalar(1);
     for (std::size_t i = 0; i < n; ++i) fastest = std::max(fastest, std::abs(y[n + i]));
     for (std::size_t i = 0; i < n && place >= 0; ++i) {
-      const Scalar shift = Scalar(0.37) + Scalar(0.61) * static_cast<Scalar>((i * i + 3 * i) % 7) / Scalar(7);
+      const Scalar shift = Scalar(0.37) + Scalar(0.61) * spread<Scalar>(i);
       y[i] += static_cast<Scalar>(place) * shift * (Scalar(0.1) + std::abs(y[i]));
-      y[n + i] = fastest * (Scalar(1.3) + Scalar(0.7) * static_cast<Scalar>((5 * i) % 11) / Scalar(11));
+      y[n + i] = fastest * (Scalar(1.3) + Scalar(0.7) * spread<Scalar>(3 * i + 1));
     }
     return has_forces_even_in_velocities<M>(f.system().precomputed(), unpack<M>(t, y));
   }

@@ -285,6 +285,19 @@ TEST(StoermerVerlet, RefusesAccelerationsThatDependOnVelocities) {
   }
 }
 
+/// A force that depends on velocities wherever the second and the fourth coordinate differ.
+struct Coupled {
+  static constexpr bool second_order = true;
+  Evaluation operator()(double, const std::array<double, 8>& y, std::array<double, 8>& dydt) const noexcept {
+    dydt = {y[4], y[5], y[6], y[7], 0, (y[1] - y[3]) * y[4] * y[4], 0, 0};
+    return Evaluation::ok;
+  }
+};
+TEST(StoermerVerlet, LooksWhereAllCoordinatesDiffer) {
+  std::array<double, 8> y{0, 0, 0, 0, 1, 0, 0, 0};
+  EXPECT_EQ(integrate(Coupled{}, y, 0.0, 1.0, StoermerVerlet{.step = 0.01}).status, IntegrationStatus::unsuitable_model);
+}
+
 /// A damper that is switched on.
 struct DampedLater {
   static constexpr bool second_order = true;
