@@ -219,6 +219,7 @@ class Mechanism(Displayed):
                  parameters: Mapping[str, float] | None = None, threads: int = 1) -> Motion:
         """Integrates motions from (q, v) at `start_time`; what is absent is that of the scene. Constraints are held.
         With contacts it goes from event to event, forward in time, and `events` of the result tells of each.
+        `project=False` leaves constraints without contacts to drift.
 
         times: (T,) [s], in one direction; a number: 1,001 equal times up to it.
         q, v: (nq,), (nv,), or (..., nq), (..., nv): as many motions, on `threads` threads.
@@ -245,6 +246,8 @@ class Mechanism(Displayed):
         if not self.methods:
             raise ValueError(f"{self.name} cannot be integrated: it lacks kernels; build it with "
                              f"{', '.join(self._kernels_of_motion())}")
+        if self.contact_descriptions and not project:
+            raise ValueError("project: False does nothing with contacts, whose gaps and loops are always held; leave it out")
         missing = [] if self.contact_descriptions else [k for k in self._kernels_of_motion() if k not in self.kernels]
         if project and missing:
             raise ValueError(f"{self.name}: its constraints are held by kernels that it lacks: build it with "

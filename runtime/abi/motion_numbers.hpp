@@ -95,7 +95,7 @@ void write_nothing(const torsor_motion& call, std::size_t motion, std::size_t ro
 
 template <class Method>
 [[nodiscard]] Method with_limit(const torsor_motion& call, Method method) noexcept {
-  if (call.step_limit > 0) method.step_limit = call.step_limit;
+  if (call.step_limit != 0) method.step_limit = call.step_limit;
   return method;
 }
 

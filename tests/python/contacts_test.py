@@ -123,6 +123,8 @@ def test_a_robot_lands_on_its_feet():
     # 1e-10 a step, over some twenty steps.
     assert impact.kind == "impact" and abs(impact.time - np.sqrt(2 * gaps.min() / G)) < 1e-8
     assert set(impact.regimes) == set(robot.contact_descriptions) and "open" not in impact.regimes.values()
+    with pytest.raises(ValueError, match="project: False does nothing with contacts"):
+        robot.simulate(0.1, project=False)
     energies = [robot.energy(y[:19], y[19:]).kinetic for y in (impact.before, impact.after)]
     assert abs(impact.energy_lost - (energies[0] - energies[1])) < 1e-12 * energies[0] * 100  # rounding of some hundred terms
     assert min(impulse[0] for impulse in impact.impulses.values()) > 0

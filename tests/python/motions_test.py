@@ -109,6 +109,8 @@ def test_refuses_what_makes_no_sense(pendulum):
         pendulum.simulate(1.0, [np.nan, 0.0])
     with pytest.raises(torsor.TorsorError, match="step limit"):
         pendulum.simulate(1.0, step_limit=3)
+    with pytest.raises(torsor.TorsorError, match="unusable options"):
+        pendulum.simulate(1.0, step_limit=-3)
 
 
 def test_linearisation_is_the_slope(pendulum):
