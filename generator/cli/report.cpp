@@ -143,6 +143,7 @@ std::string given_values(const Scene& scene, const Model& model, const ReportOpt
   std::vector<std::string> known = names(model.positions());
   for (int i = 0; i < model.unknown_count(); ++i) known.push_back(model.coordinates()[static_cast<std::size_t>(i)].v->name);
   require_known(options.initial, known, "coordinate or rate", "--initial");
+  require_whole_quaternions(scene.content(), options.initial);
   require_known(options.inputs, names(model.inputs()), "input", "--input");
   if (options.initial.empty() && options.inputs.empty()) return {};
   nlohmann::ordered_json given{{"initial", options.initial}, {"inputs", options.inputs}};

@@ -50,13 +50,12 @@ class Progress {
 /// Quaternions of --initial with norm 1, as a motion starts from them; `notes` says of those that had another.
 NamedNumbers with_unit_quaternions(const Scene& scene, NamedNumbers given, std::vector<std::string>& notes) {
   for (const AttitudeContent& attitude : scene.content().attitudes) {
-    double square = 0;
+    double norm = 0;
     for (const SymbolPointer& component : attitude.symbols->e) {
       const auto number = given.find(component->name);
-      if (number != given.end()) square += number->second * number->second;
+      if (number != given.end()) norm = std::hypot(norm, number->second);
     }
-    const double norm = std::sqrt(square);
-    if (!(norm > 0)) continue;  // none is given
+    if (!(norm > 0 && std::isfinite(norm))) continue;  // none is given, or the start says what is wrong
     if (std::abs(norm - 1) > 1e-3) {
       notes.push_back(fmt::format("--initial gives the attitude '{}' a quaternion of norm {:.6g}, which is normalised",
                                   attitude.name, norm));

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <map>
+#include <optional>
 #include <set>
 
 #include <fmt/format.h>
@@ -8,12 +9,24 @@
 #include "torsor/generator/base/did_you_mean.hpp"
 #include "torsor/generator/base/error.hpp"
 #include "torsor/generator/cli/command_texts.hpp"
+#include "torsor/generator/dynamics/equations/constraint_rank.hpp"
 #include "torsor/generator/dynamics/structure/mobility.hpp"
 #include "torsor/generator/dynamics/structure/reduced_graph.hpp"
 #include "torsor/generator/graphs/graph_printer.hpp"
 
 namespace torsor {
 namespace {
+
+/// The rank of the constraints at the closed state near the start; none where there is no such state.
+std::optional<std::size_t> rank_of_closed(const Scene& scene) {
+  if (scene.content().constraints.empty()) return std::nullopt;
+  try {
+    const ConstraintRank rank = constraint_rank(scene);
+    return rank.closed ? std::optional(rank.rank_at_start) : std::nullopt;
+  } catch (const Error&) {
+    return std::nullopt;  // constraints that contradict each other
+  }
+}
 
 using Json = nlohmann::ordered_json;
 
@@ -116,7 +129,7 @@ std::string structure_text(const Scene& scene, const std::vector<std::string>& i
                         say("{} freedom{}", joint.freedoms, joint.freedoms == 1 ? "" : "s"),
                         names.empty() ? "" : " (" + joined(names) + ")", joint.closes_loop ? say(", closes a loop") : "");
   }
-  const SceneFreedoms own = scene_freedoms(scene, inputs_outputs);
+  const SceneFreedoms own = scene_freedoms(scene, inputs_outputs, rank_of_closed(scene));
   text += "\n" + say("Structure graph") + "\n" + count_text(mobility.singular ? mobility.generic : mobility.given, say) +
           beside_joints(own, say) + shared_coordinates(scene, own, say);
   if (mobility.moved_to_close)
@@ -198,7 +211,7 @@ std::string structure_json(const Scene& scene, const std::vector<std::string>& i
                              {"what", link.what},
                              {"between", bodies}});
   }
-  const SceneFreedoms own = scene_freedoms(scene, inputs_outputs);
+  const SceneFreedoms own = scene_freedoms(scene, inputs_outputs, rank_of_closed(scene));
   json["scene"] = {{"coordinates", own.coordinates}, {"driven", own.driven},    {"constraints", own.constraints},
                    {"no_joints", own.no_joints},     {"rank", own.rank},        {"freedoms", own.freedoms()},
                    {"useful", own.useful()},         {"internal", own.internal}};

@@ -40,6 +40,9 @@ double euclidean(const std::vector<double>& a, const std::vector<double>& b) {
   return std::inner_product(a.begin(), a.end(), b.begin(), 0.0);
 }
 
+/// What is less than this part of a row is rounding.
+constexpr double rank_tolerance = 1e-9;
+
 bool finite(const std::vector<double>& numbers) {
   return std::all_of(numbers.begin(), numbers.end(), [](double x) { return std::isfinite(x); });
 }
@@ -55,9 +58,6 @@ void require_known(const NamedNumbers& given, const std::vector<std::string>& kn
   }
 }
 
-namespace {
-
-/// Some components of a quaternion say nothing of the others: beside what the scene starts from none would stay as given.
 void require_whole_quaternions(const SceneContent& scene, const NamedNumbers& given) {
   for (const AttitudeContent& attitude : scene.attitudes) {
     std::vector<std::string> missing;
@@ -70,8 +70,6 @@ void require_whole_quaternions(const SceneContent& scene, const NamedNumbers& gi
                                  attitude.name, fmt::join(missing, ", ")));
   }
 }
-
-}  // namespace
 
 EvaluatedMotion::EvaluatedMotion(const Scene& scene, const ModelOptions& options, const NamedNumbers& parameters,
                                  const NamedNumbers& inputs)
@@ -214,6 +212,30 @@ void EvaluatedMotion::displace(double t, std::vector<double>& y, const std::vect
   move_to(t, y);
 }
 
+// Sizes that the entries of rows have here and at three states around.
+void EvaluatedMotion::look_around(double t, const std::vector<double>& y) {
+  for (int k = 0; k < 4; ++k) {
+    std::vector<double> there = y;
+    for (std::size_t i = 0; i < position_count_; ++i) {
+      double size = symbols_[i]->unit.is_dimensionless() || symbols_[i]->unit == units::radian ? 1.0 : 0.0;
+      for (std::size_t j = 0; j < position_count_ && size < 1; ++j) {
+        if (symbols_[j]->unit == symbols_[i]->unit) size = std::max(size, std::abs(y[j]));
+      }
+      there[i] += k * 0.2 * size * std::sin(1.0 + k + 2.7 * static_cast<double>(i));
+    }
+    normalise(there);
+    move_to(t, there);
+    usual_.resize(rows_.size(), std::vector<double>(velocity_count(), 0.0));
+    for (std::size_t j = 0; j < rows_.size(); ++j) {
+      const std::vector<double> entries = here_(rows_[j].jacobian);
+      for (std::size_t i = 0; i < entries.size(); ++i) {
+        if (std::isfinite(entries[i])) usual_[j][i] = std::max(usual_[j][i], std::abs(entries[i]));
+      }
+    }
+  }
+  move_to(t, y);
+}
+
 std::vector<double> EvaluatedMotion::least_change(const std::vector<std::size_t>& rows, const std::vector<double>& right,
                                                   const std::vector<std::size_t>& kept) {
   const std::size_t n = velocity_count();
@@ -233,10 +255,11 @@ std::vector<double> EvaluatedMotion::least_change(const std::vector<std::size_t>
     for (const std::size_t i : kept) a[i] = 0.0;
     std::vector<double> b = factor.forward(std::move(a));
     const double size = std::sqrt(euclidean(b, b));
-    if (size > 0) left.push_back({std::move(b), right[k], size});
+    const std::vector<double> usual = factor.forward(usual_[rows[k]]);
+    // Below its usual size by so much a row is rounding: it has no direction.
+    if (size > rank_tolerance * std::sqrt(euclidean(usual, usual))) left.push_back({std::move(b), right[k], size});
   }
   // The rows made orthonormal, the longest remainder first; what others leave of a repeated row is rounding.
-  constexpr double rank_tolerance = 1e-9;
   std::vector<double> change(n, 0.0);
   std::vector<std::vector<double>> basis;
   const auto share = [](const Row& row) { return std::sqrt(euclidean(row.direction, row.direction)) / row.size; };
@@ -286,16 +309,19 @@ double EvaluatedMotion::independence(double t, const std::vector<double>& y) {
   return least;
 }
 
-double EvaluatedMotion::open(const ConstraintRow& row, bool rates) {
-  double scale = std::numeric_limits<double>::min();
+double EvaluatedMotion::open(std::size_t j, bool rates) {
+  const ConstraintRow& row = rows_[j];
+  double scale = std::numeric_limits<double>::min(), usual = 0.0;
   for (std::size_t i = 0; i < velocity_count(); ++i) scale += std::abs(here_(row.jacobian[i]));
+  if (!usual_.empty()) usual = std::accumulate(usual_[j].begin(), usual_[j].end(), 0.0);
+  if (scale < rank_tolerance * usual) scale = usual;  // it vanishes here, and is no measure
   const double value = std::abs(here_(rates ? row.rate : row.value)) / scale;
   return std::isfinite(value) ? value : std::numeric_limits<double>::infinity();
 }
 
 double EvaluatedMotion::open(const std::vector<std::size_t>& rows, bool rates) {
   double most = 0.0;
-  for (const std::size_t j : rows) most = std::max(most, open(rows_[j], rates));
+  for (const std::size_t j : rows) most = std::max(most, open(j, rates));
   return most;
 }
 
@@ -307,7 +333,7 @@ std::string EvaluatedMotion::most_open(double t, const std::vector<double>& y) {
   // Rates come after positions: they can be closed wherever these are.
   for (const bool rates : {false, true}) {
     for (const std::size_t j : rates ? all_ : holonomic_) {
-      const double here = open(rows_[j], rates);
+      const double here = open(j, rates);
       if ((rates && worst != nullptr && !of_rates) || !(here > most)) continue;
       worst = &rows_[j];
       of_rates = rates;
@@ -326,6 +352,7 @@ bool EvaluatedMotion::settle(double t, std::vector<double>& y, const Kept& kept)
   if (!finite(y)) return false;
   move_to(t, y);
   if (rows_.empty()) return true;
+  if (usual_.empty()) look_around(t, y);
   const auto largest = [&](std::size_t begin, std::size_t end) {
     double most = 1.0;
     for (std::size_t i = begin; i < end; ++i) most = std::max(most, std::abs(y[i]));

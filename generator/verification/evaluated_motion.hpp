@@ -20,6 +20,10 @@ using NamedNumbers = std::map<std::string, double>;
 void require_known(const NamedNumbers& given, const std::vector<std::string>& known, const std::string& what,
                    const std::string& option);
 
+/// Throws UsageError where --initial gives some components of a quaternion: they say nothing of the others, and beside what the
+/// scene starts from none would stay as given.
+void require_whole_quaternions(const SceneContent& scene, const NamedNumbers& given);
+
 /// What moves a scene, evaluated in `double` from its program: kernels without a compiler. Inputs are constant in time.
 class EvaluatedMotion {
  public:
@@ -83,8 +87,9 @@ class EvaluatedMotion {
   /// state moved to.
   std::vector<double> least_change(const std::vector<std::size_t>& rows, const std::vector<double>& right,
                                    const std::vector<std::size_t>& kept);
+  void look_around(double t, const std::vector<double>& y);
   double open(const std::vector<std::size_t>& rows, bool rates);
-  double open(const ConstraintRow& row, bool rates);  ///< beside its own size
+  double open(std::size_t row, bool rates);  ///< beside its own size
 
   Equations equations_;
   std::vector<SymbolPointer> symbols_;
@@ -96,6 +101,7 @@ class EvaluatedMotion {
   std::vector<Value> position_rates_;
   std::vector<std::vector<Value>> mass_;
   std::vector<ConstraintRow> rows_;
+  std::vector<std::vector<double>> usual_;  ///< sizes of the entries of rows
   std::vector<std::size_t> holonomic_, all_;
 };
 

@@ -106,6 +106,12 @@ class ConstrainedMotion {
         !requires { constraints.columns; }, "friction needs the mechanism's own forward_dynamics");
     IndependentConstraints<Scalar, nv, m> factor;
     if (only_regular && !change_points_.regular(constraints)) return Evaluation::singular;
+    // Those that the generator left out repeat others on the constraints alone: beside them they look independent.
+    if constexpr (HasRedundantConstraints<M>) {
+      for (const int j : M::redundant_multipliers) {
+        for (std::size_t i = 0; i < nv; ++i) constraints.jacobian[i * m + static_cast<std::size_t>(j)] = Scalar(0);
+      }
+    }
     const Scalar tolerance = rank_tolerance_ > Scalar(0) ? rank_tolerance_ : usual_rank_tolerance<Scalar>();
     if (const Evaluation e = factor.factorise(mass, constraints.jacobian, tolerance, change_points_.kinds().usual);
         e != Evaluation::ok) {

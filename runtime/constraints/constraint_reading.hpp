@@ -43,7 +43,8 @@ class ConstraintReading {
     for (const Scalar& component : y) all += component - component;
     for (std::size_t k = 0; k < Kinds::nq; ++k) largest = std::max(largest, std::abs(y[k]) / kinds.coordinate_reach[k]);
     for (std::size_t i = 0; i < m; ++i) {
-      Scalar size = Scalar(0), moving = Scalar(0), sum = Scalar(0), reach = Scalar(0), usual_reach = Scalar(0);
+      Scalar size = Scalar(0), moving = Scalar(0), sum = Scalar(0), reach = Scalar(0);
+      Scalar usual_size = Scalar(0), usual_reach = Scalar(0);
       near_[i] = far_[i] = beside_[i] = Scalar(0);
       for (std::size_t j = 0; j < nv; ++j) {
         const Scalar entry = std::abs(constraints.jacobian[j * m + i]);
@@ -52,6 +53,7 @@ class ConstraintReading {
         const Scalar near = kinds.turns[j] ? std::min(far, Kinds::whole_turn / Scalar(4)) : far;
         size += entry;
         reach += entry * kinds.reach[j];
+        usual_size += kinds.usual[j * m + i];
         usual_reach += kinds.usual[j * m + i] * kinds.reach[j];
         near_[i] += entry * near;
         far_[i] += entry * std::max(far, kinds.turns[j] ? Scalar(1) : largest * kinds.reach[j]);
@@ -60,9 +62,14 @@ class ConstraintReading {
         moving += std::abs(product);
         sum += product;
       }
+      moving_[i] = moving + std::abs(sum - constraints.rate[i]);
+      if (reach < vanished * usual_reach) {
+        reach = usual_reach;
+        size = usual_size;
+        moving_[i] += usual_reach * speed;
+      }
       size_[i] = size > Scalar(0) ? size : Scalar(1);
       reach_[i] = reach > Scalar(0) ? reach : Scalar(1);
-      moving_[i] = moving + std::abs(sum - constraints.rate[i]);
       all += size + constraints.value[i] + constraints.rate[i];
       if (kinds.holonomic[i]) {
         position = std::max(position, std::abs(constraints.value[i]) / size_[i]);
@@ -192,6 +199,8 @@ class ConstraintReading {
  private:
   static constexpr Scalar epsilon = std::numeric_limits<Scalar>::epsilon();
   static constexpr Scalar usual = Scalar(2);
+  // A row below this part of what it usually is vanishes: it is rounding, and no measure of anything.
+  static constexpr Scalar vanished = Scalar(1e-8);
   Rows near_{}, far_{}, beside_{}, reach_{}, size_{}, moving_{};
 };
 

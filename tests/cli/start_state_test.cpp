@@ -109,6 +109,30 @@ TEST(StartState, IsClosedWithTheParametersOfTheCommand) {
   EXPECT_GT(theta, 0.2);
 }
 
+// Equations that repeat others where the loop is closed look independent beside it, and one of them is all rounding there: a
+// start in sixteen digits stays where it is, and moves as the whole loop does.
+TEST(StartState, OfALoopThatMovesAgainstTheCountStays) {
+  const auto heavy = [] {
+    Scene scene = testing_mechanisms::bennett_in_digits();
+    for (const char* name : {"first", "second", "third"}) {
+      scene.body(name, name, Inertia::solid_sphere(Expression::quantity("1", "kg"), metres("0.2")).at({metres("0.5"), 0, 0}));
+    }
+    scene.gravity({0, 0, Expression::quantity("-9.81", "m/s^2")});
+    return scene;
+  };
+  const Outcome outcome = run(heavy, {"simulate", "--to", "1", "--step", "0.25", "--tolerance", "1e-11"});
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  const MotionTable motion = table(outcome.out);
+  EXPECT_NEAR(motion.at(0, "theta_1"), 0.7, 1e-14);
+  for (std::size_t row = 0; row < motion.rows.size(); ++row) {
+    const double first = motion.at(row, "theta_1"), second = motion.at(row, "theta_2");
+    EXPECT_NEAR(std::tan(first / 2) * std::tan(second / 2), std::sqrt(3.0), 1e-12) << row;
+    EXPECT_NEAR(motion.at(row, "theta_3"), -first, 1e-13) << row;
+    EXPECT_NEAR(motion.at(row, "mechanical_energy"), motion.at(0, "mechanical_energy"), 1e-8) << row;
+  }
+  EXPECT_GT(std::abs(motion.end("theta_1") - 0.7), 0.1);
+}
+
 // A stop is in the way of what closes the loop: nothing is proposed.
 TEST(StartState, IsNotProposedWhereAContactIsInTheWay) {
   const auto blocked = [] {
@@ -301,8 +325,8 @@ TEST(StartState, RefusesStopsThatRunTimeExchanges) {
     return scene;
   };
   expect_failure(run(stopped, {"simulate", "--run-time", "low=2"}), 2,
-                 "the stop 'turn_lower' at low = 2 is not below 'turn_upper' at high = 1: exchange them; that is so with "
-                 "--run-time low=2: give another value");
+                 "the stop 'turn_lower' at low = 2 is not below 'turn_upper' at high = 1: give it a smaller place; that is so "
+                 "with --run-time low=2: give another value");
   EXPECT_EQ(run(stopped, {"simulate", "--to", "0.1", "--run-time", "low=-2,high=3"}).code, 0);
 }
 

@@ -20,7 +20,7 @@
 #include "torsor/runtime/integration/radau_iia_5.hpp"
 #include "torsor/runtime/integration/runge_kutta_4.hpp"
 #include "torsor/runtime/mechanism.hpp"
-#include "tests/runtime/bricard.hpp"
+#include "tests/runtime/revolute_loops.hpp"
 #include "tests/runtime/closed_loops.hpp"
 #include "tests/runtime/windows.hpp"
 

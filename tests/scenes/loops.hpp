@@ -87,13 +87,12 @@ inline Scene parallelogram(Angle of_coupler, const Expression& start) {
 
 /// Bennett's linkage: four skew revolute axes, opposite links alike, lengths a and b, twists α and β with
 /// a / sin α = b / sin β: 1 m and 30°, 2 m and 90°. It moves although 4 − 6 freedoms are left by counting.
-inline Scene bennett() {
+inline Scene bennett(const std::array<Expression, 3>& start = {pi() / Expression(2), Expression(2) * pi() / Expression(3),
+                                                               -pi() / Expression(2)}) {
   Scene scene("bennett");
   const Placement along_a{{metres("1"), 0, 0}, Rotation::about(0, 2)},
       along_b{{metres("2"), 0, 0}, Rotation::about(0, 6)};
   // tan(θ1/2) tan(θ2/2) = sin((β + α)/2) / sin((β − α)/2) = √3.
-  const std::array<Expression, 3> start{pi() / Expression(2), Expression(2) * pi() / Expression(3),
-                                        -pi() / Expression(2)};
   std::array<Expression, 3> q;
   for (std::size_t i = 0; i < 3; ++i) {
     q[i] = scene.coordinate("theta_" + std::to_string(i + 1), "rad");
@@ -110,6 +109,12 @@ inline Scene bennett() {
   const FrameHandle last_x = scene.weld("last_x", last_axis, x_along_z({0, 0, 0}));
   scene.loop_joint("last", {.type = JointType::revolute, .a = last_x, .b = end_x});
   return scene;
+}
+
+/// Elsewhere, as a user states it: closed to the digits of a double.
+inline Scene bennett_in_digits() {
+  const auto angle = [](const char* number) { return Expression::quantity(number, "rad"); };
+  return bennett({angle("0.7"), angle("2.7261731790164174"), angle("-0.7")});
 }
 
 /// Sarrus' linkage: two chains of three parallel revolute joints, along y and along x, guide a plate straight up.

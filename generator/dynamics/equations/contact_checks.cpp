@@ -116,7 +116,13 @@ void check_stops(const SceneContent& scene) {
     const Expression& lower = std::get<Stop>(other->geometry).at;
     const auto low = known(scene, lower), high = known(scene, upper->at);
     if (!low || !high || *low < *high || lower.to_string() == upper->at.to_string()) continue;
-    throw SceneError(fmt::format("the stop '{}' at {} = {:.6g} is not below '{}' at {} = {:.6g}: exchange them", other->name,
+    if (low->is_nan() || high->is_nan()) {
+      const bool first = low->is_nan();
+      throw SceneError(fmt::format("the stop '{}' at {} has a place that is no number", (first ? *other : contact).name,
+                                   (first ? lower : upper->at).to_string()));
+    }
+    throw SceneError(fmt::format("the stop '{}' at {} = {:.6g} is not below '{}' at {} = {:.6g}: give it a smaller "
+                                 "place", other->name,
                                  lower.to_string(), low->to_double(), contact.name, upper->at.to_string(),
                                  high->to_double()));
   }

@@ -2,6 +2,7 @@
 #include "torsor/generator/dynamics/structure/mobility.hpp"
 
 #include <algorithm>
+#include <optional>
 #include <random>
 
 #include <fmt/format.h>
@@ -204,7 +205,8 @@ Mobility analyse_mobility(const Scene& scene, const MobilityOptions& options) {
   return result;
 }
 
-SceneFreedoms scene_freedoms(const Scene& scene, const std::vector<std::string>& inputs_outputs) {
+SceneFreedoms scene_freedoms(const Scene& scene, const std::vector<std::string>& inputs_outputs,
+                             std::optional<std::size_t> closed_rank) {
   const WorkingDigits precision(mobility_digits);
   Program program(Model::resolver(scene, {}));
   const Model model(scene, program);
@@ -224,7 +226,11 @@ SceneFreedoms scene_freedoms(const Scene& scene, const std::vector<std::string>&
   for (const ConstraintRow& row : constraint_rows(model)) add(row.jacobian);
   result.constraints = static_cast<int>(rows.size());
   const auto columns = as_index(result.coordinates);
-  result.rank = static_cast<int>(rank(rows, columns, twist_tolerance()));
+  // Beside a closed state, of which the start has some digits, rows that repeat others look independent by what is missing.
+  const Real off = Real::from_double(1e-9);
+  const bool fewer = closed_rank && *closed_rank < rank(rows, columns, twist_tolerance());
+  const Real tolerance = fewer && *closed_rank == rank(rows, columns, off) ? off : twist_tolerance();
+  result.rank = static_cast<int>(rank(rows, columns, tolerance));
   for (const ConstraintContent& constraint : scene.content().constraints) {
     if (!std::holds_alternative<JointClosure>(constraint.law)) result.no_joints.push_back(constraint.name);
   }
@@ -234,7 +240,7 @@ SceneFreedoms scene_freedoms(const Scene& scene, const std::vector<std::string>&
     if (!outside[j]) continue;
     for (const std::vector<Value>& row : relative_motion_rows(model, graph, graph.joints[j])) add(row);
   }
-  result.internal = static_cast<int>(null_space(rows, columns, twist_tolerance()).size());
+  result.internal = static_cast<int>(null_space(rows, columns, tolerance).size());
   return result;
 }
 

@@ -103,7 +103,10 @@ struct SceneFreedoms {
   int freedoms() const { return coordinates - rank; }
   int useful() const { return freedoms() - internal; }
 };
-/// Throws UsageError for an unknown joint in `inputs_outputs`, which are those of MobilityOptions.
-SceneFreedoms scene_freedoms(const Scene& scene, const std::vector<std::string>& inputs_outputs = {});
+/// `closed_rank` is the rank where the loops are closed, near the start, if that is known: beside it, of which the start has some
+/// digits, rows that repeat others look independent. Throws UsageError for an unknown joint in `inputs_outputs`, which are those
+/// of MobilityOptions.
+SceneFreedoms scene_freedoms(const Scene& scene, const std::vector<std::string>& inputs_outputs = {},
+                             std::optional<std::size_t> closed_rank = {});
 
 }  // namespace torsor
