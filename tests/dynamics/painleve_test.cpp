@@ -330,6 +330,17 @@ TEST(Painleve, KeepsNoEnergyWhereAForceFunctionJumps) {
             }), jump);
   const Expression metre = Expression::quantity("1", "m");
   EXPECT_EQ(against_energy([&](Scene&, const Expression& x) { return piecewise({{x < metre, one}}, two); }), jump);
+  // Of any size, and in two of what moves.
+  for (const char* seconds : {"0.005", "0.02", "2000", "1000000"}) {
+    EXPECT_EQ(against_energy([&](Scene& s, const Expression&) {
+                return piecewise({{s.time() < Expression::quantity(seconds, "s"), one}}, two);
+              }), jump) << seconds;
+  }
+  EXPECT_EQ(against_energy([&](Scene&, const Expression& x) { return piecewise({{x < 100000 * metre, one}}, two); }), jump);
+  EXPECT_EQ(against_energy([&](Scene& s, const Expression& x) {
+              const Expression phi(s.content().coordinates[1].q);
+              return piecewise({{x < phi * metre / 1000, one}}, two);
+            }), jump);
   // A spring that pushes on one side alone, and one that is as stiff on the other.
   EXPECT_EQ(against_energy([&](Scene&, const Expression& x) { return piecewise({{x < 0 * metre, one}}, Expression(0)); }), none);
   EXPECT_EQ(against_energy([&](Scene&, const Expression& x) { return abs(x) / metre; }), none);
