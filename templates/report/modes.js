@@ -56,23 +56,46 @@ class SmallMotions {
     return Float64Array.from(this.mass(q), (row) => row.reduce((sum, m, j) => sum + m * a[j], 0));
   }
 
-  /// -dQ/dq by central differences, and by how much it fails to be symmetric.
+  /// A column of -dQ/dq: central differences over h, 2 h and 4 h, of which two extrapolations to zero tell what each may be off
+  /// by, rounding of the forces apart. Of several h the best.
+  column(j) {
+    let best = null;
+    for (const part of [1e-3, 1e-4, 1e-5, 1e-6]) {
+      const h = part * (1 + Math.abs(this.q[j])), moved = Float64Array.from(this.q), sizes = new Float64Array(this.n);
+      const [one, two, four] = [1, 2, 4].map((times) => {
+        moved[j] = this.q[j] + times * h;
+        const after = this.forces(moved);
+        moved[j] = this.q[j] - times * h;
+        const before = this.forces(moved);
+        sizes.forEach((size, i) => { sizes[i] = Math.max(size, Math.abs(after[i]), Math.abs(before[i])); });
+        return before.map((force, i) => (force - after[i]) / (2 * times * h));
+      });
+      const entries = one.map((slope, i) => (4 * slope - two[i]) / 3);
+      const doubt = entries.map((entry, i) => Math.abs(entry - (4 * two[i] - four[i]) / 3) + 1e-15 * sizes[i] / h);
+      const sum = doubt.reduce((all, each) => all + each, 0);
+      if (!best || !(sum >= best.sum)) best = { entries, doubt, sum, h };
+    }
+    return best;
+  }
+
+  /// -dQ/dq: the symmetric part, what each entry may be off by, and whether the rest is a part of the forces that has no
+  /// potential energy.
   stiffness() {
-    const rows = Array.from({ length: this.n }, () => new Float64Array(this.n));
-    for (let j = 0; j < this.n; ++j) {
-      const h = 1e-5 * (1 + Math.abs(this.q[j])), moved = Float64Array.from(this.q);
-      moved[j] = this.q[j] + h;
-      const after = this.forces(moved);
-      moved[j] = this.q[j] - h;
-      this.forces(moved).forEach((before, i) => { rows[i][j] = (before - after[i]) / (2 * h); });
-    }
-    let largest = 0, skew = 0;
-    for (let i = 0; i < this.n; ++i) for (let j = 0; j <= i; ++j) {
-      largest = Math.max(largest, Math.abs(rows[i][j]), Math.abs(rows[j][i]));
-      skew = Math.max(skew, Math.abs(rows[i][j] - rows[j][i]));
+    const { n } = this, columns = Array.from({ length: n }, (_, j) => this.column(j));
+    const rows = columns.map((_, i) => Float64Array.from(columns, ({ entries }) => entries[i]));
+    const reach = 1 + Math.max(...this.q.map(Math.abs));
+    // Forces are sums, of what a stiffness makes of the coordinates.
+    const terms = rows.map((row) => 1e-15 * reach * row.reduce((sum, k) => sum + Math.abs(k), 0));
+    const doubt = columns.map((_, i) => Float64Array.from(columns, (column) => column.doubt[i] + terms[i] / column.h));
+    let skew = false;
+    for (let i = 0; i < n; ++i) for (let j = 0; j < i; ++j) {
+      const apart = Math.abs(rows[i][j] - rows[j][i]), off = doubt[i][j] + doubt[j][i];
+      const size = Math.abs(rows[i][j]) + Math.abs(rows[j][i]) + Math.min(Math.abs(rows[i][i]), Math.abs(rows[j][j]));
+      skew ||= apart > 1e-4 * size + 4 * off;
       rows[i][j] = rows[j][i] = (rows[i][j] + rows[j][i]) / 2;
+      doubt[i][j] = doubt[j][i] = off / 2;
     }
-    return { rows, skew: largest > 0 ? skew / largest : 0 };
+    return { rows, doubt, skew };
   }
 
   /// K phi = omega^2 M phi with phi' M phi = 1.
@@ -102,25 +125,39 @@ class SmallMotions {
   }
 
   search() {
+    // sum |x_i k_ij x_j|
+    const form = (rows, x) => rows.reduce((sum, row, i) =>
+      sum + Math.abs(x[i]) * row.reduce((all, k, j) => all + Math.abs(k * x[j]), 0), 0);
+    let near = false;
     for (let tries = 0; tries < 60; ++tries) {
-      const { rows, skew } = this.stiffness(), modes = this.pencil(rows), forces = this.forces(this.q);
+      const { rows, doubt, skew } = this.stiffness(), modes = this.pencil(rows), forces = this.forces(this.q);
       if (!modes || modes.some(({ square }) => !Number.isFinite(square))) {
         this.why = "«the masses are not positive there»";
         return;
       }
-      const largest = Math.max(...modes.map(({ square }) => Math.abs(square)));
-      const firm = modes.filter(({ square }) => Math.abs(square) > 1e-8 * largest);
+      const largest = Math.max(...modes.map(({ square }) => Math.abs(square))), far = 1 + Math.max(...this.q.map(Math.abs));
+      const along = ({ shape }) => shape.reduce((sum, value, i) => sum + value * forces[i], 0);
+      const rounding = ({ shape }) => 1e-12 * far * shape.reduce((sum, value, i) =>
+        sum + Math.abs(value) * rows[i].reduce((all, k) => all + Math.abs(k), 0), 0);
+      // A mode is neutral where its square is no more than it may be off by, whatever the others are: a rod may be stiff. One
+      // that a force pulls along is none.
       const step = new Float64Array(this.n);
-      for (const { square, shape } of firm) {
-        const along = shape.reduce((sum, value, i) => sum + value * forces[i], 0) / square;
-        shape.forEach((value, i) => { step[i] += along * value; });
+      let falls = false;
+      for (const mode of modes) {
+        const pulled = Math.abs(along(mode)) > rounding(mode) + 1e-9;
+        mode.off = 2 * form(doubt, mode.shape) + 1e-15 * largest;
+        const flat = Math.abs(mode.square) <= mode.off;
+        mode.neutral = flat && !pulled;
+        falls ||= flat && pulled && Math.abs(mode.square) <= 1e-15 * largest;
+        if (!mode.neutral && mode.square !== 0) mode.shape.forEach((value, i) => { step[i] += along(mode) / mode.square * value; });
       }
-      const length = Math.max(...step.map(Math.abs)), least = 1e-9 * (1 + Math.max(...this.q.map(Math.abs)));
-      if (length < least) {
-        const left = forces.map((force, i) => force - rows[i].reduce((sum, k, j) => sum + k * step[j], 0));
-        if (Math.max(...left.map(Math.abs)) > 1e-6 * (1 + Math.max(...rows.map((row, i) => Math.abs(row[i]))))) break;
-        if (skew > 1e-4) this.why = "«the forces there have no potential energy»";
-        else this.modes = modes.map((mode) => ({ ...mode, neutral: !firm.includes(mode) }));
+      const length = Math.max(...step.map(Math.abs));
+      const there = near;
+      near = length < 1e-9 * far;
+      if (near && there) {  // one step more than that: of a stiff rod 1e-9 is much
+        if (falls) break;
+        if (skew) this.why = "«the forces there have no potential energy»";
+        else this.modes = modes;
         return;
       }
       this.q.forEach((value, i) => { this.q[i] = value + step[i] * Math.min(1, 0.5 / length); });
@@ -128,11 +165,12 @@ class SmallMotions {
     this.why = "«no rest was found near this state»";
   }
 
-  /// In words: its frequency, or how fast it leaves.
-  static words({ square, neutral }) {
+  /// In words: its frequency, or how fast it leaves, in digits that are known.
+  static words({ square, neutral, off = 0 }) {
     if (neutral) return "«neutral: no force brings it back»";
-    const rate = Math.sqrt(Math.abs(square));
-    return square > 0 ? `${(rate / (2 * Math.PI)).toPrecision(4)} Hz (${rate.toPrecision(5)} rad/s)` : `«leaves the rest as exp(${rate.toPrecision(4)} t)»`;
+    const rate = Math.sqrt(Math.abs(square)), known = Math.floor(-Math.log10(off / Math.abs(square)));
+    const digits = Math.max(1, Math.min(4, known)), written = (number, more) => number.toPrecision(Math.min(digits + more, 5));
+    return square > 0 ? `${written(rate / (2 * Math.PI), 0)} Hz (${written(rate, 1)} rad/s)` : `«leaves the rest as exp(${written(rate, 0)} t)»`;
   }
 }
 

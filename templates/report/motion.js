@@ -4,6 +4,9 @@
 "use strict";
 const { Integrator, Projection } = torsorReport;
 
+/// What is known by names of a scene, and nothing else: `constructor` and `valueOf` may be such names.
+const byName = (values) => Object.assign(Object.create(null), values);
+
 /// States of a mechanism at times k · interval, and what its kernels say of them.
 class Samples {
   constructor(mechanism, interval) {
@@ -33,7 +36,7 @@ class Samples {
   change(name, k) {
     const h = 1e-5, t = k * this.interval, y = this.samples[k], rates = this.coordinateRates(t, y);
     const moved = (by) => y.map((value, i) => (i < this.nq ? value + by * rates[i] : value));
-    const after = this.members(name, t + h, moved(h)), before = this.members(name, t - h, moved(-h)), result = {};
+    const after = this.members(name, t + h, moved(h)), before = this.members(name, t - h, moved(-h)), result = byName();
     for (const [member, values] of Object.entries(after)) result[member] = values.map((value, i) => (value - before[member][i]) / (2 * h));
     return result;
   }
@@ -46,7 +49,7 @@ class Samples {
     state.set(y, 1);
     const given = kernel.arguments.map((argument) => this[argument]);
     this.mechanism[name](this.precomputed, state, ...given, result);
-    const members = {};
+    const members = byName();
     for (const member of kernel.results[0].members) {
       const size = member.rows ? member.rows * member.columns : 1;
       members[member.name] = result.subarray(member.offset, member.offset + size);
@@ -61,9 +64,9 @@ class Motion extends Samples {
   /// coordinates' names). What is not named has the value of the scene, or 1 for a parameter without one.
   /// `latest` is the one of `start` ("q") or `speeds` ("q'") that stays where not all can; `closed` is a whole state that
   /// fulfils the constraints, for a motion that starts there.
-  constructor(mechanism, { parameters = {}, inputs = {}, start = {}, speeds = {}, latest = null, closed = null,
-                           interval = 1 / 60, tolerance = 1e-12 } = {}) {
+  constructor(mechanism, { latest = null, closed = null, interval = 1 / 60, tolerance = 1e-12, ...given } = {}) {
     super(mechanism, interval);
+    const [parameters, inputs, start, speeds] = ["parameters", "inputs", "start", "speeds"].map((each) => byName(given[each]));
     this.parameters = mechanism.defaultParameters();
     mechanism.parameters.forEach((each, i) => {
       if (each.name in parameters) this.parameters[i] = parameters[each.name];

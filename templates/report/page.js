@@ -10,7 +10,8 @@ const read = (node) => (node ? JSON.parse(node.textContent) : null);
 const reference = read(element("reference")), recording = read(element("recording"));
 const still = window.matchMedia("(prefers-reduced-motion: reduce)").matches;
 
-const chosen = { parameters: {}, inputs: {}, start: {}, speeds: {} };
+/// By names, which may be those that objects have.
+const chosen = Object.fromEntries(["parameters", "inputs", "start", "speeds"].map((kind) => [kind, Object.create(null)]));
 /// Of a start that is to be put on the constraints: the slider that was moved last, and the state that the page was made with.
 let latest = null, closed = null, startRows = [];
 /// What the page was made with, in place of the scene's start and of inputs that are zero.

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // choices.mjs PROGRAMS FOLDER: what a page makes of laws of time, of parameters that follow others or have no value, and of
-// start values that constraints do not allow. PROGRAMS is the folder of shaken_scene, following_scene and four_bar_scene.
+// start values that constraints do not allow. PROGRAMS is the folder of shaken_scene, following_scene, elastic_scene and four_bar_scene.
 import { execFileSync } from "node:child_process";
 import { mkdirSync, readFileSync } from "node:fs";
 import { join } from "node:path";
@@ -38,6 +38,14 @@ function opened(name, ...options) {
   // As the scene states it: k - b = 1/2 N/m.
   const { modes } = new SmallMotions(new Motion(mechanism), [0.1]);
   expect(modes.length === 1 && Math.abs(modes[0].square - 0.5) < 1e-8, `a mode is lost: ${modes.length}`);
+}
+{  // omega^2 = g/l and k/m; two of the names, of what is not asked for, are those of every object. Differences over 1e-5.
+  const { mechanism, Motion, SmallMotions } = opened("elastic"), motion = new Motion(mechanism);
+  expect(near(motion.samples[0], [0.5, 0, 0, 0], 0) && motion.parameters[0] === 1, `it starts at ${motion.samples[0]} with ${motion.parameters}`);
+  const small = new SmallMotions(motion, [0.5, 0]), squares = small.modes.map(({ square }) => square);
+  expect(near(small.q, [0, 9.81 / 2e9], 1e-8), `a rest at ${small.q}: ${small.why}`);
+  expect(squares.length === 2 && near([squares[0] / 9.81, squares[1] / 2e9], [1, 1], 1e-6), `omega^2 = ${squares}`);
+  expect(small.modes.every(({ neutral }) => !neutral), "its swing is neutral");
 }
 {  // A parallelogram is closed where b = -a and c = a.
   const { mechanism, Motion, given } = opened("four_bar", "--initial", "a=1");

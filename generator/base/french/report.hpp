@@ -126,7 +126,7 @@ constexpr Translation french_of_report[] = {
     {"the forces there have no potential energy", "les efforts n'y dérivent pas d'une énergie potentielle"},
     {"no rest was found near this state", "aucun équilibre n'est trouvé près de cet état"},
     {"neutral: no force brings it back", "indifférent : aucun effort ne le ramène"},
-    {"leaves the rest as exp(${rate.toPrecision(4)} t)", "quitte l'équilibre comme exp(${rate.toPrecision(4)} t)"},
+    {"leaves the rest as exp(${written(rate, 0)} t)", "quitte l'équilibre comme exp(${written(rate, 0)} t)"},
     {" over time: ", " en fonction du temps : "},
     {"Phase portrait, ", "Portrait de phase, "},
     {"between ${label(low)} and ${label(high)}", "entre ${label(low)} et ${label(high)}"},
