@@ -40,7 +40,8 @@ struct CommandOutcome {
 };
 
 /// One command of a scene program, its words without the program's name: {"equations", "--format", "latex"}. Files are
-/// written as programs do, none of those that were read. Throws what programs print: UsageError for words that are not understood, any other Error.
+/// written as programs do, none of those that were read. Throws what programs print: UsageError for words that are not understood,
+/// any other Error.
 CommandOutcome run_command(const std::vector<std::string>& words, const Scene& scene, const std::vector<std::string>& read = {});
 
 }  // namespace torsor

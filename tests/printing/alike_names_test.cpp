@@ -27,5 +27,14 @@ TEST(AlikeNames, AreToldWhereFormulasAreTypeset) {
   EXPECT_TRUE(printing::alike_names(two_masses("m_2").content(), {}).empty());
 }
 
+TEST(AlikeNames, AreToldOnPagesButNotInText) {
+  const auto has = [](Format format, const char* sentence) {
+    return print_equations(two_masses("m_1"), format).find(sentence) != std::string::npos;
+  };
+  EXPECT_TRUE(has(Format::latex, "Formulas spell m1, m\\_1 alike: rename all but one."));
+  EXPECT_TRUE(has(Format::html, "Formulas spell m1, m_1 alike: rename all but one."));
+  EXPECT_FALSE(has(Format::text, "alike"));  // which spells them as they are
+}
+
 }  // namespace
 }  // namespace torsor::alike_names_test
