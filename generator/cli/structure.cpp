@@ -215,6 +215,7 @@ std::string structure_json(const Scene& scene, const std::vector<std::string>& i
   json["scene"] = {{"coordinates", own.coordinates}, {"driven", own.driven},    {"constraints", own.constraints},
                    {"no_joints", own.no_joints},     {"rank", own.rank},        {"freedoms", own.freedoms()},
                    {"useful", own.useful()},         {"internal", own.internal}};
+  json["scene"]["tied_joints"] = joints_that_share_coordinates(scene.content());
   json["given"] = count_json(mobility.given);
   json["generic"] = count_json(mobility.generic);
   json["singular"] = mobility.singular;

@@ -163,6 +163,11 @@ TEST(StructureCommand, SaysWhichJointsFormulasTie) {
             std::string::npos)
       << outcome.out;
   EXPECT_EQ(run(guided, {"structure"}).out.find("formulas of coordinates"), std::string::npos);
+  const auto tied = [](const auto& scene) {
+    return json::parse(run(scene, {"structure", "--json"}).out).at("scene").at("tied_joints");
+  };
+  EXPECT_EQ(tied(gripper), (json{"left", "right"}));
+  EXPECT_EQ(tied(guided), json::array());
 }
 
 }  // namespace
