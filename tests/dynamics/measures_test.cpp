@@ -238,6 +238,31 @@ TEST(MeasuredVectors, DisplaceJointsAndDriveCoordinates) {
   expect_all_checks(follower(true));
 }
 
+// A measured place has the rates of what moves it: a condition on velocities takes them, a law of a coordinate does not.
+TEST(MeasuredVectors, HaveRatesWhereVelocitiesMayStand) {
+  const Expression second = Expression::quantity("1", "s");
+  Carried it;
+  it.scene.drive(it.table_angle, Expression::quantity("2", "rad/s") * it.scene.time());
+  const PointHandle rim = it.scene.point("rim", it.table, {metres("1"), 0, 0});
+  const Triple tip = it.scene.position(it.tip, "ground"), driven = it.scene.position(rim, "ground");
+  const Triple omega = it.scene.angular_velocity(it.arm, it.table);
+  Scene level = it.scene, follower = it.scene, moved = it.scene, twice = it.scene;
+  level.nonholonomic("level", rate(tip[2]) - rate(driven[0]));
+  expect_all_checks(level);
+  const auto follow = [&second](Scene& scene, const Expression& law) {
+    const Expression follows = scene.coordinate("follows", "m");
+    scene.body("ride", scene.prismatic("ride", scene.ground(), axis::x, follows), Inertia::point(kilograms("1")));
+    scene.drive(follows, second * law);
+    return error_of([&] { validate(scene); });
+  };
+  EXPECT_EQ(follow(moved, rate(driven[0])), "no error");  // a formula of time
+  EXPECT_EQ(follow(follower, rate(tip[0])),
+            "the law of coordinate 'follows' depends on the velocity 'x'' through 1*d/dt(position(tip, ground).x): give a "
+            "formula of coordinates, time and parameters");
+  twice.nonholonomic("twice", rate(omega[1]));
+  EXPECT_EQ(error_of([&] { validate(twice); }).substr(0, 60), "the constraint 'twice' depends on the acceleration 'e_omega_x'");
+}
+
 TEST(MeasuredVectors, AreRefusedWhereTheyAreNotKnown) {
   Carried it;
   const Expression height = it.scene.position(it.tip, "ground")[2];

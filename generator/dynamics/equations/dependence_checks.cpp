@@ -63,9 +63,23 @@ const char* kind_text(SymbolKind kind) {
   }
 }
 
+/// Some function of what a measured quantity is made of, and of nothing else: a number of its own keeps it from cancelling
+/// with anything. No frame has a place yet.
+Value stand_in(Program& program, const Symbol& measured) {
+  Value sum = program.number(Number(1));
+  for (const SymbolPointer& part : measured.made_of) {
+    sum += Value(program, program.symbol(part).polynomial(), Unit());
+  }
+  const Value own = program.symbol(
+      std::make_shared<const Symbol>(Symbol{measured.name, Unit(), SymbolKind::parameter, measured.index, nullptr}));
+  return {program, (own * program.bind(sum)).polynomial(), measured.unit};
+}
+
 class DependenceCheck {
  public:
-  explicit DependenceCheck(const Scene& scene) : program_(Model::resolver(scene, {})), scene_(scene.content()) {}
+  explicit DependenceCheck(const Scene& scene) : program_(Model::resolver(scene, {})), scene_(scene.content()) {
+    program_.set_measurer({[this](const Symbol& symbol) { return stand_in(program_, symbol); }, {}});
+  }
 
   void run() {
     const Triple& g = scene_.gravity;
