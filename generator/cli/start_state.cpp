@@ -124,13 +124,16 @@ namespace {
 std::string fault_at(Scene scene, const NamedNumbers& given) {
   const NamedNumbers numbers = with_defaults(scene, given);
   const std::vector<ParameterContent> parameters = scene.content().parameters;
+  ModelOptions options;
   for (const ParameterContent& each : parameters) {
     const auto number = numbers.find(each.symbol->name);
     if (number == numbers.end() || !std::isfinite(number->second)) continue;  // refused where the numbers are used
     scene.set_parameter(Expression(each.symbol), Expression(from_double(number->second)));
+    options.run_time.insert(each.symbol->name);
   }
   try {
     check_values(scene.content());
+    check_masses(scene, options);
   } catch (const SceneError& error) {
     return error.what();
   }

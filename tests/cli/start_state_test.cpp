@@ -314,6 +314,31 @@ TEST(StartState, RefusesAMassThatRunTimeMakesNegative) {
   EXPECT_EQ(run(two_masses, {"simulate", "--to", "0.1", "--run-time", "m=-3,n=-8,a=0"}).code, 0);
 }
 
+// A trolley needs no mass of its own: its pendulum has one, and without that nothing holds the angle.
+TEST(StartState, RefusesAMassOfZeroWithoutWhichNothingIsMoved) {
+  const auto crane = [] {
+    Scene scene("crane");
+    const Expression M = scene.parameter("M", "kg", 4), m = scene.run_time_parameter("m", "kg", 1);
+    const Expression l = scene.run_time_parameter("l", "m", 1), x = scene.coordinate("x", "m");
+    const Expression theta = scene.coordinate("theta", "rad");
+    const FrameHandle trolley = scene.prismatic("trolley", scene.ground(), axis::x, x);
+    scene.body("trolley", trolley, Inertia::point(M));
+    scene.body("load", scene.revolute("rod", trolley, axis::y, theta), Inertia::point(m).at({0, 0, -l}));
+    scene.gravity({0, 0, Expression::quantity("-9.81", "m/s^2")});
+    scene.initial(theta, 1);
+    return scene;
+  };
+  for (const std::string value : {"m=0", "l=0"}) {
+    expect_failure(run(crane, {"simulate", "--run-time", "M=2," + value}), 2,
+                   "the mass matrix is singular at every state: coordinate 'theta' can accelerate without moving any mass; it "
+                   "moves body 'load': give masses or inertias, or remove a redundant coordinate; that is so with --run-time " +
+                       value + ": give another value");
+  }
+  const Outcome light = run(crane, {"simulate", "--to", "0.1", "--run-time", "M=0"});
+  EXPECT_EQ(light.code, 0) << light.err;
+  EXPECT_EQ(light.out.find("It ends before"), std::string::npos) << light.out;
+}
+
 TEST(StartState, RefusesStopsThatRunTimeExchanges) {
   const auto stopped = [] {
     Scene scene("stopped");

@@ -120,25 +120,30 @@ Evaluator<Real>::SymbolValue tried_state(const SceneContent& scene, int trial) {
   };
 }
 
+bool has_nan(const RealRow& row) {
+  return std::any_of(row.begin(), row.end(), [](const Real& entry) { return entry.is_nan(); });
+}
+
 /// How many coordinates, from the first, have a pivot of M that is not zero at one of a few states. A pivot is what the
 /// inertia along a coordinate leaves when those before it give way, no more than the diagonal entry and zero wherever
-/// the matrix is singular at all states.
-std::size_t regular_pivots(const Equations& equations) {
+/// the matrix is singular at all states. Of the states the first ones have the parameters as they are, `tried` of five.
+std::size_t regular_pivots(const Equations& equations, int tried) {
   const WorkingDigits precision(zero_tests::masses.digits);
   const ValueMatrix& mass = equations.mass();
   const std::size_t n = mass.size();
   std::size_t regular = 0;
-  for (int trial = 0; trial < 5 && regular < n; ++trial) {
+  for (int trial = 0; trial < tried && regular < n; ++trial) {
     Evaluator<Real> evaluate(equations.program(), tried_state(equations.scene().content(), trial));
     RealRows m;
     for (const auto& row : mass) m.push_back(evaluate(row));
+    if (std::any_of(m.begin(), m.end(), has_nan)) return n;  // a length of zero may be a divisor: that is another fault
     // Invented moments of inertia may be those of no matter, and the matrix indefinite.
     regular = std::max(regular, SymmetricPivots(std::move(m), zero_tests::masses.bound()).first_small());
   }
   return regular;
 }
 
-void check_masses(const Equations& equations) {
+void require_masses(const Equations& equations, int tried) {
   if (equations.scene().content().keeps_massless) return;  // kernels that solve with the mass matrix look at it
   const Model& model = equations.model();
   const ValueMatrix& mass = equations.mass();
@@ -155,7 +160,7 @@ void check_masses(const Equations& equations) {
                                  on_axis ? "whose mass lies on the axis; give a moment of inertia about it"
                                          : "with zero mass; give a mass"));
   }
-  const std::size_t k = regular_pivots(equations);
+  const std::size_t k = regular_pivots(equations, tried);
   if (k == n) return;
   throw SceneError(fmt::format("the mass matrix is singular at every state: coordinate '{}' can accelerate without moving "
                                "any mass; it moves {}: give masses or inertias, or remove a redundant coordinate",
@@ -260,6 +265,12 @@ void check_values(const SceneContent& scene) {
   check_surfaces(scene);
 }
 
+void check_masses(const Scene& scene, const ModelOptions& options) {
+  const WorkingDigits precision(generic_digits);
+  const Equations equations(scene, options);
+  require_masses(equations, 3);
+}
+
 void validate(const Scene& scene) {
   const WorkingDigits precision(generic_digits);
   check_ownership(scene);
@@ -273,7 +284,7 @@ void validate(const Scene& scene) {
   check_support_functions(equations.model());
   equations.actions();
   equations.constraints();
-  check_masses(equations);
+  require_masses(equations, 5);
   check_reactions(equations);
   equations.bias();
   for (std::size_t i = 0; i < scene.content().points.size(); ++i) {
