@@ -101,6 +101,13 @@ class EquationsOfMotion {
     normalise_quaternions<M>(y);
   }
 
+  /// The same of what a motion starts from: another norm would give other equations until the first step ends.
+  template <class Number>
+  [[nodiscard]] Evaluation settle_start(std::array<Number, coordinates_of<M> + velocities_of<M>>& y) const noexcept
+      requires HasQuaternions<M> {
+    return start_with_unit_quaternions<M>(y) ? Evaluation::ok : Evaluation::not_finite;
+  }
+
   /// The state the scene starts from, as y, and its time.
   [[nodiscard]] Vector initial() const noexcept { return pack<M>(initial_state_of<M>(precomputed_)); }
   [[nodiscard]] Scalar initial_time() const noexcept { return initial_state_of<M>(precomputed_).time; }

@@ -16,7 +16,8 @@ namespace torsor::runtime {
 /// invariant (the norm of a quaternion, a constraint); every method calls it once after each step kept. One that
 /// returns an enumeration other than 0 fails like an evaluation: adaptive methods try a shorter step. A projection that
 /// makes coordinates jump to an equivalent place comes with `unwound(y, before)`, the same state without the jump from
-/// `before`: interpolants are led there.
+/// `before`: interpolants are led there. What a motion starts from may be given as no state is: a `settle_start(y)`, noexcept,
+/// makes it one, and leaves alone what is one already; where it returns an enumeration other than 0 there is no motion.
 template <class S, class Scalar, std::size_t size>
 concept System = std::floating_point<Scalar> &&
     requires(S& system, const Scalar& t, const std::array<Scalar, size>& y, std::array<Scalar, size>& dydt) {
@@ -47,6 +48,15 @@ concept Settles = requires(S& system, const Scalar& t, std::array<Scalar, size>&
   system.project(t, y);
 }
 || requires(S& system, std::array<Scalar, size>& y) { system.project(y); };
+
+/// Makes what a motion is to start from a state, where the system says how. What is not finite is refused elsewhere.
+template <class S, class Scalar, std::size_t size>
+[[nodiscard]] Evaluation settle_start([[maybe_unused]] S& system, [[maybe_unused]] std::array<Scalar, size>& y) noexcept {
+  if constexpr (requires { system.settle_start(y); }) {
+    if (all_finite(y)) return to_evaluation(system.settle_start(y));
+  }
+  return Evaluation::ok;
+}
 
 /// A system that counts its calls and takes no derivative for granted: a value that is not finite is a failure even
 /// when the system itself reports none.

@@ -78,6 +78,10 @@ class ConstrainedMotion {
   /// Gives the unit quaternions among the coordinates their norm back.
   void project(Vector& y) const noexcept requires HasQuaternions<M> { normalise_quaternions<M>(y); }
 
+  [[nodiscard]] Evaluation settle_start(Vector& y) const noexcept requires HasQuaternions<M> {
+    return start_with_unit_quaternions<M>(y) ? Evaluation::ok : Evaluation::not_finite;
+  }
+
   /// Puts a state on the constraints, at change points too; what `projected` does after every step.
   [[nodiscard]] Evaluation settle(Scalar t, Vector& y) const noexcept {
     return change_points_.settle(precomputed_, t, y);

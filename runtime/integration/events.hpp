@@ -34,6 +34,11 @@ requires System<S, Scalar, size>
                            std::remove_reference_t<Observer>>;
   EventResult<Scalar, Set::count> result;
   result.time = t0;
+  if (const Evaluation settled = settle_start(system, y); settled != Evaluation::ok) {
+    result.status = EventStatus::integration_failed;
+    result.integration = no_start(t0, settled);
+    return result;
+  }
   Watch watch(system, method, set, on_event, observer, result);
   if constexpr (std::is_invocable_v<Observer&, const Scalar&, const std::array<Scalar, size>&>) {
     if (!notify(observer, t0, y)) result.status = EventStatus::stopped_by_observer;

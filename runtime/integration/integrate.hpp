@@ -32,6 +32,16 @@ template <class S, class Observer, class Step, class Scalar, std::size_t size>
     return std::is_nothrow_invocable_v<Observer&, const Scalar&, const std::array<Scalar, size>&>;
 }
 
+/// The result where there is no motion from a start.
+template <class Scalar>
+[[nodiscard]] constexpr Result<Scalar> no_start(Scalar t0, Evaluation evaluation) noexcept {
+  Result<Scalar> result;
+  result.status = IntegrationStatus::model_failure;
+  result.evaluation = evaluation;
+  result.time = t0;
+  return result;
+}
+
 /// Integrates y' = f(t, y) from t0 to t1, forwards or backwards, and leaves y at t1, which is hit exactly.
 ///
 /// The method is a value that carries its options: `Midpoint{.step = 1e-3}`, `RungeKutta4{.step = 1e-3}`,
@@ -40,7 +50,8 @@ template <class S, class Observer, class Step, class Scalar, std::size_t size>
 /// interpolant (all but Runge-Kutta 4, midpoint and the variational integrator) it may take the step itself instead,
 /// `observer(const auto& step)` (each step, no call at the start): step.start, step.end and step(t), the state at a time
 /// between them. One that returns a bool ends the integration by false.
-/// Nothing is allocated. Errors come back in the result; y is then the last good state, at `result.time`.
+/// Nothing is allocated. Errors come back in the result; y is then the last good state, at `result.time`. Quaternions of the
+/// start are given norm 1 first, and constraints are met by the first step: close an open start before.
 template <class S, class Scalar, std::size_t size, class Method, class Observer = IgnoreSteps>
 requires System<S, Scalar, size>
 [[nodiscard]] Result<Scalar> integrate(
@@ -48,6 +59,7 @@ requires System<S, Scalar, size>
     const Method& method,
     Observer&& observer =
         Observer{}) noexcept(never_throws<S, Observer, StepOf<Method, S, Scalar, size>, Scalar, size>()) {
+  if (const Evaluation settled = settle_start(system, y); settled != Evaluation::ok) return no_start(t0, settled);
   auto run = method.start(system, y, t0);
   if constexpr (std::is_invocable_v<Observer&, const Scalar&, const std::array<Scalar, size>&>) {
     if (!notify(observer, t0, y)) run.stop();
@@ -64,6 +76,7 @@ requires System<S, Scalar, size>
     S&& system, std::array<Scalar, size>& y, std::type_identity_t<Scalar> t0,
     std::type_identity_t<std::span<const Scalar>> times, const Method& method,
     Observer&& observer) noexcept(never_throws<S, Observer, StepOf<Method, S, Scalar, size>, Scalar, size>()) {
+  if (const Evaluation settled = settle_start(system, y); settled != Evaluation::ok) return no_start(t0, settled);
   auto run = method.start(system, y, t0);
   const IgnoreSteps ignore;
   for (const Scalar& t : times) {
