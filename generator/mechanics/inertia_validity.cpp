@@ -9,6 +9,7 @@
 
 #include "torsor/generator/base/error.hpp"
 #include "torsor/generator/mechanics/parameter_value.hpp"
+#include "torsor/generator/mechanics/size_bounds.hpp"
 
 namespace torsor {
 namespace {
@@ -67,12 +68,6 @@ std::array<double, 3> principal_moments(Symmetric j) {
   return moments;
 }
 
-/// "m = -1", or the number alone where the formula says no more.
-std::string with_value(const Expression& formula, double value) {
-  const std::string number = fmt::format("{:.6g}", value);
-  return formula.symbols().empty() ? number : fmt::format("{} = {}", formula.to_string(), number);
-}
-
 bool depends_on_unknown_parameter(const SceneContent& scene, const Expression& formula) {
   return std::any_of(scene.parameters.begin(), scene.parameters.end(), [&](const ParameterContent& parameter) {
     if (!formula.depends_on(parameter.symbol)) return false;
@@ -87,18 +82,8 @@ void check_inertia(const SceneContent& scene, const BodyContent& body) {
   const Inertia& inertia = body.inertia;
   const auto known = [&](const Expression* entry) { return !depends_on_unknown_parameter(scene, *entry); };
   const auto value = [&](const Expression& entry) { return parameter_value(scene, entry).to_double(); };
-  if (scene.is_rotor(body)) {
-    if (!known(&inertia.zz) || !(value(inertia.zz) < 0)) return;
-    throw SceneError(fmt::format("{} is {} and must not be negative: it is N^2 J of a rotor of inertia J behind a gear of "
-                                 "ratio N",
-                                 scene.name_of(body), with_value(body.inertia.zz, value(inertia.zz))));
-  }
-  if (known(&inertia.mass) && value(inertia.mass) < 0) {
-    throw SceneError(
-        fmt::format("body '{}' has the mass {} kg: a mass is never negative; subtract a hole from the "
-                    "body it is cut from, as in Inertia::box(...) - Inertia::cylinder(...)",
-                    body.name, with_value(inertia.mass, value(inertia.mass))));
-  }
+  require_bounds(scene, {bound_of_mass(scene, body)});
+  if (scene.is_rotor(body)) return;
   if (body.moments == Moments::as_read) return;
   const auto all = entries(inertia);
   if (!std::all_of(all.begin() + 4, all.end(), known)) return;

@@ -10,6 +10,7 @@
 #include "torsor/generator/dynamics/equations/start_error.hpp"
 #include "torsor/generator/dynamics/forces/contacts.hpp"
 #include "torsor/generator/mechanics/parameter_value.hpp"
+#include "torsor/generator/mechanics/size_bounds.hpp"
 #include "torsor/generator/program/evaluation.hpp"
 
 namespace torsor {
@@ -24,116 +25,20 @@ std::optional<Real> known(const SceneContent& scene, const Expression& formula) 
   }
 }
 
-/// Sizes whose value the scene knows, of one that names it in messages.
-class SizeCheck {
- public:
-  SizeCheck(const SceneContent& scene, std::string user) : scene_(scene), user_(std::move(user)) {}
-
-  std::optional<Real> known(const Expression& formula) const { return torsor::known(scene_, formula); }
-  void at_least(const Expression& formula, const char* what, const Expression& least, const char* remedy) const {
-    const auto value = known(formula), bound = known(least);
-    if (value && bound && *value < *bound) refuse(what, formula, *value, remedy);
-  }
-  [[noreturn]] void refuse(const char* what, const Expression& formula, const Real& value, const char* remedy) const {
-    throw SceneError(
-        fmt::format("{} has the {} {} = {:.6g}: {}", user_, what, formula.to_string(), value.to_double(), remedy));
-  }
-
- private:
-  const SceneContent& scene_;
-  std::string user_;
-};
-
-/// Sizes of the bodies around whose lowest point a plane is touched.
-void check_lowest_points(const SceneContent& scene) {
-  for (const PointContent& point : scene.points) {
-    if (!point.lowest || point.lowest->support) continue;
-    const SizeCheck check(scene, name_of(point));
-    const char* size = "give the size of what touches the plane";
-    check.at_least(point.lowest->radius, "radius", Expression(0), size);
-    check.at_least(point.lowest->tube, "tube's radius", Expression(0), size);
-  }
-}
-
-class SurfaceCheck : SizeCheck {
- public:
-  SurfaceCheck(const SceneContent& scene, const ContactContent& contact)
-      : SizeCheck(scene, fmt::format("contact '{}'", contact.name)), contact_(contact) {}
-
-  void run() {
-    if (std::holds_alternative<TurnOnContact>(contact_.geometry)) {
-      return at_least(contact_.friction, "length", Expression(0), "a resistance never drives a turn");
-    }
-    at_least(contact_.friction, "friction", Expression(0), "a surface never pushes along the slip");
-    at_least(contact_.static_friction, "static friction", contact_.friction,
-             "it must not be below the friction while sliding");
-    at_least(contact_.restitution, "restitution", Expression(0), "it must lie between 0 and 1");
-    const auto e = known(contact_.restitution);
-    if (e && *e > Real(1)) refuse("restitution", contact_.restitution, *e, "it must lie between 0 and 1");
-    std::visit(*this, contact_.geometry);
-  }
-
-  void operator()(const PointOnPlane&) {}
-  void operator()(const Stop&) {}
-  void operator()(const TurnOnContact&) {}
-  void operator()(const SphereOnSphere& spheres) {
-    for (const Expression& radius : {spheres.radius_a, spheres.radius_b}) {
-      at_least(radius, "radius", Expression(0), "give the sphere's size");
-    }
-    const auto a = known(spheres.radius_a), b = known(spheres.radius_b);
-    if (spheres.hollow && a && b && !(*a < *b)) {
-      refuse("radius", spheres.radius_a, *a, "the sphere must be smaller than the hollow one around it");
-    }
-  }
-  void operator()(const FrictionInJoint& friction) {
-    at_least(friction.radius, "radius", Expression(0), "give the size of the journal");
-  }
-  void operator()(const FrictionAlong& friction) {
-    at_least(friction.bound, "bound", Expression(0), "friction never pushes along the motion");
-    at_least(friction.static_bound, "static bound", friction.bound, "it must not be below the bound while moving");
-  }
-
- private:
-  const ContactContent& contact_;
-};
-
-/// The lower stop of the same coordinate; null: there is none.
-const ContactContent* lower_stop_of(const SceneContent& scene, const Stop& upper) {
+void check_places_of_stops(const SceneContent& scene) {
   for (const ContactContent& contact : scene.contacts) {
     const auto* stop = std::get_if<Stop>(&contact.geometry);
-    if (stop != nullptr && stop->sign > 0 && stop->displacement.as_symbol() == upper.displacement.as_symbol())
-      return &contact;
-  }
-  return nullptr;
-}
-
-void check_stops(const SceneContent& scene) {
-  for (const ContactContent& contact : scene.contacts) {
-    const auto* upper = std::get_if<Stop>(&contact.geometry);
-    if (upper == nullptr || upper->sign > 0) continue;
-    const ContactContent* other = lower_stop_of(scene, *upper);
-    if (other == nullptr) continue;
-    const Expression& lower = std::get<Stop>(other->geometry).at;
-    const auto low = known(scene, lower), high = known(scene, upper->at);
-    if (!low || !high || *low < *high || lower.to_string() == upper->at.to_string()) continue;
-    if (low->is_nan() || high->is_nan()) {
-      const bool first = low->is_nan();
-      throw SceneError(fmt::format("the stop '{}' at {} has a place that is no number", (first ? *other : contact).name,
-                                   (first ? lower : upper->at).to_string()));
-    }
-    throw SceneError(fmt::format("the stop '{}' at {} = {:.6g} is not below '{}' at {} = {:.6g}: give it a smaller "
-                                 "place", other->name,
-                                 lower.to_string(), low->to_double(), contact.name, upper->at.to_string(),
-                                 high->to_double()));
+    const auto place = stop == nullptr ? std::nullopt : known(scene, stop->at);
+    if (!place || !place->is_nan()) continue;
+    throw SceneError(fmt::format("the stop '{}' at {} has a place that is no number", contact.name, stop->at.to_string()));
   }
 }
 
 }  // namespace
 
 void check_surfaces(const SceneContent& scene) {
-  check_lowest_points(scene);
-  for (const ContactContent& contact : scene.contacts) SurfaceCheck(scene, contact).run();
-  check_stops(scene);
+  require_bounds(scene, bounds_of_surfaces(scene));
+  check_places_of_stops(scene);
   if (!scene.contacts.empty() && !scene.frictions.empty()) {
     throw SceneError(fmt::format("friction '{}' assumes that its contact slides, and contact '{}' may open and close: give "
                                  "all frictions of the scene with contacts",

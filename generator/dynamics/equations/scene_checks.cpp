@@ -75,17 +75,6 @@ void check_universal_joints(const SceneContent& scene) {
   }
 }
 
-void check_friction_coefficients(const SceneContent& scene) {
-  for (const ContactFriction& friction : scene.frictions) {
-    const std::optional<Real> value = value_if_known(scene, friction.coefficient);
-    if (!value || !(*value < Real(0))) continue;
-    throw SceneError(
-        fmt::format("friction '{}' has the coefficient {} = {:.6g} and must not have a negative one: its "
-                    "force would push along the slip; turn the direction instead",
-                    friction.name, friction.coefficient.to_string(), value->to_double()));
-  }
-}
-
 void check_shown_forms(const SceneContent& scene) {
   for (const Shown& shown : scene.shown) {
     const std::string frame = name_of_frame(scene, shown.frame, "what is shown");

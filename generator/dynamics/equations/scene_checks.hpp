@@ -11,10 +11,6 @@ namespace torsor {
 /// The two directions of a universal joint are perpendicular.
 void check_universal_joints(const SceneContent& scene);
 
-/// Coefficients and lengths of friction f, h, k are not negative, as far as they are known: formulas of parameters that
-/// have values.
-void check_friction_coefficients(const SceneContent& scene);
-
 /// What is shown is shown on a frame of the scene, and its lengths are above 0, as far as they are known.
 void check_shown_forms(const SceneContent& scene);
 

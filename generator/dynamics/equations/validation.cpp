@@ -22,6 +22,7 @@
 #include "torsor/generator/dynamics/equations/start_error.hpp"
 #include "torsor/generator/mechanics/inertia_validity.hpp"
 #include "torsor/generator/mechanics/parameter_value.hpp"
+#include "torsor/generator/mechanics/size_bounds.hpp"
 #include "torsor/generator/program/evaluation.hpp"
 #include "torsor/generator/program/generic_state.hpp"
 #include "torsor/generator/program/identically_zero.hpp"
@@ -261,7 +262,7 @@ void check_values(const SceneContent& scene) {
   const WorkingDigits precision(generic_digits);
   for (const BodyContent* body : scene.inertias()) check_inertia(scene, *body);
   check_universal_joints(scene);
-  check_friction_coefficients(scene);
+  require_bounds(scene, bounds_of_frictions(scene));
   check_surfaces(scene);
 }
 

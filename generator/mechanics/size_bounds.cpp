@@ -1,0 +1,261 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "torsor/generator/mechanics/size_bounds.hpp"
+
+#include <algorithm>
+#include <array>
+#include <iterator>
+#include <optional>
+#include <variant>
+
+#include <fmt/format.h>
+
+#include "torsor/generator/base/error.hpp"
+#include "torsor/generator/mechanics/parameter_value.hpp"
+#include "torsor/generator/mechanics/triple_algebra.hpp"
+
+namespace torsor {
+namespace {
+
+using Relation = SizeBound::Relation;
+
+/// Nothing where the formula needs parameters without a value; what is more than parameters is refused elsewhere.
+std::optional<Real> known(const SceneContent& scene, const Expression& formula) {
+  try {
+    return parameter_value(scene, formula);
+  } catch (const SceneError&) {
+    return std::nullopt;
+  }
+}
+
+/// "m = {}", or the number alone where the formula says no more.
+std::string with_value(const Expression& formula) {
+  return formula.symbols().empty() ? "{}" : formula.to_string() + " = {}";
+}
+
+/// Bounds of one thing, which messages name.
+class Bounds {
+ public:
+  explicit Bounds(std::string user) : user_(std::move(user)) {}
+
+  void at_least(const Expression& formula, const char* what, const Expression& least, const char* remedy) {
+    add(formula, what, {Relation::at_least, least}, remedy);
+  }
+  struct Bound {
+    Relation relation;
+    Expression bound;
+  };
+  void add(const Expression& formula, const char* what, const Bound& of, const char* remedy) {
+    all_.push_back({formula, of.relation, of.bound,
+                    user_ + " has the " + what + " " + formula.to_string() + " = {}: " + remedy});
+  }
+  std::vector<SizeBound> take() { return std::move(all_); }
+
+ private:
+  std::string user_;
+  std::vector<SizeBound> all_;
+};
+
+void append(std::vector<SizeBound>& all, std::vector<SizeBound> more) {
+  all.insert(all.end(), std::make_move_iterator(more.begin()), std::make_move_iterator(more.end()));
+}
+
+/// Sizes of the bodies around whose lowest point a plane is touched.
+std::vector<SizeBound> bounds_of_lowest_point(const PointContent& point) {
+  if (!point.lowest || point.lowest->support) return {};
+  Bounds bounds(name_of(point));
+  const char* size = "give the size of what touches the plane";
+  bounds.at_least(point.lowest->radius, "radius", Expression(0), size);
+  bounds.at_least(point.lowest->tube, "tube's radius", Expression(0), size);
+  return bounds.take();
+}
+
+class SurfaceBounds : Bounds {
+ public:
+  explicit SurfaceBounds(const ContactContent& contact) : Bounds(fmt::format("contact '{}'", contact.name)), contact_(contact) {}
+
+  std::vector<SizeBound> all() {
+    if (std::holds_alternative<TurnOnContact>(contact_.geometry)) {
+      at_least(contact_.friction, "length", Expression(0), "a resistance never drives a turn");
+      return take();
+    }
+    at_least(contact_.friction, "friction", Expression(0), "a surface never pushes along the slip");
+    at_least(contact_.static_friction, "static friction", contact_.friction,
+             "it must not be below the friction while sliding");
+    at_least(contact_.restitution, "restitution", Expression(0), "it must lie between 0 and 1");
+    add(contact_.restitution, "restitution", {Relation::at_most, Expression(1)}, "it must lie between 0 and 1");
+    std::visit(*this, contact_.geometry);
+    return take();
+  }
+
+  void operator()(const PointOnPlane&) {}
+  void operator()(const Stop&) {}
+  void operator()(const TurnOnContact&) {}
+  void operator()(const SphereOnSphere& spheres) {
+    for (const Expression& radius : {spheres.radius_a, spheres.radius_b}) {
+      at_least(radius, "radius", Expression(0), "give the sphere's size");
+    }
+    if (spheres.hollow) {
+      add(spheres.radius_a, "radius", {Relation::below, spheres.radius_b},
+          "the sphere must be smaller than the hollow one around it");
+    }
+  }
+  void operator()(const FrictionInJoint& friction) {
+    at_least(friction.radius, "radius", Expression(0), "give the size of the journal");
+  }
+  void operator()(const FrictionAlong& friction) {
+    at_least(friction.bound, "bound", Expression(0), "friction never pushes along the motion");
+    at_least(friction.static_bound, "static bound", friction.bound, "it must not be below the bound while moving");
+  }
+
+ private:
+  const ContactContent& contact_;
+};
+
+/// The lower stop of the same coordinate; null: there is none.
+const ContactContent* lower_stop_of(const SceneContent& scene, const Stop& upper) {
+  for (const ContactContent& contact : scene.contacts) {
+    const auto* stop = std::get_if<Stop>(&contact.geometry);
+    if (stop != nullptr && stop->sign > 0 && stop->displacement.as_symbol() == upper.displacement.as_symbol())
+      return &contact;
+  }
+  return nullptr;
+}
+
+std::vector<SizeBound> bounds_of_stops(const SceneContent& scene) {
+  std::vector<SizeBound> bounds;
+  for (const ContactContent& contact : scene.contacts) {
+    const auto* upper = std::get_if<Stop>(&contact.geometry);
+    if (upper == nullptr || upper->sign > 0) continue;
+    const ContactContent* other = lower_stop_of(scene, *upper);
+    if (other == nullptr) continue;
+    const Expression& lower = std::get<Stop>(other->geometry).at;
+    if (lower.to_string() == upper->at.to_string()) continue;
+    bounds.push_back({lower, Relation::below, upper->at,
+                      "the stop '" + other->name + "' at " + lower.to_string() + " = {} is not below '" + contact.name + "' at " +
+                          upper->at.to_string() + " = {}: give it a smaller place"});
+  }
+  return bounds;
+}
+
+/// Leading minors of a symmetric operator (xx, yy, zz, xy, xz, yz).
+std::array<Expression, 3> minors(const std::array<Expression, 6>& J) {
+  const auto& [xx, yy, zz, xy, xz, yz] = J;
+  const auto product = [](const Expression& a, const Expression& b, const Expression& c) {
+    return folded_product(folded_product(a, b), c);
+  };
+  return {xx, folded_product(xx, yy) - folded_product(xy, xy),
+          product(xx, yy, zz) + folded_product(2, product(xy, yz, xz)) - product(xx, yz, yz) - product(yy, xz, xz) -
+              product(zz, xy, xy)};
+}
+
+/// Whether one of these parameters stands in a formula, or in those of parameters in it.
+bool depends_on(const SceneContent& scene, const Expression& formula, const std::vector<SymbolPointer>& given) {
+  const std::vector<SymbolPointer> symbols = formula.symbols();
+  return std::any_of(symbols.begin(), symbols.end(), [&](const SymbolPointer& symbol) {
+    if (std::find(given.begin(), given.end(), symbol) != given.end()) return true;
+    return std::any_of(scene.parameters.begin(), scene.parameters.end(), [&](const ParameterContent& parameter) {
+      return parameter.symbol == symbol && parameter.value && depends_on(scene, *parameter.value, given);
+    });
+  });
+}
+
+/// Whether it is one of parameters and numbers: a stop may move in time.
+bool of_parameters(const Expression& formula) {
+  const std::vector<SymbolPointer> symbols = formula.symbols();
+  return std::all_of(symbols.begin(), symbols.end(), [](const SymbolPointer& symbol) {
+    return symbol->kind == SymbolKind::parameter || symbol->kind == SymbolKind::pi;
+  });
+}
+
+}  // namespace
+
+bool SizeBound::broken(const Real& of_value, const Real& of_bound) const {
+  switch (relation) {
+    case Relation::at_least: return of_value < of_bound;
+    case Relation::at_most: return of_value > of_bound;
+    case Relation::below: return of_value > of_bound || of_value == of_bound;
+  }
+  return false;
+}
+
+SizeBound bound_of_mass(const SceneContent& scene, const BodyContent& body) {
+  const std::string name = scene.name_of(body);
+  if (scene.is_rotor(body)) {
+    return {body.inertia.zz, Relation::at_least, Expression(0),
+            name + " is " + with_value(body.inertia.zz) +
+                " and must not be negative: it is N^2 J of a rotor of inertia J behind a gear of ratio N"};
+  }
+  return {body.inertia.mass, Relation::at_least, Expression(0),
+          name + " has the mass " + with_value(body.inertia.mass) +
+              " kg: a mass is never negative; subtract a hole from the body it is cut from, as in Inertia::box(...) - "
+              "Inertia::cylinder(...)"};
+}
+
+std::vector<SizeBound> bounds_of_moments(const SceneContent& scene, const BodyContent& body) {
+  if (scene.is_rotor(body) || body.moments == Moments::as_read) return {};
+  const Inertia& of = body.inertia;
+  // In plane motion only one moment matters, and the others are often left out: zeros as written are not values.
+  const bool complete = !of.xx.is_zero() && !of.yy.is_zero() && !of.zz.is_zero();
+  const Expression sum = of.xx + of.yy + of.zz, slack = sum / 100000;
+  std::array<Expression, 6> J{of.xx + slack, of.yy + slack, of.zz + slack, of.xy, of.xz, of.yz};
+  if (complete && body.moments != Moments::as_given) {  // those of x xT dm: 1 sum/2 - J
+    J = {sum / 2 - of.xx + slack, sum / 2 - of.yy + slack, sum / 2 - of.zz + slack, -of.xy, -of.xz, -of.yz};
+  }
+  std::vector<SizeBound> bounds;
+  for (const Expression& minor : minors(J)) {
+    bounds.push_back({minor, Relation::at_least, Expression(0),
+                      scene.name_of(body) + " has moments of inertia about its centre of mass that are those of no matter: of "
+                                            "the principal ones one is larger than the sum of the others, or negative"});
+  }
+  return bounds;
+}
+
+std::vector<SizeBound> bounds_of_frictions(const SceneContent& scene) {
+  std::vector<SizeBound> bounds;
+  for (const ContactFriction& friction : scene.frictions) {
+    bounds.push_back({friction.coefficient, Relation::at_least, Expression(0),
+                      "friction '" + friction.name + "' has the coefficient " + friction.coefficient.to_string() +
+                          " = {} and must not have a negative one: its force would push along the slip; turn the "
+                          "direction instead"});
+  }
+  return bounds;
+}
+
+std::vector<SizeBound> bounds_of_surfaces(const SceneContent& scene) {
+  std::vector<SizeBound> bounds;
+  for (const PointContent& point : scene.points) append(bounds, bounds_of_lowest_point(point));
+  for (const ContactContent& contact : scene.contacts) append(bounds, SurfaceBounds(contact).all());
+  append(bounds, bounds_of_stops(scene));
+  return bounds;
+}
+
+void require_bounds(const SceneContent& scene, const std::vector<SizeBound>& bounds) {
+  for (const SizeBound& each : bounds) {
+    const std::optional<Real> value = known(scene, each.value), bound = value ? known(scene, each.bound) : std::nullopt;
+    if (!value || !bound || !each.broken(*value, *bound)) continue;
+    std::string said = each.said;
+    for (const Real& number : {*value, *bound}) {
+      if (const std::size_t place = said.find("{}"); place != std::string::npos) {
+        said.replace(place, 2, fmt::format("{:.6g}", number.to_double()));
+      }
+    }
+    throw SceneError(said);
+  }
+}
+
+std::vector<SizeBound> bounds_that_depend_on(const SceneContent& scene, const std::vector<SymbolPointer>& parameters) {
+  std::vector<SizeBound> bounds;
+  for (const BodyContent* body : scene.inertias()) {
+    bounds.push_back(bound_of_mass(scene, *body));
+    append(bounds, bounds_of_moments(scene, *body));
+  }
+  append(bounds, bounds_of_frictions(scene));
+  append(bounds, bounds_of_surfaces(scene));
+  std::erase_if(bounds, [&](const SizeBound& each) {
+    const bool depends = depends_on(scene, each.value, parameters) || depends_on(scene, each.bound, parameters);
+    return !depends || !of_parameters(each.value) || !of_parameters(each.bound);
+  });
+  return bounds;
+}
+
+}  // namespace torsor

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "torsor/generator/base/high_precision.hpp"
+#include "torsor/generator/mechanics/scene_content.hpp"
+
+namespace torsor {
+
+/// What a size of a scene, a formula of parameters, must be.
+struct SizeBound {
+  enum class Relation { at_least, at_most, below };
+
+  Expression value;
+  Relation relation = Relation::at_least;
+  Expression bound;
+  std::string said;  ///< where it is not so; each {} stands for a number: the value, then the bound
+
+  /// Whether numbers break it; one that is not a number breaks nothing.
+  bool broken(const Real& value, const Real& bound) const;
+};
+
+/// That of a body's mass, or of a reflected inertia.
+SizeBound bound_of_mass(const SceneContent& scene, const BodyContent& body);
+/// Of a body's moments of inertia about its centre of mass what `check_inertia` asks of them, as formulas: leading minors of
+/// their operator, or of that of the second moments, are not negative. Errors of 10⁻⁵ of their sum are allowed.
+std::vector<SizeBound> bounds_of_moments(const SceneContent& scene, const BodyContent& body);
+/// Of coefficients and lengths of friction.
+std::vector<SizeBound> bounds_of_frictions(const SceneContent& scene);
+/// Of surfaces that touch: coefficients, radii, places of stops.
+std::vector<SizeBound> bounds_of_surfaces(const SceneContent& scene);
+
+/// Throws SceneError for the first bound that is broken at the values that parameters have. Nothing is said where one that it
+/// needs has none.
+void require_bounds(const SceneContent& scene, const std::vector<SizeBound>& bounds);
+
+/// All of a scene on which one of these parameters bears: who sets them later has to look.
+std::vector<SizeBound> bounds_that_depend_on(const SceneContent& scene, const std::vector<SymbolPointer>& parameters);
+
+}  // namespace torsor

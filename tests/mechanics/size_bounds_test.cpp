@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What sizes must be, as those look at it who set parameters later: libraries and units.
+#include "torsor/generator/mechanics/size_bounds.hpp"
+
+#include <gtest/gtest.h>
+
+#include <map>
+
+#include "torsor/generator/base/error.hpp"
+#include "torsor/generator/kernels/kernel_sizes.hpp"
+#include "torsor/generator/mechanics/parameter_value.hpp"
+#include "torsor/generator/mechanics/scene.hpp"
+#include "tests/scenes/bodies.hpp"
+
+namespace torsor::size_bounds_test {
+namespace {
+
+using namespace testing_mechanisms;
+
+/// A block with a mass, moments, stops and friction that parameters give, and as many without.
+struct Block {
+  Scene scene{"block"};
+  std::map<std::string, Expression> p;
+  Block() {
+    const auto add = [this](const std::string& name, const char* unit, const Expression& value) {
+      p[name] = scene.parameter(name, unit, value);
+    };
+    add("m", "kg", 2), add("A", "kg m^2", 1), add("B", "kg m^2", 2), add("C", "kg m^2", 2), add("D", "kg m^2", 0);
+    add("low", "m", -1), add("high", "m", 1), add("f", "1", Expression(1) / 2), add("e", "1", 0), add("r", "m", 1);
+    add("a", "kg m^2", 1);
+    p["n"] = scene.parameter("n", "kg", 2 * p["m"]);
+    const Expression x = scene.coordinate("x", "m"), z = scene.coordinate("z", "m"), q = scene.coordinate("q", "rad");
+    const FrameHandle rail = scene.prismatic("rail", scene.ground(), axis::x, x);
+    const FrameHandle block = scene.revolute("block", scene.prismatic("lift", rail, axis::z, z), axis::y, q);
+    scene.body("block", block,
+               Inertia::general({.mass = p["n"], .xx = p["A"], .yy = p["B"], .zz = p["C"], .xy = p["D"]}));
+    scene.body("weight", block, Inertia::point(kilograms("1")));
+    scene.reflected_inertia("rotor \"q\"", q, p["a"]);
+    scene.stop(x, p["low"], p["high"], {.restitution = p["e"]});
+    scene.contact("table", shape::Sphere{.frame = block, .radius = p["r"]}, shape::Plane{.frame = scene.ground()},
+                  {.friction = p["f"]});
+  }
+
+  /// What is said of the first bound that is broken, with numbers at their places.
+  std::string said(const std::map<std::string, Expression>& values) {
+    Scene other = scene;
+    for (const auto& [name, value] : values) other.set_parameter(p.at(name), value);
+    std::vector<SymbolPointer> all;
+    for (const ParameterContent& each : other.content().parameters) all.push_back(each.symbol);
+    try {
+      require_bounds(other.content(), bounds_that_depend_on(other.content(), all));
+    } catch (const SceneError& error) {
+      return error.what();
+    }
+    return {};
+  }
+};
+
+TEST(SizeBounds, NameTheSizeAndItsValue) {
+  Block block;
+  EXPECT_EQ(block.said({}), "");
+  EXPECT_EQ(block.said({{"m", -1}}).substr(0, 64), "body 'block' has the mass n = -2 kg: a mass is never negative; s");
+  EXPECT_EQ(block.said({{"a", -1}}).substr(0, 66), "reflected inertia 'rotor \"q\"' is a = -1 and must not be negative: ");
+  EXPECT_EQ(block.said({{"low", 2}}),
+            "the stop 'x_lower' at low = 2 is not below 'x_upper' at high = 1: give it a smaller place");
+  EXPECT_EQ(block.said({{"low", 1}}).substr(0, 28), "the stop 'x_lower' at low = ");
+  EXPECT_EQ(block.said({{"f", -1}}), "contact 'table' has the friction f = -1: a surface never pushes along the slip");
+  EXPECT_EQ(block.said({{"e", 2}}), "contact 'x_lower' has the restitution e = 2: it must lie between 0 and 1");
+  EXPECT_EQ(block.said({{"e", -1}}), "contact 'x_lower' has the restitution e = -1: it must lie between 0 and 1");
+  EXPECT_NE(block.said({{"r", -1}}).find("radius r = -1: give the size of what touches the plane"), std::string::npos);
+}
+
+// A + B >= C of principal moments: with a product D these are C and those of [A D; D B].
+TEST(SizeBounds, AskOfMomentsWhatMatterHas) {
+  Block block;
+  const std::string no_matter = "body 'block' has moments of inertia about its centre of mass that are those of no matter";
+  const auto refused = [&](const std::map<std::string, Expression>& values) { return block.said(values).starts_with(no_matter); };
+  EXPECT_FALSE(refused({{"A", 1}, {"B", 2}, {"C", 3}}));  // a plate
+  EXPECT_TRUE(refused({{"A", 1}, {"B", 2}, {"C", Expression(31) / 10}}));
+  EXPECT_TRUE(refused({{"A", Expression(31) / 10}, {"B", 1}, {"C", 2}}));
+  EXPECT_TRUE(refused({{"A", 1}, {"B", Expression(31) / 10}, {"C", 2}}));
+  EXPECT_TRUE(refused({{"A", -1}, {"B", 1}, {"C", 1}}));
+  EXPECT_FALSE(refused({{"A", 0}, {"B", 0}, {"C", 0}}));
+  EXPECT_FALSE(refused({{"D", Expression(86) / 100}}));
+  EXPECT_TRUE(refused({{"D", Expression(87) / 100}}));  // principal moments 0.497, 2 and 2.503
+}
+
+TEST(SizeBounds, AreThoseOfTheParametersThatAreAskedFor) {
+  Block block;
+  const auto count = [&](const std::string& name) {
+    return bounds_that_depend_on(block.scene.content(), {block.p.at(name).as_symbol()}).size();
+  };
+  EXPECT_EQ(count("m"), 1u);  // through n
+  EXPECT_EQ(count("low"), 1u);
+  EXPECT_EQ(count("f"), 2u);  // the static one is the same
+  EXPECT_EQ(count("e"), 4u);  // of two stops
+  EXPECT_EQ(count("A"), 3u);
+}
+
+TEST(SizeBounds, AreATableOfTexts) {
+  Block block;
+  EXPECT_EQ(size_table(bounds_that_depend_on(block.scene.content(), {block.p.at("a").as_symbol()})),
+            "\n    {0, \"reflected inertia 'rotor \\\"q\\\"' is a = {} and must not be negative: it is N^2 J of a rotor of "
+            "inertia J behind a gear of ratio N\"}");
+}
+
+}  // namespace
+}  // namespace torsor::size_bounds_test
