@@ -67,7 +67,8 @@ enum {
   torsor_call_without_argument = -2, /* q, v or what else the kernel reads has no data */
   torsor_call_without_memory = -3,
   torsor_call_bad_order = -4,
-  torsor_call_without_kernels = -5 /* the library lacks kernels that a motion needs */
+  torsor_call_without_kernels = -5, /* the library lacks kernels that a motion needs */
+  torsor_call_impossible_parameters = -6 /* torsor_abi.impossible says what of the model's parameters is */
 };
 
 /* One call of a kernel for one state or many. */
@@ -245,6 +246,10 @@ typedef struct torsor_abi {
   int32_t contact_count, contact_row_count;
   const torsor_abi_contact* contacts;
   int64_t (*integrate_contacts)(const torsor_contact_motion* motion); /* NULL without contacts */
+
+  /* What no mechanism is made of, of a model's parameters: a mass below zero, a friction that pushes, stops exchanged. Names
+   * it and the number; NULL where there is nothing. Calls with such a model are refused. The text lives as long as the model. */
+  const char* (*impossible)(const torsor_model* model);
 } torsor_abi;
 
 #ifndef TORSOR_ABI_EXPORT

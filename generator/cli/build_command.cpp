@@ -38,7 +38,7 @@ std::vector<OutputFile> sources_in(const std::string& folder, const MechanismLis
 }
 
 CommandResult build(const Scene& scene, const BuildRequest& request, const std::string& output) {
-  const MechanismListing mechanism = lower_mechanism(scene, request.names(), request.model(scene));
+  const MechanismListing mechanism = lower_library(scene, request.names(), request.model(scene));
   if (!request.sources.empty()) {
     if (output != "-")
       throw UsageError("--sources writes what a library is compiled from, and compiles nothing: leave --output out");

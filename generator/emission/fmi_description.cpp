@@ -200,7 +200,7 @@ std::string fmi_token(const FmiUnit& unit) {
                                                                   "fmi/fmi3_types.h.in", "fmi/fmi3_absent.h.in"}) {
     interface.add(embedded_template(file));
   }
-  for (const char* file : {"fmi/model.h.in", "fmi/derivatives.h.in", "fmi/motion.h.in", "fmi/contacts.cpp.in"}) {
+  for (const char* file : {"fmi/model.h.in", "fmi/sizes.h.in", "fmi/derivatives.h.in", "fmi/motion.h.in", "fmi/contacts.cpp.in"}) {
     interface.add(embedded_template(file));
   }
   for (const FmiVariable& variable : fmi_variables(unit)) interface.add(variable.name).add("\n");

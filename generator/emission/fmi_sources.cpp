@@ -14,6 +14,7 @@
 #include "torsor/generator/emission/fmi_variables.hpp"
 #include "torsor/generator/emission/header.hpp"
 #include "torsor/generator/emission/text_template.hpp"
+#include "torsor/generator/kernels/kernel_sizes.hpp"
 
 namespace torsor {
 namespace {
@@ -34,22 +35,32 @@ std::string holonomic_rows(const MechanismListing& mechanism) {
   return text;
 }
 
+/// `"foot", "stop_lower"`.
+std::string names_of_contacts(const Scene& scene) {
+  std::string names;
+  for (const ContactContent& contact : scene.content().contacts) {
+    names += fmt::format("{}\"{}\"", names.empty() ? "" : ", ", contact.name);
+  }
+  return names;
+}
+
 }  // namespace
 
 std::vector<SourceFile> fmi_contact_sources(const FmiUnit& unit) {
   // Told in the text, for version 2.0 has no place for definitions that a compiler is to be given.
   const std::string room = fmt::format("#ifndef TORSOR_MOST_CONTACTS\n#define TORSOR_MOST_CONTACTS {}\n#endif\n",
                                        unit.room_for_contacts());
-  const auto filled = [&](const std::string& file, const std::string& placeholder, const std::string& text) {
-    return fill_template(file, embedded_template(file),
-                         {{"name", unit.name()}, {"version", TORSOR_VERSION}, {"room", room}, {placeholder, text}});
+  const auto filled = [&](const std::string& file, std::map<std::string, std::string> texts) {
+    texts.insert({{"name", unit.name()}, {"version", TORSOR_VERSION}, {"room", room}});
+    return fill_template(file, embedded_template(file), texts);
   };
   std::vector<SourceFile> files = contact_layer_sources();
   SourceFile& layer = files.front();
-  layer.text = filled("fmi/contact_layer.cpp.in", "layer", layer.text);
+  layer.text = filled("fmi/contact_layer.cpp.in", {{"layer", layer.text}});
   std::erase_if(files, [](const SourceFile& file) { return file.path.starts_with("torsor/runtime/abi"); });
   const std::string has_inputs = unit.mechanism.layout.inputs.empty() ? "0" : "1";
-  files.insert(files.begin(), {contact_source_name(unit), filled("fmi/contacts.cpp.in", "has_inputs", has_inputs)});
+  const std::string moving = filled("fmi/contacts.cpp.in", {{"has_inputs", has_inputs}, {"contacts", names_of_contacts(unit.scene())}});
+  files.insert(files.begin(), {contact_source_name(unit), moving});
   files.push_back({unit.name() + ".hpp", emit_header(unit.mechanism)});
   return files;
 }
@@ -72,7 +83,9 @@ std::vector<SourceFile> fmi_sources(const FmiUnit& unit) {
                      {"indicators", std::to_string(fmi_indicators(mechanism).size())},
                      {"places", std::to_string(unit.place_count())},
                      {"reactions", std::to_string(unit.outputs.reactions.size())},
-                     {"holonomic", holonomic_rows(mechanism)}};
+                     {"holonomic", holonomic_rows(mechanism)},
+                     {"size_count", std::to_string(unit.sizes.size())},
+                     {"sizes", size_table(unit.sizes)}};
   const auto filled = [&all](const std::string& file, const std::vector<std::string>& placeholders) {
     Texts texts = {{"name", all.at("name")}, {"version", all.at("version")}};
     for (const std::string& each : placeholders) texts.emplace(each, all.at(each));
@@ -82,6 +95,7 @@ std::vector<SourceFile> fmi_sources(const FmiUnit& unit) {
   std::vector<SourceFile> sources = {
       {source_name(unit), two ? filled("fmi/fmi2.c.in", {}) : filled("fmi/fmi3.c.in", {})},
       {"fmi_model.h", filled("fmi/model.h.in", {"token", "has_rates", "indicators", "places", "reactions"})},
+      {"fmi_sizes.h", filled("fmi/sizes.h.in", {"size_count", "sizes"})},
       {"fmi_derivatives.h", filled("fmi/derivatives.h.in", {"has_rates", "has_inputs", "has_parameters",
                                                             "has_multipliers", "has_contacts", "places", "reactions"})},
       {"fmi_motion.h", filled("fmi/motion.h.in", {"has_multipliers", "has_contacts", "holonomic"})},

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "torsor/generator/base/error.hpp"
+#include "torsor/generator/kernels/kernel_sizes.hpp"
 
 namespace torsor {
 namespace {
@@ -54,7 +55,12 @@ FmiUnit lower_unit(const Scene& scene, FmiVersion version, const OutputNames& ou
   FmiUnit unit;
   unit.version = version;
   unit.outputs = outputs;
-  unit.mechanism = lower_mechanism(scene, kernels_of_unit(scene, options), options, output_kernels(outputs));
+  unit.sizes = bounds_that_depend_on(scene.content(), run_time_parameters(scene, options));
+  std::vector<FurtherKernel> further = output_kernels(outputs);
+  if (!unit.sizes.empty()) {
+    further.push_back({"run_time_sizes", [&unit](const Equations& equations) { return make_sizes(equations, unit.sizes); }});
+  }
+  unit.mechanism = lower_mechanism(scene, kernels_of_unit(scene, options), options, further);
   require_motion(unit.mechanism);
   return unit;
 }

@@ -2,9 +2,11 @@
 #pragma once
 
 #include <cstddef>
+#include <vector>
 
 #include "torsor/generator/emission/mechanism_listing.hpp"
 #include "torsor/generator/kernels/kernel_outputs.hpp"
+#include "torsor/generator/mechanics/size_bounds.hpp"
 
 namespace torsor {
 
@@ -15,6 +17,7 @@ struct FmiUnit {
   FmiVersion version = FmiVersion::two;
   OutputNames outputs;
   MechanismListing mechanism;
+  std::vector<SizeBound> sizes{};  ///< those that run-time parameters bear on: the unit refuses what they cannot be
 
   const Scene& scene() const { return mechanism.scene(); }
   const std::string& name() const { return scene().name(); }

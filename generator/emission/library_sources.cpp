@@ -10,6 +10,7 @@
 #include "torsor/generator/emission/embedded_templates.hpp"
 #include "torsor/generator/emission/header.hpp"
 #include "torsor/generator/emission/text_template.hpp"
+#include "torsor/generator/kernels/kernel_sizes.hpp"
 #include "torsor/generator/program/written_unit.hpp"
 
 namespace torsor {
@@ -40,7 +41,28 @@ std::string contact_table(const MechanismListing& mechanism) {
   return "{" + entries + "}";
 }
 
+std::vector<SizeBound> bounds_of(const Scene& scene, const ModelOptions& options) {
+  return bounds_that_depend_on(scene.content(), run_time_parameters(scene, options));
+}
+
+/// The sizes that run-time parameters bear on, as the library compares them.
+std::string size_structure(const MechanismListing& mechanism) {
+  const std::vector<SizeBound> bounds = bounds_of(mechanism.scene(), mechanism.options);
+  if (bounds.empty()) return "using Sizes = torsor::runtime::abi::NoSizes;\n";
+  constexpr const char* type = "torsor::runtime::abi::SizeCheck";
+  return fmt::format("struct Sizes {{\n  static constexpr std::array<{}, {}> sizes{{{{{}}}}};\n}};\n", type, bounds.size(),
+                     size_table(bounds));
+}
+
 }  // namespace
+
+MechanismListing lower_library(const Scene& scene, const std::vector<std::string>& kernels, const ModelOptions& options) {
+  std::vector<FurtherKernel> further;
+  if (std::vector<SizeBound> bounds = bounds_of(scene, options); !bounds.empty()) {
+    further.push_back({"run_time_sizes", [bounds](const Equations& equations) { return make_sizes(equations, bounds); }});
+  }
+  return lower_mechanism(scene, kernels, options, further);
+}
 
 std::string contact_layer_includes() {
   std::string text =
@@ -81,7 +103,8 @@ std::vector<SourceFile> library_sources(const MechanismListing& mechanism) {
                                                              {"definitions", definitions},
                                                              {"sources", sources},
                                                              {"contact_count", std::to_string(contacts)},
-                                                             {"contacts", contact_table(mechanism)}})});
+                                                             {"contacts", contact_table(mechanism)},
+                                                             {"sizes", size_structure(mechanism)}})});
   return files;
 }
 

@@ -19,6 +19,9 @@ std::vector<SourceFile> contact_layer_sources();
 /// Lines that make it a part of a file, unless TORSOR_CONTACT_LAYER_APART is defined: then it is linked.
 std::string contact_layer_includes();
 
+/// The kernels of a library, and last `run_time_sizes` where run-time parameters bear on sizes that cannot have any value.
+MechanismListing lower_library(const Scene& scene, const std::vector<std::string>& kernels, const ModelOptions& options);
+
 /// What a shared library of a mechanism with the interface of runtime/abi.h is compiled from, in C++20: `library.cpp`,
 /// which comes first, the generated header, and headers of the runtime, all found from one folder.
 std::vector<SourceFile> library_sources(const MechanismListing& mechanism);

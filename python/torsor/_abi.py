@@ -87,7 +87,8 @@ class Table(Structure):
                 ("create", CFUNCTYPE(c_void_p, POINTER(c_double))), ("destroy", CFUNCTYPE(None, c_void_p)),
                 ("initial_state", CFUNCTYPE(None, c_void_p, POINTER(c_double), POINTER(c_double), POINTER(c_double))),
                 ("integrate", CFUNCTYPE(c_int64, c_void_p)), ("contact_count", c_int32), ("contact_row_count", c_int32),
-                ("contacts", POINTER(ContactEntry)), ("integrate_contacts", CFUNCTYPE(c_int64, c_void_p))]
+                ("contacts", POINTER(ContactEntry)), ("integrate_contacts", CFUNCTYPE(c_int64, c_void_p)),
+                ("impossible", CFUNCTYPE(c_char_p, c_void_p))]
 
 
 def open_library(path: str) -> tuple[CDLL, Table]:

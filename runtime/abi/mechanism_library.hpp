@@ -12,6 +12,7 @@
 #include "torsor/runtime/abi/kernel_call.hpp"
 #include "torsor/runtime/abi/motion_call.hpp"
 #include "torsor/runtime/abi/operands.hpp"
+#include "torsor/runtime/abi/size_check.hpp"
 #include "torsor/runtime/batch/simd.hpp"
 #ifdef TORSOR_ABI_WITH_CONTACTS
 #include "torsor/runtime/abi/contact_call.hpp"
@@ -24,8 +25,9 @@ struct NoContacts {
 };
 
 /// The table of runtime/abi.h for one generated mechanism, and for the contacts of its scene. Whoever compiles a
-/// mechanism with contacts defines TORSOR_ABI_WITH_CONTACTS.
-template <template <class> class Mechanism, class Contacts = NoContacts>
+/// mechanism with contacts defines TORSOR_ABI_WITH_CONTACTS. With Sizes the last kernel is `run_time_sizes`, which the table
+/// does not show: parameters are compared by it.
+template <template <class> class Mechanism, class Contacts = NoContacts, class Sizes = NoSizes>
 class MechanismLibrary {
   using Single = Mechanism<double>;
   using Packed = Mechanism<NativeSimd<double>>;
@@ -39,15 +41,18 @@ class MechanismLibrary {
   static constexpr bool moves_contacts = false;
   static_assert(!touches, "a mechanism with contacts is compiled with TORSOR_ABI_WITH_CONTACTS");
 #endif
-  static constexpr std::size_t described = Description::kernels.size();
+  static constexpr bool compares = !Sizes::sizes.empty();
+  static constexpr std::size_t described = Description::kernels.size() - (compares ? 1 : 0);
   static constexpr std::size_t kernel_count = described + (moves ? 1 : 0);
-  static constexpr std::size_t result_count = Description::results.size() + (moves ? 1 : 0);
+  static constexpr std::size_t described_results = Description::results.size() - (compares ? 1 : 0);
+  static constexpr std::size_t result_count = described_results + (moves ? 1 : 0);
   static constexpr std::size_t parameter_count = static_cast<std::size_t>(Single::parameter_count);
 
   struct Model {
     typename Single::Parameters parameters;
     typename Single::Precomputed single;
     typename Packed::Precomputed packed;
+    std::array<char, 512> impossible;  ///< what is, of these parameters; empty: nothing
   };
 
  public:
@@ -99,6 +104,7 @@ class MechanismLibrary {
     for (const torsor_abi_contact& each : Contacts::contacts) abi_.contact_row_count += each.normal + each.tangents;
     abi_.contacts = Contacts::contacts.data();
     if (touches) abi_.integrate_contacts = integrate_contacts;
+    abi_.impossible = impossible;
   }
 
   static constexpr std::int32_t method_count() noexcept {
@@ -117,6 +123,7 @@ class MechanismLibrary {
   void describe_kernels() noexcept {
     std::size_t next = 0;
     for (const auto& result : Description::results) {
+      if (next == described_results) break;
       results_[next++] = {result.member[0] == '\0' ? result.result : result.member, result.rows, result.columns,
                           result.dimensions, result.unit};
     }
@@ -130,9 +137,13 @@ class MechanismLibrary {
       first += static_cast<std::size_t>(kernel.result_count);
     }
     std::size_t k = 0;
-    Single::for_each_kernel([&](const auto&, auto* function) { calls()[k++].single = any_kernel<Single>(function); });
+    Single::for_each_kernel([&](const auto&, auto* function) {
+      if (k < described) calls()[k++].single = any_kernel<Single>(function);
+    });
     k = 0;
-    Packed::for_each_kernel([&](const auto&, auto* function) { calls()[k++].packed = any_kernel<Packed>(function); });
+    Packed::for_each_kernel([&](const auto&, auto* function) {
+      if (k < described) calls()[k++].packed = any_kernel<Packed>(function);
+    });
     if constexpr (moves) {
       results_[first] = {"derivative", Single::coordinate_count + Single::velocity_count, 1, 1, ""};
       add_kernel(described, "state_derivative",
@@ -174,6 +185,7 @@ class MechanismLibrary {
   static std::int64_t evaluate(torsor_call* call) {
     if (call->model == nullptr) return torsor_call_without_model;
     const Model& model = *reinterpret_cast<const Model*>(call->model);
+    if (model.impossible[0] != '\0') return torsor_call_impossible_parameters;
     return calls()[k](model.single, model.packed, *call);
   }
 
@@ -192,7 +204,7 @@ class MechanismLibrary {
     if (moves) all.back() = writer<Single::coordinate_count + Single::velocity_count, 1>();
     return all;
   }
-  (std::make_index_sequence<Description::results.size()>{});
+  (std::make_index_sequence<described_results>{});
 
   using Calls = std::array<KernelCall<Single, Packed>, kernel_count>;
   static Calls& calls() noexcept {
@@ -218,7 +230,22 @@ class MechanismLibrary {
       }
     }
     model->packed = Packed::precompute(packs);
+    if constexpr (compares) compare(*model);
     return reinterpret_cast<torsor_model*>(model);
+  }
+
+  static void compare(Model& model) noexcept {
+    std::array<double, 2 * Sizes::sizes.size()> numbers;
+    Single::run_time_sizes(model.single, typename Single::State{}, numbers);
+    for (std::size_t k = 0; k < Sizes::sizes.size(); ++k) {
+      if (!Sizes::sizes[k].broken(numbers[2 * k], numbers[2 * k + 1])) continue;
+      return Sizes::sizes[k].say(model.impossible, numbers[2 * k], numbers[2 * k + 1]);
+    }
+  }
+
+  static const char* impossible(const torsor_model* model) {
+    const char* const said = reinterpret_cast<const Model*>(model)->impossible.data();
+    return said[0] == '\0' ? nullptr : said;
   }
 
   static void destroy(torsor_model* model) { delete reinterpret_cast<Model*>(model); }
@@ -237,6 +264,7 @@ class MechanismLibrary {
       return integrate_contacts(&with_contacts);
     } else if constexpr (moves) {
       if (motion->model == nullptr) return torsor_call_without_model;
+      if (impossible(motion->model) != nullptr) return torsor_call_impossible_parameters;
       return MotionCall<Single>(reinterpret_cast<const Model*>(motion->model)->parameters, *motion)();
     } else {
       return motion->model == nullptr ? torsor_call_without_model : torsor_call_without_kernels;
@@ -245,6 +273,7 @@ class MechanismLibrary {
 
   static std::int64_t integrate_contacts(const torsor_contact_motion* motion) {
     if (motion->motion.model == nullptr) return torsor_call_without_model;
+    if (impossible(motion->motion.model) != nullptr) return torsor_call_impossible_parameters;
 #ifdef TORSOR_ABI_WITH_CONTACTS
     if constexpr (moves_contacts) {
       return ContactCall<Single>(reinterpret_cast<const Model*>(motion->motion.model)->parameters, *motion)();

@@ -201,7 +201,10 @@ static void check_refusals(const torsor_abi* m, const torsor_model* model) {
   double surface[2] = {-1.0, 0.0}; /* f, e */
   torsor_model* const impossible = m->create(surface);
   prepare(&c, m, impossible);
-  expect(m->integrate_contacts(&c.of) == 2 && c.statuses[0] == torsor_motion_impossible_surface, "no surface has f < 0");
+  expect(m->integrate_contacts(&c.of) == torsor_call_impossible_parameters, "no surface has f < 0");
+  expect(strcmp(m->impossible(impossible), "contact 'cloth' has the friction f = -1: a surface never pushes along the slip") == 0,
+         "and that is said of it");
+  expect(m->impossible(model) == NULL, "of others nothing is");
   m->destroy(impossible);
 }
 

@@ -77,7 +77,7 @@ TEST(FmiUnit, HasTheKernelsThatItsOutputsNeedAndNoOthers) {
                    "energy_derivatives", "output_place_derivatives", "output_reaction_derivatives"}));
   EXPECT_EQ(kernels(lower_unit(block_on_rail(false), FmiVersion::two, {}, {.all_run_time = true})),
             (Names{"forward_dynamics", "energy", "forward_dynamics_derivatives", "forward_dynamics_sensitivities",
-                   "energy_derivatives"}));
+                   "energy_derivatives", "run_time_sizes"}));  // the mass is not below zero
   EXPECT_EQ(kernels(lower_unit(block_on_rail(true), FmiVersion::two, {{}, {"block"}, {}})),
             (Names{"forward_dynamics", "energy", "mass_matrix", "bias", "contacts", "contact_coefficients",
                    "output_places", "energy_derivatives", "output_place_derivatives"}));

@@ -10,7 +10,7 @@ import pytest
 import torsor
 
 from conftest import scene
-from fmi_importer import CO_SIMULATION, ERROR, MODEL_EXCHANGE, OK, Unit2, Unit3
+from fmi_importer import CO_SIMULATION, DISCARD, ERROR, MODEL_EXCHANGE, OK, Unit2, Unit3
 
 KERNELS = ("--kernels", "mass_matrix,forward_dynamics,energy,constraints,linearisation")
 
@@ -167,3 +167,42 @@ def test_units_refuse_a_start_that_no_constraint_can_be_met_from(unit, kind):
         assert answer == ERROR
     assert [text.split(b": ")[1] for _, text in unit.messages] == [b"no state near this one meets the constraints"]
     unit.FreeInstance(component)
+
+
+@pytest.mark.parametrize("kind", [CO_SIMULATION, MODEL_EXCHANGE])
+def test_units_refuse_a_mass_that_no_body_has(unit, kind):
+    """Where a motion begins and where it goes on, not where one parameter is set: others may follow."""
+    said = b"body 'bead' has the mass m = -2 kg: a mass is never negative"
+    component = unit.instantiate(kind)
+    assert unit.set(component, ["parameter.m"], [-2.0]) == OK and unit.initialise(component) == OK
+    assert unit.set(component, ["parameter.m"], [2.0]) == OK and unit.ExitInitializationMode(component) == OK
+    if kind == MODEL_EXCHANGE:
+        assert not unit.update(component)
+    else:
+        assert unit.step(component, 0.0, 0.1) == OK
+    assert unit.set(component, ["parameter.m"], [-2.0]) == OK
+    with pytest.raises(AssertionError):
+        unit.get(component, ["der(v.z)"])
+    unit.messages.clear()
+    if kind == MODEL_EXCHANGE:
+        with pytest.raises(AssertionError):
+            unit.update(component)
+    else:
+        assert unit.step(component, 0.1, 0.1) == DISCARD
+    assert [text.split(b": ", 1)[1].startswith(said) for _, text in unit.messages] == [True]
+    assert unit.Reset(component) == OK and unit.set(component, ["parameter.m"], [-2.0]) == OK
+    unit.messages.clear()
+    assert unit.initialise(component) == OK
+    if kind == CO_SIMULATION:
+        assert unit.ExitInitializationMode(component) == ERROR and said in unit.messages[0][1]
+    unit.FreeInstance(component)
+
+
+def test_calls_refuse_parameters_that_no_mechanism_has(bead):
+    pattern = r"ring: body 'bead' has the mass m = -2 kg: a mass is never negative; .*; that is so with m=-2: give another value"
+    for call in (lambda: bead.with_parameters(m=-2), lambda: bead.simulate([0.1], parameters={"m": -2}),
+                 lambda: bead.energy(np.ones(3), np.ones(3), parameters={"m": -2})):
+        with pytest.raises(ValueError, match=pattern):
+            call()
+    assert bead.mass_matrix(np.ones(3), parameters={"m": 0})[0, 0] == 0  # an energy may be asked for
+    assert list(bead.kernels) == ["mass_matrix", "forward_dynamics", "energy", "constraints", "linearisation", "state_derivative"]
