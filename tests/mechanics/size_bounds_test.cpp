@@ -26,6 +26,7 @@ struct Block {
       p[name] = scene.parameter(name, unit, value);
     };
     add("m", "kg", 2), add("A", "kg m^2", 1), add("B", "kg m^2", 2), add("C", "kg m^2", 2), add("D", "kg m^2", 0);
+    add("E", "kg m^2", 0), add("F", "kg m^2", 0);
     add("low", "m", -1), add("high", "m", 1), add("f", "1", Expression(1) / 2), add("e", "1", 0), add("r", "m", 1);
     add("a", "kg m^2", 1);
     p["n"] = scene.parameter("n", "kg", 2 * p["m"]);
@@ -33,7 +34,13 @@ struct Block {
     const FrameHandle rail = scene.prismatic("rail", scene.ground(), axis::x, x);
     const FrameHandle block = scene.revolute("block", scene.prismatic("lift", rail, axis::z, z), axis::y, q);
     scene.body("block", block,
-               Inertia::general({.mass = p["n"], .xx = p["A"], .yy = p["B"], .zz = p["C"], .xy = p["D"]}));
+               Inertia::general({.mass = p["n"],
+                                 .xx = p["A"],
+                                 .yy = p["B"],
+                                 .zz = p["C"],
+                                 .xy = p["D"],
+                                 .xz = p["E"],
+                                 .yz = p["F"]}));
     scene.body("weight", block, Inertia::point(kilograms("1")));
     scene.reflected_inertia("rotor \"q\"", q, p["a"]);
     scene.stop(x, p["low"], p["high"], {.restitution = p["e"]});
@@ -70,7 +77,7 @@ TEST(SizeBounds, NameTheSizeAndItsValue) {
   EXPECT_NE(block.said({{"r", -1}}).find("radius r = -1: give the size of what touches the plane"), std::string::npos);
 }
 
-// A + B >= C of principal moments: with a product D these are C and those of [A D; D B].
+// A + B >= C of principal moments: with a product D these are C and those of [A D; D B]. E and F are the other products.
 TEST(SizeBounds, AskOfMomentsWhatMatterHas) {
   Block block;
   const std::string no_matter = "body 'block' has moments of inertia about its centre of mass that are those of no matter";
@@ -83,6 +90,14 @@ TEST(SizeBounds, AskOfMomentsWhatMatterHas) {
   EXPECT_FALSE(refused({{"A", 0}, {"B", 0}, {"C", 0}}));
   EXPECT_FALSE(refused({{"D", Expression(86) / 100}}));
   EXPECT_TRUE(refused({{"D", Expression(87) / 100}}));  // principal moments 0.497, 2 and 2.503
+  EXPECT_FALSE(refused({{"E", Expression(86) / 100}}));
+  EXPECT_TRUE(refused({{"E", Expression(87) / 100}}));
+  EXPECT_FALSE(refused({{"F", Expression(49) / 100}}));
+  EXPECT_TRUE(refused({{"F", Expression(51) / 100}}));
+  // det (5/2 - J) = 3/8 - 5/2 d^2 - 2 D E F.
+  const Expression d = Expression(35) / 100;
+  EXPECT_TRUE(refused({{"D", d}, {"E", d}, {"F", d}}));
+  EXPECT_FALSE(refused({{"D", d}, {"E", d}, {"F", -d}}));
 }
 
 TEST(SizeBounds, AreThoseOfTheParametersThatAreAskedFor) {
