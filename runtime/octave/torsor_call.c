@@ -209,7 +209,7 @@ static torsor_model* model_of(int place, const mxArray* parameters) {
     if (mxGetN(parameters) != 1) mexErrMsgIdAndTxt("torsor:argument", "parameters are one column");
     model = abi->create(mxGetPr(parameters));
     if (model == NULL) mexErrMsgIdAndTxt("torsor:memory", "no memory");
-    if (abi->impossible(model) != NULL) {
+    if (abi->size >= sizeof(torsor_abi) && abi->impossible(model) != NULL) { /* an earlier library has no such entry */
       char said[512];
       strncpy(said, abi->impossible(model), sizeof(said) - 1);
       said[sizeof(said) - 1] = '\0';

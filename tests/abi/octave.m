@@ -84,6 +84,13 @@ pushed = torsor_call("./cart.so", "integrate", 0.1, [cart.q; cart.v], "inputs", 
 still = torsor_call("./cart.so", "integrate", 0.1, [cart.q; cart.v]);
 expect(pushed(1) - still(1) > 1e-3, "a force moves the cart");
 
+% The pole has another mass, and none below zero.
+expect(isequal(cart.parameters, {"pole_mass"}), "run-time parameters");
+light = torsor_call("./cart.so", "mass_matrix", q(:, 1), v(:, 1), "parameters", 0.2);
+heavy = torsor_call("./cart.so", "mass_matrix", q(:, 1), v(:, 1), "parameters", 0.4);
+expect(abs(heavy(1, 1) - light(1, 1) - 0.2) < 1e-15 * 4, "a mass is set");
+expect_refusal("body 'pole' has the mass pole_mass = -0.2 kg: a mass is never negative", "./cart.so", "mass_matrix", q, v, "parameters", -0.2);
+
 % In another folder the same path is another library.
 mkdir("other");
 copyfile("cart.so", "other/rod.so");
