@@ -71,21 +71,26 @@ struct EventResult {
 };
 
 /// What is remembered of a guard from step to step.
-template <class Scalar, std::size_t size>
-struct EventMemory {
+template <class Scalar>
+struct GuardMemory {
   Scalar side = Scalar(0);  ///< the sign it has, +1 or -1; 0 while it has not left zero since the last start
   Scalar band = Scalar(0);  ///< what rounding may make of the guard, as last estimated
   bool fresh = true;        ///< no step was looked at since the last start
   bool leaving = true;      ///< within rounding of zero since the last start or crossing
   bool visiting = false;    ///< within rounding of zero at the end of the last step, not since the start
-  Scalar nearest = Scalar(0), nearest_time = Scalar(0);
-  std::array<Scalar, size> nearest_state{};
 
   void start_anew(bool keeps_side) noexcept {
     side = keeps_side ? Scalar(1) : Scalar(0);
     fresh = leaving = true;
     visiting = false;
   }
+};
+
+/// Where a guard came nearest to zero while it is visiting it.
+template <class Scalar, std::size_t size>
+struct NearestPlace {
+  Scalar value = Scalar(0), time = Scalar(0);
+  std::array<Scalar, size> y{};
 };
 
 /// Tells whether the events of a guard accumulate. Intervals that shrink geometrically, Δ_k = Δ_0 ρ^k, end at
