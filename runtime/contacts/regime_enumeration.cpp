@@ -63,10 +63,23 @@ ContactAnswer RegimeEnumeration::finish() noexcept {
   auto& found = answer_.solutions;
   // The sizes of two motions that differ by rounding are equal: then the order of regimes decides.
   const ContactVector given = given_motions(problem_, scale_);
-  const auto motion = [&given](const ContactSolution& s) {
+  // What slips on in all of them is not at rest: how its slip changes says nothing of what begins to move.
+  PerContact<bool> slips_on{};
+  for (int i = 0; i < problem_.count; ++i) {
+    slips_on[as(i)] = problem_.law(i).slips;
+    for (std::size_t k = 0; k < answer_.count; ++k) {
+      slips_on[as(i)] = slips_on[as(i)] && found[k].regimes[as(i)] == ContactRegime::slides;
+    }
+  }
+  const auto motion = [&](const ContactSolution& s) {
     double squares = 0;
-    for (Eigen::Index i = 0; i < s.u.size(); ++i) {
-      if (s.u(i) != 0) squares += s.u(i) * s.u(i) / (given(i) * given(i));
+    const auto add = [&](int row) {
+      if (s.u(row) != 0) squares += s.u(row) * s.u(row) / (given(row) * given(row));
+    };
+    for (int i = 0; i < problem_.count; ++i) {
+      const ContactLaw& law = problem_.law(i);
+      if (law.normal) add(problem_.first_row(i));
+      for (int k = 0; !slips_on[as(i)] && k < law.tangents; ++k) add(problem_.tangent_row(i) + k);
     }
     return std::sqrt(squares);
   };

@@ -205,6 +205,21 @@ TEST(OneContact, OfDryFrictionAloneIsBoundedByItsForce) {
   }
 }
 
+// A block on a cart that slides on whatever the block does: pulled by 9.5 N it needs 4.75 N of 6 N to rest on the cart.
+TEST(ManyContacts, StickWhereTheyCanWhileOthersSlide) {
+  ContactProblem problem;
+  problem.count = 2;
+  problem.laws[0] = {.normal = false, .tangents = 1, .bound = 0.5, .static_bound = 0.5, .slips = true};
+  problem.laws[1] = {.normal = false, .tangents = 1, .bound = 4, .static_bound = 6};
+  problem.W = (Eigen::Matrix2d() << 1, -1, -1, 2).finished();  // q = (x, u), both masses 1 kg
+  problem.q = Eigen::Vector2d(0, 9.5);
+  const ContactAnswer answer = solve_contacts(problem);
+  ASSERT_EQ(answer.verdict, ContactVerdict::several);
+  EXPECT_EQ(answer.solutions[0].regimes[1], ContactRegime::sticks);
+  EXPECT_NEAR(answer.solutions[0].u(0), (9.5 - 0.5) / 2, 1e-12);
+  EXPECT_NEAR(answer.solutions[0].r(1), -(9.5 + 0.5) / 2, 1e-12);
+}
+
 // A plank on three supports in the plane, of which two would do: forces are one freedom too many.
 TEST(ManySupports, LeaveReactionsIndeterminate) {
   ContactProblem problem;
