@@ -207,16 +207,17 @@ class ContactBuilder {
       return {in_plane, basis(i)};
     }
     // Axes in space have a pole, where they turn without end as n passes (there is no field of directions on a sphere). It is put
-    // where bodies that stand on each other, side by side or at usual angles do not have their normal. The axes here are
-    // those of a matrix of rational numbers, turned about n × c until the first of them, c, is n.
-    static constexpr int axes[3][3] = {{2, 3, 6}, {3, -6, 2}, {6, 2, -3}};
+    // two degrees away from every direction whose components are as integers up to 12: bodies that are placed by hand do not
+    // have their normal there. The axes here are those of a matrix of rational numbers, turned about n × c until the first of
+    // them, c, is n. 1 + c · n is |n + c|²/2, which has its digits near the pole too.
+    static constexpr int axes[3][3] = {{305943, -350670, 939626}, {676374, -653210, -464007}, {740530, 741495, 35610}};
     const auto axis_along = [this](int k) {
       Vector along;
-      for (int i = 0; i < 3; ++i) along[i] = program_.number(Number(axes[k][i]) / Number(7));
+      for (int i = 0; i < 3; ++i) along[i] = program_.number(Number(axes[k][i]) / Number(1048555));
       return along;
     };
     const Vector c = axis_along(0), half = bound(program_, n + c);
-    const Value scale = program_.bind(pow(program_.number(Number(1)) + dot(c, n), -1));
+    const Value scale = program_.bind(program_.number(Number(2)) * pow(dot(half, half), -1));
     std::vector<Vector> tangents;
     for (const int k : {1, 2}) {
       const Vector along = axis_along(k);
