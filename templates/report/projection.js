@@ -18,6 +18,7 @@ function cholesky(matrix, n) {
 
 /// The least change dv, in the metric of the factor L L', with A dv = right for the given rows of A (m rows, n columns,
 /// column by column) and dv = 0 at the places kept, which the factor knows. Rows that others repeat within 1e-9 are left out.
+/// Rows that vanish here are none of those given.
 function leastChange(jacobian, m, n, factor, rows, right, kept) {
   // Rows of A L'^-1, made orthonormal, the longest remainder first.
   const own = rows.map((row) => {
@@ -75,7 +76,7 @@ class Projection {
     this.mass = new Float64Array(this.nv * this.nv);
     this.rates = new Float64Array(this.nq);
     this.state = new Float64Array(mechanism.stateSize);
-    this.holonomic = null;
+    this.holonomic = this.usual = null;
   }
 
   normalise(y) {
@@ -93,12 +94,33 @@ class Projection {
     this.jacobian = this.result.subarray(at.jacobian, at.jacobian + m * nv);
     this.value = this.result.subarray(at.value, at.value + m);
     this.rate = this.result.subarray(at.rate, at.rate + m);
-    this.scale = Array.from({ length: m }, (_, row) => {
-      let sum = 0;
-      for (let j = 0; j < nv; ++j) sum += Math.abs(this.jacobian[j * m + row]);
-      return Math.max(sum, 1e-300);
-    });
+    const sums = this.lengths();
+    // Below its usual size by so much a row is rounding: it has no direction, and is no measure.
+    this.vanishes = sums.map((sum, row) => this.usual !== null && sum < 1e-9 * this.usual[row]);
+    this.scale = sums.map((sum, row) => Math.max(this.vanishes[row] ? this.usual[row] : sum, 1e-300));
     return this.result.every(Number.isFinite);
+  }
+
+  lengths() {
+    return Array.from({ length: this.m }, (_, row) => {
+      let sum = 0;
+      for (let j = 0; j < this.nv; ++j) sum += Math.abs(this.jacobian[j * this.m + row]);
+      return sum;
+    });
+  }
+
+  /// Lengths that rows have here and where other angles are; one that is rounding everywhere is judged as the others are.
+  findUsual(t, y) {
+    const turns = this.mechanism.velocities.map((each) => each.unit === "rad/s" || each.unit === "1/s");
+    const usual = new Array(this.m).fill(0);
+    for (let k = 0; k < 4; ++k) {
+      const there = Float64Array.from(y);
+      this.displace(t, there, Float64Array.from({ length: this.nv }, (_, i) => (turns[i] ? 0.2 * k * Math.sin(1 + k + 2.7 * i) : 0)));
+      this.read(t, there);
+      this.lengths().forEach((sum, row) => { if (Number.isFinite(sum)) usual[row] = Math.max(usual[row], sum); });
+    }
+    const largest = Math.max(...usual);
+    this.usual = usual.map((sum) => (sum > 1e-12 * largest ? sum : largest || 1));
   }
 
   /// The value of a constraint on velocities alone is 0 wherever it is read: found by moving along both ways.
@@ -148,8 +170,10 @@ class Projection {
     this.normalise(y);
     if (!this.m) return y.every(Number.isFinite);
     if (!this.holonomic) this.findHolonomic(t, y);
+    if (!this.usual) this.findUsual(t, y);
     const { m, nv, nq, holonomic } = this, all = Array.from({ length: m }, (_, row) => row);
     const sizes = y.subarray(0, nq).reduce((most, value) => Math.max(most, Math.abs(value)), 1);
+    const present = (rows) => rows.filter((row) => !this.vanishes[row]);
     if (!this.read(t, y)) return false;
     let before = Infinity;
     for (let round = 0; round < 40; ++round) {
@@ -157,12 +181,12 @@ class Projection {
       if (open <= 1e-15 * sizes || (open >= before / 2 && open <= 1e-12 * sizes)) break;
       if (round > 20 && !(open < before)) return false;
       before = open;
-      this.displace(t, y, leastChange(this.jacobian, m, nv, this.metric(kept.positions), holonomic, this.value.map((f) => -f), kept.positions));
+      this.displace(t, y, leastChange(this.jacobian, m, nv, this.metric(kept.positions), present(holonomic), this.value.map((f) => -f), kept.positions));
       if (!this.read(t, y)) return false;
     }
     if (this.largest(this.value, holonomic) > 1e-9 * sizes) return false;
     for (let round = 0; round < 2; ++round) {
-      const change = leastChange(this.jacobian, m, nv, this.metric(kept.rates), all, this.rate.map((rate) => -rate), kept.rates);
+      const change = leastChange(this.jacobian, m, nv, this.metric(kept.rates), present(all), this.rate.map((rate) => -rate), kept.rates);
       for (let i = 0; i < nv; ++i) y[nq + i] += change[i];
       if (!this.read(t, y)) return false;
     }
