@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "torsor/generator/dynamics/equations/constraint_sizes.hpp"
 #include "torsor/generator/emission/c_header.hpp"
 #include "torsor/generator/emission/embedded_licence_texts.hpp"
 #include "torsor/generator/emission/embedded_runtime_texts.hpp"
@@ -42,6 +43,17 @@ std::string names_of_contacts(const Scene& scene) {
     names += fmt::format("{}\"{}\"", names.empty() ? "" : ", ", contact.name);
   }
   return names;
+}
+
+/// "1.5, 2.0": Σ_i |A_ji| of each constraint, as it usually is.
+std::string usual_rows(const MechanismListing& mechanism) {
+  if (mechanism.layout.multipliers.empty()) return {};
+  const Equations& equations = *mechanism.equations;
+  std::string text;
+  for (const Real& sum : constraint_sizes(equations.model(), equations.constraints()).sum) {
+    text += fmt::format("{}{:.3e}", text.empty() ? "" : ", ", sum.to_double());
+  }
+  return text;
 }
 
 }  // namespace
@@ -85,7 +97,8 @@ std::vector<SourceFile> fmi_sources(const FmiUnit& unit) {
                      {"reactions", std::to_string(unit.outputs.reactions.size())},
                      {"holonomic", holonomic_rows(mechanism)},
                      {"size_count", std::to_string(unit.sizes.size())},
-                     {"sizes", size_table(unit.sizes)}};
+                     {"sizes", size_table(unit.sizes)},
+                     {"usual", usual_rows(mechanism)}};
   const auto filled = [&all](const std::string& file, const std::vector<std::string>& placeholders) {
     Texts texts = {{"name", all.at("name")}, {"version", all.at("version")}};
     for (const std::string& each : placeholders) texts.emplace(each, all.at(each));
@@ -98,7 +111,7 @@ std::vector<SourceFile> fmi_sources(const FmiUnit& unit) {
       {"fmi_sizes.h", filled("fmi/sizes.h.in", {"size_count", "sizes"})},
       {"fmi_derivatives.h", filled("fmi/derivatives.h.in", {"has_rates", "has_inputs", "has_parameters",
                                                             "has_multipliers", "has_contacts", "places", "reactions"})},
-      {"fmi_motion.h", filled("fmi/motion.h.in", {"has_multipliers", "has_contacts", "holonomic"})},
+      {"fmi_motion.h", filled("fmi/motion.h.in", {"has_multipliers", "has_contacts", "holonomic", "usual"})},
       {name + ".h", emit_c(mechanism).header}};
   using Names = std::vector<const char*>;
   for (const char* file : two ? Names{"fmi2_names.h"} : Names{"fmi3_names.h", "fmi3_types.h", "fmi3_absent.h"}) {

@@ -12,7 +12,8 @@ SOURCES = os.environ["TORSOR_SOURCE_DIR"]
 PROGRAMS = os.environ["TORSOR_PROGRAM_DIR"]
 
 
-FILES = {"lamp": ["tests/python/lamp.cpp"],
+FILES = {"bennett": ["tests/python/bennett.cpp"],
+         "lamp": ["tests/python/lamp.cpp"],
          "ring": ["tests/python/ring.cpp"],
          "unvalued": ["tests/python/unvalued.cpp"],
          "odd_names": ["tests/python/odd_names.cpp"],

@@ -135,6 +135,34 @@ def test_units_start_on_their_constraints(unit, kind):
 
 
 @pytest.mark.parametrize("kind", [CO_SIMULATION, MODEL_EXCHANGE])
+def test_units_close_constraints_of_any_size(unit, kind):
+    """No numbers near a place meet them better than a rounding of the largest: of a radius of the Earth that is 1e-9 m."""
+    component = unit.instantiate(kind)
+    assert unit.set(component, ["q.x", "q.z", "parameter.l"], [3.1e6, -5.3e6, 6371000.7]) == OK
+    assert unit.initialise(component) == OK and unit.ExitInitializationMode(component) == OK
+    if kind == MODEL_EXCHANGE:
+        unit.update(component)
+    x, z = on_ring(3.1e6, -5.3e6, 6371000.7)
+    np.testing.assert_allclose(state_of(unit, component), [x, 1, z], rtol=4e-16)
+    unit.FreeInstance(component)
+
+
+def test_units_move_where_a_constraint_vanishes_all_along(tmp_path):
+    """Bennett's linkage: of an equation that is rounding there is neither a direction nor a residual."""
+    linkage = Unit3("bennett", tmp_path, "--flags=-O1")
+    component = linkage.initialised(CO_SIMULATION, tolerance=1e-9)
+    energy = sum(linkage.get(component, ["energy.kinetic", "energy.potential"]))
+    for k in range(4):
+        assert linkage.step(component, 0.1 * k, 0.1) == OK
+        first, second, third = linkage.get(component, ["q.first", "q.second", "q.third"])
+        np.testing.assert_allclose(np.tan(first / 2) * np.tan(second / 2), np.sqrt(3), rtol=1e-8)
+        np.testing.assert_allclose(third, -first, rtol=1e-8)
+        np.testing.assert_allclose(sum(linkage.get(component, ["energy.kinetic", "energy.potential"])), energy, rtol=1e-6)
+    assert abs(first - 0.7) > 0.1
+    linkage.FreeInstance(component)
+
+
+@pytest.mark.parametrize("kind", [CO_SIMULATION, MODEL_EXCHANGE])
 def test_units_go_on_from_constraints_that_a_parameter_moves(unit, kind):
     component = unit.initialised(kind)
     if kind == MODEL_EXCHANGE:
