@@ -12,6 +12,7 @@
 #include "chain_on_floor.hpp"
 #include "generated/quadruped_on_its_feet.hpp"
 #include "torsor/runtime/contacts/mechanism_with_contacts.hpp"
+#include "torsor/runtime/integration/radau_iia_5.hpp"
 
 namespace torsor::contact_peers {
 namespace {
@@ -32,13 +33,13 @@ struct Hold {
 };
 using OnItsFeet = MechanismWithContacts<Robot, Hold>;
 
+template <class Method>
 Path walked(const OnItsFeet& robot, double tolerance) {
   OnItsFeet::State y = robot.initial();
   const ContactMechanismOf<OnItsFeet> mechanism(robot);
   IgnoreSteps ignore;
-  const DormandPrince853 method{.relative_tolerance = tolerance, .absolute_tolerance = tolerance};
-  ContactRun<OnItsFeet::nq + OnItsFeet::nv, OnItsFeet::contacts, DormandPrince853, IgnoreSteps> run(mechanism, y,
-                                                                                                    method, {}, ignore);
+  const Method method{.relative_tolerance = tolerance, .absolute_tolerance = tolerance};
+  ContactRun<OnItsFeet::nq + OnItsFeet::nv, OnItsFeet::contacts, Method, IgnoreSteps> run(mechanism, y, method, {}, ignore);
   Path path;
   if (!run.start(0)) return path;
   for (int k = 1; k <= 100 && run.advance(0.1 * k); ++k) path.push_back({y[0], y[1], y[2]});
@@ -96,13 +97,21 @@ Problem chain_on_floor() {
 
 Problem quadruped() {
   static const OnItsFeet robot;
-  const Path truth = walked(robot, 1e-12);
+  const Path truth = walked<DormandPrince853>(robot, 1e-12);
   Problem problem{"A quadruped lands on its feet, 10 s: ours at 1e-12", "trunk off [m]", {}};
   for (const double tolerance : {1e-4, 1e-7, 1e-10}) {
     problem.ways.push_back(
         {"torsor", "events, tolerance " + number("%.0e", tolerance), [tolerance, truth]() -> Outcome {
            const Stopwatch watch;
-           const Path path = walked(robot, tolerance);
+           const Path path = walked<DormandPrince853>(robot, tolerance);
+           return {watch.seconds(), distance(path, truth)};
+         }});
+  }
+  for (const double tolerance : {1e-2, 1e-4}) {
+    problem.ways.push_back(
+        {"torsor", "events, RadauIia5, tolerance " + number("%.0e", tolerance), [tolerance, truth]() -> Outcome {
+           const Stopwatch watch;
+           const Path path = walked<RadauIia5>(robot, tolerance);
            return {watch.seconds(), distance(path, truth)};
          }});
   }

@@ -11,6 +11,7 @@
 
 #include "torsor/runtime/contacts/integrate_contacts.hpp"
 #include "torsor/runtime/contacts/mechanism_with_contacts.hpp"
+#include "torsor/runtime/integration/radau_iia_5.hpp"
 #include "torsor/runtime/mechanism.hpp"
 
 namespace torsor::quadruped_on_its_feet_test {
@@ -92,6 +93,23 @@ TEST(QuadrupedOnItsFeet, LandsAndStands) {
     for (std::size_t k = 0; k < rows; ++k) left -= contacts.jacobian[i * rows + k] * r(static_cast<int>(k));
     EXPECT_NEAR(left, 0, 1e-4) << i;  // what eight seconds leave of its swaying
   }
+}
+
+template <class Method>
+ContactResult land(OnItsFeet::State& y, double tolerance) {
+  const OnItsFeet robot;
+  y = robot.initial();
+  return integrate_contacts(robot, y, 0, 2, Method{.relative_tolerance = tolerance, .absolute_tolerance = tolerance});
+}
+
+// Its motors are stiff beside the sway of the trunk: an implicit method of the same motion asks for less.
+TEST(QuadrupedOnItsFeet, LandsAlikeByAMethodForStiffMotors) {
+  OnItsFeet::State exact, stiff;
+  const ContactResult of_exact = land<DormandPrince853>(exact, 1e-9), of_stiff = land<RadauIia5>(stiff, 1e-4);
+  ASSERT_TRUE(of_exact && of_stiff) << describe(of_stiff.status) << " at " << of_stiff.time;
+  for (std::size_t i = 0; i < exact.size(); ++i) EXPECT_NEAR(stiff[i], exact[i], 1e-4) << i;  // its tolerance
+  // Steps of the other are bound by the motors, whatever its tolerance.
+  EXPECT_LT(of_stiff.integration.statistics.calls, of_exact.integration.statistics.calls);
 }
 
 }  // namespace
