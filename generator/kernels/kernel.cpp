@@ -76,7 +76,7 @@ Kernel make_forward_dynamics(const Equations& equations) {
       multiplied(equations), solution.method,
       solution.multipliers.empty() || has_friction(equations)
           ? ""
-          : ", or one of the Schur complement is below\n2^-40 of those of its unit (a change point)");
+          : ", or one of the Schur complement is below\n2^-40 of those of its unit (a change point), in float 2^-20");
   kernel.arguments = {Argument::inputs};
   kernel.results = {{"Accelerations", "accelerations"}, {"Multipliers", "multipliers"}};
   assign_vector(kernel, {"accelerations"}, solution.accelerations, solution.accelerations.size());

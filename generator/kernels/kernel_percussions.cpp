@@ -59,7 +59,7 @@ Kernel make_impact(const Equations& equations) {
   StructureBuilder builder("Impact", "What unit impulses along the rows of contacts change.");
   builder.member("velocities", n, rows.size(), "of velocities: v+ = v- + velocities P, column by column");
   builder.member("multipliers", m, rows.size(), "impulses of constraints: multipliers P, column by column");
-  std::vector<std::pair<Value, Value>> pivots;
+  std::vector<PivotTest> pivots;
   for (std::size_t s = 0; s < rows.size(); ++s) {
     const ForwardSolution answer = answer_to(equations, rows[s]);
     if (pivots.empty()) pivots = answer.pivots;

@@ -9,9 +9,9 @@ namespace torsor {
 std::vector<Value> Computation::values() const {
   std::vector<Value> all;
   for (const Assignment& assignment : assignments) all.push_back(assignment.value);
-  for (const auto& [pivot, diagonal] : pivots) {
-    all.push_back(pivot);
-    all.push_back(diagonal);
+  for (const PivotTest& test : pivots) {
+    all.push_back(test.pivot);
+    all.push_back(test.measure);
   }
   if (series) {
     const SeriesProgram& program = series->program;
@@ -37,9 +37,9 @@ void share_products(Program& program, Computation& computation) {
   std::vector<Value> values = with_shared_products(program, computation.values());
   auto value = values.begin();
   for (Assignment& assignment : computation.assignments) assignment.value = std::move(*value++);
-  for (auto& [pivot, diagonal] : computation.pivots) {
-    pivot = std::move(*value++);
-    diagonal = std::move(*value++);
+  for (PivotTest& test : computation.pivots) {
+    test.pivot = std::move(*value++);
+    test.measure = std::move(*value++);
   }
 }
 

@@ -7,6 +7,7 @@
 
 #include "torsor/generator/listing/series_result.hpp"
 #include "torsor/generator/listing/target.hpp"
+#include "torsor/generator/program/pivot_test.hpp"
 #include "torsor/generator/program/program.hpp"
 
 namespace torsor {
@@ -20,7 +21,7 @@ struct Assignment {
 /// What one function computes, as values of a program.
 struct Computation {
   std::vector<Assignment> assignments;
-  std::vector<std::pair<Value, Value>> pivots{};  ///< each with what it is measured against
+  std::vector<PivotTest> pivots{};
   std::optional<SeriesResult> series{};  ///< of a function that gives Taylor coefficients, without assignments
 
   /// Whether the function returns a status.

@@ -45,7 +45,7 @@ bool is_needed(const Statement& statement, const std::vector<bool>& read) {
 std::vector<bool> read_quantities(const Listing& listing, bool literals_are_computed) {
   std::vector<bool> read(listing.quantities.size(), false);
   for (const Output& output : listing.outputs) mark(output.value.formula, read);
-  for (const auto& [pivot, diagonal] : listing.pivots) mark(pivot.formula, read), mark(diagonal.formula, read);
+  for (const Pivot& each : listing.pivots) mark(each.pivot.formula, read), mark(each.diagonal.formula, read);
   for (const Statement& each : listing.of_pivots) mark(std::get<Assigned>(each).right, read);
   if (listing.recurrence) {
     for (const Statement& each : listing.recurrence->steps) mark(std::get<Assigned>(each).right, read);

@@ -73,11 +73,11 @@ void ListingBuilder::write_member(const Target& target, ValueNumber value_number
   write(target, Formula::of_value_number(place_of(value_number)), meaning);
 }
 
-void ListingBuilder::measure(const std::pair<Value, Value>& pivot) {
-  const auto& [d, m] = pivot;
+void ListingBuilder::measure(const PivotTest& test) {
+  const Value& d = test.pivot;
   if (d.is_constant() && d.polynomial().constant().sign() > 0) return;  // regular once and for all
   Signed left = operand(d);
-  listing_.pivots.push_back({std::move(left), operand(m)});
+  listing_.pivots.push_back({std::move(left), test.of_several_rows ? bound_beside(test.measure) : operand(test.measure)});
 }
 
 Listing ListingBuilder::take(bool has_status) {
@@ -266,6 +266,25 @@ Signed ListingBuilder::operand(const Value& value) {
   const bool negative = result.negative;
   listing_.of_pivots.emplace_back(Assigned{local, std::move(result.formula), {}});
   return {Formula::of_value_number(local), negative};
+}
+
+/// Many roundings of what a pivot must be positive beside, in units of those that the pivot's test takes of it.
+Signed ListingBuilder::bound_beside(const Value& measure) {
+  Signed of = operand(measure);
+  const auto [place, added] = measures_.add(without_sign(measure.polynomial()).first);
+  if (added) {
+    if (!many_roundings_) {
+      many_roundings_ = add_local("roundings_");
+      const RoundedConstant many{many_roundings::in_double, many_roundings::in_float};
+      listing_.statements.emplace_back(Literal{*many_roundings_, Formula::of_number(Number(many_roundings::in_double)), many});
+    }
+    bounds_.push_back(add_local(fmt::format("bound{}_", place)));
+    Formula product;
+    product.kind = Formula::Kind::product;
+    product.children = {Formula::of_value_number(*many_roundings_), std::move(of.formula)};
+    listing_.of_pivots.emplace_back(Assigned{bounds_.back(), std::move(product), {}});
+  }
+  return {Formula::of_value_number(bounds_[place]), of.negative};
 }
 
 }  // namespace torsor

@@ -11,6 +11,7 @@
 
 #include "torsor/generator/listing/earliest_start.hpp"
 #include "torsor/generator/listing/lowering.hpp"
+#include "torsor/generator/program/pivot_test.hpp"
 #include "torsor/generator/program/program.hpp"
 #include "torsor/generator/program/sum_table.hpp"
 
@@ -28,7 +29,7 @@ class ListingBuilder {
     listing_.outputs.push_back({target, {std::move(value)}, false, meaning});
   }
   void write_member(const Target& target, ValueNumber value_number, const std::string& meaning);
-  void measure(const std::pair<Value, Value>& pivot);
+  void measure(const PivotTest& test);
   Listing take(bool has_status);
 
   // Of recurrences
@@ -58,6 +59,7 @@ class ListingBuilder {
   std::pair<Signed, bool> value_of(const Value& value, std::size_t output);
   ValueNumber written(std::size_t place);
   Signed operand(const Value& value);
+  Signed bound_beside(const Value& measure);
 
   Program* program_;
   EarliestStarts starts_;
@@ -71,6 +73,9 @@ class ListingBuilder {
   SumTable written_;                                 ///< results that cost something, with
   std::vector<std::optional<std::size_t>> outputs_;  ///< the output of each, or
   std::unordered_map<std::size_t, ValueNumber> locals_of_pivots_;
+  std::optional<ValueNumber> many_roundings_;
+  SumTable measures_;                ///< of several rows, with
+  std::vector<ValueNumber> bounds_;  ///< many roundings of each
   std::vector<bool> negative_;  ///< and whether it holds it with the other sign
 };
 

@@ -122,9 +122,9 @@ EvaluatedMotion::EvaluatedMotion(const Scene& scene, const ModelOptions& options
   energy_ = make_kernel("energy", equations_);
   integrals_ = make_kernel("first_integrals", equations_);
   // The formula of a definition is made once, of any other value at each state.
-  for (auto& [pivot, diagonal] : forward_.pivots) {
-    pivot = program.bind(pivot);
-    diagonal = program.bind(diagonal);
+  for (PivotTest& test : forward_.pivots) {
+    test.pivot = program.bind(test.pivot);
+    test.measure = program.bind(test.measure);
   }
   for (Kernel* kernel : {&forward_, &energy_, &integrals_}) {
     for (Assignment& each : kernel->assignments) each.value = program.bind(each.value);
@@ -188,8 +188,9 @@ std::vector<double> EvaluatedMotion::start(const NamedNumbers& replaced) {
 
 bool EvaluatedMotion::slope(double t, const std::vector<double>& y, std::vector<double>& rates) {
   move_to(t, y);
-  for (const auto& [pivot, diagonal] : forward_.pivots) {
-    if (!(here_(pivot) > std::numeric_limits<double>::epsilon() * std::abs(here_(diagonal)))) return false;
+  for (const PivotTest& test : forward_.pivots) {
+    const double roundings = test.of_several_rows ? many_roundings::in_double : 1;
+    if (!(here_(test.pivot) > std::numeric_limits<double>::epsilon() * roundings * std::abs(here_(test.measure)))) return false;
   }
   for (std::size_t i = 0; i < position_count_; ++i) rates[i] = here_(position_rates_[i]);
   for (std::size_t i = 0; i < velocity_count(); ++i) {

@@ -201,7 +201,10 @@ class AccuracyIn final : public KernelAccuracy {
       // A definition of its own for each result: its formula is then made once and not at each state.
       Program& program = own.equations->program();
       for (Assignment& assignment : own.kernel.assignments) assignment.value = program.bind(assignment.value);
-      for (auto& [pivot, diagonal] : own.kernel.pivots) pivot = program.bind(pivot), diagonal = program.bind(diagonal);
+      for (PivotTest& test : own.kernel.pivots) {
+        test.pivot = program.bind(test.pivot);
+        test.measure = program.bind(test.measure);
+      }
       for (const SymbolPointer& symbol : symbols_of(own, own.kernel.values())) {
         if (std::find(symbols_.begin(), symbols_.end(), symbol) == symbols_.end()) symbols_.push_back(symbol);
       }

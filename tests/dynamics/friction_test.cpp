@@ -271,7 +271,7 @@ TEST(SlidingFriction, ReportsPainlevesParadoxByAPivotThatIsNotPositive) {
     NamedState here(equations, {{"theta", angle}, {"y", sin(angle)}, {"f", friction}});
     const Real c = cos(angle);
     const Real s = sin(angle);
-    const Real value = here(equations.forward().pivots.back().first);
+    const Real value = here(equations.forward().pivots.back().pivot);
     EXPECT_LT(relative_difference(value, (Real(1) + Real(3) * c * (c + friction * s)) / Real(3)), exact);
     return value;
   };

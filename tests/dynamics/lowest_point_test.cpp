@@ -162,8 +162,8 @@ TEST(DiscContact, LeavesAPivotThatIsNoNumberWhereARollingDiscLiesFlat) {
   const Equations equations(it.scene);
   const auto regular = [&](const Real& lean) {
     NamedState here(equations, state(lean));
-    for (const auto& [pivot, compared] : equations.forward().pivots) {
-      if (!(here(pivot) > Real(0))) return false;
+    for (const PivotTest& test : equations.forward().pivots) {
+      if (!(here(test.pivot) > Real(0))) return false;
     }
     return true;
   };

@@ -22,8 +22,9 @@ double least_pivot(const Scene& scene, bool absolute, int one_over_angle) {
   double least = std::numeric_limits<double>::infinity();
   const auto& pivots = equations.forward().pivots;
   for (std::size_t k = pivots.size() - 2; k < pivots.size(); ++k) {
-    const Real ratio = here(pivots[k].first) / here(pivots[k].second);
-    least = std::min(least, ratio.to_double() / std::numeric_limits<double>::epsilon());
+    const Real ratio = here(pivots[k].pivot) / here(pivots[k].measure);
+    const double roundings = pivots[k].of_several_rows ? many_roundings::in_double : 1;
+    least = std::min(least, ratio.to_double() / (roundings * std::numeric_limits<double>::epsilon()));
   }
   return least;
 }

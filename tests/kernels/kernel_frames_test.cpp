@@ -19,6 +19,7 @@ namespace torsor::kernel_frames_test {
 namespace {
 
 using namespace testing_mechanisms;
+using testing_mechanisms::Block;  // and not that of a schedule
 
 /// A random mechanism with a tool on each frame from one on.
 Scene with_tools(const RandomMechanismOptions& options, unsigned seed, bool on_the_last_alone = false) {

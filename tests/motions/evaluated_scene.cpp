@@ -88,7 +88,10 @@ void EvaluatedScene::move_to(double time, std::span<const double> positions, std
 
 bool EvaluatedScene::forward_dynamics(std::span<double> accelerations, std::span<double> multipliers) {
   bool regular = true;
-  for (const auto& [pivot, diagonal] : pivots_) regular = regular && here_(pivot) > 0x1p-52 * std::abs(here_(diagonal));
+  for (const PivotTest& test : pivots_) {
+    const double bound = test.of_several_rows ? 0x1p-40 : 0x1p-52;
+    regular = regular && here_(test.pivot) > bound * std::abs(here_(test.measure));
+  }
   for (std::size_t i = 0; i < accelerations_.size(); ++i) accelerations[i] = here_(accelerations_[i]);
   for (std::size_t i = 0; i < multipliers_.size(); ++i) multipliers[i] = here_(multipliers_[i]);
   return regular;

@@ -8,6 +8,7 @@
 #include "torsor/generator/dynamics/equations/equations.hpp"
 #include "torsor/generator/kernels/kernel.hpp"
 #include "torsor/generator/program/evaluation.hpp"
+#include "torsor/generator/program/pivot_test.hpp"
 
 namespace torsor::testing_motions {
 
@@ -65,7 +66,7 @@ class EvaluatedScene {
   ValueMatrix mass_;
   std::vector<ConstraintRow> rows_;
   Kernel jets_;
-  std::vector<std::pair<Value, Value>> pivots_;
+  std::vector<PivotTest> pivots_;
   Value energy_, force_function_, explicit_rate_, power_;
   std::vector<Value> integrals_;
   bool friction_ = false;

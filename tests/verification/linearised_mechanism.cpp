@@ -158,7 +158,7 @@ class LinearisationComparison {
     const State state = random_state();
     Evaluator<Real>& at = here_;
     at.move_to(motion_.reader(state));
-    for (const auto& [pivot, whole] : derivatives.pivots) {
+    for (const auto& [pivot, whole, several] : derivatives.pivots) {
       if (!(at(pivot).to_double() > 1e-6 * at(whole).to_double())) return;  // as good as singular here
     }
     outcome_.forward = true;
@@ -231,7 +231,7 @@ class LinearisationComparison {
       }
     }
     // Newton's method also ends where the dependent freedoms are not determined: nothing is differentiable there.
-    for (const auto& [square, whole] : reduced.pivots) {
+    for (const auto& [square, whole, several] : reduced.pivots) {
       if (!(at(square).to_double() > 1e-6 * at(whole).to_double())) return std::nullopt;
     }
     return state;

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "torsor/generator/dynamics/equations/equations.hpp"
+#include "torsor/generator/program/pivot_test.hpp"
 
 namespace torsor {
 
@@ -18,7 +19,7 @@ struct ForwardDerivatives {
     ValueMatrix by_input;  ///< by motors: by_force · E
   };
   Of accelerations, multipliers;
-  std::vector<std::pair<Value, Value>> pivots;
+  std::vector<PivotTest> pivots;
   std::string method;  ///< how they are found, in words
 };
 

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "torsor/generator/dynamics/derivatives/second_derivatives.hpp"
+#include "torsor/generator/program/pivot_test.hpp"
 
 namespace torsor {
 
@@ -16,7 +17,7 @@ struct ForwardSecondDerivatives {
     ValuePages position_position, position_velocity, velocity_velocity, position_input, velocity_input;
   };
   Of accelerations, multipliers;
-  std::vector<std::pair<Value, Value>> pivots;
+  std::vector<PivotTest> pivots;
 };
 
 /// With r = M a + h − B λ − E u = 0 and g = A a + γ = 0 along the motion, a_x and λ_x its first derivatives:

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "torsor/generator/dynamics/equations/equations.hpp"
+#include "torsor/generator/program/pivot_test.hpp"
 
 namespace torsor {
 
@@ -22,7 +23,7 @@ ValueMatrix inverse_sensitivities(const Equations& equations);
 /// motion, M δa − B δλ = −∂(M a + h − B λ − E u)/∂π δπ, A δa = −∂(A a + γ)/∂π δπ; no derivative of M⁻¹ is formed.
 struct ForwardSensitivities {
   ValueMatrix accelerations, multipliers;
-  std::vector<std::pair<Value, Value>> pivots;
+  std::vector<PivotTest> pivots;
 };
 ForwardSensitivities forward_sensitivities(const Equations& equations);
 

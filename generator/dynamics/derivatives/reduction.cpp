@@ -53,11 +53,11 @@ class DependentFreedoms {
 
   /// (pivot², m_c Σ_i a_i² / m_i) for each: a the row, m the diagonal of M, c the freedom it is solved for. In the
   /// metric of that diagonal the pivot is compared with its row.
-  std::vector<std::pair<Value, Value>> pivots(const ValueMatrix& rows, const ValueMatrix& mass) const {
-    std::vector<std::pair<Value, Value>> all;
+  std::vector<PivotTest> pivots(const ValueMatrix& rows, const ValueMatrix& mass) const {
+    std::vector<PivotTest> all;
     for (std::size_t k = 0; k < count_; ++k) {
       const auto& [row, freedom] = freedoms_.pivots[k];
-      const Value pivot = program_.bind(lu_.pivots()[k].first);
+      const Value pivot = program_.bind(lu_.pivots()[k].pivot);
       if (pivot.is_constant()) continue;  // regular once and for all
       const Value square = program_.bind(pow(pivot, 2));
       Value sum;
@@ -67,7 +67,7 @@ class DependentFreedoms {
         const Value entry = program_.bind(rows[row][i]);
         sum += pow(entry, 2) * pow(diagonal, -1);
       }
-      all.emplace_back(square, program_.bind(program_.bind(sum) * mass[freedom][freedom]));
+      all.push_back({square, program_.bind(program_.bind(sum) * mass[freedom][freedom])});
     }
     return all;
   }

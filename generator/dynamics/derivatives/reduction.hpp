@@ -3,6 +3,7 @@
 
 #include "torsor/generator/dynamics/derivatives/linearisation.hpp"
 #include "torsor/generator/dynamics/equations/independent_freedoms.hpp"
+#include "torsor/generator/program/pivot_test.hpp"
 
 namespace torsor {
 
@@ -24,7 +25,7 @@ struct ReducedLinearisation {
   ValueMatrix M, C, K, E;
   std::vector<Value> F;
   ValueMatrix e_rates_e, e_rates_w;
-  std::vector<std::pair<Value, Value>> pivots;  ///< of the elimination: (pivot², what it is compared with)
+  std::vector<PivotTest> pivots;  ///< of the elimination: (pivot², what it is compared with)
   bool symmetric = true;                        ///< M: not with friction
 };
 ReducedLinearisation reduced_linearisation(const Equations& equations);

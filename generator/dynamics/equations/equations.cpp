@@ -33,9 +33,9 @@ constexpr int most_differentiated = 4;
 
 int cost_of(const Program& program, const ForwardSolution& solution) {
   std::vector<Value> values = solution.accelerations;
-  for (const auto& [pivot, diagonal] : solution.pivots) {
-    values.push_back(pivot);
-    values.push_back(diagonal);
+  for (const PivotTest& test : solution.pivots) {
+    values.push_back(test.pivot);
+    values.push_back(test.measure);
   }
   return count(program, values).total();
 }

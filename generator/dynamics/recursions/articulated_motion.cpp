@@ -53,7 +53,7 @@ class Recursion {
   void give_way(std::size_t k, Wrench& wrench) {
     const Link& link = links_[k];
     const ArticulatedJoint& joint = motion_.bodies.joints[k];
-    motion_.solution.pivots.emplace_back(joint.pivot, joint.pivot);
+    motion_.solution.pivots.push_back({joint.pivot, joint.pivot});
     const Value& effort = efforts_[unknown_of(link)];
     const bool revolute = link.joint == JointKind::revolute;
     const Value rest = program_.bind(effort - dot(link.axis, revolute ? wrench.moment : wrench.resultant));

@@ -312,7 +312,7 @@ class FactoredRecursion {
     JointSolution& joint = done_[k];
     const Value scale = made_of(answers);
     const auto [pivot, inverse] = eliminate(answers, joint.gain);
-    solution_.pivots.emplace_back(pivot, scale);
+    solution_.pivots.push_back({pivot, scale});
     if (pivot.is_zero()) return;  // identically singular: the caller's test of the pivot fails
     Value effort;
     for (const Answer& answer : answers) effort += answer.joint * answer.force;

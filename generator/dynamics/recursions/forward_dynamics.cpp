@@ -58,7 +58,7 @@ UnsymmetricFactorisation::UnsymmetricFactorisation(Program& program, const Value
   inverse_pivots_.resize(n);
   for (std::size_t k = 0; k < n; ++k) {
     const Value pivot = program.bind(upper_[k][k], "pivot");
-    pivots_.emplace_back(pivot, matrix[k][k]);
+    pivots_.push_back({pivot, matrix[k][k]});
     if (pivot.is_zero()) continue;  // identically singular: the caller's test of the pivot fails
     inverse_pivots_[k] = program.bind(pow(pivot, -1));
     for (std::size_t i = k + 1; i < n; ++i) {
@@ -92,22 +92,20 @@ std::vector<Value> UnsymmetricFactorisation::solve(const std::vector<Value>& rig
 
 namespace {
 
-using PivotTests = std::vector<std::pair<Value, Value>>;
-
 // A row of A may vanish as a whole where a loop loses a constraint, and its pivot in proportion to the diagonal entry: it
-// is small beside those of all rows of its unit. A pivot of 1e-12 of their sum, 2^12 roundings, leaves four digits of the
-// multipliers.
-PivotTests beside_those_of_its_unit(Program& program, const PivotTests& pivots) {
-  PivotTests result;
-  for (const auto& [pivot, diagonal] : pivots) {
+// is small beside those of all rows of its unit. A pivot of 1e-12 of their sum, many roundings, leaves four digits of the
+// multipliers in doubles.
+std::vector<PivotTest> beside_those_of_its_unit(Program& program, const std::vector<PivotTest>& pivots) {
+  std::vector<PivotTest> result;
+  for (const PivotTest& of_row : pivots) {
     Value sum;
     std::size_t rows = 0;
-    for (const auto& [other_pivot, other] : pivots) {
-      if (diagonal.is_zero() || other.is_zero() || !(other.unit() == diagonal.unit())) continue;
-      sum += other;
+    for (const PivotTest& other : pivots) {
+      if (of_row.measure.is_zero() || other.measure.is_zero() || !(other.measure.unit() == of_row.measure.unit())) continue;
+      sum += other.measure;
       ++rows;
     }
-    result.emplace_back(pivot, rows > 1 ? program.bind(program.number(Number(4096)) * program.bind(sum)) : diagonal);
+    result.push_back(rows > 1 ? PivotTest{of_row.pivot, program.bind(sum), true} : of_row);
   }
   return result;
 }
@@ -164,7 +162,7 @@ ForwardSolution MotionSolver::solve(const std::vector<Value>& force, const std::
   }
   const auto reduce = [&](const auto& reduced) {
     solution.multipliers = reduced.solve(right_side);
-    const PivotTests pivots = schur_ ? beside_those_of_its_unit(*program_, reduced.pivots()) : reduced.pivots();
+    const std::vector<PivotTest> pivots = schur_ ? beside_those_of_its_unit(*program_, reduced.pivots()) : reduced.pivots();
     solution.pivots.insert(solution.pivots.end(), pivots.begin(), pivots.end());
   };
   if (schur_) {

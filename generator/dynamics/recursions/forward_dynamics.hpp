@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "torsor/generator/program/flattening.hpp"
+#include "torsor/generator/program/pivot_test.hpp"
 #include "torsor/generator/program/program.hpp"
 
 namespace torsor {
@@ -20,7 +21,7 @@ class Factorisation {
   Factorisation(Program& program, const ValueMatrix& symmetric);
   std::vector<Value> solve(const std::vector<Value>& right_side) const;
   /// (pivot d_k, diagonal entry it came from), for the caller to test.
-  const std::vector<std::pair<Value, Value>>& pivots() const { return pivots_; }
+  const std::vector<PivotTest>& pivots() const { return pivots_; }
   /// M = Lᵀ D L: L below its diagonal of ones, and 1/d_k.
   const ValueMatrix& lower() const { return lower_; }
   const std::vector<Value>& inverse_pivots() const { return inverse_pivots_; }
@@ -30,7 +31,7 @@ class Factorisation {
   mutable Flattening flattening_;  ///< remembers what it has multiplied out
   ValueMatrix lower_;
   std::vector<Value> inverse_pivots_;
-  std::vector<std::pair<Value, Value>> pivots_;
+  std::vector<PivotTest> pivots_;
 };
 
 /// L U of a matrix that need not be symmetric, unrolled, without exchange of rows. Where the pivots must be positive it
@@ -40,21 +41,21 @@ class UnsymmetricFactorisation {
  public:
   UnsymmetricFactorisation(Program& program, const ValueMatrix& matrix);
   std::vector<Value> solve(const std::vector<Value>& right_side) const;
-  const std::vector<std::pair<Value, Value>>& pivots() const { return pivots_; }
+  const std::vector<PivotTest>& pivots() const { return pivots_; }
 
  private:
   Program* program_;
   mutable Flattening flattening_;
   ValueMatrix lower_, upper_;
   std::vector<Value> inverse_pivots_;
-  std::vector<std::pair<Value, Value>> pivots_;
+  std::vector<PivotTest> pivots_;
 };
 
 /// What a motion is solved for.
 struct ForwardSolution {
   std::vector<Value> accelerations;
   std::vector<Value> multipliers;
-  std::vector<std::pair<Value, Value>> pivots;  ///< of M, then of the Schur complement
+  std::vector<PivotTest> pivots;  ///< of M, then of the Schur complement
   std::string method;                           ///< how it was solved, in words
 };
 
