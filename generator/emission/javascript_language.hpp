@@ -19,6 +19,7 @@ class JavascriptLanguage final : public Language {
   JavascriptLanguage(const MechanismListing& mechanism, std::string parameters,
                      std::map<std::string, const Structure*> results = {});
 
+  bool has_floats() const override { return false; }
   std::string constant(const Number& number) const override;
   std::string local(const std::string& name, const std::string& value) const override;
   std::string pi() const override;

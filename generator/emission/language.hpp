@@ -45,6 +45,8 @@ class Language {
  public:
   virtual ~Language() = default;
 
+  /// Whether its text computes in float too.
+  virtual bool has_floats() const { return true; }
   /// A number, rounded once.
   virtual std::string constant(const Number& number) const = 0;
   /// Declares a local variable with its value.

@@ -2,6 +2,8 @@
 #include "torsor/generator/emission/listing_printer.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 
 #include <fmt/format.h>
 
@@ -27,6 +29,14 @@ std::string zero_times(const std::string& zero, const std::vector<std::string>& 
   std::string product = zero;
   for (std::size_t i = begin; i < end; ++i) product += " * " + of[i];
   return product;
+}
+
+/// What becomes of a number that no normal float is near to.
+std::string beyond_floats(const Number& number) {
+  const float size = std::abs(number.to_float());
+  if (number.is_zero() || (size >= std::numeric_limits<float>::min() && !std::isinf(size))) return "";
+  const char* what = size == 0 ? "0" : std::isinf(size) ? "infinite" : "less than every normal float";
+  return fmt::format("In float the next constant is {}.", what);
 }
 
 class ListingPrinter {
@@ -56,6 +66,8 @@ class ListingPrinter {
     if (listing_->has_status) write_status();
     std::string constants;
     for (const FormulaPrinter::Constant& constant : formulas_.constants()) {
+      const std::string note = language_->has_floats() ? beyond_floats(constant.number) : "";
+      if (!note.empty()) constants += wrapped("// " + note, function_indentation) + "\n";
       constants +=
           wrapped(language_->local(constant.name, language_->constant(constant.number)), function_indentation) + "\n";
     }

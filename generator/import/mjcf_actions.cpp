@@ -110,7 +110,7 @@ void MjcfBuilder::add_free_actions(std::size_t i) {
 }
 
 /// U = −½ k θ², θ the angle from the attitude of rest, and −½ k x² of each place of a free joint. With e = (w, v) the
-/// quaternion from rest, θ is 2 atan2(|v|, |w|). It is written as |v| · (2 atan2(s, |w|)/s), s = max(|v|, 10⁻²⁰), so
+/// quaternion from rest, θ is 2 atan2(|v|, |w|). It is written as |v| · (2 atan2(s, |w|)/s), s = max(|v|, 10⁻¹⁵), so
 /// that force and stiffness are those of θ at rest too, where θ has no derivative.
 void MjcfBuilder::add_free_spring(std::size_t i) {
   const MjcfJoint& joint = model_.joints[i];
@@ -134,7 +134,7 @@ void MjcfBuilder::add_free_spring(std::size_t i) {
     const Expression component = rest[0] * e[a] - rest[a] * e[0] - rest[b] * e[c] + rest[c] * e[b];
     square = square + component * component;
   }
-  const Expression s = sqrt(max(square, Expression(Number(10).pow(-40))));
+  const Expression s = sqrt(max(square, Expression(Number(10).pow(-30))));
   const Expression angle_per_length = 2 * atan2(s, abs(w)) / s;
   scene_.force_function(parts.name + "_spring",
                         -k * angle_per_length * angle_per_length * square * Expression(Number::rational(1, 2)));

@@ -5,6 +5,7 @@
 #include <regex>
 #include <sstream>
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include "torsor/generator/base/error.hpp"
@@ -224,6 +225,19 @@ TEST(Header, RefusesNamesThatCppDoesNotTake) {
   EXPECT_NE(message_of("gamma", "x").find("the name 'gamma' of a scene belongs to the C library"), std::string::npos);
   EXPECT_NE(message_of("block", "Scalar").find("the name 'Scalar' of a member of Coordinates is used by the header"),
             std::string::npos);
+}
+
+TEST(Header, SaysWhichConstantsNoFloatIsNearTo) {
+  Scene scene("oscillator");
+  const Expression x = scene.coordinate("x", "m"), per_metre = Expression::quantity("1", "N/m");
+  scene.body("mass", scene.prismatic("slide", scene.ground(), axis::x, x), Inertia::point(Expression::quantity("1", "kg")));
+  scene.generalised_force("weak", x, Expression(Number(10).pow(-60)) * per_metre * x);
+  scene.generalised_force("strong", x, Expression(Number(10).pow(60)) * per_metre * abs(x));
+  const std::string header = emit_header(scene, {"bias"});
+  for (const char* what : {"0", "infinite"}) {
+    const std::string line = fmt::format("// In float the next constant is {}.\n    const Scalar ", what);
+    EXPECT_NE(header.find(line), std::string::npos) << what;
+  }
 }
 
 TEST(Header, GivesAQuaternionsComponentsNoUnitOfAnAngle) {

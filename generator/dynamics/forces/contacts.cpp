@@ -158,8 +158,9 @@ class ContactBuilder {
     const Vector apart = bound(program_, spheres.hollow ? b - a : a - b);
     const Value radius_b = program_.lower(spheres.radius_b);
     Value square = dot(apart, apart);
-    // A pin in the middle of its hole has no normal: of the order of 1e-40 of the radius nothing but 0/0 changes.
-    if (spheres.hollow) square += program_.number(Number(10).pow(-80)) * (radius_b * radius_b);
+    // A pin in the middle of its hole has no normal: at 1e-15 of the radius, whose square floats hold too, nothing but 0/0
+    // changes.
+    if (spheres.hollow) square += program_.number(Number(10).pow(-30)) * (radius_b * radius_b);
     return {apart, program_.sqrt(square)};
   }
 
