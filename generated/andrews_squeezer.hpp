@@ -14,7 +14,7 @@
 //   mass_matrix                9                7          0             0                  3       0     22      22
 //   bias                      20               35          1             1                  4       0     65      65
 //   inverse_dynamics          73               92          1             1                  7       0    181     195
-//   forward_dynamics         241              345         12             1                  7       0    613     643
+//   forward_dynamics         241              345         12             1                  7       0    613     642
 //   energy                    29               50          0             1                  4       0     88      94
 //   constraints               87              136          0             0                  7       0    237     249
 //   linearisation            540              710         20             1                  7       0   1285    1425
@@ -97,7 +97,7 @@ struct Mechanism {
 
   static constexpr const char* name = "andrews_squeezer";
   /// 64 bits (FNV-1a) of this file from "#pragma once" on, with zeros in their own place: another mechanism, other bits.
-  static constexpr unsigned long long fingerprint = 0x6d587eac96763e89ULL ^ torsor::support_fingerprint;
+  static constexpr unsigned long long fingerprint = 0xd8a0b03af433d79bULL ^ torsor::support_fingerprint;
   static constexpr int coordinate_count = 7;
   static constexpr int velocity_count = 7;
   static constexpr int input_count = 0;
@@ -1197,7 +1197,7 @@ struct Mechanism {
   /// Forward dynamics: accelerations a and multipliers lambda from M a + h = E u + A' lambda, A a + gamma = 0, by
   /// an unrolled L D L' of M and of the Schur complement A M^-1 A'. Returns singular when a pivot is not
   /// positive relative to its diagonal entry, or one of the Schur complement is below
-  /// 2^-40 of those of its unit (a change point).
+  /// 2^-40 of those of its unit (a change point), in float 2^-20.
   TORSOR_DEVICE static torsor::Status forward_dynamics(const Precomputed&, const State& state, const Inputs&,
       Accelerations& accelerations, Multipliers& multipliers) noexcept {
     const Scalar n0_028 = traits::constant(0.028, 0.028f, "7/250");
@@ -1490,57 +1490,60 @@ struct Mechanism {
     const Scalar z233 = z210 + z194 + z179 + z176 + z173 + z169;
     const Scalar z234 = z45 * z212 + z129 - z51 * z216 + z70 * z214 - z69 * z217;
     const Scalar z235 = z42 * z212 + z130 - z60 * z216 - z73 * z214 + z68 * z217;
-    const Scalar z236 = n4096 * z233;
-    const Scalar z237 = z230 + z191 * z197;
-    const Scalar z238 = z232 - z191 * z198;
-    const Scalar z239 = z208 - z237 * z228;
-    const Scalar z240 = z209 - z237 * z225;
-    const Scalar z241 = z180 * z235 - z234;
-    const Scalar z242 = z181 * z235 - z223 + z197 * z241;
-    const Scalar z243 = z227 * z231;
-    const Scalar z244 = z229 - z227 * z243;
-    const Scalar z245 = z239 - z240 * z243;
-    const Scalar z246 = z189 * z235 - z222 - z198 * z241 - z225 * z242;
-    const Scalar z247 = n1 / z244;
-    const Scalar z248 = z181 * z235 - z224 + z197 * z241 + z228 * z242 + z243 * z246;
-    const Scalar z249 = z237 * z203;
-    const Scalar z250 = z238 + z237 * z249;
-    const Scalar z251 = z240 * z231;
-    const Scalar z252 = z250 - z240 * z251;
-    const Scalar z253 = z245 * z247;
-    const Scalar z254 = z252 - z245 * z253;
-    const Scalar z255 = z189 * z235 + z221 - z198 * z241 + z249 * z242 - z251 * z246 + z253 * z248;
-    const Scalar z256 = n1 / z254;
-    const Scalar z257 = z256 * z255;
-    const Scalar z258 = z247 * z248 + z253 * z257;
-    const Scalar z259 = z231 * z246 - z251 * z257 + z243 * z258;
-    const Scalar z260 = z143 * z257 - z220 - z148 * z258;
-    const Scalar z261 = z203 * z242 - z249 * z257 - z228 * z258 + z225 * z259;
-    const Scalar z262 = z186 * z241 - z198 * (z257 + z259) + z197 * (z258 - z261);
-    const Scalar z263 = z218 + z163 * z259 - z162 * z261;
-    const Scalar z264 = z177 * z259 - z219 - z168 * z261;
-    const Scalar z265 = z172 * z235 + z189 * (z257 + z259) + z181 * (z258 - z261) + z180 * z262;
-    const Scalar z266 = z151 * (z257 + z259 + z262) - z212 + z152 * (z258 - z261 - z265);
-    const Scalar z267 = z155 * (z257 + z259 + z262) - z216 + z156 * (z258 - z261 - z265);
-    const Scalar z268 = z214 + z165 * z262 + z160 * z265;
-    const Scalar z269 = z170 * z262 - z217 + z166 * z265;
-    accelerations.beta = -z266;
-    accelerations.Theta = -z267;
-    accelerations.gamma = z260;
-    accelerations.Phi = z263;
-    accelerations.delta = -z264;
-    accelerations.Omega = -z268;
-    accelerations.epsilon = z269;
-    multipliers.lambda_E3_x = -z257;
-    multipliers.lambda_E3_y = z258;
-    multipliers.lambda_E4_x = -z259;
-    multipliers.lambda_E4_y = -z261;
-    multipliers.lambda_E6_x = -z262;
-    multipliers.lambda_E6_y = -z265;
+    const Scalar z236 = z230 + z191 * z197;
+    const Scalar z237 = z232 - z191 * z198;
+    const Scalar z238 = z208 - z236 * z228;
+    const Scalar z239 = z209 - z236 * z225;
+    const Scalar z240 = z180 * z235 - z234;
+    const Scalar z241 = z181 * z235 - z223 + z197 * z240;
+    const Scalar z242 = z227 * z231;
+    const Scalar z243 = z229 - z227 * z242;
+    const Scalar z244 = z238 - z239 * z242;
+    const Scalar z245 = z189 * z235 - z222 - z198 * z240 - z225 * z241;
+    const Scalar z246 = n1 / z243;
+    const Scalar z247 = z181 * z235 - z224 + z197 * z240 + z228 * z241 + z242 * z245;
+    const Scalar z248 = z236 * z203;
+    const Scalar z249 = z237 + z236 * z248;
+    const Scalar z250 = z239 * z231;
+    const Scalar z251 = z249 - z239 * z250;
+    const Scalar z252 = z244 * z246;
+    const Scalar z253 = z251 - z244 * z252;
+    const Scalar z254 = z189 * z235 + z221 - z198 * z240 + z248 * z241 - z250 * z245 + z252 * z247;
+    const Scalar z255 = n1 / z253;
+    const Scalar z256 = z255 * z254;
+    const Scalar z257 = z246 * z247 + z252 * z256;
+    const Scalar z258 = z231 * z245 - z250 * z256 + z242 * z257;
+    const Scalar z259 = z143 * z256 - z220 - z148 * z257;
+    const Scalar z260 = z203 * z241 - z248 * z256 - z228 * z257 + z225 * z258;
+    const Scalar z261 = z186 * z240 - z198 * (z256 + z258) + z197 * (z257 - z260);
+    const Scalar z262 = z218 + z163 * z258 - z162 * z260;
+    const Scalar z263 = z177 * z258 - z219 - z168 * z260;
+    const Scalar z264 = z172 * z235 + z189 * (z256 + z258) + z181 * (z257 - z260) + z180 * z261;
+    const Scalar z265 = z151 * (z256 + z258 + z261) - z212 + z152 * (z257 - z260 - z264);
+    const Scalar z266 = z155 * (z256 + z258 + z261) - z216 + z156 * (z257 - z260 - z264);
+    const Scalar z267 = z214 + z165 * z261 + z160 * z264;
+    const Scalar z268 = z170 * z261 - z217 + z166 * z264;
+    const Scalar roundings_ = traits::formula(4096.0, 8.0f, [&]() -> Scalar {
+      return n4096;
+    });
+    accelerations.beta = -z265;
+    accelerations.Theta = -z266;
+    accelerations.gamma = z259;
+    accelerations.Phi = z262;
+    accelerations.delta = -z263;
+    accelerations.Omega = -z267;
+    accelerations.epsilon = z268;
+    multipliers.lambda_E3_x = -z256;
+    multipliers.lambda_E3_y = z257;
+    multipliers.lambda_E4_x = -z258;
+    multipliers.lambda_E4_y = -z260;
+    multipliers.lambda_E6_x = -z261;
+    multipliers.lambda_E6_y = -z264;
+    const Scalar bound0_ = roundings_ * z233;
     if (!(traits::regular(-z133, z103) && traits::regular(z142, k11) && traits::regular(z107, z107)
-        && traits::regular(z136, k11) && traits::regular(z99, z99) && traits::regular(z254, z236)
-        && traits::regular(z244, z236) && traits::regular(z226, z236) && traits::regular(-z200, z236)
-        && traits::regular(z182, z236) && traits::regular(z169, z236))) return torsor::Status::singular;
+        && traits::regular(z136, k11) && traits::regular(z99, z99) && traits::regular(z253, bound0_)
+        && traits::regular(z243, bound0_) && traits::regular(z226, bound0_) && traits::regular(-z200, bound0_)
+        && traits::regular(z182, bound0_) && traits::regular(z169, bound0_))) return torsor::Status::singular;
     // 0 x is 0 for every finite x and not a number for any other.
     const Scalar zero = n0 * accelerations.beta * accelerations.Theta * accelerations.gamma * accelerations.Phi
         * accelerations.delta * accelerations.Omega * accelerations.epsilon * multipliers.lambda_E3_x

@@ -15,7 +15,7 @@
 //   mass_matrix               1                3          0             0                  1       0      6      11
 //   bias                      4               15          0             0                  1       0     21      25
 //   inverse_dynamics         20               29          0             0                  2       0     53      58
-//   forward_dynamics         25               64          3             0                  2       0     96     104
+//   forward_dynamics         25               64          3             0                  2       0     96     103
 //   energy                   14               28          0             0                  3       0     48      58
 //   constraints              16               30          0             0                  2       0     50      50
 //
@@ -70,7 +70,7 @@ struct Mechanism {
 
   static constexpr const char* name = "disk_in_a_circle";
   /// 64 bits (FNV-1a) of this file from "#pragma once" on, with zeros in their own place: another mechanism, other bits.
-  static constexpr unsigned long long fingerprint = 0xa0d484baeb84de81ULL ^ torsor::support_fingerprint;
+  static constexpr unsigned long long fingerprint = 0x0d0272be54edbf3bULL ^ torsor::support_fingerprint;
   static constexpr int coordinate_count = 6;
   static constexpr int velocity_count = 6;
   static constexpr int input_count = 0;
@@ -554,15 +554,15 @@ struct Mechanism {
   /// Forward dynamics: accelerations a and multipliers lambda from M a + h = E u + A' lambda, A a + gamma = 0, by
   /// an unrolled L D L' of M and of the Schur complement A M^-1 A'. Returns singular when a pivot is not
   /// positive relative to its diagonal entry, or one of the Schur complement is below
-  /// 2^-40 of those of its unit (a change point).
+  /// 2^-40 of those of its unit (a change point), in float 2^-20.
   TORSOR_DEVICE static torsor::Status forward_dynamics(const Precomputed& precomputed, const State& state,
       const Inputs&, Accelerations& accelerations, Multipliers& multipliers) noexcept {
     const Scalar n2 = traits::constant(2.0, 2.0f, "2/1");
     const Scalar n1 = traits::constant(1.0, 1.0f, "1/1");
     const Scalar n1_over_3 = traits::constant(0.3333333333333333, 0.33333334f, "1/3");
     const Scalar n3 = traits::constant(3.0, 3.0f, "3/1");
-    const Scalar n4096 = traits::constant(4096.0, 4096.0f, "4096/1");
     const Scalar n9_81 = traits::constant(9.81, 9.81f, "981/100");
+    const Scalar n4096 = traits::constant(4096.0, 4096.0f, "4096/1");
     const Scalar n0 = traits::constant(0.0, 0.0f, "0/1");
     const Scalar v_x = state.v.x;
     const Scalar v_y = state.v.y;
@@ -625,33 +625,36 @@ struct Mechanism {
     const Scalar z40 = m0 * z28 - z34;  // moment on disk.2, y
     const Scalar z41 = s_theta * z40;
     const Scalar z42 = z39 * m4;
-    const Scalar z43 = n4096 * z38;
-    const Scalar z44 = z29 * z41;
-    const Scalar z45 = n9_81 - z23 + z1 * z42;
-    const Scalar z46 = z0 * z42 - z24;
-    const Scalar z47 = z27 * m3 + z20 * z44;
-    const Scalar z48 = z31 * z36;
-    const Scalar z49 = z30 - z31 * z48;
-    const Scalar z50 = z48 * z46 - z45;
-    const Scalar z51 = z35 * z37 + z47;
-    const Scalar z52 = n1 / z49;
-    const Scalar z53 = z52 * z50;
-    const Scalar z54 = z36 * z46 + z48 * z53;
-    const Scalar z55 = n9_81 + z53;
-    const Scalar z56 = c_psi * z37 + s_psi * z54;
-    const Scalar z57 = s_psi * z37 - c_psi * z54;
-    const Scalar z58 = z42 + z21 * z53 - z22 * z54;
-    accelerations.x = z56;
-    accelerations.y = z57;
-    accelerations.z = -z55;
-    accelerations.psi = -z44;
-    accelerations.theta = z58;
-    accelerations.phi = z51;
-    multipliers.N = -z53;
+    const Scalar z43 = z29 * z41;
+    const Scalar z44 = n9_81 - z23 + z1 * z42;
+    const Scalar z45 = z0 * z42 - z24;
+    const Scalar z46 = z27 * m3 + z20 * z43;
+    const Scalar z47 = z31 * z36;
+    const Scalar z48 = z30 - z31 * z47;
+    const Scalar z49 = z47 * z45 - z44;
+    const Scalar z50 = z35 * z37 + z46;
+    const Scalar z51 = n1 / z48;
+    const Scalar z52 = z51 * z49;
+    const Scalar z53 = z36 * z45 + z47 * z52;
+    const Scalar z54 = n9_81 + z52;
+    const Scalar z55 = c_psi * z37 + s_psi * z53;
+    const Scalar z56 = s_psi * z37 - c_psi * z53;
+    const Scalar z57 = z42 + z21 * z52 - z22 * z53;
+    const Scalar roundings_ = traits::formula(4096.0, 8.0f, [&]() -> Scalar {
+      return n4096;
+    });
+    accelerations.x = z55;
+    accelerations.y = z56;
+    accelerations.z = -z54;
+    accelerations.psi = -z43;
+    accelerations.theta = z57;
+    accelerations.phi = z50;
+    multipliers.N = -z52;
     multipliers.X = z37;
-    multipliers.Y = -z54;
-    if (!(traits::regular(z8, -z19) && traits::regular(m0, m0) && traits::regular(m1, m1) && traits::regular(z49, z43)
-        && traits::regular(z32, z43))) return torsor::Status::singular;
+    multipliers.Y = -z53;
+    const Scalar bound0_ = roundings_ * z38;
+    if (!(traits::regular(z8, -z19) && traits::regular(m0, m0) && traits::regular(m1, m1) && traits::regular(z48,
+        bound0_) && traits::regular(z32, bound0_))) return torsor::Status::singular;
     // 0 x is 0 for every finite x and not a number for any other.
     const Scalar zero = n0 * accelerations.x * accelerations.y * accelerations.z * accelerations.psi
         * accelerations.theta * accelerations.phi * multipliers.N * multipliers.X * multipliers.Y;

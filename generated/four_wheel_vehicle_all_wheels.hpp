@@ -15,7 +15,7 @@
 //   mass_matrix              44               44          0             0                  1       0     90     118
 //   bias                     43               60          0             0                  1       0    105     119
 //   inverse_dynamics        116              111          0             0                  5       0    237     270
-//   forward_dynamics        599              729         11             0                  5       0   1349    1407
+//   forward_dynamics        599              729         11             0                  5       0   1349    1406
 //   energy                   48               74          0             0                  5       0    132     162
 //   constraints              44               56          0             0                  4       0    108     132
 //
@@ -87,7 +87,7 @@ struct Mechanism {
 
   static constexpr const char* name = "four_wheel_vehicle_all_wheels";
   /// 64 bits (FNV-1a) of this file from "#pragma once" on, with zeros in their own place: another mechanism, other bits.
-  static constexpr unsigned long long fingerprint = 0xdea456778a4db350ULL ^ torsor::support_fingerprint;
+  static constexpr unsigned long long fingerprint = 0x6504a0031122c95cULL ^ torsor::support_fingerprint;
   static constexpr int coordinate_count = 11;
   static constexpr int velocity_count = 11;
   static constexpr int input_count = 0;
@@ -1324,7 +1324,7 @@ struct Mechanism {
   /// Forward dynamics: accelerations a and multipliers lambda from M a + h = E u + A' lambda, A a + gamma = 0, by
   /// an unrolled L D L' of M and of the Schur complement A M^-1 A'. Returns singular when a pivot is not
   /// positive relative to its diagonal entry, or one of the Schur complement is below
-  /// 2^-40 of those of its unit (a change point).
+  /// 2^-40 of those of its unit (a change point), in float 2^-20.
   TORSOR_DEVICE static torsor::Status forward_dynamics(const Precomputed& precomputed, const State& state,
       const Inputs&, Accelerations& accelerations, Multipliers& multipliers) noexcept {
     const Scalar n2 = traits::constant(2.0, 2.0f, "2/1");
@@ -1339,8 +1339,8 @@ struct Mechanism {
     const Scalar n880 = traits::constant(880.0, 880.0f, "880/1");
     const Scalar n1 = traits::constant(1.0, 1.0f, "1/1");
     const Scalar n0_1 = traits::constant(0.1, 0.1f, "1/10");
-    const Scalar n4096 = traits::constant(4096.0, 4096.0f, "4096/1");
     const Scalar n1_over_3 = traits::constant(0.3333333333333333, 0.33333334f, "1/3");
+    const Scalar n4096 = traits::constant(4096.0, 4096.0f, "4096/1");
     const Scalar n0 = traits::constant(0.0, 0.0f, "0/1");
     const Scalar v_x = state.v.x;
     const Scalar v_y = state.v.y;
@@ -1806,66 +1806,69 @@ struct Mechanism {
     const Scalar z413 = z354 * z352;
     const Scalar z414 = z377 + z354 * z413;
     const Scalar z415 = z234 + z229 + z249 + z262 - z231 - z240 + z227 + z251;
-    const Scalar z416 = n4096 * z415;
-    const Scalar z417 = z390 * z384;
-    const Scalar z418 = z414 - z390 * z417;
-    const Scalar z419 = z399 * z401;
-    const Scalar z420 = z410 * z412;
-    const Scalar z421 = z418 + z399 * z419;
-    const Scalar z422 = z269 * z381 - z391 - z315 * z395 + z370 * z400 - z413 * z405 + z417 * z406 - z419 * z407 + z420
+    const Scalar z416 = z390 * z384;
+    const Scalar z417 = z414 - z390 * z416;
+    const Scalar z418 = z399 * z401;
+    const Scalar z419 = z410 * z412;
+    const Scalar z420 = z417 + z399 * z418;
+    const Scalar z421 = z269 * z381 - z391 - z315 * z395 + z370 * z400 - z413 * z405 + z416 * z406 - z418 * z407 + z419
         * z411;
-    const Scalar z423 = z421 - z410 * z420;
-    const Scalar z424 = n1 / z423;
-    const Scalar z425 = z424 * z422;
-    const Scalar z426 = z412 * z411 + z420 * z425;
-    const Scalar z427 = z401 * z407 + z419 * z425 + z408 * z426;
-    const Scalar z428 = n1_over_3 * z426;
-    const Scalar z429 = z384 * z406 + z417 * z425 + z402 * z426 - z396 * z427;
-    const Scalar z430 = z352 * z405 + z413 * z425 + z369 * z426 - z368 * z427 + z367 * z429;
-    const Scalar z431 = n1_over_3 * z429;
-    const Scalar z432 = z326 * z400 + z370 * z425 + z364 * z426 - z360 * z427 + z355 * z429 - z347 * z430;
-    const Scalar z433 = z303 * z395 - z315 * z425 - z320 * z426 + z319 * z427 - z318 * z429 + z317 * z430 - z316 * z432;
-    const Scalar z434 = n1_over_3 * z432;
-    const Scalar z435 = z264 * z381 + z269 * z425 + z271 * z426 - z273 * z427 + z279 * z429 - z278 * z430 + z277 * z432
-        + z276 * z433;
-    const Scalar z436 = z346 + z184 * z425 + z185 * z426 - z186 * z427 + z187 * z429 - z188 * z430 + z189 * z432 + z190
-        * z433 + z221 * z435;
-    const Scalar z437 = z191 * z425 - z350 - z193 * z426 - z194 * z427 - z195 * z429 - z196 * z430 - z198 * z432 + z197
-        * z433 - z223 * z435;
-    const Scalar z438 = z371 + z217 * z425 + z212 * z426 - z209 * z427 + z205 * z429 - z203 * z430 + z200 * z432 + z199
-        * z433 + z225 * z435;
-    const Scalar z439 = z372 + z220 * z425 + z228 * z426 - z238 * z427 + z248 * z429 - z259 * z430 + z270 * z432 + z282
-        * z433 + z294 * z435;
-    const Scalar z440 = z373 + z222 * z425 + z215 * z426 - z213 * z427 + z250 * z429 - z261 * z430 + z272 * z432 + z284
-        * z433 + z296 * z435;
-    const Scalar z441 = z374 + z224 * z425 + z216 * z426 - z211 * z427 + z208 * z429 + z206 * z430 + z274 * z432 + z286
-        * z433 + z298 * z435;
-    const Scalar z442 = n1_over_3 * z435;
-    const Scalar z443 = z375 + z219 * z425 + z214 * z426 - z210 * z427 + z207 * z429 - z204 * z430 + z202 * z432 - z201
-        * z433 + z300 * z435;
-    accelerations.x = -z436;
-    accelerations.y = -z437;
-    accelerations.psi = z438;
-    accelerations.phi_1 = -z428;
-    accelerations.phi_2 = -z431;
-    accelerations.phi_3 = -z434;
-    accelerations.phi_4 = -z442;
-    accelerations.s_1 = z439;
-    accelerations.s_2 = z440;
-    accelerations.s_3 = -z441;
-    accelerations.s_4 = -z443;
-    multipliers.lambda_wheel_1_x = z425;
-    multipliers.lambda_wheel_1_y = -z426;
-    multipliers.lambda_wheel_2_x = -z427;
-    multipliers.lambda_wheel_2_y = -z429;
-    multipliers.lambda_wheel_3_x = -z430;
-    multipliers.lambda_wheel_3_y = -z432;
-    multipliers.lambda_wheel_4_x = z433;
-    multipliers.lambda_wheel_4_y = -z435;
+    const Scalar z422 = z420 - z410 * z419;
+    const Scalar z423 = n1 / z422;
+    const Scalar z424 = z423 * z421;
+    const Scalar z425 = z412 * z411 + z419 * z424;
+    const Scalar z426 = z401 * z407 + z418 * z424 + z408 * z425;
+    const Scalar z427 = n1_over_3 * z425;
+    const Scalar z428 = z384 * z406 + z416 * z424 + z402 * z425 - z396 * z426;
+    const Scalar z429 = z352 * z405 + z413 * z424 + z369 * z425 - z368 * z426 + z367 * z428;
+    const Scalar z430 = n1_over_3 * z428;
+    const Scalar z431 = z326 * z400 + z370 * z424 + z364 * z425 - z360 * z426 + z355 * z428 - z347 * z429;
+    const Scalar z432 = z303 * z395 - z315 * z424 - z320 * z425 + z319 * z426 - z318 * z428 + z317 * z429 - z316 * z431;
+    const Scalar z433 = n1_over_3 * z431;
+    const Scalar z434 = z264 * z381 + z269 * z424 + z271 * z425 - z273 * z426 + z279 * z428 - z278 * z429 + z277 * z431
+        + z276 * z432;
+    const Scalar z435 = z346 + z184 * z424 + z185 * z425 - z186 * z426 + z187 * z428 - z188 * z429 + z189 * z431 + z190
+        * z432 + z221 * z434;
+    const Scalar z436 = z191 * z424 - z350 - z193 * z425 - z194 * z426 - z195 * z428 - z196 * z429 - z198 * z431 + z197
+        * z432 - z223 * z434;
+    const Scalar z437 = z371 + z217 * z424 + z212 * z425 - z209 * z426 + z205 * z428 - z203 * z429 + z200 * z431 + z199
+        * z432 + z225 * z434;
+    const Scalar z438 = z372 + z220 * z424 + z228 * z425 - z238 * z426 + z248 * z428 - z259 * z429 + z270 * z431 + z282
+        * z432 + z294 * z434;
+    const Scalar z439 = z373 + z222 * z424 + z215 * z425 - z213 * z426 + z250 * z428 - z261 * z429 + z272 * z431 + z284
+        * z432 + z296 * z434;
+    const Scalar z440 = z374 + z224 * z424 + z216 * z425 - z211 * z426 + z208 * z428 + z206 * z429 + z274 * z431 + z286
+        * z432 + z298 * z434;
+    const Scalar z441 = n1_over_3 * z434;
+    const Scalar z442 = z375 + z219 * z424 + z214 * z425 - z210 * z426 + z207 * z428 - z204 * z429 + z202 * z431 - z201
+        * z432 + z300 * z434;
+    const Scalar roundings_ = traits::formula(4096.0, 8.0f, [&]() -> Scalar {
+      return n4096;
+    });
+    accelerations.x = -z435;
+    accelerations.y = -z436;
+    accelerations.psi = z437;
+    accelerations.phi_1 = -z427;
+    accelerations.phi_2 = -z430;
+    accelerations.phi_3 = -z433;
+    accelerations.phi_4 = -z441;
+    accelerations.s_1 = z438;
+    accelerations.s_2 = z439;
+    accelerations.s_3 = -z440;
+    accelerations.s_4 = -z442;
+    multipliers.lambda_wheel_1_x = z424;
+    multipliers.lambda_wheel_1_y = -z425;
+    multipliers.lambda_wheel_2_x = -z426;
+    multipliers.lambda_wheel_2_y = -z428;
+    multipliers.lambda_wheel_3_x = -z429;
+    multipliers.lambda_wheel_3_y = -z431;
+    multipliers.lambda_wheel_4_x = z432;
+    multipliers.lambda_wheel_4_y = -z434;
+    const Scalar bound0_ = roundings_ * z415;
     if (!(traits::regular(-z175, n880) && traits::regular(-z156, n880) && traits::regular(-z133, z115)
-        && traits::regular(z423, z416) && traits::regular(z409, z416) && traits::regular(-z397, z416)
-        && traits::regular(z376, z416) && traits::regular(-z348, z416) && traits::regular(z322, z416)
-        && traits::regular(z301, z416) && traits::regular(z262, z416))) return torsor::Status::singular;
+        && traits::regular(z422, bound0_) && traits::regular(z409, bound0_) && traits::regular(-z397, bound0_)
+        && traits::regular(z376, bound0_) && traits::regular(-z348, bound0_) && traits::regular(z322, bound0_)
+        && traits::regular(z301, bound0_) && traits::regular(z262, bound0_))) return torsor::Status::singular;
     // 0 x is 0 for every finite x and not a number for any other.
     const Scalar zero = (n0 * accelerations.x * accelerations.y * accelerations.psi * accelerations.phi_1
         * accelerations.phi_2 * accelerations.phi_3 * accelerations.phi_4 * accelerations.s_1 * accelerations.s_2) * (n0

@@ -10,12 +10,12 @@
 // costs, one multiplication for each result and for each pivot tested); before: without products that sums
 // share, factoring, and what is done once for a set of parameters:
 //   function          additions  multiplications  divisions  square roots  sine-cosine pairs  others  total  before
-//   precompute               17               31          5             0                  0       0     53       -
+//   precompute               17               30          5             0                  0       0     52       -
 //   kinematics               25               50          0             0                  3       0     81      85
 //   mass_matrix               0                0          0             0                  0       0      0       0
 //   bias                      1                4          0             0                  1       0      7       7
 //   inverse_dynamics          9               14          0             0                  1       0     25      37
-//   forward_dynamics         12               20          0             0                  1       0     34      64
+//   forward_dynamics         12               21          0             0                  1       0     35      63
 //   energy                   13               29          0             0                  2       0     46      50
 //   constraints               3                4          0             0                  0       0      7      20
 //   linearisation            27               35          0             0                  1       0     64     101
@@ -86,7 +86,7 @@ struct Mechanism {
 
   static constexpr const char* name = "graham_variator";
   /// 64 bits (FNV-1a) of this file from "#pragma once" on, with zeros in their own place: another mechanism, other bits.
-  static constexpr unsigned long long fingerprint = 0xf697ec50b3983035ULL ^ torsor::support_fingerprint;
+  static constexpr unsigned long long fingerprint = 0xe9acfb153b8d5f03ULL ^ torsor::support_fingerprint;
   static constexpr int coordinate_count = 3;
   static constexpr int velocity_count = 3;
   static constexpr int input_count = 2;
@@ -229,7 +229,7 @@ struct Mechanism {
     Scalar m_a117cb70;
     Scalar m_495bc7d3;
     Scalar m_2d607baf;
-    Scalar m_65da4474;
+    Scalar m_909d645f;
     Scalar m_e95f6307;
     Scalar m_8be0c743;
     Scalar m_9e64efab;
@@ -271,18 +271,17 @@ struct Mechanism {
     const Scalar n1 = traits::constant(1.0, 1.0f, "1/1");
     const Scalar k10 = traits::constant(2.4504812091337693, 2.4504812f,
         "554831044729/239573578800;217036829/1597157192;1090130053/95829431520;-252043749/7985785960");
-    const Scalar n4096 = traits::constant(4096.0, 4096.0f, "4096/1");
     const Scalar n0_02 = traits::constant(0.02, 0.02f, "1/50");
-    const Scalar k13 = traits::constant(57.244853140274905, 57.244854f,
+    const Scalar k12 = traits::constant(57.244853140274905, 57.244854f,
         "2729353520000/52676627161;-342376000000/52676627161;-189457160000/158029881483;359131200000/52676627161");
     const Scalar n0_0003 = traits::constant(3e-04, 3e-04f, "3/10000");
-    const Scalar k15 = traits::constant(0.11155394517270574, 0.111553945f, "1/10;1/80;0;-1/400");
-    const Scalar k16 = traits::constant(8.96427283187357, 8.9642725f,
+    const Scalar k14 = traits::constant(0.11155394517270574, 0.111553945f, "1/10;1/80;0;-1/400");
+    const Scalar k15 = traits::constant(8.96427283187357, 8.9642725f,
         "1544000/148921;-194500/148921;-20000/148921;41100/148921");
-    const Scalar k17 = traits::constant(0.017468819381011653, 0.01746882f, "447/20000;3/1000;-41/40000;-3/1000");
-    const Scalar k18 = traits::constant(2.897777478867205e-05, 2.8977774e-05f, "0;3/400000;0;3/400000");
-    const Scalar k19 = traits::constant(0.0002897777478867205, 0.00028977776f, "0;3/40000;0;3/40000");
-    const Scalar k20 = traits::constant(3e-05, 3e-05f, "3/100000");
+    const Scalar k16 = traits::constant(0.017468819381011653, 0.01746882f, "447/20000;3/1000;-41/40000;-3/1000");
+    const Scalar k17 = traits::constant(2.897777478867205e-05, 2.8977774e-05f, "0;3/400000;0;3/400000");
+    const Scalar k18 = traits::constant(0.0002897777478867205, 0.00028977776f, "0;3/40000;0;3/40000");
+    const Scalar k19 = traits::constant(3e-05, 3e-05f, "3/100000");
     const Scalar p_d = parameters.d;
     const Scalar z0 = k0 * p_d;
     const Scalar z1 = k1 * p_d + k2 * z0;
@@ -299,21 +298,20 @@ struct Mechanism {
     const Scalar z12 = z9 - z10 * z11;
     const Scalar z13 = n1 / z12;
     const Scalar z14 = k10 + z9;
-    const Scalar z15 = n4096 * z14;
-    const Scalar z16 = n1 / z5;
-    const Scalar z17 = n0_02 * z16;
-    const Scalar z18 = z5 * z5;
-    const Scalar z19 = k13 * z3 * z3 + k5 * z5 * z5;
-    const Scalar z20 = n0_0003 * z19;
-    const Scalar z21 = k15 - z3 * z17;
-    const Scalar z22 = k16 * z21;
-    const Scalar z23 = z3 * z16;
-    const Scalar z24 = k17 - k18 / z5;
-    const Scalar z25 = k19 - k20 / z5;
-    const Scalar z26 = n0_02 * z22;
-    const Scalar z27 = z24 + z22 * z26 - z23 * z25;
-    const Scalar z28 = n1 / z27;
-    const Scalar z29 = z22 * z28;
+    const Scalar z15 = n1 / z5;
+    const Scalar z16 = n0_02 * z15;
+    const Scalar z17 = z5 * z5;
+    const Scalar z18 = k12 * z3 * z3 + k5 * z5 * z5;
+    const Scalar z19 = n0_0003 * z18;
+    const Scalar z20 = k14 - z3 * z16;
+    const Scalar z21 = k15 * z20;
+    const Scalar z22 = z3 * z15;
+    const Scalar z23 = k16 - k17 / z5;
+    const Scalar z24 = k18 - k19 / z5;
+    const Scalar z25 = n0_02 * z21;
+    const Scalar z26 = z23 + z21 * z25 - z22 * z24;
+    const Scalar z27 = n1 / z26;
+    const Scalar z28 = z21 * z27;
     precomputed.m_46683f43 = z0;
     precomputed.m_852b2189 = z1;
     precomputed.m_d9a89de0 = z3;
@@ -323,18 +321,18 @@ struct Mechanism {
     precomputed.m_a117cb70 = z11;
     precomputed.m_495bc7d3 = z12;
     precomputed.m_2d607baf = z13;
-    precomputed.m_65da4474 = z15;
-    precomputed.m_e95f6307 = z16;
-    precomputed.m_8be0c743 = z17;
-    precomputed.m_9e64efab = z18;
-    precomputed.m_6dc83d0b = z20;
-    precomputed.m_3bba0927 = z22;
-    precomputed.m_5e660a8c = z23;
-    precomputed.m_f526aa3d = z25;
-    precomputed.m_b9c5f516 = z26;
-    precomputed.m_1639e79e = z27;
-    precomputed.m_7e4fc887 = z28;
-    precomputed.m_8f660bd4 = z29;
+    precomputed.m_909d645f = z14;
+    precomputed.m_e95f6307 = z15;
+    precomputed.m_8be0c743 = z16;
+    precomputed.m_9e64efab = z17;
+    precomputed.m_6dc83d0b = z19;
+    precomputed.m_3bba0927 = z21;
+    precomputed.m_5e660a8c = z22;
+    precomputed.m_f526aa3d = z24;
+    precomputed.m_b9c5f516 = z25;
+    precomputed.m_1639e79e = z26;
+    precomputed.m_7e4fc887 = z27;
+    precomputed.m_8f660bd4 = z28;
     return precomputed;
   }
 
@@ -660,7 +658,7 @@ struct Mechanism {
   /// Forward dynamics: accelerations a and multipliers lambda from M a + h = E u + A' lambda, A a + gamma = 0, by
   /// an unrolled L D L' of M and of the Schur complement A M^-1 A'. Returns singular when a pivot is not
   /// positive relative to its diagonal entry, or one of the Schur complement is below
-  /// 2^-40 of those of its unit (a change point).
+  /// 2^-40 of those of its unit (a change point), in float 2^-20.
   TORSOR_DEVICE static torsor::Status forward_dynamics(const Precomputed& precomputed, const State& state,
       const Inputs& inputs, Accelerations& accelerations, Multipliers& multipliers) noexcept {
     const Scalar n98_1 = traits::constant(98.1, 98.1f, "981/10");
@@ -678,6 +676,7 @@ struct Mechanism {
         "81606996074311354948800/187435544049510497429929;-4833141400108286640000/187435544049510497429929;-670503431205999804000/187435544049510497429929;1175234291156953584000/187435544049510497429929");
     const Scalar k10 = traits::constant(61.48352510873733, 61.483524f,
         "39738981350/598933947;-255072500/199644649;-5795575/199644649;-735710500/598933947");
+    const Scalar n4096 = traits::constant(4096.0, 4096.0f, "4096/1");
     const Scalar n0 = traits::constant(0.0, 0.0f, "0/1");
     const Scalar q_alpha = state.q.alpha;
     const Scalar u_C1 = inputs.C1;
@@ -689,7 +688,7 @@ struct Mechanism {
     const Scalar m4 = precomputed.m_a117cb70;
     const Scalar m5 = precomputed.m_495bc7d3;
     const Scalar m6 = precomputed.m_2d607baf;
-    const Scalar m7 = precomputed.m_65da4474;
+    const Scalar m7 = precomputed.m_909d645f;
     Scalar s_alpha, c_alpha;
     traits::sincos(q_alpha, s_alpha, c_alpha);
     const Scalar z0 = n98_1 * s_alpha;
@@ -708,6 +707,9 @@ struct Mechanism {
     const Scalar z13 = m2 * z11 + z7 - k5 * z12;
     const Scalar z14 = m3 * z11 - z8 - k10 * z12;
     const Scalar z15 = z1 + k6 * z12;
+    const Scalar roundings_ = traits::formula(4096.0, 8.0f, [&]() -> Scalar {
+      return n4096;
+    });
     accelerations.alpha = z13;
     accelerations.beta = z14;
     accelerations.gamma = z15;
@@ -715,7 +717,8 @@ struct Mechanism {
     multipliers.T_A = z11;
     multipliers.lambda_rolling_E_x = n0;
     multipliers.T_E = -z12;
-    if (!(traits::regular(m5, m7))) return torsor::Status::singular;
+    const Scalar bound0_ = roundings_ * m7;
+    if (!(traits::regular(m5, bound0_))) return torsor::Status::singular;
     // 0 x is 0 for every finite x and not a number for any other.
     const Scalar zero = n0 * accelerations.alpha * accelerations.beta * accelerations.gamma * multipliers.T_A
         * multipliers.T_E;

@@ -14,7 +14,7 @@
 //   mass_matrix              16               28          0             0                  0       0     44      52
 //   bias                     36               76          0             0                  0       0    112     125
 //   inverse_dynamics        122              184          1             0                  1       0    309     330
-//   forward_dynamics        315              542          9             0                  1       0    868     940
+//   forward_dynamics        315              542          9             0                  1       0    868     938
 //   energy                   46               72          2             0                  0       0    120     144
 //   constraints             159              266          2             0                  1       0    429     503
 //
@@ -86,7 +86,7 @@ struct Mechanism {
 
   static constexpr const char* name = "model_making_press";
   /// 64 bits (FNV-1a) of this file from "#pragma once" on, with zeros in their own place: another mechanism, other bits.
-  static constexpr unsigned long long fingerprint = 0xdf15af538c64e466ULL ^ torsor::support_fingerprint;
+  static constexpr unsigned long long fingerprint = 0xd30814f6b432343aULL ^ torsor::support_fingerprint;
   static constexpr int coordinate_count = 11;
   static constexpr int velocity_count = 9;
   static constexpr int input_count = 1;
@@ -1098,7 +1098,7 @@ struct Mechanism {
   /// Forward dynamics: accelerations a and multipliers lambda from M a + h = E u + A' lambda, A a + gamma = 0, by
   /// an unrolled L D L' of M and of the Schur complement A M^-1 A'. Returns singular when a pivot is not
   /// positive relative to its diagonal entry, or one of the Schur complement is below
-  /// 2^-40 of those of its unit (a change point).
+  /// 2^-40 of those of its unit (a change point), in float 2^-20.
   TORSOR_DEVICE static torsor::Status forward_dynamics(const Precomputed&, const State& state, const Inputs& inputs,
       Accelerations& accelerations, Multipliers& multipliers) noexcept {
     const Scalar n0_002 = traits::constant(0.002, 0.002f, "1/500");
@@ -1488,9 +1488,9 @@ struct Mechanism {
     const Scalar z323 = z303 * z271;
     const Scalar z324 = z107 * z312 - z108 - z110 * z321;
     const Scalar z325 = z264 + z303 * z323;
-    const Scalar z326 = z154 + z109 * z321 + z106 * z317;
-    const Scalar z327 = z264 - z268;
-    const Scalar z328 = n4096 * z327;
+    const Scalar z326 = z278 + z274 + z272 + z269;
+    const Scalar z327 = z154 + z109 * z321 + z106 * z317;
+    const Scalar z328 = z264 - z268;
     const Scalar z329 = n100000 * z179;
     const Scalar z330 = z120 * z322 - z187 - z123 * z329;
     const Scalar z331 = z3 * z189;
@@ -1506,62 +1506,65 @@ struct Mechanism {
     const Scalar z341 = z309 * z308;
     const Scalar z342 = z310 - z309 * z341;
     const Scalar z343 = z318 + z320 * z341;
-    const Scalar z344 = z326 + z281 * z334 + z300 * z339;
+    const Scalar z344 = z327 + z281 * z334 + z300 * z339;
     const Scalar z345 = z316 * z288;
-    const Scalar z346 = z278 + z274 + z272 + z269;
-    const Scalar z347 = z325 + z316 * z345;
-    const Scalar z348 = n4096 * z346;
-    const Scalar z349 = z282 * z334 - z324 + z301 * z339 + z335 * z344;
-    const Scalar z350 = z320 * z308;
-    const Scalar z351 = z347 + z320 * z350;
-    const Scalar z352 = z337 * z340;
-    const Scalar z353 = z338 * z340;
-    const Scalar z354 = z351 + z338 * z353;
-    const Scalar z355 = z343 - z338 * z352;
-    const Scalar z356 = z342 - z337 * z352;
-    const Scalar z357 = z332 + z296 * z334 + z302 * z339 + z341 * z344 - z352 * z349;
-    const Scalar z358 = n1 / z356;
-    const Scalar z359 = z355 * z358;
-    const Scalar z360 = z354 + z355 * z359;
-    const Scalar z361 = z105 + z323 * z334 + z345 * z339 + z350 * z344 + z353 * z349 + z359 * z357;
-    const Scalar z362 = n1 / z360;
-    const Scalar z363 = z362 * z361;
-    const Scalar z364 = z358 * z357 - z359 * z363;
-    const Scalar z365 = z340 * z349 - z353 * z363 - z352 * z364;
-    const Scalar z366 = z212 * z364 - z311;
-    const Scalar z367 = z215 * z364 - z331;
-    const Scalar z368 = z308 * z344 - z350 * z363 + z341 * z364 + z335 * z365;
-    const Scalar z369 = z288 * z339 - z345 * z363 + z302 * z364 + z301 * z365 + z300 * z368;
-    const Scalar z370 = z271 * z334 - z323 * z363 + z296 * z364 + z282 * z365 + z281 * z368 + z280 * z369;
-    const Scalar z371 = z222 * z363 - z223 * z364 - z224 * z365 - z225 * z368 - z226 * z369 - z227 * z370;
-    const Scalar z372 = z312 + z228 * z363 + z234 * z364 + z240 * z365 - z246 * z368 - z252 * z369 - z258 * z370;
-    const Scalar z373 = z229 * z363 - z317 - z235 * z364 - z241 * z365 + z247 * z368 - z253 * z369 - z259 * z370;
-    const Scalar z374 = z321 + z230 * z363 - z236 * z364 - z242 * z365 - z248 * z368 - z254 * z369 - z260 * z370;
-    const Scalar z375 = z322 + z231 * z363 - z237 * z364 - z243 * z365 - z249 * z368 + z255 * z369 - z261 * z370;
-    const Scalar z376 = z232 * z363 - z333 - z238 * z364 - z244 * z365 - z250 * z368 - z256 * z369 + z262 * z370;
-    const Scalar z377 = z329 + z233 * z363 - z239 * z364 - z245 * z365 - z251 * z368 - z257 * z369 - z263 * z370;
-    accelerations.a_z = z366;
-    accelerations.a = z371;
-    accelerations.lower_omega_x = -z372;
-    accelerations.lower_omega_y = -z373;
-    accelerations.lower_omega_z = -z374;
-    accelerations.upper_omega_x = -z375;
-    accelerations.upper_omega_y = -z376;
-    accelerations.upper_omega_z = -z377;
-    accelerations.omega_z = -z367;
-    multipliers.lambda_L2_y = -z363;
+    const Scalar z346 = z325 + z316 * z345;
+    const Scalar z347 = z282 * z334 - z324 + z301 * z339 + z335 * z344;
+    const Scalar z348 = z320 * z308;
+    const Scalar z349 = z346 + z320 * z348;
+    const Scalar z350 = z338 * z340;
+    const Scalar z351 = z337 * z340;
+    const Scalar z352 = z349 + z338 * z350;
+    const Scalar z353 = z343 - z338 * z351;
+    const Scalar z354 = z342 - z337 * z351;
+    const Scalar z355 = z332 + z296 * z334 + z302 * z339 + z341 * z344 - z351 * z347;
+    const Scalar z356 = n1 / z354;
+    const Scalar z357 = z353 * z356;
+    const Scalar z358 = z352 + z353 * z357;
+    const Scalar z359 = z105 + z323 * z334 + z345 * z339 + z348 * z344 + z350 * z347 + z357 * z355;
+    const Scalar z360 = n1 / z358;
+    const Scalar z361 = z360 * z359;
+    const Scalar z362 = z356 * z355 - z357 * z361;
+    const Scalar z363 = z340 * z347 - z350 * z361 - z351 * z362;
+    const Scalar z364 = z212 * z362 - z311;
+    const Scalar z365 = z215 * z362 - z331;
+    const Scalar z366 = z308 * z344 - z348 * z361 + z341 * z362 + z335 * z363;
+    const Scalar z367 = z288 * z339 - z345 * z361 + z302 * z362 + z301 * z363 + z300 * z366;
+    const Scalar z368 = z271 * z334 - z323 * z361 + z296 * z362 + z282 * z363 + z281 * z366 + z280 * z367;
+    const Scalar z369 = z222 * z361 - z223 * z362 - z224 * z363 - z225 * z366 - z226 * z367 - z227 * z368;
+    const Scalar z370 = z312 + z228 * z361 + z234 * z362 + z240 * z363 - z246 * z366 - z252 * z367 - z258 * z368;
+    const Scalar z371 = z229 * z361 - z317 - z235 * z362 - z241 * z363 + z247 * z366 - z253 * z367 - z259 * z368;
+    const Scalar z372 = z321 + z230 * z361 - z236 * z362 - z242 * z363 - z248 * z366 - z254 * z367 - z260 * z368;
+    const Scalar z373 = z322 + z231 * z361 - z237 * z362 - z243 * z363 - z249 * z366 + z255 * z367 - z261 * z368;
+    const Scalar z374 = z232 * z361 - z333 - z238 * z362 - z244 * z363 - z250 * z366 - z256 * z367 + z262 * z368;
+    const Scalar z375 = z329 + z233 * z361 - z239 * z362 - z245 * z363 - z251 * z366 - z257 * z367 - z263 * z368;
+    const Scalar roundings_ = traits::formula(4096.0, 8.0f, [&]() -> Scalar {
+      return n4096;
+    });
+    accelerations.a_z = z364;
+    accelerations.a = z369;
+    accelerations.lower_omega_x = -z370;
+    accelerations.lower_omega_y = -z371;
+    accelerations.lower_omega_z = -z372;
+    accelerations.upper_omega_x = -z373;
+    accelerations.upper_omega_y = -z374;
+    accelerations.upper_omega_z = -z375;
+    accelerations.omega_z = -z365;
+    multipliers.lambda_L2_y = -z361;
     multipliers.lambda_L2_z = n0;
     multipliers.lambda_L2_ry = n0;
     multipliers.lambda_L2_rz = n0;
-    multipliers.lambda_L3_z = -z364;
-    multipliers.lambda_L3_rx = -z365;
-    multipliers.lambda_L3_ry = z368;
+    multipliers.lambda_L3_z = -z362;
+    multipliers.lambda_L3_rx = -z363;
+    multipliers.lambda_L3_ry = z366;
     multipliers.lambda_L5_z = n0;
-    multipliers.lambda_L5_rx = -z369;
-    multipliers.lambda_L5_ry = z370;
-    if (!(traits::regular(-z220, z211) && traits::regular(z2, z2) && traits::regular(-z360, -z328)
-        && traits::regular(z356, -z328) && traits::regular(z336, z348) && traits::regular(z304, z348)
-        && traits::regular(z284, z348) && traits::regular(z269, z348))) return torsor::Status::singular;
+    multipliers.lambda_L5_rx = -z367;
+    multipliers.lambda_L5_ry = z368;
+    const Scalar bound0_ = roundings_ * z328;
+    const Scalar bound1_ = roundings_ * z326;
+    if (!(traits::regular(-z220, z211) && traits::regular(z2, z2) && traits::regular(-z358, -bound0_)
+        && traits::regular(z354, -bound0_) && traits::regular(z336, bound1_) && traits::regular(z304, bound1_)
+        && traits::regular(z284, bound1_) && traits::regular(z269, bound1_))) return torsor::Status::singular;
     // 0 x is 0 for every finite x and not a number for any other.
     const Scalar zero = n0 * accelerations.a_z * accelerations.a * accelerations.lower_omega_x
         * accelerations.lower_omega_y * accelerations.lower_omega_z * accelerations.upper_omega_x

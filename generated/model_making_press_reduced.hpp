@@ -73,7 +73,7 @@ struct Mechanism {
 
   static constexpr const char* name = "model_making_press_reduced";
   /// 64 bits (FNV-1a) of this file from "#pragma once" on, with zeros in their own place: another mechanism, other bits.
-  static constexpr unsigned long long fingerprint = 0x1c85ac759abd034aULL ^ torsor::support_fingerprint;
+  static constexpr unsigned long long fingerprint = 0xe97d6f31a4d6393eULL ^ torsor::support_fingerprint;
   static constexpr int coordinate_count = 2;
   static constexpr int velocity_count = 2;
   static constexpr int input_count = 1;
@@ -411,7 +411,7 @@ struct Mechanism {
   /// Forward dynamics: accelerations a and multipliers lambda from M a + h = E u + A' lambda, A a + gamma = 0, by
   /// an unrolled L D L' of M and of the Schur complement A M^-1 A'. Returns singular when a pivot is not
   /// positive relative to its diagonal entry, or one of the Schur complement is below
-  /// 2^-40 of those of its unit (a change point).
+  /// 2^-40 of those of its unit (a change point), in float 2^-20.
   TORSOR_DEVICE static torsor::Status forward_dynamics(const Precomputed&, const State& state, const Inputs& inputs,
       Accelerations& accelerations, Multipliers& multipliers) noexcept {
     const Scalar n0_002 = traits::constant(0.002, 0.002f, "1/500");

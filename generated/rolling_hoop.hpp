@@ -15,17 +15,17 @@
 //   mass_matrix                             2                4          0             0                  1       0      8       9
 //   bias                                    6               18          0             0                  1       0     26      26
 //   inverse_dynamics                       19               27          0             0                  2       0     50      51
-//   forward_dynamics                       21               50          3             0                  2       0     78      82
+//   forward_dynamics                       21               50          3             0                  2       0     78      81
 //   energy                                 14               29          0             0                  3       0     49      55
 //   first_integrals                        15               29          0             0                  3       0     50      56
 //   constraints                             9               15          0             0                  2       0     28      29
 //   linearisation                         202              290         14             0                  2       0    510     535
 //   inverse_dynamics_derivatives           30               57          0             0                  2       0     91      96
-//   forward_dynamics_derivatives           83              180          4             0                  2       0    271     293
+//   forward_dynamics_derivatives           83              180          4             0                  2       0    271     292
 //   jets                                   94              122          9             0                  2       0    229       -
 //   sparse_constraint_jacobian              0                0          0             0                  2       0      4       4
 //   inverse_dynamics_sensitivities          7               13          0             0                  1       0     22      22
-//   forward_dynamics_sensitivities         33               74          3             0                  2       0    114     120
+//   forward_dynamics_sensitivities         33               74          3             0                  2       0    114     119
 //
 // Not computed because this mechanism does not need it:
 //   kinematics: of 39 results 11 vanish identically, 2 repeat another up to sign
@@ -100,7 +100,7 @@ struct Mechanism {
 
   static constexpr const char* name = "rolling_hoop";
   /// 64 bits (FNV-1a) of this file from "#pragma once" on, with zeros in their own place: another mechanism, other bits.
-  static constexpr unsigned long long fingerprint = 0xb6c5a69dac68a620ULL ^ torsor::support_fingerprint;
+  static constexpr unsigned long long fingerprint = 0xf48d4599b9c97e16ULL ^ torsor::support_fingerprint;
   static constexpr int coordinate_count = 5;
   static constexpr int velocity_count = 5;
   static constexpr int input_count = 0;
@@ -641,7 +641,7 @@ struct Mechanism {
   /// Forward dynamics: accelerations a and multipliers lambda from M a + h = E u + A' lambda, A a + gamma = 0, by
   /// an unrolled L D L' of M and of the Schur complement A M^-1 A'. Returns singular when a pivot is not
   /// positive relative to its diagonal entry, or one of the Schur complement is below
-  /// 2^-40 of those of its unit (a change point).
+  /// 2^-40 of those of its unit (a change point), in float 2^-20.
   TORSOR_DEVICE static torsor::Status forward_dynamics(const Precomputed& precomputed, const State& state,
       const Inputs&, Accelerations& accelerations, Multipliers& multipliers) noexcept {
     const Scalar n1 = traits::constant(1.0, 1.0f, "1/1");
@@ -708,22 +708,25 @@ struct Mechanism {
     const Scalar z38 = n1 / z34;
     const Scalar z39 = m2 + z34;
     const Scalar z40 = c_theta * z33 + z10 - z36;
-    const Scalar z41 = n4096 * z39;
-    const Scalar z42 = m3 * z40;
-    const Scalar z43 = m1 * z42 + z36;
-    const Scalar z44 = z38 * z37;
-    const Scalar z45 = s_psi * z44 - c_psi * z42;
-    const Scalar z46 = s_psi * z42 + c_psi * z44;
-    const Scalar z47 = z32 * z44 - z35;
-    accelerations.x = -z45;
-    accelerations.y = z46;
+    const Scalar z41 = m3 * z40;
+    const Scalar z42 = m1 * z41 + z36;
+    const Scalar z43 = z38 * z37;
+    const Scalar z44 = s_psi * z43 - c_psi * z41;
+    const Scalar z45 = s_psi * z41 + c_psi * z43;
+    const Scalar z46 = z32 * z43 - z35;
+    const Scalar roundings_ = traits::formula(4096.0, 8.0f, [&]() -> Scalar {
+      return n4096;
+    });
+    accelerations.x = -z44;
+    accelerations.y = z45;
     accelerations.psi = -z33;
-    accelerations.theta = z47;
-    accelerations.phi = z43;
-    multipliers.lambda_along_x1 = z42;
-    multipliers.lambda_along_y1 = z44;
-    if (!(traits::regular(z2, -z17) && traits::regular(z0, z0) && traits::regular(p_C, p_C) && traits::regular(m2, z41)
-        && traits::regular(z34, z41))) return torsor::Status::singular;
+    accelerations.theta = z46;
+    accelerations.phi = z42;
+    multipliers.lambda_along_x1 = z41;
+    multipliers.lambda_along_y1 = z43;
+    const Scalar bound0_ = roundings_ * z39;
+    if (!(traits::regular(z2, -z17) && traits::regular(z0, z0) && traits::regular(p_C, p_C) && traits::regular(m2,
+        bound0_) && traits::regular(z34, bound0_))) return torsor::Status::singular;
     // 0 x is 0 for every finite x and not a number for any other.
     const Scalar zero = n0 * accelerations.x * accelerations.y * accelerations.psi * accelerations.theta
         * accelerations.phi * multipliers.lambda_along_x1 * multipliers.lambda_along_y1;
@@ -1550,8 +1553,8 @@ struct Mechanism {
     const Scalar z30 = n1 / z0;
     const Scalar z31 = v_y * z4 + z13 - z14;
     const Scalar z32 = z3 * z15;
-    const Scalar z33 = v_theta * z15;
-    const Scalar z34 = m3 * z4;
+    const Scalar z33 = m3 * z4;
+    const Scalar z34 = v_theta * z15;
     const Scalar z35 = n9_81 - z19;
     const Scalar z36 = p_C * z20;  // moment on hoop, z
     const Scalar z37 = n2 * z17;
@@ -1564,20 +1567,20 @@ struct Mechanism {
     const Scalar z44 = z1 * z15 - z28;
     const Scalar z45 = n1 / z2;
     const Scalar z46 = p_C * z32;  // moment on hoop, x
-    const Scalar z47 = p_C * z33;  // moment on hoop, y
-    const Scalar z48 = m1 * z34;
+    const Scalar z47 = p_C * z34;  // moment on hoop, y
+    const Scalar z48 = m1 * z33;
     const Scalar z49 = c_psi * m3;
     const Scalar z50 = m3 * z6;
-    const Scalar z51 = p_A * z25 - z41;
-    const Scalar z52 = p_C * z40;
-    const Scalar z53 = p_C * z44;
-    const Scalar z54 = p_A * z16 - z46;  // moment on hoop.2, x
-    const Scalar z55 = m1 * z50;
-    const Scalar z56 = p_A * z37 - z47;  // moment on hoop.2, y
-    const Scalar z57 = s_psi * m3;
-    const Scalar z58 = p_A * z39 - z52;
-    const Scalar z59 = p_A * z43 - z53;
-    const Scalar z60 = c_theta * z35 - z54;
+    const Scalar z51 = m1 * z50;
+    const Scalar z52 = p_A * z25 - z41;
+    const Scalar z53 = p_C * z40;
+    const Scalar z54 = p_C * z44;
+    const Scalar z55 = p_A * z16 - z46;  // moment on hoop.2, x
+    const Scalar z56 = s_psi * m3;
+    const Scalar z57 = p_A * z37 - z47;  // moment on hoop.2, y
+    const Scalar z58 = p_A * z39 - z53;
+    const Scalar z59 = p_A * z43 - z54;
+    const Scalar z60 = c_theta * z35 - z55;
     const Scalar z61 = v_y * z4 + z13;
     const Scalar z62 = s_theta * z38;
     const Scalar z63 = v_y * c_psi;
@@ -1585,7 +1588,7 @@ struct Mechanism {
     const Scalar z65 = v_x * s_psi - z63;
     const Scalar z66 = v_x * c_psi + v_y * s_psi;
     const Scalar z67 = m3 * z65;
-    const Scalar z68 = s_theta * z56;
+    const Scalar z68 = s_theta * z57;
     const Scalar z69 = s_theta * z30;
     const Scalar z70 = z58 * z30;
     const Scalar z71 = z45 * z68;
@@ -1596,95 +1599,97 @@ struct Mechanism {
     const Scalar z76 = s_theta * z70 - z66;
     const Scalar z77 = m1 * z36 + z29 * z71;
     const Scalar z78 = m1 * z23 + z29 * z72;
-    const Scalar z79 = s_theta * z75 + z31;
-    const Scalar z80 = n1 / z74;
-    const Scalar z81 = c_theta * z71;
+    const Scalar z79 = c_theta * z71;
+    const Scalar z80 = s_theta * z75 + z31;
+    const Scalar z81 = n1 / z74;
     const Scalar z82 = m2 + z74;
-    const Scalar z83 = z20 + z81;  // angular acceleration of hoop.2, z
+    const Scalar z83 = z20 + z79;  // angular acceleration of hoop.2, z
     const Scalar z84 = c_theta * z71 + z12 - z77;
     const Scalar z85 = m1 * z67 + z78;
-    const Scalar z86 = n4096 * z82;
-    const Scalar z87 = s_theta * z71;
+    const Scalar z86 = s_theta * z71;
+    const Scalar z87 = z17 - z86;  // angular acceleration of hoop.2, y
     const Scalar z88 = z20 + z83;
     const Scalar z89 = m3 * z84;
-    const Scalar z90 = z17 - z87;  // angular acceleration of hoop.2, y
+    const Scalar z90 = z17 + z87;
     const Scalar z91 = p_A * z88 - z36;
     const Scalar z92 = m1 * z89 + z77;
     const Scalar z93 = z92 - z83;  // angular acceleration of hoop, z
-    const Scalar z94 = z80 * z79;
-    const Scalar z95 = z17 + z90;
-    const Scalar z96 = p_C * z90;
-    const Scalar z97 = p_A * z95 - z47;  // moment on hoop.2, y
-    const Scalar z98 = z6 * z80;
-    const Scalar z99 = s_psi * z80;
-    const Scalar z100 = z4 * z80;
-    const Scalar z101 = c_psi * z80;
-    const Scalar z102 = z80 * z64;
-    const Scalar z103 = z80 * z76;
-    const Scalar z104 = p_C * z93;  // moment on hoop, z
-    const Scalar z105 = s_psi * z94 - c_psi * z89;
-    const Scalar z106 = s_psi * z89 + c_psi * z94;
-    const Scalar z107 = n1 - c_psi * z49 - s_psi * z99;
-    const Scalar z108 = s_theta * (z104 + z91) - c_theta * (z97 - z96);
-    const Scalar z109 = z69 * z103 - z70;
-    const Scalar z110 = z69 * z94 - z75;
-    const Scalar z111 = s_theta * z110 + z14;
-    const Scalar z112 = c_theta * z110 - z19;
-    const Scalar z113 = c_psi * z106 - z61 + s_psi * z105;
-    const Scalar z114 = s_psi * z98 - c_psi * z34;
-    const Scalar z115 = s_theta * z89 - z108;
-    const Scalar z116 = s_psi * z34 + c_psi * z98;
-    const Scalar z117 = z69 * z98;
-    const Scalar z118 = c_psi * z106 - z113 + s_psi * z105;
-    const Scalar z119 = z29 * z96 + z115;
-    const Scalar z120 = c_psi * z50 + s_psi * z100;
-    const Scalar z121 = s_psi * z50 - c_psi * z100;
-    const Scalar z122 = z69 * z100;
-    const Scalar z123 = z42 * z30;
-    const Scalar z124 = s_theta * z123 + z21;
-    const Scalar z125 = m3 * z118;
-    const Scalar z126 = s_psi * z102 - z106 + c_psi * z125;
-    const Scalar z127 = s_psi * z125 - z105 - c_psi * z102;
-    const Scalar z128 = z69 * z102;
-    const Scalar z129 = m1 * z125;
-    const Scalar z130 = s_theta * z51;
-    const Scalar z131 = z45 * z119;
-    const Scalar z132 = m1 * z96 + z29 * z131;
-    const Scalar z133 = n9_81 + z112;
-    const Scalar z134 = z59 + c_theta * z111 + s_theta * z133;
-    const Scalar z135 = z45 * z130;
-    const Scalar z136 = z80 * z124;
-    const Scalar z137 = s_psi * z101 - c_psi * z57;
-    const Scalar z138 = c_theta * z94 + z134;
-    const Scalar z139 = n1 - s_psi * z57 - c_psi * z101;
-    const Scalar z140 = z26 * z30;
-    const Scalar z141 = z30 * z138;
-    const Scalar z142 = s_theta / z0;
-    const Scalar z143 = s_theta * z140;
-    const Scalar z144 = z80 * z142;
-    const Scalar z145 = z10 * z45;
-    const Scalar z146 = m1 + z29 * z73;
-    const Scalar z147 = s_theta * z141 + z112;
-    const Scalar z148 = z80 * z143;
-    const Scalar z149 = c_psi * z67 + s_psi * z103;
-    const Scalar z150 = s_psi * z67 - c_psi * z103;
-    const Scalar z151 = z80 * z147;
-    const Scalar z152 = m1 * z26 + z29 * z135;
-    const Scalar z153 = s_psi * z151;
-    const Scalar z154 = c_psi * z151;
-    const Scalar z155 = z69 * z151 - z141;
-    const Scalar z156 = s_psi * z136;
-    const Scalar z157 = c_psi * z136;
-    const Scalar z158 = s_psi * z144;
-    const Scalar z159 = c_psi * z144;
-    const Scalar z160 = z30 - z69 * z144;
-    const Scalar z161 = z29 * z145;
-    const Scalar z162 = s_psi * z148;
-    const Scalar z163 = c_psi * z148;
-    const Scalar z164 = z69 * z148 - z140;
-    const Scalar z165 = c_psi * m4;
-    const Scalar z166 = s_psi * m4;
-    const Scalar z167 = m5 - z146;
+    const Scalar z94 = z81 * z80;
+    const Scalar z95 = p_A * z90 - z47;  // moment on hoop.2, y
+    const Scalar z96 = p_C * z87;
+    const Scalar z97 = z6 * z81;
+    const Scalar z98 = s_psi * z81;
+    const Scalar z99 = z4 * z81;
+    const Scalar z100 = c_psi * z81;
+    const Scalar z101 = z81 * z64;
+    const Scalar z102 = z81 * z76;
+    const Scalar z103 = p_C * z93;  // moment on hoop, z
+    const Scalar z104 = s_psi * z94 - c_psi * z89;
+    const Scalar z105 = s_psi * z89 + c_psi * z94;
+    const Scalar z106 = n1 - c_psi * z49 - s_psi * z98;
+    const Scalar z107 = s_theta * (z103 + z91) - c_theta * (z95 - z96);
+    const Scalar z108 = z69 * z102 - z70;
+    const Scalar z109 = z69 * z94 - z75;
+    const Scalar z110 = s_theta * z109 + z14;
+    const Scalar z111 = c_theta * z109 - z19;
+    const Scalar z112 = c_psi * z105 - z61 + s_psi * z104;
+    const Scalar z113 = s_psi * z97 - c_psi * z33;
+    const Scalar z114 = s_theta * z89 - z107;
+    const Scalar z115 = s_psi * z33 + c_psi * z97;
+    const Scalar z116 = z69 * z97;
+    const Scalar z117 = c_psi * z105 - z112 + s_psi * z104;
+    const Scalar z118 = z29 * z96 + z114;
+    const Scalar z119 = c_psi * z50 + s_psi * z99;
+    const Scalar z120 = s_psi * z50 - c_psi * z99;
+    const Scalar z121 = z69 * z99;
+    const Scalar z122 = z42 * z30;
+    const Scalar z123 = s_theta * z122 + z21;
+    const Scalar z124 = m3 * z117;
+    const Scalar z125 = s_psi * z101 - z105 + c_psi * z124;
+    const Scalar z126 = s_psi * z124 - z104 - c_psi * z101;
+    const Scalar z127 = z69 * z101;
+    const Scalar z128 = m1 * z124;
+    const Scalar z129 = s_theta * z52;
+    const Scalar z130 = z45 * z118;
+    const Scalar z131 = m1 * z96 + z29 * z130;
+    const Scalar z132 = n9_81 + z111;
+    const Scalar z133 = z59 + c_theta * z110 + s_theta * z132;
+    const Scalar z134 = z45 * z129;
+    const Scalar z135 = z81 * z123;
+    const Scalar z136 = s_psi * z100 - c_psi * z56;
+    const Scalar z137 = c_theta * z94 + z133;
+    const Scalar z138 = n1 - s_psi * z56 - c_psi * z100;
+    const Scalar z139 = z26 * z30;
+    const Scalar z140 = z30 * z137;
+    const Scalar z141 = s_theta / z0;
+    const Scalar z142 = s_theta * z139;
+    const Scalar z143 = z81 * z141;
+    const Scalar z144 = z10 * z45;
+    const Scalar z145 = m1 + z29 * z73;
+    const Scalar z146 = s_theta * z140 + z111;
+    const Scalar z147 = z81 * z142;
+    const Scalar z148 = c_psi * z67 + s_psi * z102;
+    const Scalar z149 = s_psi * z67 - c_psi * z102;
+    const Scalar z150 = z81 * z146;
+    const Scalar z151 = m1 * z26 + z29 * z134;
+    const Scalar z152 = s_psi * z150;
+    const Scalar z153 = c_psi * z150;
+    const Scalar z154 = z69 * z150 - z140;
+    const Scalar z155 = s_psi * z135;
+    const Scalar z156 = c_psi * z135;
+    const Scalar z157 = s_psi * z143;
+    const Scalar z158 = c_psi * z143;
+    const Scalar z159 = z30 - z69 * z143;
+    const Scalar z160 = z29 * z144;
+    const Scalar z161 = s_psi * z147;
+    const Scalar z162 = c_psi * z147;
+    const Scalar z163 = z69 * z147 - z139;
+    const Scalar z164 = c_psi * m4;
+    const Scalar z165 = s_psi * m4;
+    const Scalar z166 = m5 - z145;
+    const Scalar roundings_ = traits::formula(4096.0, 8.0f, [&]() -> Scalar {
+      return n4096;
+    });
     result.by_position[0] = n0;
     result.by_position[1] = n0;
     result.by_position[2] = n0;
@@ -1695,103 +1700,104 @@ struct Mechanism {
     result.by_position[7] = n0;
     result.by_position[8] = n0;
     result.by_position[9] = n0;
-    result.by_position[10] = z126;
-    result.by_position[11] = z127;
+    result.by_position[10] = z125;
+    result.by_position[11] = z126;
     result.by_position[12] = n0;
-    result.by_position[13] = -z128;
-    result.by_position[14] = z129;
-    result.by_position[15] = z153;
-    result.by_position[16] = -z154;
-    result.by_position[17] = -z131;
-    result.by_position[18] = -z155;
-    result.by_position[19] = z132;
+    result.by_position[13] = -z127;
+    result.by_position[14] = z128;
+    result.by_position[15] = z152;
+    result.by_position[16] = -z153;
+    result.by_position[17] = -z130;
+    result.by_position[18] = -z154;
+    result.by_position[19] = z131;
     result.by_position[20] = n0;
     result.by_position[21] = n0;
     result.by_position[22] = n0;
     result.by_position[23] = n0;
     result.by_position[24] = n0;
-    result.by_velocity[0] = -z114;
-    result.by_velocity[1] = z116;
+    result.by_velocity[0] = -z113;
+    result.by_velocity[1] = z115;
     result.by_velocity[2] = n0;
-    result.by_velocity[3] = z117;
+    result.by_velocity[3] = z116;
     result.by_velocity[4] = z48;
-    result.by_velocity[5] = -z120;
-    result.by_velocity[6] = -z121;
+    result.by_velocity[5] = -z119;
+    result.by_velocity[6] = -z120;
     result.by_velocity[7] = n0;
-    result.by_velocity[8] = z122;
-    result.by_velocity[9] = -z55;
-    result.by_velocity[10] = z149;
-    result.by_velocity[11] = z150;
+    result.by_velocity[8] = z121;
+    result.by_velocity[9] = -z51;
+    result.by_velocity[10] = z148;
+    result.by_velocity[11] = z149;
     result.by_velocity[12] = -z72;
-    result.by_velocity[13] = -z109;
+    result.by_velocity[13] = -z108;
     result.by_velocity[14] = z85;
-    result.by_velocity[15] = z156;
-    result.by_velocity[16] = -z157;
-    result.by_velocity[17] = -z135;
+    result.by_velocity[15] = z155;
+    result.by_velocity[16] = -z156;
+    result.by_velocity[17] = -z134;
     result.by_velocity[18] = n0;
-    result.by_velocity[19] = z152;
-    result.by_velocity[20] = -z162;
-    result.by_velocity[21] = z163;
-    result.by_velocity[22] = z145;
-    result.by_velocity[23] = z164;
-    result.by_velocity[24] = -z161;
-    result.by_force[0] = z107;
-    result.by_force[1] = z137;
+    result.by_velocity[19] = z151;
+    result.by_velocity[20] = -z161;
+    result.by_velocity[21] = z162;
+    result.by_velocity[22] = z144;
+    result.by_velocity[23] = z163;
+    result.by_velocity[24] = -z160;
+    result.by_force[0] = z106;
+    result.by_force[1] = z136;
     result.by_force[2] = n0;
-    result.by_force[3] = z158;
-    result.by_force[4] = -z165;
-    result.by_force[5] = z137;
-    result.by_force[6] = z139;
+    result.by_force[3] = z157;
+    result.by_force[4] = -z164;
+    result.by_force[5] = z136;
+    result.by_force[6] = z138;
     result.by_force[7] = n0;
-    result.by_force[8] = -z159;
-    result.by_force[9] = -z166;
+    result.by_force[8] = -z158;
+    result.by_force[9] = -z165;
     result.by_force[10] = n0;
     result.by_force[11] = n0;
     result.by_force[12] = z45;
     result.by_force[13] = n0;
     result.by_force[14] = -z73;
-    result.by_force[15] = z158;
-    result.by_force[16] = -z159;
+    result.by_force[15] = z157;
+    result.by_force[16] = -z158;
     result.by_force[17] = n0;
-    result.by_force[18] = z160;
+    result.by_force[18] = z159;
     result.by_force[19] = n0;
-    result.by_force[20] = -z165;
-    result.by_force[21] = -z166;
+    result.by_force[20] = -z164;
+    result.by_force[21] = -z165;
     result.by_force[22] = -z73;
     result.by_force[23] = n0;
-    result.by_force[24] = -z167;
+    result.by_force[24] = -z166;
     result.multipliers_by_position[0] = n0;
     result.multipliers_by_position[1] = n0;
     result.multipliers_by_position[2] = n0;
     result.multipliers_by_position[3] = n0;
-    result.multipliers_by_position[4] = z125;
-    result.multipliers_by_position[5] = -z102;
+    result.multipliers_by_position[4] = z124;
+    result.multipliers_by_position[5] = -z101;
     result.multipliers_by_position[6] = n0;
-    result.multipliers_by_position[7] = -z151;
+    result.multipliers_by_position[7] = -z150;
     result.multipliers_by_position[8] = n0;
     result.multipliers_by_position[9] = n0;
-    result.multipliers_by_velocity[0] = z34;
-    result.multipliers_by_velocity[1] = z98;
+    result.multipliers_by_velocity[0] = z33;
+    result.multipliers_by_velocity[1] = z97;
     result.multipliers_by_velocity[2] = -z50;
-    result.multipliers_by_velocity[3] = z100;
+    result.multipliers_by_velocity[3] = z99;
     result.multipliers_by_velocity[4] = z67;
-    result.multipliers_by_velocity[5] = -z103;
+    result.multipliers_by_velocity[5] = -z102;
     result.multipliers_by_velocity[6] = n0;
-    result.multipliers_by_velocity[7] = -z136;
+    result.multipliers_by_velocity[7] = -z135;
     result.multipliers_by_velocity[8] = n0;
-    result.multipliers_by_velocity[9] = z148;
+    result.multipliers_by_velocity[9] = z147;
     result.multipliers_by_force[0] = -z49;
-    result.multipliers_by_force[1] = z99;
-    result.multipliers_by_force[2] = -z57;
-    result.multipliers_by_force[3] = -z101;
+    result.multipliers_by_force[1] = z98;
+    result.multipliers_by_force[2] = -z56;
+    result.multipliers_by_force[3] = -z100;
     result.multipliers_by_force[4] = n0;
     result.multipliers_by_force[5] = n0;
     result.multipliers_by_force[6] = n0;
-    result.multipliers_by_force[7] = -z144;
+    result.multipliers_by_force[7] = -z143;
     result.multipliers_by_force[8] = -m4;
     result.multipliers_by_force[9] = n0;
-    if (!(traits::regular(z2, -z18) && traits::regular(z0, z0) && traits::regular(p_C, p_C) && traits::regular(m2, z86)
-        && traits::regular(z74, z86))) return torsor::Status::singular;
+    const Scalar bound0_ = roundings_ * z82;
+    if (!(traits::regular(z2, -z18) && traits::regular(z0, z0) && traits::regular(p_C, p_C) && traits::regular(m2,
+        bound0_) && traits::regular(z74, bound0_))) return torsor::Status::singular;
     // 0 x is 0 for every finite x and not a number for any other.
     const Scalar zero = ((n0 * result.by_position[10] * result.by_position[11] * result.by_position[13]
         * result.by_position[14] * result.by_position[15] * result.by_position[16] * result.by_position[17]
@@ -1827,8 +1833,8 @@ struct Mechanism {
   TORSOR_DEVICE static torsor::Status jets(const Precomputed& precomputed, const State& state, const Inputs&, int order,
       std::array<Scalar, 10>* coefficients) noexcept {
     const Scalar n1 = traits::constant(1.0, 1.0f, "1/1");
-    const Scalar n4096 = traits::constant(4096.0, 4096.0f, "4096/1");
     const Scalar n9_81 = traits::constant(9.81, 9.81f, "981/100");
+    const Scalar n4096 = traits::constant(4096.0, 4096.0f, "4096/1");
     const Scalar n0 = traits::constant(0.0, 0.0f, "0/1");
     const Scalar q_theta = state.q.theta;
     const Scalar q_psi = state.q.psi;
@@ -1851,7 +1857,6 @@ struct Mechanism {
     const Scalar z5 = s_theta * z4;
     const Scalar z6 = n1 + s_theta * z5;
     const Scalar z7 = m2 + z6;
-    const Scalar z8 = n4096 * z7;
     const Scalar b5 = state.v.theta;
     const Scalar b9 = state.v.psi;
     const Scalar b16 = c_theta * c_theta;
@@ -1902,6 +1907,9 @@ struct Mechanism {
     const Scalar b45 = c_psi * b40;
     const Scalar b46 = z5 * b40;
     const Scalar b32 = f4 * b30 - f4 * b31;
+    const Scalar roundings_ = traits::formula(4096.0, 8.0f, [&]() -> Scalar {
+      return n4096;
+    });
     coefficients[0][0] = state.q.x;
     coefficients[0][1] = state.q.y;
     coefficients[0][2] = state.q.psi;
@@ -1996,8 +2004,9 @@ struct Mechanism {
       inverse_ = next_;
     }
     static_cast<void>(inverse_);
-    if (!(traits::regular(z2, -z3) && traits::regular(z0, z0) && traits::regular(p_C, p_C) && traits::regular(m2, z8)
-        && traits::regular(z6, z8))) return torsor::Status::singular;
+    const Scalar bound0_ = roundings_ * z7;
+    if (!(traits::regular(z2, -z3) && traits::regular(z0, z0) && traits::regular(p_C, p_C) && traits::regular(m2,
+        bound0_) && traits::regular(z6, bound0_))) return torsor::Status::singular;
     // 0 x is 0 for every finite x and not a number for any other.
     const Scalar zero = n0 * coefficients[order][0] * coefficients[order][1] * coefficients[order][2]
         * coefficients[order][3] * coefficients[order][4] * coefficients[order][5] * coefficients[order][6]
@@ -2147,50 +2156,53 @@ struct Mechanism {
     const Scalar z44 = z11 - z39;  // angular acceleration of hoop.2, y
     const Scalar z45 = z12 + z40;  // angular acceleration of hoop.2, z
     const Scalar z46 = c_theta * z34 + z15 - z38;
-    const Scalar z47 = n4096 * z43;
-    const Scalar z48 = z11 + z44;
-    const Scalar z49 = m3 * z46;
-    const Scalar z50 = s_theta * z48;
-    const Scalar z51 = m1 * z49 + z38;
-    const Scalar z52 = z25 * z50;
-    const Scalar z53 = z51 - z45;  // angular acceleration of hoop, z
-    const Scalar z54 = z42 * z41;
-    const Scalar z55 = z18 * z52;
-    const Scalar z56 = z42 * z37;
-    const Scalar z57 = s_theta * z22 - c_theta * z53;
-    const Scalar z58 = z32 * z54 - z36;
-    const Scalar z59 = z32 * z56 - z33;
-    const Scalar z60 = z18 * z53 + z57;
-    const Scalar z61 = z14 - z58;
-    const Scalar z62 = z19 * z61;
-    const Scalar z63 = z25 * z60;
-    const Scalar z64 = s_theta * z62;
-    const Scalar z65 = m1 * z53 + z18 * z63;
-    const Scalar z66 = z42 * z64;
-    const Scalar z67 = c_theta * z63 - z65;
-    const Scalar z68 = s_psi * z66;
-    const Scalar z69 = c_psi * z66;
-    const Scalar z70 = z32 * z66 - z62;
-    const Scalar z71 = m3 * z67;
-    const Scalar z72 = s_psi * z56 + c_psi * z71;
-    const Scalar z73 = s_psi * z71 - c_psi * z56;
-    const Scalar z74 = m1 * z71 + z65;
-    result.by_parameter[0] = z68;
-    result.by_parameter[1] = -z69;
-    result.by_parameter[2] = -z52;
-    result.by_parameter[3] = -z70;
-    result.by_parameter[4] = z55;
-    result.by_parameter[5] = -z72;
-    result.by_parameter[6] = -z73;
-    result.by_parameter[7] = z63;
-    result.by_parameter[8] = z59;
-    result.by_parameter[9] = -z74;
+    const Scalar z47 = z11 + z44;
+    const Scalar z48 = m3 * z46;
+    const Scalar z49 = s_theta * z47;
+    const Scalar z50 = m1 * z48 + z38;
+    const Scalar z51 = z25 * z49;
+    const Scalar z52 = z50 - z45;  // angular acceleration of hoop, z
+    const Scalar z53 = z42 * z41;
+    const Scalar z54 = z18 * z51;
+    const Scalar z55 = z42 * z37;
+    const Scalar z56 = s_theta * z22 - c_theta * z52;
+    const Scalar z57 = z32 * z53 - z36;
+    const Scalar z58 = z32 * z55 - z33;
+    const Scalar z59 = z18 * z52 + z56;
+    const Scalar z60 = z14 - z57;
+    const Scalar z61 = z19 * z60;
+    const Scalar z62 = z25 * z59;
+    const Scalar z63 = s_theta * z61;
+    const Scalar z64 = m1 * z52 + z18 * z62;
+    const Scalar z65 = z42 * z63;
+    const Scalar z66 = c_theta * z62 - z64;
+    const Scalar z67 = s_psi * z65;
+    const Scalar z68 = c_psi * z65;
+    const Scalar z69 = z32 * z65 - z61;
+    const Scalar z70 = m3 * z66;
+    const Scalar z71 = s_psi * z55 + c_psi * z70;
+    const Scalar z72 = s_psi * z70 - c_psi * z55;
+    const Scalar z73 = m1 * z70 + z64;
+    const Scalar roundings_ = traits::formula(4096.0, 8.0f, [&]() -> Scalar {
+      return n4096;
+    });
+    result.by_parameter[0] = z67;
+    result.by_parameter[1] = -z68;
+    result.by_parameter[2] = -z51;
+    result.by_parameter[3] = -z69;
+    result.by_parameter[4] = z54;
+    result.by_parameter[5] = -z71;
+    result.by_parameter[6] = -z72;
+    result.by_parameter[7] = z62;
+    result.by_parameter[8] = z58;
+    result.by_parameter[9] = -z73;
     result.multipliers_by_parameter[0] = n0;
-    result.multipliers_by_parameter[1] = -z66;
-    result.multipliers_by_parameter[2] = -z71;
-    result.multipliers_by_parameter[3] = z56;
-    if (!(traits::regular(z1, -z17) && traits::regular(z3, z3) && traits::regular(p_C, p_C) && traits::regular(m2, z47)
-        && traits::regular(z35, z47))) return torsor::Status::singular;
+    result.multipliers_by_parameter[1] = -z65;
+    result.multipliers_by_parameter[2] = -z70;
+    result.multipliers_by_parameter[3] = z55;
+    const Scalar bound0_ = roundings_ * z43;
+    if (!(traits::regular(z1, -z17) && traits::regular(z3, z3) && traits::regular(p_C, p_C) && traits::regular(m2,
+        bound0_) && traits::regular(z35, bound0_))) return torsor::Status::singular;
     // 0 x is 0 for every finite x and not a number for any other.
     const Scalar zero = n0 * result.by_parameter[0] * result.by_parameter[1] * result.by_parameter[2]
         * result.by_parameter[3] * result.by_parameter[4] * result.by_parameter[5] * result.by_parameter[6]

@@ -15,7 +15,7 @@
 //   mass_matrix               1                3          0             0                  1       0      6       7
 //   bias                      4               15          0             0                  1       0     21      21
 //   inverse_dynamics         26               33          0             0                  2       0     63      64
-//   forward_dynamics         34               68          3             0                  2       0    109     114
+//   forward_dynamics         34               68          3             0                  2       0    109     113
 //   energy                   14               28          0             0                  3       0     48      54
 //   first_integrals          15               28          0             0                  3       0     49      55
 //   constraints              11               16          0             0                  2       0     31      32
@@ -79,7 +79,7 @@ struct Mechanism {
 
   static constexpr const char* name = "rolling_hoop_contact_forces";
   /// 64 bits (FNV-1a) of this file from "#pragma once" on, with zeros in their own place: another mechanism, other bits.
-  static constexpr unsigned long long fingerprint = 0x48a46e80ff381e99ULL ^ torsor::support_fingerprint;
+  static constexpr unsigned long long fingerprint = 0x3931f27b7ffd062dULL ^ torsor::support_fingerprint;
   static constexpr int coordinate_count = 6;
   static constexpr int velocity_count = 6;
   static constexpr int input_count = 0;
@@ -604,7 +604,7 @@ struct Mechanism {
   /// Forward dynamics: accelerations a and multipliers lambda from M a + h = E u + A' lambda, A a + gamma = 0, by
   /// an unrolled L D L' of M and of the Schur complement A M^-1 A'. Returns singular when a pivot is not
   /// positive relative to its diagonal entry, or one of the Schur complement is below
-  /// 2^-40 of those of its unit (a change point).
+  /// 2^-40 of those of its unit (a change point), in float 2^-20.
   TORSOR_DEVICE static torsor::Status forward_dynamics(const Precomputed& precomputed, const State& state,
       const Inputs&, Accelerations& accelerations, Multipliers& multipliers) noexcept {
     const Scalar n1 = traits::constant(1.0, 1.0f, "1/1");
@@ -685,30 +685,33 @@ struct Mechanism {
     const Scalar z49 = n1 / z44;
     const Scalar z50 = m3 + z25 + z44;
     const Scalar z51 = c_theta * z45 + z14 - z48;
-    const Scalar z52 = n4096 * z50;
-    const Scalar z53 = m4 * z51;
-    const Scalar z54 = z26 * z49;
-    const Scalar z55 = z25 - z26 * z54;
-    const Scalar z56 = z54 * z47 - z46;
-    const Scalar z57 = n1 / z55;
-    const Scalar z58 = z57 * z56;
-    const Scalar z59 = z49 * z47 + z54 * z58;
-    const Scalar z60 = s_psi * z58 - c_psi * z53;
-    const Scalar z61 = s_psi * z53 + c_psi * z58;
-    const Scalar z62 = n9_81 - z59;
-    const Scalar z63 = z43 + z4 * z58 + z40 * z59;
-    const Scalar z64 = z48 + m1 * z53 - z41 * z59;
-    accelerations.x = -z60;
-    accelerations.y = z61;
-    accelerations.z = -z62;
+    const Scalar z52 = m4 * z51;
+    const Scalar z53 = z26 * z49;
+    const Scalar z54 = z25 - z26 * z53;
+    const Scalar z55 = z53 * z47 - z46;
+    const Scalar z56 = n1 / z54;
+    const Scalar z57 = z56 * z55;
+    const Scalar z58 = z49 * z47 + z53 * z57;
+    const Scalar z59 = s_psi * z57 - c_psi * z52;
+    const Scalar z60 = s_psi * z52 + c_psi * z57;
+    const Scalar z61 = n9_81 - z58;
+    const Scalar z62 = z43 + z4 * z57 + z40 * z58;
+    const Scalar z63 = z48 + m1 * z52 - z41 * z58;
+    const Scalar roundings_ = traits::formula(4096.0, 8.0f, [&]() -> Scalar {
+      return n4096;
+    });
+    accelerations.x = -z59;
+    accelerations.y = z60;
+    accelerations.z = -z61;
     accelerations.psi = -z45;
-    accelerations.theta = z63;
-    accelerations.phi = z64;
-    multipliers.X_F = z53;
-    multipliers.Y_F = z58;
-    multipliers.N = z59;
+    accelerations.theta = z62;
+    accelerations.phi = z63;
+    multipliers.X_F = z52;
+    multipliers.Y_F = z57;
+    multipliers.N = z58;
+    const Scalar bound0_ = roundings_ * z50;
     if (!(traits::regular(z3, -z23) && traits::regular(p_A, p_A) && traits::regular(p_C, p_C) && traits::regular(m3,
-        z52) && traits::regular(z55, z52) && traits::regular(z44, z52))) return torsor::Status::singular;
+        bound0_) && traits::regular(z54, bound0_) && traits::regular(z44, bound0_))) return torsor::Status::singular;
     // 0 x is 0 for every finite x and not a number for any other.
     const Scalar zero = n0 * accelerations.x * accelerations.y * accelerations.z * accelerations.psi
         * accelerations.theta * accelerations.phi * multipliers.X_F * multipliers.Y_F * multipliers.N;

@@ -74,7 +74,7 @@ struct Mechanism {
 
   static constexpr const char* name = "turning_slot";
   /// 64 bits (FNV-1a) of this file from "#pragma once" on, with zeros in their own place: another mechanism, other bits.
-  static constexpr unsigned long long fingerprint = 0xe13c636edbd835d3ULL ^ torsor::support_fingerprint;
+  static constexpr unsigned long long fingerprint = 0x4ccf497fddac66ffULL ^ torsor::support_fingerprint;
   static constexpr int coordinate_count = 2;
   static constexpr int velocity_count = 2;
   static constexpr int input_count = 0;
@@ -357,7 +357,7 @@ struct Mechanism {
   /// Forward dynamics: accelerations a and multipliers lambda from M a + h = E u + A' lambda, A a + gamma = 0, by
   /// an unrolled L D L' of M and of the Schur complement A M^-1 A'. Returns singular when a pivot is not
   /// positive relative to its diagonal entry, or one of the Schur complement is below
-  /// 2^-40 of those of its unit (a change point).
+  /// 2^-40 of those of its unit (a change point), in float 2^-20.
   TORSOR_DEVICE static torsor::Status forward_dynamics(const Precomputed& precomputed, const State& state,
       const Inputs&, Accelerations& accelerations, Multipliers& multipliers) noexcept {
     const Scalar n0_5 = traits::constant(0.5, 0.5f, "1/2");

@@ -11,7 +11,7 @@
 // share, factoring, and what is done once for a set of parameters:
 //   function          additions  multiplications  divisions  square roots  sine-cosine pairs  others  total  before
 //   mass_matrix              42               73          0             0                  4       0    123     123
-//   forward_dynamics        978             1299         26             2                  5       0   2315    2362
+//   forward_dynamics        978             1299         26             2                  5       0   2315    2361
 //   energy                  109              161          0             0                  6       0    282     302
 //   first_integrals         110              161          0             0                  6       0    283     303
 //   constraints             301              452         14             2                  4       0    777     816
@@ -74,7 +74,7 @@ struct Mechanism {
 
   static constexpr const char* name = "whipple_bicycle";
   /// 64 bits (FNV-1a) of this file from "#pragma once" on, with zeros in their own place: another mechanism, other bits.
-  static constexpr unsigned long long fingerprint = 0x2dec8dcdcdaf6cc4ULL ^ torsor::support_fingerprint;
+  static constexpr unsigned long long fingerprint = 0x96f22d2c9ef254e3ULL ^ torsor::support_fingerprint;
   static constexpr int coordinate_count = 9;
   static constexpr int velocity_count = 9;
   static constexpr int input_count = 0;
@@ -514,7 +514,7 @@ struct Mechanism {
   /// Forward dynamics: accelerations a and multipliers lambda from M a + h = E u + A' lambda, A a + gamma = 0, by
   /// an unrolled L D L' of M and of the Schur complement A M^-1 A'. Returns singular when a pivot is not
   /// positive relative to its diagonal entry, or one of the Schur complement is below
-  /// 2^-40 of those of its unit (a change point).
+  /// 2^-40 of those of its unit (a change point), in float 2^-20.
   TORSOR_DEVICE static torsor::Status forward_dynamics(const Precomputed&, const State& state, const Inputs&,
       Accelerations& accelerations, Multipliers& multipliers) noexcept {
     const Scalar k0 = traits::constant(0.3141592653589793, 0.31415927f,
@@ -1260,87 +1260,90 @@ struct Mechanism {
     const Scalar z641 = z625 - z622 * z640;
     const Scalar z642 = z427 * z580 + z582;
     const Scalar z643 = z623 + z611 - z601 - z589 + z579 + z585;
-    const Scalar z644 = n4096 * z643;
-    const Scalar z645 = z294 * z401 - z343 + z300 * z407 + z357;
-    const Scalar z646 = z294 * z417 + z300 * z420 - z429 * z645 + z387;
-    const Scalar z647 = z629 * z632;
-    const Scalar z648 = z634 - z629 * z647;
-    const Scalar z649 = z635 - z630 * z647;
-    const Scalar z650 = z636 - z631 * z647;
-    const Scalar z651 = z630 * z632;
-    const Scalar z652 = z638 + z630 * z651;
-    const Scalar z653 = z294 * z425 - z343 * z427 + z300 * z428 - z430 * z645 - z465 * z646 + z392;
-    const Scalar z654 = n1 / z648;
-    const Scalar z655 = z639 - z631 * z651;
-    const Scalar z656 = z300 * z431 + z383 - z442 * z645 - z466 * z646 - z487 * z653;
-    const Scalar z657 = z300 * z453 - z399 - z457 * z645 - z467 * z646 - z488 * z653 + z503 * z656;
-    const Scalar z658 = z300 * z458 - z398 - z478 * z645 - z480 * z646 - z486 * z653 + z502 * z656 + z514 * z657;
-    const Scalar z659 = z517 * z658;
-    const Scalar z660 = z649 * z654;
-    const Scalar z661 = z652 + z649 * z660;
-    const Scalar z662 = z655 - z650 * z660;
-    const Scalar z663 = z509 * z657 + z514 * z659;
-    const Scalar z664 = z631 * z632;
-    const Scalar z665 = z641 + z631 * z664;
-    const Scalar z666 = n1 / z661;
-    const Scalar z667 = z650 * z654;
-    const Scalar z668 = z494 * z656 + z502 * z659 + z503 * z663;
-    const Scalar z669 = z665 + z650 * z667;
-    const Scalar z670 = z472 * z653 + z486 * z659 + z488 * z663 + z487 * z668;
-    const Scalar z671 = z448 * z646 + z480 * z659 + z467 * z663 + z466 * z668 - z465 * z670;
-    const Scalar z672 = z662 * z666;
-    const Scalar z673 = z413 * z645 + z478 * z659 + z457 * z663 + z442 * z668 - z430 * z670 - z429 * z671;
-    const Scalar z674 = k34 * z300 + z458 * z659 + z453 * z663 + z431 * z668 - z428 * z670 - z420 * z671 - z407 * z673;
-    const Scalar z675 = n25_over_7 * z294 - z425 * z670 - z417 * z671 - z401 * z673;
-    const Scalar z676 = z246 + z659 + z153 * z670 + z155 * z671 + z156 * z673 - z185 * z674 + z201 * z675;
-    const Scalar z677 = z304 + z663 + z147 * z670 + z151 * z671 + z152 * z673 - z180 * z674 + z200 * z675;
-    const Scalar z678 = z105 * z671 - z195 - z668 + z117 * z673 - z133 * z674;
-    const Scalar z679 = z673 + n25_over_3 * z343 + z427 * z670;
-    const Scalar z680 = z218 + z659 + z137 * z670 + z158 * z671 + z166 * (z673 - z679);
-    const Scalar z681 = z227 + z663 + z136 * z670 + z157 * z671 + z159 * (z673 - z679);
-    const Scalar z682 = z668 - z96 + z79 * z671;
-    const Scalar z683 = z669 - z662 * z672;
-    const Scalar z684 = z590 * z677 - z676;
-    const Scalar z685 = z681 + z591 * z677 - z627 * z684;
-    const Scalar z686 = n1 / z683;
-    const Scalar z687 = z680 + z602 * z677 - z633 * z684 - z647 * z685;
-    const Scalar z688 = z612 * z677 - z678 - z637 * z684 - z651 * z685 - z660 * z687;
-    const Scalar z689 = z682 + z624 * z677 - z640 * z684 - z664 * z685 - z667 * z687 + z672 * z688;
-    const Scalar z690 = z686 * z689;
-    const Scalar z691 = z666 * z688 + z672 * z690;
-    const Scalar z692 = z654 * z687 + z667 * z690 + z660 * z691;
-    const Scalar z693 = z632 * z685 + z664 * z690 + z651 * z691 - z647 * z692;
-    const Scalar z694 = z595 * z684 - z640 * z690 - z637 * z691 + z633 * z692 + z627 * z693;
-    const Scalar z695 = z586 * z677 + z624 * z690 + z612 * z691 - z602 * z692 - z591 * z693 + z590 * z694;
-    const Scalar z696 = z659 + z553 * z690 + z538 * z691 - z527 * z692 - z522 * z693 - z521 * z694 - z575 * z695;
-    const Scalar z697 = z663 + z555 * z690 + z540 * z691 - z528 * z692 - z525 * z693 + z523 * z694 + z577 * z695;
-    const Scalar z698 = z668 + z557 * z690 + z542 * z691 - z530 * z692 - z526 * z693 + z548 * z694 - z578 * z695;
-    const Scalar z699 = z670 + z558 * z690 + z543 * z691 - z532 * z692 - z529 * z693 + z552 * z694 - z580 * z695;
-    const Scalar z700 = z563 * z690 - z671 - z545 * z691 - z539 * z692 - z531 * z693 - z554 * z694 + z581 * z695;
-    const Scalar z701 = z673 + z565 * z690 + z546 * z691 - z541 * z692 - z533 * z693 + z556 * z694 - z582 * z695;
-    const Scalar z702 = z674 + z567 * z690 + z560 * z691 - z544 * z692 - z534 * z693 + z559 * z694 - z583 * z695;
-    const Scalar z703 = z679 + z569 * z690 + z561 * z691 + z549 * z692 + z535 * z693 + z626 * z694 - z642 * z695;
-    const Scalar z704 = z571 * z690 - z675 + z562 * z691 - z550 * z692 - z536 * z693 + z564 * z694 - z584 * z695;
-    accelerations.x = z696;
-    accelerations.y = -z697;
-    accelerations.z = z698;
-    accelerations.yaw = z699;
-    accelerations.roll = z700;
-    accelerations.pitch = z701;
-    accelerations.steer = -z702;
-    accelerations.rear = -z703;
-    accelerations.front = -z704;
-    multipliers.lambda_rear_touches = -z690;
-    multipliers.lambda_front_touches = -z691;
-    multipliers.lambda_rear_rolls_x = -z692;
-    multipliers.lambda_rear_rolls_y = -z693;
-    multipliers.lambda_front_rolls_x = -z694;
-    multipliers.lambda_front_rolls_y = z695;
+    const Scalar z644 = z294 * z401 - z343 + z300 * z407 + z357;
+    const Scalar z645 = z294 * z417 + z300 * z420 - z429 * z644 + z387;
+    const Scalar z646 = z629 * z632;
+    const Scalar z647 = z634 - z629 * z646;
+    const Scalar z648 = z635 - z630 * z646;
+    const Scalar z649 = z636 - z631 * z646;
+    const Scalar z650 = z630 * z632;
+    const Scalar z651 = z638 + z630 * z650;
+    const Scalar z652 = z294 * z425 - z343 * z427 + z300 * z428 - z430 * z644 - z465 * z645 + z392;
+    const Scalar z653 = n1 / z647;
+    const Scalar z654 = z639 - z631 * z650;
+    const Scalar z655 = z300 * z431 + z383 - z442 * z644 - z466 * z645 - z487 * z652;
+    const Scalar z656 = z300 * z453 - z399 - z457 * z644 - z467 * z645 - z488 * z652 + z503 * z655;
+    const Scalar z657 = z300 * z458 - z398 - z478 * z644 - z480 * z645 - z486 * z652 + z502 * z655 + z514 * z656;
+    const Scalar z658 = z517 * z657;
+    const Scalar z659 = z648 * z653;
+    const Scalar z660 = z651 + z648 * z659;
+    const Scalar z661 = z654 - z649 * z659;
+    const Scalar z662 = z509 * z656 + z514 * z658;
+    const Scalar z663 = z631 * z632;
+    const Scalar z664 = z641 + z631 * z663;
+    const Scalar z665 = n1 / z660;
+    const Scalar z666 = z649 * z653;
+    const Scalar z667 = z494 * z655 + z502 * z658 + z503 * z662;
+    const Scalar z668 = z664 + z649 * z666;
+    const Scalar z669 = z472 * z652 + z486 * z658 + z488 * z662 + z487 * z667;
+    const Scalar z670 = z448 * z645 + z480 * z658 + z467 * z662 + z466 * z667 - z465 * z669;
+    const Scalar z671 = z661 * z665;
+    const Scalar z672 = z413 * z644 + z478 * z658 + z457 * z662 + z442 * z667 - z430 * z669 - z429 * z670;
+    const Scalar z673 = k34 * z300 + z458 * z658 + z453 * z662 + z431 * z667 - z428 * z669 - z420 * z670 - z407 * z672;
+    const Scalar z674 = n25_over_7 * z294 - z425 * z669 - z417 * z670 - z401 * z672;
+    const Scalar z675 = z246 + z658 + z153 * z669 + z155 * z670 + z156 * z672 - z185 * z673 + z201 * z674;
+    const Scalar z676 = z304 + z662 + z147 * z669 + z151 * z670 + z152 * z672 - z180 * z673 + z200 * z674;
+    const Scalar z677 = z105 * z670 - z195 - z667 + z117 * z672 - z133 * z673;
+    const Scalar z678 = z672 + n25_over_3 * z343 + z427 * z669;
+    const Scalar z679 = z218 + z658 + z137 * z669 + z158 * z670 + z166 * (z672 - z678);
+    const Scalar z680 = z227 + z662 + z136 * z669 + z157 * z670 + z159 * (z672 - z678);
+    const Scalar z681 = z667 - z96 + z79 * z670;
+    const Scalar z682 = z668 - z661 * z671;
+    const Scalar z683 = z590 * z676 - z675;
+    const Scalar z684 = z680 + z591 * z676 - z627 * z683;
+    const Scalar z685 = n1 / z682;
+    const Scalar z686 = z679 + z602 * z676 - z633 * z683 - z646 * z684;
+    const Scalar z687 = z612 * z676 - z677 - z637 * z683 - z650 * z684 - z659 * z686;
+    const Scalar z688 = z681 + z624 * z676 - z640 * z683 - z663 * z684 - z666 * z686 + z671 * z687;
+    const Scalar z689 = z685 * z688;
+    const Scalar z690 = z665 * z687 + z671 * z689;
+    const Scalar z691 = z653 * z686 + z666 * z689 + z659 * z690;
+    const Scalar z692 = z632 * z684 + z663 * z689 + z650 * z690 - z646 * z691;
+    const Scalar z693 = z595 * z683 - z640 * z689 - z637 * z690 + z633 * z691 + z627 * z692;
+    const Scalar z694 = z586 * z676 + z624 * z689 + z612 * z690 - z602 * z691 - z591 * z692 + z590 * z693;
+    const Scalar z695 = z658 + z553 * z689 + z538 * z690 - z527 * z691 - z522 * z692 - z521 * z693 - z575 * z694;
+    const Scalar z696 = z662 + z555 * z689 + z540 * z690 - z528 * z691 - z525 * z692 + z523 * z693 + z577 * z694;
+    const Scalar z697 = z667 + z557 * z689 + z542 * z690 - z530 * z691 - z526 * z692 + z548 * z693 - z578 * z694;
+    const Scalar z698 = z669 + z558 * z689 + z543 * z690 - z532 * z691 - z529 * z692 + z552 * z693 - z580 * z694;
+    const Scalar z699 = z563 * z689 - z670 - z545 * z690 - z539 * z691 - z531 * z692 - z554 * z693 + z581 * z694;
+    const Scalar z700 = z672 + z565 * z689 + z546 * z690 - z541 * z691 - z533 * z692 + z556 * z693 - z582 * z694;
+    const Scalar z701 = z673 + z567 * z689 + z560 * z690 - z544 * z691 - z534 * z692 + z559 * z693 - z583 * z694;
+    const Scalar z702 = z678 + z569 * z689 + z561 * z690 + z549 * z691 + z535 * z692 + z626 * z693 - z642 * z694;
+    const Scalar z703 = z571 * z689 - z674 + z562 * z690 - z550 * z691 - z536 * z692 + z564 * z693 - z584 * z694;
+    const Scalar roundings_ = traits::formula(4096.0, 8.0f, [&]() -> Scalar {
+      return n4096;
+    });
+    accelerations.x = z695;
+    accelerations.y = -z696;
+    accelerations.z = z697;
+    accelerations.yaw = z698;
+    accelerations.roll = z699;
+    accelerations.pitch = z700;
+    accelerations.steer = -z701;
+    accelerations.rear = -z702;
+    accelerations.front = -z703;
+    multipliers.lambda_rear_touches = -z689;
+    multipliers.lambda_front_touches = -z690;
+    multipliers.lambda_rear_rolls_x = -z691;
+    multipliers.lambda_rear_rolls_y = -z692;
+    multipliers.lambda_front_rolls_x = -z693;
+    multipliers.lambda_front_rolls_y = z694;
+    const Scalar bound0_ = roundings_ * z643;
     if (!(traits::regular(z515, n94) && traits::regular(z507, n94) && traits::regular(z491, n94)
         && traits::regular(-z468, z415) && traits::regular(-z446, z390) && traits::regular(-z408, z367)
-        && traits::regular(-z683, -z644) && traits::regular(-z661, -z644) && traits::regular(z648, -z644)
-        && traits::regular(z628, -z644) && traits::regular(-z593, -z644) && traits::regular(-z585,
-        -z644))) return torsor::Status::singular;
+        && traits::regular(-z682, -bound0_) && traits::regular(-z660, -bound0_) && traits::regular(z647, -bound0_)
+        && traits::regular(z628, -bound0_) && traits::regular(-z593, -bound0_) && traits::regular(-z585,
+        -bound0_))) return torsor::Status::singular;
     // 0 x is 0 for every finite x and not a number for any other.
     const Scalar zero = n0 * accelerations.x * accelerations.y * accelerations.z * accelerations.yaw
         * accelerations.roll * accelerations.pitch * accelerations.steer * accelerations.rear * accelerations.front
