@@ -229,20 +229,14 @@ class StaticsWriter {
     }
     write_conditions(say("All roots have Re s < 0, and the rest is asymptotically stable, exactly where"), conditions,
                      say("all roots have Re s < 0"));
-    const auto values = scene_values({conditions});
-    if (!values) return;
+    const auto signs = signs_at_scene_values(conditions);
+    if (!signs) return;
     if (is_no_rest(at)) {
       page_.note(say("With the scene's values this is no rest: nothing is concluded."));
       return;
     }
-    const WorkingDigits precision(digits);
-    Evaluator<Real> evaluate(program, *values);
-    bool stable = true, marginal = false;
-    for (const Value& condition : conditions) {
-      const Real size = evaluate(condition);
-      marginal = marginal || size == Real(0);
-      stable = stable && size > Real(0);
-    }
+    const bool marginal = std::find(signs->begin(), signs->end(), 0) != signs->end();
+    const bool stable = std::all_of(signs->begin(), signs->end(), [](int sign) { return sign > 0; });
     page_.note(marginal ? say("With the scene's values: cannot conclude, a condition is an equality, if this is a rest.")
                : stable ? say("With the scene's values: asymptotically stable, if this is a rest.")
                         : say("With the scene's values: unstable, a root has Re s > 0, if this is a rest."));
@@ -260,13 +254,8 @@ class StaticsWriter {
 
   /// Where all roots have Re s <= 0, no coefficient is negative.
   void report_negative_coefficient(const std::vector<Value>& polynomial) {
-    const auto values = scene_values({polynomial});
-    if (!values) return;
-    const WorkingDigits precision(digits);
-    Evaluator<Real> evaluate(equations_.program(), *values);
-    const bool negative = std::any_of(polynomial.begin(), polynomial.end(), [&](const Value& coefficient) {
-      return !coefficient.is_zero() && evaluate(coefficient) < Real(0);
-    });
+    const auto signs = signs_at_scene_values(polynomial);
+    const bool negative = signs && std::find(signs->begin(), signs->end(), -1) != signs->end();
     if (negative) page_.note(say("With the scene's values: unstable, for a coefficient is negative, if this is a rest."));
   }
 
@@ -307,8 +296,24 @@ class StaticsWriter {
     const WorkingDigits precision(digits);
     auto numbers = std::make_shared<InitialNumbers>(scene_);
     return [numbers](const SymbolPointer& symbol) {
-      return symbol->kind == SymbolKind::input ? Real(0) : (*numbers)(symbol);
+      if (symbol->kind == SymbolKind::input) return Real(0);
+      const Sized number = numbers->sized(symbol);
+      return number.cancels() ? Real(0) : number.value;
     };
+  }
+
+  /// Signs there, 0 where terms cancel to their last digits; -1, 0 or 1 for each.
+  std::optional<std::vector<int>> signs_at_scene_values(const std::vector<Value>& values) const {
+    const auto numbers = scene_values({values});
+    if (!numbers) return std::nullopt;
+    const WorkingDigits precision(digits);
+    Evaluator<Sized> evaluate(equations_.program(), [&](const SymbolPointer& symbol) { return Sized((*numbers)(symbol)); });
+    std::vector<int> signs;
+    for (const Value& value : values) {
+      const Sized number = value.is_zero() ? Sized(Real(0)) : evaluate(value);
+      signs.push_back(number.cancels() || !number.is_number() ? 0 : number.value > Real(0) ? 1 : -1);
+    }
+    return signs;
   }
 
   const Scene& scene_;

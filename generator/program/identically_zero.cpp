@@ -9,6 +9,7 @@
 #include "torsor/generator/base/high_precision.hpp"
 #include "torsor/generator/program/evaluation.hpp"
 #include "torsor/generator/program/generic_state.hpp"
+#include "torsor/generator/program/sized.hpp"
 
 namespace torsor {
 namespace {
@@ -17,43 +18,11 @@ constexpr int digits = 60;
 /// Each form of a selection of two is left out in all of them with a probability of 2^-16.
 constexpr int trials_of_forms = 16;
 
-/// A number with what its terms come to without their signs: what cancels is told from what is small.
-struct Sized {
-  Real value, size;
-
-  Sized() = default;
-  /// Sizes that multiply along a long elimination leave even CLN's exponents; nothing asks how far beyond one they are.
-  Sized(Real v, Real s) : value(std::move(v)), size(huge() < s ? huge() : std::move(s)) {}
-  explicit Sized(const Real& v) : value(v), size(abs(v)) {}
-  static Sized of_number(const Number& number) { return Sized(Real(number, digits)); }
-  static const Real& huge() {
-    static const Real number(Number(10).pow(1000), digits);
-    return number;
-  }
-
-  Sized operator-() const { return {-value, size}; }
-  friend Sized operator+(const Sized& a, const Sized& b) { return {a.value + b.value, a.size + b.size}; }
-  friend Sized operator-(const Sized& a, const Sized& b) { return {a.value - b.value, a.size + b.size}; }
-  friend Sized operator*(const Sized& a, const Sized& b) { return {a.value * b.value, a.size * b.size}; }
-  friend Sized operator/(const Sized& a, const Sized& b) { return {a.value / b.value, a.size / abs(b.value)}; }
-  friend Sized sin(const Sized& x) { return {sin(x.value), x.size < Real(1) ? x.size : Real(1)}; }
-  friend Sized cos(const Sized& x) { return {cos(x.value), Real(1)}; }
-  friend Sized sqrt(const Sized& x) { return {sqrt(x.value), sqrt(x.size)}; }
-  friend Sized exp(const Sized& x) { return Sized(exp(x.value)); }
-  friend Sized log(const Sized& x) { return {log(x.value), Real(1) + abs(log(x.value))}; }
-  friend Sized atan2(const Sized& y, const Sized& x) { return Sized(atan2(y.value, x.value)); }
-  friend Sized abs(const Sized& x) { return {abs(x.value), x.size}; }
-  friend Sized sign(const Sized& x) { return Sized(sign(x.value)); }
-  friend Sized maximum(const Sized& a, const Sized& b) { return a.value >= b.value ? a : b; }
-  friend Sized select(const Sized& c, const Sized& a, const Sized& b) { return c.value >= Real(0) ? a : b; }
-
-  /// Whether this is a number that cancels; what is none says nothing.
-  bool identically_zero() const {
-    static const Real smallest(Number(10).pow(-40), digits);
-    return abs(value) <= smallest * (size < Real(1) ? size : Real(1));  // terms of long eliminations are huge
-  }
-  bool is_number() const { return !value.is_nan() && !size.is_nan(); }
-};
+/// Whether this is a number that cancels; what is none says nothing.
+bool vanishes(const Sized& x) {
+  static const Real smallest(Number(10).pow(-40), digits);
+  return abs(x.value) <= smallest * (x.size < Real(1) ? x.size : Real(1));  // terms of long eliminations are huge
+}
 
 /// Signs and sizes of the numbers of one trial. Parameters and times are always positive and of the size of one.
 enum class Signs { positive, negative, either };
@@ -119,7 +88,7 @@ void take_forms_at_random(Program& program, const std::vector<ValueNumber>& sele
       evaluate.fix(value_number, argument(second ? 1 : 0));
     } else if (definition.function == Function::select) {
       const Sized a = argument(1), b = argument(2);
-      const bool zero = (!a.is_number() || a.identically_zero()) && (!b.is_number() || b.identically_zero());
+      const bool zero = (!a.is_number() || vanishes(a)) && (!b.is_number() || vanishes(b));
       const Real unknown(Number::rational(static_cast<long>(random() % 9000U) + 1000, 7919), digits);
       evaluate.fix(value_number, zero ? Sized(Real(0)) : Sized(second ? -unknown : unknown));
     } else {
@@ -161,7 +130,7 @@ std::vector<bool> identically_zero_entries(const std::vector<Value>& values) {
       if (!result[i] || values[i].is_zero()) continue;
       const Sized number = evaluate(values[i]);
       // Far from one, and in a form that does not count, a function may have no value, which says nothing.
-      result[i] = number.is_number() ? number.identically_zero() : trial.spread || of_forms;
+      result[i] = number.is_number() ? vanishes(number) : trial.spread || of_forms;
     }
   }
   return result;

@@ -46,6 +46,36 @@ TEST(StaticsState, TakesAValueIntoThoseThatFollowFromIt) {
   EXPECT_FALSE(says(stiff, "stable: ")) << stiff;
 }
 
+/// m x'' + (c0 + c1 − c2) x' + k x = 0, of decimals that are no binary numbers; `more` multiplies k by such a sum too.
+template <int least, bool more>
+Scene undamped() {
+  Scene scene("undamped");
+  const auto damping = [&](const char* name, int n) {
+    return scene.parameter(name, "N s/m", Expression(Number::rational(n, 10)));
+  };
+  const Expression c0 = damping("c0", least), c1 = damping("c1", 2 * least + 1), c2 = damping("c2", 3 * least + 1);
+  const Expression none = scene.parameter("none", "N s/m", c0 + c1 - c2), k = scene.parameter("k", "N/m", 4);
+  const Expression x = scene.coordinate("x", "m");
+  scene.body("block", scene.prismatic("slide", scene.ground(), axis::x, x), Inertia::point(kilograms("1")));
+  scene.spring("spring", x, more ? k * (c0 + c1 - c2) / quantity("1", "N s/m") : k);
+  scene.damper("damper", x, more ? none : c0 + c1 - c2);
+  return scene;
+}
+
+TEST(StaticsState, TellsACoefficientThatCancelsFromARounding) {
+  for (Scene (*scene)() : {undamped<1, false>, undamped<2, false>, undamped<3, false>, undamped<4, false>, undamped<11, false>}) {
+    const std::string text = statics(scene, {"--about", "x=0"});
+    EXPECT_TRUE(says(text, "With the scene's values: cannot conclude, a condition is an equality")) << text;
+    EXPECT_TRUE(says(text, "stable: -(U + T0) has a strict minimum")) << text;
+  }
+  for (Scene (*scene)() : {undamped<1, true>, undamped<2, true>, undamped<3, true>, undamped<4, true>, undamped<11, true>}) {
+    const std::string text = statics(scene, {"--about", "x=0"});
+    EXPECT_TRUE(says(text, "With the scene's values: cannot conclude, a condition is an equality")) << text;
+    EXPECT_TRUE(says(text, "is 0.00000, zero within rounding")) << text;
+    EXPECT_FALSE(says(text, "unstable")) << text;
+  }
+}
+
 /// A spring whose stiffness shakes with w, and a push along x of F (1 + x/m).
 Scene shaken() {
   Scene scene("shaken");

@@ -24,7 +24,8 @@ Real without_value(const SymbolPointer& symbol) {
 InitialNumbers::InitialNumbers(const Scene& scene)
     : scene_(scene.content()),
       program_([this](const SymbolPointer& symbol) { return resolve(symbol); }),
-      evaluate_(program_, without_value) {}
+      evaluate_(program_, without_value),
+      evaluate_sized_(program_, [](const SymbolPointer& symbol) { return Sized(without_value(symbol)); }) {}
 
 std::optional<Expression> InitialNumbers::resolve(const SymbolPointer& symbol) const {
   if (symbol->kind == SymbolKind::time) return Expression(0);
@@ -46,5 +47,7 @@ std::optional<Expression> InitialNumbers::resolve(const SymbolPointer& symbol) c
 Real InitialNumbers::operator()(const Expression& formula) { return evaluate_(program_.lower(formula)) + Real(0); }
 
 Real InitialNumbers::operator()(const SymbolPointer& symbol) { return (*this)(Expression(symbol)); }
+
+Sized InitialNumbers::sized(const SymbolPointer& symbol) { return evaluate_sized_(program_.lower(Expression(symbol))); }
 
 }  // namespace torsor

@@ -6,6 +6,7 @@
 
 #include "torsor/generator/mechanics/scene.hpp"
 #include "torsor/generator/program/evaluation.hpp"
+#include "torsor/generator/program/sized.hpp"
 
 namespace torsor {
 
@@ -19,6 +20,8 @@ class InitialNumbers {
   Real operator()(const Expression& formula);
   /// Value of a symbol for an Evaluator of any program of the scene.
   Real operator()(const SymbolPointer& symbol);
+  /// The same beside the terms of its formula.
+  Sized sized(const SymbolPointer& symbol);
 
  private:
   std::optional<Expression> resolve(const SymbolPointer& symbol) const;
@@ -26,6 +29,7 @@ class InitialNumbers {
   const SceneContent& scene_;
   Program program_;
   Evaluator<Real> evaluate_;
+  Evaluator<Sized> evaluate_sized_;
 };
 
 }  // namespace torsor

@@ -6,6 +6,7 @@
 #include "torsor/generator/base/error.hpp"
 #include "torsor/generator/base/linear_algebra/symmetric_pivots.hpp"
 #include "torsor/generator/dynamics/theorems/flat_polynomials.hpp"
+#include "torsor/generator/program/sized.hpp"
 
 namespace torsor {
 
@@ -40,8 +41,13 @@ LejeuneDirichlet lejeune_dirichlet(const Equations& equations, const Equilibrium
     report.reason = say("cannot conclude: T or U depends on time explicitly, and the energy is no integral");
     return report;
   }
+  // What cancels is 0 and not a rounding of either sign.
+  Evaluator<Sized> sized(equations.program(), [&](const SymbolPointer& symbol) { return Sized(state(symbol)); });
   RealRows hessian;
-  for (const std::vector<Value>& row : statics.hessian) hessian.push_back(evaluate(row));
+  for (const std::vector<Value>& row : statics.hessian) {
+    hessian.emplace_back();
+    for (const Sized& entry : sized(row)) hessian.back().push_back(entry.cancels() ? Real(0) : entry.value);
+  }
   const SymmetricPivots pivots(hessian, Real(hessian.size()) * Real(1).epsilon());
   for (std::size_t k = 0; k < pivots.size(); ++k) {
     report.pivots.push_back(pivots[k]);
