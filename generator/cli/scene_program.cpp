@@ -12,6 +12,7 @@
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
 
+#include "torsor/generator/base/decimal_point.hpp"
 #include "torsor/generator/base/did_you_mean.hpp"
 #include "torsor/generator/base/error.hpp"
 #include "torsor/generator/base/output_file.hpp"
@@ -196,6 +197,7 @@ int run_commands(int argc, const char* const* argv, const SceneSource& source) {
     std::fprintf(stderr, "%s\n", printable(fmt::format("{}: {}", argv[0], message)).c_str());
     return code;
   };
+  const DecimalPoint point;
   try {
     const Ran ran = run(argc, argv, source);
     ran.write_files();

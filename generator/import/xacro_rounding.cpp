@@ -2,9 +2,10 @@
 #include "torsor/generator/import/xacro_rounding.hpp"
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
-#include <cstdlib>
 #include <limits>
+#include <string>
 
 #include <fmt/format.h>
 
@@ -58,7 +59,11 @@ Value rounded(const std::vector<Value>& given) {
         rounded_to_tens(static_cast<std::uint64_t>(size), -std::max<std::int64_t>(digits, -100), std::abs(value) > size);
     return std::copysign(static_cast<double>(tens), value);
   }
-  return std::strtod(fmt::format("{:.{}f}", value, digits).c_str(), nullptr);
+  // Not by the C library, whose decimal point is that of the process.
+  const std::string text = fmt::format("{:.{}f}", value, digits);
+  double result = value;
+  std::from_chars(text.data(), text.data() + text.size(), result);
+  return result;
 }
 
 }  // namespace torsor::xacro

@@ -2,10 +2,12 @@
 #include "torsor/generator/verification/verify.hpp"
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
 #include <limits>
 #include <optional>
 #include <sstream>
+#include <system_error>
 
 #include <fmt/format.h>
 
@@ -146,14 +148,14 @@ std::vector<AccuracyException> parse_accuracy_exceptions(const std::string& text
     std::vector<std::string> parts;
     std::istringstream fields(line);
     for (std::string field; std::getline(fields, field, '|');) parts.push_back(trimmed(field));
-    std::size_t read = 0;
     double limit = 0;
-    try {
-      if (parts.size() == 6) limit = std::stod(parts[4], &read);
-    } catch (const std::exception&) {
-      read = 0;
+    bool read = parts.size() == 6 && !parts[5].empty();
+    if (read) {
+      const char* const end = parts[4].data() + parts[4].size();
+      const auto result = std::from_chars(parts[4].data(), end, limit);
+      read = result.ec == std::errc() && result.ptr == end;
     }
-    if (parts.size() != 6 || read == 0 || read != parts[4].size() || parts[5].empty()) {
+    if (!read) {
       throw UsageError(
           fmt::format("an exception is 'scene | kernel | group | scalar | limit | reason', not '{}'", line));
     }
