@@ -164,6 +164,17 @@ void settle_mimics(UrdfRobot& robot) {
   }
 }
 
+/// The joint of which the scene's identifier is the name; the end where there is none.
+std::vector<UrdfJoint>::iterator joint_of_identifier(UrdfRobot& robot, const std::string& name) {
+  const auto is_meant = [&name](const UrdfJoint& joint) { return as_identifier(joint.name, "joint") == name; };
+  const auto end = robot.joints.end(), found = std::find_if(robot.joints.begin(), end, is_meant);
+  if (found == end) return found;
+  const auto other = std::find_if(found + 1, end, is_meant);
+  if (other == end) return found;
+  throw UsageError(fmt::format("'{}' in --fix may be the joint '{}' or '{}' of the robot '{}': write the name as the file has it",
+                               name, found->name, other->name, robot.name));
+}
+
 }  // namespace
 
 std::string settle_tree(UrdfRobot& robot) {
@@ -177,10 +188,9 @@ std::string settle_tree(UrdfRobot& robot) {
 
 void fix_joints(UrdfRobot& robot, const std::vector<std::string>& joints) {
   for (const std::string& name : joints) {
-    const auto is_meant = [&name](const UrdfJoint& joint) {
-      return joint.name == name || as_identifier(joint.name, "joint") == name;
-    };
-    const auto found = std::find_if(robot.joints.begin(), robot.joints.end(), is_meant);
+    const auto has_name = [&name](const UrdfJoint& joint) { return joint.name == name; };
+    auto found = std::find_if(robot.joints.begin(), robot.joints.end(), has_name);
+    if (found == robot.joints.end()) found = joint_of_identifier(robot, name);
     if (found == robot.joints.end()) {
       throw UsageError(fmt::format("unknown joint '{}' in --fix: {}name joints of the robot '{}', or massless", name,
                                    did_you_mean(name, names_of(robot.joints)), robot.name));

@@ -2,12 +2,14 @@
 #include <cmath>
 
 #include "torsor/generator/import/identifiers.hpp"
+#include "tests/base/error_of.hpp"
 #include "tests/import/urdf_motion.hpp"
 
 namespace torsor::urdf_names_test {
 namespace {
 
 using namespace testing_urdf;
+using testing_errors::error_of;
 
 TEST(UrdfNames, BecomeIdentifiers) {
   EXPECT_EQ(as_identifier("left-arm.upper", "joint"), "left_arm_upper");
@@ -135,6 +137,25 @@ TEST(UrdfLinks, WithoutMassAreFramesOnly) {
   validate(scene);
   EXPECT_EQ(scene.content().bodies.size(), 1U);
   EXPECT_EQ(scene.content().frames.size(), 4U);  // ground, base, arm, tip
+}
+
+TEST(UrdfOptions, FixTheJointOfThatName) {
+  const auto moving = [](const std::vector<std::string>& fix, const std::string& first, const std::string& second) {
+    UrdfOptions options;
+    options.fix = fix;
+    const ImportedRobot robot = read_urdf_text("<robot name=\"r\">" + link("base") + link("a") + link("b") +
+                                                   joint(first, "revolute", "base", "a", "") +
+                                                   joint(second, "prismatic", "a", "b", "<axis xyz=\"1 0 0\"/>") + "</robot>",
+                                               "r.urdf", options);
+    std::string all;
+    for (const UrdfJointData& each : robot.joints) all += each.joint + " ";
+    return all;
+  };
+  EXPECT_EQ(moving({"arm_1"}, "arm-1", "arm_1"), "arm-1 ") << "another becomes the same identifier";
+  EXPECT_EQ(moving({"arm-1"}, "arm-1", "arm_1"), "arm_1 ");
+  EXPECT_EQ(moving({"arm_1"}, "arm-1", "tip"), "tip ") << "the scene's identifier";
+  EXPECT_EQ(error_of([&] { moving({"arm_1"}, "arm-1", "arm.1"); }),
+            "'arm_1' in --fix may be the joint 'arm-1' or 'arm.1' of the robot 'r': write the name as the file has it");
 }
 
 TEST(UrdfOptions, SetTheInitialStateByNames) {
