@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
+#include <set>
+#include <string>
 
 #include <fmt/format.h>
 #include <mujoco/mujoco.h>
@@ -86,6 +88,23 @@ std::string name_of_object(const mjModel& m, int address) { return m.names + add
 
 std::string or_else(const std::string& name, const std::string& otherwise) { return name.empty() ? otherwise : name; }
 
+/// Names for what has none in the file, apart from the file's and from one another: a_joint, a_joint_2.
+class MadeNames {
+ public:
+  MadeNames(const mjModel& m, const int* addresses, int count) {
+    for (int i = 0; i < count; ++i) taken_.insert(name_of_object(m, addresses[i]));
+  }
+  std::string or_made(const std::string& name, const std::string& otherwise) {
+    if (!name.empty()) return name;
+    std::string made = otherwise;
+    for (int n = 2; !taken_.insert(made).second; ++n) made = fmt::format("{}_{}", otherwise, n);
+    return made;
+  }
+
+ private:
+  std::set<std::string> taken_;
+};
+
 const char* geometry(int type) {
   switch (type) {
     case mjGEOM_PLANE:
@@ -146,9 +165,10 @@ class Compiled {
   void remark(std::string text) { model_.remarks.push_back(std::move(text)); }
 
   void read_bodies() {
+    MadeNames names(m_, m_.name_bodyadr, m_.nbody);
     for (int i = 0; i < m_.nbody; ++i) {
       MjcfBody body;
-      body.name = or_else(name_of_object(m_, m_.name_bodyadr[i]), fmt::format("body_{}", i));
+      body.name = names.or_made(name_of_object(m_, m_.name_bodyadr[i]), fmt::format("body_{}", i));
       const std::string object = "body " + body.name;
       require_finite(object, "its place", m_.body_pos + 3 * i, 3);
       require_finite(object, "its orientation", m_.body_quat + 4 * i, 4);
@@ -174,11 +194,12 @@ class Compiled {
   void read_joints() {
     static constexpr std::array<int, 4> sizes{7, 4, 1, 1};
     const bool passive = !disabled(mjDSBL_PASSIVE);
+    MadeNames names(m_, m_.name_jntadr, m_.njnt);
     for (int i = 0; i < m_.njnt; ++i) {
       MjcfJoint joint;
       joint.body = m_.jnt_bodyid[i];
       const std::string& body = model_.bodies[static_cast<std::size_t>(joint.body)].name;
-      joint.name = or_else(name_of_object(m_, m_.name_jntadr[i]), body + "_joint");
+      joint.name = names.or_made(name_of_object(m_, m_.name_jntadr[i]), body + "_joint");
       const std::string object = "joint " + joint.name;
       joint.type = static_cast<MjcfJointType>(m_.jnt_type[i]);
       joint.position = numbers<3>(m_.jnt_pos + 3 * i);

@@ -131,6 +131,19 @@ TEST(FrictionOfMjcf, BrakesASlide) {
   EXPECT_NE(torsor({"list", path}).err.find("frictionloss of joints acts with --friction file only: x (3)"), std::string::npos);
 }
 
+// Names made for joints without one are those of no other.
+TEST(FrictionOfMjcf, ActsOnTheJointOfThatNameAlone) {
+  const std::string path = written("unnamed", R"(<mujoco><worldbody><body name="C"><joint axis="1 0 0"/><joint axis="0 1 0"/>
+<inertial pos="0.1 0 0" mass="1" diaginertia="1 1 1"/><body name="D"><joint name="C_joint" axis="0 0 1"/>
+<inertial pos="0.1 0 0" mass="1" diaginertia="1 1 1"/></body></body></worldbody></mujoco>)");
+  std::vector<std::string> names;
+  for (const MjcfJoint& joint : read_with_mujoco(path).joints) names.push_back(joint.name);
+  EXPECT_EQ(names, (std::vector<std::string>{"C_joint_2", "C_joint_3", "C_joint"}));
+  MjcfOptions options;
+  options.friction = {{"C_joint", Number(2)}};
+  EXPECT_EQ(contact_names(path, options).size(), 1U);
+}
+
 // A tendon over two slides, length x - y: of two blocks of 2 kg and 1 kg at 3 and 0 m/s the slip ends after 1 s, at 2 m/s, since
 // 2 N take 1 m/s² from the one and give 2 m/s² to the other.
 TEST(FrictionOfMjcf, BrakesATendon) {
