@@ -92,7 +92,8 @@ MechanismFile read_mechanism_file(const std::string& path, const MechanismFileOp
     with_arguments.file_arguments += " --arg " + shell_word(name + ":=" + value);
   }
   ImportedRobot robot = read_urdf_text(expanded.text, path, with_arguments, expanded.lines);
-  std::vector<std::string> notes = std::move(robot.notes);
+  std::vector<std::string> notes = expanded.notes;
+  notes.insert(notes.end(), robot.notes.begin(), robot.notes.end());
   return {std::move(robot), expanded.files, std::move(notes)};
 }
 

@@ -23,6 +23,7 @@ ExpandedXacro expand_xacro(std::string_view text, const std::string& path, const
   ExpandedXacro expanded;
   std::tie(expanded.text, expanded.lines) = xacro::write_nodes(root);
   expanded.files = expander.files();
+  expanded.notes = expander.notes();
   return expanded;
 }
 

@@ -21,6 +21,7 @@ struct ExpandedXacro {
   std::string text;                ///< XML without any xacro element, an element on each line
   std::vector<XmlLine> lines;      ///< where each line of it comes from
   std::vector<std::string> files;  ///< what was read besides the file itself, in the order of reading
+  std::vector<std::string> notes;  ///< of file names that may be meant otherwise
 };
 
 /// Whether a file is xacro: its name ends with .xacro, or its text has elements of xacro, or it declares their

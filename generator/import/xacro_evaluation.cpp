@@ -159,7 +159,7 @@ Value Expander::evaluate_command(const std::string& given, Scope& scope) {
     }
   }
   if (what == "cwd") return fs::current_path().string();
-  if (what == "dirname") return fs::path(current_file_.back()).parent_path().string();
+  if (what == "dirname") return fs::path(reading_.back()).parent_path().string();
   if (words.size() < 2)
     fail("is not read here; there are $(arg), $(find), $(env), $(optenv), $(eval), $(dirname), $(cwd)");
   if (what == "arg") return argument_value(words[1]);
@@ -180,16 +180,22 @@ Value Expander::evaluate_command(const std::string& given, Scope& scope) {
   return {};
 }
 
-std::string Expander::resolved(const std::string& path) const {
+std::string Expander::resolved(const std::string& path) {
   if (fs::path(path).is_absolute()) return path;
   const auto beside = [&path](const std::string& file) {
     return (fs::path(file).parent_path() / path).lexically_normal().string();
   };
   std::error_code none;
-  const std::string here = beside(current_file_.back());
-  if (fs::exists(here, none)) return here;
-  const std::string there = beside(reading_.back());
-  return fs::exists(there, none) ? there : here;
+  const std::string there = beside(reading_.back()), here = beside(current_file_.back());
+  const auto is_there = [&](const std::string& name) { return fs::exists(name, none); };
+  if (there == here || !is_there(here)) return is_there(there) || there == here ? there : here;
+  const bool both = is_there(there);
+  const std::string& taken = both ? there : here;
+  const std::string note =
+      both ? fmt::format("xacro: '{}' is read, as xacro reads it, and not '{}' beside the macro that names it", there, here)
+           : fmt::format("xacro: '{}' is read from beside the macro that names it; xacro looks for '{}' only", here, there);
+  if (std::find(notes_.begin(), notes_.end(), note) == notes_.end()) notes_.push_back(note);
+  return taken;
 }
 
 std::string Expander::read(const std::string& path) {

@@ -23,6 +23,8 @@ class Expander {
   /// Throws UsageError for an argument of the command line that no file declared or used.
   void refuse_unknown_arguments() const;
   const std::vector<std::string>& files() const { return files_; }
+  /// Names of files that may be meant otherwise.
+  const std::vector<std::string>& notes() const { return notes_; }
 
  private:
   /// Where a piece of a file is evaluated.
@@ -57,8 +59,8 @@ class Expander {
   std::optional<Value> call_outside(const std::string& name, const std::vector<Value>& arguments, Scope& scope);
   Value argument_value(const std::string& name);
   std::string package(const std::string& name);
-  /// A path that is relative to the file which is read, or else to the one that included it.
-  std::string resolved(const std::string& path) const;
+  /// A path that is relative to the file which is read, or else to that of the macro which names it.
+  std::string resolved(const std::string& path);
   std::string read(const std::string& path);
 
   void require_attributes(const Node& node, const std::vector<std::string>& known) const;
@@ -68,7 +70,7 @@ class Expander {
   PackageFolders packages_;
   std::map<std::string, std::string> arguments_;
   std::set<std::string> known_arguments_;
-  std::vector<std::string> files_;
+  std::vector<std::string> files_, notes_;
   std::vector<std::string> reading_;       ///< the files that include one another now, the innermost last
   std::vector<std::string> current_file_;  ///< whose elements are evaluated now
   int depth_ = 0;                          ///< of elements and macros in one another

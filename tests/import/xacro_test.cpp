@@ -398,6 +398,28 @@ TEST_F(XacroFiles, AreIncludedByRelativeNamesPackagesAndNamespaces) {
   EXPECT_EQ(result.lines[2].within, "in the macro 'm', called at " + path("my_arm/urdf/r.xacro") + ":2");
 }
 
+TEST_F(XacroFiles, OfAMacroAreBesideTheFileThatCallsIt) {
+  write("my_arm/urdf/inc/m.xacro", std::string(open_robot) +
+                                       "<xacro:macro name=\"l\"><x v=\"${load_yaml('p.yaml')['M']}\" "
+                                       "d=\"$(dirname)\"/></xacro:macro></robot>");
+  write("my_arm/urdf/inc/p.yaml", "M: 2.5\n");
+  const std::string file = "<xacro:include filename=\"inc/m.xacro\"/><xacro:l/>";
+  const ExpandedXacro beside_macro = expand(file);
+  EXPECT_EQ(without_layout(beside_macro.text), "<robot name=\"r\"><x v=\"2.5\" d=\"" + path("my_arm/urdf") + "\"/></robot>");
+  EXPECT_EQ(beside_macro.notes, std::vector<std::string>{"xacro: '" + path("my_arm/urdf/inc/p.yaml") +
+                                                         "' is read from beside the macro that names it; xacro looks for '" +
+                                                         path("my_arm/urdf/p.yaml") + "' only"});
+  write("my_arm/urdf/p.yaml", "M: 1.5\n");
+  const ExpandedXacro both = expand(file);
+  EXPECT_EQ(without_layout(both.text), "<robot name=\"r\"><x v=\"1.5\" d=\"" + path("my_arm/urdf") + "\"/></robot>");
+  ASSERT_EQ(both.notes.size(), 1U);
+  EXPECT_NE(both.notes[0].find("p.yaml' is read, as xacro reads it, and not '"), std::string::npos) << both.notes[0];
+  write("my_arm/urdf/inc/n.xacro", std::string(open_robot) + "<x v=\"${load_yaml('p.yaml')['M']}\"/></robot>");
+  const ExpandedXacro included = expand("<xacro:include filename=\"inc/n.xacro\"/>");
+  EXPECT_EQ(without_layout(included.text), "<robot name=\"r\"><x v=\"2.5\"/></robot>") << "its own folder is the file's";
+  EXPECT_TRUE(included.notes.empty());
+}
+
 TEST_F(XacroFiles, ThatIncludeOneAnotherAreRefused) {
   write("my_arm/urdf/inc/a.xacro", std::string(open_robot) + "<xacro:include filename=\"b.xacro\"/></robot>");
   write("my_arm/urdf/inc/b.xacro", std::string(open_robot) + "<xacro:include filename=\"a.xacro\"/></robot>");
