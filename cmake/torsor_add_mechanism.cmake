@@ -66,6 +66,28 @@ function(torsor_add_mechanism name)
     set(mechanism_OUTPUT_NAME "${name}")
   endif()
 
+  if(mechanism_SUPPORT)
+    cmake_path(SET support_name NORMALIZE "${mechanism_SUPPORT}")
+    if(support_name STREQUAL "${mechanism_OUTPUT_NAME}.hpp")
+      message(FATAL_ERROR "torsor_add_mechanism(${name}): SUPPORT ${mechanism_SUPPORT} is the header itself; "
+                          "give what all headers have in common another name, as torsor_support.hpp")
+    endif()
+  endif()
+  # What the function gives itself, and what would write no header or write it elsewhere.
+  set(own_options "--kernels;KERNELS;--output;OUTPUT_NAME;-o;OUTPUT_NAME;--run-time;RUN_TIME;--support;SUPPORT")
+  list(APPEND own_options "--name;the name of the mechanism;--depfile;no option, for the build tool follows files by itself"
+                          "--language;no option, for the function writes a header of C++")
+  foreach(option IN LISTS mechanism_OPTIONS)
+    string(REGEX REPLACE "=.*" "" option "${option}")
+    list(FIND own_options "${option}" place)
+    math(EXPR even "${place} % 2")
+    if(option MATCHES "^-" AND even EQUAL 0)
+      math(EXPR place "${place} + 1")
+      list(GET own_options ${place} instead)
+      message(FATAL_ERROR "torsor_add_mechanism(${name}): ${option} is no option for OPTIONS; give ${instead}")
+    endif()
+  endforeach()
+
   if(mechanism_URDF)
     set(program torsor::torsor)
     set(inputs "${mechanism_URDF}")

@@ -61,6 +61,12 @@ expect_refused("torsor_add_mechanism(arm SCENE scene.cpp URDF arm.urdf KERNELS b
 foreach(keyword SUPPORT OUTPUT_NAME)
   expect_refused("torsor_add_mechanism(arm SCENE scene.cpp KERNELS bias ${keyword})" "nothing stands behind ${keyword}")
 endforeach()
+foreach(support arm.hpp ./arm.hpp)
+  expect_refused("torsor_add_mechanism(arm SCENE scene.cpp KERNELS bias SUPPORT ${support})" "is the header itself")
+endforeach()
+foreach(option "--kernels bias" "--output=x.hpp" "-o x.hpp" "--language c99" "--run-time m" "--support s.hpp" "--name other")
+  expect_refused("torsor_add_mechanism(arm URDF arm.urdf KERNELS bias OPTIONS ${option})" "is no option for OPTIONS; give ")
+endforeach()
 expect_arguments("torsor_add_mechanism(arm SCENE scene.cpp KERNELS bias RUN_TIME \${none} OPTIONS \${none})" "--kernels;bias")
 expect_refused("torsor_add_mechanism(arm SCENE scene.cpp KERNELS SUPPORT shared.hpp)" "nothing stands behind KERNELS")
 expect_arguments("torsor_add_mechanism(arm SCENE scene.cpp KERNELS bias OPTIONS --label \"one;word\" --other)"
