@@ -155,7 +155,12 @@ Simulation simulate(const Scene& scene, const SimulationOptions& options) {
     result.status = fmt::format("{} at t = {:.9g} s", integrator->status(), integrator->time());
     result.status += integrator->because();
     if (!integrator->because().empty()) result.status += state_in_words(motion, integrator->state());
-    result.status += near_change_point(motion, integrator->time(), integrator->state());
+    const ConstraintRow* lost = motion.lost();
+    const std::string near = near_change_point(motion, integrator->time(), integrator->state());
+    if (near.empty() && lost != nullptr) {
+      result.status += fmt::format(": the constraint '{}' vanishes there or repeats others", lost->name);
+    }
+    result.status += near;
   }
   return result;
 }

@@ -188,9 +188,23 @@ std::vector<double> EvaluatedMotion::start(const NamedNumbers& replaced) {
 
 bool EvaluatedMotion::slope(double t, const std::vector<double>& y, std::vector<double>& rates) {
   move_to(t, y);
-  for (const PivotTest& test : forward_.pivots) {
-    const double roundings = test.of_several_rows ? many_roundings::in_double : 1;
-    if (!(here_(test.pivot) > std::numeric_limits<double>::epsilon() * roundings * std::abs(here_(test.measure)))) return false;
+  lost_ = nullptr;
+  const std::vector<std::size_t>& kept = equations_.redundancy().kept;
+  for (std::size_t k = 0; k < forward_.pivots.size(); ++k) {
+    const PivotTest& test = forward_.pivots[k];
+    const double pivot = here_(test.pivot), measure = std::abs(here_(test.measure));
+    constexpr double one = std::numeric_limits<double>::epsilon();
+    if (pivot > (test.of_several_rows ? many_roundings::in_double : 1) * one * measure) continue;
+    if (!test.of_several_rows) return false;
+    // Other rows of its unit may be larger than this one ever is. Pivots of rows come last, those of constraints kept in order.
+    const std::size_t j = kept[k + kept.size() - forward_.pivots.size()];
+    Rows<double> mass;
+    for (const std::vector<Value>& row : mass_) mass.push_back(here_(row));
+    const std::vector<double> direction = metric_factor(std::move(mass)).forward(here_(rows_[j].jacobian));
+    const double share = length(j) / usual_[j];
+    if (pivot * share * share > many_roundings::in_double * one * euclidean(direction, direction)) continue;
+    lost_ = &rows_[j];
+    return false;
   }
   for (std::size_t i = 0; i < position_count_; ++i) rates[i] = here_(position_rates_[i]);
   for (std::size_t i = 0; i < velocity_count(); ++i) {

@@ -54,6 +54,8 @@ class EvaluatedMotion {
 
   /// dy/dt; false where a pivot is not positive beyond rounding, or a number is none.
   bool slope(double t, const std::vector<double>& y, std::vector<double>& rates);
+  /// The constraint that left nothing of its own where the last slope was asked for; null: none did.
+  const ConstraintRow* lost() const { return lost_; }
 
   /// What `settle` must not change, by places among the velocities: positions that go with them, and velocities themselves.
   struct Kept { std::vector<std::size_t> positions, rates; };
@@ -103,6 +105,7 @@ class EvaluatedMotion {
   std::vector<ConstraintRow> rows_;
   std::vector<double> usual_;  ///< lengths that rows usually have
   std::vector<std::size_t> holonomic_, all_;
+  const ConstraintRow* lost_ = nullptr;
 };
 
 }  // namespace torsor

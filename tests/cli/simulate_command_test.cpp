@@ -18,6 +18,7 @@ namespace {
 using testing_programs::Outcome;
 using testing_programs::pendulum;
 using testing_programs::run;
+using namespace testing_mechanisms;
 
 /// Names, then rows.
 std::pair<std::vector<std::string>, std::vector<std::vector<double>>> table(const std::string& csv) {
@@ -282,6 +283,32 @@ Scene puck_with_a_stop() {
 }
 
 // m x' is a force times a time, J phi' a torque times a time.
+/// A gear, and two blocks on one angle of a large circle: rows of one unit, one of which is far smaller than the other.
+Scene gear_and_satellites() {
+  Scene scene("satellites");
+  std::vector<Expression> q;
+  for (const char* name : {"a", "b", "c", "d"}) {
+    const bool turns = q.size() < 2;
+    q.push_back(scene.coordinate(std::string("q_") + name, turns ? "rad" : "m"));
+    const FrameHandle frame =
+        turns ? scene.revolute(name, scene.ground(), axis::z, q.back())
+              : scene.prismatic(name, scene.ground(), axis::x, q.back());
+    scene.body(name, frame, Inertia::general({.mass = kilograms("1"), .xx = moment("1"), .yy = moment("1"), .zz = moment("1")}));
+  }
+  scene.motor("F", q[2]);
+  scene.holonomic("gear", q[0] - q[1]);
+  scene.holonomic("same", (q[2] - q[3]) / metres("6400000"));
+  return scene;
+}
+
+TEST(Simulate, TakesASmallRowForNoChangePoint) {
+  const Outcome outcome = run(gear_and_satellites, {"simulate", "--to", "2", "--step", "2", "--input", "F=1"});
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  const auto [names, rows] = table(outcome.out);
+  const auto column = std::find(names.begin(), names.end(), "q_d") - names.begin();
+  EXPECT_NEAR(rows.back().at(static_cast<std::size_t>(column)), 1.0, 1e-9) << outcome.out;
+}
+
 TEST(Simulate, WritesTheUnitOfEachFirstIntegral) {
   const std::string units = "# Units: s, m, rad, m/s, rad/s, J, J, J, J, N s, N m s";
   for (Scene (*scene)() : {puck, puck_with_a_stop}) {
