@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <functional>
 #include <optional>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -32,6 +33,11 @@ std::string call_text(Function function, const std::vector<Expression>& argument
   for (const Expression& argument : arguments) inside += (inside.empty() ? "" : ", ") + argument.to_string();
   return fmt::format("{}({})", to_string(function), inside);
 }
+
+/// Formulas are walked through, and freed, from within one another: a stack has room for twice as many.
+constexpr int deepest_formula = 20'000;
+/// From here on a sum that grows term by term is kept balanced.
+constexpr int long_sum = 1000;
 
 bool is_number(const Expression& x, const Number& value) {
   const auto* number = std::get_if<Number>(&x.node().content);
@@ -69,6 +75,24 @@ Unit checked_unit(Function function, const std::vector<Expression>& arguments,
 }
 
 }  // namespace
+
+std::shared_ptr<const Expression::Node> Expression::Node::of(Content content, const Unit& unit) {
+  int inside = 0;
+  const auto look = [&inside](const Expression& x) { inside = std::max(inside, x.node().depth); };
+  std::visit(Overloaded{[](const Number&) {}, [](const SymbolPointer&) {},
+                        [&](const Sum& sum) { look(sum.left), look(sum.right); },
+                        [&](const Product& product) { look(product.left), look(product.right); },
+                        [&](const Power& power) { look(power.base); },
+                        [&](const Apply& call) { std::for_each(call.arguments.begin(), call.arguments.end(), look); },
+                        [&](const Rate& rate) { look(rate.formula); }},
+             content);
+  if (inside >= deepest_formula) {
+    throw Error(fmt::format("a formula has more than {} operations within one another: write powers as pow(x, n), and make "
+                            "products of parts of about the same length",
+                            deepest_formula));
+  }
+  return std::make_shared<const Node>(Node{std::move(content), unit, inside + 1});
+}
 
 Expression::Expression(std::shared_ptr<const Node> node) : node_(std::move(node)) {}
 Expression::Expression() : Expression(Number()) {}
@@ -126,7 +150,17 @@ Expression operator+(const Expression& a, const Expression& b) {
   require_same_unit(a, b);
   if (a.is_zero()) return b;
   if (b.is_zero()) return a;
-  return Expression(std::make_shared<Expression::Node>(Expression::Node{Expression::Node::Sum{a, b}, a.unit()}));
+  // As a counter in binary carries: of sums that grow on one side, parts of like depth are put together.
+  const auto* left = std::get_if<Expression::Node::Sum>(&a.node().content);
+  const auto* right = std::get_if<Expression::Node::Sum>(&b.node().content);
+  const int of_a = a.node().depth, of_b = b.node().depth;
+  if (left != nullptr && of_a >= long_sum && of_b < long_sum && left->right.node().depth <= of_b) {
+    return left->left + (left->right + b);
+  }
+  if (right != nullptr && of_b >= long_sum && of_a < long_sum && right->left.node().depth <= of_a) {
+    return (a + right->left) + right->right;
+  }
+  return Expression(Expression::Node::of(Expression::Node::Sum{a, b}, a.unit()));
 }
 Expression operator-(const Expression& a) {
   if (const auto* number = std::get_if<Number>(&a.node().content)) return Expression::quantity(-*number, a.unit());
@@ -137,24 +171,20 @@ Expression operator-(const Expression& a, const Expression& b) {
   return a + -b;
 }
 Expression operator*(const Expression& a, const Expression& b) {
-  return Expression(std::make_shared<Expression::Node>(
-      Expression::Node{Expression::Node::Product{a, b}, a.unit() * b.unit()}));
+  return Expression(Expression::Node::of(Expression::Node::Product{a, b}, a.unit() * b.unit()));
 }
 Expression operator/(const Expression& a, const Expression& b) { return a * pow(b, -1); }
 Expression pow(const Expression& base, int exponent) {
   if (exponent < 0 && base.is_zero()) throw Error("division by zero: the denominator is the literal 0");
-  return Expression(std::make_shared<Expression::Node>(
-      Expression::Node{Expression::Node::Power{base, exponent}, base.unit().pow(exponent)}));
+  return Expression(Expression::Node::of(Expression::Node::Power{base, exponent}, base.unit().pow(exponent)));
 }
 Expression apply(Function function, const Expression& x) { return call(function, {x}); }
 Expression call(Function function, const std::vector<Expression>& arguments) {
   const Unit unit = checked_unit(function, arguments, [&] { return call_text(function, arguments); });
-  return Expression(
-      std::make_shared<Expression::Node>(Expression::Node{Expression::Node::Apply{function, arguments}, unit}));
+  return Expression(Expression::Node::of(Expression::Node::Apply{function, arguments}, unit));
 }
 Expression rate(const Expression& formula) {
-  return Expression(std::make_shared<Expression::Node>(
-      Expression::Node{Expression::Node::Rate{formula}, formula.unit() / Unit::parse("s")}));
+  return Expression(Expression::Node::of(Expression::Node::Rate{formula}, formula.unit() / Unit::parse("s")));
 }
 
 Expression sin(const Expression& angle) { return apply(Function::sin, angle); }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <memory>
 #include <variant>
 #include <vector>
 
@@ -17,8 +18,14 @@ struct Expression::Node {
   struct Apply { Function function; std::vector<Expression> arguments; };
   struct Rate { Expression formula; };
 
-  std::variant<Number, SymbolPointer, Sum, Product, Power, Apply, Rate> content;
+  using Content = std::variant<Number, SymbolPointer, Sum, Product, Power, Apply, Rate>;
+
+  Content content;
   Unit unit;
+  int depth = 0;  ///< operations within one another
+
+  /// Of an operation. Throws Error beyond a depth that those who walk through formulas have room for.
+  static std::shared_ptr<const Node> of(Content content, const Unit& unit);
 };
 
 }  // namespace torsor

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "torsor/generator/expression/expression_node.hpp"
+#include "torsor/generator/program/program.hpp"
 #include "tests/program/test_symbols.hpp"
 
 namespace torsor::expression_test {
@@ -69,6 +70,34 @@ TEST(Expression, CarriesUnitsThroughProductsPowersRootsAndRates) {
 TEST(Expression, RefusesToDivideByTheLiteralZero) {
   EXPECT_THROW(Expression(1) / Expression(0), Error);
   EXPECT_THROW(pow(Expression(0), -2), Error);
+}
+
+TEST(Expression, OfManyTermsIsNoDeepTree) {
+  const SymbolPointer x = make_symbol("x");
+  constexpr int terms = 200'000;
+  for (const bool before : {false, true}) {
+    Expression sum = x;
+    for (int i = 1; i < terms; ++i) sum = before ? Expression(x) + sum : sum + Expression(x);
+    EXPECT_EQ(sum.symbols(), std::vector<SymbolPointer>{x});
+    Program program;
+    EXPECT_EQ((program.lower(sum) - program.number(Number(terms)) * program.lower(Expression(x))).is_zero(), true);
+  }
+  EXPECT_EQ((Expression(x) + 1 + 2).to_string(), "((x + 1) + 2)") << "a short one stands as it was told";
+}
+
+TEST(Expression, RefusesOperationsWithinOneAnotherWithoutEnd) {
+#if defined(__has_feature)
+#if __has_feature(address_sanitizer)
+  GTEST_SKIP() << "what a sanitizer puts on a stack leaves no room for formulas as deep as this";
+#endif
+#endif
+  Expression product = make_symbol("x");
+  EXPECT_EQ(error_of([&] {
+              for (int i = 0; i < 100'000; ++i) product = product * 2;
+            }),
+            "a formula has more than 20000 operations within one another: write powers as pow(x, n), and make products of parts "
+            "of about the same length");
+  EXPECT_EQ(product.symbols().size(), 1U);
 }
 
 TEST(Expression, IsASymbolOnlyWhenItIsNothingElse) {
