@@ -64,10 +64,11 @@ std::vector<Number> places_of(const Symbol& symbol) {
   return all;
 }
 
-/// Two values 10^-36 apart on a line: a root that begins there makes 10^-18 of it.
-bool differ(const Real& a, const Real& b) {
-  const Real relative(Number(10).pow(-12), jump_digits), least(Number(10).pow(-15), jump_digits), apart = abs(a - b);
-  return !a.is_nan() && !b.is_nan() && apart > relative * (abs(a) + abs(b)) && apart > least;
+/// Two values 10^-36 apart on a line: a root that begins there makes 10^-18 of it, of the size that it has around.
+bool differ(const Real& a, const Real& b, const Real& around) {
+  const Real relative(Number(10).pow(-12), jump_digits), small(Number(10).pow(-15), jump_digits), apart = abs(a - b);
+  const Real least = relative * around < small ? relative * around : small;
+  return !a.is_nan() && !b.is_nan() && apart > relative * (abs(a) + abs(b)) && !(apart <= least);
 }
 
 /// Two places on either side of where a function changes its sign between two others, 10^-39 apart, by the Illinois method:
@@ -149,7 +150,13 @@ bool jumps_where(const Value& value, const SymbolPointer& only) {
           ++seen;
           const auto [low, high] =
               sides_of_change([&](const Real& at_place) { return at(at_place, condition); }, Real(*before, jump_digits), there);
-          if (differ(at(low, value), at(high, value))) return true;
+          const Real from(*before, jump_digits), way = there - from;
+          Real around(0);
+          for (const Real& beside : {from - way, from, there, there + way}) {
+            const Real size = abs(at(beside, value));
+            if (!size.is_nan()) around = around + size;
+          }
+          if (differ(at(low, value), at(high, value), around > Real(0) ? around : Real(1))) return true;
         }
         before = place;
         last = here;

@@ -346,5 +346,31 @@ TEST(Painleve, KeepsNoEnergyWhereAForceFunctionJumps) {
   EXPECT_EQ(against_energy([&](Scene&, const Expression& x) { return abs(x) / metre; }), none);
 }
 
+// An atom of 1e-26 kg at a step of 0.6 eV: whatever the unit, a jump is one beside what U is around it.
+TEST(Painleve, SeesJumpsOfAnySize) {
+  const auto failing = [](const std::function<Expression(const Expression& x, const Expression& place)>& potential) {
+    Scene scene("atom");
+    const Expression x = scene.coordinate("x", "m");
+    scene.body("atom", scene.prismatic("slide", scene.ground(), axis::x, x), Inertia::point(Expression::quantity("1e-26", "kg")));
+    scene.force_function("step", potential(x, Expression::quantity("1e-9", "m")));
+    return painleve(Equations(scene)).failing_conditions;
+  };
+  const Expression k = Expression::quantity("1e-7", "N/m");
+  for (const char* joules : {"1e-19", "1e-11", "1"}) {
+    EXPECT_EQ(failing([&](const Expression& x, const Expression& place) {
+                return piecewise({{x < place, -k * x * x}}, -k * x * x - Expression::quantity(joules, "J"));
+              }),
+              std::vector<std::string>{"the force function U jumps"})
+        << joules;
+  }
+  const std::vector<std::string> none;
+  EXPECT_EQ(failing([&](const Expression& x, const Expression& place) { return -k * pow(max(x - place, 0 * place), 2); }), none);
+  EXPECT_EQ(failing([&](const Expression& x, const Expression& place) {
+              return -k * place * sqrt(place) * sqrt(max(x - place, 0 * place));
+            }),
+            none);
+  EXPECT_EQ(failing([&](const Expression& x, const Expression& place) { return -k * place * abs(x - place / 1000); }), none);
+}
+
 }  // namespace
 }  // namespace torsor::painleve_test
