@@ -2,13 +2,14 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # from_c.sh CC CXX SCENE_PROGRAM KERNELS SOURCE FOLDER [USER]...: builds a library of the scene twice, the second time
 # without a compiler's work; without a compiler it is one error. load.c opens it, and so does each USER.c. What moves the
-# contacts of every mechanism takes a minute to compile: it is left in the folder LAYERS for the tests of Python.
+# contacts of every mechanism takes a minute to compile: it is left in the folder LAYERS for the tests of Python. FLAGS are
+# the compiler's.
 set -euo pipefail
 cc="$1" cxx="$2" program="$3" kernels="$4" source="$5" folder="$6"
 rm -rf "$folder"
 mkdir -p "$folder"
 export TORSOR_CACHE="$folder/cache" CXX="$cxx"
-build() { "$program" build --kernels "$kernels" --flags=-O1 "$@"; }
+build() { "$program" build --kernels "$kernels" --flags="${FLAGS:--O1}" "$@"; }
 
 mkdir -p "$TORSOR_CACHE" "${LAYERS:=$folder/layers}"
 cp -np "$LAYERS"/contact_layer-*.o "$TORSOR_CACHE" 2> /dev/null || true

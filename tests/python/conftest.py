@@ -37,7 +37,7 @@ def command(name, what, *options):
 
 
 def scene(name, *options):
-    words = command(name, "build", "--flags=-O1", *options)
+    words = command(name, "build", "--flags=-O0", *options)
     return torsor.open(subprocess.run(words, capture_output=True, text=True, check=True).stdout.strip())
 
 
@@ -54,7 +54,7 @@ def rod(tmp_path_factory):
     source.write_text("""<robot name="rod"><link name="ground"/><link name="rod"><inertial><origin xyz="0 0 -0.5"/>
       <mass value="2"/><inertia ixx="0.1" iyy="0.1" izz="0.1" ixy="0" ixz="0" iyz="0"/></inertial></link>
       <joint name="hinge" type="continuous"><parent link="ground"/><child link="rod"/><axis xyz="0 1 0"/></joint></robot>""")
-    return torsor.load(source, flags="-O1")
+    return torsor.load(source, flags="-O0")
 
 
 @pytest.fixture(scope="session")

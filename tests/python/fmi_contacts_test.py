@@ -20,7 +20,7 @@ FRAME = "ball"
 
 @pytest.fixture(scope="module", params=(Unit2, Unit3), ids=("2", "3"))
 def unit(request, tmp_path_factory):
-    return request.param("billiard", tmp_path_factory.mktemp("billiard"), "--flags=-O1", "--run-time", "all", "--frames", FRAME)
+    return request.param("billiard", tmp_path_factory.mktemp("billiard"), "--flags=-O0", "--run-time", "all", "--frames", FRAME)
 
 
 def begun(unit, names=(), values=(), kind=CO_SIMULATION):
@@ -412,7 +412,7 @@ def test_sources_alone_are_a_unit(tmp_path):
 @pytest.fixture(scope="module", params=(Unit2, Unit3), ids=("2", "3"))
 def cart(request, tmp_path_factory):
     """A cart that a motor pushes, with stops at 10 m on either side, and a pole."""
-    return request.param("cart_pole", tmp_path_factory.mktemp("cart"), "--flags=-O1", "--limits")
+    return request.param("cart_pole", tmp_path_factory.mktemp("cart"), "--flags=-O0", "--limits")
 
 
 def test_a_stop_hears_of_inputs(cart):

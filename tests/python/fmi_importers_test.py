@@ -22,7 +22,7 @@ STRUCTURED = re.compile(rf"{PART}(?:\.{PART})*|der\({PART}(?:\.{PART})*(?:,[0-9]
 
 @pytest.fixture(scope="module", params=[Unit2, Unit3], ids=["2", "3"])
 def unit(request, tmp_path_factory):
-    return request.param("double_pendulum", tmp_path_factory.mktemp("double_pendulum"), "--flags=-O1", "--run-time", "all")
+    return request.param("double_pendulum", tmp_path_factory.mktemp("double_pendulum"), "--flags=-O0", "--run-time", "all")
 
 
 def read(path, *names):

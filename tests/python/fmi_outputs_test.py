@@ -23,7 +23,7 @@ KERNELS = "forward_dynamics,energy,frames,poses,reactions,constraints"
                 ids=lambda p: f"{p[0]}-{p[1].version}")
 def unit(request, tmp_path_factory):
     name, kind = request.param
-    return kind(name, tmp_path_factory.mktemp(name), "--flags=-O1", *OUTPUTS[name])
+    return kind(name, tmp_path_factory.mktemp(name), "--flags=-O0", *OUTPUTS[name])
 
 
 @pytest.fixture(scope="module")

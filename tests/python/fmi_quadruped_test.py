@@ -69,7 +69,7 @@ def test_a_robot_afloat_reaches_the_state_of_the_runtime(afloat):
 
 @pytest.mark.parametrize("kind", (Unit2, Unit3), ids=("2", "3"))
 def test_a_robot_falls_onto_its_feet_as_in_the_runtime(kind, tmp_path):
-    unit = kind("quadruped_on_its_feet", tmp_path, "--flags=-O1", *OUTPUTS)
+    unit = kind("quadruped_on_its_feet", tmp_path, "--flags=-O0", *OUTPUTS)
     robot = scene("quadruped_on_its_feet", "--kernels", "mass_matrix,bias,forward_dynamics,energy,contacts,contact_coefficients")
     _, inputs = torques(unit)
     component = begun(unit, CO_SIMULATION, 1e-12)

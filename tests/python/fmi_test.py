@@ -24,7 +24,7 @@ if os.environ.get("TORSOR_LONG_TESTS"):
 def unit(request, tmp_path_factory):
     name, kind = request.param
     tuned = () if name == "quadruped" else ("--run-time", "all")  # its text alone takes the compiler long
-    return kind(name, tmp_path_factory.mktemp(name), "--flags=-O1", *tuned)
+    return kind(name, tmp_path_factory.mktemp(name), "--flags=-O0", *tuned)
 
 
 @pytest.fixture(scope="module")

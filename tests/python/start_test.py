@@ -22,7 +22,7 @@ def bead():
 
 @pytest.fixture(scope="module", params=[Unit2, Unit3], ids=["2", "3"])
 def unit(request, tmp_path_factory):
-    return request.param("ring", tmp_path_factory.mktemp("ring"), "--flags=-O1", "--run-time", "all")
+    return request.param("ring", tmp_path_factory.mktemp("ring"), "--flags=-O0", "--run-time", "all")
 
 
 def on_ring(x, z, radius):
