@@ -33,10 +33,12 @@ TEST(CheckJets, PassesAPendulumAndAQuaternion) {
 }
 
 // Trees and loops, every joint of the table, quaternions, laws of time, motors, redundant constraints.
-// The first eight have each of the options on and off; all twenty with TORSOR_LONG_TESTS.
+// All but one in twenty, whose long fractions take twice the time of all others: the thirteenth has its options, and with
+// TORSOR_LONG_TESTS it is looked at too.
 TEST(CheckJets, PassesRandomMechanisms) {
-  const unsigned seeds = std::getenv("TORSOR_LONG_TESTS") == nullptr ? 8 : 20;
-  for (unsigned seed = 0; seed < seeds; ++seed) {
+  const bool all = std::getenv("TORSOR_LONG_TESTS") != nullptr;
+  for (unsigned seed = 0; seed < 20; ++seed) {
+    if (seed == 1 && !all) continue;
     const RandomMechanismOptions options{.actions = seed % 2 == 0,
                                          .motors = seed % 5 == 0,
                                          .driven = seed % 3 == 0,

@@ -93,13 +93,22 @@ std::string smallest(const Comparison& compare, RandomMechanismOptions options, 
   return text + outcome(compare, options, seed, unused);
 }
 
+/// Four whose fractions grow long take a third of the time of all that are looked at by default. Instead of them one each
+/// of the part behind, which is not.
+unsigned looked_at(unsigned seed) {
+  static constexpr std::array<unsigned, 4> slow{5, 24, 212, 215};
+  const bool all = std::getenv("TORSOR_LONG_TESTS") != nullptr;
+  return !all && std::find(slow.begin(), slow.end(), seed) != slow.end() ? seed + 25 : seed;
+}
+
 class FiveHundredMechanisms : public ::testing::TestWithParam<unsigned> {
  protected:
   static constexpr unsigned part = 25;
   ComparisonCounts counts;
 
   void expect(const Comparison& compare) {
-    for (unsigned seed = part * GetParam(); seed < part * (GetParam() + 1); ++seed) {
+    for (unsigned place = part * GetParam(); place < part * (GetParam() + 1); ++place) {
+      const unsigned seed = looked_at(place);
       const RandomMechanismOptions options = options_of(seed);
       const std::string failure = outcome(compare, options, seed, counts);
       EXPECT_EQ(failure, "") << "seed " << seed << "; the smallest that fails:\n" << smallest(compare, options, seed);
