@@ -197,7 +197,7 @@ TEST(Frames, AreAbsentWithoutPoints) {
 
 TEST(Frames, HaveNoOperationalInertiaWhereFrictionFollowsAReaction) {
   using namespace literals;
-  Block it;
+  testing_mechanisms::Block it;
   it.name_the_normal_force();
   EXPECT_EQ(why_absent("operational_inertia", Equations(it.scene)), "");
   it.slide(0.25_r, {rate(it.x), 0, 0});
