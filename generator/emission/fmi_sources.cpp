@@ -6,7 +6,6 @@
 
 #include <fmt/format.h>
 
-#include "torsor/generator/dynamics/equations/constraint_sizes.hpp"
 #include "torsor/generator/emission/c_header.hpp"
 #include "torsor/generator/emission/embedded_licence_texts.hpp"
 #include "torsor/generator/emission/embedded_runtime_texts.hpp"
@@ -45,13 +44,13 @@ std::string names_of_contacts(const Scene& scene) {
   return names;
 }
 
-/// "1.5, 2.0": Σ_i |A_ji| of each constraint, as it usually is.
-std::string usual_rows(const MechanismListing& mechanism) {
-  if (mechanism.layout.multipliers.empty()) return {};
-  const Equations& equations = *mechanism.equations;
+/// "1, 0": for each velocity whether it is that of a turn.
+std::string turning_velocities(const Model& model) {
   std::string text;
-  for (const Real& sum : constraint_sizes(equations.model(), equations.constraints()).sum) {
-    text += fmt::format("{}{:.3e}", text.empty() ? "" : ", ", sum.to_double());
+  for (int i = 0; i < model.unknown_count(); ++i) {
+    const auto& coordinate = model.coordinates()[static_cast<std::size_t>(i)];
+    const bool turns = coordinate.attitude || coordinate.q->unit.is_dimensionless() || coordinate.q->unit == units::radian;
+    text += fmt::format("{}{}", text.empty() ? "" : ", ", turns ? 1 : 0);
   }
   return text;
 }
@@ -98,7 +97,7 @@ std::vector<SourceFile> fmi_sources(const FmiUnit& unit) {
                      {"holonomic", holonomic_rows(mechanism)},
                      {"size_count", std::to_string(unit.sizes.size())},
                      {"sizes", size_table(unit.sizes)},
-                     {"usual", usual_rows(mechanism)}};
+                     {"turns", turning_velocities(mechanism.equations->model())}};
   const auto filled = [&all](const std::string& file, const std::vector<std::string>& placeholders) {
     Texts texts = {{"name", all.at("name")}, {"version", all.at("version")}};
     for (const std::string& each : placeholders) texts.emplace(each, all.at(each));
@@ -111,7 +110,7 @@ std::vector<SourceFile> fmi_sources(const FmiUnit& unit) {
       {"fmi_sizes.h", filled("fmi/sizes.h.in", {"size_count", "sizes"})},
       {"fmi_derivatives.h", filled("fmi/derivatives.h.in", {"has_rates", "has_inputs", "has_parameters",
                                                             "has_multipliers", "has_contacts", "places", "reactions"})},
-      {"fmi_motion.h", filled("fmi/motion.h.in", {"has_multipliers", "has_contacts", "holonomic", "usual"})},
+      {"fmi_motion.h", filled("fmi/motion.h.in", {"has_multipliers", "has_contacts", "holonomic", "turns"})},
       {name + ".h", emit_c(mechanism).header}};
   using Names = std::vector<const char*>;
   for (const char* file : two ? Names{"fmi2_names.h"} : Names{"fmi3_names.h", "fmi3_types.h", "fmi3_absent.h"}) {

@@ -13,8 +13,8 @@
 #include "torsor/generator/base/did_you_mean.hpp"
 #include "torsor/generator/base/error.hpp"
 #include "torsor/generator/base/linear_algebra/cholesky.hpp"
-#include "torsor/generator/dynamics/equations/constraint_sizes.hpp"
 #include "torsor/generator/dynamics/equations/massless.hpp"
+#include "torsor/generator/program/identically_zero.hpp"
 
 namespace torsor {
 namespace {
@@ -140,8 +140,10 @@ EvaluatedMotion::EvaluatedMotion(const Scene& scene, const ModelOptions& options
     row.rate = program.bind(row.rate);
     for (Value& entry : row.jacobian) entry = program.bind(entry);
   }
-  for (const Real& sum : constraint_sizes(model, rows_).sum) usual_.push_back(sum.to_double());
   for (std::size_t j = 0; j < rows_.size(); ++j) {
+    // What holds in any case is rounding in double, and has neither a direction nor a size.
+    const auto vanishes = [](const Value& entry) { return identically_zero(entry); };
+    if (std::all_of(rows_[j].jacobian.begin(), rows_[j].jacobian.end(), vanishes) && vanishes(rows_[j].value)) continue;
     all_.push_back(j);
     if (rows_[j].holonomic) holonomic_.push_back(j);
   }
@@ -198,11 +200,11 @@ bool EvaluatedMotion::slope(double t, const std::vector<double>& y, std::vector<
     if (!test.of_several_rows) return false;
     // Other rows of its unit may be larger than this one ever is. Pivots of rows come last, those of constraints kept in order.
     const std::size_t j = kept[k + kept.size() - forward_.pivots.size()];
+    if (usual_.empty()) look_around(t, y);
     Rows<double> mass;
     for (const std::vector<Value>& row : mass_) mass.push_back(here_(row));
-    const std::vector<double> direction = metric_factor(std::move(mass)).forward(here_(rows_[j].jacobian));
-    const double share = length(j) / usual_[j];
-    if (pivot * share * share > many_roundings::in_double * one * euclidean(direction, direction)) continue;
+    const std::vector<double> usual = metric_factor(std::move(mass)).forward(usual_[j]);
+    if (pivot > many_roundings::in_double * one * euclidean(usual, usual)) continue;
     lost_ = &rows_[j];
     return false;
   }
@@ -229,10 +231,28 @@ void EvaluatedMotion::displace(double t, std::vector<double>& y, const std::vect
   move_to(t, y);
 }
 
-double EvaluatedMotion::length(std::size_t j) {
-  double sum = 0.0;
-  for (const Value& entry : rows_[j].jacobian) sum += std::abs(here_(entry));
-  return sum;
+// Sizes that the entries of rows have here and at three states around.
+void EvaluatedMotion::look_around(double t, const std::vector<double>& y) {
+  for (int k = 0; k < 4; ++k) {
+    std::vector<double> there = y;
+    for (std::size_t i = 0; i < position_count_; ++i) {
+      double size = symbols_[i]->unit.is_dimensionless() || symbols_[i]->unit == units::radian ? 1.0 : 0.0;
+      for (std::size_t j = 0; j < position_count_ && size < 1; ++j) {
+        if (symbols_[j]->unit == symbols_[i]->unit) size = std::max(size, std::abs(y[j]));
+      }
+      there[i] += k * 0.2 * size * std::sin(1.0 + k + 2.7 * static_cast<double>(i));
+    }
+    normalise(there);
+    move_to(t, there);
+    usual_.resize(rows_.size(), std::vector<double>(velocity_count(), 0.0));
+    for (std::size_t j = 0; j < rows_.size(); ++j) {
+      const std::vector<double> entries = here_(rows_[j].jacobian);
+      for (std::size_t i = 0; i < entries.size(); ++i) {
+        if (std::isfinite(entries[i])) usual_[j][i] = std::max(usual_[j][i], std::abs(entries[i]));
+      }
+    }
+  }
+  move_to(t, y);
 }
 
 std::vector<double> EvaluatedMotion::least_change(const std::vector<std::size_t>& rows, const std::vector<double>& right,
@@ -250,13 +270,13 @@ std::vector<double> EvaluatedMotion::least_change(const std::vector<std::size_t>
   };
   std::vector<Row> left;
   for (std::size_t k = 0; k < rows.size(); ++k) {
-    // Below its usual size by so much a row is rounding: it has no direction.
-    if (!(length(rows[k]) > rank_tolerance * usual_[rows[k]])) continue;
     std::vector<double> a = here_(rows_[rows[k]].jacobian);
     for (const std::size_t i : kept) a[i] = 0.0;
     std::vector<double> b = factor.forward(std::move(a));
     const double size = std::sqrt(euclidean(b, b));
-    if (size > 0) left.push_back({std::move(b), right[k], size});
+    const std::vector<double> usual = factor.forward(usual_[rows[k]]);
+    // Below its usual size by so much a row is rounding: it has no direction.
+    if (size > rank_tolerance * std::sqrt(euclidean(usual, usual))) left.push_back({std::move(b), right[k], size});
   }
   // The rows made orthonormal, the longest remainder first; what others leave of a repeated row is rounding.
   std::vector<double> change(n, 0.0);
@@ -310,8 +330,10 @@ double EvaluatedMotion::independence(double t, const std::vector<double>& y) {
 
 double EvaluatedMotion::open(std::size_t j, bool rates) {
   const ConstraintRow& row = rows_[j];
-  double scale = std::numeric_limits<double>::min() + length(j);
-  if (scale < rank_tolerance * usual_[j]) scale = usual_[j];  // it vanishes here, and is no measure
+  double scale = std::numeric_limits<double>::min(), usual = 0.0;
+  for (std::size_t i = 0; i < velocity_count(); ++i) scale += std::abs(here_(row.jacobian[i]));
+  if (!usual_.empty()) usual = std::accumulate(usual_[j].begin(), usual_[j].end(), 0.0);
+  if (scale < rank_tolerance * usual) scale = usual;  // it vanishes here, and is no measure
   const double value = std::abs(here_(rates ? row.rate : row.value)) / scale;
   return std::isfinite(value) ? value : std::numeric_limits<double>::infinity();
 }
@@ -349,6 +371,7 @@ bool EvaluatedMotion::settle(double t, std::vector<double>& y, const Kept& kept)
   if (!finite(y)) return false;
   move_to(t, y);
   if (rows_.empty()) return true;
+  if (usual_.empty()) look_around(t, y);
   const auto largest = [&](std::size_t begin, std::size_t end) {
     double most = 1.0;
     for (std::size_t i = begin; i < end; ++i) most = std::max(most, std::abs(y[i]));

@@ -89,7 +89,7 @@ class EvaluatedMotion {
   /// state moved to.
   std::vector<double> least_change(const std::vector<std::size_t>& rows, const std::vector<double>& right,
                                    const std::vector<std::size_t>& kept);
-  double length(std::size_t row);  ///< Σ_i |A_ji| at the state moved to
+  void look_around(double t, const std::vector<double>& y);
   double open(const std::vector<std::size_t>& rows, bool rates);
   double open(std::size_t row, bool rates);  ///< beside its own size
 
@@ -103,7 +103,7 @@ class EvaluatedMotion {
   std::vector<Value> position_rates_;
   std::vector<std::vector<Value>> mass_;
   std::vector<ConstraintRow> rows_;
-  std::vector<double> usual_;  ///< lengths that rows usually have
+  std::vector<std::vector<double>> usual_;  ///< sizes of the entries of rows
   std::vector<std::size_t> holonomic_, all_;
   const ConstraintRow* lost_ = nullptr;
 };

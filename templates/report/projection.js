@@ -120,7 +120,7 @@ class Projection {
       this.lengths().forEach((sum, row) => { if (Number.isFinite(sum)) usual[row] = Math.max(usual[row], sum); });
     }
     const largest = Math.max(...usual);
-    this.usual = usual.map((sum) => (sum > 1e-12 * largest ? sum : largest || 1));
+    this.usual = usual.map((sum) => (sum > 1e-14 * largest ? sum : largest || 1));
   }
 
   /// The value of a constraint on velocities alone is 0 wherever it is read: found by moving along both ways.

@@ -62,14 +62,6 @@ Real reach_of(const Unit& unit, const Model& model, const std::vector<Reals>& us
   return extent > Real(0) ? extent : Real(1);
 }
 
-/// A row that is rounding only, or that nothing changes, is judged as the others are.
-void judge_as_others(Reals& sizes) {
-  const Real largest = sizes.empty() ? Real(0) : *std::max_element(sizes.begin(), sizes.end());
-  for (Real& size : sizes) {
-    if (size <= largest * Real::parse("1e-30")) size = largest.is_zero() ? Real(1) : largest;
-  }
-}
-
 }  // namespace
 
 ConstraintSizes constraint_sizes(const Model& model, const std::vector<ConstraintRow>& rows) {
@@ -78,16 +70,15 @@ ConstraintSizes constraint_sizes(const Model& model, const std::vector<Constrain
   for (std::size_t i = 0; i < static_cast<std::size_t>(model.unknown_count()); ++i)
     sizes.reach.push_back(turns(model, i) ? Real(1) : reach_of(model.coordinates()[i].q->unit, model, usual));
   for (const Reals& row : usual) {
-    Real size(0), sum(0);
-    for (std::size_t i = 0; i < row.size(); ++i) {
-      size += row[i] * sizes.reach[i];
-      sum += row[i];
-    }
+    Real size(0);
+    for (std::size_t i = 0; i < row.size(); ++i) size += row[i] * sizes.reach[i];
     sizes.size.push_back(size);
-    sizes.sum.push_back(sum);
   }
-  judge_as_others(sizes.size);
-  judge_as_others(sizes.sum);
+  // A row that is rounding only, or that nothing changes, is judged as the others are.
+  const Real largest = sizes.size.empty() ? Real(0) : *std::max_element(sizes.size.begin(), sizes.size.end());
+  for (Real& size : sizes.size) {
+    if (size <= largest * Real::parse("1e-30")) size = largest.is_zero() ? Real(1) : largest;
+  }
   return sizes;
 }
 

@@ -20,7 +20,6 @@ namespace torsor {
 struct ConstraintSizes {
   std::vector<Real> reach;  ///< by freedom, in the unit of its coordinate
   std::vector<Real> size;   ///< by constraint, in the unit of f (of its rate in seconds when it is not holonomic)
-  std::vector<Real> sum;    ///< by constraint: Σ_i of the usual |A_ji|, in whatever units they are
 };
 
 ConstraintSizes constraint_sizes(const Model& model, const std::vector<ConstraintRow>& rows);
