@@ -13,7 +13,7 @@ std::string literal_text(const std::string& text) {
   std::string literal = "\"";
   for (const char c : text) {
     if (c == '"' || c == '\\') literal += '\\';
-    literal += c == '%' ? '_' : c;
+    literal += c == SizeBound::number ? "\\001" : std::string(1, c == '%' ? '_' : c);
   }
   return literal + "\"";
 }

@@ -27,9 +27,9 @@ std::optional<Real> known(const SceneContent& scene, const Expression& formula) 
   }
 }
 
-/// "m = {}", or the number alone where the formula says no more.
+/// "m = 5", or the number alone where the formula says no more.
 std::string with_value(const Expression& formula) {
-  return formula.symbols().empty() ? "{}" : formula.to_string() + " = {}";
+  return formula.symbols().empty() ? "\1" : formula.to_string() + " = \1";
 }
 
 /// Bounds of one thing, which messages name.
@@ -46,7 +46,7 @@ class Bounds {
   };
   void add(const Expression& formula, const char* what, const Bound& of, const char* remedy) {
     all_.push_back({formula, of.relation, of.bound,
-                    user_ + " has the " + what + " " + formula.to_string() + " = {}: " + remedy});
+                    user_ + " has the " + what + " " + formula.to_string() + " = \1: " + remedy});
   }
   std::vector<SizeBound> take() { return std::move(all_); }
 
@@ -131,8 +131,8 @@ std::vector<SizeBound> bounds_of_stops(const SceneContent& scene) {
     const Expression& lower = std::get<Stop>(other->geometry).at;
     if (lower.to_string() == upper->at.to_string()) continue;
     bounds.push_back({lower, Relation::below, upper->at,
-                      "the stop '" + other->name + "' at " + lower.to_string() + " = {} is not below '" + contact.name + "' at " +
-                          upper->at.to_string() + " = {}: give it a smaller place"});
+                      "the stop '" + other->name + "' at " + lower.to_string() + " = \1 is not below '" + contact.name + "' at " +
+                          upper->at.to_string() + " = \1: give it a smaller place"});
   }
   return bounds;
 }
@@ -215,7 +215,7 @@ std::vector<SizeBound> bounds_of_frictions(const SceneContent& scene) {
   for (const ContactFriction& friction : scene.frictions) {
     bounds.push_back({friction.coefficient, Relation::at_least, Expression(0),
                       "friction '" + friction.name + "' has the coefficient " + friction.coefficient.to_string() +
-                          " = {} and must not have a negative one: its force would push along the slip; turn the "
+                          " = \1 and must not have a negative one: its force would push along the slip; turn the "
                           "direction instead"});
   }
   return bounds;
@@ -235,8 +235,8 @@ void require_bounds(const SceneContent& scene, const std::vector<SizeBound>& bou
     if (!value || !bound || !each.broken(*value, *bound)) continue;
     std::string said = each.said;
     for (const Real& number : {*value, *bound}) {
-      if (const std::size_t place = said.find("{}"); place != std::string::npos) {
-        said.replace(place, 2, fmt::format("{:.6g}", number.to_double()));
+      if (const std::size_t place = said.find(SizeBound::number); place != std::string::npos) {
+        said.replace(place, 1, fmt::format("{:.6g}", number.to_double()));
       }
     }
     throw SceneError(said);

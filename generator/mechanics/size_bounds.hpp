@@ -16,7 +16,8 @@ struct SizeBound {
   Expression value;
   Relation relation = Relation::at_least;
   Expression bound;
-  std::string said;  ///< where it is not so; each {} stands for a number: the value, then the bound
+  static constexpr char number = '\1';  ///< stands for one in a text, as nothing in a name does
+  std::string said;  ///< where it is not so, with places for the value and the bound
 
   /// Whether numbers break it; one that is not a number breaks nothing.
   bool broken(const Real& value, const Real& bound) const;

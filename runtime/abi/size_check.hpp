@@ -7,7 +7,7 @@
 
 namespace torsor::runtime::abi {
 
-/// What a size of a mechanism must be beside the number that it is compared with, and what is said where it is not: each {}
+/// What a size of a mechanism must be beside the number that it is compared with, and what is said where it is not: each \001
 /// stands for a number, the size first.
 struct SizeCheck {
   enum Relation { at_least, at_most, below };
@@ -31,13 +31,13 @@ struct SizeCheck {
     const std::string_view all(said);
     std::size_t from = 0;
     for (const double number : {size, bound}) {
-      const std::size_t place = all.find("{}", from);
+      const std::size_t place = all.find('\001', from);
       if (place == std::string_view::npos) break;
       std::array<char, 32> digits;
       std::snprintf(digits.data(), digits.size(), "%.6g", number);
       add(all.substr(from, place - from));
       add(digits.data());
-      from = place + 2;
+      from = place + 1;
     }
     add(all.substr(from));
     text[length] = '\0';

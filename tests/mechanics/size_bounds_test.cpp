@@ -42,7 +42,7 @@ struct Block {
                                  .xz = p["E"],
                                  .yz = p["F"]}));
     scene.body("weight", block, Inertia::point(kilograms("1")));
-    scene.reflected_inertia("rotor \"q\"", q, p["a"]);
+    scene.reflected_inertia("rotor \"q{}\"", q, p["a"]);
     scene.stop(x, p["low"], p["high"], {.restitution = p["e"]});
     scene.contact("table", shape::Sphere{.frame = block, .radius = p["r"]}, shape::Plane{.frame = scene.ground()},
                   {.friction = p["f"]});
@@ -67,7 +67,7 @@ TEST(SizeBounds, NameTheSizeAndItsValue) {
   Block block;
   EXPECT_EQ(block.said({}), "");
   EXPECT_EQ(block.said({{"m", -1}}).substr(0, 64), "body 'block' has the mass n = -2 kg: a mass is never negative; s");
-  EXPECT_EQ(block.said({{"a", -1}}).substr(0, 66), "reflected inertia 'rotor \"q\"' is a = -1 and must not be negative: ");
+  EXPECT_EQ(block.said({{"a", -1}}).substr(0, 68), "reflected inertia 'rotor \"q{}\"' is a = -1 and must not be negative: ");
   EXPECT_EQ(block.said({{"low", 2}}),
             "the stop 'x_lower' at low = 2 is not below 'x_upper' at high = 1: give it a smaller place");
   EXPECT_EQ(block.said({{"low", 1}}).substr(0, 28), "the stop 'x_lower' at low = ");
@@ -115,7 +115,7 @@ TEST(SizeBounds, AreThoseOfTheParametersThatAreAskedFor) {
 TEST(SizeBounds, AreATableOfTexts) {
   Block block;
   EXPECT_EQ(size_table(bounds_that_depend_on(block.scene.content(), {block.p.at("a").as_symbol()})),
-            "\n    {0, \"reflected inertia 'rotor \\\"q\\\"' is a = {} and must not be negative: it is N^2 J of a rotor of "
+            "\n    {0, \"reflected inertia 'rotor \\\"q{}\\\"' is a = \\001 and must not be negative: it is N^2 J of a rotor of "
             "inertia J behind a gear of ratio N\"}");
 }
 
