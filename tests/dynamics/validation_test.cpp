@@ -78,6 +78,19 @@ TEST(Validation, NamesARedundantCoordinate) {
   EXPECT_NE(text.find("give masses or inertias, or remove a redundant coordinate"), std::string::npos) << text;
 }
 
+// What is no number at the start, as sin(z)/z at 0, leaves other states to decide.
+TEST(Validation, NamesARedundantCoordinateBesideWhatIsUndefinedAtTheStart) {
+  Scene scene("redundant");
+  const Expression x = scene.coordinate("x", "m"), y = scene.coordinate("y", "m"), z = scene.coordinate("z", "m");
+  const Expression turn = z / metres("1");
+  const FrameHandle odd = scene.prismatic("odd", scene.ground(), axis::z, sin(turn) / turn * metres("1"));
+  scene.body("odd", odd, Inertia::point(kilograms("1")));
+  const FrameHandle first = scene.prismatic("first", scene.ground(), axis::x, x);
+  scene.body("bob", scene.prismatic("second", first, axis::x, y), Inertia::point(kilograms("1")));
+  const std::string text = refusal(scene);
+  EXPECT_TRUE(text.starts_with("the mass matrix is singular at every state: coordinate 'y'")) << text;
+}
+
 TEST(Validation, NamesUnitsThatDoNotMatch) {
   Scene heavy("heavy");
   const FrameHandle arm = heavy.revolute("arm", heavy.ground(), axis::z, heavy.coordinate("theta", "rad"));

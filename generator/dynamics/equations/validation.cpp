@@ -133,15 +133,17 @@ std::size_t regular_pivots(const Equations& equations, int tried) {
   const ValueMatrix& mass = equations.mass();
   const std::size_t n = mass.size();
   std::size_t regular = 0;
+  bool decided = false;
   for (int trial = 0; trial < tried && regular < n; ++trial) {
     Evaluator<Real> evaluate(equations.program(), tried_state(equations.scene().content(), trial));
     RealRows m;
     for (const auto& row : mass) m.push_back(evaluate(row));
-    if (std::any_of(m.begin(), m.end(), has_nan)) return n;  // a length of zero may be a divisor: that is another fault
+    if (std::any_of(m.begin(), m.end(), has_nan)) continue;  // a length of zero may be a divisor: that is another fault
+    decided = true;
     // Invented moments of inertia may be those of no matter, and the matrix indefinite.
     regular = std::max(regular, SymmetricPivots(std::move(m), zero_tests::masses.bound()).first_small());
   }
-  return regular;
+  return decided ? regular : n;
 }
 
 void require_masses(const Equations& equations, int tried) {
