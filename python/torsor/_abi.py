@@ -101,7 +101,7 @@ def open_library(path: str) -> tuple[CDLL, Table]:
         raise OSError(f"{path} has no symbol torsor_mechanism: make it with `torsor build`") from None
     entry.restype = POINTER(Table)
     table = entry().contents
-    if table.version != VERSION or table.size < ctypes.sizeof(Table):
+    if table.version != VERSION or table.size < ctypes.sizeof(Table) - ctypes.sizeof(c_void_p):  # older ones lack `impossible`
         raise OSError(f"{path} has version {table.version} of the interface and this package version {VERSION}: "
                       "build the library again")
     return library, table

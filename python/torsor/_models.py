@@ -24,12 +24,14 @@ class Model:
         self.address = table.create(parameters.ctypes.data_as(ctypes.POINTER(ctypes.c_double)))
         if not self.address:
             raise MemoryError("no memory for the parameters of a mechanism")
-        fault = table.impossible(self.address)
+        knows = table.size >= ctypes.sizeof(table)  # libraries of before do not
+        fault = table.impossible(self.address) if knows else None
         if fault is not None:
             usual = table.default_parameters[:table.parameter_count]
             given = [f"{name}={value:g}" for name, value, default in zip(mechanism.parameter_units, parameters, usual)
                      if value != default and value == value]
-            raise ValueError(f"{mechanism.name}: {fault.decode()}; that is so with {', '.join(given)}: give another value")
+            because = f"; that is so with {', '.join(given)}: give another value" if given else ""
+            raise ValueError(f"{mechanism.name}: {fault.decode()}{because}")
 
     def __del__(self) -> None:
         if getattr(self, "address", None):
