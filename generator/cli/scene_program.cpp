@@ -164,6 +164,7 @@ struct Ran {
 };
 
 Ran run(int argc, const char* const* argv, const SceneSource& source) {
+  const DecimalPoint point;
   CLI::App app{source.description};
   app.require_subcommand(1);
   app.set_version_flag("--version", "torsor " TORSOR_VERSION, "print the version of torsor and exit");
@@ -197,7 +198,6 @@ int run_commands(int argc, const char* const* argv, const SceneSource& source) {
     std::fprintf(stderr, "%s\n", printable(fmt::format("{}: {}", argv[0], message)).c_str());
     return code;
   };
-  const DecimalPoint point;
   try {
     const Ran ran = run(argc, argv, source);
     ran.write_files();

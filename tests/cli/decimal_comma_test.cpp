@@ -7,6 +7,7 @@
 
 #include <gtest/gtest.h>
 
+#include "torsor/generator/cli/command_line.hpp"
 #include "torsor/generator/verification/verify.hpp"
 #include "tests/cli/scene_runner.hpp"
 #include "tests/import/xacro_values.hpp"
@@ -26,6 +27,7 @@ TEST(DecimalComma, ChangesNoNumberOfACommand) {
   const Outcome outcome = run(pendulum, command);
   EXPECT_EQ(outcome.code, 0) << outcome.err;
   EXPECT_EQ(outcome.out, expected.out);
+  EXPECT_EQ(run_command(command, pendulum(), {}).text, expected.out) << "as Scene.run of Python has it";
   EXPECT_EQ(std::strtod("0,5", nullptr), 0.5) << "the locale of the process is what it was";
 }
 
