@@ -13,8 +13,8 @@ namespace torsor {
 /// kernels that have names: libraries and units look at it where parameters are set.
 Kernel make_sizes(const Equations& equations, const std::vector<SizeBound>& bounds);
 
-/// The bounds as entries of a table of C, in that order: `{0, "body 'arm' has the mass m = {} kg: ..."}`, the relation and
-/// what is said where it is broken. No text has a sign that a format gives a meaning to.
+/// The bounds as entries of a table of C, in that order: `{0, "body 'arm' has the mass m = \001 kg: ..."}`, the relation
+/// and what is said where it is broken, with places for the two numbers.
 std::string size_table(const std::vector<SizeBound>& bounds);
 
 }  // namespace torsor

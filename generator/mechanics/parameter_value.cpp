@@ -23,6 +23,14 @@ Real parameter_value(const SceneContent& scene, const Expression& formula, bool 
   return evaluate(program.lower(formula));
 }
 
+std::optional<Real> known_value(const SceneContent& scene, const Expression& formula) {
+  try {
+    return parameter_value(scene, formula);
+  } catch (const SceneError&) {
+    return std::nullopt;
+  }
+}
+
 std::optional<Expression> initial_formula(const SceneContent& scene, const SymbolPointer& symbol) {
   if (const auto component = scene.quaternion_component(symbol)) {
     return initial_component(scene.attitudes[component->first], component->second);

@@ -13,6 +13,9 @@ namespace torsor {
 /// symbol that is no parameter.
 Real parameter_value(const SceneContent& scene, const Expression& formula, bool invent = false);
 
+/// The same, or nothing where the formula needs more than parameters that have values.
+std::optional<Real> known_value(const SceneContent& scene, const Expression& formula);
+
 /// What `initial` says of a coordinate, a component of an attitude or a rate; nothing where it starts at zero.
 std::optional<Expression> initial_formula(const SceneContent& scene, const SymbolPointer& symbol);
 

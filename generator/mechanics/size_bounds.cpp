@@ -18,15 +18,6 @@ namespace {
 
 using Relation = SizeBound::Relation;
 
-/// Nothing where the formula needs parameters without a value; what is more than parameters is refused elsewhere.
-std::optional<Real> known(const SceneContent& scene, const Expression& formula) {
-  try {
-    return parameter_value(scene, formula);
-  } catch (const SceneError&) {
-    return std::nullopt;
-  }
-}
-
 /// "m = 5", or the number alone where the formula says no more.
 std::string with_value(const Expression& formula) {
   return formula.symbols().empty() ? "\1" : formula.to_string() + " = \1";
@@ -231,7 +222,7 @@ std::vector<SizeBound> bounds_of_surfaces(const SceneContent& scene) {
 
 void require_bounds(const SceneContent& scene, const std::vector<SizeBound>& bounds) {
   for (const SizeBound& each : bounds) {
-    const std::optional<Real> value = known(scene, each.value), bound = value ? known(scene, each.bound) : std::nullopt;
+    const std::optional<Real> value = known_value(scene, each.value), bound = value ? known_value(scene, each.bound) : std::nullopt;
     if (!value || !bound || !each.broken(*value, *bound)) continue;
     std::string said = each.said;
     for (const Real& number : {*value, *bound}) {

@@ -16,19 +16,10 @@
 namespace torsor {
 namespace {
 
-/// Nothing where the formula needs parameters without a value; what is more than parameters is refused elsewhere.
-std::optional<Real> known(const SceneContent& scene, const Expression& formula) {
-  try {
-    return parameter_value(scene, formula);
-  } catch (const SceneError&) {
-    return std::nullopt;
-  }
-}
-
 void check_places_of_stops(const SceneContent& scene) {
   for (const ContactContent& contact : scene.contacts) {
     const auto* stop = std::get_if<Stop>(&contact.geometry);
-    const auto place = stop == nullptr ? std::nullopt : known(scene, stop->at);
+    const auto place = stop == nullptr ? std::nullopt : known_value(scene, stop->at);
     if (!place || !place->is_nan()) continue;
     throw SceneError(fmt::format("the stop '{}' at {} has a place that is no number", contact.name, stop->at.to_string()));
   }

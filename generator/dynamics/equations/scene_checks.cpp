@@ -18,15 +18,6 @@
 namespace torsor {
 namespace {
 
-/// Nothing where the formula needs more than parameters that have values.
-std::optional<Real> value_if_known(const SceneContent& scene, const Expression& formula) {
-  try {
-    return parameter_value(scene, formula);
-  } catch (const SceneError&) {
-    return std::nullopt;
-  }
-}
-
 /// Axes of frame a that a closing joint keeps along the same ones of frame b.
 std::vector<std::size_t> axes_kept_along(JointType type) {
   switch (type) {
@@ -93,7 +84,7 @@ void check_shown_forms(const SceneContent& scene) {
       lengths = {{"radius of the torus", &torus->radius}, {"radius of the torus's tube", &torus->tube}};
     }
     for (const auto& [what, length] : lengths) {
-      const std::optional<Real> value = value_if_known(scene, *length);
+      const std::optional<Real> value = known_value(scene, *length);
       if (!value || *value > Real(0)) continue;
       throw SceneError(fmt::format("the {} that is shown on frame '{}' is {} = {:.6g} m and must be above 0", what, frame,
                                    length->to_string(), value->to_double()));
