@@ -128,7 +128,12 @@ void sequential(const ContactProblem& problem, std::span<const double> restituti
   }
   for (int i = 0; i < problem.count; ++i) {
     const int n = problem.first_row(i);
-    result.closed[at(i)] = problem.law(i).normal && std::abs(result.w(n)) <= 1e-15 * sizes(n);
+    const auto rests = [&](int row) { return std::abs(result.w(row)) <= 1e-15 * sizes(row); };
+    result.closed[at(i)] = problem.law(i).normal && rests(n);
+    // One that stuck may have got a slip by the collisions of others since.
+    for (int k = 0, t = problem.tangent_row(i); k < problem.law(i).tangents; ++k) {
+      result.sticks[at(i)] = result.sticks[at(i)] && rests(t + k);
+    }
   }
   if (next_to_close(problem, sizes, result.w) >= 0) result.verdict = ContactVerdict::none;  // no end of collisions
 }

@@ -123,6 +123,27 @@ TEST(ImpactLaw, OfSequencesCollidesTwoByTwo) {
   EXPECT_EQ(strike({{1, 1, 1}, {1, 0, 0}}, {0.08, 0.08}, law).result.collisions, 10);
 }
 
+// A block falls on the floor and sticks there; then a ball strikes it from the side, and it slides. Once it was held as before, and
+// with it all momentum along the floor was lost.
+TEST(ImpactLaw, OfSequencesLetsGoWhatALaterCollisionMoves) {
+  Eigen::Matrix3d J;  // of v = (x', z') of the block and x' of the ball, all of 1 kg
+  J << 0, 1, 0, 1, 0, 0, -1, 0, 1;
+  ContactProblem problem;
+  problem.count = 2;
+  problem.laws[0] = coulomb(1, 0.5);
+  problem.laws[1] = coulomb(0, 0);
+  problem.W = J * J.transpose();
+  problem.q = J * Eigen::Vector3d(0, -1, -1);
+  const ImpactResult result = impact(problem, Restitutions{0, 0}, ImpactLaw::sequential);
+  EXPECT_TRUE(result.closed[0] && result.closed[1]);
+  EXPECT_FALSE(result.sticks[0]);
+  EXPECT_NEAR((result.w - Eigen::Vector3d(0, -0.5, 0)).cwiseAbs().maxCoeff(), 0, 1e-16);
+  EXPECT_NEAR((result.P - Eigen::Vector3d(1, 0, 0.5)).cwiseAbs().maxCoeff(), 0, 1e-16);
+  EXPECT_NEAR(result.lost, 0.75, 1e-15);
+  problem.q = J * Eigen::Vector3d(0, -1, 0);  // nothing comes from the side
+  EXPECT_TRUE(impact(problem, Restitutions{0, 0}, ImpactLaw::sequential).sticks[0]);
+}
+
 // A ball of 0.3 kg at 4 m/s strikes a hinged rod 0.9 m below its hinge; J = 0.96 kg m² (percussions, course §7.6).
 TEST(ImpactLaw, LosesTheEnergyOfCarnot) {
   for (const double e : {0.0, 0.5, 1.0}) {
