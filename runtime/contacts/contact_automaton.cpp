@@ -127,7 +127,14 @@ bool ContactAutomaton::begin(double t, Gaps gaps) {
 // Whether the gap is closed, as near as other contacts ask.
 bool ContactAutomaton::near(int i) const noexcept {
   const std::optional<int> by = motion_.carrier(i);
-  return !by || motion_.reading().gap[as(*by)] <= options_.touch;
+  return !by || motion_.reading().gap[as(*by)] <= reach(*by);
+}
+
+// A gap that is as good as closed: events are located to roundings of the time, and of the gap.
+double ContactAutomaton::reach(int i) const noexcept {
+  const double unseen = 64 * std::numeric_limits<double>::epsilon() * std::abs(result_.time);
+  const double way = unseen * std::abs(motion_.reading().w(motion_.first_row(i)));
+  return std::max(options_.touch, 16 * motion_.rounding_of_gap(i) + way);
 }
 
 // Sticking or sliding by the velocity of slip; one that sticks is free to begin to slide.
@@ -167,7 +174,7 @@ bool ContactAutomaton::raise_open() {
   for (int i = 0; i < count(); ++i) {
     if (!motion_.rule(i).normal || motion_.states[as(i)].touches) continue;
     const double gap = motion_.reading().gap[as(i)];
-    below[as(i)] = gap < -16 * motion_.rounding_of_gap(i) && gap >= -options_.touch;
+    below[as(i)] = gap < -16 * motion_.rounding_of_gap(i) && gap >= -reach(i);
     any = any || below[as(i)];
   }
   if (!any) return true;

@@ -92,6 +92,7 @@ class ContactAutomaton {
   [[nodiscard]] double idle_slack(int contact, int row);
   bool begin(double t, Gaps gaps);
   [[nodiscard]] bool near(int i) const noexcept;
+  [[nodiscard]] double reach(int i) const noexcept;
   void set_by_slip(int i, double at_rest) noexcept;
   bool settle(std::optional<int> contact);
   bool raise_open();

@@ -73,6 +73,19 @@ TEST(PlankLanding, BouncesSlidesAndRestsInAnyOrderOfItsPoints) {
   }
 }
 
+// Late on the clock a rounding of the time is a gap that is not zero: all points strike together, and none before the others.
+TEST(PlankLanding, IsFlatHoweverLate) {
+  for (const double start : {0.0, 1e5, 1e6, 1e7}) {
+    for (const double height : {0.05, 0.5, 0.8, 1.3, 5.0}) {
+      std::array<double, 6> y{0, height, 0, 0, 0, 0};
+      const double end = start + 1.5 * std::sqrt(2 * height / g);
+      const ContactResult result = integrate_contacts(plank(in_order, 0.3), y, start, end, precise);
+      ASSERT_TRUE(result) << describe(result.status) << ' ' << start << ' ' << height;
+      EXPECT_NEAR(y[5], 0, 1e-12) << start << ' ' << height;
+    }
+  }
+}
+
 // At rest each of the points may bear a part of the weight: the middle one alone, which sweeps find first, is no unique answer.
 TEST(PlankLanding, RestsOnPointsWhoseReactionsAreIndeterminate) {
   for (const Places& places : {in_order, middle_first, others}) {
