@@ -29,6 +29,7 @@ MoreauJean::MoreauJean(std::unique_ptr<const ContactMechanism> mechanism, double
   }
   reading_ = ContactReading(sizes, rows(), first_bearing_[as(count())]);
   impulses_.setZero(rows());
+  guess_ = impulses_;
 }
 
 bool MoreauJean::end(ContactStatus status) noexcept {
@@ -61,11 +62,13 @@ bool MoreauJean::move_through(double t, double h, std::span<double> y) {
   for (int i = 0; i < mechanism_->sizes().velocities; ++i) v_(i) += y[nq + as(i)];
   ContactVector w_free = reading_.w;
   w_free.noalias() += reading_.J * change_;
+  // With θ beyond 1/2 q_m is nearer to the start, where no gap is below zero: one that was closed is asked in the middle too.
+  const ContactVector to_middle = std::max(theta_ - 0.5, 0.0) * h * w_free;
   ContactSelection chosen;
   for (int i = 0; i < count(); ++i) {
     const ContactRule& rule = rules_[as(i)];
     const std::optional<int> by = rule.normal ? i : rule.pressed_by;
-    if (by && opens(*by, middle_)) continue;
+    if (by && opens(*by, middle_, closed_[as(*by)] ? to_middle(first_row_[as(*by)]) : 0)) continue;
     ContactLaw law = rule.law();
     law.bound *= h;  // bounded forces, as impulses of the step
     law.static_bound *= h;
@@ -75,7 +78,7 @@ bool MoreauJean::move_through(double t, double h, std::span<double> y) {
   }
   chosen.fill(dynamics_.W, w_free, dynamics_.S, h * dynamics_.R_free);
   ContactVector start(chosen.rows);
-  for (int k = 0; k < chosen.rows; ++k) start(k) = impulses_(chosen.row[as(k)]);
+  for (int k = 0; k < chosen.rows; ++k) start(k) = guess_(chosen.row[as(k)]);
   impulses_.setZero(rows());
   residual_ = 0;
   if (chosen.problem.count > 0) {
@@ -83,8 +86,11 @@ bool MoreauJean::move_through(double t, double h, std::span<double> y) {
     if (!answer) return end(ContactStatus::no_solution);
     residual_ = answer.best().residual;
     impulses_ = chosen.spread(answer.best().r, rows());
+    // Contacts of a foot that settles are open in every other step: they keep what they had.
+    for (int k = 0; k < chosen.rows; ++k) guess_(chosen.row[as(k)]) = impulses_(chosen.row[as(k)]);
     dynamics_.add_answer(impulses_, v_);
   }
+  for (int i = 0; i < count(); ++i) closed_[as(i)] = rules_[as(i)].normal && impulses_(first_row_[as(i)]) > 0;
   for (int i = 0; i < mechanism_->sizes().velocities; ++i) middle_[nq + as(i)] = v_(i);
   move(there, middle_, theta_ * h);
   std::copy(middle_.begin(), middle_.end(), y.begin());
@@ -106,8 +112,8 @@ bool MoreauJean::read(double t, std::span<const double> y, double damped) {
 }
 
 // Corners of a body that lies on a surface are above zero or below by their rounding: it would tip over those that are below.
-bool MoreauJean::opens(int i, std::span<const double> y) const {
-  return reading_.gap[as(i)] > 16 * rounding_of_position(reading_.J.row(first_row_[as(i)]), y, mechanism_->sizes());
+bool MoreauJean::opens(int i, std::span<const double> y, double change) const {
+  return reading_.gap[as(i)] + change > 16 * rounding_of_position(reading_.J.row(first_row_[as(i)]), y, mechanism_->sizes());
 }
 
 // Rows of an open contact have no part in the step, whatever they are.
@@ -153,19 +159,24 @@ bool MoreauJean::put_back(double t, std::span<double> y) {
       }
     }
     if (!displaced(y)) return true;
-    ContactVector gaps = ContactVector::Zero(rows());
+    ContactVector gaps = ContactVector::Zero(rows()), guess = gaps;
     ContactSelection chosen;
     for (int i = 0; i < count(); ++i) {
       if (!rules_[as(i)].normal) continue;
       const int n = first_row_[as(i)];
       gaps(n) = reading_.gap[as(i)] + reading_.J.row(n).dot(dynamics_.closing);
       chosen.add(i, {.tangents = rules_[as(i)].tangents}, n);
+      if (gaps(n) < 0 && dynamics_.W(n, n) > 0) guess(n) = -gaps(n) / dynamics_.W(n, n);
     }
     chosen.fill(dynamics_.W, gaps);
-    const ContactAnswer answer = go_on_contacts(chosen.problem, ContactVector::Zero(chosen.rows));
+    ContactVector start(chosen.rows);
+    for (int k = 0; k < chosen.rows; ++k) start(k) = guess(chosen.row[as(k)]);
+    const ContactAnswer answer = go_on_contacts(chosen.problem, start);
     if (!answer) return true;  // contacts that exclude each other
     change_ = dynamics_.closing;
-    dynamics_.add_answer(chosen.spread(answer.best().r, rows()), change_);
+    const ContactVector raised = chosen.spread(answer.best().r, rows());
+    dynamics_.add_answer(raised, change_);
+    for (int i = 0; i < count(); ++i) closed_[as(i)] = closed_[as(i)] || (rules_[as(i)].normal && raised(first_row_[as(i)]) > 0);
     std::copy_n(y.begin(), middle_.size(), middle_.begin());
     for (int i = 0; i < mechanism_->sizes().velocities; ++i) middle_[rates_.size() + as(i)] = change_(i);
     mechanism_->coordinate_rates(t, middle_, rates_);

@@ -16,11 +16,12 @@ namespace torsor::runtime {
 /// Steps of Moreau and Jean, for a mechanism with contacts:
 ///   q_m = q + (1 - θ) h q'(v);  v+ = v + h M^-1 F + M^-1 J^T P at q_m;  q+ = q_m + θ h q'(v+),
 ///   0 <= w_N+ + e w_N-, P_N >= 0, |P_T| <= f P_N,
-/// for the contacts whose gap at q_m is closed. No event is located: impacts, accumulations and ends of slip happen
-/// within steps, and the error is of first order in h. Forces are those of q_m and v, but for damping that the mechanism
-/// tells of (ContactMechanism::damping): M + θ h d stands for M then, so that what damps is taken at v + θ (v+ - v). Gaps
-/// below zero are put back by displacements that do not become velocities. Impulses of the last step are the first guess
-/// of the next. Source: Acary & Brogliato 2008, chapter 10.
+/// for the contacts whose gap is closed at q_m; where θ > 1/2, those of the step before too whose gap would be closed in the
+/// middle of this one without them. No event is located: impacts, accumulations and ends of slip happen within steps, and the
+/// error is of first order in h. Forces are those of q_m and v, but for damping that the mechanism tells of
+/// (ContactMechanism::damping): M + θ h d stands for M then, so that what damps is taken at v + θ (v+ - v). Gaps below zero are
+/// put back by displacements that do not become velocities. The last impulses of a contact are the first guess of its next.
+/// Source: Acary & Brogliato 2008, chapter 10.
 class MoreauJean {
  public:
   /// The system must live as long.
@@ -50,7 +51,8 @@ class MoreauJean {
   /// Damping taken implicitly over this time is a part of M.
   [[nodiscard]] bool read(double t, std::span<const double> y, double damped);
   [[nodiscard]] bool has_points() noexcept;
-  [[nodiscard]] bool opens(int i, std::span<const double> y) const;
+  /// Whether a gap, and its change to where it is asked, leaves a contact open.
+  [[nodiscard]] bool opens(int i, std::span<const double> y, double change) const;
   [[nodiscard]] bool displaced(std::span<const double> y) const;
   bool move_through(double t, double h, std::span<double> y);
   bool put_back(double t, std::span<double> y);
@@ -58,12 +60,13 @@ class MoreauJean {
   std::unique_ptr<const ContactMechanism> mechanism_;
   const double theta_;
   PerContact<ContactRule> rules_{};
+  PerContact<bool> closed_{};  ///< had an impulse in the last step, or was put back
   std::array<int, static_cast<std::size_t>(most_contacts) + 1> first_row_{}, first_bearing_{};
   ContactReading reading_;
   ContactDynamics dynamics_;
   Eigen::VectorXd change_, v_;
   std::vector<double> middle_, before_, rates_, damping_;
-  ContactVector impulses_;
+  ContactVector impulses_, guess_;  ///< of the last step; of each contact in the last step that had it
   ContactStatus status_ = ContactStatus::reached_end;
   double residual_ = 0, depth_ = 0;
   std::optional<int> contact_;
