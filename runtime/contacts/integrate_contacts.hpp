@@ -6,6 +6,7 @@
 #include <span>
 #include <type_traits>
 
+#include "torsor/runtime/contacts/careful_steps.hpp"
 #include "torsor/runtime/contacts/contact_automaton.hpp"
 #include "torsor/runtime/integration/dormand_prince_853.hpp"
 #include "torsor/runtime/integration/events.hpp"
@@ -32,6 +33,7 @@ class ContactRun {
   /// Goes on by this one, from the next start on.
   void use(const Method& method) {
     method_ = method;
+    run_.reset();
     tolerate();
   }
 
@@ -39,6 +41,8 @@ class ContactRun {
   /// called again: a motion then begins anew, in the same memory, with the coefficients that the mechanism has now.
   bool start(double t0) {
     pieces_ = 0;
+    run_.reset();
+    careful_ = {};
     const ContactSizes& sizes = automaton_.motion().sizes();
     if (static_cast<std::size_t>(sizes.coordinates + sizes.velocities) > size ||
         static_cast<std::size_t>(sizes.contacts) > contacts) {
@@ -56,6 +60,7 @@ class ContactRun {
     if (!(t1 >= result.time)) return automaton_.end(ContactStatus::invalid_options, std::nullopt);
     if (y_ != last_) return automaton_.end(ContactStatus::not_started, std::nullopt);
     if (!automaton_.renew(y_)) return false;
+    if (y_ != last_) run_.reset();
     int stuck = 0;
     while (result.status == ContactStatus::reached_end && result.time < t1) {
       const double before = result.time;
@@ -81,6 +86,7 @@ class ContactRun {
     }
     [[nodiscard]] Evaluation project(double t, Vector& y) const { return motion.hold(t, y); }
   };
+  using Run = RunOf<Method, Smooth, double, size>;
   struct Value {
     ContactAutomaton* automaton;
     std::size_t index;
@@ -94,7 +100,9 @@ class ContactRun {
   struct Steps {
     ContactMotion& motion;
     Observer& observer;
+    double& last;  ///< time that it was told of
     bool operator()(const double& t, const Vector& y) const {
+      last = t;
       motion.follow_slips(t, y);
       if constexpr (std::is_invocable_v<Observer&, const double&, const Vector&>) return notify(observer, t, y);
       return true;
@@ -117,9 +125,17 @@ class ContactRun {
     events.options.by_stepping = true;
     ContactResult& result = automaton_.result();
     automaton_.motion().head_for(t1);
-    Smooth smooth{automaton_.motion()};
-    const auto piece = integrate_with_events(smooth, y_, result.time, t1, method_, events, IgnoreSteps{},
-                                             Steps{automaton_.motion(), observer_});
+    IgnoreSteps ignore;
+    double step_start = result.time;
+    Steps steps{automaton_.motion(), observer_, step_start};
+    const bool careful = careful_.lasts(result.time);
+    const Method method = careful ? careful_.limit(method_) : method_;
+    const double end = careful ? careful_.end(t1) : t1;
+    const auto run = [&](double t) -> Run& { return run_from(t, method); };
+    const auto piece = integrate_pieces(run, smooth_, y_, result.time, end, method, events, ignore, steps);
+    // Behind an event equations are others, or have been for a while.
+    if (piece.status != EventStatus::reached_end || careful) run_.reset();
+    if (piece.status == EventStatus::stopped_at_event) careful_ = {};
     result.time = piece.time;
     Statistics all = result.integration.statistics;
     all += piece.integration.statistics;
@@ -132,7 +148,10 @@ class ContactRun {
     }
     const bool here = piece.status == EventStatus::guard_not_followed &&
                       automaton_.ends_unfollowed(piece.guard, piece.time, y_);
-    if (piece.status == EventStatus::guard_not_followed && !here && automaton_.holds_on(piece.guard, piece.time, y_)) return true;
+    if (piece.status == EventStatus::guard_not_followed && !here) {
+      if (automaton_.holds_on(piece.guard, piece.time, y_)) return true;
+      if (has_longest_step && careful_.repeat(piece.time, step_start, piece.integration.time)) return true;
+    }
     if (piece.status != EventStatus::stopped_at_event && !here) {
       if (piece.integration.status == IntegrationStatus::step_too_small && automaton_.jams_nearly(piece.time, y_)) return false;
       const std::optional<int> jumping = automaton_.motion().jumping(piece.time);
@@ -161,11 +180,23 @@ class ContactRun {
     return true;
   }
 
+  // The run of the method that came to here goes on, with what the mechanism says now, or another one begins.
+  Run& run_from(double t, const Method& method) {
+    constexpr bool goes_on = requires(Run& run) { run.renew(); };
+    if (!goes_on || !run_) return run_.emplace(method.start(smooth_, y_, t));
+    if constexpr (goes_on) run_->renew();
+    return *run_;
+  }
+
   ContactAutomaton automaton_;
+  Smooth smooth_{automaton_.motion()};
   Vector& y_;
   Vector last_{};  ///< what this motion left in the state: another one has regimes that it knows nothing of
   Method method_;
   Observer& observer_;
+  static constexpr bool has_longest_step = requires(Method method) { method.largest_step; };
+  CarefulSteps careful_;
+  std::optional<Run> run_;  ///< that reached the present time, while its equations last
   long long pieces_ = 0;
 };
 

@@ -53,13 +53,11 @@ class EventWatch {
   bool operator()(const Step& step) {
     if constexpr (Settles<S, Scalar, size>) {
       const SettledStep<S, Step, Scalar, size> settled{system_, step, step.start, step.end};
-      if (by_stepping()) y_start_ = settled(settled.start);
       Vector y_end = step(step.end);
       CheckedSystem<S, Scalar, size> f(system_);
       if (!f.settle(step.end, y_end)) return fail(f.evaluation, step.start, settled(step.start));
       return (clear_but_for_settling(step, settled) || look_through(settled)) && shown(settled, step.end, y_end);
     } else {
-      if (by_stepping()) y_start_ = step(step.start);
       return look_through(step) && shown(step, step.end, step(step.end));
     }
   }
@@ -215,9 +213,8 @@ class EventWatch {
   // The interpolant is right to the method's error; the method's own step from the start of the step is righter.
   template <class Step>
   Located<Scalar, size> locate_by_stepping(const Step& step, std::size_t i, bool stay_before, Scalar time) {
-    const Vector y_end = step(step.end);
-    const RepeatedStep<S, Method, Scalar, size> repeated{system_,  method_, step.start, step.end,
-                                                         y_start_, y_end,   calls_};
+    const Vector y_start = step(step.start), y_end = step(step.end);
+    const RepeatedStep<S, Method, Scalar, size> repeated{system_, method_, step.start, step.end, y_start, y_end, calls_};
     if (guards_.departure(i).before == guards_.departure(i).after) return {time, repeated(time)};  // beyond zero from the start
     const Scalar side = guards_.memory(i).side;
     const auto guard = [&](Scalar t) { return side * set_.value(i, t, repeated(t)); };
@@ -289,10 +286,10 @@ class EventWatch {
     guards_.sample(step, step.start);
     const Scalar middle = step.start + (step.end - step.start) / Scalar(2);
     const Vector y = step(middle), y_settled = settled(middle);
-    std::array<Scalar, count> moved{};
-    for (std::size_t i = 0; i < count; ++i) {
-      moved[i] = Scalar(16) * std::abs(set_.value(i, middle, y_settled) - set_.value(i, middle, y));
-    }
+    // All of one state in turn: what guards read of it may be dear.
+    std::array<Scalar, count> moved{}, inside{};
+    for (std::size_t i = 0; i < count; ++i) inside[i] = set_.value(i, middle, y);
+    for (std::size_t i = 0; i < count; ++i) moved[i] = Scalar(16) * std::abs(set_.value(i, middle, y_settled) - inside[i]);
     return guards_.pass_if_clear(moved);
   }
 

@@ -68,6 +68,14 @@ class AdaptiveRun {
     }
   }
 
+  /// Goes on from the same time and state with equations that may have become others: the first slope is taken anew, while the step
+  /// length and what a formula knows beside, as a Jacobian that still serves, are kept. Limits and statistics count from here.
+  void renew() noexcept {
+    prepared_ = false;
+    clock_.count_anew();
+    f_.calls = f_.jacobians = f_.decompositions = 0;
+  }
+
   void stop() noexcept { clock_.result.status = IntegrationStatus::stopped_by_observer; }
 
   [[nodiscard]] Result<Scalar> result() const noexcept {
@@ -95,7 +103,7 @@ class AdaptiveRun {
   bool prepare(Scalar end) {
     const StepsAhead<Scalar, size> ahead{
         .range = {clock_.result.time, end, clock_.largest}, .y = state_.now(), .tolerances = tolerances_};
-    clock_.length = std::min(static_cast<Scalar>(options_.first_step), clock_.largest);
+    if (!(clock_.length > Scalar(0))) clock_.length = std::min(static_cast<Scalar>(options_.first_step), clock_.largest);
     clock_.refusal = formula_.prepare(f_, ahead, clock_.length);
     prepared_ = clock_.refusal == Evaluation::ok;
     if (!prepared_) clock_.give_up();

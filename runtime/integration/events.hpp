@@ -9,29 +9,15 @@
 
 namespace torsor::runtime {
 
-/// Integrates y' = f(t, y) from t0 to t1 by any method, while guards g_i(t, y) are watched: where one passes through
-/// zero, the observer is told, the integration ends, or the state is set anew and the method starts again from there.
-///
-///   const auto floor = barrier([](double, const State& y) { return y[0]; },
-///                              [](double, State& y) { y[1] *= -0.8; });
-///   const auto result = integrate_with_events(ball, y, 0, 10, DormandPrince54{}, Events(floor));
-///
-/// Crossings are located to neighbouring numbers of time on the method's interpolant, or on steps of the method where
-/// it has none (see guard.hpp for `by_stepping`, and for what counts as grazing). At a barrier the state is the last
-/// one on its side, at any other guard the first beyond. Where the system has a `project`, events lie on settled
-/// states, and what a reset leaves is settled before the method starts again. `on_event(const Event&)` is told of each
-/// crossing and grazing in time, before a reset; `observer(t, y)` sees the start, the ends of steps and of what resets
-/// cut off, and the states after resets, or, instead, the steps themselves as something with start, end and
-/// operator()(time). Either ends the integration by returning false. A guard at zero at the start has no event until it
-/// has left zero. Nothing is allocated. The end comes back in the result, y is the state at `result.time`.
-template <class S, class Scalar, std::size_t size, class Method, class Set, class OnEvent = IgnoreSteps,
-          class Observer = IgnoreSteps>
+/// As `integrate_with_events` below, each piece by the run that `begin(t)` gives at its start: a new one of the method, or one that is
+/// under way there and goes on.
+template <class Begin, class S, class Scalar, std::size_t size, class Method, class Set, class OnEvent, class Observer>
 requires System<S, Scalar, size>
-[[nodiscard]] EventResult<Scalar, Set::count> integrate_with_events(
-    S&& system, std::array<Scalar, size>& y, std::type_identity_t<Scalar> t0, std::type_identity_t<Scalar> t1,
-    const Method& method, const Set& set, OnEvent&& on_event = OnEvent{}, Observer&& observer = Observer{}) {
-  using Watch = EventWatch<std::remove_reference_t<S>, Method, Scalar, size, Set, std::remove_reference_t<OnEvent>,
-                           std::remove_reference_t<Observer>>;
+[[nodiscard]] EventResult<Scalar, Set::count> integrate_pieces(Begin&& begin, S& system, std::array<Scalar, size>& y,
+                                                               std::type_identity_t<Scalar> t0,
+                                                               std::type_identity_t<Scalar> t1, const Method& method,
+                                                               const Set& set, OnEvent& on_event, Observer& observer) {
+  using Watch = EventWatch<S, Method, Scalar, size, Set, OnEvent, Observer>;
   EventResult<Scalar, Set::count> result;
   result.time = t0;
   if (const Evaluation settled = settle_start(system, y); settled != Evaluation::ok) {
@@ -45,7 +31,7 @@ requires System<S, Scalar, size>
   }
   Statistics total;
   const auto integrate_piece = [&] {
-    auto run = method.start(system, y, result.time);
+    auto&& run = begin(result.time);
     watch.start(result.time, y);
     run.advance(t1, watch);
     result.integration = run.result();
@@ -70,6 +56,31 @@ requires System<S, Scalar, size>
   result.integration.statistics = total;
   result.integration.statistics.calls += watch.calls();
   return result;
+}
+
+/// Integrates y' = f(t, y) from t0 to t1 by any method, while guards g_i(t, y) are watched: where one passes through
+/// zero, the observer is told, the integration ends, or the state is set anew and the method starts again from there.
+///
+///   const auto floor = barrier([](double, const State& y) { return y[0]; },
+///                              [](double, State& y) { y[1] *= -0.8; });
+///   const auto result = integrate_with_events(ball, y, 0, 10, DormandPrince54{}, Events(floor));
+///
+/// Crossings are located to neighbouring numbers of time on the method's interpolant, or on steps of the method where
+/// it has none (see guard.hpp for `by_stepping`, and for what counts as grazing). At a barrier the state is the last
+/// one on its side, at any other guard the first beyond. Where the system has a `project`, events lie on settled
+/// states, and what a reset leaves is settled before the method starts again. `on_event(const Event&)` is told of each
+/// crossing and grazing in time, before a reset; `observer(t, y)` sees the start, the ends of steps and of what resets
+/// cut off, and the states after resets, or, instead, the steps themselves as something with start, end and
+/// operator()(time). Either ends the integration by returning false. A guard at zero at the start has no event until it
+/// has left zero. Nothing is allocated. The end comes back in the result, y is the state at `result.time`.
+template <class S, class Scalar, std::size_t size, class Method, class Set, class OnEvent = IgnoreSteps,
+          class Observer = IgnoreSteps>
+requires System<S, Scalar, size>
+[[nodiscard]] EventResult<Scalar, Set::count> integrate_with_events(
+    S&& system, std::array<Scalar, size>& y, std::type_identity_t<Scalar> t0, std::type_identity_t<Scalar> t1,
+    const Method& method, const Set& set, OnEvent&& on_event = OnEvent{}, Observer&& observer = Observer{}) {
+  const auto begin = [&](Scalar t) { return method.start(system, y, t); };
+  return integrate_pieces(begin, system, y, t0, t1, method, set, on_event, observer);
 }
 
 }  // namespace torsor::runtime

@@ -17,6 +17,13 @@ class StepClock {
   explicit StepClock(double largest_step = 0.0) noexcept
       : largest(largest_step > 0.0 ? static_cast<Scalar>(largest_step) : std::numeric_limits<Scalar>::infinity()) {}
 
+  /// Steps are counted from here on, as those of a motion that begins.
+  void count_anew() noexcept {
+    result.statistics = {};
+    refusal = Evaluation::ok;
+    last_word_ = {};
+  }
+
   /// Before the first step towards a new end.
   void set_out() noexcept { after_rejection_ = false; }
 
