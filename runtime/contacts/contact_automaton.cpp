@@ -364,7 +364,7 @@ bool ContactAutomaton::pass(std::size_t index, double t, std::span<double> y) {
   return true;
 }
 
-// In space the slip may turn round quickly without an end: it passes zero at a distance.
+// In space the slip may turn round quickly without an end: it passes zero at a distance, as where its surface jumps.
 bool ContactAutomaton::still_slips(int contact, Watched watched) {
   const ContactState& state = motion_.states[as(contact)];
   return watched == Watched::slip_or_margin && state.touches && state.regime == ContactRegime::slides && !state.begins &&

@@ -46,8 +46,12 @@ class ContactAutomaton {
   bool holds_on(std::size_t index, double t, std::span<const double> y);
   /// Whether steps that fell below the resolution of time did so because slips jam: then the motion ends with `jams`.
   [[nodiscard]] bool jams_nearly(double t, std::span<const double> y);
-  /// Whether the steps have ended at an edge that the contact leaves, its gap rising by a jump: it opens, and so does
-  /// what leaves it with it. The time of the result is then that behind the edge. False where the motion ends.
+  /// Whether the steps have ended where forces jump and what holds a contact gives way: `pass` of its guard follows. Nothing where
+  /// none does.
+  [[nodiscard]] std::optional<bool> pass_jump_of_forces(double t, std::span<double> y);
+  /// Whether the steps have ended at an edge that the contact leaves, its gap rising by a jump: it opens, and so does what leaves
+  /// it with it. Or where its surface jumps along itself: then what stuck slides. The time of the result is then that behind the
+  /// jump. False where the motion ends.
   bool pass_edge(int contact, double t, std::span<double> y);
   /// A smooth piece has ended at a guard, at this time: the regimes that follow. False where the motion ends.
   bool pass(std::size_t index, double t, std::span<double> y);
@@ -108,6 +112,7 @@ class ContactAutomaton {
   bool collide(int cause, bool rests, ImpactLaw impact_law);
   bool end_slips(int contact);
   bool pass_singular();
+  bool pass_jump_of_slip(int contact, double t);
   bool impact_of_slip(int contact);
   void note_regularity();
   bool strike(int contact);

@@ -92,4 +92,19 @@ bool ContactAutomaton::jams_nearly(double t, std::span<const double> y) {
   return true;
 }
 
+std::optional<bool> ContactAutomaton::pass_jump_of_forces(double t, std::span<double> y) {
+  for (std::size_t index = 0; index < guards * bounces_.size(); ++index) {
+    const ContactState& state = motion_.states[index / guards];
+    const auto watched = static_cast<Watched>(index % guards);
+    const bool holds = watched == Watched::gap_or_pressure ||
+                       (watched == Watched::slip_or_margin && state.regime == ContactRegime::sticks);
+    if (!state.touches || !holds || !(guard(index, t, y) >= 0)) continue;
+    const auto later = motion_.pass_to(t, y, [&](double after, std::span<const double> there) {
+      return guard(index, t + after, there) < 0;
+    });
+    if (later) return pass(index, t + *later, y);
+  }
+  return std::nullopt;
+}
+
 }  // namespace torsor::runtime

@@ -222,7 +222,7 @@ bool ContactAutomaton::pass_edge(int contact, double t, std::span<double> y) {
   ends_too_.fill(false);
   std::copy_n(y.begin(), before_.size(), before_.begin());
   const std::optional<double> later = motion_.pass_edge(contact, t, y);
-  if (!later) return end(ContactStatus::no_point, contact);
+  if (!later) return pass_jump_of_slip(contact, t);
   result_.time = told_ = t + *later;
   for (int i = 0; i < count(); ++i) {
     const bool touches = motion_.rule(i).normal && motion_.states[as(i)].touches;
@@ -245,6 +245,26 @@ bool ContactAutomaton::pass_edge(int contact, double t, std::span<double> y) {
   impulses_.setZero(motion_.rows());
   ++result_.events;
   return decide(contact, Cause::opens);
+}
+
+// A surface jumps along itself: what stuck to it slides from there on, with the velocities that it has. No impulse acts.
+bool ContactAutomaton::pass_jump_of_slip(int contact, double t) {
+  const std::optional<double> later = motion_.pass_jump_of_slip(contact, t, y_);
+  if (!later || !motion_.read(t + *later, y_)) return end(ContactStatus::no_point, contact);
+  result_.time = told_ = t + *later;
+  for (int i = 0; i < count(); ++i) {
+    if (!motion_.slip_has_jumped(i)) continue;
+    set_by_slip(i, 0);
+    ends_too_[as(i)] = i != contact;
+    ++result_.events;
+  }
+  motion_.changed();
+  has_event_ = true;
+  contact_ = contact;
+  kind_ = ContactEventKind::slips;
+  residual_ = energy_lost_ = 0;
+  impulses_.setZero(motion_.rows());
+  return settle(contact) && decide(std::nullopt, Cause::none);
 }
 
 }  // namespace torsor::runtime

@@ -12,7 +12,7 @@ namespace torsor::runtime {
 namespace {
 
 // The terms of an acceleration along a row of J, without reactions.
-double terms_of(const ContactReading& reading, const ContactDynamics& dynamics, int row) noexcept {
+double terms_along(const ContactReading& reading, const ContactDynamics& dynamics, int row) noexcept {
   double sum = std::abs(reading.drift(row));
   for (Eigen::Index j = 0; j < dynamics.a0.size(); ++j) sum += std::abs(reading.J(row, j) * dynamics.a0(j));
   return sum;
@@ -214,7 +214,7 @@ ContactProblem ContactMotion::problem_of(const ContactReading& reading, const Co
     problem.c = dynamics.R_free;
   }
   problem.noise.resize(rows());
-  for (int row = 0; row < rows(); ++row) problem.noise(row) = 1e-13 * terms_of(reading, dynamics, row);
+  for (int row = 0; row < rows(); ++row) problem.noise(row) = 1e-13 * terms_along(reading, dynamics, row);
   return problem;
 }
 
@@ -261,13 +261,14 @@ bool ContactMotion::strays(int i) const noexcept {
 void ContactMotion::take_direction(int i) noexcept {
   ContactState& state = states[as(i)];
   state.direction = velocity_direction(i);
+  if (rule(i).tangents == 1) state.direction[0] = std::copysign(1, reading_.w(tangent_row(i)));
   state.begins = false;
   state.fastest = std::max(state.fastest, slip(i));
   changed();
 }
 
 bool ContactMotion::slips_across(int i) const noexcept {
-  return rule(i).tangents == 2 && slip_speed(i) > std::max({4 * least_slip(i), 1e-11 * at(i).fastest, 2 * blur(i)});
+  return slip_speed(i) > std::max({4 * least_slip(i), 1e-11 * at(i).fastest, 2 * blur(i)});
 }
 
 double ContactMotion::slip(int i) const noexcept {
@@ -353,9 +354,9 @@ double ContactMotion::gap_acceleration(int i) const noexcept {
   return reading_.J.row(first_row(i)).dot(a_) + reading_.drift(first_row(i));
 }
 
-double ContactMotion::acceleration_terms(int i) const noexcept {
-  return terms_of(reading_, dynamics_, first_row(i));
-}
+double ContactMotion::terms_of_acceleration(int row) const noexcept { return terms_along(reading_, dynamics_, row); }
+
+double ContactMotion::acceleration_terms(int i) const noexcept { return terms_of_acceleration(first_row(i)); }
 
 ContactVector ContactMotion::acceleration_sizes() const {
   ContactVector terms = ContactVector::Zero(rows());

@@ -36,11 +36,12 @@ class ContactMotion {
   /// Loops, gaps of closed contacts, their velocities and those of sticking ones back to zero, in at most `steps` steps
   /// of Newton's method.
   [[nodiscard]] Evaluation project(double t, std::span<double> y, int steps = 3);
-  /// The same at the end of a step of the integration. Refused where a normal velocity or a gap is none of its errors: `jumping`.
+  /// The same at the end of a step of the integration. Refused where a velocity that is held, or a gap, is none of its errors:
+  /// the step was too long, or there is a jump (`jumping`).
   [[nodiscard]] Evaluation hold(double t, std::span<double> y);
   /// Where the integration is going: one that cannot go on ends within roundings of the time and of the way that is left.
   void head_for(double end) noexcept { end_ = end; }
-  /// The contact whose normal or gap jumps within a million roundings of the time behind t, by the step refused last.
+  /// The contact whose normal, gap or surface jumps within a million roundings of the time behind t, by the step refused last.
   [[nodiscard]] std::optional<int> jumping(double t) const noexcept {
     const bool near = std::abs(jumped_ - t) <= 1e6 * rounding_of_time(jumped_);
     return near ? jumping_ : std::nullopt;
@@ -51,6 +52,32 @@ class ContactMotion {
   /// Where the gap of a contact that touches rises by a jump right behind t, as over the edge of a table: takes the
   /// state there in the present regimes. Says how much later that is; nothing where no gap rises so.
   [[nodiscard]] std::optional<double> pass_edge(int i, double t, std::span<double> y);
+  /// Steps have ended within a million roundings of the time before a jump: takes the state right behind it, in the present
+  /// regimes, and says how much later that is; nothing where `is_beyond(later, state)` is so of none.
+  template <class Beyond>
+  [[nodiscard]] std::optional<double> pass_to(double t, std::span<double> y, const Beyond& is_beyond) {
+    if (slope(t, y, way_) != Evaluation::ok) return std::nullopt;
+    const auto is_at = [&](double later) {
+      for (std::size_t k = 0; k < there_.size(); ++k) there_[k] = y[k] + later * way_[k];
+      mechanism_.normalise(there_);
+      return is_beyond(later, std::span<const double>(there_));
+    };
+    const double rounding = rounding_of_time(t);
+    double low = 0, high = 2e6 * rounding;
+    if (!is_at(high)) return std::nullopt;
+    while (high - low > 4 * rounding) {
+      const double middle = low + (high - low) / 2;
+      (is_at(middle) ? high : low) = middle;
+    }
+    if (!is_at(high)) return std::nullopt;
+    std::copy_n(there_.begin(), there_.size(), y.begin());
+    return high;
+  }
+  /// Where the surface of a contact that sticks jumps along itself right behind t, as a belt that starts at once: takes the state
+  /// there, whose velocities are those before. Says how much later that is; nothing where none does so.
+  [[nodiscard]] std::optional<double> pass_jump_of_slip(int i, double t, std::span<double> y);
+  /// Whether a contact that sticks has a slip, at the state read last, that is none of the errors of the integration.
+  [[nodiscard]] bool slip_has_jumped(int i) const noexcept;
   /// A contact that touches and whose rows are others, by an eighth, where coordinates change by some errors of the
   /// integration: it has no single point that could be followed, as where a disc has all but fallen flat.
   [[nodiscard]] std::optional<int> without_point(double t, std::span<const double> y);
@@ -188,6 +215,12 @@ class ContactMotion {
   [[nodiscard]] const ContactState& at(int i) const noexcept { return states[as(i)]; }
   [[nodiscard]] bool any_touches() const noexcept;
   [[nodiscard]] bool read_on_the_way(double part, double t, std::span<const double> y);
+  struct Off {
+    double velocity, terms, error;
+  };
+  [[nodiscard]] double terms_of_acceleration(int row) const noexcept;
+  [[nodiscard]] Off off(int row, std::span<const double> y) const noexcept;
+  Evaluation jumps_at(int i, double t) noexcept;
   template <class Number>
   [[nodiscard]] bool jumps(double t, std::span<const double> y, const Number& number);
   [[nodiscard]] bool follows_forces(int i) const noexcept;

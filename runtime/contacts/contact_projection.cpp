@@ -95,36 +95,71 @@ Evaluation ContactMotion::project(double t, std::span<double> y, int steps) {
   return read(t, y) ? Evaluation::ok : Evaluation::singular;
 }
 
+// What a row of velocities that is held is off by, and what of that is an error of a step, or its rounding.
+ContactMotion::Off ContactMotion::off(int row, std::span<const double> y) const noexcept {
+  double terms = 0, own = 0;
+  for (int j = 0; j < sizes_.velocities; ++j) {
+    const double part = reading_.J(row, j) * y[as(sizes_.coordinates + j)];
+    terms += std::abs(part);
+    own += part;
+  }
+  terms += std::abs(reading_.w(row) - own);  // of a surface that moves
+  const double unseen = 64 * rounding_of_time(t_) * terms_of_acceleration(row);
+  return {std::abs(reading_.w(row)), terms, absolute_ + relative_ * terms + unseen};
+}
+
 // A step may reach over a place where the normal of a contact jumps, as that of a disc's rim does where the disc lies
-// flat, or its gap, as that of a floor with a step. To project would be an impact that no law has decided, or move a body
-// through a wall: a shorter step is asked for, and none is short enough.
+// flat, or its gap, as that of a floor with a step, or the velocity of its surface, as that of a belt that starts. To project
+// would be an impact that no law has decided, or move a body through a wall: a shorter step is asked for, and none is short
+// enough. Where all is smooth, and the step was too long for it, one is.
 Evaluation ContactMotion::hold(double t, std::span<double> y) {
   if (!any_touches()) return project(t, y);
   mechanism_.normalise(y);  // what is read here the projection begins with
   if (!read(t, y)) return Evaluation::singular;
+  bool too_long = false;
   for (int i = 0; i < count(); ++i) {
-    if (!at(i).touches || !rule(i).normal) continue;
-    const int n = first_row(i);
-    double terms = 0, own = 0;
-    for (int j = 0; j < sizes_.velocities; ++j) {
-      const double part = reading_.J(n, j) * y[as(sizes_.coordinates + j)];
-      terms += std::abs(part);
-      own += part;
+    if (!at(i).touches) continue;
+    const bool sticks = at(i).regime == ContactRegime::sticks;
+    for (int k = 0; k < rule(i).rows(); ++k) {
+      const int row = first_row(i) + k;
+      const bool normal = rule(i).normal && k == 0;
+      if (!normal && !sticks) continue;
+      const Off now = off(row, y);
+      // What is within the errors of the step, or its rounding, no projection of it can spoil.
+      const bool turns = now.velocity > now.error && (now.velocity > now.terms / 16 || now.velocity > 16 * now.error);
+      const auto velocity = [row](const ContactReading& reading) { return reading.w(row); };
+      if (turns && jumps(t, y, velocity)) return jumps_at(i, t);
+      too_long = too_long || now.velocity > 100 * now.error + 1e4 * rounding_of(row);
     }
-    terms += std::abs(reading_.w(n) - own);  // of a surface that moves
-    const double off = std::abs(reading_.w(n)), error = absolute_ + relative_ * terms;
-    // What is within the errors of the step, or its rounding, no projection of it can spoil.
-    const bool turns = off > error && (off > terms / 16 || off > 16 * error);
+    if (!rule(i).normal) continue;
     const double place = rounding_of_gap(i) / std::numeric_limits<double>::epsilon();
     const bool moves = std::abs(reading_.gap[as(i)]) > 16 * (absolute_ + relative_ * place);
-    const auto normal_velocity = [n](const ContactReading& reading) { return reading.w(n); };
     const auto gap = [i](const ContactReading& reading) { return reading.gap[as(i)]; };
-    if (!(turns && jumps(t, y, normal_velocity)) && !(moves && jumps(t, y, gap))) continue;
-    jumping_ = i;
-    jumped_ = t;
-    return Evaluation::singular;
+    if (moves && jumps(t, y, gap)) return jumps_at(i, t);
   }
-  return project(t, y);
+  return too_long ? Evaluation::singular : project(t, y);
+}
+
+Evaluation ContactMotion::jumps_at(int i, double t) noexcept {
+  jumping_ = i;
+  jumped_ = t;
+  return Evaluation::singular;
+}
+
+bool ContactMotion::slip_has_jumped(int i) const noexcept {
+  if (!at(i).touches || at(i).regime != ContactRegime::sticks) return false;
+  bool any = false;
+  for (int k = 0; k < rule(i).tangents; ++k) {
+    const Off now = off(tangent_row(i) + k, y_);
+    any = any || now.velocity > 16 * now.error + 1e4 * rounding_of(tangent_row(i) + k);
+  }
+  return any;
+}
+
+std::optional<double> ContactMotion::pass_jump_of_slip(int i, double t, std::span<double> y) {
+  return pass_to(t, y, [&](double later, std::span<const double> there) {
+    return read(t + later, there) && slip_has_jumped(i);
+  });
 }
 
 // Between the end of the last step and this state, whose velocities are kept.
@@ -202,24 +237,11 @@ bool ContactMotion::off_by_a_jump(int i, double duration) const noexcept {
   return std::abs(reading_.gap[as(i)]) > 1e4 * rounding_of_gap(i) + 1e3 * way;
 }
 
-// Steps have ended within a million roundings of the time before the jump, which is found by halving.
 std::optional<double> ContactMotion::pass_edge(int i, double t, std::span<double> y) {
-  if (!at(i).touches || slope(t, y, way_) != Evaluation::ok) return std::nullopt;
-  const double rounding = rounding_of_time(t);
-  const auto rises = [&](double later) {
-    for (std::size_t k = 0; k < there_.size(); ++k) there_[k] = y[k] + later * way_[k];
-    mechanism_.normalise(there_);
-    return read(t + later, there_) && reading_.gap[as(i)] > 0 && off_by_a_jump(i, later);
-  };
-  double low = 0, high = 2e6 * rounding;
-  if (!rises(high)) return std::nullopt;
-  while (high - low > 4 * rounding) {
-    const double middle = low + (high - low) / 2;
-    (rises(middle) ? high : low) = middle;
-  }
-  if (!rises(high)) return std::nullopt;
-  std::copy_n(there_.begin(), there_.size(), y.begin());
-  return high;
+  if (!at(i).touches) return std::nullopt;
+  return pass_to(t, y, [&](double later, std::span<const double> there) {
+    return read(t + later, there) && reading_.gap[as(i)] > 0 && off_by_a_jump(i, later);
+  });
 }
 
 // The gap's change where it passes zero on the way from the last step's end: 2^-40 of all of it where that is smooth.

@@ -153,7 +153,11 @@ class ContactRun {
       if (has_longest_step && careful_.repeat(piece.time, step_start, piece.integration.time)) return true;
     }
     if (piece.status != EventStatus::stopped_at_event && !here) {
-      if (piece.integration.status == IntegrationStatus::step_too_small && automaton_.jams_nearly(piece.time, y_)) return false;
+      if (piece.integration.status == IntegrationStatus::step_too_small) {
+        if (automaton_.jams_nearly(piece.time, y_)) return false;
+        const std::optional<bool> passed = automaton_.pass_jump_of_forces(piece.time, y_);
+        if (passed) return *passed && told();
+      }
       const std::optional<int> jumping = automaton_.motion().jumping(piece.time);
       if (piece.status == EventStatus::integration_failed && jumping) {
         return automaton_.pass_edge(*jumping, piece.time, y_) && told();
