@@ -7,6 +7,7 @@
 #include <array>
 #include <cmath>
 
+#include "torsor/runtime/integration/radau_iia_5.hpp"
 #include "torsor/runtime/mechanism.hpp"
 #include "torsor/runtime/numerics/decompositions.hpp"
 #include "torsor/runtime/records/reference.hpp"
@@ -57,13 +58,15 @@ TEST(FlyballGovernor, HasACommittedReferenceThatAgreesWithThePublishedFifteenDig
 // step is stability, not the tolerance, so nearly all are far smaller. The published problem asks for 1e-3 m of s.
 TEST(FlyballGovernor, MeetsThePublishedMotion) {
   const auto motion = equations_of_motion<Governor>();
+  // What displaced starts come to, by a method that stability does not hold up: to 1e-10 by any step of that size.
+  examples::Amplification growth(motion, motion.initial(), 0.0,
+                                 RadauIia5{.relative_tolerance = 1e-11, .absolute_tolerance = 1e-11});
   State y = motion.initial();
   double t = 0.0;
   for (const Published& at : published) {
     y = examples::state_at(motion, y, t, at.time, precise);
     t = at.time;
-    const double growth = examples::amplification(motion, motion.initial(), 0.0, t);
-    EXPECT_LE(examples::largest_difference(y, at.state()), 1e-13 * growth) << "at t = " << t;
+    EXPECT_LE(examples::largest_difference(y, at.state()), 1e-13 * growth.until(t)) << "at t = " << t;
   }
 }
 

@@ -187,13 +187,14 @@ TEST(Quadruped, MeetsItsReference) {
   const auto motion = equations_of_motion<Robot>();
   auto y = motion.initial();
   double t = 0.0, local = 0.0;
+  examples::Amplification growth(motion, motion.initial(), 0.0);
   for (std::size_t row = 0; row < reference.rows(); ++row) {
     const double next = reference.times[row];
     const auto result = integrate(motion, y, t, next, precise);
     ASSERT_TRUE(result) << describe(result);
     t = next;
     local += 6e-12 * std::sqrt(37.0) * static_cast<double>(result.statistics.accepted);  // |y| stays below 5
-    const double allowed = local * examples::amplification(motion, motion.initial(), 0.0, t);
+    const double allowed = local * growth.until(t);
     const auto expected = reference.state<y.size()>(row);
     EXPECT_LE(examples::largest_difference(y, expected), allowed) << t;
     EXPECT_LT(allowed, 1e-6);
