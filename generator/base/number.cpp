@@ -106,12 +106,14 @@ std::uint64_t mix(std::uint64_t state, std::uint64_t value) {
 
 std::uint64_t mix(std::uint64_t state, const cln::cl_I& value) {
   const bool negative = cln::minusp(value);
-  cln::cl_I magnitude = negative ? -value : value;
+  const cln::cl_I magnitude = negative ? -value : value;
   state = mix(state, static_cast<std::uint64_t>(negative ? 1 : 0));
+  const std::size_t length = cln::integer_length(magnitude);
+  std::size_t begin = 0;
   do {  // pieces of 32 bits: the same on machines of another word length
-    state = mix(state, static_cast<std::uint64_t>(cln::cl_I_to_uint(cln::ldb(magnitude, cln::cl_byte(32, 0)))));
-    magnitude = magnitude >> 32;
-  } while (!cln::zerop(magnitude));
+    state = mix(state, static_cast<std::uint64_t>(cln::cl_I_to_uint(cln::ldb(magnitude, cln::cl_byte(32, begin)))));
+    begin += 32;
+  } while (begin < length);
   return state;
 }
 
