@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-# moving_object SOURCE COMPILER OPTION...: compiles what moves a unit with contacts; `moving_object` is the object then. It is the one
-# of the call before where all files that this was made of have the same bytes: units of both versions have.
+# moving_object SOURCE COMPILER OPTION...: compiles what moves a unit with contacts; `moving_object` is the object then. It is
+# the one of the call before where all files that this was made of have the same bytes: units of both versions have.
 moving_object=""
 moving_object() {
   local source="$1" file
