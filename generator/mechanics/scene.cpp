@@ -9,6 +9,7 @@
 #include "torsor/generator/base/printable.hpp"
 #include "torsor/generator/mechanics/identifier.hpp"
 #include "torsor/generator/mechanics/require_unit.hpp"
+#include "torsor/generator/mechanics/triple_algebra.hpp"
 
 namespace torsor {
 namespace {
@@ -273,13 +274,17 @@ PointHandle Scene::point(const std::string& name, const FrameReference& frame, c
 PointHandle Scene::disc_contact(const std::string& name, const DiscContact& disc) {
   require_unit(disc.axis, Unit(), fmt::format("a component of the axis of the disc at '{}'", name));
   require_unit(disc.radius, units::metre, fmt::format("the radius of the disc at '{}'", name));
-  return add_point({name, disc.frame, {}, LowestPoint{disc.axis, disc.radius, disc.plane}});
+  const Triple axis =
+      unit_vector(disc.axis, fmt::format("the axis of the disc at '{}' is the null vector: give a direction", name));
+  return add_point({name, disc.frame, {}, LowestPoint{axis, disc.radius, disc.plane}});
 }
 PointHandle Scene::torus_contact(const std::string& name, const TorusContact& torus) {
+  require_unit(torus.axis, Unit(), fmt::format("a component of the axis of the torus at '{}'", name));
   require_unit(torus.circle_radius, units::metre, fmt::format("the circle's radius of '{}'", name));
   require_unit(torus.tube_radius, units::metre, fmt::format("the tube's radius of '{}'", name));
-  return add_point(
-      {name, torus.frame, {}, LowestPoint{torus.axis, torus.circle_radius, torus.plane, torus.tube_radius}});
+  const Triple axis =
+      unit_vector(torus.axis, fmt::format("the axis of the torus at '{}' is the null vector: give a direction", name));
+  return add_point({name, torus.frame, {}, LowestPoint{axis, torus.circle_radius, torus.plane, torus.tube_radius}});
 }
 PointHandle Scene::ellipsoid_contact(const std::string& name, const FrameReference& frame, const Triple& semi_axes,
                                      const FrameReference& plane) {

@@ -7,6 +7,7 @@
 #include "torsor/generator/mechanics/identifier.hpp"
 #include "torsor/generator/mechanics/require_unit.hpp"
 #include "torsor/generator/mechanics/scene.hpp"
+#include "torsor/generator/mechanics/triple_algebra.hpp"
 
 namespace torsor {
 namespace {
@@ -42,6 +43,7 @@ std::vector<PointHandle> Scene::touching_points(const std::string& name, const C
   };
   const auto require_axis = [&](const Triple& axis) {
     require_unit(axis, Unit(), fmt::format("a component of the axis of the contact '{}'", name));
+    (void)unit_vector(axis, fmt::format("the axis of the contact '{}' is the null vector: give a direction", name));
   };
   if (const auto* sphere = std::get_if<shape::Sphere>(&shape)) {
     require_lengths({{"radius", sphere->radius}});

@@ -68,12 +68,14 @@ Tableau operator_of_point(const Expression& k, const Triple& v) {
   return j;
 }
 
-Tableau rotation_about(const Triple& axis, const Expression& angle) {
+Triple unit_vector(const Triple& axis, const std::string& where_null) {
   const Expression square = dot(axis, axis);
-  if (square.is_zero()) {
-    throw SceneError("a body cannot be turned about the null vector: give the axis a direction");
-  }
-  const Triple n = is_one(square) ? axis : Expression(pow(sqrt(square), -1)) * axis;
+  if (square.is_zero()) throw SceneError(where_null);
+  return is_one(square) ? axis : Expression(pow(sqrt(square), -1)) * axis;
+}
+
+Tableau rotation_about(const Triple& axis, const Expression& angle) {
+  const Triple n = unit_vector(axis, "a body cannot be turned about the null vector: give the axis a direction");
   const Expression sine = sin(angle);
   const Expression cosine = cos(angle);
   Tableau r;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <string>
 
 #include "torsor/generator/geometry/triple.hpp"
 
@@ -24,6 +25,10 @@ Tableau turned(const Tableau& rotation, const Tableau& j);
 
 /// k (v² 1 − v vᵀ): the operator of a mass k [kg] at v [m] about the origin.
 Tableau operator_of_point(const Expression& k, const Triple& v);
+
+/// The vector of length 1 along an axis of any length, which is itself where that is plain to see. Throws SceneError with these
+/// words when the axis is null.
+Triple unit_vector(const Triple& axis, const std::string& where_null);
 
 /// Rotation by an angle about an axis of any length (Rodrigues): c 1 + s [n] + (1 − c) n nᵀ. Throws SceneError when the
 /// axis is null.

@@ -102,6 +102,39 @@ TEST(SupportContact, OfABallAndOfADiscIsWhatTheirOwnContactsAre) {
   }
 }
 
+// An axis is a direction, as that of a joint: of another length it would be the rim of another radius.
+TEST(DiscContact, IsThatOfItsAxisWhateverTheLengthOfTheVector) {
+  Stone it;
+  const Expression lean = it.scene.parameter("lean", "1", 1);
+  const auto touch = [&it](const std::string& name, const Triple& axis, bool tube) {
+    const PointHandle at =
+        tube ? it.scene.torus_contact(name, {.frame = it.body, .axis = axis, .circle_radius = metres("0.7"),
+                                             .tube_radius = metres("0.1"), .plane = it.plane})
+             : it.scene.disc_contact(name, {.frame = it.body, .axis = axis, .radius = metres("0.7"), .plane = it.plane});
+    it.scene.point_in_plane("by_" + name, at, it.plane);
+  };
+  for (const bool tube : {false, true}) {
+    touch(tube ? "torus" : "disc", {Expression(3) / 5, 0, Expression(4) / 5}, tube);
+    touch(tube ? "torus_of_any" : "disc_of_any", {3, 0, 4}, tube);
+    touch(tube ? "torus_of_a_parameter" : "disc_of_a_parameter", {3 * lean, 0, 4}, tube);
+  }
+  const Equations equations(it.scene);
+  NamedState here(equations, leaning);
+  const std::vector<ConstraintRow>& rows = equations.constraints();
+  for (std::size_t k = 0; k < 6; ++k) {
+    EXPECT_LT(relative_difference(here(rows[k].value), here(rows[k / 3 * 3].value)), exact) << rows[k].name;
+  }
+  EXPECT_EQ(testing_errors::error_of<SceneError>([&] { touch("nowhere", {0, 0, 0}, false); }),
+            "the axis of the disc at 'nowhere' is the null vector: give a direction");
+  EXPECT_EQ(testing_errors::error_of<SceneError>([&] { touch("nowhere", {0, 0, 0}, true); }),
+            "the axis of the torus at 'nowhere' is the null vector: give a direction");
+  EXPECT_EQ(testing_errors::error_of<SceneError>([&] {
+              it.scene.contact("c", shape::Disc{.frame = it.body, .axis = {0, 0, 0}, .radius = metres("1")},
+                               shape::Plane{.frame = it.plane});
+            }),
+            "the axis of the contact 'c' is the null vector: give a direction");
+}
+
 TEST(TorusContact, LiesATubesRadiusBelowThatOfItsCircle) {
   Stone it;
   const PointHandle circle =
