@@ -7,6 +7,7 @@
 #include "torsor/generator/dynamics/theorems/flat_polynomials.hpp"
 #include "torsor/generator/dynamics/theorems/stability.hpp"
 #include "tests/dynamics/named_state.hpp"
+#include "tests/scenes/loops.hpp"
 #include "tests/scenes/pendulums.hpp"
 #include "tests/scenes/sliding.hpp"
 
@@ -237,6 +238,18 @@ TEST(SylvesterConditions, AreTheConditionsOfTheBottomOfTheHoop) {
   const auto conditions = sylvester_conditions(equations.program(), bottom(statics.hessian));
   ASSERT_EQ(conditions.size(), 1U);
   EXPECT_EQ(readable(conditions[0]), "-omega^2 m R^2 + m R g");
+}
+
+// Of the five conditions of a revolute joint the three that lead out of the plane hold wherever the links are.
+TEST(EquilibriumEquations, HaveNoConditionThatEveryPlaceFulfils) {
+  FourBar bar("four_bar");
+  const auto [tip, end] = bar.ends();
+  bar.scene.loop_joint("pin", {.type = JointType::revolute, .a = tip, .b = end});
+  const Equations equations(bar.scene);
+  EXPECT_EQ(equations.constraints().size(), 5u);
+  const EquilibriumEquations statics = equilibrium_equations(equations);
+  EXPECT_EQ(statics.conditions.size(), 2u);
+  EXPECT_EQ(print_equilibrium(statics).find("0 = 0"), std::string::npos) << print_equilibrium(statics);
 }
 
 TEST(AtState, RefusesWhatIsNoSymbolAndOtherUnits) {

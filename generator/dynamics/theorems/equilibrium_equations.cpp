@@ -101,7 +101,7 @@ EquilibriumEquations equilibrium_equations(const Equations& equations, const Nat
       const Value column = at_rest(leaves_out ? row.ideal[i] : row.column[i]);
       if (!column.is_zero()) result.rows[i] -= column * lambda;
     }
-    if (row.holonomic) result.conditions.push_back(row.value);
+    if (row.holonomic && !identically_zero(row.value)) result.conditions.push_back(row.value);
     const Value imposed = at_rest(row.rate);
     if (!identically_zero(imposed)) result.conditions.push_back(imposed);
   }

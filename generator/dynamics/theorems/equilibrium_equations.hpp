@@ -16,7 +16,7 @@ struct EquilibriumEquations {
   /// vanishes there has no direction: its row is left without friction, with a remark.
   std::vector<Value> rows;
   std::vector<Value>
-      conditions;  ///< f_j(q, t) = 0 of holonomic constraints, and −b_j where a constraint imposes a rate
+      conditions;  ///< f_j(q, t) = 0 of holonomic constraints that some place breaks, and −b_j where one imposes a rate
   std::vector<SymbolPointer> freedoms;  ///< the rate of each unknown coordinate
   bool driven = false;                  ///< T0 does not vanish: the roots are relative equilibria
   /// −(U + T0), and whether the rows (without multipliers and inputs) are its derivatives: then rests of a scene
