@@ -5,6 +5,7 @@
 
 #include "torsor/generator/base/error.hpp"
 #include "torsor/generator/dynamics/equations/constraint_rank.hpp"
+#include "torsor/generator/dynamics/structure/joint_space.hpp"
 #include "tests/scenes/loops.hpp"
 
 namespace torsor::mobility_test {
@@ -193,6 +194,16 @@ TEST(Mobility, IsWhatTheConstraintsOfTheSceneLeave) {
 TEST(Mobility, RefusesLoopsThatCannotBeClosed) {
   const Scene scene = four_links({.crank = 1, .coupler = 1, .rocker = 1, .ground = 9}, {0.5, 0.4, 1.9});
   EXPECT_THROW(analyse_mobility(scene), SceneError);
+}
+
+TEST(DirectionText, ShowsWhatDecimalsOfAFileLeaveOfAZeroAsZero) {
+  const auto text = [](double x, double y, double z) {
+    return direction_text({Real::from_double(x), Real::from_double(y), Real::from_double(z)});
+  };
+  EXPECT_EQ(text(2.2e-18, 1, 0), "y");
+  EXPECT_EQ(text(-8.5e-17, 0.6, 0.8), "(0, 0.6, 0.8)");
+  EXPECT_EQ(text(-8.5e-17, -0.6, 0.8), "(0, 0.6, -0.8)");
+  EXPECT_EQ(text(0.001, -1, 0), "(0.001, -1, 0)");
 }
 
 }  // namespace

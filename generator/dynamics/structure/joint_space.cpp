@@ -21,6 +21,9 @@ RealVector velocity_at(const RealRow& twist, const RealVector& point) {
   return RealVector{twist[3], twist[4], twist[5]} + cross(angular_of(twist), point);
 }
 
+/// Directions of files are products of decimals of some sixteen digits: what they leave of a component that is zero.
+constexpr double rounding_of_files = 1e-12;
+
 RealRotation identity_rotation() {
   RealRotation r;
   for (std::size_t i = 0; i < 3; ++i) {
@@ -45,14 +48,17 @@ RealRotation rotation_of(const std::array<Real, 4>& e) {
 }  // namespace
 
 std::string direction_text(const RealVector& direction) {
-  const RealVector unit = (Real(1) / norm(direction)) * direction;
+  RealVector unit = (Real(1) / norm(direction)) * direction;
+  for (Real& component : unit) {
+    if (abs(component) < Real::from_double(rounding_of_files)) component = Real(0);
+  }
   for (std::size_t i = 0; i < 3; ++i) {
-    if (is_small(unit[(i + 1) % 3]) && is_small(unit[(i + 2) % 3])) return std::string(1, "xyz"[i]);
+    if (unit[(i + 1) % 3].is_zero() && unit[(i + 2) % 3].is_zero()) return std::string(1, "xyz"[i]);
   }
   // An axis has two directions: it is written by the one whose first component is positive, wherever it comes from.
-  const auto first = std::find_if(unit.begin(), unit.end(), [](const Real& each) { return !is_small(each); });
+  const auto first = std::find_if(unit.begin(), unit.end(), [](const Real& each) { return !each.is_zero(); });
   const double sign = *first < Real(0) ? -1 : 1;
-  const auto component = [&](std::size_t i) { return is_small(unit[i]) ? 0.0 : sign * unit[i].to_double(); };
+  const auto component = [&](std::size_t i) { return unit[i].is_zero() ? 0.0 : sign * unit[i].to_double(); };
   return fmt::format("({:.3g}, {:.3g}, {:.3g})", component(0), component(1), component(2));
 }
 
