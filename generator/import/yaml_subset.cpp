@@ -45,7 +45,44 @@ std::optional<std::int64_t> digits_of_base(std::string_view digits, int base) {
   return whole ? std::optional(value) : std::nullopt;
 }
 
-/// As YAML 1.1 has them, with underscores: 12, of base 2 0b101, of base 8 017, of base 16 0x1F, of base 60 1:30.
+/// As YAML 1.1 has numbers of base 60: 1:30 is 90, and 1:30.5 is 90.5.
+std::optional<Value> yaml_sixtieths(std::string_view word) {
+  const bool negative = word.starts_with('-');
+  if (negative || word.starts_with('+')) word.remove_prefix(1);
+  std::vector<std::string> parts;
+  for (std::size_t begin = 0; begin <= word.size();) {
+    const std::size_t end = std::min(word.find(':', begin), word.size());
+    parts.emplace_back(word.substr(begin, end - begin));
+    begin = end + 1;
+  }
+  if (parts.size() < 2 || parts[0].starts_with('_')) return std::nullopt;
+  std::string& last = parts.back();
+  const std::size_t point = last.find('.');
+  const bool whole = point == std::string::npos;
+  std::erase(parts[0], '_');
+  if (parts[0].empty() || (whole && parts[0][0] == '0')) return std::nullopt;
+  if (!whole) {
+    if (last.find_first_not_of("0123456789_", point + 1) != std::string::npos) return std::nullopt;
+    std::erase(last, '_');
+  }
+  std::int64_t number = 0;
+  for (std::size_t k = 0; k < parts.size(); ++k) {
+    const std::string digits = k + 1 < parts.size() ? parts[k] : last.substr(0, point);
+    const std::optional<std::int64_t> digit = digits.empty() ? std::nullopt : digits_of_base(digits, 10);
+    const bool fits = digit && number < 1000000000000 && (k == 0 || (*digit < 60 && digits.size() < 3));
+    if (!fits) return std::nullopt;
+    number = number * 60 + *digit;
+  }
+  if (whole) return Value(negative ? -number : number);
+  double value = 0, power = 1;
+  for (auto part = parts.rbegin(); part != parts.rend(); ++part) {  // as Python sums it
+    value += *python_float(*part) * power;
+    power *= 60;
+  }
+  return Value(negative ? -value : value);
+}
+
+/// As YAML 1.1 has them, with underscores: 12, of base 2 0b101, of base 8 017, of base 16 0x1F.
 std::optional<std::int64_t> yaml_integer(std::string word) {
   const bool negative = word.starts_with('-');
   if (negative || word.starts_with('+')) word.erase(0, 1);
@@ -53,17 +90,7 @@ std::optional<std::int64_t> yaml_integer(std::string word) {
   std::erase(word, '_');
   const std::string_view all = word;
   std::optional<std::int64_t> value;
-  if (all.find(':') != std::string_view::npos) {
-    value = 0;
-    for (std::size_t begin = 0; value && begin <= all.size();) {
-      const std::size_t end = std::min(all.find(':', begin), all.size());
-      const std::string_view part = all.substr(begin, end - begin);
-      const std::optional<std::int64_t> digit = part.empty() ? std::nullopt : digits_of_base(part, 10);
-      const bool fits = digit && *value < 1000000000000 && (begin == 0 ? all[0] != '0' : *digit < 60 && part.size() < 3);
-      value = fits ? std::optional(*value * 60 + *digit) : std::nullopt;
-      begin = end + 1;
-    }
-  } else if (all.starts_with("0b") || all.starts_with("0x")) {
+  if (all.starts_with("0b") || all.starts_with("0x")) {
     if (all.size() > 2) value = digits_of_base(all.substr(2), all[1] == 'b' ? 2 : 16);
   } else {
     value = digits_of_base(all, all.size() > 1 && all[0] == '0' ? 8 : 10);
@@ -332,6 +359,7 @@ class YamlReader {
       if (word == no) return false;
     }
     if (const auto whole = yaml_integer(word)) return *whole;
+    if (const auto number = yaml_sixtieths(word)) return *number;
     for (const char* name : {".inf", ".Inf", ".INF"}) {
       if (word == name || word == std::string("+") + name) return *python_float("inf");
       if (word == std::string("-") + name) return *python_float("-inf");
