@@ -45,8 +45,8 @@ GiNaC::exmap state(LagrangeEquations& equations, const Scene& scene, const About
 
 }  // namespace
 
-std::vector<std::pair<SymbolPointer, Expression>> named_state(const Scene& scene, const About& about) {
-  std::vector<std::pair<SymbolPointer, Expression>> state;
+StateValues named_state(const Scene& scene, const About& about) {
+  StateValues state;
   for (const auto& [name, formula] : about) {
     const SymbolPointer symbol = state_symbol(scene, name);
     const Expression parsed = parse_formula(formula, scene);
@@ -57,6 +57,7 @@ std::vector<std::pair<SymbolPointer, Expression>> named_state(const Scene& scene
     }
     state.emplace_back(symbol, number && !(symbol->unit == Unit()) ? parsed * Expression::quantity(Number(1), symbol->unit) : parsed);
   }
+  refuse_values_of_each_other(state);
   return state;
 }
 

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "torsor/generator/printing/lagrange_equations.hpp"
+#include "torsor/generator/printing/state_values.hpp"
 
 namespace torsor::printing {
 
@@ -24,6 +25,6 @@ struct LinearisedEquations {
 LinearisedEquations linearised(LagrangeEquations& equations, const Scene& scene, const About& about);
 
 /// The symbols that a state names, with their values. Throws as `linearised`.
-std::vector<std::pair<SymbolPointer, Expression>> named_state(const Scene& scene, const About& about);
+StateValues named_state(const Scene& scene, const About& about);
 
 }  // namespace torsor::printing

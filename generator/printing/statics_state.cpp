@@ -9,6 +9,7 @@
 
 #include "torsor/generator/base/error.hpp"
 #include "torsor/generator/printing/formula_text.hpp"
+#include "torsor/generator/printing/state_values.hpp"
 
 namespace torsor::printing {
 namespace {
@@ -102,6 +103,7 @@ Scene with_parameters(const Scene& scene, const Assignments& set) {
 
 AtState::Named rest_state(const Scene& scene, const Assignments& about) {
   AtState::Named state;
+  StateValues values;
   for (const auto& [name, formula] : about) {
     const Expression what = parse_formula(name, scene);
     const SymbolPointer symbol = what.as_symbol();
@@ -109,9 +111,11 @@ AtState::Named rest_state(const Scene& scene, const Assignments& about) {
     if (symbol) {
       check_rest(scene, symbol, value, formula);
       value = in_unit_of(symbol, value);
+      values.emplace_back(symbol, value);
     }
     state.emplace_back(what, value);
   }
+  refuse_values_of_each_other(values);
   normalise(scene, state);
   return state;
 }

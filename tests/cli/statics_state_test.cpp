@@ -110,6 +110,27 @@ TEST(StaticsState, SeesWhatChangesInStepsOfTime) {
   EXPECT_TRUE(says(text, "T or U depends on time explicitly")) << text;
 }
 
+// All values are put in at once: one that needs another would leave formulas at two states.
+TEST(StaticsState, HasNoValueThatNeedsAnotherOfIts) {
+  const auto shallow = [] {
+    Scene scene("shallow");
+    const Expression x = scene.coordinate("x", "m"), y = scene.coordinate("y", "m");
+    scene.body("bead", scene.prismatic("along", scene.prismatic("across", scene.ground(), axis::y, y), axis::x, x),
+               Inertia::point(kilograms("1")));
+    scene.force_function("field", -quantity("1", "N/m^3") * x * x * y * y / 2);
+    return scene;
+  };
+  for (const char* command : {"equations", "statics"}) {
+    expect_failure_beginning(run(shallow, {command, "--about", "x=2*y", "--about", "y=1"}), 2,
+                             "--about x = 2*y: the value depends on 'y', which --about gives too; put its value in");
+    expect_failure_beginning(run(shallow, {command, "--about", "y=x", "--about", "x=y"}), 2,
+                             "--about y = x: the value depends on 'x'");
+    EXPECT_EQ(run(shallow, {command, "--about", "x=2*y"}).code, 0);
+  }
+  expect_failure_beginning(run(shallow, {"equations", "--about", "x'=y'"}), 2,
+                           "--about x' = y': the value depends on 'y''; give a formula");
+}
+
 Scene hoop() {
   Scene scene("hoop");
   const Expression w = scene.parameter("w", "rad/s", 5), theta = scene.coordinate("theta", "rad"),
