@@ -66,7 +66,7 @@ std::optional<MetEvent> WatchedEvents::located(const Watched& watched, const Mot
   std::unique_ptr<MotionIntegrator> beyond = after.copy();
   int side = 0;
   constexpr int patience = 60;
-  for (int step = 0; step < patience && at_high != 0.0 && high - low > 1e-14 * std::max(1.0, high); ++step) {
+  for (int step = 0; step < patience && at_high != 0.0 && high - low > 1e-14 * high; ++step) {
     double t = (low * at_high - high * at_low) / (at_high - at_low);
     if (!(t > low && t < high)) t = 0.5 * (low + high);
     std::unique_ptr<MotionIntegrator> there = before.copy();

@@ -33,7 +33,7 @@ bool DormandPrince853::advance(double end) {
   if (h_ == 0.0) h_ = first_step(end - t_);
   constexpr int patience = 60;  // of one step after another that is refused
   int refused = 0;
-  const double least = 1e-14 * std::max(1.0, std::abs(end));
+  const double least = shortest_step(end);
   while (end - t_ > least) {
     const bool lands = h_ >= end - t_;
     const double h = lands ? end - t_ : h_;

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <functional>
 #include <memory>
 #include <string>
@@ -37,6 +39,10 @@ class MotionIntegrator {
       : slope_(std::move(slope)), settle_(std::move(settle)), y_(std::move(y)) {}
   MotionIntegrator(const MotionIntegrator&) = default;
   MotionIntegrator& operator=(const MotionIntegrator&) = default;
+
+  /// What differs by less are times that rounding does not tell apart, and no step: some roundings of the later one. Motions
+  /// begin at 0, and may be as short as those of atoms.
+  double shortest_step(double end) const { return 1e-14 * std::max(std::abs(t_), std::abs(end)); }
 
   bool fail(std::string status) {
     status_ = std::move(status);

@@ -148,7 +148,7 @@ bool RadauIia5::advance(double end) {
   if (!status_.empty()) return false;
   constexpr int patience = 60;
   int refused = 0;
-  const double least = 1e-14 * std::max(1.0, std::abs(end));
+  const double least = shortest_step(end);
   if (h_ == 0.0) h_ = 1e-4 * (end - t_);
   bool linear = false;
   while (end - t_ > least) {
