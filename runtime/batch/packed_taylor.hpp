@@ -73,8 +73,10 @@ class PackedTaylor {
     }
   }
 
-  /// The last good state of member i, at result(i).time; one that could not start has none.
-  [[nodiscard]] Vector state(std::size_t i) const noexcept { return lane_of(y_, static_cast<int>(i)); }
+  /// The last good state of member i, at result(i).time; of one that could not start that is its start.
+  [[nodiscard]] Vector state(std::size_t i) const noexcept {
+    return lanes_[i].startable ? lane_of(y_, static_cast<int>(i)) : lanes_[i].start;
+  }
   /// How member i ended.
   [[nodiscard]] const Result<Number>& result(std::size_t i) const noexcept { return lanes_[i].clock.result; }
 
@@ -90,7 +92,8 @@ class PackedTaylor {
     TaylorRule<Number, size> rule;
     bool has_attitudes = false;  // no quaternion of zeros
     bool usable = false;         // options, time and state
-    bool startable = false;
+    bool startable = false;      // else another member stands in the lane of the pack
+    Vector start{};
     std::size_t target = 0;  // index of the time it is on its way to
     bool prepared = false, moving = false;
     Evaluation said = Evaluation::ok;  // of the step being tried
@@ -112,6 +115,7 @@ class PackedTaylor {
       Lane& lane = lanes.back();
       Vector y = pack<Single>(member.state);
       lane.has_attitudes = start_with_unit_quaternions<Single>(y);
+      lane.start = y;
       lane.clock.result.time = member.state.time;
       lane.usable = lane.has_attitudes && usable(method) && std::isfinite(member.state.time) && all_finite(y);
       if (!lane.usable) continue;
@@ -194,7 +198,7 @@ class PackedTaylor {
         lane.clock.set_out();
         return;
       }
-      keep(i, lane.target, lane_of(y_, static_cast<int>(i)));
+      keep(i, lane.target, state(i));
     }
   }
 

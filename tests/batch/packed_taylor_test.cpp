@@ -159,6 +159,16 @@ TEST(PackedTaylor, LetsALaneThatFailsBe) {
   }
 }
 
+// In its lane of the pack stands another one: what is told of it is its own all the same.
+TEST(PackedTaylor, TellsTheStartOfAMemberThatCannotStart) {
+  std::vector<Member<Pendulum>> members = {pendulum(0), pendulum(1), pendulum(2)};
+  members[1].state.v[0] = 1e200;  // its square is infinite
+  const auto results = as_alone(members, {0.0, 0.5}, of_tolerance(1e-9));
+  EXPECT_EQ(results[0].status, IntegrationStatus::reached_end);
+  EXPECT_EQ(results[1].status, IntegrationStatus::model_failure);
+  EXPECT_EQ(results[2].status, IntegrationStatus::reached_end);
+}
+
 TEST(PackedTaylor, SaysOfInvalidOptionsWhatMembersAloneSay) {
   for (const int order : {-1, 3, 31}) {
     EXPECT_EQ((different<double_pendulum::Mechanism>(3, pendulum, Taylor{.order = order})), 0);
