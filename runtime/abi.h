@@ -186,7 +186,7 @@ typedef struct torsor_contact_event {
   const double *before, *after; /* y on either side */
   const int32_t* regimes;       /* of each contact, afterwards */
   const double* impulses;       /* of each row; zero but of impacts and accumulations */
-  double energy_lost;           /* T- - T+ */
+  double energy_lost;           /* what contacts take: T- - T+ where no surface moves by itself */
 } torsor_contact_event;
 
 /* Returns 0 to go on; else the motion ends as stopped. With threads it is called from several at once. */

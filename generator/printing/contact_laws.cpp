@@ -10,6 +10,7 @@
 #include "torsor/generator/printing/contact_letters.hpp"
 #include "torsor/generator/printing/limit_met.hpp"
 #include "torsor/generator/printing/notation.hpp"
+#include "torsor/generator/program/identically_zero.hpp"
 
 namespace torsor::printing {
 namespace {
@@ -221,9 +222,39 @@ class ContactPage {
       law(say("Friction: |P_T| <= f P_N where w_T+ = 0, P_T = -f P_N w_T+/|w_T+| elsewhere."),
           say("Friction: $|P_T| \\le f P_N$ where $w_T^+ = 0$, $P_T = -f P_N \\frac{w_T^+}{|w_T^+|}$ elsewhere."));
     }
+    if (moves_by_itself()) {
+      law(say("Carnot's loss: T- - T+ = -1/2 sum P (w+ + w-) + sum P b{}, b what w is where all velocities are 0: surfaces that move by "
+              "themselves give energy, too.",
+              drives_loops() ? " - sum_j Lambda_j b_j" : ""),
+          say("Carnot's loss: $T^- - T^+ = -\\frac{{1}}{{2}} \\sum P\\,(w^+ + w^-) + \\sum P\\, b{}$, $b$ what $w$ is where all "
+              "velocities are 0: surfaces that move by themselves give energy, too.",
+              drives_loops() ? " - \\sum_j \\Lambda_j b_j" : ""));
+      return;
+    }
     law(say("Carnot's loss: T- - T+ = -1/2 sum P (w+ + w-); of one contact without friction -1/2 (1 - e) P_N w_N- >= 0."),
         say("Carnot's loss: $T^- - T^+ = -\\frac{1}{2} \\sum P\\,(w^+ + w^-)$; of one contact without friction "
         "$-\\frac{1}{2} (1 - e) P_N w_N^- \\ge 0$."));
+  }
+
+  Value at_rest(const Value& rate) const {
+    Program& program = equations_.program();
+    Substitution rest(program, [&program](const SymbolPointer& symbol) -> std::optional<Value> {
+      if (symbol->kind != SymbolKind::velocity) return std::nullopt;
+      return program.number(Number(), symbol->unit);
+    });
+    return rest(rate);
+  }
+
+  /// Whether a surface has a velocity that none of the mechanism's is: a belt, or what a law of time moves.
+  bool moves_by_itself() const {
+    const auto moves = [this](const ContactRow& row) { return !identically_zero(at_rest(row.rate)); };
+    return drives_loops() || std::any_of(contacts_.begin(), contacts_.end(), [&moves](const ContactRows& contact) {
+      return std::any_of(contact.rows.begin(), contact.rows.end(), moves);
+    });
+  }
+  bool drives_loops() const {
+    const std::vector<ConstraintRow>& rows = equations_.constraints();
+    return std::any_of(rows.begin(), rows.end(), [this](const ConstraintRow& row) { return !identically_zero(at_rest(row.rate)); });
   }
 
   const Equations& equations_;

@@ -36,7 +36,7 @@ struct ImpactResult {
   PerContact<bool> sticks{};  ///< w_T = 0 after
   ContactVerdict verdict = ContactVerdict::none;
   double residual = 0;
-  double lost = 0;      ///< T- - T+, of all
+  double lost = 0;      ///< -P (w- + w+)/2 of all: T- - T+ where no surface moves by itself
   bool gains = false;   ///< T+ > T- of bodies that act on each other, whatever others lose
   int collisions = 0;   ///< of the sequential law
   bool applies = true;  ///< false: the energetic law of one contact, and several strike at once

@@ -45,6 +45,26 @@ TEST(ContactLaws, ArePrintedWithGapsSlipsForcesRegimesAndJumps) {
                 "Carnot's loss: T- - T+ = -1/2 sum P (w+ + w-)"});
 }
 
+// A point of 1 kg that comes to rest on a belt gains 1/2 u^2: P_T = u from w_T = -u to 0 takes 1/2 u^2, and P_T b = -u^2.
+TEST(ContactLaws, CountWhatABeltGives) {
+  const auto dropped = [](const Expression& speed) {
+    Scene scene("dropped", "");
+    const Expression x = scene.coordinate("x", "m"), z = scene.coordinate("z", "m");
+    const FrameHandle drop = scene.prismatic("drop", scene.prismatic("slide", scene.ground(), axis::x, x), axis::z, z);
+    scene.body("drop", drop, Inertia::point(Expression::quantity("1", "kg")));
+    scene.contact("belt", shape::Point{scene.point("P", drop, {0, 0, 0})}, shape::Plane{.frame = scene.ground(), .belt = {speed, 0}},
+                  {.friction = 1});
+    return scene;
+  };
+  const std::string moving = "T- - T+ = -1/2 sum P (w+ + w-) + sum P b, b what w is where all velocities are 0";
+  const std::string runs = print_equations(dropped(Expression::quantity("2", "m/s")), Format::text);
+  EXPECT_NE(runs.find(moving), std::string::npos) << runs;
+  EXPECT_EQ(runs.find("P_N w_N- >= 0"), std::string::npos) << runs;
+  const std::string rests = print_equations(dropped(0), Format::text);
+  EXPECT_EQ(rests.find(moving), std::string::npos) << rests;
+  EXPECT_NE(rests.find("P_N w_N- >= 0"), std::string::npos) << rests;
+}
+
 TEST(ContactLaws, ArePrintedInLatexToo) {
   expect_lines(print_equations(disc_on_a_floor(), Format::latex),
                {"N \\dot{w}_N = 0$", "$|T| \\le f_s N$", "\\left[\\!\\left[\\frac{\\partial T}{\\partial \\dot{q}_i}\\right]\\!\\right]",

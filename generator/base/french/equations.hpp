@@ -310,6 +310,14 @@ constexpr Translation french_of_equations[] = {
      "Frottement : |P_T| <= f P_N si w_T+ = 0, sinon P_T = -f P_N w_T+/|w_T+|."},
     {"Friction: $|P_T| \\le f P_N$ where $w_T^+ = 0$, $P_T = -f P_N \\frac{w_T^+}{|w_T^+|}$ elsewhere.",
      "Frottement : $|P_T| \\le f P_N$ si $w_T^+ = 0$, sinon $P_T = -f P_N \\frac{w_T^+}{|w_T^+|}$."},
+    {"Carnot's loss: T- - T+ = -1/2 sum P (w+ + w-) + sum P b{}, b what w is where all velocities are 0: surfaces that move by "
+     "themselves give energy, too.",
+     "Perte de Carnot : T- - T+ = -1/2 sum P (w+ + w-) + sum P b{}, b étant w à vitesses nulles : les surfaces mues par ailleurs "
+     "fournissent aussi de l'énergie."},
+    {"Carnot's loss: $T^- - T^+ = -\\frac{{1}}{{2}} \\sum P\\,(w^+ + w^-) + \\sum P\\, b{}$, $b$ what $w$ is where all "
+     "velocities are 0: surfaces that move by themselves give energy, too.",
+     "Perte de Carnot : $T^- - T^+ = -\\frac{{1}}{{2}} \\sum P\\,(w^+ + w^-) + \\sum P\\, b{}$, $b$ étant $w$ à vitesses nulles : "
+     "les surfaces mues par ailleurs fournissent aussi de l'énergie."},
     {"Carnot's loss: T- - T+ = -1/2 sum P (w+ + w-); of one contact without friction -1/2 (1 - e) P_N w_N- >= 0.",
      "Perte de Carnot : T- - T+ = -1/2 sum P (w+ + w-) ; d'un contact sans frottement -1/2 (1 - e) P_N w_N- >= 0."},
     {"Carnot's loss: $T^- - T^+ = -\\frac{1}{2} \\sum P\\,(w^+ + w^-)$; of one contact without friction $-\\frac{1}{2} (1 - e) P_N "
