@@ -240,7 +240,8 @@ namespace {
 UrdfRobot robot_of(const XmlElement& root, const std::string& file, const Number& angle_tolerance) {
   if (root.name() != "robot") {
     if (looks_like(root.name(), "robot")) root.fail("the root element of a URDF file is <robot>; did you mean that?");
-    root.fail("the root element of a URDF file is <robot>; convert other formats (SDF, MJCF, xacro) to URDF first");
+    root.fail("files that are read here have the root element <robot> (URDF, xacro) or <mujoco> (MJCF); convert others, as SDF, to "
+              "one of these first");
   }
   UrdfRobot robot;
   robot.file = file;

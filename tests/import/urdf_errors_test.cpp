@@ -54,9 +54,9 @@ TEST(UrdfErrors, OfXmlNameFileAndLine) {
 }
 
 TEST(UrdfErrors, OfTheRobotNameTheElement) {
-  expect_refused("<mujoco/>",
-                 "1: <mujoco>: the root element of a URDF file is <robot>; convert other formats (SDF, MJCF, xacro) to "
-                 "URDF first");
+  expect_refused("<sdf/>",
+                 "1: <sdf>: files that are read here have the root element <robot> (URDF, xacro) or <mujoco> (MJCF); convert "
+                 "others, as SDF, to one of these first");
   expect_refused("<Robot/>", "1: <Robot>: the root element of a URDF file is <robot>; did you mean that?");
   expect_refused("<robot name=\"r\"/>", "1: <robot name=\"r\">: has no <link>; a robot has at least one");
   expect_refused("<robot name=\"r\"><link/></robot>",
