@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "torsor/generator/base/output_file.hpp"
+#include "torsor/generator/cli/command_tree_text.hpp"
 #include "torsor/generator/mechanics/scene.hpp"
 
 namespace CLI {
@@ -27,6 +28,7 @@ struct SceneSource {
   std::function<Scene()> make;                 ///< called when the command line has been read
   std::function<bool()> quiet = {};            ///< whether notes are left out; may be empty
   std::function<SourceFiles()> files = {};     ///< called after `make`; may be empty
+  OtherCommands others = {};                   ///< of the program, for its manual page and its completion
 };
 
 /// The command line of every program (scene_program.hpp) on that source.

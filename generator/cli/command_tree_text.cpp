@@ -85,7 +85,7 @@ std::vector<std::string> option_names(const CLI::App& app) {
 
 }  // namespace
 
-std::string man_page(const CLI::App& app, const std::string& program) {
+std::string man_page(const CLI::App& app, const std::string& program, const OtherCommands& others) {
   std::string title = program;
   std::transform(title.begin(), title.end(), title.begin(),
                  [](unsigned char c) { return static_cast<char>(c >= 'a' && c <= 'z' ? c - 'a' + 'A' : c); });
@@ -95,6 +95,7 @@ std::string man_page(const CLI::App& app, const std::string& program) {
   text += ".SH DESCRIPTION\n" + roff(app.get_description()) + "\n";
   text += ".SH OPTIONS\n" + described(app);
   text += ".SH COMMANDS\n";
+  for (const auto& [usage, does] : others) text += fmt::format(".SS {}\n{}\n", roff(usage), roff(does));
   for (const CLI::App* command : commands_of(app)) {
     text +=
         fmt::format(".SS {}\n{}\n", roff(command->get_name()), roff(command->get_description())) + described(*command);
@@ -106,41 +107,45 @@ std::string man_page(const CLI::App& app, const std::string& program) {
   return text;
 }
 
-std::string bash_completion(const CLI::App& app, const std::string& program) {
+std::string bash_completion(const CLI::App& app, const std::string& program, const OtherCommands& others) {
   std::string function = "_" + program;
   std::replace_if(
       function.begin(), function.end(), [](unsigned char c) { return std::isalnum(c) == 0; }, '_');
-  std::vector<std::string> first = option_names(app);
+  std::vector<std::string> first = option_names(app), commands;
   std::string cases;
+  for (const auto& [usage, does] : others) first.push_back(usage.substr(0, usage.find(' ')));
   for (const CLI::App* command : commands_of(app)) {
     first.push_back(command->get_name());
+    commands.push_back(command->get_name());
     cases += fmt::format("    {}) words='{}' ;;\n", command->get_name(), words(option_names(*command)));
   }
   return fmt::format(
       R"(# bash completion of {4}, made by {4} --bash-completion
 {1}() {{
-  local words='' current="${{COMP_WORDS[COMP_CWORD]}}"
+  local words='' command='' word current="${{COMP_WORDS[COMP_CWORD]}}"
   COMPREPLY=()
-  if [ "$COMP_CWORD" -eq 1 ]; then
-    mapfile -t COMPREPLY < <(compgen -W '{2}' -- "$current")
-    return
-  fi
-  case "${{COMP_WORDS[1]}}" in
-{3}  esac
+  for word in "${{COMP_WORDS[@]:1:COMP_CWORD-1}}"; do
+    case "$word" in {5}) command="$word"; break ;; esac
+  done
+  case "$command" in
+{3}    '') if [ "$COMP_CWORD" -eq 1 ]; then words='{2}'; else words='{6}'; fi ;;
+  esac
   case "$current" in
     -*) mapfile -t COMPREPLY < <(compgen -W "$words" -- "$current") ;;
-    *) compopt -o filenames; mapfile -t COMPREPLY < <(compgen -f -- "$current") ;;
+    *) compopt -o filenames 2> /dev/null
+       [ -z "$command" ] || words=''
+       mapfile -t COMPREPLY < <(compgen -W "$words" -- "$current"; compgen -f -- "$current") ;;
   esac
 }}
 complete -F {1} -- {0}
 )",
-      shell_quoted(program), function, words(first), cases, on_one_line(program));
+      shell_quoted(program), function, words(first), cases, on_one_line(program), fmt::join(commands, "|"), words(commands));
 }
 
-void add_tree_texts(CLI::App& app, const std::string& program) {
-  const auto print = [&app, program](std::string (*make)(const CLI::App&, const std::string&)) {
-    return [&app, program, make]() {
-      std::string text = make(app, program);
+void add_tree_texts(CLI::App& app, const std::string& program, const OtherCommands& others) {
+  const auto print = [&app, program, others](std::string (*make)(const CLI::App&, const std::string&, const OtherCommands&)) {
+    return [&app, program, others, make]() {
+      std::string text = make(app, program, others);
       text.pop_back();  // CLI11 ends it with a line
       throw CLI::CallForVersion(text, 0);
     };

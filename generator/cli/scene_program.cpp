@@ -169,7 +169,7 @@ Ran run(int argc, const char* const* argv, const SceneSource& source) {
   app.require_subcommand(1);
   app.set_version_flag("--version", "torsor " TORSOR_VERSION, "print the version of torsor and exit");
   const std::string path = argc > 0 ? argv[0] : "torsor";
-  add_tree_texts(app, path.substr(path.find_last_of('/') + 1));
+  add_tree_texts(app, path.substr(path.find_last_of('/') + 1), source.others);
   CommandSet commands(app, source);
   add_equations_command(commands);
   add_kernel_commands(commands);

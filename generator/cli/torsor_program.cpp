@@ -306,7 +306,8 @@ int run_torsor(int argc, const char* const* argv, MjcfReader mjcf_reader) {
                        "project with a scene of your own.",
                        [&request](CLI::App& command) { add_options(command, request); },
                        [&] { return read_scene(request, mjcf_reader); }, [&request] { return request.quiet; },
-                       [&request] { return request.files; }});
+                       [&request] { return request.files; },
+                       {{"new NAME", "Begins a project: a folder with a scene of your own."}}});
 }
 
 }  // namespace torsor

@@ -5,6 +5,9 @@
 
 #include <gtest/gtest.h>
 
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
 #include <regex>
 #include <set>
 #include <string>
@@ -57,6 +60,36 @@ TEST(CommandTree, HasEveryCommandAndOptionInManualPageAndCompletion) {
       EXPECT_TRUE(std::regex_search(completed, std::regex("[ ']" + option + "[ ']"))) << command << " " << option;
     }
   }
+}
+
+/// What bash offers for the last of these words.
+std::set<std::string> offered(const std::string& words) {
+  CLI::App app;
+  app.add_subcommand("simulate", "")->add_option("--initial");
+  app.add_subcommand("structure", "");
+  const std::string folder = testing::TempDir() + "completed";
+  std::filesystem::create_directories(folder);
+  std::ofstream(folder + "/simple.urdf") << "";
+  std::ofstream(folder + "/script") << bash_completion(app, "torsor", {{"new NAME", ""}}) << "COMP_WORDS=(torsor " << words
+                                    << ")\nCOMP_CWORD=$((${#COMP_WORDS[@]} - 1))\n_torsor\nprintf '%s\\n' \"${COMPREPLY[@]}\"\n";
+  std::FILE* const bash = popen(("cd '" + folder + "' && bash ./script").c_str(), "r");
+  std::string text;
+  for (int c = std::fgetc(bash); c != EOF; c = std::fgetc(bash)) text += static_cast<char>(c);
+  EXPECT_EQ(pclose(bash), 0);
+  return found(text, std::regex("([^\n]+)\n"));
+}
+
+TEST(CommandTree, CompletesWhateverOrderFileAndCommandStandIn) {
+  using Words = std::set<std::string>;
+  EXPECT_EQ(offered("si"), (Words{"simulate", "simple.urdf"}));
+  EXPECT_EQ(offered("ne"), Words{"new"});
+  EXPECT_EQ(offered("simple.urdf si"), (Words{"simulate", "simple.urdf"}));
+  EXPECT_EQ(offered("simple.urdf simulate --in"), Words{"--initial"});
+  EXPECT_EQ(offered("simulate simple.urdf --in"), Words{"--initial"});
+  EXPECT_EQ(offered("simulate si"), Words{"simple.urdf"});
+  EXPECT_EQ(offered("structure --in"), Words{});
+  CLI::App app;
+  EXPECT_NE(man_page(app, "torsor", {{"new NAME", "Begins it."}}).find(".SS new NAME\nBegins it.\n"), std::string::npos);
 }
 
 TEST(CommandTree, WritesNoLineThatRoffWouldObey) {
