@@ -301,7 +301,7 @@ static void evaluate(int place, const torsor_abi_kernel* kernel, int outputs, mx
 
 /* Why a motion ended: torsor_motion_reached_end and those after it. */
 static const char* why(int32_t status) {
-  static const char* const words[] = {"the end was reached", "it was stopped", "unusable times, tolerances or steps",
+  static const char* const words[] = {"the end was reached", "it was stopped", "unusable times, tolerances or steps, or a start that is not finite",
       "the step fell below the resolution of time", "the limit of steps was met",
       "the equations are singular there, or loops are at a dead centre of a friction", "an implicit step did not converge",
       "the method does not suit the model, or the library lacks kernels that hold its constraints: mass_matrix, constraints"};

@@ -78,6 +78,7 @@ expect_refusal("runge_kutta_4 has a fixed step: give 'step'", "./cart.so", "inte
 expect_refusal("mass_matrix does not read 'inputs'", "./cart.so", "mass_matrix", q, v, "inputs", f);
 expect_refusal("jets takes 'order'", "./cart.so", "jets", q, v);
 expect_refusal("status 2: unusable times", "./cart.so", "integrate", 1, start, "tolerance", -1);
+expect_refusal("or a start that is not finite", "./cart.so", "integrate", 1, [NaN; start(2:end)]);
 
 % Inputs and parameters of a motion: a force of 2 N on the cart, which by itself would stay, pushes it along.
 pushed = torsor_call("./cart.so", "integrate", 0.1, [cart.q; cart.v], "inputs", [2; 0]);
