@@ -57,6 +57,7 @@ static_assert(static_cast<int>(ImpactLaw::newton_moreau) == torsor_impact_newton
     case ContactStatus::invalid_options: return torsor_motion_invalid_options;
     case ContactStatus::change_point: return torsor_motion_change_point;
     case ContactStatus::no_point: return torsor_motion_no_point;
+    case ContactStatus::zero_quaternion: return torsor_motion_zero_quaternion;
     case ContactStatus::integration_failed: break;
   }
   if (result.integration_event == EventStatus::integration_failed) {
@@ -148,7 +149,6 @@ class ContactCall {
   std::int32_t by(const Method& method, const System& system, std::size_t i, Progress& progress) const {
     auto& [result, reached] = progress;
     State y = start_of<M>(call_.motion, i);
-    if (!start_with_unit_quaternions<M>(y)) return torsor_motion_zero_quaternion;
     Watch watch{call_, i};
     const ContactMechanismOf<System> mechanism(system);
     ContactRun<std::tuple_size_v<State>, System::contacts, Method, Watch> run(mechanism, y, method, options(), watch);

@@ -201,6 +201,8 @@ class ContactMotion {
   void changed() noexcept { solved_ = false; }
   /// An event begins: places that were passed before are forgotten.
   void leave_change_point() noexcept { nearest_ = dynamics_.distance(); }
+  /// Quaternions of a start have norm 1 behind it; false where one is zero.
+  [[nodiscard]] bool settle_start(std::span<double> y) const { return mechanism_.settle_start(y); }
   /// What the mechanism says at a state has changed: it is read again.
   void renew() noexcept { known_ = false; }
   /// Takes the rule that the mechanism has now for a contact; whether it is another one. Its rows are as many as before.

@@ -30,6 +30,7 @@ enum class ContactStatus : int {
   change_point,  ///< constraints of loops lose rank
   no_point,      ///< a contact has no single point or normal here, as a disc that lies flat, or its gap falls by a jump
   invalid_options,  ///< an end before the start, or a step, theta, touch, at_rest, accumulation or law that cannot be
+  zero_quaternion,  ///< the start has a quaternion of zeros
 };
 
 [[nodiscard]] constexpr std::string_view describe(ContactStatus status) noexcept {
@@ -67,6 +68,8 @@ enum class ContactStatus : int {
     case ContactStatus::invalid_options:
       return "the motion is asked for what cannot be: its end is not before its start, steps are above 0, theta is from 0 to 1, "
              "touch, at_rest and accumulation are at least 0, the law is one of the four, and none is NaN";
+    case ContactStatus::zero_quaternion:
+      return "the start has a quaternion of zeros, which is no attitude: give one of norm 1";
     case ContactStatus::no_room:
       return "the mechanism has more numbers or contacts than there is room for: give ContactRun more";
     case ContactStatus::not_started:
@@ -85,7 +88,7 @@ struct ContactEvent {
   std::span<const double> before, state;
   std::span<const ContactState> contacts;  ///< regimes after
   const ContactVector& impulses;           ///< of impacts and accumulations, all rows
-  double energy_lost;                      ///< T- - T+
+  double energy_lost;                      ///< what contacts take: T- - T+ where no surface moves by itself
   double residual;                         ///< certificate, the larger of impact and regimes
   ContactVerdict verdict;                  ///< of the decision of regimes
   /// Regimes of all motions that it found, that taken first. A contact that did not take part is open.

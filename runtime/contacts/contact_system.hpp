@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <Eigen/Core>
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <concepts>
@@ -11,6 +12,7 @@
 
 #include "torsor/runtime/contacts/contact_problem.hpp"
 #include "torsor/runtime/status.hpp"
+#include "torsor/runtime/system.hpp"
 
 namespace torsor::runtime {
 
@@ -106,6 +108,8 @@ class ContactMechanism {
   virtual void coordinate_rates(double t, std::span<const double> y, std::span<double> rates) const = 0;
   /// Puts quaternions back to the norm 1.
   virtual void normalise(std::span<double>) const {}
+  /// The same of what a motion starts from, of any norm; false where one is zero.
+  [[nodiscard]] virtual bool settle_start(std::span<double>) const { return true; }
   /// -∂F_j/∂v_j >= 0 of forces that damp, each its own velocity: steps of equal length take them implicitly. False: none.
   [[nodiscard]] virtual bool damping(double, std::span<const double>, std::span<double>) const { return false; }
 
@@ -143,8 +147,14 @@ class ContactMechanismOf final : public ContactMechanism {
     if constexpr (requires(State& whole) { system_.normalise(whole); }) {
       State whole = state(y);
       system_.normalise(whole);
-      for (std::size_t i = 0; i < whole.size(); ++i) y[i] = whole[i];
+      std::copy(whole.begin(), whole.end(), y.begin());
     }
+  }
+  [[nodiscard]] bool settle_start(std::span<double> y) const override {
+    State whole = state(y);
+    if (runtime::settle_start(system_, whole) != Evaluation::ok) return false;
+    std::copy(whole.begin(), whole.end(), y.begin());
+    return true;
   }
   [[nodiscard]] bool damping(double t, std::span<const double> y, std::span<double> rates) const override {
     if constexpr (requires(std::array<double, S::nv>& all) { system_.damping(t, state(y), all); }) {

@@ -99,6 +99,10 @@ requires(HasMassMatrixAndBias<M> && (M::multiplier_count == 0 || HasConstraints<
     if constexpr (HasQuaternions<M>) normalise_quaternions<M>(y);
   }
 
+  [[nodiscard]] Evaluation settle_start(State& y) const noexcept {
+    return start_with_unit_quaternions<M>(y) ? Evaluation::ok : Evaluation::not_finite;
+  }
+
   void damping(double t, const State& y, std::array<double, nv>& rates) const noexcept
     requires requires(const InputLaw& law, const typename M::State& state) {
       { law.damping(state) } -> std::convertible_to<std::array<double, nv>>;

@@ -84,6 +84,7 @@ ContactStatus step_contacts(const S& system, std::array<double, S::nq + S::nv>& 
                             const EqualSteps& steps) {
   MoreauJean scheme(system, steps.theta);
   if (!(t1 >= t0) || steps.count < 1) return ContactStatus::invalid_options;
+  if (settle_start(system, y) != Evaluation::ok) return ContactStatus::zero_quaternion;
   if (t1 == t0) return scheme.status();
   const double h = (t1 - t0) / static_cast<double>(steps.count);
   for (long k = 0; k < steps.count; ++k) {

@@ -8,7 +8,7 @@
 #include <stdio.h>
 #include <string.h>
 
-enum { nq = 7, n = 13, x = 0, z = 2, vx = nq, vz = nq + 2, turns = nq + 4, most_events = 64 };
+enum { nq = 7, n = 13, x = 0, z = 2, turn = 3, vx = nq, vz = nq + 2, turns = nq + 4, most_events = 64 };
 
 static int failures = 0;
 static void expect(int holds, const char* what) {
@@ -206,6 +206,17 @@ static void check_refusals(const torsor_abi* m, const torsor_model* model) {
          "and that is said of it");
   expect(m->impossible(model) == NULL, "of others nothing is");
   m->destroy(impossible);
+  surface[0] = NAN; /* neither below zero nor above */
+  torsor_model* const unknown = m->create(surface);
+  prepare(&c, m, unknown);
+  expect(m->integrate_contacts(&c.of) == 2 && c.statuses[0] == torsor_motion_impossible_surface && c.contacts[0] == 0,
+         "a friction that is no number is that of no surface");
+  m->destroy(unknown);
+  prepare(&c, m, model);
+  memset(c.start[0] + turn, 0, 4 * sizeof(double));
+  for (int k = 0; k < 4; ++k) c.times[k] = 0.1 * k;
+  expect(m->integrate_contacts(&c.of) == 1 && c.statuses[0] == torsor_motion_zero_quaternion && c.ends[0] == 0.0,
+         "a quaternion of zeros is no attitude");
 }
 
 int main(int count, char** words) {

@@ -41,6 +41,8 @@ constexpr Translation french_of_contacts[] = {
      "at_rest and accumulation are at least 0, the law is one of the four, and none is NaN",
      "le mouvement demandé est impossible : sa fin ne précède pas son départ, les pas sont positifs, theta est entre 0 et 1, touch, "
      "at_rest et accumulation ne sont pas négatifs, la loi est l'une des quatre, et aucun n'est NaN"},
+    {"the start has a quaternion of zeros, which is no attitude: give one of norm 1",
+     "le départ a un quaternion nul, qui n'est pas une attitude : en donner un de norme 1"},
     {"the mechanism has more numbers or contacts than there is room for: give ContactRun more",
      "le mécanisme a plus de nombres ou de contacts que la place prévue : en donner plus à ContactRun"},
     {"the motion was not started, or its state was changed since: call start first",
