@@ -17,6 +17,7 @@ FILES = {"bennett": ["tests/python/bennett.cpp"],
          "ring": ["tests/python/ring.cpp"],
          "unvalued": ["tests/python/unvalued.cpp"],
          "odd_names": ["tests/python/odd_names.cpp"],
+         "worn_floor": ["tests/python/worn_floor.cpp"],
          "cart_pole": ["tests/python/cart_pole.urdf", "--initial", "hinge=0.3"],
          "quadruped": ["examples/quadruped/quadruped.urdf", "--base", "floating"],
          "quadruped_on_its_feet": [

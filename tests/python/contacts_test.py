@@ -93,6 +93,15 @@ def test_one_that_cannot_begin_harms_no_other(ball):
         ball.simulate(1.0, parameters={"e": 2.0})
 
 
+def test_a_friction_that_is_no_number_is_no_surface(ball):
+    """Not below zero, so that no parameter is refused; the motion says it, and which contact."""
+    floor = scene("worn_floor", "--kernels", "mass_matrix,bias,energy,contacts,contact_coefficients")
+    assert floor.simulate([0.1]).q[0, 0] > 0
+    with pytest.raises(torsor.TorsorError, match="a contact's rule is impossible|coefficients that no surface has") as raised:
+        floor.simulate([0.1], parameters={"wear": 0.0})
+    assert "contact floor" in str(raised.value)
+
+
 def test_refuses_what_makes_no_sense(ball):
     with pytest.raises(ValueError, match="no impact law 'glued'; there are newton_moreau"):
         ball.simulate(1.0, impact_law="glued")
