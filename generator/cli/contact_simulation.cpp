@@ -21,10 +21,10 @@ using runtime::ContactEventKind;
 using runtime::ContactRegime;
 using runtime::ContactStatus;
 
-const char* word_of(ContactEventKind kind) {
+const char* word_of(ContactEventKind kind, bool has_normal) {
   switch (kind) {
     case ContactEventKind::impact: return "impact of";
-    case ContactEventKind::opens: return "opens:";
+    case ContactEventKind::opens: return has_normal ? "opens:" : "is let go:";
     case ContactEventKind::slips: return "begins to slide:";
     case ContactEventKind::slip_ends: return "stops sliding:";
     case ContactEventKind::accumulation: return "end of the bounces of";
@@ -143,9 +143,7 @@ class ContactSimulation {
   std::string regimes_of(const RegimeOf& regime_of) const {
     std::vector<std::string> regimes;
     for (int i = 0; i < contacts_.count(); ++i) {
-      const ContactRegime regime = regime_of(i);
-      const std::string now = regime == ContactRegime::open ? "is open" : contacts_.regime(i, regime);
-      regimes.push_back(contacts_.name(i) + " " + now);
+      regimes.push_back(contacts_.name(i) + " " + contacts_.regime(i, regime_of(i)));
     }
     return fmt::format("{}", fmt::join(regimes, ", "));
   }
@@ -165,7 +163,8 @@ class ContactSimulation {
   }
 
   void tell(const runtime::ContactEvent& event) {
-    std::string text = fmt::format("{} {} at t = {:.15g} s", word_of(event.kind), contacts_.name(event.contact), event.time);
+    std::string text = fmt::format("{} {} at t = {:.15g} s", word_of(event.kind, contacts_.rule(event.contact).normal),
+                                   contacts_.name(event.contact), event.time);
     if (event.energy_lost != 0) text += fmt::format(", energy lost {:.6g} J", event.energy_lost);
     record_.events.push_back({kind_of(event.kind), event.time, static_cast<std::size_t>(event.contact), event.energy_lost,
                               letters([&event](std::size_t i) { return event.contacts[i]; })});

@@ -50,7 +50,10 @@ std::string EvaluatedContacts::force_unit(int contact) const {
 }
 
 std::string EvaluatedContacts::regime(int contact, runtime::ContactRegime regime) const {
-  return rule(contact).tangents == 0 ? "is closed" : std::string(describe(regime));
+  const runtime::ContactRule of = rule(contact);
+  // What has no normal, as dry friction in a joint, cannot come apart: nothing presses it.
+  if (regime == runtime::ContactRegime::open) return of.normal ? "is open" : "is free";
+  return of.tangents == 0 ? "is closed" : std::string(describe(regime));
 }
 
 EvaluatedMechanism::EvaluatedMechanism(EvaluatedContacts& evaluated)

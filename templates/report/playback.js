@@ -45,20 +45,23 @@ class Playback extends Samples {
     return this.ofContacts[k].subarray(first, first + reactions.length);
   }
 
-  /// A letter for each contact at sample k: o open, c closed, s sticks, d slides.
+  /// A letter for each contact at sample k: o open (of friction in a joint free), c closed, s sticks, d slides.
   regimesAt(k) {
     let found = this.changes[0]?.[1] ?? "";
     for (const [from, letters] of this.changes) if (from <= k) found = letters;
     return found;
   }
 
-  static regime(letter) { return { o: "«open»", c: "«closed»", s: "«sticks»", d: "«slides»" }[letter]; }
+  static regime(letter, contact) {
+    return { o: contact.normal ? "«open»" : "«free»", c: "«closed»", s: "«sticks»", d: "«slides»" }[letter];
+  }
 
-  regimesInWords(letters) { return this.contacts.map((each, c) => `${each.name}: ${Playback.regime(letters[c])}`).join(", "); }
+  regimesInWords(letters) { return this.contacts.map((each, c) => `${each.name}: ${Playback.regime(letters[c], each)}`).join(", "); }
 
   eventInWords({ kind, contact, lost }) {
-    const name = this.contacts[contact].name;
-    const words = [`«impact of ${name}»`, `«${name} opens»`, `«${name} begins to slide»`, `«${name} stops sliding»`, `«end of the bounces of ${name}»`][kind];
+    const { name, normal } = this.contacts[contact];
+    const opens = normal ? `«${name} opens»` : `«${name} is let go»`;
+    const words = [`«impact of ${name}»`, opens, `«${name} begins to slide»`, `«${name} stops sliding»`, `«end of the bounces of ${name}»`][kind];
     return lost ? `${words}«, energy lost: »${Number(lost.toPrecision(4))} J` : words;
   }
 }

@@ -50,7 +50,7 @@ async function expectPlayback(tool, files, expect) {
   const remarks = await browser.evaluate("[...document.querySelectorAll('#remarks li')].map((each) => each.textContent).join('; ')");
   expect(/laws of contact|lois de contact/.test(remarks), `remarks of the motion: ${remarks}`);
   expect(page.sliders === 0, "there are sliders that change nothing");
-  expect(/: (open|closed|sticks|slides|ouvert|fermé|adhère|glisse)/.test(page.regimes), `regimes: ${page.regimes}`);
+  expect(/: (open|free|closed|sticks|slides|ouvert|libre|fermé|adhère|glisse)/.test(page.regimes), `regimes: ${page.regimes}`);
   const reached = page.interval * Math.max(1, page.samples.length - 1);
   const to = Math.abs(reached - page.duration) < 1e-9 * page.duration ? page.duration : reached;  // the last sample is at the end, not a rounding away
   const { stdout: table } = spawnSync(tool, ["simulate", ...files.filter((each) => !/^--(language|reference|to)/.test(each)), "--to", String(to), "--step", String(page.interval)],

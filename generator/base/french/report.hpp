@@ -73,6 +73,7 @@ constexpr Translation french_of_report[] = {
     {"slides", "glisse"},
     {"impact of ${name}", "choc de ${name}"},
     {"${name} opens", "${name} s'ouvre"},
+    {"${name} is let go", "${name} est libéré"},
     {"${name} begins to slide", "${name} se met à glisser"},
     {"${name} stops sliding", "${name} cesse de glisser"},
     {"end of the bounces of ${name}", "fin des rebonds de ${name}"},
