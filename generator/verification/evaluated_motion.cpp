@@ -13,6 +13,7 @@
 #include "torsor/generator/base/did_you_mean.hpp"
 #include "torsor/generator/base/error.hpp"
 #include "torsor/generator/base/linear_algebra/cholesky.hpp"
+#include "torsor/generator/base/linear_algebra/tolerances.hpp"
 #include "torsor/generator/dynamics/equations/massless.hpp"
 #include "torsor/generator/program/identically_zero.hpp"
 
@@ -42,7 +43,7 @@ double euclidean(const std::vector<double>& a, const std::vector<double>& b) {
 }
 
 /// What is less than this part of a row is rounding.
-constexpr double rank_tolerance = 1e-9;
+constexpr double rank_tolerance = zero_tests::constraint_part;
 
 bool finite(const std::vector<double>& numbers) {
   return std::all_of(numbers.begin(), numbers.end(), [](double x) { return std::isfinite(x); });

@@ -4,6 +4,11 @@
 (() => {
 "use strict";
 
+/// Below this part of its usual size, or of what others have not repeated of it, a row of A is rounding and has no direction.
+const rowIsRounding = 1e-9;
+/// And below this part of the largest row it is rounding everywhere.
+const rowIsAlwaysRounding = 1e-14;
+
 /// Lower Cholesky factor of a symmetric matrix stored column by column, or null where it is not positive.
 function cholesky(matrix, n) {
   const factor = Float64Array.from(matrix);
@@ -17,7 +22,7 @@ function cholesky(matrix, n) {
 }
 
 /// The least change dv, in the metric of the factor L L', with A dv = right for the given rows of A (m rows, n columns,
-/// column by column) and dv = 0 at the places kept, which the factor knows. Rows that others repeat within 1e-9 are left out.
+/// column by column) and dv = 0 at the places kept, which the factor knows. Rows that others repeat are left out.
 /// Rows that vanish here are none of those given.
 function leastChange(jacobian, m, n, factor, rows, right, kept) {
   // Rows of A L'^-1, made orthonormal, the longest remainder first.
@@ -38,7 +43,7 @@ function leastChange(jacobian, m, n, factor, rows, right, kept) {
       const left = Math.hypot(...each.b) / each.size;
       if (left > share) [best, share] = [i, left];
     });
-    if (share < 1e-9) break;
+    if (share < rowIsRounding) break;
     const [{ b, right: value }] = own.splice(best, 1);
     for (const e of basis) {  // once more: what is left of nearly dependent rows
       const along = dot(b, e.b);
@@ -96,7 +101,7 @@ class Projection {
     this.rate = this.result.subarray(at.rate, at.rate + m);
     const sums = this.lengths();
     // Below its usual size by so much a row is rounding: it has no direction, and is no measure.
-    this.vanishes = sums.map((sum, row) => this.usual !== null && sum < 1e-9 * this.usual[row]);
+    this.vanishes = sums.map((sum, row) => this.usual !== null && sum < rowIsRounding * this.usual[row]);
     this.scale = sums.map((sum, row) => Math.max(this.vanishes[row] ? this.usual[row] : sum, 1e-300));
     return this.result.every(Number.isFinite);
   }
@@ -120,7 +125,7 @@ class Projection {
       this.lengths().forEach((sum, row) => { if (Number.isFinite(sum)) usual[row] = Math.max(usual[row], sum); });
     }
     const largest = Math.max(...usual);
-    this.usual = usual.map((sum) => (sum > 1e-14 * largest ? sum : largest || 1));
+    this.usual = usual.map((sum) => (sum > rowIsAlwaysRounding * largest ? sum : largest || 1));
   }
 
   /// The value of a constraint on velocities alone is 0 wherever it is read: found by moving along both ways.
