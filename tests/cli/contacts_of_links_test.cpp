@@ -163,9 +163,8 @@ TEST(ContactsOfLinks, SayWhatIsMissing) {
          "--contacts-restitution is of the pairs in --contacts: name them");
   expect({"--ground-friction", "1"}, 2, "--ground-friction is of the links in --ground: name them");
   expect({"--contacts", "left:right", "--initial", "a=0.9"}, 3,
-         "contact 'left_right' starts penetrating: its gap is -0.15 m at t = 0 and must not be negative; correct "
-         "initial(...) of the "
-         "coordinates that it depends on");
+         "contact 'left_right' starts penetrating: its gap is -0.15 m at t = 0 and must not be negative; give "
+         "another start by --initial of the coordinates that it depends on");
   expect({"--contacts", "left:right", "--contacts-restitution", "2"}, 3,
          "contact 'left_right' has the restitution contacts_restitution = 2: it must lie between 0 and 1");
   const std::string crane = TORSOR_SOURCE_DIR "/tests/import/data/mjcf/crane.xml";

@@ -266,7 +266,7 @@ TEST(ClosingJoint, IsRefusedWhenItStartsHalfATurnOff) {
   EXPECT_EQ(
       refusal(held_lever(JointType::cylindrical, 17, 5, false)),
       "joint 'held' is assembled the wrong way round: at the start axis x of frame 'seat' and that of frame 'arm' "
-      "have a cosine of -1 and must have 1; correct initial(...) of the coordinates it ties, or the placement of one "
+      "have a cosine of -1 and must have 1; correct initial(...) of the coordinates it ties, or correct the placement of one "
       "frame");
   EXPECT_TRUE(refusal(held_lever(JointType::prismatic, 12, 0, false)).starts_with("joint 'held' is assembled"));
 }

@@ -52,13 +52,13 @@ void check_contacts(const Equations& equations) {
     const Unit& unit = contact.gap.unit();
     if (std::isnan(gap)) {
       throw StartError(fmt::format("contact '{}' has no gap at t = 0: its point of contact is not defined there (a disc "
-                                   "that lies flat); correct initial(...)",
-                                   contact.name));
+                                   "that lies flat); {}",
+                                   contact.name, another_start(scene)));
     }
     if (gap >= -tolerance) continue;
     throw StartError(fmt::format("contact '{}' starts penetrating: its gap is {:.6g}{} at t = 0 and must not be negative; "
-                                 "correct initial(...) of the coordinates that it depends on",
-                                 contact.name, gap, unit.is_dimensionless() ? "" : " " + unit.to_string()));
+                                 "{} of the coordinates that it depends on",
+                                 contact.name, gap, unit.is_dimensionless() ? "" : " " + unit.to_string(), another_start(scene)));
   }
 }
 

@@ -123,9 +123,10 @@ void check_closing_joints(const Equations& equations) {
       if (value > 0.5) continue;  // 1 when assembled as it is meant to be
       throw StartError(fmt::format(
           "joint '{}' is assembled the wrong way round: at the start axis {} of frame '{}' and "
-          "that of frame '{}' have a cosine of {:.6g} and must have 1; correct initial(...) of "
-          "the coordinates it ties, or the placement of one frame",
-          joint.name, "xyz"[i], name_of_frame(scene, joint.a, user), name_of_frame(scene, joint.b, user), value));
+          "that of frame '{}' have a cosine of {:.6g} and must have 1; {} of "
+          "the coordinates it ties, or correct the placement of one frame",
+          joint.name, "xyz"[i], name_of_frame(scene, joint.a, user), name_of_frame(scene, joint.b, user), value,
+          another_start(scene)));
     }
   }
 }

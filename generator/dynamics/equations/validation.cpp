@@ -245,15 +245,16 @@ void check_initial_state(const Equations& equations) {
       if (abs(off) <= tolerance) continue;
       const double size = off.to_double();
       if (off.is_nan()) {
-        throw StartError(fmt::format("constraint '{}' has no {} at t = 0{}; correct initial(...), or give the orientation "
-                                     "by attitude(...)",
-                                     row.name, what, why_undefined(equations.scene().content(), row)));
+        const SceneContent& scene = equations.scene().content();
+        throw StartError(fmt::format("constraint '{}' has no {} at t = 0{}; {}{}", row.name, what, why_undefined(scene, row),
+                                     another_start(scene),
+                                     scene.origin.file.empty() ? ", or give the orientation by attitude(...)" : ""));
       }
       const Unit& unit = residual->unit();
       throw StartError(fmt::format("inconsistent initial state: constraint '{}' has the {} {:.6g}{} at t = 0 and must "
-                                   "have 0; correct initial(...) of the coordinates it ties: {}",
+                                   "have 0; {} of the coordinates it ties: {}",
                                    row.name, what, size, unit.is_dimensionless() ? "" : " " + written_unit(unit),
-                                   tied_coordinates(equations, row)));
+                                   another_start(equations.scene().content()), tied_coordinates(equations, row)));
     }
   }
 }
