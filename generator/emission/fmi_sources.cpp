@@ -6,15 +6,17 @@
 
 #include <fmt/format.h>
 
+#include "torsor/generator/dynamics/equations/constraint_sizes.hpp"
 #include "torsor/generator/emission/c_header.hpp"
+#include "torsor/generator/emission/description.hpp"
 #include "torsor/generator/emission/embedded_licence_texts.hpp"
 #include "torsor/generator/emission/embedded_runtime_texts.hpp"
 #include "torsor/generator/emission/embedded_templates.hpp"
 #include "torsor/generator/emission/fmi_description.hpp"
 #include "torsor/generator/emission/fmi_variables.hpp"
 #include "torsor/generator/emission/header.hpp"
+#include "torsor/generator/emission/size_table.hpp"
 #include "torsor/generator/emission/text_template.hpp"
-#include "torsor/generator/kernels/kernel_sizes.hpp"
 
 namespace torsor {
 namespace {
@@ -47,12 +49,24 @@ std::string names_of_contacts(const Scene& scene) {
 /// "1, 0": for each velocity whether it is that of a turn.
 std::string turning_velocities(const Model& model) {
   std::string text;
-  for (int i = 0; i < model.unknown_count(); ++i) {
-    const auto& coordinate = model.coordinates()[static_cast<std::size_t>(i)];
-    const bool turns = coordinate.attitude || coordinate.q->unit.is_dimensionless() || coordinate.q->unit == units::radian;
-    text += fmt::format("{}{}", text.empty() ? "" : ", ", turns ? 1 : 0);
+  for (std::size_t i = 0; i < static_cast<std::size_t>(model.unknown_count()); ++i) {
+    text += fmt::format("{}{}", text.empty() ? "" : ", ", freedom_turns(model, i) ? 1 : 0);
   }
   return text;
+}
+
+/// What is said of each quaternion where it is zero.
+std::string zero_quaternions(const MechanismListing& mechanism) {
+  std::string texts;
+  for (const std::size_t place : quaternion_places(mechanism)) {
+    std::string names;
+    for (std::size_t k = place; k < place + 4; ++k) {
+      names += fmt::format("{}q.{}", k == place ? "" : ", ", mechanism.layout.coordinates[k]->name);
+    }
+    texts += (texts.empty() ? "" : ", ") +
+             sentence_literal("the quaternion (" + names + ") is zero, which is no attitude: set one of norm 1");
+  }
+  return texts;
 }
 
 }  // namespace
@@ -96,7 +110,10 @@ std::vector<SourceFile> fmi_sources(const FmiUnit& unit) {
                      {"reactions", std::to_string(unit.outputs.reactions.size())},
                      {"holonomic", holonomic_rows(mechanism)},
                      {"size_count", std::to_string(unit.sizes.size())},
-                     {"sizes", size_table(unit.sizes)},
+                     {"size_numbers", std::to_string(count_of_numbers(unit.sizes))},
+                     {"sizes", size_table(unit.sizes, "torsor_fmi_")},
+                     {"quaternion_count", std::to_string(quaternion_places(mechanism).size())},
+                     {"no_attitudes", zero_quaternions(mechanism)},
                      {"turns", turning_velocities(mechanism.equations->model())}};
   const auto filled = [&all](const std::string& file, const std::vector<std::string>& placeholders) {
     Texts texts = {{"name", all.at("name")}, {"version", all.at("version")}};
@@ -107,7 +124,8 @@ std::vector<SourceFile> fmi_sources(const FmiUnit& unit) {
   std::vector<SourceFile> sources = {
       {source_name(unit), two ? filled("fmi/fmi2.c.in", {}) : filled("fmi/fmi3.c.in", {})},
       {"fmi_model.h", filled("fmi/model.h.in", {"token", "has_rates", "indicators", "places", "reactions"})},
-      {"fmi_sizes.h", filled("fmi/sizes.h.in", {"size_count", "sizes"})},
+      {"fmi_sizes.h", filled("fmi/sizes.h.in", {"size_count", "size_numbers", "sizes"})},
+      {"fmi_attitudes.h", filled("fmi/attitudes.h.in", {"has_contacts", "quaternion_count", "no_attitudes"})},
       {"fmi_derivatives.h", filled("fmi/derivatives.h.in", {"has_rates", "has_inputs", "has_parameters",
                                                             "has_multipliers", "has_contacts", "places", "reactions"})},
       {"fmi_motion.h", filled("fmi/motion.h.in", {"has_multipliers", "has_contacts", "holonomic", "turns"})},

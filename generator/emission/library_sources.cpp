@@ -9,6 +9,7 @@
 #include "torsor/generator/emission/embedded_runtime_texts.hpp"
 #include "torsor/generator/emission/embedded_templates.hpp"
 #include "torsor/generator/emission/header.hpp"
+#include "torsor/generator/emission/size_table.hpp"
 #include "torsor/generator/emission/text_template.hpp"
 #include "torsor/generator/kernels/kernel_sizes.hpp"
 #include "torsor/generator/program/written_unit.hpp"
@@ -50,8 +51,9 @@ std::string size_structure(const MechanismListing& mechanism) {
   const std::vector<SizeBound> bounds = bounds_of(mechanism.scene(), mechanism.options);
   if (bounds.empty()) return "using Sizes = torsor::runtime::abi::NoSizes;\n";
   constexpr const char* type = "torsor::runtime::abi::SizeCheck";
-  return fmt::format("struct Sizes {{\n  static constexpr std::array<{}, {}> sizes{{{{{}}}}};\n}};\n", type, bounds.size(),
-                     size_table(bounds));
+  return fmt::format("struct Sizes {{\n  static constexpr std::size_t numbers = {};\n"
+                     "  static constexpr std::array<{}, {}> sizes{{{{{}}}}};\n}};\n",
+                     count_of_numbers(bounds), type, bounds.size(), size_table(bounds, std::string(type) + "::"));
 }
 
 }  // namespace

@@ -10,6 +10,7 @@
 #include <fmt/format.h>
 
 #include "torsor/generator/base/error.hpp"
+#include "torsor/generator/mechanics/axis_bounds.hpp"
 #include "torsor/generator/mechanics/parameter_value.hpp"
 #include "torsor/generator/mechanics/triple_algebra.hpp"
 
@@ -29,19 +30,21 @@ class Bounds {
   explicit Bounds(std::string user) : user_(std::move(user)) {}
 
   void at_least(const Expression& formula, const char* what, const Expression& least, const char* remedy) {
-    add(formula, what, {Relation::at_least, least}, remedy);
+    all_.push_back({formula, Relation::at_least, least, said(formula, what, remedy)});
   }
-  struct Bound {
-    Relation relation;
-    Expression bound;
-  };
-  void add(const Expression& formula, const char* what, const Bound& of, const char* remedy) {
-    all_.push_back({formula, of.relation, of.bound,
-                    user_ + " has the " + what + " " + formula.to_string() + " = \1: " + remedy});
+  void at_most(const Expression& formula, const char* what, const Expression& most, const char* remedy) {
+    all_.push_back({formula, Relation::at_most, most, said(formula, what, remedy)});
+  }
+  void below(const Expression& formula, const char* what, const Expression& limit, const char* remedy) {
+    all_.push_back({formula, Relation::below, limit, said(formula, what, remedy)});
   }
   std::vector<SizeBound> take() { return std::move(all_); }
 
  private:
+  std::string said(const Expression& formula, const char* what, const char* remedy) const {
+    return user_ + " has the " + what + " " + formula.to_string() + " = \1: " + remedy;
+  }
+
   std::string user_;
   std::vector<SizeBound> all_;
 };
@@ -60,47 +63,31 @@ std::vector<SizeBound> bounds_of_lowest_point(const PointContent& point) {
   return bounds.take();
 }
 
-class SurfaceBounds : Bounds {
- public:
-  explicit SurfaceBounds(const ContactContent& contact) : Bounds(fmt::format("contact '{}'", contact.name)), contact_(contact) {}
-
-  std::vector<SizeBound> all() {
-    if (std::holds_alternative<TurnOnContact>(contact_.geometry)) {
-      at_least(contact_.friction, "length", Expression(0), "a resistance never drives a turn");
-      return take();
+std::vector<SizeBound> bounds_of_contact(const ContactContent& contact) {
+  Bounds bounds(fmt::format("contact '{}'", contact.name));
+  if (std::holds_alternative<TurnOnContact>(contact.geometry)) {
+    bounds.at_least(contact.friction, "length", Expression(0), "a resistance never drives a turn");
+    return bounds.take();
+  }
+  bounds.at_least(contact.friction, "friction", Expression(0), "a surface never pushes along the slip");
+  bounds.at_least(contact.static_friction, "static friction", contact.friction,
+                  "it must not be below the friction while sliding");
+  bounds.at_least(contact.restitution, "restitution", Expression(0), "it must lie between 0 and 1");
+  bounds.at_most(contact.restitution, "restitution", Expression(1), "it must lie between 0 and 1");
+  if (const auto* spheres = std::get_if<SphereOnSphere>(&contact.geometry)) {
+    bounds.at_least(spheres->radius_a, "radius", Expression(0), "give the sphere's size");
+    bounds.at_least(spheres->radius_b, "radius", Expression(0), "give the sphere's size");
+    if (spheres->hollow) {
+      bounds.below(spheres->radius_a, "radius", spheres->radius_b, "the sphere must be smaller than the hollow one around it");
     }
-    at_least(contact_.friction, "friction", Expression(0), "a surface never pushes along the slip");
-    at_least(contact_.static_friction, "static friction", contact_.friction,
-             "it must not be below the friction while sliding");
-    at_least(contact_.restitution, "restitution", Expression(0), "it must lie between 0 and 1");
-    add(contact_.restitution, "restitution", {Relation::at_most, Expression(1)}, "it must lie between 0 and 1");
-    std::visit(*this, contact_.geometry);
-    return take();
+  } else if (const auto* joint = std::get_if<FrictionInJoint>(&contact.geometry)) {
+    bounds.at_least(joint->radius, "radius", Expression(0), "give the size of the journal");
+  } else if (const auto* along = std::get_if<FrictionAlong>(&contact.geometry)) {
+    bounds.at_least(along->bound, "bound", Expression(0), "friction never pushes along the motion");
+    bounds.at_least(along->static_bound, "static bound", along->bound, "it must not be below the bound while moving");
   }
-
-  void operator()(const PointOnPlane&) {}
-  void operator()(const Stop&) {}
-  void operator()(const TurnOnContact&) {}
-  void operator()(const SphereOnSphere& spheres) {
-    for (const Expression& radius : {spheres.radius_a, spheres.radius_b}) {
-      at_least(radius, "radius", Expression(0), "give the sphere's size");
-    }
-    if (spheres.hollow) {
-      add(spheres.radius_a, "radius", {Relation::below, spheres.radius_b},
-          "the sphere must be smaller than the hollow one around it");
-    }
-  }
-  void operator()(const FrictionInJoint& friction) {
-    at_least(friction.radius, "radius", Expression(0), "give the size of the journal");
-  }
-  void operator()(const FrictionAlong& friction) {
-    at_least(friction.bound, "bound", Expression(0), "friction never pushes along the motion");
-    at_least(friction.static_bound, "static bound", friction.bound, "it must not be below the bound while moving");
-  }
-
- private:
-  const ContactContent& contact_;
-};
+  return bounds.take();
+}
 
 /// The lower stop of the same coordinate; null: there is none.
 const ContactContent* lower_stop_of(const SceneContent& scene, const Stop& upper) {
@@ -150,14 +137,6 @@ bool depends_on(const SceneContent& scene, const Expression& formula, const std:
   });
 }
 
-/// Whether it is one of parameters and numbers: a stop may move in time.
-bool of_parameters(const Expression& formula) {
-  const std::vector<SymbolPointer> symbols = formula.symbols();
-  return std::all_of(symbols.begin(), symbols.end(), [](const SymbolPointer& symbol) {
-    return symbol->kind == SymbolKind::parameter || symbol->kind == SymbolKind::pi;
-  });
-}
-
 }  // namespace
 
 bool SizeBound::broken(const Real& of_value, const Real& of_bound) const {
@@ -167,6 +146,19 @@ bool SizeBound::broken(const Real& of_value, const Real& of_bound) const {
     case Relation::below: return of_value > of_bound || of_value == of_bound;
   }
   return false;
+}
+
+std::vector<Expression> SizeBound::formulas() const {
+  std::vector<Expression> all{value, bound};
+  all.insert(all.end(), shown.begin(), shown.end());
+  return all;
+}
+
+bool of_parameters(const Expression& formula) {
+  const std::vector<SymbolPointer> symbols = formula.symbols();
+  return std::all_of(symbols.begin(), symbols.end(), [](const SymbolPointer& symbol) {
+    return symbol->kind == SymbolKind::parameter || symbol->kind == SymbolKind::pi;
+  });
 }
 
 SizeBound bound_of_mass(const SceneContent& scene, const BodyContent& body) {
@@ -192,12 +184,16 @@ std::vector<SizeBound> bounds_of_moments(const SceneContent& scene, const BodyCo
   if (complete && body.moments != Moments::as_given) {  // those of x xT dm: 1 sum/2 - J
     J = {sum / 2 - of.xx + slack, sum / 2 - of.yy + slack, sum / 2 - of.zz + slack, -of.xy, -of.xz, -of.yz};
   }
+  const bool has_products = !of.xy.is_zero() || !of.xz.is_zero() || !of.yz.is_zero();
+  std::vector<Expression> entries{of.xx, of.yy, of.zz};
+  if (has_products) entries.insert(entries.end(), {of.xy, of.xz, of.yz});
+  const std::string said =
+      scene.name_of(body) + " has the moments of inertia xx = \1, yy = \1 and zz = \1 kg m^2" +
+      (has_products ? ", the products xy = \1, xz = \1 and yz = \1 kg m^2," : "") +
+      " about its centre of mass: of no matter is a principal one larger than the sum of the others, or negative; check the "
+      "entries, the sign of the products (xy = -int x y dm) and that the operator is about the centre of mass";
   std::vector<SizeBound> bounds;
-  for (const Expression& minor : minors(J)) {
-    bounds.push_back({minor, Relation::at_least, Expression(0),
-                      scene.name_of(body) + " has moments of inertia about its centre of mass that are those of no matter: of "
-                                            "the principal ones one is larger than the sum of the others, or negative"});
-  }
+  for (const Expression& minor : minors(J)) bounds.push_back({minor, Relation::at_least, Expression(0), said, entries});
   return bounds;
 }
 
@@ -215,19 +211,26 @@ std::vector<SizeBound> bounds_of_frictions(const SceneContent& scene) {
 std::vector<SizeBound> bounds_of_surfaces(const SceneContent& scene) {
   std::vector<SizeBound> bounds;
   for (const PointContent& point : scene.points) append(bounds, bounds_of_lowest_point(point));
-  for (const ContactContent& contact : scene.contacts) append(bounds, SurfaceBounds(contact).all());
+  for (const ContactContent& contact : scene.contacts) append(bounds, bounds_of_contact(contact));
   append(bounds, bounds_of_stops(scene));
   return bounds;
 }
 
-void require_bounds(const SceneContent& scene, const std::vector<SizeBound>& bounds) {
+void require_bounds(const SceneContent& scene, const std::vector<SizeBound>& bounds, WithoutValue how) {
+  const auto value_of = [&](const Expression& formula) {
+    return how == WithoutValue::made_up ? std::optional(parameter_value(scene, formula, true)) : known_value(scene, formula);
+  };
   for (const SizeBound& each : bounds) {
-    const std::optional<Real> value = known_value(scene, each.value), bound = value ? known_value(scene, each.bound) : std::nullopt;
-    if (!value || !bound || !each.broken(*value, *bound)) continue;
+    std::vector<Real> numbers;
+    const std::vector<Expression> formulas = each.formulas();
+    for (const Expression& formula : formulas) {
+      if (const std::optional<Real> number = value_of(formula)) numbers.push_back(*number);
+    }
+    if (numbers.size() < formulas.size() || !each.broken(numbers[0], numbers[1])) continue;
     std::string said = each.said;
-    for (const Real& number : {*value, *bound}) {
+    for (std::size_t k = each.first_shown(); k < numbers.size(); ++k) {
       if (const std::size_t place = said.find(SizeBound::number); place != std::string::npos) {
-        said.replace(place, 1, fmt::format("{:.6g}", number.to_double()));
+        said.replace(place, 1, fmt::format("{:.6g}", numbers[k].to_double()));
       }
     }
     throw SceneError(said);
@@ -242,6 +245,7 @@ std::vector<SizeBound> bounds_that_depend_on(const SceneContent& scene, const st
   }
   append(bounds, bounds_of_frictions(scene));
   append(bounds, bounds_of_surfaces(scene));
+  append(bounds, bounds_of_axes(scene));
   std::erase_if(bounds, [&](const SizeBound& each) {
     const bool depends = depends_on(scene, each.value, parameters) || depends_on(scene, each.bound, parameters);
     return !depends || !of_parameters(each.value) || !of_parameters(each.bound);

@@ -235,11 +235,10 @@ class MechanismLibrary {
   }
 
   static void compare(Model& model) noexcept {
-    std::array<double, 2 * Sizes::sizes.size()> numbers;
+    std::array<double, Sizes::numbers> numbers;
     Single::run_time_sizes(model.single, typename Single::State{}, numbers);
-    for (std::size_t k = 0; k < Sizes::sizes.size(); ++k) {
-      if (!Sizes::sizes[k].broken(numbers[2 * k], numbers[2 * k + 1])) continue;
-      return Sizes::sizes[k].say(model.impossible, numbers[2 * k], numbers[2 * k + 1]);
+    for (const SizeCheck& size : Sizes::sizes) {
+      if (size.broken(numbers)) return size.say(model.impossible, numbers);
     }
   }
 

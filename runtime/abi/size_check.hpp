@@ -3,25 +3,29 @@
 #include <array>
 #include <cstddef>
 #include <cstdio>
+#include <span>
 #include <string_view>
 
 namespace torsor::runtime::abi {
 
 /// What a size of a mechanism must be beside the number that it is compared with, and what is said where it is not: each \001
-/// stands for a number, the size first.
+/// stands for a number. Which numbers that are, among all of a mechanism: the two that are compared from `first` on, those of
+/// the text from `shown` on.
 struct SizeCheck {
   enum Relation { at_least, at_most, below };
-  int relation;
+  Relation relation;
+  std::size_t first, shown;
   const char* said;
 
-  [[nodiscard]] constexpr bool broken(double size, double bound) const noexcept {
+  [[nodiscard]] constexpr bool broken(std::span<const double> numbers) const noexcept {
+    const double size = numbers[first], bound = numbers[first + 1];
     if (relation == at_least) return size < bound;
     return relation == at_most ? size > bound : size >= bound;
   }
 
   /// As much as fits, with a zero behind it.
   template <std::size_t room>
-  void say(std::array<char, room>& text, double size, double bound) const noexcept {
+  void say(std::array<char, room>& text, std::span<const double> numbers) const noexcept {
     std::size_t length = 0;
     const auto add = [&](std::string_view part) {
       for (const char c : part) {
@@ -30,7 +34,7 @@ struct SizeCheck {
     };
     const std::string_view all(said);
     std::size_t from = 0;
-    for (const double number : {size, bound}) {
+    for (const double number : numbers.subspan(shown)) {
       const std::size_t place = all.find('\001', from);
       if (place == std::string_view::npos) break;
       std::array<char, 32> digits;
@@ -46,6 +50,7 @@ struct SizeCheck {
 
 /// Of a mechanism whose sizes no run-time parameter changes.
 struct NoSizes {
+  static constexpr std::size_t numbers = 0;
   static constexpr std::array<SizeCheck, 0> sizes{};
 };
 

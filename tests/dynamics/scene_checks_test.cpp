@@ -8,6 +8,7 @@
 
 #include "torsor/generator/dynamics/equations/equations.hpp"
 #include "torsor/generator/dynamics/equations/validation.hpp"
+#include "torsor/generator/mechanics/axis_bounds.hpp"
 #include "tests/program/test_symbols.hpp"
 #include "tests/scenes/pendulums.hpp"
 #include "tests/scenes/sliding.hpp"
@@ -88,6 +89,36 @@ TEST(UniversalJoint, IsRefusedWithAxesThatAreNotPerpendicular) {
       refusal(on_a_universal_joint({1, 0, 0}, {3, 4, 0})),
       "the axes (1, 0, 0) and (3, 4, 0) of the universal joint 'shaft' are not perpendicular (the cosine of their "
       "angle is 0.6): correct one, or make the joint of two revolute ones");
+}
+
+// Parameters may turn them later: libraries and units look at that where parameters are set.
+TEST(UniversalJoint, HasABoundWhereParametersTurnItsAxes) {
+  Scene scene("shaft");
+  const Expression lean = scene.parameter("lean", "1", 0);
+  scene.universal("shaft", scene.ground(), {.first = axis::x,
+                                            .first_angle = scene.coordinate("a", "rad"),
+                                            .second = {lean, 1, 0},
+                                            .second_angle = scene.coordinate("b", "rad")});
+  const auto said = [&](const Expression& value) {
+    scene.set_parameter(lean, value);
+    return error_of<SceneError>([&] {
+      require_bounds(scene.content(), bounds_that_depend_on(scene.content(), {lean.as_symbol()}));
+    });
+  };
+  EXPECT_EQ(said(0), "no error");
+  EXPECT_EQ(said(0.75_r),
+            "the axes (1, 0, 0) and (lean, 1, 0) of the universal joint 'shaft' are not perpendicular (the cosine of their angle "
+            "is 0.6): correct one, or make the joint of two revolute ones");
+}
+
+TEST(Joint, HasABoundWhereParametersMakeItsAxis) {
+  Scene scene("door");
+  const Expression tilt = scene.parameter("tilt", "1", 1);
+  scene.revolute("hinge", scene.ground(), {0, tilt, 0}, scene.coordinate("a", "rad"));
+  EXPECT_EQ(bounds_that_depend_on(scene.content(), {tilt.as_symbol()}).size(), 1u);
+  scene.set_parameter(tilt, 0);
+  EXPECT_EQ(error_of<SceneError>([&] { require_bounds(scene.content(), bounds_of_axes(scene.content())); }),
+            "the axis of joint 'hinge' is the null vector: give a direction");
 }
 
 Scene sliding_block(const Expression& coefficient, bool rolls) {

@@ -103,7 +103,7 @@ static const Call calls[] = {
     {"SetTime", set_time, event_mode | continuous_time, 0, 0},
     {"set numbers", set_numbers, any_mode & ~(terminated | failed), any_mode & ~(terminated | failed), 0},
     {"get nothing", get_nothing, any_mode, any_mode, 0},
-    {"derivatives", derivatives, tells_states, tells_states, 0},
+    {"derivatives", derivatives, tells_derivatives, tells_derivatives, 0},
     {"GetContinuousStates", states, tells_states, tells_states, 0},
     {"GetNominalsOfContinuousStates", nominals, tells_nominals, tells_nominals, 0},
     {"GetEventIndicators", indicators, tells_states, tells_states, 0},

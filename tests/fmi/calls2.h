@@ -10,7 +10,8 @@
 #define get_derivatives fmi2GetDerivatives
 typedef fmi2Byte Byte;
 
-enum { tells_states = event_mode | continuous_time | terminated | failed, tells_nominals = tells_states | instantiated,
+enum { tells_derivatives = event_mode | continuous_time | terminated | failed, tells_states = tells_derivatives | initialization,
+       tells_nominals = tells_derivatives | instantiated,
        event_follows = continuous_time | event_mode };
 
 static void quiet(fmi2ComponentEnvironment environment, fmi2String name, fmi2Status status, fmi2String category, fmi2String message,

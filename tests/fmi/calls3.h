@@ -10,7 +10,7 @@
 #define get_derivatives fmi3GetContinuousStateDerivatives
 typedef fmi3Byte Byte;
 
-enum { tells_states = evaluable,
+enum { tells_derivatives = evaluable, tells_states = evaluable,
        tells_nominals = any_mode, event_follows = continuous_time };
 
 static void quiet(fmi3InstanceEnvironment environment, fmi3Status status, fmi3String category, fmi3String message) {

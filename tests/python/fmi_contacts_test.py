@@ -73,7 +73,7 @@ def test_derivatives_of_what_contacts_have_no_part_in_are_slopes(unit):
     rates = [f"der({name})" for name in states if name.startswith("q.")]
     unknown = rates + [unit.by_reference[k]["name"] for k in unit.outputs]
     known = states + [v["name"] for v in unit.variables if v["causality"] == "parameter"]
-    assert unit.set(component, states, generic) == OK
+    assert unit.set(component, [*states, "parameter.e"], [*generic, 0.5]) == OK  # with room below: e < 0 is refused
     start = unit.get(component, known)
     rows, rotation = len(unknown), [k for k, name in enumerate(unknown) if "rotation" in name]
     for k in range(len(known)):
@@ -304,6 +304,54 @@ def test_a_law_that_no_surface_has_ends_the_motion(unit):
     unit.FreeInstance(component)
 
 
+@pytest.mark.parametrize("name, value, said", [
+    ("f", -1.0, b"contact 'cloth' has the friction f = -1: a surface never pushes along the slip"),
+    ("m", -1.0, b"body 'ball' has the mass m = -1 kg: a mass is never negative")])
+def test_nothing_is_computed_of_parameters_that_no_mechanism_has(unit, name, value, said):
+    component = begun(unit, kind=MODEL_EXCHANGE)
+    unit.update(component)
+    pointer, _ = doubles(np.zeros(unit.n))
+    indicators, _ = doubles(np.zeros(unit.indicator_count))
+    computed = ["der(v.x)", "der(q.x)", "energy.kinetic", f"frame.{FRAME}.z", "indicator.cloth.opens_or_closes"]
+    calls = [lambda name=name: unit.get_numbers(component, unit.references([name]), 1, pointer) for name in computed]
+    calls += [lambda: unit.get_derivatives(component, pointer),
+              lambda: unit.GetEventIndicators(component, indicators, c_size_t(unit.indicator_count)),
+              lambda: unit.directional(component, ["energy.kinetic"], ["v.x"], [1.0], pointer)]
+    for given, answer in ((value, DISCARD), (0.25, OK)):
+        assert unit.set(component, [f"parameter.{name}"], [given]) == OK
+        unit.messages.clear()
+        assert [call() for call in calls] == [answer] * len(calls)
+        assert [text.split(b": ", 1)[1].startswith(said) for _, text in unit.messages] == [True] * (len(calls) if answer else 0)
+    unit.FreeInstance(component)
+
+
+def test_indicators_can_be_read_while_states_are_initialised(unit):
+    component = unit.instantiate(MODEL_EXCHANGE)
+    assert unit.initialise(component) == OK and unit.set(component, ["q.z"], [R + 0.5]) == OK
+    np.testing.assert_allclose(unit.indicators(component), [0.5, 1, 1], rtol=0, atol=1e-15)  # the gap; nothing else is watched
+    assert unit.state(component)[2] == R + 0.5
+    unit.FreeInstance(component)
+
+
+def test_a_quaternion_of_zeros_begins_nothing(unit):
+    said = b"the quaternion (q.turn_w, q.turn_x, q.turn_y, q.turn_z) is zero, which is no attitude: set one of norm 1"
+    zero = [f"q.turn_{k}" for k in "wxyz"]
+    component = begun(unit, zero, [0.0] * 4)
+    unit.messages.clear()
+    assert unit.step(component, 0, 0.1) == DISCARD
+    assert [text.split(b": ", 1)[1] for _, text in unit.messages] == [said]
+    assert (unit.get(component, zero) == 0).all() and unit.get(component, ["q.x"]) == 0
+    unit.FreeInstance(component)
+    component = begun(unit, zero, [0.0] * 4, MODEL_EXCHANGE)
+    unit.messages.clear()
+    pointer, _ = doubles(np.zeros(unit.n))
+    assert unit.get_derivatives(component, pointer) == DISCARD
+    with pytest.raises(AssertionError):
+        unit.update(component)
+    assert [text.split(b": ", 1)[1] for _, text in unit.messages] == [said] * 2
+    unit.FreeInstance(component)
+
+
 def test_states_are_restored(unit):
     component = begun(unit)
     state, names = c_void_p(), ["q.x", "v.x", "q.turn_y", "parameter.f"]
@@ -338,7 +386,7 @@ def test_survives_calls_in_any_order(unit):
     memory = {key: getattr(unit, name) for key, name in unit.memory.items()}
     calls = [lambda c: unit.set(c, [info[random.integers(len(info))]], [number()]),
              lambda c: unit.get_numbers(c, unit.references([info[random.integers(len(info))]]), 1, doubles(np.zeros(1))[0]),
-             lambda c: unit.SetTime(c, c_double(abs(number()))),
+             lambda c: unit.SetTime(c, c_double(abs(number()))), lambda c: unit.set(c, ["parameter.f"], [-1.0]),
              lambda c: unit.SetContinuousStates(c, doubles([R * number() for _ in range(unit.n)])[0], c_size_t(unit.n)),
              lambda c: unit.SetContinuousStates(c, doubles(known)[0], c_size_t(unit.n)),
              lambda c: unit.get_derivatives(c, doubles(np.zeros(unit.n))[0]),

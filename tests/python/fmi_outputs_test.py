@@ -11,7 +11,7 @@ import numpy as np
 import pytest
 
 from conftest import command, scene
-from fmi_importer import CO_SIMULATION, ERROR, MODEL_EXCHANGE, OK, Unit2, Unit3, assert_slopes_by_parameters, doubles
+from fmi_importer import CO_SIMULATION, DISCARD, ERROR, MODEL_EXCHANGE, OK, Unit2, Unit3, assert_slopes_by_parameters, doubles
 
 # Planar with motors; in space with a quaternion, a law of time, a constraint and a motor.
 OUTPUTS = {"loading_robot": ("--points", "O2", "--frames", "S3,S1", "--reactions", "Y12"),
@@ -107,6 +107,31 @@ def test_outputs_are_there_during_the_initialisation(unit, mechanism):
     before = unit.get(component, unit.outputs)
     assert unit.set(component, [unit.states[0]], [0.3]) == OK
     assert not np.array_equal(unit.get(component, unit.outputs), before)
+    unit.FreeInstance(component)
+
+
+@pytest.mark.parametrize("kind", [CO_SIMULATION, MODEL_EXCHANGE])
+def test_nothing_is_computed_of_parameters_that_no_mechanism_has(unit, kind):
+    """It is refused with what is wrong, and not with numbers, where one that is read is computed of it."""
+    if not [v for v in unit.variables if v["causality"] == "parameter"]:
+        pytest.skip("no run-time parameters")
+    said = b"body 'lamp' has the mass m = -2 kg: a mass is never negative"
+    component = unit.initialised(kind)
+    computed, given = unit.derivatives + unit.outputs, [k for k in unit.by_reference if k not in unit.derivatives + unit.outputs]
+    pointer, _ = doubles(np.zeros(len(computed)))
+    refused = [lambda k=k: unit.get_numbers(component, unit.references([k]), 1, pointer) for k in computed]
+    refused += [lambda k=k: unit.directional(component, [k], unit.states[:1], [1.0], pointer) for k in computed]
+    if kind == MODEL_EXCHANGE:
+        refused.append(lambda: unit.get_derivatives(component, pointer))
+    if unit.version == 3:
+        refused.append(lambda: unit.adjoint(component, unit.derivatives[:1], unit.states[:1], [1.0], pointer))
+    for mass, answer in ((-2.0, DISCARD), (2.0, OK)):
+        assert unit.set(component, ["parameter.m"], [mass]) == OK
+        unit.get(component, given)
+        unit.messages.clear()
+        assert [call() for call in refused] == [answer] * len(refused)
+        assert all(text.split(b": ", 1)[1].startswith(said) for _, text in unit.messages)
+        assert len(unit.messages) == (len(refused) if answer == DISCARD else 0)
     unit.FreeInstance(component)
 
 

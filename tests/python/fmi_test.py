@@ -124,6 +124,16 @@ def test_start_values_are_those_of_the_description(unit, mechanism):
     unit.FreeInstance(component)
 
 
+def test_states_can_be_read_while_they_are_initialised(unit):
+    """FMI 2.0.4, 3.2.3, and FMI 3.0, 3.2.3; also what has been set just now, and indicators, of which there are none."""
+    component = unit.instantiate(MODEL_EXCHANGE)
+    assert unit.initialise(component) == OK
+    assert unit.set(component, unit.states[-1:], [0.25]) == OK
+    assert np.array_equal(unit.state(component), unit.get(component, unit.states)) and unit.state(component)[-1] == 0.25
+    assert unit.indicators(component).shape == (0,)
+    unit.FreeInstance(component)
+
+
 def test_derivatives_are_those_of_the_runtime(unit, mechanism):
     component = unit.continuous()
     f = mechanism.ode()
@@ -258,8 +268,17 @@ def test_a_state_that_cannot_be_put_back_is_refused(unit, mechanism):
     unit.SetContinuousStates(component, doubles(y)[0], c_size_t(unit.n))
     unit.messages.clear()
     assert unit.complete_step(component) == (DISCARD, False)
-    assert any(b"no state near this one" in text for _, text in unit.messages)
+    names = ", ".join(unit.by_reference[k]["name"] for k in unit.states[first:first + 4]).encode()
+    said = b"the quaternion (" + names + b") is zero, which is no attitude: set one of norm 1"
+    assert [text.split(b": ", 1)[1] for _, text in unit.messages] == [said]
     assert np.array_equal(unit.state(component), y)
+    unit.FreeInstance(component)
+    # From a start with it no motion begins.
+    component = unit.instantiate(CO_SIMULATION)
+    assert unit.initialise(component) == OK and unit.set(component, unit.states[first:first + 4], np.zeros(4)) == OK
+    unit.messages.clear()
+    assert unit.ExitInitializationMode(component) == ERROR
+    assert [text.split(b": ", 1)[1] for _, text in unit.messages] == [said]
     unit.FreeInstance(component)
 
 

@@ -10,11 +10,6 @@ namespace {
 
 using Reals = std::vector<Real>;
 
-bool turns(const Model& model, std::size_t freedom) {
-  const auto& coordinate = model.coordinates()[freedom];
-  return coordinate.attitude || coordinate.q->unit.is_dimensionless();
-}
-
 /// Largest |A_ji| at the initial configuration and at neighbours whose angles differ.
 std::vector<Reals> usual_entries(const Model& model, const std::vector<ConstraintRow>& rows) {
   const auto n = static_cast<std::size_t>(model.unknown_count());
@@ -26,7 +21,7 @@ std::vector<Reals> usual_entries(const Model& model, const std::vector<Constrain
       Reals turn(n, Real(0));
       for (std::size_t i = 0; i < n; ++i) {
         random = (random * 1103515245ULL + 12345ULL) % 2147483648ULL;
-        if (turns(model, i)) turn[i] = Real(static_cast<int>(random % 1001ULL) - 500) / Real(1000);
+        if (freedom_turns(model, i)) turn[i] = Real(static_cast<int>(random % 1001ULL) - 500) / Real(1000);
       }
       sample.displace(turn);
     }
@@ -45,12 +40,12 @@ Real reach_of(const Unit& unit, const Model& model, const std::vector<Reals>& us
   Reals levers;
   for (const Reals& row : usual) {
     Real turned(0);
-    for (std::size_t i = 0; i < row.size(); ++i) turned += turns(model, i) ? row[i] : Real(0);
+    for (std::size_t i = 0; i < row.size(); ++i) turned += freedom_turns(model, i) ? row[i] : Real(0);
     Real largest(0);
     for (const Real& entry : row) largest = std::max(largest, entry);
     const Real rounding = largest * Real::parse("1e-30");
     for (std::size_t i = 0; i < row.size(); ++i) {
-      const bool of_unit = !turns(model, i) && model.coordinates()[i].q->unit == unit;
+      const bool of_unit = !freedom_turns(model, i) && model.coordinates()[i].q->unit == unit;
       if (of_unit && row[i] > rounding && turned > rounding) levers.push_back(turned / row[i]);
     }
   }
@@ -64,11 +59,16 @@ Real reach_of(const Unit& unit, const Model& model, const std::vector<Reals>& us
 
 }  // namespace
 
+bool freedom_turns(const Model& model, std::size_t freedom) {
+  const auto& coordinate = model.coordinates()[freedom];
+  return coordinate.attitude || coordinate.q->unit.is_dimensionless();
+}
+
 ConstraintSizes constraint_sizes(const Model& model, const std::vector<ConstraintRow>& rows) {
   const std::vector<Reals> usual = usual_entries(model, rows);
   ConstraintSizes sizes;
   for (std::size_t i = 0; i < static_cast<std::size_t>(model.unknown_count()); ++i)
-    sizes.reach.push_back(turns(model, i) ? Real(1) : reach_of(model.coordinates()[i].q->unit, model, usual));
+    sizes.reach.push_back(freedom_turns(model, i) ? Real(1) : reach_of(model.coordinates()[i].q->unit, model, usual));
   for (const Reals& row : usual) {
     Real size(0);
     for (std::size_t i = 0; i < row.size(); ++i) size += row[i] * sizes.reach[i];

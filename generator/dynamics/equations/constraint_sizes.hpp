@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstddef>
 #include <vector>
 
 #include "torsor/generator/base/high_precision.hpp"
@@ -21,6 +22,9 @@ struct ConstraintSizes {
   std::vector<Real> reach;  ///< by freedom, in the unit of its coordinate
   std::vector<Real> size;   ///< by constraint, in the unit of f (of its rate in seconds when it is not holonomic)
 };
+
+/// Whether that freedom is a turn, measured in radians; else it has a unit of its own.
+bool freedom_turns(const Model& model, std::size_t freedom);
 
 ConstraintSizes constraint_sizes(const Model& model, const std::vector<ConstraintRow>& rows);
 

@@ -41,30 +41,11 @@ std::vector<std::size_t> axes_kept_along(JointType type) {
   return {};
 }
 
-std::string triple_text(const Triple& v) {
-  return fmt::format("({}, {}, {})", v[0].to_string(), v[1].to_string(), v[2].to_string());
-}
-
 std::string name_of_frame(const SceneContent& scene, const FrameReference& frame, const std::string& user) {
   return scene.frames[as_index(scene.frame_index(frame, user))].name;
 }
 
 }  // namespace
-
-void check_universal_joints(const SceneContent& scene) {
-  for (const JointContent& joint : scene.joints) {
-    if (joint.type != JointType::universal || !joint.of_tree) continue;
-    const Triple& first = scene.frames[as_index(joint.of_tree->first)].axis;
-    const Triple& second = scene.frames[as_index(joint.of_tree->last)].axis;
-    const Real product = parameter_value(scene, dot(first, second), true);
-    const Real size = sqrt(parameter_value(scene, folded_product(dot(first, first), dot(second, second)), true));
-    if (!(abs(product) > size * Real::from_double(1e-12))) continue;
-    throw SceneError(
-        fmt::format("the axes {} and {} of the universal joint '{}' are not perpendicular (the cosine of "
-                    "their angle is {:.6g}): correct one, or make the joint of two revolute ones",
-                    triple_text(first), triple_text(second), joint.name, (product / size).to_double()));
-  }
-}
 
 void check_shown_forms(const SceneContent& scene) {
   for (const Shown& shown : scene.shown) {

@@ -8,9 +8,6 @@ namespace torsor {
 // Parts of `validate`: what a scene says of its joints and contacts must be what it promises. Each throws SceneError
 // with one line that names the object, the value and the remedy.
 
-/// The two directions of a universal joint are perpendicular.
-void check_universal_joints(const SceneContent& scene);
-
 /// What is shown is shown on a frame of the scene, and its lengths are above 0, as far as they are known.
 void check_shown_forms(const SceneContent& scene);
 

@@ -20,6 +20,7 @@
 #include "torsor/generator/dynamics/equations/ownership_checks.hpp"
 #include "torsor/generator/dynamics/equations/scene_checks.hpp"
 #include "torsor/generator/dynamics/equations/start_error.hpp"
+#include "torsor/generator/mechanics/axis_bounds.hpp"
 #include "torsor/generator/mechanics/inertia_validity.hpp"
 #include "torsor/generator/mechanics/parameter_value.hpp"
 #include "torsor/generator/mechanics/size_bounds.hpp"
@@ -264,7 +265,7 @@ void check_initial_state(const Equations& equations) {
 void check_values(const SceneContent& scene) {
   const WorkingDigits precision(generic_digits);
   for (const BodyContent* body : scene.inertias()) check_inertia(scene, *body);
-  check_universal_joints(scene);
+  require_bounds(scene, bounds_of_axes(scene), WithoutValue::made_up);
   require_bounds(scene, bounds_of_frictions(scene));
   check_surfaces(scene);
 }
