@@ -49,6 +49,10 @@ concept Settles = requires(S& system, const Scalar& t, std::array<Scalar, size>&
 }
 || requires(S& system, std::array<Scalar, size>& y) { system.project(y); };
 
+/// A system that makes what a motion is to start from a state.
+template <class S, class Scalar, std::size_t size>
+concept StartsFrom = requires(const S& system, std::array<Scalar, size>& y) { system.settle_start(y); };
+
 /// Makes what a motion is to start from a state, where the system says how. What is not finite is refused elsewhere.
 template <class S, class Scalar, std::size_t size>
 [[nodiscard]] Evaluation settle_start([[maybe_unused]] S& system, [[maybe_unused]] std::array<Scalar, size>& y) noexcept {

@@ -49,6 +49,12 @@ class AnglesWithinATurn {
   }
 
   template <class Scalar, std::size_t size>
+  requires StartsFrom<S, Scalar, size>
+  [[nodiscard]] Evaluation settle_start(std::array<Scalar, size>& y) const noexcept {
+    return to_evaluation(system_.settle_start(y));
+  }
+
+  template <class Scalar, std::size_t size>
   [[nodiscard]] Evaluation project(const Scalar& t, std::array<Scalar, size>& y) const noexcept {
     CheckedSystem<const S, Scalar, size> system(system_);
     if (!system.settle(t, y)) return system.evaluation;
@@ -79,5 +85,11 @@ template <class S, std::size_t count>
 [[nodiscard]] AnglesWithinATurn<S, count> angles_within_a_turn(S system, const std::array<std::size_t, count>& angles) {
   return AnglesWithinATurn<S, count>(std::move(system), angles);
 }
+
+/// Angles are taken back in the state's scalar; derivatives stay those of the system inside.
+template <class S, std::size_t count, class Scalar>
+struct PrecisionOf<AnglesWithinATurn<S, count>, Scalar> : PrecisionOf<S, Scalar> {};
+template <class S, std::size_t count, class Scalar>
+struct PrecisionOf<const AnglesWithinATurn<S, count>, Scalar> : PrecisionOf<S, Scalar> {};
 
 }  // namespace torsor::runtime

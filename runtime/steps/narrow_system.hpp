@@ -49,6 +49,16 @@ class NarrowSystem {
   }
 
   template <std::floating_point Scalar, std::size_t size>
+  requires StartsFrom<S, Scalar, size> || StartsFrom<S, Narrow, size>
+  [[nodiscard]] Evaluation settle_start(std::array<Scalar, size>& y) const noexcept {
+    if constexpr (StartsFrom<S, Scalar, size>) {
+      return to_evaluation(system_.settle_start(y));
+    } else {
+      return changed_by(y, [this](std::array<Narrow, size>& start) { return to_evaluation(system_.settle_start(start)); });
+    }
+  }
+
+  template <std::floating_point Scalar, std::size_t size>
   requires requires(const S& system, std::array<Scalar, size>& y) { system.project(y); }
   void project(std::array<Scalar, size>& y) const noexcept { system_.project(y); }
 
@@ -56,15 +66,22 @@ class NarrowSystem {
   template <std::floating_point Scalar, std::size_t size>
   requires requires(const S& system, const Narrow& t, std::array<Narrow, size>& y) { system.project(t, y); }
   [[nodiscard]] Evaluation project(const Scalar& t, std::array<Scalar, size>& y) const noexcept {
-    const std::array<Narrow, size> before = narrowed(y);
-    std::array<Narrow, size> after = before;
-    CheckedSystem<const S, Narrow, size> system(system_);
-    if (!system.settle(static_cast<Narrow>(t), after)) return system.evaluation;
-    for (std::size_t i = 0; i < size; ++i) y[i] += static_cast<Scalar>(after[i]) - static_cast<Scalar>(before[i]);
-    return Evaluation::ok;
+    return changed_by(y, [this, &t](std::array<Narrow, size>& state) {
+      CheckedSystem<const S, Narrow, size> system(system_);
+      return system.settle(static_cast<Narrow>(t), state) ? Evaluation::ok : system.evaluation;
+    });
   }
 
  private:
+  /// What a change in the narrow scalar does to the state is added to it, so that it keeps its digits.
+  template <class Scalar, std::size_t size, class Change>
+  [[nodiscard]] static Evaluation changed_by(std::array<Scalar, size>& y, const Change& change) noexcept {
+    const std::array<Narrow, size> before = narrowed(y);
+    std::array<Narrow, size> after = before;
+    if (const Evaluation evaluation = change(after); evaluation != Evaluation::ok) return evaluation;
+    for (std::size_t i = 0; i < size; ++i) y[i] += static_cast<Scalar>(after[i]) - static_cast<Scalar>(before[i]);
+    return Evaluation::ok;
+  }
   template <class Scalar, std::size_t size>
   [[nodiscard]] static std::array<Narrow, size> narrowed(const std::array<Scalar, size>& y) noexcept {
     std::array<Narrow, size> result;

@@ -11,6 +11,8 @@
 #include "torsor/runtime/integration/integrate.hpp"
 #include "torsor/runtime/integration/runge_kutta_4.hpp"
 #include "torsor/runtime/mechanism.hpp"
+#include "torsor/runtime/steps/angles_within_a_turn.hpp"
+#include "torsor/runtime/steps/narrow_system.hpp"
 
 namespace torsor::start_quaternion_test {
 namespace {
@@ -56,6 +58,51 @@ TEST(StartQuaternion, IsLeftAloneWhereItHasItsNorm) {
   State y = start(1);
   ASSERT_EQ(equations_of_motion<Robot>().settle_start(y), Evaluation::ok);
   EXPECT_EQ(y, start(1));
+}
+
+// Systems around equations of motion start as these do.
+TEST(StartQuaternion, IsAnAttitudeOfAnglesWithinATurnToo) {
+  const auto motion = angles_within_a_turn(equations_of_motion<Robot>(), std::array<std::size_t, 0>{});
+  State unit = start(1), other = start(2), none = start(0);
+  ASSERT_TRUE(integrate(motion, unit, 0.0, 0.05, RungeKutta4{.step = 0.01}));
+  ASSERT_TRUE(integrate(motion, other, 0.0, 0.05, RungeKutta4{.step = 0.01}));
+  EXPECT_EQ(other, unit);
+  EXPECT_EQ(integrate(motion, none, 0.0, 0.05, RungeKutta4{.step = 0.01}).status, IntegrationStatus::model_failure);
+}
+
+TEST(StartQuaternion, IsAnAttitudeOfKernelsInFloatToo) {
+  const auto motion = narrow_system<float>(equations_of_motion<quadruped::Mechanism<float>>());
+  State unit = start(1), other = start(2), none = start(0);
+  ASSERT_TRUE(integrate(motion, unit, 0.0, 0.05, RungeKutta4{.step = 0.01}));
+  ASSERT_TRUE(integrate(motion, other, 0.0, 0.05, RungeKutta4{.step = 0.01}));
+  EXPECT_EQ(other, unit);
+  EXPECT_EQ(integrate(motion, none, 0.0, 0.05, RungeKutta4{.step = 0.01}).status, IntegrationStatus::model_failure);
+  State with_digits = start(1);
+  with_digits[0] = 1.0 + 0x1p-40;  // no float
+  EXPECT_EQ(motion.settle_start(with_digits), Evaluation::ok);
+  EXPECT_EQ(with_digits[0], 1.0 + 0x1p-40);
+}
+
+/// A start that is settled in float alone: to 1, or, from below zero, to nothing.
+struct StartsAtOne {
+  Evaluation operator()(float, const std::array<float, 2>&, std::array<float, 2>& rate) const noexcept {
+    rate = {};
+    return Evaluation::ok;
+  }
+  [[nodiscard]] Evaluation settle_start(std::array<float, 2>& y) const noexcept {
+    if (y[0] < 0.0F) return Evaluation::singular;
+    y[0] = 1.0F;
+    return Evaluation::ok;
+  }
+};
+
+TEST(StartQuaternion, IsSettledInFloatWhereItMust) {
+  const auto motion = narrow_system<float>(StartsAtOne{});
+  std::array<double, 2> y{1.25, 1.0 + 0x1p-40};
+  ASSERT_TRUE(integrate(motion, y, 0, 1, RungeKutta4{.step = 0.5}));
+  EXPECT_EQ(y, (std::array<double, 2>{1.0, 1.0 + 0x1p-40}));
+  y[0] = -1.25;
+  EXPECT_EQ(integrate(motion, y, 0, 1, RungeKutta4{.step = 0.5}).evaluation, Evaluation::singular);
 }
 
 TEST(StartQuaternion, OfZerosBeginsNothing) {
