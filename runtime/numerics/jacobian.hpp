@@ -24,7 +24,7 @@ concept HasJacobian = requires(const S& system, const Scalar& t, const std::arra
 
 /// The Jacobian at (t, y), where f is `slope`: the system's own, else by forward differences with
 /// δ_j = sqrt(ε max(10⁻⁵, |y_j|)), one call for each column (Hairer-Wanner II, IV.8, as in their code radau5), and
-/// sqrt(ε) |y_j| where |y_j| is so large that this would be lost in it.
+/// sqrt(ε) |y_j| where |y_j| is so large that this would be lost in it; ε is that of what the system computes in.
 /// False when the model failed; `f.evaluation` then says how.
 template <class S, class Scalar, std::size_t size>
 [[nodiscard]] bool evaluate_jacobian(CheckedSystem<S, Scalar, size>& f, Scalar t, const std::array<Scalar, size>& y,
@@ -39,13 +39,16 @@ template <class S, class Scalar, std::size_t size>
     }
     return f.evaluation == Evaluation::ok;
   } else {
+    using Precision = typename PrecisionOf<S, Scalar>::type;
+    const auto computed_at = [](Scalar number) { return static_cast<Scalar>(static_cast<Precision>(number)); };
+    const Scalar epsilon = static_cast<Scalar>(std::numeric_limits<Precision>::epsilon());
     std::array<Scalar, size> moved = y, at_moved;
     for (std::size_t j = 0; j < size; ++j) {
-      const Scalar largeness = std::abs(y[j]), epsilon = std::numeric_limits<Scalar>::epsilon();
+      const Scalar largeness = std::abs(y[j]);
       const Scalar relative = std::sqrt(epsilon) * largeness;
       const Scalar wanted = relative < Scalar(1) ? std::sqrt(epsilon * std::max(Scalar(1e-5), largeness)) : relative;
-      moved[j] = y[j] + wanted;
-      const Scalar delta = moved[j] - y[j];
+      moved[j] = computed_at(y[j] + wanted);
+      const Scalar delta = moved[j] - computed_at(y[j]);
       if (!f(t, moved, at_moved)) return false;
       for (std::size_t i = 0; i < size; ++i) J[i + j * size] = (at_moved[i] - slope[i]) / delta;
       moved[j] = y[j];

@@ -6,6 +6,7 @@
 #include <span>
 #include <utility>
 
+#include "torsor/runtime/numerics/jacobian.hpp"
 #include "torsor/runtime/steps/taylor_step.hpp"
 #include "torsor/runtime/system.hpp"
 
@@ -45,6 +46,16 @@ class NarrowSystem {
         static_cast<Narrow>(t), narrowed(y), std::span<std::array<Narrow, size>>(narrow.data(), c.size())));
     for (std::size_t k = 1; k < c.size(); ++k) c[k] = widened<Scalar>(narrow[k]);
     c[0] = y;
+    return evaluation;
+  }
+
+  template <std::floating_point Scalar, std::size_t size>
+  requires HasJacobian<S, Narrow, size>
+  [[nodiscard]] Evaluation jacobian(const Scalar& t, const std::array<Scalar, size>& y,
+                                    JacobianMatrix<Scalar, size>& J) const noexcept {
+    JacobianMatrix<Narrow, size> narrow{};
+    const Evaluation evaluation = to_evaluation(system_.jacobian(static_cast<Narrow>(t), narrowed(y), narrow));
+    J = widened<Scalar>(narrow);
     return evaluation;
   }
 

@@ -10,9 +10,11 @@
 #include "generated/torque_free_body.hpp"
 #include "torsor/runtime/integration/dormand_prince_54.hpp"
 #include "torsor/runtime/integration/dormand_prince_853.hpp"
+#include "torsor/runtime/integration/radau_iia_5.hpp"
 #include "torsor/runtime/integration/runge_kutta_4.hpp"
 #include "torsor/runtime/integration/taylor.hpp"
 #include "torsor/runtime/mechanism.hpp"
+#include "torsor/runtime/steps/angles_within_a_turn.hpp"
 #include "torsor/runtime/steps/narrow_system.hpp"
 #include "tests/runtime/mechanisms.hpp"
 
@@ -144,6 +146,64 @@ TEST(NarrowSystem, MeetsATolerancePossibleForIt) {
   std::array<double, 2> y{2.0, 0.0};
   EXPECT_TRUE(integrate(motion, y, 0, 10, DormandPrince54{1e-6, 1e-6}));
   EXPECT_LT(std::max(std::abs(y[0] - 0.015728632141428118), std::abs(y[1] - 5.270898793229829)), 10 * 7.3 * 17e-6);
+}
+
+/// x'' = -10^6 (x' + x): after its first microseconds x is exp(-t), to 1e-6.
+struct Stiff {
+  template <class Number>
+  Evaluation operator()(const Number&, const std::array<Number, 2>& y, std::array<Number, 2>& rate) const noexcept {
+    rate = {y[1], Number(-1e6) * y[1] - Number(1e6) * y[0]};
+    return Evaluation::ok;
+  }
+};
+
+template <class System>
+JacobianMatrix<double, 2> jacobian_of(const System& system, const std::array<double, 2>& y) {
+  CheckedSystem<const System, double, 2> f(system);
+  std::array<double, 2> slope{};
+  JacobianMatrix<double, 2> J{};
+  EXPECT_TRUE(f(0.0, y, slope) && evaluate_jacobian(f, 0.0, y, slope, J));
+  return J;
+}
+
+// Differences of what is computed in float are taken over steps that float sees: 0.1 % of 10^6, not zeros and noise.
+TEST(NarrowSystem, HasAJacobianByDifferencesOfItsOwn) {
+  const JacobianMatrix<double, 2> J = jacobian_of(narrow_system<float>(Stiff{}), {1.3, -0.7});
+  EXPECT_NEAR(J[0], 0.0, 1e-3);
+  EXPECT_NEAR(J[1], -1e6, 1e3);
+  EXPECT_NEAR(J[2], 1.0, 1e-3);
+  EXPECT_NEAR(J[3], -1e6, 1e3);
+  const auto within = angles_within_a_turn(narrow_system<float>(Stiff{}), std::array<std::size_t, 0>{});
+  EXPECT_EQ(jacobian_of(within, {1.3, -0.7}), J);
+}
+
+TEST(NarrowSystem, TakesTheStepsOfAnImplicitMethodThatDoubleTakes) {
+  const RadauIia5 method{.relative_tolerance = 1e-5, .absolute_tolerance = 1e-5};
+  std::array<double, 2> y{1.0, 0.0}, narrow = y;
+  const auto in_double = integrate(Stiff{}, y, 0, 5, method);
+  const auto in_float = integrate(narrow_system<float>(Stiff{}), narrow, 0, 5, method);
+  ASSERT_TRUE(in_double && in_float);
+  EXPECT_LT(in_float.statistics.accepted, 2 * in_double.statistics.accepted);
+  EXPECT_NEAR(narrow[0], std::exp(-5.0), 1e-5);
+}
+
+/// y' = -y with a Jacobian of its own, which counts as such: twice the true one.
+struct DoublesItsSlope {
+  Evaluation operator()(float, const std::array<float, 1>& y, std::array<float, 1>& rate) const noexcept {
+    rate[0] = -y[0];
+    return Evaluation::ok;
+  }
+  Evaluation jacobian(float, const std::array<float, 1>&, std::array<float, 1>& J) const noexcept {
+    J[0] = -2.0F;
+    return Evaluation::ok;
+  }
+};
+
+TEST(NarrowSystem, PassesOnAJacobian) {
+  const auto motion = narrow_system<float>(DoublesItsSlope{});
+  std::array<double, 1> J{};
+  EXPECT_EQ(motion.jacobian(0.0, std::array<double, 1>{1.0}, J), Evaluation::ok);
+  EXPECT_EQ(J[0], -2.0);
 }
 
 // Unit quaternions under every method with compensated sums: the norm stays within a few roundings.
