@@ -73,7 +73,7 @@ class GrainContacts {
         c.bounce = grains.restitution;
       });
       for (std::size_t k = 0; k < grains.walls.size(); ++k) {
-        const WallGap<dim> near = wall_gap(grains.walls[k], x[i], grains.radius[i]);
+        const WallGap<dim> near = wall_gap(grains.walls[k], x[i], grains.radius[i], grains.v[i]);
         if (near.gap > reach) continue;
         Contact& c = add(grains, i, count + static_cast<std::uint32_t>(k), near.n);
         c.gap = near.gap;

@@ -18,8 +18,8 @@ class GrainPassage {
  public:
   using Vector = Eigen::Matrix<double, dim, 1>;
 
-  /// In the time until the next look, from where the grains are: whether two pass each other deeper than half the
-  /// smallest radius, or a centre passes a segment. Also true where grains move apart or together by more than four of
+  /// In the time until the next look, from where the grains are: whether two pass each other, or one a segment, deeper
+  /// than half the smallest radius. Also true where grains move apart or together by more than four of
   /// the largest diameters, because then it would take all pairs to tell.
   [[nodiscard]] bool happens(const Grains<dim>& grains, double time) {
     const std::size_t count = grains.count();
@@ -34,7 +34,7 @@ class GrainPassage {
       high = high.cwiseMax(grains.v[i]);
     }
     const double apart = time * (high - low).norm();  // no two move further beside each other
-    return (time * fastest > least && past_a_segment(grains, time)) ||
+    return (time * fastest > least && past_a_segment(grains, time, least)) ||
            (apart > least && (apart > 8 * widest || past_each_other(grains, time, {least, 2 * widest + apart})));
   }
 
@@ -58,23 +58,39 @@ class GrainPassage {
     return past;
   }
 
-  [[nodiscard]] static bool past_a_segment(const Grains<dim>& grains, double time) noexcept {
-    if constexpr (dim == 2) {
-      const auto cross = [](const Vector& a, const Vector& b) { return a(0) * b(1) - a(1) * b(0); };
-      for (const GrainWall<dim>& wall : grains.walls) {
-        if (wall.shape != GrainWall<dim>::Shape::segment) continue;
-        const Vector along = wall.end - wall.point;
-        for (std::size_t i = 0; i < grains.count(); ++i) {
-          const Vector from = grains.x[i] - wall.point, to = from + time * grains.v[i];
-          const double before = cross(along, from), after = cross(along, to);
-          if (!((before > 0 && after < 0) || (before < 0 && after > 0))) continue;
-          const Vector on_line = from + before / (before - after) * (to - from);
-          const double place = on_line.dot(along);
-          if (place >= 0 && place <= along.squaredNorm()) return true;
-        }
+  [[nodiscard]] static bool past_a_segment(const Grains<dim>& grains, double time, double least) noexcept {
+    for (const GrainWall<dim>& wall : grains.walls) {
+      if (wall.shape != GrainWall<dim>::Shape::segment) continue;
+      const Vector along = wall.end - wall.point;
+      for (std::size_t i = 0; i < grains.count(); ++i) {
+        const Vector from = grains.x[i] - wall.point, way = time * grains.v[i];
+        // The distance from a segment has one least value along a straight way.
+        if (!(away(along, from).dot(way) < 0 && away(along, from + way).dot(way) > 0)) continue;
+        if (distance_on_the_way(along, from, way) < grains.radius[i] - least / 2) return true;
       }
     }
     return false;
+  }
+
+  /// From the nearest point of a segment that begins at the origin.
+  [[nodiscard]] static Vector away(const Vector& along, const Vector& place) noexcept {
+    return place - std::clamp(along.dot(place) / along.squaredNorm(), 0.0, 1.0) * along;
+  }
+
+  /// The least distance from that segment of a way that is nearest to it between its ends: between the lines, or at an
+  /// end of the segment.
+  [[nodiscard]] static double distance_on_the_way(const Vector& along, const Vector& from, const Vector& way) noexcept {
+    const auto nearest = [&](const Vector& point) {
+      const double part = std::clamp((point - from).dot(way) / way.squaredNorm(), 0.0, 1.0);
+      return Vector(from + part * way - point).norm();
+    };
+    double distance = std::min(nearest(Vector::Zero()), nearest(along));
+    const double both = way.dot(along), square = along.squaredNorm(), sine = way.squaredNorm() * square - both * both;
+    if (sine > 0) {
+      const double part = (way.squaredNorm() * along.dot(from) - both * way.dot(from)) / sine;
+      if (part > 0 && part < 1) distance = std::min(distance, nearest(part * along));
+    }
+    return distance;
   }
 
   NeighbourGrid<dim> grid_;

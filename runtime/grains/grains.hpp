@@ -8,8 +8,8 @@
 
 namespace torsor::runtime {
 
-/// A fixed or moving surface that grains meet: a half-space, in the plane also a part of its line, or the inside of a
-/// drum about the axis through `point` (in space along y).
+/// A fixed or moving surface that grains meet: a half-space, a part of a line, or the inside of a drum about the axis
+/// through `point` (in space along y).
 template <int dim>
 struct GrainWall {
   using Vector = Eigen::Matrix<double, dim, 1>;
@@ -83,6 +83,19 @@ inline Eigen::Matrix<double, 1, 1> moment(const Eigen::Vector2d& n, const Eigen:
 }
 inline Eigen::Vector3d moment(const Eigen::Vector3d& n, const Eigen::Vector3d& P) noexcept { return n.cross(P); }
 
+/// The normal of a segment for a grain whose centre lies on it: against its velocity, and across the segment unless it came
+/// along it, on an end.
+template <class Vector>
+[[nodiscard]] Vector across_a_segment(const Vector& along, const Vector& v) noexcept {
+  const auto across = [&](const Vector& u) { return Vector(u - u.dot(along) / along.squaredNorm() * along); };
+  const double speed = v.norm();
+  if (const Vector against = across(-v); against.norm() > 1e-9 * speed) return against.normalized();
+  if (speed > 0) return -v / speed;
+  int axis = 0;
+  along.cwiseAbs().minCoeff(&axis);
+  return across(Vector::Unit(axis)).normalized();
+}
+
 /// Distance of a grain from a wall, the wall's normal towards it, and the velocity of the surface there.
 template <int dim>
 struct WallGap {
@@ -92,7 +105,8 @@ struct WallGap {
 
 template <int dim>
 [[nodiscard]] WallGap<dim> wall_gap(const GrainWall<dim>& wall, const Eigen::Matrix<double, dim, 1>& x,
-                                    double R) noexcept {
+                                    double R,
+                                    const Eigen::Matrix<double, dim, 1>& v = Eigen::Matrix<double, dim, 1>::Zero()) noexcept {
   using Vector = Eigen::Matrix<double, dim, 1>;
   using Shape = typename GrainWall<dim>::Shape;
   if (wall.shape == Shape::plane) return {wall.normal, wall.velocity, wall.normal.dot(x - wall.point) - R};
@@ -101,7 +115,7 @@ template <int dim>
     const double part = std::fmin(1.0, std::fmax(0.0, along.dot(x - wall.point) / along.squaredNorm()));
     const Vector away = x - wall.point - part * along;
     const double distance = away.norm();
-    const Vector n = distance > 0 ? Vector(away / distance) : Vector(Vector::Unit(dim - 1));
+    const Vector n = distance > 1e-9 * R ? Vector(away / distance) : across_a_segment(along, v);  // its side is rounding
     return {n, wall.velocity, distance - R};
   }
   Vector out = x - wall.point;
