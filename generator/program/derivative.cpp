@@ -8,14 +8,10 @@
 
 #include "torsor/generator/base/error.hpp"
 #include "torsor/generator/expression/function_slope.hpp"
+#include "torsor/generator/program/smoothed_quotient.hpp"
 
 namespace torsor {
 namespace {
-
-/// coefficient · exponent · monomial / value number: the partial derivative of a term with respect to one of its factors.
-Term partial_of_term(const Term& term, const Factor& factor) {
-  return {term.monomial * Monomial{{factor.value_number, -1}}, term.coefficient * Number(factor.exponent)};
-}
 
 /// The same number, dimensionless: arguments of one call may be definitions met first under different units.
 Value without_unit(const Value& value) {
@@ -80,11 +76,10 @@ Value Derivation::operator()(const Value& value) { return of_polynomial(value.po
 Value Derivation::of_polynomial(const Polynomial& polynomial, const Unit& unit) {
   Value sum(*program_, Polynomial(), unit / variable_);
   for (const Term& term : polynomial.terms()) {
-    for (const Factor& factor : term.monomial) {
-      const Value inner = of_value_number(factor.value_number);
+    for (const auto& [value_number, partial] : partials_of_term(*program_, term)) {
+      const Value inner = of_value_number(value_number);
       if (inner.is_zero()) continue;
-      const Value outer(*program_, Polynomial(partial_of_term(term, factor)),
-                        unit / (*program_)[factor.value_number].unit);
+      const Value outer(*program_, partial.polynomial(), unit / (*program_)[value_number].unit);
       sum += outer * inner;
     }
   }
@@ -214,10 +209,9 @@ std::map<ValueNumber, Value> adjoints_of_symbols(const Value& value) {
       adjoints;  // ordered by value number: the sweep goes from the last definition to the first
   const auto spread = [&](const Polynomial& polynomial, const Unit& unit, const Value& adjoint) {
     for (const Term& term : polynomial.terms()) {
-      for (const Factor& factor : term.monomial) {
-        const Value partial(program, Polynomial(partial_of_term(term, factor)),
-                            unit / program[factor.value_number].unit);
-        adjoints[factor.value_number] += partial * adjoint;
+      for (const auto& [value_number, partial] : partials_of_term(program, term)) {
+        const Value outer(program, partial.polynomial(), unit / program[value_number].unit);
+        adjoints[value_number] += outer * adjoint;
       }
     }
   };

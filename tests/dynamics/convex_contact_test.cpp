@@ -310,6 +310,40 @@ TEST(FrictionLaw, IsSmoothThroughRest) {
             std::string::npos);
 }
 
+/// −N φ G/s of a block on a plane, tilted by 3 in 5 about x or level, that slides along x alone, or along x and y.
+void expect_digits_of_slopes(const std::function<Expression(const Expression&)>& law, bool tilted, bool across) {
+  Scene scene("slides");
+  const Number c = Number::rational(4, 5), s = Number::rational(3, 5), o, i(1);
+  const Expression x = scene.coordinate("x", "m"), z = scene.coordinate("z", "m");
+  const FrameHandle plane =
+      scene.weld("plane", scene.ground(), {{0, 0, 0}, tilted ? Rotation::matrix({i, o, o, o, c, -s, o, s, c}) : Rotation()});
+  FrameHandle slide = scene.prismatic("along", across ? scene.ground() : plane, axis::x, x);
+  if (across) slide = scene.prismatic("across", slide, axis::y, scene.coordinate("y", "m"));
+  const FrameHandle block = scene.prismatic("block", slide, axis::z, z);
+  scene.body("block", block, Inertia::point(scene.parameter("m", "kg", 2)));
+  scene.gravity({0, 0, quantity("-9.81", "m/s^2")});
+  const PointHandle foot = scene.point("foot", block, {0, 0, 0});
+  const ConstraintHandle held = scene.point_in_plane("held", foot, plane);
+  scene.friction_law("friction", held, {.law = law, .body = block, .point = foot, .plane = plane});
+  for (const CheckResult& result : check_scene(scene, {.digits = 40, .states = 4})) {
+    EXPECT_TRUE(result.passed()) << result.name << ": " << result.worst << " of " << result.bound << (across ? ", across" : "");
+  }
+}
+
+// The slope of G/s is ε²/s³ along G, 1e-12 of 1/s: where φ' is small it is all there is.
+TEST(FrictionLaw, HasSlopesWithAllTheirDigits) {
+  const auto stribeck = [](const Expression& s) { return 0.3_r + exp(-s / Expression::quantity("0.1", "m/s")); };
+  const auto constant = [](const Expression&) { return 0.3_r; };
+  const auto viscous = [](const Expression& s) { return 0.3_r + s / Expression::quantity("5", "m/s"); };
+  for (const bool tilted : {false, true}) {
+    for (const bool across : {false, true}) {
+      expect_digits_of_slopes(stribeck, tilted, across);
+      expect_digits_of_slopes(constant, tilted, across);
+      expect_digits_of_slopes(viscous, tilted, across);
+    }
+  }
+}
+
 /// Of a rolling ellipsoid with a law of friction in place of adhesion: two derivations of everything.
 TEST(FrictionLaw, ActsOnAConvexBody) {
   Stone it;

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <random>
 
 #include "tests/program/test_symbols.hpp"
@@ -257,6 +258,57 @@ TEST_F(SubstitutionTest, LeavesTheRestAsItIs) {
     return std::nullopt;
   });
   EXPECT_TRUE(identically_zero(substitute(original) - original));
+}
+
+/// x/√(x² + ε²) and its like, whose slopes are what ε leaves: by the product rule a difference of nearly equal numbers.
+class SmoothedQuotient : public ::testing::Test {
+ protected:
+  TestCoordinate x{"x"}, y{"y"};
+  SymbolPointer epsilon = make_symbol("epsilon");
+  Program program;
+
+  /// As computed in double, beside sixty digits of the same: relative.
+  double error_of_double(const Value& value) {
+    const WorkingDigits precision(60);
+    const Real e = rational(1, 1000000), a = rational(13, 10), b = rational(1, 3000);
+    Evaluator<Real> exact(program, at({{"x", a}, {"y", b}, {"epsilon", e}}));
+    Evaluator<double> rounded(program, [&](const SymbolPointer& symbol) {
+      return (symbol == x.q ? a : symbol == y.q ? b : e).to_double();
+    });
+    const Real right = exact(value);
+    return std::abs(rounded(value) / right.to_double() - 1.0);
+  }
+  void expect_digits_of_slopes(const Expression& f) {
+    const Value value = program.lower(f);
+    EXPECT_LT(error_of_double(value), 1e-15);
+    Derivation by_x = partial_derivation(program, x.q);
+    const Value slope = by_x(value);
+    EXPECT_LT(error_of_double(slope), 1e-14) << f.to_string();
+    EXPECT_LT(error_of_double(gradient(value, {x.q})[0]), 1e-14) << f.to_string();
+    EXPECT_LT(error_of_double(by_x(slope)), 1e-14) << f.to_string();
+    EXPECT_LT(error_of_double(partial_derivation(program, epsilon)(value)), 1e-14) << f.to_string();
+  }
+};
+
+TEST_F(SmoothedQuotient, HasSlopesWithAllTheirDigits) {
+  const Expression X = x.q, e = epsilon;
+  expect_digits_of_slopes(X / sqrt(pow(X, 2) + pow(e, 2)));
+  expect_digits_of_slopes(3 * X / sqrt(4 * pow(X, 2) + pow(e, 2)));
+  expect_digits_of_slopes(exp(e) * X / sqrt(pow(X, 2) + pow(e, 2)));
+}
+
+TEST_F(SmoothedQuotient, HasTheSlopesOfItsFormula) {
+  const Expression X = x.q, Y = y.q, e = epsilon, s = sqrt(pow(X, 2) + pow(Y + 2 * X, 2) + pow(e, 2));
+  const auto slope_of = [&](const Expression& f) { return partial_derivation(program, x.q)(program.lower(f)); };
+  const Expression half = X + 2 * (Y + 2 * X);  // (s²)'/2
+  EXPECT_TRUE(identically_zero(slope_of(X / s) - program.lower(1 / s - X * half / pow(s, 3))));
+  EXPECT_TRUE(identically_zero(slope_of(Y / s) - program.lower(-Y * half / pow(s, 3))));
+  EXPECT_TRUE(identically_zero(slope_of(X * X * Y / s) - program.lower(2 * X * Y / s - X * X * Y * half / pow(s, 3))));
+  EXPECT_TRUE(identically_zero(slope_of((Y + 2 * X) / s) - program.lower(2 / s - (Y + 2 * X) * half / pow(s, 3))));
+  EXPECT_TRUE(identically_zero(slope_of(X / pow(s, 2)) - program.lower(1 / pow(s, 2) - 2 * X * half / pow(s, 4))));
+  EXPECT_TRUE(identically_zero(gradient(program.lower(X * Y / s), {x.q})[0] -
+                               program.lower(Y / s - X * Y * half / pow(s, 3))));
+  EXPECT_EQ(slope_of(X / s).unit(), Unit());
 }
 
 }  // namespace

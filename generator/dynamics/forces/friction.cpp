@@ -21,11 +21,12 @@ Vector unit_direction(const Model& model, const ContactFriction& friction, int a
     throw SceneError(
         fmt::format("the direction of {} is the null vector: give the direction of the relative motion", user));
   }
-  const Vector turned = model.express(friction.direction, friction.axes, axes, user);
-  if (!friction.length.is_zero()) {
+  if (!friction.length.is_zero()) {  // divided before it is turned: a component beside the length that holds its square
     const Value inverse = program.bind(pow(program.lower(friction.length), -1));
-    return bound(program, inverse * turned);
+    const FramePlace& at = model.place(friction.axes, user);
+    return bound(program, model.express(at.rotation * bound(program, inverse * given), at.link, axes));
   }
+  const Vector turned = model.express(friction.direction, friction.axes, axes, user);
   if (square.is_number(1)) return turned;
   const Value length = program.sqrt(square);
   const Value inverse = program.bind(pow(length, -1));
