@@ -9,6 +9,7 @@
 #include "torsor/runtime/status.hpp"
 #include "torsor/runtime/steps/accumulated_state.hpp"
 #include "torsor/runtime/steps/dense_step.hpp"
+#include "torsor/runtime/steps/settling_bound.hpp"
 #include "torsor/runtime/steps/step_clock.hpp"
 #include "torsor/runtime/steps/step_control.hpp"
 #include "torsor/runtime/system.hpp"
@@ -68,7 +69,7 @@ class AdaptiveRun {
     }
   }
 
-  /// Goes on from the same time and state with equations that may have become others: the first slope is taken anew, while the step
+  /// Goes on from the same time and state with equations that may have become others: the first slope is taken anew. The step
   /// length and what a formula knows beside, as a Jacobian that still serves, are kept. Limits and statistics count from here.
   void renew() noexcept {
     prepared_ = false;
@@ -115,11 +116,33 @@ class AdaptiveRun {
     const Evaluation evaluation = formula_.attempt(f_, t, h, state_, error);
     if (evaluation != Evaluation::ok || !(error <= Scalar(1))) return evaluation;
     if constexpr (!requires { Formula::settles; }) {
-      before_settling_ = state_.next();
       if (!state_.settle(f_, t + h)) return f_.evaluation;
+    }
+    if constexpr (Settles<S, Scalar, size>) {
+      const Scalar moved = settling(t);
+      if (!(moved <= Scalar(1))) {
+        error = moved;
+        return evaluation;
+      }
     }
     if constexpr (takes_steps<Observer, Step>) return formula_.refine(f_, t, h, state_);
     return evaluation;
+  }
+
+  // How far settling moved the end of the step, over the most that it may. An open start is closed by the first step.
+  Scalar settling(Scalar t) noexcept {
+    using Precision = typename PrecisionOf<S, Scalar>::type;
+    const SettlingBound<Scalar, Precision> bound{tolerances_};
+    const auto share = [&](const Vector& before, const Vector& settled) {
+      return bound.share(state_.now(), before, f_.unwound(settled, before));
+    };
+    const Scalar moved = share(state_.unsettled(), state_.next());
+    if (moved <= Scalar(1) || !at_start_) return moved;
+    if (!(open_ >= Scalar(0))) {
+      Vector closed = state_.now();
+      open_ = f_.settle(t, closed) ? share(state_.now(), closed) : Scalar(0);
+    }
+    return moved / std::max(Scalar(1), Scalar(2) * open_);
   }
 
   // Tells the observer and moves on; the interpolant is only built for those who take it, between settled states. The
@@ -140,7 +163,7 @@ class AdaptiveRun {
   Step interpolant(Scalar t, Scalar t_next, Scalar h) noexcept {
     if constexpr (!requires { Formula::settles; }) {
       const Vector settled = state_.next();
-      state_.replace(f_.unwound(settled, before_settling_));
+      state_.replace(f_.unwound(settled, state_.unsettled()));
       const Step step = formula_.interpolant(t, t_next, h, state_);
       state_.replace(settled);
       return step;
@@ -150,6 +173,7 @@ class AdaptiveRun {
   }
 
   void move_on() noexcept {
+    at_start_ = false;
     state_.accept();
     formula_.accept();
   }
@@ -159,7 +183,8 @@ class AdaptiveRun {
   Tolerances<Scalar> tolerances_;
   StepClock<Scalar> clock_;
   bool prepared_ = false;
-  Vector before_settling_{};
+  bool at_start_ = true;      // no step has been kept
+  Scalar open_ = Scalar(-1);  // how far the start is moved by settling, as `settling` has it; not known below 0
   AccumulatedState<Scalar, size> state_;
   Formula formula_;
 };

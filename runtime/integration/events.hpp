@@ -9,8 +9,8 @@
 
 namespace torsor::runtime {
 
-/// As `integrate_with_events` below, each piece by the run that `begin(t)` gives at its start: a new one of the method, or one that is
-/// under way there and goes on.
+/// As `integrate_with_events` below, each piece by the run that `begin(t)` gives at its start: a new one of the method, or
+/// one that is under way there and goes on.
 template <class Begin, class S, class Scalar, std::size_t size, class Method, class Set, class OnEvent, class Observer>
 requires System<S, Scalar, size>
 [[nodiscard]] EventResult<Scalar, Set::count> integrate_pieces(Begin&& begin, S& system, std::array<Scalar, size>& y,

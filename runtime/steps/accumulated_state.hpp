@@ -36,6 +36,7 @@ class AccumulatedState {
   /// compensated: it would round anew what the compensation keeps. False when the system could not.
   template <class F>
   [[nodiscard]] bool settle(F& f, Scalar t) noexcept {
+    unsettled_ = next_;
     if (!compensated_) return f.settle(t, next_);
     Vector settled = next_;
     if (!f.settle(t, settled)) return false;
@@ -45,6 +46,9 @@ class AccumulatedState {
     if (moved) next_ = settled;
     return true;
   }
+
+  /// `next` as it was before the last settling.
+  [[nodiscard]] const Vector& unsettled() const noexcept { return unsettled_; }
 
   /// Puts another state in the place of `next`.
   void replace(const Vector& next) noexcept { next_ = next; }
@@ -57,7 +61,7 @@ class AccumulatedState {
  private:
   Vector& y_;
   bool compensated_;
-  Vector next_{};
+  Vector next_{}, unsettled_{};
   CompensatedState<Scalar, size> sums_, next_sums_;
 };
 
