@@ -39,10 +39,12 @@ bool DormandPrince853::advance(double end) {
     const double h = lands ? end - t_ : h_;
     const double error = attempt(h), reached = lands ? end : t_ + h;
     const bool kept = error <= 1.0;
-    if (!kept || (settle_ && !settle_(reached, next_))) {
-      h_ = h * (kept ? strongest_shrink : std::min(1.0, factor_for(error)));
+    const double moved = kept ? settled(reached, next_, tolerance_) : 0.0;
+    if (!kept || !(moved <= 1.0)) {
+      h_ = h * std::min(1.0, factor_for(kept ? moved : error));
       if (++refused > patience || h_ < least) {
-        return fail(kept                   ? "the constraints cannot be closed"
+        if (moved > 1.0) return fail_settling();
+        return fail(kept                ? "the constraints cannot be closed"
                     : std::isnan(error) ? "there is no acceleration"
                                         : "the steps have become too short");
       }

@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <functional>
+#include <limits>
 #include <memory>
 #include <string>
 #include <utility>
@@ -47,6 +48,32 @@ class MotionIntegrator {
   bool fail(std::string status) {
     status_ = std::move(status);
     return false;
+  }
+
+  /// Puts the end of a step onto its constraints. What that moved over the most that it may, 100 tolerances: 1 and less is
+  /// allowed; not a number where it could not. Roundings of the largest number of the state are no correction. A constraint that
+  /// follows a law of time is left by whatever that law did within the step, and no other estimate sees it.
+  double settled(double reached, std::vector<double>& next, double tolerance) const {
+    if (!settle_) return 0.0;
+    constexpr double most = 100.0, roundings = 4096.0;
+    const std::vector<double> before = next;
+    if (!settle_(reached, next)) return std::numeric_limits<double>::quiet_NaN();
+    double largest = 0.0, sum = 0.0;
+    for (const double number : before) largest = std::max(largest, std::abs(number));
+    const double least = roundings * std::numeric_limits<double>::epsilon() * largest;
+    for (std::size_t i = 0; i < next.size(); ++i) {
+      const double magnitude = std::max({std::abs(y_[i]), std::abs(before[i]), std::abs(next[i])});
+      const double share = (next[i] - before[i]) / std::max(most * tolerance * (1.0 + magnitude), least);
+      sum += share * share;
+    }
+    return std::sqrt(sum / static_cast<double>(next.size()));
+  }
+  bool fail_settling() {
+    because_ =
+        ": the projection of each step moves it farther than its error does. The value or the rate of a constraint jumps here, "
+        "for which the motion has no impulse: give it a smooth law of time, or make a motion that ends before and one from there "
+        "on";
+    return fail("the steps have become too short");
   }
 
   /// Whether steps have been this short so long that the end is out of reach: many kept ones in a row below 1e-8 of the

@@ -158,9 +158,10 @@ bool RadauIia5::advance(double end) {
     const double h = lands ? end - t_ : h_;
     const double error = attempt(h), reached = lands ? end : t_ + h;
     const double factor = std::isfinite(error) ? std::clamp(0.9 * std::pow(std::max(error, 1e-12), -0.25), 0.2, 6.0) : 0.25;
-    if (!(error <= 1.0) || (settle_ && !settle_(reached, next_))) {
+    const double moved = error <= 1.0 ? settled(reached, next_, tolerance_) : 0.0;
+    if (!(error <= 1.0) || !(moved <= 1.0)) {
       h_ = h * std::min(0.5, factor);
-      if (++refused > patience || h_ < least) return fail("the steps have become too short");
+      if (++refused > patience || h_ < least) return moved > 1.0 ? fail_settling() : fail("the steps have become too short");
       continue;
     }
     const std::vector<double> slope_before = slope_here_;

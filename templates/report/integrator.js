@@ -65,6 +65,10 @@ const fifth = [
 ];
 const third = [31 / 127, 0.733846688281611857341361741547, 3 / 136];
 
+/// How far settling may move the end of a step, in tolerances: a constraint that follows a law of time is left by whatever that
+/// law did within the step, and no other estimate sees it. Roundings of the largest number of the state are no correction.
+const mostSettled = 100, roundings = 4096;
+
 /// A motion from (t, y) by steps that the tolerance chooses; f(t, y, slope) says false where there is no slope.
 /// `settle(t, y)`, when given, puts what a step has reached onto its constraints and says false where it cannot.
 class Integrator {
@@ -85,17 +89,21 @@ class Integrator {
     let rejections = 0;
     while (end - this.t > 1e-14 * Math.max(1, Math.abs(end))) {
       const h = Math.min(this.h, end - this.t);
-      const error = this.attempt(h);
+      const reached = h === end - this.t ? end : this.t + h;
+      let error = this.attempt(h);
+      if (error <= 1 && this.settle) {
+        const moved = this.settled(reached);
+        if (Number.isNaN(moved)) {
+          this.h = h * 0.3;
+          if (++rejections > 60) return this.fail("«the constraints could not be closed»");
+          continue;
+        }
+        if (moved > 1) error = moved;
+      }
       if (!(error <= 1)) {
         ++this.rejected;
         this.h = h * (Number.isFinite(error) ? Math.max(0.3, 0.8 * error ** -0.125) : 0.3);
         if (++rejections > 60 || this.h < 1e-14 * Math.max(1, Math.abs(this.t))) return this.fail("«steps became too short»");
-        continue;
-      }
-      const reached = h === end - this.t ? end : this.t + h;
-      if (this.settle && !this.settle(reached, this.next)) {
-        this.h = h * 0.3;
-        if (++rejections > 60) return this.fail("«the constraints could not be closed»");
         continue;
       }
       this.t = reached;
@@ -140,6 +148,20 @@ class Integrator {
     }
     const mixed = five + 0.01 * three;
     return mixed === 0 ? 0 : (Math.abs(h) * five) / Math.sqrt(mixed * n);
+  }
+
+  /// Settles `next`; what that moved over the most that it may, 1 and less being allowed, and not a number where it could not.
+  settled(reached) {
+    const { y, next } = this, before = Float64Array.from(next);
+    if (!this.settle(reached, next)) return NaN;
+    const least = roundings * Number.EPSILON * before.reduce((most, value) => Math.max(most, Math.abs(value)), 0);
+    let sum = 0;
+    for (let i = 0; i < next.length; ++i) {
+      const size = Math.max(Math.abs(y[i]), Math.abs(before[i]), Math.abs(next[i]));
+      const allowed = Math.max(mostSettled * (this.absolute + this.tolerance * size), least);
+      if (next[i] !== before[i]) sum += ((next[i] - before[i]) / allowed) ** 2;
+    }
+    return Math.sqrt(sum / next.length);
   }
 
   firstStep(span) {

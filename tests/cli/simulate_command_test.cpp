@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "torsor/generator/expression/piecewise.hpp"
 #include "tests/cli/scene_runner.hpp"
 
 namespace torsor::simulate_command_test {
@@ -342,6 +343,40 @@ TEST(Simulate, EndsWhereTheRightHandSideJumps) {
     EXPECT_NE(outcome.err.find("steps stay below 1e-8 of the motion at t = 0.5"), std::string::npos) << outcome.err;
     EXPECT_NE(outcome.err.find("the right-hand side jumps here"), std::string::npos) << outcome.err;
     EXPECT_NE(outcome.err.find("; state: x = 0.25"), std::string::npos) << outcome.err;
+  }
+}
+
+/// A cart that follows a speed: one that rises from 0 to 1 m/s within some ms, or one that jumps at 0.5 s.
+Scene following(bool jumps) {
+  Scene scene(jumps ? "jump" : "rise");
+  const Expression x = scene.coordinate("x", "m"), one = Expression::quantity("1", "m/s");
+  const Expression since = (scene.time() - Expression::quantity("0.5", "s")) / Expression::quantity("1", "s");
+  scene.body("cart", scene.prismatic("cart", scene.ground(), axis::x, x), Inertia::point(Expression::quantity("1", "kg")));
+  scene.nonholonomic("law", rate(x) - (jumps ? piecewise({{since < 0, 0 * one}}, one) : one / (1 + exp(-500 * since))));
+  return scene;
+}
+Scene rising() { return following(false); }
+Scene jumping() { return following(true); }
+
+TEST(Simulate, FollowsASpeedThatRisesWithinAStepWhateverTheRowsAskedFor) {
+  for (const char* method : {"dp853", "radau"}) {
+    for (const char* step : {"0.25", "0.3", "1"}) {
+      const Outcome outcome = run(rising, {"simulate", "--to", "1", "--step", step, "--method", method, "--tolerance", "1e-9"});
+      EXPECT_EQ(outcome.code, 0) << outcome.err;
+      // The integral of the law, by its symmetry.
+      EXPECT_NEAR(table(outcome.out).second.back()[1], 0.5, 1e-7) << method << step;
+    }
+  }
+}
+
+TEST(Simulate, EndsWhereASpeedJumps) {
+  for (const char* method : {"dp853", "radau"}) {
+    for (const char* step : {"0.25", "0.3", "1"}) {
+      const Outcome outcome = run(jumping, {"simulate", "--to", "1", "--step", step, "--method", method, "--tolerance", "1e-9"});
+      EXPECT_EQ(outcome.code, 1);
+      EXPECT_NE(outcome.err.find("the steps have become too short at t = 0.5"), std::string::npos) << outcome.err;
+      EXPECT_NE(outcome.err.find("The value or the rate of a constraint jumps here"), std::string::npos) << outcome.err;
+    }
   }
 }
 

@@ -15,6 +15,7 @@ PROGRAMS = os.environ["TORSOR_PROGRAM_DIR"]
 FILES = {"bennett": ["tests/python/bennett.cpp"],
          "lamp": ["tests/python/lamp.cpp"],
          "ring": ["tests/python/ring.cpp"],
+         "rising": ["tests/report/rising_scene.cpp"],
          "unvalued": ["tests/python/unvalued.cpp"],
          "odd_names": ["tests/python/odd_names.cpp"],
          "worn_floor": ["tests/python/worn_floor.cpp"],

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // choices.mjs PROGRAMS FOLDER: what a page makes of laws of time, of parameters that follow others or have no value, and of
-// start values that constraints do not allow. PROGRAMS is the folder of shaken_scene, following_scene, elastic_scene and four_bar_scene.
+// start values that constraints do not allow. PROGRAMS is the folder of shaken_scene, following_scene, elastic_scene,
+// four_bar_scene and rising_scene.
 import { execFileSync } from "node:child_process";
 import { mkdirSync, readFileSync } from "node:fs";
 import { join } from "node:path";
@@ -57,6 +58,20 @@ function opened(name, ...options) {
   const late = start({ start: { a: 1, b: -0.5 }, latest: "b" });
   expect(near(late.samples[0], [0.5, -0.5, 0.5, 0, 0, 0], 1e-13), `the slider that was moved last does not stay: ${late.samples[0]}`);
   expect(late.moved.length === 1 && late.moved[0].name === "a" && late.moved[0].asked === 1, "the page does not know that a moved");
+}
+{  // A speed that rises within a step: the integral of the law is known by its symmetry. One that jumps ends the motion.
+  const { mechanism, Motion, Integrator } = opened("rising");
+  for (const interval of [1, 0.3, 0.25]) {
+    const motion = new Motion(mechanism, { interval });
+    while (motion.time < 0.9 - 1e-9 && motion.extend());
+    const after = motion.samples.at(-1)[0] - (motion.time - 0.5);
+    expect(motion.status === "ok" && Math.abs(after) < 1e-9,
+           `rows each ${interval} s: ${motion.status}, off by ${after} at ${motion.time}`);
+  }
+  const slope = (t, [, speed], rates) => { rates.set([speed, 0]); return true; };
+  const settle = (t, y) => { y[1] = t < 0.5 ? 0 : 1; return true; };
+  const jumping = new Integrator(slope, 0, [0, 0], { settle });
+  expect(!jumping.advance(1) && Math.abs(jumping.t - 0.5) < 1e-12, `a jump ends at ${jumping.t}: ${jumping.status}`);
 }
 
 for (const each of failures) console.error(each);
