@@ -51,7 +51,9 @@ class Scene {
   /// The time t [s].
   Expression time() const;
 
-  /// Imposes a law of time on a coordinate, e.g. `drive(phi, omega * time())`. The coordinate is no unknown any more.
+  /// Imposes a law of time on a coordinate, e.g. `drive(phi, omega * time())`. The coordinate is no unknown any more. A law
+  /// that moves a joint has a continuous rate: where it jumps or has a kink (max, abs, piecewise), the motion would need an
+  /// impulse, and the scene is refused. The same holds for time in the displacement of a joint.
   void drive(const Expression& coordinate, const Expression& law);
   /// The state at t = 0. A coordinate that is not given starts at zero, at rest; given again, the last one counts.
   void initial(const Expression& coordinate, const Expression& value, const Expression& rate = 0);

@@ -17,6 +17,7 @@
 #include "torsor/generator/dynamics/equations/dependence_checks.hpp"
 #include "torsor/generator/dynamics/equations/equations.hpp"
 #include "torsor/generator/dynamics/equations/friction_checks.hpp"
+#include "torsor/generator/dynamics/equations/law_checks.hpp"
 #include "torsor/generator/dynamics/equations/ownership_checks.hpp"
 #include "torsor/generator/dynamics/equations/scene_checks.hpp"
 #include "torsor/generator/dynamics/equations/start_error.hpp"
@@ -285,6 +286,7 @@ void validate(const Scene& scene) {
   check_dependences(scene);
   const Equations equations(scene);
   check_joints(equations.model());
+  check_laws_of_time(scene);
   check_slipping_bodies(equations.model());
   check_support_functions(equations.model());
   equations.actions();
