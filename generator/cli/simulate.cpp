@@ -4,8 +4,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <map>
 #include <memory>
 #include <set>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -77,6 +79,32 @@ std::string state_in_words(const EvaluatedMotion& motion, const std::vector<doub
   return fmt::format("; state: {}", fmt::join(numbers, ", "));
 }
 
+/// Lengths, or angles, all of which are so small that the 1 of 1 + |y| is all that their tolerance knows; empty: none are.
+/// What does not move, but for rounding, has no size.
+std::vector<std::string> remarks_of_small_coordinates(const Scene& scene, const SimulationOptions& options,
+                                                      const Simulation& motion) {
+  constexpr double rounding = 1e-12, coarse = 1e-6;
+  std::map<std::string, double> largest;  // by unit
+  for (std::size_t column = 0; column < motion.names.size(); ++column) {
+    for (const CoordinateContent& coordinate : scene.content().coordinates) {
+      if (!coordinate.unknown() || coordinate.q->name != motion.names[column]) continue;
+      double& size = largest[motion.units[column]];
+      for (const std::vector<double>& row : motion.rows) size = std::max(size, std::abs(row[column]));
+    }
+  }
+  std::vector<std::string> remarks;
+  for (const auto& [unit, size] : largest) {
+    if (options.method == "gauss" || size <= rounding || options.tolerance <= coarse * size) continue;
+    const double finer = std::max(1e-14, 1e-8 * size);
+    const std::string remedy = options.tolerance > 2 * finer ? fmt::format("give --tolerance {:.0e}", finer)
+                               : has_contacts(scene)         ? "no --tolerance is finer"
+                                                             : "give --method gauss and a --method-step";
+    remarks.push_back(fmt::format("coordinates in {} stay below {:.1e}, and a step may err by {:g} (1 + |y|), {:.0e} of that: {}",
+                                  unit, size, options.tolerance, options.tolerance / size, remedy));
+  }
+  return remarks;
+}
+
 }  // namespace
 
 void require_distinct_columns(const Simulation& motion) {
@@ -91,7 +119,12 @@ void require_distinct_columns(const Simulation& motion) {
 
 Simulation simulate(const Scene& scene, const SimulationOptions& options) {
   check_options(options);
-  if (has_contacts(scene)) return simulate_contacts(scene, options);
+  const auto with_remarks = [&](Simulation motion) {
+    const std::vector<std::string> remarks = remarks_of_small_coordinates(scene, options, motion);
+    motion.remarks.insert(motion.remarks.end(), remarks.begin(), remarks.end());
+    return motion;
+  };
+  if (has_contacts(scene)) return with_remarks(simulate_contacts(scene, options));
   EvaluatedMotion motion(scene, options.model, options.parameters, options.inputs);
   Simulation result;
   result.names = {"time"};
@@ -162,7 +195,7 @@ Simulation simulate(const Scene& scene, const SimulationOptions& options) {
     }
     result.status += near;
   }
-  return result;
+  return with_remarks(std::move(result));
 }
 
 std::string simulation_csv(const Scene& scene, const SimulationOptions& options, const Simulation& motion) {

@@ -73,6 +73,26 @@ Scene springs() {
 
 // As in a header, where default_parameters() gives numbers: k1 changes k2, which is a formula of it, and not the default of k3.
 // x = cos(sqrt(k) t) after 1 s; steps of 1e-10 leave some 1e-9.
+// Where all lengths are far below 1 m the tolerance knows nothing of their size, which is said.
+TEST(Simulate, SaysWhereItsToleranceIsCoarseBesideTheMotion) {
+  const auto notes = [](const std::string& start, const std::vector<std::string>& more = {}) {
+    std::vector<std::string> arguments{"simulate", "--to", "0.1", "--step", "0.05", "--initial", start};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    const Outcome outcome = run(springs, arguments);
+    EXPECT_EQ(outcome.code, 0) << outcome.err;
+    return outcome.err;
+  };
+  const std::string coarse = "coordinates in m stay below 2.0e-06, and a step may err by 1e-10 (1 + |y|), 5e-05 of that: "
+                             "give --tolerance 2e-14";
+  EXPECT_NE(notes("x1=1e-6,x2=-2e-6,x3=1e-6").find(coarse), std::string::npos);
+  EXPECT_NE(notes("x1=1e-9,x2=0,x3=0", {"--tolerance", "1e-14"}).find("1e-05 of that: give --method gauss"), std::string::npos);
+  for (const std::string& silent : {notes("x1=1e-6,x2=1,x3=0"), notes("x1=1e-3,x2=0,x3=0"), notes("x1=0,x2=0,x3=0"),
+                                    notes("x1=1e-6,x2=0,x3=0", {"--tolerance", "1e-14"}),
+                                    notes("x1=1e-9,x2=0,x3=0", {"--method", "gauss"})}) {
+    EXPECT_EQ(silent.find("stay below"), std::string::npos) << silent;
+  }
+}
+
 TEST(Simulate, DefaultsOfRunTimeParametersAreNumbers) {
   const auto ends = [](const std::vector<std::string>& words) {
     std::vector<std::string> all{"simulate", "--to", "1", "--step", "1"};

@@ -72,6 +72,12 @@ Scene stopped_loop() {
   return scene;
 }
 
+TEST(SimulateContacts, SayWhereTheirToleranceIsCoarseBesideTheMotion) {
+  const Outcome small = run(dropped, {"simulate", "--to", "0.001", "--step", "0.001", "--initial", "z=1e-6"});
+  EXPECT_NE(small.err.find("coordinates in m stay below 1.0e-06"), std::string::npos) << small.err;
+  EXPECT_EQ(run(dropped, {"simulate", "--to", "0.1", "--step", "0.1"}).err.find("stay below"), std::string::npos);
+}
+
 // contact_zeno_billiard_grazing.md (1): the bounces end at sqrt(2 h/g) (1 + e)/(1 - e), then it rests with N = m g.
 TEST(SimulateContacts, BouncesTillItRests) {
   const Outcome outcome = run(dropped, {"simulate", "--to", "1.5"});
