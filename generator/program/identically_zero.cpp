@@ -2,6 +2,7 @@
 #include "torsor/generator/program/identically_zero.hpp"
 
 #include <algorithm>
+#include <initializer_list>
 #include <random>
 #include <unordered_map>
 #include <utility>
@@ -28,7 +29,8 @@ bool vanishes(const Sized& x) {
 enum class Signs { positive, negative, either };
 struct Trial {
   Signs signs;
-  bool spread;
+  bool spread = false;
+  bool of_another_base = false;  ///< of exponentials
 };
 
 class RandomNumbers {
@@ -76,6 +78,38 @@ std::vector<ValueNumber> selections(const Program& program, const std::vector<Va
   return found;
 }
 
+std::vector<ValueNumber> calls_of(const Program& program, const std::vector<ValueNumber>& live,
+                                  const std::initializer_list<Function> functions) {
+  std::vector<ValueNumber> found;
+  for (const ValueNumber value_number : live) {
+    const auto& function = program[value_number].function;
+    if (function && std::find(functions.begin(), functions.end(), *function) != functions.end()) found.push_back(value_number);
+  }
+  return found;
+}
+
+/// Gives exponentials and logarithms another base, of which no power is next to nothing beside others: exp(c x) and log(x)/c
+/// obey the same laws, and a law of time that acts for a millisecond is next to nothing at all other times. False where the
+/// arguments are no larger than others.
+bool take_another_base(Program& program, const std::vector<ValueNumber>& exponentials, Evaluator<Sized>& as_it_is,
+                       Evaluator<Sized>& evaluate) {
+  const auto argument = [&](ValueNumber value_number, Evaluator<Sized>& by) {
+    return by(program.argument(program[value_number], 0)).value;
+  };
+  Real largest(16);
+  for (const ValueNumber value_number : exponentials) {
+    const Real x = argument(value_number, as_it_is);
+    if (program[value_number].function == Function::exp && largest < abs(x)) largest = abs(x);
+  }
+  if (!(Real(16) < largest)) return false;
+  const Real c = Real(2) / largest;
+  for (const ValueNumber value_number : exponentials) {
+    const Real x = argument(value_number, evaluate);
+    evaluate.fix(value_number, Sized(program[value_number].function == Function::exp ? exp(c * x) : log(x) / c));
+  }
+  return true;
+}
+
 /// Gives each selection one of its forms at random, in the order of the program, so that forms are known before.
 void take_forms_at_random(Program& program, const std::vector<ValueNumber>& selections, Evaluator<Sized>& evaluate,
                           std::mt19937_64& random) {
@@ -111,21 +145,28 @@ std::vector<bool> identically_zero_entries(const std::vector<Value>& values) {
   Program& program = *with_program->program();
   const WorkingDigits precision(digits);
   // What moves is positive, then negative, then either: sqrt(x^2) is not x.
-  std::vector<Trial> trials = {{Signs::positive, false}, {Signs::negative, false}, {Signs::either, false}};
+  std::vector<Trial> trials = {{Signs::positive}, {Signs::negative}, {Signs::either}};
   const std::vector<ValueNumber> live = program.live(values);
   if (has_regions(program, live)) {
     trials.insert(trials.end(), {{Signs::positive, true}, {Signs::negative, true}, {Signs::either, true}});
   }
   const std::vector<ValueNumber> selecting = selections(program, live);
   const std::size_t as_they_are = trials.size();
-  for (int more = 0; more < trials_of_forms && !selecting.empty(); ++more) trials.push_back({Signs::either, false});
+  for (int more = 0; more < trials_of_forms && !selecting.empty(); ++more) trials.push_back({Signs::either});
+  const std::vector<ValueNumber> exponentials = calls_of(program, live, {Function::exp, Function::log});
+  if (!exponentials.empty()) trials.insert(trials.end(), 2, {Signs::either, false, true});
   std::mt19937_64 random(20240229);  // any fixed seed: the answer must not change from run to run
   for (std::size_t number_of_trial = 0; number_of_trial < trials.size(); ++number_of_trial) {
     const Trial& trial = trials[number_of_trial];
     RandomNumbers numbers(trial, random);
     Evaluator<Sized> evaluate(program, [&](const SymbolPointer& symbol) { return numbers(symbol); });
     const bool of_forms = number_of_trial >= as_they_are;
-    if (of_forms) take_forms_at_random(program, selecting, evaluate, random);
+    if (trial.of_another_base) {
+      Evaluator<Sized> as_it_is(program, [&](const SymbolPointer& symbol) { return numbers(symbol); });
+      if (!take_another_base(program, exponentials, as_it_is, evaluate)) continue;
+    } else if (of_forms) {
+      take_forms_at_random(program, selecting, evaluate, random);
+    }
     for (std::size_t i = 0; i < values.size(); ++i) {
       if (!result[i] || values[i].is_zero()) continue;
       const Sized number = evaluate(values[i]);

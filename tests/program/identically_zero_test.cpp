@@ -23,6 +23,19 @@ TEST(Vanishes, RecognisesIdentitiesThatNoTermByTermComparisonSees) {
   EXPECT_TRUE(zero(pow(sin(0.3_r), 2) + pow(cos(0.3_r), 2) - 1));
 }
 
+// Next to nothing at all times but some milliseconds. It was taken for zero, and a cart with that law had no acceleration.
+TEST(Vanishes, IsNotFooledByWhatActsForAMillisecond) {
+  Program program;
+  const Expression x = make_symbol("x"), since = (x - 1 / 2_r) / Expression(1 / 1000_r);
+  const auto zero = [&](const Expression& f) { return identically_zero(program.lower(f)); };
+  EXPECT_FALSE(zero(exp(-since) / pow(1 + exp(-since), 2)));
+  EXPECT_FALSE(zero(exp(-since * since)));
+  EXPECT_FALSE(zero(3 * x + exp(-since * since) - 3 * x));
+  EXPECT_TRUE(zero(exp(-since * since) * exp(since * since) - 1));
+  EXPECT_TRUE(zero(log(exp(-since)) + since));
+  EXPECT_TRUE(zero(exp(x - since * since) - exp(-since * since) * exp(x)));
+}
+
 TEST(Vanishes, IsNotFooledBySmallOrUndefinedValues) {
   Program program;
   const Expression x = make_symbol("x");
