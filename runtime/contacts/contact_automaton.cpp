@@ -44,12 +44,15 @@ bool ContactAutomaton::renew(std::span<double> y) {
     rubbed[as(i)] = motion_.rule(i).law().rubs();
     any = motion_.take_rule(i) || any;
   }
-  if (!any) return true;
-  if (!valid_rules()) return false;
+  if (any && !valid_rules()) return false;
   if (!motion_.read(result_.time, y_)) return end(ContactStatus::integration_failed, std::nullopt);
   for (int i = 0; i < count(); ++i) {
-    if (motion_.rule(i).law().rubs() != rubbed[as(i)]) set_by_slip(i, options_.at_rest);
+    if (motion_.normal_has_jumped(i)) return end(ContactStatus::no_point, i);
+    const bool slips = motion_.slip_has_jumped(i);  // a belt that was set to another speed
+    if (slips || motion_.rule(i).law().rubs() != rubbed[as(i)]) set_by_slip(i, options_.at_rest);
+    any = any || slips;
   }
+  if (!any) return true;
   return settle(std::nullopt) && decide(std::nullopt, Cause::none);
 }
 

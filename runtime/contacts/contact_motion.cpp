@@ -267,8 +267,14 @@ void ContactMotion::take_direction(int i) noexcept {
   changed();
 }
 
-bool ContactMotion::slips_across(int i) const noexcept {
-  return slip_speed(i) > std::max({4 * least_slip(i), 1e-11 * at(i).fastest, 2 * blur(i)});
+bool ContactMotion::slips_across(int i) {
+  // The end of a slip is located to roundings of the time, in which it goes on to change.
+  double change = 0;
+  for (int k = 0; k < rule(i).tangents; ++k) {
+    const int row = tangent_row(i) + k;
+    change = std::hypot(change, terms_of_acceleration(row) + W().row(row).cwiseAbs().dot(r_.cwiseAbs()));
+  }
+  return slip_speed(i) > std::max({4 * least_slip(i), 1e-11 * at(i).fastest, 2 * blur(i), 64 * rounding_of_time(t_) * change});
 }
 
 double ContactMotion::slip(int i) const noexcept {

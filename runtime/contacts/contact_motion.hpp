@@ -36,8 +36,8 @@ class ContactMotion {
   /// Loops, gaps of closed contacts, their velocities and those of sticking ones back to zero, in at most `steps` steps
   /// of Newton's method.
   [[nodiscard]] Evaluation project(double t, std::span<double> y, int steps = 3);
-  /// The same at the end of a step of the integration. Refused where a velocity that is held, or a gap, is none of its errors:
-  /// the step was too long, or there is a jump (`jumping`).
+  /// The same at the end of a step of the integration. Refused where a velocity that is held, or a gap, is none of its errors but
+  /// jumps: `jumping`.
   [[nodiscard]] Evaluation hold(double t, std::span<double> y);
   /// Where the integration is going: one that cannot go on ends within roundings of the time and of the way that is left.
   void head_for(double end) noexcept { end_ = end; }
@@ -78,6 +78,10 @@ class ContactMotion {
   [[nodiscard]] std::optional<double> pass_jump_of_slip(int i, double t, std::span<double> y);
   /// Whether a contact that sticks has a slip, at the state read last, that is none of the errors of the integration.
   [[nodiscard]] bool slip_has_jumped(int i) const noexcept;
+  /// The same of the normal velocity of a contact that touches.
+  [[nodiscard]] bool normal_has_jumped(int i) const noexcept {
+    return at(i).touches && rule(i).normal && has_jumped(first_row(i));
+  }
   /// A contact that touches and whose rows are others, by an eighth, where coordinates change by some errors of the
   /// integration: it has no single point that could be followed, as where a disc has all but fallen flat.
   [[nodiscard]] std::optional<int> without_point(double t, std::span<const double> y);
@@ -125,7 +129,7 @@ class ContactMotion {
   /// Goes on with that direction, as a slip that has a speed.
   void take_direction(int i) noexcept;
   /// Whether a slip has a velocity across its last direction, beyond what is left of one that ends.
-  [[nodiscard]] bool slips_across(int i) const noexcept;
+  [[nodiscard]] bool slips_across(int i);
   /// d_last · w_T, which falls through zero where the slip ends.
   [[nodiscard]] double slip(int i) const noexcept;
   /// |w_T|.
@@ -217,11 +221,13 @@ class ContactMotion {
   [[nodiscard]] const ContactState& at(int i) const noexcept { return states[as(i)]; }
   [[nodiscard]] bool any_touches() const noexcept;
   [[nodiscard]] bool read_on_the_way(double part, double t, std::span<const double> y);
+  /// What is left of a velocity that is held, the sizes of its terms, J v and that of the surface, and what a step may leave.
   struct Off {
     double velocity, terms, error;
   };
   [[nodiscard]] double terms_of_acceleration(int row) const noexcept;
   [[nodiscard]] Off off(int row, std::span<const double> y) const noexcept;
+  [[nodiscard]] bool has_jumped(int row) const noexcept;
   Evaluation jumps_at(int i, double t) noexcept;
   template <class Number>
   [[nodiscard]] bool jumps(double t, std::span<const double> y, const Number& number);

@@ -111,12 +111,11 @@ ContactMotion::Off ContactMotion::off(int row, std::span<const double> y) const 
 // A step may reach over a place where the normal of a contact jumps, as that of a disc's rim does where the disc lies
 // flat, or its gap, as that of a floor with a step, or the velocity of its surface, as that of a belt that starts. To project
 // would be an impact that no law has decided, or move a body through a wall: a shorter step is asked for, and none is short
-// enough. Where all is smooth, and the step was too long for it, one is.
+// enough. Where all is smooth, and the step was too long for it, the method sees it by what the projection moves.
 Evaluation ContactMotion::hold(double t, std::span<double> y) {
   if (!any_touches()) return project(t, y);
   mechanism_.normalise(y);  // what is read here the projection begins with
   if (!read(t, y)) return Evaluation::singular;
-  bool too_long = false;
   for (int i = 0; i < count(); ++i) {
     if (!at(i).touches) continue;
     const bool sticks = at(i).regime == ContactRegime::sticks;
@@ -129,7 +128,6 @@ Evaluation ContactMotion::hold(double t, std::span<double> y) {
       const bool turns = now.velocity > now.error && (now.velocity > now.terms / 16 || now.velocity > 16 * now.error);
       const auto velocity = [row](const ContactReading& reading) { return reading.w(row); };
       if (turns && jumps(t, y, velocity)) return jumps_at(i, t);
-      too_long = too_long || now.velocity > 100 * now.error + 1e4 * rounding_of(row);
     }
     if (!rule(i).normal) continue;
     const double place = rounding_of_gap(i) / std::numeric_limits<double>::epsilon();
@@ -137,7 +135,7 @@ Evaluation ContactMotion::hold(double t, std::span<double> y) {
     const auto gap = [i](const ContactReading& reading) { return reading.gap[as(i)]; };
     if (moves && jumps(t, y, gap)) return jumps_at(i, t);
   }
-  return too_long ? Evaluation::singular : project(t, y);
+  return project(t, y);
 }
 
 Evaluation ContactMotion::jumps_at(int i, double t) noexcept {
@@ -149,11 +147,13 @@ Evaluation ContactMotion::jumps_at(int i, double t) noexcept {
 bool ContactMotion::slip_has_jumped(int i) const noexcept {
   if (!at(i).touches || at(i).regime != ContactRegime::sticks) return false;
   bool any = false;
-  for (int k = 0; k < rule(i).tangents; ++k) {
-    const Off now = off(tangent_row(i) + k, y_);
-    any = any || now.velocity > 16 * now.error + 1e4 * rounding_of(tangent_row(i) + k);
-  }
+  for (int k = 0; k < rule(i).tangents; ++k) any = any || has_jumped(tangent_row(i) + k);
   return any;
+}
+
+bool ContactMotion::has_jumped(int row) const noexcept {
+  const Off now = off(row, y_);
+  return now.velocity > 16 * now.error + 1e4 * rounding_of(row);
 }
 
 std::optional<double> ContactMotion::pass_jump_of_slip(int i, double t, std::span<double> y) {

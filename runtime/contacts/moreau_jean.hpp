@@ -66,7 +66,8 @@ class MoreauJean {
   ContactDynamics dynamics_;
   Eigen::VectorXd change_, v_;
   std::vector<double> middle_, before_, rates_, damping_;
-  ContactVector impulses_, guess_;  ///< of the last step; of each contact in the last step that had it
+  ContactVector impulses_;  ///< of the last step
+  ContactVector guess_;     ///< the last impulses of each contact, kept while it is open
   ContactStatus status_ = ContactStatus::reached_end;
   double residual_ = 0, depth_ = 0;
   std::optional<int> contact_;

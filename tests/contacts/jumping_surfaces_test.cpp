@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "tests/contacts/told_motion.hpp"
+#include "torsor/runtime/integration/runge_kutta_4.hpp"
 
 namespace jumping_surfaces_test {
 namespace {
@@ -88,6 +89,61 @@ TEST(JumpingSurface, ThatTurnsRoundTurnsASlipRound) {
     EXPECT_NEAR(y[2], -0.1 * a, 1e-11);
     EXPECT_NEAR(y[0], a * (0.02 + 0.06 - 0.045), 1e-11);
     EXPECT_TRUE(told.empty());
+  }
+}
+
+// The end of a slip is located to a rounding of the time, in which it goes on to change: late on the clock that is no jump.
+TEST(JumpingSurface, IsNotSeenWhereABlockComesToRestLate) {
+  for (const double start : {1e4, 1e6, 1e7}) {
+    std::array<double, 4> y{0, 0, 1, 0};
+    const auto rests = [](double, double) { return Belt{}; };
+    const auto result = integrate_contacts(block_on(rests), y, start, start + 1, DormandPrince853{}, {.event_limit = 100});
+    EXPECT_TRUE(result) << describe(result.status) << ' ' << start;
+    EXPECT_NEAR(y[0], 1 / (2 * a), 1e-8) << start;
+    EXPECT_EQ(y[2], 0);
+    EXPECT_EQ(result.events, 1);
+  }
+}
+
+// A caller who sets the belt to another speed between two pieces of a motion.
+TEST(JumpingSurface, ThatACallerSetsToAnotherSpeedDragsByFriction) {
+  double speed = 0;
+  const auto set = [&speed](double, double) { return Belt{speed, 0}; };
+  const auto block = block_on(set);
+  const ContactMechanismOf<ByHand<2, 2, 1>> mechanism(block);
+  for (const double later : {1.0, -1.0, 1e-6}) {
+    std::array<double, 4> y{};
+    IgnoreSteps none;
+    ContactRun<4, 1, DormandPrince853, IgnoreSteps> run(mechanism, y, precise, {}, none);
+    speed = 0;
+    ASSERT_TRUE(run.start(0) && run.advance(0.5));
+    speed = later;
+    ASSERT_TRUE(run.advance(1)) << describe(run.result().status);
+    EXPECT_NEAR(y[0], 0.5 * later - std::copysign(later * later / (2 * a), later), 1e-12) << later;
+    EXPECT_NEAR(y[2], later, 1e-14);
+  }
+}
+
+// Steps of one length cannot be made shorter: what one leaves of a velocity that is held is taken away, as before.
+TEST(JumpingSurface, IsNotSeenInStepsOfOneLength) {
+  const ByHand<3, 3, 1> rod{{ContactRule{.tangents = 1, .friction = 2}}, [](double, const auto& y, auto& r) {
+                              r.M.setIdentity();
+                              r.M(2, 2) = 1.0 / 3;
+                              r.F << 0, -g, 0;
+                              const double c = std::cos(y[2]), s = std::sin(y[2]);
+                              r.gap[0] = y[1] - c;
+                              r.J << 0, 1, s, 1, 0, -c;
+                              r.w << y[4] + s * y[5], y[3] - c * y[5];
+                              r.drift << c * y[5] * y[5], s * y[5] * y[5];
+                            }};
+  const std::array<double, 6> start{0, std::cos(0.2), 0.2, 0, 0, 0};
+  auto exact = start;
+  ASSERT_TRUE(integrate_contacts(rod, exact, 0, 0.4, precise));
+  for (const double step : {0.1, 0.02}) {
+    auto y = start;
+    const auto result = integrate_contacts(rod, y, 0, 0.4, RungeKutta4{.step = step});
+    EXPECT_TRUE(result) << describe(result.status) << ' ' << step;
+    EXPECT_NEAR(y[2], exact[2], step * step * step * step);
   }
 }
 

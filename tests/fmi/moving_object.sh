@@ -15,6 +15,6 @@ moving_object() {
   fi
   "$@" "-I$folder" -MMD -MF "$folder/moving.d" -c "$source" -o "$folder/moving.o"
   tr -s ' \\\n' '\n' < "$folder/moving.d" | sed -n "s|^$folder/||p" | grep -v '^moving\.o' > "$folder/made_of"
-  [ -s "$folder/made_of" ]
+  [ -s "$folder/made_of" ] || { echo "no source is listed in $folder/moving.d" >&2; exit 1; }
   moving_object="$folder/moving.o"
 }
