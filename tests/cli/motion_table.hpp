@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstdlib>
 #include <map>
 #include <sstream>
 #include <string>
@@ -30,7 +31,7 @@ inline MotionTable table(const std::string& csv) {
     const bool names = result.column.empty();
     for (std::string cell; std::getline(cells, cell, ',');) {
       if (names) result.column.emplace(cell, result.column.size());
-      else row.push_back(std::stod(cell));
+      else row.push_back(std::strtod(cell.c_str(), nullptr));  // what decays may be below the least normal number
     }
     if (!names) result.rows.push_back(row);
   }
