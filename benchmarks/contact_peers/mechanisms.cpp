@@ -30,6 +30,12 @@ struct Hold {
     }
     return torques;
   }
+  /// What steps of equal length take implicitly.
+  std::array<double, 18> damping(const Robot::State&) const {
+    std::array<double, 18> rates{};
+    for (std::size_t j = 6; j < rates.size(); ++j) rates[j] = 2;
+    return rates;
+  }
 };
 using OnItsFeet = MechanismWithContacts<Robot, Hold>;
 
