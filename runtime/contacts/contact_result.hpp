@@ -28,7 +28,8 @@ enum class ContactStatus : int {
   law_of_one_contact,  ///< the energetic law of impact, and several contacts struck at once
   no_room,      ///< ContactRun has room for fewer numbers or contacts than the mechanism has
   change_point,  ///< constraints of loops lose rank
-  no_point,      ///< a contact has no single point or normal here, as a disc that lies flat, or its gap or its surface jumps along the normal
+  /// A contact has no single point or normal here, as a disc that lies flat, or its gap or its surface jumps along the normal.
+  no_point,
   invalid_options,  ///< an end before the start, or a step, theta, touch, at_rest, accumulation or law that cannot be
   zero_quaternion,  ///< the start has a quaternion of zeros
 };

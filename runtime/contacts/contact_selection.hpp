@@ -54,6 +54,12 @@ struct ContactSelection {
     for (int i = 0; i < rows; ++i) all(row[at(i)]) = some(i);
     return all;
   }
+  /// Those of the rows selected.
+  [[nodiscard]] ContactVector gather(const ContactVector& all) const noexcept {
+    ContactVector some(rows);
+    for (int i = 0; i < rows; ++i) some(i) = all(row[at(i)]);
+    return some;
+  }
 
  private:
   static constexpr std::size_t at(int i) noexcept { return static_cast<std::size_t>(i); }

@@ -77,8 +77,7 @@ bool MoreauJean::move_through(double t, double h, std::span<double> y) {
     chosen.add(i, law, first_row_[as(i)], first_bearing_[as(i)]);
   }
   chosen.fill(dynamics_.W, w_free, dynamics_.S, h * dynamics_.R_free);
-  ContactVector start(chosen.rows);
-  for (int k = 0; k < chosen.rows; ++k) start(k) = guess_(chosen.row[as(k)]);
+  const ContactVector start = chosen.gather(guess_);
   impulses_.setZero(rows());
   residual_ = 0;
   if (chosen.problem.count > 0) {
@@ -169,9 +168,7 @@ bool MoreauJean::put_back(double t, std::span<double> y) {
       if (gaps(n) < 0 && dynamics_.W(n, n) > 0) guess(n) = -gaps(n) / dynamics_.W(n, n);
     }
     chosen.fill(dynamics_.W, gaps);
-    ContactVector start(chosen.rows);
-    for (int k = 0; k < chosen.rows; ++k) start(k) = guess(chosen.row[as(k)]);
-    const ContactAnswer answer = go_on_contacts(chosen.problem, start);
+    const ContactAnswer answer = go_on_contacts(chosen.problem, chosen.gather(guess));
     if (!answer) return true;  // contacts that exclude each other
     change_ = dynamics_.closing;
     const ContactVector raised = chosen.spread(answer.best().r, rows());

@@ -126,16 +126,7 @@ TEST(JumpingSurface, ThatACallerSetsToAnotherSpeedDragsByFriction) {
 
 // Steps of one length cannot be made shorter: what one leaves of a velocity that is held is taken away, as before.
 TEST(JumpingSurface, IsNotSeenInStepsOfOneLength) {
-  const ByHand<3, 3, 1> rod{{ContactRule{.tangents = 1, .friction = 2}}, [](double, const auto& y, auto& r) {
-                              r.M.setIdentity();
-                              r.M(2, 2) = 1.0 / 3;
-                              r.F << 0, -g, 0;
-                              const double c = std::cos(y[2]), s = std::sin(y[2]);
-                              r.gap[0] = y[1] - c;
-                              r.J << 0, 1, s, 1, 0, -c;
-                              r.w << y[4] + s * y[5], y[3] - c * y[5];
-                              r.drift << c * y[5] * y[5], s * y[5] * y[5];
-                            }};
+  const auto rod = rod_on_its_foot();
   const std::array<double, 6> start{0, std::cos(0.2), 0.2, 0, 0, 0};
   auto exact = start;
   ASSERT_TRUE(integrate_contacts(rod, exact, 0, 0.4, precise));

@@ -219,4 +219,18 @@ inline ByHand<3, 3, 1> block_on_plane(double f) {
           }};
 }
 
+/// A rod of 1 kg and 2 m that stands on its rough foot and falls over: q = (x, z, φ), φ from upright.
+inline ByHand<3, 3, 1> rod_on_its_foot() {
+  return {{ContactRule{.tangents = 1, .friction = 2}}, [](double, const auto& y, auto& r) {
+            const double c = std::cos(y[2]), s = std::sin(y[2]);
+            r.M.setIdentity();
+            r.M(2, 2) = 1.0 / 3;
+            r.F << 0, -g, 0;
+            r.gap[0] = y[1] - c;
+            r.J << 0, 1, s, 1, 0, -c;
+            r.w << y[4] + s * y[5], y[3] - c * y[5];
+            r.drift << c * y[5] * y[5], s * y[5] * y[5];
+          }};
+}
+
 }  // namespace simple_systems
