@@ -93,6 +93,7 @@ class ContactAutomaton {
   static constexpr std::size_t as(int i) noexcept { return static_cast<std::size_t>(i); }
   [[nodiscard]] int count() const noexcept { return motion_.count(); }
   [[nodiscard]] bool valid_rules() noexcept;
+  [[nodiscard]] double gap_above(int contact) const noexcept;
   [[nodiscard]] double idle_slack(int contact, int row);
   bool begin(double t, Gaps gaps);
   [[nodiscard]] bool near(int i) const noexcept;

@@ -21,7 +21,7 @@ double ContactAutomaton::guard(std::size_t index, double t, std::span<const doub
   if (!motion_.read(t, y)) return none;
   if (watched == Watched::gap_or_pressure) {
     if (!rule.normal) return 1;
-    if (!state.touches) return motion_.reading().gap[as(contact)];
+    if (!state.touches) return gap_above(contact);
     if (motion_.solve(t, y) != Evaluation::ok) return none;
     const int n = motion_.first_row(contact);
     return motion_.reactions()(n) + state.force_slack + idle_slack(contact, n);
@@ -40,6 +40,14 @@ double ContactAutomaton::guard(std::size_t index, double t, std::span<const doub
   }
   if (motion_.solve(t, y) != Evaluation::ok) return none;
   return motion_.margin(contact) + state.force_slack + idle_slack(contact, motion_.tangent_row(contact));
+}
+
+// The gap of an open contact. One as good as closed that opens is above zero: the rounding of a sum of lengths, whose size no
+// coordinate shows, would fall to zero again and again where the contact has left.
+double ContactAutomaton::gap_above(int contact) const noexcept {
+  const double gap = motion_.reading().gap[as(contact)];
+  const bool opens = gap <= 0 && gap >= -reach(contact) && motion_.reading().w(motion_.first_row(contact)) > 0;
+  return opens ? std::numeric_limits<double>::min() : gap;
 }
 
 // What rounding may make of a force in a row of a contact that has none.

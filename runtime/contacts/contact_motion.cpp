@@ -401,7 +401,7 @@ Evaluation ContactMotion::align(double t, std::span<const double> y, const Align
     if (rate > 0) later = std::max(later, speed / rate / 16);
   }
   if (!(later > 0)) later = std::numeric_limits<double>::min();
-  there_.assign(y.begin(), y.end());
+  std::copy_n(y.begin(), there_.size(), there_.begin());  // y may have room for more
   mechanism_.coordinate_rates(t, y, rates_);
   for (std::size_t i = 0; i < rates_.size(); ++i) there_[i] += later * rates_[i];
   for (int i = 0; i < sizes_.velocities; ++i) there_[as(sizes_.coordinates + i)] += later * change_(i);

@@ -61,7 +61,7 @@ Evaluation ContactMotion::project_positions(double t, std::span<double> y, int s
     if (!(worst > 0)) break;
     change_ = dynamics_.closing;
     add_least_change();
-    there_.assign(y.begin(), y.end());
+    std::copy_n(y.begin(), there_.size(), there_.begin());  // y may have room for more
     for (int i = 0; i < sizes_.velocities; ++i) there_[as(sizes_.coordinates + i)] = change_(i);
     mechanism_.coordinate_rates(t, there_, rates_);
     double largest = 0, place = 0;
@@ -211,7 +211,7 @@ std::optional<int> ContactMotion::without_point(double t, std::span<const double
   if (!read(t, y)) return std::nullopt;
   const auto nq = as(sizes_.coordinates);
   for (int j = 0; j < sizes_.velocities; ++j) {
-    there_.assign(y.begin(), y.end());
+    std::copy_n(y.begin(), there_.size(), there_.begin());  // y may have room for more
     for (int k = 0; k < sizes_.velocities; ++k) there_[nq + as(k)] = k == j ? 1 : 0;
     mechanism_.coordinate_rates(t, there_, rates_);
     for (const double sign : {1.0, -1.0}) {

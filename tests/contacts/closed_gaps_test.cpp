@@ -89,5 +89,41 @@ TEST(ClosedGaps, OfOtherFeetDoNotSinkOneThatOpens) {
   }
 }
 
+/// Balls of radius 0.1 in a row without gravity, each coordinate from where it touches the next: the gaps are sums of lengths
+/// that are zero but for their rounding, which no coordinate shows.
+ByHand<3, 3, 2> touching_balls(double e) {
+  const ContactRule smooth{.tangents = 0, .restitution = e};
+  return {{smooth, smooth}, [](double, const auto& y, auto& r) {
+            r.M.setIdentity();
+            r.F.setZero();
+            r.gap = {y[1] + 0.3 - (y[0] + 0.1) - 0.2, y[2] + 0.6 - (y[1] + 0.4) - 0.2};
+            r.J << -1, 1, 0, 0, -1, 1;
+            r.w << y[4] - y[3], y[5] - y[4];
+            r.drift.setZero();
+          }};
+}
+
+// Their gaps are 0 and -2.8e-17 or so at the start. What had left fell to zero again and again at one time, and was closed.
+TEST(ClosedGaps, LetGoWhatPartsFromThem) {
+  for (const double speed : {1.0, 1e-3, 1e-8}) {
+    for (const double e : {0.5, 1.0}) {
+      SCOPED_TRACE(testing::Message() << speed << " m/s, e " << e);
+      std::array<double, 6> apart{0, 0, 0, -speed, 0, speed};
+      const ContactResult parts = integrate_contacts(touching_balls(e), apart, 0, 0.5);
+      EXPECT_TRUE(parts) << describe(parts.status);
+      EXPECT_EQ(parts.events, 0);
+      EXPECT_NEAR(apart[2], speed / 2, 4 * epsilon);
+      // The first two strike at once; the third leaves meanwhile.
+      std::array<double, 6> strikes{0, 0, 0, speed, 0, 3 * speed};
+      const ContactResult result = integrate_contacts(touching_balls(e), strikes, 0, 0.5);
+      EXPECT_TRUE(result) << describe(result.status);
+      EXPECT_EQ(result.impacts, 1);
+      EXPECT_NEAR(strikes[3], speed * (1 - e) / 2, 1e-15 * speed);
+      EXPECT_NEAR(strikes[4], speed * (1 + e) / 2, 1e-15 * speed);
+      EXPECT_EQ(strikes[5], 3 * speed);
+    }
+  }
+}
+
 }  // namespace
 }  // namespace closed_gaps_test

@@ -122,22 +122,28 @@ TEST(JumpingGaps, EndAMotionBackOntoAnEdge) {
   EXPECT_NEAR(result.time, 0.1, 1e-12);
 }
 
+constexpr double pawl_slope = 0.2, pawl_press = 100;
+
+/// A pawl of mass 1 pressed against teeth that rise at its slope and end each 0.1 s.
+ByHand<1, 1, 1> pawl() {
+  return {{ContactRule{.tangents = 0}}, [](double t, const auto& y, auto& r) {
+            r.M.setIdentity();
+            r.F << -pawl_press;
+            r.gap[0] = y[0] - pawl_slope * (t - 0.1 * std::floor(10 * t));
+            r.J << 1;
+            r.w << y[1] - pawl_slope;
+            r.drift << 0;
+          }};
+}
+
 // A pawl is driven over teeth of a ratchet, each 0.1 long and 0.02 high, at 1 m/s, pressed by its weight and a spring
 // that is soft: it rises with the slope, leaves the tip upwards with its speed, and lands on the next slope.
 TEST(JumpingGaps, LetAPawlFallOverTheTipsOfTeeth) {
-  constexpr double slope = 0.2, press = 100;
-  const ByHand<1, 1, 1> pawl{{ContactRule{.tangents = 0}}, [](double t, const auto& y, auto& r) {
-                               r.M.setIdentity();
-                               r.F << -press;
-                               r.gap[0] = y[0] - slope * (t - 0.1 * std::floor(10 * t));
-                               r.J << 1;
-                               r.w << y[1] - slope;
-                               r.drift << 0;
-                             }};
+  constexpr double slope = pawl_slope, press = pawl_press;
   std::array<double, 2> y{0, slope};
   std::vector<double> times;
   const ContactResult result =
-      integrate_contacts(pawl, y, 0, 0.35, DormandPrince853{}, {}, [&times](const ContactEvent& event) {
+      integrate_contacts(pawl(), y, 0, 0.35, DormandPrince853{}, {}, [&times](const ContactEvent& event) {
         times.push_back(event.time);
         return true;
       });
@@ -151,6 +157,19 @@ TEST(JumpingGaps, LetAPawlFallOverTheTipsOfTeeth) {
     EXPECT_NEAR(times[2 * k + 1], tip + flight, 1e-13);
   }
   EXPECT_NEAR(y[0], slope * 0.05, 1e-14);
+}
+
+// A state may have room for more numbers: what stands there is not touched. Once it was read, beyond the end of an array.
+TEST(JumpingGaps, LeaveTheRoomOfAStateAlone) {
+  const auto system = pawl();
+  const ContactMechanismOf mechanism(system);
+  std::array<double, 64> y{0, pawl_slope};
+  IgnoreSteps ignore;
+  ContactRun<64, 1, DormandPrince853, IgnoreSteps> run(mechanism, y, {}, {}, ignore);
+  ASSERT_TRUE(run.start(0) && run.advance(0.35)) << describe(run.result().status);
+  EXPECT_EQ(run.result().events, 6);
+  EXPECT_NEAR(y[0], pawl_slope * 0.05, 1e-13);
+  for (std::size_t k = 2; k < y.size(); ++k) EXPECT_EQ(y[k], 0);
 }
 
 // Once the wall was struck as a floor is. Where the particle flies over the wall, nothing happens.
