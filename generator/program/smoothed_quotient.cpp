@@ -40,6 +40,16 @@ bool stands_in(const Monomial& part, const Monomial& whole) {
   });
 }
 
+/// Whether a term is divided by a sum of exponentials.
+bool divides_by_exponentials(const Program& program, const Factor& factor) {
+  if (factor.exponent >= 0) return false;
+  const Polynomial& sum = program[factor.value_number].polynomial;
+  return std::any_of(sum.terms().begin(), sum.terms().end(), [&](const Term& term) {
+    return std::any_of(term.monomial.begin(), term.monomial.end(),
+                       [&](const Factor& each) { return program[each.value_number].function == Function::exp; });
+  });
+}
+
 bool changes(const Program& program, const Term& term) {
   return std::any_of(term.monomial.begin(), term.monomial.end(),
                      [&](const Factor& factor) { return program[factor.value_number].stage > Stage::parameters; });
@@ -75,12 +85,21 @@ std::vector<std::pair<ValueNumber, Value>> partials_of_term(Program& program, co
                           Value(program, Polynomial(partial_of_factor(whole, factor)), Unit()) * multiple);
   };
   const Value one = program.number(Number(1));
+  const auto bound = [&program](const Value& value) { return Value(program, program.bind(value).polynomial(), Unit()); };
   const std::optional<SmoothedQuotient> quotient = smoothed_quotient(program, term.monomial);
-  for (const Factor& factor : quotient ? quotient->others : term.monomial) add(term, factor, one);
+  for (const Factor& factor : quotient ? quotient->others : term.monomial) {
+    if (divides_by_exponentials(program, factor)) {
+      // d(A/b) = -(A/b) b'/b, A/b a value of its own: b², b³ of the next derivatives are soon beyond what floats hold.
+      const Term over{{{factor.value_number, -1}}, Number(factor.exponent)};
+      const Value whole = bound(Value(program, Polynomial(term), Unit()));
+      partials.emplace_back(factor.value_number, whole * Value(program, Polynomial(over), Unit()));
+    } else {
+      add(term, factor, one);
+    }
+  }
   if (!quotient) return partials;
   // R/√…² and N/√… are of the size of one: the cube of a root may be beyond what floats hold.
   const Monomial over_root{{quotient->root, -1}}, over_square{{quotient->root, -2}};
-  const auto bound = [&program](const Value& value) { return Value(program, program.bind(value).polynomial(), Unit()); };
   const Value share = bound(quotient->rest * Value(program, Polynomial({over_square, Number(1)}), Unit()));
   const Value direction = bound(Value(program, Polynomial({quotient->numerator * over_root, Number(1)}), Unit()));
   const Term over{quotient->others * quotient->numerator * over_root, term.coefficient};

@@ -22,6 +22,7 @@ std::optional<SmoothedQuotient> smoothed_quotient(Program& program, const Monomi
 /// ∂term/∂z for the value numbers z that it depends on directly, without units; of a smoothed quotient, whose z are those
 /// of N and R, in the form that cancels nothing:
 ///   d(N/√(k N² + R)) = (R dN − N dR/2)/√(k N² + R)³.
+/// A quotient by a sum of exponentials is differentiated without powers of that sum.
 std::vector<std::pair<ValueNumber, Value>> partials_of_term(Program& program, const Term& term);
 
 }  // namespace torsor

@@ -95,6 +95,26 @@ TEST_F(PartialDerivative, GoesAroundConstantsWithoutExactValue) {
   EXPECT_TRUE(gap(x * sin(0.3_r), sin(0.3_r)).is_zero());
 }
 
+/// In double a quotient by e^300 has derivatives, though the square of e^300 is beyond what a double holds two and a half times.
+TEST_F(PartialDerivative, DividesByNoPowersOfSumsOfExponentials) {
+  const auto check = [&](const Expression& f, double at, double first, double second, double third) {
+    const Value once = partial_derivation(program, sx)(program.lower(f)), backward = gradient(once, {sx})[0];
+    const Value twice = partial_derivation(program, sx)(once), thrice = partial_derivation(program, sx)(twice);
+    Evaluator<double> evaluate(program, [at](const SymbolPointer&) { return at; });
+    EXPECT_NEAR(evaluate(once), first, 1e-200 + 1e-14 * std::abs(first)) << at;
+    EXPECT_NEAR(evaluate(twice), second, 1e-200 + 1e-14 * std::abs(second)) << at;
+    EXPECT_NEAR(evaluate(backward), second, 1e-200 + 1e-14 * std::abs(second)) << at;
+    EXPECT_NEAR(evaluate(thrice), third, 1e-200 + 1e-14 * std::abs(third)) << at;
+  };
+  for (const double at : {-300.0, -2.0, 1.0, 250.0, 300.0, 600.0}) {
+    const double p = 1 / (1 + std::exp(at)), s = std::exp(at) / (1 + std::exp(at)) * p;  // p' = -s, s' = s (2 p - 1)
+    const double rate = 2 * p - 1;
+    check(1 / (1 + exp(x)), at, -s, -s * rate, -s * (rate * rate - 2 * s));
+  }
+  // tanh: what is left of its rates at 250 is below 1e-200.
+  check((exp(x) - exp(-x)) / (exp(x) + exp(-x)), 250, 0, 0, 0);
+}
+
 /// A random formula of the symbols, regular on [1/2, 2]: arguments of roots, logarithms and quotients stay positive.
 Expression random_formula(std::mt19937& random, const std::vector<Expression>& symbols, int depth) {
   if (depth == 0) {
