@@ -83,7 +83,7 @@ bool ContactAutomaton::begin(double t, Gaps gaps) {
     result_.integration.status = IntegrationStatus::invalid_options;
     return end(ContactStatus::integration_failed, std::nullopt);
   }
-  if (!motion_.settle_start(y_)) return end(ContactStatus::zero_quaternion, std::nullopt);
+  if (!motion_.settle_start(t, y_)) return end(ContactStatus::zero_quaternion, std::nullopt);
   if (!motion_.read(t, y_)) return end(ContactStatus::integration_failed, std::nullopt);
   const double off = motion_.loops_off();
   if (motion_.project(t, y_, 30) != Evaluation::ok || !motion_.read(t, y_)) {

@@ -94,6 +94,7 @@ class ContactAutomaton {
   [[nodiscard]] int count() const noexcept { return motion_.count(); }
   [[nodiscard]] bool valid_rules() noexcept;
   [[nodiscard]] double gap_above(int contact) const noexcept;
+  [[nodiscard]] bool leaves_rounding(int contact, double speed) const noexcept;
   [[nodiscard]] double idle_slack(int contact, int row);
   bool begin(double t, Gaps gaps);
   [[nodiscard]] bool near(int i) const noexcept;

@@ -46,7 +46,9 @@ double ContactAutomaton::guard(std::size_t index, double t, std::span<const doub
 // coordinate shows, would fall to zero again and again where the contact has left.
 double ContactAutomaton::gap_above(int contact) const noexcept {
   const double gap = motion_.reading().gap[as(contact)];
-  const bool opens = gap <= 0 && gap >= -reach(contact) && motion_.reading().w(motion_.first_row(contact)) > 0;
+  if (!(gap <= 0 && gap >= -reach(contact))) return gap;
+  const double w = motion_.reading().w(motion_.first_row(contact));
+  const bool opens = w > 0 && leaves_rounding(contact, w);
   return opens ? std::numeric_limits<double>::min() : gap;
 }
 

@@ -145,6 +145,11 @@ bool ContactAutomaton::collide(int cause, bool rests, ImpactLaw impact_law) {
   return settle(cause) && decide(std::nullopt, Cause::none);
 }
 
+// Whether a flight that begins with this speed rises above the rounding of the gap.
+bool ContactAutomaton::leaves_rounding(int contact, double speed) const noexcept {
+  return speed * speed > 32 * motion_.acceleration_terms(contact) * motion_.rounding_of_gap(contact);
+}
+
 // A gap has fallen to zero: an impact, or the last one of bounces that accumulate.
 bool ContactAutomaton::strike(int contact) {
   if (motion_.solve(result_.time, y_) != Evaluation::ok) return end(ContactStatus::integration_failed, contact);
@@ -154,8 +159,7 @@ bool ContactAutomaton::strike(int contact) {
   const double rounding = motion_.rounding_of_gap(contact);
   // A floor may fall faster than a body on it for so short a time that the gap opens by less than its rounding: it strikes
   // where it opened, and would open again without end. It is closed until it is drawn away twice as fast.
-  const bool rose = speed * (result_.time - bounces.left) > 16 * rounding ||
-                    speed * speed > 32 * motion_.acceleration_terms(contact) * rounding;
+  const bool rose = speed * (result_.time - bounces.left) > 16 * rounding || leaves_rounding(contact, speed);
   bounces.doubt = rose ? 1 : 2 * bounces.doubt;
   bounces.left = result_.time;
   // Where the flights left rise by less than 1e6 roundings of the gap, the next impacts are known less well.

@@ -20,7 +20,8 @@ double terms_along(const ContactReading& reading, const ContactDynamics& dynamic
 
 }  // namespace
 
-ContactMotion::ContactMotion(const ContactMechanism& mechanism) : mechanism_(mechanism), sizes_(mechanism.sizes()) {
+ContactMotion::ContactMotion(const ContactMechanism& mechanism)
+    : mechanism_(mechanism), sizes_(mechanism.sizes()), gap_rounding_(mechanism) {
   for (int i = 0; i < count(); ++i) {
     rules_[as(i)] = mechanism.rule(i);
     first_row_[as(i) + 1] = first_row_[as(i)] + std::clamp(rule(i).rows(), 0, 3);  // a rule may be impossible
@@ -373,7 +374,7 @@ ContactVector ContactMotion::acceleration_sizes() const {
 }
 
 double ContactMotion::rounding_of_gap(int i) const noexcept {
-  return rounding_of_position(reading_.J.row(first_row(i)), y_, sizes_);
+  return std::max(rounding_of_position(reading_.J.row(first_row(i)), y_, sizes_), gap_rounding_(i));
 }
 
 // Directions of slips that have just begun, to first order in the slip: the rate of those of order zero is taken over a part of the

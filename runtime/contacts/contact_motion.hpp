@@ -12,6 +12,7 @@
 #include "torsor/runtime/constraints/change_point_bounds.hpp"
 #include "torsor/runtime/contacts/contact_dynamics.hpp"
 #include "torsor/runtime/contacts/contact_state.hpp"
+#include "torsor/runtime/contacts/gap_rounding.hpp"
 #include "torsor/runtime/contacts/regime_system.hpp"
 
 namespace torsor::runtime {
@@ -161,7 +162,7 @@ class ContactMotion {
   [[nodiscard]] double acceleration_terms(int i) const noexcept;
   /// For each row, the largest of these of the normal rows that act on it, open contacts among them.
   [[nodiscard]] ContactVector acceleration_sizes() const;
-  /// What rounding may make of a gap, of the coordinates that it depends on.
+  /// What rounding may make of a gap, of the coordinates that it depends on and of its own lengths.
   [[nodiscard]] double rounding_of_gap(int i) const noexcept;
 
   [[nodiscard]] std::span<const ContactRule> rules() const noexcept { return std::span(rules_).first(as(count())); }
@@ -206,7 +207,11 @@ class ContactMotion {
   /// An event begins: places that were passed before are forgotten.
   void leave_change_point() noexcept { nearest_ = dynamics_.distance(); }
   /// Quaternions of a start have norm 1 behind it; false where one is zero.
-  [[nodiscard]] bool settle_start(std::span<double> y) const { return mechanism_.settle_start(y); }
+  [[nodiscard]] bool settle_start(double t, std::span<double> y) {
+    if (!mechanism_.settle_start(y)) return false;
+    gap_rounding_.measure(t, y);
+    return true;
+  }
   /// What the mechanism says at a state has changed: it is read again.
   void renew() noexcept { known_ = false; }
   /// Takes the rule that the mechanism has now for a contact; whether it is another one. Its rows are as many as before.
@@ -270,6 +275,7 @@ class ContactMotion {
   double regularity_ = 1;
   double t_ = 0, absolute_ = 1e-13, relative_ = 1e-13;
   std::vector<double> y_, there_, rates_;
+  GapRounding gap_rounding_;  ///< of lengths, as measured at the start
   std::vector<double> way_;   ///< rates at an edge
   std::vector<double> from_;  ///< the state at `from_t_`, where slips were followed last
   double from_t_ = 0;

@@ -10,7 +10,7 @@
 namespace torsor::runtime {
 
 MoreauJean::MoreauJean(std::unique_ptr<const ContactMechanism> mechanism, double theta)
-    : mechanism_(std::move(mechanism)), theta_(theta) {
+    : mechanism_(std::move(mechanism)), theta_(theta), gap_rounding_(*mechanism_) {
   for (int i = 0; i < count(); ++i) {
     rules_[as(i)] = mechanism_->rule(i);
     first_row_[as(i) + 1] = first_row_[as(i)] + std::clamp(rules_[as(i)].rows(), 0, 3);  // a rule may be impossible
@@ -44,6 +44,8 @@ bool MoreauJean::step(double t, double h, std::span<double> y) {
   if (!finite()) return end(ContactStatus::integration_failed);
   status_ = ContactStatus::reached_end;
   contact_.reset();
+  if (!measured_) gap_rounding_.measure(t, y);
+  measured_ = true;
   before_.assign(y.begin(), y.end());
   if (move_through(t, h, y) && (finite() || end(ContactStatus::integration_failed))) return true;
   std::copy(before_.begin(), before_.end(), y.begin());
@@ -110,9 +112,13 @@ bool MoreauJean::read(double t, std::span<const double> y, double damped) {
   return (dynamics_.compute(reading_) && dynamics_.respond(reading_)) || end(ContactStatus::integration_failed);
 }
 
+double MoreauJean::rounding_of_gap(int i, std::span<const double> y) const noexcept {
+  return std::max(rounding_of_position(reading_.J.row(first_row_[as(i)]), y, mechanism_->sizes()), gap_rounding_(i));
+}
+
 // Corners of a body that lies on a surface are above zero or below by their rounding: it would tip over those that are below.
 bool MoreauJean::opens(int i, std::span<const double> y, double change) const {
-  return reading_.gap[as(i)] + change > 16 * rounding_of_position(reading_.J.row(first_row_[as(i)]), y, mechanism_->sizes());
+  return reading_.gap[as(i)] + change > 16 * rounding_of_gap(i, y);
 }
 
 // Rows of an open contact have no part in the step, whatever they are.
@@ -136,7 +142,7 @@ bool MoreauJean::displaced(std::span<const double> y) const {
   const ContactSizes& sizes = mechanism_->sizes();
   for (int i = 0; i < count(); ++i) {
     const double gap = rules_[as(i)].normal ? reading_.gap[as(i)] : 0;
-    if (gap < 0 && -gap > 4 * rounding_of_position(reading_.J.row(first_row_[as(i)]), y, sizes)) return true;
+    if (gap < 0 && -gap > 4 * rounding_of_gap(i, y)) return true;
   }
   for (Eigen::Index k = 0; k < reading_.A.rows(); ++k) {
     const double off = std::abs(reading_.value(k));

@@ -10,6 +10,7 @@
 #include "torsor/runtime/contacts/contact_dynamics.hpp"
 #include "torsor/runtime/contacts/contact_result.hpp"
 #include "torsor/runtime/contacts/contact_selection.hpp"
+#include "torsor/runtime/contacts/gap_rounding.hpp"
 
 namespace torsor::runtime {
 
@@ -51,6 +52,7 @@ class MoreauJean {
   /// Damping taken implicitly over this time is a part of M.
   [[nodiscard]] bool read(double t, std::span<const double> y, double damped);
   [[nodiscard]] bool has_points() noexcept;
+  [[nodiscard]] double rounding_of_gap(int i, std::span<const double> y) const noexcept;
   /// Whether a gap, and its change to where it is asked, leaves a contact open.
   [[nodiscard]] bool opens(int i, std::span<const double> y, double change) const;
   [[nodiscard]] bool displaced(std::span<const double> y) const;
@@ -63,6 +65,8 @@ class MoreauJean {
   PerContact<bool> closed_{};  ///< had an impulse in the last step, or was put back
   std::array<int, static_cast<std::size_t>(most_contacts) + 1> first_row_{}, first_bearing_{};
   ContactReading reading_;
+  GapRounding gap_rounding_;  ///< of lengths, as measured at the first step
+  bool measured_ = false;
   ContactDynamics dynamics_;
   Eigen::VectorXd change_, v_;
   std::vector<double> middle_, before_, rates_, damping_;
