@@ -12,11 +12,13 @@
 #include "torsor/runtime/contacts/mechanism_with_contacts.hpp"
 #include "torsor/runtime/integration/dormand_prince_54.hpp"
 #include "torsor/runtime/integration/dormand_prince_853.hpp"
+#include "torsor/runtime/integration/radau_iia_5.hpp"
 
 namespace torsor::runtime::abi {
 
-/// Of the table of methods the first ones move contacts.
-inline constexpr std::size_t contact_methods = 2;
+/// In the order of the table of methods of a mechanism with contacts.
+inline constexpr std::array<torsor_method, 3> contact_methods{
+    {{"dormand_prince_54", 0}, {"dormand_prince_853", 0}, {"radau_iia_5", 0}}};
 
 /// A mechanism with all the kernels that its motion from event to event asks for.
 template <class M>
@@ -142,6 +144,7 @@ class ContactCall {
     if (!usable) return torsor_motion_invalid_options;
     if (call_.motion.method == 0) return by(adaptive(call_.motion, DormandPrince54{}), system, i, progress);
     if (call_.motion.method == 1) return by(adaptive(call_.motion, DormandPrince853{}), system, i, progress);
+    if (call_.motion.method == 2) return by(adaptive(call_.motion, RadauIia5{}), system, i, progress);
     return torsor_motion_unsuitable_model;
   }
 

@@ -94,8 +94,7 @@ class MechanismLibrary {
     }
     abi_.kernel_count = static_cast<std::int32_t>(kernel_count);
     abi_.kernels = kernels_.data();
-    abi_.method_count = method_count();
-    abi_.methods = methods.data();
+    set_methods();
     abi_.create = create;
     abi_.destroy = destroy;
     abi_.initial_state = initial_state;
@@ -107,11 +106,15 @@ class MechanismLibrary {
     abi_.impossible = impossible;
   }
 
-  static constexpr std::int32_t method_count() noexcept {
+  void set_methods() noexcept {
+    const auto set = [this](const auto& table, bool usable) {
+      abi_.method_count = usable ? static_cast<std::int32_t>(table.size()) : 0;
+      abi_.methods = table.data();
+    };
 #ifdef TORSOR_ABI_WITH_CONTACTS
-    if (touches) return moves_contacts ? static_cast<std::int32_t>(contact_methods) : 0;
+    if (touches) return set(contact_methods, moves_contacts);
 #endif
-    return moves ? static_cast<std::int32_t>(methods.size()) : 0;
+    set(methods, moves);
   }
 
   template <class Quantities, std::size_t size>

@@ -30,10 +30,10 @@ def falling(ball):
 
 def test_contacts_are_described(ball):
     assert dict(ball.contact_descriptions) == {"cloth": torsor.Contact("m", "N", 3)}
-    assert ball.methods == ("dormand_prince_54", "dormand_prince_853")
+    assert ball.methods == ("dormand_prince_54", "dormand_prince_853", "radau_iia_5")
 
 
-@pytest.mark.parametrize("method", ["dormand_prince_54", "dormand_prince_853"])
+@pytest.mark.parametrize("method", ["dormand_prince_54", "dormand_prince_853", "radau_iia_5"])
 def test_a_ball_slides_then_rolls(ball, method):
     end = 2 * V / (7 * F * G)
     motion = ball.simulate([0.5 * end, 2 * end], method=method, **EXACT)
@@ -105,7 +105,7 @@ def test_a_friction_that_is_no_number_is_no_surface(ball):
 def test_refuses_what_makes_no_sense(ball):
     with pytest.raises(ValueError, match="no impact law 'glued'; there are newton_moreau"):
         ball.simulate(1.0, impact_law="glued")
-    with pytest.raises(ValueError, match="no method 'midpoint'; there are dormand_prince_54, dormand_prince_853"):
+    with pytest.raises(ValueError, match="no method 'midpoint'; there are dormand_prince_54, dormand_prince_853, radau_iia_5"):
         ball.simulate(1.0, method="midpoint", step=0.1)
     for times in ([1.0, 0.5], [-1.0]):
         with pytest.raises(ValueError, match="times: with contacts a motion goes forward in time"):
