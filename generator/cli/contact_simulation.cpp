@@ -7,7 +7,9 @@
 #include <cstdint>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
+#include "torsor/generator/base/did_you_mean.hpp"
 #include "torsor/generator/base/error.hpp"
 #include "torsor/generator/cli/evaluated_contacts.hpp"
 #include "torsor/generator/cli/start_state.hpp"
@@ -63,6 +65,9 @@ std::string reason_of(const runtime::ContactResult& end, const NaturalLanguage& 
   return say("the integration between events failed: {}", known(describe(end.integration.status)));
 }
 
+static_assert(static_cast<std::size_t>(runtime::ImpactLaw::poisson) == 1 && static_cast<std::size_t>(runtime::ImpactLaw::energetic) == 2 &&
+              static_cast<std::size_t>(runtime::ImpactLaw::sequential) == 3);
+
 /// Moves a scene, whose state has room for more in an array of fixed size: what is more stays zero.
 class ContactSimulation {
  public:
@@ -82,7 +87,11 @@ class ContactSimulation {
     const double tolerance = std::max(options_.tolerance * share, 1e-15);
     const runtime::DormandPrince853 method{.relative_tolerance = tolerance, .absolute_tolerance = tolerance};
     Watch watch{*this};
-    runtime::ContactRun<most_numbers, most_contacts, runtime::DormandPrince853, Watch> motion(mechanism_, y, method, {},
+    runtime::ContactOptions laws;
+    const auto named = std::find(impact_law_names.begin(), impact_law_names.end(), options_.impact_law);
+    laws.law = static_cast<runtime::ImpactLaw>(named - impact_law_names.begin());
+    laws.impact_without_collision = options_.impact_without_collision;
+    runtime::ContactRun<most_numbers, most_contacts, runtime::DormandPrince853, Watch> motion(mechanism_, y, method, laws,
                                                                                             watch);
     if (motion.start(0.0)) write(motion.motion(), 0.0, y, start.size());
     const auto last = static_cast<long>(std::ceil(options_.duration / options_.step * (1 - 1e-12)));
@@ -256,6 +265,11 @@ ContactRecord record_contacts(const Scene& scene, const SimulationOptions& optio
   if (options.method != "dp853" || !options.events.empty()) {
     throw UsageError("--events, --until and --method are for motions without contacts: those with contacts have events of "
                      "their own, between which dp853 moves them");
+  }
+  if (std::find(impact_law_names.begin(), impact_law_names.end(), options.impact_law) == impact_law_names.end()) {
+    throw UsageError(fmt::format("unknown law '{}' in --impact-law: {}use {}", options.impact_law,
+                                 did_you_mean(options.impact_law, {impact_law_names.begin(), impact_law_names.end()}),
+                                 fmt::join(impact_law_names, ", ")));
   }
   EvaluatedContacts contacts(scene, options.model, options.parameters, options.inputs);
   ContactRecord record;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <array>
 #include <functional>
 #include <string>
 #include <vector>
@@ -18,9 +19,14 @@ struct SimulationOptions {
   std::string method = "dp853";         ///< dp853, radau or gauss
   double method_step = 0.0;             ///< of gauss [s]; 0: `step`
   std::vector<EventRequest> events;
+  std::string impact_law = "newton_moreau";  ///< of contacts, one of `impact_law_names`
+  bool impact_without_collision = false;     ///< of contacts: where one slips and no regimes exist
   NamedNumbers initial, parameters, inputs;
   std::function<void(double share)> progress = {};
 };
+
+/// In the order of runtime::ImpactLaw.
+inline constexpr std::array<const char*, 4> impact_law_names{"newton_moreau", "poisson", "energetic", "sequential"};
 
 /// A motion as a table.
 struct Simulation {

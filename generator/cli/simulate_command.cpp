@@ -149,6 +149,10 @@ void add_simulate_command(CommandSet& commands) {
     return GivenStart{request->options.initial, request->options.parameters, request->options.model};
   });
   add_numbers(command, "--run-time", options.parameters, "values of parameters, NAME=NUMBER; comma-separated");
+  command.add_option("--impact-law", options.impact_law, "of contacts: newton_moreau, poisson, energetic (of one contact) or sequential")
+      ->capture_default_str();
+  command.add_flag("--impact-without-collision", options.impact_without_collision,
+                   "where one contact slips and no regimes exist, its impulse ends the slip");
   command.add_flag("--no-projection", request->no_projection, "do not project steps onto the constraints: they drift");
   command
       .add_option("--plot", request->plot, "draw columns over time: a file, then names, comma-separated: motion.svg x,theta")

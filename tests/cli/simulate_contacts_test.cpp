@@ -179,6 +179,49 @@ TEST(SimulateContacts, TellsTheStateInWhichNoRegimesExist) {
   EXPECT_EQ(run(sliding_rod, {"simulate", "--run-time", "f=1.3", "--to", "0.001"}).code, 0);
 }
 
+// On its way to no regimes the foot stops at once, by an impulse (Génot & Brogliato 1999), and the rod falls from there.
+TEST(SimulateContacts, EndsASlipByAnImpulseWhereThatIsAskedFor) {
+  const Outcome goes_on = run(sliding_rod, {"simulate", "--impact-without-collision", "--to", "0.01"});
+  EXPECT_EQ(goes_on.code, 0) << goes_on.err;
+  EXPECT_NE(goes_on.err.find("impact"), std::string::npos) << goes_on.err;
+  EXPECT_GT(table(goes_on.out).end("x'"), -0.5);
+}
+
+/// Three balls of equal masses in a row, of which the first strikes the second, which touches the third.
+Scene cradle() {
+  Scene scene("cradle", "");
+  const Expression r = Expression::quantity("0.1", "m");
+  std::vector<FrameHandle> balls;
+  for (int i = 0; i < 3; ++i) {
+    const std::string name = "b" + std::to_string(i);
+    const Expression x = scene.coordinate("x" + std::to_string(i), "m");
+    balls.push_back(scene.prismatic(name, scene.ground(), axis::x, x, {.origin = {2 * i * r, 0, 0}}));
+    scene.body(name, balls.back(), Inertia::point(Expression::quantity("1", "kg")));
+    scene.initial(x, 0, Expression::quantity(i == 0 ? "1" : "0", "m/s"));
+  }
+  for (int i = 0; i < 2; ++i) {
+    scene.contact("k" + std::to_string(i), shape::Sphere{.frame = balls[static_cast<std::size_t>(i)], .radius = r},
+                  shape::Sphere{.frame = balls[static_cast<std::size_t>(i) + 1], .radius = r}, {.restitution = 1});
+  }
+  return scene;
+}
+
+// One after the other the last ball leaves alone; Moreau's law, for all contacts at once, has v+ = (-1/3, 2/3, 2/3).
+TEST(SimulateContacts, TakesTheLawOfImpactThatIsAskedFor) {
+  const MotionTable together = table(run(cradle, {"simulate", "--to", "0.1"}).out);
+  EXPECT_NEAR(together.end("x0'"), -1.0 / 3, 1e-12);
+  EXPECT_NEAR(together.end("x1'"), 2.0 / 3, 1e-12);
+  EXPECT_NEAR(together.end("x2'"), 2.0 / 3, 1e-12);
+  const MotionTable in_turn = table(run(cradle, {"simulate", "--to", "0.1", "--impact-law", "sequential"}).out);
+  EXPECT_NEAR(in_turn.end("x0'"), 0, 1e-12);
+  EXPECT_NEAR(in_turn.end("x1'"), 0, 1e-12);
+  EXPECT_NEAR(in_turn.end("x2'"), 1, 1e-12);
+  const Outcome unknown = run(cradle, {"simulate", "--impact-law", "poison"});
+  EXPECT_EQ(unknown.code, 2);
+  EXPECT_NE(unknown.err.find("unknown law 'poison' in --impact-law: did you mean 'poisson'? use newton_moreau"), std::string::npos)
+      << unknown.err;
+}
+
 TEST(SimulateContacts, NamesTheContactThatEndsIt) {
   // With the scene's own parameters the start is judged before; with others by the motion.
   const Outcome before = run(dropped, {"simulate", "--initial", "z=-0.5"});
