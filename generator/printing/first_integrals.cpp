@@ -5,6 +5,7 @@
 #include <fmt/ranges.h>
 
 #include "torsor/generator/dynamics/forces/energy.hpp"
+#include "torsor/generator/dynamics/theorems/fixed_axis_momenta.hpp"
 #include "torsor/generator/dynamics/theorems/painleve.hpp"
 #include "torsor/generator/printing/limit_met.hpp"
 #include "torsor/generator/printing/notation.hpp"
@@ -76,6 +77,17 @@ void write_first_integrals(const Equations& equations, const InlineLimits& limit
     const std::string reasons = fmt::format("{}", fmt::join(missing.reasons, ", "));
     page.formula(say("No momentum integral along {}: {}.", missing.coordinate, reasons),
                  say("No momentum integral along {}: {}.", fmt::format("${}$", latex_name(missing.coordinate)), latex_escaped(reasons)));
+  }
+  for (const FixedAxisMomentum& turn : fixed_axis_momenta(equations, say)) {
+    const std::string axis = turn.about_base ? say("axis {} of '{}'", turn.axis, turn.base)
+                                             : say("axis {} of '{}' through the origin of '{}'", turn.axis, turn.base, turn.frame);
+    if (turn.reasons.empty()) {
+      write({say("constant"), say("\\text{constant}")}, turn.momentum, say("momentum about {}, in N m s", axis));
+    } else {
+      const std::string reasons = fmt::format("{}", fmt::join(turn.reasons, ", "));
+      page.formula(say("No momentum integral about {}: {}.", axis, reasons),
+                   say("No momentum integral about {}: {}.", latex_escaped(axis), latex_escaped(reasons)));
+    }
   }
 }
 
