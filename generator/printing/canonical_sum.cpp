@@ -157,15 +157,30 @@ void add_symbols(const Sum& sum, std::set<const Symbol*>& symbols) {
   }
 }
 
-std::size_t written_terms(const Sum& sum) {
+namespace {
+
+struct SumOrder {
+  bool operator()(const Sum* a, const Sum* b) const { return compare(*a, *b) < 0; }
+};
+
+std::size_t written_terms(const Sum& sum, std::set<const Sum*, SumOrder>& named) {
   std::size_t count = sum.size();
   for (const auto& [product, coefficient] : sum.terms()) {
     for (const Power& power : product) {
-      if (power.base->inside.size() > 1) count += written_terms(power.base->inside);
-      for (const Sum& other : power.base->others) count += other.size() > 1 ? written_terms(other) : 0;
+      const Sum& inside = power.base->inside;
+      const bool has_name = power.base->kind == Base::Kind::group && (power.halves < 0 || power.halves % 2 != 0);
+      if (inside.size() > 1 && !(has_name && !named.insert(&inside).second)) count += written_terms(inside, named);
+      for (const Sum& other : power.base->others) count += other.size() > 1 ? written_terms(other, named) : 0;
     }
   }
   return count;
+}
+
+}  // namespace
+
+std::size_t written_terms(const Sum& sum) {
+  std::set<const Sum*, SumOrder> named;
+  return written_terms(sum, named);
 }
 
 Product operator*(const Product& a, const Product& b) {

@@ -89,7 +89,7 @@ struct Base {
 };
 
 /// Terms that a reader meets: those of the sum, and those of every longer sum that stands inside a function, a root or a
-/// denominator.
+/// denominator. Roots and denominators that occur again have a name and count once.
 std::size_t written_terms(const Sum& sum);
 
 /// Adds the symbols that stand in a sum. The set is for looking up.

@@ -232,9 +232,54 @@ std::vector<NamedProduct> InlineView::products_in_use() const {
   return products;
 }
 
+const std::optional<InlineView::Reduced>& InlineView::reduced(ValueNumber value_number) {
+  if (const auto& known = slot(reduced_, value_number)) return *known;
+  const Definition& definition = (*program_)[value_number];
+  std::optional<Reduced> result;
+  if (definition.symbol || (definition.function && term_bound(value_number) <= limits_.terms)) {
+    result = Reduced{of_value_number(value_number), 1};
+  } else if (definition.function) {
+    std::vector<GiNaC::ex> arguments;
+    double terms = 1;
+    for (const ValueNumber each : definition.arguments) {
+      const std::optional<Reduced>& argument = reduced(each);
+      if (!argument) break;
+      arguments.push_back(argument->expression);
+      terms = std::max(terms, argument->terms);
+    }
+    if (arguments.size() == definition.arguments.size()) result = Reduced{called(*definition.function, arguments), terms};
+  } else {
+    result = reduced(definition.polynomial);
+  }
+  return *(slot(reduced_, value_number) = std::move(result));
+}
+
+std::optional<InlineView::Reduced> InlineView::reduced(const Polynomial& polynomial) {
+  GiNaC::exvector sum;
+  double bound = 0;
+  for (const Term& term : polynomial.terms()) {
+    GiNaC::exvector product{to_ginac(term.coefficient)};
+    double size = 1;
+    for (const Factor& factor : term.monomial) {
+      const std::optional<Reduced>& value = reduced(factor.value_number);
+      if (!value) return std::nullopt;
+      product.push_back(GiNaC::power(value->expression, factor.exponent));
+      size *= std::pow(value->terms, std::max(factor.exponent, 1));
+    }
+    sum.push_back(GiNaC::mul(product));
+    bound += size;
+    if (!(bound <= limits_.expansion)) return std::nullopt;
+  }
+  const Sum written = shortened(GiNaC::ex(GiNaC::add(sum)).expand());
+  const auto terms = static_cast<double>(written_terms(written));
+  if (!(terms <= limits_.terms)) return std::nullopt;
+  return Reduced{expression(written), std::max(1.0, terms)};
+}
+
 std::optional<GiNaC::ex> InlineView::expression_to_read(const Value& value) {
-  if (!(term_bound(value) <= limits_.expansion)) return std::nullopt;
-  return of_polynomial(value.polynomial());
+  if (term_bound(value) <= limits_.expansion) return of_polynomial(value.polynomial());
+  const std::optional<Reduced> result = reduced(value.polynomial());
+  return result ? std::optional(result->expression) : std::nullopt;
 }
 
 std::optional<GiNaC::ex> InlineView::expression(const Value& value) {

@@ -47,6 +47,7 @@ class InlineView {
   std::vector<NamedProduct> products_in_use() const;
 
   /// The value as one GiNaC expression, not multiplied out; nothing when its term bound is past limits().expansion.
+  /// What is past it is tried again, with every definition put in its short form before it is multiplied out.
   std::optional<GiNaC::ex> expression(const Value& value);
   /// The same with the names of products in it: to be read, not to be differentiated.
   std::optional<GiNaC::ex> expression_to_read(const Value& value);
@@ -66,6 +67,13 @@ class InlineView {
   GiNaC::ex of_polynomial(const Polynomial& polynomial);
   GiNaC::ex of_value_number(ValueNumber value_number);
   GiNaC::ex of_call(const Base& call);
+  /// A definition in its short form, and the terms that it then has. Nothing where a step to it is past a limit.
+  struct Reduced {
+    GiNaC::ex expression;
+    double terms = 0;
+  };
+  const std::optional<Reduced>& reduced(ValueNumber value_number);
+  std::optional<Reduced> reduced(const Polynomial& polynomial);
   /// The product k whose 1 − k² a definition is on every state; none for any other definition.
   std::optional<std::size_t> product_under_root(ValueNumber radicand) const;
   GiNaC::ex named_product(std::size_t k);
@@ -83,6 +91,7 @@ class InlineView {
   GiNaC::exmap named_values_;  ///< of named products and driven coordinates; applied, never iterated
   std::vector<std::optional<double>> bounds_;
   std::vector<std::optional<GiNaC::ex>> value_numbers_;
+  std::vector<std::optional<std::optional<Reduced>>> reduced_;
   std::vector<SymbolPointer> symbols_;  ///< by the number that is the name of the GiNaC symbol
   std::vector<GiNaC::ex> ginac_symbols_;
   std::unordered_map<const Symbol*, std::size_t> numbers_;  ///< looked up, never iterated

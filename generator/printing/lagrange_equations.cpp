@@ -120,6 +120,8 @@ void LagrangeEquations::derive_equation(std::size_t i, const std::optional<GiNaC
     equation.reaction =
         std::make_shared<const Symbol>(Symbol{"reaction_" + c.q->name, unit, SymbolKind::multiplier, index, nullptr});
   }
+  const Value rest = other_forces(i);
+  equation.force.terms = view_.term_bound(rest);
   if (kinetic && work) {
     const GiNaC::ex momentum = partial(*kinetic, view_.symbol(c.v));
     const GiNaC::ex rate = time_derivative(momentum);
@@ -129,8 +131,6 @@ void LagrangeEquations::derive_equation(std::size_t i, const std::optional<GiNaC
                         view_.bounded_sum(at_rest(along_q))};
     }
     equation.inertia.sum = view_.bounded_sum(at_rest(rate - along_q + turning_term(*kinetic, c)));
-    const Value rest = other_forces(i);
-    equation.force.terms = view_.term_bound(rest);
     if (const auto others = view_.expression_to_read(rest)) {
       equation.force.sum = view_.bounded_sum(at_rest(along(*work, c) + *others));
     }
@@ -138,7 +138,7 @@ void LagrangeEquations::derive_equation(std::size_t i, const std::optional<GiNaC
   if (!equation.written_out()) {
     equation.inertia.sum.reset();
     equation.inertia.value = definitions_.inverse_dynamics()[i];
-    equation.inertia.terms = view_.term_bound(kinetic_energy_.value);
+    equation.inertia.terms = std::max({kinetic_energy_.terms, force_function_.terms, equation.force.terms});
   }
   equations_.push_back(std::move(equation));
 }

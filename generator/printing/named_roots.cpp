@@ -18,10 +18,26 @@ namespace {
 
 /// A shorter radicand says more than a name: x^2 + y^2.
 constexpr std::size_t short_radicand = 16;
+/// A denominator of more letters that occurs more often is named as a root's square though it stands under no root.
+constexpr std::size_t long_denominator = 60;
+constexpr int often = 3;
 
 bool is_root(const WrittenFactor& factor) { return !factor.base && !factor.size && factor.halves % 2 != 0; }
 bool is_denominator(const WrittenFactor& factor) {
   return !factor.base && !factor.size && factor.halves < 0 && factor.halves % 2 == 0;
+}
+
+/// The greatest rational that all terms share, with the sign of the first; 1 where a coefficient is not rational.
+Number shared(const Written& sum) {
+  cln::cl_I numerators = 0, denominators = 1;
+  for (const WrittenTerm& term : sum) {
+    if (!term.coefficient.is_rational()) return Number(1);
+    numerators = cln::gcd(numerators, cln::numerator(term.coefficient.part(0)));
+    denominators = cln::lcm(denominators, cln::denominator(term.coefficient.part(0)));
+  }
+  if (cln::zerop(numerators)) return Number(1);
+  const Number size(numerators / denominators);
+  return sum.front().coefficient.sign() < 0 ? -size : size;
 }
 
 /// Keeps what is written until all of it is known.
@@ -78,13 +94,20 @@ class RootPage final : public Page {
     int number = 0;
     for (const std::string& radicand : in_order_) {
       Root& root = roots_.at(radicand);
-      if (root.roots > 0 && root.count > 1) root.name = fmt::format("root_{}", ++number);
+      if (root.roots == 0 || root.count + beside(root) == 1) continue;
+      root.name = fmt::format("root_{}", ++number);
+      name_part(root);
+    }
+    for (const std::string& radicand : in_order_) {
+      Root& root = roots_.at(radicand);
+      const bool occurs_often = radicand.size() > long_denominator && root.count > often;
+      if (root.name.empty() && occurs_often) root.name = fmt::format("root_{}", ++number);
     }
     for (const auto& line : lines_) line();
     if (number > 0) page_->section(say("Roots"));
     for (const std::string& radicand : in_order_) {
       const Root& root = roots_.at(radicand);
-      if (root.name.empty()) continue;
+      if (root.name.empty() || !root.size.is_one()) continue;
       WrittenFactor itself;
       itself.inside = finished(root.radicand);
       itself.halves = 1;
@@ -98,7 +121,28 @@ class RootPage final : public Page {
     Written radicand;
     int count = 0, roots = 0;  ///< as a root or a denominator; as a root alone
     std::string name = {};
+    Number size{1};  ///< what is named is the root of size · radicand
   };
+
+  /// The sum that stands as a denominator without what its terms share: x + y beside √(2 x + 2 y).
+  Root* part_of(const Root& root, const Number& size) {
+    if (size.is_one()) return nullptr;
+    Written part = root.radicand;
+    for (WrittenTerm& term : part) term.coefficient = term.coefficient / size;
+    const auto found = roots_.find(text(part));
+    return found == roots_.end() || found->second.roots > 0 ? nullptr : &found->second;
+  }
+  int beside(const Root& root) {
+    const Root* const part = part_of(root, shared(root.radicand));
+    return part == nullptr ? 0 : part->count;
+  }
+  void name_part(const Root& root) {
+    const Number size = shared(root.radicand);
+    if (Root* const part = part_of(root, size)) {
+      part->name = root.name;
+      part->size = size;
+    }
+  }
 
   void see(const Written& written) {
     count(written);
@@ -137,6 +181,7 @@ class RootPage final : public Page {
           continue;
         }
         const int halves = 2 * factor.halves;
+        if (!root->second.size.is_one()) term.coefficient = term.coefficient * root->second.size.pow(-factor.halves / 2);
         factor = named(root->second.name)[0].factors[0];
         factor.halves = halves;
       }

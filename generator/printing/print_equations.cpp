@@ -191,13 +191,12 @@ class Printer {
               "T}{\\partial \\omega} + \\omega \\wedge \\frac{\\partial T}{\\partial \\omega}$, less the derivative of "
               "$T$ along the same turn."));
     }
-    bool said = false;
-    for (std::size_t i = 0; i < equations_.equations().size(); ++i) {
-      const LagrangeEquation& equation = equations_.equations()[i];
-      if (equation.written_out() || said) continue;
-      said = true;
-      say_too_long(say("Equations below with everything but the inputs on the left are"), equation.inertia);
+    const Quantity* longest = nullptr;
+    for (const LagrangeEquation& equation : equations_.equations()) {
+      if (equation.written_out()) continue;
+      if (longest == nullptr || equation.inertia.terms > longest->terms) longest = &equation.inertia;
     }
+    if (longest != nullptr) say_too_long(say("Equations below with everything but the inputs on the left are"), *longest);
     for (std::size_t i = 0; i < equations_.equations().size(); ++i) {
       const LagrangeEquation& equation = equations_.equations()[i];
       const Layout layout{equation.coordinate.a};

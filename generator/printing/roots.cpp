@@ -44,6 +44,15 @@ bool all_positive(const Sum& sum, const PositiveSymbols& positive) {
   });
 }
 
+/// Of a number what leaves a root as a rational: 2 of 8 = 2² · 2.
+Number root_of_square(const Number& number) {
+  for (const long rest : {1, 2, 3, 6}) {
+    const std::optional<Number> root = (number / Number(rest)).square_root();
+    if (root && root->is_rational()) return *root;
+  }
+  return Number(1);
+}
+
 /// The base whose square is all that stands under a root; none for any other factor.
 BasePointer rooted_square(const Power& power) {
   if (power.base->kind != Base::Kind::group || power.halves % 2 == 0 || power.base->inside.size() != 1) return nullptr;
@@ -64,11 +73,10 @@ PositiveSymbols positive_parameters(const SceneContent& scene) {
 
 Sum root(const Sum& sum, int halves, const PositiveSymbols& positive) {
   if (sum.is_zero()) return power(sum, halves);
-  // What all terms share: a product, and the square of a rational.
+  // What all terms share: a product, and the square of a rational. √2 stays under the root: √(2 x + 2 y).
   const Product common = sum.size() == 1 ? sum.terms().begin()->first : common_factor(sum);
   Product outside = split_squares(common, positive).first;
-  const std::optional<Number> size = sum.size() == 1 ? std::nullopt : shared_number(sum).square_root();
-  const Number number = size.value_or(Number(1));
+  const Number number = sum.size() == 1 ? Number(1) : root_of_square(shared_number(sum));
   Sum inside;
   for (const auto& [product, coefficient] : sum.terms()) {
     inside.add(product * inverse(outside), coefficient / (number * number));
