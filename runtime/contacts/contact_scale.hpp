@@ -24,6 +24,8 @@ class ContactScale {
   explicit ContactScale(const ContactProblem& problem) noexcept;
 
   [[nodiscard]] double unit(int row) const noexcept { return units_(row); }
+  /// One of the rows of its group, the same for all of them.
+  [[nodiscard]] int group(Eigen::Index row) const noexcept { return group_[static_cast<std::size_t>(row)]; }
   /// For each row, the largest of these forces in its group.
   [[nodiscard]] ContactVector forces(const ContactVector& r) const noexcept {
     return largest(r.cwiseProduct(units_)).cwiseQuotient(units_);
@@ -38,12 +40,11 @@ class ContactScale {
 
  private:
   static std::size_t as(int i) noexcept { return static_cast<std::size_t>(i); }
-  [[nodiscard]] int group(Eigen::Index row) const noexcept { return group_[static_cast<std::size_t>(row)]; }
   void join(int row, int other) noexcept;
   [[nodiscard]] ContactVector largest(const ContactVector& sizes) const noexcept;
 
   ContactVector units_;
-  std::array<int, static_cast<std::size_t>(most_rows)> group_{};  ///< named by one of its rows
+  std::array<int, static_cast<std::size_t>(most_rows)> group_{};
 };
 
 /// Size of a vector's direction among the rows first, first + 1, ... that it has, of the sizes of all rows.

@@ -11,13 +11,14 @@ struct ContactSolverOptions {
   int attempts = 40;
 };
 
-/// Solves a problem: by trying every regime up to `options.enumerated` contacts, by iteration beyond and where no
-/// regime that was tried fits.
+/// Solves a problem: by trying every regime up to `options.enumerated` contacts, by iteration where none of them fits. Of more
+/// contacts each group that acts on itself alone is solved by itself. Beyond that number rest comes first, where reactions exist
+/// that hold it, and one motion is looked for; the verdict does not depend on the order of contacts.
 [[nodiscard]] ContactAnswer solve_contacts(const ContactProblem& problem,
                                            const ContactSolverOptions& options = {}) noexcept;
 
-/// Finds one solution of any number of contacts from reactions of an earlier instant: sweeps of Gauss and Seidel, each
-/// contact solved exactly with the others held, propose regimes; the equations of these regimes are solved by Newton's
+/// Finds one solution of any number of contacts from reactions of an earlier instant: what held then, or rest, or what sweeps of
+/// Gauss and Seidel, each contact solved exactly with the others held, propose. The equations of regimes are solved by Newton's
 /// method (the semismooth Newton method of Alart and Curnier), and their inequalities decide. Its verdict says `unique`
 /// or `indeterminate` of what it found and did not look for other motions; `none` that it found nothing.
 [[nodiscard]] ContactAnswer iterate_contacts(const ContactProblem& problem, const ContactVector& start,

@@ -334,12 +334,40 @@ RegimeEnumeration::Family RegimeEnumeration::look_inside(RegimeSystem& system, c
   for (double margin = 0.1; !room.inside && margin > 1e-5;) fits(margin /= 10);
   family.indeterminate = room.holds && room.inside;
   system.x() = farthest;
-  const ContactMatrix change = problem_.W * (system.B() * system.kernel());
-  for (Eigen::Index k = 0; family.indeterminate && k < change.cols(); ++k) {
-    const ContactVector forces = system.B() * system.kernel().col(k);
-    family.moves = family.moves || largest_part(change.col(k), scale_.motions(problem_.W.cwiseAbs() * forces.cwiseAbs())) > 1e-9;
+  if (!family.indeterminate) return look_beside(system, inequalities);
+  for (Eigen::Index k = 0; k < system.kernel().cols(); ++k) {
+    family.moves = family.moves || moves_by(system.B() * system.kernel().col(k));
   }
   return family;
+}
+
+// Where one contact has one reaction alone, as one that no equilibrium presses, no reactions are inside all bounds, and those of
+// others may vary for all that. From far away along each way that the equations leave bounds are met in other places.
+RegimeEnumeration::Family RegimeEnumeration::look_beside(RegimeSystem& system,
+                                                         const RegimeInequalities& inequalities) const noexcept {
+  Family family{.found = true};
+  const ContactVector place = system.x(), reactions = system.reactions(), force = scale_.forces(reactions);
+  for (Eigen::Index k = 0; k < system.kernel().cols() && !family.indeterminate; ++k) {
+    const ContactVector way = system.B() * system.kernel().col(k);
+    const double reach = largest_part(way, force);
+    if (!(reach > 0 && std::isfinite(reach))) continue;
+    for (const double sign : {1.0, -1.0}) {
+      system.x() = place + sign / reach * system.kernel().col(k);
+      if (!inequalities.find(system, 0).holds) continue;
+      const ContactVector change = system.reactions() - reactions;
+      if (!(largest_part(change, force) > 1e-5)) continue;
+      family.indeterminate = true;
+      family.moves = family.moves || moves_by(change);
+    }
+  }
+  system.x() = place;
+  return family;
+}
+
+// Whether forces along these change the motion.
+bool RegimeEnumeration::moves_by(const ContactVector& forces) const noexcept {
+  const ContactVector change = problem_.W * forces, terms = problem_.W.cwiseAbs() * forces.cwiseAbs();
+  return largest_part(change, scale_.motions(terms)) > 1e-9;
 }
 
 // Other reactions of a family move what slips by rounding, over small slips by more: directions follow, or stay where

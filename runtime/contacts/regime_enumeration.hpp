@@ -60,6 +60,8 @@ class RegimeEnumeration {
   [[nodiscard]] bool turn_to_slip(Regimes& regimes) noexcept;
   void accept(Regimes regimes, const ContactVector* near = nullptr) noexcept;
   [[nodiscard]] Family look_inside(RegimeSystem& system, const RegimeInequalities& inequalities) const noexcept;
+  [[nodiscard]] Family look_beside(RegimeSystem& system, const RegimeInequalities& inequalities) const noexcept;
+  [[nodiscard]] bool moves_by(const ContactVector& forces) const noexcept;
   void turn_to_family(Regimes& regimes, ContactVector& r, ContactVector& u) const noexcept;
   void tidy(const Regimes& regimes, ContactVector& r, ContactVector& u, ContactSolution& solution) const noexcept;
   void add(const ContactSolution& solution) noexcept;

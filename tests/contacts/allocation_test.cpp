@@ -7,9 +7,11 @@
 #include <cstddef>
 #include <cstdlib>
 #include <new>
+#include <vector>
 
 #include "torsor/runtime/contacts/moreau_jean.hpp"
 #include "tests/contacts/rod_over_table.hpp"
+#include "tests/contacts/rows_of_discs.hpp"
 #include "tests/contacts/simple_systems.hpp"
 
 namespace {
@@ -120,6 +122,17 @@ TEST(ContactAllocations, AreNoneInStepsOfEqualLength) {
   EXPECT_EQ(allocations, before);
   EXPECT_TRUE(made);
   EXPECT_NEAR(y[2], 0.03, 1e-5);
+}
+
+// Rest, a motion that is possible as well, and reactions that are not unique, of 22 contacts and of seven.
+TEST(ContactAllocations, AreNoneWhereRestOfManyContactsIsFound) {
+  for (const std::vector<int>& rows : {std::vector<int>{4, 3, 2, 1}, {3, 1}}) {
+    const ContactProblem problem = rows_of_discs::problem_of(rows_of_discs::touches(rows), rows_of_discs::discs(rows), 0.5);
+    const long before = allocations;
+    const ContactAnswer answer = solve_contacts(problem);
+    EXPECT_EQ(allocations, before);
+    EXPECT_TRUE(answer.best().indeterminate);
+  }
 }
 
 }  // namespace

@@ -92,6 +92,22 @@ TEST(StackedBoxes, RestOnAllCorners) {
   }
 }
 
+// The upper box is pulled away, and the lower one rests: all of its corners stick.
+TEST(StackedBoxes, LeaveTheLowerOneAtRest) {
+  for (const double pull : {2.0, 2.5, 5.0, 20.0}) {
+    Stack stack(0.2, 0.5, 0, 0, 0);
+    for (int i = 0; i < corners; ++i) stack.problem.q(3 * i + 1) += pull;  // above f g = 1.962
+    const ContactAnswer answer = solve_contacts(stack.problem);
+    ASSERT_TRUE(answer) << pull;
+    expect_weights(stack, answer.best());
+    EXPECT_EQ(answer.verdict, ContactVerdict::indeterminate);
+    for (int i = 0; i < corners; ++i) {
+      EXPECT_NEAR(answer.best().u(3 * i + 1), pull - 0.2 * g, 1e-12);
+      EXPECT_EQ(answer.best().regimes[static_cast<std::size_t>(corners + i)], ContactRegime::sticks) << pull << ' ' << i;
+    }
+  }
+}
+
 // The upper box drags the lower one along and turns it: the directions of four slips depend on how corners share the weight.
 TEST(StackedBoxes, BeginToSlideUnderABoxThatSpins) {
   for (const double spin : {0.5, 3.0, -8.0}) {
