@@ -18,9 +18,10 @@ inline constexpr double least_radius = 0.004, most_radius = 0.006, step = 1e-3;
 /// Sweeps at most: in an avalanche more would not pay.
 inline constexpr GrainOptions options{.tolerance = 1e-4, .sweeps = 100};
 
-/// Radii between the least and the most, the same ones in every run.
+/// Radii between the least and the most, the same ones in every run with one seed.
 class Radii {
  public:
+  explicit Radii(unsigned long long seed = 1) : state_(seed) {}
   double next() {
     state_ = state_ * 6364136223846793005ULL + 1442695040888963407ULL;
     return least_radius +
@@ -28,7 +29,7 @@ class Radii {
   }
 
  private:
-  unsigned long long state_ = 1;
+  unsigned long long state_;
 };
 
 inline void add_disc(Grains<2>& grains, const Eigen::Vector2d& centre, double R) {

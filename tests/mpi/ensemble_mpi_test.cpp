@@ -4,17 +4,17 @@
 
 #include <gtest/gtest.h>
 
-#include <array>
 #include <chrono>
 #include <fstream>
-#include <random>
-#include <sstream>
 #include <string>
 #include <thread>
+
+#include "tests/mpi/processes.hpp"
 
 namespace {
 
 using namespace torsor::runtime;
+using namespace torsor::mpi_test;
 
 constexpr RecordHead many{17, 200, 3};
 
@@ -27,40 +27,14 @@ void squares(std::uint64_t index, std::span<double> record) {
   record[2] = 1.0 / i;
 }
 
-int rank() {
-  int rank = 0;
-  MPI_Comm_rank(MPI_COMM_WORLD, &rank);
-  return rank;
-}
-int processes() {
-  int size = 0;
-  MPI_Comm_size(MPI_COMM_WORLD, &size);
-  return size;
-}
-
-std::string contents(const std::filesystem::path& path) {
-  std::ostringstream text;
-  text << std::ifstream(path, std::ios::binary).rdbuf();
-  return text.str();
-}
-
-/// A folder that all processes know, empty, and in it the file that one process alone writes.
+/// A folder that all processes know, and in it the file that one process alone writes.
 class EnsembleOverMpi : public testing::Test {
  protected:
   EnsembleOverMpi() {
-    auto name = static_cast<std::uint64_t>(std::random_device{}());
-    MPI_Bcast(&name, 1, MPI_UINT64_T, 0, MPI_COMM_WORLD);
-    folder = std::filesystem::temp_directory_path() / ("torsor mpi test " + std::to_string(name));
     if (rank() == 0) {
-      std::filesystem::create_directories(folder);
       run_ensemble(folder / "alone", many, squares);
       expected = contents(folder / "alone");
     }
-  }
-  ~EnsembleOverMpi() override {
-    MPI_Barrier(MPI_COMM_WORLD);
-    std::error_code ignored;
-    if (rank() == 0) std::filesystem::remove_all(folder, ignored);
   }
   /// Only the first process, which will open the file.
   void put(const std::string& text) const {
@@ -80,7 +54,8 @@ class EnsembleOverMpi : public testing::Test {
     return {};
   }
 
-  std::filesystem::path folder;
+  const SharedFolder shared;
+  const std::filesystem::path& folder = shared.path;
   std::string expected;
 };
 
