@@ -189,14 +189,14 @@ Simulation simulate(const Scene& scene, const SimulationOptions& options) {
   result.remarks = friction.remarks();
   if (!integrator->status().empty()) {
     result.status = fmt::format("{} at t = {:.9g} s", integrator->status(), integrator->time());
-    result.status += integrator->because();
-    if (!integrator->because().empty()) result.status += state_in_words(motion, integrator->state());
     const ConstraintRow* lost = motion.lost();
+    // Steps become too short there, too, and nothing jumps.
     const std::string near = near_change_point(motion, integrator->time(), integrator->state());
+    result.status += near.empty() ? integrator->because() : near;
+    if (!integrator->because().empty()) result.status += state_in_words(motion, integrator->state());
     if (near.empty() && lost != nullptr) {
       result.status += fmt::format(": the constraint '{}' vanishes there or repeats others", lost->name);
     }
-    result.status += near;
   }
   return with_remarks(std::move(result));
 }

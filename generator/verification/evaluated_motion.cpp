@@ -307,6 +307,7 @@ std::vector<double> EvaluatedMotion::least_change(const std::vector<std::size_t>
 }
 
 double EvaluatedMotion::independence(double t, const std::vector<double>& y) {
+  if (usual_.empty()) look_around(t, y);
   move_to(t, y);
   Rows<double> mass;
   for (const std::vector<Value>& row : mass_) mass.push_back(here_(row));
@@ -315,7 +316,8 @@ double EvaluatedMotion::independence(double t, const std::vector<double>& y) {
   std::vector<std::vector<double>> basis;
   for (const std::size_t j : equations_.redundancy().kept) {
     std::vector<double> row = factor.forward(here_(rows_[j].jacobian));
-    const double size = std::sqrt(euclidean(row, row));
+    const std::vector<double> usual = factor.forward(usual_[j]);
+    const double size = std::sqrt(std::max(euclidean(row, row), euclidean(usual, usual)));
     for (const std::vector<double>& e : basis) {
       const double along = euclidean(row, e);
       for (std::size_t i = 0; i < row.size(); ++i) row[i] -= along * e[i];

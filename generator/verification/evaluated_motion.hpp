@@ -65,8 +65,8 @@ class EvaluatedMotion {
   /// δv are then the least ones that are zero there. False where the constraints cannot be closed so.
   /// Source: Hairer-Wanner II, VII.2; Lubich, Engstler, Nowak & Poehle 1995.
   bool settle(double t, std::vector<double>& y, const Kept& kept = {});
-  /// What a row of the constraints keeps beside the others, at least: 1 where they are orthogonal in the metric of the
-  /// masses, near 0 at a change point. Rows that repeat others everywhere do not count.
+  /// What a row of the constraints keeps beside the others, at least, of its usual size: about 1 where they are orthogonal in
+  /// the metric of the masses, near 0 at a change point. Rows that repeat others everywhere do not count.
   double independence(double t, const std::vector<double>& y);
   /// The constraint that a state leaves open the most, beside its own size: "constraint 'pin' has the value 0.2 m".
   std::string most_open(double t, const std::vector<double>& y);
