@@ -108,5 +108,35 @@ TEST(PlankLanding, RestsOnPointsWhoseReactionsAreIndeterminate) {
   }
 }
 
+// The same under a block of mass 1 that is pulled along it by 3 N: all together do not rest, but the plank does.
+TEST(PlankLanding, RestsOnAllPointsUnderABlockThatSlides) {
+  for (const Places& places : {in_order, middle_first, others}) {
+    const auto system = plank(places, 0);
+    ContactReading reading({3, 3, 7, 0}, 14);
+    ASSERT_EQ(system.read(0, {}, reading), Evaluation::ok);
+    Eigen::MatrixXd J = Eigen::MatrixXd::Zero(16, 5);
+    J.topLeftCorner(14, 3) = reading.J;
+    J.row(14) << 0, -1, 0, 0, 1;
+    J.row(15) << -1, 0, 0, 1, 0;
+    Eigen::VectorXd inverse(5), forces(5);
+    inverse << 1, 1, 3, 1, 1;
+    forces << reading.F, 3, -g;
+    ContactProblem problem;
+    problem.count = 8;
+    problem.laws.fill(coulomb(1, 0.5));
+    problem.laws[7] = coulomb(1, 0.1);
+    problem.W = J * inverse.asDiagonal() * J.transpose();
+    problem.q = J * inverse.cwiseProduct(forces);
+    for (const ContactAnswer& answer : {solve_contacts(problem), iterate_contacts(problem, ContactVector::Zero(16))}) {
+      EXPECT_EQ(answer.verdict, ContactVerdict::indeterminate);
+      for (std::size_t i = 0; i < 7; ++i) {
+        EXPECT_EQ(answer.best().regimes[i], ContactRegime::sticks) << i;
+        EXPECT_GT(answer.best().r(2 * static_cast<int>(i)), 0) << i;  // farthest from bounds
+      }
+      EXPECT_NEAR(answer.best().u(15), 3 - 0.1 * g, 1e-13);
+    }
+  }
+}
+
 }  // namespace
 }  // namespace plank_landing_test
