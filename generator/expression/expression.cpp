@@ -191,6 +191,12 @@ Expression sin(const Expression& angle) { return apply(Function::sin, angle); }
 Expression cos(const Expression& angle) { return apply(Function::cos, angle); }
 Expression tan(const Expression& angle) { return sin(angle) / cos(angle); }
 Expression exp(const Expression& x) { return apply(Function::exp, x); }
+Expression tanh(const Expression& x) {
+  (void)checked_unit(Function::exp, {x}, [&] { return fmt::format("tanh({})", x.to_string()); });
+  // Of |x| and sign(x) the slope at 0 would be 0: a selection has that of the form taken.
+  const Expression small = exp(call(Function::select, {x, -2 * x, 2 * x}));
+  return call(Function::select, {x, 1 - small, small - 1}) / (1 + small);
+}
 Expression log(const Expression& x) { return apply(Function::log, x); }
 Expression sqrt(const Expression& x) { return apply(Function::sqrt, x); }
 Expression abs(const Expression& x) { return apply(Function::abs, x); }

@@ -63,6 +63,8 @@ Expression sin(const Expression& angle);
 Expression cos(const Expression& angle);
 Expression tan(const Expression& angle);
 Expression exp(const Expression& x);
+/// (1 - e)/(1 + e) with e = exp(-2 |x|) and the sign of x: for every x, without overflow, right to a rounding of 1.
+Expression tanh(const Expression& x);
 Expression log(const Expression& x);
 Expression sqrt(const Expression& x);
 /// |x|, of any unit; its derivative at 0 is taken as 0.

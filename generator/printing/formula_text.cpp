@@ -146,14 +146,15 @@ class Parser {
     while (take(',')) arguments.push_back(sum());
     if (!take(')')) fail("a closing parenthesis is missing");
     if (function == "tan" && arguments.size() == 1) return tan(arguments[0]);
+    if (function == "tanh" && arguments.size() == 1) return tanh(arguments[0]);
     if (function == "min" && arguments.size() == 2) return min(arguments[0], arguments[1]);
-    std::string known = "tan, min";
+    std::string known = "tan, tanh, min";
     for (const FunctionTraits& traits : functions()) {
       if (function == traits.name && arguments.size() == traits.arity) return torsor::call(traits.function, arguments);
       known += fmt::format(", {}", traits.name);
     }
     at_ = start;
-    std::vector<std::string> names{"tan", "min"};
+    std::vector<std::string> names{"tan", "tanh", "min"};
     for (const FunctionTraits& traits : functions()) names.emplace_back(traits.name);
     fail(fmt::format("{}the functions are {}; atan2, max and min take two arguments, select three",
                      did_you_mean(function, names), known));

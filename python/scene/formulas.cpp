@@ -112,6 +112,7 @@ void bind_functions(py::module_& module) {
   module.def("sin", [](C x) { return sin(x); }, "angle"_a);
   module.def("cos", [](C x) { return cos(x); }, "angle"_a);
   module.def("tan", [](C x) { return tan(x); }, "angle"_a);
+  module.def("tanh", [](C x) { return tanh(x); }, "x"_a, "Of an x of any size, without overflow.");
   module.def("exp", [](C x) { return exp(x); }, "x"_a);
   module.def("log", [](C x) { return log(x); }, "x"_a);
   module.def("sqrt", [](C x) { return sqrt(x); }, "x"_a, "The root; that of a unit too.");

@@ -39,14 +39,14 @@ if getattr(_torsor_scene, "__version__", "an older one") != _version:  # other o
 from _torsor_scene import (AngleSequence, Attitude, Condition, Constraint, Error, Expression, FileError, Form, Frame, Inertia,
                            Moments, PlaneRotations, Point, Rotation, SceneError, Shape, UnitError, UsageError, atan2, cardan, cos,
                            euler, exp, form, log, maximum, minimum, pi, piecewise, quantity, rate, shape, sign, sin, spline, sqrt,
-                           tan)
+                           tan, tanh)
 
 from ._display import Displayed
 
 __all__ = ["AngleSequence", "Attitude", "CheckError", "Condition", "Constraint", "Error", "Expression", "FileError", "Form",
            "Frame", "Inertia", "Moments", "Outcome", "PlaneRotations", "Point", "Rotation", "Scene", "SceneError", "Shape",
            "UnitError", "UsageError", "atan2", "axis", "cardan", "cos", "euler", "exp", "form", "log", "maximum", "minimum", "pi",
-           "piecewise", "quantity", "rate", "shape", "sign", "sin", "spline", "sqrt", "tan"]
+           "piecewise", "quantity", "rate", "shape", "sign", "sin", "spline", "sqrt", "tan", "tanh"]
 
 for _name in __all__:  # those of the module beneath are named as users import them
     if getattr(globals().get(_name), "__module__", None) == "_torsor_scene" and isinstance(globals()[_name], type):

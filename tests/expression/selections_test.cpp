@@ -118,6 +118,20 @@ TEST_F(Selections, AreDifferentiatedWhereTheyAreSmooth) {
 }
 
 /// The root has no value where its form does not count: 0 times its slope is no number.
+TEST_F(Selections, MakeATanhOfEveryArgument) {
+  const Value value = lowered(tanh(x)), once = partial_derivation(program, sx)(value),
+              twice = partial_derivation(program, sx)(once);
+  for (const double place : {-1e300, -800.0, -40.0, -3.0, -0.25, -1e-9, 0.0, 1e-9, 0.25, 3.0, 40.0, 360.0, 800.0, 1e300}) {
+    Evaluator<double> evaluate(program, [place](const SymbolPointer&) { return place; });
+    const double t = std::tanh(place), c = std::abs(place) < 700 ? 1 / std::cosh(place) : 0, slope = c * c;
+    EXPECT_NEAR(evaluate(value), t, 2e-16) << place;
+    EXPECT_NEAR(evaluate(once), slope, 1e-15 * slope) << place;
+    EXPECT_NEAR(evaluate(twice), -2 * t * slope, 4e-15 * slope) << place;
+  }
+  const std::string refused = error_of<UnitError>([&] { (void)tanh(Expression::quantity("1", "m")); });
+  EXPECT_EQ(refused.find("the argument of tanh(1) "), 0U) << refused;
+}
+
 TEST_F(Selections, KeepFormsThatDoNotCountOutOfDerivatives) {
   const Value f = lowered(piecewise({{x > 0, x * sqrt(x)}}, 0));
   for (const Value& slope : {partial_derivation(program, sx)(f), gradient(f, {sx})[0]}) {

@@ -16,7 +16,7 @@ import pytest
 
 import torsor
 from torsor import scene as ts
-from torsor.scene import Inertia, Rotation, Scene, axis, cos, piecewise, quantity, sin, sqrt
+from torsor.scene import Inertia, Rotation, Scene, axis, cos, piecewise, quantity, sin, sqrt, tanh
 
 
 def crane():
@@ -173,6 +173,7 @@ def test_units_are_checked_where_a_sum_is_written(scene):
         quantity(1, "mm")
     assert (quantity("9.81", "m/s^2") * x).unit == "m^2 s^-2"
     assert sqrt(x * x).unit == "m"
+    assert tanh(x / quantity(1, "m")).unit == "1"
 
 
 # Errors
