@@ -111,6 +111,43 @@ TEST(LawOfTime, MayBendWhereItsRateIsContinuous) {
   EXPECT_NE(lines(3), "no error");
 }
 
+/// A pendulum whose pivot a formula of its own angle moves, by a driven coordinate or as the displacement itself.
+std::string refusal_of_slope(const std::function<Expression(const Expression& theta)>& formula, bool driven, bool heavy = true) {
+  Scene scene("pushed");
+  const Expression theta = scene.coordinate("theta", "rad"), x = scene.coordinate("x", "m");
+  if (driven) scene.drive(x, formula(theta));
+  const FrameHandle pivot = scene.prismatic("pivot", scene.ground(), axis::x, driven ? x : formula(theta) + 2 * x);
+  const FrameHandle arm = scene.revolute("arm", heavy ? pivot : scene.ground(), axis::y, theta);
+  scene.body("bob", arm, Inertia::point(kilograms("1")).at({0, 0, metres("-1")}));
+  if (!driven) scene.body("cart", scene.prismatic("cart", scene.ground(), axis::x, x), Inertia::point(kilograms("1")));
+  return refusal(scene);
+}
+
+TEST(LawOfACoordinate, IsRefusedWhereItsSlopeJumps) {
+  const auto bent = [](const Expression& theta) { return metres("0.3") * abs(theta); };
+  const std::string remedy = ", and the motion has no impulse for it; give a formula whose slope is continuous, as a spline is, "
+                             "or round the corner off, as sqrt(a^2 + b^2) does abs(a)";
+  EXPECT_EQ(refusal_of_slope(bent, true),
+            "coordinate 'x' is driven by the law 3/10*abs(theta): its slope along 'theta' jumps" + remedy);
+  EXPECT_EQ(refusal_of_slope(bent, false),
+            "the displacement of joint 'pivot' is (3/10*abs(theta) + 2*x): its slope along 'theta' jumps" + remedy);
+  const auto step = [](const Expression& theta) { return piecewise({{theta < 0, metres("0")}}, metres("0.3")); };
+  EXPECT_NE(refusal_of_slope(step, true).find(": that jumps along 'theta', and"), std::string::npos);
+  EXPECT_EQ(refusal_of_slope(bent, false, false), "no error");  // a frame that carries nothing
+}
+
+TEST(LawOfACoordinate, MayBendWhereItsSlopeIsContinuous) {
+  const std::vector<std::function<Expression(const Expression&)>> smooth{
+      [](const Expression& theta) { return metres("0.3") * theta * abs(theta); },
+      [](const Expression& theta) { return metres("0.3") * pow(max(theta, 1) - 1, 2); },
+      [](const Expression& theta) { return metres("0.3") * tanh(3 * theta); },
+      [](const Expression& theta) { return spline(theta, {{0, 0}, {1, 0.5}, {2, 0.25}}, "m"); },
+  };
+  for (const auto& formula : smooth) {
+    for (const bool driven : {true, false}) EXPECT_EQ(refusal_of_slope(formula, driven), "no error");
+  }
+}
+
 TEST(InitialAttitude, IsRefusedInAnotherUnit) {
   Scene scene("top");
   const AttitudeHandle e = scene.attitude("e");

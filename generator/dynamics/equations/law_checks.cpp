@@ -53,21 +53,57 @@ class LawCheck {
 
   void run() {
     for (const FrameContent& frame : scene_.frames) {
-      const std::string jumping = what_jumps(frame.displacement);
-      if (jumping.empty()) continue;
-      for (const CoordinateContent& c : scene_.coordinates) {
-        if (!c.law || !follows(frame.displacement, c)) continue;
-        if (const std::string of_law = what_jumps(*c.law); !of_law.empty()) {
-          refuse(fmt::format("coordinate '{}' is driven by the law {}", c.q->name, c.law->to_string()), of_law,
-                 "or leave it an unknown with the condition holonomic(...) and start a motion anew there");
-        }
-      }
-      refuse(fmt::format("the displacement of {} is {}", scene_.name_of(frame), frame.displacement.to_string()), jumping,
-             "or make it a coordinate with the condition holonomic(...) and start a motion anew there");
+      look(frame, scene_.time);
+      if (!moves_mass(frame)) continue;  // no energy depends on where it is
+      for (const SymbolPointer& q : coordinates_of(frame.displacement)) look(frame, q);
     }
   }
 
  private:
+  /// Refuses a displacement whose value or slope jumps along the time or a coordinate.
+  void look(const FrameContent& frame, const SymbolPointer& along) {
+    const std::string jumping = what_jumps(frame.displacement, along);
+    if (jumping.empty()) return;
+    const bool of_time = along == scene_.time;
+    for (const CoordinateContent& c : scene_.coordinates) {
+      if (!c.law || !follows(frame.displacement, c)) continue;
+      const std::string of_law = what_jumps(*c.law, along);
+      if (of_law.empty()) continue;
+      refuse(fmt::format("coordinate '{}' is driven by the law {}", c.q->name, c.law->to_string()), of_law,
+             of_time ? "give a law whose rate is continuous, as a spline is, or leave it an unknown with the condition "
+                       "holonomic(...) and start a motion anew there"
+                     : without_kink);
+    }
+    refuse(fmt::format("the displacement of {} is {}", scene_.name_of(frame), frame.displacement.to_string()), jumping,
+           of_time ? "give a law whose rate is continuous, as a spline is, or make it a coordinate with the condition "
+                     "holonomic(...) and start a motion anew there"
+                   : without_kink);
+  }
+
+  /// Whether a body hangs on a frame.
+  bool moves_mass(const FrameContent& frame) const {
+    const auto at = [&](const FrameReference& reference) {
+      return &scene_.frames[static_cast<std::size_t>(scene_.frame_index(reference, frame.name))];
+    };
+    return std::any_of(scene_.bodies.begin(), scene_.bodies.end(), [&](const BodyContent& body) {
+      const FrameContent* of_body = at(body.frame);
+      while (of_body != &frame && of_body->parent) of_body = at(*of_body->parent);
+      return of_body == &frame;
+    });
+  }
+
+  /// Coordinates that a formula depends on, through laws too.
+  std::vector<SymbolPointer> coordinates_of(const Expression& formula) {
+    std::vector<SymbolPointer> coordinates;
+    const Value value = program_.lower(formula);
+    if (value.program() == nullptr || value.is_zero()) return coordinates;
+    for (const ValueNumber number : program_.live({value})) {
+      const SymbolPointer& symbol = program_[number].symbol;
+      if (symbol && symbol->kind == SymbolKind::coordinate) coordinates.push_back(symbol);
+    }
+    return coordinates;
+  }
+
   /// Through laws of other coordinates too.
   bool follows(const Expression& formula, const CoordinateContent& driven) const {
     if (formula.depends_on(driven.q)) return true;
@@ -76,16 +112,16 @@ class LawCheck {
     });
   }
 
-  bool selects_by_time(const Value& value) const {
+  bool selects_along(const Value& value, const SymbolPointer& along) const {
     if (value.program() == nullptr || value.is_zero()) return false;
-    bool selects = false, of_time = false;
+    bool selects = false, depends = false;
     for (const ValueNumber number : program_.live({value})) {
       const Definition& definition = program_[number];
-      of_time = of_time || definition.symbol == scene_.time;
+      depends = depends || definition.symbol == along;
       selects = selects || definition.function == Function::select || definition.function == Function::sign ||
                 definition.function == Function::abs || definition.function == Function::maximum;
     }
-    return selects && of_time;
+    return selects && depends;
   }
 
   /// A form that coordinates take part in choosing bends along these too, and is none of time.
@@ -102,21 +138,23 @@ class LawCheck {
     return true;
   }
 
-  /// Empty where neither the formula nor its rate does.
-  std::string what_jumps(const Expression& formula) {
+  /// Empty where neither the formula nor its slope does.
+  std::string what_jumps(const Expression& formula, const SymbolPointer& along) {
     const Value value = program_.lower(formula);
-    if (!selects_by_time(value)) return "";
-    if (jumps_along(value, scene_.time)) return "that";
-    const Value rate = partial_derivation(program_, scene_.time)(value);
-    return !rate.is_zero() && is_chosen_by_time(rate) && jumps_along(rate, scene_.time) ? "its rate" : "";
+    if (!selects_along(value, along)) return "";
+    const bool of_time = along == scene_.time;
+    if (jumps_along(value, along)) return of_time ? "that jumps" : fmt::format("that jumps along '{}'", along->name);
+    const Value slope = partial_derivation(program_, along)(value);
+    if (slope.is_zero() || (of_time && !is_chosen_by_time(slope)) || !jumps_along(slope, along)) return "";
+    return of_time ? "its rate jumps" : fmt::format("its slope along '{}' jumps", along->name);
   }
 
-  [[noreturn]] static void refuse(const std::string& what, const std::string& jumping, const char* or_else) {
-    throw SceneError(fmt::format("{}: {} jumps, and the motion has no impulse for it; give a law whose rate is continuous, as a "
-                                 "spline is, {}",
-                                 what, jumping, or_else));
+  [[noreturn]] static void refuse(const std::string& what, const std::string& jumping, const char* remedy) {
+    throw SceneError(fmt::format("{}: {}, and the motion has no impulse for it; {}", what, jumping, remedy));
   }
 
+  static constexpr const char* without_kink =
+      "give a formula whose slope is continuous, as a spline is, or round the corner off, as sqrt(a^2 + b^2) does abs(a)";
   ModelOptions options_;
   Program program_;
   const Model model_;  // knows what formulas measure
@@ -125,7 +163,7 @@ class LawCheck {
 
 }  // namespace
 
-void check_laws_of_time(const Scene& scene) {
+void check_laws(const Scene& scene) {
   if (has_laws_that_select(scene.content())) LawCheck(scene).run();
 }
 

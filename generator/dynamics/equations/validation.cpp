@@ -286,7 +286,7 @@ void validate(const Scene& scene) {
   check_dependences(scene);
   const Equations equations(scene);
   check_joints(equations.model());
-  check_laws_of_time(scene);
+  check_laws(scene);
   check_slipping_bodies(equations.model());
   check_support_functions(equations.model());
   equations.actions();
