@@ -415,6 +415,14 @@ struct Touching {
   }
 };
 
+TEST(DiscOnAPlane, IsRefusedWhereItLiesFlatInEveryPosition) {
+  Touching it;
+  it.scene.contact("c", shape::Disc{.frame = it.body, .axis = axis::z, .radius = metres("0.1")}, it.floor);
+  EXPECT_EQ(refusal(it.scene),
+            "the axis of contact 'c' is along the normal of its plane in every position: its rim lies flat, and touches at no "
+            "single point; let points of the rim, a box or spheres touch instead");
+}
+
 TEST(SizesOfContacts, AreRefusedBelowZero) {
   const auto refused = [](const ContactShape& shape, Touching& it) {
     it.scene.contact("c", shape, it.floor);

@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "torsor/generator/dynamics/motion/model.hpp"
 
+#include <fmt/format.h>
+
+#include "torsor/generator/base/error.hpp"
+
 namespace torsor {
 
 Vector Model::locate(const PointReference& reference, int link, const std::string& user) const {
@@ -47,7 +51,13 @@ Vector Model::lowest(const PointContent& point, int link, const std::string& use
     // lies flat.
     const Vector k = bound(program, express(*point.lowest->axis, point.frame, link, user));
     const Vector across = bound(program, cross(down, k)), steepest = bound(program, cross(k, across));
-    const Value scale = program.bind(radius / program.sqrt(dot(across, across)));
+    const Value square = dot(across, across);
+    if (square.is_zero()) {
+      throw SceneError(fmt::format("the axis of {} is along the normal of its plane in every position: its rim lies flat, and "
+                                   "touches at no single point; let points of the rim, a box or spheres touch instead",
+                                   name_of(point)));
+    }
+    const Value scale = program.bind(radius / program.sqrt(square));
     if (point.lowest->tube.is_zero()) return center + scale * steepest;
     const Value tube = program.lower(point.lowest->tube);
     const Vector normal = bound(program, express(axis::z, point.lowest->plane, link, user));
