@@ -52,7 +52,8 @@ template <HasForwardDynamics M, std::invocable<const typename M::State&> InputLa
 }
 
 /// The equations alone, A a + γ = 0: f and A v - b of a mechanism with constraints then drift. For methods that hold
-/// the constraints themselves, and to see what holding them changes.
+/// the constraints themselves, and to see what holding them changes. At a change point errors decide which branch it takes:
+/// it may leave that of the start with status ok, on constraints that are closed.
 template <HasForwardDynamics M>
 [[nodiscard]] EquationsOfMotion<M> unprojected_motion(
     const typename M::Parameters& parameters = M::default_parameters()) noexcept {

@@ -134,8 +134,12 @@ class PartitionedMotion {
     return evaluation;
   }
 
+  /// How many times better others may be determined before they are chosen.
+  static constexpr Scalar worst = Scalar(4);
+
   /// A step was kept: its state is where the next ones look from. `loss` is how many times better, by the content of
-  /// A_D, the dependent coordinates or velocities would be determined if they were chosen here.
+  /// A_D, the dependent coordinates or velocities would be determined if they were chosen here. `singular` where none are
+  /// that determine them: so near a change point that rounding of positions takes half of the digits of accelerations.
   [[nodiscard]] Evaluation keep(Scalar t, const Vector& z, Scalar& loss) noexcept {
     Full y;
     Contents now;
@@ -153,7 +157,8 @@ class PartitionedMotion {
     };
     compare(here.constraints.jacobian, freedoms, now.velocities);
     if (!kinds_.all_holonomic()) compare(holonomic(here), positions_.freedoms, now.positions);
-    return Evaluation::ok;
+    const Scalar blind = std::sqrt(std::sqrt(std::numeric_limits<Scalar>::epsilon()));
+    return loss <= worst && now.least_share < blind ? Evaluation::singular : Evaluation::ok;
   }
   [[nodiscard]] const Full& state() const noexcept { return near_; }
 
@@ -162,6 +167,7 @@ class PartitionedMotion {
   using Jacobian = std::array<Scalar, m * nv>;
   struct Contents {
     Scalar positions = Scalar(1), velocities = Scalar(1);
+    Scalar least_share = Scalar(1);  ///< of the velocities' rows, see IndependentConstraints
   };
 
   Evaluation complete(Scalar t, const Vector& z, Full& y, Contents& contents) const noexcept {
@@ -178,6 +184,7 @@ class PartitionedMotion {
       if (const Evaluation e = factorise(here.constraints.jacobian, velocities_, factor); e != Evaluation::ok) return e;
     }
     contents.velocities = factor.content();
+    contents.least_share = factor.least_share();
     const auto change = factor.least_change(-read(here.constraints.rate));
     for (std::size_t j = 0; j < nv; ++j) y[nv + j] += change(static_cast<int>(j));
     return all_finite(change.entries) ? Evaluation::ok : Evaluation::not_finite;
@@ -276,7 +283,6 @@ template <class System, class Method, class Observer>
                                                                                const Method& method,
                                                                                Observer& observer) {
   using Scalar = typename System::Scalar;
-  constexpr Scalar worst = Scalar(4);
   PartitionedResult<Scalar> result;
   result.integration.time = t0;
   Statistics total;
@@ -303,7 +309,7 @@ template <class System, class Method, class Observer>
       y = system.state();
       reached = t;
       stopped = !notify(observer, t, y);
-      ill = loss > worst;
+      ill = loss > System::worst;
       return !stopped && !ill;
     };
     auto run = method.start(system, z, result.integration.time);
@@ -332,7 +338,8 @@ template <class System, class Method, class Observer>
 /// holonomic constraint determines, from y at t0 to t1, by any method (see PartitionedMotion). Where the dependent ones
 /// are determined four times less well than others would be, the independent ones are chosen anew, and so starts the
 /// method. `observer(t, y)` sees all coordinates at the start and after each step. y must satisfy the constraints.
-/// `unsuitable_model`: the constraints leave another number of freedoms.
+/// `unsuitable_model`: the constraints leave another number of freedoms. A motion that comes to a change point ends there by
+/// `singular`, but where a step goes over it.
 template <std::size_t freedoms, class Motion, class Method, class Observer = IgnoreSteps>
 [[nodiscard]] PartitionedResult<ScalarOf<typename Motion::Mechanism>> integrate_partitioned(
     const Motion& motion, StateVector<typename Motion::Mechanism>& y,

@@ -11,6 +11,7 @@
 #include "torsor/runtime/constraints/constrained_motion.hpp"
 #include "torsor/runtime/integration/dormand_prince_853.hpp"
 #include "tests/runtime/closed_loops.hpp"
+#include "tests/runtime/windows.hpp"
 
 namespace partitioned_motion_test {
 namespace {
@@ -57,6 +58,22 @@ TEST(PartitionedMotion, KeepsRedundantLoopsClosed) {
   auto z = motion.initial();
   EXPECT_EQ((integrate_partitioned<2>(motion, z, 0, 1, precise).integration.status),
             IntegrationStatus::unsuitable_model);
+}
+
+TEST(PartitionedMotion, EndsAtAChangePointInFewSteps) {
+  // Its equations as they are, up to where rounding hides them.
+  const auto motion = constrained_motion<mechanisms::Windows<3>>(mechanisms::Windows<3>::default_parameters(), {}, 1e-15);
+  for (const double tolerance : {1e-8, 1e-10, 1e-12}) {
+    const DormandPrince853 method{.relative_tolerance = tolerance, .absolute_tolerance = tolerance};
+    auto y = motion.initial();
+    const auto result = integrate_partitioned<1>(motion, y, 0, 2, method).integration;
+    const std::int64_t steps = result.statistics.accepted;
+    EXPECT_LT(steps, 5000) << tolerance;
+    if (result) continue;  // a step may go over it
+    EXPECT_EQ(result.status, IntegrationStatus::model_failure) << describe(result);
+    EXPECT_EQ(result.evaluation, Evaluation::singular) << describe(result);
+    EXPECT_NEAR(std::cos(y[0]), 0, 1e-3);
+  }
 }
 
 }  // namespace
