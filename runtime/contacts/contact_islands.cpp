@@ -10,7 +10,7 @@
 namespace torsor::runtime {
 namespace {
 
-constexpr std::size_t at(int i) noexcept { return static_cast<std::size_t>(i); }
+constexpr std::size_t place(int i) noexcept { return static_cast<std::size_t>(i); }
 
 ContactSelection select(const ContactProblem& problem, const ContactScale& scale, int island) noexcept {
   ContactSelection part;
@@ -26,10 +26,10 @@ ContactSelection select(const ContactProblem& problem, const ContactScale& scale
 // Puts what was found of some contacts in place.
 void put(const ContactSelection& part, const ContactSolution& found, ContactSolution& all) noexcept {
   for (int k = 0; k < part.rows; ++k) {
-    all.r(part.row[at(k)]) = found.r(k);
-    all.u(part.row[at(k)]) = found.u(k);
+    all.r(part.row[place(k)]) = found.r(k);
+    all.u(part.row[place(k)]) = found.u(k);
   }
-  for (int k = 0; k < part.problem.count; ++k) all.regimes[at(part.who[at(k)])] = found.regimes[at(k)];
+  for (int k = 0; k < part.problem.count; ++k) all.regimes[place(part.who[place(k)])] = found.regimes[place(k)];
   all.indeterminate = all.indeterminate || found.indeterminate;
   all.moves = all.moves || found.moves;
 }
@@ -47,13 +47,13 @@ void join(const ContactSelection& part, const ContactAnswer& found, ContactAnswe
 
 }  // namespace
 
-ContactAnswer solve_islands(const ContactProblem& problem, const ContactSolverOptions& options,
-                            ContactAnswer (*solve)(const ContactProblem&, const ContactSolverOptions&)) noexcept {
+ContactAnswer solve_islands(const ContactProblem& problem, const ContactVector& start, const ContactSolverOptions& options,
+                            ContactSolve solve) noexcept {
   const ContactScale scale(problem);
   const int rows = problem.rows();
   bool one = true;
   for (int row = 1; row < rows; ++row) one = one && scale.group(row) == scale.group(0);
-  if (one) return solve(problem, options);
+  if (one) return solve(problem, start, options);
   ContactAnswer all;
   all.count = 1;
   all.verdict = ContactVerdict::unique;
@@ -61,7 +61,7 @@ ContactAnswer solve_islands(const ContactProblem& problem, const ContactSolverOp
   for (int row = 0; row < rows; ++row) {
     if (scale.group(row) != row) continue;
     const ContactSelection part = select(problem, scale, row);
-    const ContactAnswer found = solve(part.problem, options);
+    const ContactAnswer found = solve(part.problem, part.gather(start), options);
     if (!found) return found;
     join(part, found, all);
   }

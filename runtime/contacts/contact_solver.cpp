@@ -20,8 +20,8 @@ bool tries_all(const ContactProblem& problem) noexcept {
   return true;
 }
 
-// Contacts that act on each other.
-ContactAnswer solve_island(const ContactProblem& problem, const ContactSolverOptions& options) noexcept {
+// Contacts that act on each other, from no reactions: no start has a say.
+ContactAnswer solve_island(const ContactProblem& problem, const ContactVector&, const ContactSolverOptions& options) noexcept {
   const ContactVector none = ContactVector::Zero(problem.rows());
   if (problem.count > options.enumerated) return ContactIteration(problem, none, options).solve();
   ContactAnswer answer = RegimeEnumeration(problem).run();
@@ -30,6 +30,19 @@ ContactAnswer solve_island(const ContactProblem& problem, const ContactSolverOpt
   // Where many slips begin together more starts take seconds.
   const bool few = problem.count <= std::min(options.enumerated, 4);
   return answer || !few ? answer : RegimeEnumeration(problem).run(true);
+}
+
+ContactAnswer go_on_with_island(const ContactProblem& problem, const ContactVector& start,
+                                const ContactSolverOptions& options) noexcept {
+  if (problem.count > options.enumerated) return iterate_contacts(problem, start, options);
+  // Sweeps may take thousands to settle, or go round for ever, where to try all regimes takes as long as some ten.
+  RegimeEnumeration regimes(problem);
+  const bool few = tries_all(problem) && regimes.combinations() <= 256;
+  if (few && ContactIteration(problem, start, options).holds(regimes)) return regimes.finish();
+  ContactSolverOptions short_options = options;
+  short_options.attempts = std::min(options.attempts, 4);
+  const ContactAnswer answer = few ? ContactAnswer{} : iterate_contacts(problem, start, short_options);
+  return answer ? answer : solve_island(problem, start, options);
 }
 
 }  // namespace
@@ -41,19 +54,14 @@ ContactAnswer iterate_contacts(const ContactProblem& problem, const ContactVecto
 
 ContactAnswer go_on_contacts(const ContactProblem& problem, const ContactVector& start,
                              const ContactSolverOptions& options) noexcept {
-  if (problem.count > options.enumerated) return iterate_contacts(problem, start, options);
-  // Sweeps may take thousands to settle, or go round for ever, where to try all regimes takes as long as some ten.
-  RegimeEnumeration regimes(problem);
-  const bool few = tries_all(problem) && regimes.combinations() <= 256;
-  if (few && ContactIteration(problem, start, options).holds(regimes)) return regimes.finish();
-  ContactSolverOptions short_options = options;
-  short_options.attempts = std::min(options.attempts, 4);
-  const ContactAnswer answer = few ? ContactAnswer{} : iterate_contacts(problem, start, short_options);
-  return answer ? answer : solve_contacts(problem, options);
+  return problem.count > options.enumerated ? solve_islands(problem, start, options, go_on_with_island)
+                                            : go_on_with_island(problem, start, options);
 }
 
 ContactAnswer solve_contacts(const ContactProblem& problem, const ContactSolverOptions& options) noexcept {
-  return problem.count > options.enumerated ? solve_islands(problem, options, solve_island) : solve_island(problem, options);
+  const ContactVector none = ContactVector::Zero(problem.rows());
+  return problem.count > options.enumerated ? solve_islands(problem, none, options, solve_island)
+                                            : solve_island(problem, none, options);
 }
 
 }  // namespace torsor::runtime

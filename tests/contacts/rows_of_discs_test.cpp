@@ -124,9 +124,8 @@ TEST(RowsOfDiscs, OfSixRestInTheFirstStep) {
   }
 }
 
-// A disc far away begins to slide: it is no part of the pile.
-TEST(RowsOfDiscs, RestWhateverSlipsElsewhere) {
-  const Case pile({3, 2, 1}, 0.45, 1);
+/// The last contact is that of a disc far away which begins to slide: it is no part of the pile.
+ContactProblem beside_a_sliding_disc(const Case& pile) {
   ContactProblem both = pile.problem;
   const int rows = both.rows();
   both.laws[static_cast<std::size_t>(both.count++)] = coulomb(1, 0.2);
@@ -136,7 +135,13 @@ TEST(RowsOfDiscs, RestWhateverSlipsElsewhere) {
   both.W.bottomRightCorner(2, 2) << 1, 0, 0, 3;
   both.q.conservativeResize(rows + 2);
   both.q.tail(2) << -1, 0.75;
-  const ContactAnswer answer = solve_contacts(both);
+  return both;
+}
+
+TEST(RowsOfDiscs, RestWhateverSlipsElsewhere) {
+  const Case pile({3, 2, 1}, 0.45, 1);
+  const int rows = pile.problem.rows();
+  const ContactAnswer answer = solve_contacts(beside_a_sliding_disc(pile));
   ASSERT_EQ(answer.verdict, ContactVerdict::several);
   ASSERT_EQ(answer.count, 2U);
   EXPECT_EQ(answer.best().u.head(rows).norm(), 0);
@@ -147,6 +152,19 @@ TEST(RowsOfDiscs, RestWhateverSlipsElsewhere) {
     EXPECT_NEAR(s.u(rows + 1), 0.15, 1e-15);
     EXPECT_EQ(s.regimes[12], ContactRegime::slides);
     EXPECT_LE(s.residual, 1e-13);
+  }
+}
+
+TEST(RowsOfDiscs, RestInStepsWhateverSlipsElsewhere) {
+  for (const double f : {0.45, 0.5}) {
+    for (unsigned seed = 0; seed < 6; ++seed) {
+      const Case pile({3, 2, 1}, f, seed);
+      const ContactProblem both = beside_a_sliding_disc(pile);
+      const ContactAnswer answer = go_on_contacts(both, ContactVector::Zero(both.rows()));
+      ASSERT_TRUE(answer) << f << ' ' << seed;
+      EXPECT_EQ(answer.best().u.head(pile.problem.rows()).norm(), 0) << f << ' ' << seed;
+      EXPECT_EQ(answer.best().regimes[12], ContactRegime::slides);
+    }
   }
 }
 
