@@ -3,6 +3,7 @@
 #include <set>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "torsor/generator/base/did_you_mean.hpp"
 #include "torsor/generator/base/error.hpp"
@@ -192,8 +193,9 @@ void fix_joints(UrdfRobot& robot, const std::vector<std::string>& joints) {
     auto found = std::find_if(robot.joints.begin(), robot.joints.end(), has_name);
     if (found == robot.joints.end()) found = joint_of_identifier(robot, name);
     if (found == robot.joints.end()) {
-      throw UsageError(fmt::format("unknown joint '{}' in --fix: {}name joints of the robot '{}', or massless", name,
-                                   did_you_mean(name, names_of(robot.joints)), robot.name));
+      throw UsageError(fmt::format("unknown joint '{}' in --fix: {}name joints of the robot '{}', or massless: it has {}", name,
+                                   did_you_mean(name, names_of(robot.joints)), robot.name,
+                                   fmt::join(names_of(robot.joints), ", ")));
     }
     found->type = UrdfJointType::fixed;
     found->mimic.reset();

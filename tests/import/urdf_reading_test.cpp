@@ -328,7 +328,7 @@ TEST(UrdfMassless, JointsCanBeFixedByNameOrAllAtOnce) {
   unknown.fix = {"grip-3"};
   EXPECT_EQ(refusal(hand, unknown),
             "unknown joint 'grip-3' in --fix: did you mean 'grip-1' or 'grip-2'? name joints of the robot 'machine', or "
-            "massless");
+            "massless: it has hinge, grip-1, grip-2");
 }
 
 // --- mimics -------------------------------------------------------------------------------------------------------
