@@ -77,5 +77,39 @@ TEST(FixedAxisMomenta, OfABodyOffItsOriginAreAboutTheGround) {
   EXPECT_TRUE(has(slowed, "about axis z of 'ground' through the origin of 'body': T depends on it, forces act along it.")) << slowed;
 }
 
+/// A top whose foot glides on ice, from a place of its own.
+TEST(FixedAxisMomenta, OfATopThatGlidesAreAboutWhereItsLengthsBegin) {
+  for (const bool aside : {false, true}) {
+    Scene scene("gliding");
+    const Expression x = scene.coordinate("x", "m"), y = scene.coordinate("y", "m"), none = Expression::quantity("0", "m");
+    const Expression A = scene.parameter("A", "kg m^2", 1), C = scene.parameter("C", "kg m^2", 0.4_r), m = scene.parameter("m", "kg", 1);
+    const FrameHandle slide =
+        scene.prismatic("slide", scene.ground(), axis::x, x, {.origin = {aside ? Expression::quantity("3", "m") : none, none, none}});
+    const FrameHandle top = scene.spherical("top", scene.prismatic("foot", slide, axis::y, y), scene.attitude("e"));
+    scene.body("top", top, Inertia::general({.mass = m, .xx = A, .yy = A, .zz = C}).at({none, none, scene.parameter("l", "m", 0.5_r)}));
+    scene.gravity({0, 0, Expression::quantity("-9.81", "m/s^2")});
+    const std::string page = page_of(scene);
+    EXPECT_TRUE(has(page, aside ? "(momentum about an axis along z of 'ground' through where x and y are zero, in N m s)"
+                                : "(momentum about axis z of 'ground', in N m s)"))
+        << page;
+    EXPECT_TRUE(has(page, "No momentum integral about axis x of 'ground' through the origin of 'top': T depends on it, U depends on it.")) << page;
+  }
+}
+
+/// No kernel has them: the page says only how long they are.
+TEST(FixedAxisMomenta, OfAChainAreToldWhereTheyAreTooLong) {
+  Scene scene("chain");
+  FrameHandle last = scene.ground();
+  const Expression l = scene.parameter("l", "m", 0.5_r);
+  for (int i = 0; i < 3; ++i) {
+    const std::string name = "f" + std::to_string(i);
+    last = scene.spherical(name, last, scene.attitude("e" + std::to_string(i)), {.origin = {0, 0, i == 0 ? 0 * l : -l}});
+    scene.body(name, last, Inertia::rod(scene.parameter("m" + std::to_string(i), "kg", 1), l, 2).at({0, 0, -l / 2}));
+  }
+  scene.gravity({0, 0, Expression::quantity("-9.81", "m/s^2")});
+  const std::string page = page_of(scene);
+  EXPECT_TRUE(has(page, "The momentum about axis z of 'ground' through the origin of 'f0' is constant, and too long to be written out (")) << page;
+}
+
 }  // namespace
 }  // namespace torsor::fixed_axis_momenta_test

@@ -23,9 +23,8 @@ struct Turn {
 struct Base {
   std::string frame;
   std::array<SymbolPointer, 3> lengths;
-  [[nodiscard]] bool all() const {
-    return std::all_of(lengths.begin(), lengths.end(), [](const auto& length) { return length != nullptr; });
-  }
+  bool from_its_origin = true;  ///< the lengths lead from there
+  [[nodiscard]] bool turns_about(std::size_t d) const { return lengths[(d + 1) % 3] != nullptr && lengths[(d + 2) % 3] != nullptr; }
 };
 
 class FixedAxes {
@@ -50,9 +49,12 @@ class FixedAxes {
       if (!base || !place(attitude.symbols->omega[0])) continue;
       for (std::size_t d = 0; d < 3; ++d) {
         FixedAxisMomentum own = judged(turn(attitude, nullptr, d));
-        if (!own.reasons.empty() && base->all()) {
+        if (!own.reasons.empty() && base->turns_about(d)) {
           FixedAxisMomentum whole = judged(turn(attitude, &*base, d));
           whole.about_base = true;
+          for (const std::size_t across : {std::min((d + 1) % 3, (d + 2) % 3), std::max((d + 1) % 3, (d + 2) % 3)}) {
+            if (!base->from_its_origin) whole.zero.push_back(base->lengths[across]->name);
+          }
           if (whole.reasons.empty()) own = std::move(whole);
         }
         own.frame = attitude.frame;
@@ -78,16 +80,21 @@ class FixedAxes {
                                      [&](const FrameContent& f) { return f.attitude == static_cast<int>(attitude); });
     if (turned == scene.frames.end() || !turned->parent || !turned->placement.rotation.is_identity()) return std::nullopt;
     Base base;
+    base.from_its_origin = is_zero(turned->placement.origin);
     const FrameContent* frame = &parent_of(*turned);
     while (frame->parent && frame->joint == JointKind::prismatic && frame->placement.rotation.is_identity()) {
       const std::optional<std::size_t> d = axis_of(*frame);
       const SymbolPointer length = frame->displacement.as_symbol();
       if (!d || base.lengths[*d] || !length || !length->rate || !place(length->rate)) break;
       base.lengths[*d] = length;
+      base.from_its_origin = base.from_its_origin && is_zero(frame->placement.origin);
       frame = &parent_of(*frame);
     }
     base.frame = frame->name;
     return base;
+  }
+  static bool is_zero(const Triple& place) {
+    return std::all_of(place.begin(), place.end(), [](const Expression& each) { return each.is_zero(); });
   }
   const FrameContent& parent_of(const FrameContent& frame) const {
     const SceneContent& scene = model_.scene();
