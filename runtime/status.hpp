@@ -85,8 +85,8 @@ struct Result {
              "negative, not both zero, "
              "and a relative tolerance at least four roundings of the scalar";
     case IntegrationStatus::step_too_small:
-      return "the step fell below the resolution of time, or steps stayed below 1e-10 of the longest: loosen the tolerances, "
-             "look for a discontinuity or a change point, or take an implicit method where a mode is fast";
+      return "the step fell below the resolution of time: loosen the tolerances, look for a discontinuity, or take an "
+             "implicit method where a mode is fast";
     case IntegrationStatus::too_many_steps:
       return "the step limit was met: raise it or loosen the tolerances";
     case IntegrationStatus::model_failure:

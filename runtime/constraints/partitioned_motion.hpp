@@ -157,8 +157,10 @@ class PartitionedMotion {
     };
     compare(here.constraints.jacobian, freedoms, now.velocities);
     if (!kinds_.all_holonomic()) compare(holonomic(here), positions_.freedoms, now.positions);
+    usual_share_ = std::max(usual_share_, now.least_share);
     const Scalar blind = std::sqrt(std::sqrt(std::numeric_limits<Scalar>::epsilon()));
-    return loss <= worst && now.least_share < blind ? Evaluation::singular : Evaluation::ok;
+    const Scalar part = std::min(Scalar(1), 10 * usual_share_);  // of a thin fork it is small everywhere
+    return loss <= worst && now.least_share < blind * part ? Evaluation::singular : Evaluation::ok;
   }
   [[nodiscard]] const Full& state() const noexcept { return near_; }
 
@@ -264,6 +266,7 @@ class PartitionedMotion {
   typename Reading::Rows lengths_{};
   bool chosen_ = false;
   Full near_{};
+  Scalar usual_share_ = Scalar(0);  ///< the largest of the motion
 };
 
 /// The end of an integration in independent coordinates.

@@ -20,7 +20,6 @@ class StepClock {
   /// Steps are counted from here on, as those of a motion that begins.
   void count_anew() noexcept {
     result.statistics = {};
-    creeping_ = 0;
     refusal = Evaluation::ok;
     last_word_ = {};
   }
@@ -29,7 +28,7 @@ class StepClock {
   void set_out() noexcept { after_rejection_ = false; }
 
   /// The next step to try towards the end: from result.time to t_next, h long with its sign. False when it would be too
-  /// short or one too many, or where steps creep; the result then says so.
+  /// short or one too many; the result then says so.
   [[nodiscard]] bool plan(Scalar end, std::int64_t step_limit) noexcept {
     const Scalar t = result.time, remaining = end - t;
     // A step that all but reaches the end is stretched to it, so that none of a rounding's length is left over.
@@ -38,7 +37,7 @@ class StepClock {
     h = t_next - t;  // what the clock really advances, so that rounding of time never accumulates
     // Where the model fails at the end of every step, steps of a rounding's length creep towards that place.
     const Scalar span = refusal == Evaluation::ok ? std::abs(t) : std::max(std::abs(t), std::abs(remaining));
-    if ((!last && !(std::abs(h) > smallest_step(span))) || creeping_ >= patience) {
+    if (!last && !(std::abs(h) > smallest_step(span))) {
       give_up();
       return false;
     }
@@ -60,10 +59,6 @@ class StepClock {
 
   void keep(Scalar longer) noexcept {
     ++result.statistics.accepted;
-    // Near a place where slopes have no bound, a change point of constraints that nothing holds, steps shrink without end, and
-    // far above the resolution of a time near 0.
-    longest_ = std::max(longest_, std::abs(h));
-    creeping_ = std::abs(h) < Scalar(1e-10) * longest_ ? creeping_ + 1 : 0;
     refusal = Evaluation::ok;
     length = std::min(longer, largest);
     after_rejection_ = false;
@@ -87,8 +82,6 @@ class StepClock {
   Evaluation refusal = Evaluation::ok;
 
  private:
-  static constexpr std::int64_t patience = 20'000;  ///< with kept steps in a row below 1e-10 of the longest
-
   static Scalar smallest_step(Scalar t) noexcept {
     return std::max(Scalar(10) * std::numeric_limits<Scalar>::epsilon() * std::abs(t),
                     std::numeric_limits<Scalar>::min());
@@ -103,8 +96,6 @@ class StepClock {
     std::int64_t at = 0;
   } last_word_;  // of the model that is not ok
   bool after_rejection_ = false;
-  Scalar longest_ = Scalar(0);
-  std::int64_t creeping_ = 0;
 };
 
 }  // namespace torsor::runtime

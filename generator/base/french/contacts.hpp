@@ -55,10 +55,10 @@ constexpr Translation french_of_contacts[] = {
      "both zero, and a relative tolerance at least four roundings of the scalar",
      "options inutilisables : instants et état initial sont finis, un pas fixe est positif, les tolérances ne sont pas "
      "négatives, ni nulles toutes deux, et la tolérance relative vaut au moins quatre arrondis du nombre"},
-    {"the step fell below the resolution of time, or steps stayed below 1e-10 of the longest: loosen the tolerances, look for a "
-     "discontinuity or a change point, or take an implicit method where a mode is fast",
-     "le pas est tombé sous la résolution du temps, ou les pas sont restés sous 1e-10 du plus long : relâcher les tolérances, "
-     "chercher une discontinuité ou un point de changement, ou prendre une méthode implicite si un mode est rapide"},
+    {"the step fell below the resolution of time: loosen the tolerances, look for a discontinuity, or take an implicit method "
+     "where a mode is fast",
+     "le pas est tombé sous la résolution du temps : relâcher les tolérances, chercher une discontinuité, ou prendre une "
+     "méthode implicite si un mode est rapide"},
     {"the step limit was met: raise it or loosen the tolerances",
      "la limite du nombre de pas est atteinte : l'augmenter ou relâcher les tolérances"},
     {"the model could not be evaluated", "le modèle n'a pas pu être évalué"},
