@@ -13,7 +13,7 @@
 //   mass_matrix                   0                0          0             0                  0       0      0       0
 //   bias                         12               34          0             0                  0       0     46      54
 //   energy                       48               57          0             0                  0       0    105     128
-//   contacts                    288              410         17             1                  0       0    716     763
+//   contacts                    282              410         17             1                  0       0    710     757
 //   contact_coefficients          0                0          0             0                  0       0      0       0
 //
 // Not computed because this mechanism does not need it:
@@ -67,7 +67,7 @@ struct Mechanism {
 
   static constexpr const char* name = "billiard_two_balls";
   /// 64 bits (FNV-1a) of this file from "#pragma once" on, with zeros in their own place: another mechanism, other bits.
-  static constexpr unsigned long long fingerprint = 0x9941dd46b398e4a0ULL ^ torsor::support_fingerprint;
+  static constexpr unsigned long long fingerprint = 0xba5310ed479fe3e9ULL ^ torsor::support_fingerprint;
   static constexpr int coordinate_count = 14;
   static constexpr int velocity_count = 12;
   static constexpr int input_count = 0;
@@ -849,113 +849,113 @@ struct Mechanism {
     const Scalar z121 = k3 * z118;
     const Scalar z122 = k3 * z119;
     const Scalar z123 = k3 * z120;
-    const Scalar z124 = q_x - q_x2 - k3 * z118;
-    const Scalar z125 = q_y - q_y2 - k3 * z119;
-    const Scalar z126 = q_z - q_z2 - k3 * z120;
+    const Scalar z124 = z81 - k3 * z118;
+    const Scalar z125 = z82 - k3 * z119;
+    const Scalar z126 = z83 - k3 * z120;
     const Scalar z127 = k6 + z118;
     const Scalar z128 = k7 - z119;
     const Scalar z129 = k8 + z120;
-    const Scalar z130 = z127 * z127 + z128 * z128 + z129 * z129;
-    const Scalar z131 = n0_5 * (z104 * z116 / (z96 * z96) - z105 / z96);
-    const Scalar z132 = z83 * z116 / (z96 * z96) - z103 / z96;
-    const Scalar z133 = z82 * z116 / (z96 * z96) - z102 / z96;
-    const Scalar z134 = z11 + z18;
-    const Scalar z135 = z78 + z80;
-    const Scalar z136 = z26 * z123 - z42 * z122;
-    const Scalar z137 = z72 + z73;
-    const Scalar z138 = z24 * z123 - z42 * z121;
-    const Scalar z139 = z24 * z122 - z26 * z121;
-    const Scalar z140 = z69 + z68;
-    const Scalar z141 = z36 * z123 - z41 * z122;
-    const Scalar z142 = z27 * z123 - z41 * z121;
-    const Scalar z143 = k3 * z132;
-    const Scalar z144 = k3 * z133;
-    const Scalar z145 = v_z - v_z2 + k3 * z132;
-    const Scalar z146 = v_y - v_y2 + k3 * z133;
-    const Scalar z147 = z122 * z115 - z14 * z123 + z26 * z143 - z42 * z144;
-    const Scalar z148 = z16 * z123 - z122 * z134 + z40 * z143 - z35 * z144;
-    const Scalar z149 = z61 * z126 - z125 * z135 + z57 * z145 - z74 * z146;
-    const Scalar z150 = z71 * z126 + z125 * z137 + z65 * z145 - z79 * z146;
-    const Scalar z151 = z125 * z140 - z76 * z126 + z77 * z145 - z67 * z146;
-    const Scalar z152 = n2 / z130;
-    const Scalar z153 = k9 * z118 - k10 * z119 - k11 * z120;
-    const Scalar z154 = k12 * z118 + k13 * z119 + k14 * z120;
+    const Scalar z130 = k9 * z118 - k10 * z119 - k11 * z120;
+    const Scalar z131 = k12 * z118 + k13 * z119 + k14 * z120;
+    const Scalar z132 = n0_5 * (z104 * z116 / (z96 * z96) - z105 / z96);
+    const Scalar z133 = z11 + z18;
+    const Scalar z134 = z78 + z80;
+    const Scalar z135 = z83 * z116 / (z96 * z96) - z103 / z96;
+    const Scalar z136 = z82 * z116 / (z96 * z96) - z102 / z96;
+    const Scalar z137 = z127 * z127 + z128 * z128 + z129 * z129;
+    const Scalar z138 = z26 * z123 - z42 * z122;
+    const Scalar z139 = z72 + z73;
+    const Scalar z140 = z24 * z123 - z42 * z121;
+    const Scalar z141 = z24 * z122 - z26 * z121;
+    const Scalar z142 = z69 + z68;
+    const Scalar z143 = z103 + k3 * z135;
+    const Scalar z144 = z102 + k3 * z136;
+    const Scalar z145 = k3 * z135;
+    const Scalar z146 = k3 * z136;
+    const Scalar z147 = z122 * z115 - z14 * z123 + z26 * z145 - z42 * z146;
+    const Scalar z148 = z16 * z123 - z122 * z133 + z40 * z145 - z35 * z146;
+    const Scalar z149 = z61 * z126 - z125 * z134 + z57 * z143 - z74 * z144;
+    const Scalar z150 = z71 * z126 + z125 * z139 + z65 * z143 - z79 * z144;
+    const Scalar z151 = z36 * z123 - z41 * z122;
+    const Scalar z152 = z27 * z123 - z41 * z121;
+    const Scalar z153 = z125 * z142 - z76 * z126 + z77 * z143 - z67 * z144;
+    const Scalar z154 = n2 / z137;
     const Scalar z155 = z27 * z122 - z36 * z121;
     const Scalar z156 = z81 * z116 / (z96 * z96) - z101 / z96;
     const Scalar z157 = z40 * z123 - z35 * z122;
-    const Scalar z158 = n2 * (z127 * z156 - z128 * z133 + z129 * z132);
+    const Scalar z158 = n2 * (z127 * z156 - z128 * z136 + z129 * z135);
     const Scalar z159 = z35 * z121 - z43 * z123;
-    const Scalar z160 = z152 * z153;
-    const Scalar z161 = z152 * z154;
-    const Scalar z162 = z36 * z143 - z41 * z144 - z15 * z123 - z122 * z117;
+    const Scalar z160 = z154 * z130;
+    const Scalar z161 = z154 * z131;
+    const Scalar z162 = z36 * z145 - z41 * z146 - z15 * z123 - z122 * z117;
     const Scalar z163 = v_turn_omega_x * z147 + v_turn_omega_z * z148 - v_turn2_omega_x * z149 - v_turn2_omega_y * z150
-        - v_turn2_omega_z * z151 + v_turn_omega_y * z162;
-    const Scalar z164 = n2 * z158 / (z130 * z130);
+        - v_turn2_omega_z * z153 + v_turn_omega_y * z162;
+    const Scalar z164 = n2 * z158 / (z137 * z137);
     const Scalar z165 = z40 * z121 - z43 * z122;
     const Scalar z166 = k3 * z156;
     const Scalar z167 = z57 * z126 - z74 * z125;
-    const Scalar z168 = z121 * z115 - z20 * z123 + z24 * z143 - z42 * z166;
+    const Scalar z168 = z121 * z115 - z20 * z123 + z24 * z145 - z42 * z166;
     const Scalar z169 = z64 * z126 - z74 * z124;
-    const Scalar z170 = z27 * z143 - z41 * z166 - z25 * z123 - z121 * z117;
+    const Scalar z170 = z27 * z145 - z41 * z166 - z25 * z123 - z121 * z117;
     const Scalar z171 = k11 + z129 * z160;
     const Scalar z172 = k12 - z127 * z161;
-    const Scalar z173 = k11 * z132 + k10 * z133 - k9 * z156;
-    const Scalar z174 = z152 * z173 + z153 * z164;
+    const Scalar z173 = k11 * z135 + k10 * z136 - k9 * z156;
+    const Scalar z174 = z154 * z173 + z130 * z164;
     const Scalar z175 = z64 * z125 - z57 * z124;
-    const Scalar z176 = z30 * z123 + z121 * z134 + z35 * z166 - z43 * z143;
+    const Scalar z176 = z30 * z123 + z121 * z133 + z35 * z166 - z43 * z145;
     const Scalar z177 = z65 * z126 - z79 * z125;
-    const Scalar z178 = v_x - v_x2 + k3 * z156;
+    const Scalar z178 = z101 + k3 * z156;
     const Scalar z179 = z58 * z126 - z79 * z124;
-    const Scalar z180 = z70 * z126 - z124 * z135 + z64 * z145 - z74 * z178;
+    const Scalar z180 = z70 * z126 - z124 * z134 + z64 * z143 - z74 * z178;
     const Scalar z181 = k9 - z127 * z160;
     const Scalar z182 = k13 + z128 * z161;
     const Scalar z183 = z58 * z125 - z65 * z124;
-    const Scalar z184 = z66 * z126 + z124 * z137 + z58 * z145 - z79 * z178;
+    const Scalar z184 = z66 * z126 + z124 * z139 + z58 * z143 - z79 * z178;
     const Scalar z185 = z77 * z126 - z67 * z125;
-    const Scalar z186 = z67 * z178 - z75 * z145 - z85 * z126 - z124 * z140;
+    const Scalar z186 = z67 * z178 - z75 * z143 - z85 * z126 - z124 * z142;
     const Scalar z187 = z67 * z124 - z75 * z126;
     const Scalar z188 = v_turn_omega_x * z168 - v_turn_omega_z * z176 - v_turn2_omega_x * z180 - v_turn2_omega_y * z184
         + v_turn_omega_y * z170 + v_turn2_omega_z * z186;
     const Scalar z189 = k10 - z128 * z160;
-    const Scalar z190 = z136 * z181 + z138 * z189 - z139 * z171;
-    const Scalar z191 = z141 * z181 + z142 * z189 - z155 * z171;
+    const Scalar z190 = z138 * z181 + z140 * z189 - z141 * z171;
+    const Scalar z191 = z151 * z181 + z152 * z189 - z155 * z171;
     const Scalar z192 = z157 * z181 - z159 * z189 + z165 * z171;
     const Scalar z193 = z167 * z181 + z169 * z189 - z175 * z171;
     const Scalar z194 = z177 * z181 + z179 * z189 - z183 * z171;
     const Scalar z195 = k14 - z129 * z161;
     const Scalar z196 = z77 * z124 - z75 * z125;
     const Scalar z197 = z185 * z181 - z187 * z189 + z196 * z171;
-    const Scalar z198 = v_x - v_x2 - v_turn_omega_x * z136 - v_turn_omega_y * z141 - v_turn_omega_z * z157
+    const Scalar z198 = v_x - v_x2 - v_turn_omega_x * z138 - v_turn_omega_y * z151 - v_turn_omega_z * z157
         - v_turn2_omega_x * z167 - v_turn2_omega_y * z177 - v_turn2_omega_z * z185;
-    const Scalar z199 = z14 * z121 - z20 * z122 + z24 * z144 - z26 * z166;
-    const Scalar z200 = v_y - v_y2 + v_turn_omega_x * z138 + v_turn_omega_y * z142 - v_turn_omega_z * z159
+    const Scalar z199 = z14 * z121 - z20 * z122 + z24 * z146 - z26 * z166;
+    const Scalar z200 = v_y - v_y2 + v_turn_omega_x * z140 + v_turn_omega_y * z152 - v_turn_omega_z * z159
         + v_turn2_omega_x * z169 + v_turn2_omega_y * z179 - v_turn2_omega_z * z187;
-    const Scalar z201 = z15 * z121 - z25 * z122 + z27 * z144 - z36 * z166;
-    const Scalar z202 = z160 * z133 + z128 * z174;
-    const Scalar z203 = v_z - v_z2 - v_turn_omega_x * z139 - v_turn_omega_y * z155 + v_turn_omega_z * z165
+    const Scalar z201 = z15 * z121 - z25 * z122 + z27 * z146 - z36 * z166;
+    const Scalar z202 = z160 * z136 + z128 * z174;
+    const Scalar z203 = v_z - v_z2 - v_turn_omega_x * z141 - v_turn_omega_y * z155 + v_turn_omega_z * z165
         - v_turn2_omega_x * z175 - v_turn2_omega_y * z183 + v_turn2_omega_z * z196;
-    const Scalar z204 = z16 * z121 + z30 * z122 + z40 * z166 - z43 * z144;
-    const Scalar z205 = z70 * z125 - z61 * z124 + z64 * z146 - z57 * z178;
-    const Scalar z206 = z66 * z125 - z71 * z124 + z58 * z146 - z65 * z178;
-    const Scalar z207 = z77 * z178 - z75 * z146 - z76 * z124 - z85 * z125;
+    const Scalar z204 = z16 * z121 + z30 * z122 + z40 * z166 - z43 * z146;
+    const Scalar z205 = z70 * z125 - z61 * z124 + z64 * z144 - z57 * z178;
+    const Scalar z206 = z66 * z125 - z71 * z124 + z58 * z144 - z65 * z178;
+    const Scalar z207 = z77 * z178 - z75 * z144 - z76 * z124 - z85 * z125;
     const Scalar z208 = v_turn_omega_x * z199 + v_turn_omega_y * z201 - v_turn_omega_z * z204 - v_turn2_omega_x * z205
         - v_turn2_omega_y * z206 + v_turn2_omega_z * z207;
-    const Scalar z209 = z136 * z172 - z138 * z182 + z139 * z195;
-    const Scalar z210 = z141 * z172 - z142 * z182 + z155 * z195;
+    const Scalar z209 = z138 * z172 - z140 * z182 + z141 * z195;
+    const Scalar z210 = z151 * z172 - z152 * z182 + z155 * z195;
     const Scalar z211 = z157 * z172 + z159 * z182 - z165 * z195;
     const Scalar z212 = z167 * z172 - z169 * z182 + z175 * z195;
     const Scalar z213 = z177 * z172 - z179 * z182 + z183 * z195;
     const Scalar z214 = z185 * z172 + z187 * z182 - z196 * z195;
     const Scalar z215 = z198 * z181 - z200 * z189 - z203 * z171;
     const Scalar z216 = z198 * z172 + z200 * z182 + z203 * z195;
-    const Scalar z217 = k14 * z132 + k13 * z133 + k12 * z156;
-    const Scalar z218 = z152 * z217 - z154 * z164;
+    const Scalar z217 = k14 * z135 + k13 * z136 + k12 * z156;
+    const Scalar z218 = z154 * z217 - z131 * z164;
     const Scalar z219 = z127 * z174 - z160 * z156;
-    const Scalar z220 = z129 * z174 - z160 * z132;
+    const Scalar z220 = z129 * z174 - z160 * z135;
     const Scalar z221 = z171 * z208 - z181 * z163 - z189 * z188 - z200 * z202 + z198 * z219 + z203 * z220;
     const Scalar z222 = z161 * z156 + z127 * z218;
-    const Scalar z223 = z161 * z132 + z129 * z218;
-    const Scalar z224 = z128 * z218 - z161 * z133;
+    const Scalar z223 = z161 * z135 + z129 * z218;
+    const Scalar z224 = z128 * z218 - z161 * z136;
     const Scalar z225 = z172 * z163 - z182 * z188 + z195 * z208 + z198 * z222 + z203 * z223 - z200 * z224;
     result.gap[0] = -z22;
     result.rate[0] = v_z;
@@ -973,7 +973,7 @@ struct Mechanism {
     result.drift[5] = n0;
     result.gap[2] = -z114;
     result.rate[6] = z116;
-    result.drift[6] = -z131;
+    result.drift[6] = -z132;
     result.rate[7] = z215;
     result.drift[7] = -z221;
     result.rate[8] = z216;

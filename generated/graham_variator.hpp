@@ -10,15 +10,15 @@
 // costs, one multiplication for each result and for each pivot tested); before: without products that sums
 // share, factoring, and what is done once for a set of parameters:
 //   function          additions  multiplications  divisions  square roots  sine-cosine pairs  others  total  before
-//   precompute               17               30          5             0                  0       0     52       -
+//   precompute               16               30          5             0                  0       0     51       -
 //   kinematics               25               50          0             0                  3       0     81      85
 //   mass_matrix               0                0          0             0                  0       0      0       0
 //   bias                      1                4          0             0                  1       0      7       7
-//   inverse_dynamics          9               14          0             0                  1       0     25      37
-//   forward_dynamics         12               21          0             0                  1       0     35      63
+//   inverse_dynamics          9               14          0             0                  1       0     25      36
+//   forward_dynamics         12               21          0             0                  1       0     35      62
 //   energy                   13               29          0             0                  2       0     46      50
-//   constraints               3                4          0             0                  0       0      7      20
-//   linearisation            27               35          0             0                  1       0     64     101
+//   constraints               3                4          0             0                  0       0      7      19
+//   linearisation            27               35          0             0                  1       0     64     100
 //
 // Not computed because this mechanism does not need it:
 //   kinematics: of 84 results 41 vanish identically, 8 repeat another up to sign
@@ -86,7 +86,7 @@ struct Mechanism {
 
   static constexpr const char* name = "graham_variator";
   /// 64 bits (FNV-1a) of this file from "#pragma once" on, with zeros in their own place: another mechanism, other bits.
-  static constexpr unsigned long long fingerprint = 0xe9acfb153b8d5f03ULL ^ torsor::support_fingerprint;
+  static constexpr unsigned long long fingerprint = 0x1c7fe08bbdf0790eULL ^ torsor::support_fingerprint;
   static constexpr int coordinate_count = 3;
   static constexpr int velocity_count = 3;
   static constexpr int input_count = 2;
@@ -223,24 +223,24 @@ struct Mechanism {
     Scalar m_46683f43;
     Scalar m_852b2189;
     Scalar m_d9a89de0;
-    Scalar m_06f2b4b9;
-    Scalar m_2164e01a;
-    Scalar m_10f9681d;
+    Scalar m_6536f1f6;
+    Scalar m_86e17fa2;
+    Scalar m_ea2508da;
     Scalar m_a117cb70;
-    Scalar m_495bc7d3;
-    Scalar m_2d607baf;
-    Scalar m_909d645f;
-    Scalar m_e95f6307;
-    Scalar m_8be0c743;
-    Scalar m_9e64efab;
-    Scalar m_6dc83d0b;
-    Scalar m_3bba0927;
-    Scalar m_5e660a8c;
-    Scalar m_f526aa3d;
-    Scalar m_b9c5f516;
-    Scalar m_1639e79e;
-    Scalar m_7e4fc887;
-    Scalar m_8f660bd4;
+    Scalar m_30009293;
+    Scalar m_1f0a45e1;
+    Scalar m_778397ee;
+    Scalar m_ede56c5d;
+    Scalar m_414ab9fb;
+    Scalar m_0f787c15;
+    Scalar m_6b92ce98;
+    Scalar m_152fd5e6;
+    Scalar m_efa9d5f5;
+    Scalar m_9fc44db5;
+    Scalar m_97a82f3a;
+    Scalar m_01924d0c;
+    Scalar m_64965342;
+    Scalar m_c2186257;
   };
 
   /// Values of the scene.
@@ -279,60 +279,59 @@ struct Mechanism {
     const Scalar k15 = traits::constant(8.96427283187357, 8.9642725f,
         "1544000/148921;-194500/148921;-20000/148921;41100/148921");
     const Scalar k16 = traits::constant(0.017468819381011653, 0.01746882f, "447/20000;3/1000;-41/40000;-3/1000");
-    const Scalar k17 = traits::constant(2.897777478867205e-05, 2.8977774e-05f, "0;3/400000;0;3/400000");
+    const Scalar k17 = traits::constant(0.00010814652780161257, 0.00010814653f, "0;3/80000;0;9/400000");
     const Scalar k18 = traits::constant(0.0002897777478867205, 0.00028977776f, "0;3/40000;0;3/40000");
-    const Scalar k19 = traits::constant(3e-05, 3e-05f, "3/100000");
+    const Scalar k19 = traits::constant(0.00011196152422706632, 0.000111961526f, "3/50000;0;3/100000;0");
     const Scalar p_d = parameters.d;
     const Scalar z0 = k0 * p_d;
     const Scalar z1 = k1 * p_d + k2 * z0;
     const Scalar z2 = k2 * p_d - k1 * z0;
     const Scalar z3 = n0_1 - z2;
-    const Scalar z4 = n0_1 - z3;
-    const Scalar z5 = k2 * z1 - k1 * z4;
-    const Scalar z6 = z3 - k1 * z5;
-    const Scalar z7 = k4 * z6;
-    const Scalar z8 = k5 * z5 - k1 * z7;
-    const Scalar z9 = z3 * z7 + z5 * z8;
-    const Scalar z10 = k6 + k7 * p_d;
-    const Scalar z11 = k8 * z10;
-    const Scalar z12 = z9 - z10 * z11;
-    const Scalar z13 = n1 / z12;
-    const Scalar z14 = k10 + z9;
-    const Scalar z15 = n1 / z5;
-    const Scalar z16 = n0_02 * z15;
-    const Scalar z17 = z5 * z5;
-    const Scalar z18 = k12 * z3 * z3 + k5 * z5 * z5;
-    const Scalar z19 = n0_0003 * z18;
-    const Scalar z20 = k14 - z3 * z16;
-    const Scalar z21 = k15 * z20;
-    const Scalar z22 = z3 * z15;
-    const Scalar z23 = k16 - k17 / z5;
-    const Scalar z24 = k18 - k19 / z5;
-    const Scalar z25 = n0_02 * z21;
-    const Scalar z26 = z23 + z21 * z25 - z22 * z24;
-    const Scalar z27 = n1 / z26;
-    const Scalar z28 = z21 * z27;
+    const Scalar z4 = k2 * z1 - k1 * z2;
+    const Scalar z5 = z3 - k1 * z4;
+    const Scalar z6 = k4 * z5;
+    const Scalar z7 = k5 * z4 - k1 * z6;
+    const Scalar z8 = z3 * z6 + z4 * z7;
+    const Scalar z9 = k6 + k7 * p_d;
+    const Scalar z10 = k8 * z9;
+    const Scalar z11 = z8 - z9 * z10;
+    const Scalar z12 = n1 / z11;
+    const Scalar z13 = k10 + z8;
+    const Scalar z14 = n1 / z4;
+    const Scalar z15 = n0_02 * z14;
+    const Scalar z16 = z4 * z4;
+    const Scalar z17 = k12 * z3 * z3 + k5 * z4 * z4;
+    const Scalar z18 = n0_0003 * z17;
+    const Scalar z19 = k14 - z3 * z15;
+    const Scalar z20 = k15 * z19;
+    const Scalar z21 = z3 * z14;
+    const Scalar z22 = k16 - k17 / p_d;
+    const Scalar z23 = k18 - k19 / p_d;
+    const Scalar z24 = n0_02 * z20;
+    const Scalar z25 = z22 + z20 * z24 - z21 * z23;
+    const Scalar z26 = n1 / z25;
+    const Scalar z27 = z20 * z26;
     precomputed.m_46683f43 = z0;
     precomputed.m_852b2189 = z1;
     precomputed.m_d9a89de0 = z3;
-    precomputed.m_06f2b4b9 = z5;
-    precomputed.m_2164e01a = z7;
-    precomputed.m_10f9681d = z8;
-    precomputed.m_a117cb70 = z11;
-    precomputed.m_495bc7d3 = z12;
-    precomputed.m_2d607baf = z13;
-    precomputed.m_909d645f = z14;
-    precomputed.m_e95f6307 = z15;
-    precomputed.m_8be0c743 = z16;
-    precomputed.m_9e64efab = z17;
-    precomputed.m_6dc83d0b = z19;
-    precomputed.m_3bba0927 = z21;
-    precomputed.m_5e660a8c = z22;
-    precomputed.m_f526aa3d = z24;
-    precomputed.m_b9c5f516 = z25;
-    precomputed.m_1639e79e = z26;
-    precomputed.m_7e4fc887 = z27;
-    precomputed.m_8f660bd4 = z28;
+    precomputed.m_6536f1f6 = z4;
+    precomputed.m_86e17fa2 = z6;
+    precomputed.m_ea2508da = z7;
+    precomputed.m_a117cb70 = z10;
+    precomputed.m_30009293 = z11;
+    precomputed.m_1f0a45e1 = z12;
+    precomputed.m_778397ee = z13;
+    precomputed.m_ede56c5d = z14;
+    precomputed.m_414ab9fb = z15;
+    precomputed.m_0f787c15 = z16;
+    precomputed.m_6b92ce98 = z18;
+    precomputed.m_152fd5e6 = z20;
+    precomputed.m_efa9d5f5 = z21;
+    precomputed.m_9fc44db5 = z23;
+    precomputed.m_97a82f3a = z24;
+    precomputed.m_01924d0c = z25;
+    precomputed.m_64965342 = z26;
+    precomputed.m_c2186257 = z27;
     return precomputed;
   }
 
@@ -640,7 +639,7 @@ struct Mechanism {
     const Scalar l_T_A = multipliers.T_A;
     const Scalar l_T_E = multipliers.T_E;
     const Scalar m0 = precomputed.m_d9a89de0;
-    const Scalar m1 = precomputed.m_06f2b4b9;
+    const Scalar m1 = precomputed.m_6536f1f6;
     Scalar s_alpha, c_alpha;
     traits::sincos(q_alpha, s_alpha, c_alpha);
     const Scalar z0 = n98_1 * s_alpha;
@@ -682,13 +681,13 @@ struct Mechanism {
     const Scalar u_C1 = inputs.C1;
     const Scalar u_C3 = inputs.C3;
     const Scalar m0 = precomputed.m_d9a89de0;
-    const Scalar m1 = precomputed.m_06f2b4b9;
-    const Scalar m2 = precomputed.m_2164e01a;
-    const Scalar m3 = precomputed.m_10f9681d;
+    const Scalar m1 = precomputed.m_6536f1f6;
+    const Scalar m2 = precomputed.m_86e17fa2;
+    const Scalar m3 = precomputed.m_ea2508da;
     const Scalar m4 = precomputed.m_a117cb70;
-    const Scalar m5 = precomputed.m_495bc7d3;
-    const Scalar m6 = precomputed.m_2d607baf;
-    const Scalar m7 = precomputed.m_909d645f;
+    const Scalar m5 = precomputed.m_30009293;
+    const Scalar m6 = precomputed.m_1f0a45e1;
+    const Scalar m7 = precomputed.m_778397ee;
     Scalar s_alpha, c_alpha;
     traits::sincos(q_alpha, s_alpha, c_alpha);
     const Scalar z0 = n98_1 * s_alpha;
@@ -782,7 +781,7 @@ struct Mechanism {
     const Scalar v_beta = state.v.beta;
     const Scalar v_gamma = state.v.gamma;
     const Scalar m0 = precomputed.m_d9a89de0;
-    const Scalar m1 = precomputed.m_06f2b4b9;
+    const Scalar m1 = precomputed.m_6536f1f6;
     const Scalar z0 = v_alpha * m0 + v_beta * m1;
     const Scalar z1 = n0_02 * v_beta + k1 * (v_alpha - v_gamma);
     result.value[0] = n0;
@@ -842,18 +841,18 @@ struct Mechanism {
     const Scalar l_T_A = multipliers.T_A;
     const Scalar l_T_E = multipliers.T_E;
     const Scalar m0 = precomputed.m_d9a89de0;
-    const Scalar m1 = precomputed.m_06f2b4b9;
-    const Scalar m2 = precomputed.m_e95f6307;
-    const Scalar m3 = precomputed.m_8be0c743;
-    const Scalar m4 = precomputed.m_9e64efab;
-    const Scalar m5 = precomputed.m_6dc83d0b;
-    const Scalar m6 = precomputed.m_3bba0927;
-    const Scalar m7 = precomputed.m_5e660a8c;
-    const Scalar m8 = precomputed.m_f526aa3d;
-    const Scalar m9 = precomputed.m_b9c5f516;
-    const Scalar m10 = precomputed.m_1639e79e;
-    const Scalar m11 = precomputed.m_7e4fc887;
-    const Scalar m12 = precomputed.m_8f660bd4;
+    const Scalar m1 = precomputed.m_6536f1f6;
+    const Scalar m2 = precomputed.m_ede56c5d;
+    const Scalar m3 = precomputed.m_414ab9fb;
+    const Scalar m4 = precomputed.m_0f787c15;
+    const Scalar m5 = precomputed.m_6b92ce98;
+    const Scalar m6 = precomputed.m_152fd5e6;
+    const Scalar m7 = precomputed.m_efa9d5f5;
+    const Scalar m8 = precomputed.m_9fc44db5;
+    const Scalar m9 = precomputed.m_97a82f3a;
+    const Scalar m10 = precomputed.m_01924d0c;
+    const Scalar m11 = precomputed.m_64965342;
+    const Scalar m12 = precomputed.m_c2186257;
     Scalar s_alpha, c_alpha;
     traits::sincos(q_alpha, s_alpha, c_alpha);
     const Scalar z0 = n98_1 * s_alpha;

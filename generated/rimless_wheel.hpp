@@ -14,14 +14,14 @@
 //   mass_matrix                   0                0          0             0                  0       0      0       0
 //   bias                          0                0          0             0                  0       0      0       6
 //   energy                        5               11          0             0                  1       0     18      21
-//   contacts                     38               28          0             0                  1       0     68      72
+//   contacts                     26               24          0             0                  1       0     52      56
 //   contact_coefficients          0                0          0             0                  0       0      0       0
 //
 // Not computed because this mechanism does not need it:
 //   mass_matrix: of 9 results 6 vanish identically
 //   bias: of 3 results 1 vanish identically
 //   energy: of 3 results 1 vanish identically
-//   contacts: of 66 results 12 vanish identically, 6 repeat another up to sign
+//   contacts: of 66 results 12 vanish identically, 12 repeat another up to sign
 //   contact_coefficients: of 30 results 18 vanish identically, 11 repeat another up to sign
 //
 // To write this file again:
@@ -63,7 +63,7 @@ struct Mechanism {
 
   static constexpr const char* name = "rimless_wheel";
   /// 64 bits (FNV-1a) of this file from "#pragma once" on, with zeros in their own place: another mechanism, other bits.
-  static constexpr unsigned long long fingerprint = 0xbb50326f064b817dULL ^ torsor::support_fingerprint;
+  static constexpr unsigned long long fingerprint = 0x6fb48882ad089b39ULL ^ torsor::support_fingerprint;
   static constexpr int coordinate_count = 3;
   static constexpr int velocity_count = 3;
   static constexpr int input_count = 0;
@@ -331,87 +331,71 @@ struct Mechanism {
     Scalar s_phi, c_phi;
     traits::sincos(q_phi, s_phi, c_phi);
     const Scalar z0 = v_phi * c_phi;
-    const Scalar z1 = n0_5 * s_phi;
-    const Scalar z2 = v_phi * s_phi;
-    const Scalar z3 = q_z + s_phi;
-    const Scalar z4 = q_z - s_phi;
-    const Scalar z5 = k1 * s_phi;
-    const Scalar z6 = n0_5 * c_phi + z5;
-    const Scalar z7 = k1 * c_phi - z1;
-    const Scalar z8 = n0_5 * z0;
-    const Scalar z9 = v_phi * z2;
-    const Scalar z10 = v_phi * z0;
-    const Scalar z11 = v_z + z0;
-    const Scalar z12 = q_z - z3;
-    const Scalar z13 = n0_5 * c_phi - z5;
-    const Scalar z14 = k1 * c_phi + z1;
-    const Scalar z15 = v_z - z0;
-    const Scalar z16 = q_z - z4;
-    const Scalar z17 = k1 * z2 + z8;
-    const Scalar z18 = n0_5 * z9;
-    const Scalar z19 = v_x - v_phi * z12;
-    const Scalar z20 = v_z - z11;
-    const Scalar z21 = k1 * z2 - z8;
-    const Scalar z22 = v_x - v_phi * z16;
-    const Scalar z23 = v_z - z15;
-    const Scalar z24 = q_z - z7;
-    const Scalar z25 = q_z + z14;
-    const Scalar z26 = q_z + z7;
-    const Scalar z27 = q_z - z14;
-    const Scalar z28 = k1 * z10 - z18;
-    const Scalar z29 = v_phi * z20;
-    const Scalar z30 = k1 * z10 + z18;
-    const Scalar z31 = v_phi * z23;
-    const Scalar z32 = v_z + z17;
-    const Scalar z33 = q_z - z24;
-    const Scalar z34 = v_z - z21;
-    const Scalar z35 = q_z - z25;
-    const Scalar z36 = v_z - z17;
-    const Scalar z37 = q_z - z26;
-    const Scalar z38 = v_z + z21;
-    const Scalar z39 = q_z - z27;
-    const Scalar z40 = v_x - v_phi * z33;
-    const Scalar z41 = v_z - z32;
-    const Scalar z42 = v_x - v_phi * z35;
-    const Scalar z43 = v_z - z34;
-    const Scalar z44 = v_x - v_phi * z37;
-    const Scalar z45 = v_z - z36;
-    const Scalar z46 = v_x - v_phi * z39;
-    const Scalar z47 = v_z - z38;
-    const Scalar z48 = v_phi * z41;
-    const Scalar z49 = v_phi * z43;
-    const Scalar z50 = v_phi * z45;
-    const Scalar z51 = v_phi * z47;
-    result.gap[0] = z24;
-    result.rate[0] = z32;
+    const Scalar z1 = v_phi * s_phi;
+    const Scalar z2 = n0_5 * s_phi;
+    const Scalar z3 = k1 * s_phi;
+    const Scalar z4 = q_z + s_phi;
+    const Scalar z5 = v_x + v_phi * s_phi;
+    const Scalar z6 = q_z - s_phi;
+    const Scalar z7 = v_x - v_phi * s_phi;
+    const Scalar z8 = n0_5 * c_phi + z3;
+    const Scalar z9 = k1 * c_phi - z2;
+    const Scalar z10 = n0_5 * z0;
+    const Scalar z11 = v_phi * z1;
+    const Scalar z12 = v_phi * z0;
+    const Scalar z13 = v_z + z0;
+    const Scalar z14 = n0_5 * c_phi - z3;
+    const Scalar z15 = k1 * c_phi + z2;
+    const Scalar z16 = v_z - z0;
+    const Scalar z17 = k1 * z1 + z10;
+    const Scalar z18 = n0_5 * z11;
+    const Scalar z19 = k1 * z1 - z10;
+    const Scalar z20 = q_z - z9;
+    const Scalar z21 = v_x - v_phi * z9;
+    const Scalar z22 = q_z + z15;
+    const Scalar z23 = v_x + v_phi * z15;
+    const Scalar z24 = q_z + z9;
+    const Scalar z25 = v_x + v_phi * z9;
+    const Scalar z26 = q_z - z15;
+    const Scalar z27 = v_x - v_phi * z15;
+    const Scalar z28 = k1 * z12 - z18;
+    const Scalar z29 = k1 * z12 + z18;
+    const Scalar z30 = v_z + z17;
+    const Scalar z31 = v_phi * z17;
+    const Scalar z32 = v_z - z19;
+    const Scalar z33 = v_phi * z19;
+    const Scalar z34 = v_z - z17;
+    const Scalar z35 = v_z + z19;
+    result.gap[0] = z20;
+    result.rate[0] = z30;
     result.drift[0] = z28;
-    result.rate[1] = z40;
-    result.drift[1] = -z48;
-    result.gap[1] = z3;
-    result.rate[2] = z11;
-    result.drift[2] = -z9;
-    result.rate[3] = z19;
-    result.drift[3] = -z29;
-    result.gap[2] = z25;
-    result.rate[4] = z34;
-    result.drift[4] = -z30;
-    result.rate[5] = z42;
-    result.drift[5] = -z49;
-    result.gap[3] = z26;
-    result.rate[6] = z36;
+    result.rate[1] = z21;
+    result.drift[1] = z31;
+    result.gap[1] = z4;
+    result.rate[2] = z13;
+    result.drift[2] = -z11;
+    result.rate[3] = z5;
+    result.drift[3] = z12;
+    result.gap[2] = z22;
+    result.rate[4] = z32;
+    result.drift[4] = -z29;
+    result.rate[5] = z23;
+    result.drift[5] = -z33;
+    result.gap[3] = z24;
+    result.rate[6] = z34;
     result.drift[6] = -z28;
-    result.rate[7] = z44;
-    result.drift[7] = -z50;
-    result.gap[4] = z4;
-    result.rate[8] = z15;
-    result.drift[8] = z9;
-    result.rate[9] = z22;
-    result.drift[9] = -z31;
-    result.gap[5] = z27;
-    result.rate[10] = z38;
-    result.drift[10] = z30;
-    result.rate[11] = z46;
-    result.drift[11] = -z51;
+    result.rate[7] = z25;
+    result.drift[7] = -z31;
+    result.gap[4] = z6;
+    result.rate[8] = z16;
+    result.drift[8] = z11;
+    result.rate[9] = z7;
+    result.drift[9] = -z12;
+    result.gap[5] = z26;
+    result.rate[10] = z35;
+    result.drift[10] = z29;
+    result.rate[11] = z27;
+    result.drift[11] = z33;
     result.jacobian[0] = n0;
     result.jacobian[1] = n1;
     result.jacobian[2] = n0;
@@ -436,18 +420,18 @@ struct Mechanism {
     result.jacobian[21] = n0;
     result.jacobian[22] = n1;
     result.jacobian[23] = n0;
-    result.jacobian[24] = z6;
-    result.jacobian[25] = -z33;
+    result.jacobian[24] = z8;
+    result.jacobian[25] = -z9;
     result.jacobian[26] = c_phi;
-    result.jacobian[27] = -z12;
-    result.jacobian[28] = z13;
-    result.jacobian[29] = -z35;
-    result.jacobian[30] = -z6;
-    result.jacobian[31] = -z37;
+    result.jacobian[27] = s_phi;
+    result.jacobian[28] = z14;
+    result.jacobian[29] = z15;
+    result.jacobian[30] = -z8;
+    result.jacobian[31] = z9;
     result.jacobian[32] = -c_phi;
-    result.jacobian[33] = -z16;
-    result.jacobian[34] = -z13;
-    result.jacobian[35] = -z39;
+    result.jacobian[33] = -s_phi;
+    result.jacobian[34] = -z14;
+    result.jacobian[35] = -z15;
   }
 
   /// What the surfaces of each contact are made of, in the order step1, step2, step3, step4, step5, step6:

@@ -13,7 +13,7 @@
 //   mass_matrix                   1                3          0             0                  1       0      6       6
 //   bias                          4               15          0             0                  1       0     21      21
 //   energy                       14               28          0             0                  3       0     48      51
-//   contacts                     38               52          0             0                  2       0     94      94
+//   contacts                     28               52          0             0                  2       0     84      84
 //   contact_coefficients          0                0          0             0                  0       0      0       0
 //
 // Not computed because this mechanism does not need it:
@@ -63,7 +63,7 @@ struct Mechanism {
 
   static constexpr const char* name = "tumbler_rough_table";
   /// 64 bits (FNV-1a) of this file from "#pragma once" on, with zeros in their own place: another mechanism, other bits.
-  static constexpr unsigned long long fingerprint = 0x2aa448aad55f7145ULL ^ torsor::support_fingerprint;
+  static constexpr unsigned long long fingerprint = 0x338b7af28ac503bcULL ^ torsor::support_fingerprint;
   static constexpr int coordinate_count = 6;
   static constexpr int velocity_count = 6;
   static constexpr int input_count = 0;
@@ -415,9 +415,7 @@ struct Mechanism {
     const Scalar n0_05 = traits::constant(0.05, 0.05f, "1/20");
     const Scalar n0 = traits::constant(0.0, 0.0f, "0/1");
     const Scalar n1 = traits::constant(1.0, 1.0f, "1/1");
-    const Scalar q_x = state.q.x;
     const Scalar v_x = state.v.x;
-    const Scalar q_y = state.q.y;
     const Scalar v_y = state.v.y;
     const Scalar q_z = state.q.z;
     const Scalar v_z = state.v.z;
@@ -431,56 +429,47 @@ struct Mechanism {
     torsor::sines_and_cosines(angles_, sines_, cosines_);
     const Scalar s_psi = sines_[0], c_psi = cosines_[0];
     const Scalar s_theta = sines_[1], c_theta = cosines_[1];
-    const Scalar z0 = n0_02 * s_theta;
+    const Scalar z0 = v_theta * s_theta;
     const Scalar z1 = v_theta * c_theta;
-    const Scalar z2 = v_psi * c_psi;
-    const Scalar z3 = n0_02 * c_theta;
-    const Scalar z4 = v_theta * s_theta;
-    const Scalar z5 = v_psi * s_psi;
-    const Scalar z6 = c_psi * s_theta;
-    const Scalar z7 = s_psi * s_theta;
-    const Scalar z8 = s_psi * z0;
-    const Scalar z9 = c_psi * z0;
-    const Scalar z10 = q_z + z3;
-    const Scalar z11 = n0_02 * z4;
+    const Scalar z2 = n0_02 * s_theta;
+    const Scalar z3 = s_psi * s_theta;
+    const Scalar z4 = c_psi * s_theta;
+    const Scalar z5 = v_psi * c_psi;
+    const Scalar z6 = v_psi * s_psi;
+    const Scalar z7 = n0_02 * c_theta;
+    const Scalar z8 = s_psi * z2;
+    const Scalar z9 = c_psi * z2;
+    const Scalar z10 = q_z + z7;
+    const Scalar z11 = n0_02 * z0;
     const Scalar z12 = v_theta * z1;
-    const Scalar z13 = n0_02 * z1;
-    const Scalar z14 = c_psi * z1 - s_theta * z5;
-    const Scalar z15 = s_psi * z1 + s_theta * z2;
-    const Scalar z16 = q_y - z9;
-    const Scalar z17 = q_x + z8;
-    const Scalar z18 = n0_05 - z10;
-    const Scalar z19 = v_z - z11;
-    const Scalar z20 = n0_02 * z12;
-    const Scalar z21 = n0_05 + q_z - z10;
-    const Scalar z22 = c_psi * z13 - z0 * z5;
-    const Scalar z23 = z0 * z2 + s_psi * z13;
-    const Scalar z24 = q_x - z17;
-    const Scalar z25 = q_y - z16;
-    const Scalar z26 = s_psi * z21;
-    const Scalar z27 = c_psi * z21;
-    const Scalar z28 = v_z - z19;
-    const Scalar z29 = v_x + z23;
-    const Scalar z30 = z21 * z6 + c_theta * z25;
-    const Scalar z31 = c_theta * z24 - z21 * z7;
-    const Scalar z32 = z21 * z2 + s_psi * z28;
-    const Scalar z33 = c_psi * z28 - z21 * z5;
-    const Scalar z34 = v_y - z22;
-    const Scalar z35 = v_x - z29;
-    const Scalar z36 = v_x + v_psi * z25 - v_theta * z26 + v_phi * z30;
-    const Scalar z37 = v_y - z34;
-    const Scalar z38 = c_theta * z35 - z4 * z24 - z21 * z15 - z7 * z28;
-    const Scalar z39 = v_y - v_psi * z24 + v_theta * z27 - v_phi * z31;
-    const Scalar z40 = z21 * z14 - z4 * z25 + z6 * z28 + c_theta * z37;
-    const Scalar z41 = v_psi * z37 - v_theta * z32 + v_phi * z40;
-    const Scalar z42 = v_psi * z35 - v_theta * z33 + v_phi * z38;
-    result.gap[0] = -z18;
-    result.rate[0] = z19;
-    result.drift[0] = -z20;
-    result.rate[1] = z36;
-    result.drift[1] = z41;
-    result.rate[2] = z39;
-    result.drift[2] = -z42;
+    const Scalar z13 = n0_05 - z7;
+    const Scalar z14 = n0_02 * z1;
+    const Scalar z15 = c_psi * z1 - s_theta * z6;
+    const Scalar z16 = s_psi * z1 + s_theta * z5;
+    const Scalar z17 = n0_05 - z10;
+    const Scalar z18 = v_z - z11;
+    const Scalar z19 = n0_02 * z12;
+    const Scalar z20 = s_psi * z13;
+    const Scalar z21 = c_psi * z13;
+    const Scalar z22 = c_theta * z9 + z13 * z4;
+    const Scalar z23 = c_theta * z8 + z13 * z3;
+    const Scalar z24 = c_psi * z14 - z2 * z6;
+    const Scalar z25 = s_psi * z11 + z13 * z5;
+    const Scalar z26 = z2 * z5 + s_psi * z14;
+    const Scalar z27 = c_psi * z11 - z13 * z6;
+    const Scalar z28 = z11 * z3 - z8 * z0 + c_theta * z26 + z13 * z16;
+    const Scalar z29 = v_x + v_psi * z9 - v_theta * z20 + v_phi * z22;
+    const Scalar z30 = v_y + v_psi * z8 + v_theta * z21 + v_phi * z23;
+    const Scalar z31 = z11 * z4 - z9 * z0 + z13 * z15 + c_theta * z24;
+    const Scalar z32 = v_psi * z24 - v_theta * z25 + v_phi * z31;
+    const Scalar z33 = v_psi * z26 + v_theta * z27 + v_phi * z28;
+    result.gap[0] = -z17;
+    result.rate[0] = z18;
+    result.drift[0] = -z19;
+    result.rate[1] = z29;
+    result.drift[1] = z32;
+    result.rate[2] = z30;
+    result.drift[2] = z33;
     result.jacobian[0] = n0;
     result.jacobian[1] = n1;
     result.jacobian[2] = n0;
@@ -491,14 +480,14 @@ struct Mechanism {
     result.jacobian[7] = n0;
     result.jacobian[8] = n0;
     result.jacobian[9] = n0;
-    result.jacobian[10] = z25;
-    result.jacobian[11] = -z24;
-    result.jacobian[12] = -z0;
-    result.jacobian[13] = -z26;
-    result.jacobian[14] = z27;
+    result.jacobian[10] = z9;
+    result.jacobian[11] = z8;
+    result.jacobian[12] = -z2;
+    result.jacobian[13] = -z20;
+    result.jacobian[14] = z21;
     result.jacobian[15] = n0;
-    result.jacobian[16] = z30;
-    result.jacobian[17] = -z31;
+    result.jacobian[16] = z22;
+    result.jacobian[17] = z23;
   }
 
   /// What the surfaces of each contact are made of, in the order table:

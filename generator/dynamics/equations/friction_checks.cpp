@@ -34,9 +34,8 @@ class NormalCheck {
         user_("friction '" + friction.name + "'") {
     Program& program = model_.program();
     const int axes = model_.place(friction.axes, user_).link;
-    const Vector point = bound(program, model_.locate(*friction.point, axes, user_));
     const RelativeMotion contact(model_, model_.place(friction.body, user_).link, model_.place(friction.other, user_).link,
-                                 {.link = axes, .place = point});
+                                 model_.see(*friction.point, axes, user_));
     for (int k = 0; k < 3; ++k) {
       Wrench unit;
       unit.resultant[k] = program.number(Number(1));

@@ -161,7 +161,7 @@ class Collector {
     const std::string user = "drag '" + drag.name + "'";
     const auto [link, other] = pair_of_links(drag.body, drag.relative_to, drag.name, user);
     const Vector point = bound(program_, model_.locate(drag.point, link, user));
-    const Vector velocity = RelativeMotion(model_, link, other, {.link = link, .place = point}).twist().linear;
+    const Vector velocity = RelativeMotion(model_, link, other, model_.see(drag.point, link, user)).twist().linear;
     const Vector force = bound(program_, -(of_state(drag.coefficient, user) * velocity));
     exert(link, other, {force, cross(point, force)});
     dissipative(drag.name, dot(force, velocity));
@@ -170,7 +170,7 @@ class Collector {
   void operator()(const RotationalDrag& drag) {
     const std::string user = "rotational drag '" + drag.name + "'";
     const auto [link, other] = pair_of_links(drag.body, drag.relative_to, drag.name, user);
-    const Vector turning = RelativeMotion(model_, link, other, {.link = link, .place = {}}).twist().angular;
+    const Vector turning = RelativeMotion(model_, link, other, {{link, {}}, link}).twist().angular;
     const Vector torque = bound(program_, -(of_state(drag.coefficient, user) * turning));
     exert(link, other, {Vector(), torque});
     dissipative(drag.name, dot(torque, turning));
@@ -182,7 +182,8 @@ class Collector {
     const Vector given = components(action.components, action.axes, link, user);
     Vector point;
     if (action.point) point = bound(program_, model_.locate(*action.point, link, user));
-    const Twist moving = RelativeMotion(model_, link, other, {.link = link, .place = point}).twist();
+    const SeenPoint seen = action.point ? model_.see(*action.point, link, user) : SeenPoint{{link, {}}, link};
+    const Twist moving = RelativeMotion(model_, link, other, seen).twist();
     exert(link, other, action.point ? Wrench{given, cross(point, given)} : Wrench{Vector(), given});
     dissipative(action.name, dot(given, action.point ? moving.linear : moving.angular));
   }

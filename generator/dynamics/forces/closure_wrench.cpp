@@ -17,7 +17,7 @@ ClosureWrench closure_wrench(const Model& model, const JointClosure& law, const 
   const int axes = at_a.link;
   const Vector b = bound(program, model.locate(at_b.origin, at_b.link, axes));
   const Vector a_i = frame_axis(model, at_a, law.i, axes);
-  ClosureWrench wrench{b, {}};
+  ClosureWrench wrench{{{at_b.link, at_b.origin}, axes}, {}};
   switch (law.kind) {
     case JointClosure::Kind::offset:
       wrench.at_point.resultant = a_i;

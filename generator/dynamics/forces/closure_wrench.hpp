@@ -19,7 +19,7 @@ Vector frame_axis(const Model& model, const FramePlace& at, int i, int axes);
 ///   (cos φ a_y · b_y + sin φ a_z · b_y) a_x and the couple p b_y ∧ (sin φ a_y − cos φ a_z), which are a_x and −p a_x
 ///   where the loop is closed.
 struct ClosureWrench {
-  Vector point;  ///< the origin of b
+  SeenPoint point;  ///< the origin of b
   Wrench at_point;
 };
 ClosureWrench closure_wrench(const Model& model, const JointClosure& law, const std::string& user);

@@ -15,8 +15,7 @@ class WrenchOfLaw {
   bool operator()(const Closure& law) {
     const Vector direction = lower(program_, law.direction);
     const auto push = [&](const PointReference& point, const Vector& force) {
-      const Vector place = bound(program_, model_.locate(point, 0, user_));
-      add_one(model_, wrenches_, link_of(point), {{force, Vector()}, place, 0});
+      add_one(model_, wrenches_, link_of(point), {{force, Vector()}, model_.see(point, 0, user_)});
     };
     push(law.b, direction);
     push(law.a, -direction);
@@ -26,24 +25,24 @@ class WrenchOfLaw {
   bool operator()(const NoSlip& law) {
     const int axes = model_.place(law.axes, user_).link;
     const Vector direction = bound(program_, model_.express(law.direction, law.axes, axes, user_));
-    const Vector point = bound(program_, model_.locate(law.contact, axes, user_));
+    const SeenPoint point = model_.see(law.contact, axes, user_);
     const int on = model_.place(law.on, user_).link;
-    add_pair(model_, wrenches_, {model_.place(law.body, user_).link, on}, {{direction, Vector()}, point, axes});
+    add_pair(model_, wrenches_, {model_.place(law.body, user_).link, on}, {{direction, Vector()}, point});
     return true;
   }
 
   bool operator()(const PointInPlane& law) {
     const int plane = model_.place(law.plane, user_).link;
     const Vector normal = bound(program_, model_.express(axis::z, law.plane, plane, user_));
-    const Vector point = bound(program_, model_.locate(law.point, plane, user_));
-    add_pair(model_, wrenches_, {link_of(law.point), plane}, {{normal, Vector()}, point, plane});
+    const SeenPoint point = model_.see(law.point, plane, user_);
+    add_pair(model_, wrenches_, {link_of(law.point), plane}, {{normal, Vector()}, point});
     return true;
   }
 
   bool operator()(const JointClosure& law) {
     const int a = model_.place(law.a, user_).link, b = model_.place(law.b, user_).link;
     const ClosureWrench wrench = closure_wrench(model_, law, user_);
-    add_pair(model_, wrenches_, {b, a}, {wrench.at_point, wrench.point, a});
+    add_pair(model_, wrenches_, {b, a}, {wrench.at_point, wrench.point});
     return true;
   }
 
@@ -56,11 +55,12 @@ class WrenchOfLaw {
     Program& program = model.program();
     const Vector force = bound(program, given.wrench.resultant);
     const Vector moment = bound(program, given.wrench.moment);
-    const Vector place = bound(program, model.locate(given.point, given.axes, on));
-    const Vector turned = bound(program, model.express(force, given.axes, on));
+    const int axes = given.point.axes;
+    const Vector place = bound(program, model.locate(given.point, on));
+    const Vector turned = bound(program, model.express(force, axes, on));
     Wrench& sum = wrenches[on];
     sum.resultant += turned;
-    sum.moment += model.express(moment, given.axes, on);
+    sum.moment += model.express(moment, axes, on);
     sum.moment += cross(place, turned);
   }
 
@@ -88,11 +88,10 @@ void add_friction_of(const Model& model, int index, WrenchOnLinks& wrenches) {
     const Value intensity = program.bind(-(program.lower(friction.coefficient) / length));
     const Vector direction = bound(program, model.express(friction.direction, friction.axes, axes, user));
     const Vector effort = bound(program, intensity * direction);
-    Vector point;
-    if (friction.point) point = bound(program, model.locate(*friction.point, axes, user));
+    const SeenPoint point = friction.point ? model.see(*friction.point, axes, user) : SeenPoint{{axes, {}}, axes};
     const Wrench unit = friction.point ? Wrench{effort, Vector()} : Wrench{Vector(), effort};
     add_pair(model, wrenches, {model.place(friction.body, user).link, model.place(friction.other, user).link},
-             {unit, point, axes});
+             {unit, point});
   }
 }
 
@@ -104,9 +103,9 @@ std::optional<WrenchOnLinks> unbound_wrench(const Model& model, int index) {
     const std::string user = "reaction '" + reaction->name + "'";
     const int axes = model.place(reaction->axes, user).link;
     const Vector direction = bound(program, model.express(reaction->direction, reaction->axes, axes, user));
-    const Vector point = bound(program, model.locate(reaction->contact, axes, user));
+    const SeenPoint point = model.see(reaction->contact, axes, user);
     add_pair(model, wrenches, {model.place(reaction->body, user).link, model.place(reaction->other, user).link},
-             {{direction, Vector()}, point, axes});
+             {{direction, Vector()}, point});
   } else if (!std::visit(WrenchOfLaw(model, "constraint '" + constraint.name + "'", wrenches), constraint.law)) {
     return std::nullopt;
   }
@@ -125,7 +124,7 @@ void bind_all(Program& program, WrenchOnLinks& wrenches) {
 void add_pair(const Model& model, WrenchOnLinks& wrenches, const ActionPair& pair, const WrenchAtPoint& given) {
   WrenchOfLaw::add_one(model, wrenches, pair.on, given);
   const Wrench opposite{-given.wrench.resultant, -given.wrench.moment};
-  WrenchOfLaw::add_one(model, wrenches, pair.other, {opposite, given.point, given.axes});
+  WrenchOfLaw::add_one(model, wrenches, pair.other, {opposite, given.point});
 }
 
 std::optional<WrenchOnLinks> ideal_wrench(const Model& model, int index) {

@@ -23,9 +23,8 @@ std::optional<WrenchOnLinks> ideal_wrench(const Model& model, int index);
 
 /// A wrench and the place where it acts.
 struct WrenchAtPoint {
-  Wrench wrench;  ///< at the point, in the axes of link `axes`
-  Vector point;   ///< in those axes, from that link's origin
-  int axes = 0;
+  Wrench wrench;  ///< at the point, in the axes that the point is seen along
+  SeenPoint point;
 };
 /// The link that a wrench acts on, and the one that its opposite acts on.
 struct ActionPair {

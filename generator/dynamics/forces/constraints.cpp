@@ -25,14 +25,13 @@ class RowBuilder {
   }
 
   void operator()(const Closure& law) {
-    const Vector a = model_.locate(law.a, 0, user_);
-    const Vector b = model_.locate(law.b, 0, user_);
-    const Vector ab = bound(program_, b - a);
+    const SeenPoint a = model_.see(law.a, 0, user_), b = model_.see(law.b, 0, user_);
+    const Vector ab = bound(program_, model_.between(a.base, b.base, 0) + b.beyond - a.beyond);
     const Vector direction = lower(program_, law.direction);
     refuse_null(direction);
     holonomic(dot(ab, direction));
-    const std::vector<Value> of_a = partial_velocities(model_, link_of(law.a), {.link = 0, .place = a}, direction);
-    const std::vector<Value> of_b = partial_velocities(model_, link_of(law.b), {.link = 0, .place = b}, direction);
+    const std::vector<Value> of_a = partial_velocities(model_, link_of(law.a), a, direction);
+    const std::vector<Value> of_b = partial_velocities(model_, link_of(law.b), b, direction);
     fill_released(of_b, of_a);
   }
 
@@ -52,7 +51,7 @@ class RowBuilder {
   void operator()(const NoSlip& law) {
     const int axes = model_.place(law.axes, user_).link;
     const int link = model_.place(law.body, user_).link;
-    const GeometricPoint point{.link = axes, .place = bound(program_, model_.locate(law.contact, axes, user_))};
+    const SeenPoint point = model_.see(law.contact, axes, user_);
     refuse_null(lower(program_, law.direction));
     const Vector direction = model_.express(law.direction, law.axes, axes, user_);
     const int on = model_.place(law.on, user_).link;
@@ -67,7 +66,6 @@ class RowBuilder {
   void operator()(const PointInPlane& law) {
     const FramePlace& at = model_.place(law.plane, user_);
     const Vector normal = bound(program_, model_.express(axis::z, law.plane, at.link, user_));
-    const Vector point = bound(program_, model_.locate(law.point, at.link, user_));
     const SceneContent& scene = model_.scene();
     const PointContent& content = scene.points[static_cast<std::size_t>(scene.point_index(law.point, user_))];
     const bool own_plane =
@@ -75,10 +73,10 @@ class RowBuilder {
     if (own_plane) {
       holonomic(model_.lowest_height(content, at.link, user_));
     } else {
-      const Vector height = bound(program_, point - at.origin);
+      const Vector height = bound(program_, model_.locate(law.point, at.link, user_) - at.origin);
       holonomic(dot(height, normal));
     }
-    release(link_of(law.point), at.link, {.link = at.link, .place = point}, normal);
+    release(link_of(law.point), at.link, model_.see(law.point, at.link, user_), normal);
   }
 
   void operator()(const JointClosure& law) {
@@ -114,7 +112,7 @@ class RowBuilder {
     }
     if (model_.released_count() == 0) return;
     const ClosureWrench wrench = closure_wrench(model_, law, user_);
-    release(at_b.link, at_a.link, {.link = axes, .place = wrench.point}, wrench.at_point.resultant);
+    release(at_b.link, at_a.link, wrench.point, wrench.at_point.resultant);
     release_turn(at_b.link, at_a.link, wrench.at_point.moment, axes);
   }
 
@@ -125,24 +123,23 @@ class RowBuilder {
   }
 
   /// Velocity along a direction of the point of a link that is there, all joints at their rates.
-  Value velocity(int link, const GeometricPoint& point, const Vector& direction) const {
+  Value velocity(int link, const SeenPoint& point, const Vector& direction) const {
     Value sum;
     for (const int k : model_.chain(link)) {
       const Link& joint = model_.links()[static_cast<std::size_t>(k)];
-      const Value part = joint_velocity(joint, point, direction);
+      const Value part = joint_velocity(k, point, direction);
       sum += part * joint.rate;
     }
     return sum;
   }
 
   /// Velocity of the point along the direction for a unit rate of one joint.
-  Value joint_velocity(const Link& joint, const GeometricPoint& point, const Vector& direction) const {
-    const int axes = point.link;
+  Value joint_velocity(int k, const SeenPoint& point, const Vector& direction) const {
+    const Link& joint = model_.links()[static_cast<std::size_t>(k)];
+    const int axes = point.axes;
     const Vector axis = model_.express(model_.axis_in_parent(joint), joint.parent, axes);
     if (joint.joint == JointKind::prismatic) return program_.bind(dot(axis, direction));
-    const Vector origin = model_.locate(model_.origin_in_parent(joint), joint.parent, axes);
-    const Vector arm = bound(program_, point.place - origin);
-    return program_.bind(dot(bound(program_, cross(axis, arm)), direction));
+    return program_.bind(dot(bound(program_, cross(axis, model_.arm_of(k, point))), direction));
   }
 
  private:
@@ -173,7 +170,7 @@ class RowBuilder {
     }
   }
 
-  void release(int b, int a, const GeometricPoint& point, const Vector& direction) {
+  void release(int b, int a, const SeenPoint& point, const Vector& direction) {
     if (model_.released_count() == 0) return;
     const std::vector<Value> of_b = partial_velocities(model_, b, point, direction);
     const std::vector<Value> of_a = partial_velocities(model_, a, point, direction);
@@ -205,7 +202,7 @@ class RowBuilder {
 
 }  // namespace
 
-std::vector<Value> partial_velocities(const Model& model, int link, const GeometricPoint& point,
+std::vector<Value> partial_velocities(const Model& model, int link, const SeenPoint& point,
                                       const Vector& direction) {
   Program& program = model.program();
   ConstraintRow unused;
@@ -214,7 +211,7 @@ std::vector<Value> partial_velocities(const Model& model, int link, const Geomet
   for (const int k : model.chain(link)) {
     const Link& joint = model.links()[static_cast<std::size_t>(k)];
     if (joint.partials.empty()) continue;
-    const Value velocity = builder.joint_velocity(joint, point, direction);
+    const Value velocity = builder.joint_velocity(k, point, direction);
     for (const auto& [i, partial] : joint.partials) partials[static_cast<std::size_t>(i)] += velocity * partial;
   }
   for (Value& partial : partials) partial = program.bind(partial);
@@ -269,7 +266,7 @@ std::vector<ConstraintRow> constraint_rows(const Model& model) {
     if (const auto& reaction = constraint.reaction) {
       const std::string who = "reaction '" + reaction->name + "'";
       const int axes = model.place(reaction->axes, who).link;
-      const GeometricPoint point{.link = axes, .place = bound(program, model.locate(reaction->contact, axes, who))};
+      const SeenPoint point = model.see(reaction->contact, axes, who);
       const Vector direction = model.express(reaction->direction, reaction->axes, axes, who);
       row.column = partial_velocities(model, model.place(reaction->body, who).link, point, direction);
       const int other = model.place(reaction->other, who).link;

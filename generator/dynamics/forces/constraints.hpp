@@ -31,7 +31,7 @@ std::vector<ConstraintRow> constraint_rows(const Model& model);
 /// ∂V(P ∈ link)/∂q̇_i · direction for every coordinate, V relative to the ground; the direction in the axes in which P
 /// is given. Each joint above the link contributes its own twist, reduced at P (partial twists; Kane's partial
 /// velocities).
-std::vector<Value> partial_velocities(const Model& model, int link, const GeometricPoint& point,
+std::vector<Value> partial_velocities(const Model& model, int link, const SeenPoint& point,
                                       const Vector& direction);
 
 /// ∂Ω(link)/∂q̇_i · moment for every coordinate, the same for turns: generalised forces of a unit couple.

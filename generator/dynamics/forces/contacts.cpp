@@ -109,7 +109,7 @@ class ContactBuilder {
     const auto* spheres = std::get_if<SphereOnSphere>(&contact_.geometry);
     if (on == nullptr && spheres == nullptr) return result;
     const Surfaces at = on != nullptr ? surfaces(*on, 0) : surfaces(*spheres);
-    result.point = at.point;
+    result.point = model_.locate(at.point, 0);
     for (std::size_t row = 0; row < rows_.rows.size(); ++row) {
       result.directions[row] = row == 0 ? at.normal : at.tangents[rows_.rows[row].tangent];
     }
@@ -124,7 +124,7 @@ class ContactBuilder {
     RelativeMotion motion;
     Vector normal;
     std::vector<Vector> tangents;
-    Vector point;
+    SeenPoint point;
   };
   Surfaces surfaces(const PointOnPlane& on) const { return surfaces(on, model_.place(on.plane, user_).link); }
   Surfaces surfaces(const PointOnPlane& on, int axes) const {
@@ -132,8 +132,8 @@ class ContactBuilder {
     const SceneContent& scene = model_.scene();
     const PointContent& content = scene.points[static_cast<std::size_t>(scene.point_index(on.point, user_))];
     const int link = model_.place(content.frame, user_).link;
-    const Vector point = model_.locate(on.point, axes, user_);
-    return {RelativeMotion(model_, link, plane, {.link = axes, .place = point}),
+    const SeenPoint point = model_.see(on.point, axes, user_);
+    return {RelativeMotion(model_, link, plane, point),
             bound(program_, model_.express(axis::z, on.plane, axes, user_)),
             {bound(program_, model_.express(axis::x, on.plane, axes, user_)),
              bound(program_, model_.express(axis::y, on.plane, axes, user_))},
@@ -141,21 +141,19 @@ class ContactBuilder {
   }
   Surfaces surfaces(const SphereOnSphere& spheres) const {
     const FramePlace& at_a = model_.place(spheres.a, user_);
-    const Vector a = bound(program_, model_.locate(at_a.origin, at_a.link, 0));
     const auto [apart, distance] = line(spheres);
     const Vector n = bound(program_, pow(distance, -1) * apart);
-    const Vector point = a - program_.lower(spheres.radius_a) * n;
+    const SeenPoint point{{at_a.link, at_a.origin}, 0, -(program_.lower(spheres.radius_a) * n)};
     const int link_b = model_.place(spheres.b, user_).link;
-    return {RelativeMotion(model_, at_a.link, link_b, {.link = 0, .place = point}), n, tangents_across(n), point};
+    return {RelativeMotion(model_, at_a.link, link_b, point), n, tangents_across(n), point};
   }
 
   /// From the centre of the second sphere to that of the first, back where it is hollow, and the distance.
   std::pair<Vector, Value> line(const SphereOnSphere& spheres) const {
     const FramePlace& at_a = model_.place(spheres.a, user_);
     const FramePlace& at_b = model_.place(spheres.b, user_);
-    const Vector a = bound(program_, model_.locate(at_a.origin, at_a.link, 0));
-    const Vector b = bound(program_, model_.locate(at_b.origin, at_b.link, 0));
-    const Vector apart = bound(program_, spheres.hollow ? b - a : a - b);
+    const GeometricPoint a{at_a.link, at_a.origin}, b{at_b.link, at_b.origin};
+    const Vector apart = bound(program_, spheres.hollow ? model_.between(a, b, 0) : model_.between(b, a, 0));
     const Value radius_b = program_.lower(spheres.radius_b);
     Value square = dot(apart, apart);
     // A pin in the middle of its hole has no normal: at 1e-15 of the radius, whose square floats hold too, nothing but 0/0

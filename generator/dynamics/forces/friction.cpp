@@ -59,11 +59,10 @@ void add_friction(const Model& model, std::vector<ConstraintRow>& rows) {
       throw SceneError(fmt::format("{} acts between two frames of one rigid body: nothing slips there", user));
     }
     const Vector direction = unit_direction(model, friction, axes, user);
-    Vector point;
-    if (friction.point) point = bound(program, model.locate(*friction.point, axes, user));
+    const SeenPoint point = friction.point ? model.see(*friction.point, axes, user) : SeenPoint{{axes, {}}, axes};
     const Vector effort = bound(program, -(program.lower(friction.coefficient) * direction));
     const Wrench unit = friction.point ? Wrench{effort, Vector()} : Wrench{Vector(), effort};
-    const RelativeMotion contact(model, body, other, {.link = axes, .place = point});
+    const RelativeMotion contact(model, body, other, point);
     const std::vector<Value> forces = contact.generalised_forces(unit);
     for (std::size_t i = 0; i < forces.size(); ++i) row.column[i] = program.bind(row.column[i] + forces[i]);
     row.friction = true;

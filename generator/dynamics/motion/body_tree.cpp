@@ -241,6 +241,26 @@ Vector BodyTree::locate(const Vector& p, int from, int to) const {
   return w;
 }
 
+Vector BodyTree::between(const GeometricPoint& a, const GeometricPoint& b, int axes) const {
+  // Of the three nearest links of pairs two are the same, and the third is on the way between all.
+  const int meeting = std::max({common_ancestor(links_, a.link, b.link), common_ancestor(links_, a.link, axes),
+                                common_ancestor(links_, b.link, axes)});
+  const int top = common_ancestor(links_, meeting, axes);
+  const auto is_turned = [&](int k) { return k != top && links_[static_cast<std::size_t>(k)].joint != JointKind::prismatic; };
+  const auto above = [&](int k) { return links_[static_cast<std::size_t>(k)].parent; };
+  // Joints that turn in a row turn the places of all points once, with sums that those share.
+  int from = meeting;
+  while (is_turned(from) && is_turned(above(from))) from = above(from);
+  Vector to_a = locate(a.place, a.link, from), to_b = locate(b.place, b.link, from);
+  if (is_turned(from)) {
+    const Link& first = links_[static_cast<std::size_t>(from)];
+    to_a = to_parent(first, bound(*program_, to_a));
+    to_b = to_parent(first, bound(*program_, to_b));
+    from = first.parent;
+  }
+  return express(bound(*program_, to_b - to_a), from, axes);
+}
+
 Vector BodyTree::arm(const Link& link) const {
   const Vector origin = origin_in_parent(link);
   if (!length_unit_) return origin;

@@ -44,6 +44,13 @@ struct FramePlace {
   Vector origin;
 };
 
+/// A geometric point, given by its components in the axes of a link from its origin. It may move there (a contact point
+/// belongs to no body) and then its velocity is not that of the link's material point.
+struct GeometricPoint {
+  int link = 0;
+  Vector place;  ///< OP [m], a function of time, coordinates and velocities
+};
+
 /// A frame that moves relative to its parent; everything welded to it is gathered in it. Link 0 is the ground.
 ///
 /// A rotation by a unit quaternion is three links that share their axes: the first carries the whole turn R(e), and each
@@ -98,6 +105,9 @@ class BodyTree {
   Vector express(const Vector& v, int from, int to) const;
   /// Components of a point (from one link's origin) seen from another link's origin, in that link's axes.
   Vector locate(const Vector& p, int from, int to) const;
+  /// AB in the axes of a link, from places that start at a joint that turns both points, or at a link between them: what
+  /// slides both does not enter, where a difference of their places would lose digits to it.
+  Vector between(const GeometricPoint& a, const GeometricPoint& b, int axes) const;
 
   /// Components in the parent link's axes of a vector given in the link's own, and the way back.
   Vector to_parent(const Link& link, const Vector& v) const;

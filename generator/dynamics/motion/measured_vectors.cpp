@@ -56,13 +56,13 @@ Vector Model::measured(const MeasuredVector& wanted) {
   if (wanted.kind == Kind::direction) {
     return turned(express(frame.rotation * lower(*program_, wanted.along), frame.link, axes.link));
   }
-  Vector point;
-  if (wanted.kind != Kind::angular_velocity) {
-    point = bound(*program_, locate(PointHandle{wanted.point}, axes.link, user));
+  SeenPoint point{{axes.link, {}}, axes.link};
+  if (wanted.kind != Kind::angular_velocity) point = see(PointHandle{wanted.point}, axes.link, user);
+  if (wanted.kind == Kind::position) {
+    return turned(between({axes.link, axes.origin}, point.base, axes.link) + point.beyond);
   }
-  if (wanted.kind == Kind::position) return turned(point - axes.origin);
   const int other = places_[as_index(wanted.relative_to)].link;
-  const Twist twist = RelativeMotion(*this, frame.link, other, {.link = axes.link, .place = point}).twist();
+  const Twist twist = RelativeMotion(*this, frame.link, other, point).twist();
   return turned(wanted.kind == Kind::velocity ? twist.linear : twist.angular);
 }
 

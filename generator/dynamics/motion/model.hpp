@@ -43,6 +43,13 @@ std::vector<SymbolPointer> run_time_parameters(const Scene& scene, const ModelOp
 /// The same options with frames, inertia and lengths left as the scene has them, and products where they stand.
 ModelOptions as_given(ModelOptions options);
 
+/// A point of the scene as seen along axes that are not its own: a point of a link, and from there a vector.
+struct SeenPoint {
+  GeometricPoint base;
+  int axes = 0;
+  Vector beyond{};  ///< from the base to the point, in the axes of link `axes`
+};
+
 /// A scene in a program: links, coordinates and what they need. The base of every derivation.
 ///
 /// As a tree it has the frames of the scene: axes and origin of a link are those of the frame that the scene gives to
@@ -87,6 +94,12 @@ class Model : public BodyTree {
   using BodyTree::locate;
   /// A point of the scene in the axes of a link.
   Vector locate(const PointReference& point, int link, const std::string& user) const;
+  /// The same from the link it is in: what is near it has its digits however far both are from the axes' origin.
+  SeenPoint see(const PointReference& point, int axes, const std::string& user) const;
+  /// The way from the origin of a joint to a point, along the axes of the point.
+  Vector arm_of(int joint, const SeenPoint& point) const;
+  /// The same from the origin of a link, in its axes.
+  Vector locate(const SeenPoint& point, int link) const;
   /// A direction given in a frame of the scene, in the axes of a link.
   Vector express(const Triple& direction, const FrameReference& axes, int link, const std::string& user) const;
   /// Height of a point of contact (PointContent::lowest) over the plane it was found for: that of the centre C less
@@ -105,7 +118,7 @@ class Model : public BodyTree {
   /// h(u) and ∇h(u) of a support function along the frame's axes, u the direction down in them.
   std::pair<Value, Vector> supported(const PointContent& point, const Vector& down) const;
   Vector down_in(const PointContent& point, const FramePlace& at, const std::string& user) const;
-  Vector lowest(const PointContent& point, int link, const std::string& user) const;
+  SeenPoint lowest(const PointContent& point, int link, const std::string& user) const;
 
   ModelOptions options_;
   struct Measured {

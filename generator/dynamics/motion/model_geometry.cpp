@@ -8,10 +8,23 @@
 namespace torsor {
 
 Vector Model::locate(const PointReference& reference, int link, const std::string& user) const {
+  return locate(see(reference, link, user), link);
+}
+
+Vector Model::locate(const SeenPoint& point, int link) const {
+  const Vector base = locate(point.base.place, point.base.link, link);
+  return point.beyond.is_zero() ? base : base + express(point.beyond, point.axes, link);
+}
+
+SeenPoint Model::see(const PointReference& reference, int axes, const std::string& user) const {
   const PointContent& point = scene_->points[static_cast<std::size_t>(scene_->point_index(reference, user))];
-  if (point.lowest) return lowest(point, link, user);
+  if (point.lowest) return lowest(point, axes, user);
   const FramePlace& at = place(point.frame, name_of(point));
-  return locate(at.origin + at.rotation * lower(*program_, point.components), at.link, link);
+  return {{at.link, at.origin + at.rotation * lower(*program_, point.components)}, axes};
+}
+
+Vector Model::arm_of(int joint, const SeenPoint& point) const {
+  return bound(*program_, between({joint, {}}, point.base, point.axes) + point.beyond);
 }
 
 Vector Model::down_in(const PointContent& point, const FramePlace& at, const std::string& user) const {
@@ -36,14 +49,14 @@ std::pair<Value, Vector> Model::supported(const PointContent& point, const Vecto
   return {program_->bind(in_direction(h)), place};
 }
 
-Vector Model::lowest(const PointContent& point, int link, const std::string& user) const {
+SeenPoint Model::lowest(const PointContent& point, int link, const std::string& user) const {
   Program& program = *program_;
   const FramePlace& at = place(point.frame, name_of(point));
   if (point.lowest->support) {
     const Vector place = supported(point, down_in(point, at, user)).second;
-    return locate(at.origin + at.rotation * place, at.link, link);
+    return {{at.link, at.origin + at.rotation * place}, link};
   }
-  const Vector center = locate(at.origin, at.link, link);
+  const GeometricPoint center{at.link, at.origin};
   const Vector down = bound(program, -express(axis::z, point.lowest->plane, link, user));
   const Value radius = program.lower(point.lowest->radius);
   if (point.lowest->axis) {
@@ -58,12 +71,12 @@ Vector Model::lowest(const PointContent& point, int link, const std::string& use
                                    name_of(point)));
     }
     const Value scale = program.bind(radius / program.sqrt(square));
-    if (point.lowest->tube.is_zero()) return center + scale * steepest;
+    if (point.lowest->tube.is_zero()) return {center, link, scale * steepest};
     const Value tube = program.lower(point.lowest->tube);
     const Vector normal = bound(program, express(axis::z, point.lowest->plane, link, user));
-    return center + scale * steepest - tube * normal;
+    return {center, link, scale * steepest - tube * normal};
   }
-  return center + radius * down;
+  return {center, link, radius * down};
 }
 
 Value Model::lowest_height(const PointContent& point, int link, const std::string& user) const {

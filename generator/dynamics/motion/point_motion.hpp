@@ -7,13 +7,6 @@
 
 namespace torsor {
 
-/// A geometric point, given by its components in the axes of a link from its origin. It may move there (a contact point
-/// belongs to no body) and then its velocity is not that of the link's material point.
-struct GeometricPoint {
-  int link = 0;
-  Vector place;  ///< OP [m], a function of time, coordinates and velocities
-};
-
 /// A named point of the scene; `user` names who asks, for the message of an unknown point.
 GeometricPoint geometric_point(const Model& model, const PointReference& point, const std::string& user);
 

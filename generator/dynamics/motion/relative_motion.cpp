@@ -7,26 +7,25 @@ namespace torsor {
 namespace {
 
 /// Velocities for a unit rate of one joint, reduced at the point.
-Twist joint_twist(const Model& model, const Link& joint, const GeometricPoint& point) {
-  const int axes = point.link;
+Twist joint_twist(const Model& model, int k, const SeenPoint& point) {
+  const int axes = point.axes;
+  const Link& joint = model.links()[static_cast<std::size_t>(k)];
   Program& program = model.program();
   const Vector axis = bound(program, model.express(model.axis_in_parent(joint), joint.parent, axes));
   if (joint.joint == JointKind::prismatic) return {Vector(), axis};
-  const Vector origin = model.locate(model.origin_in_parent(joint), joint.parent, axes);
-  const Vector arm = bound(program, point.place - origin);
-  return {axis, bound(program, cross(axis, arm))};
+  return {axis, bound(program, cross(axis, model.arm_of(k, point)))};
 }
 
 }  // namespace
 
-RelativeMotion::RelativeMotion(const Model& model, int a, int b, const GeometricPoint& point) : model_(model) {
+RelativeMotion::RelativeMotion(const Model& model, int a, int b, const SeenPoint& point) : model_(model) {
   const std::vector<int> to_a = model.chain(a);
   const std::vector<int> to_b = model.chain(b);
   const auto add = [&](const std::vector<int>& chain, const std::vector<int>& other, bool negative) {
     for (const int k : chain) {
       if (std::find(other.begin(), other.end(), k) != other.end()) continue;
       const Link& joint = model_.links()[static_cast<std::size_t>(k)];
-      Twist per_rate = joint_twist(model_, joint, point);
+      Twist per_rate = joint_twist(model_, k, point);
       if (negative) per_rate = {-per_rate.angular, -per_rate.linear};
       twist_.angular += joint.rate * per_rate.angular;
       twist_.linear += joint.rate * per_rate.linear;

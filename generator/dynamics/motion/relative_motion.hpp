@@ -12,11 +12,11 @@ namespace torsor {
 /// Motion of one link relative to another, joint by joint between the two: nothing that moves both together enters, so
 /// that the power of a mutual action shows by itself that it depends on no frame of reference.
 ///
-/// All vectors are in the axes of the link that the point P is given in.
+/// All vectors are in the axes that the point P is seen along.
 class RelativeMotion {
  public:
   /// Link `a` relative to link `b` (0 is the ground), reduced at P.
-  RelativeMotion(const Model& model, int a, int b, const GeometricPoint& point);
+  RelativeMotion(const Model& model, int a, int b, const SeenPoint& point);
 
   /// {Ω(a/b); V(P ∈ a/b)}, laws of time included.
   const Twist& twist() const { return twist_; }

@@ -127,7 +127,7 @@ std::vector<std::vector<Value>> relative_motion_rows(const Model& model, const S
     direction[k % 3] = model.program().number(Number(1), Unit());
     const auto row = [&](int link) {
       if (k < 3) return partial_turns(model, link, direction, 0);
-      return partial_velocities(model, link, {.link = 0, .place = {}}, direction);
+      return partial_velocities(model, link, {}, direction);
     };
     const std::vector<Value> of_a = row(a);
     rows.push_back(row(b));
