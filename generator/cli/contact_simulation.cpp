@@ -65,7 +65,8 @@ std::string reason_of(const runtime::ContactResult& end, const NaturalLanguage& 
   return say("the integration between events failed: {}", known(describe(end.integration.status)));
 }
 
-static_assert(static_cast<std::size_t>(runtime::ImpactLaw::poisson) == 1 && static_cast<std::size_t>(runtime::ImpactLaw::energetic) == 2 &&
+static_assert(static_cast<std::size_t>(runtime::ImpactLaw::poisson) == 1 &&
+              static_cast<std::size_t>(runtime::ImpactLaw::energetic) == 2 &&
               static_cast<std::size_t>(runtime::ImpactLaw::sequential) == 3);
 
 /// Moves a scene, whose state has room for more in an array of fixed size: what is more stays zero.

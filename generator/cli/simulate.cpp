@@ -126,7 +126,8 @@ Simulation simulate(const Scene& scene, const SimulationOptions& options) {
   };
   if (has_contacts(scene)) return with_remarks(simulate_contacts(scene, options));
   if (options.impact_law != impact_law_names[0] || options.impact_without_collision) {
-    throw UsageError(fmt::format("--impact-law and --impact-without-collision are for contacts, and the scene '{}' has none", scene.name()));
+    throw UsageError(fmt::format("--impact-law and --impact-without-collision are for contacts, and the scene '{}' has none",
+                                 scene.name()));
   }
   EvaluatedMotion motion(scene, options.model, options.parameters, options.inputs);
   Simulation result;

@@ -149,7 +149,8 @@ void add_simulate_command(CommandSet& commands) {
     return GivenStart{request->options.initial, request->options.parameters, request->options.model};
   });
   add_numbers(command, "--run-time", options.parameters, "values of parameters, NAME=NUMBER; comma-separated");
-  command.add_option("--impact-law", options.impact_law, "of contacts: newton_moreau, poisson, energetic (of one contact) or sequential")
+  command
+      .add_option("--impact-law", options.impact_law, "of contacts: newton_moreau, poisson, energetic (of one contact) or sequential")
       ->capture_default_str();
   command.add_flag("--impact-without-collision", options.impact_without_collision,
                    "where one contact slips and no regimes exist, its impulse ends the slip");

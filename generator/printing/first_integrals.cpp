@@ -79,14 +79,16 @@ void write_first_integrals(const Equations& equations, const InlineLimits& limit
                  say("No momentum integral along {}: {}.", fmt::format("${}$", latex_name(missing.coordinate)), latex_escaped(reasons)));
   }
   for (const FixedAxisMomentum& turn : fixed_axis_momenta(equations, say)) {
-    const std::string axis = !turn.about_base     ? say("axis {} of '{}' through the origin of '{}'", turn.axis, turn.base, turn.frame)
-                             : turn.zero.empty() ? say("axis {} of '{}'", turn.axis, turn.base)
-                                                 : say("an axis along {} of '{}' through where {} and {} are zero", turn.axis, turn.base,
-                                                       turn.zero[0], turn.zero[1]);
+    const std::string axis =
+        !turn.about_base    ? say("axis {} of '{}' through the origin of '{}'", turn.axis, turn.base, turn.frame)
+        : turn.zero.empty() ? say("axis {} of '{}'", turn.axis, turn.base)
+                            : say("an axis along {} of '{}' through where {} and {} are zero", turn.axis, turn.base, turn.zero[0],
+                                  turn.zero[1]);
     if (turn.reasons.empty() && !view.sum(turn.momentum)) {
       const std::string limit = limit_met(view, turn.momentum, say);
       page.formula(say("The momentum about {} is constant, and too long to be written out ({}).", axis, limit),
-                   say("The momentum about {} is constant, and too long to be written out ({}).", latex_escaped(axis), latex_escaped(limit)));
+                   say("The momentum about {} is constant, and too long to be written out ({}).", latex_escaped(axis),
+                       latex_escaped(limit)));
     } else if (turn.reasons.empty()) {
       write({say("constant"), say("\\text{constant}")}, turn.momentum, say("momentum about {}, in N m s", axis));
     } else {

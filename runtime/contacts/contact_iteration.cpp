@@ -35,10 +35,10 @@ ContactAnswer ContactIteration::solve() noexcept {
   bool rubs = false;
   for (int i = 0; i < problem_.count; ++i) rubs = rubs || problem_.law(i).rubs();
   r_.setZero(problem_.rows());
-  bool other = step_together(problem_, regimes);
+  bool other = step_together(problem_, regimes, 6400);
   double part = 1;
   for (int less = 0; rest && rubs && !other && less < 8; ++less) {
-    other = step_together(with_friction(problem_, part *= 0.8), regimes);
+    other = step_together(with_friction(problem_, part *= 0.8), regimes, 800);
   }
   if (!rest && !other) {
     r_.setZero(problem_.rows());
@@ -65,8 +65,9 @@ bool ContactIteration::rests(RegimeEnumeration& regimes) const noexcept {
 
 // Steps of all contacts at once, r = the projection of r - ρ u on what the laws allow, from no reactions. They do not depend on
 // the order of contacts. ρ is one over the sum of sizes in the row of W, which makes them converge where W is all: D - W is
-// positive semidefinite. Whether the regimes of a motion that is not yet known were found.
-bool ContactIteration::step_together(const ContactProblem& problem, RegimeEnumeration& regimes) noexcept {
+// positive semidefinite. Whether the regimes of a motion that is not yet known were found. They are looked at after 200 steps, and
+// after twice as many, up to the longest run.
+bool ContactIteration::step_together(const ContactProblem& problem, RegimeEnumeration& regimes, int longest) noexcept {
   const int rows = problem.rows();
   ContactVector rho = ContactVector::Zero(rows), u(rows), before(rows);
   for (int i = 0; i < rows; ++i) {
@@ -76,7 +77,6 @@ bool ContactIteration::step_together(const ContactProblem& problem, RegimeEnumer
   PerContact<int> first{};  // its first tangential row
   for (int i = 0; i < problem.count; ++i) first[as(i)] = problem.tangent_row(i);
   r_.setZero(rows);
-  constexpr int longest = 6400;
   for (int steps = 200; steps <= longest; steps *= 2) {
     bool moves = true;
     for (int step = 1; step <= steps && moves; ++step) {

@@ -31,7 +31,7 @@ class ContactIteration {
   static std::size_t as(int i) noexcept { return static_cast<std::size_t>(i); }
 
   [[nodiscard]] bool rests(RegimeEnumeration& regimes) const noexcept;
-  [[nodiscard]] bool step_together(const ContactProblem& problem, RegimeEnumeration& regimes) noexcept;
+  [[nodiscard]] bool step_together(const ContactProblem& problem, RegimeEnumeration& regimes, int longest) noexcept;
   void step_one(const ContactProblem& problem, int contact, int tangent, const ContactVector& u,
                 const ContactVector& rho) noexcept;
   void sweep_until(RegimeEnumeration& regimes) noexcept;

@@ -63,7 +63,9 @@ void GapRounding::measure(double t, std::span<const double> y) {
       for (std::size_t i = 0; i < rounding_.size(); ++i) {
         if (follows_[i]) continue;
         double change = 0;
-        for (std::size_t j = nq; j < y_.size(); ++j) change += 2 * h * here_.J(first_row_[i], static_cast<Eigen::Index>(j - nq)) * y_[j];
+        for (std::size_t j = nq; j < y_.size(); ++j) {
+          change += 2 * h * here_.J(first_row_[i], static_cast<Eigen::Index>(j - nq)) * y_[j];
+        }
         const double noise = std::abs(ahead_[i] - behind_[i] - change);
         follows_[i] = noise <= std::abs(change) / 4;
         if (follows_[i]) rounding_[i] = std::max(rounding_[i], 2 * noise);

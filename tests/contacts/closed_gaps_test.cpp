@@ -147,11 +147,11 @@ TEST(ClosedGaps, OfLengthsThatCancelComeToRest) {
       const auto ball = ball_from_where_it_lies(0.5, radius, table);
       std::array<double, 2> y{1, 0};
       double end = 0;
-      const ContactResult result = integrate_contacts(ball, y, 0, 4 * fall, DormandPrince853{.relative_tolerance = 1e-12, .absolute_tolerance = 1e-12},
-                                                      {}, [&](const ContactEvent& event) {
-                                                        if (event.kind == ContactEventKind::accumulation) end = event.time;
-                                                        return true;
-                                                      });
+      const DormandPrince853 method{.relative_tolerance = 1e-12, .absolute_tolerance = 1e-12};
+      const ContactResult result = integrate_contacts(ball, y, 0, 4 * fall, method, {}, [&](const ContactEvent& event) {
+        if (event.kind == ContactEventKind::accumulation) end = event.time;
+        return true;
+      });
       ASSERT_TRUE(result) << describe(result.status) << " at " << result.time;
       const double rounding = epsilon * (std::abs(table) + radius + 1);
       EXPECT_NEAR(y[0], 0, 4 * rounding);

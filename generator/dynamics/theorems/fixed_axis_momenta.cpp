@@ -24,7 +24,9 @@ struct Base {
   std::string frame;
   std::array<SymbolPointer, 3> lengths;
   bool from_its_origin = true;  ///< the lengths lead from there
-  [[nodiscard]] bool turns_about(std::size_t d) const { return lengths[(d + 1) % 3] != nullptr && lengths[(d + 2) % 3] != nullptr; }
+  [[nodiscard]] bool turns_about(std::size_t d) const {
+    return lengths[(d + 1) % 3] != nullptr && lengths[(d + 2) % 3] != nullptr;
+  }
 };
 
 class FixedAxes {
@@ -114,7 +116,9 @@ class FixedAxes {
     const auto& e = attitude.symbols->e;
     const Quaternion p{program.symbol(e[0]), {program.symbol(e[1]), program.symbol(e[2]), program.symbol(e[3])}};
     const Matrix rotation = rotation_matrix(program, p);
-    for (std::size_t i = 0; i < 3; ++i) turn.along[*place(attitude.symbols->omega[i])] = rotation(static_cast<int>(d), static_cast<int>(i));
+    for (std::size_t i = 0; i < 3; ++i) {
+      turn.along[*place(attitude.symbols->omega[i])] = rotation(static_cast<int>(d), static_cast<int>(i));
+    }
     if (base == nullptr) return turn;
     // d ∧ r: of the lengths behind d in turn, the first has minus the second, the second has the first.
     const SymbolPointer& first = base->lengths[(d + 1) % 3];
