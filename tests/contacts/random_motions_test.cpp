@@ -122,9 +122,12 @@ TEST(RandomMotions, OfMassesFarApartSayWhereTheyJam) {
 // Scene 24 with a ratio of a million: two bodies on joints of a third slide on each other until their contact comes onto the
 // line of these joints, as teeth of wheels do at their pitch point. The rows of N and T are parallel there: the slip is zero,
 // no force stops it, and beyond it goes the other way, where friction draws the bodies into each other (f |W_NT| > W_NN).
+// It begins half a millisecond before, where the bodies slide: dozens of impacts on the way there make it depend on rounding.
 TEST(RandomMotions, HaveNoSolutionWhereASlipTurnsRoundAndFrictionDrawsIn) {
   auto [scene, y] = random_start(24);
   make_uneven(scene, 1e6);
+  y = {1.478697862,  0.1869624222, 0.9593622804,  0.4289911461, 1.376313944,  -1.221385982, 0, 0, 0, 0, 0, 0,
+       -9.453894267, 1.973188248,  -0.3846849159, -1.635498781, -12.57558888, 26.99075477,  0, 0, 0, 0, 0, 0};
   const ContactResult result = integrate_contacts(scene, y, 0, 1, precise);
   EXPECT_EQ(result.status, ContactStatus::no_solution);
   EXPECT_EQ(result.contact, 0);

@@ -49,14 +49,15 @@ inline int discs(const std::vector<int>& rows) {
 inline Eigen::MatrixXd jacobian(const std::vector<Touch>& all, int discs) {
   Eigen::MatrixXd J = Eigen::MatrixXd::Zero(2 * static_cast<Eigen::Index>(all.size()), 3 * discs);
   for (std::size_t c = 0; c < all.size(); ++c) {
-    const auto& [a, b, nx, nz] = all[c];
+    const Touch& touch = all[c];
+    const double nx = touch.nx, nz = touch.nz;
     const auto row = 2 * static_cast<Eigen::Index>(c);
     const auto add = [&](int disc, double sign) {
       J.block<1, 2>(row, 3 * disc) << sign * nx, sign * nz;
       J.block<1, 3>(row + 1, 3 * disc) << sign * nz, -sign * nx, -0.5;
     };
-    add(a, 1);
-    if (b >= 0) add(b, -1);
+    add(touch.a, 1);
+    if (touch.b >= 0) add(touch.b, -1);
   }
   return J;
 }
