@@ -69,6 +69,14 @@ static_assert(static_cast<std::size_t>(runtime::ImpactLaw::poisson) == 1 &&
               static_cast<std::size_t>(runtime::ImpactLaw::energetic) == 2 &&
               static_cast<std::size_t>(runtime::ImpactLaw::sequential) == 3);
 
+runtime::ImpactLaw law_named(const std::string& name) {
+  const auto named = std::find(impact_law_names.begin(), impact_law_names.end(), name);
+  if (named != impact_law_names.end()) return static_cast<runtime::ImpactLaw>(named - impact_law_names.begin());
+  throw UsageError(fmt::format("unknown law '{}' in --impact-law: {}use {}", name,
+                               did_you_mean(name, {impact_law_names.begin(), impact_law_names.end()}),
+                               fmt::join(impact_law_names, ", ")));
+}
+
 /// Moves a scene, whose state has room for more in an array of fixed size: what is more stays zero.
 class ContactSimulation {
  public:
@@ -89,8 +97,7 @@ class ContactSimulation {
     const runtime::DormandPrince853 method{.relative_tolerance = tolerance, .absolute_tolerance = tolerance};
     Watch watch{*this};
     runtime::ContactOptions laws;
-    const auto named = std::find(impact_law_names.begin(), impact_law_names.end(), options_.impact_law);
-    laws.law = static_cast<runtime::ImpactLaw>(named - impact_law_names.begin());
+    laws.law = law_named(options_.impact_law);
     laws.impact_without_collision = options_.impact_without_collision;
     runtime::ContactRun<most_numbers, most_contacts, runtime::DormandPrince853, Watch> motion(mechanism_, y, method, laws,
                                                                                             watch);
@@ -266,11 +273,6 @@ ContactRecord record_contacts(const Scene& scene, const SimulationOptions& optio
   if (options.method != "dp853" || !options.events.empty()) {
     throw UsageError("--events, --until and --method are for motions without contacts: those with contacts have events of "
                      "their own, between which dp853 moves them");
-  }
-  if (std::find(impact_law_names.begin(), impact_law_names.end(), options.impact_law) == impact_law_names.end()) {
-    throw UsageError(fmt::format("unknown law '{}' in --impact-law: {}use {}", options.impact_law,
-                                 did_you_mean(options.impact_law, {impact_law_names.begin(), impact_law_names.end()}),
-                                 fmt::join(impact_law_names, ", ")));
   }
   EvaluatedContacts contacts(scene, options.model, options.parameters, options.inputs);
   ContactRecord record;

@@ -84,13 +84,14 @@ void write_first_integrals(const Equations& equations, const InlineLimits& limit
         : turn.zero.empty() ? say("axis {} of '{}'", turn.axis, turn.base)
                             : say("an axis along {} of '{}' through where {} and {} are zero", turn.axis, turn.base, turn.zero[0],
                                   turn.zero[1]);
-    if (turn.reasons.empty() && !view.sum(turn.momentum)) {
+    const std::optional<Sum> momentum = turn.reasons.empty() ? view.sum(turn.momentum) : std::nullopt;
+    if (momentum) {
+      page.stated({say("constant"), say("\\text{constant}")}, collected(*momentum), say("momentum about {}, in N m s", axis));
+    } else if (turn.reasons.empty()) {
       const std::string limit = limit_met(view, turn.momentum, say);
       page.formula(say("The momentum about {} is constant, and too long to be written out ({}).", axis, limit),
                    say("The momentum about {} is constant, and too long to be written out ({}).", latex_escaped(axis),
                        latex_escaped(limit)));
-    } else if (turn.reasons.empty()) {
-      write({say("constant"), say("\\text{constant}")}, turn.momentum, say("momentum about {}, in N m s", axis));
     } else {
       const std::string reasons = fmt::format("{}", fmt::join(turn.reasons, ", "));
       page.formula(say("No momentum integral about {}: {}.", axis, reasons),

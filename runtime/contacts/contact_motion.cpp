@@ -374,7 +374,7 @@ ContactVector ContactMotion::acceleration_sizes() const {
 }
 
 double ContactMotion::rounding_of_gap(int i) const noexcept {
-  return std::max(rounding_of_position(reading_.J.row(first_row(i)), y_, sizes_), gap_rounding_(i));
+  return gap_rounding_(i, reading_.J.row(first_row(i)), y_);
 }
 
 // Directions of slips that have just begun, to first order in the slip: the rate of those of order zero is taken over a part of the

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
+#include <algorithm>
 #include <span>
 #include <vector>
 
@@ -16,7 +17,11 @@ class GapRounding {
 
   /// Reads the mechanism at time t some thirteen times, without allocation. Zero where the gap cannot be read there.
   void measure(double t, std::span<const double> y);
-  [[nodiscard]] double operator()(int contact) const noexcept { return rounding_[static_cast<std::size_t>(contact)]; }
+  /// What rounding makes of a gap whose rate is this row times the velocities: of its lengths, or of the coordinates.
+  [[nodiscard]] double operator()(int contact, const Eigen::Ref<const Eigen::RowVectorXd, 0, Eigen::InnerStride<>>& rates,
+                                  std::span<const double> y) const noexcept {
+    return std::max(rounding_of_position(rates, y, mechanism_.sizes()), rounding_[static_cast<std::size_t>(contact)]);
+  }
 
  private:
   /// The gaps at a displacement of h times the rates; false where they cannot be read.

@@ -113,7 +113,7 @@ bool MoreauJean::read(double t, std::span<const double> y, double damped) {
 }
 
 double MoreauJean::rounding_of_gap(int i, std::span<const double> y) const noexcept {
-  return std::max(rounding_of_position(reading_.J.row(first_row_[as(i)]), y, mechanism_->sizes()), gap_rounding_(i));
+  return gap_rounding_(i, reading_.J.row(first_row_[as(i)]), y);
 }
 
 // Corners of a body that lies on a surface are above zero or below by their rounding: it would tip over those that are below.
