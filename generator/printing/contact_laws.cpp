@@ -56,14 +56,18 @@ class ContactPage {
   void law(const std::string& plain, const std::string& latex) { page_.formula(letters_.plain(plain), letters_.in_sentence(latex)); }
   void note(const std::string& sentence) { page_.note(letters_.plain(sentence)); }
 
-  void stated(const Spelling& left, const Value& value, const std::string& remark = {}) {
+  /// Whether it is written out.
+  bool stated(const Spelling& left, const Value& value, const std::string& remark = {}) {
     const std::optional<Sum> sum = value.is_zero() ? Sum() : view_.sum(value);
     if (sum) {
       page_.stated(left, collected(*sum), remark);
     } else {
-      page_.note(say("{} is too long to be written out ({}); the kernel contacts computes it.", left.plain,
-                     limit_met(view_, value, say)));
+      too_long(left.plain, limit_met(view_, value, say));
     }
+    return sum.has_value();
+  }
+  void too_long(const std::string& what, const std::string& limit) {
+    page_.note(say("{} is too long to be written out ({}); the kernel contacts computes it.", what, limit));
   }
 
   void geometry(std::size_t k) {
@@ -80,11 +84,15 @@ class ContactPage {
     if (contact.normal) stated(spelled("g", "g"), contact.gap);
     for (std::size_t row = 0; row < contact.rows.size(); ++row) {
       const std::string which = component(contact, row);
-      stated(spelled(("w_" + which).c_str(), ("w_{" + which + "}").c_str()), contact.rows[row].rate);
+      const bool written = stated(spelled(("w_" + which).c_str(), ("w_{" + which + "}").c_str()), contact.rows[row].rate);
+      if (!written) too_long_.push_back(&contact.rows[row]);
     }
     const ContactCoefficients& of = coefficients_[k];
     if (contact.joint) return bearing(k, spelled);
-    if (turn) return stated(spelled("h", "h"), of.friction, say("a length"));
+    if (turn) {
+      stated(spelled("h", "h"), of.friction, say("a length"));
+      return;
+    }
     if (!contact.normal) {
       stated(spelled("b", "b"), of.bound, say("while it slides"));
       stated(spelled("b_s", "b_s"), of.static_bound, say("while it sticks"));
@@ -122,8 +130,7 @@ class ContactPage {
       if (sum) {
         page_.stated(name, collected(*sum), "");
       } else {
-        page_.note(say("{} is too long to be written out ({}); the kernel contacts computes it.", name.plain,
-                       limit_met(view_, too_long, say)));
+        this->too_long(name.plain, limit_met(view_, too_long, say));
       }
     }
     const bool turns = !coefficients_[k].friction.unit().is_dimensionless();
@@ -137,26 +144,34 @@ class ContactPage {
                   say("Their reactions add $Q_i = \\sum r\\, \\frac{\\partial w}{\\partial \\dot{q}_i}$ to the right of "
                   "Lagrange's equations, $r = N$ or $T$ of each $w$:"));
     const auto& coordinates = equations_.model().coordinates();
+    std::string left_out;
     for (std::size_t i = 0; i < static_cast<std::size_t>(equations_.model().unknown_count()); ++i) {
-      Sum sum;
-      Value too_long;
-      for (const ContactRows& contact : contacts_) {
-        for (std::size_t row = 0; row < contact.rows.size(); ++row) {
-          const Value& entry = contact.rows[row].jacobian[i];
-          if (entry.is_zero()) continue;
-          const std::optional<Sum> factor = view_.sum(entry);
-          if (!factor) too_long = entry;
-          if (factor) sum += *factor * Sum::symbol(reaction(contact, row));
-        }
-      }
       const std::string& q = coordinates[i].attitude ? coordinates[i].v->name : coordinates[i].q->name;
-      if (!too_long.is_zero()) {
-        page_.note(say("{} is too long to be written out ({}); the kernel contacts computes it.", "Q_" + q,
-                       limit_met(view_, too_long, say)));
-      } else if (!sum.is_zero()) {
-        page_.stated({"Q_" + q, fmt::format("Q_{{{}}}", latex_name(q))}, collected(sum), "");
+      if (const std::optional<Sum> force = force_along(i); !force) {
+        left_out += (left_out.empty() ? "Q_" : ", Q_") + q;
+      } else if (!force->is_zero()) {
+        page_.stated({"Q_" + q, fmt::format("Q_{{{}}}", latex_name(q))}, collected(*force), "");
       }
     }
+    if (left_out.empty()) return;
+    page_.note(say("Too long to be written out: {}; the kernel contacts computes what they are made of.", left_out));
+  }
+
+  /// Nothing where it is too long to be read: so is a factor where the rate is that it belongs to.
+  std::optional<Sum> force_along(std::size_t i) {
+    Sum force;
+    for (const ContactRows& contact : contacts_) {
+      for (std::size_t row = 0; row < contact.rows.size(); ++row) {
+        const Value& entry = contact.rows[row].jacobian[i];
+        if (entry.is_zero()) continue;
+        const bool is_read = std::find(too_long_.begin(), too_long_.end(), &contact.rows[row]) == too_long_.end();
+        const std::optional<Sum> factor = is_read ? view_.sum(entry) : std::nullopt;
+        if (!factor) return std::nullopt;
+        force += *factor * Sum::symbol(reaction(contact, row));
+        if (static_cast<int>(written_terms(force)) > view_.limits().terms) return std::nullopt;
+      }
+    }
+    return force;
   }
 
   SymbolPointer reaction(const ContactRows& contact, std::size_t row) {
@@ -266,6 +281,7 @@ class ContactPage {
   const NaturalLanguage& say;
   const ContactLetters letters_;
   std::vector<SymbolPointer> reactions_;
+  std::vector<const ContactRow*> too_long_;  ///< rates that are not written out
   bool normals_ = false, tangents_ = false, turns_ = false, joints_ = false;
 };
 

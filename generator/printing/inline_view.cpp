@@ -123,6 +123,7 @@ InlineView::InlineView(Program& program, const InlineLimits& limits, const Scene
     if (stands) named_values_[symbol(law.name)] = law.value;
     driven_.add(law.name, std::move(law.written), stands);
   }
+  written_.clear();  // without the names
 }
 
 double InlineView::term_bound(const Value& value) { return term_bound(value.polynomial()); }
@@ -317,7 +318,13 @@ Sum InlineView::canonical(const GiNaC::ex& e) {
     for (std::size_t i = 0; i < e.nops(); ++i) product = product * canonical(e.op(i));
     return product;
   }
-  if (GiNaC::is_a<GiNaC::power>(e)) return canonical_power(e);
+  // A root or a call stands in many terms.
+  const auto known = written_.find(e);
+  if (known != written_.end()) return known->second;
+  return written_.emplace(e, GiNaC::is_a<GiNaC::power>(e) ? canonical_power(e) : canonical_call(e)).first->second;
+}
+
+Sum InlineView::canonical_call(const GiNaC::ex& e) {
   const auto call = [&](Function function) {
     std::vector<Sum> arguments;
     for (std::size_t i = 0; i < e.nops(); ++i) arguments.push_back(shortened(e.op(i)));

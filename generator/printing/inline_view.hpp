@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <map>
 #include <optional>
 #include <unordered_map>
 #include <utility>
@@ -79,6 +80,7 @@ class InlineView {
   GiNaC::ex named_product(std::size_t k);
   Sum canonical(const GiNaC::ex& expression);
   Sum canonical_power(const GiNaC::ex& expression);
+  Sum canonical_call(const GiNaC::ex& expression);
   /// Put in order and made short: unit quaternions, squares beside roots, sines and cosines.
   Sum shortened(const GiNaC::ex& expression);
 
@@ -92,6 +94,7 @@ class InlineView {
   std::vector<std::optional<double>> bounds_;
   std::vector<std::optional<GiNaC::ex>> value_numbers_;
   std::vector<std::optional<std::optional<Reduced>>> reduced_;
+  std::map<GiNaC::ex, Sum, GiNaC::ex_is_less> written_;  ///< powers and calls in canonical order; looked up, never iterated
   std::vector<SymbolPointer> symbols_;  ///< by the number that is the name of the GiNaC symbol
   std::vector<GiNaC::ex> ginac_symbols_;
   std::unordered_map<const Symbol*, std::size_t> numbers_;  ///< looked up, never iterated

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <string>
+#include <vector>
 
 #include "torsor/generator/mechanics/scene.hpp"
 #include "torsor/generator/printing/print_equations.hpp"
@@ -43,6 +44,27 @@ TEST(ContactLaws, ArePrintedWithGapsSlipsForcesRegimesAndJumps) {
                 "Signorini: 0 <= g, 0 <= N, N g = 0;", "Open: g > 0, N = 0, T = 0.", "Sticks: w_T = 0, |T| <= f_s N",
                 "Slides: T = -f_T N w_T/|w_T|", "[[dT/dq_i']] = sum P dw/dq_i'", "0 <= w_N+ + e_N w_N-",
                 "Carnot's loss: T- - T+ = -1/2 sum P (w+ + w-)"});
+}
+
+// The tangents of two balls are made of a direction that no formula shows, and their slips are past every limit.
+TEST(ContactLaws, LeaveOutForcesWhoseSlipsAreTooLong) {
+  Scene scene("two_balls", "");
+  const Expression r = scene.parameter("r", "m", 1);
+  std::vector<FrameHandle> balls;
+  for (const std::string name : {"a", "b"}) {
+    const Expression x = scene.coordinate("x_" + name, "m");
+    const Expression y = scene.coordinate("y_" + name, "m");
+    const Expression z = scene.coordinate("z_" + name, "m");
+    scene.initial(z, name == "a" ? 3 * r : 0 * r);
+    balls.push_back(scene.free("ball_" + name, scene.ground(), {x, y, z}, scene.attitude("turn_" + name)));
+    scene.body("ball_" + name, balls.back(), Inertia::solid_sphere(Expression::quantity("1", "kg"), r));
+  }
+  scene.contact("balls", shape::Sphere{.frame = balls[0], .radius = r}, shape::Sphere{.frame = balls[1], .radius = r},
+                {.friction = 1});
+  const std::string page = print_equations(scene, Format::text);
+  expect_lines(page, {"  w_N(balls) = ", "  w_T1(balls) is too long to be written out",
+                      "  Too long to be written out: Q_x_a, Q_y_a, Q_z_a, Q_turn_a_omega_x, "});
+  EXPECT_EQ(page.find("Q_x_a ="), std::string::npos);
 }
 
 // A point of 1 kg that comes to rest on a belt gains 1/2 u^2: P_T = u from w_T = -u to 0 takes 1/2 u^2, and P_T b = -u^2.

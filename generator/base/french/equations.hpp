@@ -246,6 +246,8 @@ constexpr Translation french_of_equations[] = {
     {"They are those of the mechanism on which no contact acts.", "Elles valent pour le mécanisme sans action de contact."},
     {"What follows of first integrals and small motions is that of the mechanism on which no contact acts.",
      "Ce qui suit sur les intégrales premières et les petits mouvements vaut pour le mécanisme sans action de contact."},
+    {"Too long to be written out: {}; the kernel contacts computes what they are made of.",
+     "D'écriture trop longue : {} ; le noyau contacts calcule ce dont elles sont faites."},
     {"{} is too long to be written out ({}); the kernel contacts computes it.",
      "{} est d'écriture trop longue ({}) ; le noyau contacts le calcule."},
     {"{}, dry friction alone:", "{}, frottement sec seul :"},
