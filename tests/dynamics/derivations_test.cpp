@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <gtest/gtest.h>
 
-#include <cstdlib>
 
+#include "tests/long_tests.hpp"
 #include "torsor/generator/verification/check.hpp"
 #include "tests/dynamics/random_mechanism.hpp"
 
@@ -29,7 +29,7 @@ TEST_P(RandomMechanism, HasOneSetOfEquationsByEveryDerivation) {
 
 // Some take a minute; an eighth of them by default.
 INSTANTIATE_TEST_SUITE_P(Seeds, RandomMechanism,
-                         ::testing::Range(1U, 81U, std::getenv("TORSOR_LONG_TESTS") != nullptr ? 1U : 8U));
+                         ::testing::Range(1U, 81U, wanted(8U, 1U)));
 
 }  // namespace
 }  // namespace torsor::derivations_test

@@ -10,6 +10,7 @@
 #include "torsor/generator/dynamics/equations/validation.hpp"
 #include "torsor/generator/program/generic_state.hpp"
 #include "tests/dynamics/random_source.hpp"
+#include "tests/long_tests.hpp"
 #include "tests/program/test_symbols.hpp"
 #include "tests/scenes/bodies.hpp"
 
@@ -86,7 +87,7 @@ struct FreeBody {
 TEST(FreeBodies, HaveMassInEveryOrderOfDeclaration) {
   const std::vector<Order> orders = all_orders();
   ASSERT_EQ(orders.size(), 6U);
-  for (unsigned seed = 0; seed < 40; ++seed) {
+  for (unsigned seed = 0; seed < wanted(12U, 40U); ++seed) {
     for (const Values values : {Values::folded, Values::run_time, Values::none}) {
       for (std::size_t k = 0; k < orders.size(); ++k) {
         const FreeBody free(seed, orders[k], values);

@@ -10,6 +10,7 @@
 #include "torsor/generator/kernels/kernel.hpp"
 #include "tests/dynamics/constrained_motion.hpp"
 #include "tests/dynamics/random_mechanism.hpp"
+#include "tests/long_tests.hpp"
 #include "tests/program/test_symbols.hpp"
 #include "tests/scenes/loops.hpp"
 #include "tests/scenes/rolling.hpp"
@@ -188,7 +189,7 @@ TEST(ReducedLinearisation, TakesTheMultipliersOutWhereFrictionWorksWithThem) {
 }
 
 TEST(ReducedLinearisation, IsTheDerivativeOfTheFlowOfRandomMechanisms) {
-  const unsigned seeds = std::getenv("TORSOR_LONG_TESTS") == nullptr ? 12 : 30;
+  const unsigned seeds = wanted(8U, 30U);
   unsigned constrained = 0;
   for (unsigned seed = 700; seed < 700 + seeds; ++seed) {
     const Scene scene = random_mechanism(seed);

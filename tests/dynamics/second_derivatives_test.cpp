@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Second derivatives against central differences of the first ones in sixty digits, and against a closed form.
+#include "tests/long_tests.hpp"
 #include "torsor/generator/dynamics/derivatives/second_derivatives.hpp"
 
 #include <gtest/gtest.h>
 
-#include <cstdlib>
 
 #include "benchmarks/model_counts/models.hpp"
 #include "torsor/generator/dynamics/derivatives/forward_derivatives.hpp"
@@ -116,7 +116,7 @@ TEST(SecondDerivatives, AreSlopesOfTheFirstOnesForArms) {
 }
 
 TEST(SecondDerivatives, AreSlopesOfTheFirstOnesForRandomMechanisms) {
-  const unsigned seeds = std::getenv("TORSOR_LONG_TESTS") == nullptr ? 12 : 24;
+  const unsigned seeds = wanted(12U, 24U);
   Met met;
   for (unsigned seed = 1; seed <= seeds; ++seed) {
     testing_mechanisms::RandomMechanismOptions options;
@@ -136,7 +136,7 @@ TEST(SecondDerivatives, OfForwardDynamicsAreSlopesOfItsFirstOnesForArms) {
 }
 
 TEST(SecondDerivatives, OfForwardDynamicsAreSlopesOfItsFirstOnesForRandomMechanisms) {
-  const unsigned seeds = std::getenv("TORSOR_LONG_TESTS") == nullptr ? 6 : 12;
+  const unsigned seeds = wanted(6U, 12U);
   unsigned with_inputs = 0;
   for (unsigned seed = 1; seed <= seeds; ++seed) {
     testing_mechanisms::RandomMechanismOptions options;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Motions through the places where constraints lose rank. TORSOR_LONG_TESTS: forty windows at every tolerance.
+#include "tests/long_tests.hpp"
 #include "torsor/runtime/constraints/change_point.hpp"
 
 #include <gtest/gtest.h>
@@ -8,7 +9,6 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
-#include <cstdlib>
 #include <numbers>
 #include <random>
 
@@ -31,8 +31,6 @@ using namespace torsor::runtime;
 using mechanisms::Windows;
 using ThreeCranks = mechanisms::CrankLoop<mechanisms::ThreeEqualCranks>;
 constexpr double pi = std::numbers::pi;
-
-bool long_tests() { return std::getenv("TORSOR_LONG_TESTS") != nullptr; }
 
 template <class Method>
 Method with_tolerance(double tolerance) {
@@ -95,7 +93,7 @@ TEST(ChangePoints, ArePassedByParallelogramsWithErrorsThatFallWithTheTolerance) 
 
 TEST(ChangePoints, ArePassedByFortyWindows) {
   const auto motion = equations_of_motion<Windows<40>>();
-  if (long_tests()) return expect_errors_to_fall(motion, 1e-12);
+  if (torsor::wanted(false, true)) return expect_errors_to_fall(motion, 1e-12);
   auto y = motion.initial();
   std::array<double, 2> pendulum{y[0], y[81]};
   const double tolerance = 1e-10;
@@ -257,7 +255,7 @@ void expect_right_or_told(int count, double tolerance) {
   }
 }
 TEST(ChangePoints, EndRightOrWithAStatusFromAnyStart) {
-  const int more = long_tests() ? 20 : 1;
+  const int more = torsor::wanted(1, 20);
   expect_right_or_told<1>(50 * more, 1e-8);
   expect_right_or_told<1>(50 * more, 1e-10);
   expect_right_or_told<2>(50 * more, 1e-10);

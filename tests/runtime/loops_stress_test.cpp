@@ -6,10 +6,10 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
-#include <cstdlib>
 #include <limits>
 #include <numbers>
 
+#include "tests/long_tests.hpp"
 #include "torsor/runtime/constraints/constrained_motion.hpp"
 #include "torsor/runtime/constraints/partitioned_motion.hpp"
 #include "torsor/runtime/constraints/projection.hpp"
@@ -26,7 +26,7 @@ using mechanisms::Bricard;
 using Pendulum = mechanisms::CartesianPendulum<double>;
 using FourBar = mechanisms::CrankLoop<mechanisms::FourBar>;
 
-std::int64_t many_steps() { return std::getenv("TORSOR_LONG_TESTS") != nullptr ? 1'000'000 : 10'000; }
+std::int64_t many_steps() { return torsor::wanted(10'000, 1'000'000); }
 
 TEST(BricardsLinkage, TurnsInTheOneFreedomThatItsSixEquationsLeave) {
   // Along the whole motion one equation repeats the others: by 6e-6, since the stages of a step are off the closure by

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/long_tests.hpp"
 #include "torsor/runtime/constraints/projection.hpp"
 
 #include <gtest/gtest.h>
@@ -6,7 +7,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdlib>
 #include <limits>
 #include <numbers>
 #include <random>
@@ -29,8 +29,6 @@ using Press = model_making_press::Mechanism<double>;
 using ThreeCranks = mechanisms::CrankLoop<mechanisms::ThreeEqualCranks>;
 using ThreeCranksSmallSwing = mechanisms::CrankLoop<mechanisms::ThreeEqualCranksSmallSwing>;
 using FourBar = mechanisms::CrankLoop<mechanisms::FourBar>;
-
-bool long_tests() { return std::getenv("TORSOR_LONG_TESTS") != nullptr; }
 
 /// The largest violations of the constraints, in their own units.
 template <class M>
@@ -109,7 +107,7 @@ TEST(Projection, RemovesTheDriftOfTheCartesianPendulum) {
   const auto motion = projected(equations_of_motion<Pendulum>());
   y = motion.initial();
   double worst = 0.0;
-  const double end = long_tests() ? 10000.0 : 100.0;
+  const double end = torsor::wanted(100.0, 10000.0);
   ASSERT_TRUE(integrate(motion, y, 0, end, RungeKutta4{.step = 0.01}, [&](double, const StateVector<Pendulum>& state) {
     const auto v = violation<Pendulum>(state);
     worst = std::max({worst, v[0], v[1]});
@@ -177,7 +175,7 @@ TEST(Projection, BringsAndrewsSqueezerToItsReference) {
 }
 
 TEST(Projection, KeepsClosedLoopsClosedOverManySteps) {
-  const std::int64_t steps = long_tests() ? 1'000'000 : 5'000;
+  const std::int64_t steps = torsor::wanted(5'000, 1'000'000);
   double worst = 0.0;
   const auto squeezer = projected(equations_of_motion<Squeezer>());
   auto y = squeezer.initial();

@@ -5,10 +5,10 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
-#include <cstdlib>
 
 #include "generated/double_pendulum.hpp"
 #include "generated/flyball_governor.hpp"
+#include "tests/long_tests.hpp"
 #include "torsor/runtime/integration/gauss_collocation.hpp"
 #include "torsor/runtime/integration/stoermer_verlet.hpp"
 #include "torsor/runtime/mechanism.hpp"
@@ -26,7 +26,7 @@ constexpr State pendulum_end{0.015728632141428118626277592909, 5.270898793229828
 
 // A million steps where TORSOR_LONG_TESTS is set.
 std::int64_t many_steps(std::int64_t in_short) {
-  return std::getenv("TORSOR_LONG_TESTS") != nullptr ? 1'000'000 : in_short;
+  return torsor::wanted<std::int64_t>(in_short, 1'000'000);
 }
 
 template <class Method>

@@ -6,10 +6,10 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <cstdlib>
 #include <numbers>
 
 #include "generated/torque_free_body.hpp"
+#include "tests/long_tests.hpp"
 #include "torsor/runtime/integration/dormand_prince_853.hpp"
 #include "torsor/runtime/integration/gauss_collocation.hpp"
 #include "torsor/runtime/integration/taylor.hpp"
@@ -20,8 +20,6 @@ namespace {
 
 using namespace torsor::runtime;
 using Body = torque_free_body::Mechanism<double>;
-
-bool long_tests() { return std::getenv("TORSOR_LONG_TESTS") != nullptr; }
 
 TEST(Quaternions, KeepNormAndPhaseThroughTheLockOfEulerAngles) {
   // Free turn about the axis of greatest inertia, which moves the two others through every attitude between: Euler
@@ -83,7 +81,7 @@ template <class Method>
 void expect_to_tumble(const Method& method, double local) {
   const auto motion = equations_of_motion<Body>(Body::Parameters{3.0, 2.0, 1.0});
   const double half_period = TumblingBody::half_period();
-  const int halves = long_tests() ? 2 * static_cast<int>(5e5 / half_period) : 40;
+  const int halves = torsor::wanted(40, 2 * static_cast<int>(5e5 / half_period));
   StateVector<Body> y = TumblingBody::start();
   const auto before = TumblingBody::moment_of_momentum(y), velocity = TumblingBody::angular_velocity();
   double norm = 0.0, space = 0.0, least = 1.0;
@@ -100,7 +98,7 @@ void expect_to_tumble(const Method& method, double local) {
   // much; of ω they are `local` times 2π, times J.
   const double steps = static_cast<double>(result.statistics.accepted), lost = steps * local;
   EXPECT_LT(space, lost * (17 * 2 * 2 + 3 * 2 * std::numbers::pi));
-  if (long_tests()) return;  // in phase errors grow with the square of the time
+  if (torsor::wanted(false, true)) return;  // in phase errors grow with the square of the time
   // ω' is below 60 rad/s²; and a loss in ω, growing with the steps, changes the rate by as great a part.
   const double time = halves * half_period, late = 60 * lost * time;
   EXPECT_NEAR(y[4], velocity[0], late);

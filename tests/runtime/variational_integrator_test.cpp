@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/long_tests.hpp"
 #include "torsor/runtime/integration/variational_integrator.hpp"
 
 #include <gtest/gtest.h>
@@ -7,7 +8,6 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
-#include <cstdlib>
 #include <numbers>
 
 #include "generated/arm7.hpp"
@@ -305,7 +305,7 @@ TEST(VariationalIntegrator, KeepsTheEnergyOfAChaoticMotionWithoutDrift) {
   // the error over the first 20 s. It walks nowhere: in the last 20 s of three times (long: 500 times) as long it is no
   // larger than twice that, where the least drift, linear in time, would make it three times as large in 60 s already.
   // Classical Runge-Kutta of the same step loses 0.24 J in 10⁵ steps.
-  const bool long_run = std::getenv("TORSOR_LONG_TESTS") != nullptr;
+  const bool long_run = torsor::wanted(false, true);
   const auto motion = equations_of_motion<DoublePendulum>();
   const auto energy = [&](const State& y) {
     DoublePendulum::Energy e{};

@@ -6,7 +6,6 @@
 #include <cfenv>
 #include <cmath>
 #include <cstdint>
-#include <cstdlib>
 #include <functional>
 #include <iostream>
 #include <limits>
@@ -16,6 +15,7 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/long_tests.hpp"
 #include "torsor/generator/verification/worst.hpp"
 #include "tests/sincos/truth.hpp"
 #include "tests/sincos/variant.hpp"
@@ -24,8 +24,6 @@ namespace {
 
 constexpr double bound = 0x1p21;  // of the branch-free core
 constexpr double infinity = std::numeric_limits<double>::infinity();
-
-bool long_tests() { return std::getenv("TORSOR_LONG_TESTS") != nullptr; }
 
 std::vector<const Variant*> variants() {
   std::vector<const Variant*> all{&portable_variant};
@@ -89,7 +87,7 @@ void expect_one_ulp(const std::string& what, std::size_t count, const std::funct
 }
 
 /// A fifth of 10^6 (10^8) each.
-std::size_t share() { return long_tests() ? 20'000'000 : 200'000; }
+std::size_t share() { return torsor::wanted<std::size_t>(200'000, 20'000'000); }
 
 TEST(Sincos, IsWithinAnUlpForAnglesOfATurn) {
   std::mt19937_64 random(1);
@@ -173,7 +171,7 @@ double float_ulps(float computed, double exact) {
 
 TEST(Sincos, IsWithinAnUlpInFloat) {
   // The double's own error is below 1e-8 ulp of a float.
-  const std::uint64_t step = long_tests() ? 1 : 1009;
+  const std::uint64_t step = torsor::wanted<std::uint64_t>(1009, 1);
   const std::vector<const Variant*> all = variants();
   std::vector<Worst> one(all.size()), eight(all.size());
   std::uint64_t bits = 0;

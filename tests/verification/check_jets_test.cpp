@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/long_tests.hpp"
 #include "torsor/generator/verification/check_jets.hpp"
 
 #include <gtest/gtest.h>
 
-#include <cstdlib>
 #include <string>
 #include <vector>
 
@@ -36,7 +36,7 @@ TEST(CheckJets, PassesAPendulumAndAQuaternion) {
 // All but one in twenty, whose long fractions take twice the time of all others: the thirteenth has its options, and with
 // TORSOR_LONG_TESTS it is looked at too.
 TEST(CheckJets, PassesRandomMechanisms) {
-  const bool all = std::getenv("TORSOR_LONG_TESTS") != nullptr;
+  const bool all = wanted(false, true);
   for (unsigned seed = 0; seed < 20; ++seed) {
     if (seed == 1 && !all) continue;
     const RandomMechanismOptions options{.actions = seed % 2 == 0,

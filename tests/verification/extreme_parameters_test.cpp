@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
 #include <memory>
 #include <optional>
 #include <random>
@@ -13,6 +12,7 @@
 #include <utility>
 #include <vector>
 
+#include "tests/long_tests.hpp"
 #include "torsor/generator/program/evaluation.hpp"
 #include "torsor/generator/verification/ball.hpp"
 #include "torsor/generator/verification/condition.hpp"
@@ -29,7 +29,7 @@ constexpr const char* kernels =
     "kinematics,mass_matrix,bias,inverse_dynamics,forward_dynamics,energy,constraints,linearisation,"
     "inverse_dynamics_derivatives,forward_dynamics_derivatives,jets";
 
-int states_of(int states) { return std::getenv("TORSOR_LONG_TESTS") != nullptr ? 20 * states : states; }
+int states_of(int states) { return wanted(states, 20 * states); }
 
 /// 10^power, with all bits.
 double decade(std::mt19937_64& random, int power) {

@@ -19,6 +19,7 @@
 #include "torsor/generator/base/error.hpp"
 #include "torsor/generator/cli/command_texts.hpp"
 #include "tests/dynamics/random_mechanism.hpp"
+#include "tests/long_tests.hpp"
 #include "tests/verification/mechanism_comparisons.hpp"
 
 namespace torsor::five_hundred_mechanisms_test {
@@ -97,7 +98,7 @@ std::string smallest(const Comparison& compare, RandomMechanismOptions options, 
 /// of the part behind, which is not.
 unsigned looked_at(unsigned seed) {
   static constexpr std::array<unsigned, 4> slow{5, 24, 212, 215};
-  const bool all = std::getenv("TORSOR_LONG_TESTS") != nullptr;
+  const bool all = wanted(false, true);
   return !all && std::find(slow.begin(), slow.end(), seed) != slow.end() ? seed + 25 : seed;
 }
 
@@ -227,10 +228,9 @@ TEST(FiveHundredMechanismsTogether, KeepMomentaThatAreNoConstants) {
   EXPECT_GE(counts.momenta, 30);
 }
 
-// By default every fourth group of 25, and every tenth for differences, which take most of the time.
-unsigned step(unsigned by_default) { return std::getenv("TORSOR_LONG_TESTS") != nullptr ? 1 : by_default; }
-INSTANTIATE_TEST_SUITE_P(Seeds, FiveHundredMechanisms, ::testing::Range(0U, mechanisms / 25, step(4)));
-INSTANTIATE_TEST_SUITE_P(Seeds, LinearisedMechanisms, ::testing::Range(0U, mechanisms / 25, step(10)));
+// By default every seventh group of 25, and every tenth for differences, which take most of the time.
+INSTANTIATE_TEST_SUITE_P(Seeds, FiveHundredMechanisms, ::testing::Range(0U, mechanisms / 25, wanted(7U, 1U)));
+INSTANTIATE_TEST_SUITE_P(Seeds, LinearisedMechanisms, ::testing::Range(0U, mechanisms / 25, wanted(10U, 1U)));
 
 }  // namespace
 }  // namespace torsor::five_hundred_mechanisms_test
