@@ -69,8 +69,8 @@ class Scene {
   // --- the tree of joints -------------------------------------------------------------------------------------------
   // Each joint is placed in its parent by a constant origin and rotation (`placement`); `axis` is a direction in the
   // placed axes. A joint of several freedoms makes intermediate frames <name>.1, <name>.2 and so on. Equations give the
-  // twist of the child in the parent at the child's origin C: Ω = Ω(child/parent) and V = V(C/parent). There n is the unit
-  // vector along `axis`, x, y and z are the placed axes.
+  // twist of the child in the parent at the child's origin C: Ω = Ω(child/parent) and V = V(C/parent). There `axis` counts
+  // with length 1, and x, y and z are the placed axes.
   /// The frame of reference. It is the parent of every tree.
   FrameHandle ground() const;
   /// A frame fixed in its parent: an origin and a rotation without any freedom. It carries bodies, closes loops,
@@ -82,15 +82,15 @@ class Scene {
   FrameHandle revolute(const std::string& name, const FrameReference& parent, const Triple& axis,
                        const Expression& angle, const Placement& placement = {});
   /// Translation by `displacement` along the unit vector `axis` (components in the placed parent axes).
-  /// Equation: Ω = 0, V = d(displacement)/dt n.
+  /// Equation: Ω = 0, V = d(displacement)/dt axis.
   FrameHandle prismatic(const std::string& name, const FrameReference& parent, const Triple& axis,
                         const Expression& displacement, const Placement& placement = {});
   /// Turns by `angle` and advances by `pitch` [m/rad] times it (the lead of the screw over 2π).
-  /// Equation: Ω = d(angle)/dt n, V = pitch d(angle)/dt n.
+  /// Equation: Ω = d(angle)/dt axis, V = pitch d(angle)/dt axis.
   FrameHandle helical(const std::string& name, const FrameReference& parent, const HelicalMotion& motion,
                       const Placement& placement = {});
   /// Slides along the axis, then turns about it.
-  /// Equation: Ω = d(angle)/dt n, V = d(displacement)/dt n.
+  /// Equation: Ω = d(angle)/dt axis, V = d(displacement)/dt axis.
   FrameHandle cylindrical(const std::string& name, const FrameReference& parent, const CylindricalMotion& motion,
                           const Placement& placement = {});
   /// Turns about `first`, fixed in the parent, then about `second`, which turns along; perpendicular directions.
@@ -117,7 +117,7 @@ class Scene {
   FrameHandle line_contact(const std::string& name, const FrameReference& parent, const LineContactMotion& motion,
                            const Placement& placement = {});
   /// The origin of the frame slides along `axis`; the frame turns in any way about it.
-  /// Equation: Ω is that of `turn`, as for `spherical`; V = d(displacement)/dt n.
+  /// Equation: Ω is that of `turn`, as for `spherical`; V = d(displacement)/dt axis.
   FrameHandle sphere_in_cylinder(const std::string& name, const FrameReference& parent,
                                  const SphereInCylinderMotion& motion, const Placement& placement = {});
   /// The origin of the frame slides by (x, y) in the plane z = 0; the frame turns in any way about it.
