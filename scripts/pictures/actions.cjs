@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Pictures of actions and of contact laws: name: [what is seen, in words, how it is drawn].
-const { sum, times, unit } = require("./drawing.cjs");
+const { sum, times, unit, right, up, towards } = require("./drawing.cjs");
 const x = [1, 0, 0], y = [0, 1, 0], z = [0, 0, 1], o = [0, 0, 0], pi = Math.PI;
 /// A wall on the left, with the line that a slider moves along, and the slider.
 const wall = (d) => d.polygon([[0.5, -1.9, -0.5], [-0.5, -1.9, -0.5], [-0.5, -1.9, 0.6], [0.5, -1.9, 0.6]], "a");
@@ -93,12 +93,13 @@ module.exports = {
       .arrow([0, 0, -0.75], [0, 0, 0.35], "f", "N", [11, 4])],
 
   contact: [
-    "A blue body above a grey one: gap along the normal n, reactions N and T at the place of contact, slip along "
-      + "the tangents", (d) => d.plane([0, 0, -0.7], 1.15, 2, "a").sphere([0, -0.1, 0.45], 0.75, "b")
-    .measure([0, 1.05, -0.7], [0, 1.05, -0.15], "gap", [-16, 6]).line([0, -0.1, -0.3], [0, 1.2, -0.3], "c")
-      .point([0, -0.1, -0.3]).arrow([0, -0.1, -0.7], [0, -0.1, 0.35], "f", "N", [-10, 2])
-      .arrow([0, -0.1, -0.7], [0, -1.1, -0.7], "f", "T", [-6, -6])
-    .arrow([0, 1.75, -0.7], [0, 1.75, 0.2], "t", "n"), { at: [112, 82] }],
+    "Two blue balls above a grey plane with the normal n: one has a gap and no reaction, the other touches, with reactions N and T",
+    (d) => d.plane([0, 0, -0.7], 1.15, 2.1, "a").sphere([0, -1.15, 0.2], 0.5, "b")
+      .measure([0, -1.15, -0.7], [0, -1.15, -0.3], "gap", [18, 4])
+      .sphere([0, 0.45, -0.2], 0.5, "b").arrow([0, 0.45, -0.7], [0, 0.45, 0.75], "f", "N", [11, 6])
+      .arrow([0, 0.45, -0.7], [0, -0.45, -0.7], "f", "T", [-4, 13]).point([0, 0.45, -0.7])
+      .arrow([0, 1.75, -0.7], [0, 1.75, 0.2], "t", "n"),
+    { at: [112, 80] }],
   stop: ["A blue slider between two grey stops, lower and upper, of its coordinate q", (d) => d.line([0, -2, -0.35], [0, 2,
     -0.35], "a").polygon([[0.4, -1.7, -0.35], [-0.4, -1.7, -0.35], [-0.4, -1.7, 0.5], [0.4, -1.7, 0.5]], "a")
     .box([0, -0.1, 0], [0.35, 0.4, 0.35], "b").polygon([[0.4, 1.6, -0.35], [-0.4, 1.6, -0.35], [-0.4, 1.6, 0.5], [0.4, 1.6,
@@ -116,9 +117,13 @@ module.exports = {
     d.parts.push('<circle class="p" cx="115" cy="28.3" r="2.4"/><circle class="p" cx="115" cy="121.8" r="2.4"/>');
   }],
   joint_friction: [
-    "A blue journal of radius r turns in a grey bearing, which carries the resultant R; the torque of friction is "
-      + "opposite to the turn", (d) => d.tube([-0.5, 0, 0], [0.5, 0, 0], 1.05, 0.75, "a")
-    .cylinder([-0.5, 0, 0], [1, 0, 0], 0.7, "b").line([1, 0, 0], [1, 0.6, 0.35]).text("r", [1, 0.3, 0.18], [0, -4], "tx")
-      .arrow([1, 0, 1.5], [1, 0, 0.72], "f").text("R", [1, 0, 1.5], [10, 8], "fx").turn([1, 0, 0], x, 1.0, -0.4, 0.9, "m")
-      .turn([1, 0, 0], x, 1.0, -0.9, -2.6, "f", "f r |R|", [-24, 6]).point([1, 0, 0], "", [0, 0]), { at: [122, 75] }],
+    "A blue journal of radius r turns in a grey bearing, seen along its axis: "
+      + "the bearing gives it the resultant R and a torque against its turn",
+    (d) => {
+      const place = (across, above) => sum(times(across, right), times(above, up)), centre = place(0, -0.12);
+      d.disc(o, towards, 1.35, "a").disc(o, towards, 0.95, "w").disc(centre, towards, 0.82, "b")
+        .line(centre, place(0.62, 0.42)).text("r", place(0.3, 0.15), [-4, -5], "tx").point(centre)
+        .arrow(place(0, -0.95), place(0, 0.6), "f", "R", [-10, 4]).turn(centre, towards, 0.6, pi, pi + 1.9, "m")
+        .turn(centre, towards, 1.2, 1.9, 0.4, "f").text("f r |R|", place(-1.5, 1.1), [-14, 6], "fx").point(place(0, -0.95));
+    }, { at: [120, 75] }],
 };

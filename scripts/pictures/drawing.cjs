@@ -225,4 +225,4 @@ const style = [
   `stroke-width:3px;stroke-linejoin:round}${colours(light)}@media(prefers-color-scheme:dark){${colours(dark)}}`,
 ].join("");
 
-module.exports = { Drawing, sum, times, less, cross, unit };
+module.exports = { Drawing, sum, times, unit, right, up, towards };

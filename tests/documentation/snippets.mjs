@@ -46,7 +46,7 @@ function filled(name, language) {
 }
 
 function run(command, ...options) {
-  const done = spawnSync(command, options, { cwd: folder, encoding: "utf8", timeout: 120000 });
+  const done = spawnSync(command, options, { cwd: folder, encoding: "utf8", timeout: 280000 });
   if (done.status !== 0) fail(`${command} ${options.join(" ")}\n${done.error ?? ""}${done.stdout ?? ""}${done.stderr ?? ""}`);
   return done.stdout;
 }
