@@ -1,10 +1,10 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: GPL-3.0-or-later
-# commands_are_listed.sh TORSOR PAGE: each command of the program stands in the first column of a table of PAGE, and each that
-# stands there is one of the program.
+# commands_are_listed.sh TORSOR PAGE: each command of the program begins an item of a list of PAGE, and each that does is one of
+# the program.
 set -euo pipefail
 offered="$("$1" --help | sed -n '/^Subcommands:/,$s/^  \([a-z-]*\) .*/\1/p' | sort)"
-listed="$(sed -n '/^| `/s/ | .*//p' "$2" | grep -oE '`[a-z-]+' | tr -d '`' | sort)"
+listed="$(sed -n '/^[*] `/s/`:.*//p' "$2" | grep -oE '`[a-z-]+' | tr -d '`' | sort)"
 [ "$(wc -l <<< "$offered")" -ge 10 ] || { echo "$1 --help lists too few commands: $offered"; exit 1; }
 if ! diff <(echo "$offered") <(echo "$listed"); then
   echo "< is missing in $2, > is no command of $1"
