@@ -12,7 +12,7 @@ const text = ["generator", "runtime", "python/torsor"].flatMap(sources)
 
 let count = 0, missing = 0;
 for (const line of readFileSync(join(root, "docs/errors.md"), "utf8").split("\n")) {
-  const message = /^\* `([^`]+)`$/.exec(line)?.[1];
+  const message = /^\* `([^`]+)`<br>$/.exec(line)?.[1];
   if (!message) continue;
   ++count;
   if (text.includes(message)) continue;
