@@ -36,11 +36,13 @@ Value& component(Vector& angular, Vector& linear, std::size_t j) {
 
 bool is_along(const Link& link, std::size_t j) { return is_along_joint(link, static_cast<int>(j % 3), j < 3); }
 
-/// The point of a link that its joint leaves where it is, but for the rate that it is solved for.
+/// The point of a link that its joint leaves where it is, but for the rate that it is solved for: unless a joint beyond moves
+/// it in the link, to where this joint moves it no more.
 struct Tip {
   std::size_t link = 0;  ///< whose origin it is; 0: the centre of mass of a body
   Vector arm;            ///< from the link's origin
   Vector velocity;       ///< per unit rate of the joint
+  Value square{};        ///< of that; zero where it may vanish
   std::optional<int> aligned;  ///< the only component that this has
 };
 
@@ -184,6 +186,9 @@ class FactoredRecursion {
       if (body != bodies_.end()) tip.arm = body->center;
     }
     tip.velocity = link.joint == JointKind::revolute ? cross(link.axis, tip.arm) : link.axis;
+    const Value square = dot(tip.velocity, tip.velocity);
+    if (moves(square)) return tip;
+    tip.square = square;
     int count = 0;
     for (int i = 0; i < 3; ++i) {
       if (tip.velocity[i].is_zero()) continue;
@@ -192,6 +197,16 @@ class FactoredRecursion {
     }
     if (count != 1) tip.aligned.reset();
     return tip;
+  }
+
+  /// Whether it depends on more than parameters.
+  bool moves(const Value& value) const {
+    if (value.is_zero() || value.is_constant()) return false;
+    const std::vector<ValueNumber> made_of = program_.live({value});
+    return std::any_of(made_of.begin(), made_of.end(), [this](ValueNumber number) {
+      const SymbolPointer& symbol = program_[number].symbol;
+      return symbol && symbol->kind != SymbolKind::parameter && symbol->kind != SymbolKind::pi;
+    });
   }
 
   /// X_j, and what it does to the tip.
@@ -204,7 +219,6 @@ class FactoredRecursion {
     const Link& link = links_[k];
     const bool turns = link.joint == JointKind::revolute;
     JointSolution& joint = done_[k];
-    const Value square = dot(joint.tip.velocity, joint.tip.velocity);
     std::array<UnitMotion, components> motions;
     for (std::size_t j = 0; j < components; ++j) {
       auto& [twist, tip] = motions[j];
@@ -212,13 +226,14 @@ class FactoredRecursion {
       tip = twist.linear + cross(twist.angular, joint.tip.arm);
       if (!is_free(link)) continue;
       Value& fix = joint.fix[j];
-      if (!square.is_zero()) {
-        const Value inverse = inverse_of(square);
+      if (!joint.tip.square.is_zero()) {
+        const Value inverse = inverse_of(joint.tip.square);
         fix = -(dot(tip, joint.tip.velocity) * inverse);
         tip += fix * joint.tip.velocity;
         if (joint.tip.aligned) tip[*joint.tip.aligned] = Value();
       } else if (turns) {
         fix = -dot(link.axis, twist.angular);
+        tip += fix * joint.tip.velocity;
       }
       (turns ? twist.angular : twist.linear) += fix * link.axis;
     }
