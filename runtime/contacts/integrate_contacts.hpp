@@ -41,6 +41,7 @@ class ContactRun {
   /// called again: a motion then begins anew, in the same memory, with the coefficients that the mechanism has now.
   bool start(double t0) {
     pieces_ = 0;
+    pace_ = {};
     run_.reset();
     careful_ = {};
     const ContactSizes& sizes = automaton_.motion().sizes();
@@ -68,7 +69,8 @@ class ContactRun {
       // Regimes that alternate at one time come to no end.
       stuck = result.time > before ? 0 : stuck + 1;
       if (result.time < t1) ++pieces_;  // some end without an event
-      if (stuck > 100 || pieces_ > automaton_.options().event_limit) result.status = ContactStatus::too_many_events;
+      const bool too_many = stuck > 100 || pieces_ > automaton_.options().event_limit || leads_nowhere(t1);
+      if (too_many) result.status = ContactStatus::too_many_events;
     }
     last_ = y_;
     return result.status == ContactStatus::reached_end;
@@ -113,6 +115,16 @@ class ContactRun {
     if constexpr (requires { method_.absolute_tolerance, method_.relative_tolerance; }) {
       automaton_.motion().tolerate(method_.absolute_tolerance, method_.relative_tolerance);
     }
+  }
+
+  /// Whether thousands of events have taken so little time that a hundred times as many as are allowed would not reach the end:
+  /// regimes then alternate, and it would take hours to count them all.
+  bool leads_nowhere(double t1) noexcept {
+    constexpr long long many = 5000;
+    if (pieces_ < pace_.pieces + many) return false;
+    const double time = automaton_.result().time, gone = time - pace_.time;
+    pace_ = {pieces_, time};
+    return pieces_ > many && 100 * gone * static_cast<double>(automaton_.options().event_limit / many) < t1 - time;
   }
 
   bool advance_to_event(double t1) {
@@ -202,6 +214,10 @@ class ContactRun {
   CarefulSteps careful_;
   std::optional<Run> run_;  ///< that reached the present time, while its equations last
   long long pieces_ = 0;
+  struct {
+    long long pieces = 0;
+    double time = 0;
+  } pace_;  ///< looked at last
 };
 
 /// Integrates a mechanism with contacts from t0 to t1 >= t0: smooth pieces by a method, between events that are
