@@ -76,7 +76,7 @@ struct Description {
       "by_position", 5, 5, 2, ""}, {"result", "by_velocity", 5, 5, 2, ""}, {"result", "by_force", 5, 5, 2, ""},
       {"result", "multipliers_by_position", 2, 5, 2, "N"}, {"result", "multipliers_by_velocity", 2, 5, 2, ""},
       {"result", "multipliers_by_force", 2, 5, 2, ""}, {"coefficients", "", 10, 0, 2, ""}, {"result", "values", 7, 1, 1,
-      "1, 1, m, m, 1, 1, m"}, {"result", "by_parameter", 5, 2, 2, "rad/s^2"}, {"result", "by_parameter", 5, 2, 2, ""},
+      "1, 1, m, m, 1, 1, m"}, {"result", "by_parameter", 5, 2, 2, "1/s^2"}, {"result", "by_parameter", 5, 2, 2, ""},
       {"result", "multipliers_by_parameter", 2, 2, 2, "1/m/s^2"}}};
   static constexpr std::array<torsor::KernelDescription, 15> kernels{{{"kinematics", false, false, false, false,
       results.data() + 0, 7}, {"mass_matrix", false, false, false, false, results.data() + 7, 1}, {"bias", false, false,
@@ -100,7 +100,7 @@ struct Mechanism {
 
   static constexpr const char* name = "rolling_hoop";
   /// 64 bits (FNV-1a) of this file from "#pragma once" on, with zeros in their own place: another mechanism, other bits.
-  static constexpr unsigned long long fingerprint = 0xf48d4599b9c97e16ULL ^ torsor::support_fingerprint;
+  static constexpr unsigned long long fingerprint = 0xcf7c50885172b7f2ULL ^ torsor::support_fingerprint;
   static constexpr int coordinate_count = 5;
   static constexpr int velocity_count = 5;
   static constexpr int input_count = 0;

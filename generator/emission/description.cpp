@@ -42,6 +42,13 @@ Json result_json(const MechanismListing& mechanism, const Result& result, const 
   return json;
 }
 
+/// Arrays of two dimensions are derivatives of quantities by quantities: a rate by a position is a 1/s where both are lengths,
+/// and where both are angles too.
+std::string written_unit(const Unit& unit, const DescribedResult& of) {
+  const std::string text = torsor::written_unit(unit);
+  return of.dimensions == 2 && text.starts_with("rad/") ? "1" + text.substr(3) : text;
+}
+
 /// From the units of what is written there, by the name that documentation gives them: a joule is a newton metre too.
 void set_units(std::vector<DescribedResult>& results, const Listing& listing) {
   for (DescribedResult& result : results) {
@@ -52,7 +59,7 @@ void set_units(std::vector<DescribedResult>& results, const Listing& listing) {
     }
     std::set<std::string> different;
     for (const auto& unit : units) {
-      if (unit) different.insert(written_unit(*unit));
+      if (unit) different.insert(written_unit(*unit, result));
     }
     if (different.empty()) continue;
     if (different.size() == 1) {

@@ -55,6 +55,22 @@ TEST(DescribedResults, OfOneCoordinateKeepTheirDimensions) {
   EXPECT_EQ(described(scene, "forward_dynamics"), "accelerations: 1, 1 x 1 [rad/s^2]\nmultipliers: 1, 0 x 1 []\n");
 }
 
+// Accelerations by positions, m/s^2 over m: no angle has a part in them. Nor has the quotient of two.
+TEST(DescribedResults, OfDerivativesAlongLengthsAreNoAngles) {
+  Scene rail("rail");
+  const Expression x = rail.coordinate("x", "m"), y = rail.coordinate("y", "m");
+  const FrameHandle car = rail.prismatic("car", rail.prismatic("slide", rail.ground(), axis::x, x), axis::y, y);
+  rail.body("car", car, Inertia::point(rail.parameter("m", "kg", 1)));
+  const Expression k = rail.parameter("k", "N/m", 2), c = rail.parameter("c", "N s/m", 3);
+  rail.generalised_force("pull", x, -k * x * y * y / rail.parameter("s", "m^2", 1) - c * rate(x));
+  const std::string derivatives = described(rail, "forward_dynamics_derivatives");
+  EXPECT_NE(derivatives.find("by_position: 2, 2 x 2 [1/s^2]\n"), std::string::npos) << derivatives;
+  EXPECT_NE(derivatives.find("by_velocity: 2, 2 x 2 [1/s]\n"), std::string::npos) << derivatives;
+  EXPECT_EQ(derivatives.find("rad"), std::string::npos) << derivatives;
+  const std::string turning = described(testing_mechanisms::pendulum_with_motor(), "forward_dynamics_derivatives");
+  EXPECT_NE(turning.find("by_position: 2, 1 x 1 [1/s^2]\n"), std::string::npos) << turning;
+}
+
 TEST(DescribedResults, StandInTheTextsOfAllLanguages) {
   const MechanismListing mechanism = lower_mechanism(trolley(), {"inverse_dynamics", "energy"});
   const auto kernels = kernels_json(mechanism);
