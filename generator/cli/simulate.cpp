@@ -24,16 +24,19 @@
 namespace torsor {
 namespace {
 
+double method_step(const SimulationOptions& options) { return options.method_step.value_or(options.step); }
+
 void check_options(const SimulationOptions& options) {
   const auto require = [](bool holds, const char* sentence) {
     if (!holds) throw UsageError(sentence);
   };
   require(options.duration > 0 && std::isfinite(options.duration), "--to must be a time above 0");
-  require(options.step > 0 && options.duration / options.step <= 1e7,
+  require(options.step > 0 && std::isfinite(options.step) && options.duration / options.step <= 1e7,
           "--step must be a time above 0 that gives at most ten million rows");
-  require(options.method_step == 0.0 || options.method == "gauss",
+  require(!options.method_step || options.method == "gauss",
           "--method-step is for --method gauss; the other methods choose their steps by --tolerance");
-  require(options.method_step == 0.0 || (options.method_step > 0 && options.duration / options.method_step <= 1e9),
+  const double fixed = method_step(options);
+  require(fixed > 0 && std::isfinite(fixed) && options.duration / fixed <= 1e9,
           "--method-step must be a time above 0 that gives at most 1e9 steps");
   require(options.tolerance >= 1e-14 && options.tolerance <= 0.1, "--tolerance must lie between 1e-14 and 0.1");
 }
@@ -54,8 +57,6 @@ const Method& method_named(const std::string& name) {
   }
   throw UsageError(fmt::format("unknown method '{}' in --method: {}use {}", name, did_you_mean(name, known), fmt::join(known, ", ")));
 }
-
-double method_step(const SimulationOptions& options) { return options.method_step > 0 ? options.method_step : options.step; }
 
 std::unique_ptr<MotionIntegrator> make_integrator(const SimulationOptions& options, MotionIntegrator::Slope slope,
                                                   MotionIntegrator::Settle settle, std::vector<double> y) {

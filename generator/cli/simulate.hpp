@@ -3,6 +3,7 @@
 
 #include <array>
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -17,7 +18,7 @@ struct SimulationOptions {
   double tolerance = 1e-10;             ///< errors of a step stay below tolerance · (1 + |y_i|)
   bool project = true;                  ///< onto the constraints, after each step
   std::string method = "dp853";         ///< dp853, radau or gauss
-  double method_step = 0.0;             ///< of gauss [s]; 0: `step`
+  std::optional<double> method_step;    ///< of gauss [s]; `step` when absent
   std::vector<EventRequest> events;
   std::string impact_law = "newton_moreau";  ///< of contacts, one of `impact_law_names`
   bool impact_without_collision = false;     ///< of contacts: where one slips and no regimes exist

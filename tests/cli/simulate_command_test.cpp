@@ -191,6 +191,14 @@ TEST(Simulate, HasSeveralMethods) {
   const Outcome steps = run(pendulum, {"simulate", "--method-step", "0.01"});
   EXPECT_EQ(steps.code, 2);
   EXPECT_NE(steps.err.find("--method-step is for --method gauss"), std::string::npos) << steps.err;
+  for (const char* none : {"0", "inf", "nan", "-1"}) {
+    const Outcome step = run(pendulum, {"simulate", "--method", "gauss", "--method-step", none});
+    EXPECT_EQ(step.code, 2) << none;
+    EXPECT_NE(step.err.find("--method-step must be a time above 0"), std::string::npos) << step.err;
+    const Outcome rows = run(pendulum, {"simulate", "--step", none});
+    EXPECT_EQ(rows.code, 2) << none;
+    EXPECT_NE(rows.err.find("--step must be a time above 0"), std::string::npos) << rows.err;
+  }
   const Outcome tolerance = run(pendulum, {"simulate", "--method", "gauss", "--tolerance", "1e-9"});
   EXPECT_EQ(tolerance.code, 2);
   EXPECT_NE(tolerance.err.find("--tolerance is for methods that choose"), std::string::npos) << tolerance.err;
