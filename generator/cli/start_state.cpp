@@ -241,8 +241,21 @@ std::vector<std::string> at_dead_centre(EvaluatedMotion& motion, double t, const
   return names;
 }
 
+std::vector<std::string> left_out_that_count(EvaluatedMotion& motion, double t, const std::vector<double>& y) {
+  std::vector<std::string> names;
+  const ConstraintRank& rank = motion.equations().redundancy();
+  if (!rank.redundant() || motion.independence_of_all(t, y) < change_point_is_near) return names;
+  for (const std::size_t j : rank.dropped) names.push_back(fmt::format("'{}'", motion.equations().constraints()[j].name));
+  return names;
+}
+
 std::string near_change_point(EvaluatedMotion& motion, double t, const std::vector<double>& y) {
   if (!(motion.independence(t, y) < change_point_is_near)) return {};
+  if (const std::vector<std::string> left_out = left_out_that_count(motion, t, y); !left_out.empty()) {
+    return fmt::format(": the constraints that are kept nearly lose rank there, and all together do not: what repeats others near "
+                       "the start and is left out ({}) counts there. It is no change point; close the loop at another joint",
+                       fmt::join(left_out, ", "));
+  }
   return ": the constraints nearly lose rank there, a change point, which this command does not pass. The motion of a compiled "
          "header does (equations_of_motion; docs/constraints.md)";
 }

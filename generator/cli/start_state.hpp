@@ -43,6 +43,9 @@ constexpr double change_point_is_near = 1e-3;
 /// Coordinates that the constraints hardly let move there, and do elsewhere, as the slider of a crank at its dead centres.
 std::vector<std::string> at_dead_centre(EvaluatedMotion& motion, double t, const std::vector<double>& y);
 
+/// Constraints that repeat others and are left out, where those that are kept may lose rank and all together do not; else none.
+std::vector<std::string> left_out_that_count(EvaluatedMotion& motion, double t, const std::vector<double>& y);
+
 /// What to say of a motion that ends at, or near, a change point of its constraints; empty elsewhere.
 std::string near_change_point(EvaluatedMotion& motion, double t, const std::vector<double>& y);
 

@@ -77,8 +77,10 @@ void name_special_places(const Scene& scene, const ModelOptions& model, std::vec
       }
       const double kept = motion.independence(0.0, y);
       if (kept < change_point_is_near) {
-        row.remark = fmt::format("near a change point: the other constraints leave {:.1g} of one of them, and what depends on it "
-                                 "loses digits (docs/constraints.md)", kept);
+        const bool where_all_count = !left_out_that_count(motion, 0.0, y).empty();
+        row.remark = fmt::format("near a {}: the other constraints leave {:.1g} of one of them, and what depends on it "
+                                 "loses digits (docs/constraints.md)",
+                                 where_all_count ? "place where constraints left out count" : "change point", kept);
       } else if (const std::vector<std::string> dead = at_dead_centre(motion, 0.0, y); !dead.empty()) {
         row.remark = fmt::format("near a dead centre of {}: the constraints hardly let it move there, and its acceleration is what "
                                  "cancelling terms leave", fmt::join(dead, ", "));

@@ -306,27 +306,61 @@ std::vector<double> EvaluatedMotion::least_change(const std::vector<std::size_t>
   return factor.backward(std::move(change));
 }
 
-double EvaluatedMotion::independence(double t, const std::vector<double>& y) {
+// Rows in the metric of the masses, each over its usual size.
+std::vector<std::vector<double>> EvaluatedMotion::scaled_rows(double t, const std::vector<double>& y) {
   if (usual_.empty()) look_around(t, y);
   move_to(t, y);
   Rows<double> mass;
   for (const std::vector<Value>& row : mass_) mass.push_back(here_(row));
   const Cholesky<double> factor = metric_factor(std::move(mass));
-  double least = 1.0;
-  std::vector<std::vector<double>> basis;
-  for (const std::size_t j : equations_.redundancy().kept) {
+  std::vector<std::vector<double>> rows;
+  for (std::size_t j = 0; j < rows_.size(); ++j) {
     std::vector<double> row = factor.forward(here_(rows_[j].jacobian));
     const std::vector<double> usual = factor.forward(usual_[j]);
     const double size = std::sqrt(std::max(euclidean(row, row), euclidean(usual, usual)));
+    if (size > 0) {
+      for (double& entry : row) entry /= size;
+    }
+    rows.push_back(std::move(row));
+  }
+  return rows;
+}
+
+double EvaluatedMotion::independence(double t, const std::vector<double>& y) {
+  const std::vector<std::vector<double>> rows = scaled_rows(t, y);
+  double least = 1.0;
+  std::vector<std::vector<double>> basis;
+  for (const std::size_t j : equations_.redundancy().kept) {
+    std::vector<double> row = rows[j];
     for (const std::vector<double>& e : basis) {
       const double along = euclidean(row, e);
       for (std::size_t i = 0; i < row.size(); ++i) row[i] -= along * e[i];
     }
     const double left = std::sqrt(euclidean(row, row));
     if (!(left > 0)) return 0.0;
-    least = std::min(least, left / size);
+    least = std::min(least, left);
     for (double& entry : row) entry /= left;
     basis.push_back(std::move(row));
+  }
+  return least;
+}
+
+double EvaluatedMotion::independence_of_all(double t, const std::vector<double>& y) {
+  std::vector<std::vector<double>> rows = scaled_rows(t, y);
+  double least = 1.0;
+  for (std::size_t step = 0; step < equations_.redundancy().kept.size(); ++step) {
+    const auto best = std::max_element(rows.begin(), rows.end(),
+                                       [](const auto& a, const auto& b) { return euclidean(a, a) < euclidean(b, b); });
+    const double left = std::sqrt(euclidean(*best, *best));
+    if (!(left > 0)) return 0.0;
+    least = std::min(least, left);
+    std::vector<double> direction = std::move(*best);
+    rows.erase(best);
+    for (double& entry : direction) entry /= left;
+    for (std::vector<double>& row : rows) {
+      const double along = euclidean(row, direction);
+      for (std::size_t i = 0; i < row.size(); ++i) row[i] -= along * direction[i];
+    }
   }
   return least;
 }

@@ -68,6 +68,8 @@ class EvaluatedMotion {
   /// What a row of the constraints keeps beside the others, at least, of its usual size: about 1 where they are orthogonal in
   /// the metric of the masses, near 0 at a change point. Rows that repeat others everywhere do not count.
   double independence(double t, const std::vector<double>& y);
+  /// The same of as many rows as are kept, the best of all at this state: near 0 at a change point only.
+  double independence_of_all(double t, const std::vector<double>& y);
   /// The constraint that a state leaves open the most, beside its own size: "constraint 'pin' has the value 0.2 m".
   std::string most_open(double t, const std::vector<double>& y);
   bool needs_settling() const { return !rows_.empty() || !quaternions_.empty(); }
@@ -90,6 +92,7 @@ class EvaluatedMotion {
   std::vector<double> least_change(const std::vector<std::size_t>& rows, const std::vector<double>& right,
                                    const std::vector<std::size_t>& kept);
   void look_around(double t, const std::vector<double>& y);
+  std::vector<std::vector<double>> scaled_rows(double t, const std::vector<double>& y);
   double open(const std::vector<std::size_t>& rows, bool rates);
   double open(std::size_t row, bool rates);  ///< beside its own size
 

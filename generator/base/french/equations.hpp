@@ -62,6 +62,10 @@ constexpr Translation french_of_equations[] = {
     {"Indeterminate, as they are shared with those in a way that no motion tells: {}.",
      "Indéterminés, car leur partage avec ceux-là ne se lit sur aucun mouvement : {}."},
     {"Indeterminate reactions for the same reason: {}.", "Réactions indéterminées pour la même raison : {}."},
+    {"Those kept lose rank at places of the motion where one left out counts; these are no change points, and "
+     "accelerations lose digits near them.",
+     "Celles qui restent perdent leur rang en des endroits du mouvement où une équation écartée compte ; ce ne sont pas des "
+     "points de bifurcation, et les accélérations y perdent des chiffres."},
     {"The initial configuration is singular: {} of {} constraints are independent there.",
      "La configuration initiale est singulière : {} des {} équations de liaison y sont indépendantes."},
     {"Equations without multipliers", "Équations sans multiplicateurs"},

@@ -59,6 +59,7 @@ class RankFinder {
       away = displaced(held);
     else
       away.scatter();
+    if (result.closed) result.least_share = choose_along_the_motion(away);
     const OrthonormalRows generic = basis(away, order_.size());
     result.kept = generic.independent();
     std::sort(result.kept.begin(), result.kept.end());
@@ -164,20 +165,7 @@ class RankFinder {
     const OrthonormalRows normal = basis(start, holonomic_count_);
     unsigned long long random = 20061;
     const Row direction = random_direction(normal, random);
-    // A twentieth of a radian, or of the extent of the mechanism when nothing turns.
-    Real turned(0), moved(0);
-    for (std::size_t i = 0; i < n_; ++i) {
-      const bool angle = model_.coordinates()[i].q->unit.is_dimensionless();
-      Real& largest = angle ? turned : moved;
-      largest = std::max(largest, abs(direction[i] * metric_[i]));
-    }
-    Real extent = start.extent(units::metre);
-    if (extent.is_zero()) extent = Real(1);
-    Real reach(0);
-    if (turned > decimal("1e-20"))
-      reach = decimal("1/20") / turned;
-    else if (moved > decimal("1e-20"))
-      reach = extent * decimal("1/20") / moved;
+    const Real reach = twentieth(start, direction);
     // The rows that count at the start first.
     if (const auto away = beside(direction, reach, [&](ConfigurationSample&) { return held; })) return *away;
     // Where the start is singular: all rows together, from several sides. Where many loops branch at once, no set of rows
@@ -197,6 +185,94 @@ class RankFinder {
     if (const auto away = beside(direction, reach, counting)) return *away;
     refuse_rigid(start);
     return start;
+  }
+
+  /// How far along that direction something has turned by a twentieth of a radian, or moved by as much of the extent of the
+  /// mechanism when nothing turns.
+  Real twentieth(const ConfigurationSample& start, const Row& direction) const {
+    Real turned(0), moved(0);
+    for (std::size_t i = 0; i < n_; ++i) {
+      const bool angle = model_.coordinates()[i].q->unit.is_dimensionless();
+      Real& largest = angle ? turned : moved;
+      largest = std::max(largest, abs(direction[i] * metric_[i]));
+    }
+    Real extent = start.extent(units::metre);
+    if (extent.is_zero()) extent = Real(1);
+    if (turned > decimal("1e-20")) return decimal("1/20") / turned;
+    return moved > decimal("1e-20") ? extent * decimal("1/20") / moved : Real(0);
+  }
+
+  /// Which rows repeat the others may change along the motion: those kept are then rows that count all along. They come first
+  /// in the order. Their least share (RowChoice).
+  double choose_along_the_motion(const ConfigurationSample& from) {
+    ConfigurationSample start = from;
+    const OrthonormalRows normal = basis(start, holonomic_count_);
+    const std::vector<std::size_t> kept = normal.independent();
+    if (kept.size() == holonomic_count_) return 1.0;
+    std::vector<RowsHere> places{rows_in_doubles(start)};
+    // As many steps as are soon made; some 120, a full turn, for a loop of six rows.
+    const double work = static_cast<double>(holonomic_count_ * holonomic_count_ * n_);
+    const int steps = std::clamp(static_cast<int>(4e6 / work), 8, 126);
+    const auto follow = [&](const auto& next) {
+      ConfigurationSample at = from;
+      for (int step = 0; step < steps && next(at, step); ++step) {
+        RowsHere rows = rows_in_doubles(at);
+        if (step == 0 && repeat_alike(places.front(), rows, by_order(kept))) return;
+        places.push_back(std::move(rows));
+      }
+    };
+    unsigned long long random = 1848;
+    const Real reach = twentieth(start, random_direction(OrthonormalRows(n_, Real(0), tolerance()), random));
+    follow([&](ConfigurationSample& at, int step) {  // as laws of time move it
+      at.set_time(Real(step + 1) / Real(16));
+      return settle(at, reach) && closed(at, reach);
+    });
+    Row direction = random_direction(normal, random);
+    for (int walk = 0; walk < (kept.size() + 1 == n_ ? 2 : 4); ++walk) {
+      if (walk == 2) direction = random_direction(normal, random);
+      Row onward = direction;
+      for (Real& entry : onward) entry *= Real(walk % 2 == 0 ? 1 : -1);
+      follow([&](ConfigurationSample& at, int) { return advance(at, onward); });
+    }
+    const RowChoice choice = choose_rows(places, by_order(kept));
+    std::vector<std::size_t> chosen;
+    for (const std::size_t k : choice.kept) chosen.push_back(order_[k]);
+    std::stable_partition(order_.begin(), order_.begin() + static_cast<std::ptrdiff_t>(holonomic_count_), [&](std::size_t j) {
+      return std::find(chosen.begin(), chosen.end(), j) != chosen.end();
+    });
+    return choice.least_share;
+  }
+
+  /// The places of holonomic rows in the order.
+  std::vector<std::size_t> by_order(const std::vector<std::size_t>& rows) const {
+    std::vector<std::size_t> places;
+    for (const std::size_t j : rows)
+      places.push_back(static_cast<std::size_t>(std::find(order_.begin(), order_.end(), j) - order_.begin()));
+    return places;
+  }
+
+  RowsHere rows_in_doubles(ConfigurationSample& at) const {
+    RowsHere rows;
+    for (std::size_t k = 0; k < holonomic_count_; ++k) {
+      rows.emplace_back();
+      for (const Real& entry : row(at, order_[k])) rows.back().push_back(entry.to_double());
+    }
+    return rows;
+  }
+
+  /// A small step to a closed configuration, as straight on from that direction as the constraints let; false: there is none.
+  bool advance(ConfigurationSample& at, Row& direction) const {
+    const OrthonormalRows normal = basis(at, holonomic_count_);
+    for (const Row& n : normal.directions()) {
+      const Real part = product(direction, n);
+      for (std::size_t i = 0; i < n_; ++i) direction[i] -= part * n[i];
+    }
+    const Real size = length(direction);
+    if (!(size > decimal("1e-20"))) return false;
+    for (Real& entry : direction) entry /= size;
+    const Real reach = twentieth(at, direction);
+    move(at, direction, reach);
+    return settle(at, reach) && closed(at, reach);
   }
 
   /// The first of smaller and smaller steps along a direction, and later times, from where those rows can be satisfied;
@@ -411,37 +487,6 @@ class RankFinder {
 ConstraintRank constraint_rank(const Scene& scene, const ModelOptions& options) {
   const WorkingDigits precision(zero_tests::constraint_rows.digits);
   return RankFinder(scene, options).find();
-}
-
-std::vector<std::string> notes(const ConstraintRank& rank, const Scene& scene, const NaturalLanguage& say) {
-  const SceneContent& content = scene.content();
-  std::vector<std::string> sentences;
-  if (rank.redundant()) {
-    std::string dropped, shared, reactions;
-    const auto add = [](std::string& list, const std::string& name) { list += (list.empty() ? "" : ", ") + name; };
-    for (const std::size_t j : rank.dropped) add(dropped, content.constraints[j].name);
-    for (const std::size_t j : rank.kept) {
-      if (!rank.determinate[j]) add(shared, content.constraints[j].multiplier->name);
-    }
-    std::size_t released = 0;
-    for (const CoordinateContent& c : content.coordinates) {
-      if (c.released && !c.law && !rank.determinate_released[released++]) add(reactions, c.q->name);
-    }
-    sentences.push_back(
-        say("Constraints that repeat others are left out, their multipliers are 0: {}.", dropped));
-    if (!shared.empty()) {
-      sentences.push_back(
-          say("Indeterminate, as they are shared with those in a way that no motion tells: {}.", shared));
-    }
-    if (!reactions.empty())
-      sentences.push_back(say("Indeterminate reactions for the same reason: {}.", reactions));
-  }
-  if (rank.singular_start()) {
-    sentences.push_back(
-        say("The initial configuration is singular: {} of {} constraints are independent there.",
-            rank.rank_at_start, rank.kept.size()));
-  }
-  return sentences;
 }
 
 }  // namespace torsor
